@@ -53,7 +53,7 @@ struct DeviceParts
     Owner& owner;
     FrameRoom safety_room;   ///< Two frames for each SRDO and two more.
     FrameRoom service_room;  ///< What may wait between two calls of Serve.
-    std::uint8_t srdo_count; ///< Of the kernel's device.
+    std::uint8_t srdo_count; ///< Number of SRDOs of the kernel's device.
 };
 
 /// What a device without services is made of: as DeviceParts, with NoServices as `services`. [SRS_DEV_022]

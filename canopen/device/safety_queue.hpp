@@ -39,6 +39,7 @@ class SafetyQueue
     [[nodiscard]] bool TakeLoss() noexcept;
     /// @brief The oldest frame where it lies, or null; Drop when it is done with. For the reader. O(1)
     [[nodiscard]] const QueuedFrame* Oldest() noexcept;
+    /// @brief Takes the oldest frame out. Only after Oldest returned it. O(1)
     void Drop() noexcept;
 
   private:

@@ -71,8 +71,8 @@ struct Services final : public ServiceSet
     cia305::LssSlave* lss;          ///< Null: the node-ID is what it was at the construction. Set before PowerOn.
     FurtherServices further;        ///< None at first; they send by `outbox`. Set before PowerOn. [SRS_DEV_020]
 
-    KernelWatch* watch;             ///< Set by Device, as is the next one.
-    cia301::Dictionary* dictionary; ///< Of the whole device.
+    KernelWatch* watch;             ///< Set by Device.
+    cia301::Dictionary* dictionary; ///< The dictionary of the whole device; set by Device.
 
     void PowerOff() noexcept override;
     [[nodiscard]] bool MayBoot() const noexcept override;

@@ -44,7 +44,7 @@ struct Element
     std::size_t offset{0U};                   ///< In the memory, or in the constants.
     std::size_t length{0U};                   ///< Place of a string's length among the lengths.
     std::optional<std::uint64_t> node_addend; ///< The value is the node-ID and so much.
-    std::optional<std::size_t> inverse;       ///< Of a normal variable: the element of its inverse.
+    std::optional<std::size_t> inverse;       ///< For a normal variable: the element of its inverse.
 
     /// Index and sub-index as one ordered number.
     [[nodiscard]] std::uint32_t Key() const noexcept

@@ -28,8 +28,8 @@ struct GeneratedCode
 {
     std::string header;
     std::string source;
-    std::size_t entry_count{0U};    ///< Of the table.
-    std::size_t variable_count{0U}; ///< That the kernel serves.
+    std::size_t entry_count{0U};    ///< Entries of the table.
+    std::size_t variable_count{0U}; ///< Variables that the kernel maps.
     std::size_t srdo_count{0U};
     std::size_t stored_bytes{0U};
     std::size_t constant_bytes{0U};

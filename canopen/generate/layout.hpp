@@ -36,7 +36,7 @@ struct Layout
     std::size_t communication_lengths{0U};
     std::size_t entry_count{0U};
     std::size_t variable_count{0U};
-    std::uint32_t longest_bytes{8U}; ///< Of the entries.
+    std::uint32_t longest_bytes{8U}; ///< Length of the longest entry.
 };
 
 /// Decides where everything lies. Throws InputError. [SRS_GEN_005, SRS_GEN_006, SRS_GEN_007, SRS_GEN_010]

@@ -82,6 +82,7 @@ class Manager final : public NmtListener, public NodeListener, public NodeWatchL
     {
         return role_;
     }
+    /// @brief The same, to look at.
     [[nodiscard]] const ManagerRole& Role() const noexcept
     {
         return role_;

@@ -13,8 +13,8 @@ namespace counterpoint::cia302
 /// Who lets the negotiation begin whenever the device is initialising.
 enum class NegotiationBy : std::uint8_t
 {
-    kManager = 0U,     ///< In the next cycle.
-    kApplication = 1U, ///< By StartNegotiation; the device stays in INITIALISATION until then.
+    kManager = 0U,     ///< The manager, in the next cycle.
+    kApplication = 1U, ///< The application, by StartNegotiation; the device stays in INITIALISATION until then.
 };
 
 /// What the role works with; all kept by reference.
@@ -32,6 +32,7 @@ struct RoleParts
 class ManagerRole final : public FlyingMasterListener
 {
   public:
+    /// @brief Commands nothing before Begin.
     explicit ManagerRole(const RoleParts& parts) noexcept;
 
     /// @brief The profile, kept by reference. Before Begin, which does nothing without one.

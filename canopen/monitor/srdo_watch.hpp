@@ -33,7 +33,7 @@ constexpr std::size_t kCauseCount = 8U;
 /// One violation as a watch sees it.
 struct Breach
 {
-    Time time{0}; ///< Of the frame, or at which the limit expired.
+    Time time{0}; ///< Time of the frame, or at which the limit expired.
     Cause cause{Cause::kLength};
     std::string details;
 };
@@ -77,7 +77,7 @@ struct WatchSetup
 {
     std::uint32_t normal_id{0U};
     std::uint32_t inverse_id{0U};
-    std::uint32_t bits{0U}; ///< Of the normal data.
+    std::uint32_t bits{0U}; ///< Length of the normal data in bits.
     Time sct{0};
     Time srvt{0};
     bool is_late{false}; ///< 5F05h: late detection.

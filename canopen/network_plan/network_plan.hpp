@@ -109,12 +109,12 @@ struct ManagerPlan
     KeyLines lines;
     std::string dcf; ///< Empty: none.
     StartProfile profile{StartProfile::kCia302};
-    bool is_profile_chosen{false};         ///< By a scenario, for a file with keys of several profiles.
+    bool is_profile_chosen{false};         ///< A scenario has chosen it, for a file with keys of several profiles.
     std::optional<std::uint32_t> start_up; ///< 1F80h.
     std::optional<std::uint32_t> boot_time_ms;
     std::optional<std::uint16_t> inhibit_100us;
     std::optional<std::uint32_t> sync_us;
-    std::optional<std::uint16_t> heartbeat_ms; ///< Of the manager itself.
+    std::optional<std::uint16_t> heartbeat_ms; ///< 1017h of the manager itself.
     std::optional<std::uint32_t> sdo_time_out_ms;
     std::optional<std::uint8_t> sdo_tries;
     std::optional<cia302::El6751Times> el6751;

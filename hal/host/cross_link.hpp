@@ -27,6 +27,7 @@ struct WireFaults
     bool is_cut{false};           ///< Nothing gets in; what is under way arrives.
 };
 
+/// The two ends of a wire.
 enum class WireEnd : std::uint8_t
 {
     kFirst = 0U,

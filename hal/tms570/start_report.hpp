@@ -57,7 +57,7 @@ enum class StartAnswer : std::uint8_t
 struct StartReport
 {
     StartAnswer answer;
-    StartStep last;                ///< Of the steps that were done.
+    StartStep last;                ///< The last step that was done.
     StepResult steps[kStartSteps]; ///< By StartStep. // MISRA D-001
     ResetReason reason;
     std::uint8_t logic_test; ///< LogicTest.

@@ -43,8 +43,8 @@ struct SrdoModel
 struct StaticTable
 {
     std::array<std::uint32_t, kMaxMapEntries> entries{};
-    std::uint8_t number{0U}; ///< Of the SRDO.
-    std::uint8_t count{0U};  ///< Of the entries.
+    std::uint8_t number{0U}; ///< Number of the SRDO.
+    std::uint8_t count{0U};  ///< Number of entries.
     std::size_t normal{0U};  ///< Where its fields begin in DeviceModel::Memory().
     std::size_t inverse{0U};
     std::size_t line{0U};
@@ -56,7 +56,7 @@ struct VariablePair
     std::size_t normal{0U}; ///< Indices into DeviceModel::Objects().
     std::size_t inverse{0U};
     std::uint8_t srdo{0U};       ///< Number of the SRDO.
-    std::uint32_t first_bit{0U}; ///< Of the pair in the data of the SRDO; entries before it may be dummies.
+    std::uint32_t first_bit{0U}; ///< Place of the pair in the data of the SRDO; entries before it may be dummies.
     bool is_consumer{false};
 };
 

@@ -28,7 +28,7 @@ struct PairValue
 {
     VariablePlace normal_place{nullptr, 0U};
     VariablePlace inverse_place{nullptr, 0U};
-    ObjectAddress address{0U, 0U}; ///< Of the normal object.
+    ObjectAddress address{0U, 0U}; ///< Address of the normal object.
     std::uint64_t mask{0U};
     std::uint64_t normal{0U};
     std::uint64_t inverse{0U};
@@ -37,7 +37,7 @@ struct PairValue
     SrdoMask slot{0U};
     std::uint8_t srdo{0U};
     bool is_consumer{false};
-    bool is_mapped{true}; ///< By an SRDO that is on, or by the file while nothing was followed yet.
+    bool is_mapped{true}; ///< An SRDO that is on maps it; before Follow: the file maps it.
 };
 
 /// What the application of a simulated or live device does with its pairs. Producer: the normal object holds the input,

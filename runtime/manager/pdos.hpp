@@ -21,7 +21,7 @@ struct PdoValue
     bool is_output{false}; ///< RxPDO.
     std::uint16_t number{0U};
     std::vector<std::uint8_t> bytes;
-    bool was_seen{false};    ///< Of an input: received once; of an output: always.
+    bool was_seen{false};    ///< For an input: it was received once. For an output: always.
     std::uint64_t at_us{0U}; ///< When it was received last.
 };
 

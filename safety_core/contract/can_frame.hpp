@@ -10,7 +10,8 @@
 namespace counterpoint
 {
 
-/// Only kData is a candidate for SRDO and GFC; the others are told apart so that nothing is guessed. [SRS_CONS_002]
+/// Kinds of CAN frames. Only kData can be a frame of an SRDO or GFC; the others have values of their own so that none
+/// is taken for it. [SRS_CONS_002]
 enum class FrameKind : std::uint8_t
 {
     kInvalid = 0U,

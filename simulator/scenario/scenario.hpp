@@ -124,7 +124,7 @@ struct FrameChoice
     bool has_inverse{true};
     std::optional<NodeIndex> sender;
     std::optional<NodeIndex> receiver; ///< None: for all receivers.
-    std::uint32_t controller{0U};      ///< Of the receiver; 0: each.
+    std::uint32_t controller{0U};      ///< Controller of the receiver; 0: each.
     Nanoseconds from{0};
     Nanoseconds until{kNever};
     Nanoseconds on{0}; ///< 0: all the time.
@@ -167,7 +167,7 @@ struct FaultSetup
     // Bit flip.
     std::optional<std::uint32_t> offset;
     std::uint8_t bit{0U};
-    bool level{false};                   ///< Of a stuck bit.
+    bool level{false};                   ///< Level of a stuck bit.
     std::optional<ConfigAddress> config; ///< `slot` holds the SRDO number here.
     std::uint8_t srdo{0U};               ///< Of a setup or safe value; 0: any.
     // Clock.
@@ -178,7 +178,7 @@ struct FaultSetup
     // Link between two CPUs: `frames` has window, turn and chance; `node` is CPU A.
     bool hits_from_a{true};
     bool hits_from_b{true};
-    std::uint32_t back{0U}; ///< Of an insertion: so many messages ago; 0: noise.
+    std::uint32_t back{0U}; ///< For an insertion: which message before; 0: noise.
     std::vector<std::uint32_t> message_bits;
     // Store and forward; reception queue.
     Nanoseconds gap{0};
@@ -206,7 +206,7 @@ struct Action
     Nanoseconds until{0};
     Nanoseconds every{0};
     NodeIndex node{kNoNode};  ///< Of a device.
-    std::uint8_t node_id{0U}; ///< Of a manager, 0: the first one; or whose emergencies.
+    std::uint8_t node_id{0U}; ///< Of a manager (0: the first one), or of the node whose emergencies are sent.
     std::uint32_t serial{0U};
     std::uint32_t identifier{0U};
     std::uint16_t code{0U};
@@ -230,7 +230,7 @@ struct Expectation
     std::uint8_t manager{0U}; ///< Who is asked; 0: the first one.
     std::string is;           ///< The word that is expected of manager, device or output.
     NodeIndex node{kNoNode};
-    bool is_series{false}; ///< Of both CPUs of a device: `node` and the next one, their outputs in series.
+    bool is_series{false}; ///< It is about both CPUs of a device: `node` and the next one, whose outputs are in series.
     std::uint8_t srdo{0U};
     ObjectAddress object{0U, 0U};
     std::uint64_t value{0U};

@@ -25,7 +25,7 @@ struct World
     BusPlaces places;
     std::vector<std::unique_ptr<runtime::DeviceModel>> models;
     std::vector<std::unique_ptr<Node>> nodes;             ///< Of the scenario; then those that events duplicate.
-    std::map<NodeIndex, std::unique_ptr<LinkWire>> wires; ///< By CPU A.
+    std::map<NodeIndex, std::unique_ptr<LinkWire>> wires; ///< By the index of CPU A.
 
     /// @brief The present time.
     [[nodiscard]] Nanoseconds Now() const noexcept

@@ -47,7 +47,7 @@ struct EmergencyRoom
 {
     EmergencyError* active;
     EmergencyMessage* waiting;
-    std::uint16_t count; ///< Of each; 0: no room, the producer takes its own.
+    std::uint16_t count; ///< Number of places of each; 0: there is no room, and the producer takes its own.
 };
 
 /// Value of a sub-index of 1003h, or why there is none.

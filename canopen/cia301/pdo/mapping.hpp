@@ -26,7 +26,7 @@ struct PdoMap
     PdoField* fields;
     std::uint8_t room;      ///< 0 to kMaxPdoFields.
     std::uint8_t count{0U}; ///< Sub-index 0.
-    std::uint8_t bits{0U};  ///< Of the first `count` fields.
+    std::uint8_t bits{0U};  ///< Length in bits of the first `count` fields together.
 };
 
 /// Bytes of a PDO.

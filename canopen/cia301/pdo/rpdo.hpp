@@ -71,6 +71,7 @@ struct RpdoParts
 class Rpdos
 {
   public:
+    /// @brief As after Reset.
     explicit Rpdos(const RpdoParts& parts) noexcept;
 
     /// @brief Reset communication: all off, nothing mapped.

@@ -14,7 +14,7 @@ constexpr std::uint8_t kCobIdSub = 1U;
 constexpr std::uint8_t kTypeSub = 2U;
 constexpr std::uint8_t kInhibitSub = 3U;
 constexpr std::uint8_t kEventSub = 5U;
-constexpr std::uint32_t kLastSynchronous = 240U;     ///< Of the transmission types.
+constexpr std::uint32_t kLastSynchronous = 240U;     ///< Last of the transmission types that follow SYNC.
 constexpr std::uint32_t kFixedCobBits = 0x3FFFFFFFU; ///< Bits of a COB-ID that do not change while the PDO is valid.
 
 /// The values of sub-index 1, 2, 3 and 5.

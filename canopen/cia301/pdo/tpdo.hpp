@@ -75,6 +75,7 @@ struct TpdoParts
 class Tpdos
 {
   public:
+    /// @brief As after Reset.
     explicit Tpdos(const TpdoParts& parts) noexcept;
 
     /// @brief Reset communication: all off, nothing mapped.

@@ -38,8 +38,8 @@ struct SdoJob
     ObjectAddress target;
     SdoMode mode;
     bool is_upload;
-    Bytes source;            ///< Of a download.
-    Room room;               ///< Of an upload.
+    Bytes source;            ///< What a download writes.
+    Room room;               ///< Where an upload puts the value.
     std::uint8_t block_size; ///< Segments of a sub-block of an upload.
 };
 

@@ -50,7 +50,7 @@ enum class FlyingStart : std::uint8_t
     kNode = 2U,     ///< The own node-ID is not 1 to 127.
     kPriority = 3U, ///< 1F90h:03 above 2.
     kSlots = 4U,    ///< 1F90h:04 is not above 127 x 1F90h:05, or the latter is 0.
-    kNoBus = 5U,    ///< Of a manager: its controller is not on the bus.
+    kNoBus = 5U,    ///< The controller of the manager is not on the bus.
 };
 
 /// When OnCycle will have something to do, if nothing is heard before.

@@ -65,9 +65,9 @@ struct FlyingMasterOptions
     StandbyReaction standby;
     bool negotiates_pre_operational; ///< Boot-up comes before the negotiation; else the device waits in INITIALISATION.
     bool keeps_slot;                 ///< 072h of others does not begin the waiting anew.
-    bool ignores_claims;             ///< As active master.
-    bool answers_boot_up;            ///< As active master, with 071h.
-    std::uint8_t max_restarts;       ///< By 076h, in a row; 0: unbounded.
+    bool ignores_claims;             ///< As active master it ignores 071h of others.
+    bool answers_boot_up;            ///< As active master it answers a foreign boot-up message with 071h.
+    std::uint8_t max_restarts;       ///< How many 076h are sent in a row because of worse masters; 0: no limit.
     std::uint16_t watch_ms;          ///< See MasterWatch; above 0.
     std::uint16_t own_producer_ms;   ///< 1017h of this device, see MasterWatch.
 };

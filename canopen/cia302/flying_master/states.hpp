@@ -26,16 +26,16 @@ enum class FlyingState : std::uint8_t
 enum class FlyingInput : std::uint8_t
 {
     kNone = 0U,
-    kStart = 1U,    ///< By the application.
-    kSent = 2U,     ///< The frame that ends the step has left: 073h, 072h, 071h, 076h.
-    kRestart = 3U,  ///< From step 1 on: the master is lost, or 076h was heard.
-    kResetAll = 4U, ///< Likewise, with a reset of all nodes before.
-    kRaceAnew = 5U, ///< Likewise, with 072h.
-    kJoin = 6U,     ///< Others race.
-    kForce = 7U,    ///< A worse master is to yield.
-    kFollow = 8U,   ///< A master that is accepted.
-    kReset = 9U,    ///< Of communication: commanded, or sent by this device itself.
-    kSameNode = 10U,
+    kStart = 1U,     ///< The application lets the negotiation begin.
+    kSent = 2U,      ///< The frame that ends the step has left: 073h, 072h, 071h, 076h.
+    kRestart = 3U,   ///< Begin with step 1: the master is lost, or 076h was heard.
+    kResetAll = 4U,  ///< As kRestart, with a reset of all nodes before.
+    kRaceAnew = 5U,  ///< As kRestart, but with 072h.
+    kJoin = 6U,      ///< Others have begun a race.
+    kForce = 7U,     ///< A worse master has to yield.
+    kFollow = 8U,    ///< A master was accepted.
+    kReset = 9U,     ///< Communication was reset, by a command or by this device itself.
+    kSameNode = 10U, ///< Another device has the own node-ID.
 };
 constexpr std::uint8_t kFlyingInputs = 11U;
 

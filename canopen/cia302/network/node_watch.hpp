@@ -18,8 +18,8 @@ struct EmergencyRecord
     std::uint16_t code;
     std::uint8_t error_register;
     std::uint8_t details[5];
-    std::uint32_t count;  ///< Since the begin.
-    std::uint32_t untold; ///< Of these, not told since the last one that was.
+    std::uint32_t count;  ///< Number of messages since the begin.
+    std::uint32_t untold; ///< How many messages were not told since the last one that was.
     Instant told;         ///< When the last one was told; only with `has_told`.
     bool has_told;
 };

@@ -36,7 +36,7 @@ struct SdoLane
     SdoMode mode;
     bool is_upload;
     std::uint8_t tries_left;
-    std::uint8_t idle_cycles; ///< Since the end; its user takes the outcome in the next cycle at the latest.
+    std::uint8_t idle_cycles; ///< Cycles since the end; its user takes the outcome in the next cycle at the latest.
 };
 
 /// Times of all clients. CiA 302 names none: 100 ms and 3 tries are usual, slow devices need 2000 ms.

@@ -26,9 +26,10 @@ constexpr std::uint32_t kIsMaster = 0x01U;
 constexpr std::uint32_t kStartAllAtOnce = 0x02U;        ///< Else each slave by itself.
 constexpr std::uint32_t kApplicationStartsSelf = 0x04U; ///< Else the master enters OPERATIONAL by itself.
 constexpr std::uint32_t kApplicationStartsSlaves = 0x08U;
-constexpr std::uint32_t kResetAllOnError = 0x10U; ///< Of a mandatory slave; else that slave alone.
+constexpr std::uint32_t kResetAllOnError = 0x10U; ///< An error of a mandatory slave resets all; else that slave alone.
 constexpr std::uint32_t kFlyingMaster = 0x20U;
-constexpr std::uint32_t kStopAllOnError = 0x40U; ///< Of a mandatory slave; before kResetAllOnError.
+/// An error of a mandatory slave stops all; counts before kResetAllOnError.
+constexpr std::uint32_t kStopAllOnError = 0x40U;
 constexpr std::uint32_t kKnownStartUpBits = 0x7FU;
 
 /// Bits of 1F81h, "slave assignment"; retry factor in bits 8 to 15, guard time in bits 16 to 31.

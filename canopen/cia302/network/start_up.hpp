@@ -24,7 +24,7 @@ enum class StartUpStep : std::uint8_t
     kProductCode = 5U,
     kRevisionNumber = 6U,
     kSerialNumber = 7U,
-    kStateCheck = 8U, ///< Of a slave that is kept alive while OPERATIONAL.
+    kStateCheck = 8U, ///< Looks whether a slave that is kept alive is OPERATIONAL.
     kSoftwareVersion = 9U,
     kSoftwareUpdate = 10U,
     kConfigurationDate = 11U,

@@ -88,7 +88,7 @@ struct Object
     std::uint16_t index{0U};
     std::string name;
     ObjectType type{ObjectType::kVar};
-    std::uint16_t data_type{0U}; ///< Of a record: its DEFSTRUCT, 0 where the file does not tell.
+    std::uint16_t data_type{0U}; ///< For a record: index of its DEFSTRUCT; 0 where the file does not tell.
     std::map<std::uint8_t, Entry> entries;
     std::size_t line{0U};
     std::string section;
@@ -100,11 +100,12 @@ struct Device
 {
     std::string file;
     std::map<std::uint16_t, Object> objects;
-    std::optional<std::uint8_t> node_id; ///< Of the commissioning section, 1 to 127.
+    std::optional<std::uint8_t> node_id; ///< Node-ID of the commissioning section, 1 to 127.
     std::optional<bool> is_safety_supported;
     bool is_lss_supported{false}; ///< LSS_Supported.
     std::size_t device_info_line{0U};
-    std::optional<std::uint8_t> granularity_bits; ///< Of DeviceInfo, where it is one of a Counterpoint device.
+    /// Granularity of DeviceInfo, where it is one that a Counterpoint device can have.
+    std::optional<std::uint8_t> granularity_bits;
     std::set<std::uint16_t> dummies;              ///< Data types that DummyUsage allows to be mapped.
     std::map<std::uint16_t, std::size_t> missing; ///< Objects that a list names and no section describes; their lines.
     std::vector<Finding> warnings;                ///< In the order of the lines.

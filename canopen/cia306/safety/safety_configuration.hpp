@@ -113,12 +113,12 @@ struct SrdoConfiguration
 /// The safety configuration that a file gives a device. [SRS_EDS_020, SRS_EDS_024]
 struct SafetyConfiguration
 {
-    std::vector<SrdoConfiguration> srdos; ///< By number; those whose communication parameters exist.
+    std::vector<SrdoConfiguration> srdos; ///< Those whose communication parameters exist, by number.
     Field gfc;
     Field configuration_valid;
     Field signature_count;
     std::vector<Finding> missing;  ///< Safety objects that are listed and not described: the file was cut.
-    std::vector<Finding> problems; ///< Of what belongs to no SRDO.
+    std::vector<Finding> problems; ///< Problems of objects that belong to no SRDO.
 };
 
 /// Reads the safety configuration of a file. Never throws for what the file says: what cannot be used becomes a

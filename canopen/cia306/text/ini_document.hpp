@@ -35,7 +35,7 @@ struct IniSection
 {
     std::string name;
     std::size_t line{0U};
-    std::size_t last_line{0U};                ///< Of its last key, or of its head.
+    std::size_t last_line{0U};                ///< Line of its last key; of its head where it has no key.
     std::vector<IniKey> keys;                 ///< In the order of the file.
     std::map<std::string, std::size_t> index; ///< Lower case name to place in `keys`.
 

@@ -70,6 +70,7 @@ class BootSlave
 
     /// @brief Record of a slave; `node` is 1 to 127, checked by the caller.
     [[nodiscard]] BootRecord& Record(NodeId node) noexcept;
+    /// @brief The same, to look at.
     [[nodiscard]] const BootRecord& Record(NodeId node) const noexcept;
 
   private:

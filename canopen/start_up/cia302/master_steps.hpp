@@ -16,7 +16,7 @@ enum class MasterStep : std::int16_t
     kHalted = 3, ///< A mandatory slave failed.
     kReady = 4,  ///< All mandatory slaves are booted; the application starts the master.
     kOperational = 5,
-    kStopped = 6, ///< By error handling: all nodes were stopped. Begin starts anew.
+    kStopped = 6, ///< Error handling has stopped all nodes; Begin starts again.
 };
 constexpr std::uint8_t kMasterSteps = 7U;
 

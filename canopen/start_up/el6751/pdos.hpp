@@ -85,7 +85,7 @@ class El6751Pdos
     {
         kRest = 0U,
         kAwait = 1U,
-        kFeed = 2U, ///< And await.
+        kFeed = 2U, ///< RxPDOs are sent to it, and its TxPDOs are expected.
     };
 
     [[nodiscard]] El6751PdoRecord& Record(NodeId node, std::uint8_t position) const noexcept;

@@ -65,7 +65,7 @@ struct El6751Access
     StartUpStep step;
     bool is_upload;
     bool is_compared;        ///< An upload that must give `value`.
-    std::uint8_t size_bytes; ///< Of `value`; 0: `user` is written.
+    std::uint8_t size_bytes; ///< Length of `value`; 0: `user` is written.
     std::uint32_t value;
     Bytes user;
 };
@@ -84,7 +84,7 @@ enum class El6751Verdict : std::uint8_t
 struct El6751Answer
 {
     SdoOutcome outcome;
-    std::uint64_t read; ///< Of an upload.
+    std::uint64_t read; ///< What an upload has read.
     bool is_first;      ///< The slave had not answered anything in this start-up.
 };
 

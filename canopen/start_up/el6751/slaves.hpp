@@ -37,9 +37,10 @@ struct El6751Node
     std::int16_t cause;         ///< NodeState of the last error.
     std::int16_t control_fault; ///< 1, 14 or 12 until the next right sign of life; 0: none.
     std::int16_t held_code;     ///< NodeState while the phase is kHeld.
-    std::uint8_t signs;         ///< Of the node table, when the phase, the fault or the wait began.
-    std::uint8_t beats;         ///< Likewise, when the control fault began: an answer that does not toggle ends none.
-    bool has_answered;          ///< An SDO of this start-up was answered.
+    std::uint8_t signs;         ///< NodeRecord::signs when the phase, the fault or the wait began.
+    /// NodeRecord::beats when the control fault began: an answer that does not toggle does not end it.
+    std::uint8_t beats;
+    bool has_answered; ///< An SDO of this start-up was answered.
     bool is_transferring;
     bool is_requested;    ///< NMT start was handed over.
     bool is_start_wanted; ///< Its start was ordered, whatever the automatic start says.

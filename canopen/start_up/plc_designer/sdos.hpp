@@ -10,7 +10,7 @@ namespace counterpoint::cia302
 /// What came of the SDOs of a slave.
 enum class PlcSdoEnd : std::uint8_t
 {
-    kNone = 0U,     ///< They go on, or the slave is absent now.
+    kNone = 0U,     ///< More SDOs follow, or the slave is absent now.
     kRestored = 1U, ///< 1011h:01 was answered: the slave must be reset.
     kAll = 2U,      ///< All of them were answered.
 };

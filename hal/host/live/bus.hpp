@@ -65,12 +65,13 @@ struct BusHealth
     std::uint32_t bus_offs{0U};
     std::uint32_t restarts{0U};
     std::uint32_t error_frames{0U};
-    std::uint32_t lost_frames{0U};      ///< Received by the system, dropped because nobody took them.
-    std::uint32_t malformed{0U};        ///< Received, but no frame.
-    std::uint32_t dropped_frames{0U};   ///< Accepted by Send, thrown away at bus-off or interface down.
-    std::uint32_t waiting{0U};          ///< Accepted by Send, not yet taken by the system.
-    std::uint32_t reconnects{0U};       ///< Lost connections that were opened again.
-    std::uint32_t refused_restarts{0U}; ///< By policy, but the system refused: no rights, or it does it by itself.
+    std::uint32_t lost_frames{0U};    ///< Received by the system, dropped because nobody took them.
+    std::uint32_t malformed{0U};      ///< Received, but no frame.
+    std::uint32_t dropped_frames{0U}; ///< Accepted by Send, thrown away at bus-off or interface down.
+    std::uint32_t waiting{0U};        ///< Accepted by Send, not yet taken by the system.
+    std::uint32_t reconnects{0U};     ///< Lost connections that were opened again.
+    /// Restarts by policy that the system refused: no rights, or it restarts by itself.
+    std::uint32_t refused_restarts{0U};
 };
 
 /// What happens after bus-off.

@@ -17,7 +17,7 @@ struct LiveArrival
     int failure{0};                ///< errno.
     int flags{0};                  ///< MSG_CONFIRM, MSG_TRUNC and the like.
     std::uint64_t time_ns{0U};     ///< CLOCK_MONOTONIC.
-    std::uint64_t hardware_ns{0U}; ///< Of the controller, in its own time; 0: its driver gives none.
+    std::uint64_t hardware_ns{0U}; ///< Stamp of the controller, in its own time; 0: its driver gives none.
     std::uint32_t dropped{0U};     ///< Datagrams dropped by the system since the socket was opened; 0: not told.
 };
 

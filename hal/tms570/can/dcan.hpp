@@ -35,7 +35,7 @@ struct DcanSetup
     std::uint32_t bit_timing;  ///< dcan::BitTiming
     const CanObject* objects;  ///< Outlives the controller.
     std::uint8_t object_count; ///< 1 to room for objects.
-    std::uint8_t object_room;  ///< Of the controller.
+    std::uint8_t object_room;  ///< Message objects of the controller.
     std::uint8_t pause_cycles; ///< From bus-off to the way back to the bus.
     std::uint8_t most_returns; ///< Out of bus-off, until the next start.
 };
@@ -64,6 +64,7 @@ enum class DcanEventKind : std::uint8_t
     kStatus = 5U, ///< No frame.
 };
 
+/// One event of a controller.
 struct DcanEvent
 {
     DcanEventKind kind;

@@ -20,6 +20,7 @@ enum class QueuedKind : std::uint8_t
     kLoss = 2U, ///< Frames were lost, or their order or stamps are not known; `frame` has no meaning.
 };
 
+/// One entry of the queue.
 struct QueuedFrame
 {
     QueuedKind kind;

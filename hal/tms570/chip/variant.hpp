@@ -55,6 +55,7 @@ struct SystemSetup
     RegisterBase power[3];     ///< Controllers of the peripherals' power; address 0: none. // MISRA D-001
 };
 
+/// One controller of the family.
 struct Variant
 {
     RegisterBase dcan[2]; // MISRA D-001

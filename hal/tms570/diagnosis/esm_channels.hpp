@@ -18,6 +18,7 @@ enum class EsmReaction : std::uint8_t
     kHardwareState = 0x3CU, ///< As kSafeState; nERROR by the hardware alone, and the processor sees an abort.
 };
 
+/// One channel: what it stands for, and what becomes of its errors.
 struct EsmChannelEntry
 {
     const char* name;
