@@ -1,9 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/elections/world.hpp"
 
-#include "canopen/cia301/nmt/slave.hpp"
-
 #include <algorithm>
+#include <utility>
 
 namespace counterpoint::elections
 {
@@ -13,7 +12,6 @@ namespace
 constexpr std::uint32_t kErrorControl = 0x700U;
 constexpr std::uint32_t kClaim = 0x71U;
 constexpr std::uint32_t kForce = 0x76U;
-constexpr std::uint8_t kOperational = 5U;
 /// 128 times 11 recessive bits.
 constexpr Time kRecoveryBits = 128 * 11;
 
@@ -48,35 +46,22 @@ void World::Begin(const std::vector<MasterPlan>& masters, const Loss& loss)
     for (std::size_t i = 0U; i < count_; ++i)
     {
         Node& node = nodes_[i];
-        node.world = this;
+        node.bus = &parts_[0];
         node.index = i;
         node.plan = masters[i];
         node.plan.options = masters[i].options.value_or(plan_.options);
+        node.clock = NodeClock(masters[i], plan_.cycle);
+        node.heartbeat = plan_.heartbeat;
         node.setup = cia302::NetworkSetup{masters[i].node, 0x21U, 0U, 0U, 0U, slaves_.data()};
         node.power_on = masters[i].power_on;
         node.part = 0U;
         node.is_on = false;
         node.was_active = false;
         node.known = 0U;
+        node.configuration_errors = 0U;
         node.heard.clear();
         Schedule(node, 0);
     }
-}
-
-void World::PowerOn(Node& node)
-{
-    node.is_on = true;
-    node.power_on = kNever;
-    node.recovers_at = kNever;
-    node.heartbeat_at = kNever;
-    node.master.emplace(cia302::FlyingMasterParts{node.setup, node.plan.times, *node.plan.options, node, node});
-    parts_[node.part].Attach(node.index, true, now_);
-    Start(node);
-}
-
-void World::Start(Node& node)
-{
-    static_cast<void>(node.master->Start(Stamp(node, now_)));
 }
 
 void World::Kill(const std::size_t master)
@@ -87,8 +72,8 @@ void World::Kill(const std::size_t master)
 void World::Restart(const std::size_t master, const Time power_on)
 {
     Node& node = nodes_[master];
-    parts_[node.part].Drop(master);
-    parts_[node.part].Attach(master, false, now_);
+    node.bus->Drop(master);
+    node.bus->Attach(master, false, now_);
     node.is_on = false;
     node.power_on = power_on;
     node.was_active = false;
@@ -106,8 +91,9 @@ void World::Split(const std::vector<std::uint8_t>& part)
         if (part[i] != node.part)
         {
             // What waits in the controller goes out at the other part.
-            parts_[node.part].Move(i, parts_[part[i]], now_);
+            node.bus->Move(i, parts_[part[i]], now_);
             node.part = part[i];
+            node.bus = &parts_[node.part];
         }
     }
     CountActive();
@@ -159,7 +145,8 @@ void World::Run(const Time until)
         {
             if (next_[i] <= now_)
             {
-                Cycle(nodes_[i]);
+                nodes_[i].Cycle(now_);
+                Note(nodes_[i], now_ + 1);
             }
         }
         if (is_counting_due_)
@@ -174,35 +161,6 @@ void World::Run(const Time until)
         parts_[1].Arbitrate(now_);
     }
     now_ = std::max(now_, until);
-}
-
-void World::Cycle(Node& node)
-{
-    if (!node.is_on)
-    {
-        PowerOn(node);
-    }
-    else if (node.recovers_at <= now_)
-    {
-        node.recovers_at = kNever;
-        parts_[node.part].Attach(node.index, true, now_);
-        Start(node);
-    }
-    else
-    {
-        for (const CanFrame& frame : node.heard)
-        {
-            node.master->OnFrame(frame, Stamp(node, now_));
-        }
-        node.heard.clear();
-        node.master->OnCycle(Stamp(node, now_));
-        if (node.master->IsActiveMaster() && (node.heartbeat_at <= now_))
-        {
-            node.heartbeat_at = WorldOf(node, LocalOf(node, now_) + plan_.heartbeat);
-            static_cast<void>(node.Send(cia301::ErrorControlFrame(node.plan.node, kOperational)));
-        }
-    }
-    Note(node, now_ + 1);
 }
 
 void World::OnComplete(const CanFrame& frame, const std::vector<std::size_t>& senders)
@@ -245,7 +203,7 @@ void World::Hear(Node& node, const CanFrame& frame)
     }
     else if (is_of_interest)
     {
-        node.master->OnFrame(frame, Stamp(node, now_));
+        node.master->OnFrame(frame, node.clock.Stamp(now_));
         Note(node, now_);
     }
     else
@@ -259,9 +217,9 @@ void World::OnBusOff(const std::size_t node)
     Node& gone = nodes_[node];
     ++seen_.bus_offs;
     gone.recovers_at = now_ + (kRecoveryBits * plan_.bit_us);
-    parts_[gone.part].Attach(node, false, now_);
+    gone.bus->Attach(node, false, now_);
     gone.heard.clear();
-    gone.master->Reset(Stamp(gone, now_));
+    gone.master->Reset(gone.clock.Stamp(now_));
     Note(gone, now_);
 }
 
@@ -280,6 +238,7 @@ void World::Note(Node& node, const Time earliest)
         node.was_active = is_active;
         node.known = known;
     }
+    seen_.configuration_errors += std::exchange(node.configuration_errors, 0U);
     Schedule(node, earliest);
 }
 
@@ -303,35 +262,6 @@ void World::CountActive()
     is_counting_due_ = false;
 }
 
-Time World::TickFrom(const Node& node, const Time at) const
-{
-    const Time since = LocalOf(node, at) - node.plan.phase;
-    const Time ticks = (since <= 0) ? 0 : ((since + plan_.cycle - 1) / plan_.cycle);
-    const Time tick = WorldOf(node, node.plan.phase + (ticks * plan_.cycle));
-    return (tick < at) ? WorldOf(node, node.plan.phase + ((ticks + 1) * plan_.cycle)) : tick;
-}
-
-Time World::NextOf(const Node& node, const Time earliest) const
-{
-    if (!node.is_on)
-    {
-        return node.power_on;
-    }
-    if (node.recovers_at != kNever)
-    {
-        return node.recovers_at;
-    }
-    const cia302::FlyingDeadline deadline = node.master->Next();
-    // Modular instants: the difference to now is exact. A step that is due already waits for the next cycle.
-    const auto left = static_cast<std::int32_t>(deadline.at.us - Stamp(node, now_).us);
-    const Time step =
-        deadline.is_set ? TickFrom(node, std::max(WorldOf(node, LocalOf(node, now_) + left), earliest)) : kNever;
-    const bool beats = node.was_active && (node.heartbeat_at != kNever);
-    const Time beat = beats ? TickFrom(node, std::max(node.heartbeat_at, earliest)) : kNever;
-    const Time poll = node.heard.empty() ? kNever : TickFrom(node, earliest);
-    return std::min({step, beat, poll});
-}
-
 /// Earliest instant at which a device does something; most frames change nothing about it.
 Time World::Soonest()
 {
@@ -345,33 +275,55 @@ Time World::Soonest()
 
 void World::Schedule(const Node& node, const Time earliest)
 {
-    const Time next = NextOf(node, earliest);
+    const Time next = node.Next(now_, earliest);
     Time& kept = next_[node.index];
     is_soonest_known_ = is_soonest_known_ && (kept > soonest_);
     soonest_ = is_soonest_known_ ? std::min(soonest_, next) : soonest_;
     kept = next;
 }
 
-bool World::Node::Send(const CanFrame& frame) noexcept
+std::size_t World::ActiveCount() const
 {
-    return (recovers_at == kNever) && world->parts_[part].Submit(index, frame);
-}
-
-void World::Node::OnFlyingMaster(const cia302::FlyingEvent event, const cia302::MasterClaim& claim,
-                                 const Instant now) noexcept
-{
-    static_cast<void>(claim);
-    static_cast<void>(now);
-    world->seen_.configuration_errors += (event == cia302::FlyingEvent::kConfigurationError) ? 1U : 0U;
-}
-
-void World::Node::OnInitialising(const Instant now) noexcept
-{
-    static_cast<void>(now);
-    if (recovers_at == kNever)
+    std::size_t count = 0U;
+    for (std::size_t i = 0U; i < count_; ++i)
     {
-        world->Start(*this);
+        count += (nodes_[i].was_active && (nodes_[i].part == 0U)) ? 1U : 0U;
     }
+    return count;
+}
+
+std::size_t World::Active() const
+{
+    std::size_t found = count_;
+    for (std::size_t i = count_; i > 0U; --i)
+    {
+        found = (nodes_[i - 1U].was_active && (nodes_[i - 1U].part == 0U)) ? (i - 1U) : found;
+    }
+    return found;
+}
+
+bool World::IsAgreed() const
+{
+    const std::size_t active = Active();
+    bool is_agreed = ActiveCount() == 1U;
+    for (std::size_t i = 0U; is_agreed && (i < count_); ++i)
+    {
+        const Node& node = nodes_[i];
+        is_agreed = !node.is_on || (node.known == nodes_[active].plan.node.value);
+    }
+    return is_agreed;
+}
+
+bool World::IsBest() const
+{
+    const std::size_t active = Active();
+    bool is_best = active < count_;
+    for (std::size_t i = 0U; is_best && (i < count_); ++i)
+    {
+        const Node& node = nodes_[i];
+        is_best = !node.is_on || (node.plan.times.priority >= nodes_[active].plan.times.priority);
+    }
+    return is_best;
 }
 
 } // namespace counterpoint::elections

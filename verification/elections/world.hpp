@@ -2,51 +2,18 @@
 #ifndef VERIFICATION_ELECTIONS_WORLD_HPP
 #define VERIFICATION_ELECTIONS_WORLD_HPP
 
-#include "canopen/cia302/flying_master/flying_master.hpp"
 #include "simulator/faults/random.hpp"
 #include "verification/elections/bus.hpp"
+#include "verification/elections/node.hpp"
+#include "verification/elections/world_plan.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <optional>
 #include <vector>
 
 namespace counterpoint::elections
 {
-
-/// One flying master of a run.
-struct MasterPlan
-{
-    cia302::NodeId node;
-    cia302::FlyingMasterTimes times;
-    Time power_on;                                        ///< Its application calls Start at once.
-    Time phase;                                           ///< Of its cycle, below WorldPlan::cycle.
-    Time clock_ppm{0};                                    ///< How much faster its clock goes than that of the world.
-    std::uint32_t clock_begin{0U};                        ///< Its counter at the beginning of the world.
-    std::optional<cia302::FlyingMasterOptions> options{}; ///< Its own; else those of the WorldPlan.
-};
-
-/// Which complete frame is lost, counted from 0, and for whom.
-struct Loss
-{
-    static constexpr std::uint32_t kNoFrame = 0xFFFFFFFFU;
-    static constexpr std::size_t kEverybody = SIZE_MAX;
-    std::uint32_t frame{kNoFrame};
-    std::size_t receiver{kEverybody};
-};
-
-/// What all runs of a series have in common.
-struct WorldPlan
-{
-    cia302::FlyingMasterOptions options;
-    Time cycle{kMs};
-    Time bit_us{8};
-    Time heartbeat{1000 * kMs}; ///< Of the active master; its consumers wait for options.watch_ms.
-    bool polls{false};          ///< Frames are handled in the next cycle, not when they are complete.
-    Time traffic_gap{0};        ///< Frames of other services with 8 bytes, this apart in the mean; 0: none.
-    std::uint64_t traffic_seed{0U};
-};
 
 /// What was seen in a run, or since Forget.
 struct Seen
@@ -127,34 +94,8 @@ class World final : private BusUser
     }
 
   private:
-    /// A device: cycle, heartbeat, controller.
-    class Node final : public cia301::FrameSink, public cia302::FlyingMasterListener
-    {
-      public:
-        bool Send(const CanFrame& frame) noexcept override;
-        void OnFlyingMaster(cia302::FlyingEvent event, const cia302::MasterClaim& claim, Instant now) noexcept override;
-        void OnInitialising(Instant now) noexcept override;
-
-        World* world{nullptr};
-        std::size_t index{0U};
-        MasterPlan plan{};
-        cia302::NetworkSetup setup{};
-        std::optional<cia302::FlyingMaster> master{};
-        std::vector<CanFrame> heard{}; ///< Not yet handled, with WorldPlan::polls.
-        Time power_on{0};
-        Time recovers_at{kNever};
-        Time heartbeat_at{kNever};
-        std::uint8_t part{0U};
-        bool is_on{false};
-        bool was_active{false};
-        std::uint8_t known{0U}; ///< The master that it follows.
-    };
-
     void OnComplete(const CanFrame& frame, const std::vector<std::size_t>& senders) override;
     void OnBusOff(std::size_t node) override;
-    void PowerOn(Node& node);
-    void Start(Node& node);
-    void Cycle(Node& node);
     void SendTraffic();
     [[nodiscard]] Time Soonest();
     void Hear(Node& node, const CanFrame& frame);
@@ -162,13 +103,6 @@ class World final : private BusUser
     void CountActive();
     /// @brief `earliest`: behind now when the node's cycle at now is over.
     void Schedule(const Node& node, Time earliest);
-    [[nodiscard]] Time NextOf(const Node& node, Time earliest) const;
-    [[nodiscard]] Time TickFrom(const Node& node, Time at) const;
-    /// @brief By the node's own clock.
-    [[nodiscard]] static Time LocalOf(const Node& node, Time at);
-    /// @brief First instant of the world at which the node's clock shows `local`.
-    [[nodiscard]] static Time WorldOf(const Node& node, Time local);
-    [[nodiscard]] static Instant Stamp(const Node& node, Time at);
 
     WorldPlan plan_;
     Bus parts_[2];
