@@ -26,8 +26,8 @@ inline std::string Scenarios()
     return std::string(COUNTERPOINT_SOURCE_FOLDER) + "/tests/simulator/scenarios/";
 }
 
-/// A file of this test with the given content.
-inline std::string TextFile(const std::string& text)
+/// A file of this test with the given content; files that differ in their ending are several.
+inline std::string TextFile(const std::string& text, const std::string& ending = ".yaml")
 {
     const ::testing::TestInfo* const test = ::testing::UnitTest::GetInstance()->current_test_info();
     std::string name = std::string(test->test_suite_name()) + "_" + test->name();
@@ -35,7 +35,7 @@ inline std::string TextFile(const std::string& text)
     {
         character = (character == '/') ? '_' : character;
     }
-    std::string file = ::testing::TempDir() + "counterpoint_" + name + ".yaml";
+    std::string file = ::testing::TempDir() + "counterpoint_" + name + ending;
     std::ofstream(file, std::ios::binary) << text;
     return file;
 }
@@ -60,9 +60,7 @@ inline std::unique_ptr<Run> RunChainWithoutSelfTests(const std::string& text)
     {
         whole.replace(at, key.size(), "{self_tests: false, dcf: " + Examples());
     }
-    const std::string base = TextFile(whole);
-    const std::string file = base + ".extended.yaml";
-    std::ofstream(file, std::ios::binary) << "extends: " << base << "\n" << text;
+    const std::string file = TextFile("extends: " + TextFile(whole) + "\n" + text, ".extended.yaml");
     auto run = std::make_unique<Run>(file, std::nullopt, std::nullopt, false);
     run->Simulate(nullptr);
     return run;

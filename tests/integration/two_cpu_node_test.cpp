@@ -2,6 +2,7 @@
 //
 // Devices with two CPUs on the simulated bus: the link between them, the loss of one of them, one that always says
 // good. Each time to the safe output is held to the computed limit.
+#include "tests/canopen/cia306/device_text.hpp"
 #include "tests/integration/scenario_run.hpp"
 #include "verification/trace/ids/crosslink.hpp"
 #include "verification/trace/ids/simulator.hpp"
@@ -34,6 +35,61 @@ TEST(TwoCpuNode, RunsWithDriftingClocksAndAJitterThatVaries)
     EXPECT_EQ(Failures(*run), "");
 }
 
+/// A device of the chain whose channels may differ for 12 ms; the file that it is written to.
+std::string PatientDevice(const std::string& name, const std::string& digest, const std::string& patient_digest)
+{
+    const std::string text =
+        cia306::test::Changed(cia306::test::ExampleText(name), {{"\nParameterValue=5000\n", "\nParameterValue=12000\n"},
+                                                                {"=" + digest + "\n", "=" + patient_digest + "\n"}});
+    return TextFile(text, "." + name + ".dcf");
+}
+
+// What they send is prepared by both CPUs: the process values have to be the same on both when a pair is prepared, so
+// that a pair may be given up in the moment of a change and the next one has the new value.
+TEST(TwoCpuNode, ThreeOfThemAreAChain)
+{
+    Verifies(req::SRS_SIM_056);
+    Verifies(req::SRS_SIM_057);
+    simulator::Run run(TextFile("title: Three devices with two CPUs each\nbitrate: 500000\nduration: 2000 ms\nseed: 1\n"
+                                "nodes:\n  sensor:\n    dcf: " +
+                                PatientDevice("sensor", "0x66596575", "0x39B72C25") + R"(
+    structure: two_cpu
+    cpu_a: {phase: 130 us, counter: {ppm: 40}}
+    cpu_b: {phase: 720 us, counter: {ppm: -30}}
+  controller:
+    dcf: )" + PatientDevice("controller", "0x0D6A53FF", "0x9476BC8B") +
+                                R"(
+    structure: two_cpu
+    cpu_a: {phase: 470 us, counter: {ppm: 20, start_us: 4294900000}}
+    cpu_b: {phase: 990 us, counter: {ppm: -60}}
+  actuator:
+    dcf: )" + PatientDevice("actuator", "0x046FFAB7", "0x5B81B3E7") +
+                                R"(
+    structure: two_cpu
+    cpu_a: {phase: 810 us, counter: {ppm: 50, start_us: 123456}}
+    cpu_b: {phase: 1330 us, counter: {ppm: -50}}
+inputs:
+  - {at: 30 ms, node: sensor, object: 0x2000:01, value: 1}
+  - {at: 30 ms, node: sensor, object: 0x2000:02, value: 1}
+  - {at: 1000 ms, node: sensor, object: 0x2000:01, value: 0}
+logic:
+  - {node: controller, set: 0x2000:01, op: and, from: [0x2200:01, 0x2200:02]}
+  - {node: controller, set: 0x2000:02, op: or, from: [0x2200:01, 0x2200:02]}
+acknowledge:
+  - {at: 350 ms, node: actuator, srdo: 1, pulse: 50 ms}
+expect:
+  - {that: released, node: actuator, srdo: 1, at: 900 ms}
+  - {that: value, node: actuator, object: 0x2200:01, is: 1, at: 900 ms}
+  - {that: value, node: actuator, object: 0x2200:01, is: 0, at: 1100 ms}
+  - {that: device_fault, node: sensor, is: none}
+  - {that: device_fault, node: controller, is: none}
+  - {that: device_fault, node: actuator, is: none}
+)"),
+                       std::nullopt, std::nullopt, false);
+    run.Simulate(nullptr);
+    EXPECT_EQ(Failures(run), "");
+}
+
 /// What goes wrong at 500 ms or later, and which CPUs lose the other one's voice.
 struct LinkCase
 {
@@ -47,9 +103,7 @@ void PrintTo(const LinkCase& link, std::ostream* const out)
     *out << link.fault;
 }
 
-class LostPeer : public ::testing::TestWithParam<LinkCase>
-{
-};
+using LostPeer = ::testing::TestWithParam<LinkCase>;
 
 TEST_P(LostPeer, IsFoundByTheLinkOfWhoIsLeftWithinTheLimit)
 {
@@ -138,9 +192,7 @@ expect:
     EXPECT_EQ(Failures(*run), "");
 }
 
-class BorneByTheLink : public ::testing::TestWithParam<const char*>
-{
-};
+using BorneByTheLink = ::testing::TestWithParam<const char*>;
 
 TEST_P(BorneByTheLink, ChangesNothing)
 {
@@ -178,9 +230,7 @@ void PrintTo(const GoodPeer& good, std::ostream* const out)
     *out << good.parts << " of CPU " << good.cpu << " always good, then " << good.fault;
 }
 
-class AlwaysGoodPeer : public ::testing::TestWithParam<GoodPeer>
-{
-};
+using AlwaysGoodPeer = ::testing::TestWithParam<GoodPeer>;
 
 TEST_P(AlwaysGoodPeer, LeavesTheFaultToTheOtherCpu)
 {
@@ -227,9 +277,7 @@ constexpr GoodPeer kGoodPeers[] = {
 };
 INSTANTIATE_TEST_SUITE_P(EachCpu, AlwaysGoodPeer, ::testing::ValuesIn(kGoodPeers));
 
-class FlippedInACpu : public ::testing::TestWithParam<const char*>
-{
-};
+using FlippedInACpu = ::testing::TestWithParam<const char*>;
 
 TEST_P(FlippedInACpu, IsFoundByItsSelfTestAndToldToTheOtherCpu)
 {

@@ -14,9 +14,7 @@ using cia306::test::NetworkFile;
 using test::Answer;
 using test::RunCommand;
 
-class ManagerCheckTest : public test::CommandTest
-{
-};
+using ManagerCheckTest = test::CommandTest;
 
 TEST_F(ManagerCheckTest, EqualMastersPassOthersAreNamed)
 {
@@ -175,8 +173,8 @@ TEST_F(ManagerCheckTest, OutputsAndProfilesAreCompared)
                                 const std::string& outputs)
     {
         return File(name, "manager: {heartbeat: 200 ms, sync: 10 ms, flying: {}, " + manager +
-                              "}\nslaves:\n  - {node: " + other + "}\n  - node: 5\n    dcf: " + NetworkFile("io.dcf") +
-                              "\n" + outputs);
+                              "}\nslaves:\n  - {node: " + other +
+                              "}\n  - node: 5\n    dcf: " + NetworkFile("managed_faults/io.dcf") + "\n" + outputs);
     };
     const std::string two =
         network("two.yaml", "node: 2, profile: el6751", "3", "    outputs: [{pdo: 1, data: \"00\"}]\n");
@@ -302,7 +300,7 @@ TEST_F(ManagerCheckTest, WhatTheEl6751ProfileSendsIsCompared)
         return File(name, "manager: {node: " + node + ", heartbeat: 100 ms, flying: {}, " + profile +
                               "}\nslaves: [{node: " + other + "}, {node: 6, dcf: io.dcf" + slave + "}]\n");
     };
-    std::string text = cia306::ReadTextFile(NetworkFile("io.dcf"));
+    std::string text = cia306::ReadTextFile(NetworkFile("managed_faults/io.dcf"));
     text.replace(text.find("NodeID=5"), 8U, "NodeID=6");
     static_cast<void>(File("io.dcf", text));
     const std::string el6751 = "profile: el6751, sync: 10 ms";

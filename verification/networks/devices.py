@@ -8,9 +8,8 @@ SIZES = {0x0005: 1, 0x0006: 2, 0x0007: 4}
 # A round of the self tests over this time: the tests of a device are not what is looked at, and cost most of a run.
 INTERVAL_MS = 60000
 CHAIN = "examples/emergency_stop"
-OTHERS = "tests/simulator/scenarios/networks"
 SOURCES = {"relay": f"{CHAIN}/actuator.dcf", "sensor": f"{CHAIN}/sensor.dcf", "controller": f"{CHAIN}/controller.dcf",
-           "io": f"{OTHERS}/io.dcf", "guarded": f"{OTHERS}/guarded.dcf"}
+           "io": "examples/networks/managed_faults/io.dcf", "guarded": "tests/simulator/scenarios/networks/guarded.dcf"}
 # A relay that was built from another DCF: its SCT.
 OTHER_RELAY = {"1301sub2": "60"}
 

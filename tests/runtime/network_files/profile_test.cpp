@@ -142,7 +142,7 @@ TEST_F(NetworkProfileTest, AStartOfAllThatSomeSlavesCannotTakeNamesThem)
 {
     Verifies(req::SRS_PLC_015);
     // Given slave 5 that waits for its start, 6 of another type and 7, optional and absent
-    const std::string io = std::string(COUNTERPOINT_SOURCE_FOLDER) + "/tests/simulator/scenarios/networks/io.dcf";
+    const std::string io = std::string(COUNTERPOINT_SOURCE_FOLDER) + "/examples/networks/managed_faults/io.dcf";
     static_cast<void>(File("net.yaml", "manager: {node: 127, profile: plc_designer, start_up: 0x9}\nslaves:\n"
                                        "  - {node: 5, device_type: 0x30191}\n  - {node: 6, device_type: 0x30192}\n"
                                        "  - {node: 7, mandatory: false}\n"));
