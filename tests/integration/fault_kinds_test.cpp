@@ -31,9 +31,7 @@ std::string ScenarioOf(const KindCase& kind)
            "  - {that: detected_by, node: actuator, by: " + kind.by + "}\n" + kind.more;
 }
 
-class FaultOfControllers : public ::testing::TestWithParam<KindCase>
-{
-};
+using FaultOfControllers = ::testing::TestWithParam<KindCase>;
 
 TEST_P(FaultOfControllers, EndsInTheSafeStateWithinTheLimit)
 {
@@ -79,9 +77,7 @@ constexpr KindCase kControllerFaults[] = {
 };
 INSTANTIATE_TEST_SUITE_P(EachKind, FaultOfControllers, ::testing::ValuesIn(kControllerFaults));
 
-class FaultOfAPartOrInput : public ::testing::TestWithParam<KindCase>
-{
-};
+using FaultOfAPartOrInput = ::testing::TestWithParam<KindCase>;
 
 TEST_P(FaultOfAPartOrInput, EndsInTheSafeStateWithinTheLimit)
 {
@@ -131,9 +127,7 @@ expect:
     EXPECT_EQ(Failures(*run), "");
 }
 
-class AlwaysGood : public ::testing::TestWithParam<const char*>
-{
-};
+using AlwaysGood = ::testing::TestWithParam<const char*>;
 
 TEST_P(AlwaysGood, ChannelDoesNotKeepTheOutputOn)
 {

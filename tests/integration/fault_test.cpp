@@ -25,9 +25,7 @@ void PrintTo(const FaultCase& fault, std::ostream* const out)
     *out << fault.name;
 }
 
-class FaultOfTheBus : public ::testing::TestWithParam<FaultCase>
-{
-};
+using FaultOfTheBus = ::testing::TestWithParam<FaultCase>;
 
 TEST_P(FaultOfTheBus, EndsInTheSafeStateWithinTheLimitAndWithItsCause)
 {
@@ -171,9 +169,7 @@ struct FlipCase
     int bit;
 };
 
-class FlippedConfiguration : public ::testing::TestWithParam<FlipCase>
-{
-};
+using FlippedConfiguration = ::testing::TestWithParam<FlipCase>;
 
 TEST_P(FlippedConfiguration, IsFoundWithinTheDiagnosticInterval)
 {

@@ -146,9 +146,7 @@ struct MemoryCase
     const char* device_fault;
 };
 
-class FlippedMemory : public ::testing::TestWithParam<MemoryCase>
-{
-};
+using FlippedMemory = ::testing::TestWithParam<MemoryCase>;
 
 TEST_P(FlippedMemory, IsFound)
 {

@@ -43,9 +43,7 @@ std::vector<std::string> MoreScenarios()
     return ScenariosIn({Examples() + "../two_cpus", Scenarios() + "two_cpus", Scenarios() + "self_tests"});
 }
 
-class ShippedScenario : public ::testing::TestWithParam<std::string>
-{
-};
+using ShippedScenario = ::testing::TestWithParam<std::string>;
 
 TEST_P(ShippedScenario, HoldsInEveryExpectation)
 {

@@ -57,9 +57,7 @@ void PrintTo(const Flip& flip, std::ostream* const out)
     *out << flip.place;
 }
 
-class FlippedUnderSelfTests : public ::testing::TestWithParam<std::tuple<const char*, Flip>>
-{
-};
+using FlippedUnderSelfTests = ::testing::TestWithParam<std::tuple<const char*, Flip>>;
 
 TEST_P(FlippedUnderSelfTests, IsFoundByThemInEachNodeWithinTheLimit)
 {
@@ -110,9 +108,7 @@ constexpr Flip kFlips[] = {
 INSTANTIATE_TEST_SUITE_P(EachNode, FlippedUnderSelfTests,
                          ::testing::Combine(::testing::ValuesIn(kNodes), ::testing::ValuesIn(kFlips)));
 
-class StuckBitOfLiveMemory : public ::testing::TestWithParam<std::tuple<const char*, const char*, const char*>>
-{
-};
+using StuckBitOfLiveMemory = ::testing::TestWithParam<std::tuple<const char*, const char*, const char*>>;
 
 TEST_P(StuckBitOfLiveMemory, IsFoundInEachNodeWithinTheLimit)
 {
@@ -184,9 +180,7 @@ expect:
     EXPECT_LE(FirstOf(*run, EventKind::kDeviceFault, "actuator", 0), 523 * kNanosecondsPerMillisecond);
 }
 
-class WithoutSelfTests : public ::testing::TestWithParam<const char*>
-{
-};
+using WithoutSelfTests = ::testing::TestWithParam<const char*>;
 
 TEST_P(WithoutSelfTests, NobodyFindsIt)
 {
@@ -203,9 +197,7 @@ INSTANTIATE_TEST_SUITE_P(EachPlace, WithoutSelfTests,
                          ::testing::Values("bit_flip, part: program, offset: 0",
                                            "bit_flip, part: stack_guard, offset: 0"));
 
-class WildPointer : public ::testing::TestWithParam<const char*>
-{
-};
+using WildPointer = ::testing::TestWithParam<const char*>;
 
 TEST_P(WildPointer, StopsADeviceWithoutSelfTests)
 {
@@ -261,9 +253,7 @@ expect:
     EXPECT_EQ(Failures(*run), "");
 }
 
-class FailingSelfTest : public ::testing::TestWithParam<std::tuple<const char*, std::pair<const char*, const char*>>>
-{
-};
+using FailingSelfTest = ::testing::TestWithParam<std::tuple<const char*, std::pair<const char*, const char*>>>;
 
 TEST_P(FailingSelfTest, ClosesTheOutputWithinTheLimit)
 {

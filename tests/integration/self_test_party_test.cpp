@@ -91,9 +91,7 @@ class DeviceWithSelfTest : public PartBeforeRig, public Rig
     }
 };
 
-class SelfTestParty : public ::testing::TestWithParam<FailingSelfTest::Way>
-{
-};
+using SelfTestParty = ::testing::TestWithParam<FailingSelfTest::Way>;
 
 TEST_P(SelfTestParty, NotCalledOrFrozenClosesTheOutputWithinTheNextCycle)
 {

@@ -318,9 +318,7 @@ void PrintTo(const PlaceOfSetups& place, std::ostream* const out)
     *out << place.part;
 }
 
-class FlippedSetup : public ::testing::TestWithParam<PlaceOfSetups>
-{
-};
+using FlippedSetup = ::testing::TestWithParam<PlaceOfSetups>;
 
 TEST_P(FlippedSetup, IsFoundWithinTheDiagnosticInterval)
 {

@@ -1,9 +1,11 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "simulator/judge/sweep.hpp"
 #include "tests/integration/scenario_run.hpp"
-#include "tools/command_line/run.hpp"
-#include "tools/command_table.hpp"
+#include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <ctime>
@@ -17,20 +19,9 @@ namespace counterpoint::tools
 {
 namespace
 {
-struct Answer
-{
-    ExitStatus status;
-    std::string out;
-    std::string err;
-};
 
-Answer Tool(const std::vector<std::string>& arguments)
-{
-    std::ostringstream out;
-    std::ostringstream err;
-    const ExitStatus status = RunCommandLine(arguments, CommandTable(), {out, err});
-    return {status, out.str(), err.str()};
-}
+using test::Answer;
+using test::RunCommand;
 
 std::string Content(const std::string& file)
 {
@@ -43,26 +34,26 @@ TEST(SimulateCommand, EndsWithZeroOneOrTwo)
 {
     Verifies(req::SRS_SIM_044);
     // All hold
-    const Answer good = Tool({"simulate", simulator::Examples() + "00_no_fault.yaml"});
-    EXPECT_EQ(good.status, ExitStatus::kHolds) << good.out;
+    const Answer good = RunCommand({"simulate", simulator::Examples() + "00_no_fault.yaml"});
+    EXPECT_EQ(good.status, 0) << good.out;
     EXPECT_NE(good.out.find("7 of 7 expectations hold"), std::string::npos);
     // One does not
     const std::string failing =
         simulator::TextFile("extends: " + simulator::Examples() +
                             "chain.yaml\nexpect:\n  - {that: safe, node: actuator, srdo: 1, at: 900 ms}\n");
-    const Answer bad = Tool({"simulate", failing, "--quiet"});
-    EXPECT_EQ(bad.status, ExitStatus::kDoesNotHold);
+    const Answer bad = RunCommand({"simulate", failing, "--quiet"});
+    EXPECT_EQ(bad.status, 1);
     EXPECT_EQ(bad.out,
               "  FAILED  actuator SRDO 1 safe at 900 ms: released  (" + failing + ":3:5)\n0 of 1 expectations hold\n");
     // Bad input: one line
-    const Answer lost = Tool({"simulate", "/nonexistent.yaml"});
-    EXPECT_EQ(lost.status, ExitStatus::kBadInput);
+    const Answer lost = RunCommand({"simulate", "/nonexistent.yaml"});
+    EXPECT_EQ(lost.status, 2);
     EXPECT_EQ(lost.err, "/nonexistent.yaml: no such file, expected a scenario\n");
     EXPECT_EQ(lost.out, "");
-    EXPECT_EQ(Tool({"simulate"}).status, ExitStatus::kBadInput);
-    EXPECT_EQ(Tool({"simulate", failing, "--seed", "x"}).status, ExitStatus::kBadInput);
-    const Answer until = Tool({"simulate", failing, "--until", "20"});
-    EXPECT_EQ(until.status, ExitStatus::kBadInput);
+    EXPECT_EQ(RunCommand({"simulate"}).status, 2);
+    EXPECT_EQ(RunCommand({"simulate", failing, "--seed", "x"}).status, 2);
+    const Answer until = RunCommand({"simulate", failing, "--until", "20"});
+    EXPECT_EQ(until.status, 2);
     EXPECT_EQ(until.err.substr(0U, 25U), "--until: '20', expected a");
 }
 
@@ -73,15 +64,15 @@ TEST(SimulateCommand, WritesAllReportsAndSaysWhereItCannot)
     Verifies(req::SRS_SIM_043);
     Verifies(req::SRS_SIM_045);
     const std::string base = ::testing::TempDir() + "counterpoint_reports";
-    const Answer answer = Tool({"simulate", simulator::Examples() + "02_loss_of_inverse_frame.yaml", "--quiet",
-                                "--html", base + ".html", "--json", base + ".json", "--candump", base + ".log"});
-    EXPECT_EQ(answer.status, ExitStatus::kHolds) << answer.out << answer.err;
+    const Answer answer = RunCommand({"simulate", simulator::Examples() + "02_loss_of_inverse_frame.yaml", "--quiet",
+                                      "--html", base + ".html", "--json", base + ".json", "--candump", base + ".log"});
+    EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
     EXPECT_EQ(Content(base + ".html").substr(0U, 15U), "<!DOCTYPE html>");
     EXPECT_EQ(Content(base + ".json").substr(0U, 1U), "{");
     EXPECT_EQ(Content(base + ".log").substr(0U, 1U), "(");
-    const Answer lost = Tool({"simulate", simulator::Examples() + "02_loss_of_inverse_frame.yaml", "--quiet", "--json",
-                              "/nonexistent/x.json"});
-    EXPECT_EQ(lost.status, ExitStatus::kBadInput);
+    const Answer lost = RunCommand({"simulate", simulator::Examples() + "02_loss_of_inverse_frame.yaml", "--quiet",
+                                    "--json", "/nonexistent/x.json"});
+    EXPECT_EQ(lost.status, 2);
     EXPECT_NE(lost.err.find("/nonexistent/x.json"), std::string::npos);
 }
 
@@ -90,17 +81,17 @@ TEST(SimulateCommand, AnOutputThatCannotBeWrittenIsToldBeforeAnythingElse)
     Verifies(req::SRS_SIM_045);
     // Given one output that can be written and one that cannot
     const std::string page = ::testing::TempDir() + "counterpoint_alone.html";
-    const Answer answer = Tool({"simulate", simulator::Examples() + "02_loss_of_inverse_frame.yaml", "--html", page,
-                                "--json", "/nonexistent/x.json"});
+    const Answer answer = RunCommand({"simulate", simulator::Examples() + "02_loss_of_inverse_frame.yaml", "--html",
+                                      page, "--json", "/nonexistent/x.json"});
     // Then there is one line, and neither a time line nor the other output
-    EXPECT_EQ(answer.status, ExitStatus::kBadInput);
+    EXPECT_EQ(answer.status, 2);
     EXPECT_EQ(answer.out, "");
     EXPECT_EQ(answer.err, "/nonexistent/x.json:0: error: it cannot be created (No such file or directory), expected a "
                           "path in a writable folder\n");
     EXPECT_FALSE(std::filesystem::exists(page));
     // Then the same of demo
-    const Answer demo = Tool({"demo", "--scenarios", simulator::Examples(), "--html", "/dev/null"});
-    EXPECT_EQ(demo.status, ExitStatus::kBadInput);
+    const Answer demo = RunCommand({"demo", "--scenarios", simulator::Examples(), "--html", "/dev/null"});
+    EXPECT_EQ(demo.status, 2);
     EXPECT_EQ(demo.out, "");
     EXPECT_EQ(std::count(demo.err.begin(), demo.err.end(), '\n'), 1) << demo.err;
 }
@@ -118,8 +109,8 @@ TEST(SimulateCommand, NoOutputReplacesWhatTheRunReads)
         {
             std::vector<std::string> arguments{"simulate", file, "--json", output};
             arguments.insert(arguments.end(), more.begin(), more.end());
-            const Answer answer = Tool(arguments);
-            EXPECT_EQ(answer.status, ExitStatus::kBadInput) << name;
+            const Answer answer = RunCommand(arguments);
+            EXPECT_EQ(answer.status, 2) << name;
             EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
             EXPECT_NE(answer.err.find("which is named already or read by the run"), std::string::npos) << answer.err;
         }
@@ -151,12 +142,12 @@ TEST(SimulateCommand, RefusesOptionsThatWouldBeIgnored)
              {"demo", "--scenarios", ""},
              {"demo", "--list", "--html", out}})
     {
-        const Answer answer = Tool(arguments);
-        EXPECT_EQ(answer.status, ExitStatus::kBadInput) << arguments.back();
+        const Answer answer = RunCommand(arguments);
+        EXPECT_EQ(answer.status, 2) << arguments.back();
         EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
         EXPECT_NE(answer.err.find("expected"), std::string::npos) << answer.err;
     }
-    EXPECT_EQ(Tool({"simulate", file, "--quiet", "--seed", "18446744073709551615"}).status, ExitStatus::kHolds);
+    EXPECT_EQ(RunCommand({"simulate", file, "--quiet", "--seed", "18446744073709551615"}).status, 0);
 }
 
 TEST(SimulateCommand, TellsOfAFaultThatNeverHadAnEffect)
@@ -170,9 +161,9 @@ expect:
   - {that: detected_by, node: actuator, by: nobody}
   - {that: safe_within, node: actuator, srdo: 1}
 )");
-    const Answer answer = Tool({"simulate", file, "--quiet"});
+    const Answer answer = RunCommand({"simulate", file, "--quiet"});
     // Then nothing that is expected of it holds, and its place is told
-    EXPECT_EQ(answer.status, ExitStatus::kDoesNotHold);
+    EXPECT_EQ(answer.status, 1);
     EXPECT_EQ(answer.err,
               file + ":3:5: fault 'loss' never happened, expected it within the run, or 'optional: true'\n");
     EXPECT_NE(answer.out.find("0 of 3 expectations hold"), std::string::npos) << answer.out;
@@ -183,8 +174,8 @@ TEST(SimulateCommand, EndsARecordingThatGrowsTooLarge)
     Verifies(req::SRS_SIM_048);
     const std::string file =
         simulator::TextFile("extends: " + simulator::Examples() + "chain.yaml\nduration: 2000 s\n");
-    const Answer answer = Tool({"simulate", file});
-    EXPECT_EQ(answer.status, ExitStatus::kBadInput);
+    const Answer answer = RunCommand({"simulate", file});
+    EXPECT_EQ(answer.status, 2);
     EXPECT_EQ(answer.err, file + ": more than 500000 frames and events to record, expected a shorter run, or --quiet "
                                  "without output files\n");
     EXPECT_EQ(answer.out, "");
@@ -196,9 +187,9 @@ TEST(SimulateCommand, SeedAndUntilReplaceThoseOfTheScenario)
     const std::string file = simulator::TextFile(
         "extends: " + simulator::Examples() +
         "chain.yaml\nfaults:\n  - {fault: loss, frames: {receiver: actuator, count: 1000, probability_ppm: 300000}}\n");
-    const Answer one = Tool({"simulate", file, "--seed", "5", "--until", "300ms"});
-    const Answer again = Tool({"simulate", file, "--seed", "5", "--until", "300ms"});
-    const Answer other = Tool({"simulate", file, "--seed", "6", "--until", "300ms"});
+    const Answer one = RunCommand({"simulate", file, "--seed", "5", "--until", "300ms"});
+    const Answer again = RunCommand({"simulate", file, "--seed", "5", "--until", "300ms"});
+    const Answer other = RunCommand({"simulate", file, "--seed", "6", "--until", "300ms"});
     EXPECT_EQ(one.out, again.out);
     EXPECT_NE(one.out, other.out);
     EXPECT_EQ(one.out.find(" 301."), std::string::npos);
@@ -208,28 +199,28 @@ TEST(SimulateCommand, ExplainsTheFormat)
 {
     Verifies(req::SRS_SIM_047);
     // Given everything, a key, a fault kind, and a name that is none
-    const Answer all = Tool({"simulate", "--explain"});
-    EXPECT_EQ(all.status, ExitStatus::kHolds);
+    const Answer all = RunCommand({"simulate", "--explain"});
+    EXPECT_EQ(all.status, 0);
     EXPECT_NE(all.out.find("\n  probability_ppm: number from 1 to 1000000; default 1000000\n"), std::string::npos);
-    const Answer key = Tool({"simulate", "--explain", "jump"});
+    const Answer key = RunCommand({"simulate", "--explain", "jump"});
     EXPECT_EQ(
         key.out,
         "in clock:\n  jump: time other than 0, negative: back, at most 1000 s\n      jumps forward, or back, once\n"
         "      e.g. jump: -3 ms\n\n");
-    const Answer kind = Tool({"simulate", "--explain", "loss"});
+    const Answer kind = RunCommand({"simulate", "--explain", "loss"});
     EXPECT_EQ(kind.out.substr(0U, 56U), "loss\n  The frame does not arrive.\n  fault: one of corrup");
-    const Answer empty = Tool({"simulate", "--explain", ""});
-    EXPECT_EQ(empty.status, ExitStatus::kBadInput);
+    const Answer empty = RunCommand({"simulate", "--explain", ""});
+    EXPECT_EQ(empty.status, 2);
     EXPECT_EQ(empty.out, "");
     EXPECT_EQ(empty.err, "counterpoint simulate: --explain '', expected a key or section of the format; without a name "
                          "all of them are told\n");
-    const Answer none = Tool({"simulate", "--explain", "losses"});
-    EXPECT_EQ(none.status, ExitStatus::kBadInput);
+    const Answer none = RunCommand({"simulate", "--explain", "losses"});
+    EXPECT_EQ(none.status, 2);
     EXPECT_EQ(none.err, "counterpoint simulate: --explain 'losses', expected a key or section of the format; without a "
                         "name all of them are told\n");
     // And the document has the same reference
-    const Answer reference = Tool({"simulate", "--explain", "--markdown"});
-    EXPECT_EQ(reference.status, ExitStatus::kHolds);
+    const Answer reference = RunCommand({"simulate", "--explain", "--markdown"});
+    EXPECT_EQ(reference.status, 0);
     const std::string document = Content(std::string(COUNTERPOINT_SOURCE_FOLDER) + "/docs/scenario.md");
     const std::string begin = "<!-- counterpoint simulate --explain --markdown -->\n";
     const std::size_t place = document.find(begin);
@@ -247,10 +238,10 @@ TEST(DemoCommand, ShowsEveryRunWithItsLimitAndWritesThePage)
     std::filesystem::remove_all(folder);
     const std::clock_t start = std::clock();
     // When the demonstration runs on the shipped scenarios
-    const Answer answer = Tool({"demo", "--html", folder});
+    const Answer answer = RunCommand({"demo", "--html", folder});
     const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     // Then every row is in time, the page is there and is named, and nobody had to wait
-    EXPECT_EQ(answer.status, ExitStatus::kHolds) << answer.out << answer.err;
+    EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
     EXPECT_NE(answer.out.find("30 of 30 runs as expected"), std::string::npos) << answer.out;
     EXPECT_NE(answer.out.find("Timing diagrams: " + folder + "/index.html"), std::string::npos) << answer.out;
     EXPECT_TRUE(std::filesystem::exists(folder + "/index.html"));
@@ -270,22 +261,129 @@ faults:
 expect:
   - {that: safe_within, node: actuator, srdo: 1}
 )";
-    const Answer answer = Tool({"demo", "--scenarios", folder, "--html", folder + "/page.html"});
-    EXPECT_EQ(answer.status, ExitStatus::kDoesNotHold);
+    const Answer answer = RunCommand({"demo", "--scenarios", folder, "--html", folder + "/page.html"});
+    EXPECT_EQ(answer.status, 1);
     EXPECT_NE(answer.out.find("the fault never happened"), std::string::npos) << answer.out;
     // and one without scenarios
-    const Answer none = Tool({"demo", "--scenarios", "/nonexistent"});
-    EXPECT_EQ(none.status, ExitStatus::kBadInput);
+    const Answer none = RunCommand({"demo", "--scenarios", "/nonexistent"});
+    EXPECT_EQ(none.status, 2);
     EXPECT_NE(none.err.find("no scenarios"), std::string::npos);
 }
 
 TEST(DemoCommand, ListsItsScenarios)
 {
     Verifies(req::SRS_DEMO_001);
-    const Answer answer = Tool({"demo", "--list"});
-    EXPECT_EQ(answer.status, ExitStatus::kHolds);
+    const Answer answer = RunCommand({"demo", "--list"});
+    EXPECT_EQ(answer.status, 0);
     EXPECT_NE(answer.out.find("Corruption of one bit"), std::string::npos);
     EXPECT_EQ(answer.out.find("Long run"), std::string::npos);
+}
+
+std::string LostPairs()
+{
+    return simulator::Scenarios() + "emergency_stop/01_loss_of_pairs.yaml";
+}
+
+TEST(Sweep, RunsEveryValueAndPrintsATable)
+{
+    Verifies(req::SRS_SIM_050);
+    // Given the loss of three pairs, begun at 500, 505 and 510 ms
+    const Answer answer =
+        RunCommand({"simulate", LostPairs(), "--sweep", "faults.three pairs lost.frames.from=500ms:510ms:5ms"});
+    EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
+    // Then each has a row, and the last line names the worst
+    EXPECT_NE(answer.out.find("\n500 ms  "), std::string::npos) << answer.out;
+    EXPECT_NE(answer.out.find("\n505 ms  "), std::string::npos);
+    EXPECT_NE(answer.out.find("\n510 ms  "), std::string::npos);
+    EXPECT_NE(answer.out.find("channels     sct    25.191 ms  51.192 ms   52 ms  holds\n"), std::string::npos);
+    EXPECT_NE(answer.out.find("3 of 3 runs hold; nearest to its limit: 51.192 ms of 52 ms at 500 ms\n"),
+              std::string::npos);
+    // And the same bytes again
+    EXPECT_EQ(
+        RunCommand({"simulate", LostPairs(), "--sweep", "faults.three pairs lost.frames.from=500ms:510ms:5ms"}).out,
+        answer.out);
+}
+
+TEST(Sweep, EndsWithOneWhenARunFails)
+{
+    Verifies(req::SRS_SIM_050);
+    // When one frame alone is lost, the output stays open
+    const Answer answer = RunCommand({"simulate", LostPairs(), "--sweep", "faults.0.frames.count=1:6:5", "--quiet"});
+    EXPECT_EQ(answer.status, 1);
+    EXPECT_NE(answer.out.find("1 of 2 runs hold"), std::string::npos) << answer.out;
+}
+
+TEST(Sweep, TakesEveryCombinationAndAddsKeys)
+{
+    Verifies(req::SRS_SIM_050);
+    Verifies(req::SRS_SIM_051);
+    const std::string base = ::testing::TempDir() + "counterpoint_sweep";
+    // Given drifts of counter B and two beginnings; `optional` texts and nodes of the extended file are reached as well
+    const Answer answer =
+        RunCommand({"simulate", LostPairs(), "--quiet", "--sweep", "nodes.actuator.counter_b.ppm=-100:100:100",
+                    "--sweep", "faults.0.frames.from=500ms:500.5ms:250us", "--sweep", "seed=3:3:1", "--json",
+                    base + ".json", "--html", base + ".html"});
+    EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
+    EXPECT_EQ(answer.out, "");
+    const nlohmann::json json = nlohmann::json::parse(Content(base + ".json"));
+    EXPECT_EQ(json["format"], "counterpoint-sweep-1");
+    ASSERT_EQ(json["runs"].size(), 9U);
+    EXPECT_EQ(json["runs"][0]["values"]["nodes.actuator.counter_b.ppm"], -100);
+    EXPECT_EQ(json["runs"][8]["values"]["faults.0.frames.from"], "500.5 ms");
+    EXPECT_EQ(json["runs"][4]["limit_ns"], 52000000);
+    EXPECT_EQ(json["runs"][4]["detected_by"], "channels");
+    // And the page has a point for each, the limit, and no address to load from
+    const std::string page = Content(base + ".html");
+    std::size_t points = 0U;
+    for (std::size_t place = page.find("<circle"); place != std::string::npos; place = page.find("<circle", place + 1U))
+    {
+        ++points;
+    }
+    EXPECT_EQ(points, 9U);
+    EXPECT_NE(page.find("stroke=\"var(--faulted)\""), std::string::npos);
+    EXPECT_EQ(page.find("http"), std::string::npos);
+}
+
+TEST(Sweep, RefusesWhatCannotBeSwept)
+{
+    Verifies(req::SRS_SIM_050);
+    struct Refusal
+    {
+        const char* sweep;
+        const char* message;
+    };
+    for (const Refusal& refusal : std::vector<Refusal>{
+             {"duration", "--sweep: 'duration', expected NAME=FROM:TO:STEP"},
+             {"duration=1s:2s", "--sweep: 'duration=1s:2s', expected NAME=FROM:TO:STEP"},
+             {"duration=2s:1s:1s", "--sweep: 'duration=2s:1s:1s', expected FROM not above TO, a STEP above 0"},
+             {"duration=1s:2s:0s", "--sweep: 'duration=1s:2s:0s', expected FROM not above TO, a STEP above 0"},
+             {"seed=1:2:9223372036854775807", "--sweep: 'seed=1:2:9223372036854775807', expected FROM not above TO, a "
+                                              "STEP above 0, and nothing beyond"},
+             {"extends=1:2:1",
+              "--sweep: path 'extends', which is read before the sweep, expected the path of a value of the scenario"},
+             {"duration=1s:2:1s",
+              "--sweep: 'duration=1s:2:1s', expected three times with units, or three whole numbers"},
+             {"duration=1s:x:1s", "--sweep: 'x', expected a time with its unit"},
+             {"duration=1s:100000s:1us",
+              "--sweep: 'duration=1s:100000s:1us' with more than 20000 runs, expected a larger STEP"},
+             {"faults.7.at=1:2:1", "--sweep: path 'faults.7.at', expected keys, names or numbers from 0"},
+             {"faults.none.at=1:2:1", "--sweep: path 'faults.none.at', expected keys, names or numbers from 0"},
+             {"faults.0.frames=1:2:1",
+              "--sweep: path 'faults.0.frames', which is no single value, expected the path of a single"}})
+    {
+        const Answer answer = RunCommand({"simulate", LostPairs(), "--sweep", refusal.sweep});
+        EXPECT_EQ(answer.status, 2) << refusal.sweep;
+        EXPECT_EQ(answer.err.substr(0U, std::string(refusal.message).size()), refusal.message);
+        EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+    }
+    // A key that does not exist is refused as in the file
+    const Answer unknown = RunCommand({"simulate", LostPairs(), "--sweep", "faults.0.by=1ms:2ms:1ms"});
+    EXPECT_EQ(unknown.status, 2);
+    EXPECT_NE(unknown.err.find("unknown key 'by' in a fault"), std::string::npos) << unknown.err;
+    // Too many combinations
+    const Answer many =
+        RunCommand({"simulate", LostPairs(), "--sweep", "seed=1:200:1", "--sweep", "duration=1s:1200s:1s"});
+    EXPECT_EQ(many.err, "--sweep: more than 20000 runs, expected larger steps\n");
 }
 } // namespace
 } // namespace counterpoint::tools

@@ -45,9 +45,7 @@ void PrintTo(const BadCase& bad, std::ostream* const out)
     *out << bad.text;
 }
 
-class BadTwoCpuScenario : public ::testing::TestWithParam<BadCase>
-{
-};
+using BadTwoCpuScenario = ::testing::TestWithParam<BadCase>;
 
 TEST_P(BadTwoCpuScenario, IsRefusedByOneLineThatNamesThePlace)
 {
@@ -92,9 +90,7 @@ constexpr BadCase kBadCases[] = {
 };
 INSTANTIATE_TEST_SUITE_P(EachReason, BadTwoCpuScenario, ::testing::ValuesIn(kBadCases));
 
-class BadLink : public ::testing::TestWithParam<BadCase>
-{
-};
+using BadLink = ::testing::TestWithParam<BadCase>;
 
 TEST_P(BadLink, IsRefusedAtTheNode)
 {

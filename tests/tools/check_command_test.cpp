@@ -17,9 +17,7 @@ using cia306::test::ExampleText;
 using test::Answer;
 using test::RunCommand;
 
-class CheckCommandTest : public test::CommandTest
-{
-};
+using CheckCommandTest = test::CommandTest;
 
 TEST_F(CheckCommandTest, TheExamplesPassSilently)
 {

@@ -194,9 +194,7 @@ struct Row
     bool allowed[4];
 };
 
-class ServiceTable : public ::testing::TestWithParam<Row>
-{
-};
+using ServiceTable = ::testing::TestWithParam<Row>;
 
 TEST_P(ServiceTable, EachCell)
 {

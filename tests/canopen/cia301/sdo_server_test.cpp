@@ -7,9 +7,7 @@ namespace counterpoint::cia301
 namespace
 {
 
-class SdoServerTest : public SdoRig
-{
-};
+using SdoServerTest = SdoRig;
 
 TEST_F(SdoServerTest, FramesOfAnotherLengthAreIgnored)
 {

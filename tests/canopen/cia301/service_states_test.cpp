@@ -170,9 +170,7 @@ struct ServiceRow
     bool allowed[4]; ///< INITIALISATION, PRE-OPERATIONAL, OPERATIONAL, STOPPED.
 };
 
-class ServiceStates : public ::testing::TestWithParam<ServiceRow>
-{
-};
+using ServiceStates = ::testing::TestWithParam<ServiceRow>;
 
 TEST_P(ServiceStates, AServiceActsInTheStatesOfItsRow)
 {

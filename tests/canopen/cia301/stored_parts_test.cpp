@@ -242,9 +242,7 @@ TEST_F(StoredPartsTest, APartThatIsGoneIsCounted)
     EXPECT_EQ(empty.Load(kAllGroups).refused, 6U);
 }
 
-class StoredSafetyTest : public Rig
-{
-};
+using StoredSafetyTest = Rig;
 
 TEST_F(StoredSafetyTest, TheKernelsConfigurationComesBackValid)
 {

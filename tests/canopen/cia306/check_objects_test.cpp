@@ -12,6 +12,7 @@ namespace counterpoint::cia306
 {
 namespace
 {
+
 using test::CheckRow;
 
 constexpr const char* kValue = "ParameterValue";
@@ -225,6 +226,239 @@ TEST(CheckObjects, AllFindingsComeAtOnceInTheOrderOfTheirLines)
     }
     EXPECT_EQ(objects, (Lines{"0x1300:00", "0x1301:04", "0x1301:05", "0x1381:04", "0x1381:04", "0x13FE:00", "0x13FF:01",
                               "0x5F03:01", "0x5F04:00"}));
+}
+
+/// The sensor with 18 more objects of 8 bytes, so that totals and counts can be reached: 3000h:01 to 09 and 3100h.
+std::string WithWideObjects(const std::string& type)
+{
+    std::string text = test::ExampleText("sensor");
+    for (const char* index : {"3000", "3100"})
+    {
+        text += "\n[" + std::string(index) + "]\nParameterName=w\nObjectType=0x8\nSubNumber=10\n";
+        for (int sub = 0; sub <= 9; ++sub)
+        {
+            text += "\n[" + std::string(index) + "sub" + std::to_string(sub) + "]\nDataType=" + type +
+                    "\nAccessType=ro\nDefaultValue=0\nSRDOMapping=1\n";
+        }
+    }
+    return test::Changed(text,
+                         {{"SupportedObjects=8\n1=0x2000", "SupportedObjects=10\n9=0x3000\n10=0x3100\n1=0x2000"}});
+}
+
+/// The same with `pairs` pairs of entries of `bits` (two hexadecimal digits).
+std::string WithPairs(const std::string& type, const int pairs, const std::string& bits)
+{
+    std::string text = WithWideObjects(type);
+    std::vector<test::Set> values{{"1381sub0", kValue, std::to_string(2 * pairs)},
+                                  {"1381", "SubNumber", std::to_string(1 + std::max(4, 2 * pairs))}};
+    for (int pair = 1; pair <= pairs; ++pair)
+    {
+        for (int side = 0; side < 2; ++side)
+        {
+            const int sub = 2 * pair - 1 + side;
+            const std::string section = "1381sub" + Hex(static_cast<std::uint64_t>(sub), 1).substr(2U);
+            const std::string value =
+                (side == 0 ? "0x3000" : "0x3100") + Hex(static_cast<std::uint64_t>(pair), 2).substr(2U) + bits;
+            if (sub > 4)
+            {
+                text += "\n[" + section + "]\nDataType=0x0007\nAccessType=rw\n";
+            }
+            values.push_back({section, kValue, value});
+        }
+    }
+    return test::SignedAgain(test::WithValues(text, values), std::nullopt);
+}
+
+std::vector<std::string> ErrorsOf(const std::string& text, const std::uint8_t granularity)
+{
+    CheckOptions options;
+    options.granularity_bits = granularity;
+    std::vector<std::string> findings;
+    for (const std::string& finding : test::FindingsOf(text, options))
+    {
+        const bool is_follower = finding.find("error: 0x13FE:00: 0xA5") == 0U;
+        if (!is_follower)
+        {
+            findings.push_back(finding);
+        }
+    }
+    return findings;
+}
+
+TEST(CheckMapping, NumberOfEntries)
+{
+    Verifies(req::SRS_CLI_012);
+    const std::vector<CheckRow> rows = {
+        {{{"1381sub0", kValue, "2"}}, {}},
+        {{{"1381sub0", kValue, "3"}},
+         {"error: 0x1381:00: 3 mapping entries, expected an even number: one normal and one inverse entry a pair"}},
+        {{{"1381sub0", kValue, "0"}}, {"error: 0x1381:00: no mapping entry in an SRDO that is on, expected 2 or more"}},
+        {{{"1381sub0", kValue, "0"}, {"1301sub1", kValue, "0"}}, {}},
+        {{{"1381sub0", kValue, "130"}}, {"error: 0x1381:00: 130 mapping entries, expected at most 128"}},
+    };
+    test::ExpectRows("sensor", rows, {});
+}
+
+TEST(CheckMapping, TotalsOf64BitAndTheRoomFor16Entries)
+{
+    Verifies(req::SRS_CLI_012);
+    EXPECT_EQ(ErrorsOf(WithPairs("0x001B", 1, "40"), 8U), std::vector<std::string>{});
+    EXPECT_EQ(ErrorsOf(WithPairs("0x0005", 8, "08"), 8U), std::vector<std::string>{});
+    EXPECT_EQ(ErrorsOf(WithPairs("0x0005", 9, "08"), 8U),
+              (std::vector<std::string>{
+                  "error: 0x1381:00: 18 mapping entries, expected at most 16, for which 0x5F00:0B gives room",
+                  "error: 0x1381:00: 72 bit of normal data, expected at most 64 bit",
+                  "error: 0x1381:00: 72 bit of inverse data, expected at most 64 bit"}));
+    EXPECT_EQ(ErrorsOf(WithPairs("0x001B", 2, "40"), 8U),
+              (std::vector<std::string>{"error: 0x1381:00: 128 bit of normal data, expected at most 64 bit",
+                                        "error: 0x1381:00: 128 bit of inverse data, expected at most 64 bit"}));
+}
+
+TEST(CheckMapping, Granularity)
+{
+    Verifies(req::SRS_CLI_012);
+    EXPECT_EQ(ErrorsOf(WithPairs("0x0001", 1, "01"), 1U), std::vector<std::string>{});
+    EXPECT_EQ(
+        ErrorsOf(WithPairs("0x0001", 1, "01"), 8U),
+        (std::vector<std::string>{"error: 0x1381:01: length of 1 bit, expected a multiple of 8 bit (granularity)",
+                                  "error: 0x1381:02: length of 1 bit, expected a multiple of 8 bit (granularity)"}));
+    EXPECT_EQ(ErrorsOf(WithPairs("0x0007", 1, "20"), 32U), std::vector<std::string>{});
+    EXPECT_EQ(ErrorsOf(WithPairs("0x0016", 1, "18"), 8U), std::vector<std::string>{});
+    EXPECT_EQ(
+        ErrorsOf(WithPairs("0x0016", 1, "18"), 16U),
+        (std::vector<std::string>{"error: 0x1381:01: length of 24 bit, expected a multiple of 16 bit (granularity)",
+                                  "error: 0x1381:02: length of 24 bit, expected a multiple of 16 bit (granularity)"}));
+}
+
+TEST(CheckMapping, WhatAnEntryNames)
+{
+    Verifies(req::SRS_CLI_013);
+    const std::vector<CheckRow> rows = {
+        {{{"1381sub1", kValue, "0x2FFF0108"}},
+         {"error: 0x1381:01: mapped object 0x2FFF:01 is unknown, expected an object that the file describes"}},
+        {{{"1381sub1", kValue, "0x20000308"}},
+         {"error: 0x1381:01: mapped object 0x2000:03 is unknown, expected an object that the file describes"}},
+        {{{"1381sub1", kValue, "0x00000000"}},
+         {"error: 0x1381:01: length of 0 bit, expected a multiple of 8 bit (granularity)",
+          "error: 0x1381:01: mapped object 0x0000:00 is unknown, expected an object that the file describes",
+          "error: 0x1381:02: inverse entry of 8 bit, expected 0 bit as the normal entry before it"}},
+        {{{"2000sub1", "SRDOMapping", "0"}},
+         {"error: 0x1381:01: mapped object 0x2000:01 is not mappable (line 347), expected SRDOMapping=1, or "
+          "PDOMapping=1 "
+          "where there is no SRDOMapping"}},
+        {{{"2000sub1", "SRDOMapping", "0"}, {"2000sub1", "PDOMapping", "1"}},
+         {"error: 0x1381:01: mapped object 0x2000:01 is not mappable (line 347), expected SRDOMapping=1, or "
+          "PDOMapping=1 "
+          "where there is no SRDOMapping"}},
+        {{{"2000sub1", "SRDOMapping", ""}, {"2000sub1", "PDOMapping", "1"}}, {}},
+        {{{"2000sub1", "AccessType", "wo"}},
+         {"error: 0x1381:01: mapped object 0x2000:01 has the wrong AccessType (line 347), expected ro, rw, rwr or "
+          "const "
+          "to be sent"}},
+        {{{"2000sub1", "AccessType", "rwr"}}, {}},
+        {{{"2000sub1", "AccessType", "rww"}},
+         {"error: 0x1381:01: mapped object 0x2000:01 has the wrong AccessType (line 347), expected ro, rw, rwr or "
+          "const "
+          "to be sent"}},
+        {{{"1381sub1", kValue, "0x20000110"}, {"1381sub2", kValue, "0x21000110"}},
+         {"error: 0x1381:01: length of 16 bit, expected 8 bit, the length of 0x2000:01 (UNSIGNED8)",
+          "error: 0x1381:02: length of 16 bit, expected 8 bit, the length of 0x2100:01 (UNSIGNED8)"}},
+        {{{"2000sub1", "DataType", "0x000F"}, {"2000sub1", "InvertedSRAD", ""}},
+         {"error: 0x1381:01: mapped object 0x2000:01 is of DOMAIN, expected a data type with a fixed length"}},
+        {{{"1381sub1", kValue, "0x13810108"}},
+         {"error: 0x1381:01: mapped object 0x1381:01 is not mappable (line 267), expected SRDOMapping=1, or "
+          "PDOMapping=1 where there is no SRDOMapping",
+          "error: 0x1381:01: length of 8 bit, expected 32 bit, the length of 0x1381:01 (UNSIGNED32)"}},
+    };
+    test::ExpectRows("sensor", rows, {});
+}
+
+TEST(CheckMapping, AccessOfReceivedObjects)
+{
+    Verifies(req::SRS_CLI_013);
+    const std::string wrong =
+        "error: 0x1381:02: mapped object 0x2300:01 has the wrong AccessType (line 380), expected rw, wo or rww to be "
+        "received";
+    const std::vector<CheckRow> rows = {
+        {{{"2300sub1", "AccessType", "rw"}}, {}},       {{{"2300sub1", "AccessType", "wo"}}, {}},
+        {{{"2300sub1", "AccessType", "ro"}}, {wrong}},  {{{"2300sub1", "AccessType", "const"}}, {wrong}},
+        {{{"2300sub1", "AccessType", "rwr"}}, {wrong}},
+    };
+    test::ExpectRows("actuator", rows, {});
+}
+
+TEST(CheckMapping, NormalAndInverseAreDifferentObjectsOfEqualLength)
+{
+    Verifies(req::SRS_CLI_014);
+    const std::vector<CheckRow> rows = {
+        {{{"1381sub2", kValue, "0x20000108"}, {"2000sub1", "InvertedSRAD", ""}},
+         {"error: 0x1381:02: object 0x2000:01 is normal and inverse data of SRDO 1, expected another object than in "
+          "sub-index 1"}},
+        {{{"1381sub4", kValue, "0x20000108"}, {"2000sub2", "InvertedSRAD", ""}},
+         {"error: 0x1381:04: object 0x2000:01 is normal and inverse data of SRDO 1, expected another object than in "
+          "sub-index 1"}},
+        {{{"1381sub3", kValue, "0x20000108"}, {"2000sub1", "InvertedSRAD", ""}},
+         {"error: 0x1381:03: object 0x2000:01 is mapped twice, expected another object than in sub-index 1"}},
+        {{{"1381sub2", kValue, "0x21000208"}, {"1381sub4", kValue, "0x21000108"}},
+         {"error: 0x1381:02: inverse entry 0x2100:02, expected 0x2100:01, the InvertedSRAD of 0x2000:01 (line 355)",
+          "error: 0x1381:04: inverse entry 0x2100:01, expected 0x2100:02, the InvertedSRAD of 0x2000:02 (line 365)"}},
+        {{{"1381sub2", kValue, "0x21000208"},
+          {"1381sub4", kValue, "0x21000108"},
+          {"2000sub1", "InvertedSRAD", ""},
+          {"2000sub2", "InvertedSRAD", "0"}},
+         {}},
+        {{{"2000sub1", "DataType", "6"}, {"1381sub1", kValue, "0x20000110"}, {"2000sub1", "InvertedSRAD", ""}},
+         {"error: 0x1381:02: inverse entry of 8 bit, expected 16 bit as the normal entry before it"}},
+    };
+    test::ExpectRows("sensor", rows, {});
+}
+
+TEST(CheckMapping, InvertedSradNamesAnotherObjectOfTheSameType)
+{
+    Verifies(req::SRS_CLI_014);
+    const std::vector<CheckRow> rows = {
+        {{{"5F00sub1", "InvertedSRAD", "0x5F0001"}},
+         {"error: 0x5F00:01: InvertedSRAD 0x5F00:01 names the object itself, expected another object"}},
+        {{{"5F00sub1", "InvertedSRAD", "0x777701"}},
+         {"error: 0x5F00:01: InvertedSRAD 0x7777:01 names an unknown object, expected an object that the file "
+          "describes"}},
+        {{{"5F00sub1", "InvertedSRAD", "0x200001"}},
+         {"error: 0x5F00:01: InvertedSRAD 0x2000:01 is of UNSIGNED8, expected the same data type, UNSIGNED32"}},
+        {{{"5F00sub1", "InvertedSRAD", "0x5F0002"}, {"5F00sub2", "InvertedSRAD", "0x5F0001"}}, {}},
+    };
+    test::ExpectRows("sensor", rows, {});
+}
+
+TEST(CheckMapping, DummyObjects)
+{
+    Verifies(req::SRS_CLI_015);
+    const std::vector<CheckRow> consumer = {
+        {{{"1381sub3", kValue, "0x00050008"}, {"1381sub4", kValue, "0x00050008"}}, {}},
+        {{{"1381sub4", kValue, "0x00050008"}, {"2200sub2", "InvertedSRAD", ""}},
+         {"error: 0x1381:04: dummy object on one side of the pair only, expected normal and inverse data to be "
+          "stored "
+          "both or not at all"}},
+        {{{"1381sub3", kValue, "0x00020008"}, {"1381sub4", kValue, "0x00020008"}},
+         {"error: 0x1381:03: dummy object 0x0002:00 is not mappable, expected a data type 0x0001 to 0x0007 that "
+          "[DummyUsage] allows, "
+          "with sub-index 0",
+          "error: 0x1381:04: dummy object 0x0002:00 is not mappable, expected a data type 0x0001 to 0x0007 that "
+          "[DummyUsage] allows, "
+          "with sub-index 0"}},
+        {{{"1381sub3", kValue, "0x00050008"}, {"1381sub4", kValue, "0x00050108"}},
+         {"error: 0x1381:04: dummy object 0x0005:01 is not mappable, expected a data type 0x0001 to 0x0007 that "
+          "[DummyUsage] allows, "
+          "with sub-index 0"}},
+        {{{"1381sub3", kValue, "0x00060008"}, {"1381sub4", kValue, "0x00050008"}},
+         {"error: 0x1381:03: length of 8 bit, expected 16 bit of the dummy object"}},
+    };
+    test::ExpectRows("actuator", consumer, {});
+    const std::vector<CheckRow> producer = {
+        {{{"1381sub3", kValue, "0x00050008"}, {"1381sub4", kValue, "0x00050008"}},
+         {"error: 0x1381:03: dummy object 0x0005:00 in a producer, expected an object with data to send",
+          "error: 0x1381:04: dummy object 0x0005:00 in a producer, expected an object with data to send"}},
+    };
+    test::ExpectRows("sensor", producer, {});
 }
 } // namespace
 } // namespace counterpoint::cia306

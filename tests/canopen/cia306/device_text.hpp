@@ -50,6 +50,12 @@ inline std::string ExampleText(const std::string& name)
     return ReadTextFile(SourceFolder() + "/examples/emergency_stop/" + name + ".dcf");
 }
 
+/// A file of tests/canopen/cia306/data.
+inline std::string FileText(const std::string& name)
+{
+    return ReadTextFile(SourceFolder() + "/tests/canopen/cia306/data/" + name + ".dcf");
+}
+
 /// A scenario of a network, or what it names: of the examples, else of the tests alone.
 inline std::string NetworkFile(const std::string& name)
 {

@@ -3,12 +3,15 @@
 // the CRC-16 of 13FFh, zlib.crc32(bytes) the CRC-32 of 5F04h.
 #include "canopen/cia306/safety/digest.hpp"
 #include "tests/canopen/cia306/check_text.hpp"
+#include "tests/canopen/cia306/device_text.hpp"
 #include "verification/trace/ids/eds.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -16,12 +19,8 @@ namespace counterpoint::cia306
 {
 namespace
 {
-using Lines = std::vector<std::string>;
 
-std::string FileText(const std::string& name)
-{
-    return ReadTextFile(test::SourceFolder() + "/tests/canopen/cia306/data/" + name + ".dcf");
-}
+using Lines = std::vector<std::string>;
 
 SafetyConfiguration SafetyOf(const Device& device)
 {
@@ -30,7 +29,7 @@ SafetyConfiguration SafetyOf(const Device& device)
 
 std::vector<std::uint16_t> SignaturesOf(const std::string& name)
 {
-    const Device device = test::DeviceOf(FileText(name));
+    const Device device = test::DeviceOf(test::FileText(name));
     std::vector<std::uint16_t> signatures;
     for (const SrdoConfiguration& srdo : SafetyOf(device).srdos)
     {
@@ -55,7 +54,7 @@ TEST(WideFiles, EachIsSoundAsItStands)
     for (const char* name : {"bits", "static", "dummies", "digest"})
     {
         // Then the check without options finds nothing in them
-        EXPECT_EQ(test::FindingsOf(FileText(name), {}), Lines{}) << name;
+        EXPECT_EQ(test::FindingsOf(test::FileText(name), {}), Lines{}) << name;
     }
 }
 
@@ -110,7 +109,7 @@ TEST(WideFiles, SignaturesAreThoseOfAnIndependentComputation)
 TEST(WideFiles, AllOf128EntriesAreSigned)
 {
     Verifies(req::SRS_EDS_020);
-    const SafetyConfiguration safety = SafetyOf(test::DeviceOf(FileText("bits")));
+    const SafetyConfiguration safety = SafetyOf(test::DeviceOf(test::FileText("bits")));
     ASSERT_EQ(safety.srdos.size(), 2U);
     EXPECT_EQ(safety.srdos[0].mapping.size(), 128U);
     EXPECT_EQ(safety.srdos[0].mapping[127].raw, 0x61204001U);
@@ -124,33 +123,34 @@ TEST(WideFiles, TypesOfAnyLengthComeFromTheFile)
 {
     Verifies(req::SRS_EDS_027);
     // Given a record whose DEFSTRUCT names BOOLEAN, a DEFTYPE of 3 bits and UNSIGNED8, and sub-indices without a type
-    const Device device = test::DeviceOf(FileText("bits"));
+    const Device device = test::DeviceOf(test::FileText("bits"));
     EXPECT_EQ(device.Find(0x2100U, 0U)->type.bits, 8U);
     EXPECT_EQ(device.Find(0x2100U, 1U)->type.bits, 1U);
     EXPECT_EQ(device.Find(0x2100U, 2U)->type.bits, 3U);
     EXPECT_EQ(device.Find(0x2100U, 2U)->data_type, 0x0040U);
     EXPECT_EQ(device.Find(0x2100U, 3U)->type.bits, 8U);
     // And BIT6 at 0035h
-    EXPECT_EQ(test::DeviceOf(FileText("dummies")).Find(0x2200U, 2U)->type.bits, 6U);
+    EXPECT_EQ(test::DeviceOf(test::FileText("dummies")).Find(0x2200U, 2U)->type.bits, 6U);
     EXPECT_TRUE(device.warnings.empty());
     // A DEFTYPE of 0 or 65 bits, or without a value, says nothing
     for (const char* value : {"0", "65", "", "x"})
     {
-        const std::string text = test::Changed(
-            FileText("bits"), {{"ObjectType=0x5\nDataType=0x0007\nAccessType=ro\nDefaultValue=3",
-                                std::string("ObjectType=0x5\nDataType=0x0007\nAccessType=ro\nDefaultValue=") + value}});
+        const std::string text =
+            test::Changed(test::FileText("bits"),
+                          {{"ObjectType=0x5\nDataType=0x0007\nAccessType=ro\nDefaultValue=3",
+                            std::string("ObjectType=0x5\nDataType=0x0007\nAccessType=ro\nDefaultValue=") + value}});
         EXPECT_EQ(test::DeviceOf(text).Find(0x2100U, 2U)->type.bits, 0U) << value;
     }
     const std::string longest =
-        test::Changed(FileText("bits"), {{"ObjectType=0x5\nDataType=0x0007\nAccessType=ro\nDefaultValue=3",
-                                          "ObjectType=0x5\nDataType=0x0007\nAccessType=ro\nDefaultValue=64"}});
+        test::Changed(test::FileText("bits"), {{"ObjectType=0x5\nDataType=0x0007\nAccessType=ro\nDefaultValue=3",
+                                                "ObjectType=0x5\nDataType=0x0007\nAccessType=ro\nDefaultValue=64"}});
     EXPECT_EQ(test::DeviceOf(longest).Find(0x2100U, 2U)->type.bits, 64U);
     // A member of the structure without a value has its type as DataType; a member that is not there has none
     const std::string member = "ObjectType=0x7\nDataType=0x0006\nAccessType=ro\nDefaultValue=0x0040\n";
-    const Device other =
-        test::DeviceOf(test::Changed(FileText("bits"), {{member, "ObjectType=0x7\nDataType=0x0016\nAccessType=ro\n"}}));
+    const Device other = test::DeviceOf(
+        test::Changed(test::FileText("bits"), {{member, "ObjectType=0x7\nDataType=0x0016\nAccessType=ro\n"}}));
     EXPECT_EQ(other.Find(0x2100U, 2U)->type.bits, 24U);
-    const Device without = test::DeviceOf(test::Changed(FileText("bits"), {{"[0041sub2]\n", "[0041sub4]\n"}}));
+    const Device without = test::DeviceOf(test::Changed(test::FileText("bits"), {{"[0041sub2]\n", "[0041sub4]\n"}}));
     EXPECT_EQ(without.Find(0x2100U, 2U)->type.bits, 0U);
     // A variable whose type is the structure itself cannot be mapped
     const Device record = test::DeviceOf("[0041]\nObjectType=6\nSubNumber=1\n[2000]\nDataType=0x0041\nAccessType=ro\n");
@@ -165,7 +165,7 @@ TEST(WideFiles, AMappedLengthIsComparedWithTheTypeOfTheFile)
     {
         Lines lines;
         for (const std::string& line :
-             test::FindingsOf(test::SignedAgain(test::Changed(FileText("bits"), {{from, to}}), std::nullopt), {}))
+             test::FindingsOf(test::SignedAgain(test::Changed(test::FileText("bits"), {{from, to}}), std::nullopt), {}))
         {
             if (line.find("0xA5 marks") == std::string::npos)
             {
@@ -192,7 +192,7 @@ TEST(WideFiles, GranularityIsThatOfTheFile)
     const auto granularity = [](const std::string& value)
     {
         const Device device =
-            test::DeviceOf(test::Changed(FileText("bits"), {{"Granularity=1\n", "Granularity=" + value + "\n"}}));
+            test::DeviceOf(test::Changed(test::FileText("bits"), {{"Granularity=1\n", "Granularity=" + value + "\n"}}));
         std::vector<Finding> problems;
         return ReadDeviceParameters(device, device.node_id, problems).granularity_bits;
     };
@@ -203,7 +203,8 @@ TEST(WideFiles, GranularityIsThatOfTheFile)
     EXPECT_EQ(granularity("24"), 8U);
     const auto warnings = [](const std::string& value)
     {
-        return test::DeviceOf(test::Changed(FileText("bits"), {{"Granularity=1\n", "Granularity=" + value + "\n"}}))
+        return test::DeviceOf(
+                   test::Changed(test::FileText("bits"), {{"Granularity=1\n", "Granularity=" + value + "\n"}}))
             .warnings;
     };
     EXPECT_TRUE(warnings("0").empty());
@@ -213,8 +214,8 @@ TEST(WideFiles, GranularityIsThatOfTheFile)
     EXPECT_EQ(warnings("fine").size(), 1U);
     // The object tells before the key
     const Device device = test::DeviceOf(
-        test::Changed(FileText("digest"), {{"DefaultValue=0\nParameterValue=1\nPDOMapping=0\n\n[5F00subB]",
-                                            "DefaultValue=0\nParameterValue=32\nPDOMapping=0\n\n[5F00subB]"}}));
+        test::Changed(test::FileText("digest"), {{"DefaultValue=0\nParameterValue=1\nPDOMapping=0\n\n[5F00subB]",
+                                                  "DefaultValue=0\nParameterValue=32\nPDOMapping=0\n\n[5F00subB]"}}));
     std::vector<Finding> problems;
     EXPECT_EQ(ReadDeviceParameters(device, device.node_id, problems).granularity_bits, 32U);
 }
@@ -222,11 +223,11 @@ TEST(WideFiles, GranularityIsThatOfTheFile)
 TEST(WideFiles, AStaticMappingIsOneThatNobodyCanWrite)
 {
     Verifies(req::SRS_EDS_029);
-    EXPECT_TRUE(SafetyOf(test::DeviceOf(FileText("static"))).srdos[0].is_static);
-    EXPECT_TRUE(SafetyOf(test::DeviceOf(FileText("static"))).srdos[1].is_static);
-    EXPECT_FALSE(SafetyOf(test::DeviceOf(FileText("bits"))).srdos[0].is_static);
+    EXPECT_TRUE(SafetyOf(test::DeviceOf(test::FileText("static"))).srdos[0].is_static);
+    EXPECT_TRUE(SafetyOf(test::DeviceOf(test::FileText("static"))).srdos[1].is_static);
+    EXPECT_FALSE(SafetyOf(test::DeviceOf(test::FileText("bits"))).srdos[0].is_static);
     const std::string last = "AccessType=const\nDefaultValue=0x24100308";
-    const std::string text = FileText("static");
+    const std::string text = test::FileText("static");
     EXPECT_TRUE(SafetyOf(test::DeviceOf(test::Changed(text, {{last, "AccessType=ro\nDefaultValue=0x24100308"}})))
                     .srdos[1]
                     .is_static);
@@ -239,7 +240,7 @@ TEST(WideFiles, TheDigestIsThatOfAnIndependentComputation)
 {
     Verifies(req::SRS_EDS_030);
     // Given a file in which every parameter is another than its default
-    const DigestRecord record = DigestOfText(FileText("digest"));
+    const DigestRecord record = DigestOfText(test::FileText("digest"));
     EXPECT_TRUE(record.is_present);
     EXPECT_TRUE(record.problems.empty());
     // Then the bytes are those of SRS_CFG_034
@@ -259,7 +260,7 @@ TEST(WideFiles, WhatGrantsNothingCountsAsZeroInTheDigest)
     const auto byte = [](const std::string& section, const std::string& value, const std::size_t place)
     {
         const DigestRecord record =
-            DigestOfText(test::WithValues(FileText("digest"), {{section, "ParameterValue", value}}));
+            DigestOfText(test::WithValues(test::FileText("digest"), {{section, "ParameterValue", value}}));
         return BytesOf(record.fields).at(place);
     };
     EXPECT_EQ(byte("5F00subC", "0x67", 2U), 0x00U);
@@ -273,7 +274,7 @@ TEST(WideFiles, WhatGrantsNothingCountsAsZeroInTheDigest)
 TEST(WideFiles, AFileWithoutTheObjectOrWithoutAnSrdoHasNoDigest)
 {
     Verifies(req::SRS_EDS_030);
-    EXPECT_FALSE(DigestOfText(FileText("bits")).is_present);
+    EXPECT_FALSE(DigestOfText(test::FileText("bits")).is_present);
     EXPECT_FALSE(DigestOfText("[5F04]\nDataType=7\nAccessType=rw\nDefaultValue=1\n").is_present);
 }
 
@@ -282,7 +283,7 @@ TEST(WideFiles, WhatKeepsTheDigestFromBeingComputedIsReported)
     Verifies(req::SRS_EDS_030);
     const auto problem = [](const std::vector<test::Change>& changes)
     {
-        const DigestRecord record = DigestOfText(test::Changed(FileText("digest"), changes));
+        const DigestRecord record = DigestOfText(test::Changed(test::FileText("digest"), changes));
         EXPECT_TRUE(record.fields.empty());
         return record.problems.empty() ? std::string() : FormatFinding("f", record.problems.front());
     };
@@ -300,15 +301,15 @@ TEST(WideFiles, WhatKeepsTheDigestFromBeingComputedIsReported)
 TEST(WideFiles, TheDigestIsWrittenWithTheSignatures)
 {
     Verifies(req::SRS_CLI_021);
-    const std::string without = test::Changed(FileText("digest"), {{"ParameterValue=0x5F9AFA3D\n", ""}});
-    EXPECT_EQ(test::SignedAgain(without, std::nullopt), FileText("digest"));
-    EXPECT_EQ(test::SignedAgain(FileText("digest"), std::nullopt), FileText("digest"));
+    const std::string without = test::Changed(test::FileText("digest"), {{"ParameterValue=0x5F9AFA3D\n", ""}});
+    EXPECT_EQ(test::SignedAgain(without, std::nullopt), test::FileText("digest"));
+    EXPECT_EQ(test::SignedAgain(test::FileText("digest"), std::nullopt), test::FileText("digest"));
 }
 
 TEST(WideFiles, ADigestThatIsNotTheComputedOneIsFound)
 {
     Verifies(req::SRS_CLI_022);
-    const std::string text = FileText("digest");
+    const std::string text = test::FileText("digest");
     const auto find = [&text](const std::vector<test::Change>& changes)
     { return test::FindingsOf(test::Changed(text, changes), {}); };
     const std::string valid = "error: 0x13FE:00: 0xA5 marks a configuration with errors as valid, expected 0x00 until "
@@ -323,6 +324,71 @@ TEST(WideFiles, ADigestThatIsNotTheComputedOneIsFound)
     EXPECT_EQ(find({{"NodeID=127\n", "NodeID=255\n"}}).back(),
               "error: 0x5F04:00: the digest needs the node-ID and there is none, expected --node-id, or NodeID in "
               "[DeviceComissioning]");
+}
+
+/// The collection of real files stands beside the source tree, where it is; else the look-alikes of the tests are read.
+std::vector<std::string> DeviceFiles(const std::filesystem::path& folder)
+{
+    std::vector<std::string> files;
+    if (std::filesystem::is_directory(folder))
+    {
+        for (const auto& entry : std::filesystem::directory_iterator(folder))
+        {
+            const std::string kind = entry.path().extension().string();
+            const bool is_device_file = kind == ".eds" || kind == ".dcf";
+            if (is_device_file)
+            {
+                files.push_back(entry.path().string());
+            }
+        }
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::vector<std::string> AllDeviceFiles()
+{
+    std::vector<std::string> files = DeviceFiles(test::SourceFolder() + "/tests/canopen/cia306/data");
+    const std::vector<std::string> real = DeviceFiles(test::SourceFolder() + "/../shared/corpus/eds");
+    std::cout << (real.empty() ? "no collection of real files beside the source tree: only look-alikes are read\n"
+                               : std::to_string(real.size()) + " real files are read besides the look-alikes\n");
+    files.insert(files.end(), real.begin(), real.end());
+    return files;
+}
+
+TEST(RealFiles, EveryOneIsReadAndWrittenBackByteByByte)
+{
+    Verifies(req::SRS_EDS_026);
+    Verifies(req::SRS_EDS_004);
+    const std::vector<std::string> files = AllDeviceFiles();
+    EXPECT_GE(files.size(), 4U);
+    for (const std::string& file : files)
+    {
+        const std::string text = ReadTextFile(file);
+        const IniDocument document = IniDocument::Parse(file, text);
+        EXPECT_EQ(document.Text(), text) << file;
+        const Device device = ReadDevice(document);
+        EXPECT_GE(device.objects.size(), 3U) << file;
+        EXPECT_NE(device.Find(0x1000U, 0U), nullptr) << file;
+    }
+}
+
+TEST(RealFiles, ALookAlikeWithEverythingUnusualIsReadAsMeant)
+{
+    Verifies(req::SRS_EDS_026);
+    const Device device = ReadDeviceFile(test::SourceFolder() + "/tests/canopen/cia306/data/unusual.dcf");
+    EXPECT_EQ(device.node_id, 5U);
+    EXPECT_EQ(device.Find(0x1018U, 4U)->Configured().text, "0x00000004");
+    EXPECT_EQ(device.Find(0x1600U, 1U)->Configured().text, "0x20000120");
+    EXPECT_EQ(device.Find(0x1028U)->entries.size(), 128U);
+    EXPECT_EQ(device.Find(0x1028U, 3U)->Configured().text, "0x00000083");
+    EXPECT_EQ(ConfiguredValue(*device.Find(0x1800U, 1U), device.node_id).value->bits, 0x185U);
+    EXPECT_EQ(ConfiguredValue(*device.Find(0x1801U, 1U), device.node_id).value->bits, 0x285U);
+    EXPECT_EQ(device.Find(0x3000U, 0U)->data_type, 0x000FU);
+    EXPECT_EQ(device.Find(0x3001U, 0U)->data_type, 0x0040U);
+    EXPECT_EQ(device.Find(0x3002U, 0U)->name, "Temperature [\xB0"
+                                              "C]");
+    EXPECT_EQ(device.warnings.size(), 6U);
 }
 } // namespace
 } // namespace counterpoint::cia306

@@ -11,9 +11,7 @@ namespace
 using cia301::NodeState;
 using Codes = std::vector<unsigned>;
 
-class DeviceServicesTest : public DeviceRig
-{
-};
+using DeviceServicesTest = DeviceRig;
 
 TEST_F(DeviceServicesTest, ServicesWorkInTheStatesOfTheTable)
 {

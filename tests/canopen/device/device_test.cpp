@@ -9,9 +9,7 @@ namespace
 
 using cia301::NodeState;
 
-class DeviceTest : public DeviceRig
-{
-};
+using DeviceTest = DeviceRig;
 
 TEST_F(DeviceTest, BootsUpAndWaitsForTheStart)
 {

@@ -251,9 +251,7 @@ TEST_P(LeftOperationalTest, HeartbeatsOfADeviceThatWasNotStartedUpAreNotThoseOfT
 
 INSTANTIATE_TEST_SUITE_P(Each, LeftOperationalTest, ::testing::ValuesIn(kProfiles));
 
-class LeftInCia302Test : public LeftOperationalTest
-{
-};
+using LeftInCia302Test = LeftOperationalTest;
 
 TEST_P(LeftInCia302Test, WhoseLastSignIsOlderThanTheStartOfSomebodyElseIsStopped)
 {

@@ -235,9 +235,7 @@ TEST_P(SafetyPathsTest, OfAnotherDeviceThatWasFoundChangedStaysAnotherDevice)
 
 INSTANTIATE_TEST_SUITE_P(Each, SafetyPathsTest, ::testing::ValuesIn(kProfiles));
 
-class SafetyPathsInCia302Test : public SafetyPathsTest
-{
-};
+using SafetyPathsInCia302Test = SafetyPathsTest;
 
 TEST_P(SafetyPathsInCia302Test, ReadWhileResetsLeaveIsBootedAllTheSame)
 {

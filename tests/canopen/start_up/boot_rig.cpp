@@ -84,6 +84,11 @@ FakeSlave& BootRig::Add(const std::uint8_t node, const std::uint32_t assignment)
     return *made;
 }
 
+void BootRig::Protect(const std::uint8_t node)
+{
+    setups.at(node).safety = reinterpret_cast<const SafetyExpectation*>(&gate);
+}
+
 void BootRig::PowerAll()
 {
     for (auto& [node, slave] : slaves)

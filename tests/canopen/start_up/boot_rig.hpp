@@ -95,6 +95,8 @@ class BootRig : public ::testing::Test,
 
     /// A listed slave with 1F81h as given, identity expected and present; not yet powered.
     FakeSlave& Add(std::uint8_t node, std::uint32_t assignment);
+    /// The slave becomes one of safety; of its expectation is looked only at whether it is there.
+    void Protect(std::uint8_t node);
     void PowerAll();
     /// Powers what is there and begins the start-up.
     void Begin();

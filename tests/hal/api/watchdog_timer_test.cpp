@@ -35,9 +35,7 @@ struct WindowCase
     bool alive;
 };
 
-class WatchdogWindowBoundary : public ::testing::TestWithParam<WindowCase>
-{
-};
+using WatchdogWindowBoundary = ::testing::TestWithParam<WindowCase>;
 
 // t [us]  10000      10800          11200
 // window  Start      opens           ends

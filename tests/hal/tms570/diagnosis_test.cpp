@@ -42,9 +42,7 @@ struct EndlessWait
     std::uint64_t looks;
 };
 
-class EndlessWaits : public ::testing::TestWithParam<EndlessWait>
-{
-};
+using EndlessWaits = ::testing::TestWithParam<EndlessWait>;
 
 TEST_P(EndlessWaits, EndAfterTheLooksThatTheTableOfFaultsTells)
 {

@@ -38,9 +38,7 @@ TEST(EsmTest, EveryChannelHasANameAndAReaction)
     }
 }
 
-class EsmChannels : public ::testing::TestWithParam<std::uint32_t>
-{
-};
+using EsmChannels = ::testing::TestWithParam<std::uint32_t>;
 
 TEST_P(EsmChannels, EveryChannelOfGroup1ReactsAsTheTableSays)
 {

@@ -81,9 +81,7 @@ constexpr StartFault kStartFaults[] = {
     {Fault::kDcanObjectLost, StartStep::kCan},
 };
 
-class StartFaults : public ::testing::TestWithParam<StartFault>
-{
-};
+using StartFaults = ::testing::TestWithParam<StartFault>;
 
 /// What has to happen beside setting the fault.
 void Bring(Rig& rig, const Fault fault)
@@ -165,9 +163,7 @@ constexpr RunFault kRunFaults[] = {
     {Fault::kPllSlips, BoardFault::kClocks, 8},
 };
 
-class RunFaults : public ::testing::TestWithParam<RunFault>
-{
-};
+using RunFaults = ::testing::TestWithParam<RunFault>;
 
 /// The event that shows the fault, once a cycle.
 struct Event

@@ -22,9 +22,7 @@ struct Comparator
     std::uint8_t channel; ///< Of ESM group 2.
 };
 
-class EveryComparator : public ::testing::TestWithParam<Comparator>
-{
-};
+using EveryComparator = ::testing::TestWithParam<Comparator>;
 
 TEST_P(EveryComparator, WithAFaultRefusesTheStart)
 {

@@ -17,9 +17,7 @@ struct VariantCase
     std::uint8_t absent_steps;
 };
 
-class EveryVariant : public ::testing::TestWithParam<VariantCase>
-{
-};
+using EveryVariant = ::testing::TestWithParam<VariantCase>;
 
 TEST_P(EveryVariant, StartsInOrderWithAReportOfEveryStep)
 {
@@ -116,9 +114,7 @@ TEST(Start, RefusedBoardGivesNothing)
     EXPECT_EQ(rig.board.BeginCycle(), BoardFault::kStart);
 }
 
-class Level2RamFault : public ::testing::TestWithParam<model::Fault>
-{
-};
+using Level2RamFault = ::testing::TestWithParam<model::Fault>;
 
 TEST_P(Level2RamFault, RefusesTheStartOfAnLc43x)
 {

@@ -27,9 +27,7 @@ struct EccFault
     StartStep step;
 };
 
-class VimEccFault : public ::testing::TestWithParam<EccFault>
-{
-};
+using VimEccFault = ::testing::TestWithParam<EccFault>;
 
 TEST_P(VimEccFault, RefusesTheStartOfAnLc43x)
 {

@@ -47,9 +47,7 @@ TEST(TwoCpus, ErrorsOfTheBusAreNoDeviceFaults)
     EXPECT_GT(result.released[0U], 2000U);
 }
 
-class Broken : public ::testing::TestWithParam<Breakage>
-{
-};
+using Broken = ::testing::TestWithParam<Breakage>;
 
 // Given two CPUs whose output is open, when this breaks at a random moment, then the output is safe within its limit
 // and stays so.

@@ -11,9 +11,7 @@ namespace
 {
 using test::Lines;
 
-class ManagerPdosTest : public test::ManagerRig
-{
-};
+using ManagerPdosTest = test::ManagerRig;
 
 /// A slave with an RxPDO of two bytes and a TxPDO of one, of which nothing is asked before its start.
 std::string PdoDcf()

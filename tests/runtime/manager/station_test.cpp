@@ -15,9 +15,7 @@ using test::Lines;
 
 constexpr std::uint8_t kOwn = 127U;
 
-class ManagerStationTest : public test::ManagerRig
-{
-};
+using ManagerStationTest = test::ManagerRig;
 
 /// A slave that nobody boots, one that is booted, and a safety slave.
 constexpr const char* kNetwork = "manager: {node: 127, heartbeat: 100 ms, inhibit: 1 ms, boot_time: 2 s}\n"

@@ -138,9 +138,7 @@ TEST_F(NodeScriptTest, WhatCannotBeUsedIsRefusedWithItsPlace)
               file + ":1:23: no order, expected an order such as set 0x2000:01 1");
 }
 
-class NodeCommandTest : public test::CommandTest
-{
-};
+using NodeCommandTest = test::CommandTest;
 
 TEST_F(NodeCommandTest, BadInputIsOneLineAndStatus2)
 {

@@ -136,9 +136,7 @@ TEST(TextDcfTest, EveryBeginOfATextEnds)
     }
 }
 
-class TextBootTest : public BootRig
-{
-};
+using TextBootTest = BootRig;
 
 TEST_F(TextBootTest, TextFirstThenConciseAndAnErrorInTheTextIsJ)
 {

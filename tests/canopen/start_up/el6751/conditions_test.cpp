@@ -59,9 +59,7 @@ TEST_P(El6751SilentRowTest, EndsTheStartUpAndIsNoAbort)
     EXPECT_EQ(Nmt(), (Log{"0:82 00"}));
 }
 
-class El6751ConditionsTest : public El6751Rig
-{
-};
+using El6751ConditionsTest = El6751Rig;
 
 TEST_F(El6751ConditionsTest, WithoutASlaveNobodyIsStarted)
 {
