@@ -289,31 +289,30 @@ void Channel::Enter() noexcept
     }
 }
 
-/// Slot to which the identifier leads; kNoSlot if to none of the device's.
-SlotIndex Channel::LookUp(const CanFrame& frame) const noexcept
+/// Slot to which the identifier leads; whoever asks compares it with the number of slots.
+SlotIndex Channel::LookUp(std::uint32_t identifier) const noexcept
 {
-    const std::uint32_t offset = frame.identifier - kFirstSrdoIdentifier;
-    if ((frame.kind != FrameKind::kData) || (offset >= kSrdoIdentifierCount))
-    {
-        return kNoSlot;
-    }
-    const SlotIndex slot = x_storage.slot_of[offset];
-    return (slot < x_settings.Count()) ? slot : kNoSlot;
+    const std::uint32_t offset = identifier - kFirstSrdoIdentifier;
+    return (offset < kSrdoIdentifierCount) ? x_storage.slot_of[offset] : kNoSlot;
 }
 
 /// A frame before OPERATIONAL finds no active consumer. A global fail-safe command is accepted only by 1300h = 1 and in
 /// OPERATIONAL. [SRS_CONS_001, SRS_CONS_002, SRS_CONS_017]
 void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
 {
-    const SlotIndex slot = LookUp(frame);
-    if (slot != kNoSlot)
+    if (frame.kind != FrameKind::kData)
+    {
+        return;
+    }
+    const SlotIndex slot = LookUp(frame.identifier);
+    if (slot < x_settings.Count())
     {
         x_consumers.OnFrame(slot, frame, stamp.us - x_last_us);
         return;
     }
-    const bool is_command = (frame.identifier == kGfcIdentifier) && (frame.kind == FrameKind::kData);
+    const bool is_command = (frame.identifier == kGfcIdentifier) && (frame.length_bytes == 0U);
     const bool is_accepted = IsRunning() && (x_settings.GfcParameter() == 1U);
-    if (is_command && is_accepted && (frame.length_bytes == 0U))
+    if (is_command && is_accepted)
     {
         x_has_gfc = true;
     }
@@ -420,12 +419,12 @@ CanFrame Channel::InverseFrame(SlotIndex slot) noexcept
 /// [SRS_PROD_007]
 Confirmation Channel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
 {
-    const SlotIndex slot = LookUp(frame);
-    if (slot == kNoSlot)
+    const SlotIndex slot = LookUp(frame.identifier);
+    if ((frame.kind == FrameKind::kData) && (slot < x_settings.Count()))
     {
-        return Confirmation{kNoSlot, ConfirmStep::kNone};
+        return x_producers.OnConfirm(slot, frame, stamp.us - x_last_us);
     }
-    return x_producers.OnConfirm(slot, frame, stamp.us - x_last_us);
+    return Confirmation{kNoSlot, ConfirmStep::kNone};
 }
 
 void Channel::OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept

@@ -50,7 +50,7 @@ class Channel final : public counterpoint::Channel
     [[nodiscard]] bool IsRunning() const noexcept;
     void Enter() noexcept;
     void Admit(SlotIndex slot) noexcept;
-    [[nodiscard]] SlotIndex LookUp(const CanFrame& frame) const noexcept;
+    [[nodiscard]] SlotIndex LookUp(std::uint32_t identifier) const noexcept;
 
     Storage x_storage;
     Settings x_settings;

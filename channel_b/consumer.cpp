@@ -12,16 +12,9 @@ namespace counterpoint::channel_b
 namespace
 {
 
-[[nodiscard]] bool IsNormal(const CanFrame& frame) noexcept
-{
-    return (frame.identifier % 2U) != 0U;
-}
-
-/// How long a budget that is over has been over.
-[[nodiscard]] std::uint32_t Overdue(std::uint32_t left) noexcept
-{
-    return 0U - left;
-}
+/// What remains of a budget that was over when OnCycle saw it: it has been over for as long as a difference of instants
+/// can tell.
+constexpr std::uint32_t kLongOverUs = std::uint32_t{1U} << 31U;
 
 } // namespace
 
@@ -35,7 +28,6 @@ void Consumers::Enter() noexcept
 {
     x_active = 0U;
     x_pending = 0U;
-    x_stale = 0U;
     x_fresh = 0U;
     x_unheard = 0U;
     x_troubled = 0U;
@@ -59,7 +51,8 @@ void Consumers::Admit(SlotIndex slot) noexcept
 SrdoMask Consumers::Leave() noexcept
 {
     const SrdoMask left = x_active;
-    for (SlotWalk walk{left}; walk.IsOn(); walk.Step())
+    SlotWalk walk{left};
+    while (walk.Next())
     {
         Fault(walk.Slot(), SrdoCause::kNotOperational);
     }
@@ -93,12 +86,6 @@ bool Consumers::IsSound(SlotIndex slot) const noexcept
     return is_held_defined && (x_pairs.granted[slot] == Mark::kUnset);
 }
 
-/// Whether a missing inverse frame is found late.
-bool Consumers::IsLate(SlotIndex slot) const noexcept
-{
-    return x_settings.Detection(slot) == SrvtDetection::kLate;
-}
-
 /// [SRS_CONS_024]
 SrdoState Consumers::StateOf(SlotIndex slot) const noexcept
 {
@@ -122,7 +109,7 @@ HeldPair Consumers::Held(SlotIndex slot) const noexcept
         pair.ordinal = x_pairs.ordinal[slot];
         if (IsHeld(slot))
         {
-            pair.data = PayloadOf(~x_pairs.data[slot] & FrameMask(x_mappings.LengthBits(slot)));
+            pair.data = PayloadOf(~x_pairs.data[slot] & LowBits(x_mappings.LengthBits(slot)));
             pair.holds_pair = 1U;
         }
     }
@@ -171,40 +158,52 @@ void Consumers::Demote(SlotIndex slot) noexcept
     }
 }
 
+/// Whether more than SCT has gone by since the normal frame of the held pair.
+bool Consumers::IsSctOver(SlotIndex slot, std::uint32_t since_call_us) const noexcept
+{
+    return IsHeld(slot) && ((x_pairs.left[slot] - since_call_us) > x_pairs.limit[slot]);
+}
+
+/// Whether more than SRVT has gone by since the pending normal frame.
+bool Consumers::IsSrvtOver(SlotIndex slot, std::uint32_t since_call_us) const noexcept
+{
+    return (x_pairs.srvt_left[slot] - since_call_us) > x_pairs.srvt_limit[slot];
+}
+
 /// The limit that is over at an instant so long after the last OnCycle. With early detection a pending normal frame has
-/// answered SCT. Where both are over it is the one with the earlier deadline, at a tie SRVT.
-/// [SRS_TIME_003, SRS_TIME_004, SRS_TIME_005, SRS_TIME_006, SRS_TIME_007, SRS_TIME_008, SRS_TIME_009]
-SrdoCause Consumers::ExpiredAt(SlotIndex slot, std::uint32_t since_call_us, bool is_srvt_examined) const noexcept
+/// answered SCT. [SRS_TIME_003, SRS_TIME_004, SRS_TIME_005, SRS_TIME_006, SRS_TIME_007]
+SrdoCause Consumers::ExpiredAt(SlotIndex slot, std::uint32_t since_call_us) const noexcept
 {
     const bool is_pending = HasAny(x_pending, BitOf(slot));
-    const std::uint32_t sct_left = x_pairs.left[slot] - since_call_us;
-    const std::uint32_t srvt_left = x_pairs.srvt_left[slot] - since_call_us;
-    const bool is_sct_answered = is_pending && (!IsLate(slot));
-    const bool is_sct_over = IsHeld(slot) && (!is_sct_answered) && (sct_left > x_pairs.limit[slot]);
-    if (is_pending && is_srvt_examined)
+    if (is_pending && (x_settings.Detection(slot) != SrvtDetection::kLate))
     {
-        if (HasAny(x_stale, BitOf(slot)))
-        {
-            return SrdoCause::kSrvt;
-        }
-        if (srvt_left > x_pairs.srvt_limit[slot])
-        {
-            return (is_sct_over && (Overdue(sct_left) > Overdue(srvt_left))) ? SrdoCause::kSct : SrdoCause::kSrvt;
-        }
+        return IsSrvtOver(slot, since_call_us) ? SrdoCause::kSrvt : SrdoCause::kNone;
     }
-    return is_sct_over ? SrdoCause::kSct : SrdoCause::kNone;
+    return IsSctOver(slot, since_call_us) ? SrdoCause::kSct : SrdoCause::kNone;
+}
+
+/// With late detection an inverse frame asks for SRVT as well. Where both limits are over it is the one with the
+/// earlier deadline, at a tie SRVT. [SRS_TIME_008, SRS_TIME_009]
+SrdoCause Consumers::ExpiredAtInverse(SlotIndex slot, std::uint32_t since_call_us) const noexcept
+{
+    const SrdoCause expired = ExpiredAt(slot, since_call_us);
+    if (HasAny(x_pending, BitOf(slot)) && IsSrvtOver(slot, since_call_us))
+    {
+        const std::uint32_t sct_overdue = since_call_us - x_pairs.left[slot];
+        const std::uint32_t srvt_overdue = since_call_us - x_pairs.srvt_left[slot];
+        const bool is_sct_earlier = (expired == SrdoCause::kSct) && (sct_overdue > srvt_overdue);
+        return is_sct_earlier ? SrdoCause::kSct : SrdoCause::kSrvt;
+    }
+    return expired;
 }
 
 // ---- frames
 
 /// What of identifier, controller and length is not as configured. [SRS_CONS_004, SRS_CONS_005]
-SrdoCause Consumers::Misfit(SlotIndex slot, const CanFrame& frame) const noexcept
+SrdoCause Consumers::Misfit(SlotIndex slot, const CanFrame& frame, std::uint32_t identifier,
+                            CanPortId port) const noexcept
 {
-    const DeviceConfig& config = x_settings.Config();
-    const bool is_normal = IsNormal(frame);
-    const std::uint32_t own = is_normal ? x_settings.NormalIdentifier(slot) : x_settings.InverseIdentifier(slot);
-    const CanPortId port = is_normal ? config.normal_port : config.inverse_port;
-    if ((frame.identifier != own) || (frame.port != port))
+    if ((frame.identifier != identifier) || (frame.port != port))
     {
         return SrdoCause::kIdentifier;
     }
@@ -212,69 +211,80 @@ SrdoCause Consumers::Misfit(SlotIndex slot, const CanFrame& frame) const noexcep
     return is_mapped_length ? SrdoCause::kNone : SrdoCause::kLength;
 }
 
-/// A limit that is over discards what was there before the frame, which is then taken as the first one.
-/// [SRS_CONS_001, SRS_CONS_003, SRS_CONS_011, SRS_CONS_012]
+/// Whether the inverse data are those of the pending normal frame: all bits of the frames' bytes are inverse, and no
+/// normal one is set above the mapped ones. [SRS_CONS_009]
+bool Consumers::IsInverse(SlotIndex slot, std::uint64_t inverse) const noexcept
+{
+    const std::uint32_t length_bits = x_mappings.LengthBits(slot);
+    const std::uint64_t normal = x_pairs.pending[slot];
+    return ((normal ^ inverse) == FrameMask(length_bits)) && (normal <= LowBits(length_bits));
+}
+
+/// [SRS_CONS_001]
 void Consumers::OnFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
 {
     if (!IsActive(slot))
     {
         return;
     }
-    const bool is_normal = IsNormal(frame);
-    const SrdoCause expired = ExpiredAt(slot, since_call_us, (!is_normal) || (!IsLate(slot)));
+    if ((frame.identifier % 2U) != 0U)
+    {
+        TakeNormal(slot, frame, since_call_us);
+    }
+    else
+    {
+        TakeInverse(slot, frame, since_call_us);
+    }
+}
+
+/// A limit that is over discards what was there before the frame, which is then taken as the first one.
+/// [SRS_CONS_003, SRS_CONS_006, SRS_CONS_007, SRS_CONS_011]
+void Consumers::TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
+{
+    const SrdoCause expired = ExpiredAt(slot, since_call_us);
     if (expired != SrdoCause::kNone)
     {
         Fault(slot, expired);
     }
-    const SrdoCause misfit = Misfit(slot, frame);
-    if (misfit != SrdoCause::kNone)
+    SrdoCause flaw = Misfit(slot, frame, x_settings.NormalIdentifier(slot), x_settings.Config().normal_port);
+    if ((flaw == SrdoCause::kNone) && HasAny(x_pending, BitOf(slot)))
     {
-        Fault(slot, misfit);
-        return;
+        flaw = SrdoCause::kNormalTwice;
     }
-    const std::uint64_t data = FrameData(frame);
-    if (is_normal)
+    if (flaw != SrdoCause::kNone)
     {
-        TakeNormal(slot, data, since_call_us);
-    }
-    else
-    {
-        TakeInverse(slot, data);
-    }
-}
-
-/// [SRS_CONS_006, SRS_CONS_007]
-void Consumers::TakeNormal(SlotIndex slot, std::uint64_t normal, std::uint32_t since_call_us) noexcept
-{
-    if (HasAny(x_pending, BitOf(slot)))
-    {
-        Fault(slot, SrdoCause::kNormalTwice);
+        Fault(slot, flaw);
         return;
     }
     x_pending |= BitOf(slot);
-    x_stale &= ~BitOf(slot);
-    x_pairs.pending[slot] = normal;
+    x_pairs.pending[slot] = FrameData(frame);
     x_pairs.srvt_limit[slot] = x_settings.SrvtUs(slot);
     // The next OnCycle takes away what lay between the last one and the frame.
     x_pairs.srvt_left[slot] = x_pairs.srvt_limit[slot] + since_call_us;
 }
 
-/// [SRS_CONS_008, SRS_CONS_009, SRS_CONS_010]
-void Consumers::TakeInverse(SlotIndex slot, std::uint64_t inverse) noexcept
+/// [SRS_CONS_003, SRS_CONS_008, SRS_CONS_009, SRS_CONS_010, SRS_CONS_011]
+void Consumers::TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
 {
     const SrdoMask bit = BitOf(slot);
-    if (!HasAny(x_pending, bit))
+    const std::uint64_t inverse = FrameData(frame);
+    const SrdoCause expired = ExpiredAtInverse(slot, since_call_us);
+    if (expired != SrdoCause::kNone)
     {
-        Fault(slot, SrdoCause::kInverseFirst);
-        return;
+        Fault(slot, expired);
     }
-    const std::uint32_t length_bits = x_mappings.LengthBits(slot);
-    const std::uint64_t normal = x_pairs.pending[slot];
-    const bool is_inverse = (normal ^ inverse) == FrameMask(length_bits);
-    const bool is_unmapped_clear = (normal & ~LowBits(length_bits)) == 0U;
-    if (!(is_inverse && is_unmapped_clear))
+    SrdoCause flaw = Misfit(slot, frame, x_settings.InverseIdentifier(slot), x_settings.Config().inverse_port);
+    if ((flaw == SrdoCause::kNone) && (!HasAny(x_pending, bit)))
     {
-        Fault(slot, SrdoCause::kNotInverse);
+        flaw = SrdoCause::kInverseFirst;
+    }
+    if ((flaw == SrdoCause::kNone) && (!IsInverse(slot, inverse)))
+    {
+        flaw = SrdoCause::kNotInverse;
+    }
+    if (flaw != SrdoCause::kNone)
+    {
+        Fault(slot, flaw);
         return;
     }
     // Both limits count from the normal frame, so that the greater one has the difference more left.
@@ -291,14 +301,14 @@ void Consumers::TakeInverse(SlotIndex slot, std::uint64_t inverse) noexcept
 
 // ---- the cycle
 
-/// The budgets beside that of SCT, as far as they run.
+/// The budgets beside that of SCT, as far as they run. SRVT that is over stays over, however long nobody asks for it.
 void Consumers::SpendOthers(SlotIndex slot, std::uint32_t elapsed_us) noexcept
 {
     x_pairs.srvt_left[slot] -= elapsed_us;
     x_pairs.phase_left[slot] -= elapsed_us;
     if (x_pairs.srvt_left[slot] > x_pairs.srvt_limit[slot])
     {
-        x_stale |= BitOf(slot);
+        x_pairs.srvt_left[slot] = kLongOverUs;
     }
     if (x_pairs.phase_left[slot] > x_settings.Config().acknowledge_window_us)
     {
@@ -314,7 +324,7 @@ void Consumers::Examine(SlotIndex slot, const Tick& tick) noexcept
     {
         Fault(slot, SrdoCause::kInvalid);
     }
-    const SrdoCause expired = ExpiredAt(slot, 0U, !IsLate(slot));
+    const SrdoCause expired = ExpiredAt(slot, 0U);
     if (expired != SrdoCause::kNone)
     {
         Fault(slot, expired);
@@ -388,7 +398,8 @@ SrdoMask Consumers::Settle(SrdoMask quiet, std::uint32_t elapsed_us, CycleOutcom
     SrdoMask settled = 0U;
     std::uint32_t ordinal_sum = 0U;
     std::uint32_t count = 0U;
-    for (SlotWalk walk{quiet}; walk.IsOn(); walk.Step())
+    SlotWalk walk{quiet};
+    while (walk.Next())
     {
         const SlotIndex slot = walk.Slot();
         const std::uint32_t left = x_pairs.left[slot] - elapsed_us;
@@ -396,7 +407,7 @@ SrdoMask Consumers::Settle(SrdoMask quiet, std::uint32_t elapsed_us, CycleOutcom
         const bool is_granted = IsHeld(slot) && (x_pairs.granted[slot] == Mark::kGranted);
         if (is_granted && (left <= x_pairs.limit[slot]) && (x_faults.FirstCause(slot) == SrdoCause::kNone))
         {
-            settled |= walk.Bit();
+            settled |= BitOf(walk.Slot());
             ordinal_sum += x_pairs.ordinal[slot];
             ++count;
         }
@@ -414,17 +425,18 @@ void Consumers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
     const SrdoMask quiet = x_active & ~news;
     SrdoMask released = Settle(quiet, tick.elapsed_us, outcome);
     x_active_us += tick.elapsed_us;
-    for (SlotWalk walk{x_active & ~released}; walk.IsOn(); walk.Step())
+    SlotWalk walk{x_active & ~released};
+    while (walk.Next())
     {
         const SlotIndex slot = walk.Slot();
-        if (!HasAny(quiet, walk.Bit()))
+        if (!HasAny(quiet, BitOf(walk.Slot())))
         {
             x_pairs.left[slot] -= tick.elapsed_us;
         }
         ServeBusy(slot, tick, outcome);
         if (IsReleased(slot))
         {
-            released |= walk.Bit();
+            released |= BitOf(walk.Slot());
         }
         outcome.ordinal_sum += x_pairs.ordinal[slot];
         outcome.sct_checked = static_cast<std::uint8_t>(outcome.sct_checked + 1U);
@@ -442,13 +454,15 @@ void Consumers::Commit(const Agreement& agreement) noexcept
 {
     const SrdoMask released = agreement.agreed & x_released;
     const SrdoMask written = released & agreement.matched & x_unwritten;
-    for (SlotWalk walk{written}; walk.IsOn(); walk.Step())
+    SlotWalk walk{written};
+    while (walk.Next())
     {
         x_mappings.WriteInverse(walk.Slot(), x_pairs.data[walk.Slot()]);
     }
-    for (SlotWalk walk{x_committed & ~released}; walk.IsOn(); walk.Step())
+    SlotWalk left{x_committed & ~released};
+    while (left.Next())
     {
-        x_mappings.WriteSafe(walk.Slot());
+        x_mappings.WriteSafe(left.Slot());
     }
     x_unwritten &= ~written;
     x_committed = (x_committed & released) | written;

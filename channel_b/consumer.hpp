@@ -52,10 +52,11 @@ class Consumers
     [[nodiscard]] bool IsHeld(SlotIndex slot) const noexcept;
     [[nodiscard]] bool IsReleased(SlotIndex slot) const noexcept;
     [[nodiscard]] bool IsSound(SlotIndex slot) const noexcept;
-    [[nodiscard]] bool IsLate(SlotIndex slot) const noexcept;
 
-    [[nodiscard]] SrdoCause ExpiredAt(SlotIndex slot, std::uint32_t since_call_us,
-                                      bool is_srvt_examined) const noexcept;
+    [[nodiscard]] bool IsSctOver(SlotIndex slot, std::uint32_t since_call_us) const noexcept;
+    [[nodiscard]] bool IsSrvtOver(SlotIndex slot, std::uint32_t since_call_us) const noexcept;
+    [[nodiscard]] SrdoCause ExpiredAt(SlotIndex slot, std::uint32_t since_call_us) const noexcept;
+    [[nodiscard]] SrdoCause ExpiredAtInverse(SlotIndex slot, std::uint32_t since_call_us) const noexcept;
     [[nodiscard]] SrdoMask Settle(SrdoMask quiet, std::uint32_t elapsed_us, CycleOutcome& outcome) noexcept;
     void SpendOthers(SlotIndex slot, std::uint32_t elapsed_us) noexcept;
     void Examine(SlotIndex slot, const Tick& tick) noexcept;
@@ -64,9 +65,11 @@ class Consumers
     void Discard(SlotIndex slot) noexcept;
     [[gnu::cold]] void Fault(SlotIndex slot, SrdoCause cause) noexcept;
 
-    [[nodiscard]] SrdoCause Misfit(SlotIndex slot, const CanFrame& frame) const noexcept;
-    void TakeNormal(SlotIndex slot, std::uint64_t normal, std::uint32_t since_call_us) noexcept;
-    void TakeInverse(SlotIndex slot, std::uint64_t inverse) noexcept;
+    [[nodiscard]] SrdoCause Misfit(SlotIndex slot, const CanFrame& frame, std::uint32_t identifier,
+                                   CanPortId port) const noexcept;
+    [[nodiscard]] bool IsInverse(SlotIndex slot, std::uint64_t inverse) const noexcept;
+    void TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept;
+    void TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept;
 
     PairColumns x_pairs;
     const Settings& x_settings;
@@ -74,7 +77,6 @@ class Consumers
     Faults& x_faults;
     SrdoMask x_active{0U};
     SrdoMask x_pending{0U};   ///< A normal frame waits for its inverse frame.
-    SrdoMask x_stale{0U};     ///< The SRVT of that frame has been over for so long that its budget no longer counts.
     SrdoMask x_fresh{0U};     ///< A pair was completed since the last OnCycle.
     SrdoMask x_unheard{0U};   ///< No pair, fault or complaint since OPERATIONAL was entered.
     SrdoMask x_troubled{0U};  ///< A fault since OPERATIONAL was entered.

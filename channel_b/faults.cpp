@@ -77,13 +77,14 @@ std::uint32_t Faults::Signals(SlotIndex slot) const noexcept
 void Faults::Age(std::uint32_t elapsed_us) noexcept
 {
     x_signalled = 0U;
-    for (SlotWalk walk{x_windows}; walk.IsOn(); walk.Step())
+    SlotWalk walk{x_windows};
+    while (walk.Next())
     {
         const SlotIndex slot = walk.Slot();
         x_columns.window_us[slot] += elapsed_us;
         if (x_columns.window_us[slot] > x_settings.SctUs(slot))
         {
-            x_windows &= ~walk.Bit();
+            x_windows &= ~BitOf(walk.Slot());
         }
     }
 }
@@ -91,10 +92,11 @@ void Faults::Age(std::uint32_t elapsed_us) noexcept
 /// [SRS_CONS_021]
 SrdoMask Faults::Report() noexcept
 {
-    for (SlotWalk walk{x_unreported}; walk.IsOn(); walk.Step())
+    SlotWalk walk{x_unreported};
+    while (walk.Next())
     {
         const SlotIndex slot = walk.Slot();
-        const SrdoMask bit = walk.Bit();
+        const SrdoMask bit = BitOf(walk.Slot());
         const std::uint32_t causes = x_columns.causes[slot];
         if (!HasAny(x_windows, bit))
         {

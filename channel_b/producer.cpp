@@ -281,13 +281,14 @@ void Producers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
     SrdoMask in_flight = 0U;
     std::uint32_t count = 0U;
     x_requested |= tick.requests & x_active;
-    for (SlotWalk walk{x_active}; walk.IsOn(); walk.Step())
+    SlotWalk walk{x_active};
+    while (walk.Next())
     {
         const SlotIndex slot = walk.Slot();
         ServeOne(slot, tick);
         if (IsInFlight(slot))
         {
-            in_flight |= walk.Bit();
+            in_flight |= BitOf(walk.Slot());
         }
         ++count;
     }

@@ -24,8 +24,35 @@ namespace counterpoint::channel_b
 class SlotWalk
 {
   public:
-    /// Passes the clear bits before the first set one, half as many at each turn; if none is set, the walk is over.
     explicit SlotWalk(SrdoMask mask) noexcept : x_rest(mask)
+    {
+    }
+
+    /// @brief Goes to the next set bit; false if there is none left.
+    [[nodiscard]] bool Next() noexcept
+    {
+        if (x_rest == 0U)
+        {
+            return false;
+        }
+        if (!HasAny(x_rest, 1U))
+        {
+            PassClear();
+        }
+        x_slot = x_ahead;
+        Pass(1U);
+        return true;
+    }
+
+    /// @brief Where the last Next went.
+    [[nodiscard]] SlotIndex Slot() const noexcept
+    {
+        return static_cast<SlotIndex>(x_slot);
+    }
+
+  private:
+    /// The clear bits below the lowest set one, half as many at each turn.
+    void PassClear() noexcept
     {
         for (std::uint32_t count = kMaxSrdoCount / 2U; count != 0U; count /= 2U)
         {
@@ -36,41 +63,14 @@ class SlotWalk
         }
     }
 
-    [[nodiscard]] bool IsOn() const noexcept
-    {
-        return x_rest != 0U;
-    }
-
-    [[nodiscard]] SlotIndex Slot() const noexcept
-    {
-        return static_cast<SlotIndex>(x_slot);
-    }
-
-    [[nodiscard]] SrdoMask Bit() const noexcept
-    {
-        return x_bit;
-    }
-
-    /// To the next set bit; each turn shortens the rest, so that it ends.
-    void Step() noexcept
-    {
-        Pass(1U);
-        while ((x_rest != 0U) && (!HasAny(x_rest, 1U)))
-        {
-            Pass(1U);
-        }
-    }
-
-  private:
     void Pass(std::uint32_t count) noexcept
     {
         x_rest >>= count;
-        x_bit <<= count;
-        x_slot += count;
+        x_ahead += count;
     }
 
-    SrdoMask x_rest;    ///< What was not visited yet, beginning with the slot at hand.
-    SrdoMask x_bit{1U}; ///< Of the slot at hand.
+    SrdoMask x_rest;           ///< What was not visited yet, ...
+    std::uint32_t x_ahead{0U}; ///< ... beginning with this slot.
     std::uint32_t x_slot{0U};
 };
 
