@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/differential/device.hpp"
 
+#include "verification/differential/flaws.hpp"
+
 namespace counterpoint::differential
 {
 
@@ -99,7 +101,7 @@ void Device::Make(Random& random) noexcept
     }
     for (SlotIndex slot = 0U; slot < count_; ++slot)
     {
-        Spoil(random, slot);
+        Spoil(random, *this, slot);
         FixMapping(slot);
     }
     config_b = config_a;

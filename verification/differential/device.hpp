@@ -107,11 +107,6 @@ class Device
     void MakeEntries(SlotIndex slot) noexcept;
     void FixMapping(SlotIndex slot) noexcept;
     void MakeSetup(Random& random, SlotIndex slot, std::uint32_t& number) noexcept;
-    void Spoil(Random& random, SlotIndex slot) noexcept;
-    void SpoilIdentifier(Random& random, SlotPlan& plan) noexcept;
-    void SpoilTiming(Random& random, SlotPlan& plan) noexcept;
-    void SpoilEntry(Random& random, SlotIndex slot) noexcept;
-    void SpoilDummy(Random& random, SlotPlan& plan) noexcept;
     void MakeObjects(Memory& memory) noexcept;
     void AddObjects(Memory& memory, std::uint16_t first_index, std::uint32_t offset) noexcept;
 

@@ -1,55 +1,12 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-//
-// What the generator makes wrong in a sound configuration.
-#include "verification/differential/device.hpp"
+#include "verification/differential/flaws.hpp"
 
 namespace counterpoint::differential
 {
-
-void Device::Spoil(Random& random, SlotIndex slot) noexcept
+namespace
 {
-    SlotPlan& plan = plans[slot];
-    switch (plan.flaw)
-    {
-    case Flaw::kDirection:
-        plan.direction = static_cast<std::uint8_t>(random.Between(3U, 255U));
-        break;
-    case Flaw::kTransmissionType:
-        plan.transmission_type = static_cast<std::uint8_t>(random.Chance(500U) ? 255U : random.Below(254U));
-        break;
-    case Flaw::kIdentifier:
-        SpoilIdentifier(random, plan);
-        break;
-    case Flaw::kIdentifierInUse:
-    {
-        const SlotPlan& other = plans[random.Below(count_)];
-        plan.cob_id_1 = other.cob_id_1;
-        plan.cob_id_2 = other.cob_id_2;
-        break;
-    }
-    case Flaw::kTiming:
-        SpoilTiming(random, plan);
-        break;
-    case Flaw::kMapCount:
-        plan.map_count =
-            static_cast<std::uint8_t>(random.Chance(500U) ? random.Below(plan.map_count + 3U) : random.Below(256U));
-        break;
-    case Flaw::kEntry:
-        SpoilEntry(random, slot);
-        break;
-    case Flaw::kDummy:
-        SpoilDummy(random, plan);
-        break;
-    case Flaw::kFields: // What StoreSlot registers.
-    case Flaw::kLengthExceeded:
-    case Flaw::kSignature:
-    case Flaw::kNeverValidated:
-    case Flaw::kNone:
-        break;
-    }
-}
 
-void Device::SpoilIdentifier(Random& random, SlotPlan& plan) noexcept
+void SpoilIdentifier(Random& random, SlotPlan& plan) noexcept
 {
     switch (random.Below(6U))
     {
@@ -78,11 +35,11 @@ void Device::SpoilIdentifier(Random& random, SlotPlan& plan) noexcept
     }
 }
 
-void Device::SpoilTiming(Random& random, SlotPlan& plan) noexcept
+void SpoilTiming(Random& random, SlotPlan& plan, std::uint32_t cycle_us) noexcept
 {
     if (plan.direction == kDirectionProducer)
     {
-        const std::uint32_t cycle_ms = config_a.cycle_us / kMicrosecondsPerMillisecond;
+        const std::uint32_t cycle_ms = cycle_us / kMicrosecondsPerMillisecond;
         plan.sct_ms = static_cast<std::uint16_t>(random.Below(cycle_ms + 1U));
     }
     else if (random.Chance(500U))
@@ -95,11 +52,11 @@ void Device::SpoilTiming(Random& random, SlotPlan& plan) noexcept
     }
 }
 
-void Device::SpoilEntry(Random& random, SlotIndex slot) noexcept
+void SpoilEntry(Random& random, Device& device, SlotIndex slot) noexcept
 {
-    SlotPlan& plan = plans[slot];
+    SlotPlan& plan = device.plans[slot];
     const std::uint32_t at = random.Chance(500U) ? random.Below(plan.map_count) : (plan.map_count - 1U);
-    const SlotIndex other = static_cast<SlotIndex>(random.Below(count_));
+    const SlotIndex other = static_cast<SlotIndex>(random.Below(device.config_a.srdo_count));
     switch (random.Below(7U))
     {
     case 0U:
@@ -109,7 +66,7 @@ void Device::SpoilEntry(Random& random, SlotIndex slot) noexcept
         plan.entries[at] = plan.entries[random.Below(plan.map_count)];
         break;
     case 2U:
-        plan.entries[at] = plans[other].entries[random.Below(2U)];
+        plan.entries[at] = device.plans[other].entries[random.Below(2U)];
         break;
     case 3U:
         plan.entries[at] = (static_cast<std::uint32_t>(Device::kUnmappableIndex) << 16U) | 8U;
@@ -132,7 +89,7 @@ void Device::SpoilEntry(Random& random, SlotIndex slot) noexcept
 
 /// Of a consumer and of a producer, in a device with dummies or without: half a pair, another sub-index, length or
 /// type.
-void Device::SpoilDummy(Random& random, SlotPlan& plan) noexcept
+void SpoilDummy(Random& random, SlotPlan& plan) noexcept
 {
     static constexpr std::uint32_t kOthers[] = {0x00050008U, 0x00010001U, 0x00040020U, 0x00020008U, 0x00050108U,
                                                 0x00080008U, 0x00030008U, 0x00000008U, 0x00060010U, 0x00070020U};
@@ -141,6 +98,51 @@ void Device::SpoilDummy(Random& random, SlotPlan& plan) noexcept
     if (random.Chance(400U))
     {
         plan.entries[at ^ 1U] = plan.entries[at];
+    }
+}
+
+} // namespace
+
+void Spoil(Random& random, Device& device, SlotIndex slot) noexcept
+{
+    SlotPlan& plan = device.plans[slot];
+    switch (plan.flaw)
+    {
+    case Flaw::kDirection:
+        plan.direction = static_cast<std::uint8_t>(random.Between(3U, 255U));
+        break;
+    case Flaw::kTransmissionType:
+        plan.transmission_type = static_cast<std::uint8_t>(random.Chance(500U) ? 255U : random.Below(254U));
+        break;
+    case Flaw::kIdentifier:
+        SpoilIdentifier(random, plan);
+        break;
+    case Flaw::kIdentifierInUse:
+    {
+        const SlotPlan& other = device.plans[random.Below(device.config_a.srdo_count)];
+        plan.cob_id_1 = other.cob_id_1;
+        plan.cob_id_2 = other.cob_id_2;
+        break;
+    }
+    case Flaw::kTiming:
+        SpoilTiming(random, plan, device.config_a.cycle_us);
+        break;
+    case Flaw::kMapCount:
+        plan.map_count =
+            static_cast<std::uint8_t>(random.Chance(500U) ? random.Below(plan.map_count + 3U) : random.Below(256U));
+        break;
+    case Flaw::kEntry:
+        SpoilEntry(random, device, slot);
+        break;
+    case Flaw::kDummy:
+        SpoilDummy(random, plan);
+        break;
+    case Flaw::kFields: // What StoreSlot registers.
+    case Flaw::kLengthExceeded:
+    case Flaw::kSignature:
+    case Flaw::kNeverValidated:
+    case Flaw::kNone:
+        break;
     }
 }
 
