@@ -26,8 +26,8 @@ struct NodeSettings
     std::optional<std::uint8_t> lss_node_id{}; ///< Node-ID that LSS gave in this run; counts before all others.
 };
 
-/// @brief The node-ID of the device: first what LSS gave, then the command line, then the file. A device that waits for
-/// LSS gets a placeholder. [SRS_NODE_015]
+/// @brief The node-ID instead of the file's: what LSS gave, else that of the command line; nothing: the file's holds. A
+/// device that waits for LSS gets a placeholder. [SRS_NODE_015]
 [[nodiscard]] std::optional<std::uint8_t> NodeIdOf(const NodeSettings& settings, const cia306::Device& file,
                                                    bool has_lss);
 /// @brief With a second controller the inverse frames are sent and received by it. [SRS_NODE_014]

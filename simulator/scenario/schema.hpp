@@ -79,8 +79,8 @@ template <const auto& kTable> [[nodiscard]] std::string WordsOf()
 
 /// What a value looks like, in words: "number from 1 to 64".
 [[nodiscard]] std::string TypeText(const KeySpec& key);
-/// @brief The description for a terminal: of everything (`all`), or of each section and key of that name; sections of
-/// actions are also found without "events.". Empty: there is no such name.
+/// @brief The description for a terminal: of everything for an empty name, else of each section and key of that name;
+/// sections of events are also found without "events.". An empty answer: there is no such name.
 [[nodiscard]] std::string ExplainText(const std::string& name);
 /// @brief The reference part of docs/scenario.md.
 [[nodiscard]] std::string ExplainMarkdown();

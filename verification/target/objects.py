@@ -26,7 +26,7 @@ SERVICES = [("canopen/cia301", "canopen/cia301/libcanopen_cia301.a"),
             ("canopen/device", "canopen/device/libcanopen_device.a"),
             ("canopen/generated", "canopen/generated/libcanopen_generated.a")]
 
-# What a compiler may call in freestanding code, with the names of the ARM run-time ABI; target/memory.cpp has them.
+# What a compiler may call in freestanding code, with the names of the ARM run-time ABI; hal/tms570/start/memory_functions.cpp has them.
 MEMORY_FUNCTIONS = re.compile(r"(mem(cpy|move|set|cmp)|__aeabi_mem(cpy|move|set|clr)[48]?)")
 # Stands in the virtual table of an abstract class; called only through a destroyed object.
 ABSTRACT = {"__cxa_pure_virtual"}

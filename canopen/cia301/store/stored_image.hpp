@@ -59,7 +59,7 @@ class ImageReader
     [[nodiscard]] ImageCheck Continue() noexcept;
     /// @brief The bank that was opened.
     [[nodiscard]] hal::MemoryBank Bank() const noexcept;
-    /// @brief Generation of its set: the greater one is the newer one.
+    /// @brief Generation of its set, modular: a newer set has the next one.
     [[nodiscard]] std::uint32_t Generation() const noexcept;
     /// @brief The item at a place, from 0; the next one is kItemHeadBytes + size_bytes behind it. O(1)
     [[nodiscard]] ItemHead HeadAt(std::uint32_t place) noexcept;

@@ -36,7 +36,7 @@ class StoredEntries final : public StoredPart
 class StoredSafety final : public StoredPart
 {
   public:
-    /// @brief The kernel is started before anything is stored or loaded.
+    /// @brief The kernel outlives it.
     explicit StoredSafety(Kernel& kernel) noexcept;
 
     [[nodiscard]] std::uint32_t ItemCount() noexcept override;

@@ -25,7 +25,7 @@ struct NetworkObjectParts
 class NetworkObjects final : public cia301::NumberHook
 {
   public:
-    /// @brief The setup stands before the first access.
+    /// @brief The parts are kept by reference.
     explicit NetworkObjects(const NetworkObjectParts& parts) noexcept;
 
     /// @brief Sets the time for what writes lead to. Once a cycle.

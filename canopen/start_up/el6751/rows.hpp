@@ -70,14 +70,14 @@ struct El6751Access
     Bytes user;
 };
 
-/// What an answer means for the start-up; from kNotFound on it ends, and the value is the NodeState.
+/// What an answer means for the start-up. Values above kNext are the NodeState that follows.
 enum class El6751Verdict : std::uint8_t
 {
     kInvalid = 0U,
     kNext = 1U,
-    kNotFound = 2U, ///< Nobody answered the first SDO.
-    kSyntax = 4U,   ///< The SDO was aborted, or its value has a wrong length.
-    kMismatch = 5U, ///< The value is not the configured one.
+    kNotFound = 2U, ///< Nobody answered the first SDO, which is sent again.
+    kSyntax = 4U,   ///< The SDO was aborted, or its value has a wrong length: the start-up ends.
+    kMismatch = 5U, ///< The value is not the configured one: the start-up ends.
 };
 
 /// How an SDO ended.
