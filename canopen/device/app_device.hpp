@@ -27,7 +27,7 @@ template <class App, std::uint8_t kSrdos> class AppDevice final : private Owner
   private:
     static constexpr std::uint32_t kRoom = (2U * kSrdos) + 2U;
 
-    /// The device safe state is left by a restart with all start-up tests alone; these are not at hand here.
+    /// Only a restart with all start-up tests leads out of the device safe state, and this device cannot run them.
     [[nodiscard]] LoadResult OnResetNode() noexcept override
     {
         const bool is_safe = has_started_ && (kernel_.DeviceState().fault != DeviceFault::kNone);

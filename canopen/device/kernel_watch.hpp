@@ -32,7 +32,7 @@ class KernelWatch final : public Application
     void OnNotConfigured() noexcept;
     /// @brief OPERATIONAL was left: errors of SRDOs end, and so does the error of a missing configuration.
     void OnOperationalLeft() noexcept;
-    /// @brief The kernel is started anew.
+    /// @brief The kernel was started again.
     void OnRestart() noexcept;
 
   private:

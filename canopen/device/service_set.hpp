@@ -36,7 +36,7 @@ struct ServiceSet
     virtual void PowerOff() noexcept;
     /// @brief Whether a device that waited for a node-ID has one now.
     [[nodiscard]] virtual bool MayBoot() const noexcept;
-    /// @brief The kernel is about to be started anew.
+    /// @brief The kernel is about to be started again.
     virtual void OnResetNode() noexcept;
     /// @brief Reset communication: takes the node-ID that holds from now on. False: there is none. [SRS_DEV_019]
     [[nodiscard]] virtual bool TakeNodeId() noexcept;

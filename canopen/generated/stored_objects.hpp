@@ -39,7 +39,7 @@ enum class AttachResult : std::uint8_t
 class StoredObjects final : public cia301::ReadHook, public cia301::WriteHook
 {
   public:
-    /// @brief `table` may be defined later than this object: it is looked at when an entry is read.
+    /// @brief `table` may be defined after this object: it is read only when an entry is accessed.
     explicit constexpr StoredObjects(const cia301::EntryTable& table) noexcept : table_(table)
     {
     }

@@ -29,7 +29,8 @@ class ManagerListener : public StartUpListener
     /// @brief The negotiation is to begin, at Begin and after each reset communication: local objects (1F90h) may be
     /// written now. Who calls StartNegotiation: see ManagerRole::Use. [SRS_FLY_027]
     virtual void OnInitialising(Instant now) noexcept;
-    /// @brief 1F90h or the own node-ID cannot be negotiated with. Told once; the manager begins when they can be.
+    /// @brief 1F90h or the own node-ID have values with which no negotiation can begin. Told once; the manager begins
+    /// when the values are right.
     virtual void OnNegotiationRefused(FlyingStart reason, Instant now) noexcept;
 
   protected:

@@ -50,7 +50,7 @@ class Manager final : public NmtListener, public NodeListener, public NodeWatchL
     /// @brief The profile, kept by reference. Before Begin, which does nothing without one.
     void Use(StartUp& profile) noexcept;
 
-    /// @brief The device is there: boot-up message, then the start-up, or the negotiation first.
+    /// @brief The device starts: boot-up message, then the start-up of the network, or the negotiation first.
     void Begin(Instant now) noexcept;
     /// @brief From now on it sends no command and takes part in no negotiation.
     void End() noexcept;

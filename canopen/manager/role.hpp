@@ -61,7 +61,8 @@ class ManagerRole final : public FlyingMasterListener
 
     /// @brief A command of the application, by the profile: see StartUp::Command.
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept;
-    /// @brief Start-up of one slave anew: see StartUp::Boot. False also while it does not command the network.
+    /// @brief Begins the start-up of one slave again: see StartUp::Boot. Also false while this device does not command
+    /// the network.
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept;
     /// @brief Start-up of one slave without a reset: see StartUp::Resume. False as Boot.
     [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept;

@@ -18,7 +18,7 @@ class SafetyPermissions
 
     /// @brief The slave booted, or was lost: its verification does not count any more. Does nothing for other slaves.
     void Close(NodeId node) noexcept;
-    /// @brief A reset of one node or all, whoever sent it.
+    /// @brief One node, or all with node 0, was reset by this device or another one.
     void OnReset(NodeId node) noexcept;
     /// @brief One node or all were commanded out of OPERATIONAL.
     void OnLeave(NodeId node) noexcept;

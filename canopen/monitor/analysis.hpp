@@ -58,8 +58,8 @@ class Analysis final : private BreachSink
     void Take(const LogFrame& frame);
     /// @brief No frame came until `now`: limits that have expired are told.
     void Advance(Time now);
-    /// @brief Frames from now until the next call of Take or Advance are not seen: no frame of before is awaited any
-    /// more. [SRS_MON_018]
+    /// @brief Frames from now until the next call of Take or Advance are not seen: no frame is awaited any more.
+    /// [SRS_MON_018]
     void Interrupt() noexcept;
 
     /// @brief All watches, in the order of Network::Watches.

@@ -92,7 +92,8 @@ class SrdoWatch
     /// @brief `number` is told with each violation; `sink` is kept by reference.
     SrdoWatch(std::size_t number, const WatchSetup& setup, BreachSink& sink);
 
-    /// @brief Nothing of before `now` was seen: until SRVT has passed an inverse frame may be the rest of a pair.
+    /// @brief The watch begins at `now`. Until SRVT has passed, an inverse frame may be the rest of a pair that was not
+    /// seen.
     void Begin(Time now) noexcept;
     /// @brief A plain or remote frame with one of the identifiers.
     void OnFrame(const LogFrame& frame);

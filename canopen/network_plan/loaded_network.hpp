@@ -31,8 +31,8 @@ struct LoadedSlave
     ProfileSlave profile;
 };
 
-/// A network as the manager needs it, made from its file and the DCFs of its devices. Stays where it is: its parts
-/// refer to each other.
+/// A network as the manager needs it, made from its file and the DCFs of its devices. Its parts refer to each other, so
+/// it cannot be moved or copied.
 class LoadedNetwork
 {
   public:

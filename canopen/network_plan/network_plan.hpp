@@ -49,7 +49,7 @@ struct FlyingPlan
     KeyLines lines;
 };
 
-/// What an RxPDO carries until somebody says something else.
+/// What an RxPDO carries until an order changes it.
 struct OutputPlan
 {
     std::size_t line{0U}; ///< Of the network file.

@@ -14,7 +14,7 @@
 
 namespace counterpoint::network_plan
 {
-/// What a start-up profile needs of one slave beside its SlaveSetup. Stays where it is: the setup points to it.
+/// What a start-up profile needs of one slave beside its SlaveSetup. The setup points into it, so it must not be moved.
 struct ProfileSlave
 {
     cia302::El6751Slave el6751{};

@@ -41,7 +41,7 @@ class AbsentSafetyOutput final : public SafetyOutput
     std::uint32_t challenge_{0U};
 };
 
-/// No watchdog: asks nothing, hears nothing, and is tripped for ever.
+/// No watchdog: its questions mean nothing, answers are not looked at, and it is always tripped.
 class AbsentWatchdog final : public Watchdog
 {
   public:
@@ -51,7 +51,7 @@ class AbsentWatchdog final : public Watchdog
     [[nodiscard]] bool IsAlive() const noexcept;
 };
 
-/// No MPU: kAbsent for every region, so that nobody takes memory for protected that is not.
+/// No MPU: answers kAbsent for every region, so that nobody takes unprotected memory for protected.
 class AbsentMemoryProtection final : public MemoryProtection
 {
   public:

@@ -25,9 +25,9 @@ enum class LinkStatus : std::uint8_t
     kNothing = 1U, ///< Receive: there is none. Send: no room, the frame is lost.
 };
 
-/// The wire to the other CPU. It may lose, delay, repeat, overtake and change what it carries: whoever uses it finds
-/// out. Never blocks. The caller stamps what it receives by its own clock, as soon as it can: the time between arrival
-/// and stamp counts as delay of the link. [SRS_LNK_020]
+/// The wire to the other CPU. It may lose, delay, repeat, reorder and change frames; its user has to detect that. Never
+/// blocks. The caller stamps what it receives by its own clock, as soon as it can: the time between arrival and stamp
+/// counts as delay of the link. [SRS_LNK_020]
 class CrossLink
 {
   public:

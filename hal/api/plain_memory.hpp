@@ -7,7 +7,7 @@
 namespace counterpoint::hal
 {
 
-/// The cells themselves, for every processor on which an address is a pointer. [SRS_STS_014]
+/// Accesses the memory itself, on every processor on which an address is a pointer. [SRS_STS_014]
 class PlainMemory final : public MemoryAccess
 {
   public:

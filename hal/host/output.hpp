@@ -29,7 +29,7 @@ class HostOutput final : public hal::SafetyOutput, public hal::OutputCutoff
     void CutOff() noexcept override;
     /// @brief Slots whose outputs are open at the present instant of the bus.
     [[nodiscard]] SrdoMask Open();
-    /// @brief When the open slots close if nothing more happens; kNever if none is open.
+    /// @brief When the open slots close if no further Drive comes; kNever if none is open.
     [[nodiscard]] BusTime ClosesAt();
 
   private:

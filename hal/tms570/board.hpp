@@ -40,8 +40,9 @@ class Board
     /// @brief Nothing is started.
     Board() noexcept;
 
-    /// @brief Every step in order, until one fails. With answer kResetComes the processor is about to be reset by its
-    /// own test: call nothing more. Unless kStarted: pins low, nERROR low, off the bus.
+    /// @brief Does every step in order, until one fails. Answer kResetComes: the processor is about to be reset by its
+    /// own test; call nothing more. Without kStarted all pins are low, nERROR is low, and the controllers are off the
+    /// bus.
     [[nodiscard]] StartReport Start(const BoardSetup& setup) noexcept;
     /// @brief Starts the watchdog, after which it cannot be stopped any more: last, when the kernel is ready for its
     /// first cycle. kFailed as if a step had failed.

@@ -32,7 +32,7 @@ class ManagerStation final : private cia301::FrameSink
     void OnFrame(const CanFrame& frame, std::uint64_t now_us);
     /// @brief Call it each ms. Tells what happened since the last call.
     void OnCycle(std::uint64_t now_us);
-    /// @brief Carries out an order. Answers what it came to; empty for orders that the owner itself carries out.
+    /// @brief Carries out an order. Answers its result; empty for orders that the owner itself carries out.
     [[nodiscard]] std::string Carry(const ManagerOrder& order, std::uint64_t now_us);
     /// @brief Adds an event of the bus or of a person.
     void Tell(const std::string& kind, const std::string& text, const nlohmann::ordered_json& details,

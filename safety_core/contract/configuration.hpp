@@ -78,8 +78,8 @@ enum class GfcUse : std::uint8_t
     kPresent = 0x5AU,
 };
 
-/// Fixed description of a device. Whoever owns it keeps it unchanged while the kernel lives. Ranges are checked by
-/// Kernel::Start, which refuses anything else. All times in microseconds.
+/// Fixed description of a device. Its owner keeps it unchanged while the kernel uses it. Kernel::Start checks the
+/// ranges and refuses everything else. All times are in microseconds.
 struct DeviceConfig
 {
     const SrdoSetup* srdos;

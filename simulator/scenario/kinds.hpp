@@ -133,7 +133,7 @@ enum class Party : std::uint8_t
            kind == ActionKind::kNoController || kind == ActionKind::kBusBack;
 }
 
-/// Whether the action puts frames on the bus by itself.
+/// Whether the action sends frames of somebody else.
 [[nodiscard]] constexpr bool IsStorm(const ActionKind kind)
 {
     return kind == ActionKind::kEmcyStorm || kind == ActionKind::kBabble || kind == ActionKind::kSend;

@@ -11,8 +11,8 @@
 namespace counterpoint::cia301
 {
 
-/// The entries of a table with kStored; `dictionary` is over the same table. An item is index, sub-index, value. PDOs
-/// are configured in any order while a set is loaded. All kept by reference. [SRS_STO_011]
+/// Stores the entries of a table that have kStored; `dictionary` works on the same table. An item is index, sub-index
+/// and value. While a set is loaded, PDOs may be configured in any order. All kept by reference. [SRS_STO_011]
 class StoredEntries final : public StoredPart
 {
   public:

@@ -58,8 +58,8 @@ struct FlyingMasterTimes
     return (times.priority <= kLowestPriority) && HasSeparateSlots(times);
 }
 
-/// 1F90h in the object dictionary. A value that is written counts from the next start of the negotiation on: whoever
-/// owns the dictionary keeps it over the reset communication that a negotiation brings. [SRS_FLY_014]
+/// 1F90h in the object dictionary. A value that is written counts from the next start of a negotiation on, so the owner
+/// of the dictionary keeps it over the reset communication that a negotiation brings. [SRS_FLY_014]
 class FlyingMasterObject final : public cia301::NumberHook
 {
   public:

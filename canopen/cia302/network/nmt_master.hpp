@@ -63,7 +63,7 @@ class NmtMaster
     /// @brief The command singly to each node of the network list but `except` (0: nobody) and the own
     /// node: kTaken, or the first refusal, while the others are asked for. O(127)
     [[nodiscard]] NmtAnswer RequestEach(NmtCommand command, NodeId except, Instant now) noexcept;
-    /// @brief The node begins anew: starts of it that wait are dropped. O(queue)
+    /// @brief The start-up of the node begins again: starts of it that wait are dropped. O(queue)
     void DropStarts(NodeId node) noexcept;
     /// @brief Sends what is due. Call once a cycle. O(commands that leave) [SRS_NMM_001]
     void OnCycle(Instant now) noexcept;

@@ -54,7 +54,7 @@ struct GateFinding
 class StartGate
 {
   public:
-    /// @brief Verification begins anew; for a node that is no safety slave nothing happens.
+    /// @brief Begins a verification; for a node that is no safety slave nothing happens.
     virtual void Verify(NodeId node, Instant now) noexcept = 0;
     /// @brief Drives verification; once a cycle, by the owner of all parts.
     virtual void OnCycle(Instant now) noexcept = 0;

@@ -121,7 +121,7 @@ class StartUp
     virtual void OnCycle(Instant now) noexcept = 0;
     /// @brief What the node table told of a node, listed or not.
     virtual void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept = 0;
-    /// @brief The NMT master gave up a start that it had taken: the slave is verified anew and then started.
+    /// @brief The NMT master gave up a start that it had taken: the slave is verified again, and then started.
     virtual void OnStartDropped(NodeId node, Instant now) noexcept;
     /// @brief The bus is back after it was away. A profile may begin start-ups again that it was away from; by itself
     /// this does nothing.
@@ -130,7 +130,7 @@ class StartUp
     /// is refused if the slave is another device (kOtherDevice), a start of all is one start for each slave where a
     /// safety slave is assigned.
     [[nodiscard]] virtual NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept = 0;
-    /// @brief Start-up of one slave anew. False: not in the network, or not begun.
+    /// @brief Begins the start-up of one slave again. False: it is not in the network, or the network is not started.
     [[nodiscard]] virtual bool Boot(NodeId node, Instant now) noexcept = 0;
     /// @brief As Boot without any reset and without restoring: what was written to the slave since stays. One that is
     /// held by a command stays held. False: as Boot.

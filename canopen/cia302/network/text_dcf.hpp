@@ -28,10 +28,10 @@ struct TextReading
     std::uint32_t next;       ///< Where to go on.
 };
 
-/// @brief The next object of a DCF as text (1F20h) from `offset` on, 0 at first, whose ParameterValue is not empty and
-/// whose AccessType lets it be written, in the order of the file. What else a DCF says is passed over: whoever loads it
-/// has checked it (canopen/cia306). `node` is $NODEID. Reals are taken as hexadecimal numbers only. O(text)
-/// [SRS_BOOT_010]
+/// @brief The next object of a DCF as text (1F20h) from `offset` on, 0 at first: in the order of the file, only objects
+/// whose ParameterValue is not empty and whose AccessType lets them be written. Everything else in the DCF is skipped;
+/// it was checked when the file was loaded (canopen/cia306). `node` is $NODEID. Reals are accepted as hexadecimal
+/// numbers only. O(text) [SRS_BOOT_010]
 [[nodiscard]] TextReading ReadTextDcf(const Bytes& dcf, std::uint32_t offset, NodeId node) noexcept;
 
 } // namespace counterpoint::cia302

@@ -98,7 +98,7 @@ class SafetyCheck
     {
         return finding_;
     }
-    /// @brief Whether an SDO of this check is under way: whoever gives the check up has to cancel it.
+    /// @brief Whether an SDO of this check is under way; if the check is given up, this SDO has to be cancelled.
     [[nodiscard]] bool HasTransfer() const noexcept
     {
         return has_begun_ && (state_ == CheckState::kBusy);

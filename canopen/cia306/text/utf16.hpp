@@ -10,7 +10,7 @@
 
 namespace counterpoint::cia306
 {
-/// Bytes of the character that begins at `at`; 0: what is there is no UTF-8.
+/// Number of bytes of the character that begins at `at`; 0: the bytes there are no UTF-8.
 [[nodiscard]] std::size_t LengthOfUtf8(std::string_view text, std::size_t at) noexcept;
 
 /// The value of a UNICODE_STRING as CiA 301 has it on the bus: UTF-16, low byte first. The file is UTF-8; a byte that

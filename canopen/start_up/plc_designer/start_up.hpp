@@ -32,7 +32,7 @@ class PlcStartUp final : public StartUp
     /// @brief A start puts a slave in state 4 or 99 to 4, starts it and its supervision; stop and PRE-OPERATIONAL take
     /// it to 4 and hold it there; resets lead to state 1.
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept override;
-    /// @brief The slave begins anew in state -1, also one in 97. [SRS_PLC_019]
+    /// @brief The slave begins again with state -1, also a slave in state 97. [SRS_PLC_019]
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept override;
     [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept override;
     [[nodiscard]] NodeStatus Status(NodeId node) const noexcept override;

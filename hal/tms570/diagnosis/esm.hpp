@@ -46,7 +46,8 @@ class Esm
     [[nodiscard]] Outcome ExamineCold() noexcept;
     /// @brief nERROR is forced and seen low, then released and seen high. [SRS_TMS_033]
     [[nodiscard]] Outcome TestErrorPin() noexcept;
-    /// @brief Reactions by the table, read back; kFailed as well if an error with reaction safe state is there.
+    /// @brief Sets the reactions of the table and reads them back. Also kFailed if an error with the reaction safe
+    /// state is present.
     [[nodiscard]] Outcome Start() noexcept;
     /// @brief From the interrupts of either level, and once a cycle. kFailed: safe state; the caller cuts off the
     /// outputs. nERROR is low by then. [SRS_TMS_032]

@@ -44,7 +44,8 @@ inline constexpr std::uint32_t kTolerance = 792U;
 class ClockComparator
 {
   public:
-    /// @brief One comparison, then for ever. Interrupts are locked and the ESM is not started.
+    /// @brief Makes one comparison, then lets the comparator run without end. Interrupts are locked and the ESM is not
+    /// started.
     [[nodiscard]] static Outcome Start(const ClockTree& clocks) noexcept;
     /// @brief Once a cycle: running, without an error.
     [[nodiscard]] static Outcome Examine() noexcept;

@@ -16,8 +16,8 @@ struct ResetReason
     std::uint32_t bits; ///< system_module::kReset...
 };
 
-/// @brief Flags of the resets since they were cleared. The test of the logic ends in a reset, too: whoever clears the
-/// others before it is over does not know any more why the controller started. [SRS_TMS_051]
+/// @brief Flags of the resets since they were cleared. The logic test ends in a reset, too, so do not clear the flags
+/// before it is over: they say why the controller started. [SRS_TMS_051]
 [[nodiscard]] ResetReason ReadResetReason() noexcept;
 /// @brief Clears these flags.
 void ClearResetReason(ResetReason reason) noexcept;
