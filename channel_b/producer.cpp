@@ -15,6 +15,15 @@ namespace
 /// No phase lasts 2^27 us, 134 s: one microsecond less than 0 is far above.
 constexpr std::uint32_t kLongestPhaseUs = std::uint32_t{1U} << 27U;
 
+/// [SRS_PROD_005, SRS_PROD_006, SRS_CFG_036]
+[[nodiscard]] CanFrame FrameOf(std::uint32_t identifier, CanPortId port, std::uint32_t length_bits,
+                               std::uint64_t data) noexcept
+{
+    CanFrame frame{identifier, FrameKind::kData, port, static_cast<std::uint8_t>(BytesFor(length_bits)), {}};
+    Unpack(data, {&frame.data[0U]}, kMaxPayloadBytes);
+    return frame;
+}
+
 constexpr CanFrame kNoFrame{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}};
 constexpr Confirmation kNothingConfirmed{kNoSlot, ConfirmStep::kNone};
 
@@ -65,21 +74,6 @@ bool Producers::IsInFlight(SlotIndex slot) const noexcept
     return IsActive(slot) && (x_pairs.stage[slot] != Stage::kIdle);
 }
 
-/// Whether the confirmation of a frame is awaited.
-bool Producers::IsAwaiting(SlotIndex slot) const noexcept
-{
-    switch (x_pairs.stage[slot])
-    {
-    case Stage::kPrepared:
-    case Stage::kToSend:
-    case Stage::kHandedOut:
-        return IsActive(slot);
-    case Stage::kIdle:
-        break;
-    }
-    return false;
-}
-
 std::uint32_t Producers::Ordinal(SlotIndex slot) const noexcept
 {
     return x_pairs.ordinal[slot];
@@ -91,27 +85,9 @@ Payload Producers::InFlight(SlotIndex slot) const noexcept
     return PayloadOf(IsInFlight(slot) ? x_pairs.data[slot] : 0U);
 }
 
-/// Of the frame that has to be on the bus next: its identifier, and its data as one word.
-std::uint32_t Producers::AwaitedIdentifier(SlotIndex slot) const noexcept
+std::uint64_t Producers::InverseData(SlotIndex slot) const noexcept
 {
-    const bool is_normal = x_pairs.stage[slot] == Stage::kPrepared;
-    return is_normal ? x_settings.NormalIdentifier(slot) : x_settings.InverseIdentifier(slot);
-}
-
-std::uint64_t Producers::AwaitedData(SlotIndex slot) const noexcept
-{
-    const std::uint64_t normal = x_pairs.data[slot];
-    const bool is_normal = x_pairs.stage[slot] == Stage::kPrepared;
-    return is_normal ? normal : (~normal & FrameMask(x_mappings.LengthBits(slot)));
-}
-
-/// [SRS_PROD_005, SRS_PROD_006, SRS_CFG_036]
-CanFrame Producers::AwaitedFrame(SlotIndex slot, CanPortId port) const noexcept
-{
-    const std::uint32_t length_bytes = BytesFor(x_mappings.LengthBits(slot));
-    CanFrame frame{AwaitedIdentifier(slot), FrameKind::kData, port, static_cast<std::uint8_t>(length_bytes), {}};
-    Unpack(AwaitedData(slot), {&frame.data[0U]}, kMaxPayloadBytes);
-    return frame;
+    return ~x_pairs.data[slot] & FrameMask(x_mappings.LengthBits(slot));
 }
 
 /// [SRS_PROD_005, SRS_PROD_006]
@@ -132,7 +108,9 @@ PreparedPair Producers::Prepare(SlotIndex slot) noexcept
     }
     x_requested &= ~bit;
     x_refresh_due &= ~bit;
-    return PreparedPair{AwaitedFrame(slot, x_settings.Config().normal_port), PrepareStatus::kReady};
+    return PreparedPair{FrameOf(x_settings.NormalIdentifier(slot), x_settings.Config().normal_port,
+                                x_mappings.LengthBits(slot), x_pairs.data[slot]),
+                        PrepareStatus::kReady};
 }
 
 /// [SRS_PROD_006]
@@ -143,36 +121,77 @@ CanFrame Producers::InverseFrame(SlotIndex slot) noexcept
         return kNoFrame;
     }
     x_pairs.stage[slot] = Stage::kHandedOut;
-    return AwaitedFrame(slot, x_settings.Config().inverse_port);
+    return FrameOf(x_settings.InverseIdentifier(slot), x_settings.Config().inverse_port, x_mappings.LengthBits(slot),
+                   InverseData(slot));
 }
 
+/// What is wrong with a frame that should have had this data: a wrong echo, or a confirmation that is too late.
 /// [SRS_PROD_007, SRS_PROD_008]
-Confirmation Producers::OnConfirm(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
+SrdoCause Producers::FlawOf(SlotIndex slot, const CanFrame& frame, std::uint64_t data,
+                            std::uint32_t since_call_us) const noexcept
 {
-    if ((!IsAwaiting(slot)) || (frame.identifier != AwaitedIdentifier(slot)))
-    {
-        return kNothingConfirmed;
-    }
     const bool is_length_right = frame.length_bytes == BytesFor(x_mappings.LengthBits(slot));
-    if ((!is_length_right) || (FrameData(frame) != AwaitedData(slot)))
+    if ((!is_length_right) || (FrameData(frame) != data))
     {
-        Fail(slot, SrdoCause::kWrongEcho);
+        return SrdoCause::kWrongEcho;
+    }
+    const bool is_over = (x_pairs.left[slot] - since_call_us) > x_pairs.limit[slot];
+    return is_over ? SrdoCause::kNoConfirmation : SrdoCause::kNone;
+}
+
+/// The inverse frame is awaited now, with SRVT anew. [SRS_PROD_007]
+Confirmation Producers::ConfirmNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
+{
+    if (frame.identifier != x_settings.NormalIdentifier(slot))
+    {
         return kNothingConfirmed;
     }
-    if ((x_pairs.left[slot] - since_call_us) > x_pairs.limit[slot])
+    const SrdoCause flaw = FlawOf(slot, frame, x_pairs.data[slot], since_call_us);
+    if (flaw != SrdoCause::kNone)
     {
-        Fail(slot, SrdoCause::kNoConfirmation);
+        Fail(slot, flaw);
         return kNothingConfirmed;
     }
-    if (x_pairs.stage[slot] == Stage::kPrepared)
+    x_pairs.stage[slot] = Stage::kToSend;
+    x_pairs.left[slot] = x_pairs.limit[slot] + since_call_us;
+    return Confirmation{slot, ConfirmStep::kNormal};
+}
+
+/// The pair was sent. [SRS_PROD_007]
+Confirmation Producers::ConfirmInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
+{
+    if (frame.identifier != x_settings.InverseIdentifier(slot))
     {
-        x_pairs.stage[slot] = Stage::kToSend;
-        x_pairs.left[slot] = x_pairs.limit[slot] + since_call_us; // SRVT anew.
-        return Confirmation{slot, ConfirmStep::kNormal};
+        return kNothingConfirmed;
+    }
+    const SrdoCause flaw = FlawOf(slot, frame, InverseData(slot), since_call_us);
+    if (flaw != SrdoCause::kNone)
+    {
+        Fail(slot, flaw);
+        return kNothingConfirmed;
     }
     x_pairs.ordinal[slot] += 1U;
     Ground(slot);
     return Confirmation{slot, ConfirmStep::kPair};
+}
+
+/// A stage that is none awaits nothing.
+Confirmation Producers::OnConfirm(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
+{
+    if (IsActive(slot))
+    {
+        switch (x_pairs.stage[slot])
+        {
+        case Stage::kPrepared:
+            return ConfirmNormal(slot, frame, since_call_us);
+        case Stage::kToSend:
+        case Stage::kHandedOut:
+            return ConfirmInverse(slot, frame, since_call_us);
+        case Stage::kIdle:
+            break;
+        }
+    }
+    return kNothingConfirmed;
 }
 
 /// [SRS_PROD_009]

@@ -43,10 +43,13 @@ class Producers
     [[nodiscard]] bool IsInFlight(SlotIndex slot) const noexcept;
     [[nodiscard]] bool IsPhaseOver(SlotIndex slot) const noexcept;
     [[nodiscard]] std::uint32_t SilenceUs(SlotIndex slot) const noexcept;
-    [[nodiscard]] bool IsAwaiting(SlotIndex slot) const noexcept;
-    [[nodiscard]] std::uint32_t AwaitedIdentifier(SlotIndex slot) const noexcept;
-    [[nodiscard]] std::uint64_t AwaitedData(SlotIndex slot) const noexcept;
-    [[nodiscard]] CanFrame AwaitedFrame(SlotIndex slot, CanPortId port) const noexcept;
+    [[nodiscard]] std::uint64_t InverseData(SlotIndex slot) const noexcept;
+    [[nodiscard]] SrdoCause FlawOf(SlotIndex slot, const CanFrame& frame, std::uint64_t data,
+                                   std::uint32_t since_call_us) const noexcept;
+    [[nodiscard]] Confirmation ConfirmNormal(SlotIndex slot, const CanFrame& frame,
+                                             std::uint32_t since_call_us) noexcept;
+    [[nodiscard]] Confirmation ConfirmInverse(SlotIndex slot, const CanFrame& frame,
+                                              std::uint32_t since_call_us) noexcept;
     void Ground(SlotIndex slot) noexcept;
     void Fail(SlotIndex slot, SrdoCause cause) noexcept;
     void ServeOne(SlotIndex slot, const Tick& tick) noexcept;

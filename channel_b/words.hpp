@@ -18,9 +18,9 @@ constexpr std::uint32_t kBitsPerByte = 8U;
 [[nodiscard]] inline std::uint64_t Packed(Column<const std::uint8_t> bytes, std::uint32_t count) noexcept
 {
     std::uint64_t word = 0U;
-    for (std::uint32_t byte = 0U; byte < count; ++byte)
+    for (std::uint32_t rest = count; rest != 0U; --rest) // The highest byte first.
     {
-        word |= std::uint64_t{bytes[byte]} << (kBitsPerByte * byte);
+        word = (word << kBitsPerByte) | bytes[rest - 1U];
     }
     return word;
 }
