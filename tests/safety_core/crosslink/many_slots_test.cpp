@@ -61,8 +61,7 @@ class WideRig : public PeerRig
     /// The peer tells this between 11 and 12 ms.
     void Tell(const std::initializer_list<SlotReport> reports, const SrdoMask released)
     {
-        static_cast<void>(Say(10000U));
-        LinkMessage word = Word(11000U);
+        LinkMessage word = AnswerTo(10000U);
         std::copy(reports.begin(), reports.end(), &word.reports[0]);
         word.released = released;
         Hear(word, 12000U);
@@ -190,8 +189,7 @@ TEST(ManySlots, DueSlotsOfBothHalvesAreRequested)
     Verifies(req::SRS_TWO_011);
     WideRig rig{PeerRole::kB};
     rig.Cycle(1000U);
-    static_cast<void>(rig.Say(2000U));
-    LinkMessage word = rig.Word(3000U);
+    LinkMessage word = rig.AnswerTo(2000U);
     word.due = MaskOf({31U, 32U, 63U});
     rig.Hear(word, 4000U);
     rig.channel.outcome.due = MaskOf({32U, 63U});
@@ -213,8 +211,7 @@ TEST(ManySlots, ArmedFramesOfBothEndsAreUsed)
     Verifies(req::SRS_TWO_010);
     WideRig rig{PeerRole::kA};
     rig.Cycle(1000U);
-    static_cast<void>(rig.Say(2000U));
-    LinkMessage word = rig.Word(3000U);
+    LinkMessage word = rig.AnswerTo(2000U);
     word.armed[0] = ArmedFrame{63U, 4U, PeerRig::Frame(0x17FU)};
     word.armed[1] = ArmedFrame{0U, 5U, PeerRig::Frame(0x101U)};
     rig.Hear(word, 4000U);
@@ -227,8 +224,7 @@ TEST(ManySlots, ArmedFramesOfBothEndsAreUsed)
     EXPECT_EQ(rig.remote.due, MaskOf({0U}));
     EXPECT_EQ(rig.Remote().Prepare(0U).normal.identifier, 0x101U);
     // Two frames for one slot call it due as one does
-    static_cast<void>(rig.Say(20000U));
-    word = rig.Word(21000U);
+    word = rig.AnswerTo(20000U);
     word.armed[0] = ArmedFrame{40U, 7U, PeerRig::Frame(0x151U)};
     word.armed[1] = ArmedFrame{40U, 8U, PeerRig::Frame(0x151U)};
     rig.Hear(word, 22000U);
@@ -236,8 +232,7 @@ TEST(ManySlots, ArmedFramesOfBothEndsAreUsed)
     EXPECT_EQ(rig.remote.due, MaskOf({40U}));
     for (const SlotIndex slot : std::initializer_list<SlotIndex>{64U, 66U, 127U, 128U, 254U})
     {
-        static_cast<void>(rig.Say(23000U));
-        word = rig.Word(24000U);
+        word = rig.AnswerTo(23000U);
         word.armed[0] = ArmedFrame{slot, 9U, PeerRig::Frame(0x17FU)};
         rig.Hear(word, 25000U);
         rig.Cycle(30000U);
@@ -314,22 +309,6 @@ struct Fenced
         message.fault = DeviceFault::kNone;
         remote.OnMessage(message, Instant{sequence * 1000U});
     }
-    /// A message of a peer that is operational and tells nothing.
-    [[nodiscard]] static LinkMessage Silence()
-    {
-        LinkMessage message{};
-        message.check.slot = kNoSlot;
-        for (SlotReport& report : message.reports)
-        {
-            report.slot = kNoSlot;
-        }
-        for (ArmedFrame& armed : message.armed)
-        {
-            armed.slot = kNoSlot;
-        }
-        return message;
-    }
-
     std::uint32_t sequence{0U};
 };
 
@@ -343,7 +322,7 @@ TEST(ManySlots, CheckOfASlotThatCannotBeIsWrittenNowhere)
     static_cast<void>(fenced->own.OnCycle(CycleInput{}));
     for (std::uint32_t first = 0U; first < 64U; first += 4U)
     {
-        LinkMessage word = Fenced::Silence();
+        LinkMessage word = Silence();
         for (std::uint32_t number = 0U; number < 4U; ++number)
         {
             const SlotIndex slot = static_cast<SlotIndex>(first + number);
@@ -354,7 +333,7 @@ TEST(ManySlots, CheckOfASlotThatCannotBeIsWrittenNowhere)
     }
     for (std::uint32_t slot = 64U; slot < 256U; ++slot)
     {
-        LinkMessage word = Fenced::Silence();
+        LinkMessage word = Silence();
         word.check = SlotCheck{static_cast<SlotIndex>(slot), {ConfigFault::kMapping, 0xEEEEU}};
         fenced->Hear(word);
         for (SlotIndex told = 0U; told < 64U; ++told)
@@ -375,7 +354,7 @@ TEST(ManySlots, CheckOfTheLastSlotIsKept)
     Verifies(req::SRS_TWO_008);
     const std::unique_ptr<Fenced> fenced = std::make_unique<Fenced>();
     static_cast<void>(fenced->own.OnCycle(CycleInput{}));
-    LinkMessage word = Fenced::Silence();
+    LinkMessage word = Silence();
     word.check = SlotCheck{63U, {ConfigFault::kNone, 0x6363U}};
     fenced->Hear(word);
     word.check = SlotCheck{0U, {ConfigFault::kSignature, 0x0101U}};
@@ -394,7 +373,7 @@ TEST(ManySlots, ReportOfASlotThatCannotBeIsWrittenNowhere)
     const std::unique_ptr<Fenced> fenced = std::make_unique<Fenced>();
     for (std::uint32_t slot = 64U; slot < 256U; ++slot)
     {
-        LinkMessage word = Fenced::Silence();
+        LinkMessage word = Silence();
         word.reports[0] = PairReport(static_cast<SlotIndex>(slot), 0U, 0xEEEEEEEEU);
         word.released = ~SrdoMask{0U};
         fenced->Hear(word);

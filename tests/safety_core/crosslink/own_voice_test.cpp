@@ -227,8 +227,7 @@ TEST(OwnVoice, LeaderIsNotLed)
 {
     Verifies(req::SRS_TWO_010);
     PeerRig rig{PeerRole::kA};
-    static_cast<void>(rig.Say(5000U));
-    LinkMessage word = rig.Word(6000U);
+    LinkMessage word = rig.AnswerTo(5000U);
     word.due = 2U;
     rig.Hear(word, 7000U);
     rig.Cycle(10000U);
@@ -243,8 +242,7 @@ TEST(OwnVoice, FollowerArmsWhatTheLeaderWants)
     Verifies(req::SRS_TWO_012);
     PeerRig rig{PeerRole::kB};
     rig.Cycle(1000U);
-    static_cast<void>(rig.Say(5000U));
-    LinkMessage word = rig.Word(6000U);
+    LinkMessage word = rig.AnswerTo(5000U);
     word.due = 2U;
     rig.Hear(word, 7000U);
     rig.channel.outcome.due = 2U;
@@ -283,8 +281,7 @@ TEST(OwnVoice, FollowerArmsWhatTheLeaderWants)
     rig.Hear(word, 22000U);
     rig.Cycle(30000U);
     EXPECT_EQ(rig.remote.due, 0U);
-    static_cast<void>(rig.Say(30500U));
-    word = rig.Word(31500U);
+    word = rig.AnswerTo(30500U);
     word.due = 2U;
     rig.Hear(word, 32000U);
     rig.Cycle(40000U);
@@ -323,8 +320,7 @@ TEST(OwnVoice, FollowerGivesUpWhatTheLeaderGaveUp)
     rig.Cycle(1000U);
     rig.channel.prepared = PreparedPair{PeerRig::Frame(0x103U), PrepareStatus::kReady};
     static_cast<void>(rig.Remote().Prepare(1U));
-    static_cast<void>(rig.Say(5000U));
-    LinkMessage word = rig.Word(6000U);
+    LinkMessage word = rig.AnswerTo(5000U);
     word.refusal = Refusal{2U, SrdoCause::kNotInverse};
     rig.Hear(word, 7000U);
     EXPECT_TRUE(rig.channel.transmit_faults.empty());

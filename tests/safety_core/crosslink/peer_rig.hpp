@@ -135,6 +135,22 @@ class FakeWatchdog final : public hal::Watchdog
     std::uint32_t answered{0U};
 };
 
+/// A message of a peer that is operational and tells nothing.
+inline LinkMessage Silence()
+{
+    LinkMessage message{};
+    message.check.slot = kNoSlot;
+    for (SlotReport& report : message.reports)
+    {
+        report.slot = kNoSlot;
+    }
+    for (ArmedFrame& armed : message.armed)
+    {
+        armed.slot = kNoSlot;
+    }
+    return message;
+}
+
 /// One CPU with a fake channel, and the messages of a peer that the test makes up. Slot 0 is a consumer (101h/102h),
 /// slot 1 a producer (103h/104h), slot 2 off. Cycle 10 ms, discrepancy 50 ms, diagnosis 100 ms, link time-out 40 ms,
 /// clock tolerance 20 ms, interval 100 ms, stamps 0.1 ms. The peer's clock is 1 s ahead of the own one.
@@ -204,7 +220,7 @@ class PeerRig
     /// An intact message of the peer, composed at `at_us` of the own clock; it had the last message for 1 ms.
     [[nodiscard]] LinkMessage Word(const std::uint32_t at_us)
     {
-        LinkMessage message{};
+        LinkMessage message = Silence();
         message.sender = LinkSender{other, 5U};
         message.fault = DeviceFault::kNone;
         message.sequence = ++sequence;
@@ -212,27 +228,23 @@ class PeerRig
         message.echo = LinkEcho{said.sequence, said.stamp, 1000U, kHeard};
         message.flow = hal::kFlowReference;
         message.statement = Statement{GuardView::kConfigured, 1U, 1U, 1U, 0U};
-        message.check.slot = kNoSlot;
-        for (SlotReport& report : message.reports)
-        {
-            report.slot = kNoSlot;
-        }
-        for (ArmedFrame& armed : message.armed)
-        {
-            armed.slot = kNoSlot;
-        }
         return message;
+    }
+    /// Its word 1 ms after our message at `at_us`.
+    [[nodiscard]] LinkMessage AnswerTo(const std::uint32_t at_us)
+    {
+        static_cast<void>(Say(at_us));
+        return Word(at_us + 1000U);
     }
     void Hear(const LinkMessage& message, const std::uint32_t at_us)
     {
         Encode(message, frame);
         peer.OnMessage(frame, Instant{at_us});
     }
-    /// A word at 1 ms after our message at `at_us`, received 1 ms later.
+    /// Such a word, received 1 ms later.
     void Contact(const std::uint32_t at_us)
     {
-        static_cast<void>(Say(at_us));
-        Hear(Word(at_us + 1000U), at_us + 2000U);
+        Hear(AnswerTo(at_us), at_us + 2000U);
     }
     [[nodiscard]] static CanFrame Frame(const std::uint32_t identifier)
     {

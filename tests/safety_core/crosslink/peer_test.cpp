@@ -35,8 +35,7 @@ TEST(PeerMessages, DamagedOnesAreCounted)
 {
     Verifies(req::SRS_LNK_002);
     PeerRig rig{PeerRole::kA};
-    static_cast<void>(rig.Say(1000U));
-    LinkMessage own = rig.Word(2000U);
+    LinkMessage own = rig.AnswerTo(1000U);
     own.sender.role = PeerRole::kA;
     rig.Hear(own, 3000U);
     Encode(rig.Word(2000U), rig.frame);

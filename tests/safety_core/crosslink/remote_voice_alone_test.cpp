@@ -22,8 +22,7 @@ class Statements : public ::testing::Test
         std::uint32_t now_us = 10000U;
         while (now_us < at_us)
         {
-            static_cast<void>(rig.Say(now_us - 3000U));
-            LinkMessage word = rig.Word(now_us - 2000U);
+            LinkMessage word = rig.AnswerTo(now_us - 3000U);
             word.statement = statement;
             word.digest = DeviceDigest{digest};
             rig.Hear(word, now_us - 1000U);
@@ -97,8 +96,7 @@ TEST(RemoteVoiceAlone, RecheckGivesThePeersResult)
     PeerRig rig{PeerRole::kA};
     rig.Cycle(1000U);
     EXPECT_EQ(rig.Remote().Recheck(1U).signature, 0x1234U);
-    static_cast<void>(rig.Say(2000U));
-    LinkMessage word = rig.Word(3000U);
+    LinkMessage word = rig.AnswerTo(2000U);
     word.check = SlotCheck{1U, {ConfigFault::kSignature, 0x9999U}};
     rig.Hear(word, 4000U);
     EXPECT_EQ(rig.Remote().Recheck(1U).signature, 0x9999U);
@@ -109,8 +107,7 @@ TEST(RemoteVoiceAlone, RecheckGivesThePeersResult)
     rig.channel.outcome.not_operational = 0U;
     rig.Cycle(20000U);
     EXPECT_EQ(rig.Remote().Recheck(1U).signature, 0x9999U);
-    static_cast<void>(rig.Say(21000U));
-    word = rig.Word(22000U);
+    word = rig.AnswerTo(21000U);
     word.statement.not_operational = 1U;
     rig.Hear(word, 23000U);
     word = rig.Word(23000U);
@@ -147,8 +144,7 @@ TEST(RemoteVoiceAlone, ArmedFrameIsUsedOnce)
     rig.Cycle(1000U);
     const auto tell = [&rig](std::uint8_t number, std::uint32_t at_us)
     {
-        static_cast<void>(rig.Say(at_us));
-        LinkMessage word = rig.Word(at_us + 1000U);
+        LinkMessage word = rig.AnswerTo(at_us);
         word.armed[1].slot = 1U;
         word.armed[1].number = number;
         word.armed[1].frame = PeerRig::Frame(0x103U);

@@ -37,8 +37,7 @@ class RemoteVoice_ : public ::testing::Test
     /// A report composed between 11.0 and 12.0 ms of the own clock.
     void Tell(const SlotReport& report)
     {
-        static_cast<void>(rig.Say(10000U));
-        LinkMessage word = rig.Word(11000U);
+        LinkMessage word = rig.AnswerTo(10000U);
         word.reports[2] = report;
         word.released = 1U;
         rig.Hear(word, 12000U);
@@ -161,8 +160,7 @@ TEST_F(RemoteVoice_, NarrowerWindowIsTakenWhileThePairIsNotKnown)
     Verifies(req::SRS_TWO_003);
     Tell(PairReport(2000U)); // [8900, 10100]: not the own pair
     rig.Cycle(20000U);
-    static_cast<void>(rig.Say(10500U));
-    LinkMessage word = rig.Word(11500U);
+    LinkMessage word = rig.AnswerTo(10500U);
     word.reports[0] = PairReport(2300U); // [9099, 9801]: narrower
     rig.Hear(word, 12000U);
     rig.Cycle(30000U);
@@ -182,8 +180,7 @@ TEST_F(RemoteVoice_, NarrowerWindowOfAKnownPairIsNotNeeded)
     Verifies(req::SRS_TWO_003);
     Tell(PairReport(3500U)); // [7399, 8601]: the own pair
     rig.Cycle(20000U);
-    static_cast<void>(rig.Say(10500U));
-    LinkMessage word = rig.Word(11500U);
+    LinkMessage word = rig.AnswerTo(10500U);
     word.reports[0] = PairReport(3800U); // [7599, 8301]
     rig.Hear(word, 12000U);
     rig.Cycle(30000U);
@@ -231,8 +228,7 @@ TEST_F(RemoteVoice_, FaultIsNewOnce)
     Verifies(req::SRS_TWO_006);
     const auto tell = [this](SrdoMask faults, std::uint32_t at_us)
     {
-        static_cast<void>(rig.Say(at_us));
-        LinkMessage word = rig.Word(at_us + 1000U);
+        LinkMessage word = rig.AnswerTo(at_us);
         word.new_faults = faults;
         rig.Hear(word, at_us + 2000U);
         rig.Cycle(at_us + 5000U);

@@ -89,8 +89,7 @@ TEST(SecondStart, FollowerHasNothingArmedOrStanding)
     Verifies(req::SRS_TWO_011);
     PeerRig rig{PeerRole::kB};
     rig.Cycle(1000U);
-    static_cast<void>(rig.Say(2000U));
-    LinkMessage word = rig.Word(3000U);
+    LinkMessage word = rig.AnswerTo(2000U);
     word.due = 6U;
     rig.Hear(word, 4000U);
     rig.channel.prepared = PreparedPair{PeerRig::Frame(0x103U), PrepareStatus::kReady};
@@ -121,8 +120,7 @@ TEST(SecondStart, RemoteVoiceShowsNothingOfBefore)
     rig.channel.outcome.released = 1U;
     rig.Contact(1000U);
     rig.Complete(8000U, 10000U, HeldPair{Payload{0x12U, 0U}, 3U, 1U});
-    static_cast<void>(rig.Say(10000U));
-    LinkMessage word = rig.Word(11000U);
+    LinkMessage word = rig.AnswerTo(10000U);
     word.released = 1U;
     word.new_faults = 4U;
     word.reports[0] =
@@ -171,8 +169,7 @@ TEST(SecondStart, NumberUsedBeforeIsANewFrame)
     rig.Cycle(1000U);
     const auto tell = [&rig](const std::uint32_t at_us)
     {
-        static_cast<void>(rig.Say(at_us));
-        LinkMessage word = rig.Word(at_us + 1000U);
+        LinkMessage word = rig.AnswerTo(at_us);
         word.armed[0] = ArmedFrame{1U, 7U, PeerRig::Frame(0x103U)};
         rig.Hear(word, at_us + 2000U);
         rig.Cycle(at_us + 3000U);
