@@ -81,87 +81,16 @@ struct Transitions
     State after[kStateCount][kEventCount]; // MISRA D-001
 };
 
-inline constexpr FactsTable kFacts = {{
-    // clang-format off
-    {SrdoState::kOff,      Role::kNone,     false, false, false},
-    {SrdoState::kFaulted,  Role::kNone,     false, false, false},
-    {SrdoState::kWaiting,  Role::kConsumer, false, false, false},
-    {SrdoState::kWaiting,  Role::kConsumer, true,  false, false},
-    {SrdoState::kWaiting,  Role::kConsumer, false, true,  false},
-    {SrdoState::kWaiting,  Role::kConsumer, true,  true,  false},
-    {SrdoState::kFaulted,  Role::kConsumer, false, false, false},
-    {SrdoState::kFaulted,  Role::kConsumer, true,  false, false},
-    {SrdoState::kFaulted,  Role::kConsumer, false, true,  false},
-    {SrdoState::kFaulted,  Role::kConsumer, true,  true,  false},
-    {SrdoState::kReleased, Role::kConsumer, false, true,  false},
-    {SrdoState::kReleased, Role::kConsumer, true,  true,  false},
-    {SrdoState::kProducer, Role::kProducer, false, false, false},
-    {SrdoState::kProducer, Role::kProducer, false, false, true},
-    {SrdoState::kProducer, Role::kProducer, false, false, true},
-    // clang-format on
-}};
-
-/// The names of the table: a standing, then what it has. `kX`: cannot happen, and if it does nothing is granted.
-namespace table
-{
-constexpr State kX = State::kBroken;
-constexpr State kOff = State::kOff;
-constexpr State kW = State::kWaiting;
-constexpr State kWp = State::kWaitingPending;
-constexpr State kWh = State::kWaitingHeld;
-constexpr State kWb = State::kWaitingBoth;
-constexpr State kF = State::kFaulted;
-constexpr State kFp = State::kFaultedPending;
-constexpr State kFh = State::kFaultedHeld;
-constexpr State kFb = State::kFaultedBoth;
-constexpr State kRh = State::kReleasedHeld;
-constexpr State kRb = State::kReleasedBoth;
-constexpr State kI = State::kIdle;
-constexpr State kNa = State::kNormalAwaited;
-constexpr State kIa = State::kInverseAwaited;
-
-inline constexpr Transitions kTransitions = {{
-    // clang-format off
-    //            consumer prod. left  broke normal inverse fault drop rel. prepared normal pair given up
-    /* off     */ {kW,  kI,  kOff, kX,   kX,  kX,   kX,  kX,  kX,   kX,    kX,  kX,  kX},
-    /* broken  */ {kX,  kX,  kX,   kX,   kX,  kX,   kX,  kX,  kX,   kX,    kX,  kX,  kX},
-    /* waiting */ {kX,  kX,  kOff, kX,   kWp, kX,   kF,  kF,  kX,   kX,    kX,  kX,  kX},
-    /* pending */ {kX,  kX,  kOff, kX,   kX,  kWh,  kF,  kFp, kX,   kX,    kX,  kX,  kX},
-    /* held    */ {kX,  kX,  kOff, kX,   kWb, kX,   kF,  kF,  kRh,  kX,    kX,  kX,  kX},
-    /* both    */ {kX,  kX,  kOff, kX,   kX,  kWh,  kF,  kFp, kRb,  kX,    kX,  kX,  kX},
-    /* faulted */ {kX,  kX,  kOff, kX,   kFp, kX,   kF,  kF,  kX,   kX,    kX,  kX,  kX},
-    /* pending */ {kX,  kX,  kOff, kX,   kX,  kFh,  kF,  kFp, kX,   kX,    kX,  kX,  kX},
-    /* held    */ {kX,  kX,  kOff, kX,   kFb, kX,   kF,  kF,  kRh,  kX,    kX,  kX,  kX},
-    /* both    */ {kX,  kX,  kOff, kX,   kX,  kFh,  kF,  kFp, kRb,  kX,    kX,  kX,  kX},
-    /* rel.    */ {kX,  kX,  kOff, kX,   kRb, kX,   kF,  kF,  kRh,  kX,    kX,  kX,  kX},
-    /* both    */ {kX,  kX,  kOff, kX,   kX,  kRh,  kF,  kFp, kRb,  kX,    kX,  kX,  kX},
-    /* idle    */ {kX,  kX,  kOff, kX,   kX,  kX,   kX,  kX,  kX,   kNa,   kX,  kX,  kX},
-    /* normal  */ {kX,  kX,  kOff, kX,   kX,  kX,   kX,  kX,  kX,   kX,    kIa, kX,  kI},
-    /* inverse */ {kX,  kX,  kOff, kX,   kX,  kX,   kX,  kX,  kX,   kX,    kX,  kI,  kI},
-    // clang-format on
-}};
-} // namespace table
-
-[[nodiscard]] constexpr const Facts& FactsOf(const State state) noexcept
-{
-    return kFacts.of[static_cast<std::size_t>(state)];
-}
-
-[[nodiscard]] constexpr bool IsReleased(const State state) noexcept
-{
-    return FactsOf(state).shown == SrdoState::kReleased;
-}
-
 /// @brief How much of a table is wrong; 0 of a sound one. Total: every event leads from every state to a state. Nothing
 /// is granted by itself: a released state comes of kRelease in a state that holds a pair, or in a released state of a
 /// frame of the next pair; a pair is held only after an inverse frame. Nothing leads out of kBroken, and what has left
 /// OPERATIONAL is neither consumer nor producer.
-[[nodiscard]] constexpr std::uint32_t Flaws(const Transitions& table) noexcept
+[[nodiscard]] constexpr std::uint32_t Flaws(const Transitions& table, const FactsTable& facts) noexcept
 {
     std::uint32_t flaws = 0U;
     for (std::size_t from = 0U; from < kStateCount; ++from)
     {
-        const Facts& before = kFacts.of[from];
+        const Facts& before = facts.of[from];
         for (std::size_t event = 0U; event < kEventCount; ++event)
         {
             const State next = table.after[from][event];
@@ -169,6 +98,7 @@ inline constexpr Transitions kTransitions = {{
             {
                 return kNotTotal;
             }
+            const Facts& after = facts.of[static_cast<std::size_t>(next)];
             const bool is_inverse = event == static_cast<std::size_t>(Event::kInverse);
             const bool is_frame = is_inverse || (event == static_cast<std::size_t>(Event::kNormal));
             const bool is_release = event == static_cast<std::size_t>(Event::kRelease);
@@ -176,20 +106,33 @@ inline constexpr Transitions kTransitions = {{
             const bool was_released = before.shown == SrdoState::kReleased;
             const bool may_release = (is_release && before.holds_pair) || (is_frame && was_released);
             const bool may_hold = (is_inverse && before.has_pending) || before.holds_pair;
-            flaws += (IsReleased(next) && !may_release) ? 1U : 0U;
-            flaws += (FactsOf(next).holds_pair && !may_hold) ? 1U : 0U;
-            flaws += (is_left && (FactsOf(next).role != Role::kNone)) ? 1U : 0U;
+            flaws += ((after.shown == SrdoState::kReleased) && !may_release) ? 1U : 0U;
+            flaws += (after.holds_pair && !may_hold) ? 1U : 0U;
+            flaws += (is_left && (after.role != Role::kNone)) ? 1U : 0U;
             flaws += ((from == static_cast<std::size_t>(State::kBroken)) && (next != State::kBroken)) ? 1U : 0U;
         }
     }
     return flaws;
 }
-static_assert(Flaws(table::kTransitions) == 0U, "the table is total and grants nothing by itself");
+
+/// The tables. That they are sound is checked where they are, in state.cpp.
+extern const FactsTable kFacts;
+extern const Transitions kTransitions;
+
+[[nodiscard]] inline const Facts& FactsOf(const State state) noexcept
+{
+    return kFacts.of[static_cast<std::size_t>(state)];
+}
+
+[[nodiscard]] inline bool IsReleased(const State state) noexcept
+{
+    return FactsOf(state).shown == SrdoState::kReleased;
+}
 
 /// @brief What an event makes of a state.
-[[nodiscard]] constexpr State After(const State state, const Event event) noexcept
+[[nodiscard]] inline State After(const State state, const Event event) noexcept
 {
-    return table::kTransitions.after[static_cast<std::size_t>(state)][static_cast<std::size_t>(event)];
+    return kTransitions.after[static_cast<std::size_t>(state)][static_cast<std::size_t>(event)];
 }
 
 } // namespace counterpoint::channel_a

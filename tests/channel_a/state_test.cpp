@@ -70,12 +70,12 @@ TEST(ChannelAState, FollowsTheTable)
 TEST(ChannelAState, CheckOfTheTableFindsWhatMayNotBe)
 {
     Verifies(req::SRS_CONS_024);
-    EXPECT_EQ(Flaws(table::kTransitions), 0U);
+    EXPECT_EQ(Flaws(kTransitions, kFacts), 0U);
     const auto flaws_of = [](State from, Event event, State to)
     {
-        Transitions spoiled = table::kTransitions;
+        Transitions spoiled = kTransitions;
         spoiled.after[static_cast<std::size_t>(from)][static_cast<std::size_t>(event)] = to;
-        return Flaws(spoiled);
+        return Flaws(spoiled, kFacts);
     };
     // Not total
     EXPECT_EQ(flaws_of(S::kIdle, Event::kPrepared, static_cast<State>(15U)), 0xFFFFFFFFU);
