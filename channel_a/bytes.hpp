@@ -2,6 +2,7 @@
 #ifndef CHANNEL_A_BYTES_HPP
 #define CHANNEL_A_BYTES_HPP
 
+#include "safety_core/contract/can_frame.hpp"
 #include "safety_core/contract/limits.hpp"
 #include "safety_core/contract/srdo.hpp"
 
@@ -38,6 +39,20 @@ struct Bytes
 [[nodiscard]] constexpr Payload PayloadOf(const Bytes& bytes) noexcept
 {
     return Payload{WordOf(bytes, 0U), WordOf(bytes, kBytesPerWord)};
+}
+
+/// @brief Whether a frame has these data, byte by byte, where `mapped` has ones; with an inversion of FFh, their
+/// inverse.
+[[nodiscard]] constexpr bool HasData(const CanFrame& frame, const Bytes& data, const std::uint32_t inversion,
+                                     const Bytes& mapped) noexcept
+{
+    std::uint8_t wrong = 0U;
+    for (std::size_t place = 0U; place < kMaxPayloadBytes; ++place)
+    {
+        const std::uint32_t differing = std::uint32_t{frame.data[place]} ^ data.at[place] ^ inversion;
+        wrong = static_cast<std::uint8_t>(wrong | (differing & mapped.at[place]));
+    }
+    return wrong == 0U;
 }
 
 [[nodiscard]] constexpr Bytes BytesOf(const Payload& data) noexcept

@@ -113,14 +113,11 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
 HeldPair Channel::Held(const SlotIndex slot) const noexcept
 {
     const Record& record = At(voice_, slot);
-    HeldPair pair{};
-    if (FactsOf(record).holds_pair)
+    if (!FactsOf(record).holds_pair)
     {
-        pair.data = PayloadOf(record.held);
-        pair.ordinal = record.ordinal;
-        pair.holds_pair = 1U;
+        return HeldPair{};
     }
-    return pair;
+    return HeldPair{PayloadOf(record.held), record.ordinal, 1U};
 }
 
 // [SRS_CONS_025]

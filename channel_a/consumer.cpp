@@ -68,16 +68,12 @@ std::uint32_t LastByteOf(const Bytes& data, const std::uint32_t length_bytes) no
     return data.at[(length_bytes + (kMaxPayloadBytes - 1U)) % kMaxPayloadBytes];
 }
 
-// Byte by byte: every mapped bit is inverted, and the bits above the mapped ones are 0 in the normal frame, so that
-// they are 1 in its inverse. Bytes behind the length have no meaning. [SRS_CONS_009]
+// Every mapped bit is inverted, and the bits above the mapped ones are 0 in the normal frame, so that they are 1 in its
+// inverse. Bytes behind the length have no meaning. [SRS_CONS_009]
 bool IsInverse(const Record& record, const CanFrame& frame) noexcept
 {
-    std::uint32_t wrong = LastByteOf(record.pending, frame.length_bytes) & record.spare_bits;
-    for (std::size_t place = 0U; place < kMaxPayloadBytes; ++place)
-    {
-        wrong |= (std::uint32_t{record.pending.at[place]} ^ frame.data[place] ^ kByteMask) & record.mapped.at[place];
-    }
-    return wrong == 0U;
+    const std::uint32_t spare = LastByteOf(record.pending, frame.length_bytes) & record.spare_bits;
+    return (spare == 0U) && HasData(frame, record.pending, kByteMask, record.mapped);
 }
 
 // What is wrong with a frame, in the order in which it is asked. [SRS_CONS_011]
@@ -105,10 +101,10 @@ SrdoCause Judge(const Voice& voice, const Record& record, const bool has_pending
 
 // With late detection SRVT has no deadline, but the slot is served until the frame has become too old or is gone.
 // [SRS_CONS_006]
-void Keep(Voice& voice, const std::size_t slot, const CanFrame& frame, const Instant stamp) noexcept
+void Keep(Voice& voice, const std::size_t slot, const State state, const CanFrame& frame, const Instant stamp) noexcept
 {
     Record& record = At(voice, slot);
-    static_cast<void>(Advance(voice, slot, Event::kNormal));
+    static_cast<void>(Advance(voice, slot, state, Event::kNormal));
     Bytes data{};
     for (std::size_t place = 0U; place < kMaxPayloadBytes; ++place)
     {
@@ -126,10 +122,10 @@ void Keep(Voice& voice, const std::size_t slot, const CanFrame& frame, const Ins
 }
 
 // A new pair is of interest to a slot that is not released yet. [SRS_CONS_010]
-void Complete(Voice& voice, const std::size_t slot) noexcept
+void Complete(Voice& voice, const std::size_t slot, const State before) noexcept
 {
     Record& record = At(voice, slot);
-    const State state = Advance(voice, slot, Event::kInverse);
+    const State state = Advance(voice, slot, before, Event::kInverse);
     record.held = record.pending;
     record.since = record.frame_since;
     record.limit_us = SctUs(record);
@@ -179,7 +175,7 @@ void Acknowledge(Voice& voice, const std::size_t slot) noexcept
     const bool is_automatic = record.grants.Is(Grant::kPolicy, static_cast<std::uint8_t>(ReleasePolicy::kAutomatic));
     if (FactsOf(record).holds_pair && (has_edge || is_automatic))
     {
-        static_cast<void>(Advance(voice, slot, Event::kRelease));
+        static_cast<void>(Advance(voice, slot, StateOf(record), Event::kRelease));
     }
     if (has_edge && IsReleased(StateOf(record)))
     {
@@ -208,21 +204,20 @@ void TakeFrame(Voice& voice, const CanFrame& frame, const Instant stamp) noexcep
         return;
     }
     const Record& record = At(voice, slot);
-    const Facts& facts = FactsOf(record);
-    if (facts.role != Role::kConsumer)
+    State state = StateOf(record);
+    if (FactsOf(state).role != Role::kConsumer)
     {
         return;
     }
     // The limit first; the frame is then taken as if nothing had been there before it.
     const std::size_t half = HalfOf(frame);
-    bool has_pending = facts.has_pending;
-    const SrdoCause limit = ExpiredLimit(record, has_pending, stamp, half);
+    const SrdoCause limit = ExpiredLimit(record, FactsOf(state).has_pending, stamp, half);
     if (limit != SrdoCause::kNone)
     {
         Fail(voice, slot, limit);
-        has_pending = false;
+        state = StateOf(record);
     }
-    const SrdoCause cause = Judge(voice, record, has_pending, frame, half);
+    const SrdoCause cause = Judge(voice, record, FactsOf(state).has_pending, frame, half);
     if (cause != SrdoCause::kNone)
     {
         Fail(voice, slot, cause);
@@ -230,10 +225,10 @@ void TakeFrame(Voice& voice, const CanFrame& frame, const Instant stamp) noexcep
     }
     if (half == kNormalHalf)
     {
-        Keep(voice, slot, frame, stamp);
+        Keep(voice, slot, state, frame, stamp);
         return;
     }
-    Complete(voice, slot);
+    Complete(voice, slot, state);
 }
 
 // t      frames of this cycle        now
@@ -241,6 +236,7 @@ void TakeFrame(Voice& voice, const CanFrame& frame, const Instant stamp) noexcep
 std::uint32_t ServeConsumer(Voice& voice, const std::size_t slot) noexcept
 {
     Record& record = At(voice, slot);
+    std::uint32_t extra = 0U;
     Examine(voice, slot);
     if (AgeUs(record.frame_since, voice.now) > kLongAgoUs)
     {
@@ -258,9 +254,14 @@ std::uint32_t ServeConsumer(Voice& voice, const std::size_t slot) noexcept
     if ((record.awaiting == kYes) && (AgeUs(voice.entered, voice.now) > SctUs(record)))
     {
         record.awaiting = kNo; // [SRS_CONS_022]
-        return kWaitingPastSctBit;
+        extra = kWaitingPastSctBit;
     }
-    return 0U;
+    const bool is_watched = (record.detection == SrvtDetection::kLate) && FactsOf(record).has_pending;
+    if (is_watched || (record.awaiting == kYes))
+    {
+        Demand(record, kLook);
+    }
+    return extra;
 }
 
 // Counted and kept like a fault, but told to nobody: the other channel has reported it.
@@ -271,11 +272,6 @@ void DemoteConsumer(Voice& voice, const std::size_t slot) noexcept
         Discard(voice, slot, Event::kDrop);
         Count(At(voice, slot), SrdoCause::kDemoted);
     }
-}
-
-bool IsWatched(const Record& record) noexcept
-{
-    return (record.detection == SrvtDetection::kLate) && FactsOf(record).has_pending;
 }
 
 } // namespace counterpoint::channel_a

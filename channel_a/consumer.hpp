@@ -19,8 +19,6 @@ void TakeFrame(Voice& voice, const CanFrame& frame, Instant stamp) noexcept;
 [[nodiscard]] std::uint32_t ServeConsumer(Voice& voice, std::size_t slot) noexcept;
 /// @brief The other channel has reported a fault. [SRS_REL_006]
 void DemoteConsumer(Voice& voice, std::size_t slot) noexcept;
-/// @brief Whether a pending frame of a consumer has to be looked at in every cycle.
-[[nodiscard]] bool IsWatched(const Record& record) noexcept;
 
 } // namespace counterpoint::channel_a
 

@@ -53,47 +53,31 @@ void FollowOperational(Voice& voice, const NmtState nmt) noexcept
     LeaveOperational(voice);
 }
 
-// Every slot is to be looked at.
-void DemandAll(const Voice& voice) noexcept
+// What comes from outside is noted at the slots it is for: the phase that stood still, of those producers that are
+// called; an edge, which a slot that is off forgets when it is served; and what concerns every slot. [SRS_PROD_012,
+// SRS_REL_005]
+void NoteInputs(const Voice& voice, const SrdoMask standing, const SrdoMask edges) noexcept
 {
-    for (std::size_t slot = 0U; slot < voice.count; ++slot)
-    {
-        Demand(At(voice, slot), kLook);
-    }
-}
-
-// The phase of those producers that are called. [SRS_PROD_012]
-void ShiftPhases(const Voice& voice, const SrdoMask standing) noexcept
-{
-    if (standing == 0U)
+    const bool concerns_all = voice.is_late || voice.has_overflow || voice.gfc_pending;
+    if (((standing | edges) == 0U) && !concerns_all)
     {
         return;
     }
     for (std::size_t slot = 0U; slot < voice.count; ++slot)
     {
-        if (IsIn(standing, slot) && (At(voice, slot).form == ProducerForm::kProviderCalled))
+        Record& record = At(voice, slot);
+        if (IsIn(standing, slot) && (record.form == ProducerForm::kProviderCalled))
         {
-            At(voice, slot).since.us += voice.step_us;
+            record.since.us += voice.step_us;
         }
-    }
-}
-
-// An edge at a slot that is off is forgotten when it is served. [SRS_REL_005]
-void NoteEdges(Voice& voice, const SrdoMask levels) noexcept
-{
-    const SrdoMask edges = levels & ~voice.levels;
-    voice.levels = levels;
-    if (edges == 0U)
-    {
-        return;
-    }
-    for (std::size_t slot = 0U; slot < voice.count; ++slot)
-    {
         if (IsIn(edges, slot))
         {
-            Record& record = At(voice, slot);
             record.grants.Set(Grant::kEdge, kYes);
             record.edge_since = voice.now;
+            Demand(record, kLook);
+        }
+        if (concerns_all)
+        {
             Demand(record, kLook);
         }
     }
@@ -152,10 +136,9 @@ void Serve(Voice& voice, const std::size_t slot) noexcept
         record.grants.Set(Grant::kEdge, kNo); // Only what was reported before it went off is to be told.
     }
     Signal(voice, slot, extra);
-    const bool is_unfinished = (record.told != 0U) || record.grants.Is(Grant::kEdge, kYes) || (record.awaiting == kYes);
-    if (is_unfinished || IsWatched(record))
+    if ((record.told != 0U) || record.grants.Is(Grant::kEdge, kYes))
     {
-        Demand(record, kLook);
+        Demand(record, kLook); // Until the window of the signals, or of the edge, is over.
     }
 }
 
@@ -210,16 +193,10 @@ CycleOutcome RunCycle(Voice& voice, const CycleInput& input) noexcept
     outcome.guard = GuardOf(input, voice.configuration_valid);
 
     FollowOperational(voice, input.nmt);
-    if (voice.may_send)
-    {
-        ShiftPhases(voice, input.stand & voice.producers);
-    }
+    const SrdoMask standing = voice.may_send ? (input.stand & voice.producers) : 0U;
+    NoteInputs(voice, standing, input.acknowledge & ~voice.levels);
+    voice.levels = input.acknowledge;
     NoteRequests(voice, input.request);
-    NoteEdges(voice, input.acknowledge);
-    if (voice.is_late || voice.has_overflow || voice.gfc_pending)
-    {
-        DemandAll(voice);
-    }
     ServeAll(voice);
     voice.gfc_pending = false;
 

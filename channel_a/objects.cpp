@@ -13,9 +13,15 @@ namespace counterpoint::channel_a
 namespace
 {
 
-bool LiesInFrame(const Step& step, const MappableObject& object) noexcept
+// The object of a step; null where there is none, or not within the frame.
+const MappableObject* ObjectOf(const DeviceConfig& config, const Step& step) noexcept
 {
-    return (std::uint32_t{step.first_bit} + object.length_bits) <= kMaxPayloadBits;
+    if (step.normal >= config.object_count)
+    {
+        return nullptr;
+    }
+    const MappableObject* const object = &config.objects[step.normal]; // MISRA D-002
+    return ((std::uint32_t{step.first_bit} + object->length_bits) <= kMaxPayloadBits) ? object : nullptr;
 }
 
 // Whether an object is whole bytes of the frame; else it is moved bit by bit.
@@ -46,7 +52,17 @@ void CopyBytes(std::uint8_t* const to, const std::uint8_t* const from, const std
     }
 }
 
-// An object's whole last byte, the bits above its length 0.
+// Bits from `from_bit` on become those from `to_bit` on.
+void CopyBits(std::uint8_t* const to, const std::uint32_t to_bit, const std::uint8_t* const from,
+              const std::uint32_t from_bit, const std::uint32_t length_bits) noexcept
+{
+    for (std::uint32_t bit = 0U; bit < length_bits; ++bit)
+    {
+        PutBit(to, to_bit + bit, BitAt(from, from_bit + bit));
+    }
+}
+
+// The bits of an object and those above them in its last byte.
 std::uint32_t RoundedUp(const std::uint32_t length_bits) noexcept
 {
     return ((length_bits + (kBitsPerByte - 1U)) / kBitsPerByte) * kBitsPerByte;
@@ -60,9 +76,10 @@ void WriteObject(const MappableObject& object, const Step& step, const Bytes& da
         CopyBytes(object.place, &data.at[step.first_bit / kBitsPerByte], length_bits / kBitsPerByte);
         return;
     }
-    for (std::uint32_t bit = 0U; bit < RoundedUp(length_bits); ++bit)
+    CopyBits(object.place, 0U, &data.at[0], step.first_bit, length_bits);
+    for (std::uint32_t above = length_bits; above < RoundedUp(length_bits); ++above)
     {
-        PutBit(object.place, bit, (bit < length_bits) ? BitAt(&data.at[0], step.first_bit + bit) : 0U);
+        PutBit(object.place, above, 0U);
     }
 }
 
@@ -74,10 +91,7 @@ void ReadObject(const MappableObject& object, const Step& step, Bytes& data) noe
         CopyBytes(&data.at[step.first_bit / kBitsPerByte], object.place, length_bits / kBitsPerByte);
         return;
     }
-    for (std::uint32_t bit = 0U; bit < length_bits; ++bit)
-    {
-        PutBit(&data.at[0], step.first_bit + bit, BitAt(object.place, bit));
-    }
+    CopyBits(&data.at[0], step.first_bit, object.place, 0U, length_bits);
 }
 
 } // namespace
@@ -91,10 +105,10 @@ Bytes ReadObjects(const Voice& voice, const std::size_t slot) noexcept
     for (std::uint32_t pair = 0U; pair < (mapping.count / kEntriesPerStep); ++pair)
     {
         const Step step = StepAt(config, mapping, pair, first_bit);
-        const MappableObject& object = ObjectAt(config, step.normal);
-        if (LiesInFrame(step, object))
+        const MappableObject* const object = ObjectOf(config, step);
+        if (object != nullptr)
         {
-            ReadObject(object, step, data);
+            ReadObject(*object, step, data);
         }
         first_bit += step.bits;
     }
@@ -109,10 +123,10 @@ void WriteObjects(const Voice& voice, const std::size_t slot, const Bytes& data)
     for (std::uint32_t pair = 0U; pair < (mapping.count / kEntriesPerStep); ++pair)
     {
         const Step step = StepAt(config, mapping, pair, first_bit);
-        const MappableObject& object = ObjectAt(config, step.normal);
-        if (LiesInFrame(step, object))
+        const MappableObject* const object = ObjectOf(config, step);
+        if (object != nullptr)
         {
-            WriteObject(object, step, data);
+            WriteObject(*object, step, data);
         }
         first_bit += step.bits;
     }

@@ -58,16 +58,17 @@ void ExamineRefresh(Voice& voice, const std::size_t slot) noexcept
     }
 }
 
-// Whether the frame says what is expected of this half.
-bool IsEcho(const Record& record, const CanFrame& frame, const std::size_t half) noexcept
+// Why a frame is not the confirmation that is awaited: its data, or its stamp, SRVT after the start of the pair or the
+// normal frame. [SRS_PROD_007, SRS_PROD_008]
+SrdoCause JudgeEcho(const Record& record, const CanFrame& frame, const Instant stamp, const State awaited) noexcept
 {
-    const std::uint32_t inversion = (half == kInverseHalf) ? kByteMask : 0U;
-    std::uint32_t wrong = std::uint32_t{frame.length_bytes} ^ record.grants.Of(Grant::kLength);
-    for (std::size_t place = 0U; place < kMaxPayloadBytes; ++place)
+    const std::uint32_t inversion = (awaited == State::kInverseAwaited) ? kByteMask : 0U;
+    if ((frame.length_bytes != record.grants.Of(Grant::kLength)) ||
+        !HasData(frame, record.held, inversion, record.mapped))
     {
-        wrong |= (std::uint32_t{frame.data[place]} ^ record.held.at[place] ^ inversion) & record.mapped.at[place];
+        return SrdoCause::kWrongEcho;
     }
-    return wrong == 0U;
+    return (AgeUs(record.frame_since, stamp) > SrvtUs(record)) ? SrdoCause::kNoConfirmation : SrdoCause::kNone;
 }
 
 } // namespace
@@ -77,7 +78,7 @@ void GiveUp(Voice& voice, const std::size_t slot, const SrdoCause cause) noexcep
     Record& record = At(voice, slot);
     if (IsFlying(record))
     {
-        static_cast<void>(Advance(voice, slot, Event::kGivenUp));
+        static_cast<void>(Advance(voice, slot, StateOf(record), Event::kGivenUp));
         record.todo = 0U;
         Report(record, cause);
     }
@@ -107,12 +108,13 @@ PreparedPair PreparePair(Voice& voice, const std::size_t slot) noexcept
 {
     PreparedPair pair{};
     Record& record = At(voice, slot);
-    if (StateOf(record) != State::kIdle)
+    const State state = StateOf(record);
+    if (state != State::kIdle)
     {
         pair.status = PrepareStatus::kNotProducer;
         return pair;
     }
-    static_cast<void>(Advance(voice, slot, Event::kPrepared));
+    static_cast<void>(Advance(voice, slot, state, Event::kPrepared));
     Demand(record, kInFlight);
     record.held = ReadObjects(voice, slot);
     record.refreshed = kNo;
@@ -144,29 +146,25 @@ Confirmation ConfirmFrame(Voice& voice, const CanFrame& frame, const Instant sta
         return kNotOurs;
     }
     Record& record = At(voice, slot);
-    const State state = StateOf(record);
-    const std::size_t half = (state == State::kInverseAwaited) ? kInverseHalf : kNormalHalf;
-    if (!FactsOf(state).is_flying || (frame.identifier != record.values.cob_id[half]))
+    const State awaited = StateOf(record);
+    const std::size_t half = (awaited == State::kInverseAwaited) ? kInverseHalf : kNormalHalf;
+    if (!FactsOf(awaited).is_flying || (frame.identifier != record.values.cob_id[half]))
     {
         return kNotOurs;
     }
-    if (!IsEcho(record, frame, half))
+    const SrdoCause cause = JudgeEcho(record, frame, stamp, awaited);
+    if (cause != SrdoCause::kNone)
     {
-        GiveUp(voice, slot, SrdoCause::kWrongEcho);
+        GiveUp(voice, slot, cause);
         return kNotOurs;
     }
-    if (AgeUs(record.frame_since, stamp) > SrvtUs(record))
+    if (awaited == State::kNormalAwaited)
     {
-        GiveUp(voice, slot, SrdoCause::kNoConfirmation); // Since the start of the pair, or the normal frame.
-        return kNotOurs;
-    }
-    if (half == kNormalHalf)
-    {
-        static_cast<void>(Advance(voice, slot, Event::kNormalSent));
+        static_cast<void>(Advance(voice, slot, awaited, Event::kNormalSent));
         record.frame_since = stamp;
         return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kNormal};
     }
-    static_cast<void>(Advance(voice, slot, Event::kPairSent));
+    static_cast<void>(Advance(voice, slot, awaited, Event::kPairSent));
     record.todo = static_cast<std::uint8_t>(record.todo & ~kInFlight);
     ++record.sent;
     return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kPair};

@@ -9,6 +9,12 @@ namespace
 constexpr std::uint16_t kErrorCountMax = 0xFFFFU;
 constexpr std::uint32_t kCauseBits = 0x1FU; // Causes are smaller, but for the one that is none.
 
+// Sets or clears one bit.
+void Write(SrdoMask& mask, const SrdoMask bit, const bool is_set) noexcept
+{
+    mask = is_set ? (mask | bit) : (mask & ~bit);
+}
+
 // No pair any more, nor what came of one.
 void Forget(Voice& voice, const std::size_t slot) noexcept
 {
@@ -31,12 +37,12 @@ void EnterSlot(Voice& voice, const std::size_t slot) noexcept
     --voice.outcome.is_invalid;
     if (record.grants.Of(Grant::kDirection) == kDirectionConsumer)
     {
-        static_cast<void>(Advance(voice, slot, Event::kBecomesConsumer));
+        static_cast<void>(Advance(voice, slot, StateOf(record), Event::kBecomesConsumer));
         record.awaiting = kYes;
         ++voice.outcome.sct_checked;
         return;
     }
-    static_cast<void>(Advance(voice, slot, Event::kBecomesProducer));
+    static_cast<void>(Advance(voice, slot, StateOf(record), Event::kBecomesProducer));
     ++voice.outcome.is_tx;
     record.since = voice.origin;
     if (record.form == ProducerForm::kProviderCalled)
@@ -54,26 +60,11 @@ void SetFirstCause(Record& record, const SrdoCause cause) noexcept
 
 void Show(Voice& voice, const std::size_t slot, const SrdoState shown) noexcept
 {
-    TakeOut(voice.outcome.released, slot);
-    TakeOut(voice.outcome.faulted, slot);
-    TakeOut(voice.outcome.waiting, slot);
-    TakeOut(voice.producers, slot);
-    if (shown == SrdoState::kReleased)
-    {
-        PutIn(voice.outcome.released, slot);
-    }
-    if (shown == SrdoState::kFaulted)
-    {
-        PutIn(voice.outcome.faulted, slot);
-    }
-    if (shown == SrdoState::kWaiting)
-    {
-        PutIn(voice.outcome.waiting, slot);
-    }
-    if (shown == SrdoState::kProducer)
-    {
-        PutIn(voice.producers, slot);
-    }
+    const SrdoMask bit = BitOf(slot);
+    Write(voice.outcome.released, bit, shown == SrdoState::kReleased);
+    Write(voice.outcome.faulted, bit, shown == SrdoState::kFaulted);
+    Write(voice.outcome.waiting, bit, shown == SrdoState::kWaiting);
+    Write(voice.producers, bit, shown == SrdoState::kProducer);
 }
 
 void Count(Record& record, const SrdoCause cause) noexcept
@@ -99,7 +90,7 @@ void Report(Record& record, const SrdoCause cause) noexcept
 void Discard(Voice& voice, const std::size_t slot, const Event event) noexcept
 {
     Record& record = At(voice, slot);
-    static_cast<void>(Advance(voice, slot, event));
+    static_cast<void>(Advance(voice, slot, StateOf(record), event));
     if (!FactsOf(record).has_pending || (record.detection == SrvtDetection::kLate))
     {
         record.limit_us = kNoLimit;
@@ -117,7 +108,7 @@ void Fail(Voice& voice, const std::size_t slot, const SrdoCause cause) noexcept
 void Break(Voice& voice, const std::size_t slot) noexcept
 {
     Record& record = At(voice, slot);
-    static_cast<void>(Advance(voice, slot, Event::kBroke));
+    static_cast<void>(Advance(voice, slot, StateOf(record), Event::kBroke));
     Show(voice, slot, IsActive(voice) ? SrdoState::kFaulted : SrdoState::kOff);
     Forget(voice, slot);
     TakeOut(voice.outcome.due, slot);
@@ -166,7 +157,7 @@ void LeaveOperational(Voice& voice) noexcept
             Fail(voice, slot, SrdoCause::kNotOperational);
             PutIn(voice.outcome.new_fault, slot);
         }
-        static_cast<void>(Advance(voice, slot, Event::kLeft));
+        static_cast<void>(Advance(voice, slot, StateOf(record), Event::kLeft));
         Show(voice, slot, SrdoState::kOff);
         record.limit_us = kNoLimit;
         record.ordinal = 0U;
