@@ -132,7 +132,7 @@ TEST(ManySlots, EachDiscardHasItsOwnAge)
 }
 
 // Given six consumers in both halves of a mask, then each message reports the four next ones, the lowest again behind
-// the highest, what is new before the others.
+// the highest, what is new or demoted before the others.
 TEST(ManySlots, ReportsGoRoundThroughBothHalves)
 {
     Verifies(req::SRS_TWO_014);
@@ -151,6 +151,8 @@ TEST(ManySlots, ReportsGoRoundThroughBothHalves)
     rig.channel.outcome.fresh = MaskOf({48U});
     rig.Cycle(20000U);
     EXPECT_EQ(told(), (std::array<std::uint32_t, 4>{48U, 63U, 0U, 31U}));
+    rig.Own().Demote(0U);
+    EXPECT_EQ(told(), (std::array<std::uint32_t, 4>{0U, 31U, 32U, 47U}));
 }
 
 // Given one slot of each quarter at a time, when the peer releases it and the comparator agrees, then the permit is

@@ -311,6 +311,18 @@ TEST(OwnVoice, FollowerArmsOnlyWhatIsReady)
     EXPECT_EQ(rig.Say(10000U).armed[0].slot, kNoSlot);
 }
 
+// Given a frame armed in the cycle at 30 ms, when its SRVT of 20 ms is over by then, then it is told no more.
+TEST(OwnVoice, FollowerGivesUpWhatNobodyAnswers)
+{
+    Verifies(req::SRS_TWO_011);
+    PeerRig rig{PeerRole::kB};
+    rig.Cycle(30000U);
+    rig.channel.prepared = PreparedPair{PeerRig::Frame(0x103U), PrepareStatus::kReady};
+    static_cast<void>(rig.Remote().Prepare(1U));
+    EXPECT_EQ(rig.Say(50000U).armed[0].slot, 1U);
+    EXPECT_EQ(rig.Say(50001U).armed[0].slot, kNoSlot);
+}
+
 // Given an armed frame, when the leader tells its number as given up, then the channel gives it up for the same cause
 // and it is answered; another number changes nothing.
 TEST(OwnVoice, FollowerGivesUpWhatTheLeaderGaveUp)

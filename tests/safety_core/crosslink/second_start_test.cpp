@@ -108,6 +108,26 @@ TEST(SecondStart, FollowerHasNothingArmedOrStanding)
     EXPECT_EQ(rig.Say(6000U).armed[0].number, 0U);
 }
 
+// Given a CPU that was at 30 ms, when it is started again and a frame is armed or a slot demoted before its first
+// cycle, then both count from 0.
+TEST(SecondStart, TimeBeginsAnew)
+{
+    Verifies(req::SRS_TWO_001);
+    PeerRig follower{PeerRole::kB};
+    follower.Cycle(30000U);
+    StartAgain(follower);
+    follower.channel.prepared = PreparedPair{PeerRig::Frame(0x103U), PrepareStatus::kReady};
+    static_cast<void>(follower.Remote().Prepare(1U));
+    EXPECT_EQ(follower.Say(20000U).armed[0].slot, 1U);
+    PeerRig leader{PeerRole::kA};
+    leader.Cycle(30000U);
+    StartAgain(leader);
+    leader.Own().Demote(0U);
+    leader.channel.outcome.not_operational = 1U; // Entering would be a discard.
+    leader.Cycle(40000U);
+    EXPECT_EQ(leader.Say(40000U).reports[0].age_us, 40000U);
+}
+
 // Given CPU A in contact with reports, checks, an armed frame, a new fault and a commitment, when it is started again,
 // then its remote voice waits for contact and shows nothing of it.
 TEST(SecondStart, RemoteVoiceShowsNothingOfBefore)
