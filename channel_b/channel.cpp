@@ -67,16 +67,16 @@ void AddDevice(Crc32& crc, const DeviceConfig& config, std::uint32_t gfc) noexce
 } // namespace
 
 Channel::Channel(const Storage& storage) noexcept
-    : x_storage(storage), x_settings(storage.settings), x_mappings(storage.mappings, x_settings, storage.map_entries),
-      x_faults(storage.faults, x_settings), x_consumers(storage.pairs, Parts{x_settings, x_mappings, x_faults}),
+    : x_admission(storage.admission), x_room(storage.room), x_settings(storage.settings),
+      x_mappings(storage.mappings, x_settings, storage.room.map_entries), x_faults(storage.faults, x_settings),
+      x_consumers(storage.pairs, Parts{x_settings, x_mappings, x_faults}),
       x_producers(storage.pairs, Parts{x_settings, x_mappings, x_faults})
 {
 }
 
 void Channel::Restart(const DeviceConfig& config) noexcept
 {
-    const bool is_room_enough = config.srdo_count < x_storage.capacity;
-    x_settings.Restart(config, is_room_enough ? config.srdo_count : x_storage.capacity);
+    x_settings.Restart(config, (config.srdo_count < x_room.slots) ? config.srdo_count : x_room.slots);
     x_mappings.Restart(config);
     x_faults.Restart();
     x_consumers.Restart();
@@ -88,14 +88,14 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     x_has_gfc = false;
     for (SlotIndex slot = 0U; slot < x_settings.Count(); ++slot)
     {
-        x_storage.valid[slot] = Mark::kUnset;
-        x_storage.resolved[slot] = Mark::kUnset;
+        x_admission.valid[slot] = Mark::kUnset;
+        x_admission.resolved[slot] = Mark::kUnset;
     }
 }
 
 ChannelRoom Channel::Room() const noexcept
 {
-    return ChannelRoom{x_storage.capacity, x_storage.map_entries};
+    return x_room;
 }
 
 // ---- configuration
@@ -120,7 +120,7 @@ void Channel::Store(const ConfigItem& item) noexcept
     }
     if (is_changed)
     {
-        x_storage.resolved[address.slot] = Mark::kUnset;
+        x_admission.resolved[address.slot] = Mark::kUnset;
     }
 }
 
@@ -150,7 +150,7 @@ void Channel::SetFields(SlotIndex slot, const StaticFields& fields) noexcept
     if (x_mappings.IsStatic(slot))
     {
         x_mappings.SetFields(slot, fields);
-        x_storage.resolved[slot] = Mark::kUnset;
+        x_admission.resolved[slot] = Mark::kUnset;
     }
 }
 
@@ -194,7 +194,7 @@ DeviceDigest Channel::Digest(SlotIndex slot, DeviceDigest before) const noexcept
 /// A slot counts as valid if no rule is broken.
 CheckResult Channel::Conclude(SlotIndex slot, ConfigFault fault, std::uint16_t signature) noexcept
 {
-    x_storage.valid[slot] = (fault == ConfigFault::kNone) ? Mark::kGood : Mark::kUnset;
+    x_admission.valid[slot] = (fault == ConfigFault::kNone) ? Mark::kGood : Mark::kUnset;
     return CheckResult{fault, signature};
 }
 
@@ -204,7 +204,7 @@ CheckResult Channel::Validate(SlotIndex slot) noexcept
     const std::uint16_t signature = SignatureOf(slot);
     const std::uint8_t direction = x_settings.Direction(slot);
     ConfigFault fault = ConfigFault::kNone;
-    x_storage.resolved[slot] = Mark::kUnset;
+    x_admission.resolved[slot] = Mark::kUnset;
     if (direction != kDirectionOff)
     {
         fault = x_settings.CheckParameters(slot);
@@ -219,7 +219,7 @@ CheckResult Channel::Validate(SlotIndex slot) noexcept
     }
     if ((fault == ConfigFault::kNone) && (direction != kDirectionOff))
     {
-        x_storage.resolved[slot] = Mark::kGood;
+        x_admission.resolved[slot] = Mark::kGood;
         x_consumers.Withdraw(slot); // What was released is overwritten here, or no longer ours.
         if (direction == kDirectionConsumer)
         {
@@ -236,7 +236,7 @@ CheckResult Channel::Recheck(SlotIndex slot) noexcept
     ConfigFault fault = CompareSignatures(signature, x_settings.Signature(slot));
     if ((fault == ConfigFault::kNone) && (x_settings.Direction(slot) != kDirectionOff))
     {
-        const bool is_right = (x_storage.resolved[slot] == Mark::kGood) && x_mappings.IsRight(slot);
+        const bool is_right = (x_admission.resolved[slot] == Mark::kGood) && x_mappings.IsRight(slot);
         fault = is_right ? ConfigFault::kNone : ConfigFault::kTable;
     }
     return Conclude(slot, fault, signature);
@@ -253,7 +253,7 @@ bool Channel::IsRunning() const noexcept
 void Channel::Admit(SlotIndex slot) noexcept
 {
     const std::uint8_t direction = x_settings.Direction(slot);
-    if ((x_storage.valid[slot] != Mark::kGood) || (x_storage.resolved[slot] != Mark::kGood))
+    if ((x_admission.valid[slot] != Mark::kGood) || (x_admission.resolved[slot] != Mark::kGood))
     {
         return;
     }
@@ -271,8 +271,8 @@ void Channel::Admit(SlotIndex slot) noexcept
     }
     // Identifiers were checked by Validate; the remainder keeps a corrupted one within the look-up.
     const std::uint32_t offset = x_settings.NormalIdentifier(slot) - kFirstSrdoIdentifier;
-    x_storage.slot_of[offset % kSrdoIdentifierCount] = slot;
-    x_storage.slot_of[(offset + 1U) % kSrdoIdentifierCount] = slot;
+    x_admission.slot_of[offset % kSrdoIdentifierCount] = slot;
+    x_admission.slot_of[(offset + 1U) % kSrdoIdentifierCount] = slot;
 }
 
 void Channel::Enter() noexcept
@@ -281,7 +281,7 @@ void Channel::Enter() noexcept
     x_producers.Clear();
     for (std::uint8_t offset = 0U; offset < kLookUpBytes; ++offset)
     {
-        x_storage.slot_of[offset] = kNoSlot;
+        x_admission.slot_of[offset] = kNoSlot;
     }
     for (SlotIndex slot = 0U; slot < x_settings.Count(); ++slot)
     {
@@ -293,7 +293,7 @@ void Channel::Enter() noexcept
 SlotIndex Channel::LookUp(std::uint32_t identifier) const noexcept
 {
     const std::uint32_t offset = identifier - kFirstSrdoIdentifier;
-    return (offset < kSrdoIdentifierCount) ? x_storage.slot_of[offset] : kNoSlot;
+    return (offset < kSrdoIdentifierCount) ? x_admission.slot_of[offset] : kNoSlot;
 }
 
 /// A frame before OPERATIONAL finds no active consumer. A global fail-safe command is accepted only by 1300h = 1 and in

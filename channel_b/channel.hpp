@@ -52,7 +52,8 @@ class Channel final : public counterpoint::Channel
     void Admit(SlotIndex slot) noexcept;
     [[nodiscard]] SlotIndex LookUp(std::uint32_t identifier) const noexcept;
 
-    Storage x_storage;
+    AdmissionColumns x_admission;
+    ChannelRoom x_room;
     Settings x_settings;
     Mappings x_mappings;
     Faults x_faults;

@@ -99,6 +99,14 @@ struct FaultColumns
     Column<std::uint8_t> first_cause; ///< SrdoCause.
 };
 
+/// Which slots become active, and which identifiers lead to them.
+struct AdmissionColumns
+{
+    Column<Mark> valid;           ///< The last Validate or Recheck found no fault.
+    Column<Mark> resolved;        ///< The places belong to the mapping.
+    Column<std::uint8_t> slot_of; ///< kLookUpBytes: slot of each identifier as of entering OPERATIONAL, or kNoSlot.
+};
+
 /// Owned by the caller.
 struct Storage
 {
@@ -106,11 +114,8 @@ struct Storage
     MappingColumns mappings;
     PairColumns pairs;
     FaultColumns faults;
-    Column<Mark> valid;           ///< The last Validate or Recheck found no fault.
-    Column<Mark> resolved;        ///< The places belong to the mapping.
-    Column<std::uint8_t> slot_of; ///< kLookUpBytes: slot of each identifier as of entering OPERATIONAL, or kNoSlot.
-    std::uint8_t capacity;
-    std::uint8_t map_entries;
+    AdmissionColumns admission;
+    ChannelRoom room;
 };
 
 /// Memory for kSlots SRDOs, each with a dynamic mapping of up to kMapEntries entries (0: all mappings are static).
@@ -170,11 +175,8 @@ template <std::uint8_t kSlots, std::uint8_t kMapEntries = kUsualMapEntries> stru
                         {edge},
                         {stage}},
                        {{causes}, {told}, {signals}, {window_us}, {error_count}, {first_cause}},
-                       {valid},
-                       {resolved},
-                       {slot_of},
-                       kSlots,
-                       kMapEntries};
+                       {{valid}, {resolved}, {slot_of}},
+                       {kSlots, kMapEntries}};
     }
 };
 
