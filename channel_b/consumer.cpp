@@ -16,6 +16,23 @@ namespace
 /// can tell.
 constexpr std::uint32_t kLongOverUs = std::uint32_t{1U} << 31U;
 
+/// What of identifier, controller and length is not as configured. [SRS_CONS_004, SRS_CONS_005]
+[[nodiscard]] SrdoCause Misfit(const CanFrame& frame, std::uint32_t identifier, CanPortId port,
+                               std::uint32_t length_bits) noexcept
+{
+    if ((frame.identifier != identifier) || (frame.port != port))
+    {
+        return SrdoCause::kIdentifier;
+    }
+    return (frame.length_bytes == BytesFor(length_bits)) ? SrdoCause::kNone : SrdoCause::kLength;
+}
+
+/// Whether all bits of the frames' bytes are inverse, and no normal one is set above the mapped ones. [SRS_CONS_009]
+[[nodiscard]] bool IsInverse(std::uint64_t normal, std::uint64_t inverse, std::uint32_t length_bits) noexcept
+{
+    return ((normal ^ inverse) == FrameMask(length_bits)) && (normal <= LowBits(length_bits));
+}
+
 } // namespace
 
 void Consumers::Restart() noexcept
@@ -199,27 +216,6 @@ SrdoCause Consumers::ExpiredAtInverse(SlotIndex slot, std::uint32_t since_call_u
 
 // ---- frames
 
-/// What of identifier, controller and length is not as configured. [SRS_CONS_004, SRS_CONS_005]
-SrdoCause Consumers::Misfit(SlotIndex slot, const CanFrame& frame, std::uint32_t identifier,
-                            CanPortId port) const noexcept
-{
-    if ((frame.identifier != identifier) || (frame.port != port))
-    {
-        return SrdoCause::kIdentifier;
-    }
-    const bool is_mapped_length = frame.length_bytes == BytesFor(x_mappings.LengthBits(slot));
-    return is_mapped_length ? SrdoCause::kNone : SrdoCause::kLength;
-}
-
-/// Whether the inverse data are those of the pending normal frame: all bits of the frames' bytes are inverse, and no
-/// normal one is set above the mapped ones. [SRS_CONS_009]
-bool Consumers::IsInverse(SlotIndex slot, std::uint64_t inverse) const noexcept
-{
-    const std::uint32_t length_bits = x_mappings.LengthBits(slot);
-    const std::uint64_t normal = x_pairs.pending[slot];
-    return ((normal ^ inverse) == FrameMask(length_bits)) && (normal <= LowBits(length_bits));
-}
-
 /// [SRS_CONS_001]
 void Consumers::OnFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
 {
@@ -246,7 +242,8 @@ void Consumers::TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t 
     {
         Fault(slot, expired);
     }
-    SrdoCause flaw = Misfit(slot, frame, x_settings.NormalIdentifier(slot), x_settings.Config().normal_port);
+    SrdoCause flaw =
+        Misfit(frame, x_settings.NormalIdentifier(slot), x_settings.Config().normal_port, x_mappings.LengthBits(slot));
     if ((flaw == SrdoCause::kNone) && HasAny(x_pending, BitOf(slot)))
     {
         flaw = SrdoCause::kNormalTwice;
@@ -273,12 +270,13 @@ void Consumers::TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t
     {
         Fault(slot, expired);
     }
-    SrdoCause flaw = Misfit(slot, frame, x_settings.InverseIdentifier(slot), x_settings.Config().inverse_port);
+    const std::uint32_t length_bits = x_mappings.LengthBits(slot);
+    SrdoCause flaw = Misfit(frame, x_settings.InverseIdentifier(slot), x_settings.Config().inverse_port, length_bits);
     if ((flaw == SrdoCause::kNone) && (!HasAny(x_pending, bit)))
     {
         flaw = SrdoCause::kInverseFirst;
     }
-    if ((flaw == SrdoCause::kNone) && (!IsInverse(slot, inverse)))
+    if ((flaw == SrdoCause::kNone) && (!IsInverse(x_pairs.pending[slot], inverse, length_bits)))
     {
         flaw = SrdoCause::kNotInverse;
     }

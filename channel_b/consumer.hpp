@@ -65,9 +65,6 @@ class Consumers
     void Discard(SlotIndex slot) noexcept;
     [[gnu::cold]] void Fault(SlotIndex slot, SrdoCause cause) noexcept;
 
-    [[nodiscard]] SrdoCause Misfit(SlotIndex slot, const CanFrame& frame, std::uint32_t identifier,
-                                   CanPortId port) const noexcept;
-    [[nodiscard]] bool IsInverse(SlotIndex slot, std::uint64_t inverse) const noexcept;
     void TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept;
     void TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept;
 
