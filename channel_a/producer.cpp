@@ -123,7 +123,7 @@ PreparedPair PreparePair(Voice& voice, const std::size_t slot) noexcept
     {
         record.since = voice.origin;
     }
-    TakeOut(voice.wanted, slot);
+    voice.wanted &= ~BitOf(slot);
     pair.status = PrepareStatus::kReady;
     pair.normal.identifier = record.values.cob_id[kNormalHalf];
     pair.normal.kind = FrameKind::kData;

@@ -2,6 +2,7 @@
 #include "channel_a/rules.hpp"
 
 #include "channel_a/objects.hpp"
+#include "channel_a/slot.hpp"
 
 namespace counterpoint::channel_a
 {

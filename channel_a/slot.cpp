@@ -53,6 +53,16 @@ void EnterSlot(Voice& voice, const std::size_t slot) noexcept
 
 } // namespace
 
+void PutIn(SrdoMask& mask, const std::size_t slot) noexcept
+{
+    mask |= BitOf(slot);
+}
+
+void TakeOut(SrdoMask& mask, const std::size_t slot) noexcept
+{
+    mask &= ~BitOf(slot);
+}
+
 void SetFirstCause(Record& record, const SrdoCause cause) noexcept
 {
     record.grants.Set(Grant::kFirstCause, static_cast<std::uint8_t>(cause));
@@ -90,8 +100,8 @@ void Report(Record& record, const SrdoCause cause) noexcept
 void Discard(Voice& voice, const std::size_t slot, const Event event) noexcept
 {
     Record& record = At(voice, slot);
-    static_cast<void>(Advance(voice, slot, StateOf(record), event));
-    if (!FactsOf(record).has_pending || (record.detection == SrvtDetection::kLate))
+    const State state = Advance(voice, slot, StateOf(record), event);
+    if (!FactsOf(state).has_pending || (record.detection == SrvtDetection::kLate))
     {
         record.limit_us = kNoLimit;
     }

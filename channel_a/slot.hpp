@@ -36,6 +36,8 @@ namespace counterpoint::channel_a
     return static_cast<SrdoCause>(record.grants.Of(Grant::kFirstCause));
 }
 
+void PutIn(SrdoMask& mask, std::size_t slot) noexcept;
+void TakeOut(SrdoMask& mask, std::size_t slot) noexcept;
 void SetFirstCause(Record& record, SrdoCause cause) noexcept;
 /// @brief The slot in the mask of its state, and in no other. [SRS_CONS_023]
 void Show(Voice& voice, std::size_t slot, SrdoState shown) noexcept;

@@ -73,16 +73,6 @@ constexpr std::size_t kInverseHalf = 1U;
     return (mask & BitOf(slot)) != 0U;
 }
 
-inline void PutIn(SrdoMask& mask, const std::size_t slot) noexcept
-{
-    mask |= BitOf(slot);
-}
-
-inline void TakeOut(SrdoMask& mask, const std::size_t slot) noexcept
-{
-    mask &= ~BitOf(slot);
-}
-
 inline void Demand(Record& record, const std::uint32_t todo) noexcept
 {
     record.todo = static_cast<std::uint8_t>(record.todo | todo);
