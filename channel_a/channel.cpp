@@ -113,11 +113,14 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
 HeldPair Channel::Held(const SlotIndex slot) const noexcept
 {
     const Record& record = At(voice_, slot);
-    if (!FactsOf(record).holds_pair)
+    HeldPair pair{};
+    if (FactsOf(record).holds_pair)
     {
-        return HeldPair{};
+        pair.data = PayloadOf(record.held);
+        pair.ordinal = record.ordinal;
+        pair.holds_pair = 1U;
     }
-    return HeldPair{PayloadOf(record.held), record.ordinal, 1U};
+    return pair;
 }
 
 // [SRS_CONS_025]
