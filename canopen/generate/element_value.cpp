@@ -7,7 +7,6 @@
 #include "canopen/cia306/text/utf16.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace counterpoint::generate
 {

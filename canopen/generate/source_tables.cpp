@@ -1,8 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/generate/text.hpp"
 
-#include "canopen/cia306/text/input_error.hpp"
-
 namespace counterpoint::generate
 {
 namespace

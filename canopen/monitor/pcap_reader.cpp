@@ -1,7 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/monitor/readers.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace counterpoint::monitor

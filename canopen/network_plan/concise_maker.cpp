@@ -3,7 +3,6 @@
 
 #include "canopen/cia306/text/input_error.hpp"
 
-#include <set>
 #include <string>
 
 namespace counterpoint::network_plan

@@ -3,7 +3,6 @@
 
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/number.hpp"
-#include "canopen/start_up/plc_designer/start_up.hpp"
 #include "runtime/manager/pdos.hpp"
 #include "runtime/manager/report/texts.hpp"
 #include "runtime/node/order.hpp"

@@ -3,6 +3,7 @@
 
 #include "runtime/manager/pdos.hpp"
 #include "runtime/yaml/map.hpp"
+#include "runtime/yaml/optional_values.hpp"
 
 #include <limits>
 
@@ -25,15 +26,6 @@ constexpr Word<cia302::El6751NetworkReaction> kNetworkWords[] = {{"none", cia302
                                                                  {"stop_all", cia302::El6751NetworkReaction::kStopAll}};
 constexpr Word<cia302::El6751Window> kWindowWords[] = {{"input_shift", cia302::El6751Window::kInputShift},
                                                        {"last_rx_pdo", cia302::El6751Window::kLastRxPdo}};
-
-template <typename Meaning, std::size_t kCount>
-void TakeWord(const YamlMap& map, const char* key, Meaning& part, const Word<Meaning> (&words)[kCount])
-{
-    if (const auto value = map.Find(key))
-    {
-        part = value->Choice(words);
-    }
-}
 
 template <typename Number> void TakeNumber(const YamlMap& map, const char* key, Number& part, const Number lowest)
 {

@@ -2,7 +2,6 @@
 #include "runtime/node/loading.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
-#include "runtime/device/names.hpp"
 
 #include <utility>
 

@@ -6,7 +6,6 @@
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/device/safety_queue.hpp"
 #include "runtime/device/names.hpp"
-#include "safety_core/kernel/limits.hpp"
 
 #include <algorithm>
 #include <array>

@@ -7,8 +7,6 @@
 #include "runtime/yaml/document.hpp"
 #include "runtime/yaml/value.hpp"
 
-#include <algorithm>
-#include <array>
 #include <initializer_list>
 #include <optional>
 

@@ -1,7 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/yaml/value.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <string_view>

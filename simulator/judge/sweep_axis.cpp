@@ -1,6 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "simulator/judge/sweep.hpp"
-#include "simulator/scenario/fields.hpp"
 
 #include <algorithm>
 #include <charconv>

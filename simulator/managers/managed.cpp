@@ -2,7 +2,6 @@
 // A network with managers as a run sees it. [SRS_MGR_012]
 #include "simulator/managers/managed.hpp"
 
-#include "runtime/manager/report/status.hpp"
 #include "runtime/manager/report/texts.hpp"
 #include "simulator/managers/manager.hpp"
 #include "simulator/scenario/names.hpp"

@@ -2,7 +2,6 @@
 #include "canopen/cia306/text/html_text.hpp"
 #include "simulator/judge/sweep.hpp"
 #include "simulator/report/page_parts.hpp"
-#include "simulator/report/reports.hpp"
 #include "simulator/scenario/names.hpp"
 
 #include <algorithm>

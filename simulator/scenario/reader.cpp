@@ -5,7 +5,6 @@
 #include "simulator/scenario/parts.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 #include <utility>
 

@@ -13,20 +13,9 @@ namespace
 
 constexpr std::uint32_t kUsPerMs = 1000U;
 constexpr std::uint32_t kStandard = 0x7FFU;
-constexpr std::uint8_t kLastSynchronous = 240U;
-
-bool IsSynchronous(const Rpdo& pdo) noexcept
-{
-    return pdo.settings.type <= kLastSynchronous;
-}
 
 constexpr std::uint8_t kHighestSub = 5U;
 constexpr std::uint32_t kFirstEventDriven = 254U;
-
-bool IsValid(const Rpdo& pdo) noexcept
-{
-    return (pdo.settings.cob_id & kCobOff) == 0U;
-}
 
 bool IsType(const std::uint32_t type) noexcept
 {
@@ -195,12 +184,7 @@ ObjectValue Rpdos::FetchSetting(const std::uint16_t number, const std::uint8_t s
 ObjectValue Rpdos::FetchMapping(const std::uint16_t number, const std::uint8_t sub) const noexcept
 {
     const Rpdo* const pdo = Find(number);
-    ObjectValue value{SdoAbort::kObjectUnknown, 0U, 1U};
-    if (pdo != nullptr)
-    {
-        value = FetchField(pdo->map, sub);
-    }
-    return value;
+    return (pdo != nullptr) ? FetchField(pdo->map, sub) : ObjectValue{SdoAbort::kObjectUnknown, 0U, 1U};
 }
 
 SdoAbort Rpdos::StoreSetting(const std::uint16_t number, const std::uint8_t sub, const std::uint32_t value) noexcept
@@ -244,9 +228,7 @@ SdoAbort Rpdos::Change(Rpdo& pdo, const std::uint8_t sub, const std::uint32_t va
 
 bool Rpdos::WriteCobId(Rpdo& pdo, const std::uint32_t value) noexcept
 {
-    const bool stays_valid = IsValid(pdo) && ((value & kCobOff) == 0U);
-    const bool is_changed = ((pdo.settings.cob_id ^ value) & kFixedCobBits) != 0U;
-    const bool is_taken = is_configuring_ || (IsUsable(value) && !(stays_valid && is_changed));
+    const bool is_taken = is_configuring_ || IsAdmitted(pdo.settings.cob_id, value);
     if (is_taken)
     {
         pdo.settings.cob_id = value;
@@ -273,12 +255,7 @@ SdoAbort Rpdos::StoreMapping(const std::uint16_t number, const std::uint8_t sub,
 
 Rpdo* Rpdos::Find(const std::uint16_t number) const noexcept
 {
-    Rpdo* found = nullptr;
-    for (std::uint16_t i = 0U; i < parts_.table.count; ++i)
-    {
-        found = (parts_.table.pdos[i].number == number) ? &parts_.table.pdos[i] : found;
-    }
-    return found;
+    return FindPdo(parts_.table.pdos, parts_.table.count, number);
 }
 
 } // namespace counterpoint::cia301

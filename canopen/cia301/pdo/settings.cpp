@@ -1,8 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia301/pdo/settings.hpp"
 
-#include "canopen/cia301/base/cob_id.hpp"
-
 namespace counterpoint::cia301
 {
 
@@ -36,6 +34,13 @@ bool IsUsable(const std::uint32_t cob_id) noexcept
 {
     const bool is_off = (cob_id & kCobOff) != 0U;
     return ((cob_id & kCobExtended) == 0U) && (is_off || IsConfigurable(cob_id & kCobIdentifier));
+}
+
+bool IsAdmitted(const std::uint32_t own, const std::uint32_t cob_id) noexcept
+{
+    const bool stays_valid = ((own | cob_id) & kCobOff) == 0U;
+    const bool is_changed = ((own ^ cob_id) & kFixedCobBits) != 0U;
+    return IsUsable(cob_id) && !(stays_valid && is_changed);
 }
 
 } // namespace counterpoint::cia301

@@ -2,6 +2,7 @@
 #ifndef CANOPEN_CIA301_PDO_SETTINGS_HPP
 #define CANOPEN_CIA301_PDO_SETTINGS_HPP
 
+#include "canopen/cia301/base/cob_id.hpp"
 #include "canopen/cia301/dictionary/number_hook.hpp"
 
 #include <cstdint>
@@ -30,6 +31,30 @@ struct PdoSettings
 [[nodiscard]] ObjectValue FetchShared(const PdoSettings& settings, std::uint8_t sub, std::uint8_t highest_sub) noexcept;
 /// @brief Whether a COB-ID is turned off, or has an identifier of 11 bits that may be configured. O(1)
 [[nodiscard]] bool IsUsable(std::uint32_t cob_id) noexcept;
+/// @brief Whether a PDO that has the COB-ID `own` may get this other one: valid, it keeps its identifier. O(1)
+[[nodiscard]] bool IsAdmitted(std::uint32_t own, std::uint32_t cob_id) noexcept;
+
+/// @brief The PDO of this number among `count`, or null. O(count)
+template <typename Pdo>
+[[nodiscard]] Pdo* FindPdo(Pdo* const pdos, const std::uint16_t count, const std::uint16_t number) noexcept
+{
+    Pdo* found = nullptr;
+    for (std::uint16_t i = 0U; i < count; ++i)
+    {
+        found = (pdos[i].number == number) ? &pdos[i] : found;
+    }
+    return found;
+}
+
+template <typename Pdo> [[nodiscard]] bool IsValid(const Pdo& pdo) noexcept
+{
+    return (pdo.settings.cob_id & kCobOff) == 0U;
+}
+
+template <typename Pdo> [[nodiscard]] bool IsSynchronous(const Pdo& pdo) noexcept
+{
+    return pdo.settings.type <= kLastSynchronous;
+}
 
 } // namespace counterpoint::cia301
 

@@ -22,11 +22,6 @@ bool IsSendable(const Tpdo& pdo) noexcept
     return ((pdo.settings.cob_id & kCobOff) == 0U) && (pdo.map.count > 0U);
 }
 
-bool IsSynchronous(const Tpdo& pdo) noexcept
-{
-    return pdo.settings.type <= kLastSynchronous;
-}
-
 bool IsEventDriven(const Tpdo& pdo) noexcept
 {
     return pdo.settings.type > kSampledByRtr;
@@ -59,11 +54,6 @@ bool IsTimerOver(Tpdo& pdo, const Instant now) noexcept
 constexpr std::uint8_t kHighestSub = 6U;
 constexpr std::uint8_t kStartSub = 6U;
 constexpr std::uint32_t kFirstOnRtr = 252U;
-
-bool IsValid(const Tpdo& pdo) noexcept
-{
-    return (pdo.settings.cob_id & kCobOff) == 0U;
-}
 
 bool IsType(const std::uint32_t type) noexcept
 {
@@ -302,12 +292,7 @@ ObjectValue Tpdos::FetchSetting(const std::uint16_t number, const std::uint8_t s
 ObjectValue Tpdos::FetchMapping(const std::uint16_t number, const std::uint8_t sub) const noexcept
 {
     const Tpdo* const pdo = Find(number);
-    ObjectValue value{SdoAbort::kObjectUnknown, 0U, 1U};
-    if (pdo != nullptr)
-    {
-        value = FetchField(pdo->map, sub);
-    }
-    return value;
+    return (pdo != nullptr) ? FetchField(pdo->map, sub) : ObjectValue{SdoAbort::kObjectUnknown, 0U, 1U};
 }
 
 SdoAbort Tpdos::StoreSetting(const std::uint16_t number, const std::uint8_t sub, const std::uint32_t value) noexcept
@@ -357,9 +342,7 @@ SdoAbort Tpdos::Change(Tpdo& pdo, const std::uint8_t sub, const std::uint32_t va
 
 bool Tpdos::WriteCobId(Tpdo& pdo, const std::uint32_t value) noexcept
 {
-    const bool stays_valid = IsValid(pdo) && ((value & kCobOff) == 0U);
-    const bool is_changed = ((pdo.settings.cob_id ^ value) & kFixedCobBits) != 0U;
-    const bool is_taken = is_configuring_ || (IsUsable(value) && !(stays_valid && is_changed));
+    const bool is_taken = is_configuring_ || IsAdmitted(pdo.settings.cob_id, value);
     if (is_taken)
     {
         pdo.settings.cob_id = value;
@@ -386,12 +369,7 @@ SdoAbort Tpdos::StoreMapping(const std::uint16_t number, const std::uint8_t sub,
 
 Tpdo* Tpdos::Find(const std::uint16_t number) const noexcept
 {
-    Tpdo* found = nullptr;
-    for (std::uint16_t i = 0U; i < parts_.table.count; ++i)
-    {
-        found = (parts_.table.pdos[i].number == number) ? &parts_.table.pdos[i] : found;
-    }
-    return found;
+    return FindPdo(parts_.table.pdos, parts_.table.count, number);
 }
 
 } // namespace counterpoint::cia301

@@ -1,8 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/host/virtual/frame_bits.hpp"
 
-#include <algorithm>
-
 namespace counterpoint::host
 {
 

@@ -4,9 +4,7 @@
 #include "runtime/manager/report/status.hpp"
 
 #include "canopen/cia306/text/html_text.hpp"
-#include "canopen/cia306/text/input_error.hpp"
 
-#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <sstream>

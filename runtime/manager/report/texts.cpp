@@ -2,12 +2,6 @@
 #include "runtime/manager/report/texts.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
-#include "canopen/start_up/cia302/start_up.hpp"
-#include "canopen/start_up/el6751/start_up.hpp"
-#include "canopen/start_up/plc_designer/start_up.hpp"
-#include "runtime/device/names.hpp"
-
-#include <array>
 
 namespace counterpoint::runtime
 {
