@@ -1,7 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia306/file/device_reader.hpp"
 #include "canopen/generate/generate.hpp"
-#include "canopen/generate/names.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/canopen/generate/random_device.hpp"
 #include "verification/trace/ids/generate.hpp"
@@ -11,14 +9,12 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <set>
 #include <unistd.h>
 
 namespace counterpoint::generate
 {
 namespace
 {
-
 using cia306::test::Changed;
 
 GeneratedCode Code(const std::string& text, const std::optional<std::uint8_t> node_id = std::nullopt)
@@ -172,87 +168,6 @@ TEST(GenerateTest, OnlyWhatTheChannelsDoNotWriteCanBeWritten)
     EXPECT_TRUE(Has(code.source, "counterpoint::MapAccess::kConsumer"));
     EXPECT_TRUE(Has(code.source, "counterpoint::MapAccess::kProducer"));
     EXPECT_TRUE(Has(code.header, "rww; the channels write it\n[[nodiscard]]"));
-}
-
-TEST(Names, WordsBecomePascalCase)
-{
-    Verifies(req::SRS_GEN_012);
-    EXPECT_EQ(PascalCase("Producer heartbeat time [ms]"), "ProducerHeartbeatTimeMs");
-    EXPECT_EQ(PascalCase("COB-ID 1 (normal data)"), "CobId1NormalData");
-    EXPECT_EQ(PascalCase("motorSpeed"), "MotorSpeed");
-    EXPECT_EQ(PascalCase("SRDO"), "Srdo");
-    EXPECT_EQ(PascalCase("\xC4rger"), "Rger");
-    EXPECT_EQ(PascalCase("+-%"), "");
-    EXPECT_EQ(PascalCase(""), "");
-}
-
-TEST(Names, TextOfAFileCannotLeaveItsComment)
-{
-    Verifies(req::SRS_GEN_012);
-    EXPECT_EQ(CommentText("back\\"), "back_");
-    EXPECT_EQ(CommentText("what?\?/"), "what?_/");
-    EXPECT_EQ(CommentText("a\nb\x80"), "a_b_");
-    EXPECT_EQ(CommentText("*/ plain"), "*/ plain"); // In // comments that ends nothing.
-}
-
-TEST(Names, NamespacesAreChecked)
-{
-    Verifies(req::SRS_GEN_003);
-    for (const char* name : {"a", "my_device", "company::device2", "counterpoint::x"})
-    {
-        EXPECT_EQ(ProblemOfNamespace(name), "") << name;
-    }
-    for (const char* name : {"", "2a", "_a", "a__b", "a-b", "a::", "::a", "a::class", "std", "a::std", "counterpoint",
-                             "a::counterpoint", "linux", "a:b", "a b"})
-    {
-        EXPECT_NE(ProblemOfNamespace(name), "") << name;
-    }
-}
-
-TEST(Names, ANamespaceComesFromTheFile)
-{
-    Verifies(req::SRS_GEN_012);
-    EXPECT_EQ(NamespaceOf("/some/where/First-Device v2.dcf"), "first_device_v2");
-    EXPECT_EQ(NamespaceOf("class.eds"), "device_class");
-    EXPECT_EQ(NamespaceOf("linux.eds"), "device_linux");
-    EXPECT_EQ(NamespaceOf("3.eds"), "device_3");
-    EXPECT_EQ(NamespaceOf("\xE4.dcf"), "device");
-    for (const char* file : {"a.dcf", "x/-.-.eds", ".eds", "A__B.dcf", "std.dcf"})
-    {
-        EXPECT_EQ(ProblemOfNamespace(NamespaceOf(file)), "") << file;
-    }
-}
-
-TEST(Names, EachElementHasItsOwn)
-{
-    Verifies(req::SRS_GEN_012);
-    // Given objects that are called alike, like words of the generated file, or not at all
-    std::string text = "[FileInfo]\n\n";
-    text += test::Section("2000", "Speed", 5U, "rw", "1") + test::Section("2001", "Speed", 5U, "rw", "1");
-    text += test::Section("2002", "SpeedAt2000Sub00", 5U, "rw", "1") + test::Section("2003", "Node ID", 5U, "rw", "1");
-    text += test::Section("2004", "", 5U, "rw", "1") + test::Section("2005", "1st", 5U, "rw", "1");
-    text += test::Section("2006", "Srdo1", 5U, "rw", "1");
-    const cia306::Device device = cia306::ReadDevice(cia306::IniDocument::Parse("a.eds", text));
-    std::vector<Element> elements;
-    for (const auto& [index, object] : device.objects)
-    {
-        static_cast<void>(index);
-        Element element;
-        element.entry = &object.entries.at(0U);
-        element.object_name = object.name;
-        elements.push_back(element);
-    }
-    // When they are named
-    NameElements(elements);
-    // Then all names differ, and none is taken
-    std::vector<std::string> names;
-    for (const Element& element : elements)
-    {
-        names.push_back(element.name);
-    }
-    EXPECT_EQ(names, (std::vector<std::string>{"SpeedAt2000Sub00", "SpeedAt2001Sub00", "SpeedAt2000Sub00X",
-                                               "NodeIdAt2003Sub00", "Object2004Sub00", "Object2005Sub001st",
-                                               "Srdo1At2006Sub00"}));
 }
 } // namespace
 } // namespace counterpoint::generate

@@ -65,7 +65,7 @@ TEST_P(DuplicateTest, ASafetySlaveThatMayBeTwoIsNotStartedUntilAReset)
     Run(3000U);
     EXPECT_EQ(Running(5U), 0);
     EXPECT_EQ(starts, (std::vector<std::string>{}));
-    EXPECT_EQ(manager->Gate().State(NodeId{5U}), GateState::kFailed);
+    EXPECT_EQ(Gate(), GateState::kFailed);
     EXPECT_EQ(manager->Gate().Finding(NodeId{5U}).object.index, 0U);
     EXPECT_EQ(manager->Gate().Finding(NodeId{5U}).abort, SdoAbort::kGeneral);
     // When one is taken away and the other is reset, then it is verified and started
@@ -73,7 +73,7 @@ TEST_P(DuplicateTest, ASafetySlaveThatMayBeTwoIsNotStartedUntilAReset)
     static_cast<void>(Order(NmtCommand::kResetNode, 5U));
     Run(6000U);
     EXPECT_EQ(Running(5U), 1);
-    EXPECT_EQ(manager->Gate().State(NodeId{5U}), GateState::kOpen);
+    EXPECT_EQ(Gate(), GateState::kOpen);
 }
 
 TEST_P(DuplicateTest, OneDeviceIsNeverTakenForTwo)
@@ -224,17 +224,17 @@ TEST_F(SecondAnswerTest, AResetOfWhomeverEndsTheSuspicion)
     MakeSafe(6U);
     Begin(Profile::kCia302);
     Run(100U);
-    EXPECT_EQ(manager->Gate().State(NodeId{6U}), GateState::kOpen);
+    EXPECT_EQ(Gate(6U), GateState::kOpen);
     for (std::uint16_t index = 0x2000U; index < 0x2003U; ++index)
     {
         Put(Sdo(0x606U, 0x40U, index, 0U)); // The device aborts it,
         Put(Sdo(0x586U, 0x43U, index, 0U)); // and another one has it.
     }
     EXPECT_EQ(duplicates, (std::vector<std::uint8_t>{6U}));
-    EXPECT_EQ(manager->Gate().State(NodeId{6U}), GateState::kFailed);
+    EXPECT_EQ(Gate(6U), GateState::kFailed);
     Put(CanFrame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {0x82U, 6U, 0U, 0U, 0U, 0U, 0U, 0U}});
     Run(200U);
-    EXPECT_EQ(manager->Gate().State(NodeId{6U}), GateState::kOpen);
+    EXPECT_EQ(Gate(6U), GateState::kOpen);
     EXPECT_EQ(Running(6U), 1);
 }
 

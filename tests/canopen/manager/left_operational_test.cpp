@@ -23,11 +23,6 @@ class LeftOperationalTest : public ManagerRig, public ::testing::WithParamInterf
     {
         readings += (state == GateState::kBusy) ? 1 : 0;
     }
-    void OnNmtSent(const NmtRequest& request, const Instant now) noexcept override
-    {
-        ManagerRig::OnNmtSent(request, now);
-        stops += (request.command == NmtCommand::kStop) ? 1 : 0;
-    }
     void StartAndForget(const Profile profile)
     {
         Begin(profile);
@@ -40,10 +35,6 @@ class LeftOperationalTest : public ManagerRig, public ::testing::WithParamInterf
     {
         devices[0]->Put8(0x13FEU, 0U, 0U);
     }
-    [[nodiscard]] GateState Gate() const
-    {
-        return manager->Gate().State(NodeId{5U});
-    }
     void ExpectStopped()
     {
         EXPECT_EQ(Running(5U), 0);
@@ -53,7 +44,6 @@ class LeftOperationalTest : public ManagerRig, public ::testing::WithParamInterf
     }
 
     int readings{0}; ///< As the gate told.
-    int stops{0};
 };
 
 TEST_P(LeftOperationalTest, ChangedWhileItsStartWaitsForTheInhibitTimeIsNotStarted)

@@ -29,11 +29,11 @@ class LostFramesTest : public ManagerRig, public ::testing::WithParamInterface<P
     }
     void RunUntilVerified()
     {
-        for (int i = 0; (i < 5000) && (manager->Gate().State(NodeId{5U}) != GateState::kOpen); ++i)
+        for (int i = 0; (i < 5000) && (Gate() != GateState::kOpen); ++i)
         {
             Run(1U);
         }
-        ASSERT_EQ(manager->Gate().State(NodeId{5U}), GateState::kOpen);
+        ASSERT_EQ(Gate(), GateState::kOpen);
     }
     /// 2 s between two commands, and the start of slave 5 waits for them.
     void BeginWithWaitingStart()
@@ -64,7 +64,7 @@ TEST_P(LostFramesTest, WhoBootedMeanwhileIsStartedUpAgain)
     Run(3000U);
     EXPECT_EQ(Running(5U), 1);
     EXPECT_EQ(Running(6U), 1);
-    EXPECT_EQ(manager->Gate().State(NodeId{5U}), GateState::kOpen);
+    EXPECT_EQ(Gate(), GateState::kOpen);
 }
 
 TEST_P(LostFramesTest, WhoRanOnIsLeftAlone)
@@ -117,7 +117,7 @@ TEST_P(LostFramesTest, WhoIsReadAgainAndLeavesAndComesBackChangedIsStopped)
         Put(Nmt(NmtCommand::kStart, 5U));
         Run(1500U);
         EXPECT_EQ(Running(5U), 0) << pause_ms;
-        EXPECT_EQ(manager->Gate().State(NodeId{5U}), GateState::kDiffers) << pause_ms;
+        EXPECT_EQ(Gate(), GateState::kDiffers) << pause_ms;
     }
 }
 

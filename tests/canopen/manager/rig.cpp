@@ -38,6 +38,7 @@ void ManagerRig::OnNmtSent(const NmtRequest& request, Instant) noexcept
     {
         starts.push_back(std::to_string(request.node.value));
     }
+    stops += (request.command == NmtCommand::kStop) ? 1 : 0;
 }
 
 void ManagerRig::OnGate(NodeId, GateState, Instant) noexcept
@@ -204,6 +205,11 @@ int ManagerRig::Running(const std::uint8_t node) const
     const auto is_running = [node](const std::unique_ptr<FakeSlave>& device)
     { return (device->node == node) && device->is_on && (device->State() == cia301::NodeState::kOperational); };
     return static_cast<int>(std::count_if(devices.begin(), devices.end(), is_running));
+}
+
+GateState ManagerRig::Gate(const std::uint8_t node) const
+{
+    return manager->Gate().State(NodeId{node});
 }
 
 } // namespace counterpoint::cia302

@@ -63,12 +63,14 @@ class ManagerRig : public ::testing::Test, public cia301::FrameSink, public Mana
     [[nodiscard]] bool IsSuspected(std::uint8_t node) const;
     /// Devices of the node that are OPERATIONAL.
     [[nodiscard]] int Running(std::uint8_t node) const;
+    [[nodiscard]] GateState Gate(std::uint8_t node = 5U) const;
 
     std::uint32_t ms{0U};
     bool is_echo_heard{true}; ///< Own frames come back.
     std::vector<std::unique_ptr<FakeSlave>> devices{};
     std::vector<std::uint8_t> duplicates{}; ///< As told.
     std::vector<std::string> starts{};      ///< "node" of each NMT start that left.
+    int stops{0};                           ///< NMT stops that left.
     std::array<SlaveSetup, kNodeRoom> setups{};
     NetworkSetup setup{NodeId{127U}, kIsMaster, 0U, 0U, 0U, setups.data()};
     std::unique_ptr<Manager> manager{};

@@ -87,10 +87,6 @@ class SafetyIdentityTest : public ManagerRig, public ::testing::WithParamInterfa
         }
         ASSERT_EQ(Gate(), state);
     }
-    [[nodiscard]] GateState Gate() const
-    {
-        return manager->Gate().State(kSlave);
-    }
     void ExpectOther()
     {
         const bool is_plc = (GetParam() == Profile::kPlcDesigner);

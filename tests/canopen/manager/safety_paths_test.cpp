@@ -18,18 +18,9 @@ class SafetyPathsTest : public ManagerRig, public ::testing::WithParamInterface<
         Add(5U);
         MakeSafe(5U);
     }
-    void OnNmtSent(const NmtRequest& request, const Instant now) noexcept override
-    {
-        ManagerRig::OnNmtSent(request, now);
-        stops += (request.command == NmtCommand::kStop) ? 1 : 0;
-    }
     void Change()
     {
         devices[0]->Put(0x1301U, 2U, {26U, 0U});
-    }
-    [[nodiscard]] GateState Gate() const
-    {
-        return manager->Gate().State(NodeId{5U});
     }
     /// A slave that was not expected as it is, and that the manager does not start.
     void BeginChanged()
@@ -40,8 +31,6 @@ class SafetyPathsTest : public ManagerRig, public ::testing::WithParamInterface<
         EXPECT_EQ(Running(5U), 0);
         EXPECT_EQ(Gate(), GateState::kDiffers);
     }
-
-    int stops{0};
 };
 
 TEST_P(SafetyPathsTest, WithoutErrorControlAndStartedBySomebodyElseIsReadAndStopped)

@@ -25,11 +25,6 @@ class UnaskedDeviceTest : public ManagerRig
         setups[5].plc = &plc;
         setups[5].el6751 = &el6751;
     }
-    void OnNmtSent(const NmtRequest& request, const Instant now) noexcept override
-    {
-        ManagerRig::OnNmtSent(request, now);
-        stops += (request.command == NmtCommand::kStop) ? 1 : 0;
-    }
     void Change()
     {
         devices[0]->Put(0x1301U, 2U, {26U, 0U});
@@ -52,10 +47,6 @@ class UnaskedDeviceTest : public ManagerRig
             }
         }
     }
-    [[nodiscard]] GateState Gate() const
-    {
-        return manager->Gate().State(NodeId{5U});
-    }
     [[nodiscard]] int Code() const
     {
         return manager->Status(NodeId{5U}).code;
@@ -65,7 +56,6 @@ class UnaskedDeviceTest : public ManagerRig
         return manager->WriteSafety(NodeId{5U}, Now());
     }
 
-    int stops{0};
     PlcSlave plc{};
     El6751Slave el6751{};
 };
