@@ -4,20 +4,12 @@
 
 #include "safety_core/contract/device_fault.hpp"
 #include "safety_core/contract/srdo.hpp"
+#include "safety_core/kernel/communication_index.hpp"
 
 #include <cstdint>
 
 namespace counterpoint
 {
-
-/// Index of an SRDO's communication parameters: 1301h to 1340h; 0000h stands for all SRDOs where a call says so.
-struct CommunicationIndex
-{
-    std::uint16_t value;
-};
-
-/// Of SRDO 1.
-constexpr std::uint16_t kFirstCommunication = 0x1301U;
 
 enum class RefreshAnswer : std::uint8_t
 {

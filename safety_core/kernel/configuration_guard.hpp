@@ -3,7 +3,6 @@
 #define SAFETY_CORE_KERNEL_CONFIGURATION_GUARD_HPP
 
 #include "safety_core/contract/channel.hpp"
-#include "safety_core/kernel/configuration_image.hpp"
 #include "safety_core/kernel/object_access.hpp"
 #include "safety_core/kernel/result.hpp"
 #include "safety_core/kernel/safe_state_latch.hpp"
@@ -81,15 +80,17 @@ class ConfigurationGuard
     [[nodiscard]] DigestReply Digest() noexcept;
     /// @brief Sets 13FEh to 0 everywhere.
     void Invalidate() noexcept;
+    /// @brief Both channels keep the value; a device fault if one does not give it back. [SRS_CFG_047]
+    void StoreBoth(const ConfigItem& item) noexcept;
+    /// @brief Sets 13FEh to A5h if both channels find every rule kept and the device digest is the expected one.
+    [[nodiscard]] Result Declare() noexcept;
+    [[nodiscard]] const DeviceConfig& Config() const noexcept
+    {
+        return *config_;
+    }
     /// @brief Fields of an SRDO with a static mapping. [SRS_KRN_024]
     [[nodiscard]] Result DefineFields(SlotIndex slot, const StaticFields& fields) noexcept;
 
-    /// @brief The stored configuration as a whole. [SRS_CFG_051, SRS_CFG_052, SRS_CFG_053]
-    [[nodiscard]] ItemReply ReadItem(std::uint32_t number) noexcept;
-    [[nodiscard]] HeaderReply Header(std::uint8_t valid) noexcept;
-    [[nodiscard]] Result LoadItem(std::uint32_t number, std::uint32_t value) noexcept;
-    [[nodiscard]] Result Load(const ImageHeader& header) noexcept;
-    [[nodiscard]] Result RestoreDefaults() noexcept;
     /// @brief 13FEh as it is.
     [[nodiscard]] std::uint8_t Valid() const noexcept
     {
@@ -100,7 +101,6 @@ class ConfigurationGuard
     // What is used in one source file alone is inline: the compiler then decides whether it needs a call of its own.
     [[nodiscard]] inline AbortCode WritePlace(const ObjectPlace& place) noexcept;
     [[nodiscard]] inline AbortCode WriteConfiguration(const ConfigItem& item) noexcept;
-    [[nodiscard]] Result Declare() noexcept;
     [[nodiscard]] AbortCode AdmitItem(const ConfigItem& item) const noexcept;
     [[nodiscard]] inline bool IsDirectionFit(const ConfigItem& item) const noexcept;
     [[nodiscard]] inline bool IsCobIdFit(const ConfigItem& item) const noexcept;
@@ -108,7 +108,6 @@ class ConfigurationGuard
     [[nodiscard]] inline AbortCode AdmitMapCount(const ConfigItem& item) const noexcept;
     [[nodiscard]] inline AbortCode AdmitMapEntry(const ConfigItem& item) const noexcept;
     [[nodiscard]] std::uint32_t MappedBits(SlotIndex slot, std::uint8_t first, std::uint32_t count) const noexcept;
-    void StoreBoth(const ConfigItem& item) noexcept;
     [[nodiscard]] inline Result CheckFields(const StaticMap& map, const StaticFields& fields) const noexcept;
     [[nodiscard]] static CheckResult CheckBy(Channel& channel, SlotIndex slot, CheckDepth depth) noexcept;
     [[nodiscard]] DigestReply ContinueDigest(SlotIndex slot, DeviceDigest before) noexcept;
@@ -116,10 +115,6 @@ class ConfigurationGuard
     inline void Examine() noexcept;
     [[nodiscard]] inline bool IsSlotSound(SlotIndex slot) noexcept;
     [[nodiscard]] inline bool IsDigestSound() const noexcept;
-    [[nodiscard]] std::uint32_t ItemCount() const noexcept;
-    [[nodiscard]] Result FindItem(std::uint32_t number) const noexcept;
-    [[nodiscard]] ObjectKey KeyAt(std::uint32_t number) const noexcept;
-    [[nodiscard]] inline std::uint32_t DefaultOf(const ConfigAddress& address) const noexcept;
 
     Channel& a_;
     Channel& b_;
@@ -135,19 +130,6 @@ class ConfigurationGuard
     DeviceDigest reference_{0U}; ///< Of the last declaration, or of the last write to 1300h.
     DeviceDigest digest_{0U};    ///< Of the slots so far.
 };
-
-/// Default identifiers of SRDO 1 for a node-ID. [SRS_CFG_049]
-struct Connection
-{
-    std::uint16_t cob_id_1;
-    std::uint16_t cob_id_2;
-    std::uint8_t direction;
-};
-struct NodeId
-{
-    std::uint32_t value;
-};
-[[nodiscard]] Connection DefaultConnection(NodeId node_id) noexcept;
 
 } // namespace counterpoint
 

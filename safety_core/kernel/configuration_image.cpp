@@ -1,8 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "safety_core/kernel/configuration_guard.hpp"
+#include "safety_core/kernel/configuration_image.hpp"
 
-// The configuration as a whole: read, loaded, and set to its power-on values. [SRS_CFG_049, SRS_CFG_051, SRS_CFG_052,
-// SRS_CFG_053]
 namespace counterpoint
 {
 namespace
@@ -61,22 +59,22 @@ Connection DefaultConnection(const NodeId node_id) noexcept
     return Connection{static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(first + 1U), direction};
 }
 
-std::uint32_t ConfigurationGuard::ItemCount() const noexcept
+std::uint32_t ConfigurationImage::ItemCount() const noexcept
 {
-    return (config_->srdo_count * (kItemsBesideEntries + config_->map_entries)) + 1U;
+    return (guard_.Config().srdo_count * (kItemsBesideEntries + guard_.Config().map_entries)) + 1U;
 }
 
 // place in a slot   0        1 to 6       7             8 ...
 //                   13FFh    130xh sub    138xh sub 0   sub 1 ...       behind the last slot: 1300h
-ObjectKey ConfigurationGuard::KeyAt(const std::uint32_t number) const noexcept
+ObjectKey ConfigurationImage::KeyAt(const std::uint32_t number) const noexcept
 {
-    const std::uint32_t items = kItemsBesideEntries + config_->map_entries;
+    const std::uint32_t items = kItemsBesideEntries + guard_.Config().map_entries;
     const std::uint32_t slot = number / items;
     const std::uint32_t place = number - (slot * items);
     std::uint32_t key = kGfcKey;
-    if (slot < config_->srdo_count)
+    if (slot < guard_.Config().srdo_count)
     {
-        const std::uint32_t srdo = config_->srdos[slot].number; // MISRA D-002
+        const std::uint32_t srdo = guard_.Config().srdos[slot].number; // MISRA D-002
         key = kCommunicationKey + (srdo << kBitsPerByte) + place;
         if (place > kCommunicationSubs)
         {
@@ -91,28 +89,28 @@ ObjectKey ConfigurationGuard::KeyAt(const std::uint32_t number) const noexcept
 }
 
 // [SRS_KRN_030]
-Result ConfigurationGuard::FindItem(const std::uint32_t number) const noexcept
+Result ConfigurationImage::FindItem(const std::uint32_t number) const noexcept
 {
-    if (nmt_ == NmtState::kInvalid)
+    if (guard_.Nmt() == NmtState::kInvalid)
     {
         return Result::kDeviceFault;
     }
     return (number < ItemCount()) ? Result::kSuccessful : Result::kNotExist;
 }
 
-ItemReply ConfigurationGuard::ReadItem(const std::uint32_t number) noexcept
+ItemReply ConfigurationImage::ReadItem(const std::uint32_t number) const noexcept
 {
     const Result found = FindItem(number);
     if (found != Result::kSuccessful)
     {
         return ItemReply{found, 0U};
     }
-    const ObjectReading reading = Read(KeyAt(number));
+    const ObjectReading reading = guard_.Read(KeyAt(number));
     const bool is_general = reading.abort == AbortCode::kGeneral;
     return ItemReply{is_general ? Result::kDeviceFault : Result::kSuccessful, ToValue(reading.data)};
 }
 
-HeaderReply ConfigurationGuard::Header(const std::uint8_t valid) noexcept
+HeaderReply ConfigurationImage::HeaderWith(const std::uint8_t valid) const noexcept
 {
     HeaderReply reply{Result::kSuccessful, ImageHeader{ItemCount(), kStart, valid}};
     std::uint32_t crc = kStart;
@@ -130,15 +128,15 @@ HeaderReply ConfigurationGuard::Header(const std::uint8_t valid) noexcept
     return reply;
 }
 
-Result ConfigurationGuard::LoadItem(const std::uint32_t number, const std::uint32_t value) noexcept
+Result ConfigurationImage::LoadItem(const std::uint32_t number, const std::uint32_t value) const noexcept
 {
     const Result found = FindItem(number);
-    const Result readiness = (found == Result::kSuccessful) ? Changeable() : found;
+    const Result readiness = (found == Result::kSuccessful) ? guard_.Changeable() : found;
     if (readiness != Result::kSuccessful)
     {
         return readiness;
     }
-    ObjectPlace place = Locate(*config_, KeyAt(number));
+    ObjectPlace place = Locate(guard_.Config(), KeyAt(number));
     if (place.kind != ObjectKind::kConfiguration)
     {
         return Result::kSuccessful; // The CRC tells whether the program has the same.
@@ -147,21 +145,21 @@ Result ConfigurationGuard::LoadItem(const std::uint32_t number, const std::uint3
     {
         return Result::kDamagedImage;
     }
-    Invalidate();
+    guard_.Invalidate();
     place.item.value = value;
-    StoreBoth(place.item);
+    guard_.StoreBoth(place.item);
     return Result::kSuccessful;
 }
 
-Result ConfigurationGuard::Load(const ImageHeader& header) noexcept
+Result ConfigurationImage::Load(const ImageHeader& header) const noexcept
 {
-    Result result = Changeable();
+    Result result = guard_.Changeable();
     if (result != Result::kSuccessful)
     {
         return result;
     }
-    Invalidate();
-    const HeaderReply held = Header(header.valid);
+    guard_.Invalidate();
+    const HeaderReply held = HeaderWith(header.valid);
     result = held.result;
     if (header.crc != held.header.crc)
     {
@@ -173,7 +171,7 @@ Result ConfigurationGuard::Load(const ImageHeader& header) noexcept
     }
     if ((result == Result::kSuccessful) && (header.valid == kConfigurationValidValue))
     {
-        result = Declare();
+        result = guard_.Declare();
     }
     if (result != Result::kSuccessful)
     {
@@ -182,10 +180,10 @@ Result ConfigurationGuard::Load(const ImageHeader& header) noexcept
     return result;
 }
 
-std::uint32_t ConfigurationGuard::DefaultOf(const ConfigAddress& address) const noexcept
+std::uint32_t ConfigurationImage::DefaultOf(const ConfigAddress& address) const noexcept
 {
-    const bool is_first = config_->srdos[address.slot].number == 1U; // MISRA D-002
-    const NodeId node{is_first ? config_->node_id : 0U};
+    const bool is_first = guard_.Config().srdos[address.slot].number == 1U; // MISRA D-002
+    const NodeId node{is_first ? guard_.Config().node_id : 0U};
     const Connection own = DefaultConnection(node);
     if (address.field == ConfigField::kCobId1)
     {
@@ -202,19 +200,19 @@ std::uint32_t ConfigurationGuard::DefaultOf(const ConfigAddress& address) const 
     return kDefaults[static_cast<std::uint8_t>(address.field)]; // MISRA D-002
 }
 
-Result ConfigurationGuard::RestoreDefaults() noexcept
+Result ConfigurationImage::RestoreDefaults() const noexcept
 {
-    const Result readiness = Changeable();
+    const Result readiness = guard_.Changeable();
     if (readiness == Result::kSuccessful)
     {
-        Invalidate();
+        guard_.Invalidate();
         for (std::uint32_t number = 0U; number < ItemCount(); ++number)
         {
-            ObjectPlace place = Locate(*config_, KeyAt(number));
+            ObjectPlace place = Locate(guard_.Config(), KeyAt(number));
             if (place.kind == ObjectKind::kConfiguration)
             {
                 place.item.value = DefaultOf(place.item.address);
-                StoreBoth(place.item);
+                guard_.StoreBoth(place.item);
             }
         }
     }

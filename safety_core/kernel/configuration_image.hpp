@@ -2,6 +2,7 @@
 #ifndef SAFETY_CORE_KERNEL_CONFIGURATION_IMAGE_HPP
 #define SAFETY_CORE_KERNEL_CONFIGURATION_IMAGE_HPP
 
+#include "safety_core/kernel/configuration_guard.hpp"
 #include "safety_core/kernel/result.hpp"
 
 #include <cstdint>
@@ -28,6 +29,53 @@ struct HeaderReply
     Result result;
     ImageHeader header;
 };
+
+/// The stored configuration as a whole, item by item: what a device with a store saves and loads, and the power-on
+/// values. A view on the guard, which keeps it. Loading and restoring takes time for each item (`header.count`) and is
+/// refused in OPERATIONAL; a device that cannot spare it in one cycle does it before the first one. [SRS_CFG_049,
+/// SRS_CFG_051, SRS_CFG_052, SRS_CFG_053]
+class ConfigurationImage
+{
+  public:
+    explicit ConfigurationImage(ConfigurationGuard& guard) noexcept : guard_{guard}
+    {
+    }
+
+    /// @brief That of the configuration as it is. O(items)
+    [[nodiscard]] HeaderReply Header() const noexcept
+    {
+        return HeaderWith(guard_.Valid());
+    }
+    [[nodiscard]] ItemReply ReadItem(std::uint32_t number) const noexcept;
+    [[nodiscard]] Result LoadItem(std::uint32_t number, std::uint32_t value) const noexcept;
+    /// @brief After all items: rechecks everything, and declares it valid if it was and still is. Else the power-on
+    /// configuration is restored. O(items)
+    [[nodiscard]] Result Load(const ImageHeader& header) const noexcept;
+    /// @brief The power-on configuration. O(items)
+    [[nodiscard]] Result RestoreDefaults() const noexcept;
+
+  private:
+    [[nodiscard]] HeaderReply HeaderWith(std::uint8_t valid) const noexcept;
+    [[nodiscard]] std::uint32_t ItemCount() const noexcept;
+    [[nodiscard]] Result FindItem(std::uint32_t number) const noexcept;
+    [[nodiscard]] ObjectKey KeyAt(std::uint32_t number) const noexcept;
+    [[nodiscard]] inline std::uint32_t DefaultOf(const ConfigAddress& address) const noexcept;
+
+    ConfigurationGuard& guard_;
+};
+
+/// Default identifiers of SRDO 1 for a node-ID. [SRS_CFG_049]
+struct Connection
+{
+    std::uint16_t cob_id_1;
+    std::uint16_t cob_id_2;
+    std::uint8_t direction;
+};
+struct NodeId
+{
+    std::uint32_t value;
+};
+[[nodiscard]] Connection DefaultConnection(NodeId node_id) noexcept;
 
 } // namespace counterpoint
 

@@ -1,16 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "safety_core/kernel/kernel.hpp"
 
-#include "safety_core/comparator/slot_mask.hpp"
-
 namespace counterpoint
 {
 namespace
 {
-
-constexpr std::uint16_t kMostDemotions = 65535U;
-constexpr std::uint32_t kPermitRotation = 16U;
-constexpr std::uint32_t kWordBits = 32U;
 
 // Every SRDO is examined or passed over for a named reason, or none is because SRDOs are not active.
 FlowEvidence Coverage(const CycleOutcome& outcome, const DeviceConfig& config) noexcept
@@ -21,46 +15,66 @@ FlowEvidence Coverage(const CycleOutcome& outcome, const DeviceConfig& config) n
 }
 
 constexpr FlowEvidence kDone{0U, 0U};
+constexpr std::uint32_t kByteBits = 8U;
 
-constexpr std::uint32_t kCounts = 4U;
-// What the test of the comparator alters one by one, besides the guard's view and the number of the cycle. MISRA D-001
-constexpr std::uint8_t CycleOutcome::* kCount[kCounts] = {&CycleOutcome::sct_checked, &CycleOutcome::is_tx,
-                                                          &CycleOutcome::is_invalid, &CycleOutcome::not_operational};
-
-// One bit of one member; doing it again undoes it.
-void Alter(CycleOutcome& outcome, const std::uint32_t number) noexcept
+// Both members in one word.
+std::uint32_t CodeOf(const Confirmation& confirmation) noexcept
 {
-    if (number < kCounts)
-    {
-        outcome.*kCount[number] ^= 1U; // MISRA D-002
-    }
-    else if (number == kCounts)
-    {
-        outcome.guard = static_cast<GuardView>(static_cast<std::uint32_t>(outcome.guard) ^ 1U);
-    }
-    else
-    {
-        outcome.cycle ^= 1U;
-    }
+    return static_cast<std::uint32_t>(confirmation.slot) | (static_cast<std::uint32_t>(confirmation.step) << kByteBits);
 }
 
 } // namespace
 
-Kernel::Kernel(const KernelParts& parts) noexcept
-    : parts_{parts}, config_{&kNoDevice}, guard_{parts.channel_a, parts.channel_b, latch_}
+Kernel::Kernel(const KernelParts& parts) noexcept : context_{parts}
 {
+}
+
+StartResult Kernel::Start(const DeviceConfig& config, const FlowCallback flow, const StatusHandshake handshake) noexcept
+{
+    Stop();
+    const StartResult result = CheckStart(config, context_.parts);
+    if (result != StartResult::kStarted)
+    {
+        return result;
+    }
+    context_.config = &config;
+    context_.parts.channel_a.Restart(config);
+    context_.parts.channel_b.Restart(config);
+    context_.guard.Restart(config);
+    decision_.Restart(config);
+    clocks_.Restart(config);
+    reporting_.Restart(flow, handshake);
+    run_.queue = QueueState::kIntact;
+    run_.started = true;
+    context_.latch.Arm();
+    return StartResult::kStarted;
+}
+
+void Kernel::Stop() noexcept
+{
+    if (run_.started)
+    {
+        decision_.Withdraw(context_);
+    }
+    run_ = KernelRun{};
+    decision_.Stop();
+    production_ = Production{};
+    context_.latch.Disarm();
+    context_.config = &kNoDevice;
+    context_.guard.Stop();
+    context_.parts.output.Drive(hal::PermitSet{});
 }
 
 // Before any other part is called. [SRS_STS_040, SRS_STS_063]
 PartsView Kernel::ExamineSelf() noexcept
 {
-    if (parts_.self_test == nullptr)
+    if (context_.parts.self_test == nullptr)
     {
         flow_.Mark(FlowStep::kSelfTest, kDone);
         return PartsView::kSound;
     }
-    const SelfTestOutcome outcome = parts_.self_test->OnCycle();
-    latch_.Enter((outcome.parts == PartsView::kSound) ? outcome.fault : DeviceFault::kSelfTest, kNoSlot);
+    const SelfTestOutcome outcome = context_.parts.self_test->OnCycle();
+    context_.latch.Enter((outcome.parts == PartsView::kSound) ? outcome.fault : DeviceFault::kSelfTest, kNoSlot);
     flow_.Mark(FlowStep::kSelfTest, FlowEvidence{outcome.progress, run_.cycle});
     return outcome.parts;
 }
@@ -72,14 +86,48 @@ void Kernel::OnFrame(const StampedFrame& frame) noexcept
         return;
     }
     clocks_.OnFrame(frame.stamp);
-    parts_.channel_a.OnFrame(frame.frame, frame.stamp.a);
-    parts_.channel_b.OnFrame(frame.frame, frame.stamp.b);
+    context_.parts.channel_a.OnFrame(frame.frame, frame.stamp.a);
+    context_.parts.channel_b.OnFrame(frame.frame, frame.stamp.b);
     const bool is_gfc = (frame.frame.identifier == kGfcIdentifier) && (frame.frame.kind == FrameKind::kData) &&
                         (frame.frame.length_bytes == 0U);
-    const bool is_active = (guard_.Nmt() == NmtState::kOperational) && guard_.IsValid();
-    if (is_gfc && is_active && (guard_.Value(0U, ConfigField::kGfcParameter) == 1U))
+    const bool is_active = (context_.guard.Nmt() == NmtState::kOperational) && context_.guard.IsValid();
+    if (is_gfc && is_active && (context_.guard.Value(0U, ConfigField::kGfcParameter) == 1U))
     {
-        run_.gfc_seen = true;
+        reporting_.OnGfc();
+    }
+}
+
+// t      prepare            normal on the bus         inverse on the bus
+// A      normal frame       confirm                   confirm: sent
+// B      compared           confirm, inverse frame    confirm: sent
+void Kernel::OnConfirm(const StampedFrame& frame) noexcept
+{
+    if (!run_.started)
+    {
+        return;
+    }
+    clocks_.OnFrame(frame.stamp);
+    const Confirmation a = context_.parts.channel_a.OnConfirm(frame.frame, frame.stamp.a);
+    const Confirmation b = context_.parts.channel_b.OnConfirm(frame.frame, frame.stamp.b);
+    // At the very limit one channel may have given the pair up already: then the other one will, for want of its frame.
+    const std::uint32_t said = CodeOf(a);
+    const SlotIndex slot = static_cast<SlotIndex>(said);
+    if ((said != CodeOf(b)) || (slot >= context_.config->srdo_count))
+    {
+        return;
+    }
+    if (a.step == ConfirmStep::kPair)
+    {
+        production_.OnSent();
+        reporting_.TellEvent(context_, slot);
+    }
+    else if ((a.step == ConfirmStep::kNormal) && context_.latch.IsRunning())
+    {
+        (void)Production::HandOver(context_, slot, context_.parts.channel_b.InverseFrame(slot));
+    }
+    else
+    {
+        // The device is safe, or two channels agree on something that is no step: nothing follows.
     }
 }
 
@@ -90,54 +138,53 @@ void Kernel::Cycle(const CycleCall& call) noexcept
         return;
     }
     ++run_.cycle;
-    run_.now = call.now.a;
+    production_.OnCycle(call.now.a);
     flow_.Begin();
     if (ExamineSelf() != PartsView::kSound)
     {
         return; // No permit, no answer to the watchdog: the outputs close, and nobody can be called to be told.
     }
-    const std::uint32_t challenge = parts_.output.Challenge();
+    const std::uint32_t challenge = context_.parts.output.Challenge();
 
-    latch_.Enter(clocks_.OnCycle(call.now), kNoSlot);
+    context_.latch.Enter(clocks_.OnCycle(call.now), kNoSlot);
     flow_.Mark(FlowStep::kClocks, kDone);
-    const std::uint32_t token = guard_.Cycle(challenge);
+    const std::uint32_t token = context_.guard.Cycle(challenge);
     flow_.Mark(FlowStep::kGuard, kDone);
 
     CycleInput input = TakeInput(call);
     input.challenge = challenge;
     input.guard_token = token;
-    const CycleOutcome outcome_a = parts_.channel_a.OnCycle(input);
+    const CycleOutcome outcome_a = context_.parts.channel_a.OnCycle(input);
     flow_.Mark(FlowStep::kChannelA, FlowEvidence{outcome_a.cycle, run_.cycle});
     input.now = call.now.b;
     input.acknowledge = call.acknowledge_b;
-    input.stand = run_.stand_b | Halted();
-    CycleOutcome outcome_b = parts_.channel_b.OnCycle(input);
+    input.stand = production_.StandOfB() | production_.Halted(context_);
+    CycleOutcome outcome_b = context_.parts.channel_b.OnCycle(input);
     flow_.Mark(FlowStep::kChannelB, FlowEvidence{outcome_b.cycle, run_.cycle});
 
-    CompareOutcomes(
-        Comparison{&outcome_a, &outcome_b, &parts_.channel_a, &parts_.channel_b, call.now.a, run_.cycle, challenge},
-        outcome_b);
-    flow_.Mark(FlowStep::kComparison, FlowEvidence{record_.verdict.echo, challenge});
-    Demote();
+    decision_.Compare(context_,
+                      Comparison{&outcome_a, &outcome_b, &context_.parts.channel_a, &context_.parts.channel_b,
+                                 call.now.a, run_.cycle, challenge},
+                      outcome_b);
+    flow_.Mark(FlowStep::kComparison, FlowEvidence{decision_.LastVerdict().echo, challenge});
+    decision_.Demote(context_);
     flow_.Mark(FlowStep::kDemotion, kDone);
-    // Each channel's refresh runs by its own counter; the one that is ahead waits for the other. [SRS_KRN_017]
-    run_.stand_a = outcome_a.due & ~outcome_b.due;
-    run_.stand_b = outcome_b.due & ~outcome_a.due;
-    Produce();
+    production_.Await(outcome_a.due, outcome_b.due);
+    production_.Produce(context_, decision_.LastVerdict().start);
     flow_.Mark(FlowStep::kProduction, kDone);
-    const SrdoMask received = Commit();
+    const SrdoMask received = decision_.Commit(context_);
     flow_.Mark(FlowStep::kCommit, kDone);
-    ReportErrors(outcome_a.signalled | outcome_b.signalled);
-    ReportReceived(received);
-    ReportFlow(outcome_a);
-    ExamineHandshake();
-    flow_.Mark(FlowStep::kEvents, Coverage(outcome_b, *config_));
-    GivePermits(challenge);
+    reporting_.TellErrors(context_, outcome_a.signalled | outcome_b.signalled);
+    reporting_.TellReceived(context_, received);
+    reporting_.TellFlow(context_, outcome_a, production_.Transmitted());
+    reporting_.ExamineHandshake(context_);
+    flow_.Mark(FlowStep::kEvents, Coverage(outcome_b, *context_.config));
+    decision_.GivePermits(context_, challenge);
     flow_.Mark(FlowStep::kPermits, kDone);
 
-    parts_.watchdog.Answer(flow_.End(parts_.watchdog.Question()));
-    latch_.Enter(flow_.Finding(), kNoSlot);
-    ReportDevice();
+    context_.parts.watchdog.Answer(flow_.End(context_.parts.watchdog.Question()));
+    context_.latch.Enter(flow_.Finding(), kNoSlot);
+    reporting_.TellDevice(context_);
 }
 
 // What channel A is given, but for challenge and token.
@@ -146,8 +193,8 @@ CycleInput Kernel::TakeInput(const CycleCall& call) noexcept
     CycleInput input{};
     input.now = call.now.a;
     input.acknowledge = call.acknowledge_a;
-    input.request = Halted();
-    input.stand = run_.stand_a | Halted();
+    input.request = production_.Halted(context_);
+    input.stand = production_.StandOfA() | input.request;
     input.queue = run_.queue;
     run_.queue = QueueState::kIntact;
     // OPERATIONAL that was left and entered again between two cycles was left: the channels see one cycle outside of
@@ -155,86 +202,166 @@ CycleInput Kernel::TakeInput(const CycleCall& call) noexcept
     input.nmt = NmtState::kPreOperational;
     if (!run_.left_operational)
     {
-        input.nmt = guard_.Nmt();
-        input.request |= run_.requests;
-        run_.requests = 0U;
+        input.nmt = context_.guard.Nmt();
+        input.request |= production_.TakeRequests();
     }
     run_.left_operational = false;
     return input;
 }
 
-void Kernel::CompareOutcomes(const Comparison& comparison, CycleOutcome& outcome_b) noexcept
+void Kernel::SetNmtState(const NmtState state) noexcept
 {
-    --run_.cycles_to_test;
-    if (run_.cycles_to_test == 0U)
+    if (!run_.started)
     {
-        run_.cycles_to_test = run_.test_cycles;
-        TestComparator(comparison, outcome_b);
+        return;
     }
-    record_.verdict = comparator_.Compare(comparison);
-    latch_.Enter(record_.verdict.fault, record_.verdict.slot);
-    if (record_.verdict.echo != comparison.challenge)
+    if (state == context_.guard.Nmt())
     {
-        latch_.Enter(DeviceFault::kComparator, kNoSlot);
+        return;
     }
+    if (context_.guard.Nmt() == NmtState::kOperational)
+    {
+        run_.left_operational = true;
+        decision_.Withdraw(context_);
+    }
+    production_.Cease();
+    context_.guard.SetNmt(state);
+    if ((state != NmtState::kOperational) || (!context_.guard.IsValid()))
+    {
+        return; // No fault: SRDOs are off until the configuration is declared valid.
+    }
+    if (context_.guard.CheckAll(CheckDepth::kRecheck) != ConfigFault::kNone)
+    {
+        context_.guard.Invalidate();
+        context_.parts.application.OnConfigurationInvalid(IndexOf(*context_.config, context_.guard.Faulty()));
+        return;
+    }
+    production_.Begin(context_);
 }
 
-// A comparator that always says yes is found by a difference that it must see, another one each time. It is put into
-// the outcome of channel B and taken out again. [SRS_CMP_009]
-void Kernel::TestComparator(const Comparison& comparison, CycleOutcome& outcome_b) noexcept
+Result Kernel::Send(const CommunicationIndex index) noexcept
 {
-    const std::uint32_t number = (run_.test_number > kCounts) ? 0U : (run_.test_number + 1U);
-    run_.test_number = static_cast<std::uint8_t>(number);
-    Alter(outcome_b, number);
-    const DeviceFault fault = comparator_.Compare(comparison).fault;
-    Alter(outcome_b, number);
-    PreparedPair pairs[2]{};           // MISRA D-001
-    pairs[1].normal.data[number] = 1U; // MISRA D-002
-    const PreparedVerdict data = Comparator::ComparePrepared(pairs[0], pairs[1]);
-    if ((fault == DeviceFault::kNone) || (data != PreparedVerdict::kNotInverse))
+    SlotIndex slot = kNoSlot;
+    SrdoMask asked = ~SrdoMask{0U};
+    if (index.value != 0U)
     {
-        latch_.Enter(DeviceFault::kComparator, kNoSlot);
-    }
-}
-
-void Kernel::Demote() noexcept
-{
-    SlotSet to_demote{record_.verdict.demote};
-    while (to_demote.mask != 0U)
-    {
-        const SlotIndex slot = TakeLowest(to_demote);
-        parts_.channel_a.Demote(slot);
-        parts_.channel_b.Demote(slot);
-        if (run_.demotions != kMostDemotions)
+        slot = SlotAt(*context_.config, index);
+        if (slot == kNoSlot)
         {
-            ++run_.demotions;
+            return Missing();
+        }
+        asked = OnlySlot(slot).mask;
+    }
+    return production_.Request(context_, slot, asked);
+}
+
+Result Kernel::SendGfc() noexcept
+{
+    return (context_.config->gfc == GfcUse::kPresent) ? production_.SendGfc(context_) : Missing();
+}
+
+CheckReply Kernel::CheckConfiguration() noexcept
+{
+    CheckReply reply{Result::kDeviceFault, CommunicationIndex{0U}};
+    if (run_.started)
+    {
+        // To resolve a mapping anew is not for OPERATIONAL; elsewhere the first rule that is broken is what is told.
+        const bool is_in_use = context_.guard.Nmt() == NmtState::kOperational;
+        const ConfigFault rule = context_.guard.CheckAll(is_in_use ? CheckDepth::kRecheck : CheckDepth::kValidate);
+        reply.result = ToResult(rule);
+        if (rule != ConfigFault::kNone)
+        {
+            reply.index = IndexOf(*context_.config, context_.guard.Faulty());
+        }
+        else
+        {
+            reply.result = context_.guard.Digest().result;
         }
     }
+    return reply;
 }
 
-SrdoMask Kernel::Commit() noexcept
+SignReply Kernel::Sign(const CommunicationIndex index) noexcept
 {
-    const SrdoMask agreed = record_.verdict.agreement.agreed & ~record_.verdict.demote & latch_.Gate();
-    const SrdoMask written = agreed & record_.verdict.agreement.matched;
-    const Agreement agreement{agreed, record_.verdict.agreement.matched};
-    parts_.channel_a.Commit(agreement);
-    parts_.channel_b.Commit(agreement);
-    const SrdoMask received = written & (record_.verdict.newly_matched | ~run_.committed);
-    run_.committed = written | (run_.committed & agreed);
-    return received;
+    const SlotIndex slot = SlotAt(*context_.config, index);
+    if (slot == kNoSlot)
+    {
+        return SignReply{Missing(), 0U};
+    }
+    const CheckResult result = context_.guard.Check(slot, CheckDepth::kRecheck);
+    return (result.fault == ConfigFault::kInvalid) ? SignReply{Result::kDeviceFault, 0U}
+                                                   : SignReply{Result::kSuccessful, result.signature};
 }
 
-// Computed from the comparator's echo and spoiled by a latch that is not running: there is nothing to decide.
-// [SRS_KRN_005]
-void Kernel::GivePermits(const std::uint32_t challenge) noexcept
+StateReply Kernel::GetState(const CommunicationIndex index) const noexcept
 {
-    const std::uint32_t low = static_cast<std::uint32_t>(run_.committed);
-    const std::uint32_t high = static_cast<std::uint32_t>(run_.committed >> kWordBits);
-    const std::uint32_t rotated = (high << kPermitRotation) | (high >> (kWordBits - kPermitRotation));
-    const std::uint32_t response = ((record_.verdict.echo + latch_.Spoiler() + low) ^ rotated) * kPermitConstantKernel;
-    // In their places: channel A is asked before channel B.
-    parts_.output.Drive(hal::PermitSet{parts_.channel_a.Answer(challenge), parts_.channel_b.Answer(challenge),
-                                       Permit{run_.committed, response}});
+    const SlotIndex slot = SlotAt(*context_.config, index);
+    if (slot == kNoSlot)
+    {
+        return StateReply{Missing(), SrdoState::kInvalid, SrdoCause::kInvalid, 0U};
+    }
+    const SrdoView a = context_.parts.channel_a.View(slot);
+    const SrdoView b = context_.parts.channel_b.View(slot);
+    // In the device safe state nothing is released, whatever the channels still hold.
+    const bool is_shared = (a.state == b.state) && ((a.state != SrdoState::kReleased) || context_.latch.IsRunning());
+    const SrdoState state = is_shared ? a.state : SrdoState::kFaulted;
+    // A demoted channel learned of the fault from the other one, which knows the cause.
+    const bool asks_b = (a.first_cause == SrdoCause::kDemoted) || (a.first_cause == SrdoCause::kNone);
+    const std::uint16_t error_count = (a.error_count > b.error_count) ? a.error_count : b.error_count;
+    return StateReply{Result::kSuccessful, state, asks_b ? b.first_cause : a.first_cause, error_count};
+}
+
+StatusReply Kernel::GetStatus(const CommunicationIndex index) const noexcept
+{
+    const SlotIndex slot = SlotAt(*context_.config, index);
+    return (slot == kNoSlot) ? StatusReply{Missing(), StatusByte{0U}}
+                             : StatusReply{Result::kSuccessful, reporting_.Status().Get(slot)};
+}
+
+Result Kernel::SetStatus(const CommunicationIndex index, const StatusByte status) noexcept
+{
+    const SlotIndex slot = SlotAt(*context_.config, index);
+    if (slot == kNoSlot)
+    {
+        return Missing();
+    }
+    reporting_.Status().Answer(slot, status);
+    return Result::kSuccessful;
+}
+
+ParametersReply Kernel::GetParameters(const CommunicationIndex index) const noexcept
+{
+    const SlotIndex slot = SlotAt(*context_.config, index);
+    if (slot == kNoSlot)
+    {
+        return ParametersReply{Missing(), 0U, 0U, 0U};
+    }
+    return ParametersReply{Result::kSuccessful,
+                           static_cast<std::uint8_t>(context_.guard.Value(slot, ConfigField::kDirection)),
+                           static_cast<std::uint16_t>(context_.guard.Value(slot, ConfigField::kSct)),
+                           static_cast<std::uint8_t>(context_.guard.Value(slot, ConfigField::kMapCount))};
+}
+
+MappedReply Kernel::GetMapped(const CommunicationIndex index, const MappedEntry entry) const noexcept
+{
+    MappedReply reply{Missing(), VariablePlace{nullptr, 0U}};
+    const SlotIndex slot = SlotAt(*context_.config, index);
+    // 0 - 1 is the greatest value: there is no entry 0.
+    if ((slot != kNoSlot) && ((entry.number - 1U) < context_.guard.Value(slot, ConfigField::kMapCount)))
+    {
+        const std::uint32_t mapped = context_.guard.Value(slot, ConfigField::kMapEntry, entry.number);
+        const MappableObject* const object = FindMapped(*context_.config, mapped);
+        reply.result = Result::kSuccessful;
+        reply.variable.length_bits = static_cast<std::uint8_t>(mapped & kEntryLengthMask);
+        reply.variable.place = (object == nullptr) ? nullptr : object->place;
+    }
+    return reply;
+}
+
+Result Kernel::DefineStaticFields(const CommunicationIndex index, const StaticFields& fields) noexcept
+{
+    const SlotIndex slot = SlotAt(*context_.config, index);
+    return (slot == kNoSlot) ? Missing() : context_.guard.DefineFields(slot, fields);
 }
 
 } // namespace counterpoint

@@ -2,19 +2,18 @@
 #ifndef SAFETY_CORE_KERNEL_KERNEL_HPP
 #define SAFETY_CORE_KERNEL_KERNEL_HPP
 
-#include "hal/api/can_ports.hpp"
-#include "hal/api/safety_output.hpp"
-#include "hal/api/watchdog.hpp"
-#include "safety_core/comparator/comparator.hpp"
-#include "safety_core/kernel/application.hpp"
 #include "safety_core/kernel/clock_supervisor.hpp"
+#include "safety_core/kernel/communication_index.hpp"
 #include "safety_core/kernel/configuration_guard.hpp"
+#include "safety_core/kernel/configuration_image.hpp"
+#include "safety_core/kernel/decision.hpp"
 #include "safety_core/kernel/flow_monitor.hpp"
+#include "safety_core/kernel/kernel_context.hpp"
 #include "safety_core/kernel/object_access.hpp"
+#include "safety_core/kernel/production.hpp"
+#include "safety_core/kernel/reporting.hpp"
 #include "safety_core/kernel/result.hpp"
-#include "safety_core/kernel/safe_state_latch.hpp"
-#include "safety_core/kernel/self_test_part.hpp"
-#include "safety_core/kernel/srdo_status.hpp"
+#include "safety_core/kernel/start_check.hpp"
 #include "safety_core/kernel/variable.hpp"
 
 #include <cstdint>
@@ -22,57 +21,12 @@
 namespace counterpoint
 {
 
-/// Everything a kernel works with; all outlive it. Channel A writes and sends the normal side, channel B the inverse
-/// side.
-struct KernelParts
-{
-    Channel& channel_a;
-    Channel& channel_b;
-    hal::CanPorts& can;
-    hal::SafetyOutput& output;
-    hal::Watchdog& watchdog;
-    Application& application;
-    SelfTestPart* self_test{nullptr}; ///< Optional. [SRS_STS_063]
-};
-
-/// Whether OnFlow is called; the flow monitor works with either. [SRS_FLOW_004]
-enum class FlowCallback : std::uint8_t
-{
-    kOff = 0U,
-    kOn = 1U,
-};
-
-/// Whether the application must answer in the status byte; the byte signals with either. [SRS_KRN_022]
-enum class StatusHandshake : std::uint8_t
-{
-    kOff = 0U,
-    kRequired = 0x69U,
-};
-
 /// Inputs of one cycle. Acknowledge levels: bit n is slot n; one input a channel, both may come from the same wire.
 struct CycleCall
 {
     InstantPair now;
     SrdoMask acknowledge_a;
     SrdoMask acknowledge_b;
-};
-
-/// First reason why Start refused. [SRS_KRN_001]
-enum class StartResult : std::uint8_t
-{
-    kInvalid = 0U,
-    kStarted = 0x69U,
-    kSrdoCount = 1U,      ///< Not 1 to 64.
-    kSrdoNumbers = 2U,    ///< Not 1 to 64 in ascending order, or with a gap where gaps are refused.
-    kNodeId = 3U,         ///< Not 1 to 127.
-    kGranularity = 4U,    ///< Not 1, 8, 16, 32 or 64.
-    kPorts = 5U,          ///< Not kFirst or kSecond.
-    kObjects = 6U,        ///< Out of order, a length not 1 to 64, no place, or more than 1024.
-    kTiming = 7U,         ///< A time outside its range.
-    kBusOrder = 8U,       ///< The HAL does not guarantee bus order.
-    kStamps = 9U,         ///< The HAL does not guarantee stamps.
-    kConfirmations = 10U, ///< The HAL does not guarantee confirmations.
-    kStorage = 11U,       ///< More SRDOs or map entries than a channel has room for, or an odd number of entries.
 };
 
 struct CheckReply
@@ -122,42 +76,13 @@ struct MappedReply
     VariablePlace variable; ///< Place null: a dummy.
 };
 
-/// State of a kernel between Start and Stop. Zero-filled memory is a kernel that was not started. What is short comes
-/// first, within the reach of the shortest instructions.
+/// State of the cycle between Start and Stop. Zero-filled memory is a kernel that was not started.
 struct KernelRun
 {
-    std::uint8_t test_number{};
-    std::uint8_t received{};
-    std::uint8_t transmitted{};
-    std::uint8_t transmitted_told{};
     QueueState queue{};
-    FlowCallback flow_callback{};
-    StatusHandshake handshake{};
     bool started{};
     bool left_operational{}; ///< The channels have not seen it yet.
-    bool gfc_seen{};
-    bool gfc_open{};
-    bool fault_told{};
-    std::uint16_t errors{}; ///< Told in this cycle: more than 255 with many consumers.
-    std::uint16_t demotions{};
     std::uint32_t cycle{};
-    std::uint32_t test_cycles{};
-    std::uint32_t cycles_to_test{};
-    std::uint32_t shortest_refresh_us{}; ///< Of the producers; 0 without one.
-    Instant gfc_until{};                 ///< When an SRDO must have followed the GFC.
-    Instant now{};                       ///< By counter A.
-    SrdoMask committed{};
-    SrdoMask producers{}; ///< What Send may ask for; none outside OPERATIONAL and without a valid configuration.
-    SrdoMask requests{};  ///< Told to the channels by the next cycle, as the two below.
-    SrdoMask stand_a{};   ///< Producers that only channel A called due.
-    SrdoMask stand_b{};
-};
-
-/// What a kernel tells of its SRDOs beside what the channels tell.
-struct KernelRecord
-{
-    Verdict verdict{};
-    SrdoStatus status{};
 };
 
 /// The facade of the certified part: an application links this and the two channels. Not reentrant. All times and
@@ -194,11 +119,11 @@ class Kernel
     /// SRS_CFG_044, SRS_CFG_045, SRS_CFG_046, SRS_CFG_047]
     [[nodiscard]] ObjectReading ReadObject(const ObjectAddress& address) noexcept
     {
-        return guard_.Read(KeyOf(address));
+        return context_.guard.Read(KeyOf(address));
     }
     [[nodiscard]] AbortCode WriteObject(const ObjectAddress& address, const ObjectData& data) noexcept
     {
-        return guard_.Write(KeyOf(address), data);
+        return context_.guard.Write(KeyOf(address), data);
     }
 
     /// @brief Requests the transmission of one producer, or of all with index 0. [SRS_KRN_011]
@@ -212,7 +137,7 @@ class Kernel
     /// [SRS_KRN_015]
     [[nodiscard]] DigestReply Digest() noexcept
     {
-        return guard_.Digest();
+        return context_.guard.Digest();
     }
     /// @brief Signature of one SRDO as both channels compute it. [SRS_KRN_015]
     [[nodiscard]] SignReply Sign(CommunicationIndex index) noexcept;
@@ -227,118 +152,56 @@ class Kernel
     /// @brief The fields of an SRDO with a static mapping; clears 13FEh. [SRS_KRN_024]
     [[nodiscard]] Result DefineStaticFields(CommunicationIndex index, const StaticFields& fields) noexcept;
 
-    /// @brief The stored configuration, item by item, for a store of the device. Loading and restoring takes time for
-    /// each item (`header.count`) and is refused in OPERATIONAL; a device that cannot spare it in one cycle does it
-    /// before the first one. [SRS_CFG_051, SRS_CFG_052, SRS_CFG_053]
-    [[nodiscard]] HeaderReply ConfigurationHeader() noexcept
+    /// @brief The stored configuration, item by item, for a store of the device. [SRS_CFG_051, SRS_CFG_052,
+    /// SRS_CFG_053]
+    [[nodiscard]] ConfigurationImage Image() noexcept
     {
-        return guard_.Header(guard_.Valid());
-    }
-    [[nodiscard]] ItemReply ReadItem(const std::uint32_t number) noexcept
-    {
-        return guard_.ReadItem(number);
-    }
-    [[nodiscard]] Result LoadItem(const std::uint32_t number, const std::uint32_t value) noexcept
-    {
-        return guard_.LoadItem(number, value);
-    }
-    /// @brief After all items: rechecks everything, and declares it valid if it was and still is. Else the power-on
-    /// configuration is restored.
-    [[nodiscard]] Result LoadConfiguration(const ImageHeader& header) noexcept
-    {
-        return guard_.Load(header);
-    }
-    [[nodiscard]] Result RestoreDefaults() noexcept
-    {
-        return guard_.RestoreDefaults();
+        return ConfigurationImage{context_.guard};
     }
 
     /// @brief The application demands the device safe state. [SRS_KRN_031]
     void DemandSafeState() noexcept
     {
-        latch_.Enter(DeviceFault::kApplication, kNoSlot);
+        context_.latch.Enter(DeviceFault::kApplication, kNoSlot);
     }
     /// @brief The link to the other CPU is lost or wrong. [SRS_LNK_006]
     void OnCrossLinkFault() noexcept
     {
-        latch_.Enter(DeviceFault::kCrossLink, kNoSlot);
+        context_.latch.Enter(DeviceFault::kCrossLink, kNoSlot);
     }
     /// @brief fault kNone while running. [SRS_KRN_003]
     [[nodiscard]] DeviceFaultReport DeviceState() const noexcept
     {
-        return latch_.Report();
+        return context_.latch.Report();
     }
     /// @brief How often a channel was demoted since Start; stays at 65535. [SRS_CMP_004]
     [[nodiscard]] std::uint16_t DemotionCount() const noexcept
     {
-        return run_.demotions;
+        return decision_.Demotions();
     }
     /// @brief The comparator's last verdict, for diagnosis only: nothing is granted from it.
     [[nodiscard]] const Verdict& LastVerdict() const noexcept
     {
-        return record_.verdict;
+        return decision_.LastVerdict();
     }
 
   private:
-    // What is used in one source file alone is inline: the compiler then decides whether it needs a call of its own.
-    [[nodiscard]] static inline StartResult CheckNumbers(const DeviceConfig& config) noexcept;
-    [[nodiscard]] static inline StartResult CheckObjects(const DeviceConfig& config) noexcept;
-    [[nodiscard]] static inline StartResult CheckTiming(const DeviceConfig& config) noexcept;
-    [[nodiscard]] inline StartResult CheckRoom(const DeviceConfig& config) const noexcept;
-    [[nodiscard]] static bool Fits(const DeviceConfig& config, const Channel& channel) noexcept;
-    [[nodiscard]] inline StartResult CheckPlatform(const DeviceConfig& config) const noexcept;
-    [[nodiscard]] inline SlotIndex SlotAt(std::uint32_t index) const noexcept;
-    [[nodiscard]] CommunicationIndex IndexOf(const SlotIndex slot) const noexcept
-    {
-        const std::uint32_t number = config_->srdos[slot].number; // MISRA D-002
-        return CommunicationIndex{static_cast<std::uint16_t>((kFirstCommunication - 1U) + number)};
-    }
     /// @brief Why a call finds no SRDO. [SRS_KRN_030]
     [[nodiscard]] Result Missing() const noexcept
     {
         return run_.started ? Result::kNotExist : Result::kDeviceFault;
     }
-    [[nodiscard]] Result SendReadiness() const noexcept;
-    [[nodiscard]] inline Result Request(SlotIndex wanted, SrdoMask to_send) noexcept;
-    [[nodiscard]] Result WhyNotSent(SlotIndex wanted) const noexcept;
+    // What is used in one place alone is inline: the compiler then decides whether it needs a call of its own.
     [[nodiscard]] inline PartsView ExamineSelf() noexcept;
-    /// @brief Producers while nothing is sent because of the device safe state: every refresh stands still, every one
-    /// is asked to send, and nothing is missed. [SRS_KRN_004]
-    [[nodiscard]] SrdoMask Halted() const noexcept
-    {
-        return run_.producers & ~latch_.Gate();
-    }
     [[nodiscard]] inline CycleInput TakeInput(const CycleCall& call) noexcept;
-    inline void CompareOutcomes(const Comparison& comparison, CycleOutcome& outcome_b) noexcept;
-    void TestComparator(const Comparison& comparison, CycleOutcome& outcome_b) noexcept;
-    inline void Demote() noexcept;
-    [[nodiscard]] inline SrdoMask Commit() noexcept; ///< Consumers whose new pair was released.
-    void Produce() noexcept;
-    inline void ProduceSlot(SlotIndex slot) noexcept;
-    void GiveUp(SlotIndex slot, SrdoCause cause) noexcept;
-    [[nodiscard]] inline hal::TransmitStatus HandOver(SlotIndex slot, const CanFrame& frame) noexcept;
-    void Withdraw() noexcept; ///< Nothing is released any more: all objects of consumers take the safe value.
-    inline void FollowGfc() noexcept;
-    inline void EnterOperational() noexcept;
-    void ReportErrors(SrdoMask signalled) noexcept;
-    inline void ReportEvent(SlotIndex slot) noexcept;
-    void ExamineHandshake() noexcept;
-    inline void ReportSlot(SlotIndex slot) noexcept;
-    void ReportReceived(SrdoMask received) noexcept;
-    void ReportDevice() noexcept;
-    void ReportFlow(const CycleOutcome& outcome) noexcept;
-    void Deliver(FlowEvent event, std::uint16_t count) noexcept;
-    inline void GivePermits(std::uint32_t challenge) noexcept;
 
     KernelRun run_{};
-    KernelParts parts_;
-    const DeviceConfig* config_; ///< Never null: a device without SRDOs before Start.
-    SafeStateLatch latch_{};
-    ConfigurationGuard guard_;
-    Comparator comparator_{};
+    KernelContext context_;
     FlowMonitor flow_{};
     ClockSupervisor clocks_{};
-    KernelRecord record_{};
+    Reporting reporting_{};
+    Production production_{};
+    Decision decision_{};
 };
 
 } // namespace counterpoint

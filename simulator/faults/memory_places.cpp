@@ -16,20 +16,20 @@ template <typename Tag, typename Tag::Member kMember> struct Opened
     }
 };
 
-struct LatchTag
+struct ContextTag
 {
-    using Member = SafeStateLatch Kernel::*;
-    friend Member Open(LatchTag tag);
+    using Member = KernelContext Kernel::*;
+    friend Member Open(ContextTag tag);
 };
-struct GuardTag
+struct DecisionTag
 {
-    using Member = ConfigurationGuard Kernel::*;
-    friend Member Open(GuardTag tag);
+    using Member = Decision Kernel::*;
+    friend Member Open(DecisionTag tag);
 };
-struct ComparatorTag
+struct ProductionTag
 {
-    using Member = Comparator Kernel::*;
-    friend Member Open(ComparatorTag tag);
+    using Member = Production Kernel::*;
+    friend Member Open(ProductionTag tag);
 };
 struct FlowTag
 {
@@ -46,6 +46,41 @@ struct RunTag
     using Member = KernelRun Kernel::*;
     friend Member Open(RunTag tag);
 };
+struct ComparatorTag
+{
+    using Member = Comparator Decision::*;
+    friend Member Open(ComparatorTag tag);
+};
+struct CommittedTag
+{
+    using Member = SrdoMask Decision::*;
+    friend Member Open(CommittedTag tag);
+};
+struct SelfTestTag
+{
+    using Member = ComparatorSelfTest Decision::*;
+    friend Member Open(SelfTestTag tag);
+};
+struct TestCountTag
+{
+    using Member = std::uint32_t ComparatorSelfTest::*;
+    friend Member Open(TestCountTag tag);
+};
+struct RequestsTag
+{
+    using Member = SrdoMask Production::*;
+    friend Member Open(RequestsTag tag);
+};
+struct NowTag
+{
+    using Member = Instant Production::*;
+    friend Member Open(NowTag tag);
+};
+struct GfcUntilTag
+{
+    using Member = Instant Production::*;
+    friend Member Open(GfcUntilTag tag);
+};
 struct GuardValidTag
 {
     using Member = std::uint8_t ConfigurationGuard::*;
@@ -57,12 +92,19 @@ struct GuardCountTag
     friend Member Open(GuardCountTag tag);
 };
 
-template struct Opened<LatchTag, &Kernel::latch_>;
-template struct Opened<GuardTag, &Kernel::guard_>;
-template struct Opened<ComparatorTag, &Kernel::comparator_>;
+template struct Opened<ContextTag, &Kernel::context_>;
+template struct Opened<DecisionTag, &Kernel::decision_>;
+template struct Opened<ProductionTag, &Kernel::production_>;
 template struct Opened<FlowTag, &Kernel::flow_>;
 template struct Opened<ClocksTag, &Kernel::clocks_>;
 template struct Opened<RunTag, &Kernel::run_>;
+template struct Opened<ComparatorTag, &Decision::comparator_>;
+template struct Opened<CommittedTag, &Decision::committed_>;
+template struct Opened<SelfTestTag, &Decision::self_test_>;
+template struct Opened<TestCountTag, &ComparatorSelfTest::cycles_to_test_>;
+template struct Opened<RequestsTag, &Production::requests_>;
+template struct Opened<NowTag, &Production::now_>;
+template struct Opened<GfcUntilTag, &Production::gfc_until_>;
 template struct Opened<GuardValidTag, &ConfigurationGuard::valid_>;
 template struct Opened<GuardCountTag, &ConfigurationGuard::cycles_to_check_>;
 
@@ -71,10 +113,19 @@ template <typename Object> MemoryPiece PieceOf(Object& object)
     return {reinterpret_cast<std::uint8_t*>(&object), sizeof(object)};
 }
 
-std::vector<MemoryPiece> StateOf(KernelRun& run)
+std::vector<MemoryPiece> StateOf(Kernel& kernel)
 {
-    return {PieceOf(run.committed), PieceOf(run.requests),       PieceOf(run.now),  PieceOf(run.gfc_until),
-            PieceOf(run.cycle),     PieceOf(run.cycles_to_test), PieceOf(run.queue)};
+    KernelRun& run = kernel.*Open(RunTag{});
+    Decision& decision = kernel.*Open(DecisionTag{});
+    Production& production = kernel.*Open(ProductionTag{});
+    ComparatorSelfTest& self_test = decision.*Open(SelfTestTag{});
+    return {PieceOf(decision.*Open(CommittedTag{})),
+            PieceOf(production.*Open(RequestsTag{})),
+            PieceOf(production.*Open(NowTag{})),
+            PieceOf(production.*Open(GfcUntilTag{})),
+            PieceOf(run.cycle),
+            PieceOf(self_test.*Open(TestCountTag{})),
+            PieceOf(run.queue)};
 }
 } // namespace
 
@@ -83,20 +134,20 @@ std::vector<MemoryPiece> PiecesOf(const Part part, Kernel& kernel)
     switch (part)
     {
     case Part::kLatch:
-        return {PieceOf(kernel.*Open(LatchTag{}))};
+        return {PieceOf((kernel.*Open(ContextTag{})).latch)};
     case Part::kComparator:
-        return {PieceOf(kernel.*Open(ComparatorTag{}))};
+        return {PieceOf(kernel.*Open(DecisionTag{}).*Open(ComparatorTag{}))};
     case Part::kFlowMonitor:
         return {PieceOf(kernel.*Open(FlowTag{}))};
     case Part::kClocks:
         return {PieceOf(kernel.*Open(ClocksTag{}))};
     case Part::kGuard:
     {
-        ConfigurationGuard& guard = kernel.*Open(GuardTag{});
+        ConfigurationGuard& guard = (kernel.*Open(ContextTag{})).guard;
         return {PieceOf(guard.*Open(GuardValidTag{})), PieceOf(guard.*Open(GuardCountTag{}))};
     }
     default:
-        return StateOf(kernel.*Open(RunTag{}));
+        return StateOf(kernel);
     }
 }
 

@@ -24,7 +24,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 ECC_BYTES = 8
 VARIANTS = ("LS20x", "LS12x", "LS31x", "LC43x")
 ROOM_CODE = {"channel_a": ("counterpoint::channel_a::",), "channel_b": ("counterpoint::channel_b::",),
-             "core": ("counterpoint::Kernel::", "counterpoint::Comparator::", "counterpoint::ConfigurationGuard::", "counterpoint::hal::OutputGate::")}
+             "core": ("counterpoint::Kernel::", "counterpoint::Production::", "counterpoint::Reporting::", "counterpoint::Comparator::", "counterpoint::ConfigurationGuard::", "counterpoint::hal::OutputGate::")}
 REGIONS = {"region_channel_a": "region_channel_length", "region_channel_b": "region_channel_length", "region_core": "region_core_length",
            "region_non_safety": "region_non_safety_length"}
 # Registers that a mode has of its own, as the disassembler names them; the mode after reset (19) has the common ones as well.

@@ -109,7 +109,7 @@ StoredSafety::StoredSafety(Kernel& kernel) noexcept : kernel_(kernel), header_{0
 /// The header, then the values.
 std::uint32_t StoredSafety::ItemCount() noexcept
 {
-    const HeaderReply reply = kernel_.ConfigurationHeader();
+    const HeaderReply reply = kernel_.Image().Header();
     header_ = reply.header;
     const std::uint32_t items = (header_.count + (kValuesInItem - 1U)) / kValuesInItem;
     return (reply.result == Result::kSuccessful) ? (1U + items) : 0U;
@@ -138,7 +138,7 @@ StoredItem StoredSafety::Item(const std::uint32_t number, const Room& room) noex
         ToLittleEndian(first, &room.data[1], 4U);
         for (std::uint32_t i = 0U; i < count; ++i)
         {
-            const ItemReply reply = kernel_.ReadItem(first + i);
+            const ItemReply reply = kernel_.Image().ReadItem(first + i);
             item.abort = (reply.result == Result::kSuccessful) ? item.abort : SdoAbort::kNotStored;
             ToLittleEndian(reply.value, &room.data[kValueItemHead + (4U * i)], 4U);
         }
@@ -168,7 +168,7 @@ bool StoredSafety::LoadItem(const Bytes& item) noexcept
         for (std::uint32_t i = 0U; i < count; ++i)
         {
             const std::uint32_t value = NumberAt(&item.data[kValueItemHead + (4U * i)]);
-            is_loaded = (kernel_.LoadItem(first + i, value) == Result::kSuccessful) && is_loaded;
+            is_loaded = (kernel_.Image().LoadItem(first + i, value) == Result::kSuccessful) && is_loaded;
         }
     }
     return is_loaded;
@@ -179,7 +179,7 @@ void StoredSafety::EndLoad(std::uint8_t) noexcept
 {
     if (has_header_)
     {
-        static_cast<void>(kernel_.LoadConfiguration(header_));
+        static_cast<void>(kernel_.Image().Load(header_));
     }
 }
 

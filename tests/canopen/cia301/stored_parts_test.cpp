@@ -261,7 +261,7 @@ TEST_F(StoredSafetyTest, TheKernelsConfigurationComesBackValid)
     }
     EXPECT_EQ(store.Ask({StoreAction::kSave, kAllGroups}), SdoAbort::kNone);
     // When it is changed, and loaded again
-    EXPECT_EQ(kernel.RestoreDefaults(), Result::kSuccessful);
+    EXPECT_EQ(kernel.Image().RestoreDefaults(), Result::kSuccessful);
     EXPECT_NE(Read(0x13FEU, 0U), 0xA5U);
     const LoadReport report = store.Load(kCommunicationGroup);
     // Then the kernel declares it valid

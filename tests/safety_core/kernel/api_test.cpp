@@ -377,19 +377,19 @@ TEST_F(Facade, InterlockSurvivesResetCommunicationAndALoadedConfiguration)
     Cycle();
     Cycle(1U);
     ASSERT_EQ(Open(), 1U);
-    const ImageHeader header = kernel.ConfigurationHeader().header;
+    const ImageHeader header = kernel.Image().Header().header;
     std::vector<std::uint32_t> items;
     for (std::uint32_t number = 0U; number < header.count; ++number)
     {
-        items.push_back(kernel.ReadItem(number).value);
+        items.push_back(kernel.Image().ReadItem(number).value);
     }
     kernel.SetNmtState(NmtState::kInitialising);
-    ASSERT_EQ(kernel.RestoreDefaults(), Result::kSuccessful);
+    ASSERT_EQ(kernel.Image().RestoreDefaults(), Result::kSuccessful);
     for (std::uint32_t number = 0U; number < header.count; ++number)
     {
-        ASSERT_EQ(kernel.LoadItem(number, items[number]), Result::kSuccessful);
+        ASSERT_EQ(kernel.Image().LoadItem(number, items[number]), Result::kSuccessful);
     }
-    ASSERT_EQ(kernel.LoadConfiguration(header), Result::kSuccessful);
+    ASSERT_EQ(kernel.Image().Load(header), Result::kSuccessful);
     kernel.SetNmtState(NmtState::kPreOperational);
     kernel.SetNmtState(NmtState::kOperational);
     Cycle(1U);

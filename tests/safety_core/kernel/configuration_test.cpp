@@ -224,11 +224,11 @@ TEST_F(Configuring, CheckNamesTheFirstBrokenRuleAndItsSrdo)
     ASSERT_EQ(Write(0x13FFU, 3U, 0x1234U, 2U), AbortCode::kNone);
     gives(Result::kSignatureError, 0x1303U);
     // COB-IDs that no write admits: loaded. Items of SRDO 3 begin at 24.
-    ASSERT_EQ(kernel.LoadItem(24U + 5U, 0x201U), Result::kSuccessful);
-    ASSERT_EQ(kernel.LoadItem(24U + 6U, 0x202U), Result::kSuccessful);
+    ASSERT_EQ(kernel.Image().LoadItem(24U + 5U, 0x201U), Result::kSuccessful);
+    ASSERT_EQ(kernel.Image().LoadItem(24U + 6U, 0x202U), Result::kSuccessful);
     gives(Result::kIdError, 0x1303U);
-    ASSERT_EQ(kernel.LoadItem(24U + 5U, 0x101U), Result::kSuccessful);
-    ASSERT_EQ(kernel.LoadItem(24U + 6U, 0x102U), Result::kSuccessful);
+    ASSERT_EQ(kernel.Image().LoadItem(24U + 5U, 0x101U), Result::kSuccessful);
+    ASSERT_EQ(kernel.Image().LoadItem(24U + 6U, 0x102U), Result::kSuccessful);
     gives(Result::kIdInUse, 0x1301U);
     EXPECT_EQ(Read(0x13FEU, 0U), 0U);
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);

@@ -197,9 +197,9 @@ template <std::uint8_t kCount> void LivesWithinItsStorage(const SrdoMask all)
     }
     EXPECT_EQ(device->output.last.kernel.mask, all ^ (SrdoMask{1U} << kLast));
     EXPECT_EQ(device->kernel.CheckConfiguration().result, Result::kSuccessful);
-    EXPECT_EQ(device->kernel.RestoreDefaults(), Result::kNmtError);
+    EXPECT_EQ(device->kernel.Image().RestoreDefaults(), Result::kNmtError);
     device->kernel.SetNmtState(NmtState::kPreOperational);
-    EXPECT_EQ(device->kernel.RestoreDefaults(), Result::kSuccessful);
+    EXPECT_EQ(device->kernel.Image().RestoreDefaults(), Result::kSuccessful);
     device->Cycle();
     EXPECT_EQ(device->output.last.kernel.mask, 0U);
     device->kernel.Stop();

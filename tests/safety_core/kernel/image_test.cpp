@@ -28,12 +28,12 @@ class StoredConfiguration : public Rig
   public:
     Image Save()
     {
-        const HeaderReply reply = kernel.ConfigurationHeader();
+        const HeaderReply reply = kernel.Image().Header();
         EXPECT_EQ(reply.result, Result::kSuccessful);
         Image image{reply.header, {}};
         for (std::uint32_t number = 0U; number < reply.header.count; ++number)
         {
-            const ItemReply item = kernel.ReadItem(number);
+            const ItemReply item = kernel.Image().ReadItem(number);
             EXPECT_EQ(item.result, Result::kSuccessful);
             image.items.push_back(item.value);
         }
@@ -43,9 +43,9 @@ class StoredConfiguration : public Rig
     {
         for (std::uint32_t number = 0U; number < image.items.size(); ++number)
         {
-            (void)kernel.LoadItem(number, image.items[number]);
+            (void)kernel.Image().LoadItem(number, image.items[number]);
         }
-        return kernel.LoadConfiguration(image.header);
+        return kernel.Image().Load(image.header);
     }
     void HasDefaults()
     {
@@ -93,7 +93,7 @@ TEST_F(StoredConfiguration, ItemsAreInTheOrderOfTheRequirement)
     EXPECT_EQ(image.items[24], Read(0x13FFU, 3U));
     EXPECT_EQ(image.items[25], 1U);
     EXPECT_EQ(image.items[72], 1U);
-    EXPECT_EQ(kernel.ReadItem(kItems).result, Result::kNotExist);
+    EXPECT_EQ(kernel.Image().ReadItem(kItems).result, Result::kNotExist);
 }
 
 TEST_F(StoredConfiguration, CrcCoversAddressesValuesAndValidity)
@@ -164,13 +164,13 @@ TEST_F(StoredConfiguration, ValuesWiderThanTheirItemAreRefusedAtOnce)
     Verifies(req::SRS_CFG_052);
     Configure();
     const Image good = Save();
-    EXPECT_EQ(kernel.LoadItem(kDirectionOfFirst, 0x102U), Result::kDamagedImage);
-    EXPECT_EQ(kernel.LoadItem(kSctOfFirst, 0x10000U), Result::kDamagedImage);
-    EXPECT_EQ(kernel.LoadItem(kGfcItem, 2U), Result::kDamagedImage);
-    EXPECT_EQ(kernel.LoadItem(5U, 0xFFFFFFFFU), Result::kSuccessful);
-    EXPECT_EQ(kernel.LoadItem(kItems, 0U), Result::kNotExist);
+    EXPECT_EQ(kernel.Image().LoadItem(kDirectionOfFirst, 0x102U), Result::kDamagedImage);
+    EXPECT_EQ(kernel.Image().LoadItem(kSctOfFirst, 0x10000U), Result::kDamagedImage);
+    EXPECT_EQ(kernel.Image().LoadItem(kGfcItem, 2U), Result::kDamagedImage);
+    EXPECT_EQ(kernel.Image().LoadItem(5U, 0xFFFFFFFFU), Result::kSuccessful);
+    EXPECT_EQ(kernel.Image().LoadItem(kItems, 0U), Result::kNotExist);
     EXPECT_EQ(Read(0x13FEU, 0U), 0U);
-    EXPECT_EQ(kernel.LoadConfiguration(good.header), Result::kDamagedImage);
+    EXPECT_EQ(kernel.Image().Load(good.header), Result::kDamagedImage);
     HasDefaults();
 }
 
@@ -227,8 +227,8 @@ TEST_F(StoredConfiguration, CopiesThatDifferAreADeviceFault)
     Verifies(req::SRS_CFG_051);
     Configure();
     b.load_flip = 1U;
-    EXPECT_EQ(kernel.ReadItem(0U).result, Result::kDeviceFault);
-    EXPECT_EQ(kernel.ConfigurationHeader().result, Result::kDeviceFault);
+    EXPECT_EQ(kernel.Image().ReadItem(0U).result, Result::kDeviceFault);
+    EXPECT_EQ(kernel.Image().Header().result, Result::kDeviceFault);
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kConfiguration);
 }
 
@@ -238,9 +238,9 @@ TEST_F(StoredConfiguration, NothingIsLoadedOrRestoredInOperational)
     Verifies(req::SRS_CFG_053);
     Operate();
     const Image image = Save();
-    EXPECT_EQ(kernel.LoadItem(0U, 0U), Result::kNmtError);
-    EXPECT_EQ(kernel.LoadConfiguration(image.header), Result::kNmtError);
-    EXPECT_EQ(kernel.RestoreDefaults(), Result::kNmtError);
+    EXPECT_EQ(kernel.Image().LoadItem(0U, 0U), Result::kNmtError);
+    EXPECT_EQ(kernel.Image().Load(image.header), Result::kNmtError);
+    EXPECT_EQ(kernel.Image().RestoreDefaults(), Result::kNmtError);
     EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
     EXPECT_EQ(Read(0x1301U, 1U), 2U);
 }
@@ -249,7 +249,7 @@ TEST_F(StoredConfiguration, RestoredDefaultsAreThePowerOnConfiguration)
 {
     Verifies(req::SRS_CFG_053);
     Configure();
-    EXPECT_EQ(kernel.RestoreDefaults(), Result::kSuccessful);
+    EXPECT_EQ(kernel.Image().RestoreDefaults(), Result::kSuccessful);
     HasDefaults();
 }
 
@@ -266,7 +266,7 @@ TEST_F(StoredConfiguration, DefaultsFollowTheNodeId)
         ASSERT_EQ(Write(0x1301U, 3U, 9U, 1U), AbortCode::kNone);
         ASSERT_EQ(Write(0x1301U, 5U, 0x151U, 4U), AbortCode::kNone);
         ASSERT_EQ(Write(0x1301U, 6U, 0x152U, 4U), AbortCode::kNone);
-        EXPECT_EQ(kernel.RestoreDefaults(), Result::kSuccessful);
+        EXPECT_EQ(kernel.Image().RestoreDefaults(), Result::kSuccessful);
         EXPECT_EQ(Save().items, power_on.items) << static_cast<int>(node);
     }
 }
@@ -283,8 +283,8 @@ TEST_F(StoredConfiguration, RemovedGfcParameterReadsZeroAndIsNotLoaded)
     const Image image = Save();
     EXPECT_EQ(image.items[kGfcItem], 0U);
     EXPECT_EQ(Load(image), Result::kSuccessful);
-    EXPECT_EQ(kernel.LoadItem(kGfcItem, 1U), Result::kSuccessful);
-    EXPECT_EQ(kernel.ReadItem(kGfcItem).value, 0U);
+    EXPECT_EQ(kernel.Image().LoadItem(kGfcItem, 1U), Result::kSuccessful);
+    EXPECT_EQ(kernel.Image().ReadItem(kGfcItem).value, 0U);
     EXPECT_EQ(Load(with_gfc), Result::kDamagedImage);
 }
 

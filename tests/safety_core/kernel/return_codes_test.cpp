@@ -24,10 +24,10 @@ class ReturnCode : public Rig
     ImageHeader ValidHeader()
     {
         std::vector<std::uint32_t> items;
-        const std::uint32_t count = kernel.ConfigurationHeader().header.count;
+        const std::uint32_t count = kernel.Image().Header().header.count;
         for (std::uint32_t number = 0U; number < count; ++number)
         {
-            items.push_back(kernel.ReadItem(number).value);
+            items.push_back(kernel.Image().ReadItem(number).value);
         }
         return ImageHeader{count, image::CrcOf(image::WordsOf(items, 0xA5U)), 0xA5U};
     }
@@ -55,7 +55,7 @@ TEST_F(ReturnCode, CfgTimingError)
     Verifies(req::SRS_KRN_028);
     Configure();
     ASSERT_EQ(Write(0x1301U, 3U, 50U, 1U), AbortCode::kNone);
-    EXPECT_EQ(kernel.LoadConfiguration(ValidHeader()), Result::kTimingError);
+    EXPECT_EQ(kernel.Image().Load(ValidHeader()), Result::kTimingError);
 }
 
 // COB-IDs 0, which no write admits for an SRDO that is on: loaded
@@ -63,8 +63,8 @@ TEST_F(ReturnCode, CfgIdError)
 {
     Verifies(req::SRS_KRN_028);
     Configure();
-    ASSERT_EQ(kernel.LoadItem(5U, 0U), Result::kSuccessful);
-    EXPECT_EQ(kernel.LoadConfiguration(ValidHeader()), Result::kIdError);
+    ASSERT_EQ(kernel.Image().LoadItem(5U, 0U), Result::kSuccessful);
+    EXPECT_EQ(kernel.Image().Load(ValidHeader()), Result::kIdError);
 }
 
 // SRDO 3 gets the COB-IDs of SRDO 1: loaded
@@ -73,9 +73,9 @@ TEST_F(ReturnCode, CanIdAlreadyInUse)
     Verifies(req::SRS_KRN_028);
     Configure();
     EXPECT_EQ(Write(0x1304U, 5U, 0x101U, 4U), AbortCode::kValueRange);
-    ASSERT_EQ(kernel.LoadItem(24U + 5U, 0x101U), Result::kSuccessful);
-    ASSERT_EQ(kernel.LoadItem(24U + 6U, 0x102U), Result::kSuccessful);
-    EXPECT_EQ(kernel.LoadConfiguration(ValidHeader()), Result::kIdInUse);
+    ASSERT_EQ(kernel.Image().LoadItem(24U + 5U, 0x101U), Result::kSuccessful);
+    ASSERT_EQ(kernel.Image().LoadItem(24U + 6U, 0x102U), Result::kSuccessful);
+    EXPECT_EQ(kernel.Image().Load(ValidHeader()), Result::kIdInUse);
 }
 
 TEST_F(ReturnCode, CfgCrcError)
@@ -183,7 +183,7 @@ TEST_F(ReturnCode, ErrorMapp)
     Verifies(req::SRS_KRN_028);
     Configure();
     ASSERT_EQ(Write(0x1301U, 1U, 1U, 1U), AbortCode::kNone);
-    EXPECT_EQ(kernel.LoadConfiguration(ValidHeader()), Result::kMappingError);
+    EXPECT_EQ(kernel.Image().Load(ValidHeader()), Result::kMappingError);
 }
 
 // Five entries of 16 bits a side: loaded
@@ -200,13 +200,13 @@ TEST_F(ReturnCode, LengtExceeded)
     ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
     for (std::uint32_t entry = 0U; entry < 10U; ++entry)
     {
-        ASSERT_EQ(kernel.LoadItem(8U + entry, 0x30000010U + (entry << 16U)), Result::kSuccessful);
+        ASSERT_EQ(kernel.Image().LoadItem(8U + entry, 0x30000010U + (entry << 16U)), Result::kSuccessful);
     }
     EXPECT_EQ(Write(0x1381U, 0U, 10U, 1U), AbortCode::kMapTooLong);
-    ASSERT_EQ(kernel.LoadItem(7U, 10U), Result::kSuccessful);
-    ASSERT_EQ(kernel.LoadItem(1U, 2U), Result::kSuccessful);
-    ASSERT_EQ(kernel.LoadItem(2U, 50U), Result::kSuccessful);
-    EXPECT_EQ(kernel.LoadConfiguration(ValidHeader()), Result::kLengthExceeded);
+    ASSERT_EQ(kernel.Image().LoadItem(7U, 10U), Result::kSuccessful);
+    ASSERT_EQ(kernel.Image().LoadItem(1U, 2U), Result::kSuccessful);
+    ASSERT_EQ(kernel.Image().LoadItem(2U, 50U), Result::kSuccessful);
+    EXPECT_EQ(kernel.Image().Load(ValidHeader()), Result::kLengthExceeded);
 }
 
 TEST_F(ReturnCode, DataError)

@@ -235,13 +235,13 @@ TEST_F(Starting, StoppedKernelGivesNoPermitAndRefusesEverything)
     EXPECT_EQ(kernel.GetMapped(first, MappedEntry{1U}).result, Result::kDeviceFault);
     EXPECT_EQ(kernel.DefineStaticFields(first, StaticFields{nullptr, nullptr}), Result::kDeviceFault);
     EXPECT_EQ(kernel.CheckConfiguration().result, Result::kDeviceFault);
-    EXPECT_EQ(kernel.ConfigurationHeader().result, Result::kDeviceFault);
-    EXPECT_EQ(kernel.ReadItem(0U).result, Result::kDeviceFault);
-    EXPECT_EQ(kernel.ReadItem(1U).result, Result::kDeviceFault);
-    EXPECT_EQ(kernel.LoadItem(0U, 0U), Result::kDeviceFault);
-    EXPECT_EQ(kernel.LoadItem(1U, 0U), Result::kDeviceFault);
-    EXPECT_EQ(kernel.LoadConfiguration(ImageHeader{}), Result::kDeviceFault);
-    EXPECT_EQ(kernel.RestoreDefaults(), Result::kDeviceFault);
+    EXPECT_EQ(kernel.Image().Header().result, Result::kDeviceFault);
+    EXPECT_EQ(kernel.Image().ReadItem(0U).result, Result::kDeviceFault);
+    EXPECT_EQ(kernel.Image().ReadItem(1U).result, Result::kDeviceFault);
+    EXPECT_EQ(kernel.Image().LoadItem(0U, 0U), Result::kDeviceFault);
+    EXPECT_EQ(kernel.Image().LoadItem(1U, 0U), Result::kDeviceFault);
+    EXPECT_EQ(kernel.Image().Load(ImageHeader{}), Result::kDeviceFault);
+    EXPECT_EQ(kernel.Image().RestoreDefaults(), Result::kDeviceFault);
     // And a new start begins anew
     watchdog.timer.Start(hal::WatchdogWindow{500U, 1600U}, Instant{now_us});
     Operate();

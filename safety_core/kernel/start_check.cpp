@@ -1,7 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "safety_core/kernel/kernel.hpp"
+#include "safety_core/kernel/start_check.hpp"
 
-// What Start looks at before anything runs. [SRS_KRN_001]
 namespace counterpoint
 {
 namespace
@@ -61,9 +60,7 @@ std::uint32_t OrderOf(const MappableObject& object) noexcept
     return (static_cast<std::uint32_t>(object.index) << 8U) | object.sub;
 }
 
-} // namespace
-
-StartResult Kernel::CheckNumbers(const DeviceConfig& config) noexcept
+StartResult CheckNumbers(const DeviceConfig& config) noexcept
 {
     // 0 - 1 is the greatest value.
     if ((config.srdo_count - 1U) >= kMaxSrdoCount)
@@ -86,7 +83,7 @@ StartResult Kernel::CheckNumbers(const DeviceConfig& config) noexcept
     return are_ports ? StartResult::kStarted : StartResult::kPorts;
 }
 
-StartResult Kernel::CheckObjects(const DeviceConfig& config) noexcept
+StartResult CheckObjects(const DeviceConfig& config) noexcept
 {
     if (config.object_count > kMostObjects)
     {
@@ -106,7 +103,7 @@ StartResult Kernel::CheckObjects(const DeviceConfig& config) noexcept
     return StartResult::kStarted;
 }
 
-StartResult Kernel::CheckTiming(const DeviceConfig& config) noexcept
+StartResult CheckTiming(const DeviceConfig& config) noexcept
 {
     const bool is_cycle = (config.cycle_us >= kShortestCycleUs) && (config.cycle_us <= kLongestCycleUs) &&
                           (config.cycle_tolerance_us <= config.cycle_us);
@@ -124,20 +121,22 @@ StartResult Kernel::CheckTiming(const DeviceConfig& config) noexcept
     return (is_diagnosed && is_tested) ? StartResult::kStarted : StartResult::kTiming;
 }
 
-bool Kernel::Fits(const DeviceConfig& config, const Channel& channel) noexcept
+bool Fits(const DeviceConfig& config, const Channel& channel) noexcept
 {
     const ChannelRoom room = channel.Room();
     return (config.srdo_count <= room.slots) && (config.map_entries <= room.map_entries);
 }
 
-StartResult Kernel::CheckRoom(const DeviceConfig& config) const noexcept
+StartResult CheckRoom(const DeviceConfig& config, const KernelParts& parts) noexcept
 {
-    const bool fits = Fits(config, parts_.channel_a) && Fits(config, parts_.channel_b);
+    const bool fits = Fits(config, parts.channel_a) && Fits(config, parts.channel_b);
     const bool are_pairs = (config.map_entries & 1U) == 0U;
     return (fits && are_pairs) ? StartResult::kStarted : StartResult::kStorage;
 }
 
-StartResult Kernel::CheckPlatform(const DeviceConfig& config) const noexcept
+} // namespace
+
+StartResult CheckStart(const DeviceConfig& config, const KernelParts& parts) noexcept
 {
     StartResult result = CheckNumbers(config);
     if (result == StartResult::kStarted)
@@ -150,66 +149,19 @@ StartResult Kernel::CheckPlatform(const DeviceConfig& config) const noexcept
     }
     if (result == StartResult::kStarted)
     {
-        result = CheckRoom(config);
+        result = CheckRoom(config, parts);
     }
     if (result != StartResult::kStarted)
     {
         return result;
     }
-    const hal::MissingGuarantee missing = hal::CheckGuarantees(parts_.can.Guarantees());
+    const hal::MissingGuarantee missing = hal::CheckGuarantees(parts.can.Guarantees());
     if (missing == hal::MissingGuarantee::kNone)
     {
         return StartResult::kStarted;
     }
     const std::uint32_t place = static_cast<std::uint32_t>(missing) - kFirstMissing;
     return static_cast<StartResult>(kFirstGuarantee + place);
-}
-
-// While the channels still know the mapping that they wrote by. [SRS_KRN_029]
-void Kernel::Withdraw() noexcept
-{
-    constexpr Agreement kNothing{0U, 0U};
-    parts_.channel_a.Commit(kNothing);
-    parts_.channel_b.Commit(kNothing);
-    run_.committed = 0U;
-}
-
-void Kernel::Stop() noexcept
-{
-    if (run_.started)
-    {
-        Withdraw();
-    }
-    run_ = KernelRun{};
-    record_.status = SrdoStatus{};
-    latch_.Disarm();
-    config_ = &kNoDevice;
-    guard_.Stop();
-    parts_.output.Drive(hal::PermitSet{});
-}
-
-StartResult Kernel::Start(const DeviceConfig& config, const FlowCallback flow, const StatusHandshake handshake) noexcept
-{
-    Stop();
-    const StartResult result = CheckPlatform(config);
-    if (result != StartResult::kStarted)
-    {
-        return result;
-    }
-    config_ = &config;
-    parts_.channel_a.Restart(config);
-    parts_.channel_b.Restart(config);
-    guard_.Restart(config);
-    comparator_.Restart(ComparatorSetup{config.discrepancy_us, config.srdo_count});
-    clocks_.Restart(config);
-    run_.flow_callback = flow;
-    run_.handshake = handshake;
-    run_.queue = QueueState::kIntact;
-    run_.test_cycles = config.test_interval_us / config.cycle_us;
-    run_.cycles_to_test = run_.test_cycles;
-    run_.started = true;
-    latch_.Arm();
-    return StartResult::kStarted;
 }
 
 } // namespace counterpoint

@@ -1,0 +1,121 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SAFETY_CORE_KERNEL_DECISION_HPP
+#define SAFETY_CORE_KERNEL_DECISION_HPP
+
+#include "safety_core/comparator/comparator.hpp"
+#include "safety_core/comparator/comparator_self_test.hpp"
+#include "safety_core/comparator/slot_mask.hpp"
+#include "safety_core/kernel/kernel_context.hpp"
+
+#include <cstdint>
+
+namespace counterpoint
+{
+
+/// What the device does with what both channels say: from the comparison of a cycle to demotion, commit and permits, in
+/// this order. Short and inline, since every cycle goes through all of it.
+class Decision
+{
+  public:
+    /// @brief After Stop.
+    void Restart(const DeviceConfig& config) noexcept
+    {
+        comparator_.Restart(ComparatorSetup{config.discrepancy_us, config.srdo_count});
+        self_test_.Restart(config);
+    }
+    /// @brief Nothing is committed, and no channel was demoted.
+    void Stop() noexcept
+    {
+        committed_ = 0U;
+        demotions_ = 0U;
+    }
+    /// @brief Nothing is released any more: all objects of consumers take the safe value. While the channels still know
+    /// the mapping that they wrote by. [SRS_KRN_029]
+    void Withdraw(const KernelContext& context) noexcept
+    {
+        constexpr Agreement kNothing{0U, 0U};
+        context.parts.channel_a.Commit(kNothing);
+        context.parts.channel_b.Commit(kNothing);
+        committed_ = 0U;
+    }
+    /// @brief The verdict on this cycle; before it, when its turn has come, the comparator's own test. `outcome_b` is
+    /// that of the comparison. Faults enter the latch. [SRS_CMP_001, SRS_CMP_009]
+    void Compare(KernelContext& context, const Comparison& comparison, CycleOutcome& outcome_b) noexcept
+    {
+        if (self_test_.TakeTurn())
+        {
+            context.latch.Enter(self_test_.Run(comparator_, comparison, outcome_b), kNoSlot);
+        }
+        verdict_ = comparator_.Compare(comparison);
+        context.latch.Enter(verdict_.fault, verdict_.slot);
+        if (verdict_.echo != comparison.challenge)
+        {
+            context.latch.Enter(DeviceFault::kComparator, kNoSlot);
+        }
+    }
+    /// @brief Both channels are told of slots whose release differed for too long. [SRS_CMP_004]
+    void Demote(const KernelContext& context) noexcept
+    {
+        SlotSet to_demote{verdict_.demote};
+        while (to_demote.mask != 0U)
+        {
+            const SlotIndex slot = TakeLowest(to_demote);
+            context.parts.channel_a.Demote(slot);
+            context.parts.channel_b.Demote(slot);
+            if (demotions_ != kMostDemotions)
+            {
+                ++demotions_;
+            }
+        }
+    }
+    /// @brief Both channels write what is agreed. Consumers whose new pair was released.
+    [[nodiscard]] SrdoMask Commit(const KernelContext& context) noexcept
+    {
+        const SrdoMask agreed = verdict_.agreement.agreed & ~verdict_.demote & context.latch.Gate();
+        const SrdoMask written = agreed & verdict_.agreement.matched;
+        const Agreement agreement{agreed, verdict_.agreement.matched};
+        context.parts.channel_a.Commit(agreement);
+        context.parts.channel_b.Commit(agreement);
+        const SrdoMask received = written & (verdict_.newly_matched | ~committed_);
+        committed_ = written | (committed_ & agreed);
+        return received;
+    }
+    /// @brief The kernel's own permit is computed from the comparator's echo and spoiled by a latch that is not
+    /// running: there is nothing to decide. [SRS_KRN_005]
+    void GivePermits(const KernelContext& context, const std::uint32_t challenge) const noexcept
+    {
+        const std::uint32_t low = static_cast<std::uint32_t>(committed_);
+        const std::uint32_t high = static_cast<std::uint32_t>(committed_ >> kWordBits);
+        const std::uint32_t rotated = (high << kPermitRotation) | (high >> (kWordBits - kPermitRotation));
+        const std::uint32_t response =
+            ((verdict_.echo + context.latch.Spoiler() + low) ^ rotated) * kPermitConstantKernel;
+        // In their places: channel A is asked before channel B.
+        context.parts.output.Drive(hal::PermitSet{context.parts.channel_a.Answer(challenge),
+                                                  context.parts.channel_b.Answer(challenge),
+                                                  Permit{committed_, response}});
+    }
+    /// @brief How often a channel was demoted since Start; stays at 65535. [SRS_CMP_004]
+    [[nodiscard]] std::uint16_t Demotions() const noexcept
+    {
+        return demotions_;
+    }
+    [[nodiscard]] const Verdict& LastVerdict() const noexcept
+    {
+        return verdict_;
+    }
+
+  private:
+    static constexpr std::uint16_t kMostDemotions = 65535U;
+    static constexpr std::uint32_t kPermitRotation = 16U;
+    static constexpr std::uint32_t kWordBits = 32U;
+
+    SrdoMask committed_{0U};
+    std::uint16_t demotions_{0U};
+    Verdict verdict_{};
+    ComparatorSelfTest self_test_{};
+    Comparator comparator_{};
+};
+
+} // namespace counterpoint
+
+#endif

@@ -1,0 +1,146 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "safety_core/kernel/production.hpp"
+
+#include "safety_core/comparator/comparator.hpp"
+#include "safety_core/comparator/slot_mask.hpp"
+
+namespace counterpoint
+{
+namespace
+{
+
+constexpr std::uint32_t kSignBit = 31U;
+
+} // namespace
+
+void Production::Begin(const KernelContext& context) noexcept
+{
+    // An SRDO must follow a GFC within the shortest refresh time of the producers; without one it cannot be followed at
+    // all.
+    std::uint32_t shortest_ms = 0U;
+    for (SlotIndex slot = 0U; slot < context.config->srdo_count; ++slot)
+    {
+        if (context.guard.Value(slot, ConfigField::kDirection) == kDirectionProducer)
+        {
+            producers_ |= OnlySlot(slot).mask;
+            const std::uint32_t refresh_ms = context.guard.Value(slot, ConfigField::kSct);
+            // 0 - 1 is the greatest value: the first producer is always shorter.
+            shortest_ms = ((refresh_ms - 1U) < (shortest_ms - 1U)) ? refresh_ms : shortest_ms;
+        }
+    }
+    shortest_refresh_us_ = shortest_ms * kMicrosecondsPerMillisecond;
+}
+
+Result Production::Readiness(const KernelContext& context) noexcept
+{
+    if (!context.latch.IsRunning())
+    {
+        return Result::kDeviceFault;
+    }
+    if (context.guard.Nmt() != NmtState::kOperational)
+    {
+        return Result::kNmtError;
+    }
+    return context.guard.IsValid() ? Result::kSuccessful : Result::kInvalidConfiguration;
+}
+
+Result Production::WhyNotSent(const KernelContext& context, const SlotIndex wanted) noexcept
+{
+    const Result readiness = Readiness(context);
+    if (readiness != Result::kSuccessful)
+    {
+        return readiness;
+    }
+    if (wanted == kNoSlot)
+    {
+        return Result::kNotExist;
+    }
+    const bool is_off = context.guard.Value(wanted, ConfigField::kDirection) == kDirectionOff;
+    return is_off ? Result::kInvalid : Result::kRxTxConflict;
+}
+
+void Production::Produce(KernelContext& context, const SrdoMask start) noexcept
+{
+    transmitted_told_ = transmitted_;
+    transmitted_ = 0U;
+    SlotSet to_start{start & context.latch.Gate()};
+    while (to_start.mask != 0U)
+    {
+        ProduceSlot(context, TakeLowest(to_start));
+    }
+    FollowGfc(context);
+}
+
+void Production::ProduceSlot(KernelContext& context, const SlotIndex slot) noexcept
+{
+    const bool asks_provider = context.config->srdos[slot].form == ProducerForm::kProviderCalled; // MISRA D-002
+    if (asks_provider && (context.parts.application.OnRefresh(IndexOf(*context.config, slot)) != RefreshAnswer::kReady))
+    {
+        return;
+    }
+    const PreparedPair pair_a = context.parts.channel_a.Prepare(slot);
+    const PreparedPair pair_b = context.parts.channel_b.Prepare(slot);
+    const PreparedVerdict verdict = Comparator::ComparePrepared(pair_a, pair_b);
+    if (verdict == PreparedVerdict::kEqual)
+    {
+        // Only a pair that begins now follows a GFC, not the second half of one that was there before.
+        if (HandOver(context, slot, pair_a.normal) == hal::TransmitStatus::kAccepted)
+        {
+            gfc_open_ = false;
+        }
+    }
+    else if (verdict == PreparedVerdict::kNotInverse)
+    {
+        GiveUp(context, slot, SrdoCause::kNotInverse);
+    }
+    else
+    {
+        context.latch.Enter(DeviceFault::kDisagreement, slot);
+    }
+}
+
+void Production::GiveUp(const KernelContext& context, const SlotIndex slot, const SrdoCause cause) noexcept
+{
+    const TransmitFault fault{cause};
+    context.parts.channel_a.OnTransmitFault(slot, fault);
+    context.parts.channel_b.OnTransmitFault(slot, fault);
+}
+
+Result Production::SendGfc(const KernelContext& context) noexcept
+{
+    const Result readiness = Readiness(context);
+    if (readiness != Result::kSuccessful)
+    {
+        return readiness;
+    }
+    if (context.guard.Value(0U, ConfigField::kGfcParameter) != 1U)
+    {
+        return Result::kGfcUnsupported;
+    }
+    CanFrame frame{};
+    frame.identifier = kGfcIdentifier;
+    frame.kind = FrameKind::kData;
+    frame.port = context.config->normal_port;
+    if (context.parts.can.Transmit(frame) != hal::TransmitStatus::kAccepted)
+    {
+        return Result::kTransmitFailed;
+    }
+    if (!gfc_open_)
+    {
+        gfc_open_ = true;
+        gfc_until_.us = now_.us + shortest_refresh_us_;
+    }
+    return Result::kSuccessful;
+}
+
+void Production::FollowGfc(const KernelContext& context) noexcept
+{
+    // Instants are modular: bit 31 of what is left stands for an instant that has passed.
+    if (gfc_open_ && (((gfc_until_.us - now_.us) >> kSignBit) != 0U))
+    {
+        gfc_open_ = false;
+        context.parts.application.OnGfcNotFollowed();
+    }
+}
+
+} // namespace counterpoint

@@ -1,0 +1,126 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SAFETY_CORE_KERNEL_PRODUCTION_HPP
+#define SAFETY_CORE_KERNEL_PRODUCTION_HPP
+
+#include "safety_core/comparator/slot_mask.hpp"
+#include "safety_core/contract/channel.hpp"
+#include "safety_core/kernel/kernel_context.hpp"
+#include "safety_core/kernel/result.hpp"
+
+#include <cstdint>
+
+namespace counterpoint
+{
+
+/// What the device sends: SRDOs by both channels, and the GFC. [SRS_KRN_004, SRS_KRN_011, SRS_KRN_012, SRS_KRN_013,
+/// SRS_KRN_014, SRS_KRN_017]
+class Production
+{
+  public:
+    /// @brief OPERATIONAL was entered with a valid configuration: directions and times stay as they are until Cease.
+    /// O(srdo_count)
+    void Begin(const KernelContext& context) noexcept;
+    void Cease() noexcept
+    {
+        producers_ = 0U;
+        requests_ = 0U;
+    }
+
+    /// @brief Asks for the transmission of those of `asked` that are producers. One alone is `wanted`; kNoSlot stands
+    /// for all. [SRS_KRN_011]
+    [[nodiscard]] Result Request(const KernelContext& context, const SlotIndex wanted, const SrdoMask asked) noexcept
+    {
+        const SrdoMask to_send = producers_ & asked;
+        if ((to_send == 0U) || (!context.latch.IsRunning()))
+        {
+            return WhyNotSent(context, wanted);
+        }
+        requests_ |= to_send;
+        return Result::kSuccessful;
+    }
+    /// @brief Sends the GFC; an SRDO must follow within the shortest refresh time. [SRS_KRN_013]
+    [[nodiscard]] Result SendGfc(const KernelContext& context) noexcept;
+
+    /// @brief A cycle begins at this instant of counter A.
+    void OnCycle(const Instant now) noexcept
+    {
+        now_ = now;
+    }
+    /// @brief Producers while nothing is sent because of the device safe state: every refresh stands still, every one
+    /// is asked to send, and nothing is missed. [SRS_KRN_004]
+    [[nodiscard]] SrdoMask Halted(const KernelContext& context) const noexcept
+    {
+        return producers_ & ~context.latch.Gate();
+    }
+    /// @brief What was asked for since the last cycle.
+    [[nodiscard]] SrdoMask TakeRequests() noexcept
+    {
+        const SrdoMask requests = requests_;
+        requests_ = 0U;
+        return requests;
+    }
+    /// @brief Producers whose refresh stands still in one channel, since it is ahead of the other one.
+    [[nodiscard]] SrdoMask StandOfA() const noexcept
+    {
+        return stand_a_;
+    }
+    [[nodiscard]] SrdoMask StandOfB() const noexcept
+    {
+        return stand_b_;
+    }
+    /// @brief Each channel's refresh runs by its own counter; the one that is ahead waits for the other. [SRS_KRN_017]
+    void Await(const SrdoMask due_a, const SrdoMask due_b) noexcept
+    {
+        stand_a_ = due_a & ~due_b;
+        stand_b_ = due_b & ~due_a;
+    }
+    /// @brief Sends the pairs of producers that both channels call due. O(start)
+    void Produce(KernelContext& context, SrdoMask start) noexcept;
+    /// @brief Pairs that were sent between the last two cycles.
+    [[nodiscard]] std::uint8_t Transmitted() const noexcept
+    {
+        return transmitted_told_;
+    }
+    /// @brief The pair of an SRDO was sent.
+    void OnSent() noexcept
+    {
+        ++transmitted_;
+    }
+    /// @brief Hands a frame to the HAL; an SRDO whose frame is not taken is given up in both channels. A channel that
+    /// has no frame to send gives one of kind kInvalid, which the HAL does not take; one that should have been there is
+    /// missed as kNoConfirmation.
+    [[nodiscard]] static hal::TransmitStatus HandOver(const KernelContext& context, const SlotIndex slot,
+                                                      const CanFrame& frame) noexcept
+    {
+        const hal::TransmitStatus status = context.parts.can.Transmit(frame);
+        if ((status != hal::TransmitStatus::kAccepted) && (frame.kind == FrameKind::kData))
+        {
+            GiveUp(context, slot,
+                   (status == hal::TransmitStatus::kBusOff) ? SrdoCause::kBusOff : SrdoCause::kTransmitQueue);
+        }
+        return status;
+    }
+
+  private:
+    // What is used in one source file alone is inline: the compiler then decides whether it needs a call of its own.
+    [[nodiscard]] static Result Readiness(const KernelContext& context) noexcept;
+    [[nodiscard]] static Result WhyNotSent(const KernelContext& context, SlotIndex wanted) noexcept;
+    inline void ProduceSlot(KernelContext& context, SlotIndex slot) noexcept;
+    static void GiveUp(const KernelContext& context, SlotIndex slot, SrdoCause cause) noexcept;
+    inline void FollowGfc(const KernelContext& context) noexcept;
+
+    std::uint8_t transmitted_{0U};
+    std::uint8_t transmitted_told_{0U};
+    bool gfc_open_{false};
+    std::uint32_t shortest_refresh_us_{0U}; ///< Of the producers; 0 without one.
+    Instant gfc_until_{0U};                 ///< When an SRDO must have followed the GFC.
+    Instant now_{0U};                       ///< By counter A.
+    SrdoMask producers_{0U}; ///< What may be asked for; none outside OPERATIONAL and without a valid configuration.
+    SrdoMask requests_{0U};  ///< Told to the channels by the next cycle, as the two below.
+    SrdoMask stand_a_{0U};   ///< Producers that only channel A called due.
+    SrdoMask stand_b_{0U};
+};
+
+} // namespace counterpoint
+
+#endif

@@ -1,0 +1,135 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SAFETY_CORE_KERNEL_REPORTING_HPP
+#define SAFETY_CORE_KERNEL_REPORTING_HPP
+
+#include "safety_core/comparator/slot_mask.hpp"
+#include "safety_core/contract/channel.hpp"
+#include "safety_core/kernel/kernel_context.hpp"
+#include "safety_core/kernel/srdo_status.hpp"
+
+#include <cstdint>
+
+namespace counterpoint
+{
+
+/// Whether OnFlow is called; the flow monitor works with either. [SRS_FLOW_004]
+enum class FlowCallback : std::uint8_t
+{
+    kOff = 0U,
+    kOn = 1U,
+};
+
+/// Whether the application must answer in the status byte; the byte signals with either. [SRS_KRN_022]
+enum class StatusHandshake : std::uint8_t
+{
+    kOff = 0U,
+    kRequired = 0x69U,
+};
+
+/// What the application is told, and what it answers by the status bytes. [SRS_KRN_006, SRS_KRN_021, SRS_KRN_022,
+/// SRS_FLOW_004] What every cycle goes through is inline.
+class Reporting
+{
+  public:
+    void Restart(const FlowCallback flow, const StatusHandshake handshake) noexcept
+    {
+        flow_callback_ = flow;
+        handshake_ = handshake;
+        gfc_seen_ = false;
+        fault_told_ = false;
+        status_ = SrdoStatus{};
+    }
+    /// @brief Status bytes of all SRDOs. [SRS_KRN_021]
+    [[nodiscard]] const SrdoStatus& Status() const noexcept
+    {
+        return status_;
+    }
+    [[nodiscard]] SrdoStatus& Status() noexcept
+    {
+        return status_;
+    }
+    /// @brief A GFC was accepted: TellErrors tells it.
+    void OnGfc() noexcept
+    {
+        gfc_seen_ = true;
+    }
+    /// @brief A new pair was released, or a pair was sent.
+    void TellEvent(const KernelContext& context, const SlotIndex slot) noexcept
+    {
+        status_.OnEvent(slot);
+        context.parts.application.OnSrdoEvent(IndexOf(*context.config, slot));
+    }
+    /// @brief Every cause that a channel signals, and a GFC. O(signalled)
+    void TellErrors(const KernelContext& context, const SrdoMask signalled) noexcept
+    {
+        errors_ = 0U;
+        SlotSet to_report{signalled};
+        while (to_report.mask != 0U)
+        {
+            TellSlot(context, TakeLowest(to_report));
+        }
+        if (gfc_seen_)
+        {
+            context.parts.application.OnGfc();
+        }
+        gfc_seen_ = false;
+    }
+    /// @brief New pairs of consumers. O(received)
+    void TellReceived(const KernelContext& context, const SrdoMask received) noexcept
+    {
+        received_ = 0U;
+        SlotSet to_report{received};
+        while (to_report.mask != 0U)
+        {
+            ++received_;
+            TellEvent(context, TakeLowest(to_report));
+        }
+    }
+    /// @brief Counts of this cycle, if they are wanted. [SRS_FLOW_004]
+    void TellFlow(const KernelContext& context, const CycleOutcome& outcome, const std::uint8_t transmitted) noexcept
+    {
+        if (flow_callback_ == FlowCallback::kOn)
+        {
+            TellCounts(context, outcome, transmitted);
+        }
+    }
+    /// @brief An event that was not answered in time is a device fault. [SRS_KRN_022]
+    void ExamineHandshake(KernelContext& context) noexcept
+    {
+        if (handshake_ != StatusHandshake::kRequired)
+        {
+            return;
+        }
+        const SlotIndex overdue = status_.TakeOverdue();
+        if (overdue != kNoSlot)
+        {
+            context.latch.Enter(DeviceFault::kHandshake, overdue);
+        }
+    }
+    /// @brief The device safe state, once.
+    void TellDevice(const KernelContext& context) noexcept
+    {
+        if ((!fault_told_) && (!context.latch.IsRunning()))
+        {
+            fault_told_ = true;
+            context.parts.application.OnDeviceFault(context.latch.Report());
+        }
+    }
+
+  private:
+    void TellSlot(const KernelContext& context, SlotIndex slot) noexcept;
+    void TellCounts(const KernelContext& context, const CycleOutcome& outcome, std::uint8_t transmitted) noexcept;
+    static void Deliver(const KernelContext& context, FlowEvent event, std::uint16_t count) noexcept;
+
+    FlowCallback flow_callback_{};
+    StatusHandshake handshake_{};
+    bool gfc_seen_{false};
+    bool fault_told_{false};
+    std::uint8_t received_{0U};
+    std::uint16_t errors_{0U}; ///< Told in this cycle: more than 255 with many consumers.
+    SrdoStatus status_{};
+};
+
+} // namespace counterpoint
+
+#endif

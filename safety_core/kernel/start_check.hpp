@@ -1,0 +1,37 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SAFETY_CORE_KERNEL_START_CHECK_HPP
+#define SAFETY_CORE_KERNEL_START_CHECK_HPP
+
+#include "safety_core/contract/configuration.hpp"
+#include "safety_core/kernel/kernel_parts.hpp"
+
+#include <cstdint>
+
+namespace counterpoint
+{
+
+/// First reason why Start refused. [SRS_KRN_001]
+enum class StartResult : std::uint8_t
+{
+    kInvalid = 0U,
+    kStarted = 0x69U,
+    kSrdoCount = 1U,      ///< Not 1 to 64.
+    kSrdoNumbers = 2U,    ///< Not 1 to 64 in ascending order, or with a gap where gaps are refused.
+    kNodeId = 3U,         ///< Not 1 to 127.
+    kGranularity = 4U,    ///< Not 1, 8, 16, 32 or 64.
+    kPorts = 5U,          ///< Not kFirst or kSecond.
+    kObjects = 6U,        ///< Out of order, a length not 1 to 64, no place, or more than 1024.
+    kTiming = 7U,         ///< A time outside its range.
+    kBusOrder = 8U,       ///< The HAL does not guarantee bus order.
+    kStamps = 9U,         ///< The HAL does not guarantee stamps.
+    kConfirmations = 10U, ///< The HAL does not guarantee confirmations.
+    kStorage = 11U,       ///< More SRDOs or map entries than a channel has room for, or an odd number of entries.
+};
+
+/// @brief What Start looks at before anything runs: numbers, objects and times of the device, the room that the
+/// channels have, the guarantees of the HAL. O(srdo_count + objects) [SRS_KRN_001]
+[[nodiscard]] StartResult CheckStart(const DeviceConfig& config, const KernelParts& parts) noexcept;
+
+} // namespace counterpoint
+
+#endif
