@@ -1,7 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "safety_core/kernel/configuration_guard.hpp"
+#include "safety_core/kernel/configuration_admission.hpp"
 
-// Which changed values the guard admits, and the abort code of those it does not. [SRS_CFG_044, SRS_CFG_045]
 namespace counterpoint
 {
 namespace
@@ -9,45 +8,15 @@ namespace
 
 constexpr std::uint32_t kGfcSupported = 1U;
 
-} // namespace
-
-AbortCode ConfigurationGuard::AdmitItem(const ConfigItem& item) const noexcept
-{
-    const ConfigField field = item.address.field;
-    if (field == ConfigField::kMapEntry)
-    {
-        return AdmitMapEntry(item);
-    }
-    if (field == ConfigField::kMapCount)
-    {
-        return AdmitMapCount(item);
-    }
-    // The one transmission type that is admitted is the one that is stored: any change is wrong.
-    bool is_fit = field != ConfigField::kTransmissionType;
-    if (field == ConfigField::kDirection)
-    {
-        is_fit = IsDirectionFit(item);
-    }
-    if ((field == ConfigField::kCobId1) || (field == ConfigField::kCobId2))
-    {
-        is_fit = IsCobIdFit(item);
-    }
-    if (field == ConfigField::kGfcParameter)
-    {
-        is_fit = item.value <= kGfcSupported;
-    }
-    return is_fit ? AbortCode::kNone : AbortCode::kValueRange;
-}
-
 // No other SRDO that is not off has the identifier.
-bool ConfigurationGuard::IsFree(const SlotIndex slot, const std::uint32_t identifier) const noexcept
+bool IsFree(const ConfigurationCopies& copies, const SlotIndex slot, const std::uint32_t identifier) noexcept
 {
     bool is_free = true;
-    for (SlotIndex other = 0U; other < config_->srdo_count; ++other)
+    for (SlotIndex other = 0U; other < copies.Device().srdo_count; ++other)
     {
-        const bool has_it =
-            (Value(other, ConfigField::kCobId1) == identifier) || (Value(other, ConfigField::kCobId2) == identifier);
-        if (has_it && (other != slot) && (Value(other, ConfigField::kDirection) != kDirectionOff))
+        const bool has_it = (copies.Value(other, ConfigField::kCobId1) == identifier) ||
+                            (copies.Value(other, ConfigField::kCobId2) == identifier);
+        if (has_it && (other != slot) && (copies.Value(other, ConfigField::kDirection) != kDirectionOff))
         {
             is_free = false;
         }
@@ -55,71 +24,71 @@ bool ConfigurationGuard::IsFree(const SlotIndex slot, const std::uint32_t identi
     return is_free;
 }
 
-bool ConfigurationGuard::IsCobIdFit(const ConfigItem& item) const noexcept
+bool IsCobIdFit(const ConfigurationCopies& copies, const ConfigItem& item) noexcept
 {
     const SlotIndex slot = item.address.slot;
     const bool is_first = item.address.field == ConfigField::kCobId1;
     const std::uint32_t parity = is_first ? 1U : 0U;
     // COB-ID 1 stands for itself; COB-ID 2 must follow it.
-    const std::uint32_t wanted = is_first ? item.value : (Value(slot, ConfigField::kCobId1) + 1U);
+    const std::uint32_t wanted = is_first ? item.value : (copies.Value(slot, ConfigField::kCobId1) + 1U);
     const bool is_in_range = (item.value - kFirstSrdoIdentifier) < kSrdoIdentifierCount;
     const bool is_of_kind = ((item.value & 1U) == parity) && (item.value == wanted);
-    const bool is_off = Value(slot, ConfigField::kDirection) == kDirectionOff;
-    return is_in_range && is_of_kind && (is_off && IsFree(slot, item.value));
+    const bool is_off = copies.Value(slot, ConfigField::kDirection) == kDirectionOff;
+    return is_in_range && is_of_kind && (is_off && IsFree(copies, slot, item.value));
 }
 
 // An SRDO that is to be switched on needs its COB-IDs. A stored one is 0 or was admitted as 101h to 180h of its parity.
-bool ConfigurationGuard::IsDirectionFit(const ConfigItem& item) const noexcept
+bool IsDirectionFit(const ConfigurationCopies& copies, const ConfigItem& item) noexcept
 {
     if (item.value == kDirectionOff)
     {
         return true;
     }
     const SlotIndex slot = item.address.slot;
-    const std::uint32_t cob_id_1 = Value(slot, ConfigField::kCobId1);
-    const std::uint32_t cob_id_2 = Value(slot, ConfigField::kCobId2);
+    const std::uint32_t cob_id_1 = copies.Value(slot, ConfigField::kCobId1);
+    const std::uint32_t cob_id_2 = copies.Value(slot, ConfigField::kCobId2);
     const bool is_pair = (cob_id_1 != 0U) && (cob_id_2 == (cob_id_1 + 1U));
     const bool is_direction = item.value <= kDirectionConsumer;
-    return is_direction && is_pair && (IsFree(slot, cob_id_1) && IsFree(slot, cob_id_2));
+    return is_direction && is_pair && (IsFree(copies, slot, cob_id_1) && IsFree(copies, slot, cob_id_2));
 }
 
-std::uint32_t ConfigurationGuard::MappedBits(const SlotIndex slot, const std::uint8_t first,
-                                             const std::uint32_t count) const noexcept
+std::uint32_t MappedBits(const ConfigurationCopies& copies, const SlotIndex slot, const std::uint8_t first,
+                         const std::uint32_t count) noexcept
 {
     std::uint32_t bits = 0U;
     for (std::uint32_t sub = first; sub <= count; sub += 2U)
     {
-        bits += Value(slot, ConfigField::kMapEntry, static_cast<std::uint8_t>(sub)) & kEntryLengthMask;
+        bits += copies.Value(slot, ConfigField::kMapEntry, static_cast<std::uint8_t>(sub)) & kEntryLengthMask;
     }
     return bits;
 }
 
-AbortCode ConfigurationGuard::AdmitMapCount(const ConfigItem& item) const noexcept
+AbortCode AdmitMapCount(const ConfigurationCopies& copies, const ConfigItem& item) noexcept
 {
     const SlotIndex slot = item.address.slot;
-    if (Value(slot, ConfigField::kDirection) != kDirectionOff)
+    if (copies.Value(slot, ConfigField::kDirection) != kDirectionOff)
     {
         return AbortCode::kUnsupportedAccess;
     }
-    const bool is_count = (item.value <= config_->map_entries) && ((item.value & 1U) == 0U);
-    const bool fits = is_count && (MappedBits(slot, 1U, item.value) <= kMaxPayloadBits) &&
-                      (MappedBits(slot, 2U, item.value) <= kMaxPayloadBits);
+    const bool is_count = (item.value <= copies.Device().map_entries) && ((item.value & 1U) == 0U);
+    const bool fits = is_count && (MappedBits(copies, slot, 1U, item.value) <= kMaxPayloadBits) &&
+                      (MappedBits(copies, slot, 2U, item.value) <= kMaxPayloadBits);
     return fits ? AbortCode::kNone : AbortCode::kMapTooLong;
 }
 
-AbortCode ConfigurationGuard::AdmitMapEntry(const ConfigItem& item) const noexcept
+AbortCode AdmitMapEntry(const ConfigurationCopies& copies, const ConfigItem& item) noexcept
 {
     const SlotIndex slot = item.address.slot;
-    if ((Value(slot, ConfigField::kDirection) | Value(slot, ConfigField::kMapCount)) != 0U)
+    if ((copies.Value(slot, ConfigField::kDirection) | copies.Value(slot, ConfigField::kMapCount)) != 0U)
     {
         return AbortCode::kUnsupportedAccess;
     }
-    const bool is_dummy = (config_->dummies == DummyMapping::kAllowed) && IsDummy(item.value);
+    const bool is_dummy = (copies.Device().dummies == DummyMapping::kAllowed) && IsDummy(item.value);
     if (is_dummy || (item.value == 0U))
     {
         return AbortCode::kNone;
     }
-    const MappableObject* const object = FindMapped(*config_, item.value);
+    const MappableObject* const object = FindMapped(copies.Device(), item.value);
     if (object == nullptr)
     {
         return AbortCode::kObjectUnknown;
@@ -127,6 +96,36 @@ AbortCode ConfigurationGuard::AdmitMapEntry(const ConfigItem& item) const noexce
     const bool is_mappable = object->access != MapAccess::kNone;
     const bool has_length = (item.value & kEntryLengthMask) == object->length_bits;
     return (is_mappable && has_length) ? AbortCode::kNone : AbortCode::kNotMappable;
+}
+
+} // namespace
+
+AbortCode Admit(const ConfigurationCopies& copies, const ConfigItem& item) noexcept
+{
+    const ConfigField field = item.address.field;
+    if (field == ConfigField::kMapEntry)
+    {
+        return AdmitMapEntry(copies, item);
+    }
+    if (field == ConfigField::kMapCount)
+    {
+        return AdmitMapCount(copies, item);
+    }
+    // The one transmission type that is admitted is the one that is stored: any change is wrong.
+    bool is_fit = field != ConfigField::kTransmissionType;
+    if (field == ConfigField::kDirection)
+    {
+        is_fit = IsDirectionFit(copies, item);
+    }
+    if ((field == ConfigField::kCobId1) || (field == ConfigField::kCobId2))
+    {
+        is_fit = IsCobIdFit(copies, item);
+    }
+    if (field == ConfigField::kGfcParameter)
+    {
+        is_fit = item.value <= kGfcSupported;
+    }
+    return is_fit ? AbortCode::kNone : AbortCode::kValueRange;
 }
 
 } // namespace counterpoint

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "safety_core/kernel/configuration_guard.hpp"
 
+#include "safety_core/kernel/configuration_admission.hpp"
 #include "safety_core/kernel/variable.hpp"
 
 namespace counterpoint
@@ -12,6 +13,18 @@ constexpr std::uint32_t kBitsPerByte = 8U;
 
 constexpr ConfigAddress kValidAddress{0U, ConfigField::kConfigurationValid, 0U};
 
+constexpr std::uint32_t kTokenRotation = 8U;
+constexpr std::uint32_t kWordBits = 32U;
+constexpr std::uint32_t kEveryByte = 0x01010101U;
+
+constexpr std::uint32_t kRules = 10U;
+// Return codes of the reference for the rules of a configuration, by their number. MISRA D-001
+constexpr Result kRuleResults[kRules] = {
+    Result::kDeviceFault,    Result::kInvalidConfiguration, Result::kInvalidConfiguration, Result::kIdError,
+    Result::kIdInUse,        Result::kTimingError,          Result::kMappingError,         Result::kLengthExceeded,
+    Result::kSignatureError, Result::kMappingError};
+static_assert(static_cast<std::uint32_t>(ConfigFault::kTable) == kRules - 1U, "one result a rule");
+
 bool IsReadOnly(const ObjectKind kind) noexcept
 {
     return (kind == ObjectKind::kConstant) || (kind == ObjectKind::kVariable) || (kind == ObjectKind::kFixed);
@@ -19,33 +32,33 @@ bool IsReadOnly(const ObjectKind kind) noexcept
 
 } // namespace
 
-ConfigurationGuard::ConfigurationGuard(Channel& a, Channel& b, SafeStateLatch& latch) noexcept
-    : a_{a}, b_{b}, latch_{latch}, config_{&kNoDevice}
+Result ToResult(const ConfigFault rule) noexcept
+{
+    if (rule == ConfigFault::kNone)
+    {
+        return Result::kSuccessful;
+    }
+    const std::uint32_t number = static_cast<std::uint32_t>(rule);
+    return (number < kRules) ? kRuleResults[number] : Result::kInvalidConfiguration; // MISRA D-002
+}
+
+ConfigurationGuard::ConfigurationGuard(Channel& a, Channel& b, SafeStateLatch& latch) noexcept : copies_{a, b, latch}
 {
 }
 
 void ConfigurationGuard::Restart(const DeviceConfig& config) noexcept
 {
-    config_ = &config;
-    // Kernel::Start made sure that the interval holds at least two cycles for each SRDO.
-    cycles_per_check_ = config.diagnostic_interval_us / (2U * config.cycle_us * config.srdo_count);
-    cycles_to_check_ = cycles_per_check_;
-    step_ = 0U;
+    copies_.SetDevice(config);
+    diagnosis_.Restart(config);
     valid_ = 0U;
     nmt_ = NmtState::kInitialising;
 }
 
 void ConfigurationGuard::Stop() noexcept
 {
-    config_ = &kNoDevice;
+    copies_.SetDevice(kNoDevice);
     nmt_ = NmtState::kInvalid;
     valid_ = 0U;
-}
-
-std::uint32_t ConfigurationGuard::Value(const SlotIndex slot, const ConfigField field,
-                                        const std::uint8_t sub) const noexcept
-{
-    return a_.Load(ConfigAddress{slot, field, sub}).value;
 }
 
 Result ConfigurationGuard::Changeable() const noexcept
@@ -57,24 +70,10 @@ Result ConfigurationGuard::Changeable() const noexcept
     return (nmt_ == NmtState::kOperational) ? Result::kNmtError : Result::kSuccessful;
 }
 
-// Both channels keep the value; what they give back then must be what was stored. The stand-in of a channel on another
-// CPU gives back what the channel here keeps: so both keep it first. [SRS_CFG_047]
-void ConfigurationGuard::StoreBoth(const ConfigItem& item) noexcept
-{
-    a_.Store(item);
-    b_.Store(item);
-    const std::uint32_t differences =
-        (a_.Load(item.address).value ^ item.value) | (b_.Load(item.address).value ^ item.value);
-    if (differences != 0U)
-    {
-        latch_.Enter(DeviceFault::kConfiguration, item.address.slot);
-    }
-}
-
 void ConfigurationGuard::Invalidate() noexcept
 {
     valid_ = 0U;
-    StoreBoth(ConfigItem{kValidAddress, 0U});
+    copies_.Store(ConfigItem{kValidAddress, 0U});
 }
 
 ObjectReading ConfigurationGuard::Read(const ObjectKey key) noexcept
@@ -85,22 +84,20 @@ ObjectReading ConfigurationGuard::Read(const ObjectKey key) noexcept
     {
         return reading;
     }
-    const ObjectPlace place = Locate(*config_, key);
+    const ObjectPlace place = Locate(copies_.Device(), key);
     reading.abort = place.refusal;
     if (place.kind == ObjectKind::kInvalid)
     {
         return reading;
     }
     // What is not stored reads 0 in both channels.
-    const std::uint32_t value_a = a_.Load(place.item.address).value;
-    const std::uint32_t value_b = b_.Load(place.item.address).value;
-    if (value_a != value_b)
+    const CommonValue stored = copies_.Load(place.item.address);
+    if (!stored.is_common)
     {
-        latch_.Enter(DeviceFault::kConfiguration, place.item.address.slot);
         reading.abort = AbortCode::kGeneral;
         return reading;
     }
-    VariableValue value{value_a | place.constant};
+    VariableValue value{stored.value | place.constant};
     if (place.kind == ObjectKind::kVariable)
     {
         value = ReadVariable(VariablePlace{place.variable->place, place.variable->length_bits});
@@ -118,7 +115,7 @@ AbortCode ConfigurationGuard::Write(const ObjectKey key, const ObjectData& data)
     {
         return AbortCode::kDeviceState;
     }
-    ObjectPlace place = Locate(*config_, key);
+    ObjectPlace place = Locate(copies_.Device(), key);
     if (place.kind == ObjectKind::kInvalid)
     {
         return place.refusal;
@@ -162,11 +159,11 @@ AbortCode ConfigurationGuard::WritePlace(const ObjectPlace& place) noexcept
 AbortCode ConfigurationGuard::WriteConfiguration(const ConfigItem& item) noexcept
 {
     const ConfigAddress& address = item.address;
-    if (Value(address.slot, address.field, address.sub) == item.value)
+    if (copies_.Value(address.slot, address.field, address.sub) == item.value)
     {
         return AbortCode::kNone;
     }
-    const AbortCode abort = AdmitItem(item);
+    const AbortCode abort = Admit(copies_, item);
     if (abort != AbortCode::kNone)
     {
         return abort;
@@ -176,12 +173,57 @@ AbortCode ConfigurationGuard::WriteConfiguration(const ConfigItem& item) noexcep
     {
         Invalidate();
     }
-    StoreBoth(item);
+    copies_.Store(item);
     if (is_gfc)
     {
         (void)TakeDigest();
     }
     return AbortCode::kNone;
+}
+
+ConfigFault ConfigurationGuard::CheckAll(const CheckDepth depth) noexcept
+{
+    ConfigFault rule = ConfigFault::kNone;
+    for (SlotIndex slot = 0U; (slot < copies_.Device().srdo_count) && (rule == ConfigFault::kNone); ++slot)
+    {
+        rule = copies_.Check(slot, depth).fault;
+        faulty_ = slot;
+    }
+    return rule;
+}
+
+DigestReply ConfigurationGuard::Digest() noexcept
+{
+    DigestReply reply{(nmt_ == NmtState::kInvalid) ? Result::kDeviceFault : Result::kSuccessful, 0U};
+    for (SlotIndex slot = 0U; slot < copies_.Device().srdo_count; ++slot)
+    {
+        const DigestReply further = copies_.ContinueDigest(slot, DeviceDigest{reply.digest});
+        reply.digest = further.digest;
+        reply.result = (further.result == Result::kSuccessful) ? reply.result : further.result;
+    }
+    const bool is_expected = (copies_.Device().digest == 0U) || (copies_.Device().digest == reply.digest);
+    if ((reply.result == Result::kSuccessful) && (!is_expected))
+    {
+        reply.result = Result::kInvalidConfiguration;
+    }
+    return reply;
+}
+
+Result ConfigurationGuard::TakeDigest() noexcept
+{
+    const DigestReply reply = Digest();
+    diagnosis_.SetReference(DeviceDigest{reply.digest});
+    return reply.result;
+}
+
+std::uint32_t ConfigurationGuard::Cycle(const std::uint32_t challenge) noexcept
+{
+    if (diagnosis_.TakeTurn())
+    {
+        diagnosis_.Examine(copies_, valid_);
+    }
+    const std::uint32_t rotated = (challenge << kTokenRotation) | (challenge >> (kWordBits - kTokenRotation));
+    return rotated ^ (static_cast<std::uint32_t>(valid_) * kEveryByte);
 }
 
 Result ConfigurationGuard::Declare() noexcept
@@ -194,7 +236,7 @@ Result ConfigurationGuard::Declare() noexcept
     if (result == Result::kSuccessful)
     {
         valid_ = kConfigurationValidValue;
-        StoreBoth(ConfigItem{kValidAddress, kConfigurationValidValue});
+        copies_.Store(ConfigItem{kValidAddress, kConfigurationValidValue});
     }
     return result;
 }
@@ -206,15 +248,14 @@ Result ConfigurationGuard::DefineFields(const SlotIndex slot, const StaticFields
     {
         return readiness;
     }
-    const StaticMap& map = config_->srdos[slot].map; // MISRA D-002
+    const StaticMap& map = copies_.Device().srdos[slot].map; // MISRA D-002
     if (map.entries == nullptr)
     {
         return Result::kMappingError;
     }
     Invalidate();
-    a_.SetFields(slot, fields);
-    b_.SetFields(slot, fields);
-    Result result = ToResult(Check(slot, CheckDepth::kValidate).fault);
+    copies_.SetFields(slot, fields);
+    Result result = ToResult(copies_.Check(slot, CheckDepth::kValidate).fault);
     // What else is not right yet, such as its signature, is found when the configuration is declared valid.
     const bool is_mapping = (result == Result::kMappingError) || (result == Result::kLengthExceeded);
     if ((!is_mapping) && (result != Result::kDeviceFault))
@@ -224,8 +265,7 @@ Result ConfigurationGuard::DefineFields(const SlotIndex slot, const StaticFields
     if (result != Result::kSuccessful)
     {
         constexpr StaticFields kNone{nullptr, nullptr}; // Fields that were refused are not kept.
-        a_.SetFields(slot, kNone);
-        b_.SetFields(slot, kNone);
+        copies_.SetFields(slot, kNone);
     }
     return result;
 }
@@ -240,7 +280,7 @@ Result ConfigurationGuard::CheckFields(const StaticMap& map, const StaticFields&
         const std::uint32_t side = position & 1U;
         const std::uint32_t entry = map.entries[position]; // MISRA D-002
         const std::uint8_t* const field = (side == 0U) ? fields.normal : fields.inverse;
-        const MappableObject* const object = FindMapped(*config_, entry);
+        const MappableObject* const object = FindMapped(copies_.Device(), entry);
         if ((object == nullptr) || (object->place != (field + bytes[side]))) // MISRA D-002
         {
             return Result::kMappingError;

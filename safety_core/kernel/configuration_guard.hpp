@@ -2,7 +2,8 @@
 #ifndef SAFETY_CORE_KERNEL_CONFIGURATION_GUARD_HPP
 #define SAFETY_CORE_KERNEL_CONFIGURATION_GUARD_HPP
 
-#include "safety_core/contract/channel.hpp"
+#include "safety_core/kernel/configuration_copies.hpp"
+#include "safety_core/kernel/configuration_diagnosis.hpp"
 #include "safety_core/kernel/object_access.hpp"
 #include "safety_core/kernel/result.hpp"
 #include "safety_core/kernel/safe_state_latch.hpp"
@@ -12,29 +13,14 @@
 namespace counterpoint
 {
 
-/// How an SRDO is checked: all rules, its mapping resolved anew, or signature and resolved mapping again.
-enum class CheckDepth : std::uint8_t
-{
-    kInvalid = 0U,
-    kRecheck = 1U,
-    kValidate = 2U,
-};
-
-/// Device digest as both channels compute it: kSuccessful where it is the expected one, or none is expected.
-struct DigestReply
-{
-    Result result;
-    std::uint32_t digest;
-};
-
 /// @brief Return code of the reference for a rule of the configuration.
 [[nodiscard]] Result ToResult(ConfigFault rule) noexcept;
 
 /// Owner of 1300h to 13FFh: admits or refuses every access, keeps both channels' copies equal, looks at 13FEh every
-/// cycle and has signatures and digests computed anew. The values themselves live in the channels; the guard keeps only
-/// 13FEh and the digest. Faults that it finds enter the latch at once. [SRS_CFG_040, SRS_CFG_041, SRS_CFG_042,
-/// SRS_CFG_043, SRS_CFG_044, SRS_CFG_045, SRS_CFG_046, SRS_CFG_047, SRS_CFG_048, SRS_CFG_049, SRS_CFG_050, SRS_CFG_051,
-/// SRS_CFG_052, SRS_CFG_053]
+/// cycle and has signatures and digests computed anew. The values themselves live in the channels
+/// (ConfigurationCopies); the guard keeps only 13FEh, its diagnosis the digest. Faults that it finds enter the latch at
+/// once. [SRS_CFG_040, SRS_CFG_041, SRS_CFG_042, SRS_CFG_043, SRS_CFG_044, SRS_CFG_045, SRS_CFG_046, SRS_CFG_047,
+/// SRS_CFG_048, SRS_CFG_049, SRS_CFG_050, SRS_CFG_051, SRS_CFG_052, SRS_CFG_053]
 class ConfigurationGuard
 {
   public:
@@ -57,7 +43,11 @@ class ConfigurationGuard
         return valid_ == kConfigurationValidValue;
     }
     /// @brief One stored value as channel A has it; the cyclic check vouches for it.
-    [[nodiscard]] std::uint32_t Value(SlotIndex slot, ConfigField field, std::uint8_t sub = 0U) const noexcept;
+    [[nodiscard]] std::uint32_t Value(const SlotIndex slot, const ConfigField field,
+                                      const std::uint8_t sub = 0U) const noexcept
+    {
+        return copies_.Value(slot, field, sub);
+    }
     [[nodiscard]] ObjectReading Read(ObjectKey key) noexcept;
     [[nodiscard]] AbortCode Write(ObjectKey key, const ObjectData& data) noexcept;
     /// @brief kSuccessful where the configuration may be changed as a whole; kDeviceFault when stopped, kNmtError in
@@ -67,7 +57,10 @@ class ConfigurationGuard
     /// [SRS_CFG_031, SRS_CFG_048, SRS_CFG_050]
     [[nodiscard]] std::uint32_t Cycle(std::uint32_t challenge) noexcept;
     /// @brief Checks one SRDO in both channels; kInvalid where they differ, a device fault by now.
-    [[nodiscard]] CheckResult Check(SlotIndex slot, CheckDepth depth) noexcept;
+    [[nodiscard]] CheckResult Check(const SlotIndex slot, const CheckDepth depth) noexcept
+    {
+        return copies_.Check(slot, depth);
+    }
     /// @brief Checks all SRDOs in both channels up to the first that is faulty: the rule that it breaks, or kNone.
     /// [SRS_KRN_010, SRS_KRN_015]
     [[nodiscard]] ConfigFault CheckAll(CheckDepth depth) noexcept;
@@ -81,12 +74,15 @@ class ConfigurationGuard
     /// @brief Sets 13FEh to 0 everywhere.
     void Invalidate() noexcept;
     /// @brief Both channels keep the value; a device fault if one does not give it back. [SRS_CFG_047]
-    void StoreBoth(const ConfigItem& item) noexcept;
+    void Store(const ConfigItem& item) noexcept
+    {
+        copies_.Store(item);
+    }
     /// @brief Sets 13FEh to A5h if both channels find every rule kept and the device digest is the expected one.
     [[nodiscard]] Result Declare() noexcept;
     [[nodiscard]] const DeviceConfig& Config() const noexcept
     {
-        return *config_;
+        return copies_.Device();
     }
     /// @brief Fields of an SRDO with a static mapping. [SRS_KRN_024]
     [[nodiscard]] Result DefineFields(SlotIndex slot, const StaticFields& fields) noexcept;
@@ -101,34 +97,15 @@ class ConfigurationGuard
     // What is used in one source file alone is inline: the compiler then decides whether it needs a call of its own.
     [[nodiscard]] inline AbortCode WritePlace(const ObjectPlace& place) noexcept;
     [[nodiscard]] inline AbortCode WriteConfiguration(const ConfigItem& item) noexcept;
-    [[nodiscard]] AbortCode AdmitItem(const ConfigItem& item) const noexcept;
-    [[nodiscard]] inline bool IsDirectionFit(const ConfigItem& item) const noexcept;
-    [[nodiscard]] inline bool IsCobIdFit(const ConfigItem& item) const noexcept;
-    [[nodiscard]] bool IsFree(SlotIndex slot, std::uint32_t identifier) const noexcept;
-    [[nodiscard]] inline AbortCode AdmitMapCount(const ConfigItem& item) const noexcept;
-    [[nodiscard]] inline AbortCode AdmitMapEntry(const ConfigItem& item) const noexcept;
-    [[nodiscard]] std::uint32_t MappedBits(SlotIndex slot, std::uint8_t first, std::uint32_t count) const noexcept;
     [[nodiscard]] inline Result CheckFields(const StaticMap& map, const StaticFields& fields) const noexcept;
-    [[nodiscard]] static CheckResult CheckBy(Channel& channel, SlotIndex slot, CheckDepth depth) noexcept;
-    [[nodiscard]] DigestReply ContinueDigest(SlotIndex slot, DeviceDigest before) noexcept;
+    /// @brief The digest of the device as it is becomes the reference of the cyclic one.
     [[nodiscard]] Result TakeDigest() noexcept;
-    inline void Examine() noexcept;
-    [[nodiscard]] inline bool IsSlotSound(SlotIndex slot) noexcept;
-    [[nodiscard]] inline bool IsDigestSound() const noexcept;
 
-    Channel& a_;
-    Channel& b_;
-    SafeStateLatch& latch_;
-    const DeviceConfig* config_; ///< Never null: a device without SRDOs before Restart.
-    std::uint8_t step_{0U};      ///< Of the diagnosis: twice the slot, plus one for its digest.
+    ConfigurationCopies copies_;
+    ConfigurationDiagnosis diagnosis_{};
     NmtState nmt_{NmtState::kInvalid};
     std::uint8_t valid_{0U};
     SlotIndex faulty_{0U};
-    bool is_digest_whole_{false}; ///< `digest_` is that of the walk through the slots that is under way.
-    std::uint32_t cycles_per_check_{0U};
-    std::uint32_t cycles_to_check_{0U};
-    DeviceDigest reference_{0U}; ///< Of the last declaration, or of the last write to 1300h.
-    DeviceDigest digest_{0U};    ///< Of the slots so far.
 };
 
 } // namespace counterpoint

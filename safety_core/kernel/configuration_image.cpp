@@ -147,7 +147,7 @@ Result ConfigurationImage::LoadItem(const std::uint32_t number, const std::uint3
     }
     guard_.Invalidate();
     place.item.value = value;
-    guard_.StoreBoth(place.item);
+    guard_.Store(place.item);
     return Result::kSuccessful;
 }
 
@@ -182,8 +182,9 @@ Result ConfigurationImage::Load(const ImageHeader& header) const noexcept
 
 std::uint32_t ConfigurationImage::DefaultOf(const ConfigAddress& address) const noexcept
 {
-    const bool is_first = guard_.Config().srdos[address.slot].number == 1U; // MISRA D-002
-    const NodeId node{is_first ? guard_.Config().node_id : 0U};
+    const DeviceConfig& config = guard_.Config();
+    const bool is_first = config.srdos[address.slot].number == 1U; // MISRA D-002
+    const NodeId node{is_first ? config.node_id : 0U};
     const Connection own = DefaultConnection(node);
     if (address.field == ConfigField::kCobId1)
     {
@@ -212,7 +213,7 @@ Result ConfigurationImage::RestoreDefaults() const noexcept
             if (place.kind == ObjectKind::kConfiguration)
             {
                 place.item.value = DefaultOf(place.item.address);
-                guard_.StoreBoth(place.item);
+                guard_.Store(place.item);
             }
         }
     }

@@ -86,9 +86,14 @@ struct GuardValidTag
     using Member = std::uint8_t ConfigurationGuard::*;
     friend Member Open(GuardValidTag tag);
 };
+struct DiagnosisTag
+{
+    using Member = ConfigurationDiagnosis ConfigurationGuard::*;
+    friend Member Open(DiagnosisTag tag);
+};
 struct GuardCountTag
 {
-    using Member = std::uint32_t ConfigurationGuard::*;
+    using Member = std::uint32_t ConfigurationDiagnosis::*;
     friend Member Open(GuardCountTag tag);
 };
 
@@ -106,7 +111,8 @@ template struct Opened<RequestsTag, &Production::requests_>;
 template struct Opened<NowTag, &Production::now_>;
 template struct Opened<GfcUntilTag, &Production::gfc_until_>;
 template struct Opened<GuardValidTag, &ConfigurationGuard::valid_>;
-template struct Opened<GuardCountTag, &ConfigurationGuard::cycles_to_check_>;
+template struct Opened<DiagnosisTag, &ConfigurationGuard::diagnosis_>;
+template struct Opened<GuardCountTag, &ConfigurationDiagnosis::cycles_to_check_>;
 
 template <typename Object> MemoryPiece PieceOf(Object& object)
 {
@@ -144,7 +150,7 @@ std::vector<MemoryPiece> PiecesOf(const Part part, Kernel& kernel)
     case Part::kGuard:
     {
         ConfigurationGuard& guard = (kernel.*Open(ContextTag{})).guard;
-        return {PieceOf(guard.*Open(GuardValidTag{})), PieceOf(guard.*Open(GuardCountTag{}))};
+        return {PieceOf(guard.*Open(GuardValidTag{})), PieceOf(guard.*Open(DiagnosisTag{}).*Open(GuardCountTag{}))};
     }
     default:
         return StateOf(kernel);
