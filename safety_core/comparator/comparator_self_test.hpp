@@ -34,9 +34,9 @@ class ComparatorSelfTest
                                   CycleOutcome& outcome_b) noexcept;
 
   private:
-    std::uint32_t test_cycles_{0U};
-    std::uint32_t cycles_to_test_{0U};
-    std::uint8_t number_{0U}; ///< Of the last difference.
+    std::uint32_t test_cycles_{};
+    std::uint32_t cycles_to_test_{};
+    std::uint8_t number_{}; ///< Of the last difference.
 };
 
 } // namespace counterpoint

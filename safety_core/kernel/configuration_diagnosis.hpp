@@ -45,12 +45,12 @@ class ConfigurationDiagnosis
     // What is used in one place alone is inline: the compiler then decides whether it needs a call of its own.
     [[nodiscard]] inline bool IsDigestSound(std::uint8_t valid) const noexcept;
 
-    std::uint8_t step_{0U};       ///< Twice the slot, plus one for its digest.
-    bool is_digest_whole_{false}; ///< `digest_` is that of the walk through the slots that is under way.
-    std::uint32_t cycles_per_check_{0U};
-    std::uint32_t cycles_to_check_{0U};
-    DeviceDigest reference_{0U}; ///< Of the last declaration, or of the last write to 1300h.
-    DeviceDigest digest_{0U};    ///< Of the slots so far.
+    std::uint8_t step_{};    ///< Twice the slot, plus one for its digest.
+    bool is_digest_whole_{}; ///< `digest_` is that of the walk through the slots that is under way.
+    std::uint32_t cycles_per_check_{};
+    std::uint32_t cycles_to_check_{};
+    DeviceDigest reference_{}; ///< Of the last declaration, or of the last write to 1300h.
+    DeviceDigest digest_{};    ///< Of the slots so far.
 };
 
 } // namespace counterpoint

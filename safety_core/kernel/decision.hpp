@@ -109,8 +109,8 @@ class Decision
     static constexpr std::uint32_t kPermitRotation = 16U;
     static constexpr std::uint32_t kWordBits = 32U;
 
-    SrdoMask committed_{0U};
-    std::uint16_t demotions_{0U};
+    SrdoMask committed_{};
+    std::uint16_t demotions_{};
     Verdict verdict_{};
     ComparatorSelfTest self_test_{};
     Comparator comparator_{};

@@ -109,16 +109,16 @@ class Production
     static void GiveUp(const KernelContext& context, SlotIndex slot, SrdoCause cause) noexcept;
     inline void FollowGfc(const KernelContext& context) noexcept;
 
-    std::uint8_t transmitted_{0U};
-    std::uint8_t transmitted_told_{0U};
-    bool gfc_open_{false};
-    std::uint32_t shortest_refresh_us_{0U}; ///< Of the producers; 0 without one.
-    Instant gfc_until_{0U};                 ///< When an SRDO must have followed the GFC.
-    Instant now_{0U};                       ///< By counter A.
-    SrdoMask producers_{0U}; ///< What may be asked for; none outside OPERATIONAL and without a valid configuration.
-    SrdoMask requests_{0U};  ///< Told to the channels by the next cycle, as the two below.
-    SrdoMask stand_a_{0U};   ///< Producers that only channel A called due.
-    SrdoMask stand_b_{0U};
+    std::uint8_t transmitted_{};
+    std::uint8_t transmitted_told_{};
+    bool gfc_open_{};
+    std::uint32_t shortest_refresh_us_{}; ///< Of the producers; 0 without one.
+    Instant gfc_until_{};                 ///< When an SRDO must have followed the GFC.
+    Instant now_{};                       ///< By counter A.
+    SrdoMask producers_{}; ///< What may be asked for; none outside OPERATIONAL and without a valid configuration.
+    SrdoMask requests_{};  ///< Told to the channels by the next cycle, as the two below.
+    SrdoMask stand_a_{};   ///< Producers that only channel A called due.
+    SrdoMask stand_b_{};
 };
 
 } // namespace counterpoint

@@ -123,10 +123,10 @@ class Reporting
 
     FlowCallback flow_callback_{};
     StatusHandshake handshake_{};
-    bool gfc_seen_{false};
-    bool fault_told_{false};
-    std::uint8_t received_{0U};
-    std::uint16_t errors_{0U}; ///< Told in this cycle: more than 255 with many consumers.
+    bool gfc_seen_{};
+    bool fault_told_{};
+    std::uint8_t received_{};
+    std::uint16_t errors_{}; ///< Told in this cycle: more than 255 with many consumers.
     SrdoStatus status_{};
 };
 

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "safety_core/comparator/comparator.hpp"
 
+#include "safety_core/comparator/comparator_self_test.hpp"
 #include "safety_core/comparator/slot_mask.hpp"
 #include "verification/trace/ids/channel.hpp"
 #include "verification/trace/ids/kernel.hpp"
@@ -575,6 +576,29 @@ TEST(ComparePrepared, EveryBitIsSeenAmongFullAndEmptyBytes)
             other.normal.data[opposite] = static_cast<std::uint8_t>(fill ^ flip);
             EXPECT_EQ(Comparator::ComparePrepared(full, other), PreparedVerdict::kNotInverse) << "bit " << bit;
         }
+    }
+}
+
+TEST_F(Comparing, SelfTestBeginsWithTheSameDifferenceAfterEachRestart)
+{
+    Verifies(req::SRS_CMP_009);
+    DeviceConfig config{};
+    config.cycle_us = 1000U;
+    config.test_interval_us = 2000U;
+    ComparatorSelfTest test{};
+    // Given outcomes that differ in what the test alters first: it takes this difference away, and none is seen
+    b.outcome.is_tx = 0U;
+    const Comparison comparison{&a.outcome, &b.outcome, &a, &b, Instant{0U}, 17U, 0xABCDU};
+    for (std::uint32_t round = 0U; round < 2U; ++round)
+    {
+        test.Restart(config);
+        EXPECT_EQ(test.Run(comparator, comparison, b.outcome), DeviceFault::kComparator) << "round " << round;
+        EXPECT_EQ(test.Run(comparator, comparison, b.outcome), DeviceFault::kNone) << "round " << round;
+        EXPECT_EQ(b.outcome.is_tx, 0U);
+        // A test in every second cycle, the first one after one interval.
+        EXPECT_FALSE(test.TakeTurn());
+        EXPECT_TRUE(test.TakeTurn());
+        EXPECT_FALSE(test.TakeTurn());
     }
 }
 
