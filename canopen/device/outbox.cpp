@@ -31,6 +31,20 @@ bool Outbox::HasRoom() const noexcept
     return count_ < kRoom;
 }
 
+bool Outbox::Waits(const std::uint32_t identifier, const std::uint8_t first_byte) const noexcept
+{
+    bool is_waiting = false;
+    for (std::uint32_t place = 0U; place < count_; ++place)
+    {
+        const CanFrame& frame = frames_[(first_ + place) % kRoom];
+        if (frame.identifier == identifier)
+        {
+            is_waiting = frame.data[0] == first_byte;
+        }
+    }
+    return is_waiting;
+}
+
 void Outbox::OnConfirm() noexcept
 {
     static_cast<void>(confirmed_.fetch_add(1U));

@@ -28,6 +28,8 @@ class Outbox final : public cia301::FrameSink
     [[nodiscard]] bool Send(const CanFrame& frame) noexcept override;
     /// @brief Whether Send would take a frame.
     [[nodiscard]] bool HasRoom() const noexcept;
+    /// @brief Whether the newest frame with this identifier that waits begins with this byte. O(kRoom) [SRS_DEV_024]
+    [[nodiscard]] bool Waits(std::uint32_t identifier, std::uint8_t first_byte) const noexcept;
     /// @brief A frame of a service was on the bus.
     void OnConfirm() noexcept;
     /// @brief Hands frames over to the controller, as many as it may have. O(kUnconfirmed)

@@ -208,7 +208,12 @@ void Services::OnCycle(const cia301::Moment& moment) noexcept
     // Both forget what they hand out: only with room.
     if (outbox.HasRoom())
     {
-        Send(producer.Poll(moment.state, moment.now));
+        const cia301::FrameToSend heartbeat = producer.Poll(moment.state, moment.now);
+        // Many that leave at once, when the bus is back, look like those of two devices.
+        if (heartbeat.is_present && !outbox.Waits(heartbeat.frame.identifier, heartbeat.frame.data[0]))
+        {
+            Send(heartbeat);
+        }
     }
     if (outbox.HasRoom())
     {

@@ -75,6 +75,14 @@ struct FrameEntry
     host::FrameFate fate{host::FrameFate::kComplete};
 };
 
+/// Somebody told a device what to do, or took or gave its supply.
+struct CommandEntry
+{
+    Nanoseconds at{0};
+    NodeIndex node{kNoNode};
+    bool closes{true}; ///< It takes the device out of OPERATIONAL; else it starts it.
+};
+
 /// An event of a manager.
 struct ManagerEntry
 {
@@ -105,6 +113,11 @@ class Journal
     void Note(const Event& event)
     {
         events_.push_back(event);
+    }
+    /// @brief Adds what somebody told a device.
+    void Note(const CommandEntry& command)
+    {
+        commands_.push_back(command);
     }
     /// @brief Adds an event of a manager.
     void Note(ManagerEntry entry)
@@ -139,6 +152,11 @@ class Journal
     {
         return events_;
     }
+    /// @brief In order of time. [SRS_SIM_067]
+    [[nodiscard]] const std::vector<CommandEntry>& Commands() const noexcept
+    {
+        return commands_;
+    }
     /// @brief The events of managers.
     [[nodiscard]] const std::vector<ManagerEntry>& Managers() const noexcept
     {
@@ -154,6 +172,7 @@ class Journal
     bool keeps_all_;
     std::vector<Event> events_;
     std::vector<FrameEntry> frames_;
+    std::vector<CommandEntry> commands_;
     std::vector<ManagerEntry> managers_;
 };
 } // namespace counterpoint::simulator

@@ -2,6 +2,8 @@
 #include "simulator/judge/verdicts.hpp"
 #include "simulator/scenario/names.hpp"
 
+#include <algorithm>
+
 namespace counterpoint::simulator
 {
 namespace
@@ -102,6 +104,13 @@ SrdoCause CauseOf(const Event& event)
     return static_cast<SrdoCause>(event.value);
 }
 
+/// Whether a command may be the reason.
+bool FollowsCommands(const Event& event)
+{
+    const bool is_cause = event.kind == EventKind::kCauseA || event.kind == EventKind::kCauseB;
+    return event.kind == EventKind::kOutput || (is_cause && CauseOf(event) == SrdoCause::kNotOperational);
+}
+
 Detection Conclude(const Findings& findings)
 {
     if (findings.device_fault != nullptr)
@@ -124,12 +133,28 @@ Detection Conclude(const Findings& findings)
 }
 } // namespace
 
+bool IsCommanded(const Journal& journal, const NodeIndex node, const std::uint8_t srdo, const Nanoseconds at)
+{
+    CommandEntry last{-1, node, false};
+    for (const CommandEntry& command : journal.Commands())
+    {
+        last = (command.node == node && command.at <= at) ? command : last;
+    }
+    const auto is_later_opening = [&last, node, srdo, at](const Event& event)
+    {
+        return event.kind == EventKind::kOutput && event.node == node && event.srdo == srdo && event.value != 0U &&
+               event.at >= last.at && event.at <= at;
+    };
+    return last.closes && std::none_of(journal.Events().begin(), journal.Events().end(), is_later_opening);
+}
+
 Detection DetectionAt(const Journal& journal, const NodeIndex node, const Nanoseconds from)
 {
     Findings findings;
     for (const Event& event : journal.Events())
     {
-        const bool is_here = event.node == node && event.at >= from && IsFinding(event);
+        const bool is_here = event.node == node && event.at >= from && IsFinding(event) &&
+                             !(FollowsCommands(event) && IsCommanded(journal, node, event.srdo, event.at));
         if (is_here && findings.at >= 0 && event.at > findings.at)
         {
             break;

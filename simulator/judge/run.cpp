@@ -92,11 +92,12 @@ void Run::LookAt(const Nanoseconds now)
 std::string Run::FoundAtDevice(const Expectation& expectation)
 {
     const Node& device = network_->At(expectation.node);
+    const bool is_of_output = expectation.kind == ExpectationKind::kOutput;
     if (!device.HasSupply())
     {
-        return "absent";
+        return is_of_output ? "closed" : "absent";
     }
-    if (expectation.kind == ExpectationKind::kDevice)
+    if (!is_of_output)
     {
         std::string word = Name(cia301::KernelState(device.State()));
         std::replace(word.begin(), word.end(), '_', '-'); // As managers tell it.
@@ -178,6 +179,16 @@ std::vector<std::string> Run::Findings() const
     {
         lines.push_back(LineOf(late.source, late.what + " at " + MillisecondsText(late.at) + " does not happen",
                                "a time before the end of the run at " + MillisecondsText(scenario_.duration)));
+    }
+    for (const Happening& unheard : UnheardIn(scenario_))
+    {
+        if (unheard.at < scenario_.duration)
+        {
+            lines.push_back(LineOf(unheard.source,
+                                   unheard.what + " at " + MillisecondsText(unheard.at) +
+                                       " does nothing, the device has no supply then",
+                                   "a time at which it has one"));
+        }
     }
     if (managed_ != nullptr)
     {

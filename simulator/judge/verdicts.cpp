@@ -300,6 +300,9 @@ class Judgement
                 closed->at - measurement.reference + model.Config().output_time_us * kNanosecondsPerMicrosecond;
         }
         measurement.detection = FirstDetection(expectation, measurement.effect);
+        // What somebody noticed at that very instant would have closed it as well.
+        measurement.is_commanded = closed != nullptr && IsCommanded(journal_, closed->node, closed->srdo, closed->at) &&
+                                   DetectionAt(journal_, closed->node, closed->at).at != closed->at;
         return measurement;
     }
 
@@ -317,6 +320,10 @@ class Judgement
         else if (!measurement.was_open)
         {
             verdict.seen = "the output was not released when the fault came";
+        }
+        else if (measurement.is_commanded)
+        {
+            verdict.seen = "closed by a command or without supply at " + MillisecondsText(measurement.closed);
         }
         else
         {

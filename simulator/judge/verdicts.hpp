@@ -33,13 +33,14 @@ struct Measurement
     Nanoseconds closed{-1};    ///< When the output stage closed; -1: never.
     Nanoseconds elapsed{-1};   ///< With the time that the output needs after that; -1: never safe.
     Nanoseconds limit{0};
-    bool was_open{false}; ///< The output was on when the fault came.
+    bool was_open{false};     ///< The output was on when the fault came.
+    bool is_commanded{false}; ///< It was an NMT command, or the loss of its supply, that closed the output.
     Detection detection;
 
     /// @brief Whether the output was open before and safe within the limit.
     [[nodiscard]] bool Holds() const noexcept
     {
-        return was_open && elapsed >= 0 && elapsed <= limit;
+        return was_open && !is_commanded && elapsed >= 0 && elapsed <= limit;
     }
 };
 
@@ -63,7 +64,10 @@ struct ExpectationVerdict
 /// @brief The limit of a fault at this output; it is known before the run.
 [[nodiscard]] Nanoseconds LimitOf(const Scenario& scenario, const Expectation& expectation,
                                   const runtime::DeviceModel& model);
-/// @brief The first detection at a node at or after `from`.
+/// @brief Whether at that time the last command for this node took it out of OPERATIONAL, after the output of the SRDO
+/// had opened. [SRS_SIM_067]
+[[nodiscard]] bool IsCommanded(const Journal& journal, NodeIndex node, std::uint8_t srdo, Nanoseconds at);
+/// @brief The first detection at a node at or after `from`; not what follows from a command.
 [[nodiscard]] Detection DetectionAt(const Journal& journal, NodeIndex node, Nanoseconds from);
 } // namespace counterpoint::simulator
 

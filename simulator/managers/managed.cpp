@@ -95,6 +95,15 @@ class Managed final : public ManagedWorld
                                     "each manager with a node-ID of its own");
                 }
             }
+            for (const NodeSetup& node : scenario.nodes)
+            {
+                if (node.node_id == manager->Node())
+                {
+                    throw YamlError(node.source.file, node.source.place,
+                                    "node-ID " + std::to_string(manager->Node()) + ", which a manager has",
+                                    "a node-ID of its own for each node");
+                }
+            }
             network.Join(*manager, manager->BusNode(), place);
             managers_.push_back(std::move(manager));
         }

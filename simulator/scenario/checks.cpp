@@ -17,10 +17,10 @@ bool IsOfPart(const FaultSetup& fault)
     return fault.part != Part::kNone && fault.kind != FaultKind::kBitFlip && fault.kind != FaultKind::kStuckBit;
 }
 
-bool SharesController(const FaultSetup& one, const FaultSetup& other)
+bool IsOfController(const FaultSetup& fault)
 {
-    const bool is_controller = one.kind == FaultKind::kBusOff || one.kind == FaultKind::kUnplugged;
-    return is_controller && (one.controller == 0U || other.controller == 0U || one.controller == other.controller);
+    return fault.kind == FaultKind::kBusOff || fault.kind == FaultKind::kUnplugged ||
+           fault.kind == FaultKind::kQueueOverflow;
 }
 
 /// Whether two faults would work on the same part, counter, object or controller.
@@ -35,6 +35,10 @@ bool HitTheSame(const FaultSetup& one, const FaultSetup& other)
         const bool is_second = one.second_part != Part::kNone && one.second_part == other.second_part;
         return one.part == other.part || one.part == other.second_part || one.second_part == other.part || is_second;
     }
+    if (IsOfController(one) && IsOfController(other))
+    {
+        return one.controller == 0U || other.controller == 0U || one.controller == other.controller;
+    }
     if (one.kind != other.kind)
     {
         return false;
@@ -44,7 +48,7 @@ bool HitTheSame(const FaultSetup& one, const FaultSetup& other)
     const bool is_rate = one.kind == FaultKind::kClock && !one.jump && !other.jump && is_counter;
     const bool is_object = one.kind == FaultKind::kNotInverse && one.object.index == other.object.index &&
                            one.object.sub == other.object.sub;
-    return is_rate || is_object || SharesController(one, other) || one.kind == FaultKind::kQueueOverflow;
+    return is_rate || is_object;
 }
 
 void RequireApart(const Scenario& scenario)
@@ -60,7 +64,7 @@ void RequireApart(const Scenario& scenario)
             {
                 throw YamlError(other.source.file, other.source.place,
                                 "fault " + runtime::Shown(other.name) + " overlaps " + runtime::Shown(one.name) +
-                                    " on the same part, counter or object",
+                                    " on the same part, counter, object or controller",
                                 "one fault there at a time");
             }
         }
@@ -191,6 +195,7 @@ void RequireHappening(const Scenario& scenario)
         RequireFewSwitches(scenario, fault);
     }
     RequireNetwork(scenario);
+    RequireSupply(scenario);
 }
 
 void RequirePossible(const Scenario& scenario)

@@ -66,46 +66,10 @@ class DeviceCheck
         }
     }
 
-    /// Whether the device is there, through the events in their order.
-    void Life() const
-    {
-        bool is_there = true;
-        for (const Action* const action : Actions())
-        {
-            const std::string what = std::string(NameOf(kActionWords, action->kind)) + " of " + NameOfDevice(Setup());
-            const bool needs_absence = action->kind == ActionKind::kInsert;
-            if (action->at < Setup().phase)
-            {
-                Refuse(action->source, what + " before it comes", "a time from its 'phase' on");
-            }
-            if (action->kind != ActionKind::kReplace && is_there == needs_absence)
-            {
-                Refuse(action->source, what + (is_there ? ", which is there" : ", which is not there"),
-                       is_there ? "a pull before it" : "an insert before it");
-            }
-            is_there = action->kind != ActionKind::kPull;
-        }
-    }
-
   private:
     [[nodiscard]] const NodeSetup& Setup() const
     {
         return scenario_.nodes[node_];
-    }
-    /// In the order in which they happen.
-    [[nodiscard]] std::vector<const Action*> Actions() const
-    {
-        std::vector<const Action*> actions;
-        for (const Action& action : scenario_.actions)
-        {
-            if (action.node == node_)
-            {
-                actions.push_back(&action);
-            }
-        }
-        std::stable_sort(actions.begin(), actions.end(),
-                         [](const Action* left, const Action* right) { return left->at < right->at; });
-        return actions;
     }
     void RequireObject(const ObjectAddress& object, const std::uint32_t value, const Source& source) const
     {
@@ -200,9 +164,7 @@ void RequireNetwork(const Scenario& scenario)
     }
     for (NodeIndex node = 0U; node < scenario.nodes.size(); ++node)
     {
-        const DeviceCheck check(scenario, node);
-        check.Life();
-        check.Objects();
+        DeviceCheck(scenario, node).Objects();
     }
 }
 } // namespace counterpoint::simulator

@@ -12,6 +12,8 @@ namespace counterpoint::simulator
 {
 namespace
 {
+constexpr std::uint32_t kHeartbeats = 0x700U;
+
 host::BitRate RateOf(const Scenario& scenario)
 {
     return host::BitRateFrom(scenario.bitrate).value_or(host::BitRate::k500k);
@@ -97,6 +99,7 @@ void Network::BuildNode(const NodeIndex index, const NodeSetup& setup, Journal& 
         ++controller;
         world_.places.resize(place + 1U);
         world_.places[place] = {index, controller, kNoFaultIndex};
+        world_.bus.WaitOnce(place, kHeartbeats + model.Config().node_id);
     }
 }
 
@@ -183,6 +186,7 @@ void Network::RunUntil(const Nanoseconds until)
                 ++cycles_;
             }
         }
+        faults_->LookAtSupply();
         for (Participant* const participant : participants_)
         {
             if (participant->NextEvent() <= next)

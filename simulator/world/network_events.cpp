@@ -13,8 +13,7 @@ void NetworkEvents::PlanAll()
 {
     for (NodeIndex index = 0U; index < scenario_.nodes.size(); ++index)
     {
-        agenda_.Plan(scenario_.nodes[index].start_at,
-                     [this, index]() { world_.nodes[index]->SetNmt(NmtState::kOperational); });
+        agenda_.Plan(scenario_.nodes[index].start_at, [this, index]() { Start(index); });
     }
     for (const Stimulus& stimulus : scenario_.stimuli)
     {
@@ -55,25 +54,40 @@ void NetworkEvents::PlanNmt()
             agenda_.Plan(event.at, [this, &event, index]() { Command(index, event); });
             if (event.start_after != kNever)
             {
-                agenda_.Plan(event.at + event.start_after,
-                             [this, index]() { world_.nodes[index]->SetNmt(NmtState::kOperational); });
+                agenda_.Plan(event.at + event.start_after, [this, index]() { Start(index); });
             }
         }
     }
     for (const PowerCycle& cycle : scenario_.power)
     {
-        agenda_.Plan(cycle.at, [this, &cycle]() { world_.nodes[cycle.node]->PowerOff(); });
+        agenda_.Plan(cycle.at,
+                     [this, &cycle]()
+                     {
+                         NoteCommand(cycle.node, true);
+                         world_.nodes[cycle.node]->PowerOff();
+                     });
         agenda_.Plan(cycle.at + cycle.off, [this, &cycle]() { world_.nodes[cycle.node]->PowerOn(); });
         if (cycle.start_after != kNever)
         {
-            agenda_.Plan(cycle.at + cycle.off + cycle.start_after,
-                         [this, &cycle]() { world_.nodes[cycle.node]->SetNmt(NmtState::kOperational); });
+            agenda_.Plan(cycle.at + cycle.off + cycle.start_after, [this, &cycle]() { Start(cycle.node); });
         }
     }
 }
 
+void NetworkEvents::NoteCommand(const NodeIndex node, const bool closes)
+{
+    world_.journal.Note(CommandEntry{world_.Now(), node, closes});
+}
+
+void NetworkEvents::Start(const NodeIndex node)
+{
+    NoteCommand(node, false);
+    world_.nodes[node]->SetNmt(NmtState::kOperational);
+}
+
 void NetworkEvents::Command(const NodeIndex node, const NmtEvent& event)
 {
+    NoteCommand(node, event.command != cia301::NmtCommand::kStart && event.state != NmtState::kOperational);
     switch (event.command)
     {
     case cia301::NmtCommand::kInvalid:
@@ -114,7 +128,7 @@ void NetworkEvents::PlanActions()
             ++duplicate;
             continue;
         }
-        agenda_.Plan(action.at, [this, &action]() { Act(action, *world_.nodes[action.node]); });
+        agenda_.Plan(action.at, [this, &action]() { Act(action, world_.Present(action.node)); });
         if (action.kind == ActionKind::kAcknowledge)
         {
             agenda_.Plan(action.at + kPress,
@@ -125,10 +139,6 @@ void NetworkEvents::PlanActions()
 
 void NetworkEvents::Act(const Action& action, Node& node)
 {
-    if (node.NextEvent() <= world_.Now() && node.State() == cia301::NodeState::kInvalid)
-    {
-        node.Run(); // It comes at this very instant.
-    }
     switch (action.kind)
     {
     case ActionKind::kAcknowledge:
@@ -160,6 +170,7 @@ void NetworkEvents::PullAll(const NodeIndex index)
     {
         if (node->Index() == index && node->HasSupply())
         {
+            NoteCommand(index, true);
             node->PowerOff();
         }
     }

@@ -20,6 +20,9 @@ class NetworkEvents
   private:
     void PlanNmt();
     void PlanActions();
+    /// @brief `closes`: it leaves OPERATIONAL by it.
+    void NoteCommand(NodeIndex node, bool closes);
+    void Start(NodeIndex node);
     void Command(NodeIndex node, const NmtEvent& event);
     void Act(const Action& action, Node& node);
     void PullAll(NodeIndex index);

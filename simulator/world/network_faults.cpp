@@ -6,7 +6,7 @@
 #include <algorithm>
 
 // How faults are brought about: each changes bytes, calls, clocks or frames at its time. [SRS_SIM_020, SRS_SIM_021,
-// SRS_SIM_022, SRS_SIM_023, SRS_SIM_024, SRS_SIM_025]
+// SRS_SIM_022, SRS_SIM_023, SRS_SIM_024, SRS_SIM_025, SRS_SIM_063, SRS_SIM_064]
 namespace counterpoint::simulator
 {
 namespace
@@ -145,6 +145,46 @@ void NetworkFaults::NoteFault(const std::size_t index, const NodeIndex node)
     world_.journal.Note({world_.Now(), EventKind::kFault, node, 0U, index, 0U});
 }
 
+void NetworkFaults::NoteBegin(const std::size_t index)
+{
+    const NodeIndex node = scenario_.faults[index].node;
+    if (world_.Present(node).HasSupply())
+    {
+        NoteFault(index, node);
+        return;
+    }
+    waiting_.insert(index);
+}
+
+void NetworkFaults::LookAtSupply()
+{
+    for (auto place = waiting_.begin(); place != waiting_.end();)
+    {
+        const NodeIndex node = scenario_.faults[*place].node;
+        const bool is_there = world_.nodes[node]->HasSupply();
+        if (is_there)
+        {
+            NoteFault(*place, node);
+        }
+        place = is_there ? waiting_.erase(place) : std::next(place);
+    }
+}
+
+void NetworkFaults::PlanInstant(const std::size_t index, const std::function<void(Node&)>& act)
+{
+    const FaultSetup& fault = scenario_.faults[index];
+    agenda_.Plan(fault.at,
+                 [this, index, act, &fault]()
+                 {
+                     Node& node = world_.Present(fault.node);
+                     if (node.HasSupply())
+                     {
+                         NoteFault(index, fault.node);
+                         act(node);
+                     }
+                 });
+}
+
 void NetworkFaults::PlanFault(const std::size_t index)
 {
     const FaultSetup& fault = scenario_.faults[index];
@@ -189,9 +229,14 @@ void NetworkFaults::PlanFault(const std::size_t index)
 }
 
 void NetworkFaults::PlanState(const std::size_t index, const std::function<void()>& begin,
-                              const std::function<void()>& end)
+                              const std::function<void()>& act_at_end)
 {
     const FaultSetup& fault = scenario_.faults[index];
+    const auto end = [this, index, act_at_end]()
+    {
+        waiting_.erase(index);
+        act_at_end();
+    };
     const Nanoseconds last = std::min(fault.until, scenario_.duration);
     for (Nanoseconds at = fault.at; at < last; at += fault.on + fault.off)
     {
@@ -215,7 +260,7 @@ void NetworkFaults::Insert(const std::size_t index)
 {
     const FaultSetup& fault = scenario_.faults[index];
     const CanFrame frame = ForeignFrame(fault);
-    NoteFault(index, fault.frames.receiver.value_or(kNoNode));
+    bool is_heard = false;
     for (NodeIndex node = 0U; node < world_.nodes.size(); ++node)
     {
         if (fault.frames.receiver.value_or(node) != node)
@@ -225,8 +270,14 @@ void NetworkFaults::Insert(const std::size_t index)
         for (const host::NodeIndex place : world_.nodes[node]->BusNodes()) // Filters decide which of two it is for.
         {
             world_.bus.Plan(place, frame, world_.Now());
+            is_heard = is_heard || world_.bus.IsOnBus(place);
         }
     }
+    if (!is_heard)
+    {
+        return;
+    }
+    NoteFault(index, fault.frames.receiver.value_or(kNoNode));
     world_.journal.Tell(FrameEntry{world_.Now(), world_.Now(), frame, kNoNode, host::FrameFate::kComplete});
 }
 
@@ -281,23 +332,17 @@ void NetworkFaults::PlanControllerFault(const std::size_t index)
     const bool is_bus_off = fault.kind == FaultKind::kBusOff;
     PlanState(
         index,
-        [this, for_each, is_bus_off, index, &fault]()
+        [this, for_each, is_bus_off, index]()
         {
             for_each(is_bus_off ? &host::VirtualBus::ForceBusOff : &host::VirtualBus::Disconnect);
-            NoteFault(index, fault.node);
+            NoteBegin(index);
         },
         [for_each, is_bus_off]() { for_each(is_bus_off ? &host::VirtualBus::Recover : &host::VirtualBus::Connect); });
 }
 
 void NetworkFaults::PlanStandstill(const std::size_t index)
 {
-    const FaultSetup& fault = scenario_.faults[index];
-    agenda_.Plan(fault.at,
-                 [this, index, &fault]()
-                 {
-                     NoteFault(index, fault.node);
-                     world_.nodes[fault.node]->StandStill();
-                 });
+    PlanInstant(index, [](Node& node) { node.StandStill(); });
 }
 
 runtime::BitPlace NetworkFaults::PlaceOfBit(const std::size_t index)
@@ -347,12 +392,7 @@ void NetworkFaults::PlanBitFault(const std::size_t index)
                      [this, index, &fault, place]() { world_.nodes[fault.node]->StickBit(fault, place, index); });
         return;
     }
-    agenda_.Plan(fault.at,
-                 [this, index, &fault, place]()
-                 {
-                     world_.nodes[fault.node]->FlipBit(fault.part, fault.srdo, place);
-                     NoteFault(index, fault.node);
-                 });
+    PlanInstant(index, [&fault, place](Node& node) { node.FlipBit(fault.part, fault.srdo, place); });
 }
 
 void NetworkFaults::PlanPartFault(const std::size_t index)
@@ -378,11 +418,17 @@ void NetworkFaults::PlanClock(const std::size_t index)
         }
     };
     const NodeSetup& setup = scenario_.nodes[fault.node];
-    const auto begin = [this, index, for_each, &fault]()
+    const bool is_as_before = !fault.jump && (!fault.hits_counter_a || fault.rate_ppm == setup.counter_a.drift_ppm) &&
+                              (!fault.hits_counter_b || fault.rate_ppm == setup.counter_b.drift_ppm);
+    const auto begin = [this, index, for_each, is_as_before, &fault]()
     {
+        if (is_as_before || (fault.jump && !world_.Present(fault.node).HasSupply()))
+        {
+            return; // Nothing differs; a counter without supply begins anew.
+        }
         for_each([&fault](Node& node, const bool is_a)
                  { fault.jump ? node.JumpCounter(is_a, *fault.jump) : node.SetCounterRate(is_a, fault.rate_ppm); });
-        NoteFault(index, fault.node);
+        NoteBegin(index);
     };
     const auto end = [for_each, &setup]()
     {
@@ -397,12 +443,7 @@ void NetworkFaults::PlanDisturbance(const std::size_t index)
     const FaultSetup& fault = scenario_.faults[index];
     if (fault.kind == FaultKind::kCycle)
     {
-        agenda_.Plan(fault.at,
-                     [this, index, &fault]()
-                     {
-                         world_.nodes[fault.node]->ShiftCycle(fault.by);
-                         NoteFault(index, fault.node);
-                     });
+        PlanInstant(index, [&fault](Node& node) { node.ShiftCycle(fault.by); });
         return;
     }
     PlanState(
@@ -410,7 +451,7 @@ void NetworkFaults::PlanDisturbance(const std::size_t index)
         [this, index, &fault]()
         {
             world_.nodes[fault.node]->App().Disturb(fault.object, BitsOf(fault));
-            NoteFault(index, fault.node);
+            NoteBegin(index);
         },
         [this, &fault]() { world_.nodes[fault.node]->App().Disturb(fault.object, 0U); });
 }

@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace counterpoint::simulator
@@ -27,6 +28,8 @@ class NetworkFaults
     /// @brief By fault, how many copies of frames were dropped because a frame can have no more receptions.
     /// [SRS_SIM_017]
     [[nodiscard]] const std::map<std::size_t, std::uint32_t>& Dropped() const noexcept;
+    /// @brief After the nodes ran: faults that wait for the supply of their device have an effect now.
+    void LookAtSupply();
 
   private:
     void BuildForeignControllers();
@@ -34,7 +37,7 @@ class NetworkFaults
     [[nodiscard]] std::vector<FrameSelector> SelectorsOf(FaultSite site) const;
     void PlanFault(std::size_t index);
     /// @brief The beginnings and ends of a fault that lasts, as often as it comes and goes.
-    void PlanState(std::size_t index, const std::function<void()>& begin, const std::function<void()>& end);
+    void PlanState(std::size_t index, const std::function<void()>& begin, const std::function<void()>& act_at_end);
     void PlanForeignFrames(std::size_t index);
     void PlanInsertedMessages(std::size_t index);
     void PlanPartFault(std::size_t index);
@@ -47,6 +50,10 @@ class NetworkFaults
     void PlanBabbling(std::size_t index);
     void Insert(std::size_t index);
     void NoteFault(std::size_t index, NodeIndex node);
+    /// @brief A fault that lasts begins; in a device without supply it has an effect when that comes.
+    void NoteBegin(std::size_t index);
+    /// @brief A fault of one instant in a device. Without supply nothing is there that it could change.
+    void PlanInstant(std::size_t index, const std::function<void(Node&)>& act);
 
     World& world_;
     const Scenario& scenario_;
@@ -54,6 +61,7 @@ class NetworkFaults
     std::unique_ptr<FrameFaults> frame_faults_;
     std::unique_ptr<ControllerFaults> controller_faults_;
     std::map<std::size_t, std::unique_ptr<ForeignController>> foreign_; ///< By fault.
+    std::set<std::size_t> waiting_;                                     ///< Faults that have begun without effect.
 };
 
 /// The row of the table of limits for a fault, where the scenario names none. [SRS_SIM_031]

@@ -18,6 +18,19 @@ hal::GateLimit LimitOf(const DeviceConfig& config)
     return {config.cycle_us + config.cycle_tolerance_us};
 }
 
+/// A frame of an NMT master, if it is one for this node.
+void NoteCommand(Journal& journal, CommandEntry command, const CanFrame& frame, const std::uint8_t node_id)
+{
+    const bool is_for_it = frame.kind == FrameKind::kData && frame.identifier == 0U && frame.length_bytes >= 2U &&
+                           (frame.data[1] == 0U || frame.data[1] == node_id);
+    const auto order = static_cast<cia301::NmtCommand>(frame.data[0]);
+    if (is_for_it && cia301::IsNmtCommand(order))
+    {
+        command.closes = order != cia301::NmtCommand::kStart;
+        journal.Note(command);
+    }
+}
+
 runtime::Half HalfOf(const runtime::CpuRole role)
 {
     if (role == runtime::CpuRole::kWhole)
@@ -62,7 +75,7 @@ Node::Node(const NodePlace& place, const NodeSetup& setup, runtime::DeviceModel&
         }
         for (const host::NodeIndex node : bus_nodes_)
         {
-            bus_.Disconnect(node); // Whoever has no supply hears nobody.
+            bus_.SwitchOff(node); // Whoever has no supply hears nobody.
         }
     }
     SetCounterRate(true, setup.counter_a.drift_ppm);
@@ -305,6 +318,7 @@ void Node::Take(const StampedFrame& frame)
     {
         return;
     }
+    NoteCommand(journal_, {Now(), place_.index}, frame.frame, model_.Config().node_id);
     if (place_.insight == Insight::kTapped)
     {
         Follow(frame);

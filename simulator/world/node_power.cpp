@@ -167,12 +167,7 @@ void Node::PowerOn()
     const bool is_again = next_cycle_ == kNever;
     for (const host::NodeIndex node : bus_nodes_)
     {
-        bus_.AbortAll(node); // What it said when it was rehearsed.
-        bus_.Connect(node);
-        if (is_again)
-        {
-            bus_.Recover(node);
-        }
+        bus_.SwitchOn(node); // Without what it said when it was rehearsed.
     }
     if (is_again)
     {
@@ -202,8 +197,7 @@ void Node::PowerOff()
     queue_.reset();
     for (const host::NodeIndex node : bus_nodes_)
     {
-        bus_.AbortAll(node);
-        bus_.Disconnect(node);
+        bus_.SwitchOff(node);
     }
     for (SlotIndex slot = 0U; slot < model_.Config().srdo_count; ++slot)
     {

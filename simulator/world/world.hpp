@@ -32,6 +32,16 @@ struct World
     {
         return bus.Now();
     }
+    /// @brief The device, which comes now if this is its very instant.
+    [[nodiscard]] Node& Present(const NodeIndex index)
+    {
+        Node& node = *nodes[index];
+        if (node.NextEvent() <= Now() && node.State() == cia301::NodeState::kInvalid)
+        {
+            node.Run();
+        }
+        return node;
+    }
 };
 } // namespace counterpoint::simulator
 

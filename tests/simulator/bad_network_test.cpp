@@ -171,6 +171,9 @@ TEST_F(BadScenarioTest, ManagersAndDevices)
     ExpectRefused(two + "managers: 5\n", ":3:11: '5', expected a list");
     ExpectRefused(two + "managers: [{network: net.yaml},\n  {network: net.yaml}]\n", ":4:3: manager 127 a second time");
     ExpectRefused(head_ + devices_ + "  33: {dcf: net.yaml}\n", ":8:3: key '33' twice");
+    ExpectRefused(two + "managers: [{network: net.yaml, node: 9}]\n" + devices_ +
+                      "  9: {dcf: " + cia306::test::SourceFolder() + "/examples/emergency_stop/sensor.dcf}\n",
+                  ":8:12: node-ID 9, which a manager has, expected a node-ID of its own for each node");
     ExpectRefused(head_ + "nodes: {5: {dcf: /dev/zero}}\n", ":4:18: '/dev/zero' is no regular file, expected a DCF");
     // Given a manager that comes later, then nothing is asked of it before
     const std::string late = two + "managers: [{network: net.yaml, at: 1 s}]\n";

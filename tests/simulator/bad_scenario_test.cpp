@@ -373,10 +373,12 @@ TEST(ScenarioFileName, IsShownInOnePrintableLineWithTheReason)
 TEST(FaultWithoutEffect, IsOneThatLeavesTheFrameAsItIs)
 {
     Verifies(req::SRS_SIM_015);
-    // Given faults that change nothing: a bit behind the last byte, a bit flipped twice, the identifier it has anyway
-    for (const char* const fault : {"corruption, frames: {identifier: 0x103}, bits: [63]",
-                                    "corruption, frames: {identifier: 0x103}, bits: [0, 0]",
-                                    "addressing, frames: {identifier: 0x103}, as: 0x103"})
+    // Given faults that change nothing: a bit behind the last byte, a bit flipped twice, the identifier or rate it has
+    // anyway
+    for (const char* const fault :
+         {"corruption, frames: {identifier: 0x103}, bits: [63]",
+          "corruption, frames: {identifier: 0x103}, bits: [0, 0]", "addressing, frames: {identifier: 0x103}, as: 0x103",
+          "clock, node: actuator, counter: a, ppm: 5, at: 500 ms"})
     {
         // When somebody expects that nobody notices it
         const auto run = RunChain("faults:\n  - {fault: " + std::string(fault) +
@@ -390,6 +392,88 @@ TEST(FaultWithoutEffect, IsOneThatLeavesTheFrameAsItIs)
     }
     // And a fault that came is not
     EXPECT_TRUE(RunChain("faults:\n  - {fault: loss, frames: {identifier: 0x103}}\n")->FaultsWithoutEffect().empty());
+}
+
+/// When the only fault of a run had its effect; -1: never.
+Nanoseconds EffectIn(const Run& run)
+{
+    for (const Event& event : run.Record().Events())
+    {
+        if (event.kind == EventKind::kFault)
+        {
+            return event.at;
+        }
+    }
+    return -1;
+}
+
+const std::string kOff = "power: [{at: 400 ms, node: actuator, off: 100 ms, start_after: 10 ms}]\n";
+
+TEST(FaultWithoutSupply, OfOneInstantHasNoEffect)
+{
+    Verifies(req::SRS_SIM_063);
+    for (const char* const fault :
+         {"bit_flip, node: actuator, part: channel_a", "clock, node: actuator, counter: a, jump: 1 s",
+          "cycle, node: actuator, late: 10 ms", "standstill, node: actuator",
+          "insertion, receiver: actuator, identifier: 0x103, data: [0]"})
+    {
+        const std::string head = kOff + "faults:\n  - {fault: " + fault;
+        // Given a fault while the device is off, then it never happens
+        EXPECT_EQ(EffectIn(*RunChain(head + ", at: 450 ms}\n")), -1) << fault;
+        // And at the instant at which the supply is back it does
+        EXPECT_EQ(EffectIn(*RunChain(head + ", at: 500 ms}\n")), 500000000) << fault;
+    }
+}
+
+TEST(FaultWithoutSupply, ThatLastsHasItsEffectWhenTheSupplyComes)
+{
+    Verifies(req::SRS_SIM_063);
+    for (const char* const fault :
+         {"unplugged, node: actuator", "bus_off, node: actuator", "clock, node: actuator, counter: a, ppm: 50000"})
+    {
+        const std::string head = kOff + "faults:\n  - {fault: " + fault;
+        // Given a fault that begins while the device is off
+        EXPECT_EQ(EffectIn(*RunChain(head + ", at: 450 ms}\n")), 500000000) << fault;
+        // One that is over by then never happens
+        EXPECT_EQ(EffectIn(*RunChain(head + ", at: 420 ms, until: 480 ms}\n")), -1) << fault;
+    }
+}
+
+TEST(FaultOfAController, OutlastsAPowerCycle)
+{
+    Verifies(req::SRS_SIM_064);
+    for (const char* const fault : {"unplugged", "bus_off"})
+    {
+        // Given a device whose supply blinks while its controller is off the bus
+        const auto run = RunChain("power: [{at: 500 ms, node: actuator, off: 20 ms, start_after: 10 ms}]\n"
+                                  "acknowledge: [{at: 600 ms, node: actuator, srdo: 1, pulse: 50 ms},\n"
+                                  "  {at: 950 ms, node: actuator, srdo: 1, pulse: 20 ms}]\n"
+                                  "faults: [{fault: " +
+                                  std::string(fault) +
+                                  ", node: actuator, at: 400 ms, until: 900 ms}]\n"
+                                  "expect: [{that: safe, node: actuator, srdo: 1, at: 800 ms},\n"
+                                  "  {that: released, node: actuator, srdo: 1, at: 990 ms}]\n");
+        // Then no acknowledge opens its output before the fault is over
+        EXPECT_EQ(Failures(*run), "") << fault;
+    }
+}
+
+TEST(FaultOfAController, IsTheOnlyOneThereAtATime)
+{
+    Verifies(req::SRS_SIM_064);
+    const std::string first = "faults:\n  - {fault: bus_off, node: actuator, at: 400 ms, until: 500 ms}\n";
+    for (const char* const other : {"unplugged", "queue_overflow"})
+    {
+        const std::string second = std::string("  - {fault: ") + other + ", node: actuator, at: ";
+        const std::string file =
+            TextFile("extends: " + Examples() + "chain.yaml\n" + first + second + "450 ms, until: 600 ms}\n");
+        EXPECT_EQ(Refusal(file), file + ":4:5: fault '" + other +
+                                     "' overlaps 'bus_off' on the same part, counter, object or controller, expected "
+                                     "one fault there at a time");
+        EXPECT_EQ(
+            Refusal(TextFile("extends: " + Examples() + "chain.yaml\n" + first + second + "500 ms, until: 600 ms}\n")),
+            "");
+    }
 }
 } // namespace
 } // namespace counterpoint::simulator

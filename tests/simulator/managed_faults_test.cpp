@@ -2,7 +2,9 @@
 // Faults in the devices of a network with managers, and the options of simulate there.
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
+#include "verification/trace/ids/hal.hpp"
 #include "verification/trace/ids/manager.hpp"
+#include "verification/trace/ids/node.hpp"
 #include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -148,6 +150,123 @@ TEST_F(ManagedFaultsTest, ManagerAndDeviceAreToldThatTheBusIsOff)
     // Then it has left OPERATIONAL, and says so as soon as it can
     EXPECT_TRUE(Has(answer.out, "holds   event emergency of node plain")) << answer.out << answer.err;
     EXPECT_TRUE(Has(answer.out, "holds   device of node plain is pre-operational")) << answer.out;
+}
+
+TEST_F(ManagedFaultsTest, HeartbeatsThatWaitedMakeNoSecondDevice)
+{
+    Verifies(req::SRS_DEV_024);
+    Verifies(req::SRS_BUS_017);
+    // Given a device that could send nothing for a second
+    for (const char* const fault :
+         {"unplugged, node: actuator", "bus_off, node: actuator", "babbling, identifier: 0x001"})
+    {
+        const Answer answer =
+            Simulate("duration: 6 s\nprofiles: [plc_designer]\nfaults: [{fault: " + std::string(fault) +
+                         ", at: 3 s, until: 4500 ms}]\n"
+                         "expect: [{that: no_event, is: duplicate}]\n",
+                     {"--quiet"});
+        // Then the manager that counts signs of life does not take it for two
+        EXPECT_TRUE(!Has(answer.out, "FAILED  no event duplicate") && answer.status != 2)
+            << fault << answer.out << answer.err;
+    }
+}
+
+TEST_F(ManagedFaultsTest, WhatIsOrderedIsNoDetection)
+{
+    Verifies(req::SRS_SIM_067);
+    const std::string expect = "expect: [{that: safe_within, fault: x, node: actuator, srdo: 1},\n"
+                               "  {that: detected_by, fault: x, node: actuator, by: nobody}]\n";
+    // Given a frame that nobody misses, and a manager that stops the device while the limit runs
+    const std::string lost = "faults: [{fault: insertion, name: x, receiver: plain, identifier: 0x7F0, at: 3 s}]\n";
+    const Answer stopped = Simulate(lost + "events: [{at: 3001 ms, do: order, order: stop 33}]\n" + expect);
+    // Then neither the closed output nor its cause is the fault's
+    EXPECT_TRUE(Has(stopped.out, "FAILED  actuator SRDO 1 safe within")) << stopped.out << stopped.err;
+    EXPECT_TRUE(Has(stopped.out, ": closed by a command or without supply at 300")) << stopped.out;
+    EXPECT_TRUE(Has(stopped.out, "holds   detected at actuator by nobody")) << stopped.out;
+    // Nor when it is reset, pulled or switched off
+    for (const char* const other :
+         {"nmt: [{at: 3001 ms, node: actuator, command: reset_node}]\n",
+          "events: [{at: 3001 ms, do: pull, node: actuator}]\n", "power: [{at: 3001 ms, node: actuator, off: 1 s}]\n"})
+    {
+        const Answer answer = Simulate(lost + other + expect);
+        EXPECT_TRUE(Has(answer.out, ": closed by a command or without supply at 3001")) << answer.out << answer.err;
+        EXPECT_TRUE(Has(answer.out, "holds   detected at actuator by nobody")) << answer.out;
+    }
+    // But what the device notices itself is, even if a command follows
+    const Answer found = Simulate("faults: [{fault: not_called, name: x, node: actuator, part: channel_a, at: 3 s}]\n"
+                                  "events: [{at: 3500 ms, do: order, order: stop 33}]\n"
+                                  "expect: [{that: safe_within, fault: x, node: actuator, srdo: 1}]\n");
+    EXPECT_TRUE(Has(found.out, "holds   actuator SRDO 1 safe within")) << found.out << found.err;
+}
+
+TEST_F(ManagedFaultsTest, OutputOfADeviceThatIsNotThereIsClosed)
+{
+    Verifies(req::SRS_MGR_012);
+    const Answer answer = Simulate("events: [{at: 3 s, do: pull, node: actuator}]\n"
+                                   "expect: [{that: output, node: actuator, is: closed}]\n");
+    EXPECT_TRUE(Has(answer.out, "holds   output of node actuator SRDO 1 is closed")) << answer.out << answer.err;
+}
+
+TEST_F(ManagedFaultsTest, SupplyEventsOfADeviceAreApart)
+{
+    Verifies(req::SRS_SIM_065);
+    const std::string power = "power: [{at: 3 s, node: actuator, off: 500 ms}]\n";
+    for (const char* const action : {"pull", "insert", "reset", "replace, serial: 1", "duplicate", "acknowledge",
+                                     "store, object: 0x1017:00, value: 50"})
+    {
+        const std::string word = std::string(action).substr(0U, std::string(action).find(','));
+        // Given something that happens to the device during its power cycle, then it is refused
+        const std::string events = std::string("events: [{node: actuator, do: ") + action + ", at: ";
+        const Answer refused = Simulate(power + events + "3200 ms}]\n");
+        EXPECT_EQ(refused.status, 2) << refused.out;
+        EXPECT_TRUE(Has(refused.err, "more.yaml:3:10: " + word +
+                                         " of device actuator during its power cycle, expected a time from 3500 ms on"))
+            << refused.err;
+    }
+    EXPECT_NE(Simulate(power + "events: [{at: 3500 ms, do: pull, node: actuator}]\n", {"--quiet"}).status, 2);
+    // Nor does a power cycle take a supply that is not there
+    for (const char* const other :
+         {"power: [{at: 3100 ms, node: actuator, off: 1 s}]\nevents: [{at: 3 s, do: pull, "
+          "node: actuator}]\n",
+          "power: [{at: 3100 ms, node: actuator, off: 1 s},\n  {at: 3 s, node: actuator, off: "
+          "500 ms}]\n"})
+    {
+        const Answer refused = Simulate(other);
+        EXPECT_EQ(refused.status, 2) << refused.out;
+        EXPECT_TRUE(Has(refused.err, "more.yaml:2:9: power cycle of device actuator, which has no supply, expected "))
+            << refused.err;
+    }
+}
+
+TEST_F(ManagedFaultsTest, NobodyUsesADeviceWithoutSupply)
+{
+    Verifies(req::SRS_SIM_066);
+    const std::string power = "power: [{at: 3 s, node: actuator, off: 500 ms}]\n";
+    const std::vector<std::pair<std::string, std::string>> uses{
+        {"acknowledge: [{at: 3200 ms, node: actuator, srdo: 1, pulse: 50 ms}]\n", "3:15: acknowledge"},
+        {"nmt: [{at: 3200 ms, node: actuator, command: start}]\n", "3:7: NMT event"},
+        {"gfc: [{at: 3200 ms, node: actuator}]\n", "3:7: GFC"}};
+    for (const auto& [use, what] : uses)
+    {
+        // Given somebody who uses the device while it is off, then that is refused
+        const Answer refused = Simulate(power + use);
+        EXPECT_EQ(refused.status, 2) << refused.out;
+        EXPECT_TRUE(Has(refused.err, "more.yaml:" + what +
+                                         " of device actuator at 3200 ms, which has no supply then, expected a time at "
+                                         "which it has one"))
+            << refused.err;
+    }
+    // But not of all devices, nor an acknowledge that is still pressed when the supply comes
+    EXPECT_NE(Simulate(power + "nmt: [{at: 3200 ms, node: all, command: start}]\n", {"--quiet"}).status, 2);
+    EXPECT_NE(
+        Simulate(power + "acknowledge: [{at: 3450 ms, node: actuator, srdo: 1, pulse: 60 ms}]\n", {"--quiet"}).status,
+        2);
+    // And where the base has it, it is told
+    const Answer told = Simulate("power: [{at: 2400 ms, node: actuator, off: 1 s}]\n", {"--quiet"});
+    EXPECT_TRUE(Has(told.err,
+                    "base.yaml:22:5: acknowledge of device actuator at 2500 ms does nothing, the device has no "
+                    "supply then, expected a time at which it has one"))
+        << told.err;
 }
 
 TEST_F(ManagedFaultsTest, EveryOptionWorks)

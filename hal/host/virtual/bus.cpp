@@ -15,7 +15,7 @@ VirtualBus::VirtualBus(const BitRate rate) : events_(rate, nodes_, faults_)
 
 NodeIndex VirtualBus::Attach(BusListener& listener, const NodeSetup& setup)
 {
-    BusNode node{&listener, TransmitQueue(setup.queue_capacity), {}, 0U, 0U, setup.port, true, true, false};
+    BusNode node{&listener, TransmitQueue(setup.queue_capacity), {}, kNoIdentifier, 0U, 0U, setup.port, true, 0U};
     node.accepted.set();
     nodes_.push_back(std::move(node)); // A copy of the queue would not keep the memory set aside for its frames.
     events_.OnAttached();
@@ -26,14 +26,14 @@ void VirtualBus::Detach(const NodeIndex node)
 {
     BusNode& gone = nodes_.at(node);
     gone.listener = nullptr;
-    gone.connected = false;
+    gone.Leave(Absence::kDetached);
     gone.queue.Clear();
 }
 
 hal::TransmitStatus VirtualBus::Submit(const NodeIndex node, const CanFrame& frame)
 {
     BusNode& sender = nodes_.at(node);
-    if (sender.bus_off)
+    if (sender.IsBusOff())
     {
         return hal::TransmitStatus::kBusOff;
     }
@@ -50,11 +50,16 @@ hal::TransmitStatus VirtualBus::Submit(const NodeIndex node, const CanFrame& fra
     {
         return hal::TransmitStatus::kRefused;
     }
+    const QueuedFrame queued{sent, ArbitrationKey(sent), 0U, events_.NextOrder()};
+    if (sent.kind == FrameKind::kData && sent.identifier == sender.waits_once)
+    {
+        sender.queue.Discard(queued);
+    }
     if (sender.queue.IsFull())
     {
         return hal::TransmitStatus::kQueueFull;
     }
-    sender.queue.Insert(QueuedFrame{sent, ArbitrationKey(sent), 0U, events_.NextOrder()});
+    sender.queue.Insert(queued);
     events_.OnWaiting();
     return hal::TransmitStatus::kAccepted;
 }
@@ -93,6 +98,11 @@ void VirtualBus::AcceptRange(const NodeIndex node, const std::uint32_t first_ide
     }
 }
 
+void VirtualBus::WaitOnce(const NodeIndex node, const std::uint32_t identifier)
+{
+    nodes_.at(node).waits_once = identifier;
+}
+
 void VirtualBus::Install(BusFault& fault)
 {
     faults_.push_back(&fault);
@@ -105,25 +115,41 @@ void VirtualBus::Remove(BusFault& fault)
 
 void VirtualBus::Disconnect(const NodeIndex node)
 {
-    nodes_.at(node).connected = false;
+    nodes_.at(node).Leave(Absence::kCable);
 }
 
 void VirtualBus::Connect(const NodeIndex node)
 {
-    BusNode& back = nodes_.at(node);
-    back.connected = back.listener != nullptr;
+    nodes_.at(node).Return(Absence::kCable);
     events_.OnWaiting();
+}
+
+void VirtualBus::SwitchOff(const NodeIndex node)
+{
+    nodes_.at(node).queue.Clear();
+    nodes_.at(node).Leave(Absence::kSupply);
+}
+
+void VirtualBus::SwitchOn(const NodeIndex node)
+{
+    BusNode& back = nodes_.at(node);
+    back.queue.Clear();
+    back.transmit_errors = 0U;
+    back.receive_errors = 0U;
+    back.Return(Absence::kSupply);
+    back.Return(Absence::kErrors);
 }
 
 void VirtualBus::ForceBusOff(const NodeIndex node)
 {
-    events_.EnterBusOff(nodes_.at(node));
+    events_.EnterBusOff(nodes_.at(node), Absence::kHeldOff);
 }
 
 void VirtualBus::Recover(const NodeIndex node)
 {
     BusNode& back = nodes_.at(node);
-    back.bus_off = false;
+    back.Return(Absence::kErrors);
+    back.Return(Absence::kHeldOff);
     back.transmit_errors = 0U;
     back.receive_errors = 0U;
 }
@@ -131,12 +157,17 @@ void VirtualBus::Recover(const NodeIndex node)
 ControllerState VirtualBus::State(const NodeIndex node) const
 {
     const BusNode& looked_at = nodes_.at(node);
-    if (looked_at.bus_off)
+    if (looked_at.IsBusOff())
     {
         return ControllerState::kBusOff;
     }
     const std::uint32_t errors = std::max(looked_at.transmit_errors, looked_at.receive_errors);
     return (errors > kErrorPassiveAbove) ? ControllerState::kErrorPassive : ControllerState::kErrorActive;
+}
+
+bool VirtualBus::IsOnBus(const NodeIndex node) const
+{
+    return nodes_.at(node).IsOnBus();
 }
 
 std::uint32_t VirtualBus::TransmitErrors(const NodeIndex node) const

@@ -98,21 +98,34 @@ class VirtualBus
         events_.TakeTurns();
     }
 
+    /// @brief From now on a data frame with this 11-bit identifier takes the place of one with the same content that
+    /// waits, as a status does in its mailbox. [SRS_BUS_017]
+    void WaitOnce(NodeIndex node, std::uint32_t identifier);
+
     /// @brief From now on this fault is asked, after those that were installed before. It stays owned by the caller.
     void Install(BusFault& fault);
     /// @brief The fault is not asked any more.
     void Remove(BusFault& fault);
 
+    // Cable, supply and bus-off are reasons not to be on the bus; a node is there when none of them holds.
+    // [SRS_BUS_016]
     /// @brief The cable of the node is off: it hears nothing, sends nothing, and keeps its queue.
     void Disconnect(NodeIndex node);
     /// @brief The cable of the node is on again.
     void Connect(NodeIndex node);
-    /// @brief Puts the node into bus-off as 256 counted errors would; its queue is emptied.
+    /// @brief The supply of the node goes: its queue is empty.
+    void SwitchOff(NodeIndex node);
+    /// @brief The supply of the node comes: its queue is empty and its counters are 0. A bus-off that they brought is
+    /// over, a forced one is not.
+    void SwitchOn(NodeIndex node);
+    /// @brief Puts the node into bus-off as 256 counted errors would, until Recover; its queue is emptied.
     void ForceBusOff(NodeIndex node);
-    /// @brief Back to error-active with counters 0.
+    /// @brief Back from bus-off, error-active with counters 0.
     void Recover(NodeIndex node);
     /// @brief Error state of the node's controller.
     [[nodiscard]] ControllerState State(NodeIndex node) const;
+    /// @brief Whether it hears and is heard.
+    [[nodiscard]] bool IsOnBus(NodeIndex node) const;
     /// @brief Its transmit error counter.
     [[nodiscard]] std::uint32_t TransmitErrors(NodeIndex node) const;
     /// @brief Its receive error counter.

@@ -279,7 +279,7 @@ void BusEvents::DestroyFrame(BusObserver* const observer)
     {
         if (nodes_[sender.node].transmit_errors >= kBusOffFrom)
         {
-            EnterBusOff(nodes_[sender.node]);
+            EnterBusOff(nodes_[sender.node], Absence::kErrors);
         }
     }
 }
@@ -391,13 +391,14 @@ void BusEvents::Schedule()
     next_event_ = std::min({choice, planned, frame_end_});
 }
 
-void BusEvents::EnterBusOff(BusNode& node)
+void BusEvents::EnterBusOff(BusNode& node, const Absence why)
 {
-    if (node.bus_off)
+    const bool is_new = !node.IsBusOff();
+    node.Leave(why);
+    if (!is_new)
     {
         return;
     }
-    node.bus_off = true;
     node.transmit_errors = std::max(node.transmit_errors, kBusOffFrom);
     node.queue.Clear();
     if (node.listener != nullptr)

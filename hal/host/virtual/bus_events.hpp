@@ -64,6 +64,17 @@ class BusObserver
 
 constexpr std::uint32_t kErrorPassiveAbove = 127U;
 constexpr std::uint32_t kBusOffFrom = 256U;
+constexpr std::uint32_t kNoIdentifier = 0xFFFFFFFFU;
+
+/// Why a controller is not on the bus. Each reason ends by itself; several may hold at a time.
+enum class Absence : std::uint8_t
+{
+    kSupply = 0x01U,
+    kCable = 0x02U,
+    kErrors = 0x04U,  ///< Bus-off by its counters.
+    kHeldOff = 0x08U, ///< Bus-off because somebody holds it there.
+    kDetached = 0x10U,
+};
 
 /// A controller on the bus.
 struct BusNode
@@ -71,17 +82,37 @@ struct BusNode
     BusListener* listener;
     TransmitQueue queue;
     std::bitset<2048U> accepted;
+    std::uint32_t waits_once{kNoIdentifier}; ///< Frames with this identifier do, if their content is the same.
     std::uint32_t transmit_errors{0U};
     std::uint32_t receive_errors{0U};
     CanPortId port;
     bool accepts_extended{true};
-    bool connected{true};
-    bool bus_off{false};
+    std::uint8_t absences{0U}; ///< Bits of Absence.
 
     /// @brief Whether it takes part in the traffic.
     [[nodiscard]] bool IsOnBus() const
     {
-        return connected && !bus_off;
+        return absences == 0U;
+    }
+    /// @brief Whether this reason keeps it away.
+    [[nodiscard]] bool IsAway(const Absence why) const
+    {
+        return (absences & static_cast<std::uint8_t>(why)) != 0U;
+    }
+    /// @brief Whether it is in bus-off, for either reason.
+    [[nodiscard]] bool IsBusOff() const
+    {
+        return IsAway(Absence::kErrors) || IsAway(Absence::kHeldOff);
+    }
+    /// @brief This reason holds from now on.
+    void Leave(const Absence why)
+    {
+        absences = static_cast<std::uint8_t>(absences | static_cast<std::uint8_t>(why));
+    }
+    /// @brief It does not hold any more.
+    void Return(const Absence why)
+    {
+        absences = static_cast<std::uint8_t>(absences & ~static_cast<std::uint32_t>(why));
     }
 };
 
@@ -127,8 +158,8 @@ class BusEvents
     void Plan(NodeIndex node, const CanFrame& frame, BusTime at);
     /// @brief A node has something to send, or is back on the bus.
     void OnWaiting();
-    /// @brief Takes the node off the bus and empties its queue.
-    void EnterBusOff(BusNode& node);
+    /// @brief Takes the node off the bus and empties its queue. `why` is kErrors or kHeldOff.
+    void EnterBusOff(BusNode& node, Absence why);
     /// @brief See VirtualBus.
     void TakeTurns() noexcept
     {

@@ -46,6 +46,16 @@ void TransmitQueue::PutBack(const QueuedFrame& queued)
     Place(queued);
 }
 
+void TransmitQueue::Discard(const QueuedFrame& same)
+{
+    const auto is_it = [&same](const QueuedFrame& queued)
+    {
+        return queued.key == same.key && queued.frame.length_bytes == same.frame.length_bytes &&
+               std::equal(same.frame.data, same.frame.data + same.frame.length_bytes, queued.frame.data);
+    };
+    waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), is_it), waiting_.end());
+}
+
 void TransmitQueue::ClearWaiting()
 {
     waiting_.clear();

@@ -60,6 +60,8 @@ class TransmitQueue
     void Release();
     /// @brief The frame on the bus has to be sent again.
     void PutBack(const QueuedFrame& queued);
+    /// @brief A frame with the same content that waits is not sent any more.
+    void Discard(const QueuedFrame& same);
     /// @brief Empties all mailboxes but that of the frame on the bus.
     void ClearWaiting();
     /// @brief Empties all mailboxes; what is on the bus is not of this queue any more.

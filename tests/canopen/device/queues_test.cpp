@@ -195,6 +195,38 @@ TEST_F(OutboxTest, TwoFramesAreUnderWayAtMost)
     EXPECT_EQ(ports.sent.size(), 5U);
 }
 
+TEST_F(OutboxTest, TellsWhetherTheNewestFrameOfAnIdentifierIsTheSame)
+{
+    Verifies(req::SRS_DEV_024);
+    const auto send = [this](const std::uint8_t state)
+    {
+        CanFrame frame{};
+        frame.identifier = 0x721U;
+        frame.kind = FrameKind::kData;
+        frame.port = CanPortId::kFirst;
+        frame.length_bytes = 1U;
+        frame.data[0] = state;
+        ASSERT_TRUE(outbox.Send(frame));
+    };
+    EXPECT_FALSE(outbox.Waits(0x721U, 0x05U));
+    // Given the ring half way round, a heartbeat in OPERATIONAL and something else behind it
+    Fill(2U);
+    outbox.Poll(Instant{0U});
+    send(0x05U);
+    Fill(1U);
+    EXPECT_TRUE(outbox.Waits(0x721U, 0x05U));
+    EXPECT_FALSE(outbox.Waits(0x721U, 0x7FU));
+    EXPECT_FALSE(outbox.Waits(0x722U, 0x05U));
+    // When another state follows, then that one counts
+    send(0x7FU);
+    EXPECT_FALSE(outbox.Waits(0x721U, 0x05U));
+    EXPECT_TRUE(outbox.Waits(0x721U, 0x7FU));
+    // When both have gone, nothing waits
+    outbox.Poll(Instant{100000U});
+    outbox.Poll(Instant{200000U});
+    EXPECT_FALSE(outbox.Waits(0x721U, 0x7FU));
+}
+
 TEST_F(OutboxTest, WhatTheControllerDoesNotTakeWaits)
 {
     Verifies(req::SRS_DEV_009);

@@ -196,6 +196,59 @@ TEST(BusErrors, FrameOfASenderThatLosesItsCableIsSentAgainLater)
     EXPECT_EQ(rig.listeners[0].confirmed.size(), 1U);
 }
 
+TEST(BusErrors, EachReasonToBeAwayEndsByItself)
+{
+    Verifies(req::SRS_BUS_016);
+    // Given node 1 without cable and forced into bus-off
+    BusRig rig;
+    rig.bus.Disconnect(1U);
+    rig.bus.ForceBusOff(1U);
+    // When its supply goes and comes back, then both still hold
+    rig.bus.SwitchOff(1U);
+    EXPECT_FALSE(rig.bus.IsOnBus(1U));
+    rig.bus.SwitchOn(1U);
+    EXPECT_FALSE(rig.bus.IsOnBus(1U));
+    EXPECT_EQ(rig.bus.State(1U), ControllerState::kBusOff);
+    // When the cable comes back, then bus-off still holds; and when that ends, the node is there
+    rig.bus.Connect(1U);
+    EXPECT_FALSE(rig.bus.IsOnBus(1U));
+    rig.bus.Recover(1U);
+    EXPECT_TRUE(rig.bus.IsOnBus(1U));
+    // Neither cable nor recovery are a supply
+    rig.bus.SwitchOff(1U);
+    rig.bus.Connect(1U);
+    rig.bus.Recover(1U);
+    ASSERT_EQ(rig.bus.Submit(0U, MakeFrame(0U, {})), TransmitStatus::kAccepted);
+    rig.RunTo(kMillisecond);
+    EXPECT_TRUE(rig.listeners[1].received.empty());
+    EXPECT_EQ(rig.listeners[2].received.size(), 1U);
+}
+
+TEST(BusErrors, SupplyThatReturnsFindsAnEmptyQueueAndEndsBusOffByTheCounters)
+{
+    Verifies(req::SRS_BUS_016);
+    // Given a node that its counters put into bus-off: 32 attempts that are hit
+    BusRig rig;
+    HitAt hits(10U, 1000U);
+    rig.bus.Install(hits);
+    ASSERT_EQ(rig.bus.Submit(0U, MakeFrame(0U, {})), TransmitStatus::kAccepted);
+    rig.RunTo(10 * kMillisecond);
+    rig.bus.Remove(hits);
+    ASSERT_EQ(rig.bus.State(0U), ControllerState::kBusOff);
+    // When its supply blinks, then it is error-active
+    rig.bus.SwitchOff(0U);
+    rig.bus.SwitchOn(0U);
+    EXPECT_EQ(rig.bus.State(0U), ControllerState::kErrorActive);
+    EXPECT_EQ(rig.bus.TransmitErrors(0U), 0U);
+    // And what it queued without supply never leaves
+    rig.bus.SwitchOff(0U);
+    static_cast<void>(rig.bus.Submit(0U, MakeFrame(5U, {})));
+    rig.bus.SwitchOn(0U);
+    EXPECT_EQ(rig.bus.Pending(0U), 0U);
+    rig.RunTo(20 * kMillisecond);
+    EXPECT_TRUE(rig.listeners[1].received.empty());
+}
+
 // The frame of 50 bits: CRC delimiter is bit 40, ACK slot bit 41; 42 + 20 bits and the intermission of 3.
 TEST(BusErrors, LonelyNodeTriesForEverAndDoesNotGoBusOff)
 {

@@ -328,6 +328,33 @@ TEST(VirtualBus, DisconnectedNodeHearsNothingAndKeepsItsQueue)
     EXPECT_EQ(rig.recorder.records[1].sent.start, kMillisecond);
 }
 
+TEST(VirtualBus, StatusWaitsOnce)
+{
+    Verifies(req::SRS_BUS_017);
+    // Given node 2 without its cable, whose frames 702h wait once
+    BusRig rig;
+    rig.bus.WaitOnce(2U, 0x702U);
+    rig.bus.Disconnect(2U);
+    // When it sends a boot-up, two states twice each and another frame twice
+    for (const CanFrame& frame : {MakeFrame(0x702U, {0x00U}), MakeFrame(0x702U, {0x7FU}), MakeFrame(0x702U, {0x05U}),
+                                  MakeFrame(0x702U, {0x7FU}), MakeFrame(0x702U, {0x05U}), MakeFrame(0x703U, {0x05U}),
+                                  MakeFrame(0x703U, {0x05U})})
+    {
+        ASSERT_EQ(rig.bus.Submit(2U, frame), TransmitStatus::kAccepted);
+    }
+    rig.bus.Connect(2U);
+    rig.RunTo(2 * kMillisecond);
+    // Then each state leaves once, the newest one last; other frames as often as they were sent
+    std::vector<std::uint8_t> bytes;
+    for (const Heard& heard : rig.listeners[1].received)
+    {
+        bytes.push_back(heard.frame.data[0]);
+    }
+    EXPECT_EQ(bytes, (std::vector<std::uint8_t>{0x00U, 0x7FU, 0x05U, 0x05U, 0x05U}));
+    EXPECT_EQ(Identifiers(rig.listeners[1].received),
+              (std::vector<std::uint32_t>{0x702U, 0x702U, 0x702U, 0x703U, 0x703U}));
+}
+
 TEST(VirtualBus, DetachedNodeIsGoneForGood)
 {
     Verifies(req::SRS_BUS_006);

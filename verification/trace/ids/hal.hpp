@@ -22,6 +22,8 @@ inline constexpr RequirementId SRS_BUS_012{"SRS_BUS_012"};
 inline constexpr RequirementId SRS_BUS_013{"SRS_BUS_013"};
 inline constexpr RequirementId SRS_BUS_014{"SRS_BUS_014"};
 inline constexpr RequirementId SRS_BUS_015{"SRS_BUS_015"};
+inline constexpr RequirementId SRS_BUS_016{"SRS_BUS_016"};
+inline constexpr RequirementId SRS_BUS_017{"SRS_BUS_017"};
 inline constexpr RequirementId SRS_HAL_001{"SRS_HAL_001"};
 inline constexpr RequirementId SRS_HAL_002{"SRS_HAL_002"};
 inline constexpr RequirementId SRS_HAL_003{"SRS_HAL_003"};

@@ -70,6 +70,11 @@ inline constexpr RequirementId SRS_SIM_059{"SRS_SIM_059"};
 inline constexpr RequirementId SRS_SIM_060{"SRS_SIM_060"};
 inline constexpr RequirementId SRS_SIM_061{"SRS_SIM_061"};
 inline constexpr RequirementId SRS_SIM_062{"SRS_SIM_062"};
+inline constexpr RequirementId SRS_SIM_063{"SRS_SIM_063"};
+inline constexpr RequirementId SRS_SIM_064{"SRS_SIM_064"};
+inline constexpr RequirementId SRS_SIM_065{"SRS_SIM_065"};
+inline constexpr RequirementId SRS_SIM_066{"SRS_SIM_066"};
+inline constexpr RequirementId SRS_SIM_067{"SRS_SIM_067"};
 } // namespace counterpoint::req
 
 #endif
