@@ -94,7 +94,7 @@ void Network::BuildNode(const NodeIndex index, const NodeSetup& setup, Journal& 
     world_.nodes.push_back(
         std::make_unique<Node>(NodePlace{index, world_.bus, journal, insight, file ? &*file : nullptr}, setup, model));
     std::uint32_t controller = 0U;
-    for (const host::NodeIndex place : world_.nodes.back()->BusNodes())
+    for (const host::NodeIndex place : world_.nodes.back()->Controllers().BusNodes())
     {
         ++controller;
         world_.places.resize(place + 1U);
@@ -112,8 +112,8 @@ void Network::BuildLinks()
             LinkWire& wire =
                 *world_.wires.emplace(index, std::make_unique<LinkWire>(world_.scenario, index, world_.journal))
                      .first->second;
-            At(index).Join(wire);
-            At(index + 1U).Join(wire);
+            At(index).Firmware().Join(wire);
+            At(index + 1U).Firmware().Join(wire);
         }
     }
 }
@@ -143,7 +143,7 @@ void Network::DeliverMessages()
     {
         while (const std::optional<LinkArrival> arrival = wire->Take(Now()))
         {
-            At(arrival->receiver).TakeMessage(arrival->frame);
+            At(arrival->receiver).Firmware().OnMessage(arrival->frame);
         }
     }
 }

@@ -29,15 +29,15 @@ void NetworkEvents::PlanAll()
     for (const Acknowledge& acknowledge : scenario_.acknowledges)
     {
         agenda_.Plan(acknowledge.at, [this, &acknowledge]()
-                     { world_.nodes[acknowledge.node]->SetAcknowledge(acknowledge.srdo, true); });
+                     { world_.nodes[acknowledge.node]->App().SetAcknowledge(acknowledge.srdo, true); });
         agenda_.Plan(acknowledge.at + acknowledge.pulse, [this, &acknowledge]()
-                     { world_.nodes[acknowledge.node]->SetAcknowledge(acknowledge.srdo, false); });
+                     { world_.nodes[acknowledge.node]->App().SetAcknowledge(acknowledge.srdo, false); });
     }
     PlanNmt();
     PlanActions();
     for (const GfcEvent& event : scenario_.gfc)
     {
-        agenda_.Plan(event.at, [this, &event]() { world_.nodes[event.node]->SendGfc(); });
+        agenda_.Plan(event.at, [this, &event]() { world_.nodes[event.node]->Firmware().SendGfc(); });
     }
 }
 
@@ -132,7 +132,7 @@ void NetworkEvents::PlanActions()
         if (action.kind == ActionKind::kAcknowledge)
         {
             agenda_.Plan(action.at + kPress,
-                         [this, &action]() { world_.nodes[action.node]->SetAcknowledge(action.srdo, false); });
+                         [this, &action]() { world_.nodes[action.node]->App().SetAcknowledge(action.srdo, false); });
         }
     }
 }
@@ -142,16 +142,16 @@ void NetworkEvents::Act(const Action& action, Node& node)
     switch (action.kind)
     {
     case ActionKind::kAcknowledge:
-        node.SetAcknowledge(action.srdo, true);
+        node.App().SetAcknowledge(action.srdo, true);
         return;
     case ActionKind::kStore:
-        node.Store(action.object, action.value);
+        node.Firmware().Store(action.object, action.value);
         return;
     case ActionKind::kPull:
         PullAll(action.node);
         return;
     case ActionKind::kReplace:
-        node.SetSerial(action.serial);
+        node.Firmware().SetSerial(action.serial);
         break;
     default:
         break;

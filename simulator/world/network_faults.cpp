@@ -267,7 +267,8 @@ void NetworkFaults::Insert(const std::size_t index)
         {
             continue;
         }
-        for (const host::NodeIndex place : world_.nodes[node]->BusNodes()) // Filters decide which of two it is for.
+        for (const host::NodeIndex place :
+             world_.nodes[node]->Controllers().BusNodes()) // Filters decide which of two it is for.
         {
             world_.bus.Plan(place, frame, world_.Now());
             is_heard = is_heard || world_.bus.IsOnBus(place);
@@ -294,8 +295,8 @@ void NetworkFaults::PlanForeignFrames(const std::size_t index)
                              Insert(index);
                              return;
                          }
-                         static_cast<void>(
-                             world_.bus.Submit(world_.nodes[fault.node]->BusNodes().front(), ForeignFrame(fault)));
+                         static_cast<void>(world_.bus.Submit(world_.nodes[fault.node]->Controllers().BusNodes().front(),
+                                                             ForeignFrame(fault)));
                      });
     }
 }
@@ -314,13 +315,13 @@ void NetworkFaults::PlanControllerFault(const std::size_t index)
     {
         Node& node = *world_.nodes[fault.node];
         PlanState(
-            index, [&node, &fault, index]() { node.Poll(fault.capacity, index); },
-            [&node]() { node.Poll(0U, kNoFaultIndex); });
+            index, [&node, &fault, index]() { node.Controllers().Poll(fault.capacity, index); },
+            [&node]() { node.Controllers().Poll(0U, kNoFaultIndex); });
         return;
     }
     const auto for_each = [this, &fault](void (host::VirtualBus::* const act)(host::NodeIndex))
     {
-        const std::vector<host::NodeIndex>& places = world_.nodes[fault.node]->BusNodes();
+        const std::vector<host::NodeIndex>& places = world_.nodes[fault.node]->Controllers().BusNodes();
         for (std::uint32_t place = 0U; place < places.size(); ++place)
         {
             if (fault.controller == 0U || fault.controller == place + 1U)
@@ -342,14 +343,14 @@ void NetworkFaults::PlanControllerFault(const std::size_t index)
 
 void NetworkFaults::PlanStandstill(const std::size_t index)
 {
-    PlanInstant(index, [](Node& node) { node.StandStill(); });
+    PlanInstant(index, [](Node& node) { node.Processor().StandStill(); });
 }
 
 runtime::BitPlace NetworkFaults::PlaceOfBit(const std::size_t index)
 {
     const FaultSetup& fault = scenario_.faults[index];
     Node& node = *world_.nodes[fault.node];
-    const std::size_t size = SizeOf(node.PiecesOfPart(fault.part, fault.srdo));
+    const std::size_t size = SizeOf(node.Parts().PiecesOf(fault.part, fault.srdo));
     runtime::BitPlace place{fault.offset.value_or(0U), fault.bit};
     if (fault.config)
     {
@@ -389,18 +390,18 @@ void NetworkFaults::PlanBitFault(const std::size_t index)
     if (fault.kind == FaultKind::kStuckBit)
     {
         agenda_.Plan(fault.at,
-                     [this, index, &fault, place]() { world_.nodes[fault.node]->StickBit(fault, place, index); });
+                     [this, index, &fault, place]() { world_.nodes[fault.node]->Parts().Stick(fault, place, index); });
         return;
     }
-    PlanInstant(index, [&fault, place](Node& node) { node.FlipBit(fault.part, fault.srdo, place); });
+    PlanInstant(index, [&fault, place](Node& node) { node.Parts().Flip(fault.part, fault.srdo, place); });
 }
 
 void NetworkFaults::PlanPartFault(const std::size_t index)
 {
     const FaultSetup& fault = scenario_.faults[index];
     PlanState(
-        index, [this, index, &fault]() { world_.nodes[fault.node]->Faults().Begin(fault, index); },
-        [this, &fault]() { world_.nodes[fault.node]->Faults().End(fault); });
+        index, [this, index, &fault]() { world_.nodes[fault.node]->Processor().Faults().Begin(fault, index); },
+        [this, &fault]() { world_.nodes[fault.node]->Processor().Faults().End(fault); });
 }
 
 void NetworkFaults::PlanClock(const std::size_t index)
@@ -427,13 +428,13 @@ void NetworkFaults::PlanClock(const std::size_t index)
             return; // Nothing differs; a counter without supply begins anew.
         }
         for_each([&fault](Node& node, const bool is_a)
-                 { fault.jump ? node.JumpCounter(is_a, *fault.jump) : node.SetCounterRate(is_a, fault.rate_ppm); });
+                 { fault.jump ? node.Clock().Jump(is_a, *fault.jump) : node.Clock().SetRate(is_a, fault.rate_ppm); });
         NoteBegin(index);
     };
     const auto end = [for_each, &setup]()
     {
         for_each([&setup](Node& node, const bool is_a)
-                 { node.SetCounterRate(is_a, is_a ? setup.counter_a.drift_ppm : setup.counter_b.drift_ppm); });
+                 { node.Clock().SetRate(is_a, is_a ? setup.counter_a.drift_ppm : setup.counter_b.drift_ppm); });
     };
     PlanState(index, begin, end);
 }
@@ -443,7 +444,7 @@ void NetworkFaults::PlanDisturbance(const std::size_t index)
     const FaultSetup& fault = scenario_.faults[index];
     if (fault.kind == FaultKind::kCycle)
     {
-        PlanInstant(index, [&fault](Node& node) { node.ShiftCycle(fault.by); });
+        PlanInstant(index, [&fault](Node& node) { node.Clock().Shift(fault.by); });
         return;
     }
     PlanState(

@@ -6,7 +6,7 @@
 #include "simulator/journal/journal.hpp"
 #include "simulator/scenario/scenario.hpp"
 #include "simulator/world/link_wire.hpp"
-#include "simulator/world/node.hpp"
+#include "simulator/world/node/node.hpp"
 
 #include "hal/host/virtual/bus.hpp"
 

@@ -133,7 +133,7 @@ expect:
 )",
                               true);
     ASSERT_EQ(Failures(*run), "");
-    const ObjectReading reading = run->Devices().At(2U).Core().ReadObject({0x1300U, 0U});
+    const ObjectReading reading = run->Devices().At(2U).Firmware().Assembly().Core().ReadObject({0x1300U, 0U});
     ASSERT_EQ(reading.abort, AbortCode::kNone);
     bool was_signalled = false;
     for (const Event& event : run->Record().Events())

@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "simulator/world/node_self_test.hpp"
+#include "simulator/world/node/self_test.hpp"
 
 #include <algorithm>
 

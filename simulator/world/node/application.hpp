@@ -4,7 +4,8 @@
 
 #include "runtime/device/model.hpp"
 #include "runtime/device/pair_logic.hpp"
-#include "simulator/journal/journal.hpp"
+#include "simulator/faults/part_faults.hpp"
+#include "simulator/world/node/place.hpp"
 
 #include "safety_core/kernel/application.hpp"
 #include "safety_core/kernel/kernel.hpp"
@@ -18,30 +19,31 @@ namespace counterpoint::simulator
 class NodeApplication final : public Application
 {
   public:
-    NodeApplication(NodeIndex node, const runtime::DeviceModel& model, Journal& journal, runtime::Half half);
+    /// @brief All given outlive it.
+    NodeApplication(const NodePlace& place, const runtime::DeviceModel& model, runtime::Half half, PartFaults& faults);
 
     /// @brief Where details of a device fault are read from.
     void Join(const Kernel& kernel) noexcept;
     /// @brief The rule's objects exist; see Network.
     void AddRule(const runtime::LogicRule& rule);
     /// @brief Pairs as the SRDOs are configured now. On entering OPERATIONAL.
-    void Follow(Kernel& kernel, const runtime::DeviceModel& model);
+    void Follow(Kernel& kernel);
     void SetInput(const ObjectAddress& object, std::uint64_t value);
     /// @brief From now on the inverse path computes these bits wrong; 0: none.
     void Disturb(const ObjectAddress& object, std::uint64_t bits);
-    /// @brief Time for what the kernel tells during the cycle to come.
-    void SetNow(Nanoseconds now) noexcept;
+    /// @brief Somebody presses the acknowledge input of an SRDO, or lets it go.
+    void SetAcknowledge(std::uint8_t srdo, bool level);
+    /// @brief The acknowledge inputs as one channel gets them; they may be frozen.
+    [[nodiscard]] SrdoMask AcknowledgeFor(Part part);
     /// @brief Takes the consumers' pairs with the outputs as they are now, then the rules, then writes all producers.
-    /// A frozen application leaves the producers' objects as they are; true when that made a difference.
-    bool Run(SrdoMask open, Nanoseconds now, bool is_frozen);
-    /// @brief What the application uses of a consumer, or its input of a producer.
-    [[nodiscard]] std::uint64_t ValueOf(const ObjectAddress& normal) const;
+    /// A frozen application leaves the producers' objects as they are.
+    void Run(SrdoMask open);
+    /// @brief Without supply no value counts.
+    void PowerOff();
     /// @brief What the application uses of a consumer that is safe.
     [[nodiscard]] std::uint64_t SafeValueOf(const ObjectAddress& normal) const;
     /// @brief Whether any input of an SRDO changed since the last call; for applications that send by themselves.
     [[nodiscard]] bool TakeChange();
-    /// @brief Since when the disturbance has been in the objects; kNever: not yet.
-    [[nodiscard]] Nanoseconds DisturbedAt() const noexcept;
 
     /// @brief The kernel starts anew: it has told nothing.
     void ForgetFault() noexcept;
@@ -59,15 +61,16 @@ class NodeApplication final : public Application
 
   private:
     [[nodiscard]] const runtime::PairValue& PairAt(const ObjectAddress& object) const;
-    [[nodiscard]] Event At(EventKind kind, CommunicationIndex index, std::uint64_t value) const;
+    void TakePairs(SrdoMask open);
 
-    NodeIndex node_;
-    const DeviceConfig& config_;
-    Journal& journal_;
+    const NodePlace& place_;
+    const runtime::DeviceModel& model_;
+    PartFaults& faults_;
     runtime::PairLogic logic_;
     const Kernel* kernel_{nullptr};
-    Nanoseconds now_{0};
-    Nanoseconds disturbed_at_{kNever};
+    SrdoMask acknowledge_{0U};
+    SrdoMask seen_a_{0U}; ///< Acknowledge inputs that the channels got last.
+    SrdoMask seen_b_{0U};
     bool knows_fault_{false};
 };
 } // namespace counterpoint::simulator

@@ -1,11 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "simulator/world/node_self_test.hpp"
+#include "simulator/world/node/image.hpp"
 
 #include "safety_core/kernel/kernel.hpp"
 
 #include <cstring>
 
-// What a node has of the program that all nodes of a simulation run: a copy of its own, in which bits may flip.
 namespace counterpoint::simulator
 {
 namespace
@@ -73,11 +72,17 @@ void NodeImage::RestorePointers()
     {
         std::memcpy(parts[part], &pointers_[part], sizeof pointers_[part]);
     }
+    may_be_wild_ = false;
+}
+
+void NodeImage::DoubtPointers() noexcept
+{
+    may_be_wild_ = true;
 }
 
 bool NodeImage::IsWild() const noexcept
 {
-    for (std::size_t part = 0U; part < parts.size(); ++part)
+    for (std::size_t part = 0U; may_be_wild_ && part < parts.size(); ++part)
     {
         if (PointerIn(parts[part]) != pointers_[part])
         {

@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "simulator/world/node_application.hpp"
+#include "simulator/world/node/application.hpp"
 
 #include <stdexcept>
 
@@ -13,11 +13,16 @@ std::uint64_t ObjectNumber(const ObjectAddress& object)
 {
     return (std::uint64_t{object.index} << 8U) | object.sub;
 }
+
+std::uint8_t NumberOf(const CommunicationIndex index)
+{
+    return static_cast<std::uint8_t>((index.value > kCommunicationBase) ? index.value - kCommunicationBase : 0);
+}
 } // namespace
 
-NodeApplication::NodeApplication(const NodeIndex node, const runtime::DeviceModel& model, Journal& journal,
-                                 const runtime::Half half)
-    : node_(node), config_(model.Config()), journal_(journal), logic_(model, half)
+NodeApplication::NodeApplication(const NodePlace& place, const runtime::DeviceModel& model, const runtime::Half half,
+                                 PartFaults& faults)
+    : place_(place), model_(model), faults_(faults), logic_(model, half)
 {
 }
 
@@ -31,9 +36,9 @@ void NodeApplication::AddRule(const runtime::LogicRule& rule)
     static_cast<void>(logic_.AddRule(rule));
 }
 
-void NodeApplication::Follow(Kernel& kernel, const runtime::DeviceModel& model)
+void NodeApplication::Follow(Kernel& kernel)
 {
-    logic_.Follow(kernel, model);
+    logic_.Follow(kernel, model_);
 }
 
 const runtime::PairValue& NodeApplication::PairAt(const ObjectAddress& object) const
@@ -56,40 +61,58 @@ void NodeApplication::Disturb(const ObjectAddress& object, const std::uint64_t b
     logic_.Disturb(PairAt(object).address, bits);
 }
 
-void NodeApplication::SetNow(const Nanoseconds now) noexcept
+void NodeApplication::SetAcknowledge(const std::uint8_t srdo, const bool level)
 {
-    now_ = now;
+    const SrdoMask bit = SrdoMask{1U} << model_.SlotOf(srdo).value_or(0U);
+    acknowledge_ = level ? (acknowledge_ | bit) : (acknowledge_ & ~bit);
+    place_.Tell(EventKind::kAcknowledge, srdo, level ? 1U : 0U, 0U);
 }
 
-bool NodeApplication::Run(const SrdoMask open, const Nanoseconds now, const bool is_frozen)
+SrdoMask NodeApplication::AcknowledgeFor(const Part part)
 {
-    logic_.Take(
-        open, [this, now](const runtime::PairValue& pair)
-        { journal_.Note({now, EventKind::kValue, node_, pair.srdo, pair.normal, ObjectNumber(pair.address)}); });
-    bool is_held_back = false;
+    SrdoMask& seen = (part == Part::kAcknowledgeA) ? seen_a_ : seen_b_;
+    const PartCondition& condition = faults_.Condition(part);
+    if (!condition.is_faulty)
+    {
+        seen = acknowledge_;
+    }
+    else if (seen != acknowledge_)
+    {
+        faults_.HasEffect(condition);
+    }
+    return seen;
+}
+
+void NodeApplication::PowerOff()
+{
+    TakePairs(0U);
+}
+
+void NodeApplication::TakePairs(const SrdoMask open)
+{
+    logic_.Take(open, [this](const runtime::PairValue& pair)
+                { place_.Note(EventKind::kValue, pair.srdo, pair.normal, ObjectNumber(pair.address)); });
+}
+
+void NodeApplication::Run(const SrdoMask open)
+{
+    TakePairs(open);
+    const PartCondition& condition = faults_.Condition(Part::kApplication);
     for (const runtime::PairValue& pair : logic_.Pairs())
     {
         if (pair.is_consumer || !pair.is_mapped)
         {
             continue;
         }
-        if (is_frozen)
-        {
-            is_held_back = is_held_back || ReadVariable(pair.normal_place).bits != pair.normal;
-        }
-        else
+        if (!condition.is_faulty)
         {
             logic_.Write(pair);
-            const bool is_first = pair.disturbance != 0U && disturbed_at_ == kNever;
-            disturbed_at_ = is_first ? now : disturbed_at_;
+        }
+        else if (ReadVariable(pair.normal_place).bits != pair.normal)
+        {
+            faults_.HasEffect(condition);
         }
     }
-    return is_held_back;
-}
-
-std::uint64_t NodeApplication::ValueOf(const ObjectAddress& normal) const
-{
-    return PairAt(normal).normal;
 }
 
 std::uint64_t NodeApplication::SafeValueOf(const ObjectAddress& normal) const
@@ -100,18 +123,6 @@ std::uint64_t NodeApplication::SafeValueOf(const ObjectAddress& normal) const
 bool NodeApplication::TakeChange()
 {
     return logic_.TakeChange();
-}
-
-Nanoseconds NodeApplication::DisturbedAt() const noexcept
-{
-    return disturbed_at_;
-}
-
-Event NodeApplication::At(const EventKind kind, const CommunicationIndex index, const std::uint64_t value) const
-{
-    const bool has_srdo = index.value > kCommunicationBase;
-    const auto srdo = static_cast<std::uint8_t>(has_srdo ? index.value - kCommunicationBase : 0U);
-    return {now_, kind, node_, srdo, value, 0U};
 }
 
 void NodeApplication::ForgetFault() noexcept
@@ -140,32 +151,33 @@ void NodeApplication::OnSrdoEvent(const CommunicationIndex index) noexcept
 
 void NodeApplication::OnSrdoError(const CommunicationIndex index, const SrdoCause cause) noexcept
 {
-    journal_.Note(At(EventKind::kSignal, index, static_cast<std::uint64_t>(cause)));
+    place_.Note(EventKind::kSignal, NumberOf(index), static_cast<std::uint64_t>(cause), 0U);
 }
 
 void NodeApplication::OnGfc() noexcept
 {
-    journal_.Tell(At(EventKind::kGfc, CommunicationIndex{0U}, 2U));
+    place_.Tell(EventKind::kGfc, 0U, 2U, 0U);
 }
 
 void NodeApplication::OnGfcNotFollowed() noexcept
 {
-    journal_.Tell(At(EventKind::kGfc, CommunicationIndex{0U}, 3U));
+    place_.Tell(EventKind::kGfc, 0U, 3U, 0U);
 }
 
 void NodeApplication::OnConfigurationInvalid(const CommunicationIndex index) noexcept
 {
-    journal_.Note(At(EventKind::kConfigurationInvalid, index, 0U));
+    place_.Note(EventKind::kConfigurationInvalid, NumberOf(index), 0U, 0U);
 }
 
 void NodeApplication::OnDeviceFault(const DeviceFaultReport& report) noexcept
 {
     knows_fault_ = true;
-    const bool has_slot = report.slot < config_.srdo_count;
-    const auto number = static_cast<std::uint8_t>(has_slot ? config_.srdos[report.slot].number : 0U);
+    const DeviceConfig& config = model_.Config();
+    const bool has_slot = report.slot < config.srdo_count;
+    const auto number = static_cast<std::uint8_t>(has_slot ? config.srdos[report.slot].number : 0U);
     const DeviceFault verdict = (kernel_ == nullptr) ? DeviceFault::kNone : kernel_->LastVerdict().fault;
-    journal_.Note({now_, EventKind::kDeviceFault, node_, number, static_cast<std::uint64_t>(report.fault),
-                   static_cast<std::uint64_t>(verdict)});
+    place_.Note(EventKind::kDeviceFault, number, static_cast<std::uint64_t>(report.fault),
+                static_cast<std::uint64_t>(verdict));
 }
 
 void NodeApplication::OnFlow(const FlowCount& count) noexcept

@@ -1,0 +1,76 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "simulator/world/node/outputs.hpp"
+
+#include "runtime/device/assembly.hpp"
+
+#include <algorithm>
+
+namespace counterpoint::simulator
+{
+NodeOutputs::NodeOutputs(const NodePlace& place, const runtime::DeviceModel& model, const NodePairs& pairs,
+                         PartFaults& faults)
+    : place_(place), model_(model), pairs_(pairs), watchdog_(place.bus),
+      output_(place.bus, watchdog_, {model.Config().cycle_us + model.Config().cycle_tolerance_us}),
+      output_tap_(output_, faults), watchdog_tap_(watchdog_, faults)
+{
+}
+
+hal::SafetyOutput& NodeOutputs::Output() noexcept
+{
+    return place_.IsTapped() ? static_cast<hal::SafetyOutput&>(output_tap_) : output_;
+}
+
+hal::Watchdog& NodeOutputs::Supervision() noexcept
+{
+    return place_.IsTapped() ? static_cast<hal::Watchdog&>(watchdog_tap_) : watchdog_;
+}
+
+void NodeOutputs::Start()
+{
+    watchdog_.Start(runtime::WindowOf(model_.Config()));
+    was_alive_ = true;
+}
+
+void NodeOutputs::Look(const Nanoseconds cycle_time)
+{
+    NoteOpen(output_.Open());
+    if (!place_.IsTapped())
+    {
+        return;
+    }
+    const Nanoseconds served = watchdog_tap_.Keep(place_.Now(), cycle_time);
+    const bool is_alive = watchdog_.IsAlive();
+    if (was_alive_ && !is_alive)
+    {
+        place_.Note(EventKind::kWatchdog, 0U, 0U, 0U);
+    }
+    was_alive_ = is_alive;
+    look_at_ = std::min({output_.ClosesAt(), watchdog_.TripsAt(), served});
+}
+
+void NodeOutputs::NoteOpen(const SrdoMask open)
+{
+    const SrdoMask changed = open ^ open_;
+    open_ = open;
+    for (SlotIndex slot = 0U; changed != 0U && slot < model_.Config().srdo_count; ++slot)
+    {
+        if (((changed >> slot) & 1U) != 0U)
+        {
+            const PairTimes& times = pairs_.TimesOf(slot);
+            place_.journal.Note({place_.Now(), EventKind::kOutput, place_.index, model_.NumberOf(slot),
+                                 (open >> slot) & 1U, 0U, times.last_good_normal, times.last_inverse});
+        }
+    }
+}
+
+void NodeOutputs::Close()
+{
+    NoteOpen(0U);
+    look_at_ = kNever;
+}
+
+const hal::PermitSet& NodeOutputs::Permits() const noexcept
+{
+    return output_tap_.Permits();
+}
+} // namespace counterpoint::simulator
