@@ -25,7 +25,7 @@ void SafeStateLatch::Enter(const DeviceFault fault, const SlotIndex slot) noexce
     {
         return;
     }
-    if (report_.fault == DeviceFault::kNone)
+    if (IsRunning() || (report_.fault == DeviceFault::kNone))
     {
         report_.fault = fault;
         report_.slot = slot;
@@ -41,9 +41,17 @@ void SafeStateLatch::Enter(const DeviceFault fault, const SlotIndex slot) noexce
 DeviceFaultReport SafeStateLatch::Report() const noexcept
 {
     DeviceFaultReport report = report_;
-    if ((report.fault == DeviceFault::kNone) && (!IsRunning()))
+    if (IsRunning())
     {
-        report.fault = DeviceFault::kInvalid; // Nobody entered the safe state: the latch itself is corrupted.
+        report.fault = DeviceFault::kNone; // Whatever the record says, nobody entered the safe state.
+    }
+    else if (report.fault == DeviceFault::kNone)
+    {
+        report.fault = DeviceFault::kInvalid; // Nor here: the latch itself is corrupted.
+    }
+    else
+    {
+        // The first fault.
     }
     return report;
 }

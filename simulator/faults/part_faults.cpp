@@ -29,6 +29,17 @@ void PartFaults::End(const FaultSetup& fault)
     }
 }
 
+void PartFaults::PowerOff() noexcept
+{
+    for (PartCondition& condition : conditions_)
+    {
+        if (condition.kind == FaultKind::kHung)
+        {
+            condition = PartCondition{};
+        }
+    }
+}
+
 void PartFaults::SetNow(const Nanoseconds now) noexcept
 {
     now_ = now;

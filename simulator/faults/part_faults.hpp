@@ -36,6 +36,8 @@ class PartFaults
     /// @brief The fault ends.
     void End(const FaultSetup& fault);
     /// @brief Sets the time of effects.
+    /// @brief Supply off: calls that hang return again after the next start.
+    void PowerOff() noexcept;
     void SetNow(Nanoseconds now) noexcept;
 
     /// @brief The condition of a part.

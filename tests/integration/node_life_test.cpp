@@ -44,7 +44,7 @@ expect:
     EXPECT_EQ(Failures(*run), "");
 }
 
-TEST(PowerCycle, DoesNotRepairAPartThatHangs)
+TEST(PowerCycle, EndsACallThatHangs)
 {
     Verifies(req::SRS_SIM_037);
     const auto run = RunChain(R"(
@@ -56,9 +56,10 @@ acknowledge:
   - {at: 800 ms, node: actuator, srdo: 1}
 expect:
   - {that: safe_within, node: actuator, srdo: 1}
-  - {that: safe, node: actuator, srdo: 1, at: 990 ms}
+  - {that: safe, node: actuator, srdo: 1, at: 799 ms}
+  - {that: released, node: actuator, srdo: 1, at: 990 ms}
 )");
-    // Then it hangs again at the start, and the output stays closed
+    // Then the device starts as after any power cycle, and its output stays closed until somebody acknowledges
     EXPECT_EQ(Failures(*run), "");
 }
 
@@ -185,6 +186,19 @@ seed: )" + std::to_string(seed) + "\n");
             EXPECT_EQ(Failures(*run), "") << part << " seed " << seed;
         }
     }
+}
+
+TEST(FlippedMemoryAnywhere, InTheRecordOfARunningLatchChangesNothing)
+{
+    Verifies(req::SRS_SIM_035);
+    const auto run = RunChain(R"(
+faults:
+  - {fault: bit_flip, node: actuator, part: latch, offset: 8, bit: 0, at: 500 ms}
+expect:
+  - {that: device_fault, node: actuator, is: none}
+  - {that: released, node: actuator, srdo: 1, at: 990 ms}
+)");
+    EXPECT_EQ(Failures(*run), "");
 }
 
 TEST(CutOff, IsToldWithItsPlace)

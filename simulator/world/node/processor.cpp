@@ -17,6 +17,7 @@ void NodeProcessor::PowerOff() noexcept
 {
     is_on_ = false;
     is_hung_ = false;
+    faults_.PowerOff();
 }
 
 void NodeProcessor::StandStill()

@@ -87,5 +87,46 @@ TEST(SafeStateLatch, AnySingleFlippedBitOfItsWordsStopsIt)
     }
 }
 
+TEST(SafeStateLatch, FlippedRecordOfARunningLatchTellsNoFault)
+{
+    Verifies(req::SRS_KRN_003);
+    // Given every single-bit error in the byte behind the two words, the record of the first fault
+    for (std::uint32_t bit = 0U; bit < 8U; ++bit)
+    {
+        SafeStateLatch latch{};
+        latch.Arm();
+        unsigned char bytes[sizeof(SafeStateLatch)];
+        std::memcpy(bytes, &latch, sizeof(bytes));
+        bytes[8U] = static_cast<unsigned char>(bytes[8U] ^ (1U << bit));
+        std::memcpy(static_cast<void*>(&latch), bytes, sizeof(bytes));
+        // Then the latch runs and says so
+        EXPECT_TRUE(latch.IsRunning()) << "bit " << bit;
+        EXPECT_EQ(latch.Report().fault, DeviceFault::kNone) << "bit " << bit;
+        // And a fault that comes is the first one
+        latch.Enter(DeviceFault::kClock, 5U);
+        EXPECT_FALSE(latch.IsRunning()) << "bit " << bit;
+        EXPECT_EQ(latch.Report().fault, DeviceFault::kClock) << "bit " << bit;
+        EXPECT_EQ(latch.Report().slot, 5U) << "bit " << bit;
+    }
+}
+
+TEST(SafeStateLatch, FaultThatComesToACorruptedLatchIsKept)
+{
+    Verifies(req::SRS_KRN_003);
+    // Given a latch whose first word was hit
+    SafeStateLatch latch{};
+    latch.Arm();
+    unsigned char bytes[sizeof(SafeStateLatch)];
+    std::memcpy(bytes, &latch, sizeof(bytes));
+    bytes[0] = static_cast<unsigned char>(bytes[0] ^ 1U);
+    std::memcpy(static_cast<void*>(&latch), bytes, sizeof(bytes));
+    // When a fault comes
+    latch.Enter(DeviceFault::kClock, 5U);
+    // Then it is told, with its slot
+    EXPECT_FALSE(latch.IsRunning());
+    EXPECT_EQ(latch.Report().fault, DeviceFault::kClock);
+    EXPECT_EQ(latch.Report().slot, 5U);
+}
+
 } // namespace
 } // namespace counterpoint
