@@ -48,7 +48,8 @@ Cpu::Cpu(const PeerRole role, const Timing& timing, const CpuClock& its_clock)
 
 LinkConfig Cpu::LinkOf(const PeerRole role, const Timing& timing)
 {
-    return LinkConfig{role, timing.timeout_us, timing.timeout_us / 2U, 10U * timing.timeout_us, 50U};
+    return LinkConfig{role, timing.timeout_us, timing.timeout_us / 2U, 10U * timing.timeout_us,
+                      timing.stamp_tolerance_us};
 }
 
 void Cpu::Describe() noexcept

@@ -30,6 +30,7 @@ struct Timing
     std::uint32_t refresh_us{125'000U};     ///< Of the sensor's pairs; of the own ones the same in milliseconds.
     std::uint16_t sct_ms{400U};
     std::uint8_t srvt_ms{250U};
+    std::uint32_t stamp_tolerance_us{50U}; ///< Stamps of one frame on both CPUs.
 };
 
 /// A clock of one CPU over true time, with a rate of its own. Stopped, it keeps its reading.
