@@ -104,9 +104,10 @@ struct Transitions
             const bool is_release = event == static_cast<std::size_t>(Event::kRelease);
             const bool is_left = event == static_cast<std::size_t>(Event::kLeft);
             const bool was_released = before.shown == SrdoState::kReleased;
+            const bool is_released = after.shown == SrdoState::kReleased;
             const bool may_release = (is_release && before.holds_pair) || (is_frame && was_released);
             const bool may_hold = (is_inverse && before.has_pending) || before.holds_pair;
-            flaws += ((after.shown == SrdoState::kReleased) && !may_release) ? 1U : 0U;
+            flaws += (is_released && !may_release) ? 1U : 0U;
             flaws += (after.holds_pair && !may_hold) ? 1U : 0U;
             flaws += (is_left && (after.role != Role::kNone)) ? 1U : 0U;
             flaws += ((from == static_cast<std::size_t>(State::kBroken)) && (next != State::kBroken)) ? 1U : 0U;
