@@ -73,7 +73,7 @@ struct CycleInput
     Instant now;
     std::uint32_t challenge; ///< Changes every cycle, never 0.
     std::uint32_t guard_token;
-    SrdoMask acknowledge; ///< Level of the acknowledge input of each slot.
+    SrdoMask acknowledge; ///< What the acknowledge input of each slot reads in this cycle. [SRS_REL_005]
     SrdoMask request; ///< Producers that the application wants to send; asked since the previous cycle. [SRS_PROD_003]
     SrdoMask stand;   ///< Producers whose refresh phase stood still since the previous cycle. [SRS_PROD_012]
     NmtState nmt;
@@ -115,7 +115,7 @@ struct SrdoView
     Payload data;              ///< Normal data of the held pair (consumer) or of the pair being sent (producer).
     std::uint32_t ordinal;     ///< Consumer: pairs completed since the last fault or since OPERATIONAL was entered.
                                ///< Producer: pairs sent.
-    std::uint32_t signals;     ///< Bit (1 << cause): signalled by the most recent OnCycle.
+    std::uint32_t signals;     ///< Bit (1 << cause): reported by the most recent OnCycle. [SRS_CONS_021]
     std::uint16_t error_count; ///< Faults since Restart, the first one included; stays at 65535.
     SrdoState state;
     SrdoCause first_cause;
@@ -189,7 +189,7 @@ class Channel
     /// @brief All rules of one SRDO, in order, then its signature; resolves the mapping and writes the safe value into
     /// the objects this channel owns if there is no fault. Not in OPERATIONAL. O(entries * log objects)
     /// [SRS_CFG_020, SRS_CFG_021, SRS_CFG_022, SRS_CFG_023, SRS_CFG_024, SRS_CFG_025, SRS_CFG_026, SRS_CFG_027,
-    /// SRS_CFG_028, SRS_CFG_029]
+    /// SRS_CFG_028, SRS_CFG_029, SRS_CFG_037]
     [[nodiscard]] virtual CheckResult Validate(SlotIndex slot) noexcept = 0;
     /// @brief Signature and resolved mapping of one SRDO again; in every state. O(entries) [SRS_CFG_030]
     [[nodiscard]] virtual CheckResult Recheck(SlotIndex slot) noexcept = 0;
@@ -221,9 +221,9 @@ class Channel
     [[nodiscard]] virtual PreparedPair Prepare(SlotIndex slot) noexcept = 0;
     /// @brief A frame of this device was on the bus. O(payload) [SRS_PROD_007]
     [[nodiscard]] virtual Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept = 0;
-    /// @brief Channel B: the inverse frame of a pair whose normal frame was confirmed; handed out once. Channel A has
-    /// none to hand out. Kind kInvalid and all bytes 0 if there is none. O(payload) [SRS_PROD_006]
-    [[nodiscard]] virtual CanFrame InverseFrame(SlotIndex slot) noexcept = 0;
+    /// @brief The inverse frame of a pair whose normal frame was confirmed, until the pair is over: A the complement of
+    /// what it read, B what it read. Kind kInvalid and all members 0 if there is none. O(payload) [SRS_PROD_006]
+    [[nodiscard]] virtual CanFrame InverseFrame(SlotIndex slot) const noexcept = 0;
     /// @brief The transmission of this slot failed (kTransmitQueue, kBusOff), or the two sides are not inverse
     /// (kNotInverse): the cause is recorded and the pair is given up. O(1) [SRS_PROD_009]
     virtual void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept = 0;

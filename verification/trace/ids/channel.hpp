@@ -26,6 +26,7 @@ inline constexpr RequirementId SRS_CFG_032{"SRS_CFG_032"};
 inline constexpr RequirementId SRS_CFG_033{"SRS_CFG_033"};
 inline constexpr RequirementId SRS_CFG_034{"SRS_CFG_034"};
 inline constexpr RequirementId SRS_CFG_036{"SRS_CFG_036"};
+inline constexpr RequirementId SRS_CFG_037{"SRS_CFG_037"};
 inline constexpr RequirementId SRS_CONS_001{"SRS_CONS_001"};
 inline constexpr RequirementId SRS_CONS_002{"SRS_CONS_002"};
 inline constexpr RequirementId SRS_CONS_003{"SRS_CONS_003"};
