@@ -32,8 +32,10 @@ std::string RunActuator()
         }
         bus.Advance(ms * host::kMillisecond);
         const bool is_pressed = ((ms >= 150U) && (ms < 200U)) || ((ms >= 750U) && (ms < 800U));
-        const SrdoMask acknowledge = is_pressed ? 1U : 0U;
-        actuator.Cycle(acknowledge);
+        // A button of two contacts, one for each channel: one closes when it is pressed, one opens.
+        const bool make_contact = is_pressed;
+        const bool break_contact = !is_pressed;
+        actuator.Cycle(make_contact ? 1U : 0U, break_contact ? 0U : 1U);
         const SrdoMask open = actuator.board.output.Open();
         line.Note(ms, std::string{NameOf(actuator.kernel.GetState(CommunicationIndex{kFirstCommunication}).state)} +
                           ", gate " + ((open != 0U) ? "open" : "closed") + ", drive " +

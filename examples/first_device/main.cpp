@@ -123,8 +123,12 @@ void Run(Bench& bench, const unsigned ms)
     }
     bench.bus.Advance(ms * host::kMillisecond); // Frames and confirmations go to the device from in here.
     const bool is_pressed = ((ms >= 100U) && (ms < 150U)) || (ms >= 450U);
-    const SrdoMask acknowledge = is_pressed ? 1U : 0U; // Bit 0: slot 0, which is SRDO 1.
-    bench.device.Whole().Cycle(CycleCall{bench.clocks.Now(), acknowledge, acknowledge});
+    // A button of two contacts, one for each channel: one closes when it is pressed, one opens.
+    const bool make_contact = is_pressed;
+    const bool break_contact = !is_pressed;
+    const SrdoMask acknowledge_a = make_contact ? 1U : 0U; // Bit 0: slot 0, which is SRDO 1.
+    const SrdoMask acknowledge_b = break_contact ? 0U : 1U;
+    bench.device.Whole().Cycle(CycleCall{bench.clocks.Now(), acknowledge_a, acknowledge_b});
 }
 
 } // namespace

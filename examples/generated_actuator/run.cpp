@@ -115,8 +115,11 @@ std::string RunGeneratedActuator()
         }
         bus.Advance(ms * host::kMillisecond);
         const bool is_pressed = ((ms >= 150U) && (ms < 200U)) || ((ms >= 750U) && (ms < 800U));
-        const SrdoMask acknowledge = is_pressed ? SrdoMask{1U} << actuator::kSrdo1Slot : 0U;
-        node.whole.Cycle(CycleCall{board.clocks.Now(), acknowledge, acknowledge});
+        // A button of two contacts, one for each channel: one closes when it is pressed, one opens.
+        const bool make_contact = is_pressed;
+        const bool break_contact = !is_pressed;
+        constexpr SrdoMask kSlot = SrdoMask{1U} << actuator::kSrdo1Slot;
+        node.whole.Cycle(CycleCall{board.clocks.Now(), make_contact ? kSlot : 0U, break_contact ? 0U : kSlot});
         const SrdoMask open = board.output.Open();
         line.Note(ms, std::string{NameOf(node.kernel.GetState(actuator::kSrdo1).state)} + ", gate " +
                           ((open != 0U) ? "open" : "closed") + ", drive " +

@@ -70,9 +70,10 @@ template <class App, std::uint8_t kSrdos> struct BenchDevice
     {
         board.device = &device.Whole();
     }
-    void Cycle(const SrdoMask acknowledge)
+    /// @brief The acknowledge levels of channel A and of channel B, each from a reading of its own.
+    void Cycle(const SrdoMask acknowledge_a, const SrdoMask acknowledge_b)
     {
-        device.Whole().Cycle(CycleCall{board.clocks.Now(), acknowledge, acknowledge});
+        device.Whole().Cycle(CycleCall{board.clocks.Now(), acknowledge_a, acknowledge_b});
     }
 
     Board board;

@@ -30,7 +30,7 @@ std::string RunSensor()
         sensor.application.Sense(0U, is_pressed ? Contacts{0U, 1U} : Contacts{1U, 0U});
         sensor.application.Sense(1U, is_broken ? Contacts{0U, 0U} : Contacts{1U, 0U});
         bus.Advance(ms * host::kMillisecond);
-        sensor.Cycle(0U);
+        sensor.Cycle(0U, 0U);
         const SrdoCause error = sensor.application.TakeError();
         cause = (error == SrdoCause::kNone) ? cause : error;
         if ((ms % 100U) == 0U)

@@ -48,8 +48,8 @@ class Board
     /// first cycle. kFailed as if a step had failed.
     [[nodiscard]] Outcome StartWatchdog() noexcept;
 
-    /// @brief Looks at the drivers; the first fault stays, cuts off and is told: then demand the safe state of the
-    /// kernel.
+    /// @brief Looks at the drivers; the first fault stays, cuts off and is told: then call the kernel no more,
+    /// and the watchdog resets the controller.
     [[nodiscard]] BoardFault BeginCycle() noexcept;
     /// @brief The next frame or loss, oldest first; kind kNothing when there is none.
     [[nodiscard]] QueuedFrame NextFrame() noexcept

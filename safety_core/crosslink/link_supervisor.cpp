@@ -21,6 +21,12 @@ void LinkSupervisor::Restart(const LinkConfig& config) noexcept
     finding_ = LinkFinding::kNone;
 }
 
+void LinkSupervisor::OnCompose(const std::uint32_t sequence) noexcept
+{
+    composed_sequence_ = sequence;
+    ++composed_count_;
+}
+
 void LinkSupervisor::CountCorrupt() noexcept
 {
     ++counts_.corrupt;
@@ -57,11 +63,14 @@ bool LinkSupervisor::IsNext(const LinkMessage& message) noexcept
 
 // t (own clock)   echoed stamp        received        The message was composed between echoed stamp + hold and its
 //                      |---hold---|....x.....|        reception; more hold than time is impossible, but for the drift.
+// The first contact answers a message of this start: what answers an earlier one was said to this CPU as it was before.
 bool LinkSupervisor::IsFresh(const LinkMessage& message, const Instant received) const noexcept
 {
     const std::uint32_t age_us = received.us - message.echo.stamp.us;
     const bool is_possible = message.echo.hold_us <= (age_us + config_.stamp_tolerance_us);
-    return (message.echo.heard == kHeard) && is_possible && (age_us <= config_.timeout_us);
+    const bool is_answer =
+        (state_ != LinkState::kWaiting) || ((composed_sequence_ - message.echo.sequence) < composed_count_);
+    return (message.echo.heard == kHeard) && is_possible && is_answer && (age_us <= config_.timeout_us);
 }
 
 void LinkSupervisor::CompareClocks(const LinkMessage& message, const Instant received) noexcept

@@ -53,11 +53,14 @@ enum class TakeResult : std::uint8_t
 };
 
 /// Judges intact messages: sequence, freshness by echo, clock, time-out. [SRS_LNK_003, SRS_LNK_004, SRS_LNK_005,
-/// SRS_LNK_006, SRS_LNK_007]
+/// SRS_LNK_006, SRS_LNK_007, SRS_LNK_011]
 class LinkSupervisor
 {
   public:
     void Restart(const LinkConfig& config) noexcept;
+    /// @brief Before each own message: its sequence number. Contact begins by an answer to one since Restart.
+    /// [SRS_LNK_011]
+    void OnCompose(std::uint32_t sequence) noexcept;
     /// @brief A message that is intact, received at `received`. O(1)
     [[nodiscard]] TakeResult Take(const LinkMessage& message, Instant received) noexcept;
     /// @brief One that is not.
@@ -113,7 +116,9 @@ class LinkSupervisor
     Instant heard_at_{0U};
     std::uint32_t heard_sequence_{0U};
     std::uint32_t acknowledged_{0U};
-    Instant reference_own_{0U}; ///< Where the comparison of the clocks began.
+    std::uint32_t composed_sequence_{0U}; ///< Of the own message composed last.
+    std::uint32_t composed_count_{0U};    ///< Own messages since Restart; of use until contact.
+    Instant reference_own_{0U};           ///< Where the comparison of the clocks began.
     Instant reference_peer_{0U};
     std::uint8_t heard_{0U};
     LinkState state_{LinkState::kLost};

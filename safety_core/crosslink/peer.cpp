@@ -116,6 +116,7 @@ void Peer::FillReports(const SrdoMask changed, const Instant now, LinkMessage& m
 void Peer::Compose(const PeerMoment& moment, hal::LinkFrame& frame) noexcept
 {
     ++sequence_;
+    remote_.Link().OnCompose(sequence_);
     own_.Sending().Armed().Examine(moment.now);
     const News news = own_.TakeNews();
     LinkMessage message{};

@@ -35,6 +35,22 @@ TEST(TwoCpuNode, RunsWithDriftingClocksAndAJitterThatVaries)
     EXPECT_EQ(Failures(*run), "");
 }
 
+// Both CPUs obey in their own cycles, so that one is still told what the other one said before.
+TEST(TwoCpuNode, IsResetAtAnyMomentOfItsCycles)
+{
+    Verifies(req::SRS_LNK_011);
+    for (int at_us = 500000; at_us < 502000; at_us += 250)
+    {
+        const std::string at = std::to_string(at_us);
+        const auto run = RunTwoCpus("duration: 1200 ms\nnmt:\n  - {at: " + at +
+                                    " us, node: actuator, command: reset_node, start_after: 10 ms}\n"
+                                    "acknowledge:\n  - {at: 800 ms, node: actuator, srdo: 1, pulse: 50 ms}\nexpect:\n"
+                                    "  - {that: device_fault, node: actuator, is: none}\n"
+                                    "  - {that: released, node: actuator, srdo: 1, at: 1190 ms}\n");
+        EXPECT_EQ(Failures(*run), "") << at;
+    }
+}
+
 /// A device of the chain whose channels may differ for 12 ms; the file that it is written to.
 std::string PatientDevice(const std::string& name, const std::string& digest, const std::string& patient_digest)
 {

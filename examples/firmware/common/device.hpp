@@ -38,8 +38,11 @@ struct Pins
 /// @brief Builds kernel, channels and application and protects their memory. Called once.
 [[nodiscard]] DrivenDevice BuildDevice(const Hardware& hardware) noexcept;
 
-/// @brief Before each cycle: the inputs go to the application. The acknowledge levels come back.
+/// @brief Before each cycle: the inputs go to the application. The acknowledge levels for channel A come back.
 [[nodiscard]] SrdoMask ReadInputs(Pins inputs) noexcept;
+
+/// @brief The acknowledge levels for channel B, from a second reading; `inverted` has 0 where the input is 1.
+[[nodiscard]] SrdoMask ReadAcknowledge(Pins inverted) noexcept;
 
 /// @brief After each cycle: what the outputs shall be. `open` is what the gate lets through.
 [[nodiscard]] Pins SetOutputs(SrdoMask open) noexcept;

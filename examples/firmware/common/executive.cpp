@@ -2,6 +2,7 @@
 #include "examples/firmware/common/executive.hpp"
 
 #include "hal/tms570/chip/processor.hpp"
+#include "hal/tms570/output/cut_off.hpp"
 #include "hal/tms570/output/gio_registers.hpp"
 #include "hal/tms570/start/exceptions.hpp"
 #include "hal/tms570/start/memory_map.hpp"
@@ -33,18 +34,15 @@ void Executive::Start() noexcept
     cycle_ = board_.Clocks().Now().a;
 }
 
-void Executive::WaitForCycle() noexcept
+// False: the moment of the cycle does not come.
+bool Executive::WaitForCycle() const noexcept
 {
-    cycle_.us += kCycleUs;
     std::uint32_t looks = 0U;
     while ((looks < kMostLooks) && ((board_.Clocks().Now().a.us - cycle_.us) >= (1U << 31U)))
     {
         ++looks;
     }
-    if (looks == kMostLooks)
-    {
-        driven_.kernel.DemandSafeState();
-    }
+    return looks < kMostLooks;
 }
 
 // Stamp and queue belong together: whatever comes after the look that found the queue empty has a later stamp.
@@ -86,14 +84,18 @@ void Executive::Deliver(const QueuedFrame& queued) noexcept
 
 void Executive::Cycle() noexcept
 {
-    WaitForCycle();
-    if (board_.BeginCycle() != BoardFault::kNone)
+    cycle_.us += kCycleUs;
+    const bool is_time = WaitForCycle();
+    if ((board_.BeginCycle() != BoardFault::kNone) || (!is_time))
     {
-        driven_.kernel.DemandSafeState();
+        CutOffEverything();
+        return;
     }
     const InstantPair now = TakeFrames();
-    const SrdoMask acknowledge = ReadInputs(Pins{Read(At(gio::kPortB, gio::kInput)) & ~needs_.output_pins});
-    driven_.device.Cycle(CycleCall{now, acknowledge, acknowledge});
+    // Each channel's levels come from a reading of its own, and each its own way.
+    const SrdoMask acknowledge_a = ReadInputs(Pins{Read(At(gio::kPortB, gio::kInput)) & ~needs_.output_pins});
+    const SrdoMask acknowledge_b = ReadAcknowledge(Pins{needs_.output_pins | ~Read(At(gio::kPortB, gio::kInput))});
+    driven_.device.Cycle(CycleCall{now, acknowledge_a, acknowledge_b});
     // Bit 0 of the device's outputs is the lowest of its output pins.
     const std::uint32_t pins = needs_.output_pins;
     const std::uint32_t outputs = (SetOutputs(board_.Output().Open()).bits * (pins & (~pins + 1U))) & pins;

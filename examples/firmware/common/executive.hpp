@@ -18,12 +18,13 @@ class Executive
 
     /// @brief Once, before the first cycle: pins of port B, first moment.
     void Start() noexcept;
-    /// @brief Waits for the next cycle and does it. A wait that does not end, and every fault of the board, is the
-    /// safe state of the device.
+    /// @brief Waits for the next cycle and does it. After a wait that does not end, and after every fault of the board,
+    /// everything is cut off and neither kernel nor watchdog is served any more: the watchdog resets the controller.
+    /// [SRS_TMS_062]
     void Cycle() noexcept;
 
   private:
-    void WaitForCycle() noexcept;
+    [[nodiscard]] bool WaitForCycle() const noexcept;
     [[nodiscard]] InstantPair TakeFrames() noexcept;
     void Deliver(const tms570::QueuedFrame& queued) noexcept;
 

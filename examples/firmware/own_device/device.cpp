@@ -42,6 +42,17 @@ SrdoMask ReadInputs(const Pins inputs) noexcept
     return acknowledged << OwnApplication::kProducers;
 }
 
+SrdoMask ReadAcknowledge(const Pins inverted) noexcept
+{
+    SrdoMask acknowledged = 0U;
+    for (std::uint8_t output = 0U; output < OwnApplication::kConsumers; ++output)
+    {
+        const bool is_pressed = (inverted.bits & (1U << (kAcknowledgeShift + output))) == 0U;
+        acknowledged |= is_pressed ? (SrdoMask{1U} << (OwnApplication::kProducers + output)) : 0U;
+    }
+    return acknowledged;
+}
+
 Pins SetOutputs(const SrdoMask open) noexcept
 {
     std::uint32_t bits = 0U;

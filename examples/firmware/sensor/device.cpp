@@ -39,6 +39,11 @@ SrdoMask ReadInputs(const Pins inputs) noexcept
     return 0U;
 }
 
+SrdoMask ReadAcknowledge(Pins /*inverted*/) noexcept
+{
+    return 0U;
+}
+
 Pins SetOutputs(SrdoMask /*open*/) noexcept
 {
     return Pins{0U};

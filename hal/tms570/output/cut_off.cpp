@@ -16,12 +16,17 @@ constexpr std::uint32_t kAllPins = 0xFFU;
 
 } // namespace
 
-void CutOffEverything() noexcept
+void CloseAllPins() noexcept
 {
     Write(At(gio::kPortA, gio::kClear), kAllPins);
     Write(At(gio::kPortB, gio::kClear), kAllPins);
     Write(At(gio::kPortA, gio::kDirection), 0U);
     Write(At(gio::kPortB, gio::kDirection), 0U);
+}
+
+void CutOffEverything() noexcept
+{
+    CloseAllPins();
     ForceErrorPin();
     Write(At(kDcan1Base, dcan::kControl), dcan::kControlInit | dcan::kControlParityOn);
     Write(At(kDcan2Base, dcan::kControl), dcan::kControlInit | dcan::kControlParityOn);

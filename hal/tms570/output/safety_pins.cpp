@@ -4,6 +4,9 @@
 // inputs; a pull-down outside makes that the safe state.
 #include "hal/tms570/output/safety_pins.hpp"
 
+#include "hal/tms570/diagnosis/esm.hpp"
+#include "hal/tms570/output/cut_off.hpp"
+
 namespace counterpoint::tms570
 {
 
@@ -15,6 +18,11 @@ using namespace gio;
 /// A pin follows its output register within some cycles of the bus, loaded as the data sheet allows.
 constexpr Looks kPinLooks{64U};
 
+[[nodiscard]] bool IsPort(const RegisterBase port) noexcept
+{
+    return (port.address == kPortA.address) || (port.address == kPortB.address);
+}
+
 } // namespace
 
 SafetyPins::SafetyPins(hal::Clocks& clocks) noexcept : clocks_(clocks)
@@ -23,27 +31,29 @@ SafetyPins::SafetyPins(hal::Clocks& clocks) noexcept : clocks_(clocks)
 
 Outcome SafetyPins::Start(const SafetyPinsSetup& setup) noexcept
 {
-    setup_ = setup;
     live_.Store(0U);
     gate_.Close();
     driven_ = 0U;
-    used_ = 0U;
+    driven_copy_ = ~driven_;
+    setup_ = setup;
+    copy_.port_address = ~setup.port.address;
+    copy_.limit_us = ~setup.limit.us;
     for (std::uint32_t pin = 0U; pin < kPins; ++pin)
     {
-        used_ |= (setup.pins[pin].slots != 0U) ? (1U << pin) : 0U;
+        copy_.slots[pin] = ~setup.pins[pin].slots;
     }
-    const bool is_port = (setup.port.address == kPortA.address) || (setup.port.address == kPortB.address);
-    if (!is_port || (used_ == 0U))
+    const std::uint32_t used = Used();
+    if ((!IsPort(setup.port)) || (used == 0U))
     {
         return Outcome::kFailed;
     }
     Outcome outcome = WriteChecked(At(kBase, kGlobalControl), kOutOfReset, kOutOfReset);
     // Low before they are outputs.
-    Write(At(setup.port, kClear), used_);
-    const std::uint32_t others = Read(At(setup.port, kDirection)) & ~used_;
-    outcome = Both(outcome, WriteChecked(At(setup.port, kOpenDrain), Read(At(setup.port, kOpenDrain)) & ~used_, used_));
-    outcome = Both(outcome, WriteChecked(At(setup.port, kDirection), others | used_, used_));
-    outcome = Both(outcome, WaitFor(At(setup.port, kInput), Bits{used_, 0U}, kPinLooks));
+    Write(At(setup.port, kClear), used);
+    const std::uint32_t others = Read(At(setup.port, kDirection)) & ~used;
+    outcome = Both(outcome, WriteChecked(At(setup.port, kOpenDrain), Read(At(setup.port, kOpenDrain)) & ~used, used));
+    outcome = Both(outcome, WriteChecked(At(setup.port, kDirection), others | used, used));
+    outcome = Both(outcome, WaitFor(At(setup.port, kInput), Bits{used, 0U}, kPinLooks));
     if (outcome == Outcome::kDone)
     {
         live_.Store(kLive);
@@ -60,7 +70,7 @@ void SafetyPins::Drive(const hal::PermitSet& permits) noexcept
 {
     const Instant now = clocks_.Now().a;
     gate_.Drive(permits, now);
-    SetPins(gate_.Open(now, setup_.limit));
+    SetPins(now);
 }
 
 hal::ProbeAnswer SafetyPins::Probe(const hal::PermitSet& permits, const std::uint32_t challenge) const noexcept
@@ -71,30 +81,24 @@ hal::ProbeAnswer SafetyPins::Probe(const hal::PermitSet& permits, const std::uin
 void SafetyPins::CutOff() noexcept
 {
     live_.Store(0U);
-    // Both ports, whatever the setup says by now; inputs again, so that no later write of an output is seen.
-    constexpr RegisterBase kPorts[]{kPortA, kPortB}; // MISRA D-001
-    for (const RegisterBase& port : kPorts)
+    CloseAllPins();
+    if ((Read(At(kPortA, kDirection)) | Read(At(kPortB, kDirection))) != 0U)
     {
-        Write(At(port, kClear), used_);
-        Write(At(port, kDirection), Read(At(port, kDirection)) & ~used_);
+        CloseAllPins();
+        ForceErrorPin();
     }
 }
 
 Outcome SafetyPins::Examine() noexcept
 {
-    if (live_.Load() != kLive)
-    {
-        return Outcome::kFailed;
-    }
-    SetPins(gate_.Open(clocks_.Now().a, setup_.limit));
-    const bool are_outputs = (Read(At(setup_.port, kDirection)) & used_) == used_;
-    const Outcome pins = WaitFor(At(setup_.port, kInput), Bits{used_, driven_}, kPinLooks);
-    if (!are_outputs || (pins != Outcome::kDone))
+    // Before anything is written: what was wrong since the last Drive must not be mended unseen.
+    if ((live_.Load() != kLive) || (!IsSetUp()) || (!DoPinsFollow()))
     {
         CutOff();
         return Outcome::kFailed;
     }
-    return Outcome::kDone;
+    SetPins(clocks_.Now().a);
+    return (live_.Load() == kLive) ? Outcome::kDone : Outcome::kFailed;
 }
 
 SrdoMask SafetyPins::Open() noexcept
@@ -103,7 +107,21 @@ SrdoMask SafetyPins::Open() noexcept
     return is_live ? gate_.Open(clocks_.Now().a, setup_.limit) : 0U;
 }
 
-void SafetyPins::SetPins(const SrdoMask open) noexcept
+bool SafetyPins::IsSetUp() const noexcept
+{
+    const std::uint32_t members = (setup_.port.address ^ copy_.port_address) & (setup_.limit.us ^ copy_.limit_us);
+    return ((members & (driven_ ^ driven_copy_)) == ~0U) && IsPort(setup_.port);
+}
+
+bool SafetyPins::DoPinsFollow() const noexcept
+{
+    const std::uint32_t used = Used();
+    const bool are_outputs = (Read(At(setup_.port, kDirection)) & used) == used;
+    return are_outputs && (WaitFor(At(setup_.port, kInput), Bits{used, driven_}, kPinLooks) == Outcome::kDone);
+}
+
+// Pins of which every slot is open.
+std::uint32_t SafetyPins::High(const SrdoMask open) const noexcept
 {
     std::uint32_t high = 0U;
     for (std::uint32_t pin = 0U; pin < kPins; ++pin)
@@ -112,14 +130,46 @@ void SafetyPins::SetPins(const SrdoMask open) noexcept
         const bool is_open = (slots != 0U) && ((open & slots) == slots);
         high |= is_open ? (1U << pin) : 0U;
     }
-    const bool is_live = live_.Load() == kLive;
-    driven_ = is_live ? high : 0U;
-    Write(At(setup_.port, kClear), used_ & ~driven_);
-    Write(At(setup_.port, kSet), driven_);
+    return high;
+}
+
+// Pins that have a closed slot, by the copy of the setup.
+std::uint32_t SafetyPins::Low(const SrdoMask closed) const noexcept
+{
+    std::uint32_t low = 0U;
+    for (std::uint32_t pin = 0U; pin < kPins; ++pin)
+    {
+        low |= ((~copy_.slots[pin] & closed) != 0U) ? (1U << pin) : 0U;
+    }
+    return low;
+}
+
+// Pins that are safety outputs.
+std::uint32_t SafetyPins::Used() const noexcept
+{
+    return Low(~SrdoMask{0U});
+}
+
+// Twice: by the setup and by its copy, each with a reading of the gate of its own.
+void SafetyPins::SetPins(const Instant now) noexcept
+{
+    const std::uint32_t high = High(gate_.Open(now, setup_.limit));
+    const std::uint32_t low = Low(~gate_.Open(now, hal::GateLimit{~copy_.limit_us}));
+    const std::uint32_t used = Used();
+    const bool is_one_answer = (high ^ low) == used;
+    if ((live_.Load() != kLive) || (!IsSetUp()) || (!is_one_answer))
+    {
+        CutOff();
+        return;
+    }
+    driven_ = high;
+    driven_copy_ = low | ~used;
+    Write(At(setup_.port, kClear), low);
+    Write(At(setup_.port, kSet), high);
     // An interrupt may have cut off in between.
     if (live_.Load() != kLive)
     {
-        Write(At(setup_.port, kClear), used_);
+        CloseAllPins();
     }
 }
 

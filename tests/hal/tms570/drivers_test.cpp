@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+
 namespace counterpoint::tms570
 {
 namespace
@@ -197,6 +199,115 @@ TEST(SafetyPinsTest, CutOffLastsUntilTheNextStart)
     EXPECT_EQ(output.Start(rig.setup.pins), Outcome::kDone);
     output.Drive(Rig::RightPermits(output.Challenge(), 1U));
     EXPECT_EQ(rig.machine.gio.PinsA(), 1U);
+}
+
+TEST(SafetyPinsTest, PulseBetweenTwoCyclesIsSeen)
+{
+    Verifies(req::SRS_TMS_025);
+    Verifies(req::SRS_TMS_026);
+    // Given closed outputs
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    SafetyPins& output = rig.board.Output();
+    output.Drive(Rig::RightPermits(output.Challenge(), 0U));
+    // When the pin is made high behind the driver's back, which a write of the right level would mend
+    Write(At(gio::kPortA, gio::kSet), 1U);
+    ASSERT_EQ(rig.machine.gio.PinsA(), 1U);
+    // Then the look of the next cycle sees it and cuts off
+    EXPECT_EQ(output.Examine(), Outcome::kFailed);
+    EXPECT_EQ(rig.machine.gio.PinsA(), 0U);
+    EXPECT_EQ(Read(At(gio::kPortA, gio::kDirection)), 0U);
+}
+
+TEST(SafetyPinsTest, CutOffThatIsNotReadBackIsToldByTheErrorPin)
+{
+    Verifies(req::SRS_TMS_026);
+    // Given an open output whose direction cannot be changed any more
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    SafetyPins& output = rig.board.Output();
+    output.Drive(Rig::RightPermits(output.Challenge(), 1U));
+    ASSERT_TRUE(rig.machine.esm.IsPinHigh());
+    rig.machine.faults.Set(model::Fault::kPinStaysOutput);
+    // When it is cut off, then the pin is low, and nERROR says that it is an output still
+    output.CutOff();
+    EXPECT_EQ(rig.machine.gio.PinsA(), 0U);
+    EXPECT_FALSE(rig.machine.esm.IsPinHigh());
+}
+
+/// Pins on their own, one of which needs slots 0 and 1. What is flipped lies behind two tables of functions and the
+/// reference to the clocks.
+class FlippedPins
+{
+  public:
+    static constexpr std::size_t kFirstBit = 3U * sizeof(void*) * 8U;
+    static constexpr std::size_t kBits = sizeof(SafetyPins) * 8U;
+
+    explicit FlippedPins(Rig& started) : rig{started}
+    {
+        SafetyPinsSetup setup = rig.setup.pins;
+        setup.pins[0U].slots = 3U;
+        EXPECT_EQ(pins.Start(setup), Outcome::kDone);
+    }
+    void Drive(const SrdoMask mask)
+    {
+        pins.Drive(Rig::RightPermits(pins.Challenge(), mask));
+    }
+    void Flip(const std::size_t bit)
+    {
+        reinterpret_cast<unsigned char*>(&pins)[bit / 8U] ^= static_cast<unsigned char>(1U << (bit % 8U));
+    }
+
+    Rig& rig;
+    SafetyPins pins{rig.board.Clocks()};
+};
+
+TEST(SafetyPinsTest, NoBitOfItsMemoryOpensAPin)
+{
+    Verifies(req::SRS_TMS_026);
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    for (std::size_t bit = FlippedPins::kFirstBit; bit < FlippedPins::kBits; ++bit)
+    {
+        // Given one bit flipped, when only one of the two slots of the pin is permitted, then the pin stays low
+        FlippedPins flipped{rig};
+        flipped.Flip(bit);
+        flipped.Drive(1U);
+        EXPECT_EQ(flipped.rig.machine.gio.PinsA(), 0U) << bit;
+        EXPECT_EQ(flipped.rig.machine.gio.PinsB(), 0U) << bit;
+    }
+}
+
+TEST(SafetyPinsTest, NoBitOfItsMemoryHoldsAPinOpen)
+{
+    Verifies(req::SRS_TMS_026);
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    for (std::size_t bit = FlippedPins::kFirstBit; bit < FlippedPins::kBits; ++bit)
+    {
+        for (const bool is_cut_off : {false, true})
+        {
+            // Given an open pin and one bit flipped
+            FlippedPins flipped{rig};
+            flipped.Drive(3U);
+            ASSERT_EQ(flipped.rig.machine.gio.PinsA(), 1U);
+            flipped.Flip(bit);
+            // When it is cut off, or when nothing is driven for longer than the limit of 1200 us, then it is low
+            if (is_cut_off)
+            {
+                flipped.pins.CutOff();
+            }
+            else
+            {
+                flipped.rig.machine.Advance(1201U);
+                static_cast<void>(flipped.pins.Examine());
+            }
+            EXPECT_EQ(flipped.rig.machine.gio.PinsA(), 0U) << bit;
+            // and the next cycle, in which one slot is permitted, leaves it so
+            flipped.Drive(1U);
+            EXPECT_EQ(flipped.rig.machine.gio.PinsA(), 0U) << bit;
+        }
+    }
 }
 
 TEST(ProbeTest, OnlyTheArmedAccessIsProvoked)

@@ -259,6 +259,7 @@ constexpr Fault kOwnTests[] = {
     Fault::kCounterBFast,       // DeviceOnModels.FastCounterIsADeviceFault
     Fault::kWatchdogNotEnabled, // WatchdogTest.LostWriteRefusesTheStart
     Fault::kWatchdogPeriodLost,
+    Fault::kPinStaysOutput,  // SafetyPinsTest.CutOffThatIsNotReadBackIsToldByTheErrorPin
     Fault::kVimOneBitUnseen, // VimEcc, in vim_ecc_test.cpp
     Fault::kVimTwoBitsUnseen,   Fault::kVimTwoBitsTakenForOne, Fault::kVimOneBitError, Fault::kVimTwoBitError,
 };

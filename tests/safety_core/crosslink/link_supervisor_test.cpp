@@ -29,12 +29,18 @@ LinkEcho EchoOf(const std::uint32_t stamp_us, const std::uint32_t hold_us = 0U)
     return LinkEcho{7U, Instant{stamp_us}, hold_us, kHeard};
 }
 
+LinkEcho EchoOfMessage(const std::uint32_t sequence)
+{
+    return LinkEcho{sequence, Instant{8000U}, 0U, kHeard};
+}
+
 class Supervision : public ::testing::Test
 {
   protected:
     void SetUp() override
     {
         link.Restart(kLink);
+        link.OnCompose(7U);
     }
     /// Contact at 10 ms by a message 50 that echoes 8 ms.
     void Contact()
@@ -76,6 +82,24 @@ TEST_F(Supervision, FreshEchoMakesContact)
     EXPECT_EQ(link.Counts().taken, 1U);
     EXPECT_EQ(link.Composed().first.us, 8000U);
     EXPECT_EQ(link.Composed().last.us, 10000U);
+}
+
+// Given a CPU that composed 7 and 8 after a restart, when messages answer 6 or 9, then they are late; 7 and 8 are
+// taken.
+TEST_F(Supervision, EchoOfBeforeTheRestartIsLate)
+{
+    Verifies(req::SRS_LNK_011);
+    link.OnCompose(8U);
+    EXPECT_EQ(link.Take(Message(50U, 510000U, EchoOfMessage(6U)), Instant{10000U}), TakeResult::kDiscarded);
+    EXPECT_EQ(link.Take(Message(51U, 510000U, EchoOfMessage(9U)), Instant{10000U}), TakeResult::kDiscarded);
+    EXPECT_EQ(link.State(), LinkState::kWaiting);
+    EXPECT_EQ(link.Counts().late, 2U);
+    EXPECT_EQ(link.Take(Message(52U, 510000U, EchoOfMessage(7U)), Instant{10000U}), TakeResult::kTaken);
+    EXPECT_EQ(link.Take(Message(53U, 510000U, EchoOfMessage(6U)), Instant{10000U}), TakeResult::kTaken);
+    link.Restart(kLink);
+    EXPECT_EQ(link.Take(Message(54U, 510000U, EchoOfMessage(8U)), Instant{10000U}), TakeResult::kDiscarded);
+    EXPECT_EQ(link.State(), LinkState::kWaiting);
+    EXPECT_EQ(link.Counts().late, 1U);
 }
 
 // Given contact at 50, when 50 comes again, then 49, then 53, then they are a repeated, an old and a new one with two

@@ -69,6 +69,11 @@ void GioModel::Write(const std::uint32_t offset, const std::uint32_t value)
             Kept(port + kOutput) &= ~value;
             return;
         }
+        if ((offset == port + kDirection) && Has(Fault::kPinStaysOutput))
+        {
+            Kept(offset) |= value;
+            return;
+        }
     }
     Kept(offset) = value;
 }

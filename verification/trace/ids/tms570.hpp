@@ -27,6 +27,7 @@ inline constexpr RequirementId SRS_TMS_022{"SRS_TMS_022"};
 inline constexpr RequirementId SRS_TMS_023{"SRS_TMS_023"};
 inline constexpr RequirementId SRS_TMS_024{"SRS_TMS_024"};
 inline constexpr RequirementId SRS_TMS_025{"SRS_TMS_025"};
+inline constexpr RequirementId SRS_TMS_026{"SRS_TMS_026"};
 inline constexpr RequirementId SRS_TMS_027{"SRS_TMS_027"};
 inline constexpr RequirementId SRS_TMS_028{"SRS_TMS_028"};
 inline constexpr RequirementId SRS_TMS_030{"SRS_TMS_030"};
