@@ -99,7 +99,7 @@ PreparedPair Producers::Prepare(SlotIndex slot) noexcept
     }
     const SrdoMask bit = BitOf(slot);
     x_pairs.data[slot] = ~x_mappings.ReadInverse(slot) & LowBits(x_mappings.LengthBits(slot));
-    x_pairs.stage[slot] = Stage::kPrepared;
+    x_pairs.stage[slot] = Stage::kNormal;
     x_pairs.left[slot] = x_settings.SrvtUs(slot);
     x_pairs.limit[slot] = x_pairs.left[slot];
     if (HasAny(x_silent, bit))
@@ -114,13 +114,12 @@ PreparedPair Producers::Prepare(SlotIndex slot) noexcept
 }
 
 /// [SRS_PROD_006]
-CanFrame Producers::InverseFrame(SlotIndex slot) noexcept
+CanFrame Producers::InverseFrame(SlotIndex slot) const noexcept
 {
-    if ((!IsActive(slot)) || (x_pairs.stage[slot] != Stage::kToSend))
+    if ((!IsActive(slot)) || (x_pairs.stage[slot] != Stage::kInverse))
     {
         return kNoFrame;
     }
-    x_pairs.stage[slot] = Stage::kHandedOut;
     return FrameOf(x_settings.InverseIdentifier(slot), x_settings.Config().inverse_port, x_mappings.LengthBits(slot),
                    InverseData(slot));
 }
@@ -152,7 +151,7 @@ Confirmation Producers::ConfirmNormal(SlotIndex slot, const CanFrame& frame, std
         Fail(slot, flaw);
         return kNothingConfirmed;
     }
-    x_pairs.stage[slot] = Stage::kToSend;
+    x_pairs.stage[slot] = Stage::kInverse;
     x_pairs.left[slot] = x_pairs.limit[slot] + since_call_us;
     return Confirmation{slot, ConfirmStep::kNormal};
 }
@@ -182,10 +181,9 @@ Confirmation Producers::OnConfirm(SlotIndex slot, const CanFrame& frame, std::ui
     {
         switch (x_pairs.stage[slot])
         {
-        case Stage::kPrepared:
+        case Stage::kNormal:
             return ConfirmNormal(slot, frame, since_call_us);
-        case Stage::kToSend:
-        case Stage::kHandedOut:
+        case Stage::kInverse:
             return ConfirmInverse(slot, frame, since_call_us);
         case Stage::kIdle:
             break;

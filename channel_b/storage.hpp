@@ -27,10 +27,9 @@ enum class Mark : std::uint8_t
 /// How far the transmission of a producer has come.
 enum class Stage : std::uint8_t
 {
-    kIdle = 0x33U,      ///< Prepare may follow.
-    kPrepared = 0x55U,  ///< The normal frame of the other channel has not been seen yet.
-    kToSend = 0x66U,    ///< Normal frame seen; the inverse frame has to be handed out.
-    kHandedOut = 0x99U, ///< The inverse frame has not been seen yet.
+    kIdle = 0x33U,    ///< Prepare may follow.
+    kNormal = 0x55U,  ///< The normal frame has not been seen yet.
+    kInverse = 0x66U, ///< Normal frame seen; the inverse frame has not been seen yet.
 };
 
 /// One field of all slots.
@@ -91,10 +90,8 @@ struct PairColumns
 
 struct FaultColumns
 {
-    Column<std::uint32_t> causes;    ///< Bit (1 << cause): recorded and not reported yet.
-    Column<std::uint32_t> told;      ///< Signalled in the open window.
-    Column<std::uint32_t> signals;   ///< Of the last OnCycle that signalled something.
-    Column<std::uint32_t> window_us; ///< Age of the open window.
+    Column<std::uint32_t> causes;  ///< Bit (1 << cause): recorded and not reported yet.
+    Column<std::uint32_t> signals; ///< Of the last OnCycle that signalled something.
     Column<std::uint16_t> error_count;
     Column<std::uint8_t> first_cause; ///< SrdoCause.
 };
@@ -137,9 +134,7 @@ template <std::uint8_t kSlots, std::uint8_t kMapEntries = kUsualMapEntries> stru
     std::uint32_t phase_left[kSlots];                      // MISRA D-001
     std::uint32_t ordinal[kSlots];                         // MISRA D-001
     std::uint32_t causes[kSlots];                          // MISRA D-001
-    std::uint32_t told[kSlots];                            // MISRA D-001
     std::uint32_t signals[kSlots];                         // MISRA D-001
-    std::uint32_t window_us[kSlots];                       // MISRA D-001
     std::uint16_t error_count[kSlots];                     // MISRA D-001
     std::uint16_t places[kEntries];                        // MISRA D-001
     std::uint8_t image[std::size_t{kSlots} * kImageBytes]; // MISRA D-001
@@ -174,7 +169,7 @@ template <std::uint8_t kSlots, std::uint8_t kMapEntries = kUsualMapEntries> stru
                         {granted},
                         {edge},
                         {stage}},
-                       {{causes}, {told}, {signals}, {window_us}, {error_count}, {first_cause}},
+                       {{causes}, {signals}, {error_count}, {first_cause}},
                        {{valid}, {resolved}, {slot_of}},
                        {kSlots, kMapEntries}};
     }

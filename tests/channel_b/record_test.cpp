@@ -251,7 +251,7 @@ ConfigFault StaticOf(Rig& rig, std::uint8_t bits)
 {
     const std::uint32_t entries[] = {0x63000100U + bits, 0x63010100U + bits};
     rig.Config().granularity_bits = 1U;
-    rig.SetFreeLength(bits);
+    rig.SetFree(bits, MapAccess::kConsumer);
     rig.Setup(2U).map = StaticMap{entries, 2U};
     rig.Voice().Restart(rig.Config());
     rig.Voice().SetFields(2U, rig.FreeFields());
