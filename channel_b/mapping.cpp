@@ -34,17 +34,35 @@ constexpr std::uint8_t kDummyBits[kLastDummyIndex + 1U] = {0U, 1U, 8U, 16U, 32U,
     return (bits != 0U) && ((entry & 0xFFFFU) == bits);
 }
 
-/// Whether an entry before this one names the same object; dummies name none.
-[[nodiscard]] bool IsNamedBefore(const Mapping& mapping, std::uint32_t index) noexcept
+/// Whether one of the first `count` entries names the object that this entry names; dummies name none.
+[[nodiscard]] bool IsNamedAmong(const Mapping& mapping, std::uint32_t count, std::uint32_t entry) noexcept
 {
-    const std::uint32_t entry = mapping.entries[index];
     if (IsDummy(entry))
     {
         return false;
     }
-    for (std::uint32_t before = 0U; before < index; ++before)
+    for (std::uint32_t index = 0U; index < count; ++index)
     {
-        if ((mapping.entries[before] >> 8U) == (entry >> 8U))
+        if ((mapping.entries[index] >> 8U) == (entry >> 8U))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Whether an entry before this one names the same object.
+[[nodiscard]] bool IsNamedBefore(const Mapping& mapping, std::uint32_t index) noexcept
+{
+    return IsNamedAmong(mapping, index, mapping.entries[index]);
+}
+
+/// Whether any object is named by both.
+[[nodiscard]] bool HaveCommonObject(const Mapping& mapping, const Mapping& other) noexcept
+{
+    for (std::uint32_t index = 0U; index < mapping.count; ++index)
+    {
+        if (IsNamedAmong(other, other.count, mapping.entries[index]))
         {
             return true;
         }
@@ -180,7 +198,25 @@ bool Mappings::IsPairAllowed(const Mapping& mapping, std::uint32_t index) const 
     return !(IsNamedBefore(mapping, index) || IsNamedBefore(mapping, index + 1U));
 }
 
-/// The places that it finds count only after a Validate without fault. [SRS_CFG_026, SRS_CFG_027, SRS_CFG_028]
+/// Two producers may send one object; a consumer has its objects for itself. [SRS_CFG_037]
+bool Mappings::IsShared(SlotIndex slot) const noexcept
+{
+    const Mapping mapping = Of(slot);
+    const bool is_consumer = x_settings.Direction(slot) == kDirectionConsumer;
+    for (SlotIndex lower = 0U; lower < slot; ++lower)
+    {
+        const std::uint8_t direction = x_settings.Direction(lower);
+        const bool is_writing = is_consumer || (direction == kDirectionConsumer);
+        if ((direction != kDirectionOff) && is_writing && HaveCommonObject(mapping, Of(lower)))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// The places that it finds count only after a Validate without fault. [SRS_CFG_026, SRS_CFG_027, SRS_CFG_028,
+/// SRS_CFG_037]
 ConfigFault Mappings::Resolve(SlotIndex slot) noexcept
 {
     const Mapping mapping = Of(slot);
@@ -208,6 +244,10 @@ ConfigFault Mappings::Resolve(SlotIndex slot) noexcept
     if (bits > kMaxPayloadBits)
     {
         return ConfigFault::kLengthExceeded;
+    }
+    if (IsShared(slot))
+    {
+        return ConfigFault::kMapping;
     }
     x_columns.length_bits[slot] = static_cast<std::uint8_t>(bits);
     return ConfigFault::kNone;

@@ -56,6 +56,7 @@ class Mappings
   private:
     void FindPlaces(SlotIndex slot, const Mapping& mapping) noexcept;
     [[nodiscard]] bool IsPairAllowed(const Mapping& mapping, std::uint32_t index) const noexcept;
+    [[nodiscard]] bool IsShared(SlotIndex slot) const noexcept;
     [[nodiscard]] std::uint32_t PlaceOf(const Mapping& mapping, std::uint32_t index) const noexcept;
     [[nodiscard]] std::size_t FirstEntryOf(SlotIndex slot) const noexcept;
 
