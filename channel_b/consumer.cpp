@@ -62,6 +62,8 @@ void Consumers::Admit(SlotIndex slot) noexcept
     x_pairs.granted[slot] = Mark::kUnset;
     x_pairs.edge[slot] = Mark::kUnset;
     x_pairs.ordinal[slot] = 0U;
+    x_pairs.limit[slot] = x_settings.SctUs(slot);
+    x_pairs.srvt_limit[slot] = x_settings.SrvtUs(slot);
 }
 
 /// [SRS_CONS_019]
@@ -255,7 +257,6 @@ void Consumers::TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t 
     }
     x_pending |= BitOf(slot);
     x_pairs.pending[slot] = FrameData(frame);
-    x_pairs.srvt_limit[slot] = x_settings.SrvtUs(slot);
     // The next OnCycle takes away what lay between the last one and the frame.
     x_pairs.srvt_left[slot] = x_pairs.srvt_limit[slot] + since_call_us;
 }
@@ -286,7 +287,6 @@ void Consumers::TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t
         return;
     }
     // Both limits count from the normal frame, so that the greater one has the difference more left.
-    x_pairs.limit[slot] = x_settings.SctUs(slot);
     x_pairs.left[slot] = x_pairs.srvt_left[slot] + (x_pairs.limit[slot] - x_pairs.srvt_limit[slot]);
     x_pairs.held[slot] = Mark::kHeld;
     x_pairs.data[slot] = inverse;
@@ -381,7 +381,7 @@ void Consumers::ServeBusy(SlotIndex slot, const Tick& tick, CycleOutcome& outcom
     {
         // Nothing new.
     }
-    if (HasAny(x_unheard, bit) && (x_active_us > x_settings.SctUs(slot)))
+    if (HasAny(x_unheard, bit) && (x_active_us > x_pairs.limit[slot]))
     {
         x_unheard &= ~bit;
         x_faults.Complain(slot, SrdoCause::kWaitingPastSct);
