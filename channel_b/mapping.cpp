@@ -76,7 +76,8 @@ constexpr std::uint8_t kDummyBits[kLastDummyIndex + 1U] = {0U, 1U, 8U, 16U, 32U,
     return (mapping.count == mapping.declared) && (mapping.count != 0U) && ((mapping.count % 2U) == 0U);
 }
 
-/// Where an object's bits lie in the word. A sum of lengths that a corrupted entry led beyond the word stays in it.
+/// How far an object's bits move the others in the word. What fills the word alone has no others; no corrupted entry
+/// shifts by more than the word has.
 [[nodiscard]] std::uint32_t Within(std::uint32_t at) noexcept
 {
     return at % kMaxPayloadBits;
@@ -288,11 +289,10 @@ std::uint64_t Mappings::ReadInverse(SlotIndex slot) const noexcept
 {
     const Mapping mapping = Of(slot);
     std::uint64_t data = 0U;
-    std::uint32_t at = 0U;
-    for (std::uint32_t index = 1U; index < mapping.count; index += 2U)
+    for (std::uint32_t pair = mapping.count / 2U; pair != 0U; --pair) // The highest bits first.
     {
-        data |= x_objects.Read(PlaceOf(mapping, index)) << Within(at);
-        at += LengthOf(mapping.entries[index]);
+        const std::uint32_t index = (2U * pair) - 1U;
+        data = (data << Within(LengthOf(mapping.entries[index]))) | x_objects.Read(PlaceOf(mapping, index));
     }
     return data;
 }
@@ -301,11 +301,11 @@ std::uint64_t Mappings::ReadInverse(SlotIndex slot) const noexcept
 void Mappings::WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept
 {
     const Mapping mapping = Of(slot);
-    std::uint32_t at = 0U;
+    std::uint64_t rest = data;
     for (std::uint32_t index = 1U; index < mapping.count; index += 2U)
     {
-        x_objects.Write(PlaceOf(mapping, index), data >> Within(at));
-        at += LengthOf(mapping.entries[index]);
+        x_objects.Write(PlaceOf(mapping, index), rest);
+        rest >>= Within(LengthOf(mapping.entries[index]));
     }
 }
 
