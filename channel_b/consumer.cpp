@@ -16,21 +16,11 @@ namespace
 /// can tell.
 constexpr std::uint32_t kLongOverUs = std::uint32_t{1U} << 31U;
 
-/// What of identifier, controller and length is not as configured. [SRS_CONS_004, SRS_CONS_005]
-[[nodiscard]] SrdoCause Misfit(const CanFrame& frame, std::uint32_t identifier, CanPortId port,
-                               std::uint32_t length_bits) noexcept
+/// Whether all bits of a frame are inverse, and none but mapped ones are set in the normal one. [SRS_CONS_009]
+[[nodiscard]] bool IsInverse(std::uint64_t normal, std::uint64_t inverse, std::uint64_t frame_bits,
+                             std::uint64_t mapped_bits) noexcept
 {
-    if ((frame.identifier != identifier) || (frame.port != port))
-    {
-        return SrdoCause::kIdentifier;
-    }
-    return (frame.length_bytes == BytesFor(length_bits)) ? SrdoCause::kNone : SrdoCause::kLength;
-}
-
-/// Whether all bits of the frames' bytes are inverse, and no normal one is set above the mapped ones. [SRS_CONS_009]
-[[nodiscard]] bool IsInverse(std::uint64_t normal, std::uint64_t inverse, std::uint32_t length_bits) noexcept
-{
-    return ((normal ^ inverse) == FrameMask(length_bits)) && (normal <= LowBits(length_bits));
+    return ((normal ^ inverse) == frame_bits) && ((normal & ~mapped_bits) == 0U);
 }
 
 } // namespace
@@ -128,7 +118,7 @@ HeldPair Consumers::Held(SlotIndex slot) const noexcept
         pair.ordinal = x_pairs.ordinal[slot];
         if (IsHeld(slot))
         {
-            pair.data = PayloadOf(~x_pairs.data[slot] & LowBits(x_mappings.LengthBits(slot)));
+            pair.data = PayloadOf(~x_pairs.data[slot] & x_mappings.MappedBits(slot));
             pair.holds_pair = 1U;
         }
     }
@@ -235,6 +225,34 @@ void Consumers::OnFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t sin
     }
 }
 
+/// [SRS_CONS_007, SRS_CONS_011]
+SrdoCause Consumers::FlawOfNormal(SlotIndex slot, const CanFrame& frame) const noexcept
+{
+    if ((frame.identifier != x_settings.NormalIdentifier(slot)) || (frame.port != x_settings.Config().normal_port))
+    {
+        return SrdoCause::kIdentifier;
+    }
+    if (frame.length_bytes != x_mappings.LengthBytes(slot))
+    {
+        return SrdoCause::kLength;
+    }
+    return HasAny(x_pending, BitOf(slot)) ? SrdoCause::kNormalTwice : SrdoCause::kNone;
+}
+
+/// [SRS_CONS_008, SRS_CONS_011]
+SrdoCause Consumers::FlawOfInverse(SlotIndex slot, const CanFrame& frame) const noexcept
+{
+    if ((frame.identifier != x_settings.InverseIdentifier(slot)) || (frame.port != x_settings.Config().inverse_port))
+    {
+        return SrdoCause::kIdentifier;
+    }
+    if (frame.length_bytes != x_mappings.LengthBytes(slot))
+    {
+        return SrdoCause::kLength;
+    }
+    return HasAny(x_pending, BitOf(slot)) ? SrdoCause::kNone : SrdoCause::kInverseFirst;
+}
+
 /// A limit that is over discards what was there before the frame, which is then taken as the first one.
 /// [SRS_CONS_003, SRS_CONS_006, SRS_CONS_007, SRS_CONS_011]
 void Consumers::TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
@@ -244,12 +262,7 @@ void Consumers::TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t 
     {
         Fault(slot, expired);
     }
-    SrdoCause flaw =
-        Misfit(frame, x_settings.NormalIdentifier(slot), x_settings.Config().normal_port, x_mappings.LengthBits(slot));
-    if ((flaw == SrdoCause::kNone) && HasAny(x_pending, BitOf(slot)))
-    {
-        flaw = SrdoCause::kNormalTwice;
-    }
+    const SrdoCause flaw = FlawOfNormal(slot, frame);
     if (flaw != SrdoCause::kNone)
     {
         Fault(slot, flaw);
@@ -265,19 +278,16 @@ void Consumers::TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t 
 void Consumers::TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
 {
     const SrdoMask bit = BitOf(slot);
-    const std::uint64_t inverse = FrameData(frame);
     const SrdoCause expired = ExpiredAtInverse(slot, since_call_us);
     if (expired != SrdoCause::kNone)
     {
         Fault(slot, expired);
     }
-    const std::uint32_t length_bits = x_mappings.LengthBits(slot);
-    SrdoCause flaw = Misfit(frame, x_settings.InverseIdentifier(slot), x_settings.Config().inverse_port, length_bits);
-    if ((flaw == SrdoCause::kNone) && (!HasAny(x_pending, bit)))
-    {
-        flaw = SrdoCause::kInverseFirst;
-    }
-    if ((flaw == SrdoCause::kNone) && (!IsInverse(x_pairs.pending[slot], inverse, length_bits)))
+    const std::uint64_t normal = x_pairs.pending[slot];
+    const std::uint64_t inverse = FrameData(frame);
+    SrdoCause flaw = FlawOfInverse(slot, frame);
+    if ((flaw == SrdoCause::kNone) &&
+        (!IsInverse(normal, inverse, LowBytes(frame.length_bytes), x_mappings.MappedBits(slot))))
     {
         flaw = SrdoCause::kNotInverse;
     }

@@ -65,6 +65,8 @@ class Consumers
     void Discard(SlotIndex slot) noexcept;
     [[gnu::cold]] void Fault(SlotIndex slot, SrdoCause cause) noexcept;
 
+    [[nodiscard]] SrdoCause FlawOfNormal(SlotIndex slot, const CanFrame& frame) const noexcept;
+    [[nodiscard]] SrdoCause FlawOfInverse(SlotIndex slot, const CanFrame& frame) const noexcept;
     void TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept;
     void TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept;
 

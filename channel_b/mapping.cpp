@@ -92,7 +92,8 @@ void Mappings::Restart(const DeviceConfig& config) noexcept
     for (SlotIndex slot = 0U; slot < x_settings.Count(); ++slot)
     {
         x_columns.fields[slot] = StaticFields{nullptr, nullptr};
-        x_columns.length_bits[slot] = 0U;
+        x_columns.mapped[slot] = 0U;
+        x_columns.length_bytes[slot] = 0U;
         for (std::uint32_t index = 0U; index < x_room; ++index)
         {
             x_columns.entries[FirstEntryOf(slot) + index] = 0U;
@@ -250,7 +251,8 @@ ConfigFault Mappings::Resolve(SlotIndex slot) noexcept
     {
         return ConfigFault::kMapping;
     }
-    x_columns.length_bits[slot] = static_cast<std::uint8_t>(bits);
+    x_columns.mapped[slot] = LowBits(bits);
+    x_columns.length_bytes[slot] = static_cast<std::uint8_t>(BytesFor(bits));
     return ConfigFault::kNone;
 }
 

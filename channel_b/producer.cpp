@@ -16,10 +16,10 @@ namespace
 constexpr std::uint32_t kLongestPhaseUs = std::uint32_t{1U} << 27U;
 
 /// [SRS_PROD_005, SRS_PROD_006, SRS_CFG_036]
-[[nodiscard]] CanFrame FrameOf(std::uint32_t identifier, CanPortId port, std::uint32_t length_bits,
+[[nodiscard]] CanFrame FrameOf(std::uint32_t identifier, CanPortId port, std::uint8_t length_bytes,
                                std::uint64_t data) noexcept
 {
-    CanFrame frame{identifier, FrameKind::kData, port, static_cast<std::uint8_t>(BytesFor(length_bits)), {}};
+    CanFrame frame{identifier, FrameKind::kData, port, length_bytes, {}};
     Unpack(data, {&frame.data[0U]}, kMaxPayloadBytes);
     return frame;
 }
@@ -87,7 +87,7 @@ Payload Producers::InFlight(SlotIndex slot) const noexcept
 
 std::uint64_t Producers::InverseData(SlotIndex slot) const noexcept
 {
-    return ~x_pairs.data[slot] & FrameMask(x_mappings.LengthBits(slot));
+    return ~x_pairs.data[slot] & LowBytes(x_mappings.LengthBytes(slot));
 }
 
 /// [SRS_PROD_005, SRS_PROD_006]
@@ -98,7 +98,7 @@ PreparedPair Producers::Prepare(SlotIndex slot) noexcept
         return PreparedPair{kNoFrame, PrepareStatus::kNotProducer};
     }
     const SrdoMask bit = BitOf(slot);
-    x_pairs.data[slot] = ~x_mappings.ReadInverse(slot) & LowBits(x_mappings.LengthBits(slot));
+    x_pairs.data[slot] = ~x_mappings.ReadInverse(slot) & x_mappings.MappedBits(slot);
     x_pairs.stage[slot] = Stage::kNormal;
     x_pairs.left[slot] = x_settings.SrvtUs(slot);
     x_pairs.limit[slot] = x_pairs.left[slot];
@@ -109,7 +109,7 @@ PreparedPair Producers::Prepare(SlotIndex slot) noexcept
     x_requested &= ~bit;
     x_refresh_due &= ~bit;
     return PreparedPair{FrameOf(x_settings.NormalIdentifier(slot), x_settings.Config().normal_port,
-                                x_mappings.LengthBits(slot), x_pairs.data[slot]),
+                                x_mappings.LengthBytes(slot), x_pairs.data[slot]),
                         PrepareStatus::kReady};
 }
 
@@ -120,7 +120,7 @@ CanFrame Producers::InverseFrame(SlotIndex slot) const noexcept
     {
         return kNoFrame;
     }
-    return FrameOf(x_settings.InverseIdentifier(slot), x_settings.Config().inverse_port, x_mappings.LengthBits(slot),
+    return FrameOf(x_settings.InverseIdentifier(slot), x_settings.Config().inverse_port, x_mappings.LengthBytes(slot),
                    InverseData(slot));
 }
 
@@ -129,7 +129,7 @@ CanFrame Producers::InverseFrame(SlotIndex slot) const noexcept
 SrdoCause Producers::FlawOf(SlotIndex slot, const CanFrame& frame, std::uint64_t data,
                             std::uint32_t since_call_us) const noexcept
 {
-    const bool is_length_right = frame.length_bytes == BytesFor(x_mappings.LengthBits(slot));
+    const bool is_length_right = frame.length_bytes == x_mappings.LengthBytes(slot);
     if ((!is_length_right) || (FrameData(frame) != data))
     {
         return SrdoCause::kWrongEcho;

@@ -64,10 +64,11 @@ struct SettingColumns
 /// Mappings that are stored, and where they lead.
 struct MappingColumns
 {
-    Column<std::uint32_t> entries;    ///< `map_entries` for each slot.
-    Column<std::uint16_t> places;     ///< As many: place in DeviceConfig::objects of each entry.
-    Column<StaticFields> fields;      ///< As registered; only compared with, never followed.
-    Column<std::uint8_t> length_bits; ///< Of the mapped data.
+    Column<std::uint32_t> entries;     ///< `map_entries` for each slot.
+    Column<std::uint16_t> places;      ///< As many: place in DeviceConfig::objects of each entry.
+    Column<StaticFields> fields;       ///< As registered; only compared with, never followed.
+    Column<std::uint64_t> mapped;      ///< Bits of the word that are mapped, as of the last Validate without fault ...
+    Column<std::uint8_t> length_bytes; ///< ... and the bytes that they take.
 };
 
 /// Pairs and their time. A budget is in microseconds and is what remains at the last OnCycle; it is over when it is
@@ -125,6 +126,7 @@ template <std::uint8_t kSlots, std::uint8_t kMapEntries = kUsualMapEntries> stru
 
     std::uint64_t data[kSlots];                            // MISRA D-001
     std::uint64_t pending[kSlots];                         // MISRA D-001
+    std::uint64_t mapped[kSlots];                          // MISRA D-001
     StaticFields fields[kSlots];                           // MISRA D-001
     std::uint32_t entries[kEntries];                       // MISRA D-001
     std::uint32_t left[kSlots];                            // MISRA D-001
@@ -138,7 +140,7 @@ template <std::uint8_t kSlots, std::uint8_t kMapEntries = kUsualMapEntries> stru
     std::uint16_t error_count[kSlots];                     // MISRA D-001
     std::uint16_t places[kEntries];                        // MISRA D-001
     std::uint8_t image[std::size_t{kSlots} * kImageBytes]; // MISRA D-001
-    std::uint8_t length_bits[kSlots];                      // MISRA D-001
+    std::uint8_t length_bytes[kSlots];                     // MISRA D-001
     std::uint8_t first_cause[kSlots];                      // MISRA D-001
     Mark held[kSlots];                                     // MISRA D-001
     Mark granted[kSlots];                                  // MISRA D-001
@@ -156,7 +158,7 @@ template <std::uint8_t kSlots, std::uint8_t kMapEntries = kUsualMapEntries> stru
     [[nodiscard]] Storage Handle() noexcept
     {
         return Storage{{{image}, {device}, {policy}, {form}, {detection}},
-                       {{entries}, {places}, {fields}, {length_bits}},
+                       {{entries}, {places}, {fields}, {mapped}, {length_bytes}},
                        {{data},
                         {pending},
                         {left},

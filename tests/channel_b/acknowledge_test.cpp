@@ -46,13 +46,13 @@ TEST(ChannelBAcknowledge, FollowsEachInputByItself)
     };
     static constexpr SrdoMask kLast = SrdoMask{1U} << 63U;
     static constexpr Step kSteps[] = {
-        {0x02U, 0U},          // 0, 3 and 63 read 0; so does 2
-        {0x04U, 0U},          // 0, 3 and 63 are low; 1 reads 0
-        {0x0AU | kLast, 0U},  // 3 and 63 read 1 once; 1 was never low
-        {0x07U, 0U},          // 0 reads 1; 3 and 63 read 0 again
-        {0x03U | kLast, 1U},  // 0 rises
+        {0x02U, 0U},            // 0, 3 and 63 read 0; so does 2
+        {0x04U, 0U},            // 0, 3 and 63 are low; 1 reads 0
+        {0x0AU | kLast, 0U},    // 3 and 63 read 1 once; 1 was never low
+        {0x07U, 0U},            // 0 reads 1; 3 and 63 read 0 again
+        {0x03U | kLast, 1U},    // 0 rises
         {0x07U | kLast, kLast}, // 63 rises; 2 never did
-        {0x07U | kLast, 0U},  // 2 is high as it always was
+        {0x07U | kLast, 0U},    // 2 is high as it always was
     };
     channel_b::Acknowledge acknowledge;
     for (const Step& step : kSteps)
