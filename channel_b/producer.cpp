@@ -45,21 +45,14 @@ void Producers::Admit(SlotIndex slot) noexcept
     x_active |= BitOf(slot);
     x_pairs.ordinal[slot] = 0U;
     x_pairs.phase_left[slot] = kFirstTransmissionStepUs * x_settings.Config().node_id;
-    Ground(slot);
-}
-
-/// Nothing is in flight; a budget that ran now would be over.
-void Producers::Ground(SlotIndex slot) noexcept
-{
+    x_pairs.limit[slot] = x_settings.SrvtUs(slot);
     x_pairs.stage[slot] = Stage::kIdle;
-    x_pairs.left[slot] = 0U;
-    x_pairs.limit[slot] = 0U;
 }
 
 /// A fault that gives up the pair in flight. [SRS_PROD_009]
 void Producers::Fail(SlotIndex slot, SrdoCause cause) noexcept
 {
-    Ground(slot);
+    x_pairs.stage[slot] = Stage::kIdle;
     x_faults.Record(slot, cause);
 }
 
@@ -100,8 +93,7 @@ PreparedPair Producers::Prepare(SlotIndex slot) noexcept
     const SrdoMask bit = BitOf(slot);
     x_pairs.data[slot] = ~x_mappings.ReadInverse(slot) & x_mappings.MappedBits(slot);
     x_pairs.stage[slot] = Stage::kNormal;
-    x_pairs.left[slot] = x_settings.SrvtUs(slot);
-    x_pairs.limit[slot] = x_pairs.left[slot];
+    x_pairs.left[slot] = x_pairs.limit[slot];
     if (HasAny(x_silent, bit))
     {
         x_pairs.phase_left[slot] = SilenceUs(slot);
@@ -170,7 +162,7 @@ Confirmation Producers::ConfirmInverse(SlotIndex slot, const CanFrame& frame, st
         return kNothingConfirmed;
     }
     x_pairs.ordinal[slot] += 1U;
-    Ground(slot);
+    x_pairs.stage[slot] = Stage::kIdle;
     return Confirmation{slot, ConfirmStep::kPair};
 }
 

@@ -50,7 +50,6 @@ class Producers
                                              std::uint32_t since_call_us) noexcept;
     [[nodiscard]] Confirmation ConfirmInverse(SlotIndex slot, const CanFrame& frame,
                                               std::uint32_t since_call_us) noexcept;
-    void Ground(SlotIndex slot) noexcept;
     void Fail(SlotIndex slot, SrdoCause cause) noexcept;
     void ServeOne(SlotIndex slot, const Tick& tick) noexcept;
     void AdvanceProvider(SlotIndex slot) noexcept;

@@ -240,6 +240,7 @@ TEST(ChannelBRecord, StorageOfExactlyTheDevicesSizeIsNotLeft)
     rig->Store(kRigSlots, ConfigField::kMapCount, 2U);
     rig->Store(kRigSlots, ConfigField::kSignature, 2U);
     EXPECT_EQ(std::vector<std::uint8_t>(rig->Bytes(), &rig->Bytes()[Rig::kByteCount]), before);
+    EXPECT_EQ(rig->Voice().Load(ConfigAddress{kRigSlots, ConfigField::kMapCount, 0U}).value, 0U);
     // and the last of all is the last of the storage
     rig->Store(2U, ConfigField::kMapEntry, 0x12345678U, kRigEntries);
     EXPECT_EQ(rig->Voice().Load(ConfigAddress{2U, ConfigField::kMapEntry, kRigEntries}).value, 0x12345678U);
