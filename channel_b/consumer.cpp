@@ -225,7 +225,7 @@ void Consumers::OnFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t sin
     }
 }
 
-/// [SRS_CONS_007, SRS_CONS_011]
+/// The first thing that is wrong with a normal frame. [SRS_CONS_004, SRS_CONS_005, SRS_CONS_007, SRS_CONS_011]
 SrdoCause Consumers::FlawOfNormal(SlotIndex slot, const CanFrame& frame) const noexcept
 {
     if ((frame.identifier != x_settings.NormalIdentifier(slot)) || (frame.port != x_settings.Config().normal_port))
@@ -239,7 +239,8 @@ SrdoCause Consumers::FlawOfNormal(SlotIndex slot, const CanFrame& frame) const n
     return HasAny(x_pending, BitOf(slot)) ? SrdoCause::kNormalTwice : SrdoCause::kNone;
 }
 
-/// [SRS_CONS_008, SRS_CONS_011]
+/// The first thing that is wrong with an inverse frame, but for its data. [SRS_CONS_004, SRS_CONS_005, SRS_CONS_008,
+/// SRS_CONS_011]
 SrdoCause Consumers::FlawOfInverse(SlotIndex slot, const CanFrame& frame) const noexcept
 {
     if ((frame.identifier != x_settings.InverseIdentifier(slot)) || (frame.port != x_settings.Config().inverse_port))

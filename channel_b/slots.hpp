@@ -47,7 +47,8 @@ class SlotWalk
     }
 
   private:
-    /// How often a mask is shifted up until no bit is left in it: the lower the lowest bit, the more often.
+    /// How often a mask is shifted up until no bit is left in it: the lower the lowest bit, the more often;
+    /// at most 64 times.
     [[nodiscard]] static std::uint32_t ShiftsUntilZero(SrdoMask mask) noexcept
     {
         std::uint32_t shifts = 0U;

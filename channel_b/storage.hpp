@@ -67,7 +67,7 @@ struct MappingColumns
     Column<std::uint32_t> entries;     ///< `map_entries` for each slot.
     Column<std::uint16_t> places;      ///< As many: place in DeviceConfig::objects of each entry.
     Column<StaticFields> fields;       ///< As registered; only compared with, never followed.
-    Column<std::uint64_t> mapped;      ///< Bits of the word that are mapped, as of the last Validate without fault ...
+    Column<std::uint64_t> mapped;      ///< Bits of the word that are mapped, found when the places were ...
     Column<std::uint8_t> length_bytes; ///< ... and the bytes that they take.
 };
 
