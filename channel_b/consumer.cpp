@@ -16,6 +16,12 @@ namespace
 /// can tell.
 constexpr std::uint32_t kLongOverUs = std::uint32_t{1U} << 31U;
 
+/// Whether more than the limit of a budget has gone by at an instant so long after the last OnCycle.
+[[nodiscard]] bool IsOver(std::uint32_t left, std::uint32_t limit, std::uint32_t since_call_us) noexcept
+{
+    return (left - since_call_us) > limit;
+}
+
 /// Whether all bits of a frame are inverse, and none but mapped ones are set in the normal one. [SRS_CONS_009]
 [[nodiscard]] bool IsInverse(std::uint64_t normal, std::uint64_t inverse, std::uint64_t frame_bits,
                              std::uint64_t mapped_bits) noexcept
@@ -167,18 +173,6 @@ void Consumers::Demote(SlotIndex slot) noexcept
     }
 }
 
-/// Whether more than SCT has gone by since the normal frame of the held pair.
-bool Consumers::IsSctOver(SlotIndex slot, std::uint32_t since_call_us) const noexcept
-{
-    return IsHeld(slot) && ((x_pairs.left[slot] - since_call_us) > x_pairs.limit[slot]);
-}
-
-/// Whether more than SRVT has gone by since the pending normal frame.
-bool Consumers::IsSrvtOver(SlotIndex slot, std::uint32_t since_call_us) const noexcept
-{
-    return (x_pairs.srvt_left[slot] - since_call_us) > x_pairs.srvt_limit[slot];
-}
-
 /// The limit that is over at an instant so long after the last OnCycle. With early detection a pending normal frame has
 /// answered SCT. [SRS_TIME_003, SRS_TIME_004, SRS_TIME_005, SRS_TIME_006, SRS_TIME_007]
 SrdoCause Consumers::ExpiredAt(SlotIndex slot, std::uint32_t since_call_us) const noexcept
@@ -186,9 +180,14 @@ SrdoCause Consumers::ExpiredAt(SlotIndex slot, std::uint32_t since_call_us) cons
     const bool is_pending = HasAny(x_pending, BitOf(slot));
     if (is_pending && (x_settings.Detection(slot) != SrvtDetection::kLate))
     {
-        return IsSrvtOver(slot, since_call_us) ? SrdoCause::kSrvt : SrdoCause::kNone;
+        const bool is_over = IsOver(x_pairs.srvt_left[slot], x_pairs.srvt_limit[slot], since_call_us);
+        return is_over ? SrdoCause::kSrvt : SrdoCause::kNone;
     }
-    return IsSctOver(slot, since_call_us) ? SrdoCause::kSct : SrdoCause::kNone;
+    if (IsHeld(slot) && IsOver(x_pairs.left[slot], x_pairs.limit[slot], since_call_us))
+    {
+        return SrdoCause::kSct;
+    }
+    return SrdoCause::kNone;
 }
 
 /// With late detection an inverse frame asks for SRVT as well. Where both limits are over it is the one with the
@@ -196,7 +195,7 @@ SrdoCause Consumers::ExpiredAt(SlotIndex slot, std::uint32_t since_call_us) cons
 SrdoCause Consumers::ExpiredAtInverse(SlotIndex slot, std::uint32_t since_call_us) const noexcept
 {
     const SrdoCause expired = ExpiredAt(slot, since_call_us);
-    if (HasAny(x_pending, BitOf(slot)) && IsSrvtOver(slot, since_call_us))
+    if (HasAny(x_pending, BitOf(slot)) && IsOver(x_pairs.srvt_left[slot], x_pairs.srvt_limit[slot], since_call_us))
     {
         const std::uint32_t sct_overdue = since_call_us - x_pairs.left[slot];
         const std::uint32_t srvt_overdue = since_call_us - x_pairs.srvt_left[slot];
