@@ -68,7 +68,7 @@ void AddDevice(Crc32& crc, const DeviceConfig& config, std::uint32_t gfc) noexce
 
 Channel::Channel(const Storage& storage) noexcept
     : x_admission(storage.admission), x_room(storage.room), x_settings(storage.settings),
-      x_mappings(storage.mappings, x_settings, storage.room.map_entries), x_faults(storage.faults, x_settings),
+      x_mappings(storage.mappings, x_settings, storage.room.map_entries), x_faults(storage.faults),
       x_consumers(storage.pairs, Parts{x_settings, x_mappings, x_faults}),
       x_producers(storage.pairs, Parts{x_settings, x_mappings, x_faults})
 {
@@ -78,10 +78,10 @@ void Channel::Restart(const DeviceConfig& config) noexcept
 {
     x_settings.Restart(config, (config.srdo_count < x_room.slots) ? config.srdo_count : x_room.slots);
     x_mappings.Restart(config);
-    x_faults.Restart();
+    x_faults.Restart(x_settings.Count());
     x_consumers.Restart();
     x_producers.Clear();
-    x_levels = ~SrdoMask{0U}; // A level that is 1 from the start is no edge.
+    x_acknowledge = Acknowledge{};
     x_cycle = 0U;
     x_activity = Mark::kUnset;
     x_was_called = false;
@@ -325,7 +325,7 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     CycleOutcome outcome{};
     const bool was_running = IsRunning();
     const std::uint32_t elapsed_us = input.now.us - x_last_us;
-    Tick tick{elapsed_us, input.acknowledge & ~x_levels, input.request, input.stand, false, false, false};
+    Tick tick{elapsed_us, x_acknowledge.Follow(input.acknowledge), input.request, input.stand, false, false, false};
     tick.is_late = x_was_called && (elapsed_us > x_settings.LongestCallUs()); // The first call is never late.
     tick.is_overflowed = input.queue != QueueState::kIntact;
     tick.is_gfc = x_has_gfc;
@@ -333,11 +333,9 @@ CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
     const bool is_running = (outcome.guard == GuardView::kConfigured) && (input.nmt == NmtState::kOperational);
     x_activity = is_running ? Mark::kRunning : Mark::kUnset;
     x_last_us = input.now.us;
-    x_levels = input.acknowledge;
     x_was_called = true;
     x_has_gfc = false;
     ++x_cycle;
-    x_faults.Age(elapsed_us);
     if (was_running && (!is_running))
     {
         outcome.new_fault = x_consumers.Leave();
@@ -411,7 +409,7 @@ PreparedPair Channel::Prepare(SlotIndex slot) noexcept
     return x_producers.Prepare(slot);
 }
 
-CanFrame Channel::InverseFrame(SlotIndex slot) noexcept
+CanFrame Channel::InverseFrame(SlotIndex slot) const noexcept
 {
     return x_producers.InverseFrame(slot);
 }

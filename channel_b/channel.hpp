@@ -2,6 +2,7 @@
 #ifndef CHANNEL_B_CHANNEL_HPP
 #define CHANNEL_B_CHANNEL_HPP
 
+#include "channel_b/acknowledge.hpp"
 #include "channel_b/consumer.hpp"
 #include "channel_b/faults.hpp"
 #include "channel_b/mapping.hpp"
@@ -41,7 +42,7 @@ class Channel final : public counterpoint::Channel
     [[nodiscard]] Permit Answer(std::uint32_t challenge) const noexcept override;
     [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept override;
     [[nodiscard]] Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override;
-    [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) noexcept override;
+    [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) const noexcept override;
     void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override;
 
   private:
@@ -59,7 +60,7 @@ class Channel final : public counterpoint::Channel
     Faults x_faults;
     Consumers x_consumers;
     Producers x_producers;
-    SrdoMask x_levels{0U};         ///< Acknowledge inputs of the last OnCycle.
+    Acknowledge x_acknowledge;
     std::uint32_t x_last_us{0U};   ///< The `now` of the last OnCycle: every budget and every stamp is relative to it.
                                    ///< [SRS_TIME_002]
     std::uint32_t x_cycle{0U};     ///< Calls of OnCycle.

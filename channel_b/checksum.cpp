@@ -9,11 +9,6 @@ namespace counterpoint::channel_b
 static_assert(IsShiftedAsDivided(), "shifts divide by the polynomial");
 constexpr std::uint32_t kMirroredPolynomial32 = Mirrored(kPolynomial32);
 
-void Crc16::AddByte(std::uint32_t byte) noexcept
-{
-    x_remainder = Shifted(x_remainder, byte & 0xFFU);
-}
-
 void Crc16::AddWord(std::uint32_t word) noexcept
 {
     for (std::uint32_t at = 0U; at < 32U; at += 8U)

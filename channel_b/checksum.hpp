@@ -62,7 +62,11 @@ constexpr std::uint32_t kByteValues = 256U;
 class Crc16
 {
   public:
-    void AddByte(std::uint32_t byte) noexcept;
+    void AddByte(std::uint32_t byte) noexcept
+    {
+        x_remainder = Shifted(x_remainder, byte & 0xFFU);
+    }
+
     /// @brief Four bytes, the lowest first.
     void AddWord(std::uint32_t word) noexcept;
 

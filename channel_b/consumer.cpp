@@ -16,21 +16,17 @@ namespace
 /// can tell.
 constexpr std::uint32_t kLongOverUs = std::uint32_t{1U} << 31U;
 
-/// What of identifier, controller and length is not as configured. [SRS_CONS_004, SRS_CONS_005]
-[[nodiscard]] SrdoCause Misfit(const CanFrame& frame, std::uint32_t identifier, CanPortId port,
-                               std::uint32_t length_bits) noexcept
+/// Whether more than the limit of a budget has gone by at an instant so long after the last OnCycle.
+[[nodiscard]] bool IsOver(std::uint32_t left, std::uint32_t limit, std::uint32_t since_call_us) noexcept
 {
-    if ((frame.identifier != identifier) || (frame.port != port))
-    {
-        return SrdoCause::kIdentifier;
-    }
-    return (frame.length_bytes == BytesFor(length_bits)) ? SrdoCause::kNone : SrdoCause::kLength;
+    return (left - since_call_us) > limit;
 }
 
-/// Whether all bits of the frames' bytes are inverse, and no normal one is set above the mapped ones. [SRS_CONS_009]
-[[nodiscard]] bool IsInverse(std::uint64_t normal, std::uint64_t inverse, std::uint32_t length_bits) noexcept
+/// Whether all bits of a frame are inverse, and none but mapped ones are set in the normal one. [SRS_CONS_009]
+[[nodiscard]] bool IsInverse(std::uint64_t normal, std::uint64_t inverse, std::uint64_t frame_bits,
+                             std::uint64_t mapped_bits) noexcept
 {
-    return ((normal ^ inverse) == FrameMask(length_bits)) && (normal <= LowBits(length_bits));
+    return ((normal ^ inverse) == frame_bits) && ((normal & ~mapped_bits) == 0U);
 }
 
 } // namespace
@@ -62,6 +58,8 @@ void Consumers::Admit(SlotIndex slot) noexcept
     x_pairs.granted[slot] = Mark::kUnset;
     x_pairs.edge[slot] = Mark::kUnset;
     x_pairs.ordinal[slot] = 0U;
+    x_pairs.limit[slot] = x_settings.SctUs(slot);
+    x_pairs.srvt_limit[slot] = x_settings.SrvtUs(slot);
 }
 
 /// [SRS_CONS_019]
@@ -126,7 +124,7 @@ HeldPair Consumers::Held(SlotIndex slot) const noexcept
         pair.ordinal = x_pairs.ordinal[slot];
         if (IsHeld(slot))
         {
-            pair.data = PayloadOf(~x_pairs.data[slot] & LowBits(x_mappings.LengthBits(slot)));
+            pair.data = PayloadOf(~x_pairs.data[slot] & x_mappings.MappedBits(slot));
             pair.holds_pair = 1U;
         }
     }
@@ -175,18 +173,6 @@ void Consumers::Demote(SlotIndex slot) noexcept
     }
 }
 
-/// Whether more than SCT has gone by since the normal frame of the held pair.
-bool Consumers::IsSctOver(SlotIndex slot, std::uint32_t since_call_us) const noexcept
-{
-    return IsHeld(slot) && ((x_pairs.left[slot] - since_call_us) > x_pairs.limit[slot]);
-}
-
-/// Whether more than SRVT has gone by since the pending normal frame.
-bool Consumers::IsSrvtOver(SlotIndex slot, std::uint32_t since_call_us) const noexcept
-{
-    return (x_pairs.srvt_left[slot] - since_call_us) > x_pairs.srvt_limit[slot];
-}
-
 /// The limit that is over at an instant so long after the last OnCycle. With early detection a pending normal frame has
 /// answered SCT. [SRS_TIME_003, SRS_TIME_004, SRS_TIME_005, SRS_TIME_006, SRS_TIME_007]
 SrdoCause Consumers::ExpiredAt(SlotIndex slot, std::uint32_t since_call_us) const noexcept
@@ -194,9 +180,14 @@ SrdoCause Consumers::ExpiredAt(SlotIndex slot, std::uint32_t since_call_us) cons
     const bool is_pending = HasAny(x_pending, BitOf(slot));
     if (is_pending && (x_settings.Detection(slot) != SrvtDetection::kLate))
     {
-        return IsSrvtOver(slot, since_call_us) ? SrdoCause::kSrvt : SrdoCause::kNone;
+        const bool is_over = IsOver(x_pairs.srvt_left[slot], x_pairs.srvt_limit[slot], since_call_us);
+        return is_over ? SrdoCause::kSrvt : SrdoCause::kNone;
     }
-    return IsSctOver(slot, since_call_us) ? SrdoCause::kSct : SrdoCause::kNone;
+    if (IsHeld(slot) && IsOver(x_pairs.left[slot], x_pairs.limit[slot], since_call_us))
+    {
+        return SrdoCause::kSct;
+    }
+    return SrdoCause::kNone;
 }
 
 /// With late detection an inverse frame asks for SRVT as well. Where both limits are over it is the one with the
@@ -204,7 +195,7 @@ SrdoCause Consumers::ExpiredAt(SlotIndex slot, std::uint32_t since_call_us) cons
 SrdoCause Consumers::ExpiredAtInverse(SlotIndex slot, std::uint32_t since_call_us) const noexcept
 {
     const SrdoCause expired = ExpiredAt(slot, since_call_us);
-    if (HasAny(x_pending, BitOf(slot)) && IsSrvtOver(slot, since_call_us))
+    if (HasAny(x_pending, BitOf(slot)) && IsOver(x_pairs.srvt_left[slot], x_pairs.srvt_limit[slot], since_call_us))
     {
         const std::uint32_t sct_overdue = since_call_us - x_pairs.left[slot];
         const std::uint32_t srvt_overdue = since_call_us - x_pairs.srvt_left[slot];
@@ -233,6 +224,35 @@ void Consumers::OnFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t sin
     }
 }
 
+/// The first thing that is wrong with a normal frame. [SRS_CONS_004, SRS_CONS_005, SRS_CONS_007, SRS_CONS_011]
+SrdoCause Consumers::FlawOfNormal(SlotIndex slot, const CanFrame& frame) const noexcept
+{
+    if ((frame.identifier != x_settings.NormalIdentifier(slot)) || (frame.port != x_settings.Config().normal_port))
+    {
+        return SrdoCause::kIdentifier;
+    }
+    if (frame.length_bytes != x_mappings.LengthBytes(slot))
+    {
+        return SrdoCause::kLength;
+    }
+    return HasAny(x_pending, BitOf(slot)) ? SrdoCause::kNormalTwice : SrdoCause::kNone;
+}
+
+/// The first thing that is wrong with an inverse frame, but for its data. [SRS_CONS_004, SRS_CONS_005, SRS_CONS_008,
+/// SRS_CONS_011]
+SrdoCause Consumers::FlawOfInverse(SlotIndex slot, const CanFrame& frame) const noexcept
+{
+    if ((frame.identifier != x_settings.InverseIdentifier(slot)) || (frame.port != x_settings.Config().inverse_port))
+    {
+        return SrdoCause::kIdentifier;
+    }
+    if (frame.length_bytes != x_mappings.LengthBytes(slot))
+    {
+        return SrdoCause::kLength;
+    }
+    return HasAny(x_pending, BitOf(slot)) ? SrdoCause::kNone : SrdoCause::kInverseFirst;
+}
+
 /// A limit that is over discards what was there before the frame, which is then taken as the first one.
 /// [SRS_CONS_003, SRS_CONS_006, SRS_CONS_007, SRS_CONS_011]
 void Consumers::TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
@@ -242,12 +262,7 @@ void Consumers::TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t 
     {
         Fault(slot, expired);
     }
-    SrdoCause flaw =
-        Misfit(frame, x_settings.NormalIdentifier(slot), x_settings.Config().normal_port, x_mappings.LengthBits(slot));
-    if ((flaw == SrdoCause::kNone) && HasAny(x_pending, BitOf(slot)))
-    {
-        flaw = SrdoCause::kNormalTwice;
-    }
+    const SrdoCause flaw = FlawOfNormal(slot, frame);
     if (flaw != SrdoCause::kNone)
     {
         Fault(slot, flaw);
@@ -255,7 +270,6 @@ void Consumers::TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t 
     }
     x_pending |= BitOf(slot);
     x_pairs.pending[slot] = FrameData(frame);
-    x_pairs.srvt_limit[slot] = x_settings.SrvtUs(slot);
     // The next OnCycle takes away what lay between the last one and the frame.
     x_pairs.srvt_left[slot] = x_pairs.srvt_limit[slot] + since_call_us;
 }
@@ -264,19 +278,16 @@ void Consumers::TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t 
 void Consumers::TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
 {
     const SrdoMask bit = BitOf(slot);
-    const std::uint64_t inverse = FrameData(frame);
     const SrdoCause expired = ExpiredAtInverse(slot, since_call_us);
     if (expired != SrdoCause::kNone)
     {
         Fault(slot, expired);
     }
-    const std::uint32_t length_bits = x_mappings.LengthBits(slot);
-    SrdoCause flaw = Misfit(frame, x_settings.InverseIdentifier(slot), x_settings.Config().inverse_port, length_bits);
-    if ((flaw == SrdoCause::kNone) && (!HasAny(x_pending, bit)))
-    {
-        flaw = SrdoCause::kInverseFirst;
-    }
-    if ((flaw == SrdoCause::kNone) && (!IsInverse(x_pairs.pending[slot], inverse, length_bits)))
+    const std::uint64_t normal = x_pairs.pending[slot];
+    const std::uint64_t inverse = FrameData(frame);
+    SrdoCause flaw = FlawOfInverse(slot, frame);
+    if ((flaw == SrdoCause::kNone) &&
+        (!IsInverse(normal, inverse, LowBytes(frame.length_bytes), x_mappings.MappedBits(slot))))
     {
         flaw = SrdoCause::kNotInverse;
     }
@@ -286,7 +297,6 @@ void Consumers::TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t
         return;
     }
     // Both limits count from the normal frame, so that the greater one has the difference more left.
-    x_pairs.limit[slot] = x_settings.SctUs(slot);
     x_pairs.left[slot] = x_pairs.srvt_left[slot] + (x_pairs.limit[slot] - x_pairs.srvt_limit[slot]);
     x_pairs.held[slot] = Mark::kHeld;
     x_pairs.data[slot] = inverse;
@@ -381,7 +391,7 @@ void Consumers::ServeBusy(SlotIndex slot, const Tick& tick, CycleOutcome& outcom
     {
         // Nothing new.
     }
-    if (HasAny(x_unheard, bit) && (x_active_us > x_settings.SctUs(slot)))
+    if (HasAny(x_unheard, bit) && (x_active_us > x_pairs.limit[slot]))
     {
         x_unheard &= ~bit;
         x_faults.Complain(slot, SrdoCause::kWaitingPastSct);

@@ -53,8 +53,6 @@ class Consumers
     [[nodiscard]] bool IsReleased(SlotIndex slot) const noexcept;
     [[nodiscard]] bool IsSound(SlotIndex slot) const noexcept;
 
-    [[nodiscard]] bool IsSctOver(SlotIndex slot, std::uint32_t since_call_us) const noexcept;
-    [[nodiscard]] bool IsSrvtOver(SlotIndex slot, std::uint32_t since_call_us) const noexcept;
     [[nodiscard]] SrdoCause ExpiredAt(SlotIndex slot, std::uint32_t since_call_us) const noexcept;
     [[nodiscard]] SrdoCause ExpiredAtInverse(SlotIndex slot, std::uint32_t since_call_us) const noexcept;
     [[nodiscard]] SrdoMask Settle(SrdoMask quiet, std::uint32_t elapsed_us, CycleOutcome& outcome) noexcept;
@@ -65,6 +63,8 @@ class Consumers
     void Discard(SlotIndex slot) noexcept;
     [[gnu::cold]] void Fault(SlotIndex slot, SrdoCause cause) noexcept;
 
+    [[nodiscard]] SrdoCause FlawOfNormal(SlotIndex slot, const CanFrame& frame) const noexcept;
+    [[nodiscard]] SrdoCause FlawOfInverse(SlotIndex slot, const CanFrame& frame) const noexcept;
     void TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept;
     void TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept;
 

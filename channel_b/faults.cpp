@@ -25,12 +25,11 @@ constexpr std::uint16_t kMostErrors = 0xFFFFU;
 
 } // namespace
 
-void Faults::Restart() noexcept
+void Faults::Restart(std::uint8_t count) noexcept
 {
     x_unreported = 0U;
-    x_windows = 0U;
     x_signalled = 0U;
-    for (SlotIndex slot = 0U; slot < x_settings.Count(); ++slot)
+    for (SlotIndex slot = 0U; slot < count; ++slot)
     {
         x_columns.causes[slot] = 0U;
         x_columns.error_count[slot] = 0U;
@@ -68,27 +67,6 @@ void Faults::Forget(SlotIndex slot) noexcept
     x_columns.first_cause[slot] = CodeOf(SrdoCause::kNone);
 }
 
-std::uint32_t Faults::Signals(SlotIndex slot) const noexcept
-{
-    return HasAny(x_signalled, BitOf(slot)) ? x_columns.signals[slot] : 0U;
-}
-
-/// [SRS_CONS_021]
-void Faults::Age(std::uint32_t elapsed_us) noexcept
-{
-    x_signalled = 0U;
-    SlotWalk walk{x_windows};
-    while (walk.Next())
-    {
-        const SlotIndex slot = walk.Slot();
-        x_columns.window_us[slot] += elapsed_us;
-        if (x_columns.window_us[slot] > x_settings.SctUs(slot))
-        {
-            x_windows &= ~BitOf(walk.Slot());
-        }
-    }
-}
-
 /// [SRS_CONS_021]
 SrdoMask Faults::Report() noexcept
 {
@@ -96,22 +74,10 @@ SrdoMask Faults::Report() noexcept
     while (walk.Next())
     {
         const SlotIndex slot = walk.Slot();
-        const SrdoMask bit = BitOf(walk.Slot());
-        const std::uint32_t causes = x_columns.causes[slot];
-        if (!HasAny(x_windows, bit))
-        {
-            x_windows |= bit;
-            x_columns.window_us[slot] = 0U;
-            x_columns.told[slot] = 0U;
-        }
-        x_columns.signals[slot] = causes & ~x_columns.told[slot];
-        x_columns.told[slot] |= causes;
+        x_columns.signals[slot] = x_columns.causes[slot];
         x_columns.causes[slot] = 0U;
-        if (x_columns.signals[slot] != 0U)
-        {
-            x_signalled |= bit;
-        }
     }
+    x_signalled = x_unreported;
     x_unreported = 0U;
     return x_signalled;
 }

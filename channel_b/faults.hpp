@@ -2,7 +2,7 @@
 #ifndef CHANNEL_B_FAULTS_HPP
 #define CHANNEL_B_FAULTS_HPP
 
-#include "channel_b/settings.hpp"
+#include "channel_b/slots.hpp"
 #include "channel_b/storage.hpp"
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 namespace counterpoint::channel_b
 {
 
-/// What went wrong in each slot, and what of it is signalled.
+/// What went wrong in each slot. Every cause is signalled by the OnCycle that reports it.
 class Faults
 {
   public:
-    Faults(const FaultColumns& columns, const Settings& settings) noexcept : x_columns(columns), x_settings(settings)
+    explicit Faults(const FaultColumns& columns) noexcept : x_columns(columns)
     {
     }
 
-    void Restart() noexcept;
+    void Restart(std::uint8_t count) noexcept;
 
     /// @brief Counts a fault; the first one is kept.
     void Count(SlotIndex slot, SrdoCause cause) noexcept;
@@ -51,18 +51,17 @@ class Faults
         return x_columns.error_count[slot];
     }
 
-    [[nodiscard]] std::uint32_t Signals(SlotIndex slot) const noexcept;
+    [[nodiscard]] std::uint32_t Signals(SlotIndex slot) const noexcept
+    {
+        return HasAny(x_signalled, BitOf(slot)) ? x_columns.signals[slot] : 0U;
+    }
 
-    /// @brief The windows grow older; the signals of the last call are gone.
-    void Age(std::uint32_t elapsed_us) noexcept;
-    /// @brief Reports what was recorded; the slots with a signal.
+    /// @brief Signals what was recorded, and nothing else any longer; the slots with a signal.
     [[nodiscard]] SrdoMask Report() noexcept;
 
   private:
     FaultColumns x_columns;
-    const Settings& x_settings;
     SrdoMask x_unreported{0U};
-    SrdoMask x_windows{0U};   ///< Slots with an open window.
     SrdoMask x_signalled{0U}; ///< By the last OnCycle.
 };
 

@@ -34,17 +34,35 @@ constexpr std::uint8_t kDummyBits[kLastDummyIndex + 1U] = {0U, 1U, 8U, 16U, 32U,
     return (bits != 0U) && ((entry & 0xFFFFU) == bits);
 }
 
-/// Whether an entry before this one names the same object; dummies name none.
-[[nodiscard]] bool IsNamedBefore(const Mapping& mapping, std::uint32_t index) noexcept
+/// Whether one of the first `count` entries names the object that this entry names; dummies name none.
+[[nodiscard]] bool IsNamedAmong(const Mapping& mapping, std::uint32_t count, std::uint32_t entry) noexcept
 {
-    const std::uint32_t entry = mapping.entries[index];
     if (IsDummy(entry))
     {
         return false;
     }
-    for (std::uint32_t before = 0U; before < index; ++before)
+    for (std::uint32_t index = 0U; index < count; ++index)
     {
-        if ((mapping.entries[before] >> 8U) == (entry >> 8U))
+        if ((mapping.entries[index] >> 8U) == (entry >> 8U))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Whether an entry before this one names the same object.
+[[nodiscard]] bool IsNamedBefore(const Mapping& mapping, std::uint32_t index) noexcept
+{
+    return IsNamedAmong(mapping, index, mapping.entries[index]);
+}
+
+/// Whether any object is named by both.
+[[nodiscard]] bool HaveCommonObject(const Mapping& mapping, const Mapping& other) noexcept
+{
+    for (std::uint32_t index = 0U; index < mapping.count; ++index)
+    {
+        if (IsNamedAmong(other, other.count, mapping.entries[index]))
         {
             return true;
         }
@@ -58,7 +76,8 @@ constexpr std::uint8_t kDummyBits[kLastDummyIndex + 1U] = {0U, 1U, 8U, 16U, 32U,
     return (mapping.count == mapping.declared) && (mapping.count != 0U) && ((mapping.count % 2U) == 0U);
 }
 
-/// Where an object's bits lie in the word. A sum of lengths that a corrupted entry led beyond the word stays in it.
+/// How far an object's bits move the others in the word. What fills the word alone has no others; no corrupted entry
+/// shifts by more than the word has.
 [[nodiscard]] std::uint32_t Within(std::uint32_t at) noexcept
 {
     return at % kMaxPayloadBits;
@@ -73,7 +92,8 @@ void Mappings::Restart(const DeviceConfig& config) noexcept
     for (SlotIndex slot = 0U; slot < x_settings.Count(); ++slot)
     {
         x_columns.fields[slot] = StaticFields{nullptr, nullptr};
-        x_columns.length_bits[slot] = 0U;
+        x_columns.mapped[slot] = 0U;
+        x_columns.length_bytes[slot] = 0U;
         for (std::uint32_t index = 0U; index < x_room; ++index)
         {
             x_columns.entries[FirstEntryOf(slot) + index] = 0U;
@@ -180,7 +200,25 @@ bool Mappings::IsPairAllowed(const Mapping& mapping, std::uint32_t index) const 
     return !(IsNamedBefore(mapping, index) || IsNamedBefore(mapping, index + 1U));
 }
 
-/// The places that it finds count only after a Validate without fault. [SRS_CFG_026, SRS_CFG_027, SRS_CFG_028]
+/// Two producers may send one object; a consumer has its objects for itself. [SRS_CFG_037]
+bool Mappings::IsShared(SlotIndex slot) const noexcept
+{
+    const Mapping mapping = Of(slot);
+    const bool is_consumer = x_settings.Direction(slot) == kDirectionConsumer;
+    for (SlotIndex lower = 0U; lower < slot; ++lower)
+    {
+        const std::uint8_t direction = x_settings.Direction(lower);
+        const bool is_writing = is_consumer || (direction == kDirectionConsumer);
+        if ((direction != kDirectionOff) && is_writing && HaveCommonObject(mapping, Of(lower)))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// The places that it finds count only after a Validate without fault. [SRS_CFG_026, SRS_CFG_027, SRS_CFG_028,
+/// SRS_CFG_037]
 ConfigFault Mappings::Resolve(SlotIndex slot) noexcept
 {
     const Mapping mapping = Of(slot);
@@ -209,7 +247,12 @@ ConfigFault Mappings::Resolve(SlotIndex slot) noexcept
     {
         return ConfigFault::kLengthExceeded;
     }
-    x_columns.length_bits[slot] = static_cast<std::uint8_t>(bits);
+    if (IsShared(slot))
+    {
+        return ConfigFault::kMapping;
+    }
+    x_columns.mapped[slot] = LowBits(bits);
+    x_columns.length_bytes[slot] = static_cast<std::uint8_t>(BytesFor(bits));
     return ConfigFault::kNone;
 }
 
@@ -248,11 +291,10 @@ std::uint64_t Mappings::ReadInverse(SlotIndex slot) const noexcept
 {
     const Mapping mapping = Of(slot);
     std::uint64_t data = 0U;
-    std::uint32_t at = 0U;
-    for (std::uint32_t index = 1U; index < mapping.count; index += 2U)
+    for (std::uint32_t pair = mapping.count / 2U; pair != 0U; --pair) // The highest bits first.
     {
-        data |= x_objects.Read(PlaceOf(mapping, index)) << Within(at);
-        at += LengthOf(mapping.entries[index]);
+        const std::uint32_t index = (2U * pair) - 1U;
+        data = (data << Within(LengthOf(mapping.entries[index]))) | x_objects.Read(PlaceOf(mapping, index));
     }
     return data;
 }
@@ -261,11 +303,11 @@ std::uint64_t Mappings::ReadInverse(SlotIndex slot) const noexcept
 void Mappings::WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept
 {
     const Mapping mapping = Of(slot);
-    std::uint32_t at = 0U;
+    std::uint64_t rest = data;
     for (std::uint32_t index = 1U; index < mapping.count; index += 2U)
     {
-        x_objects.Write(PlaceOf(mapping, index), data >> Within(at));
-        at += LengthOf(mapping.entries[index]);
+        x_objects.Write(PlaceOf(mapping, index), rest);
+        rest >>= Within(LengthOf(mapping.entries[index]));
     }
 }
 

@@ -43,9 +43,16 @@ class Mappings
     /// @brief Whether each entry leads to the object that it names, with its length and access, or to none if it is a
     /// dummy; the objects of a static mapping one behind the other from the registered fields on.
     [[nodiscard]] bool IsRight(SlotIndex slot) const noexcept;
-    [[nodiscard]] std::uint8_t LengthBits(SlotIndex slot) const noexcept
+    /// @brief A word of which the mapped bits are set, ...
+    [[nodiscard]] std::uint64_t MappedBits(SlotIndex slot) const noexcept
     {
-        return x_columns.length_bits[slot];
+        return x_columns.mapped[slot];
+    }
+
+    /// @brief ... and how many bytes they take in a frame.
+    [[nodiscard]] std::uint8_t LengthBytes(SlotIndex slot) const noexcept
+    {
+        return x_columns.length_bytes[slot];
     }
 
     [[nodiscard]] std::uint64_t ReadInverse(SlotIndex slot) const noexcept;
@@ -56,6 +63,7 @@ class Mappings
   private:
     void FindPlaces(SlotIndex slot, const Mapping& mapping) noexcept;
     [[nodiscard]] bool IsPairAllowed(const Mapping& mapping, std::uint32_t index) const noexcept;
+    [[nodiscard]] bool IsShared(SlotIndex slot) const noexcept;
     [[nodiscard]] std::uint32_t PlaceOf(const Mapping& mapping, std::uint32_t index) const noexcept;
     [[nodiscard]] std::size_t FirstEntryOf(SlotIndex slot) const noexcept;
 

@@ -16,10 +16,10 @@ namespace
 constexpr std::uint32_t kLongestPhaseUs = std::uint32_t{1U} << 27U;
 
 /// [SRS_PROD_005, SRS_PROD_006, SRS_CFG_036]
-[[nodiscard]] CanFrame FrameOf(std::uint32_t identifier, CanPortId port, std::uint32_t length_bits,
+[[nodiscard]] CanFrame FrameOf(std::uint32_t identifier, CanPortId port, std::uint8_t length_bytes,
                                std::uint64_t data) noexcept
 {
-    CanFrame frame{identifier, FrameKind::kData, port, static_cast<std::uint8_t>(BytesFor(length_bits)), {}};
+    CanFrame frame{identifier, FrameKind::kData, port, length_bytes, {}};
     Unpack(data, {&frame.data[0U]}, kMaxPayloadBytes);
     return frame;
 }
@@ -45,21 +45,14 @@ void Producers::Admit(SlotIndex slot) noexcept
     x_active |= BitOf(slot);
     x_pairs.ordinal[slot] = 0U;
     x_pairs.phase_left[slot] = kFirstTransmissionStepUs * x_settings.Config().node_id;
-    Ground(slot);
-}
-
-/// Nothing is in flight; a budget that ran now would be over.
-void Producers::Ground(SlotIndex slot) noexcept
-{
+    x_pairs.limit[slot] = x_settings.SrvtUs(slot);
     x_pairs.stage[slot] = Stage::kIdle;
-    x_pairs.left[slot] = 0U;
-    x_pairs.limit[slot] = 0U;
 }
 
 /// A fault that gives up the pair in flight. [SRS_PROD_009]
 void Producers::Fail(SlotIndex slot, SrdoCause cause) noexcept
 {
-    Ground(slot);
+    x_pairs.stage[slot] = Stage::kIdle;
     x_faults.Record(slot, cause);
 }
 
@@ -87,7 +80,7 @@ Payload Producers::InFlight(SlotIndex slot) const noexcept
 
 std::uint64_t Producers::InverseData(SlotIndex slot) const noexcept
 {
-    return ~x_pairs.data[slot] & FrameMask(x_mappings.LengthBits(slot));
+    return ~x_pairs.data[slot] & LowBytes(x_mappings.LengthBytes(slot));
 }
 
 /// [SRS_PROD_005, SRS_PROD_006]
@@ -98,10 +91,9 @@ PreparedPair Producers::Prepare(SlotIndex slot) noexcept
         return PreparedPair{kNoFrame, PrepareStatus::kNotProducer};
     }
     const SrdoMask bit = BitOf(slot);
-    x_pairs.data[slot] = ~x_mappings.ReadInverse(slot) & LowBits(x_mappings.LengthBits(slot));
-    x_pairs.stage[slot] = Stage::kPrepared;
-    x_pairs.left[slot] = x_settings.SrvtUs(slot);
-    x_pairs.limit[slot] = x_pairs.left[slot];
+    x_pairs.data[slot] = ~x_mappings.ReadInverse(slot) & x_mappings.MappedBits(slot);
+    x_pairs.stage[slot] = Stage::kNormal;
+    x_pairs.left[slot] = x_pairs.limit[slot];
     if (HasAny(x_silent, bit))
     {
         x_pairs.phase_left[slot] = SilenceUs(slot);
@@ -109,19 +101,18 @@ PreparedPair Producers::Prepare(SlotIndex slot) noexcept
     x_requested &= ~bit;
     x_refresh_due &= ~bit;
     return PreparedPair{FrameOf(x_settings.NormalIdentifier(slot), x_settings.Config().normal_port,
-                                x_mappings.LengthBits(slot), x_pairs.data[slot]),
+                                x_mappings.LengthBytes(slot), x_pairs.data[slot]),
                         PrepareStatus::kReady};
 }
 
 /// [SRS_PROD_006]
-CanFrame Producers::InverseFrame(SlotIndex slot) noexcept
+CanFrame Producers::InverseFrame(SlotIndex slot) const noexcept
 {
-    if ((!IsActive(slot)) || (x_pairs.stage[slot] != Stage::kToSend))
+    if ((!IsActive(slot)) || (x_pairs.stage[slot] != Stage::kInverse))
     {
         return kNoFrame;
     }
-    x_pairs.stage[slot] = Stage::kHandedOut;
-    return FrameOf(x_settings.InverseIdentifier(slot), x_settings.Config().inverse_port, x_mappings.LengthBits(slot),
+    return FrameOf(x_settings.InverseIdentifier(slot), x_settings.Config().inverse_port, x_mappings.LengthBytes(slot),
                    InverseData(slot));
 }
 
@@ -130,7 +121,7 @@ CanFrame Producers::InverseFrame(SlotIndex slot) noexcept
 SrdoCause Producers::FlawOf(SlotIndex slot, const CanFrame& frame, std::uint64_t data,
                             std::uint32_t since_call_us) const noexcept
 {
-    const bool is_length_right = frame.length_bytes == BytesFor(x_mappings.LengthBits(slot));
+    const bool is_length_right = frame.length_bytes == x_mappings.LengthBytes(slot);
     if ((!is_length_right) || (FrameData(frame) != data))
     {
         return SrdoCause::kWrongEcho;
@@ -152,7 +143,7 @@ Confirmation Producers::ConfirmNormal(SlotIndex slot, const CanFrame& frame, std
         Fail(slot, flaw);
         return kNothingConfirmed;
     }
-    x_pairs.stage[slot] = Stage::kToSend;
+    x_pairs.stage[slot] = Stage::kInverse;
     x_pairs.left[slot] = x_pairs.limit[slot] + since_call_us;
     return Confirmation{slot, ConfirmStep::kNormal};
 }
@@ -171,7 +162,7 @@ Confirmation Producers::ConfirmInverse(SlotIndex slot, const CanFrame& frame, st
         return kNothingConfirmed;
     }
     x_pairs.ordinal[slot] += 1U;
-    Ground(slot);
+    x_pairs.stage[slot] = Stage::kIdle;
     return Confirmation{slot, ConfirmStep::kPair};
 }
 
@@ -182,10 +173,9 @@ Confirmation Producers::OnConfirm(SlotIndex slot, const CanFrame& frame, std::ui
     {
         switch (x_pairs.stage[slot])
         {
-        case Stage::kPrepared:
+        case Stage::kNormal:
             return ConfirmNormal(slot, frame, since_call_us);
-        case Stage::kToSend:
-        case Stage::kHandedOut:
+        case Stage::kInverse:
             return ConfirmInverse(slot, frame, since_call_us);
         case Stage::kIdle:
             break;

@@ -13,7 +13,7 @@ namespace counterpoint::channel_b
 {
 
 /// All active producers. A pair is in flight at every stage but kIdle; then its normal data are kept and the budget of
-/// its confirmation runs. An inverse frame leaves once, at the stage kToSend.
+/// its confirmation runs. There is an inverse frame at the stage kInverse alone.
 class Producers
 {
   public:
@@ -28,7 +28,7 @@ class Producers
 
     void Serve(const Tick& tick, CycleOutcome& outcome) noexcept;
     [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept;
-    [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) noexcept;
+    [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) const noexcept;
     /// @brief A frame of the device to which the look-up leads, so long after the last OnCycle (modular).
     [[nodiscard]] Confirmation OnConfirm(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept;
     void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept;
@@ -50,7 +50,6 @@ class Producers
                                              std::uint32_t since_call_us) noexcept;
     [[nodiscard]] Confirmation ConfirmInverse(SlotIndex slot, const CanFrame& frame,
                                               std::uint32_t since_call_us) noexcept;
-    void Ground(SlotIndex slot) noexcept;
     void Fail(SlotIndex slot, SrdoCause cause) noexcept;
     void ServeOne(SlotIndex slot, const Tick& tick) noexcept;
     void AdvanceProvider(SlotIndex slot) noexcept;

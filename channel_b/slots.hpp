@@ -35,12 +35,8 @@ class SlotWalk
         {
             return false;
         }
-        if (!HasAny(x_rest, 1U))
-        {
-            PassClear();
-        }
-        x_slot = x_ahead;
-        Pass(1U);
+        x_slot = kMaxSrdoCount - ShiftsUntilZero(x_rest);
+        x_rest &= x_rest - 1U; // Clears the lowest set bit.
         return true;
     }
 
@@ -51,26 +47,19 @@ class SlotWalk
     }
 
   private:
-    /// The clear bits below the lowest set one, half as many at each turn.
-    void PassClear() noexcept
+    /// How often a mask is shifted up until no bit is left in it: the lower the lowest bit, the more often;
+    /// at most 64 times.
+    [[nodiscard]] static std::uint32_t ShiftsUntilZero(SrdoMask mask) noexcept
     {
-        for (std::uint32_t count = kMaxSrdoCount / 2U; count != 0U; count /= 2U)
+        std::uint32_t shifts = 0U;
+        for (SrdoMask rest = mask; rest != 0U; rest <<= 1U)
         {
-            if (!HasAny(x_rest, (SrdoMask{1U} << count) - 1U))
-            {
-                Pass(count);
-            }
+            ++shifts;
         }
+        return shifts;
     }
 
-    void Pass(std::uint32_t count) noexcept
-    {
-        x_rest >>= count;
-        x_ahead += count;
-    }
-
-    SrdoMask x_rest;           ///< What was not visited yet, ...
-    std::uint32_t x_ahead{0U}; ///< ... beginning with this slot.
+    SrdoMask x_rest; ///< What was not visited yet.
     std::uint32_t x_slot{0U};
 };
 

@@ -27,10 +27,9 @@ enum class Mark : std::uint8_t
 /// How far the transmission of a producer has come.
 enum class Stage : std::uint8_t
 {
-    kIdle = 0x33U,      ///< Prepare may follow.
-    kPrepared = 0x55U,  ///< The normal frame of the other channel has not been seen yet.
-    kToSend = 0x66U,    ///< Normal frame seen; the inverse frame has to be handed out.
-    kHandedOut = 0x99U, ///< The inverse frame has not been seen yet.
+    kIdle = 0x33U,    ///< Prepare may follow.
+    kNormal = 0x55U,  ///< The normal frame has not been seen yet.
+    kInverse = 0x66U, ///< Normal frame seen; the inverse frame has not been seen yet.
 };
 
 /// One field of all slots.
@@ -65,10 +64,11 @@ struct SettingColumns
 /// Mappings that are stored, and where they lead.
 struct MappingColumns
 {
-    Column<std::uint32_t> entries;    ///< `map_entries` for each slot.
-    Column<std::uint16_t> places;     ///< As many: place in DeviceConfig::objects of each entry.
-    Column<StaticFields> fields;      ///< As registered; only compared with, never followed.
-    Column<std::uint8_t> length_bits; ///< Of the mapped data.
+    Column<std::uint32_t> entries;     ///< `map_entries` for each slot.
+    Column<std::uint16_t> places;      ///< As many: place in DeviceConfig::objects of each entry.
+    Column<StaticFields> fields;       ///< As registered; only compared with, never followed.
+    Column<std::uint64_t> mapped;      ///< Bits of the word that are mapped, found when the places were ...
+    Column<std::uint8_t> length_bytes; ///< ... and the bytes that they take.
 };
 
 /// Pairs and their time. A budget is in microseconds and is what remains at the last OnCycle; it is over when it is
@@ -91,10 +91,8 @@ struct PairColumns
 
 struct FaultColumns
 {
-    Column<std::uint32_t> causes;    ///< Bit (1 << cause): recorded and not reported yet.
-    Column<std::uint32_t> told;      ///< Signalled in the open window.
-    Column<std::uint32_t> signals;   ///< Of the last OnCycle that signalled something.
-    Column<std::uint32_t> window_us; ///< Age of the open window.
+    Column<std::uint32_t> causes;  ///< Bit (1 << cause): recorded and not reported yet.
+    Column<std::uint32_t> signals; ///< Of the last OnCycle that signalled something.
     Column<std::uint16_t> error_count;
     Column<std::uint8_t> first_cause; ///< SrdoCause.
 };
@@ -128,6 +126,7 @@ template <std::uint8_t kSlots, std::uint8_t kMapEntries = kUsualMapEntries> stru
 
     std::uint64_t data[kSlots];                            // MISRA D-001
     std::uint64_t pending[kSlots];                         // MISRA D-001
+    std::uint64_t mapped[kSlots];                          // MISRA D-001
     StaticFields fields[kSlots];                           // MISRA D-001
     std::uint32_t entries[kEntries];                       // MISRA D-001
     std::uint32_t left[kSlots];                            // MISRA D-001
@@ -137,13 +136,11 @@ template <std::uint8_t kSlots, std::uint8_t kMapEntries = kUsualMapEntries> stru
     std::uint32_t phase_left[kSlots];                      // MISRA D-001
     std::uint32_t ordinal[kSlots];                         // MISRA D-001
     std::uint32_t causes[kSlots];                          // MISRA D-001
-    std::uint32_t told[kSlots];                            // MISRA D-001
     std::uint32_t signals[kSlots];                         // MISRA D-001
-    std::uint32_t window_us[kSlots];                       // MISRA D-001
     std::uint16_t error_count[kSlots];                     // MISRA D-001
     std::uint16_t places[kEntries];                        // MISRA D-001
     std::uint8_t image[std::size_t{kSlots} * kImageBytes]; // MISRA D-001
-    std::uint8_t length_bits[kSlots];                      // MISRA D-001
+    std::uint8_t length_bytes[kSlots];                     // MISRA D-001
     std::uint8_t first_cause[kSlots];                      // MISRA D-001
     Mark held[kSlots];                                     // MISRA D-001
     Mark granted[kSlots];                                  // MISRA D-001
@@ -161,7 +158,7 @@ template <std::uint8_t kSlots, std::uint8_t kMapEntries = kUsualMapEntries> stru
     [[nodiscard]] Storage Handle() noexcept
     {
         return Storage{{{image}, {device}, {policy}, {form}, {detection}},
-                       {{entries}, {places}, {fields}, {length_bits}},
+                       {{entries}, {places}, {fields}, {mapped}, {length_bytes}},
                        {{data},
                         {pending},
                         {left},
@@ -174,7 +171,7 @@ template <std::uint8_t kSlots, std::uint8_t kMapEntries = kUsualMapEntries> stru
                         {granted},
                         {edge},
                         {stage}},
-                       {{causes}, {told}, {signals}, {window_us}, {error_count}, {first_cause}},
+                       {{causes}, {signals}, {error_count}, {first_cause}},
                        {{valid}, {resolved}, {slot_of}},
                        {kSlots, kMapEntries}};
     }

@@ -13,7 +13,7 @@ namespace counterpoint::channel_b
 struct Tick
 {
     std::uint32_t elapsed_us; ///< What every budget is to be relieved of; 0 in the call that enters OPERATIONAL.
-    SrdoMask edges;           ///< Acknowledge inputs that rose.
+    SrdoMask edges;           ///< Slots whose acknowledge level rose.
     SrdoMask requests;
     SrdoMask stand;
     bool is_late;

@@ -46,16 +46,16 @@ inline void Unpack(std::uint64_t word, Column<std::uint8_t> bytes, std::uint32_t
     return (bits + (kBitsPerByte - 1U)) / kBitsPerByte;
 }
 
-/// All bits of the bytes that so many bits take.
-[[nodiscard]] inline std::uint64_t FrameMask(std::uint32_t bits) noexcept
+/// All bits of so many bytes, 1 to 8.
+[[nodiscard]] inline std::uint64_t LowBytes(std::uint32_t count) noexcept
 {
-    return LowBits(kBitsPerByte * BytesFor(bits));
+    return LowBits(kBitsPerByte * count);
 }
 
 /// Bytes behind the length have no meaning, and are 0 in the word.
 [[nodiscard]] inline std::uint64_t FrameData(const CanFrame& frame) noexcept
 {
-    return Packed({&frame.data[0U]}, kMaxPayloadBytes) & LowBits(kBitsPerByte * frame.length_bytes);
+    return Packed({&frame.data[0U]}, kMaxPayloadBytes) & LowBytes(frame.length_bytes);
 }
 
 [[nodiscard]] inline std::uint64_t WordOf(const Payload& payload) noexcept

@@ -240,6 +240,7 @@ TEST(ChannelBRecord, StorageOfExactlyTheDevicesSizeIsNotLeft)
     rig->Store(kRigSlots, ConfigField::kMapCount, 2U);
     rig->Store(kRigSlots, ConfigField::kSignature, 2U);
     EXPECT_EQ(std::vector<std::uint8_t>(rig->Bytes(), &rig->Bytes()[Rig::kByteCount]), before);
+    EXPECT_EQ(rig->Voice().Load(ConfigAddress{kRigSlots, ConfigField::kMapCount, 0U}).value, 0U);
     // and the last of all is the last of the storage
     rig->Store(2U, ConfigField::kMapEntry, 0x12345678U, kRigEntries);
     EXPECT_EQ(rig->Voice().Load(ConfigAddress{2U, ConfigField::kMapEntry, kRigEntries}).value, 0x12345678U);
@@ -251,7 +252,7 @@ ConfigFault StaticOf(Rig& rig, std::uint8_t bits)
 {
     const std::uint32_t entries[] = {0x63000100U + bits, 0x63010100U + bits};
     rig.Config().granularity_bits = 1U;
-    rig.SetFreeLength(bits);
+    rig.SetFree(bits, MapAccess::kConsumer);
     rig.Setup(2U).map = StaticMap{entries, 2U};
     rig.Voice().Restart(rig.Config());
     rig.Voice().SetFields(2U, rig.FreeFields());

@@ -156,12 +156,20 @@ class Rig
         Inverse(slot, data);
     }
 
-    /// @brief An acknowledge edge for all slots in the call that this makes.
+    /// @brief What the acknowledge inputs read from now on.
+    void Read(SrdoMask inputs)
+    {
+        acknowledge_ = inputs;
+    }
+
+    /// @brief An acknowledge edge for all slots in the last of the calls that this makes.
     CycleOutcome Acknowledged()
     {
         acknowledge_ = 0U;
         static_cast<void>(Cycle());
+        static_cast<void>(Cycle());
         acknowledge_ = 7U;
+        static_cast<void>(Cycle());
         return Cycle();
     }
 
@@ -218,10 +226,31 @@ class Rig
     }
 
     /// @brief Of the two objects that nobody maps.
-    void SetFreeLength(std::uint8_t bits)
+    void SetFree(std::uint8_t bits, MapAccess access)
     {
-        objects_[10U].length_bits = bits;
-        objects_[11U].length_bits = bits;
+        for (const std::size_t object : {10U, 11U})
+        {
+            objects_[object].length_bits = bits;
+            objects_[object].access = access;
+        }
+    }
+
+    /// @brief Another mapping, signed; what Validate finds.
+    ConfigFault Map(SlotIndex slot, const std::vector<std::uint32_t>& entries)
+    {
+        for (std::size_t at = 0U; at < entries.size(); ++at)
+        {
+            Store(slot, ConfigField::kMapEntry, entries[at], static_cast<std::uint8_t>(at + 1U));
+        }
+        Store(slot, ConfigField::kMapCount, static_cast<std::uint32_t>(entries.size()));
+        return Validated(slot);
+    }
+
+    /// @brief What Validate finds once the SRDO is signed.
+    ConfigFault Validated(SlotIndex slot)
+    {
+        Store(slot, ConfigField::kSignature, channel_.Validate(slot).signature);
+        return channel_.Validate(slot).fault;
     }
 
     [[nodiscard]] StaticFields FreeFields()
