@@ -5,11 +5,11 @@ namespace counterpoint::conformance
 {
 
 const CaseTable* const kAllTables[] = {
-    &kSignatureCases,   &kStoreCases,  &kRuleCases,   &kMappingCases, &kRecheckCases,  &kFrameCases,
-    &kFaultCases,       &kTimeCases,   &kCycleCases,  &kSignalCases,  &kActivityCases, &kReleaseCases,
-    &kAcknowledgeCases, &kCommitCases, &kPermitCases, &kDefectCases,  &kProducerCases, &kConfirmationCases,
-    &kRefreshCases,     &kSizeCases,   &kSideCases,   &kLateCases,    &kBitCases,      &kEntryCases,
-    &kDummyCases,       &kStaticCases, &kDigestCases,
+    &kSignatureCases,    &kStoreCases,       &kRuleCases,   &kMappingCases, &kSharedCases, &kRecheckCases,
+    &kFrameCases,        &kFaultCases,       &kTimeCases,   &kCycleCases,   &kSignalCases, &kActivityCases,
+    &kReleaseCases,      &kAcknowledgeCases, &kCommitCases, &kPermitCases,  &kDefectCases, &kProducerCases,
+    &kConfirmationCases, &kRefreshCases,     &kSizeCases,   &kSideCases,    &kLateCases,   &kBitCases,
+    &kEntryCases,        &kDummyCases,       &kStaticCases, &kDigestCases,
 };
 const std::uint32_t kTableCount = sizeof(kAllTables) / sizeof(kAllTables[0]);
 

@@ -25,6 +25,7 @@ extern const CaseTable kSignatureCases;
 extern const CaseTable kStoreCases;
 extern const CaseTable kRuleCases;
 extern const CaseTable kMappingCases;
+extern const CaseTable kSharedCases;
 extern const CaseTable kRecheckCases;
 extern const CaseTable kSizeCases;
 extern const CaseTable kSideCases;

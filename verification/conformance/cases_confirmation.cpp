@@ -127,20 +127,22 @@ constexpr Step kTransmitFaults[] = {
 constexpr Step kAcknowledged[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U),
     TransmitFault(0U, Cause::kBusOff), Cycle(3000U),
-    Slot(0U, kProducing, Cause::kBusOff, 0U, 1U, 0U), Acknowledge(1U), Cycle(4000U),
+    Slot(0U, kProducing, Cause::kBusOff, 0U, 1U, 0U), Acknowledge(1U), Cycle(3900U),
+    Slot(0U, kProducing, Cause::kBusOff, 0U, 1U, 0U), Cycle(4000U),
     Slot(0U, kProducing, kNoCause, 0U, 1U, 0U), ReadyPair(0U),
     TransmitFault(0U, Cause::kTransmitQueue), Cycle(5000U), Slot(0U, kProducing, Cause::kTransmitQueue, 0U, 2U, 0U),
     Cycle(6000U),
     Slot(0U, kProducing, Cause::kTransmitQueue, 0U, 2U, 0U),
 };
 
-// Window of signals: the refresh time, 25 ms.
-// t     3000 (opens)   28000 (still open)   28001 (over)
-constexpr Step kWindow[] = {
+// Every fault is signalled, also the same one in the next call.
+constexpr Step kEverySignal[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U),
-    TransmitFault(0U, Cause::kBusOff), Cycle(3000U), Signals(0U, Bit(Cause::kBusOff)),
-    ReadyPair(0U), TransmitFault(0U, Cause::kBusOff), Cycle(28000U), Signals(0U, 0U), ReadyPair(0U), TransmitFault(0U, Cause::kBusOff), Cycle(28001U),
-    Signals(0U, Bit(Cause::kBusOff)), Slot(0U, kProducing, Cause::kBusOff, 0U, 3U, 0U),
+    TransmitFault(0U, Cause::kBusOff), Signals(0U, 0U), Cycle(3000U), Signals(0U, Bit(Cause::kBusOff)), Signalled(1U),
+    ReadyPair(0U), TransmitFault(0U, Cause::kBusOff), Cycle(4000U), Signals(0U, Bit(Cause::kBusOff)), Signalled(1U),
+    Cycle(5000U), Signals(0U, 0U), Signalled(0U), ReadyPair(0U), TransmitFault(0U, Cause::kTransmitQueue), ReadyPair(0U),
+    TransmitFault(0U, Cause::kBusOff), Cycle(6000U), Signals(0U, Bit(Cause::kTransmitQueue) | Bit(Cause::kBusOff)),
+    Slot(0U, kProducing, Cause::kBusOff, 0U, 4U, 0U), Cycle(7000U), Signals(0U, 0U), Signalled(0U),
 };
 
 // An identifier changed behind the look-up: the frame that still finds its way confirms nothing.
@@ -173,7 +175,7 @@ constexpr Case kCases[] = {
     MakeCase("ConfirmationLedToAnotherSrdo", {req::SRS_PROD_007}, kSender, kAstray),
     MakeCase("TransmitFaults", {req::SRS_PROD_009}, kSender, kTransmitFaults),
     MakeCase("AcknowledgeOfAProducer", {req::SRS_PROD_009}, kSender, kAcknowledged),
-    MakeCase("SignalWindowOfAProducer", {req::SRS_PROD_009, req::SRS_CONS_021}, kSender, kWindow),
+    MakeCase("EveryFaultOfAProducerIsSignalled", {req::SRS_PROD_009, req::SRS_CONS_021}, kSender, kEverySignal),
 };
 // clang-format on
 } // namespace

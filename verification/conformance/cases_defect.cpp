@@ -38,8 +38,8 @@ constexpr Step kT4[] = {
 // An error is left by an acknowledge, without leaving OPERATIONAL.
 constexpr Step kT5[] = {
     Configure(), Cycle(0U), Normal(1000U), WrongInverse(0U, 1001U), Cycle(2000U), Masks(0U, 1U, 0U, 1U, 0U),
-    Normal(3000U), Inverse(3001U), Acknowledge(1U), Cycle(4000U),
-    Masks(1U, 0U, 0U, 0U, 1U),
+    Normal(3000U), Inverse(3001U), Acknowledge(1U), Cycle(3900U), Masks(0U, 1U, 0U, 0U, 1U), Cycle(4000U),
+    Masks(1U, 0U, 0U, 0U, 0U),
 };
 
 // One short frame while not OPERATIONAL is nothing; one in OPERATIONAL is over with the next pair.

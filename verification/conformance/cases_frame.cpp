@@ -213,7 +213,7 @@ constexpr Step kLengthBeforeOrder[] = {
     Cycle(2000U),
     Normal(3000U), Frame(0x111U, 3U, 0U, 0U, 3001U), Cycle(4000U), Slot(0U, kFaulted, Cause::kLength, 0U, 2U, 0U),
     Inverse(4001U),
-    Slot(0U, kFaulted, Cause::kLength, 0U, 3U, 0U), Signals(0U, 0U),
+    Slot(0U, kFaulted, Cause::kLength, 0U, 3U, 0U), Signals(0U, Bit(Cause::kLength)),
 };
 
 constexpr Step kLengthBeforeInversion[] = {

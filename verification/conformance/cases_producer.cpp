@@ -22,7 +22,7 @@ constexpr Step kSend[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Counts(0U, 1U, 0U, 0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
     Due(0U), Request(0U), Cycle(1000U), Due(0U), Cycle(1999U), Due(0U), Cycle(2000U), Due(1U), Data(0U, 0U),
     ReadyPair(0U), Data(0U, 0x3412U), TakeNone(0U), ConfirmFirst(0U, 2300U), Data(0U, 0x3412U),
-    TakeSecond(0U), TakeNone(0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), ConfirmSecond(0U, 2600U), Data(0U, 0U),
+    TakeSecond(0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), ConfirmSecond(0U, 2600U), Data(0U, 0U), TakeNone(0U),
     Slot(0U, kProducing, kNoCause, 1U, 0U, 0U), Cycle(3000U), Due(0U),
     Masks(0U, 0U, 0U, 0U, 0U), Signalled(0U), OrdinalSum(0U),
 };
@@ -139,13 +139,28 @@ constexpr Step kPreparedStays[] = {
     ConfirmPair(0U, 0x102U, 2U, 0xCBAAU, 0U, 3200U), Slot(0U, kProducing, Cause::kNotInverse, 2U, 1U, 0U),
 };
 
-// Handed out once, and only while it is awaited.
-constexpr Step kInverseOnce[] = {
+// As often as it is asked for, by both, and only while it is awaited: not before the normal frame was confirmed, nor
+// once the pair was sent or given up. Asking confirms nothing and keeps nothing.
+constexpr Step kInverseOften[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), TakeNone(0U), Cycle(2000U), TakeNone(0U), ReadyPair(0U), TakeNone(0U),
-    ConfirmFirst(0U, 2100U), TakeSecond(0U), TakeNone(0U), Cycle(3000U), TakeNone(0U), ConfirmSecond(0U, 3100U),
+    ConfirmFirst(0U, 2100U), TakeSecond(0U), TakeSecond(0U), Cycle(3000U), TakeSecond(0U), TakeSecond(0U),
+    StrangeFirst(3050U), TakeSecond(0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), ConfirmSecond(0U, 3100U),
     TakeNone(0U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U), ReadyPair(0U), TakeNone(0U), ConfirmFirst(0U, 3200U),
-    TransmitFault(0U, Cause::kBusOff), TakeNone(0U), ReadyPair(0U), TakeNone(0U), ConfirmFirst(0U, 3300U),
-    TakeSecond(0U), TakeNone(0U),
+    TakeSecond(0U), TransmitFault(0U, Cause::kBusOff), TakeNone(0U), ReadyPair(0U), TakeNone(0U),
+    ConfirmFirst(0U, 3300U), TakeSecond(0U), TakeSecond(0U),
+};
+
+// Given up by the wrong echo of the inverse frame, by its silence, and by the end of OPERATIONAL.
+// t     2000 prepared   2100 N   22100 (SRVT on)   22101
+constexpr Step kInverseOver[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), ConfirmFirst(0U, 2100U), TakeSecond(0U),
+    Cycle(22100U), TakeSecond(0U), Cycle(22101U), TakeNone(0U), Slot(0U, kProducing, Cause::kNoConfirmation, 0U, 1U, 0U),
+    ReadyPair(0U), ConfirmFirst(0U, 22200U), TakeSecond(0U), ConfirmNone(0x102U, 2U, 0xCAEDU, 0U, 22300U), TakeNone(0U),
+    ReadyPair(0U), ConfirmFirst(0U, 22400U), TakeSecond(0U), NotInverse(0U), TakeNone(0U),
+    ReadyPair(0U), ConfirmFirst(0U, 22500U), TakeSecond(0U), Nmt(NmtState::kStopped), Cycle(23000U), TakeNone(0U),
+    Nmt(NmtState::kOperational), Cycle(24000U), TakeNone(0U),
+    ReadyPair(0U), ConfirmFirst(0U, 24100U), TakeSecond(0U), Token(1U), Cycle(25000U), TakeNone(0U), Cycle(26000U),
+    TakeNone(0U),
 };
 
 // The pair is complete when the inverse frame was on the bus, whoever asked for it.
@@ -164,7 +179,7 @@ constexpr Step kOneHolds[] = {
     Data(0U, 0x7856U), Nmt(NmtState::kStopped), Cycle(3000U), Data(0U, 0U), Slot(1U, kOff, kNoCause, 0U, 0U, 0U),
 };
 
-// B never sends its frame before it has seen the normal frame.
+// Neither has one before it has seen the normal frame.
 constexpr Step kInverseWaits[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), TakeNone(0U),
     Cycle(3000U), TakeNone(0U),
@@ -286,7 +301,9 @@ constexpr Case kCases[] = {
              kNotInverse),
     MakeCase("EveryObjectIsCheckedForInversion", {req::SRS_PROD_005}, kSender, kEveryObject),
     MakeCase("WhatWasPreparedIsSent", {req::SRS_PROD_006, req::SRS_PROD_005}, kSender, kPreparedStays),
-    MakeCase("InverseFrameIsHandedOutOnce", {req::SRS_PROD_006}, kSender, kInverseOnce),
+    MakeCase("InverseFrameAsOftenAsItIsAskedFor", {req::SRS_PROD_006}, kSender, kInverseOften),
+    MakeCase("NoInverseFrameOnceThePairIsOver", {req::SRS_PROD_006, req::SRS_PROD_009, req::SRS_PROD_011}, kSender,
+             kInverseOver),
     MakeCase("InverseFrameConfirmedButNotHandedOut", {req::SRS_PROD_007, req::SRS_PROD_006}, kSender,
              kInverseNotTaken),
     MakeCase("OnlyConsumersHold", {req::SRS_CONS_025}, kMixed, kOneHolds),

@@ -19,32 +19,34 @@ constexpr Step kAutomatic[] = {
 constexpr Step kLocked[] = {
     Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Masks(0U, 0U, 1U, 0U, 1U),
     Slot(0U, kWaiting, kNoCause, 1U, 0U, 1U),
-    Acknowledge(1U), Cycle(3000U), Masks(1U, 0U, 0U, 0U, 0U), Acknowledge(0U), Cycle(4000U), Masks(1U, 0U, 0U, 0U, 0U),
+    Acknowledge(1U), Cycle(2900U), Masks(0U, 0U, 1U, 0U, 0U), Cycle(3000U), Masks(1U, 0U, 0U, 0U, 0U), Acknowledge(0U),
+    Cycle(4000U), Masks(1U, 0U, 0U, 0U, 0U),
     // A new pair keeps it released, a fault does not.
     OtherNormal(5000U), OtherInverse(5500U), Cycle(6000U), Masks(1U, 0U, 0U, 0U, 1U), Inverse(7000U), Cycle(8000U),
     Masks(0U, 1U, 0U, 1U, 0U),
     Normal(9000U), Inverse(9500U), Cycle(10000U), Masks(0U, 1U, 0U, 0U, 1U),
     Slot(0U, kFaulted, Cause::kInverseFirst, 1U, 1U, 1U),
-    Acknowledge(1U), Cycle(11000U), Masks(1U, 0U, 0U, 0U, 0U), Slot(0U, kReleased, kNoCause, 1U, 1U, 1U),
+    Acknowledge(1U), Cycle(10900U), Masks(0U, 1U, 0U, 0U, 0U), Slot(0U, kFaulted, Cause::kInverseFirst, 1U, 1U, 1U),
+    Cycle(11000U), Masks(1U, 0U, 0U, 0U, 0U), Slot(0U, kReleased, kNoCause, 1U, 1U, 1U),
 };
 
 constexpr Step kOtherPolicy[] = {
     Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Masks(0U, 0U, 1U, 0U, 1U), Cycle(3000U),
     Masks(0U, 0U, 1U, 0U, 0U),
-    Acknowledge(1U), Cycle(4000U), Masks(1U, 0U, 0U, 0U, 0U),
+    Acknowledge(1U), Cycle(3900U), Masks(0U, 0U, 1U, 0U, 0U), Cycle(4000U), Masks(1U, 0U, 0U, 0U, 0U),
 };
 
 // The interlock outlives leaving and entering OPERATIONAL: pairs alone never release.
 constexpr Step kSurvives[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Acknowledge(1U), Cycle(2000U), Masks(1U, 0U, 0U, 0U, 1U),
-    Nmt(NmtState::kPreOperational),
+    Configure(), Cycle(0U), Cycle(500U), Normal(1000U), Inverse(1500U), Acknowledge(1U), Cycle(1900U),
+    Masks(0U, 0U, 1U, 0U, 1U), Cycle(2000U), Masks(1U, 0U, 0U, 0U, 0U), Nmt(NmtState::kPreOperational),
     Cycle(3000U), Nmt(NmtState::kOperational), Cycle(4000U), Masks(0U, 0U, 1U, 0U, 0U), Normal(5000U), Inverse(5500U),
     Cycle(6000U),
     Masks(0U, 0U, 1U, 0U, 1U), Nmt(NmtState::kStopped), Cycle(7000U), Nmt(NmtState::kInitialising), Cycle(8000U),
     Nmt(NmtState::kOperational),
     Cycle(9000U), Normal(9100U), Inverse(9200U), Cycle(10000U), Masks(0U, 0U, 1U, 0U, 1U), Acknowledge(0U),
-    Cycle(11000U), Masks(0U, 0U, 1U, 0U, 0U),
-    Acknowledge(1U), Cycle(12000U), Masks(1U, 0U, 0U, 0U, 0U),
+    Cycle(11000U), Masks(0U, 0U, 1U, 0U, 0U), Cycle(11100U), Masks(0U, 0U, 1U, 0U, 0U),
+    Acknowledge(1U), Cycle(11900U), Masks(0U, 0U, 1U, 0U, 0U), Cycle(12000U), Masks(1U, 0U, 0U, 0U, 0U),
 };
 
 constexpr Step kSurvivesFault[] = {
@@ -55,9 +57,10 @@ constexpr Step kSurvivesFault[] = {
 };
 
 constexpr Step kSurvivesRestart[] = {
-    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Acknowledge(1U), Cycle(2000U), Masks(1U, 0U, 0U, 0U, 1U),
-    Restart(), Configure(),
-    Acknowledge(1U), Cycle(3000U), Normal(4000U), Inverse(4500U), Cycle(5000U), Masks(0U, 0U, 1U, 0U, 1U),
+    Configure(), Cycle(0U), Cycle(500U), Normal(1000U), Inverse(1500U), Acknowledge(1U), Cycle(1900U),
+    Masks(0U, 0U, 1U, 0U, 1U), Cycle(2000U), Masks(1U, 0U, 0U, 0U, 0U), Restart(), Configure(),
+    Acknowledge(1U), Cycle(3000U), Cycle(3100U), Normal(4000U), Inverse(4500U), Cycle(5000U),
+    Masks(0U, 0U, 1U, 0U, 1U), Cycle(5100U), Masks(0U, 0U, 1U, 0U, 0U),
 };
 
 constexpr Step kDemoteReleased[] = {
@@ -96,8 +99,14 @@ constexpr Step kDemoteAfterFault[] = {
 
 // Demote forgets an acknowledge edge that waits.
 constexpr Step kDemoteEdge[] = {
-    Configure(), Cycle(0U), Acknowledge(1U), Cycle(1000U), Demote(0U), Normal(1100U), Inverse(1200U), Cycle(2000U),
-    Masks(0U, 1U, 0U, 0U, 1U),
+    Configure(), Cycle(0U), Cycle(100U), Acknowledge(1U), Cycle(900U), Cycle(1000U), Demote(0U), Normal(1100U),
+    Inverse(1200U), Cycle(2000U), Masks(0U, 1U, 0U, 0U, 1U),
+};
+
+// Between the two calls there is no edge yet, and the second reports no fault.
+constexpr Step kDemoteBetween[] = {
+    Configure(), Cycle(0U), Cycle(100U), Acknowledge(1U), Cycle(900U), Demote(0U), Normal(950U), Inverse(960U),
+    Cycle(1000U), Masks(1U, 0U, 0U, 0U, 1U), Slot(0U, kReleased, kNoCause, 1U, 1U, 1U),
 };
 
 constexpr Step kDemoteOff[] = {
@@ -130,6 +139,7 @@ constexpr Case kCases[] = {
     MakeCase("DemoteLeavesThePendingFrame", {req::SRS_REL_006}, kGold, kDemotePending),
     MakeCase("DemoteDoesNotHideAFault", {req::SRS_REL_006, req::SRS_CONS_013}, kGold, kDemoteAfterFault),
     MakeCase("DemoteForgetsTheEdge", {req::SRS_REL_006, req::SRS_REL_005}, kGoldLocked, kDemoteEdge),
+    MakeCase("DemoteBetweenTheTwoReadings", {req::SRS_REL_006, req::SRS_REL_005}, kGoldLocked, kDemoteBetween),
     MakeCase("DemoteOfWhatIsNoActiveConsumer", {req::SRS_REL_006}, kMixed, kDemoteOff),
     MakeCase("DemoteOfOneSlot", {req::SRS_REL_006}, kTwo, kDemoteOne),
 };

@@ -25,6 +25,21 @@ constexpr Step kOwnSide[] = {
     Cycle(3000U), Due(0U), Signals(0U, Bit(Cause::kNotInverse)), Signalled(1U), Cycle(4000U), Signals(0U, 0U),
 };
 
+// Nor does either look at the other side for its inverse frame.
+constexpr Step kOwnInverse[] = {
+    Configure(), kP1, kP2, Put(0x6211U, 1U, 0x00U), Put(0x6211U, 2U, 0x0FU), Cycle(0U), Cycle(2000U),
+    UnequalPair(0U, 0x3412U, 0xF0FFU), TakeNone(0U), ConfirmOwn(0U, 2100U),
+    TakeUnequal(0U, 0x102U, 2U, Payload{0xCBEDU, 0U}, Payload{0x0F00U, 0U}), UnequalData(0U, 0x3412U, 0xF0FFU),
+    NotInverse(0U), TakeNone(0U), Slot(0U, kProducing, Cause::kNotInverse, 0U, 1U, 0U),
+};
+
+constexpr Step kOwnInverseBits[] = {
+    Configure(), Put(0x6402U, 63U, 0x89ABCDEFU, 0xC1234567U), Put(0x6403U, 63U, 0x00000000U, 0x0EDCBA98U), Cycle(0U),
+    Cycle(2000U), Unequal(0U, 0x101U, 8U, Payload{0x89ABCDEFU, 0x41234567U}, Payload{0xFFFFFFFFU, 0x71234567U}),
+    ConfirmOwn(0U, 2100U),
+    TakeUnequal(0U, 0x102U, 8U, Payload{0x76543210U, 0xBEDCBA98U}, Payload{0x00000000U, 0x8EDCBA98U}),
+};
+
 // It is in flight like any pair until it is given up: no second Prepare, no due mark, then the silence of the line.
 constexpr Step kInFlight[] = {
     Configure(), kP1, kP2, kI1, Put(0x6211U, 2U, 0x4BU), Cycle(0U), Cycle(2000U), UnequalPair(0U, 0x3412U, 0xB412U),
@@ -53,14 +68,14 @@ constexpr Step kNoConsumer[] = {
     Slot(2U, kOff, kNoCause, 0U, 0U, 0U), Cycle(4000U), Masks(0U, 0U, 1U, 0U, 0U), Signalled(0U),
 };
 
-// The first cause is kept, each fault is counted, the window is the refresh time; an acknowledge clears it.
+// The first cause is kept, each fault is counted and signalled; an acknowledge clears the cause.
 constexpr Step kCounted[] = {
     Configure(), kP1, kP2, kI1, Put(0x6211U, 2U, 0U), Cycle(0U), Cycle(2000U), UnequalPair(0U, 0x3412U, 0xFF12U),
     NotInverse(0U), Cycle(3000U), Signals(0U, Bit(Cause::kNotInverse)), UnequalPair(0U, 0x3412U, 0xFF12U), NotInverse(0U),
-    Cycle(28000U), Signals(0U, 0U), Slot(0U, kProducing, Cause::kNotInverse, 0U, 2U, 0U),
-    UnequalPair(0U, 0x3412U, 0xFF12U), NotInverse(0U), Cycle(28001U), Signals(0U, Bit(Cause::kNotInverse)),
-    Slot(0U, kProducing, Cause::kNotInverse, 0U, 3U, 0U), Acknowledge(1U), Cycle(29000U),
-    Slot(0U, kProducing, kNoCause, 0U, 3U, 0U),
+    Cycle(4000U), Signals(0U, Bit(Cause::kNotInverse)), Slot(0U, kProducing, Cause::kNotInverse, 0U, 2U, 0U),
+    UnequalPair(0U, 0x3412U, 0xFF12U), NotInverse(0U), Cycle(5000U), Signals(0U, Bit(Cause::kNotInverse)),
+    Slot(0U, kProducing, Cause::kNotInverse, 0U, 3U, 0U), Acknowledge(1U), Cycle(6000U), Signals(0U, 0U),
+    Slot(0U, kProducing, Cause::kNotInverse, 0U, 3U, 0U), Cycle(7000U), Slot(0U, kProducing, kNoCause, 0U, 3U, 0U),
 };
 
 // The refresh is used up by a pair that is given up; the phase stays.
@@ -186,6 +201,8 @@ constexpr Step kTwoWords[] = {
 
 constexpr Case kCases[] = {
     MakeCase("EachSideIsReadByItsOwner", {req::SRS_PROD_005, req::SRS_PROD_009, req::SRS_CONS_025}, kSender, kOwnSide),
+    MakeCase("EachInverseFrameIsOfItsOwnSide", {req::SRS_PROD_006, req::SRS_PROD_007}, kSender, kOwnInverse),
+    MakeCase("BitsOfEachInverseFrame", {req::SRS_PROD_006, req::SRS_CFG_036}, kBits63Sender, kOwnInverseBits),
     MakeCase("UnequalSidesAreInFlight", {req::SRS_PROD_005, req::SRS_PROD_008, req::SRS_PROD_004}, kSender, kInFlight),
     MakeCase("UnequalSidesAreGivenUp", {req::SRS_PROD_009, req::SRS_PROD_006, req::SRS_PROD_007}, kSender, kGivenUp),
     MakeCase("NotInverseSaidOfAPairOnItsWay", {req::SRS_PROD_009}, kSender, kSaidLater),

@@ -109,6 +109,9 @@ constexpr SrdoSetup kStaticLargeSetups[] = {Fixed(Safe(0U, 0U), kBits64Map.entri
 constexpr SrdoSetup kStaticLongSetups[] = {Fixed(Safe(0U, 0U), kSizesMap, 8U)};
 constexpr SrdoSetup kStaticTwoSetups[] = {Fixed(Safe(0xC3A5U, 0U), kGoldMap, 4U),
                                           Consumer(3U, ReleasePolicy::kAutomatic, kWordSafe)};
+constexpr SrdoSetup kGoldAbove = Fixed(Consumer(3U, ReleasePolicy::kAutomatic, kGoldSafe), kGoldMap, 4U);
+constexpr SrdoSetup kStaticAboveSetups[] = {Consumer(1U, ReleasePolicy::kAutomatic, kWordSafe), kGoldAbove};
+constexpr SrdoSetup kStaticTwinsSetups[] = {Fixed(Safe(0xC3A5U, 0U), kGoldMap, 4U), kGoldAbove};
 
 constexpr std::uint32_t At(std::uint32_t index, std::uint32_t sub)
 {
@@ -134,6 +137,9 @@ constexpr SrdoValues kStaticOddValues = StaticValues(0x4325U, At(0x6010U, 1U), A
 constexpr SrdoValues kStaticLargeValues = StaticValues(0xA6CFU, At(0x6304U, 1U), At(0x6305U, 1U));
 constexpr SrdoValues kStaticLongValues = StaticValues(0x5C6AU, At(0x6300U, 1U), At(0x6301U, 1U));
 constexpr SrdoValues kStaticTwoValues[] = {kStaticValues, kWordValues};
+constexpr SrdoValues kStaticAboveValues[] = {kWordValues, kStaticValues};
+constexpr SrdoValues kTwinValues{2U, 50U, 20U, 0x103U, 0x104U, 0U, nullptr, 0xDB4FU, At(0x6010U, 1U), At(0x6011U, 1U)};
+constexpr SrdoValues kStaticTwinsValues[] = {kStaticValues, kTwinValues};
 
 constexpr DeviceConfig Grained(DeviceConfig config)
 {
@@ -189,5 +195,7 @@ const Device kStaticOdd{NoEntries(Config(kStaticOddSetups)), &kStaticOddValues};
 const Device kStaticLarge{NoEntries(Grained(Config(kStaticLargeSetups))), &kStaticLargeValues};
 const Device kStaticLong{NoEntries(Config(kStaticLongSetups)), &kStaticLongValues};
 const Device kStaticTwo{Config(kStaticTwoSetups), kStaticTwoValues};
+const Device kStaticAbove{Config(kStaticAboveSetups), kStaticAboveValues};
+const Device kStaticTwins{Config(kStaticTwinsSetups), kStaticTwinsValues};
 
 } // namespace counterpoint::conformance

@@ -13,12 +13,19 @@ constexpr std::uint32_t kCycleUs = 1000U;
 constexpr std::uint32_t kPastLimitsUs = 80000U;
 constexpr std::uint32_t kCorruptionCount = 10U; ///< Of one byte: eight bits, zero, all ones.
 
+/// From now on both channels read `level`, and have seen it when this is over.
+void Acknowledge(FlipRig& rig, bool level)
+{
+    rig.Acknowledge(level);
+    rig.Cycle(kCycleUs);
+    rig.Cycle(kCycleUs);
+}
+
 void Released(FlipRig& rig)
 {
     rig.Enter();
     rig.Pair(0x1111U, true);
-    rig.Acknowledge(true);
-    rig.Cycle(kCycleUs);
+    Acknowledge(rig, true);
 }
 
 void Due(FlipRig& rig)
@@ -112,30 +119,24 @@ void GoOn(FlipRig& rig, std::uint32_t phase)
     rig.Cycle(kCycleUs);
     rig.Pair(0x0F0FU, true);
     rig.Request();
-    rig.Acknowledge(false);
-    rig.Cycle(kCycleUs);
+    Acknowledge(rig, false);
     rig.Prepare();
     rig.SendNormal();
     rig.SendInverse();
-    rig.Acknowledge(true);
-    rig.Cycle(kCycleUs);
+    Acknowledge(rig, true);
     rig.WrongPair(0x00FFU);
     rig.Cycle(kCycleUs);
     rig.Pair(0x1357U, true);
-    rig.Acknowledge(false);
-    rig.Cycle(kCycleUs);
-    rig.Acknowledge(true);
-    rig.Cycle(kCycleUs);
+    Acknowledge(rig, false);
+    Acknowledge(rig, true);
     rig.Recheck();
     rig.Cycle(kPastLimitsUs);
     rig.Cycle(kCycleUs);
     rig.Leave();
     rig.Enter();
     rig.Pair(0x2468U, true);
-    rig.Acknowledge(false);
-    rig.Cycle(kCycleUs);
-    rig.Acknowledge(true);
-    rig.Cycle(kCycleUs);
+    Acknowledge(rig, false);
+    Acknowledge(rig, true);
 }
 
 bool IsSafe(SrdoState state)
@@ -169,8 +170,7 @@ Complaint Finish(FlipRig& rig, Party party, std::uint32_t phase)
     {
         rig.Enter();
         rig.Pair(0x1234U, true);
-        rig.Acknowledge(true);
-        rig.Cycle(kCycleUs);
+        Acknowledge(rig, true);
         const SrdoState state = rig.StateOf(party);
         if ((state == SrdoState::kWaiting) || (state == SrdoState::kReleased))
         {

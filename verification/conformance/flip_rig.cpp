@@ -297,19 +297,26 @@ void FlipRig::SendNormal()
     }
 }
 
+/// As the kernel does it: a frame in which the channels differ does not leave.
 void FlipRig::TakeInverse()
 {
-    const CanFrame frame = b_.InverseFrame(kProducerSlot);
-    if (frame.kind == FrameKind::kData)
+    const CanFrame frame_a = a_.InverseFrame(kProducerSlot);
+    const CanFrame frame_b = b_.InverseFrame(kProducerSlot);
+    const bool is_same = (frame_a.kind == frame_b.kind) && (frame_a.identifier == frame_b.identifier) &&
+                         (frame_a.length_bytes == frame_b.length_bytes) && (DataOf(frame_a) == DataOf(frame_b));
+    if (is_same && (frame_b.kind == FrameKind::kData))
     {
-        inverse_ = frame;
+        inverse_ = frame_b;
     }
 }
 
 /// A valid pair on the bus must carry what the application wrote.
 void FlipRig::SendInverse()
 {
-    TakeInverse();
+    if (inverse_.kind != FrameKind::kData)
+    {
+        TakeInverse();
+    }
     const CanFrame frame = inverse_;
     inverse_ = CanFrame{};
     if ((frame.kind != FrameKind::kData) || is_device_safe_)

@@ -80,9 +80,9 @@ class FlipRig
     void Prepare();
     /// @brief Confirms the normal frame that A prepared.
     void SendNormal();
-    /// @brief Takes the inverse frame that B has to send, without sending it.
+    /// @brief Takes the inverse frame that both have to send, without sending it.
     void TakeInverse();
-    /// @brief Confirms the inverse frame that B has to send, or that was taken before.
+    /// @brief Confirms the inverse frame that was taken before, or that both have to send.
     void SendInverse();
     void Recheck();
     /// @brief A wrong signature in both channels, and found by both.

@@ -83,7 +83,7 @@ class Forwarding : public Channel
     {
         return inner_.OnConfirm(frame, stamp);
     }
-    [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) noexcept override
+    [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) const noexcept override
     {
         return inner_.InverseFrame(slot);
     }

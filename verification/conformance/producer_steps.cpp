@@ -30,17 +30,24 @@ void ProducerSteps::CheckEmpty(const CanFrame& frame) noexcept
     }
 }
 
+/// Data of the channel under test in x, y.
+Step ProducerSteps::OwnData(const Step& step) const noexcept
+{
+    const bool is_a = party_ == Party::kA;
+    return With(step, is_a ? step.x : step.v, is_a ? step.y : step.w, step.z);
+}
+
 void ProducerSteps::CheckPrepare(const Step& step) noexcept
 {
     const PreparedPair pair = channel_.Prepare(step.slot);
     hash_.Add(static_cast<std::uint32_t>(pair.status));
     hash_.AddFrame(pair.normal);
+    prepared_ = pair.normal;
     if (step.op == Op::kReady)
     {
         judge_.Expect("status of Prepare", static_cast<std::uint64_t>(PrepareStatus::kReady),
                       static_cast<std::uint64_t>(pair.status));
-        const bool is_a = party_ == Party::kA;
-        CheckFrame(With(step, is_a ? step.x : step.v, is_a ? step.y : step.w, step.z), pair.normal);
+        CheckFrame(OwnData(step), pair.normal);
     }
     else
     {
@@ -49,24 +56,28 @@ void ProducerSteps::CheckPrepare(const Step& step) noexcept
     }
 }
 
-/// Only B has inverse frames.
+/// Asked twice, of a channel that may not change: both answers are the same.
 void ProducerSteps::CheckInverseFrame(const Step& step) noexcept
 {
-    const CanFrame frame = channel_.InverseFrame(step.slot);
-    hash_.AddFrame(frame);
-    if ((step.op == Op::kTakeInverse) && (party_ == Party::kB))
+    const Channel& asked = channel_;
+    const CanFrame frames[] = {asked.InverseFrame(step.slot), asked.InverseFrame(step.slot)};
+    for (const CanFrame& frame : frames)
     {
-        CheckFrame(step, frame);
-    }
-    else
-    {
-        CheckEmpty(frame);
+        hash_.AddFrame(frame);
+        if (step.op == Op::kTakeInverse)
+        {
+            CheckFrame(OwnData(step), frame);
+        }
+        else
+        {
+            CheckEmpty(frame);
+        }
     }
 }
 
-void ProducerSteps::CheckConfirmation(const Step& step, std::uint32_t origin) noexcept
+void ProducerSteps::CheckConfirmation(const Step& step, const CanFrame& frame, std::uint32_t origin) noexcept
 {
-    const Confirmation confirmation = channel_.OnConfirm(FrameOf(step), Instant{step.time + origin});
+    const Confirmation confirmation = channel_.OnConfirm(frame, Instant{step.time + origin});
     hash_.Add(confirmation.slot);
     hash_.Add(static_cast<std::uint32_t>(confirmation.step));
     judge_.Expect("slot of the confirmation", step.v, confirmation.slot);
@@ -85,7 +96,12 @@ bool ProducerSteps::Run(const Step& step, std::uint32_t origin) noexcept
     }
     else if (step.op == Op::kConfirm)
     {
-        CheckConfirmation(step, origin);
+        CheckConfirmation(step, FrameOf(step), origin);
+    }
+    else if (step.op == Op::kConfirmOwn)
+    {
+        CheckConfirmation(With(step, 0U, 0U, 0U, step.slot, static_cast<std::uint32_t>(ConfirmStep::kNormal)),
+                          prepared_, origin);
     }
     else if (step.op == Op::kTransmitFault)
     {

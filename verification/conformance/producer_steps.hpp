@@ -27,11 +27,13 @@ class ProducerSteps
     void CheckEmpty(const CanFrame& frame) noexcept;
     void CheckPrepare(const Step& step) noexcept;
     void CheckInverseFrame(const Step& step) noexcept;
-    void CheckConfirmation(const Step& step, std::uint32_t origin) noexcept;
+    void CheckConfirmation(const Step& step, const CanFrame& frame, std::uint32_t origin) noexcept;
+    [[nodiscard]] Step OwnData(const Step& step) const noexcept;
 
     Channel& channel_;
     CaseJudge& judge_;
     Hash& hash_;
+    CanFrame prepared_{}; ///< The last one.
     Party party_;
 };
 

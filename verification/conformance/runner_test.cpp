@@ -248,7 +248,6 @@ TEST(ConformanceTable, EveryLimitHasItsThreePoints)
         {"longest and shortest limits", {"LongestLimits", "ShortestLimits"}},
         {"call supervision", {"LateCall", "FirstCallIsNeverLate"}},
         {"acknowledge window", {"AcknowledgeWindowOnTheLimit", "AcknowledgeWindowOver"}},
-        {"window of signals", {"EndOfTheSignalWindow", "SignalWindowOfAProducer"}},
         {"waiting past SCT", {"WaitingPastSct"}},
         {"first transmission", {"PairIsSent", "FirstTransmissionOfNode127", "FirstTransmissionAfterReentering"}},
         {"refresh", {"RefreshKeepsItsPhase"}},

@@ -50,8 +50,9 @@ enum class Op : std::uint8_t
     kStand,         ///< slot: in `stand` of the next cycle only.
     kReady,         ///< slot: Prepare is ready; field controller, sub length, z identifier, data x, y of A, v, w of B.
     kNotReady,      ///< slot: Prepare gives an empty frame; field status.
-    kTakeInverse,   ///< slot, field controller, sub length, z identifier, x, y data: from B; empty from A.
+    kTakeInverse,   ///< slot, field controller, sub length, z identifier, x, y data of A, v, w of B.
     kTakeNone,      ///< slot: neither has an inverse frame.
+    kConfirmOwn,    ///< slot: what Prepare gave last, of each channel its own, was on the bus; it is its normal frame.
     kConfirm,       ///< As kFrame; v: the slot that is returned, w: the step.
     kTransmitFault, ///< slot, x cause.
     kRestart,       ///< Power-on again, same device.

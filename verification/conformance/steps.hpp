@@ -266,12 +266,27 @@ constexpr Step NotReady(SlotIndex slot, PrepareStatus status)
 constexpr Step TakeInverse(SlotIndex slot, CanPortId port, std::uint32_t identifier, std::uint8_t length,
                            std::uint32_t low, std::uint32_t high = 0U)
 {
-    return With(Make(Op::kTakeInverse, slot, static_cast<std::uint8_t>(port), length), low, high, identifier);
+    return With(Make(Op::kTakeInverse, slot, static_cast<std::uint8_t>(port), length), low, high, identifier, low,
+                high);
+}
+
+/// The inverse frames of a pair whose objects are not inverse: each channel has its own data.
+constexpr Step TakeUnequal(SlotIndex slot, std::uint32_t identifier, std::uint8_t length, const Payload& of_a,
+                           const Payload& of_b)
+{
+    return With(Make(Op::kTakeInverse, slot, static_cast<std::uint8_t>(CanPortId::kFirst), length), of_a.low, of_a.high,
+                identifier, of_b.low, of_b.high);
 }
 
 constexpr Step TakeNone(SlotIndex slot)
 {
     return Make(Op::kTakeNone, slot);
+}
+
+/// The normal frame that Prepare gave last was on the bus, of each channel its own.
+constexpr Step ConfirmOwn(SlotIndex slot, std::uint32_t stamp)
+{
+    return Timed(Make(Op::kConfirmOwn, slot), stamp);
 }
 
 /// A data frame of the device that was on the bus.

@@ -118,12 +118,15 @@ CheckResult ConfigurationPart::Validate(SlotIndex slot) noexcept
     if (a.fault == ConfigFault::kMapping)
     {
         scene_.reached.Add(Item::kFaultDummy, (flaw == Flaw::kDummy) ? 1U : 0U);
+        scene_.reached.Add(Item::kFaultShared, (flaw == Flaw::kNone) ? 1U : 0U); // Sound but for what others map.
         scene_.reached.Add(Item::kFaultFields,
                            ((flaw == Flaw::kFields) && scene_.device.plans[slot].is_static) ? 1U : 0U);
     }
     if ((a.fault == ConfigFault::kNone) &&
-        ((flaw == Flaw::kEntry) || (flaw == Flaw::kMapCount) || (flaw == Flaw::kDummy)))
+        ((flaw == Flaw::kEntry) || (flaw == Flaw::kMapCount) || (flaw == Flaw::kDummy) || (flaw == Flaw::kShared)))
     {
+        const bool is_producer = scene_.device.plans[slot].direction == kDirectionProducer;
+        scene_.reached.Add(Item::kSharedBySenders, (is_producer && (flaw == Flaw::kShared)) ? 1U : 0U);
         scene_.has_odd_mapping = true; // Sound, but of other objects than those that CompareObjects looks at.
     }
     return a;

@@ -21,6 +21,7 @@ enum class Flaw : std::uint8_t
     kMapCount,
     kEntry,
     kDummy,  ///< A dummy entry where none may be, or of a wrong form.
+    kShared, ///< The mapping of another SRDO; no flaw where both are producers.
     kFields, ///< A static mapping without its fields, or with other ones.
     kLengthExceeded,
     kSignature,

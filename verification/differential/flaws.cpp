@@ -101,6 +101,25 @@ void SpoilDummy(Random& random, SlotPlan& plan) noexcept
     }
 }
 
+/// Whole, so that it breaks no other rule: a lower slot that shares is sound, and the higher one is to be refused.
+void SpoilShared(Random& random, Device& device, SlotIndex slot) noexcept
+{
+    SlotPlan& plan = device.plans[slot];
+    const SlotPlan& other = device.plans[random.Below(device.config_a.srdo_count)];
+    for (std::uint32_t i = 0U; i < kMostEntries; ++i)
+    {
+        plan.entries[i] = other.entries[i];
+    }
+    for (std::uint32_t i = 0U; i < kMostPairs; ++i)
+    {
+        plan.lengths[i] = other.lengths[i];
+        plan.dummies[i] = other.dummies[i];
+    }
+    plan.map_count = other.map_count;
+    plan.pairs = other.pairs;
+    plan.bits = other.bits;
+}
+
 } // namespace
 
 void Spoil(Random& random, Device& device, SlotIndex slot) noexcept
@@ -136,6 +155,9 @@ void Spoil(Random& random, Device& device, SlotIndex slot) noexcept
         break;
     case Flaw::kDummy:
         SpoilDummy(random, plan);
+        break;
+    case Flaw::kShared:
+        SpoilShared(random, device, slot);
         break;
     case Flaw::kFields: // What StoreSlot registers.
     case Flaw::kLengthExceeded:

@@ -110,7 +110,7 @@ void ProducerPart::Prepare(SlotIndex slot) noexcept
     }
 }
 
-/// What B has to hand out after the last ready Prepare.
+/// What both have to hand out after the last ready Prepare.
 CanFrame ProducerPart::InverseOf(SlotIndex slot) const noexcept
 {
     CanFrame frame = transmissions_[slot].normal;
@@ -123,20 +123,20 @@ CanFrame ProducerPart::InverseOf(SlotIndex slot) const noexcept
     return frame;
 }
 
-/// Both are asked; only B may have one.
+/// Both are asked, and asked again: nothing may have changed.
 void ProducerPart::TakeInverse(SlotIndex slot) noexcept
 {
     compare_.Step("InverseFrame", slot, 0U, 0U, 0U);
-    compare_.Frames(slot, scene_.a.InverseFrame(slot), CanFrame{});
-    const CanFrame frame = scene_.b.InverseFrame(slot);
-    if (frame.kind == FrameKind::kInvalid)
+    const CanFrame a = scene_.a.InverseFrame(slot);
+    const CanFrame b = scene_.b.InverseFrame(slot);
+    const CanFrame expected = (b.kind == FrameKind::kInvalid) ? CanFrame{} : InverseOf(slot);
+    compare_.Frames(slot, a, expected);
+    compare_.Frames(slot, expected, b);
+    compare_.Frames(slot, scene_.a.InverseFrame(slot), b);
+    compare_.Frames(slot, a, scene_.b.InverseFrame(slot));
+    if (b.kind != FrameKind::kInvalid)
     {
-        compare_.Frames(slot, CanFrame{}, frame);
-    }
-    else
-    {
-        compare_.Frames(slot, InverseOf(slot), frame);
-        transmissions_[slot].frame = frame;
+        transmissions_[slot].frame = b;
         scene_.reached.Add(Item::kInverseFrame);
     }
     compare_.Slot(slot);

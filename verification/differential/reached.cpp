@@ -57,6 +57,8 @@ constexpr const char* kNames[] = {
     "config fault table",
     "config fault none",
     "mapping fault by a dummy",
+    "mapping fault by a shared object",
+    "objects shared by producers",
     "mapping fault by static fields",
     "late detection, SRVT",
     "late detection, SCT",

@@ -62,6 +62,8 @@ enum class Item : std::uint8_t
     kFaultTable,
     kFaultNone,
     kFaultDummy,
+    kFaultShared,
+    kSharedBySenders,
     kFaultFields,
     kLateSrvt,
     kLateSct,

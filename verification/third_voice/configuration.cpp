@@ -112,7 +112,19 @@ bool Configuration::IsValid() const
 
 bool Configuration::IsAllSound() const
 {
-    return std::all_of(srdos_.begin(), srdos_.end(), [this](const SrdoObjects& srdo) { return IsSound(srdo); });
+    return !FirstFaulty().has_value();
+}
+
+std::optional<std::size_t> Configuration::FirstFaulty() const
+{
+    for (std::size_t slot = 0U; slot < srdos_.size(); ++slot)
+    {
+        if (!IsSound(srdos_[slot]))
+        {
+            return slot;
+        }
+    }
+    return std::nullopt;
 }
 
 const SrdoObjects& Configuration::Objects(const std::size_t slot) const
@@ -377,7 +389,7 @@ bool Configuration::IsMappingSound(const SrdoObjects& objects) const
     }
     for (const SrdoObjects& other : srdos_)
     {
-        if (other.direction == 0U)
+        if (other.direction == 0U || &other > &objects) // The later one is named.
         {
             continue;
         }
@@ -386,8 +398,9 @@ bool Configuration::IsMappingSound(const SrdoObjects& objects) const
             for (std::size_t theirs = 0U; theirs < other.count; ++theirs)
             {
                 const bool is_itself = &other == &objects && mine == theirs;
-                const bool may_share = objects.direction == kDirectionProducer &&
-                                       other.direction == kDirectionProducer && &other != &objects;
+                const bool are_producers =
+                    objects.direction == kDirectionProducer && other.direction == kDirectionProducer;
+                const bool may_share = (are_producers || flaw_ == Flaw::kSharedObjects) && &other != &objects;
                 if (!is_itself && !may_share && AddressOf(objects.entries[mine]) == AddressOf(other.entries[theirs]))
                 {
                     return false;

@@ -36,11 +36,16 @@ struct SrdoObjects
 enum class Flaw : std::uint8_t
 {
     kNone = 0U,
-    kSctLonger,     ///< SCT is one microsecond longer.
-    kSrvtLonger,    ///< SRVT is.
-    kNoInversion,   ///< The inverse frame is not compared.
-    kNoSignature,   ///< 13FFh is not.
-    kKeepsReleased, ///< Leaving OPERATIONAL writes no safe value.
+    kSctLonger,       ///< SCT is one microsecond longer.
+    kSrvtLonger,      ///< SRVT is.
+    kNoInversion,     ///< The inverse frame is not compared.
+    kNoSignature,     ///< 13FFh is not.
+    kKeepsReleased,   ///< Leaving OPERATIONAL writes no safe value.
+    kEdgeAtOnce,      ///< One reading of the acknowledge is a level.
+    kOneEdgeIsEnough, ///< The acknowledge of one channel releases.
+    kToldAlways,      ///< A cause has no window.
+    kRefreshDrifts,   ///< Each refresh comes a microsecond later.
+    kSharedObjects,   ///< Two consumers may map one object.
 };
 
 /// What a mapping entry says.
@@ -73,6 +78,8 @@ class Configuration
     [[nodiscard]] bool IsGfcOn() const;
     [[nodiscard]] bool IsValid() const;
     [[nodiscard]] bool IsAllSound() const;
+    /// @brief The lowest slot that is not sound.
+    [[nodiscard]] std::optional<std::size_t> FirstFaulty() const;
     [[nodiscard]] const SrdoObjects& Objects(std::size_t slot) const;
 
   private:

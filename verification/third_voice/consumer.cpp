@@ -16,10 +16,10 @@ std::uint64_t WordOf(const Bytes& data)
 }
 } // namespace
 
-bool AcknowledgeInput::Rises(const bool level)
+bool AcknowledgeInput::Rises(const bool level, const bool is_one_enough)
 {
     const bool was = settled_;
-    settled_ = (level == last_) ? level : settled_;
+    settled_ = (level == last_ || is_one_enough) ? level : settled_;
     last_ = level;
     return settled_ && !was;
 }
@@ -35,12 +35,9 @@ void Consumer::EnterOperational(const ConsumerRules& rules, const Time now)
     entered_ = now;
     has_told_waiting_ = false;
     has_seen_pair_ = false;
-    first_cause_ = SrdoCause::kNone;
     has_new_fault_ = false;
-    needs_acknowledge_ = !rules.is_automatic;
+    is_settled_ = false;
     edge_.reset();
-    told_at_.clear();
-    signals_.clear();
 }
 
 void Consumer::LeaveOperational()
@@ -51,6 +48,7 @@ void Consumer::LeaveOperational()
     held_.reset();
     edge_.reset();
     has_new_fault_ = false;
+    is_settled_ = false;
 }
 
 bool Consumer::IsActive() const
@@ -63,47 +61,43 @@ bool Consumer::HasRightLength(const Bytes& data) const
     return data.size() == rules_.length_bytes;
 }
 
-void Consumer::Signal(const SrdoCause cause, const Time now)
-{
-    const auto told = told_at_.find(cause);
-    if (told == told_at_.end() || now - told->second >= rules_.sct_us)
-    {
-        told_at_[cause] = now;
-        signals_.push_back(cause);
-    }
-}
-
-void Consumer::Fail(const SrdoCause cause, const Time now)
+void Consumer::Fail(const SrdoCause cause)
 {
     if (!is_active_)
     {
         return;
     }
-    if (first_cause_ == SrdoCause::kNone)
-    {
-        first_cause_ = cause;
-    }
+    Demote();
     pending_.reset();
-    held_.reset();
-    state_ = SrdoState::kFaulted;
     has_new_fault_ = true;
-    needs_acknowledge_ = !rules_.is_automatic;
-    edge_.reset();
-    Signal(cause, now);
+    causes_.insert(cause);
 }
 
-/// What had expired before a frame came is reported first; the frame is then judged by itself.
-void Consumer::LookAtExpired(const Time stamp)
+void Consumer::Demote()
 {
-    const bool is_srvt_over = pending_ && !rules_.is_late && stamp - pending_->stamp > rules_.srvt_us;
-    const bool is_sct_over = held_ && (!pending_ || rules_.is_late) && stamp - held_->stamp > rules_.sct_us;
-    if (is_srvt_over)
+    held_.reset();
+    state_ = SrdoState::kFaulted;
+    is_settled_ = false;
+    edge_.reset();
+}
+
+/// What had expired before a frame came is reported first, the earlier deadline of both; the frame is then judged by
+/// itself. Late mode looks at SRVT only when an inverse frame comes.
+void Consumer::LookAtExpired(const Time stamp, const bool is_inverse)
+{
+    const bool counts_srvt = pending_ && (!rules_.is_late || is_inverse);
+    const bool counts_sct = held_ && (!pending_ || rules_.is_late);
+    const bool is_srvt_over = counts_srvt && stamp - pending_->stamp > rules_.srvt_us;
+    const bool is_sct_over = counts_sct && stamp - held_->stamp > rules_.sct_us;
+    const bool is_srvt_first =
+        is_srvt_over && (!is_sct_over || pending_->stamp + rules_.srvt_us <= held_->stamp + rules_.sct_us);
+    if (is_srvt_first)
     {
-        Fail(SrdoCause::kSrvt, stamp);
+        Fail(SrdoCause::kSrvt);
     }
     else if (is_sct_over)
     {
-        Fail(SrdoCause::kSct, stamp);
+        Fail(SrdoCause::kSct);
     }
 }
 
@@ -113,15 +107,15 @@ void Consumer::OnNormal(const Bytes& data, const Time stamp)
     {
         return;
     }
-    LookAtExpired(stamp);
+    LookAtExpired(stamp, false);
     if (!HasRightLength(data))
     {
-        Fail(SrdoCause::kLength, stamp);
+        Fail(SrdoCause::kLength);
         return;
     }
     if (pending_)
     {
-        Fail(SrdoCause::kNormalTwice, stamp);
+        Fail(SrdoCause::kNormalTwice);
         return;
     }
     pending_ = Half{WordOf(data), stamp};
@@ -133,19 +127,15 @@ void Consumer::OnInverse(const Bytes& data, const Time stamp)
     {
         return;
     }
-    LookAtExpired(stamp);
-    if (pending_ && stamp - pending_->stamp > rules_.srvt_us) // Late mode looks only now.
-    {
-        Fail(SrdoCause::kSrvt, stamp);
-    }
+    LookAtExpired(stamp, true);
     if (!HasRightLength(data))
     {
-        Fail(SrdoCause::kLength, stamp);
+        Fail(SrdoCause::kLength);
         return;
     }
     if (!pending_)
     {
-        Fail(SrdoCause::kInverseFirst, stamp);
+        Fail(SrdoCause::kInverseFirst);
         return;
     }
     const std::size_t bits = 8U * rules_.length_bytes;
@@ -155,7 +145,7 @@ void Consumer::OnInverse(const Bytes& data, const Time stamp)
     const bool is_padded = (pending_->data & all & ~rules_.mask) == 0U; // Unused bits: 0 here, hence 1 there.
     if (rules_.is_inversion_checked && (!is_inverse || !is_padded))
     {
-        Fail(SrdoCause::kNotInverse, stamp);
+        Fail(SrdoCause::kNotInverse);
         return;
     }
     Complete(*pending_);
@@ -179,23 +169,28 @@ void Consumer::LookAtLimits(const Time now)
     const bool counts_sct = held_ && (!pending_ || rules_.is_late);
     if (is_srvt_over)
     {
-        Fail(SrdoCause::kSrvt, now);
+        Fail(SrdoCause::kSrvt);
     }
     else if (counts_sct && now - held_->stamp > rules_.sct_us)
     {
-        Fail(SrdoCause::kSct, now);
+        Fail(SrdoCause::kSct);
     }
-    else if (!has_seen_pair_ && !has_told_waiting_ && state_ == SrdoState::kWaiting && now - entered_ > rules_.sct_us)
+}
+
+void Consumer::LookAtWaiting(const Time now)
+{
+    const bool waits = is_active_ && !has_seen_pair_ && state_ == SrdoState::kWaiting;
+    if (waits && !has_told_waiting_ && now - entered_ > rules_.sct_us)
     {
         has_told_waiting_ = true;
-        Signal(SrdoCause::kWaitingPastSct, now);
+        causes_.insert(SrdoCause::kWaitingPastSct);
     }
 }
 
 void Consumer::LookAtAcknowledge(const bool level, const Time now)
 {
-    const bool rises = input_.Rises(level);
-    if (!is_active_)
+    const bool rises = input_.Rises(level, rules_.is_one_reading_enough);
+    if (!is_active_ || is_settled_ || has_new_fault_) // No edge that comes with a fault acknowledges it.
     {
         return;
     }
@@ -209,20 +204,34 @@ void Consumer::LookAtAcknowledge(const bool level, const Time now)
     }
 }
 
-bool Consumer::MayRelease(const Time /*now*/) const
+void Consumer::Judge(const Time now)
 {
-    return is_active_ && held_ && !has_new_fault_ && (state_ == SrdoState::kReleased || !needs_acknowledge_ || edge_);
+    if (is_active_ && held_ && !has_new_fault_ && (rules_.is_automatic || edge_))
+    {
+        given_at_ = (state_ == SrdoState::kReleased) ? given_at_ : now;
+        state_ = SrdoState::kReleased;
+    }
 }
 
-void Consumer::Release()
+bool Consumer::IsAloneTooLong() const
 {
-    if (state_ != SrdoState::kReleased)
-    {
-        state_ = SrdoState::kReleased;
-        first_cause_ = SrdoCause::kNone;
-        needs_acknowledge_ = false;
-        edge_.reset();
-    }
+    return IsAlone() && !edge_;
+}
+
+bool Consumer::IsAlone() const
+{
+    return state_ == SrdoState::kReleased && !is_settled_ && !rules_.is_automatic;
+}
+
+bool Consumer::IsOpen(const Time now) const
+{
+    return IsAlone() && !edge_ != (now - given_at_ > rules_.acknowledge_window_us);
+}
+
+void Consumer::Settle()
+{
+    is_settled_ = true;
+    edge_.reset();
 }
 
 SrdoState Consumer::State() const
@@ -245,15 +254,10 @@ std::uint32_t Consumer::Ordinal() const
     return ordinal_;
 }
 
-SrdoCause Consumer::FirstCause() const
+std::set<SrdoCause> Consumer::TakeCauses()
 {
-    return first_cause_;
-}
-
-std::vector<SrdoCause> Consumer::TakeSignals()
-{
-    std::vector<SrdoCause> taken;
-    taken.swap(signals_);
+    std::set<SrdoCause> taken;
+    taken.swap(causes_);
     return taken;
 }
 

@@ -6,8 +6,8 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 // A plain, slow model of what docs/semantics.md says. Written from that text alone: who works here reads neither
@@ -29,6 +29,7 @@ struct ConsumerRules
     bool is_late{false}; ///< SRVT is looked at when the inverse frame comes.
     bool is_automatic{false};
     Time acknowledge_window_us{0};
+    bool is_one_reading_enough{false}; ///< A broken rule: a level counts at once.
 };
 
 /// One reading of the acknowledge input: a level counts when two readings in a row agree. [semantics 3]
@@ -36,7 +37,7 @@ class AcknowledgeInput
 {
   public:
     /// @brief Whether the settled level rose with this reading.
-    bool Rises(bool level);
+    bool Rises(bool level, bool is_one_enough);
 
   private:
     bool last_{true}; ///< A constant 1 never acknowledges.
@@ -54,21 +55,30 @@ class Consumer
     void OnNormal(const Bytes& data, Time stamp);
     void OnInverse(const Bytes& data, Time stamp);
     /// @brief An error that does not come from a frame: queue overflow, GFC, the other observer's fault.
-    void Fail(SrdoCause cause, Time now);
+    void Fail(SrdoCause cause);
+    /// @brief The observers go on together: no fault of a frame, so that a normal frame may wait on; nothing is told.
+    void Demote();
     /// @brief Limits at the instant of a call.
     void LookAtLimits(Time now);
+    /// @brief No pair since entering OPERATIONAL, and no fault: told once.
+    void LookAtWaiting(Time now);
     void LookAtAcknowledge(bool level, Time now);
-    /// @brief Whether this observer would release now; what the other says is the caller's affair.
-    [[nodiscard]] bool MayRelease(Time now) const;
-    void Release();
+    /// @brief Releases for its part where it may, and waits for the other observer with pair and edge.
+    void Judge(Time now);
+    /// @brief Its part was given, and the other one's not within the window.
+    [[nodiscard]] bool IsAloneTooLong() const;
+    /// @brief Whether that depends on where the window begins: with the edge, as the semantics say, or with the release
+    /// that the edge gave.
+    [[nodiscard]] bool IsOpen(Time now) const;
+    /// @brief Both have released.
+    void Settle();
 
     [[nodiscard]] SrdoState State() const;
     [[nodiscard]] bool HasNewFault() const;
     [[nodiscard]] std::uint64_t Data() const;
     [[nodiscard]] std::uint32_t Ordinal() const;
-    [[nodiscard]] SrdoCause FirstCause() const;
-    /// @brief Causes signalled since the last call, in the order in which they came up.
-    [[nodiscard]] std::vector<SrdoCause> TakeSignals();
+    /// @brief Causes that came up since the last call.
+    [[nodiscard]] std::set<SrdoCause> TakeCauses();
     void EndCycle();
 
   private:
@@ -78,9 +88,9 @@ class Consumer
         Time stamp{0};
     };
 
+    [[nodiscard]] bool IsAlone() const;
     [[nodiscard]] bool HasRightLength(const Bytes& data) const;
-    void Signal(SrdoCause cause, Time now);
-    void LookAtExpired(Time stamp);
+    void LookAtExpired(Time stamp, bool is_inverse);
     void Complete(const Half& half);
 
     ConsumerRules rules_{};
@@ -92,13 +102,12 @@ class Consumer
     Time entered_{0};
     bool has_told_waiting_{false};
     bool has_seen_pair_{false};
-    SrdoCause first_cause_{SrdoCause::kNone};
     bool has_new_fault_{false};
-    bool needs_acknowledge_{true}; ///< Interlock: survives every NMT transition.
+    bool is_settled_{false}; ///< Released by both.
+    Time given_at_{0};       ///< Since when it has released for its part.
     AcknowledgeInput input_{};
-    std::optional<Time> edge_;
-    std::map<SrdoCause, Time> told_at_;
-    std::vector<SrdoCause> signals_;
+    std::optional<Time> edge_; ///< Waits for the other observer's, and for a pair.
+    std::set<SrdoCause> causes_;
 };
 } // namespace counterpoint::third_voice
 

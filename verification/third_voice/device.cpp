@@ -8,6 +8,7 @@ namespace counterpoint::third_voice
 namespace
 {
 constexpr Time kUsPerMs = 1000;
+constexpr Time kDelayUs = 500; ///< Of the first transmission, for each node-ID.
 constexpr std::uint32_t kGfcIdentifier = 1U;
 
 std::uint64_t MaskOf(const std::uint32_t bits)
@@ -86,6 +87,22 @@ ConsumerRules Device::RulesOf(const Srdo& srdo) const
     rules.is_late = srdo.setup->detection == SrvtDetection::kLate;
     rules.is_automatic = srdo.setup->policy == ReleasePolicy::kAutomatic;
     rules.acknowledge_window_us = config_.acknowledge_window_us;
+    rules.is_one_reading_enough = flaw_ == Flaw::kEdgeAtOnce;
+    return rules;
+}
+
+ProducerRules Device::SendingOf(const Srdo& srdo) const
+{
+    const std::uint32_t bits = BitsOf(*srdo.objects);
+    ProducerRules rules;
+    rules.delay_us = kDelayUs * config_.node_id;
+    rules.refresh_us = kUsPerMs * srdo.objects->sct_ms + ((flaw_ == Flaw::kRefreshDrifts) ? 1 : 0);
+    rules.srvt_us = kUsPerMs * srdo.objects->srvt_ms;
+    rules.cob_id_1 = srdo.objects->cob_id_1;
+    rules.cob_id_2 = srdo.objects->cob_id_2;
+    rules.length_bytes = (bits + 7U) / 8U;
+    rules.mask = MaskOf(bits);
+    rules.is_called = srdo.setup->form == ProducerForm::kProviderCalled;
     return rules;
 }
 
@@ -107,7 +124,7 @@ void Device::Leave()
         if (is_running_ && srdo.objects->direction == kDirectionConsumer)
         {
             // In this very call, whatever follows. [semantics 4]
-            left_.push_back(srdo.setup->number);
+            srdo.has_left = true;
             if (flaw_ != Flaw::kKeepsReleased)
             {
                 WriteSafe(srdo);
@@ -116,6 +133,7 @@ void Device::Leave()
         srdo.is_released = false;
         srdo.observers[0].LeaveOperational();
         srdo.observers[1].LeaveOperational();
+        srdo.producer.LeaveOperational();
     }
     is_running_ = false;
     has_entered_ = false;
@@ -135,18 +153,23 @@ void Device::Enter(const Time now)
             srdo.observers[0].EnterOperational(RulesOf(srdo), now);
             srdo.observers[1].EnterOperational(RulesOf(srdo), now);
         }
+        if (is_sound && srdo.objects->direction == kDirectionProducer)
+        {
+            srdo.producer.EnterOperational(SendingOf(srdo), now);
+        }
     }
 }
 
 void Device::OnFrame(const CanFrame& frame, const Time stamp)
 {
-    if (!is_running_ || frame.kind != FrameKind::kData)
+    if (nmt_ != NmtState::kOperational || frame.kind != FrameKind::kData)
     {
         return;
     }
     if (frame.identifier == kGfcIdentifier && frame.length_bytes == 0U && configuration_.IsGfcOn())
     {
         has_gfc_ = true; // Takes effect with the cycle.
+        has_gfc_fault_ = is_running_;
         return;
     }
     const Bytes data(frame.data, frame.data + std::min<std::size_t>(frame.length_bytes, 8U));
@@ -189,20 +212,26 @@ void Device::Decide(Srdo& srdo, const Time now)
 {
     Consumer& a = srdo.observers[0];
     Consumer& b = srdo.observers[1];
-    // Whoever reports a fault makes both safe in this cycle. [semantics 3]
-    if (a.HasNewFault() != b.HasNewFault())
+    is_open_ = is_open_ || a.IsOpen(now) || b.IsOpen(now);
+    // Whoever reports a fault makes both safe in this cycle; so does a release of one alone when the window is over.
+    if (a.HasNewFault() != b.HasNewFault() || a.IsAloneTooLong() || b.IsAloneTooLong())
     {
-        (a.HasNewFault() ? b : a).Fail(SrdoCause::kDemoted, now);
+        a.Demote();
+        b.Demote();
     }
-    const bool is_agreed = a.MayRelease(now) && b.MayRelease(now) && a.Ordinal() == b.Ordinal() && a.Data() == b.Data();
-    if (is_agreed)
+    a.Judge(now);
+    b.Judge(now);
+    const bool is_first = flaw_ == Flaw::kOneEdgeIsEnough;
+    const bool is_given = (a.State() == SrdoState::kReleased && b.State() == SrdoState::kReleased) ||
+                          (is_first && (a.State() == SrdoState::kReleased || b.State() == SrdoState::kReleased));
+    if (is_given && a.Ordinal() == b.Ordinal() && a.Data() == b.Data())
     {
         if (!srdo.is_released || srdo.written_ordinal != a.Ordinal())
         {
             seen_.events.push_back(srdo.setup->number);
         }
-        a.Release();
-        b.Release();
+        a.Settle();
+        b.Settle();
         srdo.is_released = true;
         srdo.written_ordinal = a.Ordinal();
         WriteData(srdo, a.Data());
@@ -218,44 +247,130 @@ void Device::Decide(Srdo& srdo, const Time now)
 
 void Device::Cycle(const Time now, const SrdoMask acknowledge_a, const SrdoMask acknowledge_b)
 {
-    for (const std::uint8_t number : left_)
-    {
-        seen_.signals.emplace_back(number, SrdoCause::kNotOperational);
-    }
-    left_.clear();
     const bool is_shown_as_left = has_left_;
     has_left_ = false;
     if (nmt_ == NmtState::kOperational && !has_entered_ && !is_shown_as_left)
     {
         Enter(now);
     }
-    const bool is_gfc = has_gfc_ && is_running_;
+    const bool is_gfc = has_gfc_fault_ && is_running_;
+    seen_.gfcs += has_gfc_ ? 1 : 0;
     has_gfc_ = false;
-    seen_.gfcs += is_gfc ? 1 : 0;
+    has_gfc_fault_ = false;
     for (Srdo& srdo : srdos_)
     {
         const SrdoMask bit = BitOf(srdo);
         srdo.observers[0].LookAtAcknowledge((acknowledge_a & bit) != 0U, now);
         srdo.observers[1].LookAtAcknowledge((acknowledge_b & bit) != 0U, now);
-        if (!is_running_)
-        {
-            continue;
-        }
-        if (srdo.objects->direction == kDirectionConsumer)
+        if (srdo.observers[0].IsActive())
         {
             srdo.observers[0].LookAtLimits(now);
             srdo.observers[1].LookAtLimits(now);
             if (is_gfc)
             {
-                srdo.observers[0].Fail(SrdoCause::kGfc, now);
-                srdo.observers[1].Fail(SrdoCause::kGfc, now);
+                srdo.observers[0].Fail(SrdoCause::kGfc);
+                srdo.observers[1].Fail(SrdoCause::kGfc);
             }
+            srdo.observers[0].LookAtWaiting(now);
+            srdo.observers[1].LookAtWaiting(now);
             Decide(srdo, now);
-            for (const SrdoCause cause : srdo.observers[0].TakeSignals())
-            {
-                seen_.signals.emplace_back(srdo.setup->number, cause);
-            }
-            static_cast<void>(srdo.observers[1].TakeSignals());
+        }
+        const bool is_due = srdo.producer.IsActive() && srdo.producer.IsDue(now);
+        TellCauses(srdo, now);
+        if (is_due)
+        {
+            Produce(srdo, now);
+        }
+    }
+}
+
+/// At most once per SCT (or refresh time) and cause. [semantics 2]
+void Device::TellCauses(Srdo& srdo, const Time now)
+{
+    std::set<SrdoCause> causes = srdo.producer.TakeCauses();
+    causes.merge(srdo.observers[0].TakeCauses());
+    causes.merge(srdo.observers[1].TakeCauses());
+    if (srdo.has_left)
+    {
+        causes.insert(SrdoCause::kNotOperational);
+        srdo.has_left = false;
+    }
+    for (const SrdoCause cause : causes)
+    {
+        const auto told = srdo.told_at.find(cause);
+        const Time window = (flaw_ == Flaw::kToldAlways) ? -1 : kUsPerMs * srdo.objects->sct_ms;
+        if (told == srdo.told_at.end() || now - told->second > window)
+        {
+            srdo.told_at[cause] = now;
+            seen_.signals.emplace_back(srdo.setup->number, cause);
+        }
+    }
+}
+
+// ---- producers
+
+std::uint64_t Device::ReadSide(const Srdo& srdo, const std::size_t side) const
+{
+    std::uint64_t data = 0U;
+    std::uint32_t shift = 0U;
+    for (std::size_t entry = side; entry < srdo.objects->count; entry += 2U)
+    {
+        data |= variables_.at(AddressOf(srdo.objects->entries[entry])) << shift;
+        shift += LengthOf(srdo.objects->entries[entry]);
+    }
+    return data;
+}
+
+void Device::Produce(Srdo& srdo, const Time now)
+{
+    if (srdo.setup->form == ProducerForm::kProviderCalled)
+    {
+        seen_.refreshes.push_back(srdo.setup->number);
+    }
+    if (srdo.producer.Prepare(ReadSide(srdo, 0U), ReadSide(srdo, 1U), now))
+    {
+        HandOver(srdo, srdo.producer.Normal());
+    }
+}
+
+/// To the controller, which may not take it.
+void Device::HandOver(Srdo& srdo, const Sent& frame)
+{
+    seen_.frames.push_back(frame);
+    if (refused_)
+    {
+        srdo.producer.Fail(*refused_);
+        refused_.reset();
+    }
+}
+
+void Device::RefuseNext(const std::optional<SrdoCause> cause)
+{
+    refused_ = cause;
+}
+
+void Device::Put(const Address address, const std::uint64_t value)
+{
+    variables_.at(address) = value;
+}
+
+void Device::Send(const std::uint8_t number)
+{
+    srdos_[configuration_.SlotOf(number).value()].producer.Request();
+}
+
+void Device::OnConfirm(const Sent& frame, const Time stamp)
+{
+    for (Srdo& srdo : srdos_)
+    {
+        const Confirmed step = srdo.producer.Confirm(frame, stamp);
+        if (step == Confirmed::kNormal)
+        {
+            HandOver(srdo, srdo.producer.Inverse());
+        }
+        else if (step == Confirmed::kPair)
+        {
+            seen_.events.push_back(srdo.setup->number);
         }
     }
 }
@@ -263,6 +378,12 @@ void Device::Cycle(const Time now, const SrdoMask acknowledge_a, const SrdoMask 
 std::uint64_t Device::Variable(const Address address) const
 {
     return variables_.at(address);
+}
+
+std::uint32_t Device::FirstFaulty() const
+{
+    const std::optional<std::size_t> slot = configuration_.FirstFaulty();
+    return slot ? config_.srdos[*slot].number : 0U;
 }
 
 bool Device::IsValid() const
@@ -282,7 +403,12 @@ SrdoState Device::StateOf(const std::uint8_t number) const
     {
         return SrdoState::kOff;
     }
-    return (srdo.objects->direction == kDirectionProducer) ? SrdoState::kProducer : srdo.observers[0].State();
+    if (srdo.objects->direction == kDirectionProducer)
+    {
+        return SrdoState::kProducer;
+    }
+    const SrdoState a = srdo.observers[0].State();
+    return (a == srdo.observers[1].State()) ? a : SrdoState::kFaulted; // While one waits for the other.
 }
 
 SrdoMask Device::Open() const
@@ -293,6 +419,11 @@ SrdoMask Device::Open() const
         open |= srdo.is_released ? BitOf(srdo) : 0U;
     }
     return open;
+}
+
+bool Device::IsOpen() const
+{
+    return is_open_;
 }
 
 Seen Device::TakeSeen()

@@ -4,6 +4,7 @@
 
 #include "verification/third_voice/configuration.hpp"
 #include "verification/third_voice/consumer.hpp"
+#include "verification/third_voice/producer.hpp"
 
 #include <array>
 #include <cstdint>
@@ -18,7 +19,9 @@ namespace counterpoint::third_voice
 struct Seen
 {
     std::vector<std::pair<std::uint8_t, SrdoCause>> signals; ///< Number of the SRDO and cause.
-    std::vector<std::uint8_t> events;                        ///< Numbers of SRDOs that were released.
+    std::vector<std::uint8_t> events;                        ///< Numbers of SRDOs that were released or sent.
+    std::vector<std::uint8_t> refreshes;                     ///< Numbers of SRDOs whose provider was called.
+    std::vector<Sent> frames;                                ///< What left.
     int gfcs{0};
     bool is_configuration_invalid{false};
 };
@@ -40,14 +43,24 @@ class Device
     [[nodiscard]] AbortCode Write(Address address, std::uint64_t value, std::size_t size);
     void SetNmt(NmtState state);
     void OnFrame(const CanFrame& frame, Time stamp);
+    /// @brief The application writes an object of a producer.
+    void Put(Address address, std::uint64_t value);
+    void Send(std::uint8_t number);
+    /// @brief Of the next frame that leaves: what the controller says.
+    void RefuseNext(std::optional<SrdoCause> cause);
+    void OnConfirm(const Sent& frame, Time stamp);
     void Cycle(Time now, SrdoMask acknowledge_a, SrdoMask acknowledge_b);
 
     [[nodiscard]] std::uint64_t Variable(Address address) const;
     [[nodiscard]] bool IsValid() const;
+    /// @brief Number of the SRDO that the check of all rules names; 0 if none.
+    [[nodiscard]] std::uint32_t FirstFaulty() const;
     [[nodiscard]] const SrdoObjects& Objects(std::uint8_t number) const;
     [[nodiscard]] SrdoState StateOf(std::uint8_t number) const;
     [[nodiscard]] SrdoMask Open() const;
     [[nodiscard]] Seen TakeSeen();
+    /// @brief Whether what the last cycle did is an open question. [Consumer::IsOpen]
+    [[nodiscard]] bool IsOpen() const;
 
   private:
     struct Srdo
@@ -55,11 +68,19 @@ class Device
         const SrdoSetup* setup{nullptr};
         const SrdoObjects* objects{nullptr};
         std::array<Consumer, 2U> observers{};
+        Producer producer{};
+        std::map<SrdoCause, Time> told_at{};
         std::uint32_t written_ordinal{0U};
         bool is_released{false};
+        bool has_left{false}; ///< The next cycle tells it.
     };
 
     [[nodiscard]] ConsumerRules RulesOf(const Srdo& srdo) const;
+    [[nodiscard]] ProducerRules SendingOf(const Srdo& srdo) const;
+    [[nodiscard]] std::uint64_t ReadSide(const Srdo& srdo, std::size_t side) const;
+    void Produce(Srdo& srdo, Time now);
+    void HandOver(Srdo& srdo, const Sent& frame);
+    void TellCauses(Srdo& srdo, Time now);
     [[nodiscard]] const Srdo& Existing(std::uint8_t number) const; ///< Throws std::bad_optional_access.
     void WriteSafe(const Srdo& srdo);
     void WriteData(const Srdo& srdo, std::uint64_t normal);
@@ -74,11 +95,13 @@ class Device
     std::vector<Srdo> srdos_; ///< By slot.
     std::map<Address, std::uint64_t> variables_;
     NmtState nmt_{NmtState::kInitialising};
-    bool has_gfc_{false};
-    bool has_left_{false};           ///< Since the last cycle: that one shows it, whatever came behind.
-    bool has_entered_{false};        ///< OPERATIONAL, and a cycle saw it.
-    std::vector<std::uint8_t> left_; ///< Consumers that the next cycle tells of leaving OPERATIONAL.
-    bool is_running_{false};         ///< OPERATIONAL with a valid configuration.
+    bool has_gfc_{false};              ///< Since the last cycle, in OPERATIONAL, and
+    bool has_gfc_fault_{false};        ///< while consumers were on.
+    bool has_left_{false};             ///< Since the last cycle: that one shows it, whatever came behind.
+    bool has_entered_{false};          ///< OPERATIONAL, and a cycle saw it.
+    bool is_running_{false};           ///< OPERATIONAL with a valid configuration.
+    std::optional<SrdoCause> refused_; ///< What becomes of the next frame that leaves.
+    bool is_open_{false};
     Seen seen_{};
 };
 } // namespace counterpoint::third_voice

@@ -3,6 +3,8 @@
 
 #include "safety_core/kernel/variable.hpp"
 
+#include <algorithm>
+
 namespace counterpoint::third_voice
 {
 namespace
@@ -72,6 +74,40 @@ void Rig::Cycle(const Time now, const SrdoMask acknowledge_a, const SrdoMask ack
     kernel_.Cycle({At(now), acknowledge_a, acknowledge_b});
 }
 
+void Rig::Put(const Address address, const std::uint64_t value)
+{
+    std::array<std::uint8_t, 8U>& bytes = memory_.at(address);
+    for (std::size_t byte = 0U; byte < bytes.size(); ++byte)
+    {
+        bytes[byte] = static_cast<std::uint8_t>(value >> (8U * byte));
+    }
+}
+
+Result Rig::Send(const std::uint8_t number)
+{
+    return kernel_.Send(CommunicationIndex{static_cast<std::uint16_t>(kFirstCommunication - 1U + number)});
+}
+
+void Rig::RefuseNext(const std::optional<SrdoCause> cause)
+{
+    refused_ = cause;
+}
+
+void Rig::OnConfirm(const Sent& frame, const Time stamp)
+{
+    now_ = stamp;
+    CanFrame confirmed{
+        frame.identifier, FrameKind::kData, CanPortId::kFirst, static_cast<std::uint8_t>(frame.data.size()), {}};
+    std::copy(frame.data.begin(), frame.data.end(), confirmed.data);
+    kernel_.OnConfirm({confirmed, At(stamp)});
+}
+
+std::uint32_t Rig::FirstFaulty()
+{
+    const std::uint32_t index = kernel_.CheckConfiguration().index.value;
+    return (index == 0U) ? 0U : NumberOf(CommunicationIndex{static_cast<std::uint16_t>(index)});
+}
+
 std::uint64_t Rig::Variable(const Address address) const
 {
     std::array<std::uint8_t, 8U> bytes = memory_.at(address);
@@ -100,8 +136,9 @@ Seen Rig::TakeSeen()
     return taken;
 }
 
-RefreshAnswer Rig::OnRefresh(CommunicationIndex /*index*/) noexcept
+RefreshAnswer Rig::OnRefresh(const CommunicationIndex index) noexcept
 {
+    seen_.refreshes.push_back(NumberOf(index));
     return RefreshAnswer::kReady;
 }
 
@@ -142,9 +179,16 @@ hal::CanGuarantees Rig::Guarantees() const noexcept
     return {hal::Guarantee::kGiven, hal::Guarantee::kGiven, hal::Guarantee::kGiven};
 }
 
-hal::TransmitStatus Rig::DoTransmit(const CanFrame& /*frame*/) noexcept
+hal::TransmitStatus Rig::DoTransmit(const CanFrame& frame) noexcept
 {
-    return hal::TransmitStatus::kAccepted;
+    seen_.frames.push_back({frame.identifier, Bytes(frame.data, frame.data + frame.length_bytes)});
+    const std::optional<SrdoCause> refused = refused_;
+    refused_.reset();
+    if (!refused)
+    {
+        return hal::TransmitStatus::kAccepted;
+    }
+    return (*refused == SrdoCause::kBusOff) ? hal::TransmitStatus::kBusOff : hal::TransmitStatus::kQueueFull;
 }
 
 std::uint32_t Rig::Challenge() noexcept

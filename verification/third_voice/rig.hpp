@@ -14,6 +14,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace counterpoint::third_voice
@@ -41,6 +42,12 @@ class Rig final : private Application, private hal::CanPorts, private hal::Safet
     void SetNmt(NmtState state, Time now);
     void OnFrame(const CanFrame& frame, Time stamp);
     void Cycle(Time now, SrdoMask acknowledge_a, SrdoMask acknowledge_b);
+    void Put(Address address, std::uint64_t value);
+    [[nodiscard]] Result Send(std::uint8_t number);
+    void RefuseNext(std::optional<SrdoCause> cause);
+    void OnConfirm(const Sent& frame, Time stamp);
+    /// @brief Number of the SRDO that the check of all rules names; 0 if none.
+    [[nodiscard]] std::uint32_t FirstFaulty();
     [[nodiscard]] std::uint64_t Variable(Address address) const;
     [[nodiscard]] SrdoState StateOf(std::uint8_t number) const;
     [[nodiscard]] DeviceFault Fault() const;
@@ -76,6 +83,7 @@ class Rig final : private Application, private hal::CanPorts, private hal::Safet
     hal::WatchdogTimer watchdog_{};
     Time now_{0};
     Seen seen_{};
+    std::optional<SrdoCause> refused_;
     Kernel kernel_;
 };
 } // namespace counterpoint::third_voice

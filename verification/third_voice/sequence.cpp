@@ -1,12 +1,15 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/third_voice/sequence.hpp"
 
+#include "verification/third_voice/buttons.hpp"
 #include "verification/third_voice/device.hpp"
+#include "verification/third_voice/dice.hpp"
+#include "verification/third_voice/drawing.hpp"
 #include "verification/third_voice/rig.hpp"
+#include "verification/third_voice/told.hpp"
 
 #include <algorithm>
 #include <deque>
-#include <initializer_list>
 #include <memory>
 #include <sstream>
 #include <vector>
@@ -16,39 +19,8 @@ namespace counterpoint::third_voice
 namespace
 {
 constexpr Time kMs = 1000;
-constexpr std::size_t kStoryLines = 40U;
+constexpr std::size_t kStoryLines = 90U;
 constexpr std::uint32_t kCycles = 300U;
-
-class Dice
-{
-  public:
-    explicit Dice(const std::uint64_t seed) : state_(seed * 0x9E3779B97F4A7C15U + 0x1234567U)
-    {
-    }
-    std::uint64_t Next()
-    {
-        state_ ^= state_ << 13U;
-        state_ ^= state_ >> 7U;
-        state_ ^= state_ << 17U;
-        return state_;
-    }
-    /// @brief From 0 to `count` - 1.
-    std::uint32_t Below(const std::uint32_t count)
-    {
-        return static_cast<std::uint32_t>((Next() >> 20U) % count);
-    }
-    bool Chance(const std::uint32_t percent)
-    {
-        return Below(100U) < percent;
-    }
-    template <typename Value> Value Pick(std::initializer_list<Value> values)
-    {
-        return *(values.begin() + Below(static_cast<std::uint32_t>(values.size())));
-    }
-
-  private:
-    std::uint64_t state_;
-};
 
 /// Somebody who sends the pairs of one SRDO, mostly well.
 struct Talker
@@ -60,10 +32,18 @@ struct Talker
     Time normal_at{0};
 };
 
+/// A frame of the device that is going to be on the bus.
+struct Flight
+{
+    Sent frame;
+    Time at{0};
+};
+
 class Sequence
 {
   public:
-    Sequence(const std::uint64_t seed, const Flaw flaw) : dice_(seed), flaw_(flaw)
+    Sequence(const std::uint64_t seed, const Flaw flaw, const Questions questions)
+        : dice_(seed), flaw_(flaw), is_asked_(questions == Questions::kAsked)
     {
     }
 
@@ -71,21 +51,21 @@ class Sequence
     {
         MakeDevice();
         Configure();
-        for (std::uint32_t cycle = 0U; cycle < kCycles && result_.is_equal; ++cycle)
+        for (std::uint32_t cycle = 0U; cycle < kCycles && GoesOn(); ++cycle)
         {
             const Time last = now_;
-            const Time due =
-                last + config_.cycle_us + (dice_.Chance(10U) ? Time{dice_.Below(config_.cycle_tolerance_us + 1U)} : 0);
+            const Time due = last + drawing_.config.cycle_us +
+                             (dice_.Chance(10U) ? Time{dice_.Below(drawing_.config.cycle_tolerance_us + 1U)} : 0);
             Between(last, due);
-            if (result_.is_equal)
-            {
-                RunCycle(due);
-            }
-            if (result_.is_equal && dice_.Chance(3U))
+            RunCycle(due);
+            if (GoesOn() && dice_.Chance(3U))
             {
                 Reconfigure();
             }
         }
+        result_.story = "cycle " + std::to_string(drawing_.config.cycle_us) + " us, acknowledge window " +
+                        std::to_string(drawing_.config.acknowledge_window_us) + " us, discrepancy time " +
+                        std::to_string(drawing_.config.discrepancy_us) + " us\n";
         for (const std::string& line : story_)
         {
             result_.story += line + "\n";
@@ -94,57 +74,22 @@ class Sequence
     }
 
   private:
+    [[nodiscard]] bool GoesOn() const
+    {
+        return result_.is_equal && !result_.is_undecided;
+    }
+
     void MakeDevice()
     {
-        count_ = static_cast<std::uint8_t>(1U + dice_.Below(3U));
-        for (std::uint8_t number = 1U; number <= count_; ++number)
-        {
-            SrdoSetup setup{};
-            setup.number = number;
-            setup.policy = ReleasePolicy::kAutomatic;
-            setup.form = ProducerForm::kProviderCalled;
-            setup.detection = dice_.Chance(50U) ? SrvtDetection::kLate : SrvtDetection::kEarly;
-            setup.safe_value = {0x5AU, 0U};
-            setups_.push_back(setup);
-        }
-        for (const MapAccess access : {MapAccess::kProducer, MapAccess::kConsumer})
-        {
-            const auto base = static_cast<std::uint16_t>((access == MapAccess::kProducer) ? 0x2000U : 0x2200U);
-            for (const std::uint16_t side : {std::uint16_t{0U}, std::uint16_t{0x100U}})
-            {
-                for (std::uint8_t sub = 1U; sub <= 6U; ++sub)
-                {
-                    const std::uint8_t bits = (sub <= 2U) ? 8U : ((sub <= 4U) ? 16U : 32U);
-                    objects_.push_back({static_cast<std::uint16_t>(base + side), sub, bits, access, nullptr});
-                }
-            }
-        }
-        std::sort(objects_.begin(), objects_.end(), [](const MappableObject& left, const MappableObject& right)
-                  { return left.index != right.index ? left.index < right.index : left.sub < right.sub; });
-        config_.srdos = setups_.data();
-        config_.srdo_count = count_;
-        config_.node_id = static_cast<std::uint8_t>(1U + dice_.Below(127U));
-        config_.granularity_bits = 8U;
-        config_.map_entries = Rig::kEntries;
-        config_.dummies = DummyMapping::kRefused;
-        config_.gaps = NumberGaps::kRefused;
-        config_.gfc = GfcUse::kPresent;
-        config_.normal_port = CanPortId::kFirst;
-        config_.inverse_port = CanPortId::kFirst;
-        config_.cycle_us = dice_.Pick({1000U, 2000U, 5000U});
-        config_.cycle_tolerance_us = config_.cycle_us / 2U;
-        config_.discrepancy_us = 20U * config_.cycle_us;
-        config_.acknowledge_window_us = 40U * config_.cycle_us;
-        config_.diagnostic_interval_us = 40U * config_.cycle_us;
-        config_.test_interval_us = 20U * config_.cycle_us;
-        config_.clock_tolerance_us = 200U;
-        config_.clock_interval_us = 100000U;
-        config_.output_time_us = 1000U;
+        speaks_between_ = dice_.Chance(40U);
+        drawing_ = Draw(dice_, is_asked_);
+        drawing_.config.srdos = drawing_.setups.data();
+        buttons_.Restart(drawing_.config.srdo_count, drawing_.window_cycles);
         const Counters counters{dice_.Chance(50U) ? 0xFFFE0000U : 1000U, dice_.Chance(50U) ? 0xFFFD0000U : 77U};
-        rig_ = std::make_unique<Rig>(config_, objects_, counters);
-        model_ = std::make_unique<Device>(config_, flaw_);
+        rig_ = std::make_unique<Rig>(drawing_.config, drawing_.objects, counters);
+        model_ = std::make_unique<Device>(drawing_.config, flaw_);
         Require(rig_->Start() == StartResult::kStarted, "Start is refused", "it started");
-        for (std::uint8_t number = 1U; number <= count_; ++number)
+        for (std::uint8_t number = 1U; number <= drawing_.config.srdo_count; ++number)
         {
             model_->SetInitial(number, ReadObjects(number));
         }
@@ -205,6 +150,10 @@ class Sequence
 
     void Write(const std::uint16_t index, const std::uint8_t sub, const std::uint32_t value, const std::size_t size)
     {
+        if (!GoesOn())
+        {
+            return;
+        }
         const AbortCode found = rig_->Write({index, sub}, value, size);
         const AbortCode expected = model_->Write({index, sub}, value, size);
         std::ostringstream text;
@@ -219,13 +168,18 @@ class Sequence
     void Configure()
     {
         Write(0x1300U, 0U, dice_.Below(2U), 1U);
-        for (std::uint8_t number = 1U; number <= count_ && result_.is_equal; ++number)
+        for (std::uint8_t number = 1U; number <= drawing_.config.srdo_count && result_.is_equal; ++number)
         {
-            ConfigureSrdo(number, 2U);
+            ConfigureSrdo(number, AnyDirection());
         }
         Sign();
         SetNmt(NmtState::kPreOperational);
         SetNmt(NmtState::kOperational);
+    }
+
+    std::uint32_t AnyDirection()
+    {
+        return dice_.Chance(70U) ? kDirectionConsumer : kDirectionProducer;
     }
 
     void ConfigureSrdo(const std::uint8_t number, const std::uint32_t direction)
@@ -234,14 +188,16 @@ class Sequence
         const auto mapping = static_cast<std::uint16_t>(0x1380U + number);
         Write(communication, 1U, 0U, 1U);
         Write(mapping, 0U, 0U, 1U);
-        const std::uint32_t sct = 10U + dice_.Below(40U);
+        const std::uint32_t sct = drawing_.scts[number - 1U]; // The window of a told cause goes with it.
         Write(communication, 2U, sct, 2U);
         Write(communication, 3U, 2U + dice_.Below(sct - 3U), 1U);
         Write(communication, 5U, 0xFFU + 2U * number, 4U);
         Write(communication, 6U, 0x100U + 2U * number, 4U);
-        const std::uint16_t base = (direction == 1U) ? 0x2000U : 0x2200U;
-        // SRDO n maps the objects of sub-indices that no other maps.
-        const std::uint8_t first = static_cast<std::uint8_t>(2U * number - 1U);
+        const bool is_strange = dice_.Chance(2U);
+        const std::uint16_t base = ((direction == kDirectionProducer) != is_strange) ? 0x2000U : 0x2200U;
+        // Mostly, SRDO n maps the objects of sub-indices that no other maps.
+        const std::uint32_t owner = dice_.Chance(8U) ? (1U + dice_.Below(drawing_.config.srdo_count)) : number;
+        const std::uint8_t first = static_cast<std::uint8_t>(2U * owner - 1U);
         const std::uint32_t pairs = 1U + dice_.Below(2U);
         for (std::uint8_t pair = 0U; pair < pairs; ++pair)
         {
@@ -258,16 +214,21 @@ class Sequence
 
     void Sign()
     {
-        for (std::uint8_t number = 1U; number <= count_; ++number)
+        for (std::uint8_t number = 1U; number <= drawing_.config.srdo_count; ++number)
         {
             Write(0x13FFU, number, SignatureOf(model_->Objects(number)) ^ (dice_.Chance(2U) ? 1U : 0U), 2U);
         }
         Write(0x13FEU, 0U, 0xA5U, 1U);
+        if (GoesOn() && !model_->IsValid())
+        {
+            Compare("first faulty SRDO", rig_->FirstFaulty(), model_->FirstFaulty());
+            CompareState("check");
+        }
     }
 
     void SetNmt(const NmtState state)
     {
-        if (!result_.is_equal)
+        if (!GoesOn())
         {
             return;
         }
@@ -277,10 +238,12 @@ class Sequence
         rig_->SetNmt(state, now_);
         model_->SetNmt(state);
         nmt_ = state;
+        has_commanded_ = true;
         talkers_.clear();
+        flights_.clear();
         if (state == NmtState::kOperational)
         {
-            for (std::uint8_t number = 1U; number <= count_; ++number)
+            for (std::uint8_t number = 1U; number <= drawing_.config.srdo_count; ++number)
             {
                 if (model_->Objects(number).direction == kDirectionConsumer)
                 {
@@ -297,46 +260,126 @@ class Sequence
         SetNmt(dice_.Chance(50U) ? NmtState::kPreOperational : NmtState::kStopped);
         if (dice_.Chance(40U))
         {
-            RunCycle(now_ + config_.cycle_us);
+            RunCycle(now_ + drawing_.config.cycle_us);
         }
         if (nmt_ == NmtState::kStopped)
         {
             SetNmt(NmtState::kPreOperational);
         }
-        if (dice_.Chance(60U) && result_.is_equal)
+        if (dice_.Chance(60U) && GoesOn())
         {
-            const auto number = static_cast<std::uint8_t>(1U + dice_.Below(count_));
-            ConfigureSrdo(number, dice_.Chance(10U) ? 0U : 2U);
+            const auto number = static_cast<std::uint8_t>(1U + dice_.Below(drawing_.config.srdo_count));
+            ConfigureSrdo(number, dice_.Chance(10U) ? 0U : AnyDirection());
             if (dice_.Chance(50U))
             {
-                RunCycle(now_ + config_.cycle_us);
+                RunCycle(now_ + drawing_.config.cycle_us);
             }
             Sign();
         }
         if (dice_.Chance(30U))
         {
-            RunCycle(now_ + config_.cycle_us);
+            RunCycle(now_ + drawing_.config.cycle_us);
         }
         SetNmt(NmtState::kOperational);
     }
 
+    /// Everything on the bus until `to`, in order.
     void Between(const Time from, const Time to)
     {
         while (result_.is_equal)
         {
-            Talker* first = nullptr;
-            for (Talker& talker : talkers_)
+            const auto speaks =
+                std::min_element(talkers_.begin(), talkers_.end(),
+                                 [](const Talker& left, const Talker& right) { return left.next < right.next; });
+            const auto flies =
+                std::min_element(flights_.begin(), flights_.end(),
+                                 [](const Flight& left, const Flight& right) { return left.at < right.at; });
+            const bool can_speak =
+                speaks != talkers_.end() && speaks->next <= to && (speaks_between_ || !has_commanded_);
+            const bool can_fly = flies != flights_.end() && flies->at <= to;
+            if (can_fly && (!can_speak || flies->at <= speaks->next))
             {
-                first = (talker.next <= to && (first == nullptr || talker.next < first->next)) ? &talker : first;
+                now_ = std::max(now_, flies->at);
+                const Sent frame = flies->frame;
+                flights_.erase(flies);
+                Confirm(frame);
             }
-            if (first != nullptr)
+            else if (can_speak)
             {
-                now_ = std::max(now_, std::max(first->next, from));
-                Speak(*first);
+                now_ = std::max(now_, std::max(speaks->next, from));
+                Speak(*speaks);
             }
             else
             {
                 return;
+            }
+        }
+    }
+
+    /// What left the device comes to the bus, as a rule soon and as it was.
+    void Launch(const Sent& frame)
+    {
+        const std::uint8_t number = static_cast<std::uint8_t>((frame.identifier - 0xFFU) / 2U);
+        const Time srvt = kMs * model_->Objects(number).srvt_ms;
+        const Time after = dice_.Chance(80U)
+                               ? 1 + Time{dice_.Below(static_cast<std::uint32_t>(std::min<Time>(srvt, 3 * kMs)))}
+                               : dice_.Pick({srvt - 1, srvt, srvt + 1, 100 * srvt});
+        Flight flight{frame, now_ + after};
+        if (dice_.Chance(2U))
+        {
+            flight.frame.data.front() ^= static_cast<std::uint8_t>(1U << dice_.Below(8U));
+        }
+        flights_.push_back(flight);
+    }
+
+    void Confirm(const Sent& frame)
+    {
+        Tell("confirmed " + std::to_string(frame.identifier));
+        Refuse();
+        rig_->OnConfirm(frame, now_);
+        model_->OnConfirm(frame, now_);
+        CompareTold("confirmation");
+    }
+
+    /// What the controller does with the next frame.
+    void Refuse()
+    {
+        const std::optional<SrdoCause> cause =
+            dice_.Chance(3U) ? std::optional{dice_.Pick({SrdoCause::kTransmitQueue, SrdoCause::kBusOff})}
+                             : std::nullopt;
+        rig_->RefuseNext(cause);
+        model_->RefuseNext(cause);
+        has_refused_ = cause.has_value();
+    }
+
+    /// The application leaves new pairs, mostly inverse, and asks for their transmission now and then.
+    void Apply()
+    {
+        for (const MappableObject& object : drawing_.objects)
+        {
+            if (object.access == MapAccess::kProducer && object.index == 0x2000U)
+            {
+                const std::uint64_t all = (std::uint64_t{1U} << object.length_bits) - 1U;
+                const std::uint64_t normal = dice_.Next() & all;
+                const std::uint64_t wrong =
+                    dice_.Chance(1U) ? (std::uint64_t{1U} << dice_.Below(object.length_bits)) : 0U;
+                for (const bool is_inverse : {false, true})
+                {
+                    const Address address{static_cast<std::uint16_t>(object.index + (is_inverse ? 0x100U : 0U)),
+                                          object.sub};
+                    const std::uint64_t value = is_inverse ? (~normal & all) ^ wrong : normal;
+                    rig_->Put(address, value);
+                    model_->Put(address, value);
+                }
+            }
+        }
+        for (std::uint8_t number = 1U; number <= drawing_.config.srdo_count; ++number)
+        {
+            if (model_->StateOf(number) == SrdoState::kProducer && dice_.Chance(8U))
+            {
+                static_cast<void>(rig_->Send(number));
+                model_->Send(number);
+                Tell("send " + std::to_string(number));
             }
         }
     }
@@ -400,92 +443,95 @@ class Sequence
         talker.is_inverse = (talker.is_inverse == slips);
     }
 
-    /// What both told since the last look; the model's stands in the story.
-    void TakeTold()
+    void CompareTold(const std::string& behind)
     {
-        static_cast<void>(rig_->TakeSeen());
         const Seen expected = model_->TakeSeen();
-        const auto text_of = [](const Seen& seen)
-        {
-            std::ostringstream text;
-            for (const auto& [number, cause] : seen.signals)
-            {
-                text << " cause " << static_cast<unsigned>(cause) << " of " << +number;
-            }
-            for (const std::uint8_t number : seen.events)
-            {
-                text << " event of " << +number;
-            }
-            text << (seen.gfcs > 0 ? " GFC" : "") << (seen.is_configuration_invalid ? " configuration invalid" : "");
-            return text.str();
-        };
-        const std::string right = text_of(expected);
+        const Seen found = rig_->TakeSeen();
+        result_.releases += static_cast<std::uint32_t>(expected.events.size());
+        result_.faults += static_cast<std::uint32_t>(expected.signals.size());
+        const Sparing sparing{!is_asked_ && speaks_between_, !is_asked_ && !model_->IsValid()};
+        const std::string right = TextOf(expected, drawing_.setups, sparing);
         if (!right.empty())
         {
             Tell("expected:" + right);
         }
-        result_.releases += static_cast<std::uint32_t>(expected.events.size());
-        result_.faults += static_cast<std::uint32_t>(expected.signals.size());
+        const std::string told = TextOf(found, drawing_.setups, sparing);
+        Require(told == right, "told behind " + behind + ":" + told, right);
+        for (const Sent& frame : expected.frames)
+        {
+            if (result_.is_equal && (!has_refused_ || &frame != &expected.frames.front()))
+            {
+                Launch(frame);
+            }
+        }
     }
 
     void RunCycle(const Time at)
     {
-        if (!result_.is_equal)
+        if (!GoesOn())
         {
             return;
         }
         now_ = at;
-        if (dice_.Chance(8U))
-        {
-            level_ = dice_.Chance(50U) ? ~SrdoMask{0U} : SrdoMask{0U};
-        }
-        levels_.push_front(level_);
-        levels_.resize(5U, 0U);
-        skew_ = dice_.Chance(2U) ? dice_.Below(4U) : skew_;
-        const SrdoMask a = levels_[0];
-        const SrdoMask b = levels_[skew_];
-        Tell("cycle, acknowledge " + std::to_string(a & 1U) + std::to_string(b & 1U));
-        rig_->Cycle(now_, a, b);
-        model_->Cycle(now_, a, b);
+        const Readings readings = buttons_.Next(dice_);
+        Apply();
+        Refuse();
+        std::ostringstream text;
+        text << "cycle, acknowledge " << readings.a << " " << readings.b;
+        Tell(text.str());
+        rig_->Cycle(now_, readings.a, readings.b);
+        model_->Cycle(now_, readings.a, readings.b);
         ++result_.steps;
-        TakeTold();
+        if (model_->IsOpen() && !is_asked_)
+        {
+            result_.is_undecided = true;
+            return;
+        }
+        Compare("device fault", static_cast<unsigned>(rig_->Fault()), static_cast<unsigned>(DeviceFault::kNone));
         CompareState("cycle");
         Compare("open outputs", rig_->Open(now_), model_->Open());
-        Compare("device fault", static_cast<unsigned>(rig_->Fault()), static_cast<unsigned>(DeviceFault::kNone));
+        CompareTold("cycle");
+        has_commanded_ = false;
     }
 
     void CompareState(const std::string& behind)
     {
-        for (const MappableObject& object : objects_)
+        for (const MappableObject& object : drawing_.objects)
         {
-            if (object.access == MapAccess::kConsumer)
+            const std::uint64_t found = rig_->Variable({object.index, object.sub});
+            const std::uint64_t expected = model_->Variable({object.index, object.sub});
+            if (found != expected)
             {
                 std::ostringstream name;
                 name << std::hex << "object " << object.index << ":" << +object.sub << " behind " << behind;
-                Compare(name.str(), rig_->Variable({object.index, object.sub}),
-                        model_->Variable({object.index, object.sub}));
+                Compare(name.str(), found, expected);
             }
         }
-        for (std::uint8_t number = 1U; behind == "cycle" && number <= count_; ++number)
+        for (std::uint8_t number = 1U; behind == "cycle" && number <= drawing_.config.srdo_count; ++number)
         {
-            Compare("state of SRDO " + std::to_string(number) + " behind " + behind,
-                    static_cast<unsigned>(rig_->StateOf(number)), static_cast<unsigned>(model_->StateOf(number)));
+            const SrdoState found = rig_->StateOf(number);
+            const SrdoState expected = model_->StateOf(number);
+            if (found != expected)
+            {
+                Compare("state of SRDO " + std::to_string(number) + " behind " + behind, static_cast<unsigned>(found),
+                        static_cast<unsigned>(expected));
+            }
         }
         Compare("13FEh behind " + behind, rig_->Read({0x13FEU, 0U}) == 0xA5U, model_->IsValid());
     }
 
     Dice dice_;
     Flaw flaw_;
-    std::uint8_t count_{0U};
-    std::vector<SrdoSetup> setups_;
-    std::vector<MappableObject> objects_;
-    DeviceConfig config_{};
+    Drawing drawing_{};
     std::unique_ptr<Rig> rig_;
     std::unique_ptr<Device> model_;
     std::vector<Talker> talkers_;
-    std::deque<SrdoMask> levels_;
-    SrdoMask level_{0U};
-    std::size_t skew_{0U};
+    std::vector<Flight> flights_;
+    Buttons buttons_;
+    bool has_refused_{false};
+    bool has_commanded_{false};  ///< NMT, since the last cycle.
+    bool speaks_between_{false}; ///< Frames between such a command and the cycle that shows it, too.
+    bool is_asked_{false};
     NmtState nmt_{NmtState::kInitialising};
     Time now_{5000};
     SequenceResult result_{};
@@ -493,8 +539,8 @@ class Sequence
 };
 } // namespace
 
-SequenceResult RunSequence(const std::uint64_t seed, const Flaw flaw)
+SequenceResult RunSequence(const std::uint64_t seed, const Flaw flaw, const Questions questions)
 {
-    return Sequence(seed, flaw).Run();
+    return Sequence(seed, flaw, questions).Run();
 }
 } // namespace counterpoint::third_voice

@@ -9,6 +9,13 @@
 
 namespace counterpoint::third_voice
 {
+/// Where the semantics are silent, or kernel and channels do otherwise: the README has the list.
+enum class Questions : std::uint8_t
+{
+    kSpared = 0U,
+    kAsked, ///< The model answers as the text reads, and a difference is one.
+};
+
 /// What one sequence came to.
 struct SequenceResult
 {
@@ -19,11 +26,13 @@ struct SequenceResult
     std::uint32_t releases{0U}; ///< How often the model released a pair, and
     std::uint32_t faults{0U};   ///< how many causes it signalled: a sequence of which nothing happens shows nothing.
     std::uint32_t refusals{0U}; ///< Writes that both refused.
+    bool is_undecided{false};   ///< It ended early, at an open question of the README.
 };
 
 /// @brief Draws a device and what happens to it from the seed; compares device and model behind every step. `flaw`
 /// breaks the model.
-[[nodiscard]] SequenceResult RunSequence(std::uint64_t seed, Flaw flaw = Flaw::kNone);
+[[nodiscard]] SequenceResult RunSequence(std::uint64_t seed, Flaw flaw = Flaw::kNone,
+                                         Questions questions = Questions::kSpared);
 } // namespace counterpoint::third_voice
 
 #endif

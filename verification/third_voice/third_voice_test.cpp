@@ -24,7 +24,7 @@ TEST(ThirdVoice, KernelAndChannelsDoWhatTheSemanticsSay)
     Verifies(req::SRS_VER_032);
     std::uint32_t releases = 0U;
     std::uint32_t faults = 0U;
-    for (std::uint64_t seed = 1U; seed <= 2000U; ++seed)
+    for (std::uint64_t seed = 1U; seed <= 10000U; ++seed)
     {
         const SequenceResult result = RunSequence(seed);
         ASSERT_TRUE(result.is_equal) << result.story << "seed " << seed << ": " << result.difference;
@@ -32,8 +32,8 @@ TEST(ThirdVoice, KernelAndChannelsDoWhatTheSemanticsSay)
         faults += result.faults;
     }
     // Sequences in which nothing happens would show nothing.
-    EXPECT_GT(releases, 50000U);
-    EXPECT_GT(faults, 50000U);
+    EXPECT_GT(releases, 150000U);
+    EXPECT_GT(faults, 150000U);
 }
 
 TEST(ThirdVoice, AModelWithOneBrokenRuleIsTold)
@@ -44,6 +44,11 @@ TEST(ThirdVoice, AModelWithOneBrokenRuleIsTold)
     EXPECT_GT(DifferencesIn(200U, Flaw::kNoInversion), 0U);
     EXPECT_GT(DifferencesIn(200U, Flaw::kNoSignature), 0U);
     EXPECT_GT(DifferencesIn(200U, Flaw::kKeepsReleased), 0U);
+    EXPECT_GT(DifferencesIn(200U, Flaw::kEdgeAtOnce), 0U);
+    EXPECT_GT(DifferencesIn(200U, Flaw::kOneEdgeIsEnough), 0U);
+    EXPECT_GT(DifferencesIn(200U, Flaw::kToldAlways), 0U);
+    EXPECT_GT(DifferencesIn(200U, Flaw::kRefreshDrifts), 0U);
+    EXPECT_GT(DifferencesIn(200U, Flaw::kSharedObjects), 0U);
 }
 } // namespace
 } // namespace counterpoint::third_voice

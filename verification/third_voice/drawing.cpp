@@ -1,0 +1,71 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/third_voice/drawing.hpp"
+
+#include "verification/third_voice/rig.hpp"
+
+#include <algorithm>
+
+namespace counterpoint::third_voice
+{
+namespace
+{
+/// Of 8, 16 and 32 bits, to send and to receive, a normal and an inverse side.
+void AddObjects(Drawing& drawing)
+{
+    for (const MapAccess access : {MapAccess::kProducer, MapAccess::kConsumer})
+    {
+        const auto base = static_cast<std::uint16_t>((access == MapAccess::kProducer) ? 0x2000U : 0x2200U);
+        for (const std::uint16_t side : {std::uint16_t{0U}, std::uint16_t{0x100U}})
+        {
+            for (std::uint8_t sub = 1U; sub <= 6U; ++sub)
+            {
+                const std::uint8_t bits = (sub <= 2U) ? 8U : ((sub <= 4U) ? 16U : 32U);
+                drawing.objects.push_back({static_cast<std::uint16_t>(base + side), sub, bits, access, nullptr});
+            }
+        }
+    }
+    std::sort(drawing.objects.begin(), drawing.objects.end(),
+              [](const MappableObject& left, const MappableObject& right)
+              { return left.index != right.index ? left.index < right.index : left.sub < right.sub; });
+}
+} // namespace
+
+Drawing Draw(Dice& dice, const bool is_asked)
+{
+    Drawing drawing{};
+    DeviceConfig& config = drawing.config;
+    const auto count = static_cast<std::uint8_t>(1U + dice.Below(3U));
+    for (std::uint8_t number = 1U; number <= count; ++number)
+    {
+        SrdoSetup setup{};
+        setup.number = number;
+        setup.policy = dice.Chance(50U) ? ReleasePolicy::kInterlock : ReleasePolicy::kAutomatic;
+        setup.form = dice.Chance(60U) ? ProducerForm::kProviderCalled : ProducerForm::kApplicationSends;
+        setup.detection = dice.Chance(50U) ? SrvtDetection::kLate : SrvtDetection::kEarly;
+        setup.safe_value = {0x5AU, 0U};
+        drawing.scts.push_back(10U + dice.Below(40U));
+        drawing.setups.push_back(setup);
+    }
+    AddObjects(drawing);
+    config.srdo_count = count;
+    config.node_id = static_cast<std::uint8_t>(1U + dice.Below(127U));
+    config.granularity_bits = 8U;
+    config.map_entries = Rig::kEntries;
+    config.dummies = DummyMapping::kRefused;
+    config.gaps = NumberGaps::kRefused;
+    config.gfc = GfcUse::kPresent;
+    config.normal_port = CanPortId::kFirst;
+    config.inverse_port = CanPortId::kFirst;
+    config.cycle_us = dice.Pick({1000U, 2000U, 5000U});
+    config.cycle_tolerance_us = config.cycle_us / 2U;
+    drawing.window_cycles = dice.Pick({5U, 10U, 40U});
+    config.discrepancy_us = dice.Pick({5U, is_asked ? 20U : drawing.window_cycles}) * config.cycle_us;
+    config.acknowledge_window_us = drawing.window_cycles * config.cycle_us;
+    config.diagnostic_interval_us = 40U * config.cycle_us;
+    config.test_interval_us = 20U * config.cycle_us;
+    config.clock_tolerance_us = 200U;
+    config.clock_interval_us = 100000U;
+    config.output_time_us = 1000U;
+    return drawing;
+}
+} // namespace counterpoint::third_voice

@@ -1,0 +1,125 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/third_voice/producer.hpp"
+
+namespace counterpoint::third_voice
+{
+void Producer::EnterOperational(const ProducerRules& rules, const Time now)
+{
+    rules_ = rules;
+    is_active_ = true;
+    first_ = now + rules.delay_us;
+    next_ = first_;
+    is_requested_ = false;
+    flight_.reset();
+}
+
+void Producer::LeaveOperational()
+{
+    is_active_ = false;
+    is_requested_ = false;
+    flight_.reset();
+}
+
+bool Producer::IsActive() const
+{
+    return is_active_;
+}
+
+void Producer::Request()
+{
+    is_requested_ = is_active_;
+}
+
+bool Producer::IsDue(const Time now)
+{
+    if (flight_ && now - since_ > rules_.srvt_us)
+    {
+        Fail(SrdoCause::kNoConfirmation);
+    }
+    bool is_due = is_requested_ && now >= first_ && !flight_;
+    if (rules_.is_called && now >= next_)
+    {
+        next_ += rules_.refresh_us;
+        if (flight_)
+        {
+            causes_.insert(SrdoCause::kRefreshMissed);
+        }
+        is_due = !flight_;
+    }
+    is_requested_ = is_requested_ && !is_due;
+    return is_due;
+}
+
+/// Every bit of the inversion is checked before anything leaves.
+bool Producer::Prepare(const std::uint64_t normal, const std::uint64_t inverse, const Time now)
+{
+    flight_ = normal & rules_.mask;
+    is_inverse_awaited_ = false;
+    since_ = now;
+    if (((normal ^ inverse) & rules_.mask) != rules_.mask)
+    {
+        Fail(SrdoCause::kNotInverse);
+        return false;
+    }
+    return true;
+}
+
+void Producer::Fail(const SrdoCause cause)
+{
+    flight_.reset();
+    causes_.insert(cause);
+}
+
+Confirmed Producer::Confirm(const Sent& frame, const Time stamp)
+{
+    if (!flight_ || frame.identifier != (is_inverse_awaited_ ? rules_.cob_id_2 : rules_.cob_id_1))
+    {
+        return Confirmed::kNothing;
+    }
+    if (frame.data != (is_inverse_awaited_ ? Inverse() : Normal()).data)
+    {
+        Fail(SrdoCause::kWrongEcho);
+        return Confirmed::kNothing;
+    }
+    if (stamp - since_ > rules_.srvt_us) // Later than SRVT is no confirmation.
+    {
+        Fail(SrdoCause::kNoConfirmation);
+        return Confirmed::kNothing;
+    }
+    if (is_inverse_awaited_)
+    {
+        flight_.reset();
+        return Confirmed::kPair;
+    }
+    is_inverse_awaited_ = true;
+    since_ = stamp;
+    return Confirmed::kNormal;
+}
+
+Sent Producer::FrameOf(const std::uint32_t identifier, const std::uint64_t data) const
+{
+    Sent frame{identifier, {}};
+    for (std::size_t byte = 0U; byte < rules_.length_bytes; ++byte)
+    {
+        frame.data.push_back(static_cast<std::uint8_t>(data >> (8U * byte)));
+    }
+    return frame;
+}
+
+Sent Producer::Normal() const
+{
+    return FrameOf(rules_.cob_id_1, flight_.value());
+}
+
+Sent Producer::Inverse() const
+{
+    return FrameOf(rules_.cob_id_2, ~flight_.value());
+}
+
+std::set<SrdoCause> Producer::TakeCauses()
+{
+    std::set<SrdoCause> taken;
+    taken.swap(causes_);
+    return taken;
+}
+} // namespace counterpoint::third_voice

@@ -1,0 +1,75 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_THIRD_VOICE_PRODUCER_HPP
+#define VERIFICATION_THIRD_VOICE_PRODUCER_HPP
+
+#include "verification/third_voice/consumer.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <set>
+
+namespace counterpoint::third_voice
+{
+/// What a producer is told by its configuration.
+struct ProducerRules
+{
+    Time delay_us{0}; ///< From entering OPERATIONAL to the first transmission.
+    Time refresh_us{0};
+    Time srvt_us{0};
+    std::uint32_t cob_id_1{0U};
+    std::uint32_t cob_id_2{0U};
+    std::size_t length_bytes{0U};
+    std::uint64_t mask{0U}; ///< Mapped bits; above them the normal frame has 0, the inverse one 1.
+    bool is_called{false};  ///< The kernel calls before each refresh; else the application sends.
+};
+
+/// A frame that leaves the device.
+struct Sent
+{
+    std::uint32_t identifier{0U};
+    Bytes data;
+};
+
+/// What a confirmation leads to.
+enum class Confirmed : std::uint8_t
+{
+    kNothing,
+    kNormal, ///< The inverse frame leaves.
+    kPair,   ///< The pair is sent.
+};
+
+/// One producer. [semantics 6]
+class Producer
+{
+  public:
+    void EnterOperational(const ProducerRules& rules, Time now);
+    void LeaveOperational();
+    [[nodiscard]] bool IsActive() const;
+    void Request();
+    /// @brief Limits and refresh at the instant of a call: whether a pair is to be sent now.
+    [[nodiscard]] bool IsDue(Time now);
+    /// @brief Both sides as the application left them: whether the normal frame leaves.
+    [[nodiscard]] bool Prepare(std::uint64_t normal, std::uint64_t inverse, Time now);
+    void Fail(SrdoCause cause);
+    [[nodiscard]] Confirmed Confirm(const Sent& frame, Time stamp);
+    [[nodiscard]] Sent Normal() const;
+    [[nodiscard]] Sent Inverse() const;
+    /// @brief Causes that came up since the last call.
+    [[nodiscard]] std::set<SrdoCause> TakeCauses();
+
+  private:
+    [[nodiscard]] Sent FrameOf(std::uint32_t identifier, std::uint64_t data) const;
+
+    ProducerRules rules_{};
+    bool is_active_{false};
+    Time first_{0};
+    Time next_{0}; ///< Refresh; keeps its phase.
+    bool is_requested_{false};
+    std::optional<std::uint64_t> flight_; ///< Normal data of the pair on its way.
+    bool is_inverse_awaited_{false};
+    Time since_{0}; ///< From when on the awaited frame has SRVT.
+    std::set<SrdoCause> causes_;
+};
+} // namespace counterpoint::third_voice
+
+#endif

@@ -1,0 +1,48 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/third_voice/told.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+namespace counterpoint::third_voice
+{
+/// In an order of its own; without the silence of an application, for which the semantics give no time.
+std::string TextOf(Seen seen, const std::vector<SrdoSetup>& setups, const Sparing& sparing)
+{
+    std::sort(seen.signals.begin(), seen.signals.end());
+    std::sort(seen.events.begin(), seen.events.end());
+    std::sort(seen.frames.begin(), seen.frames.end(),
+              [](const Sent& left, const Sent& right) { return left.identifier < right.identifier; });
+    std::ostringstream text;
+    for (const auto& [number, cause] : seen.signals)
+    {
+        const bool is_between = sparing.frame_causes && cause <= SrdoCause::kSct;
+        const bool is_silence =
+            cause == SrdoCause::kRefreshMissed && setups[number - 1U].form == ProducerForm::kApplicationSends;
+        if (!is_silence && !is_between)
+        {
+            text << " cause " << static_cast<unsigned>(cause) << " of " << +number;
+        }
+    }
+    for (const std::uint8_t number : seen.events)
+    {
+        text << " event of " << +number;
+    }
+    for (const std::uint8_t number : seen.refreshes)
+    {
+        text << " call of " << +number;
+    }
+    for (const Sent& frame : seen.frames)
+    {
+        text << " frame " << frame.identifier << std::hex;
+        for (const std::uint8_t byte : frame.data)
+        {
+            text << ' ' << +byte;
+        }
+        text << std::dec;
+    }
+    text << ((seen.gfcs > 0 && !sparing.gfc) ? " GFC" : "")
+         << (seen.is_configuration_invalid ? " configuration invalid" : "");
+    return text.str();
+}
+} // namespace counterpoint::third_voice
