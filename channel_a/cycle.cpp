@@ -53,6 +53,19 @@ void FollowOperational(Voice& voice, const NmtState nmt) noexcept
     LeaveOperational(voice);
 }
 
+// A level changes when two calls have read the same. A level that is not beside its complement is no 0, so that nothing
+// rises from it. Returns those that rise. [SRS_REL_005]
+SrdoMask FollowLevels(Voice& voice, const SrdoMask reading) noexcept
+{
+    const SrdoMask both_high = reading & voice.reading;
+    const SrdoMask both_low = ~(reading | voice.reading);
+    const SrdoMask low = voice.low_levels & ~voice.high_levels;
+    voice.reading = reading;
+    voice.low_levels = (low & ~both_high) | both_low;
+    voice.high_levels = ~voice.low_levels;
+    return low & both_high;
+}
+
 // What comes from outside is noted at the slots it is for: the phase that stood still, of those producers that are
 // called; an edge, which a slot that is off forgets when it is served; and what concerns every slot. [SRS_PROD_012,
 // SRS_REL_005]
@@ -95,21 +108,16 @@ void NoteRequests(Voice& voice, const SrdoMask request) noexcept
     voice.outcome.due = voice.may_send ? voice.wanted : 0U;
 }
 
-// Each cause once in a window of SCT. [SRS_CONS_021]
+// Signals stay for one cycle: the next one has to look at the slot again. [SRS_CONS_021]
 void Signal(Voice& voice, const std::size_t slot, const std::uint32_t extra) noexcept
 {
     Record& record = At(voice, slot);
-    if (AgeUs(record.told_since, voice.now) > SctUs(record))
-    {
-        record.told = 0U;
-    }
-    record.signals = (record.unreported | extra) & ~record.told;
+    record.signals = record.unreported | extra;
     record.unreported = 0U;
     if (record.signals != 0U)
     {
-        record.told_since = (record.told == 0U) ? voice.now : record.told_since;
-        record.told |= record.signals;
         PutIn(voice.outcome.signalled, slot);
+        Demand(record, kLook);
     }
 }
 
@@ -136,9 +144,9 @@ void Serve(Voice& voice, const std::size_t slot) noexcept
         record.grants.Set(Grant::kEdge, kNo); // Only what was reported before it went off is to be told.
     }
     Signal(voice, slot, extra);
-    if ((record.told != 0U) || record.grants.Is(Grant::kEdge, kYes))
+    if (record.grants.Is(Grant::kEdge, kYes))
     {
-        Demand(record, kLook); // Until the window of the signals, or of the edge, is over.
+        Demand(record, kLook); // Until its window is over.
     }
 }
 
@@ -194,8 +202,7 @@ CycleOutcome RunCycle(Voice& voice, const CycleInput& input) noexcept
 
     FollowOperational(voice, input.nmt);
     const SrdoMask standing = voice.may_send ? (input.stand & voice.producers) : 0U;
-    NoteInputs(voice, standing, input.acknowledge & ~voice.levels);
-    voice.levels = input.acknowledge;
+    NoteInputs(voice, standing, FollowLevels(voice, input.acknowledge));
     NoteRequests(voice, input.request);
     ServeAll(voice);
     voice.gfc_pending = false;

@@ -155,6 +155,20 @@ bool FitsOthers(const DeviceConfig& config, const Record& record, const Mapping&
     return fits;
 }
 
+// Whether an entry names the object that this entry names, whatever length it gives it.
+bool Names(const Mapping& mapping, const std::uint32_t entry) noexcept
+{
+    bool names = false;
+    for (std::uint32_t position = 0U; position < mapping.count; ++position)
+    {
+        if (((mapping.entries[position] ^ entry) >> kKeyShift) == 0U) // MISRA D-002
+        {
+            names = true;
+        }
+    }
+    return names;
+}
+
 // What Validate and Recheck have in common: each step is that of its entries, and the objects of a static mapping lie
 // one behind the other in its two fields. Bits of all normal entries; kBad where something does not fit.
 std::uint32_t Measured(const DeviceConfig& config, const Record& record, const Mapping& mapping) noexcept
@@ -236,6 +250,22 @@ ConfigFault Resolve(const DeviceConfig& config, Record& record, const Mapping& m
     record.spare_bits = SpareOf(total);
     record.total_bits = static_cast<std::uint8_t>(total);
     return ConfigFault::kNone;
+}
+
+// Dummy entries name no object; every other one has passed the rules before.
+bool SharesObject(const DeviceConfig& config, const Record& record, const Mapping& mapping,
+                  const Mapping& other) noexcept
+{
+    bool shares = false;
+    for (std::uint32_t position = 0U; position < mapping.count; ++position)
+    {
+        const std::uint32_t entry = mapping.entries[position]; // MISRA D-002
+        if (!IsDummy(config, record, entry) && Names(other, entry))
+        {
+            shares = true;
+        }
+    }
+    return shares;
 }
 
 bool HoldsSteps(const DeviceConfig& config, const Record& record, const Mapping& mapping) noexcept
