@@ -166,25 +166,35 @@ void ServeAll(Voice& voice) noexcept
     }
 }
 
-// The slots from `first` on, each a bit: those that are written, and those that are written or dropped.
-void CommitGroup(const Voice& voice, const std::size_t first, const std::uint32_t written,
-                 const std::uint32_t changed) noexcept
+// A few slots from `first` on: those of `group` take the held pair where it is to be written, else the safe value.
+void CommitGroup(const Voice& voice, const std::size_t first, const std::uint32_t group,
+                 const SrdoMask written) noexcept
 {
-    for (std::uint32_t place = 0U; place < kGroup; ++place)
+    std::size_t slot = first;
+    for (std::uint32_t left = group; left != 0U; left >>= 1U)
     {
-        if (((changed >> place) & 1U) != 0U)
+        if ((left & 1U) != 0U)
         {
-            const Record& record = At(voice, first + place);
-            const bool is_written = ((written >> place) & 1U) != 0U;
-            WriteObjects(voice, first + place, is_written ? record.held : record.safe);
+            const Record& record = At(voice, slot);
+            WriteObjects(voice, slot, IsIn(written, slot) ? record.held : record.safe);
         }
+        ++slot;
     }
 }
 
-// A few slots of a mask.
-std::uint32_t GroupOf(const SrdoMask mask, const std::size_t first) noexcept
+// Group after group until none is left that changes.
+void CommitGroups(const Voice& voice, const SrdoMask changed, const SrdoMask written) noexcept
 {
-    return static_cast<std::uint32_t>((mask >> first) & kGroupMask);
+    std::size_t first = 0U;
+    for (SrdoMask left = changed; left != 0U; left >>= kGroup)
+    {
+        const std::uint32_t group = static_cast<std::uint32_t>(left & kGroupMask);
+        if (group != 0U)
+        {
+            CommitGroup(voice, first, group, written);
+        }
+        first += kGroup;
+    }
 }
 
 } // namespace
@@ -222,14 +232,7 @@ void CommitPairs(Voice& voice, const Agreement& agreement) noexcept
     const SrdoMask to_drop = voice.committed & ~own;
     voice.unwritten &= ~to_write;
     voice.committed = (voice.committed | to_write) & ~to_drop;
-    for (std::size_t first = 0U; first < voice.count; first += kGroup)
-    {
-        const std::uint32_t changed = GroupOf(to_write | to_drop, first);
-        if (changed != 0U)
-        {
-            CommitGroup(voice, first, GroupOf(to_write, first), changed);
-        }
-    }
+    CommitGroups(voice, to_write | to_drop, to_write);
 }
 
 // [SRS_REL_010]
