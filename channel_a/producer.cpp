@@ -58,8 +58,8 @@ void ExamineRefresh(Voice& voice, const std::size_t slot) noexcept
     }
 }
 
-// One half of the pair in flight, each byte of the frame with this inversion: bits that are not mapped were read as 0.
-// [SRS_PROD_005, SRS_PROD_006]
+// One half of the pair in flight: what was read, or with an inversion of FFh its inverse; bytes behind the length stay
+// 0. Bits of the last byte that are not mapped were read as 0. [SRS_PROD_005, SRS_PROD_006]
 CanFrame FrameOf(const Voice& voice, const Record& record, const std::size_t half,
                  const std::uint32_t inversion) noexcept
 {
@@ -70,7 +70,8 @@ CanFrame FrameOf(const Voice& voice, const Record& record, const std::size_t hal
     frame.length_bytes = record.grants.Of(Grant::kLength);
     for (std::size_t place = 0U; place < kMaxPayloadBytes; ++place)
     {
-        frame.data[place] = static_cast<std::uint8_t>((record.held.at[place] ^ inversion) & record.mapped.at[place]);
+        const std::uint32_t inverted = inversion & record.mapped.at[place];
+        frame.data[place] = static_cast<std::uint8_t>(record.held.at[place] ^ inverted);
     }
     return frame;
 }
