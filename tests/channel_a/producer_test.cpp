@@ -184,5 +184,30 @@ TEST_F(ChannelAProducer, HasNoInverseFrameOfAPairThatIsOver)
     EXPECT_TRUE(IsEmpty(device.channel.InverseFrame(kProducerSlot)));
 }
 
+TEST_F(ChannelAProducer, KeepsTheCauseOfAFaultThatTheEdgeCameWith)
+{
+    Verifies(req::SRS_REL_005);
+    Verifies(req::SRS_PROD_009);
+    Device& device = fenced->device;
+    // Given a level of 0, then a first 1, when the pair is given up and the same call sees the edge
+    AwaitTheInverse(device);
+    device.acknowledge = kProducerBit;
+    static_cast<void>(device.Cycle());
+    device.channel.OnTransmitFault(kProducerSlot, TransmitFault{SrdoCause::kBusOff});
+    EXPECT_EQ(device.Cycle().signalled, kProducerBit);
+    // Then the edge is forgotten
+    EXPECT_EQ(device.channel.View(kProducerSlot).first_cause, SrdoCause::kBusOff);
+    static_cast<void>(device.Cycle());
+    EXPECT_EQ(device.channel.View(kProducerSlot).first_cause, SrdoCause::kBusOff);
+    // and the next one acknowledges
+    for (const SrdoMask input : {SrdoMask{0U}, SrdoMask{0U}, kProducerBit, kProducerBit})
+    {
+        EXPECT_EQ(device.channel.View(kProducerSlot).first_cause, SrdoCause::kBusOff);
+        device.acknowledge = input;
+        static_cast<void>(device.Cycle());
+    }
+    EXPECT_EQ(device.channel.View(kProducerSlot).first_cause, SrdoCause::kNone);
+}
+
 } // namespace
 } // namespace counterpoint::channel_a_test
