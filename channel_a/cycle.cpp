@@ -166,6 +166,12 @@ void ServeAll(Voice& voice) noexcept
     }
 }
 
+// The bits of 1 to 64 slots: a mask that is corrupted leads to no other one.
+SrdoMask SlotsOf(const std::uint8_t count) noexcept
+{
+    return ~SrdoMask{0U} >> (kMaxSrdoCount - count);
+}
+
 // A few slots from `first` on: those of `group` take the held pair where it is to be written, else the safe value.
 void CommitGroup(const Voice& voice, const std::size_t first, const std::uint32_t group,
                  const SrdoMask written) noexcept
@@ -232,7 +238,7 @@ void CommitPairs(Voice& voice, const Agreement& agreement) noexcept
     const SrdoMask to_drop = voice.committed & ~own;
     voice.unwritten &= ~to_write;
     voice.committed = (voice.committed | to_write) & ~to_drop;
-    CommitGroups(voice, to_write | to_drop, to_write);
+    CommitGroups(voice, (to_write | to_drop) & SlotsOf(voice.count), to_write);
 }
 
 // [SRS_REL_010]

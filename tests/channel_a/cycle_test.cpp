@@ -139,6 +139,30 @@ TEST_F(ChannelACycle, TakesNoFlippedLevelForAnAcknowledge)
     }
 }
 
+TEST_F(ChannelACycle, CommitsNoSlotThatThereIsNot)
+{
+    Verifies(req::SRS_REL_002);
+    Verifies(req::SRS_CONS_024);
+    constexpr std::size_t kCommitted =
+        sizeof(channel_a::Channel) - sizeof(channel_a::Voice) + offsetof(channel_a::Voice, committed);
+    for (std::size_t bit = 0U; bit < 64U; ++bit)
+    {
+        // Given two slots, none of them committed, when a bit of the mask of committed ones flips
+        Start();
+        static_cast<void>(device.Cycle());
+        std::uint8_t& byte = reinterpret_cast<std::uint8_t*>(&device.channel)[kCommitted + (bit / 8U)];
+        byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8U)));
+        device.words[0][0] = 0x77U; // Of the consumer.
+        device.words[4][0] = 0x77U; // Of the producer.
+        device.channel.Commit(Agreement{0U, 0U});
+        // Then no object of another slot is written, and nothing that is not an object
+        EXPECT_EQ(device.words[0][0], (bit == kConsumerSlot) ? 0U : 0x77U) << "bit " << bit;
+        EXPECT_TRUE((device.words[4][0] == 0x77U) || (bit == kProducerSlot)) << "bit " << bit;
+        EXPECT_TRUE(fenced->IsIntact()) << "bit " << bit;
+        EXPECT_EQ(device.channel.Answer(1U).mask, 0U) << "bit " << bit;
+    }
+}
+
 TEST_F(ChannelACycle, SignalsEveryFaultInTheCallThatReportsIt)
 {
     Verifies(req::SRS_CONS_021);
