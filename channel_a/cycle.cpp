@@ -169,7 +169,7 @@ void ServeAll(Voice& voice) noexcept
 // The bits of 1 to 64 slots: a mask that is corrupted leads to no other one.
 SrdoMask SlotsOf(const std::uint8_t count) noexcept
 {
-    return ~SrdoMask{0U} >> (kMaxSrdoCount - count);
+    return ~SrdoMask{0U} >> (std::uint32_t{kMaxSrdoCount} - count);
 }
 
 // A few slots from `first` on: those of `group` take the held pair where it is to be written, else the safe value.
