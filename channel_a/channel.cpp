@@ -57,7 +57,8 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     voice_.late_after_us = config.cycle_us + config.cycle_tolerance_us;
     voice_.first_delay_us = kFirstTransmissionStepUs * config.node_id;
     voice_.outcome.not_operational = 1U;
-    voice_.levels = ~SrdoMask{0U}; // A level of 1 at power-on is no edge.
+    voice_.reading = ~SrdoMask{0U}; // An acknowledge that reads 1 from power-on on is no edge. [SRS_REL_005]
+    voice_.high_levels = ~SrdoMask{0U};
     for (std::size_t slot = 0U; slot < voice_.count; ++slot)
     {
         Clear(voice_, slot);
@@ -167,10 +168,9 @@ Confirmation Channel::OnConfirm(const CanFrame& frame, const Instant stamp) noex
     return ConfirmFrame(voice_, frame, stamp);
 }
 
-// The inverse frame is the other channel's. [SRS_PROD_006]
-CanFrame Channel::InverseFrame(SlotIndex /*slot*/) noexcept
+CanFrame Channel::InverseFrame(const SlotIndex slot) const noexcept
 {
-    return CanFrame{};
+    return InverseOf(voice_, slot);
 }
 
 // [SRS_PROD_009]

@@ -53,6 +53,19 @@ void FollowOperational(Voice& voice, const NmtState nmt) noexcept
     LeaveOperational(voice);
 }
 
+// A level changes when two calls have read the same. A level that is not beside its complement is no 0, so that nothing
+// rises from it. Returns those that rise. [SRS_REL_005]
+SrdoMask FollowLevels(Voice& voice, const SrdoMask reading) noexcept
+{
+    const SrdoMask both_high = reading & voice.reading;
+    const SrdoMask both_low = ~(reading | voice.reading);
+    const SrdoMask low = voice.low_levels & ~voice.high_levels;
+    voice.reading = reading;
+    voice.low_levels = (low & ~both_high) | both_low;
+    voice.high_levels = ~voice.low_levels;
+    return low & both_high;
+}
+
 // What comes from outside is noted at the slots it is for: the phase that stood still, of those producers that are
 // called; an edge, which a slot that is off forgets when it is served; and what concerns every slot. [SRS_PROD_012,
 // SRS_REL_005]
@@ -95,21 +108,16 @@ void NoteRequests(Voice& voice, const SrdoMask request) noexcept
     voice.outcome.due = voice.may_send ? voice.wanted : 0U;
 }
 
-// Each cause once in a window of SCT. [SRS_CONS_021]
+// Signals stay for one cycle: the next one has to look at the slot again. [SRS_CONS_021]
 void Signal(Voice& voice, const std::size_t slot, const std::uint32_t extra) noexcept
 {
     Record& record = At(voice, slot);
-    if (AgeUs(record.told_since, voice.now) > SctUs(record))
-    {
-        record.told = 0U;
-    }
-    record.signals = (record.unreported | extra) & ~record.told;
+    record.signals = record.unreported | extra;
     record.unreported = 0U;
     if (record.signals != 0U)
     {
-        record.told_since = (record.told == 0U) ? voice.now : record.told_since;
-        record.told |= record.signals;
         PutIn(voice.outcome.signalled, slot);
+        Demand(record, kLook);
     }
 }
 
@@ -136,9 +144,9 @@ void Serve(Voice& voice, const std::size_t slot) noexcept
         record.grants.Set(Grant::kEdge, kNo); // Only what was reported before it went off is to be told.
     }
     Signal(voice, slot, extra);
-    if ((record.told != 0U) || record.grants.Is(Grant::kEdge, kYes))
+    if (record.grants.Is(Grant::kEdge, kYes))
     {
-        Demand(record, kLook); // Until the window of the signals, or of the edge, is over.
+        Demand(record, kLook); // Until its window is over.
     }
 }
 
@@ -158,25 +166,41 @@ void ServeAll(Voice& voice) noexcept
     }
 }
 
-// The slots from `first` on, each a bit: those that are written, and those that are written or dropped.
-void CommitGroup(const Voice& voice, const std::size_t first, const std::uint32_t written,
-                 const std::uint32_t changed) noexcept
+// The bits of 1 to 64 slots: a mask that is corrupted leads to no other one.
+SrdoMask SlotsOf(const std::uint8_t count) noexcept
 {
-    for (std::uint32_t place = 0U; place < kGroup; ++place)
+    return ~SrdoMask{0U} >> (std::uint32_t{kMaxSrdoCount} - count);
+}
+
+// A few slots from `first` on: those of `group` take the held pair where it is to be written, else the safe value.
+void CommitGroup(const Voice& voice, const std::size_t first, const std::uint32_t group,
+                 const SrdoMask written) noexcept
+{
+    std::size_t slot = first;
+    for (std::uint32_t left = group; left != 0U; left >>= 1U)
     {
-        if (((changed >> place) & 1U) != 0U)
+        if ((left & 1U) != 0U)
         {
-            const Record& record = At(voice, first + place);
-            const bool is_written = ((written >> place) & 1U) != 0U;
-            WriteObjects(voice, first + place, is_written ? record.held : record.safe);
+            const Record& record = At(voice, slot);
+            WriteObjects(voice, slot, IsIn(written, slot) ? record.held : record.safe);
         }
+        ++slot;
     }
 }
 
-// A few slots of a mask.
-std::uint32_t GroupOf(const SrdoMask mask, const std::size_t first) noexcept
+// Group after group until none is left that changes.
+void CommitGroups(const Voice& voice, const SrdoMask changed, const SrdoMask written) noexcept
 {
-    return static_cast<std::uint32_t>((mask >> first) & kGroupMask);
+    std::size_t first = 0U;
+    for (SrdoMask left = changed; left != 0U; left >>= kGroup)
+    {
+        const std::uint32_t group = static_cast<std::uint32_t>(left & kGroupMask);
+        if (group != 0U)
+        {
+            CommitGroup(voice, first, group, written);
+        }
+        first += kGroup;
+    }
 }
 
 } // namespace
@@ -194,8 +218,7 @@ CycleOutcome RunCycle(Voice& voice, const CycleInput& input) noexcept
 
     FollowOperational(voice, input.nmt);
     const SrdoMask standing = voice.may_send ? (input.stand & voice.producers) : 0U;
-    NoteInputs(voice, standing, input.acknowledge & ~voice.levels);
-    voice.levels = input.acknowledge;
+    NoteInputs(voice, standing, FollowLevels(voice, input.acknowledge));
     NoteRequests(voice, input.request);
     ServeAll(voice);
     voice.gfc_pending = false;
@@ -215,14 +238,7 @@ void CommitPairs(Voice& voice, const Agreement& agreement) noexcept
     const SrdoMask to_drop = voice.committed & ~own;
     voice.unwritten &= ~to_write;
     voice.committed = (voice.committed | to_write) & ~to_drop;
-    for (std::size_t first = 0U; first < voice.count; first += kGroup)
-    {
-        const std::uint32_t changed = GroupOf(to_write | to_drop, first);
-        if (changed != 0U)
-        {
-            CommitGroup(voice, first, GroupOf(to_write, first), changed);
-        }
-    }
+    CommitGroups(voice, (to_write | to_drop) & SlotsOf(voice.count), to_write);
 }
 
 // [SRS_REL_010]

@@ -136,6 +136,22 @@ bool Follows(const MappableObject& object, const std::uint8_t*& next) noexcept
     return follows;
 }
 
+// Whether one of so many entries names the object that this entry names, whatever length it gives it. A dummy entry
+// names no object.
+bool IsNamedBy(const DeviceConfig& config, const Record& record, const std::uint32_t entry,
+               const std::uint32_t* const entries, const std::uint32_t count) noexcept
+{
+    bool is_named = false;
+    for (std::uint32_t position = 0U; position < count; ++position)
+    {
+        if (((entries[position] ^ entry) >> kKeyShift) == 0U) // MISRA D-002
+        {
+            is_named = true;
+        }
+    }
+    return is_named && !IsDummy(config, record, entry);
+}
+
 // What only Validate asks of an entry: length of the granularity and of the partner, and no object twice.
 // [SRS_CFG_027]
 bool FitsOthers(const DeviceConfig& config, const Record& record, const Mapping& mapping,
@@ -143,16 +159,9 @@ bool FitsOthers(const DeviceConfig& config, const Record& record, const Mapping&
 {
     const std::uint32_t entry = mapping.entries[position];                                  // MISRA D-002
     const std::uint32_t partner = mapping.entries[position - (position % kEntriesPerStep)]; // MISRA D-002
-    bool fits = (((entry ^ partner) & kLengthBits) == 0U) && (((entry & kLengthBits) % config.granularity_bits) == 0U);
-    for (std::uint32_t before = 0U; before < position; ++before)
-    {
-        const bool is_same = mapping.entries[before] == entry; // MISRA D-002
-        if (is_same && !IsDummy(config, record, entry))
-        {
-            fits = false;
-        }
-    }
-    return fits;
+    const bool has_length =
+        (((entry ^ partner) & kLengthBits) == 0U) && (((entry & kLengthBits) % config.granularity_bits) == 0U);
+    return has_length && !IsNamedBy(config, record, entry, mapping.entries, position);
 }
 
 // What Validate and Recheck have in common: each step is that of its entries, and the objects of a static mapping lie
@@ -236,6 +245,20 @@ ConfigFault Resolve(const DeviceConfig& config, Record& record, const Mapping& m
     record.spare_bits = SpareOf(total);
     record.total_bits = static_cast<std::uint8_t>(total);
     return ConfigFault::kNone;
+}
+
+bool SharesObject(const DeviceConfig& config, const Record& record, const Mapping& mapping,
+                  const Mapping& other) noexcept
+{
+    bool shares = false;
+    for (std::uint32_t position = 0U; position < mapping.count; ++position)
+    {
+        if (IsNamedBy(config, record, mapping.entries[position], other.entries, other.count)) // MISRA D-002
+        {
+            shares = true;
+        }
+    }
+    return shares;
 }
 
 bool HoldsSteps(const DeviceConfig& config, const Record& record, const Mapping& mapping) noexcept

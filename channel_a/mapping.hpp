@@ -70,6 +70,9 @@ inline constexpr MappableObject kNothing{0U, 0U, 0U, MapAccess::kNone, nullptr};
 
 /// @brief The rules of the mapping; keeps its steps and what follows from them.
 [[nodiscard]] ConfigFault Resolve(const DeviceConfig& config, Record& record, const Mapping& mapping) noexcept;
+/// @brief Whether an entry names an object that an entry of another mapping names, too. [SRS_CFG_037]
+[[nodiscard]] bool SharesObject(const DeviceConfig& config, const Record& record, const Mapping& mapping,
+                                const Mapping& other) noexcept;
 /// @brief Whether the steps still are those of the entries. O(entries) [SRS_CFG_030]
 [[nodiscard]] bool HoldsSteps(const DeviceConfig& config, const Record& record, const Mapping& mapping) noexcept;
 

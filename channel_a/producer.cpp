@@ -58,6 +58,24 @@ void ExamineRefresh(Voice& voice, const std::size_t slot) noexcept
     }
 }
 
+// One half of the pair in flight: what was read, or with an inversion of FFh its inverse; bytes behind the length stay
+// 0. Bits of the last byte that are not mapped were read as 0. [SRS_PROD_005, SRS_PROD_006]
+CanFrame FrameOf(const Voice& voice, const Record& record, const std::size_t half,
+                 const std::uint32_t inversion) noexcept
+{
+    CanFrame frame{};
+    frame.identifier = record.values.cob_id[half];
+    frame.kind = FrameKind::kData;
+    frame.port = voice.ports[half];
+    frame.length_bytes = record.grants.Of(Grant::kLength);
+    for (std::size_t place = 0U; place < kMaxPayloadBytes; ++place)
+    {
+        const std::uint32_t inverted = inversion & record.mapped.at[place];
+        frame.data[place] = static_cast<std::uint8_t>(record.held.at[place] ^ inverted);
+    }
+    return frame;
+}
+
 // Why a frame is not the confirmation that is awaited: its data, or its stamp, SRVT after the start of the pair or the
 // normal frame. [SRS_PROD_007, SRS_PROD_008]
 SrdoCause JudgeEcho(const Record& record, const CanFrame& frame, const Instant stamp, const State awaited) noexcept
@@ -125,15 +143,15 @@ PreparedPair PreparePair(Voice& voice, const std::size_t slot) noexcept
     }
     voice.wanted &= ~BitOf(slot);
     pair.status = PrepareStatus::kReady;
-    pair.normal.identifier = record.values.cob_id[kNormalHalf];
-    pair.normal.kind = FrameKind::kData;
-    pair.normal.port = voice.ports[kNormalHalf];
-    pair.normal.length_bytes = record.grants.Of(Grant::kLength);
-    for (std::size_t place = 0U; place < kMaxPayloadBytes; ++place)
-    {
-        pair.normal.data[place] = record.held.at[place];
-    }
+    pair.normal = FrameOf(voice, record, kNormalHalf, 0U);
     return pair;
+}
+
+// [SRS_PROD_006, SRS_PROD_011]
+CanFrame InverseOf(const Voice& voice, const std::size_t slot) noexcept
+{
+    const Record& record = At(voice, slot);
+    return (StateOf(record) == State::kInverseAwaited) ? FrameOf(voice, record, kInverseHalf, kByteMask) : CanFrame{};
 }
 
 // Each of the two frames is awaited in a state of its own; an identifier that is none of an SRDO is not that of the

@@ -16,6 +16,8 @@ namespace counterpoint::channel_a
 /// @brief A producer in a cycle: confirmation, refresh, acknowledge.
 void ServeProducer(Voice& voice, std::size_t slot) noexcept;
 [[nodiscard]] PreparedPair PreparePair(Voice& voice, std::size_t slot) noexcept;
+/// @brief The inverse of what was read while its confirmation is awaited, else an empty frame. [SRS_PROD_006]
+[[nodiscard]] CanFrame InverseOf(const Voice& voice, std::size_t slot) noexcept;
 [[nodiscard]] Confirmation ConfirmFrame(Voice& voice, const CanFrame& frame, Instant stamp) noexcept;
 /// @brief A fault that gives up the pair in flight; nothing where there is none. [SRS_PROD_009]
 void GiveUp(Voice& voice, std::size_t slot, SrdoCause cause) noexcept;

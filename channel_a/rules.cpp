@@ -84,6 +84,24 @@ ConfigFault CheckCommunication(const Voice& voice, const std::size_t slot) noexc
     return HasGoodTiming(voice, record) ? ConfigFault::kNone : ConfigFault::kTiming;
 }
 
+// Two consumers would write one object, or a consumer what a producer sends. [SRS_CFG_037]
+bool SharesWithLower(const Voice& voice, const std::size_t slot, const Mapping& mapping) noexcept
+{
+    const Record& record = At(voice, slot);
+    const bool is_consumer = record.grants.Of(Grant::kDirection) == kDirectionConsumer;
+    bool shares = false;
+    for (std::size_t lower = 0U; lower < slot; ++lower)
+    {
+        const std::uint8_t direction = At(voice, lower).grants.Of(Grant::kDirection);
+        const bool may_not = (direction == kDirectionConsumer) || (is_consumer && (direction != kDirectionOff));
+        if (may_not && SharesObject(*voice.config, record, mapping, MappingOf(voice, lower)))
+        {
+            shares = true;
+        }
+    }
+    return shares;
+}
+
 // Every rule in its order but the signature. [SRS_CFG_020]
 ConfigFault CheckRules(const Voice& voice, const std::size_t slot, const Mapping& mapping) noexcept
 {
@@ -91,12 +109,16 @@ ConfigFault CheckRules(const Voice& voice, const std::size_t slot, const Mapping
     {
         return ConfigFault::kNone;
     }
-    const ConfigFault fault = CheckCommunication(voice, slot);
-    if (fault != ConfigFault::kNone)
+    ConfigFault fault = CheckCommunication(voice, slot);
+    if (fault == ConfigFault::kNone)
     {
-        return fault;
+        fault = Resolve(*voice.config, At(voice, slot), mapping);
     }
-    return Resolve(*voice.config, At(voice, slot), mapping);
+    if ((fault == ConfigFault::kNone) && SharesWithLower(voice, slot, mapping))
+    {
+        fault = ConfigFault::kMapping;
+    }
+    return fault;
 }
 
 } // namespace

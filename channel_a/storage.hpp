@@ -38,7 +38,6 @@ struct Values
 ///   the held pair's normal frame and SCT; with late detection always the latter. Of a producer that is called they are
 ///   the microsecond before the last refresh, of one whose application sends the last sending, and the time to the
 ///   next. No limit runs in other states.
-/// - `told` is not 0 exactly while the window of the signals is open.
 /// - `ordinal` is 0 unless the SRDO is a consumer.
 struct Record
 {
@@ -57,10 +56,8 @@ struct Record
     std::uint32_t sent;       ///< Pairs sent since OPERATIONAL was entered.
     Instant frame_since;      ///< Stamp of the pending normal frame. Producer: start of the pair, then of that frame.
     std::uint32_t unreported; ///< Causes (bit 1 << cause) recorded since the last OnCycle.
-    std::uint32_t told;       ///< Causes signalled in the open window.
-    std::uint32_t signals;
-    Instant told_since;
-    Instant edge_since; ///< When the waiting acknowledge edge was seen.
+    std::uint32_t signals;    ///< What the last OnCycle told.
+    Instant edge_since;       ///< When the waiting acknowledge edge was seen.
     Values values;
     StaticFields fields; ///< Of a static mapping.
     Bytes mapped;        ///< FFh for each byte of a frame.

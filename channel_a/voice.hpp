@@ -35,11 +35,13 @@ struct Voice
     std::uint32_t first_delay_us; ///< From OPERATIONAL to the first possible transmission.
     /// What the next OnCycle returns, kept up to date by every event.
     CycleOutcome outcome;
-    SrdoMask producers; ///< Active ones.
-    SrdoMask wanted;    ///< Slots that are asked for or refreshed and were not prepared since.
-    SrdoMask unwritten; ///< The held pair was not written yet.
-    SrdoMask committed; ///< The objects hold a pair.
-    SrdoMask levels;    ///< Acknowledge inputs as the last OnCycle saw them.
+    SrdoMask producers;   ///< Active ones.
+    SrdoMask wanted;      ///< Slots that are asked for or refreshed and were not prepared since.
+    SrdoMask unwritten;   ///< The held pair was not written yet.
+    SrdoMask committed;   ///< The objects hold a pair.
+    SrdoMask reading;     ///< Acknowledge inputs as the last OnCycle read them.
+    SrdoMask high_levels; ///< Slots with an acknowledge level of 1, beside those with 0. [SRS_REL_005]
+    SrdoMask low_levels;
 };
 
 /// The halves of a pair, as places of what there is one of for each.

@@ -133,10 +133,10 @@ struct Device
         channel.Commit(Agreement{kConsumerBit, kConsumerBit});
     }
 
-    static constexpr std::uint16_t kObjectCount = 12U;
+    static constexpr std::uint16_t kObjectCount = 14U;
     static constexpr std::size_t kWordBytes = 4U;
     std::uint8_t words[8][kWordBytes]{}; ///< 2200h, 2201h, 2210h and 2211h, two each.
-    std::uint8_t bits[4][2]{};           ///< 2220h, 2221h: one bit, nine bits.
+    std::uint8_t bits[6][2]{};           ///< 2220h, 2221h: one bit, nine bits; 2230h, 2231h: nine bits to send.
     MappableObject objects[kObjectCount] = {
         {0x2200U, 1U, 32U, MapAccess::kConsumer, words[0]}, {0x2200U, 2U, 32U, MapAccess::kConsumer, words[1]},
         {0x2201U, 1U, 32U, MapAccess::kConsumer, words[2]}, {0x2201U, 2U, 32U, MapAccess::kConsumer, words[3]},
@@ -144,6 +144,7 @@ struct Device
         {0x2211U, 1U, 32U, MapAccess::kProducer, words[6]}, {0x2211U, 2U, 32U, MapAccess::kProducer, words[7]},
         {0x2220U, 1U, 1U, MapAccess::kConsumer, bits[0]},   {0x2220U, 2U, 9U, MapAccess::kConsumer, bits[1]},
         {0x2221U, 1U, 1U, MapAccess::kConsumer, bits[2]},   {0x2221U, 2U, 9U, MapAccess::kConsumer, bits[3]},
+        {0x2230U, 1U, 9U, MapAccess::kProducer, bits[4]},   {0x2231U, 1U, 9U, MapAccess::kProducer, bits[5]},
     };
     SrdoSetup setups[kSlotCount] = {
         {1U, ReleasePolicy::kAutomatic, ProducerForm::kApplicationSends, Payload{}, SrvtDetection::kEarly, StaticMap{}},

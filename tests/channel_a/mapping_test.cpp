@@ -155,5 +155,91 @@ TEST(ChannelAMapping, OfStaticObjectsOfOneAndNineBitsIsRefused)
     }
 }
 
+// What Validate says of slot 1 beside slot 0, each with two entries of its own and its direction.
+ConfigFault FaultBeside(Device& device, std::uint8_t direction_0, const std::uint32_t* entries_0,
+                        std::uint8_t direction_1, const std::uint32_t* entries_1)
+{
+    device.Start();
+    device.Store(0U, ConfigField::kDirection, direction_0);
+    device.Map(0U, entries_0, 2U);
+    device.Store(1U, ConfigField::kDirection, direction_1);
+    device.Map(1U, entries_1, 2U);
+    return device.Sign(1U).fault;
+}
+
+TEST(ChannelAMapping, OfAnObjectThatALowerSlotNamesIsRefused)
+{
+    Verifies(req::SRS_CFG_037);
+    constexpr std::uint8_t kOff = kDirectionOff;
+    constexpr std::uint8_t kProducer = kDirectionProducer;
+    constexpr std::uint8_t kConsumer = kDirectionConsumer;
+    static constexpr std::uint32_t kFirst[2] = {0x22000120U, 0x22010120U};
+    static constexpr std::uint32_t kSecond[2] = {0x22000220U, 0x22010220U};
+    static constexpr std::uint32_t kInverseOfBoth[2] = {0x22200109U, 0x22010120U};
+    static constexpr std::uint32_t kShorter[2] = {0x22000108U, 0x22000308U};
+    static constexpr std::uint32_t kToSend[2] = {0x22100120U, 0x22110120U};
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    // Two consumers of one object, the normal or the inverse one, whatever length the lower slot gives it
+    EXPECT_EQ(FaultBeside(device, kConsumer, kFirst, kConsumer, kFirst), ConfigFault::kMapping);
+    EXPECT_EQ(FaultBeside(device, kConsumer, kInverseOfBoth, kConsumer, kFirst), ConfigFault::kMapping);
+    EXPECT_EQ(FaultBeside(device, kConsumer, kShorter, kConsumer, kFirst), ConfigFault::kMapping);
+    // the lower slot is not the one that is named
+    EXPECT_EQ(device.Sign(0U).fault, ConfigFault::kMapping) << "its own lengths are wrong";
+    static_cast<void>(FaultBeside(device, kConsumer, kFirst, kConsumer, kFirst));
+    EXPECT_EQ(device.Sign(0U).fault, ConfigFault::kNone);
+    // a producer and a consumer, whichever is lower
+    EXPECT_EQ(FaultBeside(device, kProducer, kFirst, kConsumer, kFirst), ConfigFault::kMapping);
+    EXPECT_EQ(FaultBeside(device, kConsumer, kToSend, kProducer, kToSend), ConfigFault::kMapping);
+    // But other objects, two producers, and a lower slot that is off, are as they should be
+    EXPECT_EQ(FaultBeside(device, kConsumer, kFirst, kConsumer, kSecond), ConfigFault::kNone);
+    EXPECT_EQ(FaultBeside(device, kProducer, kToSend, kProducer, kToSend), ConfigFault::kNone);
+    EXPECT_EQ(FaultBeside(device, kOff, kFirst, kConsumer, kFirst), ConfigFault::kNone);
+}
+
+TEST(ChannelAMapping, OfSharedObjectsIsAskedOfTheEntriesThatCount)
+{
+    Verifies(req::SRS_CFG_037);
+    static constexpr std::uint32_t kFirst[2] = {0x22000120U, 0x22010120U};
+    static constexpr std::uint32_t kSecond[2] = {0x22000220U, 0x22010220U};
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    // Given an object of slot 1 in entry 16 of slot 0, the last one there is
+    ASSERT_EQ(FaultBeside(device, kDirectionConsumer, kFirst, kDirectionConsumer, kSecond), ConfigFault::kNone);
+    device.Store(0U, ConfigField::kMapEntry, 0U, 3U);
+    device.Store(0U, ConfigField::kMapEntry, 0U, 4U);
+    device.Store(0U, ConfigField::kMapEntry, 0x22010220U, 16U);
+    // Then it counts with a map count of 16 and of more than there are, and not with 15
+    device.Store(0U, ConfigField::kMapCount, 15U);
+    EXPECT_EQ(device.channel.Validate(1U).fault, ConfigFault::kNone);
+    device.Store(0U, ConfigField::kMapCount, 16U);
+    EXPECT_EQ(device.channel.Validate(1U).fault, ConfigFault::kMapping);
+    device.Store(0U, ConfigField::kMapCount, 255U);
+    EXPECT_EQ(device.channel.Validate(1U).fault, ConfigFault::kMapping);
+}
+
+TEST(ChannelAMapping, OfSharedDummiesIsAllowed)
+{
+    Verifies(req::SRS_CFG_037);
+    Verifies(req::SRS_CFG_033);
+    static constexpr std::uint32_t kDummies[2] = {0x00050008U, 0x00050008U};
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    device.config.dummies = DummyMapping::kAllowed;
+    EXPECT_EQ(FaultBeside(device, kDirectionConsumer, kDummies, kDirectionConsumer, kDummies), ConfigFault::kNone);
+}
+
+TEST(ChannelAMapping, OfASharedObjectIsNamedBeforeTheSignature)
+{
+    Verifies(req::SRS_CFG_020);
+    Verifies(req::SRS_CFG_037);
+    static constexpr std::uint32_t kFirst[2] = {0x22000120U, 0x22010120U};
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    static_cast<void>(FaultBeside(device, kDirectionConsumer, kFirst, kDirectionConsumer, kFirst));
+    device.Store(1U, ConfigField::kSignature, 0U);
+    EXPECT_EQ(device.channel.Validate(1U).fault, ConfigFault::kMapping);
+}
+
 } // namespace
 } // namespace counterpoint::channel_a_test

@@ -1,12 +1,13 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// What channel A takes for the confirmation of a pair, by the stamps of both frames.
+// What channel A takes for the confirmation of a pair, by the stamps of both frames, and what its inverse frame is.
 #include "tests/channel_a/device.hpp"
 #include "verification/trace/ids/channel.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <memory>
 
 namespace counterpoint::channel_a_test
@@ -73,6 +74,139 @@ TEST_F(ChannelAProducer, GivesUpANormalFrameAMicrosecondAfterSrvtOverAWrap)
     const CanFrame inverse = Device::FrameOf(0x102U, 8U, 0U, true);
     EXPECT_EQ(device.channel.OnConfirm(inverse, Instant{kBeforeTheWrapUs + 20002U}).step, ConfirmStep::kNone);
     EXPECT_EQ(device.channel.View(kProducerSlot).ordinal, 0U);
+}
+
+// Two SRDO objects of four bytes, 00h to 07h, confirmed as far as the normal frame.
+void AwaitTheInverse(Device& device)
+{
+    device.clock_us = 0U;
+    device.Start();
+    static_cast<void>(device.Cycle());
+    static_cast<void>(device.Cycle());
+    ASSERT_EQ(device.channel.Prepare(kProducerSlot).status, PrepareStatus::kReady);
+    const CanFrame normal = Device::FrameOf(0x101U, 8U, 0U, false);
+    ASSERT_EQ(device.channel.OnConfirm(normal, Instant{device.clock_us}).step, ConfirmStep::kNormal);
+}
+
+bool IsEmpty(const CanFrame& frame)
+{
+    static constexpr std::uint8_t kZeros[8] = {};
+    return (frame.identifier == 0U) && (frame.kind == FrameKind::kInvalid) && (frame.port == CanPortId::kInvalid) &&
+           (frame.length_bytes == 0U) && (std::memcmp(frame.data, kZeros, sizeof(kZeros)) == 0);
+}
+
+TEST_F(ChannelAProducer, HasTheInverseFrameWhileItIsAwaited)
+{
+    Verifies(req::SRS_PROD_006);
+    Device& device = fenced->device;
+    device.config.inverse_port = CanPortId::kSecond;
+    // Given a pair in flight, whose normal frame has not been confirmed
+    device.Start();
+    static_cast<void>(device.Cycle());
+    static_cast<void>(device.Cycle());
+    EXPECT_TRUE(IsEmpty(device.channel.InverseFrame(kProducerSlot)));
+    ASSERT_EQ(device.channel.Prepare(kProducerSlot).status, PrepareStatus::kReady);
+    EXPECT_TRUE(IsEmpty(device.channel.InverseFrame(kProducerSlot)));
+    // When it is confirmed
+    const CanFrame normal = Device::FrameOf(0x101U, 8U, 0U, false);
+    ASSERT_EQ(device.channel.OnConfirm(normal, Instant{device.clock_us}).step, ConfirmStep::kNormal);
+    // Then the inverse frame is there as often as it is asked for, whatever the objects hold meanwhile
+    device.words[4][0] = 0x55U;
+    const channel_a::Channel& asked = device.channel;
+    for (std::uint32_t time = 0U; time < 3U; ++time)
+    {
+        const CanFrame inverse = asked.InverseFrame(kProducerSlot);
+        static constexpr std::uint8_t kInverted[8] = {0xFFU, 0xFEU, 0xFDU, 0xFCU, 0xFBU, 0xFAU, 0xF9U, 0xF8U};
+        EXPECT_EQ(inverse.identifier, 0x102U);
+        EXPECT_EQ(inverse.kind, FrameKind::kData);
+        EXPECT_EQ(inverse.port, CanPortId::kSecond);
+        EXPECT_EQ(inverse.length_bytes, 8U);
+        EXPECT_EQ(std::memcmp(inverse.data, kInverted, sizeof(kInverted)), 0);
+    }
+    // and no more once the pair is sent
+    const CanFrame inverse = Device::FrameOf(0x102U, 8U, 0U, true);
+    ASSERT_EQ(device.channel.OnConfirm(inverse, Instant{device.clock_us}).step, ConfirmStep::kPair);
+    EXPECT_TRUE(IsEmpty(device.channel.InverseFrame(kProducerSlot)));
+    EXPECT_TRUE(IsEmpty(device.channel.InverseFrame(kConsumerSlot)));
+}
+
+TEST_F(ChannelAProducer, InvertsEveryBitOfTheLastByteAndNoneBehindIt)
+{
+    Verifies(req::SRS_PROD_005);
+    Verifies(req::SRS_PROD_006);
+    static constexpr std::uint32_t kNineBits[2] = {0x22300109U, 0x22310109U};
+    Device& device = fenced->device;
+    // Given an object of nine bits, 1A5h, whose last byte holds seven other bits
+    device.bits[4][0] = 0xA5U;
+    device.bits[4][1] = 0xABU;
+    device.Start();
+    device.Map(kProducerSlot, kNineBits, 2U);
+    ASSERT_EQ(device.Sign(kProducerSlot).fault, ConfigFault::kNone);
+    static_cast<void>(device.Cycle());
+    static_cast<void>(device.Cycle());
+    const PreparedPair pair = device.channel.Prepare(kProducerSlot);
+    static constexpr std::uint8_t kNormal[8] = {0xA5U, 0x01U, 0U, 0U, 0U, 0U, 0U, 0U};
+    ASSERT_EQ(pair.normal.length_bytes, 2U);
+    EXPECT_EQ(std::memcmp(pair.normal.data, kNormal, sizeof(kNormal)), 0);
+    ASSERT_EQ(device.channel.OnConfirm(pair.normal, Instant{device.clock_us}).step, ConfirmStep::kNormal);
+    // Then the bits above the mapped ones are 1 in the inverse frame, and the bytes behind it 0
+    static constexpr std::uint8_t kInverse[8] = {0x5AU, 0xFEU, 0U, 0U, 0U, 0U, 0U, 0U};
+    const CanFrame inverse = device.channel.InverseFrame(kProducerSlot);
+    EXPECT_EQ(inverse.length_bytes, 2U);
+    EXPECT_EQ(std::memcmp(inverse.data, kInverse, sizeof(kInverse)), 0);
+    EXPECT_EQ(device.channel.OnConfirm(inverse, Instant{device.clock_us}).step, ConfirmStep::kPair);
+}
+
+TEST_F(ChannelAProducer, HasNoInverseFrameOfAPairThatIsOver)
+{
+    Verifies(req::SRS_PROD_006);
+    Verifies(req::SRS_PROD_009);
+    Verifies(req::SRS_PROD_011);
+    Device& device = fenced->device;
+    // After another echo than what was sent
+    AwaitTheInverse(device);
+    static_cast<void>(device.channel.OnConfirm(Device::FrameOf(0x102U, 8U, 1U, true), Instant{device.clock_us}));
+    EXPECT_TRUE(IsEmpty(device.channel.InverseFrame(kProducerSlot)));
+    // after what the kernel says of the transmission
+    AwaitTheInverse(device);
+    device.channel.OnTransmitFault(kProducerSlot, TransmitFault{SrdoCause::kNotInverse});
+    EXPECT_TRUE(IsEmpty(device.channel.InverseFrame(kProducerSlot)));
+    // a microsecond after SRVT, not on it
+    AwaitTheInverse(device);
+    static_cast<void>(device.Cycle(20000U));
+    EXPECT_FALSE(IsEmpty(device.channel.InverseFrame(kProducerSlot)));
+    static_cast<void>(device.Cycle(1U));
+    EXPECT_TRUE(IsEmpty(device.channel.InverseFrame(kProducerSlot)));
+    // and when OPERATIONAL is left
+    AwaitTheInverse(device);
+    device.nmt = NmtState::kPreOperational;
+    static_cast<void>(device.Cycle());
+    EXPECT_TRUE(IsEmpty(device.channel.InverseFrame(kProducerSlot)));
+}
+
+TEST_F(ChannelAProducer, KeepsTheCauseOfAFaultThatTheEdgeCameWith)
+{
+    Verifies(req::SRS_REL_005);
+    Verifies(req::SRS_PROD_009);
+    Device& device = fenced->device;
+    // Given a level of 0, then a first 1, when the pair is given up and the same call sees the edge
+    AwaitTheInverse(device);
+    device.acknowledge = kProducerBit;
+    static_cast<void>(device.Cycle());
+    device.channel.OnTransmitFault(kProducerSlot, TransmitFault{SrdoCause::kBusOff});
+    EXPECT_EQ(device.Cycle().signalled, kProducerBit);
+    // Then the edge is forgotten
+    EXPECT_EQ(device.channel.View(kProducerSlot).first_cause, SrdoCause::kBusOff);
+    static_cast<void>(device.Cycle());
+    EXPECT_EQ(device.channel.View(kProducerSlot).first_cause, SrdoCause::kBusOff);
+    // and the next one acknowledges
+    for (const SrdoMask input : {SrdoMask{0U}, SrdoMask{0U}, kProducerBit, kProducerBit})
+    {
+        EXPECT_EQ(device.channel.View(kProducerSlot).first_cause, SrdoCause::kBusOff);
+        device.acknowledge = input;
+        static_cast<void>(device.Cycle());
+    }
+    EXPECT_EQ(device.channel.View(kProducerSlot).first_cause, SrdoCause::kNone);
 }
 
 } // namespace

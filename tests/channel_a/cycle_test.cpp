@@ -1,0 +1,225 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// What channel A makes of the acknowledge inputs, cycle by cycle, and what it signals.
+#include "tests/channel_a/device.hpp"
+#include "verification/trace/ids/channel.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <initializer_list>
+#include <memory>
+
+namespace counterpoint::channel_a_test
+{
+namespace
+{
+
+class ChannelACycle : public ::testing::Test
+{
+  protected:
+    void SetUp() override
+    {
+        fenced->device.setups[0].policy = ReleasePolicy::kInterlock;
+        Start();
+    }
+
+    // Before the first cycle of a consumer that needs an acknowledge.
+    void Start()
+    {
+        device.clock_us = 0U;
+        device.nmt = NmtState::kOperational;
+        device.acknowledge = 0U;
+        device.Start();
+    }
+
+    // Whether the consumer is released by a cycle with this input and a pair before it.
+    bool ReleasesWith(SrdoMask input)
+    {
+        device.acknowledge = input;
+        const bool is_released = device.Cycle().released != 0U;
+        device.Pair(8U, 0x11U);
+        return is_released;
+    }
+
+    bool ReleasesWith(std::initializer_list<SrdoMask> inputs)
+    {
+        bool is_released = false;
+        for (const SrdoMask input : inputs)
+        {
+            is_released = ReleasesWith(input) || is_released;
+        }
+        return is_released;
+    }
+
+    std::unique_ptr<FencedDevice> fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+};
+
+TEST_F(ChannelACycle, TakesAnAcknowledgeThatLastsTwoCalls)
+{
+    Verifies(req::SRS_REL_005);
+    // Given a level of 0, when 1 lasts one call, then nothing; when it lasts two, the second one releases
+    EXPECT_FALSE(ReleasesWith({0U, 0U, 1U, 0U, 1U, 0U}));
+    EXPECT_FALSE(ReleasesWith(1U));
+    EXPECT_TRUE(ReleasesWith(1U));
+}
+
+TEST_F(ChannelACycle, TakesNoAcknowledgeFromALevelThatWasNotLow)
+{
+    Verifies(req::SRS_REL_005);
+    // 1 from the beginning, and a 0 that lasts one call
+    EXPECT_FALSE(ReleasesWith({1U, 1U, 1U, 0U, 1U, 1U, 1U}));
+    // a 0 that lasts two
+    EXPECT_FALSE(ReleasesWith({0U, 0U, 1U}));
+    EXPECT_TRUE(ReleasesWith(1U));
+}
+
+TEST_F(ChannelACycle, TakesTheFirstCallForOneAfterA1)
+{
+    Verifies(req::SRS_REL_005);
+    // One 0 in the first call is not yet a level
+    EXPECT_FALSE(ReleasesWith({0U, 1U, 1U, 1U}));
+    Start();
+    EXPECT_FALSE(ReleasesWith({0U, 0U, 1U}));
+    EXPECT_TRUE(ReleasesWith(1U));
+}
+
+TEST_F(ChannelACycle, FollowsTheLevelWhileNothingIsActive)
+{
+    Verifies(req::SRS_REL_005);
+    // Given a level of 0 and a first 1 before OPERATIONAL, then the first call in it sees the edge
+    device.nmt = NmtState::kPreOperational;
+    EXPECT_FALSE(ReleasesWith({0U, 0U, 1U}));
+    device.nmt = NmtState::kOperational;
+    EXPECT_FALSE(ReleasesWith(1U));
+    EXPECT_TRUE(ReleasesWith(1U)) << "with the pair that came then";
+    // and an edge before it is forgotten
+    Start();
+    device.nmt = NmtState::kPreOperational;
+    EXPECT_FALSE(ReleasesWith({0U, 0U, 1U, 1U}));
+    device.nmt = NmtState::kOperational;
+    EXPECT_FALSE(ReleasesWith({1U, 1U, 1U}));
+}
+
+TEST_F(ChannelACycle, FollowsTheLevelOfEverySlotApart)
+{
+    Verifies(req::SRS_REL_005);
+    // Given the other slot's input one call ahead, then it is the own one that releases
+    EXPECT_FALSE(ReleasesWith({0U, 0U, 2U, 3U}));
+    EXPECT_TRUE(ReleasesWith(1U));
+}
+
+TEST_F(ChannelACycle, TakesNoFlippedLevelForAnAcknowledge)
+{
+    Verifies(req::SRS_REL_005);
+    Verifies(req::SRS_CONS_024);
+    constexpr std::size_t kVoice = sizeof(channel_a::Channel) - sizeof(channel_a::Voice);
+    static constexpr std::size_t kMasks[] = {offsetof(channel_a::Voice, reading),
+                                             offsetof(channel_a::Voice, high_levels),
+                                             offsetof(channel_a::Voice, low_levels)};
+    for (const std::size_t mask : kMasks)
+    {
+        for (std::size_t bit = 0U; bit < 64U; ++bit)
+        {
+            for (const SrdoMask input : {SrdoMask{0U}, SrdoMask{3U}})
+            {
+                // Given an input that stands still, when a bit of its level flips
+                Start();
+                EXPECT_FALSE(ReleasesWith({input, input, input}));
+                std::uint8_t& byte = reinterpret_cast<std::uint8_t*>(&device.channel)[kVoice + mask + (bit / 8U)];
+                byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8U)));
+                // Then nothing is released
+                EXPECT_FALSE(ReleasesWith({input, input, input, input})) << "mask at " << mask << ", bit " << bit;
+                // and an acknowledge still does it
+                EXPECT_TRUE(ReleasesWith({0U, 0U, 1U, 1U})) << "mask at " << mask << ", bit " << bit;
+            }
+        }
+    }
+}
+
+TEST_F(ChannelACycle, CommitsNoSlotThatThereIsNot)
+{
+    Verifies(req::SRS_REL_002);
+    Verifies(req::SRS_CONS_024);
+    constexpr std::size_t kCommitted =
+        sizeof(channel_a::Channel) - sizeof(channel_a::Voice) + offsetof(channel_a::Voice, committed);
+    for (std::size_t bit = 0U; bit < 64U; ++bit)
+    {
+        // Given two slots, none of them committed, when a bit of the mask of committed ones flips
+        Start();
+        static_cast<void>(device.Cycle());
+        std::uint8_t& byte = reinterpret_cast<std::uint8_t*>(&device.channel)[kCommitted + (bit / 8U)];
+        byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8U)));
+        device.words[0][0] = 0x77U; // Of the consumer.
+        device.words[4][0] = 0x77U; // Of the producer.
+        device.channel.Commit(Agreement{0U, 0U});
+        // Then no object of another slot is written, and nothing that is not an object
+        EXPECT_EQ(device.words[0][0], (bit == kConsumerSlot) ? 0U : 0x77U) << "bit " << bit;
+        EXPECT_TRUE((device.words[4][0] == 0x77U) || (bit == kProducerSlot)) << "bit " << bit;
+        EXPECT_TRUE(fenced->IsIntact()) << "bit " << bit;
+        EXPECT_EQ(device.channel.Answer(1U).mask, 0U) << "bit " << bit;
+    }
+}
+
+TEST_F(ChannelACycle, SignalsEveryFaultInTheCallThatReportsIt)
+{
+    Verifies(req::SRS_CONS_021);
+    static_cast<void>(device.Cycle());
+    // Given two inverse frames without a normal one, within SCT, in calls one after the other
+    for (std::uint32_t time = 0U; time < 2U; ++time)
+    {
+        device.Frame(0x112U, 8U, 0x11U, true);
+        const CycleOutcome outcome = device.Cycle();
+        EXPECT_EQ(outcome.new_fault, kConsumerBit);
+        EXPECT_EQ(outcome.signalled, kConsumerBit);
+        EXPECT_EQ(device.channel.View(kConsumerSlot).signals,
+                  std::uint32_t{1U} << static_cast<std::uint32_t>(SrdoCause::kInverseFirst));
+    }
+    // Then the next call has no signal
+    EXPECT_EQ(device.Cycle().signalled, 0U);
+    EXPECT_EQ(device.channel.View(kConsumerSlot).signals, 0U);
+    // and one after SCT has it again
+    static_cast<void>(device.Cycle(60000U));
+    device.Frame(0x112U, 8U, 0x11U, true);
+    EXPECT_EQ(device.Cycle().signalled, kConsumerBit);
+}
+
+TEST_F(ChannelACycle, SignalsEveryFaultOfAProducer)
+{
+    Verifies(req::SRS_PROD_009);
+    Verifies(req::SRS_CONS_021);
+    static_cast<void>(device.Cycle());
+    for (std::uint32_t time = 0U; time < 2U; ++time)
+    {
+        device.request = kProducerBit;
+        EXPECT_EQ(device.Cycle().due, kProducerBit);
+        device.request = 0U;
+        ASSERT_EQ(device.channel.Prepare(kProducerSlot).status, PrepareStatus::kReady);
+        device.channel.OnTransmitFault(kProducerSlot, TransmitFault{SrdoCause::kTransmitQueue});
+        EXPECT_EQ(device.Cycle().signalled & kProducerBit, kProducerBit);
+        EXPECT_EQ(device.channel.View(kProducerSlot).signals,
+                  std::uint32_t{1U} << static_cast<std::uint32_t>(SrdoCause::kTransmitQueue));
+    }
+    EXPECT_EQ(device.Cycle().signalled & kProducerBit, 0U);
+    EXPECT_EQ(device.channel.View(kProducerSlot).signals, 0U);
+}
+
+TEST_F(ChannelACycle, SignalsWaitingPastSctOnce)
+{
+    Verifies(req::SRS_CONS_022);
+    const std::uint32_t waiting = std::uint32_t{1U} << static_cast<std::uint32_t>(SrdoCause::kWaitingPastSct);
+    static_cast<void>(device.Cycle());
+    EXPECT_EQ(device.Cycle(50000U).signalled & kConsumerBit, 0U);
+    EXPECT_EQ(device.Cycle(1U).signalled & kConsumerBit, kConsumerBit);
+    EXPECT_EQ(device.channel.View(kConsumerSlot).signals, waiting);
+    for (std::uint32_t time = 0U; time < 3U; ++time)
+    {
+        EXPECT_EQ(device.Cycle(60000U).signalled & kConsumerBit, 0U);
+        EXPECT_EQ(device.channel.View(kConsumerSlot).signals, 0U);
+    }
+}
+
+} // namespace
+} // namespace counterpoint::channel_a_test
