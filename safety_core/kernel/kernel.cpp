@@ -176,7 +176,7 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     flow_.Mark(FlowStep::kProduction, kDone);
     const SrdoMask received = decision_.Commit(context_);
     flow_.Mark(FlowStep::kCommit, kDone);
-    reporting_.TellErrors(context_, outcome_a.signalled | outcome_b.signalled);
+    reporting_.TellErrors(context_, outcome_a.signalled | outcome_b.signalled, call.now.a);
     reporting_.TellReceived(context_, received);
     reporting_.TellFlow(context_, outcome_a, production_.Transmitted());
     reporting_.ExamineHandshake(context_);
