@@ -83,7 +83,7 @@ enum class GfcUse : std::uint8_t
 struct DeviceConfig
 {
     const SrdoSetup* srdos;
-    const MappableObject* objects; ///< Ascending by (index, sub), no duplicates.
+    const MappableObject* objects; ///< Ascending by (index, sub), no duplicates; not 0001h to 0007h beside dummies.
     std::uint16_t object_count;    ///< 0 to 1024.
     std::uint8_t srdo_count;       ///< 1 to 64.
     std::uint8_t node_id;          ///< 1 to 127.
