@@ -21,6 +21,7 @@ class AcknowledgeSkew : public ::testing::TestWithParam<PeerRole>
     void SetUp() override
     {
         comparator.Restart(ComparatorSetup{50000U, 200000U, 3U});
+        rig.channel.digest_of.fill(0U); // As the peer's words tell it.
         rig.Contact(1000U);
         rig.channel.outcome.waiting = 0U;
         rig.channel.outcome.faulted = 1U;
