@@ -57,9 +57,12 @@ DeviceFault Overall(const Comparison& comparison) noexcept
 
 void Comparator::Restart(const ComparatorSetup& setup) noexcept
 {
+    // An edge may lie anywhere in the window; without one, what one channel sees a little later has its time as well.
+    const bool is_window_longer = setup.acknowledge_window_us > setup.discrepancy_us;
     slots_ = ~SrdoMask{0U} >> (std::uint32_t{kMaxSrdoCount} - setup.slot_count);
-    discrepancy_us_ = setup.discrepancy_us;
-    watched_ = 0U;
+    pairs_.Restart(setup.discrepancy_us);
+    releases_.Restart(is_window_longer ? setup.acknowledge_window_us : setup.discrepancy_us);
+    agreed_ = 0U;
     fresh_ = 0U;
     previous_ = Instant{0U};
 }
@@ -86,76 +89,82 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
         return verdict;
     }
 
-    verdict.demote = (a.faulted ^ b.faulted) | (a.new_fault ^ b.new_fault);
+    // What only one channel calls faulted, without a new fault, and what was not agreed: one of them has released it by
+    // its acknowledge, and waits for the other one.
+    const SrdoMask faulted_in_one = a.faulted ^ b.faulted;
     const SrdoMask faults = a.faulted | b.faulted | a.new_fault | b.new_fault;
-    verdict.agreement.agreed = a.released & b.released & ~faults;
+    verdict.demote = (a.new_fault ^ b.new_fault) | (faulted_in_one & agreed_);
+    agreed_ = a.released & b.released & ~faults;
+    verdict.agreement.agreed = agreed_;
     verdict.start = a.due & b.due;
 
-    one_sided_ = (a.released ^ b.released) | (a.due ^ b.due);
-    known_ = watched_;
-    watched_ |= a.fresh | b.fresh | one_sided_;
+    const SrdoMask to_compare = slots_ & ~verdict.demote;
+    const SrdoMask fresh = a.fresh | b.fresh;
+    const SrdoMask apart = (a.released ^ b.released) | faulted_in_one;
+    const SrdoMask known = pairs_.Renew();
+    pending_ = apart | (releases_.Renew() & agreed_); // A second release counts within the window only.
+    releases_.Open(apart & to_compare);
+    SrdoMask to_look = known | pending_ | fresh | (a.due ^ b.due);
     if (a.ordinal_sum != b.ordinal_sum)
     {
-        watched_ = slots_;
+        to_look = slots_;
     }
-    watched_ &= slots_ & ~verdict.demote;
-    fresh_ = (fresh_ | a.fresh | b.fresh) & watched_;
-    for (SrdoMask to_look = watched_; to_look != 0U; to_look &= to_look - 1U)
+    to_look &= to_compare;
+    fresh_ = (fresh_ | fresh) & to_look;
+    for (; to_look != 0U; to_look &= to_look - 1U)
     {
         Look(comparison, SlotSet{to_look & (0U - to_look)}, verdict);
     }
-    verdict.agreement.matched = ~watched_;
+    verdict.agreement.matched = ~(pairs_.Slots() | releases_.Slots());
     previous_ = comparison.now;
     return verdict;
 }
 
-// t      k-1           k       a difference seen at k arose after comparison k-1: the time counts from there, so that
-//         |....x........|       discrepancy time and one cycle cover it from its first effect.
+// t      k-1           k       a pair that differs at k came after comparison k-1: the time counts from there, so that
+//         |....x........|       discrepancy time and one cycle cover it from its first effect. An acknowledge of one
+//                               channel alone opens nothing: its time counts from k.
 // Nothing is held of a producer: its pair was compared before it left, and a confirmation at the very limit may count
 // in one channel alone.
 void Comparator::Look(const Comparison& comparison, const SlotSet only, Verdict& verdict) noexcept
 {
     const SrdoMask bit = only.mask;
     const SlotIndex slot = LowestOf(only);
-    if ((known_ & bit) == 0U)
-    {
-        since_[slot] = previous_; // MISRA D-002
-    }
     const HeldPair a = comparison.channel_a->Held(slot);
     const HeldPair b = comparison.channel_b->Held(slot);
+    const SrdoMask due_in_one = (comparison.outcome_a->due ^ comparison.outcome_b->due) & bit;
+    const std::uint32_t pairs = (a.ordinal ^ b.ordinal) | (a.holds_pair ^ b.holds_pair);
     const std::uint32_t data = Unequal(a.data, b.data);
-    const bool is_one_pair = ((a.ordinal ^ b.ordinal) | (a.holds_pair ^ b.holds_pair)) == 0U;
-    const std::uint32_t elapsed_us = comparison.now.us - since_[slot].us; // MISRA D-002
-    DeviceFault fault = DeviceFault::kNone;
-    if (is_one_pair && (data != 0U))
+    if ((pairs | data | due_in_one) != 0U)
     {
-        fault = DeviceFault::kDisagreement;
-    }
-    else if (is_one_pair && ((one_sided_ & bit) == 0U))
-    {
-        watched_ ^= bit;
-        verdict.newly_matched |= bit & fresh_;
-    }
-    else if (elapsed_us > discrepancy_us_)
-    {
-        const SrdoMask one_sided_due = comparison.outcome_a->due ^ comparison.outcome_b->due;
-        if (is_one_pair && ((one_sided_due & bit) == 0U))
+        pairs_.Open(bit);
+        const bool is_over = pairs_.IsOver(only, previous_, comparison.now);
+        if ((pairs == 0U) && (data != 0U))
         {
-            verdict.demote |= bit; // Nothing but the release differs.
+            verdict.fault = DeviceFault::kDisagreement;
+            verdict.slot = slot;
+        }
+        else if (is_over)
+        {
+            verdict.fault = DeviceFault::kUnmatched;
+            verdict.slot = slot;
         }
         else
         {
-            fault = DeviceFault::kUnmatched;
+            // The channels have time left to agree.
         }
     }
-    else
+    const bool is_late = ((pending_ & bit) != 0U) ? releases_.IsOver(only, comparison.now, comparison.now) : false;
+    if (is_late)
     {
-        // The channels have time left to agree.
+        verdict.demote |= bit;
+        verdict.agreement.agreed &= ~bit;
+        releases_.Close(bit);
+        fresh_ &= ~bit;
     }
-    if (fault != DeviceFault::kNone)
+    if (((pairs_.Slots() | releases_.Slots()) & bit) == 0U)
     {
-        verdict.fault = fault;
-        verdict.slot = slot;
+        verdict.newly_matched |= bit & fresh_;
+        fresh_ &= ~bit;
     }
 }
 

@@ -27,7 +27,7 @@ struct Comparison
 struct Verdict
 {
     Agreement agreement;
-    SrdoMask demote;        ///< Slots that only one channel calls faulted: the kernel calls Demote in both channels.
+    SrdoMask demote;        ///< Slots that the kernel demotes in both channels. [SRS_CMP_004, SRS_CMP_008]
     SrdoMask start;         ///< Producers that both channels call due.
     SrdoMask newly_matched; ///< Consumers whose new pair matched in this cycle.
     std::uint32_t echo;     ///< The challenge of the comparison. [SRS_CMP_001]
@@ -44,16 +44,66 @@ enum class PreparedVerdict : std::uint8_t
     kDisagreement = 2U, ///< The channels differ in anything else.
 };
 
-/// How long the channels may differ, and how many slots there are. Both are checked by Kernel::Start.
+/// How long the channels may differ, and how many slots there are. All of it is checked by Kernel::Start.
 struct ComparatorSetup
 {
     std::uint32_t discrepancy_us; ///< Discrepancy time; at most 2^30 - 1 us.
-    std::uint8_t slot_count;      ///< 1 to 64.
+    std::uint32_t
+        acknowledge_window_us; ///< How far apart both channels' acknowledge edges may be; at most 2^30 - 1 us.
+    std::uint8_t slot_count;   ///< 1 to 64.
 };
 
-/// Decides whether the two channels say the same. Owns the discrepancy time: for each slot since when it is unmatched.
-/// Invariant: bit n of `watched_` is set exactly while slot n needs a look in the next comparison; `since_[n]` has a
-/// meaning only then: the comparison before the first one that looked, since the difference may be as old as that.
+/// In which slots the channels differ in one respect, and since when. Invariant: `since_[n]` has a meaning only while
+/// bit n of `open_` or `known_` is set.
+class Differences
+{
+  public:
+    void Restart(const std::uint32_t limit_us) noexcept
+    {
+        limit_us_ = limit_us;
+        open_ = 0U;
+        known_ = 0U;
+    }
+    /// @brief A comparison begins: the slots that differed in the one before; none does yet in this one.
+    [[nodiscard]] SrdoMask Renew() noexcept
+    {
+        known_ = open_;
+        open_ = 0U;
+        return known_;
+    }
+    /// @brief Slots that differ in this comparison.
+    void Open(const SrdoMask slots) noexcept
+    {
+        open_ |= slots;
+    }
+    void Close(const SrdoMask slots) noexcept
+    {
+        open_ &= ~slots;
+    }
+    [[nodiscard]] SrdoMask Slots() const noexcept
+    {
+        return open_;
+    }
+    /// @brief Whether a difference that began at `begun`, if it is a new one, is older than the limit.
+    [[nodiscard]] bool IsOver(const SlotSet only, const Instant begun, const Instant now) noexcept
+    {
+        const SlotIndex slot = LowestOf(only);
+        if ((known_ & only.mask) == 0U)
+        {
+            since_[slot] = begun; // MISRA D-002
+        }
+        return (now.us - since_[slot].us) > limit_us_; // MISRA D-002
+    }
+
+  private:
+    SrdoMask open_{0U};
+    SrdoMask known_{0U}; ///< What was open in the comparison before.
+    std::uint32_t limit_us_{0U};
+    Instant since_[kMaxSrdoCount]{}; // MISRA D-001
+};
+
+/// Decides whether the two channels say the same, and for how long they may not. A pair, or a due mark, of one channel
+/// alone has the discrepancy time; a release of one alone the acknowledge window, each with a start of its own.
 class Comparator
 {
   public:
@@ -63,20 +113,20 @@ class Comparator
     /// @brief Compares both voices; call once a cycle. O(1) when nothing is new, else O(slots that need a look).
     /// [SRS_CMP_001, SRS_CMP_002, SRS_CMP_003, SRS_CMP_004, SRS_CMP_005, SRS_CMP_006, SRS_CMP_007, SRS_CMP_008]
     [[nodiscard]] Verdict Compare(const Comparison& comparison) noexcept;
-    /// @brief Compares status and every member of the frame. [SRS_CMP_010]
+    /// @brief Compares status and every member of the frame; prepared pairs and inverse frames alike. [SRS_CMP_010,
+    /// SRS_KRN_014]
     [[nodiscard]] static PreparedVerdict ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept;
 
   private:
     void Look(const Comparison& comparison, SlotSet only, Verdict& verdict) noexcept;
 
-    SrdoMask watched_{0U};
-    SrdoMask known_{0U};     ///< What was watched before this comparison.
-    SrdoMask fresh_{0U};     ///< Watched slots of which a channel has a new pair that was not matched yet.
-    SrdoMask one_sided_{0U}; ///< Released or due in one channel alone, in this comparison.
+    Differences pairs_{};    ///< Ordinals, the fact of holding a pair, or due marks differ.
+    Differences releases_{}; ///< Released or faulted in one channel alone.
+    SrdoMask pending_{0U};   ///< Released in one channel alone, in this comparison or until then.
+    SrdoMask agreed_{0U};    ///< By the comparison before.
+    SrdoMask fresh_{0U};     ///< Slots of which a channel has a new pair that was not matched yet.
     SrdoMask slots_{0U};     ///< Those that exist: nothing else is ever looked at.
-    std::uint32_t discrepancy_us_{0U};
-    Instant previous_{0U};           ///< `now` of the comparison before.
-    Instant since_[kMaxSrdoCount]{}; // MISRA D-001
+    Instant previous_{0U};   ///< `now` of the comparison before.
 };
 
 } // namespace counterpoint

@@ -83,7 +83,7 @@ enum class GfcUse : std::uint8_t
 struct DeviceConfig
 {
     const SrdoSetup* srdos;
-    const MappableObject* objects; ///< Ascending by (index, sub), no duplicates.
+    const MappableObject* objects; ///< Ascending by (index, sub), no duplicates; not 0001h to 0007h beside dummies.
     std::uint16_t object_count;    ///< 0 to 1024.
     std::uint8_t srdo_count;       ///< 1 to 64.
     std::uint8_t node_id;          ///< 1 to 127.
@@ -97,7 +97,8 @@ struct DeviceConfig
     std::uint32_t cycle_us;           ///< 100 to 1 000 000: nominal distance of two calls of Kernel::Cycle.
     std::uint32_t cycle_tolerance_us; ///< 0 to cycle_us: a call this much later is still in time.
     std::uint32_t discrepancy_us;     ///< 0 to 2^30 - 1: greatest time for which the channels' ordinals may differ.
-    std::uint32_t acknowledge_window_us; ///< 0 to 2^30 - 1: for how long an acknowledge edge waits for its pair.
+    std::uint32_t acknowledge_window_us; ///< 0 to 2^30 - 1: for how long an acknowledge edge waits for its pair, and a
+                                         ///< release by one channel's edge for the other channel's.
     /// 2 srdo_count cycles to 2^30 - 1: every signature and digest is recomputed in it.
     std::uint32_t diagnostic_interval_us;
     std::uint32_t test_interval_us;   ///< 1 cycle to 2^30 - 1: the comparator is tested at least once in it.

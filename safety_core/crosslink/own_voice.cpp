@@ -178,9 +178,10 @@ Confirmation OwnVoice::OnConfirm(const CanFrame& frame, const Instant stamp) noe
     return confirmation;
 }
 
-CanFrame OwnVoice::InverseFrame(const SlotIndex slot) noexcept
+// The leader has sent the normal frame; the inverse one is the follower's.
+CanFrame OwnVoice::InverseFrame(const SlotIndex slot) const noexcept
 {
-    return channel_.InverseFrame(slot);
+    return sending_.IsFollower() ? channel_.InverseFrame(slot) : CanFrame{};
 }
 
 void OwnVoice::OnTransmitFault(const SlotIndex slot, const TransmitFault& fault) noexcept

@@ -323,9 +323,10 @@ Confirmation RemoteVoice::OnConfirm(const CanFrame& frame, const Instant /*stamp
     return Confirmation{slot, (slot == kNoSlot) ? ConfirmStep::kNone : step};
 }
 
-CanFrame RemoteVoice::InverseFrame(const SlotIndex /*slot*/) noexcept
+// The other CPU compares it when it has it on its own controller.
+CanFrame RemoteVoice::InverseFrame(const SlotIndex slot) const noexcept
 {
-    return CanFrame{};
+    return own_.InverseFrame(slot);
 }
 
 void RemoteVoice::OnTransmitFault(const SlotIndex slot, const TransmitFault& fault) noexcept

@@ -20,7 +20,7 @@ class Decision
     /// @brief After Stop.
     void Restart(const DeviceConfig& config) noexcept
     {
-        comparator_.Restart(ComparatorSetup{config.discrepancy_us, config.srdo_count});
+        comparator_.Restart(ComparatorSetup{config.discrepancy_us, config.acknowledge_window_us, config.srdo_count});
         self_test_.Restart(config);
     }
     /// @brief Nothing is committed, and no channel was demoted.

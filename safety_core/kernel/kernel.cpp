@@ -57,6 +57,7 @@ void Kernel::Stop() noexcept
         decision_.Withdraw(context_);
     }
     run_ = KernelRun{};
+    second_nmt_ = SecondNmt{};
     decision_.Stop();
     production_ = Production{};
     context_.latch.Disarm();
@@ -98,8 +99,8 @@ void Kernel::OnFrame(const StampedFrame& frame) noexcept
 }
 
 // t      prepare            normal on the bus         inverse on the bus
-// A      normal frame       confirm                   confirm: sent
-// B      compared           confirm, inverse frame    confirm: sent
+// A      normal frame       confirm, inverse frame    confirm: sent
+// B      compared           confirm, compared         confirm: sent
 void Kernel::OnConfirm(const StampedFrame& frame) noexcept
 {
     if (!run_.started)
@@ -121,13 +122,13 @@ void Kernel::OnConfirm(const StampedFrame& frame) noexcept
         production_.OnSent();
         reporting_.TellEvent(context_, slot);
     }
-    else if ((a.step == ConfirmStep::kNormal) && context_.latch.IsRunning())
+    else if ((a.step == ConfirmStep::kNormal) && MaySendInverse())
     {
-        (void)Production::HandOver(context_, slot, context_.parts.channel_b.InverseFrame(slot));
+        Production::SendInverse(context_, slot);
     }
     else
     {
-        // The device is safe, or two channels agree on something that is no step: nothing follows.
+        // Not any more, or two channels agree on something that is no step: nothing follows.
     }
 }
 
@@ -159,6 +160,7 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     input.now = call.now.b;
     input.acknowledge = call.acknowledge_b;
     input.stand = production_.StandOfB() | production_.Halted(context_);
+    input.nmt = second_nmt_.Take();
     CycleOutcome outcome_b = context_.parts.channel_b.OnCycle(input);
     flow_.Mark(FlowStep::kChannelB, FlowEvidence{outcome_b.cycle, run_.cycle});
 
@@ -174,7 +176,7 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     flow_.Mark(FlowStep::kProduction, kDone);
     const SrdoMask received = decision_.Commit(context_);
     flow_.Mark(FlowStep::kCommit, kDone);
-    reporting_.TellErrors(context_, outcome_a.signalled | outcome_b.signalled);
+    reporting_.TellErrors(context_, outcome_a.signalled | outcome_b.signalled, call.now.a);
     reporting_.TellReceived(context_, received);
     reporting_.TellFlow(context_, outcome_a, production_.Transmitted());
     reporting_.ExamineHandshake(context_);
@@ -185,6 +187,13 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     context_.parts.watchdog.Answer(flow_.End(context_.parts.watchdog.Question()));
     context_.latch.Enter(flow_.Finding(), kNoSlot);
     reporting_.TellDevice(context_);
+}
+
+// A pair of before OPERATIONAL was left is over, though the channels have not been told yet. [SRS_KRN_014]
+bool Kernel::MaySendInverse() const noexcept
+{
+    const bool has_stayed = (!run_.left_operational) && second_nmt_.HasStayed();
+    return has_stayed && (Production::Readiness(context_) == Result::kSuccessful);
 }
 
 // What channel A is given, but for challenge and token.
@@ -226,6 +235,7 @@ void Kernel::SetNmtState(const NmtState state) noexcept
     }
     production_.Cease();
     context_.guard.SetNmt(state);
+    second_nmt_.Set(state);
     if ((state != NmtState::kOperational) || (!context_.guard.IsValid()))
     {
         return; // No fault: SRDOs are off until the configuration is declared valid.

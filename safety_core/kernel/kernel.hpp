@@ -13,6 +13,7 @@
 #include "safety_core/kernel/production.hpp"
 #include "safety_core/kernel/reporting.hpp"
 #include "safety_core/kernel/result.hpp"
+#include "safety_core/kernel/second_nmt.hpp"
 #include "safety_core/kernel/start_check.hpp"
 #include "safety_core/kernel/variable.hpp"
 
@@ -81,7 +82,7 @@ struct KernelRun
 {
     QueueState queue{};
     bool started{};
-    bool left_operational{}; ///< The channels have not seen it yet.
+    bool left_operational{}; ///< Channel A has not seen it yet.
     std::uint32_t cycle{};
 };
 
@@ -194,8 +195,10 @@ class Kernel
     // What is used in one place alone is inline: the compiler then decides whether it needs a call of its own.
     [[nodiscard]] inline PartsView ExamineSelf() noexcept;
     [[nodiscard]] inline CycleInput TakeInput(const CycleCall& call) noexcept;
+    [[nodiscard]] inline bool MaySendInverse() const noexcept;
 
     KernelRun run_{};
+    SecondNmt second_nmt_{};
     KernelContext context_;
     FlowMonitor flow_{};
     ClockSupervisor clocks_{};

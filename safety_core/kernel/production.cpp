@@ -99,6 +99,20 @@ void Production::ProduceSlot(KernelContext& context, const SlotIndex slot) noexc
     }
 }
 
+void Production::SendInverse(KernelContext& context, const SlotIndex slot) noexcept
+{
+    const PreparedPair inverse_a{context.parts.channel_a.InverseFrame(slot), PrepareStatus::kReady};
+    const PreparedPair inverse_b{context.parts.channel_b.InverseFrame(slot), PrepareStatus::kReady};
+    if (Comparator::ComparePrepared(inverse_a, inverse_b) == PreparedVerdict::kEqual)
+    {
+        (void)HandOver(context, slot, inverse_b.normal);
+    }
+    else
+    {
+        context.latch.Enter(DeviceFault::kDisagreement, slot);
+    }
+}
+
 void Production::GiveUp(const KernelContext& context, const SlotIndex slot, const SrdoCause cause) noexcept
 {
     const TransmitFault fault{cause};

@@ -8,19 +8,38 @@ namespace
 
 constexpr std::uint32_t kLastCause = static_cast<std::uint32_t>(SrdoCause::kWaitingPastSct);
 
+// SCT, or the refresh time of a producer.
+ToldWindow WindowOf(const KernelContext& context, const SlotIndex slot, const Instant now) noexcept
+{
+    return ToldWindow{now, context.guard.Value(slot, ConfigField::kSct) * kMicrosecondsPerMillisecond};
+}
+
 } // namespace
 
-void Reporting::TellSlot(const KernelContext& context, const SlotIndex slot) noexcept
+void Reporting::SweepOne(const KernelContext& context, const Instant now) noexcept
+{
+    const SlotIndex slot = told_.NextSlot();
+    if ((told_.Slots() & OnlySlot(slot).mask) != 0U)
+    {
+        told_.Sweep(slot, WindowOf(context, slot, now));
+    }
+}
+
+void Reporting::TellSlot(const KernelContext& context, const SlotIndex slot, const Instant now) noexcept
 {
     const std::uint32_t signals =
         context.parts.channel_a.View(slot).signals | context.parts.channel_b.View(slot).signals;
-    for (std::uint32_t cause = 1U; cause <= kLastCause; ++cause)
+    const ToldWindow window = WindowOf(context, slot, now);
+    for (std::uint32_t number = 1U; number <= kLastCause; ++number)
     {
-        if (((signals >> cause) & 1U) != 0U)
+        const SrdoCause cause = static_cast<SrdoCause>(number);
+        const bool is_signalled = ((signals >> number) & 1U) != 0U;
+        const bool is_told = is_signalled ? told_.Take(slot, cause, window) : false;
+        if (is_told)
         {
             ++errors_;
             status_.OnError(slot);
-            context.parts.application.OnSrdoError(IndexOf(*context.config, slot), static_cast<SrdoCause>(cause));
+            context.parts.application.OnSrdoError(IndexOf(*context.config, slot), cause);
         }
     }
 }

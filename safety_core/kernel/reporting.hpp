@@ -6,6 +6,7 @@
 #include "safety_core/contract/channel.hpp"
 #include "safety_core/kernel/kernel_context.hpp"
 #include "safety_core/kernel/srdo_status.hpp"
+#include "safety_core/kernel/told_causes.hpp"
 
 #include <cstdint>
 
@@ -27,7 +28,7 @@ enum class StatusHandshake : std::uint8_t
 };
 
 /// What the application is told, and what it answers by the status bytes. [SRS_KRN_006, SRS_KRN_021, SRS_KRN_022,
-/// SRS_FLOW_004] What every cycle goes through is inline.
+/// SRS_KRN_032, SRS_FLOW_004] What every cycle goes through is inline.
 class Reporting
 {
   public:
@@ -38,6 +39,7 @@ class Reporting
         gfc_seen_ = false;
         fault_told_ = false;
         status_ = SrdoStatus{};
+        told_.Restart();
     }
     /// @brief Status bytes of all SRDOs. [SRS_KRN_021]
     [[nodiscard]] const SrdoStatus& Status() const noexcept
@@ -59,14 +61,19 @@ class Reporting
         status_.OnEvent(slot);
         context.parts.application.OnSrdoEvent(IndexOf(*context.config, slot));
     }
-    /// @brief Every cause that a channel signals, and a GFC. O(signalled)
-    void TellErrors(const KernelContext& context, const SrdoMask signalled) noexcept
+    /// @brief Every cause that a channel signals and that was not told within its window, and a GFC. O(signalled)
+    /// [SRS_KRN_032]
+    void TellErrors(const KernelContext& context, const SrdoMask signalled, const Instant now) noexcept
     {
         errors_ = 0U;
+        if (told_.Slots() != 0U)
+        {
+            SweepOne(context, now);
+        }
         SlotSet to_report{signalled};
         while (to_report.mask != 0U)
         {
-            TellSlot(context, TakeLowest(to_report));
+            TellSlot(context, TakeLowest(to_report), now);
         }
         if (gfc_seen_)
         {
@@ -117,7 +124,8 @@ class Reporting
     }
 
   private:
-    void TellSlot(const KernelContext& context, SlotIndex slot) noexcept;
+    void TellSlot(const KernelContext& context, SlotIndex slot, Instant now) noexcept;
+    void SweepOne(const KernelContext& context, Instant now) noexcept;
     void TellCounts(const KernelContext& context, const CycleOutcome& outcome, std::uint8_t transmitted) noexcept;
     static void Deliver(const KernelContext& context, FlowEvent event, std::uint16_t count) noexcept;
 
@@ -128,6 +136,7 @@ class Reporting
     std::uint8_t received_{};
     std::uint16_t errors_{}; ///< Told in this cycle: more than 255 with many consumers.
     SrdoStatus status_{};
+    ToldCauses told_{};
 };
 
 } // namespace counterpoint

@@ -37,6 +37,14 @@ bool IsObject(const MappableObject& object) noexcept
     return ((object.length_bits - 1U) < kMaxPayloadBits) && (object.place != nullptr);
 }
 
+// An entry of a mapping that names a data type is a dummy where dummies are allowed, never an object.
+bool IsDummyIndex(const MappableObject& object) noexcept
+{
+    constexpr std::uint32_t kDataTypes = 7U; // 0001h to 0007h.
+    // 0 - 1 is the greatest value.
+    return (std::uint32_t{object.index} - 1U) < kDataTypes;
+}
+
 // Ascending, and one after the other where gaps are refused.
 bool AreNumbers(const DeviceConfig& config) noexcept
 {
@@ -89,12 +97,13 @@ StartResult CheckObjects(const DeviceConfig& config) noexcept
     {
         return StartResult::kObjects;
     }
+    const bool has_dummies = config.dummies == DummyMapping::kAllowed;
     std::uint32_t following = 0U; // The least that the next object's order may be.
     for (std::uint16_t number = 0U; number < config.object_count; ++number)
     {
         const MappableObject& object = config.objects[number]; // MISRA D-002
         const std::uint32_t order = OrderOf(object);
-        if ((order < following) || (!IsObject(object)))
+        if ((order < following) || (!IsObject(object)) || (has_dummies && IsDummyIndex(object)))
         {
             return StartResult::kObjects;
         }

@@ -20,7 +20,8 @@ enum class StartResult : std::uint8_t
     kNodeId = 3U,         ///< Not 1 to 127.
     kGranularity = 4U,    ///< Not 1, 8, 16, 32 or 64.
     kPorts = 5U,          ///< Not kFirst or kSecond.
-    kObjects = 6U,        ///< Out of order, a length not 1 to 64, no place, or more than 1024.
+    kObjects = 6U,        ///< Out of order, a length not 1 to 64, no place, more than 1024, or 0001h to 0007h beside
+                          ///< dummy entries.
     kTiming = 7U,         ///< A time outside its range.
     kBusOrder = 8U,       ///< The HAL does not guarantee bus order.
     kStamps = 9U,         ///< The HAL does not guarantee stamps.

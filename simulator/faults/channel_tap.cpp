@@ -240,7 +240,7 @@ Confirmation ChannelTap::OnConfirm(const CanFrame& frame, const Instant stamp) n
     return confirmation;
 }
 
-CanFrame ChannelTap::InverseFrame(const SlotIndex slot) noexcept
+CanFrame ChannelTap::InverseFrame(const SlotIndex slot) const noexcept
 {
     CanFrame frame{};
     if (!IsStill())

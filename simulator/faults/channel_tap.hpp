@@ -47,7 +47,7 @@ class ChannelTap final : public Channel
     [[nodiscard]] Permit Answer(std::uint32_t challenge) const noexcept override;
     [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept override;
     [[nodiscard]] Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override;
-    [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) noexcept override;
+    [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) const noexcept override;
     void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override;
 
   private:

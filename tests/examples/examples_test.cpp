@@ -38,11 +38,11 @@ TEST(Examples, ActuatorMovesOnlyWithPairsCommandsAndAnAcknowledgement)
     // person
     EXPECT_EQ(RunActuator(), "   1 ms off, gate closed, drive stands\n"
                              "  10 ms waiting, gate closed, drive stands\n"
-                             " 150 ms released, gate open, drive moves\n"
+                             " 151 ms released, gate open, drive moves\n"
                              " 300 ms released, gate open, drive stands\n"
                              " 400 ms released, gate open, drive moves\n"
                              " 525 ms faulted, gate closed, drive stands\n"
-                             " 750 ms released, gate open, drive moves\n"
+                             " 751 ms released, gate open, drive moves\n"
                              "running\n");
 }
 

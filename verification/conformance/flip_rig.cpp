@@ -98,7 +98,7 @@ void FlipRig::Start()
     dictionary_.Fill(0U);
     a_.Restart(config_);
     b_.Restart(config_);
-    comparator_.Restart(ComparatorSetup{kDiscrepancyUs, kRigSlots});
+    comparator_.Restart(ComparatorSetup{kDiscrepancyUs, config_.acknowledge_window_us, kRigSlots});
     ConfigureAll(a_);
     ConfigureAll(b_);
     Store(0U, ConfigField::kGfcParameter, 0U, 1U);

@@ -132,7 +132,7 @@ Confirmation GuardedChannel::OnConfirm(const CanFrame& frame, const Instant stam
     return channel_.OnConfirm(frame, stamp);
 }
 
-CanFrame GuardedChannel::InverseFrame(const SlotIndex slot) noexcept
+CanFrame GuardedChannel::InverseFrame(const SlotIndex slot) const noexcept
 {
     const Turn turn{protection_, owner_};
     return channel_.InverseFrame(slot);

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <iterator>
+#include <utility>
 
 namespace counterpoint
 {
@@ -83,7 +84,7 @@ class SpokenChannel final : public Channel
     {
         return Confirmation{kNoSlot, ConfirmStep::kNone};
     }
-    CanFrame InverseFrame(SlotIndex) noexcept override
+    CanFrame InverseFrame(SlotIndex) const noexcept override
     {
         return CanFrame{};
     }
@@ -95,13 +96,13 @@ class SpokenChannel final : public Channel
     HeldPair held[kMaxSrdoCount]{};
 };
 
-// Four slots; slot 2 is a consumer that holds pair 9; discrepancy time 5000 us.
+// Four slots; slot 2 is a consumer that holds pair 9; discrepancy time 5000 us, window 20000 us.
 class Comparing : public ::testing::Test
 {
   protected:
     Comparing()
     {
-        comparator.Restart(ComparatorSetup{5000U, 4U});
+        comparator.Restart(ComparatorSetup{5000U, 20000U, 4U});
         for (SpokenChannel* const channel : {&a, &b})
         {
             channel->outcome.cycle = 17U;
@@ -151,7 +152,7 @@ TEST_F(Comparing, RestartForgetsWhatDiffered)
     b.held[2].ordinal = 8U;
     EXPECT_EQ(CompareAt(0xFFFFF000U).fault, DeviceFault::kNone);
     // When the comparator is restarted, then a difference has a discrepancy time of its own
-    comparator.Restart(ComparatorSetup{5000U, 4U});
+    comparator.Restart(ComparatorSetup{5000U, 20000U, 4U});
     a.outcome.fresh = 0U;
     a.outcome.ordinal_sum = 10U;
     EXPECT_EQ(CompareAt(3000U).fault, DeviceFault::kNone);
@@ -164,7 +165,7 @@ TEST_F(Comparing, RestartForgetsWhatDiffered)
 TEST_F(Comparing, FirstAndLastSlotOfSixtyFourAreLookedAt)
 {
     Verifies(req::SRS_CMP_006);
-    comparator.Restart(ComparatorSetup{5000U, 64U});
+    comparator.Restart(ComparatorSetup{5000U, 20000U, 64U});
     for (const SlotIndex slot : std::initializer_list<SlotIndex>{0U, 63U})
     {
         a.outcome.fresh = SrdoMask{1U} << slot;
@@ -445,18 +446,181 @@ TEST_F(Comparing, OnlyOneChannelHoldingAPairIsUnmatched)
     EXPECT_EQ(CompareAt(5001U).fault, DeviceFault::kUnmatched);
 }
 
-TEST_F(Comparing, OneSidedReleaseIsDemotedAfterTheDiscrepancyTime)
+TEST_F(Comparing, FaultWithoutANewOneInAnAgreedSlotDemotesAtOnce)
+{
+    Verifies(req::SRS_CMP_004);
+    // Given slot 2 agreed, and one channel alone that calls it faulted without a new fault
+    std::uint32_t now_us = 0U;
+    for (SpokenChannel* const faulty : {&a, &b})
+    {
+        EXPECT_EQ(CompareAt(now_us).agreement.agreed, 4U);
+        faulty->outcome.released = 0U;
+        faulty->outcome.faulted = 4U;
+        EXPECT_EQ(CompareAt(now_us + 1000U).demote, 4U);
+        // What was not agreed in the comparison before has the window
+        EXPECT_EQ(CompareAt(now_us + 2000U).demote, 0U);
+        faulty->outcome.released = 4U;
+        faulty->outcome.faulted = 0U;
+        now_us += 3000U;
+    }
+    // Nor is what was agreed before a restart
+    EXPECT_EQ(CompareAt(now_us).agreement.agreed, 4U);
+    comparator.Restart(ComparatorSetup{5000U, 20000U, 4U});
+    b.outcome.released = 0U;
+    b.outcome.faulted = 4U;
+    EXPECT_EQ(CompareAt(1000U).demote, 0U);
+}
+
+// A's or B's edge alone, behind a fault and before the first release
+class ComparingOneRelease : public Comparing, public ::testing::WithParamInterface<bool>
+{
+  protected:
+    ComparingOneRelease()
+    {
+        early = &a;
+        late = &b;
+        (GetParam() ? late->outcome.faulted : late->outcome.waiting) = 4U;
+        late->outcome.released = 0U;
+    }
+
+    void Release()
+    {
+        late->outcome.released = 4U;
+        late->outcome.faulted = 0U;
+        late->outcome.waiting = 0U;
+    }
+
+    void Turn()
+    {
+        std::swap(a.outcome, b.outcome);
+        std::swap(early, late);
+        comparator.Restart(ComparatorSetup{5000U, 20000U, 4U});
+    }
+
+    SpokenChannel* early{};
+    SpokenChannel* late{};
+};
+
+// t [us]   1000 (seen)   21000 (window)   21001
+TEST_P(ComparingOneRelease, IsDemotedOneMicrosecondAfterTheWindow)
+{
+    Verifies(req::SRS_CMP_004);
+    Verifies(req::SRS_CMP_008);
+    for (std::uint32_t turn = 0U; turn < 2U; ++turn)
+    {
+        EXPECT_EQ(CompareAt(1000U).demote, 0U);
+        Verdict verdict = CompareAt(21000U);
+        EXPECT_EQ(verdict.demote, 0U);
+        EXPECT_EQ(verdict.agreement.agreed, 0U);
+        EXPECT_EQ(verdict.agreement.matched & 4U, 0U);
+        verdict = CompareAt(21001U);
+        EXPECT_EQ(verdict.demote, 4U);
+        EXPECT_EQ(verdict.fault, DeviceFault::kNone);
+        // A difference that is seen again has a window of its own
+        EXPECT_EQ(CompareAt(22000U).demote, 0U);
+        EXPECT_EQ(CompareAt(42000U).demote, 0U);
+        EXPECT_EQ(CompareAt(42001U).demote, 4U);
+        Turn();
+    }
+}
+
+TEST_P(ComparingOneRelease, SecondEdgeOnTheWindowReleases)
 {
     Verifies(req::SRS_CMP_008);
-    b.outcome.released = 0U;
-    b.outcome.waiting = 4U;
-    Verdict verdict = CompareAt(0U);
-    EXPECT_EQ(verdict.agreement.agreed, 0U);
+    a.outcome.fresh = 4U;
+    b.outcome.fresh = 4U;
+    EXPECT_EQ(CompareAt(1000U).newly_matched, 0U);
+    a.outcome.fresh = 0U;
+    b.outcome.fresh = 0U;
+    (void)CompareAt(11000U);
+    Release();
+    Verdict verdict = CompareAt(21000U);
     EXPECT_EQ(verdict.demote, 0U);
-    EXPECT_EQ(CompareAt(5000U).demote, 0U);
-    verdict = CompareAt(5001U);
+    EXPECT_EQ(verdict.agreement.agreed, 4U);
+    EXPECT_EQ(verdict.agreement.matched & 4U, 4U);
+    EXPECT_EQ(verdict.newly_matched, 4U);
+    // and is not looked at again
+    verdict = CompareAt(90000U);
+    EXPECT_EQ(verdict.demote, 0U);
+    EXPECT_EQ(verdict.agreement.agreed, 4U);
+    EXPECT_EQ(verdict.newly_matched, 0U);
+}
+
+TEST_P(ComparingOneRelease, SecondEdgeBehindTheWindowDoesNotRelease)
+{
+    Verifies(req::SRS_CMP_008);
+    a.outcome.fresh = 4U;
+    (void)CompareAt(1000U);
+    a.outcome.fresh = 0U;
+    Release();
+    const Verdict verdict = CompareAt(21001U);
     EXPECT_EQ(verdict.demote, 4U);
-    EXPECT_EQ(verdict.fault, DeviceFault::kNone);
+    EXPECT_EQ(verdict.agreement.agreed, 0U);
+    EXPECT_EQ(verdict.newly_matched, 0U);
+}
+
+// t [us]   0 (one release)   300000: pairs differ   301000: no more   302000, 307000 (limit), 307001
+TEST_P(ComparingOneRelease, PairsThatDifferMeanwhileHaveTheDiscrepancyTimeOfTheirOwn)
+{
+    Verifies(req::SRS_CMP_007);
+    Verifies(req::SRS_CMP_008);
+    comparator.Restart(ComparatorSetup{5000U, 1000000U, 4U});
+    (void)CompareAt(0U);
+    (void)CompareAt(299000U);
+    const auto ahead = [this](const std::uint32_t ordinal)
+    {
+        a.outcome.ordinal_sum = ordinal;
+        a.held[2].ordinal = ordinal;
+    };
+    ahead(10U);
+    EXPECT_EQ(CompareAt(300000U).fault, DeviceFault::kNone);
+    ahead(9U);
+    EXPECT_EQ(CompareAt(302000U).fault, DeviceFault::kNone);
+    ahead(10U);
+    EXPECT_EQ(CompareAt(303000U).fault, DeviceFault::kNone);
+    EXPECT_EQ(CompareAt(307000U).fault, DeviceFault::kNone);
+    EXPECT_EQ(CompareAt(307001U).fault, DeviceFault::kUnmatched);
+    // The release has gone on differing since the first comparison
+    ahead(9U);
+    EXPECT_EQ(CompareAt(1000000U).demote, 0U);
+    EXPECT_EQ(CompareAt(1000001U).demote, 4U);
+}
+
+TEST_P(ComparingOneRelease, WindowShorterThanTheDiscrepancyTimeLeavesThat)
+{
+    Verifies(req::SRS_CMP_008);
+    comparator.Restart(ComparatorSetup{5000U, 0U, 4U});
+    (void)CompareAt(1000U);
+    EXPECT_EQ(CompareAt(6000U).demote, 0U);
+    EXPECT_EQ(CompareAt(6001U).demote, 4U);
+}
+
+TEST_P(ComparingOneRelease, NewFaultEndsItAtOnce)
+{
+    Verifies(req::SRS_CMP_004);
+    (void)CompareAt(1000U);
+    early->outcome.new_fault = 4U;
+    early->outcome.released = 0U;
+    early->outcome.faulted = 4U;
+    EXPECT_EQ(CompareAt(2000U).demote, 4U);
+}
+
+INSTANTIATE_TEST_SUITE_P(States, ComparingOneRelease, ::testing::Values(true, false),
+                         [](const ::testing::TestParamInfo<bool>& state)
+                         { return state.param ? "BehindAFault" : "BeforeTheFirstRelease"; });
+
+// t [us]   1000 pair of slot 2   2000 a pair of slot 1 in one channel: slot 2 is looked at, and matches as before
+TEST_F(Comparing, PairIsNewlyMatchedOnceEvenIfItIsLookedAtInTheNextComparison)
+{
+    Verifies(req::SRS_CMP_005);
+    a.outcome.fresh = 4U;
+    b.outcome.fresh = 4U;
+    EXPECT_EQ(CompareAt(1000U).newly_matched, 4U);
+    a.outcome.fresh = 2U;
+    b.outcome.fresh = 0U;
+    a.outcome.ordinal_sum = 10U;
+    a.held[1].ordinal = 1U;
+    EXPECT_EQ(CompareAt(2000U).newly_matched, 0U);
 }
 
 TEST_F(Comparing, ProducerIsStartedWhenBothCallItDue)

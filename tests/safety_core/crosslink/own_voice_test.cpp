@@ -39,8 +39,6 @@ TEST(OwnVoice, PassesCallsOn)
     EXPECT_EQ(rig.channel.committed.matched, 2U);
     EXPECT_EQ(own.Answer(9U).response, 9U);
     EXPECT_EQ(own.OnConfirm(PeerRig::Frame(0x200U), Instant{1U}).step, ConfirmStep::kNone);
-    rig.channel.prepared.normal = PeerRig::Frame(0x103U);
-    EXPECT_EQ(own.InverseFrame(1U).identifier, 0x103U);
     own.OnTransmitFault(1U, TransmitFault{SrdoCause::kBusOff});
     EXPECT_EQ(rig.channel.transmit_faults.size(), 1U);
 }

@@ -93,7 +93,7 @@ class FakeChannel final : public Channel
     {
         return confirmation;
     }
-    CanFrame InverseFrame(SlotIndex /*slot*/) noexcept override
+    CanFrame InverseFrame(SlotIndex /*slot*/) const noexcept override
     {
         return prepared.normal;
     }

@@ -192,5 +192,20 @@ TEST(RemoteVoiceAlone, ConfirmsByIdentifier)
     EXPECT_EQ(confirmation.step, ConfirmStep::kNone);
 }
 
+// Given a channel with an inverse frame, then both voices have it on CPU B, and neither on CPU A.
+TEST(RemoteVoiceAlone, InverseFrameIsThatOfCpuB)
+{
+    Verifies(req::SRS_TWO_013);
+    PeerRig follower{PeerRole::kB};
+    follower.channel.prepared.normal = PeerRig::Frame(0x104U);
+    EXPECT_EQ(follower.Own().InverseFrame(1U).identifier, 0x104U);
+    EXPECT_EQ(follower.Remote().InverseFrame(1U).identifier, 0x104U);
+    PeerRig leader{PeerRole::kA};
+    leader.channel.prepared.normal = PeerRig::Frame(0x104U);
+    EXPECT_EQ(leader.Own().InverseFrame(1U).kind, FrameKind::kInvalid);
+    EXPECT_EQ(leader.Remote().InverseFrame(1U).kind, FrameKind::kInvalid);
+    EXPECT_EQ(leader.Own().InverseFrame(1U).identifier, 0U);
+}
+
 } // namespace
 } // namespace counterpoint

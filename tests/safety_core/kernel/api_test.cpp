@@ -375,6 +375,8 @@ TEST_F(Facade, InterlockSurvivesResetCommunicationAndALoadedConfiguration)
     Operate();
     ReceivePair();
     Cycle();
+    Cycle();
+    Cycle(1U);
     Cycle(1U);
     ASSERT_EQ(Open(), 1U);
     const ImageHeader header = kernel.Image().Header().header;
@@ -398,6 +400,9 @@ TEST_F(Facade, InterlockSurvivesResetCommunicationAndALoadedConfiguration)
     Cycle(1U);
     EXPECT_EQ(Open(), 0U);
     Cycle();
+    Cycle();
+    EXPECT_EQ(Open(), 0U);
+    Cycle(1U);
     EXPECT_EQ(Open(), 0U);
     Cycle(1U);
     EXPECT_EQ(Open(), 1U);

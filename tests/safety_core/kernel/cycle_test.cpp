@@ -88,6 +88,9 @@ TEST_F(Cycling, InterlockedReleaseByAcknowledgeIsAnEvent)
     Cycle();
     EXPECT_EQ(Open(), 0U);
     EXPECT_TRUE(application.events.empty());
+    Cycle();
+    Cycle(1U);
+    EXPECT_EQ(Open(), 0U);
     Cycle(1U);
     EXPECT_EQ(Open(), 1U);
     EXPECT_EQ(application.events.size(), 1U);
@@ -97,6 +100,7 @@ TEST_F(Cycling, OneChannelsAcknowledgeAloneReleasesNothingAndIsDemoted)
 {
     Verifies(req::SRS_CMP_008);
     Verifies(req::SRS_CMP_004);
+    config.acknowledge_window_us = 5000U;
     setups[0].policy = ReleasePolicy::kInterlock;
     Operate();
     ReceivePair();

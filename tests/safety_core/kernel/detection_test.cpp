@@ -118,7 +118,7 @@ TEST_F(Detection, DemotionsAreCountedUpToTheGreatestValue)
 {
     Verifies(req::SRS_CMP_004);
     Operate();
-    b.on_outcome = [](CycleOutcome& outcome) { outcome.faulted ^= 1U; };
+    b.on_outcome = [](CycleOutcome& outcome) { outcome.new_fault = 1U; };
     for (std::uint32_t cycle = 0U; cycle < 65540U; ++cycle)
     {
         Cycle();

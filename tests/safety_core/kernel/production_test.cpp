@@ -88,16 +88,19 @@ TEST_F(Production, ProviderThatSkipsSendsNothingUntilItIsReady)
 
 // t [ms]  7               7.1            27.1
 // bus     N handed over   N confirmed    SRVT expired without an inverse frame
-TEST_F(Production, ChannelThatHandsOutNoFrameIsMissedAsNoConfirmation)
+TEST_F(Production, ChannelsThatHandOutNoFrameAreMissedAsNoConfirmation)
 {
     Verifies(req::SRS_KRN_014);
     Verifies(req::SRS_PROD_008);
     Operate();
     Cycle();
     ASSERT_EQ(ports.sent.size(), 1U);
-    b.withhold_frames = true;
+    const auto withhold = [](CanFrame& frame) { frame = CanFrame{}; };
+    a.on_inverse = withhold;
+    b.on_inverse = withhold;
     ConfirmLast();
     EXPECT_EQ(ports.sent.size(), 1U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
     Cycles(22U);
     EXPECT_EQ(CausesOf(0x1303U), std::vector<SrdoCause>{SrdoCause::kNoConfirmation});
 }
@@ -267,16 +270,94 @@ TEST_F(Production, NormalFrameThatChannelADidNotSeeConfirmedIsFollowedByNoInvers
     EXPECT_EQ(b.inverse_frames, 0);
 }
 
-TEST_F(Production, InverseFrameIsAskedOfChannelBAlone)
+TEST_F(Production, InverseFrameIsAskedOfBothChannels)
 {
     Verifies(req::SRS_KRN_014);
     Operate();
     Cycle();
     ConfirmLast();
     ConfirmLast();
-    EXPECT_EQ(a.inverse_frames, 0);
+    EXPECT_EQ(a.inverse_frames, 1);
     EXPECT_EQ(b.inverse_frames, 1);
     EXPECT_EQ(ports.sent.size(), 2U);
+}
+
+/// Each member of the inverse frame of one channel, altered.
+struct AlteredInverse
+{
+    const char* member;
+    std::function<void(CanFrame&)> alter;
+};
+
+class ProductionInverse : public Production, public ::testing::WithParamInterface<AlteredInverse>
+{
+};
+
+TEST_P(ProductionInverse, UnequalInverseFramesAreADisagreementAndNothingLeaves)
+{
+    Verifies(req::SRS_KRN_014);
+    for (Tap* const tap : {&a, &b})
+    {
+        ports.sent.clear();
+        Operate();
+        Cycle();
+        ASSERT_EQ(ports.sent.size(), 1U);
+        tap->on_inverse = GetParam().alter;
+        ConfirmLast();
+        tap->on_inverse = nullptr;
+        EXPECT_EQ(ports.sent.size(), 1U);
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+        EXPECT_EQ(kernel.DeviceState().slot, 1U);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Members, ProductionInverse,
+    ::testing::Values(AlteredInverse{"Identifier", [](CanFrame& frame) { frame.identifier = 0x106U; }},
+                      AlteredInverse{"Kind", [](CanFrame& frame) { frame.kind = FrameKind::kRemote; }},
+                      AlteredInverse{"Controller", [](CanFrame& frame) { frame.port = CanPortId::kSecond; }},
+                      AlteredInverse{"Length", [](CanFrame& frame) { frame.length_bytes = 1U; }},
+                      AlteredInverse{"Data", [](CanFrame& frame) { frame.data[1] = 0xCAU; }},
+                      AlteredInverse{"Empty", [](CanFrame& frame) { frame = CanFrame{}; }}),
+    [](const ::testing::TestParamInfo<AlteredInverse>& altered) { return std::string{altered.param.member}; });
+
+// t      normal frame handed over   OPERATIONAL left (and entered again)   normal frame confirmed
+TEST_F(Production, NoInverseFrameOnceOperationalWasLeft)
+{
+    Verifies(req::SRS_KRN_014);
+    for (const bool is_entered_again : {false, true})
+    {
+        ports.sent.clear();
+        Operate();
+        Cycle();
+        ASSERT_EQ(ports.sent.size(), 1U);
+        kernel.SetNmtState(NmtState::kPreOperational);
+        if (is_entered_again)
+        {
+            kernel.SetNmtState(NmtState::kOperational);
+        }
+        ConfirmLast();
+        EXPECT_EQ(ports.sent.size(), 1U);
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+        // The pair is over with the next cycle
+        Cycle();
+        ConfirmLast();
+        EXPECT_EQ(ports.sent.size(), 1U);
+    }
+}
+
+TEST_F(Production, NoInverseFrameWithoutAValidConfiguration)
+{
+    Verifies(req::SRS_KRN_014);
+    Operate();
+    Cycle();
+    ASSERT_EQ(ports.sent.size(), 1U);
+    // Left, changed and entered again between two cycles
+    kernel.SetNmtState(NmtState::kPreOperational);
+    ASSERT_EQ(Write(0x1303U, 2U, 30U, 2U), AbortCode::kNone);
+    kernel.SetNmtState(NmtState::kOperational);
+    ConfirmLast();
+    EXPECT_EQ(ports.sent.size(), 1U);
 }
 
 // t      k                    k+1                  k+2

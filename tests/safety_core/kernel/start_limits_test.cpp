@@ -112,6 +112,26 @@ TEST_F(StartLimits, ObjectsAreAtMostOneThousandTwentyFour)
     EXPECT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kObjects);
 }
 
+TEST_F(StartLimits, ObjectsBesideDummiesAreNotDataTypes)
+{
+    Verifies(req::SRS_KRN_001);
+    const auto with = [this](const std::uint16_t index)
+    {
+        objects[0].index = index;
+        return kernel.Start(config, FlowCallback::kOff);
+    };
+    for (std::uint16_t index = 1U; index <= 7U; ++index)
+    {
+        config.dummies = DummyMapping::kAllowed;
+        EXPECT_EQ(with(index), StartResult::kObjects) << index;
+        config.dummies = DummyMapping::kRefused;
+        EXPECT_EQ(with(index), StartResult::kStarted) << index;
+    }
+    config.dummies = DummyMapping::kAllowed;
+    EXPECT_EQ(with(0U), StartResult::kStarted);
+    EXPECT_EQ(with(8U), StartResult::kStarted);
+}
+
 TEST_F(StartLimits, ObjectsAscendBySubIndexAsWell)
 {
     Verifies(req::SRS_KRN_001);

@@ -128,10 +128,15 @@ class Tap final : public Channel
         }
         return confirmation;
     }
-    CanFrame InverseFrame(SlotIndex slot) noexcept override
+    CanFrame InverseFrame(SlotIndex slot) const noexcept override
     {
         ++inverse_frames;
-        return withhold_frames ? CanFrame{} : real_.InverseFrame(slot);
+        CanFrame frame = real_.InverseFrame(slot);
+        if (on_inverse)
+        {
+            on_inverse(frame);
+        }
+        return frame;
     }
     void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override
     {
@@ -142,6 +147,7 @@ class Tap final : public Channel
     std::function<void(CycleOutcome&)> on_outcome{};
     std::function<void(PreparedPair&)> on_prepared{};
     std::function<void(Confirmation&)> on_confirmed{};
+    std::function<void(CanFrame&)> on_inverse{};
     std::vector<SrdoCause> transmit_faults{};
     SrdoMask requests{0U}; ///< All that were asked for.
     std::uint32_t load_flip{0U};
@@ -157,9 +163,8 @@ class Tap final : public Channel
     ConfigFault check_fault{ConfigFault::kNone};
     int demotions{0};
     int fields_set{0};
-    int stands{0};         ///< Calls with a producer that stands.
-    int inverse_frames{0}; ///< Times that it was asked for one.
-    bool withhold_frames{false};
+    int stands{0};                 ///< Calls with a producer that stands.
+    mutable int inverse_frames{0}; ///< Times that it was asked for one.
     bool drop_store{false};
     bool drop_frames{false};
     bool drop_confirms{false};

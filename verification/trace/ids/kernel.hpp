@@ -68,6 +68,8 @@ inline constexpr RequirementId SRS_KRN_028{"SRS_KRN_028"};
 inline constexpr RequirementId SRS_KRN_029{"SRS_KRN_029"};
 inline constexpr RequirementId SRS_KRN_030{"SRS_KRN_030"};
 inline constexpr RequirementId SRS_KRN_031{"SRS_KRN_031"};
+inline constexpr RequirementId SRS_KRN_032{"SRS_KRN_032"};
+inline constexpr RequirementId SRS_KRN_033{"SRS_KRN_033"};
 inline constexpr RequirementId SRS_LIM_001{"SRS_LIM_001"};
 } // namespace counterpoint::req
 

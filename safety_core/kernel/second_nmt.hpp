@@ -1,0 +1,53 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef SAFETY_CORE_KERNEL_SECOND_NMT_HPP
+#define SAFETY_CORE_KERNEL_SECOND_NMT_HPP
+
+#include "safety_core/contract/channel.hpp"
+
+#include <cstdint>
+
+namespace counterpoint
+{
+
+/// The NMT state as channel B is given it; channel A is given the guard's. Kept as complement and changed by statements
+/// of its own, so that a state that is lost or changed in one place is a disagreement of the channels. Zero-filled
+/// memory is no OPERATIONAL. [SRS_KRN_033]
+class SecondNmt
+{
+  public:
+    void Set(const NmtState state) noexcept
+    {
+        if (Get() == NmtState::kOperational)
+        {
+            stayed_ = 0U;
+        }
+        inverse_ = static_cast<std::uint8_t>(~static_cast<std::uint32_t>(state));
+    }
+    /// @brief What the next OnCycle is given: OPERATIONAL that was left since the one before was left. [SRS_KRN_010]
+    [[nodiscard]] NmtState Take() noexcept
+    {
+        const NmtState shown = HasStayed() ? Get() : NmtState::kPreOperational;
+        stayed_ = kStayed;
+        return shown;
+    }
+    /// @brief OPERATIONAL was not left since the last Take.
+    [[nodiscard]] bool HasStayed() const noexcept
+    {
+        return stayed_ == kStayed;
+    }
+
+  private:
+    static constexpr std::uint8_t kStayed = 0x96U;
+
+    [[nodiscard]] NmtState Get() const noexcept
+    {
+        return static_cast<NmtState>(static_cast<std::uint8_t>(~std::uint32_t{inverse_}));
+    }
+
+    std::uint8_t inverse_{0xFFU}; ///< Of kInvalid.
+    std::uint8_t stayed_{kStayed};
+};
+
+} // namespace counterpoint
+
+#endif

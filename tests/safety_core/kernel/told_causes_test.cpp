@@ -1,0 +1,225 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "safety_core/kernel/told_causes.hpp"
+#include "tests/safety_core/kernel/rig.hpp"
+#include "verification/trace/ids/kernel.hpp"
+
+#include <cstdint>
+
+namespace counterpoint
+{
+namespace
+{
+
+ToldWindow At(const std::uint32_t now_us)
+{
+    return ToldWindow{Instant{now_us}, 50000U};
+}
+
+// t [us]   1000 (told)   51000 (window)   51001
+TEST(ToldCauses, CauseIsToldAgainOneMicrosecondAfterItsWindow)
+{
+    Verifies(req::SRS_KRN_032);
+    for (std::uint32_t number = 1U; number <= 18U; ++number)
+    {
+        const SrdoCause cause = static_cast<SrdoCause>(number);
+        ToldCauses causes{};
+        EXPECT_EQ(causes.Slots(), 0U);
+        EXPECT_TRUE(causes.Take(63U, cause, At(1000U))) << number;
+        EXPECT_EQ(causes.Slots(), 0x8000000000000000U);
+        EXPECT_FALSE(causes.Take(63U, cause, At(1000U))) << number;
+        EXPECT_FALSE(causes.Take(63U, cause, At(51000U))) << number;
+        EXPECT_TRUE(causes.Take(63U, cause, At(51001U))) << number;
+        EXPECT_FALSE(causes.Take(63U, cause, At(101001U))) << number;
+    }
+}
+
+// Those of consumers, and those of producers: each has a window of its own, and each slot.
+TEST(ToldCauses, CausesDoNotDisturbEachOther)
+{
+    Verifies(req::SRS_KRN_032);
+    const auto together = [](const std::vector<std::uint32_t>& numbers)
+    {
+        ToldCauses causes{};
+        std::uint32_t now_us = 1000U;
+        for (std::uint32_t round = 0U; round < 2U; ++round)
+        {
+            for (const std::uint32_t number : numbers)
+            {
+                EXPECT_TRUE(causes.Take(5U, static_cast<SrdoCause>(number), At(now_us))) << number;
+                EXPECT_TRUE(causes.Take(6U, static_cast<SrdoCause>(number), At(now_us))) << number;
+                now_us += 100U;
+            }
+            for (const std::uint32_t number : numbers)
+            {
+                EXPECT_FALSE(causes.Take(5U, static_cast<SrdoCause>(number), At(now_us))) << number;
+            }
+            // Exactly one window and one microsecond behind the first of them
+            now_us += 50001U - (100U * static_cast<std::uint32_t>(numbers.size()));
+        }
+    };
+    together({1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 10U, 11U, 18U});
+    together({4U, 13U, 14U, 15U, 16U, 17U});
+}
+
+// An SRDO that has become a producer tells what it never told, whatever it told as a consumer.
+TEST(ToldCauses, CauseThatSharesItsPlaceIsTold)
+{
+    Verifies(req::SRS_KRN_032);
+    for (std::uint32_t number = 7U; number <= 12U; ++number)
+    {
+        const SrdoCause first = static_cast<SrdoCause>(number);
+        const SrdoCause second = static_cast<SrdoCause>(number + 6U);
+        ToldCauses causes{};
+        EXPECT_TRUE(causes.Take(5U, first, At(1000U)));
+        EXPECT_TRUE(causes.Take(5U, second, At(2000U)));
+        EXPECT_FALSE(causes.Take(5U, second, At(2000U)));
+        EXPECT_TRUE(causes.Take(5U, first, At(3000U)));
+        EXPECT_FALSE(causes.Take(5U, first, At(3000U)));
+    }
+}
+
+TEST(ToldCauses, WindowThatIsOverIsClosedBySweeping)
+{
+    Verifies(req::SRS_KRN_032);
+    ToldCauses causes{};
+    EXPECT_TRUE(causes.Take(5U, SrdoCause::kLength, At(1000U)));
+    EXPECT_TRUE(causes.Take(5U, SrdoCause::kWrongEcho, At(2000U)));
+    causes.Sweep(5U, At(51000U));
+    EXPECT_EQ(causes.Slots(), 0x20U);
+    EXPECT_FALSE(causes.Take(5U, SrdoCause::kLength, At(51000U)));
+    causes.Sweep(5U, At(52000U));
+    EXPECT_EQ(causes.Slots(), 0x20U);
+    EXPECT_FALSE(causes.Take(5U, SrdoCause::kWrongEcho, At(52000U)));
+    causes.Sweep(5U, At(52001U));
+    EXPECT_EQ(causes.Slots(), 0U);
+    // The counter has come round: the instants look new, and are not
+    EXPECT_TRUE(causes.Take(5U, SrdoCause::kLength, At(1000U)));
+    EXPECT_TRUE(causes.Take(5U, SrdoCause::kWrongEcho, At(2000U)));
+    causes.Restart();
+    EXPECT_EQ(causes.Slots(), 0U);
+    EXPECT_TRUE(causes.Take(5U, SrdoCause::kLength, At(1000U)));
+}
+
+TEST(ToldCauses, EverySlotHasItsTurn)
+{
+    Verifies(req::SRS_KRN_032);
+    ToldCauses causes{};
+    for (std::uint32_t turn = 1U; turn <= 129U; ++turn)
+    {
+        EXPECT_EQ(causes.NextSlot(), turn % 64U);
+    }
+    causes.Restart();
+    EXPECT_EQ(causes.NextSlot(), 1U);
+}
+
+/// SRDO 1 is a consumer with an SCT of 50 ms, SRDO 3 a producer with a refresh time of 25 ms.
+class Telling : public Rig
+{
+  protected:
+    /// One channel signals these causes of a slot in this cycle.
+    void CycleWith(Tap& tap, const SlotIndex slot, const std::uint32_t signals)
+    {
+        tap.on_outcome = [slot](CycleOutcome& outcome) { outcome.signalled = SrdoMask{1U} << slot; };
+        tap.more_signals = signals;
+        Cycle();
+        tap.on_outcome = nullptr;
+        tap.more_signals = 0U;
+    }
+};
+
+constexpr std::uint32_t kLengthBit = 2U;
+constexpr std::uint32_t kSrvtBit = 0x20U;
+
+// t [ms]   0 Length   30 SRVT   50 Length (not told)   51 Length   80 SRVT (not told)   81 SRVT
+TEST_F(Telling, EachCauseHasTheWindowOfItsOwnLastTelling)
+{
+    Verifies(req::SRS_KRN_032);
+    Verifies(req::SRS_KRN_021);
+    using Causes = std::vector<SrdoCause>;
+    Operate();
+    // The wait for a first pair has been told
+    Cycles(52U);
+    application.errors.clear();
+    CycleWith(a, 0U, kLengthBit);
+    EXPECT_EQ(CausesOf(0x1301U), Causes{SrdoCause::kLength});
+    ASSERT_EQ(kernel.SetStatus(CommunicationIndex{0x1301U}, StatusByte{0xB0U}), Result::kSuccessful);
+    // The other channel says it a cycle later: that is no news
+    CycleWith(b, 0U, kLengthBit);
+    Cycles(28U);
+    CycleWith(b, 0U, kSrvtBit);
+    EXPECT_EQ(kernel.GetStatus(CommunicationIndex{0x1301U}).status.value, 0x50U);
+    ASSERT_EQ(kernel.SetStatus(CommunicationIndex{0x1301U}, StatusByte{0xB0U}), Result::kSuccessful);
+    Cycles(19U);
+    application.flow.clear();
+    CycleWith(a, 0U, kLengthBit);
+    EXPECT_EQ(CausesOf(0x1301U), (Causes{SrdoCause::kLength, SrdoCause::kSrvt}));
+    EXPECT_EQ(kernel.GetStatus(CommunicationIndex{0x1301U}).status.value, 0xB0U);
+    EXPECT_NE(application.flow.back().first, FlowEvent::kSrdoError);
+    CycleWith(a, 0U, kLengthBit);
+    EXPECT_EQ(CausesOf(0x1301U), (Causes{SrdoCause::kLength, SrdoCause::kSrvt, SrdoCause::kLength}));
+    EXPECT_EQ(application.flow.back(), std::make_pair(FlowEvent::kSrdoError, std::uint16_t{1U}));
+    Cycles(28U);
+    CycleWith(a, 0U, kSrvtBit);
+    EXPECT_EQ(CausesOf(0x1301U).size(), 3U);
+    CycleWith(a, 0U, kSrvtBit);
+    EXPECT_EQ(CausesOf(0x1301U).size(), 4U);
+}
+
+TEST_F(Telling, ProducersWindowIsItsRefreshTime)
+{
+    Verifies(req::SRS_KRN_032);
+    constexpr std::uint32_t kBusOffBit = 0x4000U;
+    Operate();
+    application.refresh = RefreshAnswer::kSkip;
+    CycleWith(a, 1U, kBusOffBit);
+    Cycles(24U);
+    CycleWith(a, 1U, kBusOffBit);
+    const auto told = [this]
+    {
+        std::uint32_t count = 0U;
+        for (const SrdoCause cause : CausesOf(0x1303U))
+        {
+            count += (cause == SrdoCause::kBusOff) ? 1U : 0U;
+        }
+        return count;
+    };
+    EXPECT_EQ(told(), 1U);
+    CycleWith(a, 1U, kBusOffBit);
+    EXPECT_EQ(told(), 2U);
+}
+
+// 71 minutes later, when the instant of the last telling looks new, and after a second Start.
+TEST_F(Telling, WindowDoesNotComeRoundNorSurviveAStart)
+{
+    Verifies(req::SRS_KRN_032);
+    config.cycle_us = 1000000U;
+    config.diagnostic_interval_us = 10000000U;
+    config.test_interval_us = 10000000U;
+    config.clock_interval_us = 100000000U;
+    ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+    const auto cycle = [this](const std::uint32_t at_us, const std::uint32_t signals)
+    {
+        a.on_outcome = [](CycleOutcome& outcome) { outcome.signalled = 1U; };
+        a.more_signals = signals;
+        kernel.Cycle(CycleCall{InstantPair{{at_us}, {at_us}}, 0U, 0U});
+    };
+    std::uint32_t at_us = 500000U;
+    cycle(at_us, kLengthBit);
+    ASSERT_EQ(application.errors.size(), 1U);
+    for (std::uint32_t second = 0U; second < 4294U; ++second)
+    {
+        at_us += 1000000U;
+        cycle(at_us, 0U);
+    }
+    // 4294.5 s: 4294967296 us is 0 again
+    at_us += 980000U;
+    EXPECT_EQ(at_us, 512704U);
+    cycle(at_us, kLengthBit);
+    EXPECT_EQ(application.errors.size(), 2U);
+    ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+    cycle(at_us + 1000U, kLengthBit);
+    EXPECT_EQ(application.errors.size(), 3U);
+}
+
+} // namespace
+} // namespace counterpoint
