@@ -32,18 +32,13 @@ Device::Device(const DeviceConfig& config, const Flaw flaw) : config_(config), f
     }
 }
 
-void Device::SetInitial(const std::uint8_t number, const SrdoObjects& objects)
+void Device::Start(const std::vector<SrdoObjects>& objects, const std::uint32_t gfc_parameter)
 {
-    configuration_.SetInitial(configuration_.SlotOf(number).value(), objects);
-}
-
-void Device::SetGfcParameter(const std::uint32_t value)
-{
-    configuration_.SetGfcParameter(value);
-}
-
-void Device::Start()
-{
+    for (std::size_t slot = 0U; slot < objects.size(); ++slot)
+    {
+        configuration_.SetInitial(slot, objects[slot]);
+    }
+    configuration_.SetGfcParameter(gfc_parameter);
     configuration_.Start();
     nmt_ = NmtState::kInitialising;
     is_running_ = false;
@@ -61,11 +56,6 @@ AbortCode Device::Write(const Address address, const std::uint64_t value, const 
         WriteSafe(srdos_[slot]);
     }
     return written.abort;
-}
-
-const Device::Srdo& Device::Existing(const std::uint8_t number) const
-{
-    return srdos_[configuration_.SlotOf(number).value()];
 }
 
 SrdoMask Device::BitOf(const Srdo& srdo) const
@@ -380,25 +370,14 @@ std::uint64_t Device::Variable(const Address address) const
     return variables_.at(address);
 }
 
-std::uint32_t Device::FirstFaulty() const
+const Configuration& Device::Configured() const
 {
-    const std::optional<std::size_t> slot = configuration_.FirstFaulty();
-    return slot ? config_.srdos[*slot].number : 0U;
-}
-
-bool Device::IsValid() const
-{
-    return configuration_.IsValid();
-}
-
-const SrdoObjects& Device::Objects(const std::uint8_t number) const
-{
-    return *Existing(number).objects;
+    return configuration_;
 }
 
 SrdoState Device::StateOf(const std::uint8_t number) const
 {
-    const Srdo& srdo = Existing(number);
+    const Srdo& srdo = srdos_[configuration_.SlotOf(number).value()];
     if (!is_running_ || srdo.objects->direction == 0U)
     {
         return SrdoState::kOff;

@@ -30,15 +30,13 @@ struct Seen
 class Device
 {
   public:
-    /// @brief `config` outlives it. Initial values of the objects are told by SetInitial: what a device has at power-on
-    /// is its own affair.
+    /// @brief `config` outlives it.
     explicit Device(const DeviceConfig& config, Flaw flaw = Flaw::kNone);
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
 
-    void SetInitial(std::uint8_t number, const SrdoObjects& objects);
-    void SetGfcParameter(std::uint32_t value);
-    void Start();
+    /// @brief What the objects hold at power-on is the device's own affair: `objects` by slot, and 1300h.
+    void Start(const std::vector<SrdoObjects>& objects, std::uint32_t gfc_parameter);
 
     [[nodiscard]] AbortCode Write(Address address, std::uint64_t value, std::size_t size);
     void SetNmt(NmtState state);
@@ -52,10 +50,7 @@ class Device
     void Cycle(Time now, SrdoMask acknowledge_a, SrdoMask acknowledge_b);
 
     [[nodiscard]] std::uint64_t Variable(Address address) const;
-    [[nodiscard]] bool IsValid() const;
-    /// @brief Number of the SRDO that the check of all rules names; 0 if none.
-    [[nodiscard]] std::uint32_t FirstFaulty() const;
-    [[nodiscard]] const SrdoObjects& Objects(std::uint8_t number) const;
+    [[nodiscard]] const Configuration& Configured() const;
     [[nodiscard]] SrdoState StateOf(std::uint8_t number) const;
     [[nodiscard]] SrdoMask Open() const;
     [[nodiscard]] Seen TakeSeen();
@@ -81,7 +76,6 @@ class Device
     void Produce(Srdo& srdo, Time now);
     void HandOver(Srdo& srdo, const Sent& frame);
     void TellCauses(Srdo& srdo, Time now);
-    [[nodiscard]] const Srdo& Existing(std::uint8_t number) const; ///< Throws std::bad_optional_access.
     void WriteSafe(const Srdo& srdo);
     void WriteData(const Srdo& srdo, std::uint64_t normal);
     void Enter(Time now);

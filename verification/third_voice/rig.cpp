@@ -83,11 +83,6 @@ void Rig::Put(const Address address, const std::uint64_t value)
     }
 }
 
-Result Rig::Send(const std::uint8_t number)
-{
-    return kernel_.Send(CommunicationIndex{static_cast<std::uint16_t>(kFirstCommunication - 1U + number)});
-}
-
 void Rig::RefuseNext(const std::optional<SrdoCause> cause)
 {
     refused_ = cause;
@@ -102,12 +97,6 @@ void Rig::OnConfirm(const Sent& frame, const Time stamp)
     kernel_.OnConfirm({confirmed, At(stamp)});
 }
 
-std::uint32_t Rig::FirstFaulty()
-{
-    const std::uint32_t index = kernel_.CheckConfiguration().index.value;
-    return (index == 0U) ? 0U : NumberOf(CommunicationIndex{static_cast<std::uint16_t>(index)});
-}
-
 std::uint64_t Rig::Variable(const Address address) const
 {
     std::array<std::uint8_t, 8U> bytes = memory_.at(address);
@@ -119,9 +108,9 @@ SrdoState Rig::StateOf(const std::uint8_t number) const
     return kernel_.GetState(CommunicationIndex{static_cast<std::uint16_t>(kFirstCommunication - 1U + number)}).state;
 }
 
-DeviceFault Rig::Fault() const
+Kernel& Rig::Facade()
 {
-    return kernel_.DeviceState().fault;
+    return kernel_;
 }
 
 SrdoMask Rig::Open(const Time now)

@@ -43,14 +43,11 @@ class Rig final : private Application, private hal::CanPorts, private hal::Safet
     void OnFrame(const CanFrame& frame, Time stamp);
     void Cycle(Time now, SrdoMask acknowledge_a, SrdoMask acknowledge_b);
     void Put(Address address, std::uint64_t value);
-    [[nodiscard]] Result Send(std::uint8_t number);
     void RefuseNext(std::optional<SrdoCause> cause);
     void OnConfirm(const Sent& frame, Time stamp);
-    /// @brief Number of the SRDO that the check of all rules names; 0 if none.
-    [[nodiscard]] std::uint32_t FirstFaulty();
     [[nodiscard]] std::uint64_t Variable(Address address) const;
     [[nodiscard]] SrdoState StateOf(std::uint8_t number) const;
-    [[nodiscard]] DeviceFault Fault() const;
+    [[nodiscard]] Kernel& Facade();
     [[nodiscard]] SrdoMask Open(Time now);
     [[nodiscard]] Seen TakeSeen();
 

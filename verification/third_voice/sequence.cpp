@@ -89,12 +89,17 @@ class Sequence
         rig_ = std::make_unique<Rig>(drawing_.config, drawing_.objects, counters);
         model_ = std::make_unique<Device>(drawing_.config, flaw_);
         Require(rig_->Start() == StartResult::kStarted, "Start is refused", "it started");
+        std::vector<SrdoObjects> objects;
         for (std::uint8_t number = 1U; number <= drawing_.config.srdo_count; ++number)
         {
-            model_->SetInitial(number, ReadObjects(number));
+            objects.push_back(ReadObjects(number));
         }
-        model_->SetGfcParameter(rig_->Read({0x1300U, 0U}));
-        model_->Start();
+        model_->Start(objects, rig_->Read({0x1300U, 0U}));
+    }
+
+    [[nodiscard]] const SrdoObjects& ObjectsOf(const std::uint8_t number) const
+    {
+        return model_->Configured().Objects(number - 1U);
     }
 
     SrdoObjects ReadObjects(const std::uint8_t number)
@@ -216,12 +221,14 @@ class Sequence
     {
         for (std::uint8_t number = 1U; number <= drawing_.config.srdo_count; ++number)
         {
-            Write(0x13FFU, number, SignatureOf(model_->Objects(number)) ^ (dice_.Chance(2U) ? 1U : 0U), 2U);
+            Write(0x13FFU, number, SignatureOf(ObjectsOf(number)) ^ (dice_.Chance(2U) ? 1U : 0U), 2U);
         }
         Write(0x13FEU, 0U, 0xA5U, 1U);
-        if (GoesOn() && !model_->IsValid())
+        if (GoesOn() && !model_->Configured().IsValid())
         {
-            Compare("first faulty SRDO", rig_->FirstFaulty(), model_->FirstFaulty());
+            const std::optional<std::size_t> faulty = model_->Configured().FirstFaulty();
+            const std::uint32_t expected = faulty ? 0x1300U + drawing_.setups[*faulty].number : 0U;
+            Compare("first faulty SRDO", rig_->Facade().CheckConfiguration().index.value, expected);
             CompareState("check");
         }
     }
@@ -245,7 +252,7 @@ class Sequence
         {
             for (std::uint8_t number = 1U; number <= drawing_.config.srdo_count; ++number)
             {
-                if (model_->Objects(number).direction == kDirectionConsumer)
+                if (ObjectsOf(number).direction == kDirectionConsumer)
                 {
                     talkers_.push_back({number, now_ + 1 + dice_.Below(20U * 1000U), false, 0U, now_});
                 }
@@ -320,7 +327,7 @@ class Sequence
     void Launch(const Sent& frame)
     {
         const std::uint8_t number = static_cast<std::uint8_t>((frame.identifier - 0xFFU) / 2U);
-        const Time srvt = kMs * model_->Objects(number).srvt_ms;
+        const Time srvt = kMs * ObjectsOf(number).srvt_ms;
         const Time after = dice_.Chance(80U)
                                ? 1 + Time{dice_.Below(static_cast<std::uint32_t>(std::min<Time>(srvt, 3 * kMs)))}
                                : dice_.Pick({srvt - 1, srvt, srvt + 1, 100 * srvt});
@@ -377,7 +384,8 @@ class Sequence
         {
             if (model_->StateOf(number) == SrdoState::kProducer && dice_.Chance(8U))
             {
-                static_cast<void>(rig_->Send(number));
+                static_cast<void>(
+                    rig_->Facade().Send(CommunicationIndex{static_cast<std::uint16_t>(0x1300U + number)}));
                 model_->Send(number);
                 Tell("send " + std::to_string(number));
             }
@@ -386,7 +394,7 @@ class Sequence
 
     void Speak(Talker& talker)
     {
-        const SrdoObjects& objects = model_->Objects(talker.number);
+        const SrdoObjects& objects = ObjectsOf(talker.number);
         std::uint32_t bits = 0U;
         for (std::uint32_t entry = 0U; entry < objects.count; entry += 2U)
         {
@@ -449,7 +457,7 @@ class Sequence
         const Seen found = rig_->TakeSeen();
         result_.releases += static_cast<std::uint32_t>(expected.events.size());
         result_.faults += static_cast<std::uint32_t>(expected.signals.size());
-        const Sparing sparing{!is_asked_ && speaks_between_, !is_asked_ && !model_->IsValid()};
+        const Sparing sparing{!is_asked_ && speaks_between_, !is_asked_ && !model_->Configured().IsValid()};
         const std::string right = TextOf(expected, drawing_.setups, sparing);
         if (!right.empty())
         {
@@ -487,7 +495,8 @@ class Sequence
             result_.is_undecided = true;
             return;
         }
-        Compare("device fault", static_cast<unsigned>(rig_->Fault()), static_cast<unsigned>(DeviceFault::kNone));
+        Compare("device fault", static_cast<unsigned>(rig_->Facade().DeviceState().fault),
+                static_cast<unsigned>(DeviceFault::kNone));
         CompareState("cycle");
         Compare("open outputs", rig_->Open(now_), model_->Open());
         CompareTold("cycle");
@@ -517,7 +526,7 @@ class Sequence
                         static_cast<unsigned>(expected));
             }
         }
-        Compare("13FEh behind " + behind, rig_->Read({0x13FEU, 0U}) == 0xA5U, model_->IsValid());
+        Compare("13FEh behind " + behind, rig_->Read({0x13FEU, 0U}) == 0xA5U, model_->Configured().IsValid());
     }
 
     Dice dice_;
