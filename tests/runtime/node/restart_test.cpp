@@ -63,6 +63,8 @@ class NodeRestartTest : public ::testing::Test
         Cycle();
         EXPECT_TRUE(device.Acknowledge(1U, now_ns));
         Cycle();
+        EXPECT_EQ(device.Open(), 0U);
+        Cycle();
         return device.Open();
     }
 
