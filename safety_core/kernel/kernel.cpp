@@ -122,13 +122,14 @@ void Kernel::OnConfirm(const StampedFrame& frame) noexcept
         production_.OnSent();
         reporting_.TellEvent(context_, slot);
     }
-    else if ((a.step == ConfirmStep::kNormal) && MaySendInverse())
+    else if ((a.step == ConfirmStep::kNormal) && (!run_.left_operational) && second_nmt_.HasStayed())
     {
         Production::SendInverse(context_, slot);
     }
     else
     {
-        // Not any more, or two channels agree on something that is no step: nothing follows.
+        // A pair of before OPERATIONAL was left is over, though the channels have not been told yet; and two channels
+        // may agree on something that is no step.
     }
 }
 
@@ -187,13 +188,6 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     context_.parts.watchdog.Answer(flow_.End(context_.parts.watchdog.Question()));
     context_.latch.Enter(flow_.Finding(), kNoSlot);
     reporting_.TellDevice(context_);
-}
-
-// A pair of before OPERATIONAL was left is over, though the channels have not been told yet. [SRS_KRN_014]
-bool Kernel::MaySendInverse() const noexcept
-{
-    const bool has_stayed = (!run_.left_operational) && second_nmt_.HasStayed();
-    return has_stayed && (Production::Readiness(context_) == Result::kSuccessful);
 }
 
 // What channel A is given, but for challenge and token.

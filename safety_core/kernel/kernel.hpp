@@ -195,7 +195,6 @@ class Kernel
     // What is used in one place alone is inline: the compiler then decides whether it needs a call of its own.
     [[nodiscard]] inline PartsView ExamineSelf() noexcept;
     [[nodiscard]] inline CycleInput TakeInput(const CycleCall& call) noexcept;
-    [[nodiscard]] inline bool MaySendInverse() const noexcept;
 
     KernelRun run_{};
     SecondNmt second_nmt_{};

@@ -101,6 +101,10 @@ void Production::ProduceSlot(KernelContext& context, const SlotIndex slot) noexc
 
 void Production::SendInverse(KernelContext& context, const SlotIndex slot) noexcept
 {
+    if (Readiness(context) != Result::kSuccessful)
+    {
+        return;
+    }
     const PreparedPair inverse_a{context.parts.channel_a.InverseFrame(slot), PrepareStatus::kReady};
     const PreparedPair inverse_b{context.parts.channel_b.InverseFrame(slot), PrepareStatus::kReady};
     if (Comparator::ComparePrepared(inverse_a, inverse_b) == PreparedVerdict::kEqual)

@@ -26,8 +26,6 @@ class Production
         requests_ = 0U;
     }
 
-    /// @brief kSuccessful where this device may send.
-    [[nodiscard]] static Result Readiness(const KernelContext& context) noexcept;
     /// @brief Asks for the transmission of those of `asked` that are producers. One alone is `wanted`; kNoSlot stands
     /// for all. [SRS_KRN_011]
     [[nodiscard]] Result Request(const KernelContext& context, const SlotIndex wanted, const SrdoMask asked) noexcept
@@ -83,8 +81,8 @@ class Production
     {
         return transmitted_told_;
     }
-    /// @brief The normal frame of an SRDO was on the bus: its inverse frame follows, if both channels give the same
-    /// one. [SRS_KRN_014]
+    /// @brief The normal frame of an SRDO was on the bus: its inverse frame follows, if this device may still send
+    /// and both channels give the same one. [SRS_KRN_014]
     static void SendInverse(KernelContext& context, SlotIndex slot) noexcept;
     /// @brief The pair of an SRDO was sent.
     void OnSent() noexcept
@@ -108,6 +106,7 @@ class Production
 
   private:
     // What is used in one source file alone is inline: the compiler then decides whether it needs a call of its own.
+    [[nodiscard]] static Result Readiness(const KernelContext& context) noexcept;
     [[nodiscard]] static Result WhyNotSent(const KernelContext& context, SlotIndex wanted) noexcept;
     inline void ProduceSlot(KernelContext& context, SlotIndex slot) noexcept;
     static void GiveUp(const KernelContext& context, SlotIndex slot, SrdoCause cause) noexcept;

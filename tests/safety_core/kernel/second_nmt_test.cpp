@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 namespace counterpoint
@@ -139,6 +140,31 @@ TEST_F(NmtCopies, OneThatForgetsThatOperationalWasLeftIsADisagreement)
     kernel.SetNmtState(NmtState::kOperational);
     Cycles(2U);
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+}
+
+// Either mark alone keeps an inverse frame back.
+TEST_F(NmtCopies, OneThatSaysThatOperationalWasLeftKeepsTheInverseFrameBack)
+{
+    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_KRN_033);
+    Operate();
+    const std::vector<std::uint8_t> before = Memory();
+    kernel.SetNmtState(NmtState::kPreOperational);
+    kernel.SetNmtState(NmtState::kOperational);
+    const std::vector<std::size_t> first = Places(before, 0U, 1U);
+    const std::vector<std::size_t> second = Places(before, 0x96U, 0U);
+    ASSERT_EQ(first.size(), 1U);
+    ASSERT_EQ(second.size(), 1U);
+    for (const auto& [place, bits] : {std::make_pair(first[0], 1U), std::make_pair(second[0], 0x96U)})
+    {
+        ports.sent.clear();
+        Operate();
+        Cycle();
+        ASSERT_EQ(ports.sent.size(), 1U);
+        Flip(place, bits);
+        ConfirmLast();
+        EXPECT_EQ(ports.sent.size(), 1U);
+    }
 }
 
 } // namespace
