@@ -70,24 +70,36 @@ constexpr BlindParty kBlindParties[] = {
 };
 INSTANTIATE_TEST_SUITE_P(EachParty, BlindPartyAndFault, ::testing::ValuesIn(kBlindParties));
 
-using BlindGuard = ::testing::TestWithParam<const char*>;
+/// Whose copy of SCT is flipped, and who finds a lost pair.
+struct FlippedCopy
+{
+    const char* part;
+    const char* by;
+};
+
+class BlindGuard : public ::testing::TestWithParam<FlippedCopy>
+{
+};
 
 TEST_P(BlindGuard, LeavesACopyThatMattersToTheComparison)
 {
     Verifies(req::SRS_SIM_033);
-    // When SCT of one channel becomes 34 ms, nobody rechecks it, and a pair is lost
+    // When SCT of one channel becomes 34 ms, nobody rechecks it, and a pair is lost: channel A judges by its copy and
+    // is early, channel B by what it took when OPERATIONAL was entered
     const auto run =
         RunChain(std::string("faults:\n  - {fault: always_good, name: good, node: actuator, part: guard, ") +
-                 "at: 400 ms}\n  - {fault: bit_flip, name: flip, node: actuator, part: " + GetParam() +
+                 "at: 400 ms}\n  - {fault: bit_flip, name: flip, node: actuator, part: " + GetParam().part +
                  R"(, at: 450 ms, config: {srdo: 1, field: sct}, bit: 4}
   - {fault: loss, name: lost, frames: {sender: controller, receiver: actuator, from: 500 ms, count: 2}}
 expect:
   - {that: safe_within, node: actuator, srdo: 1, fault: lost}
   - {that: detected_by, node: actuator, fault: lost, by: )" +
-                 GetParam() + "}\n");
+                 GetParam().by + "}\n");
     EXPECT_EQ(Failures(*run), "");
 }
-INSTANTIATE_TEST_SUITE_P(EachChannel, BlindGuard, ::testing::Values("channel_a", "channel_b"));
+INSTANTIATE_TEST_SUITE_P(EachChannel, BlindGuard,
+                         ::testing::Values(FlippedCopy{"channel_a", "channel_a"},
+                                           FlippedCopy{"channel_b", "channels"}));
 
 using HiddenByTheGuard = ::testing::TestWithParam<const char*>;
 
