@@ -24,7 +24,8 @@ class Cpu
           end_{(role == PeerRole::kA) ? host::WireEnd::kFirst : host::WireEnd::kSecond}, a_{storage_a_.Handle()},
           b_{storage_b_.Handle()}, peer{(role == PeerRole::kA) ? static_cast<Channel&>(a_) : static_cast<Channel&>(b_),
                                         board.watchdog, application.DescribeLink()},
-          kernel{KernelParts{peer.VoiceA(), peer.VoiceB(), board.can, board.output, peer.Watchdog(), application}},
+          kernel{KernelParts{peer.VoiceA(), peer.VoiceB(), board.can, board.output, peer.Watchdog(), application,
+                             nullptr, &windows_[0]}},
           device_{kernel, (role == PeerRole::kA) ? &board.can : nullptr, application}
     {
         board.device = &device_.Whole();
@@ -65,6 +66,7 @@ class Cpu
     channel_a::Channel a_;
     channel_b::Channel b_;
     hal::LinkFrame message_{};
+    CauseWindows windows_[2U]{};
 
   public:
     Peer peer;

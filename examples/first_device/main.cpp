@@ -97,7 +97,8 @@ struct Bench
     channel_a::Channel a{storage_a.Handle()};
     channel_b::Channel b{storage_b.Handle()};
     first_device::Device application{};
-    Kernel kernel{KernelParts{a, b, can, output, watchdog, application}};
+    CauseWindows windows[2]{}; // Since when each cause of each SRDO has been told.
+    Kernel kernel{KernelParts{a, b, can, output, watchdog, application, nullptr, &windows[0]}};
     device::AppDevice<first_device::Device, 2U> device{kernel, &can, application}; // Follows NMT.
 };
 

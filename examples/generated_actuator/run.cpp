@@ -24,7 +24,7 @@ constexpr std::uint8_t kHistory = 4U;
 struct Node final : private device::Owner
 {
     explicit Node(Board& board)
-        : kernel{KernelParts{a, b, board.can, board.output, board.watchdog, watch}},
+        : kernel{KernelParts{a, b, board.can, board.output, board.watchdog, watch, nullptr, &windows[0]}},
           services{cia301::NodeId{actuator::kNodeId},
                    device::ServiceParts{
                        emergency, board.can, dictionary,
@@ -59,6 +59,7 @@ struct Node final : private device::Owner
     std::uint32_t history[kHistory]{};
     cia301::EmergencyProducer emergency{cia301::NodeId{actuator::kNodeId}, cia301::ErrorHistory{history, kHistory}};
     device::KernelWatch watch{emergency, drive};
+    CauseWindows windows[actuator::kSrdoCount]{};
     Kernel kernel;
     device::SafetyObjects safety_objects{kernel, actuator::kEntryTable};
     cia301::Dictionary dictionary{actuator::kEntryTable, safety_objects};

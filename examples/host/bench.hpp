@@ -82,7 +82,8 @@ template <class App, std::uint8_t kSrdos> struct BenchDevice
     channel_b::StorageFor<kSrdos> storage_b{};
     channel_a::Channel a{storage_a.Handle()};
     channel_b::Channel b{storage_b.Handle()};
-    Kernel kernel{KernelParts{a, b, board.can, board.output, board.watchdog, application}};
+    CauseWindows windows[kSrdos]{};
+    Kernel kernel{KernelParts{a, b, board.can, board.output, board.watchdog, application, nullptr, &windows[0]}};
     device::AppDevice<App, kSrdos> device{kernel, &board.can, application};
 };
 

@@ -165,6 +165,7 @@ class DeviceAssembly final : private device::Owner
     std::unique_ptr<ServiceAssembly> rest_; ///< Null: NMT alone.
     device::NoServices bare_;               ///< Instead of them.
     Application& told_;
+    std::vector<CauseWindows> windows_; ///< One for each SRDO.
     Kernel kernel_;
     std::vector<device::QueuedFrame> safety_room_;
     device::Device device_;

@@ -43,7 +43,7 @@ StartResult Kernel::Start(const DeviceConfig& config, const FlowCallback flow, c
     context_.guard.Restart(config);
     decision_.Restart(config);
     clocks_.Restart(config);
-    reporting_.Restart(flow, handshake);
+    reporting_.Restart(context_, flow, handshake);
     run_.queue = QueueState::kIntact;
     run_.started = true;
     context_.latch.Arm();

@@ -8,6 +8,7 @@
 #include "safety_core/contract/channel.hpp"
 #include "safety_core/kernel/application.hpp"
 #include "safety_core/kernel/self_test_part.hpp"
+#include "safety_core/kernel/told_causes.hpp"
 
 namespace counterpoint
 {
@@ -23,6 +24,8 @@ struct KernelParts
     hal::Watchdog& watchdog;
     Application& application;
     SelfTestPart* self_test{nullptr}; ///< Optional. [SRS_STS_063]
+    /// Room for each SRDO of the device, or null: then a cause is told whenever a channel signals it. [SRS_KRN_032]
+    CauseWindows* windows{nullptr};
 };
 
 } // namespace counterpoint

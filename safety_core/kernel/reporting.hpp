@@ -32,14 +32,14 @@ enum class StatusHandshake : std::uint8_t
 class Reporting
 {
   public:
-    void Restart(const FlowCallback flow, const StatusHandshake handshake) noexcept
+    void Restart(const KernelContext& context, const FlowCallback flow, const StatusHandshake handshake) noexcept
     {
         flow_callback_ = flow;
         handshake_ = handshake;
         gfc_seen_ = false;
         fault_told_ = false;
         status_ = SrdoStatus{};
-        told_.Restart();
+        told_.Restart(context.parts.windows, context.config->srdo_count);
     }
     /// @brief Status bytes of all SRDOs. [SRS_KRN_021]
     [[nodiscard]] const SrdoStatus& Status() const noexcept

@@ -21,11 +21,13 @@ std::uint32_t FirstOf(const std::uint32_t cause) noexcept
 
 } // namespace
 
-void ToldCauses::Restart() noexcept
+void ToldCauses::Restart(CauseWindows* const windows, const std::uint8_t count) noexcept
 {
-    for (std::uint32_t& open : open_)
+    windows_ = windows;
+    const std::uint8_t rooms = (windows == nullptr) ? 0U : count;
+    for (std::uint8_t slot = 0U; slot < rooms; ++slot)
     {
-        open = 0U;
+        windows[slot].open = 0U; // MISRA D-002
     }
     slots_ = 0U;
     next_ = 0U;
@@ -33,10 +35,14 @@ void ToldCauses::Restart() noexcept
 
 bool ToldCauses::Take(const SlotIndex slot, const SrdoCause cause, const ToldWindow& window) noexcept
 {
+    if (windows_ == nullptr)
+    {
+        return true;
+    }
     const std::uint32_t number = static_cast<std::uint32_t>(cause);
     const std::uint32_t first = FirstOf(number);
-    std::uint32_t& open = open_[slot];       // MISRA D-002
-    Instant& told = told_[slot][first - 1U]; // MISRA D-002
+    std::uint32_t& open = windows_[slot].open;       // MISRA D-002
+    Instant& told = windows_[slot].told[first - 1U]; // MISRA D-002
     const bool is_open = ((open >> number) & 1U) != 0U;
     if (is_open && ((window.now.us - told.us) <= window.length_us))
     {
@@ -51,10 +57,10 @@ bool ToldCauses::Take(const SlotIndex slot, const SrdoCause cause, const ToldWin
 
 void ToldCauses::Sweep(const SlotIndex slot, const ToldWindow& window) noexcept
 {
-    std::uint32_t& open = open_[slot]; // MISRA D-002
+    std::uint32_t& open = windows_[slot].open; // MISRA D-002
     for (std::uint32_t number = 1U; number <= kLastCause; ++number)
     {
-        const Instant told = told_[slot][FirstOf(number) - 1U]; // MISRA D-002
+        const Instant told = windows_[slot].told[FirstOf(number) - 1U]; // MISRA D-002
         if ((window.now.us - told.us) > window.length_us)
         {
             open &= ~(1U << number);

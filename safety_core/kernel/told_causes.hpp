@@ -18,13 +18,25 @@ struct ToldWindow
     std::uint32_t length_us;
 };
 
-/// When each cause of each SRDO was told last. A cause of a consumer and one of a producer share a place where an SRDO
-/// never has both. Invariant: an instant has a meaning only while the bit of its cause is set in `open_`; the slot's
-/// bit in `slots_` is set then. [SRS_KRN_032]
+constexpr std::uint8_t kCausePlaces = 12U;
+
+/// When each cause of one SRDO was told last; what it holds means nothing before Start. A cause of a consumer and one
+/// of a producer share a place where an SRDO never has both. Invariant: an instant has a meaning only while the bit of
+/// its cause is set in `open`.
+struct CauseWindows
+{
+    Instant told[kCausePlaces]; // MISRA D-001
+    std::uint32_t open;
+};
+
+/// When the causes of all SRDOs were told last. Invariant: the bit of a slot with an open window is set in `slots_`.
+/// [SRS_KRN_032]
 class ToldCauses
 {
   public:
-    void Restart() noexcept;
+    /// @brief No window is open. `windows` has room for `count` SRDOs, or is null: then every cause is told whenever it
+    /// is signalled. O(count)
+    void Restart(CauseWindows* windows, std::uint8_t count) noexcept;
     /// @brief Whether the cause is to be told now; if so, its window begins. O(1)
     [[nodiscard]] bool Take(SlotIndex slot, SrdoCause cause, const ToldWindow& window) noexcept;
     /// @brief Slots with a window that may still be open.
@@ -42,10 +54,7 @@ class ToldCauses
     void Sweep(SlotIndex slot, const ToldWindow& window) noexcept;
 
   private:
-    static constexpr std::uint8_t kPlaces = 12U;
-
-    Instant told_[kMaxSrdoCount][kPlaces]{}; // MISRA D-001
-    std::uint32_t open_[kMaxSrdoCount]{};    // MISRA D-001
+    CauseWindows* windows_{nullptr};
     SrdoMask slots_{0U};
     SlotIndex next_{0U};
 };

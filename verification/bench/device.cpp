@@ -13,7 +13,8 @@ constexpr std::uint32_t kFrameGapUs = 1U;
 
 } // namespace
 
-Device::Device() noexcept : kernel_{KernelParts{channel_a_, channel_b_, ports_, output_, watchdog_, application_}}
+Device::Device() noexcept
+    : kernel_{KernelParts{channel_a_, channel_b_, ports_, output_, watchdog_, application_, nullptr, &windows_[0]}}
 {
 }
 

@@ -61,6 +61,7 @@ class Device
     channel_b::StorageFor<kMaxSrdoCount> storage_b_{};
     channel_a::Channel channel_a_{storage_a_.Handle()};
     channel_b::Channel channel_b_{storage_b_.Handle()};
+    CauseWindows windows_[kMaxSrdoCount]{};
     Kernel kernel_;
     std::uint32_t now_us_{1000000U};
     std::uint32_t offset_us_{0U};

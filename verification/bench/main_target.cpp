@@ -29,6 +29,7 @@ extern "C" std::uint32_t TargetMain() noexcept;
 extern "C" std::uint32_t TargetMain() noexcept
 {
     WriteRam({"kernel", sizeof(counterpoint::Kernel)});
+    WriteRam({"windows", sizeof(counterpoint::CauseWindows) * counterpoint::kMaxSrdoCount});
     WriteRam({"channel_a", sizeof(counterpoint::channel_a::Channel)});
     WriteRam({"storage_a", sizeof(counterpoint::channel_a::StorageFor<counterpoint::kMaxSrdoCount>)});
     WriteRam({"channel_b", sizeof(counterpoint::channel_b::Channel)});

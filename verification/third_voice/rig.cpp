@@ -17,7 +17,7 @@ std::uint8_t NumberOf(const CommunicationIndex index)
 
 Rig::Rig(DeviceConfig& config, std::vector<MappableObject>& objects, const Counters& counters)
     : config_(config), counters_(counters), a_{storage_a_.Handle()}, b_{storage_b_.Handle()},
-      kernel_{KernelParts{a_, b_, *this, *this, *this, *this, nullptr}}
+      kernel_{KernelParts{a_, b_, *this, *this, *this, *this, nullptr, &windows_[0]}}
 {
     for (MappableObject& object : objects)
     {

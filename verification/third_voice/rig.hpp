@@ -81,6 +81,7 @@ class Rig final : private Application, private hal::CanPorts, private hal::Safet
     Time now_{0};
     Seen seen_{};
     std::optional<SrdoCause> refused_;
+    CauseWindows windows_[kSrdos]{};
     Kernel kernel_;
 };
 } // namespace counterpoint::third_voice

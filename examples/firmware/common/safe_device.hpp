@@ -29,10 +29,11 @@ template <std::uint8_t kSrdos> struct MemoryB
 /// The kernel and what it calls the channels through.
 struct CoreMemory
 {
-    CoreMemory(const Hardware& hardware, Channel& channel_a, Channel& channel_b, Application& application) noexcept
+    CoreMemory(const Hardware& hardware, Channel& channel_a, Channel& channel_b, Application& application,
+               CauseWindows* const windows) noexcept
         : a{channel_a, hardware.protection, hal::MemoryOwner::kChannelA},
           b{channel_b, hardware.protection, hal::MemoryOwner::kChannelB},
-          kernel{KernelParts{a, b, hardware.can, hardware.output, hardware.watchdog, application}}
+          kernel{KernelParts{a, b, hardware.can, hardware.output, hardware.watchdog, application, nullptr, windows}}
     {
     }
 
@@ -57,7 +58,9 @@ template <class App, std::uint8_t kSrdos>
 {
     MemoryA<kSrdos>& a = regions.a.Make();
     MemoryB<kSrdos>& b = regions.b.Make();
-    CoreMemory& core = regions.core.Make(hardware, a.channel, b.channel, static_cast<Application&>(application));
+    static CauseWindows windows[kSrdos]; // They decide nothing: with the rest of the memory.
+    CoreMemory& core =
+        regions.core.Make(hardware, a.channel, b.channel, static_cast<Application&>(application), &windows[0]);
     device::AppDevice<App, kSrdos>& device = rest.Make(core.kernel, &hardware.can, application);
     return DrivenDevice{device.Whole(), core.kernel, ProtectRegions(hardware.protection)};
 }

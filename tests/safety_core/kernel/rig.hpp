@@ -197,6 +197,7 @@ class Rig : public ::testing::Test
     GateOutput output{};
     TimerWatchdog watchdog{};
     RecordingApplication application{};
+    CauseWindows windows[3]{};
     Kernel kernel;
     std::uint32_t now_us{5000U};
 };

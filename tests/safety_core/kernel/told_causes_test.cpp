@@ -15,6 +15,27 @@ ToldWindow At(const std::uint32_t now_us)
     return ToldWindow{Instant{now_us}, 50000U};
 }
 
+struct Room
+{
+    Room()
+    {
+        causes.Restart(&windows[0], 64U);
+    }
+
+    CauseWindows windows[64]{};
+    ToldCauses causes{};
+};
+
+TEST(ToldCauses, WithoutRoomEverythingIsTold)
+{
+    Verifies(req::SRS_KRN_032);
+    ToldCauses without_room{};
+    without_room.Restart(nullptr, 64U);
+    EXPECT_TRUE(without_room.Take(5U, SrdoCause::kLength, At(1000U)));
+    EXPECT_TRUE(without_room.Take(5U, SrdoCause::kLength, At(1000U)));
+    EXPECT_EQ(without_room.Slots(), 0U);
+}
+
 // t [us]   1000 (told)   51000 (window)   51001
 TEST(ToldCauses, CauseIsToldAgainOneMicrosecondAfterItsWindow)
 {
@@ -22,7 +43,8 @@ TEST(ToldCauses, CauseIsToldAgainOneMicrosecondAfterItsWindow)
     for (std::uint32_t number = 1U; number <= 18U; ++number)
     {
         const SrdoCause cause = static_cast<SrdoCause>(number);
-        ToldCauses causes{};
+        Room room{};
+        ToldCauses& causes = room.causes;
         EXPECT_EQ(causes.Slots(), 0U);
         EXPECT_TRUE(causes.Take(63U, cause, At(1000U))) << number;
         EXPECT_EQ(causes.Slots(), 0x8000000000000000U);
@@ -39,7 +61,8 @@ TEST(ToldCauses, CausesDoNotDisturbEachOther)
     Verifies(req::SRS_KRN_032);
     const auto together = [](const std::vector<std::uint32_t>& numbers)
     {
-        ToldCauses causes{};
+        Room room{};
+        ToldCauses& causes = room.causes;
         std::uint32_t now_us = 1000U;
         for (std::uint32_t round = 0U; round < 2U; ++round)
         {
@@ -69,7 +92,8 @@ TEST(ToldCauses, CauseThatSharesItsPlaceIsTold)
     {
         const SrdoCause first = static_cast<SrdoCause>(number);
         const SrdoCause second = static_cast<SrdoCause>(number + 6U);
-        ToldCauses causes{};
+        Room room{};
+        ToldCauses& causes = room.causes;
         EXPECT_TRUE(causes.Take(5U, first, At(1000U)));
         EXPECT_TRUE(causes.Take(5U, second, At(2000U)));
         EXPECT_FALSE(causes.Take(5U, second, At(2000U)));
@@ -81,7 +105,8 @@ TEST(ToldCauses, CauseThatSharesItsPlaceIsTold)
 TEST(ToldCauses, WindowThatIsOverIsClosedBySweeping)
 {
     Verifies(req::SRS_KRN_032);
-    ToldCauses causes{};
+    Room room{};
+    ToldCauses& causes = room.causes;
     EXPECT_TRUE(causes.Take(5U, SrdoCause::kLength, At(1000U)));
     EXPECT_TRUE(causes.Take(5U, SrdoCause::kWrongEcho, At(2000U)));
     causes.Sweep(5U, At(51000U));
@@ -95,7 +120,7 @@ TEST(ToldCauses, WindowThatIsOverIsClosedBySweeping)
     // The counter has come round: the instants look new, and are not
     EXPECT_TRUE(causes.Take(5U, SrdoCause::kLength, At(1000U)));
     EXPECT_TRUE(causes.Take(5U, SrdoCause::kWrongEcho, At(2000U)));
-    causes.Restart();
+    causes.Restart(&room.windows[0], 64U);
     EXPECT_EQ(causes.Slots(), 0U);
     EXPECT_TRUE(causes.Take(5U, SrdoCause::kLength, At(1000U)));
 }
@@ -103,12 +128,13 @@ TEST(ToldCauses, WindowThatIsOverIsClosedBySweeping)
 TEST(ToldCauses, EverySlotHasItsTurn)
 {
     Verifies(req::SRS_KRN_032);
-    ToldCauses causes{};
+    Room room{};
+    ToldCauses& causes = room.causes;
     for (std::uint32_t turn = 1U; turn <= 129U; ++turn)
     {
         EXPECT_EQ(causes.NextSlot(), turn % 64U);
     }
-    causes.Restart();
+    causes.Restart(&room.windows[0], 64U);
     EXPECT_EQ(causes.NextSlot(), 1U);
 }
 
