@@ -177,7 +177,10 @@ void Network::RunUntil(const Nanoseconds until)
     {
         world_.bus.Advance(next, observer);
         agenda_.Run(next);
-        DeliverMessages();
+        if (!world_.wires.empty())
+        {
+            DeliverMessages();
+        }
         for (const std::unique_ptr<Node>& node : world_.nodes)
         {
             if (node->NextEvent() <= next)
