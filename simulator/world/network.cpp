@@ -186,7 +186,6 @@ void Network::RunUntil(const Nanoseconds until)
             if (node->NextEvent() <= next)
             {
                 node->Run();
-                ++cycles_;
             }
         }
         faults_->LookAtSupply();
@@ -232,8 +231,4 @@ const std::map<std::size_t, std::uint32_t>& Network::DroppedCopies() const noexc
     return faults_->Dropped();
 }
 
-std::uint64_t Network::CycleCount() const noexcept
-{
-    return cycles_;
-}
 } // namespace counterpoint::simulator
