@@ -135,6 +135,17 @@ void Device::HandOver() noexcept
     }
 }
 
+// A loss in between is told by the one that was there.
+bool Device::TakeLostOthers() noexcept
+{
+    const bool has_lost = has_lost_others_.load();
+    if (has_lost)
+    {
+        has_lost_others_.store(false);
+    }
+    return has_lost;
+}
+
 NodeState Device::State() const noexcept
 {
     return parts_.services.slave.State();
@@ -144,7 +155,7 @@ void Device::Serve(const Instant now) noexcept
 {
     HandOver();
     ServiceSet& services = parts_.services;
-    services.OnOverrun(has_lost_others_.exchange(false));
+    services.OnOverrun(TakeLostOthers());
     for (const QueuedFrame* item = commands_.Oldest(); item != nullptr; item = commands_.Oldest())
     {
         // Each takes effect completely before the next one is looked at.
@@ -164,7 +175,10 @@ void Device::Serve(const Instant now) noexcept
 /// Carries out what the state machine asks for, until it rests.
 void Device::Settle() noexcept
 {
-    Initialise();
+    if (cia301::StateByte(State()) == 0U)
+    {
+        Initialise();
+    }
     ApplyState();
 }
 

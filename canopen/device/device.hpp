@@ -113,6 +113,7 @@ class Device
   private:
     static constexpr std::uint32_t kCommandRoom = 8U;
 
+    [[nodiscard]] bool TakeLostOthers() noexcept;
     void Settle() noexcept;
     void Initialise() noexcept;
     [[nodiscard]] LoadResult Load() noexcept;

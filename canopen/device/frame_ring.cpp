@@ -25,12 +25,6 @@ bool FrameRing::Put(const StampedFrame& frame, const Origin origin) noexcept
     return has_room;
 }
 
-const QueuedFrame* FrameRing::Oldest() const noexcept
-{
-    const std::uint32_t read = read_.load(std::memory_order_relaxed);
-    return (read == written_.load(std::memory_order_acquire)) ? nullptr : &At(read);
-}
-
 void FrameRing::Drop() noexcept
 {
     read_.store(After(read_.load(std::memory_order_relaxed)), std::memory_order_release);

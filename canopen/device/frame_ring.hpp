@@ -44,7 +44,11 @@ class FrameRing
     /// @brief Adds a frame. False: there was no room. For the writer. O(1)
     [[nodiscard]] bool Put(const StampedFrame& frame, Origin origin) noexcept;
     /// @brief The oldest frame where it lies, or null; it stays there until Drop. For the reader. O(1)
-    [[nodiscard]] const QueuedFrame* Oldest() const noexcept;
+    [[nodiscard]] const QueuedFrame* Oldest() const noexcept
+    {
+        const std::uint32_t read = read_.load(std::memory_order_relaxed);
+        return (read == written_.load(std::memory_order_acquire)) ? nullptr : &At(read);
+    }
     /// @brief Takes the oldest frame out. Only after Oldest returned it. O(1)
     void Drop() noexcept;
     [[nodiscard]] std::uint32_t Room() const noexcept;

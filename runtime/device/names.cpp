@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/device/names.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -32,5 +33,11 @@ std::string MillisecondsText(const Nanoseconds time)
     }
     const bool needs_sign = microseconds < 0 && microseconds > -1000;
     return (needs_sign ? "-" : "") + whole + (fraction.empty() ? "" : "." + fraction) + " ms";
+}
+
+std::string Words(std::string name)
+{
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
 }
 } // namespace counterpoint::runtime

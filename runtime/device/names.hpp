@@ -108,6 +108,8 @@ template <typename Meaning, std::size_t kCount>
 [[nodiscard]] std::string IdentifierText(std::uint32_t identifier);
 /// A time as text: "12.345 ms", without trailing zeros.
 [[nodiscard]] std::string MillisecondsText(Nanoseconds time);
+/// @brief A name as people read it: without underscores.
+[[nodiscard]] std::string Words(std::string name);
 } // namespace counterpoint::runtime
 
 #endif // RUNTIME_DEVICE_NAMES_HPP

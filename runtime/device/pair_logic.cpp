@@ -187,14 +187,14 @@ void PairLogic::TakePair(PairValue& pair, const SrdoMask open, const OnValue& on
     const bool is_open = (open & pair.slot) != 0U;
     const bool is_inverse =
         half_ != Half::kBoth || IsInversePair(pair.normal_place, pair.inverse_place) == PairView::kInverse;
-    const bool is_usable = is_open && is_inverse;
-    const std::uint64_t read_normal = ReadVariable(pair.normal_place).bits;
-    const std::uint64_t read_inverse = ReadVariable(pair.inverse_place).bits;
-    // The half that is on the other CPU follows from the own one.
-    const std::uint64_t normal_bits = (half_ == Half::kInverse) ? (~read_inverse & pair.mask) : read_normal;
-    const std::uint64_t inverse_bits = (half_ == Half::kNormal) ? (~read_normal & pair.mask) : read_inverse;
-    const std::uint64_t normal = is_usable ? normal_bits : pair.safe;
-    pair.inverse = is_usable ? inverse_bits : (~pair.safe & pair.mask);
+    std::uint64_t normal = pair.safe;
+    if (is_open && is_inverse)
+    {
+        normal = (half_ == Half::kInverse) ? (~ReadVariable(pair.inverse_place).bits & pair.mask)
+                                           : ReadVariable(pair.normal_place).bits;
+    }
+    pair.inverse =
+        ~normal & pair.mask; // As was just found; the half that is on the other CPU follows from the own one.
     if (normal != pair.normal)
     {
         pair.normal = normal;

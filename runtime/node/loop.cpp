@@ -214,11 +214,12 @@ void NodeLoop::Wait()
 
 void NodeLoop::Receive()
 {
-    Hold(parts_.ports.Safety(), first_held_);
+    // The inverse frames first: whose normal frame was before is then there, too, even if both have one stamp.
     if (host::LiveBus* const inverse = parts_.ports.Inverse())
     {
         Hold(*inverse, second_held_);
     }
+    Hold(parts_.ports.Safety(), first_held_);
     while (TakeOldest())
     {
     }

@@ -24,7 +24,7 @@ void LinkSupervisor::Restart(const LinkConfig& config) noexcept
 void LinkSupervisor::OnCompose(const std::uint32_t sequence) noexcept
 {
     composed_sequence_ = sequence;
-    ++composed_count_;
+    composed_count_ += has_cycled_;
 }
 
 void LinkSupervisor::CountCorrupt() noexcept
@@ -122,6 +122,7 @@ TakeResult LinkSupervisor::Take(const LinkMessage& message, const Instant receiv
 
 void LinkSupervisor::Examine(const Instant now) noexcept
 {
+    has_cycled_ = 1U;
     if (IsAlive() && ((now.us - echoed_.us) > config_.timeout_us))
     {
         Lose(LinkFinding::kTimeout);

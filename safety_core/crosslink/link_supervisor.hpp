@@ -58,7 +58,7 @@ class LinkSupervisor
 {
   public:
     void Restart(const LinkConfig& config) noexcept;
-    /// @brief Before each own message: its sequence number. Contact begins by an answer to one since Restart.
+    /// @brief Before each own message: its sequence number. Contact begins by an answer to one of this start.
     /// [SRS_LNK_011]
     void OnCompose(std::uint32_t sequence) noexcept;
     /// @brief A message that is intact, received at `received`. O(1)
@@ -117,7 +117,8 @@ class LinkSupervisor
     std::uint32_t heard_sequence_{0U};
     std::uint32_t acknowledged_{0U};
     std::uint32_t composed_sequence_{0U}; ///< Of the own message composed last.
-    std::uint32_t composed_count_{0U};    ///< Own messages since Restart; of use until contact.
+    std::uint32_t composed_count_{0U};    ///< Own messages since the first cycle of this start; of use until contact.
+    std::uint32_t has_cycled_{0U};        ///< 1: Examine was called since Restart.
     Instant reference_own_{0U};           ///< Where the comparison of the clocks began.
     Instant reference_peer_{0U};
     std::uint8_t heard_{0U};

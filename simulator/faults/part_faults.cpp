@@ -45,11 +45,6 @@ void PartFaults::SetNow(const Nanoseconds now) noexcept
     now_ = now;
 }
 
-PartCondition& PartFaults::Condition(const Part part) noexcept
-{
-    return conditions_[static_cast<std::size_t>(part)];
-}
-
 void PartFaults::HasEffect(const PartCondition& condition) noexcept
 {
     if (std::find(seen_.begin(), seen_.end(), condition.fault) == seen_.end())

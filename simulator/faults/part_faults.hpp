@@ -41,7 +41,10 @@ class PartFaults
     void SetNow(Nanoseconds now) noexcept;
 
     /// @brief The condition of a part.
-    [[nodiscard]] PartCondition& Condition(Part part) noexcept;
+    [[nodiscard]] PartCondition& Condition(const Part part) noexcept
+    {
+        return conditions_[static_cast<std::size_t>(part)];
+    }
     /// @brief The fault changes something now. The first time is remembered.
     void HasEffect(const PartCondition& condition) noexcept;
     /// @brief Leaves the running call and all its callers for good: the node stands still. [SRS_SIM_025]

@@ -34,10 +34,11 @@ class SupervisorTap
     /// @brief How many calls of this thread the linker has led through a tap, by part. It shows that the wraps work.
     [[nodiscard]] static std::uint64_t Intercepted(Part part) noexcept;
 
-    // The linker leads the calls of counterpoint::Comparator::Compare and so on to these.
+    // The linker leads the calls of counterpoint::Comparator::Compare and so on to these. Not inline where it is often:
+    // a call without a tap is to cost nothing.
     [[nodiscard]] Verdict Compare(Comparator& self, const Comparison& comparison) noexcept;
-    void FlowBegin(FlowMonitor& self) noexcept;
-    void FlowMark(FlowMonitor& self, FlowStep step, const FlowEvidence& evidence) noexcept;
+    [[gnu::noinline]] void FlowBegin(FlowMonitor& self) noexcept;
+    [[gnu::noinline]] void FlowMark(FlowMonitor& self, FlowStep step, const FlowEvidence& evidence) noexcept;
     [[nodiscard]] hal::WatchdogAnswer FlowEnd(FlowMonitor& self, const hal::WatchdogQuestion& question) noexcept;
     [[nodiscard]] std::uint32_t GuardCycle(ConfigurationGuard& self, std::uint32_t challenge) noexcept;
 

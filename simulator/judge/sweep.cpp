@@ -66,12 +66,6 @@ std::size_t CountOf(const std::vector<SweepAxis>& axes)
     return count;
 }
 
-std::string Words(std::string text)
-{
-    std::replace(text.begin(), text.end(), '_', ' ');
-    return text;
-}
-
 std::string TimeText(const Nanoseconds time, const char* const none)
 {
     return (time < 0) ? none : MillisecondsText(time);

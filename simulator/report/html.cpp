@@ -45,12 +45,6 @@ std::string Embedded(const nlohmann::ordered_json& document)
     return safe;
 }
 
-std::string Words(std::string text)
-{
-    std::replace(text.begin(), text.end(), '_', ' ');
-    return text;
-}
-
 std::string Gauge(const Measurement& measurement)
 {
     constexpr Nanoseconds kFull = 100;

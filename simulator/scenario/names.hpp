@@ -19,6 +19,7 @@ using runtime::MillisecondsText;
 using runtime::Name;
 using runtime::NameOf;
 using runtime::ObjectText;
+using runtime::Words;
 
 // The words of scenarios and outputs for the enumerations of contract, kernel and simulator: one table for both ways.
 inline constexpr Word<Part> kPartWords[] = {

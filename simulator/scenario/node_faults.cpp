@@ -113,7 +113,7 @@ void ReadClock(Fields& fields, FaultSetup& fault)
     const auto ppm = fields.Find("ppm");
     const auto jump = fields.Find("jump");
     const int effects = (is_stopped ? 1 : 0) + (ppm ? 1 : 0) + (jump ? 1 : 0);
-    if (effects != 1)
+    if (effects != 1 || (ppm && ppm->PartsPerMillion() == 0))
     {
         fields.Value().Refuse("clock fault without an effect of its own", "one of 'stopped: true', 'ppm' and 'jump'");
     }

@@ -13,6 +13,13 @@ namespace
 {
 using T = ValueType;
 constexpr Range kNone{0U, 0U};
+constexpr Range kOffsets{0U, 0xFFFFFFU};
+constexpr Range kSrdos{1U, 64U};
+constexpr Range kMillionths{1U, 1000000U};
+constexpr Range kWordBits{0U, 31U};
+constexpr Range kByteBits{0U, 7U};
+constexpr Range kShortIdentifiers{0U, 0x7FFU};
+constexpr Range kCapacities{1U, 1000U};
 constexpr Range kIdentifiers{0U, 0x1FFFFFFFU};
 constexpr Range kCounts{1U, 0x7FFFFFFFU};
 constexpr Range kControllers{1U, 2U};
@@ -76,7 +83,7 @@ const std::vector<SectionSpec> kFrameFaultSections{
          Identifier(),
          {"kind", T::kWord, kNone, &WordsOf<kFrameKindWords>, nullptr, "data", "remote", "what kind of frame"},
          {"data", T::kNumbers, {0U, 255U}, nullptr, nullptr, nullptr, "[0xFE, 0x01]", "its bytes, at most 8"},
-         {"times", T::kNumber, {1U, 1000U}, nullptr, nullptr, "1", "3", "how many frames"},
+         {"times", T::kNumber, kCapacities, nullptr, nullptr, "1", "3", "how many frames"},
          {"every", T::kLasting, kNone, nullptr, nullptr, nullptr, "2 ms", "time between two of them"},
      },
      "Faults that bring frames of their own."},
@@ -100,13 +107,7 @@ const std::vector<SectionSpec> kFrameFaultSections{
          {"first", T::kNumber, kCounts, nullptr, nullptr, "1", "3", "from the n-th frame that fits"},
          {"every", T::kNumber, kCounts, nullptr, nullptr, "1", "10", "from there on every n-th"},
          {"count", T::kNumber, kCounts, nullptr, nullptr, "1", "6", "at most so many"},
-         {"probability_ppm",
-          T::kNumber,
-          {1U, 1000000U},
-          nullptr,
-          nullptr,
-          "1000000",
-          "500",
+         {"probability_ppm", T::kNumber, kMillionths, nullptr, nullptr, "1000000", "500",
           "by chance, drawn from the seed"},
      },
      "Chooses frames; everything that is said has to fit."},
@@ -115,7 +116,7 @@ const std::vector<SectionSpec> kFrameFaultSections{
      {},
      {
          {"node", T::kNode, kNone, nullptr, nullptr, kNeeded, "actuator", "a node that has the SRDO"},
-         {"srdo", T::kNumber, {1U, 64U}, nullptr, nullptr, kNeeded, "1", "its number there"},
+         {"srdo", T::kNumber, kSrdos, nullptr, nullptr, kNeeded, "1", "its number there"},
          {"which", T::kWord, kNone, &WordsOf<kFrameSideWords>, nullptr, "both", "inverse",
           "COB-ID 1, COB-ID 2 or both"},
      },
@@ -149,7 +150,7 @@ const std::vector<SectionSpec> kFrameFaultSections{
          "The frame arrives later."),
     Kind("addressing", {"on_frames"},
          {
-             {"as", T::kNumber, {0U, 0x7FFU}, nullptr, nullptr, kNeeded, "0x104", "the other COB-ID"},
+             {"as", T::kNumber, kShortIdentifiers, nullptr, nullptr, kNeeded, "0x104", "the other COB-ID"},
          },
          "The frame arrives under another COB-ID."),
     Kind("store_and_forward", {"on_frames"},
@@ -196,13 +197,7 @@ const std::vector<SectionSpec> kFrameFaultSections{
              {"on", T::kLasting, kNone, nullptr, nullptr, nullptr, "5 ms", "intermittent: there for so long"},
              {"off", T::kLasting, kNone, nullptr, nullptr, nullptr, "20 ms",
               "intermittent: then gone for so long, again and again"},
-             {"identifier",
-              T::kNumber,
-              {0U, 0x7FFU},
-              nullptr,
-              nullptr,
-              "0",
-              "0x001",
+             {"identifier", T::kNumber, kShortIdentifiers, nullptr, nullptr, "0", "0x001",
               "COB-ID of its frames; the lowest wins the bus"},
              {"data", T::kNumbers, {0U, 255U}, nullptr, nullptr, nullptr, "[0x55]", "their bytes, at most 8"},
          },
@@ -227,7 +222,7 @@ const std::vector<SectionSpec> kNodeFaultSections{
          "The cable of the controller is off: it neither sends nor receives, and keeps its queue."),
     Kind("queue_overflow", {"lasting"},
          {
-             {"capacity", T::kNumber, {1U, 1000U}, nullptr, nullptr, "1", "4", "frames that the queue holds"},
+             {"capacity", T::kNumber, kCapacities, nullptr, nullptr, "1", "4", "frames that the queue holds"},
          },
          "The node takes frames only at its cycles, from a reception queue that is too small."),
     Kind("bit_flip", {"fault"},
@@ -235,31 +230,13 @@ const std::vector<SectionSpec> kNodeFaultSections{
              {"node", T::kNode, kNone, nullptr, nullptr, kNeeded, "actuator", "which node"},
              PartOf(&WordsOf<kMemoryWords>),
              {"at", T::kDuration, kNone, nullptr, nullptr, kNeeded, "500 ms", "when"},
-             {"offset",
-              T::kNumber,
-              {0U, 0xFFFFFFU},
-              nullptr,
-              nullptr,
-              nullptr,
-              "12",
+             {"offset", T::kNumber, kOffsets, nullptr, nullptr, nullptr, "12",
               "byte of the part; default: chosen by the seed, with its bit"},
              {"config", T::kMap, kNone, nullptr, "config", nullptr, "{srdo: 1, field: sct}",
               "of a channel, instead: where it keeps this value"},
-             {"bit",
-              T::kNumber,
-              {0U, 31U},
-              nullptr,
-              nullptr,
-              nullptr,
-              "4",
+             {"bit", T::kNumber, kWordBits, nullptr, nullptr, nullptr, "4",
               "bit of the byte (0 to 7) or of the value; default 0"},
-             {"srdo",
-              T::kNumber,
-              {1U, 64U},
-              nullptr,
-              nullptr,
-              nullptr,
-              "1",
+             {"srdo", T::kNumber, kSrdos, nullptr, nullptr, nullptr, "1",
               "of setup and safe_value: of which SRDO; default: of the first"},
          },
          "A bit flips: in the storage of a channel, in the kernel object or a part of it, in the table of SRDO "
@@ -272,15 +249,9 @@ const std::vector<SectionSpec> kNodeFaultSections{
              {"node", T::kNode, kNone, nullptr, nullptr, kNeeded, "actuator", "which node"},
              PartOf(&WordsOf<kLiveWords>),
              {"at", T::kDuration, kNone, nullptr, nullptr, kNeeded, "500 ms", "when; it stays"},
-             {"offset",
-              T::kNumber,
-              {0U, 0xFFFFFFU},
-              nullptr,
-              nullptr,
-              nullptr,
-              "12",
+             {"offset", T::kNumber, kOffsets, nullptr, nullptr, nullptr, "12",
               "byte of the part; default: chosen by the seed, with its bit"},
-             {"bit", T::kNumber, {0U, 7U}, nullptr, nullptr, nullptr, "4", "bit of the byte; default 0"},
+             {"bit", T::kNumber, kByteBits, nullptr, nullptr, nullptr, "4", "bit of the byte; default 0"},
              {"level", T::kWord, kNone, &WordsOf<kLevelWords>, nullptr, "0", "1", "what it reads as from then on"},
          },
          "A cell of live memory stays at one level, whatever is written: before each call into the node, and at each "
@@ -295,13 +266,7 @@ const std::vector<SectionSpec> kNodeFaultSections{
      "a configuration value",
      {},
      {
-         {"srdo",
-          T::kNumber,
-          {1U, 64U},
-          nullptr,
-          nullptr,
-          nullptr,
-          "1",
+         {"srdo", T::kNumber, kSrdos, nullptr, nullptr, nullptr, "1",
           "number of the SRDO; not with the device's own fields"},
          {"field", T::kWord, kNone, &WordsOf<kConfigFieldWords>, nullptr, kNeeded, "sct", "the value"},
          {"entry", T::kNumber, {1U, 128U}, nullptr, nullptr, nullptr, "2", "of map_entry: which one"},

@@ -10,6 +10,9 @@ namespace
 {
 constexpr Range kAny{0U, 0xFFFFFFFFFFFFFFFFU};
 constexpr Range kNone{0U, 0U};
+constexpr Range kWords32{0U, 0xFFFFFFFFU};
+constexpr Range kControllers{1U, 2U};
+constexpr Range kBitRates{10000U, 1000000U};
 
 const KeySpec kAt{"at", ValueType::kDuration, kNone, nullptr, nullptr, kNeeded, "500 ms", "when"};
 const KeySpec kNode{"node", ValueType::kNode, kNone, nullptr, nullptr, kNeeded, "actuator", "which node"};
@@ -37,13 +40,7 @@ const std::vector<SectionSpec> kWorldSections{
           "start-up profiles of its managers that it is written for, whatever their network files say: the first one, "
           "or "
           "that of --profile"},
-         {"bitrate",
-          T::kNumber,
-          {10000U, 1000000U},
-          nullptr,
-          nullptr,
-          nullptr,
-          "500000",
+         {"bitrate", T::kNumber, kBitRates, nullptr, nullptr, nullptr, "500000",
           "bit/s: 10000, 20000, 50000, 100000, 125000, 250000, 500000 (default), 800000, 1000000"},
          {"duration", T::kDuration, kNone, nullptr, nullptr, nullptr, "1000 ms",
           "simulated time; needed here or in what is extended"},
@@ -81,21 +78,9 @@ const std::vector<SectionSpec> kWorldSections{
           "the device, relative to this file: SRDOs, mapping, signatures and the objects from 0x5F00 on are taken "
           "from it"},
          {"node_id", T::kNumber, {1U, 127U}, nullptr, nullptr, nullptr, "1", "instead of the one in the DCF"},
-         {"serial",
-          T::kNumber,
-          {0U, 0xFFFFFFFFU},
-          nullptr,
-          nullptr,
-          nullptr,
-          "77",
+         {"serial", T::kNumber, kWords32, nullptr, nullptr, nullptr, "77",
           "1018h:04 instead of the DCF's; with managers"},
-         {"controllers",
-          T::kNumber,
-          {1U, 2U},
-          nullptr,
-          nullptr,
-          "1",
-          "2",
+         {"controllers", T::kNumber, kControllers, nullptr, nullptr, "1", "2",
           "CAN controllers; 2, or a DCF that names two: the first has the normal frames (and everything else), the "
           "second the inverse frames"},
          {"structure", T::kWord, kNone, &WordsOf<kStructureWords>, nullptr, "one_cpu", "two_cpu",
@@ -150,14 +135,7 @@ const std::vector<SectionSpec> kWorldSections{
      {},
      {
          {"ppm", T::kPpm, kNone, nullptr, nullptr, "0", "-15", "drift; positive is fast"},
-         {"start_us",
-          T::kNumber,
-          {0U, 0xFFFFFFFFU},
-          nullptr,
-          nullptr,
-          "0",
-          "4294900000",
-          "first reading in microseconds"},
+         {"start_us", T::kNumber, kWords32, nullptr, nullptr, "0", "4294900000", "first reading in microseconds"},
      },
      "One of the two counters of a node."},
     {"input",

@@ -177,13 +177,15 @@ void Network::RunUntil(const Nanoseconds until)
     {
         world_.bus.Advance(next, observer);
         agenda_.Run(next);
-        DeliverMessages();
+        if (!world_.wires.empty())
+        {
+            DeliverMessages();
+        }
         for (const std::unique_ptr<Node>& node : world_.nodes)
         {
             if (node->NextEvent() <= next)
             {
                 node->Run();
-                ++cycles_;
             }
         }
         faults_->LookAtSupply();
@@ -229,8 +231,4 @@ const std::map<std::size_t, std::uint32_t>& Network::DroppedCopies() const noexc
     return faults_->Dropped();
 }
 
-std::uint64_t Network::CycleCount() const noexcept
-{
-    return cycles_;
-}
 } // namespace counterpoint::simulator

@@ -35,8 +35,6 @@ class Network final : private host::BusObserver
     [[nodiscard]] std::size_t Size() const noexcept;
     /// @brief The bus.
     [[nodiscard]] host::VirtualBus& Bus() noexcept;
-    /// @brief Number of cycles of all nodes so far.
-    [[nodiscard]] std::uint64_t CycleCount() const noexcept;
     /// @brief By fault, how many copies of frames were dropped because a frame can have no more receptions.
     /// [SRS_SIM_017]
     [[nodiscard]] const std::map<std::size_t, std::uint32_t>& DroppedCopies() const noexcept;
@@ -58,7 +56,6 @@ class Network final : private host::BusObserver
     NetworkEvents events_;
     std::deque<Storm> storms_;
     std::vector<Participant*> participants_;
-    std::uint64_t cycles_{0U};
 };
 } // namespace counterpoint::simulator
 

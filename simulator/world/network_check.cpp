@@ -278,7 +278,8 @@ void NetworkCheck::RequireThatEverythingExists() const
     }
     for (const Acknowledge& acknowledge : world_.scenario.acknowledges)
     {
-        RequireSrdo(acknowledge.node, acknowledge.srdo, false, acknowledge.source);
+        const bool is_of_file = world_.scenario.managers.empty(); // A manager may turn a producer round.
+        RequireSrdo(acknowledge.node, acknowledge.srdo, is_of_file, acknowledge.source);
     }
     for (const FaultSetup& fault : world_.scenario.faults)
     {

@@ -2,6 +2,7 @@
 // Faults in the devices of a network with managers, and the options of simulate there.
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
+#include "verification/trace/ids/crosslink.hpp"
 #include "verification/trace/ids/hal.hpp"
 #include "verification/trace/ids/manager.hpp"
 #include "verification/trace/ids/node.hpp"
@@ -115,6 +116,7 @@ TEST_F(ManagedFaultsTest, WhatHappensToDevicesHappensBesideAManager)
 TEST_F(ManagedFaultsTest, ADeviceOfTwoCpusIsManaged)
 {
     Verifies(req::SRS_SIM_060);
+    Verifies(req::SRS_LNK_011);
     const std::string folder = cia306::test::SourceFolder() + "/examples/";
     const std::string nodes = "title: x\nduration: 3 s\nmanagers: [{network: " + Shipped("network.yaml") +
                               "}]\nnodes:\n  1: {dcf: " + folder + "emergency_stop/sensor.dcf}\n  2: {dcf: " + folder +
@@ -131,6 +133,16 @@ TEST_F(ManagedFaultsTest, ADeviceOfTwoCpusIsManaged)
                                  "  - {that: device, node: relay, is: absent}\n");
     const Answer answer = RunCommand({"simulate", "--quiet", good});
     EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
+    // And it is reset at any moment of the cycles of its CPUs
+    for (const char* const at : {"2000000", "2000250", "2000500", "2000750"})
+    {
+        const Answer reset = RunCommand(
+            {"simulate", "--quiet",
+             File("reset.yaml", nodes + "events: [{at: " + at + " us, do: order, order: reset 33}]\nexpect:\n" +
+                                    "  - {that: device_fault, node: relay, is: none}\n" +
+                                    "  - {that: device, node: relay, is: operational}\n")});
+        EXPECT_EQ(reset.status, 0) << at << reset.out << reset.err;
+    }
     // A second one of it would need a link of its own
     const std::string bad = File("bad.yaml", nodes + "events: [{at: 2 s, do: duplicate, node: relay}]\n");
     const Answer refused = RunCommand({"simulate", "--quiet", bad});

@@ -90,12 +90,6 @@ const simulator::Expectation* LimitedExpectation(const simulator::Run& run)
     return nullptr;
 }
 
-std::string Words(std::string text)
-{
-    std::replace(text.begin(), text.end(), '_', ' ');
-    return text;
-}
-
 class DemoCommand final : public Command
 {
   public:
@@ -218,8 +212,8 @@ class DemoCommand final : public Command
         if (measurement != nullptr)
         {
             cells[2] = (measurement->elapsed < 0) ? "never" : runtime::MillisecondsText(measurement->elapsed);
-            cells[3] = Words(simulator::Name(measurement->detection.party));
-            cells[4] = Words(measurement->detection.cause);
+            cells[3] = simulator::Words(simulator::Name(measurement->detection.party));
+            cells[4] = simulator::Words(measurement->detection.cause);
         }
         cells[5] = run.Holds() ? ((limited != nullptr) ? "in time" : "as expected") : "FAILED";
         PrintEnd(cells, out);

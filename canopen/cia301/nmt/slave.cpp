@@ -76,11 +76,6 @@ NmtSlave::NmtSlave(const NodeId node, const StartUp& start_up) noexcept
 {
 }
 
-NodeState NmtSlave::State() const noexcept
-{
-    return state_;
-}
-
 FrameToSend NmtSlave::Advance() noexcept
 {
     FrameToSend boot_up{false, {}};

@@ -58,7 +58,10 @@ class NmtSlave
     NmtSlave(NodeId node, const StartUp& start_up) noexcept;
 
     /// @brief The present state.
-    [[nodiscard]] NodeState State() const noexcept;
+    [[nodiscard]] NodeState State() const noexcept
+    {
+        return state_;
+    }
     /// @brief One step of INITIALISATION; from the last one the boot-up message comes back. Elsewhere nothing.
     /// [SRS_NMT_001, SRS_NMT_002, SRS_NMT_005]
     [[nodiscard]] FrameToSend Advance() noexcept;

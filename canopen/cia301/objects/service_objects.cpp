@@ -1,8 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia301/objects/service_objects.hpp"
 
-#include "canopen/cia301/base/little_endian.hpp"
-
 namespace counterpoint::cia301
 {
 namespace
@@ -23,51 +21,40 @@ ServiceObjects::ServiceObjects(const ServiceParts& parts) noexcept : parts_(part
 {
 }
 
-Reading ServiceObjects::OnRead(const ObjectAddress& address, const Room& room) noexcept
+ObjectValue ServiceObjects::Fetch(const ObjectAddress& address) noexcept
 {
     const bool is_list = (address.index == kErrorHistory) || (address.index == kConsumerTimes);
-    const Value value = is_list ? FetchList(address) : Fetch(address);
-    Reading reading{value.abort, value.size_bytes};
-    if ((reading.abort == SdoAbort::kNone) && (value.size_bytes > room.size_bytes))
-    {
-        reading.abort = SdoAbort::kOutOfMemory;
-    }
-    if (reading.abort == SdoAbort::kNone)
-    {
-        ToLittleEndian(value.value, room.data, value.size_bytes);
-    }
-    return reading;
+    return is_list ? FetchList(address) : FetchNumber(address);
 }
 
-SdoAbort ServiceObjects::OnWrite(const ObjectAddress& address, const Bytes& value) noexcept
+SdoAbort ServiceObjects::Store(const ObjectAddress& address, const std::uint32_t value) noexcept
 {
-    const auto number = static_cast<std::uint32_t>(FromLittleEndian(value.data, value.size_bytes));
     SdoAbort abort = SdoAbort::kNone;
     switch (address.index)
     {
     case kErrorHistory:
-        abort = (address.sub == 0U) ? parts_.emergency.WriteHistory(static_cast<std::uint8_t>(number & 0xFFU))
+        abort = (address.sub == 0U) ? parts_.emergency.WriteHistory(static_cast<std::uint8_t>(value & 0xFFU))
                                     : SdoAbort::kReadOnly;
         break;
     case kGuardTime:
-        guard_time_ms_ = static_cast<std::uint16_t>(number & 0xFFFFU);
+        guard_time_ms_ = static_cast<std::uint16_t>(value & 0xFFFFU);
         parts_.guarding.SetLifeTime(guard_time_ms_, life_factor_);
         break;
     case kLifeFactor:
-        life_factor_ = static_cast<std::uint8_t>(number & 0xFFU);
+        life_factor_ = static_cast<std::uint8_t>(value & 0xFFU);
         parts_.guarding.SetLifeTime(guard_time_ms_, life_factor_);
         break;
     case kEmergencyCobId:
-        abort = parts_.emergency.WriteCobId(number);
+        abort = parts_.emergency.WriteCobId(value);
         break;
     case kEmergencyInhibit:
-        parts_.emergency.SetInhibitTime(static_cast<std::uint16_t>(number & 0xFFFFU));
+        parts_.emergency.SetInhibitTime(static_cast<std::uint16_t>(value & 0xFFFFU));
         break;
     case kConsumerTimes:
-        abort = (address.sub == 0U) ? SdoAbort::kReadOnly : parts_.consumer.Write(address.sub, number);
+        abort = (address.sub == 0U) ? SdoAbort::kReadOnly : parts_.consumer.Write(address.sub, value);
         break;
     case kProducerTime:
-        parts_.producer.SetPeriod(static_cast<std::uint16_t>(number & 0xFFFFU));
+        parts_.producer.SetPeriod(static_cast<std::uint16_t>(value & 0xFFFFU));
         break;
     case kErrorRegister:
         abort = SdoAbort::kReadOnly;
@@ -79,22 +66,22 @@ SdoAbort ServiceObjects::OnWrite(const ObjectAddress& address, const Bytes& valu
     return abort;
 }
 
-ServiceObjects::Value ServiceObjects::Fetch(const ObjectAddress& address) const noexcept
+ObjectValue ServiceObjects::FetchNumber(const ObjectAddress& address) const noexcept
 {
-    Value value{SdoAbort::kNone, 0U, 2U};
+    ObjectValue value{SdoAbort::kNone, 0U, 2U};
     switch (address.index)
     {
     case kErrorRegister:
-        value = Value{SdoAbort::kNone, parts_.emergency.Register(), 1U};
+        value = ObjectValue{SdoAbort::kNone, parts_.emergency.Register(), 1U};
         break;
     case kGuardTime:
         value.value = guard_time_ms_;
         break;
     case kLifeFactor:
-        value = Value{SdoAbort::kNone, life_factor_, 1U};
+        value = ObjectValue{SdoAbort::kNone, life_factor_, 1U};
         break;
     case kEmergencyCobId:
-        value = Value{SdoAbort::kNone, parts_.emergency.CobId(), 4U};
+        value = ObjectValue{SdoAbort::kNone, parts_.emergency.CobId(), 4U};
         break;
     case kEmergencyInhibit:
         value.value = parts_.emergency.InhibitTime();
@@ -114,10 +101,10 @@ ServiceObjects::Value ServiceObjects::Fetch(const ObjectAddress& address) const 
 }
 
 /// 1003h and 1016h: sub-index 0 has one byte, the others four.
-ServiceObjects::Value ServiceObjects::FetchList(const ObjectAddress& address) const noexcept
+ObjectValue ServiceObjects::FetchList(const ObjectAddress& address) const noexcept
 {
     const std::uint32_t size_bytes = (address.sub == 0U) ? 1U : 4U;
-    Value value{SdoAbort::kNone, parts_.consumer_count, size_bytes};
+    ObjectValue value{SdoAbort::kNone, parts_.consumer_count, size_bytes};
     if (address.index == kErrorHistory)
     {
         const HistoryReading history = parts_.emergency.History(address.sub);

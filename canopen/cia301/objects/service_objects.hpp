@@ -2,7 +2,7 @@
 #ifndef CANOPEN_CIA301_OBJECTS_SERVICE_OBJECTS_HPP
 #define CANOPEN_CIA301_OBJECTS_SERVICE_OBJECTS_HPP
 
-#include "canopen/cia301/dictionary/entry.hpp"
+#include "canopen/cia301/dictionary/number_hook.hpp"
 #include "canopen/cia301/emergency/producer.hpp"
 #include "canopen/cia301/nmt/heartbeat_consumer.hpp"
 #include "canopen/cia301/nmt/heartbeat_producer.hpp"
@@ -22,24 +22,17 @@ struct ServiceParts
 };
 
 /// Hook of the entries 1001h, 1003h, 100Ch, 100Dh, 1014h to 1017h; the entries need no place. [SRS_OBD_013]
-class ServiceObjects final : public ReadHook, public WriteHook
+class ServiceObjects final : public NumberHook
 {
   public:
     /// @brief 100Ch and 100Dh are 0 at first.
     explicit ServiceObjects(const ServiceParts& parts) noexcept;
 
-    [[nodiscard]] Reading OnRead(const ObjectAddress& address, const Room& room) noexcept override;
-    [[nodiscard]] SdoAbort OnWrite(const ObjectAddress& address, const Bytes& value) noexcept override;
-
   private:
-    struct Value
-    {
-        SdoAbort abort;
-        std::uint32_t value;
-        std::uint32_t size_bytes;
-    };
-    [[nodiscard]] Value Fetch(const ObjectAddress& address) const noexcept;
-    [[nodiscard]] Value FetchList(const ObjectAddress& address) const noexcept;
+    [[nodiscard]] ObjectValue Fetch(const ObjectAddress& address) noexcept override;
+    [[nodiscard]] SdoAbort Store(const ObjectAddress& address, std::uint32_t value) noexcept override;
+    [[nodiscard]] ObjectValue FetchNumber(const ObjectAddress& address) const noexcept;
+    [[nodiscard]] ObjectValue FetchList(const ObjectAddress& address) const noexcept;
 
     ServiceParts parts_;
     std::uint16_t guard_time_ms_;

@@ -2,9 +2,9 @@
 #include "runtime/manager/report/journal.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
+#include "runtime/device/names.hpp"
 #include "runtime/manager/report/texts.hpp"
 
-#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -82,8 +82,7 @@ void ManagerJournal::OnNodeEvent(const NodeId node, const cia302::NodeEvent even
     const std::string state = WordOf(assembly_->Core().Table().Record(node).state);
     const bool is_change = event == cia302::NodeEvent::kChanged || event == cia302::NodeEvent::kStarted;
     const bool is_missed = event == cia302::NodeEvent::kGuardMissed;
-    std::string text = is_change ? state : WordOf(event);
-    std::replace(text.begin(), text.end(), '_', ' ');
+    const std::string text = Words(is_change ? state : WordOf(event));
     Tell(node.value, WordOf(event), is_missed ? "" : text, {{"state", state}});
 }
 
@@ -164,8 +163,7 @@ void ManagerJournal::OnFlyingMaster(const cia302::FlyingEvent event, const cia30
 {
     const bool has_claim =
         event != cia302::FlyingEvent::kForceNegotiation && event != cia302::FlyingEvent::kPowerOnReset;
-    std::string text = "flying master: " + WordOf(event);
-    std::replace(text.begin(), text.end(), '_', ' ');
+    std::string text = "flying master: " + Words(WordOf(event));
     text += has_claim ? " (priority " + std::to_string(claim.level) + ", node " + std::to_string(claim.node.value) + ")"
                       : "";
     Tell(0U, "flying_master", text,

@@ -22,7 +22,9 @@ std::uint8_t NumberOf(const CommunicationIndex index)
 
 NodeApplication::NodeApplication(const NodePlace& place, const runtime::DeviceModel& model, const runtime::Half half,
                                  PartFaults& faults)
-    : place_(place), model_(model), faults_(faults), logic_(model, half)
+    : place_(place), model_(model), faults_(faults), logic_(model, half),
+      on_value_([this](const runtime::PairValue& pair)
+                { place_.Note(EventKind::kValue, pair.srdo, pair.normal, ObjectNumber(pair.address)); })
 {
 }
 
@@ -85,18 +87,12 @@ SrdoMask NodeApplication::AcknowledgeFor(const Part part)
 
 void NodeApplication::PowerOff()
 {
-    TakePairs(0U);
-}
-
-void NodeApplication::TakePairs(const SrdoMask open)
-{
-    logic_.Take(open, [this](const runtime::PairValue& pair)
-                { place_.Note(EventKind::kValue, pair.srdo, pair.normal, ObjectNumber(pair.address)); });
+    logic_.Take(0U, on_value_);
 }
 
 void NodeApplication::Run(const SrdoMask open)
 {
-    TakePairs(open);
+    logic_.Take(open, on_value_);
     const PartCondition& condition = faults_.Condition(Part::kApplication);
     for (const runtime::PairValue& pair : logic_.Pairs())
     {

@@ -61,12 +61,12 @@ class NodeApplication final : public Application
 
   private:
     [[nodiscard]] const runtime::PairValue& PairAt(const ObjectAddress& object) const;
-    void TakePairs(SrdoMask open);
 
     const NodePlace& place_;
     const runtime::DeviceModel& model_;
     PartFaults& faults_;
     runtime::PairLogic logic_;
+    const runtime::PairLogic::OnValue on_value_;
     const Kernel* kernel_{nullptr};
     SrdoMask acknowledge_{0U};
     SrdoMask seen_a_{0U}; ///< Acknowledge inputs that the channels got last.

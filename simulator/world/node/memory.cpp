@@ -51,12 +51,21 @@ void NodeMemory::Write(const hal::Address place, const std::uint32_t value) noex
 std::uint32_t NodeMemory::Exchange(const hal::Address place, const std::uint32_t value) noexcept
 {
     std::uint8_t* const word = At(place);
-    const std::uint32_t before = WordAt(word);
-    std::memcpy(word, &value, sizeof value);
     if (!stuck_.empty())
     {
-        HoldWithin(word);
+        return ExchangeHeld(word, value);
     }
+    const std::uint32_t before = WordAt(word);
+    std::memcpy(word, &value, sizeof value);
+    return before;
+}
+
+// Apart from Exchange: a march calls that dozens of times a cycle.
+std::uint32_t NodeMemory::ExchangeHeld(std::uint8_t* const word, const std::uint32_t value) noexcept
+{
+    const std::uint32_t before = WordAt(word);
+    std::memcpy(word, &value, sizeof value);
+    HoldWithin(word);
     return before;
 }
 

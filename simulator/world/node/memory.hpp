@@ -57,6 +57,7 @@ class NodeMemory final : public hal::MemoryAccess
     };
 
     [[nodiscard]] std::uint8_t* At(hal::Address place) const noexcept;
+    [[gnu::cold]] [[nodiscard]] std::uint32_t ExchangeHeld(std::uint8_t* word, std::uint32_t value) noexcept;
     void HoldWithin(const std::uint8_t* word) noexcept;
 
     static constexpr std::size_t kMostPieces = 128U;

@@ -33,7 +33,10 @@ void NodeOutputs::Start()
 
 void NodeOutputs::Look(const Nanoseconds cycle_time)
 {
-    NoteOpen(output_.Open());
+    if (const SrdoMask open = output_.Open(); open != open_)
+    {
+        NoteOpen(open);
+    }
     if (!place_.IsTapped())
     {
         return;

@@ -16,7 +16,7 @@ import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import canopen  # noqa: E402
-from manager_slave import NODE, Checks, Slave  # noqa: E402
+from manager_slave import NODE, Checks, Slave, eventually  # noqa: E402
 from node_bus import open_bus  # noqa: E402
 
 MANAGER, SAFETY, ALL = 127, 33, 0x80
@@ -57,17 +57,10 @@ class Client:
         self.network.disconnect()
 
 
-def eventually(holds, seconds):
-    end = time.monotonic() + seconds
-    while not holds() and time.monotonic() < end:
-        time.sleep(0.05)
-    return holds()
-
-
 def look(checks, client, arguments):
     checks.check("the manager has sent its boot-up message", client.count(0x700 + MANAGER, b"\x00") >= 1)
     checks.check("and heartbeats",
-                 eventually(lambda: client.count(0x700 + MANAGER, b"\x05") > 2, 5 * arguments.patience))
+                 eventually(lambda: client.count(0x700 + MANAGER, b"\x05") > 2))
     checks.check("1F80h is read", client.number(0x1F80) == 1, client.read(0x1F80))
     checks.check("1F81h has the slave", client.number(0x1F81, NODE) == 5, client.read(0x1F81, NODE))
     checks.check("1F88h has its serial number", client.number(0x1F85, NODE) == 0xABCD, client.read(0x1F85, NODE))
@@ -82,14 +75,14 @@ def look(checks, client, arguments):
 
 def command(checks, client, slave, arguments):
     checks.check("1F82h stops the slave", client.write(0x1F82, NODE, STOP) == 0
-                 and eventually(lambda: slave.state() == "STOPPED", 5 * arguments.patience), slave.state())
+                 and eventually(lambda: slave.state() == "STOPPED"), slave.state())
     checks.check("1F82h starts the slave", client.write(0x1F82, NODE, START) == 0
-                 and eventually(lambda: slave.state() == "OPERATIONAL", 5 * arguments.patience), slave.state())
+                 and eventually(lambda: slave.state() == "OPERATIONAL"), slave.state())
     client.write(0x1F82, NODE, STOP)
     before = client.count(0, b"\x01" + bytes([NODE]))
     client.write(0x1F82, ALL, START)
     checks.check("a start of all is one for each", eventually(
-        lambda: client.count(0, b"\x01" + bytes([NODE])) == before + 1, 5 * arguments.patience))
+        lambda: client.count(0, b"\x01" + bytes([NODE])) == before + 1))
     time.sleep(arguments.patience)
     checks.check("there was no start of node 0", client.count(0, b"\x01\x00") == 0)
     checks.check("nor of the safety slave", client.count(0, b"\x01" + bytes([SAFETY])) == 0)
@@ -139,7 +132,7 @@ def main():
                            f"  - {{node: {SAFETY}, dcf: {safety}, mandatory: false}}\n")
         process = subprocess.Popen([arguments.program, "manager", "--can", arguments.can, "--network", str(network),
                                     "--no-input"], stdout=subprocess.DEVNULL)
-        checks.check("the slave runs", eventually(lambda: slave.state() == "OPERATIONAL", 10 * arguments.patience))
+        checks.check("the slave runs", eventually(lambda: slave.state() == "OPERATIONAL"))
         look(checks, client, arguments)
         command(checks, client, slave, arguments)
         refuse(checks, client)

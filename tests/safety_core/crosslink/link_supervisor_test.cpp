@@ -40,6 +40,7 @@ class Supervision : public ::testing::Test
     void SetUp() override
     {
         link.Restart(kLink);
+        link.Examine(Instant{0U});
         link.OnCompose(7U);
     }
     /// Contact at 10 ms by a message 50 that echoes 8 ms.
@@ -100,6 +101,13 @@ TEST_F(Supervision, EchoOfBeforeTheRestartIsLate)
     EXPECT_EQ(link.Take(Message(54U, 510000U, EchoOfMessage(8U)), Instant{10000U}), TakeResult::kDiscarded);
     EXPECT_EQ(link.State(), LinkState::kWaiting);
     EXPECT_EQ(link.Counts().late, 1U);
+    // Nor does an answer to what was composed at the end of the cycle in which it was started again
+    link.OnCompose(9U);
+    EXPECT_EQ(link.Take(Message(55U, 510000U, EchoOfMessage(9U)), Instant{10000U}), TakeResult::kDiscarded);
+    link.Examine(Instant{10000U});
+    link.OnCompose(10U);
+    EXPECT_EQ(link.Take(Message(56U, 510000U, EchoOfMessage(9U)), Instant{10000U}), TakeResult::kDiscarded);
+    EXPECT_EQ(link.Take(Message(57U, 510000U, EchoOfMessage(10U)), Instant{10000U}), TakeResult::kTaken);
 }
 
 // Given contact at 50, when 50 comes again, then 49, then 53, then they are a repeated, an old and a new one with two

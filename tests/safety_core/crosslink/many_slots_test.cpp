@@ -295,6 +295,7 @@ struct Fenced
         config.srdo_count = 64U;
         own.Restart(config);
         remote.Restart(config);
+        remote.Link().Examine(Instant{0U});
         remote.Link().OnCompose(1U);
     }
     [[nodiscard]] bool IsWhole() const

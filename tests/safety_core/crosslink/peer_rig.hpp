@@ -177,6 +177,7 @@ class PeerRig
         {
             static_cast<void>(Own().Validate(slot));
         }
+        static_cast<void>(peer.Examine(Instant{0U}));
     }
 
     [[nodiscard]] bool IsA() const

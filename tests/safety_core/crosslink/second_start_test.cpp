@@ -11,11 +11,12 @@ namespace counterpoint
 namespace
 {
 
-/// What a kernel's Start does to both channels.
+/// What a kernel's Start does to both channels, and the begin of the first cycle to the link.
 void StartAgain(PeerRig& rig)
 {
     rig.Own().Restart(rig.config);
     rig.Remote().Restart(rig.config);
+    static_cast<void>(rig.peer.Examine(Instant{0U}));
 }
 
 // Given a CPU that was in contact, with a check, a digest, news, a fault and an identifier of its own, when it is

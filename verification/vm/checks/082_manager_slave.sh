@@ -5,4 +5,4 @@
 . /lib.sh
 vcan vcan0
 python3 /tests/runtime/clients/manager_slave.py --can vcan0 --dcf /tests/runtime/data/plain_slave.dcf \
-    --program /build/product/tools/counterpoint --patience 4
+    --program /build/product/tools/counterpoint
