@@ -214,6 +214,8 @@ CycleInput Kernel::TakeInput(const CycleCall& call) noexcept
 
 void Kernel::SetNmtState(const NmtState state) noexcept
 {
+    // First, and whatever the kernel thinks of the call: one lost decision must not lose it for both channels.
+    second_nmt_.Set(state);
     if (!run_.started)
     {
         return;
@@ -229,7 +231,6 @@ void Kernel::SetNmtState(const NmtState state) noexcept
     }
     production_.Cease();
     context_.guard.SetNmt(state);
-    second_nmt_.Set(state);
     if ((state != NmtState::kOperational) || (!context_.guard.IsValid()))
     {
         return; // No fault: SRDOs are off until the configuration is declared valid.

@@ -17,7 +17,7 @@ class SecondNmt
   public:
     void Set(const NmtState state) noexcept
     {
-        if (Get() == NmtState::kOperational)
+        if ((Get() == NmtState::kOperational) && (state != NmtState::kOperational))
         {
             stayed_ = 0U;
         }

@@ -25,6 +25,8 @@ TEST(SecondNmt, IsWhatWasSetAndNoOperationalBefore)
         (void)nmt.Take();
         EXPECT_EQ(nmt.Take(), state);
         nmt.Set(NmtState::kOperational);
+        // The same command again leaves nothing
+        nmt.Set(NmtState::kOperational);
         EXPECT_TRUE(nmt.HasStayed());
         EXPECT_EQ(nmt.Take(), NmtState::kOperational);
         nmt.Set(state);
