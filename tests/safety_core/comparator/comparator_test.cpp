@@ -472,14 +472,14 @@ TEST_F(Comparing, FaultWithoutANewOneInAnAgreedSlotDemotesAtOnce)
 }
 
 // A's or B's edge alone, behind a fault and before the first release
-class ComparingOneRelease : public Comparing, public ::testing::WithParamInterface<bool>
+class ComparingOneRelease : public Comparing, public ::testing::WithParamInterface<SrdoState>
 {
   protected:
     ComparingOneRelease()
     {
         early = &a;
         late = &b;
-        (GetParam() ? late->outcome.faulted : late->outcome.waiting) = 4U;
+        ((GetParam() == SrdoState::kFaulted) ? late->outcome.faulted : late->outcome.waiting) = 4U;
         late->outcome.released = 0U;
     }
 
@@ -605,9 +605,9 @@ TEST_P(ComparingOneRelease, NewFaultEndsItAtOnce)
     EXPECT_EQ(CompareAt(2000U).demote, 4U);
 }
 
-INSTANTIATE_TEST_SUITE_P(States, ComparingOneRelease, ::testing::Values(true, false),
-                         [](const ::testing::TestParamInfo<bool>& state)
-                         { return state.param ? "BehindAFault" : "BeforeTheFirstRelease"; });
+INSTANTIATE_TEST_SUITE_P(States, ComparingOneRelease, ::testing::Values(SrdoState::kFaulted, SrdoState::kWaiting),
+                         [](const ::testing::TestParamInfo<SrdoState>& state)
+                         { return (state.param == SrdoState::kFaulted) ? "BehindAFault" : "BeforeTheFirstRelease"; });
 
 // t [us]   1000 pair of slot 2   2000 a pair of slot 1 in one channel: slot 2 is looked at, and matches as before
 TEST_F(Comparing, PairIsNewlyMatchedOnceEvenIfItIsLookedAtInTheNextComparison)
