@@ -136,6 +136,10 @@ template <class Parameter> class WithParamInterface
     static inline const Parameter* parameter_{nullptr};
 };
 
+template <class Parameter> class TestWithParam : public Test, public WithParamInterface<Parameter>
+{
+};
+
 /// Tests of a fixture with parameters, and the parameters: run together, when all are known.
 template <class Fixture> struct Parameterised
 {
