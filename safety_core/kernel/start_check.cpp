@@ -40,9 +40,9 @@ bool IsObject(const MappableObject& object) noexcept
 // An entry of a mapping that names a data type is a dummy where dummies are allowed, never an object.
 bool IsDummyIndex(const MappableObject& object) noexcept
 {
-    constexpr std::uint32_t kDataTypes = 7U; // 0001h to 0007h.
-    // 0 - 1 is the greatest value.
-    return (std::uint32_t{object.index} - 1U) < kDataTypes;
+    constexpr std::uint16_t kFirst = 0x0001U;
+    constexpr std::uint16_t kLast = 0x0007U;
+    return (object.index >= kFirst) && (object.index <= kLast);
 }
 
 // Ascending, and one after the other where gaps are refused.

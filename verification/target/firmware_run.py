@@ -24,8 +24,8 @@ TRAP_SCENARIO = """5000 nmt operational
 30000 frame 103 1 1
 30300 frame 104 fe fe
 32500 input 1
-33500 expect outputs 1
-34500 input {pins:x}
+34500 expect outputs 1
+35500 input {pins:x}
 50000 frame 103 0 0
 50300 frame 104 ff ff
 55000 end

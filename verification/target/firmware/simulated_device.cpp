@@ -274,8 +274,9 @@ void SimulatedDevice::Cycle() noexcept
     const Instant now{now_us_};
     output_.SetTime(now);
     watchdog_.SetTime(now);
-    const SrdoMask acknowledge = firmware::ReadInputs(firmware::Pins{inputs_});
-    const CycleCall call{StampOf(now_us_), acknowledge, acknowledge};
+    const SrdoMask acknowledge_a = firmware::ReadInputs(firmware::Pins{inputs_});
+    const SrdoMask acknowledge_b = firmware::ReadAcknowledge(firmware::Pins{~inputs_});
+    const CycleCall call{StampOf(now_us_), acknowledge_a, acknowledge_b};
     driven_.device.Serve(now); // Frames and commands; what is measured is a cycle.
     const std::uint32_t before = ReadMeter();
     driven_.device.Cycle(call);

@@ -102,6 +102,11 @@ SrdoMask ReadInputs(const Pins inputs) noexcept
     return inputs.bits & 1U;
 }
 
+SrdoMask ReadAcknowledge(const Pins inverted) noexcept
+{
+    return ((inverted.bits & 1U) == 0U) ? 1U : 0U;
+}
+
 Pins SetOutputs(const SrdoMask open) noexcept
 {
     return Pins{actuator.MayMove(open) ? 1U : 0U};
