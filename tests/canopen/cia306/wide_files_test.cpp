@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -349,8 +350,9 @@ std::vector<std::string> DeviceFiles(const std::filesystem::path& folder)
 std::vector<std::string> AllDeviceFiles()
 {
     std::vector<std::string> files = DeviceFiles(test::SourceFolder() + "/tests/canopen/cia306/data");
-    const std::vector<std::string> real = DeviceFiles(test::SourceFolder() + "/../shared/corpus/eds");
-    std::cout << (real.empty() ? "no collection of real files beside the source tree: only look-alikes are read\n"
+    const char* const folder = std::getenv("COUNTERPOINT_DEVICE_FOLDER");
+    const std::vector<std::string> real = (folder == nullptr) ? std::vector<std::string>{} : DeviceFiles(folder);
+    std::cout << (real.empty() ? "no COUNTERPOINT_DEVICE_FOLDER with real files: only look-alikes are read\n"
                                : std::to_string(real.size()) + " real files are read besides the look-alikes\n");
     files.insert(files.end(), real.begin(), real.end());
     return files;
