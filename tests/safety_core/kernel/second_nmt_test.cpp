@@ -3,8 +3,10 @@
 #include "tests/safety_core/kernel/rig.hpp"
 #include "verification/trace/ids/kernel.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -37,9 +39,27 @@ TEST(SecondNmt, IsWhatWasSetAndNoOperationalBefore)
     }
 }
 
-/// Finds the kernel's copies of the state by what changes in its memory.
+// Not inline: what stands in memory before an object begins must be written all the same.
+[[gnu::noinline]] void* ZeroedMemory(const std::size_t size)
+{
+    void* const memory = ::operator new(size);
+    std::memset(memory, 0, size);
+    return memory;
+}
+
+/// Finds the kernel's copies of the state by what changes in its memory, whose unused bytes are 0.
 class NmtCopies : public Rig
 {
+  public:
+    static void* operator new(const std::size_t size)
+    {
+        return ZeroedMemory(size);
+    }
+    static void operator delete(void* const memory)
+    {
+        ::operator delete(memory);
+    }
+
   protected:
     std::vector<std::uint8_t> Memory() const
     {
