@@ -1,0 +1,137 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/injection/script.hpp"
+
+namespace counterpoint::injection
+{
+namespace
+{
+
+constexpr std::uint32_t kFirstUs = 1000000U;
+constexpr std::uint32_t kCycleUs = 1000U;
+constexpr std::uint32_t kPreOperational = 0x22U;
+constexpr std::uint32_t kOperational = 0xD8U;
+constexpr std::uint32_t kProducer = 0x1303U;
+
+void AddFrame(Mailbox& mail, const std::uint32_t identifier, const std::uint32_t length, const std::uint32_t first)
+{
+    const std::uint32_t stamp = mail.now_us - 600U + (20U * mail.frame_count);
+    mail.frames[mail.frame_count] = MailFrame{0U, identifier, length, first, 0U, stamp};
+    ++mail.frame_count;
+}
+
+void AddWrite(Mailbox& mail, const MailWrite& write)
+{
+    mail.writes[mail.write_count] = write;
+    ++mail.write_count;
+}
+
+/// Writes down the steps one after the other.
+class Writer
+{
+  public:
+    Mailbox& Next(const std::string& scene)
+    {
+        Mailbox mail{};
+        const auto number = static_cast<std::uint32_t>(steps_.size());
+        mail.now_us = kFirstUs + (kCycleUs * number);
+        mail.question = 0x1000U + (0x31U * number);
+        steps_.push_back(ScriptStep{scene, mail});
+        return steps_.back().mail;
+    }
+    void Idle(const std::string& scene, const std::uint32_t count)
+    {
+        for (std::uint32_t i = 0U; i < count; ++i)
+        {
+            (void)Next(scene);
+        }
+    }
+    // Each pair has a value of its own.
+    void Pairs(Mailbox& mail)
+    {
+        ++value_;
+        AddPair(mail, 0U, 0x11000000U + (0x00010203U * value_));
+        AddPair(mail, 1U, 0x22000000U + (0x00030201U * value_));
+    }
+    // An acknowledge is held for three cycles, and the pairs come behind its edge.
+    void Acknowledge(const std::string& scene)
+    {
+        for (std::uint32_t i = 0U; i < 3U; ++i)
+        {
+            Mailbox& mail = Next(scene);
+            mail.acknowledge_a = 1U;
+            mail.acknowledge_b = 1U;
+            if (i == 1U)
+            {
+                Pairs(mail);
+            }
+        }
+    }
+    void Traffic(const std::string& scene)
+    {
+        Pairs(Next(scene));
+        (void)Next(scene);
+    }
+    [[nodiscard]] std::vector<ScriptStep> Steps() const
+    {
+        return steps_;
+    }
+
+  private:
+    std::vector<ScriptStep> steps_{};
+    std::uint32_t value_{0U};
+};
+
+void Reconfigure(Writer& writer)
+{
+    Mailbox& off = writer.Next("reconfiguration");
+    AddWrite(off, {0x1302U, 1U, 0U, 1U});
+    AddWrite(off, {0x1302U, 2U, kSctSteps + 1U, 2U});
+    AddWrite(off, {0x1302U, 1U, 2U, 1U});
+    off.is_signed = 1U;
+    writer.Next("reconfiguration").is_checked = 1U;
+    writer.Next("reconfiguration").nmt = kOperational;
+    writer.Acknowledge("reconfiguration");
+}
+
+} // namespace
+
+void AddPair(Mailbox& mail, const std::uint32_t slot, const std::uint32_t value)
+{
+    AddFrame(mail, 0x101U + (2U * slot), 4U, value);
+    AddFrame(mail, 0x102U + (2U * slot), 4U, ~value);
+}
+
+std::vector<ScriptStep> MakeScript()
+{
+    Writer writer{};
+    writer.Idle("start", 2U);
+    writer.Next("start").nmt = kOperational;
+    writer.Idle("start", 1U);
+    writer.Pairs(writer.Next("pair without acknowledge"));
+    writer.Acknowledge("acknowledge");
+    writer.Traffic("pair");
+    Mailbox& send = writer.Next("send");
+    send.send_index = kProducer;
+    send.sent_value = 0xCAFE0123U;
+    writer.Pairs(writer.Next("confirm"));
+    (void)writer.Next("confirm");
+    writer.Traffic("pair");
+    writer.Traffic("diagnosis");
+    AddFrame(writer.Next("GFC"), 0x001U, 0U, 0U);
+    writer.Traffic("GFC");
+    writer.Acknowledge("GFC, acknowledge");
+    writer.Idle("SCT expiry", kSctSteps + 1U);
+    writer.Traffic("SCT expiry, pair without acknowledge");
+    writer.Acknowledge("SCT expiry, acknowledge");
+    writer.Next("NMT leave").nmt = kPreOperational;
+    writer.Traffic("NMT leave");
+    Reconfigure(writer);
+    writer.Traffic("after reconfiguration");
+    writer.Next("level 2").is_demanded = 1U;
+    writer.Traffic("level 2");
+    writer.Acknowledge("level 2");
+    writer.Idle("level 2", 2U);
+    return writer.Steps();
+}
+
+} // namespace counterpoint::injection

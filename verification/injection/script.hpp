@@ -1,0 +1,32 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_INJECTION_SCRIPT_HPP
+#define VERIFICATION_INJECTION_SCRIPT_HPP
+
+#include "verification/injection/image/mailbox.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace counterpoint::injection
+{
+
+/// One step of the script, and the scene that it belongs to.
+struct ScriptStep
+{
+    std::string scene;
+    Mailbox mail;
+};
+
+/// @brief The whole script, from the first cycle to the device safe state.
+[[nodiscard]] std::vector<ScriptStep> MakeScript();
+
+/// @brief Both frames of a pair of consumer `slot`, received in this step.
+void AddPair(Mailbox& mail, std::uint32_t slot, std::uint32_t value);
+
+/// SCT of the consumers, in steps.
+constexpr std::uint32_t kSctSteps = 6U;
+
+} // namespace counterpoint::injection
+
+#endif
