@@ -131,6 +131,10 @@ struct MachineCalls
     {
         static_cast<Machine*>(machine)->OnInstruction(static_cast<std::uint32_t>(address));
     }
+    static void Block(uc_engine* /*engine*/, const std::uint64_t address, std::uint32_t /*size*/, void* machine)
+    {
+        static_cast<Machine*>(machine)->OnBlock(static_cast<std::uint32_t>(address));
+    }
     // Words of a device arrive with the order of the bytes of the host.
     static std::uint64_t ReadPin(uc_engine* /*engine*/, const std::uint64_t offset, unsigned /*size*/, void* machine)
     {
@@ -162,44 +166,82 @@ struct MachineCalls
     }
 };
 
+namespace
+{
+
+using HookCall = void (*)(uc_engine*, std::uint64_t, std::uint32_t, void*);
+
+void AddHook(uc_engine* const engine, const int type, const HookCall call, void* const machine)
+{
+    uc_hook hook{};
+    void* function = nullptr;
+    std::memcpy(&function, &call, sizeof function);
+    Must(uc_hook_add(engine, &hook, type, function, machine, std::uint64_t{1}, std::uint64_t{0}), "hook");
+}
+
+} // namespace
+
 Machine::Machine(const Program& program)
     : program_{program}, step_end_{program.Symbol("InjectionStepEnd") & ~1U},
       places_{program.Symbol("injection_places")}, ram_begin_{program.Symbol("memory_data_start")},
       ram_live_{program.Symbol("memory_zero_end")}, stack_top_{program.Symbol("stack_main_top")}
 {
-    Must(uc_open(UC_ARCH_ARM, static_cast<uc_mode>(UC_MODE_ARM), &engine_), "uc_open");
-    Must(uc_ctl_set_cpu_model(engine_, UC_CPU_ARM_CORTEX_R5F), "processor");
-    Map();
-}
-
-void Machine::Map()
-{
-    const auto code_bytes = Pages(static_cast<std::uint32_t>(program_.Code().size()));
-    code_ = Allocate(code_bytes);
+    code_ = Allocate(Pages(static_cast<std::uint32_t>(program_.Code().size())));
     std::memcpy(code_, program_.Code().data(), program_.Code().size());
     ram_bytes_ = Pages(stack_top_ + 64U - ram_begin_);
     ram_ = Allocate(ram_bytes_);
     mail_ = Allocate(kPage);
-    Must(uc_mem_map_ptr(engine_, 0U, code_bytes, UC_PROT_READ | UC_PROT_EXEC, code_), "flash");
-    Must(uc_mem_map_ptr(engine_, ram_begin_, ram_bytes_, UC_PROT_READ | UC_PROT_WRITE, ram_), "RAM");
-    Must(uc_mem_map_ptr(engine_, kMailboxAddress, kPage, UC_PROT_READ, mail_), "mailbox");
-    Must(uc_mmio_map(engine_, kPortAddress, kPage, nullptr, nullptr, &MachineCalls::WriteMailPort, this), "ports");
-    Must(uc_mmio_map(engine_, kGio & ~(kPage - 1U), kPage, &MachineCalls::ReadPin, this, &MachineCalls::WritePin, this),
+    for (uc_struct** const engine : {&watched_, &fast_})
+    {
+        Must(uc_open(UC_ARCH_ARM, static_cast<uc_mode>(UC_MODE_ARM), engine), "uc_open");
+        Must(uc_ctl_set_cpu_model(*engine, UC_CPU_ARM_CORTEX_R5F), "processor");
+        Map(*engine);
+    }
+    AddHook(watched_, UC_HOOK_CODE, &MachineCalls::Instruction, this);
+    AddHook(fast_, UC_HOOK_BLOCK, &MachineCalls::Block, this);
+    engine_ = watched_;
+}
+
+void Machine::Map(uc_struct* const engine)
+{
+    const auto code_bytes = Pages(static_cast<std::uint32_t>(program_.Code().size()));
+    Must(uc_mem_map_ptr(engine, 0U, code_bytes, UC_PROT_READ | UC_PROT_EXEC, code_), "flash");
+    Must(uc_mem_map_ptr(engine, ram_begin_, ram_bytes_, UC_PROT_READ | UC_PROT_WRITE, ram_), "RAM");
+    Must(uc_mem_map_ptr(engine, kMailboxAddress, kPage, UC_PROT_READ, mail_), "mailbox");
+    Must(uc_mmio_map(engine, kPortAddress, kPage, nullptr, nullptr, &MachineCalls::WriteMailPort, this), "ports");
+    Must(uc_mmio_map(engine, kGio & ~(kPage - 1U), kPage, &MachineCalls::ReadPin, this, &MachineCalls::WritePin, this),
          "pins");
-    Must(uc_mmio_map(engine_, 0xFFF7D000U, kPage, &MachineCalls::ReadSystem, this, &MachineCalls::WriteSystem, this),
+    Must(uc_mmio_map(engine, 0xFFF7D000U, kPage, &MachineCalls::ReadSystem, this, &MachineCalls::WriteSystem, this),
          "CAN controllers");
-    Must(uc_mmio_map(engine_, 0xFFFFF000U, kPage, &MachineCalls::ReadSystem, this, &MachineCalls::WriteSystem, this),
+    Must(uc_mmio_map(engine, 0xFFFFF000U, kPage, &MachineCalls::ReadSystem, this, &MachineCalls::WriteSystem, this),
          "system");
-    uc_hook hook{};
-    void* function = nullptr;
-    const auto call = &MachineCalls::Instruction;
-    std::memcpy(&function, &call, sizeof function);
-    Must(uc_hook_add(engine_, &hook, UC_HOOK_CODE, function, this, std::uint64_t{1}, std::uint64_t{0}), "hook");
+}
+
+void Machine::Use(uc_struct* const engine)
+{
+    if (engine_ != engine)
+    {
+        // A saved context has pointers into its own engine.
+        for (const int which : kKept)
+        {
+            std::uint32_t value = 0U;
+            uc_reg_read(engine_, which, &value);
+            uc_reg_write(engine, which, &value);
+        }
+        for (const int which : kKeptDoubles)
+        {
+            std::uint64_t value = 0U;
+            uc_reg_read(engine_, which, &value);
+            uc_reg_write(engine, which, &value);
+        }
+        engine_ = engine;
+    }
 }
 
 Machine::~Machine()
 {
-    uc_close(engine_);
+    uc_close(watched_);
+    uc_close(fast_);
 }
 
 std::uint8_t* Machine::Ram(const std::uint32_t address)
@@ -213,9 +255,7 @@ void Machine::OnInstruction(const std::uint32_t address)
     const bool reaches = (count_ == stop_at_) && (fault_.kind != FaultKind::kNone);
     if (leaves || (count_ > most_) || (address == step_end_) || (reaches && (fault_.kind != FaultKind::kRegister)))
     {
-        is_stopped_ = true;
-        stopped_ = address;
-        uc_emu_stop(engine_);
+        StopAt(address);
         return;
     }
     if (reaches)
@@ -231,6 +271,22 @@ void Machine::OnInstruction(const std::uint32_t address)
         trace_->push_back(address);
     }
     ++count_;
+}
+
+void Machine::OnBlock(const std::uint32_t address)
+{
+    ++count_;
+    if ((address == step_end_) || (count_ > most_))
+    {
+        StopAt(address);
+    }
+}
+
+void Machine::StopAt(const std::uint32_t address)
+{
+    is_stopped_ = true;
+    stopped_ = address;
+    uc_emu_stop(engine_);
 }
 
 std::uint32_t Machine::ReadPort(const std::uint32_t address) const
@@ -333,9 +389,14 @@ void Machine::Start()
     most_ = kMostOfStart;
     fault_ = Fault{};
     count_ = 0U;
-    if ((!Run(0U)) || (stopped_ != step_end_))
+    for (uc_struct* const engine : {fast_, watched_})
     {
-        throw std::runtime_error{"the image does not start: stopped at " + std::to_string(stopped_)};
+        engine_ = engine;
+        count_ = 0U;
+        if ((!Run(0U)) || (stopped_ != step_end_))
+        {
+            throw std::runtime_error{"the image does not start: stopped at " + std::to_string(stopped_)};
+        }
     }
 }
 
@@ -412,6 +473,7 @@ Seen Machine::Step(const Mailbox& mail, const Fault& fault, std::vector<std::uin
     stop_at_ = fault.count;
     most_ = kMostOfStep;
     world_.pending.clear();
+    Use(((fault.kind == FaultKind::kNone) && (trace == nullptr)) ? fast_ : watched_);
     std::uint32_t caller = 0U;
     uc_reg_read(engine_, UC_ARM_REG_LR, &caller);
     const bool is_running = RunFaulted(caller);
@@ -500,6 +562,7 @@ void Machine::Restore(const Snapshot& from)
 {
     std::memcpy(ram_, from.ram.data(), ram_bytes_);
     world_ = from.world;
+    engine_ = watched_;
     Must(uc_context_restore(engine_, from.context), "context");
 }
 

@@ -141,11 +141,14 @@ class Machine
   private:
     friend struct MachineCalls;
 
-    void Map();
+    void Map(uc_struct* engine);
     void OnInstruction(std::uint32_t address);
+    void OnBlock(std::uint32_t address);
+    void StopAt(std::uint32_t address);
     [[nodiscard]] std::uint32_t ReadPort(std::uint32_t address) const;
     void WritePort(std::uint32_t address, std::uint32_t value);
     void WritePin(std::uint32_t offset, std::uint32_t value);
+    void Use(uc_struct* engine);
     [[nodiscard]] bool Run(std::uint32_t from);
     [[nodiscard]] bool RunFaulted(std::uint32_t from);
     [[nodiscard]] bool RunPatched(std::uint32_t patched, std::uint32_t block_end);
@@ -155,7 +158,9 @@ class Machine
     [[nodiscard]] std::uint8_t* Ram(std::uint32_t address);
 
     const Program& program_;
-    uc_struct* engine_{nullptr};
+    uc_struct* watched_{nullptr}; ///< Stops at any instruction.
+    uc_struct* fast_{nullptr};    ///< The same memory, for steps without a fault; stops at blocks.
+    uc_struct* engine_{nullptr};  ///< The one of both that has the state.
     std::uint32_t step_end_;
     std::uint32_t places_;
     std::uint32_t ram_begin_;

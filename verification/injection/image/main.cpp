@@ -20,7 +20,8 @@ extern "C"
 
 extern "C" [[gnu::noinline]] void InjectionStepEnd() noexcept
 {
-    asm volatile("");
+    // As any call: the compiler looks into functions that it knows, and would keep values in these.
+    asm volatile("" ::: "r0", "r1", "r2", "r3", "r12", "d0", "d1", "d2", "d3", "d4", "d5", "d6", "d7", "cc", "memory");
 }
 
 namespace counterpoint::injection
