@@ -1,7 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/injection/judge.hpp"
 
-#include "hal/api/watchdog.hpp"
 #include "verification/injection/script.hpp"
 
 #include <algorithm>
@@ -11,7 +10,8 @@ namespace counterpoint::injection
 namespace
 {
 
-/// An output may be open this many steps longer than without the fault: the discrepancy time and the cycle that sees it.
+/// An output may be open this many steps longer than without the fault: the discrepancy time and the cycle that sees
+/// it.
 constexpr std::uint32_t kGrace = 3U;
 constexpr std::uint32_t kConsumers = 2U;
 constexpr std::uint32_t kNormalIdentifier = 0x105U;
@@ -198,8 +198,8 @@ Verdict Judge::Conclude(const bool is_equal) const
 {
     const bool is_first = mechanism_.empty() || (wrong_at_ < detected_);
     const bool is_crash = (mechanism_ == "exception") || (mechanism_ == "runaway, watchdog");
-    const bool is_after = (!mechanism_.empty()) && (wrong_at_ > (detected_ + kGrace)) && (!is_crash) &&
-                          (mechanism_ != "watchdog");
+    const bool is_after =
+        (!mechanism_.empty()) && (wrong_at_ > (detected_ + kGrace)) && (!is_crash) && (mechanism_ != "watchdog");
     if ((!wrong_.empty()) && (is_first || is_after))
     {
         return {Class::kSilent, wrong_, wrong_at_};

@@ -25,8 +25,8 @@ enum class Class : std::uint8_t
 struct Verdict
 {
     Class kind{Class::kMasked};
-    std::string what{};        ///< Of a silent one: what was wrong. Otherwise the mechanism.
-    std::uint32_t steps{0U};   ///< From the fault to what is told.
+    std::string what{};      ///< Of a silent one: what was wrong. Otherwise the mechanism.
+    std::uint32_t steps{0U}; ///< From the fault to what is told.
 };
 
 /// Compares a faulted run with the one without faults, step by step.

@@ -498,8 +498,8 @@ void Machine::Fill(const Mailbox& mail)
         if (words.frame_count < kMostFrames)
         {
             words.frames[words.frame_count] =
-                MailFrame{1U, frame.identifier, frame.length_bytes, frame.first, frame.second,
-                          mail.now_us - 200U + words.frame_count};
+                MailFrame{1U,          frame.identifier, frame.length_bytes,
+                          frame.first, frame.second,     mail.now_us - 200U + words.frame_count};
             ++words.frame_count;
         }
     }

@@ -48,7 +48,7 @@ std::uint32_t StepOf(const std::vector<ScriptStep>& script, const std::string& s
     return step;
 }
 
-/// Faults that nobody can see: they must be told as silent. [SRS_VER_039]
+/// Faults that nobody can see: they must be told as silent. [SRS_VER_042]
 bool RunControls(Campaign& campaign, const std::vector<ScriptStep>& script)
 {
     const auto no_mail = [](Mailbox&, std::uint32_t) {};
@@ -70,10 +70,9 @@ bool RunControls(Campaign& campaign, const std::vector<ScriptStep>& script)
     };
     const std::uint32_t pair = StepOf(script, "pair");
     const std::uint32_t expiry = StepOf(script, "SCT expiry, pair without acknowledge") - 1U;
-    const Verdict verdicts[] = {campaign.RunControl(pair, forged, no_memory),
-                                campaign.RunControl(pair, no_mail, changed),
-                                campaign.RunControl(expiry, acknowledged, no_memory),
-                                campaign.RunControl(pair, no_mail, no_memory)};
+    const Verdict verdicts[] = {
+        campaign.RunControl(pair, forged, no_memory), campaign.RunControl(pair, no_mail, changed),
+        campaign.RunControl(expiry, acknowledged, no_memory), campaign.RunControl(pair, no_mail, no_memory)};
     constexpr const char* kNames[] = {"forged pair", "both variables changed", "foreign acknowledge", "nothing"};
     bool is_good = true;
     for (std::size_t i = 0U; i < 4U; ++i)
@@ -101,6 +100,7 @@ void RunAll(Campaign& campaign, const std::vector<ScriptStep>& script, const std
             std::printf("silent\t%s\t%u\t%s\t%u\t%u\t%u\t%s\t%u\n", kind.c_str(), experiment.step,
                         script[experiment.step].scene.c_str(), experiment.fault.address, experiment.fault.count,
                         experiment.fault.number, verdict.what.c_str(), verdict.steps);
+            std::fflush(stdout);
         }
         ++done;
         if ((done % 2000U) == 0U)

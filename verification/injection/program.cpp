@@ -2,7 +2,6 @@
 #include "verification/injection/program.hpp"
 
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 namespace counterpoint::injection
@@ -11,7 +10,10 @@ namespace counterpoint::injection
 Program::Program(const std::string& binary, const std::string& description)
 {
     std::ifstream bytes{binary, std::ios::binary};
-    code_.assign(std::istreambuf_iterator<char>{bytes}, std::istreambuf_iterator<char>{});
+    bytes.seekg(0, std::ios::end);
+    code_.resize(bytes ? static_cast<std::size_t>(bytes.tellg()) : 0U);
+    bytes.seekg(0);
+    bytes.read(reinterpret_cast<char*>(code_.data()), static_cast<std::streamsize>(code_.size()));
     std::ifstream text{description};
     if (code_.empty() || (!text))
     {

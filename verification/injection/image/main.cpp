@@ -127,8 +127,7 @@ class StepApplication final : public Application
 
 constexpr SrdoSetup SetupOf(const std::uint8_t number, const ReleasePolicy policy) noexcept
 {
-    return {number,       policy, ProducerForm::kApplicationSends, Payload{0U, 0U}, SrvtDetection::kEarly,
-            {nullptr, 0U}};
+    return {number, policy, ProducerForm::kApplicationSends, Payload{0U, 0U}, SrvtDetection::kEarly, {nullptr, 0U}};
 }
 
 constexpr SrdoSetup kSetups[kSrdos] = {SetupOf(1U, ReleasePolicy::kInterlock), SetupOf(2U, ReleasePolicy::kAutomatic),

@@ -33,6 +33,9 @@ inline constexpr RequirementId SRS_VER_031{"SRS_VER_031"};
 inline constexpr RequirementId SRS_VER_032{"SRS_VER_032"};
 inline constexpr RequirementId SRS_VER_033{"SRS_VER_033"};
 inline constexpr RequirementId SRS_VER_037{"SRS_VER_037"};
+inline constexpr RequirementId SRS_VER_040{"SRS_VER_040"};
+inline constexpr RequirementId SRS_VER_041{"SRS_VER_041"};
+inline constexpr RequirementId SRS_VER_042{"SRS_VER_042"};
 } // namespace counterpoint::req
 
 #endif
