@@ -2,11 +2,26 @@
 #include "verification/injection/campaign.hpp"
 
 #include <algorithm>
+#include <map>
 #include <random>
 #include <stdexcept>
 
 namespace counterpoint::injection
 {
+namespace
+{
+
+// Of `often` executions `each`, the first and the last among them.
+bool IsChosen(const std::uint32_t number, const std::uint32_t often, const std::uint32_t each)
+{
+    if ((each == 0U) || (often <= each))
+    {
+        return true;
+    }
+    return (number == (often - 1U)) || (((number * (each - 1U)) % (often - 1U)) < (each - 1U));
+}
+
+} // namespace
 
 Campaign::Campaign(Machine& machine, const Program& program, const std::vector<ScriptStep>& script)
     : machine_{machine}, program_{program}, script_{script}
@@ -27,6 +42,17 @@ Campaign::Campaign(Machine& machine, const Program& program, const std::vector<S
         golden_.push_back(seen);
     }
     machine_.Save(before_[script_.size()]);
+    for (const ScriptStep& step : script_)
+    {
+        for (std::uint32_t i = 0U; i < step.mail.frame_count; ++i)
+        {
+            const MailFrame& frame = step.mail.frames[i];
+            if ((frame.identifier == 0x101U) || (frame.identifier == 0x103U))
+            {
+                values_[(frame.identifier - 0x101U) / 2U].push_back(__builtin_bswap32(frame.first));
+            }
+        }
+    }
 }
 
 std::uint64_t Campaign::Instructions() const
@@ -44,10 +70,17 @@ void Campaign::DrawCode(const Plan& plan, std::vector<Experiment>& to) const
     for (std::uint32_t step = 0U; step < traces_.size(); ++step)
     {
         const std::vector<std::uint32_t>& trace = traces_[step];
+        std::map<std::uint32_t, std::uint32_t> often;
+        std::map<std::uint32_t, std::uint32_t> seen;
+        for (const std::uint32_t address : trace)
+        {
+            ++often[address];
+        }
         for (std::uint32_t count = 0U; count < trace.size(); ++count)
         {
             const std::uint32_t address = trace[count];
-            if (!program_.IsFaulted(address))
+            const std::uint32_t before = seen[address]++;
+            if ((!program_.IsFaulted(address)) || (!IsChosen(before, often[address], plan.each)))
             {
                 continue;
             }
@@ -111,6 +144,12 @@ std::vector<Experiment> Campaign::Draw(const Plan& plan) const
     DrawCode(plan, all);
     DrawRegisters(plan, all);
     DrawMemory(plan, all);
+    // In a drawn order, so that a part of the run says something of the whole.
+    std::mt19937 random{plan.seed};
+    for (std::size_t i = all.size(); i > 1U; --i)
+    {
+        std::swap(all[i - 1U], all[random() % i]);
+    }
     std::vector<Experiment> mine;
     for (std::size_t i = plan.shard; i < all.size(); i += plan.shards)
     {
@@ -128,7 +167,7 @@ Verdict Campaign::Run(const Experiment& experiment)
         machine_.FlipMemory(fault.address, fault.number);
         fault = Fault{};
     }
-    Judge judge{golden_, experiment.step};
+    Judge judge{golden_, values_, experiment.step};
     for (std::size_t step = experiment.step; step < script_.size(); ++step)
     {
         if (judge.See(machine_.Step(script_[step].mail, fault, nullptr)))
@@ -148,7 +187,7 @@ Verdict Campaign::RunControl(const std::uint32_t step, const std::function<void(
                              const std::function<void(Machine&, std::uint32_t)>& memory)
 {
     machine_.Restore(before_[step]);
-    Judge judge{golden_, step};
+    Judge judge{golden_, values_, step};
     for (std::uint32_t now = step; now < script_.size(); ++now)
     {
         Mailbox changed = script_[now].mail;

@@ -25,6 +25,7 @@ struct Plan
 {
     bool skips{true};
     bool inversions{true};
+    std::uint32_t each{0U};      ///< Of each instruction so many executions a step, spread; 0: all.
     std::uint32_t registers{0U}; ///< So many bits are drawn.
     std::uint32_t memory{0U};    ///< So many bits are drawn; all at every step where it is above what there is.
     std::uint32_t seed{1U};
@@ -62,6 +63,7 @@ class Campaign
     std::vector<Snapshot> before_{};
     std::vector<std::vector<std::uint32_t>> traces_{};
     std::vector<Seen> golden_{};
+    SentValues values_{};
 };
 
 } // namespace counterpoint::injection

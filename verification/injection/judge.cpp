@@ -4,6 +4,7 @@
 #include "verification/injection/script.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace counterpoint::injection
 {
@@ -32,7 +33,8 @@ bool AreSame(const Seen& first, const Seen& second)
 
 } // namespace
 
-Judge::Judge(const std::vector<Seen>& golden, const std::uint32_t from) : golden_{golden}, from_{from}, now_{from}
+Judge::Judge(const std::vector<Seen>& golden, const SentValues& values, const std::uint32_t from)
+    : golden_{golden}, values_{values}, from_{from}, now_{from}
 {
 }
 
@@ -51,14 +53,24 @@ void Judge::Detect(const std::string& mechanism)
     }
 }
 
-bool Judge::Fail(const std::string& what)
+void Judge::Fail(const std::string& what)
 {
     if (wrong_.empty())
     {
         wrong_ = what;
         wrong_at_ = now_ - from_;
     }
-    return true;
+}
+
+// What lasts, or ends without having been told, is wrong; what is told in time is detected.
+void Judge::Suspect(const bool is_wrong, const std::uint32_t which, const std::string& what)
+{
+    const bool was_wrong = suspected_[which] != 0U;
+    suspected_[which] = is_wrong ? (suspected_[which] + 1U) : 0U;
+    if ((suspected_[which] > kGrace) || (was_wrong && (!is_wrong) && mechanism_.empty()))
+    {
+        Fail(what);
+    }
 }
 
 // Whether the undisturbed device had this value released within the last steps.
@@ -115,9 +127,9 @@ void Judge::JudgePins(const Seen& seen)
     {
         allowed |= golden_[step].pins;
     }
-    if ((seen.pins & ~allowed) != 0U)
+    for (std::uint32_t i = 0U; i < kConsumers; ++i)
     {
-        (void)Fail("output open without leave");
+        Suspect((((seen.pins & ~allowed) >> i) & 1U) != 0U, i, "output open without leave");
     }
 }
 
@@ -126,23 +138,20 @@ void Judge::JudgeObjects(const Seen& seen)
     for (std::uint32_t i = 0U; i < kConsumers; ++i)
     {
         const ObjectPair& now = seen.objects[i];
+        const ObjectPair& golden = golden_[now_].objects[i];
         const bool is_open = ((seen.pins >> i) & 1U) != 0U;
-        const bool is_safe = now.normal == 0U;
-        const bool is_pair = now.normal == ~now.inverse;
-        if (is_safe || (!is_pair) || (now.normal == golden_[now_].objects[i].normal))
+        const bool is_other = (now.normal != 0U) && (now.normal == ~now.inverse) && (now.normal != golden.normal);
+        const bool was_sent = std::find(values_[i].begin(), values_[i].end(), now.normal) != values_[i].end();
+        // A value that nobody sent. Whoever looks at the pair alone does not see it.
+        Suspect(is_other && (!was_sent), kConsumers + i,
+                is_open ? "wrong data released" : "wrong data in the objects, output closed");
+        // A lost pair is told by SCT.
+        const bool may_hold = (golden.normal != 0U) && WasReleased(i, now.normal, kSctSteps + 2U);
+        stale_[i] = (is_other && was_sent) ? (stale_[i] + 1U) : 0U;
+        if (stale_[i] > (may_hold ? (kSctSteps + 2U) : kGrace))
         {
-            stale_[i] = 0U;
-            continue;
-        }
-        ++stale_[i];
-        // A lost pair is told by SCT; a value that was never released, or no longer is, by nobody.
-        const bool is_late = WasReleased(i, now.normal, kSctSteps + 2U);
-        const bool may_hold = golden_[now_].objects[i].normal != 0U;
-        const std::uint32_t most = (is_late && may_hold) ? (kSctSteps + 2U) : kGrace;
-        if ((!is_late) || (stale_[i] > most))
-        {
-            const std::string what = is_late ? "old data stay released" : "wrong data released";
-            (void)Fail(what + (is_open ? "" : ", output closed"));
+            const std::string what = (golden.normal == 0U) ? "released without leave" : "old data stay released";
+            Fail(what + (is_open ? "" : ", output closed"));
         }
     }
 }
@@ -154,7 +163,7 @@ void Judge::JudgeFrames(const Seen& seen)
         const bool is_gfc = frame.identifier == 1U;
         if ((frame.identifier != kNormalIdentifier) && (frame.identifier != kInverseIdentifier) && (!is_gfc))
         {
-            (void)Fail("frame under a foreign identifier");
+            Fail("frame under a foreign identifier");
         }
         if (frame.identifier == kNormalIdentifier)
         {
@@ -168,7 +177,7 @@ void Judge::JudgeFrames(const Seen& seen)
         // A frame that is wrong alone is told by its consumer.
         if ((frame.identifier == kInverseIdentifier) && (!is_known) && (frame.first == ~sent_normal_))
         {
-            (void)Fail("wrong pair sent");
+            Fail("wrong pair sent");
         }
     }
 }
@@ -196,6 +205,13 @@ bool Judge::See(const Seen& seen)
 
 Verdict Judge::Conclude(const bool is_equal) const
 {
+    // What was suspected when the script ended and nothing told it.
+    const bool is_open =
+        std::any_of(std::begin(suspected_), std::end(suspected_), [](std::uint32_t n) { return n != 0U; });
+    if (wrong_.empty() && mechanism_.empty() && is_open)
+    {
+        return {Class::kSilent, "wrong up to the end of the script", now_ - from_};
+    }
     const bool is_first = mechanism_.empty() || (wrong_at_ < detected_);
     const bool is_crash = (mechanism_ == "exception") || (mechanism_ == "runaway, watchdog");
     const bool is_after =

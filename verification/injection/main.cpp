@@ -127,9 +127,9 @@ std::uint32_t NumberOf(const char* const text)
 
 int main(int count, char** arguments)
 {
-    if (count != 9)
+    if (count != 10)
     {
-        std::fprintf(stderr, "counterpoint_injector IMAGE DESCRIPTION CODE REGISTERS MEMORY SEED SHARD SHARDS\n"
+        std::fprintf(stderr, "counterpoint_injector IMAGE DESCRIPTION CODE REGISTERS MEMORY SEED SHARD SHARDS EACH\n"
                              "CODE: 1 skips, 2 inversions, 3 both. run.py builds what it needs and starts it.\n");
         return 2;
     }
@@ -148,6 +148,7 @@ int main(int count, char** arguments)
         plan.seed = NumberOf(arguments[6]);
         plan.shard = NumberOf(arguments[7]);
         plan.shards = NumberOf(arguments[8]);
+        plan.each = NumberOf(arguments[9]);
         PrintGolden(campaign, script);
         if (!RunControls(campaign, script))
         {

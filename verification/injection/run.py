@@ -73,7 +73,7 @@ class Progress:
 
 def run_shard(arguments, shard, progress, lines, failures):
     command = [INJECTOR, f"{IMAGE}.bin", f"{IMAGE}.txt", CODE[arguments.code], arguments.registers, arguments.memory, arguments.seed, shard,
-               arguments.jobs]
+               arguments.jobs, arguments.each]
     with subprocess.Popen([str(part) for part in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         def watch():
             for line in process.stderr:
@@ -204,6 +204,7 @@ def build():
 def parse():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--code", choices=CODE, default="both", help="faults of every executed instruction (default: both)")
+    parser.add_argument("--each", type=int, default=0, metavar="N", help="of each instruction at most N executions a step (default: all)")
     parser.add_argument("--registers", type=int, default=5000, metavar="N", help="so many bits of registers (default: 5000)")
     parser.add_argument("--memory", type=int, default=5000, metavar="N", help="so many bits of RAM (default: 5000)")
     parser.add_argument("--all-memory", action="store_true", help="every bit of RAM of core, channels and port, before every step (an hour)")
@@ -211,8 +212,8 @@ def parse():
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N", help="processes (default: one a core)")
     parser.add_argument("--no-build", action="store_true", help="use what was built before")
     arguments = parser.parse_args()
-    if min(arguments.registers, arguments.memory, arguments.seed) < 0 or arguments.jobs < 1:
-        parser.error("numbers are 0 or greater, --jobs at least 1")
+    if min(arguments.each, arguments.registers, arguments.memory, arguments.seed) < 0 or arguments.each == 1 or arguments.jobs < 1:
+        parser.error("numbers are 0 or greater, --jobs at least 1, --each not 1")
     arguments.memory = 0xFFFFFFFF if arguments.all_memory else arguments.memory
     return arguments
 
@@ -228,7 +229,7 @@ def main():
     seconds = time.monotonic() - begun
     reasons = json.loads((HERE / "reasons.json").read_text(encoding="utf-8"))
     survivors = read_survivors(lines)
-    problems = judge_survivors(survivors, reasons, arguments.code == "both")
+    problems = judge_survivors(survivors, reasons, arguments.code == "both" and arguments.each == 0)
     classes, mechanisms = read_counts(lines)
     controls = list(dict.fromkeys(tuple(line[1:4]) for line in lines if line[0] == "control"))
     are_told = [kind == "silent" for _, kind, _ in controls] == [True, True, True, False]
