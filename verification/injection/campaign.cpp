@@ -65,9 +65,23 @@ std::uint64_t Campaign::Instructions() const
     return sum;
 }
 
+Experiment Campaign::SkippedCall(const std::uint32_t step, const std::string& function) const
+{
+    const std::uint32_t entry = program_.Symbol(function) & ~1U;
+    const std::vector<std::uint32_t>& trace = traces_[step];
+    for (std::uint32_t count = 1U; count < trace.size(); ++count)
+    {
+        if ((trace[count] == entry) && (!program_.IsFaulted(trace[count - 1U])))
+        {
+            return {step, {FaultKind::kSkip, count - 1U, trace[count - 1U], 0U}};
+        }
+    }
+    throw std::runtime_error{"no call of " + function + " in step " + std::to_string(step)};
+}
+
 void Campaign::DrawCode(const Plan& plan, std::vector<Experiment>& to) const
 {
-    for (std::uint32_t step = 0U; step < traces_.size(); ++step)
+    for (std::uint32_t step = 0U; step < FaultedSteps(); ++step)
     {
         const std::vector<std::uint32_t>& trace = traces_[step];
         std::map<std::uint32_t, std::uint32_t> often;
@@ -95,6 +109,15 @@ void Campaign::DrawCode(const Plan& plan, std::vector<Experiment>& to) const
             }
         }
     }
+    if ((plan.sample != 0U) && (plan.sample < to.size()))
+    {
+        std::mt19937 random{plan.seed};
+        for (std::size_t i = 0U; i < plan.sample; ++i)
+        {
+            std::swap(to[i], to[i + (random() % (to.size() - i))]);
+        }
+        to.resize(plan.sample);
+    }
 }
 
 void Campaign::DrawRegisters(const Plan& plan, std::vector<Experiment>& to) const
@@ -103,7 +126,7 @@ void Campaign::DrawRegisters(const Plan& plan, std::vector<Experiment>& to) cons
     std::uint32_t left = plan.registers;
     while (left != 0U)
     {
-        const auto step = static_cast<std::uint32_t>(random() % traces_.size());
+        const auto step = static_cast<std::uint32_t>(random() % FaultedSteps());
         const std::vector<std::uint32_t>& trace = traces_[step];
         const auto count = static_cast<std::uint32_t>(random() % trace.size());
         const std::uint32_t reads = program_.Reads(trace[count]);
@@ -120,7 +143,7 @@ void Campaign::DrawRegisters(const Plan& plan, std::vector<Experiment>& to) cons
 void Campaign::DrawMemory(const Plan& plan, std::vector<Experiment>& to) const
 {
     std::vector<Experiment> all;
-    for (std::uint32_t step = 0U; step < traces_.size(); ++step)
+    for (std::uint32_t step = 0U; step < FaultedSteps(); ++step)
     {
         for (const Range& range : program_.Memory())
         {
@@ -158,7 +181,7 @@ std::vector<Experiment> Campaign::Draw(const Plan& plan) const
     return mine;
 }
 
-Verdict Campaign::Run(const Experiment& experiment)
+Verdict Campaign::Run(const Experiment& experiment, const std::function<void(std::size_t, const Seen&)>& look)
 {
     machine_.Restore(before_[experiment.step]);
     Fault fault = experiment.fault;
@@ -170,7 +193,9 @@ Verdict Campaign::Run(const Experiment& experiment)
     Judge judge{golden_, values_, experiment.step};
     for (std::size_t step = experiment.step; step < script_.size(); ++step)
     {
-        if (judge.See(machine_.Step(script_[step].mail, fault, nullptr)))
+        const Seen seen = machine_.Step(script_[step].mail, fault, nullptr);
+        look(step, seen);
+        if (judge.See(seen))
         {
             return judge.Conclude(false);
         }

@@ -26,6 +26,7 @@ struct Plan
     bool skips{true};
     bool inversions{true};
     std::uint32_t each{0U};      ///< Of each instruction so many executions a step, spread; 0: all.
+    std::uint32_t sample{0U};    ///< Of the faults of the code so many are drawn; 0: all.
     std::uint32_t registers{0U}; ///< So many bits are drawn.
     std::uint32_t memory{0U};    ///< So many bits are drawn; all at every step where it is above what there is.
     std::uint32_t seed{1U};
@@ -41,7 +42,12 @@ class Campaign
     Campaign(Machine& machine, const Program& program, const std::vector<ScriptStep>& script);
 
     [[nodiscard]] std::vector<Experiment> Draw(const Plan& plan) const;
-    [[nodiscard]] Verdict Run(const Experiment& experiment);
+    /// @brief `look` is called with each step and what it showed.
+    [[nodiscard]] Verdict Run(
+        const Experiment& experiment,
+        const std::function<void(std::size_t, const Seen&)>& look = [](std::size_t, const Seen&) {});
+    /// @brief The call of this function in this step, made by what is not faulted, is skipped.
+    [[nodiscard]] Experiment SkippedCall(std::uint32_t step, const std::string& function) const;
     /// @brief The script from `step` on with something done to the world at its begin and to the RAM after it.
     [[nodiscard]] Verdict RunControl(std::uint32_t step, const std::function<void(Mailbox&, std::uint32_t)>& mail,
                                      const std::function<void(Machine&, std::uint32_t)>& memory);
@@ -53,6 +59,11 @@ class Campaign
     [[nodiscard]] std::uint64_t Instructions() const;
 
   private:
+    /// @brief Steps in which a fault may come.
+    [[nodiscard]] std::uint32_t FaultedSteps() const
+    {
+        return static_cast<std::uint32_t>(traces_.size()) - kTailSteps;
+    }
     void DrawCode(const Plan& plan, std::vector<Experiment>& to) const;
     void DrawRegisters(const Plan& plan, std::vector<Experiment>& to) const;
     void DrawMemory(const Plan& plan, std::vector<Experiment>& to) const;

@@ -28,8 +28,8 @@ def registers_read(name, operands):
     return mask & 0x7FFF
 
 
-def describe(elf, to):
-    """Writes the text that Program of program.hpp reads."""
+def describe(elf, to, memory=MEMORY):
+    """Writes the text that Program of program.hpp reads; `memory`: the parts whose RAM is faulted."""
     lines = []
     table = subprocess.run(["arm-none-eabi-readelf", "-sW", elf], capture_output=True, text=True, check=True).stdout
     for row in table.splitlines():
@@ -40,7 +40,7 @@ def describe(elf, to):
         lines.append(f"symbol {name} {address}")
         if kind == "FUNC" and address & 1 and not NOT_FAULTED.search(name):
             lines.append(f"code {address & ~1} {(address & ~1) + size}")
-        if name in MEMORY:
+        if name in memory:
             lines.append(f"memory {address} {address + size}")
     text = subprocess.run(["arm-none-eabi-objdump", "-d", elf], capture_output=True, text=True, check=True).stdout
     for found in filter(None, map(INSTRUCTION.match, text.splitlines())):

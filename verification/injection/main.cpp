@@ -21,19 +21,23 @@ const char* NameOfFault(const FaultKind kind)
     return kNames[static_cast<std::size_t>(kind)];
 }
 
+void PrintSeen(const char* const name, const std::size_t step, const std::string& scene, const Seen& seen)
+{
+    std::printf("%s\t%zu\t%s\tpins=%x\tfault=%x\tobjects=%08x %08x %08x %08x\tsent=%zu", name, step, scene.c_str(),
+                seen.pins, seen.device_fault, seen.objects[0].normal, seen.objects[0].inverse, seen.objects[1].normal,
+                seen.objects[1].inverse, seen.sent.size());
+    for (const std::uint32_t event : seen.events)
+    {
+        std::printf(" %x", event);
+    }
+    std::printf("\n");
+}
+
 void PrintGolden(const Campaign& campaign, const std::vector<ScriptStep>& script)
 {
     for (std::size_t step = 0U; step < script.size(); ++step)
     {
-        const Seen& seen = campaign.Golden()[step];
-        std::printf("golden\t%zu\t%s\tpins=%x\tfault=%x\tobjects=%08x %08x %08x %08x\tsent=%zu", step,
-                    script[step].scene.c_str(), seen.pins, seen.device_fault, seen.objects[0].normal,
-                    seen.objects[0].inverse, seen.objects[1].normal, seen.objects[1].inverse, seen.sent.size());
-        for (const std::uint32_t event : seen.events)
-        {
-            std::printf(" %x", event);
-        }
-        std::printf("\n");
+        PrintSeen("golden", step, script[step].scene, campaign.Golden()[step]);
     }
 }
 
@@ -68,18 +72,22 @@ bool RunControls(Campaign& campaign, const std::vector<ScriptStep>& script)
         mail.acknowledge_a |= (step < 3U) ? 1U : 0U;
         mail.acknowledge_b |= (step < 3U) ? 1U : 0U;
     };
+    const Experiment skipped =
+        campaign.SkippedCall(StepOf(script, "GFC"), "_ZN12counterpoint6Kernel7OnFrameERKNS_12StampedFrameE");
     const std::uint32_t pair = StepOf(script, "pair");
     const std::uint32_t expiry = StepOf(script, "SCT expiry, pair without acknowledge") - 1U;
-    const Verdict verdicts[] = {
-        campaign.RunControl(pair, forged, no_memory), campaign.RunControl(pair, no_mail, changed),
-        campaign.RunControl(expiry, acknowledged, no_memory), campaign.RunControl(pair, no_mail, no_memory)};
-    constexpr const char* kNames[] = {"forged pair", "both variables changed", "foreign acknowledge", "nothing"};
+    const Verdict verdicts[] = {campaign.RunControl(pair, forged, no_memory),
+                                campaign.RunControl(pair, no_mail, changed),
+                                campaign.RunControl(expiry, acknowledged, no_memory), campaign.Run(skipped),
+                                campaign.RunControl(pair, no_mail, no_memory)};
+    constexpr const char* kNames[] = {"forged pair", "both variables changed", "foreign acknowledge",
+                                      "GFC that is not handed over", "nothing"};
     bool is_good = true;
-    for (std::size_t i = 0U; i < 4U; ++i)
+    for (std::size_t i = 0U; i < 5U; ++i)
     {
         const bool is_silent = verdicts[i].kind == Class::kSilent;
         std::printf("control\t%s\t%s\t%s\n", kNames[i], NameOf(verdicts[i].kind), verdicts[i].what.c_str());
-        is_good = is_good && (is_silent == (i != 3U));
+        is_good = is_good && (is_silent == (i != 4U));
     }
     return is_good;
 }
@@ -123,13 +131,31 @@ std::uint32_t NumberOf(const char* const text)
     return static_cast<std::uint32_t>(std::strtoul(text, nullptr, 0));
 }
 
+/// Each step of the run with one fault, and its verdict.
+void ShowOne(Campaign& campaign, const std::vector<ScriptStep>& script, char** const arguments)
+{
+    Experiment experiment{};
+    experiment.step = NumberOf(arguments[0]);
+    std::uint32_t kind = 1U;
+    while ((kind < 4U) && (arguments[1] != std::string{NameOfFault(static_cast<FaultKind>(kind))}))
+    {
+        ++kind;
+    }
+    experiment.fault = {static_cast<FaultKind>(kind), NumberOf(arguments[2]), NumberOf(arguments[3]),
+                        NumberOf(arguments[4])};
+    const Verdict verdict = campaign.Run(experiment, [&script](const std::size_t step, const Seen& seen)
+                                         { PrintSeen("step", step, script[step].scene, seen); });
+    std::printf("verdict\t%s\t%s\t%u\n", NameOf(verdict.kind), verdict.what.c_str(), verdict.steps);
+}
+
 } // namespace
 
 int main(int count, char** arguments)
 {
-    if (count != 10)
+    if ((count != 11) && (count != 16))
     {
-        std::fprintf(stderr, "counterpoint_injector IMAGE DESCRIPTION CODE REGISTERS MEMORY SEED SHARD SHARDS EACH\n"
+        std::fprintf(stderr, "counterpoint_injector IMAGE DESCRIPTION CODE REGISTERS MEMORY SEED SHARD SHARDS EACH "
+                             "SAMPLE [STEP FAULT INSTRUCTION ADDRESS NUMBER]\n"
                              "CODE: 1 skips, 2 inversions, 3 both. run.py builds what it needs and starts it.\n");
         return 2;
     }
@@ -149,7 +175,13 @@ int main(int count, char** arguments)
         plan.shard = NumberOf(arguments[7]);
         plan.shards = NumberOf(arguments[8]);
         plan.each = NumberOf(arguments[9]);
+        plan.sample = NumberOf(arguments[10]);
         PrintGolden(campaign, script);
+        if (count == 16)
+        {
+            ShowOne(campaign, script, &arguments[11]);
+            return 0;
+        }
         if (!RunControls(campaign, script))
         {
             return 1;

@@ -71,10 +71,18 @@ class Progress:
                   end="" if sys.stdout.isatty() else "\n", flush=True)
 
 
+def command_of(arguments, shard):
+    parts = [INJECTOR, f"{IMAGE}.bin", f"{IMAGE}.txt", CODE[arguments.code], arguments.registers, arguments.memory, arguments.seed, shard,
+             arguments.jobs, arguments.each, arguments.sample]
+    return [str(part) for part in parts]
+
+
+def show(arguments):
+    return subprocess.run(command_of(arguments, 0) + arguments.show, check=False).returncode
+
+
 def run_shard(arguments, shard, progress, lines, failures):
-    command = [INJECTOR, f"{IMAGE}.bin", f"{IMAGE}.txt", CODE[arguments.code], arguments.registers, arguments.memory, arguments.seed, shard,
-               arguments.jobs, arguments.each]
-    with subprocess.Popen([str(part) for part in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+    with subprocess.Popen(command_of(arguments, shard), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         def watch():
             for line in process.stderr:
                 fields = line.split("\t")
@@ -205,14 +213,18 @@ def parse():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--code", choices=CODE, default="both", help="faults of every executed instruction (default: both)")
     parser.add_argument("--each", type=int, default=0, metavar="N", help="of each instruction at most N executions a step (default: all)")
+    parser.add_argument("--sample", type=int, default=0, metavar="N", help="of the faults of the code so many are drawn (default: all)")
+    parser.add_argument("--show", nargs=5, metavar=("STEP", "FAULT", "INSTRUCTION", "ADDRESS", "NUMBER"),
+                        help="each step of one run, as a survivor's example in injection.json names it")
     parser.add_argument("--registers", type=int, default=5000, metavar="N", help="so many bits of registers (default: 5000)")
     parser.add_argument("--memory", type=int, default=5000, metavar="N", help="so many bits of RAM (default: 5000)")
     parser.add_argument("--all-memory", action="store_true", help="every bit of RAM of core, channels and port, before every step (an hour)")
+    parser.add_argument("--memory-of", choices=image_description.MEMORY, help="only of this part")
     parser.add_argument("--seed", type=int, default=1, help="of what is drawn (default: 1)")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N", help="processes (default: one a core)")
     parser.add_argument("--no-build", action="store_true", help="use what was built before")
     arguments = parser.parse_args()
-    if min(arguments.each, arguments.registers, arguments.memory, arguments.seed) < 0 or arguments.each == 1 or arguments.jobs < 1:
+    if min(arguments.each, arguments.sample, arguments.registers, arguments.memory, arguments.seed) < 0 or arguments.each == 1 or arguments.jobs < 1:
         parser.error("numbers are 0 or greater, --jobs at least 1, --each not 1")
     arguments.memory = 0xFFFFFFFF if arguments.all_memory else arguments.memory
     return arguments
@@ -223,16 +235,18 @@ def main():
     is_tested = self_test()
     if not arguments.no_build:
         build()
-    image_description.describe(f"{IMAGE}.elf", IMAGE.with_suffix(".txt"))
+    image_description.describe(f"{IMAGE}.elf", IMAGE.with_suffix(".txt"), [arguments.memory_of] if arguments.memory_of else image_description.MEMORY)
+    if arguments.show:
+        return show(arguments)
     begun = time.monotonic()
     lines, failures = run_shards(arguments)
     seconds = time.monotonic() - begun
     reasons = json.loads((HERE / "reasons.json").read_text(encoding="utf-8"))
     survivors = read_survivors(lines)
-    problems = judge_survivors(survivors, reasons, arguments.code == "both" and arguments.each == 0)
+    problems = judge_survivors(survivors, reasons, arguments.code == "both" and arguments.each == arguments.sample == 0)
     classes, mechanisms = read_counts(lines)
     controls = list(dict.fromkeys(tuple(line[1:4]) for line in lines if line[0] == "control"))
-    are_told = [kind == "silent" for _, kind, _ in controls] == [True, True, True, False]
+    are_told = [kind == "silent" for _, kind, _ in controls] == [True, True, True, True, False]
     total = sum(sum(counts.values()) for counts in classes.values())
     table = write_table(classes, mechanisms, survivors, controls)
     passed = {"SRS_VER_040": not failures and total > 0, "SRS_VER_041": is_tested and not problems, "SRS_VER_042": are_told}

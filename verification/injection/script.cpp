@@ -134,6 +134,7 @@ std::vector<ScriptStep> MakeScript()
     writer.Traffic("level 2");
     writer.Acknowledge("level 2");
     writer.Idle("level 2", 2U);
+    writer.Idle("end", kTailSteps);
     return writer.Steps();
 }
 

@@ -24,6 +24,9 @@ struct ScriptStep
 /// @brief Both frames of a pair of consumer `slot`, received in this step.
 void AddPair(Mailbox& mail, std::uint32_t slot, std::uint32_t value);
 
+/// @brief The steps at the end of the script in which no fault comes: a pin that does not close is told a cycle later.
+constexpr std::uint32_t kTailSteps = 5U;
+
 /// SCT of the consumers, in steps.
 constexpr std::uint32_t kSctSteps = 6U;
 

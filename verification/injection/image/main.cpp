@@ -32,9 +32,13 @@ namespace
 constexpr std::uint8_t kSrdos = 3U;
 constexpr std::uint32_t kCycleUs = 1000U;
 
+// Found anew each time: an address that this file kept in a register would be faulted with the registers of what it
+// calls.
 const volatile Mailbox& Mail() noexcept
 {
-    return *reinterpret_cast<const volatile Mailbox*>(kMailboxAddress);
+    std::uint32_t address = kMailboxAddress;
+    asm volatile("" : "+r"(address));
+    return *reinterpret_cast<const volatile Mailbox*>(address);
 }
 
 void Tell(const std::uint32_t port, const std::uint32_t value) noexcept
@@ -292,35 +296,35 @@ void FillProducer(const std::uint32_t value) noexcept
     }
 }
 
-void RunRequests(const volatile Mailbox& mail) noexcept
+void RunRequests() noexcept
 {
-    for (std::uint32_t i = 0U; i < mail.write_count; ++i)
+    for (std::uint32_t i = 0U; i < Mail().write_count; ++i)
     {
-        const volatile MailWrite& write = mail.writes[i];
+        const volatile MailWrite& write = Mail().writes[i];
         Tell(kPortRefused, WriteNumber(MailWrite{write.index, write.sub, write.value, write.size_bytes}) ? 0U : 1U);
     }
-    if (mail.is_signed != 0U)
+    if (Mail().is_signed != 0U)
     {
         SignAll();
     }
-    if (mail.is_checked != 0U)
+    if (Mail().is_checked != 0U)
     {
         Tell(kPortRefused, (faulted_kernel.CheckConfiguration().result == Result::kSuccessful) ? 0U : 1U);
     }
-    if (mail.nmt != 0U)
+    if (Mail().nmt != 0U)
     {
-        faulted_kernel.SetNmtState(static_cast<NmtState>(mail.nmt));
+        faulted_kernel.SetNmtState(static_cast<NmtState>(Mail().nmt));
     }
-    if (mail.send_index != 0U)
+    if (Mail().send_index != 0U)
     {
-        FillProducer(mail.sent_value);
-        (void)faulted_kernel.Send(CommunicationIndex{static_cast<std::uint16_t>(mail.send_index)});
+        FillProducer(Mail().sent_value);
+        (void)faulted_kernel.Send(CommunicationIndex{static_cast<std::uint16_t>(Mail().send_index)});
     }
-    if (mail.is_gfc_sent != 0U)
+    if (Mail().is_gfc_sent != 0U)
     {
         (void)faulted_kernel.SendGfc();
     }
-    if (mail.is_demanded != 0U)
+    if (Mail().is_demanded != 0U)
     {
         faulted_kernel.DemandSafeState();
     }
@@ -329,19 +333,18 @@ void RunRequests(const volatile Mailbox& mail) noexcept
 // As the executive of the firmware does it: outputs examined first, frames, requests, cycle.
 void Step() noexcept
 {
-    const volatile Mailbox& mail = Mail();
     if (faulted_pins.Examine() != tms570::Outcome::kDone)
     {
         tms570::CutOffEverything();
         return;
     }
-    for (std::uint32_t i = 0U; i < mail.frame_count; ++i)
+    for (std::uint32_t i = 0U; i < Mail().frame_count; ++i)
     {
-        Deliver(mail.frames[i]);
+        Deliver(Mail().frames[i]);
     }
-    RunRequests(mail);
-    const std::uint32_t now = mail.now_us;
-    faulted_kernel.Cycle(CycleCall{{Instant{now}, Instant{now + 7U}}, mail.acknowledge_a, mail.acknowledge_b});
+    RunRequests();
+    const std::uint32_t now = Mail().now_us;
+    faulted_kernel.Cycle(CycleCall{{Instant{now}, Instant{now + 7U}}, Mail().acknowledge_a, Mail().acknowledge_b});
 }
 
 } // namespace
