@@ -28,8 +28,9 @@ def registers_read(name, operands):
     return mask & 0x7FFF
 
 
-def describe(elf, to, memory=MEMORY):
-    """Writes the text that Program of program.hpp reads; `memory`: the parts whose RAM is faulted."""
+def describe(elf, to, part=None):
+    """Writes the text that Program of program.hpp reads; `part`: the one whose RAM is faulted, NAME or NAME:BEGIN:END (bytes)."""
+    part, *edges = (part or "").split(":")
     lines = []
     table = subprocess.run(["arm-none-eabi-readelf", "-sW", elf], capture_output=True, text=True, check=True).stdout
     for row in table.splitlines():
@@ -40,8 +41,9 @@ def describe(elf, to, memory=MEMORY):
         lines.append(f"symbol {name} {address}")
         if kind == "FUNC" and address & 1 and not NOT_FAULTED.search(name):
             lines.append(f"code {address & ~1} {(address & ~1) + size}")
-        if name in memory:
-            lines.append(f"memory {address} {address + size}")
+        if name in ([part] if part else MEMORY):
+            begin, end = map(int, edges or (0, size))
+            lines.append(f"memory {address + begin} {address + end}")
     text = subprocess.run(["arm-none-eabi-objdump", "-d", elf], capture_output=True, text=True, check=True).stdout
     for found in filter(None, map(INSTRUCTION.match, text.splitlines())):
         mask = registers_read(found[2], found[3])

@@ -398,6 +398,8 @@ void Machine::Start()
             throw std::runtime_error{"the image does not start: stopped at " + std::to_string(stopped_)};
         }
     }
+    uc_reg_read(fast_, UC_ARM_REG_CPSR, &cpsr_);
+    uc_reg_read(fast_, UC_ARM_REG_FPSCR, &fpscr_);
 }
 
 // From the IT instruction where the processor stands to the first one behind its block.
@@ -548,6 +550,7 @@ Registers Machine::ReadRegisters()
 
 void Machine::Save(Snapshot& to)
 {
+    Use(watched_); // Restore gives the context to this one.
     to.ram.assign(ram_, ram_ + ram_bytes_);
     to.registers = ReadRegisters();
     to.world = world_;
@@ -564,6 +567,8 @@ void Machine::Restore(const Snapshot& from)
     world_ = from.world;
     engine_ = watched_;
     Must(uc_context_restore(engine_, from.context), "context");
+    uc_reg_write(fast_, UC_ARM_REG_CPSR, &cpsr_);
+    uc_reg_write(fast_, UC_ARM_REG_FPSCR, &fpscr_);
 }
 
 bool Machine::Equals(const Snapshot& other)

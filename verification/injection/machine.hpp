@@ -161,6 +161,8 @@ class Machine
     uc_struct* watched_{nullptr}; ///< Stops at any instruction.
     uc_struct* fast_{nullptr};    ///< The same memory, for steps without a fault; stops at blocks.
     uc_struct* engine_{nullptr};  ///< The one of both that has the state.
+    std::uint32_t cpsr_{0U};      ///< Of `fast_` after the start: a crash leaves other modes behind.
+    std::uint32_t fpscr_{0U};
     std::uint32_t step_end_;
     std::uint32_t places_;
     std::uint32_t ram_begin_;

@@ -118,6 +118,9 @@ void RunAll(Campaign& campaign, const std::vector<ScriptStep>& script, const std
                          experiments.size(), static_cast<double>(done) / seconds);
         }
     }
+    // What a fault left behind in the emulator would be told as detection of the next ones.
+    const Verdict clean = campaign.Run(Experiment{0U, Fault{}});
+    std::printf("control\tnothing, behind all faults\t%s\t%s\n", NameOf(clean.kind), clean.what.c_str());
     for (const auto& [name, count] : counts)
     {
         std::printf("count\t%s\t%llu\n", name.c_str(), static_cast<unsigned long long>(count));
