@@ -80,6 +80,14 @@ bool Consumers::IsActive(SlotIndex slot) const noexcept
     return HasAny(x_active, BitOf(slot));
 }
 
+/// The limits of an active consumer do not change while it is active. [SRS_CFG_030]
+bool Consumers::HasConfiguredLimits(SlotIndex slot) const noexcept
+{
+    const bool is_sct = x_pairs.limit[slot] == x_settings.SctUs(slot);
+    const bool is_srvt = x_pairs.srvt_limit[slot] == x_settings.SrvtUs(slot);
+    return (!IsActive(slot)) || (is_sct && is_srvt);
+}
+
 bool Consumers::IsHeld(SlotIndex slot) const noexcept
 {
     return x_pairs.held[slot] == Mark::kHeld;
@@ -415,7 +423,7 @@ SrdoMask Consumers::Settle(SrdoMask quiet, std::uint32_t elapsed_us, CycleOutcom
         const bool is_granted = IsHeld(slot) && (x_pairs.granted[slot] == Mark::kGranted);
         if (is_granted && (left <= x_pairs.limit[slot]) && (x_faults.FirstCause(slot) == SrdoCause::kNone))
         {
-            settled |= BitOf(walk.Slot());
+            settled |= BitOf(slot);
             ordinal_sum += x_pairs.ordinal[slot];
             ++count;
         }
@@ -437,14 +445,14 @@ void Consumers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
     while (walk.Next())
     {
         const SlotIndex slot = walk.Slot();
-        if (!HasAny(quiet, BitOf(walk.Slot())))
+        if (!HasAny(quiet, BitOf(slot)))
         {
             x_pairs.left[slot] -= tick.elapsed_us;
         }
         ServeBusy(slot, tick, outcome);
         if (IsReleased(slot))
         {
-            released |= BitOf(walk.Slot());
+            released |= BitOf(slot);
         }
         outcome.ordinal_sum += x_pairs.ordinal[slot];
         outcome.sct_checked = static_cast<std::uint8_t>(outcome.sct_checked + 1U);
