@@ -75,6 +75,16 @@ class Expectation
     bool is_upload_end{false};
 };
 
+SdoFrame RandomFrame(std::mt19937& source)
+{
+    SdoFrame frame{};
+    for (std::uint8_t& byte : frame.bytes)
+    {
+        byte = static_cast<std::uint8_t>(source() & 0xFFU);
+    }
+    return frame;
+}
+
 TEST_F(SdoRandomTest, RandomFramesAreAnsweredAndStayInTheBuffer)
 {
     Verifies(req::SRS_SDO_015);
@@ -88,11 +98,7 @@ TEST_F(SdoRandomTest, RandomFramesAreAnsweredAndStayInTheBuffer)
     int answers = 0;
     for (int i = 0; i < 400000; ++i)
     {
-        SdoFrame request{};
-        for (std::uint8_t& byte : request.bytes)
-        {
-            byte = static_cast<std::uint8_t>(random() & 0xFFU);
-        }
+        SdoFrame request = RandomFrame(source);
         // Mostly commands that lead somewhere, and objects that exist
         const std::uint32_t kind = random() % 16U;
         request.bytes[0] = (kind < 10U) ? kHeads[random() % kHeads.size()] : request.bytes[0];
@@ -141,17 +147,11 @@ TEST_F(SdoRandomTest, AfterEveryRandomSequenceAnAbortMakesTheServerUsable)
 {
     Verifies(req::SRS_SDO_015);
     std::mt19937 source{42U};
-    const auto random = [&source] { return static_cast<std::uint32_t>(source()); };
     for (int round = 0; round < 5000; ++round)
     {
         for (int i = 0; i < 10; ++i)
         {
-            SdoFrame request{};
-            for (std::uint8_t& byte : request.bytes)
-            {
-                byte = static_cast<std::uint8_t>(random() & 0xFFU);
-            }
-            static_cast<void>(small.OnFrame(request, 8U, Instant{now_us}));
+            static_cast<void>(small.OnFrame(RandomFrame(source), 8U, Instant{now_us}));
             static_cast<void>(small.Poll(Instant{now_us}));
         }
         static_cast<void>(small.OnFrame(SdoFrame{{0x80U}}, 8U, Instant{now_us}));

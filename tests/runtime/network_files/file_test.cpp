@@ -204,44 +204,42 @@ TEST_F(NetworkFileTest, AGuardTimeBesideAHeartbeatAndAReservedBitAreToldToo)
                          "heartbeat: 0 ms"));
 }
 
-TEST_F(NetworkFileTest, TheManagersOwnObjectsGoBeforeDerivedOnes)
+std::string Variable(const std::string& section, const std::string& type, const std::string& value)
 {
-    Verifies(req::SRS_NET_003);
-    std::string dcf = ExampleText("controller");
-    dcf = Changed(dcf, {{"CANopenManager=0", "CANopenManager=1"},
-                        {"[ManufacturerObjects]\nSupportedObjects=", "[ManufacturerObjects]\nSupportedObjects="}});
-    const auto variable = [](const std::string& section, const std::string& type, const std::string& value)
+    return "\n[" + section + "]\nParameterName=x\nObjectType=0x7\nDataType=" + type +
+           "\nAccessType=rw\nParameterValue=" + value + "\nPDOMapping=0\n";
+}
+
+std::string Array(const std::string& section, const std::string& count)
+{
+    return "\n[" + section + "]\nParameterName=x\nObjectType=0x8\nSubNumber=" + count + "\n";
+}
+
+// A manager's own file with 1F80h, 1F89h, and 1F81h and 1F88h for node 33
+class ManagersFileTest : public NetworkFileTest
+{
+  protected:
+    ManagersFileTest() : dcf(Changed(ExampleText("controller"), {{"CANopenManager=0", "CANopenManager=1"}}))
     {
-        return "\n[" + section + "]\nParameterName=x\nObjectType=0x7\nDataType=" + type +
-               "\nAccessType=rw\nParameterValue=" + value + "\nPDOMapping=0\n";
-    };
-    const auto array = [](const std::string& section, const std::string& count)
-    { return "\n[" + section + "]\nParameterName=x\nObjectType=0x8\nSubNumber=" + count + "\n"; };
-    std::size_t place = dcf.find("[OptionalObjects]\nSupportedObjects=");
-    ASSERT_NE(place, std::string::npos);
-    place = dcf.find('=', place) + 1U;
-    const std::size_t end = dcf.find('\n', place);
-    const int count = std::stoi(dcf.substr(place, end - place));
-    std::string more;
-    const char* const added[] = {"0x1F80", "0x1F81", "0x1F88", "0x1F89"};
-    for (int i = 0; i < 4; ++i)
-    {
-        more += "\n" + std::to_string(count + i + 1) + "=" + added[i];
+        const std::string list = "[OptionalObjects]\nSupportedObjects=";
+        const std::size_t place = dcf.find(list) + list.size();
+        const std::size_t end = dcf.find('\n', place);
+        const int count = std::stoi(dcf.substr(place, end - place));
+        std::string more;
+        int number = count;
+        for (const char* const added : {"0x1F80", "0x1F81", "0x1F88", "0x1F89"})
+        {
+            ++number;
+            more += "\n" + std::to_string(number) + "=" + added;
+        }
+        dcf.insert(dcf.find("\n\n", place), more);
+        dcf.replace(place, end - place, std::to_string(number));
+        dcf += Variable("1F80", "0x0007", "0x11") + Variable("1F89", "0x0007", "7000") + Array("1F81", "2") +
+               Variable("1F81sub0", "0x0005", "33") + Variable("1F81sub21", "0x0007", "0x05") + Array("1F88", "2") +
+               Variable("1F88sub0", "0x0005", "33") + Variable("1F88sub21", "0x0007", "4711");
     }
-    std::size_t list_end = dcf.find("\n\n", place);
-    dcf.insert(list_end, more);
-    dcf.replace(place, end - place, std::to_string(count + 4));
-    dcf += variable("1F80", "0x0007", "0x11") + variable("1F89", "0x0007", "7000") + array("1F81", "2") +
-           variable("1F81sub0", "0x0005", "33") + variable("1F81sub21", "0x0007", "0x05") + array("1F88", "2") +
-           variable("1F88sub0", "0x0005", "33") + variable("1F88sub21", "0x0007", "4711");
-    static_cast<void>(File("manager.dcf", dcf));
-    const LoadedNetwork net(runtime::ReadNetworkFile(Cpj(), 0U));
-    EXPECT_EQ(net.Setup().start_up, 0x11U);
-    EXPECT_EQ(net.Setup().boot_time_ms, 7000U);
-    EXPECT_EQ(net.Setup().slaves[33].assignment, 0x05U);
-    EXPECT_EQ(net.Setup().slaves[33].serial_number, 4711U);
-    EXPECT_EQ(net.Setup().slaves[1].assignment, 0x0DU);
-    const auto refusal = [this](const std::string& text)
+
+    std::string Refusal(const std::string& text)
     {
         static_cast<void>(File("manager.dcf", text));
         try
@@ -253,11 +251,30 @@ TEST_F(NetworkFileTest, TheManagersOwnObjectsGoBeforeDerivedOnes)
             return std::string(error.what());
         }
         return std::string();
-    };
+    }
+
+    std::string dcf;
+};
+
+TEST_F(ManagersFileTest, ItsOwnObjectsGoBeforeDerivedOnes)
+{
+    Verifies(req::SRS_NET_003);
+    static_cast<void>(File("manager.dcf", dcf));
+    const LoadedNetwork net(runtime::ReadNetworkFile(Cpj(), 0U));
+    EXPECT_EQ(net.Setup().start_up, 0x11U);
+    EXPECT_EQ(net.Setup().boot_time_ms, 7000U);
+    EXPECT_EQ(net.Setup().slaves[33].assignment, 0x05U);
+    EXPECT_EQ(net.Setup().slaves[33].serial_number, 4711U);
+    EXPECT_EQ(net.Setup().slaves[1].assignment, 0x0DU);
+}
+
+TEST_F(ManagersFileTest, ItsBitsAreKnownOnesAndWhoIsInItsNetworkIsInItsList)
+{
+    Verifies(req::SRS_NET_003);
     // A manager is an NMT master, and its bits are known ones
     for (const std::string& value : {std::string("0x10"), std::string("0x0"), std::string("0x81")})
     {
-        const std::string line = refusal(Changed(dcf, {{"ParameterValue=0x11\n", "ParameterValue=" + value + "\n"}}));
+        const std::string line = Refusal(Changed(dcf, {{"ParameterValue=0x11\n", "ParameterValue=" + value + "\n"}}));
         EXPECT_NE(line.find("/manager.dcf:892: error: 0x1F80:00: " + value +
                             ", expected bit 0 (NMT master), and of the others bits 1 to 6 alone"),
                   std::string::npos)
@@ -265,26 +282,30 @@ TEST_F(NetworkFileTest, TheManagersOwnObjectsGoBeforeDerivedOnes)
     }
     // Who is in its network is in its list
     EXPECT_NE(
-        refusal(Changed(dcf, {{"ParameterValue=0x05\n", "ParameterValue=0x04\n"}}))
+        Refusal(Changed(dcf, {{"ParameterValue=0x05\n", "ParameterValue=0x04\n"}}))
             .find(": error: 0x1F81:21: 0x4, expected bit 0 (in the network), as node 33 is, or 0 for the usual bits"),
         std::string::npos);
-    EXPECT_EQ(refusal(Changed(dcf, {{"ParameterValue=0x05\n", "ParameterValue=0\n"}})), "");
-    // It waits for the heartbeat of a node for one time alone
+    EXPECT_EQ(Refusal(Changed(dcf, {{"ParameterValue=0x05\n", "ParameterValue=0\n"}})), "");
+}
+
+TEST_F(ManagersFileTest, ItWaitsForTheHeartbeatOfANodeForOneTimeAlone)
+{
+    Verifies(req::SRS_NET_003);
     const std::string consumers = Changed(dcf, {{"=0x1F88", "=0x1016"},
                                                 {"[1F88]", "[1016]"},
                                                 {"[1F88sub0]", "[1016sub0]"},
                                                 {"[1F88sub21]", "[1016sub21]"},
                                                 {"ParameterValue=4711", "ParameterValue=0x002100C8"}});
-    EXPECT_EQ(refusal(consumers), "");
-    EXPECT_NE(refusal(Changed(consumers, {{"=0x002100C8", "=0x012100C8"}}))
+    EXPECT_EQ(Refusal(consumers), "");
+    EXPECT_NE(Refusal(Changed(consumers, {{"=0x002100C8", "=0x012100C8"}}))
                   .find(": error: 0x1016:21: 0x012100C8, expected each node-ID in one entry"),
               std::string::npos);
     const std::string twice = Changed(consumers, {{"[1016]\nParameterName=x\nObjectType=0x8\nSubNumber=2",
                                                    "[1016]\nParameterName=x\nObjectType=0x8\nSubNumber=3"}}) +
-                              variable("1016sub22", "0x0007", "0x00210032");
-    EXPECT_NE(refusal(twice).find(": error: 0x1016:22: 0x00210032, expected each node-ID in one entry"),
+                              Variable("1016sub22", "0x0007", "0x00210032");
+    EXPECT_NE(Refusal(twice).find(": error: 0x1016:22: 0x00210032, expected each node-ID in one entry"),
               std::string::npos)
-        << refusal(twice);
+        << Refusal(twice);
 }
 
 TEST_F(NetworkFileTest, OneStartForAllWithASafetySlaveIsWarnedOf)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Size by thought: no C++ file of the product or of verification beyond 600 lines, no function beyond 60 (from its signature to its closing brace), no class beyond 30 methods, and a class's methods in one place. No Python function of verification beyond 70.
+"""Size by thought: no C++ file of product, verification or tests beyond 600 lines, no function beyond 60 (from its signature to its closing brace), no class beyond 30 methods, and a class's methods in one place. No Python function of verification beyond 70.
 
 A class's methods are its member functions, constructors and operators, those of nested classes with it; what is defaulted or
 deleted does not count. A method defined out of its class stands in the file beside its declaration (foo.cpp for foo.hpp, in the same
@@ -20,6 +20,7 @@ MAX_FUNCTION_LINES = 60
 MAX_METHODS = 30
 MAX_PYTHON_LINES = 70
 VERIFICATION = "verification"
+TESTS = "tests"
 EXCEPTIONS = "verification/gates/size/exceptions.json"
 
 
@@ -84,7 +85,7 @@ def python_findings(root, name):
 
 
 def gate(root, _data):
-    names = cpp_files(root, (*PRODUCT_FOLDERS, VERIFICATION))
+    names = cpp_files(root, (*PRODUCT_FOLDERS, VERIFICATION, TESTS))
     functions, declared = look(root, names)
     exceptions = json.loads(read(root, EXCEPTIONS)) if (root / EXCEPTIONS).exists() else {}
     findings = []
@@ -107,7 +108,7 @@ def gate(root, _data):
     findings += [f"{EXCEPTIONS}:1: {key} complies or is gone, expected only classes that do not" for key in exceptions if key not in excused]
     count = sum(len(each) for each in functions.values())
     if count == 0:
-        raise CannotLook("no function found in the files of product and verification")
+        raise CannotLook("no function found in the files of product, verification and tests")
     return findings, f"{count} functions in {len(names)} files, {len(scripts)} scripts, {len(declared)} classes, {len(exceptions)} of them excused"
 
 

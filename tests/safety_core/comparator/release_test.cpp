@@ -1,0 +1,179 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/safety_core/comparator/rig.hpp"
+#include "verification/trace/ids/channel.hpp"
+#include "verification/trace/ids/kernel.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <cstdint>
+#include <utility>
+
+namespace counterpoint
+{
+namespace
+{
+
+TEST_F(Comparing, FaultWithoutANewOneInAnAgreedSlotDemotesAtOnce)
+{
+    Verifies(req::SRS_CMP_004);
+    // Given slot 2 agreed, and one channel alone that calls it faulted without a new fault
+    std::uint32_t now_us = 0U;
+    for (SpokenChannel* const faulty : {&a, &b})
+    {
+        EXPECT_EQ(CompareAt(now_us).agreement.agreed, 4U);
+        faulty->outcome.released = 0U;
+        faulty->outcome.faulted = 4U;
+        EXPECT_EQ(CompareAt(now_us + 1000U).demote, 4U);
+        // What was not agreed in the comparison before has the window
+        EXPECT_EQ(CompareAt(now_us + 2000U).demote, 0U);
+        faulty->outcome.released = 4U;
+        faulty->outcome.faulted = 0U;
+        now_us += 3000U;
+    }
+    // Nor is what was agreed before a restart
+    EXPECT_EQ(CompareAt(now_us).agreement.agreed, 4U);
+    comparator.Restart(ComparatorSetup{5000U, 20000U, 4U});
+    b.outcome.released = 0U;
+    b.outcome.faulted = 4U;
+    EXPECT_EQ(CompareAt(1000U).demote, 0U);
+}
+
+// A's or B's edge alone, behind a fault and before the first release
+class ComparingOneRelease : public Comparing, public ::testing::WithParamInterface<SrdoState>
+{
+  protected:
+    ComparingOneRelease()
+    {
+        early = &a;
+        late = &b;
+        ((GetParam() == SrdoState::kFaulted) ? late->outcome.faulted : late->outcome.waiting) = 4U;
+        late->outcome.released = 0U;
+    }
+
+    void Release()
+    {
+        late->outcome.released = 4U;
+        late->outcome.faulted = 0U;
+        late->outcome.waiting = 0U;
+    }
+
+    void Turn()
+    {
+        std::swap(a.outcome, b.outcome);
+        std::swap(early, late);
+        comparator.Restart(ComparatorSetup{5000U, 20000U, 4U});
+    }
+
+    SpokenChannel* early{};
+    SpokenChannel* late{};
+};
+
+// t [us]   1000 (seen)   21000 (window)   21001
+TEST_P(ComparingOneRelease, IsDemotedOneMicrosecondAfterTheWindow)
+{
+    Verifies(req::SRS_CMP_004);
+    Verifies(req::SRS_CMP_008);
+    for (std::uint32_t turn = 0U; turn < 2U; ++turn)
+    {
+        EXPECT_EQ(CompareAt(1000U).demote, 0U);
+        Verdict verdict = CompareAt(21000U);
+        EXPECT_EQ(verdict.demote, 0U);
+        EXPECT_EQ(verdict.agreement.agreed, 0U);
+        EXPECT_EQ(verdict.agreement.matched & 4U, 0U);
+        verdict = CompareAt(21001U);
+        EXPECT_EQ(verdict.demote, 4U);
+        EXPECT_EQ(verdict.fault, DeviceFault::kNone);
+        // A difference that is seen again has a window of its own
+        EXPECT_EQ(CompareAt(22000U).demote, 0U);
+        EXPECT_EQ(CompareAt(42000U).demote, 0U);
+        EXPECT_EQ(CompareAt(42001U).demote, 4U);
+        Turn();
+    }
+}
+
+TEST_P(ComparingOneRelease, SecondEdgeOnTheWindowReleases)
+{
+    Verifies(req::SRS_CMP_008);
+    a.outcome.fresh = 4U;
+    b.outcome.fresh = 4U;
+    EXPECT_EQ(CompareAt(1000U).newly_matched, 0U);
+    a.outcome.fresh = 0U;
+    b.outcome.fresh = 0U;
+    (void)CompareAt(11000U);
+    Release();
+    Verdict verdict = CompareAt(21000U);
+    EXPECT_EQ(verdict.demote, 0U);
+    EXPECT_EQ(verdict.agreement.agreed, 4U);
+    EXPECT_EQ(verdict.agreement.matched & 4U, 4U);
+    EXPECT_EQ(verdict.newly_matched, 4U);
+    // and is not looked at again
+    verdict = CompareAt(90000U);
+    EXPECT_EQ(verdict.demote, 0U);
+    EXPECT_EQ(verdict.agreement.agreed, 4U);
+    EXPECT_EQ(verdict.newly_matched, 0U);
+}
+
+TEST_P(ComparingOneRelease, SecondEdgeBehindTheWindowDoesNotRelease)
+{
+    Verifies(req::SRS_CMP_008);
+    a.outcome.fresh = 4U;
+    (void)CompareAt(1000U);
+    a.outcome.fresh = 0U;
+    Release();
+    const Verdict verdict = CompareAt(21001U);
+    EXPECT_EQ(verdict.demote, 4U);
+    EXPECT_EQ(verdict.agreement.agreed, 0U);
+    EXPECT_EQ(verdict.newly_matched, 0U);
+}
+
+// t [us]   0 (one release)   300000: pairs differ   301000: no more   302000, 307000 (limit), 307001
+TEST_P(ComparingOneRelease, PairsThatDifferMeanwhileHaveTheDiscrepancyTimeOfTheirOwn)
+{
+    Verifies(req::SRS_CMP_007);
+    Verifies(req::SRS_CMP_008);
+    comparator.Restart(ComparatorSetup{5000U, 1000000U, 4U});
+    (void)CompareAt(0U);
+    (void)CompareAt(299000U);
+    const auto ahead = [this](const std::uint32_t ordinal)
+    {
+        a.outcome.ordinal_sum = ordinal;
+        a.held[2].ordinal = ordinal;
+    };
+    ahead(10U);
+    EXPECT_EQ(CompareAt(300000U).fault, DeviceFault::kNone);
+    ahead(9U);
+    EXPECT_EQ(CompareAt(302000U).fault, DeviceFault::kNone);
+    ahead(10U);
+    EXPECT_EQ(CompareAt(303000U).fault, DeviceFault::kNone);
+    EXPECT_EQ(CompareAt(307000U).fault, DeviceFault::kNone);
+    EXPECT_EQ(CompareAt(307001U).fault, DeviceFault::kUnmatched);
+    // The release has gone on differing since the first comparison
+    ahead(9U);
+    EXPECT_EQ(CompareAt(1000000U).demote, 0U);
+    EXPECT_EQ(CompareAt(1000001U).demote, 4U);
+}
+
+TEST_P(ComparingOneRelease, WindowShorterThanTheDiscrepancyTimeLeavesThat)
+{
+    Verifies(req::SRS_CMP_008);
+    comparator.Restart(ComparatorSetup{5000U, 0U, 4U});
+    (void)CompareAt(1000U);
+    EXPECT_EQ(CompareAt(6000U).demote, 0U);
+    EXPECT_EQ(CompareAt(6001U).demote, 4U);
+}
+
+TEST_P(ComparingOneRelease, NewFaultEndsItAtOnce)
+{
+    Verifies(req::SRS_CMP_004);
+    (void)CompareAt(1000U);
+    early->outcome.new_fault = 4U;
+    early->outcome.released = 0U;
+    early->outcome.faulted = 4U;
+    EXPECT_EQ(CompareAt(2000U).demote, 4U);
+}
+
+INSTANTIATE_TEST_SUITE_P(States, ComparingOneRelease, ::testing::Values(SrdoState::kFaulted, SrdoState::kWaiting),
+                         [](const ::testing::TestParamInfo<SrdoState>& state)
+                         { return (state.param == SrdoState::kFaulted) ? "BehindAFault" : "BeforeTheFirstRelease"; });
+
+} // namespace
+} // namespace counterpoint
