@@ -57,6 +57,19 @@ class AcknowledgeSkew : public ::testing::TestWithParam<PeerRole>
         }
     }
 
+    // t [ms]   50 (first release)   250 (second release)
+    void ExpectThatTheSecondOneReleases(bool& first, bool& second)
+    {
+        NothingHappens(3U);
+        first = true;
+        NothingHappens(20U);
+        second = true;
+        const Verdict verdict = Step();
+        EXPECT_EQ(verdict.agreement.agreed, 1U);
+        EXPECT_EQ(verdict.agreement.matched & 1U, 1U);
+        EXPECT_EQ(verdict.demote, 0U);
+    }
+
     PeerRig rig{GetParam()};
     Comparator comparator{};
     std::uint32_t now_us{10000U};
@@ -64,33 +77,18 @@ class AcknowledgeSkew : public ::testing::TestWithParam<PeerRole>
     bool peer_releases{false};
 };
 
-// t [ms]   50 (own release)   250 (told release)
 TEST_P(AcknowledgeSkew, EdgeOfThisCpuWaitsForTheOtherOne)
 {
     Verifies(req::SRS_TWO_005);
     Verifies(req::SRS_CMP_008);
-    NothingHappens(3U);
-    own_releases = true;
-    NothingHappens(20U);
-    peer_releases = true;
-    const Verdict verdict = Step();
-    EXPECT_EQ(verdict.agreement.agreed, 1U);
-    EXPECT_EQ(verdict.agreement.matched & 1U, 1U);
-    EXPECT_EQ(verdict.demote, 0U);
+    ExpectThatTheSecondOneReleases(own_releases, peer_releases);
 }
 
 TEST_P(AcknowledgeSkew, EdgeOfTheOtherCpuWaitsForThisOne)
 {
     Verifies(req::SRS_TWO_005);
     Verifies(req::SRS_CMP_008);
-    NothingHappens(3U);
-    peer_releases = true;
-    NothingHappens(20U);
-    own_releases = true;
-    const Verdict verdict = Step();
-    EXPECT_EQ(verdict.agreement.agreed, 1U);
-    EXPECT_EQ(verdict.agreement.matched & 1U, 1U);
-    EXPECT_EQ(verdict.demote, 0U);
+    ExpectThatTheSecondOneReleases(peer_releases, own_releases);
 }
 
 TEST_P(AcknowledgeSkew, EdgeOfOneCpuAloneIsDemotedBehindTheWindow)

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <cstring>
 #include <new>
-#include <utility>
 #include <vector>
 
 namespace counterpoint
@@ -98,6 +97,28 @@ class NmtCopies : public Rig
         places.insert(places.end(), inverse.begin(), inverse.end());
         return places;
     }
+    void LeaveAndEnter()
+    {
+        kernel.SetNmtState(NmtState::kPreOperational);
+        kernel.SetNmtState(NmtState::kOperational);
+    }
+    struct Mark
+    {
+        std::size_t place;
+        std::uint32_t bits;
+    };
+    /// Where each copy keeps that OPERATIONAL was left, and what tells it.
+    std::vector<Mark> Marks()
+    {
+        Operate();
+        const std::vector<std::uint8_t> before = Memory();
+        LeaveAndEnter();
+        const std::vector<std::size_t> first = Places(before, 0U, 1U);
+        const std::vector<std::size_t> second = Places(before, 0x96U, 0U);
+        EXPECT_EQ(first.size(), 1U);
+        EXPECT_EQ(second.size(), 1U);
+        return {Mark{first.at(0), 1U}, Mark{second.at(0), 0x96U}};
+    }
 };
 
 TEST_F(NmtCopies, EachBitOfEachCopyIsADisagreementWithinACycle)
@@ -139,27 +160,17 @@ TEST_F(NmtCopies, OneThatEntersOperationalAloneIsADisagreement)
 TEST_F(NmtCopies, OneThatForgetsThatOperationalWasLeftIsADisagreement)
 {
     Verifies(req::SRS_KRN_033);
-    Operate();
-    const std::vector<std::uint8_t> before = Memory();
-    kernel.SetNmtState(NmtState::kPreOperational);
-    kernel.SetNmtState(NmtState::kOperational);
-    const std::vector<std::size_t> first = Places(before, 0U, 1U);
-    const std::vector<std::size_t> second = Places(before, 0x96U, 0U);
-    ASSERT_EQ(first.size(), 1U);
-    ASSERT_EQ(second.size(), 1U);
-    Flip(first[0], 1U);
-    Cycle();
-    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
-    Operate();
-    kernel.SetNmtState(NmtState::kPreOperational);
-    kernel.SetNmtState(NmtState::kOperational);
-    Flip(second[0], 0x96U);
-    Cycle();
-    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+    for (const Mark& mark : Marks())
+    {
+        Operate();
+        LeaveAndEnter();
+        Flip(mark.place, mark.bits);
+        Cycle();
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+    }
     // With both it is no fault
     Operate();
-    kernel.SetNmtState(NmtState::kPreOperational);
-    kernel.SetNmtState(NmtState::kOperational);
+    LeaveAndEnter();
     Cycles(2U);
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
 }
@@ -169,21 +180,13 @@ TEST_F(NmtCopies, OneThatSaysThatOperationalWasLeftKeepsTheInverseFrameBack)
 {
     Verifies(req::SRS_KRN_014);
     Verifies(req::SRS_KRN_033);
-    Operate();
-    const std::vector<std::uint8_t> before = Memory();
-    kernel.SetNmtState(NmtState::kPreOperational);
-    kernel.SetNmtState(NmtState::kOperational);
-    const std::vector<std::size_t> first = Places(before, 0U, 1U);
-    const std::vector<std::size_t> second = Places(before, 0x96U, 0U);
-    ASSERT_EQ(first.size(), 1U);
-    ASSERT_EQ(second.size(), 1U);
-    for (const auto& [place, bits] : {std::make_pair(first[0], 1U), std::make_pair(second[0], 0x96U)})
+    for (const Mark& mark : Marks())
     {
         ports.sent.clear();
         Operate();
         Cycle();
         ASSERT_EQ(ports.sent.size(), 1U);
-        Flip(place, bits);
+        Flip(mark.place, mark.bits);
         ConfirmLast();
         EXPECT_EQ(ports.sent.size(), 1U);
     }
