@@ -42,12 +42,14 @@ struct CoreMemory
     Kernel kernel;
 };
 
-/// The three regions of a device. Each cell stands in its own section.
+/// The three regions of a device, each cell in its own section; and the windows of the told causes, which decide
+/// nothing and stand with the rest of the memory.
 template <std::uint8_t kSrdos> struct Regions
 {
     Cell<MemoryA<kSrdos>>& a;
     Cell<MemoryB<kSrdos>>& b;
     Cell<CoreMemory>& core;
+    CauseWindows (&windows)[kSrdos];
 };
 
 /// @brief Builds a device in its regions and protects them; the application is built already. What no party may keep to
@@ -58,9 +60,8 @@ template <class App, std::uint8_t kSrdos>
 {
     MemoryA<kSrdos>& a = regions.a.Make();
     MemoryB<kSrdos>& b = regions.b.Make();
-    static CauseWindows windows[kSrdos]; // They decide nothing: with the rest of the memory.
     CoreMemory& core =
-        regions.core.Make(hardware, a.channel, b.channel, static_cast<Application&>(application), &windows[0]);
+        regions.core.Make(hardware, a.channel, b.channel, static_cast<Application&>(application), &regions.windows[0]);
     device::AppDevice<App, kSrdos>& device = rest.Make(core.kernel, &hardware.can, application);
     return DrivenDevice{device.Whole(), core.kernel, ProtectRegions(hardware.protection)};
 }

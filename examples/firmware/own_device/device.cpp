@@ -18,6 +18,7 @@ constexpr std::uint32_t kAcknowledgeShift = 4U;
 [[gnu::section(".bss.party_channel_b")]] Cell<MemoryB<kSrdos>> memory_b;
 [[gnu::section(".bss.party_core")]] Cell<CoreMemory> memory_core;
 Cell<device::AppDevice<OwnApplication, kSrdos>> memory_rest;
+CauseWindows windows[kSrdos];
 [[gnu::section(".bss.party_non_safety")]] std::uint32_t cycles_shown;
 
 OwnApplication application{};
@@ -26,7 +27,7 @@ OwnApplication application{};
 
 DrivenDevice BuildDevice(const Hardware& hardware) noexcept
 {
-    const Regions<kSrdos> regions{memory_a, memory_b, memory_core};
+    const Regions<kSrdos> regions{memory_a, memory_b, memory_core, windows};
     return Build(hardware, regions, memory_rest, application);
 }
 

@@ -16,6 +16,7 @@ constexpr std::uint8_t kSrdos = 1U;
 [[gnu::section(".bss.party_channel_b")]] Cell<MemoryB<kSrdos>> memory_b;
 [[gnu::section(".bss.party_core")]] Cell<CoreMemory> memory_core;
 Cell<device::AppDevice<examples::Sensor, kSrdos>> memory_rest;
+CauseWindows windows[kSrdos];
 [[gnu::section(".bss.party_non_safety")]] std::uint32_t cycles_shown;
 
 examples::Sensor sensor{};
@@ -24,7 +25,7 @@ examples::Sensor sensor{};
 
 DrivenDevice BuildDevice(const Hardware& hardware) noexcept
 {
-    const Regions<kSrdos> regions{memory_a, memory_b, memory_core};
+    const Regions<kSrdos> regions{memory_a, memory_b, memory_core, windows};
     return Build(hardware, regions, memory_rest, sensor);
 }
 

@@ -42,6 +42,7 @@ constexpr std::uint8_t kSrdos = 1U;
 [[gnu::section(".bss.party_channel_b")]] Cell<MemoryB<kSrdos>> memory_b;
 [[gnu::section(".bss.party_core")]] Cell<CoreMemory> memory_core;
 Cell<device::AppDevice<examples::Actuator, kSrdos>> memory_rest;
+CauseWindows windows[kSrdos];
 [[gnu::section(".bss.party_non_safety")]] volatile std::uint32_t cycles_shown;
 
 examples::Actuator actuator{};
@@ -80,7 +81,7 @@ DrivenDevice BuildDevice(const Hardware& hardware) noexcept
 {
     // What a flipped bit does, a program is not allowed to: the table of variables is the application's and constant.
     objects = const_cast<MappableObject*>(actuator.Describe().objects);
-    const Regions<kSrdos> regions{memory_a, memory_b, memory_core};
+    const Regions<kSrdos> regions{memory_a, memory_b, memory_core, windows};
     return Build(hardware, regions, memory_rest, actuator);
 }
 
