@@ -19,7 +19,7 @@ constexpr Range kMillionths{1U, 1000000U};
 constexpr Range kWordBits{0U, 31U};
 constexpr Range kByteBits{0U, 7U};
 constexpr Range kShortIdentifiers{0U, 0x7FFU};
-constexpr Range kCapacities{1U, 1000U};
+constexpr Range kFrames{1U, 1000U};
 constexpr Range kIdentifiers{0U, 0x1FFFFFFFU};
 constexpr Range kCounts{1U, 0x7FFFFFFFU};
 constexpr Range kControllers{1U, 2U};
@@ -83,7 +83,7 @@ const std::vector<SectionSpec> kFrameFaultSections{
          Identifier(),
          {"kind", T::kWord, kNone, &WordsOf<kFrameKindWords>, nullptr, "data", "remote", "what kind of frame"},
          {"data", T::kNumbers, {0U, 255U}, nullptr, nullptr, nullptr, "[0xFE, 0x01]", "its bytes, at most 8"},
-         {"times", T::kNumber, kCapacities, nullptr, nullptr, "1", "3", "how many frames"},
+         {"times", T::kNumber, kFrames, nullptr, nullptr, "1", "3", "how many frames"},
          {"every", T::kLasting, kNone, nullptr, nullptr, nullptr, "2 ms", "time between two of them"},
      },
      "Faults that bring frames of their own."},
@@ -222,7 +222,7 @@ const std::vector<SectionSpec> kNodeFaultSections{
          "The cable of the controller is off: it neither sends nor receives, and keeps its queue."),
     Kind("queue_overflow", {"lasting"},
          {
-             {"capacity", T::kNumber, kCapacities, nullptr, nullptr, "1", "4", "frames that the queue holds"},
+             {"capacity", T::kNumber, kFrames, nullptr, nullptr, "1", "4", "frames that the queue holds"},
          },
          "The node takes frames only at its cycles, from a reception queue that is too small."),
     Kind("bit_flip", {"fault"},

@@ -11,9 +11,9 @@ namespace
 {
 using T = ValueType;
 constexpr Range kNone{0U, 0U};
-constexpr Range kSrdos{1U, 64U};
+constexpr Range kMessagesAgo{1U, 64U};
 constexpr Range kMillionths{1U, 1000000U};
-constexpr Range kCapacities{1U, 1000U};
+constexpr Range kTimes{1U, 1000U};
 constexpr Range kCounts{1U, 0x7FFFFFFFU};
 constexpr Range kBits{0U, hal::kLinkFrameBytes * 8U - 1U};
 
@@ -64,8 +64,8 @@ const std::vector<SectionSpec> kLinkFaultSections{
          {"at", T::kDuration, kNone, nullptr, nullptr, kNeeded, "500 ms", "when the first one comes"},
          {"what", T::kWord, kNone, &WordsOf<kInsertedWords>, nullptr, "noise", "earlier",
           "bytes drawn from the seed, or a message that was sent before"},
-         {"back", T::kNumber, kSrdos, nullptr, nullptr, nullptr, "5", "of earlier: so many messages ago"},
-         {"times", T::kNumber, kCapacities, nullptr, nullptr, "1", "3", "how many messages"},
+         {"back", T::kNumber, kMessagesAgo, nullptr, nullptr, nullptr, "5", "of earlier: so many messages ago"},
+         {"times", T::kNumber, kTimes, nullptr, nullptr, "1", "3", "how many messages"},
          {"every", T::kLasting, kNone, nullptr, nullptr, nullptr, "2 ms", "time between two of them"},
      },
      "A message arrives that the other CPU did not send."},
