@@ -18,7 +18,8 @@ struct Arming
     std::uint32_t limit_us;
 };
 
-/// What the follower has prepared and awaits from the leader: few at a time, each for its SRVT. [SRS_TWO_011, -012]
+/// What the follower has prepared and awaits from the leader: few at a time, each for its SRVT. [SRS_TWO_011,
+/// SRS_TWO_012]
 class ArmedFrames
 {
   public:

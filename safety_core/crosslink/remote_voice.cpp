@@ -45,7 +45,7 @@ void RemoteVoice::Restart(const DeviceConfig& /*config*/) noexcept
     checked_ = 0U;
     statements_.is_open = 0U;
     digests_.is_open = 0U;
-    previous_ = Instant{0U};
+    previous_ = Instant{0U}; // No difference begins at it: there is no contact in the first OnCycle. [SRS_LNK_011]
     cycle_ = 0U;
     offered_.Restart();
     for (Told& told : told_)

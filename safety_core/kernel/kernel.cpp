@@ -214,7 +214,8 @@ CycleInput Kernel::TakeInput(const CycleCall& call) noexcept
 
 void Kernel::SetNmtState(const NmtState state) noexcept
 {
-    // First, and whatever the kernel thinks of the call: one lost decision must not lose it for both channels.
+    // B's copy first, and whatever is decided below: where a wrong decision keeps the state from A, the channels
+    // differ.
     second_nmt_.Set(state);
     if (!run_.started)
     {

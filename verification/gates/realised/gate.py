@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Each requirement is named in the code that realises it, or its field REALISED names the files and folders that do. A requirement of the
-document `channel` needs that for channel A and for channel B. An id in the code that no requirement has is a finding."""
+document `channel` needs that for channel A and for channel B. An id in the code that no requirement has is a finding, and so is a list of
+ids that is not written out (SRS_AREA_001, -002): who searches for the second one does not find it."""
 import pathlib
 import re
 import sys
@@ -14,6 +15,7 @@ from generate_ids import BadInput, UID, read_requirements  # noqa: E402
 # Documents about the machinery: their code is in verification.
 MACHINERY = ("conformance", "firmware", "target", "verification")
 CHANNELS = ("channel_a", "channel_b")
+SHORTENED = re.compile(rf"{UID.pattern}(?:, ?-|-|\.\.)[0-9]+")
 TEXT = (".md", ".dcf", ".eds", ".yaml", ".json")
 
 
@@ -33,6 +35,15 @@ def naming(root, folders):
     return found
 
 
+def shortened(root):
+    """Lists of ids in the code that are not written out."""
+    for name in files(root, under=(*PRODUCT_FOLDERS, "verification", "tests")):
+        if name.endswith(TEXT) or below(name, "verification/gates"):
+            continue
+        for match in SHORTENED.finditer(read(root, name)):
+            yield f"{name}: {match.group(0)}, expected each id written out"
+
+
 def told(root, requirement):
     """The paths of REALISED, and what is wrong with them."""
     paths = [path.strip() for path in requirement.fields.get("REALISED", "").split(",") if path.strip()]
@@ -46,7 +57,7 @@ def gate(root, _data):
     except BadInput as problem:
         return [str(problem)], "files that cannot be read"
     product, machinery = naming(root, PRODUCT_FOLDERS), naming(root, ("verification",))
-    findings = []
+    findings = list(shortened(root))
     for uid, requirement in requirements.items():
         where = f"{requirement.path}:{requirement.line}: {uid}"
         document = pathlib.PurePosixPath(requirement.path).stem
