@@ -20,7 +20,7 @@ void ArmedFrames::Arm(const Arming& arming) noexcept
     {
         if (place.stage == Stage::kFree)
         {
-            // Never 0, which no leader has to have used before.
+            // Never 0: to a leader that is the number of no frame.
             number_ = static_cast<std::uint8_t>((number_ % 0xFFU) + 1U);
             place = Place{ArmedFrame{arming.slot, number_, arming.frame}, arming.now, arming.limit_us, Stage::kAwaited};
             return;

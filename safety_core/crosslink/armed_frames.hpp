@@ -28,8 +28,8 @@ class ArmedFrames
     void Arm(const Arming& arming) noexcept;
     /// @brief The normal frame of this slot was on the bus at `at`.
     void Answer(SlotIndex slot, Instant at) noexcept;
-    /// @brief The leader gave the frame of this number up: its slot, answered from now on; kNoSlot if it is not
-    /// awaited.
+    /// @brief The leader gave up the frame of this number. Returns its slot, which counts as answered from now on;
+    /// kNoSlot if the frame is not awaited.
     [[nodiscard]] SlotIndex Refuse(const Refusal& refusal, Instant at) noexcept;
     /// @brief Gives up what has waited for longer than its limit.
     void Examine(Instant now) noexcept;

@@ -17,7 +17,7 @@ class FlowTap final : public hal::Watchdog
 
     [[nodiscard]] hal::WatchdogQuestion Question() noexcept override;
     void Answer(const hal::WatchdogAnswer& answer) noexcept override;
-    /// @brief kFlowReference after an undisturbed cycle, for one call: a cycle that does not come leaves 0.
+    /// @brief kFlowReference after an undisturbed cycle. Each call takes it away: without a cycle since, it gives 0.
     [[nodiscard]] std::uint32_t TakeSignature() noexcept;
 
   private:

@@ -70,7 +70,7 @@ struct SlotReport
     Payload data;
 };
 
-/// The normal frame as channel B prepared it and awaits it; slot kNoSlot: none. A new number a Prepare, never 0.
+/// The normal frame as channel B prepared it and awaits it; slot kNoSlot: none. Each Prepare has a new number, never 0.
 struct ArmedFrame
 {
     SlotIndex slot;

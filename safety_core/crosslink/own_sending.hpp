@@ -32,7 +32,7 @@ class OwnSending
     {
         return standing_ | armed_.Slots();
     }
-    /// @brief The channel's due slots of this cycle; those of them that the kernel is shown.
+    /// @brief Takes the channel's due slots of this cycle; returns those that the kernel is shown.
     [[nodiscard]] SrdoMask Show(SrdoMask due, Instant now) noexcept;
     /// @brief Due slots that are not prepared yet.
     [[nodiscard]] SrdoMask Due() const noexcept

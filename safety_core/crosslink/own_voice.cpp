@@ -120,7 +120,7 @@ CycleOutcome OwnVoice::OnCycle(const CycleInput& input) noexcept
     shown.due = sending_.Show(outcome_.due, input.now);
     if (sending_.IsFollower())
     {
-        // The leader's place was asked before this one, and said what was known then.
+        // The kernel asked the leader's voice before this one. It said what the own channel had said by then.
         shown.guard = (outcome_.guard == GuardView::kStale) ? GuardView::kStale : before.guard;
         shown.sct_checked = before.sct_checked;
         shown.is_tx = before.is_tx;

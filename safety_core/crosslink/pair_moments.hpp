@@ -28,7 +28,7 @@ class PairMoments
     /// @brief The held pairs of these slots are the ones whose inverse frame came last.
     void Complete(SrdoMask fresh) noexcept;
     void Discard(SrdoMask slots, Instant at) noexcept;
-    /// @brief What was long ago stays long ago and does not come round again. [SRS_TWO_015]
+    /// @brief Keeps an old discard old: without it the counter would come round and make it look new. [SRS_TWO_015]
     void LimitAge(SlotIndex slot, Instant now) noexcept;
     /// @brief Whether the held pair, and no other, lies in the window. [SRS_TWO_002]
     [[nodiscard]] bool IsPair(SlotIndex slot, const Window& window) const noexcept;

@@ -71,7 +71,7 @@ ChannelRoom RemoteVoice::Room() const noexcept
 
 void RemoteVoice::SetFields(const SlotIndex /*slot*/, const StaticFields& /*fields*/) noexcept
 {
-    // Neither has it these objects.
+    // Nor are these objects those of the other CPU.
 }
 
 DeviceDigest RemoteVoice::Digest(const SlotIndex slot, const DeviceDigest before) const noexcept
@@ -102,7 +102,7 @@ CheckResult RemoteVoice::Recheck(const SlotIndex slot) noexcept
 
 void RemoteVoice::OnFrame(const CanFrame& /*frame*/, const Instant /*stamp*/) noexcept
 {
-    // It has a controller of its own.
+    // The other CPU hears the bus by a controller of its own.
 }
 
 // t (own clock)   composed.first   composed.last      The pair was on the bus `age` before the composing, give or take
@@ -148,12 +148,13 @@ void RemoteVoice::OnMessage(const LinkMessage& message, const Instant received) 
         Keep(report);
     }
     offered_.Take(message);
-    // Given up before this message was composed: the slots that it tells due are new ones.
+    // First the refusal: it is older than this message, which may tell the same slot due anew.
     own_.Sending().TakeRefusal(message.refusal, link_.Composed().first);
     own_.Sending().TakeDue(message.due, link_.Composed());
 }
 
-// The narrowest window of a pair that is told again and again is kept, until the own pair is known by it.
+// A pair is told again and again, each time with a window of its own; the narrowest one is kept until it tells which
+// pair of the own channel this is.
 void RemoteVoice::Keep(const SlotReport& report) noexcept
 {
     if ((report.slot >= kMaxSrdoCount) || (report.holding == Holding::kUnknown))

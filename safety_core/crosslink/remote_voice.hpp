@@ -21,9 +21,9 @@ struct Difference
 };
 
 /// The channel that runs on the other CPU, as far as its messages tell: takes the absent channel's place in the kernel.
-/// It says nothing of its own: out of contact it shows what the own channel holds and releases nothing; what it shows
-/// in contact was told, under names that the kernel understands. [SRS_TWO_003, SRS_TWO_004, SRS_TWO_005, SRS_TWO_006,
-/// SRS_TWO_007, SRS_TWO_008, SRS_TWO_009, SRS_TWO_010, SRS_TWO_011, SRS_TWO_012, SRS_TWO_013]
+/// It decides nothing. Without contact it shows what the own channel holds, and releases nothing. In contact it shows
+/// what the other CPU told; a pair that both hold has the ordinal of the own channel. [SRS_TWO_003, SRS_TWO_004,
+/// SRS_TWO_005, SRS_TWO_006, SRS_TWO_007, SRS_TWO_008, SRS_TWO_009, SRS_TWO_010, SRS_TWO_011, SRS_TWO_012, SRS_TWO_013]
 class RemoteVoice final : public Channel
 {
   public:

@@ -7,7 +7,7 @@
 namespace counterpoint
 {
 
-/// @brief Whether a changed value may be stored; else its abort code. What is stored is as it was admitted before.
+/// @brief Whether a changed value may be stored; else its abort code. What is stored already was admitted before.
 /// [SRS_CFG_044, SRS_CFG_045]
 [[nodiscard]] AbortCode Admit(const ConfigurationCopies& copies, const ConfigItem& item) noexcept;
 

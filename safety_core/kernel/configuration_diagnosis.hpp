@@ -34,7 +34,7 @@ class ConfigurationDiagnosis
     }
     /// @brief One step; `valid` is 13FEh. Faults enter the latch.
     void Examine(ConfigurationCopies& copies, std::uint8_t valid) noexcept;
-    /// @brief The digest of the device as it is: what the cyclic one has to be. A walk that is under way saw another.
+    /// @brief From now on the cyclic digest has to be this one. The walk under way began before, and is not compared.
     void SetReference(const DeviceDigest digest) noexcept
     {
         reference_ = digest;

@@ -89,7 +89,7 @@ class Decision
         const std::uint32_t rotated = (high << kPermitRotation) | (high >> (kWordBits - kPermitRotation));
         const std::uint32_t response =
             ((verdict_.echo + context.latch.Spoiler() + low) ^ rotated) * kPermitConstantKernel;
-        // In their places: channel A is asked before channel B.
+        // Inside the braces, which are worked off in their order: channel A is asked before channel B.
         context.parts.output.Drive(hal::PermitSet{context.parts.channel_a.Answer(challenge),
                                                   context.parts.channel_b.Answer(challenge),
                                                   Permit{committed_, response}});

@@ -128,8 +128,8 @@ void Kernel::OnConfirm(const StampedFrame& frame) noexcept
     }
     else
     {
-        // A pair of before OPERATIONAL was left is over, though the channels have not been told yet; and two channels
-        // may agree on something that is no step.
+        // The pair began before OPERATIONAL was left and is over, although the channels have not been told yet; or both
+        // channels agree that nothing of theirs was confirmed.
     }
 }
 

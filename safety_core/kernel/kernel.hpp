@@ -22,7 +22,7 @@
 namespace counterpoint
 {
 
-/// Inputs of one cycle. Acknowledge levels: bit n is slot n; one input a channel, both may come from the same wire.
+/// Inputs of one cycle. Bit n of the acknowledge levels is slot n; each channel is given a reading of its own.
 struct CycleCall
 {
     InstantPair now;

@@ -23,7 +23,8 @@ class SecondNmt
         }
         inverse_ = static_cast<std::uint8_t>(~static_cast<std::uint32_t>(state));
     }
-    /// @brief What the next OnCycle is given: OPERATIONAL that was left since the one before was left. [SRS_KRN_010]
+    /// @brief What the next OnCycle is given: PRE-OPERATIONAL if OPERATIONAL was left since the last one, even if it
+    /// was entered again. [SRS_KRN_010]
     [[nodiscard]] NmtState Take() noexcept
     {
         const NmtState shown = HasStayed() ? Get() : NmtState::kPreOperational;
@@ -44,7 +45,7 @@ class SecondNmt
         return static_cast<NmtState>(static_cast<std::uint8_t>(~std::uint32_t{inverse_}));
     }
 
-    std::uint8_t inverse_{0xFFU}; ///< Of kInvalid.
+    std::uint8_t inverse_{0xFFU}; ///< Complement of the state; at first of kInvalid.
     std::uint8_t stayed_{kStayed};
 };
 

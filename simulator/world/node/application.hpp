@@ -45,7 +45,7 @@ class NodeApplication final : public Application
     /// @brief Whether any input of an SRDO changed since the last call; for applications that send by themselves.
     [[nodiscard]] bool TakeChange();
 
-    /// @brief The kernel starts anew: it has told nothing.
+    /// @brief The kernel starts anew; what it told before is forgotten.
     void ForgetFault() noexcept;
     /// @brief What OnDeviceFault would have been told by a kernel that could call it.
     void NoteUntold(const DeviceFaultReport& report) noexcept;

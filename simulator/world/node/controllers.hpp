@@ -31,7 +31,7 @@ class NodeControllers final : private host::FrameSink
     void PowerOn();
     /// @brief The frames that wait are lost.
     void PowerOff();
-    /// @brief The device begins anew and polls not yet.
+    /// @brief The device begins anew and does not poll yet.
     void Restart();
     /// @brief From now on frames wait in a queue of this capacity for the next cycle; 0: as before.
     void Poll(std::size_t capacity, std::size_t fault);

@@ -46,7 +46,7 @@ class NodeFirmware final : public host::FrameSink, private runtime::AssemblyOwne
     void OnMessage(const hal::LinkFrame& frame);
     /// @brief Of a device with services.
     void OnBus(device::BusCondition condition) noexcept;
-    /// @brief As a frame of a master that no bus carried.
+    /// @brief An NMT command that no frame of the bus carried.
     void Obey(cia301::NmtCommand command);
     void SendGfc();
     /// @brief Somebody writes into it, by no message of the bus. Of a node with services.

@@ -40,7 +40,7 @@ class NodeMemory final : public hal::MemoryAccess
     [[nodiscard]] std::uint32_t Exchange(hal::Address place, std::uint32_t value) noexcept override;
     /// @brief Far from every piece: calls run on the stack of the simulator.
     [[nodiscard]] hal::Address StackPosition() const noexcept override;
-    /// @brief A place outside of all pieces: what the self tests themselves consist of.
+    /// @brief Where an object of the self tests is: outside of all pieces.
     [[nodiscard]] hal::Address PlaceOf(const void* object) const noexcept override;
 
     void Stick(const StuckBit& stuck);

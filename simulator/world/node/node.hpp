@@ -34,7 +34,7 @@ class Node
     void ResetNode();
     /// @brief Passes initialising; the kernel's safe state and interlocks stay.
     void ResetCommunication();
-    /// @brief A command of the NMT master for this node alone, or that another way leads to that state.
+    /// @brief Leads the node to this state, as a command of the NMT master to this node alone would.
     void SetNmt(NmtState state);
     /// @brief The next instant at which the node does something: a cycle, or an output that closes by itself.
     [[nodiscard]] Nanoseconds NextEvent() const noexcept

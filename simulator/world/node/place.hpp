@@ -25,8 +25,7 @@ struct NodePlace
     host::VirtualBus& bus;
     Journal& journal;
     Insight insight;
-    const cia306::Device*
-        file; ///< Null: the node has no services but NMT commands. Read while it is built, then a mark.
+    const cia306::Device* file; ///< Null: the node has no services but NMT commands. Read only while the node is built.
 
     [[nodiscard]] bool IsTapped() const noexcept
     {

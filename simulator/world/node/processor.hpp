@@ -12,7 +12,7 @@
 
 namespace counterpoint::simulator
 {
-/// What runs the program of a node, and what is wrong with it: any call into the program may be the last one.
+/// Runs the program of a node, with the faults that it has. Any call into the program may never return.
 /// [SRS_SIM_025, SRS_SIM_055]
 class NodeProcessor
 {
@@ -48,7 +48,7 @@ class NodeProcessor
             faults_.Trap();
         }
     }
-    /// @brief Both: all calls but a cycle that begins with a look at the pointers.
+    /// @brief Run, with RequireSound first. A cycle looks at the pointers itself.
     template <typename Call> void RunSound(const Call& call)
     {
         Run(
