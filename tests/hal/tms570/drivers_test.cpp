@@ -140,18 +140,31 @@ TEST(WatchdogTest, VariantWithoutAWindowFindsLateAndWrongAnswers)
     EXPECT_TRUE(rig.machine.rti.HasBitten());
 }
 
-TEST(SafetyPinsTest, ThreeRightPermitsOpenAndEachWrongOneCloses)
+class SafetyPinsTest : public ::testing::Test
+{
+  protected:
+    void SetUp() override
+    {
+        ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    }
+    void Drive(const SrdoMask mask)
+    {
+        output.Drive(Rig::RightPermits(output.Challenge(), mask));
+    }
+
+    Rig rig;
+    SafetyPins& output{rig.board.Output()};
+};
+
+TEST_F(SafetyPinsTest, ThreeRightPermitsOpenAndEachWrongOneCloses)
 {
     Verifies(req::SRS_TMS_024);
     // Given a started board whose pin is low
-    Rig rig;
-    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
     EXPECT_EQ(rig.machine.gio.PinsA(), 0U);
     for (int wrong = 0; wrong < 4; ++wrong)
     {
         // When three right permits come, then it is high
-        SafetyPins& output = rig.board.Output();
-        output.Drive(Rig::RightPermits(output.Challenge(), 1U));
+        Drive(1U);
         EXPECT_EQ(rig.machine.gio.PinsA(), 1U);
         // and when one is wrong, or the challenge is an old one, it is low
         hal::PermitSet permits = Rig::RightPermits(output.Challenge(), 1U);
@@ -164,14 +177,11 @@ TEST(SafetyPinsTest, ThreeRightPermitsOpenAndEachWrongOneCloses)
     }
 }
 
-TEST(SafetyPinsTest, SilenceClosesAfterTheLimit)
+TEST_F(SafetyPinsTest, SilenceClosesAfterTheLimit)
 {
     Verifies(req::SRS_TMS_024);
     // Given an open output
-    Rig rig;
-    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
-    SafetyPins& output = rig.board.Output();
-    output.Drive(Rig::RightPermits(output.Challenge(), 1U));
+    Drive(1U);
     // When nothing is driven for 1200 us and the pins are looked at, then it is open still
     rig.machine.Advance(1190U);
     EXPECT_EQ(output.Examine(), Outcome::kDone);
@@ -182,34 +192,28 @@ TEST(SafetyPinsTest, SilenceClosesAfterTheLimit)
     EXPECT_EQ(rig.machine.gio.PinsA(), 0U);
 }
 
-TEST(SafetyPinsTest, CutOffLastsUntilTheNextStart)
+TEST_F(SafetyPinsTest, CutOffLastsUntilTheNextStart)
 {
     Verifies(req::SRS_TMS_025);
     // Given an output that was cut off
-    Rig rig;
-    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
-    SafetyPins& output = rig.board.Output();
     output.CutOff();
     // When right permits come, then it stays low and is no output any more
-    output.Drive(Rig::RightPermits(output.Challenge(), 1U));
+    Drive(1U);
     EXPECT_EQ(rig.machine.gio.PinsA(), 0U);
     EXPECT_EQ(output.Open(), 0U);
     EXPECT_EQ(output.Examine(), Outcome::kFailed);
     // and when it is started again, it works
     EXPECT_EQ(output.Start(rig.setup.pins), Outcome::kDone);
-    output.Drive(Rig::RightPermits(output.Challenge(), 1U));
+    Drive(1U);
     EXPECT_EQ(rig.machine.gio.PinsA(), 1U);
 }
 
-TEST(SafetyPinsTest, PulseBetweenTwoCyclesIsSeen)
+TEST_F(SafetyPinsTest, PulseBetweenTwoCyclesIsSeen)
 {
     Verifies(req::SRS_TMS_025);
     Verifies(req::SRS_TMS_026);
     // Given closed outputs
-    Rig rig;
-    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
-    SafetyPins& output = rig.board.Output();
-    output.Drive(Rig::RightPermits(output.Challenge(), 0U));
+    Drive(0U);
     // When the pin is made high behind the driver's back, which a write of the right level would mend
     Write(At(gio::kPortA, gio::kSet), 1U);
     ASSERT_EQ(rig.machine.gio.PinsA(), 1U);
@@ -219,14 +223,11 @@ TEST(SafetyPinsTest, PulseBetweenTwoCyclesIsSeen)
     EXPECT_EQ(Read(At(gio::kPortA, gio::kDirection)), 0U);
 }
 
-TEST(SafetyPinsTest, CutOffThatIsNotReadBackIsToldByTheErrorPin)
+TEST_F(SafetyPinsTest, CutOffThatIsNotReadBackIsToldByTheErrorPin)
 {
     Verifies(req::SRS_TMS_026);
     // Given an open output whose direction cannot be changed any more
-    Rig rig;
-    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
-    SafetyPins& output = rig.board.Output();
-    output.Drive(Rig::RightPermits(output.Challenge(), 1U));
+    Drive(1U);
     ASSERT_TRUE(rig.machine.esm.IsPinHigh());
     rig.machine.faults.Set(model::Fault::kPinStaysOutput);
     // When it is cut off, then the pin is low, and nERROR says that it is an output still
@@ -262,11 +263,9 @@ class FlippedPins
     SafetyPins pins{rig.board.Clocks()};
 };
 
-TEST(SafetyPinsTest, NoBitOfItsMemoryOpensAPin)
+TEST_F(SafetyPinsTest, NoBitOfItsMemoryOpensAPin)
 {
     Verifies(req::SRS_TMS_026);
-    Rig rig;
-    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
     for (std::size_t bit = FlippedPins::kFirstBit; bit < FlippedPins::kBits; ++bit)
     {
         // Given one bit flipped, when only one of the two slots of the pin is permitted, then the pin stays low
@@ -278,11 +277,9 @@ TEST(SafetyPinsTest, NoBitOfItsMemoryOpensAPin)
     }
 }
 
-TEST(SafetyPinsTest, NoBitOfItsMemoryHoldsAPinOpen)
+TEST_F(SafetyPinsTest, NoBitOfItsMemoryHoldsAPinOpen)
 {
     Verifies(req::SRS_TMS_026);
-    Rig rig;
-    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
     for (std::size_t bit = FlippedPins::kFirstBit; bit < FlippedPins::kBits; ++bit)
     {
         for (const bool is_cut_off : {false, true})
