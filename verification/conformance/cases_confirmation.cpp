@@ -10,6 +10,11 @@ namespace counterpoint::conformance
 namespace
 {
 // clang-format off: a line is a moment, a step stands beside what it must lead to.
+constexpr Step kP1 = Put(0x6210U, 1U, 0x12U);
+constexpr Step kP2 = Put(0x6210U, 2U, 0x34U);
+constexpr Step kI1 = Put(0x6211U, 1U, 0xEDU);
+constexpr Step kI2 = Put(0x6211U, 2U, 0xCBU);
+
 constexpr Step kStrangers[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), StrangeFirst(100U), Cycle(2000U),
     ReadyPair(0U), ConfirmNone(0x103U, 2U, 0x3412U, 0U, 2002U), ConfirmNone(0x001U, 0U, 0U, 0U, 2003U),

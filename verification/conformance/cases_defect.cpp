@@ -12,6 +12,13 @@ namespace counterpoint::conformance
 namespace
 {
 // clang-format off: a line is a moment, a step stands beside what it must lead to.
+constexpr ConfigFault kBadMap = ConfigFault::kMapping;
+
+constexpr Step kP1 = Put(0x6210U, 1U, 0x12U);
+constexpr Step kP2 = Put(0x6210U, 2U, 0x34U);
+constexpr Step kI1 = Put(0x6211U, 1U, 0xEDU);
+constexpr Step kI2 = Put(0x6211U, 2U, 0xCBU);
+
 constexpr Step kT2[] = {
     StoreAll(), Srvt(0U, 60U), Signature(0U, 0x3849U), Validate(0U, ConfigFault::kTiming, 0x3849U),
 };

@@ -11,6 +11,9 @@ namespace counterpoint::conformance
 namespace
 {
 // clang-format off: a line is a moment, a step stands beside what it must lead to.
+constexpr ConfigFault kSound = ConfigFault::kNone;
+constexpr ConfigFault kBadMap = ConfigFault::kMapping;
+
 // Each data type with its length, alone and in a pair of two types of one length.
 constexpr Step kTypes[] = {
     StoreAll(),

@@ -11,6 +11,8 @@ namespace counterpoint::conformance
 namespace
 {
 // clang-format off: a line is a moment, a step stands beside what it must lead to.
+constexpr ConfigFault kSound = ConfigFault::kNone;
+constexpr ConfigFault kBadMap = ConfigFault::kMapping;
 constexpr ConfigFault kTooLong = ConfigFault::kLengthExceeded;
 
 // Room for four: more are refused and signed as four; entry 5 does not exist.

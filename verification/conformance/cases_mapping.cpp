@@ -11,6 +11,9 @@ namespace counterpoint::conformance
 namespace
 {
 // clang-format off: a line is a moment, a step stands beside what it must lead to.
+constexpr ConfigFault kSound = ConfigFault::kNone;
+constexpr ConfigFault kBadMap = ConfigFault::kMapping;
+
 constexpr Step kCount[] = {
     StoreAll(), MapCount(0U, 0U), Signature(0U, 0x251CU), Validate(0U, kBadMap, 0x251CU), MapCount(0U, 1U),
     Signature(0U, 0x4DA1U),

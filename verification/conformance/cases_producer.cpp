@@ -11,6 +11,11 @@ namespace counterpoint::conformance
 namespace
 {
 // clang-format off: a line is a moment, a step stands beside what it must lead to.
+constexpr Step kP1 = Put(0x6210U, 1U, 0x12U);
+constexpr Step kP2 = Put(0x6210U, 2U, 0x34U);
+constexpr Step kI1 = Put(0x6211U, 1U, 0xEDU);
+constexpr Step kI2 = Put(0x6211U, 2U, 0xCBU);
+
 // t     0     1000  1999  2000           2300          2400   2600          3000
 //       enter             due, prepared  N confirmed   I out  I confirmed
 constexpr Step kSend[] = {

@@ -11,6 +11,8 @@ namespace counterpoint::conformance
 namespace
 {
 // clang-format off: a line is a moment, a step stands beside what it must lead to.
+constexpr ConfigFault kSound = ConfigFault::kNone;
+
 constexpr Step kHolds[] = {
     Configure(), Recheck(0U, kSound, 0x4370U), Cycle(0U), Recheck(0U, kSound, 0x4370U), Normal(1000U),
     Recheck(0U, kSound, 0x4370U), Inverse(2000U), Cycle(3000U),

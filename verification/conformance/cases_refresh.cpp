@@ -10,6 +10,10 @@ namespace counterpoint::conformance
 namespace
 {
 // clang-format off: a line is a moment, a step stands beside what it must lead to.
+constexpr Step kP1 = Put(0x6210U, 1U, 0x12U);
+constexpr Step kP2 = Put(0x6210U, 2U, 0x34U);
+constexpr Step kI1 = Put(0x6211U, 1U, 0xEDU);
+constexpr Step kI2 = Put(0x6211U, 2U, 0xCBU);
 constexpr std::uint32_t kMissedBit = Bit(Cause::kRefreshMissed);
 
 // Due at 2000 + k * 25000, whatever the jitter of the calls.

@@ -11,6 +11,8 @@ namespace counterpoint::conformance
 namespace
 {
 // clang-format off: a line is a moment, a step stands beside what it must lead to.
+constexpr ConfigFault kSound = ConfigFault::kNone;
+
 constexpr Step kDirection[] = {
     StoreAll(), Direction(0U, 3U), Signature(0U, 0xCEACU), Validate(0U, ConfigFault::kDirection, 0xCEACU),
     Direction(0U, 255U), Signature(0U, 0xB7A1U),

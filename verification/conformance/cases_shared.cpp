@@ -11,6 +11,9 @@ namespace counterpoint::conformance
 namespace
 {
 // clang-format off: a line is a moment, a step stands beside what it must lead to.
+constexpr ConfigFault kSound = ConfigFault::kNone;
+constexpr ConfigFault kBadMap = ConfigFault::kMapping;
+
 // Each of the later entries against each of the earlier ones, on the same side and across. The later slot is named.
 constexpr Step kShared[] = {
     StoreAll(),

@@ -12,6 +12,11 @@ namespace counterpoint::conformance
 namespace
 {
 // clang-format off: a line is a moment, a step stands beside what it must lead to.
+constexpr Step kP1 = Put(0x6210U, 1U, 0x12U);
+constexpr Step kP2 = Put(0x6210U, 2U, 0x34U);
+constexpr Step kI1 = Put(0x6211U, 1U, 0xEDU);
+constexpr Step kI2 = Put(0x6211U, 2U, 0xCBU);
+
 // Each side alone decides on the frame of its channel; nothing is recorded before it is said.
 constexpr Step kOwnSide[] = {
     Configure(), kP1, kP2, Put(0x6211U, 1U, 0x00U), Put(0x6211U, 2U, 0x0FU), Cycle(0U), Request(0U), Cycle(2000U), Due(1U),

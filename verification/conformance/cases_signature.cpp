@@ -12,6 +12,9 @@ namespace counterpoint::conformance
 namespace
 {
 // clang-format off: a line is a moment, a step stands beside what it must lead to.
+constexpr ConfigFault kSound = ConfigFault::kNone;
+
+
 constexpr Step kGoldVector[] = {
     Direction(0U, 2U), Sct(0U, 50U), Srvt(0U, 20U), CobId1(0U, 0x111U), CobId2(0U, 0x112U), Entry(0U, 1U, 0x60100108U),
     Entry(0U, 2U, 0x60110108U),

@@ -11,6 +11,9 @@ namespace counterpoint::conformance
 namespace
 {
 // clang-format off: a line is a moment, a step stands beside what it must lead to.
+constexpr ConfigFault kSound = ConfigFault::kNone;
+constexpr ConfigFault kBadMap = ConfigFault::kMapping;
+
 constexpr Step kGoldFields = Fields(0U, Place(0x6010U, 1U), Place(0x6011U, 1U));
 
 // Gold as a part of the program: signature, data and safe value are those of gold.

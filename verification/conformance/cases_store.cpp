@@ -11,6 +11,8 @@ namespace counterpoint::conformance
 namespace
 {
 // clang-format off: a line is a moment, a step stands beside what it must lead to.
+constexpr ConfigFault kSound = ConfigFault::kNone;
+
 constexpr Step kDefaults1[] = {
     Load(0U, ConfigField::kDirection, 0U), Load(0U, ConfigField::kSct, 25U), Load(0U, ConfigField::kSrvt, 20U),
     Load(0U, ConfigField::kTransmissionType, 254U),

@@ -16,14 +16,6 @@ constexpr SrdoState kReleased = SrdoState::kReleased;
 constexpr SrdoState kProducing = SrdoState::kProducer;
 using Cause = SrdoCause;
 constexpr SrdoCause kNoCause = SrdoCause::kNone;
-constexpr ConfigFault kSound = ConfigFault::kNone;
-constexpr ConfigFault kBadMap = ConfigFault::kMapping;
-
-/// What the producer of the gold device sends, put into its normal and its inverse objects: 12h 34h and EDh CBh.
-constexpr Step kP1 = Put(0x6210U, 1U, 0x12U);
-constexpr Step kP2 = Put(0x6210U, 2U, 0x34U);
-constexpr Step kI1 = Put(0x6211U, 1U, 0xEDU);
-constexpr Step kI2 = Put(0x6211U, 2U, 0xCBU);
 
 /// Normal frame 12h 34h and its inverse EDh CBh.
 constexpr Step Normal(std::uint32_t stamp)

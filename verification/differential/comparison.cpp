@@ -24,7 +24,7 @@ void Comparison::Step(const char* name, SlotIndex slot, std::uint64_t x, std::ui
 void Comparison::Same(const char* field, SlotIndex slot, std::uint64_t a, std::uint64_t b) noexcept
 {
     hash_.AddMask(a);
-    if ((a != b) && (!differs_))
+    if ((a != b) && (!differs_) && (!is_ignored_))
     {
         differs_ = true;
         observer_.OnDifference(Difference{field, a, b, seed_, sequence_, step_, slot});

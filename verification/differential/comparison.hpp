@@ -59,6 +59,11 @@ class Comparison
     {
         is_told_ = is_told;
     }
+    /// @brief One channel is driven alone, in both places: no difference ends a sequence or is told.
+    void Ignore() noexcept
+    {
+        is_ignored_ = true;
+    }
     void Begin(std::uint32_t seed, std::uint32_t sequence) noexcept;
     void Step(const char* name, SlotIndex slot, std::uint64_t x, std::uint64_t y, std::uint64_t z) noexcept;
     void Same(const char* field, SlotIndex slot, std::uint64_t a, std::uint64_t b) noexcept;
@@ -94,6 +99,7 @@ class Comparison
     std::uint32_t sequence_{0U};
     std::uint32_t step_{0U};
     bool is_told_{false};
+    bool is_ignored_{false};
     bool differs_{false};
 };
 

@@ -37,6 +37,16 @@ class Differential
     {
         comparison_.Tell(is_told);
     }
+    /// @brief One channel is driven alone, in both places: no difference ends a sequence or is told.
+    void DriveOneAlone() noexcept
+    {
+        comparison_.Ignore();
+    }
+    /// @brief The random device of the sequence.
+    [[nodiscard]] Device& Driven() noexcept
+    {
+        return scene_.device;
+    }
     [[nodiscard]] const Reached& Seen() const noexcept
     {
         return scene_.reached;

@@ -140,31 +140,18 @@ TEST(WatchdogTest, VariantWithoutAWindowFindsLateAndWrongAnswers)
     EXPECT_TRUE(rig.machine.rti.HasBitten());
 }
 
-class SafetyPinsTest : public ::testing::Test
-{
-  protected:
-    void SetUp() override
-    {
-        ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
-    }
-    void Drive(const SrdoMask mask)
-    {
-        output.Drive(Rig::RightPermits(output.Challenge(), mask));
-    }
-
-    Rig rig;
-    SafetyPins& output{rig.board.Output()};
-};
-
-TEST_F(SafetyPinsTest, ThreeRightPermitsOpenAndEachWrongOneCloses)
+TEST(SafetyPinsTest, ThreeRightPermitsOpenAndEachWrongOneCloses)
 {
     Verifies(req::SRS_TMS_024);
     // Given a started board whose pin is low
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
     EXPECT_EQ(rig.machine.gio.PinsA(), 0U);
     for (int wrong = 0; wrong < 4; ++wrong)
     {
         // When three right permits come, then it is high
-        Drive(1U);
+        SafetyPins& output = rig.board.Output();
+        output.Drive(Rig::RightPermits(output.Challenge(), 1U));
         EXPECT_EQ(rig.machine.gio.PinsA(), 1U);
         // and when one is wrong, or the challenge is an old one, it is low
         hal::PermitSet permits = Rig::RightPermits(output.Challenge(), 1U);
@@ -177,11 +164,14 @@ TEST_F(SafetyPinsTest, ThreeRightPermitsOpenAndEachWrongOneCloses)
     }
 }
 
-TEST_F(SafetyPinsTest, SilenceClosesAfterTheLimit)
+TEST(SafetyPinsTest, SilenceClosesAfterTheLimit)
 {
     Verifies(req::SRS_TMS_024);
     // Given an open output
-    Drive(1U);
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    SafetyPins& output = rig.board.Output();
+    output.Drive(Rig::RightPermits(output.Challenge(), 1U));
     // When nothing is driven for 1200 us and the pins are looked at, then it is open still
     rig.machine.Advance(1190U);
     EXPECT_EQ(output.Examine(), Outcome::kDone);
@@ -192,28 +182,34 @@ TEST_F(SafetyPinsTest, SilenceClosesAfterTheLimit)
     EXPECT_EQ(rig.machine.gio.PinsA(), 0U);
 }
 
-TEST_F(SafetyPinsTest, CutOffLastsUntilTheNextStart)
+TEST(SafetyPinsTest, CutOffLastsUntilTheNextStart)
 {
     Verifies(req::SRS_TMS_025);
     // Given an output that was cut off
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    SafetyPins& output = rig.board.Output();
     output.CutOff();
     // When right permits come, then it stays low and is no output any more
-    Drive(1U);
+    output.Drive(Rig::RightPermits(output.Challenge(), 1U));
     EXPECT_EQ(rig.machine.gio.PinsA(), 0U);
     EXPECT_EQ(output.Open(), 0U);
     EXPECT_EQ(output.Examine(), Outcome::kFailed);
     // and when it is started again, it works
     EXPECT_EQ(output.Start(rig.setup.pins), Outcome::kDone);
-    Drive(1U);
+    output.Drive(Rig::RightPermits(output.Challenge(), 1U));
     EXPECT_EQ(rig.machine.gio.PinsA(), 1U);
 }
 
-TEST_F(SafetyPinsTest, PulseBetweenTwoCyclesIsSeen)
+TEST(SafetyPinsTest, PulseBetweenTwoCyclesIsSeen)
 {
     Verifies(req::SRS_TMS_025);
     Verifies(req::SRS_TMS_026);
     // Given closed outputs
-    Drive(0U);
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    SafetyPins& output = rig.board.Output();
+    output.Drive(Rig::RightPermits(output.Challenge(), 0U));
     // When the pin is made high behind the driver's back, which a write of the right level would mend
     Write(At(gio::kPortA, gio::kSet), 1U);
     ASSERT_EQ(rig.machine.gio.PinsA(), 1U);
@@ -223,11 +219,14 @@ TEST_F(SafetyPinsTest, PulseBetweenTwoCyclesIsSeen)
     EXPECT_EQ(Read(At(gio::kPortA, gio::kDirection)), 0U);
 }
 
-TEST_F(SafetyPinsTest, CutOffThatIsNotReadBackIsToldByTheErrorPin)
+TEST(SafetyPinsTest, CutOffThatIsNotReadBackIsToldByTheErrorPin)
 {
     Verifies(req::SRS_TMS_026);
     // Given an open output whose direction cannot be changed any more
-    Drive(1U);
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    SafetyPins& output = rig.board.Output();
+    output.Drive(Rig::RightPermits(output.Challenge(), 1U));
     ASSERT_TRUE(rig.machine.esm.IsPinHigh());
     rig.machine.faults.Set(model::Fault::kPinStaysOutput);
     // When it is cut off, then the pin is low, and nERROR says that it is an output still
@@ -263,9 +262,11 @@ class FlippedPins
     SafetyPins pins{rig.board.Clocks()};
 };
 
-TEST_F(SafetyPinsTest, NoBitOfItsMemoryOpensAPin)
+TEST(SafetyPinsTest, NoBitOfItsMemoryOpensAPin)
 {
     Verifies(req::SRS_TMS_026);
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
     for (std::size_t bit = FlippedPins::kFirstBit; bit < FlippedPins::kBits; ++bit)
     {
         // Given one bit flipped, when only one of the two slots of the pin is permitted, then the pin stays low
@@ -277,9 +278,11 @@ TEST_F(SafetyPinsTest, NoBitOfItsMemoryOpensAPin)
     }
 }
 
-TEST_F(SafetyPinsTest, NoBitOfItsMemoryHoldsAPinOpen)
+TEST(SafetyPinsTest, NoBitOfItsMemoryHoldsAPinOpen)
 {
     Verifies(req::SRS_TMS_026);
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
     for (std::size_t bit = FlippedPins::kFirstBit; bit < FlippedPins::kBits; ++bit)
     {
         for (const bool is_cut_off : {false, true})

@@ -36,6 +36,8 @@ inline constexpr RequirementId SRS_VER_037{"SRS_VER_037"};
 inline constexpr RequirementId SRS_VER_040{"SRS_VER_040"};
 inline constexpr RequirementId SRS_VER_041{"SRS_VER_041"};
 inline constexpr RequirementId SRS_VER_042{"SRS_VER_042"};
+inline constexpr RequirementId SRS_VER_050{"SRS_VER_050"};
+inline constexpr RequirementId SRS_VER_051{"SRS_VER_051"};
 } // namespace counterpoint::req
 
 #endif

@@ -1,0 +1,438 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/twins/plain/channel.hpp"
+
+#include "verification/twins/plain/point.hpp"
+
+namespace counterpoint::twins::plain
+{
+
+namespace
+{
+const Decision kTokenFits{"SRS_CFG_031", "the token fits"};
+const Decision kIsConfigured{"SRS_CFG_031", "13FEh is A5h"};
+const Number kGuardView{"SRS_CFG_031", "view of the guard"};
+const Number kChallenge{"SRS_CFG_031", "challenge"};
+const Number kToken{"SRS_CFG_031", "token that is expected"};
+const Number kOwn{"SRS_CFG_031", "own copy of 13FEh"};
+const Act kRotates{"SRS_CFG_031", "the challenge is rotated"};
+const Act kInEach{"SRS_CFG_031", "13FEh in each of the four bytes"};
+const Decision kNmt{"SRS_CONS_002", "NMT is OPERATIONAL"};
+const Decision kConfigured{"SRS_CONS_002", "the guard is configured"};
+const Decision kSound{"SRS_CONS_002", "the last check found no fault"};
+const Decision kResolved{"SRS_CFG_003", "a slot is active after a Validate without fault"};
+const Act kEnters{"SRS_CONS_002", "a sound SRDO becomes active"};
+const Decision kWasOperational{"SRS_CONS_002", "OPERATIONAL was entered before"};
+const Decision kKind{"SRS_CONS_001", "a data frame"};
+const Decision kCandidateActive{"SRS_CONS_001", "the SRDO is active"};
+const Decision kCandidateConsumer{"SRS_CONS_001", "the SRDO is a consumer"};
+const Decision kCandidateOne{"SRS_CONS_001", "the identifier is COB-ID 1"};
+const Decision kCandidateTwo{"SRS_CONS_001", "the identifier is COB-ID 2 of the SRDO"};
+const Decision kGfcIdentifierIs{"SRS_CONS_017", "identifier 001h"};
+const Decision kGfcLength{"SRS_CONS_017", "length 0"};
+const Decision kGfcParameter{"SRS_CONS_017", "1300h is 1"};
+const Decision kGfcOperational{"SRS_CONS_017", "SRDOs are active"};
+const Decision kGfcKind{"SRS_CONS_017", "a data frame"};
+const Act kGfcKept{"SRS_CONS_017", "a GFC is kept for the next OnCycle"};
+const Act kGfcOnce{"SRS_CONS_017", "a GFC is raised by one OnCycle"};
+const Act kGfcLeft{"SRS_CONS_017", "a GFC is gone when OPERATIONAL is left"};
+const Number kOne{"SRS_CONS_017", "value of 1300h"};
+const Limit kLateLimit{"SRS_CONS_015", "time of the call"};
+const Number kLateUs{"SRS_CONS_015", "length of the time of the call"};
+const Act kLateCycle{"SRS_CONS_015", "the cycle counts"};
+const Act kLateTolerance{"SRS_CONS_015", "the tolerance counts"};
+const Act kLateLess{"SRS_CONS_015", "the tolerance is added"};
+const Decision kFirstNever{"SRS_CONS_015", "the first OnCycle is never late"};
+const Decision kLateOperational{"SRS_CONS_015", "a late call while SRDOs are active"};
+const Number kPrevious{"SRS_CONS_015", "instant of the previous OnCycle"};
+const Decision kIntact{"SRS_CONS_016", "the queue is intact"};
+const Number kNumber{"SRS_CONS_023", "number of the cycle"};
+const Decision kReleased{"SRS_CONS_023", "in released"};
+const Decision kFaulted{"SRS_CONS_023", "in faulted"};
+const Decision kWaiting{"SRS_CONS_023", "in waiting"};
+const Decision kNewFault{"SRS_CONS_023", "in new_fault"};
+const Decision kFresh{"SRS_CONS_023", "in fresh"};
+const Decision kSignalled{"SRS_CONS_021", "in signalled"};
+const Decision kDue{"SRS_PROD_004", "in due"};
+const Act kFreshOnce{"SRS_CONS_023", "a pair is fresh in one OnCycle"};
+const Act kSignalsGone{"SRS_CONS_021", "signals of the previous OnCycle are gone"};
+const Act kSums{"SRS_CONS_023", "ordinals are summed up"};
+const Number kOrdinal{"SRS_CONS_023", "ordinal in the sum"};
+const Act kCountsConsumers{"SRS_CONS_023", "active consumers are counted"};
+const Act kCountsProducers{"SRS_CONS_023", "active producers are counted"};
+const Act kCountsOthers{"SRS_CONS_023", "the other SRDOs are counted"};
+const Act kNotOperational{"SRS_CONS_023", "not_operational is told"};
+const Act kLeftFault{"SRS_CONS_023", "new_fault with kNotOperational too"};
+const Act kHeldData{"SRS_CONS_025", "data of the held pair"};
+const Act kSentData{"SRS_CONS_025", "data of the pair in flight"};
+const Number kViewOrdinal{"SRS_CONS_025", "ordinal of a consumer"};
+const Number kViewSent{"SRS_CONS_025", "ordinal of a producer"};
+const Decision kViewHolds{"SRS_CONS_025", "holds_pair of a consumer"};
+const Decision kHeldHolds{"SRS_CONS_025", "Held of an active consumer"};
+const Decision kViewRole{"SRS_CONS_025", "a consumer's view"};
+const Decision kViewFlight{"SRS_CONS_025", "a pair in flight"};
+const Decision kPermits{"SRS_REL_010", "SRDOs are active"};
+const Decision kPermitsCommitted{"SRS_REL_010", "the slot is committed"};
+const Number kPermitMask{"SRS_REL_010", "mask of the permit"};
+const Act kPermitLow{"SRS_REL_010", "bits 0 to 31 of the mask"};
+const Act kPermitHigh{"SRS_REL_010", "bits 32 to 63 of the mask"};
+const Act kPermitRotated{"SRS_REL_010", "rotated by 16"};
+const Act kPermitConstant{"SRS_REL_010", "constant of the party"};
+const Act kPermitChallenge{"SRS_REL_010", "the challenge"};
+const Decision kStaticFields{"SRS_CFG_032", "fields of a static mapping"};
+const Act kFieldsUnresolve{"SRS_CFG_032", "registering makes the mapping unresolved"};
+const Act kFieldsKept{"SRS_CFG_032", "the fields are kept"};
+const Act kFieldNormal{"SRS_CFG_032", "the normal field is kept"};
+const Act kFieldInverse{"SRS_CFG_032", "the inverse field is kept"};
+const Place kFieldsSlot{"SRS_CFG_032", "slot of SetFields"};
+const Place kDigestSlot{"SRS_CFG_034", "slot of Digest"};
+const Place kValidateSlot{"SRS_CFG_020", "slot of Validate"};
+const Place kRecheckSlot{"SRS_CFG_030", "slot of Recheck"};
+const Place kHeldSlot{"SRS_CONS_025", "slot of Held"};
+const Place kViewSlot{"SRS_CONS_025", "slot of View"};
+const Place kDemoteSlot{"SRS_REL_006", "slot of Demote"};
+const Place kPrepareSlot{"SRS_PROD_005", "slot of Prepare"};
+const Place kInverseSlot{"SRS_PROD_006", "slot of InverseFrame"};
+const Place kFaultSlot{"SRS_PROD_009", "slot of OnTransmitFault"};
+const Place kConfirmSlot{"SRS_PROD_007", "slot that a confirmation names"};
+const Act kRestartState{"SRS_CFG_002", "Restart begins with nothing"};
+const Act kRestartConfiguration{"SRS_CFG_002", "Restart sets the power-on configuration"};
+const Act kRestartValid{"SRS_CFG_002", "13FEh is 0 after Restart"};
+const Act kRestartGfc{"SRS_CFG_002", "1300h is 0 after Restart"};
+
+bool IsBit(SrdoMask mask, SlotIndex slot) noexcept
+{
+    return ((mask >> slot) & 1U) != 0U;
+}
+
+SrdoMask BitOf(SlotIndex slot, bool is_set) noexcept
+{
+    return is_set ? (SrdoMask{1U} << slot) : SrdoMask{0U};
+}
+} // namespace
+
+void PlainChannel::Restart(const DeviceConfig& config) noexcept
+{
+    Common fresh{};
+    fresh.side = common_.side;
+    fresh.configuration_valid = kRestartValid() ? std::uint8_t{0U} : common_.configuration_valid;
+    fresh.gfc_parameter = kRestartGfc() ? std::uint8_t{0U} : common_.gfc_parameter;
+    common_ = fresh;
+    common_.config = config;
+    for (SlotIndex slot = 0U; slot < kMaxSrdoCount; ++slot)
+    {
+        const Stored stored = records_[slot].stored;
+        if (kRestartState())
+        {
+            records_[slot] = Record{};
+        }
+        records_[slot].stored = stored;
+        if (slot < config.srdo_count)
+        {
+            records_[slot].setup = config.srdos[slot];
+            if (kRestartConfiguration())
+            {
+                SetDefaults(config, records_[slot]);
+            }
+        }
+    }
+}
+
+void PlainChannel::Store(const ConfigItem& item) noexcept
+{
+    plain::Store(common_, records_, item);
+}
+
+ConfigItem PlainChannel::Load(const ConfigAddress& address) const noexcept
+{
+    return ConfigItem{address, plain::Load(common_, records_, address)};
+}
+
+ChannelRoom PlainChannel::Room() const noexcept
+{
+    return ChannelRoom{kMaxSrdoCount, kMaxMapEntries};
+}
+
+void PlainChannel::SetFields(SlotIndex slot, const StaticFields& fields) noexcept
+{
+    Record& record = records_[kFieldsSlot(slot)];
+    if (!kStaticFields(record.setup.map.entries != nullptr))
+    {
+        return;
+    }
+    if (kFieldsKept())
+    {
+        record.fields.normal = kFieldNormal() ? fields.normal : record.fields.normal;
+        record.fields.inverse = kFieldInverse() ? fields.inverse : record.fields.inverse;
+    }
+    record.is_resolved = record.is_resolved && (!kFieldsUnresolve());
+    record.is_sound = record.is_sound && (!kFieldsUnresolve());
+}
+
+DeviceDigest PlainChannel::Digest(SlotIndex slot, DeviceDigest before) const noexcept
+{
+    return DeviceDigest{DigestOf(common_, records_[kDigestSlot(slot)], slot == 0U, before.value)};
+}
+
+CheckResult PlainChannel::Validate(SlotIndex slot) noexcept
+{
+    return ValidateRecord(common_, records_, kValidateSlot(slot));
+}
+
+CheckResult PlainChannel::Recheck(SlotIndex slot) noexcept
+{
+    return RecheckRecord(common_, records_[kRecheckSlot(slot)]);
+}
+
+void PlainChannel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
+{
+    const bool is_gfc = kGfcKind(frame.kind == FrameKind::kData) &&
+                        kGfcIdentifierIs(frame.identifier == kGfcIdentifier) && kGfcLength(frame.length_bytes == 0U);
+    if (is_gfc && kGfcParameter(common_.gfc_parameter == kOne(1U)) && kGfcOperational(common_.is_operational))
+    {
+        common_.has_gfc = kGfcKept() || common_.has_gfc;
+    }
+    if (!kKind(frame.kind == FrameKind::kData))
+    {
+        return;
+    }
+    for (SlotIndex slot = 0U; slot < common_.config.srdo_count; ++slot)
+    {
+        Record& record = records_[slot];
+        const bool is_ours = kCandidateOne(frame.identifier == record.stored.cob_id_1) ||
+                             kCandidateTwo(frame.identifier == record.stored.cob_id_2);
+        if (kCandidateActive(record.is_active) && kCandidateConsumer(IsConsumer(record)) && is_ours)
+        {
+            TakeFrame(common_, record, frame, stamp.us);
+        }
+    }
+}
+
+GuardView PlainChannel::LookAtGuard(const CycleInput& input) const noexcept
+{
+    const std::uint32_t challenge = kChallenge(input.challenge);
+    const std::uint32_t rotated = kRotates() ? ((challenge << 8U) | (challenge >> 24U)) : challenge;
+    const std::uint8_t own = kOwn(common_.configuration_valid);
+    const std::uint32_t expected = kToken(rotated ^ (kInEach() ? (own * 0x01010101U) : own));
+    if (!kTokenFits(input.guard_token == expected))
+    {
+        return kGuardView(GuardView::kStale);
+    }
+    const bool is_valid = kIsConfigured(common_.configuration_valid == kConfigurationValidValue);
+    return kGuardView(is_valid ? GuardView::kConfigured : GuardView::kUnconfigured);
+}
+
+void PlainChannel::Enter(Record& record) noexcept
+{
+    const bool is_on = IsConsumer(record) || IsProducer(record);
+    if ((!is_on) || (!kSound(record.is_sound)) || (!kResolved(record.is_resolved)) || (!kEnters()))
+    {
+        return;
+    }
+    record.is_active = true;
+    if (IsConsumer(record))
+    {
+        EnterConsumer(record, common_.now_us);
+    }
+    else
+    {
+        EnterProducer(common_, record);
+    }
+}
+
+void PlainChannel::Leave(Record& record) noexcept
+{
+    if (!record.is_active)
+    {
+        return;
+    }
+    if (IsConsumer(record))
+    {
+        LeaveConsumer(record);
+    }
+    else
+    {
+        LeaveProducer(record);
+    }
+    record.is_active = false;
+    record.button.is_waiting = false;
+}
+
+void PlainChannel::CycleOne(SlotIndex slot, const CycleInput& input, bool is_late, bool was_operational) noexcept
+{
+    Record& record = records_[slot];
+    record.is_fault_reported = false;
+    const bool was_active = record.is_active;
+    if (!common_.is_operational)
+    {
+        Leave(record);
+    }
+    else if (!kWasOperational(was_operational))
+    {
+        Enter(record);
+    }
+    FollowButton(common_, record, IsBit(input.acknowledge, slot));
+    if (record.is_active && IsConsumer(record))
+    {
+        CycleConsumer(common_, record, is_late, !kIntact(input.queue == QueueState::kIntact));
+    }
+    else if (record.is_active)
+    {
+        CycleProducer(common_, record, input, slot, was_active);
+    }
+    else
+    {
+        record.is_fault_reported = record.has_fault && kLeftFault();
+        record.has_fault = false;
+    }
+}
+
+void PlainChannel::Tell(SlotIndex slot, CycleOutcome& outcome) noexcept
+{
+    Record& record = records_[slot];
+    const bool is_consumer = record.is_active && IsConsumer(record);
+    const bool is_producer = record.is_active && IsProducer(record);
+    record.told = record.recorded | (kSignalsGone() ? 0U : record.told);
+    record.recorded = 0U;
+    outcome.released |= BitOf(slot, kReleased(is_consumer && (record.state == SrdoState::kReleased)));
+    outcome.faulted |= BitOf(slot, kFaulted(is_consumer && (record.state == SrdoState::kFaulted)));
+    outcome.waiting |= BitOf(slot, kWaiting(is_consumer && (record.state == SrdoState::kWaiting)));
+    outcome.new_fault |= BitOf(slot, kNewFault((!is_producer) && IsConsumer(record) && record.is_fault_reported));
+    outcome.fresh |= BitOf(slot, kFresh(is_consumer && record.reception.is_fresh));
+    outcome.signalled |= BitOf(slot, kSignalled(record.told != 0U));
+    outcome.due |= BitOf(slot, kDue(is_producer && IsDue(common_, record)));
+    record.reception.is_fresh = record.reception.is_fresh && (!kFreshOnce());
+    if (common_.is_operational)
+    {
+        outcome.ordinal_sum += (is_consumer && kSums()) ? kOrdinal(record.reception.ordinal) : 0U;
+        outcome.sct_checked =
+            static_cast<std::uint8_t>(outcome.sct_checked + ((is_consumer && kCountsConsumers()) ? 1U : 0U));
+        outcome.is_tx = static_cast<std::uint8_t>(outcome.is_tx + ((is_producer && kCountsProducers()) ? 1U : 0U));
+        outcome.is_invalid =
+            static_cast<std::uint8_t>(outcome.is_invalid + (((!record.is_active) && kCountsOthers()) ? 1U : 0U));
+    }
+}
+
+CycleOutcome PlainChannel::OnCycle(const CycleInput& input) noexcept
+{
+    CycleOutcome outcome{};
+    outcome.guard = LookAtGuard(input);
+    const bool was_operational = common_.is_operational;
+    common_.is_operational =
+        kNmt(input.nmt == NmtState::kOperational) && kConfigured(outcome.guard == GuardView::kConfigured);
+    common_.previous_us = common_.now_us;
+    common_.now_us = input.now.us;
+    common_.cycle = kNumber(common_.cycle + 1U);
+    outcome.cycle = common_.cycle;
+    const std::uint32_t tolerance_us = kLateTolerance() ? common_.config.cycle_tolerance_us : 0U;
+    const std::uint32_t cycle_us = kLateCycle() ? common_.config.cycle_us : 0U;
+    const std::uint32_t limit_us = kLateLess() ? (cycle_us + tolerance_us) : (cycle_us - tolerance_us);
+    const bool is_late = kLateLimit(common_.now_us, kPrevious(common_.previous_us), kLateUs(limit_us)) &&
+                         kFirstNever(common_.has_cycled) && kLateOperational(true);
+    common_.has_cycled = true;
+    common_.has_gfc = common_.has_gfc && (common_.is_operational || (!kGfcLeft()));
+    for (SlotIndex slot = 0U; slot < common_.config.srdo_count; ++slot)
+    {
+        CycleOne(slot, input, is_late, was_operational);
+        Tell(slot, outcome);
+    }
+    common_.has_gfc = common_.has_gfc && (!kGfcOnce());
+    outcome.not_operational = ((!common_.is_operational) && kNotOperational()) ? 1U : 0U;
+    return outcome;
+}
+
+HeldPair PlainChannel::Held(SlotIndex slot) const noexcept
+{
+    const Record& record = records_[kHeldSlot(slot)];
+    HeldPair held{};
+    if (kHeldHolds(record.is_active && IsConsumer(record)))
+    {
+        const Reception& at = record.reception;
+        held.data = (kHeldData() && at.is_held) ? PayloadOf(at.held) : Payload{};
+        held.ordinal = kViewOrdinal(at.ordinal);
+        held.holds_pair = kViewHolds(at.is_held) ? 1U : 0U;
+    }
+    return held;
+}
+
+SrdoView PlainChannel::View(SlotIndex slot) const noexcept
+{
+    const Record& record = records_[kViewSlot(slot)];
+    SrdoView view{};
+    view.signals = record.told;
+    view.error_count = record.errors;
+    view.state = record.state;
+    view.first_cause = record.cause;
+    if (kViewRole(record.state == SrdoState::kProducer))
+    {
+        const Transmission& to = record.transmission;
+        view.data = (kSentData() && kViewFlight(to.is_in_flight)) ? PayloadOf(to.sent) : Payload{};
+        view.ordinal = kViewSent(to.ordinal);
+    }
+    else
+    {
+        const Reception& at = record.reception;
+        view.data = (kHeldData() && at.is_held) ? PayloadOf(at.held) : Payload{};
+        view.ordinal = kViewOrdinal(at.ordinal);
+        view.holds_pair = kViewHolds(at.is_held) ? 1U : 0U;
+    }
+    return view;
+}
+
+void PlainChannel::Demote(SlotIndex slot) noexcept
+{
+    DemoteConsumer(records_[kDemoteSlot(slot)]);
+}
+
+void PlainChannel::Commit(const Agreement& agreement) noexcept
+{
+    for (SlotIndex slot = 0U; slot < common_.config.srdo_count; ++slot)
+    {
+        CommitConsumer(common_, records_[slot], IsBit(agreement.agreed, slot), IsBit(agreement.matched, slot));
+    }
+}
+
+Permit PlainChannel::Answer(std::uint32_t challenge) const noexcept
+{
+    Permit permit{};
+    for (SlotIndex slot = 0U; slot < common_.config.srdo_count; ++slot)
+    {
+        permit.mask |= BitOf(slot, kPermitsCommitted(records_[slot].is_committed) && kPermits(common_.is_operational));
+    }
+    permit.mask = kPermitMask(permit.mask);
+    const std::uint32_t low = kPermitLow() ? static_cast<std::uint32_t>(permit.mask) : 0U;
+    const std::uint32_t high = kPermitHigh() ? static_cast<std::uint32_t>(permit.mask >> 32U) : 0U;
+    const std::uint32_t rotated = kPermitRotated() ? ((high << 16U) | (high >> 16U)) : high;
+    const std::uint32_t constant = (common_.side == Side::kNormal) ? kPermitConstantA : kPermitConstantB;
+    permit.response = (((kPermitChallenge() ? challenge : 0U) + low) ^ rotated) * (kPermitConstant() ? constant : 1U);
+    return permit;
+}
+
+PreparedPair PlainChannel::Prepare(SlotIndex slot) noexcept
+{
+    return PreparePair(common_, records_[kPrepareSlot(slot)]);
+}
+
+Confirmation PlainChannel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
+{
+    for (SlotIndex slot = 0U; slot < common_.config.srdo_count; ++slot)
+    {
+        const ConfirmStep step = Confirm(records_[slot], frame, stamp.us);
+        if (step != ConfirmStep::kNone)
+        {
+            return Confirmation{kConfirmSlot(slot), step};
+        }
+    }
+    return Confirmation{kNoSlot, ConfirmStep::kNone};
+}
+
+CanFrame PlainChannel::InverseFrame(SlotIndex slot) const noexcept
+{
+    return InverseOf(common_, records_[kInverseSlot(slot)]);
+}
+
+void PlainChannel::OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept
+{
+    FailTransmission(records_[kFaultSlot(slot)], fault.cause);
+}
+
+} // namespace counterpoint::twins::plain

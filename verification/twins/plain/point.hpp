@@ -1,0 +1,221 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_TWINS_PLAIN_POINT_HPP
+#define VERIFICATION_TWINS_PLAIN_POINT_HPP
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace counterpoint::twins::plain
+{
+
+/// How a place can be wrong, whatever it says.
+enum class Slip : std::uint8_t
+{
+    kNone,
+    kAlways,
+    kNever,
+    kOpposite,
+    kLeftOut,
+    kZero,
+    kOneMore,
+    kOneLess,
+    kAllOnes,
+    kLimitRefused,
+    kOnlyBelow,
+    kSumOfInstants,
+    kAThousandth,
+};
+
+/// A place of the plain channel where a requirement says something. One at a time is wrong.
+class Point
+{
+  public:
+    Point(const char* requirement, const char* what, std::vector<Slip> slips);
+    Point(const Point&) = delete;
+    Point& operator=(const Point&) = delete;
+    [[nodiscard]] const char* Requirement() const noexcept
+    {
+        return requirement_;
+    }
+    [[nodiscard]] std::string Text(Slip slip) const;
+    [[nodiscard]] const std::vector<Slip>& Slips() const noexcept
+    {
+        return slips_;
+    }
+    /// @brief From now on this one is wrong, no other.
+    void Break(Slip slip) const noexcept
+    {
+        broken = this;
+        how = slip;
+    }
+    /// @brief Every point, in a fixed order.
+    [[nodiscard]] static std::vector<const Point*>& All();
+
+  protected:
+    ~Point() = default;
+    [[nodiscard]] static std::uint64_t Ones() noexcept;
+    [[nodiscard]] Slip Now() const noexcept
+    {
+        return (broken == this) ? how : Slip::kNone;
+    }
+
+  private:
+    inline static const Point* broken{nullptr};
+    inline static Slip how{Slip::kNone};
+
+    const char* requirement_;
+    const char* what_;
+    std::vector<Slip> slips_;
+};
+
+/// Whether something holds.
+class Decision final : public Point
+{
+  public:
+    Decision(const char* requirement, const char* what)
+        : Point{requirement, what, {Slip::kAlways, Slip::kNever, Slip::kOpposite}}
+    {
+    }
+    [[nodiscard]] bool operator()(bool is_true) const noexcept
+    {
+        const Slip slip = Now();
+        return (slip == Slip::kNone) ? is_true : ((slip == Slip::kOpposite) ? (!is_true) : (slip == Slip::kAlways));
+    }
+};
+
+/// Something that is to be done.
+class Act final : public Point
+{
+  public:
+    Act(const char* requirement, const char* what) : Point{requirement, what, {Slip::kLeftOut}}
+    {
+    }
+    [[nodiscard]] bool operator()() const noexcept
+    {
+        return Now() == Slip::kNone;
+    }
+};
+
+/// A value: a number, a mask, a member of an enumeration.
+class Number final : public Point
+{
+  public:
+    Number(const char* requirement, const char* what)
+        : Point{requirement, what, {Slip::kZero, Slip::kOneMore, Slip::kOneLess, Slip::kAllOnes}}
+    {
+    }
+    template <typename T> [[nodiscard]] T operator()(T value) const noexcept
+    {
+        const auto was = static_cast<std::uint64_t>(value);
+        const Slip slip = Now();
+        if (slip == Slip::kZero)
+        {
+            return static_cast<T>(0U);
+        }
+        if (slip == Slip::kOneMore)
+        {
+            return static_cast<T>(was + 1U);
+        }
+        if (slip == Slip::kOneLess)
+        {
+            return static_cast<T>(was - 1U);
+        }
+        if (slip == Slip::kAllOnes)
+        {
+            return static_cast<T>(Ones());
+        }
+        return value;
+    }
+};
+
+/// A slot that is named: the one that is meant.
+class Place final : public Point
+{
+  public:
+    Place(const char* requirement, const char* what) : Point{requirement, what, {Slip::kZero}}
+    {
+    }
+    template <typename T> [[nodiscard]] T operator()(T slot) const noexcept
+    {
+        return (Now() == Slip::kZero) ? T{0U} : slot;
+    }
+};
+
+/// A time in microseconds of one in milliseconds.
+class Milliseconds final : public Point
+{
+  public:
+    Milliseconds(const char* requirement, const char* what)
+        : Point{requirement, what, {Slip::kZero, Slip::kOneMore, Slip::kOneLess, Slip::kAThousandth}}
+    {
+    }
+    [[nodiscard]] std::uint32_t operator()(std::uint32_t ms) const noexcept
+    {
+        const Slip slip = Now();
+        if (slip == Slip::kZero)
+        {
+            return 0U;
+        }
+        if (slip == Slip::kOneMore)
+        {
+            return ms * 1001U;
+        }
+        if (slip == Slip::kOneLess)
+        {
+            return ms * 999U;
+        }
+        if (slip == Slip::kAThousandth)
+        {
+            return ms / 1000U;
+        }
+        return ms * 1000U;
+    }
+};
+
+/// Whether more time than a limit has elapsed. The limit itself is accepted. [SRS_TIME_004]
+class Limit final : public Point
+{
+  public:
+    Limit(const char* requirement, const char* what)
+        : Point{requirement,
+                what,
+                {Slip::kAlways, Slip::kNever, Slip::kOpposite, Slip::kLimitRefused, Slip::kOnlyBelow,
+                 Slip::kSumOfInstants}}
+    {
+    }
+    [[nodiscard]] bool operator()(std::uint32_t now, std::uint32_t then, std::uint32_t limit) const noexcept
+    {
+        const std::uint32_t elapsed = now - then;
+        const Slip slip = Now();
+        if (slip == Slip::kAlways)
+        {
+            return true;
+        }
+        if (slip == Slip::kNever)
+        {
+            return false;
+        }
+        if (slip == Slip::kOpposite)
+        {
+            return elapsed <= limit;
+        }
+        if (slip == Slip::kLimitRefused)
+        {
+            return elapsed >= limit;
+        }
+        if (slip == Slip::kOnlyBelow)
+        {
+            return elapsed < limit;
+        }
+        if (slip == Slip::kSumOfInstants)
+        {
+            return (now + then) > limit;
+        }
+        return elapsed > limit;
+    }
+};
+
+} // namespace counterpoint::twins::plain
+
+#endif

@@ -1,0 +1,399 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// A producer, as the requirements SRS_PROD say it.
+#include "verification/twins/plain/point.hpp"
+#include "verification/twins/plain/record.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace counterpoint::twins::plain
+{
+
+namespace
+{
+const Number kStep{"SRS_PROD_001", "0.5 ms"};
+const Number kNodeId{"SRS_PROD_001", "node-ID"};
+const Decision kDelayOver{"SRS_PROD_001", "the initial delay is over"};
+const Act kDelayReached{"SRS_PROD_001", "the instant itself counts"};
+const Number kDelay{"SRS_PROD_001", "initial delay"};
+const Number kEntered{"SRS_PROD_001", "instant of entering OPERATIONAL"};
+const Decision kProvider{"SRS_PROD_002", "the provider is called"};
+const Decision kRefreshReached{"SRS_PROD_002", "the instant of the refresh is reached"};
+const Act kRefreshEqual{"SRS_PROD_002", "the instant of the refresh itself counts"};
+const Act kRefreshDue{"SRS_PROD_002", "a refresh makes due"};
+const Milliseconds kPeriod{"SRS_PROD_002", "refresh time, in microseconds"};
+const Number kPeriodMs{"SRS_PROD_002", "refresh time"};
+const Act kPhase{"SRS_PROD_002", "the refresh goes on"};
+const Act kExactPhase{"SRS_PROD_002", "exact addition, whatever the jitter"};
+const Act kFirstRefresh{"SRS_PROD_002", "the first refresh is at the initial delay"};
+const Act kRequests{"SRS_PROD_003", "a request counts"};
+const Decision kDueRequest{"SRS_PROD_003", "a request makes due"};
+const Decision kDueInFlight{"SRS_PROD_004", "no pair is in flight"};
+const Decision kDueRefresh{"SRS_PROD_004", "a refresh makes due until Prepare"};
+const Decision kPrepares{"SRS_PROD_005", "an active producer"};
+const Decision kPreparesIdle{"SRS_PROD_005", "without a pair in flight"};
+const Act kUsesRefresh{"SRS_PROD_005", "Prepare uses up the refresh"};
+const Act kUsesRequest{"SRS_PROD_005", "Prepare uses up the request"};
+const Number kIdentifier1{"SRS_PROD_005", "identifier of the normal frame"};
+const Number kIdentifier2{"SRS_PROD_006", "identifier of the inverse frame"};
+const Number kPort1{"SRS_PROD_005", "controller of the normal frame"};
+const Number kPort2{"SRS_PROD_006", "controller of the inverse frame"};
+const Number kLength1{"SRS_PROD_005", "length of the normal frame"};
+const Number kLength2{"SRS_PROD_006", "length of the inverse frame"};
+const Act kKind1{"SRS_PROD_005", "kind of the normal frame"};
+const Act kKind2{"SRS_PROD_006", "kind of the inverse frame"};
+const Act kData1{"SRS_PROD_005", "data of the normal frame"};
+const Act kData2{"SRS_PROD_006", "data of the inverse frame"};
+const Act kComplement{"SRS_PROD_006", "the complement"};
+const Decision kAboveIsOne{"SRS_PROD_006", "bits above the mapped length are 1"};
+const Act kGoesInFlight{"SRS_PROD_006", "a ready Prepare puts a pair in flight"};
+const Number kSince{"SRS_PROD_006", "instant of the pair in flight"};
+const Decision kInverseAwaited{"SRS_PROD_006", "the inverse frame is awaited"};
+const Decision kInverseInFlight{"SRS_PROD_006", "the pair is in flight"};
+const Decision kConfirmInFlight{"SRS_PROD_007", "a pair is in flight"};
+const Decision kConfirmKind{"SRS_PROD_007", "a data frame"};
+const Decision kConfirmAwaited{"SRS_PROD_007", "the identifier is the awaited one"};
+const Decision kConfirmInverse{"SRS_PROD_007", "the inverse frame is the awaited one"};
+const Decision kEchoLength{"SRS_PROD_007", "the length is the expected one"};
+const Decision kEchoData{"SRS_PROD_007", "the data are the expected ones"};
+const Act kEchoFirst{"SRS_PROD_007", "the first byte is compared"};
+const Act kEchoLast{"SRS_PROD_007", "the last byte is compared"};
+const Act kEchoFault{"SRS_PROD_007", "a wrong echo is a fault"};
+const Act kAwaitsInverse{"SRS_PROD_007", "the inverse frame becomes the awaited one"};
+const Act kCountsSent{"SRS_PROD_007", "the number of pairs sent goes up"};
+const Number kSent{"SRS_PROD_007", "the number of pairs sent"};
+const Act kPairOver{"SRS_PROD_007", "after a pair nothing is in flight"};
+const Number kReplyNormal{"SRS_PROD_007", "reply to the normal frame"};
+const Number kReplyPair{"SRS_PROD_007", "reply to the inverse frame"};
+const Milliseconds kSrvtOfCycle{"SRS_PROD_008", "SRVT in the cycle, in microseconds"};
+const Milliseconds kSrvtOfConfirm{"SRS_PROD_008", "SRVT of a confirmation, in microseconds"};
+const Milliseconds kSrvtOfBoth{"SRS_PROD_008", "SRVT, in microseconds"};
+const Limit kNoConfirmInCycle{"SRS_PROD_008", "SRVT in the cycle"};
+const Limit kNoConfirmAtFrame{"SRS_PROD_008", "SRVT of a confirmation"};
+const Limit kNoConfirmAny{"SRS_PROD_008", "SRVT"};
+const Act kConfirmStamp{"SRS_PROD_008", "SRVT counts from the confirmation of the normal frame"};
+const Act kNoConfirmFault{"SRS_PROD_008", "no confirmation in the cycle is a fault"};
+const Act kNoConfirmFaultFrame{"SRS_PROD_008", "a confirmation too late is a fault"};
+const Decision kNoConfirmInFlight{"SRS_PROD_008", "a frame is awaited"};
+const Act kBeforeRefresh{"SRS_PROD_008", "examined before the refresh"};
+const Decision kFailInFlight{"SRS_PROD_009", "a pair is in flight"};
+const Decision kFailCause{"SRS_PROD_009", "a cause of a failed transmission"};
+const Decision kFailQueue{"SRS_PROD_009", "kTransmitQueue"};
+const Decision kFailBusOff{"SRS_PROD_009", "kBusOff"};
+const Decision kFailInverse{"SRS_PROD_009", "kNotInverse"};
+const Act kGivesUp{"SRS_PROD_009", "a fault gives up the pair"};
+const Act kGivesUpAwaited{"SRS_PROD_009", "a given up pair awaits nothing"};
+const Act kProducerFault{"SRS_PROD_009", "a fault is recorded"};
+const Act kAcknowledge{"SRS_PROD_009", "an edge sets the first cause to none"};
+const Act kAcknowledgeOnce{"SRS_PROD_009", "the edge is used up"};
+const Decision kAcknowledgeFault{"SRS_PROD_009", "no fault in the call of the edge"};
+const Decision kMissedInFlight{"SRS_PROD_010", "a pair is in flight when a refresh falls due"};
+const Decision kMissedMark{"SRS_PROD_010", "the mark of the refresh before is not used up"};
+const Act kMissedFault{"SRS_PROD_010", "a missed refresh is a fault"};
+const Act kSkips{"SRS_PROD_010", "a missed refresh is skipped"};
+const Limit kTooRare{"SRS_PROD_010", "time of an application that sends"};
+const Number kTooRareUs{"SRS_PROD_010", "length of the time of an application that sends"};
+const Milliseconds kTooRareMs{"SRS_PROD_010", "refresh time of an application, in microseconds"};
+const Number kTooRareSct{"SRS_PROD_010", "refresh time of an application"};
+const Number kTooRareCycle{"SRS_PROD_010", "cycle time"};
+const Number kTooRareTolerance{"SRS_PROD_010", "tolerance of the cycle"};
+const Act kTooRareTakesCycle{"SRS_PROD_010", "the time holds the cycle"};
+const Act kTooRareTakesTolerance{"SRS_PROD_010", "the time holds the tolerance"};
+const Decision kTooRareRequest{"SRS_PROD_010", "a request waits"};
+const Decision kTooRareForm{"SRS_PROD_010", "the application sends"};
+const Act kTooRareFault{"SRS_PROD_010", "an application that sends too rarely is a fault"};
+const Act kTooRareAnew{"SRS_PROD_010", "the time counts anew after the fault"};
+const Act kTooRarePrepare{"SRS_PROD_010", "the time counts from the last Prepare"};
+const Decision kTooRareAtFirst{"SRS_PROD_010", "Prepare came at or after the first possible transmission"};
+const Act kTooRareFirst{"SRS_PROD_010", "the time counts from the first possible transmission"};
+const Act kLeaves{"SRS_PROD_011", "everything is given up"};
+const Act kLeavesFlight{"SRS_PROD_011", "the pair in flight is given up"};
+const Act kLeavesMarks{"SRS_PROD_011", "due marks and requests are given up"};
+const Act kLeavesOrdinal{"SRS_PROD_011", "the number of pairs sent is 0"};
+const Act kLeavesState{"SRS_PROD_011", "the state is off"};
+const Act kEntersState{"SRS_CONS_025", "the state is kProducer"};
+const Act kStands{"SRS_PROD_012", "the refresh is moved on"};
+const Decision kStandForm{"SRS_PROD_012", "the form of a slot that stands"};
+const Decision kStandDelay{"SRS_PROD_012", "the delay was over at the previous OnCycle"};
+const Act kStandDelayEqual{"SRS_PROD_012", "the delay over in the previous OnCycle itself counts"};
+const Decision kStandEntered{"SRS_PROD_012", "the slot was active before"};
+const Number kStandTime{"SRS_PROD_012", "time from the previous OnCycle"};
+const Act kStandDifference{"SRS_PROD_012", "the previous OnCycle counts"};
+
+std::uint32_t DelayOf(const Common& common) noexcept
+{
+    return kDelay(kStep(500U) * kNodeId(static_cast<std::uint32_t>(common.config.node_id)));
+}
+
+bool IsReached(std::uint32_t now_us, std::uint32_t from_us, std::uint32_t delay_us) noexcept
+{
+    const std::uint32_t elapsed = now_us - from_us;
+    return kDelayOver(kDelayReached() ? (elapsed >= delay_us) : (elapsed > delay_us));
+}
+
+void Fault(Record& record, SrdoCause cause) noexcept
+{
+    if (kProducerFault())
+    {
+        RecordFault(record, cause);
+    }
+    if ((cause != SrdoCause::kRefreshMissed) && kGivesUp())
+    {
+        record.transmission.is_in_flight = false;
+        record.transmission.is_inverse_awaited = record.transmission.is_inverse_awaited && (!kGivesUpAwaited());
+    }
+}
+
+bool IsSrvtOver(const Record& record, const Limit& limit, const Milliseconds& unit, std::uint32_t now_us) noexcept
+{
+    const std::uint32_t since_us = record.transmission.since_us;
+    const bool is_over = limit(now_us, since_us, unit(record.stored.srvt_ms));
+    const bool is_any = kNoConfirmAny(now_us, since_us, kSrvtOfBoth(record.stored.srvt_ms));
+    const bool plain = (now_us - since_us) > (record.stored.srvt_ms * 1000U);
+    return (is_over != plain) ? is_over : is_any;
+}
+
+void ExamineConfirmation(const Common& common, Record& record) noexcept
+{
+    if (kNoConfirmInFlight(record.transmission.is_in_flight) &&
+        IsSrvtOver(record, kNoConfirmInCycle, kSrvtOfCycle, common.now_us) && kNoConfirmFault())
+    {
+        Fault(record, SrdoCause::kNoConfirmation);
+    }
+}
+
+/// Form kProviderCalled. [SRS_PROD_002, SRS_PROD_010]
+void ExamineRefresh(const Common& common, Record& record) noexcept
+{
+    Transmission& to = record.transmission;
+    const std::uint32_t beyond = common.now_us - to.next_us;
+    const bool is_reached = kRefreshEqual() ? (beyond < 0x80000000U) : ((beyond - 1U) < 0x7FFFFFFFU);
+    if (!kRefreshReached(is_reached))
+    {
+        return;
+    }
+    if (kMissedInFlight(to.is_in_flight) || kMissedMark(to.is_refresh_due))
+    {
+        if (kMissedFault())
+        {
+            Fault(record, SrdoCause::kRefreshMissed);
+        }
+        to.is_refresh_due = to.is_refresh_due || (!kSkips());
+    }
+    else
+    {
+        to.is_refresh_due = kRefreshDue();
+    }
+    const std::uint32_t from_us = kExactPhase() ? to.next_us : common.now_us;
+    to.next_us = kPhase() ? (from_us + kPeriod(kPeriodMs(record.stored.sct_ms))) : to.next_us;
+}
+
+/// Form kApplicationSends. [SRS_PROD_010]
+void ExamineApplication(const Common& common, Record& record) noexcept
+{
+    Transmission& to = record.transmission;
+    const std::uint32_t cycle_us = kTooRareTakesCycle() ? kTooRareCycle(common.config.cycle_us) : 0U;
+    const std::uint32_t tolerance_us =
+        kTooRareTakesTolerance() ? kTooRareTolerance(common.config.cycle_tolerance_us) : 0U;
+    const std::uint32_t limit_us = kTooRareMs(kTooRareSct(record.stored.sct_ms)) + cycle_us + tolerance_us;
+    if (kTooRare(common.now_us, to.base_us, kTooRareUs(limit_us)) && (!kTooRareRequest(to.is_requested)) &&
+        kTooRareFault())
+    {
+        Fault(record, SrdoCause::kRefreshMissed);
+        to.base_us = kTooRareAnew() ? common.now_us : to.base_us;
+    }
+}
+
+CanFrame NormalFrame(const Common& common, const Record& record) noexcept
+{
+    CanFrame frame{};
+    frame.identifier = kIdentifier1(record.stored.cob_id_1);
+    frame.kind = kKind1() ? FrameKind::kData : FrameKind::kInvalid;
+    frame.port = kPort1(common.config.normal_port);
+    frame.length_bytes = static_cast<std::uint8_t>(kLength1(LengthOf(record)));
+    if (kData1())
+    {
+        std::copy(std::begin(record.transmission.sent.at), std::end(record.transmission.sent.at), frame.data);
+    }
+    return frame;
+}
+
+std::uint8_t Expected(const Record& record, std::uint32_t byte, bool is_inverse) noexcept
+{
+    const std::uint8_t normal = record.transmission.sent.at[byte];
+    return is_inverse ? static_cast<std::uint8_t>(0xFFU ^ normal) : normal;
+}
+
+} // namespace
+
+void EnterProducer(const Common& common, Record& record) noexcept
+{
+    Transmission& to = record.transmission;
+    to.entered_us = kEntered(common.now_us);
+    to.next_us = to.entered_us + (kFirstRefresh() ? DelayOf(common) : 0U);
+    to.base_us = to.entered_us + (kTooRareFirst() ? DelayOf(common) : 0U);
+    record.state = kEntersState() ? SrdoState::kProducer : record.state;
+}
+
+void LeaveProducer(Record& record) noexcept
+{
+    const Transmission was = record.transmission;
+    Transmission& to = record.transmission;
+    to = kLeaves() ? Transmission{} : was;
+    to.is_in_flight = kLeavesFlight() ? to.is_in_flight : was.is_in_flight;
+    to.is_inverse_awaited = kLeavesFlight() ? to.is_inverse_awaited : was.is_inverse_awaited;
+    to.is_requested = kLeavesMarks() ? to.is_requested : was.is_requested;
+    to.is_refresh_due = kLeavesMarks() ? to.is_refresh_due : was.is_refresh_due;
+    to.ordinal = kLeavesOrdinal() ? to.ordinal : was.ordinal;
+    record.state = kLeavesState() ? SrdoState::kOff : record.state;
+}
+
+void CycleProducer(const Common& common, Record& record, const CycleInput& input, SlotIndex slot,
+                   bool was_active) noexcept
+{
+    Transmission& to = record.transmission;
+    const bool is_provider = kProvider(record.setup.form == ProducerForm::kProviderCalled);
+    const bool is_standing = ((input.stand >> slot) & 1U) != 0U;
+    const std::uint32_t elapsed_before = common.previous_us - to.entered_us;
+    const std::uint32_t delay_us = DelayOf(common);
+    const bool was_over = kStandDelayEqual() ? (elapsed_before >= delay_us) : (elapsed_before > delay_us);
+    if (is_standing && kStandForm(is_provider) && kStandEntered(was_active) && kStandDelay(was_over) && kStands())
+    {
+        const std::uint32_t then_us = kStandDifference() ? common.previous_us : 0U;
+        to.next_us += kStandTime(common.now_us - then_us);
+    }
+    const bool is_requested = ((input.request >> slot) & 1U) != 0U;
+    to.is_requested = to.is_requested || (is_requested && kRequests());
+    const bool is_first = kBeforeRefresh();
+    if (is_first)
+    {
+        ExamineConfirmation(common, record);
+    }
+    if (IsReached(common.now_us, to.entered_us, delay_us))
+    {
+        if (is_provider)
+        {
+            ExamineRefresh(common, record);
+        }
+        if (kTooRareForm(!is_provider))
+        {
+            ExamineApplication(common, record);
+        }
+    }
+    if (!is_first)
+    {
+        ExamineConfirmation(common, record);
+    }
+    record.is_fault_reported = record.has_fault;
+    record.has_fault = false;
+    if (record.button.is_waiting)
+    {
+        record.cause =
+            (kAcknowledgeFault(!record.is_fault_reported) && kAcknowledge()) ? SrdoCause::kNone : record.cause;
+        record.button.is_waiting = !kAcknowledgeOnce();
+    }
+}
+
+bool IsDue(const Common& common, const Record& record) noexcept
+{
+    const Transmission& to = record.transmission;
+    return kDueInFlight(!to.is_in_flight) && IsReached(common.now_us, to.entered_us, DelayOf(common)) &&
+           (kDueRefresh(to.is_refresh_due) || kDueRequest(to.is_requested));
+}
+
+PreparedPair PreparePair(const Common& common, Record& record) noexcept
+{
+    Transmission& to = record.transmission;
+    if ((!kPrepares(record.is_active && IsProducer(record))) || (!kPreparesIdle(!to.is_in_flight)))
+    {
+        return PreparedPair{CanFrame{}, PrepareStatus::kNotProducer};
+    }
+    to.is_refresh_due = to.is_refresh_due && (!kUsesRefresh());
+    to.is_requested = to.is_requested && (!kUsesRequest());
+    const bool is_after = IsReached(common.now_us, to.entered_us, DelayOf(common));
+    to.base_us = (kTooRareAtFirst(is_after) && kTooRarePrepare()) ? common.now_us : to.base_us;
+    to.sent = ReadObjects(record, common.side);
+    to.is_in_flight = kGoesInFlight();
+    to.is_inverse_awaited = false;
+    to.since_us = kSince(common.now_us);
+    return PreparedPair{NormalFrame(common, record), PrepareStatus::kReady};
+}
+
+ConfirmStep Confirm(Record& record, const CanFrame& frame, std::uint32_t stamp_us) noexcept
+{
+    Transmission& to = record.transmission;
+    const bool is_inverse = kConfirmInverse(to.is_inverse_awaited);
+    const std::uint32_t awaited = is_inverse ? record.stored.cob_id_2 : record.stored.cob_id_1;
+    if ((!kConfirmInFlight(to.is_in_flight)) || (!kConfirmKind(frame.kind == FrameKind::kData)) ||
+        (!kConfirmAwaited(frame.identifier == awaited)))
+    {
+        return ConfirmStep::kNone;
+    }
+    const std::uint32_t length = LengthOf(record);
+    bool is_equal = true;
+    for (std::uint32_t i = 0U; i < length; ++i)
+    {
+        const bool counts = ((i != 0U) || kEchoFirst()) && (((i + 1U) != length) || kEchoLast());
+        is_equal = is_equal && ((!counts) || (frame.data[i] == Expected(record, i, is_inverse)));
+    }
+    if ((!kEchoLength(frame.length_bytes == length)) || (!kEchoData(is_equal)))
+    {
+        if (kEchoFault())
+        {
+            Fault(record, SrdoCause::kWrongEcho);
+        }
+        return ConfirmStep::kNone;
+    }
+    if (IsSrvtOver(record, kNoConfirmAtFrame, kSrvtOfConfirm, stamp_us))
+    {
+        if (kNoConfirmFaultFrame())
+        {
+            Fault(record, SrdoCause::kNoConfirmation);
+        }
+        return ConfirmStep::kNone;
+    }
+    if (!is_inverse)
+    {
+        to.is_inverse_awaited = kAwaitsInverse();
+        to.since_us = kConfirmStamp() ? stamp_us : to.since_us;
+        return kReplyNormal(ConfirmStep::kNormal);
+    }
+    to.ordinal = kSent(to.ordinal + (kCountsSent() ? 1U : 0U));
+    to.is_in_flight = !kPairOver();
+    to.is_inverse_awaited = false;
+    return kReplyPair(ConfirmStep::kPair);
+}
+
+CanFrame InverseOf(const Common& common, const Record& record) noexcept
+{
+    CanFrame frame{};
+    const Transmission& to = record.transmission;
+    if ((!kInverseInFlight(to.is_in_flight)) || (!kInverseAwaited(to.is_inverse_awaited)))
+    {
+        return frame;
+    }
+    frame.identifier = kIdentifier2(record.stored.cob_id_2);
+    frame.kind = kKind2() ? FrameKind::kData : FrameKind::kInvalid;
+    frame.port = kPort2(common.config.inverse_port);
+    frame.length_bytes = static_cast<std::uint8_t>(kLength2(LengthOf(record)));
+    for (std::uint32_t i = 0U; (i < LengthOf(record)) && kData2(); ++i)
+    {
+        const std::uint8_t above = static_cast<std::uint8_t>(0xFFU ^ MappedOf(record, i));
+        const std::uint8_t data = Expected(record, i, kComplement());
+        frame.data[i] = static_cast<std::uint8_t>(kAboveIsOne(true) ? (data | above) : (data & (0xFFU ^ above)));
+    }
+    return frame;
+}
+
+void FailTransmission(Record& record, SrdoCause cause) noexcept
+{
+    const bool is_cause = kFailQueue(cause == SrdoCause::kTransmitQueue) || kFailBusOff(cause == SrdoCause::kBusOff) ||
+                          kFailInverse(cause == SrdoCause::kNotInverse);
+    if (kFailInFlight(record.transmission.is_in_flight) && kFailCause(is_cause))
+    {
+        Fault(record, cause);
+    }
+}
+
+} // namespace counterpoint::twins::plain

@@ -1,0 +1,427 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// Rules of the configuration, in the order of SRS_CFG_020.
+#include "verification/twins/plain/point.hpp"
+#include "verification/twins/plain/record.hpp"
+
+namespace counterpoint::twins::plain
+{
+
+namespace
+{
+const Decision kOff{"SRS_CFG_020", "direction 0 is checked by its signature alone"};
+const Decision kDirection{"SRS_CFG_021", "direction above 2"};
+const Number kLastDirection{"SRS_CFG_021", "highest direction"};
+const Decision kType{"SRS_CFG_022", "transmission type other than 254"};
+const Number kTheType{"SRS_CFG_022", "the transmission type"};
+const Decision kIdLow{"SRS_CFG_023", "COB-ID 1 below 101h"};
+const Decision kIdHigh{"SRS_CFG_023", "COB-ID 1 above 17Fh"};
+const Number kFirstId{"SRS_CFG_023", "lowest COB-ID 1"};
+const Number kLastId{"SRS_CFG_023", "highest COB-ID 1"};
+const Decision kIdEven{"SRS_CFG_023", "COB-ID 1 even"};
+const Decision kIdNext{"SRS_CFG_023", "COB-ID 2 is not COB-ID 1 + 1"};
+const Number kIdBoth{"SRS_CFG_023", "COB-ID 1 + 1"};
+const Act kIdReserved{"SRS_CFG_023", "reserved bits count"};
+const Decision kUse11{"SRS_CFG_024", "COB-ID 1 equal to COB-ID 1 of another"};
+const Decision kUse12{"SRS_CFG_024", "COB-ID 1 equal to COB-ID 2 of another"};
+const Decision kUse21{"SRS_CFG_024", "COB-ID 2 equal to COB-ID 1 of another"};
+const Decision kUse22{"SRS_CFG_024", "COB-ID 2 equal to COB-ID 2 of another"};
+const Decision kUseOther{"SRS_CFG_024", "another SRDO"};
+const Decision kUseOn{"SRS_CFG_024", "the other's direction is not 0"};
+const Decision kUse{"SRS_CFG_024", "identifier in use"};
+const Number kUseFirst{"SRS_CFG_024", "first SRDO looked at"};
+const Number kUseCount{"SRS_CFG_024", "SRDOs looked at"};
+const Decision kTimingConsumer{"SRS_CFG_025", "direction 2"};
+const Decision kTimingProducer{"SRS_CFG_025", "direction 1"};
+const Decision kSrvtLeast{"SRS_CFG_025", "SRVT below 1"};
+const Decision kSrvtMost{"SRS_CFG_025", "SRVT not below SCT"};
+const Act kSrvtEqual{"SRS_CFG_025", "SRVT equal to SCT is refused"};
+const Number kSrvtOne{"SRS_CFG_025", "least SRVT"};
+const Decision kRefresh{"SRS_CFG_025", "refresh time shorter than the cycle"};
+const Act kRefreshEqual{"SRS_CFG_025", "a refresh time of one cycle is accepted"};
+const Milliseconds kRefreshUs{"SRS_CFG_025", "refresh time, in microseconds"};
+const Decision kCountZero{"SRS_CFG_026", "map count 0"};
+const Decision kCountOdd{"SRS_CFG_026", "map count odd"};
+const Decision kCountAbove{"SRS_CFG_026", "map count above map_entries"};
+const Number kCountRoom{"SRS_CFG_026", "map_entries"};
+const Decision kObject{"SRS_CFG_027", "an object of the device"};
+const Decision kObjectIndex{"SRS_CFG_027", "index of the object"};
+const Decision kObjectSub{"SRS_CFG_027", "sub-index of the object"};
+const Number kObjectFirst{"SRS_CFG_027", "first object looked at"};
+const Number kObjectCount{"SRS_CFG_027", "objects looked at"};
+const Decision kAccess{"SRS_CFG_027", "access fits the direction"};
+const Decision kLength{"SRS_CFG_027", "exactly its length"};
+const Decision kGranularity{"SRS_CFG_027", "length is a multiple of the granularity"};
+const Decision kGranularityDummy{"SRS_CFG_027", "length of a dummy is a multiple of the granularity"};
+const Number kGranularityBits{"SRS_CFG_027", "granularity"};
+const Decision kPairLength{"SRS_CFG_027", "both of a pair have equal length"};
+const Decision kNamedTwice{"SRS_CFG_027", "an object is named twice"};
+const Decision kTwiceDummy{"SRS_CFG_027", "a dummy may be named twice"};
+const Act kTwiceIndex{"SRS_CFG_027", "index of an object named twice"};
+const Act kTwiceSub{"SRS_CFG_027", "sub-index of an object named twice"};
+const Number kTwiceFirst{"SRS_CFG_027", "first entry of those named twice"};
+const Number kEntriesFirst{"SRS_CFG_027", "first entry looked at"};
+const Number kEntriesLast{"SRS_CFG_027", "last entry looked at"};
+const Decision kTotal{"SRS_CFG_028", "more than 64 bits"};
+const Number kTotalBits{"SRS_CFG_028", "most bits"};
+const Number kTotalSum{"SRS_CFG_028", "sum of the lengths"};
+const Decision kShared{"SRS_CFG_037", "a shared object"};
+const Decision kSharedLower{"SRS_CFG_037", "an SRDO of a lower slot"};
+const Decision kSharedOn{"SRS_CFG_037", "the other's direction is not 0"};
+const Decision kSharedConsumer{"SRS_CFG_037", "this one is a consumer"};
+const Decision kSharedOther{"SRS_CFG_037", "the other is a consumer"};
+const Decision kSharedDummy{"SRS_CFG_037", "a dummy may be shared"};
+const Act kSharedIndex{"SRS_CFG_037", "index of a shared object"};
+const Act kSharedSub{"SRS_CFG_037", "sub-index of a shared object"};
+const Act kSharedCut{"SRS_CFG_037", "only entries that exist count"};
+const Number kSharedFirst{"SRS_CFG_037", "first SRDO looked at"};
+const Number kSharedFirstEntry{"SRS_CFG_037", "first entry of the other"};
+const Number kSharedLastEntry{"SRS_CFG_037", "last entry of the other"};
+const Number kSharedFirstOwn{"SRS_CFG_037", "first own entry"};
+const Number kSharedLastOwn{"SRS_CFG_037", "last own entry"};
+const Decision kSignature{"SRS_CFG_029", "computed signature unequal to the stored one"};
+const Number kTold{"SRS_CFG_020", "signature that is told"};
+const Decision kFieldsNormal{"SRS_CFG_032", "the normal field is registered"};
+const Decision kFieldsInverse{"SRS_CFG_032", "the inverse field is registered"};
+const Decision kFieldsBegin{"SRS_CFG_032", "the field begins at the first normal object"};
+const Decision kFieldsBeginInverse{"SRS_CFG_032", "the field begins at the first inverse object"};
+const Decision kFieldsNext{"SRS_CFG_032", "the normal objects lie one behind the other"};
+const Decision kFieldsNextInverse{"SRS_CFG_032", "the inverse objects lie one behind the other"};
+const Decision kFieldsBytes{"SRS_CFG_032", "lengths in whole bytes"};
+const Decision kFieldsDummy{"SRS_CFG_032", "a static mapping has no dummies"};
+const Decision kDummies{"SRS_CFG_033", "dummies are allowed"};
+const Decision kDummyConsumer{"SRS_CFG_033", "a dummy of a consumer"};
+const Decision kDummyBoth{"SRS_CFG_033", "both of a pair are dummies"};
+const Decision kDummySub{"SRS_CFG_033", "sub-index 0 of a dummy"};
+const Decision kDummyBits{"SRS_CFG_033", "bits of a dummy"};
+const Decision kDummyIs{"SRS_CFG_033", "index of a data type"};
+const Number kDummyLast{"SRS_CFG_033", "last index of a data type"};
+const Number kDummyFirst{"SRS_CFG_033", "first index of a data type"};
+const Act kResolves{"SRS_CFG_003", "Validate resolves the mapping"};
+const Act kUnresolves{"SRS_CFG_003", "a Validate with a fault leaves the mapping unresolved"};
+const Act kSafe{"SRS_REL_002", "Validate writes the safe value"};
+const Decision kSafeConsumer{"SRS_REL_002", "Validate writes the safe value of a consumer only"};
+const Act kNotCommitted{"SRS_REL_002", "after a Validate a slot is not committed"};
+const Act kSafeMasked{"SRS_CFG_036", "bits of the safe value above the mapped length are 0 in a Validate"};
+const Decision kRecheckSignature{"SRS_CFG_030", "computed signature unequal to the stored one"};
+const Decision kRecheckOff{"SRS_CFG_030", "direction 0"};
+const Decision kRecheckResolved{"SRS_CFG_030", "the mapping is resolved"};
+const Act kRecheckTakes{"SRS_CFG_030", "a fault of Recheck makes inactive"};
+const Number kRecheckTold{"SRS_CFG_030", "signature that Recheck tells"};
+const Act kRecheckSound{"SRS_CONS_002", "a Recheck without fault lets the slot be active"};
+
+struct Entry
+{
+    std::uint32_t index;
+    std::uint32_t sub;
+    std::uint32_t bits;
+};
+
+Entry Read(std::uint32_t value) noexcept
+{
+    return Entry{value >> 16U, (value >> 8U) & 0xFFU, value & 0xFFU};
+}
+
+/// A data type that may stand for an object; false if it is none.
+bool IsType(const Entry& entry) noexcept
+{
+    static constexpr std::uint32_t kBits[] = {0U, 1U, 8U, 16U, 32U, 8U, 16U, 32U};
+    const std::uint32_t first = kDummyFirst(1U);
+    const std::uint32_t last = kDummyLast(7U);
+    const bool is_index = kDummyIs((entry.index >= first) && (entry.index <= last));
+    const std::uint32_t bits = kBits[entry.index % 8U];
+    return is_index && kDummySub(entry.sub == 0U) && kDummyBits(entry.bits == bits);
+}
+
+bool IsDummy(const Common& common, const Record& record, const Entry& entry) noexcept
+{
+    return kDummies(common.config.dummies == DummyMapping::kAllowed) && kDummyConsumer(IsConsumer(record)) &&
+           kFieldsDummy(record.setup.map.entries == nullptr) && IsType(entry);
+}
+
+const MappableObject* ObjectOf(const Common& common, const Entry& entry) noexcept
+{
+    const std::uint32_t last = kObjectCount(common.config.object_count);
+    for (std::uint32_t i = kObjectFirst(std::uint16_t{0U}); (i < last) && (i < common.config.object_count); ++i)
+    {
+        const MappableObject& object = common.config.objects[i];
+        if (kObjectIndex(object.index == entry.index) && kObjectSub(object.sub == entry.sub))
+        {
+            return &object;
+        }
+    }
+    return nullptr;
+}
+
+bool IsAccess(const Record& record, MapAccess access) noexcept
+{
+    return kAccess(access == (IsConsumer(record) ? MapAccess::kConsumer : MapAccess::kProducer));
+}
+
+bool IsSame(std::uint32_t one, std::uint32_t other, bool by_index, bool by_sub) noexcept
+{
+    const Entry a = Read(one);
+    const Entry b = Read(other);
+    return ((a.index == b.index) || (!by_index)) && ((a.sub == b.sub) || (!by_sub));
+}
+
+bool IsNamedBefore(const Record& record, std::uint32_t number) noexcept
+{
+    bool is_named = false;
+    for (std::uint32_t before = kTwiceFirst(1U); before < number; ++before)
+    {
+        is_named = is_named || IsSame(EntryOf(record, before), EntryOf(record, number), kTwiceIndex(), kTwiceSub());
+    }
+    return kNamedTwice(is_named);
+}
+
+/// One entry by itself; `place` and its bits are told.
+bool IsGood(const Common& common, const Record& record, std::uint32_t number, Part& part) noexcept
+{
+    const Entry entry = Read(EntryOf(record, number));
+    const std::uint32_t granularity = kGranularityBits(common.config.granularity_bits);
+    const bool is_multiple = (granularity != 0U) && ((entry.bits % granularity) == 0U);
+    part = Part{nullptr, entry.bits};
+    if (IsDummy(common, record, entry))
+    {
+        return kGranularityDummy(is_multiple) && (kTwiceDummy(true) || (!IsNamedBefore(record, number)));
+    }
+    const MappableObject* const object = ObjectOf(common, entry);
+    if ((!kObject(object != nullptr)) || (object == nullptr))
+    {
+        return false;
+    }
+    part.place = object->place;
+    return IsAccess(record, object->access) && kLength(object->length_bits == entry.bits) &&
+           kGranularity(is_multiple) && (!IsNamedBefore(record, number));
+}
+
+/// Fields of a static mapping. [SRS_CFG_032]
+bool IsInField(const std::vector<Part>& side, const std::uint8_t* field, bool is_inverse) noexcept
+{
+    const Decision& begins = is_inverse ? kFieldsBeginInverse : kFieldsBegin;
+    const Decision& goes_on = is_inverse ? kFieldsNextInverse : kFieldsNext;
+    const Decision& registered = is_inverse ? kFieldsInverse : kFieldsNormal;
+    bool is_good = registered(field != nullptr);
+    const std::uint8_t* expected = field;
+    for (const Part& part : side)
+    {
+        const bool is_first = &part == side.data();
+        is_good = is_good && kFieldsBytes((part.bits % 8U) == 0U) &&
+                  (is_first ? begins(part.place == expected) : goes_on(part.place == expected));
+        expected = (part.place == nullptr) ? expected : (part.place + (part.bits / 8U));
+    }
+    return is_good;
+}
+
+/// [SRS_CFG_027]
+bool AreEntriesGood(const Common& common, Record& record, std::vector<Part>& normal,
+                    std::vector<Part>& inverse) noexcept
+{
+    const std::uint32_t last = kEntriesLast(CountOf(record));
+    for (std::uint32_t number = kEntriesFirst(1U); (number <= last) && (number <= kMaxMapEntries); ++number)
+    {
+        Part part{};
+        if (!IsGood(common, record, number, part))
+        {
+            return false;
+        }
+        (((number % 2U) == 1U) ? normal : inverse).push_back(part);
+    }
+    for (std::size_t i = 0U; (i < normal.size()) && (i < inverse.size()); ++i)
+    {
+        if ((!kPairLength(normal[i].bits == inverse[i].bits)) ||
+            (!kDummyBoth((normal[i].place == nullptr) == (inverse[i].place == nullptr))))
+        {
+            return false;
+        }
+    }
+    return (record.setup.map.entries == nullptr) ||
+           (IsInField(normal, record.fields.normal, false) && IsInField(inverse, record.fields.inverse, true));
+}
+
+/// [SRS_CFG_024]
+bool IsInUse(const Common& common, const Record* records, SlotIndex slot) noexcept
+{
+    const Stored& own = records[slot].stored;
+    bool is_used = false;
+    for (std::uint32_t i = kUseFirst(0U); (i < kUseCount(common.config.srdo_count)) && (i < kMaxSrdoCount); ++i)
+    {
+        const Stored& other = records[i].stored;
+        const bool is_equal = kUse11(own.cob_id_1 == other.cob_id_1) || kUse12(own.cob_id_1 == other.cob_id_2) ||
+                              kUse21(own.cob_id_2 == other.cob_id_1) || kUse22(own.cob_id_2 == other.cob_id_2);
+        is_used = is_used || (kUseOther(i != slot) && kUseOn(other.direction != 0U) && is_equal);
+    }
+    return kUse(is_used);
+}
+
+/// [SRS_CFG_037]
+bool IsShared(const Common& common, const Record* records, SlotIndex slot) noexcept
+{
+    const Record& own = records[slot];
+    bool is_shared = false;
+    for (std::uint32_t i = kSharedFirst(0U); i < common.config.srdo_count; ++i)
+    {
+        const Record& other = records[i];
+        const bool is_consumer = kSharedConsumer(IsConsumer(own)) || kSharedOther(IsConsumer(other));
+        if ((!kSharedLower(i < slot)) || (!kSharedOn(other.stored.direction != 0U)) || (!is_consumer))
+        {
+            continue;
+        }
+        const std::uint32_t whole = CountOf(other);
+        const std::uint32_t room = RoomOf(common, other);
+        const std::uint32_t count = (kSharedCut() && (whole > room)) ? room : whole;
+        for (std::uint32_t mine = kSharedFirstOwn(1U); (mine <= kSharedLastOwn(CountOf(own))) && (mine <= 256U); ++mine)
+        {
+            const std::uint32_t value = EntryOf(own, mine);
+            const bool counts = !kSharedDummy(IsDummy(common, own, Read(value)));
+            for (std::uint32_t its = kSharedFirstEntry(1U); (its <= kSharedLastEntry(count)) && (its <= 256U); ++its)
+            {
+                is_shared = is_shared || (counts && IsSame(value, EntryOf(other, its), kSharedIndex(), kSharedSub()));
+            }
+        }
+    }
+    return kShared(is_shared);
+}
+
+bool IsIdentifierWrong(const Record& record) noexcept
+{
+    const std::uint32_t one = kIdReserved() ? record.stored.cob_id_1 : (record.stored.cob_id_1 & 0x7FFU);
+    const std::uint32_t two = kIdReserved() ? record.stored.cob_id_2 : (record.stored.cob_id_2 & 0x7FFU);
+    return kIdLow(one < kFirstId(0x101U)) || kIdHigh(one > kLastId(0x17FU)) || kIdEven((one % 2U) == 0U) ||
+           kIdNext(two != kIdBoth(one + 1U));
+}
+
+bool IsTimingWrong(const Common& common, const Record& record) noexcept
+{
+    const std::uint32_t sct = record.stored.sct_ms;
+    const std::uint32_t srvt = record.stored.srvt_ms;
+    const bool is_consumer_wrong =
+        kTimingConsumer(IsConsumer(record)) &&
+        (kSrvtLeast(srvt < kSrvtOne(1U)) || kSrvtMost(kSrvtEqual() ? (srvt >= sct) : (srvt > sct)));
+    const std::uint32_t refresh_us = kRefreshUs(sct);
+    const bool is_short =
+        kRefreshEqual() ? (refresh_us < common.config.cycle_us) : (refresh_us <= common.config.cycle_us);
+    return is_consumer_wrong || (kTimingProducer(IsProducer(record)) && kRefresh(is_short));
+}
+
+ConfigFault FirstFault(const Common& common, Record* records, SlotIndex slot, std::vector<Part>& own,
+                       std::uint32_t& bits) noexcept
+{
+    Record& record = records[slot];
+    if (kOff(record.stored.direction == kDirectionOff))
+    {
+        return ConfigFault::kNone;
+    }
+    if (kDirection(record.stored.direction > kLastDirection(2U)))
+    {
+        return ConfigFault::kDirection;
+    }
+    if (kType(record.stored.transmission_type != kTheType(254U)))
+    {
+        return ConfigFault::kTransmissionType;
+    }
+    if (IsIdentifierWrong(record))
+    {
+        return ConfigFault::kIdentifier;
+    }
+    if (IsInUse(common, records, slot))
+    {
+        return ConfigFault::kIdentifierInUse;
+    }
+    if (IsTimingWrong(common, record))
+    {
+        return ConfigFault::kTiming;
+    }
+    const std::uint32_t count = CountOf(record);
+    if (kCountZero(count == 0U) || kCountOdd((count % 2U) != 0U) ||
+        kCountAbove(count > kCountRoom(RoomOf(common, record))))
+    {
+        return ConfigFault::kMapping;
+    }
+    std::vector<Part> normal;
+    std::vector<Part> inverse;
+    if (!AreEntriesGood(common, record, normal, inverse))
+    {
+        return ConfigFault::kMapping;
+    }
+    for (const Part& part : normal)
+    {
+        bits += part.bits;
+    }
+    if (kTotal(kTotalSum(bits) > kTotalBits(64U)))
+    {
+        return ConfigFault::kLengthExceeded;
+    }
+    if (IsShared(common, records, slot))
+    {
+        return ConfigFault::kMapping;
+    }
+    own = (common.side == Side::kNormal) ? normal : inverse;
+    return ConfigFault::kNone;
+}
+
+Bytes SafeOf(const Record& record) noexcept
+{
+    Bytes bytes = BytesOf(record.setup.safe_value);
+    for (std::uint32_t i = 0U; i < kMaxPayloadBytes; ++i)
+    {
+        bytes.at[i] = static_cast<std::uint8_t>(bytes.at[i] & (kSafeMasked() ? MappedOf(record, i) : 0xFFU));
+    }
+    return bytes;
+}
+
+} // namespace
+
+CheckResult ValidateRecord(const Common& common, Record* records, SlotIndex slot) noexcept
+{
+    Record& record = records[slot];
+    const std::uint16_t signature = SignatureOf(common, record);
+    std::vector<Part> own;
+    std::uint32_t bits = 0U;
+    ConfigFault fault = FirstFault(common, records, slot, own, bits);
+    if ((fault == ConfigFault::kNone) && kSignature(signature != record.stored.signature))
+    {
+        fault = ConfigFault::kSignature;
+    }
+    const bool is_good = fault == ConfigFault::kNone;
+    if (is_good && (record.stored.direction != kDirectionOff))
+    {
+        record.parts = own;
+        record.bits = bits;
+        record.is_resolved = kResolves();
+        if (kSafeConsumer(IsConsumer(record)))
+        {
+            if (kSafe())
+            {
+                WriteObjects(record, common.side, SafeOf(record));
+            }
+            record.is_committed = record.is_committed && (!kNotCommitted());
+        }
+    }
+    else
+    {
+        record.is_resolved = record.is_resolved && (!kUnresolves());
+    }
+    record.is_sound = is_good;
+    return CheckResult{fault, kTold(signature)};
+}
+
+CheckResult RecheckRecord(const Common& common, Record& record) noexcept
+{
+    const std::uint16_t signature = SignatureOf(common, record);
+    ConfigFault fault = ConfigFault::kNone;
+    if (kRecheckSignature(signature != record.stored.signature))
+    {
+        fault = ConfigFault::kSignature;
+    }
+    else if ((!kRecheckOff(record.stored.direction == kDirectionOff)) && (!kRecheckResolved(record.is_resolved)))
+    {
+        fault = ConfigFault::kTable;
+    }
+    const bool is_good = fault == ConfigFault::kNone;
+    record.is_sound = is_good ? (record.is_sound || kRecheckSound()) : (record.is_sound && (!kRecheckTakes()));
+    return CheckResult{fault, kRecheckTold(signature)};
+}
+
+} // namespace counterpoint::twins::plain
