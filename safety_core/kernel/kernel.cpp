@@ -69,6 +69,11 @@ void Kernel::Stop() noexcept
 // Before any other part is called. [SRS_STS_040, SRS_STS_063]
 PartsView Kernel::ExamineSelf() noexcept
 {
+    if (SealOf(context_.parts) != context_.seal)
+    {
+        context_.latch.Enter(DeviceFault::kSelfTest, kNoSlot);
+        return PartsView::kInvalid;
+    }
     if (context_.parts.self_test == nullptr)
     {
         flow_.Mark(FlowStep::kSelfTest, kDone);
@@ -82,6 +87,8 @@ PartsView Kernel::ExamineSelf() noexcept
 
 void Kernel::OnFrame(const StampedFrame& frame) noexcept
 {
+    // Before anything is decided: a GFC that is lost here is lost for both channels, and SCT does not tell it.
+    ++run_.frames;
     if (!run_.started)
     {
         return;
@@ -89,6 +96,7 @@ void Kernel::OnFrame(const StampedFrame& frame) noexcept
     clocks_.OnFrame(frame.stamp);
     context_.parts.channel_a.OnFrame(frame.frame, frame.stamp.a);
     context_.parts.channel_b.OnFrame(frame.frame, frame.stamp.b);
+    --run_.frames;
     const bool is_gfc = (frame.frame.identifier == kGfcIdentifier) && (frame.frame.kind == FrameKind::kData) &&
                         (frame.frame.length_bytes == 0U);
     const bool is_active = (context_.guard.Nmt() == NmtState::kOperational) && context_.guard.IsValid();
@@ -149,7 +157,7 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     const std::uint32_t challenge = context_.parts.output.Challenge();
 
     context_.latch.Enter(clocks_.OnCycle(call.now), kNoSlot);
-    flow_.Mark(FlowStep::kClocks, kDone);
+    flow_.Mark(FlowStep::kClocks, FlowEvidence{run_.frames, 0U});
     const std::uint32_t token = context_.guard.Cycle(challenge);
     flow_.Mark(FlowStep::kGuard, kDone);
 

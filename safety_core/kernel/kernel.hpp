@@ -84,6 +84,7 @@ struct KernelRun
     bool started{};
     bool left_operational{}; ///< Channel A has not seen it yet.
     std::uint32_t cycle{};
+    std::uint32_t frames{}; ///< Frames that came, less those that both channels were handed. [SRS_KRN_034]
 };
 
 /// The facade of the certified part: an application links this and the two channels. Not reentrant. All times and
@@ -163,12 +164,12 @@ class Kernel
     /// @brief The application demands the device safe state. [SRS_KRN_031]
     void DemandSafeState() noexcept
     {
-        context_.latch.Enter(DeviceFault::kApplication, kNoSlot);
+        context_.latch.Demand(DeviceFault::kApplication);
     }
     /// @brief The link to the other CPU is lost or wrong. [SRS_LNK_006]
     void OnCrossLinkFault() noexcept
     {
-        context_.latch.Enter(DeviceFault::kCrossLink, kNoSlot);
+        context_.latch.Demand(DeviceFault::kCrossLink);
     }
     /// @brief fault kNone while running. [SRS_KRN_003]
     [[nodiscard]] DeviceFaultReport DeviceState() const noexcept

@@ -25,6 +25,13 @@ class SafeStateLatch
     }
     /// @brief Enters the device safe state; the first fault is kept. A fault of kNone has no effect.
     void Enter(DeviceFault fault, SlotIndex slot) noexcept;
+    /// @brief Enter, for who asks once and not in every cycle. A word is spoiled first, by a statement of its own:
+    /// neither a lost call of Enter nor a lost decision in it keeps this running. [SRS_KRN_031]
+    void Demand(const DeviceFault fault) noexcept
+    {
+        inverse_ = 0U;
+        Enter(fault, kNoSlot);
+    }
     /// @brief All bits set while running, no bit otherwise.
     [[nodiscard]] SrdoMask Gate() const noexcept
     {

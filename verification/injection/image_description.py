@@ -28,8 +28,11 @@ def registers_read(name, operands):
     return mask & 0x7FFF
 
 
-def describe(elf, to, part=None):
-    """Writes the text that Program of program.hpp reads; `part`: the one whose RAM is faulted, NAME or NAME:BEGIN:END (bytes)."""
+def describe(elf, to, part=None, code=""):
+    """Writes the text that Program of program.hpp reads.
+
+    part: the one whose RAM is faulted, NAME or NAME:BEGIN:END (bytes); code: what the names of faulted functions contain (a regular expression).
+    """
     part, *edges = (part or "").split(":")
     lines = []
     table = subprocess.run(["arm-none-eabi-readelf", "-sW", elf], capture_output=True, text=True, check=True).stdout
@@ -39,7 +42,7 @@ def describe(elf, to, part=None):
             continue
         address, size, kind, name = int(fields[1], 16), int(fields[2], 0), fields[3], fields[7]
         lines.append(f"symbol {name} {address}")
-        if kind == "FUNC" and address & 1 and not NOT_FAULTED.search(name):
+        if kind == "FUNC" and address & 1 and not NOT_FAULTED.search(name) and re.search(code, name):
             lines.append(f"code {address & ~1} {(address & ~1) + size}")
         if name in ([part] if part else MEMORY):
             begin, end = map(int, edges or (0, size))

@@ -214,6 +214,7 @@ def build():
 def parse():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--code", choices=CODE, default="both", help="faults of every executed instruction (default: both)")
+    parser.add_argument("--code-of", default="", metavar="REGEX", help="only of functions whose mangled names contain this")
     parser.add_argument("--each", type=int, default=0, metavar="N", help="of each instruction at most N executions a step (default: all)")
     parser.add_argument("--sample", type=int, default=0, metavar="N", help="of the faults of the code so many are drawn (default: all)")
     parser.add_argument("--show", nargs=5, metavar=("STEP", "FAULT", "INSTRUCTION", "ADDRESS", "NUMBER"),
@@ -237,7 +238,7 @@ def main():
     is_tested = self_test()
     if not arguments.no_build:
         build()
-    image_description.describe(f"{IMAGE}.elf", IMAGE.with_suffix(".txt"), arguments.memory_of)
+    image_description.describe(f"{IMAGE}.elf", IMAGE.with_suffix(".txt"), arguments.memory_of, arguments.code_of)
     if arguments.show:
         return show(arguments)
     begun = time.monotonic()
@@ -245,7 +246,7 @@ def main():
     seconds = time.monotonic() - begun
     reasons = json.loads((HERE / "reasons.json").read_text(encoding="utf-8"))
     survivors = read_survivors(lines)
-    problems = judge_survivors(survivors, reasons, arguments.code == "both" and arguments.each == arguments.sample == 0)
+    problems = judge_survivors(survivors, reasons, arguments.code == "both" and arguments.each == arguments.sample == 0 and not arguments.code_of)
     classes, mechanisms = read_counts(lines)
     controls = list(dict.fromkeys(tuple(line[1:4]) for line in lines if line[0] == "control"))
     are_told = [kind for _, kind, _ in controls] == CONTROLS

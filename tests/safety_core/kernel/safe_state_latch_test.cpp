@@ -54,6 +54,24 @@ TEST(SafeStateLatch, FirstFaultIsKeptAndLaterOnesAreCounted)
     EXPECT_EQ(latch.Report().count, 2U);
 }
 
+TEST(SafeStateLatch, DemandDoesNotDependOnWhatEnterDecides)
+{
+    Verifies(req::SRS_KRN_031);
+    SafeStateLatch latch{};
+    latch.Arm();
+    // Given a demand whose fault Enter takes for none
+    latch.Demand(DeviceFault::kNone);
+    // Then nothing runs all the same
+    EXPECT_FALSE(latch.IsRunning());
+    EXPECT_EQ(latch.Gate(), 0U);
+    EXPECT_NE(latch.Spoiler(), 0U);
+    EXPECT_EQ(latch.Report().fault, DeviceFault::kInvalid);
+    // and the next fault is recorded
+    latch.Demand(DeviceFault::kApplication);
+    EXPECT_EQ(latch.Report().fault, DeviceFault::kApplication);
+    EXPECT_EQ(latch.Report().count, 1U);
+}
+
 TEST(SafeStateLatch, CountStaysAtItsGreatestValue)
 {
     Verifies(req::SRS_KRN_003);

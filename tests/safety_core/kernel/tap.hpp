@@ -63,6 +63,10 @@ class Tap final : public Channel
     }
     void OnFrame(const CanFrame& frame, Instant stamp) noexcept override
     {
+        if (on_frame)
+        {
+            on_frame();
+        }
         if (!drop_frames)
         {
             real_.OnFrame(frame, stamp);
@@ -144,6 +148,7 @@ class Tap final : public Channel
         real_.OnTransmitFault(slot, fault);
     }
 
+    std::function<void()> on_frame{};
     std::function<void(CycleOutcome&)> on_outcome{};
     std::function<void(PreparedPair&)> on_prepared{};
     std::function<void(Confirmation&)> on_confirmed{};

@@ -70,6 +70,8 @@ inline constexpr RequirementId SRS_KRN_030{"SRS_KRN_030"};
 inline constexpr RequirementId SRS_KRN_031{"SRS_KRN_031"};
 inline constexpr RequirementId SRS_KRN_032{"SRS_KRN_032"};
 inline constexpr RequirementId SRS_KRN_033{"SRS_KRN_033"};
+inline constexpr RequirementId SRS_KRN_034{"SRS_KRN_034"};
+inline constexpr RequirementId SRS_KRN_035{"SRS_KRN_035"};
 inline constexpr RequirementId SRS_LIM_001{"SRS_LIM_001"};
 } // namespace counterpoint::req
 

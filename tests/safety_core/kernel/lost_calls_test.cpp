@@ -1,0 +1,114 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// What a lost call or a changed address leaves undone, or does elsewhere.
+#include "tests/safety_core/kernel/rig.hpp"
+#include "verification/trace/ids/kernel.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+namespace counterpoint
+{
+namespace
+{
+
+class LostCalls : public Rig
+{
+};
+
+TEST_F(LostCalls, FrameThatIsNotHandedOverIsAWrongFlow)
+{
+    Verifies(req::SRS_KRN_034);
+    Operate();
+    ReceivePair();
+    Cycle();
+    ASSERT_EQ(Open(), 1U);
+    ASSERT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    // When a cycle comes while a frame is not yet with both channels
+    b.on_frame = [this]() { Cycle(); };
+    Receive(0x700U, {1U});
+    b.on_frame = nullptr;
+    // Then that cycle's flow is wrong, and nothing stays open
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kFlow);
+    Cycle();
+    EXPECT_EQ(Open(), 0U);
+}
+
+TEST_F(LostCalls, FramesBeforeStartAreForgotten)
+{
+    Verifies(req::SRS_KRN_034);
+    for (std::uint32_t frame = 0U; frame < 3U; ++frame)
+    {
+        Receive(0x001U, {});
+    }
+    Operate();
+    ReceivePair();
+    Cycles(2U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    EXPECT_EQ(Open(), 1U);
+}
+
+/// Where the kernel keeps the addresses of its parts.
+class PartsOfTheKernel : public Rig
+{
+  protected:
+    static constexpr std::size_t kParts = 8U;
+
+    /// The first place where both channels stand one behind the other.
+    std::size_t FirstByte() const
+    {
+        const Channel* const channels[] = {&a, &b};
+        const std::uint8_t* const bytes = reinterpret_cast<const std::uint8_t*>(&kernel);
+        std::size_t place = 0U;
+        while ((place < (sizeof(Kernel) - sizeof channels)) &&
+               (std::memcmp(&bytes[place], &channels[0], sizeof channels) != 0))
+        {
+            place += sizeof(void*);
+        }
+        return place;
+    }
+    void Flip(const std::size_t place, const std::uint32_t bit)
+    {
+        std::uint8_t* const bytes = reinterpret_cast<std::uint8_t*>(&kernel);
+        bytes[place] = static_cast<std::uint8_t>(bytes[place] ^ (1U << bit));
+    }
+};
+
+TEST_F(PartsOfTheKernel, AnyBitOfAnyAddressIsFoundBeforeAPartIsCalled)
+{
+    Verifies(req::SRS_KRN_035);
+    const std::size_t first = FirstByte();
+    ASSERT_LT(first, sizeof(Kernel) - (kParts * sizeof(void*)));
+    for (std::size_t byte = 0U; byte < (kParts * sizeof(void*)); ++byte)
+    {
+        for (std::uint32_t bit = 0U; bit < 8U; ++bit)
+        {
+            now_us += 2000U;
+            watchdog.timer.Start(hal::WatchdogWindow{500U, 1600U}, Instant{now_us});
+            Operate();
+            ReceivePair();
+            Cycle();
+            ASSERT_EQ(Open(), 1U);
+            ASSERT_TRUE(WatchdogAlive());
+            std::uint32_t calls = 0U;
+            a.on_outcome = [&calls](CycleOutcome&) { ++calls; };
+            const std::uint32_t challenge = output.last.kernel.response;
+            // When one bit changes
+            Flip(first + byte, bit);
+            Cycles(2U);
+            // Then nothing is called, given or answered
+            EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kSelfTest) << "byte " << byte << ", bit " << bit;
+            EXPECT_EQ(calls, 0U);
+            EXPECT_EQ(output.last.kernel.response, challenge);
+            EXPECT_EQ(Open(), 0U);
+            EXPECT_FALSE(WatchdogAlive());
+            Flip(first + byte, bit);
+            a.on_outcome = nullptr;
+        }
+    }
+}
+
+} // namespace
+} // namespace counterpoint
