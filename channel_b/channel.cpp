@@ -236,9 +236,8 @@ CheckResult Channel::Recheck(SlotIndex slot) noexcept
     ConfigFault fault = CompareSignatures(signature, x_settings.Signature(slot));
     if ((fault == ConfigFault::kNone) && (x_settings.Direction(slot) != kDirectionOff))
     {
-        const bool is_mapped = (x_admission.resolved[slot] == Mark::kGood) && x_mappings.IsRight(slot);
-        const bool is_timed = x_consumers.HasConfiguredLimits(slot) && x_producers.HasConfiguredLimit(slot);
-        fault = (is_mapped && is_timed) ? ConfigFault::kNone : ConfigFault::kTable;
+        const bool is_right = (x_admission.resolved[slot] == Mark::kGood) && x_mappings.IsRight(slot);
+        fault = is_right ? ConfigFault::kNone : ConfigFault::kTable;
     }
     return Conclude(slot, fault, signature);
 }

@@ -80,14 +80,6 @@ bool Consumers::IsActive(SlotIndex slot) const noexcept
     return HasAny(x_active, BitOf(slot));
 }
 
-/// The limits of an active consumer do not change while it is active. [SRS_CFG_030]
-bool Consumers::HasConfiguredLimits(SlotIndex slot) const noexcept
-{
-    const bool is_sct = x_pairs.limit[slot] == x_settings.SctUs(slot);
-    const bool is_srvt = x_pairs.srvt_limit[slot] == x_settings.SrvtUs(slot);
-    return (!IsActive(slot)) || (is_sct && is_srvt);
-}
-
 bool Consumers::IsHeld(SlotIndex slot) const noexcept
 {
     return x_pairs.held[slot] == Mark::kHeld;

@@ -44,8 +44,6 @@ class Consumers
     void Withdraw(SlotIndex slot) noexcept;
 
     [[nodiscard]] bool IsActive(SlotIndex slot) const noexcept;
-    /// @brief Whether the slot is judged by the times of the configuration, or not at all.
-    [[nodiscard]] bool HasConfiguredLimits(SlotIndex slot) const noexcept;
     [[nodiscard]] SrdoState StateOf(SlotIndex slot) const noexcept;
     [[nodiscard]] HeldPair Held(SlotIndex slot) const noexcept;
     [[nodiscard]] SrdoMask Committed() const noexcept;

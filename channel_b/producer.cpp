@@ -61,12 +61,6 @@ bool Producers::IsActive(SlotIndex slot) const noexcept
     return HasAny(x_active, BitOf(slot));
 }
 
-/// [SRS_CFG_030]
-bool Producers::HasConfiguredLimit(SlotIndex slot) const noexcept
-{
-    return (!IsActive(slot)) || (x_pairs.limit[slot] == x_settings.SrvtUs(slot));
-}
-
 /// A corrupted stage is in flight until its budget is over; nothing confirms it.
 bool Producers::IsInFlight(SlotIndex slot) const noexcept
 {

@@ -34,8 +34,6 @@ class Producers
     void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept;
 
     [[nodiscard]] bool IsActive(SlotIndex slot) const noexcept;
-    /// @brief Whether the slot's confirmations are judged by the SRVT of the configuration, or not at all.
-    [[nodiscard]] bool HasConfiguredLimit(SlotIndex slot) const noexcept;
     /// @brief Pairs sent.
     [[nodiscard]] std::uint32_t Ordinal(SlotIndex slot) const noexcept;
     /// @brief Normal data of the pair in flight; 0 if there is none.

@@ -10,7 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -147,62 +146,6 @@ TEST(ChannelBRecord, RecheckFindsEveryObjectThatIsNotTheMappedOne)
         });
     EXPECT_GE(found, 4U * 16U);
     EXPECT_GE(written, 1000U);
-}
-
-/// Where the storage holds a time in microseconds.
-std::vector<std::size_t> PlacesOf(Rig& rig, std::uint32_t time_us)
-{
-    std::vector<std::size_t> places;
-    for (std::size_t at = 0U; (at + sizeof(time_us)) <= Rig::kByteCount; at += sizeof(time_us))
-    {
-        if (std::memcmp(rig.Bytes() + at, &time_us, sizeof(time_us)) == 0)
-        {
-            places.push_back(at);
-        }
-    }
-    return places;
-}
-
-TEST(ChannelBRecord, RecheckFindsTimesThatAreNotTheConfiguredOnes)
-{
-    Verifies(req::SRS_CFG_030);
-    // Given two consumers and a producer in OPERATIONAL, SCT 50 ms, SRVT 20 ms
-    const auto rig = std::make_unique<Rig>(ReleasePolicy::kAutomatic);
-    rig->Start();
-    static_cast<void>(rig->Enter());
-    std::vector<std::size_t> places = PlacesOf(*rig, 50000U);
-    EXPECT_EQ(places.size(), 2U);
-    const std::vector<std::size_t> of_srvt = PlacesOf(*rig, 20000U);
-    EXPECT_EQ(of_srvt.size(), 3U);
-    places.insert(places.end(), of_srvt.begin(), of_srvt.end());
-    for (const std::size_t place : places)
-    {
-        for (std::size_t bit = 0U; bit < 32U; ++bit)
-        {
-            // when one bit of one of these times flips
-            const std::size_t byte = place + (bit / 8U);
-            const auto flip = static_cast<std::uint8_t>(1U << (bit % 8U));
-            rig->Bytes()[byte] = static_cast<std::uint8_t>(rig->Bytes()[byte] ^ flip);
-            // then the SRDO whose time it is, and no other one, is found
-            std::uint32_t found = 0U;
-            for (SlotIndex slot = 0U; slot < kRigSlots; ++slot)
-            {
-                found += (rig->Voice().Recheck(slot).fault == ConfigFault::kTable) ? 1U : 0U;
-            }
-            EXPECT_EQ(found, 1U) << place << " " << bit;
-            rig->Bytes()[byte] = static_cast<std::uint8_t>(rig->Bytes()[byte] ^ flip);
-        }
-    }
-    // and once they are right again nothing is found
-    EXPECT_EQ(rig->Voice().Recheck(0U).fault, ConfigFault::kNone);
-    // Outside OPERATIONAL nobody is judged by them.
-    static_cast<void>(rig->Leave());
-    rig->Bytes()[places.front()] = 0U;
-    rig->Bytes()[places.back()] = 0U;
-    for (SlotIndex slot = 0U; slot < kRigSlots; ++slot)
-    {
-        EXPECT_EQ(rig->Voice().Recheck(slot).fault, ConfigFault::kNone);
-    }
 }
 
 /// Everything that may happen to a device; what the channel answers, one number after the other.
