@@ -34,13 +34,11 @@ const Decision kGfcOperational{"SRS_CONS_017", "SRDOs are active"};
 const Decision kGfcKind{"SRS_CONS_017", "a data frame"};
 const Act kGfcKept{"SRS_CONS_017", "a GFC is kept for the next OnCycle"};
 const Act kGfcOnce{"SRS_CONS_017", "a GFC is raised by one OnCycle"};
-const Act kGfcLeft{"SRS_CONS_017", "a GFC is gone when OPERATIONAL is left"};
 const Number kOne{"SRS_CONS_017", "value of 1300h"};
 const Limit kLateLimit{"SRS_CONS_015", "time of the call"};
 const Number kLateUs{"SRS_CONS_015", "length of the time of the call"};
 const Act kLateCycle{"SRS_CONS_015", "the cycle counts"};
 const Act kLateTolerance{"SRS_CONS_015", "the tolerance counts"};
-const Act kLateLess{"SRS_CONS_015", "the tolerance is added"};
 const Decision kFirstNever{"SRS_CONS_015", "the first OnCycle is never late"};
 const Decision kLateOperational{"SRS_CONS_015", "a late call while SRDOs are active"};
 const Number kPrevious{"SRS_CONS_015", "instant of the previous OnCycle"};
@@ -99,6 +97,32 @@ const Act kRestartConfiguration{"SRS_CFG_002", "Restart sets the power-on config
 const Act kRestartValid{"SRS_CFG_002", "13FEh is 0 after Restart"};
 const Act kRestartGfc{"SRS_CFG_002", "1300h is 0 after Restart"};
 
+const Number kStale{"SRS_CFG_031", "kStale"};
+const Number kConfiguredView{"SRS_CFG_031", "kConfigured"};
+const Number kUnconfiguredView{"SRS_CFG_031", "kUnconfigured"};
+const Both kOperationalBoth{"SRS_CONS_002", "OPERATIONAL, and configured"};
+const Number kSrdos{"SRS_CFG_002", "number of SRDOs"};
+const Decision kLevelFirst{"SRS_REL_005", "the level before the first OnCycle counts as 1"};
+const Decision kBitFirst{"SRS_REL_005", "the bit before the first OnCycle counts as 1"};
+const Decision kButtonFirst{"SRS_REL_005", "level and bit before the first OnCycle count as 1"};
+const Act kEntriesFirst{"SRS_CFG_002", "map entries are 0 after Restart"};
+const Act kFieldsFirst{"SRS_CFG_032", "no field is registered after Restart"};
+const Decision kNewFaultActive{"SRS_CONS_023", "new_fault of an active consumer"};
+const Act kToldSignals{"SRS_CONS_021", "signals are told"};
+const Number kPermitRotation{"SRS_REL_010", "bits of the rotation"};
+const Number kPermitUpper{"SRS_REL_010", "first bit of the upper half of the mask"};
+const Number kPermitNone{"SRS_REL_010", "mask while SRDOs are not active"};
+const Sum kPermitSum{"SRS_REL_010", "challenge and mask"};
+const Counter kCycleUp{"SRS_CONS_023", "number of OnCycle calls"};
+const Decision kGfcNext{"SRS_CONS_017", "a GFC waits behind an OnCycle"};
+const Number kDigestFirstSlot{"SRS_CFG_034", "slot with the device's part"};
+const Sum kLateSum{"SRS_CONS_015", "cycle and tolerance"};
+const Place kConfirmRecord{"SRS_PROD_007", "slot of a confirmation"};
+const Place kNormalSlot{"SRS_PROD_007", "slot told with kNormal"};
+const Place kPairSlot{"SRS_PROD_007", "slot told with kPair"};
+const Act kNormalTold{"SRS_PROD_007", "a confirmed normal frame is told"};
+const Act kPairTold{"SRS_PROD_007", "a confirmed pair is told"};
+
 bool IsBit(SrdoMask mask, SlotIndex slot) noexcept
 {
     return ((mask >> slot) & 1U) != 0U;
@@ -118,20 +142,30 @@ void PlainChannel::Restart(const DeviceConfig& config) noexcept
     fresh.gfc_parameter = kRestartGfc() ? std::uint8_t{0U} : common_.gfc_parameter;
     common_ = fresh;
     common_.config = config;
+    common_.config.srdo_count = kSrdos(config.srdo_count);
     for (SlotIndex slot = 0U; slot < kMaxSrdoCount; ++slot)
     {
         const Stored stored = records_[slot].stored;
+        const StaticFields fields = records_[slot].fields;
         if (kRestartState())
         {
             records_[slot] = Record{};
         }
         records_[slot].stored = stored;
+        const bool is_button = kButtonFirst(true);
+        records_[slot].button.level = is_button && kLevelFirst(true);
+        records_[slot].button.bit = is_button && kBitFirst(true);
+        records_[slot].fields = kFieldsFirst() ? StaticFields{} : fields;
         if (slot < config.srdo_count)
         {
             records_[slot].setup = config.srdos[slot];
             if (kRestartConfiguration())
             {
                 SetDefaults(config, records_[slot]);
+            }
+            for (std::uint32_t i = 0U; (i < kMaxMapEntries) && (!kEntriesFirst()); ++i)
+            {
+                records_[slot].stored.entries[i] = stored.entries[i];
             }
         }
     }
@@ -170,7 +204,8 @@ void PlainChannel::SetFields(SlotIndex slot, const StaticFields& fields) noexcep
 
 DeviceDigest PlainChannel::Digest(SlotIndex slot, DeviceDigest before) const noexcept
 {
-    return DeviceDigest{DigestOf(common_, records_[kDigestSlot(slot)], slot == 0U, before.value)};
+    return DeviceDigest{
+        DigestOf(common_, records_[kDigestSlot(slot)], slot == kDigestFirstSlot(SlotIndex{0U}), before.value)};
 }
 
 CheckResult PlainChannel::Validate(SlotIndex slot) noexcept
@@ -195,6 +230,7 @@ void PlainChannel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
     {
         return;
     }
+    Record* ours = nullptr; // An identifier in use twice is refused, so that there is one at most.
     for (SlotIndex slot = 0U; slot < common_.config.srdo_count; ++slot)
     {
         Record& record = records_[slot];
@@ -202,8 +238,12 @@ void PlainChannel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
                              kCandidateTwo(frame.identifier == record.stored.cob_id_2);
         if (kCandidateActive(record.is_active) && kCandidateConsumer(IsConsumer(record)) && is_ours)
         {
-            TakeFrame(common_, record, frame, stamp.us);
+            ours = &record;
         }
+    }
+    if (ours != nullptr)
+    {
+        TakeFrame(common_, *ours, frame, stamp.us);
     }
 }
 
@@ -215,10 +255,10 @@ GuardView PlainChannel::LookAtGuard(const CycleInput& input) const noexcept
     const std::uint32_t expected = kToken(rotated ^ (kInEach() ? (own * 0x01010101U) : own));
     if (!kTokenFits(input.guard_token == expected))
     {
-        return kGuardView(GuardView::kStale);
+        return kGuardView(kStale(GuardView::kStale));
     }
     const bool is_valid = kIsConfigured(common_.configuration_valid == kConfigurationValidValue);
-    return kGuardView(is_valid ? GuardView::kConfigured : GuardView::kUnconfigured);
+    return kGuardView(is_valid ? kConfiguredView(GuardView::kConfigured) : kUnconfiguredView(GuardView::kUnconfigured));
 }
 
 void PlainChannel::Enter(Record& record) noexcept
@@ -291,14 +331,16 @@ void PlainChannel::Tell(SlotIndex slot, CycleOutcome& outcome) noexcept
     Record& record = records_[slot];
     const bool is_consumer = record.is_active && IsConsumer(record);
     const bool is_producer = record.is_active && IsProducer(record);
-    record.told = record.recorded | (kSignalsGone() ? 0U : record.told);
+    const std::uint32_t recorded = record.recorded | (kSignalsGone() ? 0U : record.told);
+    record.told = kToldSignals() ? recorded : record.told;
     record.recorded = 0U;
     outcome.released |= BitOf(slot, kReleased(is_consumer && (record.state == SrdoState::kReleased)));
     outcome.faulted |= BitOf(slot, kFaulted(is_consumer && (record.state == SrdoState::kFaulted)));
     outcome.waiting |= BitOf(slot, kWaiting(is_consumer && (record.state == SrdoState::kWaiting)));
-    outcome.new_fault |= BitOf(slot, kNewFault((!is_producer) && IsConsumer(record) && record.is_fault_reported));
+    const bool is_new = IsConsumer(record) && record.is_fault_reported && (!is_producer);
+    outcome.new_fault |= BitOf(slot, kNewFault(is_new && (kNewFaultActive(true) || (!is_consumer))));
     outcome.fresh |= BitOf(slot, kFresh(is_consumer && record.reception.is_fresh));
-    outcome.signalled |= BitOf(slot, kSignalled(record.told != 0U));
+    outcome.signalled |= BitOf(slot, kSignalled(recorded != 0U));
     outcome.due |= BitOf(slot, kDue(is_producer && IsDue(common_, record)));
     record.reception.is_fresh = record.reception.is_fresh && (!kFreshOnce());
     if (common_.is_operational)
@@ -317,25 +359,24 @@ CycleOutcome PlainChannel::OnCycle(const CycleInput& input) noexcept
     CycleOutcome outcome{};
     outcome.guard = LookAtGuard(input);
     const bool was_operational = common_.is_operational;
-    common_.is_operational =
-        kNmt(input.nmt == NmtState::kOperational) && kConfigured(outcome.guard == GuardView::kConfigured);
+    common_.is_operational = kOperationalBoth(kNmt(input.nmt == NmtState::kOperational),
+                                              kConfigured(outcome.guard == GuardView::kConfigured));
     common_.previous_us = common_.now_us;
     common_.now_us = input.now.us;
-    common_.cycle = kNumber(common_.cycle + 1U);
+    common_.cycle = kNumber(kCycleUp(common_.cycle));
     outcome.cycle = common_.cycle;
     const std::uint32_t tolerance_us = kLateTolerance() ? common_.config.cycle_tolerance_us : 0U;
     const std::uint32_t cycle_us = kLateCycle() ? common_.config.cycle_us : 0U;
-    const std::uint32_t limit_us = kLateLess() ? (cycle_us + tolerance_us) : (cycle_us - tolerance_us);
+    const std::uint32_t limit_us = kLateSum(cycle_us, tolerance_us);
     const bool is_late = kLateLimit(common_.now_us, kPrevious(common_.previous_us), kLateUs(limit_us)) &&
                          kFirstNever(common_.has_cycled) && kLateOperational(true);
     common_.has_cycled = true;
-    common_.has_gfc = common_.has_gfc && (common_.is_operational || (!kGfcLeft()));
     for (SlotIndex slot = 0U; slot < common_.config.srdo_count; ++slot)
     {
         CycleOne(slot, input, is_late, was_operational);
         Tell(slot, outcome);
     }
-    common_.has_gfc = common_.has_gfc && (!kGfcOnce());
+    common_.has_gfc = kGfcNext(common_.has_gfc && (!kGfcOnce()));
     outcome.not_operational = ((!common_.is_operational) && kNotOperational()) ? 1U : 0U;
     return outcome;
 }
@@ -398,12 +439,14 @@ Permit PlainChannel::Answer(std::uint32_t challenge) const noexcept
     {
         permit.mask |= BitOf(slot, kPermitsCommitted(records_[slot].is_committed) && kPermits(common_.is_operational));
     }
-    permit.mask = kPermitMask(permit.mask);
+    permit.mask = kPermitMask(common_.is_operational ? permit.mask : kPermitNone(permit.mask));
     const std::uint32_t low = kPermitLow() ? static_cast<std::uint32_t>(permit.mask) : 0U;
-    const std::uint32_t high = kPermitHigh() ? static_cast<std::uint32_t>(permit.mask >> 32U) : 0U;
-    const std::uint32_t rotated = kPermitRotated() ? ((high << 16U) | (high >> 16U)) : high;
+    const std::uint32_t high = kPermitHigh() ? static_cast<std::uint32_t>(permit.mask >> kPermitUpper(32U)) : 0U;
+    const std::uint32_t bits = kPermitRotation(16U) & 0x1FU;
+    const std::uint32_t rotated = kPermitRotated() ? ((high << bits) | (high >> (32U - bits))) : high;
     const std::uint32_t constant = (common_.side == Side::kNormal) ? kPermitConstantA : kPermitConstantB;
-    permit.response = (((kPermitChallenge() ? challenge : 0U) + low) ^ rotated) * (kPermitConstant() ? constant : 1U);
+    permit.response =
+        (kPermitSum(kPermitChallenge() ? challenge : 0U, low) ^ rotated) * (kPermitConstant() ? constant : 1U);
     return permit;
 }
 
@@ -416,10 +459,12 @@ Confirmation PlainChannel::OnConfirm(const CanFrame& frame, Instant stamp) noexc
 {
     for (SlotIndex slot = 0U; slot < common_.config.srdo_count; ++slot)
     {
-        const ConfirmStep step = Confirm(records_[slot], frame, stamp.us);
+        const ConfirmStep step = Confirm(records_[kConfirmRecord(slot)], frame, stamp.us);
         if (step != ConfirmStep::kNone)
         {
-            return Confirmation{kConfirmSlot(slot), step};
+            const bool is_normal = step == ConfirmStep::kNormal;
+            const SlotIndex told = is_normal ? kNormalSlot(slot) : kPairSlot(slot);
+            return (is_normal ? kNormalTold() : kPairTold()) ? Confirmation{kConfirmSlot(told), step} : Confirmation{};
         }
     }
     return Confirmation{kNoSlot, ConfirmStep::kNone};

@@ -26,6 +26,31 @@ const Decision kIsFull{"SRS_CONS_020", "error_count stays at 65535"};
 const Act kSignals{"SRS_CONS_021", "every fault is signalled"};
 const Number kSignalBit{"SRS_CONS_021", "bit of a signal"};
 
+const Counter kErrors{"SRS_CONS_020", "error_count"};
+const Act kRecorded{"SRS_CONS_020", "a fault is counted and is a cause"};
+const Act kWaitingEnds{"SRS_CONS_022", "anything ends waiting past SCT"};
+const Decision kOwnId{"SRS_CONS_004", "the identifier is the SRDO's own"};
+const Decision kFrameHasFlaw{"SRS_CONS_011", "a frame has a flaw"};
+const Act kAllCauses{"SRS_CONS_018", "OnCycle records faults"};
+const Decision kGfcPending{"SRS_CONS_017", "a GFC came"};
+const Act kConsumerEdge{"SRS_REL_005", "the edge of a consumer waits"};
+const Decision kEdgeIs{"SRS_REL_004", "an edge waits"};
+const Either kReleaseBy{"SRS_REL_004", "automatic, or an edge"};
+const Both kReleaseWith{"SRS_REL_003", "a pair, and no fault"};
+const Both kClearsWith{"SRS_REL_007", "released, and an edge"};
+const Both kEdgeOf{"SRS_REL_005", "the level is 1, and was 0"};
+const Both kInvertedBoth{"SRS_CONS_009", "inverted, and nothing above"};
+const Counter kOrdinalUp{"SRS_CONS_010", "the ordinal"};
+const Number kToldNormalTwice{"SRS_CONS_007", "cause NormalTwice"};
+const Number kToldInverseFirst{"SRS_CONS_008", "cause InverseFirst"};
+const Number kToldNotInverse{"SRS_CONS_009", "cause NotInverse"};
+const Number kToldIdentifier{"SRS_CONS_004", "cause Identifier"};
+const Number kToldLength{"SRS_CONS_005", "cause Length"};
+const Number kToldLateCall{"SRS_CONS_015", "cause LateCall"};
+const Number kToldQueueOverflow{"SRS_CONS_016", "cause QueueOverflow"};
+const Number kToldGfc{"SRS_CONS_017", "cause Gfc"};
+const Number kToldNotOperational{"SRS_CONS_019", "cause NotOperational"};
+
 // Limits.
 const Milliseconds kSctOfFrame{"SRS_CONS_003", "SCT at a frame, in microseconds"};
 const Milliseconds kSrvtOfFrame{"SRS_CONS_003", "SRVT at a frame, in microseconds"};
@@ -81,7 +106,6 @@ const Decision kAboveInverse{"SRS_CONS_009", "bits above the mapped length of th
 const Act kFirstByteCounts{"SRS_CONS_009", "the first byte is compared"};
 const Act kLastByteCounts{"SRS_CONS_009", "the last byte is compared"};
 const Act kKeepsPair{"SRS_CONS_010", "a valid pair is held"};
-const Act kCountsPair{"SRS_CONS_010", "the ordinal goes up by one"};
 const Number kOrdinal{"SRS_CONS_010", "the ordinal after a pair"};
 const Number kHeldStamp{"SRS_CONS_010", "stamp of the held pair"};
 const Act kHeldFromInverse{"SRS_TIME_005", "SCT counts from the normal frame"};
@@ -141,33 +165,6 @@ const Limit kWindow{"SRS_REL_005", "acknowledge window"};
 const Number kWindowUs{"SRS_REL_005", "length of the acknowledge window"};
 const Act kForgotten{"SRS_REL_005", "an edge is forgotten behind the window"};
 const Act kLeavingForgets{"SRS_REL_005", "an edge waits for an active slot only"};
-
-// Demote.
-const Decision kDemotable{"SRS_REL_006", "the slot is an active consumer"};
-const Act kDemoteDrops{"SRS_REL_006", "a demoted slot holds no pair"};
-const Act kDemoteOrdinal{"SRS_REL_006", "a demoted slot has ordinal 0"};
-const Act kDemoteState{"SRS_REL_006", "a demoted slot is faulted"};
-const Act kDemoteCounts{"SRS_REL_006", "a demotion counts"};
-const Decision kDemoteFirst{"SRS_REL_006", "a demoted slot has a cause"};
-const Act kDemoteEdge{"SRS_REL_006", "a demotion forgets an edge"};
-const Decision kDemotePending{"SRS_REL_006", "a pending frame stays pending"};
-const Number kDemoteCause{"SRS_REL_006", "cause of a demotion"};
-const Act kDemoteWaiting{"SRS_REL_006", "a demotion ends waiting past SCT"};
-const Decision kDemoteQuiet{"SRS_REL_006", "a demotion is not reported"};
-const Decision kDemoteSilent{"SRS_REL_006", "a demotion is not signalled"};
-
-// Commit.
-const Decision kAgreed{"SRS_REL_002", "the slot is agreed"};
-const Decision kMatched{"SRS_REL_002", "the slot is matched"};
-const Decision kOwnState{"SRS_REL_002", "the channel's own state is released"};
-const Decision kWritten{"SRS_REL_002", "the pair has been written"};
-const Act kWritesPair{"SRS_REL_002", "the held pair is written"};
-const Act kNotesWritten{"SRS_REL_002", "a written pair is not written again"};
-const Act kNotesCommitted{"SRS_REL_002", "a slot whose pair is written is committed"};
-const Act kWritesSafe{"SRS_REL_002", "the safe value is written"};
-const Act kNoLongerCommitted{"SRS_REL_002", "a slot with the safe value is not committed"};
-const Decision kWasCommitted{"SRS_REL_002", "the slot is committed"};
-const Act kSafeMasked{"SRS_CFG_036", "bits of the safe value above the mapped length are 0"};
 
 std::uint32_t SctOf(const Record& record) noexcept
 {
@@ -279,7 +276,7 @@ bool IsInverted(const Record& record, const CanFrame& frame) noexcept
         is_above_good =
             is_above_good && kAboveNormal((normal & above) == 0U) && kAboveInverse((frame.data[i] & above) == above);
     }
-    return kInverted(is_good) && kAbove(is_above_good);
+    return kInvertedBoth(kInverted(is_good), kAbove(is_above_good));
 }
 
 void TakeNormal(Record& record, const CanFrame& frame, std::uint32_t stamp_us) noexcept
@@ -289,7 +286,7 @@ void TakeNormal(Record& record, const CanFrame& frame, std::uint32_t stamp_us) n
     {
         if (kTwiceFault())
         {
-            RecordFault(record, SrdoCause::kNormalTwice);
+            RecordFault(record, kToldNormalTwice(SrdoCause::kNormalTwice));
         }
         if (kTwiceDrops())
         {
@@ -309,13 +306,13 @@ void TakeInverse(Record& record, const CanFrame& frame, std::uint32_t stamp_us) 
     {
         if (kFirstFault())
         {
-            RecordFault(record, SrdoCause::kInverseFirst);
+            RecordFault(record, kToldInverseFirst(SrdoCause::kInverseFirst));
         }
         return;
     }
     if (!IsInverted(record, frame))
     {
-        RecordFault(record, SrdoCause::kNotInverse);
+        RecordFault(record, kToldNotInverse(SrdoCause::kNotInverse));
         return;
     }
     if (kKeepsPair())
@@ -324,21 +321,11 @@ void TakeInverse(Record& record, const CanFrame& frame, std::uint32_t stamp_us) 
     }
     at.held = kHeldData() ? at.pending : at.held;
     at.held_us = kHeldFromInverse() ? kHeldStamp(at.pending_us) : stamp_us;
-    at.ordinal = kOrdinal(at.ordinal + (kCountsPair() ? 1U : 0U));
+    at.ordinal = kOrdinal(kOrdinalUp(at.ordinal));
     at.is_pending = !kNoLongerPending();
     at.is_fresh = kFresh();
     at.is_written = kNotWritten() ? false : at.is_written;
-    at.had_pair_or_fault = at.had_pair_or_fault || kWaitingPair();
-}
-
-Bytes SafeOf(const Record& record) noexcept
-{
-    Bytes bytes = BytesOf(record.setup.safe_value);
-    for (std::uint32_t i = 0U; i < kMaxPayloadBytes; ++i)
-    {
-        bytes.at[i] = static_cast<std::uint8_t>(bytes.at[i] & (kSafeMasked() ? MappedOf(record, i) : 0xFFU));
-    }
-    return bytes;
+    at.had_pair_or_fault = at.had_pair_or_fault || (kWaitingPair() && kWaitingEnds());
 }
 
 /// Limits in the cycle; whether one has expired. [SRS_CONS_014]
@@ -371,6 +358,28 @@ bool ExamineInCycle(const Common& common, Record& record) noexcept
     return has_expired;
 }
 
+/// Limits, then what else a call may find. [SRS_CONS_018]
+void RecordCycle(const Common& common, Record& record, bool is_late, bool is_lossy) noexcept
+{
+    if (!kAllCauses())
+    {
+        return;
+    }
+    const bool has_expired = ExamineInCycle(common, record);
+    if (is_late && (!kUnlessExpired(has_expired)) && kLateCall())
+    {
+        RecordFault(record, kToldLateCall(SrdoCause::kLateCall));
+    }
+    if (is_lossy && kOverflow())
+    {
+        RecordFault(record, kToldQueueOverflow(SrdoCause::kQueueOverflow));
+    }
+    if (kGfcPending(common.has_gfc) && kGfc())
+    {
+        RecordFault(record, kToldGfc(SrdoCause::kGfc));
+    }
+}
+
 /// The cycle that reports a fault. [SRS_CONS_013]
 void Report(Record& record) noexcept
 {
@@ -389,6 +398,13 @@ void Report(Record& record) noexcept
 
 } // namespace
 
+void CountFault(Record& record, SrdoCause cause) noexcept
+{
+    record.cause = kIsFirst(record.cause != SrdoCause::kNone) ? record.cause : kFirstCause(cause);
+    const bool is_full = kIsFull(record.errors == 0xFFFFU);
+    record.errors = ((!is_full) && kCounts()) ? kCount(kErrors(record.errors)) : record.errors;
+}
+
 void RecordFault(Record& record, SrdoCause cause) noexcept
 {
     Reception& at = record.reception;
@@ -398,12 +414,13 @@ void RecordFault(Record& record, SrdoCause cause) noexcept
     at.is_fresh = at.is_fresh && at.is_held;
     at.ordinal = kOrdinalZero() ? 0U : at.ordinal;
     record.button.is_waiting = record.button.is_waiting && (!kForgetsEdge());
-    record.cause = kIsFirst(record.cause != SrdoCause::kNone) ? record.cause : kFirstCause(cause);
-    const bool is_full = kIsFull(record.errors == 0xFFFFU);
-    record.errors = ((!is_full) && kCounts()) ? kCount(static_cast<std::uint16_t>(record.errors + 1U)) : record.errors;
+    if (kRecorded())
+    {
+        CountFault(record, cause);
+    }
     record.recorded |= kSignals() ? (1U << (kSignalBit(static_cast<std::uint32_t>(cause)) % 32U)) : 0U;
     record.has_fault = record.has_fault || kFaultIsReported();
-    at.had_pair_or_fault = at.had_pair_or_fault || kWaitingFault();
+    at.had_pair_or_fault = at.had_pair_or_fault || (kWaitingFault() && kWaitingEnds());
     if ((record.state != SrdoState::kProducer) && kFaultedState())
     {
         record.state = SrdoState::kFaulted;
@@ -414,17 +431,18 @@ void TakeFrame(Common& common, Record& record, const CanFrame& frame, std::uint3
 {
     const bool is_inverse = kIsInverse(frame.identifier == record.stored.cob_id_2);
     ExamineAtFrame(record, stamp_us, is_inverse);
+    const std::uint32_t own = is_inverse ? record.stored.cob_id_2 : record.stored.cob_id_1;
     const bool is_right_port = is_inverse ? kInversePort(frame.port == common.config.inverse_port)
                                           : kNormalPort(frame.port == common.config.normal_port);
-    if (!kPort(is_right_port))
+    if ((!kPort(is_right_port)) || (!kOwnId(frame.identifier == own)))
     {
-        RecordFault(record, SrdoCause::kIdentifier);
+        RecordFault(record, kToldIdentifier(SrdoCause::kIdentifier));
         return;
     }
     const std::uint32_t length = kMappedLength(LengthOf(record));
     if ((!kLength(frame.length_bytes <= length)) || (!kNotShorter(frame.length_bytes >= length)))
     {
-        RecordFault(record, SrdoCause::kLength);
+        RecordFault(record, kToldLength(SrdoCause::kLength));
         return;
     }
     if (is_inverse)
@@ -434,6 +452,10 @@ void TakeFrame(Common& common, Record& record, const CanFrame& frame, std::uint3
     else
     {
         TakeNormal(record, frame, stamp_us);
+    }
+    if (kFrameHasFlaw(false))
+    {
+        RecordFault(record, SrdoCause::kNone);
     }
 }
 
@@ -451,7 +473,7 @@ void LeaveConsumer(Record& record) noexcept
 {
     if (kLeavingFault())
     {
-        RecordFault(record, SrdoCause::kNotOperational);
+        RecordFault(record, kToldNotOperational(SrdoCause::kNotOperational));
     }
     record.state = kLeavingOff() ? SrdoState::kOff : record.state;
     const std::uint32_t ordinal = kLeavingOrdinal() ? 0U : record.reception.ordinal;
@@ -469,14 +491,15 @@ void FollowButton(const Common& common, Record& record, bool bit) noexcept
     Button& button = record.button;
     const bool is_same = kTwoEqual(bit == button.bit);
     const bool level = is_same ? bit : button.level;
-    const bool is_edge = is_same && kIsHigh(level) && kWasLow(!button.level);
+    const bool is_edge = is_same && kEdgeOf(kIsHigh(level), kWasLow(!button.level));
     button.level = kKeepsLevel() ? level : button.level;
     button.bit = kKeepsBit() ? bit : button.bit;
     if (button.is_waiting && kWindow(common.now_us, button.edge_us, kWindowUs(common.config.acknowledge_window_us)))
     {
         button.is_waiting = !kForgotten();
     }
-    if (is_edge && kEdgeActive(record.is_active))
+    button.is_edge = is_edge && kEdgeActive(record.is_active);
+    if (button.is_edge)
     {
         button.edge_us = (button.is_waiting && (!kNewWindow())) ? button.edge_us : kEdgeFrom(common.now_us);
         button.is_waiting = kEdgeWaits() || button.is_waiting;
@@ -487,27 +510,17 @@ void FollowButton(const Common& common, Record& record, bool bit) noexcept
 void CycleConsumer(const Common& common, Record& record, bool is_late, bool is_lossy) noexcept
 {
     Reception& at = record.reception;
-    const bool has_expired = ExamineInCycle(common, record);
-    if (is_late && (!kUnlessExpired(has_expired)) && kLateCall())
-    {
-        RecordFault(record, SrdoCause::kLateCall);
-    }
-    if (is_lossy && kOverflow())
-    {
-        RecordFault(record, SrdoCause::kQueueOverflow);
-    }
-    if (common.has_gfc && kGfc())
-    {
-        RecordFault(record, SrdoCause::kGfc);
-    }
+    RecordCycle(common, record, is_late, is_lossy);
+    record.button.is_waiting = record.button.is_waiting && kConsumerEdge();
     Report(record);
+    const bool has_edge = kEdgeIs(record.button.is_waiting);
     const bool is_automatic = kAutomatic(record.setup.policy == ReleasePolicy::kAutomatic);
-    if (kHeldForRelease(at.is_held) && kNotReleasedNow(!record.is_fault_reported) &&
-        (is_automatic || kEdgeForRelease(record.button.is_waiting)) && kReleases())
+    if (kReleaseWith(kHeldForRelease(at.is_held), kNotReleasedNow(!record.is_fault_reported)) &&
+        kReleaseBy(is_automatic, kEdgeForRelease(has_edge)) && kReleases())
     {
         record.state = SrdoState::kReleased;
     }
-    if (kClearsReleasedOnly(record.state == SrdoState::kReleased) && kEdgeForClear(record.button.is_waiting))
+    if (kClearsWith(kClearsReleasedOnly(record.state == SrdoState::kReleased), kEdgeForClear(has_edge)))
     {
         record.cause = kClearsCause() ? SrdoCause::kNone : record.cause;
         record.button.is_waiting = record.button.is_waiting && (!kUsesEdge());
@@ -518,56 +531,6 @@ void CycleConsumer(const Common& common, Record& record, bool is_late, bool is_l
     {
         record.recorded |= 1U << static_cast<std::uint32_t>(SrdoCause::kWaitingPastSct);
         at.is_late_told = kWaitingOnce();
-    }
-}
-
-void DemoteConsumer(Record& record) noexcept
-{
-    const bool is_state = (record.state == SrdoState::kWaiting) || (record.state == SrdoState::kFaulted) ||
-                          (record.state == SrdoState::kReleased);
-    if (!kDemotable(record.is_active && is_state))
-    {
-        return;
-    }
-    Reception& at = record.reception;
-    at.is_held = at.is_held && (!kDemoteDrops());
-    at.is_fresh = at.is_fresh && at.is_held;
-    at.ordinal = kDemoteOrdinal() ? 0U : at.ordinal;
-    at.is_pending = at.is_pending && kDemotePending(true);
-    record.state = kDemoteState() ? SrdoState::kFaulted : record.state;
-    record.errors = ((record.errors != 0xFFFFU) && kDemoteCounts()) ? static_cast<std::uint16_t>(record.errors + 1U)
-                                                                    : record.errors;
-    record.cause = kDemoteFirst(record.cause != SrdoCause::kNone) ? record.cause : kDemoteCause(SrdoCause::kDemoted);
-    record.button.is_waiting = record.button.is_waiting && (!kDemoteEdge());
-    at.had_pair_or_fault = at.had_pair_or_fault || kDemoteWaiting();
-    record.has_fault = record.has_fault || (!kDemoteQuiet(true));
-    record.recorded |= kDemoteSilent(true) ? 0U : (1U << static_cast<std::uint32_t>(SrdoCause::kDemoted));
-}
-
-/// [SRS_REL_002]
-void CommitConsumer(const Common& common, Record& record, bool is_agreed, bool is_matched) noexcept
-{
-    Reception& at = record.reception;
-    const bool is_released = kAgreed(is_agreed) && kOwnState(record.state == SrdoState::kReleased);
-    if (is_released && kMatched(is_matched))
-    {
-        if (!kWritten(at.is_written))
-        {
-            if (kWritesPair())
-            {
-                WriteObjects(record, common.side, at.held);
-            }
-            at.is_written = kNotesWritten();
-            record.is_committed = record.is_committed || kNotesCommitted();
-        }
-    }
-    else if ((!is_released) && kWasCommitted(record.is_committed))
-    {
-        if (kWritesSafe())
-        {
-            WriteObjects(record, common.side, SafeOf(record));
-        }
-        record.is_committed = !kNoLongerCommitted();
     }
 }
 

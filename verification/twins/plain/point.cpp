@@ -22,7 +22,13 @@ const char* TextOf(Slip slip)
                                          "the limit itself is refused",
                                          "only below the limit",
                                          "sum of the instants",
-                                         "a thousandth"};
+                                         "a thousandth",
+                                         "one of the two suffices",
+                                         "both are needed",
+                                         "exactly one of the two",
+                                         "down instead of up",
+                                         "difference instead of sum",
+                                         "quotient instead of product"};
     return kTexts[static_cast<std::uint8_t>(slip)];
 }
 } // namespace

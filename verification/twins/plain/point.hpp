@@ -25,6 +25,12 @@ enum class Slip : std::uint8_t
     kOnlyBelow,
     kSumOfInstants,
     kAThousandth,
+    kOneSuffices,
+    kBothNeeded,
+    kExactlyOne,
+    kDown,
+    kDifference,
+    kQuotient,
 };
 
 /// A place of the plain channel where a requirement says something. One at a time is wrong.
@@ -126,6 +132,76 @@ class Number final : public Point
             return static_cast<T>(Ones());
         }
         return value;
+    }
+};
+
+/// Two things that are needed both.
+class Both final : public Point
+{
+  public:
+    Both(const char* requirement, const char* what) : Point{requirement, what, {Slip::kOneSuffices, Slip::kExactlyOne}}
+    {
+    }
+    [[nodiscard]] bool operator()(bool one, bool other) const noexcept
+    {
+        const Slip slip = Now();
+        return (slip == Slip::kNone) ? (one && other)
+                                     : ((slip == Slip::kOneSuffices) ? (one || other) : (one != other));
+    }
+};
+
+/// Two things of which one suffices.
+class Either final : public Point
+{
+  public:
+    Either(const char* requirement, const char* what) : Point{requirement, what, {Slip::kBothNeeded, Slip::kExactlyOne}}
+    {
+    }
+    [[nodiscard]] bool operator()(bool one, bool other) const noexcept
+    {
+        const Slip slip = Now();
+        return (slip == Slip::kNone) ? (one || other) : ((slip == Slip::kBothNeeded) ? (one && other) : (one != other));
+    }
+};
+
+/// Something that is counted up by one.
+class Counter final : public Point
+{
+  public:
+    Counter(const char* requirement, const char* what) : Point{requirement, what, {Slip::kLeftOut, Slip::kDown}}
+    {
+    }
+    template <typename T> [[nodiscard]] T operator()(T value) const noexcept
+    {
+        const Slip slip = Now();
+        return (slip == Slip::kLeftOut) ? value : static_cast<T>((slip == Slip::kDown) ? (value - 1U) : (value + 1U));
+    }
+};
+
+/// A sum of two.
+class Sum final : public Point
+{
+  public:
+    Sum(const char* requirement, const char* what) : Point{requirement, what, {Slip::kDifference}}
+    {
+    }
+    [[nodiscard]] std::uint32_t operator()(std::uint32_t one, std::uint32_t other) const noexcept
+    {
+        return (Now() == Slip::kDifference) ? (one - other) : (one + other);
+    }
+};
+
+/// A product of two.
+class Product final : public Point
+{
+  public:
+    Product(const char* requirement, const char* what) : Point{requirement, what, {Slip::kQuotient, Slip::kZero}}
+    {
+    }
+    [[nodiscard]] std::uint32_t operator()(std::uint32_t one, std::uint32_t other) const noexcept
+    {
+        const Slip slip = Now();
+        return (slip == Slip::kZero) ? 0U : ((slip == Slip::kQuotient) ? (one / other) : (one * other));
     }
 };
 

@@ -61,7 +61,6 @@ const Act kEchoFirst{"SRS_PROD_007", "the first byte is compared"};
 const Act kEchoLast{"SRS_PROD_007", "the last byte is compared"};
 const Act kEchoFault{"SRS_PROD_007", "a wrong echo is a fault"};
 const Act kAwaitsInverse{"SRS_PROD_007", "the inverse frame becomes the awaited one"};
-const Act kCountsSent{"SRS_PROD_007", "the number of pairs sent goes up"};
 const Number kSent{"SRS_PROD_007", "the number of pairs sent"};
 const Act kPairOver{"SRS_PROD_007", "after a pair nothing is in flight"};
 const Number kReplyNormal{"SRS_PROD_007", "reply to the normal frame"};
@@ -86,7 +85,6 @@ const Act kGivesUp{"SRS_PROD_009", "a fault gives up the pair"};
 const Act kGivesUpAwaited{"SRS_PROD_009", "a given up pair awaits nothing"};
 const Act kProducerFault{"SRS_PROD_009", "a fault is recorded"};
 const Act kAcknowledge{"SRS_PROD_009", "an edge sets the first cause to none"};
-const Act kAcknowledgeOnce{"SRS_PROD_009", "the edge is used up"};
 const Decision kAcknowledgeFault{"SRS_PROD_009", "no fault in the call of the edge"};
 const Decision kMissedInFlight{"SRS_PROD_010", "a pair is in flight when a refresh falls due"};
 const Decision kMissedMark{"SRS_PROD_010", "the mark of the refresh before is not used up"};
@@ -121,9 +119,34 @@ const Decision kStandEntered{"SRS_PROD_012", "the slot was active before"};
 const Number kStandTime{"SRS_PROD_012", "time from the previous OnCycle"};
 const Act kStandDifference{"SRS_PROD_012", "the previous OnCycle counts"};
 
+const Product kSteps{"SRS_PROD_001", "0.5 ms x node-ID"};
+const Sum kFirstSum{"SRS_PROD_001", "entering OPERATIONAL and the initial delay"};
+const Sum kRefreshSum{"SRS_PROD_002", "instant of a refresh and the refresh time"};
+const Number kToldAny{"SRS_PROD_009", "cause of a producer"};
+const Number kToldNoConfirmCycle{"SRS_PROD_008", "cause of no confirmation in the cycle"};
+const Number kToldNoConfirmFrame{"SRS_PROD_008", "cause of a confirmation too late"};
+const Number kToldMissed{"SRS_PROD_010", "cause of a missed refresh"};
+const Number kToldRare{"SRS_PROD_010", "cause of an application that sends too rarely"};
+const Number kToldEcho{"SRS_PROD_007", "cause of a wrong echo"};
+const Number kToldFail{"SRS_PROD_009", "cause of a failed transmission"};
+const Number kReady{"SRS_PROD_005", "status of a ready pair"};
+const Number kNotReady{"SRS_PROD_005", "status without a pair"};
+const Act kReadyTold{"SRS_PROD_005", "a ready pair is told"};
+const Act kPrepareDone{"SRS_PROD_005", "Prepare is done"};
+const Decision kEchoInverse{"SRS_PROD_007", "the inverse frame's data are expected"};
+const Decision kEchoWrong{"SRS_PROD_007", "the echo is wrong"};
+const Either kEchoEither{"SRS_PROD_007", "length or data differ"};
+const Decision kConfirmFlaw{"SRS_PROD_007", "a confirmation has a flaw"};
+const Counter kSentUp{"SRS_PROD_007", "number of pairs sent"};
+const Both kAcknowledgeWith{"SRS_PROD_009", "an edge, and no fault in the call"};
+const Both kDueWith{"SRS_PROD_004", "something makes due, and no pair is in flight"};
+const Either kDueBy{"SRS_PROD_004", "a refresh, or a request"};
+const Either kMissedBy{"SRS_PROD_010", "a pair in flight, or a mark not used up"};
+const Both kPreparesBoth{"SRS_PROD_005", "an active producer, and no pair in flight"};
+
 std::uint32_t DelayOf(const Common& common) noexcept
 {
-    return kDelay(kStep(500U) * kNodeId(static_cast<std::uint32_t>(common.config.node_id)));
+    return kDelay(kSteps(kStep(500U), kNodeId(static_cast<std::uint32_t>(common.config.node_id))));
 }
 
 bool IsReached(std::uint32_t now_us, std::uint32_t from_us, std::uint32_t delay_us) noexcept
@@ -136,7 +159,7 @@ void Fault(Record& record, SrdoCause cause) noexcept
 {
     if (kProducerFault())
     {
-        RecordFault(record, cause);
+        RecordFault(record, kToldAny(cause));
     }
     if ((cause != SrdoCause::kRefreshMissed) && kGivesUp())
     {
@@ -159,7 +182,7 @@ void ExamineConfirmation(const Common& common, Record& record) noexcept
     if (kNoConfirmInFlight(record.transmission.is_in_flight) &&
         IsSrvtOver(record, kNoConfirmInCycle, kSrvtOfCycle, common.now_us) && kNoConfirmFault())
     {
-        Fault(record, SrdoCause::kNoConfirmation);
+        Fault(record, kToldNoConfirmCycle(SrdoCause::kNoConfirmation));
     }
 }
 
@@ -173,11 +196,11 @@ void ExamineRefresh(const Common& common, Record& record) noexcept
     {
         return;
     }
-    if (kMissedInFlight(to.is_in_flight) || kMissedMark(to.is_refresh_due))
+    if (kMissedBy(kMissedInFlight(to.is_in_flight), kMissedMark(to.is_refresh_due)))
     {
         if (kMissedFault())
         {
-            Fault(record, SrdoCause::kRefreshMissed);
+            Fault(record, kToldMissed(SrdoCause::kRefreshMissed));
         }
         to.is_refresh_due = to.is_refresh_due || (!kSkips());
     }
@@ -186,7 +209,7 @@ void ExamineRefresh(const Common& common, Record& record) noexcept
         to.is_refresh_due = kRefreshDue();
     }
     const std::uint32_t from_us = kExactPhase() ? to.next_us : common.now_us;
-    to.next_us = kPhase() ? (from_us + kPeriod(kPeriodMs(record.stored.sct_ms))) : to.next_us;
+    to.next_us = kPhase() ? kRefreshSum(from_us, kPeriod(kPeriodMs(record.stored.sct_ms))) : to.next_us;
 }
 
 /// Form kApplicationSends. [SRS_PROD_010]
@@ -200,7 +223,7 @@ void ExamineApplication(const Common& common, Record& record) noexcept
     if (kTooRare(common.now_us, to.base_us, kTooRareUs(limit_us)) && (!kTooRareRequest(to.is_requested)) &&
         kTooRareFault())
     {
-        Fault(record, SrdoCause::kRefreshMissed);
+        Fault(record, kToldRare(SrdoCause::kRefreshMissed));
         to.base_us = kTooRareAnew() ? common.now_us : to.base_us;
     }
 }
@@ -231,8 +254,8 @@ void EnterProducer(const Common& common, Record& record) noexcept
 {
     Transmission& to = record.transmission;
     to.entered_us = kEntered(common.now_us);
-    to.next_us = to.entered_us + (kFirstRefresh() ? DelayOf(common) : 0U);
-    to.base_us = to.entered_us + (kTooRareFirst() ? DelayOf(common) : 0U);
+    to.next_us = kFirstSum(to.entered_us, kFirstRefresh() ? DelayOf(common) : 0U);
+    to.base_us = kFirstSum(to.entered_us, kTooRareFirst() ? DelayOf(common) : 0U);
     record.state = kEntersState() ? SrdoState::kProducer : record.state;
 }
 
@@ -287,27 +310,31 @@ void CycleProducer(const Common& common, Record& record, const CycleInput& input
     }
     record.is_fault_reported = record.has_fault;
     record.has_fault = false;
-    if (record.button.is_waiting)
+    if (kAcknowledgeWith(record.button.is_edge, kAcknowledgeFault(!record.is_fault_reported)) && kAcknowledge())
     {
-        record.cause =
-            (kAcknowledgeFault(!record.is_fault_reported) && kAcknowledge()) ? SrdoCause::kNone : record.cause;
-        record.button.is_waiting = !kAcknowledgeOnce();
+        record.cause = SrdoCause::kNone;
     }
+    record.button.is_waiting = false;
 }
 
 bool IsDue(const Common& common, const Record& record) noexcept
 {
     const Transmission& to = record.transmission;
-    return kDueInFlight(!to.is_in_flight) && IsReached(common.now_us, to.entered_us, DelayOf(common)) &&
-           (kDueRefresh(to.is_refresh_due) || kDueRequest(to.is_requested));
+    const bool is_marked = kDueBy(kDueRefresh(to.is_refresh_due), kDueRequest(to.is_requested));
+    return kDueWith(kDueInFlight(!to.is_in_flight), is_marked) &&
+           IsReached(common.now_us, to.entered_us, DelayOf(common));
 }
 
 PreparedPair PreparePair(const Common& common, Record& record) noexcept
 {
     Transmission& to = record.transmission;
-    if ((!kPrepares(record.is_active && IsProducer(record))) || (!kPreparesIdle(!to.is_in_flight)))
+    if (!kPrepareDone())
     {
-        return PreparedPair{CanFrame{}, PrepareStatus::kNotProducer};
+        return PreparedPair{};
+    }
+    if (!kPreparesBoth(kPrepares(record.is_active && IsProducer(record)), kPreparesIdle(!to.is_in_flight)))
+    {
+        return PreparedPair{CanFrame{}, kNotReady(PrepareStatus::kNotProducer)};
     }
     to.is_refresh_due = to.is_refresh_due && (!kUsesRefresh());
     to.is_requested = to.is_requested && (!kUsesRequest());
@@ -317,7 +344,7 @@ PreparedPair PreparePair(const Common& common, Record& record) noexcept
     to.is_in_flight = kGoesInFlight();
     to.is_inverse_awaited = false;
     to.since_us = kSince(common.now_us);
-    return PreparedPair{NormalFrame(common, record), PrepareStatus::kReady};
+    return kReadyTold() ? PreparedPair{NormalFrame(common, record), kReady(PrepareStatus::kReady)} : PreparedPair{};
 }
 
 ConfirmStep Confirm(Record& record, const CanFrame& frame, std::uint32_t stamp_us) noexcept
@@ -335,13 +362,13 @@ ConfirmStep Confirm(Record& record, const CanFrame& frame, std::uint32_t stamp_u
     for (std::uint32_t i = 0U; i < length; ++i)
     {
         const bool counts = ((i != 0U) || kEchoFirst()) && (((i + 1U) != length) || kEchoLast());
-        is_equal = is_equal && ((!counts) || (frame.data[i] == Expected(record, i, is_inverse)));
+        is_equal = is_equal && ((!counts) || (frame.data[i] == Expected(record, i, kEchoInverse(is_inverse))));
     }
-    if ((!kEchoLength(frame.length_bytes == length)) || (!kEchoData(is_equal)))
+    if (kEchoWrong(kEchoEither(!kEchoLength(frame.length_bytes == length), !kEchoData(is_equal))))
     {
         if (kEchoFault())
         {
-            Fault(record, SrdoCause::kWrongEcho);
+            Fault(record, kToldEcho(SrdoCause::kWrongEcho));
         }
         return ConfirmStep::kNone;
     }
@@ -349,8 +376,13 @@ ConfirmStep Confirm(Record& record, const CanFrame& frame, std::uint32_t stamp_u
     {
         if (kNoConfirmFaultFrame())
         {
-            Fault(record, SrdoCause::kNoConfirmation);
+            Fault(record, kToldNoConfirmFrame(SrdoCause::kNoConfirmation));
         }
+        return ConfirmStep::kNone;
+    }
+    if (kConfirmFlaw(false))
+    {
+        Fault(record, SrdoCause::kNone);
         return ConfirmStep::kNone;
     }
     if (!is_inverse)
@@ -359,7 +391,7 @@ ConfirmStep Confirm(Record& record, const CanFrame& frame, std::uint32_t stamp_u
         to.since_us = kConfirmStamp() ? stamp_us : to.since_us;
         return kReplyNormal(ConfirmStep::kNormal);
     }
-    to.ordinal = kSent(to.ordinal + (kCountsSent() ? 1U : 0U));
+    to.ordinal = kSent(kSentUp(to.ordinal));
     to.is_in_flight = !kPairOver();
     to.is_inverse_awaited = false;
     return kReplyPair(ConfirmStep::kPair);
@@ -392,7 +424,7 @@ void FailTransmission(Record& record, SrdoCause cause) noexcept
                           kFailInverse(cause == SrdoCause::kNotInverse);
     if (kFailInFlight(record.transmission.is_in_flight) && kFailCause(is_cause))
     {
-        Fault(record, cause);
+        Fault(record, kToldFail(cause));
     }
 }
 

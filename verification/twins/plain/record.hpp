@@ -77,6 +77,7 @@ struct Button
     bool bit{true};
     bool level{true};
     bool is_waiting{false};
+    bool is_edge{false}; ///< In this call.
     std::uint32_t edge_us{0U};
 };
 
@@ -143,6 +144,7 @@ void WriteObjects(const Record& record, Side side, const Bytes& normal) noexcept
 
 // consumer.cpp
 void RecordFault(Record& record, SrdoCause cause) noexcept;
+void CountFault(Record& record, SrdoCause cause) noexcept;
 void TakeFrame(Common& common, Record& record, const CanFrame& frame, std::uint32_t stamp_us) noexcept;
 void EnterConsumer(Record& record, std::uint32_t now_us) noexcept;
 void LeaveConsumer(Record& record) noexcept;

@@ -110,6 +110,39 @@ const Act kRecheckTakes{"SRS_CFG_030", "a fault of Recheck makes inactive"};
 const Number kRecheckTold{"SRS_CFG_030", "signature that Recheck tells"};
 const Act kRecheckSound{"SRS_CONS_002", "a Recheck without fault lets the slot be active"};
 
+const Number kToldDirection{"SRS_CFG_021", "fault that is told for the direction"};
+const Number kToldType{"SRS_CFG_022", "fault that is told for the transmission type"};
+const Number kToldId{"SRS_CFG_023", "fault that is told for an identifier"};
+const Number kToldUse{"SRS_CFG_024", "fault that is told for an identifier in use"};
+const Number kToldTiming{"SRS_CFG_025", "fault that is told for timing"};
+const Number kToldCount{"SRS_CFG_026", "fault that is told for the map count"};
+const Number kToldEntries{"SRS_CFG_027", "fault that is told for an entry"};
+const Number kToldTotal{"SRS_CFG_028", "fault that is told for the total length"};
+const Number kToldShared{"SRS_CFG_037", "fault that is told for a shared object"};
+const Number kToldSignature{"SRS_CFG_029", "fault that is told for the signature"};
+const Number kToldRecheck{"SRS_CFG_030", "fault that is told for the signature in a Recheck"};
+const Number kToldTable{"SRS_CFG_030", "fault that is told for the mapping in a Recheck"};
+const Decision kAccessRole{"SRS_CFG_027", "the access of a consumer is wanted"};
+const Decision kFieldsGood{"SRS_CFG_032", "the objects are those of the fields"};
+const Decision kFieldsStatic{"SRS_CFG_032", "the fields of a static mapping are checked"};
+const Decision kDummyAny{"SRS_CFG_033", "an entry is a dummy"};
+const Decision kEntriesGood{"SRS_CFG_027", "all entries are good"};
+const Decision kPairGood{"SRS_CFG_027", "both of a pair go together"};
+const Decision kCountWrong{"SRS_CFG_026", "the map count is wrong"};
+const Either kCountOddOrNone{"SRS_CFG_026", "0 or odd"};
+const Decision kTimingRole{"SRS_CFG_025", "a consumer's timing"};
+const Decision kTimingAny{"SRS_CFG_025", "the timing is wrong"};
+const Decision kSharedSame{"SRS_CFG_037", "the objects are the same"};
+const Both kSameBoth{"SRS_CFG_027", "index and sub-index are the same"};
+const Both kSharedBoth{"SRS_CFG_037", "index and sub-index of a shared object are the same"};
+const Number kBitsOf1{"SRS_CFG_033", "bits of 0001h"};
+const Number kBitsOf2{"SRS_CFG_033", "bits of 0002h"};
+const Number kBitsOf3{"SRS_CFG_033", "bits of 0003h"};
+const Number kBitsOf4{"SRS_CFG_033", "bits of 0004h"};
+const Number kBitsOf5{"SRS_CFG_033", "bits of 0005h"};
+const Number kBitsOf6{"SRS_CFG_033", "bits of 0006h"};
+const Number kBitsOf7{"SRS_CFG_033", "bits of 0007h"};
+
 struct Entry
 {
     std::uint32_t index;
@@ -125,11 +158,12 @@ Entry Read(std::uint32_t value) noexcept
 /// A data type that may stand for an object; false if it is none.
 bool IsType(const Entry& entry) noexcept
 {
-    static constexpr std::uint32_t kBits[] = {0U, 1U, 8U, 16U, 32U, 8U, 16U, 32U};
+    const std::uint32_t type_bits[] = {0U,           kBitsOf1(1U),  kBitsOf2(8U), kBitsOf3(16U), kBitsOf4(32U),
+                                       kBitsOf5(8U), kBitsOf6(16U), kBitsOf7(32U)};
     const std::uint32_t first = kDummyFirst(1U);
     const std::uint32_t last = kDummyLast(7U);
     const bool is_index = kDummyIs((entry.index >= first) && (entry.index <= last));
-    const std::uint32_t bits = kBits[entry.index % 8U];
+    const std::uint32_t bits = type_bits[entry.index % 8U];
     return is_index && kDummySub(entry.sub == 0U) && kDummyBits(entry.bits == bits);
 }
 
@@ -155,14 +189,14 @@ const MappableObject* ObjectOf(const Common& common, const Entry& entry) noexcep
 
 bool IsAccess(const Record& record, MapAccess access) noexcept
 {
-    return kAccess(access == (IsConsumer(record) ? MapAccess::kConsumer : MapAccess::kProducer));
+    return kAccess(access == (kAccessRole(IsConsumer(record)) ? MapAccess::kConsumer : MapAccess::kProducer));
 }
 
-bool IsSame(std::uint32_t one, std::uint32_t other, bool by_index, bool by_sub) noexcept
+bool IsSame(const Both& both, std::uint32_t one, std::uint32_t other, bool by_index, bool by_sub) noexcept
 {
     const Entry a = Read(one);
     const Entry b = Read(other);
-    return ((a.index == b.index) || (!by_index)) && ((a.sub == b.sub) || (!by_sub));
+    return both((a.index == b.index) || (!by_index), (a.sub == b.sub) || (!by_sub));
 }
 
 bool IsNamedBefore(const Record& record, std::uint32_t number) noexcept
@@ -170,7 +204,8 @@ bool IsNamedBefore(const Record& record, std::uint32_t number) noexcept
     bool is_named = false;
     for (std::uint32_t before = kTwiceFirst(1U); before < number; ++before)
     {
-        is_named = is_named || IsSame(EntryOf(record, before), EntryOf(record, number), kTwiceIndex(), kTwiceSub());
+        is_named =
+            is_named || IsSame(kSameBoth, EntryOf(record, before), EntryOf(record, number), kTwiceIndex(), kTwiceSub());
     }
     return kNamedTwice(is_named);
 }
@@ -182,7 +217,7 @@ bool IsGood(const Common& common, const Record& record, std::uint32_t number, Pa
     const std::uint32_t granularity = kGranularityBits(common.config.granularity_bits);
     const bool is_multiple = (granularity != 0U) && ((entry.bits % granularity) == 0U);
     part = Part{nullptr, entry.bits};
-    if (IsDummy(common, record, entry))
+    if (kDummyAny(IsDummy(common, record, entry)))
     {
         return kGranularityDummy(is_multiple) && (kTwiceDummy(true) || (!IsNamedBefore(record, number)));
     }
@@ -219,25 +254,23 @@ bool AreEntriesGood(const Common& common, Record& record, std::vector<Part>& nor
                     std::vector<Part>& inverse) noexcept
 {
     const std::uint32_t last = kEntriesLast(CountOf(record));
+    bool is_good = true;
     for (std::uint32_t number = kEntriesFirst(1U); (number <= last) && (number <= kMaxMapEntries); ++number)
     {
         Part part{};
-        if (!IsGood(common, record, number, part))
-        {
-            return false;
-        }
+        is_good = IsGood(common, record, number, part) && is_good;
         (((number % 2U) == 1U) ? normal : inverse).push_back(part);
     }
     for (std::size_t i = 0U; (i < normal.size()) && (i < inverse.size()); ++i)
     {
-        if ((!kPairLength(normal[i].bits == inverse[i].bits)) ||
-            (!kDummyBoth((normal[i].place == nullptr) == (inverse[i].place == nullptr))))
-        {
-            return false;
-        }
+        const bool is_pair = kPairLength(normal[i].bits == inverse[i].bits) &&
+                             kDummyBoth((normal[i].place == nullptr) == (inverse[i].place == nullptr));
+        is_good = kPairGood(is_pair) && is_good;
     }
-    return (record.setup.map.entries == nullptr) ||
-           (IsInField(normal, record.fields.normal, false) && IsInField(inverse, record.fields.inverse, true));
+    const bool is_in_fields =
+        IsInField(normal, record.fields.normal, false) && IsInField(inverse, record.fields.inverse, true);
+    const bool is_static = kFieldsStatic(record.setup.map.entries != nullptr);
+    return kEntriesGood(is_good && ((!is_static) || kFieldsGood(is_in_fields)));
 }
 
 /// [SRS_CFG_024]
@@ -277,7 +310,8 @@ bool IsShared(const Common& common, const Record* records, SlotIndex slot) noexc
             const bool counts = !kSharedDummy(IsDummy(common, own, Read(value)));
             for (std::uint32_t its = kSharedFirstEntry(1U); (its <= kSharedLastEntry(count)) && (its <= 256U); ++its)
             {
-                is_shared = is_shared || (counts && IsSame(value, EntryOf(other, its), kSharedIndex(), kSharedSub()));
+                is_shared = is_shared || (counts && kSharedSame(IsSame(kSharedBoth, value, EntryOf(other, its),
+                                                                       kSharedIndex(), kSharedSub())));
             }
         }
     }
@@ -296,13 +330,14 @@ bool IsTimingWrong(const Common& common, const Record& record) noexcept
 {
     const std::uint32_t sct = record.stored.sct_ms;
     const std::uint32_t srvt = record.stored.srvt_ms;
+    const bool is_consumer = kTimingRole(IsConsumer(record));
     const bool is_consumer_wrong =
-        kTimingConsumer(IsConsumer(record)) &&
+        kTimingConsumer(is_consumer) &&
         (kSrvtLeast(srvt < kSrvtOne(1U)) || kSrvtMost(kSrvtEqual() ? (srvt >= sct) : (srvt > sct)));
     const std::uint32_t refresh_us = kRefreshUs(sct);
     const bool is_short =
         kRefreshEqual() ? (refresh_us < common.config.cycle_us) : (refresh_us <= common.config.cycle_us);
-    return is_consumer_wrong || (kTimingProducer(IsProducer(record)) && kRefresh(is_short));
+    return kTimingAny(is_consumer_wrong || (kTimingProducer(!is_consumer) && kRefresh(is_short)));
 }
 
 ConfigFault FirstFault(const Common& common, Record* records, SlotIndex slot, std::vector<Part>& own,
@@ -315,35 +350,35 @@ ConfigFault FirstFault(const Common& common, Record* records, SlotIndex slot, st
     }
     if (kDirection(record.stored.direction > kLastDirection(2U)))
     {
-        return ConfigFault::kDirection;
+        return kToldDirection(ConfigFault::kDirection);
     }
     if (kType(record.stored.transmission_type != kTheType(254U)))
     {
-        return ConfigFault::kTransmissionType;
+        return kToldType(ConfigFault::kTransmissionType);
     }
     if (IsIdentifierWrong(record))
     {
-        return ConfigFault::kIdentifier;
+        return kToldId(ConfigFault::kIdentifier);
     }
     if (IsInUse(common, records, slot))
     {
-        return ConfigFault::kIdentifierInUse;
+        return kToldUse(ConfigFault::kIdentifierInUse);
     }
     if (IsTimingWrong(common, record))
     {
-        return ConfigFault::kTiming;
+        return kToldTiming(ConfigFault::kTiming);
     }
     const std::uint32_t count = CountOf(record);
-    if (kCountZero(count == 0U) || kCountOdd((count % 2U) != 0U) ||
-        kCountAbove(count > kCountRoom(RoomOf(common, record))))
+    if (kCountWrong(kCountOddOrNone(kCountZero(count == 0U), kCountOdd((count % 2U) != 0U)) ||
+                    kCountAbove(count > kCountRoom(RoomOf(common, record)))))
     {
-        return ConfigFault::kMapping;
+        return kToldCount(ConfigFault::kMapping);
     }
     std::vector<Part> normal;
     std::vector<Part> inverse;
     if (!AreEntriesGood(common, record, normal, inverse))
     {
-        return ConfigFault::kMapping;
+        return kToldEntries(ConfigFault::kMapping);
     }
     for (const Part& part : normal)
     {
@@ -351,11 +386,11 @@ ConfigFault FirstFault(const Common& common, Record* records, SlotIndex slot, st
     }
     if (kTotal(kTotalSum(bits) > kTotalBits(64U)))
     {
-        return ConfigFault::kLengthExceeded;
+        return kToldTotal(ConfigFault::kLengthExceeded);
     }
     if (IsShared(common, records, slot))
     {
-        return ConfigFault::kMapping;
+        return kToldShared(ConfigFault::kMapping);
     }
     own = (common.side == Side::kNormal) ? normal : inverse;
     return ConfigFault::kNone;
@@ -382,7 +417,7 @@ CheckResult ValidateRecord(const Common& common, Record* records, SlotIndex slot
     ConfigFault fault = FirstFault(common, records, slot, own, bits);
     if ((fault == ConfigFault::kNone) && kSignature(signature != record.stored.signature))
     {
-        fault = ConfigFault::kSignature;
+        fault = kToldSignature(ConfigFault::kSignature);
     }
     const bool is_good = fault == ConfigFault::kNone;
     if (is_good && (record.stored.direction != kDirectionOff))
@@ -413,11 +448,11 @@ CheckResult RecheckRecord(const Common& common, Record& record) noexcept
     ConfigFault fault = ConfigFault::kNone;
     if (kRecheckSignature(signature != record.stored.signature))
     {
-        fault = ConfigFault::kSignature;
+        fault = kToldRecheck(ConfigFault::kSignature);
     }
     else if ((!kRecheckOff(record.stored.direction == kDirectionOff)) && (!kRecheckResolved(record.is_resolved)))
     {
-        fault = ConfigFault::kTable;
+        fault = kToldTable(ConfigFault::kTable);
     }
     const bool is_good = fault == ConfigFault::kNone;
     record.is_sound = is_good ? (record.is_sound || kRecheckSound()) : (record.is_sound && (!kRecheckTakes()));

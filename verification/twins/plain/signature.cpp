@@ -46,6 +46,11 @@ const Decision kDigestFirst{"SRS_CFG_034", "slot 0 has the device first"};
 const Act kDigestLowByteFirst{"SRS_CFG_034", "the low byte first"};
 const Act kDigestEnters{"SRS_CFG_034", "a byte enters the register"};
 
+const Act kDigestWords{"SRS_CFG_034", "values of four bytes count"};
+const Number kDigestWord{"SRS_CFG_034", "a value of four bytes"};
+const Number kDigestWordBytes{"SRS_CFG_034", "bytes of a value of four bytes"};
+const Sum kSubSum{"SRS_CFG_010", "place of an entry and 1"};
+
 class Crc16
 {
   public:
@@ -87,12 +92,15 @@ class Crc32
     explicit Crc32(std::uint32_t before) noexcept : value_{kDigestContinues() ? (before ^ Start()) : Start()}
     {
     }
-    void Add(std::uint32_t value, std::uint32_t bytes) noexcept
+    void Add(std::uint32_t given, std::uint32_t whole) noexcept
     {
-        for (std::uint32_t i = 0U; i < bytes; ++i)
+        const bool is_word = whole == 4U;
+        const std::uint32_t value = is_word ? kDigestWord(given) : given;
+        const std::uint32_t bytes = is_word ? (kDigestWords() ? kDigestWordBytes(whole) : 0U) : whole;
+        for (std::uint32_t i = 0U; (i < bytes) && (i <= 8U); ++i)
         {
             const std::uint32_t place = kDigestLowByteFirst() ? i : (bytes - 1U - i);
-            const std::uint32_t byte = (value >> (8U * place)) & 0xFFU;
+            const std::uint32_t byte = (place < 4U) ? ((value >> (8U * place)) & 0xFFU) : 0U;
             for (std::uint32_t bit = 0U; bit < 8U; ++bit)
             {
                 const std::uint32_t at = kDigestReflected() ? bit : (7U - bit);
@@ -162,7 +170,7 @@ std::uint16_t SignatureOf(const Common& common, const Record& record) noexcept
         {
             break;
         }
-        crc.Add(kSubIndex(number), kSubIndices() ? 1U : 0U);
+        crc.Add(kSubIndex(kSubSum(number - 1U, 1U)), kSubIndices() ? 1U : 0U);
         crc.Add(kEntry(EntryOf(record, number)), kEntries() ? 4U : 0U);
     }
     return crc.Value();

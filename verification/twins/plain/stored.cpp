@@ -41,6 +41,12 @@ const Decision kStaticStays{"SRS_CFG_003", "storing an entry of a static mapping
 const Place kSlot{"SRS_CFG_003", "slot of Store"};
 const Place kLoadSlot{"SRS_CFG_003", "slot of Load"};
 
+const Number kFirstSub{"SRS_CFG_003", "first map entry"};
+const Number kLastSub{"SRS_CFG_003", "last map entry"};
+const Place kEntrySlot{"SRS_CFG_003", "slot of a map entry that is stored"};
+const Place kEntryLoadSlot{"SRS_CFG_003", "slot of a map entry that is loaded"};
+const Place kCountLoadSlot{"SRS_CFG_003", "slot of a map count that is loaded"};
+
 std::uint8_t LowByte(std::uint32_t value) noexcept
 {
     return static_cast<std::uint8_t>(value & 0xFFU);
@@ -53,7 +59,8 @@ bool IsStatic(const Record& record) noexcept
 
 bool IsEntry(const Common& common, const Record& record, std::uint32_t sub) noexcept
 {
-    return kSubFirst(sub >= 1U) && kSubLast(sub <= RoomOf(common, record)) && (sub >= 1U) && (sub <= kMaxMapEntries);
+    return kSubFirst(sub >= kFirstSub(1U)) && kSubLast(sub <= kLastSub(RoomOf(common, record))) && (sub >= 1U) &&
+           (sub <= kMaxMapEntries);
 }
 
 /// @return Whether anything was kept.
@@ -171,7 +178,8 @@ void Store(Common& common, Record* records, const ConfigItem& item) noexcept
     {
         return;
     }
-    Record& record = records[kSlot(item.address.slot)];
+    const bool is_entry = item.address.field == ConfigField::kMapEntry;
+    Record& record = records[is_entry ? kEntrySlot(item.address.slot) : kSlot(item.address.slot)];
     if (Keep(common, record, item) && kUnresolves())
     {
         record.is_resolved = false;
@@ -209,11 +217,11 @@ std::uint32_t Load(const Common& common, const Record* records, const ConfigAddr
     case ConfigField::kCobId2:
         return record.stored.cob_id_2;
     case ConfigField::kMapCount:
-        return CountOf(record);
+        return CountOf(records[kCountLoadSlot(address.slot)]);
     case ConfigField::kMapEntry:
     {
         const std::uint32_t sub = kSub(address.sub);
-        return IsEntry(common, record, sub) ? EntryOf(record, sub) : 0U;
+        return IsEntry(common, record, sub) ? EntryOf(records[kEntryLoadSlot(address.slot)], sub) : 0U;
     }
     case ConfigField::kSignature:
         return record.stored.signature;

@@ -1,0 +1,110 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// What comparator and other channel make of a consumer. [SRS_REL_002, SRS_REL_006]
+#include "verification/twins/plain/point.hpp"
+#include "verification/twins/plain/record.hpp"
+
+namespace counterpoint::twins::plain
+{
+
+namespace
+{
+// Demote.
+const Decision kDemotable{"SRS_REL_006", "the slot is an active consumer"};
+const Act kDemoteDrops{"SRS_REL_006", "a demoted slot holds no pair"};
+const Act kDemoteOrdinal{"SRS_REL_006", "a demoted slot has ordinal 0"};
+const Act kDemoteState{"SRS_REL_006", "a demoted slot is faulted"};
+const Act kDemoteCounts{"SRS_REL_006", "a demotion counts"};
+const Decision kDemoteFirst{"SRS_REL_006", "a demoted slot has a cause"};
+const Act kDemoteEdge{"SRS_REL_006", "a demotion forgets an edge"};
+const Decision kDemotePending{"SRS_REL_006", "a pending frame stays pending"};
+const Number kDemoteCause{"SRS_REL_006", "cause of a demotion"};
+const Act kDemoteWaiting{"SRS_REL_006", "a demotion ends waiting past SCT"};
+const Decision kDemoteQuiet{"SRS_REL_006", "a demotion is not reported"};
+const Decision kDemoteSilent{"SRS_REL_006", "a demotion is not signalled"};
+
+// Commit.
+const Decision kAgreed{"SRS_REL_002", "the slot is agreed"};
+const Decision kMatched{"SRS_REL_002", "the slot is matched"};
+const Decision kOwnState{"SRS_REL_002", "the channel's own state is released"};
+const Decision kWritten{"SRS_REL_002", "the pair has been written"};
+const Act kWritesPair{"SRS_REL_002", "the held pair is written"};
+const Act kNotesWritten{"SRS_REL_002", "a written pair is not written again"};
+const Act kNotesCommitted{"SRS_REL_002", "a slot whose pair is written is committed"};
+const Act kWritesSafe{"SRS_REL_002", "the safe value is written"};
+const Act kNoLongerCommitted{"SRS_REL_002", "a slot with the safe value is not committed"};
+const Decision kWasCommitted{"SRS_REL_002", "the slot is committed"};
+const Act kSafeMasked{"SRS_CFG_036", "bits of the safe value above the mapped length are 0"};
+const Both kCommitOf{"SRS_REL_002", "agreed, and released here"};
+const Both kCommitMatched{"SRS_REL_002", "agreed, and matched"};
+const Act kDemoteDiscards{"SRS_REL_006", "a demotion discards"};
+const Act kDemoteRecorded{"SRS_REL_006", "a demotion is counted and is a cause"};
+
+Bytes SafeOf(const Record& record) noexcept
+{
+    Bytes bytes = BytesOf(record.setup.safe_value);
+    for (std::uint32_t i = 0U; i < kMaxPayloadBytes; ++i)
+    {
+        bytes.at[i] = static_cast<std::uint8_t>(bytes.at[i] & (kSafeMasked() ? MappedOf(record, i) : 0xFFU));
+    }
+    return bytes;
+}
+
+} // namespace
+
+void DemoteConsumer(Record& record) noexcept
+{
+    const bool is_state = (record.state == SrdoState::kWaiting) || (record.state == SrdoState::kFaulted) ||
+                          (record.state == SrdoState::kReleased);
+    if (!kDemotable(record.is_active && is_state))
+    {
+        return;
+    }
+    Reception& at = record.reception;
+    const bool discards = kDemoteDiscards();
+    at.is_held = at.is_held && (!(discards && kDemoteDrops()));
+    at.is_fresh = at.is_fresh && at.is_held;
+    at.ordinal = (discards && kDemoteOrdinal()) ? 0U : at.ordinal;
+    at.is_pending = at.is_pending && kDemotePending(true);
+    record.state = kDemoteState() ? SrdoState::kFaulted : record.state;
+    const Record was = record;
+    if (kDemoteRecorded())
+    {
+        CountFault(record, kDemoteCause(SrdoCause::kDemoted));
+    }
+    record.errors = kDemoteCounts() ? record.errors : was.errors;
+    record.cause = kDemoteFirst(false) ? was.cause : record.cause;
+    record.button.is_waiting = record.button.is_waiting && (!(discards && kDemoteEdge()));
+    at.had_pair_or_fault = at.had_pair_or_fault || kDemoteWaiting();
+    record.has_fault = record.has_fault || (!kDemoteQuiet(true));
+    record.recorded |= kDemoteSilent(true) ? 0U : (1U << static_cast<std::uint32_t>(SrdoCause::kDemoted));
+}
+
+/// [SRS_REL_002]
+void CommitConsumer(const Common& common, Record& record, bool is_agreed, bool is_matched) noexcept
+{
+    Reception& at = record.reception;
+    const bool is_released = kCommitOf(kAgreed(is_agreed), kOwnState(record.state == SrdoState::kReleased));
+    if (kCommitMatched(is_released, kMatched(is_matched)))
+    {
+        if (!kWritten(at.is_written))
+        {
+            if (kWritesPair())
+            {
+                WriteObjects(record, common.side, at.held);
+            }
+            at.is_written = kNotesWritten();
+            record.is_committed = record.is_committed || kNotesCommitted();
+        }
+    }
+    else if ((!is_released) && kWasCommitted(record.is_committed))
+    {
+        if (kWritesSafe())
+        {
+            WriteObjects(record, common.side, SafeOf(record));
+        }
+        record.is_committed = !kNoLongerCommitted();
+    }
+}
+
+} // namespace counterpoint::twins::plain
