@@ -3,6 +3,7 @@
 
 #include "canopen/cia301/store/stored_parts.hpp"
 #include "canopen/cia306/text/input_error.hpp"
+#include "safety_core/comparator/comparator_self_test.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -250,7 +251,7 @@ DeviceConfig ConfigOf(const DeviceModel& model, const std::optional<std::uint32_
         config.discrepancy_us = std::max(config.discrepancy_us, kCyclesOfDiscrepancy * *cycle_us);
         config.diagnostic_interval_us = std::max(
             {config.diagnostic_interval_us, static_cast<std::uint32_t>(same_us), 2U * *cycle_us * config.srdo_count});
-        config.test_interval_us = std::max(config.test_interval_us, *cycle_us);
+        config.test_interval_us = std::max(config.test_interval_us, ComparatorSelfTest::LongestRoundUs(config));
         config.digest = 0U;
     }
     return config;

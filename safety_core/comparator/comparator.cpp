@@ -39,6 +39,12 @@ bool AreSameCounts(const CycleOutcome& a, const CycleOutcome& b) noexcept
            (a.not_operational == b.not_operational);
 }
 
+HeldPair Turned(const HeldPair& held, const HeldPair& turned) noexcept
+{
+    return HeldPair{Payload{held.data.low ^ turned.data.low, held.data.high ^ turned.data.high},
+                    held.ordinal ^ turned.ordinal, held.holds_pair ^ turned.holds_pair};
+}
+
 // What both voices must say alike in every cycle.
 DeviceFault Overall(const Comparison& comparison) noexcept
 {
@@ -130,7 +136,7 @@ void Comparator::Look(const Comparison& comparison, const SlotSet only, Verdict&
     const SrdoMask bit = only.mask;
     const SlotIndex slot = LowestOf(only);
     const HeldPair a = comparison.channel_a->Held(slot);
-    const HeldPair b = comparison.channel_b->Held(slot);
+    const HeldPair b = Turned(comparison.channel_b->Held(slot), comparison.turned);
     const SrdoMask due_in_one = (comparison.outcome_a->due ^ comparison.outcome_b->due) & bit;
     const std::uint32_t pairs = (a.ordinal ^ b.ordinal) | (a.holds_pair ^ b.holds_pair);
     const std::uint32_t data = Unequal(a.data, b.data);

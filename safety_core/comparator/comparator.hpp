@@ -21,6 +21,7 @@ struct Comparison
     Instant now;         ///< The discrepancy time runs by counter A.
     std::uint32_t cycle; ///< What both outcomes must give as their cycle.
     std::uint32_t challenge;
+    HeldPair turned; ///< Bits of what channel B holds that the comparator's own test turns round; else all 0.
 };
 
 /// What follows from one comparison. Zero-filled memory grants nothing.
@@ -113,6 +114,12 @@ class Comparator
     /// @brief Compares both voices; call once a cycle. O(1) when nothing is new, else O(slots that need a look).
     /// [SRS_CMP_001, SRS_CMP_002, SRS_CMP_003, SRS_CMP_004, SRS_CMP_005, SRS_CMP_006, SRS_CMP_007, SRS_CMP_008]
     [[nodiscard]] Verdict Compare(const Comparison& comparison) noexcept;
+    /// @brief A comparison that counts for nothing: what differs, and since when, stays as it was. [SRS_CMP_009]
+    [[nodiscard]] Verdict Try(const Comparison& comparison) const noexcept
+    {
+        Comparator copy{*this};
+        return copy.Compare(comparison);
+    }
     /// @brief Compares status and every member of the frame; prepared pairs and inverse frames alike. [SRS_CMP_010,
     /// SRS_KRN_014]
     [[nodiscard]] static PreparedVerdict ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept;

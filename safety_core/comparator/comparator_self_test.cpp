@@ -6,50 +6,150 @@ namespace counterpoint
 namespace
 {
 
-constexpr std::uint32_t kCounts = 4U;
-// What the test of the comparator alters one by one, besides the guard's view and the number of the cycle. MISRA D-001
-constexpr std::uint8_t CycleOutcome::* kCount[kCounts] = {&CycleOutcome::sct_checked, &CycleOutcome::is_tx,
-                                                          &CycleOutcome::is_invalid, &CycleOutcome::not_operational};
+// What is turned round one by one: the lowest bit of a member, or that of slot 0.
+// number   0 to 3   4              5, 6             7, 8                9 to 12   13             14
+//          counts   guard's view   cycle of B, A    words of the data   masks     pair is held   ordinal, and the sum
+//          a fault follows from each of these                           slot 0 is not matched, or demoted
+constexpr std::uint32_t kMembers = 4U;
+// MISRA D-001
+constexpr std::uint8_t CycleOutcome::* kCount[kMembers] = {&CycleOutcome::sct_checked, &CycleOutcome::is_tx,
+                                                           &CycleOutcome::is_invalid, &CycleOutcome::not_operational};
+// MISRA D-001
+constexpr SrdoMask CycleOutcome::* kMask[kMembers] = {&CycleOutcome::faulted, &CycleOutcome::new_fault,
+                                                      &CycleOutcome::released, &CycleOutcome::due};
+constexpr std::uint32_t kGuardTest = 4U;
+constexpr std::uint32_t kCycleTest = 5U;
+constexpr std::uint32_t kOtherCycleTest = 6U;
+constexpr std::uint32_t kLowTest = 7U;
+constexpr std::uint32_t kHighTest = 8U;
+constexpr std::uint32_t kFirstMaskTest = 9U;
+constexpr std::uint32_t kHoldsTest = 13U;
+static_assert(kComparatorTests == (kHoldsTest + 2U), "the ordinal is the last one");
+constexpr SrdoMask kTestedSlot = 1U;
 
-// One bit of one member; doing it again undoes it.
-void Alter(CycleOutcome& outcome, const std::uint32_t number) noexcept
+// Both say what channel A says, but for one member: whatever the channels say, nothing else differs.
+struct Voices
 {
-    if (number < kCounts)
+    CycleOutcome a;
+    CycleOutcome b;
+    HeldPair turned;
+};
+
+void TurnPair(Voices& voices, const std::uint32_t number) noexcept
+{
+    if (number == kLowTest)
     {
-        outcome.*kCount[number] ^= 1U; // MISRA D-002
+        voices.turned.data.low = 1U;
     }
-    else if (number == kCounts)
+    else if (number == kHighTest)
     {
-        outcome.guard = static_cast<GuardView>(static_cast<std::uint32_t>(outcome.guard) ^ 1U);
+        voices.turned.data.high = 1U;
     }
     else
     {
-        outcome.cycle ^= 1U;
+        voices.turned.holds_pair = 1U;
     }
+    voices.b.fresh = kTestedSlot; // A new pair alone is looked at.
+}
+
+void Turn(Voices& voices, const std::uint32_t number) noexcept
+{
+    if (number < kMembers)
+    {
+        voices.b.*kCount[number] ^= 1U; // MISRA D-002
+    }
+    else if (number == kGuardTest)
+    {
+        voices.b.guard = static_cast<GuardView>(static_cast<std::uint32_t>(voices.b.guard) ^ 1U);
+    }
+    else if (number == kCycleTest)
+    {
+        voices.b.cycle ^= 1U;
+    }
+    else if (number == kOtherCycleTest)
+    {
+        voices.a.cycle ^= 1U;
+    }
+    else if ((number - kFirstMaskTest) < kMembers) // 0 - 1 is the greatest value.
+    {
+        voices.b.*kMask[number - kFirstMaskTest] ^= kTestedSlot; // MISRA D-002
+    }
+    else if (number <= kHoldsTest)
+    {
+        TurnPair(voices, number);
+    }
+    else
+    {
+        voices.turned.ordinal = 1U;
+        voices.b.ordinal_sum ^= 1U;
+    }
+}
+
+// A frame that differs from an empty one: in a byte of the data, status, identifier, kind, controller, length.
+PreparedPair TurnedFrame(const std::uint32_t number) noexcept
+{
+    PreparedPair pair{};
+    if (number < kMaxPayloadBytes)
+    {
+        pair.normal.data[number] = 1U; // MISRA D-002
+    }
+    else if (number == kMaxPayloadBytes)
+    {
+        pair.status = PrepareStatus::kReady;
+    }
+    else if (number == (kMaxPayloadBytes + 1U))
+    {
+        pair.normal.identifier = 1U;
+    }
+    else if (number == (kMaxPayloadBytes + 2U))
+    {
+        pair.normal.kind = FrameKind::kData;
+    }
+    else if (number == (kMaxPayloadBytes + 3U))
+    {
+        pair.normal.port = CanPortId::kFirst;
+    }
+    else
+    {
+        pair.normal.length_bytes = 1U;
+    }
+    return pair;
 }
 
 } // namespace
 
-void ComparatorSelfTest::Restart(const DeviceConfig& config) noexcept
+bool ComparatorSelfTest::TakeTurn(const Instant now) noexcept
 {
-    test_cycles_ = config.test_interval_us / config.cycle_us;
-    cycles_to_test_ = test_cycles_;
-    number_ = 0U;
+    if (!is_timed_)
+    {
+        is_timed_ = true;
+        begun_ = now;
+    }
+    if ((number_ >= kComparatorTests) && ((now.us - begun_.us) >= wait_us_))
+    {
+        begun_ = now;
+        number_ = 0U;
+    }
+    return number_ < kComparatorTests;
 }
 
-DeviceFault ComparatorSelfTest::Run(Comparator& comparator, const Comparison& comparison,
-                                    CycleOutcome& outcome_b) noexcept
+DeviceFault ComparatorSelfTest::Run(const Comparator& comparator, const Comparison& comparison) noexcept
 {
-    const std::uint32_t number = (number_ > kCounts) ? 0U : (number_ + 1U);
-    number_ = static_cast<std::uint8_t>(number);
-    Alter(outcome_b, number);
-    const DeviceFault fault = comparator.Compare(comparison).fault;
-    Alter(outcome_b, number);
-    PreparedPair pairs[2]{};           // MISRA D-001
-    pairs[1].normal.data[number] = 1U; // MISRA D-002
-    const PreparedVerdict data = Comparator::ComparePrepared(pairs[0], pairs[1]);
-    const bool is_blind = (fault == DeviceFault::kNone) || (data != PreparedVerdict::kNotInverse);
-    return is_blind ? DeviceFault::kComparator : DeviceFault::kNone;
+    const std::uint32_t number = number_;
+    ++number_;
+    Voices voices{*comparison.outcome_a, *comparison.outcome_a, HeldPair{}};
+    voices.a.fresh = 0U; // News of its own would have the comparator look for another reason.
+    voices.b.fresh = 0U;
+    Turn(voices, number);
+    const Verdict verdict =
+        comparator.Try(Comparison{&voices.a, &voices.b, comparison.channel_a, comparison.channel_a, comparison.now,
+                                  comparison.cycle, comparison.challenge, voices.turned});
+    const SrdoMask alike = verdict.agreement.matched & ~verdict.demote & kTestedSlot;
+    const bool are_unequal = (number < kFirstMaskTest) ? (verdict.fault != DeviceFault::kNone) : (alike == 0U);
+    const PreparedVerdict expected =
+        (number < kMaxPayloadBytes) ? PreparedVerdict::kNotInverse : PreparedVerdict::kDisagreement;
+    const bool is_seen = are_unequal && (Comparator::ComparePrepared(PreparedPair{}, TurnedFrame(number)) == expected);
+    return is_seen ? DeviceFault::kNone : DeviceFault::kComparator;
 }
 
 } // namespace counterpoint

@@ -4,39 +4,45 @@
 
 #include "safety_core/comparator/comparator.hpp"
 #include "safety_core/contract/configuration.hpp"
+#include "safety_core/contract/limits.hpp"
 
 #include <cstdint>
 
 namespace counterpoint
 {
 
-/// Finds a comparator that always says yes: by a difference that it must see, another one each time. [SRS_CMP_009]
+/// Finds a comparator that is blind: by two voices, and two frames, that differ in one member alone, another one in
+/// each cycle of a round. [SRS_CMP_009]
+///
+/// t    0                     test interval
+///      |------ wait ------|0 1 2 ... 14|      The first wait counts from the first cycle, each other one from the
+///      first
+///                         |------ wait ------|0 1 2 ... 14|     test before it: however late the calls are,
+///                         |<---- test interval ----->|          no member waits for longer than the interval.
 class ComparatorSelfTest
 {
   public:
-    /// @brief A test in every test interval, the first one after one interval. Kernel::Start made sure that the
-    /// interval holds at least one cycle.
-    void Restart(const DeviceConfig& config) noexcept;
-    /// @brief Once a cycle: whether the next test has to be run now.
-    [[nodiscard]] bool TakeTurn() noexcept
+    /// @brief How long a round takes with every call as late as allowed: Kernel::Start refuses a shorter interval.
+    [[nodiscard]] static std::uint32_t LongestRoundUs(const DeviceConfig& config) noexcept
     {
-        --cycles_to_test_;
-        if (cycles_to_test_ != 0U)
-        {
-            return false;
-        }
-        cycles_to_test_ = test_cycles_;
-        return true;
+        return kComparatorTests * (config.cycle_us + config.cycle_tolerance_us);
     }
-    /// @brief The difference is put into `outcome_b`, which is that of the comparison, and taken out again.
-    /// kComparator if it was not seen, else kNone.
-    [[nodiscard]] DeviceFault Run(Comparator& comparator, const Comparison& comparison,
-                                  CycleOutcome& outcome_b) noexcept;
+    void Restart(const DeviceConfig& config) noexcept
+    {
+        wait_us_ = config.test_interval_us - LongestRoundUs(config);
+        is_timed_ = false;
+        number_ = kComparatorTests;
+    }
+    /// @brief Once a cycle: whether a test has to be run now. The time counts from the first call on.
+    [[nodiscard]] bool TakeTurn(Instant now) noexcept;
+    /// @brief One test. kComparator if the difference was not seen, else kNone. The comparator stays as it was.
+    [[nodiscard]] DeviceFault Run(const Comparator& comparator, const Comparison& comparison) noexcept;
 
   private:
-    std::uint32_t test_cycles_{};
-    std::uint32_t cycles_to_test_{};
-    std::uint8_t number_{}; ///< Of the last difference.
+    std::uint32_t wait_us_{}; ///< From the begin of a round to that of the next one.
+    std::uint32_t number_{};  ///< Of the next test; those of a round are done from kComparatorTests on.
+    Instant begun_{};         ///< Begin of the round, or of the first wait.
+    bool is_timed_{};         ///< `begun_` is set.
 };
 
 } // namespace counterpoint

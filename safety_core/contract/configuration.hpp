@@ -101,7 +101,8 @@ struct DeviceConfig
                                          ///< release by one channel's edge for the other channel's.
     /// 2 srdo_count cycles to 2^30 - 1: every signature and digest is recomputed in it.
     std::uint32_t diagnostic_interval_us;
-    std::uint32_t test_interval_us;   ///< 1 cycle to 2^30 - 1: the comparator is tested at least once in it.
+    /// 15 cycles as late as allowed to 2^30 - 1: the comparator is tested with every member that it compares in it.
+    std::uint32_t test_interval_us;
     std::uint32_t clock_tolerance_us; ///< Greatest difference of the counters' progress within clock_interval_us.
     std::uint32_t clock_interval_us;  ///< Above clock_tolerance_us, at most 2^30 - 1.
     /// 0 to 2^30 - 1: from the dropped permit to the safe output; used in computed limits only.

@@ -32,6 +32,8 @@ constexpr std::uint8_t kConfigurationValidValue = 0xA5U;
 /// An SRDO producer waits 0.5 ms for each unit of its node-ID before its first transmission.
 constexpr std::uint32_t kFirstTransmissionStepUs = 500U;
 constexpr std::uint32_t kMicrosecondsPerMillisecond = 1000U;
+/// Cycles in which the comparator's own test has provoked every member that is compared. [SRS_CMP_009]
+constexpr std::uint32_t kComparatorTests = 15U;
 
 static_assert(kSrdoIdentifierCount == (kLastSrdoIdentifier - kFirstSrdoIdentifier) + 1U, "one identifier pair an SRDO");
 static_assert(kSrdoIdentifierCount == 2U * kMaxSrdoCount, "one identifier pair an SRDO");

@@ -38,13 +38,13 @@ class Decision
         context.parts.channel_b.Commit(kNothing);
         committed_ = 0U;
     }
-    /// @brief The verdict on this cycle; before it, when its turn has come, the comparator's own test. `outcome_b` is
-    /// that of the comparison. Faults enter the latch. [SRS_CMP_001, SRS_CMP_009]
-    void Compare(KernelContext& context, const Comparison& comparison, CycleOutcome& outcome_b) noexcept
+    /// @brief The verdict on this cycle; before it, when its turn has come, the comparator's own test. Faults enter the
+    /// latch. [SRS_CMP_001, SRS_CMP_009]
+    void Compare(KernelContext& context, const Comparison& comparison) noexcept
     {
-        if (self_test_.TakeTurn())
+        if (self_test_.TakeTurn(comparison.now))
         {
-            context.latch.Enter(self_test_.Run(comparator_, comparison, outcome_b), kNoSlot);
+            context.latch.Enter(self_test_.Run(comparator_, comparison), kNoSlot);
         }
         verdict_ = comparator_.Compare(comparison);
         context.latch.Enter(verdict_.fault, verdict_.slot);

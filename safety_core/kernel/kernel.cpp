@@ -170,13 +170,11 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     input.acknowledge = call.acknowledge_b;
     input.stand = production_.StandOfB() | production_.Halted(context_);
     input.nmt = second_nmt_.Take();
-    CycleOutcome outcome_b = context_.parts.channel_b.OnCycle(input);
+    const CycleOutcome outcome_b = context_.parts.channel_b.OnCycle(input);
     flow_.Mark(FlowStep::kChannelB, FlowEvidence{outcome_b.cycle, run_.cycle});
 
-    decision_.Compare(context_,
-                      Comparison{&outcome_a, &outcome_b, &context_.parts.channel_a, &context_.parts.channel_b,
-                                 call.now.a, run_.cycle, challenge},
-                      outcome_b);
+    decision_.Compare(context_, Comparison{&outcome_a, &outcome_b, &context_.parts.channel_a, &context_.parts.channel_b,
+                                           call.now.a, run_.cycle, challenge, HeldPair{}});
     flow_.Mark(FlowStep::kComparison, FlowEvidence{decision_.LastVerdict().echo, challenge});
     decision_.Demote(context_);
     flow_.Mark(FlowStep::kDemotion, kDone);

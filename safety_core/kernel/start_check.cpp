@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "safety_core/kernel/start_check.hpp"
 
+#include "safety_core/comparator/comparator_self_test.hpp"
+
 namespace counterpoint
 {
 namespace
@@ -124,9 +126,9 @@ StartResult CheckTiming(const DeviceConfig& config) noexcept
     {
         return StartResult::kTiming;
     }
-    // One signature or digest a cycle at the most, one test of the comparator a cycle at the most.
+    // One signature or digest a cycle at the most, one test of the comparator a cycle at the most, however late.
     const bool is_diagnosed = config.diagnostic_interval_us >= (2U * config.cycle_us * config.srdo_count);
-    const bool is_tested = config.test_interval_us >= config.cycle_us;
+    const bool is_tested = config.test_interval_us >= ComparatorSelfTest::LongestRoundUs(config);
     return (is_diagnosed && is_tested) ? StartResult::kStarted : StartResult::kTiming;
 }
 

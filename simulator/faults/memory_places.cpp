@@ -61,10 +61,10 @@ struct SelfTestTag
     using Member = ComparatorSelfTest Decision::*;
     friend Member Open(SelfTestTag tag);
 };
-struct TestCountTag
+struct TestBegunTag
 {
-    using Member = std::uint32_t ComparatorSelfTest::*;
-    friend Member Open(TestCountTag tag);
+    using Member = Instant ComparatorSelfTest::*;
+    friend Member Open(TestBegunTag tag);
 };
 struct RequestsTag
 {
@@ -106,7 +106,7 @@ template struct Opened<RunTag, &Kernel::run_>;
 template struct Opened<ComparatorTag, &Decision::comparator_>;
 template struct Opened<CommittedTag, &Decision::committed_>;
 template struct Opened<SelfTestTag, &Decision::self_test_>;
-template struct Opened<TestCountTag, &ComparatorSelfTest::cycles_to_test_>;
+template struct Opened<TestBegunTag, &ComparatorSelfTest::begun_>;
 template struct Opened<RequestsTag, &Production::requests_>;
 template struct Opened<NowTag, &Production::now_>;
 template struct Opened<GfcUntilTag, &Production::gfc_until_>;
@@ -130,7 +130,7 @@ std::vector<MemoryPiece> StateOf(Kernel& kernel)
             PieceOf(production.*Open(NowTag{})),
             PieceOf(production.*Open(GfcUntilTag{})),
             PieceOf(run.cycle),
-            PieceOf(self_test.*Open(TestCountTag{})),
+            PieceOf(self_test.*Open(TestBegunTag{})),
             PieceOf(run.queue)};
 }
 } // namespace

@@ -151,8 +151,8 @@ void FlipRig::Cycle(std::uint32_t elapsed_us)
     request_ = 0U;
     const CycleOutcome outcome_a = a_.OnCycle(input);
     const CycleOutcome outcome_b = b_.OnCycle(input);
-    verdict_ =
-        comparator_.Compare(Comparison{&outcome_a, &outcome_b, &a_, &b_, Instant{clock_us_}, cycles_, challenge_});
+    verdict_ = comparator_.Compare(
+        Comparison{&outcome_a, &outcome_b, &a_, &b_, Instant{clock_us_}, cycles_, challenge_, HeldPair{}});
     is_device_safe_ = is_device_safe_ || (verdict_.fault != DeviceFault::kNone);
     for (SlotIndex slot = 0U; slot < kRigSlots; ++slot)
     {

@@ -62,7 +62,7 @@ Drawing Draw(Dice& dice, const bool is_asked)
     config.discrepancy_us = dice.Pick({5U, is_asked ? 20U : drawing.window_cycles}) * config.cycle_us;
     config.acknowledge_window_us = drawing.window_cycles * config.cycle_us;
     config.diagnostic_interval_us = 40U * config.cycle_us;
-    config.test_interval_us = 20U * config.cycle_us;
+    config.test_interval_us = 30U * config.cycle_us;
     config.clock_tolerance_us = 200U;
     config.clock_interval_us = 100000U;
     config.output_time_us = 1000U;

@@ -76,7 +76,7 @@ void Cpu::Describe() noexcept
     config_.discrepancy_us = timing_.discrepancy_us;
     config_.acknowledge_window_us = 100'000U;
     config_.diagnostic_interval_us = 16U * timing_.cycle_us;
-    config_.test_interval_us = 4U * timing_.cycle_us;
+    config_.test_interval_us = 15U * (timing_.cycle_us + timing_.tolerance_us);
     config_.clock_tolerance_us = timing_.cycle_us;
     config_.clock_interval_us = 100U * timing_.cycle_us;
 }

@@ -9,6 +9,7 @@ namespace
 constexpr std::uint32_t kShortestCycleUs = 100U;
 constexpr std::uint32_t kLongestCycleUs = 1000000U;
 constexpr std::uint64_t kUsPerMs = 1000U;
+constexpr std::uint64_t kComparatorTests = 15U; ///< Cycles that the kernel needs in a test interval.
 constexpr std::uint8_t kPorts = 2U;
 
 /// Rules of the objects 5F00h to 5F05h.
@@ -93,9 +94,10 @@ void ParameterCheck::CheckTimes()
     Require(own_.diagnostic_interval_ms * kUsPerMs >= steps_us, 4U,
             "diagnostic interval of " + std::to_string(own_.diagnostic_interval_ms) + " ms",
             "at least " + std::to_string(steps_us) + " us, 2 cycles for each SRDO");
-    Require(own_.test_interval_ms * kUsPerMs >= own_.cycle_us, 5U,
+    const std::uint64_t round_us = kComparatorTests * (std::uint64_t{own_.cycle_us} + own_.cycle_tolerance_us);
+    Require(own_.test_interval_ms * kUsPerMs >= round_us, 5U,
             "test interval of " + std::to_string(own_.test_interval_ms) + " ms",
-            "at least the cycle time of " + std::to_string(own_.cycle_us) + " us");
+            "at least " + std::to_string(round_us) + " us, 15 cycles with their tolerance");
 }
 
 void ParameterCheck::CheckForm()

@@ -314,9 +314,10 @@ TEST(CheckParameters, Times)
         Lines{"error: 0x5F00:04: diagnostic interval of 3 ms, expected at least 4000 us, 2 cycles for each SRDO"});
     EXPECT_EQ(find({{"5F00sub4", kValue, "1073742"}}),
               Lines{"error: 0x5F00:04: interval of 1073742 ms, expected at most 1073741 ms"});
-    EXPECT_EQ(find({{"5F00sub5", kValue, "0"}}),
-              Lines{"error: 0x5F00:05: test interval of 0 ms, expected at least the cycle time of 1000 us"});
-    EXPECT_EQ(find({{"5F00sub5", kValue, "1"}}), Lines{});
+    EXPECT_EQ(
+        find({{"5F00sub5", kValue, "22"}}),
+        Lines{"error: 0x5F00:05: test interval of 22 ms, expected at least 22500 us, 15 cycles with their tolerance"});
+    EXPECT_EQ(find({{"5F00sub5", kValue, "23"}}), Lines{});
     EXPECT_EQ(find({{"5F00sub6", kValue, "99999"}}), Lines{});
     EXPECT_EQ(find({{"5F00sub6", kValue, "100000"}}),
               Lines{"error: 0x5F00:06: clock tolerance of 100000 us, expected less than its interval of 100000 us "

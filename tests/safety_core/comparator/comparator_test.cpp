@@ -376,27 +376,95 @@ TEST_F(Comparing, ProducerThatBothCallDueInTimeIsNoFault)
     EXPECT_EQ(CompareAt(5001U).start, 1U);
 }
 
-TEST_F(Comparing, SelfTestBeginsWithTheSameDifferenceAfterEachRestart)
+// Cycle 1 ms, 0.5 ms late, interval 50 ms: a round may take 15 x 1.5 ms, so that it begins 27.5 ms after the one
+// before.
+TEST_F(Comparing, SelfTestWaitsForTheEndOfTheIntervalAndBeginsWithTheSameDifferenceAfterEachRestart)
 {
     Verifies(req::SRS_CMP_009);
     DeviceConfig config{};
     config.cycle_us = 1000U;
-    config.test_interval_us = 2000U;
+    config.cycle_tolerance_us = 500U;
+    config.test_interval_us = 50000U;
     ComparatorSelfTest test{};
-    // Given outcomes that differ in what the test alters first: it takes this difference away, and none is seen
-    b.outcome.is_tx = 0U;
-    const Comparison comparison{&a.outcome, &b.outcome, &a, &b, Instant{0U}, 17U, 0xABCDU};
-    for (std::uint32_t round = 0U; round < 2U; ++round)
+    Comparison comparison{&a.outcome, &b.outcome, &a, &b, Instant{0U}, 17U, 0xABCDU, HeldPair{}};
+    const auto run_round = [&]()
+    {
+        std::uint32_t tests = 0U;
+        while (test.TakeTurn(comparison.now))
+        {
+            EXPECT_EQ(test.Run(comparator, comparison), DeviceFault::kNone) << tests;
+            comparison.now.us += 1000U;
+            ++tests;
+        }
+        return tests;
+    };
+    for (const std::uint32_t start_us : {7000U, 0xFFFFFF00U})
     {
         test.Restart(config);
-        EXPECT_EQ(test.Run(comparator, comparison, b.outcome), DeviceFault::kComparator) << "round " << round;
-        EXPECT_EQ(test.Run(comparator, comparison, b.outcome), DeviceFault::kNone) << "round " << round;
-        EXPECT_EQ(b.outcome.is_tx, 0U);
-        // A test in every second cycle, the first one after one interval.
-        EXPECT_FALSE(test.TakeTurn());
-        EXPECT_TRUE(test.TakeTurn());
-        EXPECT_FALSE(test.TakeTurn());
+        EXPECT_FALSE(test.TakeTurn(Instant{start_us}));
+        EXPECT_FALSE(test.TakeTurn(Instant{start_us + 27499U}));
+        comparison.now.us = start_us + 27500U;
+        EXPECT_EQ(run_round(), 15U);
+        EXPECT_FALSE(test.TakeTurn(Instant{start_us + 54999U}));
+        comparison.now.us = start_us + 55000U;
+        EXPECT_EQ(run_round(), 15U);
+        // And a start in the midst of a round waits anew
+        EXPECT_TRUE(test.TakeTurn(Instant{start_us + 90000U}));
     }
+}
+
+// The test's own voices are both channel A's.
+TEST_F(Comparing, SelfTestDoesNotMindWhatTheChannelsSayAndAFaultOfTheirsStaysTheirs)
+{
+    Verifies(req::SRS_CMP_009);
+    DeviceConfig config{};
+    config.test_interval_us = 1U;
+    ComparatorSelfTest test{};
+    test.Restart(config);
+    a.outcome.guard = GuardView::kStale;
+    a.outcome.new_fault = 1U;
+    b.outcome.ordinal_sum = 3U;
+    b.held[0].ordinal = 3U;
+    const Comparison comparison{&a.outcome, &b.outcome, &a, &b, Instant{0U}, 17U, 0xABCDU, HeldPair{}};
+    EXPECT_FALSE(test.TakeTurn(Instant{0U}));
+    for (std::uint32_t number = 0U; number < 15U; ++number)
+    {
+        EXPECT_TRUE(test.TakeTurn(Instant{1U}));
+        EXPECT_EQ(test.Run(comparator, comparison), DeviceFault::kNone) << number;
+    }
+    EXPECT_EQ(CompareAt(0U).fault, DeviceFault::kGuard);
+}
+
+// t [us]    1000   2000 (seen)   3000, 5000 tried   6000 (limit)   6001
+TEST_F(Comparing, TryCountsForNothing)
+{
+    Verifies(req::SRS_CMP_009);
+    (void)CompareAt(1000U);
+    a.outcome.fresh = 4U;
+    a.outcome.ordinal_sum = 10U;
+    a.held[2].ordinal = 10U;
+    EXPECT_EQ(CompareAt(2000U).fault, DeviceFault::kNone);
+    a.outcome.fresh = 0U;
+    // When equal voices are tried, and such as differ in slot 1
+    for (const std::uint32_t now_us : {3000U, 5000U})
+    {
+        CycleOutcome turned = a.outcome;
+        Comparison test{&a.outcome, &turned, &a, &a, Instant{now_us}, 17U, 0xABCDU, HeldPair{}};
+        EXPECT_EQ(comparator.Try(test).agreement.matched & 4U, 4U);
+        turned.fresh = 2U;
+        test.turned.data.high = 1U;
+        EXPECT_EQ(comparator.Try(test).fault, DeviceFault::kDisagreement);
+        turned.fresh = 0U;
+        test.turned = HeldPair{};
+        turned.ordinal_sum = 11U;
+        test.turned.ordinal = 1U;
+        EXPECT_EQ(comparator.Try(test).agreement.matched & 0xFU, 0U);
+    }
+    // Then slot 2 differs since the comparison at 1000, and slot 1 does not
+    const Verdict verdict = CompareAt(6000U);
+    EXPECT_EQ(verdict.fault, DeviceFault::kNone);
+    EXPECT_EQ(verdict.agreement.matched & 6U, 2U);
+    EXPECT_EQ(CompareAt(6001U).fault, DeviceFault::kUnmatched);
 }
 
 TEST(SlotSet, EverySlotIsTakenFromTheLowestToTheHighest)

@@ -112,7 +112,8 @@ class Comparing : public ::testing::Test
 
     Verdict CompareAt(const std::uint32_t now_us)
     {
-        return comparator.Compare(Comparison{&a.outcome, &b.outcome, &a, &b, Instant{now_us}, 17U, 0xABCDU});
+        return comparator.Compare(
+            Comparison{&a.outcome, &b.outcome, &a, &b, Instant{now_us}, 17U, 0xABCDU, HeldPair{}});
     }
 
     Comparator comparator{};

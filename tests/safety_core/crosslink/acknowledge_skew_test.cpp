@@ -44,7 +44,7 @@ class AcknowledgeSkew : public ::testing::TestWithParam<PeerRole>
         const CycleOutcome& a = rig.IsA() ? rig.own : rig.remote;
         const CycleOutcome& b = rig.IsA() ? rig.remote : rig.own;
         return comparator.Compare(Comparison{&a, &b, &rig.peer.VoiceA(), &rig.peer.VoiceB(), Instant{now_us},
-                                             rig.channel.outcome.cycle, 0xABCDU});
+                                             rig.channel.outcome.cycle, 0xABCDU, HeldPair{}});
     }
     void NothingHappens(const std::uint32_t steps)
     {

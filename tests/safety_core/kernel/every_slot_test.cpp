@@ -91,7 +91,7 @@ template <std::uint8_t kCount> class Device
         config.cycle_tolerance_us = 500U;
         config.discrepancy_us = 5000U;
         config.diagnostic_interval_us = 200000U;
-        config.test_interval_us = 20000U;
+        config.test_interval_us = 45000U;
         config.clock_tolerance_us = 200U;
         config.clock_interval_us = 100000U;
     }

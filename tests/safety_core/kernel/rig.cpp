@@ -36,7 +36,7 @@ Rig::Rig(SelfTestPart* const self_test)
     config.discrepancy_us = 5000U;
     config.acknowledge_window_us = 100000U;
     config.diagnostic_interval_us = 30000U;
-    config.test_interval_us = 20000U;
+    config.test_interval_us = 45000U;
     config.clock_tolerance_us = 200U;
     config.clock_interval_us = 100000U;
     config.output_time_us = 1000U;

@@ -147,7 +147,7 @@ class RecordingApplication final : public Application
 ///   SRDO 1 (1301h, slot 0) consumer  101h/102h, 2 bytes, 2200h:01 and 2300h:01, SCT 50 ms, SRVT 20 ms, automatic
 ///   SRDO 3 (1303h, slot 1) producer  103h/104h, 2 bytes, 2000h:01 and 2100h:01, refresh 25 ms, SRVT 20 ms, provider
 ///   SRDO 4 (1304h, slot 2) off
-/// Cycle 1 ms, tolerance 0.5 ms, discrepancy 5 ms, diagnosis 30 ms, test 20 ms. Node-ID 2.
+/// Cycle 1 ms, tolerance 0.5 ms, discrepancy 5 ms, diagnosis 30 ms, test 45 ms. Node-ID 2.
 class Rig : public ::testing::Test
 {
   public:

@@ -47,7 +47,7 @@ TEST_F(StartLimits, EveryTimeHasItsGreatestValue)
     HasUpperLimit(&DeviceConfig::output_time_us, 0x3FFFFFFFU);
     HasUpperLimit(&DeviceConfig::clock_tolerance_us, 99999U); // Below the interval of 100 ms.
     config.diagnostic_interval_us = 6000000U;
-    config.test_interval_us = 1000000U;
+    config.test_interval_us = 15007500U;
     HasUpperLimit(&DeviceConfig::cycle_us, 1000000U);
 }
 
@@ -56,7 +56,7 @@ TEST_F(StartLimits, EveryTimeHasItsLeastValue)
     Verifies(req::SRS_KRN_001);
     HasLowerLimit(&DeviceConfig::clock_interval_us, 201U);
     HasLowerLimit(&DeviceConfig::diagnostic_interval_us, 6000U); // Two cycles for each of three SRDOs.
-    HasLowerLimit(&DeviceConfig::test_interval_us, 1000U);
+    HasLowerLimit(&DeviceConfig::test_interval_us, 22500U);      // 15 cycles of 1.5 ms.
     config.cycle_tolerance_us = 50U;
     HasLowerLimit(&DeviceConfig::cycle_us, 100U);
     EXPECT_EQ(With(
@@ -83,7 +83,7 @@ TEST_F(StartLimits, ToleranceMayBeAWholeCycleOfAnyLength)
                 c.cycle_us = cycle_us;
                 c.cycle_tolerance_us = tolerance_us;
                 c.diagnostic_interval_us = 6000000U;
-                c.test_interval_us = 1000000U;
+                c.test_interval_us = 30000000U;
             });
     };
     EXPECT_EQ(with_cycle(100U, 100U), StartResult::kStarted);

@@ -182,10 +182,10 @@ TEST_F(Starting, EachTimeHasItsRange)
     refused([](DeviceConfig& c) { c.clock_interval_us = 200U; });
     refused([](DeviceConfig& c) { c.discrepancy_us = 0x40000000U; });
     refused([](DeviceConfig& c) { c.diagnostic_interval_us = 5999U; });
-    refused([](DeviceConfig& c) { c.test_interval_us = 999U; });
+    refused([](DeviceConfig& c) { c.test_interval_us = 22499U; });
     config = good;
     config.diagnostic_interval_us = 6000U;
-    config.test_interval_us = 1000U;
+    config.test_interval_us = 22500U; // 15 cycles of 1.5 ms.
     EXPECT_EQ(Start(), StartResult::kStarted);
 }
 

@@ -220,7 +220,7 @@ TEST_F(Telling, WindowDoesNotComeRoundNorSurviveAStart)
     Verifies(req::SRS_KRN_032);
     config.cycle_us = 1000000U;
     config.diagnostic_interval_us = 10000000U;
-    config.test_interval_us = 10000000U;
+    config.test_interval_us = 20000000U;
     config.clock_interval_us = 100000000U;
     ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
     const auto cycle = [this](const std::uint32_t at_us, const std::uint32_t signals)
