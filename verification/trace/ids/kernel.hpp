@@ -72,6 +72,7 @@ inline constexpr RequirementId SRS_KRN_032{"SRS_KRN_032"};
 inline constexpr RequirementId SRS_KRN_033{"SRS_KRN_033"};
 inline constexpr RequirementId SRS_KRN_034{"SRS_KRN_034"};
 inline constexpr RequirementId SRS_KRN_035{"SRS_KRN_035"};
+inline constexpr RequirementId SRS_KRN_036{"SRS_KRN_036"};
 inline constexpr RequirementId SRS_LIM_001{"SRS_LIM_001"};
 } // namespace counterpoint::req
 
