@@ -169,7 +169,7 @@ constexpr DeviceConfig Config() noexcept
     config.discrepancy_us = 2U * kCycleUs;
     config.acknowledge_window_us = 5U * kCycleUs;
     config.diagnostic_interval_us = 2U * kSrdos * kCycleUs;
-    config.test_interval_us = 6U * kCycleUs;
+    config.test_interval_us = 24U * kCycleUs; // 15 late cycles of 1.5 ms: a test of the comparator in each cycle.
     config.clock_tolerance_us = 1000U;
     config.clock_interval_us = 100000U;
     config.output_time_us = 100U;
