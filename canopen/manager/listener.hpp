@@ -22,7 +22,7 @@ class ManagerListener : public StartUpListener
     virtual void OnGate(NodeId node, GateState state, Instant now) noexcept = 0;
     /// @brief See NodeWatchListener.
     virtual void OnEmergency(NodeId node, const EmergencyRecord& emergency, Instant now) noexcept = 0;
-    /// @brief Two devices seem to have this node-ID. Once until its reset.
+    /// @brief Two devices seem to have this node-ID. Told once, and again after a reset of that node.
     virtual void OnDuplicate(NodeId node, Instant now) noexcept = 0;
     /// @brief See FlyingMasterListener.
     virtual void OnFlyingMaster(FlyingEvent event, const MasterClaim& claim, Instant now) noexcept = 0;

@@ -35,7 +35,8 @@ struct ManagerParts
 
 /// The network manager: table of nodes, NMT master, SDO connections and safety gate, in which a start-up profile works,
 /// and a flying master if there is one. Order of use: construct; construct the profile with ProfileParts and, if
-/// wanted, the flying master with Role as its listener; Use; Role().Use; Begin; then each frame by OnFrame and OnCycle
+/// wanted, the flying master with Role as its listener; hand the profile over by Manager::Use, the flying master by
+/// ManagerRole::Use; Begin; then each frame by OnFrame and OnCycle
 /// each ms or so. Without a flying master it commands the network from Begin on, with one while the negotiation made it
 /// the master. No clock, no heap, no waiting; O(127) a cycle, O(127) a frame. Not reentrant. [SRS_MGR_001, SRS_MGR_002,
 /// SRS_MGR_003]
@@ -56,7 +57,8 @@ class Manager final : public NmtListener, public NodeListener, public NodeWatchL
     void End() noexcept;
     /// @brief A frame from the bus; frames of this device itself must not come back.
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
-    /// @brief A frame of this device was on the bus: what it asked is known, and second answers are seen. O(1), a reset
+    /// @brief A frame of this device was on the bus: what it asked for is remembered, so that a second answer to it is
+    /// noticed. O(1), a reset
     /// of all O(127)
     void OnSent(const CanFrame& frame) noexcept
     {
@@ -65,8 +67,8 @@ class Manager final : public NmtListener, public NodeListener, public NodeWatchL
     /// @brief Drives every part, once a ms or so: times are exact to the distance of two calls. O(127) [SRS_MGR_003]
     void OnCycle(Instant now) noexcept;
     /// @brief The controller went bus-off or is gone, or is back. Another one may be master meanwhile: the role of a
-    /// flying master ends, and it negotiates when the bus is there; without one, safety slaves are then read as OnLost
-    /// says. [SRS_FLY_019]
+    /// flying master ends, and it negotiates when the bus is there; a manager without a flying master then reads the
+    /// safety slaves as OnLost says. [SRS_FLY_019]
     void OnBus(bool is_there, Instant now) noexcept;
     /// @brief Frames of the bus were lost, or it was away: safety slaves that run are read again, and a started slave
     /// that says PRE-OPERATIONAL next has booted. O(127) [SRS_SFS_002, SRS_NMM_020]
@@ -89,7 +91,8 @@ class Manager final : public NmtListener, public NodeListener, public NodeWatchL
     }
 
     /// @brief Writes the safety configuration of a slave by the full procedure and verifies it; one that was stopped is
-    /// made PRE-OPERATIONAL before. False: not now, it is OPERATIONAL, another device or commands wait. [SRS_SFS_005]
+    /// made PRE-OPERATIONAL before. False: it is not possible now, since the slave is OPERATIONAL, is another device
+    /// than the expected one, or commands for it wait. [SRS_SFS_005]
     [[nodiscard]] bool WriteSafety(NodeId node, Instant now) noexcept;
 
     /// @brief Whether it commands the network now. [SRS_MGR_002]

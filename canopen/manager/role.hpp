@@ -53,16 +53,16 @@ class ManagerRole final : public FlyingMasterListener
     void OnBus(bool is_there, Instant now) noexcept;
     /// @brief A node, perhaps the active master, is silent.
     void OnHeartbeatLost(NodeId node, Instant now) noexcept;
-    /// @brief The active master alone was commanded to reset itself: from the next cycle on it is as any other device
-    /// after a reset. [SRS_FLY_019]
+    /// @brief The active master alone was commanded to reset itself: from the next cycle on it negotiates as any
+    /// other device does after a reset. [SRS_FLY_019]
     void OnOwnReset() noexcept;
     /// @brief The application lets the negotiation begin. kInvalid: there is no flying master. [SRS_FLY_027]
     [[nodiscard]] FlyingStart StartNegotiation(Instant now) noexcept;
 
     /// @brief A command of the application, by the profile: see StartUp::Command.
     [[nodiscard]] NmtAnswer Command(NmtCommand command, NodeId node, Instant now) noexcept;
-    /// @brief Begins the start-up of one slave again: see StartUp::Boot. Also false while this device does not command
-    /// the network.
+    /// @brief Begins the start-up of one slave again: see StartUp::Boot. False as that, and while this device does not
+    /// command the network.
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept;
     /// @brief Start-up of one slave without a reset: see StartUp::Resume. False as Boot.
     [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept;
@@ -111,7 +111,7 @@ class ManagerRole final : public FlyingMasterListener
     bool is_running_;
     bool is_leading_;  ///< The profile was begun.
     bool is_to_start_; ///< The negotiation is to be started in the next cycle.
-    bool is_refused_;  ///< That was told.
+    bool is_refused_;  ///< The listener was told that the negotiation cannot start.
     bool is_off_bus_;  ///< No negotiation begins.
     bool is_to_reset_; ///< This device was commanded to reset itself.
 };

@@ -22,7 +22,7 @@ class SafetyPermissions
     void OnReset(NodeId node) noexcept;
     /// @brief One node or all were commanded out of OPERATIONAL.
     void OnLeave(NodeId node) noexcept;
-    /// @brief A start command that is not of this device, which leads the network. O(127)
+    /// @brief Somebody else commanded a start while this device leads the network. O(127)
     void OnForeignStart(NodeId node, const StartUp& profile, Instant now) noexcept;
     /// @brief See Manager::OnLost. `profile` is null while this device does not lead. O(127)
     void OnLost(const StartUp* profile, Instant now) noexcept;

@@ -13,7 +13,7 @@
 namespace counterpoint
 {
 
-/// @brief Return code of the reference for a rule of the configuration.
+/// @brief What an application is told of a broken rule of the configuration (codes: docs/reference_table.md).
 [[nodiscard]] Result ToResult(ConfigFault rule) noexcept;
 
 /// Owner of 1300h to 13FFh: admits or refuses every access, keeps both channels' copies equal, looks at 13FEh every
@@ -26,7 +26,7 @@ class ConfigurationGuard
   public:
     ConfigurationGuard(Channel& a, Channel& b, SafeStateLatch& latch) noexcept;
 
-    /// @brief Power-on: 13FEh 0; distance of the cyclic checks from the diagnostic interval.
+    /// @brief Power-on: 13FEh is 0; how often a cyclic check is due follows from the diagnostic interval.
     void Restart(const DeviceConfig& config) noexcept;
     /// @brief Every access is refused until the next Restart.
     void Stop() noexcept;
@@ -56,7 +56,7 @@ class ConfigurationGuard
     /// @brief Looks at 13FEh and does a step of the diagnosis when its turn has come. The token for CycleInput.
     /// [SRS_CFG_031, SRS_CFG_048, SRS_CFG_050]
     [[nodiscard]] std::uint32_t Cycle(std::uint32_t challenge) noexcept;
-    /// @brief Checks one SRDO in both channels; kInvalid where they differ, a device fault by now.
+    /// @brief Checks one SRDO in both channels; kInvalid where they differ: the device fault was entered.
     [[nodiscard]] CheckResult Check(const SlotIndex slot, const CheckDepth depth) noexcept
     {
         return copies_.Check(slot, depth);
@@ -94,7 +94,7 @@ class ConfigurationGuard
     }
 
   private:
-    // What is used in one source file alone is inline: the compiler then decides whether it needs a call of its own.
+    // Used in one source file alone: `inline` leaves it to the compiler whether they are called or put in place.
     [[nodiscard]] inline AbortCode WritePlace(const ObjectPlace& place) noexcept;
     [[nodiscard]] inline AbortCode WriteConfiguration(const ConfigItem& item) noexcept;
     [[nodiscard]] inline Result CheckFields(const StaticMap& map, const StaticFields& fields) const noexcept;

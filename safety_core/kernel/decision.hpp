@@ -17,7 +17,7 @@ namespace counterpoint
 class Decision
 {
   public:
-    /// @brief After Stop.
+    /// @brief Begins with nothing released; Stop was called before.
     void Restart(const DeviceConfig& config) noexcept
     {
         comparator_.Restart(ComparatorSetup{config.discrepancy_us, config.acknowledge_window_us, config.srdo_count});
@@ -81,7 +81,7 @@ class Decision
         return received;
     }
     /// @brief The kernel's own permit is computed from the comparator's echo and spoiled by a latch that is not
-    /// running: there is nothing to decide. [SRS_KRN_005]
+    /// running; no branch decides about it. [SRS_KRN_005]
     void GivePermits(const KernelContext& context, const std::uint32_t challenge) const noexcept
     {
         const std::uint32_t low = static_cast<std::uint32_t>(committed_);

@@ -36,8 +36,8 @@ struct FlowEvidence
     std::uint32_t expected;
 };
 
-/// Folds the steps of one cycle into a signature and answers the watchdog with it. It never compares to decide on the
-/// answer. [SRS_FLOW_001, SRS_FLOW_002, SRS_FLOW_003]
+/// Folds the steps of one cycle into a signature and answers the watchdog with it. No comparison decides
+/// what is answered: a wrong signature gives a wrong answer. [SRS_FLOW_001, SRS_FLOW_002, SRS_FLOW_003]
 class FlowMonitor
 {
   public:
@@ -47,7 +47,8 @@ class FlowMonitor
     void Mark(FlowStep step, const FlowEvidence& evidence) noexcept;
     /// @brief Ends a cycle: the answer to the watchdog, from the signature alone.
     [[nodiscard]] hal::WatchdogAnswer End(const hal::WatchdogQuestion& question) noexcept;
-    /// @brief kNone if the last ended cycle had the reference signature, else kFlow. [SRS_FLOW_003]
+    /// @brief kNone if the last ended cycle had the signature of a cycle in which all was done in order, else kFlow.
+    /// [SRS_FLOW_003]
     [[nodiscard]] DeviceFault Finding() const noexcept;
 
   private:

@@ -66,7 +66,7 @@ void Kernel::Stop() noexcept
     context_.parts.output.Drive(hal::PermitSet{});
 }
 
-// Before any other part is called. [SRS_STS_040, SRS_STS_063]
+// Before any other part is called. [SRS_KRN_035, SRS_STS_040, SRS_STS_063]
 PartsView Kernel::ExamineSelf() noexcept
 {
     if (SealOf(context_.parts) != context_.seal)

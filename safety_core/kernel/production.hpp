@@ -46,8 +46,8 @@ class Production
     {
         now_ = now;
     }
-    /// @brief Producers while nothing is sent because of the device safe state: every refresh stands still, every one
-    /// is asked to send, and nothing is missed. [SRS_KRN_004]
+    /// @brief All producers in the device safe state, in which nothing is sent; else none. The channels then let their
+    /// refresh times stand still, so that no missed refresh is told. [SRS_KRN_004]
     [[nodiscard]] SrdoMask Halted(const KernelContext& context) const noexcept
     {
         return producers_ & ~context.latch.Gate();
@@ -105,7 +105,7 @@ class Production
     }
 
   private:
-    // What is used in one source file alone is inline: the compiler then decides whether it needs a call of its own.
+    // Used in one source file alone: `inline` leaves it to the compiler whether they are called or put in place.
     [[nodiscard]] static Result Readiness(const KernelContext& context) noexcept;
     [[nodiscard]] static Result WhyNotSent(const KernelContext& context, SlotIndex wanted) noexcept;
     inline void ProduceSlot(KernelContext& context, SlotIndex slot) noexcept;

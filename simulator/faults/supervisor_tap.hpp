@@ -34,8 +34,8 @@ class SupervisorTap
     /// @brief How many calls of this thread the linker has led through a tap, by part. It shows that the wraps work.
     [[nodiscard]] static std::uint64_t Intercepted(Part part) noexcept;
 
-    // The linker leads the calls of counterpoint::Comparator::Compare and so on to these. Not inline where it is often:
-    // a call without a tap is to cost nothing.
+    // The linker leads the calls of counterpoint::Comparator::Compare and so on to these. Those that are called
+    // often are kept out of line: where no tap stands, a call costs nothing more.
     [[nodiscard]] Verdict Compare(Comparator& self, const Comparison& comparison) noexcept;
     [[gnu::noinline]] void FlowBegin(FlowMonitor& self) noexcept;
     [[gnu::noinline]] void FlowMark(FlowMonitor& self, FlowStep step, const FlowEvidence& evidence) noexcept;

@@ -44,7 +44,8 @@ struct Measurement
     }
 };
 
-/// Stands for the expectation that nobody writes: a fault that is not optional has an effect. [SRS_SIM_015]
+/// In place of an expectation's number: the one that every scenario has unwritten, that each fault which is not
+/// optional has an effect. [SRS_SIM_015]
 constexpr std::size_t kOfItself = static_cast<std::size_t>(-1);
 
 /// Whether an expectation holds, what it wanted, and what was seen.
@@ -57,8 +58,8 @@ struct ExpectationVerdict
     std::optional<Measurement> measurement; ///< Of kSafeWithin.
 };
 
-/// @brief The verdict of each expectation after a run. `found` has, by expectation, what managers and devices said at
-/// its time. [SRS_SIM_030]
+/// @brief The verdict of each expectation after a run. `found` has, for each expectation, what managers and
+/// devices said at the instant it asks for. [SRS_SIM_030]
 [[nodiscard]] std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& journal, Network& network,
                                                     const std::vector<std::string>& found);
 /// @brief The limit of a fault at this output; it is known before the run.

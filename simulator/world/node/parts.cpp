@@ -28,6 +28,7 @@ NodeParts::NodeParts(const NodeInside& inside, runtime::DeviceAssembly& assembly
         return;
     }
     AddMemory(*inside.self_test);
+    // [SRS_SIM_052]
     const DeviceConfig& config = inside.model.Config();
     const std::uint32_t cycles = config.diagnostic_interval_us / config.cycle_us;
     if (!inside.self_test->Settle(cycles))
