@@ -79,7 +79,8 @@ class Crc16
             const std::uint32_t at = kNoReflection() ? (7U - bit) : bit;
             const std::uint32_t in = kEnters() ? ((byte >> at) & 1U) : 0U;
             const bool leaves = (((static_cast<std::uint32_t>(value_) >> 15U) ^ in) & 1U) != 0U;
-            value_ = static_cast<std::uint16_t>((value_ << 1U) ^ (leaves ? kPolynomial(0x1021U) : 0U));
+            value_ = static_cast<std::uint16_t>((static_cast<std::uint32_t>(value_) << 1U) ^
+                                                (leaves ? kPolynomial(0x1021U) : 0U));
         }
     }
 
