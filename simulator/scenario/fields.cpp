@@ -22,7 +22,7 @@ const runtime::YamlNode& FallbackOf(const KeySpec& spec)
 
 void RequireWord(const KeySpec& spec, const YamlValue& value)
 {
-    const std::string words = spec.words();
+    const std::string words = spec.shape.words();
     const std::string text = value.Text("one of " + words);
     if ((", " + words + ",").find(", " + text + ",") == std::string::npos || text.find(',') != std::string::npos)
     {
@@ -32,26 +32,26 @@ void RequireWord(const KeySpec& spec, const YamlValue& value)
 
 void RequireNumbers(const KeySpec& spec, const YamlValue& value)
 {
-    const std::string expected =
-        "a list of numbers from " + std::to_string(spec.range.lowest) + " to " + std::to_string(spec.range.highest);
+    const std::string expected = "a list of numbers from " + std::to_string(spec.shape.range.lowest) + " to " +
+                                 std::to_string(spec.shape.range.highest);
     for (const YamlValue& item : value.Items(expected))
     {
-        static_cast<void>(item.Number(spec.range));
+        static_cast<void>(item.Number(spec.shape.range));
     }
 }
 
 void RequireList(const KeySpec& spec, const YamlValue& value)
 {
     const bool is_list = value.Node().kind == runtime::YamlKind::kSequence;
-    if (spec.type == ValueType::kOneOrMore)
+    if (spec.shape.type == ValueType::kOneOrMore)
     {
-        is_list ? RequireNumbers(spec, value) : static_cast<void>(value.Number(spec.range));
+        is_list ? RequireNumbers(spec, value) : static_cast<void>(value.Number(spec.shape.range));
     }
-    else if (spec.type == ValueType::kNumbers)
+    else if (spec.shape.type == ValueType::kNumbers)
     {
         RequireNumbers(spec, value);
     }
-    else if (!is_list && spec.type == ValueType::kWordOrList)
+    else if (!is_list && spec.shape.type == ValueType::kWordOrList)
     {
         RequireWord(spec, value);
     }
@@ -59,7 +59,7 @@ void RequireList(const KeySpec& spec, const YamlValue& value)
     {
         for (const YamlValue& item : value.Items("a list"))
         {
-            (spec.type == ValueType::kObjects) ? static_cast<void>(item.Object()) : RequireWord(spec, item);
+            (spec.shape.type == ValueType::kObjects) ? static_cast<void>(item.Object()) : RequireWord(spec, item);
         }
     }
 }
@@ -67,7 +67,7 @@ void RequireList(const KeySpec& spec, const YamlValue& value)
 // Maps and lists of maps are looked at where their own keys are read.
 void RequireFit(const KeySpec& spec, const YamlValue& value)
 {
-    switch (spec.type)
+    switch (spec.shape.type)
     {
     case ValueType::kText:
     case ValueType::kNode:
@@ -78,7 +78,7 @@ void RequireFit(const KeySpec& spec, const YamlValue& value)
         static_cast<void>(value.Paragraph("a text"));
         return;
     case ValueType::kNumber:
-        static_cast<void>(value.Number(spec.range));
+        static_cast<void>(value.Number(spec.shape.range));
         return;
     case ValueType::kDuration:
         static_cast<void>(value.Duration());

@@ -35,6 +35,9 @@ struct FoundWord
 };
 
 inline constexpr FoundWord kProfileWords[] = {{"cia302"}, {"el6751"}, {"plc_designer"}};
+/// The key of what is there under some profiles only.
+inline constexpr KeySpec kProfileKey{"profile", SomeOf<kProfileWords>(), kOptional, "el6751",
+                                     "only under these of the scenario's 'profiles'"};
 inline constexpr FoundWord kFoundStates[] = {
     {"unknown"}, {"missing"}, {"stopped"}, {"operational"}, {"pre-operational"}};
 inline constexpr FoundWord kFoundDevices[] = {

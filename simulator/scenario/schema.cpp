@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
-#include <iterator>
+#include <utility>
 
 namespace counterpoint::simulator
 {
@@ -14,10 +14,10 @@ namespace
 std::vector<SectionSpec> Joined()
 {
     std::vector<SectionSpec> all;
-    for (std::vector<SectionSpec> part : {WorldSections(), FrameFaultSections(), NodeFaultSections(),
-                                          LinkFaultSections(), ExpectationSections(), NetworkSections()})
+    for (const auto* const part : {&kWorldSections, &kFrameFaultSections, &kNodeFaultSections, &kLinkFaultSections,
+                                   &kExpectationSections, &kNetworkSections})
     {
-        std::move(part.begin(), part.end(), std::back_inserter(all));
+        all.insert(all.end(), part->begin(), part->end());
     }
     return all;
 }
@@ -67,16 +67,11 @@ std::string ExplainedKey(const KeySpec& key)
            ": " + key.example + "\n";
 }
 
-/// With the keys of its parents, or only with their names.
+/// With the keys of its parent, or only with its name.
 std::string ExplainedSection(const SectionSpec& section, const bool is_alone)
 {
     std::string text = std::string(section.name) + "\n" + Wrapped(section.meaning, "  ");
-    std::string parents;
-    for (const char* const parent : section.parents)
-    {
-        parents += (parents.empty() ? "" : ", ") + std::string(parent);
-    }
-    text += (is_alone || parents.empty()) ? "" : "  has the keys of " + parents + "\n";
+    text += (is_alone || section.parent == nullptr) ? "" : "  has the keys of " + std::string(section.parent) + "\n";
     for (const KeySpec* const key : KeysOf(section))
     {
         const bool is_own = key >= section.keys.data() && key < section.keys.data() + section.keys.size();
@@ -91,6 +86,22 @@ std::string Cell(std::string text)
     return text;
 }
 } // namespace
+
+SectionSpec Section(const char* const name, const char* const title, const char* const meaning,
+                    std::vector<KeySpec> keys)
+{
+    return {name, title, nullptr, meaning, std::move(keys)};
+}
+
+SectionSpec Kind(const char* const name, const char* const parent, const char* const meaning, std::vector<KeySpec> keys)
+{
+    return {name, "a fault", parent, meaning, std::move(keys)};
+}
+
+SectionSpec Expected(const char* const name, const char* const meaning, std::vector<KeySpec> keys)
+{
+    return {name, "an expectation", "expect", meaning, std::move(keys)};
+}
 
 const std::vector<SectionSpec>& Schema()
 {
@@ -107,10 +118,9 @@ const SectionSpec& SectionNamed(const std::string& name)
 std::vector<const KeySpec*> KeysOf(const SectionSpec& section)
 {
     std::vector<const KeySpec*> keys;
-    for (const char* const parent : section.parents)
+    if (section.parent != nullptr)
     {
-        const std::vector<const KeySpec*> inherited = KeysOf(SectionNamed(parent));
-        keys.insert(keys.end(), inherited.begin(), inherited.end());
+        keys = KeysOf(SectionNamed(section.parent));
     }
     for (const KeySpec& key : section.keys)
     {
@@ -121,7 +131,7 @@ std::vector<const KeySpec*> KeysOf(const SectionSpec& section)
 
 std::string TypeText(const KeySpec& key)
 {
-    switch (key.type)
+    switch (key.shape.type)
     {
     case ValueType::kText:
     case ValueType::kParagraph:
@@ -131,11 +141,11 @@ std::string TypeText(const KeySpec& key)
     case ValueType::kNodeId:
         return "name or node-ID of a node";
     case ValueType::kNumber:
-        return "number" + RangeText(key.range);
+        return "number" + RangeText(key.shape.range);
     case ValueType::kNumbers:
-        return "list of numbers" + RangeText(key.range);
+        return "list of numbers" + RangeText(key.shape.range);
     case ValueType::kOneOrMore:
-        return "number or list of numbers" + RangeText(key.range);
+        return "number or list of numbers" + RangeText(key.shape.range);
     case ValueType::kDuration:
         return "time";
     case ValueType::kLasting:
@@ -149,15 +159,15 @@ std::string TypeText(const KeySpec& key)
     case ValueType::kObjects:
         return "list of objects";
     case ValueType::kWord:
-        return "one of " + key.words();
+        return "one of " + key.shape.words();
     case ValueType::kWordOrList:
-        return "one or a list of " + key.words();
+        return "one or a list of " + key.shape.words();
     case ValueType::kMap:
-        return "map, see " + std::string(key.section);
+        return "map, see " + std::string(key.shape.section);
     case ValueType::kMaps:
-        return "list of maps, see " + std::string(key.section);
+        return "list of maps, see " + std::string(key.shape.section);
     case ValueType::kNamedMaps:
-        return "map of names to maps, see " + std::string(key.section);
+        return "map of names to maps, see " + std::string(key.shape.section);
     }
     return "";
 }
@@ -189,12 +199,7 @@ std::string ExplainMarkdown()
     for (const SectionSpec& section : Schema())
     {
         text += "### `" + std::string(section.name) + "`\n" + section.meaning;
-        for (const char* const parent : section.parents)
-        {
-            text += std::string((parent == section.parents.front()) ? " Has the keys of `" : ", `") + parent + "`" +
-                    ((parent == section.parents.back()) ? "." : "");
-        }
-        text += "\n";
+        text += (section.parent == nullptr) ? "\n" : " Has the keys of `" + std::string(section.parent) + "`.\n";
         text += section.keys.empty() ? "" : "\n| key | value | default | example | meaning |\n|---|---|---|---|---|\n";
         for (const KeySpec& key : section.keys)
         {

@@ -34,36 +34,52 @@ enum class ValueType : std::uint8_t
     kNamedMaps, ///< Name to such a map.
 };
 
+using WordList = std::string (*)();
+
+/// What the value of a key looks like. Most types need nothing more; the functions below make the others.
+struct Shape
+{
+    constexpr Shape(const ValueType type_, const Range& range_ = {}, const WordList words_ = nullptr,
+                    const char* const section_ = nullptr)
+        : type(type_), range(range_), words(words_), section(section_)
+    {
+    }
+
+    ValueType type;
+    Range range;
+    WordList words;
+    const char* section; ///< Of maps; fault kinds and expectations extend it.
+};
+
 /// One key. The reader checks every value against this row, and --explain and docs/scenario.md are written from it.
 /// [SRS_SIM_047]
 struct KeySpec
 {
     const char* key;
-    ValueType type;
-    Range range;
-    std::string (*words)(); ///< Of kWord, kWordOrList.
-    const char* section;    ///< Of maps; fault kinds and expectations extend it.
-    const char* fallback;   ///< Default; kNeeded: none, must be there; nullptr: may be left out.
+    Shape shape;
+    const char* fallback; ///< Default; kNeeded: none, must be there; kOptional: may be left out.
     const char* example;
     const char* meaning;
 };
 inline constexpr char kNeeded[] = "needed"; // One array for the whole program: it is told by its place.
+inline constexpr const char* kOptional = nullptr;
 
-/// A map of the format. Fault kinds and expectations have a section each, with the keys of `parents` before their own.
+/// A map of the format. Fault kinds, events and expectations have a section each, with the keys of `parent` before
+/// their own.
 struct SectionSpec
 {
     const char* name;
     const char* title;
-    std::vector<const char*> parents;
-    std::vector<KeySpec> keys;
+    const char* parent; ///< nullptr: none.
     const char* meaning;
+    std::vector<KeySpec> keys;
 };
 
 /// All sections, in the order in which people read them.
 [[nodiscard]] const std::vector<SectionSpec>& Schema();
 /// The section of that name; it exists, as the caller knows.
 [[nodiscard]] const SectionSpec& SectionNamed(const std::string& name);
-/// The keys of a section with those of its parents, in order.
+/// The keys of a section with those of its parent, in order.
 [[nodiscard]] std::vector<const KeySpec*> KeysOf(const SectionSpec& section);
 
 /// "a, b, c" for a table of words.
@@ -77,6 +93,44 @@ template <const auto& kTable> [[nodiscard]] std::string WordsOf()
     return words;
 }
 
+// Shapes that say more than their type.
+constexpr Shape Number(const Range& range)
+{
+    return {ValueType::kNumber, range};
+}
+constexpr Shape Numbers(const Range& range)
+{
+    return {ValueType::kNumbers, range};
+}
+constexpr Shape Map(const char* const section)
+{
+    return {ValueType::kMap, {}, nullptr, section};
+}
+constexpr Shape Maps(const char* const section)
+{
+    return {ValueType::kMaps, {}, nullptr, section};
+}
+/// One word of a table.
+template <const auto& kTable> constexpr Shape OneOf()
+{
+    return {ValueType::kWord, {}, &WordsOf<kTable>};
+}
+/// One word of a table, or a list of them.
+template <const auto& kTable> constexpr Shape SomeOf()
+{
+    return {ValueType::kWordOrList, {}, &WordsOf<kTable>};
+}
+
+// Sections without a parent, of faults, and of expectations.
+[[nodiscard]] SectionSpec Section(const char* name, const char* title, const char* meaning, std::vector<KeySpec> keys);
+[[nodiscard]] SectionSpec Kind(const char* name, const char* parent, const char* meaning,
+                               std::vector<KeySpec> keys = {});
+[[nodiscard]] SectionSpec Expected(const char* name, const char* meaning, std::vector<KeySpec> keys);
+
+// Keys that mean the same in many sections.
+inline constexpr KeySpec kNodeKey{"node", ValueType::kNode, kNeeded, "actuator", "which node"};
+inline constexpr KeySpec kAtKey{"at", ValueType::kDuration, kNeeded, "500 ms", "when"};
+
 /// What a value looks like, in words: "number from 1 to 64".
 [[nodiscard]] std::string TypeText(const KeySpec& key);
 /// @brief The description for a terminal: of everything for an empty name, else of each section and key of that name;
@@ -86,12 +140,12 @@ template <const auto& kTable> [[nodiscard]] std::string WordsOf()
 [[nodiscard]] std::string ExplainMarkdown();
 
 // Parts of the table. schema.cpp joins them.
-[[nodiscard]] std::vector<SectionSpec> WorldSections();
-[[nodiscard]] std::vector<SectionSpec> FrameFaultSections();
-[[nodiscard]] std::vector<SectionSpec> NodeFaultSections();
-[[nodiscard]] std::vector<SectionSpec> LinkFaultSections();
-[[nodiscard]] std::vector<SectionSpec> ExpectationSections();
-[[nodiscard]] std::vector<SectionSpec> NetworkSections();
+extern const std::vector<SectionSpec> kWorldSections;
+extern const std::vector<SectionSpec> kFrameFaultSections;
+extern const std::vector<SectionSpec> kNodeFaultSections;
+extern const std::vector<SectionSpec> kLinkFaultSections;
+extern const std::vector<SectionSpec> kExpectationSections;
+extern const std::vector<SectionSpec> kNetworkSections;
 } // namespace counterpoint::simulator
 
 #endif // SIMULATOR_SCENARIO_SCHEMA_HPP
