@@ -12,16 +12,6 @@ namespace counterpoint::simulator
 {
 namespace
 {
-Nanoseconds TimeOf(const std::optional<YamlValue>& value, const Nanoseconds otherwise)
-{
-    return value ? value->Duration() : otherwise;
-}
-
-/// The schema has checked its range.
-template <typename Number> Number NumberOf(const std::optional<YamlValue>& value, const Number otherwise)
-{
-    return value ? static_cast<Number>(value->Checked()) : otherwise;
-}
 
 /// "01 21": up to 8 bytes in hexadecimal.
 std::vector<std::uint8_t> DataOf(const std::optional<YamlValue>& value)
@@ -50,27 +40,26 @@ void ReadFrames(Fields& fields, const Scenario& scenario, Action& action)
     {
         (every ? every : until)->Refuse("one of 'every' and 'until'", "both, or neither for a single frame");
     }
-    action.every = TimeOf(every, 1);
-    action.until = TimeOf(until, action.at);
+    action.every = 1;
+    fields.Into("every", action.every);
+    action.until = action.at;
+    fields.Into("until", action.until);
     if (action.kind == ActionKind::kEmcyStorm)
     {
         action.node_id = NodeIdNamed(scenario, fields.Require("node"));
-        action.code = NumberOf<std::uint16_t>(fields.Require("code"), 0U);
+        fields.Into("code", action.code);
     }
     else
     {
-        action.identifier = NumberOf<std::uint32_t>(fields.Require("identifier"), 0U);
+        fields.Into("identifier", action.identifier);
     }
     action.data = (action.kind == ActionKind::kSend) ? DataOf(fields.Find("data")) : action.data;
 }
 
 void ReadOfManager(Fields& fields, Action& action)
 {
-    action.node_id = NumberOf<std::uint8_t>(fields.Find("node"), 0U);
-    if (action.kind == ActionKind::kBusOff || action.kind == ActionKind::kNoController)
-    {
-        action.until = fields.Require("until").Duration();
-    }
+    fields.Into("node", action.node_id);
+    fields.Into("until", action.until);
     if (action.kind == ActionKind::kOrder)
     {
         const YamlValue order = fields.Require("order");
@@ -82,19 +71,10 @@ void ReadOfManager(Fields& fields, Action& action)
 void ReadOfDevice(Fields& fields, const Scenario& scenario, Action& action)
 {
     action.node = NodeNamed(scenario, fields.Require("node"));
-    if (action.kind == ActionKind::kReplace)
-    {
-        action.serial = fields.Require("serial").Checked();
-    }
-    if (action.kind == ActionKind::kStore)
-    {
-        action.object = fields.Require("object").Object();
-        action.value = fields.Require("value").Checked();
-    }
-    if (action.kind == ActionKind::kAcknowledge)
-    {
-        action.srdo = NumberOf<std::uint8_t>(fields.Require("srdo"), 0U);
-    }
+    fields.Into("serial", action.serial);
+    fields.Into("object", action.object);
+    fields.Into("value", action.value);
+    fields.Into("srdo", action.srdo);
 }
 
 /// "0x1018:4" and "0x1018:04" are one object.
@@ -129,27 +109,19 @@ std::string FlyingEventsIn(const YamlValue& value)
 }
 } // namespace
 
-ManagerSetup ReadManager(const Scenario& /*scenario*/, const YamlValue& value)
+void ReadManager(Fields& fields, const Scenario& /*scenario*/, ManagerSetup& manager)
 {
-    Fields fields(value, "manager");
-    ManagerSetup manager;
-    manager.source = value.Where();
     const YamlValue network = fields.Require("network");
-    manager.network = Beside(value.FileName(), network.Text("the file name of a network"));
+    manager.network = Beside(network.FileName(), network.Node().scalar);
     RequireFile(manager.network, network.Where(), "a network file");
-    manager.node_id = NumberOf<std::uint8_t>(fields.Find("node"), 0U);
-    manager.at = fields.Require("at").Duration();
-    fields.Close();
-    return manager;
+    fields.Into("node", manager.node_id);
+    fields.Into("at", manager.at);
 }
 
-Action ReadAction(const Scenario& scenario, const YamlValue& value)
+void ReadAction(Fields& fields, const Scenario& scenario, Action& action)
 {
-    Fields fields(value, "events");
-    Action action;
-    action.source = value.Where();
     action.kind = fields.Require("do").Choice(kActionWords);
-    action.at = fields.Require("at").Duration();
+    fields.Into("at", action.at);
     action.is_of_profile = IsOfProfile(fields, scenario);
     fields.Extend((kActionPrefix + std::string(NameOf(kActionWords, action.kind))).c_str());
     if (IsStorm(action.kind))
@@ -164,8 +136,6 @@ Action ReadAction(const Scenario& scenario, const YamlValue& value)
     {
         ReadOfDevice(fields, scenario, action);
     }
-    fields.Close();
-    return action;
 }
 
 void AddReturns(std::vector<Action>& actions)
@@ -189,19 +159,19 @@ void ReadOfNetwork(Fields& fields, const Scenario& scenario, Expectation& expect
     if (IsOfManager(expectation.kind))
     {
         expectation.node_id = node ? NodeIdNamed(scenario, *node) : std::uint8_t{0U};
-        expectation.manager = NumberOf<std::uint8_t>(fields.Find("manager"), 0U);
+        fields.Into("manager", expectation.manager);
     }
     else
     {
         expectation.node = NodeNamed(scenario, *node);
-        expectation.srdo = NumberOf<std::uint8_t>(fields.Find("srdo"), 0U);
+        fields.Into("srdo", expectation.srdo);
     }
     const YamlValue is = fields.Require("is");
     expectation.is = (expectation.kind == ExpectationKind::kFinding)  ? ObjectIn(is)
                      : (expectation.kind == ExpectationKind::kFlying) ? FlyingEventsIn(is)
                                                                       : is.Text("a word");
-    const bool is_event = IsOfEvents(expectation.kind);
-    expectation.from = is_event ? fields.Require("from").Duration() : 0;
-    expectation.at = TimeOf(fields.Find(is_event ? "until" : "at"), kNever);
+    expectation.at = kNever;
+    fields.Into("from", expectation.from);
+    fields.Into(IsOfEvents(expectation.kind) ? "until" : "at", expectation.at);
 }
 } // namespace counterpoint::simulator

@@ -51,7 +51,7 @@ void ReadPlace(const YamlValue& name, const Scenario& scenario, Expectation& exp
 void ReadOutputOf(Fields& fields, const Scenario& scenario, Expectation& expectation)
 {
     ReadPlace(fields.Require("node"), scenario, expectation);
-    expectation.srdo = SrdoNumber(fields.Require("srdo"));
+    fields.Into("srdo", expectation.srdo);
 }
 
 void ReadContent(Fields& fields, const Scenario& scenario, Expectation& expectation)
@@ -61,13 +61,13 @@ void ReadContent(Fields& fields, const Scenario& scenario, Expectation& expectat
     case ExpectationKind::kReleased:
     case ExpectationKind::kSafe:
         ReadOutputOf(fields, scenario, expectation);
-        expectation.at = fields.Require("at").Duration();
+        fields.Into("at", expectation.at);
         return;
     case ExpectationKind::kValue:
         ReadPlace(fields.Require("node"), scenario, expectation);
-        expectation.object = fields.Require("object").Object();
-        expectation.value = fields.Require("is").Number({0U, 0xFFFFFFFFFFFFFFFFU});
-        expectation.at = fields.Require("at").Duration();
+        fields.Into("object", expectation.object);
+        fields.Into("is", expectation.value);
+        fields.Into("at", expectation.at);
         return;
     case ExpectationKind::kCause:
         ReadOutputOf(fields, scenario, expectation);
@@ -108,16 +108,11 @@ void ReadContent(Fields& fields, const Scenario& scenario, Expectation& expectat
 }
 } // namespace
 
-Expectation ReadExpectation(const Scenario& scenario, const YamlValue& value)
+void ReadExpectation(Fields& fields, const Scenario& scenario, Expectation& expectation)
 {
-    Fields fields(value, "expect");
-    Expectation expectation;
-    expectation.source = value.Where();
     expectation.kind = fields.Require("that").Choice(kExpectationWords);
     expectation.is_of_profile = IsOfProfile(fields, scenario);
     fields.Extend(NameOf(kExpectationWords, expectation.kind));
     ReadContent(fields, scenario, expectation);
-    fields.Close();
-    return expectation;
 }
 } // namespace counterpoint::simulator

@@ -10,7 +10,6 @@ namespace counterpoint::simulator
 {
 namespace
 {
-constexpr Range kByteRange{0U, 255U};
 constexpr std::uint32_t kLastStandardIdentifier = 0x7FFU;
 
 std::optional<NodeIndex> FindNode(Fields& fields, const char* key, const Scenario& scenario)
@@ -19,85 +18,61 @@ std::optional<NodeIndex> FindNode(Fields& fields, const char* key, const Scenari
     return value ? std::optional<NodeIndex>(CpuNamed(scenario, *value)) : std::nullopt;
 }
 
-void ReadIdentifiers(const YamlValue& value, FrameChoice& choice)
+void ReadFramesOf(Fields& fields, const Scenario& scenario, FrameChoice& choice)
 {
-    if (value.Node().kind != runtime::YamlKind::kSequence)
-    {
-        choice.identifiers.push_back(value.Checked());
-        return;
-    }
-    for (const YamlValue& item : value.Items("a list of COB-IDs"))
-    {
-        choice.identifiers.push_back(item.Checked());
-    }
-    if (choice.identifiers.empty())
-    {
-        value.Refuse("an empty list", "one COB-ID or more");
-    }
-}
-
-void ReadFramesOf(const Scenario& scenario, const YamlValue& value, FrameChoice& choice)
-{
-    Fields fields(value, "frames_of");
     choice.srdo_of = NodeNamed(scenario, fields.Require("node"));
-    choice.srdo = SrdoNumber(fields.Require("srdo"));
+    fields.Into("srdo", choice.srdo);
     const Side side = fields.Require("which").Choice(kFrameSideWords);
     choice.has_normal = side != Side::kSecond;
     choice.has_inverse = side != Side::kFirst;
     fields.Close();
 }
 
-FrameChoice ReadFrames(const Scenario& scenario, const YamlValue& value)
+void ReadWindow(Fields& fields, const char* const begin, Nanoseconds& from, Nanoseconds& until, Nanoseconds& on,
+                Nanoseconds& off)
 {
-    Fields fields(value, "frames");
-    FrameChoice choice;
-    if (const auto identifier = fields.Find("identifier"))
+    fields.Into(begin, from);
+    if (fields.Into("until", until) && until <= from)
     {
-        ReadIdentifiers(*identifier, choice);
+        const YamlValue value = fields.Require("until");
+        value.Refuse(runtime::Shown(value.Node().scalar), "a time after '" + std::string(begin) + "'");
     }
-    if (const auto srdo = fields.Find("srdo"))
+    const bool has_on = fields.Into("on", on);
+    const bool has_off = fields.Into("off", off);
+    if (has_on != has_off)
     {
-        ReadFramesOf(scenario, *srdo, choice);
+        fields.Value().Refuse("an on/off pattern of one part", "both 'on' and 'off'");
+    }
+}
+
+void ReadFrames(Fields& fields, const Scenario& scenario, FrameChoice& choice)
+{
+    if (fields.Into("identifier", choice.identifiers) && choice.identifiers.empty())
+    {
+        fields.Require("identifier").Refuse("an empty list", "one COB-ID or more");
+    }
+    if (auto srdo = fields.Map("srdo"))
+    {
+        ReadFramesOf(*srdo, scenario, choice);
         if (!choice.identifiers.empty())
         {
-            value.Refuse("both 'identifier' and 'srdo'", "one of them");
+            fields.Value().Refuse("both 'identifier' and 'srdo'", "one of them");
         }
     }
     choice.sender = FindNode(fields, "sender", scenario);
     choice.receiver = FindNode(fields, "receiver", scenario);
-    const auto controller = fields.Find("controller");
-    choice.controller = controller ? controller->Checked() : 0U;
-    choice.from = fields.Require("from").Duration();
-    if (const auto until = fields.Find("until"))
-    {
-        choice.until = until->Duration();
-        if (choice.until <= choice.from)
-        {
-            until->Refuse(runtime::Shown(until->Node().scalar), "a time after 'from'");
-        }
-    }
-    ReadPattern(fields, choice.on, choice.off);
-    choice.first = fields.Require("first").Checked();
-    choice.every = fields.Require("every").Checked();
-    choice.count = fields.Require("count").Checked();
-    choice.probability_ppm = fields.Require("probability_ppm").Checked();
+    fields.Into("controller", choice.controller);
+    ReadWindow(fields, "from", choice.from, choice.until, choice.on, choice.off);
+    ReadTurns(fields, choice);
     fields.Close();
-    return choice;
 }
 
-std::vector<std::uint8_t> ReadData(Fields& fields)
+void ReadData(Fields& fields, FaultSetup& fault)
 {
-    const auto data = fields.Find("data");
-    if (!data)
+    if (fields.Into("data", fault.data) && fault.data.size() > kMaxPayloadBytes)
     {
-        return {};
+        fields.Require("data").Refuse(std::to_string(fault.data.size()) + " bytes", "at most 8");
     }
-    std::vector<std::uint8_t> bytes = ReadBytes(*data, kByteRange);
-    if (bytes.size() > kMaxPayloadBytes)
-    {
-        data->Refuse(std::to_string(bytes.size()) + " bytes", "at most 8");
-    }
-    return bytes;
 }
 
 void RequireIdentifier(const Fields& fields, const FaultSetup& fault)
@@ -116,20 +91,17 @@ void RequireIdentifier(const Fields& fields, const FaultSetup& fault)
 
 void ReadForeignFrame(Fields& fields, const Scenario& scenario, FaultSetup& fault)
 {
-    fault.at = fields.Require("at").Duration();
-    fault.identifier = fields.Require("identifier").Checked();
+    fields.Into("at", fault.at);
+    fields.Into("identifier", fault.identifier);
     fault.frame_kind = fields.Require("kind").Choice(kFrameKindWords);
-    fault.data = ReadData(fields);
+    ReadData(fields, fault);
     RequireIdentifier(fields, fault);
-    fault.times = fields.Require("times").Checked();
-    if (const auto by = fields.Find("every"))
+    fields.Into("times", fault.times);
+    if (fields.Into("every", fault.by) && fault.by > runtime::kLongestTime / fault.times)
     {
-        fault.by = by->Lasting();
-        if (fault.by > runtime::kLongestTime / fault.times)
-        {
-            by->Refuse(runtime::Shown(by->Node().scalar),
-                       "a time that fits " + std::to_string(fault.times) + " times into 10000000 s");
-        }
+        const YamlValue by = fields.Require("every");
+        by.Refuse(runtime::Shown(by.Node().scalar),
+                  "a time that fits " + std::to_string(fault.times) + " times into 10000000 s");
     }
     if (fault.times > 1U && fault.by == 0)
     {
@@ -145,14 +117,8 @@ void ReadForeignFrame(Fields& fields, const Scenario& scenario, FaultSetup& faul
 
 void ReadCorruption(Fields& fields, FaultSetup& fault)
 {
-    if (const auto bits = fields.Find("bits"))
-    {
-        fault.bits = ReadBytes(*bits, {0U, 63U});
-    }
-    if (const auto length = fields.Find("length"))
-    {
-        fault.length = static_cast<std::uint8_t>(length->Checked());
-    }
+    fields.Into("bits", fault.bits);
+    fields.Into("length", fault.length);
     if (fault.bits.empty() && !fault.length)
     {
         fields.Value().Refuse("corruption that changes nothing", "key 'bits' or 'length'");
@@ -164,24 +130,19 @@ void ReadConfirmation(Fields& fields, FaultSetup& fault)
     fault.how = fields.Require("how").Choice(kConfirmationHowWords);
     if (fault.how == Wrongness::kLate)
     {
-        fault.by = fields.Require("by").Lasting();
+        fields.Need("by", fault.by);
     }
     if (fault.how == Wrongness::kWrong)
     {
-        const YamlValue bits = fields.Require("bits");
-        fault.bits = ReadBytes(bits, {0U, 63U});
-        if (fault.bits.empty())
-        {
-            bits.Refuse("an empty list", "one bit or more");
-        }
+        ReadBits(fields, fault.bits);
     }
 }
 
 void ReadBabbling(Fields& fields, FaultSetup& fault)
 {
     ReadSpan(fields, fault);
-    fault.identifier = fields.Require("identifier").Checked();
-    fault.data = ReadData(fields);
+    fields.Into("identifier", fault.identifier);
+    ReadData(fields, fault);
 }
 
 /// What a fault on chosen frames does to them: what its section has of these keys.
@@ -197,30 +158,12 @@ void ReadEffect(Fields& fields, FaultSetup& fault)
         ReadConfirmation(fields, fault);
         return;
     }
-    if (fields.Has("times"))
-    {
-        fault.times = fields.Require("times").Checked();
-    }
-    if (fields.Has("after"))
-    {
-        fault.by = fields.Require("after").Duration();
-    }
-    if (fields.Has("by"))
-    {
-        fault.by = fields.Require("by").Lasting();
-    }
-    if (fields.Has("gap"))
-    {
-        fault.gap = fields.Require("gap").Duration();
-    }
-    if (fields.Has("as"))
-    {
-        fault.identifier = fields.Require("as").Checked();
-    }
-    if (fields.Has("bit"))
-    {
-        fault.bit = static_cast<std::uint8_t>(fields.Require("bit").Checked());
-    }
+    fields.Into("times", fault.times);
+    fields.Into("after", fault.by);
+    fields.Into("by", fault.by);
+    fields.Into("gap", fault.gap);
+    fields.Into("as", fault.identifier);
+    fields.Into("bit", fault.bit);
 }
 
 FaultKind KindNamed(const YamlValue& value)
@@ -237,55 +180,29 @@ FaultKind KindNamed(const YamlValue& value)
 }
 } // namespace
 
-void ReadPattern(Fields& fields, Nanoseconds& on, Nanoseconds& off)
-{
-    const auto there = fields.Find("on");
-    const auto gone = fields.Find("off");
-    if (static_cast<bool>(there) != static_cast<bool>(gone))
-    {
-        fields.Value().Refuse("an on/off pattern of one part", "both 'on' and 'off'");
-    }
-    on = there ? there->Lasting() : 0;
-    off = gone ? gone->Lasting() : 0;
-}
-
-std::vector<std::uint8_t> ReadBytes(const YamlValue& value, const Range& range)
-{
-    std::vector<std::uint8_t> bytes;
-    for (const YamlValue& item : value.Items("a list of numbers"))
-    {
-        bytes.push_back(static_cast<std::uint8_t>(item.Number(range)));
-    }
-    return bytes;
-}
-
 void ReadSpan(Fields& fields, FaultSetup& fault)
 {
-    fault.at = fields.Require("at").Duration();
-    if (const auto until = fields.Find("until"))
-    {
-        fault.until = until->Duration();
-        if (fault.until <= fault.at)
-        {
-            until->Refuse(runtime::Shown(until->Node().scalar), "a time after 'at'");
-        }
-    }
-    ReadPattern(fields, fault.on, fault.off);
+    ReadWindow(fields, "at", fault.at, fault.until, fault.on, fault.off);
 }
 
-FaultSetup ReadFault(const Scenario& scenario, const YamlValue& value)
+void ReadTurns(Fields& fields, FrameChoice& choice)
 {
-    Fields fields(value, "fault");
-    FaultSetup fault;
-    fault.source = value.Where();
+    fields.Into("first", choice.first);
+    fields.Into("every", choice.every);
+    fields.Into("count", choice.count);
+    fields.Into("probability_ppm", choice.probability_ppm);
+}
+
+void ReadFault(Fields& fields, const Scenario& scenario, FaultSetup& fault)
+{
     fault.kind = KindNamed(fields.Require("fault"));
     fields.Extend(Name(fault.kind));
-    const auto name = fields.Find("name");
-    fault.name = name ? name->Text("a text") : std::string(Name(fault.kind));
+    fault.name = Name(fault.kind);
+    fields.Into("name", fault.name);
     fault.is_optional = fields.Require("optional").Choice(kYesWords);
-    if (fields.Has("frames"))
+    if (auto frames = fields.Map("frames"))
     {
-        fault.frames = ReadFrames(scenario, fields.Require("frames"));
+        ReadFrames(*frames, scenario, fault.frames);
         ReadEffect(fields, fault);
     }
     else if (fault.kind == FaultKind::kInsertion || fault.kind == FaultKind::kMasquerade)
@@ -304,7 +221,5 @@ FaultSetup ReadFault(const Scenario& scenario, const YamlValue& value)
     {
         ReadNodeFault(fields, scenario, fault);
     }
-    fields.Close();
-    return fault;
 }
 } // namespace counterpoint::simulator

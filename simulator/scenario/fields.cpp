@@ -14,10 +14,8 @@ namespace
 const runtime::YamlNode& FallbackOf(const KeySpec& spec)
 {
     thread_local std::map<std::string, runtime::YamlNode> nodes;
-    runtime::YamlNode& node = nodes[spec.fallback];
-    node.kind = runtime::YamlKind::kScalar;
-    node.scalar = spec.fallback;
-    return node;
+    const runtime::YamlNode node{runtime::YamlKind::kScalar, false, {}, spec.fallback, {}};
+    return nodes.try_emplace(spec.fallback, node).first->second;
 }
 
 void RequireWord(const KeySpec& spec, const YamlValue& value)
@@ -64,8 +62,9 @@ void RequireList(const KeySpec& spec, const YamlValue& value)
     }
 }
 
-// Maps and lists of maps are looked at where their own keys are read.
-void RequireFit(const KeySpec& spec, const YamlValue& value)
+/// Refuses what the schema does not allow. The answer is the value of a number or a time. Maps and lists of maps are
+/// looked at where their own keys are read.
+std::uint64_t Fitting(const KeySpec& spec, const YamlValue& value)
 {
     switch (spec.shape.type)
     {
@@ -73,44 +72,46 @@ void RequireFit(const KeySpec& spec, const YamlValue& value)
     case ValueType::kNode:
     case ValueType::kNodeId:
         static_cast<void>(value.Text("a text"));
-        return;
+        break;
     case ValueType::kParagraph:
         static_cast<void>(value.Paragraph("a text"));
-        return;
+        break;
     case ValueType::kNumber:
-        static_cast<void>(value.Number(spec.shape.range));
-        return;
+        return value.Number(spec.shape.range);
     case ValueType::kDuration:
-        static_cast<void>(value.Duration());
-        return;
+        return static_cast<std::uint64_t>(value.Duration());
     case ValueType::kLasting:
-        static_cast<void>(value.Lasting());
-        return;
+        return static_cast<std::uint64_t>(value.Lasting());
     case ValueType::kSignedTime:
-        static_cast<void>(value.SignedDuration());
-        return;
+        return static_cast<std::uint64_t>(value.SignedDuration());
     case ValueType::kPpm:
-        static_cast<void>(value.PartsPerMillion());
-        return;
+        return static_cast<std::uint64_t>(value.PartsPerMillion());
     case ValueType::kObject:
         static_cast<void>(value.Object());
-        return;
+        break;
     case ValueType::kWord:
         RequireWord(spec, value);
-        return;
+        break;
     case ValueType::kNumbers:
     case ValueType::kOneOrMore:
     case ValueType::kObjects:
     case ValueType::kWordOrList:
         RequireList(spec, value);
-        return;
+        break;
     case ValueType::kMap:
     case ValueType::kMaps:
     case ValueType::kNamedMaps:
-        return;
+        break;
     }
+    return 0U;
 }
 } // namespace
+
+std::vector<YamlValue> ItemsOf(const YamlValue& value)
+{
+    const bool is_list = value.Node().kind == runtime::YamlKind::kSequence;
+    return is_list ? value.Items("a list") : std::vector<YamlValue>{value};
+}
 
 Fields::Fields(const YamlValue& value, const char* const section) : value_(value)
 {
@@ -170,7 +171,7 @@ std::optional<YamlValue> Fields::Find(const std::string& key)
         if (node.items[member].scalar == key)
         {
             const YamlValue found(value_.FileName(), node.items[member + 1U]);
-            RequireFit(*spec, found);
+            static_cast<void>(Fitting(*spec, found));
             return found;
         }
     }
@@ -190,6 +191,36 @@ YamlValue Fields::Require(const std::string& key)
         value_.Refuse(std::string(sections_.back()->title) + " without key '" + key + "'", "that key");
     }
     return *found;
+}
+
+bool Fields::Into(const std::string& key, std::string& target)
+{
+    const std::optional<YamlValue> found = Find(key);
+    target = found ? found->Node().scalar : target;
+    return found.has_value();
+}
+
+bool Fields::Into(const std::string& key, ObjectAddress& target)
+{
+    const std::optional<YamlValue> found = Find(key);
+    target = found ? found->Object() : target;
+    return found.has_value();
+}
+
+std::uint64_t Fields::Quantity(const std::string& key, const YamlValue& value) const
+{
+    return Fitting(*SpecOf(key), value);
+}
+
+std::optional<Fields> Fields::Map(const std::string& key)
+{
+    const std::optional<YamlValue> found = Find(key);
+    return found ? std::optional<Fields>(Fields(*found, SectionOf(key))) : std::nullopt;
+}
+
+const char* Fields::SectionOf(const std::string& key) const
+{
+    return SpecOf(key)->shape.section;
 }
 
 bool Fields::Has(const std::string& key) const

@@ -7,6 +7,7 @@
 #include "simulator/scenario/values.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,6 +15,9 @@
 
 namespace counterpoint::simulator
 {
+/// The items of a list, or a single value as a list of one.
+[[nodiscard]] std::vector<YamlValue> ItemsOf(const YamlValue& value);
+
 /// The keys of one map of a scenario. Every value that is found was checked against the schema. It remembers which keys
 /// were asked for, so that Close can refuse all others.
 class Fields
@@ -28,6 +32,37 @@ class Fields
     [[nodiscard]] std::optional<YamlValue> Find(const std::string& key);
     /// @brief The value of a key that must be there or have a default.
     [[nodiscard]] YamlValue Require(const std::string& key);
+    /// @brief Sets `target` to the value of a key, read as the schema says, or to its default. False: there is neither,
+    /// and it stays as it is.
+    bool Into(const std::string& key, std::string& target);
+    bool Into(const std::string& key, ObjectAddress& target);
+    /// @brief The same of a time or a number.
+    template <typename Target> bool Into(const std::string& key, Target& target)
+    {
+        const std::optional<YamlValue> found = Find(key);
+        target = found ? static_cast<Target>(Quantity(key, *found)) : target;
+        return found.has_value();
+    }
+    /// @brief The same of a list of numbers.
+    template <typename Number> bool Into(const std::string& key, std::vector<Number>& target)
+    {
+        const std::optional<YamlValue> found = Find(key);
+        for (const YamlValue& item : found ? ItemsOf(*found) : std::vector<YamlValue>{})
+        {
+            target.push_back(static_cast<Number>(item.Number({0U, std::numeric_limits<Number>::max()})));
+        }
+        return found.has_value();
+    }
+    /// @brief The same of a key that must be there or have a default.
+    template <typename Target> void Need(const std::string& key, Target& target)
+    {
+        static_cast<void>(Require(key));
+        static_cast<void>(Into(key, target));
+    }
+    /// @brief The map of a key, with the section that the schema says; nothing if it is not there.
+    [[nodiscard]] std::optional<Fields> Map(const std::string& key);
+    /// @brief The section of the maps of a key.
+    [[nodiscard]] const char* SectionOf(const std::string& key) const;
     /// @brief Whether such a key is known here.
     [[nodiscard]] bool Has(const std::string& key) const;
     /// @brief The map itself.
@@ -39,6 +74,7 @@ class Fields
 
   private:
     [[nodiscard]] const KeySpec* SpecOf(const std::string& key) const;
+    [[nodiscard]] std::uint64_t Quantity(const std::string& key, const YamlValue& value) const;
 
     YamlValue value_;
     std::vector<const SectionSpec*> sections_; ///< The last one names the map in messages.

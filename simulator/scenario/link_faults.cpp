@@ -7,8 +7,6 @@ namespace counterpoint::simulator
 {
 namespace
 {
-constexpr Range kMessageBits{0U, 0xFFFFU};
-
 void ReadChoice(Fields& fields, FaultSetup& fault)
 {
     ReadSpan(fields, fault);
@@ -17,40 +15,21 @@ void ReadChoice(Fields& fields, FaultSetup& fault)
     choice.until = fault.until;
     choice.on = fault.on;
     choice.off = fault.off;
-    choice.first = fields.Require("first").Checked();
-    choice.every = fields.Require("every").Checked();
-    choice.count = fields.Require("count").Checked();
-    choice.probability_ppm = fields.Require("probability_ppm").Checked();
+    ReadTurns(fields, choice);
 }
 
 void ReadInsertion(Fields& fields, FaultSetup& fault)
 {
-    fault.at = fields.Require("at").Duration();
+    fields.Into("at", fault.at);
     if (fields.Require("what").Choice(kInsertedWords))
     {
-        fault.back = fields.Require("back").Checked();
+        fields.Need("back", fault.back);
     }
-    fault.times = fields.Require("times").Checked();
-    if (const auto by = fields.Find("every"))
-    {
-        fault.by = by->Lasting();
-    }
+    fields.Into("times", fault.times);
+    fields.Into("every", fault.by);
     if (fault.times > 1U && fault.by == 0)
     {
         fields.Value().Refuse("several messages without key 'every'", "the time between two messages");
-    }
-}
-
-void ReadBits(Fields& fields, FaultSetup& fault)
-{
-    const YamlValue bits = fields.Require("bits");
-    for (const YamlValue& bit : bits.Items("a list of numbers"))
-    {
-        fault.message_bits.push_back(static_cast<std::uint32_t>(bit.Number(kMessageBits)));
-    }
-    if (fault.message_bits.empty())
-    {
-        bits.Refuse("an empty list", "one bit or more");
     }
 }
 } // namespace
@@ -72,20 +51,12 @@ void ReadLinkFault(Fields& fields, const Scenario& scenario, FaultSetup& fault)
         return;
     }
     ReadChoice(fields, fault);
-    switch (fault.kind)
+    fields.Into("by", fault.by);
+    fields.Into("times", fault.times);
+    fields.Into("after", fault.by);
+    if (fault.kind == FaultKind::kLinkCorruption)
     {
-    case FaultKind::kLinkDelay:
-        fault.by = fields.Require("by").Lasting();
-        return;
-    case FaultKind::kLinkRepetition:
-        fault.times = fields.Require("times").Checked();
-        fault.by = fields.Require("after").Duration();
-        return;
-    case FaultKind::kLinkCorruption:
-        ReadBits(fields, fault);
-        return;
-    default:
-        return;
+        ReadBits(fields, fault.message_bits);
     }
 }
 } // namespace counterpoint::simulator

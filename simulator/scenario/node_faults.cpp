@@ -11,25 +11,25 @@ namespace
 {
 constexpr std::int32_t kStoppedPpm = -1000000;
 constexpr std::uint32_t kLastBitOfByte = 7U;
+constexpr std::uint32_t kAlways = 0x7FFFFFFFU;
 
 bool IsChannel(const Part part)
 {
     return part == Part::kChannelA || part == Part::kChannelB;
 }
 
-ConfigAddress ReadConfigAddress(const YamlValue& value)
+ConfigAddress ReadConfigAddress(Fields& fields)
 {
-    Fields fields(value, "config");
     ConfigAddress address{0U, ConfigField::kInvalid, 0U};
     address.field = fields.Require("field").Choice(kConfigFieldWords);
     const bool is_of_device = address.field >= ConfigField::kGfcParameter;
     if (!is_of_device)
     {
-        address.slot = SrdoNumber(fields.Require("srdo"));
+        fields.Need("srdo", address.slot);
     }
     if (address.field == ConfigField::kMapEntry)
     {
-        address.sub = static_cast<std::uint8_t>(fields.Require("entry").Checked());
+        fields.Need("entry", address.sub);
     }
     fields.Close();
     return address;
@@ -38,51 +38,36 @@ ConfigAddress ReadConfigAddress(const YamlValue& value)
 void ReadBitFlip(Fields& fields, FaultSetup& fault)
 {
     fault.part = fields.Require("part").Choice(kMemoryWords);
-    fault.at = fields.Require("at").Duration();
-    const auto offset = fields.Find("offset");
-    if (offset)
-    {
-        fault.offset = offset->Checked();
-    }
+    fields.Into("at", fault.at);
+    fields.Into("offset", fault.offset);
     if (IsChannel(fault.part))
     {
-        if (const auto config = fields.Find("config"))
+        if (auto config = fields.Map("config"))
         {
             fault.config = ReadConfigAddress(*config);
         }
     }
     if (fault.part == Part::kSetup || fault.part == Part::kSafeValue)
     {
-        const auto srdo = fields.Find("srdo");
-        fault.srdo = srdo ? SrdoNumber(*srdo) : std::uint8_t{0U};
+        fields.Into("srdo", fault.srdo);
     }
     if (fault.offset && fault.config)
     {
         fields.Value().Refuse("both 'offset' and 'config'", "one of them, or neither for a bit chosen by the seed");
     }
-    if (const auto bit = fields.Find("bit"))
+    if (fields.Into("bit", fault.bit) && !fault.config && fault.bit > kLastBitOfByte)
     {
-        fault.bit = static_cast<std::uint8_t>(bit->Checked());
-        if (!fault.config && fault.bit > kLastBitOfByte)
-        {
-            bit->Refuse(runtime::Shown(bit->Node().scalar), "a number from 0 to 7");
-        }
+        const YamlValue bit = fields.Require("bit");
+        bit.Refuse(runtime::Shown(bit.Node().scalar), "a number from 0 to 7");
     }
 }
 
 void ReadStuckBit(Fields& fields, FaultSetup& fault)
 {
     fault.part = fields.Require("part").Choice(kLiveWords);
-    fault.at = fields.Require("at").Duration(); // It never ends.
-    const auto offset = fields.Find("offset");
-    if (offset)
-    {
-        fault.offset = offset->Checked();
-    }
-    if (const auto bit = fields.Find("bit"))
-    {
-        fault.bit = static_cast<std::uint8_t>(bit->Checked());
-    }
+    fields.Into("at", fault.at); // It never ends.
+    fields.Into("offset", fault.offset);
+    fields.Into("bit", fault.bit);
     fault.level = fields.Require("level").Choice(kLevelWords);
 }
 
@@ -92,14 +77,14 @@ void ReadPartFault(Fields& fields, FaultSetup& fault)
     fault.part = (fault.kind == FaultKind::kAlwaysGood) ? part.Choice(kGoodPartWords) : part.Choice(kPartWords);
     if (fault.kind == FaultKind::kHung)
     {
-        fault.at = fields.Require("at").Duration(); // It never ends.
+        fields.Into("at", fault.at); // It never ends.
         return;
     }
     if (fault.kind == FaultKind::kSkipped || fault.kind == FaultKind::kDoubled)
     {
         fault.call = fields.Require("call").Choice(kCallWords);
-        const auto count = fields.Find("count");
-        fault.times = count ? count->Checked() : static_cast<std::uint32_t>(kCountRange.highest);
+        fault.times = kAlways;
+        fields.Into("count", fault.times);
     }
     ReadSpan(fields, fault);
 }
@@ -118,10 +103,9 @@ void ReadClock(Fields& fields, FaultSetup& fault)
         fields.Value().Refuse("clock fault without an effect of its own", "one of 'stopped: true', 'ppm' and 'jump'");
     }
     fault.rate_ppm = ppm ? ppm->PartsPerMillion() : kStoppedPpm;
-    if (jump)
+    if (fields.Into("jump", fault.jump))
     {
-        fault.jump = jump->SignedDuration();
-        fault.at = fields.Require("at").Duration(); // It does not last.
+        fields.Into("at", fault.at); // It does not last.
         return;
     }
     ReadSpan(fields, fault);
@@ -129,25 +113,20 @@ void ReadClock(Fields& fields, FaultSetup& fault)
 
 void ReadCycle(Fields& fields, FaultSetup& fault)
 {
-    fault.at = fields.Require("at").Duration();
-    const auto late = fields.Find("late");
-    const auto early = fields.Find("early");
-    if (static_cast<bool>(late) == static_cast<bool>(early))
+    fields.Into("at", fault.at);
+    Nanoseconds early = 0;
+    const bool is_late = fields.Into("late", fault.by);
+    if (fields.Into("early", early) == is_late)
     {
         fields.Value().Refuse("cycle fault", "either 'late' or 'early' with a time");
     }
-    fault.by = late ? late->Lasting() : -early->Lasting();
+    fault.by -= early;
 }
 
 void ReadNotInverse(Fields& fields, FaultSetup& fault)
 {
-    fault.object = fields.Require("object").Object();
-    const YamlValue bits = fields.Require("bits");
-    fault.bits = ReadBytes(bits, {0U, 63U});
-    if (fault.bits.empty())
-    {
-        bits.Refuse("an empty list", "one bit or more");
-    }
+    fields.Into("object", fault.object);
+    ReadBits(fields, fault.bits);
     ReadSpan(fields, fault);
 }
 
@@ -164,8 +143,7 @@ void ReadFrozenInput(Fields& fields, FaultSetup& fault)
 
 void ReadController(Fields& fields, FaultSetup& fault)
 {
-    const auto controller = fields.Find("controller");
-    fault.controller = controller ? controller->Checked() : 0U;
+    fields.Into("controller", fault.controller);
     ReadSpan(fields, fault);
 }
 } // namespace
@@ -191,14 +169,14 @@ void ReadNodeFault(Fields& fields, const Scenario& scenario, FaultSetup& fault)
         ReadStuckBit(fields, fault);
         return;
     case FaultKind::kStandstill:
-        fault.at = fields.Require("at").Duration();
+        fields.Into("at", fault.at);
         return;
     case FaultKind::kBusOff:
     case FaultKind::kUnplugged:
         ReadController(fields, fault);
         return;
     case FaultKind::kQueueOverflow:
-        fault.capacity = fields.Require("capacity").Checked();
+        fields.Into("capacity", fault.capacity);
         ReadSpan(fields, fault);
         return;
     case FaultKind::kFrozenInput:

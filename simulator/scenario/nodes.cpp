@@ -17,51 +17,43 @@ namespace
 constexpr std::size_t kMostNodes = 127U;
 constexpr std::int32_t kStandsStill = -1000000;
 
-CounterSetup ReadCounter(const YamlValue& value)
+void ReadCounter(Fields& fields, const char* const key, CounterSetup& counter)
 {
-    Fields fields(value, "counter");
-    CounterSetup counter;
-    const YamlValue drift = fields.Require("ppm");
-    counter.drift_ppm = drift.PartsPerMillion();
-    if (counter.drift_ppm == kStandsStill)
+    if (auto own = fields.Map(key))
     {
-        drift.Refuse("a counter that stands still from the start", "more than -1000000 ppm");
+        own->Into("ppm", counter.drift_ppm);
+        if (counter.drift_ppm == kStandsStill)
+        {
+            own->Require("ppm").Refuse("a counter that stands still from the start", "more than -1000000 ppm");
+        }
+        own->Into("start_us", counter.start_us);
+        own->Close();
     }
-    counter.start_us = fields.Require("start_us").Checked();
-    fields.Close();
-    return counter;
 }
 
 /// What is a CPU's own where the device has two.
 void ReadCpu(Fields& fields, const char* key, NodeSetup& node)
 {
-    const auto value = fields.Find(key);
-    if (!value)
+    if (auto cpu = fields.Map(key))
     {
-        return;
+        cpu->Into("phase", node.phase);
+        ReadCounter(*cpu, "counter", node.counter_a);
+        cpu->Close();
     }
-    Fields cpu(*value, "cpu");
-    node.phase = cpu.Require("phase").Duration();
-    if (const auto counter = cpu.Find("counter"))
-    {
-        node.counter_a = ReadCounter(*counter);
-    }
-    cpu.Close();
 }
 
 LinkSetup ReadLink(Fields& fields)
 {
     LinkSetup setup;
-    if (const auto value = fields.Find("link"))
+    if (auto link = fields.Map("link"))
     {
-        Fields link(*value, "link");
-        setup.timeout = link.Require("timeout").Lasting();
-        setup.delay = link.Require("delay").Duration();
-        setup.jitter = link.Require("jitter").Duration();
-        setup.clock_tolerance = link.Require("clock_tolerance").Lasting();
-        setup.clock_interval = link.Require("clock_interval").Lasting();
-        setup.stamp_tolerance = link.Require("stamp_tolerance").Duration();
-        link.Close();
+        link->Into("timeout", setup.timeout);
+        link->Into("delay", setup.delay);
+        link->Into("jitter", setup.jitter);
+        link->Into("clock_tolerance", setup.clock_tolerance);
+        link->Into("clock_interval", setup.clock_interval);
+        link->Into("stamp_tolerance", setup.stamp_tolerance);
+        link->Close();
     }
     return setup;
 }
@@ -69,16 +61,10 @@ LinkSetup ReadLink(Fields& fields)
 /// What is a device's own where it has one CPU.
 void ReadWhole(Fields& fields, NodeSetup& node)
 {
-    node.controllers = fields.Require("controllers").Checked();
-    node.phase = fields.Require("phase").Duration();
-    if (const auto counter = fields.Find("counter_a"))
-    {
-        node.counter_a = ReadCounter(*counter);
-    }
-    if (const auto counter = fields.Find("counter_b"))
-    {
-        node.counter_b = ReadCounter(*counter);
-    }
+    fields.Into("controllers", node.controllers);
+    fields.Into("phase", node.phase);
+    ReadCounter(fields, "counter_a", node.counter_a);
+    ReadCounter(fields, "counter_b", node.counter_b);
 }
 
 /// A name that is a number is the node-ID.
@@ -103,21 +89,15 @@ std::vector<NodeSetup> ReadNode(const YamlValue& name, const YamlValue& value)
     node.dcf = Beside(value.FileName(), dcf.Text("the file name of a DCF"));
     node.source = dcf.Where();
     node.node_id = NodeIdIn(node.name);
-    if (const auto id = fields.Find("node_id"))
+    const bool is_numbered = node.node_id.has_value();
+    if (fields.Into("node_id", node.node_id) && is_numbered)
     {
-        if (node.node_id)
-        {
-            id->Refuse("a node-ID of node " + runtime::Shown(node.name), "none, its name is one");
-        }
-        node.node_id = static_cast<std::uint8_t>(id->Checked());
+        fields.Require("node_id").Refuse("a node-ID of node " + runtime::Shown(node.name), "none, its name is one");
     }
-    if (const auto serial = fields.Find("serial"))
-    {
-        node.serial = serial->Checked();
-    }
+    fields.Into("serial", node.serial);
     node.self_tests = fields.Require("self_tests").Choice(kYesWords);
-    const auto start = fields.Find("start_at");
-    node.start_at = start ? start->Duration() : kNever;
+    node.start_at = kNever;
+    fields.Into("start_at", node.start_at);
     node.device = node.name;
     std::vector<NodeSetup> cpus{node};
     if (fields.Require("structure").Choice(kStructureWords))

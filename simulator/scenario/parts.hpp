@@ -7,10 +7,6 @@
 
 namespace counterpoint::simulator
 {
-/// Range of counts in a scenario, such as the n-th frame.
-inline constexpr Range kCountRange{1U, 0x7FFFFFFFU};
-inline constexpr Range kSrdoRange{1U, 64U};
-
 /// The path of a file that `file` names; it is relative to `file`.
 [[nodiscard]] std::string Beside(const std::string& file, const std::string& name);
 /// Refuses a file that does not exist. Throws YamlError.
@@ -33,14 +29,19 @@ void ReadNodes(const YamlValue& value, Scenario& scenario);
 [[nodiscard]] NodeIndex CpuNamed(const Scenario& scenario, const YamlValue& name);
 /// Whether the key `node` of an item names a device with two CPUs.
 [[nodiscard]] bool NamesBothCpus(const Scenario& scenario, const YamlValue& item);
-/// The number of an SRDO, 1 to 64.
-[[nodiscard]] std::uint8_t SrdoNumber(const YamlValue& value);
 /// Reads the keys `at`, `until`, `on` and `off`.
 void ReadSpan(Fields& fields, FaultSetup& fault);
-/// Reads the keys `on` and `off`.
-void ReadPattern(Fields& fields, Nanoseconds& on, Nanoseconds& off);
-/// Reads a list of numbers, each within `range`, as bytes.
-[[nodiscard]] std::vector<std::uint8_t> ReadBytes(const YamlValue& value, const Range& range);
+/// Reads the keys that choose the n-th, every n-th, so many, and by chance.
+void ReadTurns(Fields& fields, FrameChoice& choice);
+/// Reads the key `bits`: one or more. Throws YamlError.
+template <typename Bit> void ReadBits(Fields& fields, std::vector<Bit>& bits)
+{
+    fields.Need("bits", bits);
+    if (bits.empty())
+    {
+        fields.Require("bits").Refuse("an empty list", "one bit or more");
+    }
+}
 /// Reads the keys of a fault of a node, beside kind and name.
 void ReadNodeFault(Fields& fields, const Scenario& scenario, FaultSetup& fault);
 /// Reads the keys of a fault of the link between two CPUs, beside kind and name.
@@ -49,14 +50,11 @@ void ReadLinkFault(Fields& fields, const Scenario& scenario, FaultSetup& fault);
 void ReadOfNetwork(Fields& fields, const Scenario& scenario, Expectation& expectation);
 /// Adds an action of its own for each controller that comes back.
 void AddReturns(std::vector<Action>& actions);
-/// Reads one item of `managers`.
-[[nodiscard]] ManagerSetup ReadManager(const Scenario& scenario, const YamlValue& value);
-/// Reads one item of `events`.
-[[nodiscard]] Action ReadAction(const Scenario& scenario, const YamlValue& value);
-/// Reads one item of `faults`.
-[[nodiscard]] FaultSetup ReadFault(const Scenario& scenario, const YamlValue& value);
-/// Reads one item of `expect`.
-[[nodiscard]] Expectation ReadExpectation(const Scenario& scenario, const YamlValue& value);
+// One item of `managers`, `events`, `faults` and `expect`; its place is known.
+void ReadManager(Fields& fields, const Scenario& scenario, ManagerSetup& manager);
+void ReadAction(Fields& fields, const Scenario& scenario, Action& action);
+void ReadFault(Fields& fields, const Scenario& scenario, FaultSetup& fault);
+void ReadExpectation(Fields& fields, const Scenario& scenario, Expectation& expectation);
 } // namespace counterpoint::simulator
 
 #endif // SIMULATOR_SCENARIO_PARTS_HPP

@@ -15,26 +15,18 @@ namespace
 constexpr Range kSeedRange{0U, 0xFFFFFFFFFFFFFFFFU};
 constexpr std::uint32_t kBitrates[] = {10000U, 20000U, 50000U, 100000U, 125000U, 250000U, 500000U, 800000U, 1000000U};
 
-Stimulus ReadStimulus(const Scenario& scenario, const YamlValue& value)
+void ReadStimulus(Fields& fields, const Scenario& scenario, Stimulus& stimulus)
 {
-    Fields fields(value, "input");
-    Stimulus stimulus;
-    stimulus.source = value.Where();
-    stimulus.at = fields.Require("at").Duration();
+    fields.Into("at", stimulus.at);
     stimulus.node = NodeNamed(scenario, fields.Require("node"));
-    stimulus.object = fields.Require("object").Object();
-    stimulus.value = fields.Require("value").Number(kSeedRange);
-    fields.Close();
-    return stimulus;
+    fields.Into("object", stimulus.object);
+    fields.Into("value", stimulus.value);
 }
 
-runtime::LogicRule ReadLogic(const Scenario& scenario, const YamlValue& value)
+void ReadLogic(Fields& fields, const Scenario& scenario, runtime::LogicRule& rule)
 {
-    Fields fields(value, "logic");
-    runtime::LogicRule rule;
-    rule.source = value.Where();
     rule.node = NodeNamed(scenario, fields.Require("node"));
-    rule.target = fields.Require("set").Object();
+    fields.Into("set", rule.target);
     rule.operation = fields.Require("op").Choice(runtime::kOperationWords);
     const YamlValue from = fields.Require("from");
     for (const YamlValue& input : from.Items("a list of objects"))
@@ -48,89 +40,73 @@ runtime::LogicRule ReadLogic(const Scenario& scenario, const YamlValue& value)
     {
         from.Refuse(std::to_string(rule.inputs.size()) + " objects", takes_one ? "one object" : "one object or more");
     }
-    fields.Close();
-    return rule;
 }
 
-Acknowledge ReadAcknowledge(const Scenario& scenario, const YamlValue& value)
+void ReadAcknowledge(Fields& fields, const Scenario& scenario, Acknowledge& acknowledge)
 {
-    Fields fields(value, "acknowledge");
-    Acknowledge acknowledge;
-    acknowledge.source = value.Where();
-    acknowledge.at = fields.Require("at").Duration();
+    fields.Into("at", acknowledge.at);
     acknowledge.node = NodeNamed(scenario, fields.Require("node"));
-    acknowledge.srdo = SrdoNumber(fields.Require("srdo"));
-    acknowledge.pulse = fields.Require("pulse").Duration();
-    fields.Close();
-    return acknowledge;
+    fields.Into("srdo", acknowledge.srdo);
+    fields.Into("pulse", acknowledge.pulse);
 }
 
-NmtEvent ReadNmt(const Scenario& scenario, const YamlValue& value)
+void ReadNmt(Fields& fields, const Scenario& scenario, NmtEvent& event)
 {
-    Fields fields(value, "nmt");
-    NmtEvent event;
-    event.source = value.Where();
-    event.at = fields.Require("at").Duration();
+    fields.Into("at", event.at);
     const YamlValue node = fields.Require("node");
     event.node = (node.Text("a node, or all") == "all") ? kNoNode : NodeNamed(scenario, node);
     const auto state = fields.Find("state");
     const auto command = fields.Find("command");
     if (static_cast<bool>(state) == static_cast<bool>(command))
     {
-        value.Refuse("an NMT event", "either 'state' or 'command'");
+        fields.Value().Refuse("an NMT event", "either 'state' or 'command'");
     }
     event.state = state ? state->Choice(runtime::kNmtWords) : NmtState::kInvalid;
     event.command = command ? command->Choice(kCommandWords) : cia301::NmtCommand::kInvalid;
     if (event.command == cia301::NmtCommand::kResetNode || event.command == cia301::NmtCommand::kResetCommunication)
     {
-        const auto start = fields.Find("start_after");
-        event.start_after = start ? start->Duration() : kNever;
+        fields.Into("start_after", event.start_after);
     }
-    fields.Close();
-    return event;
 }
 
-PowerCycle ReadPower(const Scenario& scenario, const YamlValue& value)
+void ReadPower(Fields& fields, const Scenario& scenario, PowerCycle& cycle)
 {
-    Fields fields(value, "power");
-    PowerCycle cycle;
-    cycle.source = value.Where();
-    cycle.at = fields.Require("at").Duration();
+    fields.Into("at", cycle.at);
     cycle.node = NodeNamed(scenario, fields.Require("node"));
-    cycle.off = fields.Require("off").Lasting();
-    const auto start = fields.Find("start_after");
-    cycle.start_after = start ? start->Duration() : kNever;
-    fields.Close();
-    return cycle;
+    fields.Into("off", cycle.off);
+    fields.Into("start_after", cycle.start_after);
 }
 
-GfcEvent ReadGfc(const Scenario& scenario, const YamlValue& value)
+void ReadGfc(Fields& fields, const Scenario& scenario, GfcEvent& event)
 {
-    Fields fields(value, "gfc");
-    GfcEvent event;
-    event.source = value.Where();
-    event.at = fields.Require("at").Duration();
+    fields.Into("at", event.at);
     event.node = NodeNamed(scenario, fields.Require("node"));
-    fields.Close();
-    return event;
+}
+
+template <typename Item> using Reader = void (*)(Fields&, const Scenario&, Item&);
+
+/// One item of the list of a key.
+template <typename Item>
+Item ReadItem(const Fields& fields, const char* key, const Scenario& scenario, const YamlValue& value,
+              const Reader<Item> read)
+{
+    Fields own(value, fields.SectionOf(key));
+    Item item;
+    item.source = value.Where();
+    read(own, scenario, item);
+    own.Close();
+    return item;
 }
 
 /// Appends the items of a list, each read by `read`.
-template <typename Item, typename Read>
-void Append(Fields& fields, const char* key, const Scenario& scenario, std::vector<Item>& items, const Read& read)
+template <typename Item>
+void Append(Fields& fields, const char* key, const Scenario& scenario, std::vector<Item>& items,
+            const Reader<Item> read)
 {
     const auto list = fields.Find(key);
-    if (!list)
+    for (const YamlValue& value : list ? list->Items("a list") : std::vector<YamlValue>{})
     {
-        return;
-    }
-    for (const YamlValue& value : list->Items("a list"))
-    {
-        items.push_back(read(scenario, value));
-    }
-    if (items.empty() && std::string(key) == "managers")
-    {
-        list->Refuse("an empty list of managers", "at least one");
+        items.push_back(ReadItem(fields, key, scenario, value, read));
     }
 }
 
@@ -142,17 +118,14 @@ template <typename Item> void KeepOfProfile(std::vector<Item>& items)
 }
 
 /// The same of what happens to both CPUs of a device that is named without one.
-template <typename Item, typename Read>
-void AppendToEach(Fields& fields, const char* key, const Scenario& scenario, std::vector<Item>& items, const Read& read)
+template <typename Item>
+void AppendToEach(Fields& fields, const char* key, const Scenario& scenario, std::vector<Item>& items,
+                  const Reader<Item> read)
 {
     const auto list = fields.Find(key);
-    if (!list)
+    for (const YamlValue& value : list ? list->Items("a list") : std::vector<YamlValue>{})
     {
-        return;
-    }
-    for (const YamlValue& value : list->Items("a list"))
-    {
-        items.push_back(read(scenario, value));
+        items.push_back(ReadItem(fields, key, scenario, value, read));
         if (items.back().node != kNoNode && NamesBothCpus(scenario, value))
         {
             Item second = items.back();
@@ -164,31 +137,17 @@ void AppendToEach(Fields& fields, const char* key, const Scenario& scenario, std
 
 void ReadSingles(Fields& fields, Scenario& scenario)
 {
-    if (const auto title = fields.Find("title"))
+    fields.Into("title", scenario.title);
+    fields.Into("description", scenario.description);
+    if (fields.Into("bitrate", scenario.bitrate) &&
+        std::find(std::begin(kBitrates), std::end(kBitrates), scenario.bitrate) == std::end(kBitrates))
     {
-        scenario.title = title->Text("a text");
+        const YamlValue bitrate = fields.Require("bitrate");
+        bitrate.Refuse(runtime::Shown(bitrate.Node().scalar),
+                       "one of 10000, 20000, 50000, 100000, 125000, 250000, 500000, 800000, 1000000");
     }
-    if (const auto description = fields.Find("description"))
-    {
-        scenario.description = description->Paragraph("a text");
-    }
-    if (const auto bitrate = fields.Find("bitrate"))
-    {
-        scenario.bitrate = bitrate->Checked();
-        if (std::find(std::begin(kBitrates), std::end(kBitrates), scenario.bitrate) == std::end(kBitrates))
-        {
-            bitrate->Refuse(runtime::Shown(bitrate->Node().scalar),
-                            "one of 10000, 20000, 50000, 100000, 125000, 250000, 500000, 800000, 1000000");
-        }
-    }
-    if (const auto duration = fields.Find("duration"))
-    {
-        scenario.duration = duration->Duration();
-    }
-    if (const auto seed = fields.Find("seed"))
-    {
-        scenario.seed = seed->Number(kSeedRange);
-    }
+    fields.Into("duration", scenario.duration);
+    fields.Into("seed", scenario.seed);
 }
 
 std::string Joined(const std::vector<std::string>& words)
@@ -255,6 +214,11 @@ void ReadInto(const ScenarioDocument& document, Scenario& scenario)
         ReadNodes(*nodes, scenario);
     }
     Append(fields, "managers", scenario, scenario.managers, ReadManager);
+    const auto managers = fields.Find("managers");
+    if (managers && scenario.managers.empty())
+    {
+        managers->Refuse("an empty list of managers", "at least one");
+    }
     ReadProfiles(fields, scenario.profiles);
     if (scenario.managers.empty() && !scenario.profiles.empty())
     {
@@ -305,8 +269,7 @@ void Complete(Scenario& scenario)
 
 std::vector<YamlValue> OneOrMore(const YamlValue& value, const std::string& expected)
 {
-    const bool is_list = value.Node().kind == runtime::YamlKind::kSequence;
-    std::vector<YamlValue> items = is_list ? value.Items("a list") : std::vector<YamlValue>{value};
+    std::vector<YamlValue> items = ItemsOf(value);
     if (items.empty())
     {
         value.Refuse("an empty list", expected);
@@ -334,11 +297,6 @@ bool IsOfProfile(Fields& fields, const Scenario& scenario)
         is_there = is_there || word == scenario.profile;
     }
     return is_there;
-}
-
-std::uint8_t SrdoNumber(const YamlValue& value)
-{
-    return static_cast<std::uint8_t>(value.Number(kSrdoRange));
 }
 
 std::vector<ScenarioDocument> LoadScenario(const std::string& file)
@@ -425,22 +383,13 @@ Scenario ReadScenario(const std::string& file, const std::string& profile)
 
 Nanoseconds ParseDuration(const std::string& place, const std::string& text)
 {
-    runtime::YamlNode node;
-    node.kind = runtime::YamlKind::kScalar;
-    node.scalar = text;
-    const Nanoseconds duration = YamlValue(place, node).Duration();
-    if (duration == 0)
-    {
-        throw YamlError(place, {}, runtime::Shown(text), "a time above 0");
-    }
-    return duration;
+    const runtime::YamlNode node{runtime::YamlKind::kScalar, false, {}, text, {}};
+    return YamlValue(place, node).Lasting();
 }
 
 std::uint64_t ParseSeed(const std::string& place, const std::string& text)
 {
-    runtime::YamlNode node;
-    node.kind = runtime::YamlKind::kScalar;
-    node.scalar = text;
+    const runtime::YamlNode node{runtime::YamlKind::kScalar, false, {}, text, {}};
     return YamlValue(place, node).Number(kSeedRange);
 }
 } // namespace counterpoint::simulator
