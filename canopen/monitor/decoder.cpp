@@ -4,52 +4,30 @@
 #include "canopen/monitor/texts.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
+#include <iterator>
 #include <utility>
 
 namespace counterpoint::monitor
 {
 namespace
 {
-
 constexpr std::uint32_t kNodes = 0x7FU;
 constexpr std::uint32_t kByteBits = 8U;
 
-std::string Command(const std::uint8_t command)
-{
-    switch (command)
-    {
-    case 1U:
-        return "start";
-    case 2U:
-        return "stop";
-    case 128U:
-        return "enter PRE-OPERATIONAL";
-    case 129U:
-        return "reset node";
-    case 130U:
-        return "reset communication";
-    default:
-        return "command " + std::to_string(command);
-    }
-}
+using NumberRow = std::pair<std::uint32_t, const char*>;
 
-std::string StateName(const std::uint8_t state)
+constexpr NumberRow kCommands[] = {
+    {1U, "start"}, {2U, "stop"}, {128U, "enter PRE-OPERATIONAL"}, {129U, "reset node"}, {130U, "reset communication"}};
+constexpr NumberRow kStates[] = {{0U, "boot-up"}, {4U, "STOPPED"}, {5U, "OPERATIONAL"}, {127U, "PRE-OPERATIONAL"}};
+
+/// The word of a number; of an unknown one the number behind `kind`.
+template <std::size_t kCount>
+std::string WordOf(const NumberRow (&rows)[kCount], const std::uint32_t number, const std::string& kind)
 {
-    switch (state)
-    {
-    case 0U:
-        return "boot-up";
-    case 4U:
-        return "STOPPED";
-    case 5U:
-        return "OPERATIONAL";
-    case 127U:
-        return "PRE-OPERATIONAL";
-    default:
-        return "state " + std::to_string(state);
-    }
+    const auto* const row = std::find_if(std::begin(rows), std::end(rows),
+                                         [number](const NumberRow& each) { return each.first == number; });
+    return row == std::end(rows) ? kind + " " + std::to_string(number) : row->second;
 }
 
 /// Bits from `first` on, the lowest first; bits that the frame has not are 0.
@@ -80,14 +58,7 @@ constexpr std::uint32_t kRequests = 0x600U;
 constexpr std::uint8_t kAbort = 0x80U;
 constexpr std::uint8_t kLastSegment = 0x80U;
 
-std::uint32_t Number32(const LogFrame& frame, const std::size_t at)
-{
-    return static_cast<std::uint32_t>(frame.data.at(at)) | (static_cast<std::uint32_t>(frame.data.at(at + 1U)) << 8U) |
-           (static_cast<std::uint32_t>(frame.data.at(at + 2U)) << 16U) |
-           (static_cast<std::uint32_t>(frame.data.at(at + 3U)) << 24U);
-}
-
-constexpr std::array<std::pair<std::uint32_t, const char*>, 30U> kAborts{{
+constexpr NumberRow kAborts[] = {
     {0x05030000U, "toggle bit not alternated"},
     {0x05040000U, "time-out"},
     {0x05040001U, "command not valid"},
@@ -118,7 +89,7 @@ constexpr std::array<std::pair<std::uint32_t, const char*>, 30U> kAborts{{
     {0x08000021U, "local control"},
     {0x08000022U, "not in this state"},
     {0x08000024U, "no data"},
-}};
+};
 
 } // namespace
 
@@ -140,7 +111,7 @@ std::string Decoder::Decode(const LogFrame& frame)
     {
     case Service::kNmt:
         return frame.length == 2U && frame.IsPlain()
-                   ? name + Command(frame.data[0]) + ", " +
+                   ? name + WordOf(kCommands, frame.data[0], "command") + ", " +
                          (frame.data[1] == 0U ? "all nodes" : network_.NameOf(frame.data[1]))
                    : name + "of wrong length";
     case Service::kGfc:
@@ -193,7 +164,7 @@ std::string Decoder::ErrorControl(const LogFrame& frame) const
         return name + " of wrong length";
     }
     const bool is_boot_up = frame.data[0] == 0U;
-    return name + (is_boot_up ? " " : " is ") + StateName(frame.data[0] & 0x7FU);
+    return name + (is_boot_up ? " " : " is ") + WordOf(kStates, frame.data[0] & 0x7FU, "state");
 }
 
 std::string Decoder::Pdo(const LogFrame& frame) const
@@ -324,7 +295,7 @@ std::string Decoder::Sdo(const LogFrame& frame)
     if (is_abort)
     {
         transfer.is_block = false;
-        return name + "abort " + AbortText(Number32(frame, 4U)) + ", " +
+        return name + "abort " + AbortText(static_cast<std::uint32_t>(BitsAt(frame, 32U, 32U))) + ", " +
                ObjectText(node_id, static_cast<std::uint16_t>(frame.data[1] | (frame.data[2] << 8U)), frame.data[3]);
     }
     return name + (is_block ? SdoBlock(frame, transfer, is_request) : SdoBegin(frame, transfer, is_request));
@@ -355,13 +326,13 @@ std::string Decoder::SdoBegin(const LogFrame& frame, Transfer& transfer, const b
     {
         const std::uint32_t bytes = is_stated ? 4U - ((frame.data[0] >> 2U) & 3U) : 4U;
         const NodeModel* const node = network_.Find(node_id);
-        const std::uint64_t value = Number32(frame, 4U) & (0xFFFFFFFFU >> (32U - 8U * bytes));
+        const std::uint64_t value = BitsAt(frame, 32U, 8U * bytes);
         text += " = " + ValueText(node == nullptr ? nullptr : node->device.Find(transfer.index, transfer.sub), value,
                                   8U * bytes);
     }
     else if (has_data && is_stated)
     {
-        text += ", " + std::to_string(Number32(frame, 4U)) + " bytes";
+        text += ", " + std::to_string(BitsAt(frame, 32U, 32U)) + " bytes";
     }
     return text;
 }

@@ -6,9 +6,9 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
 #include <utility>
 
 namespace counterpoint::monitor
@@ -16,31 +16,6 @@ namespace counterpoint::monitor
 namespace
 {
 constexpr std::size_t kMostBytes = 2U * 1024U * 1024U * 1024U;
-
-/// Closes what was opened.
-class Descriptor
-{
-  public:
-    explicit Descriptor(const int number) noexcept : number_(number)
-    {
-    }
-    ~Descriptor()
-    {
-        if (number_ >= 0)
-        {
-            static_cast<void>(::close(number_));
-        }
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    [[nodiscard]] int Number() const noexcept
-    {
-        return number_;
-    }
-
-  private:
-    int number_;
-};
 
 [[noreturn]] void Refuse(const std::string& path, const std::string& wrong, const std::string& expected)
 {
@@ -62,33 +37,28 @@ void RefuseCompressed(const std::string& file, const std::string_view magic)
 
 std::string ReadRecording(const std::string& path)
 {
-    // O_NONBLOCK: opening a pipe without a writer would wait for one.
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY));
-    struct stat status{};
-    if (file.Number() < 0 || ::fstat(file.Number(), &status) != 0)
+    const std::string kinds = "a recording of candump -l, pcap or pcapng";
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    const bool is_regular = std::filesystem::is_regular_file(status);
+    const std::uintmax_t size = is_regular ? std::filesystem::file_size(path, error) : 0U;
+    // Looked at before it is opened: opening a pipe without a writer would wait for one.
+    if (std::filesystem::exists(status) && (!is_regular || error || size > kMostBytes))
+    {
+        Refuse(path, "it is no regular file of up to 2 GB", kinds);
+    }
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
     {
         Refuse(path, std::string("it cannot be opened (") + std::strerror(errno) + ")", "a readable recording");
     }
-    if (!S_ISREG(status.st_mode) || static_cast<std::uint64_t>(status.st_size) > kMostBytes)
+    if (size == 0U)
     {
-        Refuse(path, "it is no regular file of up to 2 GB", "a recording of candump -l, pcap or pcapng");
+        Refuse(path, "it is empty", kinds);
     }
-    if (status.st_size == 0)
-    {
-        Refuse(path, "it is empty", "a recording of candump -l, pcap or pcapng");
-    }
-    std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
-    std::size_t count = 0U;
-    while (count < bytes.size())
-    {
-        const ssize_t part = ::read(file.Number(), bytes.data() + count, bytes.size() - count);
-        if (part <= 0)
-        {
-            break; // It became shorter: what was read is what there is.
-        }
-        count += static_cast<std::size_t>(part);
-    }
-    bytes.resize(count);
+    std::string bytes(static_cast<std::size_t>(size), '\0');
+    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<std::size_t>(file.gcount())); // It became shorter: what was read is what there is.
     return bytes;
 }
 

@@ -19,16 +19,6 @@ std::string IdentifierName(const std::uint32_t identifier)
     return cia306::Hex(identifier, 3).substr(2U) + "h";
 }
 
-std::string Watchers(const Network& network, const Violation& violation)
-{
-    std::string names;
-    for (const std::size_t watch : violation.watches)
-    {
-        names += (names.empty() ? "" : "; ") + network.NameOf(network.Watches()[watch]);
-    }
-    return names;
-}
-
 void WriteTimes(const char* const name, const TimeStatistics& times, std::ostream& out)
 {
     if (times.count == 0U)
@@ -94,6 +84,16 @@ Json SrdoJson(const Report& report, const std::size_t number)
     return answer;
 }
 } // namespace
+
+std::string Watchers(const Network& network, const Violation& violation)
+{
+    std::string names;
+    for (const std::size_t watch : violation.watches)
+    {
+        names += (names.empty() ? "" : "; ") + network.NameOf(network.Watches()[watch]);
+    }
+    return names;
+}
 
 std::string ViolationText(const Network& network, const Violation& violation)
 {

@@ -23,6 +23,8 @@ struct Report
     std::string source; ///< Name of the file or address of the bus.
 };
 
+/// Whose SRDOs a violation is about: "sensor SRDO 1 -> controller SRDO 1".
+[[nodiscard]] std::string Watchers(const Network& network, const Violation& violation);
 /// "12.000345 not inverse: sensor SRDO 1 -> controller SRDO 1 (101h, 102h): DETAILS"
 [[nodiscard]] std::string ViolationText(const Network& network, const Violation& violation);
 /// Writes the summary: totals, and a block for each SRDO. [SRS_MON_010]

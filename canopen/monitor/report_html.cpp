@@ -106,13 +106,9 @@ std::string ViolationTable(const Report& report)
     for (std::size_t row = 0U; row < std::min(report.violations.size(), kMostRows); ++row)
     {
         const Violation& violation = report.violations[row];
-        std::string names;
-        for (const std::size_t watch : violation.watches)
-        {
-            names += (names.empty() ? "" : "; ") + report.network.NameOf(report.network.Watches()[watch]);
-        }
         rows += "<tr><td class=\"n\">" + SecondsText(violation.breach.time) + "</td><td>" +
-                CauseName(violation.breach.cause) + "</td><td>" + cia306::HtmlText(names) + "</td><td>" +
+                CauseName(violation.breach.cause) + "</td><td>" +
+                cia306::HtmlText(Watchers(report.network, violation)) + "</td><td>" +
                 cia306::HtmlText(violation.breach.details) + "</td></tr>";
     }
     const bool is_cut = report.analysis.ViolationCount() > kMostRows;

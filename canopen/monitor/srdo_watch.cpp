@@ -4,6 +4,7 @@
 #include "canopen/monitor/texts.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace counterpoint::monitor
 {
@@ -19,26 +20,10 @@ std::string Bytes(const std::size_t count)
 
 const char* CauseName(const Cause cause) noexcept
 {
-    switch (cause)
-    {
-    case Cause::kLength:
-        return "wrong length";
-    case Cause::kInverseFirst:
-        return "inverse first";
-    case Cause::kNormalTwice:
-        return "normal twice";
-    case Cause::kNotInverse:
-        return "not inverse";
-    case Cause::kSrvt:
-        return "SRVT expired";
-    case Cause::kSct:
-        return "SCT expired";
-    case Cause::kRemote:
-        return "remote frame";
-    case Cause::kGfc:
-        break;
-    }
-    return "GFC not followed";
+    constexpr std::array<const char*, kCauseCount> names{"wrong length", "inverse first",   "normal twice",
+                                                         "not inverse",  "SRVT expired",    "SCT expired",
+                                                         "remote frame", "GFC not followed"};
+    return names.at(static_cast<std::size_t>(cause));
 }
 
 void TimeStatistics::Add(const Time time) noexcept

@@ -1,25 +1,20 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/device/names.hpp"
 
+#include "canopen/cia306/text/input_error.hpp"
+
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 namespace counterpoint::runtime
 {
 std::string ObjectText(const ObjectAddress& object)
 {
-    std::array<char, 16U> text{};
-    static_cast<void>(std::snprintf(text.data(), text.size(), "0x%04X:%02X", static_cast<unsigned>(object.index),
-                                    static_cast<unsigned>(object.sub)));
-    return text.data();
+    return cia306::ObjectName(object.index, object.sub);
 }
 
 std::string IdentifierText(const std::uint32_t identifier)
 {
-    std::array<char, 16U> text{};
-    static_cast<void>(std::snprintf(text.data(), text.size(), "0x%03X", static_cast<unsigned>(identifier)));
-    return text.data();
+    return cia306::Hex(identifier, 3);
 }
 
 std::string MillisecondsText(const Nanoseconds time)

@@ -1,10 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/manager/pdos.hpp"
 
+#include "canopen/cia306/safety/signature.hpp"
 #include "canopen/cia306/text/number.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace counterpoint::runtime
 {
@@ -154,15 +154,7 @@ std::optional<std::vector<std::uint8_t>> BytesFrom(const std::string& text)
 
 std::string BytesText(const std::vector<std::uint8_t>& bytes)
 {
-    constexpr std::size_t kRoom = 4U;
-    std::string text;
-    for (const std::uint8_t byte : bytes)
-    {
-        char digits[kRoom];
-        std::snprintf(digits, sizeof(digits), "%02X", static_cast<unsigned>(byte));
-        text += (text.empty() ? "" : " ") + std::string(digits);
-    }
-    return text;
+    return cia306::HexBytes(bytes);
 }
 
 std::string NameOf(const PdoValue& value)

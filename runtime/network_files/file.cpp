@@ -19,8 +19,6 @@ using network_plan::ManagerPlan;
 using network_plan::NetworkPlan;
 using network_plan::SlavePlan;
 using network_plan::SoftwarePlan;
-using runtime::Word;
-using runtime::YamlValue;
 
 constexpr Word<network_plan::StartProfile> kProfileWords[] = {
     {"cia302", network_plan::StartProfile::kCia302},
@@ -68,7 +66,7 @@ ManagerPlan ReadManager(const std::string& file, const YamlValue& value)
                        "sdo_tries", "flying", "el6751"});
     constexpr std::uint64_t kStartUpBits = 0x7FU;
     constexpr std::uint32_t kLongestSdoMs = 1000000U;
-    constexpr runtime::Nanoseconds kHundredUs = 100 * runtime::kNanosecondsPerMicrosecond;
+    constexpr Nanoseconds kHundredUs = 100 * kNanosecondsPerMicrosecond;
     ManagerPlan plan;
     plan.line = static_cast<std::size_t>(value.Where().place.line);
     plan.lines = map.Lines();
@@ -82,7 +80,7 @@ ManagerPlan ReadManager(const std::string& file, const YamlValue& value)
     }
     TakeMs(map, "boot_time", plan.boot_time_ms);
     TakeTime(map, "inhibit", plan.inhibit_100us, kHundredUs, "tenths of a millisecond");
-    TakeTime(map, "sync", plan.sync_us, runtime::kNanosecondsPerMicrosecond, "microseconds");
+    TakeTime(map, "sync", plan.sync_us, kNanosecondsPerMicrosecond, "microseconds");
     TakeMs(map, "heartbeat", plan.heartbeat_ms);
     TakeMs(map, "sdo_timeout", plan.sdo_time_out_ms);
     if (plan.sdo_time_out_ms.value_or(1U) == 0U || plan.sdo_time_out_ms.value_or(1U) > kLongestSdoMs)
@@ -186,7 +184,7 @@ SlavePlan ReadSlave(const std::string& file, const YamlValue& value)
 
 NetworkPlan ReadYaml(const std::string& path, const std::uint8_t manager)
 {
-    const runtime::YamlNode document = runtime::ParseYaml(path, runtime::ReadYamlText(path));
+    const YamlNode document = ParseYaml(path, ReadYamlText(path));
     const YamlMap map(path, document, {"name", "manager", "slaves"});
     NetworkPlan plan;
     plan.file = path;
@@ -206,7 +204,7 @@ NetworkPlan ReadYaml(const std::string& path, const std::uint8_t manager)
 /// Before it is read as something: neither reader knows what the file was to be. Line 1, for all of it.
 void RequireNetworkFile(const std::string& path)
 {
-    constexpr std::uintmax_t kMostBytes = runtime::kMaxYamlBytes;
+    constexpr std::uintmax_t kMostBytes = kMaxYamlBytes;
     const std::string problem = network_plan::ProblemOfFile(path);
     if (!problem.empty())
     {

@@ -14,7 +14,6 @@ using cia302::ForceReaction;
 using cia302::LossReaction;
 using cia302::MasterWatch;
 using cia302::StandbyReaction;
-using runtime::Word;
 
 constexpr Word<bool> kPresetWords[] = {{"default", false}, {"so1114", true}};
 constexpr Word<CyclicMessage> kCyclicWords[] = {{"force", CyclicMessage::kForce},
@@ -62,7 +61,7 @@ void TakeOptions(const YamlMap& map, FlyingMasterOptions& options)
 }
 } // namespace
 
-network_plan::FlyingPlan ReadFlying(const std::string& file, const runtime::YamlValue& value)
+network_plan::FlyingPlan ReadFlying(const std::string& file, const YamlValue& value)
 {
     const YamlMap map(file, value.Node(), {"priority",   "timeout",     "delay",           "level_slot", "node_slot",
                                            "detect",     "preset",      "cyclic",          "on_force",   "equal_level",

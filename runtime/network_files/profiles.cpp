@@ -12,8 +12,6 @@ namespace counterpoint::runtime
 namespace
 {
 using cia302::El6751Slave;
-using runtime::Word;
-using runtime::YamlValue;
 
 constexpr Word<bool> kTruthWords[] = {{"true", true}, {"false", false}};
 constexpr Word<cia302::El6751Kind> kKindWords[] = {{"general", cia302::El6751Kind::kGeneral},
@@ -36,11 +34,11 @@ template <typename Number> void TakeNumber(const YamlMap& map, const char* key, 
 }
 
 template <typename Number>
-void TakeTime(const YamlMap& map, const char* key, Number& part, const runtime::Nanoseconds unit, const char* name)
+void TakeTime(const YamlMap& map, const char* key, Number& part, const Nanoseconds unit, const char* name)
 {
     if (const auto value = map.Find(key))
     {
-        const runtime::Nanoseconds time = value->Duration();
+        const Nanoseconds time = value->Duration();
         constexpr auto kMost = std::numeric_limits<Number>::max();
         if (time % unit != 0 || static_cast<std::uint64_t>(time / unit) > kMost)
         {
@@ -58,7 +56,7 @@ El6751Slave ReadEl6751Slave(const std::string& file, const YamlValue& value)
                       {"kind", "check_device_type", "write_sync_period", "write_cob_ids", "write_types", "start",
                        "restart_without_pdos", "literal_consumer", "reaction", "restart", "network_reaction",
                        "coupler_pdos", "coupler_inhibit", "coupler_event"});
-    constexpr runtime::Nanoseconds kHundredUs = 100 * runtime::kNanosecondsPerMicrosecond;
+    constexpr Nanoseconds kHundredUs = 100 * kNanosecondsPerMicrosecond;
     El6751Slave slave{};
     TakeWord(map, "kind", slave.kind, kKindWords);
     TakeWord(map, "check_device_type", slave.is_device_type_checked, kTruthWords);
@@ -73,7 +71,7 @@ El6751Slave ReadEl6751Slave(const std::string& file, const YamlValue& value)
     TakeWord(map, "network_reaction", slave.network_reaction, kNetworkWords);
     TakeNumber<std::uint32_t>(map, "coupler_pdos", slave.coupler_pdos, 0U);
     TakeTime(map, "coupler_inhibit", slave.coupler_inhibit_100us, kHundredUs, "tenths of a millisecond");
-    TakeTime(map, "coupler_event", slave.coupler_event_ms, runtime::kNanosecondsPerMillisecond, "milliseconds");
+    TakeTime(map, "coupler_event", slave.coupler_event_ms, kNanosecondsPerMillisecond, "milliseconds");
     return slave;
 }
 
@@ -83,7 +81,7 @@ cia302::El6751Times ReadEl6751Times(const std::string& file, const YamlValue& va
     cia302::El6751Times times{};
     TakeWord(map, "window", times.window, kWindowWords);
     TakeNumber<std::uint8_t>(map, "sync_multiplier", times.sync_multiplier, 1U);
-    TakeTime(map, "input_shift", times.input_shift_us, runtime::kNanosecondsPerMicrosecond, "microseconds");
+    TakeTime(map, "input_shift", times.input_shift_us, kNanosecondsPerMicrosecond, "microseconds");
     return times;
 }
 
@@ -102,7 +100,7 @@ std::vector<network_plan::OutputPlan> ReadOutputs(const std::string& file, const
         const auto bytes = BytesFrom(data.Text(expected));
         if (!bytes)
         {
-            data.Refuse(runtime::Shown(data.Text(expected)), expected);
+            data.Refuse(Shown(data.Text(expected)), expected);
         }
         output.bytes = *bytes;
         outputs.push_back(output);

@@ -9,7 +9,6 @@ namespace counterpoint::runtime
 {
 namespace
 {
-using runtime::PairValue;
 
 constexpr std::uint16_t kCommunicationBase = 0x1300U;
 
@@ -34,7 +33,7 @@ void NodeApplication::Follow(Kernel& kernel, const runtime::DeviceModel& model)
     logic_.Follow(kernel, model);
 }
 
-bool NodeApplication::AddRule(const runtime::LogicRule& rule)
+bool NodeApplication::AddRule(const LogicRule& rule)
 {
     return logic_.AddRule(rule);
 }

@@ -14,23 +14,20 @@ namespace counterpoint::runtime
 {
 namespace
 {
-using runtime::YamlNode;
-using runtime::YamlValue;
 
-runtime::LogicRule ReadRule(const std::string& file, const YamlValue& value)
+LogicRule ReadRule(const std::string& file, const YamlValue& value)
 {
     const YamlMap map(file, value.Node(), {"set", "op", "from"});
-    runtime::LogicRule rule;
+    LogicRule rule;
     rule.source = value.Where();
     rule.target = map.Require("set").Object();
-    rule.operation = map.Require("op").Choice(runtime::kOperationWords);
+    rule.operation = map.Require("op").Choice(kOperationWords);
     const YamlValue from = map.Require("from");
     for (const YamlValue& input : from.Items("a list of objects"))
     {
         rule.inputs.push_back(input.Object());
     }
-    const bool takes_one =
-        rule.operation == runtime::LogicOperation::kCopy || rule.operation == runtime::LogicOperation::kNot;
+    const bool takes_one = rule.operation == LogicOperation::kCopy || rule.operation == LogicOperation::kNot;
     if (rule.inputs.empty() || (takes_one && rule.inputs.size() != 1U))
     {
         from.Refuse(std::to_string(rule.inputs.size()) + " objects",
@@ -67,7 +64,7 @@ NodeScript ReadNodeScript(const std::string& file)
 {
     NodeScript script;
     script.file = file;
-    const YamlNode document = runtime::ParseYaml(file, runtime::ReadYamlText(file));
+    const YamlNode document = ParseYaml(file, ReadYamlText(file));
     const YamlMap map(script.file, document, {"title", "logic", "steps"});
     if (const std::optional<YamlValue> title = map.Find("title"))
     {

@@ -5,8 +5,6 @@
 
 namespace counterpoint::runtime
 {
-using runtime::YamlNode;
-using runtime::YamlValue;
 
 YamlMap::YamlMap(const std::string& file, const YamlNode& node, const std::initializer_list<const char*> known)
     : file_(file), value_(file, node)
@@ -16,9 +14,9 @@ YamlMap::YamlMap(const std::string& file, const YamlNode& node, const std::initi
     {
         names += (names.empty() ? "" : ", ") + std::string(name);
     }
-    if (node.kind != runtime::YamlKind::kMap)
+    if (node.kind != YamlKind::kMap)
     {
-        value_.Refuse(runtime::WhatIs(node), "a map with " + names);
+        value_.Refuse(WhatIs(node), "a map with " + names);
     }
     for (std::size_t place = 0U; place + 1U < node.items.size(); place += 2U)
     {
@@ -27,13 +25,13 @@ YamlMap::YamlMap(const std::string& file, const YamlNode& node, const std::initi
             std::any_of(known.begin(), known.end(), [&key](const char* const name) { return key.scalar == name; });
         if (!is_known)
         {
-            YamlValue(file_, key).Refuse("unknown key " + runtime::Shown(key.scalar), names);
+            YamlValue(file_, key).Refuse("unknown key " + Shown(key.scalar), names);
         }
         for (std::size_t before = 0U; before < place; before += 2U)
         {
             if (node.items[before].scalar == key.scalar)
             {
-                YamlValue(file_, key).Refuse("key " + runtime::Shown(key.scalar) + " twice", "each key once");
+                YamlValue(file_, key).Refuse("key " + Shown(key.scalar) + " twice", "each key once");
             }
         }
     }
