@@ -81,9 +81,8 @@ int LengthOf(const std::string_view word) noexcept
         return -1;
     }
     const int length = is_fd ? (word[1U] - '0') * 10 + (word[2U] - '0') : word[1U] - '0';
-    constexpr std::array<int, 7U> long_ones{12, 16, 20, 24, 32, 48, 64};
-    const bool is_long = is_fd && std::find(long_ones.begin(), long_ones.end(), length) != long_ones.end();
-    return length <= kClassicalBytes || is_long ? length : -1;
+    const bool is_known = is_fd ? IsFdLength(static_cast<std::size_t>(length)) : length <= kClassicalBytes;
+    return is_known ? length : -1;
 }
 
 /// -1: not two hexadecimal digits.

@@ -31,10 +31,8 @@ Quantity ParseQuantity(const std::string& text)
     {
         return {number, false};
     }
-    runtime::YamlNode node;
-    node.kind = runtime::YamlKind::kScalar;
     const bool is_negative = !text.empty() && text[0] == '-';
-    node.scalar = text.substr(is_negative ? 1U : 0U);
+    const runtime::YamlNode node{runtime::YamlKind::kScalar, false, {}, text.substr(is_negative ? 1U : 0U), {}};
     const std::string place = "--sweep"; // Outlives the value below.
     const Nanoseconds time = YamlValue(place, node).Duration();
     return {is_negative ? -time : time, true};

@@ -140,12 +140,6 @@ void ReadFrozenInput(Fields& fields, FaultSetup& fault)
     }
     ReadSpan(fields, fault);
 }
-
-void ReadController(Fields& fields, FaultSetup& fault)
-{
-    fields.Into("controller", fault.controller);
-    ReadSpan(fields, fault);
-}
 } // namespace
 
 void ReadNodeFault(Fields& fields, const Scenario& scenario, FaultSetup& fault)
@@ -173,7 +167,8 @@ void ReadNodeFault(Fields& fields, const Scenario& scenario, FaultSetup& fault)
         return;
     case FaultKind::kBusOff:
     case FaultKind::kUnplugged:
-        ReadController(fields, fault);
+        fields.Into("controller", fault.controller);
+        ReadSpan(fields, fault);
         return;
     case FaultKind::kQueueOverflow:
         fields.Into("capacity", fault.capacity);

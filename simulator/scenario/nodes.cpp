@@ -221,15 +221,7 @@ NodeIndex CpuNamed(const Scenario& scenario, const YamlValue& name)
 
 bool NamesBothCpus(const Scenario& scenario, const YamlValue& item)
 {
-    const runtime::YamlNode& map = item.Node();
-    for (std::size_t place = 0U; place + 1U < map.items.size(); place += 2U)
-    {
-        const bool is_node = map.items[place].scalar == "node" && map.items[place + 1U].scalar != "all";
-        if (is_node)
-        {
-            return IsTwoCpus(scenario, YamlValue(item.FileName(), map.items[place + 1U]));
-        }
-    }
-    return false;
+    const runtime::YamlNode* const node = MemberOf(item.Node(), "node");
+    return node != nullptr && node->scalar != "all" && IsTwoCpus(scenario, YamlValue(item.FileName(), *node));
 }
 } // namespace counterpoint::simulator

@@ -11,6 +11,8 @@ namespace counterpoint::simulator
 [[nodiscard]] std::string Beside(const std::string& file, const std::string& name);
 /// Refuses a file that does not exist. Throws YamlError.
 void RequireFile(const std::string& path, const Source& source, const std::string& expected);
+/// The value of a key of a map that nothing is known of yet; nullptr: there is none.
+[[nodiscard]] const runtime::YamlNode* MemberOf(const runtime::YamlNode& map, const std::string& key);
 /// The items of a list, or a single value as a list of one. Throws YamlError for an empty list.
 [[nodiscard]] std::vector<YamlValue> OneOrMore(const YamlValue& value, const std::string& expected);
 /// Whether something is there under the profile of the scenario, by its key `profile`. Throws YamlError. [SRS_SIM_059]

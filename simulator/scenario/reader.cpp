@@ -237,17 +237,6 @@ void ReadInto(const ScenarioDocument& document, Scenario& scenario)
     KeepOfProfile(scenario.expectations);
     fields.Close();
 }
-const runtime::YamlNode* MemberOf(const runtime::YamlNode& map, const std::string& key)
-{
-    for (std::size_t item = 0U; map.kind == runtime::YamlKind::kMap && item + 1U < map.items.size(); item += 2U)
-    {
-        if (map.items[item].scalar == key)
-        {
-            return &map.items[item + 1U];
-        }
-    }
-    return nullptr;
-}
 
 /// What follows from having managers, or none.
 void Complete(Scenario& scenario)
@@ -266,6 +255,18 @@ void Complete(Scenario& scenario)
     AddReturns(scenario.actions);
 }
 } // namespace
+
+const runtime::YamlNode* MemberOf(const runtime::YamlNode& map, const std::string& key)
+{
+    for (std::size_t item = 0U; map.kind == runtime::YamlKind::kMap && item + 1U < map.items.size(); item += 2U)
+    {
+        if (map.items[item].scalar == key)
+        {
+            return &map.items[item + 1U];
+        }
+    }
+    return nullptr;
+}
 
 std::vector<YamlValue> OneOrMore(const YamlValue& value, const std::string& expected)
 {

@@ -2,7 +2,7 @@
 #include "hal/host/live/error.hpp"
 
 #include <linux/can/error.h>
-#include <vector>
+#include <string>
 
 namespace counterpoint::host
 {
@@ -36,14 +36,13 @@ constexpr Bit kClasses[]{
     {CAN_ERR_RESTARTED, "restarted"},
 };
 
-template <std::size_t kCount>
-void Name(const Bit (&bits)[kCount], const std::uint32_t value, std::vector<std::string>& words)
+template <std::size_t kCount> void Name(const Bit (&bits)[kCount], const std::uint32_t value, std::string& text)
 {
     for (const Bit& bit : bits)
     {
         if ((value & bit.mask) != 0U)
         {
-            words.emplace_back(bit.text);
+            text += (text.empty() ? "" : ", ") + std::string(bit.text);
         }
     }
 }
@@ -100,20 +99,15 @@ ErrorNews ReadErrorFrame(const LiveFrame& frame)
 
 std::string DescribeErrorFrame(const LiveFrame& frame)
 {
-    std::vector<std::string> words;
-    Name(kClasses, frame.identifier, words);
+    std::string text;
+    Name(kClasses, frame.identifier, text);
     if ((frame.identifier & CAN_ERR_CRTL) != 0U)
     {
-        Name(kController, frame.data[1], words);
+        Name(kController, frame.data[1], text);
     }
     if ((frame.identifier & CAN_ERR_PROT) != 0U)
     {
-        Name(kProtocol, frame.data[2], words);
-    }
-    std::string text;
-    for (const std::string& word : words)
-    {
-        text += (text.empty() ? "" : ", ") + word;
+        Name(kProtocol, frame.data[2], text);
     }
     if (text.empty())
     {
