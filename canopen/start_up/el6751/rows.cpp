@@ -30,118 +30,69 @@ bool IsCoupler(const El6751Context& context) noexcept
     return SlaveOf(context).kind == El6751Kind::kBusCoupler;
 }
 
-/// Value that the row compares or writes, where it is none of a PDO.
-std::uint32_t ValueOf(const El6751Context& context, const El6751Row row) noexcept
+/// The object that a row accesses, and the value that it compares or writes. All zero for rows without one, or of a
+/// PDO.
+struct RowForm
+{
+    El6751Row row;
+    std::uint16_t index;
+    std::uint8_t sub;
+    std::uint8_t size_bytes;
+    bool is_upload;
+    StartUpStep step;
+    std::uint32_t value;
+};
+
+RowForm FormOf(const El6751Context& context, const El6751Row row) noexcept
 {
     const SlaveSetup& setup = context.setup.Slave(context.node);
     const El6751Slave& slave = SlaveOf(context);
     const std::uint32_t life_ms = std::uint32_t{slave.guard_time_ms} * slave.life_time_factor;
     const std::uint32_t manager = slave.is_consumer_literal ? 0U : (std::uint32_t{context.setup.own.value} << 16U);
-    std::uint32_t value = 0U;
-    switch (row)
+    const std::uint32_t consumer = manager | ((life_ms > kLongestTime) ? kLongestTime : life_ms);
+    const std::uint32_t period_us = context.setup.sync_period_us;
+    const RowForm forms[]{
+        {El6751Row::kDeviceType, kDeviceTypeIndex, 0U, 4U, true, StartUpStep::kDeviceType, setup.device_type},
+        {El6751Row::kVendorId, kIdentityIndex, 1U, 4U, true, StartUpStep::kVendorId, setup.vendor_id},
+        {El6751Row::kProductCode, kIdentityIndex, 2U, 4U, true, StartUpStep::kProductCode, setup.product_code},
+        {El6751Row::kRevisionNumber, kIdentityIndex, 3U, 4U, true, StartUpStep::kRevisionNumber, setup.revision_number},
+        {El6751Row::kSerialNumber, kIdentityIndex, 4U, 4U, true, StartUpStep::kSerialNumber, setup.serial_number},
+        {El6751Row::kSyncPeriod, kSyncPeriodIndex, 0U, 4U, false, StartUpStep::kSyncPeriod, period_us},
+        {El6751Row::kCouplerPdos, kCouplerPdosIndex, 0U, 4U, false, StartUpStep::kPdo, slave.coupler_pdos},
+        {El6751Row::kProducerHeartbeat, kProducerIndex, 0U, 2U, false, StartUpStep::kHeartbeat, slave.guard_time_ms},
+        {El6751Row::kConsumerHeartbeat, kConsumerIndex, 1U, 4U, false, StartUpStep::kHeartbeat, consumer},
+        {El6751Row::kGuardTime, kGuardTimeIndex, 0U, 2U, false, StartUpStep::kGuarding, slave.guard_time_ms},
+        {El6751Row::kLifeTimeFactor, kLifeTimeFactorIndex, 0U, 1U, false, StartUpStep::kGuarding,
+         slave.life_time_factor},
+    };
+    RowForm found{row, 0U, 0U, 0U, false, StartUpStep::kNone, 0U};
+    for (const RowForm& form : forms)
     {
-    case El6751Row::kDeviceType:
-        value = setup.device_type;
-        break;
-    case El6751Row::kVendorId:
-        value = setup.vendor_id;
-        break;
-    case El6751Row::kProductCode:
-        value = setup.product_code;
-        break;
-    case El6751Row::kRevisionNumber:
-        value = setup.revision_number;
-        break;
-    case El6751Row::kSerialNumber:
-        value = setup.serial_number;
-        break;
-    case El6751Row::kSyncPeriod:
-        value = context.setup.sync_period_us;
-        break;
-    case El6751Row::kCouplerPdos:
-        value = slave.coupler_pdos;
-        break;
-    case El6751Row::kProducerHeartbeat:
-    case El6751Row::kGuardTime:
-        value = slave.guard_time_ms;
-        break;
-    case El6751Row::kConsumerHeartbeat:
-        value = manager | ((life_ms > kLongestTime) ? kLongestTime : life_ms);
-        break;
-    case El6751Row::kLifeTimeFactor:
-        value = slave.life_time_factor;
-        break;
-    case El6751Row::kBegin:
-    case El6751Row::kCobId:
-    case El6751Row::kCobIdReadBack:
-    case El6751Row::kType:
-    case El6751Row::kTypeReadBack:
-    case El6751Row::kInhibit:
-    case El6751Row::kInhibitReadBack:
-    case El6751Row::kEvent:
-    case El6751Row::kEventReadBack:
-    case El6751Row::kUserObject:
-    case El6751Row::kEnd:
-    default:
-        break;
+        found = (form.row == row) ? form : found;
     }
-    return value;
+    return found;
 }
 
 /// Whether the conditions of a row that is none of a PDO hold.
 bool IsSlaveRowActive(const El6751Context& context, const El6751Place& place) noexcept
 {
     const El6751Slave& slave = SlaveOf(context);
-    const bool is_configured = (ValueOf(context, place.row) != 0U);
-    bool is_active = false;
-    switch (place.row)
-    {
-    case El6751Row::kDeviceType:
-        is_active = slave.is_device_type_checked;
-        break;
-    case El6751Row::kVendorId:
-    case El6751Row::kProductCode:
-        is_active = IsCoupler(context) || is_configured;
-        break;
-    case El6751Row::kRevisionNumber:
-    case El6751Row::kSerialNumber:
-        is_active = !IsCoupler(context) && is_configured;
-        break;
-    case El6751Row::kSyncPeriod:
-        is_active = context.is_sync_sent && slave.is_sync_period_written;
-        break;
-    case El6751Row::kCouplerPdos:
-        is_active = IsCoupler(context);
-        break;
-    case El6751Row::kProducerHeartbeat:
-        is_active = slave.IsWatched();
-        break;
-    case El6751Row::kConsumerHeartbeat:
-        is_active = slave.IsWatched() && !place.is_heartbeat_aborted;
-        break;
-    case El6751Row::kGuardTime:
-    case El6751Row::kLifeTimeFactor:
-        is_active = slave.IsWatched() && place.is_heartbeat_aborted;
-        break;
-    case El6751Row::kUserObject:
-        is_active = ReadConcise(context.setup.Slave(context.node).concise_dcf, place.user).state != ConciseState::kEnd;
-        break;
-    case El6751Row::kEnd:
-        is_active = true;
-        break;
-    case El6751Row::kBegin:
-    case El6751Row::kCobId:
-    case El6751Row::kCobIdReadBack:
-    case El6751Row::kType:
-    case El6751Row::kTypeReadBack:
-    case El6751Row::kInhibit:
-    case El6751Row::kInhibitReadBack:
-    case El6751Row::kEvent:
-    case El6751Row::kEventReadBack:
-    default:
-        break;
-    }
-    return is_active;
+    const El6751Row row = place.row;
+    const bool is_coupler = IsCoupler(context);
+    const bool is_number = (row >= El6751Row::kVendorId) && (row <= El6751Row::kSerialNumber);
+    const bool is_of_all = (row == El6751Row::kVendorId) || (row == El6751Row::kProductCode);
+    const bool is_configured = !is_coupler && (FormOf(context, row).value != 0U);
+    const bool is_synchronous = context.is_sync_sent && slave.is_sync_period_written;
+    const bool is_guarding = (row == El6751Row::kGuardTime) || (row == El6751Row::kLifeTimeFactor);
+    const bool is_heartbeat = (row == El6751Row::kConsumerHeartbeat);
+    const bool is_watching = (row == El6751Row::kProducerHeartbeat) || (is_guarding && place.is_heartbeat_aborted) ||
+                             (is_heartbeat && !place.is_heartbeat_aborted);
+    const ConciseReading user = ReadConcise(context.setup.Slave(context.node).concise_dcf, place.user);
+    return (row == El6751Row::kEnd) || ((row == El6751Row::kDeviceType) && slave.is_device_type_checked) ||
+           (is_number && (is_configured || (is_coupler && is_of_all))) ||
+           ((row == El6751Row::kSyncPeriod) && is_synchronous) || ((row == El6751Row::kCouplerPdos) && is_coupler) ||
+           (is_watching && slave.IsWatched()) ||
+           ((row == El6751Row::kUserObject) && (user.state != ConciseState::kEnd));
 }
 
 bool IsPdoRow(const El6751Row row) noexcept
@@ -247,31 +198,6 @@ El6751Access PdoAccess(const El6751Slave& slave, const El6751Place& place) noexc
     return access;
 }
 
-struct RowForm
-{
-    El6751Row row;
-    std::uint16_t index;
-    std::uint8_t sub;
-    std::uint8_t size_bytes;
-    bool is_upload;
-    StartUpStep step;
-};
-
-/// Rows that access one object of the slave.
-constexpr RowForm kForms[]{
-    {El6751Row::kDeviceType, kDeviceTypeIndex, 0U, 4U, true, StartUpStep::kDeviceType},
-    {El6751Row::kVendorId, kIdentityIndex, 1U, 4U, true, StartUpStep::kVendorId},
-    {El6751Row::kProductCode, kIdentityIndex, 2U, 4U, true, StartUpStep::kProductCode},
-    {El6751Row::kRevisionNumber, kIdentityIndex, 3U, 4U, true, StartUpStep::kRevisionNumber},
-    {El6751Row::kSerialNumber, kIdentityIndex, 4U, 4U, true, StartUpStep::kSerialNumber},
-    {El6751Row::kSyncPeriod, kSyncPeriodIndex, 0U, 4U, false, StartUpStep::kSyncPeriod},
-    {El6751Row::kCouplerPdos, kCouplerPdosIndex, 0U, 4U, false, StartUpStep::kPdo},
-    {El6751Row::kProducerHeartbeat, kProducerIndex, 0U, 2U, false, StartUpStep::kHeartbeat},
-    {El6751Row::kConsumerHeartbeat, kConsumerIndex, 1U, 4U, false, StartUpStep::kHeartbeat},
-    {El6751Row::kGuardTime, kGuardTimeIndex, 0U, 2U, false, StartUpStep::kGuarding},
-    {El6751Row::kLifeTimeFactor, kLifeTimeFactorIndex, 0U, 1U, false, StartUpStep::kGuarding},
-};
-
 } // namespace
 
 El6751Place NextRow(const El6751Context& context, const El6751Place& place) noexcept
@@ -301,16 +227,10 @@ El6751Access AccessOf(const El6751Context& context, const El6751Place& place) no
     }
     else
     {
-        const std::uint32_t value = ValueOf(context, place.row);
-        for (const RowForm& form : kForms)
-        {
-            if (form.row == place.row)
-            {
-                const bool is_compared = form.is_upload && ((value != 0U) || (form.index == kDeviceTypeIndex));
-                access = El6751Access{{form.index, form.sub}, form.step, form.is_upload,    is_compared,
-                                      form.size_bytes,        value,     Bytes{nullptr, 0U}};
-            }
-        }
+        const RowForm form = FormOf(context, place.row);
+        const bool is_compared = form.is_upload && ((form.value != 0U) || (form.index == kDeviceTypeIndex));
+        access = El6751Access{{form.index, form.sub}, form.step,  form.is_upload,    is_compared,
+                              form.size_bytes,        form.value, Bytes{nullptr, 0U}};
     }
     return access;
 }

@@ -95,9 +95,24 @@ class El6751Slaves
         return parts_.common.setup.IsSafetySlave(node);
     }
     /// @brief Whether its start-up or its stop is under way.
-    [[nodiscard]] bool IsBusy(NodeId node) const noexcept;
+    [[nodiscard]] bool IsBusy(const NodeId node) const noexcept
+    {
+        const El6751Phase phase = Of(node).phase;
+        return (phase == El6751Phase::kResetting) || (phase == El6751Phase::kRows) || (phase == El6751Phase::kVerify) ||
+               (phase == El6751Phase::kStarting) || IsStopping(phase);
+    }
     /// @brief Sets NodeState and step; the listener is told if one of them has changed.
-    void Tell(NodeId node, std::int16_t code, StartUpStep step, Instant now) noexcept;
+    void Tell(const NodeId node, const std::int16_t code, const StartUpStep step, const Instant now) noexcept
+    {
+        NodeStatus& status = Of(node).status;
+        const bool has_changed = (status.code != code) || (status.step != step);
+        status.code = code;
+        status.step = step;
+        if (has_changed)
+        {
+            parts_.common.listener.OnNodeStatus(node, now);
+        }
+    }
 
   private:
     El6751Parts parts_;

@@ -3,13 +3,38 @@
 
 namespace counterpoint::cia302
 {
+namespace
+{
+
+constexpr std::uint16_t kAdsRun = 5U;
+constexpr std::uint16_t kAdsStop = 6U;
+
+/// A row of the table; a reset is followed by a start.
+struct ControlRow
+{
+    std::uint16_t ads_state;
+    std::uint16_t device_state;
+    SlaveState from;
+    NmtCommand command;
+};
+
+/// The text's table, row by row.
+constexpr ControlRow kControlRows[]{
+    {kAdsRun, 0U, SlaveState::kOperational, NmtCommand::kPreOperational},
+    {kAdsRun, 1U, SlaveState::kPreOperational, NmtCommand::kStart},
+    {kAdsStop, 0U, SlaveState::kOperational, NmtCommand::kStop},
+    {kAdsRun, 1U, SlaveState::kStopped, NmtCommand::kResetCommunication},
+    {kAdsRun, 3U, SlaveState::kStopped, NmtCommand::kStart},
+    {kAdsStop, 0U, SlaveState::kPreOperational, NmtCommand::kStop},
+    {kAdsRun, 2U, SlaveState::kStopped, NmtCommand::kPreOperational},
+};
+
+} // namespace
 
 El6751StartUp::El6751StartUp(const El6751Parts& parts) noexcept
     : parts_(parts.common), pdos_(El6751PdoParts{parts.common.setup, parts.common.sink, parts.pdos, parts.times}),
-      slaves_(parts), sdos_(slaves_, pdos_), stops_(slaves_, pdos_, sdos_), release_(slaves_, pdos_, stops_),
-      watch_(slaves_, pdos_, sdos_, stops_), by_hand_(slaves_, sdos_, stops_, release_),
-      controller_(ControllerState::kRunning), master_(kEl6751Ended), is_active_(false), is_usable_(true),
-      is_reset_due_(false), has_started_all_(false)
+      slaves_(parts), sdos_(slaves_, pdos_), operation_(slaves_, pdos_, sdos_), controller_(ControllerState::kRunning),
+      master_(kEl6751Ended), is_active_(false), is_usable_(true), is_reset_due_(false), has_started_all_(false)
 {
 }
 
@@ -78,7 +103,7 @@ void El6751StartUp::OnFrame(const CanFrame& frame, const Instant now) noexcept
         // At once: the next frame may be right again.
         if ((slaves_.Of(NodeId{id}).phase == El6751Phase::kRunning) && (pdos_.Fault(NodeId{id}) != 0))
         {
-            watch_.Watch(NodeId{id}, now);
+            operation_.Watch(NodeId{id}, now);
         }
     }
 }
@@ -100,7 +125,7 @@ void El6751StartUp::OnCycle(const Instant now) noexcept
         pdos_.OnCycle(now);
         for (std::uint8_t id = 1U; id <= kLastNode; ++id)
         {
-            Drive(NodeId{id}, now);
+            operation_.Drive(NodeId{id}, now);
         }
         StartAll(now);
     }
@@ -109,44 +134,6 @@ void El6751StartUp::OnCycle(const Instant now) noexcept
         // Nothing to work for, or with.
     }
     TellMaster(now);
-}
-
-/// One step of one slave.
-void El6751StartUp::Drive(const NodeId node, const Instant now) noexcept
-{
-    switch (slaves_.Of(node).phase)
-    {
-    case El6751Phase::kResetting:
-        sdos_.Reset(node, now);
-        break;
-    case El6751Phase::kRows:
-        if (sdos_.Drive(node, now))
-        {
-            release_.Begin(node, now);
-        }
-        break;
-    case El6751Phase::kVerify:
-    case El6751Phase::kStarting:
-        release_.Drive(node, now);
-        break;
-    case El6751Phase::kRunning:
-        watch_.Watch(node, now);
-        break;
-    case El6751Phase::kStoppingToReset:
-    case El6751Phase::kStoppingHeld:
-    case El6751Phase::kStoppingFailed:
-    case El6751Phase::kStoppingForGood:
-        stops_.Drive(node, now);
-        break;
-    case El6751Phase::kHeld:
-    case El6751Phase::kFailed:
-    case El6751Phase::kDeactivated:
-        watch_.WatchIdle(node, now);
-        break;
-    case El6751Phase::kOutside:
-    default:
-        break;
-    }
 }
 
 /// Once, when all run that were started singly. While a safety slave is assigned nothing goes to node 0: this device
@@ -183,10 +170,10 @@ void El6751StartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const 
             break;
         case NodeEvent::kHeartbeatLost:
         case NodeEvent::kGuardLost:
-            watch_.OnFault(node, kNodeDeactivated, now);
+            operation_.OnFault(node, kNodeDeactivated, now);
             break;
         case NodeEvent::kToggleError:
-            watch_.OnFault(node, kNodeToggle, now);
+            operation_.OnFault(node, kNodeToggle, now);
             break;
         case NodeEvent::kStarted:
         case NodeEvent::kChanged:
@@ -209,7 +196,7 @@ void El6751StartUp::OnRestartOfSlave(const NodeId node, const Instant now) noexc
                          (slave.phase == El6751Phase::kResetting);
     if (has_run && (slaves_.SetupOf(node).restart == El6751Restart::kByHand))
     {
-        watch_.OnFault(node, kNodePreOperational, now);
+        operation_.OnFault(node, kNodePreOperational, now);
         slave.has_restarted = true; // It may be another device: the hand's start asks it first.
     }
     else if (!is_left)
@@ -224,7 +211,7 @@ void El6751StartUp::OnRestartOfSlave(const NodeId node, const Instant now) noexc
 
 void El6751StartUp::OnStartDropped(const NodeId node, const Instant now) noexcept
 {
-    release_.OnStartDropped(node, now);
+    operation_.OnStartDropped(node, now);
 }
 
 void El6751StartUp::OnController(const ControllerState state, const Instant now) noexcept
@@ -237,15 +224,146 @@ void El6751StartUp::OnController(const ControllerState state, const Instant now)
     }
 }
 
-NmtAnswer El6751StartUp::Command(const NmtCommand command, const NodeId node, const Instant now) noexcept
-{
-    return is_active_ ? by_hand_.Command(command, node, now) : NmtAnswer::kNotActive;
-}
-
 NmtAnswer El6751StartUp::Control(const NodeId node, const std::uint16_t ads_state, const std::uint16_t device_state,
                                  const Instant now) noexcept
 {
-    return is_active_ ? by_hand_.Control(node, ads_state, device_state, now) : NmtAnswer::kNotActive;
+    const bool is_free = !slaves_.IsBusy(node) && (slaves_.Of(node).phase != El6751Phase::kOutside);
+    // A deactivated slave was stopped, whatever became of it.
+    const bool is_stopped = (slaves_.Of(node).phase == El6751Phase::kDeactivated);
+    const auto stopped = static_cast<std::uint8_t>(SlaveState::kStopped);
+    const std::uint8_t state = is_stopped ? stopped : parts_.table.RequestValue(node);
+    NmtCommand command = NmtCommand::kInvalid;
+    for (const ControlRow& row : kControlRows)
+    {
+        const bool is_asked = (row.ads_state == ads_state) && (row.device_state == device_state);
+        const bool is_from = (state == static_cast<std::uint8_t>(row.from));
+        command = (is_free && is_asked && is_from) ? row.command : command;
+    }
+    const NmtAnswer answer = is_active_ ? CommandOne(command, node, now) : NmtAnswer::kNotActive;
+    if (command == NmtCommand::kResetCommunication)
+    {
+        slaves_.Of(node).is_start_wanted = (answer == NmtAnswer::kTaken);
+    }
+    return answer;
+}
+
+NmtAnswer El6751StartUp::Command(const NmtCommand command, const NodeId node, const Instant now) noexcept
+{
+    NmtAnswer answer = is_active_ ? NmtAnswer::kWrong : NmtAnswer::kNotActive;
+    if (is_active_ && (node.value == kAllNodes.value))
+    {
+        answer = NmtAnswer::kTaken;
+        for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+        {
+            const bool is_one = (slaves_.Of(NodeId{id}).phase != El6751Phase::kOutside);
+            const NmtAnswer one = is_one ? CommandOne(command, NodeId{id}, now) : NmtAnswer::kTaken;
+            answer = (one == NmtAnswer::kTaken) ? answer : one;
+        }
+    }
+    else if (is_active_ && (slaves_.Of(node).phase != El6751Phase::kOutside))
+    {
+        answer = CommandOne(command, node, now);
+    }
+    else if (is_active_ && (node.value == parts_.setup.own.value))
+    {
+        answer = parts_.nmt.Request(command, node, now);
+    }
+    else
+    {
+        // Not in the network, or none is started up.
+    }
+    return answer;
+}
+
+NmtAnswer El6751StartUp::CommandOne(const NmtCommand command, const NodeId node, const Instant now) noexcept
+{
+    NmtAnswer answer = NmtAnswer::kWrong;
+    switch (command)
+    {
+    case NmtCommand::kStart:
+        answer = Start(node, now);
+        break;
+    case NmtCommand::kStop:
+    case NmtCommand::kPreOperational:
+        answer = Hold(command, node, now);
+        break;
+    case NmtCommand::kResetNode:
+    case NmtCommand::kResetCommunication:
+        answer = Reset(command, node, now);
+        break;
+    case NmtCommand::kInvalid:
+    default:
+        break;
+    }
+    return answer;
+}
+
+/// A start-up that runs is given up.
+NmtAnswer El6751StartUp::Hold(const NmtCommand command, const NodeId node, const Instant now) noexcept
+{
+    const NmtAnswer answer = parts_.nmt.Request(command, node, now);
+    if (answer == NmtAnswer::kTaken)
+    {
+        parts_.gate.Close(node);
+        parts_.sdo.Cancel(node, SdoAbort::kGeneral);
+        slaves_.Of(node).is_cut = slaves_.Of(node).is_cut || (slaves_.Of(node).phase == El6751Phase::kRows);
+        slaves_.Of(node).is_held_by_hand = true;
+        slaves_.Of(node).is_start_wanted = false;
+        operation_.Hold(node, (command == NmtCommand::kStop) ? kNodeDeactivated : kNodePreOperational, now);
+    }
+    return answer;
+}
+
+/// While SDOs are under way, the start follows them. A slave that restarted unnoticed needs them first. One that left
+/// OPERATIONAL without a reaction is started again. One that was held in the middle of its SDOs gets all of them first.
+NmtAnswer El6751StartUp::Start(const NodeId node, const Instant now) noexcept
+{
+    El6751Node& slave = slaves_.Of(node);
+    const std::uint8_t operational = static_cast<std::uint8_t>(SlaveState::kOperational);
+    const bool runs = (parts_.table.RequestValue(node) == operational);
+    const bool is_deaf = (parts_.table.Record(node).asked == SlaveState::kStopped);
+    const bool is_unasked = slaves_.IsSafety(node) && (slave.place.row <= El6751Row::kSerialNumber); // Who it is.
+    const bool is_unknown = slave.is_cut || is_unasked;
+    const bool is_held = (slave.phase == El6751Phase::kHeld);
+    NmtAnswer answer = NmtAnswer::kTaken;
+    if (slaves_.IsSafety(node) && slave.status.is_other)
+    {
+        answer = NmtAnswer::kOtherDevice;
+    }
+    else if ((slave.has_restarted && !slaves_.IsBusy(node)) || (is_held && is_unknown && is_deaf))
+    {
+        answer = Reset(NmtCommand::kResetCommunication, node, now);
+        slave.is_start_wanted = (answer == NmtAnswer::kTaken);
+    }
+    else if (slaves_.IsBusy(node))
+    {
+        slave.is_start_wanted = true;
+    }
+    else if (is_held && is_unknown)
+    {
+        slave.is_start_wanted = true;
+        sdos_.Begin(node, kNodeStarts, now);
+    }
+    else if ((slave.phase != El6751Phase::kRunning) || !runs)
+    {
+        operation_.Start(node, now);
+    }
+    else
+    {
+        // It runs.
+    }
+    return answer;
+}
+
+NmtAnswer El6751StartUp::Reset(const NmtCommand command, const NodeId node, const Instant now) noexcept
+{
+    const NmtAnswer answer = parts_.nmt.Request(command, node, now);
+    if (answer == NmtAnswer::kTaken)
+    {
+        slaves_.Of(node).is_held_by_hand = false;
+        sdos_.Begin(node, kNodeStarts, now);
+    }
+    return answer;
 }
 
 bool El6751StartUp::Boot(const NodeId node, const Instant now) noexcept

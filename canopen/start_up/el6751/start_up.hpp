@@ -2,8 +2,7 @@
 #ifndef CANOPEN_START_UP_EL6751_START_UP_HPP
 #define CANOPEN_START_UP_EL6751_START_UP_HPP
 
-#include "canopen/start_up/el6751/by_hand.hpp"
-#include "canopen/start_up/el6751/watch.hpp"
+#include "canopen/start_up/el6751/operation.hpp"
 
 #include <cstdint>
 
@@ -66,18 +65,18 @@ class El6751StartUp final : public StartUp
   private:
     void TellMaster(Instant now) noexcept;
     void SendReset(Instant now) noexcept;
-    void Drive(NodeId node, Instant now) noexcept;
     void StartAll(Instant now) noexcept;
     void OnRestartOfSlave(NodeId node, Instant now) noexcept;
+    [[nodiscard]] NmtAnswer CommandOne(NmtCommand command, NodeId node, Instant now) noexcept;
+    [[nodiscard]] NmtAnswer Hold(NmtCommand command, NodeId node, Instant now) noexcept;
+    [[nodiscard]] NmtAnswer Start(NodeId node, Instant now) noexcept;
+    [[nodiscard]] NmtAnswer Reset(NmtCommand command, NodeId node, Instant now) noexcept;
 
     StartUpParts parts_;
     El6751Pdos pdos_;
     El6751Slaves slaves_;
     El6751Sdos sdos_;
-    El6751Stops stops_;
-    El6751Release release_;
-    El6751Watch watch_;
-    El6751ByHand by_hand_;
+    El6751Operation operation_;
     ControllerState controller_;
     std::int16_t master_; ///< As told last.
     bool is_active_;

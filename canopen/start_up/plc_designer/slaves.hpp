@@ -42,6 +42,9 @@ struct PlcNode
     std::uint8_t buffer[4];
 };
 
+/// The setup of a slave without one of its own.
+inline constexpr PlcSlave kPlainPlcSlave{};
+
 /// What the profile works with; all kept by reference. `nodes` has kNodeRoom elements.
 struct PlcParts
 {
@@ -64,9 +67,25 @@ class PlcSlaves
         return parts_.nodes[node.value & kLastNode];
     }
     /// @brief What the profile is configured to do with the slave; the defaults where nothing is.
-    [[nodiscard]] const PlcSlave& SetupOf(NodeId node) const noexcept;
+    [[nodiscard]] const PlcSlave& SetupOf(const NodeId node) const noexcept
+    {
+        const PlcSlave* const slave = parts_.common.setup.Slave(node).plc;
+        return (slave != nullptr) ? *slave : kPlainPlcSlave;
+    }
     /// @brief Takes the slave to the state that follows `event`, and tells the listener.
-    void Go(NodeId node, PlcEvent event, StartUpStep step, Instant now) noexcept;
+    void Go(const NodeId node, const PlcEvent event, const StartUpStep step, const Instant now) noexcept
+    {
+        PlcNode& slave = Of(node);
+        const std::int16_t state = Next(slave.status.code, event);
+        const bool has_changed = (slave.status.code != state) || (slave.status.step != step);
+        slave.since = (slave.status.code != state) ? now : slave.since;
+        slave.status.code = state;
+        slave.status.step = step;
+        if (has_changed)
+        {
+            parts_.common.listener.OnNodeStatus(node, now);
+        }
+    }
 
   private:
     PlcParts parts_;

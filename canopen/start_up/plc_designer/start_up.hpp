@@ -3,7 +3,6 @@
 #define CANOPEN_START_UP_PLC_DESIGNER_START_UP_HPP
 
 #include "canopen/start_up/plc_designer/release.hpp"
-#include "canopen/start_up/plc_designer/sdos.hpp"
 
 #include <cstdint>
 
@@ -48,13 +47,16 @@ class PlcStartUp final : public StartUp
     void DriveMaster(Instant now) noexcept;
     void BeginReset(NodeId node, Instant now) noexcept;
     void Settle(NodeId node, Instant now) noexcept;
-    void Take(PlcSdoEnd end, NodeId node, Instant now) noexcept;
+    void Ask(NodeId node, Instant now) noexcept;
+    void DriveSdos(NodeId node, Instant now) noexcept;
+    void OnAnswer(NodeId node, Instant now) noexcept;
+    void OnSilence(NodeId node, Instant now) noexcept;
     [[nodiscard]] NmtAnswer CommandOne(NmtCommand command, NodeId node, Instant now) noexcept;
     void Obey(NmtCommand command, NodeId node, Instant now) noexcept;
 
     StartUpParts parts_;
     PlcSlaves slaves_;
-    PlcSdos sdos_;
+    SafetyReader reader_;
     PlcRelease release_;
     std::int16_t master_;
     bool is_active_;
