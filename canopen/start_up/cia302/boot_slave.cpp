@@ -27,8 +27,7 @@ bool IsOrder(const BootEvent event) noexcept
 } // namespace
 
 BootSlave::BootSlave(const StartUpParts& parts, BootRecord* const records, BootListener& listener) noexcept
-    : parts_(parts), records_(records), listener_(listener), reset_(parts), identity_(parts), software_(parts.sdo),
-      configuration_(parts), release_(parts)
+    : parts_(parts), records_(records), listener_(listener), nmt_(parts), identity_(parts), writer_(parts)
 {
 }
 
@@ -321,28 +320,28 @@ BootFinding BootSlave::Work(const BootJob& job) noexcept
     BootFinding finding = Found(BootEvent::kNone);
     if (is_ours || (state == BootState::kResetDue))
     {
-        finding = reset_.Work(job);
+        finding = nmt_.Restart(job);
     }
     else if (step == StartUpStep::kSoftwareVersion)
     {
-        finding = software_.Check(job);
+        finding = writer_.Check(job);
     }
     else if (step == StartUpStep::kSoftwareUpdate)
     {
-        finding = software_.Update(job);
+        finding = writer_.Update(job);
     }
     else if ((step == StartUpStep::kConfigurationDate) || (step == StartUpStep::kRestore) ||
              (step == StartUpStep::kConfigure))
     {
-        finding = configuration_.Work(job);
+        finding = writer_.Configure(job);
     }
     else if ((step == StartUpStep::kErrorControl) || (step == StartUpStep::kSafety))
     {
-        finding = release_.Work(job);
+        finding = nmt_.Release(job);
     }
     else if (step == StartUpStep::kStart)
     {
-        finding = release_.Start(job, listener_.IsMasterOperational());
+        finding = nmt_.Start(job, listener_.IsMasterOperational());
     }
     else
     {

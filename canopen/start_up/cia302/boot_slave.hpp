@@ -2,11 +2,9 @@
 #ifndef CANOPEN_START_UP_CIA302_BOOT_SLAVE_HPP
 #define CANOPEN_START_UP_CIA302_BOOT_SLAVE_HPP
 
-#include "canopen/start_up/cia302/boot_configuration.hpp"
 #include "canopen/start_up/cia302/boot_identity.hpp"
-#include "canopen/start_up/cia302/boot_release.hpp"
-#include "canopen/start_up/cia302/boot_reset.hpp"
-#include "canopen/start_up/cia302/boot_software.hpp"
+#include "canopen/start_up/cia302/boot_nmt.hpp"
+#include "canopen/start_up/cia302/boot_writer.hpp"
 
 #include <cstdint>
 
@@ -33,8 +31,8 @@ class BootListener
 
 /// Boots slaves after CiA 302-2, each independently of the others and all at the same time. `records` has kNodeRoom
 /// elements by node-ID; they and the parts are kept by reference. `node` is always that of a listed slave. Not
-/// reentrant. What follows which state is the table kRows in boot_states.hpp; the classes for reset, identity,
-/// software, configuration and release do the work of the states.
+/// reentrant. What follows which state is the table kRows in boot_states.hpp; BootNmt, BootIdentity and
+/// BootWriter do the work of the states.
 class BootSlave
 {
   public:
@@ -87,11 +85,9 @@ class BootSlave
     StartUpParts parts_;
     BootRecord* records_;
     BootListener& listener_;
-    BootReset reset_;
+    BootNmt nmt_;
     BootIdentity identity_;
-    BootSoftware software_;
-    BootConfiguration configuration_;
-    BootRelease release_;
+    BootWriter writer_;
 };
 
 } // namespace counterpoint::cia302

@@ -8,8 +8,8 @@ namespace counterpoint::cia302
 {
 
 /// Leads a slave from its last SDO to OPERATIONAL (supervision, safety gate, NMT start), watches those that run, their
-/// TxPDOs and errors, and stops and holds slaves. One that is held or stopped is not supervised, and no RxPDO is sent to
-/// it. [SRS_ELM_026, SRS_ELM_029, SRS_ELM_034, SRS_ELM_035, SRS_ELM_036, SRS_ELM_037, SRS_ELM_038, SRS_ELM_039,
+/// TxPDOs and errors, and stops and holds slaves. One that is held or stopped is not supervised, and no RxPDO is sent
+/// to it. [SRS_ELM_026, SRS_ELM_029, SRS_ELM_034, SRS_ELM_035, SRS_ELM_036, SRS_ELM_037, SRS_ELM_038, SRS_ELM_039,
 /// SRS_ELM_040, SRS_ELM_041, SRS_ELM_042, SRS_ELM_043, SRS_ELM_048, SRS_ELM_049]
 class El6751Operation
 {

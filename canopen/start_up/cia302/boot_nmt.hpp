@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#ifndef CANOPEN_START_UP_CIA302_BOOT_RESET_HPP
-#define CANOPEN_START_UP_CIA302_BOOT_RESET_HPP
+#ifndef CANOPEN_START_UP_CIA302_BOOT_NMT_HPP
+#define CANOPEN_START_UP_CIA302_BOOT_NMT_HPP
 
 #include "canopen/start_up/cia302/boot_record.hpp"
 
@@ -12,22 +12,32 @@ namespace counterpoint::cia302
 constexpr std::uint32_t kCrowdedUs = 10'000'000U;
 constexpr std::uint32_t kCrowdedTimeOuts = 20U; ///< SDO time-outs; they are long where the bus is slow.
 
-/// Resets the slave before its boot, and waits for the boot-up messages that the states of a boot need.
-class BootReset
+/// Resets the slave before its boot, waits for the boot-up messages that the states of a boot need, and supervises,
+/// verifies and starts the slave at the end of its boot. Failures are letters J and K, and those of another device.
+class BootNmt
 {
   public:
     /// @brief The parts are kept by reference.
-    explicit BootReset(const StartUpParts& parts) noexcept : parts_(parts)
+    explicit BootNmt(const StartUpParts& parts) noexcept : parts_(parts)
     {
     }
 
     /// @brief The work of one call in the states kResetDue, kResetSent, kUnheard, kStateReset and kRestored.
-    [[nodiscard]] BootFinding Work(const BootJob& job) noexcept;
+    [[nodiscard]] BootFinding Restart(const BootJob& job) noexcept;
+    /// @brief The work of one call in the states kWatch to kGateClosed.
+    [[nodiscard]] BootFinding Release(const BootJob& job) noexcept;
+    /// @brief The work of one call in the state kStart.
+    [[nodiscard]] BootFinding Start(const BootJob& job, bool is_master_operational) noexcept;
 
   private:
     [[nodiscard]] BootFinding Send(const BootJob& job) noexcept;
     [[nodiscard]] BootFinding AwaitBootUp(const BootJob& job) noexcept;
     [[nodiscard]] bool IsSilent(const BootJob& job) noexcept;
+    [[nodiscard]] BootFinding Watch(const BootJob& job) noexcept;
+    [[nodiscard]] BootFinding AwaitSign(const BootJob& job) const noexcept;
+    [[nodiscard]] BootFinding Verify(const BootJob& job) noexcept;
+    [[nodiscard]] BootFinding AwaitGate(const BootJob& job) noexcept;
+    [[nodiscard]] BootFinding Refuse(const BootJob& job) noexcept;
 
     StartUpParts parts_;
 };

@@ -1,5 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/start_up/cia302/boot_release.hpp"
+#include "canopen/start_up/cia302/boot_nmt.hpp"
+
+#include "canopen/start_up/cia302/boot_identity.hpp"
+#include "canopen/start_up/cia302/boot_writer.hpp"
 
 namespace counterpoint::cia302
 {
@@ -18,7 +21,64 @@ char LetterOf(const ObjectAddress& object) noexcept
 
 } // namespace
 
-BootFinding BootRelease::Work(const BootJob& job) noexcept
+BootFinding BootNmt::Restart(const BootJob& job) noexcept
+{
+    return (job.record.state == BootState::kResetDue) ? Send(job) : AwaitBootUp(job);
+}
+
+BootFinding BootNmt::Send(const BootJob& job) noexcept
+{
+    const bool is_taken = (parts_.nmt.Request(NmtCommand::kResetNode, job.node, job.time.now) == NmtAnswer::kTaken);
+    return Found(is_taken ? BootEvent::kDone : BootEvent::kNone);
+}
+
+/// What follows if the boot-up message does not come.
+BootFinding BootNmt::AwaitBootUp(const BootJob& job) noexcept
+{
+    const BootState state = job.record.state;
+    const bool is_unasked = ((state == BootState::kStateReset) && IsStateUnasked(job)) ||
+                            ((state == BootState::kRestored) && IsRestoreUnasked(job));
+    BootFinding finding = Found(BootEvent::kNone);
+    if (is_unasked)
+    {
+        finding = Found(BootEvent::kSkip);
+    }
+    else if ((state == BootState::kUnheard) || !IsSilent(job))
+    {
+        // It is still waited for.
+    }
+    else if (state == BootState::kResetSent)
+    {
+        const bool is_called_for = job.setup.Has(kMandatory) || job.setup.Has(kKeepAlive);
+        finding = Found(is_called_for ? BeginOf(job.setup) : BootEvent::kSilence);
+    }
+    else if (state == BootState::kStateReset)
+    {
+        job.record.is_fresh = true; // It is not reset a second time.
+        finding = Found(BootEvent::kSilence);
+    }
+    else
+    {
+        job.record.status.abort = SdoAbort::kTimeOut;
+        finding = Failed('J');
+    }
+    return finding;
+}
+
+/// No boot-up message in its time, which begins when the reset has left. The message has the lowest priority on the
+/// bus: behind the SDOs of all other slaves.
+bool BootNmt::IsSilent(const BootJob& job) noexcept
+{
+    if (parts_.nmt.Waiting() != 0U)
+    {
+        job.record.since_us = job.time.clock_us;
+    }
+    const std::uint64_t slow_us = std::uint64_t{kCrowdedTimeOuts} * parts_.sdo.TimeOutUs();
+    const std::uint64_t crowded_us = (slow_us > kCrowdedUs) ? slow_us : kCrowdedUs;
+    return job.IsOver(kResetUs) && (!parts_.sdo.IsBusy() || job.IsOver(crowded_us));
+}
+
+BootFinding BootNmt::Release(const BootJob& job) noexcept
 {
     const BootState state = job.record.state;
     BootFinding finding = Found(BootEvent::kNone);
@@ -41,14 +101,14 @@ BootFinding BootRelease::Work(const BootJob& job) noexcept
     return finding;
 }
 
-BootFinding BootRelease::Watch(const BootJob& job) noexcept
+BootFinding BootNmt::Watch(const BootJob& job) noexcept
 {
     parts_.table.WatchAsSetUp(job.node, job.time.now);
     return Found((job.setup.heartbeat.consumer_ms == 0U) ? BootEvent::kSkip : BootEvent::kDone);
 }
 
 /// With heartbeat the slave must show one; the boot-up message is none.
-BootFinding BootRelease::AwaitSign(const BootJob& job) const noexcept
+BootFinding BootNmt::AwaitSign(const BootJob& job) const noexcept
 {
     const std::uint64_t limit_us = kUsPerMs * job.setup.heartbeat.consumer_ms;
     BootFinding finding = Found(BootEvent::kNone);
@@ -63,7 +123,7 @@ BootFinding BootRelease::AwaitSign(const BootJob& job) const noexcept
     return finding;
 }
 
-BootFinding BootRelease::Verify(const BootJob& job) noexcept
+BootFinding BootNmt::Verify(const BootJob& job) noexcept
 {
     const bool is_open = (parts_.gate.State(job.node) == GateState::kOpen);
     const bool is_skipped = is_open || !parts_.setup.IsSafetySlave(job.node);
@@ -74,7 +134,7 @@ BootFinding BootRelease::Verify(const BootJob& job) noexcept
     return Found(is_skipped ? BootEvent::kSkip : BootEvent::kDone);
 }
 
-BootFinding BootRelease::AwaitGate(const BootJob& job) noexcept
+BootFinding BootNmt::AwaitGate(const BootJob& job) noexcept
 {
     const GateState state = parts_.gate.State(job.node);
     BootFinding finding = Found(BootEvent::kNone);
@@ -96,7 +156,7 @@ BootFinding BootRelease::AwaitGate(const BootJob& job) noexcept
 /// A slave that runs with a configuration that is not the expected one is stopped, and so are two devices of one
 /// node-ID: what is known of their state may be said of the other one. So is one that never told its state, and one
 /// that was found running: what it said since may be of before.
-BootFinding BootRelease::Refuse(const BootJob& job) noexcept
+BootFinding BootNmt::Refuse(const BootJob& job) noexcept
 {
     const GateFinding found = parts_.gate.Finding(job.node);
     const bool is_doubted = (found.object.index == 0U);
@@ -118,7 +178,7 @@ BootFinding BootRelease::Refuse(const BootJob& job) noexcept
 
 /// Started, or left as it is: with L it runs unless somebody stopped it and asks for a start, and 1F80h may leave it to
 /// others.
-BootFinding BootRelease::Start(const BootJob& job, const bool is_master_operational) noexcept
+BootFinding BootNmt::Start(const BootJob& job, const bool is_master_operational) noexcept
 {
     const bool is_alone = !parts_.setup.Has(kStartAllAtOnce) || is_master_operational;
     const bool is_booting = !job.record.is_extra && job.setup.Has(kBootSlave);
