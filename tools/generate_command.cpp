@@ -1,10 +1,11 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/generate_command.hpp"
+
 #include "canopen/cia306/check/check.hpp"
 #include "canopen/cia306/file/device_reader.hpp"
 #include "canopen/cia306/text/text_file.hpp"
 #include "canopen/generate/generate.hpp"
 #include "runtime/console/json_text.hpp"
-#include "tools/command_table.hpp"
 #include "tools/device_options.hpp"
 
 #include <algorithm>
@@ -149,7 +150,14 @@ class GenerateCommand final : public Command
             answer["memory_bytes"] = code.stored_bytes;
             answer["constant_bytes"] = code.constant_bytes;
         }
-        answer["findings"] = ToJson(findings);
+        answer["findings"] = nlohmann::ordered_json::array();
+        for (const cia306::Finding& finding : findings)
+        {
+            answer["findings"].push_back({{"severity", IsError(finding) ? "error" : "warning"},
+                                          {"line", finding.line},
+                                          {"object", finding.object},
+                                          {"message", finding.text}});
+        }
         out << runtime::JsonText(answer);
     }
 

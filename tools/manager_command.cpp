@@ -1,4 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/manager_command.hpp"
+
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/text_file.hpp"
 #include "hal/host/live/bus.hpp"
@@ -10,7 +12,6 @@
 #include "tools/command_line/options.hpp"
 
 #include "runtime/yaml/document.hpp"
-#include "tools/command_table.hpp"
 
 #include <ostream>
 #include <unistd.h>
@@ -71,6 +72,10 @@ class ManagerCommand final : public Command
         {
             streams.err << "counterpoint manager: --can: " << error.what() << "\n";
         }
+        catch (const runtime::YamlError& error)
+        {
+            streams.err << error.what() << "\n";
+        }
         return ExitStatus::kBadInput;
     }
 
@@ -99,9 +104,15 @@ class ManagerCommand final : public Command
             networks.push_back(std::make_unique<network_plan::LoadedNetwork>(runtime::ReadNetworkFile(file, node)));
             masters.push_back(networks.back().get());
         }
-        runtime::PrintLines(runtime::WarningsOf(masters), streams.err);
+        for (const std::string& warning : runtime::WarningsOf(masters))
+        {
+            streams.err << warning << "\n";
+        }
         const std::vector<std::string> lines = runtime::DifferencesOf(masters);
-        runtime::PrintLines(lines, streams.out);
+        for (const std::string& line : lines)
+        {
+            streams.out << line << "\n";
+        }
         return lines.empty() ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
     }
 
@@ -136,7 +147,10 @@ class ManagerCommand final : public Command
             return ExitStatus::kBadInput;
         }
         network_plan::LoadedNetwork net(runtime::ReadNetworkFile(network_, NodeId()));
-        runtime::PrintLines(net.Warnings(), streams.err);
+        for (const std::string& warning : net.Warnings())
+        {
+            streams.err << warning << "\n";
+        }
         RequireFiles(net);
         std::unique_ptr<host::LiveBus> bus = host::OpenLiveBus(address_);
         const std::unique_ptr<runtime::ManagerSocket> socket =

@@ -4,6 +4,7 @@
 #include "canopen/cia301/store/stored_parts.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "safety_core/comparator/comparator_self_test.hpp"
+#include "safety_core/kernel/limits.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -243,14 +244,14 @@ DeviceConfig ConfigOf(const DeviceModel& model, const std::optional<std::uint32_
                                           "a cycle that is no longer"});
             }
         }
-        // As many cycles as before: the self tests do as much in each.
+        // As many cycles as before: the self tests do about as much in each.
         const std::uint64_t cycles = config.diagnostic_interval_us / config.cycle_us;
         const std::uint64_t same_us = std::min<std::uint64_t>(cycles * *cycle_us, kLongestIntervalUs);
         config.cycle_us = *cycle_us;
         config.cycle_tolerance_us = *cycle_us;
         config.discrepancy_us = std::max(config.discrepancy_us, kCyclesOfDiscrepancy * *cycle_us);
-        config.diagnostic_interval_us = std::max(
-            {config.diagnostic_interval_us, static_cast<std::uint32_t>(same_us), 2U * *cycle_us * config.srdo_count});
+        config.diagnostic_interval_us = std::max({config.diagnostic_interval_us, static_cast<std::uint32_t>(same_us),
+                                                  2U * LateCycleUs(config) * config.srdo_count});
         config.test_interval_us = std::max(config.test_interval_us, ComparatorSelfTest::LongestRoundUs(config));
         config.digest = 0U;
     }

@@ -6,6 +6,7 @@
 #include "canopen/cia306/file/device_reader.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "runtime/device/names.hpp"
+#include "safety_core/kernel/limits.hpp"
 
 #include <algorithm>
 #include <string>
@@ -141,7 +142,7 @@ void NodeDevice::FurnishSelfTest()
     self_test_->AddPart(static_cast<hal::Watchdog*>(&watchdog_));
     self_test_->AddPart(&assembly_.Told());
     self_test_->AddConstants(config_, model_);
-    const std::uint32_t cycles = config_.diagnostic_interval_us / config_.cycle_us;
+    const std::uint32_t cycles = config_.diagnostic_interval_us / LateCycleUs(config_);
     if (!self_test_->Settle(cycles))
     {
         throw cia306::InputError(

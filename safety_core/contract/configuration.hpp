@@ -99,7 +99,7 @@ struct DeviceConfig
     std::uint32_t discrepancy_us;     ///< 0 to 2^30 - 1: greatest time for which the channels' ordinals may differ.
     std::uint32_t acknowledge_window_us; ///< 0 to 2^30 - 1: for how long an acknowledge edge waits for its pair, and a
                                          ///< release by one channel's edge for the other channel's.
-    /// 2 srdo_count cycles to 2^30 - 1: every signature and digest is recomputed in it.
+    /// 2 srdo_count cycles as late as allowed to 2^30 - 1: every signature and digest is recomputed in it.
     std::uint32_t diagnostic_interval_us;
     /// 15 cycles as late as allowed to 2^30 - 1: the comparator is tested with every member that it compares in it.
     std::uint32_t test_interval_us;

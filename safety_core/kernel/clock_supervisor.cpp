@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "safety_core/kernel/clock_supervisor.hpp"
 
+#include "safety_core/kernel/limits.hpp"
+
 #include <cstdint>
 
 namespace counterpoint
@@ -21,7 +23,7 @@ void ClockSupervisor::Restart(const DeviceConfig& config) noexcept
 {
     tolerance_us_ = config.clock_tolerance_us;
     interval_us_ = config.clock_interval_us;
-    late_us_ = config.cycle_us + config.cycle_tolerance_us;
+    late_us_ = LateCycleUs(config);
     started_ = false;
 }
 

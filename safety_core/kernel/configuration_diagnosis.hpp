@@ -10,26 +10,32 @@ namespace counterpoint
 {
 
 /// The cyclic look at the configuration: signature by signature and slot by slot of the device digest, so that all is
-/// seen within the diagnostic interval. [SRS_CFG_048, SRS_CFG_050]
+/// seen within the diagnostic interval. Each step begins by time, in the first cycle in its share of the interval: late
+/// cycles do not add up, and from a step to the same one of the next walk it is the interval and one cycle at the most.
+/// [SRS_CFG_048, SRS_CFG_050, SRS_LIM_002]
 class ConfigurationDiagnosis
 {
   public:
-    /// @brief Kernel::Start made sure that the interval holds at least two cycles for each SRDO.
+    /// @brief Kernel::Start made sure that no share is shorter than a cycle as late as allowed.
     void Restart(const DeviceConfig& config) noexcept
     {
-        cycles_per_check_ = config.diagnostic_interval_us / (2U * config.cycle_us * config.srdo_count);
-        cycles_to_check_ = cycles_per_check_;
+        share_us_ = config.diagnostic_interval_us / (2U * config.srdo_count);
+        is_timed_ = false;
         step_ = 0U;
     }
-    /// @brief Once a cycle: whether the next step has to be done now.
-    [[nodiscard]] bool TakeTurn() noexcept
+    /// @brief Once a cycle: whether the next step has to be done now. The time counts from the first call on.
+    [[nodiscard]] bool TakeTurn(const Instant now) noexcept
     {
-        --cycles_to_check_;
-        if (cycles_to_check_ != 0U)
+        if (!is_timed_)
+        {
+            is_timed_ = true;
+            begun_ = now;
+        }
+        if ((now.us - begun_.us) < share_us_)
         {
             return false;
         }
-        cycles_to_check_ = cycles_per_check_;
+        begun_.us += share_us_;
         return true;
     }
     /// @brief One step; `valid` is 13FEh. Faults enter the latch.
@@ -45,10 +51,11 @@ class ConfigurationDiagnosis
     // What is used in one place alone is inline: the compiler then decides whether it needs a call of its own.
     [[nodiscard]] inline bool IsDigestSound(std::uint8_t valid) const noexcept;
 
-    std::uint8_t step_{};    ///< Twice the slot, plus one for its digest.
-    bool is_digest_whole_{}; ///< `digest_` is that of the walk through the slots that is under way.
-    std::uint32_t cycles_per_check_{};
-    std::uint32_t cycles_to_check_{};
+    std::uint8_t step_{};      ///< Twice the slot, plus one for its digest.
+    bool is_digest_whole_{};   ///< `digest_` is that of the walk through the slots that is under way.
+    bool is_timed_{};          ///< `begun_` is set.
+    std::uint32_t share_us_{}; ///< From the begin of one share to that of the next.
+    Instant begun_{};          ///< Begin of the share that is under way.
     DeviceDigest reference_{}; ///< Of the last declaration, or of the last write to 1300h.
     DeviceDigest digest_{};    ///< Of the slots so far.
 };

@@ -216,9 +216,9 @@ Result ConfigurationGuard::TakeDigest() noexcept
     return reply.result;
 }
 
-std::uint32_t ConfigurationGuard::Cycle(const std::uint32_t challenge) noexcept
+std::uint32_t ConfigurationGuard::Cycle(const std::uint32_t challenge, const Instant now) noexcept
 {
-    if (diagnosis_.TakeTurn())
+    if (diagnosis_.TakeTurn(now))
     {
         diagnosis_.Examine(copies_, valid_);
     }

@@ -55,7 +55,7 @@ class ConfigurationGuard
     [[nodiscard]] Result Changeable() const noexcept;
     /// @brief Looks at 13FEh and does a step of the diagnosis when its turn has come. The token for CycleInput.
     /// [SRS_CFG_031, SRS_CFG_048, SRS_CFG_050]
-    [[nodiscard]] std::uint32_t Cycle(std::uint32_t challenge) noexcept;
+    [[nodiscard]] std::uint32_t Cycle(std::uint32_t challenge, Instant now) noexcept;
     /// @brief Checks one SRDO in both channels; kInvalid where they differ: the device fault was entered.
     [[nodiscard]] CheckResult Check(const SlotIndex slot, const CheckDepth depth) noexcept
     {

@@ -159,7 +159,7 @@ void Kernel::Cycle(const CycleCall& call) noexcept
 
     context_.latch.Enter(clocks_.OnCycle(call.now), kNoSlot);
     flow_.Mark(FlowStep::kClocks, FlowEvidence{run_.frames, 0U});
-    const std::uint32_t token = context_.guard.Cycle(challenge);
+    const std::uint32_t token = context_.guard.Cycle(challenge, call.now.a);
     flow_.Mark(FlowStep::kGuard, kDone);
 
     CycleInput input = TakeInput(call);

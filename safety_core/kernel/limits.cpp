@@ -11,7 +11,9 @@ std::uint32_t Microseconds(const std::uint32_t milliseconds) noexcept
     return milliseconds * kMicrosecondsPerMillisecond;
 }
 
-// The part of the limit that is the fault class's own.
+constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+
+// The part of the limit that is the fault class's own; kNone where there is none.
 std::uint32_t OwnPart(const DeviceConfig& config, const SrdoTimes& times, const FaultClass fault) noexcept
 {
     switch (fault)
@@ -29,24 +31,43 @@ std::uint32_t OwnPart(const DeviceConfig& config, const SrdoTimes& times, const 
         return config.test_interval_us;
     case FaultClass::kClock:
         return config.clock_interval_us;
+    case FaultClass::kSharedSource:
+        return 2U * config.diagnostic_interval_us; // A change behind the walk's place shows at the end of the next one.
     case FaultClass::kWrongFrame:
+        return 0U;
     case FaultClass::kCrossLink:
     case FaultClass::kInvalid:
-        return 0U;
+        return kNone;
     }
-    return 0U;
+    return kNone;
+}
+
+// Own part and cycle are counted by the counters. One that is slow by the tolerance counts no less than interval -
+// tolerance in an interval of the other one: it adds the tolerance for each of these that begins. A sum that 32 bits do
+// not hold is none, and so is one with kNone in it.
+Limit WholeOf(const DeviceConfig& config, const std::uint32_t own_us) noexcept
+{
+    const std::uint32_t late_us = LateCycleUs(config);
+    const std::uint32_t counted_us = (own_us < (kNone - late_us)) ? (own_us + late_us) : kNone;
+    const bool is_interval = config.clock_interval_us > config.clock_tolerance_us;
+    const std::uint32_t least_us = config.clock_interval_us - config.clock_tolerance_us;
+    const std::uint32_t whole = is_interval ? (counted_us / least_us) : 0U;
+    const std::uint64_t drift_us = (std::uint64_t{whole} + 1U) * config.clock_tolerance_us;
+    const std::uint64_t sum_us = drift_us + counted_us + config.output_time_us;
+    return (sum_us < kNone) ? Limit{static_cast<std::uint32_t>(sum_us), Result::kSuccessful}
+                            : Limit{kNone, Result::kNotExist};
 }
 
 } // namespace
 
 Limit ComputeLimit(const DeviceConfig& config, const SrdoTimes& times, const FaultClass fault) noexcept
 {
-    return Limit{OwnPart(config, times, fault) + config.cycle_us + config.output_time_us};
+    return WholeOf(config, OwnPart(config, times, fault));
 }
 
 Limit ComputeLimit(const DeviceConfig& config, const LinkTime& link) noexcept
 {
-    return Limit{link.timeout_us + config.cycle_us + config.output_time_us};
+    return WholeOf(config, link.timeout_us);
 }
 
 } // namespace counterpoint

@@ -3,11 +3,19 @@
 #define SAFETY_CORE_KERNEL_LIMITS_HPP
 
 #include "safety_core/contract/configuration.hpp"
+#include "safety_core/kernel/result.hpp"
 
 #include <cstdint>
 
 namespace counterpoint
 {
+
+/// @brief Longest time between two cycles: a call that late is no fault. What has to be done within an interval is
+/// divided by it.
+[[nodiscard]] inline std::uint32_t LateCycleUs(const DeviceConfig& config) noexcept
+{
+    return config.cycle_us + config.cycle_tolerance_us;
+}
 
 /// Classes of faults for which a limit can be computed. [SRS_LIM_001]
 enum class FaultClass : std::uint8_t
@@ -17,10 +25,13 @@ enum class FaultClass : std::uint8_t
     kBusNextNormal = 2U, ///< The same where the next normal frame still came, by the SRDO's detection.
     kWrongFrame = 3U,    ///< A frame that is wrong in itself: from its arrival.
     kChannel = 4U,       ///< One channel stuck, skipped, wrong data.
-    kConfiguration = 5U, ///< Configuration, memory, table.
+    kConfiguration = 5U, ///< Configuration, memory, table: the copy of one channel, or a sealed word.
     kSupervisor = 6U,    ///< Comparator, flow monitor, permits.
     kClock = 7U,         ///< Clock, cycle.
-    kCrossLink = 8U,     ///< Loss of the other CPU, its link, its clock: by the limit that takes a LinkTime.
+    kCrossLink = 8U,     ///< Loss of the other CPU, its link: by the limit that takes a LinkTime.
+    /// What both channels read from one place: device description, constants; with a channel a CPU the copy of either.
+    /// Where the self test's CRC runs over it, it is kConfiguration: SelfTest::Start made sure of the interval.
+    kSharedSource = 9U,
 };
 
 /// Times of the SRDO concerned, from its objects, and how it finds a missing inverse frame. Milliseconds.
@@ -37,12 +48,16 @@ struct LinkTime
     std::uint32_t timeout_us;
 };
 
+/// `us` is the greatest value unless `result` is kSuccessful: a class that has no limit has no short one.
 struct Limit
 {
     std::uint32_t us;
+    Result result; ///< kNotExist: no such class, none by these times, or more than 32 bits hold.
 };
 
-/// @brief Greatest time from the first effect of a fault to the safe output, in microseconds. [SRS_LIM_001]
+/// @brief Greatest time from the first effect of a fault to the safe output, in microseconds: the class's own part, a
+/// cycle as late as it may be, what the counters may drift apart meanwhile, and the output time. [SRS_LIM_001,
+/// SRS_LIM_002]
 [[nodiscard]] Limit ComputeLimit(const DeviceConfig& config, const SrdoTimes& times, FaultClass fault) noexcept;
 /// @brief The same for FaultClass::kCrossLink. [SRS_LNK_009]
 [[nodiscard]] Limit ComputeLimit(const DeviceConfig& config, const LinkTime& link) noexcept;

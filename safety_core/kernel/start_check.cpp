@@ -2,6 +2,7 @@
 #include "safety_core/kernel/start_check.hpp"
 
 #include "safety_core/comparator/comparator_self_test.hpp"
+#include "safety_core/kernel/limits.hpp"
 
 namespace counterpoint
 {
@@ -127,7 +128,7 @@ StartResult CheckTiming(const DeviceConfig& config) noexcept
         return StartResult::kTiming;
     }
     // One signature or digest a cycle at the most, one test of the comparator a cycle at the most, however late.
-    const bool is_diagnosed = config.diagnostic_interval_us >= (2U * config.cycle_us * config.srdo_count);
+    const bool is_diagnosed = config.diagnostic_interval_us >= (2U * LateCycleUs(config) * config.srdo_count);
     const bool is_tested = config.test_interval_us >= ComparatorSelfTest::LongestRoundUs(config);
     return (is_diagnosed && is_tested) ? StartResult::kStarted : StartResult::kTiming;
 }

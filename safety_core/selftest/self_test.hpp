@@ -65,7 +65,7 @@ struct SelfTestSetup
     SignatureSetup program;
     SignatureSetup constants;
     RamSetup ram;
-    std::uint32_t interval_cycles; ///< Diagnostic interval, in cycles.
+    std::uint32_t interval_cycles; ///< Diagnostic interval, in cycles as late as allowed.
 };
 
 /// What the self tests work with; all outlive them.

@@ -91,10 +91,10 @@ struct DiagnosisTag
     using Member = ConfigurationDiagnosis ConfigurationGuard::*;
     friend Member Open(DiagnosisTag tag);
 };
-struct GuardCountTag
+struct DiagnosisBegunTag
 {
-    using Member = std::uint32_t ConfigurationDiagnosis::*;
-    friend Member Open(GuardCountTag tag);
+    using Member = Instant ConfigurationDiagnosis::*;
+    friend Member Open(DiagnosisBegunTag tag);
 };
 
 template struct Opened<ContextTag, &Kernel::context_>;
@@ -112,7 +112,7 @@ template struct Opened<NowTag, &Production::now_>;
 template struct Opened<GfcUntilTag, &Production::gfc_until_>;
 template struct Opened<GuardValidTag, &ConfigurationGuard::valid_>;
 template struct Opened<DiagnosisTag, &ConfigurationGuard::diagnosis_>;
-template struct Opened<GuardCountTag, &ConfigurationDiagnosis::cycles_to_check_>;
+template struct Opened<DiagnosisBegunTag, &ConfigurationDiagnosis::begun_>;
 
 template <typename Object> MemoryPiece PieceOf(Object& object)
 {
@@ -150,7 +150,7 @@ std::vector<MemoryPiece> PiecesOf(const Part part, Kernel& kernel)
     case Part::kGuard:
     {
         ConfigurationGuard& guard = (kernel.*Open(ContextTag{})).guard;
-        return {PieceOf(guard.*Open(GuardValidTag{})), PieceOf(guard.*Open(DiagnosisTag{}).*Open(GuardCountTag{}))};
+        return {PieceOf(guard.*Open(GuardValidTag{})), PieceOf(guard.*Open(DiagnosisTag{}).*Open(DiagnosisBegunTag{}))};
     }
     default:
         return StateOf(kernel);

@@ -26,8 +26,8 @@ void RealFlowMark(FlowMonitor& self, FlowStep step, const FlowEvidence& evidence
     __asm__("__real__ZN12counterpoint11FlowMonitor4MarkENS_8FlowStepERKNS_12FlowEvidenceE");
 hal::WatchdogAnswer RealFlowEnd(FlowMonitor& self, const hal::WatchdogQuestion& question) noexcept
     __asm__("__real__ZN12counterpoint11FlowMonitor3EndERKNS_3hal16WatchdogQuestionE");
-std::uint32_t RealGuardCycle(ConfigurationGuard& self, std::uint32_t challenge) noexcept
-    __asm__("__real__ZN12counterpoint18ConfigurationGuard5CycleEj");
+std::uint32_t RealGuardCycle(ConfigurationGuard& self, std::uint32_t challenge, Instant now) noexcept
+    __asm__("__real__ZN12counterpoint18ConfigurationGuard5CycleEjNS_7InstantE");
 
 Verdict WrapCompare(Comparator& self, const Comparison& comparison) noexcept
     __asm__("__wrap__ZN12counterpoint10Comparator7CompareERKNS_10ComparisonE");
@@ -36,8 +36,8 @@ void WrapFlowMark(FlowMonitor& self, FlowStep step, const FlowEvidence& evidence
     __asm__("__wrap__ZN12counterpoint11FlowMonitor4MarkENS_8FlowStepERKNS_12FlowEvidenceE");
 hal::WatchdogAnswer WrapFlowEnd(FlowMonitor& self, const hal::WatchdogQuestion& question) noexcept
     __asm__("__wrap__ZN12counterpoint11FlowMonitor3EndERKNS_3hal16WatchdogQuestionE");
-std::uint32_t WrapGuardCycle(ConfigurationGuard& self, std::uint32_t challenge) noexcept
-    __asm__("__wrap__ZN12counterpoint18ConfigurationGuard5CycleEj");
+std::uint32_t WrapGuardCycle(ConfigurationGuard& self, std::uint32_t challenge, Instant now) noexcept
+    __asm__("__wrap__ZN12counterpoint18ConfigurationGuard5CycleEjNS_7InstantE");
 
 Verdict WrapCompare(Comparator& self, const Comparison& comparison) noexcept
 {
@@ -73,10 +73,10 @@ hal::WatchdogAnswer WrapFlowEnd(FlowMonitor& self, const hal::WatchdogQuestion& 
     return (tap == nullptr) ? RealFlowEnd(self, question) : tap->FlowEnd(self, question);
 }
 
-std::uint32_t WrapGuardCycle(ConfigurationGuard& self, const std::uint32_t challenge) noexcept
+std::uint32_t WrapGuardCycle(ConfigurationGuard& self, const std::uint32_t challenge, const Instant now) noexcept
 {
     SupervisorTap* const tap = active_tap;
-    return (tap == nullptr) ? RealGuardCycle(self, challenge) : tap->GuardCycle(self, challenge);
+    return (tap == nullptr) ? RealGuardCycle(self, challenge, now) : tap->GuardCycle(self, challenge, now);
 }
 
 SupervisorTap::SupervisorTap(PartFaults& faults) noexcept : faults_(faults)
@@ -175,11 +175,12 @@ hal::WatchdogAnswer SupervisorTap::FlowEnd(FlowMonitor& self, const hal::Watchdo
     }
 }
 
-std::uint32_t SupervisorTap::GuardCycle(ConfigurationGuard& self, const std::uint32_t challenge) noexcept
+std::uint32_t SupervisorTap::GuardCycle(ConfigurationGuard& self, const std::uint32_t challenge,
+                                        const Instant now) noexcept
 {
     if (!IsStill(Part::kGuard))
     {
-        token_ = RealGuardCycle(self, challenge);
+        token_ = RealGuardCycle(self, challenge, now);
         return token_;
     }
     switch (faults_.Condition(Part::kGuard).kind)

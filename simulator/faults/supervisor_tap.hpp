@@ -40,7 +40,7 @@ class SupervisorTap
     [[gnu::noinline]] void FlowBegin(FlowMonitor& self) noexcept;
     [[gnu::noinline]] void FlowMark(FlowMonitor& self, FlowStep step, const FlowEvidence& evidence) noexcept;
     [[nodiscard]] hal::WatchdogAnswer FlowEnd(FlowMonitor& self, const hal::WatchdogQuestion& question) noexcept;
-    [[nodiscard]] std::uint32_t GuardCycle(ConfigurationGuard& self, std::uint32_t challenge) noexcept;
+    [[nodiscard]] std::uint32_t GuardCycle(ConfigurationGuard& self, std::uint32_t challenge, Instant now) noexcept;
 
   private:
     /// @brief Whether the part is not to be called; one that hangs does not return from here.

@@ -4,11 +4,40 @@
 #include "simulator/scenario/names.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace counterpoint::simulator
 {
 namespace
 {
+constexpr std::int64_t kMillion = 1000000;
+
+// The row of the table of limits: of the expectation, or of its fault. The self tests read within the diagnostic
+// interval what both channels read from one place. With a channel a CPU a copy is all that its kernel reads.
+FaultClass LimitClassOf(const Scenario& scenario, const Expectation& expectation)
+{
+    const FaultSetup& fault = scenario.faults[expectation.fault];
+    const FaultClass row = (expectation.fault_class == FaultClass::kInvalid) ? ClassOf(fault) : expectation.fault_class;
+    if (expectation.fault_class != FaultClass::kInvalid || fault.kind != FaultKind::kBitFlip)
+    {
+        return row;
+    }
+    const NodeSetup& node = scenario.nodes[fault.node];
+    const bool is_whole = node.role == runtime::CpuRole::kWhole;
+    if (row == FaultClass::kSharedSource)
+    {
+        return node.self_tests ? FaultClass::kConfiguration : row;
+    }
+    return is_whole ? row : FaultClass::kSharedSource;
+}
+
+// The other CPU of a device with two: A stands before B.
+const NodeSetup& PeerOf(const Scenario& scenario, const NodeIndex node)
+{
+    const bool is_first = scenario.nodes[node].role == runtime::CpuRole::kA;
+    return scenario.nodes[is_first ? node + 1U : node - 1U];
+}
+
 /// Answers questions about a finished run.
 class Judgement
 {
@@ -259,6 +288,27 @@ class Judgement
         return (found == journal_.Events().end()) ? nullptr : &*found;
     }
 
+    /// How long a counter that runs at another rate takes until the two counters are further apart than they may be:
+    /// that is where its limit counts from. [SRS_LIM_002]
+    [[nodiscard]] Nanoseconds UntilApart(const Measurement& measurement) const
+    {
+        const FaultSetup& fault = scenario_.faults[measurement.fault];
+        const bool is_one = fault.hits_counter_a != fault.hits_counter_b;
+        if (measurement.fault_class != FaultClass::kClock || fault.kind != FaultKind::kClock || fault.jump || !is_one)
+        {
+            return 0;
+        }
+        const NodeSetup& node = scenario_.nodes[fault.node];
+        const bool is_whole = node.role == runtime::CpuRole::kWhole;
+        const CounterSetup& other = !is_whole              ? PeerOf(scenario_, fault.node).counter_a
+                                    : fault.hits_counter_a ? node.counter_b
+                                                           : node.counter_a;
+        const std::int64_t apart_ppm = std::abs(std::int64_t{fault.rate_ppm} - other.drift_ppm);
+        const std::uint32_t tolerance_us = network_.At(fault.node).Model().Config().clock_tolerance_us;
+        const Nanoseconds tolerance = is_whole ? tolerance_us * kNanosecondsPerMicrosecond : node.link.clock_tolerance;
+        return (apart_ppm == 0) ? 0 : (tolerance * kMillion) / apart_ppm;
+    }
+
     /// What the limit counts from: see semantics 5.
     [[nodiscard]] Nanoseconds ReferenceOf(const Measurement& measurement, const Event& closed) const
     {
@@ -271,7 +321,11 @@ class Judgement
         const bool is_chosen = !fault.frames.identifiers.empty() || fault.frames.srdo_of;
         const bool is_normal = is_chosen && ChoosesNormal(fault.frames);
         const bool waits = fault.kind == FaultKind::kCorruption && !fault.length && is_normal;
-        return (waits && closed.inverse >= measurement.effect) ? closed.inverse : measurement.effect;
+        if (waits && closed.inverse >= measurement.effect)
+        {
+            return closed.inverse;
+        }
+        return std::min(closed.at, measurement.effect + UntilApart(measurement));
     }
 
     [[nodiscard]] Measurement Measure(const Expectation& expectation)
@@ -282,8 +336,7 @@ class Judgement
         measurement.node = expectation.node;
         measurement.place = NameOfPlace(expectation);
         measurement.srdo = expectation.srdo;
-        const FaultClass own = ClassOf(scenario_.faults[expectation.fault]);
-        measurement.fault_class = (expectation.fault_class == FaultClass::kInvalid) ? own : expectation.fault_class;
+        measurement.fault_class = LimitClassOf(scenario_, expectation);
         measurement.limit = LimitOf(scenario_, expectation, model);
         measurement.effect = EffectOf(expectation.fault);
         if (measurement.effect < 0)
@@ -380,22 +433,26 @@ class Judgement
 
 Nanoseconds LimitOf(const Scenario& scenario, const Expectation& expectation, const runtime::DeviceModel& model)
 {
-    const FaultClass own = ClassOf(scenario.faults[expectation.fault]);
-    const FaultClass fault_class = (expectation.fault_class == FaultClass::kInvalid) ? own : expectation.fault_class;
+    const FaultClass fault_class = LimitClassOf(scenario, expectation);
     SrdoTimes times{0U, 0U};
     for (const runtime::SrdoModel& srdo : model.Srdos())
     {
         times = (srdo.number == expectation.srdo) ? srdo.times : times;
     }
-    if (fault_class == FaultClass::kCrossLink)
+    const FaultSetup& fault = scenario.faults[expectation.fault];
+    const bool is_peers_clock = fault_class == FaultClass::kClock && fault.kind == FaultKind::kClock &&
+                                scenario.nodes[fault.node].role != runtime::CpuRole::kWhole;
+    if (fault_class == FaultClass::kCrossLink || is_peers_clock)
     {
         // At a node with one CPU it is the device of the fault that stops to be heard.
         const NodeSetup& own_node = scenario.nodes[expectation.node];
         const NodeSetup& node = (own_node.role == runtime::CpuRole::kWhole)
                                     ? scenario.nodes[scenario.faults[expectation.fault].node]
                                     : own_node;
-        const auto timeout_us = static_cast<std::uint32_t>(node.link.timeout / kNanosecondsPerMicrosecond);
-        return Nanoseconds{ComputeLimit(model.Config(), LinkTime{timeout_us}).us} * kNanosecondsPerMicrosecond;
+        // The clocks are compared by messages, the last of which may be as old as the time-out.
+        const Nanoseconds own = node.link.timeout + (is_peers_clock ? node.link.clock_interval : 0);
+        const auto own_us = static_cast<std::uint32_t>(own / kNanosecondsPerMicrosecond);
+        return Nanoseconds{ComputeLimit(model.Config(), LinkTime{own_us}).us} * kNanosecondsPerMicrosecond;
     }
     return ComputeLimit(model.Config(), times, fault_class).us * kNanosecondsPerMicrosecond;
 }

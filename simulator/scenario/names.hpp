@@ -161,6 +161,7 @@ inline constexpr Word<FaultClass> kFaultClassWords[] = {
     {"wrong_frame", FaultClass::kWrongFrame},
     {"channel", FaultClass::kChannel},
     {"configuration", FaultClass::kConfiguration},
+    {"shared_source", FaultClass::kSharedSource},
     {"supervisor", FaultClass::kSupervisor},
     {"clock", FaultClass::kClock},
     {"cross_link", FaultClass::kCrossLink},

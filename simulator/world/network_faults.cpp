@@ -40,6 +40,10 @@ std::uint64_t BitsOf(const FaultSetup& fault)
 FaultClass ClassOf(const FaultSetup& fault)
 {
     const FaultKindRow& row = RowOf(fault.kind);
+    if (fault.kind == FaultKind::kBitFlip && fault.part == Part::kSetup)
+    {
+        return FaultClass::kSharedSource;
+    }
     const bool is_of_frames = row.site == FaultSite::kReceptions || row.site == FaultSite::kController;
     const bool is_normal = is_of_frames ? ChoosesNormal(fault.frames) : (fault.identifier & 1U) != 0U;
     const bool is_asked = fault.part == Part::kChannelA || fault.part == Part::kChannelB ||

@@ -298,6 +298,7 @@ TEST(OutputGateThatTakesEverything, IsFoundByTheSelfTest)
 TEST(SelfTests, ShortDiagnosticIntervalIsRefused)
 {
     Verifies(req::SRS_SIM_052);
+    // 60 ms are 40 cycles that are each as late as allowed
     std::ostringstream text;
     text << std::ifstream(Examples() + "sensor.dcf").rdbuf();
     std::string dcf = text.str();
@@ -314,7 +315,7 @@ TEST(SelfTests, ShortDiagnosticIntervalIsRefused)
     catch (const std::runtime_error& error)
     {
         EXPECT_NE(std::string(error.what())
-                      .find("the self tests do not fit into the diagnostic interval of 60 cycles, "
+                      .find("the self tests do not fit into the diagnostic interval of 40 cycles, "
                             "expected a longer one (0x5F00:04), or 'self_tests: false'"),
                   std::string::npos)
             << error.what();

@@ -5,9 +5,11 @@
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/integration/scenario_run.hpp"
 #include "verification/trace/ids/crosslink.hpp"
+#include "verification/trace/ids/kernel.hpp"
 #include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <algorithm>
 #include <ostream>
 #include <string>
 
@@ -169,6 +171,32 @@ constexpr LinkCase kLostPeers[] = {
     {"clock, node: actuator.b, counter: a, jump: 30 ms, at: 500 ms", "a"},
 };
 INSTANTIATE_TEST_SUITE_P(EachWay, LostPeer, ::testing::ValuesIn(kLostPeers));
+
+// The clocks may be apart by 2 ms in 500 ms. A drift of a tenth more is found in the interval of the link that begins
+// after the fault, by a message that may be as old as the time-out: 500 + 10 + 1.5 ms, six times 0.5 ms of drift,
+// output 1 ms.
+TEST(DriftingPeer, IsFoundWithinTheLimitWheneverItBegins)
+{
+    Verifies(req::SRS_LIM_002);
+    Verifies(req::SRS_SIM_031);
+    for (const std::string ppm : {"4400", "-4400"})
+    {
+        Nanoseconds longest = 0;
+        for (int place = 0; place < 12; ++place)
+        {
+            const std::string at = std::to_string(500 + (43 * place)) + ".4 ms";
+            const auto run =
+                RunTwoCpus("duration: 2500 ms\nfaults:\n  - {fault: clock, node: actuator.b, counter: a, ppm: " + ppm +
+                           ", at: " + at + "}\nexpect:\n  - {that: safe_within, node: actuator.a, srdo: 1}\n" +
+                           "  - {that: device_fault, node: actuator.a, is: cross_link}\n");
+            EXPECT_EQ(Failures(*run), "") << ppm << " at " << at;
+            const Measurement& measurement = *run->Verdicts().at(1U).measurement;
+            EXPECT_EQ(measurement.limit, 515500 * kNanosecondsPerMicrosecond);
+            longest = std::max(longest, measurement.elapsed);
+        }
+        EXPECT_GT(longest, 250 * kNanosecondsPerMillisecond);
+    }
+}
 
 TEST(LostPeer, WithoutSupplyIsFoundByTheOtherCpu)
 {

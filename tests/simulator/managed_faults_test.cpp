@@ -76,13 +76,13 @@ INSTANTIATE_TEST_SUITE_P(Families, ShippedFault,
 TEST_F(ManagedFaultsTest, AWrongLimitFailsTheScenario)
 {
     Verifies(req::SRS_SIM_060);
-    // Given a fault of memory, which is found within 1002 ms, judged by the limit of a channel
+    // Given a fault of memory, which is found within 1008 ms, judged by the limit of a channel
     const std::string fault = "faults:\n  - {fault: bit_flip, name: flip, node: actuator, part: channel_a, at: 3 s,\n"
                               "     config: {srdo: 1, field: sct}, bit: 4}\nexpect:\n"
                               "  - {that: safe_within, node: actuator, srdo: 1, fault: flip, ";
     const Answer wrong = Simulate(fault + "limit: channel}\n", {"--quiet"});
     EXPECT_EQ(wrong.status, 1);
-    EXPECT_TRUE(Has(wrong.out, "FAILED  actuator SRDO 1 safe within 7 ms")) << wrong.out << wrong.err;
+    EXPECT_TRUE(Has(wrong.out, "FAILED  actuator SRDO 1 safe within 8 ms")) << wrong.out << wrong.err;
     // And with its own one
     EXPECT_EQ(Simulate(fault + "limit: configuration}\n", {"--quiet"}).status, 0);
 }

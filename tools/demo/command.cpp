@@ -103,10 +103,18 @@ class DemoCommand final : public Command
 
     [[nodiscard]] ExitStatus Run(const Streams& streams) override
     {
-        RequireNames();
-        const std::vector<std::string> files =
-            ListScenarios(scenarios_.empty() ? FindScenarios() : std::vector<fs::path>{scenarios_});
-        return list_ ? List(files, streams) : Demonstrate(files, streams);
+        try
+        {
+            RequireNames();
+            const std::vector<std::string> files =
+                ListScenarios(scenarios_.empty() ? FindScenarios() : std::vector<fs::path>{scenarios_});
+            return list_ ? List(files, streams) : Demonstrate(files, streams);
+        }
+        catch (const runtime::YamlError& error)
+        {
+            streams.err << error.what() << "\n";
+            return ExitStatus::kBadInput;
+        }
     }
 
   private:
@@ -155,8 +163,13 @@ class DemoCommand final : public Command
         streams.out << "\n" << held << " of " << runs.size() << " runs as expected\n";
         for (const std::unique_ptr<simulator::Run>& run : runs)
         {
-            runtime::PrintLines(run->Findings(), streams.err);
-            runtime::PrintLines(run->FaultsWithoutEffect(), streams.err);
+            for (const std::vector<std::string>& lines : {run->Findings(), run->FaultsWithoutEffect()})
+            {
+                for (const std::string& line : lines)
+                {
+                    streams.err << line << "\n";
+                }
+            }
             if (!run->Holds())
             {
                 streams.out << "\n" << run->Setting().title << " (" << run->Setting().file << ")\n";

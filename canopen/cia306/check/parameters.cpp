@@ -90,11 +90,12 @@ void ParameterCheck::CheckTimes()
     {
         return; // Nothing can be said about what is counted in cycles.
     }
-    const std::uint64_t steps_us = 2U * context_.configuration.srdos.size() * std::uint64_t{own_.cycle_us};
+    const std::uint64_t late_us = std::uint64_t{own_.cycle_us} + own_.cycle_tolerance_us;
+    const std::uint64_t steps_us = 2U * context_.configuration.srdos.size() * late_us;
     Require(own_.diagnostic_interval_ms * kUsPerMs >= steps_us, 4U,
             "diagnostic interval of " + std::to_string(own_.diagnostic_interval_ms) + " ms",
-            "at least " + std::to_string(steps_us) + " us, 2 cycles for each SRDO");
-    const std::uint64_t round_us = kComparatorTests * (std::uint64_t{own_.cycle_us} + own_.cycle_tolerance_us);
+            "at least " + std::to_string(steps_us) + " us, 2 cycles with their tolerance for each SRDO");
+    const std::uint64_t round_us = kComparatorTests * late_us;
     Require(own_.test_interval_ms * kUsPerMs >= round_us, 5U,
             "test interval of " + std::to_string(own_.test_interval_ms) + " ms",
             "at least " + std::to_string(round_us) + " us, 15 cycles with their tolerance");

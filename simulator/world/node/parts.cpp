@@ -2,6 +2,7 @@
 #include "simulator/world/node/parts.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
+#include "safety_core/kernel/limits.hpp"
 
 #include <string>
 
@@ -30,7 +31,7 @@ NodeParts::NodeParts(const NodeInside& inside, runtime::DeviceAssembly& assembly
     AddMemory(*inside.self_test);
     // [SRS_SIM_052]
     const DeviceConfig& config = inside.model.Config();
-    const std::uint32_t cycles = config.diagnostic_interval_us / config.cycle_us;
+    const std::uint32_t cycles = config.diagnostic_interval_us / LateCycleUs(config);
     if (!inside.self_test->Settle(cycles))
     {
         throw cia306::InputError(

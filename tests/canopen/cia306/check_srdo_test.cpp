@@ -308,10 +308,9 @@ TEST(CheckParameters, Times)
     EXPECT_EQ(find({{"5F00sub3", kValue, "0x3FFFFFFF"}}), Lines{});
     EXPECT_EQ(find({{"5F00sub3", kValue, "0x40000000"}}),
               Lines{"error: 0x5F00:03: discrepancy time of 1073741824 us, expected at most 1073741823 us"});
-    EXPECT_EQ(find({{"5F00sub4", kValue, "4"}}), Lines{});
-    EXPECT_EQ(
-        find({{"5F00sub4", kValue, "3"}}),
-        Lines{"error: 0x5F00:04: diagnostic interval of 3 ms, expected at least 4000 us, 2 cycles for each SRDO"});
+    EXPECT_EQ(find({{"5F00sub4", kValue, "6"}}), Lines{});
+    EXPECT_EQ(find({{"5F00sub4", kValue, "5"}}), Lines{"error: 0x5F00:04: diagnostic interval of 5 ms, expected at "
+                                                       "least 6000 us, 2 cycles with their tolerance for each SRDO"});
     EXPECT_EQ(find({{"5F00sub4", kValue, "1073742"}}),
               Lines{"error: 0x5F00:04: interval of 1073742 ms, expected at most 1073741 ms"});
     EXPECT_EQ(

@@ -232,7 +232,7 @@ TEST(NodeConfiguredTest, AConsumerThatWasConfiguredOverSdoShowsItsOutputs)
         EXPECT_FALSE(device.App().SetInput({0x2200U, 1U}, 1U));
         const std::string told = bench.Told();
         EXPECT_NE(told.find("value 0x2200:02 = 2"), std::string::npos) << told;
-        EXPECT_NE(told.find("SRDO 1 consumer 0x103, safe within 56 ms of the last good pair"), std::string::npos)
+        EXPECT_NE(told.find("SRDO 1 consumer 0x103, safe within 61.5 ms of the last good pair"), std::string::npos)
             << told;
     }
 }

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace counterpoint
 {
 namespace
@@ -51,6 +53,27 @@ class Supervision : public ::testing::Test
     }
     LinkSupervisor link{};
 };
+
+// Given cycles of 10 ms that are each 5 ms late, when the last message that is taken answers what was said at any
+// instant between two cycles, then the link is lost within 40 + 15 ms, which is the computed limit.
+TEST_F(Supervision, LossIsFoundWithinTheLimitWheneverItBegins)
+{
+    Verifies(req::SRS_LNK_009);
+    std::uint32_t longest_us = 0U;
+    for (std::uint32_t place_us = 0U; place_us <= 15000U; place_us += 500U)
+    {
+        SetUp();
+        ASSERT_EQ(link.Take(Message(50U, 510000U, EchoOf(place_us)), Instant{15000U}), TakeResult::kTaken);
+        std::uint32_t now_us = 15000U;
+        while (link.IsAlive() && (now_us < 1000000U))
+        {
+            now_us += 15000U;
+            link.Examine(Instant{now_us});
+        }
+        longest_us = std::max(longest_us, now_us - place_us);
+    }
+    EXPECT_EQ(longest_us, 55000U);
+}
 
 // Given no contact, when messages without echo come, in any order, then nothing is taken, lost or a fault, and the
 // newest is echoed.

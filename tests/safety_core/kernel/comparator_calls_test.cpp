@@ -287,6 +287,7 @@ TEST_F(ComparatorLost, EveryMemberIsTurnedRoundWithinOneTestIntervalAnotherEachT
 TEST_F(ComparatorLost, BlindForOneMemberIsFoundWithinTheTestIntervalWheneverItBegins)
 {
     Verifies(req::SRS_CMP_009);
+    Verifies(req::SRS_LIM_002);
     for (std::uint32_t phase = 0U; phase < 45U; phase += 5U)
     {
         for (const Member& member : kMembers)

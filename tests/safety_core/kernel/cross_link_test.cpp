@@ -23,16 +23,17 @@ TEST_F(Rig, LostCrossLinkIsADeviceFault)
     EXPECT_EQ(application.faults[0], DeviceFault::kCrossLink);
 }
 
-// Given cycle 1 ms, output 2 ms and a link time-out of 40 ms, then the limit is 43 ms; without the time-out it counts
-// as 0.
+// Given cycle 1 ms with 0.5 ms of tolerance, output 2 ms and a link time-out of 40 ms, then the limit is 43.5 ms;
+// without the time-out there is none.
 TEST(ComputedLimit, CrossLinkAddsItsTimeout)
 {
     Verifies(req::SRS_LNK_009);
     DeviceConfig config{};
     config.cycle_us = 1000U;
+    config.cycle_tolerance_us = 500U;
     config.output_time_us = 2000U;
-    EXPECT_EQ(ComputeLimit(config, LinkTime{40000U}).us, 43000U);
-    EXPECT_EQ(ComputeLimit(config, SrdoTimes{50U, 20U}, FaultClass::kCrossLink).us, 3000U);
+    EXPECT_EQ(ComputeLimit(config, LinkTime{40000U}).us, 43500U);
+    EXPECT_EQ(ComputeLimit(config, SrdoTimes{50U, 20U}, FaultClass::kCrossLink).result, Result::kNotExist);
 }
 
 } // namespace

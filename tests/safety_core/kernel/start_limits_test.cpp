@@ -46,7 +46,7 @@ TEST_F(StartLimits, EveryTimeHasItsGreatestValue)
     HasUpperLimit(&DeviceConfig::clock_interval_us, 0x3FFFFFFFU);
     HasUpperLimit(&DeviceConfig::output_time_us, 0x3FFFFFFFU);
     HasUpperLimit(&DeviceConfig::clock_tolerance_us, 99999U); // Below the interval of 100 ms.
-    config.diagnostic_interval_us = 6000000U;
+    config.diagnostic_interval_us = 6003000U;
     config.test_interval_us = 15007500U;
     HasUpperLimit(&DeviceConfig::cycle_us, 1000000U);
 }
@@ -55,7 +55,7 @@ TEST_F(StartLimits, EveryTimeHasItsLeastValue)
 {
     Verifies(req::SRS_KRN_001);
     HasLowerLimit(&DeviceConfig::clock_interval_us, 201U);
-    HasLowerLimit(&DeviceConfig::diagnostic_interval_us, 6000U); // Two cycles for each of three SRDOs.
+    HasLowerLimit(&DeviceConfig::diagnostic_interval_us, 9000U); // Two late cycles for each of three SRDOs.
     HasLowerLimit(&DeviceConfig::test_interval_us, 22500U);      // 15 cycles of 1.5 ms.
     config.cycle_tolerance_us = 50U;
     HasLowerLimit(&DeviceConfig::cycle_us, 100U);
@@ -82,7 +82,7 @@ TEST_F(StartLimits, ToleranceMayBeAWholeCycleOfAnyLength)
             {
                 c.cycle_us = cycle_us;
                 c.cycle_tolerance_us = tolerance_us;
-                c.diagnostic_interval_us = 6000000U;
+                c.diagnostic_interval_us = 12000000U;
                 c.test_interval_us = 30000000U;
             });
     };

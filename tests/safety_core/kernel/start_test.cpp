@@ -181,11 +181,11 @@ TEST_F(Starting, EachTimeHasItsRange)
     refused([](DeviceConfig& c) { c.cycle_tolerance_us = 1001U; });
     refused([](DeviceConfig& c) { c.clock_interval_us = 200U; });
     refused([](DeviceConfig& c) { c.discrepancy_us = 0x40000000U; });
-    refused([](DeviceConfig& c) { c.diagnostic_interval_us = 5999U; });
+    refused([](DeviceConfig& c) { c.diagnostic_interval_us = 8999U; });
     refused([](DeviceConfig& c) { c.test_interval_us = 22499U; });
     config = good;
-    config.diagnostic_interval_us = 6000U;
-    config.test_interval_us = 22500U; // 15 cycles of 1.5 ms.
+    config.diagnostic_interval_us = 9000U; // Two cycles of 1.5 ms for each SRDO.
+    config.test_interval_us = 22500U;      // 15 cycles of 1.5 ms.
     EXPECT_EQ(Start(), StartResult::kStarted);
 }
 
