@@ -1,11 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "tools/bus_command.hpp"
-
 #include "canopen/cia306/text/input_error.hpp"
 #include "hal/host/live/address.hpp"
 #include "hal/host/live/socketcand/server.hpp"
 #include "runtime/console/json_text.hpp"
 #include "tools/command_line/options.hpp"
+#include "tools/command_table.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,9 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "tools/check_command.hpp"
-
 #include "canopen/cia306/check/check.hpp"
 #include "canopen/cia306/file/device_reader.hpp"
 #include "runtime/console/json_text.hpp"
+#include "tools/command_table.hpp"
 #include "tools/device_options.hpp"
 
 #include <algorithm>
@@ -20,14 +19,6 @@ std::size_t CountOf(const std::vector<cia306::Finding>& findings, const cia306::
     return static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(),
                                                   [severity](const cia306::Finding& finding)
                                                   { return finding.severity == severity; }));
-}
-
-nlohmann::ordered_json ToJson(const cia306::Finding& finding)
-{
-    return {{"severity", finding.severity == cia306::Severity::kError ? "error" : "warning"},
-            {"line", finding.line},
-            {"object", finding.object},
-            {"message", finding.text}};
 }
 
 class CheckCommand final : public Command
@@ -79,11 +70,7 @@ class CheckCommand final : public Command
                                       {"holds", errors == 0U},
                                       {"errors", errors},
                                       {"warnings", findings.size() - errors},
-                                      {"findings", nlohmann::ordered_json::array()}};
-        for (const cia306::Finding& finding : findings)
-        {
-            answer["findings"].push_back(ToJson(finding));
-        }
+                                      {"findings", ToJson(findings)}};
         out << runtime::JsonText(answer);
     }
 

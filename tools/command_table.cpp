@@ -1,15 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tools/command_table.hpp"
 
-#include "tools/bus_command.hpp"
-#include "tools/check_command.hpp"
 #include "tools/demo/command.hpp"
-#include "tools/generate_command.hpp"
-#include "tools/manager_command.hpp"
-#include "tools/monitor_command.hpp"
-#include "tools/node_command.hpp"
-#include "tools/sign_command.hpp"
-#include "tools/simulate_command.hpp"
 
 namespace counterpoint::tools
 {

@@ -24,6 +24,19 @@ std::optional<std::uint8_t> DeviceOptions::NodeId(const cia306::Device& device) 
     return node_id == 0 ? device.node_id : std::optional(static_cast<std::uint8_t>(node_id));
 }
 
+nlohmann::ordered_json ToJson(const std::vector<cia306::Finding>& findings)
+{
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (const cia306::Finding& finding : findings)
+    {
+        rows.push_back({{"severity", finding.severity == cia306::Severity::kError ? "error" : "warning"},
+                        {"line", finding.line},
+                        {"object", finding.object},
+                        {"message", finding.text}});
+    }
+    return rows;
+}
+
 ExitStatus RunOnDevice(const DeviceOptions& options, const Streams& streams, const std::function<ExitStatus()>& body)
 {
     try

@@ -9,8 +9,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace counterpoint::tools
 {
@@ -26,6 +28,9 @@ struct DeviceOptions
     /// The node-ID of the command line, else that of the file; nothing if neither has one.
     [[nodiscard]] std::optional<std::uint8_t> NodeId(const cia306::Device& device) const;
 };
+
+/// Findings as JSON.
+[[nodiscard]] nlohmann::ordered_json ToJson(const std::vector<cia306::Finding>& findings);
 
 /// Runs `body`. With --json an InputError is told as a JSON document too. [SRS_CLI_008]
 [[nodiscard]] ExitStatus RunOnDevice(const DeviceOptions& options, const Streams& streams,

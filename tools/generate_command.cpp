@@ -1,11 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "tools/generate_command.hpp"
-
 #include "canopen/cia306/check/check.hpp"
 #include "canopen/cia306/file/device_reader.hpp"
 #include "canopen/cia306/text/text_file.hpp"
 #include "canopen/generate/generate.hpp"
 #include "runtime/console/json_text.hpp"
+#include "tools/command_table.hpp"
 #include "tools/device_options.hpp"
 
 #include <algorithm>
@@ -150,14 +149,7 @@ class GenerateCommand final : public Command
             answer["memory_bytes"] = code.stored_bytes;
             answer["constant_bytes"] = code.constant_bytes;
         }
-        answer["findings"] = nlohmann::ordered_json::array();
-        for (const cia306::Finding& finding : findings)
-        {
-            answer["findings"].push_back({{"severity", IsError(finding) ? "error" : "warning"},
-                                          {"line", finding.line},
-                                          {"object", finding.object},
-                                          {"message", finding.text}});
-        }
+        answer["findings"] = ToJson(findings);
         out << runtime::JsonText(answer);
     }
 

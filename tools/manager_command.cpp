@@ -1,6 +1,4 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "tools/manager_command.hpp"
-
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/text_file.hpp"
 #include "hal/host/live/bus.hpp"
@@ -12,6 +10,7 @@
 #include "tools/command_line/options.hpp"
 
 #include "runtime/yaml/document.hpp"
+#include "tools/command_table.hpp"
 
 #include <ostream>
 #include <unistd.h>
@@ -72,10 +71,6 @@ class ManagerCommand final : public Command
         {
             streams.err << "counterpoint manager: --can: " << error.what() << "\n";
         }
-        catch (const runtime::YamlError& error)
-        {
-            streams.err << error.what() << "\n";
-        }
         return ExitStatus::kBadInput;
     }
 
@@ -104,15 +99,9 @@ class ManagerCommand final : public Command
             networks.push_back(std::make_unique<network_plan::LoadedNetwork>(runtime::ReadNetworkFile(file, node)));
             masters.push_back(networks.back().get());
         }
-        for (const std::string& warning : runtime::WarningsOf(masters))
-        {
-            streams.err << warning << "\n";
-        }
+        runtime::PrintLines(runtime::WarningsOf(masters), streams.err);
         const std::vector<std::string> lines = runtime::DifferencesOf(masters);
-        for (const std::string& line : lines)
-        {
-            streams.out << line << "\n";
-        }
+        runtime::PrintLines(lines, streams.out);
         return lines.empty() ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
     }
 
@@ -147,10 +136,7 @@ class ManagerCommand final : public Command
             return ExitStatus::kBadInput;
         }
         network_plan::LoadedNetwork net(runtime::ReadNetworkFile(network_, NodeId()));
-        for (const std::string& warning : net.Warnings())
-        {
-            streams.err << warning << "\n";
-        }
+        runtime::PrintLines(net.Warnings(), streams.err);
         RequireFiles(net);
         std::unique_ptr<host::LiveBus> bus = host::OpenLiveBus(address_);
         const std::unique_ptr<runtime::ManagerSocket> socket =

@@ -1,11 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "tools/monitor_command.hpp"
-
 #include "canopen/cia306/text/text_file.hpp"
 #include "canopen/monitor/decoder.hpp"
 #include "canopen/monitor/report.hpp"
 #include "canopen/monitor/texts.hpp"
 #include "runtime/console/json_text.hpp"
+#include "tools/command_table.hpp"
 #include "tools/device_options.hpp"
 #include "tools/monitor_live.hpp"
 

@@ -1,10 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "tools/node_command.hpp"
-
 #include "runtime/node/loop.hpp"
 #include "tools/command_line/options.hpp"
 
 #include "runtime/yaml/document.hpp"
+#include "tools/command_table.hpp"
 
 #include <ostream>
 #include <unistd.h>
@@ -71,10 +70,6 @@ class NodeCommand final : public Command
         catch (const host::LiveBusError& error)
         {
             streams.err << "counterpoint node: --can: " << error.what() << "\n";
-        }
-        catch (const runtime::YamlError& error)
-        {
-            streams.err << error.what() << "\n";
         }
         return ExitStatus::kBadInput;
     }

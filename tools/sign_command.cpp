@@ -1,6 +1,4 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "tools/sign_command.hpp"
-
 #include "canopen/cia306/file/device_reader.hpp"
 #include "canopen/cia306/safety/digest.hpp"
 #include "canopen/cia306/safety/safety_configuration.hpp"
@@ -8,6 +6,7 @@
 #include "canopen/cia306/safety/signing.hpp"
 #include "canopen/cia306/text/text_file.hpp"
 #include "runtime/console/json_text.hpp"
+#include "tools/command_table.hpp"
 #include "tools/device_options.hpp"
 
 #include <ostream>

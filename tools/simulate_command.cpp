@@ -1,6 +1,4 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "tools/simulate_command.hpp"
-
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/text_file.hpp"
 #include "runtime/console/output_files.hpp"
@@ -13,6 +11,7 @@
 #include "simulator/scenario/reader.hpp"
 #include "simulator/scenario/schema.hpp"
 #include "tools/command_line/options.hpp"
+#include "tools/command_table.hpp"
 
 #include <optional>
 #include <ostream>
@@ -64,15 +63,7 @@ class SimulateCommand final : public Command
             streams.err << "counterpoint simulate: no scenario, expected SCENARIO or --explain\n";
             return ExitStatus::kBadInput;
         }
-        try
-        {
-            return sweeps_.empty() ? Simulate(streams) : Sweep(streams);
-        }
-        catch (const runtime::YamlError& error)
-        {
-            streams.err << error.what() << "\n";
-            return ExitStatus::kBadInput;
-        }
+        return sweeps_.empty() ? Simulate(streams) : Sweep(streams);
     }
 
   private:
@@ -158,13 +149,8 @@ class SimulateCommand final : public Command
                                      streams.out);
         }
         WriteFiles(run);
-        for (const std::vector<std::string>& lines : {run.Findings(), run.FaultsWithoutEffect()})
-        {
-            for (const std::string& line : lines)
-            {
-                streams.err << line << "\n";
-            }
-        }
+        runtime::PrintLines(run.Findings(), streams.err);
+        runtime::PrintLines(run.FaultsWithoutEffect(), streams.err);
         if (!quiet_ || !run.Holds())
         {
             simulator::WriteVerdicts(run, streams.out);

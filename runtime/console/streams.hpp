@@ -3,7 +3,9 @@
 #define RUNTIME_CONSOLE_STREAMS_HPP
 
 #include <cstdint>
-#include <iosfwd>
+#include <ostream>
+#include <string>
+#include <vector>
 
 namespace counterpoint::runtime
 {
@@ -21,6 +23,15 @@ struct Streams
     std::ostream& out;
     std::ostream& err;
 };
+
+/// Writes each as a line.
+inline void PrintLines(const std::vector<std::string>& lines, std::ostream& out)
+{
+    for (const std::string& line : lines)
+    {
+        out << line << "\n";
+    }
+}
 } // namespace counterpoint::runtime
 
 #endif // RUNTIME_CONSOLE_STREAMS_HPP

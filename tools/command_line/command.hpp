@@ -13,9 +13,9 @@ class Options;
 using runtime::ExitStatus;
 using runtime::Streams;
 
-/// One command of the command line. A command lives in its own pair of files NAME_command.hpp, NAME_command.cpp with
-/// one function MakeNameCommand(), and has one row in tools/command_table.cpp; nothing else knows it. `demo` also has a
-/// folder and a program of its own, so that the first thing that people try is built fast.
+/// One command of the command line. A command lives in a file NAME_command.cpp of its own with one function
+/// MakeNameCommand(), which tools/command_table.hpp declares, and has one row in tools/command_table.cpp; nothing else
+/// knows it. `demo` has a folder and a program of its own, so that the first thing that people try is built fast.
 class Command
 {
   public:
@@ -26,7 +26,8 @@ class Command
 
     /// Adds options and positionals; `options` lives as long as the command.
     virtual void Describe(Options& options) = 0;
-    /// Called once, after the options were read. May throw cia306::InputError, which ends with kBadInput.
+    /// Called once, after the options were read. May throw cia306::InputError and runtime::YamlError, which end with
+    /// kBadInput.
     [[nodiscard]] virtual ExitStatus Run(const Streams& streams) = 0;
 };
 

@@ -2,6 +2,7 @@
 #include "tools/command_line/run.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
+#include "runtime/yaml/document.hpp"
 #include "tools/command_line/options.hpp"
 #include "version/version.hpp"
 
@@ -205,6 +206,10 @@ ExitStatus RunCommandLine(const std::vector<std::string>& arguments, const std::
         return Usage(app, table, error, streams);
     }
     catch (const cia306::InputError& error)
+    {
+        streams.err << error.what() << "\n";
+    }
+    catch (const runtime::YamlError& error)
     {
         streams.err << error.what() << "\n";
     }

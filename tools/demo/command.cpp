@@ -103,18 +103,10 @@ class DemoCommand final : public Command
 
     [[nodiscard]] ExitStatus Run(const Streams& streams) override
     {
-        try
-        {
-            RequireNames();
-            const std::vector<std::string> files =
-                ListScenarios(scenarios_.empty() ? FindScenarios() : std::vector<fs::path>{scenarios_});
-            return list_ ? List(files, streams) : Demonstrate(files, streams);
-        }
-        catch (const runtime::YamlError& error)
-        {
-            streams.err << error.what() << "\n";
-            return ExitStatus::kBadInput;
-        }
+        RequireNames();
+        const std::vector<std::string> files =
+            ListScenarios(scenarios_.empty() ? FindScenarios() : std::vector<fs::path>{scenarios_});
+        return list_ ? List(files, streams) : Demonstrate(files, streams);
     }
 
   private:
@@ -163,13 +155,8 @@ class DemoCommand final : public Command
         streams.out << "\n" << held << " of " << runs.size() << " runs as expected\n";
         for (const std::unique_ptr<simulator::Run>& run : runs)
         {
-            for (const std::vector<std::string>& lines : {run->Findings(), run->FaultsWithoutEffect()})
-            {
-                for (const std::string& line : lines)
-                {
-                    streams.err << line << "\n";
-                }
-            }
+            runtime::PrintLines(run->Findings(), streams.err);
+            runtime::PrintLines(run->FaultsWithoutEffect(), streams.err);
             if (!run->Holds())
             {
                 streams.out << "\n" << run->Setting().title << " (" << run->Setting().file << ")\n";
