@@ -12,39 +12,24 @@ ChannelTap::ChannelTap(Channel& real, const Part part, PartFaults& faults, Chann
 
 bool ChannelTap::IsStill() const noexcept
 {
-    const PartCondition& condition = faults_.Condition(part_);
-    if (!condition.is_faulty)
-    {
-        return false;
-    }
-    if (condition.kind == FaultKind::kHung)
-    {
-        faults_.Hang(condition);
-    }
-    if (condition.kind == FaultKind::kFrozen || condition.kind == FaultKind::kNotCalled)
-    {
-        faults_.HasEffect(condition);
-        return true;
-    }
-    return false;
+    const PartAnswer answer = faults_.AnswerOf(part_);
+    return answer == PartAnswer::kLast || answer == PartAnswer::kZero;
 }
 
 bool ChannelTap::IsMute() const noexcept
 {
-    const PartCondition& condition = faults_.Condition(part_);
-    return condition.is_faulty && condition.kind == FaultKind::kNotCalled;
+    return faults_.AnswerOf(part_) == PartAnswer::kZero;
 }
 
 bool ChannelTap::IsGood() const noexcept
 {
-    const PartCondition& condition = faults_.Condition(part_);
-    return condition.is_faulty && condition.kind == FaultKind::kAlwaysGood;
+    return faults_.AnswerOf(part_) == PartAnswer::kGood;
 }
 
 std::uint32_t ChannelTap::Calls(const ChannelCall call, const bool matters) noexcept
 {
     PartCondition& condition = faults_.Condition(part_);
-    const bool is_counted = condition.kind == FaultKind::kSkipped || condition.kind == FaultKind::kDoubled;
+    const bool is_counted = condition.kind == PartFault::kSkipped || condition.kind == PartFault::kDoubled;
     if (!condition.is_faulty || !is_counted || condition.call != call || condition.remaining == 0U)
     {
         return 1U;
@@ -54,7 +39,7 @@ std::uint32_t ChannelTap::Calls(const ChannelCall call, const bool matters) noex
         --condition.remaining;
         faults_.HasEffect(condition);
     }
-    return (condition.kind == FaultKind::kSkipped) ? 0U : 2U;
+    return (condition.kind == PartFault::kSkipped) ? 0U : 2U;
 }
 
 void ChannelTap::Restart(const DeviceConfig& config) noexcept

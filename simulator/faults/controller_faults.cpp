@@ -16,13 +16,28 @@ ControllerFaults::ControllerFaults(const FaultStage& stage, std::vector<FrameSel
 {
 }
 
-const FrameSelector* ControllerFaults::Hit(const FaultKind one, const FaultKind other, const CanFrame& frame,
-                                           const host::NodeIndex sender)
+ControllerFaults::Hold ControllerFaults::HoldOf(const FrameSelector& selector)
+{
+    switch (std::get<ControllerFault>(selector.Fault().kind))
+    {
+    case ControllerFault::kQueueFull:
+        return {Moment::kSubmit, host::SubmitFate::kQueueFull};
+    case ControllerFault::kSwallowed:
+        return {Moment::kSubmit, host::SubmitFate::kSwallowed};
+    case ControllerFault::kWireError:
+        return {Moment::kWire, host::SubmitFate::kQueued};
+    case ControllerFault::kConfirmation:
+        break;
+    }
+    return {Moment::kConfirmation, host::SubmitFate::kQueued};
+}
+
+const FrameSelector* ControllerFaults::Hit(const Moment moment, const CanFrame& frame, const host::NodeIndex sender)
 {
     const FrameSelector* hit = nullptr;
     for (FrameSelector& selector : selectors_)
     {
-        if (selector.Fault().kind != one && selector.Fault().kind != other)
+        if (HoldOf(selector).moment != moment)
         {
             continue;
         }
@@ -43,23 +58,19 @@ host::SubmitFate ControllerFaults::OnSubmit(CanFrame& frame, const host::NodeInd
     {
         return host::SubmitFate::kQueued;
     }
-    const FrameSelector* const hit = Hit(FaultKind::kQueueFull, FaultKind::kSwallowed, frame, sender);
-    if (hit == nullptr)
-    {
-        return host::SubmitFate::kQueued;
-    }
-    return (hit->Fault().kind == FaultKind::kQueueFull) ? host::SubmitFate::kQueueFull : host::SubmitFate::kSwallowed;
+    const FrameSelector* const hit = Hit(Moment::kSubmit, frame, sender);
+    return (hit == nullptr) ? host::SubmitFate::kQueued : HoldOf(*hit).fate;
 }
 
 host::WireHit ControllerFaults::OnWire(const host::FrameOnBus& sent)
 {
-    const FrameSelector* const hit = Hit(FaultKind::kWireError, FaultKind::kWireError, sent.frame, sent.sender);
+    const FrameSelector* const hit = Hit(Moment::kWire, sent.frame, sent.sender);
     return host::WireHit{(hit == nullptr) ? host::WireHit::kNone : std::uint16_t{hit->Fault().bit}};
 }
 
 void ControllerFaults::OnConfirmation(const host::FrameOnBus& sent, host::ReceptionList& receptions)
 {
-    const FrameSelector* const hit = Hit(FaultKind::kConfirmation, FaultKind::kConfirmation, sent.frame, sent.sender);
+    const FrameSelector* const hit = Hit(Moment::kConfirmation, sent.frame, sent.sender);
     if (hit == nullptr || receptions.IsEmpty())
     {
         return;

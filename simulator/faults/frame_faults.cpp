@@ -108,7 +108,7 @@ void FrameFaults::TellForeign(const host::FrameOnBus& sent, const NodeIndex rece
     for (std::size_t index = 0U; index < stage_.scenario.faults.size(); ++index)
     {
         const FaultSetup& fault = stage_.scenario.faults[index];
-        const bool is_masquerade = fault.kind == FaultKind::kMasquerade && fault.node == sender.node;
+        const bool is_masquerade = fault.kind == FaultKind(ForeignFault::kMasquerade) && fault.node == sender.node;
         if (is_masquerade && fault.identifier == sent.frame.identifier)
         {
             teller_.Tell(index, receiver, sent.frame.identifier, stage_.bus.Now());
@@ -119,45 +119,34 @@ void FrameFaults::TellForeign(const host::FrameOnBus& sent, const NodeIndex rece
 /// Whether the effect begins now; if not, it is told later.
 bool FrameFaults::Apply(const FrameSelector& selector, const host::NodeIndex receiver, host::ReceptionList& receptions)
 {
-    switch (selector.Fault().kind)
+    const FaultSetup& fault = selector.Fault();
+    host::Reception& first = receptions[0U];
+    switch (std::get<FrameFault>(fault.kind))
     {
-    case FaultKind::kRepetition:
+    case FrameFault::kCorruption:
+        return Corrupt(fault, first.frame);
+    case FrameFault::kRepetition:
         Repeat(selector, receiver, receptions);
         return false;
-    case FaultKind::kWrongSequence:
-        held_.push_back({receiver, selector.Index(), receptions[0U].frame});
+    case FrameFault::kWrongSequence:
+        held_.push_back({receiver, selector.Index(), first.frame});
         receptions.Clear();
         return false;
-    case FaultKind::kStoreAndForward:
-        Store(selector, receiver, receptions);
-        return true;
-    case FaultKind::kDuplicate:
-        return false;
-    default:
-        return Change(selector.Fault(), receptions);
-    }
-}
-
-bool FrameFaults::Change(const FaultSetup& fault, host::ReceptionList& receptions) const
-{
-    host::Reception& first = receptions[0U];
-    if (fault.kind == FaultKind::kCorruption)
-    {
-        return Corrupt(fault, first.frame);
-    }
-    if (fault.kind == FaultKind::kLoss)
-    {
+    case FrameFault::kLoss:
         receptions.Clear();
         return true;
-    }
-    if (fault.kind == FaultKind::kDelay)
-    {
+    case FrameFault::kDelay:
         first.delay += fault.by;
         return true;
+    case FrameFault::kAddressing:
+        return std::exchange(first.frame.identifier, fault.identifier) != fault.identifier;
+    case FrameFault::kStoreAndForward:
+        Store(selector, receiver, receptions);
+        return true;
+    case FrameFault::kDuplicate:
+        return false; // Sent by a controller of its own.
     }
-    const bool is_other = first.frame.identifier != fault.identifier;
-    first.frame.identifier = fault.identifier; // Addressing.
-    return is_other;
+    return false;
 }
 
 void FrameFaults::Repeat(const FrameSelector& selector, const host::NodeIndex receiver, host::ReceptionList& receptions)

@@ -64,7 +64,6 @@ class FrameFaults final : public host::BusFault
     void TellForeign(const host::FrameOnBus& sent, NodeIndex receiver);
     void ForForeign(const BusPlace& place, const host::FrameOnBus& sent, host::ReceptionList& receptions) const;
     [[nodiscard]] bool Apply(const FrameSelector& selector, host::NodeIndex receiver, host::ReceptionList& receptions);
-    [[nodiscard]] bool Change(const FaultSetup& fault, host::ReceptionList& receptions) const;
     void Repeat(const FrameSelector& selector, host::NodeIndex receiver, host::ReceptionList& receptions);
     void Store(const FrameSelector& selector, host::NodeIndex receiver, host::ReceptionList& receptions);
     void ReleaseHeld(host::NodeIndex receiver, host::ReceptionList& receptions);
@@ -92,9 +91,23 @@ class ControllerFaults final : public host::BusFault
     void OnConfirmation(const host::FrameOnBus& sent, host::ReceptionList& receptions) override;
 
   private:
-    /// @brief The first fault of these kinds that hits the frame; nullptr: none.
-    [[nodiscard]] const FrameSelector* Hit(FaultKind one, FaultKind other, const CanFrame& frame,
-                                           host::NodeIndex sender);
+    /// When a fault takes hold.
+    enum class Moment : std::uint8_t
+    {
+        kSubmit = 1U,
+        kWire = 2U,
+        kConfirmation = 3U,
+    };
+    /// What becomes of a frame that is submitted; of faults of later moments: nothing else.
+    struct Hold
+    {
+        Moment moment;
+        host::SubmitFate fate;
+    };
+
+    [[nodiscard]] static Hold HoldOf(const FrameSelector& selector);
+    /// @brief The first fault of this moment that hits the frame; nullptr: none.
+    [[nodiscard]] const FrameSelector* Hit(Moment moment, const CanFrame& frame, host::NodeIndex sender);
 
     FaultStage stage_;
     EffectTeller teller_;

@@ -6,155 +6,72 @@ namespace counterpoint::simulator
 namespace
 {
 // The language lets an explicit instantiation name private members. That is how a fault gets at the kernel's memory
-// without the kernel knowing: friend functions declared here, defined for each member named below.
-template <typename Tag, typename Tag::Member kMember> struct Opened
+// without the kernel knowing: each one below says, before the program begins, where a member is.
+template <typename Owner, typename Member, int kNumber = 0> Member Owner::* opened{};
+template <auto kMember, auto& kPlace> struct Opener
 {
-    friend typename Tag::Member Open(Tag tag)
-    {
-        static_cast<void>(tag);
-        return kMember;
-    }
+    static inline const bool kIsOpen = ((kPlace = kMember), true);
 };
-
-struct ContextTag
-{
-    using Member = KernelContext Kernel::*;
-    friend Member Open(ContextTag tag);
-};
-struct DecisionTag
-{
-    using Member = Decision Kernel::*;
-    friend Member Open(DecisionTag tag);
-};
-struct ProductionTag
-{
-    using Member = Production Kernel::*;
-    friend Member Open(ProductionTag tag);
-};
-struct FlowTag
-{
-    using Member = FlowMonitor Kernel::*;
-    friend Member Open(FlowTag tag);
-};
-struct ClocksTag
-{
-    using Member = ClockSupervisor Kernel::*;
-    friend Member Open(ClocksTag tag);
-};
-struct RunTag
-{
-    using Member = KernelRun Kernel::*;
-    friend Member Open(RunTag tag);
-};
-struct ComparatorTag
-{
-    using Member = Comparator Decision::*;
-    friend Member Open(ComparatorTag tag);
-};
-struct CommittedTag
-{
-    using Member = SrdoMask Decision::*;
-    friend Member Open(CommittedTag tag);
-};
-struct SelfTestTag
-{
-    using Member = ComparatorSelfTest Decision::*;
-    friend Member Open(SelfTestTag tag);
-};
-struct TestBegunTag
-{
-    using Member = Instant ComparatorSelfTest::*;
-    friend Member Open(TestBegunTag tag);
-};
-struct RequestsTag
-{
-    using Member = SrdoMask Production::*;
-    friend Member Open(RequestsTag tag);
-};
-struct NowTag
-{
-    using Member = Instant Production::*;
-    friend Member Open(NowTag tag);
-};
-struct GfcUntilTag
-{
-    using Member = Instant Production::*;
-    friend Member Open(GfcUntilTag tag);
-};
-struct GuardValidTag
-{
-    using Member = std::uint8_t ConfigurationGuard::*;
-    friend Member Open(GuardValidTag tag);
-};
-struct DiagnosisTag
-{
-    using Member = ConfigurationDiagnosis ConfigurationGuard::*;
-    friend Member Open(DiagnosisTag tag);
-};
-struct DiagnosisBegunTag
-{
-    using Member = Instant ConfigurationDiagnosis::*;
-    friend Member Open(DiagnosisBegunTag tag);
-};
-
-template struct Opened<ContextTag, &Kernel::context_>;
-template struct Opened<DecisionTag, &Kernel::decision_>;
-template struct Opened<ProductionTag, &Kernel::production_>;
-template struct Opened<FlowTag, &Kernel::flow_>;
-template struct Opened<ClocksTag, &Kernel::clocks_>;
-template struct Opened<RunTag, &Kernel::run_>;
-template struct Opened<ComparatorTag, &Decision::comparator_>;
-template struct Opened<CommittedTag, &Decision::committed_>;
-template struct Opened<SelfTestTag, &Decision::self_test_>;
-template struct Opened<TestBegunTag, &ComparatorSelfTest::begun_>;
-template struct Opened<RequestsTag, &Production::requests_>;
-template struct Opened<NowTag, &Production::now_>;
-template struct Opened<GfcUntilTag, &Production::gfc_until_>;
-template struct Opened<GuardValidTag, &ConfigurationGuard::valid_>;
-template struct Opened<DiagnosisTag, &ConfigurationGuard::diagnosis_>;
-template struct Opened<DiagnosisBegunTag, &ConfigurationDiagnosis::begun_>;
+template struct Opener<&Kernel::context_, opened<Kernel, KernelContext>>;
+template struct Opener<&Kernel::decision_, opened<Kernel, Decision>>;
+template struct Opener<&Kernel::production_, opened<Kernel, Production>>;
+template struct Opener<&Kernel::flow_, opened<Kernel, FlowMonitor>>;
+template struct Opener<&Kernel::clocks_, opened<Kernel, ClockSupervisor>>;
+template struct Opener<&Kernel::run_, opened<Kernel, KernelRun>>;
+template struct Opener<&Decision::comparator_, opened<Decision, Comparator>>;
+template struct Opener<&Decision::committed_, opened<Decision, SrdoMask>>;
+template struct Opener<&Decision::self_test_, opened<Decision, ComparatorSelfTest>>;
+template struct Opener<&ComparatorSelfTest::begun_, opened<ComparatorSelfTest, Instant>>;
+template struct Opener<&Production::requests_, opened<Production, SrdoMask>>;
+template struct Opener<&Production::now_, opened<Production, Instant>>;
+template struct Opener<&Production::gfc_until_, opened<Production, Instant, 1>>;
+template struct Opener<&ConfigurationGuard::valid_, opened<ConfigurationGuard, std::uint8_t>>;
+template struct Opener<&ConfigurationGuard::diagnosis_, opened<ConfigurationGuard, ConfigurationDiagnosis>>;
+template struct Opener<&ConfigurationDiagnosis::begun_, opened<ConfigurationDiagnosis, Instant>>;
 
 template <typename Object> MemoryPiece PieceOf(Object& object)
 {
     return {reinterpret_cast<std::uint8_t*>(&object), sizeof(object)};
 }
 
-std::vector<MemoryPiece> StateOf(Kernel& kernel)
-{
-    KernelRun& run = kernel.*Open(RunTag{});
-    Decision& decision = kernel.*Open(DecisionTag{});
-    Production& production = kernel.*Open(ProductionTag{});
-    ComparatorSelfTest& self_test = decision.*Open(SelfTestTag{});
-    return {PieceOf(decision.*Open(CommittedTag{})),
-            PieceOf(production.*Open(RequestsTag{})),
-            PieceOf(production.*Open(NowTag{})),
-            PieceOf(production.*Open(GfcUntilTag{})),
-            PieceOf(run.cycle),
-            PieceOf(self_test.*Open(TestBegunTag{})),
-            PieceOf(run.queue)};
-}
 } // namespace
 
 std::vector<MemoryPiece> PiecesOf(const Part part, Kernel& kernel)
 {
-    switch (part)
+    KernelContext& context = kernel.*opened<Kernel, KernelContext>;
+    Decision& decision = kernel.*opened<Kernel, Decision>;
+    if (part == Part::kLatch)
     {
-    case Part::kLatch:
-        return {PieceOf((kernel.*Open(ContextTag{})).latch)};
-    case Part::kComparator:
-        return {PieceOf(kernel.*Open(DecisionTag{}).*Open(ComparatorTag{}))};
-    case Part::kFlowMonitor:
-        return {PieceOf(kernel.*Open(FlowTag{}))};
-    case Part::kClocks:
-        return {PieceOf(kernel.*Open(ClocksTag{}))};
-    case Part::kGuard:
+        return {PieceOf(context.latch)};
+    }
+    if (part == Part::kComparator)
     {
-        ConfigurationGuard& guard = (kernel.*Open(ContextTag{})).guard;
-        return {PieceOf(guard.*Open(GuardValidTag{})), PieceOf(guard.*Open(DiagnosisTag{}).*Open(DiagnosisBegunTag{}))};
+        return {PieceOf(decision.*opened<Decision, Comparator>)};
     }
-    default:
-        return StateOf(kernel);
+    if (part == Part::kFlowMonitor)
+    {
+        return {PieceOf(kernel.*opened<Kernel, FlowMonitor>)};
     }
+    if (part == Part::kClocks)
+    {
+        return {PieceOf(kernel.*opened<Kernel, ClockSupervisor>)};
+    }
+    if (part == Part::kGuard)
+    {
+        ConfigurationDiagnosis& diagnosis = context.guard.*opened<ConfigurationGuard, ConfigurationDiagnosis>;
+        return {PieceOf(context.guard.*opened<ConfigurationGuard, std::uint8_t>),
+                PieceOf(diagnosis.*opened<ConfigurationDiagnosis, Instant>)};
+    }
+    KernelRun& run = kernel.*opened<Kernel, KernelRun>;
+    Production& production = kernel.*opened<Kernel, Production>;
+    ComparatorSelfTest& self_test = decision.*opened<Decision, ComparatorSelfTest>;
+    return {PieceOf(decision.*opened<Decision, SrdoMask>),
+            PieceOf(production.*opened<Production, SrdoMask>),
+            PieceOf(production.*opened<Production, Instant>),
+            PieceOf(production.*opened<Production, Instant, 1>),
+            PieceOf(run.cycle),
+            PieceOf(self_test.*opened<ComparatorSelfTest, Instant>),
+            PieceOf(run.queue)};
 }
 
 std::vector<MemoryPiece> PiecesOf(const Part part, runtime::DeviceModel& model, const std::uint8_t srdo)

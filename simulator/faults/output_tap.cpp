@@ -31,15 +31,11 @@ Permit OutputTap::Spoiled(const Part part, const Permit& given, const Permit& be
         return given;
     }
     faults_.HasEffect(condition);
-    switch (condition.how)
+    if (condition.how == Wrongness::kWrong)
     {
-    case Wrongness::kWrong:
         return {given.mask, given.response ^ 1U};
-    case Wrongness::kOld:
-        return before;
-    default:
-        return {0U, 0U};
     }
+    return (condition.how == Wrongness::kOld) ? before : Permit{0U, 0U};
 }
 
 void OutputTap::Drive(const hal::PermitSet& permits) noexcept

@@ -9,7 +9,7 @@ void PartFaults::Begin(const FaultSetup& fault, const std::size_t index)
 {
     PartCondition& condition = Condition(fault.part);
     condition.is_faulty = true;
-    condition.kind = fault.kind;
+    condition.kind = std::get<PartFault>(fault.kind);
     condition.call = fault.call;
     condition.how = fault.how;
     condition.remaining = fault.times;
@@ -33,7 +33,7 @@ void PartFaults::PowerOff() noexcept
 {
     for (PartCondition& condition : conditions_)
     {
-        if (condition.kind == FaultKind::kHung)
+        if (condition.kind == PartFault::kHung)
         {
             condition = PartCondition{};
         }
@@ -54,10 +54,35 @@ void PartFaults::HasEffect(const PartCondition& condition) noexcept
     }
 }
 
-void PartFaults::Hang(const PartCondition& condition) noexcept
+PartAnswer PartFaults::AnswerOf(const Part part) noexcept
 {
-    HasEffect(condition);
-    std::longjmp(way_out_, 1);
+    const PartCondition& condition = Condition(part);
+    if (!condition.is_faulty)
+    {
+        return PartAnswer::kOwn;
+    }
+    switch (condition.kind)
+    {
+    case PartFault::kSkipped:
+    case PartFault::kDoubled:
+        return PartAnswer::kOwn; // Counted where calls can be left out: ChannelTap.
+    case PartFault::kFrozenInput:
+    case PartFault::kPermit:
+    case PartFault::kWatchdog:
+        return PartAnswer::kOwn; // Whoever asks such a part looks at its condition.
+    case PartFault::kHung:
+        HasEffect(condition);
+        std::longjmp(way_out_, 1);
+    case PartFault::kFrozen:
+        HasEffect(condition);
+        return PartAnswer::kLast;
+    case PartFault::kNotCalled:
+        HasEffect(condition);
+        return PartAnswer::kZero;
+    case PartFault::kAlwaysGood:
+        return PartAnswer::kGood;
+    }
+    return PartAnswer::kOwn;
 }
 
 void PartFaults::Trap() noexcept

@@ -13,12 +13,20 @@
 
 namespace counterpoint::simulator
 {
+/// What a call of a part answers.
+enum class PartAnswer : std::uint8_t
+{
+    kOwn = 1U,  ///< It runs.
+    kLast = 2U, ///< It does not run, and says what it said last.
+    kZero = 3U, ///< The same, with zeros.
+    kGood = 4U, ///< What a healthy part says for which nothing is wrong.
+};
 
 /// The fault that one part of a node has at present, if any.
 struct PartCondition
 {
     bool is_faulty{false};
-    FaultKind kind{FaultKind::kFrozen};
+    PartFault kind{PartFault::kFrozen};
     ChannelCall call{ChannelCall::kOnCycle};
     Wrongness how{Wrongness::kNone};
     std::uint32_t remaining{0U}; ///< Calls that are still to be skipped or doubled.
@@ -35,9 +43,9 @@ class PartFaults
     void Begin(const FaultSetup& fault, std::size_t index);
     /// @brief The fault ends.
     void End(const FaultSetup& fault);
-    /// @brief Sets the time of effects.
     /// @brief Supply off: calls that hang return again after the next start.
     void PowerOff() noexcept;
+    /// @brief Sets the time of effects.
     void SetNow(Nanoseconds now) noexcept;
 
     /// @brief The condition of a part.
@@ -45,13 +53,15 @@ class PartFaults
     {
         return conditions_[static_cast<std::size_t>(part)];
     }
+    /// @brief What a call of the part answers now. A part that does not run has an effect by it; from one that hangs it
+    /// does not return.
+    [[nodiscard]] PartAnswer AnswerOf(Part part) noexcept;
     /// @brief The fault changes something now. The first time is remembered.
     void HasEffect(const PartCondition& condition) noexcept;
-    /// @brief Leaves the running call and all its callers for good: the node stands still. [SRS_SIM_025]
-    [[noreturn]] void Hang(const PartCondition& condition) noexcept;
-    /// @brief Leaves the running call in the same way, as an exception of the processor does. [SRS_SIM_055]
+    /// @brief Leaves the running call and all its callers for good, as an exception of the processor does.
+    /// [SRS_SIM_055]
     [[noreturn]] void Trap() noexcept;
-    /// @brief Where Hang and Trap lead to.
+    /// @brief Where Trap, and a call that hangs, lead to: the node stands still. [SRS_SIM_025]
     [[nodiscard]] std::jmp_buf& WayOut() noexcept;
     /// @brief The time of effects.
     [[nodiscard]] Nanoseconds Now() const noexcept

@@ -98,52 +98,56 @@ std::uint64_t SupervisorTap::Intercepted(const Part part) noexcept
     return intercepted[static_cast<std::size_t>(part)];
 }
 
-bool SupervisorTap::IsStill(const Part part) noexcept
+PartAnswer SupervisorTap::AnswerOf(const Part part) noexcept
 {
     ++intercepted[static_cast<std::size_t>(part)];
-    const PartCondition& condition = faults_.Condition(part);
-    if (!condition.is_faulty)
+    const PartAnswer answer = faults_.AnswerOf(part);
+    if (answer == PartAnswer::kGood)
     {
-        return false;
+        faults_.HasEffect(faults_.Condition(part));
     }
-    if (condition.kind == FaultKind::kHung)
+    return answer;
+}
+
+template <typename Said, typename Real, typename Good>
+Said SupervisorTap::Told(const Part part, Said& last, const Real& real, const Good& good) noexcept
+{
+    switch (AnswerOf(part))
     {
-        faults_.Hang(condition);
+    case PartAnswer::kOwn:
+        last = real();
+        return last;
+    case PartAnswer::kLast:
+        return last;
+    case PartAnswer::kZero:
+        return Said{};
+    case PartAnswer::kGood:
+        break;
     }
-    faults_.HasEffect(condition);
-    return true;
+    return good();
 }
 
 Verdict SupervisorTap::Compare(Comparator& self, const Comparison& comparison) noexcept
 {
-    if (!IsStill(Part::kComparator))
-    {
-        verdict_ = RealCompare(self, comparison);
-        return verdict_;
-    }
-    const FaultKind kind = faults_.Condition(Part::kComparator).kind;
-    if (kind == FaultKind::kNotCalled)
-    {
-        return Verdict{};
-    }
-    if (kind == FaultKind::kAlwaysGood)
-    {
-        // Fresh echo and all: whatever channel A releases is agreed and matched.
-        Verdict good{};
-        good.agreement = {comparison.outcome_a->released, ~SrdoMask{0U}};
-        good.start = comparison.outcome_a->due;
-        good.newly_matched = comparison.outcome_a->fresh;
-        good.echo = comparison.challenge;
-        good.fault = DeviceFault::kNone;
-        good.slot = kNoSlot;
-        return good;
-    }
-    return verdict_;
+    return Told(
+        Part::kComparator, verdict_, [&]() { return RealCompare(self, comparison); },
+        [&comparison]()
+        {
+            // Fresh echo and all: whatever channel A releases is agreed and matched.
+            Verdict good{};
+            good.agreement = {comparison.outcome_a->released, ~SrdoMask{0U}};
+            good.start = comparison.outcome_a->due;
+            good.newly_matched = comparison.outcome_a->fresh;
+            good.echo = comparison.challenge;
+            good.fault = DeviceFault::kNone;
+            good.slot = kNoSlot;
+            return good;
+        });
 }
 
 void SupervisorTap::FlowBegin(FlowMonitor& self) noexcept
 {
-    if (!IsStill(Part::kFlowMonitor))
+    if (AnswerOf(Part::kFlowMonitor) == PartAnswer::kOwn)
     {
         RealFlowBegin(self);
     }
@@ -151,7 +155,7 @@ void SupervisorTap::FlowBegin(FlowMonitor& self) noexcept
 
 void SupervisorTap::FlowMark(FlowMonitor& self, const FlowStep step, const FlowEvidence& evidence) noexcept
 {
-    if (!IsStill(Part::kFlowMonitor))
+    if (AnswerOf(Part::kFlowMonitor) == PartAnswer::kOwn)
     {
         RealFlowMark(self, step, evidence);
     }
@@ -159,38 +163,16 @@ void SupervisorTap::FlowMark(FlowMonitor& self, const FlowStep step, const FlowE
 
 hal::WatchdogAnswer SupervisorTap::FlowEnd(FlowMonitor& self, const hal::WatchdogQuestion& question) noexcept
 {
-    if (!IsStill(Part::kFlowMonitor))
-    {
-        answer_ = RealFlowEnd(self, question);
-        return answer_;
-    }
-    switch (faults_.Condition(Part::kFlowMonitor).kind)
-    {
-    case FaultKind::kNotCalled:
-        return hal::WatchdogAnswer{0U};
-    case FaultKind::kAlwaysGood:
-        return hal::WatchdogAnswer{(hal::kFlowReference + question.value) * hal::kWatchdogConstant};
-    default:
-        return answer_;
-    }
+    return Told(
+        Part::kFlowMonitor, answer_, [&]() { return RealFlowEnd(self, question); },
+        [&question]() { return hal::WatchdogAnswer{(hal::kFlowReference + question.value) * hal::kWatchdogConstant}; });
 }
 
 std::uint32_t SupervisorTap::GuardCycle(ConfigurationGuard& self, const std::uint32_t challenge,
                                         const Instant now) noexcept
 {
-    if (!IsStill(Part::kGuard))
-    {
-        token_ = RealGuardCycle(self, challenge, now);
-        return token_;
-    }
-    switch (faults_.Condition(Part::kGuard).kind)
-    {
-    case FaultKind::kNotCalled:
-        return 0U;
-    case FaultKind::kAlwaysGood:
-        return ((challenge << 8U) | (challenge >> 24U)) ^ kValidToken;
-    default:
-        return token_;
-    }
+    return Told(
+        Part::kGuard, token_, [&]() { return RealGuardCycle(self, challenge, now); },
+        [challenge]() { return ((challenge << 8U) | (challenge >> 24U)) ^ kValidToken; });
 }
 } // namespace counterpoint::simulator

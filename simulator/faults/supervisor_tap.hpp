@@ -43,8 +43,10 @@ class SupervisorTap
     [[nodiscard]] std::uint32_t GuardCycle(ConfigurationGuard& self, std::uint32_t challenge, Instant now) noexcept;
 
   private:
-    /// @brief Whether the part is not to be called; one that hangs does not return from here.
-    [[nodiscard]] bool IsStill(Part part) noexcept;
+    [[nodiscard]] PartAnswer AnswerOf(Part part) noexcept;
+    /// @brief What the part says: by itself, or by its fault.
+    template <typename Said, typename Real, typename Good>
+    [[nodiscard]] Said Told(Part part, Said& last, const Real& real, const Good& good) noexcept;
 
     PartFaults& faults_;
     Verdict verdict_{};

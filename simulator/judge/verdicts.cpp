@@ -18,7 +18,7 @@ FaultClass LimitClassOf(const Scenario& scenario, const Expectation& expectation
 {
     const FaultSetup& fault = scenario.faults[expectation.fault];
     const FaultClass row = (expectation.fault_class == FaultClass::kInvalid) ? ClassOf(fault) : expectation.fault_class;
-    if (expectation.fault_class != FaultClass::kInvalid || fault.kind != FaultKind::kBitFlip)
+    if (expectation.fault_class != FaultClass::kInvalid || fault.kind != FaultKind(NodeFault::kBitFlip))
     {
         return row;
     }
@@ -294,7 +294,8 @@ class Judgement
     {
         const FaultSetup& fault = scenario_.faults[measurement.fault];
         const bool is_one = fault.hits_counter_a != fault.hits_counter_b;
-        if (measurement.fault_class != FaultClass::kClock || fault.kind != FaultKind::kClock || fault.jump || !is_one)
+        if (measurement.fault_class != FaultClass::kClock || fault.kind != FaultKind(NodeFault::kClock) || fault.jump ||
+            !is_one)
         {
             return 0;
         }
@@ -320,7 +321,7 @@ class Judgement
         // Bits of a normal frame are wrong only beside the inverse frame that follows.
         const bool is_chosen = !fault.frames.identifiers.empty() || fault.frames.srdo_of;
         const bool is_normal = is_chosen && ChoosesNormal(fault.frames);
-        const bool waits = fault.kind == FaultKind::kCorruption && !fault.length && is_normal;
+        const bool waits = fault.kind == FaultKind(FrameFault::kCorruption) && !fault.length && is_normal;
         if (waits && closed.inverse >= measurement.effect)
         {
             return closed.inverse;
@@ -440,7 +441,7 @@ Nanoseconds LimitOf(const Scenario& scenario, const Expectation& expectation, co
         times = (srdo.number == expectation.srdo) ? srdo.times : times;
     }
     const FaultSetup& fault = scenario.faults[expectation.fault];
-    const bool is_peers_clock = fault_class == FaultClass::kClock && fault.kind == FaultKind::kClock &&
+    const bool is_peers_clock = fault_class == FaultClass::kClock && fault.kind == FaultKind(NodeFault::kClock) &&
                                 scenario.nodes[fault.node].role != runtime::CpuRole::kWhole;
     if (fault_class == FaultClass::kCrossLink || is_peers_clock)
     {

@@ -12,17 +12,6 @@ namespace
 {
 constexpr Nanoseconds kMostSwitches = 100000; ///< How often an intermittent fault may come and go.
 
-bool IsOfPart(const FaultSetup& fault)
-{
-    return fault.part != Part::kNone && fault.kind != FaultKind::kBitFlip && fault.kind != FaultKind::kStuckBit;
-}
-
-bool IsOfController(const FaultSetup& fault)
-{
-    return fault.kind == FaultKind::kBusOff || fault.kind == FaultKind::kUnplugged ||
-           fault.kind == FaultKind::kQueueOverflow;
-}
-
 /// Whether two faults would work on the same part, counter, object or controller.
 bool HitTheSame(const FaultSetup& one, const FaultSetup& other)
 {
@@ -30,25 +19,29 @@ bool HitTheSame(const FaultSetup& one, const FaultSetup& other)
     {
         return false;
     }
-    if (IsOfPart(one) && IsOfPart(other))
+    if (std::holds_alternative<PartFault>(one.kind) && std::holds_alternative<PartFault>(other.kind))
     {
         const bool is_second = one.second_part != Part::kNone && one.second_part == other.second_part;
         return one.part == other.part || one.part == other.second_part || one.second_part == other.part || is_second;
     }
-    if (IsOfController(one) && IsOfController(other))
-    {
-        return one.controller == 0U || other.controller == 0U || one.controller == other.controller;
-    }
-    if (one.kind != other.kind)
+    const Claim claim = RowOf(one.kind).claim;
+    if (claim != RowOf(other.kind).claim)
     {
         return false;
     }
-    const bool is_counter =
-        (one.hits_counter_a && other.hits_counter_a) || (one.hits_counter_b && other.hits_counter_b);
-    const bool is_rate = one.kind == FaultKind::kClock && !one.jump && !other.jump && is_counter;
-    const bool is_object = one.kind == FaultKind::kNotInverse && one.object.index == other.object.index &&
-                           one.object.sub == other.object.sub;
-    return is_rate || is_object;
+    switch (claim)
+    {
+    case Claim::kNothing:
+        return false;
+    case Claim::kController:
+        return one.controller == 0U || other.controller == 0U || one.controller == other.controller;
+    case Claim::kRate:
+        return !one.jump && !other.jump &&
+               ((one.hits_counter_a && other.hits_counter_a) || (one.hits_counter_b && other.hits_counter_b));
+    case Claim::kObject:
+        return one.object.index == other.object.index && one.object.sub == other.object.sub;
+    }
+    return false;
 }
 
 void RequireApart(const Scenario& scenario)

@@ -2,9 +2,10 @@
 #ifndef SIMULATOR_SCENARIO_FIELDS_HPP
 #define SIMULATOR_SCENARIO_FIELDS_HPP
 
-#include "simulator/scenario/scenario.hpp"
 #include "simulator/scenario/schema.hpp"
 #include "simulator/scenario/values.hpp"
+
+#include "safety_core/kernel/object_access.hpp"
 
 #include <cstdint>
 #include <limits>

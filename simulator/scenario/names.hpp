@@ -2,12 +2,15 @@
 #ifndef SIMULATOR_SCENARIO_NAMES_HPP
 #define SIMULATOR_SCENARIO_NAMES_HPP
 
+#include "canopen/cia301/nmt/command.hpp"
 #include "runtime/device/names.hpp"
-#include "simulator/scenario/fault_kinds.hpp"
-#include "simulator/scenario/fields.hpp"
-#include "simulator/scenario/scenario.hpp"
+#include "simulator/scenario/kinds.hpp"
+#include "simulator/scenario/values.hpp"
 
+#include "safety_core/contract/can_frame.hpp"
+#include "safety_core/contract/channel.hpp"
 #include "safety_core/crosslink/link_supervisor.hpp"
+#include "safety_core/kernel/limits.hpp"
 
 #include <cstddef>
 #include <string>
@@ -189,15 +192,6 @@ inline constexpr Word<ConfigField> kConfigFieldWords[] = {
     {"configuration_valid", ConfigField::kConfigurationValid},
 };
 
-/// The word of a kind of fault; so are the three below for their types.
-[[nodiscard]] inline const char* Name(const FaultKind kind) noexcept
-{
-    return RowOf(kind).text;
-}
-[[nodiscard]] inline const char* Name(const Part part) noexcept
-{
-    return NameOf(kPartWords, part);
-}
 [[nodiscard]] inline const char* Name(const Party party) noexcept
 {
     return NameOf(kPartyWords, party);

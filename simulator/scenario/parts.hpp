@@ -31,23 +31,6 @@ void ReadNodes(const YamlValue& value, Scenario& scenario);
 [[nodiscard]] NodeIndex CpuNamed(const Scenario& scenario, const YamlValue& name);
 /// Whether the key `node` of an item names a device with two CPUs.
 [[nodiscard]] bool NamesBothCpus(const Scenario& scenario, const YamlValue& item);
-/// Reads the keys `at`, `until`, `on` and `off`.
-void ReadSpan(Fields& fields, FaultSetup& fault);
-/// Reads the keys that choose the n-th, every n-th, so many, and by chance.
-void ReadTurns(Fields& fields, FrameChoice& choice);
-/// Reads the key `bits`: one or more. Throws YamlError.
-template <typename Bit> void ReadBits(Fields& fields, std::vector<Bit>& bits)
-{
-    fields.Need("bits", bits);
-    if (bits.empty())
-    {
-        fields.Require("bits").Refuse("an empty list", "one bit or more");
-    }
-}
-/// Reads the keys of a fault of a node, beside kind and name.
-void ReadNodeFault(Fields& fields, const Scenario& scenario, FaultSetup& fault);
-/// Reads the keys of a fault of the link between two CPUs, beside kind and name.
-void ReadLinkFault(Fields& fields, const Scenario& scenario, FaultSetup& fault);
 /// Reads the keys of an expectation about a network.
 void ReadOfNetwork(Fields& fields, const Scenario& scenario, Expectation& expectation);
 /// Adds an action of its own for each controller that comes back.

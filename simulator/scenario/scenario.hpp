@@ -16,16 +16,12 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace counterpoint::simulator
 {
-using NodeIndex = std::size_t;
-constexpr NodeIndex kNoNode = std::numeric_limits<NodeIndex>::max();
-
 /// One counter of a node.
 struct CounterSetup
 {
@@ -113,80 +109,6 @@ struct GfcEvent
     Source source;
 };
 
-/// Chooses frames. A fault hits the frames that fit, from the `first`-th one on, every `every`-th, at most `count` of
-/// them.
-struct FrameChoice
-{
-    std::vector<std::uint32_t> identifiers; ///< None: any.
-    std::optional<NodeIndex> srdo_of;       ///< The frames of SRDO `srdo` of this node, both or one of them.
-    std::uint8_t srdo{0U};
-    bool has_normal{true};
-    bool has_inverse{true};
-    std::optional<NodeIndex> sender;
-    std::optional<NodeIndex> receiver; ///< None: for all receivers.
-    std::uint32_t controller{0U};      ///< Controller of the receiver; 0: each.
-    Nanoseconds from{0};
-    Nanoseconds until{kNever};
-    Nanoseconds on{0}; ///< 0: all the time.
-    Nanoseconds off{0};
-    std::uint32_t first{1U};
-    std::uint32_t every{1U};
-    std::uint32_t count{1U};
-    std::uint32_t probability_ppm{1000000U};
-};
-
-/// One fault. Which members are used follows from its kind.
-struct FaultSetup
-{
-    FaultKind kind{FaultKind::kLoss};
-    std::string name; ///< Shown to people.
-    Source source;
-    FrameChoice frames; ///< Bus faults.
-    // Everything else: what, where, when.
-    Nanoseconds at{0};
-    Nanoseconds until{kNever};
-    Nanoseconds on{0}; ///< Comes and goes: there for `on`, gone for `off`; 0: there all the time.
-    Nanoseconds off{0};
-    bool is_optional{false}; ///< It may be that it never has an effect.
-    NodeIndex node{kNoNode};
-    std::uint32_t controller{0U}; ///< 0: each.
-    Part part{Part::kNone};
-    Part second_part{Part::kNone}; ///< Where one cause hits two.
-    Wrongness how{Wrongness::kNone};
-    ChannelCall call{ChannelCall::kOnCycle};
-    // Corruption.
-    std::vector<std::uint8_t> bits;     ///< Numbered from bit 0 of byte 0.
-    std::optional<std::uint8_t> length; ///< Frame length instead of the true one.
-    // Repetition, delay, early and late cycle.
-    std::uint32_t times{1U};
-    Nanoseconds by{0};
-    // Insertion and masquerade; `identifier` also of addressing.
-    std::uint32_t identifier{0U};
-    FrameKind frame_kind{FrameKind::kData};
-    std::vector<std::uint8_t> data;
-    // Bit flip.
-    std::optional<std::uint32_t> offset;
-    std::uint8_t bit{0U};
-    bool level{false};                   ///< Level of a stuck bit.
-    std::optional<ConfigAddress> config; ///< `slot` holds the SRDO number here.
-    std::uint8_t srdo{0U};               ///< Of a setup or safe value; 0: any.
-    // Clock.
-    bool hits_counter_a{false};
-    bool hits_counter_b{false};
-    std::int32_t rate_ppm{0};        ///< Instead of the drift; -10^6 stops the counter.
-    std::optional<Nanoseconds> jump; ///< Instead of another rate.
-    // Link between two CPUs: `frames` has window, turn and chance; `node` is CPU A.
-    bool hits_from_a{true};
-    bool hits_from_b{true};
-    std::uint32_t back{0U}; ///< For an insertion: which message before; 0: noise.
-    std::vector<std::uint32_t> message_bits;
-    // Store and forward; reception queue.
-    Nanoseconds gap{0};
-    std::uint32_t capacity{1U};
-    // Application.
-    ObjectAddress object{0U, 0U};
-};
-
 /// A manager of the network.
 struct ManagerSetup
 {
@@ -264,17 +186,6 @@ struct Scenario
     std::vector<FaultSetup> faults;
     std::vector<Expectation> expectations;
 };
-
-/// Whether normal frames, which have odd identifiers, are among the chosen frames.
-[[nodiscard]] inline bool ChoosesNormal(const FrameChoice& choice)
-{
-    bool is_odd = choice.identifiers.empty() && choice.has_normal;
-    for (const std::uint32_t identifier : choice.identifiers)
-    {
-        is_odd = is_odd || (identifier & 1U) != 0U;
-    }
-    return is_odd;
-}
 } // namespace counterpoint::simulator
 
 #endif // SIMULATOR_SCENARIO_SCENARIO_HPP

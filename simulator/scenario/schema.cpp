@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "simulator/scenario/schema.hpp"
 
+#include "simulator/scenario/fault_kinds.hpp"
 #include "simulator/scenario/network_names.hpp"
 
 #include <algorithm>
@@ -13,12 +14,17 @@ namespace
 {
 std::vector<SectionSpec> Joined()
 {
-    std::vector<SectionSpec> all;
-    for (const auto* const part : {&kWorldSections, &kFrameFaultSections, &kNodeFaultSections, &kLinkFaultSections,
-                                   &kExpectationSections, &kNetworkSections})
+    std::vector<SectionSpec> all = kWorldSections;
+    for (const FaultSection& section : kFaultSections)
     {
-        all.insert(all.end(), part->begin(), part->end());
+        all.push_back({section.name,
+                       section.title,
+                       section.parent,
+                       section.meaning,
+                       {section.keys.begin(), section.keys.begin() + section.count}});
     }
+    all.insert(all.end(), kExpectationSections.begin(), kExpectationSections.end());
+    all.insert(all.end(), kNetworkSections.begin(), kNetworkSections.end());
     return all;
 }
 
@@ -91,11 +97,6 @@ SectionSpec Section(const char* const name, const char* const title, const char*
                     std::vector<KeySpec> keys)
 {
     return {name, title, nullptr, meaning, std::move(keys)};
-}
-
-SectionSpec Kind(const char* const name, const char* const parent, const char* const meaning, std::vector<KeySpec> keys)
-{
-    return {name, "a fault", parent, meaning, std::move(keys)};
 }
 
 SectionSpec Expected(const char* const name, const char* const meaning, std::vector<KeySpec> keys)

@@ -35,11 +35,16 @@ enum class ValueType : std::uint8_t
 };
 
 using WordList = std::string (*)();
+class Fields;
+struct Scenario;
+struct FaultSetup;
+/// Takes the value of a key of a fault. Throws YamlError.
+using FaultKeyReader = void(Fields& fields, const char* key, const Scenario& scenario, FaultSetup& fault);
 
 /// What the value of a key looks like. Most types need nothing more; the functions below make the others.
 struct Shape
 {
-    constexpr Shape(const ValueType type_, const Range& range_ = {}, const WordList words_ = nullptr,
+    constexpr Shape(const ValueType type_ = ValueType::kText, const Range& range_ = {}, const WordList words_ = nullptr,
                     const char* const section_ = nullptr)
         : type(type_), range(range_), words(words_), section(section_)
     {
@@ -60,6 +65,7 @@ struct KeySpec
     const char* fallback; ///< Default; kNeeded: none, must be there; kOptional: may be left out.
     const char* example;
     const char* meaning;
+    FaultKeyReader* read{nullptr}; ///< Of faults: see fault_kinds.hpp.
 };
 inline constexpr char kNeeded[] = "needed"; // One array for the whole program: it is told by its place.
 inline constexpr const char* kOptional = nullptr;
@@ -121,10 +127,8 @@ template <const auto& kTable> constexpr Shape SomeOf()
     return {ValueType::kWordOrList, {}, &WordsOf<kTable>};
 }
 
-// Sections without a parent, of faults, and of expectations.
+// Sections without a parent, and of expectations.
 [[nodiscard]] SectionSpec Section(const char* name, const char* title, const char* meaning, std::vector<KeySpec> keys);
-[[nodiscard]] SectionSpec Kind(const char* name, const char* parent, const char* meaning,
-                               std::vector<KeySpec> keys = {});
 [[nodiscard]] SectionSpec Expected(const char* name, const char* meaning, std::vector<KeySpec> keys);
 
 // Keys that mean the same in many sections.
@@ -141,9 +145,6 @@ inline constexpr KeySpec kAtKey{"at", ValueType::kDuration, kNeeded, "500 ms", "
 
 // Parts of the table. schema.cpp joins them.
 extern const std::vector<SectionSpec> kWorldSections;
-extern const std::vector<SectionSpec> kFrameFaultSections;
-extern const std::vector<SectionSpec> kNodeFaultSections;
-extern const std::vector<SectionSpec> kLinkFaultSections;
 extern const std::vector<SectionSpec> kExpectationSections;
 extern const std::vector<SectionSpec> kNetworkSections;
 } // namespace counterpoint::simulator

@@ -4,6 +4,9 @@
 
 #include "runtime/yaml/value.hpp"
 
+#include <cstddef>
+#include <limits>
+
 namespace counterpoint::simulator
 {
 // Time and the values of files, which stand in every part of a scenario.
@@ -18,6 +21,10 @@ using runtime::Source;
 using runtime::Word;
 using runtime::YamlError;
 using runtime::YamlValue;
+
+/// A node by its place in Scenario::nodes.
+using NodeIndex = std::size_t;
+constexpr NodeIndex kNoNode = std::numeric_limits<NodeIndex>::max();
 } // namespace counterpoint::simulator
 
 #endif // SIMULATOR_SCENARIO_VALUES_HPP

@@ -21,8 +21,8 @@ LinkWire::LinkWire(const Scenario& scenario, const NodeIndex first, Journal& jou
     for (std::size_t index = 0U; index < scenario.faults.size(); ++index)
     {
         const FaultSetup& fault = scenario.faults[index];
-        if (RowOf(fault.kind).site == FaultSite::kLink && fault.kind != FaultKind::kLinkInsertion &&
-            fault.node == first)
+        const LinkFault* const kind = std::get_if<LinkFault>(&fault.kind);
+        if (kind != nullptr && *kind != LinkFault::kInsertion && fault.node == first)
         {
             choosers_.push_back({index, first, 0U, 0U});
             choosers_.push_back({index, first + 1U, 0U, 0U});
@@ -54,8 +54,8 @@ bool LinkWire::Hits(Chooser& chooser, const Nanoseconds now)
     const FrameChoice& choice = fault.frames;
     const bool is_lucky = random_.Below(kMillion) < choice.probability_ppm;
     const bool is_sender = (chooser.sender == first_) ? fault.hits_from_a : fault.hits_from_b;
-    const bool is_in_time = now >= choice.from && now < choice.until;
-    if (!is_sender || !is_in_time || !IsOn(now, choice.from, choice.on, choice.off))
+    const bool is_in_time = now >= fault.at && now < fault.until;
+    if (!is_sender || !is_in_time || !IsOn(now, fault.at, fault.on, fault.off))
     {
         return false;
     }
@@ -79,21 +79,21 @@ void LinkWire::Tell(const std::size_t fault, const NodeIndex receiver, const Nan
 void LinkWire::Change(const FaultSetup& fault, const NodeIndex sender, std::vector<Flight>& flights)
 {
     const std::vector<Flight> before = flights;
-    switch (fault.kind)
+    switch (std::get<LinkFault>(fault.kind))
     {
-    case FaultKind::kLinkDelay:
+    case LinkFault::kDelay:
         for (Flight& flight : flights)
         {
             flight.at += fault.by;
         }
         return;
-    case FaultKind::kLinkRepetition:
+    case LinkFault::kRepetition:
         for (std::uint32_t copy = 1U; copy <= fault.times && !before.empty(); ++copy)
         {
             flights.push_back({before.front().at + fault.by * copy, before.front().arrival});
         }
         return;
-    case FaultKind::kLinkCorruption:
+    case LinkFault::kCorruption:
         for (Flight& flight : flights)
         {
             for (const std::uint32_t bit : fault.message_bits)
@@ -103,7 +103,7 @@ void LinkWire::Change(const FaultSetup& fault, const NodeIndex sender, std::vect
             }
         }
         return;
-    case FaultKind::kLinkReordering:
+    case LinkFault::kReordering:
         // With one that waits, this is the one that it comes after.
         if (WayFrom(sender).held.empty() && !flights.empty())
         {
@@ -111,9 +111,12 @@ void LinkWire::Change(const FaultSetup& fault, const NodeIndex sender, std::vect
             flights.clear();
         }
         return;
-    default:
-        flights.clear(); // Lost, or the wire is cut.
+    case LinkFault::kLoss:
+    case LinkFault::kCut:
+        flights.clear();
         return;
+    case LinkFault::kInsertion:
+        return; // Changes no message; see Insert.
     }
 }
 

@@ -126,7 +126,7 @@ void NetworkCheck::RequireNodeIds() const
 void NetworkCheck::RequireOfFault(const FaultSetup& fault) const
 {
     RequireOfCpu(fault);
-    if (fault.kind == FaultKind::kNotInverse)
+    if (fault.kind == FaultKind(NodeFault::kNotInverse))
     {
         RequirePair(fault.node, fault.object, false, fault.source);
         for (const std::uint8_t bit : fault.bits)
@@ -235,7 +235,7 @@ void NetworkCheck::RequireOfCpu(const FaultSetup& fault) const
                         std::string("channel_") + (is_a ? "b" : "a") + " of " + setup.name,
                         "the channel of this CPU, or the other CPU");
     }
-    if (fault.kind == FaultKind::kClock && fault.hits_counter_b)
+    if (fault.hits_counter_b)
     {
         throw YamlError(fault.source.file, fault.source.place, "counter b of " + setup.name,
                         "counter a: a CPU of two has one");

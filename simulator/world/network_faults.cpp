@@ -39,17 +39,19 @@ std::uint64_t BitsOf(const FaultSetup& fault)
 
 FaultClass ClassOf(const FaultSetup& fault)
 {
-    const FaultKindRow& row = RowOf(fault.kind);
-    if (fault.kind == FaultKind::kBitFlip && fault.part == Part::kSetup)
+    if (fault.kind == FaultKind(NodeFault::kBitFlip) && fault.part == Part::kSetup)
     {
         return FaultClass::kSharedSource;
     }
-    const bool is_of_frames = row.site == FaultSite::kReceptions || row.site == FaultSite::kController;
+    const bool is_of_frames =
+        std::holds_alternative<FrameFault>(fault.kind) || std::holds_alternative<ControllerFault>(fault.kind);
+    const bool is_of_node =
+        std::holds_alternative<PartFault>(fault.kind) || std::holds_alternative<NodeFault>(fault.kind);
     const bool is_normal = is_of_frames ? ChoosesNormal(fault.frames) : (fault.identifier & 1U) != 0U;
     const bool is_asked = fault.part == Part::kChannelA || fault.part == Part::kChannelB ||
                           fault.part == Part::kChallenge || fault.part == Part::kQuestion;
-    const bool is_first = (row.site == FaultSite::kNode) ? is_asked : is_normal;
-    return is_first ? row.limit : row.other_limit;
+    const FaultLimit& limit = RowOf(fault.kind).limit;
+    return (is_of_node ? is_asked : is_normal) ? limit.first : limit.other;
 }
 
 NetworkFaults::NetworkFaults(World& world, Agenda& agenda) : world_(world), scenario_(world.scenario), agenda_(agenda)
@@ -62,7 +64,7 @@ void NetworkFaults::PlanAll()
 {
     for (std::size_t index = 0U; index < scenario_.faults.size(); ++index)
     {
-        PlanFault(index);
+        std::visit([this, index](const auto kind) { Plan(kind, index); }, scenario_.faults[index].kind);
     }
 }
 
@@ -78,7 +80,7 @@ void NetworkFaults::BuildForeignControllers()
     for (std::size_t index = 0U; index < scenario_.faults.size(); ++index)
     {
         const FaultKind kind = scenario_.faults[index].kind;
-        if (kind == FaultKind::kDuplicate || kind == FaultKind::kBabbling)
+        if (kind == FaultKind(FrameFault::kDuplicate) || kind == FaultKind(ForeignFault::kBabbling))
         {
             foreign_[index] = std::make_unique<ForeignController>(world_.bus);
             world_.places.push_back({kNoNode, 1U, index});
@@ -86,13 +88,13 @@ void NetworkFaults::BuildForeignControllers()
     }
 }
 
-std::vector<FrameSelector> NetworkFaults::SelectorsOf(const FaultSite site) const
+template <typename Family> std::vector<FrameSelector> NetworkFaults::SelectorsOf() const
 {
     std::vector<FrameSelector> selectors;
     for (std::size_t index = 0U; index < scenario_.faults.size(); ++index)
     {
         const FaultSetup& fault = scenario_.faults[index];
-        if (RowOf(fault.kind).site != site)
+        if (!std::holds_alternative<Family>(fault.kind))
         {
             continue;
         }
@@ -119,28 +121,18 @@ void NetworkFaults::Install()
     const FaultStage stage{scenario_, world_.bus, world_.places, world_.journal};
     const bool has_masquerade =
         std::any_of(scenario_.faults.begin(), scenario_.faults.end(),
-                    [](const FaultSetup& fault) { return fault.kind == FaultKind::kMasquerade; });
-    std::vector<FrameSelector> on_receptions = SelectorsOf(FaultSite::kReceptions);
+                    [](const FaultSetup& fault) { return fault.kind == FaultKind(ForeignFault::kMasquerade); });
+    std::vector<FrameSelector> on_receptions = SelectorsOf<FrameFault>();
     if (!on_receptions.empty() || has_masquerade || !foreign_.empty())
     {
         frame_faults_ = std::make_unique<FrameFaults>(stage, std::move(on_receptions));
         world_.bus.Install(*frame_faults_);
     }
-    std::vector<FrameSelector> in_controllers = SelectorsOf(FaultSite::kController);
+    std::vector<FrameSelector> in_controllers = SelectorsOf<ControllerFault>();
     if (!in_controllers.empty())
     {
         controller_faults_ = std::make_unique<ControllerFaults>(stage, std::move(in_controllers));
         world_.bus.Install(*controller_faults_);
-    }
-}
-
-void NetworkFaults::PlanInsertedMessages(const std::size_t index)
-{
-    const FaultSetup& fault = scenario_.faults[index];
-    for (std::uint32_t time = 0U; time < fault.times; ++time)
-    {
-        agenda_.Plan(fault.at + fault.by * time,
-                     [this, index, &fault]() { world_.wires.at(fault.node)->Insert(index, world_.Now()); });
     }
 }
 
@@ -189,46 +181,113 @@ void NetworkFaults::PlanInstant(const std::size_t index, const std::function<voi
                  });
 }
 
-void NetworkFaults::PlanFault(const std::size_t index)
+void NetworkFaults::Plan(const FrameFault kind, const std::size_t index)
+{
+    static_cast<void>(kind);
+    static_cast<void>(index);
+}
+
+void NetworkFaults::Plan(const ControllerFault kind, const std::size_t index)
+{
+    static_cast<void>(kind);
+    static_cast<void>(index);
+}
+
+void NetworkFaults::Plan(const ForeignFault kind, const std::size_t index)
 {
     const FaultSetup& fault = scenario_.faults[index];
-    switch (fault.kind)
+    const CanFrame frame = ForeignFrame(fault);
+    switch (kind)
     {
-    case FaultKind::kInsertion:
-    case FaultKind::kMasquerade:
-        PlanForeignFrames(index);
+    case ForeignFault::kInsertion:
+        PlanTimes(index, [this, index]() { Insert(index); });
         return;
-    case FaultKind::kBitFlip:
-    case FaultKind::kStuckBit:
-        PlanBitFault(index);
+    case ForeignFault::kMasquerade:
+        PlanTimes(index,
+                  [this, &fault, frame]()
+                  {
+                      const host::NodeIndex sender = world_.nodes[fault.node]->Controllers().BusNodes().front();
+                      static_cast<void>(world_.bus.Submit(sender, frame));
+                  });
         return;
-    case FaultKind::kStandstill:
-        PlanStandstill(index);
+    case ForeignFault::kBabbling:
+        ForeignController& controller = *foreign_.at(index);
+        PlanState(index, [&controller, frame]() { controller.Babble(frame); }, [&controller]() { controller.Stop(); });
         return;
-    case FaultKind::kLinkInsertion:
-        PlanInsertedMessages(index);
+    }
+}
+
+void NetworkFaults::Plan(const PartFault kind, const std::size_t index)
+{
+    static_cast<void>(kind); // What it answers is told by PartFaults.
+    const FaultSetup& fault = scenario_.faults[index];
+    PlanState(
+        index, [this, index, &fault]() { world_.nodes[fault.node]->Processor().Faults().Begin(fault, index); },
+        [this, &fault]() { world_.nodes[fault.node]->Processor().Faults().End(fault); });
+}
+
+void NetworkFaults::Plan(const NodeFault kind, const std::size_t index)
+{
+    const FaultSetup& fault = scenario_.faults[index];
+    Node& device = *world_.nodes[fault.node];
+    switch (kind)
+    {
+    case NodeFault::kBitFlip:
+        PlanInstant(index, [&fault, place = PlaceOfBit(index)](Node& node)
+                    { node.Parts().Flip(fault.part, fault.srdo, place); });
         return;
-    case FaultKind::kClock:
+    case NodeFault::kStuckBit:
+        agenda_.Plan(fault.at, [&device, &fault, index, place = PlaceOfBit(index)]()
+                     { device.Parts().Stick(fault, place, index); });
+        return;
+    case NodeFault::kStandstill:
+        PlanInstant(index, [](Node& node) { node.Processor().StandStill(); });
+        return;
+    case NodeFault::kClock:
         PlanClock(index);
         return;
-    case FaultKind::kCycle:
-    case FaultKind::kNotInverse:
-        PlanDisturbance(index);
+    case NodeFault::kCycle:
+        PlanInstant(index, [&fault](Node& node) { node.Clock().Shift(fault.by); });
         return;
-    case FaultKind::kBabbling:
-        PlanBabbling(index);
+    case NodeFault::kNotInverse:
+        PlanState(
+            index,
+            [this, index, &device, &fault]()
+            {
+                device.App().Disturb(fault.object, BitsOf(fault));
+                NoteBegin(index);
+            },
+            [&device, &fault]() { device.App().Disturb(fault.object, 0U); });
         return;
-    case FaultKind::kBusOff:
-    case FaultKind::kUnplugged:
-    case FaultKind::kQueueOverflow:
-        PlanControllerFault(index);
+    case NodeFault::kBusOff:
+        PlanAbsence(index, &host::VirtualBus::ForceBusOff, &host::VirtualBus::Recover);
         return;
-    default:
-        break;
+    case NodeFault::kUnplugged:
+        PlanAbsence(index, &host::VirtualBus::Disconnect, &host::VirtualBus::Connect);
+        return;
+    case NodeFault::kQueueOverflow:
+        PlanState(
+            index, [&device, &fault, index]() { device.Controllers().Poll(fault.capacity, index); },
+            [&device]() { device.Controllers().Poll(0U, kNoFaultIndex); });
+        return;
     }
-    if (fault.part != Part::kNone)
+}
+
+void NetworkFaults::Plan(const LinkFault kind, const std::size_t index)
+{
+    if (kind == LinkFault::kInsertion)
     {
-        PlanPartFault(index); // Those of frames are made by FrameFaults and ControllerFaults.
+        LinkWire& wire = *world_.wires.at(scenario_.faults[index].node);
+        PlanTimes(index, [this, &wire, index]() { wire.Insert(index, world_.Now()); });
+    }
+}
+
+void NetworkFaults::PlanTimes(const std::size_t index, const std::function<void()>& act)
+{
+    const FaultSetup& fault = scenario_.faults[index];
+    for (std::uint32_t time = 0U; time < fault.times; ++time)
+    {
+        agenda_.Plan(fault.at + fault.by * time, act);
     }
 }
 
@@ -286,43 +345,10 @@ void NetworkFaults::Insert(const std::size_t index)
     world_.journal.Tell(FrameEntry{world_.Now(), world_.Now(), frame, kNoNode, host::FrameFate::kComplete});
 }
 
-void NetworkFaults::PlanForeignFrames(const std::size_t index)
+void NetworkFaults::PlanAbsence(const std::size_t index, void (host::VirtualBus::* const go)(host::NodeIndex),
+                                void (host::VirtualBus::* const come)(host::NodeIndex))
 {
     const FaultSetup& fault = scenario_.faults[index];
-    for (std::uint32_t time = 0U; time < fault.times; ++time)
-    {
-        agenda_.Plan(fault.at + fault.by * time,
-                     [this, index, &fault]()
-                     {
-                         if (fault.kind == FaultKind::kInsertion)
-                         {
-                             Insert(index);
-                             return;
-                         }
-                         static_cast<void>(world_.bus.Submit(world_.nodes[fault.node]->Controllers().BusNodes().front(),
-                                                             ForeignFrame(fault)));
-                     });
-    }
-}
-
-void NetworkFaults::PlanBabbling(const std::size_t index)
-{
-    const CanFrame frame = ForeignFrame(scenario_.faults[index]);
-    ForeignController& controller = *foreign_.at(index);
-    PlanState(index, [&controller, frame]() { controller.Babble(frame); }, [&controller]() { controller.Stop(); });
-}
-
-void NetworkFaults::PlanControllerFault(const std::size_t index)
-{
-    const FaultSetup& fault = scenario_.faults[index];
-    if (fault.kind == FaultKind::kQueueOverflow)
-    {
-        Node& node = *world_.nodes[fault.node];
-        PlanState(
-            index, [&node, &fault, index]() { node.Controllers().Poll(fault.capacity, index); },
-            [&node]() { node.Controllers().Poll(0U, kNoFaultIndex); });
-        return;
-    }
     const auto for_each = [this, &fault](void (host::VirtualBus::* const act)(host::NodeIndex))
     {
         const std::vector<host::NodeIndex>& places = world_.nodes[fault.node]->Controllers().BusNodes();
@@ -334,20 +360,14 @@ void NetworkFaults::PlanControllerFault(const std::size_t index)
             }
         }
     };
-    const bool is_bus_off = fault.kind == FaultKind::kBusOff;
     PlanState(
         index,
-        [this, for_each, is_bus_off, index]()
+        [this, for_each, go, index]()
         {
-            for_each(is_bus_off ? &host::VirtualBus::ForceBusOff : &host::VirtualBus::Disconnect);
+            for_each(go);
             NoteBegin(index);
         },
-        [for_each, is_bus_off]() { for_each(is_bus_off ? &host::VirtualBus::Recover : &host::VirtualBus::Connect); });
-}
-
-void NetworkFaults::PlanStandstill(const std::size_t index)
-{
-    PlanInstant(index, [](Node& node) { node.Processor().StandStill(); });
+        [for_each, come]() { for_each(come); });
 }
 
 runtime::BitPlace NetworkFaults::PlaceOfBit(const std::size_t index)
@@ -387,27 +407,6 @@ runtime::BitPlace NetworkFaults::PlaceOfBit(const std::size_t index)
     return place;
 }
 
-void NetworkFaults::PlanBitFault(const std::size_t index)
-{
-    const FaultSetup& fault = scenario_.faults[index];
-    const runtime::BitPlace place = PlaceOfBit(index);
-    if (fault.kind == FaultKind::kStuckBit)
-    {
-        agenda_.Plan(fault.at,
-                     [this, index, &fault, place]() { world_.nodes[fault.node]->Parts().Stick(fault, place, index); });
-        return;
-    }
-    PlanInstant(index, [&fault, place](Node& node) { node.Parts().Flip(fault.part, fault.srdo, place); });
-}
-
-void NetworkFaults::PlanPartFault(const std::size_t index)
-{
-    const FaultSetup& fault = scenario_.faults[index];
-    PlanState(
-        index, [this, index, &fault]() { world_.nodes[fault.node]->Processor().Faults().Begin(fault, index); },
-        [this, &fault]() { world_.nodes[fault.node]->Processor().Faults().End(fault); });
-}
-
 void NetworkFaults::PlanClock(const std::size_t index)
 {
     const FaultSetup& fault = scenario_.faults[index];
@@ -441,23 +440,5 @@ void NetworkFaults::PlanClock(const std::size_t index)
                  { node.Clock().SetRate(is_a, is_a ? setup.counter_a.drift_ppm : setup.counter_b.drift_ppm); });
     };
     PlanState(index, begin, end);
-}
-
-void NetworkFaults::PlanDisturbance(const std::size_t index)
-{
-    const FaultSetup& fault = scenario_.faults[index];
-    if (fault.kind == FaultKind::kCycle)
-    {
-        PlanInstant(index, [&fault](Node& node) { node.Clock().Shift(fault.by); });
-        return;
-    }
-    PlanState(
-        index,
-        [this, index, &fault]()
-        {
-            world_.nodes[fault.node]->App().Disturb(fault.object, BitsOf(fault));
-            NoteBegin(index);
-        },
-        [this, &fault]() { world_.nodes[fault.node]->App().Disturb(fault.object, 0U); });
 }
 } // namespace counterpoint::simulator

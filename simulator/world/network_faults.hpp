@@ -34,20 +34,23 @@ class NetworkFaults
   private:
     void BuildForeignControllers();
     void Install();
-    [[nodiscard]] std::vector<FrameSelector> SelectorsOf(FaultSite site) const;
-    void PlanFault(std::size_t index);
+    template <typename Family> [[nodiscard]] std::vector<FrameSelector> SelectorsOf() const;
+    // What a kind does by itself, by family. Of frames and messages others choose those that a fault hits.
+    void Plan(FrameFault kind, std::size_t index);
+    void Plan(ControllerFault kind, std::size_t index);
+    void Plan(ForeignFault kind, std::size_t index);
+    void Plan(PartFault kind, std::size_t index);
+    void Plan(NodeFault kind, std::size_t index);
+    void Plan(LinkFault kind, std::size_t index);
     /// @brief The beginnings and ends of a fault that lasts, as often as it comes and goes.
     void PlanState(std::size_t index, const std::function<void()>& begin, const std::function<void()>& act_at_end);
-    void PlanForeignFrames(std::size_t index);
-    void PlanInsertedMessages(std::size_t index);
-    void PlanPartFault(std::size_t index);
+    /// @brief As often as the fault says.
+    void PlanTimes(std::size_t index, const std::function<void()>& act);
     [[nodiscard]] runtime::BitPlace PlaceOfBit(std::size_t index);
-    void PlanBitFault(std::size_t index);
-    void PlanStandstill(std::size_t index);
-    void PlanDisturbance(std::size_t index);
     void PlanClock(std::size_t index);
-    void PlanControllerFault(std::size_t index);
-    void PlanBabbling(std::size_t index);
+    /// @brief The controllers that are meant go, and come back.
+    void PlanAbsence(std::size_t index, void (host::VirtualBus::*go)(host::NodeIndex),
+                     void (host::VirtualBus::*come)(host::NodeIndex));
     void Insert(std::size_t index);
     void NoteFault(std::size_t index, NodeIndex node);
     /// @brief A fault that lasts begins; in a device without supply it has an effect when that comes.

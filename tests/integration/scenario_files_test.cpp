@@ -86,13 +86,13 @@ TEST(ShippedScenarios, CoverEveryClassOfTheDemonstration)
     }
     // Then all classes are there
     EXPECT_GE(with_fault, 14U);
-    for (const FaultKind kind :
-         {FaultKind::kCorruption, FaultKind::kRepetition, FaultKind::kWrongSequence, FaultKind::kLoss,
-          FaultKind::kDelay, FaultKind::kInsertion, FaultKind::kMasquerade, FaultKind::kAddressing, FaultKind::kBitFlip,
-          FaultKind::kHung, FaultKind::kFrozen, FaultKind::kNotCalled, FaultKind::kAlwaysGood, FaultKind::kClock,
-          FaultKind::kNotInverse})
+    for (const FaultKind kind : std::initializer_list<FaultKind>{
+             FrameFault::kCorruption, FrameFault::kRepetition, FrameFault::kWrongSequence, FrameFault::kLoss,
+             FrameFault::kDelay, ForeignFault::kInsertion, ForeignFault::kMasquerade, FrameFault::kAddressing,
+             NodeFault::kBitFlip, PartFault::kHung, PartFault::kFrozen, PartFault::kNotCalled, PartFault::kAlwaysGood,
+             NodeFault::kClock, NodeFault::kNotInverse})
     {
-        EXPECT_EQ(kinds.count(kind), 1U) << static_cast<int>(kind);
+        EXPECT_EQ(kinds.count(kind), 1U) << Name(kind);
     }
     for (const Part part : {Part::kChannelA, Part::kChannelB, Part::kComparator, Part::kFlowMonitor, Part::kGuard})
     {

@@ -54,7 +54,7 @@ TEST(SupervisorTap, FrozenFlowMonitorRepeatsItsAnswer)
     monitor.Begin();
     const std::uint32_t first = monitor.End({1U}).value;
     FaultSetup frozen;
-    frozen.kind = FaultKind::kFrozen;
+    frozen.kind = PartFault::kFrozen;
     frozen.part = Part::kFlowMonitor;
     faults.SetNow(42);
     faults.Begin(frozen, 3U);

@@ -110,24 +110,19 @@ selftest::TestId NodeSelfTest::FirstFailed() const noexcept
 
 SelfTestOutcome NodeSelfTest::Said() noexcept
 {
-    const PartCondition& condition = faults_.Condition(Part::kSelfTest);
-    if (!condition.is_faulty)
+    switch (faults_.AnswerOf(Part::kSelfTest))
     {
+    case PartAnswer::kOwn:
         said_ = self_test_.OnCycle();
-        return said_;
-    }
-    if (condition.kind == FaultKind::kHung)
-    {
-        faults_.Hang(condition);
-    }
-    faults_.HasEffect(condition);
-    if (condition.kind == FaultKind::kNotCalled)
-    {
+        break;
+    case PartAnswer::kLast:
+        break;
+    case PartAnswer::kZero:
         return SelfTestOutcome{};
-    }
-    if (condition.kind == FaultKind::kAlwaysGood)
-    {
+    case PartAnswer::kGood:
+        faults_.HasEffect(faults_.Condition(Part::kSelfTest));
         said_ = {said_.progress + 1U, DeviceFault::kNone, PartsView::kSound};
+        break;
     }
     return said_;
 }
