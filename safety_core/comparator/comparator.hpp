@@ -59,6 +59,7 @@ struct ComparatorSetup
 class Differences
 {
   public:
+    /// @brief No slot differs. `limit_us` is at most 2^30 - 1; Kernel::Start has checked it.
     void Restart(const std::uint32_t limit_us) noexcept
     {
         limit_us_ = limit_us;
@@ -77,10 +78,12 @@ class Differences
     {
         open_ |= slots;
     }
+    /// @brief These were dealt with: they no longer count as different.
     void Close(const SrdoMask slots) noexcept
     {
         open_ &= ~slots;
     }
+    /// @brief Slots that differ, as far as this comparison has got.
     [[nodiscard]] SrdoMask Slots() const noexcept
     {
         return open_;
@@ -125,6 +128,8 @@ class Comparator
     [[nodiscard]] static PreparedVerdict ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept;
 
   private:
+    /// @brief One slot that may differ: in what it holds, its due mark, its release. Faults and what is demoted go into
+    /// the verdict.
     void Look(const Comparison& comparison, SlotSet only, Verdict& verdict) noexcept;
 
     Differences pairs_{};    ///< Ordinals, the fact of holding a pair, or due marks differ.

@@ -27,6 +27,7 @@ class ComparatorSelfTest
     {
         return kComparatorTests * (config.cycle_us + config.cycle_tolerance_us);
     }
+    /// @brief Begins with a wait. Kernel::Start has made sure that a round fits into the test interval.
     void Restart(const DeviceConfig& config) noexcept
     {
         wait_us_ = config.test_interval_us - LongestRoundUs(config);

@@ -23,6 +23,7 @@ struct Arming
 class ArmedFrames
 {
   public:
+    /// @brief All places are free. The numbers of frames go on from where they were.
     void Restart() noexcept;
     /// @brief Into a free place; no effect if there is none.
     void Arm(const Arming& arming) noexcept;

@@ -13,9 +13,12 @@ namespace counterpoint
 class FlowTap final : public hal::Watchdog
 {
   public:
+    /// @brief `watchdog` is the real one, outlives this and gets every call.
     explicit FlowTap(hal::Watchdog& watchdog) noexcept;
 
+    /// @brief The question of the real watchdog; it is kept until the answer.
     [[nodiscard]] hal::WatchdogQuestion Question() noexcept override;
+    /// @brief The signature is computed from question and answer; the answer goes on as it is.
     void Answer(const hal::WatchdogAnswer& answer) noexcept override;
     /// @brief kFlowReference after an undisturbed cycle. Each call takes it away: without a cycle since, it gives 0.
     [[nodiscard]] std::uint32_t TakeSignature() noexcept;

@@ -41,7 +41,6 @@ void LinkSupervisor::Lose(const LinkFinding finding) noexcept
     state_ = LinkState::kLost;
 }
 
-// Whether the message is newer than all heard; counts what it is not.
 bool LinkSupervisor::IsNext(const LinkMessage& message) noexcept
 {
     const std::uint32_t ahead = message.sequence - heard_sequence_;

@@ -57,6 +57,7 @@ enum class TakeResult : std::uint8_t
 class LinkSupervisor
 {
   public:
+    /// @brief Waits for contact; nothing was heard or counted. CheckLinkConfig has found nothing in `config`.
     void Restart(const LinkConfig& config) noexcept;
     /// @brief Before each own message: its sequence number. Contact begins by an answer to one of this start.
     /// [SRS_LNK_011]
@@ -81,10 +82,12 @@ class LinkSupervisor
     {
         return acknowledged_;
     }
+    /// @brief kLost before the first Restart, too.
     [[nodiscard]] LinkState State() const noexcept
     {
         return state_;
     }
+    /// @brief There was contact, and nothing was found since.
     [[nodiscard]] bool IsAlive() const noexcept
     {
         return state_ == LinkState::kAlive;
@@ -94,18 +97,25 @@ class LinkSupervisor
     {
         return static_cast<std::uint32_t>(state_) ^ static_cast<std::uint32_t>(LinkState::kAlive);
     }
+    /// @brief Why the link is lost: the first reason. kNone while it is not, kInvalid before the first Restart.
     [[nodiscard]] LinkFinding Finding() const noexcept
     {
         return finding_;
     }
+    /// @brief What became of the messages since Restart.
     [[nodiscard]] const LinkCounts& Counts() const noexcept
     {
         return counts_;
     }
 
   private:
+    /// @brief Whether the message is newer than all heard; counts what it is not, and what is missing before it.
     [[nodiscard]] bool IsNext(const LinkMessage& message) noexcept;
+    /// @brief Whether it answers an own message that was composed within the time-out; before contact, one of this
+    /// start.
     [[nodiscard]] bool IsFresh(const LinkMessage& message, Instant received) const noexcept;
+    /// @brief Loses the link where the progress of both clocks since the reference differs by more than the tolerance;
+    /// behind the interval this message is the new reference. [SRS_LNK_007]
     void CompareClocks(const LinkMessage& message, Instant received) noexcept;
 
     LinkConfig config_{};

@@ -14,12 +14,17 @@ namespace counterpoint
 class OfferedFrames
 {
   public:
+    /// @brief Nothing is offered, used or refused.
     void Restart() noexcept;
+    /// @brief What a message offers that the supervisor has taken: all of it in place of what was offered before. What
+    /// was used stays used. The slots are looked at by Due.
     void Take(const LinkMessage& message) noexcept;
     /// @brief Slots with a frame that was not used.
     [[nodiscard]] SrdoMask Due() const noexcept;
     /// @brief The frame of this slot, used from now on; all 0 if there is none.
     [[nodiscard]] CanFrame Use(SlotIndex slot) noexcept;
+    /// @brief The frame that this slot offers is refused for this cause, from the next message on; no effect if it
+    /// offers none.
     void GiveUp(SlotIndex slot, SrdoCause cause) noexcept;
     /// @brief What the message tells of the armed frame given up last.
     [[nodiscard]] const Refusal& Refused() const noexcept

@@ -17,7 +17,9 @@ class OwnSending
   public:
     OwnSending(Channel& channel, PeerRole role) noexcept;
 
+    /// @brief Nothing is due, stands still or is armed; there was no message.
     void Restart() noexcept;
+    /// @brief Whether this CPU runs channel B.
     [[nodiscard]] bool IsFollower() const noexcept
     {
         return role_ == PeerRole::kB;
@@ -39,6 +41,8 @@ class OwnSending
     {
         return due_;
     }
+    /// @brief Prepare as the kernel calls it, of a slot that Show has shown. The leader prepares now; the follower has
+    /// prepared already and gives no frame, only how that ended.
     [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept;
     /// @brief The follower's Prepare, called by the remote voice, which the kernel asks first.
     [[nodiscard]] PreparedPair PrepareAhead(SlotIndex slot) noexcept;
@@ -51,6 +55,7 @@ class OwnSending
     void TakeDue(SrdoMask due, const Window& composed) noexcept;
     /// @brief The leader gave up what was armed: the channel gives it up for the same cause.
     void TakeRefusal(const Refusal& refusal, Instant at) noexcept;
+    /// @brief What the follower has prepared and awaits from the leader; nothing in the leader.
     [[nodiscard]] ArmedFrames& Armed() noexcept
     {
         return armed_;

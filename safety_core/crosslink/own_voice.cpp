@@ -78,7 +78,6 @@ void OwnVoice::OnFrame(const CanFrame& frame, const Instant stamp) noexcept
     moments_.OnFrame(frame, stamp);
 }
 
-// One slot a cycle: its part of the digest, and the age of its last discard.
 void OwnVoice::Sweep(const Instant now) noexcept
 {
     running_ = channel_.Digest(swept_, running_);

@@ -25,6 +25,7 @@ class OwnVoice final : public Channel
   public:
     OwnVoice(Channel& channel, PeerRole role) noexcept;
 
+    // As Channel says, by the real channel; what the peer has to be told is noted on the way.
     void Restart(const DeviceConfig& config) noexcept override;
     void Store(const ConfigItem& item) noexcept override;
     [[nodiscard]] ConfigItem Load(const ConfigAddress& address) const noexcept override;
@@ -45,20 +46,24 @@ class OwnVoice final : public Channel
     [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) const noexcept override;
     void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override;
 
+    /// @brief What the channel sends, in step with the other CPU.
     [[nodiscard]] OwnSending& Sending() noexcept
     {
         return sending_;
     }
+    /// @brief When the held pairs were on the bus, and when consumers discarded theirs, by the own clock.
     [[nodiscard]] const PairMoments& Moments() const noexcept
     {
         return moments_;
     }
     /// @brief What the channel said in the last OnCycle.
     [[nodiscard]] Statement Said() const noexcept;
+    /// @brief The device that Restart was given; all 0 before.
     [[nodiscard]] const DeviceConfig& Config() const noexcept
     {
         return *config_;
     }
+    /// @brief Consumers that are active, as of the last OnCycle: each is released, faulted or waiting.
     [[nodiscard]] SrdoMask Consumers() const noexcept
     {
         return outcome_.released | outcome_.faulted | outcome_.waiting;
@@ -67,13 +72,16 @@ class OwnVoice final : public Channel
     void Tell(LinkMessage& message) const noexcept;
     /// @brief News since the last call.
     [[nodiscard]] News TakeNews() noexcept;
+    /// @brief Device digest as the last whole sweep found it, which takes a cycle for each SRDO; 0 before the first.
     [[nodiscard]] DeviceDigest LastDigest() const noexcept
     {
         return digest_;
     }
 
   private:
+    /// @brief One slot a cycle: its part of the digest, and the age of its last discard.
     void Sweep(Instant now) noexcept;
+    /// @brief What the channel said in this cycle, as far as the peer has to be told of it; then one step of the sweep.
     void NoteOutcome(const CycleOutcome& outcome, Instant now) noexcept;
 
     Channel& channel_;

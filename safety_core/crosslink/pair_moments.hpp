@@ -27,13 +27,15 @@ class PairMoments
     void OnFrame(const CanFrame& frame, Instant stamp) noexcept;
     /// @brief The held pairs of these slots are the ones whose inverse frame came last.
     void Complete(SrdoMask fresh) noexcept;
+    /// @brief At `at` these slots discarded what they held.
     void Discard(SrdoMask slots, Instant at) noexcept;
     /// @brief Keeps an old discard old: without it the counter would come round and make it look new. [SRS_TWO_015]
     void LimitAge(SlotIndex slot, Instant now) noexcept;
     /// @brief Whether the held pair, and no other, lies in the window. [SRS_TWO_002]
     [[nodiscard]] bool IsPair(SlotIndex slot, const Window& window) const noexcept;
-    /// @brief Moment of the held pair's inverse frame, and of the last discard.
+    /// @brief Moment of the held pair's inverse frame.
     [[nodiscard]] Instant PairAt(SlotIndex slot) const noexcept;
+    /// @brief Moment of the last discard.
     [[nodiscard]] Instant DiscardedAt(SlotIndex slot) const noexcept;
 
   private:

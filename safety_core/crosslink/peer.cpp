@@ -80,7 +80,6 @@ LinkFinding Peer::Examine(const Instant now) noexcept
     return remote_.Link().Finding();
 }
 
-// In every message until the peer has echoed one that carried the newest of them. [SRS_TWO_006]
 SrdoMask Peer::TellFaults(const SrdoMask faults) noexcept
 {
     if ((remote_.Link().Acknowledged() - carried_since_) < 0x80000000U)

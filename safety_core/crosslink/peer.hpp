@@ -50,10 +50,14 @@ class Peer
     void Compose(const PeerMoment& moment, hal::LinkFrame& frame) noexcept;
     /// @brief Whether a received frame is the other CPU's half of a pair of this device. [SRS_TWO_013]
     [[nodiscard]] bool IsEcho(const CanFrame& frame) const noexcept;
+    /// @brief State of the link, why it is lost, and what became of the messages.
     [[nodiscard]] const LinkSupervisor& Link() const noexcept;
 
   private:
+    /// @brief As many reports as a message has room for: of active consumers with news first, of the others in turn.
     void FillReports(SrdoMask changed, Instant now, LinkMessage& message) noexcept;
+    /// @brief New faults that the message has to carry: each until the peer has echoed one that carried the newest of
+    /// them. [SRS_TWO_006]
     [[nodiscard]] SrdoMask TellFaults(SrdoMask faults) noexcept;
 
     OwnVoice own_;

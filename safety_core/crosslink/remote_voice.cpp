@@ -183,7 +183,6 @@ void RemoteVoice::Keep(const SlotReport& report) noexcept
     fresh_ |= bit;
 }
 
-// A difference seen now may be as old as the cycle before.
 void RemoteVoice::Follow(Difference& difference, const std::uint32_t differs) const noexcept
 {
     if (differs == 0U)

@@ -29,6 +29,8 @@ class RemoteVoice final : public Channel
   public:
     RemoteVoice(OwnVoice& own, const LinkConfig& config) noexcept;
 
+    // As Channel says: what the other CPU told, in place of a computation; the configuration is that of the own
+    // channel.
     void Restart(const DeviceConfig& config) noexcept override;
     void Store(const ConfigItem& item) noexcept override;
     [[nodiscard]] ConfigItem Load(const ConfigAddress& address) const noexcept override;
@@ -51,14 +53,17 @@ class RemoteVoice final : public Channel
 
     /// @brief An intact message of the peer, received at `received`.
     void OnMessage(const LinkMessage& message, Instant received) noexcept;
+    /// @brief What the other CPU has armed, and which of it was refused last.
     [[nodiscard]] const OfferedFrames& Offered() const noexcept
     {
         return offered_;
     }
+    /// @brief The link on which the messages come.
     [[nodiscard]] LinkSupervisor& Link() noexcept
     {
         return link_;
     }
+    /// @brief The same.
     [[nodiscard]] const LinkSupervisor& Link() const noexcept
     {
         return link_;
@@ -72,11 +77,18 @@ class RemoteVoice final : public Channel
         SlotReport report;
     };
 
+    /// @brief When that was, by the own clock, which the message taken last tells to be so many microseconds old.
     [[nodiscard]] Window WindowOf(std::uint32_t age_us) const noexcept;
+    /// @brief A report of a message that was taken; its slot is checked here.
     void Keep(const SlotReport& report) noexcept;
+    /// @brief In contact, and both CPUs said last that they are OPERATIONAL.
     [[nodiscard]] bool IsOperational() const noexcept;
+    /// @brief One CPU holds a pair in this slot and the other one none: whether a discard explains it.
     [[nodiscard]] bool IsExcused(const Told& told, const HeldPair& own, SlotIndex slot) const noexcept;
+    /// @brief Since when statement and digest of the other CPU differ from the own ones. Once a cycle.
     void CompareStatements(Instant now) noexcept;
+    /// @brief One more look at a difference; `differs` is 0 where there is none. A new one is dated back to the cycle
+    /// before.
     void Follow(Difference& difference, std::uint32_t differs) const noexcept;
 
     OwnVoice& own_;

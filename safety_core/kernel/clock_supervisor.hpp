@@ -16,6 +16,7 @@ namespace counterpoint
 class ClockSupervisor
 {
   public:
+    /// @brief Times of this device, which Kernel::Start has checked; the references are those of the first OnCycle.
     void Restart(const DeviceConfig& config) noexcept;
     /// @brief Stamps of the next frame in bus order.
     ///

@@ -44,10 +44,12 @@ class ConfigurationCopies
     {
     }
 
+    /// @brief The device from now on; it outlives its use. Kernel::Start has checked it.
     void SetDevice(const DeviceConfig& config) noexcept
     {
         config_ = &config;
     }
+    /// @brief The device given last; one without SRDOs before.
     [[nodiscard]] const DeviceConfig& Device() const noexcept
     {
         return *config_;
@@ -67,6 +69,8 @@ class ConfigurationCopies
     }
     /// @brief Both channels keep the value; a device fault if one does not give it back. [SRS_CFG_047]
     void Store(const ConfigItem& item) noexcept;
+    /// @brief Fields of a static mapping, to both channels. ConfigurationGuard::DefineFields checks what becomes of
+    /// them.
     void SetFields(const SlotIndex slot, const StaticFields& fields) noexcept
     {
         a_.SetFields(slot, fields);

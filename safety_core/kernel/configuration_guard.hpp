@@ -30,14 +30,17 @@ class ConfigurationGuard
     void Restart(const DeviceConfig& config) noexcept;
     /// @brief Every access is refused until the next Restart.
     void Stop() noexcept;
+    /// @brief Follows the state that Kernel::SetNmtState is given, which has seen to the SRDOs.
     void SetNmt(NmtState state) noexcept
     {
         nmt_ = state;
     }
+    /// @brief kInvalid when stopped: every access is refused then.
     [[nodiscard]] NmtState Nmt() const noexcept
     {
         return nmt_;
     }
+    /// @brief Whether 13FEh is A5h.
     [[nodiscard]] bool IsValid() const noexcept
     {
         return valid_ == kConfigurationValidValue;
@@ -48,7 +51,11 @@ class ConfigurationGuard
     {
         return copies_.Value(slot, field, sub);
     }
+    /// @brief An object, with the abort code of SDO where there is nothing to read; copies that differ are a device
+    /// fault. [SRS_CFG_047]
     [[nodiscard]] ObjectReading Read(ObjectKey key) noexcept;
+    /// @brief Writes an object if every rule admits it, else nothing. An accepted write to 1301h-13C0h and 13FFh that
+    /// changes a value clears 13FEh.
     [[nodiscard]] AbortCode Write(ObjectKey key, const ObjectData& data) noexcept;
     /// @brief kSuccessful where the configuration may be changed as a whole; kDeviceFault when stopped, kNmtError in
     /// OPERATIONAL.
@@ -80,6 +87,7 @@ class ConfigurationGuard
     }
     /// @brief Sets 13FEh to A5h if both channels find every rule kept and the device digest is the expected one.
     [[nodiscard]] Result Declare() noexcept;
+    /// @brief The device; one without SRDOs when stopped.
     [[nodiscard]] const DeviceConfig& Config() const noexcept
     {
         return copies_.Device();
@@ -96,7 +104,10 @@ class ConfigurationGuard
   private:
     // Used in one source file alone: `inline` leaves it to the compiler whether they are called or put in place.
     [[nodiscard]] inline AbortCode WritePlace(const ObjectPlace& place) noexcept;
+    /// @brief A value that the channels keep. The same value again changes nothing; 1300h renews the reference of the
+    /// digest and leaves 13FEh as it is.
     [[nodiscard]] inline AbortCode WriteConfiguration(const ConfigItem& item) noexcept;
+    /// @brief Whether the mapped objects lie in these fields one behind the other, in whole bytes and not too many.
     [[nodiscard]] inline Result CheckFields(const StaticMap& map, const StaticFields& fields) const noexcept;
     /// @brief The digest of the device as it is becomes the reference of the cyclic one.
     [[nodiscard]] Result TakeDigest() noexcept;

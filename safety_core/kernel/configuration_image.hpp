@@ -37,6 +37,7 @@ struct HeaderReply
 class ConfigurationImage
 {
   public:
+    /// @brief `guard` outlives it.
     explicit ConfigurationImage(ConfigurationGuard& guard) noexcept : guard_{guard}
     {
     }
@@ -46,7 +47,11 @@ class ConfigurationImage
     {
         return HeaderWith(guard_.Valid());
     }
+    /// @brief One item, counted from 0: kNotExist behind the last one, kDeviceFault when stopped or where the channels
+    /// differ. [SRS_CFG_051]
     [[nodiscard]] ItemReply ReadItem(std::uint32_t number) const noexcept;
+    /// @brief One item of a stored image; clears 13FEh. The value has to fit its object (kDamagedImage); rules are
+    /// looked at by Load. What is not stored in the channels is left out. [SRS_CFG_052]
     [[nodiscard]] Result LoadItem(std::uint32_t number, std::uint32_t value) const noexcept;
     /// @brief After all items: rechecks everything, and declares it valid if it was and still is. Else the power-on
     /// configuration is restored. O(items)
@@ -55,10 +60,15 @@ class ConfigurationImage
     [[nodiscard]] Result RestoreDefaults() const noexcept;
 
   private:
+    /// @brief Header of the items as they are, as if 13FEh were `valid`. O(items)
     [[nodiscard]] HeaderReply HeaderWith(std::uint8_t valid) const noexcept;
+    /// @brief Of the device: items of each SRDO, and 1300h.
     [[nodiscard]] std::uint32_t ItemCount() const noexcept;
+    /// @brief kSuccessful where there is such an item; kDeviceFault when stopped, else kNotExist.
     [[nodiscard]] Result FindItem(std::uint32_t number) const noexcept;
+    /// @brief Object of an item; 1300h for every number behind the SRDOs.
     [[nodiscard]] ObjectKey KeyAt(std::uint32_t number) const noexcept;
+    /// @brief Power-on value of what is stored there.
     [[nodiscard]] inline std::uint32_t DefaultOf(const ConfigAddress& address) const noexcept;
 
     ConfigurationGuard& guard_;
@@ -75,6 +85,7 @@ struct NodeId
 {
     std::uint32_t value;
 };
+/// @brief Producer for 1 to 32, consumer for 33 to 64; off with identifiers 0 for all others.
 [[nodiscard]] Connection DefaultConnection(NodeId node_id) noexcept;
 
 } // namespace counterpoint

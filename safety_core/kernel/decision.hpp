@@ -99,6 +99,7 @@ class Decision
     {
         return demotions_;
     }
+    /// @brief What the last Compare said.
     [[nodiscard]] const Verdict& LastVerdict() const noexcept
     {
         return verdict_;

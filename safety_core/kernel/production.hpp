@@ -20,6 +20,7 @@ class Production
     /// @brief OPERATIONAL was entered with a valid configuration: directions and times stay as they are until Cease.
     /// O(srdo_count)
     void Begin(const KernelContext& context) noexcept;
+    /// @brief Nothing is produced from now on, and what was asked for is forgotten: at each change of the NMT state.
     void Cease() noexcept
     {
         producers_ = 0U;
@@ -64,6 +65,7 @@ class Production
     {
         return stand_a_;
     }
+    /// @brief The same in channel B.
     [[nodiscard]] SrdoMask StandOfB() const noexcept
     {
         return stand_b_;
@@ -107,9 +109,14 @@ class Production
   private:
     // Used in one source file alone: `inline` leaves it to the compiler whether they are called or put in place.
     [[nodiscard]] static Result Readiness(const KernelContext& context) noexcept;
+    /// @brief Why a request has no effect; `wanted` as in Request.
     [[nodiscard]] static Result WhyNotSent(const KernelContext& context, SlotIndex wanted) noexcept;
+    /// @brief Asks the provider if there is one, has both channels prepare the pair, and sends the normal frame if both
+    /// gave the same.
     inline void ProduceSlot(KernelContext& context, SlotIndex slot) noexcept;
+    /// @brief Both channels give up what they prepared for this slot.
     static void GiveUp(const KernelContext& context, SlotIndex slot, SrdoCause cause) noexcept;
+    /// @brief Tells the application once when no SRDO followed the GFC in time.
     inline void FollowGfc(const KernelContext& context) noexcept;
 
     std::uint8_t transmitted_{};

@@ -32,6 +32,7 @@ enum class StatusHandshake : std::uint8_t
 class Reporting
 {
   public:
+    /// @brief Nothing was told. `flow` and `handshake` are what Kernel::Start was given.
     void Restart(const KernelContext& context, const FlowCallback flow, const StatusHandshake handshake) noexcept
     {
         flow_callback_ = flow;
@@ -46,6 +47,7 @@ class Reporting
     {
         return status_;
     }
+    /// @brief The same, to change them.
     [[nodiscard]] SrdoStatus& Status() noexcept
     {
         return status_;
@@ -124,9 +126,13 @@ class Reporting
     }
 
   private:
+    /// @brief Causes of one slot that either channel signals and that were not told within their window.
     void TellSlot(const KernelContext& context, SlotIndex slot, Instant now) noexcept;
+    /// @brief One slot a cycle: forgets windows that are over, before the counter comes round.
     void SweepOne(const KernelContext& context, Instant now) noexcept;
+    /// @brief Flow events of the cycle.
     void TellCounts(const KernelContext& context, const CycleOutcome& outcome, std::uint8_t transmitted) noexcept;
+    /// @brief One flow event, unless its count is 0.
     static void Deliver(const KernelContext& context, FlowEvent event, std::uint16_t count) noexcept;
 
     FlowCallback flow_callback_{};

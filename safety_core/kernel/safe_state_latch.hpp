@@ -42,10 +42,13 @@ class SafeStateLatch
     {
         return (word_ ^ kRunning) | (inverse_ ^ ~kRunning);
     }
+    /// @brief Both words say so; anything else is the device safe state.
     [[nodiscard]] bool IsRunning() const noexcept
     {
         return (word_ == kRunning) && (inverse_ == ~kRunning);
     }
+    /// @brief The first fault, and how many there were. kNone while running; kInvalid where the words say safe and
+    /// nobody entered a fault.
     [[nodiscard]] DeviceFaultReport Report() const noexcept;
 
   private:

@@ -15,6 +15,7 @@ namespace counterpoint
 class SecondNmt
 {
   public:
+    /// @brief The state from now on, and whether OPERATIONAL was left.
     void Set(const NmtState state) noexcept
     {
         if ((Get() == NmtState::kOperational) && (state != NmtState::kOperational))
@@ -40,6 +41,7 @@ class SecondNmt
   private:
     static constexpr std::uint8_t kStayed = 0x96U;
 
+    /// @brief The state that was set last.
     [[nodiscard]] NmtState Get() const noexcept
     {
         return static_cast<NmtState>(static_cast<std::uint8_t>(~std::uint32_t{inverse_}));

@@ -37,6 +37,7 @@ class SrdoStatus
     void OnError(SlotIndex slot) noexcept;
     /// @brief What the application answers. [SRS_KRN_022]
     void Answer(SlotIndex slot, StatusByte status) noexcept;
+    /// @brief The byte as the application reads it, without the marks.
     [[nodiscard]] StatusByte Get(SlotIndex slot) const noexcept;
     /// @brief Lowest slot that was unanswered at the last call and still is, or kNoSlot; once a cycle. O(slots)
     /// [SRS_KRN_022]

@@ -48,6 +48,8 @@ class MemorySignature
     }
 
   private:
+    /// @brief Compares the CRC of the pass with what is expected, takes it as that in the first pass of kTaken, and
+    /// begins anew.
     [[nodiscard]] SliceResult EndPass() noexcept;
 
     SignatureSetup setup_{{nullptr, 0U}, 0U, SignatureSource::kInvalid, 0U};

@@ -68,9 +68,14 @@ class RamTest
     }
 
   private:
+    /// @brief Whether the span leaves out what the test itself works with.
     [[nodiscard]] bool IsFree(const RamPorts& ports, const hal::MemorySpan& span) const noexcept;
+    /// @brief Words of the slice that is next: neighbours, or two that differ in one address line.
     [[nodiscard]] RamWindow Current(const hal::MemorySpan& span) const noexcept;
+    /// @brief Position of the next slice; kPassed behind the last one of a pass.
     [[nodiscard]] SliceResult Advance(const hal::MemorySpan& span) noexcept;
+    /// @brief Tests the window and puts its contents back; 0 where every word was as it had to be. The caller has
+    /// locked interrupts.
     [[nodiscard]] std::uint32_t TestWindow(const RamWindow& window, hal::MemoryAccess& memory) noexcept;
 
     RamSetup setup_{{nullptr, 0U}, nullptr, 0U};

@@ -106,12 +106,21 @@ class SelfTest final : public SelfTestPart
     }
 
   private:
+    /// @brief All tests begin anew.
     void Restart(const SelfTestSetup& setup) noexcept;
+    /// @brief Whether each test can be used and one round and the longest pass fit into the interval; nothing is
+    /// tested.
     [[nodiscard]] StartReport CheckSetup(const SelfTestSetup& setup) noexcept;
+    /// @brief One whole pass of a test; it has to end with the last of so many slices.
     [[nodiscard]] TestState RunOnce(TestId test, std::uint32_t slices) noexcept;
+    /// @brief One step of this test.
     [[nodiscard]] SliceResult Slice(TestId test) noexcept;
+    /// @brief The first test that failed is kept.
     void Note(TestId test, SliceResult result) noexcept;
+    /// @brief One slice of the test whose turn it is; a round that is shorter or longer than it has to be is a failure.
     void DoSlice() noexcept;
+    /// @brief Grows by 1 with each whole cycle since the start-up test; a part left out, or done twice, makes it
+    /// something else.
     [[nodiscard]] std::uint32_t Progress() const noexcept;
 
     SelfTestPorts ports_;
