@@ -79,20 +79,12 @@ void ChannelTap::SetFields(const SlotIndex slot, const StaticFields& fields) noe
 
 DeviceDigest ChannelTap::Digest(const SlotIndex slot, const DeviceDigest before) const noexcept
 {
-    if (!IsStill())
-    {
-        digest_ = real_.Digest(slot, before);
-    }
-    return Told(digest_);
+    return Asked(digest_, [&]() { return real_.Digest(slot, before); });
 }
 
 CheckResult ChannelTap::Validate(const SlotIndex slot) noexcept
 {
-    if (!IsStill())
-    {
-        check_ = real_.Validate(slot);
-    }
-    return Told(check_);
+    return Asked(check_, [&]() { return real_.Validate(slot); });
 }
 
 CheckResult ChannelTap::Recheck(const SlotIndex slot) noexcept
@@ -159,21 +151,17 @@ HeldPair ChannelTap::Held(const SlotIndex slot) const noexcept
     {
         return HeldPair{}; // A comparator with a flipped bit asks for what is not there.
     }
-    if (!IsStill())
-    {
-        const HeldPair held = real_.Held(slot);
-        held_[slot] = IsGood() ? GoodPair(slot, held) : held;
-    }
-    return Told(held_[slot]);
+    return Asked(held_[slot],
+                 [this, slot]()
+                 {
+                     const HeldPair held = real_.Held(slot);
+                     return IsGood() ? GoodPair(slot, held) : held;
+                 });
 }
 
 SrdoView ChannelTap::View(const SlotIndex slot) const noexcept
 {
-    if (!IsStill())
-    {
-        views_[slot] = real_.View(slot);
-    }
-    return Told(views_[slot]);
+    return Asked(views_[slot], [&]() { return real_.View(slot); });
 }
 
 void ChannelTap::Demote(const SlotIndex slot) noexcept
@@ -208,31 +196,17 @@ Permit ChannelTap::Answer(const std::uint32_t challenge) const noexcept
 
 PreparedPair ChannelTap::Prepare(const SlotIndex slot) noexcept
 {
-    if (!IsStill())
-    {
-        prepared_ = real_.Prepare(slot);
-    }
-    return Told(prepared_);
+    return Asked(prepared_, [&]() { return real_.Prepare(slot); });
 }
 
 Confirmation ChannelTap::OnConfirm(const CanFrame& frame, const Instant stamp) noexcept
 {
-    Confirmation confirmation{kNoSlot, ConfirmStep::kNone};
-    if (!IsStill())
-    {
-        confirmation = real_.OnConfirm(frame, stamp);
-    }
-    return confirmation;
+    return IsStill() ? Confirmation{kNoSlot, ConfirmStep::kNone} : real_.OnConfirm(frame, stamp);
 }
 
 CanFrame ChannelTap::InverseFrame(const SlotIndex slot) const noexcept
 {
-    CanFrame frame{};
-    if (!IsStill())
-    {
-        frame = real_.InverseFrame(slot);
-    }
-    return frame;
+    return IsStill() ? CanFrame{} : real_.InverseFrame(slot);
 }
 
 void ChannelTap::OnTransmitFault(const SlotIndex slot, const TransmitFault& fault) noexcept

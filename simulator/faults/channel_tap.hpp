@@ -59,6 +59,16 @@ class ChannelTap final : public Channel
     {
         return IsMute() ? Answered{} : last;
     }
+    /// @brief The answer of the channel if it runs, else its last one, or zeros.
+    template <typename Answered, typename Real>
+    [[nodiscard]] Answered Asked(Answered& last, const Real& real) const noexcept
+    {
+        if (!IsStill())
+        {
+            last = real();
+        }
+        return Told(last);
+    }
     /// @brief Whether the channel is always good: it works, but says that nothing is wrong. [SRS_SIM_033]
     [[nodiscard]] bool IsGood() const noexcept;
     void Whitewash(CycleOutcome& outcome) const noexcept;

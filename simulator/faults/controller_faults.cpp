@@ -12,7 +12,8 @@ constexpr std::uint64_t kControllerSalt = 0xC0117501U;
 } // namespace
 
 ControllerFaults::ControllerFaults(const FaultStage& stage, std::vector<FrameSelector> selectors)
-    : stage_(stage), teller_(stage_), random_(stage.scenario.seed + kControllerSalt), selectors_(std::move(selectors))
+    : stage_(stage), teller_(stage.journal, EventKind::kFrameChanged), random_(stage.scenario.seed + kControllerSalt),
+      selectors_(std::move(selectors))
 {
 }
 
@@ -51,9 +52,8 @@ const FrameSelector* ControllerFaults::Hit(const Moment moment, const CanFrame& 
     return hit;
 }
 
-host::SubmitFate ControllerFaults::OnSubmit(CanFrame& frame, const host::NodeIndex sender, const host::BusTime now)
+host::SubmitFate ControllerFaults::OnSubmit(CanFrame& frame, const host::NodeIndex sender, const host::BusTime /*now*/)
 {
-    static_cast<void>(now);
     if (stage_.places[sender].fault != kNoFaultIndex)
     {
         return host::SubmitFate::kQueued;

@@ -29,16 +29,13 @@ void ForeignController::Stop() noexcept
     bus_.AbortAll(node_);
 }
 
-void ForeignController::OnReceived(const CanFrame& frame, const host::BusTime at)
+void ForeignController::OnReceived(const CanFrame& frame, const host::BusTime /*at*/)
 {
-    static_cast<void>(at);
     static_cast<void>(bus_.Submit(node_, frame));
 }
 
-void ForeignController::OnConfirmed(const CanFrame& frame, const host::BusTime at)
+void ForeignController::OnConfirmed(const CanFrame& /*frame*/, const host::BusTime /*at*/)
 {
-    static_cast<void>(frame);
-    static_cast<void>(at);
     if (is_babbling_)
     {
         static_cast<void>(bus_.Submit(node_, frame_));

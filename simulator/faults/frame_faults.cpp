@@ -23,29 +23,10 @@ bool Corrupt(const FaultSetup& fault, CanFrame& frame)
 }
 } // namespace
 
-EffectTeller::EffectTeller(const FaultStage& stage) noexcept : stage_(stage)
-{
-}
-
-void EffectTeller::Tell(const std::size_t fault, const NodeIndex receiver, const std::uint32_t identifier,
-                        const Nanoseconds at)
-{
-    stage_.journal.Tell({at, EventKind::kFrameChanged, receiver, 0U, identifier, fault});
-    if (std::find(told_.begin(), told_.end(), fault) == told_.end())
-    {
-        told_.push_back(fault);
-        stage_.journal.Note({at, EventKind::kFault, receiver, 0U, fault, 0U});
-    }
-}
-
 FrameFaults::FrameFaults(const FaultStage& stage, std::vector<FrameSelector> selectors)
-    : stage_(stage), teller_(stage_), random_(stage.scenario.seed), selectors_(std::move(selectors))
+    : stage_(stage), teller_(stage.journal, EventKind::kFrameChanged), random_(stage.scenario.seed),
+      selectors_(std::move(selectors))
 {
-}
-
-const std::map<std::size_t, std::uint32_t>& FrameFaults::Dropped() const noexcept
-{
-    return dropped_;
 }
 
 void FrameFaults::OnReception(const host::FrameOnBus& sent, const host::NodeIndex receiver,

@@ -4,7 +4,6 @@
 
 #include "simulator/faults/frame_selector.hpp"
 #include "simulator/faults/random.hpp"
-#include "simulator/journal/bus_place.hpp"
 #include "simulator/journal/journal.hpp"
 #include "simulator/scenario/scenario.hpp"
 
@@ -26,20 +25,6 @@ struct FaultStage
     Journal& journal;
 };
 
-/// Tells the journal which frames a fault has changed, and the first effect of each fault.
-class EffectTeller
-{
-  public:
-    /// @brief `stage` outlives it.
-    explicit EffectTeller(const FaultStage& stage) noexcept;
-    /// @brief The fault with this index has changed what `receiver` gets of a frame.
-    void Tell(std::size_t fault, NodeIndex receiver, std::uint32_t identifier, Nanoseconds at);
-
-  private:
-    const FaultStage& stage_;
-    std::vector<std::size_t> told_; ///< Faults whose first effect is in the journal.
-};
-
 /// The faults that act on frames on their way to receivers, and the effects of frames that faults have sent. The
 /// selectors are in the order of the scenario. [SRS_SIM_020, SRS_SIM_027]
 class FrameFaults final : public host::BusFault
@@ -50,7 +35,10 @@ class FrameFaults final : public host::BusFault
     void OnReception(const host::FrameOnBus& sent, host::NodeIndex receiver, host::ReceptionList& receptions) override;
     /// @brief By fault, how many copies of frames were dropped because a frame can have no more receptions.
     /// [SRS_SIM_017]
-    [[nodiscard]] const std::map<std::size_t, std::uint32_t>& Dropped() const noexcept;
+    [[nodiscard]] const std::map<std::size_t, std::uint32_t>& Dropped() const noexcept
+    {
+        return dropped_;
+    }
 
   private:
     /// A frame held back until the next one has come (wrong sequence).

@@ -11,6 +11,30 @@ namespace
 constexpr std::uint32_t kMillion = 1000000U;
 } // namespace
 
+bool Turns::Take(const FrameChoice& choice, const bool is_lucky) noexcept
+{
+    ++seen_;
+    const bool is_turn = seen_ >= choice.first && (seen_ - choice.first) % choice.every == 0U;
+    const bool is_hit = is_turn && is_lucky && done_ < choice.count;
+    done_ += is_hit ? 1U : 0U;
+    return is_hit;
+}
+
+EffectTeller::EffectTeller(Journal& journal, const EventKind kind) noexcept : journal_(journal), kind_(kind)
+{
+}
+
+void EffectTeller::Tell(const std::size_t fault, const NodeIndex receiver, const std::uint32_t identifier,
+                        const Nanoseconds at)
+{
+    journal_.Tell({at, kind_, receiver, 0U, identifier, fault});
+    if (std::find(told_.begin(), told_.end(), fault) == told_.end())
+    {
+        told_.push_back(fault);
+        journal_.Note({at, EventKind::kFault, receiver, 0U, fault, 0U});
+    }
+}
+
 FrameSelector::FrameSelector(const FaultSetup& fault, const std::size_t index, std::vector<std::uint32_t> identifiers)
     : fault_(&fault), index_(index), identifiers_(std::move(identifiers))
 {
@@ -34,17 +58,8 @@ void FrameSelector::Examine(const CanFrame& frame, const NodeIndex sender, const
     {
         return;
     }
-    ++seen_;
-    const bool is_turn = seen_ >= choice.first && (seen_ - choice.first) % choice.every == 0U;
     // The number is drawn in any case, so that one fault does not shift the luck of another.
-    const bool is_lucky = random.Below(kMillion) < choice.probability_ppm;
-    is_chosen_ = is_turn && is_lucky && done_ < choice.count;
-    done_ += is_chosen_ ? 1U : 0U;
-}
-
-bool FrameSelector::IsChosen() const noexcept
-{
-    return is_chosen_;
+    is_chosen_ = turns_.Take(choice, random.Below(kMillion) < choice.probability_ppm);
 }
 
 bool FrameSelector::IsFor(const BusPlace& receiver) const noexcept
@@ -54,13 +69,4 @@ bool FrameSelector::IsFor(const BusPlace& receiver) const noexcept
     return is_node && (choice.controller == 0U || choice.controller == receiver.controller);
 }
 
-const FaultSetup& FrameSelector::Fault() const noexcept
-{
-    return *fault_;
-}
-
-std::size_t FrameSelector::Index() const noexcept
-{
-    return index_;
-}
 } // namespace counterpoint::simulator

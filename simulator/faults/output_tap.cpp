@@ -3,6 +3,8 @@
 
 #include "simulator/faults/right_response.hpp"
 
+#include <utility>
+
 namespace counterpoint::simulator
 {
 OutputTap::OutputTap(hal::SafetyOutput& real, PartFaults& faults) noexcept : real_(real), faults_(faults)
@@ -40,8 +42,7 @@ Permit OutputTap::Spoiled(const Part part, const Permit& given, const Permit& be
 
 void OutputTap::Drive(const hal::PermitSet& permits) noexcept
 {
-    const hal::PermitSet before = permits_;
-    permits_ = permits;
+    const hal::PermitSet before = std::exchange(permits_, permits);
     const hal::PermitSet given{Spoiled(Part::kPermitA, permits.a, before.a),
                                Spoiled(Part::kPermitB, permits.b, before.b),
                                Spoiled(Part::kPermitKernel, permits.kernel, before.kernel)};
@@ -74,11 +75,6 @@ hal::ProbeAnswer OutputTap::Probe(const hal::PermitSet& permits, const std::uint
     return hal::ProbeAnswer::kAccepted;
 }
 
-const hal::PermitSet& OutputTap::Permits() const noexcept
-{
-    return permits_;
-}
-
 WatchdogTap::WatchdogTap(hal::Watchdog& real, PartFaults& faults) noexcept : real_(real), faults_(faults)
 {
 }
@@ -102,22 +98,16 @@ void WatchdogTap::Answer(const hal::WatchdogAnswer& answer) noexcept
 {
     const PartCondition& condition = faults_.Condition(Part::kWatchdog);
     hal::WatchdogAnswer given = answer;
-    bool is_served = true;
-    bool is_served_again = false;
+    int times = 1;
     if (condition.is_faulty)
     {
         faults_.HasEffect(condition);
         given.value = (condition.how == Wrongness::kOld) ? before_.value : given.value;
         given.value ^= (condition.how == Wrongness::kWrong) ? 1U : 0U;
-        is_served = condition.how != Wrongness::kMissing;
-        is_served_again = condition.how == Wrongness::kTwice;
+        times = (condition.how == Wrongness::kMissing) ? 0 : ((condition.how == Wrongness::kTwice) ? 2 : 1);
     }
     before_ = answer;
-    if (is_served)
-    {
-        Give(given);
-    }
-    if (is_served_again)
+    for (; times > 0; --times)
     {
         Give(given);
     }

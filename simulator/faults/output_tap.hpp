@@ -22,7 +22,10 @@ class OutputTap final : public hal::SafetyOutput
     [[nodiscard]] hal::ProbeAnswer Probe(const hal::PermitSet& permits,
                                          std::uint32_t challenge) const noexcept override;
     /// @brief The permits of the last cycle, as the kernel gave them.
-    [[nodiscard]] const hal::PermitSet& Permits() const noexcept;
+    [[nodiscard]] const hal::PermitSet& Permits() const noexcept
+    {
+        return permits_;
+    }
 
   private:
     [[nodiscard]] Permit Spoiled(Part part, const Permit& given, const Permit& before) noexcept;

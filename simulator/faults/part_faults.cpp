@@ -2,6 +2,7 @@
 #include "simulator/faults/part_faults.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace counterpoint::simulator
 {
@@ -91,22 +92,4 @@ void PartFaults::Trap() noexcept
     std::longjmp(way_out_, 1);
 }
 
-bool PartFaults::TakeTrap() noexcept
-{
-    const bool is_trapped = is_trapped_;
-    is_trapped_ = false;
-    return is_trapped;
-}
-
-std::jmp_buf& PartFaults::WayOut() noexcept
-{
-    return way_out_;
-}
-
-std::vector<std::pair<std::size_t, Nanoseconds>> PartFaults::TakeEffects()
-{
-    std::vector<std::pair<std::size_t, Nanoseconds>> taken;
-    taken.swap(effects_);
-    return taken;
-}
 } // namespace counterpoint::simulator

@@ -2,13 +2,14 @@
 #ifndef SIMULATOR_FAULTS_PART_FAULTS_HPP
 #define SIMULATOR_FAULTS_PART_FAULTS_HPP
 
-#include "simulator/journal/bus_place.hpp"
+#include "simulator/journal/journal.hpp"
 #include "simulator/scenario/scenario.hpp"
 
 #include <array>
 #include <csetjmp>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace counterpoint::simulator
@@ -62,16 +63,25 @@ class PartFaults
     /// [SRS_SIM_055]
     [[noreturn]] void Trap() noexcept;
     /// @brief Where Trap, and a call that hangs, lead to: the node stands still. [SRS_SIM_025]
-    [[nodiscard]] std::jmp_buf& WayOut() noexcept;
+    [[nodiscard]] std::jmp_buf& WayOut() noexcept
+    {
+        return way_out_;
+    }
     /// @brief The time of effects.
     [[nodiscard]] Nanoseconds Now() const noexcept
     {
         return now_;
     }
     /// @brief Whether Trap was called since the last call.
-    [[nodiscard]] bool TakeTrap() noexcept;
+    [[nodiscard]] bool TakeTrap() noexcept
+    {
+        return std::exchange(is_trapped_, false);
+    }
     /// @brief First effects since the last call: index of the fault, and time.
-    [[nodiscard]] std::vector<std::pair<std::size_t, Nanoseconds>> TakeEffects();
+    [[nodiscard]] std::vector<std::pair<std::size_t, Nanoseconds>> TakeEffects()
+    {
+        return std::exchange(effects_, {});
+    }
 
   private:
     std::array<PartCondition, kPartCount> conditions_{};

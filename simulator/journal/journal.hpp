@@ -8,6 +8,7 @@
 #include "safety_core/contract/can_frame.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -15,6 +16,17 @@
 
 namespace counterpoint::simulator
 {
+constexpr std::size_t kNoFaultIndex = static_cast<std::size_t>(-1);
+
+/// Whose controller a node of the bus is: the first or second one of a device, or the one of a fault.
+struct BusPlace
+{
+    NodeIndex node{kNoNode};
+    std::uint32_t controller{1U};
+    std::size_t fault{kNoFaultIndex}; ///< A controller that is no node's.
+};
+/// By the numbers of the nodes on the bus.
+using BusPlaces = std::vector<BusPlace>;
 /// Kinds of events. `node` and `srdo` (a number; 0: none) of an event say where it happened; `value` and `other` say
 /// what.
 enum class EventKind : std::uint8_t

@@ -3,20 +3,23 @@
 #include "simulator/scenario/names.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace counterpoint::simulator
 {
 namespace
 {
-/// What was noticed at one instant.
+/// What was noticed at one instant: of each kind the first event.
 struct Findings
 {
-    const Event* device_fault{nullptr};
-    const Event* watchdog{nullptr};
-    const Event* cause_a{nullptr};
-    const Event* cause_b{nullptr};
-    const Event* closed{nullptr};
+    std::map<EventKind, const Event*> first;
     Nanoseconds at{-1};
+
+    [[nodiscard]] const Event* Of(const EventKind kind) const
+    {
+        const auto found = first.find(kind);
+        return (found == first.end()) ? nullptr : found->second;
+    }
 };
 
 bool IsFinding(const Event& event)
@@ -24,36 +27,6 @@ bool IsFinding(const Event& event)
     return event.kind == EventKind::kDeviceFault || event.kind == EventKind::kWatchdog ||
            event.kind == EventKind::kCauseA || event.kind == EventKind::kCauseB ||
            (event.kind == EventKind::kOutput && event.value == 0U);
-}
-
-void Keep(const Event*& place, const Event& event)
-{
-    place = (place == nullptr) ? &event : place;
-}
-
-void Add(Findings& findings, const Event& event)
-{
-    findings.at = event.at;
-    if (event.kind == EventKind::kDeviceFault)
-    {
-        Keep(findings.device_fault, event);
-    }
-    else if (event.kind == EventKind::kWatchdog)
-    {
-        Keep(findings.watchdog, event);
-    }
-    else if (event.kind == EventKind::kCauseA)
-    {
-        Keep(findings.cause_a, event);
-    }
-    else if (event.kind == EventKind::kCauseB)
-    {
-        Keep(findings.cause_b, event);
-    }
-    else
-    {
-        Keep(findings.closed, event);
-    }
 }
 
 Party PartyOf(const Event& device_fault)
@@ -113,19 +86,20 @@ bool FollowsCommands(const Event& event)
 
 Detection Conclude(const Findings& findings)
 {
-    if (findings.device_fault != nullptr)
+    if (const Event* const fault = findings.Of(EventKind::kDeviceFault))
     {
-        return {PartyOf(*findings.device_fault), Name(static_cast<DeviceFault>(findings.device_fault->value)),
+        return {PartyOf(*fault), Name(static_cast<DeviceFault>(fault->value)), findings.at};
+    }
+    const Event* const cause_a = findings.Of(EventKind::kCauseA);
+    const Event* const cause_b = findings.Of(EventKind::kCauseB);
+    if (cause_a != nullptr || cause_b != nullptr)
+    {
+        const Party one = (cause_a != nullptr) ? Party::kChannelA : Party::kChannelB;
+        const bool is_both = cause_a != nullptr && cause_b != nullptr;
+        return {is_both ? Party::kChannels : one, Name(CauseOf((cause_a != nullptr) ? *cause_a : *cause_b)),
                 findings.at};
     }
-    if (findings.cause_a != nullptr || findings.cause_b != nullptr)
-    {
-        const bool is_both = findings.cause_a != nullptr && findings.cause_b != nullptr;
-        const Event& first = (findings.cause_a != nullptr) ? *findings.cause_a : *findings.cause_b;
-        const Party one = (findings.cause_a != nullptr) ? Party::kChannelA : Party::kChannelB;
-        return {is_both ? Party::kChannels : one, Name(CauseOf(first)), findings.at};
-    }
-    if (findings.watchdog != nullptr)
+    if (findings.Of(EventKind::kWatchdog) != nullptr)
     {
         return {Party::kWatchdog, "wrong_or_no_answer", findings.at};
     }
@@ -161,7 +135,8 @@ Detection DetectionAt(const Journal& journal, const NodeIndex node, const Nanose
         }
         if (is_here)
         {
-            Add(findings, event);
+            findings.at = event.at;
+            findings.first.try_emplace(event.kind, &event);
         }
     }
     return (findings.at < 0) ? Detection{} : Conclude(findings);

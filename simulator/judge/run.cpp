@@ -128,29 +128,9 @@ void Run::Simulate(const std::function<void(Nanoseconds)>& progress)
     verdicts_ = Judge(scenario_, journal_, *network_, found_);
 }
 
-const Scenario& Run::Setting() const noexcept
-{
-    return scenario_;
-}
-
-const Journal& Run::Record() const noexcept
-{
-    return journal_;
-}
-
-Network& Run::Devices() noexcept
-{
-    return *network_;
-}
-
 const runtime::DeviceModel& Run::ModelOf(const NodeIndex node) const
 {
     return network_->At(node).Model();
-}
-
-const std::vector<ExpectationVerdict>& Run::Verdicts() const noexcept
-{
-    return verdicts_;
 }
 
 std::vector<std::string> Run::FaultsWithoutEffect() const
@@ -239,8 +219,4 @@ std::string Run::NodeName(const NodeIndex node) const
     return (node == kNoNode) ? "bus" : "somebody else";
 }
 
-const ManagedWorld* Run::Managed() const noexcept
-{
-    return managed_.get();
-}
 } // namespace counterpoint::simulator

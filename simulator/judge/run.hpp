@@ -35,15 +35,27 @@ class Run
     void Simulate(const std::function<void(Nanoseconds)>& progress);
 
     /// @brief The scenario.
-    [[nodiscard]] const Scenario& Setting() const noexcept;
+    [[nodiscard]] const Scenario& Setting() const noexcept
+    {
+        return scenario_;
+    }
     /// @brief What happened.
-    [[nodiscard]] const Journal& Record() const noexcept;
+    [[nodiscard]] const Journal& Record() const noexcept
+    {
+        return journal_;
+    }
     /// @brief Bus and devices.
-    [[nodiscard]] Network& Devices() noexcept;
+    [[nodiscard]] Network& Devices() noexcept
+    {
+        return *network_;
+    }
     /// @brief What the DCF of a node says.
     [[nodiscard]] const runtime::DeviceModel& ModelOf(NodeIndex node) const;
     /// @brief The verdict of each expectation.
-    [[nodiscard]] const std::vector<ExpectationVerdict>& Verdicts() const noexcept;
+    [[nodiscard]] const std::vector<ExpectationVerdict>& Verdicts() const noexcept
+    {
+        return verdicts_;
+    }
     /// @brief A line for each fault that never changed anything. [SRS_SIM_015]
     [[nodiscard]] std::vector<std::string> FaultsWithoutEffect() const;
     /// @brief A line for each thing of the scenario that --until cut off, and for copies of frames that were dropped.
@@ -56,7 +68,10 @@ class Run
     /// @brief Name of a node, of a manager (they come behind the nodes), or of somebody else on the bus.
     [[nodiscard]] std::string NodeName(NodeIndex node) const;
     /// @brief The managers; null: the scenario has none.
-    [[nodiscard]] const ManagedWorld* Managed() const noexcept;
+    [[nodiscard]] const ManagedWorld* Managed() const noexcept
+    {
+        return managed_.get();
+    }
 
   private:
     void RunTo(Nanoseconds now);

@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "simulator/judge/sweep.hpp"
+#include "simulator/scenario/parts.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -66,14 +67,7 @@ std::optional<std::size_t> Index(const std::string& text)
 /// The value of a key of a map; nullptr if it is not there.
 runtime::YamlNode* ValueOf(runtime::YamlNode& map, const std::string& key)
 {
-    for (std::size_t member = 0U; map.kind == runtime::YamlKind::kMap && member + 1U < map.items.size(); member += 2U)
-    {
-        if (map.items[member].scalar == key)
-        {
-            return &map.items[member + 1U];
-        }
-    }
-    return nullptr;
+    return const_cast<runtime::YamlNode*>(MemberOf(map, key));
 }
 
 runtime::YamlNode* Added(runtime::YamlNode& map, const std::string& key)

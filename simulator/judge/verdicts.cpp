@@ -75,11 +75,7 @@ class Judgement
     [[nodiscard]] ExpectationVerdict OfFound(const Expectation& expectation, const std::string& found) const
     {
         const bool is_absence = expectation.kind == ExpectationKind::kNoEvent;
-        ExpectationVerdict verdict;
-        verdict.holds = (found == expectation.is) != is_absence;
-        verdict.wanted = WantedOf(expectation);
-        verdict.seen = found;
-        return verdict;
+        return {0U, (found == expectation.is) != is_absence, WantedOf(expectation), found, {}};
     }
 
     [[nodiscard]] Nanoseconds EffectOf(const std::size_t fault) const
@@ -172,12 +168,11 @@ class Judgement
     {
         const bool is_open = IsOpen(expectation, expectation.srdo, expectation.at);
         const bool wants_open = expectation.kind == ExpectationKind::kReleased;
-        ExpectationVerdict verdict;
-        verdict.holds = is_open == wants_open;
-        verdict.wanted =
-            Place(expectation) + (wants_open ? " released" : " safe") + " at " + MillisecondsText(expectation.at);
-        verdict.seen = is_open ? "released" : "safe";
-        return verdict;
+        return {0U,
+                is_open == wants_open,
+                Place(expectation) + (wants_open ? " released" : " safe") + " at " + MillisecondsText(expectation.at),
+                is_open ? "released" : "safe",
+                {}};
     }
 
     /// What the application of that node used last.
@@ -204,12 +199,12 @@ class Judgement
         const std::uint64_t value = is_open ? UsedAt(expectation.node, expectation, safe) : safe;
         const bool is_same =
             !is_open || !expectation.is_series || UsedAt(expectation.node + 1U, expectation, safe) == value;
-        ExpectationVerdict verdict;
-        verdict.holds = is_same && value == expectation.value;
-        verdict.wanted = NameOfPlace(expectation) + " " + ObjectText(expectation.object) + " is " +
-                         std::to_string(expectation.value) + " at " + MillisecondsText(expectation.at);
-        verdict.seen = std::to_string(value) + (is_same ? "" : ", and another one on the second CPU");
-        return verdict;
+        return {0U,
+                is_same && value == expectation.value,
+                NameOfPlace(expectation) + " " + ObjectText(expectation.object) + " is " +
+                    std::to_string(expectation.value) + " at " + MillisecondsText(expectation.at),
+                std::to_string(value) + (is_same ? "" : ", and another one on the second CPU"),
+                {}};
     }
 
     [[nodiscard]] ExpectationVerdict OfCause(const Expectation& expectation) const
@@ -229,11 +224,11 @@ class Judgement
             const std::string name = Name(cause);
             seen += (seen.find(name) == std::string::npos) ? (seen.empty() ? "" : ", ") + name : "";
         }
-        ExpectationVerdict verdict;
-        verdict.holds = (expectation.cause == SrdoCause::kNone) ? seen.empty() : is_there;
-        verdict.wanted = Place(expectation) + " cause " + Name(expectation.cause);
-        verdict.seen = seen.empty() ? "none" : seen;
-        return verdict;
+        return {0U,
+                (expectation.cause == SrdoCause::kNone) ? seen.empty() : is_there,
+                Place(expectation) + " cause " + Name(expectation.cause),
+                seen.empty() ? "none" : seen,
+                {}};
     }
 
     [[nodiscard]] ExpectationVerdict OfDeviceFault(const Expectation& expectation) const
@@ -244,11 +239,11 @@ class Judgement
             const bool is_this = event.kind == EventKind::kDeviceFault && IsMeant(expectation, event.node);
             fault = (is_this && fault == DeviceFault::kNone) ? static_cast<DeviceFault>(event.value) : fault;
         }
-        ExpectationVerdict verdict;
-        verdict.holds = fault == expectation.device_fault;
-        verdict.wanted = NameOfPlace(expectation) + " device fault " + Name(expectation.device_fault);
-        verdict.seen = Name(fault);
-        return verdict;
+        return {0U,
+                fault == expectation.device_fault,
+                NameOfPlace(expectation) + " device fault " + Name(expectation.device_fault),
+                Name(fault),
+                {}};
     }
 
     [[nodiscard]] Detection FirstDetection(const Expectation& expectation, const Nanoseconds from) const
@@ -474,11 +469,8 @@ std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& j
     {
         if (!scenario.faults[index].is_optional && judgement.EffectOf(index) < 0)
         {
-            ExpectationVerdict verdict;
-            verdict.expectation = kOfItself;
-            verdict.wanted = "fault " + runtime::Shown(scenario.faults[index].name) + " happens";
-            verdict.seen = "never happened";
-            verdicts.push_back(verdict);
+            const std::string wanted = "fault " + runtime::Shown(scenario.faults[index].name) + " happens";
+            verdicts.push_back({kOfItself, false, wanted, "never happened", {}});
         }
     }
     return verdicts;

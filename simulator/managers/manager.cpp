@@ -39,41 +39,6 @@ void SimulatedManager::Plan(const Action& action)
     actions_.insert(later, action);
 }
 
-const ManagerSetup& SimulatedManager::Setup() const noexcept
-{
-    return setup_;
-}
-
-std::uint8_t SimulatedManager::Node() const noexcept
-{
-    return net_.Setup().own.value;
-}
-
-host::NodeIndex SimulatedManager::BusNode() const noexcept
-{
-    return bus_node_;
-}
-
-const network_plan::LoadedNetwork& SimulatedManager::Net() const noexcept
-{
-    return net_;
-}
-
-const runtime::ManagerStation* SimulatedManager::Station() const noexcept
-{
-    return station_.get();
-}
-
-bool SimulatedManager::HasSupply() const noexcept
-{
-    return station_ != nullptr && !is_killed_;
-}
-
-const std::vector<runtime::ManagerEvent>& SimulatedManager::Events() const noexcept
-{
-    return events_;
-}
-
 Nanoseconds SimulatedManager::NextEvent() const noexcept
 {
     const Nanoseconds heard = heard_.empty() ? kNever : heard_.front().at;

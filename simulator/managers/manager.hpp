@@ -26,19 +26,40 @@ class SimulatedManager final : public Participant, private host::BusListener
     /// @brief Adds something that will happen to it; call it in the order of time.
     void Plan(const Action& action);
     /// @brief What the scenario says about it.
-    [[nodiscard]] const ManagerSetup& Setup() const noexcept;
+    [[nodiscard]] const ManagerSetup& Setup() const noexcept
+    {
+        return setup_;
+    }
     /// @brief Its node-ID.
-    [[nodiscard]] std::uint8_t Node() const noexcept;
+    [[nodiscard]] std::uint8_t Node() const noexcept
+    {
+        return net_.Setup().own.value;
+    }
     /// @brief Its controller on the bus.
-    [[nodiscard]] host::NodeIndex BusNode() const noexcept;
+    [[nodiscard]] host::NodeIndex BusNode() const noexcept
+    {
+        return bus_node_;
+    }
     /// @brief Its network.
-    [[nodiscard]] const network_plan::LoadedNetwork& Net() const noexcept;
+    [[nodiscard]] const network_plan::LoadedNetwork& Net() const noexcept
+    {
+        return net_;
+    }
     /// @brief The manager itself; null: it was not switched on yet.
-    [[nodiscard]] const runtime::ManagerStation* Station() const noexcept;
+    [[nodiscard]] const runtime::ManagerStation* Station() const noexcept
+    {
+        return station_.get();
+    }
     /// @brief Whether it is switched on and was not killed.
-    [[nodiscard]] bool HasSupply() const noexcept;
+    [[nodiscard]] bool HasSupply() const noexcept
+    {
+        return station_ != nullptr && !is_killed_;
+    }
     /// @brief All events that it told.
-    [[nodiscard]] const std::vector<runtime::ManagerEvent>& Events() const noexcept;
+    [[nodiscard]] const std::vector<runtime::ManagerEvent>& Events() const noexcept
+    {
+        return events_;
+    }
 
     [[nodiscard]] Nanoseconds NextEvent() const noexcept override;
     void Run(Nanoseconds now) override;

@@ -1,6 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "simulator/report/json.hpp"
-
+#include "simulator/report/page_parts.hpp"
 #include "simulator/report/reports.hpp"
 #include "simulator/scenario/names.hpp"
 

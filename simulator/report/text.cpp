@@ -25,23 +25,16 @@ std::string TimeColumn(const Nanoseconds at)
     return text.data();
 }
 
-const char* FateText(const host::FrameFate fate)
-{
-    switch (fate)
-    {
-    case host::FrameFate::kComplete:
-        return "";
-    case host::FrameFate::kHit:
-        return "destroyed on the wire";
-    case host::FrameFate::kCollision:
-        return "destroyed by a collision";
-    case host::FrameFate::kNotAcknowledged:
-        return "not acknowledged";
-    case host::FrameFate::kSenderGone:
-        return "sender gone";
-    }
-    return "";
-}
+constexpr Word<host::FrameFate> kFateTexts[] = {
+    {"", host::FrameFate::kComplete},
+    {"destroyed on the wire", host::FrameFate::kHit},
+    {"destroyed by a collision", host::FrameFate::kCollision},
+    {"not acknowledged", host::FrameFate::kNotAcknowledged},
+    {"sender gone", host::FrameFate::kSenderGone},
+};
+constexpr const char* kGfcTexts[] = {"GFC refused", "GFC sent", "GFC received", "GFC not followed by an SRDO in time"};
+constexpr const char* kHungTexts[] = {"a call does not return: the node stands still",
+                                      "a call leads anywhere: the processor stops the node", "the node stands still"};
 
 std::string ManagerText(const ManagerEntry& entry)
 {
@@ -110,7 +103,8 @@ class TimeLine
                 continue;
             }
             const std::string from = (frame.sender == kNoNode) ? "inserted" : "from " + run_.NodeName(frame.sender);
-            Line(frame.end, "bus", "frame " + FrameText(frame.frame) + "  " + from + "  " + FateText(frame.fate));
+            Line(frame.end, "bus",
+                 "frame " + FrameText(frame.frame) + "  " + from + "  " + NameOf(kFateTexts, frame.fate));
         }
     }
 
@@ -150,19 +144,6 @@ cia301::ReceivedEmergency EmergencyOf(const Event& event)
 std::string SrdoText(const Event& event)
 {
     return "SRDO " + std::to_string(event.srdo) + " ";
-}
-
-std::string GfcText(const std::uint64_t value)
-{
-    constexpr const char* kTexts[] = {"GFC refused", "GFC sent", "GFC received", "GFC not followed by an SRDO in time"};
-    return kTexts[value % 4U];
-}
-
-std::string HungText(const std::uint64_t value)
-{
-    constexpr const char* kTexts[] = {"a call does not return: the node stands still",
-                                      "a call leads anywhere: the processor stops the node", "the node stands still"};
-    return kTexts[value % 3U];
 }
 
 std::string LinkText(const Event& event)
@@ -264,7 +245,7 @@ std::string EventText(const Run& run, const Event& event)
     case EventKind::kAcknowledge:
         return SrdoText(event) + "acknowledge " + std::to_string(event.value);
     case EventKind::kGfc:
-        return GfcText(event.value);
+        return kGfcTexts[event.value % std::size(kGfcTexts)];
     case EventKind::kPowerOn:
         return "power on, configuration accepted";
     case EventKind::kPowerOff:
@@ -279,7 +260,7 @@ std::string EventText(const Run& run, const Event& event)
     case EventKind::kWatchdog:
         return "WATCHDOG TRIPPED";
     case EventKind::kHung:
-        return HungText(event.value);
+        return kHungTexts[event.value % std::size(kHungTexts)];
     case EventKind::kLink:
         return LinkText(event);
     case EventKind::kLinkMessage:

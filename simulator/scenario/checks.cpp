@@ -132,34 +132,23 @@ std::vector<Happening> HappeningsFrom(const Scenario& scenario, const Nanosecond
             late.push_back({at, source, what});
         }
     };
-    for (const Stimulus& stimulus : scenario.stimuli)
+    const auto add_all = [&add](const auto& items, const char* const what)
     {
-        add(stimulus.at, stimulus.source, "input");
-    }
-    for (const Acknowledge& acknowledge : scenario.acknowledges)
-    {
-        add(acknowledge.at, acknowledge.source, "acknowledge");
-    }
-    for (const NmtEvent& event : scenario.nmt)
-    {
-        add(event.at, event.source, "NMT event");
-    }
-    for (const PowerCycle& cycle : scenario.power)
-    {
-        add(cycle.at, cycle.source, "power cycle");
-    }
-    for (const GfcEvent& event : scenario.gfc)
-    {
-        add(event.at, event.source, "GFC event");
-    }
+        for (const auto& item : items)
+        {
+            add(item.at, item.source, what);
+        }
+    };
+    add_all(scenario.stimuli, "input");
+    add_all(scenario.acknowledges, "acknowledge");
+    add_all(scenario.nmt, "NMT event");
+    add_all(scenario.power, "power cycle");
+    add_all(scenario.gfc, "GFC event");
     for (const NodeSetup& node : scenario.nodes)
     {
         add(node.phase, node.source, "node " + runtime::Shown(node.name));
     }
-    for (const ManagerSetup& manager : scenario.managers)
-    {
-        add(manager.at, manager.source, "manager");
-    }
+    add_all(scenario.managers, "manager");
     for (const Action& action : scenario.actions)
     {
         add((action.kind == ActionKind::kBusBack) ? 0 : action.at, action.source, NameOf(kActionWords, action.kind));

@@ -34,77 +34,54 @@ std::size_t ReadFaultIndex(Fields& fields, const Scenario& scenario)
                   expected.empty() ? "a fault of 'faults', which has none" : "one of " + expected);
 }
 
-void ReadParties(Fields& fields, Expectation& expectation)
+void ReadLimit(Fields& fields, const Scenario& scenario, Expectation& expectation)
 {
-    for (const YamlValue& party : OneOrMore(fields.Require("by"), "one party or more"))
+    if (const auto limit = fields.Find("limit"))
     {
-        expectation.parties.push_back(party.Choice(kPartyWords));
+        expectation.fault_class = limit->Choice(kFaultClassWords);
+        const bool is_link = expectation.fault_class == FaultClass::kCrossLink;
+        if (is_link && scenario.nodes[expectation.node].role == runtime::CpuRole::kWhole)
+        {
+            limit->Refuse("cross_link of a node with one CPU", "another row, or a node with 'structure: two_cpu'");
+        }
     }
 }
 
-void ReadPlace(const YamlValue& name, const Scenario& scenario, Expectation& expectation)
+/// What its section has of these keys.
+void ReadOfNodes(Fields& fields, const Scenario& scenario, Expectation& expectation)
 {
-    expectation.node = NodeNamed(scenario, name);
-    expectation.is_series = IsTwoCpus(scenario, name);
-}
-
-void ReadOutputOf(Fields& fields, const Scenario& scenario, Expectation& expectation)
-{
-    ReadPlace(fields.Require("node"), scenario, expectation);
+    if (fields.Has("fault"))
+    {
+        expectation.fault = ReadFaultIndex(fields, scenario);
+    }
+    if (const auto node = fields.Find("node"))
+    {
+        expectation.node = NodeNamed(scenario, *node);
+        expectation.is_series = IsTwoCpus(scenario, *node);
+    }
     fields.Into("srdo", expectation.srdo);
-}
-
-void ReadContent(Fields& fields, const Scenario& scenario, Expectation& expectation)
-{
-    switch (expectation.kind)
+    fields.Into("object", expectation.object);
+    if (expectation.kind == ExpectationKind::kValue)
     {
-    case ExpectationKind::kReleased:
-    case ExpectationKind::kSafe:
-        ReadOutputOf(fields, scenario, expectation);
-        fields.Into("at", expectation.at);
-        return;
-    case ExpectationKind::kValue:
-        ReadPlace(fields.Require("node"), scenario, expectation);
-        fields.Into("object", expectation.object);
         fields.Into("is", expectation.value);
-        fields.Into("at", expectation.at);
-        return;
-    case ExpectationKind::kCause:
-        ReadOutputOf(fields, scenario, expectation);
-        expectation.cause = fields.Require("is").Choice(runtime::kCauseWords);
-        return;
-    case ExpectationKind::kDeviceFault:
-        ReadPlace(fields.Require("node"), scenario, expectation);
-        expectation.device_fault = fields.Require("is").Choice(runtime::kDeviceFaultWords);
-        return;
-    case ExpectationKind::kDetectedBy:
-        expectation.fault = ReadFaultIndex(fields, scenario);
-        ReadPlace(fields.Require("node"), scenario, expectation);
-        ReadParties(fields, expectation);
-        return;
-    case ExpectationKind::kSafeWithin:
-        expectation.fault = ReadFaultIndex(fields, scenario);
-        ReadOutputOf(fields, scenario, expectation);
-        if (const auto limit = fields.Find("limit"))
-        {
-            expectation.fault_class = limit->Choice(kFaultClassWords);
-            const bool is_link = expectation.fault_class == FaultClass::kCrossLink;
-            if (is_link && scenario.nodes[expectation.node].role == runtime::CpuRole::kWhole)
-            {
-                limit->Refuse("cross_link of a node with one CPU", "another row, or a node with 'structure: two_cpu'");
-            }
-        }
-        return;
-    case ExpectationKind::kNoFault:
-        if (const auto node = fields.Find("node"))
-        {
-            ReadPlace(*node, scenario, expectation);
-        }
-        return;
-    default:
-        ReadOfNetwork(fields, scenario, expectation);
-        return;
     }
+    if (expectation.kind == ExpectationKind::kCause)
+    {
+        expectation.cause = fields.Require("is").Choice(runtime::kCauseWords);
+    }
+    if (expectation.kind == ExpectationKind::kDeviceFault)
+    {
+        expectation.device_fault = fields.Require("is").Choice(runtime::kDeviceFaultWords);
+    }
+    fields.Into("at", expectation.at);
+    if (fields.Has("by"))
+    {
+        for (const YamlValue& party : OneOrMore(fields.Require("by"), "one party or more"))
+        {
+            expectation.parties.push_back(party.Choice(kPartyWords));
+        }
+    }
+    ReadLimit(fields, scenario, expectation);
 }
 } // namespace
 
@@ -113,6 +90,7 @@ void ReadExpectation(Fields& fields, const Scenario& scenario, Expectation& expe
     expectation.kind = fields.Require("that").Choice(kExpectationWords);
     expectation.is_of_profile = IsOfProfile(fields, scenario);
     fields.Extend(NameOf(kExpectationWords, expectation.kind));
-    ReadContent(fields, scenario, expectation);
+    IsOfNetwork(expectation.kind) ? ReadOfNetwork(fields, scenario, expectation)
+                                  : ReadOfNodes(fields, scenario, expectation);
 }
 } // namespace counterpoint::simulator

@@ -223,16 +223,6 @@ const char* Fields::SectionOf(const std::string& key) const
     return SpecOf(key)->shape.section;
 }
 
-bool Fields::Has(const std::string& key) const
-{
-    return SpecOf(key) != nullptr;
-}
-
-const YamlValue& Fields::Value() const noexcept
-{
-    return value_;
-}
-
 std::vector<std::pair<YamlValue, YamlValue>> Fields::All()
 {
     const runtime::YamlNode& node = value_.Node();

@@ -65,9 +65,15 @@ class Fields
     /// @brief The section of the maps of a key.
     [[nodiscard]] const char* SectionOf(const std::string& key) const;
     /// @brief Whether such a key is known here.
-    [[nodiscard]] bool Has(const std::string& key) const;
+    [[nodiscard]] bool Has(const std::string& key) const
+    {
+        return SpecOf(key) != nullptr;
+    }
     /// @brief The map itself.
-    [[nodiscard]] const YamlValue& Value() const noexcept;
+    [[nodiscard]] const YamlValue& Value() const noexcept
+    {
+        return value_;
+    }
     /// @brief All keys with their values, in the order of the file.
     [[nodiscard]] std::vector<std::pair<YamlValue, YamlValue>> All();
     /// @brief Throws for the first key that is unknown, or that nobody asked for.

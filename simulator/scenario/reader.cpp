@@ -254,6 +254,20 @@ void Complete(Scenario& scenario)
     }
     AddReturns(scenario.actions);
 }
+
+/// The files that the maps in a list or map name under a key.
+void AddFiles(const ScenarioDocument& document, const char* const maps, const char* const key,
+              std::vector<std::string>& files)
+{
+    const runtime::YamlNode* const all = MemberOf(document.root, maps);
+    for (const runtime::YamlNode& item : (all == nullptr) ? std::vector<runtime::YamlNode>{} : all->items)
+    {
+        if (const runtime::YamlNode* const file = MemberOf(item, key))
+        {
+            files.push_back(Beside(document.file, file->scalar));
+        }
+    }
+}
 } // namespace
 
 const runtime::YamlNode* MemberOf(const runtime::YamlNode& map, const std::string& key)
@@ -324,15 +338,7 @@ std::vector<std::string> FilesOf(const std::vector<ScenarioDocument>& documents)
     for (const ScenarioDocument& document : documents)
     {
         files.push_back(document.file);
-        const runtime::YamlNode* const nodes = MemberOf(document.root, "nodes");
-        for (std::size_t item = 1U; nodes != nullptr && item < nodes->items.size(); item += 2U)
-        {
-            const runtime::YamlNode* const dcf = MemberOf(nodes->items[item], "dcf");
-            if (dcf != nullptr)
-            {
-                files.push_back(Beside(document.file, dcf->scalar));
-            }
-        }
+        AddFiles(document, "nodes", "dcf", files);
     }
     return files;
 }
@@ -342,15 +348,7 @@ std::vector<std::string> NetworkFilesOf(const std::vector<ScenarioDocument>& doc
     std::vector<std::string> files;
     for (const ScenarioDocument& document : documents)
     {
-        const runtime::YamlNode* const managers = MemberOf(document.root, "managers");
-        for (std::size_t item = 0U; managers != nullptr && item < managers->items.size(); ++item)
-        {
-            const runtime::YamlNode* const network = MemberOf(managers->items[item], "network");
-            if (network != nullptr)
-            {
-                files.push_back(Beside(document.file, network->scalar));
-            }
-        }
+        AddFiles(document, "managers", "network", files);
     }
     return files;
 }
@@ -384,13 +382,11 @@ Scenario ReadScenario(const std::string& file, const std::string& profile)
 
 Nanoseconds ParseDuration(const std::string& place, const std::string& text)
 {
-    const runtime::YamlNode node{runtime::YamlKind::kScalar, false, {}, text, {}};
-    return YamlValue(place, node).Lasting();
+    return YamlValue(place, {runtime::YamlKind::kScalar, false, {}, text, {}}).Lasting();
 }
 
 std::uint64_t ParseSeed(const std::string& place, const std::string& text)
 {
-    const runtime::YamlNode node{runtime::YamlKind::kScalar, false, {}, text, {}};
-    return YamlValue(place, node).Number(kSeedRange);
+    return YamlValue(place, {runtime::YamlKind::kScalar, false, {}, text, {}}).Number(kSeedRange);
 }
 } // namespace counterpoint::simulator

@@ -36,10 +36,7 @@ class DeviceLife
     DeviceLife(const Scenario& scenario, const NodeIndex node)
         : scenario_(scenario), setup_(scenario.nodes[node]), node_(node)
     {
-        AddUses();
-        AddCycles();
-        AddActions();
-        AddGfc();
+        AddAll();
         std::stable_sort(steps_.begin(), steps_.end(),
                          [](const Step& left, const Step& right) { return left.at < right.at; });
     }
@@ -82,60 +79,40 @@ class DeviceLife
     {
         throw YamlError(step.source.file, step.source.place, step.what + why, expected);
     }
-    void AddUses()
+    /// Calls `add` with each item that is of this device.
+    template <typename Item, typename Adder> void ForOwn(const std::vector<Item>& items, const Adder& add)
     {
-        for (const Acknowledge& acknowledge : scenario_.acknowledges)
+        for (const Item& item : items)
         {
-            if (acknowledge.node == node_)
+            if (item.node == node_)
             {
-                steps_.push_back({acknowledge.at,
-                                  acknowledge.at + acknowledge.pulse,
-                                  StepKind::kUse,
-                                  acknowledge.source,
-                                  Named("acknowledge"),
-                                  {}});
-            }
-        }
-        for (const NmtEvent& event : scenario_.nmt)
-        {
-            if (event.node == node_)
-            {
-                steps_.push_back({event.at, event.at, StepKind::kUse, event.source, Named("NMT event"), {}});
+                add(item);
             }
         }
     }
-    void AddCycles()
+    void Use(const Nanoseconds at, const Nanoseconds until, const Source& source, const std::string& what)
     {
-        for (const PowerCycle& cycle : scenario_.power)
-        {
-            if (cycle.node == node_)
-            {
-                const Nanoseconds end = cycle.at + cycle.off;
-                steps_.push_back({cycle.at, end, StepKind::kOff, cycle.source, Named("power cycle"), {}});
-                steps_.push_back({end, end, StepKind::kOn, cycle.source, "", {}});
-            }
-        }
+        steps_.push_back({at, until, StepKind::kUse, source, Named(what), {}});
     }
-    void AddActions()
+    void AddAll()
     {
-        for (const Action& action : scenario_.actions)
-        {
-            if (action.node == node_)
-            {
-                steps_.push_back({action.at, action.at, StepKind::kAction, action.source,
-                                  Named(NameOf(kActionWords, action.kind)), action.kind});
-            }
-        }
-    }
-    void AddGfc()
-    {
-        for (const GfcEvent& event : scenario_.gfc)
-        {
-            if (event.node == node_)
-            {
-                steps_.push_back({event.at, event.at, StepKind::kUse, event.source, Named("GFC"), {}});
-            }
-        }
+        ForOwn(scenario_.acknowledges,
+               [this](const Acknowledge& item) { Use(item.at, item.at + item.pulse, item.source, "acknowledge"); });
+        ForOwn(scenario_.nmt, [this](const NmtEvent& item) { Use(item.at, item.at, item.source, "NMT event"); });
+        ForOwn(scenario_.power,
+               [this](const PowerCycle& item)
+               {
+                   const Nanoseconds end = item.at + item.off;
+                   steps_.push_back({item.at, end, StepKind::kOff, item.source, Named("power cycle"), {}});
+                   steps_.push_back({end, end, StepKind::kOn, item.source, "", {}});
+               });
+        ForOwn(scenario_.actions,
+               [this](const Action& item)
+               {
+                   const std::string what = Named(NameOf(kActionWords, item.kind));
+                   steps_.push_back({item.at, item.at, StepKind::kAction, item.source, what, item.kind});
+               });
+        ForOwn(scenario_.gfc, [this](const GfcEvent& item) { Use(item.at, item.at, item.source, "GFC"); });
     }
     /// A device comes at the end of its first instant.
     [[nodiscard]] bool HasSupply(const Step& step) const

@@ -4,11 +4,9 @@
 
 #include "simulator/scenario/values.hpp"
 
-#include <algorithm>
-#include <cstddef>
 #include <functional>
+#include <map>
 #include <utility>
-#include <vector>
 
 namespace counterpoint::simulator
 {
@@ -19,38 +17,26 @@ class Agenda
     /// @brief Adds something that happens at `at`.
     void Plan(const Nanoseconds at, std::function<void()> act)
     {
-        acts_.push_back({at, std::move(act)});
-    }
-    /// @brief Call it once, after everything was planned.
-    void Sort()
-    {
-        std::stable_sort(acts_.begin(), acts_.end(),
-                         [](const Act& left, const Act& right) { return left.at < right.at; });
+        acts_.emplace(at, std::move(act));
     }
     /// @brief When the next one happens; kNever: none is left.
     [[nodiscard]] Nanoseconds NextEvent() const noexcept
     {
-        return (next_ < acts_.size()) ? acts_[next_].at : kNever;
+        return acts_.empty() ? kNever : acts_.begin()->first;
     }
     /// @brief Does everything up to and including `now`.
     void Run(const Nanoseconds now)
     {
-        while (NextEvent() <= now && next_ < acts_.size())
+        while (!acts_.empty() && acts_.begin()->first <= now)
         {
-            acts_[next_].act();
-            ++next_;
+            const std::function<void()> act = std::move(acts_.begin()->second);
+            acts_.erase(acts_.begin());
+            act();
         }
     }
 
   private:
-    struct Act
-    {
-        Nanoseconds at{0};
-        std::function<void()> act;
-    };
-
-    std::vector<Act> acts_;
-    std::size_t next_{0U};
+    std::multimap<Nanoseconds, std::function<void()>> acts_; ///< Of one instant in the order of planning.
 };
 } // namespace counterpoint::simulator
 

@@ -1,8 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "simulator/world/link_wire.hpp"
 
-#include "simulator/faults/frame_selector.hpp"
-
 #include <algorithm>
 
 namespace counterpoint::simulator
@@ -16,7 +14,8 @@ constexpr std::uint32_t kByteValues = 256U;
 } // namespace
 
 LinkWire::LinkWire(const Scenario& scenario, const NodeIndex first, Journal& journal)
-    : scenario_(scenario), first_(first), journal_(journal), random_(scenario.seed + kWireSalt + first)
+    : scenario_(scenario), first_(first), teller_(journal, EventKind::kLinkMessage),
+      random_(scenario.seed + kWireSalt + first)
 {
     for (std::size_t index = 0U; index < scenario.faults.size(); ++index)
     {
@@ -24,8 +23,8 @@ LinkWire::LinkWire(const Scenario& scenario, const NodeIndex first, Journal& jou
         const LinkFault* const kind = std::get_if<LinkFault>(&fault.kind);
         if (kind != nullptr && *kind != LinkFault::kInsertion && fault.node == first)
         {
-            choosers_.push_back({index, first, 0U, 0U});
-            choosers_.push_back({index, first + 1U, 0U, 0U});
+            choosers_.push_back({index, first, {}});
+            choosers_.push_back({index, first + 1U, {}});
         }
     }
 }
@@ -55,25 +54,7 @@ bool LinkWire::Hits(Chooser& chooser, const Nanoseconds now)
     const bool is_lucky = random_.Below(kMillion) < choice.probability_ppm;
     const bool is_sender = (chooser.sender == first_) ? fault.hits_from_a : fault.hits_from_b;
     const bool is_in_time = now >= fault.at && now < fault.until;
-    if (!is_sender || !is_in_time || !IsOn(now, fault.at, fault.on, fault.off))
-    {
-        return false;
-    }
-    ++chooser.seen;
-    const bool is_turn = chooser.seen >= choice.first && (chooser.seen - choice.first) % choice.every == 0U;
-    const bool hits = is_turn && is_lucky && chooser.done < choice.count;
-    chooser.done += hits ? 1U : 0U;
-    return hits;
-}
-
-void LinkWire::Tell(const std::size_t fault, const NodeIndex receiver, const Nanoseconds at)
-{
-    journal_.Tell({at, EventKind::kLinkMessage, receiver, 0U, 0U, fault});
-    if (std::find(told_.begin(), told_.end(), fault) == told_.end())
-    {
-        told_.push_back(fault);
-        journal_.Note({at, EventKind::kFault, receiver, 0U, fault, 0U});
-    }
+    return is_sender && is_in_time && IsOn(now, fault.at, fault.on, fault.off) && chooser.turns.Take(choice, is_lucky);
 }
 
 void LinkWire::Change(const FaultSetup& fault, const NodeIndex sender, std::vector<Flight>& flights)
@@ -143,7 +124,7 @@ void LinkWire::Send(const NodeIndex sender, const hal::LinkFrame& frame, const N
         if (chooser.sender == sender && Hits(chooser, now))
         {
             Change(scenario_.faults[chooser.fault], sender, flights);
-            Tell(chooser.fault, receiver, now);
+            teller_.Tell(chooser.fault, receiver, 0U, now);
         }
     }
     if (flights.empty())
@@ -183,7 +164,7 @@ void LinkWire::Insert(const std::size_t fault, const Nanoseconds now)
             arrival.frame = sent[setup.back - 1U];
         }
         Depart({now, arrival});
-        Tell(fault, arrival.receiver, now);
+        teller_.Tell(fault, arrival.receiver, 0U, now);
     }
 }
 

@@ -2,8 +2,8 @@
 #ifndef SIMULATOR_WORLD_LINK_WIRE_HPP
 #define SIMULATOR_WORLD_LINK_WIRE_HPP
 
+#include "simulator/faults/frame_selector.hpp"
 #include "simulator/faults/random.hpp"
-#include "simulator/journal/journal.hpp"
 #include "simulator/scenario/scenario.hpp"
 
 #include "hal/api/cross_link.hpp"
@@ -45,13 +45,12 @@ class LinkWire
         Nanoseconds at{0};
         LinkArrival arrival;
     };
-    /// Counts what a fault has seen and hit in one direction.
+    /// A fault in one direction.
     struct Chooser
     {
         std::size_t fault{0U};
         NodeIndex sender{0U};
-        std::uint32_t seen{0U};
-        std::uint32_t done{0U};
+        Turns turns;
     };
     /// One direction.
     struct Way
@@ -63,17 +62,15 @@ class LinkWire
     [[nodiscard]] bool Hits(Chooser& chooser, Nanoseconds now);
     void Change(const FaultSetup& fault, NodeIndex sender, std::vector<Flight>& flights);
     void Depart(const Flight& flight);
-    void Tell(std::size_t fault, NodeIndex receiver, Nanoseconds at);
     [[nodiscard]] NodeIndex Other(NodeIndex node) const noexcept;
     [[nodiscard]] Way& WayFrom(NodeIndex sender) noexcept;
     [[nodiscard]] Nanoseconds Delay() noexcept;
 
     const Scenario& scenario_;
     NodeIndex first_;
-    Journal& journal_;
+    EffectTeller teller_;
     Random random_;
     std::vector<Chooser> choosers_;
-    std::vector<std::size_t> told_; ///< Faults whose first effect is in the journal.
     std::array<Way, 2U> ways_{};
     std::deque<Flight> flights_; ///< Ascending; of two at the same time the one that departed first.
 };

@@ -20,13 +20,11 @@ host::BitRate RateOf(const Scenario& scenario)
 }
 
 /// Whether anybody wants to know what goes on inside the nodes.
-Insight InsightOf(const Scenario& scenario, const Journal& journal)
+bool IsInsightWanted(const Scenario& scenario, const Journal& journal)
 {
-    const bool is_wanted =
-        journal.KeepsAll() || !scenario.faults.empty() ||
-        std::any_of(scenario.expectations.begin(), scenario.expectations.end(),
-                    [](const Expectation& expectation) { return expectation.kind == ExpectationKind::kDetectedBy; });
-    return is_wanted ? Insight::kTapped : Insight::kNone;
+    return journal.KeepsAll() || !scenario.faults.empty() ||
+           std::any_of(scenario.expectations.begin(), scenario.expectations.end(),
+                       [](const Expectation& expectation) { return expectation.kind == ExpectationKind::kDetectedBy; });
 }
 } // namespace
 
@@ -39,11 +37,11 @@ Network::Network(const Scenario& scenario, Journal& journal)
         world_.bus.TakeTurns(); // Managers and second devices send the same identifiers, each by its own clock.
     }
     BuildNodes();
-    NetworkCheck(world_).RequireThatEverythingExists();
+    RequireThatEverythingExists(world_);
     BuildLinks();
     for (const runtime::LogicRule& rule : scenario.logic)
     {
-        At(rule.node).App().AddRule(rule);
+        static_cast<void>(At(rule.node).App().Logic().AddRule(rule)); // Its objects exist.
     }
     faults_ = std::make_unique<NetworkFaults>(world_, agenda_);
     // What the DCFs make impossible is found now and not in the middle of the run.
@@ -54,15 +52,14 @@ Network::Network(const Scenario& scenario, Journal& journal)
     BuildStorms();
     events_.PlanAll();
     faults_->PlanAll();
-    agenda_.Sort();
 }
 
 void Network::BuildNodes()
 {
-    const Insight insight = InsightOf(world_.scenario, world_.journal);
+    const bool is_tapped = IsInsightWanted(world_.scenario, world_.journal);
     for (NodeIndex index = 0U; index < world_.scenario.nodes.size(); ++index)
     {
-        BuildNode(index, world_.scenario.nodes[index], world_.journal, insight);
+        BuildNode(index, world_.scenario.nodes[index], world_.journal, is_tapped);
     }
     for (const Action& action : world_.scenario.actions)
     {
@@ -70,13 +67,13 @@ void Network::BuildNodes()
         {
             duplicates_.push_back(world_.scenario.nodes[action.node]);
             duplicates_.back().phase = kNever;
-            BuildNode(action.node, duplicates_.back(), unheard_, Insight::kNone);
+            BuildNode(action.node, duplicates_.back(), unheard_, false);
         }
     }
 }
 
 // With managers each device runs its services; of two CPUs the first one does. [SRS_SIM_060]
-void Network::BuildNode(const NodeIndex index, const NodeSetup& setup, Journal& journal, const Insight insight)
+void Network::BuildNode(const NodeIndex index, const NodeSetup& setup, Journal& journal, const bool is_tapped)
 {
     const bool has_managers = !world_.scenario.managers.empty();
     const runtime::SafetyNeed need = has_managers ? runtime::SafetyNeed::kOptional : runtime::SafetyNeed::kRequired;
@@ -91,8 +88,8 @@ void Network::BuildNode(const NodeIndex index, const NodeSetup& setup, Journal& 
     {
         file = cia306::ReadDeviceFile(setup.dcf);
     }
-    world_.nodes.push_back(
-        std::make_unique<Node>(NodePlace{index, world_.bus, journal, insight, file ? &*file : nullptr}, setup, model));
+    world_.nodes.push_back(std::make_unique<Node>(
+        NodePlace{index, world_.bus, journal, is_tapped, file ? &*file : nullptr}, setup, model));
     std::uint32_t controller = 0U;
     for (const host::NodeIndex place : world_.nodes.back()->Controllers().BusNodes())
     {
@@ -204,26 +201,6 @@ void Network::OnBusRecord(const host::BusRecord& record)
 {
     const BusPlace& sender = world_.places[record.sent.sender];
     world_.journal.Tell(FrameEntry{record.sent.start, record.end, record.sent.frame, sender.node, record.fate});
-}
-
-Nanoseconds Network::Now() const noexcept
-{
-    return world_.Now();
-}
-
-Node& Network::At(const NodeIndex node)
-{
-    return *world_.nodes.at(node);
-}
-
-std::size_t Network::Size() const noexcept
-{
-    return world_.scenario.nodes.size();
-}
-
-host::VirtualBus& Network::Bus() noexcept
-{
-    return world_.bus;
 }
 
 const std::map<std::size_t, std::uint32_t>& Network::DroppedCopies() const noexcept

@@ -28,13 +28,25 @@ class Network final : private host::BusObserver
     /// @brief Lets time pass, up to and including `until`. Small steps cost little.
     void RunUntil(Nanoseconds until);
     /// @brief The time up to which everything was done.
-    [[nodiscard]] Nanoseconds Now() const noexcept;
+    [[nodiscard]] Nanoseconds Now() const noexcept
+    {
+        return world_.Now();
+    }
     /// @brief A node by its index in Scenario::nodes.
-    [[nodiscard]] Node& At(NodeIndex node);
+    [[nodiscard]] Node& At(NodeIndex node)
+    {
+        return *world_.nodes.at(node);
+    }
     /// @brief Number of nodes.
-    [[nodiscard]] std::size_t Size() const noexcept;
+    [[nodiscard]] std::size_t Size() const noexcept
+    {
+        return world_.scenario.nodes.size();
+    }
     /// @brief The bus.
-    [[nodiscard]] host::VirtualBus& Bus() noexcept;
+    [[nodiscard]] host::VirtualBus& Bus() noexcept
+    {
+        return world_.bus;
+    }
     /// @brief By fault, how many copies of frames were dropped because a frame can have no more receptions.
     /// [SRS_SIM_017]
     [[nodiscard]] const std::map<std::size_t, std::uint32_t>& DroppedCopies() const noexcept;
@@ -42,7 +54,7 @@ class Network final : private host::BusObserver
   private:
     void OnBusRecord(const host::BusRecord& record) override;
     void BuildNodes();
-    void BuildNode(NodeIndex index, const NodeSetup& setup, Journal& journal, Insight insight);
+    void BuildNode(NodeIndex index, const NodeSetup& setup, Journal& journal, bool is_tapped);
     void BuildLinks();
     void BuildStorms();
     void DeliverMessages();

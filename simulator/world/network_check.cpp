@@ -45,21 +45,16 @@ std::string ListOf(const runtime::DeviceModel& model, const bool is_consumer)
     }
     return list.empty() ? "(this node has none)" : list;
 }
-} // namespace
 
-NetworkCheck::NetworkCheck(const World& world) : world_(world)
+const runtime::DeviceModel& ModelOf(const World& world, const NodeIndex node)
 {
+    return *world.models[node];
 }
 
-const runtime::DeviceModel& NetworkCheck::ModelOf(const NodeIndex node) const
+void RequirePair(const World& world, const NodeIndex node, const ObjectAddress& object, const bool is_consumer,
+                 const Source& source)
 {
-    return *world_.models[node];
-}
-
-void NetworkCheck::RequirePair(const NodeIndex node, const ObjectAddress& object, const bool is_consumer,
-                               const Source& source) const
-{
-    const runtime::DeviceModel& model = ModelOf(node);
+    const runtime::DeviceModel& model = ModelOf(world, node);
     const runtime::VariablePair* const pair = model.PairOf(object);
     if (pair == nullptr || pair->is_consumer != is_consumer)
     {
@@ -70,10 +65,10 @@ void NetworkCheck::RequirePair(const NodeIndex node, const ObjectAddress& object
     }
 }
 
-void NetworkCheck::RequireSrdo(const NodeIndex node, const std::uint8_t number, const bool needs_consumer,
-                               const Source& source) const
+void RequireSrdo(const World& world, const NodeIndex node, const std::uint8_t number, const bool needs_consumer,
+                 const Source& source)
 {
-    const runtime::DeviceModel& model = ModelOf(node);
+    const runtime::DeviceModel& model = ModelOf(world, node);
     std::string list;
     for (const runtime::SrdoModel& srdo : model.Srdos())
     {
@@ -90,10 +85,10 @@ void NetworkCheck::RequireSrdo(const NodeIndex node, const std::uint8_t number, 
 }
 
 /// The value fits into the bits of the object, which exists.
-void NetworkCheck::RequireValue(const NodeIndex node, const ObjectAddress& object, const std::uint64_t value,
-                                const Source& source) const
+void RequireValue(const World& world, const NodeIndex node, const ObjectAddress& object, const std::uint64_t value,
+                  const Source& source)
 {
-    const runtime::DeviceModel& model = ModelOf(node);
+    const runtime::DeviceModel& model = ModelOf(world, node);
     const std::uint8_t bits = model.Objects()[model.PairOf(object)->normal].length_bits;
     if ((value >> (bits - 1U)) > 1U)
     {
@@ -103,19 +98,19 @@ void NetworkCheck::RequireValue(const NodeIndex node, const ObjectAddress& objec
     }
 }
 
-void NetworkCheck::RequireNodeIds() const
+void RequireNodeIds(const World& world)
 {
-    for (NodeIndex node = 1U; node < world_.scenario.nodes.size(); ++node)
+    for (NodeIndex node = 1U; node < world.scenario.nodes.size(); ++node)
     {
         for (NodeIndex other = 0U; other < node; ++other)
         {
-            const std::uint8_t id = ModelOf(node).Config().node_id;
-            const bool is_one_device = world_.scenario.nodes[other].device == world_.scenario.nodes[node].device;
-            if (ModelOf(other).Config().node_id == id && !is_one_device)
+            const std::uint8_t id = ModelOf(world, node).Config().node_id;
+            const bool is_one_device = world.scenario.nodes[other].device == world.scenario.nodes[node].device;
+            if (ModelOf(world, other).Config().node_id == id && !is_one_device)
             {
-                const NodeSetup& setup = world_.scenario.nodes[node];
+                const NodeSetup& setup = world.scenario.nodes[node];
                 throw YamlError(setup.source.file, setup.source.place,
-                                "node-ID " + std::to_string(id) + ", which " + world_.scenario.nodes[other].name +
+                                "node-ID " + std::to_string(id) + ", which " + world.scenario.nodes[other].name +
                                     " has",
                                 "a node-ID of its own for each node; the event 'duplicate' brings another one");
             }
@@ -123,111 +118,13 @@ void NetworkCheck::RequireNodeIds() const
     }
 }
 
-void NetworkCheck::RequireOfFault(const FaultSetup& fault) const
+void RequireOfCpu(const World& world, const FaultSetup& fault)
 {
-    RequireOfCpu(fault);
-    if (fault.kind == FaultKind(NodeFault::kNotInverse))
-    {
-        RequirePair(fault.node, fault.object, false, fault.source);
-        for (const std::uint8_t bit : fault.bits)
-        {
-            RequireValue(fault.node, fault.object, std::uint64_t{1U} << bit, fault.source);
-        }
-    }
-    if (fault.controller > 1U && ModelOf(fault.node).ControllerCount() == 1U)
-    {
-        throw YamlError(fault.source.file, fault.source.place, "controller 2 of a node with one",
-                        "'controllers: 2' of that node, or a DCF that names two");
-    }
-    if (fault.part == Part::kSelfTest && !world_.scenario.nodes[fault.node].self_tests)
-    {
-        throw YamlError(fault.source.file, fault.source.place, "the self test of a node without one",
-                        "a node without 'self_tests: false'");
-    }
-    if (fault.frames.srdo_of)
-    {
-        RequireSrdo(*fault.frames.srdo_of, fault.frames.srdo, false, fault.source);
-    }
-    if (fault.srdo != 0U)
-    {
-        RequireSrdo(fault.node, fault.srdo, false, fault.source);
-    }
-    if (fault.config && fault.config->slot != 0U)
-    {
-        RequireSrdo(fault.node, fault.config->slot, false, fault.source);
-    }
-}
-
-void NetworkCheck::RequireOfExpectation(const Expectation& expectation) const
-{
-    switch (expectation.kind)
-    {
-    case ExpectationKind::kReleased:
-    case ExpectationKind::kSafe:
-    case ExpectationKind::kSafeWithin:
-        RequireSrdo(expectation.node, expectation.srdo, true, expectation.source);
-        return;
-    case ExpectationKind::kCause:
-        RequireSrdo(expectation.node, expectation.srdo, false, expectation.source);
-        return;
-    case ExpectationKind::kValue:
-        RequirePair(expectation.node, expectation.object, true, expectation.source);
-        RequireValue(expectation.node, expectation.object, expectation.value, expectation.source);
-        return;
-    case ExpectationKind::kDeviceFault:
-    case ExpectationKind::kDetectedBy:
-    case ExpectationKind::kNoFault:
-    default:
-        return;
-    }
-}
-
-/// What devices with two CPUs need.
-void NetworkCheck::RequireLinks() const
-{
-    for (NodeIndex node = 0U; node < world_.scenario.nodes.size(); ++node)
-    {
-        const NodeSetup& setup = world_.scenario.nodes[node];
-        if (setup.role == runtime::CpuRole::kWhole)
-        {
-            continue;
-        }
-        for (const Nanoseconds time :
-             {setup.link.timeout, setup.link.clock_tolerance, setup.link.clock_interval, setup.link.stamp_tolerance})
-        {
-            if (time > kLongestLinkTime)
-            {
-                throw YamlError(setup.source.file, setup.source.place,
-                                "a time of the link of " + MillisecondsText(time),
-                                "at most " + MillisecondsText(kLongestLinkTime));
-            }
-        }
-        const LinkConfigFault fault = CheckLinkConfig(ModelOf(node).Config(), LinkConfigOf(setup));
-        if (fault != LinkConfigFault::kNone)
-        {
-            const auto [wrong, expected] = TextOf(fault);
-            throw YamlError(setup.source.file, setup.source.place, wrong, expected);
-        }
-        if (setup.link.delay + setup.link.jitter >= setup.link.timeout)
-        {
-            throw YamlError(setup.source.file, setup.source.place, "delay of the link with its jitter",
-                            "less than its time-out");
-        }
-        if (ModelOf(node).ControllerCount() > 1U)
-        {
-            throw YamlError(setup.source.file, setup.source.place, "a DCF with two controllers",
-                            "one for all frames: each CPU has a controller of its own");
-        }
-    }
-}
-
-void NetworkCheck::RequireOfCpu(const FaultSetup& fault) const
-{
-    if (fault.node == kNoNode || world_.scenario.nodes[fault.node].role == runtime::CpuRole::kWhole)
+    if (fault.node == kNoNode || world.scenario.nodes[fault.node].role == runtime::CpuRole::kWhole)
     {
         return;
     }
-    const NodeSetup& setup = world_.scenario.nodes[fault.node];
+    const NodeSetup& setup = world.scenario.nodes[fault.node];
     const bool is_a = setup.role == runtime::CpuRole::kA;
     if (fault.part == (is_a ? Part::kChannelB : Part::kChannelA))
     {
@@ -242,11 +139,110 @@ void NetworkCheck::RequireOfCpu(const FaultSetup& fault) const
     }
 }
 
-void NetworkCheck::RequireThatEverythingExists() const
+void RequireOfFault(const World& world, const FaultSetup& fault)
 {
-    RequireNodeIds();
-    RequireLinks();
-    for (const NodeSetup& node : world_.scenario.nodes)
+    RequireOfCpu(world, fault);
+    if (fault.kind == FaultKind(NodeFault::kNotInverse))
+    {
+        RequirePair(world, fault.node, fault.object, false, fault.source);
+        for (const std::uint8_t bit : fault.bits)
+        {
+            RequireValue(world, fault.node, fault.object, std::uint64_t{1U} << bit, fault.source);
+        }
+    }
+    if (fault.controller > 1U && ModelOf(world, fault.node).ControllerCount() == 1U)
+    {
+        throw YamlError(fault.source.file, fault.source.place, "controller 2 of a node with one",
+                        "'controllers: 2' of that node, or a DCF that names two");
+    }
+    if (fault.part == Part::kSelfTest && !world.scenario.nodes[fault.node].self_tests)
+    {
+        throw YamlError(fault.source.file, fault.source.place, "the self test of a node without one",
+                        "a node without 'self_tests: false'");
+    }
+    if (fault.frames.srdo_of)
+    {
+        RequireSrdo(world, *fault.frames.srdo_of, fault.frames.srdo, false, fault.source);
+    }
+    if (fault.srdo != 0U)
+    {
+        RequireSrdo(world, fault.node, fault.srdo, false, fault.source);
+    }
+    if (fault.config && fault.config->slot != 0U)
+    {
+        RequireSrdo(world, fault.node, fault.config->slot, false, fault.source);
+    }
+}
+
+void RequireOfExpectation(const World& world, const Expectation& expectation)
+{
+    switch (expectation.kind)
+    {
+    case ExpectationKind::kReleased:
+    case ExpectationKind::kSafe:
+    case ExpectationKind::kSafeWithin:
+        RequireSrdo(world, expectation.node, expectation.srdo, true, expectation.source);
+        return;
+    case ExpectationKind::kCause:
+        RequireSrdo(world, expectation.node, expectation.srdo, false, expectation.source);
+        return;
+    case ExpectationKind::kValue:
+        RequirePair(world, expectation.node, expectation.object, true, expectation.source);
+        RequireValue(world, expectation.node, expectation.object, expectation.value, expectation.source);
+        return;
+    case ExpectationKind::kDeviceFault:
+    case ExpectationKind::kDetectedBy:
+    case ExpectationKind::kNoFault:
+    default:
+        return;
+    }
+}
+
+/// What devices with two CPUs need.
+void RequireLinks(const World& world)
+{
+    for (NodeIndex node = 0U; node < world.scenario.nodes.size(); ++node)
+    {
+        const NodeSetup& setup = world.scenario.nodes[node];
+        if (setup.role == runtime::CpuRole::kWhole)
+        {
+            continue;
+        }
+        for (const Nanoseconds time :
+             {setup.link.timeout, setup.link.clock_tolerance, setup.link.clock_interval, setup.link.stamp_tolerance})
+        {
+            if (time > kLongestLinkTime)
+            {
+                throw YamlError(setup.source.file, setup.source.place,
+                                "a time of the link of " + MillisecondsText(time),
+                                "at most " + MillisecondsText(kLongestLinkTime));
+            }
+        }
+        const LinkConfigFault fault = CheckLinkConfig(ModelOf(world, node).Config(), LinkConfigOf(setup));
+        if (fault != LinkConfigFault::kNone)
+        {
+            const auto [wrong, expected] = TextOf(fault);
+            throw YamlError(setup.source.file, setup.source.place, wrong, expected);
+        }
+        if (setup.link.delay + setup.link.jitter >= setup.link.timeout)
+        {
+            throw YamlError(setup.source.file, setup.source.place, "delay of the link with its jitter",
+                            "less than its time-out");
+        }
+        if (ModelOf(world, node).ControllerCount() > 1U)
+        {
+            throw YamlError(setup.source.file, setup.source.place, "a DCF with two controllers",
+                            "one for all frames: each CPU has a controller of its own");
+        }
+    }
+}
+} // namespace
+
+void RequireThatEverythingExists(const World& world)
+{
+    RequireNodeIds(world);
+    RequireLinks(world);
+    for (const NodeSetup& node : world.scenario.nodes)
     {
         if (node.start_at <= node.phase)
         {
@@ -254,40 +250,39 @@ void NetworkCheck::RequireThatEverythingExists() const
                             "a node that is on before it starts");
         }
     }
-    for (const Action& action : world_.scenario.actions)
+    for (const Action& action : world.scenario.actions)
     {
-        if (action.kind == ActionKind::kDuplicate &&
-            world_.scenario.nodes[action.node].role != runtime::CpuRole::kWhole)
+        if (action.kind == ActionKind::kDuplicate && world.scenario.nodes[action.node].role != runtime::CpuRole::kWhole)
         {
             throw YamlError(action.source.file, action.source.place, "a duplicate of a device with two CPUs",
                             "a device with one: the second one would need a link of its own");
         }
     }
-    for (const Stimulus& stimulus : world_.scenario.stimuli)
+    for (const Stimulus& stimulus : world.scenario.stimuli)
     {
-        RequirePair(stimulus.node, stimulus.object, false, stimulus.source);
-        RequireValue(stimulus.node, stimulus.object, stimulus.value, stimulus.source);
+        RequirePair(world, stimulus.node, stimulus.object, false, stimulus.source);
+        RequireValue(world, stimulus.node, stimulus.object, stimulus.value, stimulus.source);
     }
-    for (const runtime::LogicRule& rule : world_.scenario.logic)
+    for (const runtime::LogicRule& rule : world.scenario.logic)
     {
-        RequirePair(rule.node, rule.target, false, rule.source);
+        RequirePair(world, rule.node, rule.target, false, rule.source);
         for (const ObjectAddress& input : rule.inputs)
         {
-            RequirePair(rule.node, input, true, rule.source);
+            RequirePair(world, rule.node, input, true, rule.source);
         }
     }
-    for (const Acknowledge& acknowledge : world_.scenario.acknowledges)
+    for (const Acknowledge& acknowledge : world.scenario.acknowledges)
     {
-        const bool is_of_file = world_.scenario.managers.empty(); // A manager may turn a producer round.
-        RequireSrdo(acknowledge.node, acknowledge.srdo, is_of_file, acknowledge.source);
+        const bool is_of_file = world.scenario.managers.empty(); // A manager may turn a producer round.
+        RequireSrdo(world, acknowledge.node, acknowledge.srdo, is_of_file, acknowledge.source);
     }
-    for (const FaultSetup& fault : world_.scenario.faults)
+    for (const FaultSetup& fault : world.scenario.faults)
     {
-        RequireOfFault(fault);
+        RequireOfFault(world, fault);
     }
-    for (const Expectation& expectation : world_.scenario.expectations)
+    for (const Expectation& expectation : world.scenario.expectations)
     {
-        RequireOfExpectation(expectation);
+        RequireOfExpectation(world, expectation);
     }
 }
 } // namespace counterpoint::simulator

@@ -88,26 +88,21 @@ void NetworkEvents::Start(const NodeIndex node)
 void NetworkEvents::Command(const NodeIndex node, const NmtEvent& event)
 {
     NoteCommand(node, event.command != cia301::NmtCommand::kStart && event.state != NmtState::kOperational);
+    Node& device = *world_.nodes[node];
     switch (event.command)
     {
     case cia301::NmtCommand::kInvalid:
-        world_.nodes[node]->SetNmt(event.state);
-        return;
+        return device.SetNmt(event.state);
     case cia301::NmtCommand::kStart:
-        world_.nodes[node]->SetNmt(NmtState::kOperational);
-        return;
+        return device.SetNmt(NmtState::kOperational);
     case cia301::NmtCommand::kStop:
-        world_.nodes[node]->SetNmt(NmtState::kStopped);
-        return;
+        return device.SetNmt(NmtState::kStopped);
     case cia301::NmtCommand::kPreOperational:
-        world_.nodes[node]->SetNmt(NmtState::kPreOperational);
-        return;
+        return device.SetNmt(NmtState::kPreOperational);
     case cia301::NmtCommand::kResetNode:
-        world_.nodes[node]->ResetNode();
-        return;
+        return device.ResetNode();
     case cia301::NmtCommand::kResetCommunication:
-        world_.nodes[node]->ResetCommunication();
-        return;
+        return device.ResetCommunication();
     }
 }
 

@@ -181,16 +181,12 @@ void NetworkFaults::PlanInstant(const std::size_t index, const std::function<voi
                  });
 }
 
-void NetworkFaults::Plan(const FrameFault kind, const std::size_t index)
+void NetworkFaults::Plan(const FrameFault /*kind*/, const std::size_t /*index*/)
 {
-    static_cast<void>(kind);
-    static_cast<void>(index);
 }
 
-void NetworkFaults::Plan(const ControllerFault kind, const std::size_t index)
+void NetworkFaults::Plan(const ControllerFault /*kind*/, const std::size_t /*index*/)
 {
-    static_cast<void>(kind);
-    static_cast<void>(index);
 }
 
 void NetworkFaults::Plan(const ForeignFault kind, const std::size_t index)
@@ -217,9 +213,8 @@ void NetworkFaults::Plan(const ForeignFault kind, const std::size_t index)
     }
 }
 
-void NetworkFaults::Plan(const PartFault kind, const std::size_t index)
+void NetworkFaults::Plan(const PartFault /*kind*/, const std::size_t index)
 {
-    static_cast<void>(kind); // What it answers is told by PartFaults.
     const FaultSetup& fault = scenario_.faults[index];
     PlanState(
         index, [this, index, &fault]() { world_.nodes[fault.node]->Processor().Faults().Begin(fault, index); },
@@ -410,15 +405,14 @@ runtime::BitPlace NetworkFaults::PlaceOfBit(const std::size_t index)
 void NetworkFaults::PlanClock(const std::size_t index)
 {
     const FaultSetup& fault = scenario_.faults[index];
-    const auto for_each = [this, &fault](const std::function<void(Node&, bool)>& act)
+    const auto for_each = [this, &fault](const auto& act)
     {
-        if (fault.hits_counter_a)
+        for (const bool is_a : {true, false})
         {
-            act(*world_.nodes[fault.node], true);
-        }
-        if (fault.hits_counter_b)
-        {
-            act(*world_.nodes[fault.node], false);
+            if (is_a ? fault.hits_counter_a : fault.hits_counter_b)
+            {
+                act(world_.nodes[fault.node]->Clock(), is_a);
+            }
         }
     };
     const NodeSetup& setup = scenario_.nodes[fault.node];
@@ -430,14 +424,14 @@ void NetworkFaults::PlanClock(const std::size_t index)
         {
             return; // Nothing differs; a counter without supply begins anew.
         }
-        for_each([&fault](Node& node, const bool is_a)
-                 { fault.jump ? node.Clock().Jump(is_a, *fault.jump) : node.Clock().SetRate(is_a, fault.rate_ppm); });
+        for_each([&fault](NodeClock& clock, const bool is_a)
+                 { fault.jump ? clock.Jump(is_a, *fault.jump) : clock.SetRate(is_a, fault.rate_ppm); });
         NoteBegin(index);
     };
     const auto end = [for_each, &setup]()
     {
-        for_each([&setup](Node& node, const bool is_a)
-                 { node.Clock().SetRate(is_a, is_a ? setup.counter_a.drift_ppm : setup.counter_b.drift_ppm); });
+        for_each([&setup](NodeClock& clock, const bool is_a)
+                 { clock.SetRate(is_a, is_a ? setup.counter_a.drift_ppm : setup.counter_b.drift_ppm); });
     };
     PlanState(index, begin, end);
 }

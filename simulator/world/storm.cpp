@@ -49,15 +49,11 @@ void Storm::Run(const Nanoseconds now)
     next_ = (next > action_.until) ? kNever : next;
 }
 
-void Storm::OnReceived(const CanFrame& frame, const host::BusTime at)
+void Storm::OnReceived(const CanFrame& /*frame*/, const host::BusTime /*at*/)
 {
-    static_cast<void>(frame);
-    static_cast<void>(at);
 }
 
-void Storm::OnConfirmed(const CanFrame& frame, const host::BusTime at)
+void Storm::OnConfirmed(const CanFrame& /*frame*/, const host::BusTime /*at*/)
 {
-    static_cast<void>(frame);
-    static_cast<void>(at);
 }
 } // namespace counterpoint::simulator

@@ -2,7 +2,6 @@
 #ifndef SIMULATOR_WORLD_WORLD_HPP
 #define SIMULATOR_WORLD_WORLD_HPP
 
-#include "simulator/journal/bus_place.hpp"
 #include "simulator/journal/journal.hpp"
 #include "simulator/scenario/scenario.hpp"
 #include "simulator/world/link_wire.hpp"

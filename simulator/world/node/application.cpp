@@ -28,21 +28,6 @@ NodeApplication::NodeApplication(const NodePlace& place, const runtime::DeviceMo
 {
 }
 
-void NodeApplication::Join(const Kernel& kernel) noexcept
-{
-    kernel_ = &kernel;
-}
-
-void NodeApplication::AddRule(const runtime::LogicRule& rule)
-{
-    static_cast<void>(logic_.AddRule(rule));
-}
-
-void NodeApplication::Follow(Kernel& kernel)
-{
-    logic_.Follow(kernel, model_);
-}
-
 const runtime::PairValue& NodeApplication::PairAt(const ObjectAddress& object) const
 {
     const runtime::PairValue* const pair = logic_.Find(object);
@@ -85,11 +70,6 @@ SrdoMask NodeApplication::AcknowledgeFor(const Part part)
     return seen;
 }
 
-void NodeApplication::PowerOff()
-{
-    logic_.Take(0U, on_value_);
-}
-
 void NodeApplication::Run(const SrdoMask open)
 {
     logic_.Take(open, on_value_);
@@ -116,16 +96,6 @@ std::uint64_t NodeApplication::SafeValueOf(const ObjectAddress& normal) const
     return PairAt(normal).safe;
 }
 
-bool NodeApplication::TakeChange()
-{
-    return logic_.TakeChange();
-}
-
-void NodeApplication::ForgetFault() noexcept
-{
-    knows_fault_ = false;
-}
-
 void NodeApplication::NoteUntold(const DeviceFaultReport& report) noexcept
 {
     if (report.fault != DeviceFault::kNone && !knows_fault_)
@@ -134,15 +104,13 @@ void NodeApplication::NoteUntold(const DeviceFaultReport& report) noexcept
     }
 }
 
-RefreshAnswer NodeApplication::OnRefresh(const CommunicationIndex index) noexcept
+RefreshAnswer NodeApplication::OnRefresh(const CommunicationIndex /*index*/) noexcept
 {
-    static_cast<void>(index);
     return RefreshAnswer::kReady;
 }
 
-void NodeApplication::OnSrdoEvent(const CommunicationIndex index) noexcept
+void NodeApplication::OnSrdoEvent(const CommunicationIndex /*index*/) noexcept
 {
-    static_cast<void>(index);
 }
 
 void NodeApplication::OnSrdoError(const CommunicationIndex index, const SrdoCause cause) noexcept
@@ -176,8 +144,7 @@ void NodeApplication::OnDeviceFault(const DeviceFaultReport& report) noexcept
                 static_cast<std::uint64_t>(verdict));
 }
 
-void NodeApplication::OnFlow(const FlowCount& count) noexcept
+void NodeApplication::OnFlow(const FlowCount& /*count*/) noexcept
 {
-    static_cast<void>(count);
 }
 } // namespace counterpoint::simulator

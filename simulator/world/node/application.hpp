@@ -23,11 +23,15 @@ class NodeApplication final : public Application
     NodeApplication(const NodePlace& place, const runtime::DeviceModel& model, runtime::Half half, PartFaults& faults);
 
     /// @brief Where details of a device fault are read from.
-    void Join(const Kernel& kernel) noexcept;
-    /// @brief The rule's objects exist; see Network.
-    void AddRule(const runtime::LogicRule& rule);
-    /// @brief Pairs as the SRDOs are configured now. On entering OPERATIONAL.
-    void Follow(Kernel& kernel);
+    void Join(const Kernel& kernel) noexcept
+    {
+        kernel_ = &kernel;
+    }
+    /// @brief Its pairs and rules.
+    [[nodiscard]] runtime::PairLogic& Logic() noexcept
+    {
+        return logic_;
+    }
     void SetInput(const ObjectAddress& object, std::uint64_t value);
     /// @brief From now on the inverse path computes these bits wrong; 0: none.
     void Disturb(const ObjectAddress& object, std::uint64_t bits);
@@ -39,14 +43,18 @@ class NodeApplication final : public Application
     /// A frozen application leaves the producers' objects as they are.
     void Run(SrdoMask open);
     /// @brief Without supply no value counts.
-    void PowerOff();
+    void PowerOff()
+    {
+        logic_.Take(0U, on_value_);
+    }
     /// @brief What the application uses of a consumer that is safe.
     [[nodiscard]] std::uint64_t SafeValueOf(const ObjectAddress& normal) const;
-    /// @brief Whether any input of an SRDO changed since the last call; for applications that send by themselves.
-    [[nodiscard]] bool TakeChange();
 
     /// @brief The kernel starts anew; what it told before is forgotten.
-    void ForgetFault() noexcept;
+    void ForgetFault() noexcept
+    {
+        knows_fault_ = false;
+    }
     /// @brief What OnDeviceFault would have been told by a kernel that could call it.
     void NoteUntold(const DeviceFaultReport& report) noexcept;
 

@@ -43,11 +43,6 @@ void NodeClock::Advance() noexcept
     }
 }
 
-void NodeClock::Stop() noexcept
-{
-    next_cycle_ = kNever;
-}
-
 void NodeClock::Shift(const Nanoseconds by) noexcept
 {
     next_cycle_ = std::max(next_cycle_ + by, bus_.Now());

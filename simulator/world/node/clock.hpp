@@ -32,7 +32,10 @@ class NodeClock
     /// @brief Cycles begin now: the first one is a cycle time away.
     void Begin() noexcept;
     void Advance() noexcept;
-    void Stop() noexcept;
+    void Stop() noexcept
+    {
+        next_cycle_ = kNever;
+    }
     /// @brief The next cycle, and all after it, come so much later (negative: earlier).
     void Shift(Nanoseconds by) noexcept;
 

@@ -41,16 +41,6 @@ NodeControllers::NodeControllers(const NodePlace& place, const NodeProcessor& pr
     }
 }
 
-hal::CanPorts& NodeControllers::Ports() noexcept
-{
-    return can_;
-}
-
-const std::vector<host::NodeIndex>& NodeControllers::BusNodes() const noexcept
-{
-    return bus_nodes_;
-}
-
 void NodeControllers::PowerOn()
 {
     for (const host::NodeIndex node : bus_nodes_)

@@ -25,9 +25,15 @@ class NodeControllers final : private host::FrameSink
     NodeControllers(const NodePlace& place, const NodeProcessor& processor, host::HostClocks& counters,
                     std::uint32_t count, host::FrameSink& device);
 
-    [[nodiscard]] hal::CanPorts& Ports() noexcept;
+    [[nodiscard]] hal::CanPorts& Ports() noexcept
+    {
+        return can_;
+    }
     /// @brief Its nodes of the bus, the first controller first.
-    [[nodiscard]] const std::vector<host::NodeIndex>& BusNodes() const noexcept;
+    [[nodiscard]] const std::vector<host::NodeIndex>& BusNodes() const noexcept
+    {
+        return bus_nodes_;
+    }
     void PowerOn();
     /// @brief The frames that wait are lost.
     void PowerOff();

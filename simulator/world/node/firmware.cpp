@@ -6,7 +6,7 @@
 #include "canopen/cia301/store/stored_parts.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace counterpoint::simulator
 {
@@ -87,11 +87,10 @@ void NodeFirmware::PowerOff() noexcept
 
 bool NodeFirmware::TakeRestart() noexcept
 {
-    if (!has_restarted_)
+    if (!std::exchange(has_restarted_, false))
     {
         return false;
     }
-    has_restarted_ = false;
     state_ = cia301::NodeState::kInvalid; // Followed again, even if it is the same.
     cycles_to_send_ = 0U;
     cycles_per_send_ = 0U;
@@ -125,7 +124,7 @@ void NodeFirmware::FollowState()
     if (inside_.place.HasServices())
     {
         inside_.pairs.Follow(assembly_.Core());
-        inside_.application.Follow(assembly_.Core());
+        inside_.application.Logic().Follow(assembly_.Core(), inside_.model);
     }
 }
 
@@ -136,7 +135,7 @@ void NodeFirmware::OnFrame(const StampedFrame& frame)
         return;
     }
     NoteCommand(inside_.place, frame.frame, inside_.model.Config().node_id);
-    if (inside_.place.IsTapped())
+    if (inside_.place.is_tapped)
     {
         inside_.pairs.OnFrame(frame.frame);
     }
@@ -171,16 +170,6 @@ void NodeFirmware::HandOver()
     {
         serve_at_ = inside_.place.Now() + ReactionTime(inside_.place.bus);
     }
-}
-
-void NodeFirmware::OnOverflow()
-{
-    assembly_.Device().OnLoss();
-}
-
-void NodeFirmware::Join(LinkWire& wire) noexcept
-{
-    wire_ = &wire;
 }
 
 void NodeFirmware::OnMessage(const hal::LinkFrame& frame)
@@ -245,11 +234,6 @@ void NodeFirmware::Store(const ObjectAddress& object, const std::uint32_t value)
     }
 }
 
-void NodeFirmware::SetSerial(const std::uint32_t serial) noexcept
-{
-    serial_ = serial;
-}
-
 // At once after a change, and every refresh time after the last time. CPU B follows CPU A.
 void NodeFirmware::SendByApplication()
 {
@@ -262,7 +246,7 @@ void NodeFirmware::SendByApplication()
         cycles_to_send_ = 0U;
         return;
     }
-    const bool has_changed = inside_.application.TakeChange();
+    const bool has_changed = inside_.application.Logic().TakeChange();
     if (cycles_to_send_ != 0U && !has_changed)
     {
         --cycles_to_send_;
@@ -337,15 +321,13 @@ void NodeFirmware::OnLoaded(const std::uint8_t groups) noexcept
     }
 }
 
-void NodeFirmware::OnResetCommunication(const std::vector<std::string>& refusals) noexcept
+void NodeFirmware::OnResetCommunication(const std::vector<std::string>& /*refusals*/) noexcept
 {
-    static_cast<void>(refusals);
     state_ = cia301::NodeState::kInvalid;
 }
 
-void NodeFirmware::OnTime(const cia301::TimeOfDay& time, const Instant now) noexcept
+void NodeFirmware::OnTime(const cia301::TimeOfDay& time, const Instant /*now*/) noexcept
 {
-    static_cast<void>(now);
     inside_.place.Tell(EventKind::kTime, 0U, time.ms, time.days);
 }
 

@@ -39,9 +39,15 @@ class NodeFirmware final : public host::FrameSink, private runtime::AssemblyOwne
 
     void OnFrame(const StampedFrame& frame) override; // Of the controllers; the two below as well.
     void OnConfirm(const StampedFrame& frame) override;
-    void OnOverflow() override;
+    void OnOverflow() override
+    {
+        assembly_.Device().OnLoss();
+    }
     /// @brief Of a CPU of two: the wire to the other one, which outlives it.
-    void Join(LinkWire& wire) noexcept;
+    void Join(LinkWire& wire) noexcept
+    {
+        wire_ = &wire;
+    }
     /// @brief A message that came over it.
     void OnMessage(const hal::LinkFrame& frame);
     /// @brief Of a device with services.
@@ -52,7 +58,10 @@ class NodeFirmware final : public host::FrameSink, private runtime::AssemblyOwne
     /// @brief Somebody writes into it, by no message of the bus. Of a node with services.
     void Store(const ObjectAddress& object, std::uint32_t value);
     /// @brief Another device of its kind stands here from the next reset on. Of a node with services.
-    void SetSerial(std::uint32_t serial) noexcept;
+    void SetSerial(std::uint32_t serial) noexcept
+    {
+        serial_ = serial;
+    }
     /// @brief Before a cycle: the refresh of an application that sends by itself.
     void SendByApplication();
     void Cycle(const CycleCall& call);

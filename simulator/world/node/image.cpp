@@ -75,11 +75,6 @@ void NodeImage::RestorePointers()
     may_be_wild_ = false;
 }
 
-void NodeImage::DoubtPointers() noexcept
-{
-    may_be_wild_ = true;
-}
-
 bool NodeImage::IsWild() const noexcept
 {
     for (std::size_t part = 0U; may_be_wild_ && part < parts.size(); ++part)

@@ -27,7 +27,10 @@ class NodeImage
     /// @brief Power-on: what lies in RAM is as after the start of the program again.
     void RestorePointers();
     /// @brief A pointer may be another one now; until then none is wild.
-    void DoubtPointers() noexcept;
+    void DoubtPointers() noexcept
+    {
+        may_be_wild_ = true;
+    }
     /// @brief Whether a call of one of the parts would lead anywhere.
     [[nodiscard]] bool IsWild() const noexcept;
     [[nodiscard]] std::vector<MemoryPiece> Program();

@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "simulator/world/node/insight.hpp"
 
+#include <utility>
+
 namespace counterpoint::simulator
 {
 NodeInsight::NodeInsight(const NodePlace& place, const runtime::DeviceModel& model, const NodePairs& pairs) noexcept
@@ -87,18 +89,16 @@ void NodeInsight::TellVerdict(const Verdict& verdict)
 void NodeInsight::TellPermits(const hal::PermitSet& permits)
 {
     const SrdoMask permitted = permits.a.mask & permits.b.mask & permits.kernel.mask;
-    if (permitted != permitted_)
+    if (std::exchange(permitted_, permitted) != permitted)
     {
-        permitted_ = permitted;
         place_.Tell(EventKind::kPermits, 0U, permitted, 0U);
     }
 }
 
 void NodeInsight::TellLink(const LinkSupervisor& link)
 {
-    if (link.State() != link_)
+    if (std::exchange(link_, link.State()) != link.State())
     {
-        link_ = link.State();
         place_.Tell(EventKind::kLink, 0U, static_cast<std::uint64_t>(link_),
                     static_cast<std::uint64_t>(link.Finding()));
     }
@@ -107,11 +107,10 @@ void NodeInsight::TellLink(const LinkSupervisor& link)
 void NodeInsight::TellSelfTest(const selftest::TestId first_failed)
 {
     const bool has_failed = first_failed != selftest::TestId::kNone;
-    if (has_failed && !has_told_test_)
+    if (!std::exchange(has_told_test_, has_failed) && has_failed)
     {
         place_.Tell(EventKind::kSelfTest, 0U, static_cast<std::uint64_t>(first_failed), 0U);
     }
-    has_told_test_ = has_failed;
 }
 
 void NodeInsight::Forget()

@@ -2,6 +2,7 @@
 #include "simulator/world/node/memory.hpp"
 
 #include <cstring>
+#include <utility>
 
 namespace counterpoint::simulator
 {
@@ -74,9 +75,8 @@ hal::Address NodeMemory::StackPosition() const noexcept
     return kStack;
 }
 
-hal::Address NodeMemory::PlaceOf(const void* const object) const noexcept
+hal::Address NodeMemory::PlaceOf(const void* const /*object*/) const noexcept
 {
-    static_cast<void>(object);
     return kElsewhere;
 }
 
@@ -118,20 +118,6 @@ void NodeMemory::HoldWithin(const std::uint8_t* const word) noexcept
 
 std::vector<std::size_t> NodeMemory::TakeEffects()
 {
-    std::vector<std::size_t> effects;
-    if (!effects_.empty())
-    {
-        effects = effects_;
-        effects_.clear();
-    }
-    return effects;
-}
-
-void NodeLock::Lock() noexcept
-{
-}
-
-void NodeLock::Unlock() noexcept
-{
+    return std::exchange(effects_, {});
 }
 } // namespace counterpoint::simulator

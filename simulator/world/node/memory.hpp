@@ -72,8 +72,12 @@ class NodeMemory final : public hal::MemoryAccess
 class NodeLock final : public hal::InterruptLock
 {
   public:
-    void Lock() noexcept override;
-    void Unlock() noexcept override;
+    void Lock() noexcept override
+    {
+    }
+    void Unlock() noexcept override
+    {
+    }
 };
 } // namespace counterpoint::simulator
 

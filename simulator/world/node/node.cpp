@@ -21,7 +21,7 @@ Node::Node(const NodePlace& place, const NodeSetup& setup, runtime::DeviceModel&
     : place_(place), setup_(setup), model_(model), processor_(place_),
       clock_(place.bus, setup, model.Config().cycle_us), pairs_(place_, model), insight_(place_, model, pairs_),
       outputs_(place_, model, pairs_, processor_.Faults()),
-      channels_(setup, model, {processor_.Faults(), place.IsTapped() ? &insight_ : nullptr}, outputs_.Supervision()),
+      channels_(setup, model, {processor_.Faults(), place.is_tapped ? &insight_ : nullptr}, outputs_.Supervision()),
       application_(place_, model, HalfOf(setup.role), processor_.Faults()),
       self_test_(setup.self_tests ? std::make_unique<NodeSelfTest>(processor_.Memory(), processor_.Image(),
                                                                    outputs_.Output(), processor_.Faults())
@@ -34,11 +34,6 @@ Node::Node(const NodePlace& place, const NodeSetup& setup, runtime::DeviceModel&
 NodeInside Node::Inside() noexcept
 {
     return {place_, setup_, model_, processor_, clock_, pairs_, outputs_, channels_, application_, self_test_.get()};
-}
-
-void Node::Rehearse()
-{
-    firmware_.Start();
 }
 
 void Node::PowerOn()
@@ -163,7 +158,7 @@ void Node::Cycle()
         firmware_.OnBus(controllers_.Condition());
     }
     firmware_.Cycle(call);
-    if (place_.IsTapped())
+    if (place_.is_tapped)
     {
         LookInside();
     }
@@ -213,8 +208,4 @@ void Node::Settle()
     firmware_.FollowState();
 }
 
-cia301::NodeState Node::State() const noexcept
-{
-    return HasSupply() ? firmware_.State() : cia301::NodeState::kInvalid;
-}
 } // namespace counterpoint::simulator

@@ -24,7 +24,10 @@ class Node
 
     /// @brief Starts and commissions the kernel as PowerOn will, to find out early whether it can be. Throws
     /// cia306::InputError.
-    void Rehearse();
+    void Rehearse()
+    {
+        firmware_.Start();
+    }
     /// @brief The supply comes, for the first time or again: counters begin, the kernel starts and is commissioned, the
     /// watchdog starts. A device whose tables were hit by a fault may not start; then it stays off.
     void PowerOn();
@@ -54,7 +57,10 @@ class Node
         return processor_.HasSupply();
     }
     /// @brief kInvalid: it has no supply.
-    [[nodiscard]] cia301::NodeState State() const noexcept;
+    [[nodiscard]] cia301::NodeState State() const noexcept
+    {
+        return HasSupply() ? firmware_.State() : cia301::NodeState::kInvalid;
+    }
     [[nodiscard]] SrdoMask Open() const noexcept
     {
         return outputs_.Open();

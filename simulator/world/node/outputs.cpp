@@ -4,6 +4,7 @@
 #include "runtime/device/assembly.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace counterpoint::simulator
 {
@@ -17,12 +18,12 @@ NodeOutputs::NodeOutputs(const NodePlace& place, const runtime::DeviceModel& mod
 
 hal::SafetyOutput& NodeOutputs::Output() noexcept
 {
-    return place_.IsTapped() ? static_cast<hal::SafetyOutput&>(output_tap_) : output_;
+    return place_.is_tapped ? static_cast<hal::SafetyOutput&>(output_tap_) : output_;
 }
 
 hal::Watchdog& NodeOutputs::Supervision() noexcept
 {
-    return place_.IsTapped() ? static_cast<hal::Watchdog&>(watchdog_tap_) : watchdog_;
+    return place_.is_tapped ? static_cast<hal::Watchdog&>(watchdog_tap_) : watchdog_;
 }
 
 void NodeOutputs::Start()
@@ -37,24 +38,22 @@ void NodeOutputs::Look(const Nanoseconds cycle_time)
     {
         NoteOpen(open);
     }
-    if (!place_.IsTapped())
+    if (!place_.is_tapped)
     {
         return;
     }
     const Nanoseconds served = watchdog_tap_.Keep(place_.Now(), cycle_time);
     const bool is_alive = watchdog_.IsAlive();
-    if (was_alive_ && !is_alive)
+    if (std::exchange(was_alive_, is_alive) && !is_alive)
     {
         place_.Note(EventKind::kWatchdog, 0U, 0U, 0U);
     }
-    was_alive_ = is_alive;
     look_at_ = std::min({output_.ClosesAt(), watchdog_.TripsAt(), served});
 }
 
 void NodeOutputs::NoteOpen(const SrdoMask open)
 {
-    const SrdoMask changed = open ^ open_;
-    open_ = open;
+    const SrdoMask changed = open ^ std::exchange(open_, open);
     for (SlotIndex slot = 0U; changed != 0U && slot < model_.Config().srdo_count; ++slot)
     {
         if (((changed >> slot) & 1U) != 0U)
@@ -72,8 +71,4 @@ void NodeOutputs::Close()
     look_at_ = kNever;
 }
 
-const hal::PermitSet& NodeOutputs::Permits() const noexcept
-{
-    return output_tap_.Permits();
-}
 } // namespace counterpoint::simulator

@@ -38,7 +38,10 @@ class NodeOutputs
         return look_at_;
     }
     /// @brief As the kernel of a tapped node gave them last.
-    [[nodiscard]] const hal::PermitSet& Permits() const noexcept;
+    [[nodiscard]] const hal::PermitSet& Permits() const noexcept
+    {
+        return output_tap_.Permits();
+    }
 
   private:
     void NoteOpen(SrdoMask open);

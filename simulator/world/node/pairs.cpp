@@ -86,13 +86,4 @@ void NodePairs::OnFrame(const CanFrame& frame)
     place_.Tell(EventKind::kReception, model_.NumberOf(slot), frame.identifier, is_good ? 1U : 0U);
 }
 
-const PairTimes& NodePairs::TimesOf(const SlotIndex slot) const
-{
-    return times_.at(slot);
-}
-
-void NodePairs::Forget()
-{
-    times_.fill(PairTimes{});
-}
 } // namespace counterpoint::simulator

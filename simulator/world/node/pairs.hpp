@@ -37,8 +37,14 @@ class NodePairs
     [[nodiscard]] SlotIndex ConsumerOf(const CanFrame& frame) const;
     /// @brief A frame that this node got.
     void OnFrame(const CanFrame& frame);
-    [[nodiscard]] const PairTimes& TimesOf(SlotIndex slot) const;
-    void Forget();
+    [[nodiscard]] const PairTimes& TimesOf(SlotIndex slot) const
+    {
+        return times_.at(slot);
+    }
+    void Forget()
+    {
+        times_.fill(PairTimes{});
+    }
 
   private:
     void TakeIdentifier(std::uint32_t identifier, SlotIndex slot);

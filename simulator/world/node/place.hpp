@@ -11,26 +11,15 @@
 
 namespace counterpoint::simulator
 {
-/// Whether a node is looked into: taps around channels and supervisors cost time.
-enum class Insight : std::uint8_t
-{
-    kNone = 0U,
-    kTapped = 1U,
-};
-
 /// Where a node is, and who looks at it.
 struct NodePlace
 {
     NodeIndex index;
     host::VirtualBus& bus;
     Journal& journal;
-    Insight insight;
+    bool is_tapped;             ///< It is looked into: taps around channels and supervisors cost time.
     const cia306::Device* file; ///< Null: the node has no services but NMT commands. Read only while the node is built.
 
-    [[nodiscard]] bool IsTapped() const noexcept
-    {
-        return insight == Insight::kTapped;
-    }
     [[nodiscard]] bool HasServices() const noexcept
     {
         return file != nullptr;

@@ -25,7 +25,7 @@ class NodeProcessor
     /// @brief Makes a call into the program that may never return.
     template <typename Call> void Run(const Call& call)
     {
-        if (!place_.IsTapped())
+        if (!place_.is_tapped)
         {
             call();
             return;

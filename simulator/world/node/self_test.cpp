@@ -41,11 +41,6 @@ NodeSelfTest::NodeSelfTest(NodeMemory& memory, NodeImage& image, const hal::Safe
 {
 }
 
-void NodeSelfTest::AddLive(void* const bytes, const std::size_t size)
-{
-    live_.push_back(memory_.Add(bytes, size));
-}
-
 void NodeSelfTest::AddConstant(const void* const bytes, const std::size_t size)
 {
     constants_.push_back(memory_.Add(const_cast<void*>(bytes), size)); // Only read.
@@ -101,11 +96,6 @@ void NodeSelfTest::Start()
 {
     said_ = SelfTestOutcome{};
     static_cast<void>(self_test_.Start(setup_));
-}
-
-selftest::TestId NodeSelfTest::FirstFailed() const noexcept
-{
-    return self_test_.FirstFailed();
 }
 
 SelfTestOutcome NodeSelfTest::Said() noexcept

@@ -25,7 +25,10 @@ class NodeSelfTest final : public SelfTestPart
     NodeSelfTest(NodeMemory& memory, NodeImage& image, const hal::SafetyOutput& output, PartFaults& faults) noexcept;
 
     /// @brief The pieces of live memory, and what is constant after the start.
-    void AddLive(void* bytes, std::size_t size);
+    void AddLive(void* bytes, std::size_t size)
+    {
+        live_.push_back(memory_.Add(bytes, size));
+    }
     void AddConstant(const void* bytes, std::size_t size);
     /// @brief After everything was added: slices as small as a round within so many cycles allows.
     /// False: it cannot be done.
@@ -34,7 +37,10 @@ class NodeSelfTest final : public SelfTestPart
     void Start();
     [[nodiscard]] SelfTestOutcome OnCycle() noexcept override;
     /// @brief The first test that failed; kNone: none did.
-    [[nodiscard]] selftest::TestId FirstFailed() const noexcept;
+    [[nodiscard]] selftest::TestId FirstFailed() const noexcept
+    {
+        return self_test_.FirstFailed();
+    }
 
   private:
     [[nodiscard]] SelfTestOutcome Said() noexcept;
