@@ -251,5 +251,4 @@ void ChannelTap::GoodPermit(const std::uint32_t challenge) const noexcept
     const std::uint32_t constant = (part_ == Part::kChannelA) ? kPermitConstantA : kPermitConstantB;
     permit_ = {mask, RightResponse(mask, challenge, constant)};
 }
-
 } // namespace counterpoint::simulator

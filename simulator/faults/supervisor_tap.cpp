@@ -48,23 +48,13 @@ Verdict WrapCompare(Comparator& self, const Comparison& comparison) noexcept
 void WrapFlowBegin(FlowMonitor& self) noexcept
 {
     SupervisorTap* const tap = active_tap;
-    if (tap == nullptr)
-    {
-        RealFlowBegin(self);
-        return;
-    }
-    tap->FlowBegin(self);
+    (tap == nullptr) ? RealFlowBegin(self) : tap->FlowBegin(self);
 }
 
 void WrapFlowMark(FlowMonitor& self, const FlowStep step, const FlowEvidence& evidence) noexcept
 {
     SupervisorTap* const tap = active_tap;
-    if (tap == nullptr)
-    {
-        RealFlowMark(self, step, evidence);
-        return;
-    }
-    tap->FlowMark(self, step, evidence);
+    (tap == nullptr) ? RealFlowMark(self, step, evidence) : tap->FlowMark(self, step, evidence);
 }
 
 hal::WatchdogAnswer WrapFlowEnd(FlowMonitor& self, const hal::WatchdogQuestion& question) noexcept

@@ -12,18 +12,11 @@ std::string CandumpLine(const CanFrame& frame, const Nanoseconds end)
     const bool is_extended = frame.kind == FrameKind::kExtended || frame.kind == FrameKind::kExtendedRemote;
     const bool is_remote = frame.kind == FrameKind::kRemote || frame.kind == FrameKind::kExtendedRemote;
     std::array<char, 64U> head{};
-    static_cast<void>(std::snprintf(head.data(), head.size(), "(%010lld.%06lld) can0 ",
+    static_cast<void>(std::snprintf(head.data(), head.size(), "(%010lld.%06lld) can0 %0*X#",
                                     static_cast<long long>(end / kNanosecondsPerSecond),
-                                    static_cast<long long>(end % kNanosecondsPerSecond / kNanosecondsPerMicrosecond)));
-    std::array<char, 16U> identifier{};
-    const auto number = static_cast<unsigned>(frame.identifier);
-    static_cast<void>(is_extended ? std::snprintf(identifier.data(), identifier.size(), "%08X#", number)
-                                  : std::snprintf(identifier.data(), identifier.size(), "%03X#", number));
-    std::string line = head.data();
-    line += identifier.data();
-    line += is_remote ? "R" + std::to_string(frame.length_bytes) : DataText(frame, "");
-    line += "\n";
-    return line;
+                                    static_cast<long long>(end % kNanosecondsPerSecond / kNanosecondsPerMicrosecond),
+                                    is_extended ? 8 : 3, static_cast<unsigned>(frame.identifier)));
+    return head.data() + (is_remote ? "R" + std::to_string(frame.length_bytes) : DataText(frame, "")) + "\n";
 }
 
 std::string CandumpReport(const Run& run)
@@ -31,11 +24,8 @@ std::string CandumpReport(const Run& run)
     std::string text;
     for (const FrameEntry& entry : run.Record().Frames())
     {
-        if (entry.fate != host::FrameFate::kComplete || entry.sender == kNoNode)
-        {
-            continue; // Nobody on the bus has seen it.
-        }
-        text += CandumpLine(entry.frame, entry.end);
+        const bool is_seen = entry.fate == host::FrameFate::kComplete && entry.sender != kNoNode;
+        text += is_seen ? CandumpLine(entry.frame, entry.end) : ""; // By anybody on the bus.
     }
     return text;
 }

@@ -12,7 +12,6 @@ namespace counterpoint::simulator
 {
 namespace
 {
-
 /// "01 21": up to 8 bytes in hexadecimal.
 std::vector<std::uint8_t> DataOf(const std::optional<YamlValue>& value)
 {

@@ -148,7 +148,6 @@ void RequireManagers(const Scenario& scenario)
         }
     }
 }
-
 } // namespace
 
 void RequireNetwork(const Scenario& scenario)

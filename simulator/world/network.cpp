@@ -207,5 +207,4 @@ const std::map<std::size_t, std::uint32_t>& Network::DroppedCopies() const noexc
 {
     return faults_->Dropped();
 }
-
 } // namespace counterpoint::simulator

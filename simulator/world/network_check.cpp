@@ -190,9 +190,6 @@ void RequireOfExpectation(const World& world, const Expectation& expectation)
         RequirePair(world, expectation.node, expectation.object, true, expectation.source);
         RequireValue(world, expectation.node, expectation.object, expectation.value, expectation.source);
         return;
-    case ExpectationKind::kDeviceFault:
-    case ExpectationKind::kDetectedBy:
-    case ExpectationKind::kNoFault:
     default:
         return;
     }

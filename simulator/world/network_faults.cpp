@@ -34,7 +34,6 @@ std::uint64_t BitsOf(const FaultSetup& fault)
     }
     return bits;
 }
-
 } // namespace
 
 FaultClass ClassOf(const FaultSetup& fault)
