@@ -50,16 +50,6 @@ void LivePoll::Add(const int descriptor)
 
 void LivePoll::WakeAt(const std::uint64_t time_ns)
 {
-    Set((time_ns == 0U) ? 1U : time_ns);
-}
-
-void LivePoll::WakeNever()
-{
-    Set(0U);
-}
-
-void LivePoll::Set(const std::uint64_t time_ns)
-{
     if (time_ns == wake_ns_)
     {
         return;

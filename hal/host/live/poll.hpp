@@ -38,10 +38,8 @@ class LivePoll
     LivePoll();
     /// @brief From now on it stands for this descriptor, too.
     void Add(int descriptor);
-    /// @brief Readable from `time_ns` of CLOCK_MONOTONIC on, until WakeAt or WakeNever is called again.
+    /// @brief Readable from `time_ns` of CLOCK_MONOTONIC on, until WakeAt is called again; 0: at no time.
     void WakeAt(std::uint64_t time_ns);
-    /// @brief No time any more.
-    void WakeNever();
     /// @brief The descriptor to poll.
     [[nodiscard]] int Descriptor() const
     {
@@ -49,8 +47,6 @@ class LivePoll
     }
 
   private:
-    void Set(std::uint64_t time_ns);
-
     LiveFile set_;
     LiveFile timer_;
     std::uint64_t wake_ns_{0U}; ///< 0: never.

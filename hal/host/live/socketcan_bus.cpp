@@ -73,7 +73,7 @@ bool FromSocketCan(const canfd_frame& raw, const std::size_t bytes, LiveFrame& f
 }
 
 LiveSocketCanBus::LiveSocketCanBus(const LiveAddress& address, const LiveOptions& options)
-    : address_{address}, options_{options}, socket_{::socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW)}
+    : OpenedBus{address, options, BusState::kDown}, socket_{::socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW)}
 {
     if (socket_.Get() < 0)
     {
@@ -162,11 +162,11 @@ void LiveSocketCanBus::Look()
     has_controller_ = link->controller.has_value();
     if (has_controller_)
     {
-        counts_.transmit_errors = link->transmit_errors;
-        counts_.receive_errors = link->receive_errors;
+        health_.transmit_errors = link->transmit_errors;
+        health_.receive_errors = link->receive_errors;
         Enter(*link->controller);
     }
-    else if (state_ == BusState::kDown)
+    else if (health_.state == BusState::kDown)
     {
         Enter(BusState::kActive);
     }
@@ -174,15 +174,16 @@ void LiveSocketCanBus::Look()
 
 void LiveSocketCanBus::Enter(const BusState state)
 {
-    if (state == state_)
+    if (state == health_.state)
     {
         return;
     }
-    state_ = state;
+    health_.state = state;
     const bool is_off = state == BusState::kBusOff;
     if (is_off || (state == BusState::kDown))
     {
-        DropWaiting(); // Too old to be sent when the bus is there again.
+        health_.dropped_frames += static_cast<std::uint32_t>(queue_.size());
+        queue_.clear(); // Too old to be sent when the bus is there again.
     }
     const bool is_timed = is_off && (options_.restart == RestartPolicy::kTimed);
     restart_at_ns_ = is_timed ? (LiveNow() + (options_.restart_after_ms * kMillisecondNs)) : 0U;
@@ -191,9 +192,9 @@ void LiveSocketCanBus::Enter(const BusState state)
 void LiveSocketCanBus::Learn(const LiveFrame& frame)
 {
     const ErrorNews news = ReadErrorFrame(frame);
-    ++counts_.error_frames;
-    counts_.bus_offs += news.is_bus_off ? 1U : 0U;
-    counts_.restarts += news.is_restart ? 1U : 0U;
+    ++health_.error_frames;
+    health_.bus_offs += news.is_bus_off ? 1U : 0U;
+    health_.restarts += news.is_restart ? 1U : 0U;
     if (has_controller_)
     {
         Look();
@@ -201,10 +202,10 @@ void LiveSocketCanBus::Learn(const LiveFrame& frame)
     }
     if (news.has_counters)
     {
-        counts_.transmit_errors = news.transmit_errors;
-        counts_.receive_errors = news.receive_errors;
+        health_.transmit_errors = news.transmit_errors;
+        health_.receive_errors = news.receive_errors;
     }
-    if (news.state && (state_ != BusState::kDown))
+    if (news.state && (health_.state != BusState::kDown))
     {
         Enter(*news.state);
     }
@@ -217,15 +218,15 @@ SendResult LiveSocketCanBus::Send(const LiveFrame& frame)
         return SendResult::kRefused;
     }
     Service();
-    if (state_ == BusState::kDown)
+    if (health_.state == BusState::kDown)
     {
         return SendResult::kDown;
     }
-    if (state_ == BusState::kBusOff)
+    if (health_.state == BusState::kBusOff)
     {
         return SendResult::kBusOff;
     }
-    if (queue_.IsEmpty())
+    if (queue_.empty())
     {
         int failure = Transmit(frame);
         if (IsGone(failure))
@@ -233,7 +234,7 @@ SendResult LiveSocketCanBus::Send(const LiveFrame& frame)
             // Also told once after the interface has come back already.
             Look();
             PlanWake();
-            failure = (state_ == BusState::kDown) ? failure : Transmit(frame);
+            failure = (health_.state == BusState::kDown) ? failure : Transmit(frame);
         }
         if (failure == 0)
         {
@@ -245,11 +246,11 @@ SendResult LiveSocketCanBus::Send(const LiveFrame& frame)
         }
         retry_at_ns_ = LiveNow() + kRetryNs;
     }
-    if (queue_.IsFull())
+    if (IsFull())
     {
         return SendResult::kQueueFull;
     }
-    queue_.Push(frame);
+    queue_.push_back(frame);
     PlanWake();
     return SendResult::kSent;
 }
@@ -267,23 +268,18 @@ int LiveSocketCanBus::Transmit(const LiveFrame& frame)
 
 void LiveSocketCanBus::SendWaiting()
 {
-    while (!queue_.IsEmpty() && (LiveNow() >= retry_at_ns_))
+    while (!queue_.empty() && (LiveNow() >= retry_at_ns_))
     {
-        const int failure = Transmit(queue_.First());
+        const int failure = Transmit(queue_.front());
         if (IsQueueFull(failure) || IsGone(failure))
         {
             retry_at_ns_ = LiveNow() + kRetryNs;
             Look(); // A bus that is off refuses frames like a full queue.
             return;
         }
-        counts_.dropped_frames += (failure == 0) ? 0U : 1U;
-        queue_.DropFirst();
+        health_.dropped_frames += (failure == 0) ? 0U : 1U;
+        queue_.pop_front();
     }
-}
-
-void LiveSocketCanBus::DropWaiting()
-{
-    counts_.dropped_frames += queue_.Clear();
 }
 
 void LiveSocketCanBus::CarryOutPolicy()
@@ -292,23 +288,16 @@ void LiveSocketCanBus::CarryOutPolicy()
     {
         // Again after the same time where it did not help or is not allowed.
         restart_at_ns_ = LiveNow() + std::max<std::uint64_t>(options_.restart_after_ms, 1U) * kMillisecondNs;
-        counts_.refused_restarts += Restart() ? 0U : 1U;
+        health_.refused_restarts += Restart() ? 0U : 1U;
     }
 }
 
 void LiveSocketCanBus::PlanWake()
 {
-    const std::uint64_t retry_ns = queue_.IsEmpty() ? 0U : retry_at_ns_;
+    const std::uint64_t retry_ns = queue_.empty() ? 0U : retry_at_ns_;
     const bool has_both = (retry_ns != 0U) && (restart_at_ns_ != 0U);
     const std::uint64_t wake_ns = has_both ? std::min(retry_ns, restart_at_ns_) : (retry_ns + restart_at_ns_);
-    if (wake_ns == 0U)
-    {
-        poll_.WakeNever();
-    }
-    else
-    {
-        poll_.WakeAt(wake_ns);
-    }
+    poll_.WakeAt(wake_ns);
 }
 
 void LiveSocketCanBus::Service()
@@ -339,10 +328,10 @@ bool LiveSocketCanBus::Receive(LiveFrame& frame)
             PlanWake();
             return false;
         }
-        counts_.lost_frames = std::max(counts_.lost_frames, arrival.dropped);
+        health_.lost_frames = std::max(health_.lost_frames, arrival.dropped);
         if (!FromSocketCan(raw, static_cast<std::size_t>(arrival.count), frame))
         {
-            ++counts_.malformed;
+            ++health_.malformed;
             continue;
         }
         const bool has_stamp = arrival.hardware_ns != 0U;
@@ -359,7 +348,7 @@ bool LiveSocketCanBus::Receive(LiveFrame& frame)
 
 bool LiveSocketCanBus::Restart()
 {
-    if ((state_ != BusState::kBusOff) || (index_ == 0))
+    if ((health_.state != BusState::kBusOff) || (index_ == 0))
     {
         return false;
     }
@@ -368,27 +357,9 @@ bool LiveSocketCanBus::Restart()
     // A driver without a restart of its own starts anew when its interface does.
     const bool is_done =
         (refused == 0) || (needs_switch && (link_.Switch(index_, false) == 0) && (link_.Switch(index_, true) == 0));
-    counts_.restarts += (is_done && needs_switch) ? 1U : 0U;
+    health_.restarts += (is_done && needs_switch) ? 1U : 0U;
     Look();
     return is_done;
-}
-
-int LiveSocketCanBus::Descriptor() const
-{
-    return poll_.Descriptor();
-}
-
-BusHealth LiveSocketCanBus::Health() const
-{
-    BusHealth health = counts_;
-    health.state = state_;
-    health.waiting = queue_.Count();
-    return health;
-}
-
-std::string LiveSocketCanBus::Name() const
-{
-    return address_.text;
 }
 
 } // namespace counterpoint::host

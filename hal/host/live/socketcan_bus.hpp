@@ -2,12 +2,9 @@
 #ifndef HAL_HOST_LIVE_SOCKETCAN_BUS_HPP
 #define HAL_HOST_LIVE_SOCKETCAN_BUS_HPP
 
-#include "hal/host/live/address.hpp"
-#include "hal/host/live/bus.hpp"
 #include "hal/host/live/hardware_clock.hpp"
 #include "hal/host/live/link.hpp"
-#include "hal/host/live/poll.hpp"
-#include "hal/host/live/send_queue.hpp"
+#include "hal/host/live/opened_bus.hpp"
 
 #include <linux/can.h>
 
@@ -32,7 +29,7 @@ struct SocketCanFrame
 /// One interface of Linux, by a raw socket. Survives the interface's going down and up, and its being removed and made
 /// again under the same name. Restart, and the policy kTimed, need CAP_NET_ADMIN. [SRS_LIVE_020, SRS_LIVE_021,
 /// SRS_LIVE_022, SRS_LIVE_023, SRS_LIVE_024, SRS_LIVE_025, SRS_LIVE_026]
-class LiveSocketCanBus final : public LiveBus
+class LiveSocketCanBus final : public OpenedBus
 {
   public:
     /// @brief Opens the interface. Throws LiveBusError.
@@ -40,9 +37,6 @@ class LiveSocketCanBus final : public LiveBus
 
     [[nodiscard]] SendResult Send(const LiveFrame& frame) override;
     [[nodiscard]] bool Receive(LiveFrame& frame) override;
-    [[nodiscard]] int Descriptor() const override;
-    [[nodiscard]] BusHealth Health() const override;
-    [[nodiscard]] std::string Name() const override;
     [[nodiscard]] bool Restart() override;
 
   private:
@@ -54,25 +48,18 @@ class LiveSocketCanBus final : public LiveBus
     void Learn(const LiveFrame& frame);
     [[nodiscard]] int Transmit(const LiveFrame& frame);
     void SendWaiting();
-    void DropWaiting();
     void CarryOutPolicy();
     void PlanWake();
     void Service();
 
-    LiveAddress address_;
-    LiveOptions options_;
     LiveFile socket_;
     LiveLink link_{};
-    LivePoll poll_{};
     HardwareClock clock_{};
-    LiveSendQueue queue_{};
     int index_{0};
-    BusState state_{BusState::kDown};
     bool has_controller_{false};      ///< Linux tells its state; else only error frames do.
     bool is_carrying_{false};         ///< Else the kernel takes frames and throws them away without a word.
     std::uint64_t restart_at_ns_{0U}; ///< 0: no restart is due.
     std::uint64_t retry_at_ns_{0U};   ///< When to offer what waits to the system again.
-    BusHealth counts_{};
 };
 
 } // namespace counterpoint::host

@@ -75,7 +75,7 @@ sockaddr_in GroupOf(const LiveAddress& address)
 } // namespace
 
 LiveUdpBus::LiveUdpBus(const LiveAddress& address, const LiveOptions& options)
-    : address_{address}, options_{options}, socket_{::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)},
+    : OpenedBus{address, options, BusState::kActive}, socket_{::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)},
       sender_{RandomSender()}
 {
     Join();
@@ -114,16 +114,16 @@ SendResult LiveUdpBus::Send(const LiveFrame& frame)
         return SendResult::kRefused;
     }
     SendWaiting();
-    if (queue_.IsEmpty() && (LiveNow() >= free_at_ns_) && Transmit(frame))
+    if (queue_.empty() && (LiveNow() >= free_at_ns_) && Transmit(frame))
     {
         return SendResult::kSent;
     }
-    if (queue_.IsFull())
+    if (IsFull())
     {
         return SendResult::kQueueFull;
     }
-    queue_.Push(frame);
-    poll_.WakeAt(std::max(free_at_ns_, LiveNow() + (has_pace ? 0U : kRetryNs)));
+    queue_.push_back(frame);
+    PlanWake();
     return SendResult::kSent;
 }
 
@@ -151,19 +151,17 @@ bool LiveUdpBus::Transmit(const LiveFrame& frame)
 
 void LiveUdpBus::SendWaiting()
 {
-    while (!queue_.IsEmpty() && (LiveNow() >= free_at_ns_) && Transmit(queue_.First()))
+    while (!queue_.empty() && (LiveNow() >= free_at_ns_) && Transmit(queue_.front()))
     {
-        queue_.DropFirst();
+        queue_.pop_front();
     }
-    if (queue_.IsEmpty())
-    {
-        poll_.WakeNever();
-    }
-    else
-    {
-        const bool has_pace = address_.bits_per_second != 0U;
-        poll_.WakeAt(std::max(free_at_ns_, LiveNow() + (has_pace ? 0U : kRetryNs)));
-    }
+    PlanWake();
+}
+
+void LiveUdpBus::PlanWake()
+{
+    const bool has_pace = address_.bits_per_second != 0U;
+    poll_.WakeAt(queue_.empty() ? 0U : std::max(free_at_ns_, LiveNow() + (has_pace ? 0U : kRetryNs)));
 }
 
 void LiveUdpBus::Occupy(const LiveFrame& frame, const std::uint64_t from_ns)
@@ -210,10 +208,10 @@ bool LiveUdpBus::Receive(LiveFrame& frame)
         {
             return false;
         }
-        counts_.lost_frames = std::max(counts_.lost_frames, arrival.dropped);
+        health_.lost_frames = std::max(health_.lost_frames, arrival.dropped);
         if (!Unpack(bytes, static_cast<std::size_t>(arrival.count), frame))
         {
-            ++counts_.malformed;
+            ++health_.malformed;
             continue;
         }
         frame.time_ns = arrival.time_ns;
@@ -228,27 +226,5 @@ bool LiveUdpBus::Receive(LiveFrame& frame)
     }
 }
 
-int LiveUdpBus::Descriptor() const
-{
-    return poll_.Descriptor();
-}
-
-BusHealth LiveUdpBus::Health() const
-{
-    BusHealth health = counts_;
-    health.state = BusState::kActive;
-    health.waiting = queue_.Count();
-    return health;
-}
-
-std::string LiveUdpBus::Name() const
-{
-    return address_.text;
-}
-
-bool LiveUdpBus::Restart()
-{
-    return false; // Never off.
-}
 
 } // namespace counterpoint::host

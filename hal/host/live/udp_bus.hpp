@@ -2,10 +2,7 @@
 #ifndef HAL_HOST_LIVE_UDP_BUS_HPP
 #define HAL_HOST_LIVE_UDP_BUS_HPP
 
-#include "hal/host/live/address.hpp"
-#include "hal/host/live/bus.hpp"
-#include "hal/host/live/poll.hpp"
-#include "hal/host/live/send_queue.hpp"
+#include "hal/host/live/opened_bus.hpp"
 
 #include <cstdint>
 #include <string>
@@ -17,7 +14,7 @@ namespace counterpoint::host
 /// A bus for the processes of one machine: a multicast group on the loopback interface, one datagram a frame. Frames of
 /// one sender keep their order; those of two senders may reach two receivers in different orders, and there is no
 /// arbitration. [SRS_LIVE_010, SRS_LIVE_011, SRS_LIVE_012, SRS_LIVE_013]
-class LiveUdpBus final : public LiveBus
+class LiveUdpBus final : public OpenedBus
 {
   public:
     /// @brief Joins the group. Throws LiveBusError.
@@ -25,26 +22,18 @@ class LiveUdpBus final : public LiveBus
 
     [[nodiscard]] SendResult Send(const LiveFrame& frame) override;
     [[nodiscard]] bool Receive(LiveFrame& frame) override;
-    [[nodiscard]] int Descriptor() const override;
-    [[nodiscard]] BusHealth Health() const override;
-    [[nodiscard]] std::string Name() const override;
-    [[nodiscard]] bool Restart() override;
 
   private:
     void Join();
     [[nodiscard]] bool Transmit(const LiveFrame& frame);
     void SendWaiting();
+    void PlanWake();
     [[nodiscard]] bool Unpack(const std::uint8_t* bytes, std::size_t count, LiveFrame& frame) const;
     void Occupy(const LiveFrame& frame, std::uint64_t from_ns);
 
-    LiveAddress address_;
-    LiveOptions options_;
     LiveFile socket_;
-    LivePoll poll_{};
-    LiveSendQueue queue_{};
     std::uint64_t sender_;         ///< Tells own frames from those of others.
     std::uint64_t free_at_ns_{0U}; ///< When the frames seen so far have left the bus.
-    BusHealth counts_{};
 };
 
 } // namespace counterpoint::host

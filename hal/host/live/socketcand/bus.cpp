@@ -27,7 +27,7 @@ SocketcandMessage MessageOf(const SocketcandWord word)
 } // namespace
 
 LiveSocketcandBus::LiveSocketcandBus(const LiveAddress& address, const LiveOptions& options)
-    : address_{address}, options_{options}, give_up_at_ns_{LiveNow() + kPatienceNs}, peer_{address},
+    : OpenedBus{address, options, BusState::kActive}, give_up_at_ns_{LiveNow() + kPatienceNs}, peer_{address},
       link_{peer_.Connect(give_up_at_ns_)}, greeting_{address.interface}
 {
     Greet();
@@ -66,15 +66,8 @@ void LiveSocketcandBus::Greet()
 void LiveSocketcandBus::Begin()
 {
     is_lost_ = false;
-    state_ = BusState::kActive;
-    if (greeting_.Early().empty())
-    {
-        poll_.WakeNever();
-    }
-    else
-    {
-        poll_.WakeAt(LiveNow());
-    }
+    health_.state = BusState::kActive;
+    poll_.WakeAt(greeting_.Early().empty() ? 0U : LiveNow());
 }
 
 /// Goes on with opening a lost connection again, by the policy; nothing of it waits. [SRS_LIVE_058]
@@ -108,7 +101,7 @@ void LiveSocketcandBus::Reconnect()
     }
     else if (greeting_.IsOver())
     {
-        ++counts_.reconnects;
+        ++health_.reconnects;
         Begin();
     }
 }
@@ -116,14 +109,7 @@ void LiveSocketcandBus::Reconnect()
 void LiveSocketcandBus::PlanReconnect()
 {
     retry_at_ns_ = LiveNow() + (options_.reconnect_after_ms * kMillisecondNs);
-    if (options_.reconnect_after_ms == 0U)
-    {
-        poll_.WakeNever();
-    }
-    else
-    {
-        poll_.WakeAt(retry_at_ns_);
-    }
+    poll_.WakeAt((options_.reconnect_after_ms == 0U) ? 0U : retry_at_ns_);
 }
 
 SendResult LiveSocketcandBus::Send(const LiveFrame& frame)
@@ -137,11 +123,11 @@ SendResult LiveSocketcandBus::Send(const LiveFrame& frame)
     {
         return SendResult::kDown;
     }
-    if (queue_.IsFull())
+    if (IsFull())
     {
         return SendResult::kQueueFull;
     }
-    queue_.Push(frame);
+    queue_.push_back(frame);
     SendWaiting();
     return is_lost_ ? SendResult::kDown : SendResult::kSent;
 }
@@ -161,24 +147,18 @@ void LiveSocketcandBus::Hand(const LiveFrame& frame)
 void LiveSocketcandBus::SendWaiting()
 {
     link_.Flush();
-    while (!queue_.IsEmpty() && (link_.WaitingBytes() < kTextBytes) && !link_.IsLost())
+    while (!queue_.empty() && (link_.WaitingBytes() < kTextBytes) && !link_.IsLost())
     {
-        Hand(queue_.First());
-        queue_.DropFirst();
+        Hand(queue_.front());
+        queue_.pop_front();
     }
     NoteLoss();
     if (is_lost_)
     {
         return; // What wakes then is the policy.
     }
-    if (queue_.IsEmpty() && (link_.WaitingBytes() == 0U) && greeting_.Early().empty())
-    {
-        poll_.WakeNever();
-    }
-    else
-    {
-        poll_.WakeAt(LiveNow() + kRetryNs);
-    }
+    const bool is_idle = queue_.empty() && (link_.WaitingBytes() == 0U) && greeting_.Early().empty();
+    poll_.WakeAt(is_idle ? 0U : LiveNow() + kRetryNs);
 }
 
 void LiveSocketcandBus::NoteLoss()
@@ -186,8 +166,9 @@ void LiveSocketcandBus::NoteLoss()
     if (link_.IsLost() && !is_lost_)
     {
         is_lost_ = true;
-        state_ = BusState::kDown;
-        counts_.dropped_frames += queue_.Clear();
+        health_.state = BusState::kDown;
+        health_.dropped_frames += static_cast<std::uint32_t>(queue_.size());
+        queue_.clear();
         unconfirmed_.clear();
         PlanReconnect();
     }
@@ -254,17 +235,17 @@ bool LiveSocketcandBus::Take(const SocketcandMessage& message, LiveFrame& frame)
     }
     else
     {
-        counts_.malformed += message.problem.empty() ? 0U : 1U;
+        health_.malformed += message.problem.empty() ? 0U : 1U;
         LearnText(message.text);
         return false;
     }
     frame.time_ns = LiveNow();
     const ErrorNews news = ReadErrorFrame(frame);
-    counts_.error_frames += frame.error ? 1U : 0U;
-    counts_.bus_offs += news.is_bus_off ? 1U : 0U;
-    counts_.restarts += news.is_restart ? 1U : 0U;
+    health_.error_frames += frame.error ? 1U : 0U;
+    health_.bus_offs += news.is_bus_off ? 1U : 0U;
+    health_.restarts += news.is_restart ? 1U : 0U;
     // A frame that came is a bus that works, whatever was said before.
-    state_ = frame.error ? news.state.value_or(state_) : BusState::kActive;
+    health_.state = frame.error ? news.state.value_or(health_.state) : BusState::kActive;
     return true;
 }
 
@@ -275,38 +256,16 @@ void LiveSocketcandBus::LearnText(const std::string& text)
     {
         return;
     }
-    ++counts_.dropped_frames;
+    ++health_.dropped_frames;
     if (text.find("bus-off") != std::string::npos)
     {
-        state_ = BusState::kBusOff;
+        health_.state = BusState::kBusOff;
     }
     else if (text.find("down") != std::string::npos)
     {
-        state_ = BusState::kDown;
+        health_.state = BusState::kDown;
     }
 }
 
-int LiveSocketcandBus::Descriptor() const
-{
-    return poll_.Descriptor();
-}
-
-BusHealth LiveSocketcandBus::Health() const
-{
-    BusHealth health = counts_;
-    health.state = state_;
-    health.waiting = queue_.Count();
-    return health;
-}
-
-std::string LiveSocketcandBus::Name() const
-{
-    return address_.text;
-}
-
-bool LiveSocketcandBus::Restart()
-{
-    return false; // The server's owner does that.
-}
 
 } // namespace counterpoint::host

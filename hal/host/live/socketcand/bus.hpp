@@ -2,10 +2,7 @@
 #ifndef HAL_HOST_LIVE_SOCKETCAND_BUS_HPP
 #define HAL_HOST_LIVE_SOCKETCAND_BUS_HPP
 
-#include "hal/host/live/address.hpp"
-#include "hal/host/live/bus.hpp"
-#include "hal/host/live/poll.hpp"
-#include "hal/host/live/send_queue.hpp"
+#include "hal/host/live/opened_bus.hpp"
 #include "hal/host/live/socketcand/greeting.hpp"
 #include "hal/host/live/socketcand/link.hpp"
 #include "hal/host/live/socketcand/peer.hpp"
@@ -21,7 +18,7 @@ namespace counterpoint::host
 /// server's clock is not ours. With a server by others, own means that the server took the frame, not that it was on
 /// the bus. A lost connection is opened again by the policy of the options. [SRS_LIVE_051] [SRS_LIVE_052]
 /// [SRS_LIVE_055] [SRS_LIVE_058]
-class LiveSocketcandBus final : public LiveBus
+class LiveSocketcandBus final : public OpenedBus
 {
   public:
     /// @brief Connects and greets the server. Throws LiveBusError.
@@ -29,10 +26,6 @@ class LiveSocketcandBus final : public LiveBus
 
     [[nodiscard]] SendResult Send(const LiveFrame& frame) override;
     [[nodiscard]] bool Receive(LiveFrame& frame) override;
-    [[nodiscard]] int Descriptor() const override;
-    [[nodiscard]] BusHealth Health() const override;
-    [[nodiscard]] std::string Name() const override;
-    [[nodiscard]] bool Restart() override;
 
   private:
     [[noreturn]] void Refuse(const std::string& what) const;
@@ -46,19 +39,13 @@ class LiveSocketcandBus final : public LiveBus
     [[nodiscard]] bool Take(const SocketcandMessage& message, LiveFrame& frame);
     void LearnText(const std::string& text);
 
-    LiveAddress address_;
-    LiveOptions options_;
     std::uint64_t give_up_at_ns_; ///< On the connection that is being opened.
     SocketcandPeer peer_;
     SocketcandLink link_;
     SocketcandGreeting greeting_;
-    LivePoll poll_{};
-    LiveSendQueue queue_{};
     std::deque<LiveFrame> unconfirmed_{}; ///< Sent to a server that does not tell own frames.
     bool is_lost_{false};                 ///< Until the greeting of the next connection is over.
     std::uint64_t retry_at_ns_{0U};       ///< Of the next connection.
-    BusState state_{BusState::kActive};
-    BusHealth counts_{};
 };
 
 } // namespace counterpoint::host

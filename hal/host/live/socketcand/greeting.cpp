@@ -29,21 +29,6 @@ bool SocketcandGreeting::IsOver() const
     return step_ == Step::kOver;
 }
 
-const std::string& SocketcandGreeting::Problem() const
-{
-    return problem_;
-}
-
-bool SocketcandGreeting::HasOwn() const
-{
-    return has_own_;
-}
-
-std::deque<SocketcandMessage>& SocketcandGreeting::Early()
-{
-    return early_;
-}
-
 void SocketcandGreeting::Take(const SocketcandMessage& message, SocketcandLink& link)
 {
     if (step_ == Step::kOwnMode)
@@ -96,5 +81,4 @@ void SocketcandGreeting::Say(const Step step, SocketcandLink& link)
     step_ = step;
     link.Say(message);
 }
-
 } // namespace counterpoint::host

@@ -24,11 +24,20 @@ class SocketcandGreeting
     /// @brief Whether the greeting is complete: what the link reads from now on is of the bus.
     [[nodiscard]] bool IsOver() const;
     /// @brief Why it cannot go on; empty: it can.
-    [[nodiscard]] const std::string& Problem() const;
+    [[nodiscard]] const std::string& Problem() const
+    {
+        return problem_;
+    }
     /// @brief Whether the server tells own frames.
-    [[nodiscard]] bool HasOwn() const;
+    [[nodiscard]] bool HasOwn() const
+    {
+        return has_own_;
+    }
     /// @brief Messages of the bus that came before the last answer.
-    [[nodiscard]] std::deque<SocketcandMessage>& Early();
+    [[nodiscard]] std::deque<SocketcandMessage>& Early()
+    {
+        return early_;
+    }
 
   private:
     enum class Step : std::uint8_t
