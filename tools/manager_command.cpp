@@ -2,6 +2,7 @@
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/text_file.hpp"
 #include "hal/host/live/bus.hpp"
+#include "runtime/console/json_text.hpp"
 #include "runtime/console/output_files.hpp"
 #include "runtime/manager/check.hpp"
 #include "runtime/manager/loop.hpp"
