@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/console/node_report.hpp"
 
+#include "runtime/console/json_text.hpp"
+
 #include <array>
 #include <cstdio>
 #include <utility>
@@ -37,7 +39,7 @@ void NodeReport::Tell(const std::uint64_t at_ns, const std::string& text, const 
     }
     nlohmann::ordered_json line{{"at_us", static_cast<std::uint64_t>(since_ns / kNsPerUs)}, {"event", event}};
     line.update(details);
-    Put(line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    Put(OneLine(line));
 }
 
 void NodeReport::Print(const std::string& lines)

@@ -14,7 +14,6 @@ namespace counterpoint::runtime
 namespace
 {
 constexpr std::uint32_t kServiceFrames = 256U;
-constexpr std::uint16_t kCommunicationBase = 0x1300U;
 constexpr std::uint16_t kHistory = 0x1003U;
 constexpr std::uint32_t kCyclesOfDiscrepancy = 5U;
 constexpr std::uint64_t kLongestIntervalUs = 0x3FFFFFFFU;
@@ -29,22 +28,11 @@ DeviceObjects::IsKernels KernelsOf(const DeviceConfig& config)
     };
 }
 
-/// Entries of 1003h.
-std::uint8_t HistoryOf(const cia306::Device& file)
-{
-    const cia306::Object* const object = file.Find(kHistory);
-    return (object == nullptr || object->entries.empty()) ? std::uint8_t{0U} : object->entries.rbegin()->first;
-}
-
-CommunicationIndex IndexOf(const std::uint8_t srdo)
-{
-    return {static_cast<std::uint16_t>(kCommunicationBase + srdo)};
-}
 } // namespace
 
 ServiceAssembly::ServiceAssembly(const DeviceModel& model, const DeviceConfig& config, Kernel& kernel,
                                  const AssemblyParts& parts)
-    : objects_(*parts.file, config.node_id, KernelsOf(config)), history_(HistoryOf(*parts.file)),
+    : objects_(*parts.file, config.node_id, KernelsOf(config)), history_(LastSubOf(*parts.file, kHistory)),
       errors_(device::EmergencyPlaces(config.srdo_count, objects_.Rooms())), messages_(errors_.size()),
       emergency_({config.node_id}, {history_.data(), static_cast<std::uint8_t>(history_.size())},
                  {errors_.data(), messages_.data(), static_cast<std::uint16_t>(errors_.size())}),
@@ -146,7 +134,7 @@ device::LoadResult DeviceAssembly::OnResetNode() noexcept
     for (const StaticTable& table : model_.StaticTables())
     {
         // What the kernel says of a mapping before its SRDO is configured is not looked at: 13FEh has the last word.
-        static_cast<void>(kernel_.DefineStaticFields(IndexOf(table.number), model_.FieldsOf(table)));
+        static_cast<void>(kernel_.DefineStaticFields(CommunicationIndexOf(table.number), model_.FieldsOf(table)));
     }
     owner_.OnLoaded(cia301::kApplicationGroup | cia301::kManufacturerGroup);
     return device::LoadResult::kLoaded;
@@ -205,7 +193,7 @@ std::uint32_t DeviceAssembly::CyclesPerSend() noexcept
     std::uint32_t shortest = 0U;
     for (SlotIndex slot = 0U; slot < model_.Srdos().size(); ++slot)
     {
-        const ParametersReply parameters = kernel_.GetParameters(IndexOf(model_.NumberOf(slot)));
+        const ParametersReply parameters = kernel_.GetParameters(CommunicationIndexOf(model_.NumberOf(slot)));
         const bool sends =
             parameters.direction == kDirectionProducer && config_.srdos[slot].form == ProducerForm::kApplicationSends;
         const std::uint32_t cycles = (parameters.refresh_ms * kMicrosecondsPerMillisecond) / config_.cycle_us;
@@ -223,7 +211,8 @@ void DeviceAssembly::SendAll() noexcept
     {
         if (config_.srdos[slot].form == ProducerForm::kApplicationSends)
         {
-            static_cast<void>(kernel_.Send(IndexOf(model_.NumberOf(slot)))); // Consumers among them refuse.
+            static_cast<void>(
+                kernel_.Send(CommunicationIndexOf(model_.NumberOf(slot)))); // Consumers among them refuse.
         }
     }
 }

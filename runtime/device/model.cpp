@@ -51,11 +51,6 @@ std::uint8_t BytesOf(const MappableObject& object)
 }
 } // namespace
 
-DeviceModel::DeviceModel(const std::string& file, const std::optional<std::uint8_t> node_id)
-    : DeviceModel(file, node_id, SafetyNeed::kRequired)
-{
-}
-
 DeviceModel::DeviceModel(const std::string& file, const std::optional<std::uint8_t> node_id, const SafetyNeed need)
     : file_(file)
 {

@@ -27,6 +27,12 @@ struct ConfigurationWrite
     std::size_t line{0U};
 };
 
+/// @brief The communication parameters, 13xxh, of the SRDO with this number.
+[[nodiscard]] constexpr CommunicationIndex CommunicationIndexOf(const std::uint8_t number) noexcept
+{
+    return {static_cast<std::uint16_t>(0x1300U + number)};
+}
+
 /// What a DCF says about one SRDO, as far as limits and messages need it.
 struct SrdoModel
 {
@@ -78,10 +84,8 @@ struct StaticMapping;
 class DeviceModel
 {
   public:
-    /// @brief Reads the DCF; an SRDO is required. Throws cia306::InputError for a file that cannot be simulated.
-    DeviceModel(const std::string& file, std::optional<std::uint8_t> node_id);
-    /// @brief As above, with `need` to say whether an SRDO is required.
-    DeviceModel(const std::string& file, std::optional<std::uint8_t> node_id, SafetyNeed need);
+    /// @brief Reads the DCF. Throws cia306::InputError for a file that cannot be simulated.
+    DeviceModel(const std::string& file, std::optional<std::uint8_t> node_id, SafetyNeed need = SafetyNeed::kRequired);
 
     DeviceModel(const DeviceModel&) = delete;
     DeviceModel& operator=(const DeviceModel&) = delete;

@@ -74,9 +74,10 @@ inline constexpr Word<LogicOperation> kOperationWords[] = {
     {"not", LogicOperation::kNot},
 };
 
-/// The word for `meaning`; "invalid" where the table has none.
+/// The word for `meaning`; `otherwise` where the table has none.
 template <typename Meaning, std::size_t kCount>
-[[nodiscard]] constexpr const char* NameOf(const Word<Meaning> (&words)[kCount], const Meaning meaning) noexcept
+[[nodiscard]] constexpr const char* NameOf(const Word<Meaning> (&words)[kCount], const Meaning meaning,
+                                           const char* const otherwise = "invalid") noexcept
 {
     for (const Word<Meaning>& word : words)
     {
@@ -85,7 +86,7 @@ template <typename Meaning, std::size_t kCount>
             return word.text;
         }
     }
-    return "invalid";
+    return otherwise;
 }
 
 /// The word of a cause in files and outputs; so are the two below.

@@ -8,7 +8,6 @@ namespace counterpoint::runtime
 {
 namespace
 {
-constexpr std::uint16_t kCommunicationBase = 0x1300U;
 constexpr std::uint16_t kMappingBase = 0x1380U;
 
 void SetSafe(PairValue& pair, const Payload& safe, const std::uint32_t first_bit)
@@ -66,7 +65,7 @@ void PairLogic::Follow(Kernel& kernel, const DeviceModel& model)
 
 void PairLogic::FollowSrdo(Kernel& kernel, const DeviceConfig& config, const SlotIndex slot, const std::uint8_t number)
 {
-    const CommunicationIndex index{static_cast<std::uint16_t>(kCommunicationBase + number)};
+    const CommunicationIndex index = CommunicationIndexOf(number);
     const auto mapping = static_cast<std::uint16_t>(kMappingBase + number);
     const ParametersReply parameters = kernel.GetParameters(index);
     const bool is_on = parameters.result == Result::kSuccessful && parameters.direction != kDirectionOff;

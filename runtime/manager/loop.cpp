@@ -2,12 +2,15 @@
 #include "runtime/manager/loop.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
+#include "runtime/console/json_text.hpp"
+#include "runtime/device/names.hpp"
 #include "runtime/manager/report/status.hpp"
-#include "runtime/manager/signals.hpp"
+#include "runtime/node/ports.hpp"
 
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <ctime>
 #include <poll.h>
 #include <thread>
@@ -26,24 +29,45 @@ constexpr std::size_t kFramesOfPause = 1000000U; ///< More than any system keeps
 constexpr std::size_t kRecentLines = 12U;
 constexpr std::size_t kLongestLine = 1024U;
 
-const char* WordOf(const host::BusState state)
+volatile std::sig_atomic_t caught_signal = 0;
+
+void Catch(const int number)
 {
-    switch (state)
-    {
-    case host::BusState::kActive:
-        return "active";
-    case host::BusState::kWarning:
-        return "warning";
-    case host::BusState::kPassive:
-        return "passive";
-    case host::BusState::kBusOff:
-        return "bus_off";
-    case host::BusState::kDown:
-    case host::BusState::kInvalid:
-    default:
-        return "down";
-    }
+    caught_signal = number;
 }
+
+/// While it lives, SIGINT, SIGTERM and SIGHUP do not end the process by themselves (SIGHUP only where nohup does not
+/// ignore it). SIGPIPE is ignored for good: the reader of the output may end, and the network goes on. One object at a
+/// time. [SRS_MGR_004]
+class CaughtSignals
+{
+  public:
+    CaughtSignals()
+    {
+        caught_signal = 0;
+        static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
+        before_int_ = std::signal(SIGINT, &Catch);
+        before_term_ = std::signal(SIGTERM, &Catch);
+        if (before_hup_ != SIG_IGN)
+        {
+            static_cast<void>(std::signal(SIGHUP, &Catch));
+        }
+    }
+    ~CaughtSignals()
+    {
+        static_cast<void>(std::signal(SIGINT, before_int_));
+        static_cast<void>(std::signal(SIGTERM, before_term_));
+        static_cast<void>(std::signal(SIGHUP, before_hup_));
+    }
+    CaughtSignals(const CaughtSignals&) = delete;
+    CaughtSignals& operator=(const CaughtSignals&) = delete;
+
+  private:
+    using Handler = void (*)(int);
+    Handler before_int_{SIG_DFL};
+    Handler before_term_{SIG_DFL};
+    Handler before_hup_{std::signal(SIGHUP, SIG_IGN)};
+};
 } // namespace
 
 ManagerLoop::ManagerLoop(network_plan::LoadedNetwork& net, std::unique_ptr<host::LiveBus> bus, NodeReport& report,
@@ -140,7 +164,7 @@ bool ManagerLoop::Run()
         }
         const bool is_time_over = settings_.for_ns != 0U && now_ns - start_ns_ >= settings_.for_ns;
         reason_ = is_time_over ? "--for" : reason_;
-        reason_ = CaughtSignals::IsCaught() ? "signal" : reason_;
+        reason_ = (caught_signal != 0) ? "signal" : reason_;
     }
     const bool has_started = station_.Assembly().HasStarted();
     station_.Tell("stopped", "stopped by " + reason_, {{"reason", reason_}, {"started", has_started}}, StationUs());
@@ -225,7 +249,8 @@ void ManagerLoop::WatchBus()
     if (health.state != bus_state_)
     {
         bus_state_ = health.state;
-        station_.Tell("bus", std::string("bus ") + WordOf(bus_state_), {{"state", WordOf(bus_state_)}}, StationUs());
+        const char* const word = NameOf(kBusWords, bus_state_, "down");
+        station_.Tell("bus", std::string("bus ") + word, {{"state", word}}, StationUs());
         cia302::ControllerState state = cia302::ControllerState::kRunning;
         state = (bus_state_ == host::BusState::kBusOff) ? cia302::ControllerState::kBusOff : state;
         state = (bus_state_ == host::BusState::kDown) ? cia302::ControllerState::kAbsent : state;

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/network_files/file.hpp"
 
-#include "runtime/network_files/flying.hpp"
+#include "runtime/manager/report/texts.hpp"
 #include "runtime/network_files/profiles.hpp"
 #include "runtime/yaml/optional_values.hpp"
 
@@ -20,22 +20,9 @@ using network_plan::NetworkPlan;
 using network_plan::SlavePlan;
 using network_plan::SoftwarePlan;
 
-constexpr Word<network_plan::StartProfile> kProfileWords[] = {
-    {"cia302", network_plan::StartProfile::kCia302},
-    {"el6751", network_plan::StartProfile::kEl6751},
-    {"plc_designer", network_plan::StartProfile::kPlcDesigner}};
 constexpr Word<cia302::Arming> kArmingWords[] = {{"first_heartbeat", cia302::Arming::kFirstHeartbeat},
                                                  {"boot_up", cia302::Arming::kBootUp},
                                                  {"immediately", cia302::Arming::kImmediately}};
-constexpr Word<bool> kTruthWords[] = {{"true", true}, {"false", false}};
-
-void TakeTruth(const YamlMap& map, const char* key, std::optional<bool>& part)
-{
-    if (const auto value = map.Find(key))
-    {
-        part = value->Choice(kTruthWords);
-    }
-}
 
 std::string TextOf(const YamlMap& map, const char* key, const std::string& expected)
 {
@@ -88,14 +75,8 @@ ManagerPlan ReadManager(const std::string& file, const YamlValue& value)
         map.Require("sdo_timeout").Refuse(std::to_string(*plan.sdo_time_out_ms) + " ms", "1 ms to 1000 s");
     }
     TakeNumber(map, "sdo_tries", plan.sdo_tries, 1U);
-    if (const auto times = map.Find("el6751"))
-    {
-        plan.el6751 = ReadEl6751Times(file, *times);
-    }
-    if (const auto flying = map.Find("flying"))
-    {
-        plan.flying = ReadFlying(file, *flying);
-    }
+    TakePart(file, map, "el6751", plan.el6751, ReadEl6751Times);
+    TakePart(file, map, "flying", plan.flying, ReadFlying);
     return plan;
 }
 
@@ -117,17 +98,14 @@ void ReadAssignment(const YamlMap& map, SlavePlan& plan)
     {
         map.Require("assignment").Refuse(cia306::Hex(*plan.assignment, 1), "bit 0: a slave of the network");
     }
-    TakeTruth(map, "mandatory", plan.is_mandatory);
-    TakeTruth(map, "keep_alive", plan.is_kept_alive);
-    TakeTruth(map, "boot", plan.is_booted);
+    TakeWord(map, "mandatory", plan.is_mandatory, kTruthWords);
+    TakeWord(map, "keep_alive", plan.is_kept_alive, kTruthWords);
+    TakeWord(map, "boot", plan.is_booted, kTruthWords);
     TakeNumber(map, "restore", plan.restore_sub, 0U, cia302::kLastNode);
     plan.is_restored = plan.restore_sub ? std::optional(*plan.restore_sub > 0U) : std::nullopt;
     TakeMs(map, "heartbeat", plan.heartbeat_ms);
     TakeMs(map, "consumer", plan.consumer_ms);
-    if (const auto arming = map.Find("arming"))
-    {
-        plan.arming = arming->Choice(kArmingWords);
-    }
+    TakeWord(map, "arming", plan.arming, kArmingWords);
     TakeMs(map, "guard_time", plan.guard_ms);
     TakeNumber(map, "retry_factor", plan.retry_factor, 0U);
 }
@@ -161,22 +139,13 @@ SlavePlan ReadSlave(const std::string& file, const YamlValue& value)
     plan.dcf = FileIn(file, map, "dcf", "a DCF");
     ReadAssignment(map, plan);
     ReadExpectations(map, plan);
-    if (const auto software = map.Find("software"))
-    {
-        plan.software = ReadSoftware(file, *software);
-    }
-    if (const auto options = map.Find("el6751"))
-    {
-        plan.el6751 = ReadEl6751Slave(file, *options);
-    }
+    TakePart(file, map, "software", plan.software, ReadSoftware);
+    TakePart(file, map, "el6751", plan.el6751, ReadEl6751Slave);
     if (const auto options = map.Find("plc_designer"))
     {
         plan.plc = ReadPlcSlave(file, *options, plan.is_mandatory.value_or(true));
     }
-    if (const auto outputs = map.Find("outputs"))
-    {
-        plan.outputs = ReadOutputs(file, *outputs);
-    }
+    TakePart(file, map, "outputs", plan.outputs, ReadOutputs);
     TakeWord(map, "configure", plan.is_configured, kTruthWords);
     TakeWord(map, "write_safety", plan.writes_safety, kTruthWords);
     return plan;

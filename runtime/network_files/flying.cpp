@@ -1,6 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "runtime/network_files/flying.hpp"
-
+#include "runtime/network_files/profiles.hpp"
 #include "runtime/yaml/optional_values.hpp"
 
 namespace counterpoint::runtime
@@ -33,7 +32,6 @@ constexpr Word<bool> kNegotiatesWords[] = {{"initialising", false}, {"pre_operat
 constexpr Word<bool> kRaceWords[] = {{"joins", false}, {"keeps_slot", true}};
 constexpr Word<bool> kClaimWords[] = {{"compares", false}, {"ignores", true}};
 constexpr Word<bool> kStartWords[] = {{"at_once", false}, {"by_order", true}};
-constexpr Word<bool> kTruthWords[] = {{"true", true}, {"false", false}};
 
 /// Each by itself, over what the preset says.
 void TakeOptions(const YamlMap& map, FlyingMasterOptions& options)
@@ -48,9 +46,7 @@ void TakeOptions(const YamlMap& map, FlyingMasterOptions& options)
     TakeWord(map, "race_heard", options.keeps_slot, kRaceWords);
     TakeWord(map, "claim_heard", options.ignores_claims, kClaimWords);
     TakeWord(map, "answers_boot_up", options.answers_boot_up, kTruthWords);
-    std::optional<std::uint8_t> restarts{};
-    TakeNumber(map, "restarts", restarts, 0U);
-    options.max_restarts = restarts.value_or(options.max_restarts);
+    TakeNumber(map, "restarts", options.max_restarts, 0U);
     std::optional<std::uint16_t> watch_ms{};
     TakeMs(map, "watch_time", watch_ms);
     if (watch_ms == std::uint16_t{0U})

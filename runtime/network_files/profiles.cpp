@@ -13,7 +13,6 @@ namespace
 {
 using cia302::El6751Slave;
 
-constexpr Word<bool> kTruthWords[] = {{"true", true}, {"false", false}};
 constexpr Word<cia302::El6751Kind> kKindWords[] = {{"general", cia302::El6751Kind::kGeneral},
                                                    {"bk51x0", cia302::El6751Kind::kBusCoupler}};
 constexpr Word<cia302::El6751NodeReaction> kReactionWords[] = {{"stop", cia302::El6751NodeReaction::kStop},
@@ -24,30 +23,6 @@ constexpr Word<cia302::El6751NetworkReaction> kNetworkWords[] = {{"none", cia302
                                                                  {"stop_all", cia302::El6751NetworkReaction::kStopAll}};
 constexpr Word<cia302::El6751Window> kWindowWords[] = {{"input_shift", cia302::El6751Window::kInputShift},
                                                        {"last_rx_pdo", cia302::El6751Window::kLastRxPdo}};
-
-template <typename Number> void TakeNumber(const YamlMap& map, const char* key, Number& part, const Number lowest)
-{
-    if (const auto value = map.Find(key))
-    {
-        part = static_cast<Number>(value->Number({lowest, std::numeric_limits<Number>::max()}));
-    }
-}
-
-template <typename Number>
-void TakeTime(const YamlMap& map, const char* key, Number& part, const Nanoseconds unit, const char* name)
-{
-    if (const auto value = map.Find(key))
-    {
-        const Nanoseconds time = value->Duration();
-        constexpr auto kMost = std::numeric_limits<Number>::max();
-        if (time % unit != 0 || static_cast<std::uint64_t>(time / unit) > kMost)
-        {
-            value->Refuse("a time that does not fit",
-                          "whole " + std::string(name) + ", at most " + std::to_string(kMost));
-        }
-        part = static_cast<Number>(time / unit);
-    }
-}
 } // namespace
 
 El6751Slave ReadEl6751Slave(const std::string& file, const YamlValue& value)
@@ -56,6 +31,7 @@ El6751Slave ReadEl6751Slave(const std::string& file, const YamlValue& value)
                       {"kind", "check_device_type", "write_sync_period", "write_cob_ids", "write_types", "start",
                        "restart_without_pdos", "literal_consumer", "reaction", "restart", "network_reaction",
                        "coupler_pdos", "coupler_inhibit", "coupler_event"});
+    constexpr const char* kWrong = "a time that does not fit";
     constexpr Nanoseconds kHundredUs = 100 * kNanosecondsPerMicrosecond;
     El6751Slave slave{};
     TakeWord(map, "kind", slave.kind, kKindWords);
@@ -69,9 +45,9 @@ El6751Slave ReadEl6751Slave(const std::string& file, const YamlValue& value)
     TakeWord(map, "reaction", slave.node_reaction, kReactionWords);
     TakeWord(map, "restart", slave.restart, kRestartWords);
     TakeWord(map, "network_reaction", slave.network_reaction, kNetworkWords);
-    TakeNumber<std::uint32_t>(map, "coupler_pdos", slave.coupler_pdos, 0U);
-    TakeTime(map, "coupler_inhibit", slave.coupler_inhibit_100us, kHundredUs, "tenths of a millisecond");
-    TakeTime(map, "coupler_event", slave.coupler_event_ms, kNanosecondsPerMillisecond, "milliseconds");
+    TakeNumber(map, "coupler_pdos", slave.coupler_pdos, 0U);
+    TakeTime(map, "coupler_inhibit", slave.coupler_inhibit_100us, kHundredUs, "tenths of a millisecond", kWrong);
+    TakeTime(map, "coupler_event", slave.coupler_event_ms, kNanosecondsPerMillisecond, "milliseconds", kWrong);
     return slave;
 }
 
@@ -80,8 +56,9 @@ cia302::El6751Times ReadEl6751Times(const std::string& file, const YamlValue& va
     const YamlMap map(file, value.Node(), {"window", "sync_multiplier", "input_shift"});
     cia302::El6751Times times{};
     TakeWord(map, "window", times.window, kWindowWords);
-    TakeNumber<std::uint8_t>(map, "sync_multiplier", times.sync_multiplier, 1U);
-    TakeTime(map, "input_shift", times.input_shift_us, kNanosecondsPerMicrosecond, "microseconds");
+    TakeNumber(map, "sync_multiplier", times.sync_multiplier, 1U);
+    TakeTime(map, "input_shift", times.input_shift_us, kNanosecondsPerMicrosecond, "microseconds",
+             "a time that does not fit");
     return times;
 }
 

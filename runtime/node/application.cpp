@@ -61,11 +61,6 @@ void NodeApplication::Run(const SrdoMask open)
     }
 }
 
-bool NodeApplication::TakeChange() noexcept
-{
-    return logic_.TakeChange();
-}
-
 std::string NodeApplication::Values() const
 {
     std::string values;

@@ -44,7 +44,10 @@ class NodeApplication final : public Application
     /// Once a cycle.
     void Run(SrdoMask open);
     /// @brief Whether an input of a producer changed since the last call.
-    [[nodiscard]] bool TakeChange() noexcept;
+    [[nodiscard]] bool TakeChange() noexcept
+    {
+        return logic_.TakeChange();
+    }
     /// @brief The values of all pairs: "2200:01=1 ...".
     [[nodiscard]] std::string Values() const;
 

@@ -1,8 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/node/device.hpp"
 
-#include "runtime/node/srdo_line.hpp"
-
 #include "canopen/cia306/file/device_reader.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "runtime/device/names.hpp"
@@ -10,6 +8,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace counterpoint::runtime
 {
@@ -18,6 +17,10 @@ namespace
 constexpr std::uint64_t kPressNs = 200000000U;
 constexpr std::uint64_t kNsPerUs = 1000U;
 constexpr std::uint64_t kPressCycles = 4U;
+constexpr std::uint8_t kSrvtSub = 3U;
+constexpr std::uint8_t kCobIdSub1 = 5U;
+/// Of a device that waits for its node-ID: nobody sees it.
+constexpr std::uint8_t kPlaceholder = 127U;
 
 /// Node-ID: what LSS gave in this run, what it saved, then the command line and the file.
 cia305::LssSettings LssSettingsOf(const NodeSettings& settings, const cia306::Device& file, NodeStore* const store)
@@ -29,10 +32,82 @@ cia305::LssSettings LssSettingsOf(const NodeSettings& settings, const cia306::De
     return known;
 }
 
+/// With a second controller the inverse frames are sent and received by it. [SRS_NODE_014]
+const DeviceModel& UseControllers(DeviceModel& model, NodePorts& ports)
+{
+    const bool has_second = ports.Inverse() != nullptr;
+    if (has_second)
+    {
+        model.UseTwoControllers();
+    }
+    else if (model.ControllerCount() != 1U)
+    {
+        throw cia306::InputError(model.File(), 0U,
+                                 {"a device with two controllers, 0x5F00:10 = 2", "--can2 for the second one"});
+    }
+    return model;
+}
+
+/// The node-ID instead of the file's: what LSS gave, else that of the command line; nothing: the file's holds. A device
+/// that waits for LSS gets a placeholder. [SRS_NODE_015]
+std::optional<std::uint8_t> NodeIdOf(const NodeSettings& settings, const cia306::Device& file, const bool has_lss)
+{
+    const std::optional<std::uint8_t> wanted = settings.lss_node_id ? settings.lss_node_id : settings.node_id;
+    const bool is_waiting = has_lss && !wanted && !file.node_id;
+    return is_waiting ? std::optional(kPlaceholder) : wanted;
+}
+
 KeepLss KeeperOf(NodeStore* const store)
 {
     return (store == nullptr) ? KeepLss{} : [store](const cia305::LssSettings& settings)
     { return store->Keep(settings); };
+}
+
+std::string Milliseconds(const std::uint32_t us)
+{
+    return MillisecondsText(Nanoseconds{us} * kNanosecondsPerMicrosecond);
+}
+/// Writes the line about an SRDO: for a consumer the limit of its output, for a producer its refresh time.
+/// [SRS_NODE_004]
+void TellSrdo(NodeReport& report, const std::uint64_t at_ns, const DeviceConfig& config, const SrdoModel& srdo)
+{
+    const bool is_consumer = srdo.direction == kDirectionConsumer;
+    const std::uint32_t limit_us = is_consumer ? ComputeLimit(config, srdo.times, FaultClass::kBus).us : 0U;
+    std::string text = "SRDO " + std::to_string(srdo.number);
+    if (is_consumer)
+    {
+        text += " consumer " + IdentifierText(srdo.cob_id_1) + ", safe within " + Milliseconds(limit_us) +
+                " of the last good pair";
+    }
+    else if (srdo.direction == kDirectionProducer)
+    {
+        text += " producer " + IdentifierText(srdo.cob_id_1) + ", every " + std::to_string(srdo.times.sct_ms) + " ms";
+    }
+    else
+    {
+        text += " off";
+    }
+    report.Tell(at_ns, text, "srdo", {{"srdo", srdo.number}, {"consumer", is_consumer}, {"limit_us", limit_us}});
+}
+
+/// The SRDO of a slot as the kernel has it now; `of_file` is what the file says of it.
+SrdoModel ConfiguredSrdo(Kernel& kernel, const SrdoModel& of_file)
+{
+    const CommunicationIndex index = CommunicationIndexOf(of_file.number);
+    const ParametersReply parameters = kernel.GetParameters(index);
+    SrdoModel srdo = of_file;
+    srdo.direction = parameters.direction;
+    srdo.times.sct_ms = parameters.refresh_ms;
+    srdo.times.srvt_ms = static_cast<std::uint8_t>(ToValue(kernel.ReadObject({index.value, kSrvtSub}).data));
+    srdo.cob_id_1 = ToValue(kernel.ReadObject({index.value, kCobIdSub1}).data);
+    return srdo;
+}
+
+/// Whether TellSrdo writes the same line for both.
+bool IsSameSrdo(const SrdoModel& one, const SrdoModel& other)
+{
+    const bool are_times = one.times.sct_ms == other.times.sct_ms && one.times.srvt_ms == other.times.srvt_ms;
+    return one.direction == other.direction && one.cob_id_1 == other.cob_id_1 && are_times;
 }
 } // namespace
 
@@ -45,10 +120,10 @@ NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeRepor
       channel_a_(MakeChannel(Letter::kA, RoomOf(config_))), channel_b_(MakeChannel(Letter::kB, RoomOf(config_))),
       application_(model_, report),
       self_test_(settings.has_self_tests ? std::make_unique<NodeSelfTest>(output_) : nullptr),
-      outputs_(model_, output_, report), loading_(model_, self_test_.get(), report),
+      outputs_(model_, output_, report),
       assembly_(model_, config_,
                 {channel_a_->Voice(), channel_b_->Voice(), ports, output_, watchdog_, application_,
-                 self_test_ ? &self_test_->Part() : nullptr, loading_, &file_}),
+                 self_test_ ? &self_test_->Part() : nullptr, *this, &file_}),
       transfers_(assembly_.Optional(), report),
       store_(settings.store.empty() ? nullptr
                                     : std::make_unique<NodeStore>(
@@ -56,76 +131,12 @@ NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeRepor
                                                                          assembly_.Dictionary(), assembly_.Services()}))
 {
     assembly_.Connect(store_ ? &store_->Hook() : nullptr);
-    if (store_)
-    {
-        loading_.Use(*store_);
-    }
     FurnishSelfTest();
     if (has_lss_)
     {
         assembly_.UseLss(file_, LssSettingsOf(settings, file_, store_.get()), KeeperOf(store_.get()));
     }
     application_.Tell([this](const std::uint8_t srdo) { outputs_.OnPair(srdo); });
-}
-
-const DeviceConfig& NodeDevice::Config() const noexcept
-{
-    return config_;
-}
-
-const DeviceModel& NodeDevice::Model() const noexcept
-{
-    return model_;
-}
-
-const NodeSelfTest* NodeDevice::SelfTests() const noexcept
-{
-    return self_test_.get();
-}
-
-NodeTransfers& NodeDevice::Transfers() noexcept
-{
-    return transfers_;
-}
-
-std::uint8_t NodeDevice::NodeId() const noexcept
-{
-    return assembly_.NodeId();
-}
-
-std::optional<std::uint8_t> NodeDevice::NewNodeId() const noexcept
-{
-    return assembly_.NewNodeId();
-}
-
-NodeApplication& NodeDevice::App() noexcept
-{
-    return application_;
-}
-
-device::Device& NodeDevice::Services() noexcept
-{
-    return assembly_.Device();
-}
-
-cia301::Dictionary& NodeDevice::Objects() noexcept
-{
-    return assembly_.Dictionary();
-}
-
-Kernel& NodeDevice::Core() noexcept
-{
-    return assembly_.Core();
-}
-
-const NodeLatency& NodeDevice::Latency() const noexcept
-{
-    return outputs_.Latency();
-}
-
-SrdoMask NodeDevice::Open() noexcept
-{
-    return outputs_.Open();
 }
 
 void NodeDevice::FurnishSelfTest()
@@ -156,8 +167,36 @@ void NodeDevice::SetTime(const std::uint64_t now_ns)
 {
     time_.Advance(static_cast<host::BusTime>(now_ns - start_ns_));
     application_.SetNow(now_ns);
-    transfers_.SetNow(now_ns);
-    loading_.SetNow(now_ns);
+    now_ns_ = now_ns;
+}
+
+void NodeDevice::TellStart(const std::string& buses, const std::uint64_t now_ns)
+{
+    const std::uint8_t node_id = assembly_.NodeId();
+    report_.Tell(now_ns,
+                 (node_id != 0U ? "node " + std::to_string(config_.node_id) : std::string("node without a node-ID")) +
+                     " of " + cia306::Printable(model_.File()) + " on " + buses + ", cycle " +
+                     Milliseconds(config_.cycle_us) + ", late above " +
+                     Milliseconds(config_.cycle_us + config_.cycle_tolerance_us),
+                 "start",
+                 {{"node_id", node_id},
+                  {"dcf", model_.File()},
+                  {"can", buses},
+                  {"cycle_us", config_.cycle_us},
+                  {"cycle_tolerance_us", config_.cycle_tolerance_us}});
+    const std::string covered = self_test_ ? self_test_->Text() : "none";
+    report_.Tell(now_ns, "self tests: " + covered, "self_tests", {{"covered", covered}});
+    if (model_.Srdos().empty())
+    {
+        report_.Tell(now_ns, "no safety objects: a plain CANopen device", "plain", nlohmann::ordered_json::object());
+    }
+    for (const SrdoModel& srdo : model_.Srdos())
+    {
+        if (srdo.direction == kDirectionConsumer || srdo.direction == kDirectionProducer)
+        {
+            TellSrdo(report_, now_ns, config_, srdo);
+        }
+    }
 }
 
 bool NodeDevice::PowerOn(const InstantPair& now, const std::uint64_t now_ns)
@@ -171,7 +210,7 @@ bool NodeDevice::PowerOn(const InstantPair& now, const std::uint64_t now_ns)
 
 bool NodeDevice::TakeRestart(const std::uint64_t now_ns)
 {
-    const bool has_restarted = loading_.TakeRestart();
+    const bool has_restarted = std::exchange(has_restarted_, false);
     if (has_restarted)
     {
         SetTime(now_ns);
@@ -192,29 +231,23 @@ void NodeDevice::OnFrame(const host::LiveFrame& frame, const CanPortId port, con
     assembly_.Device().OnFrame(stamped);
 }
 
-void NodeDevice::OnLoss() noexcept
-{
-    assembly_.Device().OnLoss();
-}
-
-void NodeDevice::OnBus(const device::BusCondition condition) noexcept
-{
-    assembly_.Device().OnBus(condition);
-}
-
 void NodeDevice::Cycle(const InstantPair& now, const std::uint64_t now_ns)
 {
     SetTime(now_ns);
     SendByApplication();
     outputs_.BeginCycle();
-    const SrdoMask levels = AcknowledgeLevels(now_ns);
+    SrdoMask levels = 0U;
+    for (SlotIndex slot = 0U; slot < config_.srdo_count; ++slot)
+    {
+        levels |= (now_ns < pressed_until_ns_[slot]) ? SrdoMask{1U} << slot : SrdoMask{0U};
+    }
     assembly_.Device().Cycle({now, levels, levels});
     if (store_)
     {
         store_->OnCycle();
     }
-    transfers_.Look();
-    loading_.TellSelfTest();
+    transfers_.Look(now_ns_);
+    TellSelfTest();
     TellState(now_ns);
 }
 
@@ -226,7 +259,7 @@ void NodeDevice::Serve(const InstantPair& now, const std::uint64_t now_ns)
     {
         store_->OnCycle();
     }
-    transfers_.Look();
+    transfers_.Look(now_ns_);
     TellState(now_ns);
 }
 
@@ -256,20 +289,11 @@ bool NodeDevice::Acknowledge(const std::uint8_t srdo, const std::uint64_t now_ns
     return slot.has_value();
 }
 
-SrdoMask NodeDevice::AcknowledgeLevels(const std::uint64_t now_ns) const noexcept
-{
-    SrdoMask levels = 0U;
-    for (SlotIndex slot = 0U; slot < config_.srdo_count; ++slot)
-    {
-        levels |= (now_ns < pressed_until_ns_[slot]) ? SrdoMask{1U} << slot : SrdoMask{0U};
-    }
-    return levels;
-}
-
 void NodeDevice::TellState(const std::uint64_t now_ns)
 {
     const cia301::NodeState state = assembly_.Device().State();
-    state_ = loading_.TakeReset() ? cia301::NodeState::kInvalid : state_; // Told again, even if it is the same.
+    state_ =
+        std::exchange(has_reset_, false) ? cia301::NodeState::kInvalid : state_; // Told again, even if it is the same.
     if (state != state_)
     {
         const bool is_configured = state_ == cia301::NodeState::kInvalid && cia301::StateByte(state) != 0U;
@@ -331,5 +355,76 @@ void NodeDevice::Stop(const std::uint64_t now_ns)
     ports_.EndProduction();
     assembly_.Core().Stop();
     LookAtOutput(now_ns);
+}
+
+/// Tells once when a self test has failed; called once a cycle, too: a cycle that a self test ends before any part is
+/// called tells nobody.
+void NodeDevice::TellSelfTest()
+{
+    const std::string failure = self_test_ ? self_test_->Failure() : "";
+    if (!failure.empty() && !has_told_test_)
+    {
+        report_.Tell(now_ns_, "self test failed: " + failure, "self_test", {{"failed", failure}});
+    }
+    has_told_test_ = !failure.empty();
+}
+
+void NodeDevice::OnStart() noexcept
+{
+    if (self_test_)
+    {
+        has_told_test_ = false;
+        self_test_->Start();
+        TellSelfTest();
+    }
+}
+
+void NodeDevice::OnNoStart(const StartResult result) noexcept
+{
+    const auto reason = static_cast<unsigned>(result);
+    report_.Tell(now_ns_, "the kernel refuses this device, reason " + std::to_string(reason) + " of StartResult",
+                 "no_start", {{"reason", reason}});
+}
+
+/// What is wrong with the store's file is told once, not at each reset.
+void NodeDevice::OnLoaded(const std::uint8_t groups) noexcept
+{
+    has_restarted_ = has_restarted_ || (groups & cia301::kApplicationGroup) != 0U;
+    const std::string warning = store_ ? store_->Load(groups) : "";
+    if (!warning.empty() && warning != store_warning_)
+    {
+        report_.Tell(now_ns_, warning, "store", {{"text", warning}});
+        store_warning_ = warning;
+    }
+}
+
+void NodeDevice::OnRefused(const ConfigurationWrite& write, const AbortCode code) noexcept
+{
+    const std::string text = model_.File() + ":" + std::to_string(write.line) +
+                             ": warning: " + cia306::ObjectName(write.object.index, write.object.sub) +
+                             ": the kernel refuses " + cia306::Hex(write.value, write.size_bytes * 2) +
+                             " with abort code " + AbortText(code) + ", expected what 'counterpoint check' finds right";
+    report_.Tell(now_ns_, text, "refused", {{"text", text}});
+}
+
+void NodeDevice::OnResetCommunication(const std::vector<std::string>& refusals) noexcept
+{
+    has_reset_ = true;
+    for (const std::string& refusal : refusals)
+    {
+        report_.Tell(now_ns_, refusal, "refused", {{"text", refusal}});
+    }
+}
+
+void NodeDevice::OnTime(const cia301::TimeOfDay& time, const Instant now) noexcept
+{
+    static_cast<void>(now);
+    report_.Tell(now_ns_, TextOf(time), "time", {{"ms", time.ms}, {"days", time.days}});
+}
+
+void NodeDevice::OnEmergency(const cia301::ReceivedEmergency& emergency) noexcept
+{
+    report_.Tell(now_ns_, TextOf(emergency), "emergency",
+                 {{"node", emergency.node.value}, {"code", emergency.code}, {"register", emergency.error_register}});
 }
 } // namespace counterpoint::runtime

@@ -4,8 +4,6 @@
 
 #include "runtime/console/node_report.hpp"
 #include "runtime/node/application.hpp"
-#include "runtime/node/build.hpp"
-#include "runtime/node/loading.hpp"
 #include "runtime/node/objects/store.hpp"
 #include "runtime/node/output_watch.hpp"
 #include "runtime/node/ports.hpp"
@@ -23,49 +21,69 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace counterpoint::runtime
 {
+/// What the command line says about a live node.
+struct NodeSettings
+{
+    std::string dcf;
+    std::optional<std::uint8_t> node_id;
+    std::optional<std::uint32_t> cycle_us; ///< Instead of 5F00h:01.
+    std::string store;                     ///< File of 1010h; empty: nothing is saved.
+    bool has_lss{false};                   ///< LSS gives the node-ID, also where the file does not say so.
+    bool has_self_tests{true};
+    std::optional<std::uint8_t> lss_node_id{}; ///< Node-ID that LSS gave in this run; counts before all others.
+};
+
 /// A device of a DCF in real time: an assembly with shipped channels, output gate and watchdog of the host, and frames
-/// of a live bus. Time comes in with every call. [SRS_NODE_001, SRS_NODE_006]
-class NodeDevice final
+/// of a live bus. At its resets it tests itself, loads what was saved, and tells each value that is refused. Time comes
+/// in with every call. [SRS_NODE_001, SRS_NODE_006, SRS_NODE_012]
+class NodeDevice final : private AssemblyOwner
 {
   public:
     /// Builds the device; its supply is off. Throws cia306::InputError.
     NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeReport& report);
 
     /// @brief The description that the kernel has.
-    [[nodiscard]] const DeviceConfig& Config() const noexcept;
+    [[nodiscard]] const DeviceConfig& Config() const noexcept
+    {
+        return config_;
+    }
     /// @brief What the file says.
-    [[nodiscard]] const DeviceModel& Model() const noexcept;
-    /// @brief Its self tests; null: they are left out.
-    [[nodiscard]] const NodeSelfTest* SelfTests() const noexcept;
+    [[nodiscard]] const DeviceModel& Model() const noexcept
+    {
+        return model_;
+    }
+    /// @brief Kernel, dictionary and services, and the device for frames that were lost and the condition of the
+    /// controllers.
+    [[nodiscard]] DeviceAssembly& Assembly() noexcept
+    {
+        return assembly_;
+    }
     /// @brief SDO transfers and times that it sends by order.
-    [[nodiscard]] NodeTransfers& Transfers() noexcept;
-    /// @brief The present node-ID; 0: LSS has not given one yet.
-    [[nodiscard]] std::uint8_t NodeId() const noexcept;
+    [[nodiscard]] NodeTransfers& Transfers() noexcept
+    {
+        return transfers_;
+    }
     /// @brief Its application.
-    [[nodiscard]] NodeApplication& App() noexcept;
-    /// @brief NMT and services.
-    [[nodiscard]] device::Device& Services() noexcept;
-    /// @brief Its object dictionary.
-    [[nodiscard]] cia301::Dictionary& Objects() noexcept;
-    /// @brief Its kernel.
-    [[nodiscard]] Kernel& Core() noexcept;
-    /// @brief Times from reception to released output.
-    [[nodiscard]] const NodeLatency& Latency() const noexcept;
-    /// @brief Slots whose outputs are open.
-    [[nodiscard]] SrdoMask Open() noexcept;
-
+    [[nodiscard]] NodeApplication& App() noexcept
+    {
+        return application_;
+    }
+    /// @brief Its outputs, and the times from reception to released output.
+    [[nodiscard]] const OutputWatch& Outputs() const noexcept
+    {
+        return outputs_;
+    }
+    /// @brief Tells what it is, on which buses, what is tested and what its SRDOs are. Before PowerOn.
+    void TellStart(const std::string& buses, std::uint64_t now_ns);
     /// @brief Switches the supply on. False: the kernel refused the device, which the report tells.
     [[nodiscard]] bool PowerOn(const InstantPair& now, std::uint64_t now_ns);
     /// @brief A frame of the bus with its stamp.
     void OnFrame(const host::LiveFrame& frame, CanPortId port, const InstantPair& stamp);
-    /// @brief Frames were lost.
-    void OnLoss() noexcept;
-    /// @brief The condition of the controllers.
-    void OnBus(device::BusCondition condition) noexcept;
     /// @brief One cycle of the device; all frames up to `now` were told before.
     void Cycle(const InstantPair& now, std::uint64_t now_ns);
     /// @brief Serves what waits, between two cycles.
@@ -75,10 +93,6 @@ class NodeDevice final
     /// @brief Whether the kernel was started again since the last call. Cycles and watchdog then begin again at
     /// `now_ns`, which is after the start has ended.
     [[nodiscard]] bool TakeRestart(std::uint64_t now_ns);
-    /// @brief The node-ID, if LSS gave another one and communication was reset: this device has ended, and a new one
-    /// with this node-ID has to be made. [SRS_NODE_015]
-    [[nodiscard]] std::optional<std::uint8_t> NewNodeId() const noexcept;
-
     /// @brief Whether a save is under way: Serve should be called soon, because it takes many steps.
     [[nodiscard]] bool IsSaving() const noexcept;
     /// @brief A person presses the acknowledge button of an SRDO. False: there is no such SRDO.
@@ -87,10 +101,17 @@ class NodeDevice final
     void Stop(std::uint64_t now_ns);
 
   private:
+    void OnStart() noexcept override;
+    void OnNoStart(StartResult result) noexcept override;
+    void OnLoaded(std::uint8_t groups) noexcept override;
+    void OnRefused(const ConfigurationWrite& write, AbortCode code) noexcept override;
+    void OnResetCommunication(const std::vector<std::string>& refusals) noexcept override;
+    void OnTime(const cia301::TimeOfDay& time, Instant now) noexcept override;
+    void OnEmergency(const cia301::ReceivedEmergency& emergency) noexcept override;
+    void TellSelfTest();
     void FurnishSelfTest();
     void FollowConfiguration(std::uint64_t now_ns);
     void SendByApplication();
-    [[nodiscard]] SrdoMask AcknowledgeLevels(std::uint64_t now_ns) const noexcept;
     void SetTime(std::uint64_t now_ns);
     void TellState(std::uint64_t now_ns);
 
@@ -108,14 +129,18 @@ class NodeDevice final
     NodeApplication application_;
     std::unique_ptr<NodeSelfTest> self_test_; ///< Null: none.
     OutputWatch outputs_;
-    NodeLoading loading_;
     DeviceAssembly assembly_;
     NodeTransfers transfers_;
     std::unique_ptr<NodeStore> store_; ///< Null: none.
 
+    std::string store_warning_; ///< The last one that was told.
     std::uint64_t start_ns_{0U};
+    std::uint64_t now_ns_{0U}; ///< Of what is told next.
     std::array<std::uint64_t, kMaxSrdoCount> pressed_until_ns_{};
     cia301::NodeState state_{cia301::NodeState::kInvalid};
+    bool has_restarted_{false};
+    bool has_reset_{false}; ///< States and values count as not told yet.
+    bool has_told_test_{false};
     std::uint32_t cycles_per_send_{0U};
     std::uint32_t cycles_to_send_{0U};
 };

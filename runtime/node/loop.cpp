@@ -1,8 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/node/loop.hpp"
 
-#include "runtime/node/srdo_line.hpp"
-
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/device/safety_queue.hpp"
 #include "runtime/device/names.hpp"
@@ -30,18 +28,6 @@ constexpr std::size_t kLongestOrder = 1024U;
 
 volatile std::sig_atomic_t caught_signal = 0;
 
-struct BusWord
-{
-    host::BusState state;
-    const char* name;
-    device::BusCondition condition;
-};
-constexpr std::array<BusWord, 5U> kBusWords{{{host::BusState::kActive, "active", device::BusCondition::kActive},
-                                             {host::BusState::kWarning, "warning", device::BusCondition::kActive},
-                                             {host::BusState::kPassive, "passive", device::BusCondition::kPassive},
-                                             {host::BusState::kBusOff, "bus_off", device::BusCondition::kOff},
-                                             {host::BusState::kDown, "down", device::BusCondition::kOff}}};
-
 void Catch(const int number)
 {
     caught_signal = number;
@@ -64,11 +50,6 @@ void CatchSignals()
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGTTIN, SIG_IGN);
 }
-
-std::string Milliseconds(const std::uint32_t us)
-{
-    return MillisecondsText(Nanoseconds{us} * kNanosecondsPerMicrosecond);
-}
 } // namespace
 
 NodeLoop::NodeLoop(const NodeLoopParts& parts)
@@ -87,13 +68,13 @@ ExitStatus NodeLoop::Run()
     now_ = clocks_.Now();
     now_ns_ = clocks_.NowNs();
     start_ns_ = now_ns_;
-    TellStart();
+    device_->TellStart(BusNames(), now_ns_);
     if (!is_preferred)
     {
         Tell(std::string("warning: no real-time priority (") + std::strerror(errno) + "): cycles may come too late",
              "warning", {{"text", "no real-time priority"}});
     }
-    if (!device_->PowerOn(now_, now_ns_) && !device_->NewNodeId())
+    if (!device_->PowerOn(now_, now_ns_) && !device_->Assembly().NewNodeId())
     {
         return ExitStatus::kDoesNotHold;
     }
@@ -119,7 +100,7 @@ void NodeLoop::Step()
     {
         device_->Serve(now_, now_ns_);
     }
-    if (const std::optional<std::uint8_t> node_id = device_->NewNodeId())
+    if (const std::optional<std::uint8_t> node_id = device_->Assembly().NewNodeId())
     {
         Replace(*node_id);
     }
@@ -145,36 +126,6 @@ void NodeLoop::RunCycle()
     latest_cycle_ns_ = std::max(latest_cycle_ns_, late_ns);
     device_->Cycle(clocks_.Seal(), now_ns_);
     next_cycle_ns_ += (late_ns > cycle_ns_ / 4U) ? late_ns + cycle_ns_ : cycle_ns_;
-}
-
-void NodeLoop::TellStart()
-{
-    const DeviceConfig& config = device_->Config();
-    const DeviceModel& model = device_->Model();
-    const bool has_node_id = device_->NodeId() != 0U;
-    Tell((has_node_id ? "node " + std::to_string(config.node_id) : std::string("node without a node-ID")) + " of " +
-             cia306::Printable(model.File()) + " on " + BusNames() + ", cycle " + Milliseconds(config.cycle_us) +
-             ", late above " + Milliseconds(config.cycle_us + config.cycle_tolerance_us),
-         "start",
-         {{"node_id", device_->NodeId()},
-          {"dcf", model.File()},
-          {"can", BusNames()},
-          {"cycle_us", config.cycle_us},
-          {"cycle_tolerance_us", config.cycle_tolerance_us}});
-    const NodeSelfTest* const tests = device_->SelfTests();
-    const std::string covered = (tests == nullptr) ? "none" : tests->Text();
-    Tell("self tests: " + covered, "self_tests", {{"covered", covered}});
-    if (model.Srdos().empty())
-    {
-        Tell("no safety objects: a plain CANopen device", "plain", nlohmann::ordered_json::object());
-    }
-    for (const SrdoModel& srdo : model.Srdos())
-    {
-        if (srdo.direction == kDirectionConsumer || srdo.direction == kDirectionProducer)
-        {
-            TellSrdo(parts_.report, now_ns_, config, srdo);
-        }
-    }
 }
 
 std::string NodeLoop::BusNames() const
@@ -274,7 +225,7 @@ void NodeLoop::Replace(const std::uint8_t node_id)
     device_ = parts_.make(node_id);
     first_held_.clear();
     second_held_.clear();
-    TellStart();
+    device_->TellStart(BusNames(), now_ns_);
     static_cast<void>(clocks_.Now());
     if (!device_->PowerOn(clocks_.Seal(), clocks_.NowNs()))
     {
@@ -295,16 +246,18 @@ void NodeLoop::WatchBus()
         Tell(std::to_string(lost - lost_) + " frames lost between bus and node", "lost_frames",
              {{"count", lost - lost_}});
         lost_ = lost;
-        device_->OnLoss();
+        device_->Assembly().Device().OnLoss();
     }
     const host::BusState state = parts_.ports.State();
-    const auto word =
-        std::find_if(kBusWords.begin(), kBusWords.end(), [state](const BusWord& each) { return each.state == state; });
-    if (state != bus_ && word != kBusWords.end())
+    const std::string word = NameOf(kBusWords, state);
+    if (state != bus_ && state != host::BusState::kInvalid)
     {
         bus_ = state;
-        Tell(std::string("bus ") + word->name, "bus", {{"state", word->name}});
-        device_->OnBus(word->condition);
+        Tell("bus " + word, "bus", {{"state", word}});
+        device::BusCondition condition = device::BusCondition::kActive;
+        condition = (state == host::BusState::kPassive) ? device::BusCondition::kPassive : condition;
+        const bool is_off = state == host::BusState::kBusOff || state == host::BusState::kDown;
+        device_->Assembly().Device().OnBus(is_off ? device::BusCondition::kOff : condition);
     }
 }
 
@@ -353,14 +306,14 @@ void NodeLoop::Tell(const std::string& text, const std::string& event, const nlo
 
 ExitStatus NodeLoop::End()
 {
-    const bool is_safe = device_->Core().DeviceState().fault != DeviceFault::kNone;
+    const bool is_safe = device_->Assembly().Core().DeviceState().fault != DeviceFault::kNone;
     static_cast<void>(clocks_.Now());
     now_ns_ = clocks_.NowNs();
     device_->Stop(now_ns_);
-    parts_.report.Print(device_->Latency().Text());
+    parts_.report.Print(device_->Outputs().Latency().Text());
     if (parts_.report.Form() == ReportForm::kJson)
     {
-        Tell("", "latency", device_->Latency().Json());
+        Tell("", "latency", device_->Outputs().Latency().Json());
     }
     const std::uint64_t latest_us = latest_cycle_ns_ / kNsPerUs;
     Tell("greatest delay of a cycle " + std::to_string(latest_us) + " us; frames stamped behind another: " +

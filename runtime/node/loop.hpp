@@ -42,7 +42,6 @@ class NodeLoop
   private:
     using HeldFrames = std::deque<host::LiveFrame>;
 
-    void TellStart();
     [[nodiscard]] std::string BusNames() const;
     void Wait();
     void Receive();

@@ -5,16 +5,6 @@
 
 namespace counterpoint::runtime
 {
-namespace
-{
-constexpr std::uint16_t kCommunicationBase = 0x1300U;
-
-std::string TextOf(const cia301::SdoAbort abort)
-{
-    return AbortText(static_cast<AbortCode>(static_cast<std::uint32_t>(abort)));
-}
-} // namespace
-
 NodeOrders::NodeOrders(NodePorts& ports, NodeReport& report) : ports_(ports), report_(report)
 {
 }
@@ -38,14 +28,14 @@ bool NodeOrders::Carry(const NodeOrder& order, NodeDevice& device, const NodeMom
         }
         break;
     case OrderKind::kGfc:
-        if (device.Core().SendGfc() != Result::kSuccessful)
+        if (device.Assembly().Core().SendGfc() != Result::kSuccessful)
         {
             TellProblem("gfc: refused, expected OPERATIONAL, a valid configuration and 1300h = 1", "gfc refused");
         }
         break;
     case OrderKind::kNmt:
     {
-        const std::string name = Name(cia301::KernelState(device.Services().State()));
+        const std::string name = Name(cia301::KernelState(device.Assembly().Device().State()));
         report_.Tell(at_.now_ns, "NMT " + name, "nmt", {{"state", name}});
         break;
     }
@@ -56,7 +46,7 @@ bool NodeOrders::Carry(const NodeOrder& order, NodeDevice& device, const NodeMom
         TellState(device);
         break;
     case OrderKind::kTime:
-        TellProblem(device.Transfers().SendTime(device.Services().State(), at_.now.a));
+        TellProblem(device.Transfers().SendTime(device.Assembly().Device().State(), at_.now.a));
         break;
     case OrderKind::kRead:
     case OrderKind::kWrite:
@@ -88,7 +78,7 @@ void NodeOrders::Set(const NodeOrder& order, NodeDevice& device)
     {
         return;
     }
-    cia301::Dictionary& objects = device.Objects();
+    cia301::Dictionary& objects = device.Assembly().Dictionary();
     const cia301::Reading size = objects.SizeOf(order.object);
     cia301::SdoAbort abort = size.abort;
     if (abort == cia301::SdoAbort::kNone)
@@ -99,26 +89,26 @@ void NodeOrders::Set(const NodeOrder& order, NodeDevice& device)
     if (abort != cia301::SdoAbort::kNone && abort != cia301::SdoAbort::kPending)
     {
         TellProblem("set: " + ObjectText(order.object) + " = " + std::to_string(order.value) + " refused with " +
-                    TextOf(abort) + ", expected an input or an object of the device, and a value that it takes");
+                    SdoAbortText(abort) + ", expected an input or an object of the device, and a value that it takes");
     }
 }
 
 void NodeOrders::TellObject(const ObjectAddress& object, NodeDevice& device)
 {
-    const cia301::NumberReading reading = device.Objects().ReadNumber(object);
+    const cia301::NumberReading reading = device.Assembly().Dictionary().ReadNumber(object);
     if (reading.abort == cia301::SdoAbort::kNone)
     {
         report_.Tell(at_.now_ns, ObjectText(object) + " = " + std::to_string(reading.value), "object",
                      {{"object", ObjectText(object)}, {"value", reading.value}});
         return;
     }
-    TellProblem("get: " + ObjectText(object) + ": " + TextOf(reading.abort) + ", expected an object of numbers");
+    TellProblem("get: " + ObjectText(object) + ": " + SdoAbortText(reading.abort) + ", expected an object of numbers");
 }
 
 /// To this node as if it had come from the bus, to another as a master would.
 void NodeOrders::SendCommand(const NodeOrder& order, NodeDevice& device)
 {
-    const std::uint8_t own = device.NodeId();
+    const std::uint8_t own = device.Assembly().NodeId();
     host::LiveFrame frame;
     frame.length_bytes = 2U;
     frame.data[0U] = static_cast<std::uint8_t>(order.value);
@@ -135,18 +125,17 @@ void NodeOrders::SendCommand(const NodeOrder& order, NodeDevice& device)
 
 void NodeOrders::TellState(NodeDevice& device)
 {
-    const DeviceFaultReport fault = device.Core().DeviceState();
-    const SrdoMask open = device.Open();
-    std::string text = std::string("NMT ") + Name(cia301::KernelState(device.Services().State())) + ", device " +
-                       (fault.fault == DeviceFault::kNone ? "running" : Name(fault.fault));
-    nlohmann::ordered_json details{{"nmt", Name(cia301::KernelState(device.Services().State()))},
-                                   {"device_fault", Name(fault.fault)},
-                                   {"srdos", nlohmann::ordered_json::array()}};
+    const char* const nmt = Name(cia301::KernelState(device.Assembly().Device().State()));
+    const DeviceFaultReport fault = device.Assembly().Core().DeviceState();
+    const SrdoMask open = device.Outputs().Open();
+    std::string text =
+        std::string("NMT ") + nmt + ", device " + (fault.fault == DeviceFault::kNone ? "running" : Name(fault.fault));
+    nlohmann::ordered_json details{
+        {"nmt", nmt}, {"device_fault", Name(fault.fault)}, {"srdos", nlohmann::ordered_json::array()}};
     for (SlotIndex slot = 0U; slot < device.Model().Srdos().size(); ++slot)
     {
         const std::uint8_t number = device.Model().NumberOf(slot);
-        const auto index = static_cast<std::uint16_t>(kCommunicationBase + number);
-        const StateReply state = device.Core().GetState({index});
+        const StateReply state = device.Assembly().Core().GetState(CommunicationIndexOf(number));
         const bool is_open = ((open >> slot) & 1U) != 0U;
         const std::string name = NameOf(kStateWords, state.state);
         const std::string cause = Name(state.first_cause);

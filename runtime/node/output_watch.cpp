@@ -8,7 +8,6 @@ namespace counterpoint::runtime
 {
 namespace
 {
-constexpr std::uint16_t kCommunicationBase = 0x1300U;
 constexpr std::uint8_t kCobIdSub2 = 6U;
 } // namespace
 
@@ -23,10 +22,10 @@ void OutputWatch::Follow(Kernel& kernel)
     slot_of_.fill(kNoSlot);
     for (SlotIndex slot = 0U; slot < model_.Srdos().size(); ++slot)
     {
-        const auto index = static_cast<std::uint16_t>(kCommunicationBase + model_.NumberOf(slot));
-        const std::uint32_t identifier = ToValue(kernel.ReadObject({index, kCobIdSub2}).data);
+        const CommunicationIndex index = CommunicationIndexOf(model_.NumberOf(slot));
+        const std::uint32_t identifier = ToValue(kernel.ReadObject({index.value, kCobIdSub2}).data);
         const std::uint32_t number = identifier - kFirstSrdoIdentifier;
-        if (kernel.GetParameters({index}).direction == kDirectionConsumer && number < kSrdoIdentifierCount)
+        if (kernel.GetParameters(index).direction == kDirectionConsumer && number < kSrdoIdentifierCount)
         {
             slot_of_.at(number) = slot;
         }

@@ -72,16 +72,13 @@ std::uint32_t NodePorts::LostFrames() const
 
 host::BusState NodePorts::State() const
 {
-    constexpr std::array<host::BusState, 5U> kWorstFirst{host::BusState::kDown, host::BusState::kBusOff,
-                                                         host::BusState::kPassive, host::BusState::kWarning,
-                                                         host::BusState::kActive};
     const host::BusState services = services_->Health().state;
     const std::array<host::BusState, 3U> states{services, safety_->Health().state,
                                                 inverse_ ? inverse_->Health().state : services};
-    const auto is_there = [&states](const host::BusState each)
-    { return std::find(states.begin(), states.end(), each) != states.end(); };
-    const auto worst = std::find_if(kWorstFirst.begin(), kWorstFirst.end(), is_there);
-    return (worst == kWorstFirst.end()) ? host::BusState::kInvalid : *worst;
+    const auto is_there = [&states](const Word<host::BusState>& each)
+    { return std::find(states.begin(), states.end(), each.meaning) != states.end(); };
+    const auto* const worst = std::find_if(std::begin(kBusWords), std::end(kBusWords), is_there);
+    return (worst == std::end(kBusWords)) ? host::BusState::kInvalid : worst->meaning;
 }
 
 hal::TransmitStatus NodePorts::DoTransmit(const CanFrame& frame) noexcept

@@ -4,12 +4,20 @@
 
 #include "hal/api/can_ports.hpp"
 #include "hal/host/live/bus.hpp"
+#include "runtime/yaml/value.hpp"
 
 #include <memory>
 #include <string>
 
 namespace counterpoint::runtime
 {
+/// The words for the states of a bus, the worst state first.
+inline constexpr Word<host::BusState> kBusWords[] = {{"down", host::BusState::kDown},
+                                                     {"bus_off", host::BusState::kBusOff},
+                                                     {"passive", host::BusState::kPassive},
+                                                     {"warning", host::BusState::kWarning},
+                                                     {"active", host::BusState::kActive}};
+
 /// The controllers of a live node. It has two connections to one bus, so that SRDO and GFC also have queues of their
 /// own in the system, both ways. A second controller is a third connection, for the inverse frames of SRDOs (even
 /// identifiers). [SRS_DEV_007, SRS_NODE_014]

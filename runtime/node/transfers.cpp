@@ -17,12 +17,12 @@ using cia301::SdoAbort;
 constexpr std::size_t kLongestAnswer = 65536U;
 /// 1 January 1984 in days since 1970.
 constexpr std::int64_t kFirstDay = 5113;
-
-std::string AbortText(const SdoAbort abort)
-{
-    return runtime::AbortText(static_cast<AbortCode>(static_cast<std::uint32_t>(abort)));
-}
 } // namespace
+
+std::string SdoAbortText(const SdoAbort abort)
+{
+    return AbortText(static_cast<AbortCode>(static_cast<std::uint32_t>(abort)));
+}
 
 NodeTransfers::NodeTransfers(OptionalServices& services, NodeReport& report) : services_(services), report_(report)
 {
@@ -72,21 +72,21 @@ std::string NodeTransfers::StartTransfer(const NodeOrder& order, const Instant n
     return "";
 }
 
-void NodeTransfers::Look()
+void NodeTransfers::Look(const std::uint64_t now_ns)
 {
-    const auto has_ended = [this](const Transfer& transfer)
+    const auto has_ended = [this, now_ns](const Transfer& transfer)
     {
         const bool is_over = transfer.port->Client().State() != cia301::SdoClientState::kBusy;
         if (is_over)
         {
-            Tell(transfer);
+            Tell(transfer, now_ns);
         }
         return is_over;
     };
     running_.remove_if(has_ended);
 }
 
-void NodeTransfers::Tell(const Transfer& transfer)
+void NodeTransfers::Tell(const Transfer& transfer, const std::uint64_t now_ns)
 {
     const cia301::SdoOutcome outcome = transfer.port->Client().Outcome();
     const bool is_read = transfer.order.kind == OrderKind::kRead;
@@ -98,7 +98,7 @@ void NodeTransfers::Tell(const Transfer& transfer)
     std::string text = what + ": done";
     if (outcome.abort != SdoAbort::kNone)
     {
-        text = what + ": " + AbortText(outcome.abort) + (outcome.by_server ? " by the server" : " by this node");
+        text = what + ": " + SdoAbortText(outcome.abort) + (outcome.by_server ? " by the server" : " by this node");
     }
     else if (is_read)
     {
@@ -110,6 +110,6 @@ void NodeTransfers::Tell(const Transfer& transfer)
         details["size"] = count;
         details["value"] = value;
     }
-    report_.Tell(now_ns_, text, is_read ? "read" : "written", details);
+    report_.Tell(now_ns, text, is_read ? "read" : "written", details);
 }
 } // namespace counterpoint::runtime

@@ -24,13 +24,8 @@ class NodeTransfers final
     [[nodiscard]] std::string SendTime(cia301::NodeState state, Instant now);
     /// @brief Begins to read from another node, or to write to it. Empty: it has begun; else why not.
     [[nodiscard]] std::string StartTransfer(const NodeOrder& order, Instant now);
-    /// @brief Sets the time of what is told next.
-    void SetNow(std::uint64_t now_ns) noexcept
-    {
-        now_ns_ = now_ns;
-    }
-    /// @brief Tells which transfers have ended, and how.
-    void Look();
+    /// @brief Tells at `now_ns` which transfers have ended, and how.
+    void Look(std::uint64_t now_ns);
 
   private:
     /// A client and what its transfer is about.
@@ -41,13 +36,15 @@ class NodeTransfers final
         std::vector<std::uint8_t> bytes;
     };
 
-    void Tell(const Transfer& transfer);
+    void Tell(const Transfer& transfer, std::uint64_t now_ns);
 
     OptionalServices& services_;
     NodeReport& report_;
-    std::uint64_t now_ns_{0U};
     std::list<Transfer> running_;
 };
+
+/// @brief The abort code of a transfer, or of an object of this node, as text.
+[[nodiscard]] std::string SdoAbortText(cia301::SdoAbort abort);
 } // namespace counterpoint::runtime
 
 #endif // RUNTIME_NODE_TRANSFERS_HPP

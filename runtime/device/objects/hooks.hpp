@@ -5,6 +5,9 @@
 #include "canopen/cia301/dictionary/entry.hpp"
 #include "canopen/cia301/dictionary/foreign_objects.hpp"
 
+#include <algorithm>
+#include <cstdint>
+
 namespace counterpoint::runtime
 {
 /// Hook of values that cannot change while the device runs: writing the same value is accepted, any other value is
@@ -16,7 +19,14 @@ class FixedHook final : public cia301::WriteHook
     explicit FixedHook(const cia301::EntryTable& table) noexcept : table_(table)
     {
     }
-    [[nodiscard]] cia301::SdoAbort OnWrite(const ObjectAddress& address, const cia301::Bytes& value) noexcept override;
+    [[nodiscard]] cia301::SdoAbort OnWrite(const ObjectAddress& address, const cia301::Bytes& value) noexcept override
+    {
+        const auto* const end = table_.entries + table_.count;
+        const auto* const entry = std::find_if(table_.entries, end, [&address](const cia301::Entry& each)
+                                               { return each.index == address.index && each.sub == address.sub; });
+        const bool is_same = entry != end && std::equal(value.data, value.data + value.size_bytes, entry->place);
+        return is_same ? cia301::SdoAbort::kNone : cia301::SdoAbort::kLocalControl;
+    }
 
   private:
     const cia301::EntryTable& table_;
@@ -26,8 +36,17 @@ class FixedHook final : public cia301::WriteHook
 class NoSafetyObjects final : public cia301::ForeignObjects
 {
   public:
-    [[nodiscard]] ObjectReading Read(const ObjectAddress& address) noexcept override;
-    [[nodiscard]] AbortCode Write(const ObjectAddress& address, const ObjectData& data) noexcept override;
+    [[nodiscard]] ObjectReading Read(const ObjectAddress& address) noexcept override
+    {
+        static_cast<void>(address);
+        return {AbortCode::kObjectUnknown, {}};
+    }
+    [[nodiscard]] AbortCode Write(const ObjectAddress& address, const ObjectData& data) noexcept override
+    {
+        static_cast<void>(address);
+        static_cast<void>(data);
+        return AbortCode::kObjectUnknown;
+    }
 };
 
 /// Hook of 1010h and 1011h of a device without a store: sub-indices say that nothing is saved, and commands are
@@ -35,8 +54,23 @@ class NoSafetyObjects final : public cia301::ForeignObjects
 class NoStoreHook final : public cia301::ReadHook, public cia301::WriteHook
 {
   public:
-    [[nodiscard]] cia301::Reading OnRead(const ObjectAddress& address, const cia301::Room& room) noexcept override;
-    [[nodiscard]] cia301::SdoAbort OnWrite(const ObjectAddress& address, const cia301::Bytes& value) noexcept override;
+    [[nodiscard]] cia301::Reading OnRead(const ObjectAddress& address, const cia301::Room& room) noexcept override
+    {
+        static_cast<void>(address);
+        constexpr std::uint32_t kSize = 4U;
+        if (room.size_bytes < kSize)
+        {
+            return {cia301::SdoAbort::kOutOfMemory, 0U};
+        }
+        std::fill_n(room.data, kSize, std::uint8_t{0U});
+        return {cia301::SdoAbort::kNone, kSize};
+    }
+    [[nodiscard]] cia301::SdoAbort OnWrite(const ObjectAddress& address, const cia301::Bytes& value) noexcept override
+    {
+        static_cast<void>(address);
+        static_cast<void>(value);
+        return cia301::SdoAbort::kNotStored;
+    }
 };
 } // namespace counterpoint::runtime
 

@@ -1,22 +1,23 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/device/objects/objects.hpp"
 
-#include "runtime/device/objects/entry.hpp"
-
 #include "canopen/cia301/base/cob_id.hpp"
 #include "canopen/cia301/base/little_endian.hpp"
 #include "canopen/cia301/dictionary/entry_value.hpp"
+#include "canopen/cia306/safety/device_parameters.hpp"
 #include "canopen/cia306/safety/safety_configuration.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/utf16.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 namespace counterpoint::runtime
 {
 namespace
 {
+using cia301::DataType;
 using cia301::SdoAbort;
 
 /// What a string or domain that can be written has room for, at least.
@@ -36,6 +37,89 @@ constexpr std::uint16_t kLastTpdoMap = 0x1BFFU;
 constexpr std::uint8_t kPdoEntries = 64U;
 /// 254: source address mode of a multiplexed PDO; 255: destination address mode.
 constexpr std::uint64_t kSourceMode = 254U;
+constexpr std::uint16_t kLastFixed = 0x5F05U;
+
+/// Whether this is 1010h or 1011h.
+bool IsStore(const std::uint16_t index)
+{
+    return index == 0x1010U || index == 0x1011U;
+}
+
+/// Whether this is one of 5F00h to 5F05h, which the kernel takes at its start.
+bool IsFixedAtStart(const std::uint16_t index)
+{
+    return index >= cia306::kDeviceParametersIndex && index <= kLastFixed;
+}
+/// Its data type for the dictionary. Types have the numbers of CiA 301 there, too; BIT1 to BIT8 become small
+/// numbers.
+DataType TypeOf(const cia306::Entry& entry)
+{
+    const bool is_known = entry.data_type != 0U && entry.data_type <= static_cast<std::uint16_t>(DataType::kUnsigned64);
+    if (is_known && entry.type.kind != cia306::DataKind::kUnknown)
+    {
+        return static_cast<DataType>(entry.data_type);
+    }
+    return (entry.type.kind == cia306::DataKind::kUnsigned) ? DataType::kUnsigned8 : DataType::kOctetString;
+}
+
+/// Into which PDOs it may be mapped: process data are sent if they may be read, and received if they may be
+/// written.
+std::uint8_t UsesOf(const cia306::Entry& entry)
+{
+    const bool is_sent = entry.access != cia306::Access::kWriteOnly && entry.access != cia306::Access::kReadWriteOutput;
+    const bool is_received = !entry.IsFixed() && entry.access != cia306::Access::kReadWriteInput;
+    const unsigned uses = (is_sent ? cia301::kInTpdo : 0U) | (is_received ? cia301::kInRpdo : 0U);
+    const bool is_kept = !entry.IsFixed() && entry.access != cia306::Access::kWriteOnly && entry.index != 0x1003U &&
+                         !IsStore(entry.index) && !IsFixedAtStart(entry.index);
+    return static_cast<std::uint8_t>((entry.is_pdo_mappable ? uses : 0U) | (is_kept ? cia301::kStored : 0U));
+}
+
+/// Its access right for the dictionary.
+cia301::Access AccessOf(const cia306::Entry& entry)
+{
+    switch (entry.access)
+    {
+    case cia306::Access::kConstant:
+        return cia301::Access::kConstant;
+    case cia306::Access::kReadOnly:
+        return cia301::Access::kReadOnly;
+    case cia306::Access::kWriteOnly:
+        return cia301::Access::kWriteOnly;
+    case cia306::Access::kReadWrite:
+    case cia306::Access::kReadWriteInput:
+    case cia306::Access::kReadWriteOutput:
+        return cia301::Access::kReadWrite;
+    case cia306::Access::kUnknown:
+        break;
+    }
+    return cia301::Access::kInvalid;
+}
+
+/// The bytes of an octet string: "0A 1B" or "0A1B" are two bytes, any other text is its own bytes.
+std::vector<std::uint8_t> OctetsOf(const std::string& text)
+{
+    std::string digits;
+    for (const char letter : text)
+    {
+        if (std::isspace(static_cast<unsigned char>(letter)) == 0)
+        {
+            digits += letter;
+        }
+    }
+    const bool is_hexadecimal =
+        !digits.empty() && digits.size() % 2U == 0U &&
+        std::all_of(digits.begin(), digits.end(), [](const unsigned char c) { return std::isxdigit(c) != 0; });
+    std::vector<std::uint8_t> octets;
+    if (!is_hexadecimal)
+    {
+        octets.assign(text.begin(), text.end());
+    }
+    for (std::size_t place = 0U; is_hexadecimal && place < digits.size(); place += 2U)
+    {
+        octets.push_back(static_cast<std::uint8_t>(std::stoul(digits.substr(place, 2U), nullptr, 16)));
+    }
+    return octets;
+}
 
 /// The hook of an object whose value a service keeps; null: none does.
 cia301::NumberHook* HookOf(const cia301::Entry& entry, device::Services& services,
@@ -70,6 +154,12 @@ bool IsOfServiceObjects(const std::uint16_t index)
 }
 } // namespace
 
+std::uint8_t LastSubOf(const cia306::Device& file, const std::uint16_t index)
+{
+    const cia306::Object* const object = file.Find(index);
+    return (object == nullptr || object->entries.empty()) ? std::uint8_t{0U} : object->entries.rbegin()->first;
+}
+
 DeviceObjects::DeviceObjects(const cia306::Device& device, const std::uint8_t node_id, const IsKernels& is_kernels)
     : file_(device.file)
 {
@@ -91,8 +181,7 @@ DeviceObjects::DeviceObjects(const cia306::Device& device, const std::uint8_t no
         longest = std::max(longest, entry.size_bytes);
     }
     sdo_buffer_.resize(longest);
-    const cia306::Object* const consumers = device.Find(kConsumerTimes);
-    supervised_.resize((consumers == nullptr || consumers->entries.empty()) ? 0U : consumers->entries.rbegin()->first);
+    supervised_.resize(LastSubOf(device, kConsumerTimes));
     AppendPdos(device);
 }
 
@@ -181,7 +270,6 @@ void DeviceObjects::AppendPdos(const cia306::Device& device)
 
 cia301::PdoMap DeviceObjects::MapOf(const cia306::Device& device, const std::uint16_t index)
 {
-    const cia306::Object* const object = device.Find(index);
     const cia306::Entry* const count = device.Find(index, 0U);
     if (count != nullptr && count->Configured().IsSet())
     {
@@ -194,8 +282,7 @@ cia301::PdoMap DeviceObjects::MapOf(const cia306::Device& device, const std::uin
                                       "a count of mapped objects, 0 to 64"});
         }
     }
-    const bool has_subs = object != nullptr && !object->entries.empty();
-    const std::uint8_t room = has_subs ? std::min(object->entries.rbegin()->first, kPdoEntries) : std::uint8_t{0U};
+    const std::uint8_t room = std::min(LastSubOf(device, index), kPdoEntries);
     fields_.emplace_back(room);
     return {fields_.back().data(), room};
 }

@@ -16,6 +16,9 @@
 
 namespace counterpoint::runtime
 {
+/// @brief Highest sub-index of a list of the file; 0: it has none.
+[[nodiscard]] std::uint8_t LastSubOf(const cia306::Device& file, std::uint16_t index);
+
 /// The objects of an EDS or DCF that are not the kernel's, as a table for a dictionary. It owns their values, so it
 /// cannot be moved or copied. [SRS_NODE_001]
 class DeviceObjects

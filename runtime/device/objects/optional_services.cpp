@@ -2,6 +2,7 @@
 #include "runtime/device/objects/optional_services.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
+#include "runtime/device/objects/objects.hpp"
 
 #include <algorithm>
 
@@ -19,13 +20,6 @@ constexpr std::uint16_t kLastClient = 0x12FFU;
 constexpr std::uint32_t kSilenceUs = 1000000U;
 constexpr std::uint8_t kBlock = 64U;
 constexpr std::size_t kShownBytes = 32U;
-
-/// Highest sub-index of a list; 0: the file has none.
-std::size_t CountOf(const cia306::Device& file, const std::uint16_t index)
-{
-    const cia306::Object* const object = file.Find(index);
-    return (object == nullptr || object->entries.empty()) ? 0U : object->entries.rbegin()->first;
-}
 } // namespace
 
 OptionalServices::Serving::Serving(cia301::Dictionary& dictionary, cia301::FrameSink& sink, const std::uint8_t number,
@@ -38,7 +32,7 @@ OptionalServices::Serving::Serving(cia301::Dictionary& dictionary, cia301::Frame
 OptionalServices::OptionalServices(const cia306::Device& file, cia301::Dictionary& dictionary,
                                    device::Services& services, const HeardBy& heard_by,
                                    const std::uint32_t longest_bytes)
-    : sources_(std::min<std::size_t>(CountOf(file, kSources), 127U)), time_(services.outbox, heard_by.times),
+    : sources_(std::min<std::size_t>(LastSubOf(file, kSources), 127U)), time_(services.outbox, heard_by.times),
       emergencies_({sources_.data(), static_cast<std::uint8_t>(sources_.size())}, heard_by.emergencies)
 {
     if (file.Find(kTime) != nullptr || file.Find(kHighResolution) != nullptr)

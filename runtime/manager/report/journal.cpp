@@ -30,11 +30,6 @@ std::string StatusText(const network_plan::StartProfile profile, const cia302::N
 }
 } // namespace
 
-std::string OneLine(const nlohmann::ordered_json& value)
-{
-    return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-}
-
 std::string JsonLine(const ManagerEvent& event)
 {
     nlohmann::ordered_json line{{"t_us", event.at_us}, {"node", event.node}, {"event", event.kind}};

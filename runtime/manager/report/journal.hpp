@@ -25,8 +25,6 @@ struct ManagerEvent
     std::string word; ///< The part of `details` that this program itself uses: state of a gate, letter of a status.
 };
 
-/// @brief A value as one line of JSON with a line end; bytes that are no UTF-8 are replaced.
-[[nodiscard]] std::string OneLine(const nlohmann::ordered_json& value);
 /// @brief An event as a line of the event log. [SRS_MGR_007]
 [[nodiscard]] std::string JsonLine(const ManagerEvent& event);
 /// @brief An event as a line for a person: time, node, text.

@@ -2,6 +2,7 @@
 #include "runtime/manager/report/texts.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
+#include "runtime/device/names.hpp"
 
 namespace counterpoint::runtime
 {
@@ -16,139 +17,119 @@ using cia302::SlaveState;
 using cia302::StartUpStep;
 using network_plan::StartProfile;
 
-/// A number and its word.
-template <typename Meaning> struct Row
-{
-    Meaning meaning;
-    const char* word;
-};
-
-template <typename Meaning, std::size_t kCount>
-std::string WordIn(const Row<Meaning> (&rows)[kCount], const Meaning meaning, const char* otherwise)
-{
-    const char* word = otherwise;
-    for (const Row<Meaning>& row : rows)
-    {
-        word = (row.meaning == meaning) ? row.word : word;
-    }
-    return word;
-}
-
-constexpr Row<SlaveState> kStates[] = {{SlaveState::kUnknown, "unknown"},
-                                       {SlaveState::kMissing, "missing"},
-                                       {SlaveState::kStopped, "stopped"},
-                                       {SlaveState::kOperational, "operational"},
-                                       {SlaveState::kPreOperational, "pre-operational"}};
-constexpr Row<NodeEvent> kEvents[] = {{NodeEvent::kBootUp, "boot_up"},
-                                      {NodeEvent::kStarted, "supervision_started"},
-                                      {NodeEvent::kChanged, "state"},
-                                      {NodeEvent::kHeartbeatLost, "heartbeat_lost"},
-                                      {NodeEvent::kGuardMissed, "guard_missed"},
-                                      {NodeEvent::kGuardLost, "guard_lost"},
-                                      {NodeEvent::kToggleError, "toggle_error"},
-                                      {NodeEvent::kNeverSeen, "never_seen"},
-                                      {NodeEvent::kUnexpected, "unexpected"}};
-constexpr Row<StartUpStep> kSteps[] = {{StartUpStep::kNone, "-"},
-                                       {StartUpStep::kReset, "reset"},
-                                       {StartUpStep::kWaitBootUp, "wait for boot-up"},
-                                       {StartUpStep::kDeviceType, "device type"},
-                                       {StartUpStep::kVendorId, "vendor-ID"},
-                                       {StartUpStep::kProductCode, "product code"},
-                                       {StartUpStep::kRevisionNumber, "revision"},
-                                       {StartUpStep::kSerialNumber, "serial number"},
-                                       {StartUpStep::kStateCheck, "state check"},
-                                       {StartUpStep::kSoftwareVersion, "software version"},
-                                       {StartUpStep::kSoftwareUpdate, "software update"},
-                                       {StartUpStep::kConfigurationDate, "configuration date"},
-                                       {StartUpStep::kRestore, "restore"},
-                                       {StartUpStep::kConfigure, "configure"},
-                                       {StartUpStep::kErrorControl, "error control"},
-                                       {StartUpStep::kSafety, "safety"},
-                                       {StartUpStep::kStart, "start"},
-                                       {StartUpStep::kDone, "done"},
-                                       {StartUpStep::kSyncPeriod, "SYNC period"},
-                                       {StartUpStep::kPdo, "PDO"},
-                                       {StartUpStep::kPdoReadBack, "PDO read-back"},
-                                       {StartUpStep::kHeartbeat, "heartbeat"},
-                                       {StartUpStep::kGuarding, "guarding"},
-                                       {StartUpStep::kUserObjects, "user objects"},
-                                       {StartUpStep::kWaitPdos, "wait for PDOs"},
-                                       {StartUpStep::kRunning, "running"},
-                                       {StartUpStep::kManual, "by hand"},
-                                       {StartUpStep::kSettling, "settling"}};
-constexpr Row<NmtCommand> kCommands[] = {{NmtCommand::kStart, "start"},
-                                         {NmtCommand::kStop, "stop"},
-                                         {NmtCommand::kPreOperational, "preop"},
-                                         {NmtCommand::kResetNode, "reset"},
-                                         {NmtCommand::kResetCommunication, "reset-comm"}};
-constexpr Row<NmtAnswer> kAnswers[] = {
-    {NmtAnswer::kTaken, "taken"},
-    {NmtAnswer::kQueueFull, "too many commands wait, expected one later"},
-    {NmtAnswer::kNotActive, "this manager is not the active master, expected the command at that one"},
-    {NmtAnswer::kNoBroadcast, "a start of all while a safety slave is assigned, expected a start of each slave"},
-    {NmtAnswer::kNotVerified, "the safety configuration of the slave is not verified, expected boot NODE first"},
-    {NmtAnswer::kOtherDevice,
-     "the start-up did not find the expected device at this node-ID, expected that one, and boot NODE"},
-    {NmtAnswer::kWrong, "no such command or node in this state, expected another"},
-    {NmtAnswer::kPartly, "taken, but not by all slaves, expected each in a state that allows it"}};
-constexpr Row<GateState> kGates[] = {{GateState::kClosed, "closed"},
-                                     {GateState::kBusy, "busy"},
-                                     {GateState::kDiffers, "differs"},
-                                     {GateState::kFailed, "failed"},
-                                     {GateState::kOpen, "open"}};
-constexpr Row<FlyingEvent> kFlying[] = {{FlyingEvent::kSlaveMode, "slave_mode"},
-                                        {FlyingEvent::kForceNegotiation, "force_negotiation"},
-                                        {FlyingEvent::kPowerOnReset, "power_on_reset"},
-                                        {FlyingEvent::kMasterMode, "master_mode"},
-                                        {FlyingEvent::kConfigurationError, "configuration_error"}};
-constexpr Row<cia301::NodeState> kOwnStates[] = {{cia301::NodeState::kInitialising, "initialising"},
-                                                 {cia301::NodeState::kPreOperational, "pre-operational"},
-                                                 {cia301::NodeState::kOperational, "operational"},
-                                                 {cia301::NodeState::kStopped, "stopped"}};
-constexpr Row<StartProfile> kProfiles[] = {
-    {StartProfile::kCia302, "cia302"}, {StartProfile::kEl6751, "el6751"}, {StartProfile::kPlcDesigner, "plc_designer"}};
-constexpr Row<char> kLetters[] = {{'A', "not in the network list"},
-                                  {'B', "no answer to device type (1000h)"},
-                                  {'C', "device type differs"},
-                                  {'D', "vendor-ID differs"},
-                                  {'E', "no heartbeat when its state was asked for"},
-                                  {'F', "no guarding answer when its state was asked for"},
-                                  {'G', "program objects are not configured"},
-                                  {'H', "software differs and may not be updated"},
-                                  {'I', "software update failed"},
-                                  {'J', "configuration failed"},
-                                  {'K', "no heartbeat when supervision began"},
-                                  {'L', "was OPERATIONAL already"},
-                                  {'M', "product code differs"},
-                                  {'N', "revision differs"},
-                                  {'O', "serial number differs"}};
-constexpr Row<int> kNodeStates[] = {{0, "no error"},
-                                    {1, "deactivated"},
-                                    {2, "not found"},
-                                    {4, "SDO aborted or of wrong length"},
-                                    {5, "SDO value differs"},
-                                    {8, "starts up"},
-                                    {11, "bus-off"},
-                                    {12, "pre-operational"},
-                                    {13, "controller does not start"},
-                                    {14, "toggle error"},
-                                    {20, "TxPDO too short"},
-                                    {22, "TxPDO missing"},
-                                    {23, "waits for TxPDOs"},
-                                    {40, "synchronous TxPDO missing in its cycle"}};
-constexpr Row<int> kPlcStates[] = {{-1, "reset"},
-                                   {1, "waits for boot-up"},
-                                   {2, "settles"},
-                                   {3, "is configured"},
-                                   {4, "pre-operational"},
-                                   {5, "operational"},
-                                   {97, "optional, absent"},
-                                   {98, "device type differs"},
-                                   {99, "lost"}};
-constexpr Row<int> kMasterSteps[] = {{0, "idle"},  {1, "resets"},      {2, "boots slaves"}, {3, "halted"},
-                                     {4, "ready"}, {5, "operational"}, {6, "stopped"}};
-constexpr Row<int> kEl6751Masters[] = {
-    {0, "ended"}, {1, "starts slaves"}, {2, "all started"}, {3, "no bus"}, {4, "too many PDOs"}};
+constexpr Word<SlaveState> kStates[] = {{"unknown", SlaveState::kUnknown},
+                                        {"missing", SlaveState::kMissing},
+                                        {"stopped", SlaveState::kStopped},
+                                        {"operational", SlaveState::kOperational},
+                                        {"pre-operational", SlaveState::kPreOperational}};
+constexpr Word<NodeEvent> kEvents[] = {{"boot_up", NodeEvent::kBootUp},
+                                       {"supervision_started", NodeEvent::kStarted},
+                                       {"state", NodeEvent::kChanged},
+                                       {"heartbeat_lost", NodeEvent::kHeartbeatLost},
+                                       {"guard_missed", NodeEvent::kGuardMissed},
+                                       {"guard_lost", NodeEvent::kGuardLost},
+                                       {"toggle_error", NodeEvent::kToggleError},
+                                       {"never_seen", NodeEvent::kNeverSeen},
+                                       {"unexpected", NodeEvent::kUnexpected}};
+constexpr Word<StartUpStep> kSteps[] = {{"-", StartUpStep::kNone},
+                                        {"reset", StartUpStep::kReset},
+                                        {"wait for boot-up", StartUpStep::kWaitBootUp},
+                                        {"device type", StartUpStep::kDeviceType},
+                                        {"vendor-ID", StartUpStep::kVendorId},
+                                        {"product code", StartUpStep::kProductCode},
+                                        {"revision", StartUpStep::kRevisionNumber},
+                                        {"serial number", StartUpStep::kSerialNumber},
+                                        {"state check", StartUpStep::kStateCheck},
+                                        {"software version", StartUpStep::kSoftwareVersion},
+                                        {"software update", StartUpStep::kSoftwareUpdate},
+                                        {"configuration date", StartUpStep::kConfigurationDate},
+                                        {"restore", StartUpStep::kRestore},
+                                        {"configure", StartUpStep::kConfigure},
+                                        {"error control", StartUpStep::kErrorControl},
+                                        {"safety", StartUpStep::kSafety},
+                                        {"start", StartUpStep::kStart},
+                                        {"done", StartUpStep::kDone},
+                                        {"SYNC period", StartUpStep::kSyncPeriod},
+                                        {"PDO", StartUpStep::kPdo},
+                                        {"PDO read-back", StartUpStep::kPdoReadBack},
+                                        {"heartbeat", StartUpStep::kHeartbeat},
+                                        {"guarding", StartUpStep::kGuarding},
+                                        {"user objects", StartUpStep::kUserObjects},
+                                        {"wait for PDOs", StartUpStep::kWaitPdos},
+                                        {"running", StartUpStep::kRunning},
+                                        {"by hand", StartUpStep::kManual},
+                                        {"settling", StartUpStep::kSettling}};
+constexpr Word<NmtCommand> kCommands[] = {{"start", NmtCommand::kStart},
+                                          {"stop", NmtCommand::kStop},
+                                          {"preop", NmtCommand::kPreOperational},
+                                          {"reset", NmtCommand::kResetNode},
+                                          {"reset-comm", NmtCommand::kResetCommunication}};
+constexpr Word<NmtAnswer> kAnswers[] = {
+    {"taken", NmtAnswer::kTaken},
+    {"too many commands wait, expected one later", NmtAnswer::kQueueFull},
+    {"this manager is not the active master, expected the command at that one", NmtAnswer::kNotActive},
+    {"a start of all while a safety slave is assigned, expected a start of each slave", NmtAnswer::kNoBroadcast},
+    {"the safety configuration of the slave is not verified, expected boot NODE first", NmtAnswer::kNotVerified},
+    {"the start-up did not find the expected device at this node-ID, expected that one, and boot NODE",
+     NmtAnswer::kOtherDevice},
+    {"no such command or node in this state, expected another", NmtAnswer::kWrong},
+    {"taken, but not by all slaves, expected each in a state that allows it", NmtAnswer::kPartly}};
+constexpr Word<GateState> kGates[] = {{"closed", GateState::kClosed},
+                                      {"busy", GateState::kBusy},
+                                      {"differs", GateState::kDiffers},
+                                      {"failed", GateState::kFailed},
+                                      {"open", GateState::kOpen}};
+constexpr Word<FlyingEvent> kFlying[] = {{"slave_mode", FlyingEvent::kSlaveMode},
+                                         {"force_negotiation", FlyingEvent::kForceNegotiation},
+                                         {"power_on_reset", FlyingEvent::kPowerOnReset},
+                                         {"master_mode", FlyingEvent::kMasterMode},
+                                         {"configuration_error", FlyingEvent::kConfigurationError}};
+constexpr Word<cia301::NodeState> kOwnStates[] = {{"initialising", cia301::NodeState::kInitialising},
+                                                  {"pre-operational", cia301::NodeState::kPreOperational},
+                                                  {"operational", cia301::NodeState::kOperational},
+                                                  {"stopped", cia301::NodeState::kStopped}};
+constexpr Word<char> kLetters[] = {{"not in the network list", 'A'},
+                                   {"no answer to device type (1000h)", 'B'},
+                                   {"device type differs", 'C'},
+                                   {"vendor-ID differs", 'D'},
+                                   {"no heartbeat when its state was asked for", 'E'},
+                                   {"no guarding answer when its state was asked for", 'F'},
+                                   {"program objects are not configured", 'G'},
+                                   {"software differs and may not be updated", 'H'},
+                                   {"software update failed", 'I'},
+                                   {"configuration failed", 'J'},
+                                   {"no heartbeat when supervision began", 'K'},
+                                   {"was OPERATIONAL already", 'L'},
+                                   {"product code differs", 'M'},
+                                   {"revision differs", 'N'},
+                                   {"serial number differs", 'O'}};
+constexpr Word<int> kNodeStates[] = {{"no error", 0},
+                                     {"deactivated", 1},
+                                     {"not found", 2},
+                                     {"SDO aborted or of wrong length", 4},
+                                     {"SDO value differs", 5},
+                                     {"starts up", 8},
+                                     {"bus-off", 11},
+                                     {"pre-operational", 12},
+                                     {"controller does not start", 13},
+                                     {"toggle error", 14},
+                                     {"TxPDO too short", 20},
+                                     {"TxPDO missing", 22},
+                                     {"waits for TxPDOs", 23},
+                                     {"synchronous TxPDO missing in its cycle", 40}};
+constexpr Word<int> kPlcStates[] = {{"reset", -1},
+                                    {"waits for boot-up", 1},
+                                    {"settles", 2},
+                                    {"is configured", 3},
+                                    {"pre-operational", 4},
+                                    {"operational", 5},
+                                    {"optional, absent", 97},
+                                    {"device type differs", 98},
+                                    {"lost", 99}};
+constexpr Word<int> kMasterSteps[] = {{"idle", 0},  {"resets", 1},      {"boots slaves", 2}, {"halted", 3},
+                                      {"ready", 4}, {"operational", 5}, {"stopped", 6}};
+constexpr Word<int> kEl6751Masters[] = {
+    {"ended", 0}, {"starts slaves", 1}, {"all started", 2}, {"no bus", 3}, {"too many PDOs", 4}};
 
 std::string ValueText(const ObjectAddress& object, const cia301::SdoAbort abort, const std::uint64_t expected,
                       const std::uint64_t read)
@@ -168,66 +149,66 @@ std::string ValueText(const ObjectAddress& object, const cia301::SdoAbort abort,
 
 std::string WordOf(const SlaveState state)
 {
-    return WordIn(kStates, state, "unknown");
+    return NameOf(kStates, state, "unknown");
 }
 
 std::string WordOf(const NodeEvent event)
 {
-    return WordIn(kEvents, event, "event");
+    return NameOf(kEvents, event, "event");
 }
 
 std::string WordOf(const StartUpStep step)
 {
-    return WordIn(kSteps, step, "-");
+    return NameOf(kSteps, step, "-");
 }
 
 std::string WordOf(const NmtCommand command)
 {
-    return WordIn(kCommands, command, "none");
+    return NameOf(kCommands, command, "none");
 }
 
 std::string WordOf(const NmtAnswer answer)
 {
-    return WordIn(kAnswers, answer, "refused");
+    return NameOf(kAnswers, answer, "refused");
 }
 
 std::string WordOf(const GateState state)
 {
-    return WordIn(kGates, state, "closed");
+    return NameOf(kGates, state, "closed");
 }
 
 std::string WordOf(const FlyingEvent event)
 {
-    return WordIn(kFlying, event, "event");
+    return NameOf(kFlying, event, "event");
 }
 
 std::string WordOf(const cia301::NodeState state)
 {
-    return WordIn(kOwnStates, state, "initialising");
+    return NameOf(kOwnStates, state, "initialising");
 }
 
 std::string WordOf(const StartProfile profile)
 {
-    return WordIn(kProfiles, profile, "cia302");
+    return NameOf(kProfileWords, profile, "cia302");
 }
 
 std::string LetterText(const char letter)
 {
-    return WordIn(kLetters, letter, "");
+    return NameOf(kLetters, letter, "");
 }
 
 std::string CodeText(const StartProfile profile, const int code)
 {
     std::string text;
-    text = (profile == StartProfile::kEl6751) ? WordIn(kNodeStates, code, "") : text;
-    return (profile == StartProfile::kPlcDesigner) ? WordIn(kPlcStates, code, "") : text;
+    text = (profile == StartProfile::kEl6751) ? NameOf(kNodeStates, code, "") : text;
+    return (profile == StartProfile::kPlcDesigner) ? NameOf(kPlcStates, code, "") : text;
 }
 
 std::string MasterText(const StartProfile profile, const int state)
 {
     const std::string number = std::to_string(state);
-    std::string text = (profile == StartProfile::kCia302) ? WordIn(kMasterSteps, state, number.c_str()) : number;
-    return (profile == StartProfile::kEl6751) ? WordIn(kEl6751Masters, state, number.c_str()) : text;
+    std::string text = (profile == StartProfile::kCia302) ? NameOf(kMasterSteps, state, number.c_str()) : number;
+    return (profile == StartProfile::kEl6751) ? NameOf(kEl6751Masters, state, number.c_str()) : text;
 }
 
 std::string AbortText(const cia301::SdoAbort abort)
@@ -262,9 +243,9 @@ std::string FindingText(const StartProfile profile, const cia302::NodeStatus& st
 NmtCommand CommandOf(const std::string& word)
 {
     NmtCommand command = NmtCommand::kInvalid;
-    for (const Row<NmtCommand>& row : kCommands)
+    for (const Word<NmtCommand>& row : kCommands)
     {
-        command = (word == row.word) ? row.meaning : command;
+        command = (word == row.text) ? row.meaning : command;
     }
     return command;
 }

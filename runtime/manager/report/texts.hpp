@@ -5,12 +5,18 @@
 #include "canopen/cia302/flying_master/flying_master.hpp"
 #include "canopen/manager/manager.hpp"
 #include "canopen/network_plan/network_plan.hpp"
+#include "runtime/yaml/value.hpp"
 
 #include <string>
 
 // The words in which people and programs read the numbers of the network manager.
 namespace counterpoint::runtime
 {
+inline constexpr Word<network_plan::StartProfile> kProfileWords[] = {
+    {"cia302", network_plan::StartProfile::kCia302},
+    {"el6751", network_plan::StartProfile::kEl6751},
+    {"plc_designer", network_plan::StartProfile::kPlcDesigner}};
+
 /// @brief The word for a value in log, table and scenarios. Every value has one; the text is never empty.
 [[nodiscard]] std::string WordOf(cia302::SlaveState state);
 [[nodiscard]] std::string WordOf(cia302::NodeEvent event);

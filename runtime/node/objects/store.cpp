@@ -33,11 +33,6 @@ NodeMemory::~NodeMemory()
     worker_.join();
 }
 
-std::uint32_t NodeMemory::BankBytes() const noexcept
-{
-    return file_.BankBytes();
-}
-
 hal::MemoryStatus NodeMemory::Status() noexcept
 {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -143,15 +138,5 @@ cia305::LssStored NodeStore::Keep(const cia305::LssSettings& settings) noexcept
 void NodeStore::OnCycle() noexcept
 {
     store_.OnCycle();
-}
-
-bool NodeStore::IsBusy() const noexcept
-{
-    return store_.IsBusy();
-}
-
-cia301::NumberHook& NodeStore::Hook() noexcept
-{
-    return objects_;
 }
 } // namespace counterpoint::runtime

@@ -26,7 +26,10 @@ class NodeMemory final : public hal::ParameterMemory
     explicit NodeMemory(const std::string& path);
     ~NodeMemory();
 
-    [[nodiscard]] std::uint32_t BankBytes() const noexcept override;
+    [[nodiscard]] std::uint32_t BankBytes() const noexcept override
+    {
+        return file_.BankBytes();
+    }
     [[nodiscard]] hal::MemoryStatus Status() noexcept override;
     void Erase(hal::MemoryBank bank) noexcept override;
     void Program(const hal::MemorySection& section, const std::uint8_t* from) noexcept override;
@@ -69,13 +72,19 @@ class NodeStore
     /// @brief Goes on with a save. Once a cycle.
     void OnCycle() noexcept;
     /// @brief Whether a save is under way.
-    [[nodiscard]] bool IsBusy() const noexcept;
+    [[nodiscard]] bool IsBusy() const noexcept
+    {
+        return store_.IsBusy();
+    }
     /// @brief The settings that LSS saved; `otherwise` if it saved none.
     [[nodiscard]] cia305::LssSettings LoadLss(const cia305::LssSettings& otherwise) noexcept;
     /// @brief Saves settings of LSS, as LssDevice::Store.
     [[nodiscard]] cia305::LssStored Keep(const cia305::LssSettings& settings) noexcept;
     /// @brief The hook of 1010h and 1011h.
-    [[nodiscard]] cia301::NumberHook& Hook() noexcept;
+    [[nodiscard]] cia301::NumberHook& Hook() noexcept
+    {
+        return objects_;
+    }
 
   private:
     std::string path_;

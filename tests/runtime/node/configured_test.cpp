@@ -66,13 +66,13 @@ class Bench
         const auto byte = [](const std::uint32_t number, const unsigned place)
         { return static_cast<std::uint8_t>((number >> (8U * place)) & 0xFFU); };
         const auto command = static_cast<std::uint8_t>(0x23U | ((4U - size) << 2U));
-        Receive(0x600U + device_->NodeId(), {command, byte(index, 0U), byte(index, 1U), sub, byte(value, 0U),
-                                             byte(value, 1U), byte(value, 2U), byte(value, 3U)});
+        Receive(0x600U + device_->Assembly().NodeId(), {command, byte(index, 0U), byte(index, 1U), sub, byte(value, 0U),
+                                                        byte(value, 1U), byte(value, 2U), byte(value, 3U)});
         Cycle();
         std::uint32_t code = 0xFFFFFFFFU; // No answer.
         for (const host::LiveFrame& frame : services_->Sent())
         {
-            if (frame.identifier == 0x580U + device_->NodeId())
+            if (frame.identifier == 0x580U + device_->Assembly().NodeId())
             {
                 code = frame.data[4] | (std::uint32_t{frame.data[5]} << 8U) | (std::uint32_t{frame.data[6]} << 16U) |
                        (std::uint32_t{frame.data[7]} << 24U);
@@ -99,9 +99,9 @@ class Bench
     }
     void Start()
     {
-        Receive(0x000U, {1U, device_->NodeId()});
+        Receive(0x000U, {1U, device_->Assembly().NodeId()});
         Cycle();
-        EXPECT_EQ(device_->Services().State(), cia301::NodeState::kOperational);
+        EXPECT_EQ(device_->Assembly().Device().State(), cia301::NodeState::kOperational);
     }
     void Receive(const std::uint32_t identifier, const std::initializer_list<std::uint8_t> bytes)
     {
@@ -194,7 +194,7 @@ TEST(NodeConfiguredTest, AProducerThatWasConfiguredOverSdoSendsItsInputs)
         EXPECT_EQ(normal.back(), 0x3412U);
         ASSERT_FALSE(bench.SentWith(0x102U).empty());
         EXPECT_EQ(bench.SentWith(0x102U).back(), 0xCBEDU);
-        EXPECT_EQ(device.Core().DeviceState().fault, DeviceFault::kNone);
+        EXPECT_EQ(device.Assembly().Core().DeviceState().fault, DeviceFault::kNone);
         const std::string told = bench.Told();
         EXPECT_NE(told.find("SRDO 1 producer 0x101, every 25 ms"), std::string::npos) << told;
     }
@@ -227,7 +227,7 @@ TEST(NodeConfiguredTest, AConsumerThatWasConfiguredOverSdoShowsItsOutputs)
             bench.Cycle();
             EXPECT_TRUE(cycle != 2 || device.Acknowledge(1U, bench.NowNs()));
         }
-        EXPECT_EQ(device.Open(), 1U);
+        EXPECT_EQ(device.Outputs().Open(), 1U);
         EXPECT_EQ(device.App().Values(), "0x2200:01=1 0x2200:02=2");
         EXPECT_FALSE(device.App().SetInput({0x2200U, 1U}, 1U));
         const std::string told = bench.Told();
@@ -244,7 +244,7 @@ TEST(NodeConfiguredTest, AnSrdoThatWasSwitchedOffOverSdoHasNoInputs)
     runtime::NodeDevice& device = bench.Device();
     EXPECT_TRUE(device.App().SetInput({0x2000U, 1U}, 1U));
     EXPECT_EQ(bench.Download(0x1301U, 1U, 0U, 1U), 0U);
-    const SignReply reply = device.Core().Sign({0x1301U});
+    const SignReply reply = device.Assembly().Core().Sign({0x1301U});
     EXPECT_EQ(bench.Download(0x13FFU, 1U, reply.signature, 2U), 0U);
     EXPECT_EQ(bench.Download(0x13FEU, 0U, 0xA5U, 1U), 0U);
     bench.Start();

@@ -112,13 +112,13 @@ TEST(NodeEmergencyTest, EachOfManyLostNodesIsToldAndItsReturnToo)
     serve(60);
     // Then 20 errors were told, and all are over with the next heartbeats
     EXPECT_EQ(CodesIn(bus.Sent()), std::vector<unsigned>(20U, 0x8130U));
-    EXPECT_EQ(device.Objects().ReadNumber({0x1001U, 0U}).value, 0x11U);
+    EXPECT_EQ(device.Assembly().Dictionary().ReadNumber({0x1001U, 0U}).value, 0x11U);
     beat();
     serve(40);
     std::vector<unsigned> all(20U, 0x8130U);
     all.insert(all.end(), 20U, 0U);
     EXPECT_EQ(CodesIn(bus.Sent()), all);
-    EXPECT_EQ(device.Objects().ReadNumber({0x1001U, 0U}).value, 0x00U);
+    EXPECT_EQ(device.Assembly().Dictionary().ReadNumber({0x1001U, 0U}).value, 0x00U);
 }
 } // namespace
 } // namespace counterpoint::tools::test

@@ -55,7 +55,7 @@ class NodeRestartTest : public ::testing::Test
     /// From PRE-OPERATIONAL to what an acknowledge opens.
     SrdoMask OpenAfterStart()
     {
-        Receive(0x000U, {1U, device.NodeId()});
+        Receive(0x000U, {1U, device.Assembly().NodeId()});
         now_ns += 9U * kNsPerMs;
         device.Cycle(Now(), now_ns);
         device.LookAtOutput(now_ns);
@@ -63,9 +63,9 @@ class NodeRestartTest : public ::testing::Test
         Cycle();
         EXPECT_TRUE(device.Acknowledge(1U, now_ns));
         Cycle();
-        EXPECT_EQ(device.Open(), 0U);
+        EXPECT_EQ(device.Outputs().Open(), 0U);
         Cycle();
-        return device.Open();
+        return device.Outputs().Open();
     }
 
     std::ostringstream out{};
@@ -84,7 +84,7 @@ TEST_F(NodeRestartTest, TheWatchdogCountsFromTheEndOfTheFirstStart)
     ASSERT_TRUE(device.TakeRestart(now_ns));
     EXPECT_FALSE(device.TakeRestart(now_ns));
     EXPECT_EQ(OpenAfterStart(), 1U);
-    EXPECT_EQ(device.Core().DeviceState().fault, DeviceFault::kNone);
+    EXPECT_EQ(device.Assembly().Core().DeviceState().fault, DeviceFault::kNone);
 }
 
 // t [ms]   0 cycle: reset node      0.3 s all done, window from here      cycles
@@ -95,16 +95,16 @@ TEST_F(NodeRestartTest, TheWatchdogCountsFromTheEndOfAStartByResetNode)
     ASSERT_TRUE(device.TakeRestart(now_ns));
     ASSERT_EQ(OpenAfterStart(), 1U);
     // When the node is reset, and the start takes 300 ms
-    Receive(0x000U, {129U, device.NodeId()});
+    Receive(0x000U, {129U, device.Assembly().NodeId()});
     device.Serve(Now(), now_ns);
-    EXPECT_EQ(device.Services().State(), cia301::NodeState::kPreOperational);
+    EXPECT_EQ(device.Assembly().Device().State(), cia301::NodeState::kPreOperational);
     device.LookAtOutput(now_ns);
-    EXPECT_EQ(device.Open(), 0U);
+    EXPECT_EQ(device.Outputs().Open(), 0U);
     now_ns += 300U * kNsPerMs;
     ASSERT_TRUE(device.TakeRestart(now_ns));
     // Then the output can open again
     EXPECT_EQ(OpenAfterStart(), 1U);
-    EXPECT_EQ(device.Core().DeviceState().fault, DeviceFault::kNone);
+    EXPECT_EQ(device.Assembly().Core().DeviceState().fault, DeviceFault::kNone);
 }
 
 /// Signals as they were before a loop ran.
