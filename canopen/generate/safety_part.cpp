@@ -98,16 +98,6 @@ SafetyPart::SafetyPart(const cia306::Device& device, const std::optional<std::ui
     }
 }
 
-const std::vector<SrdoConfiguration>& SafetyPart::Srdos() const noexcept
-{
-    return safety_.srdos;
-}
-
-const cia306::DeviceParameters& SafetyPart::Parameters() const noexcept
-{
-    return parameters_;
-}
-
 std::uint32_t SafetyPart::Digest() const noexcept
 {
     return node_id_ == device_.node_id ? parameters_.digest : 0U;

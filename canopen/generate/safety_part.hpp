@@ -43,9 +43,15 @@ class SafetyPart
     SafetyPart(const cia306::Device& device, std::optional<std::uint8_t> node_id);
 
     /// @brief Its SRDOs, by number.
-    [[nodiscard]] const std::vector<cia306::SrdoConfiguration>& Srdos() const noexcept;
+    [[nodiscard]] const std::vector<cia306::SrdoConfiguration>& Srdos() const noexcept
+    {
+        return safety_.srdos;
+    }
     /// @brief Parameters of the device, 5F00h to 5F05h.
-    [[nodiscard]] const cia306::DeviceParameters& Parameters() const noexcept;
+    [[nodiscard]] const cia306::DeviceParameters& Parameters() const noexcept
+    {
+        return parameters_;
+    }
     /// @brief The expected device digest; 0 (none) with another node-ID than that of the file. [SRS_GEN_009]
     [[nodiscard]] std::uint32_t Digest() const noexcept;
     /// @brief kProduced or kConsumed for a variable of the kernel, nothing else for the others. [SRS_GEN_009]

@@ -259,38 +259,8 @@ void Analysis::SetOperational(const std::uint8_t node_id, const bool is_operatio
     }
 }
 
-const std::deque<SrdoWatch>& Analysis::Watches() const noexcept
-{
-    return watches_;
-}
-
 const std::array<std::size_t, kCauseCount>& Analysis::CountsOf(const std::size_t watch) const
 {
     return counts_.at(watch);
-}
-
-const std::array<std::size_t, kServiceCount>& Analysis::Frames() const noexcept
-{
-    return frames_;
-}
-
-std::size_t Analysis::ViolationCount() const noexcept
-{
-    return violation_count_;
-}
-
-std::size_t Analysis::FrameCount() const noexcept
-{
-    return frame_count_;
-}
-
-Time Analysis::First() const noexcept
-{
-    return first_;
-}
-
-Time Analysis::Last() const noexcept
-{
-    return last_;
 }
 } // namespace counterpoint::monitor

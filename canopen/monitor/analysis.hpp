@@ -63,19 +63,37 @@ class Analysis final : private BreachSink
     void Interrupt() noexcept;
 
     /// @brief All watches, in the order of Network::Watches.
-    [[nodiscard]] const std::deque<SrdoWatch>& Watches() const noexcept;
+    [[nodiscard]] const std::deque<SrdoWatch>& Watches() const noexcept
+    {
+        return watches_;
+    }
     /// @brief Violations of one watch by cause.
     [[nodiscard]] const std::array<std::size_t, kCauseCount>& CountsOf(std::size_t watch) const;
     /// @brief Number of frames by service.
-    [[nodiscard]] const std::array<std::size_t, kServiceCount>& Frames() const noexcept;
+    [[nodiscard]] const std::array<std::size_t, kServiceCount>& Frames() const noexcept
+    {
+        return frames_;
+    }
     /// @brief Number of violations.
-    [[nodiscard]] std::size_t ViolationCount() const noexcept;
+    [[nodiscard]] std::size_t ViolationCount() const noexcept
+    {
+        return violation_count_;
+    }
     /// @brief Number of frames.
-    [[nodiscard]] std::size_t FrameCount() const noexcept;
+    [[nodiscard]] std::size_t FrameCount() const noexcept
+    {
+        return frame_count_;
+    }
     /// @brief Time of the first frame.
-    [[nodiscard]] Time First() const noexcept;
+    [[nodiscard]] Time First() const noexcept
+    {
+        return first_;
+    }
     /// @brief Time of the last frame.
-    [[nodiscard]] Time Last() const noexcept;
+    [[nodiscard]] Time Last() const noexcept
+    {
+        return last_;
+    }
     /// @brief What a frame is for.
     [[nodiscard]] Service ServiceOf(const LogFrame& frame) const noexcept;
 

@@ -217,21 +217,6 @@ void Network::AddWatches(const std::optional<Time> sct)
     }
 }
 
-const std::vector<NodeModel>& Network::Nodes() const noexcept
-{
-    return nodes_;
-}
-
-const std::vector<WatchModel>& Network::Watches() const noexcept
-{
-    return watches_;
-}
-
-const std::vector<PdoModel>& Network::Pdos() const noexcept
-{
-    return pdos_;
-}
-
 const NodeModel* Network::Find(const std::uint8_t id) const noexcept
 {
     const auto found =

@@ -77,11 +77,20 @@ class Network
     Network(const std::vector<NodeFile>& files, std::optional<Time> sct);
 
     /// @brief The devices, in the order of the files.
-    [[nodiscard]] const std::vector<NodeModel>& Nodes() const noexcept;
+    [[nodiscard]] const std::vector<NodeModel>& Nodes() const noexcept
+    {
+        return nodes_;
+    }
     /// @brief The SRDOs to be watched.
-    [[nodiscard]] const std::vector<WatchModel>& Watches() const noexcept;
+    [[nodiscard]] const std::vector<WatchModel>& Watches() const noexcept
+    {
+        return watches_;
+    }
     /// @brief The PDOs that the DCFs switch on.
-    [[nodiscard]] const std::vector<PdoModel>& Pdos() const noexcept;
+    [[nodiscard]] const std::vector<PdoModel>& Pdos() const noexcept
+    {
+        return pdos_;
+    }
     /// @brief The node with this ID, or null.
     [[nodiscard]] const NodeModel* Find(std::uint8_t id) const noexcept;
     /// @brief "sensor", or "node 5".

@@ -234,24 +234,4 @@ void SrdoWatch::TakeInverse(const LogFrame& frame)
     pending_.reset();
     ++pairs_;
 }
-
-const WatchSetup& SrdoWatch::Setup() const noexcept
-{
-    return setup_;
-}
-
-std::size_t SrdoWatch::PairCount() const noexcept
-{
-    return pairs_;
-}
-
-const TimeStatistics& SrdoWatch::Cycle() const noexcept
-{
-    return cycle_;
-}
-
-const TimeStatistics& SrdoWatch::Srvt() const noexcept
-{
-    return srvt_;
-}
 } // namespace counterpoint::monitor

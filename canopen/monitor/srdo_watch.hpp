@@ -106,13 +106,25 @@ class SrdoWatch
     [[nodiscard]] Time Deadline() const noexcept;
 
     /// @brief Limits and identifiers.
-    [[nodiscard]] const WatchSetup& Setup() const noexcept;
+    [[nodiscard]] const WatchSetup& Setup() const noexcept
+    {
+        return setup_;
+    }
     /// @brief Number of valid pairs.
-    [[nodiscard]] std::size_t PairCount() const noexcept;
+    [[nodiscard]] std::size_t PairCount() const noexcept
+    {
+        return pairs_;
+    }
     /// @brief Times from normal frame to normal frame.
-    [[nodiscard]] const TimeStatistics& Cycle() const noexcept;
+    [[nodiscard]] const TimeStatistics& Cycle() const noexcept
+    {
+        return cycle_;
+    }
     /// @brief Times from normal to inverse frame.
-    [[nodiscard]] const TimeStatistics& Srvt() const noexcept;
+    [[nodiscard]] const TimeStatistics& Srvt() const noexcept
+    {
+        return srvt_;
+    }
 
   private:
     void Report(Time time, Cause cause, const std::string& details);

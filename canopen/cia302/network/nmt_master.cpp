@@ -23,11 +23,6 @@ void NmtMaster::SetActive(const bool is_active) noexcept
     waiting_ = is_active ? waiting_ : std::uint16_t{0U};
 }
 
-bool NmtMaster::IsActive() const noexcept
-{
-    return is_active_;
-}
-
 NmtAnswer NmtMaster::Check(const NmtRequest& request) const noexcept
 {
     const bool is_start = (request.command == NmtCommand::kStart);
@@ -156,16 +151,6 @@ bool NmtMaster::Emit(const NmtRequest& request, const Instant now) noexcept
         last_ = now;
     }
     return has_left;
-}
-
-std::uint16_t NmtMaster::Waiting() const noexcept
-{
-    return waiting_;
-}
-
-std::uint32_t NmtMaster::Dropped() const noexcept
-{
-    return dropped_;
 }
 
 } // namespace counterpoint::cia302

@@ -55,7 +55,10 @@ class NmtMaster
     /// @brief Tells whether this device is the active master. When it is no longer, the queue is emptied. [SRS_NMM_002]
     void SetActive(bool is_active) noexcept;
     /// @brief Whether this device is the active master.
-    [[nodiscard]] bool IsActive() const noexcept;
+    [[nodiscard]] bool IsActive() const noexcept
+    {
+        return is_active_;
+    }
 
     /// @brief Puts a command into the queue, and sends it at once if the inhibit time is over and nothing waits. What
     /// is refused, and why: see NmtAnswer. [SRS_NMM_001, SRS_NMM_002, SRS_NMM_003, SRS_NMM_004, SRS_NMM_005]
@@ -69,9 +72,15 @@ class NmtMaster
     void OnCycle(Instant now) noexcept;
 
     /// @brief How many commands wait.
-    [[nodiscard]] std::uint16_t Waiting() const noexcept;
+    [[nodiscard]] std::uint16_t Waiting() const noexcept
+    {
+        return waiting_;
+    }
     /// @brief How many starts were taken and not sent, because the gate closed or the node began anew.
-    [[nodiscard]] std::uint32_t Dropped() const noexcept;
+    [[nodiscard]] std::uint32_t Dropped() const noexcept
+    {
+        return dropped_;
+    }
 
   private:
     [[nodiscard]] NmtAnswer Check(const NmtRequest& request) const noexcept;

@@ -109,16 +109,6 @@ SdoOutcome SdoPool::Outcome(const NodeId node) const noexcept
     return (lane != nullptr) ? lane->client.Outcome() : SdoOutcome{SdoAbort::kNoConnection, false, 0U};
 }
 
-bool SdoPool::IsBusy() const noexcept
-{
-    return quiet_us_ < times_.time_out_us;
-}
-
-std::uint32_t SdoPool::TimeOutUs() const noexcept
-{
-    return times_.time_out_us;
-}
-
 void SdoPool::Cancel(const NodeId node, const SdoAbort reason) noexcept
 {
     SdoLane* const lane = Find(node);

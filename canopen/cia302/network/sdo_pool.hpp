@@ -116,9 +116,15 @@ class SdoPool
     /// !by_server if nobody answered.
     [[nodiscard]] SdoOutcome Outcome(NodeId node) const noexcept;
     /// @brief Whether any transfer ran at the last OnCycle, or less than a time-out before it.
-    [[nodiscard]] bool IsBusy() const noexcept;
+    [[nodiscard]] bool IsBusy() const noexcept
+    {
+        return quiet_us_ < times_.time_out_us;
+    }
     /// @brief Silence that ends a try, in us.
-    [[nodiscard]] std::uint32_t TimeOutUs() const noexcept;
+    [[nodiscard]] std::uint32_t TimeOutUs() const noexcept
+    {
+        return times_.time_out_us;
+    }
     /// @brief Gives a running transfer up; it is kFailed with this reason.
     void Cancel(NodeId node, SdoAbort reason) noexcept;
     /// @brief The boot-up message of a node: its running transfer is kFailed with kNoConnection.

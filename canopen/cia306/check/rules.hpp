@@ -3,15 +3,66 @@
 #define CANOPEN_CIA306_CHECK_RULES_HPP
 
 #include "canopen/cia306/check/check.hpp"
-#include "canopen/cia306/check/findings.hpp"
 #include "canopen/cia306/safety/device_parameters.hpp"
 #include "canopen/cia306/safety/safety_configuration.hpp"
 
 #include <cstdint>
 #include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace counterpoint::cia306
 {
+/// Collects what the rules find.
+class Findings
+{
+  public:
+    /// Adds an error: line of the file, object (may be empty), what is wrong, what was expected.
+    void Error(const std::size_t line, const std::string& object, const std::string& wrong, const std::string& expected)
+    {
+        Add({{Severity::kError, line, object, wrong + ", expected " + expected}});
+    }
+    /// Adds a warning of the same form.
+    void Warning(const std::size_t line, const std::string& object, const std::string& wrong,
+                 const std::string& expected)
+    {
+        Add({{Severity::kWarning, line, object, wrong + ", expected " + expected}});
+    }
+    /// Adds findings that somebody else made.
+    void Add(const std::vector<Finding>& findings)
+    {
+        for (const Finding& finding : findings)
+        {
+            if (finding.severity == Severity::kError)
+            {
+                error_places_.emplace(finding.line, finding.object);
+            }
+            findings_.push_back(finding);
+        }
+    }
+    /// Whether there is any error.
+    [[nodiscard]] bool HasError() const
+    {
+        return !error_places_.empty();
+    }
+    /// Whether there is an error of this object at this line.
+    [[nodiscard]] bool HasErrorAt(const std::size_t line, const std::string& object) const
+    {
+        return error_places_.count({line, object}) != 0U;
+    }
+    /// All findings, in the order of their lines.
+    [[nodiscard]] std::vector<Finding> Sorted() const
+    {
+        return SortedByLine(findings_);
+    }
+
+  private:
+    std::vector<Finding> findings_;
+    std::set<std::pair<std::size_t, std::string>> error_places_;
+};
+
 /// What all rules look at.
 struct CheckContext
 {

@@ -13,6 +13,50 @@ namespace
 {
 constexpr std::uint64_t kMaxCompactSubs = 254U;
 constexpr std::uint64_t kMaxSubNumber = 256U;
+constexpr std::size_t kIndexDigits = 4U;
+constexpr std::size_t kMaxSubDigits = 2U;
+
+/// Takes the name of a section apart. Never fails: a name that is not one of an object has kind kOther or kMisspelt.
+SectionName ParseSectionName(const std::string_view name)
+{
+    const std::string lower = Lower(name);
+    const std::string_view text = lower;
+    const std::string_view index = text.substr(0U, kIndexDigits);
+    const auto number = ParseDigits(index, 16);
+    if (index.size() != kIndexDigits || !number)
+    {
+        const bool is_prefixed = index.substr(0U, 2U) == "0x";
+        return {is_prefixed ? SectionKind::kMisspelt : SectionKind::kOther, 0U, 0U};
+    }
+    SectionName result;
+    result.index = static_cast<std::uint16_t>(*number);
+    const std::string_view rest = text.substr(kIndexDigits);
+    const std::string_view sub = rest.substr(0U, 3U) == "sub" ? rest.substr(3U) : std::string_view();
+    const auto sub_number = sub.size() <= kMaxSubDigits ? ParseDigits(sub, 16) : std::nullopt;
+    result.kind = SectionKind::kMisspelt;
+    if (rest.empty())
+    {
+        result.kind = SectionKind::kObject;
+    }
+    else if (sub_number)
+    {
+        result.kind = SectionKind::kSub;
+        result.sub = static_cast<std::uint8_t>(*sub_number);
+    }
+    else if (rest == "name")
+    {
+        result.kind = SectionKind::kNames;
+    }
+    else if (rest == "value")
+    {
+        result.kind = SectionKind::kValues;
+    }
+    else if (rest == "denotation" || rest == "objectlinks")
+    {
+        result.kind = SectionKind::kObjectPart;
+    }
+    return result;
+}
 } // namespace
 
 ObjectReader::ObjectReader(const IniDocument& document, Device& device) noexcept

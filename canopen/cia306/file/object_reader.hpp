@@ -3,7 +3,6 @@
 #define CANOPEN_CIA306_FILE_OBJECT_READER_HPP
 
 #include "canopen/cia306/file/device.hpp"
-#include "canopen/cia306/file/section_name.hpp"
 #include "canopen/cia306/text/ini_document.hpp"
 
 #include <cstddef>
@@ -13,6 +12,26 @@
 namespace counterpoint::cia306
 {
 constexpr std::size_t kMaxEntries = 200000U;
+
+/// What a section describes, by its name.
+enum class SectionKind : std::uint8_t
+{
+    kOther = 0U,
+    kObject = 1U,     ///< [1018]
+    kSub = 2U,        ///< [1018sub1], hexadecimal
+    kNames = 3U,      ///< [1018Name]
+    kValues = 4U,     ///< [1018Value]
+    kObjectPart = 5U, ///< [1018Denotation], [1018ObjectLinks]
+    kMisspelt = 6U,   ///< Begins like an object and is none.
+};
+
+/// The parts of the name of a section.
+struct SectionName
+{
+    SectionKind kind{SectionKind::kOther};
+    std::uint16_t index{0U};
+    std::uint8_t sub{0U};
+};
 
 /// Reads the objects of a document into `device`, in passes, because a file may hold its sections in any order.
 class ObjectReader

@@ -3,25 +3,15 @@
 
 #include "canopen/cia306/text/input_error.hpp"
 
-#include <map>
-#include <utility>
+#include <algorithm>
 
 namespace counterpoint::cia306
 {
 std::vector<Finding> SortedByLine(std::vector<Finding> findings)
 {
-    std::multimap<std::size_t, Finding> by_line; // Equal lines stay in the order of insertion.
-    for (Finding& finding : findings)
-    {
-        const std::size_t line = finding.line;
-        by_line.emplace(line, std::move(finding));
-    }
-    std::vector<Finding> sorted;
-    for (auto& [line, finding] : by_line)
-    {
-        sorted.push_back(std::move(finding));
-    }
-    return sorted;
+    std::stable_sort(findings.begin(), findings.end(),
+                     [](const Finding& left, const Finding& right) { return left.line < right.line; });
+    return findings;
 }
 
 std::string FormatFinding(const std::string& file, const Finding& finding)

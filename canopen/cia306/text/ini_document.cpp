@@ -218,30 +218,10 @@ void IniDocument::Refuse(const std::size_t line, const std::string& wrong, const
     throw InputError(file_, line, {wrong, expected});
 }
 
-const std::string& IniDocument::File() const noexcept
-{
-    return file_;
-}
-
-const std::vector<IniSection>& IniDocument::Sections() const noexcept
-{
-    return sections_;
-}
-
 const IniSection* IniDocument::Find(const std::string_view section) const
 {
     const auto found = section_index_.find(Lower(section));
     return found == section_index_.end() ? nullptr : &sections_[found->second];
-}
-
-const std::vector<Finding>& IniDocument::Warnings() const noexcept
-{
-    return warnings_;
-}
-
-std::size_t IniDocument::LineCount() const noexcept
-{
-    return lines_.size();
 }
 
 std::string IniDocument::Text() const

@@ -72,15 +72,27 @@ class IniDocument
     [[nodiscard]] static IniDocument Parse(std::string file, std::string_view text);
 
     /// Name of the file, as it was given.
-    [[nodiscard]] const std::string& File() const noexcept;
+    [[nodiscard]] const std::string& File() const noexcept
+    {
+        return file_;
+    }
     /// All sections, in the order of the file.
-    [[nodiscard]] const std::vector<IniSection>& Sections() const noexcept;
+    [[nodiscard]] const std::vector<IniSection>& Sections() const noexcept
+    {
+        return sections_;
+    }
     /// The section of that name, upper or lower case; null: there is none.
     [[nodiscard]] const IniSection* Find(std::string_view section) const;
     /// What the lines have wrong without being refused.
-    [[nodiscard]] const std::vector<Finding>& Warnings() const noexcept;
+    [[nodiscard]] const std::vector<Finding>& Warnings() const noexcept
+    {
+        return warnings_;
+    }
     /// Number of lines.
-    [[nodiscard]] std::size_t LineCount() const noexcept;
+    [[nodiscard]] std::size_t LineCount() const noexcept
+    {
+        return lines_.size();
+    }
     /// The whole text, byte by byte as it was parsed or edited.
     [[nodiscard]] std::string Text() const;
 

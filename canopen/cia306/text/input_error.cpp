@@ -92,19 +92,4 @@ InputError::InputError(std::string file, const std::size_t line, const Problem& 
       message_(Sentence(problem))
 {
 }
-
-const std::string& InputError::File() const noexcept
-{
-    return file_;
-}
-
-std::size_t InputError::Line() const noexcept
-{
-    return line_;
-}
-
-const std::string& InputError::Message() const noexcept
-{
-    return message_;
-}
 } // namespace counterpoint::cia306

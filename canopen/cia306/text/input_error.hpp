@@ -37,11 +37,20 @@ class InputError : public std::runtime_error
     InputError(std::string file, std::size_t line, const Problem& problem);
 
     /// Name of the file.
-    [[nodiscard]] const std::string& File() const noexcept;
+    [[nodiscard]] const std::string& File() const noexcept
+    {
+        return file_;
+    }
     /// Line, from 1; 0: the file as a whole.
-    [[nodiscard]] std::size_t Line() const noexcept;
+    [[nodiscard]] std::size_t Line() const noexcept
+    {
+        return line_;
+    }
     /// The message without file and line.
-    [[nodiscard]] const std::string& Message() const noexcept;
+    [[nodiscard]] const std::string& Message() const noexcept
+    {
+        return message_;
+    }
 
   private:
     std::string file_;

@@ -3,57 +3,26 @@
 
 #include "canopen/cia306/text/ini_document.hpp"
 
-#include <limits>
+#include <charconv>
+#include <system_error>
 
 namespace counterpoint::cia306
 {
 namespace
 {
-constexpr std::uint32_t kNoDigit = 99U;
-
-std::uint32_t DigitOf(const char character)
-{
-    if (character >= '0' && character <= '9')
-    {
-        return static_cast<std::uint32_t>(character - '0');
-    }
-    if (character >= 'a' && character <= 'f')
-    {
-        return static_cast<std::uint32_t>(character - 'a') + 10U;
-    }
-    if (character >= 'A' && character <= 'F')
-    {
-        return static_cast<std::uint32_t>(character - 'A') + 10U;
-    }
-    return kNoDigit;
-}
-
-std::optional<std::uint64_t> ParseDigits(const std::string_view text, const std::uint32_t base)
-{
-    constexpr std::uint64_t max = std::numeric_limits<std::uint64_t>::max();
-    if (text.empty())
-    {
-        return std::nullopt;
-    }
-    std::uint64_t value = 0U;
-    for (const char character : text)
-    {
-        const std::uint32_t digit = DigitOf(character);
-        const bool fits = digit < base && value <= (max - digit) / base;
-        if (!fits)
-        {
-            return std::nullopt;
-        }
-        value = value * base + digit;
-    }
-    return value;
-}
-
 bool HasHexPrefix(const std::string_view text)
 {
     return text.size() >= 2U && text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
 }
 } // namespace
+
+std::optional<std::uint64_t> ParseDigits(const std::string_view text, const int base)
+{
+    std::uint64_t value = 0U;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, value, base);
+    return error == std::errc() && rest == end ? std::optional(value) : std::nullopt;
+}
 
 std::optional<Number> ParseNumber(const std::string_view text)
 {
@@ -67,7 +36,7 @@ std::optional<Number> ParseNumber(const std::string_view text)
     }
     number.is_hexadecimal = HasHexPrefix(digits);
     const bool is_octal = !number.is_hexadecimal && digits.size() > 1U && digits.front() == '0';
-    const std::uint32_t base = number.is_hexadecimal ? 16U : (is_octal ? 8U : 10U);
+    const int base = number.is_hexadecimal ? 16 : (is_octal ? 8 : 10);
     const auto value = ParseDigits(number.is_hexadecimal ? digits.substr(2U) : digits, base);
     if (!value)
     {

@@ -8,6 +8,10 @@
 
 namespace counterpoint::cia306
 {
+/// A text that is digits of this base and nothing else, letters upper or lower case. Nothing when it is none, or has
+/// more than 64 bits.
+[[nodiscard]] std::optional<std::uint64_t> ParseDigits(std::string_view text, int base);
+
 /// A number as CiA 306 writes it: 0x hexadecimal, leading 0 octal, decimal otherwise; one sign in front.
 struct Number
 {
