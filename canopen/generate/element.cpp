@@ -1,6 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/generate/element.hpp"
 
+#include <array>
+#include <utility>
+
 namespace counterpoint::generate
 {
 namespace
@@ -19,93 +22,62 @@ std::uint32_t Rounded(const std::uint8_t bits)
     }
     return rounded;
 }
-} // namespace
 
-std::string CppTypeOf(const cia306::DataType& type)
+/// Words of the file and of the table, by cia306::Access.
+constexpr std::array<std::pair<const char*, const char*>, 7U> kAccessWords{{
+    {"no access told, taken for ro", "kReadOnly"},
+    {"ro", "kReadOnly"},
+    {"wo", "kWriteOnly"},
+    {"rw", "kReadWrite"},
+    {"rwr", "kReadWrite"},
+    {"rww", "kReadWrite"},
+    {"const", "kConstant"},
+}};
+
+/// The C++ type of a number, and the enumerator of cia301::DataType; both empty for what is no number.
+std::pair<std::string, std::string> WordsOf(const cia306::DataType& type)
 {
+    const std::string bits = std::to_string(Rounded(type.bits));
     switch (type.kind)
     {
     case DataKind::kBoolean:
-        return "bool";
+        return {"bool", "kBoolean"};
     case DataKind::kSigned:
-        return "std::int" + std::to_string(Rounded(type.bits)) + "_t";
+        return {"std::int" + bits + "_t", "kInteger" + bits};
     case DataKind::kUnsigned:
     case DataKind::kTime:
-        return "std::uint" + std::to_string(Rounded(type.bits)) + "_t";
+        return {"std::uint" + bits + "_t", "kUnsigned" + bits};
     case DataKind::kReal:
-        return type.bits == 32U ? "float" : "double";
+        return {type.bits == 32U ? "float" : "double", type.bits == 32U ? "kReal32" : "kReal64"};
     case DataKind::kText:
     case DataKind::kStructure:
     case DataKind::kUnknown:
         break;
     }
-    return "";
+    return {};
+}
+} // namespace
+
+std::string CppTypeOf(const cia306::DataType& type)
+{
+    return WordsOf(type).first;
 }
 
 // The dictionary takes the length from the entry; the type tells sign and kind.
 std::string TableTypeOf(const cia306::Entry& entry)
 {
-    switch (entry.type.kind)
-    {
-    case DataKind::kBoolean:
-        return "kBoolean";
-    case DataKind::kSigned:
-        return "kInteger" + std::to_string(Rounded(entry.type.bits));
-    case DataKind::kUnsigned:
-    case DataKind::kTime:
-        return "kUnsigned" + std::to_string(Rounded(entry.type.bits));
-    case DataKind::kReal:
-        return entry.type.bits == 32U ? "kReal32" : "kReal64";
-    case DataKind::kText:
-    case DataKind::kStructure:
-    case DataKind::kUnknown:
-        break;
-    }
-    if (entry.data_type == cia306::kDomainType)
-    {
-        return "kDomain";
-    }
-    return entry.data_type == kVisibleString ? "kVisibleString" : "kOctetString";
+    const std::string number = WordsOf(entry.type).second;
+    const std::string text = entry.data_type == kVisibleString ? "kVisibleString" : "kOctetString";
+    return !number.empty() ? number : (entry.data_type == cia306::kDomainType ? "kDomain" : text);
 }
 
 std::string TableAccessOf(const Element& element)
 {
-    switch (element.entry->access)
-    {
-    case cia306::Access::kConstant:
-        return "kConstant";
-    case cia306::Access::kWriteOnly:
-        return "kWriteOnly";
-    case cia306::Access::kReadWrite:
-    case cia306::Access::kReadWriteInput:
-    case cia306::Access::kReadWriteOutput:
-        return "kReadWrite";
-    case cia306::Access::kReadOnly:
-    case cia306::Access::kUnknown:
-        break;
-    }
-    return "kReadOnly";
+    return kAccessWords.at(static_cast<std::size_t>(element.entry->access)).second;
 }
 
 std::string AccessName(const cia306::Access access)
 {
-    switch (access)
-    {
-    case cia306::Access::kConstant:
-        return "const";
-    case cia306::Access::kWriteOnly:
-        return "wo";
-    case cia306::Access::kReadWrite:
-        return "rw";
-    case cia306::Access::kReadWriteInput:
-        return "rwr";
-    case cia306::Access::kReadWriteOutput:
-        return "rww";
-    case cia306::Access::kReadOnly:
-        return "ro";
-    case cia306::Access::kUnknown:
-        break;
-    }
-    return "no access told, taken for ro";
+    return kAccessWords.at(static_cast<std::size_t>(access)).first;
 }
 } // namespace counterpoint::generate

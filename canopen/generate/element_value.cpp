@@ -35,34 +35,19 @@ Limits RangeOf(const cia306::DataType& type)
     return IsSigned(type) ? Limits{~(all / 2U), all / 2U} : Limits{0U, all};
 }
 
-int HexDigit(const char character)
-{
-    constexpr std::string_view digits = "0123456789abcdef";
-    const char lower = (character >= 'A' && character <= 'F') ? static_cast<char>(character - 'A' + 'a') : character;
-    const auto place = digits.find(lower);
-    return place == std::string_view::npos ? -1 : static_cast<int>(place);
-}
-
 /// Pairs of hexadecimal digits, or nothing.
-std::optional<std::vector<std::uint8_t>> Octets(const std::string& text)
+std::optional<std::vector<std::uint8_t>> Octets(std::string digits)
 {
-    std::vector<int> digits;
-    for (const char character : text)
-    {
-        if (character != ' ')
-        {
-            digits.push_back(HexDigit(character));
-        }
-    }
-    const bool is_hex = digits.size() % 2U == 0U && std::count(digits.begin(), digits.end(), -1) == 0;
-    if (!is_hex)
-    {
-        return std::nullopt;
-    }
+    digits.erase(std::remove(digits.begin(), digits.end(), ' '), digits.end());
     std::vector<std::uint8_t> octets;
     for (std::size_t place = 0U; place < digits.size(); place += 2U)
     {
-        octets.push_back(static_cast<std::uint8_t>(digits[place] * 16 + digits[place + 1U]));
+        const auto octet = cia306::ParseDigits(digits.substr(place, 2U), 16);
+        if (!octet || place + 1U == digits.size())
+        {
+            return std::nullopt;
+        }
+        octets.push_back(static_cast<std::uint8_t>(*octet));
     }
     return octets;
 }
@@ -151,14 +136,7 @@ void ReadValue(const ElementContext& context, Element& element)
     std::uint64_t value = 0U;
     if (entry.Configured().IsSet())
     {
-        const cia306::ValueResult result = cia306::ConfiguredValue(entry, context.node_id);
-        if (!result.value)
-        {
-            throw cia306::InputError(
-                context.device.file, entry.ValueLine(),
-                {cia306::ObjectName(entry.index, entry.sub) + ": " + result.problem.wrong, result.problem.expected});
-        }
-        value = result.value->bits;
+        value = cia306::RequiredValue(context.device.file, entry, context.node_id).bits;
         const auto formula = cia306::ParseFormula(entry.Configured().text);
         const bool has_node_id = formula && formula->has_node_id;
         element.node_addend = has_node_id ? std::optional(formula->number.magnitude) : std::nullopt;

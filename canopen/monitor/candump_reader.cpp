@@ -1,7 +1,11 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/monitor/readers.hpp"
 
+#include "canopen/cia306/text/number.hpp"
+
 #include <algorithm>
+#include <charconv>
+#include <system_error>
 #include <utility>
 
 namespace counterpoint::monitor
@@ -11,7 +15,6 @@ namespace
 
 constexpr std::size_t kMicrosecondDigits = 6U;
 constexpr std::size_t kNanosecondDigits = 9U;
-constexpr std::size_t kMostSecondDigits = 10U;
 constexpr Time kMostSeconds = 9000000000; ///< In nanoseconds a number of 64 bits.
 constexpr std::size_t kStandardDigits = 3U;
 constexpr std::size_t kExtendedDigits = 8U;
@@ -22,35 +25,20 @@ constexpr std::uint32_t kStandardMask = 0x7FFU;
 constexpr const char* kForm =
     "(SECONDS.MICROSECONDS) INTERFACE IDENTIFIER#DATA as candump -l writes it, or a line of candump -ta";
 
-int Digit(const char character) noexcept
+/// The number that `text` is in hexadecimal digits; -1: it is none.
+int HexOf(const std::string_view text) noexcept
 {
-    if (character >= '0' && character <= '9')
-    {
-        return character - '0';
-    }
-    if (character >= 'A' && character <= 'F')
-    {
-        return character - 'A' + 10;
-    }
-    return (character >= 'a' && character <= 'f') ? character - 'a' + 10 : -1;
-}
-
-bool IsDecimal(const char character) noexcept
-{
-    return character >= '0' && character <= '9';
+    const auto number = cia306::ParseDigits(text, 16);
+    return number ? static_cast<int>(*number) : -1;
 }
 
 /// Reads decimal digits from `at` on; how many there were.
 std::size_t Decimal(const std::string_view line, std::size_t& at, Time& number) noexcept
 {
     const std::size_t begin = at;
-    number = 0;
-    while (at < line.size() && IsDecimal(line[at]) && at - begin <= kMostSecondDigits)
-    {
-        number = number * 10 + (line[at] - '0');
-        ++at;
-    }
-    return at - begin;
+    at = std::min(line.find_first_not_of("0123456789", begin), line.size());
+    const auto result = std::from_chars(line.data() + begin, line.data() + at, number);
+    return result.ec == std::errc() ? at - begin : 0U;
 }
 
 bool IsFdLength(const std::size_t count) noexcept
@@ -58,8 +46,6 @@ bool IsFdLength(const std::size_t count) noexcept
     constexpr std::array<std::size_t, 7U> lengths{12U, 16U, 20U, 24U, 32U, 48U, 64U};
     return count <= kClassicalBytes || std::find(lengths.begin(), lengths.end(), count) != lengths.end();
 }
-
-constexpr std::string_view kHex = "0123456789ABCDEF";
 
 /// The next word, and what is behind it.
 std::string_view TakeWord(std::string_view& rest) noexcept
@@ -88,12 +74,8 @@ int LengthOf(const std::string_view word) noexcept
 /// -1: not two hexadecimal digits.
 int ByteOf(const std::string_view word) noexcept
 {
-    const std::size_t high = word.size() == 2U ? kHex.find(word[0U]) : std::string_view::npos;
-    const std::size_t low = word.size() == 2U ? kHex.find(word[1U]) : std::string_view::npos;
-    const bool is_byte = high != std::string_view::npos && low != std::string_view::npos;
-    return is_byte ? static_cast<int>(high * 16U + low) : -1;
+    return word.size() == 2U ? HexOf(word) : -1;
 }
-
 } // namespace
 
 CandumpReader::CandumpReader(std::string file, const std::string_view text, const RecordingOptions& options)
@@ -214,18 +196,13 @@ void CandumpReader::ReadFrame(const std::string_view line, const std::string_vie
 void CandumpReader::ReadIdentifier(const std::string_view line, const std::string_view text, LogFrame& frame) const
 {
     const bool is_standard = text.size() == kStandardDigits;
-    std::uint32_t identifier = 0U;
-    bool is_number = is_standard || text.size() == kExtendedDigits;
-    for (std::size_t place = 0U; is_number && place < text.size(); ++place)
-    {
-        const int digit = Digit(text[place]);
-        is_number = digit >= 0;
-        identifier = identifier * 16U + static_cast<std::uint32_t>(is_number ? digit : 0);
-    }
+    const auto number = cia306::ParseDigits(text, 16);
+    const bool is_number = number && (is_standard || text.size() == kExtendedDigits);
     if (!is_number)
     {
         Refuse(line, "an identifier of 3 or 8 hexadecimal digits");
     }
+    const auto identifier = static_cast<std::uint32_t>(*number);
     frame.is_error = !is_standard && (identifier & kErrorFlag) != 0U;
     frame.is_extended = !is_standard && !frame.is_error;
     frame.identifier = identifier & kExtendedMask;
@@ -241,7 +218,7 @@ void CandumpReader::ReadData(const std::string_view line, std::string_view text,
     if (!text.empty() && (text.front() == 'R' || text.front() == 'r'))
     {
         frame.is_remote = true;
-        const int length = text.size() == 2U ? Digit(text[1U]) : (text.size() == 1U ? 0 : -1);
+        const int length = text.size() == 2U ? HexOf(text.substr(1U)) : (text.size() == 1U ? 0 : -1);
         if (length < 0 || length > kClassicalBytes)
         {
             Refuse(line, "R and a length from 0 to 8");
@@ -251,7 +228,7 @@ void CandumpReader::ReadData(const std::string_view line, std::string_view text,
     }
     if (!text.empty() && text.front() == '#')
     {
-        frame.is_fd = text.size() >= 2U && Digit(text[1U]) >= 0;
+        frame.is_fd = text.size() >= 2U && HexOf(text.substr(1U, 1U)) >= 0;
         text = text.substr(std::min<std::size_t>(2U, text.size()));
         if (!frame.is_fd)
         {
@@ -259,7 +236,8 @@ void CandumpReader::ReadData(const std::string_view line, std::string_view text,
         }
     }
     // A length code above 8 stands behind 8 bytes as _9 to _F.
-    const bool has_code = text.size() == 18U && text[16U] == '_' && Digit(text[17U]) > kClassicalBytes && !frame.is_fd;
+    const bool has_code =
+        text.size() == 18U && text[16U] == '_' && HexOf(text.substr(17U)) > kClassicalBytes && !frame.is_fd;
     text = has_code ? text.substr(0U, 16U) : text;
     const std::size_t count = text.size() / 2U;
     const bool is_length = text.size() % 2U == 0U && (frame.is_fd ? IsFdLength(count) : count <= kClassicalBytes);
@@ -269,13 +247,12 @@ void CandumpReader::ReadData(const std::string_view line, std::string_view text,
     }
     for (std::size_t place = 0U; place < count; ++place)
     {
-        const int high = Digit(text[2U * place]);
-        const int low = Digit(text[2U * place + 1U]);
-        if (high < 0 || low < 0)
+        const int byte = ByteOf(text.substr(2U * place, 2U));
+        if (byte < 0)
         {
             Refuse(line, "bytes of two hexadecimal digits");
         }
-        frame.data[place] = static_cast<std::uint8_t>(high * 16 + low);
+        frame.data[place] = static_cast<std::uint8_t>(byte);
     }
     frame.length = static_cast<std::uint8_t>(count);
 }

@@ -6,6 +6,7 @@
 #include "canopen/cia306/text/text_file.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 namespace counterpoint::monitor
@@ -25,14 +26,6 @@ constexpr std::uint32_t kDefaultEmergency = 0x80U;
 constexpr std::uint32_t kIdentifierMask = 0x7FFU;
 constexpr std::uint64_t kOffBit = 0x80000000U;
 
-std::string StemOf(const std::string& path)
-{
-    const std::size_t folder = path.find_last_of('/');
-    const std::string name = folder == std::string::npos ? path : path.substr(folder + 1U);
-    const std::size_t dot = name.find_last_of('.');
-    return dot == std::string::npos || dot == 0U ? name : name.substr(0U, dot);
-}
-
 std::string NameIn(const cia306::IniDocument& document, const std::string& path)
 {
     for (const char* section : {"DeviceComissioning", "DeviceCommissioning"})
@@ -44,7 +37,7 @@ std::string NameIn(const cia306::IniDocument& document, const std::string& path)
             return key->value;
         }
     }
-    return StemOf(path);
+    return std::filesystem::path(path).stem().string();
 }
 
 std::vector<MappedField> NormalFields(const SrdoConfiguration& srdo)

@@ -6,34 +6,30 @@
 
 namespace counterpoint::monitor
 {
+namespace
+{
+/// Whole units, and so many decimals of what is left in microseconds.
+std::string FractionText(const Time time, const Time unit, const int decimals)
+{
+    const Time positive = time < 0 ? -time : time;
+    std::array<char, 40U> text{};
+    static_cast<void>(std::snprintf(text.data(), text.size(), "%s%lld.%0*lld", time < 0 ? "-" : "",
+                                    static_cast<long long>(positive / unit), decimals,
+                                    static_cast<long long>(positive % unit / kMicrosecond)));
+    return text.data();
+}
+} // namespace
+
 std::string SecondsText(const Time time)
 {
-    std::array<char, 40U> text{};
-    const char* const sign = time < 0 ? "-" : "";
-    const Time positive = time < 0 ? -time : time;
-    static_cast<void>(std::snprintf(text.data(), text.size(), "%s%lld.%06lld", sign,
-                                    static_cast<long long>(positive / kSecond),
-                                    static_cast<long long>(positive % kSecond / kMicrosecond)));
-    return text.data();
+    return FractionText(time, kSecond, 6);
 }
 
 std::string MillisecondsText(const Time time)
 {
-    std::array<char, 40U> text{};
-    const char* const sign = time < 0 ? "-" : "";
-    const Time positive = time < 0 ? -time : time;
-    static_cast<void>(std::snprintf(text.data(), text.size(), "%s%lld.%03lld", sign,
-                                    static_cast<long long>(positive / kMillisecond),
-                                    static_cast<long long>(positive % kMillisecond / kMicrosecond)));
-    std::string number = text.data();
-    while (number.back() == '0')
-    {
-        number.pop_back();
-    }
-    if (number.back() == '.')
-    {
-        number.pop_back();
-    }
+    std::string number = FractionText(time, kMillisecond, 3);
+    number.erase(number.find_last_not_of('0') + 1U);
+    number.erase(number.find_last_not_of('.') + 1U);
     return number + " ms";
 }
 

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/network_plan/concise_maker.hpp"
 
-#include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/safety/signature.hpp"
 
 #include <string>
 
@@ -11,6 +11,7 @@ namespace
 {
 using cia306::Device;
 using cia306::Entry;
+using cia306::LittleEndian;
 using cia306::Object;
 
 constexpr std::uint16_t kFirstObject = 0x1000U;
@@ -60,16 +61,6 @@ bool IsToBeWritten(const Device& device, const Entry& entry)
     return entry.parameter_value.IsSet() && !entry.IsFixed() && !IsLeftOut(device, entry.index);
 }
 
-std::vector<std::uint8_t> LittleEndian(const std::uint64_t value, const std::uint32_t size)
-{
-    std::vector<std::uint8_t> bytes;
-    for (std::uint32_t byte = 0U; byte < size; ++byte)
-    {
-        bytes.push_back(static_cast<std::uint8_t>((value >> (kBitsOfByte * byte)) & 0xFFU));
-    }
-    return bytes;
-}
-
 bool HasConfigured(const Device& device, const std::uint16_t index)
 {
     const Object* const object = device.Find(index);
@@ -82,16 +73,6 @@ bool HasConfigured(const Device& device, const std::uint16_t index)
         }
     }
     return has_one;
-}
-
-std::uint64_t NumberIn(const std::vector<std::uint8_t>& bytes)
-{
-    std::uint64_t value = 0U;
-    for (std::size_t place = bytes.size(); place > 0U; --place)
-    {
-        value = (value << kBitsOfByte) | bytes[place - 1U];
-    }
-    return value;
 }
 
 class Maker
@@ -150,17 +131,16 @@ class Maker
             return;
         }
         const bool can_switch = identifier != nullptr && !identifier->IsFixed() && identifier->Configured().IsSet();
-        const std::vector<std::uint8_t> on =
-            can_switch ? BytesOf(device_, *identifier, node_id_) : std::vector<std::uint8_t>{};
+        const std::uint32_t on = can_switch ? NumberOf(device_, node_id_, index, 1U, 0U) : 0U;
         if (can_switch)
         {
-            entries_.push_back({index, 1U, LittleEndian(NumberIn(on) | kOff, sizeof(std::uint32_t))});
+            entries_.push_back({index, 1U, LittleEndian(on | kOff, sizeof(on))});
         }
         AddObject(index, 2U);
         AddMapping(mapping);
         if (can_switch)
         {
-            entries_.push_back({index, 1U, on});
+            entries_.push_back({index, 1U, BytesOf(device_, *identifier, node_id_)});
         }
     }
     void AddMapping(const std::uint16_t mapping)
@@ -182,16 +162,18 @@ class Maker
 
 std::vector<std::uint8_t> BytesOf(const Device& device, const Entry& entry, const std::uint8_t node_id)
 {
-    const cia306::ValueResult result = cia306::ConfiguredValue(entry, node_id);
-    if (!result.value)
-    {
-        throw cia306::InputError(
-            device.file, entry.ValueLine(),
-            {cia306::ObjectName(entry.index, entry.sub) + ": " + result.problem.wrong, result.problem.expected});
-    }
-    const std::string& text = result.value->text;
+    const cia306::Value value = cia306::RequiredValue(device.file, entry, node_id);
     const std::uint32_t size = (entry.type.bits + kBitsOfByte - 1U) / kBitsOfByte;
-    return (size > 0U) ? LittleEndian(result.value->bits, size) : std::vector<std::uint8_t>(text.begin(), text.end());
+    return (size > 0U) ? LittleEndian(value.bits, size)
+                       : std::vector<std::uint8_t>(value.text.begin(), value.text.end());
+}
+
+std::uint32_t NumberOf(const Device& device, const std::uint8_t node_id, const std::uint16_t index,
+                       const std::uint8_t sub, const std::uint32_t usual)
+{
+    const Entry* const entry = device.Find(index, sub);
+    const bool has_value = entry != nullptr && entry->Configured().IsSet();
+    return has_value ? static_cast<std::uint32_t>(cia306::RequiredValue(device.file, *entry, node_id).bits) : usual;
 }
 
 std::vector<ConciseEntry> MakeConcise(const Device& device, const std::uint8_t node_id)

@@ -28,6 +28,10 @@ struct ConciseEntry
 /// @brief The configured value as it goes over the bus. Throws cia306::InputError.
 [[nodiscard]] std::vector<std::uint8_t> BytesOf(const cia306::Device& device, const cia306::Entry& entry,
                                                 std::uint8_t node_id);
+
+/// @brief The configured number of an entry, `usual` where there is none. Throws cia306::InputError.
+[[nodiscard]] std::uint32_t NumberOf(const cia306::Device& device, std::uint8_t node_id, std::uint16_t index,
+                                     std::uint8_t sub, std::uint32_t usual);
 } // namespace counterpoint::network_plan
 
 #endif // CANOPEN_NETWORK_PLAN_CONCISE_MAKER_HPP

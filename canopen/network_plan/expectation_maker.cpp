@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/network_plan/expectation_maker.hpp"
+#include "canopen/network_plan/loaded_network.hpp"
 
 #include "canopen/cia306/check/check.hpp"
 #include "canopen/cia306/safety/safety_configuration.hpp"

@@ -5,9 +5,6 @@
 #include "canopen/cia306/file/device_reader.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/text_file.hpp"
-#include "canopen/network_plan/expectation_maker.hpp"
-#include "canopen/network_plan/manager_objects.hpp"
-#include "canopen/network_plan/network_warnings.hpp"
 
 #include <algorithm>
 #include <set>
@@ -29,18 +26,7 @@ constexpr std::uint32_t kLongestMs = 65535U;
 /// The number that a DCF configures, 0 where it has none.
 std::uint32_t Configured(const LoadedSlave& slave, const std::uint16_t index, const std::uint8_t sub)
 {
-    const Entry* const entry = slave.device.Find(index, sub);
-    std::uint32_t value = 0U;
-    if (entry != nullptr && entry->Configured().IsSet())
-    {
-        for (const std::uint8_t byte : BytesOf(slave.device, *entry, slave.plan.node))
-        {
-            value = (value >> 8U) | (std::uint32_t{byte} << 24U);
-        }
-        const std::uint32_t bytes = (entry->type.bits + 7U) / 8U;
-        value = (bytes < 4U) ? (value >> (8U * (4U - bytes))) : value;
-    }
-    return value;
+    return NumberOf(slave.device, slave.plan.node, index, sub, 0U);
 }
 
 std::uint32_t WithBit(const std::uint32_t bits, const std::uint32_t bit, const std::optional<bool>& is_set)
@@ -85,7 +71,7 @@ LoadedNetwork::LoadedNetwork(const NetworkPlan& plan) : plan_(plan), warnings_(p
     if (!plan_.manager.dcf.empty())
     {
         device_ = cia306::ReadDeviceFile(plan_.manager.dcf);
-        RequireOwnDcf();
+        RequireNode(device_, *plan_.manager.node, plan_.manager.line, "the manager, ");
         TakeManagerObjects(device_, plan_);
     }
     if (!plan_.manager.flying && (plan_.manager.start_up.value_or(0U) & cia302::kFlyingMaster) != 0U)
@@ -146,14 +132,14 @@ bool LoadedNetwork::ReplaceConcise(const std::uint8_t node, const cia302::Bytes&
     return is_taken;
 }
 
-void LoadedNetwork::RequireOwnDcf() const
+void LoadedNetwork::RequireNode(const cia306::Device& device, const std::uint8_t node, const std::size_t line,
+                                const std::string& who) const
 {
-    const std::uint8_t node = *plan_.manager.node;
-    if (device_.node_id.value_or(node) != node)
+    if (device.node_id.value_or(node) != node)
     {
-        throw InputError(plan_.file, plan_.manager.line,
-                         {cia306::Quoted(plan_.manager.dcf) + " is for node-ID " + std::to_string(*device_.node_id),
-                          "the DCF of the manager, node " + std::to_string(node)});
+        throw InputError(plan_.file, line,
+                         {cia306::Quoted(device.file) + " is for node-ID " + std::to_string(*device.node_id),
+                          "the DCF of " + who + "node " + std::to_string(node)});
     }
 }
 
@@ -197,12 +183,7 @@ void LoadedNetwork::Load(const SlavePlan& plan)
     {
         slave->device = cia306::ReadDeviceFile(plan.dcf);
         slave->dcf_text = cia306::ReadTextFile(plan.dcf);
-        if (slave->device.node_id.value_or(plan.node) != plan.node)
-        {
-            throw InputError(plan_.file, plan.line,
-                             {cia306::Quoted(plan.dcf) + " is for node-ID " + std::to_string(*slave->device.node_id),
-                              "the DCF of node " + std::to_string(plan.node)});
-        }
+        RequireNode(slave->device, plan.node, plan.line, "");
         if (plan.is_configured)
         {
             slave->entries = MakeConcise(slave->device, plan.node);

@@ -86,7 +86,7 @@ class LoadedNetwork
 
   private:
     void RequireManager() const;
-    void RequireOwnDcf() const;
+    void RequireNode(const cia306::Device& device, std::uint8_t node, std::size_t line, const std::string& who) const;
     void RequireNodes() const;
     void Load(const SlavePlan& plan);
     void Fill(LoadedSlave& slave, cia302::SlaveSetup& setup) const;
@@ -105,6 +105,19 @@ class LoadedNetwork
     cia302::NetworkSetup setup_{};
     std::vector<std::string> warnings_;
 };
+
+/// @brief The safety configuration that a DCF gives its device, for the gate; empty: the DCF has no SRDO that is on.
+/// Throws cia306::InputError for the first rule that the configuration breaks: what is expected has to be right.
+/// [SRS_NET_003, SRS_NET_004]
+[[nodiscard]] std::vector<cia302::ExpectedObject> MakeExpectation(const cia306::Device& device, std::uint8_t node_id);
+
+/// @brief Puts what the manager's own DCF says (1F80h to 1F90h, 1F26h, 1F27h, 1006h, 1016h, 1017h, 102Ah) where the
+/// network file says nothing. Throws cia306::InputError. [SRS_NET_003]
+void TakeManagerObjects(const cia306::Device& device, NetworkPlan& plan);
+
+/// @brief What a network file asks for without effect, a line each. What cannot work at all is refused by
+/// LoadedNetwork. `network` is complete. [SRS_NET_006]
+[[nodiscard]] std::vector<std::string> WarningsOf(const LoadedNetwork& network);
 } // namespace counterpoint::network_plan
 
 #endif // CANOPEN_NETWORK_PLAN_LOADED_NETWORK_HPP

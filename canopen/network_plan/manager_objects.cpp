@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/network_plan/manager_objects.hpp"
+#include "canopen/network_plan/loaded_network.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
 
@@ -137,14 +137,7 @@ class Taker
         {
             return std::nullopt;
         }
-        const cia306::ValueResult result = cia306::ConfiguredValue(*entry, plan_.manager.node);
-        if (!result.value)
-        {
-            throw cia306::InputError(
-                device_.file, entry->ValueLine(),
-                {cia306::ObjectName(index, sub) + ": " + result.problem.wrong, result.problem.expected});
-        }
-        return result.value->bits;
+        return cia306::RequiredValue(device_.file, *entry, plan_.manager.node).bits;
     }
     /// 1016h: node-ID and time stand in the value, whatever the sub-index.
     void TakeConsumers()

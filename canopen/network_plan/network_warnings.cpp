@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/network_plan/network_warnings.hpp"
+#include "canopen/network_plan/loaded_network.hpp"
 
 #include "canopen/cia302/network/concise_dcf.hpp"
 #include "canopen/cia306/text/input_error.hpp"

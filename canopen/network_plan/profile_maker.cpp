@@ -30,24 +30,6 @@ constexpr std::uint32_t kLengthMask = 0xFFU; ///< Of a mapping entry.
 constexpr std::uint32_t kMostPdos = 255U;    ///< Both directions together.
 constexpr std::uint8_t kEventDriven = 255U;
 
-/// The configured number of an entry, or `usual` where there is none.
-std::uint32_t NumberOf(const Device& device, const std::uint8_t node_id, const std::uint16_t index,
-                       const std::uint8_t sub, const std::uint32_t usual)
-{
-    const Entry* const entry = device.Find(index, sub);
-    std::uint32_t value = usual;
-    if (entry != nullptr && entry->Configured().IsSet())
-    {
-        const std::vector<std::uint8_t> bytes = BytesOf(device, *entry, node_id);
-        value = 0U;
-        for (std::size_t place = bytes.size(); place > 0U; --place)
-        {
-            value = (value << kBitsOfByte) | bytes[place - 1U];
-        }
-    }
-    return value;
-}
-
 std::uint32_t MappedBits(const Device& device, const std::uint8_t node_id, const std::uint16_t mapping)
 {
     const std::uint32_t count = NumberOf(device, node_id, mapping, 0U, 0U);

@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia306/file/device.hpp"
 
+#include "canopen/cia306/text/input_error.hpp"
+
 namespace counterpoint::cia306
 {
 const Text& Entry::Configured() const noexcept
@@ -50,5 +52,16 @@ ValueResult ConfiguredValue(const Entry& entry, const std::optional<std::uint8_t
         return {std::nullopt, {"no value", "a ParameterValue or DefaultValue"}};
     }
     return ParseValue(configured.text, entry.type, node_id);
+}
+
+Value RequiredValue(const std::string& file, const Entry& entry, const std::optional<std::uint8_t> node_id)
+{
+    const ValueResult result = ConfiguredValue(entry, node_id);
+    if (!result.value)
+    {
+        throw InputError(file, entry.ValueLine(),
+                         {ObjectName(entry.index, entry.sub) + ": " + result.problem.wrong, result.problem.expected});
+    }
+    return *result.value;
 }
 } // namespace counterpoint::cia306

@@ -121,6 +121,9 @@ struct Device
 
 /// The configured value of an entry, read by its data type; for an entry without a value the result has a problem.
 [[nodiscard]] ValueResult ConfiguredValue(const Entry& entry, std::optional<std::uint8_t> node_id);
+
+/// The same; throws an InputError for `file` where it has a problem.
+[[nodiscard]] Value RequiredValue(const std::string& file, const Entry& entry, std::optional<std::uint8_t> node_id);
 } // namespace counterpoint::cia306
 
 #endif // CANOPEN_CIA306_FILE_DEVICE_HPP
