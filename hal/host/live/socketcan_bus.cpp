@@ -73,7 +73,8 @@ bool FromSocketCan(const canfd_frame& raw, const std::size_t bytes, LiveFrame& f
 }
 
 LiveSocketCanBus::LiveSocketCanBus(const LiveAddress& address, const LiveOptions& options)
-    : OpenedBus{address, options, BusState::kDown}, socket_{::socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW)}
+    : OpenedBus{address, options, BusState::kDown},
+      socket_{::socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW)}
 {
     if (socket_.Get() < 0)
     {

@@ -75,8 +75,8 @@ sockaddr_in GroupOf(const LiveAddress& address)
 } // namespace
 
 LiveUdpBus::LiveUdpBus(const LiveAddress& address, const LiveOptions& options)
-    : OpenedBus{address, options, BusState::kActive}, socket_{::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)},
-      sender_{RandomSender()}
+    : OpenedBus{address, options, BusState::kActive},
+      socket_{::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)}, sender_{RandomSender()}
 {
     Join();
     RequestStamps(socket_.Get());
@@ -225,6 +225,5 @@ bool LiveUdpBus::Receive(LiveFrame& frame)
         }
     }
 }
-
 
 } // namespace counterpoint::host

@@ -267,5 +267,4 @@ void LiveSocketcandBus::LearnText(const std::string& text)
     }
 }
 
-
 } // namespace counterpoint::host
