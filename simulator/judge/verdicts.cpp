@@ -313,10 +313,9 @@ class Judgement
         {
             return closed.since;
         }
-        // Bits of a normal frame are wrong only beside the inverse frame that follows.
         const bool is_chosen = !fault.frames.identifiers.empty() || fault.frames.srdo_of;
         const bool is_normal = is_chosen && ChoosesNormal(fault.frames);
-        const bool waits = fault.kind == FaultKind(FrameFault::kCorruption) && !fault.length && is_normal;
+        const bool waits = RowOf(fault.kind).limit.shown == Shown::kByTheInverse && !fault.length && is_normal;
         if (waits && closed.inverse >= measurement.effect)
         {
             return closed.inverse;

@@ -157,11 +157,20 @@ enum class Claim : std::uint8_t
     kObject = 3U, ///< Of the application.
 };
 
+/// What shows a normal frame that the fault hits: the frame itself, or, of one whose bits alone are wrong, the inverse
+/// frame behind it.
+enum class Shown : std::uint8_t
+{
+    kByItself,
+    kByTheInverse,
+};
+
 /// The row of the table of limits: of a fault that hits a normal frame, a channel, or what the output stage and the
 /// watchdog ask; and of all others.
 struct FaultLimit
 {
-    constexpr FaultLimit(const FaultClass every) : first(every), other(every)
+    constexpr FaultLimit(const FaultClass every, const Shown shown_ = Shown::kByItself)
+        : first(every), other(every), shown(shown_)
     {
     }
     constexpr FaultLimit(const FaultClass first_, const FaultClass other_) : first(first_), other(other_)
@@ -169,6 +178,7 @@ struct FaultLimit
     }
     FaultClass first;
     FaultClass other;
+    Shown shown{Shown::kByItself};
 };
 
 /// A section of the format that describes faults: of one kind, or of keys that several kinds share. A key has the
@@ -351,7 +361,7 @@ inline constexpr FaultSection kSections[] = {
            {{"node", T::kNode, kNeeded, "actuator", "a node that has the SRDO"},
             {"srdo", Number(kSrdos), kNeeded, "1", "its number there"},
             {"which", OneOf<kFrameSideWords>(), "both", "inverse", "COB-ID 1, COB-ID 2 or both"}}),
-    Kind(FrameFault::kCorruption, C::kWrongFrame, "corruption", "on_frames",
+    Kind(FrameFault::kCorruption, {C::kWrongFrame, Shown::kByTheInverse}, "corruption", "on_frames",
          "The frame arrives changed; the CRC of the bus did not see it.",
          {{"bits", Numbers(kBits), kOptional, "[0, 15]", "these bits are flipped (0 is bit 0 of byte 0)", To<&F::bits>},
           {"length", Number({0U, 8U}), kOptional, "1", "the length is another", ToLength}}),

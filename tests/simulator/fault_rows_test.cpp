@@ -50,8 +50,8 @@ TEST(FaultKinds, EachHasItsKeysReadAndItsPlaceInTheDocument)
 {
     Verifies(req::SRS_SIM_047);
     const std::string document = runtime::ReadYamlText(std::string(COUNTERPOINT_SOURCE_FOLDER) + "/docs/scenario.md");
-    const std::size_t begin = document.find("| family | kinds |");
-    const std::string families = document.substr(begin, document.find("\n\n", begin) - begin);
+    const std::size_t begin = document.find("| group | kinds |");
+    const std::string groups = document.substr(begin, document.find("\n\n", begin) - begin);
     std::size_t kinds = 0U;
     for (const FaultSection& row : kFaultSections)
     {
@@ -59,10 +59,10 @@ TEST(FaultKinds, EachHasItsKeysReadAndItsPlaceInTheDocument)
         {
             continue;
         }
-        // Then the row of a number is that kind's, and the document has it in a family
+        // Then the row of a number is that kind's, and the document has it in a group
         ++kinds;
         EXPECT_EQ(&RowOf(*row.kind), &row);
-        EXPECT_NE(families.find("`" + std::string(row.name) + "`"), std::string::npos) << row.name;
+        EXPECT_NE(groups.find("`" + std::string(row.name) + "`"), std::string::npos) << row.name;
         // And no key is without a reader
         for (const KeySpec* const key : KeysOf(SectionNamed(row.name)))
         {
