@@ -45,7 +45,7 @@ void OutputGate::Drive(const PermitSet& permits, const Instant now) noexcept
     if (Probe(permits, challenge) == ProbeAnswer::kAccepted)
     {
         open_ = permits.a.mask & permits.b.mask & permits.kernel.mask;
-        open_copy_ = ~open_;
+        NoteClosed(permits);
         driven_ = now;
         driven_copy_ = Instant{~now.us};
     }
@@ -53,6 +53,12 @@ void OutputGate::Drive(const PermitSet& permits, const Instant now) noexcept
     {
         Close();
     }
+}
+
+// A call of its own, which reads the permits anew: no register ever holds the bits of both copies.
+void OutputGate::NoteClosed(const PermitSet& permits) noexcept
+{
+    open_copy_ = ~(permits.a.mask & permits.b.mask & permits.kernel.mask);
 }
 
 ProbeAnswer OutputGate::Probe(const PermitSet& permits, const std::uint32_t challenge) noexcept

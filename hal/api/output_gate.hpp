@@ -39,6 +39,8 @@ class OutputGate
     void Close() noexcept;
 
   private:
+    [[gnu::noinline]] void NoteClosed(const PermitSet& permits) noexcept;
+
     SrdoMask open_{0U};
     SrdoMask open_copy_{0U};
     Instant driven_{0U};
