@@ -163,7 +163,8 @@ void Comparator::Look(const Comparison& comparison, const SlotSet only, Verdict&
     if (is_late)
     {
         verdict.demote |= bit;
-        verdict.agreement.agreed &= ~bit;
+        agreed_ &= ~bit; // A release of one channel alone behind it is a new difference.
+        verdict.agreement.agreed = agreed_;
         releases_.Close(bit);
         fresh_ &= ~bit;
     }

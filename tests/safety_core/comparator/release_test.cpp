@@ -125,6 +125,22 @@ TEST_P(ComparingOneRelease, SecondEdgeBehindTheWindowDoesNotRelease)
     EXPECT_EQ(verdict.newly_matched, 0U);
 }
 
+// t [us]   1000 (one release)   21001 (both: too late)   22000 (one again)   42000 (window)   42001
+TEST_P(ComparingOneRelease, EdgeRightBehindADemotionHasAWindowOfItsOwn)
+{
+    Verifies(req::SRS_CMP_004);
+    Verifies(req::SRS_CMP_008);
+    (void)CompareAt(1000U);
+    Release();
+    EXPECT_EQ(CompareAt(21001U).demote, 4U);
+    // What was demoted was not agreed: this is no fault of one channel alone
+    late->outcome.released = 0U;
+    late->outcome.faulted = 4U;
+    EXPECT_EQ(CompareAt(22000U).demote, 0U);
+    EXPECT_EQ(CompareAt(42000U).demote, 0U);
+    EXPECT_EQ(CompareAt(42001U).demote, 4U);
+}
+
 // t [us]   0 (one release)   300000: pairs differ   301000: no more   302000, 307000 (limit), 307001
 TEST_P(ComparingOneRelease, PairsThatDifferMeanwhileHaveTheDiscrepancyTimeOfTheirOwn)
 {

@@ -132,6 +132,30 @@ TEST_F(Acknowledging, EdgeBehindTheWindowReleasesNothing)
     }
 }
 
+// t [ms]   0 (first edge)   101 (second: too late, both are demoted)   102 (first one again)   150 (second: open)
+TEST_F(Acknowledging, EdgeRightBehindADemotionWaitsForTheOtherChannels)
+{
+    Verifies(req::SRS_CMP_004);
+    Verifies(req::SRS_CMP_008);
+    for (const bool is_a_first : {true, false})
+    {
+        Prepare();
+        for (std::uint32_t cycle = 0U; cycle < 152U; ++cycle)
+        {
+            EXPECT_EQ(Open(), 0U) << cycle;
+            const bool first = (cycle < 50U) || (cycle >= 102U);
+            const bool second = (cycle == 101U) || (cycle == 102U) || (cycle >= 150U);
+            CycleWith(is_a_first ? first : second, is_a_first ? second : first);
+            EXPECT_EQ(kernel.DemotionCount(), (cycle < 102U) ? 0U : 1U) << cycle;
+            if (cycle == 102U)
+            {
+                ReceivePair(); // A demoted channel holds none.
+            }
+        }
+        EXPECT_EQ(Open(), 1U);
+    }
+}
+
 // A fault that both channels see while one waits for the other's edge takes the release of the first one away.
 TEST_F(Acknowledging, FaultBetweenTheEdgesTakesTheFirstOneBack)
 {
