@@ -162,9 +162,7 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     const std::uint32_t token = context_.guard.Cycle(challenge, call.now.a);
     flow_.Mark(FlowStep::kGuard, kDone);
 
-    CycleInput input = TakeInput(call);
-    input.challenge = challenge;
-    input.guard_token = token;
+    CycleInput input = TakeInput(call, challenge, token);
     const CycleOutcome outcome_a = context_.parts.channel_a.OnCycle(input);
     flow_.Mark(FlowStep::kChannelA, FlowEvidence{outcome_a.cycle, run_.cycle});
     input.now = call.now.b;
@@ -197,19 +195,21 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     reporting_.TellDevice(context_);
 }
 
-// What channel A is given, but for challenge and token.
-CycleInput Kernel::TakeInput(const CycleCall& call) noexcept
+// What channel A is given.
+CycleInput Kernel::TakeInput(const CycleCall& call, const std::uint32_t challenge, const std::uint32_t token) noexcept
 {
-    CycleInput input{};
-    input.now = call.now.a;
-    input.acknowledge = call.acknowledge_a;
-    input.request = production_.Halted(context_);
-    input.stand = production_.StandOfA() | input.request;
-    input.queue = run_.queue;
-    run_.queue = QueueState::kIntact;
+    const SrdoMask halted = production_.Halted(context_);
     // OPERATIONAL that was left and entered again between two cycles was left: the channels see one cycle outside of
     // it, and what was asked for since then waits for the next one. [SRS_KRN_010, SRS_KRN_011]
-    input.nmt = NmtState::kPreOperational;
+    CycleInput input{call.now.a,
+                     challenge,
+                     token,
+                     call.acknowledge_a,
+                     halted,
+                     production_.StandOfA() | halted,
+                     NmtState::kPreOperational,
+                     run_.queue};
+    run_.queue = QueueState::kIntact;
     if (!run_.left_operational)
     {
         input.nmt = context_.guard.Nmt();
