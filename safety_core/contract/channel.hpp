@@ -210,10 +210,12 @@ class Channel
     /// consumer in kWaiting, kFaulted or kReleased. [SRS_REL_006]
     virtual void Demote(SlotIndex slot) noexcept = 0;
     /// @brief Writes the objects this channel owns (A the normal, B the inverse ones): the held pair where it is
-    /// agreed, matched and released by this channel too, the safe value where a slot is no longer agreed. O(changed)
-    /// [SRS_REL_002]
-    virtual void Commit(const Agreement& agreement) noexcept = 0;
-    /// @brief This channel's permit for the slots it released in the last Commit. O(1) [SRS_REL_010]
+    /// agreed, matched and released by this channel too, the safe value where a slot is no longer agreed. Then reads
+    /// back what it wrote, and the slots in `examine`, which it wrote before. The slots of which an object holds
+    /// something else. O(changed + examined) [SRS_REL_002, SRS_REL_011]
+    [[nodiscard]] virtual SrdoMask Commit(const Agreement& agreement, SrdoMask examine) noexcept = 0;
+    /// @brief This channel's permit for the slots that the last Commit, since the last OnCycle, left released and found
+    /// as they were written. O(1) [SRS_REL_010]
     [[nodiscard]] virtual Permit Answer(std::uint32_t challenge) const noexcept = 0;
 
     /// @brief Reads the objects of its own side (A the normal, B the inverse ones); uses up what made the slot due. A

@@ -28,6 +28,16 @@ constexpr Step kThree[] = {
     Commit(0U, 1U), NormalObject(0x6302U, 3U, 0x05U), InverseObject(0x6303U, 3U, 0x02U),
 };
 
+// Bits above the length are not looked at; each of the three is.
+constexpr Step kThreeExamined[] = {
+    Configure(), Cycle(0U), Normal3(0x03U, 1000U), Inverse3(0xFCU, 2000U), Cycle(3000U), Commit(1U, 1U),
+    Put(0x6302U, 3U, 0xFBU), Put(0x6303U, 3U, 0xFCU), Cycle(4000U), Examine(1U, 0U), Commit(1U, 1U),
+    Put(0x6302U, 3U, 0x07U), Put(0x6303U, 3U, 0x00U), Cycle(5000U), Examine(1U, 1U), Commit(1U, 1U),
+    Put(0x6302U, 3U, 0x01U), Put(0x6303U, 3U, 0x06U), Cycle(6000U), Examine(1U, 1U), Commit(1U, 1U),
+    Put(0x6302U, 3U, 0x02U), Put(0x6303U, 3U, 0x05U), Cycle(7000U), Examine(1U, 1U), Commit(1U, 1U),
+    Put(0x6302U, 3U, 0x0BU), Put(0x6303U, 3U, 0x84U), Cycle(8000U), Examine(1U, 0U), Commit(1U, 1U),
+};
+
 // Each bit above the length: 1 in the normal frame, with and without its inverse.
 constexpr Step kAboveInNormal[] = {
     Configure(), Cycle(0U),
@@ -149,6 +159,7 @@ constexpr Step kSplit[] = {
 };
 
 constexpr Case kCases[] = {
+    MakeCase("BitsAreExamined", {req::SRS_REL_011}, kBits3, kThreeExamined),
     MakeCase("BitsOfThreeBitObjects", {req::SRS_CFG_036, req::SRS_REL_002, req::SRS_CONS_009}, kBits3, kThree),
     MakeCase("BitsAboveTheLengthInTheNormalFrame", {req::SRS_CONS_009, req::SRS_CFG_036}, kBits3, kAboveInNormal),
     MakeCase("BitsAboveTheLengthInTheInverseFrame", {req::SRS_CONS_009, req::SRS_CFG_036}, kBits3, kAboveInInverse),

@@ -170,6 +170,73 @@ constexpr Step kValidatedAgain[] = {
     Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U),
 };
 
+// ---- reading back: both objects in one place, so that the second one overwrites the first
+
+constexpr Step kOverwritten[] = {
+    Share(0x6010U, 1U, 0x6010U, 2U), Share(0x6011U, 1U, 0x6011U, 2U), Configure(), Cycle(0U), Normal(1000U),
+    Inverse(1500U), Cycle(2000U), Examine(0U, 1U), Commit(1U, 1U), Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U),
+    // Nothing new, nothing to examine: nothing is read.
+    Cycle(3000U), Commit(1U, 1U), Answer(0x12345678U, 1U, 0x950DFAA9U, 0x00A2AC3FU),
+    Cycle(4000U), Examine(1U, 1U), Commit(1U, 1U), Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U),
+    // The safe value is A5h C3h.
+    Cycle(5000U), Examine(0U, 1U), Commit(0U, 0U), Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U),
+    Cycle(6000U), Examine(1U, 0U), Commit(0U, 0U),
+};
+
+// Changed behind the writing: found when its turn comes, in the upper byte too.
+constexpr Step kChangedLater[] = {
+    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Examine(1U, 0U), Commit(1U, 1U),
+    Cycle(3000U), Examine(1U, 0U), Commit(1U, 1U), Answer(0x12345678U, 1U, 0x950DFAA9U, 0x00A2AC3FU),
+    Put(0x6010U, 2U, 0x35U), Put(0x6011U, 2U, 0xCAU), Cycle(4000U), Commit(1U, 1U),
+    Answer(0x12345678U, 1U, 0x950DFAA9U, 0x00A2AC3FU), Cycle(5000U), Examine(1U, 1U), Commit(1U, 1U),
+    Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U),
+    Put(0x6010U, 2U, 0x34U), Put(0x6011U, 2U, 0xCBU), Put(0x6010U, 1U, 0x92U), Put(0x6011U, 1U, 0x6DU),
+    Cycle(6000U), Examine(1U, 1U), Commit(1U, 1U),
+    Put(0x6010U, 1U, 0x12U), Put(0x6011U, 1U, 0xEDU), Cycle(7000U), Examine(1U, 0U), Commit(1U, 1U),
+    Answer(0x12345678U, 1U, 0x950DFAA9U, 0x00A2AC3FU),
+};
+
+// A newer pair that is held, but not matched: the objects still have the older one, and are not looked at.
+constexpr Step kNewerIsNotExamined[] = {
+    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Commit(1U, 1U), OtherNormal(2500U),
+    OtherInverse(2600U), Cycle(3000U), Examine(1U, 0U), Commit(1U, 0U),
+    Answer(0x12345678U, 1U, 0x950DFAA9U, 0x00A2AC3FU), Cycle(4000U), Examine(1U, 0U), Commit(1U, 1U),
+    NormalObject(0x6010U, 1U, 0x56U), InverseObject(0x6011U, 1U, 0xA9U),
+};
+
+// Neither what is not released nor what the mask does not name.
+constexpr Step kNotExamined[] = {
+    Configure(), Put(0x6010U, 1U, 0U), Put(0x6011U, 1U, 0U), Cycle(0U), Examine(~SrdoMask{0U}, 0U), Commit(0U, 0U),
+    Normal(1000U), Inverse(1500U), Cycle(2000U), Commit(1U, 1U), Put(0x6010U, 1U, 0U), Put(0x6011U, 1U, 0U),
+    Cycle(3000U), Examine(~SrdoMask{1U}, 0U), Commit(1U, 1U), Answer(0x12345678U, 1U, 0x950DFAA9U, 0x00A2AC3FU),
+};
+
+// No permit of a cycle before: without Commit there is none.
+constexpr Step kLeftOut[] = {
+    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Commit(1U, 1U),
+    Answer(0x12345678U, 1U, 0x950DFAA9U, 0x00A2AC3FU), Cycle(3000U), Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U),
+    Commit(1U, 1U), Answer(0x12345678U, 1U, 0x950DFAA9U, 0x00A2AC3FU),
+};
+
+constexpr Step kSixteenExamined[] = {
+    Configure(), Cycle(0U), Frame(0x17FU, 8U, 0x44332211U, 0x88776655U, 100U),
+    Frame(0x180U, 8U, 0xBBCCDDEEU, 0x778899AAU, 200U), Cycle(1000U), Commit(1U, 1U),
+    Cycle(1100U), Examine(1U, 0U), Commit(1U, 1U), Put(0x6631U, 8U, 0x08U), Put(0x6633U, 8U, 0x07U),
+    Cycle(1200U), Examine(1U, 1U), Commit(1U, 1U), Put(0x6631U, 8U, 0x88U), Put(0x6633U, 8U, 0x77U),
+    Put(0x6631U, 5U, 0x54U), Put(0x6633U, 5U, 0xABU), Cycle(1300U), Examine(1U, 1U), Commit(1U, 1U),
+};
+
+constexpr Step kSixtyFourBitsExamined[] = {
+    Configure(), Cycle(0U), Frame(0x105U, 8U, 0x44332211U, 0x88776655U, 100U),
+    Frame(0x106U, 8U, 0xBBCCDDEEU, 0x778899AAU, 200U), Cycle(1000U), Commit(1U, 1U),
+    Put(0x6300U, 8U, 0x44332210U, 0x88776655U), Put(0x6301U, 8U, 0xBBCCDDEFU, 0x778899AAU),
+    Cycle(1100U), Examine(1U, 1U), Commit(1U, 1U),
+    Put(0x6300U, 8U, 0x44332211U, 0x08776655U), Put(0x6301U, 8U, 0xBBCCDDEEU, 0xF78899AAU),
+    Cycle(1200U), Examine(1U, 1U), Commit(1U, 1U),
+    Put(0x6300U, 8U, 0x44332211U, 0x88776655U), Put(0x6301U, 8U, 0xBBCCDDEEU, 0x778899AAU),
+    Cycle(1300U), Examine(1U, 0U), Commit(1U, 1U),
+};
+
 constexpr Case kCases[] = {
     MakeCase("ValidateWritesTheSafeValue", {req::SRS_REL_002}, kGold, kSafeAtValidate),
     MakeCase("ValidateWithFaultWritesNothing", {req::SRS_REL_002, req::SRS_CFG_029}, kGold, kUntouchedByFault),
@@ -188,6 +255,13 @@ constexpr Case kCases[] = {
     MakeCase("SixtyFourBitsAreWritten", {req::SRS_REL_002}, kLong, kSixtyFourBits),
     MakeCase("MixedSizesAreWritten", {req::SRS_REL_002}, kMixedSizes, kSizes),
     MakeCase("ValidatedAgainIsNotCommitted", {req::SRS_REL_002, req::SRS_REL_010}, kGold, kValidatedAgain),
+    MakeCase("OverwrittenIsFoundAtOnce", {req::SRS_REL_011, req::SRS_REL_010}, kGold, kOverwritten),
+    MakeCase("ChangedLaterIsFoundInItsTurn", {req::SRS_REL_011, req::SRS_REL_010}, kGold, kChangedLater),
+    MakeCase("NewerPairNotMatchedIsNotExamined", {req::SRS_REL_011}, kGold, kNewerIsNotExamined),
+    MakeCase("OthersAreNotExamined", {req::SRS_REL_011}, kGold, kNotExamined),
+    MakeCase("NoCommitNoPermit", {req::SRS_REL_010}, kGold, kLeftOut),
+    MakeCase("SixteenEntriesAreExamined", {req::SRS_REL_011}, kWide, kSixteenExamined),
+    MakeCase("SixtyFourBitsAreExamined", {req::SRS_REL_011}, kLong, kSixtyFourBitsExamined),
     MakeCase("NothingIsWrittenForOthers", {req::SRS_REL_002, req::SRS_REL_010}, kMixed, kNoConsumer),
 };
 // clang-format on

@@ -90,6 +90,26 @@ void Dictionary::Fill(std::uint8_t fill) noexcept
     {
         byte = fill;
     }
+    std::uint16_t used = 0U;
+    for (std::uint16_t i = 0U; i < count_; ++i)
+    {
+        objects_[i].place = &places_[used];
+        used = static_cast<std::uint16_t>(used + BytesOf(objects_[i].length_bits));
+    }
+}
+
+void Dictionary::Share(std::uint16_t index, std::uint8_t sub, std::uint16_t other_index,
+                       std::uint8_t other_sub) noexcept
+{
+    std::uint8_t* const place = Place(other_index, other_sub);
+    for (std::uint16_t i = 0U; i < count_; ++i)
+    {
+        const bool is_it = (objects_[i].index == index) && (objects_[i].sub == sub);
+        if (is_it && (place != nullptr))
+        {
+            objects_[i].place = place;
+        }
+    }
 }
 
 const MappableObject* Dictionary::Find(std::uint16_t index, std::uint8_t sub) const noexcept

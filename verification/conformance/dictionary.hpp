@@ -33,8 +33,10 @@ class Dictionary
     static constexpr std::uint16_t kObjectCount = 661U;
 
     Dictionary() noexcept;
-    /// @brief Every byte of every object becomes `fill`.
+    /// @brief Every byte of every object becomes `fill`, and an object that was moved lies where it lay before.
     void Fill(std::uint8_t fill) noexcept;
+    /// @brief An object lies from now on where another one does; no effect if there is none of the two.
+    void Share(std::uint16_t index, std::uint8_t sub, std::uint16_t other_index, std::uint8_t other_sub) noexcept;
     void Put(std::uint16_t index, std::uint8_t sub, const ObjectValue& value) noexcept;
     [[nodiscard]] ObjectValue Get(std::uint16_t index, std::uint8_t sub) const noexcept;
     /// @brief Bytes of the object; 0 if there is none.

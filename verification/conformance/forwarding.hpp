@@ -67,9 +67,9 @@ class Forwarding : public Channel
     {
         inner_.Demote(slot);
     }
-    void Commit(const Agreement& agreement) noexcept override
+    [[nodiscard]] SrdoMask Commit(const Agreement& agreement, SrdoMask examine) noexcept override
     {
-        inner_.Commit(agreement);
+        return inner_.Commit(agreement, examine);
     }
     [[nodiscard]] Permit Answer(std::uint32_t challenge) const noexcept override
     {

@@ -63,6 +63,8 @@ void Runner::PowerOn() noexcept
     challenge_ = kFirstChallenge;
     token_flip_ = 0U;
     cycles_ = 0U;
+    examine_ = 0U;
+    found_ = 0U;
     acknowledge_ = 0U;
     request_ = 0U;
     stand_ = 0U;
@@ -418,6 +420,10 @@ bool Runner::RunSlotStep(const Step& step) noexcept
     {
         dictionary_.Put(static_cast<std::uint16_t>(step.x), step.sub, ObjectValue{step.y, step.z});
     }
+    else if (step.op == Op::kShare)
+    {
+        dictionary_.Share(static_cast<std::uint16_t>(step.x), step.sub, static_cast<std::uint16_t>(step.y), step.slot);
+    }
     else if (step.op == Op::kNormalObject)
     {
         CheckObject(step, Party::kA);
@@ -464,8 +470,18 @@ bool Runner::RunReleaseStep(const Step& step) noexcept
     }
     else if (step.op == Op::kCommit)
     {
-        channel_.Commit(Agreement{(SrdoMask{step.y} << 32U) | step.x, (SrdoMask{step.v} << 32U) | step.z});
+        const SrdoMask found = channel_.Commit(
+            Agreement{(SrdoMask{step.y} << 32U) | step.x, (SrdoMask{step.v} << 32U) | step.z}, examine_);
         hash_.Add(dictionary_.Digest());
+        hash_.AddMask(found);
+        judge_.Expect("slots not as they were written", found_, found);
+        examine_ = 0U;
+        found_ = 0U;
+    }
+    else if (step.op == Op::kExamine)
+    {
+        examine_ = (SrdoMask{step.y} << 32U) | step.x;
+        found_ = (SrdoMask{step.v} << 32U) | step.z;
     }
     else if (step.op == Op::kAnswer)
     {

@@ -81,6 +81,8 @@ class Runner
     SrdoMask acknowledge_{0U};
     SrdoMask request_{0U}; ///< For the next cycle only.
     SrdoMask stand_{0U};   ///< For the next cycle only.
+    SrdoMask examine_{0U}; ///< For the next Commit only.
+    SrdoMask found_{0U};   ///< What the next Commit must return.
     NmtState nmt_{NmtState::kOperational};
     QueueState queue_{QueueState::kIntact};
     std::uint8_t configuration_valid_{0U};

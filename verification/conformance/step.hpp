@@ -42,8 +42,10 @@ enum class Op : std::uint8_t
     kSignals,       ///< slot; x.
     kDemote,        ///< slot.
     kCommit,        ///< x, y agreed; z, v matched.
+    kExamine,       ///< Of the next kCommit only: x, y examine; z, v the slots that it must return, else none.
     kAnswer,        ///< z challenge; x, y mask; v response of A, w response of B.
     kPut,           ///< x index, sub; y, z value: the application writes an object.
+    kShare,         ///< x index, sub; y index, slot its sub-index: the first object lies where the second one does.
     kNormalObject,  ///< x index, sub; y, z: what A wrote; B leaves it alone.
     kInverseObject, ///< x index, sub; y, z: what B wrote; A leaves it alone.
     kRequest,       ///< slot: in `request` of the next cycle only.

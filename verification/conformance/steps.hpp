@@ -211,6 +211,18 @@ constexpr Step Commit(SrdoMask agreed, SrdoMask matched)
     return With(Make(Op::kCommit), LowerHalf(agreed), UpperHalf(agreed), LowerHalf(matched), UpperHalf(matched));
 }
 
+/// What the next Commit is to read again, and the slots that it must find otherwise than written.
+constexpr Step Examine(SrdoMask examine, SrdoMask found)
+{
+    return With(Make(Op::kExamine), LowerHalf(examine), UpperHalf(examine), LowerHalf(found), UpperHalf(found));
+}
+
+/// The first object lies where the second one does: what is written into one is read from the other.
+constexpr Step Share(std::uint16_t index, std::uint8_t sub, std::uint16_t other_index, std::uint8_t other_sub)
+{
+    return With(Make(Op::kShare, other_sub, 0U, sub), index, other_index);
+}
+
 constexpr Step Answer(std::uint32_t challenge, SrdoMask mask, std::uint32_t response_a, std::uint32_t response_b)
 {
     return With(Make(Op::kAnswer), LowerHalf(mask), UpperHalf(mask), challenge, response_a, response_b);

@@ -73,6 +73,7 @@ inline constexpr RequirementId SRS_REL_006{"SRS_REL_006"};
 inline constexpr RequirementId SRS_REL_007{"SRS_REL_007"};
 inline constexpr RequirementId SRS_REL_008{"SRS_REL_008"};
 inline constexpr RequirementId SRS_REL_010{"SRS_REL_010"};
+inline constexpr RequirementId SRS_REL_011{"SRS_REL_011"};
 inline constexpr RequirementId SRS_TIME_001{"SRS_TIME_001"};
 inline constexpr RequirementId SRS_TIME_002{"SRS_TIME_002"};
 inline constexpr RequirementId SRS_TIME_003{"SRS_TIME_003"};
