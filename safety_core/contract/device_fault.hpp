@@ -13,7 +13,7 @@ namespace counterpoint
 enum class DeviceFault : std::uint8_t
 {
     kInvalid = 0U,       ///< Also: the latch itself was found corrupted.
-    kDisagreement = 1U,  ///< The channels' outcomes, data or checks are not equal.
+    kDisagreement = 1U,  ///< The channels' outcomes, data or checks are not equal, or an object is not as written.
     kUnmatched = 2U,     ///< Ordinals or due marks differed for longer than the discrepancy time.
     kGuard = 3U,         ///< A channel found the guard's token stale.
     kConfiguration = 4U, ///< Signature or resolved mapping wrong while 13FEh was A5h, or a copy of it changed.

@@ -152,9 +152,9 @@ void OwnVoice::Demote(const SlotIndex slot) noexcept
     news_.changed |= OnlySlot(slot).mask;
 }
 
-void OwnVoice::Commit(const Agreement& agreement) noexcept
+SrdoMask OwnVoice::Commit(const Agreement& agreement, const SrdoMask examine) noexcept
 {
-    channel_.Commit(agreement);
+    return channel_.Commit(agreement, examine);
 }
 
 Permit OwnVoice::Answer(const std::uint32_t challenge) const noexcept

@@ -290,10 +290,12 @@ void RemoteVoice::Demote(const SlotIndex slot) noexcept
     released_ &= ~OnlySlot(slot).mask;
 }
 
-void RemoteVoice::Commit(const Agreement& agreement) noexcept
+// Its objects are in the memory of the other CPU, which reads them back itself.
+SrdoMask RemoteVoice::Commit(const Agreement& agreement, const SrdoMask /*examine*/) noexcept
 {
     const SrdoMask released = agreement.agreed & shown_;
     committed_ = released & (agreement.matched | committed_);
+    return 0U;
 }
 
 Permit RemoteVoice::Answer(const std::uint32_t challenge) const noexcept

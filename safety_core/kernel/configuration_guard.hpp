@@ -63,6 +63,12 @@ class ConfigurationGuard
     /// @brief Looks at 13FEh and does a step of the diagnosis when its turn has come. The token for CycleInput.
     /// [SRS_CFG_031, SRS_CFG_048, SRS_CFG_050]
     [[nodiscard]] std::uint32_t Cycle(std::uint32_t challenge, Instant now) noexcept;
+    /// @brief The slot whose signature the last Cycle checked, or none: its objects are to be read again as well.
+    /// [SRS_KRN_038]
+    [[nodiscard]] SrdoMask Examined() const noexcept
+    {
+        return examined_;
+    }
     /// @brief Checks one SRDO in both channels; kInvalid where they differ: the device fault was entered.
     [[nodiscard]] CheckResult Check(const SlotIndex slot, const CheckDepth depth) noexcept
     {
@@ -114,6 +120,7 @@ class ConfigurationGuard
 
     ConfigurationCopies copies_;
     ConfigurationDiagnosis diagnosis_{};
+    SrdoMask examined_{0U};
     NmtState nmt_{NmtState::kInvalid};
     std::uint8_t valid_{0U};
     SlotIndex faulty_{0U};

@@ -31,11 +31,9 @@ class Decision
     }
     /// @brief Nothing is released any more: all objects of consumers take the safe value. While the channels still know
     /// the mapping that they wrote by. [SRS_KRN_029]
-    void Withdraw(const KernelContext& context) noexcept
+    void Withdraw(KernelContext& context) noexcept
     {
-        constexpr Agreement kNothing{0U, 0U};
-        context.parts.channel_a.Commit(kNothing);
-        context.parts.channel_b.Commit(kNothing);
+        static_cast<void>(WriteObjects(context, Agreement{0U, 0U}));
         committed_ = 0U;
     }
     /// @brief The verdict on this cycle; before it, when its turn has come, the comparator's own test. Faults enter the
@@ -68,17 +66,15 @@ class Decision
             }
         }
     }
-    /// @brief Both channels write what is agreed. Consumers whose new pair was released.
-    [[nodiscard]] SrdoMask Commit(const KernelContext& context) noexcept
+    /// @brief Both channels write what is agreed and read it back. Consumers whose new pair was released.
+    [[nodiscard]] SrdoMask Commit(KernelContext& context) noexcept
     {
         const SrdoMask agreed = verdict_.agreement.agreed & ~verdict_.demote & context.latch.Gate();
         const SrdoMask written = agreed & verdict_.agreement.matched;
-        const Agreement agreement{agreed, verdict_.agreement.matched};
-        context.parts.channel_a.Commit(agreement);
-        context.parts.channel_b.Commit(agreement);
+        const SrdoMask sound = ~WriteObjects(context, Agreement{agreed, verdict_.agreement.matched});
         const SrdoMask received = written & (verdict_.newly_matched | ~committed_);
-        committed_ = written | (committed_ & agreed);
-        return received;
+        committed_ = (written | (committed_ & agreed)) & sound;
+        return received & sound;
     }
     /// @brief The kernel's own permit is computed from the comparator's echo and spoiled by a latch that is not
     /// running; no branch decides about it. [SRS_KRN_005]
@@ -106,6 +102,20 @@ class Decision
     }
 
   private:
+    /// @brief Slots of which a channel reads something else than it wrote; they are a fault of the device.
+    /// [SRS_KRN_037, SRS_KRN_038]
+    [[nodiscard]] static SrdoMask WriteObjects(KernelContext& context, const Agreement& agreement) noexcept
+    {
+        const SrdoMask examined = context.guard.Examined();
+        const SrdoMask found_a = context.parts.channel_a.Commit(agreement, examined);
+        const SlotSet found{found_a | context.parts.channel_b.Commit(agreement, examined)};
+        if (found.mask != 0U)
+        {
+            context.latch.Enter(DeviceFault::kDisagreement, LowestOf(found));
+        }
+        return found.mask;
+    }
+
     static constexpr std::uint16_t kMostDemotions = 65535U;
     static constexpr std::uint32_t kPermitRotation = 16U;
     static constexpr std::uint32_t kWordBits = 32U;

@@ -172,13 +172,11 @@ void ChannelTap::Demote(const SlotIndex slot) noexcept
     }
 }
 
-void ChannelTap::Commit(const Agreement& agreement) noexcept
+SrdoMask ChannelTap::Commit(const Agreement& agreement, const SrdoMask examine) noexcept
 {
     agreed_ = agreement.agreed;
-    if (!IsStill())
-    {
-        real_.Commit(agreement);
-    }
+    const SrdoMask found = Asked(found_, [&]() { return real_.Commit(agreement, examine); });
+    return IsGood() ? SrdoMask{0U} : found;
 }
 
 Permit ChannelTap::Answer(const std::uint32_t challenge) const noexcept

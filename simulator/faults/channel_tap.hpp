@@ -43,7 +43,7 @@ class ChannelTap final : public Channel
     [[nodiscard]] HeldPair Held(SlotIndex slot) const noexcept override;
     [[nodiscard]] SrdoView View(SlotIndex slot) const noexcept override;
     void Demote(SlotIndex slot) noexcept override;
-    void Commit(const Agreement& agreement) noexcept override;
+    [[nodiscard]] SrdoMask Commit(const Agreement& agreement, SrdoMask examine) noexcept override;
     [[nodiscard]] Permit Answer(std::uint32_t challenge) const noexcept override;
     [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept override;
     [[nodiscard]] Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override;
@@ -89,6 +89,7 @@ class ChannelTap final : public Channel
     std::uint8_t slot_count_{0U};
     PreparedPair prepared_{};
     CheckResult check_{};
+    SrdoMask found_{0U};
     mutable Permit permit_{};
     mutable DeviceDigest digest_{};
     mutable std::array<HeldPair, kMaxSrdoCount> held_{};

@@ -184,8 +184,10 @@ void CyclePart::Commit(const CycleOutcome& outcome) noexcept
         agreement = Agreement{scene_.random.Mask(), scene_.random.Mask()};
     }
     compare_.Step("Commit: agreed, matched", kNoSlot, agreement.agreed, agreement.matched, 0U);
-    scene_.a.Commit(agreement);
-    scene_.b.Commit(agreement);
+    const SrdoMask examine = scene_.random.Mask();
+    const SrdoMask found_a = scene_.a.Commit(agreement, examine);
+    const SrdoMask found_b = scene_.b.Commit(agreement, examine);
+    compare_.Same("slots not as they were written", kNoSlot, found_a, found_b);
     for (SlotIndex slot = 0U; slot < scene_.device.config_a.srdo_count; ++slot)
     {
         compare_.Objects(slot);

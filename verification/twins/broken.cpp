@@ -131,13 +131,11 @@ void Broken::Demote(SlotIndex slot) noexcept
     }
 }
 
-void Broken::Commit(const Agreement& agreement) noexcept
+SrdoMask Broken::Commit(const Agreement& agreement, SrdoMask examine) noexcept
 {
     Agreement changed = agreement;
-    if (Goes(rule_.commit, changed))
-    {
-        Subject().Commit(changed);
-    }
+    const SrdoMask found = Goes(rule_.commit, changed) ? Subject().Commit(changed, examine) : SrdoMask{0U};
+    return Changed(rule_.found, found);
 }
 
 Permit Broken::Answer(std::uint32_t challenge) const noexcept

@@ -39,6 +39,7 @@ struct Rule
     std::function<void(SrdoView&)> view{};
     std::function<bool(SlotIndex)> demote{};
     std::function<bool(Agreement&)> commit{};
+    std::function<void(SrdoMask&)> found{};
     std::function<void(Permit&)> permit{};
     std::function<void(PreparedPair&)> prepared{};
     std::function<bool(CanFrame&, Instant&)> confirmed{};
@@ -67,7 +68,7 @@ class Broken final : public Voice
     [[nodiscard]] HeldPair Held(SlotIndex slot) const noexcept override;
     [[nodiscard]] SrdoView View(SlotIndex slot) const noexcept override;
     void Demote(SlotIndex slot) noexcept override;
-    void Commit(const Agreement& agreement) noexcept override;
+    [[nodiscard]] SrdoMask Commit(const Agreement& agreement, SrdoMask examine) noexcept override;
     [[nodiscard]] Permit Answer(std::uint32_t challenge) const noexcept override;
     [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept override;
     [[nodiscard]] Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override;

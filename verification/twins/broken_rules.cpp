@@ -120,6 +120,9 @@ void AddViews(Book& book)
     book.Field("SRS_CONS_025", "holds_pair of the held pair", &Rule::held, &HeldPair::holds_pair);
     book.Always("SRS_CONS_025", "held data are 0", &Rule::held, &HeldPair::data, Payload{});
     book.Silent("SRS_REL_010", "permit", &Rule::permit);
+    book.Silent("SRS_REL_011", "slots not as they were written", &Rule::found);
+    book.Add("SRS_REL_011", "no slot is as it was written", &Rule::found,
+             [](SrdoMask& found) { found = ~SrdoMask{0U}; });
     book.Field("SRS_REL_010", "mask of the permit", &Rule::permit, &Permit::mask);
     book.Field("SRS_REL_010", "response of the permit", &Rule::permit, &Permit::response);
 }

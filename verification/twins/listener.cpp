@@ -132,11 +132,13 @@ SrdoView First::View(SlotIndex slot) const noexcept
     return view;
 }
 
-void First::Commit(const Agreement& agreement) noexcept
+SrdoMask First::Commit(const Agreement& agreement, SrdoMask examine) noexcept
 {
     LookBefore();
-    Subject().Commit(agreement);
+    answers_.found = Subject().Commit(agreement, examine);
+    trace_.Add(answers_.found);
     LookAfter();
+    return answers_.found;
 }
 
 Permit First::Answer(std::uint32_t challenge) const noexcept
@@ -244,8 +246,9 @@ void Second::Demote(SlotIndex /*slot*/) noexcept
 {
 }
 
-void Second::Commit(const Agreement& /*agreement*/) noexcept
+SrdoMask Second::Commit(const Agreement& /*agreement*/, SrdoMask /*examine*/) noexcept
 {
+    return answers_.found;
 }
 
 PreparedPair Second::Prepare(SlotIndex /*slot*/) noexcept

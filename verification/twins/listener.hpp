@@ -18,6 +18,7 @@ struct Answers
     CycleOutcome outcome{};
     PreparedPair prepared{};
     Confirmation confirmation{};
+    SrdoMask found{0U};
 };
 
 /// The first channel of a differential run: the subject itself. Everything that it shows goes into the trace, what
@@ -36,7 +37,7 @@ class First final : public Voice
     [[nodiscard]] CycleOutcome OnCycle(const CycleInput& input) noexcept override;
     [[nodiscard]] HeldPair Held(SlotIndex slot) const noexcept override;
     [[nodiscard]] SrdoView View(SlotIndex slot) const noexcept override;
-    void Commit(const Agreement& agreement) noexcept override;
+    [[nodiscard]] SrdoMask Commit(const Agreement& agreement, SrdoMask examine) noexcept override;
     [[nodiscard]] Permit Answer(std::uint32_t challenge) const noexcept override;
     [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept override;
     [[nodiscard]] Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override;
@@ -79,7 +80,7 @@ class Second final : public Voice
     void OnFrame(const CanFrame& frame, Instant stamp) noexcept override;
     [[nodiscard]] CycleOutcome OnCycle(const CycleInput& input) noexcept override;
     void Demote(SlotIndex slot) noexcept override;
-    void Commit(const Agreement& agreement) noexcept override;
+    [[nodiscard]] SrdoMask Commit(const Agreement& agreement, SrdoMask examine) noexcept override;
     [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept override;
     [[nodiscard]] Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override;
     void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override;

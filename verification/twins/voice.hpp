@@ -75,9 +75,9 @@ class Voice : public Channel
     {
         subject_.Demote(slot);
     }
-    void Commit(const Agreement& agreement) noexcept override
+    [[nodiscard]] SrdoMask Commit(const Agreement& agreement, SrdoMask examine) noexcept override
     {
-        subject_.Commit(agreement);
+        return subject_.Commit(agreement, examine);
     }
     [[nodiscard]] Permit Answer(std::uint32_t challenge) const noexcept override
     {

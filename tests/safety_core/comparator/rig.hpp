@@ -62,8 +62,9 @@ class SpokenChannel final : public Channel
     void Demote(SlotIndex) noexcept override
     {
     }
-    void Commit(const Agreement&) noexcept override
+    [[nodiscard]] SrdoMask Commit(const Agreement&, SrdoMask) noexcept override
     {
+        return 0U;
     }
     Permit Answer(std::uint32_t) const noexcept override
     {

@@ -177,7 +177,7 @@ TEST(ManySlots, PermitOfEachQuarterOfTheMask)
         rig.Tell({PairReport(given.slot, 3500U, 1U)}, bit);
         rig.Cycle(20000U);
         EXPECT_EQ(rig.remote.released, bit);
-        rig.Remote().Commit(Agreement{bit, bit});
+        EXPECT_EQ(rig.Remote().Commit(Agreement{bit, bit}, 0U), 0U);
         const Permit permit = rig.Remote().Answer(0x89ABCDEFU);
         EXPECT_EQ(permit.mask, bit);
         EXPECT_EQ(permit.response, given.response) << static_cast<int>(given.slot);

@@ -35,8 +35,10 @@ TEST(OwnVoice, PassesCallsOn)
     EXPECT_EQ(own.View(0U).state, SrdoState::kReleased);
     own.Demote(0U);
     EXPECT_EQ(rig.channel.demoted.size(), 1U);
-    own.Commit(Agreement{1U, 2U});
+    rig.channel.found = 4U;
+    EXPECT_EQ(own.Commit(Agreement{1U, 2U}, 8U), 4U);
     EXPECT_EQ(rig.channel.committed.matched, 2U);
+    EXPECT_EQ(rig.channel.examined, 8U);
     EXPECT_EQ(own.Answer(9U).response, 9U);
     EXPECT_EQ(own.OnConfirm(PeerRig::Frame(0x200U), Instant{1U}).step, ConfirmStep::kNone);
     own.OnTransmitFault(1U, TransmitFault{SrdoCause::kBusOff});

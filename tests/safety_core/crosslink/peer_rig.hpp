@@ -77,9 +77,11 @@ class FakeChannel final : public Channel
     {
         demoted.push_back(slot);
     }
-    void Commit(const Agreement& agreement) noexcept override
+    [[nodiscard]] SrdoMask Commit(const Agreement& agreement, SrdoMask examine) noexcept override
     {
         committed = agreement;
+        examined = examine;
+        return found;
     }
     Permit Answer(std::uint32_t challenge) const noexcept override
     {
@@ -113,6 +115,8 @@ class FakeChannel final : public Channel
     PreparedPair prepared{};
     Confirmation confirmation{kNoSlot, ConfirmStep::kNone};
     Agreement committed{};
+    SrdoMask examined{0U};
+    SrdoMask found{0U}; ///< What Commit returns.
     std::vector<ConfigItem> stored{};
     std::vector<SlotIndex> demoted{};
     std::vector<std::pair<SlotIndex, SrdoCause>> transmit_faults{};

@@ -72,7 +72,7 @@ TEST(RemoteVoiceAlone, SaysNothingOutOfContact)
     EXPECT_EQ(rig.remote.guard, GuardView::kConfigured);
     EXPECT_EQ(rig.remote.sct_checked, 1U);
     EXPECT_EQ(rig.remote.released, 0U);
-    rig.Remote().Commit(Agreement{1U, 1U});
+    EXPECT_EQ(rig.Remote().Commit(Agreement{1U, 1U}, 0U), 0U);
     const Permit permit = rig.Remote().Answer(100U);
     EXPECT_EQ(permit.mask, 0U);
     EXPECT_NE(permit.response, 100U * kPermitConstantB);

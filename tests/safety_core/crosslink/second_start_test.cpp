@@ -151,7 +151,7 @@ TEST(SecondStart, RemoteVoiceShowsNothingOfBefore)
     word.armed[0] = ArmedFrame{1U, 7U, PeerRig::Frame(0x103U)};
     rig.Hear(word, 12000U);
     rig.Cycle(20000U);
-    rig.Remote().Commit(Agreement{1U, 1U});
+    EXPECT_EQ(rig.Remote().Commit(Agreement{1U, 1U}, 0U), 0U);
     ASSERT_EQ(rig.Remote().Answer(100U).mask, 1U);
     rig.Hear(word, 12000U);
     rig.Remote().OnTransmitFault(1U, TransmitFault{SrdoCause::kBusOff});
@@ -177,7 +177,7 @@ TEST(SecondStart, RemoteVoiceShowsNothingOfBefore)
     EXPECT_EQ(rig.remote.due, 0U);
     EXPECT_EQ(rig.Remote().Recheck(1U).signature, 0x1234U);
     EXPECT_EQ(rig.Remote().View(0U).state, SrdoState::kInvalid);
-    rig.Remote().Commit(Agreement{1U, 0U});
+    EXPECT_EQ(rig.Remote().Commit(Agreement{1U, 0U}, 0U), 0U);
     EXPECT_EQ(rig.Remote().Answer(100U).mask, 0U);
 }
 

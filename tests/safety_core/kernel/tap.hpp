@@ -100,9 +100,19 @@ class Tap final : public Channel
         ++demotions;
         real_.Demote(slot);
     }
-    void Commit(const Agreement& agreement) noexcept override
+    [[nodiscard]] SrdoMask Commit(const Agreement& agreement, SrdoMask examine) noexcept override
     {
-        real_.Commit(agreement);
+        examined.push_back(examine);
+        if (skip_commit)
+        {
+            return 0U;
+        }
+        const SrdoMask found = real_.Commit(agreement, examine);
+        if (on_committed)
+        {
+            on_committed();
+        }
+        return found | more_found;
     }
     Permit Answer(std::uint32_t challenge) const noexcept override
     {
@@ -153,8 +163,11 @@ class Tap final : public Channel
     std::function<void(PreparedPair&)> on_prepared{};
     std::function<void(Confirmation&)> on_confirmed{};
     std::function<void(CanFrame&)> on_inverse{};
+    std::function<void()> on_committed{};
     std::vector<SrdoCause> transmit_faults{};
-    SrdoMask requests{0U}; ///< All that were asked for.
+    std::vector<SrdoMask> examined{}; ///< By each Commit.
+    SrdoMask more_found{0U};          ///< Slots that Commit finds otherwise than written.
+    SrdoMask requests{0U};            ///< All that were asked for.
     std::uint32_t load_flip{0U};
     std::uint32_t data_flip{0U};
     std::uint32_t permit_flip{0U};
@@ -174,6 +187,7 @@ class Tap final : public Channel
     bool drop_frames{false};
     bool drop_confirms{false};
     bool skip_cycle{false};
+    bool skip_commit{false};
 
   private:
     CheckResult Alter(CheckResult result) const noexcept

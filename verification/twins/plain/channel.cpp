@@ -70,6 +70,11 @@ const Decision kViewRole{"SRS_CONS_025", "a consumer's view"};
 const Decision kViewFlight{"SRS_CONS_025", "a pair in flight"};
 const Decision kPermits{"SRS_REL_010", "SRDOs are active"};
 const Decision kPermitsCommitted{"SRS_REL_010", "the slot is committed"};
+const Decision kPermitsAsWritten{"SRS_REL_010", "the last Commit found the slot as it was written"};
+const Decision kPermitsOnce{"SRS_REL_010", "there was a Commit since the last OnCycle"};
+const Decision kPermitsOld{"SRS_REL_010", "a Commit counts behind the next OnCycle"};
+const Decision kExamined{"SRS_REL_011", "the slot is examined"};
+const Decision kFound{"SRS_REL_011", "the slot is not as it was written"};
 const Number kPermitMask{"SRS_REL_010", "mask of the permit"};
 const Act kPermitLow{"SRS_REL_010", "bits 0 to 31 of the mask"};
 const Act kPermitHigh{"SRS_REL_010", "bits 32 to 63 of the mask"};
@@ -358,6 +363,7 @@ CycleOutcome PlainChannel::OnCycle(const CycleInput& input) noexcept
 {
     CycleOutcome outcome{};
     outcome.guard = LookAtGuard(input);
+    common_.has_committed = kPermitsOld(false);
     const bool was_operational = common_.is_operational;
     common_.is_operational = kOperationalBoth(kNmt(input.nmt == NmtState::kOperational),
                                               kConfigured(outcome.guard == GuardView::kConfigured));
@@ -424,12 +430,23 @@ void PlainChannel::Demote(SlotIndex slot) noexcept
     DemoteConsumer(records_[kDemoteSlot(slot)]);
 }
 
-void PlainChannel::Commit(const Agreement& agreement) noexcept
+SrdoMask PlainChannel::Commit(const Agreement& agreement, SrdoMask examine) noexcept
 {
+    bool is_written[kMaxSrdoCount]{};
     for (SlotIndex slot = 0U; slot < common_.config.srdo_count; ++slot)
     {
-        CommitConsumer(common_, records_[slot], IsBit(agreement.agreed, slot), IsBit(agreement.matched, slot));
+        is_written[slot] =
+            CommitConsumer(common_, records_[slot], IsBit(agreement.agreed, slot), IsBit(agreement.matched, slot));
     }
+    SrdoMask found = 0U;
+    for (SlotIndex slot = 0U; slot < common_.config.srdo_count; ++slot)
+    {
+        Record& record = records_[slot];
+        record.is_otherwise = ReadBack(common_, record, is_written[slot], kExamined(IsBit(examine, slot)));
+        found |= BitOf(slot, kFound(record.is_otherwise));
+    }
+    common_.has_committed = true;
+    return found;
 }
 
 Permit PlainChannel::Answer(std::uint32_t challenge) const noexcept
@@ -437,7 +454,10 @@ Permit PlainChannel::Answer(std::uint32_t challenge) const noexcept
     Permit permit{};
     for (SlotIndex slot = 0U; slot < common_.config.srdo_count; ++slot)
     {
-        permit.mask |= BitOf(slot, kPermitsCommitted(records_[slot].is_committed) && kPermits(common_.is_operational));
+        const bool is_as_written = kPermitsAsWritten(!records_[slot].is_otherwise);
+        const bool is_permitted = kPermitsCommitted(records_[slot].is_committed) && is_as_written;
+        permit.mask |=
+            BitOf(slot, is_permitted && kPermits(common_.is_operational) && kPermitsOnce(common_.has_committed));
     }
     permit.mask = kPermitMask(common_.is_operational ? permit.mask : kPermitNone(permit.mask));
     const std::uint32_t low = kPermitLow() ? static_cast<std::uint32_t>(permit.mask) : 0U;

@@ -101,6 +101,7 @@ struct Record
     bool is_fault_reported{false};
     bool has_fault{false}; ///< To be reported by the next OnCycle.
     bool is_committed{false};
+    bool is_otherwise{false}; ///< The last Commit read something else than was written.
     Reception reception{};
     Transmission transmission{};
     Button button{};
@@ -114,6 +115,7 @@ struct Common
     std::uint8_t gfc_parameter{0U};
     std::uint8_t configuration_valid{0U};
     bool is_operational{false};
+    bool has_committed{false}; ///< Since the last OnCycle.
     bool has_cycled{false};
     bool has_gfc{false};
     std::uint32_t now_us{0U};      ///< Of the last OnCycle.
@@ -151,7 +153,9 @@ void LeaveConsumer(Record& record) noexcept;
 void FollowButton(const Common& common, Record& record, bool bit) noexcept;
 void CycleConsumer(const Common& common, Record& record, bool is_late, bool is_lossy) noexcept;
 void DemoteConsumer(Record& record) noexcept;
-void CommitConsumer(const Common& common, Record& record, bool is_agreed, bool is_matched) noexcept;
+[[nodiscard]] bool CommitConsumer(const Common& common, Record& record, bool is_agreed, bool is_matched) noexcept;
+/// @brief Whether an object holds something else than was written, if it is looked at.
+[[nodiscard]] bool ReadBack(const Common& common, const Record& record, bool is_written, bool is_examined) noexcept;
 
 // producer.cpp
 void EnterProducer(const Common& common, Record& record) noexcept;

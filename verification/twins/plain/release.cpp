@@ -31,6 +31,11 @@ const Decision kWritten{"SRS_REL_002", "the pair has been written"};
 const Act kWritesPair{"SRS_REL_002", "the held pair is written"};
 const Act kNotesWritten{"SRS_REL_002", "a written pair is not written again"};
 const Act kNotesCommitted{"SRS_REL_002", "a slot whose pair is written is committed"};
+const Act kReadsPair{"SRS_REL_011", "a written pair is read back"};
+const Act kReadsSafe{"SRS_REL_011", "a written safe value is read back"};
+const Decision kExaminesCommitted{"SRS_REL_011", "a slot that is examined is committed"};
+const Decision kExaminesWritten{"SRS_REL_011", "the held pair of a slot that is examined has been written"};
+const Decision kDiffers{"SRS_REL_011", "an object holds something else"};
 const Act kWritesSafe{"SRS_REL_002", "the safe value is written"};
 const Act kNoLongerCommitted{"SRS_REL_002", "a slot with the safe value is not committed"};
 const Decision kWasCommitted{"SRS_REL_002", "the slot is committed"};
@@ -81,7 +86,7 @@ void DemoteConsumer(Record& record) noexcept
 }
 
 /// [SRS_REL_002]
-void CommitConsumer(const Common& common, Record& record, bool is_agreed, bool is_matched) noexcept
+bool CommitConsumer(const Common& common, Record& record, bool is_agreed, bool is_matched) noexcept
 {
     Reception& at = record.reception;
     const bool is_released = kCommitOf(kAgreed(is_agreed), kOwnState(record.state == SrdoState::kReleased));
@@ -95,6 +100,7 @@ void CommitConsumer(const Common& common, Record& record, bool is_agreed, bool i
             }
             at.is_written = kNotesWritten();
             record.is_committed = record.is_committed || kNotesCommitted();
+            return kReadsPair();
         }
     }
     else if ((!is_released) && kWasCommitted(record.is_committed))
@@ -104,7 +110,33 @@ void CommitConsumer(const Common& common, Record& record, bool is_agreed, bool i
             WriteObjects(record, common.side, SafeOf(record));
         }
         record.is_committed = !kNoLongerCommitted();
+        return kReadsSafe();
     }
+    return false;
+}
+
+/// [SRS_REL_011]
+bool ReadBack(const Common& common, const Record& record, bool is_written, bool is_examined) noexcept
+{
+    const Reception& at = record.reception;
+    const bool is_in_turn = is_examined && kExaminesCommitted(record.is_committed) && kExaminesWritten(at.is_written);
+    if ((!is_written) && (!is_in_turn))
+    {
+        return false;
+    }
+    const Bytes expected = record.is_committed ? at.held : SafeOf(record);
+    const Bytes found = ReadObjects(record, common.side);
+    std::uint32_t differing = 0U;
+    std::uint32_t bit = 0U;
+    for (const Part& part : record.parts)
+    {
+        for (const std::uint32_t end = bit + part.bits; bit < end; ++bit)
+        {
+            const std::uint32_t difference = static_cast<std::uint32_t>(expected.at[bit / 8U]) ^ found.at[bit / 8U];
+            differing |= (part.place == nullptr) ? 0U : ((difference >> (bit % 8U)) & 1U);
+        }
+    }
+    return kDiffers(differing != 0U);
 }
 
 } // namespace counterpoint::twins::plain
