@@ -42,9 +42,12 @@ void OutputGate::Drive(const PermitSet& permits, const Instant now) noexcept
 {
     const std::uint32_t challenge = challenge_;
     challenge_ = 0U;
-    if (Probe(permits, challenge) == ProbeAnswer::kAccepted)
+    // The masks that open are those that were judged: a wrong address cannot give answers of one place and masks of
+    // another.
+    const PermitSet given = permits;
+    if (Probe(given, challenge) == ProbeAnswer::kAccepted)
     {
-        open_ = permits.a.mask & permits.b.mask & permits.kernel.mask;
+        open_ = given.a.mask & given.b.mask & given.kernel.mask;
         NoteClosed(permits);
         driven_ = now;
         driven_copy_ = Instant{~now.us};
