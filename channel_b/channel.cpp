@@ -391,15 +391,15 @@ void Channel::Demote(SlotIndex slot) noexcept
     x_consumers.Demote(slot);
 }
 
-void Channel::Commit(const Agreement& agreement) noexcept
+SrdoMask Channel::Commit(const Agreement& agreement, SrdoMask examine) noexcept
 {
-    x_consumers.Commit(agreement);
+    return x_consumers.Commit(agreement, examine);
 }
 
 /// [SRS_REL_010]
 Permit Channel::Answer(std::uint32_t challenge) const noexcept
 {
-    const SrdoMask mask = IsRunning() ? x_consumers.Committed() : 0U;
+    const SrdoMask mask = IsRunning() ? x_consumers.Permitted() : 0U;
     const Payload halves = PayloadOf(mask);
     return Permit{mask, ((challenge + halves.low) ^ RotatedLeft(halves.high, 16U)) * kPermitConstantB};
 }

@@ -35,6 +35,7 @@ void Consumers::Restart() noexcept
 {
     Enter();
     x_committed = 0U;
+    x_permitted = 0U;
 }
 
 void Consumers::Enter() noexcept
@@ -131,9 +132,10 @@ HeldPair Consumers::Held(SlotIndex slot) const noexcept
     return pair;
 }
 
-SrdoMask Consumers::Committed() const noexcept
+/// [SRS_REL_010]
+SrdoMask Consumers::Permitted() const noexcept
 {
-    return x_committed;
+    return x_committed & x_permitted;
 }
 
 void Consumers::Withdraw(SlotIndex slot) noexcept
@@ -432,6 +434,7 @@ void Consumers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
     const SrdoMask news = is_alarm ? x_active : (x_pending | x_faults.Unreported() | tick.edges);
     const SrdoMask quiet = x_active & ~news;
     SrdoMask released = Settle(quiet, tick.elapsed_us, outcome);
+    x_permitted = 0U; // Until the next Commit.
     x_active_us += tick.elapsed_us;
     SlotWalk walk{x_active & ~released};
     while (walk.Next())
@@ -457,23 +460,50 @@ void Consumers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
     x_fresh = 0U;
 }
 
-/// [SRS_REL_002]
-void Consumers::Commit(const Agreement& agreement) noexcept
+/// The slots of which an object holds something else than the held pair, or the safe value. [SRS_REL_011]
+SrdoMask Consumers::NotAsWritten(SrdoMask with_pair, SrdoMask safe) const noexcept
+{
+    SrdoMask wrong = 0U;
+    SlotWalk walk{with_pair};
+    while (walk.Next())
+    {
+        if (!x_mappings.HoldsInverse(walk.Slot(), x_pairs.data[walk.Slot()]))
+        {
+            wrong |= BitOf(walk.Slot());
+        }
+    }
+    SlotWalk left{safe};
+    while (left.Next())
+    {
+        if (!x_mappings.HoldsSafe(left.Slot()))
+        {
+            wrong |= BitOf(left.Slot());
+        }
+    }
+    return wrong;
+}
+
+/// Nothing is read before everything is written. [SRS_REL_002, SRS_REL_010, SRS_REL_011]
+SrdoMask Consumers::Commit(const Agreement& agreement, SrdoMask examine) noexcept
 {
     const SrdoMask released = agreement.agreed & x_released;
     const SrdoMask written = released & agreement.matched & x_unwritten;
+    const SrdoMask safe = x_committed & ~released;
     SlotWalk walk{written};
     while (walk.Next())
     {
         x_mappings.WriteInverse(walk.Slot(), x_pairs.data[walk.Slot()]);
     }
-    SlotWalk left{x_committed & ~released};
+    SlotWalk left{safe};
     while (left.Next())
     {
         x_mappings.WriteSafe(left.Slot());
     }
     x_unwritten &= ~written;
     x_committed = (x_committed & released) | written;
+    const SrdoMask wrong = NotAsWritten(written | (examine & x_committed & ~x_unwritten), safe);
+    x_permitted = x_committed & ~wrong;
+    return wrong;
 }
 
 } // namespace counterpoint::channel_b

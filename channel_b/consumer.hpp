@@ -18,7 +18,8 @@ namespace counterpoint::channel_b
 /// Invariants between two calls:
 /// - `granted` implies `held`; a held pair implies an ordinal above 0 (until the ordinal wraps);
 /// - the budget of SCT belongs to the held pair, the budget of SRVT to the pending normal frame;
-/// - x_committed are the slots whose inverse objects hold released data.
+/// - x_committed are the slots whose inverse objects hold released data;
+/// - a permit wants a slot in x_committed and in x_permitted, so that no single flipped bit is one.
 class Consumers
 {
   public:
@@ -39,14 +40,16 @@ class Consumers
     void OnFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept;
     void Serve(const Tick& tick, CycleOutcome& outcome) noexcept;
     void Demote(SlotIndex slot) noexcept;
-    void Commit(const Agreement& agreement) noexcept;
+    /// @brief Writes, then reads back; the slots whose objects hold something else than was written.
+    [[nodiscard]] SrdoMask Commit(const Agreement& agreement, SrdoMask examine) noexcept;
     /// @brief The objects of the slot hold no released data any longer.
     void Withdraw(SlotIndex slot) noexcept;
 
     [[nodiscard]] bool IsActive(SlotIndex slot) const noexcept;
     [[nodiscard]] SrdoState StateOf(SlotIndex slot) const noexcept;
     [[nodiscard]] HeldPair Held(SlotIndex slot) const noexcept;
-    [[nodiscard]] SrdoMask Committed() const noexcept;
+    /// @brief What the last Commit, since the last OnCycle, left committed and did not return.
+    [[nodiscard]] SrdoMask Permitted() const noexcept;
 
   private:
     [[nodiscard]] bool IsHeld(SlotIndex slot) const noexcept;
@@ -60,6 +63,7 @@ class Consumers
     void Examine(SlotIndex slot, const Tick& tick) noexcept;
     void Grant(SlotIndex slot) noexcept;
     void ServeBusy(SlotIndex slot, const Tick& tick, CycleOutcome& outcome) noexcept;
+    [[nodiscard]] SrdoMask NotAsWritten(SrdoMask with_pair, SrdoMask safe) const noexcept;
     void Discard(SlotIndex slot) noexcept;
     [[gnu::cold]] void Fault(SlotIndex slot, SrdoCause cause) noexcept;
 
@@ -80,6 +84,7 @@ class Consumers
     SrdoMask x_released{0U};  ///< As the last OnCycle decided, less those with a fault since.
     SrdoMask x_unwritten{0U}; ///< The held pair has not been written into the objects.
     SrdoMask x_committed{0U};
+    SrdoMask x_permitted{0U};      ///< Committed and found as written by the last Commit; none since an OnCycle.
     std::uint32_t x_active_us{0U}; ///< Since entering OPERATIONAL.
 };
 

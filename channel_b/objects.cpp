@@ -47,7 +47,7 @@ std::uint32_t Objects::Find(std::uint32_t entry) const noexcept
 /// [SRS_CFG_027]
 bool Objects::IsNamed(std::uint32_t place, std::uint32_t entry, MapAccess access) const noexcept
 {
-    if (place >= x_count)
+    if (!IsThere(place))
     {
         return false;
     }

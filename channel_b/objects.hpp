@@ -22,6 +22,12 @@ class Objects
     /// @brief Whether there is an object at the place, with index, sub-index and length as the entry says, that an SRDO
     /// of this access may map.
     [[nodiscard]] bool IsNamed(std::uint32_t place, std::uint32_t entry, MapAccess access) const noexcept;
+    /// @brief Whether there is an object at the place.
+    [[nodiscard]] bool IsThere(std::uint32_t place) const noexcept
+    {
+        return place < x_count;
+    }
+
     /// @brief Where the object lies, and behind it.
     [[nodiscard]] std::uint8_t* Begin(std::uint32_t place) const noexcept
     {
@@ -38,7 +44,7 @@ class Objects
     /// [SRS_CFG_036]
     [[nodiscard]] std::uint64_t Read(std::uint32_t place) const noexcept
     {
-        if (place >= x_count)
+        if (!IsThere(place))
         {
             return 0U;
         }
@@ -50,7 +56,7 @@ class Objects
     /// nothing where there is none. [SRS_CFG_036]
     void Write(std::uint32_t place, std::uint64_t word) const noexcept
     {
-        if (place >= x_count)
+        if (!IsThere(place))
         {
             return;
         }

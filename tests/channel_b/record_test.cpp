@@ -129,7 +129,7 @@ TEST(ChannelBRecord, RecheckFindsEveryObjectThatIsNotTheMappedOne)
             static_cast<void>(rig->Enter());
             rig->Pair(0U, kData);
             const bool is_released = (rig->Cycle().released & 1U) != 0U;
-            rig->Voice().Commit(Agreement{1U, 1U});
+            const SrdoMask found_otherwise = rig->Voice().Commit(Agreement{1U, 1U}, 0U);
             if (is_released)
             {
                 // then it is found and never released, or the pair reaches its own objects
@@ -169,7 +169,7 @@ std::vector<std::uint64_t> Trace(Rig& rig)
             trace.push_back(std::uint64_t{view.error_count} + (static_cast<std::uint64_t>(view.state) << 32U));
             trace.push_back(static_cast<std::uint64_t>(view.first_cause) + (std::uint64_t{view.holds_pair} << 32U));
         }
-        rig.Voice().Commit(Agreement{outcome.released, outcome.released});
+        trace.push_back(rig.Voice().Commit(Agreement{outcome.released, outcome.released}, 0U));
         const Permit permit = rig.Voice().Answer(0x01020304U);
         trace.push_back(permit.mask + (std::uint64_t{permit.response} << 32U));
         for (std::size_t object = 0U; object < 12U; ++object)
