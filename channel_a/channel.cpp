@@ -148,9 +148,9 @@ void Channel::Demote(const SlotIndex slot) noexcept
     DemoteConsumer(voice_, slot);
 }
 
-void Channel::Commit(const Agreement& agreement) noexcept
+SrdoMask Channel::Commit(const Agreement& agreement, const SrdoMask examine) noexcept
 {
-    CommitPairs(voice_, agreement);
+    return CommitPairs(voice_, agreement, examine);
 }
 
 Permit Channel::Answer(const std::uint32_t challenge) const noexcept

@@ -172,35 +172,44 @@ SrdoMask SlotsOf(const std::uint8_t count) noexcept
     return ~SrdoMask{0U} >> (std::uint32_t{kMaxSrdoCount} - count);
 }
 
-// A few slots from `first` on: those of `group` take the held pair where it is to be written, else the safe value.
-void CommitGroup(const Voice& voice, const std::size_t first, const std::uint32_t group,
-                 const SrdoMask written) noexcept
-{
-    std::size_t slot = first;
-    for (std::uint32_t left = group; left != 0U; left >>= 1U)
-    {
-        if ((left & 1U) != 0U)
-        {
-            const Record& record = At(voice, slot);
-            WriteObjects(voice, slot, IsIn(written, slot) ? record.held : record.safe);
-        }
-        ++slot;
-    }
-}
-
-// Group after group until none is left that changes.
-void CommitGroups(const Voice& voice, const SrdoMask changed, const SrdoMask written) noexcept
+// The slots of a mask in order; a group of them is passed over at once where none is in it.
+template <typename Use> void ForSlots(const SrdoMask slots, const Use& use) noexcept
 {
     std::size_t first = 0U;
-    for (SrdoMask left = changed; left != 0U; left >>= kGroup)
+    for (SrdoMask left = slots; left != 0U; left >>= kGroup)
     {
-        const std::uint32_t group = static_cast<std::uint32_t>(left & kGroupMask);
-        if (group != 0U)
+        std::size_t slot = first;
+        for (std::uint32_t group = static_cast<std::uint32_t>(left & kGroupMask); group != 0U; group >>= 1U)
         {
-            CommitGroup(voice, first, group, written);
+            if ((group & 1U) != 0U)
+            {
+                use(slot);
+            }
+            ++slot;
         }
         first += kGroup;
     }
+}
+
+// What the objects of a slot have to hold: its pair, or the safe value.
+const Bytes& DataOf(const Record& record, const bool is_pair) noexcept
+{
+    return is_pair ? record.held : record.safe;
+}
+
+// Those of the slots whose objects do not hold the pair where it is in `pairs`, else the safe value.
+SrdoMask NotHolding(const Voice& voice, const SrdoMask slots, const SrdoMask pairs) noexcept
+{
+    SrdoMask found = 0U;
+    ForSlots(slots,
+             [&voice, &found, pairs](const std::size_t slot) noexcept
+             {
+                 if (!HoldObjects(voice, slot, DataOf(At(voice, slot), IsIn(pairs, slot))))
+                 {
+                     PutIn(found, slot);
+                 }
+             });
+    return found;
 }
 
 } // namespace
@@ -215,6 +224,7 @@ CycleOutcome RunCycle(Voice& voice, const CycleInput& input) noexcept
     voice.now = input.now;
     ++outcome.cycle;
     outcome.guard = GuardOf(input, voice.configuration_valid);
+    SetPermitted(voice, 0U); // Until Commit.
 
     FollowOperational(voice, input.nmt);
     const SrdoMask standing = voice.may_send ? (input.stand & voice.producers) : 0U;
@@ -231,21 +241,31 @@ CycleOutcome RunCycle(Voice& voice, const CycleInput& input) noexcept
     return result;
 }
 
-void CommitPairs(Voice& voice, const Agreement& agreement) noexcept
+// All is written before the first object is read, so that one that overwrites another is found. What waits to be
+// written is not what the objects hold yet, and is not examined.
+SrdoMask CommitPairs(Voice& voice, const Agreement& agreement, const SrdoMask examine) noexcept
 {
+    const SrdoMask slots = SlotsOf(voice.count);
     const SrdoMask own = agreement.agreed & voice.outcome.released;
-    const SrdoMask to_write = own & agreement.matched & (voice.unwritten | voice.outcome.fresh);
+    const SrdoMask unwritten = voice.unwritten | voice.outcome.fresh;
+    const SrdoMask to_write = own & agreement.matched & unwritten;
     const SrdoMask to_drop = voice.committed & ~own;
+    const SrdoMask to_examine = examine & voice.committed & own & ~unwritten;
     voice.unwritten &= ~to_write;
     voice.committed = (voice.committed | to_write) & ~to_drop;
-    CommitGroups(voice, (to_write | to_drop) & SlotsOf(voice.count), to_write);
+    ForSlots((to_write | to_drop) & slots, [&voice, to_write](const std::size_t slot) noexcept
+             { WriteObjects(voice, slot, DataOf(At(voice, slot), IsIn(to_write, slot))); });
+    const SrdoMask pairs = to_write | to_examine;
+    const SrdoMask found = NotHolding(voice, (pairs | to_drop) & slots, pairs);
+    SetPermitted(voice, voice.committed & ~found);
+    return found;
 }
 
 // [SRS_REL_010]
 Permit PermitFor(const Voice& voice, const std::uint32_t challenge) noexcept
 {
     Permit permit{};
-    permit.mask = IsActive(voice) ? voice.committed : 0U;
+    permit.mask = IsActive(voice) ? PermittedOf(voice) : 0U;
     const std::uint32_t low = static_cast<std::uint32_t>(permit.mask & 0xFFFFFFFFU);
     const std::uint32_t high = static_cast<std::uint32_t>(permit.mask >> kBitsPerWord);
     const std::uint32_t halves_swapped = (high << kPermitRotation) | (high >> kPermitRotation);

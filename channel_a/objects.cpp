@@ -13,15 +13,11 @@ namespace counterpoint::channel_a
 namespace
 {
 
-// The object of a step; null where there is none, or not within the frame.
-const MappableObject* ObjectOf(const DeviceConfig& config, const Step& step) noexcept
+// The object of a step; kNothing where there is none, or not within the frame.
+const MappableObject& ObjectOf(const DeviceConfig& config, const Step& step) noexcept
 {
-    if (step.normal >= config.object_count)
-    {
-        return nullptr;
-    }
-    const MappableObject* const object = &config.objects[step.normal]; // MISRA D-002
-    return ((std::uint32_t{step.first_bit} + object->length_bits) <= kMaxPayloadBits) ? object : nullptr;
+    const MappableObject& object = ObjectAt(config, step.normal);
+    return ((std::uint32_t{step.first_bit} + object.length_bits) <= kMaxPayloadBits) ? object : kNothing;
 }
 
 // Whether an object is whole bytes of the frame; else it is moved bit by bit.
@@ -94,42 +90,69 @@ void ReadObject(const MappableObject& object, const Step& step, Bytes& data) noe
     CopyBits(&data.at[0], step.first_bit, object.place, 0U, length_bits);
 }
 
-} // namespace
+// What of an object is not its part of the data; 0: nothing. Bits above its length are not looked at.
+std::uint32_t WrongPart(const MappableObject& object, const Step& step, const Bytes& data) noexcept
+{
+    const std::uint32_t length_bits = object.length_bits;
+    std::uint32_t wrong = 0U;
+    if (IsOfBytes(step, object))
+    {
+        const std::uint8_t* const wanted = &data.at[step.first_bit / kBitsPerByte];
+        for (std::uint32_t place = 0U; place < (length_bits / kBitsPerByte); ++place)
+        {
+            wrong |= std::uint32_t{object.place[place]} ^ wanted[place]; // MISRA D-002
+        }
+        return wrong;
+    }
+    for (std::uint32_t bit = 0U; bit < length_bits; ++bit)
+    {
+        wrong |= BitAt(object.place, bit) ^ BitAt(&data.at[0], step.first_bit + bit);
+    }
+    return wrong;
+}
 
-Bytes ReadObjects(const Voice& voice, const std::size_t slot) noexcept
+// Whether a step that is not of dummies leads to no object any more.
+bool IsLost(const MappableObject& object, const Step& step) noexcept
+{
+    return (step.normal != kNoObject) && (object.length_bits == 0U);
+}
+
+// The steps of a mapping in order, each fetched from where it is kept, with the object that it leads to.
+template <typename Use> void RunSteps(const Voice& voice, const std::size_t slot, const Use& use) noexcept
 {
     const DeviceConfig& config = *voice.config;
     const Mapping mapping = MappingOf(voice, slot);
-    Bytes data{};
     std::uint32_t first_bit = 0U;
     for (std::uint32_t pair = 0U; pair < (mapping.count / kEntriesPerStep); ++pair)
     {
         const Step step = StepAt(config, mapping, pair, first_bit);
-        const MappableObject* const object = ObjectOf(config, step);
-        if (object != nullptr)
-        {
-            ReadObject(*object, step, data);
-        }
+        use(ObjectOf(config, step), step);
         first_bit += step.bits;
     }
+}
+
+} // namespace
+
+Bytes ReadObjects(const Voice& voice, const std::size_t slot) noexcept
+{
+    Bytes data{};
+    RunSteps(voice, slot,
+             [&data](const MappableObject& object, const Step& step) noexcept { ReadObject(object, step, data); });
     return data;
 }
 
 void WriteObjects(const Voice& voice, const std::size_t slot, const Bytes& data) noexcept
 {
-    const DeviceConfig& config = *voice.config;
-    const Mapping mapping = MappingOf(voice, slot);
-    std::uint32_t first_bit = 0U;
-    for (std::uint32_t pair = 0U; pair < (mapping.count / kEntriesPerStep); ++pair)
-    {
-        const Step step = StepAt(config, mapping, pair, first_bit);
-        const MappableObject* const object = ObjectOf(config, step);
-        if (object != nullptr)
-        {
-            WriteObject(*object, step, data);
-        }
-        first_bit += step.bits;
-    }
+    RunSteps(voice, slot,
+             [&data](const MappableObject& object, const Step& step) noexcept { WriteObject(object, step, data); });
+}
+
+bool HoldObjects(const Voice& voice, const std::size_t slot, const Bytes& data) noexcept
+{
+    std::uint32_t wrong = 0U;
+    RunSteps(voice, slot, [&data, &wrong](const MappableObject& object, const Step& step) noexcept
+             { wrong |= WrongPart(object, step, data) | (IsLost(object, step) ? 1U : 0U); });
+    return wrong == 0U;
 }
 
 } // namespace counterpoint::channel_a

@@ -15,6 +15,8 @@ namespace counterpoint::channel_a
 [[nodiscard]] Bytes ReadObjects(const Voice& voice, std::size_t slot) noexcept;
 /// @brief Data into the normal objects. [SRS_REL_002]
 void WriteObjects(const Voice& voice, std::size_t slot, const Bytes& data) noexcept;
+/// @brief Whether every normal object holds its part of the data. [SRS_REL_011]
+[[nodiscard]] bool HoldObjects(const Voice& voice, std::size_t slot, const Bytes& data) noexcept;
 
 } // namespace counterpoint::channel_a
 

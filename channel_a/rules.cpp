@@ -147,6 +147,7 @@ CheckResult ValidateSlot(Voice& voice, const std::size_t slot) noexcept
     {
         WriteObjects(voice, slot, record.safe);
         TakeOut(voice.committed, slot); // The objects hold no pair any more. [SRS_REL_002]
+        SetPermitted(voice, PermittedOf(voice) & voice.committed);
     }
     return result;
 }

@@ -35,10 +35,12 @@ struct Voice
     std::uint32_t first_delay_us; ///< From OPERATIONAL to the first possible transmission.
     /// What the next OnCycle returns, kept up to date by every event.
     CycleOutcome outcome;
-    SrdoMask producers;   ///< Active ones.
-    SrdoMask wanted;      ///< Slots that are asked for or refreshed and were not prepared since.
-    SrdoMask unwritten;   ///< The held pair was not written yet.
-    SrdoMask committed;   ///< The objects hold a pair.
+    SrdoMask producers; ///< Active ones.
+    SrdoMask wanted;    ///< Slots that are asked for or refreshed and were not prepared since.
+    SrdoMask unwritten; ///< The held pair was not written yet.
+    SrdoMask committed; ///< The objects hold a pair.
+    SrdoMask permitted; ///< Slots of the permit, beside those that are not. [SRS_REL_010]
+    SrdoMask refused;
     SrdoMask reading;     ///< Acknowledge inputs as the last OnCycle read them.
     SrdoMask high_levels; ///< Slots with an acknowledge level of 1, beside those with 0. [SRS_REL_005]
     SrdoMask low_levels;
@@ -73,6 +75,18 @@ constexpr std::size_t kInverseHalf = 1U;
 [[nodiscard]] inline bool IsIn(const SrdoMask mask, const std::size_t slot) noexcept
 {
     return (mask & BitOf(slot)) != 0U;
+}
+
+inline void SetPermitted(Voice& voice, const SrdoMask permitted) noexcept
+{
+    voice.permitted = permitted;
+    voice.refused = ~permitted;
+}
+
+/// @brief A slot that is not beside its complement is not permitted.
+[[nodiscard]] inline SrdoMask PermittedOf(const Voice& voice) noexcept
+{
+    return voice.permitted & ~voice.refused;
 }
 
 inline void Demand(Record& record, const std::uint32_t todo) noexcept

@@ -154,12 +154,44 @@ TEST_F(ChannelACycle, CommitsNoSlotThatThereIsNot)
         byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8U)));
         device.words[0][0] = 0x77U; // Of the consumer.
         device.words[4][0] = 0x77U; // Of the producer.
-        device.channel.Commit(Agreement{0U, 0U});
+        EXPECT_EQ(device.channel.Commit(Agreement{0U, 0U}, 0U), 0U) << "bit " << bit;
         // Then no object of another slot is written, and nothing that is not an object
         EXPECT_EQ(device.words[0][0], (bit == kConsumerSlot) ? 0U : 0x77U) << "bit " << bit;
         EXPECT_TRUE((device.words[4][0] == 0x77U) || (bit == kProducerSlot)) << "bit " << bit;
         EXPECT_TRUE(fenced->IsIntact()) << "bit " << bit;
         EXPECT_EQ(device.channel.Answer(1U).mask, 0U) << "bit " << bit;
+    }
+}
+
+TEST_F(ChannelACycle, PermitsNoSlotByAFlippedBit)
+{
+    Verifies(req::SRS_REL_010);
+    Verifies(req::SRS_CONS_024);
+    constexpr std::size_t kVoice = sizeof(channel_a::Channel) - sizeof(channel_a::Voice);
+    constexpr std::size_t kMasks[] = {offsetof(channel_a::Voice, permitted), offsetof(channel_a::Voice, refused)};
+    device.setups[0].policy = ReleasePolicy::kAutomatic;
+    for (const std::size_t mask : kMasks)
+    {
+        for (std::size_t bit = 0U; bit < 64U; ++bit)
+        {
+            std::uint8_t& byte = reinterpret_cast<std::uint8_t*>(&device.channel)[kVoice + mask + (bit / 8U)];
+            // Given a released pair and no Commit, when a bit of what is permitted flips, then nothing is permitted
+            Start();
+            static_cast<void>(device.Cycle());
+            device.Pair(8U, 0x11U);
+            ASSERT_EQ(device.Cycle().released, kConsumerBit);
+            byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8U)));
+            EXPECT_EQ(device.channel.Answer(1U).mask, 0U) << "mask at " << mask << ", bit " << bit;
+            // and behind a Commit the slot of the bit loses its permit until the next one
+            device.Commit();
+            EXPECT_EQ(device.channel.Answer(1U).mask, kConsumerBit) << "mask at " << mask << ", bit " << bit;
+            byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8U)));
+            EXPECT_EQ(device.channel.Answer(1U).mask, (bit == kConsumerSlot) ? 0U : kConsumerBit)
+                << "mask at " << mask << ", bit " << bit;
+            static_cast<void>(device.Cycle());
+            device.Commit();
+            EXPECT_EQ(device.channel.Answer(1U).mask, kConsumerBit) << "mask at " << mask << ", bit " << bit;
+        }
     }
 }
 

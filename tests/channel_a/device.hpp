@@ -130,7 +130,7 @@ struct Device
     /// @brief The held pair is agreed and matched.
     void Commit()
     {
-        channel.Commit(Agreement{kConsumerBit, kConsumerBit});
+        static_cast<void>(channel.Commit(Agreement{kConsumerBit, kConsumerBit}, 0U));
     }
 
     static constexpr std::uint16_t kObjectCount = 14U;

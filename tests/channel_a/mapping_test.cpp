@@ -133,6 +133,56 @@ TEST(ChannelAMapping, OfAFullFrameIsConfirmedWordByWord)
     EXPECT_TRUE(fenced->IsIntact());
 }
 
+TEST(ChannelAMapping, OfStaticObjectsIsReadBack)
+{
+    Verifies(req::SRS_REL_011);
+    Verifies(req::SRS_CFG_032);
+    // Given two words that lie one behind the other, mapped for good and released
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    device.setups[kConsumerSlot].map = StaticMap{kConsumed, 4U};
+    device.Start();
+    device.channel.SetFields(kConsumerSlot, StaticFields{device.words[0], device.words[2]});
+    ASSERT_EQ(device.Sign(kConsumerSlot).fault, ConfigFault::kNone);
+    static_cast<void>(device.Cycle());
+    device.Pair(8U, 0x11U);
+    static_cast<void>(device.Cycle());
+    constexpr Agreement kAgreed{kConsumerBit, kConsumerBit};
+    EXPECT_EQ(device.channel.Commit(kAgreed, 0U), 0U);
+    EXPECT_EQ(device.channel.Commit(kAgreed, kConsumerBit), 0U);
+    for (std::uint8_t byte = 0U; byte < 8U; ++byte)
+    {
+        // When one of their bytes changes, then it is found
+        std::uint8_t& changed = device.words[byte / 4U][byte % 4U];
+        changed = static_cast<std::uint8_t>(changed ^ 0x40U);
+        EXPECT_EQ(device.channel.Commit(kAgreed, kConsumerBit), kConsumerBit) << "byte " << +byte;
+        changed = static_cast<std::uint8_t>(changed ^ 0x40U);
+    }
+    // and an inverse object is none of this channel's
+    device.words[2][0] = 0x77U;
+    EXPECT_EQ(device.channel.Commit(kAgreed, kConsumerBit), 0U);
+}
+
+TEST(ChannelAMapping, OfAStepThatLeadsElsewhereIsReadThere)
+{
+    Verifies(req::SRS_REL_011);
+    Verifies(req::SRS_CONS_024);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    constexpr std::uint32_t kPlaceBits = 16U;
+    for (std::uint32_t bit = 0U; bit < kPlaceBits; ++bit)
+    {
+        // Given a released pair that was written, when the place of an object flips to that of another one or of none
+        Reach(device);
+        EXPECT_EQ(device.channel.Commit(Agreement{kConsumerBit, kConsumerBit}, 0U), 0U);
+        channel_a::Step& step = fenced->fence.storage.steps[1];
+        step.normal = static_cast<std::uint16_t>(step.normal ^ (1U << bit));
+        // Then the slot does not hold what was written
+        EXPECT_EQ(device.channel.Commit(Agreement{kConsumerBit, kConsumerBit}, kConsumerBit), kConsumerBit)
+            << "bit " << bit;
+    }
+}
+
 TEST(ChannelAMapping, OfStaticObjectsOfOneAndNineBitsIsRefused)
 {
     Verifies(req::SRS_CFG_032);
