@@ -33,10 +33,6 @@ void SetCommonConfig(DeviceConfig& config) noexcept;
 class QuietApplication : public Application
 {
   public:
-    RefreshAnswer OnRefresh(CommunicationIndex /*index*/) noexcept override
-    {
-        return RefreshAnswer::kSkip;
-    }
     void OnSrdoEvent(CommunicationIndex /*index*/) noexcept override
     {
     }
@@ -44,19 +40,10 @@ class QuietApplication : public Application
     {
         error_ = (error_ == SrdoCause::kNone) ? cause : error_;
     }
-    void OnGfc() noexcept override
-    {
-    }
-    void OnGfcNotFollowed() noexcept override
-    {
-    }
     void OnConfigurationInvalid(CommunicationIndex /*index*/) noexcept override
     {
     }
     void OnDeviceFault(const DeviceFaultReport& /*report*/) noexcept override
-    {
-    }
-    void OnFlow(const FlowCount& /*count*/) noexcept override
     {
     }
 

@@ -122,23 +122,11 @@ void Device::OnSrdoError(CommunicationIndex /*index*/, const SrdoCause cause) no
     error_ = (error_ == SrdoCause::kNone) ? cause : error_;
 }
 
-void Device::OnGfc() noexcept
-{
-}
-
-void Device::OnGfcNotFollowed() noexcept
-{
-}
-
 void Device::OnConfigurationInvalid(CommunicationIndex /*index*/) noexcept
 {
 }
 
 void Device::OnDeviceFault(const DeviceFaultReport& /*report*/) noexcept
-{
-}
-
-void Device::OnFlow(const FlowCount& /*count*/) noexcept
 {
 }
 

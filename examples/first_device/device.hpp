@@ -25,11 +25,8 @@ class Device final : public counterpoint::Application
     counterpoint::RefreshAnswer OnRefresh(counterpoint::CommunicationIndex index) noexcept override;
     void OnSrdoEvent(counterpoint::CommunicationIndex index) noexcept override;
     void OnSrdoError(counterpoint::CommunicationIndex index, counterpoint::SrdoCause cause) noexcept override;
-    void OnGfc() noexcept override;
-    void OnGfcNotFollowed() noexcept override;
     void OnConfigurationInvalid(counterpoint::CommunicationIndex index) noexcept override;
     void OnDeviceFault(const counterpoint::DeviceFaultReport& report) noexcept override;
-    void OnFlow(const counterpoint::FlowCount& count) noexcept override;
 
   private:
     std::uint8_t report_[1]{0U};             ///< 2000h:01, sent as normal data.

@@ -37,29 +37,39 @@ struct FlowCount
     std::uint16_t count;
 };
 
-/// What the device's application implements. Called from within Kernel::Cycle and Kernel::OnConfirm; must return soon
-/// (its time counts towards the cycle) and call nothing of the kernel but its Get functions, SetStatus, Send (for the
-/// next cycle), SendGfc and DemandSafeState. [SRS_KRN_006]
+/// What the device's application implements; what most devices leave empty has a body here. Called from within
+/// Kernel::Cycle and Kernel::OnConfirm; must return soon (its time counts towards the cycle) and call nothing of the
+/// kernel but its Get functions, SetStatus, Send (for the next cycle), SendGfc and DemandSafeState. [SRS_KRN_006]
 class Application
 {
   public:
-    /// @brief A producer of form kProviderCalled is about to be sent: write both objects of its pair. [SRS_KRN_012]
-    [[nodiscard]] virtual RefreshAnswer OnRefresh(CommunicationIndex index) noexcept = 0;
+    /// @brief A producer of form kProviderCalled is about to be sent: write both objects of its pair. As it stands
+    /// here nothing is sent, and the missed refresh is an error of the SRDO. [SRS_KRN_012, SRS_KRN_040]
+    [[nodiscard]] virtual RefreshAnswer OnRefresh(CommunicationIndex /*index*/) noexcept
+    {
+        return RefreshAnswer::kSkip;
+    }
     /// @brief Consumer: a new pair was released into the objects. Producer: its pair is on the bus, confirmed.
     virtual void OnSrdoEvent(CommunicationIndex index) noexcept = 0;
     /// @brief A cause was signalled for this SRDO (kWaitingPastSct included, which is no error).
     virtual void OnSrdoError(CommunicationIndex index, SrdoCause cause) noexcept = 0;
     /// @brief A GFC was accepted; the consumers are safe already.
-    virtual void OnGfc() noexcept = 0;
+    virtual void OnGfc() noexcept
+    {
+    }
     /// @brief An own GFC was not followed by an SRDO in time. [SRS_KRN_013]
-    virtual void OnGfcNotFollowed() noexcept = 0;
+    virtual void OnGfcNotFollowed() noexcept
+    {
+    }
     /// @brief OPERATIONAL was entered with a configuration that does not hold; SRDOs are off (emergency 6300h).
     /// [SRS_KRN_010]
     virtual void OnConfigurationInvalid(CommunicationIndex index) noexcept = 0;
     /// @brief The device safe state was entered. Called once. [SRS_KRN_006]
     virtual void OnDeviceFault(const DeviceFaultReport& report) noexcept = 0;
     /// @brief Only with the option FlowCallback::kOn. [SRS_FLOW_004]
-    virtual void OnFlow(const FlowCount& count) noexcept = 0;
+    virtual void OnFlow(const FlowCount& /*count*/) noexcept
+    {
+    }
 
     Application(const Application&) = delete;
     Application(Application&&) = delete;

@@ -141,21 +141,12 @@ class ProcessApplication final : public Application
     [[nodiscard]] RefreshAnswer OnRefresh(CommunicationIndex /*index*/) noexcept override;
     void OnSrdoEvent(CommunicationIndex index) noexcept override;
     void OnSrdoError(CommunicationIndex index, SrdoCause cause) noexcept override;
-    void OnGfc() noexcept override
-    {
-    }
-    void OnGfcNotFollowed() noexcept override
-    {
-    }
     void OnConfigurationInvalid(CommunicationIndex /*index*/) noexcept override
     {
     }
     void OnDeviceFault(const DeviceFaultReport& report) noexcept override
     {
         fault = report;
-    }
-    void OnFlow(const FlowCount& /*count*/) noexcept override
-    {
     }
 
     std::array<std::uint8_t, 2U> tx_normal{};

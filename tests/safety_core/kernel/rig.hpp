@@ -151,7 +151,8 @@ class RecordingApplication final : public Application
 class Rig : public ::testing::Test
 {
   public:
-    explicit Rig(SelfTestPart* self_test = nullptr);
+    /// `other` is the kernel's application instead of `application`.
+    explicit Rig(SelfTestPart* self_test = nullptr, Application* other = nullptr);
 
     /// Writes and declares the configuration above; every write must be accepted.
     void Configure();
