@@ -108,10 +108,10 @@ void GuardedChannel::Demote(const SlotIndex slot) noexcept
     channel_.Demote(slot);
 }
 
-void GuardedChannel::Commit(const Agreement& agreement) noexcept
+SrdoMask GuardedChannel::Commit(const Agreement& agreement, const SrdoMask examine) noexcept
 {
     const Turn turn{protection_, owner_};
-    channel_.Commit(agreement);
+    return channel_.Commit(agreement, examine);
 }
 
 Permit GuardedChannel::Answer(const std::uint32_t challenge) const noexcept

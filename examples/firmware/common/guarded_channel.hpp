@@ -31,7 +31,7 @@ class GuardedChannel final : public Channel
     [[nodiscard]] HeldPair Held(SlotIndex slot) const noexcept override;
     [[nodiscard]] SrdoView View(SlotIndex slot) const noexcept override;
     void Demote(SlotIndex slot) noexcept override;
-    void Commit(const Agreement& agreement) noexcept override;
+    [[nodiscard]] SrdoMask Commit(const Agreement& agreement, SrdoMask examine) noexcept override;
     [[nodiscard]] Permit Answer(std::uint32_t challenge) const noexcept override;
     [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept override;
     [[nodiscard]] Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override;
