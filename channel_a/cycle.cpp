@@ -172,11 +172,34 @@ SrdoMask SlotsOf(const std::uint8_t count) noexcept
     return ~SrdoMask{0U} >> (std::uint32_t{kMaxSrdoCount} - count);
 }
 
-// The slots of a mask in order; a group of them is passed over at once where none is in it.
-template <typename Use> void ForSlots(const SrdoMask slots, const Use& use) noexcept
+/// Some slots, in a mask that begins with the first of them.
+struct Slots
+{
+    std::size_t first;
+    SrdoMask mask; ///< Bit 0 is `first`.
+};
+
+// A group of slots is passed over at once where none is in the mask.
+Slots FromFirst(const SrdoMask slots) noexcept
 {
     std::size_t first = 0U;
-    for (SrdoMask left = slots; left != 0U; left >>= kGroup)
+    SrdoMask left = slots;
+    for (; (left != 0U) && ((left & kGroupMask) == 0U); left >>= kGroup)
+    {
+        first += kGroup;
+    }
+    for (; (left != 0U) && ((left & 1U) == 0U); left >>= 1U)
+    {
+        ++first;
+    }
+    return Slots{first, left};
+}
+
+// Each of the slots in order, group after group.
+template <typename Use> void ForEach(const Slots& slots, const Use& use) noexcept
+{
+    std::size_t first = slots.first;
+    for (SrdoMask left = slots.mask; left != 0U; left >>= kGroup)
     {
         std::size_t slot = first;
         for (std::uint32_t group = static_cast<std::uint32_t>(left & kGroupMask); group != 0U; group >>= 1U)
@@ -198,17 +221,17 @@ const Bytes& DataOf(const Record& record, const bool is_pair) noexcept
 }
 
 // Those of the slots whose objects do not hold the pair where it is in `pairs`, else the safe value.
-SrdoMask NotHolding(const Voice& voice, const SrdoMask slots, const SrdoMask pairs) noexcept
+SrdoMask NotHolding(const Voice& voice, const Slots& slots, const SrdoMask pairs) noexcept
 {
     SrdoMask found = 0U;
-    ForSlots(slots,
-             [&voice, &found, pairs](const std::size_t slot) noexcept
-             {
-                 if (!HoldObjects(voice, slot, DataOf(At(voice, slot), IsIn(pairs, slot))))
-                 {
-                     PutIn(found, slot);
-                 }
-             });
+    ForEach(slots,
+            [&voice, &found, pairs](const std::size_t slot) noexcept
+            {
+                if (!HoldObjects(voice, slot, DataOf(At(voice, slot), IsIn(pairs, slot))))
+                {
+                    PutIn(found, slot);
+                }
+            });
     return found;
 }
 
@@ -245,7 +268,6 @@ CycleOutcome RunCycle(Voice& voice, const CycleInput& input) noexcept
 // written is not what the objects hold yet, and is not examined.
 SrdoMask CommitPairs(Voice& voice, const Agreement& agreement, const SrdoMask examine) noexcept
 {
-    const SrdoMask slots = SlotsOf(voice.count);
     const SrdoMask own = agreement.agreed & voice.outcome.released;
     const SrdoMask unwritten = voice.unwritten | voice.outcome.fresh;
     const SrdoMask to_write = own & agreement.matched & unwritten;
@@ -253,10 +275,18 @@ SrdoMask CommitPairs(Voice& voice, const Agreement& agreement, const SrdoMask ex
     const SrdoMask to_examine = examine & voice.committed & own & ~unwritten;
     voice.unwritten &= ~to_write;
     voice.committed = (voice.committed | to_write) & ~to_drop;
-    ForSlots((to_write | to_drop) & slots, [&voice, to_write](const std::size_t slot) noexcept
-             { WriteObjects(voice, slot, DataOf(At(voice, slot), IsIn(to_write, slot))); });
+
     const SrdoMask pairs = to_write | to_examine;
-    const SrdoMask found = NotHolding(voice, (pairs | to_drop) & slots, pairs);
+    const Slots slots = FromFirst((pairs | to_drop) & SlotsOf(voice.count));
+    ForEach(slots,
+            [&voice, to_examine, pairs](const std::size_t slot) noexcept
+            {
+                if (!IsIn(to_examine, slot))
+                {
+                    WriteObjects(voice, slot, DataOf(At(voice, slot), IsIn(pairs, slot)));
+                }
+            });
+    const SrdoMask found = NotHolding(voice, slots, pairs);
     SetPermitted(voice, voice.committed & ~found);
     return found;
 }
