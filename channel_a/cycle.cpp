@@ -172,67 +172,54 @@ SrdoMask SlotsOf(const std::uint8_t count) noexcept
     return ~SrdoMask{0U} >> (std::uint32_t{kMaxSrdoCount} - count);
 }
 
-/// Some slots, in a mask that begins with the first of them.
-struct Slots
+/// The slots of a mask in order, counted from 0; a group is passed over at once where none of it is in the mask.
+class SlotWalk
 {
-    std::size_t first;
-    SrdoMask mask; ///< Bit 0 is `first`.
-};
-
-// A group of slots is passed over at once where none is in the mask.
-Slots FromFirst(const SrdoMask slots) noexcept
-{
-    std::size_t first = 0U;
-    SrdoMask left = slots;
-    for (; (left != 0U) && ((left & kGroupMask) == 0U); left >>= kGroup)
+  public:
+    explicit SlotWalk(const SrdoMask slots) noexcept : left_{slots}
     {
-        first += kGroup;
+        Find();
     }
-    for (; (left != 0U) && ((left & 1U) == 0U); left >>= 1U)
-    {
-        ++first;
-    }
-    return Slots{first, left};
-}
 
-// Each of the slots in order, group after group.
-template <typename Use> void ForEach(const Slots& slots, const Use& use) noexcept
-{
-    std::size_t first = slots.first;
-    for (SrdoMask left = slots.mask; left != 0U; left >>= kGroup)
+    /// @brief False behind the last slot.
+    [[nodiscard]] bool IsAtSlot() const noexcept
     {
-        std::size_t slot = first;
-        for (std::uint32_t group = static_cast<std::uint32_t>(left & kGroupMask); group != 0U; group >>= 1U)
+        return left_ != 0U;
+    }
+
+    [[nodiscard]] std::size_t Slot() const noexcept
+    {
+        return slot_;
+    }
+
+    void GoOn() noexcept
+    {
+        ++slot_;
+        left_ >>= 1U;
+        Find();
+    }
+
+  private:
+    void Find() noexcept
+    {
+        for (; IsAtSlot() && ((left_ & kGroupMask) == 0U); left_ >>= kGroup)
         {
-            if ((group & 1U) != 0U)
-            {
-                use(slot);
-            }
-            ++slot;
+            slot_ += kGroup;
         }
-        first += kGroup;
+        for (; IsAtSlot() && ((left_ & 1U) == 0U); left_ >>= 1U)
+        {
+            ++slot_;
+        }
     }
-}
+
+    std::size_t slot_{0U};
+    SrdoMask left_; ///< Bit 0 is `slot_`.
+};
 
 // What the objects of a slot have to hold: its pair, or the safe value.
 const Bytes& DataOf(const Record& record, const bool is_pair) noexcept
 {
     return is_pair ? record.held : record.safe;
-}
-
-// Those of the slots whose objects do not hold the pair where it is in `pairs`, else the safe value.
-SrdoMask NotHolding(const Voice& voice, const Slots& slots, const SrdoMask pairs) noexcept
-{
-    SrdoMask found = 0U;
-    ForEach(slots,
-            [&voice, &found, pairs](const std::size_t slot) noexcept
-            {
-                if (!HoldObjects(voice, slot, DataOf(At(voice, slot), IsIn(pairs, slot))))
-                {
-                    PutIn(found, slot);
-                }
-            });
-    return found;
 }
 
 } // namespace
@@ -277,16 +264,24 @@ SrdoMask CommitPairs(Voice& voice, const Agreement& agreement, const SrdoMask ex
     voice.committed = (voice.committed | to_write) & ~to_drop;
 
     const SrdoMask pairs = to_write | to_examine;
-    const Slots slots = FromFirst((pairs | to_drop) & SlotsOf(voice.count));
-    ForEach(slots,
-            [&voice, to_examine, pairs](const std::size_t slot) noexcept
-            {
-                if (!IsIn(to_examine, slot))
-                {
-                    WriteObjects(voice, slot, DataOf(At(voice, slot), IsIn(pairs, slot)));
-                }
-            });
-    const SrdoMask found = NotHolding(voice, slots, pairs);
+    const SlotWalk first{(pairs | to_drop) & SlotsOf(voice.count)};
+    for (SlotWalk walk = first; walk.IsAtSlot(); walk.GoOn())
+    {
+        const std::size_t slot = walk.Slot();
+        if (!IsIn(to_examine, slot))
+        {
+            WriteObjects(voice, slot, DataOf(At(voice, slot), IsIn(pairs, slot)));
+        }
+    }
+    SrdoMask found = 0U;
+    for (SlotWalk walk = first; walk.IsAtSlot(); walk.GoOn())
+    {
+        const std::size_t slot = walk.Slot();
+        if (!HoldObjects(voice, slot, DataOf(At(voice, slot), IsIn(pairs, slot))))
+        {
+            PutIn(found, slot);
+        }
+    }
     SetPermitted(voice, voice.committed & ~found);
     return found;
 }

@@ -122,54 +122,88 @@ std::uint32_t WrongPart(const MappableObject& object, const Step& step, const By
     return wrong;
 }
 
-// The steps of a mapping in order, each fetched from where it is kept: what is done with the object that it leads to.
-// Returns 0 if every step that is not of dummies led to one.
-template <typename Use> std::uint32_t RunSteps(const Voice& voice, const std::size_t slot, const Use& use) noexcept
+/// The steps of a mapping in order, each fetched from where it is kept, with the object that it leads to.
+class StepWalk
 {
-    const DeviceConfig& config = *voice.config;
-    const Mapping mapping = MappingOf(voice, slot);
-    std::uint32_t first_bit = 0U;
-    std::uint32_t lost = 0U;
-    for (std::uint32_t pair = 0U; pair < (mapping.count / kEntriesPerStep); ++pair)
+  public:
+    StepWalk(const Voice& voice, const std::size_t slot) noexcept
+        : config_{*voice.config}, mapping_{MappingOf(voice, slot)}
     {
-        const Step step = StepAt(config, mapping, pair, first_bit);
-        const MappableObject* const object = ObjectOf(config, step);
-        if (object != nullptr)
-        {
-            use(*object, step);
-        }
-        else
-        {
-            lost |= std::uint32_t{step.normal} ^ kNoObject;
-        }
-        first_bit += step.bits;
     }
-    return lost;
-}
+
+    /// @brief Goes to the next step; false behind the last one.
+    [[nodiscard]] bool GoOn() noexcept
+    {
+        if (next_ >= (mapping_.count / kEntriesPerStep))
+        {
+            return false;
+        }
+        step_ = StepAt(config_, mapping_, next_, first_bit_);
+        first_bit_ += step_.bits;
+        ++next_;
+        return true;
+    }
+
+    [[nodiscard]] const Step& Current() const noexcept
+    {
+        return step_;
+    }
+
+    [[nodiscard]] const MappableObject* Object() const noexcept
+    {
+        return ObjectOf(config_, step_);
+    }
+
+  private:
+    const DeviceConfig& config_;
+    Mapping mapping_;
+    Step step_{};
+    std::uint32_t next_{0U};
+    std::uint32_t first_bit_{0U};
+};
 
 } // namespace
 
 Bytes ReadObjects(const Voice& voice, const std::size_t slot) noexcept
 {
     Bytes data{};
-    static_cast<void>(RunSteps(voice, slot, [&data](const MappableObject& object, const Step& step) noexcept
-                               { ReadObject(object, step, data); }));
+    StepWalk walk{voice, slot};
+    while (walk.GoOn())
+    {
+        const MappableObject* const object = walk.Object();
+        if (object != nullptr)
+        {
+            ReadObject(*object, walk.Current(), data);
+        }
+    }
     return data;
 }
 
 void WriteObjects(const Voice& voice, const std::size_t slot, const Bytes& data) noexcept
 {
-    static_cast<void>(RunSteps(voice, slot, [&data](const MappableObject& object, const Step& step) noexcept
-                               { WriteObject(object, step, data); }));
+    StepWalk walk{voice, slot};
+    while (walk.GoOn())
+    {
+        const MappableObject* const object = walk.Object();
+        if (object != nullptr)
+        {
+            WriteObject(*object, walk.Current(), data);
+        }
+    }
 }
 
+// A step that is not of dummies and leads to no object is wrong, too.
 bool HoldObjects(const Voice& voice, const std::size_t slot, const Bytes& data) noexcept
 {
     std::uint32_t wrong = 0U;
-    const std::uint32_t lost =
-        RunSteps(voice, slot, [&data, &wrong](const MappableObject& object, const Step& step) noexcept
-                 { wrong |= WrongPart(object, step, data); });
-    return (wrong | lost) == 0U;
+    StepWalk walk{voice, slot};
+    while (walk.GoOn())
+    {
+        const MappableObject* const object = walk.Object();
+        wrong |= (object != nullptr) ? WrongPart(*object, walk.Current(), data)
+                                     : (std::uint32_t{walk.Current().normal} ^ kNoObject);
+    }
+    return wrong == 0U;
 }
 
 } // namespace counterpoint::channel_a
