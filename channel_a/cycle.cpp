@@ -154,15 +154,14 @@ void Serve(Voice& voice, const std::size_t slot) noexcept
 void ServeAll(Voice& voice) noexcept
 {
     const Instant now = voice.now;
-    const std::size_t count = voice.count;
-    const Record* record = voice.storage.records;
-    for (std::size_t slot = 0U; slot < count; ++slot)
+    const Record* const records = voice.storage.records;
+    const Record* const end = records + voice.count;              // MISRA D-002
+    for (const Record* record = records; record != end; ++record) // MISRA D-002
     {
         if ((record->todo != 0U) || IsExpired(*record, now) || !record->grants.AreWhole())
         {
-            Serve(voice, slot);
+            Serve(voice, static_cast<std::size_t>(record - records)); // MISRA D-002
         }
-        ++record; // MISRA D-002
     }
 }
 
