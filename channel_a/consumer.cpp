@@ -101,10 +101,8 @@ SrdoCause Judge(const Voice& voice, const Record& record, const bool has_pending
 
 // With late detection SRVT has no deadline, but the slot is served until the frame has become too old or is gone.
 // [SRS_CONS_006]
-void Keep(Voice& voice, const std::size_t slot, const State state, const CanFrame& frame, const Instant stamp) noexcept
+void Keep(Record& record, const CanFrame& frame, const Instant stamp) noexcept
 {
-    Record& record = At(voice, slot);
-    static_cast<void>(Advance(voice, slot, state, Event::kNormal));
     Bytes data{};
     for (std::size_t place = 0U; place < kMaxPayloadBytes; ++place)
     {
@@ -122,10 +120,8 @@ void Keep(Voice& voice, const std::size_t slot, const State state, const CanFram
 }
 
 // A new pair is of interest to a slot that is not released yet. [SRS_CONS_010]
-void Complete(Voice& voice, const std::size_t slot, const State before) noexcept
+void Complete(Voice& voice, Record& record, const std::size_t slot, const State state) noexcept
 {
-    Record& record = At(voice, slot);
-    const State state = Advance(voice, slot, before, Event::kInverse);
     record.held = record.pending;
     record.since = record.frame_since;
     record.limit_us = SctUs(record);
@@ -175,7 +171,7 @@ void Acknowledge(Voice& voice, const std::size_t slot) noexcept
     const bool is_automatic = record.grants.Is(Grant::kPolicy, static_cast<std::uint8_t>(ReleasePolicy::kAutomatic));
     if (FactsOf(record).holds_pair && (has_edge || is_automatic))
     {
-        static_cast<void>(Advance(voice, slot, StateOf(record), Event::kRelease));
+        static_cast<void>(Advance(voice, record, slot, StateOf(record), Event::kRelease));
     }
     if (has_edge && IsReleased(StateOf(record)))
     {
@@ -203,7 +199,7 @@ void TakeFrame(Voice& voice, const CanFrame& frame, const Instant stamp) noexcep
     {
         return;
     }
-    const Record& record = At(voice, slot);
+    Record& record = At(voice, slot);
     State state = StateOf(record);
     if (FactsOf(state).role != Role::kConsumer)
     {
@@ -225,10 +221,12 @@ void TakeFrame(Voice& voice, const CanFrame& frame, const Instant stamp) noexcep
     }
     if (half == kNormalHalf)
     {
-        Keep(voice, slot, state, frame, stamp);
+        static_cast<void>(Advance(voice, record, slot, state, Event::kNormal));
+        Keep(record, frame, stamp);
         return;
     }
-    Complete(voice, slot, state);
+    state = Advance(voice, record, slot, state, Event::kInverse);
+    Complete(voice, record, slot, state);
 }
 
 // t      frames of this cycle        now

@@ -154,15 +154,14 @@ void Serve(Voice& voice, const std::size_t slot) noexcept
 void ServeAll(Voice& voice) noexcept
 {
     const Instant now = voice.now;
-    const std::size_t count = voice.count;
-    const Record* record = voice.storage.records;
-    for (std::size_t slot = 0U; slot < count; ++slot)
+    const Record* const records = voice.storage.records;
+    const Record* const end = records + voice.count;              // MISRA D-002
+    for (const Record* record = records; record != end; ++record) // MISRA D-002
     {
         if ((record->todo != 0U) || IsExpired(*record, now) || !record->grants.AreWhole())
         {
-            Serve(voice, slot);
+            Serve(voice, static_cast<std::size_t>(record - records)); // MISRA D-002
         }
-        ++record; // MISRA D-002
     }
 }
 
@@ -172,44 +171,54 @@ SrdoMask SlotsOf(const std::uint8_t count) noexcept
     return ~SrdoMask{0U} >> (std::uint32_t{kMaxSrdoCount} - count);
 }
 
-// The slots of a mask in order; a group of them is passed over at once where none is in it.
-template <typename Use> void ForSlots(const SrdoMask slots, const Use& use) noexcept
+/// The slots of a mask in order, counted from 0; a group is passed over at once where none of it is in the mask.
+class SlotWalk
 {
-    std::size_t first = 0U;
-    for (SrdoMask left = slots; left != 0U; left >>= kGroup)
+  public:
+    explicit SlotWalk(const SrdoMask slots) noexcept : left_{slots}
     {
-        std::size_t slot = first;
-        for (std::uint32_t group = static_cast<std::uint32_t>(left & kGroupMask); group != 0U; group >>= 1U)
-        {
-            if ((group & 1U) != 0U)
-            {
-                use(slot);
-            }
-            ++slot;
-        }
-        first += kGroup;
+        Find();
     }
-}
+
+    /// @brief False behind the last slot.
+    [[nodiscard]] bool IsAtSlot() const noexcept
+    {
+        return left_ != 0U;
+    }
+
+    [[nodiscard]] std::size_t Slot() const noexcept
+    {
+        return slot_;
+    }
+
+    void GoOn() noexcept
+    {
+        ++slot_;
+        left_ >>= 1U;
+        Find();
+    }
+
+  private:
+    void Find() noexcept
+    {
+        for (; IsAtSlot() && ((left_ & kGroupMask) == 0U); left_ >>= kGroup)
+        {
+            slot_ += kGroup;
+        }
+        for (; IsAtSlot() && ((left_ & 1U) == 0U); left_ >>= 1U)
+        {
+            ++slot_;
+        }
+    }
+
+    std::size_t slot_{0U};
+    SrdoMask left_; ///< Bit 0 is `slot_`.
+};
 
 // What the objects of a slot have to hold: its pair, or the safe value.
 const Bytes& DataOf(const Record& record, const bool is_pair) noexcept
 {
     return is_pair ? record.held : record.safe;
-}
-
-// Those of the slots whose objects do not hold the pair where it is in `pairs`, else the safe value.
-SrdoMask NotHolding(const Voice& voice, const SrdoMask slots, const SrdoMask pairs) noexcept
-{
-    SrdoMask found = 0U;
-    ForSlots(slots,
-             [&voice, &found, pairs](const std::size_t slot) noexcept
-             {
-                 if (!HoldObjects(voice, slot, DataOf(At(voice, slot), IsIn(pairs, slot))))
-                 {
-                     PutIn(found, slot);
-                 }
-             });
-    return found;
 }
 
 } // namespace
@@ -245,7 +254,6 @@ CycleOutcome RunCycle(Voice& voice, const CycleInput& input) noexcept
 // written is not what the objects hold yet, and is not examined.
 SrdoMask CommitPairs(Voice& voice, const Agreement& agreement, const SrdoMask examine) noexcept
 {
-    const SrdoMask slots = SlotsOf(voice.count);
     const SrdoMask own = agreement.agreed & voice.outcome.released;
     const SrdoMask unwritten = voice.unwritten | voice.outcome.fresh;
     const SrdoMask to_write = own & agreement.matched & unwritten;
@@ -253,10 +261,26 @@ SrdoMask CommitPairs(Voice& voice, const Agreement& agreement, const SrdoMask ex
     const SrdoMask to_examine = examine & voice.committed & own & ~unwritten;
     voice.unwritten &= ~to_write;
     voice.committed = (voice.committed | to_write) & ~to_drop;
-    ForSlots((to_write | to_drop) & slots, [&voice, to_write](const std::size_t slot) noexcept
-             { WriteObjects(voice, slot, DataOf(At(voice, slot), IsIn(to_write, slot))); });
+
     const SrdoMask pairs = to_write | to_examine;
-    const SrdoMask found = NotHolding(voice, (pairs | to_drop) & slots, pairs);
+    const SlotWalk first{(pairs | to_drop) & SlotsOf(voice.count)};
+    for (SlotWalk walk = first; walk.IsAtSlot(); walk.GoOn())
+    {
+        const std::size_t slot = walk.Slot();
+        if (!IsIn(to_examine, slot))
+        {
+            WriteObjects(voice, slot, DataOf(At(voice, slot), IsIn(pairs, slot)));
+        }
+    }
+    SrdoMask found = 0U;
+    for (SlotWalk walk = first; walk.IsAtSlot(); walk.GoOn())
+    {
+        const std::size_t slot = walk.Slot();
+        if (!HoldObjects(voice, slot, DataOf(At(voice, slot), IsIn(pairs, slot))))
+        {
+            PutIn(found, slot);
+        }
+    }
     SetPermitted(voice, voice.committed & ~found);
     return found;
 }

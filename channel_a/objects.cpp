@@ -13,11 +13,15 @@ namespace counterpoint::channel_a
 namespace
 {
 
-// The object of a step; kNothing where there is none, or not within the frame.
-const MappableObject& ObjectOf(const DeviceConfig& config, const Step& step) noexcept
+// The object of a step; null where there is none, or not within the frame.
+const MappableObject* ObjectOf(const DeviceConfig& config, const Step& step) noexcept
 {
-    const MappableObject& object = ObjectAt(config, step.normal);
-    return ((std::uint32_t{step.first_bit} + object.length_bits) <= kMaxPayloadBits) ? object : kNothing;
+    if (step.normal >= config.object_count)
+    {
+        return nullptr;
+    }
+    const MappableObject* const object = &config.objects[step.normal]; // MISRA D-002
+    return ((std::uint32_t{step.first_bit} + object->length_bits) <= kMaxPayloadBits) ? object : nullptr;
 }
 
 // Whether an object is whole bytes of the frame; else it is moved bit by bit.
@@ -46,6 +50,18 @@ void CopyBytes(std::uint8_t* const to, const std::uint8_t* const from, const std
     {
         to[place] = from[place]; // MISRA D-002
     }
+}
+
+// The bits that are not the same in both, of all bytes together.
+std::uint8_t Differing(const std::uint8_t* const one, const std::uint8_t* const other,
+                       const std::uint32_t length_bytes) noexcept
+{
+    std::uint8_t differing = 0U;
+    for (std::uint32_t place = 0U; place < length_bytes; ++place)
+    {
+        differing = static_cast<std::uint8_t>(differing | (std::uint32_t{one[place]} ^ other[place])); // MISRA D-002
+    }
+    return differing;
 }
 
 // Bits from `from_bit` on become those from `to_bit` on.
@@ -97,12 +113,7 @@ std::uint32_t WrongPart(const MappableObject& object, const Step& step, const By
     std::uint32_t wrong = 0U;
     if (IsOfBytes(step, object))
     {
-        const std::uint8_t* const wanted = &data.at[step.first_bit / kBitsPerByte];
-        for (std::uint32_t place = 0U; place < (length_bits / kBitsPerByte); ++place)
-        {
-            wrong |= std::uint32_t{object.place[place]} ^ wanted[place]; // MISRA D-002
-        }
-        return wrong;
+        return Differing(object.place, &data.at[step.first_bit / kBitsPerByte], length_bits / kBitsPerByte);
     }
     for (std::uint32_t bit = 0U; bit < length_bits; ++bit)
     {
@@ -111,47 +122,87 @@ std::uint32_t WrongPart(const MappableObject& object, const Step& step, const By
     return wrong;
 }
 
-// Whether a step that is not of dummies leads to no object any more.
-bool IsLost(const MappableObject& object, const Step& step) noexcept
+/// The steps of a mapping in order, each fetched from where it is kept, with the object that it leads to.
+class StepWalk
 {
-    return (step.normal != kNoObject) && (object.length_bits == 0U);
-}
-
-// The steps of a mapping in order, each fetched from where it is kept, with the object that it leads to.
-template <typename Use> void RunSteps(const Voice& voice, const std::size_t slot, const Use& use) noexcept
-{
-    const DeviceConfig& config = *voice.config;
-    const Mapping mapping = MappingOf(voice, slot);
-    std::uint32_t first_bit = 0U;
-    for (std::uint32_t pair = 0U; pair < (mapping.count / kEntriesPerStep); ++pair)
+  public:
+    StepWalk(const Voice& voice, const std::size_t slot) noexcept
+        : config_{*voice.config}, mapping_{MappingOf(voice, slot)}
     {
-        const Step step = StepAt(config, mapping, pair, first_bit);
-        use(ObjectOf(config, step), step);
-        first_bit += step.bits;
     }
-}
+
+    /// @brief Goes to the next step; false behind the last one.
+    [[nodiscard]] bool GoOn() noexcept
+    {
+        if (next_ >= (mapping_.count / kEntriesPerStep))
+        {
+            return false;
+        }
+        step_ = StepAt(config_, mapping_, next_, first_bit_);
+        first_bit_ += step_.bits;
+        ++next_;
+        return true;
+    }
+
+    [[nodiscard]] const Step& Current() const noexcept
+    {
+        return step_;
+    }
+
+    [[nodiscard]] const MappableObject* Object() const noexcept
+    {
+        return ObjectOf(config_, step_);
+    }
+
+  private:
+    const DeviceConfig& config_;
+    Mapping mapping_;
+    Step step_{};
+    std::uint32_t next_{0U};
+    std::uint32_t first_bit_{0U};
+};
 
 } // namespace
 
 Bytes ReadObjects(const Voice& voice, const std::size_t slot) noexcept
 {
     Bytes data{};
-    RunSteps(voice, slot,
-             [&data](const MappableObject& object, const Step& step) noexcept { ReadObject(object, step, data); });
+    StepWalk walk{voice, slot};
+    while (walk.GoOn())
+    {
+        const MappableObject* const object = walk.Object();
+        if (object != nullptr)
+        {
+            ReadObject(*object, walk.Current(), data);
+        }
+    }
     return data;
 }
 
 void WriteObjects(const Voice& voice, const std::size_t slot, const Bytes& data) noexcept
 {
-    RunSteps(voice, slot,
-             [&data](const MappableObject& object, const Step& step) noexcept { WriteObject(object, step, data); });
+    StepWalk walk{voice, slot};
+    while (walk.GoOn())
+    {
+        const MappableObject* const object = walk.Object();
+        if (object != nullptr)
+        {
+            WriteObject(*object, walk.Current(), data);
+        }
+    }
 }
 
+// A step that is not of dummies and leads to no object is wrong, too.
 bool HoldObjects(const Voice& voice, const std::size_t slot, const Bytes& data) noexcept
 {
     std::uint32_t wrong = 0U;
-    RunSteps(voice, slot, [&data, &wrong](const MappableObject& object, const Step& step) noexcept
-             { wrong |= WrongPart(object, step, data) | (IsLost(object, step) ? 1U : 0U); });
+    StepWalk walk{voice, slot};
+    while (walk.GoOn())
+    {
+        const MappableObject* const object = walk.Object();
+        wrong |= (object != nullptr) ? WrongPart(*object, walk.Current(), data)
+                                     : (std::uint32_t{walk.Current().normal} ^ kNoObject);
+    }
     return wrong == 0U;
 }
 

@@ -96,7 +96,7 @@ void GiveUp(Voice& voice, const std::size_t slot, const SrdoCause cause) noexcep
     Record& record = At(voice, slot);
     if (IsFlying(record))
     {
-        static_cast<void>(Advance(voice, slot, StateOf(record), Event::kGivenUp));
+        static_cast<void>(Advance(voice, record, slot, StateOf(record), Event::kGivenUp));
         record.todo = 0U;
         Report(record, cause);
     }
@@ -124,15 +124,13 @@ void ServeProducer(Voice& voice, const std::size_t slot) noexcept
 // What was read is what is sent, once it is confirmed. [SRS_PROD_005, SRS_PROD_006]
 PreparedPair PreparePair(Voice& voice, const std::size_t slot) noexcept
 {
-    PreparedPair pair{};
     Record& record = At(voice, slot);
     const State state = StateOf(record);
     if (state != State::kIdle)
     {
-        pair.status = PrepareStatus::kNotProducer;
-        return pair;
+        return PreparedPair{CanFrame{}, PrepareStatus::kNotProducer};
     }
-    static_cast<void>(Advance(voice, slot, state, Event::kPrepared));
+    static_cast<void>(Advance(voice, record, slot, state, Event::kPrepared));
     Demand(record, kInFlight);
     record.held = ReadObjects(voice, slot);
     record.refreshed = kNo;
@@ -142,9 +140,7 @@ PreparedPair PreparePair(Voice& voice, const std::size_t slot) noexcept
         record.since = voice.origin;
     }
     voice.wanted &= ~BitOf(slot);
-    pair.status = PrepareStatus::kReady;
-    pair.normal = FrameOf(voice, record, kNormalHalf, 0U);
-    return pair;
+    return PreparedPair{FrameOf(voice, record, kNormalHalf, 0U), PrepareStatus::kReady};
 }
 
 // [SRS_PROD_006, SRS_PROD_011]
@@ -178,11 +174,11 @@ Confirmation ConfirmFrame(Voice& voice, const CanFrame& frame, const Instant sta
     }
     if (awaited == State::kNormalAwaited)
     {
-        static_cast<void>(Advance(voice, slot, awaited, Event::kNormalSent));
+        static_cast<void>(Advance(voice, record, slot, awaited, Event::kNormalSent));
         record.frame_since = stamp;
         return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kNormal};
     }
-    static_cast<void>(Advance(voice, slot, awaited, Event::kPairSent));
+    static_cast<void>(Advance(voice, record, slot, awaited, Event::kPairSent));
     record.todo = static_cast<std::uint8_t>(record.todo & ~kInFlight);
     ++record.sent;
     return Confirmation{static_cast<SlotIndex>(slot), ConfirmStep::kPair};

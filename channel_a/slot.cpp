@@ -37,12 +37,12 @@ void EnterSlot(Voice& voice, const std::size_t slot) noexcept
     --voice.outcome.is_invalid;
     if (record.grants.Of(Grant::kDirection) == kDirectionConsumer)
     {
-        static_cast<void>(Advance(voice, slot, StateOf(record), Event::kBecomesConsumer));
+        static_cast<void>(Advance(voice, record, slot, StateOf(record), Event::kBecomesConsumer));
         record.awaiting = kYes;
         ++voice.outcome.sct_checked;
         return;
     }
-    static_cast<void>(Advance(voice, slot, StateOf(record), Event::kBecomesProducer));
+    static_cast<void>(Advance(voice, record, slot, StateOf(record), Event::kBecomesProducer));
     ++voice.outcome.is_tx;
     record.since = voice.origin;
     if (record.form == ProducerForm::kProviderCalled)
@@ -52,16 +52,6 @@ void EnterSlot(Voice& voice, const std::size_t slot) noexcept
 }
 
 } // namespace
-
-void PutIn(SrdoMask& mask, const std::size_t slot) noexcept
-{
-    mask |= BitOf(slot);
-}
-
-void TakeOut(SrdoMask& mask, const std::size_t slot) noexcept
-{
-    mask &= ~BitOf(slot);
-}
 
 void SetFirstCause(Record& record, const SrdoCause cause) noexcept
 {
@@ -100,7 +90,7 @@ void Report(Record& record, const SrdoCause cause) noexcept
 void Discard(Voice& voice, const std::size_t slot, const Event event) noexcept
 {
     Record& record = At(voice, slot);
-    const State state = Advance(voice, slot, StateOf(record), event);
+    const State state = Advance(voice, record, slot, StateOf(record), event);
     if (!FactsOf(state).has_pending || (record.detection == SrvtDetection::kLate))
     {
         record.limit_us = kNoLimit;
@@ -118,7 +108,7 @@ void Fail(Voice& voice, const std::size_t slot, const SrdoCause cause) noexcept
 void Break(Voice& voice, const std::size_t slot) noexcept
 {
     Record& record = At(voice, slot);
-    static_cast<void>(Advance(voice, slot, StateOf(record), Event::kBroke));
+    static_cast<void>(Advance(voice, record, slot, StateOf(record), Event::kBroke));
     Show(voice, slot, IsActive(voice) ? SrdoState::kFaulted : SrdoState::kOff);
     Forget(voice, slot);
     TakeOut(voice.outcome.due, slot);
@@ -167,7 +157,7 @@ void LeaveOperational(Voice& voice) noexcept
             Fail(voice, slot, SrdoCause::kNotOperational);
             PutIn(voice.outcome.new_fault, slot);
         }
-        static_cast<void>(Advance(voice, slot, StateOf(record), Event::kLeft));
+        static_cast<void>(Advance(voice, record, slot, StateOf(record), Event::kLeft));
         Show(voice, slot, SrdoState::kOff);
         record.limit_us = kNoLimit;
         record.ordinal = 0U;

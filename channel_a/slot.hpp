@@ -36,16 +36,14 @@ namespace counterpoint::channel_a
     return static_cast<SrdoCause>(record.grants.Of(Grant::kFirstCause));
 }
 
-void PutIn(SrdoMask& mask, std::size_t slot) noexcept;
-void TakeOut(SrdoMask& mask, std::size_t slot) noexcept;
 void SetFirstCause(Record& record, SrdoCause cause) noexcept;
 /// @brief The slot in the mask of its state, and in no other. [SRS_CONS_023]
 void Show(Voice& voice, std::size_t slot, SrdoState shown) noexcept;
 
-/// @brief The state after an event, by the table; masks follow. `before` is the state of the record.
-inline State Advance(Voice& voice, const std::size_t slot, const State before, const Event event) noexcept
+/// @brief The state after an event, by the table; masks follow. `before` is the state of the slot's record.
+inline State Advance(Voice& voice, Record& record, const std::size_t slot, const State before,
+                     const Event event) noexcept
 {
-    Record& record = At(voice, slot);
     const State after = After(before, event);
     record.grants.Set(Grant::kState, static_cast<std::uint8_t>(after));
     if (FactsOf(after).shown != FactsOf(before).shown)

@@ -77,6 +77,16 @@ constexpr std::size_t kInverseHalf = 1U;
     return (mask & BitOf(slot)) != 0U;
 }
 
+inline void PutIn(SrdoMask& mask, const std::size_t slot) noexcept
+{
+    mask |= BitOf(slot);
+}
+
+inline void TakeOut(SrdoMask& mask, const std::size_t slot) noexcept
+{
+    mask &= ~BitOf(slot);
+}
+
 inline void SetPermitted(Voice& voice, const SrdoMask permitted) noexcept
 {
     voice.permitted = permitted;
