@@ -427,14 +427,13 @@ SrdoMask Consumers::Settle(SrdoMask quiet, std::uint32_t elapsed_us, CycleOutcom
     return settled;
 }
 
-/// [SRS_CONS_023]
+/// [SRS_CONS_023, SRS_REL_010]
 void Consumers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
 {
     const bool is_alarm = tick.is_late || tick.is_overflowed || tick.is_gfc;
     const SrdoMask news = is_alarm ? x_active : (x_pending | x_faults.Unreported() | tick.edges);
     const SrdoMask quiet = x_active & ~news;
     SrdoMask released = Settle(quiet, tick.elapsed_us, outcome);
-    x_permitted = 0U; // Until the next Commit.
     x_active_us += tick.elapsed_us;
     SlotWalk walk{x_active & ~released};
     while (walk.Next())
@@ -453,6 +452,7 @@ void Consumers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
         outcome.sct_checked = static_cast<std::uint8_t>(outcome.sct_checked + 1U);
     }
     x_released = released;
+    x_permitted = 0U; // Until the next Commit.
     outcome.released = released;
     outcome.faulted = x_active & x_troubled & ~released;
     outcome.waiting = x_active & ~(x_troubled | released);
