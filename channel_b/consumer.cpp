@@ -29,6 +29,36 @@ constexpr std::uint32_t kLongOverUs = std::uint32_t{1U} << 31U;
     return ((normal ^ inverse) == frame_bits) && ((normal & ~mapped_bits) == 0U);
 }
 
+/// The slots of which an object holds something else than the data. [SRS_REL_011]
+[[nodiscard]] SrdoMask WithoutPair(const Mappings& mappings, SrdoMask slots, Column<std::uint64_t> data) noexcept
+{
+    SrdoMask wrong = 0U;
+    SlotWalk walk{slots};
+    while (walk.Next())
+    {
+        if (!mappings.HoldsInverse(walk.Slot(), data[walk.Slot()]))
+        {
+            wrong |= BitOf(walk.Slot());
+        }
+    }
+    return wrong;
+}
+
+/// The slots of which an object holds something else than the safe value. [SRS_REL_011]
+[[nodiscard]] SrdoMask WithoutSafe(const Mappings& mappings, SrdoMask slots) noexcept
+{
+    SrdoMask wrong = 0U;
+    SlotWalk walk{slots};
+    while (walk.Next())
+    {
+        if (!mappings.HoldsSafe(walk.Slot()))
+        {
+            wrong |= BitOf(walk.Slot());
+        }
+    }
+    return wrong;
+}
+
 } // namespace
 
 void Consumers::Restart() noexcept
@@ -460,29 +490,6 @@ void Consumers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
     x_fresh = 0U;
 }
 
-/// The slots of which an object holds something else than the held pair, or the safe value. [SRS_REL_011]
-SrdoMask Consumers::NotAsWritten(SrdoMask with_pair, SrdoMask safe) const noexcept
-{
-    SrdoMask wrong = 0U;
-    SlotWalk walk{with_pair};
-    while (walk.Next())
-    {
-        if (!x_mappings.HoldsInverse(walk.Slot(), x_pairs.data[walk.Slot()]))
-        {
-            wrong |= BitOf(walk.Slot());
-        }
-    }
-    SlotWalk left{safe};
-    while (left.Next())
-    {
-        if (!x_mappings.HoldsSafe(left.Slot()))
-        {
-            wrong |= BitOf(left.Slot());
-        }
-    }
-    return wrong;
-}
-
 /// Nothing is read before everything is written. [SRS_REL_002, SRS_REL_010, SRS_REL_011]
 SrdoMask Consumers::Commit(const Agreement& agreement, SrdoMask examine) noexcept
 {
@@ -501,7 +508,8 @@ SrdoMask Consumers::Commit(const Agreement& agreement, SrdoMask examine) noexcep
     }
     x_unwritten &= ~written;
     x_committed = (x_committed & released) | written;
-    const SrdoMask wrong = NotAsWritten(written | (examine & x_committed & ~x_unwritten), safe);
+    const SrdoMask wrong = WithoutPair(x_mappings, written | (examine & x_committed & ~x_unwritten), x_pairs.data) |
+                           WithoutSafe(x_mappings, safe);
     x_permitted = x_committed & ~wrong;
     return wrong;
 }
