@@ -29,34 +29,11 @@ constexpr std::uint32_t kLongOverUs = std::uint32_t{1U} << 31U;
     return ((normal ^ inverse) == frame_bits) && ((normal & ~mapped_bits) == 0U);
 }
 
-/// The slots of which an object holds something else than the data. [SRS_REL_011]
-[[nodiscard]] SrdoMask WithoutPair(const Mappings& mappings, SrdoMask slots, Column<std::uint64_t> data) noexcept
+/// What the inverse objects of a slot are to hold.
+[[nodiscard]] std::uint64_t DueData(const Mappings& mappings, SrdoMask committed, SlotIndex slot,
+                                    std::uint64_t held) noexcept
 {
-    SrdoMask wrong = 0U;
-    SlotWalk walk{slots};
-    while (walk.Next())
-    {
-        if (!mappings.HoldsInverse(walk.Slot(), data[walk.Slot()]))
-        {
-            wrong |= BitOf(walk.Slot());
-        }
-    }
-    return wrong;
-}
-
-/// The slots of which an object holds something else than the safe value. [SRS_REL_011]
-[[nodiscard]] SrdoMask WithoutSafe(const Mappings& mappings, SrdoMask slots) noexcept
-{
-    SrdoMask wrong = 0U;
-    SlotWalk walk{slots};
-    while (walk.Next())
-    {
-        if (!mappings.HoldsSafe(walk.Slot()))
-        {
-            wrong |= BitOf(walk.Slot());
-        }
-    }
-    return wrong;
+    return HasAny(committed, BitOf(slot)) ? held : mappings.InverseOfSafe(slot);
 }
 
 } // namespace
@@ -495,21 +472,25 @@ SrdoMask Consumers::Commit(const Agreement& agreement, SrdoMask examine) noexcep
 {
     const SrdoMask released = agreement.agreed & x_released;
     const SrdoMask written = released & agreement.matched & x_unwritten;
-    const SrdoMask safe = x_committed & ~released;
-    SlotWalk walk{written};
-    while (walk.Next())
-    {
-        x_mappings.WriteInverse(walk.Slot(), x_pairs.data[walk.Slot()]);
-    }
-    SlotWalk left{safe};
-    while (left.Next())
-    {
-        x_mappings.WriteSafe(left.Slot());
-    }
+    const SrdoMask changed = written | (x_committed & ~released);
+    SrdoMask wrong = 0U;
     x_unwritten &= ~written;
     x_committed = (x_committed & released) | written;
-    const SrdoMask wrong = WithoutPair(x_mappings, written | (examine & x_committed & ~x_unwritten), x_pairs.data) |
-                           WithoutSafe(x_mappings, safe);
+    SlotWalk writing{changed};
+    while (writing.Next())
+    {
+        const SlotIndex slot = writing.Slot();
+        x_mappings.WriteInverse(slot, DueData(x_mappings, x_committed, slot, x_pairs.data[slot]));
+    }
+    SlotWalk reading{changed | (examine & x_committed & ~x_unwritten)};
+    while (reading.Next())
+    {
+        const SlotIndex slot = reading.Slot();
+        if (!x_mappings.HoldsInverse(slot, DueData(x_mappings, x_committed, slot, x_pairs.data[slot])))
+        {
+            wrong |= BitOf(slot);
+        }
+    }
     x_permitted = x_committed & ~wrong;
     return wrong;
 }

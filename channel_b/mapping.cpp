@@ -311,11 +311,6 @@ void Mappings::WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept
     }
 }
 
-void Mappings::WriteSafe(SlotIndex slot) const noexcept
-{
-    WriteInverse(slot, InverseOfSafe(slot));
-}
-
 /// Gathered like the data of a producer. [SRS_REL_011, SRS_CFG_033, SRS_CFG_036]
 bool Mappings::HoldsInverse(SlotIndex slot, std::uint64_t data) const noexcept
 {
@@ -343,11 +338,6 @@ bool Mappings::HoldsInverse(SlotIndex slot, std::uint64_t data) const noexcept
         }
     }
     return ((held ^ data) & MappedBits(slot) & ~of_dummies) == 0U;
-}
-
-bool Mappings::HoldsSafe(SlotIndex slot) const noexcept
-{
-    return HoldsInverse(slot, InverseOfSafe(slot));
 }
 
 std::uint64_t Mappings::InverseOfSafe(SlotIndex slot) const noexcept
