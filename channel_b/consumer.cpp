@@ -29,6 +29,13 @@ constexpr std::uint32_t kLongOverUs = std::uint32_t{1U} << 31U;
     return ((normal ^ inverse) == frame_bits) && ((normal & ~mapped_bits) == 0U);
 }
 
+/// What the inverse objects of a slot are to hold.
+[[nodiscard]] std::uint64_t DueData(const Mappings& mappings, SrdoMask committed, SlotIndex slot,
+                                    std::uint64_t held) noexcept
+{
+    return HasAny(committed, BitOf(slot)) ? held : mappings.InverseOfSafe(slot);
+}
+
 } // namespace
 
 void Consumers::Restart() noexcept
@@ -427,14 +434,13 @@ SrdoMask Consumers::Settle(SrdoMask quiet, std::uint32_t elapsed_us, CycleOutcom
     return settled;
 }
 
-/// [SRS_CONS_023]
+/// [SRS_CONS_023, SRS_REL_010]
 void Consumers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
 {
     const bool is_alarm = tick.is_late || tick.is_overflowed || tick.is_gfc;
     const SrdoMask news = is_alarm ? x_active : (x_pending | x_faults.Unreported() | tick.edges);
     const SrdoMask quiet = x_active & ~news;
     SrdoMask released = Settle(quiet, tick.elapsed_us, outcome);
-    x_permitted = 0U; // Until the next Commit.
     x_active_us += tick.elapsed_us;
     SlotWalk walk{x_active & ~released};
     while (walk.Next())
@@ -453,6 +459,7 @@ void Consumers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
         outcome.sct_checked = static_cast<std::uint8_t>(outcome.sct_checked + 1U);
     }
     x_released = released;
+    x_permitted = 0U; // Until the next Commit.
     outcome.released = released;
     outcome.faulted = x_active & x_troubled & ~released;
     outcome.waiting = x_active & ~(x_troubled | released);
@@ -460,48 +467,30 @@ void Consumers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
     x_fresh = 0U;
 }
 
-/// The slots of which an object holds something else than the held pair, or the safe value. [SRS_REL_011]
-SrdoMask Consumers::NotAsWritten(SrdoMask with_pair, SrdoMask safe) const noexcept
-{
-    SrdoMask wrong = 0U;
-    SlotWalk walk{with_pair};
-    while (walk.Next())
-    {
-        if (!x_mappings.HoldsInverse(walk.Slot(), x_pairs.data[walk.Slot()]))
-        {
-            wrong |= BitOf(walk.Slot());
-        }
-    }
-    SlotWalk left{safe};
-    while (left.Next())
-    {
-        if (!x_mappings.HoldsSafe(left.Slot()))
-        {
-            wrong |= BitOf(left.Slot());
-        }
-    }
-    return wrong;
-}
-
 /// Nothing is read before everything is written. [SRS_REL_002, SRS_REL_010, SRS_REL_011]
 SrdoMask Consumers::Commit(const Agreement& agreement, SrdoMask examine) noexcept
 {
     const SrdoMask released = agreement.agreed & x_released;
     const SrdoMask written = released & agreement.matched & x_unwritten;
-    const SrdoMask safe = x_committed & ~released;
-    SlotWalk walk{written};
-    while (walk.Next())
-    {
-        x_mappings.WriteInverse(walk.Slot(), x_pairs.data[walk.Slot()]);
-    }
-    SlotWalk left{safe};
-    while (left.Next())
-    {
-        x_mappings.WriteSafe(left.Slot());
-    }
+    const SrdoMask changed = written | (x_committed & ~released);
+    SrdoMask wrong = 0U;
     x_unwritten &= ~written;
     x_committed = (x_committed & released) | written;
-    const SrdoMask wrong = NotAsWritten(written | (examine & x_committed & ~x_unwritten), safe);
+    SlotWalk writing{changed};
+    while (writing.Next())
+    {
+        const SlotIndex slot = writing.Slot();
+        x_mappings.WriteInverse(slot, DueData(x_mappings, x_committed, slot, x_pairs.data[slot]));
+    }
+    SlotWalk reading{changed | (examine & x_committed & ~x_unwritten)};
+    while (reading.Next())
+    {
+        const SlotIndex slot = reading.Slot();
+        if (!x_mappings.HoldsInverse(slot, DueData(x_mappings, x_committed, slot, x_pairs.data[slot])))
+        {
+            wrong |= BitOf(slot);
+        }
+    }
     x_permitted = x_committed & ~wrong;
     return wrong;
 }

@@ -63,7 +63,6 @@ class Consumers
     void Examine(SlotIndex slot, const Tick& tick) noexcept;
     void Grant(SlotIndex slot) noexcept;
     void ServeBusy(SlotIndex slot, const Tick& tick, CycleOutcome& outcome) noexcept;
-    [[nodiscard]] SrdoMask NotAsWritten(SrdoMask with_pair, SrdoMask safe) const noexcept;
     void Discard(SlotIndex slot) noexcept;
     [[gnu::cold]] void Fault(SlotIndex slot, SrdoCause cause) noexcept;
 

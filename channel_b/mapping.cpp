@@ -311,37 +311,33 @@ void Mappings::WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept
     }
 }
 
-void Mappings::WriteSafe(SlotIndex slot) const noexcept
-{
-    WriteInverse(slot, InverseOfSafe(slot));
-}
-
-/// Gathered like the data of a producer, with the bits beside it that have an object. [SRS_REL_011, SRS_CFG_033,
-/// SRS_CFG_036]
+/// Gathered like the data of a producer. [SRS_REL_011, SRS_CFG_033, SRS_CFG_036]
 bool Mappings::HoldsInverse(SlotIndex slot, std::uint64_t data) const noexcept
 {
     const Mapping mapping = Of(slot);
     std::uint64_t held = 0U;
-    std::uint64_t of_objects = 0U;
+    std::uint64_t of_dummies = 0U;
     for (std::uint32_t pair = mapping.count / 2U; pair != 0U; --pair) // The highest bits first.
     {
         const std::uint32_t index = (2U * pair) - 1U;
         const std::uint32_t bits = LengthOf(mapping.entries[index]);
         const std::uint32_t place = PlaceOf(mapping, index);
-        const bool is_dummy = place == kDummyPlace;
-        if (!(is_dummy || x_objects.IsThere(place)))
+        held <<= Within(bits);
+        of_dummies <<= Within(bits);
+        if (x_objects.IsThere(place))
+        {
+            held |= x_objects.Read(place);
+        }
+        else if (place == kDummyPlace)
+        {
+            of_dummies |= LowBits(bits);
+        }
+        else
         {
             return false;
         }
-        held = (held << Within(bits)) | x_objects.Read(place);
-        of_objects = (of_objects << Within(bits)) | (is_dummy ? 0U : LowBits(bits));
     }
-    return ((held ^ data) & of_objects) == 0U;
-}
-
-bool Mappings::HoldsSafe(SlotIndex slot) const noexcept
-{
-    return HoldsInverse(slot, InverseOfSafe(slot));
+    return ((held ^ data) & MappedBits(slot) & ~of_dummies) == 0U;
 }
 
 std::uint64_t Mappings::InverseOfSafe(SlotIndex slot) const noexcept

@@ -58,18 +58,16 @@ class Mappings
     [[nodiscard]] std::uint64_t ReadInverse(SlotIndex slot) const noexcept;
     void WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept;
     /// @brief The complement of the safe value.
-    void WriteSafe(SlotIndex slot) const noexcept;
+    [[nodiscard]] std::uint64_t InverseOfSafe(SlotIndex slot) const noexcept;
     /// @brief Whether the inverse objects hold these data. What a dummy has of them is not looked for; an entry that
     /// leads neither to an object nor to a dummy holds nothing.
     [[nodiscard]] bool HoldsInverse(SlotIndex slot, std::uint64_t data) const noexcept;
-    [[nodiscard]] bool HoldsSafe(SlotIndex slot) const noexcept;
 
   private:
     void FindPlaces(SlotIndex slot, const Mapping& mapping) noexcept;
     [[nodiscard]] bool IsPairAllowed(const Mapping& mapping, std::uint32_t index) const noexcept;
     [[nodiscard]] bool IsShared(SlotIndex slot) const noexcept;
     [[nodiscard]] std::uint32_t PlaceOf(const Mapping& mapping, std::uint32_t index) const noexcept;
-    [[nodiscard]] std::uint64_t InverseOfSafe(SlotIndex slot) const noexcept;
     [[nodiscard]] std::size_t FirstEntryOf(SlotIndex slot) const noexcept;
 
     MappingColumns x_columns;

@@ -18,7 +18,24 @@ class Objects
     void Restart(const DeviceConfig& config) noexcept;
 
     /// @brief Place of the first object that is not before the one that the entry names.
-    [[nodiscard]] std::uint32_t Find(std::uint32_t entry) const noexcept;
+    [[nodiscard]] std::uint32_t Find(std::uint32_t entry) const noexcept
+    {
+        std::uint32_t low = 0U;
+        std::uint32_t high = x_count;
+        while (low < high) // Halves at each turn: at most 11 for 1024 objects.
+        {
+            const std::uint32_t middle = (low + high) / 2U;
+            if ((EntryOf(x_objects[middle]) >> 8U) < (entry >> 8U))
+            {
+                low = middle + 1U;
+            }
+            else
+            {
+                high = middle;
+            }
+        }
+        return low;
+    }
     /// @brief Whether there is an object at the place, with index, sub-index and length as the entry says, that an SRDO
     /// of this access may map.
     [[nodiscard]] bool IsNamed(std::uint32_t place, std::uint32_t entry, MapAccess access) const noexcept;
@@ -65,6 +82,12 @@ class Objects
     }
 
   private:
+    /// The entry that names the object.
+    [[nodiscard]] static std::uint32_t EntryOf(const MappableObject& object) noexcept
+    {
+        return (std::uint32_t{object.index} << 16U) | (std::uint32_t{object.sub} << 8U) | object.length_bits;
+    }
+
     Column<const MappableObject> x_objects{nullptr};
     std::uint32_t x_count{0U};
 };

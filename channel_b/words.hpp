@@ -18,9 +18,9 @@ constexpr std::uint32_t kBitsPerByte = 8U;
 [[nodiscard]] inline std::uint64_t Packed(Column<const std::uint8_t> bytes, std::uint32_t count) noexcept
 {
     std::uint64_t word = 0U;
-    for (std::uint32_t rest = count; rest != 0U; --rest) // The highest byte first.
+    for (std::uint32_t byte = 0U; (byte < kMaxPayloadBytes) && (byte < count); ++byte)
     {
-        word = (word << kBitsPerByte) | bytes[rest - 1U];
+        word |= std::uint64_t{bytes[byte]} << (kBitsPerByte * byte);
     }
     return word;
 }
@@ -28,7 +28,7 @@ constexpr std::uint32_t kBitsPerByte = 8U;
 inline void Unpack(std::uint64_t word, Column<std::uint8_t> bytes, std::uint32_t count) noexcept
 {
     std::uint64_t rest = word;
-    for (std::uint32_t byte = 0U; byte < count; ++byte)
+    for (std::uint32_t byte = 0U; (byte < kMaxPayloadBytes) && (byte < count); ++byte)
     {
         bytes[byte] = static_cast<std::uint8_t>(rest & 0xFFU);
         rest >>= kBitsPerByte;

@@ -129,7 +129,7 @@ TEST(ChannelBRecord, RecheckFindsEveryObjectThatIsNotTheMappedOne)
             static_cast<void>(rig->Enter());
             rig->Pair(0U, kData);
             const bool is_released = (rig->Cycle().released & 1U) != 0U;
-            const SrdoMask found_otherwise = rig->Voice().Commit(Agreement{1U, 1U}, 0U);
+            const SrdoMask wrong = rig->Voice().Commit(Agreement{1U, 1U}, 0U);
             if (is_released)
             {
                 // then it is found and never released, or the pair reaches its own objects
@@ -137,6 +137,7 @@ TEST(ChannelBRecord, RecheckFindsEveryObjectThatIsNotTheMappedOne)
                 EXPECT_EQ(fault, ConfigFault::kNone) << byte << " " << kind;
                 EXPECT_EQ(rig->Value(2U), 0xBBCCDDEEU) << byte << " " << kind;
                 EXPECT_EQ(rig->Value(3U), 0x778899AAU) << byte << " " << kind;
+                EXPECT_EQ(wrong, 0U) << byte << " " << kind;
             }
             // and no other object is touched.
             for (const std::size_t other : {0U, 1U, 4U, 5U, 6U, 7U, 8U, 10U, 11U})
