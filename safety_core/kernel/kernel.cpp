@@ -199,24 +199,20 @@ void Kernel::Cycle(const CycleCall& call) noexcept
 CycleInput Kernel::TakeInput(const CycleCall& call, const std::uint32_t challenge, const std::uint32_t token) noexcept
 {
     const SrdoMask halted = production_.Halted(context_);
+    SrdoMask request = halted;
+    NmtState nmt = NmtState::kPreOperational;
     // OPERATIONAL that was left and entered again between two cycles was left: the channels see one cycle outside of
     // it, and what was asked for since then waits for the next one. [SRS_KRN_010, SRS_KRN_011]
-    CycleInput input{call.now.a,
-                     challenge,
-                     token,
-                     call.acknowledge_a,
-                     halted,
-                     production_.StandOfA() | halted,
-                     NmtState::kPreOperational,
-                     run_.queue};
-    run_.queue = QueueState::kIntact;
     if (!run_.left_operational)
     {
-        input.nmt = context_.guard.Nmt();
-        input.request |= production_.TakeRequests();
+        nmt = context_.guard.Nmt();
+        request |= production_.TakeRequests();
     }
     run_.left_operational = false;
-    return input;
+    const QueueState queue = run_.queue;
+    run_.queue = QueueState::kIntact;
+    return CycleInput{call.now.a, challenge, token, call.acknowledge_a, request, production_.StandOfA() | halted,
+                      nmt,        queue};
 }
 
 void Kernel::SetNmtState(const NmtState state) noexcept
