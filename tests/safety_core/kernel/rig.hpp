@@ -151,7 +151,7 @@ class RecordingApplication final : public Application
 class Rig : public ::testing::Test
 {
   public:
-    explicit Rig(SelfTestPart* self_test = nullptr);
+    explicit Rig(SelfTestPart* self_test = nullptr, FlowWatch* flow = nullptr);
 
     /// Writes and declares the configuration above; every write must be accepted.
     void Configure();

@@ -73,6 +73,7 @@ inline constexpr RequirementId SRS_KRN_033{"SRS_KRN_033"};
 inline constexpr RequirementId SRS_KRN_034{"SRS_KRN_034"};
 inline constexpr RequirementId SRS_KRN_035{"SRS_KRN_035"};
 inline constexpr RequirementId SRS_KRN_036{"SRS_KRN_036"};
+inline constexpr RequirementId SRS_KRN_039{"SRS_KRN_039"};
 inline constexpr RequirementId SRS_LIM_001{"SRS_LIM_001"};
 inline constexpr RequirementId SRS_LIM_002{"SRS_LIM_002"};
 } // namespace counterpoint::req
