@@ -6,8 +6,6 @@
 #include "verification/trace/ids/kernel.hpp"
 
 #include <cstdint>
-#include <string>
-#include <tuple>
 #include <vector>
 
 namespace counterpoint
@@ -67,8 +65,12 @@ TEST_F(GivenFlow, IsCalledForEveryStepOfACycleInItsOrder)
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
 }
 
-/// What is wrong, and with the mark of which step.
-using SpoiledMark = std::tuple<MarkFault, std::uint8_t>;
+/// What is wrong with the mark of a step, and the last step of which it can be wrong.
+struct SpoiledMark
+{
+    MarkFault fault;
+    std::uint8_t last;
+};
 
 class GivenFlowSpoiled : public GivenFlow, public ::testing::WithParamInterface<SpoiledMark>
 {
@@ -77,48 +79,37 @@ class GivenFlowSpoiled : public GivenFlow, public ::testing::WithParamInterface<
 TEST_P(GivenFlowSpoiled, IsAWrongAnswerAndADeviceFaultInTheSameCycle)
 {
     Verifies(req::SRS_KRN_039);
-    // Given a released pair
-    Operate();
-    ReceivePair();
-    Cycles(2U);
-    ASSERT_EQ(Open(), 1U);
-    ASSERT_TRUE(WatchdogAlive());
-    ASSERT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
-    // When one mark of one cycle is wrong
-    flow.fault = std::get<MarkFault>(GetParam());
-    flow.at = static_cast<FlowStep>(std::get<std::uint8_t>(GetParam()));
-    Cycle();
-    flow.fault = MarkFault::kNone;
-    // Then the answer is wrong, and it is the device fault; from the next cycle on no output is open
-    EXPECT_FALSE(WatchdogAlive());
-    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kFlow);
-    EXPECT_EQ(application.faults, std::vector<DeviceFault>{DeviceFault::kFlow});
-    Cycle();
-    EXPECT_EQ(Open(), 0U);
+    for (std::uint8_t step = 1U; step <= GetParam().last; ++step)
+    {
+        // Given a released pair
+        now_us += 2000U;
+        watchdog.timer.Start(hal::WatchdogWindow{500U, 1600U}, Instant{now_us});
+        application.faults.clear();
+        Operate();
+        ReceivePair();
+        Cycles(2U);
+        ASSERT_EQ(Open(), 1U);
+        ASSERT_TRUE(WatchdogAlive());
+        ASSERT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+        // When one mark of one cycle is wrong
+        flow.fault = GetParam().fault;
+        flow.at = static_cast<FlowStep>(step);
+        Cycle();
+        flow.fault = MarkFault::kNone;
+        // Then the answer is wrong, and it is the device fault; from the next cycle on no output is open
+        EXPECT_FALSE(WatchdogAlive()) << "step " << static_cast<int>(step);
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kFlow) << "step " << static_cast<int>(step);
+        EXPECT_EQ(application.faults, std::vector<DeviceFault>{DeviceFault::kFlow});
+        Cycle();
+        EXPECT_EQ(Open(), 0U) << "step " << static_cast<int>(step);
+    }
 }
 
-std::string NameOf(const ::testing::TestParamInfo<SpoiledMark>& info)
-{
-    return "Step" + std::to_string(std::get<std::uint8_t>(info.param));
-}
-
-INSTANTIATE_TEST_SUITE_P(LeftOut, GivenFlowSpoiled,
-                         ::testing::Combine(::testing::Values(MarkFault::kLeftOut),
-                                            ::testing::Range<std::uint8_t>(1U, 12U)),
-                         NameOf);
-INSTANTIATE_TEST_SUITE_P(Doubled, GivenFlowSpoiled,
-                         ::testing::Combine(::testing::Values(MarkFault::kDoubled),
-                                            ::testing::Range<std::uint8_t>(1U, 12U)),
-                         NameOf);
-// Step n with step n + 1.
-INSTANTIATE_TEST_SUITE_P(Swapped, GivenFlowSpoiled,
-                         ::testing::Combine(::testing::Values(MarkFault::kSwapped),
-                                            ::testing::Range<std::uint8_t>(1U, 11U)),
-                         NameOf);
-INSTANTIATE_TEST_SUITE_P(OtherEvidence, GivenFlowSpoiled,
-                         ::testing::Combine(::testing::Values(MarkFault::kOtherEvidence),
-                                            ::testing::Range<std::uint8_t>(1U, 12U)),
-                         NameOf);
+// Of two that are swapped, the second one is the last one.
+INSTANTIATE_TEST_SUITE_P(EachStep, GivenFlowSpoiled,
+                         ::testing::Values(SpoiledMark{MarkFault::kLeftOut, 11U}, SpoiledMark{MarkFault::kDoubled, 11U},
+                                           SpoiledMark{MarkFault::kSwapped, 10U},
+                                           SpoiledMark{MarkFault::kOtherEvidence, 11U}));
 
 } // namespace
 } // namespace counterpoint
