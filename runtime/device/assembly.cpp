@@ -64,7 +64,7 @@ DeviceAssembly::DeviceAssembly(DeviceModel& model, const DeviceConfig& config, c
       rest_((parts.file == nullptr) ? nullptr : std::make_unique<ServiceAssembly>(model, config, kernel_, parts)),
       bare_({config.node_id}, nullptr), told_((rest_ == nullptr) ? parts.application : rest_->watch_),
       windows_(config.srdo_count), kernel_({parts.channel_a, parts.channel_b, parts.can, parts.output, parts.watchdog,
-                                            told_, parts.self_test, windows_.data()}),
+                                            told_, parts.self_test, windows_.data(), parts.flow}),
       safety_room_(2U * config.srdo_count + 2U),
       device_((rest_ == nullptr)
                   ? device::Device(device::BareParts{kernel_, bare_, *this, SafetyRoom(), config.srdo_count})

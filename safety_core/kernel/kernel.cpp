@@ -23,9 +23,20 @@ std::uint32_t CodeOf(const Confirmation& confirmation) noexcept
     return static_cast<std::uint32_t>(confirmation.slot) | (static_cast<std::uint32_t>(confirmation.step) << kByteBits);
 }
 
+// The kernel's own flow monitor where no other one is named. [SRS_KRN_039]
+KernelParts Completed(const KernelParts& given, FlowWatch& own) noexcept
+{
+    KernelParts parts{given};
+    if (parts.flow == nullptr)
+    {
+        parts.flow = &own;
+    }
+    return parts;
+}
+
 } // namespace
 
-Kernel::Kernel(const KernelParts& parts) noexcept : context_{parts}
+Kernel::Kernel(const KernelParts& parts) noexcept : context_{Completed(parts, flow_)}
 {
 }
 
@@ -74,14 +85,15 @@ PartsView Kernel::ExamineSelf() noexcept
         context_.latch.Enter(DeviceFault::kSelfTest, kNoSlot);
         return PartsView::kInvalid;
     }
+    context_.parts.flow->Begin();
     if (context_.parts.self_test == nullptr)
     {
-        flow_.Mark(FlowStep::kSelfTest, kDone);
+        context_.parts.flow->Mark(FlowStep::kSelfTest, kDone);
         return PartsView::kSound;
     }
     const SelfTestOutcome outcome = context_.parts.self_test->OnCycle();
     context_.latch.Enter((outcome.parts == PartsView::kSound) ? outcome.fault : DeviceFault::kSelfTest, kNoSlot);
-    flow_.Mark(FlowStep::kSelfTest, FlowEvidence{outcome.progress, run_.cycle});
+    context_.parts.flow->Mark(FlowStep::kSelfTest, FlowEvidence{outcome.progress, run_.cycle});
     return outcome.parts;
 }
 
@@ -150,7 +162,6 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     }
     ++run_.cycle;
     production_.OnCycle(call.now.a);
-    flow_.Begin();
     if (ExamineSelf() != PartsView::kSound)
     {
         return; // No permit, no answer to the watchdog: the outputs close, and nobody can be called to be told.
@@ -158,40 +169,40 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     const std::uint32_t challenge = context_.parts.output.Challenge();
 
     context_.latch.Enter(clocks_.OnCycle(call.now), kNoSlot);
-    flow_.Mark(FlowStep::kClocks, FlowEvidence{run_.frames, 0U});
+    context_.parts.flow->Mark(FlowStep::kClocks, FlowEvidence{run_.frames, 0U});
     const std::uint32_t token = context_.guard.Cycle(challenge, call.now.a);
-    flow_.Mark(FlowStep::kGuard, kDone);
+    context_.parts.flow->Mark(FlowStep::kGuard, kDone);
 
     CycleInput input = TakeInput(call, challenge, token);
     const CycleOutcome outcome_a = context_.parts.channel_a.OnCycle(input);
-    flow_.Mark(FlowStep::kChannelA, FlowEvidence{outcome_a.cycle, run_.cycle});
+    context_.parts.flow->Mark(FlowStep::kChannelA, FlowEvidence{outcome_a.cycle, run_.cycle});
     input.now = call.now.b;
     input.acknowledge = call.acknowledge_b;
     input.stand = production_.StandOfB() | production_.Halted(context_);
     input.nmt = second_nmt_.Take();
     const CycleOutcome outcome_b = context_.parts.channel_b.OnCycle(input);
-    flow_.Mark(FlowStep::kChannelB, FlowEvidence{outcome_b.cycle, run_.cycle});
+    context_.parts.flow->Mark(FlowStep::kChannelB, FlowEvidence{outcome_b.cycle, run_.cycle});
 
     decision_.Compare(context_, Comparison{&outcome_a, &outcome_b, &context_.parts.channel_a, &context_.parts.channel_b,
                                            call.now.a, run_.cycle, challenge, HeldPair{}});
-    flow_.Mark(FlowStep::kComparison, FlowEvidence{decision_.LastVerdict().echo, challenge});
+    context_.parts.flow->Mark(FlowStep::kComparison, FlowEvidence{decision_.LastVerdict().echo, challenge});
     decision_.Demote(context_);
-    flow_.Mark(FlowStep::kDemotion, kDone);
+    context_.parts.flow->Mark(FlowStep::kDemotion, kDone);
     production_.Await(outcome_a.due, outcome_b.due);
     production_.Produce(context_, decision_.LastVerdict().start);
-    flow_.Mark(FlowStep::kProduction, kDone);
+    context_.parts.flow->Mark(FlowStep::kProduction, kDone);
     const SrdoMask received = decision_.Commit(context_);
-    flow_.Mark(FlowStep::kCommit, kDone);
+    context_.parts.flow->Mark(FlowStep::kCommit, kDone);
     reporting_.TellErrors(context_, outcome_a.signalled | outcome_b.signalled, call.now.a);
     reporting_.TellReceived(context_, received);
     reporting_.TellFlow(context_, outcome_a, production_.Transmitted());
     reporting_.ExamineHandshake(context_);
-    flow_.Mark(FlowStep::kEvents, Coverage(outcome_b, *context_.config));
+    context_.parts.flow->Mark(FlowStep::kEvents, Coverage(outcome_b, *context_.config));
     decision_.GivePermits(context_, challenge);
-    flow_.Mark(FlowStep::kPermits, kDone);
+    context_.parts.flow->Mark(FlowStep::kPermits, kDone);
 
-    context_.parts.watchdog.Answer(flow_.End(context_.parts.watchdog.Question()));
-    context_.latch.Enter(flow_.Finding(), kNoSlot);
+    context_.parts.watchdog.Answer(context_.parts.flow->End(context_.parts.watchdog.Question()));
+    context_.latch.Enter(context_.parts.flow->Finding(), kNoSlot);
     reporting_.TellDevice(context_);
 }
 
@@ -199,24 +210,20 @@ void Kernel::Cycle(const CycleCall& call) noexcept
 CycleInput Kernel::TakeInput(const CycleCall& call, const std::uint32_t challenge, const std::uint32_t token) noexcept
 {
     const SrdoMask halted = production_.Halted(context_);
+    SrdoMask request = halted;
+    NmtState nmt = NmtState::kPreOperational;
     // OPERATIONAL that was left and entered again between two cycles was left: the channels see one cycle outside of
     // it, and what was asked for since then waits for the next one. [SRS_KRN_010, SRS_KRN_011]
-    CycleInput input{call.now.a,
-                     challenge,
-                     token,
-                     call.acknowledge_a,
-                     halted,
-                     production_.StandOfA() | halted,
-                     NmtState::kPreOperational,
-                     run_.queue};
-    run_.queue = QueueState::kIntact;
     if (!run_.left_operational)
     {
-        input.nmt = context_.guard.Nmt();
-        input.request |= production_.TakeRequests();
+        nmt = context_.guard.Nmt();
+        request |= production_.TakeRequests();
     }
     run_.left_operational = false;
-    return input;
+    const QueueState queue = run_.queue;
+    run_.queue = QueueState::kIntact;
+    return CycleInput{call.now.a, challenge, token, call.acknowledge_a, request, production_.StandOfA() | halted,
+                      nmt,        queue};
 }
 
 void Kernel::SetNmtState(const NmtState state) noexcept

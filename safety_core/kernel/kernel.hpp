@@ -200,8 +200,8 @@ class Kernel
 
     KernelRun run_{};
     SecondNmt second_nmt_{};
+    FlowMonitor flow_{}; ///< Called by way of the parts alone. [SRS_KRN_039]
     KernelContext context_;
-    FlowMonitor flow_{};
     ClockSupervisor clocks_{};
     Reporting reporting_{};
     Production production_{};

@@ -7,6 +7,7 @@
 #include "hal/api/watchdog.hpp"
 #include "safety_core/contract/channel.hpp"
 #include "safety_core/kernel/application.hpp"
+#include "safety_core/kernel/flow_watch.hpp"
 #include "safety_core/kernel/self_test_part.hpp"
 #include "safety_core/kernel/told_causes.hpp"
 
@@ -26,6 +27,9 @@ struct KernelParts
     SelfTestPart* self_test{nullptr}; ///< Optional. [SRS_STS_063]
     /// Room for each SRDO of the device, or null: then a cause is told whenever a channel signals it. [SRS_KRN_032]
     CauseWindows* windows{nullptr};
+    /// Optional: what stands between kernel and its flow monitor, for instance a simulated fault; null: the kernel's
+    /// own. [SRS_KRN_039]
+    FlowWatch* flow{nullptr};
 };
 
 } // namespace counterpoint

@@ -19,7 +19,8 @@ namespace counterpoint
 [[nodiscard]] inline std::uintptr_t SealOf(const KernelParts& parts) noexcept
 {
     return PlaceOf(&parts.channel_a) ^ PlaceOf(&parts.channel_b) ^ PlaceOf(&parts.can) ^ PlaceOf(&parts.output) ^
-           PlaceOf(&parts.watchdog) ^ PlaceOf(&parts.application) ^ PlaceOf(parts.self_test) ^ PlaceOf(parts.windows);
+           PlaceOf(&parts.watchdog) ^ PlaceOf(&parts.application) ^ PlaceOf(parts.self_test) ^ PlaceOf(parts.windows) ^
+           PlaceOf(parts.flow);
 }
 
 } // namespace counterpoint

@@ -16,6 +16,8 @@ template struct Opener<&Kernel::context_, opened<Kernel, KernelContext>>;
 template struct Opener<&Kernel::decision_, opened<Kernel, Decision>>;
 template struct Opener<&Kernel::production_, opened<Kernel, Production>>;
 template struct Opener<&Kernel::flow_, opened<Kernel, FlowMonitor>>;
+template struct Opener<&FlowMonitor::signature_, opened<FlowMonitor, std::uint32_t>>;
+template struct Opener<&FlowMonitor::ended_, opened<FlowMonitor, std::uint32_t, 1>>;
 template struct Opener<&Kernel::clocks_, opened<Kernel, ClockSupervisor>>;
 template struct Opener<&Kernel::run_, opened<Kernel, KernelRun>>;
 template struct Opener<&Decision::comparator_, opened<Decision, Comparator>>;
@@ -36,7 +38,7 @@ template <typename Object> MemoryPiece PieceOf(Object& object)
 
 } // namespace
 
-std::vector<MemoryPiece> PiecesOf(const Part part, Kernel& kernel)
+std::vector<MemoryPiece> PiecesOf(const Part part, Kernel& kernel, FlowFaults* const flow)
 {
     KernelContext& context = kernel.*opened<Kernel, KernelContext>;
     Decision& decision = kernel.*opened<Kernel, Decision>;
@@ -50,7 +52,9 @@ std::vector<MemoryPiece> PiecesOf(const Part part, Kernel& kernel)
     }
     if (part == Part::kFlowMonitor)
     {
-        return {PieceOf(kernel.*opened<Kernel, FlowMonitor>)};
+        FlowMonitor& monitor = (flow == nullptr) ? kernel.*opened<Kernel, FlowMonitor> : flow->Monitor();
+        return {PieceOf(monitor.*opened<FlowMonitor, std::uint32_t>),
+                PieceOf(monitor.*opened<FlowMonitor, std::uint32_t, 1>)};
     }
     if (part == Part::kClocks)
     {

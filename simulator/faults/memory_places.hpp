@@ -3,6 +3,7 @@
 #define SIMULATOR_FAULTS_MEMORY_PLACES_HPP
 
 #include "runtime/device/model.hpp"
+#include "simulator/faults/flow_faults.hpp"
 #include "simulator/scenario/scenario.hpp"
 
 #include "safety_core/kernel/kernel.hpp"
@@ -21,8 +22,9 @@ struct MemoryPiece
 };
 
 /// The memory of a part of the kernel, without pointers and indices. A flip in one of those is an access to anywhere:
-/// the processor's memory protection answers it, and no simulation can. [SRS_SIM_035]
-[[nodiscard]] std::vector<MemoryPiece> PiecesOf(Part part, Kernel& kernel);
+/// the processor's memory protection answers it, and no simulation can. `flow` is what the kernel was given instead of
+/// its own flow monitor; null: nothing. [SRS_SIM_035]
+[[nodiscard]] std::vector<MemoryPiece> PiecesOf(Part part, Kernel& kernel, FlowFaults* flow);
 /// The memory of a part of the device's tables and variables. `srdo` is the number of an SRDO; 0: the first one.
 [[nodiscard]] std::vector<MemoryPiece> PiecesOf(Part part, runtime::DeviceModel& model, std::uint8_t srdo);
 /// @brief Number of bytes of all pieces.

@@ -6,6 +6,11 @@
 
 namespace counterpoint::simulator
 {
+namespace
+{
+thread_local std::array<std::uint64_t, kPartCount> asked{};
+} // namespace
+
 void PartFaults::Begin(const FaultSetup& fault, const std::size_t index)
 {
     PartCondition& condition = Condition(fault.part);
@@ -55,8 +60,14 @@ void PartFaults::HasEffect(const PartCondition& condition) noexcept
     }
 }
 
+std::uint64_t PartFaults::Asked(const Part part) noexcept
+{
+    return asked[static_cast<std::size_t>(part)];
+}
+
 PartAnswer PartFaults::AnswerOf(const Part part) noexcept
 {
+    ++asked[static_cast<std::size_t>(part)];
     const PartCondition& condition = Condition(part);
     if (!condition.is_faulty)
     {

@@ -57,6 +57,8 @@ class PartFaults
     /// @brief What a call of the part answers now. A part that does not run has an effect by it; from one that hangs it
     /// does not return.
     [[nodiscard]] PartAnswer AnswerOf(Part part) noexcept;
+    /// @brief How often taps have asked that in this thread, of all nodes. It shows that the taps are in place.
+    [[nodiscard]] static std::uint64_t Asked(Part part) noexcept;
     /// @brief The fault changes something now. The first time is remembered.
     void HasEffect(const PartCondition& condition) noexcept;
     /// @brief Leaves the running call and all its callers for good, as an exception of the processor does.

@@ -45,7 +45,7 @@ NodeFirmware::NodeFirmware(const NodeInside& inside, hal::CanPorts& ports)
       assembly_(inside.model, inside.model.Config(),
                 {inside.channels.Voice(runtime::Letter::kA), inside.channels.Voice(runtime::Letter::kB), ports,
                  inside.outputs.Output(), inside.channels.Supervision(), inside.application, inside.self_test, *this,
-                 inside.place.file}),
+                 inside.place.file, inside.processor.Flow()}),
       serial_(inside.setup.serial)
 {
     inside_.application.Join(assembly_.Core());

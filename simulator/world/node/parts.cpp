@@ -112,7 +112,7 @@ std::vector<MemoryPiece> NodeParts::PiecesOf(const Part part, const std::uint8_t
     case Part::kProgram:
         return inside_.processor.Image().Program();
     default:
-        return simulator::PiecesOf(part, assembly_.Core());
+        return simulator::PiecesOf(part, assembly_.Core(), inside_.processor.Flow());
     }
 }
 

@@ -3,7 +3,7 @@
 
 namespace counterpoint::simulator
 {
-NodeProcessor::NodeProcessor(const NodePlace& place) noexcept : place_(place), supervisors_(faults_)
+NodeProcessor::NodeProcessor(const NodePlace& place) noexcept : place_(place), supervisors_(faults_), flow_(faults_)
 {
 }
 

@@ -2,6 +2,7 @@
 #ifndef SIMULATOR_WORLD_NODE_PROCESSOR_HPP
 #define SIMULATOR_WORLD_NODE_PROCESSOR_HPP
 
+#include "simulator/faults/flow_faults.hpp"
 #include "simulator/faults/part_faults.hpp"
 #include "simulator/faults/supervisor_tap.hpp"
 #include "simulator/world/node/image.hpp"
@@ -79,6 +80,11 @@ class NodeProcessor
     {
         return faults_;
     }
+    /// @brief What the kernel is given instead of its own flow monitor; null: nothing, the node is not looked into.
+    [[nodiscard]] FlowFaults* Flow() noexcept
+    {
+        return place_.is_tapped ? &flow_ : nullptr;
+    }
     [[nodiscard]] NodeMemory& Memory() noexcept
     {
         return memory_;
@@ -94,6 +100,7 @@ class NodeProcessor
     const NodePlace& place_;
     PartFaults faults_{};
     SupervisorTap supervisors_;
+    FlowFaults flow_;
     NodeMemory memory_;
     NodeImage image_;
     bool is_on_{false};

@@ -47,7 +47,7 @@ struct LeastHolder
 class LeftOutCallbacks : public LeastHolder, public Rig
 {
   public:
-    LeftOutCallbacks() : Rig{nullptr, &least}
+    LeftOutCallbacks() : Rig{nullptr, nullptr, &least}
     {
     }
 };

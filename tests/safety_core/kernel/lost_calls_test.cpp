@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // What a lost call or a changed address leaves undone, or does elsewhere.
+#include "tests/safety_core/kernel/flow_tap.hpp"
 #include "tests/safety_core/kernel/rig.hpp"
 #include "verification/trace/ids/kernel.hpp"
 
@@ -54,7 +55,11 @@ TEST_F(LostCalls, FramesBeforeStartAreForgotten)
 class PartsOfTheKernel : public Rig
 {
   protected:
-    static constexpr std::size_t kParts = 8U;
+    explicit PartsOfTheKernel(FlowWatch* const flow = nullptr) : Rig{nullptr, flow}
+    {
+    }
+
+    static constexpr std::size_t kParts = 9U;
     /// Of each address: on the target all of them, and on the host the same number of runs.
     static constexpr std::size_t kBytes = 4U;
 
@@ -116,6 +121,32 @@ TEST_F(PartsOfTheKernel, AnyBitOfAnyAddressIsFoundBeforeAPartIsCalled)
         {
             FlipAndRun(first + (part * sizeof(void*)) + (bit / 8U), bit % 8U);
         }
+    }
+}
+
+/// The same with a part that is called before all others.
+class PartsWithAFlowWatch : protected FlowTapHolder, public PartsOfTheKernel
+{
+  protected:
+    PartsWithAFlowWatch() : PartsOfTheKernel{&flow}
+    {
+    }
+};
+
+TEST_F(PartsWithAFlowWatch, AreNotCalledBeforeTheAddressesWereExamined)
+{
+    Verifies(req::SRS_KRN_035);
+    Verifies(req::SRS_KRN_039);
+    const std::size_t first = FirstByte();
+    ASSERT_TRUE(first < (sizeof(Kernel) - (kParts * sizeof(void*))));
+    for (std::size_t part = 0U; part < kParts; ++part)
+    {
+        flow.begun = 0U;
+        flow.ended = 0U;
+        FlipAndRun(first + (part * sizeof(void*)), 3U);
+        // Then the two cycles before the change were the last ones that the watch heard of
+        EXPECT_EQ(flow.begun, 2U);
+        EXPECT_EQ(flow.ended, 2U);
     }
 }
 

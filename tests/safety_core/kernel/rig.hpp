@@ -152,7 +152,7 @@ class Rig : public ::testing::Test
 {
   public:
     /// `other` is the kernel's application instead of `application`.
-    explicit Rig(SelfTestPart* self_test = nullptr, Application* other = nullptr);
+    explicit Rig(SelfTestPart* self_test = nullptr, FlowWatch* flow = nullptr, Application* other = nullptr);
 
     /// Writes and declares the configuration above; every write must be accepted.
     void Configure();

@@ -75,6 +75,7 @@ inline constexpr RequirementId SRS_KRN_035{"SRS_KRN_035"};
 inline constexpr RequirementId SRS_KRN_036{"SRS_KRN_036"};
 inline constexpr RequirementId SRS_KRN_037{"SRS_KRN_037"};
 inline constexpr RequirementId SRS_KRN_038{"SRS_KRN_038"};
+inline constexpr RequirementId SRS_KRN_039{"SRS_KRN_039"};
 inline constexpr RequirementId SRS_KRN_040{"SRS_KRN_040"};
 inline constexpr RequirementId SRS_LIM_001{"SRS_LIM_001"};
 inline constexpr RequirementId SRS_LIM_002{"SRS_LIM_002"};

@@ -1,0 +1,115 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// The calls of the flow monitor in the real kernel, and what a cycle with one wrong mark leads to.
+#include "tests/safety_core/kernel/flow_tap.hpp"
+#include "tests/safety_core/kernel/rig.hpp"
+#include "verification/trace/ids/kernel.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace counterpoint
+{
+namespace
+{
+
+/// The parts name no watch.
+class OwnFlow : public Rig
+{
+};
+
+/// They name a tap.
+class GivenFlow : protected FlowTapHolder, public Rig
+{
+  protected:
+    GivenFlow() : Rig{nullptr, &flow}
+    {
+    }
+};
+
+TEST_F(OwnFlow, AnswersTheWatchdogCycleByCycle)
+{
+    Verifies(req::SRS_KRN_039);
+    Operate();
+    ReceivePair();
+    Cycles(20U);
+    EXPECT_TRUE(WatchdogAlive());
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    EXPECT_EQ(Open(), 1U);
+    // And the mark of a cycle that comes while a frame is not yet with both channels has other evidence
+    b.on_frame = [this]() { Cycle(); };
+    Receive(0x700U, {1U});
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kFlow);
+    EXPECT_FALSE(WatchdogAlive());
+}
+
+TEST_F(GivenFlow, IsCalledForEveryStepOfACycleInItsOrder)
+{
+    Verifies(req::SRS_KRN_039);
+    // Given a kernel that was started, and no cycle yet
+    Configure();
+    EXPECT_EQ(flow.begun, 0U);
+    EXPECT_EQ(flow.asked, 0U);
+    // When 20 cycles run
+    kernel.SetNmtState(NmtState::kOperational);
+    Cycles(20U);
+    // Then each began, ended and asked for the finding once, and the last one had these marks
+    EXPECT_EQ(flow.begun, 20U);
+    EXPECT_EQ(flow.ended, 20U);
+    EXPECT_EQ(flow.asked, 20U);
+    EXPECT_EQ(flow.steps,
+              (std::vector<FlowStep>{FlowStep::kSelfTest, FlowStep::kClocks, FlowStep::kGuard, FlowStep::kChannelA,
+                                     FlowStep::kChannelB, FlowStep::kComparison, FlowStep::kDemotion,
+                                     FlowStep::kProduction, FlowStep::kCommit, FlowStep::kEvents, FlowStep::kPermits}));
+    EXPECT_TRUE(WatchdogAlive());
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+}
+
+/// What is wrong with the mark of a step, and the last step of which it can be wrong.
+struct SpoiledMark
+{
+    MarkFault fault;
+    std::uint8_t last;
+};
+
+class GivenFlowSpoiled : public GivenFlow, public ::testing::WithParamInterface<SpoiledMark>
+{
+};
+
+TEST_P(GivenFlowSpoiled, IsAWrongAnswerAndADeviceFaultInTheSameCycle)
+{
+    Verifies(req::SRS_KRN_039);
+    for (std::uint8_t step = 1U; step <= GetParam().last; ++step)
+    {
+        // Given a released pair
+        now_us += 2000U;
+        watchdog.timer.Start(hal::WatchdogWindow{500U, 1600U}, Instant{now_us});
+        application.faults.clear();
+        Operate();
+        ReceivePair();
+        Cycles(2U);
+        ASSERT_EQ(Open(), 1U);
+        ASSERT_TRUE(WatchdogAlive());
+        ASSERT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+        // When one mark of one cycle is wrong
+        flow.fault = GetParam().fault;
+        flow.at = static_cast<FlowStep>(step);
+        Cycle();
+        flow.fault = MarkFault::kNone;
+        // Then the answer is wrong, and it is the device fault; from the next cycle on no output is open
+        EXPECT_FALSE(WatchdogAlive()) << "step " << static_cast<int>(step);
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kFlow) << "step " << static_cast<int>(step);
+        EXPECT_EQ(application.faults, std::vector<DeviceFault>{DeviceFault::kFlow});
+        Cycle();
+        EXPECT_EQ(Open(), 0U) << "step " << static_cast<int>(step);
+    }
+}
+
+// Of two that are swapped, the second one is the last one.
+INSTANTIATE_TEST_SUITE_P(EachStep, GivenFlowSpoiled,
+                         ::testing::Values(SpoiledMark{MarkFault::kLeftOut, 11U}, SpoiledMark{MarkFault::kDoubled, 11U},
+                                           SpoiledMark{MarkFault::kSwapped, 10U},
+                                           SpoiledMark{MarkFault::kOtherEvidence, 11U}));
+
+} // namespace
+} // namespace counterpoint
