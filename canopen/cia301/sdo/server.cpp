@@ -73,8 +73,7 @@ SdoAnswer SdoServer::OnFrame(const SdoFrame& request, const std::uint8_t length_
     SdoAnswer answer = kNoAnswer;
     if (length_bytes == 8U)
     {
-        // Segments of a sub-block use all bits of the command; 80h has none of their numbers. Only the next one goes
-        // on.
+        // Segments of a sub-block use all bits of the command; 80h has none of their numbers. The next one goes on.
         const bool is_block = (phase_ == Phase::kBlockDownload);
         const std::uint8_t mask = is_block ? 0xFFU : kCommandMask;
         last_ = (!is_block || ((request.bytes[0] & kSequenceMask) == (sequence_ + 1U))) ? now : last_;
