@@ -53,6 +53,8 @@ class ManagerCommand final : public Command
         options.Add("--log", &log_, "Event log, one JSON object a line").Type("FILE");
         options.Add("--html", &html_, "Page with the boot-up sequence diagram, written at the end").Type("FILE");
         options.Add("--socket", &socket_, "Unix socket on which programs send orders, a line each").Type("PATH");
+        options.Add("--socket-group", &is_for_group_,
+                    "The socket is for the group of its owner, too (default: for its owner alone)");
         options.Add("--json", &is_json_, "Events and answers as one JSON object a line");
         options.Add("--no-input", &has_no_input_, "Read no orders from the standard input");
         options_ = &options;
@@ -84,7 +86,7 @@ class ManagerCommand final : public Command
     [[nodiscard]] ExitStatus Check(const Streams& streams) const
     {
         for (const char* const option :
-             {"--can", "--network", "--for", "--log", "--html", "--socket", "--json", "--no-input"})
+             {"--can", "--network", "--for", "--log", "--html", "--socket", "--socket-group", "--json", "--no-input"})
         {
             if (options_->IsGiven(option))
             {
@@ -141,8 +143,10 @@ class ManagerCommand final : public Command
         RequireFiles(net);
         std::unique_ptr<host::LiveBus> bus = host::OpenLiveBus(address_);
         const std::unique_ptr<runtime::ManagerSocket> socket =
-            socket_.empty() ? nullptr : std::make_unique<runtime::ManagerSocket>(socket_);
-        runtime::NodeReport report(streams.out, runtime::ReportForm::kText, host::LiveNow());
+            socket_.empty() ? nullptr
+                            : std::make_unique<runtime::ManagerSocket>(socket_, is_for_group_ ? runtime::kOwnerAndGroup
+                                                                                              : runtime::kOwnerOnly);
+        runtime::NodeReport report(streams.out, runtime::ReportForm::kText, host::LiveNow(), STDOUT_FILENO);
         runtime::ManagerLoopSettings settings;
         settings.log = log_;
         settings.for_ns = static_cast<std::uint64_t>(seconds_) * kNsPerSecond;
@@ -180,6 +184,7 @@ class ManagerCommand final : public Command
     int node_id_{0};
     int seconds_{0};
     bool is_json_{false};
+    bool is_for_group_{false};
     bool has_no_input_{false};
 };
 } // namespace

@@ -87,7 +87,7 @@ class NodeCommand final : public Command
         const runtime::NodeScript script = script_.empty() ? runtime::NodeScript{} : runtime::ReadNodeScript(script_);
         runtime::NodePorts ports(address_, second_address_);
         runtime::NodeReport report(streams.out, is_json_ ? runtime::ReportForm::kJson : runtime::ReportForm::kText,
-                                   host::LiveNow());
+                                   host::LiveNow(), STDOUT_FILENO);
         const auto make = [&settings, &ports, &report, &script](const std::optional<std::uint8_t> lss_node_id)
         {
             settings.lss_node_id = lss_node_id;

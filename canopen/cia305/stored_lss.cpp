@@ -67,7 +67,12 @@ bool StoredLss::LoadItem(const cia301::Bytes& item) noexcept
     return is_item;
 }
 
-void StoredLss::EndLoad(std::uint8_t) noexcept
+bool StoredLss::EndLoad(std::uint8_t) noexcept
+{
+    return true;
+}
+
+void StoredLss::Lose(std::uint8_t) noexcept
 {
 }
 

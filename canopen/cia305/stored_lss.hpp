@@ -26,7 +26,8 @@ class StoredLss final : public cia301::StoredPart
     [[nodiscard]] cia301::StoredItem Item(std::uint32_t number, const cia301::Room& room) noexcept override;
     void BeginLoad(std::uint8_t groups) noexcept override;
     bool LoadItem(const cia301::Bytes& item) noexcept override;
-    void EndLoad(std::uint8_t groups) noexcept override;
+    bool EndLoad(std::uint8_t groups) noexcept override;
+    void Lose(std::uint8_t groups) noexcept override;
 
   private:
     LssSettings settings_;

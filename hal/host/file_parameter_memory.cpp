@@ -2,8 +2,10 @@
 #include "hal/host/file_parameter_memory.hpp"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -26,53 +28,92 @@ constexpr std::uint32_t kChunk = 4096U;
 } // namespace
 
 FileParameterMemory::FileParameterMemory(const std::string& path, const std::uint32_t bank_bytes)
-    : file_(-1), bank_bytes_(bank_bytes), status_(hal::MemoryStatus::kReady)
+    : path_(path), file_(-1), bank_bytes_(bank_bytes), status_(hal::MemoryStatus::kReady)
 {
     if ((bank_bytes == 0U) || ((bank_bytes % hal::kProgramUnitBytes) != 0U))
     {
         Refuse(path, "a bank of " + std::to_string(bank_bytes) + " bytes, expected a multiple of 8 above 0");
     }
-    file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-    struct stat status = {};
-    if ((file_ < 0) || (::fstat(file_, &status) != 0))
+    if ((::access(path.c_str(), F_OK) != 0) && (errno == ENOENT))
     {
-        const std::string why = std::strerror(errno);
+        Create();
+    }
+    try
+    {
+        Open();
+    }
+    catch (const std::runtime_error&)
+    {
         if (file_ >= 0)
         {
             ::close(file_);
         }
-        Refuse(path, "cannot be opened for reading and writing: " + why + ", expected a file for parameters");
+        throw;
+    }
+}
+
+void FileParameterMemory::Open()
+{
+    file_ = ::open(path_.c_str(), O_RDWR | O_CLOEXEC);
+    struct stat status = {};
+    if ((file_ < 0) || (::fstat(file_, &status) != 0))
+    {
+        Refuse(path_, "cannot be opened for reading and writing: " + std::string(std::strerror(errno)) +
+                          ", expected a file for parameters");
     }
     // Two writers would break each other's sets. Where a file system knows no locks, nothing is known of another one.
     if ((::flock(file_, LOCK_EX | LOCK_NB) != 0) && (errno == EWOULDBLOCK))
     {
-        ::close(file_);
-        Refuse(path, "is in use by another device, expected a file of its own");
+        Refuse(path_, "is in use by another device, expected a file of its own");
     }
-    const std::int64_t expected = 2 * static_cast<std::int64_t>(bank_bytes);
-    if (status.st_size == 0)
+    if (!S_ISREG(status.st_mode))
     {
-        // First the size: a file whose creation broke off holds no valid set, but is a file of two banks.
-        status_ = (::ftruncate(file_, expected) == 0) ? status_ : hal::MemoryStatus::kFailed;
-        Erase(hal::MemoryBank::kFirst);
-        if (status_ == hal::MemoryStatus::kReady)
-        {
-            Erase(hal::MemoryBank::kSecond);
-        }
+        Refuse(path_, "cannot be written, expected a regular file with room");
     }
-    const bool is_other = (status.st_size != 0) && (status.st_size != expected);
-    if (is_other || (status_ != hal::MemoryStatus::kReady))
+    if (status.st_size != (2 * static_cast<std::int64_t>(bank_bytes_)))
     {
-        ::close(file_);
-        Refuse(path, is_other ? ("has " + std::to_string(status.st_size) + " bytes, expected two banks of " +
-                                 std::to_string(bank_bytes))
-                              : "cannot be written, expected a regular file with room");
+        Refuse(path_, "has " + std::to_string(status.st_size) + " bytes, expected two banks of " +
+                          std::to_string(bank_bytes_));
     }
+}
+
+/// It gets its name when it is complete: a creation that broke off leaves no file that looks like a damaged one.
+void FileParameterMemory::Create() const
+{
+    const std::string part = path_ + ".new";
+    FileParameterMemory made{part, ::open(part.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0644), bank_bytes_};
+    if (made.file_ < 0)
+    {
+        Refuse(path_, "cannot be opened for reading and writing: " + std::string(std::strerror(errno)) +
+                          ", expected a file for parameters");
+    }
+    const std::int64_t size_bytes = 2 * static_cast<std::int64_t>(bank_bytes_);
+    const bool has_size = ::ftruncate(made.file_, size_bytes) == 0;
+    made.Erase(hal::MemoryBank::kFirst);
+    const bool is_first_done = has_size && (made.Status() == hal::MemoryStatus::kReady);
+    made.Erase(hal::MemoryBank::kSecond);
+    const bool is_done = is_first_done && (made.Status() == hal::MemoryStatus::kReady);
+    // Another device may have been faster: its file stays.
+    const bool is_named = is_done && ((::link(part.c_str(), path_.c_str()) == 0) || (errno == EEXIST) ||
+                                      (::rename(part.c_str(), path_.c_str()) == 0));
+    static_cast<void>(::unlink(part.c_str()));
+    if (!is_named)
+    {
+        Refuse(path_, "cannot be written, expected a regular file with room");
+    }
+}
+
+FileParameterMemory::FileParameterMemory(std::string path, const int file, const std::uint32_t bank_bytes) noexcept
+    : path_(std::move(path)), file_(file), bank_bytes_(bank_bytes), status_(hal::MemoryStatus::kReady)
+{
 }
 
 FileParameterMemory::~FileParameterMemory()
 {
-    ::close(file_);
+    if (file_ >= 0)
+    {
+        ::close(file_);
+    }
 }
 
 std::uint32_t FileParameterMemory::BankBytes() const noexcept
@@ -89,21 +130,22 @@ void FileParameterMemory::Erase(const hal::MemoryBank bank) noexcept
 {
     std::uint8_t erased[kChunk];
     std::memset(erased, kErased, kChunk);
-    bool is_done = IsInside({bank, 0U, bank_bytes_});
+    bool is_done = IsInside({bank, 0U, bank_bytes_}) && IsInPlace();
     for (std::uint32_t at = 0U; is_done && (at < bank_bytes_); at += kChunk)
     {
         const std::uint32_t left = bank_bytes_ - at;
         is_done = WriteAll(PlaceOf({bank, at, 0U}), erased, (left < kChunk) ? left : kChunk);
     }
-    is_done = is_done && (::fdatasync(file_) == 0);
+    is_done = is_done && (::fdatasync(file_) == 0) && IsInPlace();
     status_ = is_done ? hal::MemoryStatus::kReady : hal::MemoryStatus::kFailed;
 }
 
 void FileParameterMemory::Program(const hal::MemorySection& section, const std::uint8_t* const from) noexcept
 {
     const bool is_aligned = ((section.offset | section.count) % hal::kProgramUnitBytes) == 0U;
+    const bool may_write = is_aligned && IsInside(section) && IsInPlace();
     const bool is_done =
-        is_aligned && IsInside(section) && WriteAll(PlaceOf(section), from, section.count) && (::fdatasync(file_) == 0);
+        may_write && WriteAll(PlaceOf(section), from, section.count) && (::fdatasync(file_) == 0) && IsInPlace();
     status_ = is_done ? hal::MemoryStatus::kReady : hal::MemoryStatus::kFailed;
 }
 
@@ -118,6 +160,16 @@ bool FileParameterMemory::Read(const hal::MemorySection& section, std::uint8_t* 
         done += is_going ? static_cast<std::uint32_t>(count) : 0U;
     }
     return is_going;
+}
+
+/// Whether the open file is what the next start will find under its name.
+bool FileParameterMemory::IsInPlace() const noexcept
+{
+    struct stat open = {};
+    struct stat named = {};
+    const bool are_there = (::fstat(file_, &open) == 0) && (::stat(path_.c_str(), &named) == 0);
+    const bool is_same = are_there && (open.st_dev == named.st_dev) && (open.st_ino == named.st_ino);
+    return is_same && (open.st_size == (2 * static_cast<std::int64_t>(bank_bytes_)));
 }
 
 bool FileParameterMemory::IsInside(const hal::MemorySection& section) const noexcept

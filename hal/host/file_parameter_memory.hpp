@@ -10,13 +10,14 @@
 namespace counterpoint::host
 {
 
-/// A file of two banks as persistent memory: what was programmed is on the disk before the operation ends.
-/// [SRS_STO_013]
+/// A file of two banks as persistent memory: what was programmed is on the disk before the operation ends, in the file
+/// that has this name then; an operation on a file that is no longer there fails. [SRS_STO_013, SRS_STO_018]
 class FileParameterMemory final : public hal::ParameterMemory
 {
   public:
-    /// @brief Opens the file, or creates an erased one. Throws std::runtime_error, one line with the path, if that
-    /// fails, if the file has another size than two banks, or if `bank_bytes` is no multiple of the unit.
+    /// @brief Opens the file, or creates an erased one, whole or not at all, if there is none. Throws
+    /// std::runtime_error, one line with the path, if that fails, if the file has another size than two banks, 0 among
+    /// them, or if `bank_bytes` is no multiple of the unit.
     FileParameterMemory(const std::string& path, std::uint32_t bank_bytes);
     ~FileParameterMemory();
 
@@ -27,10 +28,17 @@ class FileParameterMemory final : public hal::ParameterMemory
     [[nodiscard]] bool Read(const hal::MemorySection& section, std::uint8_t* to) noexcept override;
 
   private:
+    FileParameterMemory(std::string path, int file, std::uint32_t bank_bytes) noexcept;
+
     [[nodiscard]] bool IsInside(const hal::MemorySection& section) const noexcept;
     [[nodiscard]] std::int64_t PlaceOf(const hal::MemorySection& section) const noexcept;
     [[nodiscard]] bool WriteAll(std::int64_t place, const std::uint8_t* from, std::uint32_t count) const noexcept;
 
+    void Open();
+    void Create() const;
+    [[nodiscard]] bool IsInPlace() const noexcept;
+
+    std::string path_;
     int file_;
     std::uint32_t bank_bytes_;
     hal::MemoryStatus status_;

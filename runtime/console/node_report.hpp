@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
@@ -22,12 +23,14 @@ enum class ReportForm : std::uint8_t
 };
 
 /// Writes what a node tells, a line each. A thread of its own writes the lines, so that a slow reader does not hold up
-/// the device. [SRS_NODE_004]
+/// the device, nor its end. Of an output that nobody reads lines are left out and counted; what tells of outputs,
+/// faults and the end last. [SRS_NODE_004, SRS_NODE_032]
 class NodeReport
 {
   public:
-    /// @brief Times are told from `start_ns` (CLOCK_MONOTONIC) on. `out` outlives the report.
-    NodeReport(std::ostream& out, ReportForm form, std::uint64_t start_ns);
+    /// @brief Times are told from `start_ns` (CLOCK_MONOTONIC) on. `out` outlives the report; it writes to `file`,
+    /// which is waited for, or without one (-1) never blocks.
+    NodeReport(std::ostream& out, ReportForm form, std::uint64_t start_ns, int file = -1);
     ~NodeReport();
     NodeReport(const NodeReport&) = delete;
     NodeReport& operator=(const NodeReport&) = delete;
@@ -42,12 +45,15 @@ class NodeReport
     {
         return form_;
     }
-    /// @brief Waits until everything is written. False: it could not be written.
+    /// @brief Waits until everything is written, or until the reader has read nothing for two seconds. False: it could
+    /// not be written.
     [[nodiscard]] bool Finish();
 
   private:
-    void Put(std::string line);
+    void Put(std::string line, std::size_t room);
     void Write();
+    void WriteAll(const std::vector<std::string>& lines);
+    [[nodiscard]] bool IsReady();
 
     std::ostream& out_;
     ReportForm form_;
@@ -55,7 +61,10 @@ class NodeReport
     std::mutex mutex_;
     std::condition_variable wake_;
     std::vector<std::string> waiting_;
-    bool is_finished_{false};
+    std::uint64_t left_out_{0U}; ///< Lines since the last one that was kept.
+    std::atomic<bool> is_finished_{false};
+    bool is_given_up_{false}; ///< Nobody reads, and the end does not wait any longer.
+    int file_;
     std::thread writer_;
 };
 } // namespace counterpoint::runtime

@@ -9,11 +9,9 @@
 
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <ctime>
 #include <poll.h>
-#include <thread>
 #include <unistd.h>
 #include <utility>
 
@@ -256,10 +254,6 @@ void ManagerLoop::WatchBus()
         state = (bus_state_ == host::BusState::kDown) ? cia302::ControllerState::kAbsent : state;
         station_.Assembly().OnController(state, InstantAt(StationUs()));
     }
-    if (bus_state_ == host::BusState::kDown)
-    {
-        Reconnect();
-    }
     if (health.lost_frames > lost_)
     {
         const std::uint32_t count = health.lost_frames - lost_;
@@ -267,40 +261,6 @@ void ManagerLoop::WatchBus()
                       StationUs());
         station_.Assembly().Core().OnLost(InstantAt(StationUs()));
         lost_ = health.lost_frames;
-    }
-}
-
-/// An interface of the kernel comes back by itself, a connection does not. It is made by a thread of its own: a server
-/// that does not answer holds up nobody.
-void ManagerLoop::Reconnect()
-{
-    const bool is_connection = address_.rfind("socketcand:", 0U) == 0U;
-    const bool is_over = next_bus_.valid() && next_bus_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-    std::unique_ptr<host::LiveBus> bus = is_over ? next_bus_.get() : nullptr;
-    if (bus != nullptr)
-    {
-        bus_ = std::move(bus);
-        lost_ = 0U;
-    }
-    else if (is_connection && !next_bus_.valid())
-    {
-        next_bus_ = std::async(std::launch::async,
-                               [address = address_]() -> std::unique_ptr<host::LiveBus>
-                               {
-                                   try
-                                   {
-                                       return host::OpenLiveBus(address);
-                                   }
-                                   catch (const host::LiveBusError&)
-                                   {
-                                       std::this_thread::sleep_for(std::chrono::seconds(1));
-                                       return nullptr; // To be tried again.
-                                   }
-                               });
-    }
-    else
-    {
-        // Nothing is lost that could be made again, or it is under way.
     }
 }
 

@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <deque>
 #include <fstream>
-#include <future>
 #include <memory>
 #include <string>
 
@@ -32,7 +31,8 @@ struct ManagerLoopSettings
     std::uint64_t longest_pause_ns{kLongestPauseNs};
 };
 
-/// Runs a live manager: frames, a cycle each millisecond, and orders, until it is told to stop. [SRS_MGR_004,
+/// Runs a live manager: frames, a cycle each millisecond, and orders, until it is told to stop. A lost connection is
+/// opened again by its bus; a second one would hear this manager as another device. [SRS_MGR_004,
 /// SRS_MGR_005, SRS_MGR_006, SRS_MGR_007]
 class ManagerLoop
 {
@@ -64,7 +64,6 @@ class ManagerLoop
     void TakeFrame(const host::LiveFrame& frame);
     [[nodiscard]] std::uint64_t StationUs();
     void WatchBus();
-    void Reconnect();
     void ReadTyped();
     void Reply(const std::string& line);
     void Show(const std::string& answer);
@@ -74,7 +73,6 @@ class ManagerLoop
 
     std::unique_ptr<host::LiveBus> bus_;
     std::string address_;
-    std::future<std::unique_ptr<host::LiveBus>> next_bus_; ///< A lost connection is being made again.
     NodeReport& report_;
     ManagerSocket* socket_;
     ManagerLoopSettings settings_;

@@ -35,12 +35,13 @@ sockaddr_un AddressOf(const std::string& path)
     return address;
 }
 
-/// Bound and listening; -1 and errno otherwise.
-int Listen(const sockaddr_un& address)
+/// Bound and listening; -1 and errno otherwise. Nobody but the owner may write to it before the mode is set.
+int Listen(const sockaddr_un& address, const mode_t mode)
 {
     const int file = ::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     const auto* const general = reinterpret_cast<const sockaddr*>(&address);
-    const bool is_bound = file >= 0 && ::bind(file, general, sizeof(address)) == 0 && ::listen(file, 4) == 0;
+    const bool is_bound = file >= 0 && ::fchmod(file, kOwnerOnly) == 0 && ::bind(file, general, sizeof(address)) == 0 &&
+                          ::chmod(address.sun_path, mode) == 0 && ::listen(file, 4) == 0;
     if (file >= 0 && !is_bound)
     {
         const int reason = errno;
@@ -57,23 +58,24 @@ bool IsSocket(const std::string& path)
     return ::lstat(path.c_str(), &status) == 0 && S_ISSOCK(status.st_mode);
 }
 
-/// Whether somebody answers there.
+/// Whether somebody listens there; also who is too busy to answer, or answers others only.
 bool IsServed(const sockaddr_un& address)
 {
     const host::LiveFile file(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
-    return ::connect(file.Get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0;
+    const bool is_refused = ::connect(file.Get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0;
+    return !is_refused || (errno != ECONNREFUSED && errno != ENOENT);
 }
 } // namespace
 
-ManagerSocket::ManagerSocket(std::string path) : path_(std::move(path)), listener_(-1)
+ManagerSocket::ManagerSocket(std::string path, const mode_t mode) : path_(std::move(path)), listener_(-1)
 {
     const sockaddr_un address = AddressOf(path_);
-    int file = Listen(address);
+    int file = Listen(address, mode);
     int reason = errno;
     if (file < 0 && reason == EADDRINUSE && IsSocket(path_) && !IsServed(address))
     {
         ::unlink(path_.c_str());
-        file = Listen(address);
+        file = Listen(address, mode);
         reason = errno;
     }
     if (file < 0)
@@ -83,11 +85,18 @@ ManagerSocket::ManagerSocket(std::string path) : path_(std::move(path)), listene
                                   "a path in a folder that can be written, that nobody serves"});
     }
     listener_ = host::LiveFile(file);
+    static_cast<void>(::lstat(path_.c_str(), &made_));
 }
 
 ManagerSocket::~ManagerSocket()
 {
-    ::unlink(path_.c_str());
+    struct stat there = {};
+    const bool is_own =
+        ::lstat(path_.c_str(), &there) == 0 && there.st_dev == made_.st_dev && there.st_ino == made_.st_ino;
+    if (is_own)
+    {
+        ::unlink(path_.c_str());
+    }
 }
 
 void ManagerSocket::AddTo(std::vector<pollfd>& places) const

@@ -10,17 +10,22 @@
 #include <vector>
 
 #include <poll.h>
+#include <sys/stat.h>
 
 namespace counterpoint::runtime
 {
+constexpr mode_t kOwnerOnly = 0600;
+constexpr mode_t kOwnerAndGroup = 0660;
+
 /// A Unix socket on which programs send orders, a line each, and read the answers. Nothing blocks: a client that does
 /// not read its answers is disconnected, and a new client takes the place of the one that was silent longest.
-/// [SRS_MGR_006]
+/// Its end removes the socket file that it made, and no other one. [SRS_MGR_006, SRS_MGR_061]
 class ManagerSocket
 {
   public:
-    /// @brief Listens at `path`; replaces a socket file that nobody serves any more. Throws cia306::InputError.
-    explicit ManagerSocket(std::string path);
+    /// @brief Listens at `path`, for whom the bits of `mode` let write; replaces a socket file that nobody serves any
+    /// more. Throws cia306::InputError.
+    explicit ManagerSocket(std::string path, mode_t mode = kOwnerOnly);
     ~ManagerSocket();
     ManagerSocket(const ManagerSocket&) = delete;
     ManagerSocket& operator=(const ManagerSocket&) = delete;
@@ -45,6 +50,7 @@ class ManagerSocket
 
     std::string path_;
     host::LiveFile listener_;
+    struct stat made_ = {}; ///< The socket file.
     std::vector<Client> clients_;
     std::uint64_t turn_{0U};
 };

@@ -23,6 +23,7 @@ constexpr std::uint64_t kNsPerUs = 1000U;
 constexpr std::uint64_t kNsPerSecond = 1000000000U;
 constexpr std::uint64_t kWatchNs = 50000000U;
 constexpr std::uint64_t kSaveStepNs = 1000000U;
+constexpr std::uint64_t kQuestionNs = host::kQuestionMs * 1000000U;
 constexpr int kPriority = 20;
 constexpr std::size_t kLongestOrder = 1024U;
 
@@ -41,10 +42,15 @@ void CatchSignals()
     action.sa_handler = &Catch;
     sigset_t blocked{};
     sigemptyset(&blocked);
-    for (const int number : {SIGTERM, SIGINT})
+    for (const int number : {SIGTERM, SIGINT, SIGHUP})
     {
-        static_cast<void>(::sigaction(number, &action, nullptr));
+        struct sigaction before{};
+        static_cast<void>(::sigaction(number, &action, &before));
         sigaddset(&blocked, number);
+        if (number == SIGHUP && before.sa_handler == SIG_IGN)
+        {
+            static_cast<void>(::sigaction(number, &before, nullptr)); // As nohup wants it.
+        }
     }
     static_cast<void>(::sigprocmask(SIG_BLOCK, &blocked, nullptr));
     std::signal(SIGPIPE, SIG_IGN);
@@ -74,6 +80,7 @@ ExitStatus NodeLoop::Run()
         Tell(std::string("warning: no real-time priority (") + std::strerror(errno) + "): cycles may come too late",
              "warning", {{"text", "no real-time priority"}});
     }
+    TellConnection();
     if (!device_->PowerOn(now_, now_ns_) && !device_->Assembly().NewNodeId())
     {
         return ExitStatus::kDoesNotHold;
@@ -91,6 +98,7 @@ void NodeLoop::Step()
 {
     now_ = clocks_.Now();
     now_ns_ = clocks_.NowNs();
+    device_->LookAtOutput(now_ns_); // After a pause: what has closed in it did so at its time, not in this cycle.
     Receive();
     if (now_ns_ >= next_cycle_ns_)
     {
@@ -116,6 +124,7 @@ void NodeLoop::Step()
     if (caught_signal != 0)
     {
         reason_ = (caught_signal == SIGINT) ? "SIGINT" : "SIGTERM";
+        reason_ = (caught_signal == SIGHUP) ? "SIGHUP" : reason_;
     }
 }
 
@@ -147,7 +156,8 @@ void NodeLoop::Wait()
     static_cast<void>(clocks_.Now());
     const std::uint64_t now_ns = clocks_.NowNs();
     const std::uint64_t cycle_ns = (next_cycle_ns_ > now_ns) ? next_cycle_ns_ - now_ns : 0U;
-    const std::uint64_t wait_ns = device_->IsSaving() ? std::min(cycle_ns, kSaveStepNs) : cycle_ns;
+    const std::uint64_t step_ns = has_connection_ ? std::min(cycle_ns, kQuestionNs) : cycle_ns;
+    const std::uint64_t wait_ns = device_->IsSaving() ? std::min(step_ns, kSaveStepNs) : step_ns;
     const timespec time{static_cast<time_t>(wait_ns / kNsPerSecond), static_cast<long>(wait_ns % kNsPerSecond)};
     host::LiveBus* const inverse = parts_.ports.Inverse();
     std::array<pollfd, 4U> places{{{parts_.ports.Safety().Descriptor(), POLLIN, 0},
@@ -233,6 +243,42 @@ void NodeLoop::Replace(const std::uint8_t node_id)
     }
 }
 
+void NodeLoop::TellConnection()
+{
+    const std::string names = BusNames();
+    has_connection_ = names.find("socketcand:") != std::string::npos;
+    if (has_connection_)
+    {
+        const std::string text = "warning: a connection to a server may hold frames: on " + names +
+                                 " no told limit holds. SRDOs that may be older than " + std::to_string(kOldestSrdoMs) +
+                                 " ms are left aside";
+        Tell(text, "warning", {{"text", text}});
+    }
+}
+
+/// Each consumer is made safe, whatever comes next on the connection. Told at once, then once a second.
+void NodeLoop::WatchAge()
+{
+    const std::uint32_t stale = parts_.ports.StaleFrames();
+    if (stale != stale_)
+    {
+        stale_ = stale;
+        device_->Assembly().Device().OnLoss();
+    }
+    const bool is_due = told_stale_ns_ == 0U || now_ns_ - told_stale_ns_ >= kNsPerSecond;
+    if (stale_ != told_stale_ && is_due)
+    {
+        const std::uint32_t count = stale_ - told_stale_;
+        Tell(std::to_string(count) +
+                 " SRDO frames left aside: the connection to the server may have held them for more "
+                 "than " +
+                 std::to_string(kOldestSrdoMs) + " ms",
+             "stale_frames", {{"count", count}});
+        told_stale_ = stale_;
+        told_stale_ns_ = now_ns_;
+    }
+}
+
 void NodeLoop::WatchBus()
 {
     if (now_ns_ - watched_ns_ < kWatchNs)
@@ -240,6 +286,7 @@ void NodeLoop::WatchBus()
         return;
     }
     watched_ns_ = now_ns_;
+    WatchAge();
     const std::uint32_t lost = parts_.ports.LostFrames();
     if (lost != lost_)
     {

@@ -28,7 +28,7 @@ struct NodeLoopParts
 };
 
 /// Runs a live node: cycles at their times, frames and orders between them, until it is told to stop. [SRS_NODE_003,
-/// SRS_NODE_005, SRS_NODE_006]
+/// SRS_NODE_005, SRS_NODE_006, SRS_NODE_031]
 class NodeLoop
 {
   public:
@@ -51,7 +51,9 @@ class NodeLoop
     void Replace(std::uint8_t node_id);
     void Step();
     void RunCycle();
+    void TellConnection();
     void WatchBus();
+    void WatchAge();
     void FollowScript();
     void ReadOrders();
     void Carry(const NodeOrder& order);
@@ -71,6 +73,10 @@ class NodeLoop
     std::uint64_t watched_ns_{0U};
     std::uint64_t latest_cycle_ns_{0U}; ///< Greatest distance of a cycle from its time.
     std::uint32_t lost_{0U};
+    bool has_connection_{false}; ///< A bus is that of a server.
+    std::uint32_t stale_{0U};
+    std::uint32_t told_stale_{0U};
+    std::uint64_t told_stale_ns_{0U};
     host::BusState bus_{host::BusState::kActive};
     InstantPair now_{{0U}, {0U}};
     std::uint64_t now_ns_{0U};

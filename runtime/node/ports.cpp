@@ -17,14 +17,22 @@ constexpr std::uint32_t kBlockOf128 = 0x780U;
 
 host::LiveOptions OptionsOfServices()
 {
-    return {host::RestartPolicy::kTimed, kRestartAfterMs, host::kReconnectAfterMs, {}};
+    return {host::RestartPolicy::kTimed, kRestartAfterMs, host::kReconnectAfterMs, {}, 0U};
+}
+
+/// Nothing old is released, however the frames came. [SRS_NODE_031]
+host::LiveOptions OptionsOfSrdos()
+{
+    host::LiveOptions options = OptionsOfServices();
+    options.oldest_ms = kOldestSrdoMs;
+    return options;
 }
 
 /// 001h, 100h to 17Fh, 180h: whole powers of two; the device leaves out 100h. With two controllers the first one has
 /// the odd ones of the pairs, the second one the even ones.
 host::LiveOptions OptionsOfSafety(const bool is_alone)
 {
-    host::LiveOptions options = OptionsOfServices();
+    host::LiveOptions options = OptionsOfSrdos();
     options.filters = {{kGfcIdentifier, kOneIdentifier, false}};
     if (is_alone)
     {
@@ -40,7 +48,7 @@ host::LiveOptions OptionsOfSafety(const bool is_alone)
 
 host::LiveOptions OptionsOfInverse()
 {
-    host::LiveOptions options = OptionsOfServices();
+    host::LiveOptions options = OptionsOfSrdos();
     options.filters = {{kFirstSrdoIdentifier + 1U, kBlockOf128 | 1U, false},
                        {kLastSrdoIdentifier, kOneIdentifier, false}};
     return options;
@@ -68,6 +76,11 @@ std::uint32_t NodePorts::LostFrames() const
 {
     return safety_->Health().lost_frames + services_->Health().lost_frames +
            (inverse_ ? inverse_->Health().lost_frames : 0U);
+}
+
+std::uint32_t NodePorts::StaleFrames() const
+{
+    return safety_->Health().stale_frames + (inverse_ ? inverse_->Health().stale_frames : 0U);
 }
 
 host::BusState NodePorts::State() const

@@ -18,6 +18,9 @@ inline constexpr Word<host::BusState> kBusWords[] = {{"down", host::BusState::kD
                                                      {"warning", host::BusState::kWarning},
                                                      {"active", host::BusState::kActive}};
 
+/// SRDOs that a connection may have held for longer are left aside. [SRS_NODE_031]
+constexpr std::uint32_t kOldestSrdoMs = 100U;
+
 /// The controllers of a live node. It has two connections to one bus, so that SRDO and GFC also have queues of their
 /// own in the system, both ways. A second controller is a third connection, for the inverse frames of SRDOs (even
 /// identifiers). [SRS_DEV_007, SRS_NODE_014]
@@ -47,6 +50,8 @@ class NodePorts final : public hal::CanPorts
     }
     /// @brief Number of frames that the system lost, on all connections.
     [[nodiscard]] std::uint32_t LostFrames() const;
+    /// @brief Number of SRDOs that were left aside because nobody knows how old they are.
+    [[nodiscard]] std::uint32_t StaleFrames() const;
     /// @brief The worst state of all connections.
     [[nodiscard]] host::BusState State() const;
     /// @brief From now on SRDOs are refused, because the process ends.

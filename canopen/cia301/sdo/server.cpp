@@ -73,9 +73,10 @@ SdoAnswer SdoServer::OnFrame(const SdoFrame& request, const std::uint8_t length_
     SdoAnswer answer = kNoAnswer;
     if (length_bytes == 8U)
     {
-        // Segments of a sub-block use all bits of the command; 80h has none of their numbers.
-        const std::uint8_t mask = (phase_ == Phase::kBlockDownload) ? 0xFFU : kCommandMask;
-        last_ = now;
+        // Segments of a sub-block use all bits of the command; 80h has none of their numbers. The next one goes on.
+        const bool is_block = (phase_ == Phase::kBlockDownload);
+        const std::uint8_t mask = is_block ? 0xFFU : kCommandMask;
+        last_ = (!is_block || ((request.bytes[0] & kSequenceMask) == (sequence_ + 1U))) ? now : last_;
         if ((request.bytes[0] & mask) == kAbort)
         {
             phase_ = Phase::kIdle;

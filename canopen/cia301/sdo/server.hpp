@@ -119,7 +119,7 @@ class SdoServer
     std::uint8_t own_block_size_;
     Phase phase_;
     ObjectAddress target_;
-    Instant last_;            ///< Last frame of the client, or last segment sent.
+    Instant last_;            ///< Last frame of the client that went on with the transfer, or last segment sent.
     std::uint32_t length_;    ///< Stated length of a download (or kUnknownLength), length of an upload.
     std::uint32_t position_;  ///< Bytes received, or bytes acknowledged by the client.
     std::uint32_t crc_bytes_; ///< Bytes of the download that are in `crc_`.

@@ -27,23 +27,75 @@ hal::MemoryBank OtherOf(const hal::MemoryBank bank) noexcept
 ParameterStore::ParameterStore(const StoreParts& parts) noexcept
     : parts_(parts), current_(parts.memory), candidate_(parts.memory), writer_(parts.memory),
       request_{StoreAction::kInvalid, 0U}, phase_(Phase::kIdle), result_(SdoAbort::kNone), age_(0U), part_(0U),
-      item_count_(kUnknownLength), item_(0U), place_(0U), size_(0U), put_(0U), has_current_(false)
+      item_count_(kUnknownLength), item_(0U), place_(0U), size_(0U), put_(0U), has_current_(false),
+      target_(hal::MemoryBank::kFirst), generation_(1U), lost_(0U), is_broken_(false), is_unsealed_(false)
 {
 }
 
 bool ParameterStore::Mount() noexcept
 {
-    has_current_ = Examine(hal::MemoryBank::kFirst);
+    const bool is_first_whole = Examine(hal::MemoryBank::kFirst);
+    current_ = is_first_whole ? candidate_ : current_;
+    const bool is_second_whole = Examine(hal::MemoryBank::kSecond);
+    const bool is_second =
+        is_second_whole && (!is_first_whole || IsNewer(candidate_.Generation(), current_.Generation()));
+    current_ = is_second ? candidate_ : current_;
+    has_current_ = is_first_whole || is_second_whole;
+    is_broken_ = false;
+    is_unsealed_ = false;
     if (has_current_)
     {
-        current_ = candidate_;
+        Judge(is_first_whole && is_second_whole);
     }
-    if (Examine(hal::MemoryBank::kSecond) && (!has_current_ || IsNewer(candidate_.Generation(), current_.Generation())))
+    else
     {
-        current_ = candidate_;
-        has_current_ = true;
+        JudgeWithoutSet();
     }
     return has_current_;
+}
+
+/// What the marks say about the newest whole set.
+///     this bank    other bank   meaning
+///     superseded   damaged      the other one was newer, and is lost
+///     begun        damaged      a save into the other one has not ended
+///     neither      any          this one is the newest
+void ParameterStore::Judge(const bool is_other_whole) noexcept
+{
+    const hal::MemoryBank bank = current_.Bank();
+    const hal::MemoryBank other = OtherOf(bank);
+    const bool is_begun = HasMark(parts_.memory, bank, BankMark::kBegun);
+    const bool is_superseded = !is_other_whole && HasMark(parts_.memory, bank, BankMark::kSuperseded);
+    target_ = other;
+    generation_ = current_.Generation() + 1U;
+    lost_ = is_superseded ? kEveryGroup : current_.Lost();
+    has_current_ = !is_superseded;
+    is_broken_ = is_begun && !is_other_whole && !is_superseded;
+    is_unsealed_ = !is_begun && !is_superseded && !HasMark(parts_.memory, other, BankMark::kSuperseded);
+}
+
+/// No bank is whole: nothing was ever saved, or the first save has not ended, or what was saved is lost.
+void ParameterStore::JudgeWithoutSet() noexcept
+{
+    const bool is_first_blank = IsBlank(parts_.memory, hal::MemoryBank::kFirst);
+    const bool is_second_blank = IsBlank(parts_.memory, hal::MemoryBank::kSecond);
+    const bool is_first_broken = is_second_blank && HasBegun(hal::MemoryBank::kSecond);
+    const bool is_second_broken = is_first_blank && HasBegun(hal::MemoryBank::kFirst);
+    const bool is_first_lost = HasMark(parts_.memory, hal::MemoryBank::kSecond, BankMark::kSuperseded);
+    const bool is_second_lost = HasMark(parts_.memory, hal::MemoryBank::kFirst, BankMark::kSuperseded);
+    const bool is_fresh = is_first_blank && is_second_blank && !is_first_lost && !is_second_lost;
+    const bool is_none = (parts_.memory.BankBytes() == 0U);
+    is_broken_ = is_first_broken || is_second_broken;
+    lost_ = (is_broken_ || is_fresh || is_none) ? std::uint8_t{0U} : kEveryGroup;
+    // The bank with the mark stays, so that it goes on saying so until a set is complete.
+    const bool is_into_second = is_second_broken || (!is_first_broken && is_second_lost && !is_first_lost);
+    target_ = is_into_second ? hal::MemoryBank::kSecond : hal::MemoryBank::kFirst;
+    generation_ = 1U;
+}
+
+/// A set in the other bank, and none is complete.
+bool ParameterStore::HasBegun(const hal::MemoryBank bank) noexcept
+{
+    return HasMark(parts_.memory, bank, BankMark::kBegun) && !HasMark(parts_.memory, bank, BankMark::kSuperseded);
 }
 
 /// Whether the bank holds a valid set, which is the candidate then.
@@ -59,13 +111,32 @@ bool ParameterStore::Examine(const hal::MemoryBank bank) noexcept
 
 LoadReport ParameterStore::Load(const std::uint8_t groups) noexcept
 {
-    LoadReport report{has_current_, 0U, 0U};
-    for (std::uint8_t part = 0U; has_current_ && (part < parts_.part_count); ++part)
+    if (has_current_)
+    {
+        static_cast<void>(Mount()); // It may have decayed since.
+    }
+    const auto lost = static_cast<std::uint8_t>(lost_ & groups);
+    LoadReport report{is_broken_ ? StoreFinding::kBrokenSave : StoreFinding::kSound, has_current_, 0U, 0U};
+    if (has_current_)
+    {
+        LoadItems(static_cast<std::uint8_t>(groups & ~lost_ & 0xFFU), report);
+    }
+    for (std::uint8_t part = 0U; (lost != 0U) && (part < parts_.part_count); ++part)
+    {
+        parts_.parts[part]->Lose(lost);
+    }
+    report.finding = (lost != 0U) ? StoreFinding::kLost : report.finding;
+    return report;
+}
+
+void ParameterStore::LoadItems(const std::uint8_t groups, LoadReport& report) noexcept
+{
+    for (std::uint8_t part = 0U; part < parts_.part_count; ++part)
     {
         parts_.parts[part]->BeginLoad(groups);
     }
     std::uint32_t place = 0U;
-    ItemHead head = has_current_ ? current_.HeadAt(place) : ItemHead{false, 0U, 0U, 0U};
+    ItemHead head = current_.HeadAt(place);
     while (head.is_present)
     {
         const bool is_fit = (head.part < parts_.part_count) && (head.size_bytes <= parts_.scratch.size_bytes);
@@ -80,11 +151,10 @@ LoadReport ParameterStore::Load(const std::uint8_t groups) noexcept
         place += kItemHeadBytes + head.size_bytes;
         head = current_.HeadAt(place);
     }
-    for (std::uint8_t part = 0U; has_current_ && (part < parts_.part_count); ++part)
+    for (std::uint8_t part = 0U; part < parts_.part_count; ++part)
     {
-        parts_.parts[part]->EndLoad(groups);
+        report.finding = parts_.parts[part]->EndLoad(groups) ? report.finding : StoreFinding::kRefused;
     }
-    return report;
 }
 
 SdoAbort ParameterStore::Ask(const StoreRequest& request) noexcept
@@ -95,6 +165,10 @@ SdoAbort ParameterStore::Ask(const StoreRequest& request) noexcept
     {
         request_ = request;
         phase_ = Phase::kBegin;
+    }
+    else if (phase_ == Phase::kMend)
+    {
+        answer = SdoAbort::kPending; // Not begun yet.
     }
     else if (!is_same)
     {
@@ -120,6 +194,12 @@ void ParameterStore::OnCycle() noexcept
         ++age_;
         phase_ = (age_ >= kGreatestAge) ? Phase::kIdle : Phase::kEnded;
     }
+    else if ((phase_ == Phase::kIdle) && is_unsealed_ && (parts_.memory.Status() != hal::MemoryStatus::kBusy))
+    {
+        is_unsealed_ = false;
+        StartMark(parts_.memory, target_, BankMark::kSuperseded);
+        phase_ = Phase::kMend;
+    }
     else if (IsBusy())
     {
         const hal::MemoryStatus status = parts_.memory.Status();
@@ -130,6 +210,10 @@ void ParameterStore::OnCycle() noexcept
         else if ((status != hal::MemoryStatus::kBusy) && (phase_ == Phase::kBegin))
         {
             Step(); // What failed before is of no interest.
+        }
+        else if ((status != hal::MemoryStatus::kBusy) && (phase_ == Phase::kMend))
+        {
+            phase_ = Phase::kIdle; // The next start tries again.
         }
         else if (status != hal::MemoryStatus::kBusy)
         {
@@ -144,7 +228,14 @@ void ParameterStore::Step() noexcept
     switch (phase_)
     {
     case Phase::kBegin:
-        writer_.Begin(has_current_ ? OtherOf(current_.Bank()) : hal::MemoryBank::kFirst);
+        is_unsealed_ = false;
+        // What is lost stays lost until the set is complete.
+        StartMark(parts_.memory, OtherOf(target_),
+                  (has_current_ || (lost_ == 0U)) ? BankMark::kBegun : BankMark::kSuperseded);
+        phase_ = Phase::kErase;
+        break;
+    case Phase::kErase:
+        writer_.Begin(target_);
         part_ = 0U;
         item_ = 0U;
         item_count_ = kUnknownLength;
@@ -174,6 +265,12 @@ void ParameterStore::Step() noexcept
     case Phase::kOpen:
     case Phase::kVerify:
         Verify();
+        break;
+    case Phase::kSeal:
+        EndSeal();
+        break;
+    case Phase::kMend:
+        phase_ = Phase::kIdle;
         break;
     case Phase::kIdle:
     case Phase::kEnded:
@@ -271,7 +368,7 @@ void ParameterStore::Close() noexcept
 {
     if (!writer_.Flush(true))
     {
-        writer_.Close(has_current_ ? (current_.Generation() + 1U) : 1U);
+        writer_.Close(generation_, static_cast<std::uint8_t>(lost_ & ~request_.groups & 0xFFU));
         phase_ = Phase::kOpen;
     }
 }
@@ -282,8 +379,7 @@ void ParameterStore::Verify() noexcept
     ImageCheck check = ImageCheck::kMore;
     if (phase_ == Phase::kOpen)
     {
-        const hal::MemoryBank bank = has_current_ ? OtherOf(current_.Bank()) : hal::MemoryBank::kFirst;
-        check = candidate_.Open(bank) ? ImageCheck::kMore : ImageCheck::kInvalid;
+        check = candidate_.Open(target_) ? ImageCheck::kMore : ImageCheck::kInvalid;
         phase_ = Phase::kVerify;
     }
     else
@@ -292,11 +388,29 @@ void ParameterStore::Verify() noexcept
     }
     if (check == ImageCheck::kValid)
     {
-        current_ = candidate_;
-        has_current_ = true;
-        End(SdoAbort::kNone);
+        StartMark(parts_.memory, OtherOf(target_), BankMark::kSuperseded);
+        phase_ = Phase::kSeal;
     }
     else if (check == ImageCheck::kInvalid)
+    {
+        End(SdoAbort::kHardware);
+    }
+}
+
+/// The set counts, and says so.
+void ParameterStore::EndSeal() noexcept
+{
+    if (HasMark(parts_.memory, OtherOf(target_), BankMark::kSuperseded))
+    {
+        current_ = candidate_;
+        has_current_ = true;
+        lost_ = current_.Lost();
+        is_broken_ = false;
+        target_ = OtherOf(target_);
+        generation_ = current_.Generation() + 1U;
+        End(SdoAbort::kNone);
+    }
+    else
     {
         End(SdoAbort::kHardware);
     }

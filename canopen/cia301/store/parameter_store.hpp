@@ -16,6 +16,7 @@ constexpr std::uint8_t kApplicationGroup = 2U;   ///< 6000h to 9FFFh.
 constexpr std::uint8_t kManufacturerGroup = 4U;  ///< 2000h to 5FFFh.
 constexpr std::uint8_t kLssGroup = 8U;           ///< Node-ID and bit rate; by LSS only.
 constexpr std::uint8_t kAllGroups = 7U;          ///< What sub-index 1 of 1010h and 1011h means.
+constexpr std::uint8_t kEveryGroup = 15U;        ///< All of them, LSS included.
 
 /// One item of a part as it is stored.
 struct StoredItem
@@ -37,8 +38,11 @@ class StoredPart
     virtual void BeginLoad(std::uint8_t groups) noexcept = 0;
     /// @brief Takes a stored item. False: this device has no use for it any more.
     virtual bool LoadItem(const Bytes& item) noexcept = 0;
-    /// @brief All items of these groups were loaded.
-    virtual void EndLoad(std::uint8_t groups) noexcept = 0;
+    /// @brief All items of these groups were loaded. False: together they are nothing that this device can use.
+    virtual bool EndLoad(std::uint8_t groups) noexcept = 0;
+    /// @brief What was saved of these groups is lost, and nobody knows what it was: a part whose values someone
+    /// acknowledged does not take others for them.
+    virtual void Lose(std::uint8_t groups) noexcept = 0;
 
   protected:
     StoredPart() noexcept = default;
@@ -71,17 +75,30 @@ struct StoreRequest
     std::uint8_t groups;
 };
 
-/// What Load came to.
+/// What is to be told of the memory.
+enum class StoreFinding : std::uint8_t
+{
+    kInvalid = 0U,
+    kSound = 0x5AU,
+    kBrokenSave = 1U, ///< The last save has not ended: what was saved before it holds, or the defaults.
+    kLost = 2U,       ///< A set that was saved is damaged. No older one and no default counts for it.
+    kRefused = 3U,    ///< A part cannot use what was saved of it, though each item is known.
+};
+
+/// What Load came to; a device tells whatever is not kSound, and what was refused.
 struct LoadReport
 {
-    bool is_present; ///< There was a valid set.
+    StoreFinding finding; ///< Of the groups that were asked for.
+    bool is_present;      ///< There was a valid set.
     std::uint32_t loaded;
     std::uint32_t refused; ///< Items that mean nothing to this device any more.
 };
 
 /// Keeps parameters in two banks of persistent memory. A set is whole or not there: it gets its header, with
 /// generation and CRC, after everything else, and the other bank keeps the set before. Loses no set whenever power
-/// fails. [SRS_STO_001, SRS_STO_002, SRS_STO_003, SRS_STO_004, SRS_STO_005, SRS_STO_006, SRS_STO_007, SRS_STO_008]
+/// fails. The older set comes back for a save that power cut off; never for one that was complete and has decayed.
+/// [SRS_STO_001, SRS_STO_002, SRS_STO_003, SRS_STO_004, SRS_STO_005, SRS_STO_006, SRS_STO_007, SRS_STO_008,
+/// SRS_STO_014, SRS_STO_015, SRS_STO_016]
 ///
 /// Order of use: Mount once; Load at each reset; OnCycle once a cycle. Not reentrant.
 class ParameterStore
@@ -90,11 +107,11 @@ class ParameterStore
     /// @brief Nothing is read before Mount.
     explicit ParameterStore(const StoreParts& parts) noexcept;
 
-    /// @brief Finds the newest valid set. False: there is none. The memory must be ready, for Mount does not wait.
+    /// @brief Finds the set that counts. False: there is none. The memory must be ready, for Mount does not wait.
     /// O(bank)
     bool Mount() noexcept;
-    /// @brief Hands the items of these groups to their parts. Not while IsBusy: a device that is reset during a store
-    /// first sees the store through. O(set) [SRS_STO_007]
+    /// @brief Hands the items of these groups to their parts, after another look at the memory. Not while IsBusy: a
+    /// device that is reset during a store first sees the store through. O(set) [SRS_STO_007, SRS_STO_014]
     LoadReport Load(std::uint8_t groups) noexcept;
     /// @brief Starts a request, or asks for the end of the running one: kPending until it ended, then kNone once, or
     /// kHardware (memory), kNotStored (no room), kLocalControl (another request is running). A result that nobody asks
@@ -115,7 +132,10 @@ class ParameterStore
         kClose = 4U, ///< Last bytes and header.
         kOpen = 5U,  ///< The header is being written.
         kVerify = 6U,
-        kEnded = 7U,
+        kSeal = 7U, ///< The set before is being marked as superseded.
+        kEnded = 8U,
+        kErase = 9U,
+        kMend = 10U, ///< As kSeal, for a save that power cut off there.
     };
 
     void Step() noexcept;
@@ -124,8 +144,13 @@ class ParameterStore
     void PutPiece() noexcept;
     void Close() noexcept;
     void Verify() noexcept;
+    void EndSeal() noexcept;
     void End(SdoAbort result) noexcept;
     [[nodiscard]] bool Examine(hal::MemoryBank bank) noexcept;
+    void Judge(bool is_other_whole) noexcept;
+    void JudgeWithoutSet() noexcept;
+    [[nodiscard]] bool HasBegun(hal::MemoryBank bank) noexcept;
+    void LoadItems(std::uint8_t groups, LoadReport& report) noexcept;
 
     StoreParts parts_;
     ImageReader current_;
@@ -138,10 +163,15 @@ class ParameterStore
     std::uint8_t part_;
     std::uint32_t item_count_; ///< Of the part; kUnknownLength: not asked.
     std::uint32_t item_;
-    std::uint32_t place_; ///< In the old set.
-    std::uint32_t size_;  ///< Bytes of the item in hand, head included.
-    std::uint32_t put_;   ///< Those that are written.
-    bool has_current_;
+    std::uint32_t place_;      ///< In the old set.
+    std::uint32_t size_;       ///< Bytes of the item in hand, head included.
+    std::uint32_t put_;        ///< Those that are written.
+    bool has_current_;         ///< There is a set that counts.
+    hal::MemoryBank target_;   ///< Of the next set. The other bank keeps the one before, and the marks about it.
+    std::uint32_t generation_; ///< Of the next set.
+    std::uint8_t lost_;        ///< Groups that were saved and are lost.
+    bool is_broken_;           ///< The last save has not ended.
+    bool is_unsealed_;         ///< The set that counts is complete, but the bank of the one before does not say so.
 };
 
 } // namespace counterpoint::cia301

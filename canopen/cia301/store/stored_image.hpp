@@ -11,19 +11,30 @@ namespace counterpoint::cia301
 
 constexpr std::uint32_t kStoreStepBytes = 64U;
 constexpr std::uint32_t kImageHeaderBytes = 24U;
+constexpr std::uint32_t kSetPlace = 40U;     ///< Behind the header and two marks.
 constexpr std::uint32_t kItemHeadBytes = 4U; ///< Group, part, length.
 
 /// One bank holds, all little-endian:
-///     0  mark   "CPS1"          8  bytes behind the header
-///     4  generation            12  CRC-32 of the bytes behind the header
-///                              16  CRC-32 of bytes 0 to 15; 20 to 23 are 0
-///    24  items: group, part, 2 bytes of length, bytes; then FFh to the next unit
-/// The header is written last: where it is whole, so is the rest.
+///     0  mark   "CPS2"          8  bytes of the items       16  groups that were lost before
+///     4  generation            12  CRC-32 of the items      20  CRC-32 of bytes 0 to 19
+///    24  mark kBegun, about the other bank           32  mark kSuperseded, about the other bank
+///    40  items: group, part, 2 bytes of length, bytes; then FFh to the next unit, which counts as items
+/// The header is written last: where it is whole, so is the rest. The marks tell what became of the other bank while
+/// this one was kept, so that a set that was never complete and one that has decayed are told apart:
+///     this bank   -> kBegun -> other: erased, items, header, read back -> kSuperseded in this bank -> answer
 struct SetHeader
 {
     std::uint32_t generation;
     std::uint32_t length;
     std::uint32_t crc;
+    std::uint32_t lost; ///< Groups that were lost with a damaged set, and not saved since.
+};
+
+/// What a bank tells of the other one, by its place. A mark is there as soon as one of its bits is.
+enum class BankMark : std::uint8_t
+{
+    kBegun = 24U,      ///< A set was begun there.
+    kSuperseded = 32U, ///< It is complete: the set of this bank is never loaded again.
 };
 
 /// Head of an item.
@@ -37,6 +48,13 @@ struct ItemHead
 
 /// @brief CRC-32 (IEEE 802.3) from `crc`, 0 at first. O(length)
 [[nodiscard]] std::uint32_t ContinueCrc32(std::uint32_t crc, const Bytes& bytes) noexcept;
+
+/// @brief Whether a bank has a mark; also where that cannot be read. O(1)
+[[nodiscard]] bool HasMark(hal::ParameterMemory& memory, hal::MemoryBank bank, BankMark mark) noexcept;
+/// @brief Starts to write a mark, unless it is there.
+void StartMark(hal::ParameterMemory& memory, hal::MemoryBank bank, BankMark mark) noexcept;
+/// @brief Whether a bank is erased beside its marks: no set was ever begun in it. O(bank)
+[[nodiscard]] bool IsBlank(hal::ParameterMemory& memory, hal::MemoryBank bank) noexcept;
 
 /// How far the check of a bank is.
 enum class ImageCheck : std::uint8_t
@@ -61,6 +79,8 @@ class ImageReader
     [[nodiscard]] hal::MemoryBank Bank() const noexcept;
     /// @brief Generation of its set, modular: a newer set has the next one.
     [[nodiscard]] std::uint32_t Generation() const noexcept;
+    /// @brief Groups that were lost before this set was saved, and are not in it.
+    [[nodiscard]] std::uint8_t Lost() const noexcept;
     /// @brief The item at a place, from 0; the next one is kItemHeadBytes + size_bytes behind it. O(1)
     [[nodiscard]] ItemHead HeadAt(std::uint32_t place) noexcept;
     /// @brief Bytes of the set from a place; false beyond its end. O(length)
@@ -91,8 +111,8 @@ class ImageWriter
     void Put(const Bytes& bytes) noexcept;
     /// @brief Starts to write what is complete, if it fills the buffer or `is_last`; whether there was something.
     bool Flush(bool is_last) noexcept;
-    /// @brief Starts to write the header; the set is complete with it.
-    void Close(std::uint32_t generation) noexcept;
+    /// @brief Starts to write the header; the set is complete with it. `lost`: groups, see SetHeader.
+    void Close(std::uint32_t generation, std::uint8_t lost) noexcept;
 
   private:
     hal::ParameterMemory* memory_;

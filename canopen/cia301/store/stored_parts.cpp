@@ -96,23 +96,31 @@ bool StoredEntries::LoadItem(const Bytes& item) noexcept
     return is_loaded;
 }
 
-void StoredEntries::EndLoad(std::uint8_t) noexcept
+bool StoredEntries::EndLoad(std::uint8_t) noexcept
 {
     tpdos_.EndConfiguration();
     rpdos_.EndConfiguration();
+    return true;
 }
 
-StoredSafety::StoredSafety(Kernel& kernel) noexcept : kernel_(kernel), header_{0U, 0U, 0U}, has_header_(false)
+void StoredEntries::Lose(std::uint8_t) noexcept
 {
 }
 
-/// The header, then the values.
+StoredSafety::StoredSafety(Kernel& kernel) noexcept
+    : kernel_(kernel), header_{0U, 0U, 0U}, has_header_(false), has_image_(false)
+{
+}
+
+/// The header, then the values. Where there is none to be had, the header alone, which then refuses: a set without it
+/// would leave whatever configuration the device begins with.
 std::uint32_t StoredSafety::ItemCount() noexcept
 {
     const HeaderReply reply = kernel_.Image().Header();
     header_ = reply.header;
+    has_image_ = (reply.result == Result::kSuccessful);
     const std::uint32_t items = (header_.count + (kValuesInItem - 1U)) / kValuesInItem;
-    return (reply.result == Result::kSuccessful) ? (1U + items) : 0U;
+    return has_image_ ? (1U + items) : 1U;
 }
 
 StoredItem StoredSafety::Item(const std::uint32_t number, const Room& room) noexcept
@@ -125,7 +133,7 @@ StoredItem StoredSafety::Item(const std::uint32_t number, const Room& room) noex
         ToLittleEndian(header_.count, &room.data[1], 4U);
         ToLittleEndian(header_.crc, &room.data[5], 4U);
         room.data[9] = header_.valid;
-        item.abort = SdoAbort::kNone;
+        item.abort = has_image_ ? SdoAbort::kNone : SdoAbort::kDeviceState;
     }
     else if (has_room)
     {
@@ -175,11 +183,16 @@ bool StoredSafety::LoadItem(const Bytes& item) noexcept
 }
 
 /// The kernel checks what it got, and keeps the power-on configuration if that is not what was saved.
-void StoredSafety::EndLoad(std::uint8_t) noexcept
+bool StoredSafety::EndLoad(std::uint8_t) noexcept
 {
-    if (has_header_)
+    return !has_header_ || (kernel_.Image().Load(header_) == Result::kSuccessful);
+}
+
+void StoredSafety::Lose(const std::uint8_t groups) noexcept
+{
+    if ((groups & kCommunicationGroup) != 0U)
     {
-        static_cast<void>(kernel_.Image().Load(header_));
+        static_cast<void>(kernel_.Image().RestoreDefaults());
     }
 }
 

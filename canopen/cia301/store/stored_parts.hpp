@@ -22,7 +22,8 @@ class StoredEntries final : public StoredPart
     [[nodiscard]] StoredItem Item(std::uint32_t number, const Room& room) noexcept override;
     void BeginLoad(std::uint8_t groups) noexcept override;
     bool LoadItem(const Bytes& item) noexcept override;
-    void EndLoad(std::uint8_t groups) noexcept override;
+    bool EndLoad(std::uint8_t groups) noexcept override;
+    void Lose(std::uint8_t groups) noexcept override;
 
   private:
     EntryTable table_;
@@ -31,8 +32,9 @@ class StoredEntries final : public StoredPart
     Rpdos& rpdos_;
 };
 
-/// The configuration that the kernel owns (1300h to 13FFh), as a part of the communication group. The kernel is kept by
-/// reference. [SRS_STO_012]
+/// The configuration that the kernel owns (1300h to 13FFh), as a part of the communication group. Where the saved one
+/// is lost, or the kernel refuses it, its power-on configuration holds, without A5h in 13FEh. The kernel is kept by
+/// reference. [SRS_STO_012, SRS_STO_014, SRS_STO_017]
 class StoredSafety final : public StoredPart
 {
   public:
@@ -43,12 +45,14 @@ class StoredSafety final : public StoredPart
     [[nodiscard]] StoredItem Item(std::uint32_t number, const Room& room) noexcept override;
     void BeginLoad(std::uint8_t groups) noexcept override;
     bool LoadItem(const Bytes& item) noexcept override;
-    void EndLoad(std::uint8_t groups) noexcept override;
+    bool EndLoad(std::uint8_t groups) noexcept override;
+    void Lose(std::uint8_t groups) noexcept override;
 
   private:
     Kernel& kernel_;
     ImageHeader header_; ///< Of the set that is being saved or loaded.
     bool has_header_;
+    bool has_image_; ///< The kernel gave one to be saved.
 };
 
 /// Hook of 1010h and 1011h: sub-index 1 all, 2 communication, 3 application, 4 manufacturer. The store is kept by

@@ -6,7 +6,9 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
 #include <sys/stat.h>
+#include <system_error>
 #include <unistd.h>
 
 namespace counterpoint::cia306
@@ -15,6 +17,7 @@ namespace
 {
 constexpr std::size_t kBlockBytes = 65536U;
 constexpr mode_t kNewFileMode = 0644;
+constexpr int kMostLinks = 40;
 
 class Descriptor
 {
@@ -114,44 +117,84 @@ void WriteAll(const std::string& path, const int descriptor, std::string_view te
     }
 }
 
-/// Keeps the mode of what is replaced; refuses to replace what is no regular file.
-mode_t ModeFor(const std::string& path)
+/// Of what is replaced; it refuses to replace what is no regular file.
+struct Keeping
+{
+    mode_t mode;
+    uid_t owner; ///< -1: the file is new.
+    gid_t group;
+};
+
+Keeping KeepingOf(const std::string& path)
 {
     struct stat status{};
     if (::stat(path.c_str(), &status) != 0)
     {
-        return kNewFileMode;
+        return {kNewFileMode, static_cast<uid_t>(-1), static_cast<gid_t>(-1)};
     }
     if (!S_ISREG(status.st_mode))
     {
         Refuse(path, KindOf(status.st_mode), "a regular file, or none");
     }
-    return status.st_mode & static_cast<mode_t>(07777);
+    return {status.st_mode & static_cast<mode_t>(07777), status.st_uid, status.st_gid};
 }
 
-/// Where the bytes have to go: a symbolic link stays one, and the file behind it is replaced.
+/// Where the bytes have to go: a symbolic link stays one, and the file behind it is replaced, or made if there is none.
 std::string TargetOf(const std::string& path)
 {
-    char* const resolved = ::realpath(path.c_str(), nullptr);
-    if (resolved == nullptr)
+    std::filesystem::path target(path);
+    std::error_code error;
+    for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(target, error); ++i)
     {
-        return path;
+        target = target.parent_path() / std::filesystem::read_symlink(target, error);
     }
-    std::string target(resolved);
-    ::free(resolved);
-    return target;
+    if (std::filesystem::is_symlink(target, error))
+    {
+        Refuse(path, "it is a link in a circle", "a file, or a link to one");
+    }
+    return target.string();
 }
 
-/// Opens a new file beside `target`; its name is written into `temporary`.
+std::string FolderOf(const std::string& target)
+{
+    const std::string folder = std::filesystem::path(target).parent_path().string();
+    return folder.empty() ? "." : folder;
+}
+
+/// A new file beside `target`, without a name where the system can do that: a process that is killed leaves nothing.
+/// Else its name is written into `temporary`.
 int CreateBeside(const std::string& path, const std::string& target, std::string& temporary)
 {
-    temporary = target + ".XXXXXX";
-    const int descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
+    int descriptor = ::open(FolderOf(target).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
+    if (descriptor < 0 && (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL))
+    {
+        temporary = target + ".XXXXXX";
+        descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
+    }
     if (descriptor < 0)
     {
         Refuse(path, "it cannot be created (" + ErrorText() + ")", "a path in a writable folder");
     }
     return descriptor;
+}
+
+void KeepOwner(const std::string& path, const int descriptor, const Keeping& keeping)
+{
+    if (::fchown(descriptor, keeping.owner, keeping.group) != 0)
+    {
+        Refuse(path, "its owner cannot be kept (" + ErrorText() + ")", "a file of your own, or none");
+    }
+}
+
+/// Gives a file without a name one beside `target`.
+bool Name(const int descriptor, const std::string& target, std::string& temporary)
+{
+    const std::string name = target + "." + std::to_string(::getpid());
+    const std::string own = "/proc/self/fd/" + std::to_string(descriptor);
+    const bool is_named =
+        !temporary.empty() || ::linkat(AT_FDCWD, own.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+    temporary = (is_named && temporary.empty()) ? name : temporary;
+    return is_named;
 }
 } // namespace
 
@@ -174,22 +217,25 @@ std::string ReadTextFile(const std::string& path)
 
 void RequireWritable(const std::string& path)
 {
-    (void)ModeFor(path);
+    const Keeping keeping = KeepingOf(path);
     std::string temporary;
     const Descriptor file(CreateBeside(path, TargetOf(path), temporary));
-    (void)::unlink(temporary.c_str());
+    (void)(temporary.empty() ? 0 : ::unlink(temporary.c_str()));
+    KeepOwner(path, file.Number(), keeping);
 }
 
 void WriteTextFile(const std::string& path, const std::string_view text)
 {
-    const mode_t mode = ModeFor(path);
+    const Keeping keeping = KeepingOf(path);
     const std::string target = TargetOf(path);
     std::string temporary;
     Descriptor file(CreateBeside(path, target, temporary));
     try
     {
         WriteAll(path, file.Number(), text);
-        const bool is_done = ::fchmod(file.Number(), mode) == 0 && ::fsync(file.Number()) == 0 && file.Close() &&
+        KeepOwner(path, file.Number(), keeping); // Before the mode, of which a change of the owner takes bits away.
+        const bool is_done = ::fchmod(file.Number(), keeping.mode) == 0 && ::fsync(file.Number()) == 0 &&
+                             Name(file.Number(), target, temporary) && file.Close() &&
                              ::rename(temporary.c_str(), target.c_str()) == 0;
         if (!is_done)
         {
@@ -198,7 +244,7 @@ void WriteTextFile(const std::string& path, const std::string_view text)
     }
     catch (const InputError&)
     {
-        (void)::unlink(temporary.c_str());
+        (void)(temporary.empty() ? 0 : ::unlink(temporary.c_str()));
         throw;
     }
 }

@@ -19,6 +19,7 @@ constexpr std::uint8_t kClassicalDataBytes = 8U;
 /// Frames that a bus keeps for the system when its queue is full.
 constexpr std::size_t kLiveQueueFrames = 64U;
 constexpr std::uint32_t kReconnectAfterMs = 500U;
+constexpr std::uint32_t kQuestionMs = 20U; ///< See LiveOptions::oldest_ms.
 
 /// One frame of a bus in real time. Bytes behind `length_bytes` have no meaning; a remote frame has no data.
 struct LiveFrame
@@ -70,6 +71,7 @@ struct BusHealth
     std::uint32_t dropped_frames{0U}; ///< Accepted by Send, thrown away at bus-off or interface down.
     std::uint32_t waiting{0U};        ///< Accepted by Send, not yet taken by the system.
     std::uint32_t reconnects{0U};     ///< Lost connections that were opened again.
+    std::uint32_t stale_frames{0U};   ///< Received, but perhaps older than LiveOptions::oldest_ms.
     /// Restarts by policy that the system refused: no rights, or it restarts by itself.
     std::uint32_t refused_restarts{0U};
 };
@@ -99,6 +101,9 @@ struct LiveOptions
     std::uint32_t reconnect_after_ms{kReconnectAfterMs};
     /// Empty: every frame. Own frames pass by the same rule; error frames always pass.
     std::vector<IdentifierFilter> filters;
+    /// A frame of others that a connection may have held for longer is left aside and counted; 0: none is. Of use where
+    /// frames have the time of their reading: call Receive every kQuestionMs, also when the descriptor is quiet.
+    std::uint32_t oldest_ms{0U};
 };
 
 /// Says in one sentence what could not be opened, and why.

@@ -12,8 +12,6 @@ namespace counterpoint::runtime
 namespace
 {
 constexpr std::uint32_t kBankBytes = 256U * 1024U;
-constexpr std::uint32_t kChunkBytes = 4096U;
-constexpr std::uint8_t kErased = 0xFFU;
 constexpr std::uint32_t kLargestItem = 65535U;
 /// For how long a reset waits for a store that is under way.
 constexpr int kPatienceMs = 2000;
@@ -54,21 +52,6 @@ bool NodeMemory::Read(const hal::MemorySection& section, std::uint8_t* const to)
     return file_.Read(section, to);
 }
 
-bool NodeMemory::IsBlank() noexcept
-{
-    bool is_blank = true;
-    std::array<std::uint8_t, kChunkBytes> bytes{};
-    for (const hal::MemoryBank bank : {hal::MemoryBank::kFirst, hal::MemoryBank::kSecond})
-    {
-        for (std::uint32_t at = 0U; is_blank && at < kBankBytes; at += kChunkBytes)
-        {
-            is_blank = Read({bank, at, kChunkBytes}, bytes.data()) &&
-                       std::all_of(bytes.begin(), bytes.end(), [](const std::uint8_t byte) { return byte == kErased; });
-        }
-    }
-    return is_blank;
-}
-
 void NodeMemory::Order(std::function<void()> work)
 {
     {
@@ -101,7 +84,7 @@ NodeStore::NodeStore(const std::string& path, const NodeStoreParts& parts)
       store_({memory_, list_.data(), static_cast<std::uint8_t>(list_.size()), {scratch_.data(), kLargestItem}}),
       objects_(store_)
 {
-    is_damaged_ = !store_.Mount() && !memory_.IsBlank();
+    static_cast<void>(store_.Mount());
 }
 
 std::string NodeStore::Load(const std::uint8_t groups) noexcept
@@ -113,9 +96,19 @@ std::string NodeStore::Load(const std::uint8_t groups) noexcept
     }
     const cia301::LoadReport report = store_.Load(groups);
     const std::string warning = cia306::Printable(path_) + ":0: warning: ";
-    if (!report.is_present && is_damaged_)
+    if (report.finding == cia301::StoreFinding::kLost)
     {
-        return warning + "no whole set of values, expected what 1010h has saved; the values of the DCF hold";
+        return warning + "what was saved is damaged, expected the whole set that 1010h has saved last; no older one is "
+                         "loaded, and 13FEh is not A5h until a configuration is written and saved again";
+    }
+    if (report.finding == cia301::StoreFinding::kBrokenSave)
+    {
+        return warning +
+               "the last save has not ended; what was saved before it holds, without any the values of the DCF";
+    }
+    if (report.finding == cia301::StoreFinding::kRefused && report.refused == 0U)
+    {
+        return warning + "the saved safety configuration is refused, expected that of this device; 13FEh is not A5h";
     }
     return (report.refused == 0U)
                ? std::string()

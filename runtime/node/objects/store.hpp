@@ -34,8 +34,6 @@ class NodeMemory final : public hal::ParameterMemory
     void Erase(hal::MemoryBank bank) noexcept override;
     void Program(const hal::MemorySection& section, const std::uint8_t* from) noexcept override;
     [[nodiscard]] bool Read(const hal::MemorySection& section, std::uint8_t* to) noexcept override;
-    /// @brief Whether nothing was ever saved. O(size of both banks)
-    [[nodiscard]] bool IsBlank() noexcept;
 
   private:
     void Order(std::function<void()> work);
@@ -59,7 +57,8 @@ struct NodeStoreParts
     device::Services& services;
 };
 
-/// The store of a live node in a file: 1010h, 1011h and the settings of its LSS. [SRS_NODE_011, SRS_NODE_015]
+/// The store of a live node in a file: 1010h, 1011h and the settings of its LSS. [SRS_NODE_011, SRS_NODE_015,
+/// SRS_STO_015]
 class NodeStore
 {
   public:
@@ -67,7 +66,7 @@ class NodeStore
     NodeStore(const std::string& path, const NodeStoreParts& parts);
 
     /// @brief Loads what was saved of these groups; call it at a reset, after the values of the DCF. Answers what is
-    /// wrong with the file; empty if it was used, or if nothing was ever saved.
+    /// wrong with the file; empty if all of it was used, or if nothing was ever saved.
     std::string Load(std::uint8_t groups) noexcept;
     /// @brief Goes on with a save. Once a cycle.
     void OnCycle() noexcept;
@@ -96,7 +95,6 @@ class NodeStore
     std::vector<std::uint8_t> scratch_;
     cia301::ParameterStore store_;
     cia301::StoreObjects objects_;
-    bool is_damaged_{false}; ///< At the start: neither blank nor with a whole set.
 };
 } // namespace counterpoint::runtime
 

@@ -105,6 +105,53 @@ TEST_F(FileMemoryTest, AFileThatIsNoneIsRefusedWithOneLine)
     EXPECT_EQ(Refusal("/dev/zero", 64U), "/dev/zero: cannot be written, expected a regular file with room");
 }
 
+// An empty file is what a full disk or a wrong copy leaves: it is not a store that was never written.
+TEST_F(FileMemoryTest, AnEmptyOrShortenedFileIsNoNewOne)
+{
+    Verifies(req::SRS_STO_013);
+    std::ofstream{path}.flush();
+    EXPECT_EQ(Refusal(path, 64U), path + ": has 0 bytes, expected two banks of 64");
+    EXPECT_EQ(std::filesystem::file_size(path), 0U);
+    std::filesystem::resize_file(path, 127U);
+    EXPECT_EQ(Refusal(path, 64U), path + ": has 127 bytes, expected two banks of 64");
+    std::filesystem::remove(path);
+    // Given a creation that broke off: it left nothing under the name of the store
+    std::ofstream{path + ".new"} << "0123";
+    EXPECT_EQ(Refusal(path, 64U), "");
+    EXPECT_EQ(std::filesystem::file_size(path), 128U);
+    EXPECT_FALSE(std::filesystem::exists(path + ".new"));
+}
+
+TEST_F(FileMemoryTest, AFileThatIsNoLongerThereTakesNothing)
+{
+    Verifies(req::SRS_STO_018);
+    const std::array<std::uint8_t, 8> bytes{1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U};
+    const std::string aside = path + ".aside";
+    FileParameterMemory memory{path, 64U};
+    const auto program = [&](std::uint32_t offset)
+    {
+        memory.Program({MemoryBank::kSecond, offset, 8U}, bytes.data());
+        return memory.Status();
+    };
+    EXPECT_EQ(program(0U), MemoryStatus::kReady);
+    // Renamed, replaced by another file, back again
+    std::filesystem::rename(path, aside);
+    EXPECT_EQ(program(8U), MemoryStatus::kFailed);
+    std::ofstream(path) << std::string(128U, 'x');
+    EXPECT_EQ(program(16U), MemoryStatus::kFailed);
+    memory.Erase(MemoryBank::kFirst);
+    EXPECT_EQ(memory.Status(), MemoryStatus::kFailed);
+    std::filesystem::rename(aside, path);
+    EXPECT_EQ(program(24U), MemoryStatus::kReady);
+    // Shortened, though what is written would lengthen it again
+    std::filesystem::resize_file(path, 16U);
+    EXPECT_EQ(program(56U), MemoryStatus::kFailed);
+    std::filesystem::resize_file(path, 128U);
+    EXPECT_EQ(program(40U), MemoryStatus::kReady);
+    std::filesystem::remove(path);
+    EXPECT_EQ(program(48U), MemoryStatus::kFailed);
+}
+
 TEST_F(FileMemoryTest, AFileOfAnotherDeviceIsRefused)
 {
     Verifies(req::SRS_STO_013);

@@ -48,15 +48,22 @@ class ListPart final : public StoredPart
         values[item.data[0]] = Octets(&item.data[1], &item.data[item.size_bytes]);
         return item.data[0] != 99U;
     }
-    void EndLoad(std::uint8_t) noexcept override
+    bool EndLoad(std::uint8_t) noexcept override
     {
         ++loads;
+        return !is_useless;
+    }
+    void Lose(std::uint8_t groups) noexcept override
+    {
+        lost = groups;
     }
 
     Values values{};
     Values defaults{};
     SdoAbort abort{SdoAbort::kNone};
     int loads{0};
+    std::uint8_t lost{0U};
+    bool is_useless{false};
 };
 
 constexpr StoreRequest kSaveAll{StoreAction::kSave, kAllGroups};
@@ -106,6 +113,7 @@ class ParameterStoreTest : public ::testing::Test
     Values LoadNow(std::uint8_t groups = kAllGroups)
     {
         part.values.clear();
+        part.lost = 0U;
         Started started{*this};
         report = started.store.Load(groups);
         return part.values;
@@ -115,7 +123,7 @@ class ParameterStoreTest : public ::testing::Test
     ListPart part{};
     std::array<StoredPart*, 1> parts{&part};
     std::array<std::uint8_t, 64> scratch{};
-    LoadReport report{false, 0U, 0U};
+    LoadReport report{StoreFinding::kInvalid, false, 0U, 0U};
 };
 
 TEST_F(ParameterStoreTest, WhatWasSavedIsLoaded)
@@ -149,21 +157,199 @@ TEST_F(ParameterStoreTest, TheCrcIsThatOfTheStandardsExample)
     EXPECT_EQ(ContinueCrc32(ContinueCrc32(0U, {digits, 4U}), {&digits[4], 5U}), 0xCBF43926U);
 }
 
-TEST_F(ParameterStoreTest, EveryDamagedBitIsFound)
+TEST_F(ParameterStoreTest, EveryDamagedBitIsFoundAndNoOlderSetComesBack)
 {
     Verifies(req::SRS_STO_001);
+    Verifies(req::SRS_STO_014);
+    Verifies(req::SRS_STO_015);
     EXPECT_EQ(Save(SetOf(1U)), SdoAbort::kNone);
     EXPECT_EQ(Save(SetOf(2U)), SdoAbort::kNone); // in the second bank
-    const std::uint32_t length = 24U + (6U * 5U) + (3U + 3U + 3U + 13U + 23U + 33U);
+    const std::uint32_t items = (6U * 5U) + (3U + 3U + 3U + 13U + 23U + 33U);
+    const std::uint32_t length = 40U + ((items + 7U) / 8U) * 8U;
     for (std::uint32_t at = 0U; at < (8U * length); ++at)
     {
-        const bool is_unused = (at >= (8U * 20U)) && (at < (8U * 24U));
+        const bool is_mark = (at >= (8U * 24U)) && (at < (8U * 40U)); // It tells of the other bank.
         std::uint8_t& cell = memory.banks[1][at / 8U];
         cell = static_cast<std::uint8_t>(cell ^ (1U << (at % 8U)));
-        ASSERT_EQ(LoadNow(), SetOf(is_unused ? 2U : 1U)) << at;
+        ASSERT_EQ(LoadNow(), is_mark ? SetOf(2U) : Values{}) << at;
+        ASSERT_EQ(report.finding, is_mark ? StoreFinding::kSound : StoreFinding::kLost) << at;
+        ASSERT_EQ(part.lost, is_mark ? 0U : 7U) << at;
         cell = static_cast<std::uint8_t>(cell ^ (1U << (at % 8U)));
     }
     EXPECT_EQ(LoadNow(), SetOf(2U));
+    EXPECT_EQ(report.finding, StoreFinding::kSound);
+}
+
+// The bank of the newest set as a whole: erased, of zeros, or another set's; and the only set that there ever was.
+TEST_F(ParameterStoreTest, AWholeBankThatIsGoneIsALostSet)
+{
+    Verifies(req::SRS_STO_014);
+    memory.banks.fill(Octets(512U, 0xFFU));
+    for (const std::uint8_t saves : Octets{1U, 2U, 3U})
+    {
+        EXPECT_EQ(Save(SetOf(saves)), SdoAbort::kNone);
+        const auto before = memory.banks;
+        for (const std::uint8_t fill : Octets{0xFFU, 0x00U, 0x5AU})
+        {
+            memory.banks = before;
+            memory.banks[(saves + 1U) % 2U] = Octets(512U, fill);
+            EXPECT_TRUE(LoadNow().empty()) << int{saves} << " " << int{fill};
+            EXPECT_EQ(report.finding, StoreFinding::kLost) << int{saves} << " " << int{fill};
+            EXPECT_FALSE(report.is_present);
+        }
+        // The bank of the set before may go: nobody needs it
+        memory.banks = before;
+        memory.banks[saves % 2U] = Octets(512U, 0x5AU);
+        EXPECT_EQ(LoadNow(), (saves == 1U) ? SetOf(1U) : SetOf(saves));
+        memory.banks = before;
+    }
+}
+
+TEST_F(ParameterStoreTest, AFreshMemoryHasNothingToTellAndAStrangeOneIsLost)
+{
+    Verifies(req::SRS_STO_014);
+    memory.banks.fill(Octets(512U, 0xFFU));
+    EXPECT_TRUE(LoadNow().empty());
+    EXPECT_EQ(report.finding, StoreFinding::kSound);
+    EXPECT_EQ(part.lost, 0U);
+    memory.banks[1][511] = 0xFEU;
+    EXPECT_TRUE(LoadNow().empty());
+    EXPECT_EQ(report.finding, StoreFinding::kLost);
+    EXPECT_EQ(Save(SetOf(1U)), SdoAbort::kNone);
+    EXPECT_EQ(LoadNow(), SetOf(1U));
+    EXPECT_EQ(report.finding, StoreFinding::kSound);
+}
+
+// Given a lost set, what is saved of some groups counts, and the others stay lost until they are saved or forgotten.
+TEST_F(ParameterStoreTest, ALostGroupStaysLostUntilItIsSavedOrForgotten)
+{
+    Verifies(req::SRS_STO_016);
+    EXPECT_EQ(Save(SetOf(1U)), SdoAbort::kNone);
+    EXPECT_EQ(Save(SetOf(2U)), SdoAbort::kNone);
+    memory.banks[1][60] ^= 1U;
+    EXPECT_EQ(Save(SetOf(3U), {StoreAction::kSave, kApplicationGroup}), SdoAbort::kNone);
+    // Nothing of the older set is in the new one
+    EXPECT_EQ(LoadNow().size(), 2U);
+    EXPECT_EQ(report.finding, StoreFinding::kLost);
+    EXPECT_EQ(part.lost, kCommunicationGroup | kManufacturerGroup);
+    static_cast<void>(LoadNow(kApplicationGroup));
+    EXPECT_EQ(report.finding, StoreFinding::kSound);
+    EXPECT_EQ(Save(SetOf(4U), {StoreAction::kForget, kCommunicationGroup}), SdoAbort::kNone);
+    EXPECT_EQ(LoadNow().size(), 2U);
+    EXPECT_EQ(part.lost, kManufacturerGroup);
+    EXPECT_EQ(Save(SetOf(5U)), SdoAbort::kNone);
+    EXPECT_EQ(LoadNow(), SetOf(5U));
+    EXPECT_EQ(report.finding, StoreFinding::kSound);
+    // Settings of LSS that nobody saved again
+    static_cast<void>(LoadNow(kLssGroup));
+    EXPECT_EQ(part.lost, kLssGroup);
+}
+
+TEST_F(ParameterStoreTest, ASetThatDecaysWhileTheDeviceRunsIsLostAtTheNextReset)
+{
+    Verifies(req::SRS_STO_014);
+    EXPECT_EQ(Save(SetOf(1U)), SdoAbort::kNone);
+    EXPECT_EQ(Save(SetOf(2U)), SdoAbort::kNone);
+    Started started{*this};
+    EXPECT_EQ(started.store.Load(kAllGroups).loaded, 6U);
+    memory.banks[1][50] ^= 4U;
+    part.lost = 0U;
+    EXPECT_EQ(started.store.Load(kAllGroups).loaded, 0U);
+    EXPECT_EQ(part.lost, 7U);
+    part.values = SetOf(3U);
+    EXPECT_EQ(started.Finish(kSaveAll), SdoAbort::kNone);
+    EXPECT_EQ(LoadNow(), SetOf(3U));
+    EXPECT_EQ(report.finding, StoreFinding::kSound);
+}
+
+TEST_F(ParameterStoreTest, WhatAPartCannotUseIsTold)
+{
+    Verifies(req::SRS_STO_017);
+    EXPECT_EQ(Save(SetOf(1U)), SdoAbort::kNone);
+    part.is_useless = true;
+    EXPECT_EQ(LoadNow(), SetOf(1U));
+    EXPECT_EQ(report.finding, StoreFinding::kRefused);
+    EXPECT_EQ(report.refused, 0U);
+}
+
+// Power fails at each byte of a save, the device starts again or not; then the newest whole set decays.
+TEST_F(ParameterStoreTest, AfterAnyPowerLossADecayedSetIsNeverReplacedByAnOlderOne)
+{
+    Verifies(req::SRS_STO_014);
+    Verifies(req::SRS_STO_015);
+    memory.banks.fill(Octets(512U, 0xFFU));
+    EXPECT_EQ(Save(SetOf(1U)), SdoAbort::kNone);
+    EXPECT_EQ(Save(SetOf(2U)), SdoAbort::kNone);
+    const auto before = memory.banks;
+    int broken_ones = 0;
+    bool is_complete = false;
+    for (std::int64_t cut = 0; !is_complete; ++cut)
+    {
+        for (const std::uint8_t torn : Octets{0x00U, 0xFFU, 0x5AU})
+        {
+            memory.banks = before;
+            memory.torn = torn;
+            memory.bytes_left = cut;
+            static_cast<void>(Save(SetOf(3U)));
+            is_complete = !memory.is_off;
+            memory.PowerOn();
+            // The next start tells of it where the set before had to come back
+            const Values loaded = LoadNow();
+            const bool is_new = (loaded == SetOf(3U));
+            const bool is_told = (report.finding == StoreFinding::kBrokenSave);
+            ASSERT_TRUE(!is_new || (report.finding == StoreFinding::kSound)) << cut;
+            ASSERT_TRUE(is_told || is_new || (cut <= 8 + 512)) << cut; // before, the older set was still whole
+            broken_ones += is_told ? 1 : 0;
+            Started running{*this};
+            for (int i = 0; i < 20; ++i)
+            {
+                running.store.OnCycle();
+            }
+            memory.banks[is_new ? 0U : 1U][70] ^= 0x10U;
+            ASSERT_TRUE(LoadNow().empty()) << cut;
+            ASSERT_EQ(report.finding, StoreFinding::kLost) << cut;
+            // A save ends that, and one that breaks off does not
+            const auto lost = memory.banks;
+            memory.bytes_left = cut / 2;
+            static_cast<void>(Save(SetOf(4U)));
+            memory.PowerOn();
+            const bool is_saved = (LoadNow() == SetOf(4U));
+            ASSERT_EQ(report.finding, is_saved ? StoreFinding::kSound : StoreFinding::kLost) << cut;
+            memory.banks = lost;
+            ASSERT_EQ(Save(SetOf(5U)), SdoAbort::kNone) << cut;
+            ASSERT_EQ(LoadNow(), SetOf(5U)) << cut;
+            ASSERT_FALSE(memory.is_misused) << cut;
+        }
+    }
+    EXPECT_GT(broken_ones, 3 * 130);
+}
+
+// The first save of a memory: until it is complete the defaults hold, and the device says so.
+TEST_F(ParameterStoreTest, AFirstSaveThatBreaksOffIsToldAndLosesNothing)
+{
+    Verifies(req::SRS_STO_015);
+    int broken_ones = 0;
+    bool is_complete = false;
+    for (std::int64_t cut = 0; !is_complete; ++cut)
+    {
+        for (const std::uint8_t torn : Octets{0x00U, 0xFFU, 0x5AU})
+        {
+            memory.banks.fill(Octets(512U, 0xFFU));
+            memory.torn = torn;
+            memory.bytes_left = cut;
+            static_cast<void>(Save(SetOf(1U)));
+            is_complete = !memory.is_off;
+            memory.PowerOn();
+            const Values loaded = LoadNow();
+            ASSERT_TRUE(loaded.empty() || (loaded == SetOf(1U))) << cut;
+            ASSERT_NE(report.finding, StoreFinding::kLost) << cut;
+            broken_ones += (report.finding == StoreFinding::kBrokenSave) ? 1 : 0;
+            ASSERT_EQ(Save(SetOf(2U)), SdoAbort::kNone) << cut;
+            ASSERT_EQ(LoadNow(), SetOf(2U)) << cut;
+            ASSERT_FALSE(memory.is_misused) << cut;
+        }
+    }
+    EXPECT_GT(broken_ones, 3 * 600);
 }
 
 TEST_F(ParameterStoreTest, TheLaterGenerationCountsAlsoBeyondItsEnd)
@@ -175,10 +361,10 @@ TEST_F(ParameterStoreTest, TheLaterGenerationCountsAlsoBeyondItsEnd)
     memory.banks[0][5] = 0xFFU;
     memory.banks[0][6] = 0xFFU;
     memory.banks[0][7] = 0xFFU;
-    const std::uint32_t crc = ContinueCrc32(0U, {memory.banks[0].data(), 16U});
+    const std::uint32_t crc = ContinueCrc32(0U, {memory.banks[0].data(), 20U});
     for (std::uint32_t i = 0U; i < 4U; ++i)
     {
-        memory.banks[0][16U + i] = static_cast<std::uint8_t>((crc >> (8U * i)) & 0xFFU);
+        memory.banks[0][20U + i] = static_cast<std::uint8_t>((crc >> (8U * i)) & 0xFFU);
     }
     EXPECT_EQ(LoadNow(), SetOf(1U));
     // When two more are saved, the later one counts
@@ -284,7 +470,7 @@ TEST_F(ParameterStoreTest, FailuresAreToldAndLeaveTheOldSet)
     {
         started.store.OnCycle();
     }
-    memory.banks[1][30] ^= 1U;
+    memory.banks[1][46] ^= 1U;
     EXPECT_EQ(started.Finish(kSaveAll), SdoAbort::kHardware);
     // More than a bank
     Values big{};
@@ -294,9 +480,9 @@ TEST_F(ParameterStoreTest, FailuresAreToldAndLeaveTheOldSet)
     }
     EXPECT_EQ(Save(big), SdoAbort::kNotStored);
     EXPECT_EQ(LoadNow(), SetOf(1U));
-    // 488 bytes fill the bank to its end: 7 items of 63 bytes and one of 47
+    // 472 bytes fill the bank to its end: 7 items of 63 bytes and one of 31
     big.erase(8);
-    big[7] = Octets(42U, 1U);
+    big[7] = Octets(26U, 1U);
     EXPECT_EQ(Save(big), SdoAbort::kNone);
     EXPECT_EQ(LoadNow(), big);
     EXPECT_FALSE(memory.is_misused);
@@ -373,7 +559,9 @@ TEST(ParameterStoreWithoutMemory, SavesAndLoadsNothing)
         answer = store.Ask(kSaveAll);
     }
     EXPECT_EQ(answer, SdoAbort::kHardware);
-    EXPECT_FALSE(store.Load(kAllGroups).is_present);
+    const LoadReport report = store.Load(kAllGroups);
+    EXPECT_FALSE(report.is_present);
+    EXPECT_EQ(report.finding, StoreFinding::kSound);
     EXPECT_EQ(part.loads, 0);
 }
 

@@ -33,6 +33,45 @@ TEST_F(SdoBlockTest, CrcOfTheStandardsExample)
     EXPECT_EQ(ContinueCrc(0U, {digits, 0U}), 0U);
 }
 
+// A download that its client has left: whoever asks meanwhile gets no answer, and does not keep it alive.
+TEST_F(SdoBlockTest, AnAbandonedDownloadEndsHoweverOftenSomebodyAsks)
+{
+    Verifies(req::SRS_SDO_010);
+    // Requests whose first byte is a segment that came, or a later one, behind 0 to 2 segments of a block of 4
+    for (const std::uint8_t asked : Octets{0x02U, 0x03U, 0x04U, 0x82U})
+    {
+        for (int segments = 0; segments < 3; ++segments)
+        {
+            ASSERT_EQ(Send({0xC0U, 0x03U, 0x21U, 0x00U})[0], 0xA4U);
+            static_cast<void>(SendSegments(1, segments));
+            const bool goes_on = static_cast<int>(asked & 0x7FU) == segments + 1;
+            Octets last{};
+            for (int i = 0; (i < 5) && server.IsBusy(); ++i)
+            {
+                now_us += 300U;
+                last = Poll();
+                static_cast<void>(server.IsBusy() && !goes_on ? Send({asked, 0x00U, 0x10U, 0x00U}) : Octets{});
+            }
+            ASSERT_FALSE(server.IsBusy()) << int{asked} << " " << segments;
+            EXPECT_EQ(last, AbortOf(0x2103U, 0U, 0x05040000U));
+        }
+    }
+    // A client that goes on slowly is not cut off
+    ASSERT_EQ(Send({0xC0U, 0x03U, 0x21U, 0x00U})[0], 0xA4U);
+    for (int i = 1; i <= 3; ++i)
+    {
+        now_us += 450U;
+        static_cast<void>(Poll());
+        static_cast<void>(Send({static_cast<std::uint8_t>(i), 1U}));
+        EXPECT_TRUE(server.IsBusy());
+    }
+    now_us += 999U;
+    static_cast<void>(Poll());
+    EXPECT_TRUE(server.IsBusy());
+    now_us += 1U;
+    EXPECT_EQ(Poll(), AbortOf(0x2103U, 0U, 0x05040000U));
+}
+
 TEST_F(SdoBlockTest, DownloadOfNineBytesWithCrc)
 {
     Verifies(req::SRS_SDO_006);

@@ -108,7 +108,7 @@ class StoredPartsTest : public ServiceRig
     std::uint32_t count{0U};
     std::array<std::uint8_t, 64> scratch{};
     std::array<std::uint8_t, 16> buffer{};
-    LoadReport report{false, 0U, 0U};
+    LoadReport report{StoreFinding::kInvalid, false, 0U, 0U};
     CutMemory memory{512U};
     Dictionary stored_dictionary{EntryTable{table.data(), 10U}, foreign};
     StoredEntries stored_entries{EntryTable{table.data(), 10U}, stored_dictionary, tpdos, rpdos};
@@ -273,8 +273,49 @@ TEST_F(StoredSafetyTest, TheKernelsConfigurationComesBackValid)
     safety.BeginLoad(kAllGroups);
     EXPECT_TRUE(safety.LoadItem({foreign, 10U}));
     EXPECT_FALSE(safety.LoadItem({foreign, 4U}));
-    safety.EndLoad(kAllGroups);
+    EXPECT_FALSE(safety.EndLoad(kAllGroups));
     EXPECT_NE(Read(0x13FEU, 0U), 0xA5U);
+}
+
+TEST_F(StoredSafetyTest, AfterALostSetTheDeviceDoesNotComeUpWithA5)
+{
+    Verifies(req::SRS_STO_014);
+    // Given a valid configuration that was saved twice
+    Configure();
+    std::array<std::uint8_t, 64> scratch{};
+    CutMemory memory{8192U};
+    StoredSafety safety{kernel};
+    std::array<StoredPart*, 1> parts{&safety};
+    ParameterStore store{StoreParts{memory, parts.data(), 1U, Room{scratch.data(), 64U}}};
+    for (int save = 0; save < 2; ++save)
+    {
+        EXPECT_EQ(store.Ask({StoreAction::kSave, kAllGroups}), SdoAbort::kPending);
+        for (int i = 0; (i < 3000) && store.IsBusy(); ++i)
+        {
+            store.OnCycle();
+        }
+        EXPECT_EQ(store.Ask({StoreAction::kSave, kAllGroups}), SdoAbort::kNone);
+    }
+    // When a bit of the newer set changes, and the defaults of the device are valid
+    memory.banks[1][77] ^= 0x20U;
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    // Then another group is loaded as ever, and with the communication group 13FEh is withdrawn
+    EXPECT_EQ(store.Load(kApplicationGroup).finding, StoreFinding::kLost);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    EXPECT_EQ(store.Load(kCommunicationGroup).finding, StoreFinding::kLost);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0U);
+}
+
+TEST_F(StoredSafetyTest, AConfigurationThatTheKernelDoesNotGiveIsNotLeftOutOfASet)
+{
+    Verifies(req::SRS_STO_012);
+    Configure();
+    kernel.Stop();
+    std::array<std::uint8_t, 64> scratch{};
+    StoredSafety safety{kernel};
+    EXPECT_EQ(safety.ItemCount(), 1U);
+    EXPECT_EQ(safety.Item(0U, {scratch.data(), 64U}).abort, SdoAbort::kDeviceState);
+    EXPECT_EQ(safety.Item(0U, {scratch.data(), 64U}).group, kCommunicationGroup);
 }
 
 } // namespace

@@ -9,8 +9,11 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <string>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace counterpoint::cia306
@@ -103,6 +106,52 @@ TEST_F(TextFile, AFileIsReplacedInOneStepAndKeepsItsMode)
         files += entry.exists() ? 1U : 0U;
     }
     EXPECT_EQ(files, 2U) << "no temporary file stays";
+}
+
+TEST_F(TextFile, AFileKeepsItsOwnerAndALinkIsFollowedWhereverItLeads)
+{
+    Verifies(req::SRS_CLI_031);
+    WriteTextFile(Path("a"), "old");
+    constexpr uid_t kSomebody = 12345U;
+    const bool may_give = ::chown(Path("a").c_str(), kSomebody, kSomebody) == 0; // Not everybody may.
+    ASSERT_EQ(::chmod(Path("a").c_str(), 0640), 0);
+    WriteTextFile(Path("a"), "new");
+    struct stat status{};
+    ASSERT_EQ(::stat(Path("a").c_str(), &status), 0);
+    EXPECT_EQ(status.st_uid, may_give ? kSomebody : ::geteuid());
+    EXPECT_EQ(status.st_mode & 07777U, 0640U);
+    // Links that lead nowhere, one to the other: the file is made at their end
+    std::filesystem::create_directory(Path("deep"));
+    std::filesystem::create_symlink("deep/second", Path("first"));
+    std::filesystem::create_symlink("end", Path("deep/second"));
+    WriteTextFile(Path("first"), "made");
+    EXPECT_TRUE(std::filesystem::is_symlink(Path("first")));
+    EXPECT_TRUE(std::filesystem::is_symlink(Path("deep/second")));
+    EXPECT_EQ(ReadTextFile(Path("deep/end")), "made");
+    // Links in a circle lead to nothing
+    std::filesystem::create_symlink("circle", Path("circle"));
+    EXPECT_THROW(WriteTextFile(Path("circle"), "x"), InputError);
+    EXPECT_TRUE(std::filesystem::is_symlink(Path("circle")));
+}
+
+TEST_F(TextFile, AProcessThatIsKilledWhileItWritesLeavesNothing)
+{
+    Verifies(req::SRS_CLI_031);
+    WriteTextFile(Path("a"), "old");
+    const pid_t child = ::fork();
+    if (child == 0)
+    {
+        const rlimit limit{1000U, 1000U};
+        static_cast<void>(::setrlimit(RLIMIT_FSIZE, &limit)); // The signal of the system in the middle of the writing.
+        WriteTextFile(Path("a"), std::string(100000U, 'x'));
+        ::_exit(0);
+    }
+    int end = 0;
+    ASSERT_EQ(::waitpid(child, &end, 0), child);
+    EXPECT_TRUE(WIFSIGNALED(end));
+    EXPECT_EQ(ReadTextFile(Path("a")), "old");
+    const auto files = std::distance(std::filesystem::directory_iterator(folder_), {});
+    EXPECT_EQ(files, 1);
 }
 
 TEST_F(TextFile, WritingToWhatIsNoFileIsRefused)

@@ -72,9 +72,9 @@ class ForeignServer
     }
     ForeignServer(const ForeignServer&) = delete;
     ForeignServer& operator=(const ForeignServer&) = delete;
-    [[nodiscard]] std::unique_ptr<LiveBus> Open()
+    [[nodiscard]] std::unique_ptr<LiveBus> Open(const LiveOptions& options = {})
     {
-        std::unique_ptr<LiveBus> bus = OpenLiveBus(address_);
+        std::unique_ptr<LiveBus> bus = OpenLiveBus(address_, options);
         thread_.join();
         return bus;
     }
@@ -119,6 +119,41 @@ TEST(SocketcandClientTest, ConfirmsByEchoWhereTheServerTellsNoOwnFrames)
     EXPECT_EQ(bus->Health().state, BusState::kBusOff);
     EXPECT_EQ(bus->Health().bus_offs, 1U);
     EXPECT_EQ(bus->Health().malformed, 1U);
+}
+
+// Given a greatest age, then what comes later than that behind the last answered question is left aside, even where an
+// answer to an old question came meanwhile; a frame behind the answer to a new question passes; own frames pass always.
+TEST(SocketcandClientTest, LeavesAsideWhatTheConnectionMayHaveHeld)
+{
+    Verifies(req::SRS_LIVE_059);
+    ForeignServer server;
+    LiveOptions options;
+    options.oldest_ms = 2000U;
+    const auto bus = server.Open(options);
+    EXPECT_EQ(Wait(*bus)->identifier, 1U);
+    LiveFrame frame;
+    EXPECT_FALSE(bus->Receive(frame));
+    ASSERT_EQ(bus->Send(Live(0x123U, {7U})), SendResult::kSent);
+    // Questions are asked, and have no answer yet
+    const std::uint64_t start_ns = LiveNow();
+    while (LiveNow() - start_ns < 2'100'000'000U)
+    {
+        pollfd wait{bus->Descriptor(), POLLIN, 0};
+        static_cast<void>(::poll(&wait, 1U, 50));
+        EXPECT_FALSE(bus->Receive(frame));
+    }
+    server.Say("< frame 002 1.0 >< echo >< echo >< frame 003 1.0 >");
+    const std::optional<LiveFrame> own = Wait(*bus);
+    ASSERT_TRUE(own);
+    EXPECT_TRUE(own->own);
+    while (bus->Health().stale_frames < 2U)
+    {
+        EXPECT_FALSE(bus->Receive(frame));
+    }
+    server.Say("< echo >< frame 004 1.0 >");
+    EXPECT_EQ(Wait(*bus)->identifier, 4U);
+    EXPECT_EQ(bus->Health().stale_frames, 2U);
+    EXPECT_EQ(bus->Health().malformed, 0U);
 }
 
 // Given a connection that ends, then Receive has nothing, Send answers kDown, and Descriptor is quiet afterwards.

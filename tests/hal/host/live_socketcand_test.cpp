@@ -8,8 +8,12 @@
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
+
+#include <memory>
+#include <vector>
 
 namespace counterpoint::host
 {
@@ -67,6 +71,44 @@ class Socketcand : public ::testing::Test
   protected:
     RunningServer server{Group("")};
 };
+
+// Given more connections than there are places, all silent, then whoever comes next is served, and who has opened a bus
+// keeps his place.
+TEST_F(Socketcand, SilentConnectionsCloseTheBusToNobody)
+{
+    Verifies(req::SRS_LIVE_061);
+    const auto first = OpenLiveBus(server.Address("can0"));
+    std::vector<std::unique_ptr<PlainClient>> silent;
+    for (std::size_t i = 0U; i < kSocketcandClients + 4U; ++i)
+    {
+        silent.push_back(std::make_unique<PlainClient>(server.Port()));
+        EXPECT_EQ(silent.back()->Hear(), "< hi >");
+    }
+    const auto last = OpenLiveBus(server.Address("can0"));
+    ASSERT_EQ(last->Send(Live(0x123U, {1U})), SendResult::kSent);
+    EXPECT_EQ(Wait(*first)->identifier, 0x123U);
+}
+
+// Given a process without a descriptor left, then an open ends that connection, and all others go on.
+TEST_F(Socketcand, AnOpenWithoutADescriptorEndsThatConnectionAlone)
+{
+    Verifies(req::SRS_LIVE_061);
+    const auto bus = OpenLiveBus(server.Address("can0"));
+    const PlainClient client(server.Port());
+    EXPECT_EQ(client.Hear(), "< hi >");
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+    const rlimit none{3U, before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &none), 0);
+    client.Say("< open can0 >");
+    const std::string answer = client.Hear();
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
+    EXPECT_EQ(answer.substr(0U, 8U), "< error ");
+    EXPECT_EQ(client.Hear(), "");
+    const auto next = OpenLiveBus(server.Address("can0"));
+    ASSERT_EQ(next->Send(Live(0x124U, {1U})), SendResult::kSent);
+    EXPECT_EQ(Wait(*bus)->identifier, 0x124U);
+}
 
 // Given a client and a member of the bus behind the server, then frames of every kind go both ways unchanged, and those
 // of the client come back to it as own.

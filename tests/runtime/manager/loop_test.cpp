@@ -2,12 +2,14 @@
 // The executive of a live manager on a bus of this test.
 #include "runtime/manager/loop.hpp"
 #include "runtime/network_files/file.hpp"
+#include "tests/hal/host/live_server_rig.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/manager.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <deque>
 #include <memory>
@@ -125,6 +127,63 @@ TEST_F(ManagerLoopTest, WhatWaitedDuringAPauseIsNoSecondDevice)
     EXPECT_EQ(Duplicates(1000U, 1000U * kMs), 0);
     // Nor is there a second device when a connection without times gives all of it at once
     EXPECT_EQ(Duplicates(0U, runtime::kLongestPauseNs, "socketcand:localhost:1/can0"), 0);
+}
+
+/// A connection that is down, and opens itself again some day. It looks who else is at its server.
+class DownBus final : public host::LiveBus
+{
+  public:
+    DownBus(const host::RunningServer& server, std::uint32_t& others) : server_(server), others_(others)
+    {
+    }
+    [[nodiscard]] host::SendResult Send(const host::LiveFrame& /*frame*/) override
+    {
+        return host::SendResult::kDown;
+    }
+    [[nodiscard]] bool Receive(host::LiveFrame& /*frame*/) override
+    {
+        others_ = std::max(others_, server_.Counts().clients);
+        return false;
+    }
+    [[nodiscard]] int Descriptor() const override
+    {
+        return -1;
+    }
+    [[nodiscard]] host::BusHealth Health() const override
+    {
+        host::BusHealth health;
+        health.state = host::BusState::kDown;
+        return health;
+    }
+    [[nodiscard]] std::string Name() const override
+    {
+        return server_.Address("can0");
+    }
+    [[nodiscard]] bool Restart() override
+    {
+        return false;
+    }
+
+  private:
+    const host::RunningServer& server_;
+    std::uint32_t& others_;
+};
+
+// Given a connection that is lost, then only its bus opens it again: by a second one the manager would hear itself.
+TEST_F(ManagerLoopTest, ALostConnectionIsOpenedByItsBusAlone)
+{
+    Verifies(req::SRS_MGR_004);
+    const host::RunningServer server("udp:239.74.163.92:43192");
+    std::uint32_t others = 0U;
+    network_plan::LoadedNetwork net(
+        runtime::ReadNetworkFile(File("net.yaml", "manager: {node: 127}\nslaves: [{node: 5, heartbeat: 5 ms}]\n"), 0U));
+    std::ostringstream out;
+    runtime::NodeReport report(out, runtime::ReportForm::kText, host::LiveNow());
+    runtime::ManagerLoopSettings settings;
+    settings.for_ns = 2000U * kMs;
+    runtime::ManagerLoop loop(net, std::make_unique<DownBus>(server, others), report, nullptr, settings);
+    EXPECT_FALSE(loop.Run());
+    EXPECT_EQ(others, 0U);
 }
 
 TEST_F(ManagerLoopTest, AHeapIsMoreThanABusCarriesAfterASilence)

@@ -7,7 +7,9 @@
 #include "verification/trace/verifies.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/un.h>
 
 namespace counterpoint::tools
@@ -60,6 +62,49 @@ TEST_F(ManagerSocketTest, ASocketTakesThePlaceOfALeftSocketOnly)
         ASSERT_EQ(::bind(left.Get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
     }
     EXPECT_NO_THROW(runtime::ManagerSocket socket(path));
+}
+
+// Given a manager whose callers wait, more than its queue holds, then a second one leaves it its socket.
+TEST_F(ManagerSocketTest, ABusySocketIsServed)
+{
+    Verifies(req::SRS_MGR_061);
+    const std::string path = Path("busy.sock");
+    const runtime::ManagerSocket socket(path);
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    std::copy(path.begin(), path.end(), address.sun_path);
+    std::vector<host::LiveFile> callers;
+    for (int i = 0; i < 20; ++i)
+    {
+        callers.emplace_back(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0));
+        static_cast<void>(
+            ::connect(callers.back().Get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)));
+    }
+    EXPECT_THROW(runtime::ManagerSocket second(path), cia306::InputError);
+    EXPECT_TRUE(std::filesystem::is_socket(path));
+}
+
+TEST_F(ManagerSocketTest, ASocketRemovesItsOwnFileAndIsForItsOwner)
+{
+    Verifies(req::SRS_MGR_061);
+    const std::string path = Path("own.sock");
+    const auto mode = [&path] { return static_cast<unsigned>(std::filesystem::status(path).permissions()); };
+    const mode_t before = ::umask(0);
+    {
+        const runtime::ManagerSocket socket(path);
+        EXPECT_EQ(mode(), 0600U);
+    }
+    EXPECT_FALSE(std::filesystem::exists(path));
+    ::umask(077);
+    {
+        const runtime::ManagerSocket socket(path, 0660);
+        EXPECT_EQ(mode(), 0660U);
+        // Somebody puts something else in its place
+        std::filesystem::remove(path);
+        static_cast<void>(File("own.sock", "mine"));
+    }
+    ::umask(before);
+    EXPECT_EQ(cia306::ReadTextFile(path), "mine");
 }
 
 TEST_F(ManagerSocketTest, ProgramsSendOrdersByASocket)

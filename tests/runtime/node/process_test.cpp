@@ -192,9 +192,12 @@ TEST_F(NodeProcessTest, AConsumerThatStarvedOpensNothingWithoutResetAndAcknowled
     actuator->Signal(SIGSTOP);
     ASSERT_FALSE(actuator->Tells(Event("output", "open", false), 200));
     actuator->Signal(SIGCONT);
-    // Then its output is closed, the device safe, and neither acknowledge nor start changes that
-    EXPECT_EQ(actuator->WaitFor("device_fault").event["fault"], "late_call");
-    EXPECT_TRUE(actuator->Tells(Event("output", "open", false), 2000));
+    // Then its output is closed, and told with the time at which it closed, the device safe, and neither acknowledge
+    // nor start changes that
+    const NodeLine closed = actuator->WaitFor(Event("output", "open", false));
+    const NodeLine fault = actuator->WaitFor("device_fault");
+    EXPECT_EQ(fault.event["fault"], "late_call");
+    EXPECT_GT(fault.event["at_us"].get<std::int64_t>() - closed.event["at_us"].get<std::int64_t>(), 150000);
     actuator->Type("ack 1");
     actuator->Type("nmt pre-operational");
     actuator->Type("nmt reset-communication");

@@ -6,6 +6,7 @@
 #include "verification/trace/ids/cia301.hpp"
 #include "verification/trace/ids/lss.hpp"
 #include "verification/trace/ids/node.hpp"
+#include "verification/trace/ids/store.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <algorithm>
@@ -277,11 +278,61 @@ TEST_F(NodeServicesTest, AStoreThatCannotBeUsedIsTold)
         ASSERT_NE(told, lines.end()) << store;
         const std::string text = told->event["text"];
         EXPECT_EQ(text.find(store + ":0: warning: "), 0U) << text;
-        EXPECT_NE(text.find(dcf == everything ? "no whole set of values, expected what 1010h has saved"
-                                              : "saved values are refused, expected those of this device"),
+        EXPECT_NE(text.find(dcf == everything
+                                ? "what was saved is damaged, expected the whole set that 1010h has saved last"
+                                : "saved values are refused, expected those of this device"),
                   std::string::npos)
             << text;
     }
+}
+
+// Given a configuration that was saved, and a newer one: where a bit of the newer one has changed, neither the older
+// one nor that of the file comes up valid, the node says so, and what is saved then counts again.
+TEST_F(NodeServicesTest, ADamagedStoreNeverBringsAnOlderConfigurationBack)
+{
+    Verifies(req::SRS_STO_014);
+    Verifies(req::SRS_NODE_011);
+    constexpr std::streamoff kSecondBank = 262144;
+    const std::string everything = "../tests/runtime/data/everything.dcf";
+    const std::string store = Path("decayed.store");
+    std::remove(store.c_str());
+    const auto run = [&](const std::vector<std::string>& orders)
+    {
+        auto node = StartNode(everything, {"--store", store});
+        node->Type("get 0x13FE:00");
+        const int valid = node->WaitFor("object").event["value"];
+        for (const std::string& order : orders)
+        {
+            node->Type(order);
+        }
+        EXPECT_FALSE(node->Tells(Event("device_fault", "fault", "late_call"), orders.empty() ? 1 : 700));
+        node->Type("quit");
+        EXPECT_EQ(node->End(), 0);
+        std::string text{};
+        for (const NodeLine& line : node->Lines())
+        {
+            text += (line.event["event"] == "store") ? line.event["text"].get<std::string>() : "";
+        }
+        return std::pair(valid, text);
+    };
+    EXPECT_EQ(run({"set 0x1010:01 0x65766173"}).first, 0xA5);
+    EXPECT_EQ(run({"set 0x4005:00 50", "set 0x1010:01 0x65766173"}).first, 0xA5);
+    EXPECT_EQ(run({}), std::pair(0xA5, std::string()));
+    std::fstream file(store, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekg(kSecondBank + 200);
+    const int byte = file.get();
+    file.seekp(kSecondBank + 200);
+    file.put(static_cast<char>(byte ^ 1));
+    file.close();
+    const std::string told = store +
+                             ":0: warning: what was saved is damaged, expected the whole set that 1010h has "
+                             "saved last; no older one is loaded, and 13FEh is not A5h until a configuration is "
+                             "written and saved again";
+    // A save of the manufacturer's values alone brings no safety configuration back
+    EXPECT_EQ(run({"set 0x1010:04 0x65766173"}), std::pair(0, told));
+    EXPECT_EQ(run({"set 0x1011:01 0x64616F6C"}), std::pair(0, told));
+    EXPECT_EQ(run({}), std::pair(0xA5, std::string()));
+    std::remove(store.c_str());
 }
 
 // Given an order whose line never ends, then it is not carried out, and the node runs on.

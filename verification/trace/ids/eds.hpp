@@ -31,6 +31,7 @@ inline constexpr RequirementId SRS_CLI_021{"SRS_CLI_021"};
 inline constexpr RequirementId SRS_CLI_022{"SRS_CLI_022"};
 inline constexpr RequirementId SRS_CLI_023{"SRS_CLI_023"};
 inline constexpr RequirementId SRS_CLI_024{"SRS_CLI_024"};
+inline constexpr RequirementId SRS_CLI_031{"SRS_CLI_031"};
 inline constexpr RequirementId SRS_EDS_001{"SRS_EDS_001"};
 inline constexpr RequirementId SRS_EDS_002{"SRS_EDS_002"};
 inline constexpr RequirementId SRS_EDS_003{"SRS_EDS_003"};

@@ -36,6 +36,8 @@ inline constexpr RequirementId SRS_LIVE_055{"SRS_LIVE_055"};
 inline constexpr RequirementId SRS_LIVE_056{"SRS_LIVE_056"};
 inline constexpr RequirementId SRS_LIVE_057{"SRS_LIVE_057"};
 inline constexpr RequirementId SRS_LIVE_058{"SRS_LIVE_058"};
+inline constexpr RequirementId SRS_LIVE_059{"SRS_LIVE_059"};
+inline constexpr RequirementId SRS_LIVE_061{"SRS_LIVE_061"};
 } // namespace counterpoint::req
 
 #endif

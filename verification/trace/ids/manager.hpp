@@ -28,6 +28,7 @@ inline constexpr RequirementId SRS_MGR_021{"SRS_MGR_021"};
 inline constexpr RequirementId SRS_MGR_022{"SRS_MGR_022"};
 inline constexpr RequirementId SRS_MGR_023{"SRS_MGR_023"};
 inline constexpr RequirementId SRS_MGR_024{"SRS_MGR_024"};
+inline constexpr RequirementId SRS_MGR_061{"SRS_MGR_061"};
 inline constexpr RequirementId SRS_NET_001{"SRS_NET_001"};
 inline constexpr RequirementId SRS_NET_002{"SRS_NET_002"};
 inline constexpr RequirementId SRS_NET_003{"SRS_NET_003"};

@@ -19,6 +19,11 @@ inline constexpr RequirementId SRS_STO_010{"SRS_STO_010"};
 inline constexpr RequirementId SRS_STO_011{"SRS_STO_011"};
 inline constexpr RequirementId SRS_STO_012{"SRS_STO_012"};
 inline constexpr RequirementId SRS_STO_013{"SRS_STO_013"};
+inline constexpr RequirementId SRS_STO_014{"SRS_STO_014"};
+inline constexpr RequirementId SRS_STO_015{"SRS_STO_015"};
+inline constexpr RequirementId SRS_STO_016{"SRS_STO_016"};
+inline constexpr RequirementId SRS_STO_017{"SRS_STO_017"};
+inline constexpr RequirementId SRS_STO_018{"SRS_STO_018"};
 } // namespace counterpoint::req
 
 #endif

@@ -16,6 +16,8 @@ constexpr std::uint64_t kPatienceNs = 3'000U * kMillisecondNs;
 constexpr std::uint64_t kRetryNs = kMillisecondNs;
 /// What may wait as text before frames wait as frames.
 constexpr std::size_t kTextBytes = 4096U;
+/// Least distance of two questions about the age of frames.
+constexpr std::uint64_t kQuestionNs = kQuestionMs * kMillisecondNs;
 
 SocketcandMessage MessageOf(const SocketcandWord word)
 {
@@ -67,6 +69,9 @@ void LiveSocketcandBus::Begin()
 {
     is_lost_ = false;
     health_.state = BusState::kActive;
+    is_asking_ = false;
+    asked_ns_ = give_up_at_ns_ - kPatienceNs; // The greeting is the first question.
+    answered_ns_ = asked_ns_;
     poll_.WakeAt(greeting_.Early().empty() ? 0U : LiveNow());
 }
 
@@ -152,6 +157,7 @@ void LiveSocketcandBus::SendWaiting()
         Hand(queue_.front());
         queue_.pop_front();
     }
+    Ask();
     NoteLoss();
     if (is_lost_)
     {
@@ -159,6 +165,34 @@ void LiveSocketcandBus::SendWaiting()
     }
     const bool is_idle = queue_.empty() && (link_.WaitingBytes() == 0U) && greeting_.Early().empty();
     poll_.WakeAt(is_idle ? 0U : LiveNow() + kRetryNs);
+}
+
+void LiveSocketcandBus::Ask()
+{
+    const std::uint64_t now_ns = LiveNow();
+    const bool may_ask = (options_.oldest_ms != 0U) && !is_asking_ && !link_.IsLost();
+    if (may_ask && (now_ns >= (asked_ns_ + kQuestionNs)))
+    {
+        is_asking_ = true;
+        asked_ns_ = now_ns;
+        unconfirmed_.emplace_back(std::nullopt);
+        link_.Say(SocketcandWord::kEcho);
+    }
+}
+
+void LiveSocketcandBus::TakeAnswer()
+{
+    is_asking_ = false;
+    answered_ns_ = asked_ns_;
+}
+
+/// The server's answers come in the order of its frames: a frame is no older than the last question with an answer.
+bool LiveSocketcandBus::IsStale(const LiveFrame& frame)
+{
+    const bool is_of_others = !frame.own && !frame.error && (options_.oldest_ms != 0U);
+    const bool is_stale = is_of_others && ((frame.time_ns - answered_ns_) > (options_.oldest_ms * kMillisecondNs));
+    health_.stale_frames += is_stale ? 1U : 0U;
+    return is_stale;
 }
 
 void LiveSocketcandBus::NoteLoss()
@@ -198,7 +232,7 @@ bool LiveSocketcandBus::Receive(LiveFrame& frame)
         {
             message = link_.Next();
         }
-        if (message && Take(*message, frame) && Passes(options_.filters, frame))
+        if (message && Take(*message, frame) && Passes(options_.filters, frame) && !IsStale(frame))
         {
             return true;
         }
@@ -223,9 +257,15 @@ bool LiveSocketcandBus::Take(const SocketcandMessage& message, LiveFrame& frame)
     const bool is_frame = message.frame.error || (message.word == SocketcandWord::kFrame) ||
                           (message.word == SocketcandWord::kRemote) || (message.word == SocketcandWord::kOwnFrame) ||
                           (message.word == SocketcandWord::kOwnRemote);
+    if (is_echo && !unconfirmed_.front())
+    {
+        unconfirmed_.pop_front();
+        TakeAnswer();
+        return false;
+    }
     if (is_echo)
     {
-        frame = unconfirmed_.front();
+        frame = *unconfirmed_.front();
         frame.own = true;
         unconfirmed_.pop_front();
     }

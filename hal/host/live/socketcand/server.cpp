@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <ctime>
+#include <exception>
 #include <netdb.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -200,7 +201,7 @@ void SocketcandClient::Open(const std::string& name)
         bus_ = OpenLiveBus(found->address);
         Say(SocketcandWord::kOk);
     }
-    catch (const LiveBusError& problem)
+    catch (const std::exception& problem) // No descriptor left among them: that client goes, the others stay.
     {
         SayError(problem.what());
         is_ending_ = true;
@@ -270,14 +271,21 @@ std::uint16_t SocketcandServer::Port() const
 
 void SocketcandServer::Accept()
 {
-    while (true)
+    // As many a turn as there are places: who calls without an end does not keep the others from being served.
+    for (std::size_t i = 0U; i < kSocketcandClients; ++i)
     {
         LiveFile socket{::accept4(listener_.Get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC)};
+        const bool is_refused = (socket.Get() < 0) && ((errno == EMFILE) || (errno == ENFILE));
+        if (is_refused)
+        {
+            is_full_ = !MakeRoom();
+            return;
+        }
         if (socket.Get() < 0)
         {
             return;
         }
-        if (clients_.size() < kSocketcandClients)
+        if ((clients_.size() < kSocketcandClients) || MakeRoom())
         {
             ++counts_.accepted;
             clients_.push_back(std::make_unique<SocketcandClient>(std::move(socket), buses_, counts_));
@@ -285,9 +293,23 @@ void SocketcandServer::Accept()
     }
 }
 
+/// Disconnects the oldest client that has opened no bus. False: there is none.
+bool SocketcandServer::MakeRoom()
+{
+    const auto is_idle = [](const std::unique_ptr<SocketcandClient>& client) { return !client->HasBus(); };
+    const auto found = std::find_if(clients_.begin(), clients_.end(), is_idle);
+    const bool is_found = found != clients_.end();
+    if (is_found)
+    {
+        clients_.erase(found);
+    }
+    return is_found;
+}
+
 void SocketcandServer::Serve(const int milliseconds)
 {
-    std::vector<pollfd> waits{{listener_.Get(), POLLIN, 0}};
+    std::vector<pollfd> waits{{is_full_ ? -1 : listener_.Get(), POLLIN, 0}};
+    is_full_ = false;
     int patience_ms = milliseconds;
     for (const auto& client : clients_)
     {

@@ -50,6 +50,11 @@ class SocketcandClient
     [[nodiscard]] pollfd Bus() const;
     /// @brief Reads, obeys and answers what is there. False: the connection has ended.
     [[nodiscard]] bool Serve();
+    /// @brief Whether it has opened a bus.
+    [[nodiscard]] bool HasBus() const
+    {
+        return bus_ != nullptr;
+    }
     /// @brief Whether a frame waits because the bus was full.
     [[nodiscard]] bool HoldsFrame() const
     {
@@ -74,7 +79,8 @@ class SocketcandClient
     bool is_ending_{false}; ///< After the last answer.
 };
 
-/// Offers buses by the socketcand protocol. For one thread. [SRS_LIVE_053] [SRS_LIVE_054]
+/// Offers buses by the socketcand protocol. For one thread. A connection that opened no bus gives its place to a new
+/// one. [SRS_LIVE_053] [SRS_LIVE_054] [SRS_LIVE_061]
 class SocketcandServer
 {
   public:
@@ -92,11 +98,13 @@ class SocketcandServer
 
   private:
     void Accept();
+    [[nodiscard]] bool MakeRoom();
 
     std::vector<ServedBus> buses_;
     LiveFile listener_;
-    std::vector<std::unique_ptr<SocketcandClient>> clients_{};
+    std::vector<std::unique_ptr<SocketcandClient>> clients_{}; ///< The oldest first.
     ServerCounts counts_{};
+    bool is_full_{false}; ///< Who calls waits for one turn: the system has no descriptor for it.
 };
 
 } // namespace counterpoint::host

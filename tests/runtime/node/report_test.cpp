@@ -1,0 +1,108 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// What a node tells, where nobody reads it.
+#include "runtime/console/node_report.hpp"
+#include "verification/trace/ids/node.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <csignal>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <unistd.h>
+
+namespace counterpoint::runtime
+{
+namespace
+{
+class NodeReportTest : public ::testing::Test
+{
+  protected:
+    NodeReportTest()
+    {
+        EXPECT_EQ(::pipe(ends_.data()), 0);
+        out_.open("/proc/self/fd/" + std::to_string(ends_[1]));
+    }
+    ~NodeReportTest() override
+    {
+        static_cast<void>(::close(ends_[0]));
+        static_cast<void>(::close(ends_[1]));
+    }
+    /// Everything up to a line that begins with a text.
+    [[nodiscard]] std::string ReadTo(const std::string& last) const
+    {
+        std::string text;
+        std::array<char, 65536U> bytes{};
+        ssize_t count = 1;
+        while (text.find(last) == std::string::npos && count > 0)
+        {
+            count = ::read(ends_[0], bytes.data(), bytes.size());
+            text.append(bytes.data(), static_cast<std::size_t>(count > 0 ? count : 0));
+        }
+        return text;
+    }
+
+    static constexpr int kMany = 70000;
+    std::array<int, 2U> ends_{};
+    std::ofstream out_;
+};
+
+// Given more lines than have room, then the place where some are missing tells how many, and the line of an output that
+// closed meanwhile is there.
+TEST_F(NodeReportTest, WhatIsLeftOutIsCountedAndAnOutputThatClosedIsTold)
+{
+    Verifies(req::SRS_NODE_032);
+    NodeReport report(out_, ReportForm::kText, 0U, ends_[1]);
+    report.Print("first\n");
+    for (int i = 0; i < 2 * kMany; ++i)
+    {
+        report.Print("value\n");
+    }
+    report.Tell(0U, "output of SRDO 1 closed", "output", {{"open", false}});
+    std::string text = ReadTo("closed");
+    std::thread reader([this, &text] { text += ReadTo("end\n"); });
+    report.Print("end\n");
+    EXPECT_TRUE(report.Finish());
+    reader.join();
+    std::istringstream lines(text);
+    int values = 0;
+    int left_out = 0;
+    for (std::string line; std::getline(lines, line);)
+    {
+        values += (line == "value") ? 1 : 0;
+        left_out += (line.find(" lines left out here: nobody read them") != std::string::npos) ? std::stoi(line) : 0;
+    }
+    EXPECT_GT(left_out, 0);
+    EXPECT_EQ(values + left_out, 2 * kMany);
+    EXPECT_NE(text.find("output of SRDO 1 closed"), std::string::npos);
+}
+
+// Given a reader that reads nothing, then the end does not wait for it.
+TEST_F(NodeReportTest, TheEndDoesNotWaitForAReaderThatReadsNothing)
+{
+    Verifies(req::SRS_NODE_032);
+    NodeReport report(out_, ReportForm::kJson, 0U, ends_[1]);
+    for (int i = 0; i < kMany; ++i)
+    {
+        report.Tell(0U, "", "value", {{"value", i}});
+    }
+    EXPECT_FALSE(report.Finish());
+    EXPECT_EQ(ReadTo("\n").substr(0U, 27U), R"({"at_us":0,"event":"value",)");
+}
+
+// Given a reader that has ended, then the end tells that not everything was written.
+TEST_F(NodeReportTest, AReaderThatHasEndedHoldsUpNobody)
+{
+    Verifies(req::SRS_NODE_032);
+    std::signal(SIGPIPE, SIG_IGN);
+    NodeReport report(out_, ReportForm::kText, 0U, ends_[1]);
+    ASSERT_EQ(::close(ends_[0]), 0);
+    ends_[0] = -1;
+    report.Print("first\n");
+    EXPECT_FALSE(report.Finish());
+}
+} // namespace
+} // namespace counterpoint::runtime
