@@ -62,6 +62,7 @@ void Manager::OnFrame(const CanFrame& frame, const Instant now) noexcept
         CountHeartbeats(frame);
         watch_.OnFrame(frame, now);
         table_.OnFrame(frame, now);
+        permissions_.OnFrame(frame, role_.Leading(), now);
         sdo_.OnFrame(frame, now);
         role_.Profile()->OnFrame(frame, now);
     }

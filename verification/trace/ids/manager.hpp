@@ -44,6 +44,7 @@ inline constexpr RequirementId SRS_SFS_007{"SRS_SFS_007"};
 inline constexpr RequirementId SRS_SFS_008{"SRS_SFS_008"};
 inline constexpr RequirementId SRS_SFS_009{"SRS_SFS_009"};
 inline constexpr RequirementId SRS_SFS_010{"SRS_SFS_010"};
+inline constexpr RequirementId SRS_SFS_011{"SRS_SFS_011"};
 } // namespace counterpoint::req
 
 #endif
