@@ -168,9 +168,15 @@ TEST_P(ForeignWriteTest, WhatIsNoWriteOfTheConfigurationDisturbsNothing)
     CanFrame is_short = Answer(0x60U, 0x1301U, 2U);
     is_short.length_bytes = 7U;
     // An abort, a value that was read, the ends of a block, another object, another node, no SDO
-    const CanFrame frames[] = {Answer(0x80U, 0x1400U, 2U), Answer(0x4BU, 0x1400U, 2U), Answer(0xA2U, 0x1301U, 2U),
-                               Answer(0xA1U, 0x1301U, 2U), Answer(0x60U, 0x1017U, 0U), Answer(0x60U, 0x1400U, 0U),
-                               Answer(0x60U, 0x12FFU, 0U), other,                      is_short};
+    const CanFrame frames[] = {Answer(0x80U, 0x1400U, 2U),
+                               Answer(0x4BU, 0x1400U, 2U),
+                               Answer(0xA2U, 0x1301U, 2U),
+                               Answer(0xA1U, 0x1301U, 2U),
+                               Answer(0x60U, 0x1017U, 0U),
+                               Answer(0x60U, 0x1400U, 0U),
+                               Answer(0x60U, 0x12FFU, 0U),
+                               other,
+                               is_short};
     for (const CanFrame& frame : frames)
     {
         Run(6000U);
