@@ -240,7 +240,8 @@ TEST(ElectionsOfUnequalTimes, OfManagersEndWhateverTheBoundAndTheOffset)
             // Then the better one has given up, and the network is left alone
             EXPECT_TRUE(world.IsAgreed()) << int{bound} << " " << offset;
             EXPECT_EQ(world.Active(), 0U) << int{bound} << " " << offset;
-            EXPECT_LE(world.Found().configuration_errors, bound + 1U) << int{bound} << " " << offset;
+            // It told so at the claim that made it give up, and behind the reset that followed
+            EXPECT_LE(world.Found().configuration_errors, bound + 2U) << int{bound} << " " << offset;
             EXPECT_LT(world.Found().last_change, 50 * kSecond) << int{bound} << " " << offset;
             const std::uint32_t resets = world.Found().resets;
             world.Run(120 * kSecond);
@@ -260,7 +261,7 @@ TEST(ElectionsOfUnequalTimes, OfManagersThatLoseAFrameEndByDefault)
         world.Begin(Misconfigured(), Loss{frame, Loss::kEverybody});
         world.Run(60 * kSecond);
         EXPECT_TRUE(world.IsAgreed()) << frame;
-        EXPECT_LE(world.Found().configuration_errors, 4U) << frame;
+        EXPECT_LE(world.Found().configuration_errors, 5U) << frame;
         EXPECT_LT(world.Found().last_change, 40 * kSecond) << frame;
     }
 }
