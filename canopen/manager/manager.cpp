@@ -231,6 +231,7 @@ void Manager::OnCommand(const NmtCommand command, const NodeId node) noexcept
 
 void Manager::OnLost(const Instant now) noexcept
 {
+    watch_.OnLost();
     permissions_.OnLost(role_.Leading(), now);
 }
 

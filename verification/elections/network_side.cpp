@@ -7,18 +7,15 @@ namespace counterpoint::elections
 {
 
 NetworkSide::NetworkSide(const cia302::NetworkSetup& setup, cia301::FrameSink& sink, const std::uint16_t heartbeat_ms)
-    : lanes_(sink, kTimes),
-      manager_(cia302::ManagerParts{setup,
-                                    sink,
-                                    *this,
-                                    cia302::ManagerRoom{records_.data(),
-                                                        watched_.data(),
-                                                        gates_.data(),
-                                                        {queue_.data(), 8U},
-                                                        {nullptr, 0U},
-                                                        lanes_.All(),
-                                                        kTimes},
-                                    heartbeat_ms}),
+    : lanes_(sink, kTimes), manager_(cia302::ManagerParts{setup, sink, *this,
+                                                          cia302::ManagerRoom{records_.data(),
+                                                                              watched_.data(),
+                                                                              gates_.data(),
+                                                                              {queue_.data(), 8U},
+                                                                              {nullptr, 0U},
+                                                                              lanes_.All(),
+                                                                              kTimes},
+                                                          heartbeat_ms}),
       profile_(manager_.ProfileParts(), boots_.data())
 {
 }

@@ -28,6 +28,8 @@ inline constexpr RequirementId SRS_MGR_021{"SRS_MGR_021"};
 inline constexpr RequirementId SRS_MGR_022{"SRS_MGR_022"};
 inline constexpr RequirementId SRS_MGR_023{"SRS_MGR_023"};
 inline constexpr RequirementId SRS_MGR_024{"SRS_MGR_024"};
+inline constexpr RequirementId SRS_MGR_025{"SRS_MGR_025"};
+inline constexpr RequirementId SRS_MGR_026{"SRS_MGR_026"};
 inline constexpr RequirementId SRS_NET_001{"SRS_NET_001"};
 inline constexpr RequirementId SRS_NET_002{"SRS_NET_002"};
 inline constexpr RequirementId SRS_NET_003{"SRS_NET_003"};
