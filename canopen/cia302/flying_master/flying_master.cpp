@@ -35,6 +35,15 @@ std::uint32_t WatchUs(const FlyingMasterParts& parts, const NodeId master) noexc
     return ((own_ms > 0U) ? own_ms : other_ms) * kUsPerMs;
 }
 
+/// A role that lasts ends the count of restarts. One that ends sooner is a part of the same election, whoever ended it:
+/// a new master resets all, and so does a manager that starts its network.
+std::uint8_t RestartsAfter(const std::uint8_t restarts, const FlyingState state, const std::uint32_t rest_us,
+                           const FlyingMasterTimes& times) noexcept
+{
+    const bool is_at_rest = (state == FlyingState::kSlave) || (state == FlyingState::kMaster);
+    return (is_at_rest && (rest_us >= LongestNegotiationUs(times))) ? std::uint8_t{0U} : restarts;
+}
+
 bool Send(cia301::FrameSink& sink, const FlyingService service) noexcept
 {
     return sink.Send(ServiceFrame(service));
@@ -85,14 +94,14 @@ FlyingStart FlyingMaster::Start(const Instant now) noexcept
 
 void FlyingMaster::Reset(const Instant now) noexcept
 {
-    Rest(now);
+    restarts_ = RestartsAfter(restarts_, state_, now.us - rest_begin_.us, times_);
     is_first_pass_ = false;
     Initialise(now);
 }
 
 void FlyingMaster::OnHeartbeatLost(const NodeId node, const Instant now) noexcept
 {
-    Rest(now);
+    restarts_ = RestartsAfter(restarts_, state_, now.us - rest_begin_.us, times_);
     if ((state_ == FlyingState::kSlave) && (node.value == master_.node.value))
     {
         Lose(now);
@@ -120,7 +129,7 @@ FlyingDeadline FlyingMaster::Next() const noexcept
 
 void FlyingMaster::OnFrame(const CanFrame& frame, const Instant now) noexcept
 {
-    Rest(now);
+    restarts_ = RestartsAfter(restarts_, state_, now.us - rest_begin_.us, times_);
     const MasterClaim own{times_.Level(), parts_.setup.own};
     const FlyingView view{state_, parts_.options, times_, own, master_, has_asked_, now.us - race_begin_.us};
     React(Heard(view, frame), frame, now);
@@ -235,7 +244,7 @@ void FlyingMaster::Join(const bool is_asking, const Instant now) noexcept
 
 void FlyingMaster::OnCycle(const Instant now) noexcept
 {
-    Rest(now);
+    restarts_ = RestartsAfter(restarts_, state_, now.us - rest_begin_.us, times_);
     owes_capable_ = owes_capable_ && !Send(parts_.sink, FlyingService::kMasterCapable);
     if (state_ == FlyingState::kMaster)
     {
@@ -373,17 +382,6 @@ void FlyingMaster::RunSlave(const Instant now) noexcept
     else
     {
         // The master lives, as far as is known.
-    }
-}
-
-/// A role that lasts ends the count of restarts. One that ends sooner is a part of the same election, whoever ended it:
-/// a new master resets all, and so does a manager that starts its network.
-void FlyingMaster::Rest(const Instant now) noexcept
-{
-    const bool is_at_rest = (state_ == FlyingState::kSlave) || (state_ == FlyingState::kMaster);
-    if (is_at_rest && ((now.us - rest_begin_.us) >= LongestNegotiationUs(times_)))
-    {
-        restarts_ = 0U;
     }
 }
 

@@ -144,7 +144,6 @@ class FlyingMaster
     void EndRace(Instant now) noexcept;
     void SendReset(Instant now) noexcept;
 
-    void Rest(Instant now) noexcept;
     void Enter(FlyingInput input, Instant now, std::uint32_t time_us) noexcept;
     void Force(const MasterClaim& claim, FlyingEvent event, Instant now) noexcept;
     void Initialise(Instant now) noexcept;

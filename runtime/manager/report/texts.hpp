@@ -41,7 +41,7 @@ inline constexpr Word<network_plan::StartProfile> kProfileWords[] = {
 /// @brief Whether a slave under cia302 refused or did not answer 1000h, and is asked again.
 [[nodiscard]] bool IsAskedAgain(const cia302::NodeStatus& status) noexcept;
 /// @brief Letter or code in words, and the finding: "O: serial number differs (0x1018:04 is 0x21, expected 0x22)";
-/// "operational" where the slave runs without either.
+/// "operational" where the slave runs without either. [SRS_MGR_026]
 [[nodiscard]] std::string StatusText(network_plan::StartProfile profile, const cia302::NodeStatus& status);
 /// @brief The same without letter or code, for a table that has a column for it; empty where nothing is to be told.
 [[nodiscard]] std::string ResultText(network_plan::StartProfile profile, const cia302::NodeStatus& status);

@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-// What a person is told of each slave: letters and codes in words, who was not started and why, devices that are faulty.
+// What a person is told of each slave: letters and codes in words, who was not started and why, devices that are
+// faulty.
 #include "runtime/manager/report/diagram.hpp"
 #include "runtime/manager/report/status.hpp"
 #include "runtime/manager/report/texts.hpp"
@@ -105,7 +106,8 @@ TEST_F(ManagerResultsTest, AnAbortIsToldByItsCodeAndInWords)
     status.abort = cia301::SdoAbort::kNone;
     status.read = 3U;
     status.expected = 7U;
-    EXPECT_EQ(runtime::ResultText(StartProfile::kCia302, status), "product code differs: 0x1018:02 is 0x3, expected 0x7");
+    EXPECT_EQ(runtime::ResultText(StartProfile::kCia302, status),
+              "product code differs: 0x1018:02 is 0x3, expected 0x7");
 }
 
 TEST_F(ManagerResultsTest, AnAbortAndSilenceAt1000hAreToldThoughThereIsNoBootTime)
