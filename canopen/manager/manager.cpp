@@ -62,6 +62,7 @@ void Manager::OnFrame(const CanFrame& frame, const Instant now) noexcept
         CountHeartbeats(frame);
         watch_.OnFrame(frame, now);
         table_.OnFrame(frame, now);
+        permissions_.OnFrame(frame, role_.Leading(), now);
         sdo_.OnFrame(frame, now);
         role_.Profile()->OnFrame(frame, now);
     }
@@ -230,6 +231,7 @@ void Manager::OnCommand(const NmtCommand command, const NodeId node) noexcept
 
 void Manager::OnLost(const Instant now) noexcept
 {
+    watch_.OnLost();
     permissions_.OnLost(role_.Leading(), now);
 }
 

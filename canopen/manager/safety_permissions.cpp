@@ -1,8 +1,33 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/manager/safety_permissions.hpp"
 
+#include "canopen/cia301/base/little_endian.hpp"
+
 namespace counterpoint::cia302
 {
+namespace
+{
+
+constexpr std::uint16_t kFirstSafety = 0x1300U;
+constexpr std::uint16_t kLastSafety = 0x13FFU;
+
+/// Of an answer that somebody may write, or has written, this object.
+bool IsWriteAnswer(const CanFrame& frame) noexcept
+{
+    constexpr std::uint32_t kAnswers = 0x580U;
+    constexpr std::uint8_t kSdoBytes = 8U;
+    constexpr std::uint8_t kDownload = 0x60U;
+    constexpr std::uint8_t kDownloadBits = 0xE0U;
+    constexpr std::uint8_t kBlockDownload = 0xA0U;
+    constexpr std::uint8_t kBlockBits = 0xE3U;
+    const bool is_answer = (frame.kind == FrameKind::kData) && (frame.length_bytes == kSdoBytes) &&
+                           ((frame.identifier & ~std::uint32_t{kLastNode}) == kAnswers);
+    const bool is_write =
+        ((frame.data[0] & kDownloadBits) == kDownload) || ((frame.data[0] & kBlockBits) == kBlockDownload);
+    return is_answer && is_write;
+}
+
+} // namespace
 
 SafetyPermissions::SafetyPermissions(const NetworkSetup& setup, GateState* const told, SafetyGate& gate,
                                      NodeTable& table) noexcept
@@ -69,12 +94,44 @@ void SafetyPermissions::OnForeignStart(const NodeId node, const StartUp& profile
         const bool is_started = profile.Status(slave).is_started;
         const bool is_hit = (node.value == kAllNodes.value) || (node.value == id);
         const bool was_there = (state != SlaveState::kUnknown) || is_started || (gate == GateState::kDiffers);
-        const bool has_left = (table_.Record(slave).asked == SlaveState::kOperational); // The start of this device.
-        const bool is_ours = is_started && has_left && (gate == GateState::kOpen);
+        const bool is_ours = HasStarted(slave, profile) && (gate == GateState::kOpen);
         if (is_hit && setup_.IsSafetySlave(slave) && was_there && !is_ours)
         {
             ReadAnew(slave); // It may have been changed since it was read.
             table_.Presume(slave, now);
+        }
+    }
+}
+
+/// This device has verified it, and its start is on the bus.
+bool SafetyPermissions::HasStarted(const NodeId node, const StartUp& profile) const noexcept
+{
+    const bool has_left = (table_.Record(node).asked == SlaveState::kOperational);
+    return profile.Status(node).is_started && has_left;
+}
+
+/// 1300h may be written in every state, and 1010h and 1011h change what a device has after its reset alone: they count
+/// until the start. A device takes nothing else of 1300h to 13FFh in OPERATIONAL: it had not got the start yet.
+void SafetyPermissions::OnFrame(const CanFrame& frame, const StartUp* const profile, const Instant now) noexcept
+{
+    constexpr std::uint16_t kStore = 0x1010U;
+    constexpr std::uint16_t kRestore = 0x1011U;
+    const NodeId node{static_cast<std::uint8_t>(frame.identifier & kLastNode)};
+    const ObjectAddress object{static_cast<std::uint16_t>(cia301::FromLittleEndian(&frame.data[1], 2U)), frame.data[3]};
+    const bool is_configuration = (object.index > kFirstSafety) && (object.index <= kLastSafety);
+    const bool is_other = (object.index == kFirstSafety) || (object.index == kStore) || (object.index == kRestore);
+    const bool is_meant =
+        IsWriteAnswer(frame) && setup_.IsSafetySlave(node) && (is_configuration || is_other) && (profile != nullptr);
+    if (is_meant && gate_.OnWritten(node, object) && (gate_.State(node) == GateState::kOpen))
+    {
+        const bool is_started = HasStarted(node, *profile);
+        if (!is_started || is_configuration)
+        {
+            Close(node);
+        }
+        if (is_started && is_configuration)
+        {
+            table_.Presume(node, now);
         }
     }
 }
@@ -93,11 +150,9 @@ void SafetyPermissions::OnLost(const StartUp* const profile, const Instant now) 
         }
         if ((profile != nullptr) && setup_.IsSafetySlave(slave) && (gate_.State(slave) == GateState::kOpen))
         {
-            const NodeRecord& record = table_.Record(slave);
-            const bool has_left = (record.asked == SlaveState::kOperational); // The start. Else it is given up.
-            const bool is_started = profile->Status(slave).is_started && has_left;
+            const bool is_started = HasStarted(slave, *profile); // Else the start is given up.
             Close(slave);
-            if (is_started || (record.state == SlaveState::kOperational))
+            if (is_started || (table_.Record(slave).state == SlaveState::kOperational))
             {
                 table_.Presume(slave, now);
             }

@@ -2,10 +2,12 @@
 #include "canopen/network_plan/loaded_network.hpp"
 
 #include "canopen/cia306/check/check.hpp"
+#include "canopen/cia306/file/data_type.hpp"
 #include "canopen/cia306/safety/safety_configuration.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace counterpoint::network_plan
 {
@@ -17,7 +19,21 @@ using cia306::SafetyConfiguration;
 using cia306::SrdoConfiguration;
 
 constexpr std::uint16_t kGfc = 0x1300U;
+constexpr std::uint16_t kLastCommunication = 0x1340U;
+constexpr std::uint16_t kLastMapping = 0x13C0U;
 constexpr std::uint16_t kSignatures = 0x13FFU;
+
+bool IsOfSrdo(const std::uint16_t index)
+{
+    return index >= cia306::kFirstCommunicationIndex && index <= kLastCommunication;
+}
+
+/// An SRDO that is off, or that has no section of its own, may be switched on over the bus like any other.
+bool DescribesSrdos(const Device& device, const SafetyConfiguration& safety)
+{
+    return !safety.srdos.empty() || std::any_of(device.missing.begin(), device.missing.end(),
+                                                [](const auto& missing) { return IsOfSrdo(missing.first); });
+}
 
 bool IsFixed(const Device& device, const std::uint16_t index, const std::uint8_t sub)
 {
@@ -41,6 +57,10 @@ class Maker
     {
         const cia306::Field* const settings[] = {&srdo.direction,         &srdo.sct_ms,   &srdo.srvt_ms,
                                                  &srdo.transmission_type, &srdo.cob_id_1, &srdo.cob_id_2};
+        if (srdo.highest_sub.value)
+        {
+            Add(srdo.CommunicationIndex(), 0U, srdo.highest_sub);
+        }
         std::uint8_t sub = 1U;
         for (const cia306::Field* const field : settings)
         {
@@ -54,6 +74,26 @@ class Maker
         }
         Add(kSignatures, srdo.number, srdo.signature);
     }
+    /// What is a part of the slave's program beside the SRDOs: entries above the count of a mapping, signatures of
+    /// SRDOs that are not there.
+    void AddConstants(const std::uint16_t index, const std::uint8_t node_id)
+    {
+        const cia306::Object* const object = device_.Find(index);
+        const auto entries = (object == nullptr) ? std::map<std::uint8_t, cia306::Entry>{} : object->entries;
+        for (const auto& [sub, entry] : entries)
+        {
+            const std::uint8_t size = cia302::SizeOf({index, sub});
+            const bool is_meant =
+                sub > 0U && size > 0U && entry.access == cia306::Access::kConstant && !Has(index, sub);
+            std::vector<cia306::Finding> problems;
+            const std::uint16_t type = (size == 2U) ? cia306::kUnsigned16 : cia306::kUnsigned32;
+            const cia306::Field field = cia306::ReadField(device_, index, sub, type, node_id, entry.line, problems);
+            if (is_meant && problems.empty())
+            {
+                Add(index, sub, field);
+            }
+        }
+    }
     std::vector<ExpectedObject> Sorted()
     {
         std::sort(list_.begin(), list_.end(), [](const ExpectedObject& left, const ExpectedObject& right)
@@ -62,6 +102,12 @@ class Maker
     }
 
   private:
+    [[nodiscard]] bool Has(const std::uint16_t index, const std::uint8_t sub) const
+    {
+        return std::any_of(list_.begin(), list_.end(), [=](const ExpectedObject& object)
+                           { return object.address.index == index && object.address.sub == sub; });
+    }
+
     const Device& device_;
     std::vector<ExpectedObject> list_;
 };
@@ -85,9 +131,7 @@ void RequireRight(const Device& device, const std::uint8_t node_id)
 std::vector<ExpectedObject> MakeExpectation(const Device& device, const std::uint8_t node_id)
 {
     const SafetyConfiguration safety = cia306::ExtractSafety(device, node_id);
-    const bool is_safety_slave = std::any_of(safety.srdos.begin(), safety.srdos.end(), [](const SrdoConfiguration& srdo)
-                                             { return srdo.IsProducer() || srdo.IsConsumer(); });
-    if (!is_safety_slave)
+    if (!DescribesSrdos(device, safety))
     {
         return {};
     }
@@ -105,6 +149,11 @@ std::vector<ExpectedObject> MakeExpectation(const Device& device, const std::uin
     {
         maker.Add(kSignatures, 0U, safety.signature_count);
     }
+    for (std::uint16_t index = cia306::kFirstMappingIndex; index <= kLastMapping; ++index)
+    {
+        maker.AddConstants(index, node_id);
+    }
+    maker.AddConstants(kSignatures, node_id);
     return maker.Sorted();
 }
 } // namespace counterpoint::network_plan

@@ -106,7 +106,8 @@ class LoadedNetwork
     std::vector<std::string> warnings_;
 };
 
-/// @brief The safety configuration that a DCF gives its device, for the gate; empty: the DCF has no SRDO that is on.
+/// @brief The safety configuration that a DCF gives its device, for the gate; empty: the DCF describes no SRDO.
+/// [SRS_NET_003]
 /// Throws cia306::InputError for the first rule that the configuration breaks: what is expected has to be right.
 /// [SRS_NET_003, SRS_NET_004]
 [[nodiscard]] std::vector<cia302::ExpectedObject> MakeExpectation(const cia306::Device& device, std::uint8_t node_id);

@@ -153,7 +153,8 @@ bool ManagerAssembly::HasStarted() const noexcept
         // What it said last, where it is listened to; else what it was told.
         const bool is_running = manager_.Table().RequestValue(node) == kOperational;
         const bool was_heard = manager_.Table().Record(node).state == cia302::SlaveState::kOperational;
-        const bool runs = is_running && (was_heard || manager_.Status(node).is_started);
+        const bool is_faulty = net_.Setup().IsSafetySlave(node) && manager_.Watched().Of(node).fault != 0U;
+        const bool runs = is_running && (was_heard || manager_.Status(node).is_started) && !is_faulty;
         has_started = has_started && (runs || !is_needed);
     }
     return has_started;

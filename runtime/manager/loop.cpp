@@ -211,15 +211,16 @@ void ManagerLoop::Receive()
             std::remove_if(frames.begin(), frames.end(), [](const host::LiveFrame& each) { return !IsBootUp(each); }),
             frames.end());
     }
-    for (const host::LiveFrame& taken : frames)
-    {
-        TakeFrame(taken);
-    }
     if (old > 0U)
     {
+        // Before what is left: a boot-up message whose reset was left aside is not the second one of the reset before.
         const std::string text = "frames left aside but for boot-up messages: when they came cannot be known";
         station_.Tell("lost_frames", std::to_string(old) + " " + text, {{"count", old}}, StationUs());
         station_.Assembly().Core().OnLost(InstantAt(StationUs()));
+    }
+    for (const host::LiveFrame& taken : frames)
+    {
+        TakeFrame(taken);
     }
 }
 

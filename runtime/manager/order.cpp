@@ -132,46 +132,91 @@ ManagerOrder OutputOf(const std::vector<std::string>& words)
     return order;
 }
 
-/// Who is left out of a start of all because it is another device.
-std::string NotStarted(const ManagerAssembly& assembly)
+/// Whether this slave does not take the order, behind it.
+bool IsLeftOut(const ManagerAssembly& assembly, const std::uint8_t node)
 {
-    std::string nodes;
+    const cia302::NodeStatus status = assembly.Core().Status(cia302::NodeId{node});
+    const bool is_safety = assembly.Net().Setup().IsSafetySlave(cia302::NodeId{node});
+    const bool is_error = status.letter != 0 && status.letter != 'L' && !status.is_started && !status.is_busy;
+    // A safety slave that can be asked is asked again.
+    bool is_left_out = is_safety ? status.is_other : is_error;
+    switch (assembly.Net().Plan().manager.profile)
+    {
+    case network_plan::StartProfile::kPlcDesigner:
+        is_left_out = status.code != cia302::kPlcConfigured && status.code != cia302::kPlcStarted;
+        break;
+    case network_plan::StartProfile::kEl6751:
+        is_left_out = is_safety && status.is_other;
+        break;
+    case network_plan::StartProfile::kCia302:
+    default:
+        break;
+    }
+    return is_left_out;
+}
+
+/// Each slave that does not take the order, and why.
+std::string LeftOut(const ManagerOrder& order, const ManagerAssembly& assembly, const bool is_by_state)
+{
+    const network_plan::StartProfile profile = assembly.Net().Plan().manager.profile;
+    std::string left_out;
     for (const auto& slave : assembly.Net().Slaves())
     {
         const cia302::NodeId node{slave->plan.node};
-        // Slaves without safety configuration are started all the same.
-        const bool is_other = assembly.Net().Setup().IsSafetySlave(node) && assembly.Core().Status(node).is_other;
-        nodes += is_other ? (nodes.empty() ? "" : ", ") + std::to_string(slave->plan.node) : "";
+        const cia302::NodeStatus status = assembly.Core().Status(node);
+        const std::string number = (left_out.empty() ? "node " : ", node ") + std::to_string(node.value);
+        std::string reason = StatusText(profile, status);
+        if (assembly.Net().Setup().IsSafetySlave(node) && status.is_other)
+        {
+            reason = "not known to be the expected device" + (reason.empty() ? "" : " (" + reason + ")");
+        }
+        const std::string code = std::to_string(status.code) + ": " + CodeText(profile, status.code);
+        if ((order.node == 0U || order.node == node.value) && IsLeftOut(assembly, node.value))
+        {
+            left_out += number + (is_by_state ? " (" + code + ")" : ": " + reason);
+        }
     }
-    return "taken but for node " + nodes + ": not known to be the expected device, expected that one, and boot NODE";
+    return left_out;
 }
 
-/// What became of a command, and who did not take a start: the PLC Designer profile starts slaves that are configured.
+/// What became of a command, and who did not take a start.
 std::string AnswerTo(const ManagerOrder& order, ManagerAssembly& assembly, const Instant now)
 {
     using cia302::NmtAnswer;
     const NmtAnswer answer = assembly.Core().Role().Command(order.command, cia302::NodeId{order.node}, now);
+    const bool is_plc = assembly.Net().Plan().manager.profile == network_plan::StartProfile::kPlcDesigner;
+    const bool is_start = order.command == cia302::NmtCommand::kStart;
+    const bool is_partly = answer == NmtAnswer::kPartly || (order.node == 0U && answer == NmtAnswer::kOtherDevice);
+    const bool is_refused = is_plc && answer == NmtAnswer::kWrong;
+    const bool is_by_state = is_plc && answer != NmtAnswer::kOtherDevice;
+    const std::string left_out = (is_start && (is_partly || is_refused)) ? LeftOut(order, assembly, is_by_state) : "";
+    const std::string some = is_by_state ? "taken, but not by " : "taken but for ";
+    const std::string expected =
+        is_by_state ? ", expected each in state 4, 5 or 99" : ", expected that one, and boot NODE";
+    return left_out.empty() ? WordOf(answer) : (is_partly ? some : "not taken by ") + left_out + expected;
+}
+
+/// The table of the manual network management has a row for each state and pair.
+std::string ControlAnswer(const ManagerOrder& order, ManagerAssembly& assembly, const Instant now)
+{
+    const cia302::NodeId node{order.node};
     const network_plan::StartProfile profile = assembly.Net().Plan().manager.profile;
-    const bool is_partly = answer == NmtAnswer::kPartly;
-    const bool is_refused = answer == NmtAnswer::kWrong && order.command == cia302::NmtCommand::kStart;
-    std::string refused;
-    for (const auto& slave : assembly.Net().Slaves())
+    const cia302::NmtAnswer answer = assembly.Control(node, order.ads_state, order.device_state, now);
+    const std::string pair = std::to_string(order.ads_state) + "/" + std::to_string(order.device_state);
+    std::string text = WordOf(answer);
+    if (profile != network_plan::StartProfile::kEl6751)
     {
-        const std::uint8_t node = slave->plan.node;
-        const int code = assembly.Core().Status(cia302::NodeId{node}).code;
-        const bool is_meant = order.node == 0U || order.node == node;
-        if (is_meant && code != cia302::kPlcConfigured && code != cia302::kPlcStarted)
-        {
-            refused += (refused.empty() ? "node " : ", node ") + std::to_string(node) + " (" + std::to_string(code) +
-                       ": " + CodeText(profile, code) + ")";
-        }
+        text = "the profile " + WordOf(profile) + " has no control, expected el6751";
     }
-    const bool is_told = profile == network_plan::StartProfile::kPlcDesigner && (is_partly || is_refused);
-    const bool is_other_left_out = order.node == 0U && answer == NmtAnswer::kOtherDevice;
-    const std::string word = is_other_left_out ? NotStarted(assembly) : WordOf(answer);
-    return is_told ? std::string(is_partly ? "taken, but not by " : "not taken by ") + refused +
-                         ", expected each in state 4, 5 or 99"
-                   : word;
+    else if (answer == cia302::NmtAnswer::kWrong)
+    {
+        text = "control " + pair + " is no command for node " + std::to_string(order.node) + ", which is " +
+               WordOf(assembly.Core().Table().Record(node).state) + " with NodeState " +
+               StatusText(profile, assembly.Core().Status(node)) +
+               ", expected no start-up that runs, and 5/0 or 6/0 while OPERATIONAL, 5/1 or 6/0 while PRE-OPERATIONAL, "
+               "5/1, 5/2 or 5/3 while STOPPED";
+    }
+    return text;
 }
 } // namespace
 
@@ -239,7 +284,8 @@ std::string ManagerOrderHelp()
            "  set OBJECT NUMBER   writes one: set 0x1F90:03 1\n"
            "  negotiate           the flying master begins its negotiation (start: by_order)\n"
            "  help                this\n"
-           "  quit                end\n";
+           "  quit                end\n" +
+           ResultHelp();
 }
 
 namespace
@@ -285,7 +331,7 @@ std::string CarryOut(const ManagerOrder& order, ManagerAssembly& assembly, const
     }
     else if (order.kind == ManagerOrderKind::kControl)
     {
-        answer = is_listed ? WordOf(assembly.Control(node, order.ads_state, order.device_state, now)) : not_ours;
+        answer = is_listed ? ControlAnswer(order, assembly, now) : not_ours;
     }
     else if (order.kind == ManagerOrderKind::kBoot)
     {

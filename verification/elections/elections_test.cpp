@@ -221,6 +221,73 @@ TEST(ElectionsOfUnequalTimes, EndByDefault)
     EXPECT_LT(world.Found().last_change, 20 * kSecond);
 }
 
+TEST(ElectionsOfUnequalTimes, OfManagersEndWhateverTheBoundAndTheOffset)
+{
+    Verifies(req::SRS_FLY_010);
+    // Given two managers, each of which resets all whenever it became master
+    for (std::uint8_t bound = 1U; bound <= 5U; ++bound)
+    {
+        for (const Time offset : {Time{0}, 100 * kMs, kSecond, 3 * kSecond, 5 * kSecond, 12 * kSecond})
+        {
+            WorldPlan plan = PlanOf(Preset::kDefault);
+            plan.has_managers = true;
+            plan.options.max_restarts = bound;
+            std::vector<MasterPlan> masters = Misconfigured();
+            masters[1].power_on = offset;
+            World world(plan);
+            world.Begin(masters, Loss{});
+            world.Run(90 * kSecond);
+            // Then the better one has given up, and the network is left alone
+            EXPECT_TRUE(world.IsAgreed()) << int{bound} << " " << offset;
+            EXPECT_EQ(world.Active(), 0U) << int{bound} << " " << offset;
+            // It told so at the claim that made it give up, and behind the reset that followed
+            EXPECT_LE(world.Found().configuration_errors, bound + 2U) << int{bound} << " " << offset;
+            EXPECT_LT(world.Found().last_change, 50 * kSecond) << int{bound} << " " << offset;
+            const std::uint32_t resets = world.Found().resets;
+            world.Run(120 * kSecond);
+            EXPECT_EQ(world.Found().resets, resets) << int{bound} << " " << offset;
+        }
+    }
+}
+
+TEST(ElectionsOfUnequalTimes, OfManagersThatLoseAFrameEndByDefault)
+{
+    Verifies(req::SRS_FLY_010);
+    WorldPlan plan = PlanOf(Preset::kDefault);
+    plan.has_managers = true;
+    for (std::uint32_t frame = 0U; frame < 40U; ++frame)
+    {
+        World world(plan);
+        world.Begin(Misconfigured(), Loss{frame, Loss::kEverybody});
+        world.Run(60 * kSecond);
+        EXPECT_TRUE(world.IsAgreed()) << frame;
+        EXPECT_LE(world.Found().configuration_errors, 5U) << frame;
+        EXPECT_LT(world.Found().last_change, 40 * kSecond) << frame;
+    }
+}
+
+TEST(ElectionsOfManagers, TwoOfAllPrioritiesAndOffsetsAgree)
+{
+    Verifies(req::SRS_FLY_023);
+    WorldPlan plan = PlanOf(Preset::kDefault);
+    plan.has_managers = true;
+    for (std::uint8_t first = 0U; first <= 2U; ++first)
+    {
+        for (std::uint8_t second = 0U; second <= 2U; ++second)
+        {
+            for (const Time offset : {Time{0}, 10 * kMs, 600 * kMs, 5 * kSecond, 10 * kSecond})
+            {
+                World world(plan);
+                world.Begin(MastersOf({first, second}, {0, offset}), Loss{});
+                world.Run(30 * kSecond);
+                EXPECT_TRUE(world.IsAgreed()) << first << second << offset;
+                EXPECT_TRUE(world.IsBest()) << first << second << offset;
+                EXPECT_LT(world.Found().last_change, 22 * kSecond) << first << second << offset;
+            }
+        }
+    }
+}
+
 TEST(ElectionsOfUnequalTimes, NeverEndAsInTheText)
 {
     Verifies(req::SRS_FLY_010);

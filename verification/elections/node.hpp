@@ -4,22 +4,31 @@
 
 #include "canopen/cia302/flying_master/flying_master.hpp"
 #include "verification/elections/bus.hpp"
+#include "verification/elections/network_side.hpp"
 #include "verification/elections/node_clock.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace counterpoint::elections
 {
 
-/// A device with a flying master: cycle, heartbeat, controller.
+/// A device with a flying master: cycle, heartbeat, controller; with a whole manager around it where the plan says so.
 class Node final : public cia301::FrameSink, public cia302::FlyingMasterListener
 {
   public:
     /// @brief What it does at `now`, when it has a cycle or something to do before its next one.
     void Cycle(Time now);
+    /// @brief A frame from the bus.
+    void Hear(const CanFrame& frame, Time now);
+    /// @brief The oldest of its frames was on the bus.
+    void OnSent();
+    /// @brief The controller went bus-off; it comes back at `recovers_at`.
+    void OnBusOff(Time now);
     /// @brief When it does something next; `earliest`: behind `now` when its cycle at `now` is over.
     [[nodiscard]] Time Next(Time now, Time earliest) const;
 
@@ -34,7 +43,10 @@ class Node final : public cia301::FrameSink, public cia302::FlyingMasterListener
     Time heartbeat{0};
     cia302::NetworkSetup setup{};
     std::optional<cia302::FlyingMaster> master{};
-    std::vector<CanFrame> heard{}; ///< Not yet handled, with WorldPlan::polls.
+    std::unique_ptr<NetworkSide> network{}; ///< Behind `master`, which it drives; null: no manager.
+    bool has_manager{false};
+    std::deque<CanFrame> to_send{}; ///< Of a manager: its controller sends in the order of the calls.
+    std::vector<CanFrame> heard{};  ///< Not yet handled, with WorldPlan::polls.
     Time power_on{0};
     Time recovers_at{kNever};
     Time heartbeat_at{kNever};

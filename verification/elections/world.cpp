@@ -52,6 +52,7 @@ void World::Begin(const std::vector<MasterPlan>& masters, const Loss& loss)
         node.plan.options = masters[i].options.value_or(plan_.options);
         node.clock = NodeClock(masters[i], plan_.cycle);
         node.heartbeat = plan_.heartbeat;
+        node.has_manager = plan_.has_managers;
         node.setup = cia302::NetworkSetup{masters[i].node, 0x21U, 0U, 0U, 0U, slaves_.data()};
         node.power_on = masters[i].power_on;
         node.part = 0U;
@@ -60,6 +61,7 @@ void World::Begin(const std::vector<MasterPlan>& masters, const Loss& loss)
         node.known = 0U;
         node.configuration_errors = 0U;
         node.heard.clear();
+        node.to_send.clear();
         Schedule(node, 0);
     }
 }
@@ -79,6 +81,7 @@ void World::Restart(const std::size_t master, const Time power_on)
     node.was_active = false;
     node.known = 0U;
     node.heard.clear();
+    node.to_send.clear();
     CountActive();
     Schedule(node, now_);
 }
@@ -171,6 +174,13 @@ void World::OnComplete(const CanFrame& frame, const std::vector<std::size_t>& se
     seen_.forces += (frame.identifier == kForce) ? 1U : 0U;
     const bool is_sign = (frame.identifier > kErrorControl) || (frame.identifier == kClaim);
     last_sign_ = is_sign ? now_ : last_sign_;
+    for (const std::size_t sender : senders)
+    {
+        if (sender < count_)
+        {
+            nodes_[sender].OnSent();
+        }
+    }
     const bool is_of_interest = (frame.identifier <= kForce) || (frame.identifier > kErrorControl);
     if (!is_of_interest)
     {
@@ -192,7 +202,7 @@ void World::OnComplete(const CanFrame& frame, const std::vector<std::size_t>& se
 void World::Hear(Node& node, const CanFrame& frame)
 {
     const bool is_of_interest =
-        (frame.identifier < kErrorControl) || node.master->State() == cia302::FlyingState::kSlave;
+        (frame.identifier < kErrorControl) || node.has_manager || node.master->State() == cia302::FlyingState::kSlave;
     if (is_of_interest && plan_.polls)
     {
         node.heard.push_back(frame);
@@ -203,7 +213,7 @@ void World::Hear(Node& node, const CanFrame& frame)
     }
     else if (is_of_interest)
     {
-        node.master->OnFrame(frame, node.clock.Stamp(now_));
+        node.Hear(frame, now_);
         Note(node, now_);
     }
     else
@@ -219,7 +229,7 @@ void World::OnBusOff(const std::size_t node)
     gone.recovers_at = now_ + (kRecoveryBits * plan_.bit_us);
     gone.bus->Attach(node, false, now_);
     gone.heard.clear();
-    gone.master->Reset(gone.clock.Stamp(now_));
+    gone.OnBusOff(now_);
     Note(gone, now_);
 }
 

@@ -40,6 +40,7 @@ struct WorldPlan
     Time cycle{kMs};
     Time bit_us{8};
     Time heartbeat{1000 * kMs}; ///< Of the active master; its consumers wait for options.watch_ms.
+    bool has_managers{false};   ///< Each device is a whole network manager, with a network without slaves.
     bool polls{false};          ///< Frames are handled in the next cycle, not when they are complete.
     Time traffic_gap{0};        ///< Frames of other services with 8 bytes, this apart in the mean; 0: none.
     std::uint64_t traffic_seed{0U};

@@ -53,7 +53,7 @@ class Description:
     def __init__(self, text):
         self.text = text
         self.sections = sections_of(text)
-        self.is_safety = any(self._number(f"{index:x}sub1") for index in self._indices(0x1301, 0x1340))
+        self.is_safety = bool(self._indices(0x1301, 0x1340))
         self.heartbeat_ms = self._number("1017") or 0
         self.safety = self._safety_objects() if self.is_safety else {}
 
@@ -76,7 +76,7 @@ class Description:
         if "1300" in self.sections:
             objects[(0x1300, 0)] = self._entry("1300")
         for index in self._indices(0x1301, 0x1340):
-            for sub in range(1, 7):
+            for sub in range(7):
                 objects[(index, sub)] = self._entry(f"{index:x}sub{sub}")
             mapping = index + 0x80
             for sub in range(self._number(f"{mapping:x}sub0") + 1):

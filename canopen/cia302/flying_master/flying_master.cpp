@@ -35,6 +35,15 @@ std::uint32_t WatchUs(const FlyingMasterParts& parts, const NodeId master) noexc
     return ((own_ms > 0U) ? own_ms : other_ms) * kUsPerMs;
 }
 
+/// A role that lasts ends the count of restarts. One that ends sooner is a part of the same election, whoever ended it:
+/// a new master resets all, and so does a manager that starts its network.
+std::uint8_t RestartsAfter(const std::uint8_t restarts, const FlyingState state, const std::uint32_t rest_us,
+                           const FlyingMasterTimes& times) noexcept
+{
+    const bool is_at_rest = (state == FlyingState::kSlave) || (state == FlyingState::kMaster);
+    return (is_at_rest && (rest_us >= LongestNegotiationUs(times))) ? std::uint8_t{0U} : restarts;
+}
+
 bool Send(cia301::FrameSink& sink, const FlyingService service) noexcept
 {
     return sink.Send(ServiceFrame(service));
@@ -50,8 +59,8 @@ CanFrame ResetAllFrame() noexcept
 
 FlyingMaster::FlyingMaster(const FlyingMasterParts& parts) noexcept
     : parts_(parts), times_(parts.times), master_(kNobody), state_(FlyingState::kInitialising), main_(kNone),
-      second_(kNone), race_begin_{0U}, restarts_(0U), is_first_pass_(true), has_asked_(false), tells_force_(false),
-      owes_capable_(false), has_found_capable_(false)
+      second_(kNone), race_begin_{0U}, rest_begin_{0U}, restarts_(0U), is_first_pass_(true), has_asked_(false),
+      tells_force_(false), owes_capable_(false), has_found_capable_(false)
 {
 }
 
@@ -85,12 +94,14 @@ FlyingStart FlyingMaster::Start(const Instant now) noexcept
 
 void FlyingMaster::Reset(const Instant now) noexcept
 {
+    restarts_ = RestartsAfter(restarts_, state_, now.us - rest_begin_.us, times_);
     is_first_pass_ = false;
     Initialise(now);
 }
 
 void FlyingMaster::OnHeartbeatLost(const NodeId node, const Instant now) noexcept
 {
+    restarts_ = RestartsAfter(restarts_, state_, now.us - rest_begin_.us, times_);
     if ((state_ == FlyingState::kSlave) && (node.value == master_.node.value))
     {
         Lose(now);
@@ -118,6 +129,7 @@ FlyingDeadline FlyingMaster::Next() const noexcept
 
 void FlyingMaster::OnFrame(const CanFrame& frame, const Instant now) noexcept
 {
+    restarts_ = RestartsAfter(restarts_, state_, now.us - rest_begin_.us, times_);
     const MasterClaim own{times_.Level(), parts_.setup.own};
     const FlyingView view{state_, parts_.options, times_, own, master_, has_asked_, now.us - race_begin_.us};
     React(Heard(view, frame), frame, now);
@@ -207,7 +219,6 @@ void FlyingMaster::ReactToClaim(const FlyingReaction reaction, const MasterClaim
     }
     else
     {
-        restarts_ = (reaction == FlyingReaction::kAccept) ? std::uint8_t{0U} : restarts_;
         Follow(claim, now);
     }
 }
@@ -233,6 +244,7 @@ void FlyingMaster::Join(const bool is_asking, const Instant now) noexcept
 
 void FlyingMaster::OnCycle(const Instant now) noexcept
 {
+    restarts_ = RestartsAfter(restarts_, state_, now.us - rest_begin_.us, times_);
     owes_capable_ = owes_capable_ && !Send(parts_.sink, FlyingService::kMasterCapable);
     if (state_ == FlyingState::kMaster)
     {
@@ -317,7 +329,6 @@ void FlyingMaster::EndRace(const Instant now) noexcept
         Enter(FlyingInput::kSent, now, times_.detection_cycle * kUsPerMs);
         main_.is_set = times_.detection_cycle > 0U;
         master_ = own;
-        restarts_ = 0U;
         parts_.listener.OnFlyingMaster(FlyingEvent::kMasterMode, master_, now);
     }
 }
@@ -381,6 +392,7 @@ void FlyingMaster::Enter(const FlyingInput input, const Instant now, const std::
     main_ = FlyingDeadline{true, Instant{now.us + time_us}};
     second_ = kNone;
     master_ = kNobody;
+    rest_begin_ = now;
     has_asked_ = false;
     tells_force_ = false;
     if (state_ == FlyingState::kRace)
@@ -394,11 +406,12 @@ void FlyingMaster::Enter(const FlyingInput input, const Instant now, const std::
 void FlyingMaster::Force(const MasterClaim& claim, const FlyingEvent event, const Instant now) noexcept
 {
     const std::uint8_t bound = parts_.options.max_restarts;
-    if (event == FlyingEvent::kConfigurationError)
+    const bool is_given_up = (bound > 0U) && (restarts_ >= bound);
+    if ((event == FlyingEvent::kConfigurationError) || is_given_up)
     {
-        parts_.listener.OnFlyingMaster(event, claim, now);
+        parts_.listener.OnFlyingMaster(FlyingEvent::kConfigurationError, claim, now);
     }
-    if ((bound > 0U) && (restarts_ >= bound))
+    if (is_given_up)
     {
         Follow(claim, now);
     }
@@ -414,8 +427,6 @@ void FlyingMaster::Force(const MasterClaim& claim, const FlyingEvent event, cons
 
 void FlyingMaster::Initialise(const Instant now) noexcept
 {
-    const bool was_at_rest = (state_ == FlyingState::kSlave) || (state_ == FlyingState::kMaster);
-    restarts_ = was_at_rest ? 0U : restarts_;
     Enter(FlyingInput::kReset, now, 0U);
     main_ = kNone;
     owes_capable_ = false;
@@ -440,7 +451,6 @@ void FlyingMaster::WatchMaster(const Instant now) noexcept
 
 void FlyingMaster::Lose(const Instant now) noexcept
 {
-    restarts_ = 0U;
     switch (parts_.options.on_loss)
     {
     case LossReaction::kRestart:

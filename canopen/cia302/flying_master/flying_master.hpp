@@ -123,7 +123,8 @@ class FlyingMaster
     {
         return master_;
     }
-    /// @brief How many 076h were sent in a row because a master of lower priority was heard.
+    /// @brief How many 076h were sent because a master of lower priority was heard, since this device was master or
+    /// slave for a whole negotiation time without a negotiation. [SRS_FLY_010]
     [[nodiscard]] std::uint8_t Restarts() const noexcept
     {
         return restarts_;
@@ -157,6 +158,7 @@ class FlyingMaster
     FlyingDeadline main_;   ///< End of the step; cyclic message of a master; heartbeat that a slave waits for.
     FlyingDeadline second_; ///< Answer that a master owes; 073h of a slave, or the answer to it; 073h in a race.
     Instant race_begin_;    ///< Only in kRace.
+    Instant rest_begin_;    ///< Only in kSlave and kMaster.
     std::uint8_t restarts_;
     bool is_first_pass_; ///< Nobody reset the network since power-on.
     bool has_asked_;     ///< 073h of a slave or in a race is out.

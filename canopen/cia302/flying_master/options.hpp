@@ -67,7 +67,7 @@ struct FlyingMasterOptions
     bool keeps_slot;                 ///< 072h of others does not begin the waiting anew.
     bool ignores_claims;             ///< As active master it ignores 071h of others.
     bool answers_boot_up;            ///< As active master it answers a foreign boot-up message with 071h.
-    std::uint8_t max_restarts;       ///< How many 076h are sent in a row because of worse masters; 0: no limit.
+    std::uint8_t max_restarts;       ///< How many 076h are sent because of worse masters, see Restarts; 0: no limit.
     std::uint16_t watch_ms;          ///< See MasterWatch; above 0.
     std::uint16_t own_producer_ms;   ///< 1017h of this device, see MasterWatch.
 };

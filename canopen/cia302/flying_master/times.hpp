@@ -38,6 +38,16 @@ struct FlyingMasterTimes
     }
 };
 
+/// @brief Longest time of one negotiation, from the reset to the last slot of the lowest level. At most 2^29 us if
+/// IsUsable. [SRS_FLY_010]
+[[nodiscard]] constexpr std::uint32_t LongestNegotiationUs(const FlyingMasterTimes& times) noexcept
+{
+    FlyingMasterTimes last = times;
+    last.priority = kLowestPriority;
+    return last.WaitingUs(NodeId{kLastNode}) +
+           ((static_cast<std::uint32_t>(times.delay) + static_cast<std::uint32_t>(times.timeout)) * 1000U);
+}
+
 /// @brief The defaults of the object. `node` is 1 to 127. [SRS_FLY_014]
 [[nodiscard]] constexpr FlyingMasterTimes DefaultTimes(const NodeId node) noexcept
 {

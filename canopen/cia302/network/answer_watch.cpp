@@ -97,9 +97,15 @@ void AnswerWatch::OnRequest(AskedNode& node, const CanFrame& frame) noexcept
     }
 }
 
+/// Two resets before the first boot-up message may bring two of them: the second one may find the device booting. What
+/// is behind a boot-up message begins anew, for a device may as well make one boot of two resets, and so does what is
+/// behind a reset of a device that was never there.
 void AnswerWatch::OnReset(AskedNode& node) noexcept
 {
-    node.is_reset = true;
+    constexpr std::uint8_t kMostResets = 255U;
+    const bool is_most = (node.resets == kMostResets);
+    const std::uint8_t more = is_most ? node.resets : static_cast<std::uint8_t>(node.resets + 1U);
+    node.resets = (node.has_booted || !node.is_known) ? std::uint8_t{1U} : more;
     node.has_booted = false;
 }
 
@@ -155,13 +161,15 @@ void AnswerWatch::OnSecond(AskedNode& node, const bool is_abort) noexcept
     node.is_doubled = node.is_doubled || is_news;
 }
 
-/// What was asked before is forgotten. A device boots once after a reset.
+/// What was asked before is forgotten. A device boots once after each reset.
 void AnswerWatch::OnBootUp(AskedNode& node) noexcept
 {
-    const bool is_second = node.has_booted && !node.is_reset;
+    const bool is_after_reset = (node.resets > 0U);
+    const bool is_second = node.has_booted && !is_after_reset;
     node.twice = is_second ? Counted(node.twice) : node.twice;
-    node.has_booted = node.is_reset;
-    node.is_reset = false;
+    node.has_booted = is_after_reset;
+    node.is_known = true;
+    node.resets = is_after_reset ? static_cast<std::uint8_t>(node.resets - 1U) : std::uint8_t{0U};
     node.object = kNoObject;
     node.open = 0U;
     node.is_answered = false;

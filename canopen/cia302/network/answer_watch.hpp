@@ -21,8 +21,9 @@ struct AskedNode
     bool is_ended;              ///< by an answer that is the last one of its transfer,
     bool is_doubled;            ///< and by another one.
     bool is_short;              ///< The request carries its whole value.
-    bool is_reset;              ///< Reset, and no boot-up message since.
-    bool has_booted;            ///< After a reset, once.
+    std::uint8_t resets;        ///< That no boot-up message has followed yet.
+    bool has_booted;            ///< After the last reset.
+    bool is_known;              ///< Has ever shown a boot-up message.
     bool is_remote_open;        ///< A remote frame without an answer.
     bool is_remote_doubled;     ///< The last one was answered twice.
     bool has_toggled;           ///< Answers remote frames: a heartbeat never has the toggle bit.

@@ -16,6 +16,19 @@ constexpr std::uint32_t kNodeMask = 0x7FU;
 constexpr std::uint8_t kEmergencyBytes = 8U;
 constexpr std::uint32_t kUsPerMs = 1000U;
 
+/// The device itself is faulty (hardware, software, modules), as in its safe state, until it takes back all of its
+/// errors or boots. Errors of the bus are no faults of the device. [SRS_MGR_025]
+std::uint16_t FaultAfter(const std::uint16_t fault, const CanFrame& emergency) noexcept
+{
+    constexpr std::uint16_t kFirstFault = 0x5000U;
+    constexpr std::uint16_t kLastFault = 0x7FFFU;
+    const auto code = static_cast<std::uint16_t>(emergency.data[0] | (std::uint32_t{emergency.data[1]} << 8U));
+    const bool is_end = (code < 0x0100U) && (emergency.data[2] == 0U);
+    const bool is_begin = (fault == 0U) && (code >= kFirstFault) && (code <= kLastFault);
+    const std::uint16_t next = is_begin ? code : fault;
+    return is_end ? std::uint16_t{0U} : next;
+}
+
 } // namespace
 
 NodeWatch::NodeWatch(const NetworkSetup& setup, WatchedNode* const nodes, NodeWatchListener& listener) noexcept
@@ -97,6 +110,7 @@ void NodeWatch::OnAnswer(const NodeId node, const CanFrame& frame, const Instant
 void NodeWatch::OnEmergency(const NodeId node, const CanFrame& frame, const Instant now) noexcept
 {
     EmergencyRecord& record = nodes_[node.value].emergency;
+    nodes_[node.value].fault = FaultAfter(nodes_[node.value].fault, frame);
     record.code = static_cast<std::uint16_t>(frame.data[0] | (std::uint32_t{frame.data[1]} << 8U));
     record.error_register = frame.data[2];
     for (std::uint32_t byte = 0U; byte < sizeof(record.details); ++byte)
@@ -151,6 +165,7 @@ void NodeWatch::OnSign(const NodeId node, const std::uint8_t byte, const Instant
 {
     constexpr std::uint8_t kBootUp = 0U;
     WatchedNode& watched = nodes_[node.value];
+    watched.fault = (byte == kBootUp) ? std::uint16_t{0U} : watched.fault;
     const std::uint32_t window_us = std::uint32_t{setup_.Slave(node).heartbeat.producer_ms} * kUsPerMs * kWindowPeriods;
     const bool is_new = (watched.signs == 0U) || ((now.us - watched.window.us) > window_us);
     watched.window = is_new ? now : watched.window;
@@ -177,6 +192,15 @@ void NodeWatch::Suspect(const NodeId node, const Instant now) noexcept
 void NodeWatch::CountAnew(const NodeId node) noexcept
 {
     nodes_[node.value].signs = 0U;
+}
+
+void NodeWatch::OnLost() noexcept
+{
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        nodes_[id].asked = AskedNode{};
+        nodes_[id].signs = 0U;
+    }
 }
 
 void NodeWatch::OnReset(const NodeId node) noexcept

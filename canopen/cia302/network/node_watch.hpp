@@ -28,6 +28,7 @@ struct EmergencyRecord
 struct WatchedNode
 {
     EmergencyRecord emergency;
+    std::uint16_t fault; ///< First emergency code of 5000h to 7FFFh that the device has not taken back; 0: none.
     AskedNode asked;
     Instant window;     ///< Begin of the window in which signs of life are counted.
     std::uint8_t signs; ///< In it.
@@ -76,6 +77,9 @@ class NodeWatch
     /// @brief The heartbeat time of the node is not known any more: its heartbeats are counted from the next one on.
     /// O(1)
     void CountAnew(NodeId node) noexcept;
+    /// @brief Frames were lost, perhaps those that asked: what was asked of all nodes, and how often they answered and
+    /// showed themselves, is counted from here on. O(127)
+    void OnLost() noexcept;
     /// @brief One node, or all with node 0, was reset: what was suspected may be over. O(127)
     void OnReset(NodeId node) noexcept;
     /// @brief `node` is 1 to 127, checked by the caller.

@@ -41,7 +41,7 @@ bool IsNoIdentifier(const ExpectedObject& object) noexcept
 
 std::uint8_t SizeOfSetting(const std::uint8_t sub) noexcept
 {
-    constexpr std::uint8_t kSizes[kCommunicationSubs + 1U] = {0U, 1U, 2U, 1U, 1U, 4U, 4U};
+    constexpr std::uint8_t kSizes[kCommunicationSubs + 1U] = {1U, 1U, 2U, 1U, 1U, 4U, 4U};
     return (sub <= kCommunicationSubs) ? kSizes[sub] : 0U;
 }
 
@@ -82,6 +82,7 @@ void SafetyCheck::Begin(const SafetyOrder& order, const NodeId node) noexcept
     position_ = 0U;
     has_begun_ = false;
     object_ = ObjectAddress{0U, 0U};
+    written_ = object_;
     finding_ = GateFinding{{0U, 0U}, SdoAbort::kNone, 0U, 0U};
     state_ = CheckState::kBusy;
     if (is_task && IsUsable(*order.slave.safety))
@@ -114,10 +115,11 @@ void SafetyCheck::OnCycle(SdoPool& sdo, const Instant now) noexcept
 SafetyCheck::Phase SafetyCheck::PhaseNow() const noexcept
 {
     constexpr Phase kVerifyPhases[kLongestTask] = {Phase::kIdentity, Phase::kReadValid, Phase::kCompare,
-                                                   Phase::kReadValid};
+                                                   Phase::kCompareGfc, Phase::kReadValid};
     constexpr Phase kWritePhases[kLongestTask] = {
-        Phase::kIdentity, Phase::kClearValid, Phase::kSwitchOff, Phase::kSettings, Phase::kMapClear, Phase::kMapEntries,
-        Phase::kMapCount, Phase::kSwitchOn,   Phase::kSign,      Phase::kCompare,  Phase::kSetValid, Phase::kReadValid};
+        Phase::kIdentity,   Phase::kClearValid, Phase::kSwitchOff, Phase::kSettings, Phase::kMapClear,
+        Phase::kMapEntries, Phase::kMapCount,   Phase::kSwitchOn,  Phase::kSign,     Phase::kCompare,
+        Phase::kSetValid,   Phase::kCompareGfc, Phase::kReadValid};
     Phase phase = Phase::kEnd;
     if (phase_ < kLongestTask)
     {
@@ -134,7 +136,17 @@ bool SafetyCheck::IsValidFlag(const Phase phase) noexcept
 bool SafetyCheck::Reads() const noexcept
 {
     const Phase phase = PhaseNow();
-    return (phase == Phase::kIdentity) || (phase == Phase::kReadValid) || (phase == Phase::kCompare);
+    return (phase == Phase::kIdentity) || (phase == Phase::kReadValid) || (phase == Phase::kCompare) ||
+           (phase == Phase::kCompareGfc);
+}
+
+/// A second answer to what was written last may be late.
+bool SafetyCheck::IsOwn(const ObjectAddress& written) const noexcept
+{
+    constexpr std::uint8_t kFirstRead = 9U; // kCompare
+    const bool is_writing = (task_ == SafetyTask::kWrite) && (phase_ < kFirstRead);
+    const bool is_last = (written.index == written_.index) && (written.sub == written_.sub);
+    return is_writing || ((state_ == CheckState::kBusy) && is_last);
 }
 
 bool SafetyCheck::TakesPart(const Phase phase, const ExpectedObject& object) noexcept
@@ -147,6 +159,9 @@ bool SafetyCheck::TakesPart(const Phase phase, const ExpectedObject& object) noe
     case Phase::kCompare:
         takes_part = true;
         break;
+    case Phase::kCompareGfc:
+        takes_part = (address.index == kGfc);
+        break;
     case Phase::kSwitchOff:
         takes_part = is_direction;
         break;
@@ -154,7 +169,7 @@ bool SafetyCheck::TakesPart(const Phase phase, const ExpectedObject& object) noe
         takes_part = is_direction && (object.value != 0U);
         break;
     case Phase::kSettings:
-        takes_part = IsSettings(address) && !is_direction && !IsNoIdentifier(object);
+        takes_part = IsSettings(address) && (address.sub > kDirectionSub) && !IsNoIdentifier(object);
         break;
     case Phase::kMapClear:
         takes_part = IsMapping(address) && (address.sub == 0U);
@@ -176,7 +191,8 @@ bool SafetyCheck::TakesPart(const Phase phase, const ExpectedObject& object) noe
     default:
         break;
     }
-    return takes_part && ((phase == Phase::kCompare) || !object.is_fixed);
+    const bool is_read = (phase == Phase::kCompare) || (phase == Phase::kCompareGfc);
+    return takes_part && (is_read || !object.is_fixed);
 }
 
 std::uint32_t SafetyCheck::ValueIn(const Phase phase, const ExpectedObject& object) noexcept
@@ -276,6 +292,7 @@ void SafetyCheck::Access(SdoPool& sdo, const Instant now) noexcept
     else
     {
         cia301::ToLittleEndian(target_, buffer_, SizeNow());
+        written_ = object_;
         has_begun_ = sdo.Download(node_, object_, Bytes{buffer_, SizeNow()}, SdoMode::kNormal, now);
     }
 }

@@ -19,9 +19,10 @@ struct ExpectedObject
     bool is_fixed; ///< A part of the slave's program: compared, never written.
 };
 
-/// The safety configuration that a slave has to have: 1300h (where the slave has it), sub-index 1 to 6 of each 1301h to
-/// 1340h, sub-index 0 to count of each 1381h to 13C0h, sub-index 0 (where it is told) and n of 13FFh. Strictly
-/// ascending by index and sub-index. 13FEh is not in it: it has to be A5h. [SRS_SFS_001]
+/// The safety configuration that a slave has to have: 1300h (where the slave has it), sub-index 0 (where it is told)
+/// and 1 to 6 of each 1301h to 1340h, sub-index 0 to count of each 1381h to 13C0h, sub-index 0 (where it is told) and n
+/// of 13FFh, and what else of 1381h to 13C0h and 13FFh is fixed. Strictly ascending by index and sub-index. 13FEh is
+/// not in it: it has to be A5h. [SRS_SFS_001]
 struct SafetyExpectation
 {
     const ExpectedObject* objects; ///< Kept by whoever made it.
@@ -30,7 +31,7 @@ struct SafetyExpectation
 
 /// @brief Whether it names every object of at least one SRDO, and nothing else. O(count) [SRS_SFS_007]
 [[nodiscard]] bool IsUsable(const SafetyExpectation& expectation) noexcept;
-/// @brief Length in bytes of an object of a safety configuration; 0: the object is none of them.
+/// @brief Length in bytes of an object that an expectation may hold; 0: it may not.
 [[nodiscard]] std::uint8_t SizeOf(const ObjectAddress& address) noexcept;
 
 /// One object that says who a slave is.
@@ -98,6 +99,9 @@ class SafetyCheck
     {
         return finding_;
     }
+    /// @brief Whether an answer of the slave that this object was written belongs to this check, or makes no difference
+    /// to it since all is read behind it.
+    [[nodiscard]] bool IsOwn(const ObjectAddress& written) const noexcept;
     /// @brief Whether an SDO of this check is under way; if the check is given up, this SDO has to be cancelled.
     [[nodiscard]] bool HasTransfer() const noexcept
     {
@@ -121,8 +125,9 @@ class SafetyCheck
         kSwitchOn,
         kSign, ///< Signatures and 1300h.
         kSetValid,
+        kCompareGfc, ///< Once more: to write 1300h leaves 13FEh as it is.
     };
-    static constexpr std::uint8_t kLongestTask = 12U;
+    static constexpr std::uint8_t kLongestTask = 13U;
 
     [[nodiscard]] static bool IsValidFlag(Phase phase) noexcept;
     [[nodiscard]] static bool TakesPart(Phase phase, const ExpectedObject& object) noexcept;
@@ -148,8 +153,9 @@ class SafetyCheck
     std::uint8_t phase_{0U};     ///< Of the task.
     std::uint16_t position_{0U}; ///< In the expectation or the identity.
     ObjectAddress object_{0U, 0U};
-    std::uint32_t target_{0U}; ///< Value that is written or expected.
-    bool has_begun_{false};    ///< The transfer of this object.
+    std::uint32_t target_{0U};      ///< Value that is written or expected.
+    ObjectAddress written_{0U, 0U}; ///< By this check, the last one.
+    bool has_begun_{false};         ///< The transfer of `object_`.
     std::uint8_t buffer_[4]{};
 };
 

@@ -15,10 +15,10 @@ constexpr std::uint16_t kSignatures = 0x13FFU;
 /// How many parts of each SRDO were met.
 struct Parts
 {
-    std::uint8_t settings[kMaxSrdoCount];
-    std::uint8_t entries[kMaxSrdoCount]; ///< Count included.
-    std::uint8_t counts[kMaxSrdoCount];  ///< Value of 138xh sub-index 0.
-    bool signatures[kMaxSrdoCount + 1U]; ///< By sub-index.
+    std::uint8_t settings[kMaxSrdoCount]; ///< Without sub-index 0.
+    std::uint8_t entries[kMaxSrdoCount];  ///< Count included, without those above it.
+    std::uint8_t counts[kMaxSrdoCount];   ///< Value of 138xh sub-index 0.
+    bool signatures[kMaxSrdoCount + 1U];  ///< By sub-index.
 };
 
 bool IsAscending(const SafetyExpectation& expectation) noexcept
@@ -40,6 +40,11 @@ bool Fits(const ExpectedObject& object) noexcept
     return (size == sizeof(object.value)) || ((size > 0U) && ((object.value >> (size * kBitsOfByte)) == 0U));
 }
 
+std::uint8_t Increment(const std::uint8_t count) noexcept
+{
+    return static_cast<std::uint8_t>(count + 1U);
+}
+
 /// An object that Fits.
 void Count(Parts& parts, const ExpectedObject& object) noexcept
 {
@@ -52,12 +57,13 @@ void Count(Parts& parts, const ExpectedObject& object) noexcept
     else if (index >= kFirstMapping)
     {
         const std::uint16_t place = static_cast<std::uint16_t>(index - kFirstMapping);
-        ++parts.entries[place];
         parts.counts[place] = (sub == 0U) ? static_cast<std::uint8_t>(object.value) : parts.counts[place];
+        parts.entries[place] = (sub <= parts.counts[place]) ? Increment(parts.entries[place]) : parts.entries[place];
     }
     else if (index != kGfc)
     {
-        ++parts.settings[index - kFirstSettings];
+        std::uint8_t& settings = parts.settings[index - kFirstSettings];
+        settings = (sub > 0U) ? Increment(settings) : settings;
     }
     else
     {
@@ -65,8 +71,7 @@ void Count(Parts& parts, const ExpectedObject& object) noexcept
     }
 }
 
-/// Sub-indices differ, so that as many as there are to be are all of them, if none is above: entries are counted by
-/// the caller of IsAscending.
+/// Sub-indices differ, so that as many as there are to be are all of them: entries above the count are left out.
 bool IsWhole(const Parts& parts, const std::uint32_t place) noexcept
 {
     return (parts.settings[place] == kCommunicationSubs) && (parts.entries[place] == (parts.counts[place] + 1U)) &&
@@ -78,7 +83,7 @@ bool IsAbsent(const Parts& parts, const std::uint32_t place) noexcept
     return (parts.settings[place] == 0U) && (parts.entries[place] == 0U);
 }
 
-/// No entry of a mapping above its count: `objects` is ascending, so the count comes before its entries.
+/// No entry of a mapping above its count but fixed ones: `objects` is ascending, so the count comes before its entries.
 bool AreEntriesCounted(const SafetyExpectation& expectation) noexcept
 {
     bool are_counted = true;
@@ -95,7 +100,8 @@ bool AreEntriesCounted(const SafetyExpectation& expectation) noexcept
         }
         else if (is_mapping)
         {
-            are_counted = are_counted && (object.address.index == mapping) && (object.address.sub <= count);
+            are_counted =
+                are_counted && (object.address.index == mapping) && ((object.address.sub <= count) || object.is_fixed);
         }
         else
         {

@@ -88,6 +88,17 @@ void SafetyGate::Renew(const NodeId node) noexcept
     }
 }
 
+bool SafetyGate::OnWritten(const NodeId node, const ObjectAddress& object) noexcept
+{
+    const SafetySlot* const slot = Find(node);
+    const bool is_foreign = (slot != nullptr) && !slot->check.IsOwn(object);
+    if (is_foreign)
+    {
+        Renew(node);
+    }
+    return is_foreign;
+}
+
 void SafetyGate::OnCycle(const Instant now) noexcept
 {
     for (std::uint8_t i = 0U; i < room_.count; ++i)

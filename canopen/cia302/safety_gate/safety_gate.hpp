@@ -50,6 +50,9 @@ class SafetyGate final : public StartGate
     /// @brief A verification or writing that runs begins again, because another device may have answered until now.
     /// [SRS_SFS_002]
     void Renew(NodeId node) noexcept;
+    /// @brief The slave has answered that an object of its safety configuration was written. True: by somebody else; a
+    /// verification or writing that runs begins again. [SRS_SFS_011]
+    [[nodiscard]] bool OnWritten(NodeId node, const ObjectAddress& object) noexcept;
     void OnCycle(Instant now) noexcept override;
     void Close(NodeId node) noexcept override;
     [[nodiscard]] GateState State(NodeId node) const noexcept override;

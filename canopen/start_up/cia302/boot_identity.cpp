@@ -99,6 +99,7 @@ BootFinding BootIdentity::ReadDeviceType(const BootJob& job) noexcept
         {
             parts_.table.SetMissing(job.node);
         }
+        parts_.listener.OnNodeStatus(job.node, job.time.now); // There may be no letter, ever.
         finding = Found(BootEvent::kElse);
     }
     else if ((got == Got::kDone) && !is_expected)

@@ -104,13 +104,15 @@ BootFinding BootNmt::Release(const BootJob& job) noexcept
 BootFinding BootNmt::Watch(const BootJob& job) noexcept
 {
     parts_.table.WatchAsSetUp(job.node, job.time.now);
-    return Found((job.setup.heartbeat.consumer_ms == 0U) ? BootEvent::kSkip : BootEvent::kDone);
+    return Found((parts_.table.Record(job.node).watch == Watch::kNone) ? BootEvent::kSkip : BootEvent::kDone);
 }
 
-/// With heartbeat the slave must show one; the boot-up message is none.
+/// The slave must show a heartbeat, or answer a remote frame; the boot-up message is none.
 BootFinding BootNmt::AwaitSign(const BootJob& job) const noexcept
 {
-    const std::uint64_t limit_us = kUsPerMs * job.setup.heartbeat.consumer_ms;
+    const std::uint64_t guarded_us = kUsPerMs * job.setup.GuardTimeMs() * job.setup.RetryFactor();
+    const std::uint64_t beaten_us = kUsPerMs * job.setup.heartbeat.consumer_ms;
+    const std::uint64_t limit_us = (beaten_us == 0U) ? guarded_us : beaten_us;
     BootFinding finding = Found(BootEvent::kNone);
     if ((limit_us == 0U) || (parts_.table.Record(job.node).beats != job.record.beats))
     {

@@ -10,9 +10,11 @@ namespace
 
 void OnHandedOver(const BootJob& job, const ObjectAddress& object) noexcept
 {
+    NodeStatus& status = job.record.status;
+    const bool is_again = (status.object.index == object.index) && (status.object.sub == object.sub);
     job.record.is_transferring = true;
-    job.record.status.object = object;
-    job.record.status.abort = SdoAbort::kNone;
+    status.object = object;
+    status.abort = is_again ? status.abort : SdoAbort::kNone; // Why it is asked again stays to be told.
 }
 
 } // namespace
@@ -64,6 +66,7 @@ Got BootTransfer::Take(const BootJob& job) noexcept
     {
         got = Got::kDone;
         job.record.is_transferring = false;
+        job.record.status.abort = SdoAbort::kNone;
     }
     else if (state != TransferState::kBusy)
     {

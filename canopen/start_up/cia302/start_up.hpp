@@ -57,6 +57,8 @@ class Cia302StartUp final : public StartUp, private BootListener
     void OnForeign(NodeId node, Instant now) noexcept;
     void OnState(NodeId node, NodeEvent event, const BootTime& time) noexcept;
     [[nodiscard]] NmtAnswer CommandAll(NmtCommand command, const BootTime& time) noexcept;
+    [[nodiscard]] bool IsRefused(NodeId node) const noexcept;
+    [[nodiscard]] bool IsAnyRefused() const noexcept;
     [[nodiscard]] NmtAnswer StartEach(const BootTime& time) noexcept;
     [[nodiscard]] NmtAnswer CommandNode(NmtCommand command, NodeId node, const BootTime& time) noexcept;
 

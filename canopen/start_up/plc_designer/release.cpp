@@ -38,6 +38,7 @@ void PlcRelease::Configured(const NodeId node, const Instant now) noexcept
     if (slave.is_type_wrong)
     {
         slave.status.object = kDeviceType;
+        slave.status.abort = slave.type_abort; // Not that of the SDOs behind it.
         slaves_.Go(node, PlcEvent::kOther, StartUpStep::kDeviceType, now);
     }
     else

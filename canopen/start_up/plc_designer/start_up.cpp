@@ -292,7 +292,8 @@ void PlcStartUp::OnAnswer(const NodeId node, const Instant now) noexcept
         const bool is_equal = (read & kProfileMask) == (expected & kProfileMask);
         slave.status.read = read;
         slave.status.expected = expected;
-        slave.is_type_wrong = (expected != 0U) && ((outcome.abort != SdoAbort::kNone) || !is_equal);
+        slave.type_abort = outcome.abort;
+        slave.is_type_wrong = (outcome.abort != SdoAbort::kNone) || ((expected != 0U) && !is_equal);
         const bool is_reset = slaves_.SetupOf(node).is_reset && !slave.was_reset;
         slave.row = is_reset ? PlcRow::kRestore : PlcRow::kList;
         slaves_.Go(node, PlcEvent::kNone, is_reset ? StartUpStep::kRestore : StartUpStep::kUserObjects, now);

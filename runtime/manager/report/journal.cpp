@@ -20,14 +20,6 @@ std::string Letter(const char letter)
 }
 
 /// "D: vendor-ID differs (0x1018:01 is 0x2, expected 0x1)"
-std::string StatusText(const network_plan::StartProfile profile, const cia302::NodeStatus& status)
-{
-    const std::string code = (profile == network_plan::StartProfile::kCia302) ? "" : std::to_string(status.code);
-    const std::string head = (status.letter != 0) ? Letter(status.letter) : code;
-    const std::string meaning = (status.letter != 0) ? LetterText(status.letter) : CodeText(profile, status.code);
-    const std::string finding = FindingText(profile, status);
-    return (head.empty() ? "" : head + ": ") + meaning + (finding.empty() ? "" : " (" + finding + ")");
-}
 } // namespace
 
 std::string JsonLine(const ManagerEvent& event)
@@ -86,10 +78,12 @@ void ManagerJournal::OnNodeStatus(const NodeId node, const Instant /*now*/) noex
     const cia302::NodeStatus status = assembly_->Core().Status(node);
     const network_plan::StartProfile profile = assembly_->Net().Plan().manager.profile;
     Told& told = told_.at(node.value & cia302::kLastNode);
-    const bool is_news =
-        told.letter != status.letter || told.code != status.code || (status.is_started && !told.is_started);
-    told = {status.letter, status.code, status.is_started};
-    const bool says_something = status.letter != 0 || profile != network_plan::StartProfile::kCia302;
+    const bool is_waiting = IsAskedAgain(status);
+    const bool is_new_wait = is_waiting && told.abort != status.abort;
+    const bool is_news = told.letter != status.letter || told.code != status.code ||
+                         (status.is_started && !told.is_started) || is_new_wait;
+    told = {status.letter, status.code, status.is_started, is_waiting ? status.abort : cia301::SdoAbort::kNone};
+    const bool says_something = status.letter != 0 || is_waiting || profile != network_plan::StartProfile::kCia302;
     std::string text = (is_news && says_something) ? StatusText(profile, status) : "";
     text = (is_news && status.is_started && text.empty()) ? "started" : text;
     Tell(node.value, "status", text,

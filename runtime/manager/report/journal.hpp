@@ -66,6 +66,7 @@ class ManagerJournal final : public cia302::ManagerListener
         char letter{0};
         std::int16_t code{0};
         bool is_started{false};
+        cia301::SdoAbort abort{cia301::SdoAbort::kNone}; ///< Of 1000h, while it is asked again.
     };
 
     const ManagerAssembly* assembly_{nullptr};

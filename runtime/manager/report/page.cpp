@@ -5,6 +5,7 @@
 
 #include "canopen/cia306/text/html_text.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <sstream>
@@ -32,7 +33,9 @@ constexpr const char* kStyle =
     "var(--good)}.sequence .bad{color:var(--bad)}.sequence svg text{font-size:12px;fill:var(--ink);paint-order:stroke;"
     "stroke:var(--paper);stroke-width:4px}.sequence svg .soft{fill:var(--soft)}.sequence svg .badtext{fill:var(--bad)}"
     ".sequence svg .lane{stroke:var(--line)}.sequence svg .arrow{stroke:var(--ink);fill:none}.sequence svg .badarrow{"
-    "stroke:var(--bad);fill:none}.sequence svg .head{fill:var(--head)}.sequence figure{overflow-x:auto;margin:0}"
+    "stroke:var(--bad);fill:none}.sequence svg .head{fill:var(--head)}.sequence figure,.sequence "
+    ".wide{overflow-x:auto;margin:0}"
+    "@media(max-width:600px){.sequence{margin:12px}.sequence .wide td{white-space:nowrap}}"
     ".sequence figcaption{color:var(--soft);margin-bottom:8px}";
 
 /// At most so many bytes, no character cut in two.
@@ -67,15 +70,18 @@ std::string NameOf(const ManagerAssembly& assembly)
 std::string ResultTable(const ManagerAssembly& assembly, const Instant now)
 {
     std::ostringstream out;
-    out << "<table><tr><th>node</th><th>name</th><th>state</th><th>result</th><th>step</th><th>safety</th>"
+    out << "<div "
+           "class=\"wide\"><table><tr><th>node</th><th>name</th><th>state</th><th>result</th><th>step</"
+           "th><th>emergency</th><th>safety</th>"
            "<th>finding</th></tr>";
     for (const StatusRow& row : StatusRows(assembly, now))
     {
         out << "<tr><td>" << int{row.node} << "</td><td>" << cia306::HtmlText(row.name) << "</td><td class=\""
             << (row.is_good ? "good" : "bad") << "\">" << row.state << "</td><td>" << row.result << "</td><td>"
-            << row.step << "</td><td>" << row.safety << "</td><td>" << cia306::HtmlText(row.finding) << "</td></tr>";
+            << row.step << "</td><td>" << row.emergency << "</td><td>" << row.safety << "</td><td>"
+            << cia306::HtmlText(row.finding) << "</td></tr>";
     }
-    out << "</table>";
+    out << "</table></div>";
     return out.str();
 }
 
@@ -108,8 +114,7 @@ class Picture
 
     std::string Draw()
     {
-        // Marks stand at the right of their lane, also of the last one.
-        const int width = X(static_cast<int>(heads_.size()) - 1) + kWideLane + kNarrowLane;
+        const int width = Width();
         const int count = static_cast<int>(rows_.size());
         const int height = kHeadHeight * (1 + count / kRowsOfPage) + (count + 1) * kRowHeight;
         out_ << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width << "\" height=\"" << height
@@ -145,6 +150,18 @@ class Picture
         std::string name;
     };
 
+    /// Marks stand at the right of their lane, also of the last one, and none is cut.
+    int Width() const
+    {
+        int width = X(static_cast<int>(heads_.size()) - 1) + kWideLane + kNarrowLane;
+        for (const DiagramRow& row : rows_)
+        {
+            const int begin = row.is_mark ? X(LaneOf(row.node)) : X(0);
+            constexpr int kAdded = 24; // Of an arrow: the time to its answer.
+            width = std::max(width, begin + (static_cast<int>(row.label.size()) + kAdded) * kLetterWidth);
+        }
+        return width;
+    }
     int X(const int lane) const
     {
         return kTimeWidth + kNarrowLane / 2 + lane * lane_width_;
@@ -227,7 +244,9 @@ std::string DiagramStyle()
 
 std::string DiagramPage(const ManagerAssembly& assembly, const ManagerDiagram& diagram, const Instant now)
 {
-    return "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>Boot-up of " + NameOf(assembly) +
-           "</title>" + DiagramStyle() + "</head><body>" + DiagramSection(assembly, diagram, now) + "</body></html>\n";
+    return "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+           "content=\"width=device-width, initial-scale=1\"><title>Boot-up of " +
+           NameOf(assembly) + "</title>" + DiagramStyle() + "</head><body>" + DiagramSection(assembly, diagram, now) +
+           "</body></html>\n";
 }
 } // namespace counterpoint::runtime

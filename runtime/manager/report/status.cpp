@@ -38,6 +38,11 @@ std::string Age(const cia302::NodeRecord& record, const Instant now)
     return record.was_seen ? std::to_string((now.us - record.last_sign.us) / kUsPerMs) + " ms" : "-";
 }
 
+std::string FaultText(const std::uint16_t code)
+{
+    return "device fault: emergency " + cia306::Hex(code, 4) + ", expected its end or a restart of the device";
+}
+
 std::string EmergencyText(const cia302::EmergencyRecord& emergency)
 {
     return (emergency.count == 0U) ? "" : cia306::Hex(emergency.code, 4) + " (" + std::to_string(emergency.count) + ")";
@@ -62,9 +67,12 @@ StatusRow RowOf(const ManagerAssembly& assembly, const network_plan::LoadedSlave
     row.safety = is_safety ? WordOf(manager.Gate().State(node)) : "";
     const bool is_refused = is_safety && (manager.Gate().State(node) == cia302::GateState::kDiffers ||
                                           manager.Gate().State(node) == cia302::GateState::kFailed);
-    row.finding = is_refused ? FindingText(manager.Gate().Finding(node)) : FindingText(profile, status);
+    row.finding =
+        is_refused ? "safety configuration: " + FindingText(manager.Gate().Finding(node)) : ResultText(profile, status);
+    const std::uint16_t fault = is_safety ? manager.Watched().Of(node).fault : std::uint16_t{0U};
+    row.finding = (fault != 0U && row.finding.empty()) ? FaultText(fault) : row.finding;
     row.finding = manager.Watched().Of(node).is_duplicate ? "two devices with this node-ID?" : row.finding;
-    row.is_good = IsGood(profile, status, record.state);
+    row.is_good = IsGood(profile, status, record.state) && fault == 0U;
     return row;
 }
 

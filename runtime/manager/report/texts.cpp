@@ -2,6 +2,7 @@
 #include "runtime/manager/report/texts.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
+#include "canopen/monitor/decoder.hpp"
 #include "runtime/device/names.hpp"
 
 namespace counterpoint::runtime
@@ -72,7 +73,8 @@ constexpr Word<NmtAnswer> kAnswers[] = {
     {"the safety configuration of the slave is not verified, expected boot NODE first", NmtAnswer::kNotVerified},
     {"the start-up did not find the expected device at this node-ID, expected that one, and boot NODE",
      NmtAnswer::kOtherDevice},
-    {"no such command or node in this state, expected another", NmtAnswer::kWrong},
+    {"no slave of the network, or its state does not allow it, expected a slave in a state that does",
+     NmtAnswer::kWrong},
     {"taken, but not by all slaves, expected each in a state that allows it", NmtAnswer::kPartly}};
 constexpr Word<GateState> kGates[] = {{"closed", GateState::kClosed},
                                       {"busy", GateState::kBusy},
@@ -98,7 +100,7 @@ constexpr Word<char> kLetters[] = {{"not in the network list", 'A'},
                                    {"software differs and may not be updated", 'H'},
                                    {"software update failed", 'I'},
                                    {"configuration failed", 'J'},
-                                   {"no heartbeat when supervision began", 'K'},
+                                   {"no heartbeat or guarding answer when supervision began", 'K'},
                                    {"was OPERATIONAL already", 'L'},
                                    {"product code differs", 'M'},
                                    {"revision differs", 'N'},
@@ -141,7 +143,12 @@ std::string ValueText(const ObjectAddress& object, const cia301::SdoAbort abort,
     }
     if (abort != cia301::SdoAbort::kNone)
     {
-        return name + ": " + AbortText(abort);
+        const std::string text = AbortText(abort);
+        const std::string known =
+            monitor::AbortText(static_cast<std::uint32_t>(abort)); // "0602 0000h (no such object)"
+        const std::size_t place = known.find(" (");
+        const bool has_words = place == std::string::npos || text.find(" (") != std::string::npos;
+        return name + ": " + text + (has_words ? "" : known.substr(place));
     }
     return name + " is " + cia306::Hex(read, 1) + ", expected " + cia306::Hex(expected, 1);
 }
@@ -235,9 +242,59 @@ std::string FindingText(const StartProfile profile, const cia302::NodeStatus& st
     const bool is_aborted = status.abort != cia301::SdoAbort::kNone;
     bool is_wrong = status.letter != 0 && status.letter != 'L' && (is_aborted || status.expected != status.read);
     const bool is_refused = status.code == kNotFound || status.code == kSyntax || status.code == kMismatch;
+    is_wrong = is_wrong || IsAskedAgain(status);
     is_wrong = (profile == StartProfile::kEl6751) ? is_refused : is_wrong;
     is_wrong = (profile == StartProfile::kPlcDesigner) ? is_aborted || status.code == kWrongType : is_wrong;
     return is_wrong ? ValueText(status.object, status.abort, status.expected, status.read) : "";
+}
+
+bool IsAskedAgain(const cia302::NodeStatus& status) noexcept
+{
+    const bool is_refused = status.abort != cia301::SdoAbort::kNone;
+    return status.letter == 0 && status.is_busy && status.step == StartUpStep::kDeviceType && is_refused;
+}
+
+std::string ResultText(const StartProfile profile, const cia302::NodeStatus& status)
+{
+    constexpr int kPlcStarted = 5;
+    const bool is_cia302 = profile == StartProfile::kCia302;
+    const int good = (profile == StartProfile::kEl6751) ? 0 : kPlcStarted;
+    const std::string code = (status.code == good) ? "" : CodeText(profile, status.code);
+    std::string meaning = is_cia302 ? LetterText(status.letter) : code;
+    meaning = (is_cia302 && IsAskedAgain(status)) ? "asked again each second" : meaning;
+    const std::string finding = FindingText(profile, status);
+    return meaning + (meaning.empty() || finding.empty() ? "" : ": ") + finding;
+}
+
+std::string StatusText(const StartProfile profile, const cia302::NodeStatus& status)
+{
+    const std::string code = (profile == StartProfile::kCia302) ? "" : std::to_string(status.code);
+    const std::string head = (status.letter != 0) ? std::string(1U, status.letter) : code;
+    std::string meaning = (status.letter != 0) ? LetterText(status.letter) : CodeText(profile, status.code);
+    meaning = (profile == StartProfile::kCia302 && IsAskedAgain(status)) ? "asked again each second" : meaning;
+    const std::string finding = FindingText(profile, status);
+    return (head.empty() ? "" : head + ": ") + meaning + (finding.empty() ? "" : " (" + finding + ")");
+}
+
+std::string ResultHelp()
+{
+    std::string text = "result of cia302 (letter of CiA 302-2):\n";
+    for (const Word<char>& row : kLetters)
+    {
+        text += std::string("  ") + row.meaning + "    " + row.text + "\n";
+    }
+    const auto add = [&text](const std::string& head, const auto& rows)
+    {
+        text += head;
+        for (const Word<int>& row : rows)
+        {
+            const std::string number = std::to_string(row.meaning);
+            text += "  " + number + std::string(5U - number.size(), ' ') + row.text + "\n";
+        }
+    };
+    add("result of el6751 (NodeState):\n", kNodeStates);
+    add("result of plc_designer (nStatus):\n", kPlcStates);
+    return text;
 }
 
 NmtCommand CommandOf(const std::string& word)

@@ -33,11 +33,20 @@ inline constexpr Word<network_plan::StartProfile> kProfileWords[] = {
 [[nodiscard]] std::string CodeText(network_plan::StartProfile profile, int code);
 /// @brief What a MasterState means in its profile.
 [[nodiscard]] std::string MasterText(network_plan::StartProfile profile, int state);
-/// @brief A finding of the gate: "0x1301:02 is 60, expected 50", "0x1000:00 aborted with 0x06020000 (...)"; empty where
+/// @brief A finding of the gate: "0x1301:02 is 60, expected 50", "0x1000:00: 0x06020000 (no such object)"; empty where
 /// nothing is wrong.
 [[nodiscard]] std::string FindingText(const cia302::GateFinding& finding);
 /// @brief The same for a status that tells an error in its profile.
 [[nodiscard]] std::string FindingText(network_plan::StartProfile profile, const cia302::NodeStatus& status);
+/// @brief Whether a slave under cia302 refused or did not answer 1000h, and is asked again.
+[[nodiscard]] bool IsAskedAgain(const cia302::NodeStatus& status) noexcept;
+/// @brief Letter or code in words, and the finding: "O: serial number differs (0x1018:04 is 0x21, expected 0x22)";
+/// "operational" where the slave runs without either. [SRS_MGR_026]
+[[nodiscard]] std::string StatusText(network_plan::StartProfile profile, const cia302::NodeStatus& status);
+/// @brief The same without letter or code, for a table that has a column for it; empty where nothing is to be told.
+[[nodiscard]] std::string ResultText(network_plan::StartProfile profile, const cia302::NodeStatus& status);
+/// @brief What letters and codes of all profiles mean, as lines.
+[[nodiscard]] std::string ResultHelp();
 /// @brief An abort code: "0x06020000", and its meaning where the code alone does not tell it.
 [[nodiscard]] std::string AbortText(cia301::SdoAbort abort);
 /// @brief The command with this word; kInvalid: there is none.

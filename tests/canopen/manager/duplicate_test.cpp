@@ -158,6 +158,47 @@ TEST_F(SecondAnswerTest, WhatASingleDeviceSendsIsNoSecondAnswer)
     EXPECT_EQ(duplicates, (std::vector<std::uint8_t>{}));
 }
 
+/// An emergency message of node 5.
+CanFrame Emergency(const std::uint16_t code, const std::uint8_t error_register)
+{
+    return CanFrame{0x85U,
+                    FrameKind::kData,
+                    CanPortId::kFirst,
+                    8U,
+                    {static_cast<std::uint8_t>(code & 0xFFU), static_cast<std::uint8_t>(code >> 8U), error_register, 0U,
+                     0U, 0U, 0U, 0U}};
+}
+
+TEST_F(SecondAnswerTest, AFaultOfTheDeviceIsKeptUntilItEnds)
+{
+    Verifies(req::SRS_MGR_025);
+    Begin(Profile::kCia302);
+    const auto fault = [this] { return manager->Watched().Of(NodeId{5U}).fault; };
+    // Given errors of the bus, and of voltage and temperature, which are none of the device's parts
+    Put(Emergency(0x8130U, 0x11U));
+    Put(Emergency(0x4FFFU, 0x01U));
+    Put(Emergency(0x8000U, 0x01U));
+    EXPECT_EQ(fault(), 0U);
+    // When its safe state is told, and something else behind it
+    Put(Emergency(0x6100U, 0x81U));
+    Put(Emergency(0x8130U, 0x91U));
+    Put(Emergency(0x5000U, 0x91U));
+    EXPECT_EQ(fault(), 0x6100U);
+    // And one error ends, but not all
+    Put(Emergency(0x0000U, 0x81U));
+    EXPECT_EQ(fault(), 0x6100U);
+    // Then all do, or the device boots
+    Put(Emergency(0x0000U, 0x00U));
+    EXPECT_EQ(fault(), 0U);
+    for (const std::uint16_t code : {std::uint16_t{0x5000U}, std::uint16_t{0x6300U}, std::uint16_t{0x7FFFU}})
+    {
+        Put(Emergency(code, 0x81U));
+        EXPECT_EQ(fault(), code);
+        Put(CanFrame{0x705U, FrameKind::kData, CanPortId::kFirst, 1U, {0U}});
+        EXPECT_EQ(fault(), 0U);
+    }
+}
+
 TEST_F(SecondAnswerTest, GuardingAnswersOfTwo)
 {
     Verifies(req::SRS_MGR_015);
@@ -215,6 +256,56 @@ TEST_F(SecondAnswerTest, TwoBootUpMessagesAfterEachOfThreeResets)
     EXPECT_FALSE(IsSuspected(5U));
     reset(5U, 2);
     EXPECT_EQ(duplicates, (std::vector<std::uint8_t>{5U}));
+}
+
+TEST_F(SecondAnswerTest, OneDeviceThatBootsOnceForEachOfTwoResets)
+{
+    Verifies(req::SRS_MGR_015);
+    Begin(Profile::kCia302);
+    const CanFrame reset{0U, FrameKind::kData, CanPortId::kFirst, 2U, {0x82U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}};
+    Put(reset);
+    Put(Guarding(FrameKind::kData, 0U));
+    // Given managers that elect again and again: each resets all, the second reset before the first boot-up message
+    for (int i = 0; i < 20; ++i)
+    {
+        Put(reset);
+        Put(reset);
+        Put(Guarding(FrameKind::kData, 0U));
+        Put(Guarding(FrameKind::kData, 0U));
+        Run(500U);
+    }
+    EXPECT_EQ(duplicates, (std::vector<std::uint8_t>{}));
+    // When one boot is made of two resets, then the second boot-up messages behind the next ones count all the same
+    Put(reset);
+    Put(reset);
+    Put(Guarding(FrameKind::kData, 0U));
+    for (int i = 0; i < 3; ++i)
+    {
+        Put(reset);
+        Put(Guarding(FrameKind::kData, 0U));
+        EXPECT_FALSE(IsSuspected(5U)) << i;
+        Put(Guarding(FrameKind::kData, 0U));
+    }
+    EXPECT_EQ(duplicates, (std::vector<std::uint8_t>{5U}));
+}
+
+TEST_F(SecondAnswerTest, WhatWasLostIsNoQuestionThatWasAnsweredTwice)
+{
+    Verifies(req::SRS_MGR_015);
+    Begin(Profile::kCia302);
+    const CanFrame reset{0U, FrameKind::kData, CanPortId::kFirst, 2U, {0x82U, 5U, 0U, 0U, 0U, 0U, 0U, 0U}};
+    // Given a host that is starved: of each second reset, request and remote frame it loses what asked
+    for (int i = 0; i < 5; ++i)
+    {
+        Put(reset);
+        Put(Guarding(FrameKind::kData, 0U));
+        Ask(0x2000U, 1);
+        manager->OnLost(Now());
+        Put(Guarding(FrameKind::kData, 0U));
+        Put(Sdo(0x585U, 0x43U, 0x2000U, 0U));
+        Run(100U);
+    }
+    EXPECT_EQ(duplicates, (std::vector<std::uint8_t>{}));
 }
 
 TEST_F(SecondAnswerTest, AResetOfWhomeverEndsTheSuspicion)

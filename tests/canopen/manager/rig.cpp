@@ -76,6 +76,7 @@ void ManagerRig::MakeSafe(const std::uint8_t node)
 {
     constexpr std::uint32_t kSettings[] = {1U, 25U, 20U, 2U, 0x101U, 0x102U};
     std::size_t place = 0U;
+    objects_.at(place++) = ExpectedObject{{0x1300U, 0U}, 1U, false};
     for (std::uint8_t sub = 1U; sub <= 6U; ++sub)
     {
         objects_.at(place++) = ExpectedObject{{0x1301U, sub}, kSettings[sub - 1U], false};

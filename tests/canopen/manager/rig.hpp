@@ -96,8 +96,8 @@ class ManagerRig : public ::testing::Test, public cia301::FrameSink, public Mana
     std::array<GateState, kNodeRoom> gates_{};
     std::array<NmtRequest, 256> queue_{};
     std::array<SafetySlot, 4> slots_{};
-    std::array<ExpectedObject, 8> objects_{};
-    SafetyExpectation expectation_{objects_.data(), 8U};
+    std::array<ExpectedObject, 9> objects_{};
+    SafetyExpectation expectation_{objects_.data(), 9U};
     SdoLanes<127> lanes_{*this, SdoTimes{500'000U, 1U}};
     std::array<BootRecord, kNodeRoom> boots_{};
     std::array<El6751Node, kNodeRoom> el6751_nodes_{};

@@ -18,6 +18,24 @@ using cia306::test::ExampleText;
 using network_plan::LoadedNetwork;
 using network_plan::NetworkPlan;
 
+constexpr std::uint32_t kNoValue = 0xFFFFFFFFU;
+
+/// What is expected of an object; kNoValue: nothing.
+std::uint32_t ValueOf(const cia302::SafetyExpectation& safety, const std::uint16_t index, const std::uint8_t sub)
+{
+    const auto* const end = safety.objects + safety.count;
+    const auto* const found = std::find_if(safety.objects, end, [=](const cia302::ExpectedObject& object)
+                                           { return object.address.index == index && object.address.sub == sub; });
+    return (found == end) ? kNoValue : found->value;
+}
+
+std::string Section(const std::string& name, const std::string& type, const std::string& access,
+                    const std::string& value)
+{
+    return "[" + name + "]\nParameterName=More\nObjectType=0x7\nDataType=" + type + "\nAccessType=" + access +
+           "\nDefaultValue=" + value + "\nPDOMapping=0\n\n";
+}
+
 /// The three devices of the emergency-stop chain, the controller as manager.
 class NetworkFileTest : public test::CommandTest
 {
@@ -85,17 +103,71 @@ TEST_F(NetworkFileTest, TheSafetyExpectationIsTheSignedConfiguration)
     ASSERT_NE(safety, nullptr);
     EXPECT_TRUE(cia302::IsUsable(*safety));
     EXPECT_TRUE(net.Setup().HasSafetySlave());
-    const auto value = [safety](const std::uint16_t index, const std::uint8_t sub)
+    EXPECT_EQ(ValueOf(*safety, 0x1301U, 1U), 2U);
+    EXPECT_EQ(ValueOf(*safety, 0x13FFU, 1U), 0x9FCBU);
+    EXPECT_EQ(ValueOf(*safety, 0x13FFU, 0U), 1U);
+    EXPECT_EQ(ValueOf(*safety, 0x1381U, 0U) % 2U, 0U);
+}
+
+TEST_F(NetworkFileTest, ADeviceWithItsSrdosOffIsASafetySlave)
+{
+    Verifies(req::SRS_NET_003);
+    // Given a sensor whose SRDO is off, which `sign` gives another signature
+    const std::string text =
+        Changed(ExampleText("sensor"),
+                {{"HighLimit=2\nDefaultValue=0\nParameterValue=1\n", "HighLimit=2\nDefaultValue=0\nParameterValue=0\n"},
+                 {"ParameterValue=0xB631", "ParameterValue=0x3BED"}});
+    static_cast<void>(File("off.dcf", text));
+    const LoadedNetwork net(
+        runtime::ReadNetworkFile(File("net.yaml", "manager: {node: 127}\nslaves: [{node: 1, dcf: off.dcf}]\n"), 0U));
+    const cia302::SafetyExpectation* const safety = net.Setup().slaves[1].safety;
+    ASSERT_NE(safety, nullptr);
+    EXPECT_TRUE(cia302::IsUsable(*safety));
+    EXPECT_TRUE(net.Setup().HasSafetySlave());
+    EXPECT_EQ(ValueOf(*safety, 0x1301U, 1U), 0U);
+    EXPECT_EQ(ValueOf(*safety, 0x13FFU, 1U), 0x3BEDU);
+}
+
+TEST_F(NetworkFileTest, AnSrdoThatIsOnlyListedIsNoPlainSlave)
+{
+    Verifies(req::SRS_NET_003);
+    // Given a DCF of a plain slave whose list of objects names 1302h, without a section for it
+    const std::string plain = cia306::ReadTextFile(cia306::test::SourceFolder() + "/tests/runtime/data/plain.dcf");
+    static_cast<void>(
+        File("listed.dcf", Changed(plain, {{"SupportedObjects=11\n", "SupportedObjects=12\n12=0x1302\n"}})));
+    const std::string file = File("net.yaml", "manager: {node: 127}\nslaves: [{node: 5, dcf: listed.dcf}]\n");
+    std::string refusal;
+    try
     {
-        const auto* const end = safety->objects + safety->count;
-        const auto* const found = std::find_if(safety->objects, end, [=](const cia302::ExpectedObject& object)
-                                               { return object.address.index == index && object.address.sub == sub; });
-        return (found == end) ? 0xFFFFFFFFU : found->value;
-    };
-    EXPECT_EQ(value(0x1301U, 1U), 2U);
-    EXPECT_EQ(value(0x13FFU, 1U), 0x9FCBU);
-    EXPECT_EQ(value(0x13FFU, 0U), 1U);
-    EXPECT_EQ(value(0x1381U, 0U) % 2U, 0U);
+        const LoadedNetwork net(runtime::ReadNetworkFile(file, 0U));
+    }
+    catch (const cia306::InputError& error)
+    {
+        refusal = error.what();
+    }
+    EXPECT_EQ(refusal, Path("listed.dcf") + ":51: error: 0x1302: is listed, expected a section that describes it");
+}
+
+TEST_F(NetworkFileTest, WhatIsConstInTheSafetyConfigurationIsExpectedToo)
+{
+    Verifies(req::SRS_NET_003);
+    // Given an actuator with a const entry above the count of its mapping, a const signature of an SRDO that is not
+    // there, and one of each that is not const
+    const std::string text = Changed(
+        ExampleText("actuator"), {{"[13FFsub0]", Section("1381sub9", "0x0007", "const", "0x20000108") +
+                                                     Section("1381subA", "0x0007", "rw", "0x20000108") +
+                                                     Section("13FFsub7", "0x0006", "const", "0x0102") +
+                                                     Section("13FFsub8", "0x0006", "rw", "0x0102") + "[13FFsub0]"}});
+    static_cast<void>(File("more.dcf", text));
+    const LoadedNetwork net(
+        runtime::ReadNetworkFile(File("net.yaml", "manager: {node: 127}\nslaves: [{node: 33, dcf: more.dcf}]\n"), 0U));
+    const cia302::SafetyExpectation& safety = *net.Setup().slaves[33].safety;
+    EXPECT_TRUE(cia302::IsUsable(safety));
+    EXPECT_EQ(ValueOf(safety, 0x1301U, 0U), 6U);
+    EXPECT_EQ(ValueOf(safety, 0x1381U, 9U), 0x20000108U);
+    EXPECT_EQ(ValueOf(safety, 0x1381U, 10U), kNoValue);
+    EXPECT_EQ(ValueOf(safety, 0x13FFU, 7U), 0x0102U);
+    EXPECT_EQ(ValueOf(safety, 0x13FFU, 8U), kNoValue);
 }
 
 TEST_F(NetworkFileTest, YamlSaysMore)

@@ -28,6 +28,8 @@ inline constexpr RequirementId SRS_MGR_021{"SRS_MGR_021"};
 inline constexpr RequirementId SRS_MGR_022{"SRS_MGR_022"};
 inline constexpr RequirementId SRS_MGR_023{"SRS_MGR_023"};
 inline constexpr RequirementId SRS_MGR_024{"SRS_MGR_024"};
+inline constexpr RequirementId SRS_MGR_025{"SRS_MGR_025"};
+inline constexpr RequirementId SRS_MGR_026{"SRS_MGR_026"};
 inline constexpr RequirementId SRS_MGR_061{"SRS_MGR_061"};
 inline constexpr RequirementId SRS_NET_001{"SRS_NET_001"};
 inline constexpr RequirementId SRS_NET_002{"SRS_NET_002"};
@@ -45,6 +47,7 @@ inline constexpr RequirementId SRS_SFS_007{"SRS_SFS_007"};
 inline constexpr RequirementId SRS_SFS_008{"SRS_SFS_008"};
 inline constexpr RequirementId SRS_SFS_009{"SRS_SFS_009"};
 inline constexpr RequirementId SRS_SFS_010{"SRS_SFS_010"};
+inline constexpr RequirementId SRS_SFS_011{"SRS_SFS_011"};
 } // namespace counterpoint::req
 
 #endif

@@ -229,6 +229,101 @@ TEST(FlyingSteps, RestartsAreBoundedByDefaultAndEndlessAsInTheText)
     EXPECT_EQ(end, FlyingState::kDelay);
 }
 
+/// 076h of a device of level 1 beside a master of level 2 that wins each race and resets all 100 ms later.
+std::size_t ForcesBesideResets(const std::uint8_t reset, FlyingRig& rig)
+{
+    rig.Start();
+    std::size_t forces = 0U;
+    for (int i = 0; i < 20; ++i)
+    {
+        rig.RunTo(rig.now_ms + 1300U);
+        rig.Hear(0x71U, {2U, 4U});
+        rig.RunTo(rig.now_ms + 100U);
+        rig.Hear(0U, {reset, 0U});
+        for (const std::string& line : rig.Log())
+        {
+            forces += (line.find(" 076") != std::string::npos) ? 1U : 0U;
+        }
+    }
+    return forces;
+}
+
+TEST(FlyingSteps, AResetOfWhoeverDoesNotClearTheCountOfRestarts)
+{
+    Verifies(req::SRS_FLY_010);
+    for (const std::uint8_t reset : {std::uint8_t{129U}, std::uint8_t{130U}})
+    {
+        FlyingRig rig(5U, 1U, DefaultFlyingMaster());
+        EXPECT_EQ(ForcesBesideResets(reset, rig), 3U);
+    }
+    FlyingRig endless(5U, 1U, So1114FlyingMaster());
+    EXPECT_EQ(ForcesBesideResets(130U, endless), 20U);
+}
+
+TEST(FlyingSteps, ARoleThatDoesNotLastDoesNotClearTheCountOfRestarts)
+{
+    Verifies(req::SRS_FLY_010);
+    FlyingRig rig(5U, 1U, DefaultFlyingMaster());
+    rig.Start();
+    rig.RunTo(1300U);
+    rig.Hear(0x71U, {2U, 4U});
+    EXPECT_EQ(rig.master.Restarts(), 1U);
+    // A better master is accepted, and lost; the race is won, and the device itself is reset
+    rig.RunTo(1900U);
+    rig.Hear(0x71U, {0U, 9U});
+    EXPECT_EQ(rig.master.State(), FlyingState::kSlave);
+    rig.RunTo(4000U);
+    EXPECT_EQ(rig.master.State(), FlyingState::kRace);
+    EXPECT_EQ(rig.master.Restarts(), 1U);
+    rig.RunTo(6000U);
+    EXPECT_TRUE(rig.master.IsActiveMaster());
+    rig.master.Reset(rig.Now());
+    EXPECT_EQ(rig.master.Restarts(), 1U);
+}
+
+TEST(FlyingSteps, ARoleThatLastsOneNegotiationClearsTheCountOfRestarts)
+{
+    Verifies(req::SRS_FLY_010);
+    for (const bool is_master : {false, true})
+    {
+        FlyingRig rig(5U, 1U, DefaultFlyingMaster());
+        rig.options.watch = MasterWatch::kApplication;
+        rig.Start();
+        rig.RunTo(1300U);
+        rig.Hear(0x71U, {2U, 4U});
+        EXPECT_EQ(rig.master.Restarts(), 1U);
+        // 073h at 1800 ms, 072h at 1900 ms; the own slot is 1500 + 5 x 10 ms behind it
+        rig.RunTo(3450U);
+        EXPECT_EQ(rig.master.IsActiveMaster(), true);
+        if (!is_master)
+        {
+            rig.Hear(0x71U, {0U, 9U});
+        }
+        // 500 + 100 + 2 x 1500 + 127 x 10 ms
+        rig.RunTo(3450U + 4869U);
+        EXPECT_EQ(rig.master.Restarts(), 1U);
+        rig.RunTo(3450U + 4870U);
+        EXPECT_EQ(rig.master.Restarts(), 0U);
+        EXPECT_EQ(rig.master.IsActiveMaster(), is_master);
+    }
+}
+
+TEST(FlyingSteps, WhoeverGivesUpTellsItInTheDetectionToo)
+{
+    Verifies(req::SRS_FLY_010);
+    FlyingRig rig(5U, 1U, DefaultFlyingMaster());
+    rig.Start();
+    for (int i = 0; i < 3; ++i)
+    {
+        rig.RunTo(rig.now_ms + 550U);
+        rig.Hear(0x71U, {2U, 4U});
+    }
+    rig.RunTo(rig.now_ms + 550U);
+    static_cast<void>(rig.Log());
+    rig.Hear(0x71U, {2U, 4U});
+    EXPECT_EQ(rig.Log(), (Lines{"2200 configuration error 2/4", "2200 slave of 2/4"}));
+}
+
 TEST(FlyingSteps, RefusedFramesAreRepeatedAndTheirTimeBeginsWhenTaken)
 {
     Verifies(req::SRS_FLY_020);

@@ -47,13 +47,15 @@ TEST_F(SafetyGateTest, OpensWhenEveryObjectIsAsExpected)
     EXPECT_FALSE(gate.MayStart(kSlave));
     // When the gate has read
     EXPECT_EQ(Verified(), GateState::kOpen);
-    // Then it asked for 13FEh, for 1300h, six settings, count and entries of each SRDO, the signatures, and 13FEh again
+    // Then it asked for 13FEh, for 1300h, sub-index 0 and six settings, count and entries of each SRDO, the signatures,
+    // and for 1300h and 13FEh again
     EXPECT_TRUE(written.empty());
-    ASSERT_EQ(read.size(), 2U + 1U + (3U * 6U) + (3U + 3U + 1U) + 4U);
+    ASSERT_EQ(read.size(), 2U + 2U + (3U * 7U) + (3U + 3U + 1U) + 4U);
     EXPECT_EQ(read.front().index, 0x13FEU);
     EXPECT_EQ(read[1].index, 0x1300U);
     EXPECT_EQ(read[2].index, 0x1301U);
-    EXPECT_EQ(read[2].sub, 1U);
+    EXPECT_EQ(read[2].sub, 0U);
+    EXPECT_EQ(read[read.size() - 2U].index, 0x1300U);
     EXPECT_EQ(read.back().index, 0x13FEU);
     EXPECT_TRUE(gate.MayStart(kSlave));
 }
@@ -110,6 +112,38 @@ TEST_F(SafetyGateTest, AChangeWhileItReadsIsFound)
     // Then the last look at 13FEh finds it
     EXPECT_EQ(gate.State(kSlave), GateState::kDiffers);
     EXPECT_EQ(gate.Finding(kSlave).object.index, 0x13FEU);
+}
+
+TEST_F(SafetyGateTest, AnotherGfcWhileItReadsIsFound)
+{
+    Verifies(req::SRS_SFS_011);
+    // Given that 1300h was read already
+    gate.Verify(kSlave, Instant{now_us});
+    Pass(20U);
+    ASSERT_EQ(gate.State(kSlave), GateState::kBusy);
+    // When somebody changes it, which leaves 13FEh as it is
+    const std::uint32_t before = Has(0x1300U, 0U);
+    ASSERT_EQ(Store(0x1300U, 0U, 1U - before, 1U), AbortCode::kNone);
+    ASSERT_EQ(Has(0x13FEU, 0U), 0xA5U);
+    Finish();
+    // Then the second look at it finds it
+    EXPECT_EQ(gate.State(kSlave), GateState::kDiffers);
+    EXPECT_EQ(gate.Finding(kSlave).object.index, 0x1300U);
+    EXPECT_EQ(gate.Finding(kSlave).read, 1U - before);
+}
+
+TEST_F(SafetyGateTest, AForeignWriteBeginsTheReadingAnew)
+{
+    Verifies(req::SRS_SFS_011);
+    gate.Verify(kSlave, Instant{now_us});
+    Pass(20U);
+    const std::size_t before = read.size();
+    EXPECT_TRUE(gate.OnWritten(kSlave, ObjectAddress{0x1303U, 2U}));
+    EXPECT_FALSE(gate.OnWritten(NodeId{3U}, ObjectAddress{0x1303U, 2U})); // No safety slave.
+    Finish();
+    EXPECT_EQ(gate.State(kSlave), GateState::kOpen);
+    // All is asked for from the beginning: 36 objects behind those before, and the one that was under way
+    EXPECT_GE(read.size(), before + 36U);
 }
 
 TEST_F(SafetyGateTest, AValueOfAnotherLengthDiffers)
@@ -320,13 +354,13 @@ TEST_F(SafetyWriteTest, WritesReadsBackAndDeclaresValid)
     ASSERT_GT(written.size(), 4U);
     EXPECT_EQ(written.front().index, 0x13FEU);
     EXPECT_EQ(written[1].index, 0x1301U);
-    EXPECT_EQ(written[1].sub, 1U);
+    EXPECT_EQ(written[1].sub, 1U); // Sub-index 0 is never written.
     EXPECT_EQ(written[2].index, 0x1303U);
     EXPECT_EQ(written[3].index, 0x1304U);
     EXPECT_EQ(written.back().index, 0x13FEU);
     EXPECT_EQ(written[written.size() - 2U].index, 0x13FFU);
-    // And everything was read back
-    EXPECT_EQ(read.size(), expected.size() + 1U);
+    // And everything was read back, 1300h and 13FEh at the end
+    EXPECT_EQ(read.size(), expected.size() + 2U);
 }
 
 TEST_F(SafetyWriteTest, WhatTheSlaveRefusesEndsIt)
@@ -385,6 +419,42 @@ TEST_F(SafetyWriteTest, AnOperationalSlaveTakesNothing)
     EXPECT_EQ(Has(0x13FEU, 0U), 0xA5U);
 }
 
+TEST_F(SafetyWriteTest, AnswersToItsOwnWritesAreNoForeignOnes)
+{
+    Verifies(req::SRS_SFS_011);
+    int own = 0;
+    on_answer = [this, &own](CanFrame& frame)
+    {
+        const auto index = static_cast<std::uint16_t>(frame.data[1] | (frame.data[2] << 8U));
+        const bool is_write = (frame.data[0] == 0x60U);
+        own += is_write ? 1 : 0;
+        EXPECT_FALSE(is_write && gate.OnWritten(kSlave, ObjectAddress{index, frame.data[3]}));
+        return true;
+    };
+    EXPECT_EQ(Written(), GateState::kOpen);
+    EXPECT_GT(own, 20);
+    // When it is open, no write is its own any more
+    EXPECT_TRUE(gate.OnWritten(kSlave, ObjectAddress{0x13FEU, 0U}));
+}
+
+TEST_F(SafetyWriteTest, AForeignWriteWhileItReadsBackBeginsItAnew)
+{
+    Verifies(req::SRS_SFS_011);
+    // Given that everything was written and reading back has begun
+    ASSERT_TRUE(gate.Write(kSlave, Instant{now_us}));
+    for (int i = 0; (i < 200) && read.empty(); ++i)
+    {
+        Pass(1U);
+    }
+    const std::size_t before = written.size();
+    EXPECT_FALSE(gate.OnWritten(kSlave, written.back())); // A late second answer.
+    EXPECT_TRUE(gate.OnWritten(kSlave, ObjectAddress{0x1301U, 2U}));
+    Finish();
+    EXPECT_EQ(gate.State(kSlave), GateState::kOpen);
+    // All of it again behind the abort of what was being read, and 13FEh := A5h once, at the end
+    EXPECT_EQ(written.size(), before + 1U + before + 1U);
+}
+
 TEST_F(SafetyWriteTest, FixedObjectsAreComparedNotWritten)
 {
     Verifies(req::SRS_SFS_005);
@@ -404,14 +474,15 @@ TEST_F(SafetyWriteTest, WhatIsNoExpectationOpensNothing)
     Verifies(req::SRS_SFS_007);
     const std::vector<ExpectedObject> whole = Configuration();
     EXPECT_TRUE(IsUsable(expectation));
-    // Given an expectation without one of its parts (1300h and the count of signatures are none)
+    // Given an expectation without one of its parts (1300h, 1301h:00 and the count of signatures are none)
     for (std::size_t left_out = 0U; left_out < whole.size(); ++left_out)
     {
         std::vector<ExpectedObject> list = whole;
         list.erase(list.begin() + static_cast<std::ptrdiff_t>(left_out));
         Expect(list);
         const ObjectAddress address = whole[left_out].address;
-        const bool is_optional = (address.index == 0x1300U) || ((address.index == 0x13FFU) && (address.sub == 0U));
+        const bool is_highest_sub = (address.sub == 0U) && ((address.index < 0x1381U) || (address.index == 0x13FFU));
+        const bool is_optional = (address.index == 0x1300U) || is_highest_sub;
         EXPECT_EQ(IsUsable(expectation), is_optional) << std::hex << address.index << ":" << int{address.sub};
     }
     // Or with a duplicate, an object that is none, a value that is too long
@@ -426,7 +497,17 @@ TEST_F(SafetyWriteTest, WhatIsNoExpectationOpensNothing)
     EXPECT_FALSE(IsUsable(expectation));
     EXPECT_FALSE(IsUsable(SafetyExpectation{nullptr, 1U}));
     EXPECT_FALSE(IsUsable(SafetyExpectation{whole.data(), 0U}));
-    // When it is used nevertheless, nothing is asked and nothing opens
+    // An entry above the count of its mapping is one where it is fixed
+    Expect(whole);
+    const auto above = std::find_if(expected.begin(), expected.end(),
+                                    [](const ExpectedObject& object) { return object.address.index == 0x1383U; });
+    expected.insert(above, ExpectedObject{{0x1381U, 9U}, 0U, false});
+    EXPECT_FALSE(IsUsable(SafetyExpectation{expected.data(), static_cast<std::uint16_t>(expected.size())}));
+    const auto it = std::find_if(expected.begin(), expected.end(),
+                                 [](const ExpectedObject& object) { return object.address.sub == 9U; });
+    it->is_fixed = true;
+    EXPECT_TRUE(IsUsable(SafetyExpectation{expected.data(), static_cast<std::uint16_t>(expected.size())}));
+    // When what is none is used nevertheless, nothing is asked and nothing opens
     Expect({});
     gate.Verify(kSlave, Instant{now_us});
     EXPECT_EQ(gate.State(kSlave), GateState::kFailed);

@@ -39,6 +39,33 @@ class BootConditionsTest : public BootRig
 };
 
 // Three tries of 100 ms, then 1 s.
+TEST_F(BootConditionsTest, WhyTheDeviceTypeIsAskedForAgainIsToldWithoutAnyLetter)
+{
+    Verifies(req::SRS_BOOT_004);
+    // Given a slave that refuses 1000h and one that is silent, and no boot time
+    Add(5U, kMust).refused[0x1000U << 8U] = SdoAbort::kHardware;
+    Add(6U, kMust).is_sdo_mute = true;
+    Begin();
+    int told = 0;
+    for (std::uint32_t i = 0U; i < 5000U; ++i)
+    {
+        Run(1U);
+        told += (i > 400U) && (Of(5U).abort == SdoAbort::kHardware) && (Of(6U).abort == SdoAbort::kTimeOut) ? 1 : 0;
+    }
+    // Then both are told from the first try on, while they are asked as well
+    EXPECT_EQ(told, 4599);
+    EXPECT_EQ(Of(5U).object.index, 0x1000U);
+    EXPECT_TRUE(Of(5U).is_busy);
+    EXPECT_EQ(Letter(5U) + Letter(6U), "--");
+    // And no more when they answer
+    slaves.at(5U)->refused.clear();
+    slaves.at(6U)->is_sdo_mute = false;
+    Run(3000U);
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kNone);
+    EXPECT_TRUE(Of(5U).is_started);
+    EXPECT_TRUE(Of(6U).is_started);
+}
+
 TEST_F(BootConditionsTest, B_AskedAgainOneSecondAfterEachSilence)
 {
     Verifies(req::SRS_BOOT_004);

@@ -150,6 +150,39 @@ TEST_F(ErrorHandlingTest, ReactionsWaitForRoomInTheQueue)
     EXPECT_EQ(Step(), MasterStep::kStopped);
 }
 
+TEST_F(ErrorHandlingTest, GuardedSlaveThatNeverAnswersEndsWithALetter)
+{
+    Verifies(req::SRS_BOOT_011);
+    // Given slaves that are told to be guarded and answer no remote frame: one mandatory, one not
+    Add(7U, kBoot | kGuarded).heartbeat_ms = 60000U; // Guarding rests while there is a heartbeat.
+    Add(8U, kBoot | kMandatory | kGuarded).heartbeat_ms = 60000U;
+    Begin();
+    Run(250U);
+    EXPECT_EQ(Letter(8U), "-");
+    Run(9750U);
+    // Then none of them was started, nor reset behind the reset of all
+    EXPECT_EQ(Letter(7U), "K");
+    EXPECT_EQ(Letter(8U), "K");
+    EXPECT_EQ(Of(8U).step, StartUpStep::kErrorControl);
+    EXPECT_EQ(Commands(), (Lines{"0:82 00"}));
+    EXPECT_EQ(Step(), MasterStep::kHalted);
+    // And nobody asks them on
+    const int asked = Count(0x707U);
+    Run(2000U);
+    EXPECT_EQ(Count(0x707U), asked);
+}
+
+TEST_F(ErrorHandlingTest, GuardedSlaveThatAnswersLateIsStartedBehindItsFirstAnswer)
+{
+    Verifies(req::SRS_BOOT_011);
+    Add(7U, kBoot | kMandatory | kGuarded);
+    Begin();
+    Run(20U);
+    EXPECT_EQ(Letter(7U), "-");
+    EXPECT_EQ(table.Record(NodeId{7U}).watch, Watch::kGuarding);
+    EXPECT_TRUE(Of(7U).is_started);
+}
+
 TEST_F(ErrorHandlingTest, GuardedSlaveIsLostAfterItsRetries)
 {
     Verifies(req::SRS_NMM_023);

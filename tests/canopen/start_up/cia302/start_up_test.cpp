@@ -53,6 +53,47 @@ TEST_F(StartUpCia302Test, SlavesAreStartedEachByItself)
     EXPECT_EQ(master_states, (std::vector<std::int16_t>{1, 2, 4, 5}));
 }
 
+TEST_F(StartUpCia302Test, AStartOfAllLeavesOutWhoIsRefused)
+{
+    Verifies(req::SRS_BOOT_023);
+    setup.start_up = kIsMaster | kApplicationStartsSlaves;
+    // Given slaves that were booted, and each one of another type, of another serial number, and without 1017h
+    Add(4U, kBoot);
+    Add(5U, kBoot);
+    setups[5].device_type = 0x192U;
+    Add(6U, kBoot);
+    setups[6].serial_number = 0x9999U;
+    Add(7U, kBoot);
+    Add(8U, kBoot | kMandatory);
+    Octets list{};
+    AddEntry(list, 0x2FFFU, 0U, {1U});
+    setups[7].concise_dcf = Bytes{list.data(), static_cast<std::uint32_t>(list.size())};
+    Begin();
+    Run(500U);
+    EXPECT_EQ(Letter(5U) + Letter(6U) + Letter(7U), "COJ");
+    EXPECT_EQ(Commands(), (Lines{"0:82 00"}));
+    // When all are to be started
+    EXPECT_EQ(Command(NmtCommand::kStart, 0U), NmtAnswer::kPartly);
+    // Then each other one is, by itself
+    EXPECT_EQ(Commands(), (Lines{"0:82 00", "500:01 04", "500:01 08"}));
+    EXPECT_EQ(StateOf(4U), NodeState::kOperational);
+    EXPECT_EQ(StateOf(5U), NodeState::kPreOperational);
+    EXPECT_EQ(StateOf(6U), NodeState::kPreOperational);
+    EXPECT_EQ(StateOf(7U), NodeState::kPreOperational);
+    EXPECT_FALSE(Of(5U).is_started);
+    // And where all are good again, one command goes to all
+    setups[5].device_type = 0x191U;
+    setups[6].serial_number = 0x1234U;
+    setups[7].concise_dcf = Bytes{nullptr, 0U};
+    for (const std::uint8_t node : {std::uint8_t{5U}, std::uint8_t{6U}, std::uint8_t{7U}})
+    {
+        EXPECT_TRUE(start_up.Boot(NodeId{node}, Now()));
+    }
+    Run(500U);
+    EXPECT_EQ(Command(NmtCommand::kStart, 0U), NmtAnswer::kTaken);
+    EXPECT_EQ(Commands().back(), "1000:01 00");
+}
+
 TEST_F(StartUpCia302Test, OneStartForAllIfAllAreBooted)
 {
     Verifies(req::SRS_BOOT_015);

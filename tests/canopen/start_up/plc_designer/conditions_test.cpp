@@ -128,6 +128,31 @@ TEST_F(PlcConditionsTest, All16BitsOfTheDeviceTypeCountAndAnAbortIsNoValue)
     EXPECT_EQ(Of(6U).abort, SdoAbort::kObjectUnknown);
 }
 
+TEST_F(PlcConditionsTest, AnAbortOf1000hIsToldBehindAllSdosWhateverIsExpected)
+{
+    Verifies(req::SRS_PLC_016);
+    // Given slaves that refuse 1000h and take their SDOs, one of any type, one of another profile
+    Octets list{};
+    BootRig::AddEntry(list, 0x2000U, 0U, {1U});
+    for (const std::uint8_t node : {std::uint8_t{5U}, std::uint8_t{6U}})
+    {
+        AddPlc(node);
+        setups[node].concise_dcf = Bytes{list.data(), static_cast<std::uint32_t>(list.size())};
+        slaves[node]->Set(0x2000U, 0U, 0U);
+        slaves[node]->Behave(0x1000U, 0U, Manner::kAbort);
+    }
+    setups[5].device_type = 0U;
+    Begin();
+    Run(700U);
+    for (const std::uint8_t node : {std::uint8_t{5U}, std::uint8_t{6U}})
+    {
+        EXPECT_EQ(Code(node), 98) << int{node};
+        EXPECT_EQ(Of(node).object.index, 0x1000U) << int{node};
+        EXPECT_EQ(Of(node).abort, SdoAbort::kObjectUnknown) << int{node};
+        EXPECT_FALSE(Of(node).is_started) << int{node};
+    }
+}
+
 TEST_F(PlcConditionsTest, AHoldingCommandChangesNoOtherStateThan5)
 {
     Verifies(req::SRS_PLC_015);

@@ -1,0 +1,213 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Somebody else writes into a safety slave while the manager reads it, before the start and behind it.
+#include "tests/canopen/manager/rig.hpp"
+#include "verification/trace/ids/manager.hpp"
+
+namespace counterpoint::cia302
+{
+namespace
+{
+
+/// What somebody else writes by SDO, expedited.
+CanFrame Write(const std::uint16_t index, const std::uint8_t sub, const std::uint8_t bytes, const std::uint16_t value)
+{
+    const auto command = static_cast<std::uint8_t>(0x23U | ((4U - bytes) << 2U));
+    return CanFrame{0x605U,
+                    FrameKind::kData,
+                    CanPortId::kFirst,
+                    8U,
+                    {command, static_cast<std::uint8_t>(index & 0xFFU), static_cast<std::uint8_t>(index >> 8U), sub,
+                     static_cast<std::uint8_t>(value & 0xFFU), static_cast<std::uint8_t>(value >> 8U), 0U, 0U}};
+}
+
+/// The manager hears an answer of the slave to somebody else.
+CanFrame Answer(const std::uint8_t command, const std::uint16_t index, const std::uint8_t sub)
+{
+    CanFrame frame = Write(index, sub, 1U, 0U);
+    frame.identifier = 0x585U;
+    frame.data[0] = command;
+    return frame;
+}
+
+/// Given a safety slave 5 that leaves 13FEh as it is when its configuration is written.
+class ForeignWriteTest : public ManagerRig, public ::testing::WithParamInterface<Profile>
+{
+  public:
+    ForeignWriteTest()
+    {
+        Add(5U);
+        MakeSafe(5U);
+    }
+    /// Until `cycles` after the reading begins.
+    void RunIntoReading(const std::uint32_t cycles)
+    {
+        for (int i = 0; (i < 9000) && (Gate() != GateState::kBusy); ++i)
+        {
+            Run(1U);
+        }
+        EXPECT_EQ(Gate(), GateState::kBusy);
+        Run(cycles);
+    }
+    /// Cycles from the begin of the reading to its end.
+    std::uint32_t Rest()
+    {
+        std::uint32_t cycles = 0U;
+        for (; (cycles < 100U) && (Gate() == GateState::kBusy); ++cycles)
+        {
+            Run(1U);
+        }
+        return cycles;
+    }
+    [[nodiscard]] std::uint16_t Finding() const
+    {
+        return manager->Gate().Finding(NodeId{5U}).object.index;
+    }
+    /// Somebody writes behind the reading, while the start waits for the inhibit time: it is not started.
+    void WriteWhileTheStartWaits(const CanFrame& write)
+    {
+        setup.inhibit_100us = 10000U;
+        Begin(GetParam());
+        bool is_waiting = false;
+        for (int i = 0; (i < 9000) && !is_waiting; ++i)
+        {
+            Run(1U);
+            is_waiting = (Gate() == GateState::kOpen) && (manager->ProfileParts().nmt.Waiting() > 0U);
+        }
+        EXPECT_TRUE(is_waiting);
+        Put(write);
+        EXPECT_EQ(Gate(), GateState::kClosed);
+        Run(6000U);
+        EXPECT_EQ(Running(5U), 0);
+        EXPECT_TRUE(starts.empty());
+        EXPECT_EQ(Gate(), GateState::kDiffers);
+    }
+    /// At each instant of the reading and behind it: somebody writes, and the slave is not left running.
+    void ExpectFound(const CanFrame& wrong, const CanFrame& right, const std::uint16_t index, const std::uint32_t last)
+    {
+        Begin(GetParam());
+        for (std::uint32_t cycles = 0U; cycles < last; ++cycles)
+        {
+            RunIntoReading(cycles);
+            Put(wrong);
+            Run(6000U);
+            EXPECT_EQ(Running(5U), 0) << cycles;
+            EXPECT_EQ(Gate(), GateState::kDiffers) << cycles;
+            EXPECT_EQ(Finding(), index) << cycles;
+            // And where it is put right, the next start-up starts it
+            Put(Nmt(NmtCommand::kPreOperational, 5U));
+            Put(right);
+            EXPECT_TRUE(manager->Role().Boot(NodeId{5U}, Now()));
+        }
+        Run(6000U);
+        EXPECT_EQ(Running(5U), 1);
+    }
+};
+
+TEST_P(ForeignWriteTest, OfATimeIsFoundAtEachInstantOfTheReadingAndBehindIt)
+{
+    Verifies(req::SRS_SFS_011);
+    ExpectFound(Write(0x1301U, 2U, 2U, 26U), Write(0x1301U, 2U, 2U, 25U), 0x1301U, 24U);
+}
+
+TEST_P(ForeignWriteTest, OfASignatureIsFoundAtEachInstantOfTheReadingAndBehindIt)
+{
+    Verifies(req::SRS_SFS_011);
+    ExpectFound(Write(0x13FFU, 1U, 2U, 0x1235U), Write(0x13FFU, 1U, 2U, 0x1234U), 0x13FFU, 24U);
+}
+
+TEST_P(ForeignWriteTest, OfTheGfcIsFoundAtEachInstantOfTheReading)
+{
+    Verifies(req::SRS_SFS_011);
+    ExpectFound(Write(0x1300U, 0U, 1U, 0U), Write(0x1300U, 0U, 1U, 1U), 0x1300U, 10U);
+}
+
+TEST_P(ForeignWriteTest, WhileTheStartWaitsIsFound)
+{
+    Verifies(req::SRS_SFS_011);
+    WriteWhileTheStartWaits(Write(0x1301U, 3U, 1U, 21U));
+    EXPECT_EQ(Finding(), 0x1301U);
+}
+
+TEST_P(ForeignWriteTest, OfTheGfcWhileTheStartWaitsIsFound)
+{
+    Verifies(req::SRS_SFS_011);
+    WriteWhileTheStartWaits(Write(0x1300U, 0U, 1U, 0U));
+    EXPECT_EQ(Finding(), 0x1300U);
+}
+
+TEST_P(ForeignWriteTest, OfTheSameValueOrToTheStoreBeginsTheReadingAnew)
+{
+    Verifies(req::SRS_SFS_011);
+    Begin(GetParam());
+    RunIntoReading(0U);
+    const std::uint32_t whole = Rest();
+    EXPECT_GT(whole, 10U);
+    const CanFrame writes[] = {Write(0x1301U, 2U, 2U, 25U), Answer(0x60U, 0x1010U, 1U), Answer(0x60U, 0x1011U, 4U),
+                               Answer(0x60U, 0x13C0U, 0U), Answer(0xA4U, 0x1381U, 0U)};
+    for (const CanFrame& write : writes)
+    {
+        Run(6000U);
+        EXPECT_EQ(Running(5U), 1);
+        EXPECT_TRUE(manager->Role().Boot(NodeId{5U}, Now()));
+        RunIntoReading(8U);
+        Put(write);
+        EXPECT_GE(Rest(), whole - 1U);
+    }
+    Run(6000U);
+    EXPECT_EQ(Running(5U), 1);
+}
+
+TEST_P(ForeignWriteTest, WhatIsNoWriteOfTheConfigurationDisturbsNothing)
+{
+    Verifies(req::SRS_SFS_011);
+    Begin(GetParam());
+    RunIntoReading(0U);
+    const std::uint32_t whole = Rest();
+    CanFrame other = Answer(0x60U, 0x1301U, 2U);
+    other.identifier = 0x586U;
+    CanFrame is_short = Answer(0x60U, 0x1301U, 2U);
+    is_short.length_bytes = 7U;
+    // An abort, a value that was read, the ends of a block, another object, another node, no SDO
+    const CanFrame frames[] = {Answer(0x80U, 0x1400U, 2U),
+                               Answer(0x4BU, 0x1400U, 2U),
+                               Answer(0xA2U, 0x1301U, 2U),
+                               Answer(0xA1U, 0x1301U, 2U),
+                               Answer(0x60U, 0x1017U, 0U),
+                               Answer(0x60U, 0x1400U, 0U),
+                               Answer(0x60U, 0x12FFU, 0U),
+                               other,
+                               is_short};
+    for (const CanFrame& frame : frames)
+    {
+        Run(6000U);
+        EXPECT_EQ(Running(5U), 1);
+        EXPECT_TRUE(manager->Role().Boot(NodeId{5U}, Now()));
+        RunIntoReading(8U);
+        Put(frame);
+        EXPECT_EQ(Rest(), whole - 8U) << int{frame.data[0]};
+    }
+}
+
+TEST_P(ForeignWriteTest, OfTheGfcOfASlaveThatRunsIsItsRight)
+{
+    Verifies(req::SRS_SFS_011);
+    Begin(GetParam());
+    Run(6000U);
+    EXPECT_EQ(Running(5U), 1);
+    Put(Write(0x1300U, 0U, 1U, 0U));
+    Put(Answer(0x60U, 0x1010U, 1U));
+    Run(3000U);
+    EXPECT_EQ(Running(5U), 1);
+    EXPECT_EQ(Gate(), GateState::kOpen);
+    // But what a device takes before its start alone was written before: it is read, and here it differs
+    Put(Write(0x1301U, 4U, 1U, 3U));
+    Run(3000U);
+    EXPECT_EQ(Running(5U), 0);
+    EXPECT_EQ(Gate(), GateState::kDiffers);
+    EXPECT_EQ(Finding(), 0x1300U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Profiles, ForeignWriteTest, ::testing::ValuesIn(kProfiles));
+
+} // namespace
+} // namespace counterpoint::cia302

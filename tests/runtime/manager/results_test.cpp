@@ -1,0 +1,191 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// What a person is told of each slave: letters and codes in words, who was not started and why, devices that are
+// faulty.
+#include "runtime/manager/report/diagram.hpp"
+#include "runtime/manager/report/status.hpp"
+#include "runtime/manager/report/texts.hpp"
+#include "tests/runtime/manager/rig.hpp"
+#include "verification/trace/ids/manager.hpp"
+#include "verification/trace/verifies.hpp"
+
+namespace counterpoint::tools
+{
+namespace
+{
+using cia302::StartUpStep;
+using network_plan::StartProfile;
+
+class ManagerResultsTest : public test::ManagerRig
+{
+  protected:
+    [[nodiscard]] runtime::StatusRow Row(const std::uint8_t node)
+    {
+        for (const runtime::StatusRow& row : runtime::StatusRows(station->Assembly(), Instant{Us()}))
+        {
+            if (row.node == node)
+            {
+                return row;
+            }
+        }
+        return {};
+    }
+    [[nodiscard]] std::uint32_t Us() const
+    {
+        return static_cast<std::uint32_t>(now_us);
+    }
+    [[nodiscard]] bool IsTold(const std::string& text) const
+    {
+        return std::any_of(events.begin(), events.end(), [&text](const runtime::ManagerEvent& event)
+                           { return event.text.find(text) != std::string::npos; });
+    }
+    /// The slave answers each question about 1000h as given, for so many ms.
+    void Answer(const std::uint8_t node, const std::vector<std::uint8_t>& answer, const int ms)
+    {
+        for (int i = 0; i < ms; ++i)
+        {
+            if (Count(0x600U + node) > 0U)
+            {
+                sent.clear();
+                Hear(0x580U + node, answer);
+            }
+            Run(1U);
+        }
+    }
+};
+
+TEST_F(ManagerResultsTest, EachLetterAndCodeHasWordsAndHelpListsThem)
+{
+    Verifies(req::SRS_MGR_026);
+    const std::string help = runtime::ManagerOrderHelp();
+    for (char letter = 'A'; letter <= 'O'; ++letter)
+    {
+        cia302::NodeStatus status{};
+        status.letter = letter;
+        const std::string words = runtime::LetterText(letter);
+        EXPECT_FALSE(words.empty()) << letter;
+        EXPECT_EQ(runtime::ResultText(StartProfile::kCia302, status), words);
+        EXPECT_EQ(runtime::StatusText(StartProfile::kCia302, status), std::string(1U, letter) + ": " + words);
+        EXPECT_NE(help.find(std::string("\n  ") + letter + "    " + words + "\n"), std::string::npos) << letter;
+    }
+    for (const int code : {1, 2, 4, 5, 8, 11, 12, 13, 14, 20, 22, 23, 40})
+    {
+        const std::string words = runtime::CodeText(StartProfile::kEl6751, code);
+        EXPECT_FALSE(words.empty()) << code;
+        EXPECT_NE(help.find(" " + words + "\n"), std::string::npos) << code;
+    }
+    for (const int code : {-1, 1, 2, 3, 4, 97, 98, 99})
+    {
+        cia302::NodeStatus status{};
+        status.code = static_cast<std::int16_t>(code);
+        const std::string words = runtime::CodeText(StartProfile::kPlcDesigner, code);
+        EXPECT_EQ(runtime::ResultText(StartProfile::kPlcDesigner, status).rfind(words, 0U), 0U) << code;
+        EXPECT_NE(help.find(" " + words + "\n"), std::string::npos) << code;
+    }
+    // A slave that is as it is to be needs no words
+    EXPECT_EQ(runtime::ResultText(StartProfile::kCia302, cia302::NodeStatus{}), "");
+    EXPECT_EQ(runtime::ResultText(StartProfile::kEl6751, cia302::NodeStatus{}), "");
+}
+
+TEST_F(ManagerResultsTest, AnAbortIsToldByItsCodeAndInWords)
+{
+    Verifies(req::SRS_MGR_026);
+    cia302::NodeStatus status{};
+    status.letter = 'J';
+    status.object = {0x1006U, 0U};
+    status.abort = cia301::SdoAbort::kReadOnly;
+    EXPECT_EQ(runtime::ResultText(StartProfile::kCia302, status),
+              "configuration failed: 0x1006:00: 0x06010002 (read only)");
+    status.abort = cia301::SdoAbort::kTimeOut;
+    EXPECT_EQ(runtime::StatusText(StartProfile::kCia302, status),
+              "J: configuration failed (0x1006:00: 0x05040000 (no answer))");
+    // A code that is of the device alone
+    status.abort = static_cast<cia301::SdoAbort>(0x08990001U);
+    EXPECT_EQ(runtime::ResultText(StartProfile::kCia302, status), "configuration failed: 0x1006:00: 0x08990001");
+    status.letter = 'M';
+    status.object = {0x1018U, 2U};
+    status.abort = cia301::SdoAbort::kNone;
+    status.read = 3U;
+    status.expected = 7U;
+    EXPECT_EQ(runtime::ResultText(StartProfile::kCia302, status),
+              "product code differs: 0x1018:02 is 0x3, expected 0x7");
+}
+
+TEST_F(ManagerResultsTest, AnAbortAndSilenceAt1000hAreToldThoughThereIsNoBootTime)
+{
+    Verifies(req::SRS_MGR_026);
+    Make("manager: {node: 127}\nslaves: [{node: 6, device_type: 0x191}, {node: 7, device_type: 0x191}]\n");
+    Run(2U);
+    Hear(0x706U, {0U});
+    Answer(6U, {0x80U, 0x00U, 0x10U, 0x00U, 0x00U, 0x00U, 0x06U, 0x06U}, 6000);
+    EXPECT_EQ(Row(6U).result, "");
+    EXPECT_EQ(Row(6U).finding, "asked again each second: 0x1000:00: 0x06060000 (hardware)");
+    EXPECT_EQ(Row(7U).finding, "asked again each second: 0x1000:00: 0x05040000 (no answer)");
+    EXPECT_FALSE(Row(6U).is_good);
+    EXPECT_TRUE(IsTold("asked again each second (0x1000:00: 0x06060000 (hardware))"));
+    EXPECT_TRUE(IsTold("asked again each second (0x1000:00: 0x05040000 (no answer))"));
+    // Once, not each second
+    EXPECT_EQ(std::count_if(events.begin(), events.end(), [](const runtime::ManagerEvent& event)
+                            { return event.text.rfind("asked again", 0U) == 0U; }),
+              2);
+}
+
+TEST_F(ManagerResultsTest, AStartOfAllNamesWhoIsLeftOutAndWhy)
+{
+    Verifies(req::SRS_MGR_026);
+    Make("manager: {node: 127, start_up: 9}\nslaves: [{node: 6, device_type: 0x191, mandatory: false}, {node: 7, "
+         "mandatory: false}]\n");
+    Run(2U);
+    Hear(0x706U, {0U});
+    Answer(6U, {0x43U, 0x00U, 0x10U, 0x00U, 0x92U, 0x01U, 0x00U, 0x00U}, 20);
+    EXPECT_EQ(Row(6U).finding, "device type differs: 0x1000:00 is 0x192, expected 0x191");
+    sent.clear();
+    EXPECT_EQ(Order("start all"), "taken but for node 6: C: device type differs (0x1000:00 is 0x192, expected 0x191), "
+                                  "expected that one, and boot NODE");
+    Run(5U);
+    EXPECT_EQ(Commands(), (std::vector<std::string>{"1 7"}));
+}
+
+TEST_F(ManagerResultsTest, AControlThatIsNoneSaysWhatItIsAndWhatThereIs)
+{
+    Verifies(req::SRS_MGR_026);
+    Make("manager: {node: 127, profile: el6751}\nslaves: [{node: 6, device_type: 0x191}]\n");
+    Run(5U);
+    const std::string answer = Order("control 6 7 1");
+    EXPECT_EQ(answer.rfind("control 7/1 is no command for node 6, which is ", 0U), 0U) << answer;
+    EXPECT_NE(answer.find(" with NodeState 8: starts up, expected no start-up that runs, and 5/0 or 6/0 while "),
+              std::string::npos)
+        << answer;
+    Make("manager: {node: 127}\nslaves: [{node: 6, device_type: 0x191}]\n");
+    EXPECT_EQ(Order("control 6 5 1"), "the profile cia302 has no control, expected el6751");
+}
+
+TEST_F(ManagerResultsTest, ASafetySlaveInItsSafeStateIsNotGood)
+{
+    Verifies(req::SRS_MGR_025);
+    // Given a safety slave and another one that run
+    Make("manager: {node: 127}\nslaves: [{node: 33, dcf: actuator.dcf, boot: false}, {node: 5, boot: false}]\n");
+    Run(2U);
+    for (const std::uint32_t node : {33U, 5U})
+    {
+        Hear(0x80U + node, {0x00U, 0x61U, 0x81U, 0U, 0U, 0U, 0U, 0U});
+    }
+    EXPECT_EQ(Row(33U).finding, "device fault: emergency 0x6100, expected its end or a restart of the device");
+    EXPECT_EQ(Row(5U).finding, "");
+    Hear(0xA1U, {0x00U, 0x00U, 0x00U, 0U, 0U, 0U, 0U, 0U});
+    EXPECT_EQ(Row(33U).finding, "");
+}
+
+TEST_F(ManagerResultsTest, ThePageHasEmergenciesAndFitsAPhone)
+{
+    Verifies(req::SRS_MGR_008);
+    Make("manager: {node: 127}\nslaves: [{node: 5, boot: false}]\n");
+    Run(2U);
+    Hear(0x85U, {0x30U, 0x81U, 0x11U, 0U, 0U, 0U, 0U, 0U});
+    const std::string page = runtime::DiagramPage(station->Assembly(), station->Diagram(), Instant{Us()});
+    EXPECT_NE(page.find("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"), std::string::npos);
+    EXPECT_NE(page.find("<th>emergency</th>"), std::string::npos);
+    EXPECT_NE(page.find("<td>0x8130 (1)</td>"), std::string::npos);
+    EXPECT_NE(page.find("<div class=\"wide\"><table>"), std::string::npos);
+}
+} // namespace
+} // namespace counterpoint::tools
