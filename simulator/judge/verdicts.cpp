@@ -38,6 +38,11 @@ const NodeSetup& PeerOf(const Scenario& scenario, const NodeIndex node)
     return scenario.nodes[is_first ? node + 1U : node - 1U];
 }
 
+Nanoseconds TimeOf(const Limit& limit)
+{
+    return (limit.result == Result::kSuccessful) ? Nanoseconds{limit.us} * kNanosecondsPerMicrosecond : kNoLimit;
+}
+
 /// Answers questions about a finished run.
 class Judgement
 {
@@ -359,8 +364,11 @@ class Judgement
         const Measurement measurement = Measure(expectation);
         ExpectationVerdict verdict;
         verdict.holds = measurement.Holds();
-        verdict.wanted = Place(expectation) + " safe within " + MillisecondsText(measurement.limit) + " after '" +
-                         scenario_.faults[expectation.fault].name + "' (limit: " + Name(measurement.fault_class) + ")";
+        const bool has_limit = measurement.limit != kNoLimit;
+        verdict.wanted = Place(expectation) + " safe within " +
+                         (has_limit ? LimitText(measurement.limit) : "a limit, where its times give none,") +
+                         " after '" + scenario_.faults[expectation.fault].name +
+                         "' (limit: " + Name(measurement.fault_class) + ")";
         if (measurement.effect < 0)
         {
             verdict.seen = "the fault never happened";
@@ -429,7 +437,7 @@ class Judgement
 Nanoseconds LimitOf(const Scenario& scenario, const Expectation& expectation, const runtime::DeviceModel& model)
 {
     const FaultClass fault_class = LimitClassOf(scenario, expectation);
-    SrdoTimes times{0U, 0U};
+    SrdoTimes times{};
     for (const runtime::SrdoModel& srdo : model.Srdos())
     {
         times = (srdo.number == expectation.srdo) ? srdo.times : times;
@@ -447,9 +455,14 @@ Nanoseconds LimitOf(const Scenario& scenario, const Expectation& expectation, co
         // The clocks are compared by messages, the last of which may be as old as the time-out.
         const Nanoseconds own = node.link.timeout + (is_peers_clock ? node.link.clock_interval : 0);
         const auto own_us = static_cast<std::uint32_t>(own / kNanosecondsPerMicrosecond);
-        return Nanoseconds{ComputeLimit(model.Config(), LinkTime{own_us}).us} * kNanosecondsPerMicrosecond;
+        return TimeOf(ComputeLimit(model.Config(), LinkTime{own_us}));
     }
-    return ComputeLimit(model.Config(), times, fault_class).us * kNanosecondsPerMicrosecond;
+    return TimeOf(ComputeLimit(model.Config(), times, fault_class));
+}
+
+std::string LimitText(const Nanoseconds limit)
+{
+    return (limit == kNoLimit) ? "none" : MillisecondsText(limit);
 }
 
 std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& journal, Network& network,

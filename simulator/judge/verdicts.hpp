@@ -20,6 +20,11 @@ struct Detection
     Nanoseconds at{-1};
 };
 
+/// In place of a limit: there is none by the times of the device.
+constexpr Nanoseconds kNoLimit{-1};
+/// @brief A limit as people read it: "53 ms" or "none".
+[[nodiscard]] std::string LimitText(Nanoseconds limit);
+
 /// Time from the first effect of a fault to the safe output of one SRDO, and its limit. [SRS_SIM_031]
 struct Measurement
 {
@@ -62,7 +67,7 @@ struct ExpectationVerdict
 /// devices said at the instant it asks for. [SRS_SIM_030]
 [[nodiscard]] std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& journal, Network& network,
                                                     const std::vector<std::string>& found);
-/// @brief The limit of a fault at this output; it is known before the run.
+/// @brief The limit of a fault at this output, kNoLimit if there is none; it is known before the run.
 [[nodiscard]] Nanoseconds LimitOf(const Scenario& scenario, const Expectation& expectation,
                                   const runtime::DeviceModel& model);
 /// @brief Whether at that time the last command for this node took it out of OPERATIONAL, after the output of the SRDO

@@ -211,7 +211,7 @@ Json MeasurementToJson(const Run& run, const Measurement& measurement)
             {"node", measurement.place},
             {"srdo", measurement.srdo},
             {"limit_class", Name(measurement.fault_class)},
-            {"limit_ns", measurement.limit},
+            {"limit_ns", time(measurement.limit)},
             {"effect_ns", time(measurement.effect)},
             {"reference_ns", time(measurement.reference)},
             {"closed_ns", time(measurement.closed)},

@@ -190,8 +190,7 @@ class DemoCommand final : public Command
         if (limited != nullptr)
         {
             // Before the run: nothing that happens in it can change the limit.
-            cells[1] =
-                runtime::MillisecondsText(simulator::LimitOf(run.Setting(), *limited, run.ModelOf(limited->node)));
+            cells[1] = simulator::LimitText(simulator::LimitOf(run.Setting(), *limited, run.ModelOf(limited->node)));
         }
         PrintBegin(cells, out);
         run.Simulate(nullptr);

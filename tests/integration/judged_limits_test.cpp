@@ -1,0 +1,105 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// What the simulator tells of limits: by the times and the detection of the device, counted from what the table of
+// limits names, and only where it was this fault that closed the output.
+#include "tests/integration/scenario_run.hpp"
+#include "verification/trace/ids/kernel.hpp"
+#include "verification/trace/ids/simulator.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include "canopen/cia306/file/device_reader.hpp"
+#include "canopen/cia306/safety/signing.hpp"
+
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+namespace
+{
+using Values = std::map<std::string, std::string>; ///< ParameterValue by section.
+
+std::string TextOf(const std::string& file)
+{
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+/// The DCF of an example with other values, signed anew.
+std::string DeviceWith(const std::string& name, const Values& values)
+{
+    std::istringstream in(TextOf(Examples() + name + ".dcf"));
+    std::string section;
+    std::string text;
+    for (std::string line; std::getline(in, line);)
+    {
+        section = (line.rfind('[', 0U) == 0U) ? line.substr(1U, line.find(']') - 1U) : section;
+        const auto value = values.find(section);
+        const bool is_other = line.rfind("ParameterValue=", 0U) == 0U && value != values.end();
+        text += (is_other ? "ParameterValue=" + value->second : line) + "\n";
+    }
+    const cia306::IniDocument document = cia306::IniDocument::Parse(name, text);
+    const cia306::Device device = cia306::ReadDevice(document);
+    return TextFile(cia306::WithSignatures(document, device, device.node_id).Text(), "." + name + ".dcf");
+}
+
+/// The emergency-stop chain with other values in its devices; `text` is what the scenario adds.
+std::unique_ptr<Run> RunChainOf(const std::map<std::string, Values>& devices, const std::string& text)
+{
+    std::string chain = TextOf(Examples() + "chain.yaml");
+    for (const char* const name : {"sensor", "controller", "actuator"})
+    {
+        const auto values = devices.find(name);
+        const std::string key = "{dcf: " + std::string(name) + ".dcf";
+        const std::string file =
+            (values == devices.end()) ? Examples() + name + ".dcf" : DeviceWith(name, values->second);
+        chain.replace(chain.find(key), key.size(), "{dcf: " + file);
+    }
+    auto run = std::make_unique<Run>(TextFile("extends: " + TextFile(chain) + "\n" + text, ".extended.yaml"),
+                                     std::nullopt, std::nullopt, false);
+    run->Simulate(nullptr);
+    return run;
+}
+
+const Measurement& MeasurementOf(const Run& run)
+{
+    return *run.Verdicts().front().measurement;
+}
+
+constexpr Nanoseconds kUs = kNanosecondsPerMicrosecond;
+
+// The limit of SCT 50 ms, SRVT 20 ms, cycle 1 ms, 0.5 ms late, clocks 0.5 ms apart, output 1 ms.
+TEST(JudgedLimit, FollowsTheDetectionOfTheDevice)
+{
+    Verifies(req::SRS_SIM_031);
+    Verifies(req::SRS_LIM_001);
+    const std::string lost =
+        "faults:\n  - {fault: loss, frames: {identifier: 0x104, receiver: actuator, from: 500 ms, count: 1000}}\n"
+        "expect:\n  - {that: safe_within, node: actuator, srdo: 1}\n";
+    const auto early = RunChainOf({{"actuator", {{"5F05sub1", "0x00"}}}}, lost);
+    EXPECT_EQ(Failures(*early), "");
+    EXPECT_EQ(MeasurementOf(*early).limit, 73000 * kUs);
+    // Late: SRVT is in no limit
+    const auto late = RunChainOf({{"actuator", {{"5F05sub1", "0x3C"}}}}, lost);
+    EXPECT_EQ(Failures(*late), "");
+    EXPECT_EQ(MeasurementOf(*late).limit, 53000 * kUs);
+    // and another word than that of late detection is early
+    const auto other = RunChainOf({{"actuator", {{"5F05sub1", "0x3D"}}}}, lost);
+    EXPECT_EQ(MeasurementOf(*other).limit, 73000 * kUs);
+}
+
+TEST(JudgedLimit, ThatIsNoneHoldsForNobody)
+{
+    Verifies(req::SRS_SIM_031);
+    const auto run = RunChainOf({{"actuator", {{"5F00sub6", "99999"}}}},
+                                "faults:\n  - {fault: loss, frames: {receiver: actuator, from: 500 ms, count: 1000}}\n"
+                                "expect:\n  - {that: safe_within, node: actuator, srdo: 1}\n");
+    ASSERT_FALSE(run->Holds());
+    EXPECT_NE(run->Verdicts().front().wanted.find("safe within a limit, where its times give none"), std::string::npos)
+        << run->Verdicts().front().wanted;
+}
+} // namespace
+} // namespace counterpoint::simulator
