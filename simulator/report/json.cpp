@@ -216,6 +216,7 @@ Json MeasurementToJson(const Run& run, const Measurement& measurement)
             {"reference_ns", time(measurement.reference)},
             {"closed_ns", time(measurement.closed)},
             {"elapsed_ns", time(measurement.elapsed)},
+            {"closed_by_another_fault", measurement.is_of_another},
             {"detected_by", Name(measurement.detection.party)},
             {"detection_cause", measurement.detection.cause},
             {"detected_ns", time(measurement.detection.at)},

@@ -101,5 +101,99 @@ TEST(JudgedLimit, ThatIsNoneHoldsForNobody)
     EXPECT_NE(run->Verdicts().front().wanted.find("safe within a limit, where its times give none"), std::string::npos)
         << run->Verdicts().front().wanted;
 }
+
+// A corrupted normal frame is shown by its inverse frame, 1 ms later here, whoever chooses it and however: by SRDO and
+// side, by identifiers, by receiver, by sender, by all of them.
+TEST(JudgedLimit, OfACorruptedNormalFrameCountsFromTheInverseFrame)
+{
+    Verifies(req::SRS_SIM_031);
+    const std::string spread =
+        "  - {fault: store_and_forward, frames: {identifier: 0x104, receiver: actuator, count: 1000}, by: 4 ms}\n";
+    for (const char* const choice :
+         {"srdo: {node: actuator, srdo: 1, which: normal}, ", "srdo: {node: actuator, srdo: 1}, ",
+          "srdo: {node: controller, srdo: 2, which: normal}, ", "identifier: 0x103, ", "identifier: [0x103, 0x104], ",
+          "", "sender: controller, "})
+    {
+        const auto run =
+            RunChainOf({}, std::string("faults:\n  - {fault: corruption, name: bits, bits: [0], frames: {") + choice +
+                               "receiver: actuator, from: 511.5 ms}}\n" + spread +
+                               "expect:\n  - {that: safe_within, node: actuator, srdo: 1, fault: bits}\n");
+        EXPECT_EQ(Failures(*run), "") << choice;
+        EXPECT_EQ(MeasurementOf(*run).limit, 3000 * kUs) << choice;
+        EXPECT_GE(MeasurementOf(*run).reference, MeasurementOf(*run).effect + 4000 * kUs) << choice;
+    }
+    // A frame of another length is shown by itself, and so is a wrong inverse frame
+    for (const char* const hit : {"identifier: 0x103, from: 500 ms}, length: 1}", "identifier: 0x104, from: 500 ms}, "
+                                                                                  "bits: [15]}"})
+    {
+        const auto run = RunChainOf({}, std::string("faults:\n  - {fault: corruption, frames: {receiver: actuator, ") +
+                                            hit + "\nexpect:\n  - {that: safe_within, node: actuator, srdo: 1}\n");
+        EXPECT_EQ(Failures(*run), "") << hit;
+        EXPECT_EQ(MeasurementOf(*run).reference, MeasurementOf(*run).effect) << hit;
+    }
+}
+
+// SCT 50 ms, SRVT 45 ms, refresh 25 ms: what silences the bus behind a normal frame is found by SRVT, 70 ms after the
+// last good one; SCT would have been over at 50 ms.
+TEST(JudgedLimit, OfAFaultOfTheBusHasSrvtInItWhereTheNextNormalFrameCame)
+{
+    Verifies(req::SRS_SIM_031);
+    const Values slow{{"1301sub3", "45"}};
+    for (const char* const fault :
+         {"fault: loss, frames: {identifier: [0x103, 0x104], receiver: actuator, from: 500 ms, "
+          "first: 2, count: 1000}",
+          "fault: loss, frames: {srdo: {node: actuator, srdo: 1}, receiver: actuator, first: "
+          "42, count: 1000}",
+          "fault: loss, frames: {receiver: actuator, sender: controller, from: 500 ms, first: "
+          "2, count: 1000}"})
+    {
+        const auto run =
+            RunChainOf({{"actuator", slow}}, std::string("faults:\n  - {") + fault +
+                                                 "}\nexpect:\n  - {that: safe_within, node: actuator, srdo: 1}\n");
+        EXPECT_EQ(Failures(*run), "") << fault;
+        EXPECT_EQ(MeasurementOf(*run).limit, 98000 * kUs) << fault;
+        EXPECT_EQ(MeasurementOf(*run).fault_class, FaultClass::kBusNextNormal) << fault;
+    }
+    // Without it SCT holds alone
+    const auto run = RunChainOf({{"actuator", slow}},
+                                "faults:\n  - {fault: loss, frames: {receiver: actuator, from: 500 ms, count: 1000}}\n"
+                                "expect:\n  - {that: safe_within, node: actuator, srdo: 1}\n");
+    EXPECT_EQ(Failures(*run), "");
+    EXPECT_EQ(MeasurementOf(*run).limit, 53000 * kUs);
+}
+
+// Frames that the actuator does not consume are lost: that closes nothing. 10 ms later others are, which does.
+TEST(JudgedLimit, IsNotKeptByAnOutputThatAnotherFaultCloses)
+{
+    Verifies(req::SRS_SIM_068);
+    const std::string harmless =
+        "faults:\n  - {fault: loss, name: harmless, frames: {identifier: 0x101, receiver: actuator, from: 500 ms}}\n"
+        "  - {fault: loss, name: deadly, frames: {identifier: [0x103, 0x104], receiver: actuator, from: 510 ms, count: "
+        "1000}}\n";
+    const auto run = RunChainOf({}, harmless + "expect:\n  - {that: safe_within, node: actuator, srdo: 1, fault: "
+                                               "harmless}\n  - {that: safe_within, node: actuator, srdo: 1, fault: "
+                                               "deadly}\n");
+    ASSERT_EQ(run->Verdicts().size(), 2U);
+    EXPECT_FALSE(run->Verdicts()[0].holds);
+    EXPECT_NE(run->Verdicts()[0].seen.find("by another fault ('deadly')"), std::string::npos)
+        << run->Verdicts()[0].seen;
+    EXPECT_TRUE(run->Verdicts()[0].measurement->is_of_another);
+    EXPECT_FALSE(run->Verdicts()[0].measurement->Holds());
+    EXPECT_TRUE(run->Verdicts()[1].holds) << run->Verdicts()[1].seen;
+}
+
+// Two that each close it at the same instant are both answered in time.
+TEST(JudgedLimit, IsKeptForEachOfTwoFaultsThatCloseTheOutputAlone)
+{
+    Verifies(req::SRS_SIM_068);
+    const auto run = RunChainOf(
+        {},
+        "faults:\n  - {fault: loss, name: one, frames: {identifier: [0x103, 0x104], receiver: actuator, from: 500 ms, "
+        "count: 1000}}\n"
+        "  - {fault: loss, name: two, frames: {receiver: actuator, from: 500 ms, count: 1000}}\n"
+        "expect:\n  - {that: safe_within, node: actuator, srdo: 1, fault: one}\n"
+        "  - {that: safe_within, node: actuator, srdo: 1, fault: two}\n");
+    EXPECT_EQ(Failures(*run), "");
+}
 } // namespace
 } // namespace counterpoint::simulator

@@ -75,6 +75,7 @@ inline constexpr RequirementId SRS_SIM_064{"SRS_SIM_064"};
 inline constexpr RequirementId SRS_SIM_065{"SRS_SIM_065"};
 inline constexpr RequirementId SRS_SIM_066{"SRS_SIM_066"};
 inline constexpr RequirementId SRS_SIM_067{"SRS_SIM_067"};
+inline constexpr RequirementId SRS_SIM_068{"SRS_SIM_068"};
 } // namespace counterpoint::req
 
 #endif
