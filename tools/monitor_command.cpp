@@ -250,6 +250,7 @@ class MonitorCommand final : public Command
             WatchLiveBus(address_, seconds_, streams,
                          {take, [&](const Time now) { analysis.Advance(now); }, [&] { analysis.Interrupt(); }});
         }
+        analysis.End();
         return Conclude({network, analysis, kept, address_.empty() ? file_ : address_}, streams);
     }
 
