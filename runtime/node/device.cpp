@@ -338,7 +338,7 @@ void NodeDevice::FollowConfiguration(const std::uint64_t now_ns)
     }
 }
 
-// At once after a change, and every refresh time after the last time.
+// At once after a change, and every refresh time after the last time. [SRS_NODE_025]
 void NodeDevice::SendByApplication()
 {
     if (cycles_per_send_ == 0U || assembly_.Device().State() != cia301::NodeState::kOperational)
@@ -353,6 +353,7 @@ void NodeDevice::SendByApplication()
         return;
     }
     cycles_to_send_ = cycles_per_send_ - 1U;
+    application_.WriteOut(); // What has changed since the last cycle is what it sends.
     assembly_.SendAll();
 }
 

@@ -64,6 +64,14 @@ std::unique_ptr<Run> RunChainOf(const std::map<std::string, Values>& devices, co
     return run;
 }
 
+/// A scenario that extends none, recorded.
+std::unique_ptr<Run> RunOf(const std::string& text)
+{
+    auto run = std::make_unique<Run>(TextFile(text), std::nullopt, std::nullopt, true);
+    run->Simulate(nullptr);
+    return run;
+}
+
 const Measurement& MeasurementOf(const Run& run)
 {
     return *run.Verdicts().front().measurement;
@@ -194,6 +202,130 @@ TEST(JudgedLimit, IsKeptForEachOfTwoFaultsThatCloseTheOutputAlone)
         "expect:\n  - {that: safe_within, node: actuator, srdo: 1, fault: one}\n"
         "  - {that: safe_within, node: actuator, srdo: 1, fault: two}\n");
     EXPECT_EQ(Failures(*run), "");
+}
+
+// The sensor's application sends: refresh 25 ms, cycle 1 ms. Whenever the button changes, no frame that ends more than
+// a cycle and a frame later has the old value.
+TEST(SentByTheApplication, HasTheNewValueAtOnce)
+{
+    Verifies(req::SRS_SIM_069);
+    for (int place = 0; place < 25; place += 3)
+    {
+        const std::string dcf = DeviceWith("sensor", {{"5F03sub1", "0x00"}});
+        const std::string at = std::to_string(500 + place) + ".3 ms";
+        const auto run =
+            RunOf("duration: 600 ms\nnodes:\n  sensor: {dcf: " + dcf + "}\n  actuator: {dcf: " + Examples() +
+                  "actuator.dcf}\ninputs:\n"
+                  "  - {at: 20 ms, node: sensor, object: 0x2000:01, value: 1}\n"
+                  "  - {at: " +
+                  at + ", node: sensor, object: 0x2000:01, value: 0}\n");
+        const Nanoseconds changed = (500 + place) * kNanosecondsPerMillisecond + 300 * kUs;
+        Nanoseconds told = -1;
+        for (const FrameEntry& frame : run->Record().Frames())
+        {
+            const bool is_after = frame.frame.identifier == 0x101U && frame.start >= changed;
+            if (is_after)
+            {
+                EXPECT_EQ(frame.frame.data[0], 0U) << at;
+                told = (told < 0) ? frame.end : told;
+            }
+        }
+        EXPECT_GE(told, changed) << at;
+        EXPECT_LE(told, changed + 3 * kNanosecondsPerMillisecond) << at;
+    }
+}
+
+/// A section with one value of a DCF.
+std::string Entry(const std::string& section, const char* const type, const std::string& value,
+                  const std::string& more = "PDOMapping=0\n")
+{
+    return "\n[" + section + "]\nParameterName=" + section + "\nObjectType=0x7\nDataType=" + type +
+           "\nAccessType=" + ((more == "PDOMapping=0\n") ? "rw" : "ro") + "\nDefaultValue=" + value +
+           "\nParameterValue=" + value + "\n" + more;
+}
+
+std::string RecordOf(const std::string& index, const unsigned entries)
+{
+    return "\n[" + index + "]\nParameterName=" + index + "\nObjectType=0x9\nSubNumber=" + std::to_string(entries + 1U) +
+           "\n" + Entry(index + "sub0", "0x0005", std::to_string(entries));
+}
+
+std::string Hexadecimal(const unsigned number)
+{
+    std::ostringstream text;
+    text << std::hex << std::uppercase << number;
+    return text.str();
+}
+
+/// Another value of a key in a section.
+void Set(std::string& text, const std::string& section, const std::string& key, const std::string& value)
+{
+    const std::size_t begin = text.find("\n" + key + "=", text.find("[" + section + "]")) + key.size() + 2U;
+    text.replace(begin, text.find('\n', begin) - begin, value);
+}
+
+/// One more object in a list of objects, which has `known` of them.
+void List(std::string& text, const std::string& section, const unsigned known, const std::string& index)
+{
+    const std::string number = std::to_string(known + 1U);
+    Set(text, section, "SupportedObjects", number + "\n" + number + "=0x" + index);
+}
+
+/// The sensor with `count` SRDOs, all producers with a refresh time of 25 ms.
+std::string SensorWith(const unsigned count)
+{
+    std::string text = TextOf(Examples() + "sensor.dcf");
+    std::string sections;
+    for (unsigned number = 2U; number <= count; ++number)
+    {
+        const std::string communication = Hexadecimal(0x1300U + number);
+        const std::string mapping = Hexadecimal(0x1380U + number);
+        const std::string normal = Hexadecimal(0x4000U + number);
+        const std::string inverse = Hexadecimal(0x4100U + number);
+        const unsigned known = 8U + 2U * (number - 2U); // Both lists have eight at first.
+        List(text, "OptionalObjects", known, communication);
+        List(text, "OptionalObjects", known + 1U, mapping);
+        List(text, "ManufacturerObjects", known, normal);
+        List(text, "ManufacturerObjects", known + 1U, inverse);
+        const std::string sub = Hexadecimal(number);
+        sections += RecordOf(communication, 6U) + Entry(communication + "sub1", "0x0005", "1") +
+                    Entry(communication + "sub2", "0x0006", "25") + Entry(communication + "sub3", "0x0005", "20") +
+                    Entry(communication + "sub4", "0x0005", "254") +
+                    Entry(communication + "sub5", "0x0007", std::to_string(0xFFU + (2U * number))) +
+                    Entry(communication + "sub6", "0x0007", std::to_string(0x100U + (2U * number))) +
+                    RecordOf(mapping, 2U) + Entry(mapping + "sub1", "0x0007", "0x" + normal + "0008") +
+                    Entry(mapping + "sub2", "0x0007", "0x" + inverse + "0008") +
+                    Entry(normal, "0x0005", "0", "SRDOMapping=1\nInvertedSRAD=0x" + inverse + "00\n") +
+                    Entry(inverse, "0x0005", "0xFF", "SRDOMapping=1\n") +
+                    Entry("13FFsub" + sub, "0x0006", "0", "PDOMapping=0\n") + Entry("5F03sub" + sub, "0x0005", "1");
+    }
+    for (const char* const array : {"13FF", "5F03"})
+    {
+        Set(text, array, "SubNumber", std::to_string(count + 1U));
+        Set(text, std::string(array) + "sub0", "DefaultValue", std::to_string(count));
+    }
+    const cia306::IniDocument document = cia306::IniDocument::Parse("sensor", text + sections);
+    const cia306::Device device = cia306::ReadDevice(document);
+    return TextFile(cia306::WithSignatures(document, device, device.node_id).Text(), ".many.dcf");
+}
+
+// All SRDOs of a device begin at one instant and have one refresh time: they are due in one cycle, again and again.
+TEST(ManyProducers, AllDueInOneCycleAreSent)
+{
+    Verifies(req::SRS_SIM_070);
+    for (const unsigned count : {16U, 17U, 24U, 40U})
+    {
+        const auto run = RunOf("duration: 600 ms\nbitrate: 1000000\nnodes:\n  sensor: {dcf: " + SensorWith(count) +
+                               ", self_tests: false}\n  actuator: {dcf: " + Examples() +
+                               "actuator.dcf}\nexpect:\n  - {that: no_fault, node: sensor}\n");
+        EXPECT_EQ(Failures(*run), "") << count;
+        std::size_t last = 0U; // Frames of the last SRDO.
+        for (const FrameEntry& frame : run->Record().Frames())
+        {
+            last += (frame.frame.identifier == 0x100U + 2U * count) ? 1U : 0U;
+        }
+        EXPECT_GE(last, 20U) << count;
+    }
 }
 } // namespace
 } // namespace counterpoint::simulator

@@ -52,6 +52,7 @@ inline constexpr RequirementId SRS_NODE_018{"SRS_NODE_018"};
 inline constexpr RequirementId SRS_NODE_019{"SRS_NODE_019"};
 inline constexpr RequirementId SRS_NODE_020{"SRS_NODE_020"};
 inline constexpr RequirementId SRS_NODE_024{"SRS_NODE_024"};
+inline constexpr RequirementId SRS_NODE_025{"SRS_NODE_025"};
 } // namespace counterpoint::req
 
 #endif
