@@ -166,8 +166,7 @@ class MonitorCommand final : public Command
             .Type("ADDRESS")
             .Excludes("FILE");
         options.Add("--dcf", &dcfs_, "DCF of a device on the bus, as often as there are devices; FILE=N for node-ID N")
-            .Type("FILE")
-            .Required();
+            .Type("FILE");
         options.Add("--interface", &interface_, "Take the frames of this interface (default: the first in FILE)")
             .Type("NAME")
             .Needs("FILE")
@@ -199,6 +198,13 @@ class MonitorCommand final : public Command
             streams.err << "counterpoint monitor: no recording and no bus; expected FILE before --dcf, or --can "
                            "ADDRESS, in a command line "
                            "as told by 'counterpoint monitor --help'\n";
+            return ExitStatus::kBadInput;
+        }
+        if (dcfs_.empty() && !shows_frames_)
+        {
+            streams.err
+                << "counterpoint monitor: no DCF, so that no SRDO is watched; expected --dcf FILE, or --frames, in a "
+                   "command line as told by 'counterpoint monitor --help'\n";
             return ExitStatus::kBadInput;
         }
         RequirePage();
@@ -286,10 +292,10 @@ class MonitorCommand final : public Command
         }
         const auto sct = sct_ms_ == 0 ? std::nullopt : std::optional<Time>(sct_ms_ * monitor::kMillisecond);
         monitor::Network network(files, sct);
-        if (network.Watches().empty())
+        if (network.Watches().empty() && !shows_frames_)
         {
             throw InputError(files.front().path, 0U,
-                             {"no SRDO that is on in any of the files", "at least one to watch"});
+                             {"no SRDO that is on in any of the files", "at least one to watch, or --frames"});
         }
         return network;
     }
