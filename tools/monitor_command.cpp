@@ -191,20 +191,30 @@ class MonitorCommand final : public Command
     }
 
   private:
-    [[nodiscard]] ExitStatus Watch(const Streams& streams) const
+    /// Whether there is something to read, and something to do with it; says what is missing.
+    [[nodiscard]] bool HasEnough(const Streams& streams) const
     {
         if (file_.empty() == address_.empty())
         {
             streams.err << "counterpoint monitor: no recording and no bus; expected FILE before --dcf, or --can "
                            "ADDRESS, in a command line "
                            "as told by 'counterpoint monitor --help'\n";
-            return ExitStatus::kBadInput;
+            return false;
         }
         if (dcfs_.empty() && !shows_frames_)
         {
             streams.err
                 << "counterpoint monitor: no DCF, so that no SRDO is watched; expected --dcf FILE, or --frames, in a "
                    "command line as told by 'counterpoint monitor --help'\n";
+            return false;
+        }
+        return true;
+    }
+
+    [[nodiscard]] ExitStatus Watch(const Streams& streams) const
+    {
+        if (!HasEnough(streams))
+        {
             return ExitStatus::kBadInput;
         }
         RequirePage();
