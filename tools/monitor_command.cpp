@@ -166,8 +166,7 @@ class MonitorCommand final : public Command
             .Type("ADDRESS")
             .Excludes("FILE");
         options.Add("--dcf", &dcfs_, "DCF of a device on the bus, as often as there are devices; FILE=N for node-ID N")
-            .Type("FILE")
-            .Required();
+            .Type("FILE");
         options.Add("--interface", &interface_, "Take the frames of this interface (default: the first in FILE)")
             .Type("NAME")
             .Needs("FILE")
@@ -192,13 +191,30 @@ class MonitorCommand final : public Command
     }
 
   private:
-    [[nodiscard]] ExitStatus Watch(const Streams& streams) const
+    /// Whether there is something to read, and something to do with it; says what is missing.
+    [[nodiscard]] bool HasEnough(const Streams& streams) const
     {
         if (file_.empty() == address_.empty())
         {
             streams.err << "counterpoint monitor: no recording and no bus; expected FILE before --dcf, or --can "
                            "ADDRESS, in a command line "
                            "as told by 'counterpoint monitor --help'\n";
+            return false;
+        }
+        if (dcfs_.empty() && !shows_frames_)
+        {
+            streams.err
+                << "counterpoint monitor: no DCF, so that no SRDO is watched; expected --dcf FILE, or --frames, in a "
+                   "command line as told by 'counterpoint monitor --help'\n";
+            return false;
+        }
+        return true;
+    }
+
+    [[nodiscard]] ExitStatus Watch(const Streams& streams) const
+    {
+        if (!HasEnough(streams))
+        {
             return ExitStatus::kBadInput;
         }
         RequirePage();
@@ -250,6 +266,7 @@ class MonitorCommand final : public Command
             WatchLiveBus(address_, seconds_, streams,
                          {take, [&](const Time now) { analysis.Advance(now); }, [&] { analysis.Interrupt(); }});
         }
+        analysis.End();
         return Conclude({network, analysis, kept, address_.empty() ? file_ : address_}, streams);
     }
 
@@ -285,10 +302,10 @@ class MonitorCommand final : public Command
         }
         const auto sct = sct_ms_ == 0 ? std::nullopt : std::optional<Time>(sct_ms_ * monitor::kMillisecond);
         monitor::Network network(files, sct);
-        if (network.Watches().empty())
+        if (network.Watches().empty() && !shows_frames_)
         {
             throw InputError(files.front().path, 0U,
-                             {"no SRDO that is on in any of the files", "at least one to watch"});
+                             {"no SRDO that is on in any of the files", "at least one to watch, or --frames"});
         }
         return network;
     }

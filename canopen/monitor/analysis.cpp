@@ -177,7 +177,15 @@ void Analysis::Interrupt() noexcept
     gfc_.Stop();
     for (SrdoWatch& watch : watches_)
     {
-        watch.Stop();
+        watch.Stop(last_);
+    }
+}
+
+void Analysis::End() noexcept
+{
+    for (SrdoWatch& watch : watches_)
+    {
+        watch.End(last_);
     }
 }
 
@@ -253,7 +261,7 @@ void Analysis::SetOperational(const std::uint8_t node_id, const bool is_operatio
             const bool is_node = end && (node_id == 0U || network_.Nodes()[end->node].id == node_id);
             if (is_node)
             {
-                watches_[number].Stop();
+                watches_[number].Stop(last_);
             }
         }
     }

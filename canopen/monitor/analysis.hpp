@@ -62,6 +62,9 @@ class Analysis final : private BreachSink
     /// [SRS_MON_018]
     void Interrupt() noexcept;
 
+    /// @brief Nothing follows: times without a valid pair that are longer than SCT by now are cycles, too.
+    void End() noexcept;
+
     /// @brief All watches, in the order of Network::Watches.
     [[nodiscard]] const std::deque<SrdoWatch>& Watches() const noexcept
     {

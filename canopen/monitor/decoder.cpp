@@ -21,6 +21,21 @@ constexpr NumberRow kCommands[] = {
     {1U, "start"}, {2U, "stop"}, {128U, "enter PRE-OPERATIONAL"}, {129U, "reset node"}, {130U, "reset communication"}};
 constexpr NumberRow kStates[] = {{0U, "boot-up"}, {4U, "STOPPED"}, {5U, "OPERATIONAL"}, {127U, "PRE-OPERATIONAL"}};
 
+/// CiA 302-2: who is the NMT master.
+constexpr NumberRow kFlyingMaster[] = {
+    {0x71U, "active NMT master"},       {0x72U, "begins the negotiation"}, {0x73U, "asks for the active NMT master"},
+    {0x74U, "could be the NMT master"}, {0x75U, "asks who could be"},      {0x76U, "forces a new negotiation"}};
+constexpr std::uint32_t kActiveMaster = 0x71U;
+
+struct PredefinedPdo
+{
+    std::uint32_t identifier;
+    const char* name;
+};
+constexpr PredefinedPdo kPredefinedPdos[] = {{0x180U, "TPDO 1"}, {0x200U, "RPDO 1"}, {0x280U, "TPDO 2"},
+                                             {0x300U, "RPDO 2"}, {0x380U, "TPDO 3"}, {0x400U, "RPDO 3"},
+                                             {0x480U, "TPDO 4"}, {0x500U, "RPDO 4"}};
+
 /// The word of a number; of an unknown one the number behind `kind`.
 template <std::size_t kCount>
 std::string WordOf(const NumberRow (&rows)[kCount], const std::uint32_t number, const std::string& kind)
@@ -110,10 +125,7 @@ std::string Decoder::Decode(const LogFrame& frame)
     switch (service)
     {
     case Service::kNmt:
-        return frame.length == 2U && frame.IsPlain()
-                   ? name + WordOf(kCommands, frame.data[0], "command") + ", " +
-                         (frame.data[1] == 0U ? "all nodes" : network_.NameOf(frame.data[1]))
-                   : name + "of wrong length";
+        return name + Nmt(frame);
     case Service::kGfc:
         return name + (frame.length == 0U ? "global fail-safe command" : "with data, nobody counts it");
     case Service::kEmergency:
@@ -129,11 +141,50 @@ std::string Decoder::Decode(const LogFrame& frame)
     case Service::kSync:
     case Service::kTime:
     case Service::kLss:
-    case Service::kOther:
     case Service::kForeign:
         break;
+    case Service::kOther:
+        return name + Other(frame);
     }
     return name;
+}
+
+/// A command that no device obeys is marked. [SRS_MON_019]
+std::string Decoder::Nmt(const LogFrame& frame) const
+{
+    if (frame.length != 2U || !frame.IsPlain())
+    {
+        return frame.IsPlain() ? "INVALID: of wrong length" : "INVALID: no data frame";
+    }
+    const bool is_node = frame.data[1] <= kNodes;
+    const bool is_command = std::any_of(std::begin(kCommands), std::end(kCommands),
+                                        [&frame](const NumberRow& row) { return row.first == frame.data[0]; });
+    const std::string node = (frame.data[1] == 0U)
+                                 ? "all nodes"
+                                 : (is_node ? network_.NameOf(frame.data[1]) : "node " + std::to_string(frame.data[1]));
+    return (is_node && is_command ? "" : "INVALID: ") + WordOf(kCommands, frame.data[0], "command") + ", " + node;
+}
+
+/// What the identifier means by itself: flying master, PDOs of the predefined connection set. [SRS_MON_019]
+std::string Decoder::Other(const LogFrame& frame) const
+{
+    if (frame.identifier >= kFlyingMaster[0].first && frame.identifier <= 0x76U)
+    {
+        const bool has_node = frame.identifier == kActiveMaster && frame.IsPlain() && frame.length == 2U;
+        return "flying master: " + WordOf(kFlyingMaster, frame.identifier, "") +
+               (has_node ? " is " + network_.NameOf(frame.data[1]) + ", priority " + std::to_string(frame.data[0])
+                         : "");
+    }
+    for (const PredefinedPdo& pdo : kPredefinedPdos)
+    {
+        if (frame.identifier > pdo.identifier && frame.identifier <= pdo.identifier + kNodes)
+        {
+            return std::string(pdo.name) + " of " +
+                   network_.NameOf(static_cast<std::uint8_t>(frame.identifier - pdo.identifier)) +
+                   ", by its identifier";
+        }
+    }
+    return "";
 }
 
 std::string Decoder::Emergency(const LogFrame& frame) const
@@ -152,11 +203,14 @@ std::string Decoder::Emergency(const LogFrame& frame) const
            cia306::Hex(frame.data[2], 2).substr(2U) + "h";
 }
 
-std::string Decoder::ErrorControl(const LogFrame& frame) const
+/// What follows a guarding request is its answer; its bit 7 alternates. In a heartbeat it is 0.
+std::string Decoder::ErrorControl(const LogFrame& frame)
 {
     const std::string name = network_.NameOf(static_cast<std::uint8_t>(frame.identifier & kNodes));
+    Guarding& guarding = guarding_.at(frame.identifier & kNodes);
     if (frame.is_remote)
     {
+        guarding.is_asked = true;
         return "guarding request, " + name;
     }
     if (frame.length != 1U)
@@ -164,7 +218,14 @@ std::string Decoder::ErrorControl(const LogFrame& frame) const
         return name + " of wrong length";
     }
     const bool is_boot_up = frame.data[0] == 0U;
-    return name + (is_boot_up ? " " : " is ") + WordOf(kStates, frame.data[0] & 0x7FU, "state");
+    const bool is_answer = std::exchange(guarding.is_asked, false) && !is_boot_up;
+    const auto toggle = static_cast<std::uint8_t>(frame.data[0] >> 7U);
+    const bool is_same = is_answer && guarding.toggle == toggle;
+    guarding.toggle = is_answer ? std::optional(toggle) : (is_boot_up ? std::nullopt : guarding.toggle);
+    return (is_answer ? "guarding answer, " : "") + name + (is_boot_up ? " " : " is ") +
+           WordOf(kStates, frame.data[0] & 0x7FU, "state") +
+           (is_answer || toggle != 0U ? ", toggle " + std::to_string(toggle) : "") +
+           (is_same ? ", INVALID: not alternated" : "");
 }
 
 std::string Decoder::Pdo(const LogFrame& frame) const

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace counterpoint::monitor
@@ -32,8 +33,17 @@ class Decoder
         bool has_last{false};  ///< Of a block: its last segment was seen.
     };
 
+    /// Of a node that is guarded.
+    struct Guarding
+    {
+        bool is_asked{false}; ///< Its answer is due.
+        std::optional<std::uint8_t> toggle{};
+    };
+
     [[nodiscard]] std::string Emergency(const LogFrame& frame) const;
-    [[nodiscard]] std::string ErrorControl(const LogFrame& frame) const;
+    [[nodiscard]] std::string Nmt(const LogFrame& frame) const;
+    [[nodiscard]] std::string Other(const LogFrame& frame) const;
+    [[nodiscard]] std::string ErrorControl(const LogFrame& frame);
     [[nodiscard]] std::string Pdo(const LogFrame& frame) const;
     [[nodiscard]] std::string Srdo(const LogFrame& frame) const;
     [[nodiscard]] std::string Sdo(const LogFrame& frame);
@@ -46,6 +56,7 @@ class Decoder
     const Network& network_;
     const Analysis& analysis_;
     std::array<Transfer, 128U> transfers_{};
+    std::array<Guarding, 128U> guarding_{};
 };
 
 /// A value as the data type of its entry writes it; hexadecimal where there is none.

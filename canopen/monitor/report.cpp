@@ -119,8 +119,10 @@ void WriteSummary(const Report& report, std::ostream& out)
             out << ", " << count << " " << ServiceName(static_cast<Service>(service));
         }
     }
+    const bool is_watched = !report.network.Watches().empty();
     out << "; " << SecondsText(report.analysis.Last() - report.analysis.First()) << " s; "
-        << report.analysis.ViolationCount() << " violations\n";
+        << (is_watched ? std::to_string(report.analysis.ViolationCount()) + " violations" : "no SRDO was watched")
+        << "\n";
     for (std::size_t number = 0U; number < report.network.Watches().size(); ++number)
     {
         const WatchModel& model = report.network.Watches()[number];

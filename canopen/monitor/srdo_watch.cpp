@@ -63,13 +63,22 @@ void SrdoWatch::Begin(const Time now) noexcept
     blind_until_ = now + setup_.srvt;
 }
 
-void SrdoWatch::Stop() noexcept
+void SrdoWatch::Stop(const Time now) noexcept
 {
+    End(now);
     has_remainder_ = has_remainder_ || pending_.has_value();
     early_.reset();
     pending_.reset();
     held_.reset();
-    last_normal_.reset();
+}
+
+void SrdoWatch::End(const Time now) noexcept
+{
+    if (last_good_ && now - *last_good_ > setup_.sct)
+    {
+        cycle_.Add(now - *last_good_);
+    }
+    last_good_.reset();
 }
 
 // Early: with a pending normal frame SRVT, else SCT. Late: SCT alone; SRVT waits for the inverse frame.
@@ -159,11 +168,6 @@ void SrdoWatch::TakeNormal(const LogFrame& frame)
     const bool was_pending = pending_.has_value();
     has_remainder_ = false;
     blind_until_.reset();
-    if (last_normal_)
-    {
-        cycle_.Add(frame.time - *last_normal_);
-        last_normal_.reset(); // Counted once, whatever becomes of the pair.
-    }
     if (frame.length != length_)
     {
         has_remainder_ = true;
@@ -230,7 +234,11 @@ void SrdoWatch::TakeInverse(const LogFrame& frame)
         return;
     }
     held_ = pending_->time;
-    last_normal_ = held_;
+    if (last_good_)
+    {
+        cycle_.Add(*held_ - *last_good_);
+    }
+    last_good_ = held_;
     pending_.reset();
     ++pairs_;
 }

@@ -101,7 +101,9 @@ class SrdoWatch
     void Advance(Time now);
     /// @brief Producer or consumer left OPERATIONAL: nothing is held or awaited; the inverse frame of a pair that has
     /// begun may be under way. [SRS_MON_009]
-    void Stop() noexcept;
+    void Stop(Time now) noexcept;
+    /// @brief Nothing comes behind `now`: a time without a valid pair that is longer than SCT by then is a cycle, too.
+    void End(Time now) noexcept;
     /// @brief The next time at which a limit may have expired; the greatest time: none can.
     [[nodiscard]] Time Deadline() const noexcept;
 
@@ -115,7 +117,8 @@ class SrdoWatch
     {
         return pairs_;
     }
-    /// @brief Times from normal frame to normal frame.
+    /// @brief Times from the normal frame of a valid pair to that of the next one, whatever came between.
+    /// [SRS_MON_010]
     [[nodiscard]] const TimeStatistics& Cycle() const noexcept
     {
         return cycle_;
@@ -140,7 +143,7 @@ class SrdoWatch
     std::uint8_t length_; ///< Bytes of a frame.
     std::optional<LogFrame> pending_;
     std::optional<Time> held_;        ///< Normal frame of the last valid pair, while SCT is supervised.
-    std::optional<Time> last_normal_; ///< Likewise, for the cycle, whether or not it is supervised.
+    std::optional<Time> last_good_;   ///< Likewise, for the cycle, whether or not it is supervised.
     bool has_remainder_{false};       ///< The inverse frame of a discarded pair may still come.
     std::optional<LogFrame> early_;   ///< Inverse frame told as first, whose normal frame may still come.
     std::optional<Time> blind_until_; ///< Likewise, because the normal frame was not seen.

@@ -33,6 +33,12 @@ bool HasSafety(const cia306::Device& device)
            (listed != device.missing.end() && listed->first <= kLast);
 }
 
+/// 5F05h; everything but the word of late detection is early.
+SrvtDetection DetectionOf(const cia306::SrdoParameters& parameters)
+{
+    return (parameters.srvt_detection == cia306::kLateDetection) ? SrvtDetection::kLate : SrvtDetection::kEarly;
+}
+
 bool IsBefore(const SourceVariable& left, const SourceVariable& right)
 {
     const std::uint32_t first = (std::uint32_t{left.object.index} << 8U) | left.object.sub;
@@ -81,8 +87,8 @@ std::vector<SrdoModel> DeviceSource::Srdos() const
         SrdoModel model;
         model.number = srdo.number;
         model.direction = static_cast<std::uint8_t>(Number(srdo.direction));
-        model.times = {static_cast<std::uint16_t>(Number(srdo.sct_ms)),
-                       static_cast<std::uint8_t>(Number(srdo.srvt_ms))};
+        model.times = {static_cast<std::uint16_t>(Number(srdo.sct_ms)), static_cast<std::uint8_t>(Number(srdo.srvt_ms)),
+                       DetectionOf(parameters_.Srdo(srdo.number))};
         model.cob_id_1 = Number(srdo.cob_id_1);
         model.cob_id_2 = Number(srdo.cob_id_2);
         for (const cia306::MappingEntry& entry : srdo.mapping)
@@ -118,8 +124,7 @@ std::vector<SrdoSetup> DeviceSource::Setups() const
         setup.policy = is_automatic ? ReleasePolicy::kAutomatic : ReleasePolicy::kInterlock;
         const bool is_called = parameters.producer_form == 1U;
         setup.form = is_called ? ProducerForm::kProviderCalled : ProducerForm::kApplicationSends;
-        const bool is_late = parameters.srvt_detection == cia306::kLateDetection;
-        setup.detection = is_late ? SrvtDetection::kLate : SrvtDetection::kEarly;
+        setup.detection = DetectionOf(parameters);
         setup.safe_value = {static_cast<std::uint32_t>(parameters.safe_value & 0xFFFFFFFFU),
                             static_cast<std::uint32_t>(parameters.safe_value >> 32U)};
         setups.push_back(setup);

@@ -52,6 +52,11 @@ bool NodeApplication::SetInput(const ObjectAddress& object, const std::uint64_t 
 void NodeApplication::Run(const SrdoMask open)
 {
     logic_.Take(open, [this](const PairValue& pair) { TellValue(pair); });
+    WriteOut();
+}
+
+void NodeApplication::WriteOut()
+{
     for (const PairValue& pair : logic_.Pairs())
     {
         if (!pair.is_consumer && pair.is_mapped)

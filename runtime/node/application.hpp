@@ -43,6 +43,8 @@ class NodeApplication final : public Application
     /// @brief Reads the consumers, whose outputs are open as `open` says, applies the rules, and writes the producers.
     /// Once a cycle.
     void Run(SrdoMask open);
+    /// @brief Writes the producers as inputs and rules are now; `Run` does it, too.
+    void WriteOut();
     /// @brief Whether an input of a producer changed since the last call.
     [[nodiscard]] bool TakeChange() noexcept
     {

@@ -67,17 +67,19 @@ std::string Milliseconds(const std::uint32_t us)
 {
     return MillisecondsText(Nanoseconds{us} * kNanosecondsPerMicrosecond);
 }
-/// Writes the line about an SRDO: for a consumer the limit of its output, for a producer its refresh time.
-/// [SRS_NODE_004]
+/// Writes the line about an SRDO: for a consumer the limit of its output, whatever happens on the bus, for a producer
+/// its refresh time. [SRS_NODE_004, SRS_NODE_024]
 void TellSrdo(NodeReport& report, const std::uint64_t at_ns, const DeviceConfig& config, const SrdoModel& srdo)
 {
     const bool is_consumer = srdo.direction == kDirectionConsumer;
-    const std::uint32_t limit_us = is_consumer ? ComputeLimit(config, srdo.times, FaultClass::kBus).us : 0U;
+    const Limit limit = ComputeLimit(config, srdo.times, FaultClass::kBusNextNormal);
+    const bool has_limit = limit.result == Result::kSuccessful;
     std::string text = "SRDO " + std::to_string(srdo.number);
     if (is_consumer)
     {
-        text += " consumer " + IdentifierText(srdo.cob_id_1) + ", safe within " + Milliseconds(limit_us) +
-                " of the last good pair";
+        text += " consumer " + IdentifierText(srdo.cob_id_1) +
+                (has_limit ? ", safe within " + Milliseconds(limit.us) + " of the last good normal frame"
+                           : ", without a limit: its times are too long");
     }
     else if (srdo.direction == kDirectionProducer)
     {
@@ -87,7 +89,11 @@ void TellSrdo(NodeReport& report, const std::uint64_t at_ns, const DeviceConfig&
     {
         text += " off";
     }
-    report.Tell(at_ns, text, "srdo", {{"srdo", srdo.number}, {"consumer", is_consumer}, {"limit_us", limit_us}});
+    const nlohmann::ordered_json limit_us = has_limit ? nlohmann::ordered_json(limit.us) : nlohmann::ordered_json();
+    report.Tell(at_ns, text, "srdo",
+                {{"srdo", srdo.number},
+                 {"consumer", is_consumer},
+                 {"limit_us", is_consumer ? limit_us : nlohmann::ordered_json(0U)}});
 }
 
 /// The SRDO of a slot as the kernel has it now; `of_file` is what the file says of it.
@@ -332,7 +338,7 @@ void NodeDevice::FollowConfiguration(const std::uint64_t now_ns)
     }
 }
 
-// At once after a change, and every refresh time after the last time.
+// At once after a change, and every refresh time after the last time. [SRS_NODE_025]
 void NodeDevice::SendByApplication()
 {
     if (cycles_per_send_ == 0U || assembly_.Device().State() != cia301::NodeState::kOperational)
@@ -347,6 +353,7 @@ void NodeDevice::SendByApplication()
         return;
     }
     cycles_to_send_ = cycles_per_send_ - 1U;
+    application_.WriteOut(); // What has changed since the last cycle is what it sends.
     assembly_.SendAll();
 }
 

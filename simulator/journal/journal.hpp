@@ -73,8 +73,9 @@ struct Event
     std::uint8_t srdo{0U};
     std::uint64_t value{0U};
     std::uint64_t other{0U};
-    Nanoseconds since{-1};   ///< kOutput: normal frame of the last good pair; see PairTimes.
-    Nanoseconds inverse{-1}; ///< kOutput: last inverse frame.
+    Nanoseconds since{-1};       ///< kOutput: normal frame of the last good pair; see PairTimes.
+    Nanoseconds last_normal{-1}; ///< kOutput: the last one, whatever became of it.
+    Nanoseconds inverse{-1};     ///< kOutput: the first one since the last good pair that made none.
 };
 
 /// One frame as it was on the bus, or one that a fault inserted for a single receiver (`sender` kNoNode).

@@ -41,8 +41,10 @@ Scenario Cut(Scenario scenario, const std::optional<Nanoseconds> until)
 } // namespace
 
 Run::Run(Scenario scenario, const std::optional<Nanoseconds> until, const bool keeps_all, const MakeManaged& make)
-    : scenario_(Cut(std::move(scenario), until)), journal_(keeps_all), found_(scenario_.expectations.size())
+    : scenario_(std::move(scenario)), until_(until), whole_(scenario_.duration), make_(make), journal_(keeps_all),
+      found_(scenario_.expectations.size())
 {
+    scenario_ = Cut(std::move(scenario_), until);
     if (!scenario_.managers.empty() && !make)
     {
         const Source& source = scenario_.managers.front().source;
@@ -126,6 +128,75 @@ void Run::Simulate(const std::function<void(Nanoseconds)>& progress)
     }
     journal_.Sort();
     verdicts_ = Judge(scenario_, journal_, *network_, found_);
+    FindOtherClosers();
+}
+
+/// Where an output closed in time, but closes no later without the fault, another one closed it, unless this one alone
+/// does so too. [SRS_SIM_068]
+void Run::FindOtherClosers()
+{
+    for (ExpectationVerdict& verdict : verdicts_)
+    {
+        const std::string others = (verdict.holds && verdict.measurement) ? OthersBefore(*verdict.measurement) : "";
+        if (others.empty())
+        {
+            continue;
+        }
+        Measurement& measurement = *verdict.measurement;
+        const Expectation& expectation = scenario_.expectations[verdict.expectation];
+        const Nanoseconds without = ClosedWithout({measurement.fault}, expectation, measurement.effect);
+        std::vector<std::size_t> all_others;
+        for (std::size_t fault = 0U; fault < scenario_.faults.size(); ++fault)
+        {
+            if (fault != measurement.fault)
+            {
+                all_others.push_back(fault);
+            }
+        }
+        const bool is_no_later = without >= 0 && without <= measurement.closed;
+        measurement.is_of_another =
+            is_no_later && ClosedWithout(all_others, expectation, measurement.effect) != measurement.closed;
+        if (measurement.is_of_another)
+        {
+            verdict.holds = false;
+            verdict.seen = "closed at " + MillisecondsText(measurement.closed) + " by another fault (" + others +
+                           "): without this one it closes at " + MillisecondsText(without);
+        }
+    }
+}
+
+/// The other faults that had an effect before the output closed: "'a', 'b'".
+std::string Run::OthersBefore(const Measurement& measurement) const
+{
+    std::vector<std::size_t> known{measurement.fault};
+    std::string names;
+    for (const Event& event : journal_.Events())
+    {
+        const bool is_before = event.kind == EventKind::kFault && event.at <= measurement.closed;
+        if (is_before && std::find(known.begin(), known.end(), event.value) == known.end())
+        {
+            known.push_back(event.value);
+            names += (names.empty() ? "" : ", ") + runtime::Shown(scenario_.faults[event.value].name);
+        }
+    }
+    return names;
+}
+
+/// When the output closes in a run that is the same but for these faults.
+Nanoseconds Run::ClosedWithout(const std::vector<std::size_t>& faults, const Expectation& expectation,
+                               const Nanoseconds from) const
+{
+    Scenario scenario = scenario_;
+    scenario.duration = whole_;
+    scenario.expectations.clear();
+    for (const std::size_t fault : faults)
+    {
+        scenario.faults[fault].is_left_out = true;
+        scenario.faults[fault].frames.count = 0U;
+    }
+    Run run(std::move(scenario), until_, false, make_);
+    run.Simulate(nullptr);
+    return ClosedAt(run.Record(), expectation, from);
 }
 
 const runtime::DeviceModel& Run::ModelOf(const NodeIndex node) const

@@ -77,8 +77,15 @@ class Run
     void RunTo(Nanoseconds now);
     void LookAt(Nanoseconds now);
     [[nodiscard]] std::string FoundAtDevice(const Expectation& expectation);
+    void FindOtherClosers();
+    [[nodiscard]] std::string OthersBefore(const Measurement& measurement) const;
+    [[nodiscard]] Nanoseconds ClosedWithout(const std::vector<std::size_t>& faults, const Expectation& expectation,
+                                            Nanoseconds from) const;
 
     Scenario scenario_;
+    std::optional<Nanoseconds> until_;
+    Nanoseconds whole_{0}; ///< Duration of the scenario that `until_` may cut.
+    MakeManaged make_;
     Journal journal_;
     std::unique_ptr<Network> network_;
     std::unique_ptr<ManagedWorld> managed_; ///< The managers; null: there are none.

@@ -86,7 +86,7 @@ std::vector<std::string> CellsOf(const SweepResult& result, const SweepRow& row)
         cells.push_back(measurement.detection.cause.empty() ? "-" : Words(measurement.detection.cause));
         cells.push_back(TimeText(row.DetectionTime(), "-"));
         cells.push_back(TimeText(measurement.elapsed, "never"));
-        cells.push_back(MillisecondsText(measurement.limit));
+        cells.push_back(LimitText(measurement.limit));
     }
     else
     {

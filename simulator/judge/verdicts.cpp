@@ -38,6 +38,28 @@ const NodeSetup& PeerOf(const Scenario& scenario, const NodeIndex node)
     return scenario.nodes[is_first ? node + 1U : node - 1U];
 }
 
+Nanoseconds TimeOf(const Limit& limit)
+{
+    return (limit.result == Result::kSuccessful) ? Nanoseconds{limit.us} * kNanosecondsPerMicrosecond : kNoLimit;
+}
+
+/// Whether the node is meant: of a device with two CPUs each of them.
+bool IsMeant(const Expectation& expectation, const NodeIndex node)
+{
+    return node == expectation.node || (expectation.is_series && node == expectation.node + 1U);
+}
+
+const Event* ClosedAfter(const Journal& journal, const Expectation& expectation, const Nanoseconds from)
+{
+    const auto found = std::find_if(journal.Events().begin(), journal.Events().end(),
+                                    [&expectation, from](const Event& event)
+                                    {
+                                        return event.kind == EventKind::kOutput && IsMeant(expectation, event.node) &&
+                                               event.srdo == expectation.srdo && event.value == 0U && event.at >= from;
+                                    });
+    return (found == journal.Events().end()) ? nullptr : &*found;
+}
+
 /// Answers questions about a finished run.
 class Judgement
 {
@@ -133,12 +155,6 @@ class Judgement
     {
         const NodeSetup& setup = scenario_.nodes[expectation.node];
         return expectation.is_series ? setup.device : setup.name;
-    }
-
-    /// Whether the node is meant: of a device with two CPUs each of them.
-    [[nodiscard]] static bool IsMeant(const Expectation& expectation, const NodeIndex node)
-    {
-        return node == expectation.node || (expectation.is_series && node == expectation.node + 1U);
     }
 
     [[nodiscard]] std::string Place(const Expectation& expectation) const
@@ -271,18 +287,6 @@ class Judgement
         return verdict;
     }
 
-    [[nodiscard]] const Event* ClosedAfter(const Expectation& expectation, const Nanoseconds from) const
-    {
-        const auto found = std::find_if(journal_.Events().begin(), journal_.Events().end(),
-                                        [&expectation, from](const Event& event)
-                                        {
-                                            return event.kind == EventKind::kOutput &&
-                                                   IsMeant(expectation, event.node) && event.srdo == expectation.srdo &&
-                                                   event.value == 0U && event.at >= from;
-                                        });
-        return (found == journal_.Events().end()) ? nullptr : &*found;
-    }
-
     /// How long a counter that runs at another rate takes until the two counters are further apart than they may be:
     /// that is where its limit counts from. [SRS_LIM_002]
     [[nodiscard]] Nanoseconds UntilApart(const Measurement& measurement) const
@@ -313,14 +317,31 @@ class Judgement
         {
             return closed.since;
         }
-        const bool is_chosen = !fault.frames.identifiers.empty() || fault.frames.srdo_of;
-        const bool is_normal = is_chosen && ChoosesNormal(fault.frames);
-        const bool waits = RowOf(fault.kind).limit.shown == Shown::kByTheInverse && !fault.length && is_normal;
-        if (waits && closed.inverse >= measurement.effect)
+        const bool is_by_the_inverse = RowOf(fault.kind).limit.shown == Shown::kByTheInverse && !fault.length;
+        if (is_by_the_inverse && closed.inverse >= measurement.effect)
         {
             return closed.inverse;
         }
         return std::min(closed.at, measurement.effect + UntilApart(measurement));
+    }
+
+    /// A fault of the bus after which the next normal frame still came, while it could be waited for, has the limit of
+    /// that; before the run nobody knows.
+    void TakeNextNormal(const Expectation& expectation, const Event& closed, Measurement& measurement)
+    {
+        const bool follows = expectation.fault_class == FaultClass::kInvalid;
+        const DeviceConfig& config = network_.At(expectation.node).Model().Config();
+        const Nanoseconds behind =
+            Nanoseconds{LateCycleUs(config) + config.output_time_us} * kNanosecondsPerMicrosecond;
+        const bool came =
+            closed.last_normal > closed.since && closed.last_normal - closed.since <= measurement.limit - behind;
+        if (follows && measurement.fault_class == FaultClass::kBus && came)
+        {
+            Expectation next = expectation;
+            next.fault_class = FaultClass::kBusNextNormal;
+            measurement.fault_class = next.fault_class;
+            measurement.limit = LimitOf(scenario_, next, network_.At(expectation.node).Model());
+        }
     }
 
     [[nodiscard]] Measurement Measure(const Expectation& expectation)
@@ -339,10 +360,11 @@ class Judgement
             return measurement;
         }
         measurement.was_open = IsOpen(expectation, expectation.srdo, measurement.effect - 1);
-        const Event* const closed = ClosedAfter(expectation, measurement.effect);
+        const Event* const closed = ClosedAfter(journal_, expectation, measurement.effect);
         if (closed != nullptr)
         {
             measurement.closed = closed->at;
+            TakeNextNormal(expectation, *closed, measurement);
             measurement.reference = ReferenceOf(measurement, *closed);
             measurement.elapsed =
                 closed->at - measurement.reference + model.Config().output_time_us * kNanosecondsPerMicrosecond;
@@ -359,8 +381,11 @@ class Judgement
         const Measurement measurement = Measure(expectation);
         ExpectationVerdict verdict;
         verdict.holds = measurement.Holds();
-        verdict.wanted = Place(expectation) + " safe within " + MillisecondsText(measurement.limit) + " after '" +
-                         scenario_.faults[expectation.fault].name + "' (limit: " + Name(measurement.fault_class) + ")";
+        const bool has_limit = measurement.limit != kNoLimit;
+        verdict.wanted = Place(expectation) + " safe within " +
+                         (has_limit ? LimitText(measurement.limit) : "a limit, where its times give none,") +
+                         " after '" + scenario_.faults[expectation.fault].name +
+                         "' (limit: " + Name(measurement.fault_class) + ")";
         if (measurement.effect < 0)
         {
             verdict.seen = "the fault never happened";
@@ -429,7 +454,7 @@ class Judgement
 Nanoseconds LimitOf(const Scenario& scenario, const Expectation& expectation, const runtime::DeviceModel& model)
 {
     const FaultClass fault_class = LimitClassOf(scenario, expectation);
-    SrdoTimes times{0U, 0U};
+    SrdoTimes times{};
     for (const runtime::SrdoModel& srdo : model.Srdos())
     {
         times = (srdo.number == expectation.srdo) ? srdo.times : times;
@@ -447,9 +472,20 @@ Nanoseconds LimitOf(const Scenario& scenario, const Expectation& expectation, co
         // The clocks are compared by messages, the last of which may be as old as the time-out.
         const Nanoseconds own = node.link.timeout + (is_peers_clock ? node.link.clock_interval : 0);
         const auto own_us = static_cast<std::uint32_t>(own / kNanosecondsPerMicrosecond);
-        return Nanoseconds{ComputeLimit(model.Config(), LinkTime{own_us}).us} * kNanosecondsPerMicrosecond;
+        return TimeOf(ComputeLimit(model.Config(), LinkTime{own_us}));
     }
-    return ComputeLimit(model.Config(), times, fault_class).us * kNanosecondsPerMicrosecond;
+    return TimeOf(ComputeLimit(model.Config(), times, fault_class));
+}
+
+Nanoseconds ClosedAt(const Journal& journal, const Expectation& expectation, const Nanoseconds from)
+{
+    const Event* const closed = ClosedAfter(journal, expectation, from);
+    return (closed == nullptr) ? -1 : closed->at;
+}
+
+std::string LimitText(const Nanoseconds limit)
+{
+    return (limit == kNoLimit) ? "none" : MillisecondsText(limit);
 }
 
 std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& journal, Network& network,

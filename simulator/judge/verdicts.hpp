@@ -20,6 +20,11 @@ struct Detection
     Nanoseconds at{-1};
 };
 
+/// In place of a limit: there is none by the times of the device.
+constexpr Nanoseconds kNoLimit{-1};
+/// @brief A limit as people read it: "53 ms" or "none".
+[[nodiscard]] std::string LimitText(Nanoseconds limit);
+
 /// Time from the first effect of a fault to the safe output of one SRDO, and its limit. [SRS_SIM_031]
 struct Measurement
 {
@@ -33,14 +38,15 @@ struct Measurement
     Nanoseconds closed{-1};    ///< When the output stage closed; -1: never.
     Nanoseconds elapsed{-1};   ///< With the time that the output needs after that; -1: never safe.
     Nanoseconds limit{0};
-    bool was_open{false};     ///< The output was on when the fault came.
-    bool is_commanded{false}; ///< It was an NMT command, or the loss of its supply, that closed the output.
+    bool was_open{false};      ///< The output was on when the fault came.
+    bool is_commanded{false};  ///< It was an NMT command, or the loss of its supply, that closed the output.
+    bool is_of_another{false}; ///< It was another fault that closed the output. [SRS_SIM_068]
     Detection detection;
 
     /// @brief Whether the output was open before and safe within the limit.
     [[nodiscard]] bool Holds() const noexcept
     {
-        return was_open && !is_commanded && elapsed >= 0 && elapsed <= limit;
+        return was_open && !is_commanded && !is_of_another && elapsed >= 0 && elapsed <= limit;
     }
 };
 
@@ -62,7 +68,10 @@ struct ExpectationVerdict
 /// devices said at the instant it asks for. [SRS_SIM_030]
 [[nodiscard]] std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& journal, Network& network,
                                                     const std::vector<std::string>& found);
-/// @brief The limit of a fault at this output; it is known before the run.
+/// @brief When the output of the expectation closed first at or after `from`; -1: never.
+[[nodiscard]] Nanoseconds ClosedAt(const Journal& journal, const Expectation& expectation, Nanoseconds from);
+/// @brief The limit of a fault at this output, kNoLimit if there is none; it is known before the run, but that of the
+/// bus may become that of `bus_next_normal`.
 [[nodiscard]] Nanoseconds LimitOf(const Scenario& scenario, const Expectation& expectation,
                                   const runtime::DeviceModel& model);
 /// @brief Whether at that time the last command for this node took it out of OPERATIONAL, after the output of the SRDO

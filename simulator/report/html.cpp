@@ -81,7 +81,7 @@ std::string Row(const Run& run, const std::size_t place)
         const bool is_safe = measurement->elapsed >= 0;
         row += cell("", Words(Name(measurement->detection.party))) + cell("", Words(measurement->detection.cause));
         row += cell("num", is_safe ? MillisecondsText(measurement->elapsed) : "never");
-        row += cell("num", MillisecondsText(measurement->limit)) + cell("", Gauge(*measurement));
+        row += cell("num", LimitText(measurement->limit)) + cell("", Gauge(*measurement));
     }
     return row + cell("", Pill(run)) + "</tr>\n";
 }

@@ -186,7 +186,7 @@ class Plot
         const std::string x = Number(X(XOf(result_.axes.front().values[row.places.front()])), 1);
         const std::string text = result_.axes.front().Text(row.places.front()) + ": " +
                                  (is_safe ? MillisecondsText(measurement.elapsed) : "never safe") + " of " +
-                                 MillisecondsText(measurement.limit) + ", " + Name(measurement.detection.party) + " " +
+                                 LimitText(measurement.limit) + ", " + Name(measurement.detection.party) + " " +
                                  measurement.detection.cause;
         return "<circle cx=\"" + x + "\" cy=\"" + Number(y, 1) + "\" r=\"" + (row.holds ? "3" : "5") + "\" fill=\"" +
                (row.holds ? colour : "var(--faulted)") + "\"><title>" + cia306::HtmlText(text) + "</title></circle>\n";

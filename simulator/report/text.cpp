@@ -7,7 +7,9 @@
 #include <array>
 #include <cstdio>
 #include <iomanip>
+#include <map>
 #include <ostream>
+#include <set>
 
 namespace counterpoint::simulator
 {
@@ -41,7 +43,58 @@ std::string ManagerText(const ManagerEntry& entry)
     return ((entry.node_id == 0U) ? "" : "node " + std::to_string(entry.node_id) + ": ") + entry.text;
 }
 
-/// Writes events and frames in order of time, and counts frames where nothing else happens.
+/// Equal things that come one after the other, with little time between two: the first one is told, with their number.
+class Repeats
+{
+  public:
+    void Add(const std::size_t place, const Nanoseconds at, const std::string& text)
+    {
+        constexpr Nanoseconds kPause = 10 * kNanosecondsPerMillisecond;
+        const auto known = first_.find(text);
+        if (known != first_.end() && at - groups_[known->second].last < kPause)
+        {
+            Group& group = groups_[known->second];
+            ++group.count;
+            group.last = at;
+            hidden_.insert(place);
+            return;
+        }
+        first_[text] = place;
+        groups_[place] = {1U, at};
+    }
+    /// @brief Whether an equal one before tells of it.
+    [[nodiscard]] bool IsHidden(const std::size_t place) const
+    {
+        return hidden_.count(place) != 0U;
+    }
+    /// @brief " (12 times until 512.5 ms)"; empty for one that is alone.
+    [[nodiscard]] std::string TextOf(const std::size_t place) const
+    {
+        const auto group = groups_.find(place);
+        const bool is_alone = group == groups_.end() || group->second.count < 2U;
+        return is_alone ? ""
+                        : " (" + std::to_string(group->second.count) + " times until " +
+                              MillisecondsText(group->second.last) + ")";
+    }
+
+  private:
+    struct Group
+    {
+        std::size_t count{0U};
+        Nanoseconds last{0};
+    };
+    std::map<std::string, std::size_t> first_; ///< Of the equal ones, by text.
+    std::map<std::size_t, Group> groups_;      ///< By their first one.
+    std::set<std::size_t> hidden_;
+};
+
+/// Events that a fault can bring by the thousand.
+bool IsFrequent(const EventKind kind)
+{
+    return kind == EventKind::kFrameChanged || kind == EventKind::kLinkMessage || kind == EventKind::kEmergency;
+}
+
+/// Writes events and frames in order of time, and counts frames where nothing else happens. [SRS_SIM_071]
 class TimeLine
 {
   public:
@@ -51,16 +104,22 @@ class TimeLine
 
     void Write()
     {
-        for (const Event& event : run_.Record().Events())
+        if (lines_ == FrameLines::kCounted)
         {
-            if (event.kind == EventKind::kReception)
+            FindRepeats();
+        }
+        const std::vector<Event>& events = run_.Record().Events();
+        for (std::size_t place = 0U; place < events.size(); ++place)
+        {
+            const Event& event = events[place];
+            if (event.kind == EventKind::kReception || events_.IsHidden(place))
             {
-                continue; // The frame itself is shown.
+                continue; // The frame itself, or the first of the equal ones, is shown.
             }
             WriteManagersUntil(event.at);
             WriteFramesUntil(event.at);
             WriteCount();
-            Line(event.at, run_.NodeName(event.node), EventText(run_, event));
+            Line(event.at, run_.NodeName(event.node), EventText(run_, event) + events_.TextOf(place));
         }
         WriteManagersUntil(kNever);
         WriteFramesUntil(kNever);
@@ -68,6 +127,46 @@ class TimeLine
     }
 
   private:
+    void FindRepeats()
+    {
+        const Journal& record = run_.Record();
+        for (std::size_t place = 0U; place < record.Events().size(); ++place)
+        {
+            const Event& event = record.Events()[place];
+            if (IsFrequent(event.kind))
+            {
+                events_.Add(place, event.at, run_.NodeName(event.node) + EventText(run_, event));
+            }
+        }
+        for (std::size_t place = 0U; place < record.Frames().size(); ++place)
+        {
+            const FrameEntry& frame = record.Frames()[place];
+            if (!IsPlain(frame))
+            {
+                frames_.Add(place, frame.end, BusText(frame));
+            }
+        }
+        for (std::size_t place = 0U; place < record.Managers().size(); ++place)
+        {
+            const ManagerEntry& entry = record.Managers()[place];
+            if (entry.kind == "emergency")
+            {
+                managers_.Add(place, entry.at, run_.NodeName(entry.manager) + ManagerText(entry));
+            }
+        }
+    }
+
+    [[nodiscard]] static bool IsPlain(const FrameEntry& frame)
+    {
+        return frame.fate == host::FrameFate::kComplete && frame.sender != kNoNode;
+    }
+
+    [[nodiscard]] std::string BusText(const FrameEntry& frame) const
+    {
+        const std::string from = (frame.sender == kNoNode) ? "inserted" : "from " + run_.NodeName(frame.sender);
+        return "frame " + FrameText(frame.frame) + "  " + from + "  " + NameOf(kFateTexts, frame.fate);
+    }
+
     void Line(const Nanoseconds at, const std::string& place, const std::string& text)
     {
         constexpr int kPlaceWidth = 12;
@@ -80,11 +179,11 @@ class TimeLine
         for (; next_told_ < entries.size() && entries[next_told_].at <= until; ++next_told_)
         {
             const ManagerEntry& entry = entries[next_told_];
-            if (!entry.text.empty())
+            if (!entry.text.empty() && !managers_.IsHidden(next_told_))
             {
                 WriteFramesUntil(entry.at);
                 WriteCount();
-                Line(entry.at, run_.NodeName(entry.manager), ManagerText(entry));
+                Line(entry.at, run_.NodeName(entry.manager), ManagerText(entry) + managers_.TextOf(next_told_));
             }
         }
     }
@@ -95,16 +194,17 @@ class TimeLine
         while (next_frame_ < frames.size() && frames[next_frame_].end <= until)
         {
             const FrameEntry& frame = frames[next_frame_];
+            const std::size_t place = next_frame_;
             ++next_frame_;
-            const bool is_plain = frame.fate == host::FrameFate::kComplete && frame.sender != kNoNode;
-            if (lines_ == FrameLines::kCounted && is_plain)
+            if (lines_ == FrameLines::kCounted && IsPlain(frame))
             {
                 ++counted_;
                 continue;
             }
-            const std::string from = (frame.sender == kNoNode) ? "inserted" : "from " + run_.NodeName(frame.sender);
-            Line(frame.end, "bus",
-                 "frame " + FrameText(frame.frame) + "  " + from + "  " + NameOf(kFateTexts, frame.fate));
+            if (!frames_.IsHidden(place))
+            {
+                Line(frame.end, "bus", BusText(frame) + frames_.TextOf(place));
+            }
         }
     }
 
@@ -123,6 +223,9 @@ class TimeLine
     std::size_t next_frame_{0U};
     std::size_t next_told_{0U};
     std::size_t counted_{0U};
+    Repeats events_{};
+    Repeats frames_{};
+    Repeats managers_{};
 };
 
 /// As Node packed it.
@@ -144,6 +247,12 @@ cia301::ReceivedEmergency EmergencyOf(const Event& event)
 std::string SrdoText(const Event& event)
 {
     return "SRDO " + std::to_string(event.srdo) + " ";
+}
+
+/// Frames that nobody sent, or somebody whose they are not; other faults change what was sent.
+bool BringsFrames(const FaultKind kind)
+{
+    return std::holds_alternative<ForeignFault>(kind) || kind == FaultKind(FrameFault::kDuplicate);
 }
 
 std::string LinkText(const Event& event)
@@ -256,7 +365,8 @@ std::string EventText(const Run& run, const Event& event)
         return "FAULT: " + scenario.faults[event.value].name;
     case EventKind::kFrameChanged:
         return "frame " + IdentifierText(static_cast<std::uint32_t>(event.value)) +
-               " changed: " + scenario.faults[event.other].name;
+               (BringsFrames(scenario.faults[event.other].kind) ? " inserted: " : " changed: ") +
+               scenario.faults[event.other].name;
     case EventKind::kWatchdog:
         return "WATCHDOG TRIPPED";
     case EventKind::kHung:

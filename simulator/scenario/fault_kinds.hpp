@@ -109,6 +109,7 @@ struct FaultSetup
     Nanoseconds on{0}; ///< Comes and goes: there for `on`, gone for `off`; 0: there all the time.
     Nanoseconds off{0};
     bool is_optional{false}; ///< It may be that it never has an effect.
+    bool is_left_out{false}; ///< A run that shows what the others do without it; everybody's luck is the same.
     NodeIndex node{kNoNode};
     std::uint32_t controller{0U}; ///< 0: each.
     Part part{Part::kNone};

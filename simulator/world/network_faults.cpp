@@ -63,7 +63,10 @@ void NetworkFaults::PlanAll()
 {
     for (std::size_t index = 0U; index < scenario_.faults.size(); ++index)
     {
-        std::visit([this, index](const auto kind) { Plan(kind, index); }, scenario_.faults[index].kind);
+        if (!scenario_.faults[index].is_left_out)
+        {
+            std::visit([this, index](const auto kind) { Plan(kind, index); }, scenario_.faults[index].kind);
+        }
     }
 }
 

@@ -59,6 +59,55 @@ TEST(Reports, TimeLineShowsWhoSawWhat)
     }
 }
 
+std::size_t CountOf(const std::string& text, const std::string& part)
+{
+    std::size_t count = 0U;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1U))
+    {
+        ++count;
+    }
+    return count;
+}
+
+std::string TimeLineWith(const std::string& faults, const FrameLines lines)
+{
+    const auto run = RunChain("faults:\n" + faults, true);
+    std::ostringstream out;
+    WriteTimeLine(*run, lines, out);
+    return out.str();
+}
+
+TEST(Reports, TimeLineTellsOnceWhatAFaultDoesByTheThousand)
+{
+    Verifies(req::SRS_SIM_071);
+    // A babbling controller: one line for the bus and for each node that hears it, and another one where it begins anew
+    const std::string babbling = "  - {fault: babbling, at: 500 ms, until: 700 ms, identifier: 0x002, data: [0x55]}\n"
+                                 "  - {fault: babbling, name: again, at: 800 ms, until: 900 ms, identifier: 0x002}\n";
+    const std::string text = TimeLineWith(babbling, FrameLines::kCounted);
+    EXPECT_EQ(CountOf(text, "frame 0x002 inserted: babbling"), 3U) << text;
+    EXPECT_EQ(CountOf(text, "frame 0x002 inserted: again"), 3U) << text;
+    EXPECT_EQ(CountOf(text, " times until 700."), 4U) << text;
+    EXPECT_LT(CountOf(text, "\n"), 300U);
+    EXPECT_GT(CountOf(TimeLineWith(babbling, FrameLines::kAll), "frame 0x002 inserted: "), 3000U);
+    // Frames that are further apart are lines of their own; the fault alters them
+    const std::string changed = TimeLineWith(
+        "  - {fault: corruption, bits: [0], frames: {identifier: 0x104, receiver: actuator, from: 500 ms, count: 4}}\n",
+        FrameLines::kCounted);
+    EXPECT_EQ(CountOf(changed, "frame 0x104 changed: corruption"), 4U) << changed;
+    // Frames that nobody acknowledges are sent again and again
+    const std::string alone = TimeLineWith(
+        "  - {fault: wire_error, frames: {identifier: 0x103, from: 500 ms, count: 9}}\n", FrameLines::kCounted);
+    EXPECT_EQ(CountOf(alone, "destroyed on the wire (9 times until "), 1U) << alone;
+    for (const char* const fault : {"insertion, at: 510 ms, receiver: actuator, identifier: 0x103, data: [0, 0]",
+                                    "masquerade, at: 507 ms, node: sensor, identifier: 0x103, data: [1, 1]",
+                                    "duplicate, frames: {identifier: 0x103, from: 500 ms}"})
+    {
+        const std::string own =
+            TimeLineWith("  - {name: own, fault: " + std::string(fault) + "}\n", FrameLines::kCounted);
+        EXPECT_EQ(CountOf(own, "0x103 changed"), 0U) << own;
+    }
+}
+
 TEST(Reports, JsonHoldsRecordingMeasurementAndVerdicts)
 {
     Verifies(req::SRS_SIM_041);

@@ -74,7 +74,7 @@ TEST_F(MonitorCommandTest, TellsViolationsAndASummary)
         "10.050200 not inverse: Sensor SRDO 1 -> Controller SRDO 1 (101h, 102h): bit 8: normal 01 02, inverse FE FC\n"
         "8 frames, 8 SRDO; 0.075200 s; 1 violations\n"
         "Sensor SRDO 1 -> Controller SRDO 1 (101h, 102h): 3 pairs, 1 violations, 1 not inverse\n"
-        "  cycle  least 25 ms, mean 25 ms, greatest 25 ms, limit 50 ms, margin 25 ms\n"
+        "  cycle  least 25 ms, mean 37.5 ms, greatest 50 ms, limit 50 ms, margin 0 ms\n"
         "  SRVT   least 0.2 ms, mean 0.2 ms, greatest 0.2 ms, limit 20 ms, margin 19.8 ms\n"
         "Controller SRDO 2 -> nobody here (103h, 104h): 0 pairs, 0 violations\n"
         "  cycle  none measured, limit 50 ms\n"
@@ -93,6 +93,28 @@ TEST_F(MonitorCommandTest, FramesInWords)
         << answer.out;
 }
 
+// Without a DCF, with one of a plain device: the frames are read all the same, and nothing is watched.
+TEST_F(MonitorCommandTest, FramesNeedNoFile)
+{
+    Verifies(req::SRS_MON_019);
+    const std::string file = File("one.log", "(1.000000) can0 721#05\n(1.100000) can0 101#05\n");
+    const std::string plain = cia306::test::SourceFolder() + "/tests/runtime/data/plain.dcf";
+    for (const std::vector<std::string>& files : {std::vector<std::string>{}, {"--dcf", plain + "=5"}})
+    {
+        std::vector<std::string> line{"monitor", file, "--frames"};
+        line.insert(line.end(), files.begin(), files.end());
+        const Answer answer = RunCommand(line);
+        EXPECT_EQ(answer.status, 0) << answer.err;
+        EXPECT_NE(answer.out.find("1.000000 721h [1] 05  error control node 33 is OPERATIONAL\n"), std::string::npos)
+            << answer.out;
+        EXPECT_NE(answer.out.find("1.100000 101h [1] 05  SRDO normal, of no file\n"), std::string::npos) << answer.out;
+        EXPECT_NE(answer.out.find("0.100000 s; no SRDO was watched\n"), std::string::npos) << answer.out;
+        // Without --frames there is nothing to do
+        line.erase(line.begin() + 2);
+        EXPECT_EQ(RunCommand(line).status, 2);
+    }
+}
+
 TEST_F(MonitorCommandTest, AnswersAsJson)
 {
     Verifies(req::SRS_MON_011);
@@ -107,7 +129,7 @@ TEST_F(MonitorCommandTest, AnswersAsJson)
     EXPECT_EQ(document["srdos"][0]["pairs"], 3);
     EXPECT_EQ(document["srdos"][0]["causes"]["not inverse"], 1);
     EXPECT_EQ(document["srdos"][0]["srvt"]["max_ms"], 0.2);
-    EXPECT_EQ(document["srdos"][0]["cycle"]["margin_ms"], 25.0);
+    EXPECT_EQ(document["srdos"][0]["cycle"]["margin_ms"], 0.0);
     const auto refusal = nlohmann::json::parse(Monitor({File("bad.log", "x\n"), "--json"}).out);
     EXPECT_EQ(refusal["error"]["line"], 1);
 }

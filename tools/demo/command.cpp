@@ -189,9 +189,8 @@ class DemoCommand final : public Command
         Cells cells{run.Setting().title, "-", "-", "-", "-", ""};
         if (limited != nullptr)
         {
-            // Before the run: nothing that happens in it can change the limit.
-            cells[1] =
-                runtime::MillisecondsText(simulator::LimitOf(run.Setting(), *limited, run.ModelOf(limited->node)));
+            // Before the run; what happens in it changes the limit only where the next normal frame still comes.
+            cells[1] = simulator::LimitText(simulator::LimitOf(run.Setting(), *limited, run.ModelOf(limited->node)));
         }
         PrintBegin(cells, out);
         run.Simulate(nullptr);
@@ -203,6 +202,10 @@ class DemoCommand final : public Command
             cells[4] = simulator::Words(measurement->detection.cause);
         }
         cells[5] = run.Holds() ? ((limited != nullptr) ? "in time" : "as expected") : "FAILED";
+        if (measurement != nullptr && simulator::LimitText(measurement->limit) != cells[1])
+        {
+            cells[5] += ", limit " + simulator::LimitText(measurement->limit) + ": the next normal frame came";
+        }
         PrintEnd(cells, out);
         if (measurement != nullptr)
         {

@@ -179,6 +179,7 @@
 
   // ---- drawing -----------------------------------------------------------------------------------------------------
   let scale = 1;
+  const limitText = m => m.limit_ns === null ? "none" : duration(m.limit_ns);
   const X = ns => GUTTER + (ns - from) * scale;
   const shown = (begin, end) => end >= from && begin <= to;
   const clip = ns => Math.max(from, Math.min(to, ns));
@@ -311,7 +312,7 @@
       line("found", m.detected_ns, "detected", "Detected by " + m.detected_by + ": " + m.detection_cause);
       line("safe", m.closed_ns, "safe", "Output of " + m.node + " SRDO " + m.srdo + " safe");
       if (m.reference_ns !== null) {
-        line("limit", m.reference_ns + m.limit_ns, "limit", "Limit " + duration(m.limit_ns) + ", counted from " + at(m.reference_ns));
+        if (m.limit_ns !== null) line("limit", m.reference_ns + m.limit_ns, "limit", "Limit " + duration(m.limit_ns) + ", counted from " + at(m.reference_ns));
       }
     }
     return out;
@@ -373,9 +374,10 @@
     $("run-text").textContent = run.description;
     const m = measurement();
     $("measure").innerHTML = !m ? "" : m.elapsed_ns === null
-      ? `<span class="pill bad">not safe</span> limit <b>${duration(m.limit_ns)}</b>`
+      ? `<span class="pill bad">not safe</span> limit <b>${limitText(m)}</b>`
       : `<span class="pill ${m.holds ? "good" : "bad"}">${m.holds ? "in time" : "TOO LATE"}</span> ` +
-        `safe after <b>${duration(m.elapsed_ns)}</b> of <b>${duration(m.limit_ns)}</b> (limit: ${esc(m.limit_class.replace(/_/g, " "))}); ` +
+        `safe after <b>${duration(m.elapsed_ns)}</b> of <b>${limitText(m)}</b> (limit: ${esc(m.limit_class.replace(/_/g, " "))})` +
+        `${m.closed_by_another_fault ? ", <b>closed by another fault</b>" : ""}; ` +
         `detected by <b>${esc(m.detected_by.replace(/_/g, " "))}</b>: ${esc(m.detection_cause.replace(/_/g, " "))}, at ${esc(m.node)} SRDO ${m.srdo}`;
     $("expectations").innerHTML = run.expectations.map(e =>
       `<li class="${e.holds ? "" : "failed"}">${esc(e.wanted)}: <b>${esc(e.seen)}</b></li>`).join("") || "<li>none</li>";
@@ -400,7 +402,10 @@
 
   // ---- hands -------------------------------------------------------------------------------------------------------
   const diagram = $("diagram"), box = $("tip");
-  const timeAt = event => from + (event.clientX - diagram.getBoundingClientRect().left) * (width / diagram.clientWidth) / scale - GUTTER / scale;
+  const timeAt = event => { // The drawing may be wider than its frame, and scrolled.
+    const area = diagram.querySelector("svg").getBoundingClientRect();
+    return from + ((event.clientX - area.left) * (width / area.width) - GUTTER) / scale;
+  };
   diagram.addEventListener("wheel", event => {
     event.preventDefault();
     if (Math.abs(event.deltaX) > Math.abs(event.deltaY)) return look(from + event.deltaX / scale, to + event.deltaX / scale);

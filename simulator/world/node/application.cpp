@@ -73,6 +73,11 @@ SrdoMask NodeApplication::AcknowledgeFor(const Part part)
 void NodeApplication::Run(const SrdoMask open)
 {
     logic_.Take(open, on_value_);
+    WriteOut();
+}
+
+void NodeApplication::WriteOut()
+{
     const PartCondition& condition = faults_.Condition(Part::kApplication);
     for (const runtime::PairValue& pair : logic_.Pairs())
     {

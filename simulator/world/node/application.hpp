@@ -42,6 +42,8 @@ class NodeApplication final : public Application
     /// @brief Takes the consumers' pairs with the outputs as they are now, then the rules, then writes all producers.
     /// A frozen application leaves the producers' objects as they are.
     void Run(SrdoMask open);
+    /// @brief Writes the producers' objects as the inputs and rules are now; `Run` does it, too.
+    void WriteOut();
     /// @brief Without supply no value counts.
     void PowerOff()
     {

@@ -8,19 +8,27 @@ namespace counterpoint::simulator
 {
 namespace
 {
-constexpr std::size_t kTransmitCapacity = 16U;
+constexpr std::size_t kLeastMailboxes = 16U;
+constexpr std::size_t kMailboxesOfServices = 8U;
+
+/// So many that all SRDOs may be due in one cycle, whoever configures them. [SRS_SIM_070]
+std::size_t MailboxesFor(const std::size_t srdo_count)
+{
+    return std::max(kLeastMailboxes, 2U * srdo_count + kMailboxesOfServices);
+}
 } // namespace
 
 // The second of two takes the inverse frames of SRDOs (even identifiers), the first everything else.
 NodeControllers::NodeControllers(const NodePlace& place, const NodeProcessor& processor, host::HostClocks& counters,
-                                 const std::uint32_t count, host::FrameSink& device)
+                                 const runtime::DeviceModel& model, host::FrameSink& device)
     : place_(place), processor_(processor), device_(device), can_(counters, *this)
 {
     host::VirtualBus& bus = place.bus;
-    bus_nodes_.push_back(can_.ConnectPort(CanPortId::kFirst, bus, kTransmitCapacity));
-    if (count > 1U)
+    const std::size_t mailboxes = MailboxesFor(model.Config().srdo_count);
+    bus_nodes_.push_back(can_.ConnectPort(CanPortId::kFirst, bus, mailboxes));
+    if (model.ControllerCount() > 1U)
     {
-        bus_nodes_.push_back(can_.ConnectPort(CanPortId::kSecond, bus, kTransmitCapacity));
+        bus_nodes_.push_back(can_.ConnectPort(CanPortId::kSecond, bus, mailboxes));
         constexpr std::uint32_t kLastIdentifier = 0x7FFU;
         bus.AcceptNone(bus_nodes_[0U]);
         bus.AcceptNone(bus_nodes_[1U]);

@@ -8,6 +8,7 @@
 #include "hal/host/can_ports.hpp"
 #include "hal/host/frame_queue.hpp"
 #include "hal/host/virtual/bus.hpp"
+#include "runtime/device/model.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,9 +22,10 @@ namespace counterpoint::simulator
 class NodeControllers final : private host::FrameSink
 {
   public:
-    /// @brief One controller, or two that hear each other on the one bus. All others given outlive it.
+    /// @brief One controller, or two that hear each other on the one bus, with mailboxes for all SRDOs of the model.
+    /// All others given outlive it.
     NodeControllers(const NodePlace& place, const NodeProcessor& processor, host::HostClocks& counters,
-                    std::uint32_t count, host::FrameSink& device);
+                    const runtime::DeviceModel& model, host::FrameSink& device);
 
     [[nodiscard]] hal::CanPorts& Ports() noexcept
     {

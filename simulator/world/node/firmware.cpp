@@ -234,7 +234,7 @@ void NodeFirmware::Store(const ObjectAddress& object, const std::uint32_t value)
     }
 }
 
-// At once after a change, and every refresh time after the last time. CPU B follows CPU A.
+// At once after a change, and every refresh time after the last time. CPU B follows CPU A. [SRS_SIM_069]
 void NodeFirmware::SendByApplication()
 {
     if (cycles_per_send_ == 0U || inside_.setup.role == runtime::CpuRole::kB)
@@ -253,6 +253,7 @@ void NodeFirmware::SendByApplication()
         return;
     }
     cycles_to_send_ = cycles_per_send_ - 1U;
+    inside_.application.WriteOut(); // What has changed since the last cycle is what it sends.
     processor_.RunSound([this]() { assembly_.SendAll(); });
 }
 

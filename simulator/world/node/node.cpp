@@ -26,8 +26,8 @@ Node::Node(const NodePlace& place, const NodeSetup& setup, runtime::DeviceModel&
       self_test_(setup.self_tests ? std::make_unique<NodeSelfTest>(processor_.Memory(), processor_.Image(),
                                                                    outputs_.Output(), processor_.Faults())
                                   : nullptr),
-      controllers_(place_, processor_, clock_.Counters(), model.ControllerCount(), firmware_),
-      firmware_(Inside(), controllers_.Ports()), parts_(Inside(), firmware_.Assembly())
+      controllers_(place_, processor_, clock_.Counters(), model, firmware_), firmware_(Inside(), controllers_.Ports()),
+      parts_(Inside(), firmware_.Assembly())
 {
 }
 

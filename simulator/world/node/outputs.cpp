@@ -60,7 +60,8 @@ void NodeOutputs::NoteOpen(const SrdoMask open)
         {
             const PairTimes& times = pairs_.TimesOf(slot);
             place_.journal.Note({place_.Now(), EventKind::kOutput, place_.index, model_.NumberOf(slot),
-                                 (open >> slot) & 1U, 0U, times.last_good_normal, times.last_inverse});
+                                 (open >> slot) & 1U, 0U, times.last_good_normal, times.last_normal,
+                                 times.first_wrong_inverse});
         }
     }
 }

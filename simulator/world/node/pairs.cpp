@@ -70,17 +70,19 @@ void NodePairs::OnFrame(const CanFrame& frame)
     if ((frame.identifier & 1U) != 0U)
     {
         times.pending = place_.Now();
+        times.last_normal = times.pending;
         times.data = data;
         times.length_bytes = frame.length_bytes;
         place_.Tell(EventKind::kReception, model_.NumberOf(slot), frame.identifier, 0U);
         return;
     }
-    times.last_inverse = place_.Now();
     const std::uint64_t normal = (std::uint64_t{times.data.high} << 32U) | times.data.low;
     const std::uint64_t inverse = (std::uint64_t{data.high} << 32U) | data.low;
     const std::uint64_t mask = ~std::uint64_t{0U} >> (64U - 8U * std::max<unsigned>(times.length_bytes, 1U));
     const bool is_good =
         times.pending >= 0 && times.length_bytes == frame.length_bytes && ((normal ^ inverse) & mask) == mask;
+    const Nanoseconds first_wrong = (times.first_wrong_inverse < 0) ? place_.Now() : times.first_wrong_inverse;
+    times.first_wrong_inverse = is_good ? -1 : first_wrong;
     times.last_good_normal = is_good ? times.pending : times.last_good_normal;
     times.pending = -1;
     place_.Tell(EventKind::kReception, model_.NumberOf(slot), frame.identifier, is_good ? 1U : 0U);

@@ -16,8 +16,9 @@ namespace counterpoint::simulator
 /// Frames of one SRDO as this node got them: what limits are counted from. [SRS_SIM_031]
 struct PairTimes
 {
-    Nanoseconds last_good_normal{-1}; ///< Normal frame of the last complete valid pair.
-    Nanoseconds last_inverse{-1};
+    Nanoseconds last_good_normal{-1};    ///< Normal frame of the last complete valid pair.
+    Nanoseconds first_wrong_inverse{-1}; ///< Since then: the inverse frame that first made no valid pair.
+    Nanoseconds last_normal{-1};
     Nanoseconds pending{-1};
     Payload data{};
     std::uint8_t length_bytes{0U};

@@ -44,13 +44,66 @@ TEST_F(DecoderTest, NetworkManagement)
     EXPECT_EQ(Words(0x000U, {2U, 77U}), "000h [2] 02 4D  NMT stop, node 77");
     EXPECT_EQ(Words(0x701U, {0U}), "701h [1] 00  error control Sensor boot-up");
     EXPECT_EQ(Words(0x702U, {5U}), "702h [1] 05  error control Controller is OPERATIONAL");
-    EXPECT_EQ(Words(0x702U, {0xFFU}), "702h [1] FF  error control Controller is PRE-OPERATIONAL");
+    EXPECT_EQ(Words(0x702U, {0xFFU}), "702h [1] FF  error control Controller is PRE-OPERATIONAL, toggle 1");
     LogFrame guarding = Frame(0, 0x701U, {});
     guarding.is_remote = true;
     EXPECT_EQ(Words(guarding), "701h [0]  error control remote guarding request, Sensor");
     EXPECT_EQ(Words(0x001U, {}), "001h [0]  GFC global fail-safe command");
     EXPECT_EQ(Words(0x080U, {}), "080h [0]  SYNC ");
     EXPECT_EQ(Words(0x7E5U, {4U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}), "7E5h [8] 04 00 00 00 00 00 00 00  LSS ");
+}
+
+TEST_F(DecoderTest, CommandsThatNobodyObeysAreMarked)
+{
+    Verifies(req::SRS_MON_019);
+    EXPECT_EQ(Words(0x000U, {5U, 1U}), "000h [2] 05 01  NMT INVALID: command 5, Sensor");
+    EXPECT_EQ(Words(0x000U, {1U, 128U}), "000h [2] 01 80  NMT INVALID: start, node 128");
+    EXPECT_EQ(Words(0x000U, {1U}), "000h [1] 01  NMT INVALID: of wrong length");
+    EXPECT_EQ(Words(0x000U, {1U, 1U, 0U}), "000h [3] 01 01 00  NMT INVALID: of wrong length");
+    EXPECT_EQ(Words(0x000U, {1U, 127U}), "000h [2] 01 7F  NMT start, node 127");
+}
+
+TEST_F(DecoderTest, GuardingHasItsToggleBit)
+{
+    Verifies(req::SRS_MON_019);
+    LogFrame request = Frame(0, 0x705U, {});
+    request.is_remote = true;
+    const auto answer = [this, &request](const std::uint8_t byte)
+    {
+        static_cast<void>(Words(request));
+        return Words(0x705U, {byte});
+    };
+    EXPECT_EQ(answer(0x05U), "705h [1] 05  error control guarding answer, node 5 is OPERATIONAL, toggle 0");
+    EXPECT_EQ(answer(0x85U), "705h [1] 85  error control guarding answer, node 5 is OPERATIONAL, toggle 1");
+    EXPECT_EQ(answer(0x85U),
+              "705h [1] 85  error control guarding answer, node 5 is OPERATIONAL, toggle 1, INVALID: not alternated");
+    // A boot-up message is no answer, and the toggle bit begins anew
+    EXPECT_EQ(answer(0x00U), "705h [1] 00  error control node 5 boot-up");
+    EXPECT_EQ(answer(0x7FU), "705h [1] 7F  error control guarding answer, node 5 is PRE-OPERATIONAL, toggle 0");
+    // Without a request it is a heartbeat
+    EXPECT_EQ(Words(0x705U, {4U}), "705h [1] 04  error control node 5 is STOPPED");
+}
+
+TEST(DecoderWithoutFiles, NamesWhatIdentifiersSayByThemselves)
+{
+    Verifies(req::SRS_MON_019);
+    const Network network{{}, std::nullopt};
+    const Analysis analysis{network, [](const Violation&) {}};
+    Decoder decoder{network, analysis};
+    const auto words = [&decoder](const std::uint32_t identifier, const std::vector<std::uint8_t>& data)
+    { return decoder.Decode(Frame(0, identifier, data)); };
+    EXPECT_EQ(words(0x071U, {1U, 127U}),
+              "071h [2] 01 7F  other flying master: active NMT master is node 127, priority 1");
+    EXPECT_EQ(words(0x072U, {}), "072h [0]  other flying master: begins the negotiation");
+    EXPECT_EQ(words(0x073U, {}), "073h [0]  other flying master: asks for the active NMT master");
+    EXPECT_EQ(words(0x074U, {}), "074h [0]  other flying master: could be the NMT master");
+    EXPECT_EQ(words(0x075U, {}), "075h [0]  other flying master: asks who could be");
+    EXPECT_EQ(words(0x076U, {}), "076h [0]  other flying master: forces a new negotiation");
+    EXPECT_EQ(words(0x077U, {}), "077h [0]  other ");
+    EXPECT_EQ(words(0x185U, {1U}), "185h [1] 01  other TPDO 1 of node 5, by its identifier");
+    EXPECT_EQ(words(0x57FU, {1U}), "57Fh [1] 01  other RPDO 4 of node 127, by its identifier");
+    EXPECT_EQ(words(0x000U, {1U, 5U}), "000h [2] 01 05  NMT start, node 5");
+    EXPECT_EQ(words(0x102U, {1U}), "102h [1] 01  SRDO inverse, of no file");
 }
 
 TEST_F(DecoderTest, Emergencies)

@@ -104,6 +104,67 @@ TEST_F(Watch, EachFrameRuleHasItsCause)
     EXPECT_EQ(ViolationsOf(early, Among({remote}, 75000)), (Texts{"50000 remote frame"}));
 }
 
+/// Greatest cycle of the sensor's SRDO 1, in microseconds, when the recording is over.
+Time GreatestCycleUs(const Network& network, const Frames& frames)
+{
+    Analysis analysis(network, [](const Violation&) {});
+    for (const LogFrame& frame : frames)
+    {
+        analysis.Take(frame);
+    }
+    analysis.End();
+    for (std::size_t number = 0U; number < network.Watches().size(); ++number)
+    {
+        if (network.Watches()[number].setup.normal_id == 0x101U)
+        {
+            return analysis.Watches()[number].Cycle().greatest / 1000;
+        }
+    }
+    return -1;
+}
+
+TEST_F(Watch, TheCycleRunsFromValidPairToValidPair)
+{
+    Verifies(req::SRS_MON_010);
+    // Clean: 25 ms
+    EXPECT_EQ(GreatestCycleUs(early, Among(Pair(50000), 75000)), 25000);
+    // Eight inverse frames are lost: 225 ms without a pair
+    Frames lost;
+    for (Time us = 50000; us < 250000; us += 25000)
+    {
+        lost.push_back(Frame(us, 0x101U, {1U, 2U}));
+    }
+    for (const Network* const network : {&early, &late})
+    {
+        EXPECT_EQ(GreatestCycleUs(*network, Among(lost, 250000)), 225000);
+    }
+    // The same with every other cause: wrong bits, wrong length, inverse first, normal lost, nothing at all
+    const Frames wrong{Frame(50000, 0x101U, {1U, 2U}), Frame(50200, 0x102U, {0xFEU, 0xFCU})};
+    const Frames shorter{Frame(50000, 0x101U, {1U}), Frame(50200, 0x102U, {0xFEU})};
+    for (const Frames& frames : {wrong, shorter, Frames{Frame(50200, 0x102U, {0xFEU, 0xFDU})}, Frames{}})
+    {
+        EXPECT_EQ(GreatestCycleUs(early, Among(frames, 75000)), 50000);
+    }
+    // A recording that ends without a pair for longer than SCT, and one that ends within SCT
+    Frames silent = Among({}, 50000); // The last pair at 75 ms
+    silent.push_back(Frame(300000, 0x705U, {5U}));
+    EXPECT_EQ(GreatestCycleUs(early, silent), 225000);
+    silent.back() = Frame(120000, 0x705U, {5U});
+    EXPECT_EQ(GreatestCycleUs(early, silent), 25000);
+    // What a stopped producer leaves out is none: stopped at 80 ms, again from 300 ms on
+    Frames stopped = Among({}, 50000);
+    stopped.push_back(Frame(80000, 0x000U, {2U, 1U}));
+    for (const Time us : {300000, 325000})
+    {
+        const Frames pair = Pair(us);
+        stopped.insert(stopped.end(), pair.begin(), pair.end());
+    }
+    EXPECT_EQ(GreatestCycleUs(early, stopped), 25000);
+    // but what it was late before that is
+    stopped[8] = Frame(200000, 0x000U, {2U, 1U});
+    EXPECT_EQ(GreatestCycleUs(early, stopped), 125000);
+}
+
 TEST_F(Watch, AnSrdoFollowsEachGfc)
 {
     Verifies(req::SRS_MON_016);

@@ -5,6 +5,7 @@
 #include "verification/trace/verifies.hpp"
 
 #include <fstream>
+#include <map>
 #include <memory>
 #include <set>
 #include <sstream>
@@ -33,6 +34,24 @@ std::string FileWithout(const std::string& example, const std::set<std::string>&
         text << ((is_value && sections.count(section) != 0U) ? "" : line + "\n");
     }
     const std::string name = ::testing::TempDir() + example + "_unconfigured.dcf";
+    std::ofstream(name) << text.str();
+    return name;
+}
+
+/// An example of the emergency stop with other ParameterValues.
+std::string FileWith(const std::string& example, const std::map<std::string, std::string>& values)
+{
+    std::ifstream file(std::string(COUNTERPOINT_SOURCE) + "/examples/emergency_stop/" + example + ".dcf");
+    std::string section;
+    std::ostringstream text;
+    for (std::string line; std::getline(file, line);)
+    {
+        section = (line.rfind('[', 0U) == 0U) ? line.substr(1U, line.find(']') - 1U) : section;
+        const auto value = values.find(section);
+        const bool is_other = line.rfind("ParameterValue=", 0U) == 0U && value != values.end();
+        text << (is_other ? "ParameterValue=" + value->second : line) << "\n";
+    }
+    const std::string name = ::testing::TempDir() + example + "_other_values.dcf";
     std::ofstream(name) << text.str();
     return name;
 }
@@ -232,8 +251,60 @@ TEST(NodeConfiguredTest, AConsumerThatWasConfiguredOverSdoShowsItsOutputs)
         EXPECT_FALSE(device.App().SetInput({0x2200U, 1U}, 1U));
         const std::string told = bench.Told();
         EXPECT_NE(told.find("value 0x2200:02 = 2"), std::string::npos) << told;
-        EXPECT_NE(told.find("SRDO 1 consumer 0x103, safe within 61.5 ms of the last good pair"), std::string::npos)
+        EXPECT_NE(told.find("SRDO 1 consumer 0x103, safe within 81.5 ms of the last good normal frame"),
+                  std::string::npos)
             << told;
+    }
+}
+
+// A change is sent at once, with the new value, wherever in the refresh time it comes; the next pair is a refresh
+// later.
+TEST(NodeConfiguredTest, AnApplicationThatSendsSendsItsNewValue)
+{
+    Verifies(req::SRS_NODE_025);
+    for (int place = 0; place < 6; ++place)
+    {
+        Bench bench(FileWith("sensor", {{"5F03sub1", "0x00"}, {"5F04", "0"}}));
+        bench.Start();
+        for (int cycle = 0; cycle < 20 + place; ++cycle)
+        {
+            bench.Cycle();
+        }
+        const std::size_t before = bench.SentWith(0x101U).size();
+        ASSERT_TRUE(bench.Device().App().SetInput({0x2000U, 1U}, 1U));
+        for (int cycle = 0; cycle < 4; ++cycle) // The confirmation of the normal frame comes with the next one.
+        {
+            bench.Cycle();
+        }
+        const std::vector<unsigned> normal = bench.SentWith(0x101U);
+        ASSERT_GT(normal.size(), before) << place;
+        EXPECT_EQ(normal[before], 1U) << place;
+        EXPECT_EQ(bench.SentWith(0x102U).back(), 0xFFFEU) << place;
+    }
+}
+
+// Actuator: SCT 50 ms, SRVT 20 ms, output 1 ms; cycle 5 ms, 5 ms late; the clocks 0.5 ms apart in 100 ms. The normal
+// frame that comes 50 ms after the last good one is waited for in early detection until SRVT is over.
+TEST(NodeConfiguredTest, TheLimitHoldsWhereTheNextNormalFrameStillCame)
+{
+    Verifies(req::SRS_NODE_024);
+    struct Case
+    {
+        std::map<std::string, std::string> values;
+        const char* told;
+    };
+    const std::vector<Case> cases{
+        {{}, "SRDO 1 consumer 0x103, safe within 81.5 ms of the last good normal frame"},
+        {{{"5F05sub1", "0x3C"}}, "SRDO 1 consumer 0x103, safe within 61.5 ms of the last good normal frame"},
+        {{{"1301sub2", "65000"}, {"1301sub3", "250"}}, "safe within 65589 ms of the last good normal frame"},
+        {{{"1301sub2", "65000"}, {"1301sub3", "250"}, {"5F00sub6", "99999"}}, ", without a limit"},
+    };
+    for (const Case& one : cases)
+    {
+        Bench bench(FileWith("actuator", one.values));
+        bench.Device().TellStart("udp:1", bench.NowNs());
+        const std::string told = bench.Told();
+        EXPECT_NE(told.find(one.told), std::string::npos) << told;
     }
 }
 

@@ -25,6 +25,7 @@ inline constexpr RequirementId SRS_MON_015{"SRS_MON_015"};
 inline constexpr RequirementId SRS_MON_016{"SRS_MON_016"};
 inline constexpr RequirementId SRS_MON_017{"SRS_MON_017"};
 inline constexpr RequirementId SRS_MON_018{"SRS_MON_018"};
+inline constexpr RequirementId SRS_MON_019{"SRS_MON_019"};
 } // namespace counterpoint::req
 
 #endif

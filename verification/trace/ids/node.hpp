@@ -51,6 +51,8 @@ inline constexpr RequirementId SRS_NODE_017{"SRS_NODE_017"};
 inline constexpr RequirementId SRS_NODE_018{"SRS_NODE_018"};
 inline constexpr RequirementId SRS_NODE_019{"SRS_NODE_019"};
 inline constexpr RequirementId SRS_NODE_020{"SRS_NODE_020"};
+inline constexpr RequirementId SRS_NODE_024{"SRS_NODE_024"};
+inline constexpr RequirementId SRS_NODE_025{"SRS_NODE_025"};
 inline constexpr RequirementId SRS_NODE_031{"SRS_NODE_031"};
 inline constexpr RequirementId SRS_NODE_032{"SRS_NODE_032"};
 } // namespace counterpoint::req

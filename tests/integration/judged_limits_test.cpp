@@ -1,0 +1,331 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// What the simulator tells of limits: by the times and the detection of the device, counted from what the table of
+// limits names, and only where it was this fault that closed the output.
+#include "tests/integration/scenario_run.hpp"
+#include "verification/trace/ids/kernel.hpp"
+#include "verification/trace/ids/simulator.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include "canopen/cia306/file/device_reader.hpp"
+#include "canopen/cia306/safety/signing.hpp"
+
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace counterpoint::simulator
+{
+namespace
+{
+using Values = std::map<std::string, std::string>; ///< ParameterValue by section.
+
+std::string TextOf(const std::string& file)
+{
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+/// The DCF of an example with other values, signed anew.
+std::string DeviceWith(const std::string& name, const Values& values)
+{
+    std::istringstream in(TextOf(Examples() + name + ".dcf"));
+    std::string section;
+    std::string text;
+    for (std::string line; std::getline(in, line);)
+    {
+        section = (line.rfind('[', 0U) == 0U) ? line.substr(1U, line.find(']') - 1U) : section;
+        const auto value = values.find(section);
+        const bool is_other = line.rfind("ParameterValue=", 0U) == 0U && value != values.end();
+        text += (is_other ? "ParameterValue=" + value->second : line) + "\n";
+    }
+    const cia306::IniDocument document = cia306::IniDocument::Parse(name, text);
+    const cia306::Device device = cia306::ReadDevice(document);
+    return TextFile(cia306::WithSignatures(document, device, device.node_id).Text(), "." + name + ".dcf");
+}
+
+/// The emergency-stop chain with other values in its devices; `text` is what the scenario adds.
+std::unique_ptr<Run> RunChainOf(const std::map<std::string, Values>& devices, const std::string& text)
+{
+    std::string chain = TextOf(Examples() + "chain.yaml");
+    for (const char* const name : {"sensor", "controller", "actuator"})
+    {
+        const auto values = devices.find(name);
+        const std::string key = "{dcf: " + std::string(name) + ".dcf";
+        const std::string file =
+            (values == devices.end()) ? Examples() + name + ".dcf" : DeviceWith(name, values->second);
+        chain.replace(chain.find(key), key.size(), "{dcf: " + file);
+    }
+    auto run = std::make_unique<Run>(TextFile("extends: " + TextFile(chain) + "\n" + text, ".extended.yaml"),
+                                     std::nullopt, std::nullopt, false);
+    run->Simulate(nullptr);
+    return run;
+}
+
+/// A scenario that extends none, recorded.
+std::unique_ptr<Run> RunOf(const std::string& text)
+{
+    auto run = std::make_unique<Run>(TextFile(text), std::nullopt, std::nullopt, true);
+    run->Simulate(nullptr);
+    return run;
+}
+
+const Measurement& MeasurementOf(const Run& run)
+{
+    return *run.Verdicts().front().measurement;
+}
+
+constexpr Nanoseconds kUs = kNanosecondsPerMicrosecond;
+
+// The limit of SCT 50 ms, SRVT 20 ms, cycle 1 ms, 0.5 ms late, clocks 0.5 ms apart, output 1 ms.
+TEST(JudgedLimit, FollowsTheDetectionOfTheDevice)
+{
+    Verifies(req::SRS_SIM_031);
+    Verifies(req::SRS_LIM_001);
+    const std::string lost =
+        "faults:\n  - {fault: loss, frames: {identifier: 0x104, receiver: actuator, from: 500 ms, count: 1000}}\n"
+        "expect:\n  - {that: safe_within, node: actuator, srdo: 1}\n";
+    const auto early = RunChainOf({{"actuator", {{"5F05sub1", "0x00"}}}}, lost);
+    EXPECT_EQ(Failures(*early), "");
+    EXPECT_EQ(MeasurementOf(*early).limit, 73000 * kUs);
+    // Late: SRVT is in no limit
+    const auto late = RunChainOf({{"actuator", {{"5F05sub1", "0x3C"}}}}, lost);
+    EXPECT_EQ(Failures(*late), "");
+    EXPECT_EQ(MeasurementOf(*late).limit, 53000 * kUs);
+    // and another word than that of late detection is early
+    const auto other = RunChainOf({{"actuator", {{"5F05sub1", "0x3D"}}}}, lost);
+    EXPECT_EQ(MeasurementOf(*other).limit, 73000 * kUs);
+}
+
+TEST(JudgedLimit, ThatIsNoneHoldsForNobody)
+{
+    Verifies(req::SRS_SIM_031);
+    const auto run = RunChainOf({{"actuator", {{"5F00sub6", "99999"}}}},
+                                "faults:\n  - {fault: loss, frames: {receiver: actuator, from: 500 ms, count: 1000}}\n"
+                                "expect:\n  - {that: safe_within, node: actuator, srdo: 1}\n");
+    ASSERT_FALSE(run->Holds());
+    EXPECT_NE(run->Verdicts().front().wanted.find("safe within a limit, where its times give none"), std::string::npos)
+        << run->Verdicts().front().wanted;
+}
+
+// A corrupted normal frame is shown by its inverse frame, 1 ms later here, whoever chooses it and however: by SRDO and
+// side, by identifiers, by receiver, by sender, by all of them.
+TEST(JudgedLimit, OfACorruptedNormalFrameCountsFromTheInverseFrame)
+{
+    Verifies(req::SRS_SIM_031);
+    const std::string spread =
+        "  - {fault: store_and_forward, frames: {identifier: 0x104, receiver: actuator, count: 1000}, by: 4 ms}\n";
+    for (const char* const choice :
+         {"srdo: {node: actuator, srdo: 1, which: normal}, ", "srdo: {node: actuator, srdo: 1}, ",
+          "srdo: {node: controller, srdo: 2, which: normal}, ", "identifier: 0x103, ", "identifier: [0x103, 0x104], ",
+          "", "sender: controller, "})
+    {
+        const auto run =
+            RunChainOf({}, std::string("faults:\n  - {fault: corruption, name: bits, bits: [0], frames: {") + choice +
+                               "receiver: actuator, from: 511.5 ms}}\n" + spread +
+                               "expect:\n  - {that: safe_within, node: actuator, srdo: 1, fault: bits}\n");
+        EXPECT_EQ(Failures(*run), "") << choice;
+        EXPECT_EQ(MeasurementOf(*run).limit, 3000 * kUs) << choice;
+        EXPECT_GE(MeasurementOf(*run).reference, MeasurementOf(*run).effect + 4000 * kUs) << choice;
+    }
+    // A frame of another length is shown by itself, and so is a wrong inverse frame
+    for (const char* const hit : {"identifier: 0x103, from: 500 ms}, length: 1}", "identifier: 0x104, from: 500 ms}, "
+                                                                                  "bits: [15]}"})
+    {
+        const auto run = RunChainOf({}, std::string("faults:\n  - {fault: corruption, frames: {receiver: actuator, ") +
+                                            hit + "\nexpect:\n  - {that: safe_within, node: actuator, srdo: 1}\n");
+        EXPECT_EQ(Failures(*run), "") << hit;
+        EXPECT_EQ(MeasurementOf(*run).reference, MeasurementOf(*run).effect) << hit;
+    }
+}
+
+// SCT 50 ms, SRVT 45 ms, refresh 25 ms: what silences the bus behind a normal frame is found by SRVT, 70 ms after the
+// last good one; SCT would have been over at 50 ms.
+TEST(JudgedLimit, OfAFaultOfTheBusHasSrvtInItWhereTheNextNormalFrameCame)
+{
+    Verifies(req::SRS_SIM_031);
+    const Values slow{{"1301sub3", "45"}};
+    for (const char* const fault :
+         {"fault: loss, frames: {identifier: [0x103, 0x104], receiver: actuator, from: 500 ms, "
+          "first: 2, count: 1000}",
+          "fault: loss, frames: {srdo: {node: actuator, srdo: 1}, receiver: actuator, first: "
+          "42, count: 1000}",
+          "fault: loss, frames: {receiver: actuator, sender: controller, from: 500 ms, first: "
+          "2, count: 1000}"})
+    {
+        const auto run =
+            RunChainOf({{"actuator", slow}}, std::string("faults:\n  - {") + fault +
+                                                 "}\nexpect:\n  - {that: safe_within, node: actuator, srdo: 1}\n");
+        EXPECT_EQ(Failures(*run), "") << fault;
+        EXPECT_EQ(MeasurementOf(*run).limit, 98000 * kUs) << fault;
+        EXPECT_EQ(MeasurementOf(*run).fault_class, FaultClass::kBusNextNormal) << fault;
+    }
+    // Without it SCT holds alone
+    const auto run = RunChainOf({{"actuator", slow}},
+                                "faults:\n  - {fault: loss, frames: {receiver: actuator, from: 500 ms, count: 1000}}\n"
+                                "expect:\n  - {that: safe_within, node: actuator, srdo: 1}\n");
+    EXPECT_EQ(Failures(*run), "");
+    EXPECT_EQ(MeasurementOf(*run).limit, 53000 * kUs);
+}
+
+// Frames that the actuator does not consume are lost: that closes nothing. 10 ms later others are, which does.
+TEST(JudgedLimit, IsNotKeptByAnOutputThatAnotherFaultCloses)
+{
+    Verifies(req::SRS_SIM_068);
+    const std::string harmless =
+        "faults:\n  - {fault: loss, name: harmless, frames: {identifier: 0x101, receiver: actuator, from: 500 ms}}\n"
+        "  - {fault: loss, name: deadly, frames: {identifier: [0x103, 0x104], receiver: actuator, from: 510 ms, count: "
+        "1000}}\n";
+    const auto run = RunChainOf({}, harmless + "expect:\n  - {that: safe_within, node: actuator, srdo: 1, fault: "
+                                               "harmless}\n  - {that: safe_within, node: actuator, srdo: 1, fault: "
+                                               "deadly}\n");
+    ASSERT_EQ(run->Verdicts().size(), 2U);
+    EXPECT_FALSE(run->Verdicts()[0].holds);
+    EXPECT_NE(run->Verdicts()[0].seen.find("by another fault ('deadly')"), std::string::npos)
+        << run->Verdicts()[0].seen;
+    EXPECT_TRUE(run->Verdicts()[0].measurement->is_of_another);
+    EXPECT_FALSE(run->Verdicts()[0].measurement->Holds());
+    EXPECT_TRUE(run->Verdicts()[1].holds) << run->Verdicts()[1].seen;
+}
+
+// Two that each close it at the same instant are both answered in time.
+TEST(JudgedLimit, IsKeptForEachOfTwoFaultsThatCloseTheOutputAlone)
+{
+    Verifies(req::SRS_SIM_068);
+    const auto run = RunChainOf(
+        {},
+        "faults:\n  - {fault: loss, name: one, frames: {identifier: [0x103, 0x104], receiver: actuator, from: 500 ms, "
+        "count: 1000}}\n"
+        "  - {fault: loss, name: two, frames: {receiver: actuator, from: 500 ms, count: 1000}}\n"
+        "expect:\n  - {that: safe_within, node: actuator, srdo: 1, fault: one}\n"
+        "  - {that: safe_within, node: actuator, srdo: 1, fault: two}\n");
+    EXPECT_EQ(Failures(*run), "");
+}
+
+// The sensor's application sends: refresh 25 ms, cycle 1 ms. Whenever the button changes, no frame that ends more than
+// a cycle and a frame later has the old value.
+TEST(SentByTheApplication, HasTheNewValueAtOnce)
+{
+    Verifies(req::SRS_SIM_069);
+    for (int place = 0; place < 25; place += 3)
+    {
+        const std::string dcf = DeviceWith("sensor", {{"5F03sub1", "0x00"}});
+        const std::string at = std::to_string(500 + place) + ".3 ms";
+        const auto run =
+            RunOf("duration: 600 ms\nnodes:\n  sensor: {dcf: " + dcf + "}\n  actuator: {dcf: " + Examples() +
+                  "actuator.dcf}\ninputs:\n"
+                  "  - {at: 20 ms, node: sensor, object: 0x2000:01, value: 1}\n"
+                  "  - {at: " +
+                  at + ", node: sensor, object: 0x2000:01, value: 0}\n");
+        const Nanoseconds changed = (500 + place) * kNanosecondsPerMillisecond + 300 * kUs;
+        Nanoseconds told = -1;
+        for (const FrameEntry& frame : run->Record().Frames())
+        {
+            const bool is_after = frame.frame.identifier == 0x101U && frame.start >= changed;
+            if (is_after)
+            {
+                EXPECT_EQ(frame.frame.data[0], 0U) << at;
+                told = (told < 0) ? frame.end : told;
+            }
+        }
+        EXPECT_GE(told, changed) << at;
+        EXPECT_LE(told, changed + 3 * kNanosecondsPerMillisecond) << at;
+    }
+}
+
+/// A section with one value of a DCF.
+std::string Entry(const std::string& section, const char* const type, const std::string& value,
+                  const std::string& more = "PDOMapping=0\n")
+{
+    return "\n[" + section + "]\nParameterName=" + section + "\nObjectType=0x7\nDataType=" + type +
+           "\nAccessType=" + ((more == "PDOMapping=0\n") ? "rw" : "ro") + "\nDefaultValue=" + value +
+           "\nParameterValue=" + value + "\n" + more;
+}
+
+std::string RecordOf(const std::string& index, const unsigned entries)
+{
+    return "\n[" + index + "]\nParameterName=" + index + "\nObjectType=0x9\nSubNumber=" + std::to_string(entries + 1U) +
+           "\n" + Entry(index + "sub0", "0x0005", std::to_string(entries));
+}
+
+std::string Hexadecimal(const unsigned number)
+{
+    std::ostringstream text;
+    text << std::hex << std::uppercase << number;
+    return text.str();
+}
+
+/// Another value of a key in a section.
+void Set(std::string& text, const std::string& section, const std::string& key, const std::string& value)
+{
+    const std::size_t begin = text.find("\n" + key + "=", text.find("[" + section + "]")) + key.size() + 2U;
+    text.replace(begin, text.find('\n', begin) - begin, value);
+}
+
+/// One more object in a list of objects, which has `known` of them.
+void List(std::string& text, const std::string& section, const unsigned known, const std::string& index)
+{
+    const std::string number = std::to_string(known + 1U);
+    Set(text, section, "SupportedObjects", number + "\n" + number + "=0x" + index);
+}
+
+/// The sensor with `count` SRDOs, all producers with a refresh time of 25 ms.
+std::string SensorWith(const unsigned count)
+{
+    std::string text = TextOf(Examples() + "sensor.dcf");
+    std::string sections;
+    for (unsigned number = 2U; number <= count; ++number)
+    {
+        const std::string communication = Hexadecimal(0x1300U + number);
+        const std::string mapping = Hexadecimal(0x1380U + number);
+        const std::string normal = Hexadecimal(0x4000U + number);
+        const std::string inverse = Hexadecimal(0x4100U + number);
+        const unsigned known = 8U + 2U * (number - 2U); // Both lists have eight at first.
+        List(text, "OptionalObjects", known, communication);
+        List(text, "OptionalObjects", known + 1U, mapping);
+        List(text, "ManufacturerObjects", known, normal);
+        List(text, "ManufacturerObjects", known + 1U, inverse);
+        const std::string sub = Hexadecimal(number);
+        sections += RecordOf(communication, 6U) + Entry(communication + "sub1", "0x0005", "1") +
+                    Entry(communication + "sub2", "0x0006", "25") + Entry(communication + "sub3", "0x0005", "20") +
+                    Entry(communication + "sub4", "0x0005", "254") +
+                    Entry(communication + "sub5", "0x0007", std::to_string(0xFFU + (2U * number))) +
+                    Entry(communication + "sub6", "0x0007", std::to_string(0x100U + (2U * number))) +
+                    RecordOf(mapping, 2U) + Entry(mapping + "sub1", "0x0007", "0x" + normal + "0008") +
+                    Entry(mapping + "sub2", "0x0007", "0x" + inverse + "0008") +
+                    Entry(normal, "0x0005", "0", "SRDOMapping=1\nInvertedSRAD=0x" + inverse + "00\n") +
+                    Entry(inverse, "0x0005", "0xFF", "SRDOMapping=1\n") +
+                    Entry("13FFsub" + sub, "0x0006", "0", "PDOMapping=0\n") + Entry("5F03sub" + sub, "0x0005", "1");
+    }
+    for (const char* const array : {"13FF", "5F03"})
+    {
+        Set(text, array, "SubNumber", std::to_string(count + 1U));
+        Set(text, std::string(array) + "sub0", "DefaultValue", std::to_string(count));
+    }
+    const cia306::IniDocument document = cia306::IniDocument::Parse("sensor", text + sections);
+    const cia306::Device device = cia306::ReadDevice(document);
+    return TextFile(cia306::WithSignatures(document, device, device.node_id).Text(), ".many.dcf");
+}
+
+// All SRDOs of a device begin at one instant and have one refresh time: they are due in one cycle, again and again.
+TEST(ManyProducers, AllDueInOneCycleAreSent)
+{
+    Verifies(req::SRS_SIM_070);
+    for (const unsigned count : {16U, 17U, 24U, 40U})
+    {
+        const auto run = RunOf("duration: 600 ms\nbitrate: 1000000\nnodes:\n  sensor: {dcf: " + SensorWith(count) +
+                               ", self_tests: false}\n  actuator: {dcf: " + Examples() +
+                               "actuator.dcf}\nexpect:\n  - {that: no_fault, node: sensor}\n");
+        EXPECT_EQ(Failures(*run), "") << count;
+        std::size_t last = 0U; // Frames of the last SRDO.
+        for (const FrameEntry& frame : run->Record().Frames())
+        {
+            last += (frame.frame.identifier == 0x100U + 2U * count) ? 1U : 0U;
+        }
+        EXPECT_GE(last, 20U) << count;
+    }
+}
+} // namespace
+} // namespace counterpoint::simulator
