@@ -24,6 +24,13 @@ foreach(room IN LISTS COUNTERPOINT_INSTALLED_ROOMS)
   endif()
 endforeach()
 
+# All that the package holds, in one target, so that nobody has to list it: what is built by it can be installed.
+add_custom_target(counterpoint_package)
+add_dependencies(counterpoint_package ${COUNTERPOINT_INSTALLED_ROOMS})
+if(COUNTERPOINT_HOST)
+  add_dependencies(counterpoint_package counterpoint)
+endif()
+
 install(TARGETS ${COUNTERPOINT_INSTALLED_ROOMS} EXPORT CounterpointTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 foreach(folder IN LISTS COUNTERPOINT_INSTALLED_FOLDERS)
   install(DIRECTORY ${Counterpoint_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder}
