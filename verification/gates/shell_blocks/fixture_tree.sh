@@ -11,7 +11,7 @@ add_library(second STATIC second.cpp)
 add_custom_target(both DEPENDS first second)
 install(TARGETS first second ARCHIVE DESTINATION lib)
 TEXT
-echo '{"version": 6, "configurePresets": [{"name": "product", "generator": "Ninja", "binaryDir": "${sourceDir}/build/product"}]}' >"$tree/CMakePresets.json"
+echo '{"version": 6, "configurePresets": [{"name": "product", "generator": "Ninja", "binaryDir": "${sourceDir}/build/product", "cacheVariables": {"CMAKE_CXX_COMPILER": "g++-12"}}]}' >"$tree/CMakePresets.json"
 echo 'int First() { return 1; }' >"$tree/first.cpp"
 echo 'int Second() { return 2; }' >"$tree/second.cpp"
 cmake -S "$tree" --preset product
