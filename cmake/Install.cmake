@@ -13,16 +13,27 @@ set(COUNTERPOINT_INSTALLED_FOLDERS safety_core hal/api hal/absent channel_a chan
 if(COUNTERPOINT_HOST)
   list(APPEND COUNTERPOINT_INSTALLED_ROOMS hal_host)
   list(APPEND COUNTERPOINT_INSTALLED_FOLDERS hal/host)
+  install(CODE "set(CMAKE_INSTALL_DO_STRIP TRUE)") # Of the program alone: CMake strips no archive.
   install(TARGETS counterpoint RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} OPTIONAL)
 endif()
+set(COUNTERPOINT_PACKAGE_OPTIONS "" CACHE STRING "Options of rooms of the package: a preset keeps the place of the build out of them")
 set(COUNTERPOINT_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/Counterpoint)
 
 foreach(room IN LISTS COUNTERPOINT_INSTALLED_ROOMS)
   get_target_property(type ${room} TYPE)
   if(type STREQUAL "INTERFACE_LIBRARY")
     target_include_directories(${room} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  else()
+    target_compile_options(${room} PRIVATE ${COUNTERPOINT_PACKAGE_OPTIONS})
   endif()
 endforeach()
+
+# All that the package holds, in one target, so that nobody has to list it: what is built by it can be installed.
+add_custom_target(counterpoint_package)
+add_dependencies(counterpoint_package ${COUNTERPOINT_INSTALLED_ROOMS})
+if(COUNTERPOINT_HOST)
+  add_dependencies(counterpoint_package counterpoint)
+endif()
 
 install(TARGETS ${COUNTERPOINT_INSTALLED_ROOMS} EXPORT CounterpointTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 foreach(folder IN LISTS COUNTERPOINT_INSTALLED_FOLDERS)
@@ -37,5 +48,16 @@ write_basic_package_version_file(${Counterpoint_BINARY_DIR}/CounterpointConfigVe
     COMPATIBILITY SameMinorVersion)
 install(FILES ${Counterpoint_BINARY_DIR}/CounterpointConfig.cmake ${Counterpoint_BINARY_DIR}/CounterpointConfigVersion.cmake
         DESTINATION ${COUNTERPOINT_PACKAGE_FOLDER})
-install(DIRECTORY ${Counterpoint_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/counterpoint)
-install(FILES ${Counterpoint_SOURCE_DIR}/docs/user_guide.md DESTINATION ${CMAKE_INSTALL_DATADIR}/counterpoint)
+
+# Scenarios, devices as files, and the one example that is a project of its own; the others are rooms of the tree.
+set(COUNTERPOINT_SHARE ${CMAKE_INSTALL_DATADIR}/counterpoint)
+install(DIRECTORY ${Counterpoint_SOURCE_DIR}/examples DESTINATION ${COUNTERPOINT_SHARE}
+        FILES_MATCHING PATTERN "*.yaml" PATTERN "*.dcf" PATTERN "examples/README.md" PATTERN firmware EXCLUDE PATTERN host EXCLUDE
+        PATTERN common EXCLUDE PATTERN controller EXCLUDE PATTERN generated_actuator EXCLUDE PATTERN network_manager EXCLUDE)
+install(DIRECTORY ${Counterpoint_SOURCE_DIR}/examples/first_device DESTINATION ${COUNTERPOINT_SHARE}/examples)
+install(FILES ${Counterpoint_SOURCE_DIR}/LICENSE ${Counterpoint_SOURCE_DIR}/CHANGELOG.md DESTINATION ${COUNTERPOINT_SHARE})
+install(DIRECTORY ${Counterpoint_SOURCE_DIR}/docs DESTINATION ${COUNTERPOINT_SHARE} FILES_MATCHING PATTERN "*.md" PATTERN decisions EXCLUDE
+        PATTERN requirements EXCLUDE PATTERN facts EXCLUDE PATTERN charts EXCLUDE)
+find_program(COUNTERPOINT_PYTHON python3 REQUIRED)
+install(CODE "execute_process(COMMAND ${COUNTERPOINT_PYTHON} ${Counterpoint_SOURCE_DIR}/cmake/installed_links.py
+    \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${COUNTERPOINT_SHARE}\" COMMAND_ERROR_IS_FATAL ANY)")

@@ -27,13 +27,15 @@ namespace fs = std::filesystem;
 
 /// Some of its scenarios are examples, the others test data; the examples alone are installed.
 constexpr const char* kExamples = "examples/emergency_stop";
+constexpr const char* kInstalled = "share/counterpoint";
 constexpr const char* kTestData = "tests/simulator/scenarios/emergency_stop";
 constexpr int kFaultColumn = 34;
 constexpr int kPartyColumn = 17;
 constexpr int kCauseColumn = 20;
 constexpr int kTimeColumn = 12;
 
-/// Folders of the shipped scenarios: in the working directory, else in the tree that the program was built in.
+/// Folders of the shipped scenarios: in the working directory, else in the tree that the program was built in, else in
+/// the package that it is installed in. [SRS_DEMO_005]
 std::vector<fs::path> FindScenarios()
 {
     std::error_code error;
@@ -43,6 +45,10 @@ std::vector<fs::path> FindScenarios()
         root = fs::read_symlink("/proc/self/exe", error).parent_path();
         while (root.has_relative_path() && !fs::is_directory(root / kExamples))
         {
+            if (fs::is_directory(root / kInstalled / kExamples))
+            {
+                return {root / kInstalled / kExamples};
+            }
             root = root.parent_path();
         }
     }

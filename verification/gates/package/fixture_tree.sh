@@ -6,6 +6,12 @@ made=$1
 config=$made/data/package/lib/cmake/Counterpoint
 example=$made/tree/examples/first_device
 manager=$made/data/package/include/canopen/manager
+share=$made/data/package/share/counterpoint
+mkdir -p "$made/data/package/bin" "$share"
+printf '#!/bin/sh\ntest "$1" = demo\n' >"$made/data/package/bin/counterpoint"
+chmod 755 "$made/data/package/bin/counterpoint"
+echo Licence >"$share/LICENSE"
+printf '# Guide\n[Licence](LICENSE)\n' >"$share/guide.md"
 mkdir -p "$config" "$manager" "$made/tree/tests/integration/package" "$made/tree/docs" "$example"
 printf 'add_library(Counterpoint::%s INTERFACE IMPORTED)\nset_target_properties(Counterpoint::%s PROPERTIES INTERFACE_LINK_LIBRARIES "%s")\n' \
     "$2" "$2" "$3" >"$config/CounterpointConfig.cmake"

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """A project outside the tree finds the installed package, links kernel, channels and contract, and the network manager, runs,
 and needs no library of the host tools. The user's guide is such a project too: its files are taken out of the guide, built, run, and its output
-is compared. Uses DATA/package, the installation of the product build.
+is compared. The package has its licence, documents without dead links, examples that configure, a program whose `demo` finds its files, and in no
+file the place of the build. Uses DATA/package, the installation of the product build.
 
 In the guide the line `<!-- file: PATH -->` before a code block says that the block is this file, `<!-- part: PATH -->` that
 it is a piece of it, and `<!-- output: COMMAND -->` that it is what the command prints in a folder with the guide's files;
@@ -19,6 +20,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from common import CannotLook, run_gate  # noqa: E402
 
 CONSUMER = "tests/integration/package"
+LINKS = pathlib.Path(__file__).resolve().parents[1] / "links/gate.py"
 PROGRAMS = ("consumer", "manager_consumer")
 GUIDE = "docs/user_guide.md"
 SYSTEM = re.compile(r"lib(c|m|gcc_s|stdc\+\+)\.so|ld-linux")
@@ -116,6 +118,23 @@ def check_guide(findings, root, package):
     return len(blocks)
 
 
+def check_share(findings, root, package):
+    """What comes beside the libraries: licence, documents without dead links, examples that configure, a program that finds them."""
+    share = package / "share/counterpoint"
+    if not (share / "LICENSE").is_file():
+        findings.append("package: no share/counterpoint/LICENSE, expected the licence")
+    step(findings, "package", "looking at the links of the documents", [sys.executable, LINKS, share, package])
+    with tempfile.TemporaryDirectory(prefix="share_") as folder:
+        for project in sorted(share.glob("examples/**/CMakeLists.txt")):
+            name = project.parent.relative_to(package).as_posix()
+            step(findings, name, "configuring", ["cmake", "-G", "Ninja", "-S", project.parent, "-B", f"{folder}/{project.parent.name}",
+                                                 "-DCMAKE_CXX_COMPILER=g++-12", f"-DCMAKE_PREFIX_PATH={package}"])
+        step(findings, "package", "counterpoint demo", [package / "bin/counterpoint", "demo", "--html", folder], cwd=folder)
+    for path in sorted(path for path in package.rglob("*") if path.is_file()):
+        if str(root).encode() in path.read_bytes():
+            findings.append(f"{path.relative_to(package)}: the place of the build stands in it, expected that it does not")
+
+
 def gate(root, data):
     package = data / "package"
     for needed in (CONSUMER + "/CMakeLists.txt", GUIDE):
@@ -130,7 +149,8 @@ def gate(root, data):
                 if step(findings, CONSUMER, f"running {program.name}", [program]):
                     check_libraries(findings, CONSUMER, program)
     blocks = check_guide(findings, root, package)
-    return findings, f"configure, build, run, needed libraries; {blocks} blocks of {GUIDE}"
+    check_share(findings, root, package)
+    return findings, f"configure, build, run, needed libraries; licence, links, examples, demo; {blocks} blocks of {GUIDE}"
 
 
 run_gate(gate)

@@ -38,6 +38,9 @@ inline constexpr RequirementId SRS_VER_041{"SRS_VER_041"};
 inline constexpr RequirementId SRS_VER_042{"SRS_VER_042"};
 inline constexpr RequirementId SRS_VER_050{"SRS_VER_050"};
 inline constexpr RequirementId SRS_VER_051{"SRS_VER_051"};
+inline constexpr RequirementId SRS_VER_060{"SRS_VER_060"};
+inline constexpr RequirementId SRS_VER_061{"SRS_VER_061"};
+inline constexpr RequirementId SRS_VER_062{"SRS_VER_062"};
 } // namespace counterpoint::req
 
 #endif
