@@ -293,20 +293,15 @@ void DeviceObjects::SetValue(const cia306::Entry& source, const std::uint8_t nod
     Stored stored;
     stored.entry = entries_.size();
     stored.line = source.ValueLine();
-    stored.is_configured = source.Configured().IsSet();
     stored.value.resize((source.type.bits + 7U) / 8U);
-    if (stored.is_configured)
+    const std::optional<cia306::Value> value = cia306::UsableValue(file_, source, node_id);
+    stored.is_configured = value.has_value();
+    if (value)
     {
-        const cia306::ValueResult result = cia306::ConfiguredValue(source, node_id);
-        if (!result.value)
-        {
-            throw cia306::InputError(file_, stored.line, result.problem);
-        }
-        const std::string& text = result.value->text;
+        const std::string& text = value->text;
         if (source.type.bits != 0U)
         {
-            cia301::ToLittleEndian(result.value->bits, stored.value.data(),
-                                   static_cast<std::uint32_t>(stored.value.size()));
+            cia301::ToLittleEndian(value->bits, stored.value.data(), static_cast<std::uint32_t>(stored.value.size()));
         }
         else if (source.data_type == kOctetString)
         {
@@ -321,7 +316,17 @@ void DeviceObjects::SetValue(const cia306::Entry& source, const std::uint8_t nod
             stored.value.assign(text.begin(), text.end());
         }
     }
+    else if (source.Configured().IsSet())
+    {
+        LeaveOut(source, source.Configured(), cia306::ConfiguredValue(source, node_id).problem);
+    }
     stored_.push_back(stored);
+}
+
+void DeviceObjects::LeaveOut(const cia306::Entry& source, const cia306::Text& text, const cia306::Problem& problem)
+{
+    left_out_.push_back({cia306::Severity::kWarning, text.line, cia306::ObjectName(source.index, source.sub),
+                         problem.wrong + " is left out, expected " + problem.expected});
 }
 
 void DeviceObjects::SetRoom(cia301::Entry& entry, const cia306::Entry& source)
@@ -352,7 +357,7 @@ void DeviceObjects::SetLimits(cia301::Entry& entry, const cia306::Entry& source,
 }
 
 std::uint64_t DeviceObjects::LimitOf(const cia306::Entry& source, const cia306::Text& text, const std::uint8_t node_id,
-                                     const std::uint64_t otherwise) const
+                                     const std::uint64_t otherwise)
 {
     if (!text.IsSet() || source.type.bits == 0U)
     {
@@ -361,7 +366,8 @@ std::uint64_t DeviceObjects::LimitOf(const cia306::Entry& source, const cia306::
     const cia306::ValueResult result = cia306::ParseValue(text.text, source.type, node_id);
     if (!result.value)
     {
-        throw cia306::InputError(file_, text.line, result.problem);
+        LeaveOut(source, text, {"limit: " + result.problem.wrong, result.problem.expected});
+        return otherwise;
     }
     std::array<std::uint8_t, 8U> bytes{};
     const auto size = static_cast<std::uint32_t>((source.type.bits + 7U) / 8U);
@@ -382,7 +388,7 @@ void DeviceObjects::LoadApplication() noexcept
 
 void DeviceObjects::LoadCommunication() noexcept
 {
-    refusals_.clear();
+    refusals_ = left_out_;
     for (const Stored& stored : stored_)
     {
         if (entries_[stored.entry].index < kFirstApplication)
@@ -415,21 +421,21 @@ void DeviceObjects::Load(const Stored& stored) noexcept
     const SdoAbort abort = cia301::WriteEntry(entry, {stored.value.data(), size});
     if (abort != SdoAbort::kNone)
     {
-        refusals_.push_back(file_ + ":" + std::to_string(stored.line) +
-                            ": warning: " + cia306::ObjectName(entry.index, entry.sub) +
-                            ": the device refuses this value with " + "abort code " +
-                            cia306::Hex(static_cast<std::uint32_t>(abort), 8) + ", expected one of the object's range");
+        refusals_.push_back({cia306::Severity::kWarning, stored.line, cia306::ObjectName(entry.index, entry.sub),
+                             "the device refuses this value with abort code " +
+                                 cia306::Hex(static_cast<std::uint32_t>(abort), 8) +
+                                 ", expected one of the object's range"});
     }
 }
 
-const std::vector<std::string>& DeviceObjects::Refusals() const noexcept
+const std::vector<cia306::Finding>& DeviceObjects::Refusals() const noexcept
 {
     return refusals_;
 }
 
-std::vector<std::string> DeviceObjects::PdosTurnedOff(cia301::Dictionary& dictionary) const
+std::vector<cia306::Finding> DeviceObjects::PdosTurnedOff(cia301::Dictionary& dictionary) const
 {
-    std::vector<std::string> lines;
+    std::vector<cia306::Finding> findings;
     for (const Stored& stored : stored_)
     {
         const cia301::Entry& entry = entries_[stored.entry];
@@ -444,11 +450,10 @@ std::vector<std::string> DeviceObjects::PdosTurnedOff(cia301::Dictionary& dictio
         const std::uint64_t now = dictionary.ReadNumber({entry.index, entry.sub}).value;
         if ((wanted & cia301::kCobOff) == 0U && (now & cia301::kCobOff) != 0U)
         {
-            lines.push_back(file_ + ":" + std::to_string(stored.line) +
-                            ": warning: " + cia306::ObjectName(entry.index, entry.sub) +
-                            ": the device has turned this PDO off, expected a mapping and settings that hold");
+            findings.push_back({cia306::Severity::kWarning, stored.line, cia306::ObjectName(entry.index, entry.sub),
+                                "the device has turned this PDO off, expected a mapping and settings that hold"});
         }
     }
-    return lines;
+    return findings;
 }
 } // namespace counterpoint::runtime
