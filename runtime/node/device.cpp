@@ -334,10 +334,11 @@ void NodeDevice::TellState(const std::uint64_t now_ns)
     if (state != state_)
     {
         const bool is_configured = state_ == cia301::NodeState::kInvalid && cia301::StateByte(state) != 0U;
-        const bool is_of_file = is_configured && !store_; // What was saved may have turned one off.
-        if (is_of_file)
+        const auto is_saved = [this](const ObjectAddress& object) { return store_ && store_->Loaded().Has(object); };
+        refusals_.Tell(now_ns, is_configured ? assembly_.Objects().NotTaken(is_saved) : std::vector<cia306::Finding>{});
+        for (const std::string& line : is_configured&& store_ ? store_->NotTaken() : std::vector<std::string>{})
         {
-            refusals_.Tell(now_ns, assembly_.Objects().PdosTurnedOff(assembly_.Dictionary()));
+            report_.Tell(now_ns, line, "store", {{"text", line}});
         }
         state_ = state;
         if (state == cia301::NodeState::kOperational)

@@ -25,6 +25,7 @@ constexpr std::size_t kTextRoom = 256U;
 constexpr std::size_t kDomainRoom = 8192U;
 constexpr std::uint16_t kOctetString = 0x000AU;
 constexpr std::uint16_t kUnicodeString = 0x000BU;
+constexpr std::uint16_t kHighResolution = 0x1013U;
 constexpr std::uint16_t kConsumerTimes = 0x1016U;
 constexpr std::uint16_t kFirstApplication = 0x2000U;
 
@@ -144,6 +145,21 @@ cia301::NumberHook* HookOf(const cia301::Entry& entry, device::Services& service
         break;
     }
     return (entry.index >= kFirstRpdo && entry.index <= kLastTpdoMap) ? &services.pdos : nullptr;
+}
+
+/// The device's own: its errors, and what has one value only.
+bool IsOwn(const cia301::Entry& entry)
+{
+    return entry.index == 0x1001U || entry.index == 0x1003U || entry.index == 0x1200U || IsStore(entry.index) ||
+           entry.access == cia301::Access::kConstant;
+}
+
+bool HasValue(const cia301::Entry& entry, const std::vector<std::uint8_t>& value)
+{
+    std::vector<std::uint8_t> now(entry.size_bytes);
+    const cia301::Reading reading = cia301::ReadEntry(entry, {now.data(), entry.size_bytes});
+    now.resize(reading.size_bytes);
+    return reading.abort == SdoAbort::kNone && now == value;
 }
 
 bool IsOfServiceObjects(const std::uint16_t index)
@@ -411,10 +427,7 @@ void DeviceObjects::Load(const Stored& stored) noexcept
         }
         return;
     }
-    // The device's own: its errors, and what has one value only.
-    const bool is_own = entry.index == 0x1001U || entry.index == 0x1003U || entry.index == 0x1200U ||
-                        IsStore(entry.index) || entry.access == cia301::Access::kConstant;
-    if (!stored.is_configured || is_own)
+    if (!stored.is_configured || IsOwn(entry))
     {
         return;
     }
@@ -433,26 +446,26 @@ const std::vector<cia306::Finding>& DeviceObjects::Refusals() const noexcept
     return refusals_;
 }
 
-std::vector<cia306::Finding> DeviceObjects::PdosTurnedOff(cia301::Dictionary& dictionary) const
+std::vector<cia306::Finding> DeviceObjects::NotTaken(const std::function<bool(const ObjectAddress&)>& is_replaced) const
 {
     std::vector<cia306::Finding> findings;
     for (const Stored& stored : stored_)
     {
         const cia301::Entry& entry = entries_[stored.entry];
-        const bool is_rpdo = entry.index >= kFirstRpdo && entry.index < kFirstRpdoMap;
-        const bool is_tpdo = entry.index >= kFirstTpdo && entry.index < kFirstTpdoMap;
-        if (!(is_rpdo || is_tpdo) || entry.sub != 1U || !stored.is_configured)
+        const std::string object = cia306::ObjectName(entry.index, entry.sub);
+        const bool is_refused = std::any_of(refusals_.begin(), refusals_.end(), [&](const cia306::Finding& refusal)
+                                            { return refusal.line == stored.line && refusal.object == object; });
+        const bool is_of_service = entry.place == nullptr && stored.is_configured && !IsOwn(entry);
+        // 1013h is a time that goes on.
+        const bool is_other = entry.index == kHighResolution || is_replaced({entry.index, entry.sub});
+        if (!is_of_service || is_refused || is_other || HasValue(entry, stored.value))
         {
             continue;
         }
-        const auto size = static_cast<std::uint32_t>(stored.value.size());
-        const std::uint64_t wanted = cia301::FromLittleEndian(stored.value.data(), size);
-        const std::uint64_t now = dictionary.ReadNumber({entry.index, entry.sub}).value;
-        if ((wanted & cia301::kCobOff) == 0U && (now & cia301::kCobOff) != 0U)
-        {
-            findings.push_back({cia306::Severity::kWarning, stored.line, cia306::ObjectName(entry.index, entry.sub),
-                                "the device has turned this PDO off, expected a mapping and settings that hold"});
-        }
+        const bool is_pdo = entry.index >= kFirstRpdo && entry.index < kFirstTpdoMap && entry.sub == 1U;
+        findings.push_back({cia306::Severity::kWarning, stored.line, object,
+                            is_pdo ? "the device has turned this PDO off, expected a mapping and settings that hold"
+                                   : "the device does without this value, expected one that goes with the others"});
     }
     return findings;
 }

@@ -49,9 +49,11 @@ class DeviceObjects
     /// data type cannot have, which are left out.
     [[nodiscard]] const std::vector<cia306::Finding>& Refusals() const noexcept;
 
-    /// @brief PDOs that the file switches on and that the device has turned off because their mapping does not hold.
-    /// Call it after the configuration. [SRS_NODE_017]
-    [[nodiscard]] std::vector<cia306::Finding> PdosTurnedOff(cia301::Dictionary& dictionary) const;
+    /// @brief Values of the file that the services have not: they go with other values of it, such as those of a PDO
+    /// that the device has turned off because its mapping does not hold; but for those objects that got their value
+    /// from elsewhere. Call it after the configuration. [SRS_NODE_017, SRS_NODE_030]
+    [[nodiscard]] std::vector<cia306::Finding>
+    NotTaken(const std::function<bool(const ObjectAddress&)>& is_replaced) const;
 
   private:
     /// A value and where it goes.

@@ -51,6 +51,7 @@ inline constexpr RequirementId SRS_NODE_017{"SRS_NODE_017"};
 inline constexpr RequirementId SRS_NODE_018{"SRS_NODE_018"};
 inline constexpr RequirementId SRS_NODE_019{"SRS_NODE_019"};
 inline constexpr RequirementId SRS_NODE_020{"SRS_NODE_020"};
+inline constexpr RequirementId SRS_NODE_030{"SRS_NODE_030"};
 } // namespace counterpoint::req
 
 #endif
