@@ -100,13 +100,29 @@ void Services::BeginConfiguration() noexcept
     for (std::uint8_t place = 0U; place < further.count; ++place)
     {
         further.list[place]->ResetCommunication(node);
+        if (cia301::NumberHook* const hook = further.list[place]->Objects())
+        {
+            hook->BeginConfiguration();
+        }
     }
+    sync.BeginConfiguration();
+    objects.BeginConfiguration();
     tpdos.BeginConfiguration();
     rpdos.BeginConfiguration();
 }
 
 void Services::EndConfiguration() noexcept
 {
+    consumer.EndLoad();
+    for (std::uint8_t place = 0U; place < further.count; ++place)
+    {
+        if (cia301::NumberHook* const hook = further.list[place]->Objects())
+        {
+            hook->EndConfiguration();
+        }
+    }
+    sync.EndConfiguration();
+    objects.EndConfiguration();
     rpdos.EndConfiguration();
     tpdos.EndConfiguration();
     const cia301::NumberReading start_up = dictionary->ReadNumber({kStartUpIndex, 0U});

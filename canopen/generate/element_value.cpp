@@ -104,10 +104,11 @@ void ReadLimits(const ElementContext& context, Element& element, std::uint64_t& 
     {
         element.limits = limits;
     }
+    const bool is_configured = cia306::UsableValue(context.device.file, entry, context.node_id).has_value();
     const std::uint64_t extended = Extended(value, entry.type);
     const bool is_below = IsBelow(extended, limits.low, IsSigned(entry.type));
     const bool is_above = IsBelow(limits.high, extended, IsSigned(entry.type));
-    if (!entry.Configured().IsSet())
+    if (!is_configured)
     {
         value = is_below ? limits.low : (is_above ? limits.high : value);
     }
@@ -134,9 +135,10 @@ void ReadValue(const ElementContext& context, Element& element)
         return;
     }
     std::uint64_t value = 0U;
-    if (entry.Configured().IsSet())
+    const auto configured = cia306::UsableValue(context.device.file, entry, context.node_id);
+    if (configured)
     {
-        value = cia306::RequiredValue(context.device.file, entry, context.node_id).bits;
+        value = configured->bits;
         const auto formula = cia306::ParseFormula(entry.Configured().text);
         const bool has_node_id = formula && formula->has_node_id;
         element.node_addend = has_node_id ? std::optional(formula->number.magnitude) : std::nullopt;

@@ -103,26 +103,9 @@ std::uint32_t SafetyPart::Digest() const noexcept
     return node_id_ == device_.node_id ? parameters_.digest : 0U;
 }
 
-bool SafetyPart::IsMapped(const cia306::Entry& entry, const bool by_consumer) const
-{
-    for (const SrdoConfiguration& srdo : safety_.srdos)
-    {
-        const bool is_wanted = srdo.IsConsumer() || !by_consumer;
-        for (const MappingEntry& mapped : srdo.mapping)
-        {
-            const bool is_this = mapped.Index() == entry.index && mapped.Sub() == entry.sub;
-            if (is_this && is_wanted)
-            {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
 std::optional<Home> SafetyPart::HomeOf(const cia306::Entry& entry) const
 {
-    const bool is_mappable = entry.is_srdo_mappable.value_or(entry.is_pdo_mappable && IsMapped(entry, false));
+    const bool is_mappable = entry.is_srdo_mappable.value_or(entry.is_pdo_mappable && safety_.Maps(entry));
     const bool has_length = entry.type.bits >= 1U && entry.type.bits <= 64U;
     if (safety_.srdos.empty() || !is_mappable || !has_length)
     {
@@ -139,7 +122,7 @@ std::optional<Home> SafetyPart::HomeOf(const cia306::Entry& entry) const
         return Home::kConsumed;
     case cia306::Access::kReadWrite:
         // Fits both directions: what the file maps it to decides.
-        return IsMapped(entry, true) ? Home::kConsumed : Home::kProduced;
+        return safety_.MapsToReceive(entry) ? Home::kConsumed : Home::kProduced;
     case cia306::Access::kUnknown:
         break;
     }

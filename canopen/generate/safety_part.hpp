@@ -66,7 +66,6 @@ class SafetyPart
   private:
     [[nodiscard]] std::vector<SafetySetting> SettingsFor(const cia306::SafetyConfiguration& safety) const;
     void FollowNodeId(std::vector<SafetySetting>& settings) const;
-    [[nodiscard]] bool IsMapped(const cia306::Entry& entry, bool by_consumer) const;
 
     const cia306::Device& device_;
     std::optional<std::uint8_t> node_id_;

@@ -14,6 +14,29 @@ using cia301::Reading;
 using cia301::Room;
 using cia301::SdoAbort;
 
+namespace
+{
+
+constexpr std::uint32_t kLongestNumber = 8U;
+
+std::uint32_t LengthOf(const Entry& entry) noexcept
+{
+    return (entry.length_bytes == nullptr) ? entry.size_bytes : *entry.length_bytes;
+}
+
+void Add(PresetReply& reply, const ObjectAddress& object, const SdoAbort abort) noexcept
+{
+    if (abort != SdoAbort::kNone)
+    {
+        const bool is_first = reply.refused == 0U;
+        reply.abort = is_first ? abort : reply.abort;
+        reply.object = is_first ? object : reply.object;
+        ++reply.refused;
+    }
+}
+
+} // namespace
+
 AttachResult StoredObjects::Attach(const IndexRange& range, const ObjectHooks& hooks) noexcept
 {
     AttachResult result = (count_ < kMaxHookedRanges) ? AttachResult::kAttached : AttachResult::kFull;
@@ -32,20 +55,53 @@ AttachResult StoredObjects::Attach(const IndexRange& range, const ObjectHooks& h
     return result;
 }
 
-SdoAbort StoredObjects::Preset(const IndexRange& range) noexcept
+PresetReply StoredObjects::Preset(const IndexRange& range) noexcept
 {
-    SdoAbort abort = SdoAbort::kNone;
-    for (std::uint32_t i = 0U; (i < table_.count) && (abort == SdoAbort::kNone); ++i)
+    PresetReply reply{SdoAbort::kNone, ObjectAddress{0U, 0U}, 0U};
+    for (std::uint32_t i = 0U; i < table_.count; ++i)
     {
         const Entry& entry = table_.entries[i];
         cia301::WriteHook* const hook = HooksOf(entry.index).write;
         if ((hook != nullptr) && IsPreset(i, range))
         {
-            const std::uint32_t length = (entry.length_bytes == nullptr) ? entry.size_bytes : *entry.length_bytes;
-            abort = hook->OnWrite(ObjectAddress{entry.index, entry.sub}, Bytes{entry.place, length});
+            const ObjectAddress object{entry.index, entry.sub};
+            Add(reply, object, hook->OnWrite(object, Bytes{entry.place, LengthOf(entry)}));
         }
     }
-    return abort;
+    return reply;
+}
+
+PresetReply StoredObjects::Compare(const IndexRange& range) noexcept
+{
+    PresetReply reply{SdoAbort::kNone, ObjectAddress{0U, 0U}, 0U};
+    for (std::uint32_t i = 0U; i < table_.count; ++i)
+    {
+        const Entry& entry = table_.entries[i];
+        cia301::ReadHook* const hook = HooksOf(entry.index).read;
+        if ((hook != nullptr) && IsPreset(i, range))
+        {
+            Add(reply, ObjectAddress{entry.index, entry.sub}, CompareEntry(entry, *hook));
+        }
+    }
+    return reply;
+}
+
+/// kIncompatible: the hook has another value.
+SdoAbort StoredObjects::CompareEntry(const Entry& entry, cia301::ReadHook& hook) noexcept
+{
+    const std::uint32_t length = LengthOf(entry);
+    if (length > kLongestNumber)
+    {
+        return SdoAbort::kNone; // No value that goes with others.
+    }
+    std::uint8_t now[kLongestNumber] = {};
+    const Reading reading = hook.OnRead(ObjectAddress{entry.index, entry.sub}, Room{now, kLongestNumber});
+    bool is_same = (reading.abort == SdoAbort::kNone) && (reading.size_bytes == length);
+    for (std::uint32_t i = 0U; is_same && (i < length); ++i)
+    {
+        is_same = now[i] == entry.place[i];
+    }
+    return is_same ? SdoAbort::kNone : SdoAbort::kIncompatible;
 }
 
 /// Whether the entry at this position has a stored value that a hook wants to know.

@@ -34,6 +34,14 @@ enum class AttachResult : std::uint8_t
     kFull = 2U,    ///< kMaxHookedRanges have hooks.
 };
 
+/// What Preset came to: how many values were refused, and the first of them; kNone: all were taken.
+struct PresetReply
+{
+    cia301::SdoAbort abort;
+    ObjectAddress object;
+    std::uint32_t refused;
+};
+
 /// Hook of all entries that have a place: asks the hook that is attached to the object, else reads and writes the
 /// place. Attached hooks are kept by reference. Not reentrant. [SRS_GEN_008]
 class StoredObjects final : public cia301::ReadHook, public cia301::WriteHook
@@ -46,9 +54,13 @@ class StoredObjects final : public cia301::ReadHook, public cia301::WriteHook
 
     /// @brief From now on these hooks keep the objects of the range. O(ranges)
     [[nodiscard]] AttachResult Attach(const IndexRange& range, const ObjectHooks& hooks) noexcept;
-    /// @brief Tells the hook of each writable entry of the range its stored value; the first refusal ends it. A
-    /// sub-index 0 of an object that has others is not told. O(entries)
-    [[nodiscard]] cia301::SdoAbort Preset(const IndexRange& range) noexcept;
+    /// @brief Tells the hook of each writable entry of the range its stored value, all of them whatever is refused. A
+    /// sub-index 0 of an object that has others is not told. Within a reset of canopen/device services take them in any
+    /// order. O(entries) [SRS_GEN_019]
+    [[nodiscard]] PresetReply Preset(const IndexRange& range) noexcept;
+    /// @brief Behind the reset: the values of the range that a hook has not as they are stored, because they do not go
+    /// with the others. O(entries) [SRS_GEN_019]
+    [[nodiscard]] PresetReply Compare(const IndexRange& range) noexcept;
 
     [[nodiscard]] cia301::Reading OnRead(const ObjectAddress& address, const cia301::Room& room) noexcept override;
     [[nodiscard]] cia301::SdoAbort OnWrite(const ObjectAddress& address, const cia301::Bytes& value) noexcept override;
@@ -63,6 +75,7 @@ class StoredObjects final : public cia301::ReadHook, public cia301::WriteHook
     [[nodiscard]] ObjectHooks HooksOf(std::uint16_t index) const noexcept;
     [[nodiscard]] const cia301::Entry* Find(const ObjectAddress& address) const noexcept;
     [[nodiscard]] bool IsPreset(std::uint32_t position, const IndexRange& range) const noexcept;
+    [[nodiscard]] static cia301::SdoAbort CompareEntry(const cia301::Entry& entry, cia301::ReadHook& hook) noexcept;
 
     cia301::EntryTable table_;
     HookedRange ranges_[kMaxHookedRanges]{}; ///< The first `count_`.

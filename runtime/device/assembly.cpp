@@ -151,7 +151,7 @@ device::LoadResult DeviceAssembly::OnResetCommunication() noexcept
     {
         rest_->objects_.LoadCommunication();
     }
-    owner_.OnResetCommunication((rest_ == nullptr) ? std::vector<std::string>{} : rest_->objects_.Refusals());
+    owner_.OnResetCommunication((rest_ == nullptr) ? std::vector<cia306::Finding>{} : rest_->objects_.Refusals());
     if (!IsSafetyLoaded())
     {
         LoadSafety();

@@ -35,8 +35,8 @@ class AssemblyOwner : public cia301::TimeListener, public cia301::EmergencyListe
     /// @brief The kernel refused a value of the file.
     virtual void OnRefused(const ConfigurationWrite& write, AbortCode code) noexcept = 0;
     /// @brief Communication was reset: states and values count as not told yet. `refusals`: values of the file that
-    /// services refused, as lines.
-    virtual void OnResetCommunication(const std::vector<std::string>& refusals) noexcept = 0;
+    /// services refused.
+    virtual void OnResetCommunication(const std::vector<cia306::Finding>& refusals) noexcept = 0;
 
   protected:
     AssemblyOwner() noexcept = default;

@@ -23,16 +23,6 @@ ObjectAddress AddressOf(const cia306::MappingEntry& entry)
     return {entry.Index(), entry.Sub()};
 }
 
-bool HasSafety(const cia306::Device& device)
-{
-    constexpr std::uint16_t kFirst = 0x1300U;
-    constexpr std::uint16_t kLast = 0x13FFU;
-    const auto listed = device.missing.lower_bound(kFirst);
-    const auto found = device.objects.lower_bound(kFirst);
-    return (found != device.objects.end() && found->first <= kLast) ||
-           (listed != device.missing.end() && listed->first <= kLast);
-}
-
 /// 5F05h; everything but the word of late detection is early.
 SrvtDetection DetectionOf(const cia306::SrdoParameters& parameters)
 {
@@ -69,10 +59,12 @@ DeviceSource::DeviceSource(const cia306::Device& device, const std::string& file
                               "at most " + std::to_string(kMaxMapEntries)});
         }
     }
-    is_plain_ = need == SafetyNeed::kOptional && !HasSafety(device_);
+    const auto safety_object = cia306::FirstSafetyObject(device_);
+    is_plain_ = need == SafetyNeed::kOptional && !safety_object;
     if (safety_.srdos.empty() && !is_plain_)
     {
-        throw InputError(file_, 0U, {"no SRDO", "objects 0x1301 to 0x1340 with at least one SRDO"});
+        throw InputError(file_, safety_object ? safety_object->second : 0U,
+                         {"no SRDO", "objects 0x1301 to 0x1340 with at least one SRDO"});
     }
     std::vector<cia306::Finding> problems;
     parameters_ = cia306::ReadDeviceParameters(device_, node_id_, problems);
@@ -138,6 +130,7 @@ MapAccess DeviceSource::AccessOf(const cia306::Entry& entry) const
     {
     case cia306::Access::kReadOnly:
     case cia306::Access::kReadWriteInput:
+    case cia306::Access::kConstant:
         return MapAccess::kProducer;
     case cia306::Access::kWriteOnly:
     case cia306::Access::kReadWriteOutput:
@@ -145,22 +138,10 @@ MapAccess DeviceSource::AccessOf(const cia306::Entry& entry) const
     case cia306::Access::kReadWrite:
         break;
     case cia306::Access::kUnknown:
-    case cia306::Access::kConstant:
         return MapAccess::kNone;
     }
     // rw fits both directions: what the DCF maps it to decides.
-    for (const cia306::SrdoConfiguration& srdo : safety_.srdos)
-    {
-        for (const cia306::MappingEntry& mapped : srdo.mapping)
-        {
-            const bool is_this = mapped.Index() == entry.index && mapped.Sub() == entry.sub;
-            if (is_this && srdo.IsConsumer())
-            {
-                return MapAccess::kConsumer;
-            }
-        }
-    }
-    return MapAccess::kProducer;
+    return safety_.MapsToReceive(entry) ? MapAccess::kConsumer : MapAccess::kProducer;
 }
 
 void DeviceSource::AppendVariable(const cia306::Entry& entry, std::vector<SourceVariable>& variables) const
@@ -174,15 +155,12 @@ void DeviceSource::AppendVariable(const cia306::Entry& entry, std::vector<Source
     }
     SourceVariable variable;
     variable.object = {entry.index, entry.sub, bits, AccessOf(entry), nullptr};
-    if (entry.Configured().IsSet())
+    const std::optional<cia306::Value> value = cia306::UsableValue(file_, entry, node_id_);
+    if (!value && entry.Configured().IsSet() && safety_.Maps(entry))
     {
-        const cia306::ValueResult result = cia306::ConfiguredValue(entry, node_id_);
-        if (!result.value)
-        {
-            throw InputError(file_, entry.ValueLine(), result.problem);
-        }
-        variable.value = result.value->bits;
+        throw InputError(file_, entry.ValueLine(), cia306::ConfiguredValue(entry, node_id_).problem);
     }
+    variable.value = value ? value->bits : 0U;
     variables.push_back(variable);
 }
 

@@ -117,6 +117,41 @@ bool IsSameSrdo(const SrdoModel& one, const SrdoModel& other)
 }
 } // namespace
 
+NodeRefusals::NodeRefusals(NodeReport& report, const std::string& file,
+                           std::vector<cia306::Finding>* const list) noexcept
+    : report_(report), file_(file), list_(list)
+{
+}
+
+void NodeRefusals::Tell(const std::uint64_t at_ns, const std::vector<cia306::Finding>& findings)
+{
+    for (cia306::Finding finding : findings)
+    {
+        Keep(finding);
+        const bool is_kernels = finding.severity == cia306::Severity::kError;
+        finding.text += is_kernels ? ", expected what 'counterpoint check' finds right" : "";
+        finding.severity = cia306::Severity::kWarning; // The device goes on without the value.
+        const std::string line = cia306::FormatFinding(file_, finding);
+        report_.Tell(at_ns, line, "refused", {{"text", line}});
+    }
+}
+
+void NodeRefusals::TellNoStart(const std::uint64_t at_ns, const StartResult result)
+{
+    const auto reason = static_cast<unsigned>(result);
+    const std::string text = "the kernel refuses this device, reason " + std::to_string(reason) + " of StartResult";
+    Keep({cia306::Severity::kError, 0U, "", text});
+    report_.Tell(at_ns, text, "no_start", {{"reason", reason}});
+}
+
+void NodeRefusals::Keep(const cia306::Finding& finding)
+{
+    if (list_ != nullptr)
+    {
+        list_->push_back(finding);
+    }
+}
+
 NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeReport& report)
     : report_(report), ports_(ports), file_(cia306::ReadDeviceFile(settings.dcf)),
       has_lss_(settings.has_lss || file_.is_lss_supported),
@@ -131,10 +166,12 @@ NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeRepor
                 {channel_a_->Voice(), channel_b_->Voice(), ports, output_, watchdog_, application_,
                  self_test_ ? &self_test_->Part() : nullptr, *this, &file_}),
       transfers_(assembly_.Optional(), report),
-      store_(settings.store.empty() ? nullptr
-                                    : std::make_unique<NodeStore>(
-                                          settings.store, NodeStoreParts{assembly_.Core(), assembly_.Objects().Table(),
-                                                                         assembly_.Dictionary(), assembly_.Services()}))
+      store_(settings.store.empty()
+                 ? nullptr
+                 : std::make_unique<NodeStore>(settings.store,
+                                               NodeStoreParts{assembly_.Core(), assembly_.Objects().Table(),
+                                                              assembly_.Dictionary(), assembly_.Services()})),
+      refusals_(report, model_.File(), settings.refused)
 {
     assembly_.Connect(store_ ? &store_->Hook() : nullptr);
     FurnishSelfTest();
@@ -303,11 +340,11 @@ void NodeDevice::TellState(const std::uint64_t now_ns)
     if (state != state_)
     {
         const bool is_configured = state_ == cia301::NodeState::kInvalid && cia301::StateByte(state) != 0U;
-        const bool is_of_file = is_configured && !store_; // What was saved may have turned one off.
-        for (const std::string& line :
-             is_of_file ? assembly_.Objects().PdosTurnedOff(assembly_.Dictionary()) : std::vector<std::string>{})
+        const auto is_saved = [this](const ObjectAddress& object) { return store_ && store_->Loaded().Has(object); };
+        refusals_.Tell(now_ns, is_configured ? assembly_.Objects().NotTaken(is_saved) : std::vector<cia306::Finding>{});
+        for (const std::string& line : is_configured&& store_ ? store_->NotTaken() : std::vector<std::string>{})
         {
-            report_.Tell(now_ns, line, "refused", {{"text", line}});
+            report_.Tell(now_ns, line, "store", {{"text", line}});
         }
         state_ = state;
         if (state == cia301::NodeState::kOperational)
@@ -388,9 +425,7 @@ void NodeDevice::OnStart() noexcept
 
 void NodeDevice::OnNoStart(const StartResult result) noexcept
 {
-    const auto reason = static_cast<unsigned>(result);
-    report_.Tell(now_ns_, "the kernel refuses this device, reason " + std::to_string(reason) + " of StartResult",
-                 "no_start", {{"reason", reason}});
+    refusals_.TellNoStart(now_ns_, result);
 }
 
 /// What is wrong with the store's file is told once, not at each reset.
@@ -407,20 +442,16 @@ void NodeDevice::OnLoaded(const std::uint8_t groups) noexcept
 
 void NodeDevice::OnRefused(const ConfigurationWrite& write, const AbortCode code) noexcept
 {
-    const std::string text = model_.File() + ":" + std::to_string(write.line) +
-                             ": warning: " + cia306::ObjectName(write.object.index, write.object.sub) +
-                             ": the kernel refuses " + cia306::Hex(write.value, write.size_bytes * 2) +
-                             " with abort code " + AbortText(code) + ", expected what 'counterpoint check' finds right";
-    report_.Tell(now_ns_, text, "refused", {{"text", text}});
+    refusals_.Tell(now_ns_,
+                   {{cia306::Severity::kError, write.line, cia306::ObjectName(write.object.index, write.object.sub),
+                     "the kernel refuses " + cia306::Hex(write.value, write.size_bytes * 2) + " with abort code " +
+                         AbortText(code)}});
 }
 
-void NodeDevice::OnResetCommunication(const std::vector<std::string>& refusals) noexcept
+void NodeDevice::OnResetCommunication(const std::vector<cia306::Finding>& refusals) noexcept
 {
     has_reset_ = true;
-    for (const std::string& refusal : refusals)
-    {
-        report_.Tell(now_ns_, refusal, "refused", {{"text", refusal}});
-    }
+    refusals_.Tell(now_ns_, refusals);
 }
 
 void NodeDevice::OnTime(const cia301::TimeOfDay& time, const Instant now) noexcept

@@ -36,6 +36,29 @@ struct NodeSettings
     bool has_lss{false};                   ///< LSS gives the node-ID, also where the file does not say so.
     bool has_self_tests{true};
     std::optional<std::uint8_t> lss_node_id{}; ///< Node-ID that LSS gave in this run; counts before all others.
+    /// Gets what the device refuses of the file: values of services as warnings, all else as errors; null: the report
+    /// alone is told.
+    std::vector<cia306::Finding>* refused{nullptr};
+};
+
+/// Tells what a device refuses of its file.
+class NodeRefusals
+{
+  public:
+    /// @brief All outlive it; `list` may be null.
+    NodeRefusals(NodeReport& report, const std::string& file, std::vector<cia306::Finding>* list) noexcept;
+
+    /// @brief Values that were refused at `at_ns`.
+    void Tell(std::uint64_t at_ns, const std::vector<cia306::Finding>& findings);
+    /// @brief The kernel refused the device.
+    void TellNoStart(std::uint64_t at_ns, StartResult result);
+
+  private:
+    void Keep(const cia306::Finding& finding);
+
+    NodeReport& report_;
+    const std::string& file_;
+    std::vector<cia306::Finding>* list_;
 };
 
 /// A device of a DCF in real time: an assembly with shipped channels, output gate and watchdog of the host, and frames
@@ -105,7 +128,7 @@ class NodeDevice final : private AssemblyOwner
     void OnNoStart(StartResult result) noexcept override;
     void OnLoaded(std::uint8_t groups) noexcept override;
     void OnRefused(const ConfigurationWrite& write, AbortCode code) noexcept override;
-    void OnResetCommunication(const std::vector<std::string>& refusals) noexcept override;
+    void OnResetCommunication(const std::vector<cia306::Finding>& refusals) noexcept override;
     void OnTime(const cia301::TimeOfDay& time, Instant now) noexcept override;
     void OnEmergency(const cia301::ReceivedEmergency& emergency) noexcept override;
     void TellSelfTest();
@@ -133,6 +156,7 @@ class NodeDevice final : private AssemblyOwner
     NodeTransfers transfers_;
     std::unique_ptr<NodeStore> store_; ///< Null: none.
 
+    NodeRefusals refusals_;
     std::string store_warning_; ///< The last one that was told.
     std::uint64_t start_ns_{0U};
     std::uint64_t now_ns_{0U}; ///< Of what is told next.

@@ -62,8 +62,9 @@ NodePorts::NodePorts(const std::string& first, const std::string& second)
 {
 }
 
-NodePorts::NodePorts(std::unique_ptr<host::LiveBus> safety, std::unique_ptr<host::LiveBus> services) noexcept
-    : safety_(std::move(safety)), services_(std::move(services))
+NodePorts::NodePorts(std::unique_ptr<host::LiveBus> safety, std::unique_ptr<host::LiveBus> services,
+                     std::unique_ptr<host::LiveBus> inverse) noexcept
+    : safety_(std::move(safety)), services_(std::move(services)), inverse_(std::move(inverse))
 {
 }
 

@@ -29,8 +29,9 @@ class NodePorts final : public hal::CanPorts
   public:
     /// @brief Opens the buses with these addresses; `second` empty: one controller. Throws host::LiveBusError.
     NodePorts(const std::string& first, const std::string& second);
-    /// @brief One controller, with two connections that are open already.
-    NodePorts(std::unique_ptr<host::LiveBus> safety, std::unique_ptr<host::LiveBus> services) noexcept;
+    /// @brief One controller, with two connections that are open already; two with a third connection.
+    NodePorts(std::unique_ptr<host::LiveBus> safety, std::unique_ptr<host::LiveBus> services,
+              std::unique_ptr<host::LiveBus> inverse = nullptr) noexcept;
 
     [[nodiscard]] hal::CanGuarantees Guarantees() const noexcept override;
     /// @brief The connection for frames with safety identifiers, but for those of the second controller.

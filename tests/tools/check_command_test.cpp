@@ -1,12 +1,16 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "tests/canopen/cia306/device_text.hpp"
+#include "canopen/cia306/text/text_file.hpp"
+#include "runtime/node/trial.hpp"
+#include "tests/canopen/cia306/check_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/eds.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 namespace counterpoint::tools
 {
@@ -127,6 +131,126 @@ TEST_F(CheckCommandTest, AnswersAsJson)
     EXPECT_EQ(document["findings"][1]["message"],
               "signature 0x0001 of SRDO 1, expected 0xB631, computed from its parameters");
     EXPECT_EQ(nlohmann::json::parse(RunCommand({"check", "--json", Path("none.dcf")}).out)["error"]["line"], 0);
+}
+/// Statuses of check and generate, and whether node would run with all SRDOs, for a changed file.
+struct Taken
+{
+    int check;
+    int generate;
+    bool node;
+};
+
+class OneReading : public test::CommandTest
+{
+  protected:
+    [[nodiscard]] Taken TakenWith(const std::string& text) const
+    {
+        const std::string file = File("one.dcf", text);
+        const auto is_error = [](const cia306::Finding& finding)
+        { return finding.severity == cia306::Severity::kError; };
+        const std::vector<cia306::Finding> refused = runtime::TryDevice(cia306::ReadDeviceFile(file), std::nullopt);
+        return {RunCommand({"check", file}).status,
+                RunCommand({"generate", file, "--output", Path("code"), "--namespace", "one"}).status,
+                std::none_of(refused.begin(), refused.end(), is_error)};
+    }
+    void ExpectAllTake(const std::string& text, const std::string& name) const
+    {
+        const Taken taken = TakenWith(text);
+        EXPECT_EQ(taken.check, 0) << name;
+        EXPECT_EQ(taken.generate, 0) << name;
+        EXPECT_TRUE(taken.node) << name;
+    }
+    [[nodiscard]] static std::string PlainText()
+    {
+        return cia306::ReadTextFile(cia306::test::SourceFolder() + "/tests/runtime/data/plain.dcf");
+    }
+    [[nodiscard]] static std::string WithObject(const std::string& type, const std::string& keys)
+    {
+        return PlainText() + "\n[2FF0]\nParameterName=x\nObjectType=0x7\nDataType=" + type + "\nAccessType=rw\n" +
+               keys + "PDOMapping=1\n";
+    }
+};
+
+TEST_F(OneReading, WhatCheckOnlyWarnsOfIsTakenByAll)
+{
+    Verifies(req::SRS_CLI_030);
+    Verifies(req::SRS_EDS_032);
+    ExpectAllTake(PlainText(), "as it is");
+    for (const char* const keys :
+         {"LowLimit=-0\nHighLimit=-0\n", "LowLimit=-1\n", "HighLimit=99999999999LL\n", "DefaultValue=abc\n",
+          "ParameterValue=0x1FFFFFFFFF\n", "DefaultValue=7u\nLowLimit=0UL\n", "LowLimit=5\nHighLimit=1\n",
+          "DefaultValue=9\nHighLimit=3\n", "DefaultValue=$NODEID+$NODEID\n", "LowLimit=low\n"})
+    {
+        ExpectAllTake(WithObject("0x0007", keys), keys);
+        ExpectAllTake(WithObject("0x0003", keys), keys);
+    }
+    for (const char* const keys :
+         {"DefaultValue=0 0\n", "DefaultValue=12, 3\n", "DefaultValue=noon\n", "DefaultValue=0x1\n"})
+    {
+        ExpectAllTake(WithObject("0x000C", keys), keys);
+        ExpectAllTake(WithObject("0x000D", keys), keys);
+    }
+    ExpectAllTake(WithObject("0x0001", "DefaultValue=true\nLowLimit=no\n"), "BOOLEAN");
+    ExpectAllTake(WithObject("0x0008", "DefaultValue=1,5\n"), "REAL32");
+}
+
+TEST_F(OneReading, WhatOneRefusesIsAnErrorOfCheck)
+{
+    Verifies(req::SRS_CLI_030);
+    const std::string safety = ExampleText("controller");
+    for (const std::string& text :
+         {PlainText() + "\n[1300]\nDataType=5\nAccessType=rw\nDefaultValue=0\n",
+          Changed(safety, {{"ParameterValue=0x22000208", "ParameterValue=0x22000108"}}),
+          Changed(safety, {{"ParameterValue=0x00000103", "ParameterValue=0x00000101"}}),
+          PlainText() + "\n[1A20]\nObjectType=9\nSubNumber=2\n[1A20sub0]\nDataType=5\nAccessType=rw\n"
+                        "DefaultValue=254\n[1A20sub1]\nDataType=7\nAccessType=rw\n"
+                        "[1820]\nObjectType=9\nSubNumber=2\n[1820sub0]\nDataType=5\nAccessType=ro\n"
+                        "DefaultValue=1\n[1820sub1]\nDataType=7\nAccessType=rw\nDefaultValue=0x80000000\n"})
+    {
+        const Taken taken = TakenWith(text);
+        EXPECT_FALSE(taken.node && taken.generate == 0 && taken.check == 0);
+        EXPECT_EQ(taken.check, 1);
+    }
+}
+
+TEST_F(OneReading, AnSrdoThatIsOffIsTakenAsTheDeviceTakesIt)
+{
+    Verifies(req::SRS_CLI_030);
+    Verifies(req::SRS_CLI_031);
+    const std::string off =
+        cia306::test::WithValues(ExampleText("controller"), {{"1302sub1", "ParameterValue", "0"},
+                                                             {"1302sub5", "ParameterValue", "0x101"},
+                                                             {"1302sub6", "ParameterValue", "0x102"},
+                                                             {"1382sub3", "ParameterValue", "0x20000108"},
+                                                             {"1382sub4", "ParameterValue", "0x21000108"}});
+    ExpectAllTake(cia306::test::SignedAgain(off, std::nullopt), "off");
+}
+
+TEST_F(OneReading, NodeTellsWhatItLeavesOut)
+{
+    Verifies(req::SRS_EDS_032);
+    const std::string file = File("one.dcf", WithObject("0x0005", "DefaultValue=300\nHighLimit=x\n"));
+    std::vector<std::string> lines;
+    for (const cia306::Finding& finding : runtime::TryDevice(cia306::ReadDeviceFile(file), std::nullopt))
+    {
+        lines.push_back(finding.object + ": " + finding.text);
+    }
+    EXPECT_EQ(lines, (std::vector<std::string>{
+                         "0x2FF0:00: value '300' is left out, expected a number from 0 to 255 (UNSIGNED8)",
+                         "0x2FF0:00: limit: value 'x' is left out, expected a number from 0 to 255 (UNSIGNED8), or "
+                         "$NODEID+number"}));
+}
+
+TEST_F(OneReading, ASuffixIsToldAndAValueOfTheStructureHasNone)
+{
+    Verifies(req::SRS_EDS_033);
+    const std::string file = File("one.dcf", WithObject("0x0007", "HighLimit=4294967295UL\n"));
+    EXPECT_NE(RunCommand({"check", file})
+                  .out.find("0x2FF0:00: HighLimit: '4294967295UL' is read without its suffix, "
+                            "expected a number without U or L"),
+              std::string::npos);
+    const std::string bad = File("bad.dcf", WithObject("0x0007UL", ""));
+    EXPECT_EQ(RunCommand({"check", bad}).status, 2);
 }
 } // namespace
 } // namespace counterpoint::tools

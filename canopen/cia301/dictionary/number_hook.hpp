@@ -22,9 +22,24 @@ class NumberHook : public ReadHook, public WriteHook
   public:
     [[nodiscard]] Reading OnRead(const ObjectAddress& address, const Room& room) noexcept final;
     [[nodiscard]] SdoAbort OnWrite(const ObjectAddress& address, const Bytes& value) noexcept final;
+    /// @brief Until EndConfiguration the values that come are those of a file or a store, in any order: each is taken
+    /// if it can be had at all, whatever the others are at present. [SRS_OBD_016]
+    void BeginConfiguration() noexcept
+    {
+        is_configuring_ = true;
+    }
+    /// @brief From now on values come from clients, whose rules also look at the present values.
+    void EndConfiguration() noexcept
+    {
+        is_configuring_ = false;
+    }
 
   protected:
     NumberHook() noexcept = default;
+    [[nodiscard]] bool IsConfiguring() const noexcept
+    {
+        return is_configuring_;
+    }
     ~NumberHook() noexcept = default;
     NumberHook(const NumberHook&) = default;
     NumberHook& operator=(const NumberHook&) = default;
@@ -34,6 +49,8 @@ class NumberHook : public ReadHook, public WriteHook
     [[nodiscard]] virtual ObjectValue Fetch(const ObjectAddress& address) noexcept = 0;
     /// @brief Takes a value that is written; kNone where it was accepted.
     [[nodiscard]] virtual SdoAbort Store(const ObjectAddress& address, std::uint32_t value) noexcept = 0;
+
+    bool is_configuring_{false};
 };
 
 } // namespace counterpoint::cia301

@@ -85,7 +85,8 @@ SdoAbort EmergencyConsumer::Store(const ObjectAddress& address, const std::uint3
     const ObjectValue old = Fetch(address);
     const bool is_off = (value & kCobOff) != 0U;
     const bool is_usable = IsConfigurable(value & kBelowOff) || (value == kCobOff);
-    const bool is_moved = ((old.value & kCobOff) == 0U) && !is_off && (old.value != value);
+    const bool is_on = ((old.value & kCobOff) == 0U) && !is_off;
+    const bool is_moved = is_on && (old.value != value) && !IsConfiguring();
     SdoAbort abort = old.abort;
     if ((abort == SdoAbort::kNone) && (address.sub == 0U))
     {

@@ -47,6 +47,10 @@ class EmergencyConsumer final : public NumberHook, public BusService
     [[nodiscard]] bool Wants(std::uint32_t identifier) const noexcept override;
     /// @brief Reset communication: 1028h is as at power-on, no node is listened to.
     void ResetCommunication(NodeId node) noexcept override;
+    [[nodiscard]] NumberHook* Objects() noexcept override
+    {
+        return this;
+    }
     /// @brief A frame from the bus. O(count) [SRS_EMCY_006]
     void OnFrame(const CanFrame& frame, const Moment& moment) noexcept override;
     void OnCycle(const Moment& moment) noexcept override;

@@ -138,9 +138,14 @@ SdoAbort EmergencyProducer::WriteCobId(const std::uint32_t value) noexcept
 {
     const bool is_on = ((cob_id_ & kCobOff) == 0U) && ((value & kCobOff) == 0U);
     const bool is_changed = ((cob_id_ ^ value) & kBelowOff) != 0U;
+    return (is_on && is_changed) ? SdoAbort::kValueRange : LoadCobId(value);
+}
+
+SdoAbort EmergencyProducer::LoadCobId(const std::uint32_t value) noexcept
+{
     const bool is_usable = ((value & kCobBit30) == 0U) && IsConfigurable(value & kBelowOff);
     SdoAbort abort = SdoAbort::kValueRange;
-    if (is_usable && !(is_on && is_changed))
+    if (is_usable)
     {
         cob_id_ = value;
         abort = SdoAbort::kNone;

@@ -95,6 +95,8 @@ class EmergencyProducer
     [[nodiscard]] std::uint32_t CobId() const noexcept;
     /// @brief Writes 1014h; kNone where it was accepted.
     [[nodiscard]] SdoAbort WriteCobId(std::uint32_t value) noexcept;
+    /// @brief The same for a value of a configuration: also while it is on. O(1) [SRS_OBD_016]
+    [[nodiscard]] SdoAbort LoadCobId(std::uint32_t value) noexcept;
     /// @brief 1015h: least time between two messages, in 100 us. [SRS_EMCY_004]
     [[nodiscard]] std::uint16_t InhibitTime() const noexcept;
     /// @brief Writes 1015h.

@@ -2,6 +2,7 @@
 #ifndef CANOPEN_CIA301_NMT_BUS_SERVICE_HPP
 #define CANOPEN_CIA301_NMT_BUS_SERVICE_HPP
 
+#include "canopen/cia301/dictionary/number_hook.hpp"
 #include "canopen/cia301/nmt/frame_sink.hpp"
 
 #include <cstdint>
@@ -18,6 +19,8 @@ class BusService
     [[nodiscard]] virtual bool Wants(std::uint32_t identifier) const noexcept = 0;
     /// @brief Reset communication: its objects become as at power-on. `node` is the node-ID from now on.
     virtual void ResetCommunication(NodeId node) noexcept = 0;
+    /// @brief The hook of its objects, which gets the values of a configuration after a reset; null: it has none.
+    [[nodiscard]] virtual NumberHook* Objects() noexcept = 0;
     /// @brief A frame from the bus. Frames that do not concern the service are ignored.
     virtual void OnFrame(const CanFrame& frame, const Moment& moment) noexcept = 0;
     /// @brief Call once a cycle: times, and what found no room in the sink before.

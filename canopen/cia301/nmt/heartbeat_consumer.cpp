@@ -27,6 +27,11 @@ bool IsActive(const std::uint32_t config) noexcept
     return (NodeOf(config) >= 1U) && (NodeOf(config) <= kLastNode) && (TimeUsOf(config) > 0U);
 }
 
+bool IsSameNode(const std::uint32_t one, const std::uint32_t other) noexcept
+{
+    return IsActive(one) && IsActive(other) && (NodeOf(one) == NodeOf(other));
+}
+
 bool IsState(const std::uint8_t byte) noexcept
 {
     return (byte == 0U) || (byte == 4U) || (byte == 5U) || (byte == 127U);
@@ -41,29 +46,47 @@ HeartbeatConsumer::HeartbeatConsumer(const SupervisedNodes& room, HeartbeatListe
 
 SdoAbort HeartbeatConsumer::Write(const std::uint8_t sub, const std::uint32_t value) noexcept
 {
-    SdoAbort abort = SdoAbort::kNone;
-    if ((sub == 0U) || (sub > room_.count))
+    bool is_twice = false;
+    for (std::uint8_t i = 0U; i < room_.count; ++i)
     {
-        abort = SdoAbort::kSubUnknown;
+        is_twice = is_twice || ((i != (sub - 1U)) && IsSameNode(room_.nodes[i].config, value));
     }
-    else if ((value & kReserved) != 0U)
-    {
-        abort = SdoAbort::kValueRange;
-    }
-    else
-    {
-        for (std::uint8_t i = 0U; i < room_.count; ++i)
-        {
-            const std::uint32_t other = room_.nodes[i].config;
-            const bool is_same = IsActive(other) && (NodeOf(other) == NodeOf(value)) && IsActive(value);
-            abort = (is_same && (i != (sub - 1U))) ? SdoAbort::kIncompatible : abort;
-        }
-    }
+    const SdoAbort abort = Judge(sub, value);
+    return ((abort == SdoAbort::kNone) && is_twice) ? SdoAbort::kIncompatible : Load(sub, value);
+}
+
+SdoAbort HeartbeatConsumer::Load(const std::uint8_t sub, const std::uint32_t value) noexcept
+{
+    const SdoAbort abort = Judge(sub, value);
     if (abort == SdoAbort::kNone)
     {
         room_.nodes[sub - 1U] = SupervisedNode{value, Instant{0U}, 0U, false};
     }
     return abort;
+}
+
+void HeartbeatConsumer::EndLoad() noexcept
+{
+    for (std::uint8_t i = 1U; i < room_.count; ++i)
+    {
+        bool is_twice = false;
+        for (std::uint8_t before = 0U; before < i; ++before)
+        {
+            is_twice = is_twice || IsSameNode(room_.nodes[before].config, room_.nodes[i].config);
+        }
+        if (is_twice)
+        {
+            room_.nodes[i] = SupervisedNode{};
+        }
+    }
+}
+
+/// Whether a value can be had there, whatever the others are.
+SdoAbort HeartbeatConsumer::Judge(const std::uint8_t sub, const std::uint32_t value) const noexcept
+{
+    const bool is_there = (sub > 0U) && (sub <= room_.count);
+    const SdoAbort abort = ((value & kReserved) != 0U) ? SdoAbort::kValueRange : SdoAbort::kNone;
+    return is_there ? abort : SdoAbort::kSubUnknown;
 }
 
 std::uint32_t HeartbeatConsumer::Value(const std::uint8_t sub) const noexcept

@@ -56,6 +56,10 @@ class HeartbeatConsumer
 
     /// @brief Writes 1016h, sub-index 1 to count; supervision of this entry waits anew. O(count) [SRS_HB_003]
     [[nodiscard]] SdoAbort Write(std::uint8_t sub, std::uint32_t value) noexcept;
+    /// @brief The same for a value of a configuration: nodes may be there twice until EndLoad. O(1) [SRS_OBD_016]
+    [[nodiscard]] SdoAbort Load(std::uint8_t sub, std::uint32_t value) noexcept;
+    /// @brief The configuration is whole: of two entries of one node the later one is 0. O(count^2)
+    void EndLoad() noexcept;
     /// @brief Reads 1016h, sub-index 1 to count; 0 elsewhere.
     [[nodiscard]] std::uint32_t Value(std::uint8_t sub) const noexcept;
     /// @brief A frame from the bus. O(count) [SRS_HB_004, SRS_HB_005, SRS_HB_006]
@@ -64,6 +68,7 @@ class HeartbeatConsumer
     void Poll(Instant now) noexcept;
 
   private:
+    [[nodiscard]] SdoAbort Judge(std::uint8_t sub, std::uint32_t value) const noexcept;
     void Take(SupervisedNode& node, std::uint8_t state, Instant now) noexcept;
     void Look(Instant now) noexcept;
 

@@ -45,13 +45,13 @@ SdoAbort ServiceObjects::Store(const ObjectAddress& address, const std::uint32_t
         parts_.guarding.SetLifeTime(guard_time_ms_, life_factor_);
         break;
     case kEmergencyCobId:
-        abort = parts_.emergency.WriteCobId(value);
+        abort = IsConfiguring() ? parts_.emergency.LoadCobId(value) : parts_.emergency.WriteCobId(value);
         break;
     case kEmergencyInhibit:
         parts_.emergency.SetInhibitTime(static_cast<std::uint16_t>(value & 0xFFFFU));
         break;
     case kConsumerTimes:
-        abort = (address.sub == 0U) ? SdoAbort::kReadOnly : parts_.consumer.Write(address.sub, value);
+        abort = (address.sub == 0U) ? SdoAbort::kReadOnly : StoreConsumerTime(address.sub, value);
         break;
     case kProducerTime:
         parts_.producer.SetPeriod(static_cast<std::uint16_t>(value & 0xFFFFU));
@@ -64,6 +64,11 @@ SdoAbort ServiceObjects::Store(const ObjectAddress& address, const std::uint32_t
         break;
     }
     return abort;
+}
+
+SdoAbort ServiceObjects::StoreConsumerTime(const std::uint8_t sub, const std::uint32_t value) noexcept
+{
+    return IsConfiguring() ? parts_.consumer.Load(sub, value) : parts_.consumer.Write(sub, value);
 }
 
 ObjectValue ServiceObjects::FetchNumber(const ObjectAddress& address) const noexcept

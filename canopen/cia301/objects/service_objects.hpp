@@ -31,6 +31,7 @@ class ServiceObjects final : public NumberHook
   private:
     [[nodiscard]] ObjectValue Fetch(const ObjectAddress& address) noexcept override;
     [[nodiscard]] SdoAbort Store(const ObjectAddress& address, std::uint32_t value) noexcept override;
+    [[nodiscard]] SdoAbort StoreConsumerTime(std::uint8_t sub, std::uint32_t value) noexcept;
     [[nodiscard]] ObjectValue FetchNumber(const ObjectAddress& address) const noexcept;
     [[nodiscard]] ObjectValue FetchList(const ObjectAddress& address) const noexcept;
 

@@ -94,7 +94,8 @@ SdoAbort SdoClientPort::Store(const ObjectAddress& address, const std::uint32_t 
     }
     else if (abort == SdoAbort::kNone)
     {
-        abort = StoreSdo(parameters_, SdoSide::kClient, address.sub, value);
+        abort = IsConfiguring() ? LoadSdo(parameters_, SdoSide::kClient, address.sub, value)
+                                : StoreSdo(parameters_, SdoSide::kClient, address.sub, value);
         const SdoConnection connection{parameters_.request, parameters_.answer, NodeId{parameters_.partner}};
         static_cast<void>(client_.Connect(connection));
     }

@@ -39,6 +39,10 @@ class SdoClientPort final : public NumberHook, public BusService
     [[nodiscard]] bool Wants(std::uint32_t identifier) const noexcept override;
     /// @brief Reset communication: off; a running transfer has failed.
     void ResetCommunication(NodeId node) noexcept override;
+    [[nodiscard]] NumberHook* Objects() noexcept override
+    {
+        return this;
+    }
     void OnFrame(const CanFrame& frame, const Moment& moment) noexcept override;
     /// @brief Goes on with a transfer; gives it up with 0800 0022h in a state that has no SDO.
     void OnCycle(const Moment& moment) noexcept override;

@@ -59,6 +59,17 @@ ObjectValue FetchSdo(const SdoParameters& parameters, const std::uint8_t sub) no
     return value;
 }
 
+SdoAbort LoadSdo(SdoParameters& parameters, const SdoSide side, const std::uint8_t sub,
+                 const std::uint32_t value) noexcept
+{
+    SdoParameters loaded = parameters;
+    loaded.request |= (sub == kRequestSub) ? kCobOff : 0U;
+    loaded.answer |= (sub == kAnswerSub) ? kCobOff : 0U;
+    const SdoAbort abort = StoreSdo(loaded, side, sub, value);
+    parameters = (abort == SdoAbort::kNone) ? loaded : parameters;
+    return abort;
+}
+
 SdoAbort StoreSdo(SdoParameters& parameters, const SdoSide side, const std::uint8_t sub,
                   const std::uint32_t value) noexcept
 {

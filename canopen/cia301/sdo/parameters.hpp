@@ -37,6 +37,8 @@ struct SdoParameters
 /// @brief Changes a sub-index: a COB-ID changes only while it is off, the node is 0 to 127. O(1) [SRS_SDO_018]
 [[nodiscard]] SdoAbort StoreSdo(SdoParameters& parameters, SdoSide side, std::uint8_t sub,
                                 std::uint32_t value) noexcept;
+/// @brief The same for a value of a configuration: an identifier changes also while it is on. O(1) [SRS_OBD_016]
+[[nodiscard]] SdoAbort LoadSdo(SdoParameters& parameters, SdoSide side, std::uint8_t sub, std::uint32_t value) noexcept;
 
 } // namespace counterpoint::cia301
 

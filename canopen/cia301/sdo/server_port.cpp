@@ -130,7 +130,8 @@ SdoAbort SdoServerPort::Store(const ObjectAddress& address, const std::uint32_t 
     }
     else if (abort == SdoAbort::kNone)
     {
-        abort = StoreSdo(parameters_, SdoSide::kServer, address.sub, value);
+        abort = IsConfiguring() ? LoadSdo(parameters_, SdoSide::kServer, address.sub, value)
+                                : StoreSdo(parameters_, SdoSide::kServer, address.sub, value);
     }
     else
     {

@@ -29,6 +29,10 @@ class SdoServerPort final : public NumberHook, public BusService
     [[nodiscard]] bool Wants(std::uint32_t identifier) const noexcept override;
     /// @brief Reset communication with this node-ID; a running transfer is forgotten.
     void ResetCommunication(NodeId node) noexcept override;
+    [[nodiscard]] NumberHook* Objects() noexcept override
+    {
+        return this;
+    }
     /// @brief A frame from the bus; see SdoServer. [SRS_SDO_016]
     void OnFrame(const CanFrame& frame, const Moment& moment) noexcept override;
     /// @brief Sends what is to be sent until the sink is full; closes the transfer with 0800 0022h in a state that has

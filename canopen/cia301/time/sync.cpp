@@ -143,7 +143,7 @@ SdoAbort Sync::WriteCobId(const std::uint32_t value) noexcept
     const bool is_changed = ((cob_id_ ^ value) & kFixedBits) != 0U;
     const bool is_usable = ((value & kCobExtended) == 0U) && IsConfigurable(value & kCobIdentifier);
     SdoAbort abort = SdoAbort::kValueRange;
-    if (is_usable && !(is_produced && is_changed))
+    if (is_usable && (IsConfiguring() || !(is_produced && is_changed)))
     {
         cob_id_ = value;
         abort = SdoAbort::kNone;
@@ -159,7 +159,7 @@ SdoAbort Sync::WriteOverflow(const std::uint32_t value) noexcept
     {
         abort = SdoAbort::kValueRange;
     }
-    else if ((value != overflow_) && (period_us_ != 0U))
+    else if ((value != overflow_) && (period_us_ != 0U) && !IsConfiguring())
     {
         abort = SdoAbort::kDeviceState;
     }

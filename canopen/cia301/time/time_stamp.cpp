@@ -85,7 +85,7 @@ ObjectValue TimeStamp::Fetch(const ObjectAddress& address) noexcept
 SdoAbort TimeStamp::Store(const ObjectAddress& address, const std::uint32_t value) noexcept
 {
     const bool is_playing = ((cob_id_ & kRoles) != 0U) && ((value & kRoles) != 0U);
-    const bool is_moved = is_playing && (((cob_id_ ^ value) & kFixedBits) != 0U);
+    const bool is_moved = is_playing && (((cob_id_ ^ value) & kFixedBits) != 0U) && !IsConfiguring();
     const bool is_usable = ((value & kCobExtended) == 0U) && IsConfigurable(value & kCobIdentifier);
     SdoAbort abort = Fetch(address).abort;
     if ((abort == SdoAbort::kNone) && (address.index == kHighResolution))

@@ -40,6 +40,10 @@ class TimeStamp final : public NumberHook, public BusService
     [[nodiscard]] bool Wants(std::uint32_t identifier) const noexcept override;
     /// @brief Reset communication: 1012h is 100h, neither consumed nor produced; 1013h is the time of the device.
     void ResetCommunication(NodeId node) noexcept override;
+    [[nodiscard]] NumberHook* Objects() noexcept override
+    {
+        return this;
+    }
     /// @brief A frame from the bus. O(1) [SRS_TIM_001]
     void OnFrame(const CanFrame& frame, const Moment& moment) noexcept override;
     /// @brief Sets what 1013h reads until the next call. O(1)

@@ -27,6 +27,7 @@ std::vector<Finding> CheckDevice(const Device& device, const CheckOptions& optio
         CheckStaticMapping(context, srdo, findings);
     }
     CheckIdentifiers(configuration, findings);
+    CheckShared(configuration, findings);
     CheckParameters(context, findings);
     CheckDigest(context, findings);
     CheckObjects(context, findings);

@@ -29,8 +29,8 @@ void CheckFixed(const SrdoConfiguration& srdo, Findings& findings)
     const bool is_other_count = srdo.highest_sub.value && !srdo.highest_sub.Is(kHighestSub);
     if (is_other_count)
     {
-        findings.Error(srdo.highest_sub.line, ObjectName(index, 0U),
-                       "highest sub-index " + Decimal(*srdo.highest_sub.value), "6");
+        findings.Tell(WhenOn(srdo), srdo.highest_sub.line, ObjectName(index, 0U),
+                      {"highest sub-index " + Decimal(*srdo.highest_sub.value), "6"});
     }
     if (srdo.direction.value.value_or(0U) > kMaxDirection)
     {
@@ -38,14 +38,11 @@ void CheckFixed(const SrdoConfiguration& srdo, Findings& findings)
                        "0 (off), 1 (producer) or 2 (consumer)");
     }
     const std::string type = "transmission type " + Decimal(srdo.transmission_type.value.value_or(0U));
-    if (srdo.transmission_type.Is(kOtherTransmissionType))
+    if (srdo.transmission_type.value && !srdo.transmission_type.Is(kTransmissionType))
     {
-        findings.Warning(srdo.transmission_type.line, ObjectName(index, 4U), type,
-                         "254; devices with 255 exist, this kernel refuses it");
-    }
-    else if (srdo.transmission_type.value && !srdo.transmission_type.Is(kTransmissionType))
-    {
-        findings.Error(srdo.transmission_type.line, ObjectName(index, 4U), type, "254");
+        const bool is_other = srdo.transmission_type.Is(kOtherTransmissionType);
+        findings.Error(srdo.transmission_type.line, ObjectName(index, 4U), type,
+                       is_other ? "254; devices with 255 exist, this kernel refuses it" : "254");
     }
 }
 
@@ -204,15 +201,12 @@ void CheckIdentifiers(const SafetyConfiguration& configuration, Findings& findin
         const std::string object = ObjectName(srdo.CommunicationIndex(), sub);
         const std::string wrong =
             "COB-ID " + Hex(*cob_id.value, 3) + " is in use by SRDO " + Decimal(user->second->number);
-        const bool are_both_off = srdo.direction.Is(0U) && user->second->direction.Is(0U);
-        if (are_both_off)
-        {
-            findings.Warning(cob_id.line, object, wrong + ", both are off", "an identifier of its own");
-        }
-        else
-        {
-            findings.Error(cob_id.line, object, wrong, "an identifier of its own");
-        }
+        const bool is_off = srdo.direction.Is(0U);
+        const bool is_other_off = user->second->direction.Is(0U);
+        const bool are_on = !is_off && !is_other_off;
+        const std::string reason = is_off && is_other_off ? ", both are off" : (are_on ? "" : ", one is off");
+        findings.Tell(are_on ? Severity::kError : Severity::kWarning, cob_id.line, object,
+                      {wrong + reason, "an identifier of its own"});
     };
     for (const SrdoConfiguration& srdo : configuration.srdos)
     {

@@ -4,6 +4,7 @@
 #include "canopen/cia306/file/data_type.hpp"
 
 #include <map>
+#include <vector>
 
 namespace counterpoint::cia306
 {
@@ -167,8 +168,9 @@ void CheckPairs(const CheckContext& context, const SrdoConfiguration& srdo, Find
         const std::string name = EntryName(srdo, inverse);
         if (normal.Bits() != inverse.Bits())
         {
-            findings.Error(inverse.line, name, "inverse entry of " + Bits(inverse.Bits()),
-                           Bits(normal.Bits()) + " as the normal entry before it");
+            findings.Tell(
+                WhenOn(srdo), inverse.line, name,
+                {"inverse entry of " + Bits(inverse.Bits()), Bits(normal.Bits()) + " as the normal entry before it"});
         }
         if (normal.IsDummy() != inverse.IsDummy())
         {
@@ -181,10 +183,12 @@ void CheckPairs(const CheckContext& context, const SrdoConfiguration& srdo, Find
         if (has_other_inverse)
         {
             const std::uint32_t srad = *object->inverted_srad;
-            findings.Error(inverse.line, name, "inverse entry " + MappedName(inverse),
-                           ObjectName(static_cast<std::uint16_t>(srad >> 8U), static_cast<std::uint8_t>(srad & 0xFFU)) +
-                               ", the InvertedSRAD of " + MappedName(normal) + " (line " +
-                               std::to_string(object->inverted_srad_line) + ")");
+            const std::string own =
+                ObjectName(static_cast<std::uint16_t>(srad >> 8U), static_cast<std::uint8_t>(srad & 0xFFU));
+            findings.Tell(WhenOn(srdo), inverse.line, name,
+                          {"inverse entry " + MappedName(inverse),
+                           own + ", the InvertedSRAD of " + MappedName(normal) + " (line " +
+                               std::to_string(object->inverted_srad_line) + ")"});
         }
     }
 }
@@ -205,19 +209,32 @@ void CheckSides(const SrdoConfiguration& srdo, Findings& findings)
         const auto other = other_side.find(object);
         if (other != other_side.end())
         {
-            findings.Error(entry.line, EntryName(srdo, entry),
-                           "object " + MappedName(entry) + " is normal and inverse data of SRDO " +
-                               std::to_string(srdo.number),
-                           "another object than in sub-index " + std::to_string(other->second->sub));
+            findings.Tell(
+                WhenOn(srdo), entry.line, EntryName(srdo, entry),
+                {"object " + MappedName(entry) + " is normal and inverse data of SRDO " + std::to_string(srdo.number),
+                 "another object than in sub-index " + std::to_string(other->second->sub)});
         }
         const auto [before, is_new] = own_side.emplace(object, &entry);
         if (!is_new)
         {
-            findings.Error(entry.line, EntryName(srdo, entry), "object " + MappedName(entry) + " is mapped twice",
-                           "another object than in sub-index " + std::to_string(before->second->sub));
+            findings.Tell(WhenOn(srdo), entry.line, EntryName(srdo, entry),
+                          {"object " + MappedName(entry) + " is mapped twice",
+                           "another object than in sub-index " + std::to_string(before->second->sub)});
         }
     }
 }
+/// A value of a safety variable that its type cannot have has no place among what other files may have wrong.
+void CheckMappedValue(const CheckContext& context, const MappingEntry& entry, Findings& findings)
+{
+    const Entry* const object = context.device.Find(entry.Index(), entry.Sub());
+    const bool has_value = object != nullptr && object->Configured().IsSet();
+    const auto problem = has_value ? ProblemOf(object->Configured().text, object->type) : std::nullopt;
+    if (problem)
+    {
+        findings.Error(object->ValueLine(), MappedName(entry), problem->wrong, problem->expected);
+    }
+}
+
 } // namespace
 
 void CheckMappedObject(const CheckContext& context, const SrdoConfiguration& srdo, const MappingEntry& entry,
@@ -227,8 +244,9 @@ void CheckMappedObject(const CheckContext& context, const SrdoConfiguration& srd
     const bool is_multiple = entry.Bits() != 0U && entry.Bits() % context.granularity_bits == 0U;
     if (!is_multiple)
     {
-        findings.Error(entry.line, name, "length of " + Bits(entry.Bits()),
-                       "a multiple of " + Bits(context.granularity_bits) + " (granularity)");
+        findings.Tell(
+            WhenOn(srdo), entry.line, name,
+            {"length of " + Bits(entry.Bits()), "a multiple of " + Bits(context.granularity_bits) + " (granularity)"});
     }
     if (entry.IsDummy())
     {
@@ -251,9 +269,40 @@ void CheckMapping(const CheckContext& context, const SrdoConfiguration& srdo, Fi
     for (const MappingEntry& entry : srdo.mapping)
     {
         CheckMappedObject(context, srdo, entry, findings);
+        CheckMappedValue(context, entry, findings);
     }
     CheckTotals(srdo, findings);
     CheckPairs(context, srdo, findings);
     CheckSides(srdo, findings);
+}
+
+void CheckShared(const SafetyConfiguration& configuration, Findings& findings)
+{
+    std::map<std::uint32_t, std::vector<const SrdoConfiguration*>> users;
+    for (const SrdoConfiguration& srdo : configuration.srdos)
+    {
+        const bool is_on = srdo.IsProducer() || srdo.IsConsumer();
+        for (const MappingEntry& entry : srdo.mapping)
+        {
+            if (!is_on || entry.IsDummy())
+            {
+                continue;
+            }
+            std::vector<const SrdoConfiguration*>& others = users[entry.raw >> 8U];
+            for (const SrdoConfiguration* const other : others)
+            {
+                const bool is_shared = other != &srdo && (srdo.IsConsumer() || other->IsConsumer());
+                if (is_shared)
+                {
+                    findings.Error(entry.line, EntryName(srdo, entry),
+                                   "object " + MappedName(entry) + " is in the mapping of SRDO " +
+                                       std::to_string(other->number) + " too, and one of the two receives",
+                                   "an object of its own");
+                    break;
+                }
+            }
+            others.push_back(&srdo);
+        }
+    }
 }
 } // namespace counterpoint::cia306

@@ -278,7 +278,12 @@ void CheckObjects(const CheckContext& context, Findings& findings)
     {
         const std::size_t line = std::max<std::size_t>(context.device.device_info_line, 1U);
         const std::string expected = "communication parameters at 0x1301 to 0x1340";
-        if (context.device.is_safety_supported.value_or(false))
+        const auto object = FirstSafetyObject(context.device);
+        if (object)
+        {
+            findings.Error(object->second, Hex(object->first, 4), "a safety object and no SRDO", expected);
+        }
+        else if (context.device.is_safety_supported.value_or(false))
         {
             findings.Error(line, "", "CANopenSafetySupported is 1 and there is no SRDO", expected);
         }

@@ -5,6 +5,7 @@
 #include "canopen/cia306/check/check.hpp"
 #include "canopen/cia306/safety/device_parameters.hpp"
 #include "canopen/cia306/safety/safety_configuration.hpp"
+#include "canopen/cia306/text/input_error.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -22,13 +23,18 @@ class Findings
     /// Adds an error: line of the file, object (may be empty), what is wrong, what was expected.
     void Error(const std::size_t line, const std::string& object, const std::string& wrong, const std::string& expected)
     {
-        Add({{Severity::kError, line, object, wrong + ", expected " + expected}});
+        Tell(Severity::kError, line, object, {wrong, expected});
     }
     /// Adds a warning of the same form.
     void Warning(const std::size_t line, const std::string& object, const std::string& wrong,
                  const std::string& expected)
     {
-        Add({{Severity::kWarning, line, object, wrong + ", expected " + expected}});
+        Tell(Severity::kWarning, line, object, {wrong, expected});
+    }
+    /// Adds one or the other.
+    void Tell(const Severity severity, const std::size_t line, const std::string& object, const Problem& problem)
+    {
+        Add({{severity, line, object, problem.wrong + ", expected " + problem.expected}});
     }
     /// Adds findings that somebody else made.
     void Add(const std::vector<Finding>& findings)
@@ -73,6 +79,12 @@ struct CheckContext
     std::uint32_t granularity_bits;
 };
 
+/// How bad it is to break a rule that a device looks at only when the SRDO is on. [SRS_CLI_031]
+[[nodiscard]] inline Severity WhenOn(const SrdoConfiguration& srdo) noexcept
+{
+    return srdo.direction.Is(0U) ? Severity::kWarning : Severity::kError;
+}
+
 /// Direction, transmission type, COB-IDs and times of one SRDO. [SRS_CLI_010, SRS_CLI_011, SRS_CLI_017]
 void CheckCommunication(const CheckContext& context, const SrdoConfiguration& srdo, Findings& findings);
 
@@ -85,6 +97,9 @@ void CheckMappedObject(const CheckContext& context, const SrdoConfiguration& srd
 
 /// Whether two SRDOs of the device use the same identifier. [SRS_CLI_010]
 void CheckIdentifiers(const SafetyConfiguration& configuration, Findings& findings);
+
+/// Whether an object is mapped by two SRDOs that are on, one of which receives. [SRS_CLI_032]
+void CheckShared(const SafetyConfiguration& configuration, Findings& findings);
 
 /// 1300h, 13FEh, 13FFh, reserved indices, limits, InvertedSRAD. Comes last: 13FEh depends on the other findings.
 /// [SRS_CLI_014, SRS_CLI_016, SRS_CLI_017]

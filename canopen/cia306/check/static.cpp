@@ -47,8 +47,9 @@ void CheckStaticEntry(const SrdoConfiguration& srdo, const MappingEntry& entry, 
     }
     else if (entry.Bits() % kByteBits != 0U)
     {
-        findings.Error(entry.line, name, "length of " + std::to_string(entry.Bits()) + " bit in a static mapping",
-                       "a multiple of 8 bit");
+        findings.Tell(
+            WhenOn(srdo), entry.line, name,
+            {"length of " + std::to_string(entry.Bits()) + " bit in a static mapping", "a multiple of 8 bit"});
     }
 }
 } // namespace

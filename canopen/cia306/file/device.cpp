@@ -54,6 +54,16 @@ ValueResult ConfiguredValue(const Entry& entry, const std::optional<std::uint8_t
     return ParseValue(configured.text, entry.type, node_id);
 }
 
+std::optional<Value> UsableValue(const std::string& file, const Entry& entry, const std::optional<std::uint8_t> node_id)
+{
+    const bool fits_none = !entry.Configured().IsSet() || ProblemOf(entry.Configured().text, entry.type);
+    if (fits_none && !ConfiguredValue(entry, node_id).value)
+    {
+        return std::nullopt;
+    }
+    return RequiredValue(file, entry, node_id);
+}
+
 Value RequiredValue(const std::string& file, const Entry& entry, const std::optional<std::uint8_t> node_id)
 {
     const ValueResult result = ConfiguredValue(entry, node_id);

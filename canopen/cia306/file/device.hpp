@@ -122,7 +122,12 @@ struct Device
 /// The configured value of an entry, read by its data type; for an entry without a value the result has a problem.
 [[nodiscard]] ValueResult ConfiguredValue(const Entry& entry, std::optional<std::uint8_t> node_id);
 
-/// The same; throws an InputError for `file` where it has a problem.
+/// The configured value as every command takes it: nothing where there is none, or one that does not fit its type, of
+/// which the reader has warned. Throws an InputError for `file` where only the node-ID is missing. [SRS_EDS_032]
+[[nodiscard]] std::optional<Value> UsableValue(const std::string& file, const Entry& entry,
+                                               std::optional<std::uint8_t> node_id);
+
+/// The configured value; throws an InputError for `file` where it has a problem.
 [[nodiscard]] Value RequiredValue(const std::string& file, const Entry& entry, std::optional<std::uint8_t> node_id);
 } // namespace counterpoint::cia306
 

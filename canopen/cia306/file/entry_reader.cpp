@@ -42,6 +42,19 @@ void WarnOfValue(const Entry& entry, const Text& value, std::string_view key, st
     }
 }
 
+/// Safety objects, too.
+void WarnOfSuffix(const Entry& entry, const Text& value, const std::string_view key, std::vector<Finding>& warnings)
+{
+    const bool is_text = entry.type.kind == DataKind::kText;
+    const auto formula = is_text ? std::nullopt : ParseFormula(value.text);
+    if (formula && formula->number.has_suffix)
+    {
+        Warn(warnings, value.line, entry,
+             std::string(key) + ": " + Quoted(value.text) +
+                 " is read without its suffix, expected a number without U or L");
+    }
+}
+
 bool IsBareInvertedSrad(const std::string_view text)
 {
     return text.size() == kInvertedSradDigits &&
@@ -189,12 +202,17 @@ void WarnOfEntry(const Entry& entry, std::vector<Finding>& warnings)
     {
         Warn(warnings, entry.line, entry, "no AccessType, expected ro, wo, rw, rwr, rww or const");
     }
-    if (!IsSafetyObject(entry.index))
+    const std::array<std::pair<const Text*, std::string_view>, 4U> values{{{&entry.default_value, "DefaultValue"},
+                                                                           {&entry.parameter_value, "ParameterValue"},
+                                                                           {&entry.low_limit, "LowLimit"},
+                                                                           {&entry.high_limit, "HighLimit"}}};
+    for (const auto& [value, key] : values)
     {
-        WarnOfValue(entry, entry.default_value, "DefaultValue", warnings);
-        WarnOfValue(entry, entry.parameter_value, "ParameterValue", warnings);
-        WarnOfValue(entry, entry.low_limit, "LowLimit", warnings);
-        WarnOfValue(entry, entry.high_limit, "HighLimit", warnings);
+        WarnOfSuffix(entry, *value, key, warnings);
+        if (!IsSafetyObject(entry.index))
+        {
+            WarnOfValue(entry, *value, key, warnings);
+        }
     }
 }
 } // namespace counterpoint::cia306

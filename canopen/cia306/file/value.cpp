@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia306/file/value.hpp"
 
+#include "canopen/cia306/text/ini_document.hpp"
 #include "canopen/cia306/text/number.hpp"
 
 #include <charconv>
@@ -13,6 +14,9 @@ namespace counterpoint::cia306
 namespace
 {
 constexpr std::uint8_t kHighestNodeId = 127U;
+constexpr std::uint64_t kMostMilliseconds = 0x0FFFFFFFU; ///< The upper four of the 32 bits are reserved.
+constexpr std::uint64_t kMostDays = 0xFFFFU;
+constexpr std::uint8_t kDaysShift = 32U;
 
 std::uint64_t MaxOf(const std::uint8_t bits)
 {
@@ -31,9 +35,10 @@ std::string RangeOf(const DataType& type)
     }
     case DataKind::kReal:
         return "a decimal fraction, or its IEEE 754 pattern after 0x" + name;
+    case DataKind::kTime:
+        return "days (0 to 65535) and milliseconds (0 to 268435455), or both as one number of 48 bits" + name;
     case DataKind::kBoolean:
     case DataKind::kUnsigned:
-    case DataKind::kTime:
     case DataKind::kText:
     case DataKind::kStructure:
     case DataKind::kUnknown:
@@ -122,6 +127,22 @@ ValueResult ParseReal(const std::string_view text, const DataType& type)
     const auto bits = type.bits == 32U ? RealBits<float, std::uint32_t>(text) : RealBits<double, std::uint64_t>(text);
     return bits ? Good(*bits) : Bad(text, type);
 }
+/// Days and milliseconds with blanks or a comma between them, or the 48 bits as one number.
+ValueResult ParseTime(const std::string_view text, const DataType& type)
+{
+    const std::size_t end = text.find_first_of(" \t,");
+    if (end == std::string_view::npos)
+    {
+        const auto bits = ParseNumber(text);
+        const bool fits = bits && !bits->is_negative && bits->magnitude <= MaxOf(type.bits);
+        return fits ? Good(bits->magnitude) : Bad(text, type);
+    }
+    std::string_view rest = Trimmed(text.substr(end));
+    rest = Trimmed(rest.front() == ',' ? rest.substr(1U) : rest);
+    const auto days = ParseUnsigned(text.substr(0U, end), kMostDays);
+    const auto milliseconds = ParseUnsigned(rest, kMostMilliseconds);
+    return days && milliseconds ? Good((*days << kDaysShift) | *milliseconds) : Bad(text, type);
+}
 } // namespace
 
 ValueResult ParseValue(const std::string_view text, const std::uint16_t data_type,
@@ -138,8 +159,9 @@ ValueResult ParseValue(const std::string_view text, const DataType& type, const 
         return ParseSigned(text, type);
     case DataKind::kBoolean:
     case DataKind::kUnsigned:
-    case DataKind::kTime:
         return ParseUnsignedValue(text, type, node_id);
+    case DataKind::kTime:
+        return ParseTime(text, type);
     case DataKind::kReal:
         return ParseReal(text, type);
     case DataKind::kText:

@@ -135,6 +135,38 @@ Field ReadField(const Device& device, const std::uint16_t index, const std::uint
     return {result.value->bits, text.line};
 }
 
+std::optional<std::pair<std::uint16_t, std::size_t>> FirstSafetyObject(const Device& device)
+{
+    constexpr std::uint16_t first = 0x1300U;
+    constexpr std::uint16_t last = 0x13FFU;
+    const auto found = device.objects.lower_bound(first);
+    if (found != device.objects.end() && found->first <= last)
+    {
+        return std::pair(found->first, found->second.line);
+    }
+    const auto listed = device.missing.lower_bound(first);
+    const bool is_listed = listed != device.missing.end() && listed->first <= last;
+    return is_listed ? std::optional(std::pair(listed->first, listed->second)) : std::nullopt;
+}
+
+bool SrdoConfiguration::Maps(const Entry& entry) const noexcept
+{
+    return std::any_of(mapping.begin(), mapping.end(), [&entry](const MappingEntry& mapped)
+                       { return mapped.Index() == entry.index && mapped.Sub() == entry.sub; });
+}
+
+bool SafetyConfiguration::Maps(const Entry& entry) const noexcept
+{
+    return std::any_of(srdos.begin(), srdos.end(),
+                       [&entry](const SrdoConfiguration& srdo) { return srdo.Maps(entry); });
+}
+
+bool SafetyConfiguration::MapsToReceive(const Entry& entry) const noexcept
+{
+    return std::any_of(srdos.begin(), srdos.end(),
+                       [&entry](const SrdoConfiguration& srdo) { return srdo.IsConsumer() && srdo.Maps(entry); });
+}
+
 SafetyConfiguration ExtractSafety(const Device& device, const std::optional<std::uint8_t> node_id)
 {
     SafetyConfiguration configuration;

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace counterpoint::cia306
@@ -108,6 +109,8 @@ struct SrdoConfiguration
     {
         return direction.Is(2U);
     }
+    /// Whether its mapping names this data element.
+    [[nodiscard]] bool Maps(const Entry& entry) const noexcept;
 };
 
 /// The safety configuration that a file gives a device. [SRS_EDS_020, SRS_EDS_024]
@@ -119,7 +122,16 @@ struct SafetyConfiguration
     Field signature_count;
     std::vector<Finding> missing;  ///< Safety objects that are listed and not described: the file was cut.
     std::vector<Finding> problems; ///< Problems of objects that belong to no SRDO.
+
+    /// Whether an SRDO maps this data element.
+    [[nodiscard]] bool Maps(const Entry& entry) const noexcept;
+    /// Whether a consumer does.
+    [[nodiscard]] bool MapsToReceive(const Entry& entry) const noexcept;
 };
+
+/// The first object of 1300h to 13FFh that the file describes or lists, and its line; nothing: it has none. A file that
+/// has one and no SRDO is no plain device, but one of which a part is missing. [SRS_CLI_033]
+[[nodiscard]] std::optional<std::pair<std::uint16_t, std::size_t>> FirstSafetyObject(const Device& device);
 
 /// Reads the safety configuration of a file. Never throws for what the file says: what cannot be used becomes a
 /// problem.

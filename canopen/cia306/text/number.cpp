@@ -3,6 +3,7 @@
 
 #include "canopen/cia306/text/ini_document.hpp"
 
+#include <array>
 #include <charconv>
 #include <system_error>
 
@@ -13,6 +14,21 @@ namespace
 bool HasHexPrefix(const std::string_view text)
 {
     return text.size() >= 2U && text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
+}
+
+/// The suffixes of C's integers, in lower case.
+std::string_view WithoutSuffix(const std::string_view lower)
+{
+    constexpr std::array<std::string_view, 7U> suffixes{"ull", "llu", "ul", "lu", "ll", "u", "l"};
+    for (const std::string_view suffix : suffixes)
+    {
+        const bool is_longer = lower.size() > suffix.size();
+        if (is_longer && lower.substr(lower.size() - suffix.size()) == suffix)
+        {
+            return lower.substr(0U, lower.size() - suffix.size());
+        }
+    }
+    return lower;
 }
 } // namespace
 
@@ -27,13 +43,12 @@ std::optional<std::uint64_t> ParseDigits(const std::string_view text, const int 
 std::optional<Number> ParseNumber(const std::string_view text)
 {
     Number number;
-    std::string_view digits = text;
-    const bool has_sign = !text.empty() && (text.front() == '-' || text.front() == '+');
-    if (has_sign)
-    {
-        number.is_negative = text.front() == '-';
-        digits.remove_prefix(1U);
-    }
+    const std::string lower = Lower(text);
+    std::string_view digits = WithoutSuffix(lower);
+    number.has_suffix = digits.size() != text.size();
+    const bool has_sign = !digits.empty() && (digits.front() == '-' || digits.front() == '+');
+    const bool has_minus = has_sign && digits.front() == '-';
+    digits.remove_prefix(has_sign ? 1U : 0U);
     number.is_hexadecimal = HasHexPrefix(digits);
     const bool is_octal = !number.is_hexadecimal && digits.size() > 1U && digits.front() == '0';
     const int base = number.is_hexadecimal ? 16 : (is_octal ? 8 : 10);
@@ -43,13 +58,15 @@ std::optional<Number> ParseNumber(const std::string_view text)
         return std::nullopt;
     }
     number.magnitude = *value;
+    number.is_negative = has_minus && *value != 0U;
     return number;
 }
 
 std::optional<std::uint64_t> ParseUnsigned(const std::string_view text, const std::uint64_t max)
 {
     const auto number = ParseNumber(text);
-    const bool fits = number && !number->is_negative && number->magnitude <= max;
+    const bool is_plain = number && !number->is_negative && !number->has_suffix;
+    const bool fits = is_plain && number->magnitude <= max;
     return fits ? std::optional(number->magnitude) : std::nullopt;
 }
 

@@ -15,15 +15,17 @@ namespace counterpoint::cia306
 /// A number as CiA 306 writes it: 0x hexadecimal, leading 0 octal, decimal otherwise; one sign in front.
 struct Number
 {
-    bool is_negative{false};
+    bool is_negative{false}; ///< Below 0: -0 is not.
     bool is_hexadecimal{false};
+    bool has_suffix{
+        false}; ///< One of C stands behind it (U, L, LL and their combinations), which CiA 306 does not know.
     std::uint64_t magnitude{0U};
 };
 
 /// Reads a number. Nothing when the text is none, or when it has more than 64 bits. [SRS_EDS_006]
 [[nodiscard]] std::optional<Number> ParseNumber(std::string_view text);
 
-/// As ParseNumber, without a sign and at most `max`.
+/// As ParseNumber, not negative, without a suffix and at most `max`.
 [[nodiscard]] std::optional<std::uint64_t> ParseUnsigned(std::string_view text, std::uint64_t max);
 
 /// A number, or $NODEID and a number in either order. [SRS_EDS_007]

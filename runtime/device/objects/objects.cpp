@@ -25,6 +25,7 @@ constexpr std::size_t kTextRoom = 256U;
 constexpr std::size_t kDomainRoom = 8192U;
 constexpr std::uint16_t kOctetString = 0x000AU;
 constexpr std::uint16_t kUnicodeString = 0x000BU;
+constexpr std::uint16_t kHighResolution = 0x1013U;
 constexpr std::uint16_t kConsumerTimes = 0x1016U;
 constexpr std::uint16_t kFirstApplication = 0x2000U;
 
@@ -144,6 +145,21 @@ cia301::NumberHook* HookOf(const cia301::Entry& entry, device::Services& service
         break;
     }
     return (entry.index >= kFirstRpdo && entry.index <= kLastTpdoMap) ? &services.pdos : nullptr;
+}
+
+/// The device's own: its errors, and what has one value only.
+bool IsOwn(const cia301::Entry& entry)
+{
+    return entry.index == 0x1001U || entry.index == 0x1003U || entry.index == 0x1200U || IsStore(entry.index) ||
+           entry.access == cia301::Access::kConstant;
+}
+
+bool HasValue(const cia301::Entry& entry, const std::vector<std::uint8_t>& value)
+{
+    std::vector<std::uint8_t> now(entry.size_bytes);
+    const cia301::Reading reading = cia301::ReadEntry(entry, {now.data(), entry.size_bytes});
+    now.resize(reading.size_bytes);
+    return reading.abort == SdoAbort::kNone && now == value;
 }
 
 bool IsOfServiceObjects(const std::uint16_t index)
@@ -293,20 +309,15 @@ void DeviceObjects::SetValue(const cia306::Entry& source, const std::uint8_t nod
     Stored stored;
     stored.entry = entries_.size();
     stored.line = source.ValueLine();
-    stored.is_configured = source.Configured().IsSet();
     stored.value.resize((source.type.bits + 7U) / 8U);
-    if (stored.is_configured)
+    const std::optional<cia306::Value> value = cia306::UsableValue(file_, source, node_id);
+    stored.is_configured = value.has_value();
+    if (value)
     {
-        const cia306::ValueResult result = cia306::ConfiguredValue(source, node_id);
-        if (!result.value)
-        {
-            throw cia306::InputError(file_, stored.line, result.problem);
-        }
-        const std::string& text = result.value->text;
+        const std::string& text = value->text;
         if (source.type.bits != 0U)
         {
-            cia301::ToLittleEndian(result.value->bits, stored.value.data(),
-                                   static_cast<std::uint32_t>(stored.value.size()));
+            cia301::ToLittleEndian(value->bits, stored.value.data(), static_cast<std::uint32_t>(stored.value.size()));
         }
         else if (source.data_type == kOctetString)
         {
@@ -321,7 +332,17 @@ void DeviceObjects::SetValue(const cia306::Entry& source, const std::uint8_t nod
             stored.value.assign(text.begin(), text.end());
         }
     }
+    else if (source.Configured().IsSet())
+    {
+        LeaveOut(source, source.Configured(), cia306::ConfiguredValue(source, node_id).problem);
+    }
     stored_.push_back(stored);
+}
+
+void DeviceObjects::LeaveOut(const cia306::Entry& source, const cia306::Text& text, const cia306::Problem& problem)
+{
+    left_out_.push_back({cia306::Severity::kWarning, text.line, cia306::ObjectName(source.index, source.sub),
+                         problem.wrong + " is left out, expected " + problem.expected});
 }
 
 void DeviceObjects::SetRoom(cia301::Entry& entry, const cia306::Entry& source)
@@ -352,7 +373,7 @@ void DeviceObjects::SetLimits(cia301::Entry& entry, const cia306::Entry& source,
 }
 
 std::uint64_t DeviceObjects::LimitOf(const cia306::Entry& source, const cia306::Text& text, const std::uint8_t node_id,
-                                     const std::uint64_t otherwise) const
+                                     const std::uint64_t otherwise)
 {
     if (!text.IsSet() || source.type.bits == 0U)
     {
@@ -361,7 +382,8 @@ std::uint64_t DeviceObjects::LimitOf(const cia306::Entry& source, const cia306::
     const cia306::ValueResult result = cia306::ParseValue(text.text, source.type, node_id);
     if (!result.value)
     {
-        throw cia306::InputError(file_, text.line, result.problem);
+        LeaveOut(source, text, {"limit: " + result.problem.wrong, result.problem.expected});
+        return otherwise;
     }
     std::array<std::uint8_t, 8U> bytes{};
     const auto size = static_cast<std::uint32_t>((source.type.bits + 7U) / 8U);
@@ -382,7 +404,7 @@ void DeviceObjects::LoadApplication() noexcept
 
 void DeviceObjects::LoadCommunication() noexcept
 {
-    refusals_.clear();
+    refusals_ = left_out_;
     for (const Stored& stored : stored_)
     {
         if (entries_[stored.entry].index < kFirstApplication)
@@ -405,50 +427,46 @@ void DeviceObjects::Load(const Stored& stored) noexcept
         }
         return;
     }
-    // The device's own: its errors, and what has one value only.
-    const bool is_own = entry.index == 0x1001U || entry.index == 0x1003U || entry.index == 0x1200U ||
-                        IsStore(entry.index) || entry.access == cia301::Access::kConstant;
-    if (!stored.is_configured || is_own)
+    if (!stored.is_configured || IsOwn(entry))
     {
         return;
     }
     const SdoAbort abort = cia301::WriteEntry(entry, {stored.value.data(), size});
     if (abort != SdoAbort::kNone)
     {
-        refusals_.push_back(file_ + ":" + std::to_string(stored.line) +
-                            ": warning: " + cia306::ObjectName(entry.index, entry.sub) +
-                            ": the device refuses this value with " + "abort code " +
-                            cia306::Hex(static_cast<std::uint32_t>(abort), 8) + ", expected one of the object's range");
+        refusals_.push_back({cia306::Severity::kWarning, stored.line, cia306::ObjectName(entry.index, entry.sub),
+                             "the device refuses this value with abort code " +
+                                 cia306::Hex(static_cast<std::uint32_t>(abort), 8) +
+                                 ", expected one of the object's range"});
     }
 }
 
-const std::vector<std::string>& DeviceObjects::Refusals() const noexcept
+const std::vector<cia306::Finding>& DeviceObjects::Refusals() const noexcept
 {
     return refusals_;
 }
 
-std::vector<std::string> DeviceObjects::PdosTurnedOff(cia301::Dictionary& dictionary) const
+std::vector<cia306::Finding> DeviceObjects::NotTaken(const std::function<bool(const ObjectAddress&)>& is_replaced) const
 {
-    std::vector<std::string> lines;
+    std::vector<cia306::Finding> findings;
     for (const Stored& stored : stored_)
     {
         const cia301::Entry& entry = entries_[stored.entry];
-        const bool is_rpdo = entry.index >= kFirstRpdo && entry.index < kFirstRpdoMap;
-        const bool is_tpdo = entry.index >= kFirstTpdo && entry.index < kFirstTpdoMap;
-        if (!(is_rpdo || is_tpdo) || entry.sub != 1U || !stored.is_configured)
+        const std::string object = cia306::ObjectName(entry.index, entry.sub);
+        const bool is_refused = std::any_of(refusals_.begin(), refusals_.end(), [&](const cia306::Finding& refusal)
+                                            { return refusal.line == stored.line && refusal.object == object; });
+        const bool is_of_service = entry.place == nullptr && stored.is_configured && !IsOwn(entry);
+        // 1013h is a time that goes on.
+        const bool is_other = entry.index == kHighResolution || is_replaced({entry.index, entry.sub});
+        if (!is_of_service || is_refused || is_other || HasValue(entry, stored.value))
         {
             continue;
         }
-        const auto size = static_cast<std::uint32_t>(stored.value.size());
-        const std::uint64_t wanted = cia301::FromLittleEndian(stored.value.data(), size);
-        const std::uint64_t now = dictionary.ReadNumber({entry.index, entry.sub}).value;
-        if ((wanted & cia301::kCobOff) == 0U && (now & cia301::kCobOff) != 0U)
-        {
-            lines.push_back(file_ + ":" + std::to_string(stored.line) +
-                            ": warning: " + cia306::ObjectName(entry.index, entry.sub) +
-                            ": the device has turned this PDO off, expected a mapping and settings that hold");
-        }
+        const bool is_pdo = entry.index >= kFirstRpdo && entry.index < kFirstTpdoMap && entry.sub == 1U;
+        findings.push_back({cia306::Severity::kWarning, stored.line, object,
+                            is_pdo ? "the device has turned this PDO off, expected a mapping and settings that hold"
+                                   : "the device does without this value, expected one that goes with the others"});
     }
-    return lines;
+    return findings;
 }
 } // namespace counterpoint::runtime

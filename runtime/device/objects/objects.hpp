@@ -29,7 +29,7 @@ class DeviceObjects
     /// Finds the hook of an object that belongs to an optional service; null: the object belongs to none.
     using FindHook = std::function<cia301::NumberHook*(std::uint16_t index)>;
 
-    /// Throws cia306::InputError for a value or limit that its data type cannot have.
+    /// Throws cia306::InputError for a multiplexed PDO.
     DeviceObjects(const cia306::Device& device, std::uint8_t node_id, const IsKernels& is_kernels);
     DeviceObjects(const DeviceObjects&) = delete;
     DeviceObjects& operator=(const DeviceObjects&) = delete;
@@ -45,12 +45,15 @@ class DeviceObjects
     void LoadApplication() noexcept;
     /// @brief Sets 1000h to 1FFFh to the values of the file; services get theirs by their hooks.
     void LoadCommunication() noexcept;
-    /// @brief Values of the file that a service refused at the last LoadCommunication, as lines.
-    [[nodiscard]] const std::vector<std::string>& Refusals() const noexcept;
+    /// @brief Values of the file that a service refused at the last LoadCommunication, and values and limits that their
+    /// data type cannot have, which are left out.
+    [[nodiscard]] const std::vector<cia306::Finding>& Refusals() const noexcept;
 
-    /// @brief PDOs that the file switches on and that the device has turned off because their mapping does not hold, as
-    /// lines. Call it after the configuration. [SRS_NODE_017]
-    [[nodiscard]] std::vector<std::string> PdosTurnedOff(cia301::Dictionary& dictionary) const;
+    /// @brief Values of the file that the services have not: they go with other values of it, such as those of a PDO
+    /// that the device has turned off because its mapping does not hold; but for those objects that got their value
+    /// from elsewhere. Call it after the configuration. [SRS_NODE_017, SRS_NODE_030]
+    [[nodiscard]] std::vector<cia306::Finding>
+    NotTaken(const std::function<bool(const ObjectAddress&)>& is_replaced) const;
 
   private:
     /// A value and where it goes.
@@ -70,7 +73,8 @@ class DeviceObjects
     void SetLimits(cia301::Entry& entry, const cia306::Entry& source, std::uint8_t node_id);
     void Load(const Stored& stored) noexcept;
     [[nodiscard]] std::uint64_t LimitOf(const cia306::Entry& source, const cia306::Text& text, std::uint8_t node_id,
-                                        std::uint64_t otherwise) const;
+                                        std::uint64_t otherwise);
+    void LeaveOut(const cia306::Entry& source, const cia306::Text& text, const cia306::Problem& problem);
 
     std::string file_;
     std::vector<cia301::Entry> entries_;
@@ -83,7 +87,8 @@ class DeviceObjects
     std::vector<cia301::Rpdo> rpdos_;
     std::deque<std::vector<cia301::PdoField>> fields_;
     std::vector<std::uint8_t> sdo_buffer_;
-    std::vector<std::string> refusals_;
+    std::vector<cia306::Finding> left_out_; ///< What the file says and its data type cannot have.
+    std::vector<cia306::Finding> refusals_;
     cia301::EntryTable table_{nullptr, 0U};
     FixedHook fixed_{table_};
     NoStoreHook no_store_;

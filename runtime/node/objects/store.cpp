@@ -80,7 +80,8 @@ void NodeMemory::Work()
 
 NodeStore::NodeStore(const std::string& path, const NodeStoreParts& parts)
     : path_(path), memory_(path), entries_(parts.table, parts.dictionary, parts.services.tpdos, parts.services.rpdos),
-      safety_(parts.kernel), lss_({0U, {0U}}), list_{&entries_, &safety_, &lss_}, scratch_(kLargestItem),
+      loaded_(entries_, parts.dictionary), safety_(parts.kernel), lss_({0U, {0U}}), list_{&loaded_, &safety_, &lss_},
+      scratch_(kLargestItem),
       store_({memory_, list_.data(), static_cast<std::uint8_t>(list_.size()), {scratch_.data(), kLargestItem}}),
       objects_(store_)
 {
@@ -113,7 +114,18 @@ std::string NodeStore::Load(const std::uint8_t groups) noexcept
     return (report.refused == 0U)
                ? std::string()
                : warning + std::to_string(report.refused) + " of " + std::to_string(report.loaded + report.refused) +
-                     " saved values are refused, expected those of this device";
+                     " saved values are refused" + loaded_.TakeRefused() + ", expected those of this device";
+}
+
+std::vector<std::string> NodeStore::NotTaken() const
+{
+    std::vector<std::string> lines;
+    for (const std::string& object : loaded_.NotTaken())
+    {
+        lines.push_back(cia306::Printable(path_) + ":0: warning: " + object +
+                        ": the device does without the saved value, expected one that goes with the others");
+    }
+    return lines;
 }
 
 cia305::LssSettings NodeStore::LoadLss(const cia305::LssSettings& otherwise) noexcept

@@ -2,6 +2,8 @@
 #ifndef RUNTIME_NODE_OBJECTS_STORE_HPP
 #define RUNTIME_NODE_OBJECTS_STORE_HPP
 
+#include "runtime/node/objects/loaded_entries.hpp"
+
 #include "canopen/cia301/store/stored_parts.hpp"
 #include "canopen/cia305/stored_lss.hpp"
 #include "canopen/device/services.hpp"
@@ -68,6 +70,13 @@ class NodeStore
     /// @brief Loads what was saved of these groups; call it at a reset, after the values of the DCF. Answers what is
     /// wrong with the file; empty if all of it was used, or if nothing was ever saved.
     std::string Load(std::uint8_t groups) noexcept;
+    /// @brief What was loaded last, after the values of the DCF.
+    [[nodiscard]] const LoadedEntries& Loaded() const noexcept
+    {
+        return loaded_;
+    }
+    /// @brief What the device has not of that, as lines; call it after the configuration.
+    [[nodiscard]] std::vector<std::string> NotTaken() const;
     /// @brief Goes on with a save. Once a cycle.
     void OnCycle() noexcept;
     /// @brief Whether a save is under way.
@@ -89,6 +98,7 @@ class NodeStore
     std::string path_;
     NodeMemory memory_;
     cia301::StoredEntries entries_;
+    LoadedEntries loaded_;
     cia301::StoredSafety safety_;
     cia305::StoredLss lss_;
     std::array<cia301::StoredPart*, 3U> list_;

@@ -322,7 +322,7 @@ void NodeFirmware::OnLoaded(const std::uint8_t groups) noexcept
     }
 }
 
-void NodeFirmware::OnResetCommunication(const std::vector<std::string>& /*refusals*/) noexcept
+void NodeFirmware::OnResetCommunication(const std::vector<cia306::Finding>& /*refusals*/) noexcept
 {
     state_ = cia301::NodeState::kInvalid;
 }

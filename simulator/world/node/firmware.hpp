@@ -77,7 +77,7 @@ class NodeFirmware final : public host::FrameSink, private runtime::AssemblyOwne
     void OnNoStart(StartResult result) noexcept override;
     void OnLoaded(std::uint8_t groups) noexcept override;
     void OnRefused(const runtime::ConfigurationWrite& write, AbortCode code) noexcept override;
-    void OnResetCommunication(const std::vector<std::string>& refusals) noexcept override;
+    void OnResetCommunication(const std::vector<cia306::Finding>& refusals) noexcept override;
     void OnTime(const cia301::TimeOfDay& time, Instant now) noexcept override;
     void OnEmergency(const cia301::ReceivedEmergency& emergency) noexcept override;
     void HandOver();

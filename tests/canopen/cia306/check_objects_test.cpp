@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -206,6 +207,35 @@ TEST(CheckObjects, ADeviceWithoutSrdo)
     EXPECT_EQ(test::FindingsOf("[DeviceInfo]\nCANopenSafetySupported=1\n" + object, {}),
               Lines{"error: CANopenSafetySupported is 1 and there is no SRDO, expected communication parameters at "
                     "0x1301 to 0x1340"});
+}
+
+TEST(CheckObjects, ASafetyObjectWithoutSrdoIsAnErrorAtItsLine)
+{
+    Verifies(req::SRS_CLI_033);
+    const std::string device = "[DeviceInfo]\n[1000]\nDataType=7\nAccessType=ro\n";
+    for (const std::string index : {"1300", "13FE", "13FF", "13FD"})
+    {
+        const std::string object = "[" + index + "]\nDataType=5\nAccessType=rw\nDefaultValue=0\n";
+        const std::string expected = "error: 0x" + index +
+                                     ": a safety object and no SRDO, expected communication parameters at 0x1301 to "
+                                     "0x1340";
+        const std::vector<std::string> found = test::FindingsOf(device + object, {});
+        EXPECT_NE(std::find(found.begin(), found.end(), expected), found.end()) << index;
+    }
+    const std::string listed = device + "[OptionalObjects]\nSupportedObjects=1\n1=0x1300\n";
+    const std::vector<Finding> found = CheckDevice(test::DeviceOf(listed), {});
+    const auto error = std::find_if(found.begin(), found.end(), [](const Finding& finding)
+                                    { return finding.text.find("a safety object and no SRDO") == 0U; });
+    ASSERT_NE(error, found.end());
+    EXPECT_EQ(error->line, 7U); // Of the list
+    for (const std::string index : {"12FF", "1400"})
+    {
+        const std::string object = "[" + index + "]\nDataType=5\nAccessType=rw\nDefaultValue=0\n";
+        for (const std::string& line : test::FindingsOf(device + object, {}))
+        {
+            EXPECT_EQ(line.find("error"), std::string::npos) << line;
+        }
+    }
 }
 
 TEST(CheckObjects, AllFindingsComeAtOnceInTheOrderOfTheirLines)

@@ -37,7 +37,7 @@ TEST(CheckSrdo, DirectionTypeAndNumberOfParameters)
         {{{"1302sub4", kValue, "253"}}, {"error: 0x1302:04: transmission type 253, expected 254"}},
         {{{"1302sub4", kValue, "0"}}, {"error: 0x1302:04: transmission type 0, expected 254"}},
         {{{"1302sub4", kValue, "255"}},
-         {"warning: 0x1302:04: transmission type 255, expected 254; devices with 255 exist, this kernel refuses it"}},
+         {"error: 0x1302:04: transmission type 255, expected 254; devices with 255 exist, this kernel refuses it"}},
         {{{"1302sub4", kValue, "0xFE"}}, {}},
         {{{"1302sub0", kValue, "5"}}, {"error: 0x1302:00: highest sub-index 5, expected 6"}},
         {{{"1302sub0", kValue, "7"}}, {"error: 0x1302:00: highest sub-index 7, expected 6"}},
@@ -88,8 +88,8 @@ TEST(CheckSrdo, IdentifiersInUse)
          {"error: 0x1302:06: COB-ID 2 0x102, expected 0x104 (COB-ID 1 + 1)",
           "error: 0x1302:06: COB-ID 0x102 is in use by SRDO 1, expected an identifier of its own"}},
         {{{"1302sub5", kValue, "0x101"}, {"1302sub6", kValue, "0x102"}, {"1302sub1", kValue, "0"}},
-         {"error: 0x1302:05: COB-ID 0x101 is in use by SRDO 1, expected an identifier of its own",
-          "error: 0x1302:06: COB-ID 0x102 is in use by SRDO 1, expected an identifier of its own"}},
+         {"warning: 0x1302:05: COB-ID 0x101 is in use by SRDO 1, one is off, expected an identifier of its own",
+          "warning: 0x1302:06: COB-ID 0x102 is in use by SRDO 1, one is off, expected an identifier of its own"}},
         {{{"1302sub5", kValue, "0x101"},
           {"1302sub6", kValue, "0x102"},
           {"1302sub1", kValue, "0"},
@@ -98,6 +98,64 @@ TEST(CheckSrdo, IdentifiersInUse)
           "warning: 0x1302:06: COB-ID 0x102 is in use by SRDO 1, both are off, expected an identifier of its own"}},
     };
     test::ExpectRows("controller", rows, {});
+}
+
+// What the kernel takes while SRDO 2 is off; each but the last is an error of an SRDO that is on
+TEST(CheckSrdo, OfAnSrdoThatIsOffWhatTheDeviceTakesIsAWarning)
+{
+    Verifies(req::SRS_CLI_031);
+    const Set off{"1302sub1", kValue, "0"};
+    const std::vector<CheckRow> rows = {
+        {{off, {"1302sub0", kValue, "5"}}, {"warning: 0x1302:00: highest sub-index 5, expected 6"}},
+        {{off, {"1382sub3", kValue, "0x20000108"}, {"1382sub4", kValue, "0x21000108"}},
+         {"warning: 0x1382:03: object 0x2000:01 is mapped twice, expected another object than in sub-index 1",
+          "warning: 0x1382:04: object 0x2100:01 is mapped twice, expected another object than in sub-index 2"}},
+        {{off, {"1382sub2", kValue, "0x21000208"}, {"1382sub4", kValue, "0x21000108"}},
+         {"warning: 0x1382:02: inverse entry 0x2100:02, expected 0x2100:01, the InvertedSRAD of 0x2000:01 (line 486)",
+          "warning: 0x1382:04: inverse entry 0x2100:01, expected 0x2100:02, the InvertedSRAD of 0x2000:02 (line 496)"}},
+        {{off, {"1382sub1", kValue, "0x00050008"}, {"1382sub2", kValue, "0x00060010"}},
+         {"warning: 0x1382:02: inverse entry of 16 bit, expected 8 bit as the normal entry before it"}},
+        {{off, {"1382sub0", kValue, "3"}},
+         {"error: 0x1382:00: 3 mapping entries, expected an even number: one normal and one inverse entry a pair"}},
+    };
+    test::ExpectRows("controller", rows, {});
+}
+
+TEST(CheckSrdo, AnObjectIsReceivedByOneSrdoAlone)
+{
+    Verifies(req::SRS_CLI_032);
+    const std::vector<Set> both_received{{"1302sub1", kValue, "2"},
+                                         {"1382sub0", kValue, "2"},
+                                         {"1382sub1", kValue, "0x22000108"},
+                                         {"1382sub2", kValue, "0x23000108"}};
+    std::vector<Set> one_off = both_received;
+    one_off[0].value = "0";
+    std::vector<Set> received_and_sent = both_received;
+    received_and_sent[0].value = "1";
+    const std::vector<Set> both_sent{{"1301sub1", kValue, "1"},
+                                     {"1381sub0", kValue, "2"},
+                                     {"1381sub1", kValue, "0x20000108"},
+                                     {"1381sub2", kValue, "0x21000108"}};
+    const std::string shared_normal = "error: 0x1382:01: object 0x2200:01 is in the mapping of SRDO 1 too, and one of "
+                                      "the two receives, expected an object of its own";
+    const std::string shared_inverse = "error: 0x1382:02: object 0x2300:01 is in the mapping of SRDO 1 too, and one of "
+                                       "the two receives, expected an object of its own";
+    test::ExpectRows("controller", {{both_received, {shared_normal, shared_inverse}}, {one_off, {}}, {both_sent, {}}},
+                     {});
+    const std::vector<std::string> found = test::FindingsOfChange("controller", {received_and_sent, {}}, {});
+    EXPECT_EQ(found.at(1), shared_normal);
+    EXPECT_EQ(found.at(3), shared_inverse);
+}
+
+TEST(CheckSrdo, AMappedObjectHasAValueOfItsType)
+{
+    Verifies(req::SRS_CLI_034);
+    test::ExpectRows("controller",
+                     {{{{"2000sub1", kValue, "256"}},
+                       {"warning: 0x2000:01: ParameterValue: value '256', expected a number from 0 to 255 (UNSIGNED8)",
+                        "error: 0x2000:01: value '256', expected a number from 0 to 255 (UNSIGNED8)"}},
+                      {{{"2000sub1", kValue, "0xFF"}}, {}}},
+                     {});
 }
 
 TEST(CheckSrdo, TimesOfAConsumer)

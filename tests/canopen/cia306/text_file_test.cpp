@@ -110,7 +110,7 @@ TEST_F(TextFile, AFileIsReplacedInOneStepAndKeepsItsMode)
 
 TEST_F(TextFile, AFileKeepsItsOwnerAndALinkIsFollowedWhereverItLeads)
 {
-    Verifies(req::SRS_CLI_031);
+    Verifies(req::SRS_CLI_035);
     WriteTextFile(Path("a"), "old");
     constexpr uid_t kSomebody = 12345U;
     const bool may_give = ::chown(Path("a").c_str(), kSomebody, kSomebody) == 0; // Not everybody may.
@@ -136,7 +136,7 @@ TEST_F(TextFile, AFileKeepsItsOwnerAndALinkIsFollowedWhereverItLeads)
 
 TEST_F(TextFile, AProcessThatIsKilledWhileItWritesLeavesNothing)
 {
-    Verifies(req::SRS_CLI_031);
+    Verifies(req::SRS_CLI_035);
     WriteTextFile(Path("a"), "old");
     const pid_t child = ::fork();
     if (child == 0)

@@ -64,6 +64,53 @@ TEST(Value, NumbersAreHexadecimalOctalOrDecimal)
     ExpectAll(std::begin(cases), std::end(cases));
 }
 
+TEST(Value, MinusZeroIsZeroAndSuffixesOfCAreLeftOut)
+{
+    Verifies(req::SRS_EDS_033);
+    const Case cases[] = {
+        {"-0", kUnsigned8, true, 0U},
+        {"-0x00", kUnsigned32, true, 0U},
+        {"-0", kInteger8, true, 0U},
+        {"-1", kUnsigned32, false, 0U},
+        {"255u", kUnsigned8, true, 255U},
+        {"0xFFFFFFFFUL", kUnsigned32, true, 0xFFFFFFFFU},
+        {"0xFFull", kUnsigned64, true, 0xFFU},
+        {"12LU", kUnsigned8, true, 12U},
+        {"-9223372036854775808LL", kInteger64, true, 0x8000000000000000U},
+        {"9223372036854775807ll", kInteger64, true, 0x7FFFFFFFFFFFFFFFU},
+        {"$NODEID+0x180U", kUnsigned32, true, 0x185U},
+        {"0x180L+$NODEID", kUnsigned32, true, 0x185U},
+        {"256U", kUnsigned8, false, 0U},
+        {"1LLL", kUnsigned8, false, 0U},
+        {"1UU", kUnsigned8, false, 0U},
+        {"1 U", kUnsigned8, false, 0U},
+        {"LL", kUnsigned8, false, 0U},
+        {"-0LL", kUnsigned16, true, 0U},
+    };
+    ExpectAll(std::begin(cases), std::end(cases));
+    EXPECT_FALSE(ParseUnsigned("7U", 255U)); // Of the structure
+    EXPECT_EQ(ParseUnsigned("-0", 255U), 0U);
+}
+
+TEST(Value, TimesAreDaysAndMilliseconds)
+{
+    Verifies(req::SRS_EDS_034);
+    const Case cases[] = {
+        {"0 0", kTimeOfDay, true, 0U},
+        {"15000 43200000", kTimeOfDay, true, 0x3A9802932E00U},
+        {"1, 2", kTimeOfDay, true, 0x000100000002U},
+        {"1,2", 0x000DU, true, 0x000100000002U},
+        {"0xFFFF\t0x0FFFFFFF", 0x000DU, true, 0xFFFF0FFFFFFFU},
+        {"65536 0", kTimeOfDay, false, 0U},
+        {"0 268435456", kTimeOfDay, false, 0U},
+        {"1 2 3", kTimeOfDay, false, 0U},
+        {"1,", kTimeOfDay, false, 0U},
+        {"1,,2", kTimeOfDay, false, 0U},
+        {"$NODEID", kTimeOfDay, false, 0U},
+    };
+    ExpectAll(std::begin(cases), std::end(cases));
+}
+
 TEST(Value, NumbersOfMoreThan64BitAreNone)
 {
     Verifies(req::SRS_EDS_006);

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <limits>
+#include <set>
 #include <vector>
 
 namespace counterpoint::generated
@@ -39,8 +40,9 @@ class Service final : public cia301::ReadHook, public cia301::WriteHook
     SdoAbort OnWrite(const ObjectAddress& address, const Bytes& value) noexcept override
     {
         told.push_back({address.index, address.sub, value.data[0], value.size_bytes});
-        return answer;
+        return (refused.count(address.index) != 0U) ? SdoAbort::kDeviceState : answer;
     }
+    std::set<std::uint16_t> refused{};
     std::vector<std::array<std::uint32_t, 4U>> told{};
     SdoAbort answer{SdoAbort::kNone};
 };
@@ -166,15 +168,46 @@ TEST_F(GeneratedRuntime, PresetTellsTheHookItsStoredValues)
     Service service{};
     ASSERT_EQ(stored.Attach({0x1016U, 0x2FFFU}, {nullptr, &service}), AttachResult::kAttached);
     // When the values of 1016h to 2000h are preset, then all that can be written are told, a counter is not
-    EXPECT_EQ(stored.Preset({0x1016U, 0x2000U}), SdoAbort::kNone);
+    EXPECT_EQ(stored.Preset({0x1016U, 0x2000U}).abort, SdoAbort::kNone);
     const std::vector<std::array<std::uint32_t, 4U>> told{
         {0x1016U, 1U, 2U, 1U}, {0x1017U, 0U, 3U, 1U}, {0x2000U, 0U, 'a', 2U}};
     EXPECT_EQ(service.told, told);
-    // And the first refusal ends it
-    service.told.clear();
-    service.answer = SdoAbort::kDeviceState;
-    EXPECT_EQ(stored.Preset({0x1016U, 0xFFFFU}), SdoAbort::kDeviceState);
-    EXPECT_EQ(service.told.size(), 1U);
+}
+
+TEST_F(GeneratedRuntime, PresetGoesOnBehindARefusalAndNamesTheFirst)
+{
+    Verifies(req::SRS_GEN_019);
+    // Given a service that refuses 1017h and 2000h
+    Service service{};
+    service.refused = {0x1017U, 0x2000U};
+    ASSERT_EQ(stored.Attach({0x1016U, 0x2FFFU}, {&service, &service}), AttachResult::kAttached);
+    // When all is preset, then it is told everything, and the first refusal is named with the number of them
+    const PresetReply reply = stored.Preset({0x1016U, 0xFFFFU});
+    EXPECT_EQ(reply.abort, SdoAbort::kDeviceState);
+    EXPECT_EQ(reply.object.index, 0x1017U);
+    EXPECT_EQ(reply.object.sub, 0U);
+    EXPECT_EQ(reply.refused, 2U);
+    EXPECT_EQ(service.told.size(), 3U);
+    // And without a refusal there is nothing to name
+    service.refused.clear();
+    EXPECT_EQ(stored.Preset({0x1016U, 0xFFFFU}).abort, SdoAbort::kNone);
+    EXPECT_EQ(stored.Preset({0x1016U, 0xFFFFU}).refused, 0U);
+}
+
+TEST_F(GeneratedRuntime, CompareNamesWhatAHookHasNot)
+{
+    Verifies(req::SRS_GEN_019);
+    // Given a service that answers 77h for every object
+    Service service{};
+    ASSERT_EQ(stored.Attach({0x1016U, 0x2FFFU}, {&service, &service}), AttachResult::kAttached);
+    bytes[2] = 0x77U;
+    // Then 1017h is as it is stored, 1016h:01 (2) and the text of 2000h are not
+    const PresetReply reply = stored.Compare({0x1016U, 0x2000U});
+    EXPECT_EQ(reply.abort, SdoAbort::kIncompatible);
+    EXPECT_EQ(reply.object.index, 0x1016U);
+    EXPECT_EQ(reply.object.sub, 1U);
+    EXPECT_EQ(reply.refused, 2U);
+    EXPECT_EQ(stored.Compare({0x1017U, 0x1017U}).refused, 0U);
 }
 
 TEST(GeneratedNumbers, AreRightToTheirEnds)

@@ -31,7 +31,12 @@ inline constexpr RequirementId SRS_CLI_021{"SRS_CLI_021"};
 inline constexpr RequirementId SRS_CLI_022{"SRS_CLI_022"};
 inline constexpr RequirementId SRS_CLI_023{"SRS_CLI_023"};
 inline constexpr RequirementId SRS_CLI_024{"SRS_CLI_024"};
+inline constexpr RequirementId SRS_CLI_030{"SRS_CLI_030"};
 inline constexpr RequirementId SRS_CLI_031{"SRS_CLI_031"};
+inline constexpr RequirementId SRS_CLI_032{"SRS_CLI_032"};
+inline constexpr RequirementId SRS_CLI_033{"SRS_CLI_033"};
+inline constexpr RequirementId SRS_CLI_034{"SRS_CLI_034"};
+inline constexpr RequirementId SRS_CLI_035{"SRS_CLI_035"};
 inline constexpr RequirementId SRS_EDS_001{"SRS_EDS_001"};
 inline constexpr RequirementId SRS_EDS_002{"SRS_EDS_002"};
 inline constexpr RequirementId SRS_EDS_003{"SRS_EDS_003"};
@@ -63,6 +68,9 @@ inline constexpr RequirementId SRS_EDS_028{"SRS_EDS_028"};
 inline constexpr RequirementId SRS_EDS_029{"SRS_EDS_029"};
 inline constexpr RequirementId SRS_EDS_030{"SRS_EDS_030"};
 inline constexpr RequirementId SRS_EDS_031{"SRS_EDS_031"};
+inline constexpr RequirementId SRS_EDS_032{"SRS_EDS_032"};
+inline constexpr RequirementId SRS_EDS_033{"SRS_EDS_033"};
+inline constexpr RequirementId SRS_EDS_034{"SRS_EDS_034"};
 } // namespace counterpoint::req
 
 #endif

@@ -25,6 +25,7 @@ inline constexpr RequirementId SRS_GEN_015{"SRS_GEN_015"};
 inline constexpr RequirementId SRS_GEN_016{"SRS_GEN_016"};
 inline constexpr RequirementId SRS_GEN_017{"SRS_GEN_017"};
 inline constexpr RequirementId SRS_GEN_018{"SRS_GEN_018"};
+inline constexpr RequirementId SRS_GEN_019{"SRS_GEN_019"};
 } // namespace counterpoint::req
 
 #endif

@@ -53,6 +53,7 @@ inline constexpr RequirementId SRS_NODE_019{"SRS_NODE_019"};
 inline constexpr RequirementId SRS_NODE_020{"SRS_NODE_020"};
 inline constexpr RequirementId SRS_NODE_024{"SRS_NODE_024"};
 inline constexpr RequirementId SRS_NODE_025{"SRS_NODE_025"};
+inline constexpr RequirementId SRS_NODE_030{"SRS_NODE_030"};
 inline constexpr RequirementId SRS_NODE_031{"SRS_NODE_031"};
 inline constexpr RequirementId SRS_NODE_032{"SRS_NODE_032"};
 } // namespace counterpoint::req
