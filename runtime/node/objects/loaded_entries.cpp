@@ -62,9 +62,15 @@ bool LoadedEntries::LoadItem(const cia301::Bytes& item) noexcept
     return is_loaded;
 }
 
-void LoadedEntries::EndLoad(const std::uint8_t groups) noexcept
+bool LoadedEntries::EndLoad(const std::uint8_t groups) noexcept
 {
-    entries_.EndLoad(groups);
+    return entries_.EndLoad(groups);
+}
+
+void LoadedEntries::Lose(const std::uint8_t groups) noexcept
+{
+    loaded_.clear();
+    entries_.Lose(groups);
 }
 
 std::string LoadedEntries::TakeRefused()

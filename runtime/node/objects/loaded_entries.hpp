@@ -23,7 +23,8 @@ class LoadedEntries final : public cia301::StoredPart
     [[nodiscard]] cia301::StoredItem Item(std::uint32_t number, const cia301::Room& room) noexcept override;
     void BeginLoad(std::uint8_t groups) noexcept override;
     bool LoadItem(const cia301::Bytes& item) noexcept override;
-    void EndLoad(std::uint8_t groups) noexcept override;
+    bool EndLoad(std::uint8_t groups) noexcept override;
+    void Lose(std::uint8_t groups) noexcept override;
 
     /// @brief Objects whose value was refused since the last call of this, such as " (0x1019:00, 0x1400:02)"; empty:
     /// none.
