@@ -1,8 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "safety_core/kernel/configuration_diagnosis.hpp"
-
-#include "safety_core/comparator/slot_mask.hpp"
-
 namespace counterpoint
 {
 namespace
@@ -25,20 +22,20 @@ bool ConfigurationDiagnosis::IsDigestSound(const std::uint8_t valid) const noexc
 
 // step    0          1         2          3         ...
 // slot    0 recheck  0 digest  1 recheck  1 digest  ...    a change in both channels shows when all slots are done
-SrdoMask ConfigurationDiagnosis::Examine(ConfigurationCopies& copies, const std::uint8_t valid) noexcept
+SlotIndex ConfigurationDiagnosis::Examine(ConfigurationCopies& copies, const std::uint8_t valid) noexcept
 {
     const std::uint32_t step = step_;
     const std::uint32_t following = step + 1U;
     const bool is_last = following == (2U * static_cast<std::uint32_t>(copies.Device().srdo_count));
     step_ = is_last ? std::uint8_t{0U} : static_cast<std::uint8_t>(following);
     const SlotIndex slot = static_cast<SlotIndex>(step / 2U);
-    SrdoMask checked = 0U;
+    SlotIndex checked = kNoSlot;
     bool is_sound = true;
     if ((step & 1U) == 0U)
     {
         is_digest_whole_ = is_digest_whole_ || (slot == 0U);
         is_sound = IsSlotSound(copies, slot, valid);
-        checked = OnlySlot(slot).mask;
+        checked = slot;
     }
     else
     {

@@ -38,8 +38,9 @@ class ConfigurationDiagnosis
         begun_.us += share_us_;
         return true;
     }
-    /// @brief One step; `valid` is 13FEh. Faults enter the latch. The slot whose signature it checked, or none.
-    [[nodiscard]] SrdoMask Examine(ConfigurationCopies& copies, std::uint8_t valid) noexcept;
+    /// @brief One step; `valid` is 13FEh. Faults enter the latch. The slot whose signature it checked, or
+    /// kNoSlot.
+    [[nodiscard]] SlotIndex Examine(ConfigurationCopies& copies, std::uint8_t valid) noexcept;
     /// @brief From now on the cyclic digest has to be this one. The walk under way began before, and is not compared.
     void SetReference(const DeviceDigest digest) noexcept
     {

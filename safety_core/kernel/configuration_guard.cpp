@@ -218,7 +218,7 @@ Result ConfigurationGuard::TakeDigest() noexcept
 
 std::uint32_t ConfigurationGuard::Cycle(const std::uint32_t challenge, const Instant now) noexcept
 {
-    examined_ = diagnosis_.TakeTurn(now) ? diagnosis_.Examine(copies_, valid_) : SrdoMask{0U};
+    examined_ = diagnosis_.TakeTurn(now) ? diagnosis_.Examine(copies_, valid_) : kNoSlot;
     const std::uint32_t rotated = (challenge << kTokenRotation) | (challenge >> (kWordBits - kTokenRotation));
     return rotated ^ (static_cast<std::uint32_t>(valid_) * kEveryByte);
 }

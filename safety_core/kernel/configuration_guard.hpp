@@ -2,6 +2,7 @@
 #ifndef SAFETY_CORE_KERNEL_CONFIGURATION_GUARD_HPP
 #define SAFETY_CORE_KERNEL_CONFIGURATION_GUARD_HPP
 
+#include "safety_core/comparator/slot_mask.hpp"
 #include "safety_core/kernel/configuration_copies.hpp"
 #include "safety_core/kernel/configuration_diagnosis.hpp"
 #include "safety_core/kernel/object_access.hpp"
@@ -67,7 +68,7 @@ class ConfigurationGuard
     /// [SRS_KRN_038]
     [[nodiscard]] SrdoMask Examined() const noexcept
     {
-        return examined_;
+        return (examined_ == kNoSlot) ? SrdoMask{0U} : OnlySlot(examined_).mask;
     }
     /// @brief Checks one SRDO in both channels; kInvalid where they differ: the device fault was entered.
     [[nodiscard]] CheckResult Check(const SlotIndex slot, const CheckDepth depth) noexcept
@@ -120,10 +121,10 @@ class ConfigurationGuard
 
     ConfigurationCopies copies_;
     ConfigurationDiagnosis diagnosis_{};
-    SrdoMask examined_{0U};
     NmtState nmt_{NmtState::kInvalid};
     std::uint8_t valid_{0U};
     SlotIndex faulty_{0U};
+    SlotIndex examined_{kNoSlot};
 };
 
 } // namespace counterpoint
