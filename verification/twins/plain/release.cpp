@@ -35,6 +35,8 @@ const Act kReadsPair{"SRS_REL_011", "a written pair is read back"};
 const Act kReadsSafe{"SRS_REL_011", "a written safe value is read back"};
 const Decision kExaminesCommitted{"SRS_REL_011", "a slot that is examined is committed"};
 const Decision kExaminesWritten{"SRS_REL_011", "the held pair of a slot that is examined has been written"};
+const Number kValueOf{"SRS_REL_011", "first bit of what was written into an object"};
+const Act kDummyLeft{"SRS_REL_011", "a dummy has no object to look at"};
 const Decision kDiffers{"SRS_REL_011", "an object holds something else"};
 const Act kWritesSafe{"SRS_REL_002", "the safe value is written"};
 const Act kNoLongerCommitted{"SRS_REL_002", "a slot with the safe value is not committed"};
@@ -44,6 +46,11 @@ const Both kCommitOf{"SRS_REL_002", "agreed, and released here"};
 const Both kCommitMatched{"SRS_REL_002", "agreed, and matched"};
 const Act kDemoteDiscards{"SRS_REL_006", "a demotion discards"};
 const Act kDemoteRecorded{"SRS_REL_006", "a demotion is counted and is a cause"};
+
+std::uint32_t BitAt(const Bytes& bytes, std::uint32_t bit) noexcept
+{
+    return (bit < kMaxPayloadBits) ? ((static_cast<std::uint32_t>(bytes.at[bit / 8U]) >> (bit % 8U)) & 1U) : 0U;
+}
 
 Bytes SafeOf(const Record& record) noexcept
 {
@@ -126,17 +133,18 @@ bool ReadBack(const Common& common, const Record& record, bool is_written, bool 
     }
     const Bytes expected = record.is_committed ? at.held : SafeOf(record);
     const Bytes found = ReadObjects(record, common.side);
-    std::uint32_t differing = 0U;
-    std::uint32_t bit = 0U;
+    bool is_other = false;
+    std::uint32_t from = 0U;
     for (const Part& part : record.parts)
     {
-        for (const std::uint32_t end = bit + part.bits; bit < end; ++bit)
+        for (std::uint32_t bit = 0U; (bit < part.bits) && (part.place != nullptr); ++bit)
         {
-            const std::uint32_t difference = static_cast<std::uint32_t>(expected.at[bit / 8U]) ^ found.at[bit / 8U];
-            differing |= (part.place == nullptr) ? 0U : ((difference >> (bit % 8U)) & 1U);
+            is_other = is_other || (BitAt(expected, kValueOf(from) + bit) != BitAt(found, from + bit));
         }
+        is_other = is_other || ((part.place == nullptr) && (!kDummyLeft()));
+        from += part.bits;
     }
-    return kDiffers(differing != 0U);
+    return kDiffers(is_other);
 }
 
 } // namespace counterpoint::twins::plain
