@@ -140,7 +140,7 @@ def refuse(checks, arguments, folder):
     status, code = manager.end()
     row = status["slaves"][0]
     checks.check("another vendor-ID is letter D", code == 1 and row["letter"] == "D", status)
-    checks.check("the finding says what was read", row["finding"] == "0x1018:01 is 0xABCD, expected 0xABCE", row)
+    checks.check("the finding says what was read", row["finding"] == "vendor-ID differs: 0x1018:01 is 0xABCD, expected 0xABCE", row)
     checks.check("it was not started", slave.state() == "PRE-OPERATIONAL", slave.state())
     slave.close()
 

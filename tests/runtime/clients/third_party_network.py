@@ -43,12 +43,12 @@ class Profile:
 
 SERIAL = "0x1018:04 is 0x8, expected 0x7"
 PROFILES = [Profile("cia302", "", {"letter": ""}, {"state": "missing"},
-                    (["--serial", "8"], {"letter": "O"}, SERIAL)),
+                    (["--serial", "8"], {"letter": "O"}, "serial number differs: " + SERIAL)),
             Profile("el6751", "", {"code": 0}, {"code": 2},
-                    (["--serial", "8"], {"code": 5}, SERIAL)),
+                    (["--serial", "8"], {"code": 5}, "SDO value differs: " + SERIAL)),
             # It compares the low 16 bits of 1000h and nothing of 1018h.
             Profile("plc_designer", ", plc_designer: {reset_node: true}", {"code": 5}, {"code": 99},
-                    (["--device-type", "0x192"], {"code": 98}, "0x1000:00 is 0x192, expected 0x191"))]
+                    (["--device-type", "0x192"], {"code": 98}, "device type differs: 0x1000:00 is 0x192, expected 0x191"))]
 
 
 class Listener:
