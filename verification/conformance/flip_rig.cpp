@@ -163,8 +163,8 @@ void FlipRig::Cycle(std::uint32_t elapsed_us)
         }
     }
     const Agreement agreement = is_device_safe_ ? Agreement{0U, 0U} : verdict_.agreement;
-    constexpr SrdoMask kAll = ~SrdoMask{0U};
-    const SrdoMask found = a_.Commit(agreement, kAll) | b_.Commit(agreement, kAll);
+    const SrdoMask examined = SrdoMask{1U} << (cycles_ % kRigSlots);
+    const SrdoMask found = a_.Commit(agreement, examined) | b_.Commit(agreement, examined);
     is_device_safe_ = is_device_safe_ || (found != 0U);
     LookAtOutputs(a_.Answer(challenge_), b_.Answer(challenge_));
 }
