@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // The calls of the flow monitor in the real kernel, and what a cycle with one wrong mark leads to.
-#include "tests/safety_core/kernel/flow_tap.hpp"
+#include "tests/safety_core/kernel/mark_tap.hpp"
 #include "tests/safety_core/kernel/rig.hpp"
 #include "verification/trace/ids/kernel.hpp"
 
@@ -19,7 +19,7 @@ class OwnFlow : public Rig
 };
 
 /// They name a tap.
-class GivenFlow : protected FlowTapHolder, public Rig
+class GivenFlow : protected MarkTapHolder, public Rig
 {
   protected:
     GivenFlow() : Rig{nullptr, &flow}

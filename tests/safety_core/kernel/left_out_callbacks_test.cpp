@@ -39,17 +39,16 @@ class LeastApplication final : public Application
     int invalid{0};
 };
 
-struct LeastHolder
-{
-    LeastApplication least{};
-};
-
-class LeftOutCallbacks : public LeastHolder, public Rig
+class LeftOutCallbacks : public Rig
 {
   public:
     LeftOutCallbacks() : Rig{nullptr, nullptr, &least}
     {
+        least.errors.clear();
+        least.faults.clear();
     }
+
+    inline static LeastApplication least{}; // Before the kernel, which is made in the base.
 };
 
 // Node-ID 2: the producer of form kProviderCalled is due 1 ms after OPERATIONAL was entered, and asked in each cycle.

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // What a lost call or a changed address leaves undone, or does elsewhere.
-#include "tests/safety_core/kernel/flow_tap.hpp"
+#include "tests/safety_core/kernel/mark_tap.hpp"
 #include "tests/safety_core/kernel/rig.hpp"
 #include "verification/trace/ids/kernel.hpp"
 
@@ -125,7 +125,7 @@ TEST_F(PartsOfTheKernel, AnyBitOfAnyAddressIsFoundBeforeAPartIsCalled)
 }
 
 /// The same with a part that is called before all others.
-class PartsWithAFlowWatch : protected FlowTapHolder, public PartsOfTheKernel
+class PartsWithAFlowWatch : protected MarkTapHolder, public PartsOfTheKernel
 {
   protected:
     PartsWithAFlowWatch() : PartsOfTheKernel{&flow}

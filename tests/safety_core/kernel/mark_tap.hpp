@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#ifndef TESTS_SAFETY_CORE_KERNEL_FLOW_TAP_HPP
-#define TESTS_SAFETY_CORE_KERNEL_FLOW_TAP_HPP
+#ifndef TESTS_SAFETY_CORE_KERNEL_MARK_TAP_HPP
+#define TESTS_SAFETY_CORE_KERNEL_MARK_TAP_HPP
 
 #include "safety_core/kernel/flow_monitor.hpp"
 
@@ -20,7 +20,7 @@ enum class MarkFault : std::uint8_t
 };
 
 /// Hands every call on to a flow monitor; a test may spoil the mark of one step.
-class FlowTap final : public FlowWatch
+class MarkTap final : public FlowWatch
 {
   public:
     void Begin() noexcept override
@@ -90,9 +90,9 @@ class FlowTap final : public FlowWatch
 };
 
 /// Comes before Rig among the bases of a fixture whose kernel is given the tap.
-struct FlowTapHolder
+struct MarkTapHolder
 {
-    FlowTap flow{};
+    MarkTap flow{};
 };
 
 } // namespace counterpoint
