@@ -111,7 +111,7 @@ def check_traps(report, images):
 
 def most_instructions():
     """The limit of the dearest cycle; where it is a known gap, what it may not exceed until it is met."""
-    rows = json.loads((ROOT / "verification/bench/limits.json").read_text(encoding="utf-8"))["limits"]
+    rows = json.loads((ROOT / "verification/bench/limits.json").read_text(encoding="utf-8"))["items"]
     gaps = json.loads((ROOT / "docs/known_gaps.json").read_text(encoding="utf-8"))["gaps"]
     limit = next(row["must"] for row in rows if row["id"] == "fw_cycle")
     return max([limit] + [gap["no_worse_than"]["fw_cycle"] for gap in gaps if "fw_cycle" in gap.get("no_worse_than", {})])
