@@ -115,8 +115,8 @@ TEST_F(ReadBack, ASlotIsExaminedWhereItsSignatureIsChecked)
 {
     Verifies(req::SRS_KRN_038);
     Operate();
-    a.examined.clear();
-    b.examined.clear();
+    a.keep_examined = true;
+    b.keep_examined = true;
     Cycles(60U);
     std::vector<SrdoMask> named = a.examined;
     named.erase(std::remove(named.begin(), named.end(), SrdoMask{0U}), named.end());

@@ -102,7 +102,10 @@ class Tap final : public Channel
     }
     [[nodiscard]] SrdoMask Commit(const Agreement& agreement, SrdoMask examine) noexcept override
     {
-        examined.push_back(examine);
+        if (keep_examined)
+        {
+            examined.push_back(examine);
+        }
         if (skip_commit)
         {
             return 0U;
@@ -165,7 +168,7 @@ class Tap final : public Channel
     std::function<void(CanFrame&)> on_inverse{};
     std::function<void()> on_committed{};
     std::vector<SrdoCause> transmit_faults{};
-    std::vector<SrdoMask> examined{}; ///< By each Commit.
+    std::vector<SrdoMask> examined{}; ///< By each Commit, if they are kept.
     SrdoMask more_found{0U};          ///< Slots that Commit finds otherwise than written.
     SrdoMask requests{0U};            ///< All that were asked for.
     std::uint32_t load_flip{0U};
@@ -188,6 +191,7 @@ class Tap final : public Channel
     bool drop_confirms{false};
     bool skip_cycle{false};
     bool skip_commit{false};
+    bool keep_examined{false};
 
   private:
     CheckResult Alter(CheckResult result) const noexcept
