@@ -23,6 +23,12 @@ std::uint32_t CodeOf(const Confirmation& confirmation) noexcept
     return static_cast<std::uint32_t>(confirmation.slot) | (static_cast<std::uint32_t>(confirmation.step) << kByteBits);
 }
 
+// What a frame counts, at least 1. [SRS_KRN_034]
+std::uint32_t MarkOf(const CanFrame& frame) noexcept
+{
+    return frame.identifier + 1U;
+}
+
 // The kernel's own flow monitor where no other one is named. [SRS_KRN_039]
 KernelParts Completed(const KernelParts& given, FlowWatch& own) noexcept
 {
@@ -99,8 +105,8 @@ PartsView Kernel::ExamineSelf() noexcept
 
 void Kernel::OnFrame(const StampedFrame& frame) noexcept
 {
-    // Before anything is decided: a GFC that is lost here is lost for both channels, and SCT does not tell it.
-    ++run_.frames;
+    // Before anything is decided: a GFC that is lost here, or taken for another frame by both channels, is in no SCT.
+    run_.frames += MarkOf(frame.frame);
     if (!run_.started)
     {
         return;
@@ -108,7 +114,7 @@ void Kernel::OnFrame(const StampedFrame& frame) noexcept
     clocks_.OnFrame(frame.stamp);
     context_.parts.channel_a.OnFrame(frame.frame, frame.stamp.a);
     context_.parts.channel_b.OnFrame(frame.frame, frame.stamp.b);
-    --run_.frames;
+    run_.frames -= MarkOf(frame.frame);
     const bool is_gfc = (frame.frame.identifier == kGfcIdentifier) && (frame.frame.kind == FrameKind::kData) &&
                         (frame.frame.length_bytes == 0U);
     const bool is_active = (context_.guard.Nmt() == NmtState::kOperational) && context_.guard.IsValid();

@@ -84,7 +84,7 @@ struct KernelRun
     bool started{};
     bool left_operational{}; ///< Channel A has not seen it yet.
     std::uint32_t cycle{};
-    std::uint32_t frames{}; ///< Frames that came, less those that both channels were handed. [SRS_KRN_034]
+    std::uint32_t frames{}; ///< Marks of frames that came, less of those that both channels have. [SRS_KRN_034]
 };
 
 /// The facade of the certified part: an application links this and the two channels. Not reentrant. All times and

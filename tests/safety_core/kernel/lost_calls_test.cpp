@@ -37,6 +37,29 @@ TEST_F(LostCalls, FrameThatIsNotHandedOverIsAWrongFlow)
     EXPECT_EQ(Open(), 0U);
 }
 
+// Both channels are handed one frame: what is wrong in it on the way is wrong in both.
+TEST_F(LostCalls, FrameThatBecomesAnotherOneOnTheWayIsAWrongFlow)
+{
+    Verifies(req::SRS_KRN_034);
+    Operate();
+    ReceivePair();
+    Cycle();
+    ASSERT_EQ(Open(), 1U);
+    // When a GFC comes, and what the channels were handed is frame 101h
+    StampedFrame frame{};
+    frame.frame.identifier = 0x001U;
+    frame.frame.kind = FrameKind::kData;
+    frame.stamp = {Instant{now_us}, Instant{now_us}};
+    b.on_frame = [&frame]() { frame.frame.identifier = 0x101U; };
+    kernel.OnFrame(frame);
+    b.on_frame = nullptr;
+    Cycle();
+    // Then the flow of the next cycle is wrong, and nothing stays open
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kFlow);
+    Cycle();
+    EXPECT_EQ(Open(), 0U);
+}
+
 TEST_F(LostCalls, FramesBeforeStartAreForgotten)
 {
     Verifies(req::SRS_KRN_034);
