@@ -24,7 +24,7 @@ namespace counterpoint::tools
 [[nodiscard]] std::unique_ptr<Command> MakeBusCommand();
 /// `counterpoint new`: the DCF of a new device. [SRS_NEW_001, SRS_NEW_002]
 [[nodiscard]] std::unique_ptr<Command> MakeNewCommand();
-/// counterpoint srdo add|list FILE ... [SRS_NEW_010, SRS_NEW_014]
+/// counterpoint srdo add|remove|list FILE ... [SRS_NEW_010, SRS_NEW_014, SRS_NEW_015]
 [[nodiscard]] std::unique_ptr<Command> MakeSrdoCommand();
 /// counterpoint sign FILE [--node-id N] [--write OUT] [--verbose] [--json]
 [[nodiscard]] std::unique_ptr<Command> MakeSignCommand();

@@ -10,7 +10,6 @@
 #include "tools/srdo_options.hpp"
 #include "tools/srdo_report.hpp"
 
-#include <algorithm>
 #include <array>
 #include <ostream>
 #include <stdexcept>
@@ -20,12 +19,15 @@ namespace counterpoint::tools
 {
 namespace
 {
-constexpr std::array<const char*, 10U> kOptionsOfAdd{"--produce", "--consume", "--number", "--safe-value", "--output",
-                                                     "--refresh", "--sct",     "--srvt",   "--detection",  "--release"};
+/// What only adding takes, what removing takes too, and what both take.
+constexpr std::array<const char*, 8U> kOptionsOfAdd{"--produce", "--consume", "--refresh",   "--sct",
+                                                    "--srvt",    "--release", "--detection", "--safe-value"};
+constexpr std::array<const char*, 2U> kOptionsOfChange{"--number", "-o,--output"};
 
 std::string ProblemOfAction(const std::string& text)
 {
-    return text == "add" || text == "list" ? "" : cia306::Quoted(text) + ", expected add or list";
+    const bool is_action = text == "add" || text == "remove" || text == "list";
+    return is_action ? "" : cia306::Quoted(text) + ", expected add, remove or list";
 }
 
 std::string ProblemOfImage(const std::string& text)
@@ -40,7 +42,8 @@ class SrdoCommand final : public Command
     void Describe(Options& options) override
     {
         all_ = &options;
-        options.Add("ACTION", &action_, "add: FILE gets one SRDO more, signed; list: those that it has")
+        options
+            .Add("ACTION", &action_, "add: FILE gets one SRDO more, signed; remove: one less; list: those that it has")
             .Required()
             .Type("")
             .Check(ProblemOfAction);
@@ -52,7 +55,7 @@ class SrdoCommand final : public Command
             .Type("MAPPING")
             .Check(ProblemOfMapping)
             .Excludes("--produce");
-        options.Add("--number", &number_, "Its number (default: the first one that is free)").Range(1, 64);
+        options.Add("--number", &number_, "Its number; of one to add the first that is free by default").Range(1, 64);
         srdos_.Describe(options);
         options.Add("--safe-value", &safe_value_, "Safe value, first mapped bit lowest (default: 0)")
             .Type("N")
@@ -68,30 +71,54 @@ class SrdoCommand final : public Command
 
     [[nodiscard]] ExitStatus Run(const Streams& streams) override
     {
-        return RunOnDevice(device_options_, streams, [&] { return action_ == "add" ? Add(streams) : List(streams); });
+        RequireFitting();
+        return RunOnDevice(device_options_, streams,
+                           [&] { return action_ == "list" ? List(streams) : Change(streams); });
     }
 
   private:
-    [[nodiscard]] ExitStatus List(const Streams& streams) const
+    template <std::size_t kCount>
+    void RefuseAll(const std::array<const char*, kCount>& names, const char* const expected) const
     {
-        const auto wrong = std::find_if(kOptionsOfAdd.begin(), kOptionsOfAdd.end(),
-                                        [this](const char* const name) { return IsGiven(name); });
-        if (wrong != kOptionsOfAdd.end())
+        for (const std::string name : names)
         {
-            throw std::runtime_error(*wrong + std::string(" fits no list, expected srdo add"));
+            if (all_->IsGiven(name))
+            {
+                throw std::runtime_error(name.substr(name.rfind(',') + 1U) + " does not fit srdo " + action_ +
+                                         ", expected " + expected);
+            }
         }
-        const auto document =
-            cia306::IniDocument::Parse(device_options_.file, cia306::ReadTextFile(device_options_.file));
-        Print(cia306::ReadDevice(document), streams);
-        return ExitStatus::kHolds;
     }
 
-    [[nodiscard]] ExitStatus Add(const Streams& streams)
+    /// [SRS_NEW_014]
+    void RequireFitting() const
     {
-        if (produced_.empty() && consumed_.empty())
+        if (action_ != "add")
+        {
+            RefuseAll(kOptionsOfAdd, "srdo add");
+        }
+        if (action_ == "list")
+        {
+            RefuseAll(kOptionsOfChange, "srdo add or remove");
+        }
+        if (action_ == "add" && produced_.empty() && consumed_.empty())
         {
             throw std::runtime_error("--produce or --consume is missing, expected the mapping of the SRDO");
         }
+        if (action_ == "remove" && number_ == 0)
+        {
+            throw std::runtime_error("--number is missing, expected that of the SRDO, 1 to 64");
+        }
+    }
+
+    [[nodiscard]] ExitStatus List(const Streams& streams) const
+    {
+        Print(cia306::ReadDeviceFile(device_options_.file), streams);
+        return ExitStatus::kHolds;
+    }
+
+    [[nodiscard]] ExitStatus Change(const Streams& streams)
+    {
         const std::string text = cia306::ReadTextFile(device_options_.file);
         const auto document = cia306::IniDocument::Parse(device_options_.file, text);
         const cia306::Device device = cia306::ReadDevice(document);
@@ -100,19 +127,21 @@ class SrdoCommand final : public Command
         {
             RequireNoError(FindingsOf(device, text, {node_id, {}}));
         }
-        Questions nobody(nullptr, streams.err);
-        srdos_.Complete(nobody, !produced_.empty(), !consumed_.empty());
-        const cia306::IniDocument written = cia306::WithSrdo(document, Plan(device, node_id), node_id);
-        const cia306::Device changed = cia306::ReadDevice(written);
-        RequireNoError(written.Text(), node_id);
-        cia306::WriteTextFile(output_.empty() ? device_options_.file : output_, written.Text());
-        Print(changed, streams);
+        const cia306::IniDocument changed =
+            action_ == "remove" ? cia306::WithoutSrdo(document, static_cast<std::uint8_t>(number_), node_id)
+                                : Added(document, device, node_id, streams);
+        RequireNoError(changed.Text(), node_id);
+        cia306::WriteTextFile(output_.empty() ? device_options_.file : output_, changed.Text());
+        Print(cia306::ReadDevice(changed), streams);
         return ExitStatus::kHolds;
     }
 
-    [[nodiscard]] bool IsGiven(const std::string& name) const
+    [[nodiscard]] cia306::IniDocument Added(const cia306::IniDocument& document, const cia306::Device& device,
+                                            const std::optional<std::uint8_t> node_id, const Streams& streams)
     {
-        return all_->IsGiven(name == "--output" ? "-o,--output" : name);
+        Questions nobody(nullptr, streams.err);
+        srdos_.Complete(nobody, !produced_.empty(), !consumed_.empty());
+        return cia306::WithSrdo(document, Plan(device, node_id), node_id);
     }
 
     [[nodiscard]] cia306::SrdoPlan Plan(const cia306::Device& device, const std::optional<std::uint8_t> node_id) const

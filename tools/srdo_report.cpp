@@ -3,6 +3,7 @@
 
 #include "canopen/cia306/text/input_error.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace counterpoint::tools
@@ -36,6 +37,31 @@ std::string TitleOf(const cia306::Device& device, const MappingEntry& entry)
     return object == nullptr ? "" : cia306::Printable(object->name);
 }
 
+/// The entry at a sub-index; null: the file has none that can be read.
+const MappingEntry* EntryAt(const SrdoConfiguration& srdo, const unsigned sub)
+{
+    const auto found = std::find_if(srdo.mapping.begin(), srdo.mapping.end(),
+                                    [sub](const MappingEntry& entry) { return entry.sub == sub; });
+    return found == srdo.mapping.end() ? nullptr : &*found;
+}
+
+/// A normal object and the inverse object behind it are one line; in a file with errors either may be missing.
+void PrintPairs(const cia306::Device& device, const SrdoConfiguration& srdo, std::ostream& out)
+{
+    for (unsigned sub = 1U; sub < cia306::kMaxMappingEntries; sub += 2U)
+    {
+        const MappingEntry* const normal = EntryAt(srdo, sub);
+        const MappingEntry* const inverse = EntryAt(srdo, sub + 1U);
+        const MappingEntry* const either = normal == nullptr ? inverse : normal;
+        if (either != nullptr)
+        {
+            out << "  " << (normal == nullptr ? "?" : NameOf(*normal)) << " and "
+                << (inverse == nullptr ? "?" : NameOf(*inverse)) << "  " << static_cast<unsigned>(either->Bits())
+                << " bit  " << TitleOf(device, *either) << "\n";
+        }
+    }
+}
+
 const char* DirectionOf(const SrdoConfiguration& srdo)
 {
     return srdo.IsProducer() ? "sends" : (srdo.IsConsumer() ? "receives" : "off");
@@ -50,17 +76,7 @@ void PrintSrdos(const cia306::Device& device, const cia306::SafetyConfiguration&
             << Hexadecimal(srdo.cob_id_1, 3) << " and " << Hexadecimal(srdo.cob_id_2, 3) << ", "
             << (srdo.IsProducer() ? "refresh time " : "SCT ") << Decimal(srdo.sct_ms) << " ms, SRVT "
             << Decimal(srdo.srvt_ms) << " ms, signature " << Hexadecimal(srdo.signature, 4) << "\n";
-        for (const MappingEntry& entry : srdo.mapping)
-        {
-            if (entry.IsNormal())
-            {
-                out << "  " << NameOf(entry);
-                continue;
-            }
-            const MappingEntry& normal = srdo.mapping.at(entry.sub - 2U);
-            out << " and " << NameOf(entry) << "  " << static_cast<unsigned>(entry.Bits()) << " bit  "
-                << TitleOf(device, normal) << "\n";
-        }
+        PrintPairs(device, srdo, out);
     }
 }
 

@@ -317,13 +317,92 @@ TEST_F(SrdoCommandTest, UsageThatDoesNotFitIsRefused)
     EXPECT_EQ(Add(sensor, {"--consume", "8@0x111", "--refresh", "5"}).err,
               "counterpoint: --refresh fits no SRDO that is received, expected --sct\n");
     EXPECT_EQ(RunCommand({"srdo", "list", Path("d.dcf"), "--number", "2"}).err,
-              "counterpoint: --number fits no list, expected srdo add\n");
+              "counterpoint: --number does not fit srdo list, expected srdo add or remove\n");
     EXPECT_EQ(RunCommand({"srdo", "list", Path("d.dcf"), "-o", "x"}).err,
-              "counterpoint: --output fits no list, expected srdo add\n");
+              "counterpoint: --output does not fit srdo list, expected srdo add or remove\n");
+    EXPECT_EQ(RunCommand({"srdo", "drop", Path("d.dcf")}).err,
+              "counterpoint: ACTION: 'drop', expected add, remove or list; expected a command line as told by "
+              "'counterpoint srdo "
+              "--help'\n");
+    EXPECT_EQ(RunCommand({"srdo", "remove", Path("d.dcf")}).err,
+              "counterpoint: --number is missing, expected that of the SRDO, 1 to 64\n");
+    EXPECT_EQ(RunCommand({"srdo", "remove", Path("d.dcf"), "--number", "1", "--sct", "9"}).err,
+              "counterpoint: --sct does not fit srdo remove, expected srdo add\n");
+    EXPECT_EQ(Written(), sensor);
+}
+
+TEST_F(SrdoCommandTest, RemovingIsTheReverseOfAddingButForObjectsAndPlaces)
+{
+    Verifies(req::SRS_NEW_015);
+    // Given the sensor with an SRDO 2 of its own objects that has values of its own
+    const std::string before = Changed(ExampleText("sensor"), {{"[1381]\n", "; mappings\n[1381]\n"}});
+    ASSERT_EQ(Add(before, {"--consume", "8@0x111", "--release", "automatic", "--safe-value", "3"}).err, "");
+    // When it is removed
+    const Answer answer = RunCommand({"srdo", "remove", Path("d.dcf"), "--number", "2"});
+    EXPECT_EQ(answer.err, "");
+    EXPECT_EQ(answer.out, "SRDO 1 sends 0x101 and 0x102, refresh time 25 ms, SRVT 20 ms, signature 0xB631\n"
+                          "  0x2000:01 and 0x2100:01  8 bit  Button 1\n  0x2000:02 and 0x2100:02  8 bit  Button 2\n");
+    // Then its parameters are gone, its objects and places stay, the digest is the one of before.
     EXPECT_EQ(
-        RunCommand({"srdo", "drop", Path("d.dcf")}).err,
-        "counterpoint: ACTION: 'drop', expected add or list; expected a command line as told by 'counterpoint srdo "
-        "--help'\n");
+        Written(),
+        Changed(before,
+                {{"SupportedObjects=8\n1=0x2000", "SupportedObjects=10\n1=0x2000"},
+                 {"8=0x5F05\n", "8=0x5F05\n9=0x2200\n10=0x2300\n"},
+                 Counted("13FF", "Safety configuration signature"),
+                 {"[2000]\n", PlaceText("13FFsub2", "Signature of SRDO 2", "0x0006", "0x0000", "0x0000") + "[2000]\n"},
+                 {"[5F00]\n", ObjectsText() + "[5F00]\n"},
+                 Counted("5F01", "Release policy"),
+                 {"[5F02]\n", PlaceText("5F01sub2", "Release policy of SRDO 2", "0x0005", "0x00", "0x00") + "[5F02]\n"},
+                 Counted("5F02", "Safe value"),
+                 {"[5F03]\n",
+                  PlaceText("5F02sub2", "Safe value of SRDO 2", "0x001B", "0x0000000000000000", "0x0000000000000000") +
+                      "[5F03]\n"},
+                 Counted("5F03", "Producer form"),
+                 {"[5F04]\n", PlaceText("5F03sub2", "Producer form of SRDO 2", "0x0005", "0x00", "0x00") + "[5F04]\n"},
+                 Counted("5F05", "SRVT detection")}) +
+            "\n" + LastText().substr(0U, LastText().size() - 1U));
+    EXPECT_EQ(RunCommand({"check", Path("d.dcf")}).out, "");
+}
+
+TEST_F(SrdoCommandTest, RemovingFromTheMiddleMovesTheListUp)
+{
+    Verifies(req::SRS_NEW_015);
+    const std::string before = Changed(ExampleText("controller"), {{"Gaps between SRDO numbers (0x99: searched)\n"
+                                                                    "ObjectType=0x7\nDataType=0x0005\nAccessType=rw\n"
+                                                                    "DefaultValue=0x00\nParameterValue=0x00",
+                                                                    "Gaps between SRDO numbers (0x99: searched)\n"
+                                                                    "ObjectType=0x7\nDataType=0x0005\nAccessType=rw\n"
+                                                                    "DefaultValue=0x00\nParameterValue=0x99"}});
+    const std::string file = File("d.dcf", before);
+    ASSERT_EQ(RunCommand({"sign", file, "--write", file}).status, 0);
+    EXPECT_EQ(RunCommand({"srdo", "remove", file, "--number", "1"}).err, "");
+    const std::string text = Written();
+    EXPECT_NE(text.find("[OptionalObjects]\nSupportedObjects=8\n1=0x1014\n2=0x1015\n3=0x1017\n4=0x1300\n5=0x1302\n"
+                        "6=0x1382\n7=0x13FE\n8=0x13FF\n\n"),
+              std::string::npos);
+    EXPECT_EQ(Device().Find(0x1301U), nullptr);
+    EXPECT_EQ(Device().Find(0x1381U), nullptr);
+    EXPECT_EQ(Value(0x13FFU, 1U), "0x0000");
+    EXPECT_EQ(RunCommand({"check", file}).out, "");
+    // The number is free again.
+    EXPECT_EQ(RunCommand({"srdo", "add", file, "--consume", "8@0x101"}).out.substr(0U, 31U),
+              "SRDO 1 receives 0x101 and 0x102");
+}
+
+TEST_F(SrdoCommandTest, RemovingWhatMustStayIsRefused)
+{
+    Verifies(req::SRS_NEW_012);
+    Verifies(req::SRS_NEW_015);
+    const std::string sensor = ExampleText("sensor");
+    const std::string file = File("d.dcf", sensor);
+    EXPECT_EQ(RunCommand({"srdo", "remove", file, "--number", "2"}).err,
+              file + ":0: error: there is no SRDO 2, expected one that the file has (srdo list)\n");
+    // The only one: what is left would be no safety device.
+    const Answer last = RunCommand({"srdo", "remove", file, "--number", "1"});
+    EXPECT_EQ(last.status, 2);
+    EXPECT_EQ(last.err,
+              file + ":0: error: 0x1300: a safety object and no SRDO, expected communication parameters at 0x1301 to "
+                     "0x1340; nothing was written\n");
     EXPECT_EQ(Written(), sensor);
 }
 
@@ -345,6 +424,15 @@ TEST_F(SrdoCommandTest, ListTellsTheSrdosOfAFile)
                           "  0x2200:01 and 0x2300:01  8 bit  Button 1\n  0x2200:02 and 0x2300:02  8 bit  Button 2\n"
                           "SRDO 2 sends 0x103 and 0x104, refresh time 25 ms, SRVT 20 ms, signature 0xCA45\n"
                           "  0x2000:01 and 0x2100:01  8 bit  Command\n  0x2000:02 and 0x2100:02  8 bit  Mode\n");
+    // What cannot be read is a question mark.
+    const Answer broken = RunCommand(
+        {"srdo", "list",
+         File("b.dcf", Changed(ExampleText("sensor"), {{"ParameterValue=0x20000108", "ParameterValue=0x2000010g"},
+                                                       {"ParameterValue=0x00000101", "ParameterValue=-"},
+                                                       {"ParameterValue=0xB631", "ParameterValue=much"}}))});
+    EXPECT_EQ(broken.status, 0);
+    EXPECT_EQ(broken.out, "SRDO 1 sends ? and 0x102, refresh time 25 ms, SRVT 20 ms, signature ?\n"
+                          "  ? and 0x2100:01  8 bit  Button 1, inverse\n  0x2000:02 and 0x2100:02  8 bit  Button 2\n");
     const Answer json = RunCommand({"srdo", "list", "--json", File("s.dcf", ExampleText("sensor"))});
     const auto document = nlohmann::json::parse(json.out);
     EXPECT_EQ(document.at("file"), Path("s.dcf"));

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 namespace counterpoint::cia306
 {
@@ -103,6 +104,25 @@ std::vector<std::pair<std::string, SectionKeys>> SectionsOf(const NewObject& obj
     return sections;
 }
 
+std::vector<std::string> SectionsIn(const IniDocument& document, const Object& object)
+{
+    std::set<std::string> names{object.section};
+    for (const auto& [sub, entry] : object.entries)
+    {
+        static_cast<void>(sub);
+        names.insert(entry.section);
+    }
+    for (const char* const part : {"Name", "Value", "Denotation", "ObjectLinks"})
+    {
+        const IniSection* const section = document.Find(SectionOf(object.index) + part);
+        names.insert(section == nullptr ? object.section : section->name);
+    }
+    std::vector<std::string> present;
+    std::copy_if(names.begin(), names.end(), std::back_inserter(present),
+                 [&document](const std::string& name) { return document.Find(name) != nullptr; });
+    return present;
+}
+
 DictionaryEdits::DictionaryEdits(const IniDocument& document, const Device& device) noexcept
     : document_(document), device_(device)
 {
@@ -117,21 +137,10 @@ bool DictionaryEdits::IsFree(const std::uint16_t index) const
 /// The section of the object that stands last in the file.
 std::string DictionaryEdits::LastSectionOf(const Object& object) const
 {
-    std::vector<std::string> names{object.section};
-    for (const auto& [sub, entry] : object.entries)
-    {
-        static_cast<void>(sub);
-        names.push_back(entry.section);
-    }
-    for (const char* const part : {"Name", "Value", "Denotation", "ObjectLinks"})
-    {
-        names.push_back(SectionOf(object.index) + part);
-    }
     std::string last = object.section;
-    for (const std::string& name : names)
+    for (const std::string& name : SectionsIn(document_, object))
     {
-        const IniSection* const section = document_.Find(name);
-        const bool is_later = section != nullptr && section->line > document_.Find(last)->line;
+        const bool is_later = document_.Find(name)->line > document_.Find(last)->line;
         last = is_later ? name : last;
     }
     return last;

@@ -45,6 +45,9 @@ struct NewObject
 /// The sections of an object: by name, in the order of the file.
 [[nodiscard]] std::vector<std::pair<std::string, SectionKeys>> SectionsOf(const NewObject& object);
 
+/// The sections of the document that describe an object of it: head, sub-indices, names, values and the like.
+[[nodiscard]] std::vector<std::string> SectionsIn(const IniDocument& document, const Object& object);
+
 /// Objects and sub-indices to be added to a file, each behind what stands before it by index. Nothing else of the file
 /// changes but its lists and counts. [SRS_NEW_011]
 class DictionaryEdits

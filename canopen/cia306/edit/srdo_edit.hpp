@@ -20,6 +20,12 @@ namespace counterpoint::cia306
 /// [SRS_NEW_010, SRS_NEW_011, SRS_NEW_012]
 [[nodiscard]] IniDocument WithSrdo(const IniDocument& document, const SrdoPlan& plan,
                                    std::optional<std::uint8_t> node_id);
+
+/// The document without this SRDO: its parameters, and their places in the lists. What it mapped stays; its values in
+/// 13FFh, 5F01h to 5F03h and 5F05h become 0, and the digest follows. All else is kept byte for byte. Throws InputError
+/// where there is no such SRDO. [SRS_NEW_015]
+[[nodiscard]] IniDocument WithoutSrdo(const IniDocument& document, std::uint8_t number,
+                                      std::optional<std::uint8_t> node_id);
 } // namespace counterpoint::cia306
 
 #endif // CANOPEN_CIA306_EDIT_SRDO_EDIT_HPP
