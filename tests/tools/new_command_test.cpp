@@ -189,6 +189,8 @@ TEST_F(NewCommandTest, SixtyFourSrdosFit)
     }
     EXPECT_EQ(New("many.dcf", options).status, 0);
     EXPECT_EQ(ValueOf(DeviceOf("many.dcf"), 0x1340U, 6U), "0x00000180");
+    const Answer full = RunCommand({"srdo", "add", Path("many.dcf"), "--consume", "8@0x101"});
+    EXPECT_EQ(full.err, Path("many.dcf") + ":0: error: all 64 SRDOs are there, expected a file with a free number\n");
     options.insert(options.end(), {"--consume", "8@0x101"});
     const Answer more = New("more.dcf", options);
     EXPECT_EQ(more.status, 2);

@@ -304,6 +304,22 @@ TEST_F(SrdoCommandTest, RefusalLeavesTheFileAsItWas)
     }
 }
 
+TEST_F(SrdoCommandTest, ObjectThatCannotBeMappedIsRefused)
+{
+    Verifies(req::SRS_NEW_012);
+    const std::string plain = "[DeviceInfo]\nVendorName=v\n\n[DeviceComissioning]\nNodeID=6\n\n[ManufacturerObjects]\n"
+                              "SupportedObjects=2\n1=0x3000\n2=0x3001\n\n[3000]\nParameterName=Name\nObjectType=0x7\n"
+                              "DataType=0x0009\nAccessType=ro\n\n[3001]\nParameterName=Values\nObjectType=0x8\n"
+                              "DataType=0x0005\nAccessType=ro\nCompactSubObj=3\n";
+    EXPECT_EQ(Add(plain, {"--produce", "0x3000:00"}).err,
+              Path("d.dcf") + ":12: error: 0x3000:00 is of VISIBLE_STRING, expected a data type of 1 to 64 bits\n");
+    EXPECT_EQ(Add(plain, {"--produce", "0x3001:02"}).err,
+              Path("d.dcf") +
+                  ":18: error: 0x3001:02 of a compact object has no inverse object, expected one that is named "
+                  "behind it, such as 0x3001:02/0x2100:01\n");
+    EXPECT_EQ(Written(), plain);
+}
+
 TEST_F(SrdoCommandTest, UsageThatDoesNotFitIsRefused)
 {
     Verifies(req::SRS_NEW_002);

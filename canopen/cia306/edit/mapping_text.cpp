@@ -15,8 +15,6 @@ namespace
 constexpr std::uint64_t kMostPairs = 8U; ///< Of 8 bits in 64.
 constexpr std::uint64_t kFirstCobId = 0x101U;
 constexpr std::uint64_t kLastCobId = 0x17FU;
-constexpr std::uint64_t kDefaultBase = 0xFFU;
-constexpr std::uint64_t kMaxDefaultNodeId = 64U;
 constexpr std::string_view kNode = "node";
 constexpr const char* kForm =
     "[NAME=][COUNTx]LENGTH such as 2x8, i16 or Speed=32, or INDEX:SUB of an object of the file";
@@ -116,25 +114,31 @@ bool AddElement(const std::string_view text, std::vector<PlannedPair>& pairs)
 }
 } // namespace
 
+std::optional<std::uint32_t> PreDefinedCobId(const std::uint64_t node_id) noexcept
+{
+    constexpr std::uint32_t base = 0xFFU;
+    constexpr std::uint64_t last_node_id = 64U;
+    const bool has_one = node_id != 0U && node_id <= last_node_id;
+    return has_one ? std::optional(base + 2U * static_cast<std::uint32_t>(node_id)) : std::nullopt;
+}
+
 std::optional<std::uint32_t> DefaultCobId(const std::uint8_t number, const bool is_producer,
                                           const std::uint8_t node_id) noexcept
 {
     constexpr std::uint8_t last_producer = 32U;
     const bool is_for_direction = is_producer ? node_id <= last_producer : node_id > last_producer;
-    const bool has_default = number == 1U && node_id != 0U && node_id <= kMaxDefaultNodeId && is_for_direction;
-    return has_default ? std::optional(static_cast<std::uint32_t>(kDefaultBase + 2U * node_id)) : std::nullopt;
+    return number == 1U && is_for_direction ? PreDefinedCobId(node_id) : std::nullopt;
 }
 
 std::optional<std::uint32_t> ParseCobId(const std::string_view text)
 {
     const bool is_node = text.substr(0U, kNode.size()) == kNode;
     const auto number = ParseUnsigned(is_node ? text.substr(kNode.size()) : text, kLastCobId);
-    const bool is_right_node = is_node && number && *number != 0U && *number <= kMaxDefaultNodeId;
-    if (is_right_node)
+    if (is_node)
     {
-        return static_cast<std::uint32_t>(kDefaultBase + 2U * *number);
+        return PreDefinedCobId(number.value_or(0U));
     }
-    const bool is_cob_id = !is_node && number && *number >= kFirstCobId && (*number & 1U) != 0U;
+    const bool is_cob_id = number && *number >= kFirstCobId && (*number & 1U) != 0U;
     return is_cob_id ? std::optional(static_cast<std::uint32_t>(*number)) : std::nullopt;
 }
 

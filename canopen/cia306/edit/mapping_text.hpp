@@ -27,6 +27,14 @@ struct MappingText
 /// SRS_NEW_004]
 [[nodiscard]] MappingText ParseMapping(std::string_view text);
 
+/// 0FFh + 2 * node-ID, which the pre-defined connection set gives node-ID 1 to 64; nothing for others.
+[[nodiscard]] std::optional<std::uint32_t> PreDefinedCobId(std::uint64_t node_id) noexcept;
+
+/// The COB-ID that the normal data of an SRDO have where none is given: the pre-defined one, for SRDO 1 alone, a
+/// producer with node-ID 1 to 32, a consumer with 33 to 64. [SRS_NEW_004]
+[[nodiscard]] std::optional<std::uint32_t> DefaultCobId(std::uint8_t number, bool is_producer,
+                                                        std::uint8_t node_id) noexcept;
+
 /// A COB-ID of normal data as a person gives it, as above.
 [[nodiscard]] std::optional<std::uint32_t> ParseCobId(std::string_view text);
 } // namespace counterpoint::cia306

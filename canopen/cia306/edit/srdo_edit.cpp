@@ -2,6 +2,7 @@
 #include "canopen/cia306/edit/srdo_edit.hpp"
 
 #include "canopen/cia306/edit/dictionary_edits.hpp"
+#include "canopen/cia306/edit/mapping_text.hpp"
 #include "canopen/cia306/file/device_reader.hpp"
 #include "canopen/cia306/file/value_edits.hpp"
 #include "canopen/cia306/safety/device_parameters.hpp"
@@ -21,8 +22,6 @@ constexpr std::uint16_t kFirstProducedIndex = 0x2000U;
 constexpr std::uint16_t kFirstConsumedIndex = 0x2200U;
 constexpr std::uint16_t kInverseDistance = 0x100U;
 constexpr std::uint16_t kLastNewIndex = 0x5DFFU; ///< With its inverse object before 5F00h.
-constexpr std::uint8_t kMaxDefaultNodeId = 64U;
-constexpr std::uint32_t kDefaultBase = 0xFFU;
 
 std::string Name(const ObjectPlace& place)
 {
@@ -111,18 +110,20 @@ void SrdoBuilder::MapPairs()
     {
         AddNewObjects(fresh);
     }
+    // New objects and those of the file take turns as the plan has them.
     const std::vector<std::uint32_t> made = std::exchange(mapping_, {});
-    std::size_t place = 0U;
+    auto next = made.begin();
     for (const PlannedPair& pair : plan_.pairs)
     {
         if (pair.normal)
         {
             MapPresent(pair);
-            continue;
         }
-        mapping_.push_back(made.at(place));
-        mapping_.push_back(made.at(place + 1U));
-        place += 2U;
+        else
+        {
+            mapping_.insert(mapping_.end(), next, next + 2);
+            next += 2;
+        }
     }
 }
 
@@ -241,9 +242,9 @@ void SrdoBuilder::AddNewObjects(const std::vector<PlannedPair>& pairs)
 
 void SrdoBuilder::AddCommunication()
 {
-    const std::uint8_t node = node_id_.value_or(0U);
-    const bool has_default = plan_.number == 1U && node != 0U && node <= kMaxDefaultNodeId;
-    const std::uint32_t base = has_default ? kDefaultBase + 2U * node : 0U;
+    // SRDO 1 has defaults, in either direction; check asks for them where a file gives defaults.
+    const auto default_cob_id = plan_.number == 1U ? PreDefinedCobId(node_id_.value_or(0U)) : std::nullopt;
+    const std::uint32_t base = default_cob_id.value_or(0U);
     const std::string number = std::to_string(plan_.number);
     const std::string sct = std::to_string(plan_.sct_ms);
     const std::string srvt = std::to_string(plan_.srvt_ms);
@@ -261,7 +262,7 @@ void SrdoBuilder::AddCommunication()
                  {3U, "SRVT", kUnsigned8, "rw", srvt, srvt},
                  {4U, "Transmission type", kUnsigned8, "const", "254"},
                  {5U, "COB-ID 1 (normal data)", kUnsigned32, "rw", Hex(base, 8), Hex(plan_.cob_id, 8)},
-                 {6U, "COB-ID 2 (inverse data)", kUnsigned32, "rw", Hex(has_default ? base + 1U : 0U, 8),
+                 {6U, "COB-ID 2 (inverse data)", kUnsigned32, "rw", Hex(default_cob_id ? base + 1U : 0U, 8),
                   Hex(plan_.cob_id + 1U, 8)}}});
 }
 

@@ -39,11 +39,6 @@ struct SrdoPlan
     std::uint64_t safe_value{0U}; ///< 5F02h: image of the normal data, first mapped bit lowest.
     std::vector<PlannedPair> pairs;
 };
-
-/// The COB-ID of the normal data that the pre-defined connection set gives: SRDO 1 alone, 0FFh + 2 * node-ID for
-/// node-ID 1 to 64, a producer with 1 to 32, a consumer with 33 to 64. [SRS_NEW_004]
-[[nodiscard]] std::optional<std::uint32_t> DefaultCobId(std::uint8_t number, bool is_producer,
-                                                        std::uint8_t node_id) noexcept;
 } // namespace counterpoint::cia306
 
 #endif // CANOPEN_CIA306_EDIT_SRDO_PLAN_HPP
