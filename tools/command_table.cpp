@@ -14,6 +14,8 @@ std::vector<CommandRow> CommandTable()
         {"manager", "Manage a CANopen network on a live CAN bus: start, check, supervise its slaves",
          &MakeManagerCommand},
         {"bus", "Serve a CAN bus to other programs by the socketcand protocol", &MakeBusCommand},
+        {"new", "Write the DCF of a new safety device from a few answers", &MakeNewCommand},
+        {"srdo", "Add an SRDO to an EDS or DCF, remove one, or list those that it has", &MakeSrdoCommand},
         {"sign", "Compute the safety configuration signatures (13FFh) of a DCF", &MakeSignCommand},
         {"check", "Check the safety configuration of a DCF against every rule", &MakeCheckCommand},
         {"generate", "Generate the C++ object dictionary of a device from its EDS or DCF", &MakeGenerateCommand},

@@ -22,6 +22,10 @@ namespace counterpoint::tools
 [[nodiscard]] std::unique_ptr<Command> MakeManagerCommand();
 /// counterpoint bus [NAME=]ADDRESS ... [--listen HOST:PORT] [--seconds N] [--json]
 [[nodiscard]] std::unique_ptr<Command> MakeBusCommand();
+/// `counterpoint new`: the DCF of a new device. [SRS_NEW_001, SRS_NEW_002]
+[[nodiscard]] std::unique_ptr<Command> MakeNewCommand();
+/// counterpoint srdo add|remove|list FILE ... [SRS_NEW_010, SRS_NEW_014, SRS_NEW_015]
+[[nodiscard]] std::unique_ptr<Command> MakeSrdoCommand();
 /// counterpoint sign FILE [--node-id N] [--write OUT] [--verbose] [--json]
 [[nodiscard]] std::unique_ptr<Command> MakeSignCommand();
 /// counterpoint check FILE [--node-id N] [--granularity 1|8|16|32|64] [--json]

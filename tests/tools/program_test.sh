@@ -38,6 +38,21 @@ done
 expect 2 sign "$source/examples/emergency_stop/sensor.dcf" --write "$folder"
 expect 2
 expect 0 --help
+# Without a terminal nothing is asked; at one the answers are taken.
+expect 2 new -o "$folder/new.dcf" --produce 8
+expect 0 new -o "$folder/new.dcf" --node-id 5 --produce 8
+expect 2 new -o "$folder/new.dcf" --node-id 5 --produce 8
+expect 0 srdo list "$folder/new.dcf"
+expect 2 srdo list "$folder/missing.dcf"
+# (script runs the program at a terminal of its own; the answers stand ready, Enter takes a default.)
+printf 'producer\n7\n\n2x8\n\n\n\n\n\n\n\n\n' >"$folder/answers"
+timeout 300 script --quiet --return --command "'$program' new -o '$folder/asked.dcf'" /dev/null <"$folder/answers" >"$folder/out" 2>&1
+if [ $? -ne 0 ]; then
+  echo "counterpoint new at a terminal: expected status 0"
+  cat "$folder/out"
+  failures=$((failures + 1))
+fi
+expect 0 check "$folder/asked.dcf"
 # An answer that cannot be written is no answer.
 timeout 300 "$program" sign "$source/examples/emergency_stop/sensor.dcf" >/dev/full 2>/dev/null
 if [ $? -ne 2 ]; then

@@ -121,6 +121,12 @@ void Describe(CLI::App& app, const Option& option)
     }
 }
 
+/// The long one of names such as "-o,--output".
+std::string LongName(const std::string& names)
+{
+    return names.substr(names.rfind(',') + 1U);
+}
+
 /// One command, its options and what the library knows of them.
 struct Entry
 {
@@ -146,7 +152,7 @@ ExitStatus Run(const Entry& entry, const Streams& streams)
 {
     for (Option& option : entry.options->All())
     {
-        option.times = entry.app->count(option.name);
+        option.times = entry.app->count(LongName(option.name));
     }
     return entry.command->Run(streams);
 }

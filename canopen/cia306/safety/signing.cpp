@@ -3,10 +3,10 @@
 
 #include "canopen/cia306/file/data_type.hpp"
 #include "canopen/cia306/file/device_reader.hpp"
+#include "canopen/cia306/file/value_edits.hpp"
 #include "canopen/cia306/safety/digest.hpp"
 #include "canopen/cia306/safety/signature.hpp"
 
-#include <utility>
 #include <vector>
 
 namespace counterpoint::cia306
@@ -31,58 +31,6 @@ const Entry& PlaceOf(const Device& device, const SrdoConfiguration& srdo)
             {ObjectName(kSignatureIndex, srdo.number) + " is of " + DataTypeOf(entry->data_type).name, "UNSIGNED16"});
     }
     return *entry;
-}
-
-/// Values of a compact object stand in a section [13FFValue] that may have to be made first.
-struct Edits
-{
-    std::vector<KeyEdit> keys;
-    SectionEdit values;
-};
-
-void AddEdit(Edits& edits, const IniDocument& document, const Entry& entry, const std::string& value)
-{
-    if (!entry.is_compact)
-    {
-        edits.keys.push_back({entry.section, "ParameterValue", value, "DefaultValue"});
-        return;
-    }
-    const std::string key = std::to_string(entry.sub);
-    const IniSection* const values = document.Find(entry.section);
-    if (values == nullptr)
-    {
-        edits.values.name = entry.section;
-        edits.values.keys.emplace_back(key, value);
-        return;
-    }
-    // The key may be written with another base; then that line is the one to change.
-    std::string present = key;
-    for (const IniKey& candidate : values->keys)
-    {
-        present = candidate.line == entry.parameter_value.line ? candidate.name : present;
-    }
-    edits.keys.push_back({entry.section, present, value, ""});
-}
-
-/// NrOfEntries tells how many of the sub-indices have a value.
-void AddEntryCount(Edits& edits, const IniDocument& document, const std::string& section)
-{
-    const IniSection* const values = document.Find(section);
-    const IniKey* const count = values == nullptr ? nullptr : values->Find("NrOfEntries");
-    if (count == nullptr)
-    {
-        return;
-    }
-    std::size_t entries = values->keys.size() - 1U;
-    for (const KeyEdit& edit : edits.keys)
-    {
-        const bool is_new = edit.section == section && values->Find(edit.key) == nullptr;
-        entries += is_new ? 1U : 0U;
-    }
-    if (std::to_string(entries) != count->value)
-    {
-        edits.keys.push_back({section, "NrOfEntries", std::to_string(entries), ""});
-    }
 }
 
 void RequireSigned(const IniDocument& document, const std::optional<std::uint8_t> node_id)
@@ -114,28 +62,27 @@ IniDocument WithSignatures(const IniDocument& document, const Device& device, co
 {
     const SafetyConfiguration configuration = ExtractSafety(device, node_id);
     RequireNone(device.file, configuration.missing);
-    Edits edits;
+    std::vector<ValueEdit> edits;
     for (const SrdoConfiguration& srdo : configuration.srdos)
     {
         RequireNone(device.file, srdo.signature_problems);
-        AddEdit(edits, document, PlaceOf(device, srdo), Hex(SignatureOf(srdo), 4));
+        const Entry& place = PlaceOf(device, srdo);
+        const bool is_there = place.parameter_value.IsSet() && srdo.signature.Is(SignatureOf(srdo));
+        if (!is_there)
+        {
+            edits.push_back({&place, Hex(SignatureOf(srdo), 4)});
+        }
     }
     const DigestRecord digest = ExtractDigest(device, configuration, node_id);
     RequireNone(device.file, digest.problems);
-    if (digest.is_present)
+    const Entry* const digest_place = device.Find(kDigestIndex, 0U);
+    const bool is_digest_there =
+        digest.is_present && digest_place->parameter_value.IsSet() && digest.stored.Is(DigestOf(digest.fields));
+    if (digest.is_present && !is_digest_there)
     {
-        AddEdit(edits, document, *device.Find(kDigestIndex, 0U), Hex(DigestOf(digest.fields), 8));
+        edits.push_back({digest_place, Hex(DigestOf(digest.fields), 8)});
     }
-    AddEntryCount(edits, document, Hex(kSignatureIndex, 4).substr(2U) + "Value");
-    std::vector<SectionEdit> sections;
-    if (!edits.values.keys.empty())
-    {
-        const std::string count = std::to_string(edits.values.keys.size());
-        edits.values.after_section = device.Find(kSignatureIndex)->section;
-        edits.values.keys.insert(edits.values.keys.begin(), {"NrOfEntries", count});
-        sections.push_back(std::move(edits.values));
-    }
-    IniDocument document_with = document.With(edits.keys, sections);
+    IniDocument document_with = WithParameterValues(document, device, edits);
     RequireSigned(document_with, node_id);
     return document_with;
 }

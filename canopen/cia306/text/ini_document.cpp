@@ -286,4 +286,35 @@ IniDocument IniDocument::With(const std::vector<KeyEdit>& keys, const std::vecto
     }
     return Parse(file_, text);
 }
+
+IniDocument IniDocument::Without(const std::vector<std::string>& sections, const std::vector<KeyPlace>& keys) const
+{
+    std::vector<bool> is_left_out(lines_.size() + 1U, false); // By line.
+    for (const std::string& name : sections)
+    {
+        const IniSection& section = Existing(name);
+        const bool has_empty_line =
+            section.last_line < lines_.size() && Trimmed(WithoutLineEnd(lines_[section.last_line])).empty();
+        const std::size_t last = section.last_line + (has_empty_line ? 1U : 0U);
+        for (std::size_t line = section.line; line <= last; ++line)
+        {
+            is_left_out[line] = true;
+        }
+    }
+    for (const KeyPlace& place : keys)
+    {
+        const IniKey* const key = Existing(place.section).Find(place.key);
+        if (key == nullptr)
+        {
+            throw std::invalid_argument("no key " + place.key + " in [" + place.section + "] to leave out");
+        }
+        is_left_out[key->line] = true;
+    }
+    std::string text;
+    for (std::size_t place = 0U; place < lines_.size(); ++place)
+    {
+        text += is_left_out[place + 1U] ? "" : lines_[place];
+    }
+    return Parse(file_, text);
+}
 } // namespace counterpoint::cia306

@@ -61,6 +61,13 @@ struct SectionEdit
     std::vector<std::pair<std::string, std::string>> keys;
 };
 
+/// A key of a section that exists.
+struct KeyPlace
+{
+    std::string section;
+    std::string key;
+};
+
 /// The lines of a file, and the sections and keys seen in them.
 /// Invariant: Text() of a parsed document is the text that was parsed, byte by byte; lines are never rewritten, an edit
 /// replaces the value in one line or adds lines. [SRS_EDS_002, SRS_EDS_003, SRS_EDS_004, SRS_EDS_005, SRS_EDS_016,
@@ -98,6 +105,10 @@ class IniDocument
 
     /// A copy with these edits. The sections that the edits name must exist (std::invalid_argument otherwise).
     [[nodiscard]] IniDocument With(const std::vector<KeyEdit>& keys, const std::vector<SectionEdit>& sections) const;
+    /// A copy without these sections, each from its head to its last key and with the empty line behind, and without
+    /// these keys. All must exist (std::invalid_argument otherwise).
+    [[nodiscard]] IniDocument Without(const std::vector<std::string>& sections,
+                                      const std::vector<KeyPlace>& keys) const;
 
   private:
     void SplitLines(std::string_view text);

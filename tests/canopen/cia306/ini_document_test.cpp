@@ -129,5 +129,18 @@ TEST(IniDocument, ShortensAndEscapesTextOfTheFileInMessages)
     EXPECT_EQ(Quoted(std::string(60U, 'a')), "'" + std::string(60U, 'a') + "'");
     EXPECT_EQ(Printable("a\nb\x07"), "a\\x0Ab\\x07");
 }
+
+TEST(IniDocumentEdits, WhatIsLeftOutTakesItsLinesAndTheEmptyOneBehind)
+{
+    Verifies(req::SRS_EDS_004);
+    const IniDocument document =
+        Parse("[a]\r\nx=1\r\ny=2\r\n\r\n; of b\r\n[b]\r\n; inside\r\nz=3\r\n\r\n\r\n; last\r\n[c]\r\nw=4");
+    EXPECT_EQ(document.Without({"B"}, {{"A", "X"}}).Text(), "[a]\r\ny=2\r\n\r\n; of b\r\n\r\n; last\r\n[c]\r\nw=4");
+    EXPECT_EQ(document.Without({"c"}, {}).Text(),
+              "[a]\r\nx=1\r\ny=2\r\n\r\n; of b\r\n[b]\r\n; inside\r\nz=3\r\n\r\n\r\n; last\r\n");
+    EXPECT_EQ(document.Without({}, {}).Text(), document.Text());
+    EXPECT_THROW((void)document.Without({"d"}, {}), std::invalid_argument);
+    EXPECT_THROW((void)document.Without({}, {{"a", "z"}}), std::invalid_argument);
+}
 } // namespace
 } // namespace counterpoint::cia306

@@ -46,6 +46,13 @@ TEST(Signing, AnExampleIsSignedAlready)
     }
 }
 
+TEST(Signing, WhatIsRightIsKeptAsItIsSpelled)
+{
+    Verifies(req::SRS_EDS_005);
+    const std::string spelled = Changed(ExampleText("sensor"), {{"0xB631", "46641"}, {"0x66596575", "0x66596575 "}});
+    EXPECT_EQ(Signed(spelled), spelled);
+}
+
 TEST(Signing, ChangesNothingButTheSignatures)
 {
     Verifies(req::SRS_CLI_005);

@@ -1,0 +1,462 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/file/device_reader.hpp"
+#include "tests/canopen/cia306/device_text.hpp"
+#include "tests/tools/command_run.hpp"
+#include "verification/trace/ids/new_device.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace counterpoint::tools
+{
+namespace
+{
+using cia306::test::Changed;
+using cia306::test::ExampleText;
+using test::Answer;
+using test::RunCommand;
+
+class SrdoCommandTest : public test::CommandTest
+{
+  protected:
+    /// counterpoint srdo add on a file with this text.
+    [[nodiscard]] Answer Add(const std::string& text, std::vector<std::string> options) const
+    {
+        options.insert(options.begin(), {"srdo", "add", File("d.dcf", text)});
+        return RunCommand(options);
+    }
+    [[nodiscard]] std::string Written() const
+    {
+        return cia306::ReadTextFile(Path("d.dcf"));
+    }
+    [[nodiscard]] cia306::Device Device() const
+    {
+        return cia306::ReadDeviceFile(Path("d.dcf"));
+    }
+    [[nodiscard]] std::string Value(const std::uint16_t index, const std::uint8_t sub) const
+    {
+        const cia306::Device device = Device();
+        const cia306::Entry* const entry = device.Find(index, sub);
+        return entry == nullptr ? "no entry" : entry->Configured().text;
+    }
+};
+
+std::string Var(const std::string& section, const std::string& name, const std::string& type, const std::string& access,
+                const std::string& values)
+{
+    return "[" + section + "]\nParameterName=" + name + "\nObjectType=0x7\nDataType=" + type +
+           "\nAccessType=" + access + "\n" + values + "\n";
+}
+
+std::string Head(const std::string& section, const std::string& name, const std::string& type, const std::string& subs)
+{
+    return "[" + section + "]\nParameterName=" + name + "\nObjectType=" + type + "\nSubNumber=" + subs + "\n\n";
+}
+
+std::string Count(const std::string& section, const std::string& highest)
+{
+    return Var(section, "Highest sub-index supported", "0x0005", "const",
+               "DefaultValue=" + highest + "\nPDOMapping=0\n");
+}
+
+/// What SRDO 2, which receives 8 bits by 111h and 112h, is in the file of the sensor.
+std::string CommunicationText()
+{
+    return Head("1302", "SRDO 2 communication parameter", "0x9", "7") + Count("1302sub0", "6") +
+           Var("1302sub1", "Information direction", "0x0005", "rw",
+               "DefaultValue=0\nParameterValue=2\nPDOMapping=0\nLowLimit=0\nHighLimit=2\n") +
+           Var("1302sub2", "Refresh time or SCT", "0x0006", "rw",
+               "DefaultValue=50\nParameterValue=50\nPDOMapping=0\n") +
+           Var("1302sub3", "SRVT", "0x0005", "rw", "DefaultValue=20\nParameterValue=20\nPDOMapping=0\n") +
+           Var("1302sub4", "Transmission type", "0x0005", "const", "DefaultValue=254\nPDOMapping=0\n") +
+           Var("1302sub5", "COB-ID 1 (normal data)", "0x0007", "rw",
+               "DefaultValue=0x00000000\nParameterValue=0x00000111\nPDOMapping=0\n") +
+           Var("1302sub6", "COB-ID 2 (inverse data)", "0x0007", "rw",
+               "DefaultValue=0x00000000\nParameterValue=0x00000112\nPDOMapping=0\n");
+}
+
+std::string MappingText()
+{
+    return Head("1382", "SRDO 2 mapping parameter", "0x8", "3") +
+           Var("1382sub0", "Number of mapped objects", "0x0005", "rw",
+               "DefaultValue=0\nParameterValue=2\nPDOMapping=0\n") +
+           Var("1382sub1", "Normal data 1", "0x0007", "rw",
+               "DefaultValue=0x00000000\nParameterValue=0x22000108\nPDOMapping=0\n") +
+           Var("1382sub2", "Inverse data 1", "0x0007", "rw",
+               "DefaultValue=0x00000000\nParameterValue=0x23000108\nPDOMapping=0\n");
+}
+
+std::string ObjectsText()
+{
+    return Head("2200", "Received data of SRDO 2", "0x9", "2") + Count("2200sub0", "1") +
+           Var("2200sub1", "Received data 2.1", "0x0005", "rww",
+               "DefaultValue=0\nPDOMapping=0\nSRDOMapping=1\nInvertedSRAD=0x230001\n") +
+           Head("2300", "Received data of SRDO 2, inverse", "0x9", "2") + Count("2300sub0", "1") +
+           Var("2300sub1", "Received data 2.1, inverse", "0x0005", "rww",
+               "DefaultValue=0xFF\nPDOMapping=0\nSRDOMapping=1\n");
+}
+
+/// A place of an array, with its default and its value.
+std::string PlaceText(const std::string& section, const std::string& name, const std::string& type,
+                      const std::string& value, const std::string& parameter)
+{
+    return Var(section, name, type, "rw",
+               "DefaultValue=" + value + "\nParameterValue=" + parameter + "\nPDOMapping=0\n");
+}
+
+/// What stands at the end of the file.
+std::string LastText()
+{
+    return PlaceText("5F05sub2", "SRVT detection of SRDO 2 (0x3C: late)", "0x0005", "0x00", "0x00");
+}
+
+/// The array counts one sub-index more.
+cia306::test::Change Counted(const std::string& section, const std::string& name)
+{
+    const std::string head = "[" + section + "]\nParameterName=" + name + "\nObjectType=0x8\nSubNumber=";
+    const std::string count = "\n\n[" + section +
+                              "sub0]\nParameterName=Highest sub-index supported\nObjectType=0x7\nDataType=0x0005\n"
+                              "AccessType=const\nDefaultValue=";
+    return {head + "2" + count + "1\n", head + "3" + count + "2\n"};
+}
+
+TEST_F(SrdoCommandTest, AddingChangesNothingButWhatBelongsToTheSrdo)
+{
+    Verifies(req::SRS_NEW_010);
+    Verifies(req::SRS_NEW_011);
+    // Given the sensor with SRDO 1, a comment and a signature in lower case
+    const std::string before =
+        Changed(ExampleText("sensor"), {{"[5F00]\n", "; of this maker\n[5F00]\n"}, {"0xB631", "0xb631"}});
+    // When SRDO 2 is added
+    const Answer answer = Add(before, {"--consume", "8@0x111"});
+    EXPECT_EQ(answer.err, "");
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_EQ(answer.out, "SRDO 1 sends 0x101 and 0x102, refresh time 25 ms, SRVT 20 ms, signature 0xB631\n"
+                          "  0x2000:01 and 0x2100:01  8 bit  Button 1\n  0x2000:02 and 0x2100:02  8 bit  Button 2\n"
+                          "SRDO 2 receives 0x111 and 0x112, SCT 50 ms, SRVT 20 ms, signature 0xE070\n"
+                          "  0x2200:01 and 0x2300:01  8 bit  Received data 2.1\n");
+    // Then every line but these is as it was; E070h was computed by hand over
+    // 02 32 00 14 11 01 00 00 12 01 00 00 02 01 08 01 00 22 02 08 01 00 23.
+    EXPECT_EQ(
+        Written(),
+        Changed(before,
+                {{"SupportedObjects=8\n1=0x1014", "SupportedObjects=10\n1=0x1014"},
+                 {"8=0x13FF\n", "8=0x13FF\n9=0x1302\n10=0x1382\n"},
+                 {"SupportedObjects=8\n1=0x2000", "SupportedObjects=10\n1=0x2000"},
+                 {"8=0x5F05\n", "8=0x5F05\n9=0x2200\n10=0x2300\n"},
+                 {"[1381]\n", CommunicationText() + "[1381]\n"},
+                 {"[13FE]\n", MappingText() + "[13FE]\n"},
+                 Counted("13FF", "Safety configuration signature"),
+                 {"[2000]\n", PlaceText("13FFsub2", "Signature of SRDO 2", "0x0006", "0x0000", "0xE070") + "[2000]\n"},
+                 {"; of this maker\n", ObjectsText() + "; of this maker\n"},
+                 Counted("5F01", "Release policy"),
+                 {"[5F02]\n", PlaceText("5F01sub2", "Release policy of SRDO 2", "0x0005", "0x00", "0x00") + "[5F02]\n"},
+                 Counted("5F02", "Safe value"),
+                 {"[5F03]\n",
+                  PlaceText("5F02sub2", "Safe value of SRDO 2", "0x001B", "0x0000000000000000", "0x0000000000000000") +
+                      "[5F03]\n"},
+                 Counted("5F03", "Producer form"),
+                 {"[5F04]\n", PlaceText("5F03sub2", "Producer form of SRDO 2", "0x0005", "0x00", "0x00") + "[5F04]\n"},
+                 {"ParameterValue=0x66596575", "ParameterValue=0xF93CA8D8"},
+                 Counted("5F05", "SRVT detection")}) +
+            "\n" + LastText().substr(0U, LastText().size() - 1U));
+    EXPECT_EQ(RunCommand({"check", Path("d.dcf")}).out, "");
+}
+
+TEST_F(SrdoCommandTest, SrdoHasWhatItsOptionsSay)
+{
+    Verifies(req::SRS_NEW_010);
+    const Answer answer =
+        Add(ExampleText("actuator"), {"--consume", "Gate=16,8@0x121", "--number", "2", "--sct", "80", "--srvt", "30",
+                                      "--detection", "late", "--release", "automatic", "--safe-value", "0x00FFFF"});
+    EXPECT_EQ(answer.err, "");
+    EXPECT_EQ(Value(0x1302U, 2U), "80");
+    EXPECT_EQ(Value(0x1302U, 3U), "30");
+    EXPECT_EQ(Value(0x1302U, 5U), "0x00000121");
+    EXPECT_EQ(Value(0x1382U, 1U), "0x22010110");
+    EXPECT_EQ(Value(0x1382U, 4U), "0x23010208");
+    EXPECT_EQ(Value(0x5F01U, 2U), "0x5A");
+    EXPECT_EQ(Value(0x5F02U, 2U), "0x000000000000FFFF");
+    EXPECT_EQ(Value(0x5F05U, 2U), "0x3C");
+    EXPECT_EQ(Device().Find(0x2201U, 1U)->name, "Gate");
+    EXPECT_EQ(RunCommand({"check", Path("d.dcf")}).out, "");
+}
+
+TEST_F(SrdoCommandTest, PlainDeviceBecomesASafetyDevice)
+{
+    Verifies(req::SRS_NEW_010);
+    // Given a file without any safety object, with lines that end in CR LF and a list that is not there
+    const std::string before = "[FileInfo]\r\nFileName=p.eds\r\n\r\n[DeviceInfo]\r\nVendorName=v\r\n\r\n"
+                               "[DeviceComissioning]\r\nNodeID=6\r\n\r\n[MandatoryObjects]\r\nSupportedObjects=1\r\n"
+                               "1=0x1000\r\n\r\n[1000]\r\nParameterName=Device type\r\nObjectType=0x7\r\n"
+                               "DataType=0x0007\r\nAccessType=ro\r\nDefaultValue=0\r\nPDOMapping=0";
+    // When it gets an SRDO that it sends
+    const Answer answer = Add(before, {"--produce", "8"});
+    EXPECT_EQ(answer.err, "");
+    EXPECT_EQ(answer.out, "SRDO 1 sends 0x10B and 0x10C, refresh time 25 ms, SRVT 20 ms, signature 0xD5D1\n"
+                          "  0x2000:01 and 0x2100:01  8 bit  Sent data 1.1\n");
+    // Then it has what belongs to one, and check finds nothing.
+    EXPECT_EQ(Value(0x1300U, 0U), "0");
+    EXPECT_EQ(Value(0x13FEU, 0U), "0xA5");
+    EXPECT_EQ(Value(0x13FFU, 1U), "0xD5D1");
+    EXPECT_EQ(Value(0x5F03U, 1U), "0x01");
+    EXPECT_EQ(Value(0x5F01U, 1U), "no entry");
+    const std::string text = Written();
+    EXPECT_NE(text.find("\r\nCANopenSafetySupported=1\r\n"), std::string::npos);
+    EXPECT_NE(text.find("\r\n[OptionalObjects]\r\nSupportedObjects=5\r\n1=0x1301\r\n2=0x1381\r\n3=0x1300\r\n"),
+              std::string::npos);
+    EXPECT_EQ(RunCommand({"check", Path("d.dcf")}).out, "");
+}
+
+TEST_F(SrdoCommandTest, CompactArraysAreLengthened)
+{
+    Verifies(req::SRS_NEW_011);
+    // Given signatures in a compact array
+    const std::string sensor = ExampleText("sensor");
+    const std::size_t first = sensor.find("[13FF]\n");
+    const std::string before = sensor.substr(0U, first) +
+                               "[13FF]\nParameterName=Signatures\nObjectType=0x8\nDataType=0x0006\nAccessType=rw\n"
+                               "CompactSubObj=1\n\n[13FFValue]\nNrOfEntries=1\n1=0xB631\n\n" +
+                               sensor.substr(sensor.find("[2000]\n"));
+    const Answer answer = Add(before, {"--consume", "8@0x111"});
+    EXPECT_EQ(answer.err, "");
+    const std::string text = Written();
+    EXPECT_NE(text.find("CompactSubObj=2\n\n[13FFValue]\nNrOfEntries=2\n1=0xB631\n2=0xE070\n\n[2000]"),
+              std::string::npos);
+    EXPECT_EQ(RunCommand({"check", Path("d.dcf")}).out, "");
+}
+
+TEST_F(SrdoCommandTest, ObjectOfTheFileGoesWithItsInverseObject)
+{
+    Verifies(req::SRS_NEW_013);
+    // The one that InvertedSRAD names,
+    const Answer known = Add(ExampleText("sensor"), {"--produce", "0x2000:02@0x113"});
+    EXPECT_EQ(known.err, "");
+    EXPECT_EQ(Value(0x1382U, 1U), "0x20000208");
+    EXPECT_EQ(Value(0x1382U, 2U), "0x21000208");
+    // the one that is named beside a new object,
+    const Answer named = Add(Changed(ExampleText("sensor"), {{"InvertedSRAD=0x210002\n", ""}}),
+                             {"--produce", "Count=8,0x2000:02/0x2100:02@0x113"});
+    EXPECT_EQ(named.err, "");
+    EXPECT_EQ(Value(0x1382U, 1U), "0x20010108");
+    EXPECT_EQ(Value(0x1382U, 3U), "0x20000208");
+    EXPECT_EQ(Value(0x1382U, 4U), "0x21000208");
+    // and else a new one, which its InvertedSRAD names then.
+    const std::string speed = "[3000]\nParameterName=Speed\nObjectType=0x7\nDataType=0x0003\nAccessType=ro\n"
+                              "DefaultValue=0\nPDOMapping=0\n\n[5F00]\n";
+    const Answer fresh =
+        Add(Changed(ExampleText("sensor"), {{"[5F00]\n", speed},
+                                            {"8=0x5F05\n", "8=0x5F05\n9=0x3000\n"},
+                                            {"SupportedObjects=8\n1=0x2000", "SupportedObjects=9\n1=0x2000"}}),
+            {"--produce", "0x3000:00@0x113"});
+    EXPECT_EQ(fresh.err, "");
+    EXPECT_EQ(Value(0x1382U, 1U), "0x30000010");
+    EXPECT_EQ(Value(0x1382U, 2U), "0x20010010");
+    EXPECT_EQ(Device().Find(0x3000U, 0U)->inverted_srad, 0x200100U);
+    EXPECT_EQ(Device().Find(0x2001U, 0U)->name, "Speed, inverse");
+    EXPECT_EQ(Value(0x2001U, 0U), "-1");
+    EXPECT_EQ(RunCommand({"check", Path("d.dcf")}).out, "");
+}
+
+TEST_F(SrdoCommandTest, RefusalLeavesTheFileAsItWas)
+{
+    Verifies(req::SRS_NEW_012);
+    struct Row
+    {
+        std::string text;
+        std::vector<std::string> options;
+        std::string err; ///< Behind the name of the file.
+    };
+    const std::string sensor = ExampleText("sensor");
+    for (const Row& row : std::vector<Row>{
+             {Changed(sensor, {{"0xB631", "0xB632"}}),
+              {"--consume", "8@0x111"},
+              ":331: error: 0x13FF:01: signature 0xB632 of SRDO 1, expected 0xB631, computed from its parameters"},
+             {sensor,
+              {"--consume", "8@0x111", "--number", "1"},
+              ":185: error: SRDO 1 is there already, expected a number that is free"},
+             {sensor,
+              {"--consume", "8@0x101"},
+              ":0: error: 0x1302:05: COB-ID 0x101 is in use by SRDO 1, expected an identifier of its own; nothing was "
+              "written"},
+             {sensor,
+              {"--consume", "8@0x111", "--number", "3"},
+              ":0: error: 0x1303: SRDO 3 in a device without gaps, expected SRDO 2 before it, or 0x99 in 0x5F00:0D; "
+              "nothing was written"},
+             {sensor,
+              {"--consume", "0x2222:01@0x111"},
+              ":0: error: 0x2222:01 is not in the file, expected an object that it describes, or a length such as 8 "
+              "for a "
+              "new one"},
+             {sensor,
+              {"--consume", "0x2000:01@0x111"},
+              ":0: error: 0x1382:01: mapped object 0x2000:01 has the wrong AccessType (line 458), expected rw, wo or "
+              "rww to "
+              "be received; nothing was written"}})
+    {
+        const Answer answer = Add(row.text, row.options);
+        EXPECT_EQ(answer.status, 2) << row.err;
+        EXPECT_EQ(answer.err, Path("d.dcf") + row.err + "\n");
+        EXPECT_EQ(Written(), row.text);
+    }
+}
+
+TEST_F(SrdoCommandTest, ObjectThatCannotBeMappedIsRefused)
+{
+    Verifies(req::SRS_NEW_012);
+    const std::string plain = "[DeviceInfo]\nVendorName=v\n\n[DeviceComissioning]\nNodeID=6\n\n[ManufacturerObjects]\n"
+                              "SupportedObjects=2\n1=0x3000\n2=0x3001\n\n[3000]\nParameterName=Name\nObjectType=0x7\n"
+                              "DataType=0x0009\nAccessType=ro\n\n[3001]\nParameterName=Values\nObjectType=0x8\n"
+                              "DataType=0x0005\nAccessType=ro\nCompactSubObj=3\n";
+    EXPECT_EQ(Add(plain, {"--produce", "0x3000:00"}).err,
+              Path("d.dcf") + ":12: error: 0x3000:00 is of VISIBLE_STRING, expected a data type of 1 to 64 bits\n");
+    EXPECT_EQ(Add(plain, {"--produce", "0x3001:02"}).err,
+              Path("d.dcf") +
+                  ":18: error: 0x3001:02 of a compact object has no inverse object, expected one that is named "
+                  "behind it, such as 0x3001:02/0x2100:01\n");
+    EXPECT_EQ(Written(), plain);
+}
+
+TEST_F(SrdoCommandTest, UsageThatDoesNotFitIsRefused)
+{
+    Verifies(req::SRS_NEW_002);
+    Verifies(req::SRS_NEW_014);
+    const std::string sensor = ExampleText("sensor");
+    EXPECT_EQ(Add(sensor, {}).err,
+              "counterpoint: --produce or --consume is missing, expected the mapping of the SRDO\n");
+    EXPECT_EQ(Add(sensor, {"--consume", "8"}).err,
+              "counterpoint: --consume '8': SRDO 2 has no default COB-ID, expected one behind @, such as 8@0x109 or "
+              "8@node5\n");
+    EXPECT_EQ(Add(sensor, {"--consume", "8@0x111", "--refresh", "5"}).err,
+              "counterpoint: --refresh fits no SRDO that is received, expected --sct\n");
+    EXPECT_EQ(RunCommand({"srdo", "list", Path("d.dcf"), "--number", "2"}).err,
+              "counterpoint: --number does not fit srdo list, expected srdo add or remove\n");
+    EXPECT_EQ(RunCommand({"srdo", "list", Path("d.dcf"), "-o", "x"}).err,
+              "counterpoint: --output does not fit srdo list, expected srdo add or remove\n");
+    EXPECT_EQ(RunCommand({"srdo", "drop", Path("d.dcf")}).err,
+              "counterpoint: ACTION: 'drop', expected add, remove or list; expected a command line as told by "
+              "'counterpoint srdo "
+              "--help'\n");
+    EXPECT_EQ(RunCommand({"srdo", "remove", Path("d.dcf")}).err,
+              "counterpoint: --number is missing, expected that of the SRDO, 1 to 64\n");
+    EXPECT_EQ(RunCommand({"srdo", "remove", Path("d.dcf"), "--number", "1", "--sct", "9"}).err,
+              "counterpoint: --sct does not fit srdo remove, expected srdo add\n");
+    EXPECT_EQ(Written(), sensor);
+}
+
+TEST_F(SrdoCommandTest, RemovingIsTheReverseOfAddingButForObjectsAndPlaces)
+{
+    Verifies(req::SRS_NEW_015);
+    // Given the sensor with an SRDO 2 of its own objects that has values of its own
+    const std::string before = Changed(ExampleText("sensor"), {{"[1381]\n", "; mappings\n[1381]\n"}});
+    ASSERT_EQ(Add(before, {"--consume", "8@0x111", "--release", "automatic", "--safe-value", "3"}).err, "");
+    // When it is removed
+    const Answer answer = RunCommand({"srdo", "remove", Path("d.dcf"), "--number", "2"});
+    EXPECT_EQ(answer.err, "");
+    EXPECT_EQ(answer.out, "SRDO 1 sends 0x101 and 0x102, refresh time 25 ms, SRVT 20 ms, signature 0xB631\n"
+                          "  0x2000:01 and 0x2100:01  8 bit  Button 1\n  0x2000:02 and 0x2100:02  8 bit  Button 2\n");
+    // Then its parameters are gone, its objects and places stay, the digest is the one of before.
+    EXPECT_EQ(
+        Written(),
+        Changed(before,
+                {{"SupportedObjects=8\n1=0x2000", "SupportedObjects=10\n1=0x2000"},
+                 {"8=0x5F05\n", "8=0x5F05\n9=0x2200\n10=0x2300\n"},
+                 Counted("13FF", "Safety configuration signature"),
+                 {"[2000]\n", PlaceText("13FFsub2", "Signature of SRDO 2", "0x0006", "0x0000", "0x0000") + "[2000]\n"},
+                 {"[5F00]\n", ObjectsText() + "[5F00]\n"},
+                 Counted("5F01", "Release policy"),
+                 {"[5F02]\n", PlaceText("5F01sub2", "Release policy of SRDO 2", "0x0005", "0x00", "0x00") + "[5F02]\n"},
+                 Counted("5F02", "Safe value"),
+                 {"[5F03]\n",
+                  PlaceText("5F02sub2", "Safe value of SRDO 2", "0x001B", "0x0000000000000000", "0x0000000000000000") +
+                      "[5F03]\n"},
+                 Counted("5F03", "Producer form"),
+                 {"[5F04]\n", PlaceText("5F03sub2", "Producer form of SRDO 2", "0x0005", "0x00", "0x00") + "[5F04]\n"},
+                 Counted("5F05", "SRVT detection")}) +
+            "\n" + LastText().substr(0U, LastText().size() - 1U));
+    EXPECT_EQ(RunCommand({"check", Path("d.dcf")}).out, "");
+}
+
+TEST_F(SrdoCommandTest, RemovingFromTheMiddleMovesTheListUp)
+{
+    Verifies(req::SRS_NEW_015);
+    const std::string before = Changed(ExampleText("controller"), {{"Gaps between SRDO numbers (0x99: searched)\n"
+                                                                    "ObjectType=0x7\nDataType=0x0005\nAccessType=rw\n"
+                                                                    "DefaultValue=0x00\nParameterValue=0x00",
+                                                                    "Gaps between SRDO numbers (0x99: searched)\n"
+                                                                    "ObjectType=0x7\nDataType=0x0005\nAccessType=rw\n"
+                                                                    "DefaultValue=0x00\nParameterValue=0x99"}});
+    const std::string file = File("d.dcf", before);
+    ASSERT_EQ(RunCommand({"sign", file, "--write", file}).status, 0);
+    EXPECT_EQ(RunCommand({"srdo", "remove", file, "--number", "1"}).err, "");
+    const std::string text = Written();
+    EXPECT_NE(text.find("[OptionalObjects]\nSupportedObjects=8\n1=0x1014\n2=0x1015\n3=0x1017\n4=0x1300\n5=0x1302\n"
+                        "6=0x1382\n7=0x13FE\n8=0x13FF\n\n"),
+              std::string::npos);
+    EXPECT_EQ(Device().Find(0x1301U), nullptr);
+    EXPECT_EQ(Device().Find(0x1381U), nullptr);
+    EXPECT_EQ(Value(0x13FFU, 1U), "0x0000");
+    EXPECT_EQ(RunCommand({"check", file}).out, "");
+    // The number is free again.
+    EXPECT_EQ(RunCommand({"srdo", "add", file, "--consume", "8@0x101"}).out.substr(0U, 31U),
+              "SRDO 1 receives 0x101 and 0x102");
+}
+
+TEST_F(SrdoCommandTest, RemovingWhatMustStayIsRefused)
+{
+    Verifies(req::SRS_NEW_012);
+    Verifies(req::SRS_NEW_015);
+    const std::string sensor = ExampleText("sensor");
+    const std::string file = File("d.dcf", sensor);
+    EXPECT_EQ(RunCommand({"srdo", "remove", file, "--number", "2"}).err,
+              file + ":0: error: there is no SRDO 2, expected one that the file has (srdo list)\n");
+    // The only one: what is left would be no safety device.
+    const Answer last = RunCommand({"srdo", "remove", file, "--number", "1"});
+    EXPECT_EQ(last.status, 2);
+    EXPECT_EQ(last.err,
+              file + ":0: error: 0x1300: a safety object and no SRDO, expected communication parameters at 0x1301 to "
+                     "0x1340; nothing was written\n");
+    EXPECT_EQ(Written(), sensor);
+}
+
+TEST_F(SrdoCommandTest, CopyIsWrittenInsteadOfTheFile)
+{
+    Verifies(req::SRS_NEW_010);
+    const std::string sensor = ExampleText("sensor");
+    EXPECT_EQ(Add(sensor, {"--consume", "8@0x111", "-o", Path("copy.dcf")}).status, 0);
+    EXPECT_EQ(Written(), sensor);
+    EXPECT_EQ(RunCommand({"check", Path("copy.dcf")}).out, "");
+}
+
+TEST_F(SrdoCommandTest, ListTellsTheSrdosOfAFile)
+{
+    Verifies(req::SRS_NEW_014);
+    const Answer answer = RunCommand({"srdo", "list", File("d.dcf", ExampleText("controller"))});
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_EQ(answer.out, "SRDO 1 receives 0x101 and 0x102, SCT 50 ms, SRVT 20 ms, signature 0xE3BF\n"
+                          "  0x2200:01 and 0x2300:01  8 bit  Button 1\n  0x2200:02 and 0x2300:02  8 bit  Button 2\n"
+                          "SRDO 2 sends 0x103 and 0x104, refresh time 25 ms, SRVT 20 ms, signature 0xCA45\n"
+                          "  0x2000:01 and 0x2100:01  8 bit  Command\n  0x2000:02 and 0x2100:02  8 bit  Mode\n");
+    // What cannot be read is a question mark.
+    const Answer broken = RunCommand(
+        {"srdo", "list",
+         File("b.dcf", Changed(ExampleText("sensor"), {{"ParameterValue=0x20000108", "ParameterValue=0x2000010g"},
+                                                       {"ParameterValue=0x00000101", "ParameterValue=-"},
+                                                       {"ParameterValue=0xB631", "ParameterValue=much"}}))});
+    EXPECT_EQ(broken.status, 0);
+    EXPECT_EQ(broken.out, "SRDO 1 sends ? and 0x102, refresh time 25 ms, SRVT 20 ms, signature ?\n"
+                          "  ? and 0x2100:01  8 bit  Button 1, inverse\n  0x2000:02 and 0x2100:02  8 bit  Button 2\n");
+    const Answer json = RunCommand({"srdo", "list", "--json", File("s.dcf", ExampleText("sensor"))});
+    const auto document = nlohmann::json::parse(json.out);
+    EXPECT_EQ(document.at("file"), Path("s.dcf"));
+    EXPECT_EQ(document.at("srdos").at(0).at("direction"), "sends");
+    EXPECT_EQ(document.at("srdos").at(0).at("cob_id_2"), 0x102);
+    EXPECT_EQ(document.at("srdos").at(0).at("signature"), 0xB631);
+    EXPECT_EQ(document.at("srdos").at(0).at("mapping").at(3).dump(),
+              R"({"bits":8,"inverse":true,"name":"Button 2, inverse","object":"0x2100:02"})");
+}
+} // namespace
+} // namespace counterpoint::tools

@@ -1,0 +1,131 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/device_check.hpp"
+
+#include "canopen/cia306/file/device_reader.hpp"
+#include "canopen/cia306/safety/safety_configuration.hpp"
+#include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/text/text_file.hpp"
+#include "canopen/generate/generate.hpp"
+#include "runtime/node/trial.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+namespace counterpoint::tools
+{
+namespace
+{
+constexpr std::uint8_t kAnyNode = 127U;
+
+/// What `generate` refuses, without writing anything.
+std::vector<cia306::Finding> TryGenerate(const cia306::Device& device, const std::string& text,
+                                         const std::uint8_t node_id)
+{
+    try
+    {
+        return generate::Generate(device, text, {"checked", node_id}).warnings;
+    }
+    catch (const cia306::InputError& error)
+    {
+        return {{cia306::Severity::kError, error.Line(), "", error.Message()}};
+    }
+}
+
+/// What the commands that use the file say of it; a file without node-ID is tried with any. [SRS_CLI_030]
+std::vector<cia306::Finding> TryCommands(const cia306::Device& device, const std::string& text,
+                                         const std::optional<std::uint8_t> node_id)
+{
+    std::vector<cia306::Finding> findings = runtime::TryDevice(device, node_id);
+    const std::vector<cia306::Finding> generated = TryGenerate(device, text, node_id.value_or(kAnyNode));
+    findings.insert(findings.end(), generated.begin(), generated.end());
+    return findings;
+}
+
+/// Adds those of lines and objects of which nothing was found yet.
+void AddOthers(std::vector<cia306::Finding>& findings, const std::vector<cia306::Finding>& others)
+{
+    for (const cia306::Finding& other : others)
+    {
+        const bool is_told = std::any_of(findings.begin(), findings.end(), [&other](const cia306::Finding& finding)
+                                         { return finding.line == other.line && finding.object == other.object; });
+        if (!is_told || other.severity == cia306::Severity::kError)
+        {
+            findings.push_back(other);
+        }
+    }
+    findings = cia306::SortedByLine(std::move(findings));
+}
+
+/// A folder for this process alone, which ends with the object.
+class TemporaryFolder
+{
+  public:
+    TemporaryFolder() : path_((std::filesystem::temp_directory_path() / "counterpoint_XXXXXX").string())
+    {
+        if (::mkdtemp(path_.data()) == nullptr)
+        {
+            throw std::system_error(errno, std::generic_category(), "no folder for the check beside " + path_);
+        }
+    }
+    ~TemporaryFolder()
+    {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    /// Path of a file in it.
+    [[nodiscard]] std::string PathOf(const std::string& name) const
+    {
+        return (std::filesystem::path(path_) / name).string();
+    }
+
+  private:
+    std::string path_;
+};
+} // namespace
+
+std::vector<cia306::Finding> FindingsOf(const cia306::Device& device, const std::string& text,
+                                        const cia306::CheckOptions& options)
+{
+    std::vector<cia306::Finding> findings = cia306::CheckDevice(device, options);
+    const bool has_error = std::any_of(findings.begin(), findings.end(), [](const cia306::Finding& finding)
+                                       { return finding.severity == cia306::Severity::kError; });
+    if (!has_error)
+    {
+        AddOthers(findings, TryCommands(device, text, options.node_id));
+    }
+    return findings;
+}
+
+const cia306::Finding* CauseIn(const std::vector<cia306::Finding>& findings)
+{
+    const std::string valid = cia306::ObjectName(cia306::kConfigurationValidIndex, 0U);
+    const cia306::Finding* cause = nullptr;
+    for (const cia306::Finding& finding : findings)
+    {
+        const bool is_first = cause == nullptr || cause->object == valid;
+        if (finding.severity == cia306::Severity::kError && is_first)
+        {
+            cause = &finding;
+        }
+    }
+    return cause;
+}
+
+std::vector<cia306::Finding> FindingsBeforeWriting(const std::string& text, const std::optional<std::uint8_t> node_id)
+{
+    const TemporaryFolder folder;
+    const std::string path = folder.PathOf("device.dcf");
+    cia306::WriteTextFile(path, text);
+    cia306::CheckOptions options;
+    const cia306::Device device = cia306::ReadDeviceFile(path);
+    options.node_id = node_id ? node_id : device.node_id;
+    return FindingsOf(device, text, options);
+}
+} // namespace counterpoint::tools
