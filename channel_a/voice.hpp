@@ -41,9 +41,10 @@ struct Voice
     SrdoMask committed; ///< The objects hold a pair.
     SrdoMask permitted; ///< Slots of the permit, beside those that are not. [SRS_REL_010]
     SrdoMask refused;
-    SrdoMask reading;     ///< Acknowledge inputs as the last OnCycle read them.
-    SrdoMask high_levels; ///< Slots with an acknowledge level of 1, beside those with 0. [SRS_REL_005]
-    SrdoMask low_levels;
+    SrdoMask low_levels; ///< Slots with an acknowledge level of 0, beside those with 1. [SRS_REL_005]
+    SrdoMask high_levels;
+    SrdoMask reading;                   ///< Acknowledge inputs as the last OnCycle read them.
+    Step static_steps[kMaxStaticSteps]; ///< Of a static mapping, worked out at every use. MISRA D-001
 };
 
 /// The halves of a pair, as places of what there is one of for each.
