@@ -78,15 +78,10 @@ constexpr std::size_t kInverseHalf = 1U;
     return (mask & BitOf(slot)) != 0U;
 }
 
-inline void PutIn(SrdoMask& mask, const std::size_t slot) noexcept
-{
-    mask |= BitOf(slot);
-}
-
-inline void TakeOut(SrdoMask& mask, const std::size_t slot) noexcept
-{
-    mask &= ~BitOf(slot);
-}
+/// @brief Sets the bit of a slot.
+void PutIn(SrdoMask& mask, std::size_t slot) noexcept;
+/// @brief Clears it.
+void TakeOut(SrdoMask& mask, std::size_t slot) noexcept;
 
 inline void SetPermitted(Voice& voice, const SrdoMask permitted) noexcept
 {
