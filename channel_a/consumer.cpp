@@ -28,38 +28,35 @@ void TakeCommand(Voice& voice, const CanFrame& frame) noexcept
     }
 }
 
-// Late detection: SRVT counts for an inverse frame alone; where SCT has expired as well, that which did so longer ago
-// had the earlier deadline, at a tie SRVT. [SRS_TIME_008, SRS_TIME_009]
-SrdoCause ExpiredLate(const Record& record, const bool has_pending, const Instant when, const std::size_t half) noexcept
+// The limit that runs, if it has expired: with late detection it is always SCT. [SRS_CONS_014, SRS_TIME_003,
+// SRS_TIME_005, SRS_TIME_006, SRS_TIME_007, SRS_TIME_009]
+SrdoCause ExpiredLimit(const Record& record, const bool has_pending, const Instant when) noexcept
 {
-    const bool is_sct = IsExpired(record, when);
-    const std::uint32_t age_us = AgeUs(record.frame_since, when);
-    const std::uint32_t srvt_us = SrvtUs(record);
-    if ((half == kInverseHalf) && has_pending && (age_us > srvt_us))
-    {
-        const std::uint32_t over_sct_us = AgeUs(record.since, when) - record.limit_us;
-        if (!is_sct || ((age_us - srvt_us) >= over_sct_us))
-        {
-            return SrdoCause::kSrvt;
-        }
-    }
-    return is_sct ? SrdoCause::kSct : SrdoCause::kNone;
-}
-
-// The limit that has expired at a frame or, for half 0, in a cycle. [SRS_CONS_003, SRS_CONS_014, SRS_TIME_003,
-// SRS_TIME_005, SRS_TIME_006, SRS_TIME_007]
-SrdoCause ExpiredLimit(const Record& record, const bool has_pending, const Instant when,
-                       const std::size_t half) noexcept
-{
-    if (record.detection == SrvtDetection::kLate)
-    {
-        return ExpiredLate(record, has_pending, when, half);
-    }
     if (!IsExpired(record, when))
     {
         return SrdoCause::kNone;
     }
-    return has_pending ? SrdoCause::kSrvt : SrdoCause::kSct;
+    return (has_pending && (record.detection != SrvtDetection::kLate)) ? SrdoCause::kSrvt : SrdoCause::kSct;
+}
+
+// With late detection SRVT counts for an inverse frame alone; where SCT has expired as well, that which did so longer
+// ago had the earlier deadline, at a tie SRVT. [SRS_TIME_008, SRS_TIME_009]
+SrdoCause ExpiredLate(const Record& record, const SrdoCause limit, const Instant when) noexcept
+{
+    const std::uint32_t age_us = AgeUs(record.frame_since, when);
+    const std::uint32_t srvt_us = SrvtUs(record);
+    const std::uint32_t over_sct_us = AgeUs(record.since, when) - record.limit_us;
+    const bool is_first = (limit == SrdoCause::kNone) || ((age_us - srvt_us) >= over_sct_us);
+    return ((age_us > srvt_us) && is_first) ? SrdoCause::kSrvt : limit;
+}
+
+// The limit that has expired at a frame. [SRS_CONS_003]
+SrdoCause ExpiredAtFrame(const Record& record, const bool has_pending, const Instant when,
+                         const std::size_t half) noexcept
+{
+    const SrdoCause limit = ExpiredLimit(record, has_pending, when);
+    const bool is_late = (record.detection == SrvtDetection::kLate) && has_pending && (half == kInverseHalf);
+    return is_late ? ExpiredLate(record, limit, when) : limit;
 }
 
 // Of a frame without a byte it is the last one that there could be.
@@ -128,7 +125,7 @@ void Complete(Voice& voice, Record& record, const std::size_t slot, const State 
     record.awaiting = kNo;
     ++record.ordinal;
     ++voice.outcome.ordinal_sum;
-    PutIn(voice.outcome.fresh, slot);
+    voice.outcome.fresh |= BitOf(slot);
     if (!IsReleased(state))
     {
         Demand(record, kLook);
@@ -139,7 +136,7 @@ void Complete(Voice& voice, Record& record, const std::size_t slot, const State 
 void Examine(Voice& voice, const std::size_t slot) noexcept
 {
     const Record& record = At(voice, slot);
-    SrdoCause cause = ExpiredLimit(record, FactsOf(record).has_pending, voice.now, kNormalHalf);
+    SrdoCause cause = ExpiredLimit(record, FactsOf(record).has_pending, voice.now);
     if ((cause == SrdoCause::kNone) && voice.is_late)
     {
         cause = SrdoCause::kLateCall;
@@ -169,11 +166,12 @@ void Acknowledge(Voice& voice, const std::size_t slot) noexcept
     }
     const bool has_edge = record.grants.Is(Grant::kEdge, kYes);
     const bool is_automatic = record.grants.Is(Grant::kPolicy, static_cast<std::uint8_t>(ReleasePolicy::kAutomatic));
-    if (FactsOf(record).holds_pair && (has_edge || is_automatic))
+    State state = StateOf(record);
+    if (FactsOf(state).holds_pair && (has_edge || is_automatic))
     {
-        static_cast<void>(Advance(voice, record, slot, StateOf(record), Event::kRelease));
+        state = Advance(voice, record, slot, state, Event::kRelease);
     }
-    if (has_edge && IsReleased(StateOf(record)))
+    if (has_edge && IsReleased(state))
     {
         SetFirstCause(record, SrdoCause::kNone);
         record.grants.Set(Grant::kEdge, kNo);
@@ -207,7 +205,7 @@ void TakeFrame(Voice& voice, const CanFrame& frame, const Instant stamp) noexcep
     }
     // The limit first; the frame is then taken as if nothing had been there before it.
     const std::size_t half = HalfOf(frame);
-    const SrdoCause limit = ExpiredLimit(record, FactsOf(state).has_pending, stamp, half);
+    const SrdoCause limit = ExpiredAtFrame(record, FactsOf(state).has_pending, stamp, half);
     if (limit != SrdoCause::kNone)
     {
         Fail(voice, slot, limit);

@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "channel_a/cycle.hpp"
 
+#include "channel_a/commit.hpp"
 #include "channel_a/consumer.hpp"
-#include "channel_a/objects.hpp"
 #include "channel_a/producer.hpp"
 #include "channel_a/slot.hpp"
 
@@ -17,9 +17,6 @@ namespace
 
 constexpr std::uint32_t kBitsPerWord = 32U;
 constexpr std::uint32_t kPermitRotation = 16U;
-constexpr std::uint32_t kGroup = 8U; ///< Slots that are passed over at once where nothing is to be committed.
-constexpr SrdoMask kGroupMask = 0xFFU;
-
 // Byte by byte: the token is the challenge moved up by a byte, its highest byte then being the lowest, and in every
 // byte what the configuration is. [SRS_CFG_031]
 GuardView GuardOf(const CycleInput& input, const std::uint8_t configuration_valid) noexcept
@@ -165,62 +162,6 @@ void ServeAll(Voice& voice) noexcept
     }
 }
 
-// The bits of 1 to 64 slots: a mask that is corrupted leads to no other one.
-SrdoMask SlotsOf(const std::uint8_t count) noexcept
-{
-    return ~SrdoMask{0U} >> (std::uint32_t{kMaxSrdoCount} - count);
-}
-
-/// The slots of a mask in order, counted from 0; a group is passed over at once where none of it is in the mask.
-class SlotWalk
-{
-  public:
-    explicit SlotWalk(const SrdoMask slots) noexcept : left_{slots}
-    {
-        Find();
-    }
-
-    /// @brief False behind the last slot.
-    [[nodiscard]] bool IsAtSlot() const noexcept
-    {
-        return left_ != 0U;
-    }
-
-    [[nodiscard]] std::size_t Slot() const noexcept
-    {
-        return slot_;
-    }
-
-    void GoOn() noexcept
-    {
-        ++slot_;
-        left_ >>= 1U;
-        Find();
-    }
-
-  private:
-    void Find() noexcept
-    {
-        for (; IsAtSlot() && ((left_ & kGroupMask) == 0U); left_ >>= kGroup)
-        {
-            slot_ += kGroup;
-        }
-        for (; IsAtSlot() && ((left_ & 1U) == 0U); left_ >>= 1U)
-        {
-            ++slot_;
-        }
-    }
-
-    std::size_t slot_{0U};
-    SrdoMask left_; ///< Bit 0 is `slot_`.
-};
-
-// What the objects of a slot have to hold: its pair, or the safe value.
-const Bytes& DataOf(const Record& record, const bool is_pair) noexcept
-{
-    return is_pair ? record.held : record.safe;
-}
-
 } // namespace
 
 CycleOutcome RunCycle(Voice& voice, const CycleInput& input) noexcept
@@ -250,37 +191,20 @@ CycleOutcome RunCycle(Voice& voice, const CycleInput& input) noexcept
     return result;
 }
 
-// All is written before the first object is read, so that one that overwrites another is found. What waits to be
-// written is not what the objects hold yet, and is not examined.
+// What waits to be written is not what the objects hold yet, and is not examined.
 SrdoMask CommitPairs(Voice& voice, const Agreement& agreement, const SrdoMask examine) noexcept
 {
     const SrdoMask own = agreement.agreed & voice.outcome.released;
     const SrdoMask unwritten = voice.unwritten | voice.outcome.fresh;
     const SrdoMask to_write = own & agreement.matched & unwritten;
     const SrdoMask to_drop = voice.committed & ~own;
-    const SrdoMask to_examine = examine & voice.committed & own & ~unwritten;
+    const SrdoMask to_keep = voice.committed & own;
+    const SrdoMask to_examine = examine & to_keep & ~unwritten;
+    const SrdoMask concerned = to_write | to_drop | to_examine;
     voice.unwritten &= ~to_write;
-    voice.committed = (voice.committed | to_write) & ~to_drop;
+    voice.committed = to_keep | to_write;
 
-    const SrdoMask pairs = to_write | to_examine;
-    const SlotWalk first{(pairs | to_drop) & SlotsOf(voice.count)};
-    for (SlotWalk walk = first; walk.IsAtSlot(); walk.GoOn())
-    {
-        const std::size_t slot = walk.Slot();
-        if (!IsIn(to_examine, slot))
-        {
-            WriteObjects(voice, slot, DataOf(At(voice, slot), IsIn(pairs, slot)));
-        }
-    }
-    SrdoMask found = 0U;
-    for (SlotWalk walk = first; walk.IsAtSlot(); walk.GoOn())
-    {
-        const std::size_t slot = walk.Slot();
-        if (!HoldObjects(voice, slot, DataOf(At(voice, slot), IsIn(pairs, slot))))
-        {
-            PutIn(found, slot);
-        }
-    }
+    const SrdoMask found = (concerned == 0U) ? 0U : WriteAndHold(voice, concerned, to_examine, to_drop);
     SetPermitted(voice, voice.committed & ~found);
     return found;
 }

@@ -164,6 +164,27 @@ bool FitsOthers(const DeviceConfig& config, const Record& record, const Mapping&
     return has_length && !IsNamedBy(config, record, entry, mapping.entries, position);
 }
 
+// The step of a pair of entries whose bits begin at `first_bit`, by a search for both objects.
+Step StepOf(const DeviceConfig& config, const std::uint32_t* const entries, const std::uint32_t pair,
+            const std::uint32_t first_bit) noexcept
+{
+    const std::uint32_t entry = NormalEntry(entries, pair);
+    return Step{FindObject(config, entry), FindObject(config, InverseEntry(entries, pair)),
+                static_cast<std::uint8_t>(first_bit & kByteMask), static_cast<std::uint8_t>(entry & kLengthBits)};
+}
+
+void WorkOut(const DeviceConfig& config, const std::uint32_t* const entries, const std::uint32_t count,
+             Step* const steps) noexcept
+{
+    std::uint32_t first_bit = 0U;
+    for (std::uint32_t pair = 0U; pair < count; ++pair)
+    {
+        const Step step = StepOf(config, entries, pair, first_bit);
+        steps[pair] = step; // MISRA D-002
+        first_bit += step.bits;
+    }
+}
+
 // What Validate and Recheck have in common: each step is that of its entries, and the objects of a static mapping lie
 // one behind the other in its two fields. Bits of all normal entries; kBad where something does not fit.
 std::uint32_t Measured(const DeviceConfig& config, const Record& record, const Mapping& mapping) noexcept
@@ -174,7 +195,8 @@ std::uint32_t Measured(const DeviceConfig& config, const Record& record, const M
     std::uint32_t wrong = 0U;
     for (std::uint32_t pair = 0U; pair < (mapping.count / kEntriesPerStep); ++pair)
     {
-        const Step step = StepAt(config, mapping, pair, total);
+        const Step step = (mapping.steps != nullptr) ? mapping.steps[pair] // MISRA D-002
+                                                     : StepOf(config, mapping.entries, pair, total);
         const std::uint32_t bits = NormalEntry(mapping.entries, pair) & kLengthBits;
         if (!IsStepOf(config, record, mapping, pair, step))
         {
@@ -197,12 +219,29 @@ std::uint32_t Measured(const DeviceConfig& config, const Record& record, const M
 
 } // namespace
 
-Step WorkedOut(const DeviceConfig& config, const std::uint32_t* const entries, const std::uint32_t pair,
-               const std::uint32_t first_bit) noexcept
+Mapping MappingOf(const Voice& voice, const std::size_t slot) noexcept
 {
-    const std::uint32_t entry = NormalEntry(entries, pair);
-    return Step{FindObject(config, entry), FindObject(config, InverseEntry(entries, pair)),
-                static_cast<std::uint8_t>(first_bit & kByteMask), static_cast<std::uint8_t>(entry & kLengthBits)};
+    const StaticMap& map = voice.config->srdos[slot].map; // MISRA D-002
+    if (map.entries != nullptr)
+    {
+        return Mapping{map.entries, nullptr, Lesser(map.count, kMaxMapEntries), map.count, kMaxMapEntries};
+    }
+    const Storage& storage = voice.storage;
+    const std::size_t first = slot * storage.map_entries;
+    const std::uint32_t stored = storage.counts[slot]; // MISRA D-002
+    const std::uint32_t limit = voice.config->map_entries;
+    return Mapping{storage.entries + first, storage.steps + (first / kEntriesPerStep), // MISRA D-002
+                   Lesser(stored, limit), stored, limit};
+}
+
+// A mapping that was validated has no more steps than there is room.
+StepRange WorkedOut(Voice& voice, const std::size_t slot) noexcept
+{
+    const StaticMap& map = voice.config->srdos[slot].map; // MISRA D-002
+    const std::uint32_t count = Lesser(map.count / kEntriesPerStep, kMaxStaticSteps);
+    Step* const first = &voice.static_steps[0];
+    WorkOut(*voice.config, map.entries, count, first);
+    return StepRange{first, first + count}; // MISRA D-002
 }
 
 // [SRS_CFG_026, SRS_CFG_027, SRS_CFG_028, SRS_CFG_032]
@@ -213,7 +252,6 @@ ConfigFault Resolve(const DeviceConfig& config, Record& record, const Mapping& m
     {
         return ConfigFault::kMapping;
     }
-    std::uint32_t first_bit = 0U;
     bool fits = true;
     for (std::uint32_t position = 0U; position < count; ++position)
     {
@@ -222,14 +260,9 @@ ConfigFault Resolve(const DeviceConfig& config, Record& record, const Mapping& m
             fits = false;
         }
     }
-    for (std::uint32_t pair = 0U; pair < (count / kEntriesPerStep); ++pair)
+    if (mapping.steps != nullptr)
     {
-        const Step step = WorkedOut(config, mapping.entries, pair, first_bit);
-        if (mapping.steps != nullptr)
-        {
-            mapping.steps[pair] = step; // MISRA D-002
-        }
-        first_bit += step.bits;
+        WorkOut(config, mapping.entries, count / kEntriesPerStep, mapping.steps);
     }
     const std::uint32_t total = Measured(config, record, mapping);
     if (!fits || (total == kBad))

@@ -32,20 +32,7 @@ inline constexpr MappableObject kNothing{0U, 0U, 0U, MapAccess::kNone, nullptr};
     return (one < other) ? one : other;
 }
 
-[[nodiscard]] inline Mapping MappingOf(const Voice& voice, const std::size_t slot) noexcept
-{
-    const StaticMap& map = voice.config->srdos[slot].map; // MISRA D-002
-    if (map.entries != nullptr)
-    {
-        return Mapping{map.entries, nullptr, Lesser(map.count, kMaxMapEntries), map.count, kMaxMapEntries};
-    }
-    const Storage& storage = voice.storage;
-    const std::size_t first = slot * storage.map_entries;
-    const std::uint32_t stored = storage.counts[slot]; // MISRA D-002
-    const std::uint32_t limit = voice.config->map_entries;
-    return Mapping{storage.entries + first, storage.steps + (first / kEntriesPerStep), // MISRA D-002
-                   Lesser(stored, limit), stored, limit};
-}
+[[nodiscard]] Mapping MappingOf(const Voice& voice, std::size_t slot) noexcept;
 
 /// @brief The object at a place; kNothing where there is none.
 [[nodiscard]] inline const MappableObject& ObjectAt(const DeviceConfig& config, const std::uint32_t place) noexcept
@@ -53,19 +40,27 @@ inline constexpr MappableObject kNothing{0U, 0U, 0U, MapAccess::kNone, nullptr};
     return (place < config.object_count) ? config.objects[place] : kNothing; // MISRA D-002
 }
 
-/// @brief The step of a pair of entries whose bits begin at `first_bit`, by a search for both objects.
-[[nodiscard]] Step WorkedOut(const DeviceConfig& config, const std::uint32_t* entries, std::uint32_t pair,
-                             std::uint32_t first_bit) noexcept;
-
-/// @brief The same, as it is kept, or worked out where the mapping is static.
-[[nodiscard]] inline Step StepAt(const DeviceConfig& config, const Mapping& mapping, const std::uint32_t pair,
-                                 const std::uint32_t first_bit) noexcept
+/// The steps of a slot, in order.
+struct StepRange
 {
-    if (mapping.steps != nullptr)
+    const Step* first;
+    const Step* end;
+};
+
+/// @brief The steps of a static mapping, by a search for its objects; they are good until the next call.
+[[nodiscard]] StepRange WorkedOut(Voice& voice, std::size_t slot) noexcept;
+
+/// @brief The steps as they are kept, or worked out where the mapping is static.
+[[nodiscard]] inline StepRange StepsOf(Voice& voice, const std::size_t slot) noexcept
+{
+    if (voice.config->srdos[slot].map.entries != nullptr) // MISRA D-002
     {
-        return mapping.steps[pair]; // MISRA D-002
+        return WorkedOut(voice, slot);
     }
-    return WorkedOut(config, mapping.entries, pair, first_bit);
+    const Storage& storage = voice.storage;
+    const std::uint32_t entries = Lesser(storage.counts[slot], storage.map_entries);            // MISRA D-002
+    const Step* const first = storage.steps + (slot * (storage.map_entries / kEntriesPerStep)); // MISRA D-002
+    return StepRange{first, first + (entries / kEntriesPerStep)};                               // MISRA D-002
 }
 
 /// @brief The rules of the mapping; keeps its steps and what follows from them.

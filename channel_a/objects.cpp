@@ -122,86 +122,48 @@ std::uint32_t WrongPart(const MappableObject& object, const Step& step, const By
     return wrong;
 }
 
-/// The steps of a mapping in order, each fetched from where it is kept, with the object that it leads to.
-class StepWalk
-{
-  public:
-    StepWalk(const Voice& voice, const std::size_t slot) noexcept
-        : config_{*voice.config}, mapping_{MappingOf(voice, slot)}
-    {
-    }
-
-    /// @brief Goes to the next step; false behind the last one.
-    [[nodiscard]] bool GoOn() noexcept
-    {
-        if (next_ >= (mapping_.count / kEntriesPerStep))
-        {
-            return false;
-        }
-        step_ = StepAt(config_, mapping_, next_, first_bit_);
-        first_bit_ += step_.bits;
-        ++next_;
-        return true;
-    }
-
-    [[nodiscard]] const Step& Current() const noexcept
-    {
-        return step_;
-    }
-
-    [[nodiscard]] const MappableObject* Object() const noexcept
-    {
-        return ObjectOf(config_, step_);
-    }
-
-  private:
-    const DeviceConfig& config_;
-    Mapping mapping_;
-    Step step_{};
-    std::uint32_t next_{0U};
-    std::uint32_t first_bit_{0U};
-};
-
 } // namespace
 
-Bytes ReadObjects(const Voice& voice, const std::size_t slot) noexcept
+Bytes ReadObjects(Voice& voice, const std::size_t slot) noexcept
 {
+    const DeviceConfig& config = *voice.config;
+    const StepRange steps = StepsOf(voice, slot);
     Bytes data{};
-    StepWalk walk{voice, slot};
-    while (walk.GoOn())
+    for (const Step* step = steps.first; step != steps.end; ++step) // MISRA D-002
     {
-        const MappableObject* const object = walk.Object();
+        const MappableObject* const object = ObjectOf(config, *step);
         if (object != nullptr)
         {
-            ReadObject(*object, walk.Current(), data);
+            ReadObject(*object, *step, data);
         }
     }
     return data;
 }
 
-void WriteObjects(const Voice& voice, const std::size_t slot, const Bytes& data) noexcept
+void WriteObjects(Voice& voice, const std::size_t slot, const Bytes& data) noexcept
 {
-    StepWalk walk{voice, slot};
-    while (walk.GoOn())
+    const DeviceConfig& config = *voice.config;
+    const StepRange steps = StepsOf(voice, slot);
+    for (const Step* step = steps.first; step != steps.end; ++step) // MISRA D-002
     {
-        const MappableObject* const object = walk.Object();
+        const MappableObject* const object = ObjectOf(config, *step);
         if (object != nullptr)
         {
-            WriteObject(*object, walk.Current(), data);
+            WriteObject(*object, *step, data);
         }
     }
 }
 
 // A step that is not of dummies and leads to no object is wrong, too.
-bool HoldObjects(const Voice& voice, const std::size_t slot, const Bytes& data) noexcept
+bool HoldObjects(Voice& voice, const std::size_t slot, const Bytes& data) noexcept
 {
+    const DeviceConfig& config = *voice.config;
+    const StepRange steps = StepsOf(voice, slot);
     std::uint32_t wrong = 0U;
-    StepWalk walk{voice, slot};
-    while (walk.GoOn())
+    for (const Step* step = steps.first; step != steps.end; ++step) // MISRA D-002
     {
-        const MappableObject* const object = walk.Object();
-        wrong |= (object != nullptr) ? WrongPart(*object, walk.Current(), data)
-                                     : (std::uint32_t{walk.Current().normal} ^ kNoObject);
+        const MappableObject* const object = ObjectOf(config, *step);
+        wrong |= (object != nullptr) ? WrongPart(*object, *step, data) : (std::uint32_t{step->normal} ^ kNoObject);
     }
     return wrong == 0U;
 }

@@ -12,11 +12,11 @@ namespace counterpoint::channel_a
 {
 
 /// @brief The data that the normal objects hold. [SRS_PROD_005]
-[[nodiscard]] Bytes ReadObjects(const Voice& voice, std::size_t slot) noexcept;
+[[nodiscard]] Bytes ReadObjects(Voice& voice, std::size_t slot) noexcept;
 /// @brief Data into the normal objects. [SRS_REL_002]
-void WriteObjects(const Voice& voice, std::size_t slot, const Bytes& data) noexcept;
+void WriteObjects(Voice& voice, std::size_t slot, const Bytes& data) noexcept;
 /// @brief Whether every normal object holds its part of the data. [SRS_REL_011]
-[[nodiscard]] bool HoldObjects(const Voice& voice, std::size_t slot, const Bytes& data) noexcept;
+[[nodiscard]] bool HoldObjects(Voice& voice, std::size_t slot, const Bytes& data) noexcept;
 
 } // namespace counterpoint::channel_a
 

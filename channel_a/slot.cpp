@@ -9,12 +9,6 @@ namespace
 constexpr std::uint16_t kErrorCountMax = 0xFFFFU;
 constexpr std::uint32_t kCauseBits = 0x1FU; // Causes are smaller, but for the one that is none.
 
-// Sets or clears one bit.
-void Write(SrdoMask& mask, const SrdoMask bit, const bool is_set) noexcept
-{
-    mask = is_set ? (mask | bit) : (mask & ~bit);
-}
-
 // No pair any more, nor what came of one.
 void Forget(Voice& voice, const std::size_t slot) noexcept
 {
@@ -60,11 +54,26 @@ void SetFirstCause(Record& record, const SrdoCause cause) noexcept
 
 void Show(Voice& voice, const std::size_t slot, const SrdoState shown) noexcept
 {
-    const SrdoMask bit = BitOf(slot);
-    Write(voice.outcome.released, bit, shown == SrdoState::kReleased);
-    Write(voice.outcome.faulted, bit, shown == SrdoState::kFaulted);
-    Write(voice.outcome.waiting, bit, shown == SrdoState::kWaiting);
-    Write(voice.producers, bit, shown == SrdoState::kProducer);
+    TakeOut(voice.outcome.released, slot);
+    TakeOut(voice.outcome.faulted, slot);
+    TakeOut(voice.outcome.waiting, slot);
+    TakeOut(voice.producers, slot);
+    if (shown == SrdoState::kReleased)
+    {
+        PutIn(voice.outcome.released, slot);
+    }
+    if (shown == SrdoState::kFaulted)
+    {
+        PutIn(voice.outcome.faulted, slot);
+    }
+    if (shown == SrdoState::kWaiting)
+    {
+        PutIn(voice.outcome.waiting, slot);
+    }
+    if (shown == SrdoState::kProducer)
+    {
+        PutIn(voice.producers, slot);
+    }
 }
 
 void Count(Record& record, const SrdoCause cause) noexcept

@@ -77,6 +77,9 @@ struct Step
 
 constexpr std::uint16_t kNoObject = 0xFFFFU;
 
+/// Each step of a static mapping is of one byte at least.
+constexpr std::uint32_t kMaxStaticSteps = kMaxPayloadBytes;
+
 /// For each identifier from 101h to 180h, by its low bits: the slot of the SRDO, kNoSlot for none.
 constexpr std::size_t kLookUpSize = kSrdoIdentifierCount;
 

@@ -41,9 +41,10 @@ struct Voice
     SrdoMask committed; ///< The objects hold a pair.
     SrdoMask permitted; ///< Slots of the permit, beside those that are not. [SRS_REL_010]
     SrdoMask refused;
-    SrdoMask reading;     ///< Acknowledge inputs as the last OnCycle read them.
-    SrdoMask high_levels; ///< Slots with an acknowledge level of 1, beside those with 0. [SRS_REL_005]
-    SrdoMask low_levels;
+    SrdoMask low_levels; ///< Slots with an acknowledge level of 0, beside those with 1. [SRS_REL_005]
+    SrdoMask high_levels;
+    SrdoMask reading;                   ///< Acknowledge inputs as the last OnCycle read them.
+    Step static_steps[kMaxStaticSteps]; ///< Of a static mapping, worked out at every use. MISRA D-001
 };
 
 /// The halves of a pair, as places of what there is one of for each.
@@ -77,15 +78,10 @@ constexpr std::size_t kInverseHalf = 1U;
     return (mask & BitOf(slot)) != 0U;
 }
 
-inline void PutIn(SrdoMask& mask, const std::size_t slot) noexcept
-{
-    mask |= BitOf(slot);
-}
-
-inline void TakeOut(SrdoMask& mask, const std::size_t slot) noexcept
-{
-    mask &= ~BitOf(slot);
-}
+/// @brief Sets the bit of a slot.
+void PutIn(SrdoMask& mask, std::size_t slot) noexcept;
+/// @brief Clears it.
+void TakeOut(SrdoMask& mask, std::size_t slot) noexcept;
 
 inline void SetPermitted(Voice& voice, const SrdoMask permitted) noexcept
 {

@@ -163,6 +163,78 @@ TEST(ChannelAMapping, OfStaticObjectsIsReadBack)
     EXPECT_EQ(device.channel.Commit(kAgreed, kConsumerBit), 0U);
 }
 
+/// Nine objects of one byte that lie one behind the other and nine inverse ones; eight of each are mapped for good.
+struct StaticBytes
+{
+    explicit StaticBytes(Device& device)
+    {
+        for (std::uint8_t sub = 1U; sub <= 9U; ++sub)
+        {
+            objects[sub - 1U] = MappableObject{0x2300U, sub, 8U, MapAccess::kConsumer, &normal[sub - 1U]};
+            objects[sub + 8U] = MappableObject{0x2301U, sub, 8U, MapAccess::kConsumer, &inverse[sub - 1U]};
+            entries[2U * (sub - 1U)] = 0x23000008U | (std::uint32_t{sub} << 8U);
+            entries[(2U * (sub - 1U)) + 1U] = 0x23010008U | (std::uint32_t{sub} << 8U);
+        }
+        device.config.objects = objects;
+        device.config.object_count = 18U;
+        device.setups[kConsumerSlot].map = StaticMap{entries, 16U};
+        device.Start();
+        device.channel.SetFields(kConsumerSlot, StaticFields{normal, inverse});
+        EXPECT_EQ(device.Sign(kConsumerSlot).fault, ConfigFault::kNone);
+        static_cast<void>(device.Cycle());
+        device.Pair(8U, 0x11U);
+        static_cast<void>(device.Cycle());
+        EXPECT_EQ(device.channel.Commit(Agreement{kConsumerBit, kConsumerBit}, 0U), 0U);
+    }
+
+    std::uint8_t normal[9]{};
+    std::uint8_t inverse[9]{};
+    MappableObject objects[18]{};
+    std::uint32_t entries[18]{};
+};
+
+TEST(ChannelAMapping, OfEightStaticBytesIsWrittenAndReadBack)
+{
+    Verifies(req::SRS_REL_011);
+    Verifies(req::SRS_CFG_032);
+    // Given a frame full of objects of one byte, released
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    StaticBytes bytes{device};
+    constexpr std::uint8_t kWritten[9] = {0x11U, 0x12U, 0x13U, 0x14U, 0x15U, 0x16U, 0x17U, 0x18U, 0U};
+    for (std::size_t place = 0U; place < 9U; ++place)
+    {
+        EXPECT_EQ(bytes.normal[place], kWritten[place]) << "byte " << place;
+    }
+    constexpr Agreement kAgreed{kConsumerBit, kConsumerBit};
+    for (std::size_t place = 0U; place < 8U; ++place)
+    {
+        // When one of them changes, then it is found
+        bytes.normal[place] = static_cast<std::uint8_t>(bytes.normal[place] ^ 1U);
+        EXPECT_EQ(device.channel.Commit(kAgreed, kConsumerBit), kConsumerBit) << "byte " << place;
+        bytes.normal[place] = static_cast<std::uint8_t>(bytes.normal[place] ^ 1U);
+    }
+    // and the object behind them is none of the mapping
+    bytes.normal[8] = 0x19U;
+    EXPECT_EQ(device.channel.Commit(kAgreed, kConsumerBit), 0U);
+}
+
+TEST(ChannelAMapping, OfStaticObjectsThatGrewIsUsedAsFarAsAFrameGoes)
+{
+    Verifies(req::SRS_CFG_030);
+    Verifies(req::SRS_CFG_032);
+    // Given a frame full of objects of one byte, released
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    const StaticBytes bytes{device};
+    // When the program's table says that there is one more
+    device.setups[kConsumerSlot].map.count = 18U;
+    // Then the eight are read and not the ninth
+    EXPECT_EQ(device.channel.Commit(Agreement{kConsumerBit, kConsumerBit}, kConsumerBit), 0U);
+    // and Recheck finds the table
+    EXPECT_EQ(device.channel.Recheck(kConsumerSlot).fault, ConfigFault::kSignature);
+}
+
 TEST(ChannelAMapping, OfAStepThatLeadsElsewhereIsReadThere)
 {
     Verifies(req::SRS_REL_011);
