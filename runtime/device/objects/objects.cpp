@@ -62,12 +62,10 @@ DataType TypeOf(const cia306::Entry& entry)
 /// written.
 std::uint8_t UsesOf(const cia306::Entry& entry)
 {
-    const bool is_sent = entry.access != cia306::Access::kWriteOnly && entry.access != cia306::Access::kReadWriteOutput;
-    const bool is_received = !entry.IsFixed() && entry.access != cia306::Access::kReadWriteInput;
-    const unsigned uses = (is_sent ? cia301::kInTpdo : 0U) | (is_received ? cia301::kInRpdo : 0U);
+    const unsigned uses = (entry.IsInTpdo() ? cia301::kInTpdo : 0U) | (entry.IsInRpdo() ? cia301::kInRpdo : 0U);
     const bool is_kept = !entry.IsFixed() && entry.access != cia306::Access::kWriteOnly && entry.index != 0x1003U &&
                          !cia301::IsStoreObject(entry.index) && !IsFixedAtStart(entry.index);
-    return static_cast<std::uint8_t>((entry.is_pdo_mappable ? uses : 0U) | (is_kept ? cia301::kStored : 0U));
+    return static_cast<std::uint8_t>(uses | (is_kept ? cia301::kStored : 0U));
 }
 
 /// Its access right for the dictionary.
