@@ -28,6 +28,7 @@ constexpr std::uint16_t kOctetString = 0x000AU;
 constexpr std::uint16_t kUnicodeString = 0x000BU;
 constexpr std::uint16_t kHighResolution = 0x1013U;
 constexpr std::uint16_t kConsumerTimes = 0x1016U;
+constexpr std::uint16_t kDefaultServer = 0x1200U;
 constexpr std::uint16_t kFirstApplication = 0x2000U;
 
 constexpr std::uint16_t kHighestPdo = 512U;
@@ -132,7 +133,7 @@ cia301::NumberHook* HookOf(const cia301::Entry& entry, device::Services& service
         return &services.sync;
     case 0x1029U:
         return &services.errors;
-    case 0x1200U:
+    case kDefaultServer:
         return &services.sdo_port;
     default:
         break;
@@ -444,7 +445,8 @@ std::vector<cia306::Finding> DeviceObjects::NotTaken(const std::function<bool(co
         const std::string object = cia306::ObjectName(entry.index, entry.sub);
         const bool is_refused = std::any_of(refusals_.begin(), refusals_.end(), [&](const cia306::Finding& refusal)
                                             { return refusal.line == stored.line && refusal.object == object; });
-        const bool is_of_service = entry.place == nullptr && stored.is_configured && !cia301::IsOwnObject(entry.index);
+        const bool is_own = cia301::IsOwnObject(entry.index) && entry.index != kDefaultServer;
+        const bool is_of_service = entry.place == nullptr && stored.is_configured && !is_own;
         // 1013h is a time that goes on.
         const bool is_other = entry.index == kHighResolution || is_replaced({entry.index, entry.sub});
         if (!is_of_service || is_refused || is_other || HasValue(entry, stored.value))
@@ -465,6 +467,10 @@ std::string DeviceObjects::ReasonOf(const cia301::Entry& entry, const std::vecto
     if (is_pdo)
     {
         return "the device has turned this PDO off, expected a mapping and settings that hold";
+    }
+    if (entry.index == kDefaultServer)
+    {
+        return "the device does without this value, expected the identifier of the default SDO";
     }
     const std::uint64_t mapping = cia301::FromLittleEndian(value.data(), static_cast<std::uint32_t>(value.size()));
     const auto index = static_cast<std::uint16_t>((mapping >> 16U) & 0xFFFFU);

@@ -167,6 +167,20 @@ TEST_F(FileObjectsTest, AWriteOnlyObjectOfAServiceIsNotRead)
     EXPECT_EQ(device->Assembly().Services().producer.PeriodMs(), 200U);
 }
 
+TEST_F(FileObjectsTest, AnotherIdentifierOfTheDefaultSdoIsTold)
+{
+    Verifies(req::SRS_NODE_037);
+    Start(Record("1200") + Element("1200sub0", "5", "const", "2") + Element("1200sub1", "7", "const", "0x605") +
+          Element("1200sub2", "7", "ro", "0x5A0"));
+    EXPECT_EQ(Read({0x1200U, 1U}), 0x605U);
+    EXPECT_EQ(Read({0x1200U, 2U}), 0x585U);
+    const std::string told = Told();
+    EXPECT_NE(told.find("0x1200:02: the device does without this value, expected the identifier of the default SDO"),
+              std::string::npos)
+        << told;
+    EXPECT_EQ(told.find("0x1200:01"), std::string::npos) << told;
+}
+
 TEST_F(FileObjectsTest, SubIndicesAreThoseOfTheFile)
 {
     Verifies(req::SRS_NODE_038);
