@@ -90,6 +90,14 @@ std::string Rest(const Element& element, std::size_t& limit_count)
            ", &objects, &objects";
 }
 
+/// Into which PDOs an entry may be mapped; nothing where into none.
+std::string UsesText(const cia306::Entry& entry)
+{
+    const std::string sent = entry.IsInTpdo() ? ", kInTpdo" : "";
+    const std::string received = sent.empty() ? ", kInRpdo" : " | kInRpdo";
+    return sent + (entry.IsInRpdo() ? received : "");
+}
+
 std::string EntriesText(const Layout& layout)
 {
     std::string text;
@@ -107,7 +115,7 @@ std::string EntriesText(const Layout& layout)
         text += "    // " + Describe(element) + "\n    {" + HexLiteral(entry.index, 4) + ", " +
                 HexLiteral(entry.sub, 2) + ", DataType::" + TableTypeOf(entry) + ", Access::" + TableAccessOf(element) +
                 ", kInBoth, kInBoth, " + (is_domain ? "kAnyLength" : UnsignedLiteral(element.size_bytes)) + ", " +
-                Rest(element, limit_count) + "},\n";
+                Rest(element, limit_count) + UsesText(entry) + "},\n";
     }
     const std::string domain =
         "// A DOMAIN has no value here, and may have any length.\n"
@@ -117,7 +125,8 @@ std::string EntriesText(const Layout& layout)
            "counterpoint::generated::StoredObjects objects{counterpoint::cia301::EntryTable{kEntries, "
            "kEntryCount}};\n\n"
            "using counterpoint::cia301::Access;\nusing counterpoint::cia301::DataType;\n"
-           "using counterpoint::cia301::kInBoth;\n\n"
+           "using counterpoint::cia301::kInBoth;\nusing counterpoint::cia301::kInRpdo;\n"
+           "using counterpoint::cia301::kInTpdo;\n\n"
            "constexpr counterpoint::cia301::Entry kEntries[]{\n" +
            text + "};\n\n";
 }

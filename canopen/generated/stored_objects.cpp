@@ -2,6 +2,7 @@
 #include "canopen/generated/stored_objects.hpp"
 
 #include "canopen/cia301/dictionary/entry_value.hpp"
+#include "canopen/cia301/dictionary/object_kinds.hpp"
 
 namespace counterpoint::generated
 {
@@ -22,6 +23,28 @@ constexpr std::uint32_t kLongestNumber = 8U;
 std::uint32_t LengthOf(const Entry& entry) noexcept
 {
     return (entry.length_bytes == nullptr) ? entry.size_bytes : *entry.length_bytes;
+}
+
+/// The value of an entry as the file gives it: at its place, or a constant, which `room` takes.
+Bytes FileValueOf(const Entry& entry, const Room& room) noexcept
+{
+    Bytes value{entry.place, LengthOf(entry)};
+    if (entry.place == nullptr)
+    {
+        const Reading reading = cia301::ReadEntry(entry, room);
+        value = Bytes{room.data, (reading.abort == SdoAbort::kNone) ? reading.size_bytes : 0U};
+    }
+    return value;
+}
+
+bool IsSame(const Bytes& left, const Bytes& right) noexcept
+{
+    bool is_same = left.size_bytes == right.size_bytes;
+    for (std::uint32_t i = 0U; is_same && (i < left.size_bytes); ++i)
+    {
+        is_same = left.data[i] == right.data[i];
+    }
+    return is_same;
 }
 
 void Add(PresetReply& reply, const ObjectAddress& object, const SdoAbort abort) noexcept
@@ -61,11 +84,12 @@ PresetReply StoredObjects::Preset(const IndexRange& range) noexcept
     for (std::uint32_t i = 0U; i < table_.count; ++i)
     {
         const Entry& entry = table_.entries[i];
-        cia301::WriteHook* const hook = HooksOf(entry.index).write;
+        const ObjectAddress object{entry.index, entry.sub};
+        cia301::WriteHook* const hook = HooksOf(object).write;
         if ((hook != nullptr) && IsPreset(i, range))
         {
-            const ObjectAddress object{entry.index, entry.sub};
-            Add(reply, object, hook->OnWrite(object, Bytes{entry.place, LengthOf(entry)}));
+            std::uint8_t bytes[kLongestNumber] = {};
+            Add(reply, object, hook->OnWrite(object, FileValueOf(entry, Room{bytes, kLongestNumber})));
         }
     }
     return reply;
@@ -77,10 +101,11 @@ PresetReply StoredObjects::Compare(const IndexRange& range) noexcept
     for (std::uint32_t i = 0U; i < table_.count; ++i)
     {
         const Entry& entry = table_.entries[i];
-        cia301::ReadHook* const hook = HooksOf(entry.index).read;
+        const ObjectAddress object{entry.index, entry.sub};
+        cia301::ReadHook* const hook = HooksOf(object).read;
         if ((hook != nullptr) && IsPreset(i, range))
         {
-            Add(reply, ObjectAddress{entry.index, entry.sub}, CompareEntry(entry, *hook));
+            Add(reply, object, CompareEntry(entry, *hook));
         }
     }
     return reply;
@@ -89,37 +114,35 @@ PresetReply StoredObjects::Compare(const IndexRange& range) noexcept
 /// kIncompatible: the hook has another value.
 SdoAbort StoredObjects::CompareEntry(const Entry& entry, cia301::ReadHook& hook) noexcept
 {
-    const std::uint32_t length = LengthOf(entry);
-    if (length > kLongestNumber)
+    std::uint8_t bytes[kLongestNumber] = {};
+    const Bytes value = FileValueOf(entry, Room{bytes, kLongestNumber});
+    if (value.size_bytes > kLongestNumber)
     {
         return SdoAbort::kNone; // No value that goes with others.
     }
     std::uint8_t now[kLongestNumber] = {};
     const Reading reading = hook.OnRead(ObjectAddress{entry.index, entry.sub}, Room{now, kLongestNumber});
-    bool is_same = (reading.abort == SdoAbort::kNone) && (reading.size_bytes == length);
-    for (std::uint32_t i = 0U; is_same && (i < length); ++i)
-    {
-        is_same = now[i] == entry.place[i];
-    }
+    const bool is_same = (reading.abort == SdoAbort::kNone) && IsSame(Bytes{now, reading.size_bytes}, value);
     return is_same ? SdoAbort::kNone : SdoAbort::kIncompatible;
 }
 
-/// Whether the entry at this position has a stored value that a hook wants to know.
+/// Whether the entry at this position has a value of the file that a hook wants to know.
 bool StoredObjects::IsPreset(const std::uint32_t position, const IndexRange& range) const noexcept
 {
     const Entry& entry = table_.entries[position];
     const bool is_inside = (entry.index >= range.first) && (entry.index <= range.last);
-    const bool is_writable = (entry.access == Access::kReadWrite) || (entry.access == Access::kWriteOnly);
-    const bool is_counter =
-        (entry.sub == 0U) && ((position + 1U) < table_.count) && (table_.entries[position + 1U].index == entry.index);
+    const bool has_others = ((position + 1U) < table_.count) && (table_.entries[position + 1U].index == entry.index);
+    const bool is_counter = (entry.sub == 0U) && has_others && !cia301::IsPdoMapping(entry.index);
     const bool is_stored = (entry.place != nullptr) && (entry.write_hook == this);
-    const bool is_wanted = is_inside && is_writable && !is_counter;
-    return is_wanted && is_stored;
+    const bool is_constant =
+        (entry.access == Access::kConstant) && (entry.place == nullptr) && (entry.size_bytes <= kLongestNumber);
+    const bool is_wanted = is_inside && !is_counter && !cia301::IsOwnObject(entry.index);
+    return is_wanted && (is_stored || is_constant);
 }
 
 Reading StoredObjects::OnRead(const ObjectAddress& address, const Room& room) noexcept
 {
-    const ObjectHooks hooks = HooksOf(address.index);
+    const ObjectHooks hooks = HooksOf(address);
     const Entry* const entry = Find(address);
     Reading reading{SdoAbort::kObjectUnknown, 0U};
     if (hooks.read != nullptr)
@@ -142,7 +165,7 @@ Reading StoredObjects::OnRead(const ObjectAddress& address, const Room& room) no
 /// The dictionary stores what is accepted here; without a place there must be somebody who takes it.
 SdoAbort StoredObjects::OnWrite(const ObjectAddress& address, const Bytes& value) noexcept
 {
-    const ObjectHooks hooks = HooksOf(address.index);
+    const ObjectHooks hooks = HooksOf(address);
     const Entry* const entry = Find(address);
     SdoAbort abort = SdoAbort::kNone;
     if (hooks.write != nullptr)
@@ -153,6 +176,14 @@ SdoAbort StoredObjects::OnWrite(const ObjectAddress& address, const Bytes& value
     {
         abort = SdoAbort::kGeneral;
     }
+    else if (cia301::IsSubCount(address))
+    {
+        abort = IsSame(Bytes{entry->place, entry->size_bytes}, value) ? SdoAbort::kNone : SdoAbort::kReadOnly;
+    }
+    else if (cia301::IsStoreObject(address.index) && (AttachedTo(address.index).write != nullptr))
+    {
+        abort = SdoAbort::kNotStored; // A group that the store has not.
+    }
     else
     {
         // The stored value is all there is.
@@ -160,7 +191,15 @@ SdoAbort StoredObjects::OnWrite(const ObjectAddress& address, const Bytes& value
     return abort;
 }
 
-ObjectHooks StoredObjects::HooksOf(const std::uint16_t index) const noexcept
+/// The hooks that have this object; null: the stored value is used.
+ObjectHooks StoredObjects::HooksOf(const ObjectAddress& address) const noexcept
+{
+    const ObjectHooks hooks = AttachedTo(address.index);
+    const bool is_missing = (hooks.read != nullptr) && !cia301::HasObject(*hooks.read, address);
+    return (is_missing || cia301::IsSubCount(address)) ? ObjectHooks{nullptr, nullptr} : hooks;
+}
+
+ObjectHooks StoredObjects::AttachedTo(const std::uint16_t index) const noexcept
 {
     ObjectHooks hooks{nullptr, nullptr};
     for (std::uint8_t i = 0U; i < count_; ++i)

@@ -43,7 +43,8 @@ struct PresetReply
 };
 
 /// Hook of all entries that have a place: asks the hook that is attached to the object, else reads and writes the
-/// place. Attached hooks are kept by reference. Not reentrant. [SRS_GEN_008]
+/// place. The number of sub-indices of a service's object, and a sub-index that its hook has not, are those of the
+/// place. Attached hooks are kept by reference. Not reentrant. [SRS_GEN_008, SRS_GEN_027]
 class StoredObjects final : public cia301::ReadHook, public cia301::WriteHook
 {
   public:
@@ -54,9 +55,10 @@ class StoredObjects final : public cia301::ReadHook, public cia301::WriteHook
 
     /// @brief From now on these hooks keep the objects of the range. O(ranges)
     [[nodiscard]] AttachResult Attach(const IndexRange& range, const ObjectHooks& hooks) noexcept;
-    /// @brief Tells the hook of each writable entry of the range its stored value, all of them whatever is refused. A
-    /// sub-index 0 of an object that has others is not told. Within a reset of canopen/device services take them in any
-    /// order. O(entries) [SRS_GEN_019]
+    /// @brief Tells the hook of each entry of the range the value of the file, whatever its access right, and all of
+    /// them whatever is refused; but for sub-index 0 of an object that has others, of mappings excepted, and for what a
+    /// device has of its own (cia301::IsOwnObject). Within a reset of canopen/device services take them in any order;
+    /// elsewhere the rules for clients hold. O(entries) [SRS_GEN_019]
     [[nodiscard]] PresetReply Preset(const IndexRange& range) noexcept;
     /// @brief Behind the reset: the values of the range that a hook has not as they are stored, because they do not go
     /// with the others. O(entries) [SRS_GEN_019]
@@ -72,7 +74,8 @@ class StoredObjects final : public cia301::ReadHook, public cia301::WriteHook
         ObjectHooks hooks;
     };
 
-    [[nodiscard]] ObjectHooks HooksOf(std::uint16_t index) const noexcept;
+    [[nodiscard]] ObjectHooks AttachedTo(std::uint16_t index) const noexcept;
+    [[nodiscard]] ObjectHooks HooksOf(const ObjectAddress& address) const noexcept;
     [[nodiscard]] const cia301::Entry* Find(const ObjectAddress& address) const noexcept;
     [[nodiscard]] bool IsPreset(std::uint32_t position, const IndexRange& range) const noexcept;
     [[nodiscard]] static cia301::SdoAbort CompareEntry(const cia301::Entry& entry, cia301::ReadHook& hook) noexcept;

@@ -159,4 +159,11 @@ SdoAbort WriteEntry(const Entry& entry, const Bytes& value) noexcept
     return abort;
 }
 
+bool HasObject(ReadHook& hook, const ObjectAddress& address) noexcept
+{
+    std::uint8_t bytes[kMaxNumberBytes] = {};
+    const SdoAbort abort = hook.OnRead(address, Room{bytes, kMaxNumberBytes}).abort;
+    return (abort != SdoAbort::kSubUnknown) && (abort != SdoAbort::kObjectUnknown);
+}
+
 } // namespace counterpoint::cia301

@@ -21,6 +21,8 @@ namespace counterpoint::cia301
 [[nodiscard]] Reading ReadEntry(const Entry& entry, const Room& room) noexcept;
 /// @brief Checks, asks the hook, stores. [SRS_OBD_005, SRS_OBD_006, SRS_OBD_007]
 [[nodiscard]] SdoAbort WriteEntry(const Entry& entry, const Bytes& value) noexcept;
+/// @brief Whether a service has this object: the device's file may have more sub-indices than the service.
+[[nodiscard]] bool HasObject(ReadHook& hook, const ObjectAddress& address) noexcept;
 
 } // namespace counterpoint::cia301
 

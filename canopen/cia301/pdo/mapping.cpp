@@ -10,6 +10,8 @@ namespace
 {
 
 constexpr std::uint32_t kDummies = 8U;
+constexpr std::uint32_t kBooleanDummy = 1U;
+constexpr std::uint32_t kByteBits = 8U;
 /// Bits of the dummies 0001h to 0007h: BOOLEAN, INTEGER and UNSIGNED of 8, 16 and 32 bits.
 constexpr std::uint8_t kDummyBits[kDummies] = {0U, 1U, 8U, 16U, 32U, 8U, 16U, 32U};
 
@@ -24,16 +26,23 @@ std::uint64_t MaskOf(const std::uint32_t bits) noexcept
     return (bits >= kPdoBits) ? ~std::uint64_t{0U} : ((std::uint64_t{1U} << bits) - 1U);
 }
 
-std::uint32_t MappedBitsOf(const Entry& entry) noexcept
+/// A BOOLEAN is one bit, or a byte in devices that map whole bytes.
+bool IsLength(const std::uint32_t bits, const bool is_boolean, const std::uint32_t object_bits) noexcept
 {
-    return (entry.type == DataType::kBoolean) ? 1U : (8U * entry.size_bytes);
+    return (bits == object_bits) || (is_boolean && (bits == kByteBits));
+}
+
+bool IsLengthOf(const Entry& entry, const std::uint32_t mapping) noexcept
+{
+    const bool is_boolean = entry.type == DataType::kBoolean;
+    return IsLength(mapping & 0xFFU, is_boolean, is_boolean ? 1U : (kByteBits * entry.size_bytes));
 }
 
 bool IsDummyField(const std::uint32_t mapping) noexcept
 {
     const std::uint32_t index = mapping >> 16U;
     const bool is_dummy = (index > 0U) && (index < kDummies) && (((mapping >> 8U) & 0xFFU) == 0U);
-    return is_dummy && ((mapping & 0xFFU) == kDummyBits[index]);
+    return is_dummy && IsLength(mapping & 0xFFU, index == kBooleanDummy, kDummyBits[index]);
 }
 
 std::uint64_t ValueOf(const PdoField& field) noexcept
@@ -99,8 +108,7 @@ SdoAbort WriteField(PdoMap& map, const std::uint8_t sub, const std::uint32_t map
         const SdoAbort missing = dictionary.SizeOf(address).abort;
         abort = (missing == SdoAbort::kNone) ? SdoAbort::kNotMappable : missing;
     }
-    else if (((entry->uses & direction) == 0U) || (MappedBitsOf(*entry) != (mapping & 0xFFU)) ||
-             (entry->size_bytes > kPdoBytes))
+    else if (((entry->uses & direction) == 0U) || !IsLengthOf(*entry, mapping) || (entry->size_bytes > kPdoBytes))
     {
         abort = SdoAbort::kNotMappable;
     }

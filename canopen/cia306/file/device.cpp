@@ -15,6 +15,16 @@ bool Entry::IsFixed() const noexcept
     return access == Access::kConstant || access == Access::kReadOnly;
 }
 
+bool Entry::IsInTpdo() const noexcept
+{
+    return is_pdo_mappable && access != Access::kWriteOnly && access != Access::kReadWriteOutput;
+}
+
+bool Entry::IsInRpdo() const noexcept
+{
+    return is_pdo_mappable && !IsFixed() && access != Access::kReadWriteInput;
+}
+
 std::size_t Entry::ValueLine() const noexcept
 {
     const Text& configured = Configured();

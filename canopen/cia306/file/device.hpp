@@ -78,6 +78,10 @@ struct Entry
     [[nodiscard]] const Text& Configured() const noexcept;
     /// Whether nobody can write it over the bus (const or ro).
     [[nodiscard]] bool IsFixed() const noexcept;
+    /// Whether a PDO may send it: PDOMapping=1, and it is no output.
+    [[nodiscard]] bool IsInTpdo() const noexcept;
+    /// Whether a PDO may receive it: PDOMapping=1, and it is no input.
+    [[nodiscard]] bool IsInRpdo() const noexcept;
     /// Line of the configured value, else of the section.
     [[nodiscard]] std::size_t ValueLine() const noexcept;
 };

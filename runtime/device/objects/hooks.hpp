@@ -15,8 +15,9 @@ namespace counterpoint::runtime
 class FixedHook final : public cia301::WriteHook
 {
   public:
-    /// @brief `table` outlives the hook.
-    explicit FixedHook(const cia301::EntryTable& table) noexcept : table_(table)
+    /// @brief `table` outlives the hook; `refusal` is the answer to another value.
+    FixedHook(const cia301::EntryTable& table, const cia301::SdoAbort refusal) noexcept
+        : table_(table), refusal_(refusal)
     {
     }
     [[nodiscard]] cia301::SdoAbort OnWrite(const ObjectAddress& address, const cia301::Bytes& value) noexcept override
@@ -25,11 +26,12 @@ class FixedHook final : public cia301::WriteHook
         const auto* const entry = std::find_if(table_.entries, end, [&address](const cia301::Entry& each)
                                                { return each.index == address.index && each.sub == address.sub; });
         const bool is_same = entry != end && std::equal(value.data, value.data + value.size_bytes, entry->place);
-        return is_same ? cia301::SdoAbort::kNone : cia301::SdoAbort::kLocalControl;
+        return is_same ? cia301::SdoAbort::kNone : refusal_;
     }
 
   private:
     const cia301::EntryTable& table_;
+    cia301::SdoAbort refusal_;
 };
 
 /// The foreign objects of a plain device: there are none. [SRS_NODE_016]
@@ -49,8 +51,8 @@ class NoSafetyObjects final : public cia301::ForeignObjects
     }
 };
 
-/// Hook of 1010h and 1011h of a device without a store: sub-indices say that nothing is saved, and commands are
-/// refused.
+/// Hook of 1010h and 1011h of a device without a store, and of their groups that no store has: sub-indices say that
+/// nothing is saved, and commands are refused.
 class NoStoreHook final : public cia301::ReadHook, public cia301::WriteHook
 {
   public:

@@ -4,6 +4,7 @@
 #include "canopen/cia301/base/cob_id.hpp"
 #include "canopen/cia301/base/little_endian.hpp"
 #include "canopen/cia301/dictionary/entry_value.hpp"
+#include "canopen/cia301/dictionary/object_kinds.hpp"
 #include "canopen/cia306/safety/device_parameters.hpp"
 #include "canopen/cia306/safety/safety_configuration.hpp"
 #include "canopen/cia306/text/input_error.hpp"
@@ -27,6 +28,7 @@ constexpr std::uint16_t kOctetString = 0x000AU;
 constexpr std::uint16_t kUnicodeString = 0x000BU;
 constexpr std::uint16_t kHighResolution = 0x1013U;
 constexpr std::uint16_t kConsumerTimes = 0x1016U;
+constexpr std::uint16_t kDefaultServer = 0x1200U;
 constexpr std::uint16_t kFirstApplication = 0x2000U;
 
 constexpr std::uint16_t kHighestPdo = 512U;
@@ -39,12 +41,6 @@ constexpr std::uint8_t kPdoEntries = 64U;
 /// 254: source address mode of a multiplexed PDO; 255: destination address mode.
 constexpr std::uint64_t kSourceMode = 254U;
 constexpr std::uint16_t kLastFixed = 0x5F05U;
-
-/// Whether this is 1010h or 1011h.
-bool IsStore(const std::uint16_t index)
-{
-    return index == 0x1010U || index == 0x1011U;
-}
 
 /// Whether this is one of 5F00h to 5F05h, which the kernel takes at its start.
 bool IsFixedAtStart(const std::uint16_t index)
@@ -67,12 +63,10 @@ DataType TypeOf(const cia306::Entry& entry)
 /// written.
 std::uint8_t UsesOf(const cia306::Entry& entry)
 {
-    const bool is_sent = entry.access != cia306::Access::kWriteOnly && entry.access != cia306::Access::kReadWriteOutput;
-    const bool is_received = !entry.IsFixed() && entry.access != cia306::Access::kReadWriteInput;
-    const unsigned uses = (is_sent ? cia301::kInTpdo : 0U) | (is_received ? cia301::kInRpdo : 0U);
+    const unsigned uses = (entry.IsInTpdo() ? cia301::kInTpdo : 0U) | (entry.IsInRpdo() ? cia301::kInRpdo : 0U);
     const bool is_kept = !entry.IsFixed() && entry.access != cia306::Access::kWriteOnly && entry.index != 0x1003U &&
-                         !IsStore(entry.index) && !IsFixedAtStart(entry.index);
-    return static_cast<std::uint8_t>((entry.is_pdo_mappable ? uses : 0U) | (is_kept ? cia301::kStored : 0U));
+                         !cia301::IsStoreObject(entry.index) && !IsFixedAtStart(entry.index);
+    return static_cast<std::uint8_t>(uses | (is_kept ? cia301::kStored : 0U));
 }
 
 /// Its access right for the dictionary.
@@ -139,19 +133,12 @@ cia301::NumberHook* HookOf(const cia301::Entry& entry, device::Services& service
         return &services.sync;
     case 0x1029U:
         return &services.errors;
-    case 0x1200U:
+    case kDefaultServer:
         return &services.sdo_port;
     default:
         break;
     }
     return (entry.index >= kFirstRpdo && entry.index <= kLastTpdoMap) ? &services.pdos : nullptr;
-}
-
-/// The device's own: its errors, and what has one value only.
-bool IsOwn(const cia301::Entry& entry)
-{
-    return entry.index == 0x1001U || entry.index == 0x1003U || entry.index == 0x1200U || IsStore(entry.index) ||
-           entry.access == cia301::Access::kConstant;
 }
 
 bool HasValue(const cia301::Entry& entry, const std::vector<std::uint8_t>& value)
@@ -186,7 +173,7 @@ DeviceObjects::DeviceObjects(const cia306::Device& device, const std::uint8_t no
             const bool has_value = entry.type.kind != cia306::DataKind::kStructure;
             if (has_value && index >= cia306::kFirstObjectIndex && !is_kernels(index, sub))
             {
-                Append(entry, node_id);
+                Append(object, entry, node_id);
             }
         }
     }
@@ -219,38 +206,41 @@ void DeviceObjects::Connect(device::Services& services, const FindHook& further,
 {
     for (cia301::Entry& entry : entries_)
     {
-        const bool is_count = entry.sub == 0U && (entry.access == cia301::Access::kConstant || IsStore(entry.index));
-        if (is_count)
+        const Keeper keeper = KeeperOf(entry, services, further, store);
+        if (cia301::IsSubCount({entry.index, entry.sub}))
         {
-            continue;
+            entry.write_hook = &count_;
         }
-        if (IsOfServiceObjects(entry.index))
+        else if (keeper.read != nullptr && cia301::HasObject(*keeper.read, {entry.index, entry.sub}))
         {
-            entry.read_hook = &services.objects;
-            entry.write_hook = &services.objects;
+            entry.read_hook = keeper.read;
+            entry.write_hook = keeper.write;
+            entry.place = nullptr;
+            entry.length_bytes = nullptr;
         }
-        else if (IsStore(entry.index) && store == nullptr)
-        {
-            entry.read_hook = &no_store_;
-            entry.write_hook = &no_store_;
-        }
-        else if (cia301::NumberHook* const hook = IsStore(entry.index) ? store : HookOf(entry, services, further))
-        {
-            entry.read_hook = hook;
-            entry.write_hook = hook;
-        }
-        else
-        {
-            continue; // Has a place of its own.
-        }
-        entry.place = nullptr;
-        entry.length_bytes = nullptr;
     }
 }
 
-void DeviceObjects::Append(const cia306::Entry& source, const std::uint8_t node_id)
+DeviceObjects::Keeper DeviceObjects::KeeperOf(const cia301::Entry& entry, device::Services& services,
+                                              const FindHook& further, cia301::NumberHook* const store)
+{
+    cia301::NumberHook* hook = IsOfServiceObjects(entry.index) ? &services.objects : HookOf(entry, services, further);
+    if (cia301::IsStoreObject(entry.index))
+    {
+        hook = (store != nullptr && cia301::HasObject(*store, {entry.index, entry.sub})) ? store : nullptr;
+        return (hook != nullptr) ? Keeper{hook, hook} : Keeper{&no_store_, &no_store_};
+    }
+    return {hook, hook};
+}
+
+void DeviceObjects::Append(const cia306::Object& object, const cia306::Entry& source, const std::uint8_t node_id)
 {
     SetValue(source, node_id);
+    Stored& stored = stored_.back();
+    if (cia301::IsSubCount({source.index, source.sub}) && !stored.is_configured && !stored.value.empty())
+    {
+        stored.value.front() = object.entries.rbegin()->first;
+    }
     cia301::Entry entry{};
     entry.index = source.index;
     entry.sub = source.sub;
@@ -427,7 +417,7 @@ void DeviceObjects::Load(const Stored& stored) noexcept
         }
         return;
     }
-    if (!stored.is_configured || IsOwn(entry))
+    if (!stored.is_configured || cia301::IsOwnObject(entry.index))
     {
         return;
     }
@@ -455,18 +445,53 @@ std::vector<cia306::Finding> DeviceObjects::NotTaken(const std::function<bool(co
         const std::string object = cia306::ObjectName(entry.index, entry.sub);
         const bool is_refused = std::any_of(refusals_.begin(), refusals_.end(), [&](const cia306::Finding& refusal)
                                             { return refusal.line == stored.line && refusal.object == object; });
-        const bool is_of_service = entry.place == nullptr && stored.is_configured && !IsOwn(entry);
+        const bool is_own = cia301::IsOwnObject(entry.index) && entry.index != kDefaultServer;
+        const bool is_of_service = entry.place == nullptr && stored.is_configured && !is_own;
         // 1013h is a time that goes on.
         const bool is_other = entry.index == kHighResolution || is_replaced({entry.index, entry.sub});
         if (!is_of_service || is_refused || is_other || HasValue(entry, stored.value))
         {
             continue;
         }
-        const bool is_pdo = entry.index >= kFirstRpdo && entry.index < kFirstTpdoMap && entry.sub == 1U;
-        findings.push_back({cia306::Severity::kWarning, stored.line, object,
-                            is_pdo ? "the device has turned this PDO off, expected a mapping and settings that hold"
-                                   : "the device does without this value, expected one that goes with the others"});
+        findings.push_back({cia306::Severity::kWarning, stored.line, object, ReasonOf(entry, stored.value)});
     }
     return findings;
+}
+
+/// Why a service has not this value.
+std::string DeviceObjects::ReasonOf(const cia301::Entry& entry, const std::vector<std::uint8_t>& value) const
+{
+    constexpr std::uint32_t kByteBits = 8U;
+    const bool is_mapping = cia301::IsPdoMapping(entry.index);
+    const bool is_pdo = entry.index >= kFirstRpdo && entry.index < kFirstTpdoMap && !is_mapping && entry.sub == 1U;
+    if (is_pdo)
+    {
+        return "the device has turned this PDO off, expected a mapping and settings that hold";
+    }
+    if (entry.index == kDefaultServer)
+    {
+        return "the device does without this value, expected the identifier of the default SDO";
+    }
+    const std::uint64_t mapping = cia301::FromLittleEndian(value.data(), static_cast<std::uint32_t>(value.size()));
+    const auto index = static_cast<std::uint16_t>((mapping >> 16U) & 0xFFFFU);
+    const auto sub = static_cast<std::uint8_t>((mapping >> kByteBits) & 0xFFU);
+    const std::uint64_t bits = mapping & 0xFFU;
+    const auto mapped = std::find_if(entries_.begin(), entries_.end(), [index, sub](const cia301::Entry& each)
+                                     { return each.index == index && each.sub == sub; });
+    if (!is_mapping || entry.sub == 0U)
+    {
+        return "the device does without this value, expected one that goes with the others";
+    }
+    const std::string name = cia306::ObjectName(index, sub);
+    const bool is_there = mapped != entries_.end();
+    const bool is_boolean = is_there && mapped->type == DataType::kBoolean;
+    const std::uint32_t object_bits = is_there ? kByteBits * mapped->size_bytes : 0U;
+    if (!is_there || bits == object_bits || (is_boolean && bits == 1U))
+    {
+        return "the device does without this field, expected an object that may be mapped here, which " + name +
+               " may not";
+    }
+    return "the device does without this field of " + std::to_string(bits) + " bit, expected " +
+           (is_boolean ? "1 or " : "") + std::to_string(object_bits) + " bit, the length of " + name;
 }
 } // namespace counterpoint::runtime

@@ -39,7 +39,7 @@ class DeviceObjects
     /// @brief The room that the services of this device need; owned here.
     [[nodiscard]] device::ServiceRooms Rooms() noexcept;
     /// @brief From now on the objects of services lead to the services, and 1010h and 1011h to `store`; null: there is
-    /// no store.
+    /// no store. What no service has keeps its value here. [SRS_NODE_037, SRS_NODE_038]
     void Connect(device::Services& services, const FindHook& further, cia301::NumberHook* store) noexcept;
     /// @brief Sets all objects from 2000h on to the values of the file.
     void LoadApplication() noexcept;
@@ -65,13 +65,23 @@ class DeviceObjects
         bool is_configured{false}; ///< The file gives it.
     };
 
-    void Append(const cia306::Entry& source, std::uint8_t node_id);
+    /// The hooks of an object whose value is kept elsewhere.
+    struct Keeper
+    {
+        cia301::ReadHook* read;
+        cia301::WriteHook* write;
+    };
+
+    void Append(const cia306::Object& object, const cia306::Entry& source, std::uint8_t node_id);
+    [[nodiscard]] Keeper KeeperOf(const cia301::Entry& entry, device::Services& services, const FindHook& further,
+                                  cia301::NumberHook* store);
     void AppendPdos(const cia306::Device& device);
     [[nodiscard]] cia301::PdoMap MapOf(const cia306::Device& device, std::uint16_t index);
     void SetValue(const cia306::Entry& source, std::uint8_t node_id);
     void SetRoom(cia301::Entry& entry, const cia306::Entry& source);
     void SetLimits(cia301::Entry& entry, const cia306::Entry& source, std::uint8_t node_id);
     void Load(const Stored& stored) noexcept;
+    [[nodiscard]] std::string ReasonOf(const cia301::Entry& entry, const std::vector<std::uint8_t>& value) const;
     [[nodiscard]] std::uint64_t LimitOf(const cia306::Entry& source, const cia306::Text& text, std::uint8_t node_id,
                                         std::uint64_t otherwise);
     void LeaveOut(const cia306::Entry& source, const cia306::Text& text, const cia306::Problem& problem);
@@ -90,7 +100,8 @@ class DeviceObjects
     std::vector<cia306::Finding> left_out_; ///< What the file says and its data type cannot have.
     std::vector<cia306::Finding> refusals_;
     cia301::EntryTable table_{nullptr, 0U};
-    FixedHook fixed_{table_};
+    FixedHook fixed_{table_, cia301::SdoAbort::kLocalControl};
+    FixedHook count_{table_, cia301::SdoAbort::kReadOnly};
     NoStoreHook no_store_;
 };
 } // namespace counterpoint::runtime

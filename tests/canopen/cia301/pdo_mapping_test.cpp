@@ -141,16 +141,18 @@ TEST_F(PdoMappingTest, WhatMayBeMapped)
         EXPECT_EQ(WritePdo(index, 1U, 0x20000120U), SdoAbort::kNotMappable); // the kernel's
         EXPECT_EQ(WritePdo(index, 1U, 0x21000010U), SdoAbort::kNotMappable); // 16 of 8 bits
         EXPECT_EQ(WritePdo(index, 1U, 0x21000001U), SdoAbort::kNotMappable);
-        EXPECT_EQ(WritePdo(index, 1U, 0x21030008U), SdoAbort::kNotMappable); // BOOLEAN has 1 bit
-        EXPECT_EQ(WritePdo(index, 1U, 0x21050018U), SdoAbort::kNone);        // 24 bits
+        EXPECT_EQ(WritePdo(index, 1U, 0x21030002U), SdoAbort::kNotMappable); // BOOLEAN has 1 bit, or a byte
+        EXPECT_EQ(WritePdo(index, 1U, 0x21030010U), SdoAbort::kNotMappable);
+        EXPECT_EQ(WritePdo(index, 1U, 0x21030008U), SdoAbort::kNone);
+        EXPECT_EQ(WritePdo(index, 1U, 0x21050018U), SdoAbort::kNone); // 24 bits
         EXPECT_EQ(WritePdo(index, 1U, 0x00000000U), SdoAbort::kNone);
     }
     EXPECT_EQ(WritePdo(0x1600U, 1U, 0x21070008U), SdoAbort::kNotMappable);
     EXPECT_EQ(WritePdo(0x1A00U, 1U, 0x21080008U), SdoAbort::kNotMappable);
     EXPECT_EQ(WritePdo(0x1600U, 1U, 0x21080008U), SdoAbort::kNone);
     EXPECT_EQ(WritePdo(0x1A00U, 1U, 0x21070008U), SdoAbort::kNone);
-    const std::uint32_t dummies[] = {0x00010001U, 0x00020008U, 0x00030010U, 0x00040020U,
-                                     0x00050008U, 0x00060010U, 0x00070020U};
+    const std::uint32_t dummies[] = {0x00010001U, 0x00010008U, 0x00020008U, 0x00030010U,
+                                     0x00040020U, 0x00050008U, 0x00060010U, 0x00070020U};
     for (const std::uint32_t dummy : dummies)
     {
         EXPECT_EQ(WritePdo(0x1600U, 1U, dummy), SdoAbort::kNone) << dummy;
@@ -188,6 +190,31 @@ TEST_F(PdoMappingTest, FieldsStandSideBySideBitByBit)
     EXPECT_EQ(bit[0], 1U);
     EXPECT_EQ(u24, (std::array<std::uint8_t, 3>{0x01U, 0x00U, 0x00U}));
     EXPECT_EQ(tens[0], 20U);
+}
+
+TEST_F(PdoMappingTest, ABooleanMayBeAByteOfZeroOrOne)
+{
+    Verifies(req::SRS_PDO_005);
+    Verifies(req::SRS_PDO_006);
+    // Given a BOOLEAN of 8 bits in front of a byte, both ways
+    for (const std::uint16_t index : Indices{0x1600U, 0x1A00U})
+    {
+        EXPECT_EQ(WritePdo(index, 1U, 0x21030008U), SdoAbort::kNone);
+        EXPECT_EQ(WritePdo(index, 2U, 0x21000008U), SdoAbort::kNone);
+        EXPECT_EQ(WritePdo(index, 0U, 2U), SdoAbort::kNone);
+    }
+    EXPECT_EQ(WritePdo(0x1800U, 1U, 0x185U), SdoAbort::kNone);
+    EXPECT_EQ(WritePdo(0x1400U, 1U, 0x205U), SdoAbort::kNone);
+    Cycle();
+    EXPECT_EQ(sink.Next(), (Octets{0x01U, 0x11U}));
+    // When 0 comes it is taken, and so is 1; what no BOOLEAN can be leaves it as it was
+    Hear({0x00U, 0x22U});
+    EXPECT_EQ(bit[0], 0U);
+    Hear({0x02U, 0x33U});
+    EXPECT_EQ(bit[0], 0U);
+    EXPECT_EQ(u8[0], 0x33U);
+    Hear({0x01U, 0x33U});
+    EXPECT_EQ(bit[0], 1U);
 }
 
 TEST_F(PdoMappingTest, DummiesAreSkipped)

@@ -143,6 +143,30 @@ TEST(GenerateTest, WhatHasNoLengthIsLeftOutWithAWarning)
               "value '9', expected one between LowLimit and HighLimit; it is generated all the same");
 }
 
+TEST(GenerateTest, AnEntryTellsIntoWhichPdosItMayBeMapped)
+{
+    Verifies(req::SRS_GEN_005);
+    std::string text = "[FileInfo]\n\n";
+    const char* const access[]{"rw", "ro", "rww", "rwr", "const", "wo"};
+    for (std::size_t number = 0U; number < 6U; ++number)
+    {
+        text += "[200" + std::to_string(number) + "]\nParameterName=A\nDataType=5\nAccessType=" + access[number] +
+                "\nDefaultValue=1\nPDOMapping=1\n";
+    }
+    text += test::Section("2006", "A", 5U, "rw", "1");
+    const std::string source = Code(text).source;
+    const std::vector<std::string> ends{"&objects, kInTpdo | kInRpdo},", "&objects, kInTpdo},",   "&objects, kInRpdo},",
+                                        "&objects, kInTpdo},",           "&constants, kInTpdo},", "&objects, kInRpdo},",
+                                        "&objects, &objects},"};
+    for (std::size_t number = 0U; number < ends.size(); ++number)
+    {
+        const std::size_t row = source.find("{0x200" + std::to_string(number) + "U, 0x00U, DataType");
+        ASSERT_NE(row, std::string::npos) << number;
+        EXPECT_NE(source.substr(row, source.find('\n', row) - row).find(ends[number]), std::string::npos)
+            << source.substr(row, source.find('\n', row) - row);
+    }
+}
+
 TEST(GenerateTest, TheOutputCompilesWithoutAWarning)
 {
     Verifies(req::SRS_GEN_004);

@@ -167,10 +167,14 @@ TEST_F(GeneratedRuntime, PresetTellsTheHookItsStoredValues)
     Verifies(req::SRS_GEN_008);
     Service service{};
     ASSERT_EQ(stored.Attach({0x1016U, 0x2FFFU}, {nullptr, &service}), AttachResult::kAttached);
-    // When the values of 1016h to 2000h are preset, then all that can be written are told, a counter is not
+    // When the values of 1016h to 2000h are preset, then all are told, constants and read-only ones, too; a counter is
+    // not
     EXPECT_EQ(stored.Preset({0x1016U, 0x2000U}).abort, SdoAbort::kNone);
-    const std::vector<std::array<std::uint32_t, 4U>> told{
-        {0x1016U, 1U, 2U, 1U}, {0x1017U, 0U, 3U, 1U}, {0x2000U, 0U, 'a', 2U}};
+    const std::vector<std::array<std::uint32_t, 4U>> told{{0x1016U, 1U, 2U, 1U},
+                                                          {0x1017U, 0U, 3U, 1U},
+                                                          {0x1018U, 0U, 0xA1U, 1U},
+                                                          {0x1019U, 0U, 4U, 1U},
+                                                          {0x2000U, 0U, 'a', 2U}};
     EXPECT_EQ(service.told, told);
 }
 
@@ -187,7 +191,7 @@ TEST_F(GeneratedRuntime, PresetGoesOnBehindARefusalAndNamesTheFirst)
     EXPECT_EQ(reply.object.index, 0x1017U);
     EXPECT_EQ(reply.object.sub, 0U);
     EXPECT_EQ(reply.refused, 2U);
-    EXPECT_EQ(service.told.size(), 3U);
+    EXPECT_EQ(service.told.size(), 5U);
     // And without a refusal there is nothing to name
     service.refused.clear();
     EXPECT_EQ(stored.Preset({0x1016U, 0xFFFFU}).abort, SdoAbort::kNone);
@@ -201,12 +205,12 @@ TEST_F(GeneratedRuntime, CompareNamesWhatAHookHasNot)
     Service service{};
     ASSERT_EQ(stored.Attach({0x1016U, 0x2FFFU}, {&service, &service}), AttachResult::kAttached);
     bytes[2] = 0x77U;
-    // Then 1017h is as it is stored, 1016h:01 (2) and the text of 2000h are not
+    // Then 1017h is as it is stored; 1016h:01 (2), 1018h (A1h), 1019h (4) and the text of 2000h are not
     const PresetReply reply = stored.Compare({0x1016U, 0x2000U});
     EXPECT_EQ(reply.abort, SdoAbort::kIncompatible);
     EXPECT_EQ(reply.object.index, 0x1016U);
     EXPECT_EQ(reply.object.sub, 1U);
-    EXPECT_EQ(reply.refused, 2U);
+    EXPECT_EQ(reply.refused, 4U);
     EXPECT_EQ(stored.Compare({0x1017U, 0x1017U}).refused, 0U);
 }
 

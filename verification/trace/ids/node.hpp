@@ -56,6 +56,8 @@ inline constexpr RequirementId SRS_NODE_025{"SRS_NODE_025"};
 inline constexpr RequirementId SRS_NODE_030{"SRS_NODE_030"};
 inline constexpr RequirementId SRS_NODE_031{"SRS_NODE_031"};
 inline constexpr RequirementId SRS_NODE_032{"SRS_NODE_032"};
+inline constexpr RequirementId SRS_NODE_037{"SRS_NODE_037"};
+inline constexpr RequirementId SRS_NODE_038{"SRS_NODE_038"};
 } // namespace counterpoint::req
 
 #endif

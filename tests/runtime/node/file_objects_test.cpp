@@ -1,0 +1,301 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/node/device.hpp"
+#include "tests/tools/command_run.hpp"
+#include "tests/tools/echo_bus.hpp"
+#include "verification/trace/ids/node.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+// The objects of services are those of the file: which sub-indices there are, who may write them, what they are.
+namespace counterpoint::runtime
+{
+namespace
+{
+using cia301::SdoAbort;
+
+constexpr std::uint64_t kNsPerMs = 1000000U;
+
+/// A section of a data element: its type by number, its access, its value (empty: none).
+std::string Element(const std::string& section, const char* const type, const char* const access,
+                    const std::string& value)
+{
+    return "[" + section + "]\nDataType=" + type + "\nAccessType=" + access + "\n" +
+           (value.empty() ? "" : "DefaultValue=" + value + "\n");
+}
+
+/// A section of a record.
+std::string Record(const std::string& section)
+{
+    return "[" + section + "]\nObjectType=9\n";
+}
+
+const std::string kHead = "[DeviceInfo]\nVendorName=test\n[DeviceComissioning]\nNodeID=5\n" +
+                          Element("1000", "7", "ro", "0") + Element("1001", "5", "ro", "") +
+                          "[2000]\nDataType=5\nAccessType=rw\nDefaultValue=17\nPDOMapping=1\n";
+
+class FileObjectsTest : public tools::test::CommandTest
+{
+  protected:
+    /// A node of this file, switched on: PRE-OPERATIONAL.
+    void Start(const std::string& objects, const std::string& store = "")
+    {
+        StartFile(File("node.dcf", kHead + objects), store);
+    }
+    void StartFile(const std::string& file, const std::string& store = "")
+    {
+        device.reset();
+        NodeSettings settings;
+        settings.dcf = file;
+        settings.store = store;
+        settings.has_self_tests = false;
+        device = std::make_unique<NodeDevice>(settings, ports, report);
+        now_ns += kNsPerMs;
+        ASSERT_TRUE(device->PowerOn({Instant{0U}, Instant{0U}}, now_ns));
+    }
+    /// As a client reads: little-endian, at most 4 bytes.
+    [[nodiscard]] std::uint32_t Read(const ObjectAddress& object)
+    {
+        std::uint8_t bytes[4U]{};
+        EXPECT_EQ(device->Assembly().Dictionary().Read(object, {bytes, 4U}).abort, SdoAbort::kNone)
+            << cia306::ObjectName(object.index, object.sub);
+        return bytes[0] | (std::uint32_t{bytes[1]} << 8U) | (std::uint32_t{bytes[2]} << 16U) |
+               (std::uint32_t{bytes[3]} << 24U);
+    }
+    [[nodiscard]] SdoAbort ReadAbort(const ObjectAddress& object)
+    {
+        std::uint8_t bytes[4U]{};
+        return device->Assembly().Dictionary().Read(object, {bytes, 4U}).abort;
+    }
+    /// As a client writes.
+    [[nodiscard]] SdoAbort Write(const ObjectAddress& object, const std::uint32_t value, const std::uint32_t size_bytes)
+    {
+        const std::uint8_t bytes[4U]{
+            static_cast<std::uint8_t>(value & 0xFFU), static_cast<std::uint8_t>((value >> 8U) & 0xFFU),
+            static_cast<std::uint8_t>((value >> 16U) & 0xFFU), static_cast<std::uint8_t>(value >> 24U)};
+        return device->Assembly().Dictionary().Write(object, {bytes, size_bytes});
+    }
+    void Save()
+    {
+        SdoAbort abort = SdoAbort::kPending;
+        for (int i = 0; i < 100000 && abort == SdoAbort::kPending; ++i)
+        {
+            abort = Write({0x1010U, 1U}, 0x65766173U, 4U);
+            now_ns += kNsPerMs;
+            device->Serve({Instant{0U}, Instant{0U}}, now_ns);
+            std::this_thread::sleep_for(std::chrono::microseconds(10));
+        }
+        ASSERT_EQ(abort, SdoAbort::kNone);
+    }
+    [[nodiscard]] std::string Told()
+    {
+        device.reset();
+        static_cast<void>(report.Finish());
+        return out.str();
+    }
+
+    std::ostringstream out{};
+    NodeReport report{out, ReportForm::kText, 0U};
+    NodePorts ports{std::make_unique<tools::test::EchoBus>(false, 0U),
+                    std::make_unique<tools::test::EchoBus>(false, 0U)};
+    std::unique_ptr<NodeDevice> device{};
+    std::uint64_t now_ns{kNsPerMs};
+};
+
+struct Constant
+{
+    ObjectAddress object;
+    std::uint32_t value;
+    std::uint32_t size_bytes;
+};
+
+TEST_F(FileObjectsTest, AConstantOfAServiceHasTheValueOfTheFileAndTakesNone)
+{
+    Verifies(req::SRS_NODE_037);
+    for (const char* const access : {"const", "ro"})
+    {
+        // Given a file in which all that services have cannot be written
+        const auto fixed = [access](const std::string& section, const char* const type, const std::string& value)
+        { return Element(section, type, access, value); };
+        Start(fixed("1005", "7", "0x90") + fixed("1014", "7", "0x86") + fixed("1015", "6", "30") + Record("1016") +
+              fixed("1016sub0", "5", "1") + fixed("1016sub1", "7", "0x00060064") + fixed("1017", "6", "100") +
+              Record("1029") + fixed("1029sub0", "5", "1") + fixed("1029sub1", "5", "2") + Record("1400") +
+              fixed("1400sub0", "5", "2") + fixed("1400sub1", "7", "0x205") + fixed("1400sub2", "5", "1") +
+              Record("1600") + fixed("1600sub0", "5", "1") + fixed("1600sub1", "7", "0x20000008") + Record("1800") +
+              fixed("1800sub0", "5", "2") + fixed("1800sub1", "7", "0x40000185") + fixed("1800sub2", "5", "1") +
+              Record("1A00") + fixed("1A00sub0", "5", "1") + fixed("1A00sub1", "7", "0x20000008"));
+        const std::vector<Constant> constants{
+            {{0x1005U, 0U}, 0x90U, 4U},       {{0x1014U, 0U}, 0x86U, 4U},       {{0x1015U, 0U}, 30U, 2U},
+            {{0x1016U, 0U}, 1U, 1U},          {{0x1016U, 1U}, 0x00060064U, 4U}, {{0x1017U, 0U}, 100U, 2U},
+            {{0x1029U, 0U}, 1U, 1U},          {{0x1029U, 1U}, 2U, 1U},          {{0x1400U, 0U}, 2U, 1U},
+            {{0x1400U, 1U}, 0x205U, 4U},      {{0x1400U, 2U}, 1U, 1U},          {{0x1600U, 0U}, 1U, 1U},
+            {{0x1600U, 1U}, 0x20000008U, 4U}, {{0x1800U, 0U}, 2U, 1U},          {{0x1800U, 1U}, 0x40000185U, 4U},
+            {{0x1800U, 2U}, 1U, 1U},          {{0x1A00U, 0U}, 1U, 1U},          {{0x1A00U, 1U}, 0x20000008U, 4U},
+        };
+        // Then each reads as in the file, and refuses a write, be it the same value
+        for (const Constant& one : constants)
+        {
+            EXPECT_EQ(Read(one.object), one.value) << access << " " << std::hex << one.object.index;
+            EXPECT_EQ(Write(one.object, one.value, one.size_bytes), SdoAbort::kReadOnly)
+                << access << " " << std::hex << one.object.index;
+        }
+        // And the services work with it
+        device::Services& services = device->Assembly().Services();
+        EXPECT_EQ(services.emergency.CobId(), 0x86U);
+        EXPECT_EQ(services.producer.PeriodMs(), 100U);
+        EXPECT_EQ(services.consumer.Value(1U), 0x00060064U);
+        EXPECT_EQ(services.tpdos.FetchSetting(1U, 2U).value, 1U);
+        EXPECT_EQ(services.tpdos.FetchMapping(1U, 0U).value, 1U);
+        EXPECT_EQ(services.rpdos.FetchMapping(1U, 0U).value, 1U);
+    }
+    EXPECT_EQ(Told().find("warning"), std::string::npos) << out.str();
+}
+
+TEST_F(FileObjectsTest, AWriteOnlyObjectOfAServiceIsNotRead)
+{
+    Verifies(req::SRS_NODE_037);
+    Start(Element("1017", "6", "wo", "100"));
+    EXPECT_EQ(ReadAbort({0x1017U, 0U}), SdoAbort::kWriteOnly);
+    EXPECT_EQ(device->Assembly().Services().producer.PeriodMs(), 100U);
+    EXPECT_EQ(Write({0x1017U, 0U}, 200U, 2U), SdoAbort::kNone);
+    EXPECT_EQ(device->Assembly().Services().producer.PeriodMs(), 200U);
+}
+
+TEST_F(FileObjectsTest, AnotherIdentifierOfTheDefaultSdoIsTold)
+{
+    Verifies(req::SRS_NODE_037);
+    Start(Record("1200") + Element("1200sub0", "5", "const", "2") + Element("1200sub1", "7", "const", "0x605") +
+          Element("1200sub2", "7", "ro", "0x5A0"));
+    EXPECT_EQ(Read({0x1200U, 1U}), 0x605U);
+    EXPECT_EQ(Read({0x1200U, 2U}), 0x585U);
+    const std::string told = Told();
+    EXPECT_NE(told.find("0x1200:02: the device does without this value, expected the identifier of the default SDO"),
+              std::string::npos)
+        << told;
+    EXPECT_EQ(told.find("0x1200:01"), std::string::npos) << told;
+}
+
+TEST_F(FileObjectsTest, SubIndicesAreThoseOfTheFile)
+{
+    Verifies(req::SRS_NODE_038);
+    // Given records with fewer and more sub-indices than the services have
+    Start(Record("1016") + Element("1016sub0", "5", "rw", "2") + Element("1016sub1", "7", "rw", "0") +
+          Element("1016sub2", "7", "rw", "0") + Record("1029") + Element("1029sub0", "5", "const", "7") +
+          Element("1029sub1", "5", "rw", "1") + Element("1029sub7", "5", "rw", "9") + Record("1400") +
+          Element("1400sub0", "5", "ro", "2") + Element("1400sub1", "7", "rw", "0x80000205") +
+          Element("1400sub2", "5", "rw", "254") + Record("1401") + Element("1401sub0", "5", "const", "6") +
+          Element("1401sub1", "7", "rw", "0x80000305") + Element("1401sub2", "5", "rw", "254") +
+          Element("1401sub6", "5", "rw", "3") + Record("1800") + Element("1800sub0", "5", "ro", "5") +
+          Element("1800sub1", "7", "rw", "0xC0000185") + Element("1800sub2", "5", "rw", "254") +
+          Element("1800sub3", "6", "rw", "10") + Element("1800sub4", "5", "rw", "4") +
+          Element("1800sub5", "6", "ro", "50") + Record("1801") + Element("1801sub0", "5", "ro", "") +
+          Element("1801sub1", "7", "rw", "0xC0000285") + Element("1801sub2", "5", "rw", "1") +
+          Element("1801sub6", "5", "rw", "7"));
+    // Then sub-index 0 is that of the file, or the highest there is where the file gives none
+    EXPECT_EQ(Read({0x1016U, 0U}), 2U);
+    EXPECT_EQ(Read({0x1029U, 0U}), 7U);
+    EXPECT_EQ(Read({0x1400U, 0U}), 2U);
+    EXPECT_EQ(Read({0x1401U, 0U}), 6U);
+    EXPECT_EQ(Read({0x1800U, 0U}), 5U);
+    EXPECT_EQ(Read({0x1801U, 0U}), 6U);
+    // And takes no other value, even if the file lets it be written
+    EXPECT_EQ(Write({0x1016U, 0U}, 2U, 1U), SdoAbort::kNone);
+    EXPECT_EQ(Write({0x1016U, 0U}, 1U, 1U), SdoAbort::kReadOnly);
+    EXPECT_EQ(Write({0x1400U, 0U}, 2U, 1U), SdoAbort::kReadOnly);
+    // And what the file has not is not there
+    const std::vector<ObjectAddress> missing{{0x1016U, 3U}, {0x1029U, 2U}, {0x1400U, 3U}, {0x1400U, 5U},
+                                             {0x1401U, 5U}, {0x1800U, 6U}, {0x1801U, 3U}, {0x1801U, 5U}};
+    for (const ObjectAddress& object : missing)
+    {
+        EXPECT_EQ(ReadAbort(object), SdoAbort::kSubUnknown) << std::hex << object.index;
+        EXPECT_EQ(Write(object, 0U, 1U), SdoAbort::kSubUnknown) << std::hex << object.index;
+    }
+    // And what it has and no service uses is there, with value and access
+    EXPECT_EQ(Read({0x1800U, 4U}), 4U);
+    EXPECT_EQ(Write({0x1800U, 4U}, 5U, 1U), SdoAbort::kNone);
+    EXPECT_EQ(Read({0x1800U, 4U}), 5U);
+    EXPECT_EQ(Read({0x1401U, 6U}), 3U);
+    EXPECT_EQ(Read({0x1029U, 7U}), 9U);
+    // And what a service uses is the service's
+    EXPECT_EQ(device->Assembly().Services().tpdos.FetchSetting(1U, 3U).value, 10U);
+    EXPECT_EQ(device->Assembly().Services().tpdos.FetchSetting(1U, 5U).value, 50U);
+    EXPECT_EQ(Write({0x1800U, 5U}, 60U, 2U), SdoAbort::kReadOnly);
+    EXPECT_EQ(device->Assembly().Services().tpdos.FetchSetting(2U, 6U).value, 7U);
+    EXPECT_EQ(Told().find("warning"), std::string::npos) << out.str();
+}
+
+// CiA 301 has groups 1 to 4 in 1010h; a file may have more of them
+TEST_F(FileObjectsTest, AGroupThatTheStoreHasNotIsNotSaved)
+{
+    Verifies(req::SRS_NODE_038);
+    Start(Record("1010") + Element("1010sub0", "5", "ro", "5") + Element("1010sub1", "7", "rw", "1") +
+              Element("1010sub5", "7", "rw", "1"),
+          Path("node.store"));
+    EXPECT_EQ(Read({0x1010U, 0U}), 5U);
+    EXPECT_EQ(Read({0x1010U, 1U}), 1U);
+    EXPECT_EQ(Read({0x1010U, 5U}), 0U);
+    EXPECT_EQ(Write({0x1010U, 5U}, 0x65766173U, 4U), SdoAbort::kNotStored);
+    EXPECT_EQ(ReadAbort({0x1010U, 2U}), SdoAbort::kSubUnknown);
+}
+
+// A CompactSubObj gives all sub-indices one access right, their number, too
+TEST_F(FileObjectsTest, ANumberOfSubIndicesThatWasSavedIsLoaded)
+{
+    Verifies(req::SRS_NODE_038);
+    Verifies(req::SRS_NODE_030);
+    const std::string objects = Record("1010") + Element("1010sub0", "5", "ro", "1") +
+                                Element("1010sub1", "7", "rw", "1") + "[1016]\nObjectType=8\nDataType=7\n" +
+                                "AccessType=rw\nCompactSubObj=2\n" + Element("1014", "7", "rw", "0xA0");
+    Start(objects, Path("node.store"));
+    EXPECT_EQ(Read({0x1016U, 0U}), 2U);
+    EXPECT_EQ(Write({0x1016U, 1U}, 0x00060064U, 4U), SdoAbort::kNone);
+    Save();
+    Start(objects, Path("node.store"));
+    EXPECT_EQ(Read({0x1014U, 0U}), 0xA0U);
+    EXPECT_EQ(Read({0x1016U, 0U}), 2U);
+    EXPECT_EQ(Read({0x1016U, 1U}), 0x00060064U);
+    EXPECT_EQ(Told().find("warning"), std::string::npos) << out.str();
+}
+
+TEST_F(FileObjectsTest, ABooleanOfAPdoMayBeAByte)
+{
+    Verifies(req::SRS_NODE_017);
+    // Given a TPDO with a BOOLEAN of 8 bits, then it is on; one of 2 bits is told, with the PDO
+    const auto pdo = [](const std::string& mapping)
+    {
+        return "[2001]\nDataType=1\nAccessType=rw\nDefaultValue=1\nPDOMapping=1\n" + Record("1800") +
+               Element("1800sub0", "5", "const", "2") + Element("1800sub1", "7", "rw", "0x40000185") +
+               Element("1800sub2", "5", "rw", "254") + Record("1A00") + Element("1A00sub0", "5", "rw", "1") +
+               Element("1A00sub1", "7", "rw", mapping);
+    };
+    Start(pdo("0x20010008"));
+    EXPECT_EQ(Read({0x1800U, 1U}), 0x40000185U);
+    EXPECT_EQ(Read({0x1A00U, 1U}), 0x20010008U);
+    Start(pdo("0x20010002"));
+    EXPECT_EQ(Read({0x1800U, 1U}), 0xC0000185U);
+    const std::string told = Told();
+    EXPECT_NE(told.find("0x1A00:01: the device does without this field of 2 bit, expected 1 or 8 bit, the length of "
+                        "0x2001:00"),
+              std::string::npos)
+        << told;
+    EXPECT_NE(told.find("0x1800:01: the device has turned this PDO off"), std::string::npos) << told;
+}
+
+// An SRDO has the length of its object, which is one bit: what check says with both lengths the device says with a code
+TEST_F(FileObjectsTest, ABooleanOfAnSrdoIsOneBit)
+{
+    Verifies(req::SRS_NODE_001);
+    StartFile(std::string(COUNTERPOINT_SOURCE) + "/tests/canopen/cia306/data/bits.dcf");
+    EXPECT_EQ(Write({0x1301U, 1U}, 0U, 1U), SdoAbort::kNone);
+    EXPECT_EQ(Write({0x1381U, 0U}, 0U, 1U), SdoAbort::kNone);
+    EXPECT_EQ(Write({0x1381U, 1U}, 0x60200108U, 4U), SdoAbort::kNotMappable);
+    EXPECT_EQ(Write({0x1381U, 1U}, 0x60200101U, 4U), SdoAbort::kNone);
+}
+} // namespace
+} // namespace counterpoint::runtime
