@@ -18,6 +18,7 @@
 #include <poll.h>
 #include <string>
 #include <system_error>
+#include <unistd.h>
 #include <vector>
 
 namespace counterpoint::tools
@@ -58,9 +59,18 @@ constexpr Time kSettled = 20 * monitor::kMillisecond;
 
 volatile std::sig_atomic_t is_interrupted = 0;
 
-void OnInterrupt(int /*signal*/)
+/// The end waits for whoever reads the output: at Ctrl-C, for he sits before it, as long as it takes.
+constexpr unsigned kPatienceSeconds = 2U;
+
+void OnInterrupt(const int signal)
 {
     is_interrupted = 1;
+    static_cast<void>((signal == SIGTERM) ? ::alarm(kPatienceSeconds) : 0U);
+}
+
+void GiveUp(int /*signal*/)
+{
+    ::_exit(static_cast<int>(ExitStatus::kBadInput));
 }
 
 LogFrame FrameOf(const host::LiveFrame& live)
@@ -187,7 +197,11 @@ class MonitorCommand final : public Command
         DeviceOptions options;
         options.file = file_;
         options.is_json = is_json_;
-        return RunOnDevice(options, streams, [&] { return Watch(streams); });
+        const auto before = std::signal(SIGALRM, &GiveUp);
+        const ExitStatus status = RunOnDevice(options, streams, [&] { return Watch(streams); });
+        static_cast<void>(::alarm(0U));
+        static_cast<void>(std::signal(SIGALRM, before));
+        return status;
     }
 
   private:

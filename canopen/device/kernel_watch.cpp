@@ -101,8 +101,6 @@ std::uint16_t CodeOf(const DeviceFault fault) noexcept
         code = kModule;
         break;
     case DeviceFault::kFrameOrder:
-        code = kCommunication;
-        break;
     case DeviceFault::kInvalid:
     case DeviceFault::kDisagreement:
     case DeviceFault::kUnmatched:

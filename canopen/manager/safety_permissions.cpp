@@ -11,20 +11,42 @@ namespace
 constexpr std::uint16_t kFirstSafety = 0x1300U;
 constexpr std::uint16_t kLastSafety = 0x13FFU;
 
-/// Of an answer that somebody may write, or has written, this object.
-bool IsWriteAnswer(const CanFrame& frame) noexcept
+/// What an answer says of a download.
+enum class Download : std::uint8_t
+{
+    kNone = 0U,
+    kBegun = 1U, ///< It may be written, or is: the answer names the object.
+    kRest = 2U,  ///< A segment, or the end of a block: of what was begun last.
+};
+
+Download DownloadIn(const CanFrame& frame) noexcept
 {
     constexpr std::uint32_t kAnswers = 0x580U;
     constexpr std::uint8_t kSdoBytes = 8U;
-    constexpr std::uint8_t kDownload = 0x60U;
-    constexpr std::uint8_t kDownloadBits = 0xE0U;
-    constexpr std::uint8_t kBlockDownload = 0xA0U;
+    constexpr std::uint8_t kCommandBits = 0xE0U;
+    constexpr std::uint8_t kBegin = 0x60U;
+    constexpr std::uint8_t kSegment = 0x20U;
     constexpr std::uint8_t kBlockBits = 0xE3U;
+    constexpr std::uint8_t kBlockBegin = 0xA0U;
+    constexpr std::uint8_t kBlockEnd = 0xA1U;
     const bool is_answer = (frame.kind == FrameKind::kData) && (frame.length_bytes == kSdoBytes) &&
                            ((frame.identifier & ~std::uint32_t{kLastNode}) == kAnswers);
-    const bool is_write =
-        ((frame.data[0] & kDownloadBits) == kDownload) || ((frame.data[0] & kBlockBits) == kBlockDownload);
-    return is_answer && is_write;
+    const auto command = static_cast<std::uint8_t>(frame.data[0] & kCommandBits);
+    const auto block = static_cast<std::uint8_t>(frame.data[0] & kBlockBits);
+    Download download = Download::kNone;
+    if (is_answer && ((command == kBegin) || (block == kBlockBegin)))
+    {
+        download = Download::kBegun;
+    }
+    else if (is_answer && ((command == kSegment) || (block == kBlockEnd)))
+    {
+        download = Download::kRest;
+    }
+    else
+    {
+        // Something else, or no answer.
+    }
+    return download;
 }
 
 } // namespace
@@ -117,11 +139,17 @@ void SafetyPermissions::OnFrame(const CanFrame& frame, const StartUp* const prof
     constexpr std::uint16_t kStore = 0x1010U;
     constexpr std::uint16_t kRestore = 0x1011U;
     const NodeId node{static_cast<std::uint8_t>(frame.identifier & kLastNode)};
-    const ObjectAddress object{static_cast<std::uint16_t>(cia301::FromLittleEndian(&frame.data[1], 2U)), frame.data[3]};
+    const Download download = DownloadIn(frame);
+    const ObjectAddress named{static_cast<std::uint16_t>(cia301::FromLittleEndian(&frame.data[1], 2U)), frame.data[3]};
+    if (download == Download::kBegun)
+    {
+        gate_.NoteDownload(node, named);
+    }
+    const ObjectAddress object = gate_.LastDownload(node);
     const bool is_configuration = (object.index > kFirstSafety) && (object.index <= kLastSafety);
     const bool is_other = (object.index == kFirstSafety) || (object.index == kStore) || (object.index == kRestore);
-    const bool is_meant =
-        IsWriteAnswer(frame) && setup_.IsSafetySlave(node) && (is_configuration || is_other) && (profile != nullptr);
+    const bool is_meant = (download != Download::kNone) && setup_.IsSafetySlave(node) &&
+                          (is_configuration || is_other) && (profile != nullptr);
     if (is_meant && gate_.OnWritten(node, object) && (gate_.State(node) == GateState::kOpen))
     {
         const bool is_started = HasStarted(node, *profile);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace counterpoint::monitor
 {
@@ -67,6 +68,7 @@ void SrdoWatch::Stop(const Time now) noexcept
 {
     End(now);
     has_remainder_ = has_remainder_ || pending_.has_value();
+    overdue_.reset();
     early_.reset();
     pending_.reset();
     held_.reset();
@@ -101,6 +103,7 @@ void SrdoWatch::Advance(const Time now)
     }
     const bool is_srvt = pending_ && !setup_.is_late;
     has_remainder_ = pending_.has_value();
+    overdue_ = pending_ ? std::optional<Time>(pending_->time) : std::nullopt;
     const std::string since = is_srvt ? "no inverse frame within " + MillisecondsText(setup_.srvt)
                                       : "no pair within " + MillisecondsText(setup_.sct);
     Report(deadline, is_srvt ? Cause::kSrvt : Cause::kSct,
@@ -167,6 +170,7 @@ void SrdoWatch::TakeNormal(const LogFrame& frame)
     }
     const bool was_pending = pending_.has_value();
     has_remainder_ = false;
+    overdue_.reset();
     blind_until_.reset();
     if (frame.length != length_)
     {
@@ -207,13 +211,14 @@ void SrdoWatch::TakeInverse(const LogFrame& frame)
     has_remainder_ = false;
     early_.reset();
     blind_until_.reset();
+    const std::optional<Time> since = pending_ ? std::optional<Time>(pending_->time) : std::exchange(overdue_, {});
+    if (since)
+    {
+        srvt_.Add(frame.time - *since);
+    }
     if (is_remainder)
     {
         return;
-    }
-    if (pending_)
-    {
-        srvt_.Add(frame.time - pending_->time);
     }
     if (frame.length != length_)
     {

@@ -145,6 +145,7 @@ class SrdoWatch
     std::optional<Time> held_;        ///< Normal frame of the last valid pair, while SCT is supervised.
     std::optional<Time> last_good_;   ///< Likewise, for the cycle, whether or not it is supervised.
     bool has_remainder_{false};       ///< The inverse frame of a discarded pair may still come.
+    std::optional<Time> overdue_;     ///< Normal frame whose inverse frame did not come in time, and may still come.
     std::optional<LogFrame> early_;   ///< Inverse frame told as first, whose normal frame may still come.
     std::optional<Time> blind_until_; ///< Likewise, because the normal frame was not seen.
     std::size_t pairs_{0U};

@@ -155,6 +155,37 @@ bool IsLeftOut(const ManagerAssembly& assembly, const std::uint8_t node)
     return is_left_out;
 }
 
+/// Whether the start-up of this slave, which is no safety slave, found something wrong: only an order starts it.
+bool IsRefused(const ManagerAssembly& assembly, const std::uint8_t node)
+{
+    constexpr std::int16_t kSdoFailed = 4;
+    constexpr std::int16_t kValueDiffers = 5;
+    const cia302::NodeStatus status = assembly.Core().Status(cia302::NodeId{node});
+    const bool is_el6751 = assembly.Net().Plan().manager.profile == network_plan::StartProfile::kEl6751;
+    const bool is_wrong = is_el6751 ? (status.code == kSdoFailed || status.code == kValueDiffers)
+                                    : (status.letter != 0 && status.letter != 'L');
+    return is_wrong && !status.is_busy && !assembly.Net().Setup().IsSafetySlave(cia302::NodeId{node});
+}
+
+/// Behind the answer to a start: who takes it though something is wrong with it.
+std::string DespiteWhat(const ManagerOrder& order, const ManagerAssembly& assembly)
+{
+    const network_plan::StartProfile profile = assembly.Net().Plan().manager.profile;
+    const bool is_meant = order.command == cia302::NmtCommand::kStart &&
+                          (order.node != 0U || profile == network_plan::StartProfile::kEl6751);
+    std::string named;
+    for (const auto& slave : assembly.Net().Slaves())
+    {
+        const std::uint8_t node = slave->plan.node;
+        if (is_meant && (order.node == 0U || order.node == node) && IsRefused(assembly, node))
+        {
+            named += (named.empty() ? "node " : ", node ") + std::to_string(node) + ": " +
+                     StatusText(profile, assembly.Core().Status(cia302::NodeId{node}));
+        }
+    }
+    return named.empty() ? named : "; started all the same: " + named;
+}
+
 /// Each slave that does not take the order, and why.
 std::string LeftOut(const ManagerOrder& order, const ManagerAssembly& assembly, const bool is_by_state)
 {
@@ -183,6 +214,7 @@ std::string LeftOut(const ManagerOrder& order, const ManagerAssembly& assembly, 
 std::string AnswerTo(const ManagerOrder& order, ManagerAssembly& assembly, const Instant now)
 {
     using cia302::NmtAnswer;
+    const std::string despite = DespiteWhat(order, assembly); // The start may take away what was found.
     const NmtAnswer answer = assembly.Core().Role().Command(order.command, cia302::NodeId{order.node}, now);
     const bool is_plc = assembly.Net().Plan().manager.profile == network_plan::StartProfile::kPlcDesigner;
     const bool is_start = order.command == cia302::NmtCommand::kStart;
@@ -193,7 +225,9 @@ std::string AnswerTo(const ManagerOrder& order, ManagerAssembly& assembly, const
     const std::string some = is_by_state ? "taken, but not by " : "taken but for ";
     const std::string expected =
         is_by_state ? ", expected each in state 4, 5 or 99" : ", expected that one, and boot NODE";
-    return left_out.empty() ? WordOf(answer) : (is_partly ? some : "not taken by ") + left_out + expected;
+    const std::string text =
+        left_out.empty() ? WordOf(answer) : (is_partly ? some : "not taken by ") + left_out + expected;
+    return text + ((answer == NmtAnswer::kTaken || is_partly) ? despite : "");
 }
 
 /// The table of the manual network management has a row for each state and pair.

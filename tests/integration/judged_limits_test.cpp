@@ -99,6 +99,22 @@ TEST(JudgedLimit, FollowsTheDetectionOfTheDevice)
     EXPECT_EQ(MeasurementOf(*other).limit, 73000 * kUs);
 }
 
+// Late detection, one inverse frame lost: SCT is over with the next pair, which is complete before the cycle that
+// closes, and released no more. What counts is the pair before the lost one, 50 ms earlier.
+TEST(JudgedLimit, DoesNotCountFromAPairThatWasNotReleased)
+{
+    Verifies(req::SRS_SIM_031);
+    const auto run =
+        RunChainOf({{"actuator", {{"5F05sub1", "0x3C"}}}},
+                   "faults:\n  - {fault: loss, frames: {identifier: 0x104, receiver: actuator, from: 500 ms}}\n"
+                   "expect:\n  - {that: safe_within, node: actuator, srdo: 1}\n");
+    EXPECT_EQ(Failures(*run), "");
+    EXPECT_EQ(MeasurementOf(*run).limit, 53000 * kUs);
+    // SCT 50 ms, up to a cycle of 1 ms, output 1 ms
+    EXPECT_GE(MeasurementOf(*run).elapsed, 51000 * kUs);
+    EXPECT_LE(MeasurementOf(*run).elapsed, 52500 * kUs);
+}
+
 TEST(JudgedLimit, ThatIsNoneHoldsForNobody)
 {
     Verifies(req::SRS_SIM_031);

@@ -59,4 +59,14 @@ if [ $? -ne 2 ]; then
   echo "counterpoint sign >/dev/full: expected status 2"
   failures=$((failures + 1))
 fi
+# Nobody reads what a monitor tells: SIGTERM ends it all the same.
+mkfifo "$folder/unread"
+exec 3<>"$folder/unread"
+head -c 65536 /dev/zero >&3
+timeout --kill-after=300 1 "$program" monitor --can udp:239.74.163.94:$((20000 + $$ % 40000)) --frames --for 600 >&3 2>/dev/null
+if [ $? -ne 124 ]; then
+  echo "counterpoint monitor >unread: expected an end by SIGTERM"
+  failures=$((failures + 1))
+fi
+exec 3>&-
 [ "$failures" -eq 0 ]

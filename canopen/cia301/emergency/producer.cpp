@@ -31,12 +31,21 @@ EmergencyProducer::EmergencyProducer(const NodeId node, const ErrorHistory& hist
     }
 }
 
+/// Who hears the boot-up message that follows takes the device for one without errors.
 void EmergencyProducer::ResetCommunication(const NodeId node) noexcept
 {
     cob_id_ = 0x80U + node.value;
     inhibit_100us_ = 0U;
     waiting_count_ = 0U;
     is_inhibited_ = false;
+    for (std::uint16_t at = 0U; at < active_count_; ++at)
+    {
+        const EmergencyError& error = room_.active[at];
+        if (error.urgency == EmergencyUrgency::kUrgent)
+        {
+            Queue(error.code, error);
+        }
+    }
 }
 
 void EmergencyProducer::Raise(const EmergencyError& error) noexcept

@@ -69,7 +69,8 @@ class EmergencyProducer
     EmergencyProducer& operator=(const EmergencyProducer&) = delete;
     ~EmergencyProducer() = default;
 
-    /// @brief Reset communication: 1014h and 1015h as at power-on; errors stay. [SRS_EMCY_008]
+    /// @brief Reset communication: 1014h and 1015h as at power-on; errors stay, urgent ones are told again.
+    /// O(room^2) [SRS_EMCY_008]
     void ResetCommunication(NodeId node) noexcept;
     /// @brief An error appeared; nothing happens if its code is active already for its source. O(room) [SRS_EMCY_001,
     /// SRS_EMCY_010]

@@ -24,7 +24,7 @@ SafetyGate::SafetyGate(const NetworkSetup& setup, const SafetySlots& room, SdoPo
     {
         if (setup_.IsSafetySlave(NodeId{node}) && (used < room_.count))
         {
-            room_.slots[used] = SafetySlot{NodeId{node}, 0U, SafetyCheck{}, false};
+            room_.slots[used] = SafetySlot{NodeId{node}, 0U, SafetyCheck{}, false, {0U, 0U}};
             ++used;
         }
     }
@@ -97,6 +97,21 @@ bool SafetyGate::OnWritten(const NodeId node, const ObjectAddress& object) noexc
         Renew(node);
     }
     return is_foreign;
+}
+
+void SafetyGate::NoteDownload(const NodeId node, const ObjectAddress& object) noexcept
+{
+    SafetySlot* const slot = Find(node);
+    if (slot != nullptr)
+    {
+        slot->download = object;
+    }
+}
+
+ObjectAddress SafetyGate::LastDownload(const NodeId node) const noexcept
+{
+    const SafetySlot* const slot = Find(node);
+    return (slot != nullptr) ? slot->download : ObjectAddress{0U, 0U};
 }
 
 void SafetyGate::OnCycle(const Instant now) noexcept

@@ -15,7 +15,8 @@ struct SafetySlot
     NodeId node;
     std::uint32_t permit; ///< Derived from the node-ID while the gate is open; everything else grants nothing.
     SafetyCheck check;
-    bool is_doubted; ///< Two devices may have this node-ID: nothing that it says is believed.
+    bool is_doubted;        ///< Two devices may have this node-ID: nothing that it says is believed.
+    ObjectAddress download; ///< Of the last one to it that was begun, by whomever; 0000h: none.
 };
 
 /// Room for as many slaves as have an expectation, kept by reference.
@@ -53,6 +54,11 @@ class SafetyGate final : public StartGate
     /// @brief The slave has answered that an object of its safety configuration was written. True: by somebody else; a
     /// verification or writing that runs begins again. [SRS_SFS_011]
     [[nodiscard]] bool OnWritten(NodeId node, const ObjectAddress& object) noexcept;
+    /// @brief The slave has answered that this object will be downloaded to it: of the segments and the end of a block
+    /// that follow no answer names it. Without a slot nothing is kept. [SRS_SFS_011]
+    void NoteDownload(NodeId node, const ObjectAddress& object) noexcept;
+    /// @brief The last such object; 0000h: none.
+    [[nodiscard]] ObjectAddress LastDownload(NodeId node) const noexcept;
     void OnCycle(Instant now) noexcept override;
     void Close(NodeId node) noexcept override;
     [[nodiscard]] GateState State(NodeId node) const noexcept override;

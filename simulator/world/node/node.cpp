@@ -163,6 +163,7 @@ void Node::Cycle()
         LookInside();
     }
     outputs_.Look(clock_.CycleTime());
+    pairs_.OnCycle();
     clock_.Advance();
     Settle();
     if (processor_.IsRunning())

@@ -59,9 +59,11 @@ void NodeOutputs::NoteOpen(const SrdoMask open)
         if (((changed >> slot) & 1U) != 0U)
         {
             const PairTimes& times = pairs_.TimesOf(slot);
-            place_.journal.Note({place_.Now(), EventKind::kOutput, place_.index, model_.NumberOf(slot),
-                                 (open >> slot) & 1U, 0U, times.last_good_normal, times.last_normal,
-                                 times.first_wrong_inverse});
+            const std::uint64_t is_open = (open >> slot) & 1U;
+            // What closes is no pair that came since the last cycle: it was not released.
+            const Nanoseconds since = (is_open != 0U) ? times.last_good_normal : times.judged_normal;
+            place_.journal.Note({place_.Now(), EventKind::kOutput, place_.index, model_.NumberOf(slot), is_open, 0U,
+                                 since, times.last_normal, times.first_wrong_inverse});
         }
     }
 }

@@ -88,4 +88,12 @@ void NodePairs::OnFrame(const CanFrame& frame)
     place_.Tell(EventKind::kReception, model_.NumberOf(slot), frame.identifier, is_good ? 1U : 0U);
 }
 
+void NodePairs::OnCycle()
+{
+    for (PairTimes& times : times_)
+    {
+        times.judged_normal = times.last_good_normal;
+    }
+}
+
 } // namespace counterpoint::simulator

@@ -17,6 +17,7 @@ namespace counterpoint::simulator
 struct PairTimes
 {
     Nanoseconds last_good_normal{-1};    ///< Normal frame of the last complete valid pair.
+    Nanoseconds judged_normal{-1};       ///< Likewise, of those that a cycle has looked at.
     Nanoseconds first_wrong_inverse{-1}; ///< Since then: the inverse frame that first made no valid pair.
     Nanoseconds last_normal{-1};
     Nanoseconds pending{-1};
@@ -38,6 +39,8 @@ class NodePairs
     [[nodiscard]] SlotIndex ConsumerOf(const CanFrame& frame) const;
     /// @brief A frame that this node got.
     void OnFrame(const CanFrame& frame);
+    /// @brief A cycle has ended: it has seen what came before it.
+    void OnCycle();
     [[nodiscard]] const PairTimes& TimesOf(SlotIndex slot) const
     {
         return times_.at(slot);

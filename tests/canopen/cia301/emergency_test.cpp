@@ -225,6 +225,23 @@ TEST_F(EmergencyTest, WithoutRoomTheProducerHasItsOwn)
     EXPECT_EQ(small.Register(), 0x91U);
 }
 
+TEST_F(EmergencyTest, AResetOfCommunicationTellsUrgentErrorsAgain)
+{
+    Verifies(req::SRS_EMCY_008);
+    producer.Raise(temperature);
+    producer.Raise(EmergencyError{0x6100U, 0x80U, {0U, 7U}, 0U, EmergencyUrgency::kUrgent});
+    EXPECT_EQ(Poll(), (Octets{0x10U, 0x42U, 0x09U, 1U, 2U, 3U, 4U, 5U}));
+    producer.ResetCommunication(NodeId{5U});
+    EXPECT_TRUE(Poll(NodeState::kInitialising).empty());
+    EXPECT_EQ(Poll(), (Octets{0x00U, 0x61U, 0x89U, 0U, 7U, 0U, 0U, 0U}));
+    EXPECT_TRUE(Poll().empty());
+    producer.Clear(0x6100U);
+    EXPECT_EQ(Poll(), (Octets{0x00U, 0x00U, 0x09U, 0U, 0U, 0U, 0U, 0U}));
+    producer.ResetCommunication(NodeId{5U});
+    EXPECT_TRUE(Poll().empty());
+    EXPECT_EQ(producer.History(0U).value, 2U);
+}
+
 TEST_F(EmergencyTest, MessagesWaitUntilStoppedIsLeft)
 {
     Verifies(req::SRS_EMCY_005);

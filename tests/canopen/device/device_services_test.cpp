@@ -152,6 +152,28 @@ TEST_F(DeviceServicesTest, NothingHidesTheDeviceSafeState)
     EXPECT_EQ(Upload(0x1001U, 0U) & 0xFFU, 0x91U);
 }
 
+/// A manager takes what is from 5000h to 7FFFh for the safe state.
+TEST_F(DeviceServicesTest, EachDeviceFaultHasACodeOfTheDeviceNotOfTheBus)
+{
+    Verifies(req::SRS_DEV_015);
+    Run();
+    const std::vector<std::pair<DeviceFault, unsigned>> codes{
+        {DeviceFault::kSelfTest, 0x5000U},      {DeviceFault::kClock, 0x5000U},
+        {DeviceFault::kApplication, 0x6200U},   {DeviceFault::kHandshake, 0x6200U},
+        {DeviceFault::kConfiguration, 0x6300U}, {DeviceFault::kCrossLink, 0x7500U},
+        {DeviceFault::kFrameOrder, 0x6100U},    {DeviceFault::kLateCall, 0x6100U},
+        {DeviceFault::kFlow, 0x6100U},          {DeviceFault::kDisagreement, 0x6100U}};
+    for (const auto& [fault, code] : codes)
+    {
+        Forget();
+        watch.OnDeviceFault({fault, 0U, 1U});
+        Cycles(2U);
+        EXPECT_EQ(Emergencies(), (Codes{code})) << static_cast<unsigned>(fault);
+        watch.OnRestart();
+        Cycles(2U);
+    }
+}
+
 TEST_F(DeviceServicesTest, PlacesForEmergenciesFollowFromWhatADeviceHas)
 {
     Verifies(req::SRS_EMCY_010);

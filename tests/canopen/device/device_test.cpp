@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tests/canopen/device/device_rig.hpp"
+#include "verification/trace/ids/cia301.hpp"
 #include "verification/trace/ids/node.hpp"
 
 namespace counterpoint::device
@@ -72,8 +73,9 @@ TEST_F(DeviceTest, ResetNodeLeadsOutOfTheSafeStateResetCommunicationDoesNot)
     ASSERT_EQ(Sent(0x82U).size(), 1U);
     EXPECT_EQ(Sent(0x82U)[0], (Octets{0x00U, 0x62U, 0x81U, 0x00U, 0x0AU, 0x00U, 0x00U, 0x00U}));
     // When communication is reset, the fault and its emergency stay
+    Forget();
     Command(130U);
-    Cycle();
+    Cycles(2U);
     EXPECT_EQ(core.DeviceState().fault, DeviceFault::kApplication);
     EXPECT_EQ(Upload(0x1001U, 0U) & 0xFFU, 0x81U);
     EXPECT_EQ(communication_resets, 2);
@@ -85,6 +87,27 @@ TEST_F(DeviceTest, ResetNodeLeadsOutOfTheSafeStateResetCommunicationDoesNot)
     EXPECT_EQ(core.DeviceState().fault, DeviceFault::kNone);
     EXPECT_EQ(Upload(0x1001U, 0U) & 0xFFU, 0U);
     EXPECT_EQ(node_resets, 2);
+}
+
+TEST_F(DeviceTest, TheSafeStateIsToldAgainBehindTheBootUpOfAResetOfCommunication)
+{
+    Verifies(req::SRS_EMCY_008);
+    Run();
+    core.DemandSafeState();
+    Cycles(2U);
+    Forget();
+    Command(130U);
+    Cycles(4U);
+    ASSERT_EQ(Sent(0x702U).size(), 1U);
+    ASSERT_EQ(Sent(0x82U).size(), 1U);
+    EXPECT_EQ(Sent(0x82U)[0], (Octets{0x00U, 0x62U, 0x81U, 0x00U, 0x0AU, 0x00U, 0x00U, 0x00U}));
+    EXPECT_EQ(ports.sent[forgotten].identifier, 0x702U);
+    // A reset of the node ends it: nothing is told
+    Forget();
+    Command(129U);
+    Cycles(4U);
+    EXPECT_EQ(Sent(0x702U).size(), 1U);
+    EXPECT_TRUE(Sent(0x82U).empty());
 }
 
 TEST_F(DeviceTest, ResetCommunicationBringsBackStoredValues)

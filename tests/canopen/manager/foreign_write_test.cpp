@@ -157,6 +157,36 @@ TEST_P(ForeignWriteTest, OfTheSameValueOrToTheStoreBeginsTheReadingAnew)
     EXPECT_EQ(Running(5U), 1);
 }
 
+// Given a download that somebody began before the reading, then its end within the reading is the write.
+TEST_P(ForeignWriteTest, OfWhatWasBegunBeforeTheReadingBeginsItAnew)
+{
+    Verifies(req::SRS_SFS_011);
+    Begin(GetParam());
+    RunIntoReading(0U);
+    const std::uint32_t whole = Rest();
+    const CanFrame begins[] = {Answer(0x60U, 0x1301U, 2U), Answer(0x60U, 0x13FFU, 1U), Answer(0xA4U, 0x1381U, 0U)};
+    const CanFrame ends[] = {Answer(0x20U, 0U, 0U), Answer(0x30U, 0U, 0U), Answer(0xA1U, 0U, 0U)};
+    for (std::size_t kind = 0U; kind < 3U; ++kind)
+    {
+        Run(6000U);
+        EXPECT_EQ(Running(5U), 1);
+        EXPECT_TRUE(manager->Role().Boot(NodeId{5U}, Now()));
+        RunIntoReading(2U);
+        Put(begins[kind]);
+        RunIntoReading(8U);
+        Put(ends[kind]);
+        EXPECT_GE(Rest(), whole - 1U) << kind;
+    }
+    // A segment of another object is none
+    Run(6000U);
+    EXPECT_TRUE(manager->Role().Boot(NodeId{5U}, Now()));
+    RunIntoReading(2U);
+    Put(Answer(0x60U, 0x1F50U, 1U));
+    RunIntoReading(8U);
+    Put(Answer(0x20U, 0U, 0U));
+    EXPECT_EQ(Rest(), whole - 10U);
+}
+
 TEST_P(ForeignWriteTest, WhatIsNoWriteOfTheConfigurationDisturbsNothing)
 {
     Verifies(req::SRS_SFS_011);

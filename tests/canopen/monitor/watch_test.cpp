@@ -354,6 +354,36 @@ TEST_F(Watch, EachConsumerOfAPairHasItsOwnLimits)
     EXPECT_EQ(watchers, (std::vector<std::size_t>{2U, 1U}));
 }
 
+// Given inverse frames 20.001 ms and more behind their normal frames, then that is the greatest SRVT, with either
+// detection; the rest of an older pair behind another normal frame is not measured.
+TEST_F(Watch, AnInverseFrameBeyondItsLimitIsMeasured)
+{
+    Verifies(req::SRS_MON_010);
+    const auto greatest_us = [](const Network& network, const Frames& frames)
+    {
+        Analysis analysis(network, [](const Violation&) {});
+        for (const LogFrame& frame : frames)
+        {
+            analysis.Take(frame);
+        }
+        return analysis.Watches().front().Srvt().greatest / 1000;
+    };
+    const LogFrame normal = Frame(50000, 0x101U, {1U, 2U});
+    for (const Network* const network : {&early, &late})
+    {
+        EXPECT_EQ(greatest_us(*network, Among({normal, Frame(70001, 0x102U, {0xFEU, 0xFDU})}, 100000)), 20001);
+        EXPECT_EQ(greatest_us(*network, Among({normal, Frame(76000, 0x102U, {0xFEU, 0xFDU})}, 100000)), 26000);
+        EXPECT_EQ(
+            greatest_us(*network,
+                        Among({normal, Frame(72000, 0x101U, {1U, 2U}), Frame(74000, 0x102U, {0xFEU, 0xFDU})}, 100000)),
+            network == &early ? 2000 : 200);
+        EXPECT_EQ(
+            greatest_us(*network,
+                        Among({normal, Frame(73000, 0x000U, {2U, 1U}), Frame(74000, 0x102U, {0xFEU, 0xFDU})}, 100000)),
+            200);
+    }
+}
+
 TEST_F(Watch, StatisticsAndMargins)
 {
     Verifies(req::SRS_MON_010);

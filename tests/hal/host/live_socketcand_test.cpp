@@ -6,6 +6,7 @@
 #include "verification/trace/verifies.hpp"
 
 #include <arpa/inet.h>
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <sys/resource.h>
@@ -108,6 +109,34 @@ TEST_F(Socketcand, AnOpenWithoutADescriptorEndsThatConnectionAlone)
     const auto next = OpenLiveBus(server.Address("can0"));
     ASSERT_EQ(next->Send(Live(0x124U, {1U})), SendResult::kSent);
     EXPECT_EQ(Wait(*bus)->identifier, 0x124U);
+}
+
+// Given a process that may have fewer descriptors than its connections would need with a bus each, then whoever comes
+// next is served.
+TEST_F(Socketcand, ConnectionsWithoutABusCountForTheirOwnDescriptorsAlone)
+{
+    Verifies(req::SRS_LIVE_061);
+    const int of_caller = ::open("/dev/null", O_RDONLY);
+    const int of_server = ::open("/dev/null", O_RDONLY);
+    std::vector<std::unique_ptr<PlainClient>> silent;
+    for (std::size_t i = 0U; i < kSocketcandClients - 4U; ++i)
+    {
+        silent.push_back(std::make_unique<PlainClient>(server.Port()));
+        EXPECT_EQ(silent.back()->Hear(), "< hi >");
+    }
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+    const rlimit few{kSocketcandClients, before.rlim_max};
+    ASSERT_LT(of_server, static_cast<int>(kSocketcandClients));
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &few), 0);
+    silent.back()->Say("< echo >"); // What the server waits for from now on, it asks for under the new limit.
+    EXPECT_EQ(silent.back()->Hear(), "< echo >");
+    ::close(of_caller);
+    ::close(of_server);
+    const PlainClient last(server.Port());
+    const std::string answer = last.Hear();
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
+    EXPECT_EQ(answer, "< hi >");
 }
 
 // Given a client and a member of the bus behind the server, then frames of every kind go both ways unchanged, and those

@@ -145,6 +145,30 @@ TEST_F(ManagerResultsTest, AStartOfAllNamesWhoIsLeftOutAndWhy)
     EXPECT_EQ(Commands(), (std::vector<std::string>{"1 7"}));
 }
 
+TEST_F(ManagerResultsTest, AStartOfASlaveThatIsRefusedSaysWhatWasFound)
+{
+    Verifies(req::SRS_MGR_026);
+    const std::vector<std::uint8_t> other{0x43U, 0x00U, 0x10U, 0x00U, 0x92U, 0x01U, 0x00U, 0x00U};
+    Make("manager: {node: 127}\nslaves: [{node: 6, device_type: 0x191, mandatory: false}, {node: 7, boot: false}]\n");
+    Run(2U);
+    Hear(0x706U, {0U});
+    Answer(6U, other, 20);
+    EXPECT_EQ(Order("start 7"), "taken");
+    sent.clear();
+    EXPECT_EQ(Order("start 6"), "taken; started all the same: node 6: C: device type differs (0x1000:00 is 0x192, "
+                                "expected 0x191)");
+    EXPECT_EQ(Order("stop 6"), "taken");
+    // The text of EL6751 starts it by a start of all as well
+    Make("manager: {node: 127, profile: el6751}\nslaves: [{node: 6, device_type: 0x191}]\n");
+    Run(2U);
+    Hear(0x706U, {0U});
+    Answer(6U, other, 20);
+    EXPECT_EQ(Row(6U).finding, "SDO value differs: 0x1000:00 is 0x192, expected 0x191");
+    EXPECT_EQ(Order("start all"), "taken; started all the same: node 6: 5: SDO value differs (0x1000:00 is 0x192, "
+                                  "expected 0x191)");
+    EXPECT_EQ(Order("start 6"), "taken");
+}
+
 TEST_F(ManagerResultsTest, AControlThatIsNoneSaysWhatItIsAndWhatThereIs)
 {
     Verifies(req::SRS_MGR_026);

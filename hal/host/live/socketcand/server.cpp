@@ -314,7 +314,10 @@ void SocketcandServer::Serve(const int milliseconds)
     for (const auto& client : clients_)
     {
         waits.push_back(client->Connection());
-        waits.push_back(client->Bus());
+        if (client->HasBus()) // The system refuses to wait for more places than it would give descriptors.
+        {
+            waits.push_back(client->Bus());
+        }
         patience_ms = client->HoldsFrame() ? std::min(patience_ms, kRetryMs) : patience_ms;
     }
     static_cast<void>(::poll(waits.data(), waits.size(), patience_ms));
