@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "tests/canopen/cia306/device_text.hpp"
+#include "tests/canopen/cia306/check_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/eds.hpp"
 #include "verification/trace/verifies.hpp"
@@ -56,7 +56,9 @@ TEST_F(SignCommandTest, GivesThePublishedSignatureOfACertifiedDevice)
     const Answer answer = RunCommand({"sign", GoldFile()});
     EXPECT_EQ(answer.status, 0);
     EXPECT_EQ(answer.out, "0x13FF:01 = 0x4370\n");
-    EXPECT_EQ(answer.err, "");
+    EXPECT_EQ(answer.err, GoldFile() +
+                              ":77: warning: 0x5F04:00: is missing; a wrong device parameter, 0x1300 included, "
+                              "is not found, expected an object of type UNSIGNED32 with the device digest\n");
 }
 
 TEST_F(SignCommandTest, GivesAllVectors)
@@ -96,7 +98,45 @@ TEST_F(SignCommandTest, AFileWithoutSrdoGivesAWarningAndNoLine)
     const Answer answer = RunCommand({"sign", file});
     EXPECT_EQ(answer.status, 0);
     EXPECT_EQ(answer.out, "");
-    EXPECT_EQ(answer.err, file + ":0: warning: no SRDO, expected communication parameters at 0x1301 to 0x1340\n");
+    EXPECT_NE(answer.err.find(file + ":1: warning: no SRDO, nothing of CANopen Safety is checked, expected "
+                                     "communication parameters at 0x1301 to 0x1340\n"),
+              std::string::npos);
+}
+
+TEST_F(SignCommandTest, PrintsTheWarningsOfCheck)
+{
+    Verifies(req::SRS_CLI_037);
+    // Given a plain device with node-ID 0, one that lacks 5F04h, and one that does not announce safety
+    const std::string sensor = cia306::test::ExampleText("sensor");
+    for (const std::string& text :
+         {std::string("[1000]\nDataType=7\nAccessType=ro\n[DeviceComissioning]\nNodeID=0\n"),
+          cia306::test::WithoutDigest(sensor),
+          cia306::test::Changed(sensor, {{"CANopenSafetySupported=1\n", "CANopenSafetySupported=0\n"}})})
+    {
+        const std::string file = File("in.dcf", text);
+        // When it is signed
+        const Answer answer = RunCommand({"sign", file, "--write", Path("out.dcf")});
+        // Then the warnings are those of check, line by line
+        EXPECT_EQ(answer.status, 0);
+        EXPECT_NE(answer.err, "");
+        EXPECT_EQ(answer.err, RunCommand({"check", Path("out.dcf")}).out);
+        // and in the document the same
+        const auto document = nlohmann::json::parse(RunCommand({"sign", "--json", Path("out.dcf")}).out);
+        const auto checked = nlohmann::json::parse(RunCommand({"check", "--json", Path("out.dcf")}).out);
+        EXPECT_EQ(document["warnings"], checked["findings"]);
+    }
+}
+
+TEST_F(SignCommandTest, TellsThatCheckFindsErrors)
+{
+    Verifies(req::SRS_CLI_037);
+    const std::string file = File(
+        "in.dcf", cia306::test::WithValues(cia306::test::ExampleText("sensor"), {{"1301sub1", "ParameterValue", "3"}}));
+    const Answer answer = RunCommand({"sign", file, "--write", Path("out.dcf")});
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_EQ(answer.err, Path("out.dcf") + ":0: warning: check finds errors: 2, expected none\n");
+    // A file that is yet to be signed is wrong in its signatures
+    EXPECT_EQ(RunCommand({"sign", file}).err, "");
 }
 
 TEST_F(SignCommandTest, RefusesAFileThatWasCut)

@@ -3,8 +3,28 @@
 
 #include "canopen/cia306/check/rules.hpp"
 
+#include <algorithm>
+
 namespace counterpoint::cia306
 {
+namespace
+{
+/// A device that takes its node-ID by LSS needs none in its file.
+void CheckNodeId(const CheckContext& context, Findings& findings)
+{
+    const Device& device = context.device;
+    const bool has_one = context.node_id || device.is_lss_supported;
+    if (has_one || device.is_node_id_refused)
+    {
+        return;
+    }
+    const std::size_t info_line = std::max<std::size_t>(device.device_info_line, 1U);
+    const std::size_t line = device.commissioning_line != 0U ? device.commissioning_line : info_line;
+    findings.Warning(line, "", "no node-ID",
+                     "NodeID in [DeviceComissioning], --node-id, or LSS_Supported=1 in [DeviceInfo]");
+}
+} // namespace
+
 std::vector<Finding> CheckDevice(const Device& device, const CheckOptions& options)
 {
     const std::optional<std::uint8_t> node_id = options.node_id ? options.node_id : device.node_id;
@@ -26,6 +46,7 @@ std::vector<Finding> CheckDevice(const Device& device, const CheckOptions& optio
         CheckMapping(context, srdo, findings);
         CheckStaticMapping(context, srdo, findings);
     }
+    CheckNodeId(context, findings);
     CheckIdentifiers(configuration, findings);
     CheckShared(configuration, findings);
     CheckParameters(context, findings);

@@ -2,6 +2,8 @@
 #include "canopen/cia306/check/rules.hpp"
 #include "canopen/cia306/safety/digest.hpp"
 
+#include <algorithm>
+
 namespace counterpoint::cia306
 {
 namespace
@@ -175,6 +177,30 @@ void ParameterCheck::CheckSrdo(const SrdoConfiguration& srdo)
                  "no bit above the " + std::to_string(bits) + " mapped bits");
     }
 }
+
+/// Without a digest nothing binds what 13FFh does not cover; that matters from the first SRDO that is on.
+void WarnOfNoDigest(const CheckContext& context, const DigestRecord& record, Findings& findings)
+{
+    const auto& srdos = context.configuration.srdos;
+    const auto on = std::find_if(srdos.begin(), srdos.end(),
+                                 [](const SrdoConfiguration& srdo) { return srdo.IsProducer() || srdo.IsConsumer(); });
+    const bool is_told = findings.HasErrorAt(record.stored.line, DigestName());
+    if (on == srdos.end() || is_told)
+    {
+        return;
+    }
+    const std::string unbound = "; a wrong device parameter, 0x1300 included, is not found";
+    if (record.is_present)
+    {
+        findings.Warning(record.stored.line, DigestName(), "no device digest" + unbound,
+                         "the one that 'counterpoint sign' computes");
+    }
+    else
+    {
+        findings.Warning(on->line, DigestName(), "is missing" + unbound,
+                         "an object of type UNSIGNED32 with the device digest");
+    }
+}
 } // namespace
 
 void CheckParameters(const CheckContext& context, Findings& findings)
@@ -205,6 +231,7 @@ void CheckDigest(const CheckContext& context, Findings& findings)
     const bool is_expected = record.stored.value.value_or(0U) != 0U;
     if (!is_expected)
     {
+        WarnOfNoDigest(context, record, findings);
         return;
     }
     if (!context.node_id)

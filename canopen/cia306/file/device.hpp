@@ -101,6 +101,8 @@ struct Device
     std::string file;
     std::map<std::uint16_t, Object> objects;
     std::optional<std::uint8_t> node_id; ///< Node-ID of the commissioning section, 1 to 127.
+    bool is_node_id_refused{false};      ///< NodeID is there and is none; the reader has warned.
+    std::size_t commissioning_line{0U};
     std::optional<bool> is_safety_supported;
     bool is_lss_supported{false}; ///< LSS_Supported.
     std::size_t device_info_line{0U};

@@ -203,6 +203,7 @@ void DeviceReader::ReadCommissioning()
 
 void DeviceReader::ReadNodeId(const IniSection& section)
 {
+    device_.commissioning_line = section.line;
     const SectionReader reader(device_.file, section);
     const auto number = reader.NumberAt("NodeID", kUnconfiguredNodeId);
     if (!number)
@@ -214,6 +215,7 @@ void DeviceReader::ReadNodeId(const IniSection& section)
     if (is_none)
     {
         Warn(key.line, "NodeID is " + Quoted(key.value) + ", expected 1 to 127; the device has no node-ID");
+        device_.is_node_id_refused = true;
         return;
     }
     if (*number > kMaxNodeId)

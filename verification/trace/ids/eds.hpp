@@ -37,6 +37,8 @@ inline constexpr RequirementId SRS_CLI_032{"SRS_CLI_032"};
 inline constexpr RequirementId SRS_CLI_033{"SRS_CLI_033"};
 inline constexpr RequirementId SRS_CLI_034{"SRS_CLI_034"};
 inline constexpr RequirementId SRS_CLI_035{"SRS_CLI_035"};
+inline constexpr RequirementId SRS_CLI_036{"SRS_CLI_036"};
+inline constexpr RequirementId SRS_CLI_037{"SRS_CLI_037"};
 inline constexpr RequirementId SRS_EDS_001{"SRS_EDS_001"};
 inline constexpr RequirementId SRS_EDS_002{"SRS_EDS_002"};
 inline constexpr RequirementId SRS_EDS_003{"SRS_EDS_003"};

@@ -1,0 +1,22 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef TOOLS_DEVICE_FINDINGS_HPP
+#define TOOLS_DEVICE_FINDINGS_HPP
+
+#include "canopen/cia306/check/check.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace counterpoint::tools
+{
+/// @brief What `check` finds in a device file, in the order of the lines: its rules and, where these find no error, what
+/// the commands that use the file say of it. `text` is the text that `device` was read from. [SRS_CLI_030]
+[[nodiscard]] std::vector<cia306::Finding> FindingsOf(const cia306::Device& device, const std::string& text,
+                                                      const cia306::CheckOptions& options);
+
+/// Number of errors among the findings.
+[[nodiscard]] std::size_t ErrorsIn(const std::vector<cia306::Finding>& findings);
+} // namespace counterpoint::tools
+
+#endif // TOOLS_DEVICE_FINDINGS_HPP
