@@ -24,7 +24,7 @@ std::vector<cia306::Finding> TryGenerate(const cia306::Device& device, const std
     }
     catch (const cia306::InputError& error)
     {
-        return {{cia306::Severity::kError, error.Line(), "", error.Message()}};
+        return {{cia306::Severity::kError, error.Where(), "", error.Message()}};
     }
 }
 
@@ -44,7 +44,7 @@ void AddOthers(std::vector<cia306::Finding>& findings, const std::vector<cia306:
     for (const cia306::Finding& other : others)
     {
         const bool is_told = std::any_of(findings.begin(), findings.end(), [&other](const cia306::Finding& finding)
-                                         { return finding.line == other.line && finding.object == other.object; });
+                                         { return finding.place == other.place && finding.object == other.object; });
         if (!is_told || other.severity == cia306::Severity::kError)
         {
             findings.push_back(other);
@@ -67,8 +67,7 @@ std::vector<cia306::Finding> FindingsOf(const cia306::Device& device, const std:
 
 std::size_t ErrorsIn(const std::vector<cia306::Finding>& findings)
 {
-    return static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(),
-                                                  [](const cia306::Finding& finding)
+    return static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(), [](const cia306::Finding& finding)
                                                   { return finding.severity == cia306::Severity::kError; }));
 }
 } // namespace counterpoint::tools

@@ -153,7 +153,9 @@ class SignCommand final : public Command
                        findings.end());
         if (errors != 0U && !output_.empty())
         {
-            findings.push_back({cia306::Severity::kWarning, 0U, "",
+            findings.push_back({cia306::Severity::kWarning,
+                                {},
+                                "",
                                 "check finds errors: " + std::to_string(errors) + ", expected none"});
         }
         return findings;

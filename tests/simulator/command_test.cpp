@@ -86,7 +86,7 @@ TEST(SimulateCommand, AnOutputThatCannotBeWrittenIsToldBeforeAnythingElse)
     // Then there is one line, and neither a time line nor the other output
     EXPECT_EQ(answer.status, 2);
     EXPECT_EQ(answer.out, "");
-    EXPECT_EQ(answer.err, "/nonexistent/x.json:0: error: it cannot be created (No such file or directory), expected a "
+    EXPECT_EQ(answer.err, "/nonexistent/x.json: error: it cannot be created (No such file or directory), expected a "
                           "path in a writable folder\n");
     EXPECT_FALSE(std::filesystem::exists(page));
     // Then the same of demo
@@ -165,7 +165,7 @@ expect:
     // Then nothing that is expected of it holds, and its place is told
     EXPECT_EQ(answer.status, 1);
     EXPECT_EQ(answer.err,
-              file + ":3:5: fault 'loss' never happened, expected it within the run, or 'optional: true'\n");
+              file + ":3:5: warning: fault 'loss' never happened, expected it within the run, or 'optional: true'\n");
     EXPECT_NE(answer.out.find("0 of 3 expectations hold"), std::string::npos) << answer.out;
 }
 

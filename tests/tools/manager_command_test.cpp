@@ -225,7 +225,7 @@ TEST_F(ManagerCommandTest, WhatCannotBeUsedEndsWith2)
     const std::string file = File("net.yaml", "manager: {node: 127}\nslaves: [{node: 300}]\n");
     const Answer bad_file = RunCommand({"manager", "--can", "udp:239.74.163.91:43191", "--network", file});
     EXPECT_EQ(bad_file.status, 2);
-    EXPECT_EQ(bad_file.err.rfind(file + ":2:17: ", 0U), 0U) << bad_file.err;
+    EXPECT_EQ(bad_file.err.rfind(file + ":2:17: error: ", 0U), 0U) << bad_file.err;
 }
 
 TEST_F(ManagerCommandTest, AnOutputWithoutANameIsRefused)

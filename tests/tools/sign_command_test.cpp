@@ -57,7 +57,7 @@ TEST_F(SignCommandTest, GivesThePublishedSignatureOfACertifiedDevice)
     EXPECT_EQ(answer.status, 0);
     EXPECT_EQ(answer.out, "0x13FF:01 = 0x4370\n");
     EXPECT_EQ(answer.err, GoldFile() +
-                              ":77: warning: 0x5F04:00: is missing; a wrong device parameter, 0x1300 included, "
+                              ":77:1: warning: 0x5F04:00: is missing; a wrong device parameter, 0x1300 included, "
                               "is not found, expected an object of type UNSIGNED32 with the device digest\n");
 }
 
@@ -98,7 +98,7 @@ TEST_F(SignCommandTest, AFileWithoutSrdoGivesAWarningAndNoLine)
     const Answer answer = RunCommand({"sign", file});
     EXPECT_EQ(answer.status, 0);
     EXPECT_EQ(answer.out, "");
-    EXPECT_NE(answer.err.find(file + ":1: warning: no SRDO, nothing of CANopen Safety is checked, expected "
+    EXPECT_NE(answer.err.find(file + ":1:1: warning: no SRDO, nothing of CANopen Safety is checked, expected "
                                      "communication parameters at 0x1301 to 0x1340\n"),
               std::string::npos);
 }
@@ -134,7 +134,7 @@ TEST_F(SignCommandTest, TellsThatCheckFindsErrors)
         "in.dcf", cia306::test::WithValues(cia306::test::ExampleText("sensor"), {{"1301sub1", "ParameterValue", "3"}}));
     const Answer answer = RunCommand({"sign", file, "--write", Path("out.dcf")});
     EXPECT_EQ(answer.status, 0);
-    EXPECT_EQ(answer.err, Path("out.dcf") + ":0: warning: check finds errors: 2, expected none\n");
+    EXPECT_EQ(answer.err, Path("out.dcf") + ": warning: check finds errors: 2, expected none\n");
     // A file that is yet to be signed is wrong in its signatures
     EXPECT_EQ(RunCommand({"sign", file}).err, "");
 }
@@ -150,7 +150,7 @@ TEST_F(SignCommandTest, RefusesAFileThatWasCut)
     // Then one line names the first object that is not there
     EXPECT_EQ(answer.status, 2);
     EXPECT_EQ(answer.out, "");
-    EXPECT_EQ(answer.err, file + ":72: error: 0x1301: is listed, expected a section that describes it\n");
+    EXPECT_EQ(answer.err, file + ":72:3: error: 0x1301: is listed, expected a section that describes it\n");
 }
 
 TEST_F(SignCommandTest, VerbosePrintsTheBytesFieldByField)
@@ -175,8 +175,9 @@ TEST_F(SignCommandTest, TakesTheNodeIdFromTheCommandLineElseFromTheFile)
     const Answer answer = RunCommand({"sign", without});
     EXPECT_EQ(answer.status, 2);
     EXPECT_EQ(answer.out, "");
-    EXPECT_EQ(answer.err, without + ":54: error: 0x1301:05: value '$NODEID+0x100' needs the node-ID and there is none, "
-                                    "expected --node-id, or NodeID in [DeviceComissioning]\n");
+    EXPECT_EQ(answer.err, without +
+                              ":54:14: error: 0x1301:05: value '$NODEID+0x100' needs the node-ID and there is none, "
+                              "expected --node-id, or NodeID in [DeviceComissioning]\n");
 }
 
 TEST_F(SignCommandTest, WritesTheSignaturesAndNothingElse)
@@ -205,9 +206,9 @@ TEST_F(SignCommandTest, WritesNothingWhenItRefuses)
         File("in.dcf", cia306::test::Changed(cia306::test::ExampleText("sensor"), {{"[13FFsub1]", "[Gone]"}}));
     const Answer answer = RunCommand({"sign", file, "--write", Path("out.dcf")});
     EXPECT_EQ(answer.status, 2);
-    EXPECT_EQ(answer.err, file +
-                              ":312: error: 0x13FF:01 is missing, expected an object that takes the signature of SRDO "
-                              "1\n");
+    EXPECT_EQ(answer.err,
+              file + ":312:1: error: 0x13FF:01 is missing, expected an object that takes the signature of SRDO "
+                     "1\n");
     EXPECT_FALSE(std::filesystem::exists(Path("out.dcf")));
     const Answer folder = RunCommand({"sign", GoldFile(), "--write", Path("no/out.dcf")});
     EXPECT_EQ(folder.status, 2);
@@ -260,8 +261,9 @@ TEST_F(SignCommandTest, ADigestThatCannotBeComputedIsRefused)
     const Answer answer = RunCommand({"sign", without, "--write", Path("out.dcf")});
     EXPECT_EQ(answer.status, 2);
     EXPECT_EQ(answer.out, "");
-    EXPECT_EQ(answer.err, without + ":627: error: 0x5F04:00: the digest needs the node-ID and there is none, expected "
-                                    "--node-id, or NodeID in [DeviceComissioning]\n");
+    EXPECT_EQ(answer.err, without +
+                              ":627:16: error: 0x5F04:00: the digest needs the node-ID and there is none, expected "
+                              "--node-id, or NodeID in [DeviceComissioning]\n");
     EXPECT_FALSE(std::filesystem::exists(Path("out.dcf")));
     EXPECT_EQ(RunCommand({"sign", without, "--node-id", "33"}).out, "0x13FF:01 = 0x9FCB\n0x5F04:00 = 0x046FFAB7\n");
 }
@@ -293,7 +295,7 @@ TEST_F(SignCommandTest, RefusesAsJsonToo)
     const auto document = nlohmann::json::parse(answer.out);
     EXPECT_EQ(document["error"]["line"], 2);
     EXPECT_EQ(document["error"]["message"], "'DataType' is '\\xE4', expected a number from 0 to 65535");
-    EXPECT_EQ(answer.err, file + ":2: error: 'DataType' is '\\xE4', expected a number from 0 to 65535\n");
+    EXPECT_EQ(answer.err, file + ":2:10: error: 'DataType' is '\\xE4', expected a number from 0 to 65535\n");
 }
 } // namespace
 } // namespace counterpoint::tools

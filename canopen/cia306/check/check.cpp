@@ -3,8 +3,6 @@
 
 #include "canopen/cia306/check/rules.hpp"
 
-#include <algorithm>
-
 namespace counterpoint::cia306
 {
 namespace
@@ -18,9 +16,9 @@ void CheckNodeId(const CheckContext& context, Findings& findings)
     {
         return;
     }
-    const std::size_t info_line = std::max<std::size_t>(device.device_info_line, 1U);
-    const std::size_t line = device.commissioning_line != 0U ? device.commissioning_line : info_line;
-    findings.Warning(line, "", "no node-ID",
+    const bool has_section = !device.commissioning_place.IsWhole();
+    const Place place = has_section ? device.commissioning_place : device.device_info_place.OrBeginning();
+    findings.Warning(place, "", "no node-ID",
                      "NodeID in [DeviceComissioning], --node-id, or LSS_Supported=1 in [DeviceInfo]");
 }
 } // namespace

@@ -275,7 +275,7 @@ TEST(CheckObjects, ASafetyObjectWithoutSrdoIsAnErrorAtItsLine)
     const auto error = std::find_if(found.begin(), found.end(), [](const Finding& finding)
                                     { return finding.text.find("a safety object and no SRDO") == 0U; });
     ASSERT_NE(error, found.end());
-    EXPECT_EQ(error->line, 7U); // Of the list
+    EXPECT_EQ(error->place.line, 7U); // Of the list
     for (const std::string index : {"12FF", "1400"})
     {
         const std::string object = "[" + index + "]\nDataType=5\nAccessType=rw\nDefaultValue=0\n";
@@ -298,8 +298,8 @@ TEST(CheckObjects, AllFindingsComeAtOnceInTheOrderOfTheirLines)
     Lines objects;
     for (const Finding& finding : CheckDevice(test::DeviceOf(text), {}))
     {
-        EXPECT_GE(finding.line, last);
-        last = finding.line;
+        EXPECT_GE(finding.place.line, last);
+        last = finding.place.line;
         objects.push_back(finding.object);
     }
     EXPECT_EQ(objects, (Lines{"0x1300:00", "0x1301:04", "0x1301:05", "0x1381:04", "0x1381:04", "0x13FE:00", "0x13FF:01",

@@ -214,7 +214,7 @@ TEST(WideFiles, GranularityIsThatOfTheFile)
     EXPECT_TRUE(warnings("0").empty());
     ASSERT_EQ(warnings("24").size(), 1U);
     EXPECT_EQ(warnings("24")[0].text, "Granularity is '24', expected 1, 8, 16, 32 or 64; it is ignored");
-    EXPECT_EQ(warnings("24")[0].line, 15U);
+    EXPECT_EQ(warnings("24")[0].place.line, 15U);
     EXPECT_EQ(warnings("fine").size(), 1U);
     // The object tells before the key
     const Device device = test::DeviceOf(
@@ -291,15 +291,17 @@ TEST(WideFiles, WhatKeepsTheDigestFromBeingComputedIsReported)
         EXPECT_TRUE(record.fields.empty());
         return record.problems.empty() ? std::string() : FormatFinding("f", record.problems.front());
     };
-    EXPECT_EQ(problem({{"NodeID=127\n", "NodeID=255\n"}}),
-              "f:678: error: 0x5F04:00: the digest needs the node-ID and there is none, expected --node-id, or NodeID "
-              "in [DeviceComissioning]");
+    EXPECT_EQ(
+        problem({{"NodeID=127\n", "NodeID=255\n"}}),
+        "f:678:16: error: 0x5F04:00: the digest needs the node-ID and there is none, expected --node-id, or NodeID "
+        "in [DeviceComissioning]");
     EXPECT_EQ(problem({{"ParameterValue=1234\n", "ParameterValue=1073742\n"}}),
-              "f:468: error: 0x5F00:04: interval of 1073742 ms, expected at most 1073741 ms");
+              "f:468:16: error: 0x5F00:04: interval of 1073742 ms, expected at most 1073741 ms");
     EXPECT_EQ(problem({{"ParameterValue=0x5F9AFA3D", "ParameterValue=0x15F9AFA3D"}}),
-              "f:678: error: 0x5F04:00: value '0x15F9AFA3D', expected a number from 0 to 4294967295 (UNSIGNED32)");
-    EXPECT_EQ(problem({{"ParameterValue=0x3C\n", "ParameterValue=late\n"}}),
-              "f:700: error: 0x5F05:02: value 'late', expected a number from 0 to 255 (UNSIGNED8), or $NODEID+number");
+              "f:678:16: error: 0x5F04:00: value '0x15F9AFA3D', expected a number from 0 to 4294967295 (UNSIGNED32)");
+    EXPECT_EQ(
+        problem({{"ParameterValue=0x3C\n", "ParameterValue=late\n"}}),
+        "f:700:16: error: 0x5F05:02: value 'late', expected a number from 0 to 255 (UNSIGNED8), or $NODEID+number");
 }
 
 TEST(WideFiles, TheDigestIsWrittenWithTheSignatures)

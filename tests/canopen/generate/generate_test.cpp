@@ -88,7 +88,7 @@ TEST(GenerateTest, WhatCannotBeGeneratedIsNamedWithItsLine)
         "test.dcf:8: error: 0x2000:00: value '$NODEID+1' needs the node-ID and there is none, expected --node-id, "
         "or NodeID in [DeviceComissioning]");
     EXPECT_EQ(RefusalOf(head + test::Section("0040", "A", 5U, "rw", "1")),
-              "test.dcf:0: error: no object for a dictionary, expected objects from 0x1000 on");
+              "test.dcf: error: no object for a dictionary, expected objects from 0x1000 on");
     const std::string twice = Changed(StaticText(), {{"DefaultValue=0x24000110", "DefaultValue=0x22000110"}});
     EXPECT_NE(RefusalOf(twice).find("which a static mapping has already, expected each object in one static mapping"),
               std::string::npos)

@@ -73,6 +73,8 @@ inline constexpr RequirementId SRS_EDS_031{"SRS_EDS_031"};
 inline constexpr RequirementId SRS_EDS_032{"SRS_EDS_032"};
 inline constexpr RequirementId SRS_EDS_033{"SRS_EDS_033"};
 inline constexpr RequirementId SRS_EDS_034{"SRS_EDS_034"};
+inline constexpr RequirementId SRS_EDS_035{"SRS_EDS_035"};
+inline constexpr RequirementId SRS_EDS_036{"SRS_EDS_036"};
 } // namespace counterpoint::req
 
 #endif

@@ -56,6 +56,7 @@ inline constexpr RequirementId SRS_NODE_025{"SRS_NODE_025"};
 inline constexpr RequirementId SRS_NODE_030{"SRS_NODE_030"};
 inline constexpr RequirementId SRS_NODE_031{"SRS_NODE_031"};
 inline constexpr RequirementId SRS_NODE_032{"SRS_NODE_032"};
+inline constexpr RequirementId SRS_NODE_040{"SRS_NODE_040"};
 } // namespace counterpoint::req
 
 #endif
