@@ -258,13 +258,13 @@ faults:
 TEST(BadScenarioFile, MissingFolderEmptyOrTooLargeIsRefused)
 {
     Verifies(req::SRS_SIM_010);
-    EXPECT_EQ(Refusal("/nonexistent/x.yaml"), "/nonexistent/x.yaml: no such file, expected a scenario");
-    EXPECT_EQ(Refusal(Examples()), Examples() + ": not a regular file, expected a scenario");
-    EXPECT_EQ(Refusal("/dev/zero"), "/dev/zero: not a regular file, expected a scenario");
+    EXPECT_EQ(Refusal("/nonexistent/x.yaml"), "/nonexistent/x.yaml: error: no such file, expected a scenario");
+    EXPECT_EQ(Refusal(Examples()), Examples() + ": error: not a regular file, expected a scenario");
+    EXPECT_EQ(Refusal("/dev/zero"), "/dev/zero: error: not a regular file, expected a scenario");
     const std::string empty = TextFile("");
     EXPECT_EQ(Refusal(empty), empty + ":1:1: error: no document, expected a map with the keys of a scenario");
     const std::string large = TextFile(std::string(1048577U, '#'));
-    EXPECT_EQ(Refusal(large), large + ": 1048577 bytes, expected at most 1048576");
+    EXPECT_EQ(Refusal(large), large + ": error: 1048577 bytes, expected at most 1048576");
     const std::string nothing = TextFile("title: x\n");
     EXPECT_EQ(Refusal(nothing), nothing + ":1:1: error: no nodes, expected key 'nodes' with at least one node");
 }
@@ -279,7 +279,7 @@ TEST(BadScenarioFile, BaseThatExtendsOrIsMissingIsRefused)
     EXPECT_EQ(Refusal(file),
               file + ":1:10: error: a scenario that extends another one, expected none here: one step only");
     const std::string lost = TextFile("extends: /nonexistent/y.yaml\n");
-    EXPECT_EQ(Refusal(lost), "/nonexistent/y.yaml: no such file, expected a scenario");
+    EXPECT_EQ(Refusal(lost), "/nonexistent/y.yaml: error: no such file, expected a scenario");
 }
 
 TEST(BadScenarioFile, DeepOrWideNestingEndsSoon)
@@ -374,11 +374,12 @@ TEST(ImpossibleFault, NodeIsNotCalledBus)
 TEST(ScenarioFileName, IsShownInOnePrintableLineWithTheReason)
 {
     Verifies(req::SRS_SIM_010);
-    EXPECT_EQ(Refusal("no\nsuch\x1B.yaml"), "no\\x0Asuch\\x1B.yaml: no such file, expected a scenario");
+    EXPECT_EQ(Refusal("no\nsuch\x1B.yaml"), "no\\x0Asuch\\x1B.yaml: error: no such file, expected a scenario");
     const std::string loop = ::testing::TempDir() + "counterpoint_loop.yaml";
     std::filesystem::remove(loop);
     std::filesystem::create_symlink(loop, loop);
-    EXPECT_EQ(Refusal(loop), loop + ": cannot be opened (Too many levels of symbolic links), expected a readable file");
+    EXPECT_EQ(Refusal(loop),
+              loop + ": error: cannot be opened (Too many levels of symbolic links), expected a readable file");
     std::filesystem::remove(loop);
 }
 

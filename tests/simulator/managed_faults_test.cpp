@@ -257,9 +257,9 @@ TEST_F(ManagedFaultsTest, NobodyUsesADeviceWithoutSupply)
     Verifies(req::SRS_SIM_066);
     const std::string power = "power: [{at: 3 s, node: actuator, off: 500 ms}]\n";
     const std::vector<std::pair<std::string, std::string>> uses{
-        {"acknowledge: [{at: 3200 ms, node: actuator, srdo: 1, pulse: 50 ms}]\n", "3:15: acknowledge"},
-        {"nmt: [{at: 3200 ms, node: actuator, command: start}]\n", "3:7: NMT event"},
-        {"gfc: [{at: 3200 ms, node: actuator}]\n", "3:7: GFC"}};
+        {"acknowledge: [{at: 3200 ms, node: actuator, srdo: 1, pulse: 50 ms}]\n", "3:15: error: acknowledge"},
+        {"nmt: [{at: 3200 ms, node: actuator, command: start}]\n", "3:7: error: NMT event"},
+        {"gfc: [{at: 3200 ms, node: actuator}]\n", "3:7: error: GFC"}};
     for (const auto& [use, what] : uses)
     {
         // Given somebody who uses the device while it is off, then that is refused

@@ -103,10 +103,11 @@ TEST_F(ProfileNetworkTest, AnUnknownProfileIsRefused)
         EXPECT_EQ(answer.status, 2);
         return answer.err;
     };
-    EXPECT_EQ(refusal(Scenario(), "plc_designer"), "--profile: 'plc_designer', expected one of cia302, el6751\n");
-    EXPECT_EQ(refusal(Scenario(), ""), "--profile: empty name, expected one of the scenario's 'profiles'\n");
+    EXPECT_EQ(refusal(Scenario(), "plc_designer"),
+              "--profile: error: 'plc_designer', expected one of cia302, el6751\n");
+    EXPECT_EQ(refusal(Scenario(), ""), "--profile: error: empty name, expected one of the scenario's 'profiles'\n");
     EXPECT_EQ(refusal(cia306::test::SourceFolder() + "/examples/emergency_stop/00_no_fault.yaml", "cia302"),
-              "--profile: 'cia302', expected a scenario with 'profiles'\n");
+              "--profile: error: 'cia302', expected a scenario with 'profiles'\n");
     const std::string managers = "managers: [{network: net.yaml}]\n";
     ExpectRefused(managers + "profiles: [cia302, cia301]",
                   ":3:20: error: 'cia301', expected one of cia302, el6751, plc_designer");

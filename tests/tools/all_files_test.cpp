@@ -72,15 +72,17 @@ class AllFilesTest : public test::CommandTest
         add(RunCommand(With({"generate", file, "--output", Path("code"), "--namespace", "one"}, node)).status != 0,
             "generate");
         const std::vector<cia306::Finding> found = runtime::TryDevice(device, id);
-        add(std::any_of(found.begin(), found.end(), [](const cia306::Finding& finding)
-                        { return finding.severity == cia306::Severity::kError; }),
+        add(std::any_of(found.begin(), found.end(),
+                        [](const cia306::Finding& finding) { return finding.severity == cia306::Severity::kError; }),
             "node");
         const bool has_srdo = !cia306::ExtractSafety(device, id).srdos.empty();
         const std::string setup = node.empty() ? "" : ", node_id: 5";
-        const std::string scenario = File("one.yaml", "title: one\nduration: 100 ms\nnodes:\n  device: {dcf: " + file + setup + "}\n");
+        const std::string scenario =
+            File("one.yaml", "title: one\nduration: 100 ms\nnodes:\n  device: {dcf: " + file + setup + "}\n");
         add(has_srdo && RunCommand({"simulate", scenario, "--quiet"}).status != 0, "simulate");
         const std::string log = File("one.log", "(1.000000) can0 701#05\n");
-        add(RunCommand({"monitor", log, "--frames", "--dcf", node.empty() ? file : file + "=5"}).status == 2, "monitor");
+        add(RunCommand({"monitor", log, "--frames", "--dcf", node.empty() ? file : file + "=5"}).status == 2,
+            "monitor");
         return refused;
     }
 
@@ -91,7 +93,8 @@ class AllFilesTest : public test::CommandTest
         return cia306::ReadDeviceFile(file).node_id ? std::vector<std::string>{}
                                                     : std::vector<std::string>{"--node-id", "5"};
     }
-    [[nodiscard]] static std::vector<std::string> With(std::vector<std::string> words, const std::vector<std::string>& more)
+    [[nodiscard]] static std::vector<std::string> With(std::vector<std::string> words,
+                                                       const std::vector<std::string>& more)
     {
         words.insert(words.end(), more.begin(), more.end());
         return words;

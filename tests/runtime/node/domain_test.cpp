@@ -49,7 +49,7 @@ TEST(DomainRoom, IsAnOptionWithARange)
         EXPECT_NE(answer.err.find("--domain-bytes"), std::string::npos) << answer.err;
     }
     const std::string help = tools::test::RunCommand({"node", "--help"}).out;
-    EXPECT_NE(help.find("--domain-bytes INT:INT in [1 - 16777216] [8192]"), std::string::npos) << help;
+    EXPECT_NE(help.find("--domain-bytes INT:INT in [1 - 16777216]=8192"), std::string::npos) << help;
 }
 } // namespace
 } // namespace counterpoint::runtime
