@@ -1,13 +1,11 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia306/check/check.hpp"
 #include "canopen/cia306/file/device_reader.hpp"
 #include "canopen/cia306/text/text_file.hpp"
 #include "runtime/console/json_text.hpp"
 #include "tools/command_table.hpp"
-#include "tools/device_check.hpp"
+#include "tools/device_findings.hpp"
 #include "tools/device_options.hpp"
 
-#include <algorithm>
 #include <ostream>
 #include <vector>
 
@@ -15,13 +13,6 @@ namespace counterpoint::tools
 {
 namespace
 {
-std::size_t CountOf(const std::vector<cia306::Finding>& findings, const cia306::Severity severity)
-{
-    return static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(),
-                                                  [severity](const cia306::Finding& finding)
-                                                  { return finding.severity == severity; }));
-}
-
 class CheckCommand final : public Command
 {
   public:
@@ -51,7 +42,7 @@ class CheckCommand final : public Command
             check_options.granularity_bits = static_cast<std::uint8_t>(granularity_);
         }
         const std::vector<cia306::Finding> findings = FindingsOf(device, text, check_options);
-        const std::size_t errors = CountOf(findings, cia306::Severity::kError);
+        const std::size_t errors = ErrorsIn(findings);
         if (options_.is_json)
         {
             PrintJson(findings, errors, streams.out);

@@ -30,7 +30,8 @@ nlohmann::ordered_json ToJson(const std::vector<cia306::Finding>& findings)
     for (const cia306::Finding& finding : findings)
     {
         rows.push_back({{"severity", finding.severity == cia306::Severity::kError ? "error" : "warning"},
-                        {"line", finding.line},
+                        {"line", finding.place.line},
+                        {"column", finding.place.column},
                         {"object", finding.object},
                         {"message", finding.text}});
     }
@@ -47,8 +48,11 @@ ExitStatus RunOnDevice(const DeviceOptions& options, const Streams& streams, con
     {
         if (options.is_json)
         {
-            const nlohmann::ordered_json answer{
-                {"error", {{"file", error.File()}, {"line", error.Line()}, {"message", error.Message()}}}};
+            const nlohmann::ordered_json answer{{"error",
+                                                 {{"file", error.File()},
+                                                  {"line", error.Where().line},
+                                                  {"column", error.Where().column},
+                                                  {"message", error.Message()}}}};
             streams.out << runtime::JsonText(answer);
         }
         throw;

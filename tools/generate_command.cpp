@@ -30,7 +30,7 @@ void RequireFolder(const std::string& folder)
     const bool is_made = is_there || std::filesystem::create_directory(folder, error);
     if (!is_made)
     {
-        throw cia306::InputError(folder, 0U,
+        throw cia306::InputError(folder, {},
                                  {"it is no folder and cannot be made" + (error ? " (" + error.message() + ")" : ""),
                                   "a folder, or a name in one"});
     }
@@ -45,7 +45,7 @@ void RequireOwnOrNone(const std::string& path)
     if (!text.empty() && !generate::IsGenerated(text))
     {
         throw cia306::InputError(
-            path, 0U,
+            path, {},
             {"it is there and was not made by 'counterpoint generate'", "another --output, or that you remove it"});
     }
 }
@@ -125,7 +125,7 @@ class GenerateCommand final : public Command
         if (is_refused)
         {
             streams.err << cia306::Printable(options_.file)
-                        << ":0: error: nothing is written, expected a file without errors, or --force\n";
+                        << ": error: nothing is written, expected a file without errors, or --force\n";
             return;
         }
         streams.out << cia306::Printable(PathOf(generate::kHeaderName)) << "\n"

@@ -167,7 +167,7 @@ class ManagerCommand final : public Command
         const bool is_written = report.Finish();
         if (!loop.IsLogWhole())
         {
-            throw cia306::InputError(log_, 0U,
+            throw cia306::InputError(log_, {},
                                      {"the event log could not be written to its end", "a file system with room"});
         }
         const ExitStatus status = has_started ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;

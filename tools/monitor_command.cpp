@@ -43,7 +43,7 @@ monitor::NodeFile NodeFileOf(const std::string& text)
     const int id = std::stoi(number);
     if (id < 1 || id > 127)
     {
-        throw InputError(text.substr(0U, mark), 0U, {"node-ID " + number + " in --dcf", "1 to 127"});
+        throw InputError(text.substr(0U, mark), {}, {"node-ID " + number + " in --dcf", "1 to 127"});
     }
     return {text.substr(0U, mark), static_cast<std::uint8_t>(id)};
 }
@@ -107,7 +107,7 @@ std::unique_ptr<host::LiveBus> Open(const std::string& address)
     }
     catch (const host::LiveBusError& error)
     {
-        throw cia306::InputError(address, 0U, {error.what(), ""});
+        throw cia306::InputError(address, {}, {error.what(), ""});
     }
 }
 
@@ -268,7 +268,7 @@ class MonitorCommand final : public Command
             }
             if (!is_any)
             {
-                throw InputError(file_, 0U,
+                throw InputError(file_, {},
                                  interface_.empty()
                                      ? cia306::Problem{"no CAN frame in it", "a recording with at least one"}
                                      : cia306::Problem{"no frame of interface " + cia306::Quoted(interface_),
@@ -301,7 +301,7 @@ class MonitorCommand final : public Command
             std::error_code error; // Of a file that is not there, which is another than the page.
             if (std::filesystem::equivalent(input, html_, error))
             {
-                throw InputError(html_, 0U, {"--html is a file that is read", "another one"});
+                throw InputError(html_, {}, {"--html is a file that is read", "another one"});
             }
         }
         cia306::RequireWritable(html_);
@@ -318,7 +318,7 @@ class MonitorCommand final : public Command
         monitor::Network network(files, sct);
         if (network.Watches().empty() && !shows_frames_)
         {
-            throw InputError(files.front().path, 0U,
+            throw InputError(files.front().path, {},
                              {"no SRDO that is on in any of the files", "at least one to watch, or --frames"});
         }
         return network;

@@ -3,7 +3,7 @@
 #include "canopen/cia306/file/device_reader.hpp"
 #include "canopen/cia306/text/text_file.hpp"
 #include "tools/command_table.hpp"
-#include "tools/device_check.hpp"
+#include "tools/device_findings.hpp"
 #include "tools/new_answers.hpp"
 #include "tools/srdo_report.hpp"
 
@@ -59,7 +59,7 @@ class NewCommand final : public Command
             std::filesystem::symlink_status(output_, error).type() != std::filesystem::file_type::not_found;
         if (is_there && !is_forced_)
         {
-            throw cia306::InputError(output_, 0U, {"the file is there already", "the name of a new one, or --force"});
+            throw cia306::InputError(output_, {}, {"the file is there already", "the name of a new one, or --force"});
         }
         cia306::RequireWritable(output_);
     }
@@ -73,7 +73,7 @@ class NewCommand final : public Command
             const cia306::Finding* const cause = CauseIn(findings);
             const cia306::Finding& first = cause == nullptr ? findings.front() : *cause;
             throw cia306::InputError(
-                output_, 0U,
+                output_, {},
                 {"nothing was written: " + first.object + (first.object.empty() ? "" : ": ") + first.text, ""});
         }
     }

@@ -55,6 +55,11 @@ class NodeCommand final : public Command
                     "file, command line or store there is nothing but LSS");
         options.Add("--no-self-tests", &has_no_self_tests_,
                     "Leave out the cyclic tests of program, memory, stack, parts and permits");
+        options
+            .Add("--domain-bytes", &domain_bytes_,
+                 "Room in bytes of each DOMAIN that can be written; a value in the file that is longer has its own")
+            .Range(1, static_cast<int>(runtime::kMostDomainBytes))
+            .ShowDefault();
         options.Add("--json", &is_json_, "One JSON object a line");
         options.Add("--no-input", &has_no_input_, "Read no orders from the standard input");
         options.Footer("Orders, typed as lines or in a script:\n" + runtime::OrderHelp() +
@@ -84,6 +89,7 @@ class NodeCommand final : public Command
         settings.store = store_;
         settings.has_lss = has_lss_;
         settings.has_self_tests = !has_no_self_tests_;
+        settings.domain_bytes = static_cast<std::uint32_t>(domain_bytes_);
         const runtime::NodeScript script = script_.empty() ? runtime::NodeScript{} : runtime::ReadNodeScript(script_);
         runtime::NodePorts ports(address_, second_address_);
         runtime::NodeReport report(streams.out, is_json_ ? runtime::ReportForm::kJson : runtime::ReportForm::kText,
@@ -120,6 +126,7 @@ class NodeCommand final : public Command
     std::string store_;
     int node_id_{0};
     int cycle_us_{0};
+    int domain_bytes_{runtime::kDomainBytes};
     bool is_json_{false};
     bool has_no_input_{false};
     bool has_lss_{false};

@@ -7,8 +7,10 @@
 #include "canopen/cia306/text/text_file.hpp"
 #include "runtime/console/json_text.hpp"
 #include "tools/command_table.hpp"
+#include "tools/device_findings.hpp"
 #include "tools/device_options.hpp"
 
+#include <algorithm>
 #include <ostream>
 #include <vector>
 
@@ -116,24 +118,52 @@ class SignCommand final : public Command
         {
             cia306::WriteTextFile(output_, cia306::WithSignatures(document, device, node_id).Text());
         }
-        if (configuration.srdos.empty())
-        {
-            streams.err << cia306::Printable(options_.file)
-                        << ":0: warning: no SRDO, expected communication parameters at 0x1301 to 0x1340\n";
-        }
+        const std::vector<cia306::Finding> warnings = Warnings(node_id);
         if (options_.is_json)
         {
-            PrintJson(configuration, digest, node_id, streams.out);
+            nlohmann::ordered_json answer = Answer(configuration, digest, node_id);
+            answer["warnings"] = tools::ToJson(warnings);
+            streams.out << runtime::JsonText(answer);
+            return ExitStatus::kHolds;
         }
-        else
+        Print(configuration, digest, streams.out);
+        for (const cia306::Finding& warning : warnings)
         {
-            Print(configuration, digest, streams.out);
+            streams.err << cia306::FormatFinding(Result(), warning) << "\n";
         }
         return ExitStatus::kHolds;
     }
 
-    void PrintJson(const cia306::SafetyConfiguration& configuration, const cia306::DigestRecord& digest,
-                   const std::optional<std::uint8_t> node_id, std::ostream& out) const
+    /// The file that holds the signatures: the copy, where one is written.
+    [[nodiscard]] const std::string& Result() const noexcept
+    {
+        return output_.empty() ? options_.file : output_;
+    }
+
+    /// What check warns of in that file; its errors are told as one warning, and only of a copy: in a file that is yet
+    /// to be signed the signatures are wrong. [SRS_CLI_037]
+    [[nodiscard]] std::vector<cia306::Finding> Warnings(const std::optional<std::uint8_t> node_id) const
+    {
+        const std::string text = cia306::ReadTextFile(Result());
+        const cia306::Device device = cia306::ReadDevice(cia306::IniDocument::Parse(Result(), text));
+        std::vector<cia306::Finding> findings = FindingsOf(device, text, {node_id, std::nullopt});
+        const std::size_t errors = ErrorsIn(findings);
+        findings.erase(std::remove_if(findings.begin(), findings.end(), [](const cia306::Finding& finding)
+                                      { return finding.severity == cia306::Severity::kError; }),
+                       findings.end());
+        if (errors != 0U && !output_.empty())
+        {
+            findings.push_back({cia306::Severity::kWarning,
+                                {},
+                                "",
+                                "check finds errors: " + std::to_string(errors) + ", expected none"});
+        }
+        return findings;
+    }
+
+    [[nodiscard]] nlohmann::ordered_json Answer(const cia306::SafetyConfiguration& configuration,
+                                                const cia306::DigestRecord& digest,
+                                                const std::optional<std::uint8_t> node_id) const
     {
         nlohmann::ordered_json answer{{"file", options_.file}, {"node_id", nullptr}};
         if (node_id)
@@ -153,7 +183,7 @@ class SignCommand final : public Command
         {
             answer["written"] = output_;
         }
-        out << runtime::JsonText(answer);
+        return answer;
     }
 
     void Print(const cia306::SafetyConfiguration& configuration, const cia306::DigestRecord& digest,

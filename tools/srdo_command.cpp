@@ -5,7 +5,7 @@
 #include "canopen/cia306/text/text_file.hpp"
 #include "runtime/console/json_text.hpp"
 #include "tools/command_table.hpp"
-#include "tools/device_check.hpp"
+#include "tools/device_findings.hpp"
 #include "tools/device_options.hpp"
 #include "tools/srdo_options.hpp"
 #include "tools/srdo_report.hpp"
@@ -150,7 +150,7 @@ class SrdoCommand final : public Command
             number_ == 0 ? cia306::FreeSrdoNumber(device) : std::optional(static_cast<std::uint8_t>(number_));
         if (!number)
         {
-            throw cia306::InputError(device.file, 0U, {"all 64 SRDOs are there", "a file with a free number"});
+            throw cia306::InputError(device.file, {}, {"all 64 SRDOs are there", "a file with a free number"});
         }
         const bool is_producer = !produced_.empty();
         cia306::SrdoPlan plan = srdos_.PlanOf(*number, is_producer, is_producer ? produced_ : consumed_, node_id);
@@ -174,7 +174,7 @@ class SrdoCommand final : public Command
         std::vector<cia306::Finding> findings = FindingsBeforeWriting(text, node_id);
         for (cia306::Finding& finding : findings)
         {
-            finding.line = 0U;
+            finding.place = {};
             finding.text += "; nothing was written";
         }
         RequireNoError(findings);

@@ -114,7 +114,7 @@ void ReadLimits(const ElementContext& context, Element& element, std::uint64_t& 
     }
     else if (is_below || is_above)
     {
-        context.warnings.push_back({cia306::Severity::kWarning, entry.ValueLine(),
+        context.warnings.push_back({cia306::Severity::kWarning, entry.ValuePlace(),
                                     cia306::ObjectName(entry.index, entry.sub),
                                     "value " + cia306::Quoted(entry.Configured().text) +
                                         ", expected one between LowLimit and HighLimit; it is generated all the same"});

@@ -36,7 +36,7 @@ GeneratedCode Generate(const cia306::Device& device, const std::string_view text
     const Layout layout = LayOut(device, options, code.warnings);
     if (layout.entry_count == 0U)
     {
-        throw cia306::InputError(device.file, 0U, {"no object for a dictionary", "objects from 0x1000 on"});
+        throw cia306::InputError(device.file, {}, {"no object for a dictionary", "objects from 0x1000 on"});
     }
     const FileText file{layout, options.name_space, OriginOf(device.file, text), options.node_id};
     code.header = HeaderText(file);

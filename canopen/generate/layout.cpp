@@ -95,7 +95,7 @@ class Builder
         const bool is_known = entry.type.bits != 0U || entry.type.kind == DataKind::kText;
         if (!is_known)
         {
-            context_.warnings.push_back({cia306::Severity::kWarning, entry.line,
+            context_.warnings.push_back({cia306::Severity::kWarning, entry.place,
                                          cia306::ObjectName(entry.index, entry.sub),
                                          "is left out, expected a data type whose length is known"});
             return;
@@ -158,7 +158,7 @@ class Builder
             if (!placed_.insert(place).second)
             {
                 const cia306::Entry& entry = *layout_.elements[place].entry;
-                throw cia306::InputError(context_.device.file, part.line,
+                throw cia306::InputError(context_.device.file, part.place,
                                          {"the static mapping of SRDO " + std::to_string(part.number) + " has " +
                                               cia306::ObjectName(entry.index, entry.sub) +
                                               ", which a static mapping has already",
@@ -183,7 +183,7 @@ Layout LayOut(const cia306::Device& device, const GenerateOptions& options, std:
     if (layout.variable_count > kMostVariables)
     {
         throw cia306::InputError(
-            device.file, 0U, {std::to_string(layout.variable_count) + " objects with SRDOMapping=1", "at most 1024"});
+            device.file, {}, {std::to_string(layout.variable_count) + " objects with SRDOMapping=1", "at most 1024"});
     }
     layout.safety.JoinPairs(layout.elements);
     builder.Place();

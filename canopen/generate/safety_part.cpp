@@ -94,7 +94,7 @@ SafetyPart::SafetyPart(const cia306::Device& device, const std::optional<std::ui
     cia306::RequireNone(device_.file, problems);
     if (!node_id_)
     {
-        throw cia306::InputError(device_.file, 0U, {"no node-ID", "--node-id, or NodeID in [DeviceComissioning]"});
+        throw cia306::InputError(device_.file, {}, {"no node-ID", "--node-id, or NodeID in [DeviceComissioning]"});
     }
 }
 
@@ -163,13 +163,13 @@ std::vector<StaticPart> SafetyPart::StaticParts(const std::vector<Element>& elem
         }
         StaticPart part;
         part.number = srdo.number;
-        part.line = srdo.entry_count.line;
+        part.place = srdo.entry_count.place;
         for (const MappingEntry& entry : srdo.mapping)
         {
             const auto place = Find(elements, entry.raw >> 8U);
             if (!place)
             {
-                throw cia306::InputError(device_.file, entry.line,
+                throw cia306::InputError(device_.file, entry.place,
                                          {"the static mapping names " + cia306::ObjectName(entry.Index(), entry.Sub()),
                                           "an object of the file with SRDOMapping=1 and a length of 1 to 64 bits"});
             }

@@ -32,7 +32,7 @@ struct StaticPart
     std::vector<std::uint32_t> entries;
     std::vector<std::size_t> normal;
     std::vector<std::size_t> inverse;
-    std::size_t line{0U};
+    cia306::Place place;
 };
 
 /// The safety configuration of a file. Every call may throw InputError.

@@ -88,9 +88,10 @@ std::size_t CandumpReader::Place() const noexcept
     return line_;
 }
 
-void CandumpReader::Refuse(const std::string_view line, const char* const expected) const
+void CandumpReader::Refuse(const std::string_view line, const std::string_view at, const char* const expected) const
 {
-    throw cia306::InputError(file_, line_, {"line " + cia306::Quoted(line), expected});
+    const auto column = static_cast<std::size_t>(at.data() - line.data()) + 1U;
+    throw cia306::InputError(file_, {line_, column}, {"line " + cia306::Quoted(line), expected});
 }
 
 bool CandumpReader::Next(LogFrame& frame)
@@ -131,7 +132,7 @@ bool CandumpReader::ReadLine(const std::string_view line, LogFrame& frame)
     }
     if (frame.time < last_)
     {
-        Refuse(line, "a time that is not before that of the frame before");
+        Refuse(line, line, "a time that is not before that of the frame before");
     }
     last_ = frame.time;
     return true;
@@ -144,7 +145,7 @@ std::string_view CandumpReader::ReadLogged(const std::string_view line, const st
     const bool has_name = name_end != std::string_view::npos && name_end != at && name_end - at <= kMostInterfaceBytes;
     if (!has_name)
     {
-        Refuse(line, kForm);
+        Refuse(line, line.substr(at), kForm);
     }
     std::string_view rest = line.substr(name_end + 1U);
     const std::size_t space = rest.find(' ');
@@ -153,7 +154,7 @@ std::string_view CandumpReader::ReadLogged(const std::string_view line, const st
         const std::string_view direction = rest.substr(space + 1U);
         if (direction != "R" && direction != "T")
         {
-            Refuse(line, "nothing behind the data, or the direction R or T");
+            Refuse(line, direction, "nothing behind the data, or the direction R or T");
         }
         rest = rest.substr(0U, space);
     }
@@ -176,7 +177,7 @@ void CandumpReader::ReadTime(const std::string_view line, std::size_t& at, LogFr
     const bool has_end = has_digits && line.substr(at, 2U) == ") ";
     if (!has_end)
     {
-        Refuse(line, kForm);
+        Refuse(line, line, kForm);
     }
     at += 2U;
     frame.time = seconds * kSecond + fraction * (digits == kMicrosecondDigits ? kMicrosecond : 1);
@@ -187,7 +188,7 @@ void CandumpReader::ReadFrame(const std::string_view line, const std::string_vie
     const std::size_t mark = text.find('#');
     if (mark == std::string_view::npos)
     {
-        Refuse(line, "an identifier of 3 or 8 hexadecimal digits and #");
+        Refuse(line, text, "an identifier of 3 or 8 hexadecimal digits and #");
     }
     ReadIdentifier(line, text.substr(0U, mark), frame);
     ReadData(line, text.substr(mark + 1U), frame);
@@ -200,7 +201,7 @@ void CandumpReader::ReadIdentifier(const std::string_view line, const std::strin
     const bool is_number = number && (is_standard || text.size() == kExtendedDigits);
     if (!is_number)
     {
-        Refuse(line, "an identifier of 3 or 8 hexadecimal digits");
+        Refuse(line, text, "an identifier of 3 or 8 hexadecimal digits");
     }
     const auto identifier = static_cast<std::uint32_t>(*number);
     frame.is_error = !is_standard && (identifier & kErrorFlag) != 0U;
@@ -209,7 +210,7 @@ void CandumpReader::ReadIdentifier(const std::string_view line, const std::strin
     const bool is_in_range = is_standard ? identifier <= kStandardMask : identifier <= (kExtendedMask | kErrorFlag);
     if (!is_in_range)
     {
-        Refuse(line, "an identifier of 11 bits in 3 digits, or of 29 bits in 8");
+        Refuse(line, text, "an identifier of 11 bits in 3 digits, or of 29 bits in 8");
     }
 }
 
@@ -221,7 +222,7 @@ void CandumpReader::ReadData(const std::string_view line, std::string_view text,
         const int length = text.size() == 2U ? HexOf(text.substr(1U)) : (text.size() == 1U ? 0 : -1);
         if (length < 0 || length > kClassicalBytes)
         {
-            Refuse(line, "R and a length from 0 to 8");
+            Refuse(line, text, "R and a length from 0 to 8");
         }
         frame.length = static_cast<std::uint8_t>(length);
         return;
@@ -232,7 +233,7 @@ void CandumpReader::ReadData(const std::string_view line, std::string_view text,
         text = text.substr(std::min<std::size_t>(2U, text.size()));
         if (!frame.is_fd)
         {
-            Refuse(line, "## and a digit of flags before the data of a CAN FD frame");
+            Refuse(line, text, "## and a digit of flags before the data of a CAN FD frame");
         }
     }
     // A length code above 8 stands behind 8 bytes as _9 to _F.
@@ -243,14 +244,14 @@ void CandumpReader::ReadData(const std::string_view line, std::string_view text,
     const bool is_length = text.size() % 2U == 0U && (frame.is_fd ? IsFdLength(count) : count <= kClassicalBytes);
     if (!is_length)
     {
-        Refuse(line, frame.is_fd ? "data of a length that CAN FD has" : "0 to 8 bytes of two hexadecimal digits");
+        Refuse(line, text, frame.is_fd ? "data of a length that CAN FD has" : "0 to 8 bytes of two hexadecimal digits");
     }
     for (std::size_t place = 0U; place < count; ++place)
     {
         const int byte = ByteOf(text.substr(2U * place, 2U));
         if (byte < 0)
         {
-            Refuse(line, "bytes of two hexadecimal digits");
+            Refuse(line, text.substr(2U * place), "bytes of two hexadecimal digits");
         }
         frame.data[place] = static_cast<std::uint8_t>(byte);
     }
@@ -274,7 +275,7 @@ std::string_view CandumpReader::ReadPrinted(const std::string_view line, const s
     const int length = LengthOf(length_word);
     if (length < 0)
     {
-        Refuse(line, "a length of 0 to 8 in brackets, or one of CAN FD in two digits");
+        Refuse(line, length_word, "a length of 0 to 8 in brackets, or one of CAN FD in two digits");
     }
     frame.length = static_cast<std::uint8_t>(length);
     frame.is_fd = length_word.size() == 4U;
@@ -286,10 +287,11 @@ std::string_view CandumpReader::ReadPrinted(const std::string_view line, const s
     }
     for (std::uint8_t place = 0U; place < frame.length; ++place)
     {
-        const int byte = ByteOf(TakeWord(rest));
+        word = TakeWord(rest);
+        const int byte = ByteOf(word);
         if (byte < 0)
         {
-            Refuse(line, "as many bytes of two hexadecimal digits as the length tells");
+            Refuse(line, word, "as many bytes of two hexadecimal digits as the length tells");
         }
         frame.data.at(place) = static_cast<std::uint8_t>(byte);
     }
@@ -297,7 +299,7 @@ std::string_view CandumpReader::ReadPrinted(const std::string_view line, const s
     const bool is_end = tail == std::string_view::npos || rest[tail] == '\'' || rest.substr(tail) == "ERRORFRAME";
     if (!is_end)
     {
-        Refuse(line, "nothing behind the bytes but characters in quotes or ERRORFRAME");
+        Refuse(line, rest.substr(tail), "nothing behind the bytes but characters in quotes or ERRORFRAME");
     }
     return name;
 }

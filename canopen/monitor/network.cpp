@@ -100,13 +100,13 @@ void Network::AddNode(const NodeFile& file)
     const std::optional<std::uint8_t> id = file.node_id ? file.node_id : node.device.node_id;
     if (!id)
     {
-        throw cia306::InputError(file.path, 0U,
+        throw cia306::InputError(file.path, {},
                                  {"no node-ID", "NodeID in [DeviceComissioning], or --dcf FILE=NODE_ID"});
     }
     if (Find(*id) != nullptr)
     {
         throw cia306::InputError(
-            file.path, 0U,
+            file.path, {},
             {"node-ID " + std::to_string(*id) + ", which " + Find(*id)->device.file + " has already",
              "a node-ID of its own for each file"});
     }

@@ -151,7 +151,7 @@ std::size_t PcapReader::Place() const noexcept
 
 void PcapReader::Refuse(const cia306::Problem& problem) const
 {
-    throw cia306::InputError(file_, packet_, problem);
+    throw cia306::InputError(file_, {packet_, 0U}, problem);
 }
 
 bool PcapReader::Next(LogFrame& frame)

@@ -43,7 +43,7 @@ std::size_t PcapngReader::Place() const noexcept
 
 void PcapngReader::Refuse(const cia306::Problem& problem) const
 {
-    throw cia306::InputError(file_, block_,
+    throw cia306::InputError(file_, {block_, 0U},
                              {"block " + std::to_string(block_) + ": " + problem.wrong, problem.expected});
 }
 

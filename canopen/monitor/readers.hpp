@@ -20,7 +20,8 @@ class CandumpReader final : public FrameSource
     [[nodiscard]] std::size_t Place() const noexcept override;
 
   private:
-    [[noreturn]] void Refuse(std::string_view line, const char* expected) const;
+    /// `at` is the part of the line that is wrong and what follows it.
+    [[noreturn]] void Refuse(std::string_view line, std::string_view at, const char* expected) const;
     [[nodiscard]] bool ReadLine(std::string_view line, LogFrame& frame);
     void ReadTime(std::string_view line, std::size_t& at, LogFrame& frame) const;
     [[nodiscard]] std::string_view ReadLogged(std::string_view line, std::size_t at, LogFrame& frame) const;

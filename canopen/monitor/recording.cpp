@@ -19,7 +19,7 @@ constexpr std::size_t kMostBytes = 2U * 1024U * 1024U * 1024U;
 
 [[noreturn]] void Refuse(const std::string& path, const std::string& wrong, const std::string& expected)
 {
-    throw cia306::InputError(path, 0U, {wrong, expected});
+    throw cia306::InputError(path, {}, {wrong, expected});
 }
 void RefuseCompressed(const std::string& file, const std::string_view magic)
 {

@@ -31,21 +31,21 @@ struct CpjNode
     const IniKey* present{nullptr};
     const IniKey* name{nullptr};
     const IniKey* dcf{nullptr};
-    std::size_t line{0U};
+    Place place;
 };
 
-[[noreturn]] void Refuse(const IniDocument& document, const std::size_t line, const std::string& wrong,
+[[noreturn]] void Refuse(const IniDocument& document, const Place place, const std::string& wrong,
                          const std::string& expected)
 {
-    throw InputError(document.File(), line, {wrong, expected});
+    throw InputError(document.File(), place, {wrong, expected});
 }
 
 std::uint64_t NumberOf(const IniDocument& document, const IniKey& key, const std::uint64_t max)
 {
-    const auto number = cia306::ParseUnsigned(key.value, max);
+    const auto number = cia306::ParseUnsigned(key.Bare(), max);
     if (!number)
     {
-        Refuse(document, key.line, key.name + "=" + Quoted(key.value), "a number from 0 to " + std::to_string(max));
+        Refuse(document, key.place, key.name + "=" + Quoted(key.value), "a number from 0 to " + std::to_string(max));
     }
     return *number;
 }
@@ -56,7 +56,7 @@ const IniSection& TopologyOf(const IniDocument& document)
     if (topology == nullptr)
     {
         // Behind its last line: there it is still missing.
-        Refuse(document, std::max<std::size_t>(document.LineCount(), 1U), "no section [Topology]",
+        Refuse(document, {std::max<std::size_t>(document.LineCount(), 1U), 1U}, "no section [Topology]",
                "a CPJ file of CiA 306-3");
     }
     for (const IniSection& section : document.Sections())
@@ -64,16 +64,16 @@ const IniSection& TopologyOf(const IniDocument& document)
         const std::string name = Lower(section.name);
         if (name != "topology" && name.rfind("topology", 0U) == 0U)
         {
-            Refuse(document, section.line, "a second network [" + section.name + "]", "one network a file");
+            Refuse(document, section.place, "a second network [" + section.name + "]", "one network a file");
         }
     }
     return *topology;
 }
 
 /// What was left aside: a slip of the pen would otherwise leave out a node.
-void Warn(const IniDocument& document, const std::size_t line, const std::string& text, NetworkPlan& plan)
+void Warn(const IniDocument& document, const Place place, const std::string& text, NetworkPlan& plan)
 {
-    plan.warnings.push_back(cia306::Printable(document.File()) + ":" + std::to_string(line) + ": " + text);
+    plan.warnings.push_back(cia306::PlaceText(document.File(), place) + ": warning: " + text);
 }
 
 bool IsOneOf(const std::string& word, const std::initializer_list<const char*> words)
@@ -100,11 +100,11 @@ bool TakeNodeKey(const IniDocument& document, const IniKey& key, std::map<std::u
         digits.size() <= 3U && std::stoul(digits) >= 1U && std::stoul(digits) <= cia302::kLastNode && digits[0] != '0';
     if (!is_id)
     {
-        Refuse(document, key.line, "key " + Quoted(key.name), "a node-ID from 1 to 127 after Node");
+        Refuse(document, key.name_place, "key " + Quoted(key.name), "a node-ID from 1 to 127 after Node");
     }
     CpjNode& node = nodes[std::stoul(digits)];
     const std::string what = name.substr(end);
-    node.line = (node.line == 0U) ? key.line : node.line;
+    node.place = node.place.IsWhole() ? key.name_place : node.place;
     node.present = (what == "present") ? &key : node.present;
     node.name = (what == "name") ? &key : node.name;
     node.dcf = (what == "dcfname") ? &key : node.dcf;
@@ -115,13 +115,23 @@ void WarnOfUnknown(const IniDocument& document, NetworkPlan& plan)
 {
     for (const cia306::Finding& finding : document.Warnings())
     {
-        Warn(document, finding.line, finding.text, plan);
+        Warn(document, finding.place, finding.text, plan);
     }
     for (const IniSection& section : document.Sections())
     {
         if (Lower(section.name) != "topology")
         {
-            Warn(document, section.line, "section [" + section.name + "] is ignored, expected [Topology] alone", plan);
+            Warn(document, section.place, "section [" + section.name + "] is ignored, expected [Topology] alone", plan);
+        }
+        for (const IniKey& key : section.keys)
+        {
+            const std::string name = Lower(key.name);
+            const bool is_text = name.size() >= 4U && name.compare(name.size() - 4U, 4U, "name") == 0;
+            const auto comment = is_text ? std::nullopt : cia306::CommentBehind(key.value, key.place);
+            if (comment)
+            {
+                Warn(document, comment->place, comment->text, plan);
+            }
         }
     }
 }
@@ -133,7 +143,7 @@ void WarnOfAbsent(const IniDocument& document, const std::map<std::uint64_t, Cpj
         if (node.present == nullptr)
         {
             const std::string key = "Node" + std::to_string(id) + "Present";
-            Warn(document, node.line,
+            Warn(document, node.place,
                  "node " + std::to_string(id) + " without " + key + " is taken as absent, expected " + key + "=1 or 0",
                  plan);
         }
@@ -153,7 +163,7 @@ bool IsManager(const std::string& dcf)
     {
         const IniSection* const section = document.Find(name);
         const IniKey* const key = (section == nullptr) ? nullptr : section->Find("CANopenManager");
-        if (key != nullptr && !key->value.empty())
+        if (key != nullptr && !key->Bare().empty())
         {
             return NumberOf(document, *key, 1U) == 1U;
         }
@@ -168,15 +178,15 @@ SlavePlan PlanOf(const IniDocument& document, const std::uint64_t id, const CpjN
     plan.name = (node.name == nullptr || node.name->value.empty()) ? "node " + std::to_string(id) : node.name->value;
     if (node.dcf == nullptr || node.dcf->value.empty())
     {
-        Refuse(document, node.present->line, "node " + std::to_string(id) + " is present and has no DCF",
+        Refuse(document, node.present->place, "node " + std::to_string(id) + " is present and has no DCF",
                "Node" + std::to_string(id) + "DCFName=FILE");
     }
-    plan.line = node.dcf->line;
+    plan.place = node.dcf->place;
     plan.dcf = BesideFile(document.File(), node.dcf->value);
     const std::string problem = ProblemOfFile(plan.dcf);
     if (!problem.empty())
     {
-        Refuse(document, node.dcf->line, problem, "the DCF of node " + std::to_string(id));
+        Refuse(document, node.dcf->place, problem, "the DCF of node " + std::to_string(id));
     }
     return plan;
 }
@@ -186,11 +196,11 @@ void RequireCount(const IniDocument& document, const IniSection& topology, const
     const IniKey* const count = topology.Find("Nodes");
     if (count == nullptr)
     {
-        Refuse(document, topology.line, "no key Nodes in [Topology]", "Nodes=" + std::to_string(present));
+        Refuse(document, topology.place, "no key Nodes in [Topology]", "Nodes=" + std::to_string(present));
     }
     if (NumberOf(document, *count, cia302::kLastNode) != present)
     {
-        Refuse(document, count->line,
+        Refuse(document, count->place,
                "Nodes=" + count->value + ", and " + std::to_string(present) + " nodes are present", "equal numbers");
     }
 }
@@ -199,13 +209,13 @@ void TakeManager(NetworkPlan& plan, const SlavePlan& node)
 {
     if (!plan.manager.dcf.empty())
     {
-        throw InputError(plan.file, node.line,
+        throw InputError(plan.file, node.place,
                          {"a second manager, node " + std::to_string(node.node) + " besides node " +
                               std::to_string(*plan.manager.node),
                           "CANopenManager=1 in one DCF"});
     }
     plan.manager.node = node.node;
-    plan.manager.line = node.line;
+    plan.manager.place = node.place;
     plan.manager.dcf = node.dcf;
 }
 } // namespace
@@ -255,7 +265,7 @@ NetworkPlan ReadCpj(const std::string& path, const std::uint8_t manager)
     {
         if (!TakeNodeKey(document, key, nodes))
         {
-            Warn(document, key.line,
+            Warn(document, key.name_place,
                  "key " + Quoted(key.name) +
                      " is ignored, expected NetName, Nodes, NodeNPresent, NodeNName or NodeNDCFName",
                  plan);
@@ -276,14 +286,14 @@ NetworkPlan ReadCpj(const std::string& path, const std::uint8_t manager)
         }
     }
     RequireCount(document, topology, present);
-    plan.manager.line = (plan.manager.line == 0U) ? topology.line : plan.manager.line;
+    plan.manager.place = plan.manager.place.IsWhole() ? topology.place : plan.manager.place;
     if (!plan.manager.node && manager != 0U)
     {
         plan.manager.node = manager;
     }
     if (!plan.manager.node)
     {
-        Refuse(document, topology.line, "no node is the manager",
+        Refuse(document, topology.place, "no node is the manager",
                "CANopenManager=1 in [DeviceComissioning] of one DCF, or the option --node-id");
     }
     return plan;

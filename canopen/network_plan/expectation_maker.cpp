@@ -70,7 +70,7 @@ class Maker
         Add(srdo.MappingIndex(), 0U, srdo.entry_count);
         for (const cia306::MappingEntry& entry : srdo.mapping)
         {
-            Add(srdo.MappingIndex(), entry.sub, {entry.raw, entry.line});
+            Add(srdo.MappingIndex(), entry.sub, {entry.raw, entry.place});
         }
         Add(kSignatures, srdo.number, srdo.signature);
     }
@@ -87,7 +87,7 @@ class Maker
                 sub > 0U && size > 0U && entry.access == cia306::Access::kConstant && !Has(index, sub);
             std::vector<cia306::Finding> problems;
             const std::uint16_t type = (size == 2U) ? cia306::kUnsigned16 : cia306::kUnsigned32;
-            const cia306::Field field = cia306::ReadField(device_, index, sub, type, node_id, entry.line, problems);
+            const cia306::Field field = cia306::ReadField(device_, index, sub, type, node_id, entry.place, problems);
             if (is_meant && problems.empty())
             {
                 Add(index, sub, field);
@@ -121,7 +121,7 @@ void RequireRight(const Device& device, const std::uint8_t node_id)
     {
         if (finding.severity == cia306::Severity::kError)
         {
-            throw cia306::InputError(device.file, finding.line,
+            throw cia306::InputError(device.file, finding.place,
                                      {(finding.object.empty() ? "" : finding.object + ": ") + finding.text, ""});
         }
     }

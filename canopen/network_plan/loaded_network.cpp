@@ -71,7 +71,7 @@ LoadedNetwork::LoadedNetwork(const NetworkPlan& plan) : plan_(plan), warnings_(p
     if (!plan_.manager.dcf.empty())
     {
         device_ = cia306::ReadDeviceFile(plan_.manager.dcf);
-        RequireNode(device_, *plan_.manager.node, plan_.manager.line, "the manager, ");
+        RequireNode(device_, *plan_.manager.node, plan_.manager.place, "the manager, ");
         TakeManagerObjects(device_, plan_);
     }
     if (!plan_.manager.flying && (plan_.manager.start_up.value_or(0U) & cia302::kFlyingMaster) != 0U)
@@ -132,12 +132,12 @@ bool LoadedNetwork::ReplaceConcise(const std::uint8_t node, const cia302::Bytes&
     return is_taken;
 }
 
-void LoadedNetwork::RequireNode(const cia306::Device& device, const std::uint8_t node, const std::size_t line,
+void LoadedNetwork::RequireNode(const cia306::Device& device, const std::uint8_t node, const Place place,
                                 const std::string& who) const
 {
     if (device.node_id.value_or(node) != node)
     {
-        throw InputError(plan_.file, line,
+        throw InputError(plan_.file, place,
                          {cia306::Quoted(device.file) + " is for node-ID " + std::to_string(*device.node_id),
                           "the DCF of " + who + "node " + std::to_string(node)});
     }
@@ -148,7 +148,7 @@ void LoadedNetwork::RequireManager() const
     const std::uint32_t node = plan_.manager.node.value_or(0U);
     if (node == 0U || node > cia302::kLastNode)
     {
-        throw InputError(plan_.file, plan_.manager.line, {"no node-ID of the manager", "one from 1 to 127"});
+        throw InputError(plan_.file, plan_.manager.place, {"no node-ID of the manager", "one from 1 to 127"});
     }
 }
 
@@ -160,18 +160,18 @@ void LoadedNetwork::RequireNodes() const
         if (slave.node == *plan_.manager.node)
         {
             throw InputError(
-                plan_.file, slave.line,
+                plan_.file, slave.place,
                 {"node " + std::to_string(slave.node) + " is the manager and a slave", "different node-IDs"});
         }
         if (!seen.insert(slave.node).second)
         {
-            throw InputError(plan_.file, slave.line,
+            throw InputError(plan_.file, slave.place,
                              {"node " + std::to_string(slave.node) + " a second time", "each node once"});
         }
     }
     if (seen.empty())
     {
-        throw InputError(plan_.file, plan_.manager.line, {"a network without slaves", "at least one"});
+        throw InputError(plan_.file, plan_.manager.place, {"a network without slaves", "at least one"});
     }
 }
 
@@ -183,7 +183,7 @@ void LoadedNetwork::Load(const SlavePlan& plan)
     {
         slave->device = cia306::ReadDeviceFile(plan.dcf);
         slave->dcf_text = cia306::ReadTextFile(plan.dcf);
-        RequireNode(slave->device, plan.node, plan.line, "");
+        RequireNode(slave->device, plan.node, plan.place, "");
         if (plan.is_configured)
         {
             slave->entries = MakeConcise(slave->device, plan.node);
@@ -222,21 +222,21 @@ void LoadedNetwork::RequireSense(const LoadedSlave& slave, const SlaveSetup& set
     if (has_half && asks_half)
     {
         throw InputError(
-            plan_.file, plan.line,
+            plan_.file, plan.place,
             {"guard time " + ms(setup.GuardTimeMs()) + " with retry factor " + std::to_string(setup.RetryFactor()),
              "both above 0, or none"});
     }
     if (consumer_ms > 0U && consumer_ms <= setup.heartbeat.producer_ms)
     {
         throw InputError(
-            plan_.file, plan.line,
+            plan_.file, plan.place,
             {"consumer time " + ms(consumer_ms) + " of a heartbeat each " + ms(setup.heartbeat.producer_ms),
              "a longer one"});
     }
     RequireSoftware(plan);
     if (plan.writes_safety && slave.objects.empty())
     {
-        throw InputError(plan_.file, plan.line,
+        throw InputError(plan_.file, plan.place,
                          {"write_safety of node " + std::to_string(plan.node) + ", which has no safety configuration",
                           "a DCF with an SRDO that has a direction"});
     }
@@ -250,12 +250,12 @@ void LoadedNetwork::RequireSoftware(const SlavePlan& plan) const
     const std::string node = " of node " + std::to_string(plan.node);
     if (plan.software && compared == 0U)
     {
-        throw InputError(plan_.file, plan.line,
+        throw InputError(plan_.file, plan.place,
                          {"software" + node + " with nothing to compare", "identification, date or time above 0"});
     }
     if (software.may_update == software.program.empty())
     {
-        throw InputError(plan_.file, plan.line,
+        throw InputError(plan_.file, plan.place,
                          {software.may_update ? "an update of the software" + node + " without a program"
                                               : "a program" + node + " that no update may load",
                           "update: true and program: FILE, or neither"});
@@ -270,7 +270,7 @@ void LoadedNetwork::RequireSync() const
         const cia302::El6751Pdo* const pdo = FirstSynchronous(slave->profile);
         if (pdo != nullptr && setup_.sync_period_us == 0U)
         {
-            throw InputError(plan_.file, slave->plan.line,
+            throw InputError(plan_.file, slave->plan.place,
                              {"PDO " + std::to_string(pdo->number) + " of node " + std::to_string(slave->plan.node) +
                                   " is synchronous (type " + std::to_string(pdo->type) + ") and there is no SYNC",
                               "a period under manager, sync"});
@@ -357,7 +357,7 @@ void LoadedNetwork::FillManager()
     }
     if (setup_.sync_period_us != 0U && setup_.sync_period_us < kLeastSyncUs)
     {
-        throw InputError(plan_.file, manager.line,
+        throw InputError(plan_.file, manager.place,
                          {"SYNC period (1006h) of " + std::to_string(setup_.sync_period_us) + " us",
                           "none, or at least " + std::to_string(kLeastSyncUs) + " us"});
     }

@@ -86,7 +86,7 @@ class LoadedNetwork
 
   private:
     void RequireManager() const;
-    void RequireNode(const cia306::Device& device, std::uint8_t node, std::size_t line, const std::string& who) const;
+    void RequireNode(const cia306::Device& device, std::uint8_t node, Place place, const std::string& who) const;
     void RequireNodes() const;
     void Load(const SlavePlan& plan);
     void Fill(LoadedSlave& slave, cia302::SlaveSetup& setup) const;

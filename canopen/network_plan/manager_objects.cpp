@@ -79,7 +79,7 @@ class Taker
         if (!is_of_file && bits != 0U && (bits & cia302::kInNetwork) == 0U)
         {
             throw cia306::InputError(
-                device_.file, device_.Find(kAssignment, slave.node)->ValueLine(),
+                device_.file, device_.Find(kAssignment, slave.node)->ValuePlace(),
                 {cia306::ObjectName(kAssignment, slave.node) + ": " + cia306::Hex(bits, 1),
                  "bit 0 (in the network), as node " + std::to_string(slave.node) + " is, or 0 for the usual bits"});
         }
@@ -93,7 +93,7 @@ class Taker
         const bool is_wrong = (bits & cia302::kIsMaster) == 0U || (bits & ~cia302::kKnownStartUpBits) != 0U;
         if (!is_given && is_wrong)
         {
-            throw cia306::InputError(device_.file, device_.Find(kStartUp, 0U)->ValueLine(),
+            throw cia306::InputError(device_.file, device_.Find(kStartUp, 0U)->ValuePlace(),
                                      {cia306::ObjectName(kStartUp, 0U) + ": " + cia306::Hex(bits, 1),
                                       "bit 0 (NMT master), and of the others bits 1 to 6 alone"});
         }
@@ -121,7 +121,7 @@ class Taker
         const std::optional<std::uint64_t> value = NumberAt(index, sub);
         if (!part && value && *value > greatest)
         {
-            throw cia306::InputError(device_.file, device_.Find(index, sub)->ValueLine(),
+            throw cia306::InputError(device_.file, device_.Find(index, sub)->ValuePlace(),
                                      {cia306::ObjectName(index, sub) + ": " + cia306::Hex(*value, 1),
                                       "at most " + cia306::Hex(greatest, 1)});
         }
@@ -157,7 +157,7 @@ class Taker
             if ((value >> kReservedShift) != 0U || (is_on && !seen.insert(node).second))
             {
                 throw cia306::InputError(
-                    device_.file, entry.ValueLine(),
+                    device_.file, entry.ValuePlace(),
                     {cia306::ObjectName(kConsumers, sub) + ": " + cia306::Hex(value, 8),
                      "each node-ID in one entry, in bits 16 to 23, and a time in ms in bits 0 to 15"});
             }

@@ -5,6 +5,7 @@
 #include "canopen/cia302/flying_master/options.hpp"
 #include "canopen/cia302/flying_master/times.hpp"
 #include "canopen/cia302/network/setup.hpp"
+#include "canopen/cia306/text/place.hpp"
 #include "canopen/start_up/el6751/setup.hpp"
 #include "canopen/start_up/plc_designer/setup.hpp"
 
@@ -17,14 +18,16 @@
 
 namespace counterpoint::network_plan
 {
-/// Lines of the keys in the network file. A CPJ has none.
-using KeyLines = std::map<std::string, std::size_t>;
+using cia306::Place;
 
-/// @brief The line of `key`, or `otherwise`.
-[[nodiscard]] inline std::size_t LineOf(const KeyLines& lines, const std::string& key, const std::size_t otherwise)
+/// Lines of the keys in the network file. A CPJ has none.
+using KeyPlaces = std::map<std::string, Place>;
+
+/// @brief The place of `key`, or `otherwise`.
+[[nodiscard]] inline Place PlaceOf(const KeyPlaces& places, const std::string& key, const Place otherwise)
 {
-    const auto found = lines.find(key);
-    return (found == lines.end()) ? otherwise : found->second;
+    const auto found = places.find(key);
+    return (found == places.end()) ? otherwise : found->second;
 }
 
 /// The start-up profiles.
@@ -46,13 +49,13 @@ struct FlyingPlan
     std::optional<std::uint16_t> detect_ms;     ///< 6
     cia302::FlyingMasterOptions options{cia302::DefaultFlyingMaster()};
     bool is_by_order{false}; ///< The first negotiation waits for the application.
-    KeyLines lines;
+    KeyPlaces places;
 };
 
 /// What an RxPDO carries until an order changes it.
 struct OutputPlan
 {
-    std::size_t line{0U}; ///< Of the network file.
+    Place place; ///< Of the network file.
     std::uint16_t number{0U};
     std::vector<std::uint8_t> bytes;
 };
@@ -71,8 +74,8 @@ struct SoftwarePlan
 struct SlavePlan
 {
     std::uint8_t node{0U};
-    std::size_t line{0U}; ///< Of the network file.
-    KeyLines lines;
+    Place place; ///< Of the network file.
+    KeyPlaces places;
     std::string name;
     std::string dcf; ///< Path, usable from here.
     std::optional<std::uint32_t> assignment;
@@ -105,8 +108,8 @@ struct SlavePlan
 struct ManagerPlan
 {
     std::optional<std::uint8_t> node;
-    std::size_t line{0U};
-    KeyLines lines;
+    Place place;
+    KeyPlaces places;
     std::string dcf; ///< Empty: none.
     StartProfile profile{StartProfile::kCia302};
     bool is_profile_chosen{false};         ///< A scenario has chosen it, for a file with keys of several profiles.

@@ -173,7 +173,7 @@ void NetworkWarnings::WarnOfHeartbeat()
         const bool has_rows = slave->profile.el6751.IsWatched();
         const std::uint32_t first = has_rows ? FirstWatched(*slave) : 0U;
         const std::string name =
-            cia306::Printable(plan_.file) + ":" + std::to_string(slave->plan.line) + ": node " + std::to_string(node);
+            cia306::PlaceText(plan_.file, slave->plan.place) + ": warning: node " + std::to_string(node);
         if (IsAwaitedInVain(*slave, setup_.slaves[node], plan_.manager.profile))
         {
             const cia302::HeartbeatSetup& heartbeat = setup_.slaves[node].heartbeat;
@@ -209,7 +209,7 @@ void NetworkWarnings::WarnOfHeartbeat()
 void NetworkWarnings::WarnOfGuarding(const SlavePlan& slave, const bool is_el6751)
 {
     const cia302::HeartbeatSetup& heartbeat = setup_.slaves[slave.node].heartbeat;
-    const std::string place = cia306::Printable(plan_.file) + ":" + std::to_string(slave.line) + ": ";
+    const std::string place = cia306::PlaceText(plan_.file, slave.place) + ": warning: ";
     const std::string node = "node " + std::to_string(slave.node);
     const bool is_asked = slave.guard_ms.value_or(0U) > 0U && !is_el6751;
     if (is_asked && heartbeat.consumer_ms > 0U)
@@ -246,9 +246,9 @@ void NetworkWarnings::WarnOfSafety(const LoadedSlave& slave)
     const auto warn = [&](const std::uint16_t index, const std::string& text)
     {
         const cia306::Entry* const entry = slave.device.Find(index, 0U);
-        const std::string line = (entry == nullptr) ? "" : ":" + std::to_string(entry->ValueLine());
-        warnings_.push_back(cia306::Printable(slave.device.file) + line + ": " + cia306::ObjectName(index, 0U) + ": " +
-                            text);
+        const Place place = (entry == nullptr) ? Place{} : entry->ValuePlace();
+        warnings_.push_back(cia306::PlaceText(slave.device.file, place) +
+                            ": warning: " + cia306::ObjectName(index, 0U) + ": " + text);
     };
     const cia306::Entry* const flag = slave.device.Find(kValidFlag, 0U);
     const cia306::ValueResult valid =
@@ -275,40 +275,40 @@ void NetworkWarnings::WarnOfUnused()
     const bool is_el6751 = profile == StartProfile::kEl6751;
     const bool is_plc = profile == StartProfile::kPlcDesigner;
     const ManagerPlan& manager = plan_.manager;
-    const auto tell = [&](const std::size_t line, const std::string& key)
+    const auto tell = [&](const Place place, const std::string& key)
     {
-        warnings_.push_back(cia306::Printable(plan_.file) + ":" + std::to_string(line) + ": " + key +
+        warnings_.push_back(cia306::PlaceText(plan_.file, place) + ": warning: " + key +
                             " has no effect with the profile " + NameOf(profile));
     };
-    const auto warn = [&](const std::size_t line, const ProfileKey& key)
+    const auto warn = [&](const Place place, const ProfileKey& key)
     {
         if (key.is_given && !key.has_effect && !manager.is_profile_chosen)
         {
-            tell(line, key.key);
+            tell(place, key.key);
         }
     };
-    warn(manager.line, {"sync", setup_.sync_period_us != 0U, is_el6751});
-    warn(manager.line, {"el6751", manager.el6751.has_value(), is_el6751});
-    warn(manager.line, {"boot_time", setup_.boot_time_ms != 0U, is_cia302});
+    warn(manager.place, {"sync", setup_.sync_period_us != 0U, is_el6751});
+    warn(manager.place, {"el6751", manager.el6751.has_value(), is_el6751});
+    warn(manager.place, {"boot_time", setup_.boot_time_ms != 0U, is_cia302});
     for (const std::string& warning : WarningsOfStartUp(manager, setup_))
     {
-        warnings_.push_back(cia306::Printable(plan_.file) + ":" + std::to_string(manager.line) + ": " + warning);
+        warnings_.push_back(cia306::PlaceText(plan_.file, manager.place) + ": warning: " + warning);
     }
     for (const SlavePlan& slave : plan_.slaves)
     {
-        warn(slave.line, {"el6751", slave.el6751.has_value(), is_el6751});
-        warn(slave.line, {"plc_designer", slave.plc.has_value(), is_plc});
-        warn(slave.line, {"keep_alive", slave.is_kept_alive.value_or(false), is_cia302});
-        warn(slave.line, {"boot", !slave.is_booted.value_or(true), is_cia302});
-        warn(slave.line, {"restore", slave.is_restored.value_or(false), is_cia302});
-        warn(slave.line, {"software", slave.software.has_value(), is_cia302});
-        warn(slave.line, {"vendor_id", slave.vendor_id.value_or(0U) != 0U, !is_plc});
-        warn(slave.line, {"product_code", slave.product_code.value_or(0U) != 0U, !is_plc});
-        warn(slave.line, {"revision", slave.revision.value_or(0U) != 0U, !is_plc});
-        warn(slave.line, {"serial", slave.serial.value_or(0U) != 0U, !is_plc});
+        warn(slave.place, {"el6751", slave.el6751.has_value(), is_el6751});
+        warn(slave.place, {"plc_designer", slave.plc.has_value(), is_plc});
+        warn(slave.place, {"keep_alive", slave.is_kept_alive.value_or(false), is_cia302});
+        warn(slave.place, {"boot", !slave.is_booted.value_or(true), is_cia302});
+        warn(slave.place, {"restore", slave.is_restored.value_or(false), is_cia302});
+        warn(slave.place, {"software", slave.software.has_value(), is_cia302});
+        warn(slave.place, {"vendor_id", slave.vendor_id.value_or(0U) != 0U, !is_plc});
+        warn(slave.place, {"product_code", slave.product_code.value_or(0U) != 0U, !is_plc});
+        warn(slave.place, {"revision", slave.revision.value_or(0U) != 0U, !is_plc});
+        warn(slave.place, {"serial", slave.serial.value_or(0U) != 0U, !is_plc});
         if ((slave.assignment.value_or(0U) & kReservedAssignment) != 0U)
         {
-            tell(slave.line, "bit 1 of assignment, which is reserved,");
+            tell(slave.place, "bit 1 of assignment, which is reserved,");
         }
         WarnOfGuarding(slave, is_el6751);
     }
@@ -336,29 +336,29 @@ void NetworkWarnings::WarnOfFlying()
     }
     const FlyingPlan& flying = *manager.flying;
     const cia302::FlyingMasterOptions& options = flying.options;
-    const std::size_t of_flying = LineOf(manager.lines, "flying", manager.line);
-    const auto warn = [&](const std::size_t line, const std::string& text)
-    { warnings_.push_back(cia306::Printable(plan_.file) + ":" + std::to_string(line) + ": " + text); };
+    const Place of_flying = PlaceOf(manager.places, "flying", manager.place);
+    const auto warn = [&](const Place place, const std::string& text)
+    { warnings_.push_back(cia306::PlaceText(plan_.file, place) + ": warning: " + text); };
     const auto ms = [](const std::uint32_t time) { return std::to_string(time) + " ms"; };
     const std::uint32_t heartbeat_ms = manager.heartbeat_ms.value_or(0U);
     if (heartbeat_ms == 0U)
     {
-        warn(LineOf(manager.lines, "heartbeat", of_flying),
+        warn(PlaceOf(manager.places, "heartbeat", of_flying),
              "a flying master without heartbeat, which its standbys lose again and again: expected a heartbeat above "
              "0 ms");
     }
-    const bool is_asked = flying.lines.count("watch_time") > 0U;
+    const bool is_asked = flying.places.count("watch_time") > 0U;
     const bool watches = options.watch == cia302::MasterWatch::kInstalled && (is_asked || HasUnwatchedNode());
     if (watches && options.watch_ms <= heartbeat_ms)
     {
-        warn(LineOf(flying.lines, "watch_time", of_flying),
+        warn(PlaceOf(flying.places, "watch_time", of_flying),
              "watch_time " + ms(options.watch_ms) + " for masters with a heartbeat each " + ms(heartbeat_ms) +
                  " as this one: their standbys lose them again and again, expected a longer one");
     }
     const std::uint32_t slot_ms = flying.node_slot_ms.value_or(kUsualNodeSlotMs);
     if (slot_ms > 0U && slot_ms < LeastNodeSlotMs())
     {
-        warn(LineOf(flying.lines, "node_slot", of_flying),
+        warn(PlaceOf(flying.places, "node_slot", of_flying),
              "node_slot " + ms(slot_ms) +
                  ": with a cycle of 1 ms and 125 kbit/s a failover may take longer than "
                  "computed, expected at least " +
@@ -367,13 +367,13 @@ void NetworkWarnings::WarnOfFlying()
     const bool is_race_cyclic = options.cyclic == cia302::CyclicMessage::kNegotiation;
     if (is_race_cyclic && options.standby == cia302::StandbyReaction::kRaces)
     {
-        warn(LineOf(flying.lines, "standby", of_flying),
+        warn(PlaceOf(flying.places, "standby", of_flying),
              "standby races with cyclic negotiation: masters like this one elect without end, expected another word "
              "for one of them");
     }
     if (is_race_cyclic && options.ignores_claims)
     {
-        warn(LineOf(flying.lines, "claim_heard", of_flying),
+        warn(PlaceOf(flying.places, "claim_heard", of_flying),
              "claim_heard ignores with cyclic negotiation: two masters like this one never end, expected another word "
              "for one of them");
     }

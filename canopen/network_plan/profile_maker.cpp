@@ -167,15 +167,15 @@ void FillOutputs(const std::string& file, const SlavePlan& plan, ProfileSlave& s
                                         [&output](const El6751Pdo& pdo) { return pdo.number == output.number; });
         if (found == slave.rx_pdos.end())
         {
-            throw cia306::InputError(file, output.line, {"no " + name, "one that its DCF switches on and maps"});
+            throw cia306::InputError(file, output.place, {"no " + name, "one that its DCF switches on and maps"});
         }
         if (!seen.insert(output.number).second)
         {
-            throw cia306::InputError(file, output.line, {name + " a second time", "each RxPDO once"});
+            throw cia306::InputError(file, output.place, {name + " a second time", "each RxPDO once"});
         }
         if (output.bytes.size() != found->length_bytes)
         {
-            throw cia306::InputError(file, output.line,
+            throw cia306::InputError(file, output.place,
                                      {name + " with " + std::to_string(output.bytes.size()) + " bytes",
                                       std::to_string(found->length_bytes) + " as its mapping has"});
         }
@@ -196,7 +196,7 @@ void FillEl6751(const std::string& file, const SlavePlan& plan, const Device& de
     slave.tx_pdos = MakePdos(device, plan.node, kFirstTxPdo);
     if (slave.rx_pdos.size() + slave.tx_pdos.size() > kMostPdos)
     {
-        throw cia306::InputError(device.file, std::max<std::size_t>(device.device_info_line, 1U),
+        throw cia306::InputError(device.file, device.device_info_place.OrBeginning(),
                                  {std::to_string(slave.rx_pdos.size() + slave.tx_pdos.size()) + " PDOs that are on",
                                   "at most " + std::to_string(kMostPdos) + " with the EL6751 start-up"});
     }
@@ -221,7 +221,7 @@ std::vector<El6751Pdo> MakePdos(const Device& device, const std::uint8_t node_id
         const std::uint32_t bits = MappedBits(device, node_id, static_cast<std::uint16_t>(index + kPdoNumbers));
         if ((cob_id & (kOff | cia301::kCobExtended)) == cia301::kCobExtended)
         {
-            throw cia306::InputError(device.file, device.Find(index, 1U)->ValueLine(),
+            throw cia306::InputError(device.file, device.Find(index, 1U)->ValuePlace(),
                                      {cia306::ObjectName(index, 1U) + " is " + cia306::Hex(cob_id, 8) +
                                           ", a PDO with an identifier of 29 bits",
                                       "one of 11 bits (bit 29 is 0)"});
@@ -254,7 +254,7 @@ void FillProfile(const std::string& file, const StartProfile profile, const Slav
 {
     if (profile != StartProfile::kEl6751 && !plan.outputs.empty())
     {
-        throw cia306::InputError(file, plan.outputs.front().line,
+        throw cia306::InputError(file, plan.outputs.front().place,
                                  {"outputs of node " + std::to_string(plan.node) + " with another profile",
                                   "the profile el6751, which sends RxPDOs"});
     }

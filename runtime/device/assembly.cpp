@@ -32,8 +32,9 @@ DeviceObjects::IsKernels KernelsOf(const DeviceConfig& config)
 
 ServiceAssembly::ServiceAssembly(const DeviceModel& model, const DeviceConfig& config, Kernel& kernel,
                                  const AssemblyParts& parts)
-    : objects_(*parts.file, config.node_id, KernelsOf(config)), history_(LastSubOf(*parts.file, kHistory)),
-      errors_(device::EmergencyPlaces(config.srdo_count, objects_.Rooms())), messages_(errors_.size()),
+    : objects_(*parts.file, config.node_id, KernelsOf(config), parts.domain_bytes),
+      history_(LastSubOf(*parts.file, kHistory)), errors_(device::EmergencyPlaces(config.srdo_count, objects_.Rooms())),
+      messages_(errors_.size()),
       emergency_({config.node_id}, {history_.data(), static_cast<std::uint8_t>(history_.size())},
                  {errors_.data(), messages_.data(), static_cast<std::uint16_t>(errors_.size())}),
       watch_(emergency_, parts.application), facade_(kernel, objects_.Table()),
@@ -226,7 +227,7 @@ DeviceConfig ConfigOf(const DeviceModel& model, const std::optional<std::uint32_
         {
             if (srdo.direction == kDirectionProducer && *cycle_us > srdo.times.sct_ms * kMicrosecondsPerMillisecond)
             {
-                throw cia306::InputError(model.File(), 0U,
+                throw cia306::InputError(model.File(), {},
                                          {"--cycle-us " + std::to_string(*cycle_us) + " for SRDO " +
                                               std::to_string(srdo.number) + ", which is sent every " +
                                               std::to_string(srdo.times.sct_ms) + " ms",

@@ -58,7 +58,8 @@ struct AssemblyParts
     AssemblyOwner& owner;
     /// Null: a device with NMT alone, without boot-up message; only its SRDOs are of interest.
     const cia306::Device* file;
-    FlowWatch* flow{nullptr}; ///< Null: the kernel's own flow monitor.
+    FlowWatch* flow{nullptr};                 ///< Null: the kernel's own flow monitor.
+    std::uint32_t domain_bytes{kDomainBytes}; ///< Room of a DOMAIN that can be written.
 };
 
 /// Dictionary and services of a device of a DCF, and the KernelWatch that makes emergencies of the kernel's errors.

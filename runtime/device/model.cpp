@@ -98,7 +98,7 @@ void DeviceModel::LayOut(const std::vector<SourceVariable>& variables, const std
         std::copy(map.entries.begin(), map.entries.end(), table.entries.begin());
         table.number = map.number;
         table.count = static_cast<std::uint8_t>(map.entries.size());
-        table.line = map.line;
+        table.place = map.place;
         table.normal = initial_.size();
         Place(map.normal, variables);
         table.inverse = initial_.size();
@@ -295,7 +295,7 @@ cia306::InputError RefusalOf(const DeviceModel& model, const ConfigurationWrite&
     const std::string object = cia306::ObjectName(write.object.index, write.object.sub);
     const auto digits = static_cast<int>(write.size_bytes * 2U);
     return {model.File(),
-            write.line,
+            write.place,
             {object + ": the device refuses " + cia306::Hex(write.value, digits) + " with abort code " +
                  AbortText(code) + " (" + MeaningOf(code) + ")",
              "a configuration that it accepts; 'counterpoint check' tells more"}};

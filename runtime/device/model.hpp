@@ -24,7 +24,7 @@ struct ConfigurationWrite
     ObjectAddress object{0U, 0U};
     std::uint32_t value{0U};
     std::uint8_t size_bytes{0U};
-    std::size_t line{0U};
+    cia306::Place place;
 };
 
 /// @brief The communication parameters, 13xxh, of the SRDO with this number.
@@ -53,7 +53,7 @@ struct StaticTable
     std::uint8_t count{0U};  ///< Number of entries.
     std::size_t normal{0U};  ///< Where its fields begin in DeviceModel::Memory().
     std::size_t inverse{0U};
-    std::size_t line{0U};
+    cia306::Place place;
 };
 
 /// A pair of mappable variables as the mapping of an SRDO joins them.

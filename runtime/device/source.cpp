@@ -43,7 +43,7 @@ DeviceSource::DeviceSource(const cia306::Device& device, const std::string& file
 {
     if (!node_id_)
     {
-        throw InputError(file_, 0U, {"no node-ID", "NodeID in the commissioning section, or node_id in the scenario"});
+        throw InputError(file_, {}, {"no node-ID", "NodeID in the commissioning section, or node_id in the scenario"});
     }
     safety_ = cia306::ExtractSafety(device_, node_id_);
     cia306::RequireNone(file_, safety_.missing);
@@ -54,7 +54,7 @@ DeviceSource::DeviceSource(const cia306::Device& device, const std::string& file
         cia306::RequireNone(file_, srdo.other_problems);
         if (srdo.mapping.size() > kMaxMapEntries)
         {
-            throw InputError(file_, srdo.entry_count.line,
+            throw InputError(file_, srdo.entry_count.place,
                              {std::to_string(srdo.mapping.size()) + " mapping entries",
                               "at most " + std::to_string(kMaxMapEntries)});
         }
@@ -63,7 +63,7 @@ DeviceSource::DeviceSource(const cia306::Device& device, const std::string& file
     is_plain_ = need == SafetyNeed::kOptional && !safety_object;
     if (safety_.srdos.empty() && !is_plain_)
     {
-        throw InputError(file_, safety_object ? safety_object->second : 0U,
+        throw InputError(file_, safety_object ? safety_object->second : cia306::Place{},
                          {"no SRDO", "objects 0x1301 to 0x1340 with at least one SRDO"});
     }
     std::vector<cia306::Finding> problems;
@@ -158,7 +158,7 @@ void DeviceSource::AppendVariable(const cia306::Entry& entry, std::vector<Source
     const std::optional<cia306::Value> value = cia306::UsableValue(file_, entry, node_id_);
     if (!value && entry.Configured().IsSet() && safety_.Maps(entry))
     {
-        throw InputError(file_, entry.ValueLine(), cia306::ConfiguredValue(entry, node_id_).problem);
+        throw InputError(file_, entry.ValuePlace(), cia306::ConfiguredValue(entry, node_id_).problem);
     }
     variable.value = value ? value->bits : 0U;
     variables.push_back(variable);
@@ -182,7 +182,7 @@ std::vector<SourceVariable> DeviceSource::Variables() const
     }
     if (variables.size() > kMostObjects)
     {
-        throw InputError(file_, 0U, {std::to_string(variables.size()) + " mappable objects", "at most 1024"});
+        throw InputError(file_, {}, {std::to_string(variables.size()) + " mappable objects", "at most 1024"});
     }
     std::sort(variables.begin(), variables.end(), IsBefore);
     return variables;
@@ -197,7 +197,7 @@ std::size_t DeviceSource::IndexOf(const cia306::MappingEntry& entry, const std::
             return index;
         }
     }
-    throw InputError(file_, entry.line,
+    throw InputError(file_, entry.place,
                      {"the mapping names " + cia306::ObjectName(entry.Index(), entry.Sub()),
                       "an object of the file with SRDOMapping=1 and a length of 1 to 64 bits"});
 }
@@ -240,7 +240,7 @@ std::vector<StaticMapping> DeviceSource::StaticMappings() const
         }
         StaticMapping map;
         map.number = srdo.number;
-        map.line = srdo.entry_count.line;
+        map.place = srdo.entry_count.place;
         for (const cia306::MappingEntry& entry : srdo.mapping)
         {
             std::vector<std::size_t>& field = entry.IsNormal() ? map.normal : map.inverse;
@@ -255,12 +255,12 @@ std::vector<StaticMapping> DeviceSource::StaticMappings() const
 void DeviceSource::AppendMapping(const cia306::SrdoConfiguration& srdo, std::vector<ConfigurationWrite>& writes)
 {
     const std::uint16_t mapping = srdo.MappingIndex();
-    writes.push_back({{mapping, 0U}, 0U, 1U, srdo.entry_count.line});
+    writes.push_back({{mapping, 0U}, 0U, 1U, srdo.entry_count.place});
     for (const cia306::MappingEntry& entry : srdo.mapping)
     {
-        writes.push_back({{mapping, entry.sub}, entry.raw, 4U, entry.line});
+        writes.push_back({{mapping, entry.sub}, entry.raw, 4U, entry.place});
     }
-    writes.push_back({{mapping, 0U}, Number(srdo.entry_count), 1U, srdo.entry_count.line});
+    writes.push_back({{mapping, 0U}, Number(srdo.entry_count), 1U, srdo.entry_count.place});
 }
 
 void DeviceSource::AppendParameters(const cia306::SrdoConfiguration& srdo,
@@ -269,7 +269,7 @@ void DeviceSource::AppendParameters(const cia306::SrdoConfiguration& srdo,
     const std::uint16_t index = srdo.CommunicationIndex();
     const auto add = [&writes](const std::uint16_t object, const std::uint8_t sub, const cia306::Field& field,
                                const std::uint8_t size_bytes)
-    { writes.push_back({{object, sub}, Number(field), size_bytes, field.line}); };
+    { writes.push_back({{object, sub}, Number(field), size_bytes, field.place}); };
     add(index, 2U, srdo.sct_ms, 2U);
     add(index, 3U, srdo.srvt_ms, 1U);
     add(index, 4U, srdo.transmission_type, 1U);
@@ -291,7 +291,7 @@ std::vector<ConfigurationWrite> DeviceSource::Writes() const
     }
     for (const cia306::SrdoConfiguration& srdo : safety_.srdos)
     {
-        writes.push_back({{srdo.CommunicationIndex(), 1U}, 0U, 1U, srdo.direction.line});
+        writes.push_back({{srdo.CommunicationIndex(), 1U}, 0U, 1U, srdo.direction.place});
     }
     for (const cia306::SrdoConfiguration& srdo : safety_.srdos)
     {
@@ -299,14 +299,14 @@ std::vector<ConfigurationWrite> DeviceSource::Writes() const
     }
     for (const cia306::SrdoConfiguration& srdo : safety_.srdos)
     {
-        writes.push_back({{srdo.CommunicationIndex(), 1U}, Number(srdo.direction), 1U, srdo.direction.line});
+        writes.push_back({{srdo.CommunicationIndex(), 1U}, Number(srdo.direction), 1U, srdo.direction.place});
     }
     if (safety_.gfc.value)
     {
-        writes.push_back({{cia306::kGfcIndex, 0U}, Number(safety_.gfc), 1U, safety_.gfc.line});
+        writes.push_back({{cia306::kGfcIndex, 0U}, Number(safety_.gfc), 1U, safety_.gfc.place});
     }
     const std::uint32_t valid = safety_.configuration_valid.value ? Number(safety_.configuration_valid) : 0U;
-    writes.push_back({{cia306::kConfigurationValidIndex, 0U}, valid, 1U, safety_.configuration_valid.line});
+    writes.push_back({{cia306::kConfigurationValidIndex, 0U}, valid, 1U, safety_.configuration_valid.place});
     return writes;
 }
 
@@ -317,7 +317,7 @@ DeviceConfig DeviceSource::Config() const
     if (!has_ports)
     {
         const std::uint8_t sub = parameters_.normal_port == 1U ? cia306::kInversePortSub : cia306::kNormalPortSub;
-        throw InputError(file_, device_.Find(cia306::kDeviceParametersIndex, sub)->ValueLine(),
+        throw InputError(file_, device_.Find(cia306::kDeviceParametersIndex, sub)->ValuePlace(),
                          {cia306::ObjectName(cia306::kDeviceParametersIndex, sub) + " names another controller",
                           "1 for the normal frames, 1 or 2 for the inverse frames of a simulated device"});
     }

@@ -28,7 +28,7 @@ struct StaticMapping
     std::vector<std::uint32_t> entries; ///< 138xh sub 1 onward.
     std::vector<std::size_t> normal;    ///< Indices into Variables(), in the order of the entries.
     std::vector<std::size_t> inverse;
-    std::size_t line{0U}; ///< Where the DCF counts the entries.
+    cia306::Place place; ///< Where the DCF counts the entries.
 };
 
 /// Takes a DCF apart into what DeviceModel needs. Every function may throw cia306::InputError.

@@ -106,7 +106,7 @@ void ManagerAssembly::MakeFlying(cia301::FrameSink& sink)
     flying_times_ = FlyingTimesOf(net_.Plan());
     if (!cia302::IsUsable(flying_times_))
     {
-        throw cia306::InputError(net_.Plan().file, plan.line, {SlotsOf(flying_times_), kSlots});
+        throw cia306::InputError(net_.Plan().file, plan.place, {SlotsOf(flying_times_), kSlots});
     }
     flying_options_ = plan.flying->options;
     flying_options_.own_producer_ms = plan.heartbeat_ms.value_or(flying_options_.own_producer_ms);

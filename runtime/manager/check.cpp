@@ -166,19 +166,18 @@ std::string PlaceOf(const LoadedNetwork& net, const CheckedKey& key)
     const network_plan::ManagerPlan& manager = net.Plan().manager;
     const LoadedSlave* const slave = net.Find(key.node);
     const bool is_slave = key.node != 0U && slave != nullptr;
-    const network_plan::KeyLines& lines = is_slave ? slave->plan.lines : manager.lines;
-    std::size_t line = is_slave ? slave->plan.line : manager.line;
+    const network_plan::KeyPlaces& places = is_slave ? slave->plan.places : manager.places;
+    cia306::Place place = is_slave ? slave->plan.place : manager.place;
     const bool has_key = !key.key.empty();
-    line = has_key ? network_plan::LineOf(lines, "dcf", line) : line;
-    line = has_key ? network_plan::LineOf(lines, key.key, line) : line;
+    place = has_key ? network_plan::PlaceOf(places, "dcf", place) : place;
+    place = has_key ? network_plan::PlaceOf(places, key.key, place) : place;
     const bool is_of_flying = std::find(kOfFlying.begin(), kOfFlying.end(), key.key) != kOfFlying.end();
     if (!is_slave && is_of_flying && manager.flying)
     {
-        line = network_plan::LineOf(lines, "flying", line);
-        line = network_plan::LineOf(manager.flying->lines, key.key, line);
+        place = network_plan::PlaceOf(places, "flying", place);
+        place = network_plan::PlaceOf(manager.flying->places, key.key, place);
     }
-    const std::string file = cia306::Printable(net.Plan().file);
-    return (line > 0U) ? (file + ":" + std::to_string(line)) : file;
+    return cia306::PlaceText(net.Plan().file, {place.line, 0U});
 }
 
 /// 0: nobody watches.

@@ -80,7 +80,7 @@ ManagerLoop::ManagerLoop(network_plan::LoadedNetwork& net, std::unique_ptr<host:
         log_.open(settings_.log, std::ios::trunc);
         if (!log_)
         {
-            throw cia306::InputError(settings_.log, 0U, {"it cannot be opened", "a path in a writable folder"});
+            throw cia306::InputError(settings_.log, {}, {"it cannot be opened", "a path in a writable folder"});
         }
     }
 }

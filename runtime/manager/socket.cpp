@@ -27,7 +27,7 @@ sockaddr_un AddressOf(const std::string& path)
     address.sun_family = AF_UNIX;
     if (path.size() >= sizeof(address.sun_path))
     {
-        throw cia306::InputError(path, 0U,
+        throw cia306::InputError(path, {},
                                  {"a socket name of " + std::to_string(path.size()) + " bytes",
                                   "less than " + std::to_string(sizeof(address.sun_path))});
     }
@@ -80,7 +80,7 @@ ManagerSocket::ManagerSocket(std::string path, const mode_t mode) : path_(std::m
     }
     if (file < 0)
     {
-        throw cia306::InputError(path_, 0U,
+        throw cia306::InputError(path_, {},
                                  {std::string("no socket can be made here (") + std::strerror(reason) + ")",
                                   "a path in a folder that can be written, that nobody serves"});
     }

@@ -55,8 +55,8 @@ ManagerPlan ReadManager(const std::string& file, const YamlValue& value)
     constexpr std::uint32_t kLongestSdoMs = 1000000U;
     constexpr Nanoseconds kHundredUs = 100 * kNanosecondsPerMicrosecond;
     ManagerPlan plan;
-    plan.line = static_cast<std::size_t>(value.Where().place.line);
-    plan.lines = map.Lines();
+    plan.place = value.Where().place;
+    plan.places = map.Places();
     TakeNumber(map, "node", plan.node, 1U, cia302::kLastNode);
     plan.dcf = FileIn(file, map, "dcf", "a DCF");
     TakeWord(map, "profile", plan.profile, kProfileWords);
@@ -131,8 +131,8 @@ SlavePlan ReadSlave(const std::string& file, const YamlValue& value)
                        "date",         "time",        "configure", "write_safety", "el6751",    "plc_designer",
                        "outputs",      "software"});
     SlavePlan plan;
-    plan.line = static_cast<std::size_t>(value.Where().place.line);
-    plan.lines = map.Lines();
+    plan.place = value.Where().place;
+    plan.places = map.Places();
     plan.node = static_cast<std::uint8_t>(map.Require("node").Number({1U, cia302::kLastNode}));
     plan.name = TextOf(map, "name", "a name");
     plan.name = plan.name.empty() ? "node " + std::to_string(plan.node) : plan.name;
@@ -170,21 +170,21 @@ NetworkPlan ReadYaml(const std::string& path, const std::uint8_t manager)
     return plan;
 }
 
-/// Before it is read as something: neither reader knows what the file was to be. Line 1, for all of it.
+/// Before it is read as something: neither reader knows what the file was to be.
 void RequireNetworkFile(const std::string& path)
 {
     constexpr std::uintmax_t kMostBytes = kMaxYamlBytes;
     const std::string problem = network_plan::ProblemOfFile(path);
     if (!problem.empty())
     {
-        throw cia306::InputError(path, 1U, {problem, "a network file, CPJ or YAML"});
+        throw cia306::InputError(path, {}, {problem, "a network file, CPJ or YAML"});
     }
     std::error_code error;
     const std::uintmax_t bytes = std::filesystem::file_size(path, error);
     if (bytes > kMostBytes)
     {
         throw cia306::InputError(
-            path, 1U,
+            path, {},
             {"a network file of " + std::to_string(bytes) + " bytes", "at most " + std::to_string(kMostBytes)});
     }
 }

@@ -64,7 +64,7 @@ network_plan::FlyingPlan ReadFlying(const std::string& file, const YamlValue& va
                                            "on_loss",    "watch",       "watch_time",      "standby",    "negotiates",
                                            "race_heard", "claim_heard", "answers_boot_up", "restarts",   "start"});
     network_plan::FlyingPlan plan;
-    plan.lines = map.Lines();
+    plan.places = map.Places();
     TakeNumber(map, "priority", plan.priority, 0U, cia302::kLowestPriority);
     TakeMs(map, "timeout", plan.timeout_ms);
     TakeMs(map, "delay", plan.delay_ms);

@@ -71,7 +71,7 @@ std::vector<network_plan::OutputPlan> ReadOutputs(const std::string& file, const
     {
         const YamlMap map(file, item.Node(), {"pdo", "data"});
         network_plan::OutputPlan output;
-        output.line = static_cast<std::size_t>(item.Where().place.line);
+        output.place = item.Where().place;
         output.number = static_cast<std::uint16_t>(map.Require("pdo").Number({1U, kHighestPdo}));
         const YamlValue data = map.Require("data");
         const auto bytes = BytesFrom(data.Text(expected));

@@ -42,7 +42,7 @@ const DeviceModel& UseControllers(DeviceModel& model, NodePorts& ports)
     }
     else if (model.ControllerCount() != 1U)
     {
-        throw cia306::InputError(model.File(), 0U,
+        throw cia306::InputError(model.File(), {},
                                  {"a device with two controllers, 0x5F00:10 = 2", "--can2 for the second one"});
     }
     return model;
@@ -140,7 +140,7 @@ void NodeRefusals::TellNoStart(const std::uint64_t at_ns, const StartResult resu
 {
     const auto reason = static_cast<unsigned>(result);
     const std::string text = "the kernel refuses this device, reason " + std::to_string(reason) + " of StartResult";
-    Keep({cia306::Severity::kError, 0U, "", text});
+    Keep({cia306::Severity::kError, {}, "", text});
     report_.Tell(at_ns, text, "no_start", {{"reason", reason}});
 }
 
@@ -164,7 +164,7 @@ NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeRepor
       outputs_(model_, output_, report),
       assembly_(model_, config_,
                 {channel_a_->Voice(), channel_b_->Voice(), ports, output_, watchdog_, application_,
-                 self_test_ ? &self_test_->Part() : nullptr, *this, &file_}),
+                 self_test_ ? &self_test_->Part() : nullptr, *this, &file_, nullptr, settings.domain_bytes}),
       transfers_(assembly_.Optional(), report),
       store_(settings.store.empty()
                  ? nullptr
@@ -200,7 +200,7 @@ void NodeDevice::FurnishSelfTest()
     if (!self_test_->Settle(cycles))
     {
         throw cia306::InputError(
-            model_.File(), 0U,
+            model_.File(), {},
             {"the self tests do not fit into the diagnostic interval of " + std::to_string(cycles) + " cycles",
              "a longer one (0x5F00:04), or --no-self-tests"});
     }
@@ -443,7 +443,7 @@ void NodeDevice::OnLoaded(const std::uint8_t groups) noexcept
 void NodeDevice::OnRefused(const ConfigurationWrite& write, const AbortCode code) noexcept
 {
     refusals_.Tell(now_ns_,
-                   {{cia306::Severity::kError, write.line, cia306::ObjectName(write.object.index, write.object.sub),
+                   {{cia306::Severity::kError, write.place, cia306::ObjectName(write.object.index, write.object.sub),
                      "the kernel refuses " + cia306::Hex(write.value, write.size_bytes * 2) + " with abort code " +
                          AbortText(code)}});
 }

@@ -35,6 +35,7 @@ struct NodeSettings
     std::string store;                     ///< File of 1010h; empty: nothing is saved.
     bool has_lss{false};                   ///< LSS gives the node-ID, also where the file does not say so.
     bool has_self_tests{true};
+    std::uint32_t domain_bytes{kDomainBytes};  ///< Room of a DOMAIN that can be written.
     std::optional<std::uint8_t> lss_node_id{}; ///< Node-ID that LSS gave in this run; counts before all others.
     /// Gets what the device refuses of the file: values of services as warnings, all else as errors; null: the report
     /// alone is told.

@@ -65,7 +65,7 @@ std::vector<cia306::Finding> RefusedWith(NodeSettings settings, const cia306::De
     }
     catch (const cia306::InputError& error)
     {
-        refused.push_back({cia306::Severity::kError, error.Line(), "", error.Message()});
+        refused.push_back({cia306::Severity::kError, error.Where(), "", error.Message()});
     }
     return refused;
 }

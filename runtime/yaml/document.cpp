@@ -16,19 +16,10 @@ namespace counterpoint::runtime
 {
 namespace
 {
-std::string Message(const std::string& file, const Place place, const std::string& wrong, const std::string& expected)
-{
-    std::string where = cia306::Printable(file);
-    if (place.line > 0)
-    {
-        where += ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
-    }
-    return where + ": " + wrong + ", expected " + expected;
-}
-
 Place PlaceOf(const YAML::Mark& mark)
 {
-    return mark.is_null() ? Place{} : Place{mark.line + 1, mark.column + 1};
+    return mark.is_null() ? Place{}
+                          : Place{static_cast<std::size_t>(mark.line) + 1U, static_cast<std::size_t>(mark.column) + 1U};
 }
 
 /// Length of the UTF-8 character at `place`, 0 if there is none or it is a control character other than tab and
@@ -206,7 +197,7 @@ class TreeBuilder : public YAML::EventHandler
 
 void RequireText(const std::string& file, const std::string& text)
 {
-    Place place{1, 1};
+    Place place{1U, 1U};
     std::size_t at = 0U;
     while (at < text.size())
     {
@@ -217,8 +208,8 @@ void RequireText(const std::string& file, const std::string& text)
             byte << "byte 0x" << std::hex << static_cast<unsigned>(static_cast<unsigned char>(text[at]));
             throw YamlError(file, place, byte.str(), "UTF-8 text");
         }
-        place.column = (text[at] == '\n') ? 1 : place.column + 1;
-        place.line += (text[at] == '\n') ? 1 : 0;
+        place.column = (text[at] == '\n') ? 1U : place.column + 1U;
+        place.line += (text[at] == '\n') ? 1U : 0U;
         at += length;
     }
 }
@@ -241,7 +232,7 @@ std::string Normalised(const std::string& raw)
 } // namespace
 
 YamlError::YamlError(const std::string& file, const Place place, const std::string& wrong, const std::string& expected)
-    : std::runtime_error(Message(file, place, wrong, expected))
+    : std::runtime_error(cia306::PlaceText(file, place) + ": error: " + wrong + ", expected " + expected)
 {
 }
 

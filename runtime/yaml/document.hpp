@@ -2,6 +2,8 @@
 #ifndef RUNTIME_YAML_DOCUMENT_HPP
 #define RUNTIME_YAML_DOCUMENT_HPP
 
+#include "canopen/cia306/text/place.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -12,14 +14,9 @@
 
 namespace counterpoint::runtime
 {
-/// A place in a YAML file. Line and column count from 1; 0 is the file as a whole.
-struct Place
-{
-    int line{0};
-    int column{0};
-};
+using cia306::Place;
 
-/// Refuses a YAML file. what() is one line for a person: FILE:LINE:COLUMN: WRONG, expected EXPECTED.
+/// Refuses a YAML file. what() is one line for a person: FILE:LINE:COLUMN: error: WRONG, expected EXPECTED.
 class YamlError : public std::runtime_error
 {
   public:

@@ -50,15 +50,16 @@ std::optional<YamlValue> YamlMap::Find(const std::string& name) const
     return std::nullopt;
 }
 
-std::map<std::string, std::size_t> YamlMap::Lines() const
+std::map<std::string, Place> YamlMap::Places() const
 {
-    std::map<std::string, std::size_t> lines;
+    std::map<std::string, Place> places;
     const std::vector<YamlNode>& items = value_.Node().items;
     for (std::size_t place = 0U; place + 1U < items.size(); place += 2U)
     {
-        lines[items[place].scalar] = static_cast<std::size_t>(YamlValue(file_, items[place]).Where().place.line);
+        const bool is_one = items[place + 1U].kind == YamlKind::kScalar;
+        places[items[place].scalar] = items[is_one ? place + 1U : place].place;
     }
-    return lines;
+    return places;
 }
 
 YamlValue YamlMap::Require(const std::string& name) const

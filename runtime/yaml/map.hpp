@@ -26,7 +26,7 @@ class YamlMap
     /// @brief The value of a key that must be there.
     [[nodiscard]] runtime::YamlValue Require(const std::string& name) const;
     /// @brief The lines of the keys that are there.
-    [[nodiscard]] std::map<std::string, std::size_t> Lines() const;
+    [[nodiscard]] std::map<std::string, Place> Places() const;
     /// @brief The map itself.
     [[nodiscard]] const runtime::YamlValue& Value() const noexcept
     {

@@ -17,8 +17,7 @@ constexpr std::size_t kMostRecorded = 500000U;
 
 std::string LineOf(const Source& source, const std::string& what, const std::string& expected)
 {
-    return source.file + ":" + std::to_string(source.place.line) + ":" + std::to_string(source.place.column) + ": " +
-           what + ", expected " + expected;
+    return cia306::PlaceText(source.file, source.place) + ": warning: " + what + ", expected " + expected;
 }
 
 Scenario Seeded(Scenario scenario, const std::optional<std::uint64_t> seed)

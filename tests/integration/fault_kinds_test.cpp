@@ -267,9 +267,9 @@ faults:
   - {fault: repetition, name: two, times: 4, optional: true, frames: {identifier: 0x103, receiver: actuator, from: 500 ms}}
 )");
     ASSERT_EQ(run->Findings().size(), 1U);
-    EXPECT_NE(
-        run->Findings().front().find(":5:5: 4 copies of 'two' dropped, expected at most 16 receptions of one frame"),
-        std::string::npos);
+    EXPECT_NE(run->Findings().front().find(
+                  ":5:5: warning: 4 copies of 'two' dropped, expected at most 16 receptions of one frame"),
+              std::string::npos);
 }
 } // namespace
 } // namespace counterpoint::simulator

@@ -211,9 +211,11 @@ TEST(CutOff, IsToldWithItsPlace)
     run.Simulate(nullptr);
     // Then both are told, and the scenario's own file may not do so by itself
     ASSERT_EQ(run.Findings().size(), 2U);
-    EXPECT_EQ(run.Findings()[0U],
-              file + ":3:5: input at 600 ms does not happen, expected a time before the end of the run at 100 ms");
-    EXPECT_NE(run.Findings()[1U].find("chain.yaml:24:5: acknowledge at 150 ms does not happen"), std::string::npos);
+    EXPECT_EQ(
+        run.Findings()[0U],
+        file + ":3:5: warning: input at 600 ms does not happen, expected a time before the end of the run at 100 ms");
+    EXPECT_NE(run.Findings()[1U].find("chain.yaml:24:5: warning: acknowledge at 150 ms does not happen"),
+              std::string::npos);
 }
 } // namespace
 } // namespace counterpoint::simulator

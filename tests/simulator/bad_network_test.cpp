@@ -20,100 +20,117 @@ using test::RunCommand;
 using BadPart = std::pair<const char*, const char*>;
 
 constexpr BadPart kMalformed[] = {
-    {"events: [{at: 1 s, do: explode, node: 1}]", ":4:24: 'explode', expected one of pull, insert"},
-    {"events: [{at: 1 s, do: pull}]", ":4:10: an event without key 'node', expected that key"},
-    {"events: [{do: pull, node: 33}]", ":4:10: an event without key 'at', expected that key"},
-    {"events: [{at: 1 s, do: order, order: fly}]", ":4:38: order 'fly', expected status, start"},
+    {"events: [{at: 1 s, do: explode, node: 1}]", ":4:24: error: 'explode', expected one of pull, insert"},
+    {"events: [{at: 1 s, do: pull}]", ":4:10: error: an event without key 'node', expected that key"},
+    {"events: [{do: pull, node: 33}]", ":4:10: error: an event without key 'at', expected that key"},
+    {"events: [{at: 1 s, do: order, order: fly}]", ":4:38: error: order 'fly', expected status, start"},
     {"expect: [{that: state, node: 1, is: stopped, at: 3 s}]",
-     ":4:10: expectation at 3000 ms, after the end of the run, expected a time up to 2000 ms"},
-    {"expect: [{that: active, manager: 9, is: true}]", ":4:10: no manager with node-ID 9"},
-    {"speed: 3", ":4:1: unknown key 'speed' in a scenario, expected one of extends, title, description"},
-    {"bitrate: 5", ":4:10: '5', expected a number from 10000 to 1000000"},
-    {"bitrate: 10001", ":4:10: '10001', expected one of 10000, 20000"},
-    {"title: y", ":4:1: key 'title' twice, expected each key once"},
-    {"events: {at: 1 s}", ":4:9: a map, expected a list"},
-    {"events: [pull]", ":4:10: 'pull', expected a map with the keys of an event"},
-    {"events: [{at: 0 s, do: babble, identifier: 1, every: 0 s, until: 1 s}]", ":4:54: '0 s', expected a time above 0"},
-    {"events: [{at: 500 ms, do: emcy_storm, node: 1, until: 1 ms}]", ":4:10: an end before the beginning"},
-    {"events: [{at: 0 s, do: send}]", ":4:10: an event without key 'identifier', expected that key"},
-    {"events: [{at: 0 s, do: babble, until: 1 s}]", ":4:10: an event without key 'identifier', expected that key"},
-    {"events: [{at: 0 s, do: send, identifier: 0, data: 1}]", ":4:51: '1', expected up to 8 bytes of two"},
-    {"events: [{at: 0 s, do: send, identifier: 0, data: 0g}]", ":4:51: '0g', expected up to 8 bytes"},
-    {"events: [{at: 0 s, do: send, identifier: 0x800}]", ":4:42: '0x800', expected a number from 0 to 2047"},
-    {"events: [{at: 0 s, do: bus_off}]", ":4:10: an event without key 'until', expected that key"},
-    {"events: [{at: 0 s, do: replace, node: 33}]", ":4:10: an event without key 'serial', expected that key"},
-    {"events: [{at: 0 s, do: no_controller, until: 1 s, node: 9}]", ":4:10: no manager with node-ID 9"},
+     ":4:10: error: expectation at 3000 ms, after the end of the run, expected a time up to 2000 ms"},
+    {"expect: [{that: active, manager: 9, is: true}]", ":4:10: error: no manager with node-ID 9"},
+    {"speed: 3", ":4:1: error: unknown key 'speed' in a scenario, expected one of extends, title, description"},
+    {"bitrate: 5", ":4:10: error: '5', expected a number from 10000 to 1000000"},
+    {"bitrate: 10001", ":4:10: error: '10001', expected one of 10000, 20000"},
+    {"title: y", ":4:1: error: key 'title' twice, expected each key once"},
+    {"events: {at: 1 s}", ":4:9: error: a map, expected a list"},
+    {"events: [pull]", ":4:10: error: 'pull', expected a map with the keys of an event"},
+    {"events: [{at: 0 s, do: babble, identifier: 1, every: 0 s, until: 1 s}]",
+     ":4:54: error: '0 s', expected a time above 0"},
+    {"events: [{at: 500 ms, do: emcy_storm, node: 1, until: 1 ms}]", ":4:10: error: an end before the beginning"},
+    {"events: [{at: 0 s, do: send}]", ":4:10: error: an event without key 'identifier', expected that key"},
+    {"events: [{at: 0 s, do: babble, until: 1 s}]",
+     ":4:10: error: an event without key 'identifier', expected that key"},
+    {"events: [{at: 0 s, do: send, identifier: 0, data: 1}]", ":4:51: error: '1', expected up to 8 bytes of two"},
+    {"events: [{at: 0 s, do: send, identifier: 0, data: 0g}]", ":4:51: error: '0g', expected up to 8 bytes"},
+    {"events: [{at: 0 s, do: send, identifier: 0x800}]", ":4:42: error: '0x800', expected a number from 0 to 2047"},
+    {"events: [{at: 0 s, do: bus_off}]", ":4:10: error: an event without key 'until', expected that key"},
+    {"events: [{at: 0 s, do: replace, node: 33}]", ":4:10: error: an event without key 'serial', expected that key"},
+    {"events: [{at: 0 s, do: no_controller, until: 1 s, node: 9}]", ":4:10: error: no manager with node-ID 9"},
     {"events: [{at: 2 s, do: order, order: start all}]",
-     ":4:10: order at 2000 ms, not before the end of the run, expected a time below 2000 ms"},
-    {"events: [{at: 0 s, do: pull, node: 9}]", ":4:36: node '9', expected one of 33, 2, 5"},
-    {"events: [{at: 0 s, do: kill_manager, node: 9}]", ":4:10: no manager with node-ID 9"},
-    {"expect: [{that: no_event, is: heartbeat_lots}]", ":4:31: 'heartbeat_lots', expected one of boot_up"},
-    {"expect: [{that: no_event, is: gate, from: 9 ms, until: 8 ms}]", ":4:10: a window that ends before"},
-    {"expect: [{that: output, node: 9, is: closed}]", ":4:31: node '9', expected one of 33, 2, 5"},
-    {"expect: [{that: state, node: 9, is: stopped}]", ":4:10: node 9, which is no slave of manager 127"},
-    {"expect: [{that: no_event, node: 9, is: gate}]", ":4:10: node 9, which is no slave of manager"},
+     ":4:10: error: order at 2000 ms, not before the end of the run, expected a time below 2000 ms"},
+    {"events: [{at: 0 s, do: pull, node: 9}]", ":4:36: error: node '9', expected one of 33, 2, 5"},
+    {"events: [{at: 0 s, do: kill_manager, node: 9}]", ":4:10: error: no manager with node-ID 9"},
+    {"expect: [{that: no_event, is: heartbeat_lots}]", ":4:31: error: 'heartbeat_lots', expected one of boot_up"},
+    {"expect: [{that: no_event, is: gate, from: 9 ms, until: 8 ms}]", ":4:10: error: a window that ends before"},
+    {"expect: [{that: output, node: 9, is: closed}]", ":4:31: error: node '9', expected one of 33, 2, 5"},
+    {"expect: [{that: state, node: 9, is: stopped}]", ":4:10: error: node 9, which is no slave of manager 127"},
+    {"expect: [{that: no_event, node: 9, is: gate}]", ":4:10: error: node 9, which is no slave of manager"},
 };
 
 constexpr BadPart kIdle[] = {
     // Keys that the event or the expectation does not look at
-    {"events: [{at: 0 s, do: pull, node: 33, serial: 3}]", ":4:40: unknown key 'serial' in an event, expected one of"},
-    {"events: [{at: 0 s, do: send, identifier: 1, every: 1 ms}]", ":4:52: one of 'every' and 'until', expected both"},
-    {"expect: [{that: state, node: 33, is: stopped, from: 1 s}]", ":4:47: unknown key 'from' in an expectation"},
-    {"expect: [{that: event, is: gate, at: 1 s}]", ":4:34: unknown key 'at' in an expectation, expected one of"},
-    {"expect: [{that: active, node: 33, is: true}]", ":4:25: unknown key 'node' in an expectation"},
-    {"expect: [{that: device, node: 33, is: stopped, manager: 127}]", ":4:48: unknown key 'manager' in an expectation"},
+    {"events: [{at: 0 s, do: pull, node: 33, serial: 3}]",
+     ":4:40: error: unknown key 'serial' in an event, expected one of"},
+    {"events: [{at: 0 s, do: send, identifier: 1, every: 1 ms}]",
+     ":4:52: error: one of 'every' and 'until', expected both"},
+    {"expect: [{that: state, node: 33, is: stopped, from: 1 s}]", ":4:47: error: unknown key 'from' in an expectation"},
+    {"expect: [{that: event, is: gate, at: 1 s}]", ":4:34: error: unknown key 'at' in an expectation, expected one of"},
+    {"expect: [{that: active, node: 33, is: true}]", ":4:25: error: unknown key 'node' in an expectation"},
+    {"expect: [{that: device, node: 33, is: stopped, manager: 127}]",
+     ":4:48: error: unknown key 'manager' in an expectation"},
     // Events of what is not there then, or is there already
-    {"events: [{at: 1 s, do: insert, node: 33}]", ":4:10: insert of device 33, which is there, expected a pull before"},
+    {"events: [{at: 1 s, do: insert, node: 33}]",
+     ":4:10: error: insert of device 33, which is there, expected a pull before"},
     {"events: [{at: 1 s, do: insert, node: 33}, {at: 500 ms, do: pull, node: 33}, {at: 1500 ms, do: insert, node: 33}]",
-     ":4:77: insert of device 33, which is there, expected a pull before it"},
+     ":4:77: error: insert of device 33, which is there, expected a pull before it"},
     {"events: [{at: 0 s, do: pull, node: 33}, {at: 1 s, do: pull, node: 33}]",
-     ":4:41: pull of device 33, which is not there, expected an insert before it"},
+     ":4:41: error: pull of device 33, which is not there, expected an insert before it"},
     {"events: [{at: 0 s, do: pull, node: 33}, {at: 1 s, do: duplicate, node: 33}]",
-     ":4:41: duplicate of device 33, which is not there"},
+     ":4:41: error: duplicate of device 33, which is not there"},
     {"events: [{at: 0 s, do: pull, node: 2}]",
-     ":4:10: pull of device 2 before it comes, expected a time from its 'phase'"},
+     ":4:10: error: pull of device 2 before it comes, expected a time from its 'phase'"},
     {"events: [{at: 0 s, do: kill_manager, node: 127}, {at: 1 s, do: order, order: start 33}]",
-     ":4:50: an event of manager 127 after it was killed, expected a time at which it is there"},
+     ":4:50: error: an event of manager 127 after it was killed, expected a time at which it is there"},
     {"events: [{at: 0 s, do: bus_off, until: 1 s}, {at: 500 ms, do: no_controller, until: 1 s}]",
-     ":4:46: manager 127 is off the bus already, expected a time after the 'until' before it"},
+     ":4:46: error: manager 127 is off the bus already, expected a time after the 'until' before it"},
     {"events: [{at: 1 s, do: bus_off, until: 2001 ms}]",
-     ":4:10: an end after that of the scenario, expected a time within its duration behind 'until'"},
-    {"events: [{at: 1 s, do: no_controller, until: 3 s}]", ":4:10: an end after that of the scenario"},
-    {"events: [{at: 0 s, do: order, order: status}]", ":4:38: order 'status', which does nothing here"},
-    {"events: [{at: 0 s, do: order, order: '# start 33'}]", ":4:38: order '# start 33', which does nothing here"},
+     ":4:10: error: an end after that of the scenario, expected a time within its duration behind 'until'"},
+    {"events: [{at: 1 s, do: no_controller, until: 3 s}]", ":4:10: error: an end after that of the scenario"},
+    {"events: [{at: 0 s, do: order, order: status}]", ":4:38: error: order 'status', which does nothing here"},
+    {"events: [{at: 0 s, do: order, order: '# start 33'}]",
+     ":4:38: error: order '# start 33', which does nothing here"},
     // What the device does not have
     {"events: [{at: 0 s, do: store, node: 33, object: '0x5FFF:00', value: 1}]",
-     ":4:10: object 0x5FFF:00 of device 33, which its DCF does not have, expected an object of "},
+     ":4:10: error: object 0x5FFF:00 of device 33, which its DCF does not have, expected an object of "},
     {"events: [{at: 0 s, do: store, node: 33, object: '0x1017:00', value: 65536}]",
-     ":4:10: value 65536 for object 0x1017:00 of device 33, expected one of 16 bits"},
-    {"events: [{at: 0 s, do: acknowledge, node: 33, srdo: 9}]", ":4:10: SRDO 9 of device 33, which has no such output"},
-    {"expect: [{that: output, node: 33, srdo: 64, is: closed}]", ":4:10: SRDO 64 of device 33, which has no such"},
+     ":4:10: error: value 65536 for object 0x1017:00 of device 33, expected one of 16 bits"},
+    {"events: [{at: 0 s, do: acknowledge, node: 33, srdo: 9}]",
+     ":4:10: error: SRDO 9 of device 33, which has no such output"},
+    {"expect: [{that: output, node: 33, srdo: 64, is: closed}]",
+     ":4:10: error: SRDO 64 of device 33, which has no such"},
     {"expect: [{that: output, node: 5, is: closed}]",
-     ":4:10: SRDO 1 of device 5, which has no such output, expected the"},
+     ":4:10: error: SRDO 1 of device 5, which has no such output, expected the"},
     // Values that are never found
-    {"expect: [{that: state, node: 33, is: banana}]", ":4:38: 'banana', expected one of unknown, missing, stopped"},
-    {"expect: [{that: device, node: 33, is: running}]", ":4:39: 'running', expected one of absent, initialising"},
-    {"expect: [{that: letter, node: 33, is: P}]", ":4:39: 'P', expected one of none, A, B, C"},
-    {"expect: [{that: gate, node: 33, is: opened}]", ":4:37: 'opened', expected one of closed, busy, differs"},
-    {"expect: [{that: output, node: 33, is: shut}]", ":4:39: 'shut', expected one of open, closed"},
-    {"expect: [{that: active, is: yes}]", ":4:29: 'yes', expected one of true, false"},
-    {"expect: [{that: finding, node: 33, is: 1018}]", ":4:40: '1018', expected an object such as 0x2000:01"},
+    {"expect: [{that: state, node: 33, is: banana}]",
+     ":4:38: error: 'banana', expected one of unknown, missing, stopped"},
+    {"expect: [{that: device, node: 33, is: running}]",
+     ":4:39: error: 'running', expected one of absent, initialising"},
+    {"expect: [{that: letter, node: 33, is: P}]", ":4:39: error: 'P', expected one of none, A, B, C"},
+    {"expect: [{that: gate, node: 33, is: opened}]", ":4:37: error: 'opened', expected one of closed, busy, differs"},
+    {"expect: [{that: output, node: 33, is: shut}]", ":4:39: error: 'shut', expected one of open, closed"},
+    {"expect: [{that: active, is: yes}]", ":4:29: error: 'yes', expected one of true, false"},
+    {"expect: [{that: finding, node: 33, is: 1018}]", ":4:40: error: '1018', expected an object such as 0x2000:01"},
     {"expect: [{that: code, node: 33, is: 0}]",
-     ":4:10: a code of manager 127 with the profile cia302, expected 'letter'"},
-    {"expect: [{that: no_event, is: pdo}]", ":4:10: event 'pdo' of manager 127 with the profile cia302"},
-    {"expect: [{that: no_event, is: master, node: 33}]", ":4:10: event 'master' of a node, expected it without 'node'"},
-    {"expect: [{that: flying, is: none}]", ":4:10: events of the election at manager 127, which is no flying master"},
-    {"expect: [{that: flying, is: 3 6}]", ":4:29: '6', expected none, or numbers from 1 to 5 such as 3 4"},
-    {"expect: [{that: flying, is: 3 none}]", ":4:29: 'none', expected none, or numbers from 1 to 5"},
-    {"expect: [{that: gate, node: 5, is: closed}]", ":4:10: the gate of node 5, which has no safety configuration"},
-    {"expect: [{that: active, is: true}]", ":4:10: the active master at manager 127, which is no flying master and "
-                                           "commands the network while it is there, expected a "
-                                           "manager with 'flying'"},
-    {"expect: [{that: event, is: guard_lost, node: 33}]",
-     ":4:10: guard_lost of node 33, which manager 127 does not guard, expected a slave with guard_time and without "
-     "consumer time, or heartbeat_lost"},
-    {"expect: [{that: no_event, is: toggle_error}]", ":4:10: toggle_error of any node, and manager 127 guards none"},
-    {"expect: [{that: no_event, is: gate, node: 5}]", ":4:10: the gate of node 5, which has no safety configuration"},
+     ":4:10: error: a code of manager 127 with the profile cia302, expected 'letter'"},
+    {"expect: [{that: no_event, is: pdo}]", ":4:10: error: event 'pdo' of manager 127 with the profile cia302"},
+    {"expect: [{that: no_event, is: master, node: 33}]",
+     ":4:10: error: event 'master' of a node, expected it without 'node'"},
+    {"expect: [{that: flying, is: none}]",
+     ":4:10: error: events of the election at manager 127, which is no flying master"},
+    {"expect: [{that: flying, is: 3 6}]", ":4:29: error: '6', expected none, or numbers from 1 to 5 such as 3 4"},
+    {"expect: [{that: flying, is: 3 none}]", ":4:29: error: 'none', expected none, or numbers from 1 to 5"},
+    {"expect: [{that: gate, node: 5, is: closed}]",
+     ":4:10: error: the gate of node 5, which has no safety configuration"},
+    {"expect: [{that: active, is: true}]",
+     ":4:10: error: the active master at manager 127, which is no flying master and "
+     "commands the network while it is there, expected a "
+     "manager with 'flying'"},
+    {"expect: [{that: event, is: guard_lost, node: 33}]", ":4:10: error: guard_lost of node 33, which manager 127 does "
+                                                          "not guard, expected a slave with guard_time and without "
+                                                          "consumer time, or heartbeat_lost"},
+    {"expect: [{that: no_event, is: toggle_error}]",
+     ":4:10: error: toggle_error of any node, and manager 127 guards none"},
+    {"expect: [{that: no_event, is: gate, node: 5}]",
+     ":4:10: error: the gate of node 5, which has no safety configuration"},
 };
 
 class BadScenarioTest : public test::CommandTest
@@ -165,30 +182,33 @@ TEST_F(BadScenarioTest, ManagersAndDevices)
 {
     Verifies(req::SRS_MGR_012);
     const std::string two = "title: x\nduration: 2 s\n";
-    ExpectRefused(two + "managers: [{network: nobody.yaml}]\n", ":3:22: there is no file ");
-    ExpectRefused(two + "managers: [{network: .}]\n", ":3:22: '" + Path("."));
-    ExpectRefused(two + "managers: []\n", ":3:11: an empty list of managers, expected at least one");
-    ExpectRefused(two + "managers: 5\n", ":3:11: '5', expected a list");
-    ExpectRefused(two + "managers: [{network: net.yaml},\n  {network: net.yaml}]\n", ":4:3: manager 127 a second time");
-    ExpectRefused(head_ + devices_ + "  33: {dcf: net.yaml}\n", ":8:3: key '33' twice");
+    ExpectRefused(two + "managers: [{network: nobody.yaml}]\n", ":3:22: error: there is no file ");
+    ExpectRefused(two + "managers: [{network: .}]\n", ":3:22: error: '" + Path("."));
+    ExpectRefused(two + "managers: []\n", ":3:11: error: an empty list of managers, expected at least one");
+    ExpectRefused(two + "managers: 5\n", ":3:11: error: '5', expected a list");
+    ExpectRefused(two + "managers: [{network: net.yaml},\n  {network: net.yaml}]\n",
+                  ":4:3: error: manager 127 a second time");
+    ExpectRefused(head_ + devices_ + "  33: {dcf: net.yaml}\n", ":8:3: error: key '33' twice");
     ExpectRefused(two + "managers: [{network: net.yaml, node: 9}]\n" + devices_ +
                       "  9: {dcf: " + cia306::test::SourceFolder() + "/examples/emergency_stop/sensor.dcf}\n",
-                  ":8:12: node-ID 9, which a manager has, expected a node-ID of its own for each node");
-    ExpectRefused(head_ + "nodes: {5: {dcf: /dev/zero}}\n", ":4:18: '/dev/zero' is no regular file, expected a DCF");
+                  ":8:12: error: node-ID 9, which a manager has, expected a node-ID of its own for each node");
+    ExpectRefused(head_ + "nodes: {5: {dcf: /dev/zero}}\n",
+                  ":4:18: error: '/dev/zero' is no regular file, expected a DCF");
     // Given a manager that comes later, then nothing is asked of it before
     const std::string late = two + "managers: [{network: net.yaml, at: 1 s}]\n";
-    ExpectRefused(late + "expect: [{that: no_event, is: nmt, until: 1 s}]\n", ":4:10: a time before manager 127 comes");
+    ExpectRefused(late + "expect: [{that: no_event, is: nmt, until: 1 s}]\n",
+                  ":4:10: error: a time before manager 127 comes");
     ExpectRefused(late + "events: [{at: 0 s, do: order, order: start all}]\n",
-                  ":4:10: an event of manager 127 before it comes");
+                  ":4:10: error: an event of manager 127 before it comes");
     // Given another profile, then it has codes of its own and no letters
     const std::string el6751 = two + "managers: [{network: el.yaml}]\n";
     ExpectRefused(el6751 + "expect: [{that: letter, node: 5, is: none}]\n",
-                  ":4:10: a letter of manager 127 with the profile el6751, expected 'code'");
+                  ":4:10: error: a letter of manager 127 with the profile el6751, expected 'code'");
     ExpectRefused(el6751 + "expect: [{that: code, node: 5, is: banana}]\n",
-                  ":4:10: code 'banana' of manager 127 with the profile el6751, expected a decimal code that");
-    ExpectRefused(el6751 + "expect: [{that: code, node: 5, is: 98}]\n", ":4:10: code '98' of manager 127");
+                  ":4:10: error: code 'banana' of manager 127 with the profile el6751, expected a decimal code that");
+    ExpectRefused(el6751 + "expect: [{that: code, node: 5, is: 98}]\n", ":4:10: error: code '98' of manager 127");
     ExpectRefused(el6751 + "expect: [{that: no_event, is: gate}]\n",
-                  ":4:10: the gate of a network, which has no safety configuration, expected a safety slave");
+                  ":4:10: error: the gate of a network, which has no safety configuration, expected a safety slave");
 }
 
 TEST_F(BadScenarioTest, AnObjectIsTheSameHoweverItIsWritten)

@@ -65,105 +65,109 @@ TEST_P(BadScenario, IsRefusedByOneLineThatNamesThePlace)
 }
 
 constexpr BadCase kBadCases[] = {
-    {"unknown key", "colour: red\n", "2:1: unknown key 'colour' in a scenario, expected one of extends, title"},
-    {"repeated key", "seed: 1\nseed: 2\n", "3:1: key 'seed' twice"},
+    {"unknown key", "colour: red\n", "2:1: error: unknown key 'colour' in a scenario, expected one of extends, title"},
+    {"repeated key", "seed: 1\nseed: 2\n", "3:1: error: key 'seed' twice"},
     {"key of a fault", "faults:\n  - {fault: loss, frames: {identifier: 0x103}, bits: [1]}\n",
-     "3:48: unknown key 'bits' in a fault"},
-    {"unknown word", "faults:\n  - {fault: explosion}\n", "3:13: 'explosion', expected one of corruption, repetition"},
-    {"number for text", "duration: [1, 2]\n", "2:11: a list, expected a time with its unit"},
-    {"no unit", "duration: 100\n", "2:11: '100', expected a time with its unit such as 10 ms"},
-    {"negative time", "duration: -5 ms\n", "2:11: '-5 ms', expected a time"},
-    {"endless time", "duration: 99999999999999999999 s\n", "2:11: '99999999999999999999 s', expected a time"},
-    {"number too large", "seed: 18446744073709551616\n", "2:7: '18446744073709551616', expected a number from 0 to"},
-    {"number with text", "seed: 12abc\n", "2:7: '12abc', expected a number"},
-    {"bit rate", "bitrate: 333333\n", "2:10: '333333', expected one of 10000"},
+     "3:48: error: unknown key 'bits' in a fault"},
+    {"unknown word", "faults:\n  - {fault: explosion}\n",
+     "3:13: error: 'explosion', expected one of corruption, repetition"},
+    {"number for text", "duration: [1, 2]\n", "2:11: error: a list, expected a time with its unit"},
+    {"no unit", "duration: 100\n", "2:11: error: '100', expected a time with its unit such as 10 ms"},
+    {"negative time", "duration: -5 ms\n", "2:11: error: '-5 ms', expected a time"},
+    {"endless time", "duration: 99999999999999999999 s\n", "2:11: error: '99999999999999999999 s', expected a time"},
+    {"number too large", "seed: 18446744073709551616\n",
+     "2:7: error: '18446744073709551616', expected a number from 0 to"},
+    {"number with text", "seed: 12abc\n", "2:7: error: '12abc', expected a number"},
+    {"bit rate", "bitrate: 333333\n", "2:10: error: '333333', expected one of 10000"},
     {"unknown node", "inputs:\n  - {at: 1 ms, node: sensr, object: 0x2000:01, value: 1}\n",
-     "3:22: node 'sensr', expected one of sensor, controller, actuator"},
+     "3:22: error: node 'sensr', expected one of sensor, controller, actuator"},
     {"unknown object", "inputs:\n  - {at: 1 ms, node: sensor, object: 0x2000:07, value: 1}\n",
-     "3:5: object 0x2000:07 in "},
+     "3:5: error: object 0x2000:07 in "},
     {"object of the wrong direction", "inputs:\n  - {at: 1 ms, node: actuator, object: 0x2200:01, value: 1}\n",
-     "3:5: object 0x2200:01 in "},
+     "3:5: error: object 0x2200:01 in "},
     {"no object", "inputs:\n  - {at: 1 ms, node: sensor, object: 2000, value: 1}\n",
-     "3:38: '2000', expected an object such as"},
-    {"unknown SRDO", "expect:\n  - {that: safe, node: actuator, srdo: 2, at: 1 ms}\n", "3:5: SRDO 2 in "},
+     "3:38: error: '2000', expected an object such as"},
+    {"unknown SRDO", "expect:\n  - {that: safe, node: actuator, srdo: 2, at: 1 ms}\n", "3:5: error: SRDO 2 in "},
     {"SRDO out of range", "expect:\n  - {that: safe, node: actuator, srdo: 65, at: 1 ms}\n",
-     "3:40: '65', expected a number from 1 to 64"},
+     "3:40: error: '65', expected a number from 1 to 64"},
     {"after the end", "expect:\n  - {that: safe, node: actuator, srdo: 1, at: 2 s}\n",
-     "3:5: expectation at 2000 ms, after the end of the run"},
+     "3:5: error: expectation at 2000 ms, after the end of the run"},
     {"unknown fault", "expect:\n  - {that: safe_within, fault: x, node: actuator, srdo: 1}\n",
-     "3:32: fault 'x', expected"},
+     "3:32: error: fault 'x', expected"},
     {"fault not named", "expect:\n  - {that: safe_within, node: actuator, srdo: 1}\n",
-     "3:5: expectation without key 'fault'"},
-    {"missing key", "inputs:\n  - {at: 1 ms, node: sensor, value: 1}\n", "3:5: an input without key 'object'"},
-    {"list for map", "nodes:\n  - sensor\n", "3:3: a list, expected a map with the keys of nodes"},
-    {"map for list", "inputs: {at: 1 ms}\n", "2:9: a map, expected a list"},
-    {"nothing for list", "faults:\n", "3:1: nothing, expected a list"},
-    {"node twice", "nodes:\n  sensor: {dcf: sensor.dcf}\n", "3:3: node 'sensor' twice"},
-    {"node without DCF", "nodes:\n  more: {phase: 1 ms}\n", "3:9: a node without key 'dcf'"},
+     "3:5: error: expectation without key 'fault'"},
+    {"missing key", "inputs:\n  - {at: 1 ms, node: sensor, value: 1}\n", "3:5: error: an input without key 'object'"},
+    {"list for map", "nodes:\n  - sensor\n", "3:3: error: a list, expected a map with the keys of nodes"},
+    {"map for list", "inputs: {at: 1 ms}\n", "2:9: error: a map, expected a list"},
+    {"nothing for list", "faults:\n", "3:1: error: nothing, expected a list"},
+    {"node twice", "nodes:\n  sensor: {dcf: sensor.dcf}\n", "3:3: error: node 'sensor' twice"},
+    {"node without DCF", "nodes:\n  more: {phase: 1 ms}\n", "3:9: error: a node without key 'dcf'"},
     {"corruption of nothing", "faults:\n  - {fault: corruption, frames: {identifier: 1}}\n",
-     "3:5: corruption that changes nothing"},
+     "3:5: error: corruption that changes nothing"},
     {"bit 64", "faults:\n  - {fault: corruption, frames: {identifier: 1}, bits: [64]}\n",
-     "3:57: '64', expected a number from 0 to 63"},
+     "3:57: error: '64', expected a number from 0 to 63"},
     {"nine bytes", "faults:\n  - {fault: insertion, at: 1 ms, identifier: 1, data: [1,2,3,4,5,6,7,8,9]}\n",
-     "3:55: 9 bytes, expected at most 8"},
+     "3:55: error: 9 bytes, expected at most 8"},
     {"latch always good", "faults:\n  - {fault: always_good, node: actuator, part: latch, at: 1 ms}\n",
-     "3:48: 'latch', expected one of channel_a, channel_b, comparator, flow_monitor, guard"},
+     "3:48: error: 'latch', expected one of channel_a, channel_b, comparator, flow_monitor, guard"},
     {"half a pattern", "faults:\n  - {fault: bus_off, node: actuator, at: 1 ms, on: 1 ms}\n",
-     "3:5: an on/off pattern of one part, expected both 'on' and 'off'"},
+     "3:5: error: an on/off pattern of one part, expected both 'on' and 'off'"},
     {"second controller of one", "faults:\n  - {fault: bus_off, node: actuator, at: 1 ms, controller: 2}\n",
-     "3:5: controller 2 of a node with one, expected 'controllers: 2' of that node, or a DCF that names two"},
+     "3:5: error: controller 2 of a node with one, expected 'controllers: 2' of that node, or a DCF that names two"},
     {"jump and rate", "faults:\n  - {fault: clock, node: actuator, counter: a, at: 1 ms, ppm: 5, jump: 1 ms}\n",
-     "3:5: clock fault without an effect of its own, expected one of 'stopped: true', 'ppm' and 'jump'"},
+     "3:5: error: clock fault without an effect of its own, expected one of 'stopped: true', 'ppm' and 'jump'"},
     {"rate without a drift", "faults:\n  - {fault: clock, node: actuator, counter: a, at: 1 ms, ppm: 0}\n",
-     "3:5: clock fault without an effect of its own, expected one of 'stopped: true', 'ppm' and 'jump'"},
+     "3:5: error: clock fault without an effect of its own, expected one of 'stopped: true', 'ppm' and 'jump'"},
     {"acknowledge of a producer", "acknowledge: [{at: 200 ms, node: sensor, srdo: 1, pulse: 50 ms}]\n",
-     "2:15: SRDO 1 in "},
+     "2:15: error: SRDO 1 in "},
     {"jump of nothing", "faults:\n  - {fault: clock, node: actuator, counter: a, at: 1 ms, jump: 0 ms}\n",
-     "3:64: '0 ms', expected a time above 0"},
+     "3:64: error: '0 ms', expected a time above 0"},
     {"identifier and SRDO", "faults:\n  - {fault: loss, frames: {identifier: 1, srdo: {node: sensor, srdo: 1}}}\n",
-     "3:27: both 'identifier' and 'srdo', expected one of them"},
+     "3:27: error: both 'identifier' and 'srdo', expected one of them"},
     {"SRDO that is not there", "faults:\n  - {fault: loss, frames: {srdo: {node: sensor, srdo: 9}}}\n",
-     "3:5: SRDO 9 in "},
+     "3:5: error: SRDO 9 in "},
     {"key of another kind", "faults:\n  - {fault: loss, frames: {}, by: 3 ms}\n",
-     "3:31: unknown key 'by' in a fault, expected one of fault, name, optional, frames"},
+     "3:31: error: unknown key 'by' in a fault, expected one of fault, name, optional, frames"},
     {"key without an effect", "faults:\n  - {fault: confirmation, frames: {}, by: 3 ms}\n",
-     "3:39: key 'by' without an effect in this fault, expected only keys that fit its others"},
+     "3:39: error: key 'by' without an effect in this fault, expected only keys that fit its others"},
     {"state and command", "nmt:\n  - {at: 1 ms, node: all, state: stopped, command: stop}\n",
-     "3:5: an NMT event, expected either 'state' or 'command'"},
-    {"power for no time", "power:\n  - {at: 1 ms, node: sensor, off: 0 ms}\n", "3:35: '0 ms', expected a time above 0"},
-    {"three controllers", "nodes:\n  d: {dcf: x.dcf, controllers: 3}\n", "3:32: '3', expected a number from 1 to 2"},
+     "3:5: error: an NMT event, expected either 'state' or 'command'"},
+    {"power for no time", "power:\n  - {at: 1 ms, node: sensor, off: 0 ms}\n",
+     "3:35: error: '0 ms', expected a time above 0"},
+    {"three controllers", "nodes:\n  d: {dcf: x.dcf, controllers: 3}\n",
+     "3:32: error: '3', expected a number from 1 to 2"},
     {"comes and goes too often", "faults:\n  - {fault: bus_off, node: actuator, at: 1 ms, on: 1 us, off: 1 us}\n",
-     "3:5: fault 'bus_off' that comes and goes 499500 times, expected at most 100000"},
+     "3:5: error: fault 'bus_off' that comes and goes 499500 times, expected at most 100000"},
     {"input after the end", "inputs:\n  - {at: 1000 ms, node: sensor, object: 0x2000:01, value: 0}\n",
-     "3:5: input at 1000 ms, not before the end of the run, expected a time below 1000 ms"},
+     "3:5: error: input at 1000 ms, not before the end of the run, expected a time below 1000 ms"},
     {"fault after the end", "faults:\n  - {fault: loss, frames: {from: 2 s}}\n",
-     "3:5: fault 'loss' at 2000 ms, not before the end of the run, expected a time below 1000 ms"},
+     "3:5: error: fault 'loss' at 2000 ms, not before the end of the run, expected a time below 1000 ms"},
     {"power cycle after the end", "power:\n  - {at: 1000 ms, node: sensor, off: 1 ms}\n",
-     "3:5: power cycle at 1000 ms, not before the end of the run"},
+     "3:5: error: power cycle at 1000 ms, not before the end of the run"},
     {"until before at", "faults:\n  - {fault: frozen, node: actuator, part: guard, at: 5 ms, until: 5 ms}\n",
-     "3:67: '5 ms', expected a time after 'at'"},
+     "3:67: error: '5 ms', expected a time after 'at'"},
     {"two places of a bit",
      "faults:\n  - {fault: bit_flip, node: actuator, part: channel_a, at: 1 ms, offset: 1, config: {srdo: 1, field: "
      "sct}}\n",
-     "3:5: both 'offset' and 'config'"},
+     "3:5: error: both 'offset' and 'config'"},
     {"bit that is not kept",
      "faults:\n  - {fault: bit_flip, node: actuator, part: channel_a, at: 1 ms, config: {srdo: 1, field: sct}, bit: "
      "31}\n",
-     "3:5: bit 31 of that value"},
+     "3:5: error: bit 31 of that value"},
     {"copy of two", "logic:\n  - {node: controller, set: 0x2000:01, op: copy, from: [0x2200:01, 0x2200:02]}\n",
-     "3:56: 2 objects, expected one object"},
-    {"alias", "title: &a b\ndescription: *a\n", "3:14: alias, expected the value itself"},
-    {"recursive alias", "inputs: &a [*a]\n", "2:13: alias"},
-    {"tag", "title: !!binary aGFsbG8=\n", "2:8: tag "},
-    {"second document", "title: a\n---\ntitle: b\n", "4:1: a second document"},
-    {"unclosed list", "inputs: [\n", "3:1: not YAML"},
-    {"unclosed quote", "title: \"abc\n", "2:8: quoted text without an end, expected a closing \""},
-    {"bad indentation", "inputs:\n  - at: 1 ms\n node: x\n", "4:2: not YAML"},
-    {"tab", "inputs:\n\t- x\n", "3:2: not YAML"},
-    {"control character", "title: a\x01z\n", "2:9: byte 0x1, expected UTF-8 text"},
-    {"not UTF-8", "title: \xC3(\n", "2:8: byte 0xc3, expected UTF-8 text"},
+     "3:56: error: 2 objects, expected one object"},
+    {"alias", "title: &a b\ndescription: *a\n", "3:14: error: alias, expected the value itself"},
+    {"recursive alias", "inputs: &a [*a]\n", "2:13: error: alias"},
+    {"tag", "title: !!binary aGFsbG8=\n", "2:8: error: tag "},
+    {"second document", "title: a\n---\ntitle: b\n", "4:1: error: a second document"},
+    {"unclosed list", "inputs: [\n", "3:1: error: not YAML"},
+    {"unclosed quote", "title: \"abc\n", "2:8: error: quoted text without an end, expected a closing \""},
+    {"bad indentation", "inputs:\n  - at: 1 ms\n node: x\n", "4:2: error: not YAML"},
+    {"tab", "inputs:\n\t- x\n", "3:2: error: not YAML"},
+    {"control character", "title: a\x01z\n", "2:9: error: byte 0x1, expected UTF-8 text"},
+    {"not UTF-8", "title: \xC3(\n", "2:8: error: byte 0xc3, expected UTF-8 text"},
     {"unknown state", "nmt:\n  - {at: 1 ms, node: all, state: dancing}\n",
-     "3:34: 'dancing', expected one of initialising"},
+     "3:34: error: 'dancing', expected one of initialising"},
 };
 
 INSTANTIATE_TEST_SUITE_P(EachMistake, BadScenario, ::testing::ValuesIn(kBadCases));
@@ -172,46 +176,46 @@ constexpr BadCase kImpossibleCases[] = {
     {"overlap on a part",
      "faults:\n  - {fault: frozen, node: actuator, part: guard, at: 1 ms, until: 9 ms}\n"
      "  - {fault: not_called, node: actuator, part: guard, at: 8 ms}\n",
-     "4:5: fault 'not_called' overlaps 'frozen'"},
+     "4:5: error: fault 'not_called' overlaps 'frozen'"},
     {"overlap on a counter",
      "faults:\n  - {fault: clock, node: actuator, counter: b, ppm: 5, at: 1 ms}\n"
      "  - {fault: clock, node: actuator, counter: b, ppm: 9, at: 8 ms}\n",
-     "4:5: fault 'clock' overlaps 'clock'"},
+     "4:5: error: fault 'clock' overlaps 'clock'"},
     {"overlap on an object",
      "faults:\n  - {fault: not_inverse, node: sensor, object: 0x2000:01, bits: [0], at: 1 ms}\n"
      "  - {fault: not_inverse, node: sensor, object: 0x2000:01, bits: [1], at: 1 ms}\n",
-     "4:5: fault 'not_inverse' overlaps 'not_inverse'"},
-    {"node-ID twice", "nodes:\n  more: {dcf: EXAMPLES/sensor.dcf}\n", "3:15: node-ID 1, which sensor has"},
+     "4:5: error: fault 'not_inverse' overlaps 'not_inverse'"},
+    {"node-ID twice", "nodes:\n  more: {dcf: EXAMPLES/sensor.dcf}\n", "3:15: error: node-ID 1, which sensor has"},
     {"fault of two names",
      "faults:\n  - {fault: loss, frames: {identifier: 1}}\n  - {fault: loss, frames: {identifier: 2}}\n"
      "expect:\n  - {that: safe_within, fault: loss, node: actuator, srdo: 1}\n",
-     "6:5: fault 'loss', which is the name of several"},
+     "6:5: error: fault 'loss', which is the name of several"},
     {"value of nine bits", "inputs:\n  - {at: 1 ms, node: sensor, object: 0x2000:01, value: 256}\n",
-     "3:5: value 256 for object 0x2000:01, expected a value of 8 bits"},
+     "3:5: error: value 256 for object 0x2000:01, expected a value of 8 bits"},
     {"expected value of nine bits",
      "expect:\n  - {that: value, node: actuator, object: 0x2200:01, is: 0x1FF, at: 5 ms}\n",
-     "3:5: value 511 for object 0x2200:01, expected a value of 8 bits"},
+     "3:5: error: value 511 for object 0x2200:01, expected a value of 8 bits"},
     {"bit of no object", "faults:\n  - {fault: not_inverse, node: sensor, object: 0x2000:01, bits: [8], at: 1 ms}\n",
-     "3:5: value 256 for object 0x2000:01, expected a value of 8 bits"},
+     "3:5: error: value 256 for object 0x2000:01, expected a value of 8 bits"},
     {"offset of no storage",
      "faults:\n  - {fault: bit_flip, node: actuator, part: channel_a, at: 1 ms, offset: 999999}\n",
-     "3:5: offset 999999, expected an offset below "},
+     "3:5: error: offset 999999, expected an offset below "},
     {"long identifier of a short frame", "faults:\n  - {fault: insertion, at: 1 ms, identifier: 0x800}\n",
-     "3:5: a frame of 11-bit identifier with identifier 0x800, expected an identifier up to 0x7FF"},
+     "3:5: error: a frame of 11-bit identifier with identifier 0x800, expected an identifier up to 0x7FF"},
     {"CAN FD sent by a node",
      "faults:\n  - {fault: masquerade, node: sensor, at: 1 ms, identifier: 1, kind: flexible_data_rate}\n",
-     "3:5: masquerade with a CAN FD frame"},
+     "3:5: error: masquerade with a CAN FD frame"},
     {"counter at rest", "nodes:\n  more: {dcf: x.dcf, counter_a: {ppm: -1000000}}\n",
-     "3:39: a counter that stands still from the start"},
-    {"escape sequence", "title: \"a\\e[31mb\"\n", "2:8: text with a character that is not printable"},
-    {"C1 control", "title: \"a\\u009bb\"\n", "2:8: text with a character that is not printable"},
+     "3:39: error: a counter that stands still from the start"},
+    {"escape sequence", "title: \"a\\e[31mb\"\n", "2:8: error: text with a character that is not printable"},
+    {"C1 control", "title: \"a\\u009bb\"\n", "2:8: error: text with a character that is not printable"},
     {"hung for a while", "faults:\n  - {fault: hung, node: actuator, part: guard, at: 1 ms, until: 9 ms}\n",
-     "3:58: unknown key 'until' in a fault"},
+     "3:58: error: unknown key 'until' in a fault"},
     {"sixteen repetitions", "faults:\n  - {fault: repetition, frames: {identifier: 1}, times: 16}\n",
-     "3:57: '16', expected a number from 1 to 15"},
+     "3:57: error: '16', expected a number from 1 to 15"},
     {"count of a late cycle", "faults:\n  - {fault: cycle, node: actuator, at: 1 ms, late: 1 ms, count: 2}\n",
-     "3:58: unknown key 'count' in a fault"},
-    {"line end in a title", "title: \"a\\nb\"\n", "2:8: text with a line end or tabulator"},
+     "3:58: error: unknown key 'count' in a fault"},
+    {"line end in a title", "title: \"a\\nb\"\n", "2:8: error: text with a line end or tabulator"},
 };
 
 using ImpossibleScenario = ::testing::TestWithParam<BadCase>;
@@ -254,15 +258,15 @@ faults:
 TEST(BadScenarioFile, MissingFolderEmptyOrTooLargeIsRefused)
 {
     Verifies(req::SRS_SIM_010);
-    EXPECT_EQ(Refusal("/nonexistent/x.yaml"), "/nonexistent/x.yaml: no such file, expected a scenario");
-    EXPECT_EQ(Refusal(Examples()), Examples() + ": not a regular file, expected a scenario");
-    EXPECT_EQ(Refusal("/dev/zero"), "/dev/zero: not a regular file, expected a scenario");
+    EXPECT_EQ(Refusal("/nonexistent/x.yaml"), "/nonexistent/x.yaml: error: no such file, expected a scenario");
+    EXPECT_EQ(Refusal(Examples()), Examples() + ": error: not a regular file, expected a scenario");
+    EXPECT_EQ(Refusal("/dev/zero"), "/dev/zero: error: not a regular file, expected a scenario");
     const std::string empty = TextFile("");
-    EXPECT_EQ(Refusal(empty), empty + ":1:1: no document, expected a map with the keys of a scenario");
+    EXPECT_EQ(Refusal(empty), empty + ":1:1: error: no document, expected a map with the keys of a scenario");
     const std::string large = TextFile(std::string(1048577U, '#'));
-    EXPECT_EQ(Refusal(large), large + ": 1048577 bytes, expected at most 1048576");
+    EXPECT_EQ(Refusal(large), large + ": error: 1048577 bytes, expected at most 1048576");
     const std::string nothing = TextFile("title: x\n");
-    EXPECT_EQ(Refusal(nothing), nothing + ":1:1: no nodes, expected key 'nodes' with at least one node");
+    EXPECT_EQ(Refusal(nothing), nothing + ":1:1: error: no nodes, expected key 'nodes' with at least one node");
 }
 
 TEST(BadScenarioFile, BaseThatExtendsOrIsMissingIsRefused)
@@ -272,9 +276,10 @@ TEST(BadScenarioFile, BaseThatExtendsOrIsMissingIsRefused)
     const std::string own =
         ::testing::TempDir() + "counterpoint_BadScenarioFile_BaseThatExtendsOrIsMissingIsRefused.yaml";
     const std::string file = TextFile("extends: " + own + "\n");
-    EXPECT_EQ(Refusal(file), file + ":1:10: a scenario that extends another one, expected none here: one step only");
+    EXPECT_EQ(Refusal(file),
+              file + ":1:10: error: a scenario that extends another one, expected none here: one step only");
     const std::string lost = TextFile("extends: /nonexistent/y.yaml\n");
-    EXPECT_EQ(Refusal(lost), "/nonexistent/y.yaml: no such file, expected a scenario");
+    EXPECT_EQ(Refusal(lost), "/nonexistent/y.yaml: error: no such file, expected a scenario");
 }
 
 TEST(BadScenarioFile, DeepOrWideNestingEndsSoon)
@@ -336,15 +341,18 @@ TEST(ImpossibleFault, IsRefusedAtTheValueThatCannotBe)
     };
     for (const Case& impossible : {
              Case{"insertion, at: 1 s, identifier: 1, times: 1000, every: 10000000 s",
-                  "3:68: '10000000 s', expected a time that fits 1000 times into 10000000 s"},
-             Case{"insertion, at: 1 s, identifier: 1, times: 2, every: 0 s", "3:65: '0 s', expected a time above 0"},
-             Case{"repetition, frames: {identifier: 0x103}, times: 16", "3:61: '16', expected a number from 1 to 15"},
-             Case{"delay, frames: {identifier: 0x103}, by: 0 ms", "3:53: '0 ms', expected a time above 0"},
-             Case{"cycle, node: actuator, late: 0 s, at: 5 ms", "3:42: '0 s', expected a time above 0"},
-             Case{"cycle, node: actuator, late: 1 ms, at: 5 ms, count: 5", "3:58: unknown key 'count' in a fault"},
+                  "3:68: error: '10000000 s', expected a time that fits 1000 times into 10000000 s"},
+             Case{"insertion, at: 1 s, identifier: 1, times: 2, every: 0 s",
+                  "3:65: error: '0 s', expected a time above 0"},
+             Case{"repetition, frames: {identifier: 0x103}, times: 16",
+                  "3:61: error: '16', expected a number from 1 to 15"},
+             Case{"delay, frames: {identifier: 0x103}, by: 0 ms", "3:53: error: '0 ms', expected a time above 0"},
+             Case{"cycle, node: actuator, late: 0 s, at: 5 ms", "3:42: error: '0 s', expected a time above 0"},
+             Case{"cycle, node: actuator, late: 1 ms, at: 5 ms, count: 5",
+                  "3:58: error: unknown key 'count' in a fault"},
              Case{"clock, node: actuator, counter: a, stopped: maybe, at: 5 ms",
-                  "3:57: 'maybe', expected one of true, false"},
-             Case{"not_inverse, node: controller, object: 0x2000:01, bits: [], at: 5 ms", "3:69: an empty list"},
+                  "3:57: error: 'maybe', expected one of true, false"},
+             Case{"not_inverse, node: controller, object: 0x2000:01, bits: [], at: 5 ms", "3:69: error: an empty list"},
          })
     {
         // Given a fault with one value that the simulator could not do as it is written
@@ -360,17 +368,18 @@ TEST(ImpossibleFault, NodeIsNotCalledBus)
 {
     Verifies(req::SRS_SIM_014);
     const std::string file = TextFile("duration: 1 s\nnodes:\n  bus: {dcf: sensor.dcf}\n");
-    EXPECT_EQ(Refusal(file), file + ":3:3: node name 'bus', expected a name other than 'all' and 'bus'");
+    EXPECT_EQ(Refusal(file), file + ":3:3: error: node name 'bus', expected a name other than 'all' and 'bus'");
 }
 
 TEST(ScenarioFileName, IsShownInOnePrintableLineWithTheReason)
 {
     Verifies(req::SRS_SIM_010);
-    EXPECT_EQ(Refusal("no\nsuch\x1B.yaml"), "no\\x0Asuch\\x1B.yaml: no such file, expected a scenario");
+    EXPECT_EQ(Refusal("no\nsuch\x1B.yaml"), "no\\x0Asuch\\x1B.yaml: error: no such file, expected a scenario");
     const std::string loop = ::testing::TempDir() + "counterpoint_loop.yaml";
     std::filesystem::remove(loop);
     std::filesystem::create_symlink(loop, loop);
-    EXPECT_EQ(Refusal(loop), loop + ": cannot be opened (Too many levels of symbolic links), expected a readable file");
+    EXPECT_EQ(Refusal(loop),
+              loop + ": error: cannot be opened (Too many levels of symbolic links), expected a readable file");
     std::filesystem::remove(loop);
 }
 
@@ -471,7 +480,7 @@ TEST(FaultOfAController, IsTheOnlyOneThereAtATime)
         const std::string second = std::string("  - {fault: ") + other + ", node: actuator, at: ";
         const std::string file =
             TextFile("extends: " + Examples() + "chain.yaml\n" + first + second + "450 ms, until: 600 ms}\n");
-        EXPECT_EQ(Refusal(file), file + ":4:5: fault '" + other +
+        EXPECT_EQ(Refusal(file), file + ":4:5: error: fault '" + other +
                                      "' overlaps 'bus_off' on the same part, counter, object or controller, expected "
                                      "one fault there at a time");
         EXPECT_EQ(

@@ -48,13 +48,13 @@ TEST(SimulateCommand, EndsWithZeroOneOrTwo)
     // Bad input: one line
     const Answer lost = RunCommand({"simulate", "/nonexistent.yaml"});
     EXPECT_EQ(lost.status, 2);
-    EXPECT_EQ(lost.err, "/nonexistent.yaml: no such file, expected a scenario\n");
+    EXPECT_EQ(lost.err, "/nonexistent.yaml: error: no such file, expected a scenario\n");
     EXPECT_EQ(lost.out, "");
     EXPECT_EQ(RunCommand({"simulate"}).status, 2);
     EXPECT_EQ(RunCommand({"simulate", failing, "--seed", "x"}).status, 2);
     const Answer until = RunCommand({"simulate", failing, "--until", "20"});
     EXPECT_EQ(until.status, 2);
-    EXPECT_EQ(until.err.substr(0U, 25U), "--until: '20', expected a");
+    EXPECT_EQ(until.err.substr(0U, 32U), "--until: error: '20', expected a");
 }
 
 TEST(SimulateCommand, WritesAllReportsAndSaysWhereItCannot)
@@ -86,7 +86,7 @@ TEST(SimulateCommand, AnOutputThatCannotBeWrittenIsToldBeforeAnythingElse)
     // Then there is one line, and neither a time line nor the other output
     EXPECT_EQ(answer.status, 2);
     EXPECT_EQ(answer.out, "");
-    EXPECT_EQ(answer.err, "/nonexistent/x.json:0: error: it cannot be created (No such file or directory), expected a "
+    EXPECT_EQ(answer.err, "/nonexistent/x.json: error: it cannot be created (No such file or directory), expected a "
                           "path in a writable folder\n");
     EXPECT_FALSE(std::filesystem::exists(page));
     // Then the same of demo
@@ -165,7 +165,7 @@ expect:
     // Then nothing that is expected of it holds, and its place is told
     EXPECT_EQ(answer.status, 1);
     EXPECT_EQ(answer.err,
-              file + ":3:5: fault 'loss' never happened, expected it within the run, or 'optional: true'\n");
+              file + ":3:5: warning: fault 'loss' never happened, expected it within the run, or 'optional: true'\n");
     EXPECT_NE(answer.out.find("0 of 3 expectations hold"), std::string::npos) << answer.out;
 }
 
@@ -176,8 +176,9 @@ TEST(SimulateCommand, EndsARecordingThatGrowsTooLarge)
         simulator::TextFile("extends: " + simulator::Examples() + "chain.yaml\nduration: 2000 s\n");
     const Answer answer = RunCommand({"simulate", file});
     EXPECT_EQ(answer.status, 2);
-    EXPECT_EQ(answer.err, file + ": more than 500000 frames and events to record, expected a shorter run, or --quiet "
-                                 "without output files\n");
+    EXPECT_EQ(answer.err,
+              file + ": error: more than 500000 frames and events to record, expected a shorter run, or --quiet "
+                     "without output files\n");
     EXPECT_EQ(answer.out, "");
 }
 
@@ -353,23 +354,24 @@ TEST(Sweep, RefusesWhatCannotBeSwept)
         const char* message;
     };
     for (const Refusal& refusal : std::vector<Refusal>{
-             {"duration", "--sweep: 'duration', expected NAME=FROM:TO:STEP"},
-             {"duration=1s:2s", "--sweep: 'duration=1s:2s', expected NAME=FROM:TO:STEP"},
-             {"duration=2s:1s:1s", "--sweep: 'duration=2s:1s:1s', expected FROM not above TO, a STEP above 0"},
-             {"duration=1s:2s:0s", "--sweep: 'duration=1s:2s:0s', expected FROM not above TO, a STEP above 0"},
-             {"seed=1:2:9223372036854775807", "--sweep: 'seed=1:2:9223372036854775807', expected FROM not above TO, a "
-                                              "STEP above 0, and nothing beyond"},
-             {"extends=1:2:1",
-              "--sweep: path 'extends', which is read before the sweep, expected the path of a value of the scenario"},
+             {"duration", "--sweep: error: 'duration', expected NAME=FROM:TO:STEP"},
+             {"duration=1s:2s", "--sweep: error: 'duration=1s:2s', expected NAME=FROM:TO:STEP"},
+             {"duration=2s:1s:1s", "--sweep: error: 'duration=2s:1s:1s', expected FROM not above TO, a STEP above 0"},
+             {"duration=1s:2s:0s", "--sweep: error: 'duration=1s:2s:0s', expected FROM not above TO, a STEP above 0"},
+             {"seed=1:2:9223372036854775807",
+              "--sweep: error: 'seed=1:2:9223372036854775807', expected FROM not above TO, a "
+              "STEP above 0, and nothing beyond"},
+             {"extends=1:2:1", "--sweep: error: path 'extends', which is read before the sweep, expected the path of a "
+                               "value of the scenario"},
              {"duration=1s:2:1s",
-              "--sweep: 'duration=1s:2:1s', expected three times with units, or three whole numbers"},
-             {"duration=1s:x:1s", "--sweep: 'x', expected a time with its unit"},
+              "--sweep: error: 'duration=1s:2:1s', expected three times with units, or three whole numbers"},
+             {"duration=1s:x:1s", "--sweep: error: 'x', expected a time with its unit"},
              {"duration=1s:100000s:1us",
-              "--sweep: 'duration=1s:100000s:1us' with more than 20000 runs, expected a larger STEP"},
-             {"faults.7.at=1:2:1", "--sweep: path 'faults.7.at', expected keys, names or numbers from 0"},
-             {"faults.none.at=1:2:1", "--sweep: path 'faults.none.at', expected keys, names or numbers from 0"},
+              "--sweep: error: 'duration=1s:100000s:1us' with more than 20000 runs, expected a larger STEP"},
+             {"faults.7.at=1:2:1", "--sweep: error: path 'faults.7.at', expected keys, names or numbers from 0"},
+             {"faults.none.at=1:2:1", "--sweep: error: path 'faults.none.at', expected keys, names or numbers from 0"},
              {"faults.0.frames=1:2:1",
-              "--sweep: path 'faults.0.frames', which is no single value, expected the path of a single"}})
+              "--sweep: error: path 'faults.0.frames', which is no single value, expected the path of a single"}})
     {
         const Answer answer = RunCommand({"simulate", LostPairs(), "--sweep", refusal.sweep});
         EXPECT_EQ(answer.status, 2) << refusal.sweep;
@@ -383,7 +385,7 @@ TEST(Sweep, RefusesWhatCannotBeSwept)
     // Too many combinations
     const Answer many =
         RunCommand({"simulate", LostPairs(), "--sweep", "seed=1:200:1", "--sweep", "duration=1s:1200s:1s"});
-    EXPECT_EQ(many.err, "--sweep: more than 20000 runs, expected larger steps\n");
+    EXPECT_EQ(many.err, "--sweep: error: more than 20000 runs, expected larger steps\n");
 }
 } // namespace
 } // namespace counterpoint::tools

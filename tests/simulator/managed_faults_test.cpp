@@ -147,7 +147,8 @@ TEST_F(ManagedFaultsTest, ADeviceOfTwoCpusIsManaged)
     const std::string bad = File("bad.yaml", nodes + "events: [{at: 2 s, do: duplicate, node: relay}]\n");
     const Answer refused = RunCommand({"simulate", "--quiet", bad});
     EXPECT_EQ(refused.status, 2);
-    EXPECT_TRUE(Has(refused.err, "bad.yaml:9:10: a duplicate of a device with two CPUs, expected a device with one"))
+    EXPECT_TRUE(
+        Has(refused.err, "bad.yaml:9:10: error: a duplicate of a device with two CPUs, expected a device with one"))
         << refused.err;
 }
 
@@ -231,7 +232,7 @@ TEST_F(ManagedFaultsTest, SupplyEventsOfADeviceAreApart)
         const std::string events = std::string("events: [{node: actuator, do: ") + action + ", at: ";
         const Answer refused = Simulate(power + events + "3200 ms}]\n");
         EXPECT_EQ(refused.status, 2) << refused.out;
-        EXPECT_TRUE(Has(refused.err, "more.yaml:3:10: " + word +
+        EXPECT_TRUE(Has(refused.err, "more.yaml:3:10: error: " + word +
                                          " of device actuator during its power cycle, expected a time from 3500 ms on"))
             << refused.err;
     }
@@ -245,7 +246,8 @@ TEST_F(ManagedFaultsTest, SupplyEventsOfADeviceAreApart)
     {
         const Answer refused = Simulate(other);
         EXPECT_EQ(refused.status, 2) << refused.out;
-        EXPECT_TRUE(Has(refused.err, "more.yaml:2:9: power cycle of device actuator, which has no supply, expected "))
+        EXPECT_TRUE(
+            Has(refused.err, "more.yaml:2:9: error: power cycle of device actuator, which has no supply, expected "))
             << refused.err;
     }
 }
@@ -255,9 +257,9 @@ TEST_F(ManagedFaultsTest, NobodyUsesADeviceWithoutSupply)
     Verifies(req::SRS_SIM_066);
     const std::string power = "power: [{at: 3 s, node: actuator, off: 500 ms}]\n";
     const std::vector<std::pair<std::string, std::string>> uses{
-        {"acknowledge: [{at: 3200 ms, node: actuator, srdo: 1, pulse: 50 ms}]\n", "3:15: acknowledge"},
-        {"nmt: [{at: 3200 ms, node: actuator, command: start}]\n", "3:7: NMT event"},
-        {"gfc: [{at: 3200 ms, node: actuator}]\n", "3:7: GFC"}};
+        {"acknowledge: [{at: 3200 ms, node: actuator, srdo: 1, pulse: 50 ms}]\n", "3:15: error: acknowledge"},
+        {"nmt: [{at: 3200 ms, node: actuator, command: start}]\n", "3:7: error: NMT event"},
+        {"gfc: [{at: 3200 ms, node: actuator}]\n", "3:7: error: GFC"}};
     for (const auto& [use, what] : uses)
     {
         // Given somebody who uses the device while it is off, then that is refused
@@ -275,9 +277,9 @@ TEST_F(ManagedFaultsTest, NobodyUsesADeviceWithoutSupply)
         2);
     // And where the base has it, it is told
     const Answer told = Simulate("power: [{at: 2400 ms, node: actuator, off: 1 s}]\n", {"--quiet"});
-    EXPECT_TRUE(Has(told.err,
-                    "base.yaml:22:5: acknowledge of device actuator at 2500 ms does nothing, the device has no "
-                    "supply then, expected a time at which it has one"))
+    EXPECT_TRUE(Has(
+        told.err, "base.yaml:22:5: warning: acknowledge of device actuator at 2500 ms does nothing, the device has no "
+                  "supply then, expected a time at which it has one"))
         << told.err;
 }
 

@@ -103,22 +103,24 @@ TEST_F(ProfileNetworkTest, AnUnknownProfileIsRefused)
         EXPECT_EQ(answer.status, 2);
         return answer.err;
     };
-    EXPECT_EQ(refusal(Scenario(), "plc_designer"), "--profile: 'plc_designer', expected one of cia302, el6751\n");
-    EXPECT_EQ(refusal(Scenario(), ""), "--profile: empty name, expected one of the scenario's 'profiles'\n");
+    EXPECT_EQ(refusal(Scenario(), "plc_designer"),
+              "--profile: error: 'plc_designer', expected one of cia302, el6751\n");
+    EXPECT_EQ(refusal(Scenario(), ""), "--profile: error: empty name, expected one of the scenario's 'profiles'\n");
     EXPECT_EQ(refusal(cia306::test::SourceFolder() + "/examples/emergency_stop/00_no_fault.yaml", "cia302"),
-              "--profile: 'cia302', expected a scenario with 'profiles'\n");
+              "--profile: error: 'cia302', expected a scenario with 'profiles'\n");
     const std::string managers = "managers: [{network: net.yaml}]\n";
     ExpectRefused(managers + "profiles: [cia302, cia301]",
-                  ":3:20: 'cia301', expected one of cia302, el6751, plc_designer");
-    ExpectRefused(managers + "profiles: []", ":3:11: an empty list, expected one profile or more");
-    ExpectRefused(managers + "profiles: [el6751, el6751]", ":3:20: 'el6751' a second time, expected each profile once");
-    ExpectRefused("profiles: cia302", ":2:11: profiles without managers, expected the key 'managers', too");
+                  ":3:20: error: 'cia301', expected one of cia302, el6751, plc_designer");
+    ExpectRefused(managers + "profiles: []", ":3:11: error: an empty list, expected one profile or more");
+    ExpectRefused(managers + "profiles: [el6751, el6751]",
+                  ":3:20: error: 'el6751' a second time, expected each profile once");
+    ExpectRefused("profiles: cia302", ":2:11: error: profiles without managers, expected the key 'managers', too");
     ExpectRefused(managers + "profiles: cia302\nevents: [{at: 0 s, do: pull, node: 33, profile: el6751}]",
-                  ":4:49: profile 'el6751', expected one of its 'profiles': cia302");
+                  ":4:49: error: profile 'el6751', expected one of its 'profiles': cia302");
     ExpectRefused(managers + "expect: [{that: state, node: 33, is: missing, profile: cia302}]",
-                  ":3:56: profile 'cia302', expected a scenario with 'profiles'");
+                  ":3:56: error: profile 'cia302', expected a scenario with 'profiles'");
     ExpectRefused(managers + "profiles: cia302\nexpect: [{that: state, node: 33, is: missing, profile: []}]",
-                  ":4:56: an empty list, expected one profile or more");
+                  ":4:56: error: an empty list, expected one profile or more");
 }
 } // namespace
 } // namespace counterpoint::tools

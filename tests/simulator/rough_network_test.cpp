@@ -77,9 +77,10 @@ TEST_F(RoughNetworkTest, EachLetterAndTheNodeStates)
     Verifies(req::SRS_ELM_046);
     Verifies(req::SRS_ELM_050);
     // Letter K is that of a slave which is told to be silent and awaited, on purpose here
-    ExpectHolds("letters",
-                "letters_network.yaml:14: node 20 is told to send no heartbeat and awaited within 300 ms: its "
-                "start-up ends with letter K, expected a heartbeat, or consumer: 0 ms");
+    ExpectHolds(
+        "letters",
+        "letters_network.yaml:14:5: warning: node 20 is told to send no heartbeat and awaited within 300 ms: its "
+        "start-up ends with letter K, expected a heartbeat, or consumer: 0 ms");
     ExpectHolds("codes_el6751");
 }
 

@@ -93,7 +93,7 @@ TEST(CommandLine, TextOfTheUserIsShownWithoutControlBytes)
     Verifies(req::SRS_EDS_019);
     const Answer answer = RunCommand({"sign", "none\n\x1B[31m.dcf"});
     EXPECT_EQ(answer.status, 2);
-    EXPECT_EQ(answer.err.rfind("none\\x0A\\x1B[31m.dcf:0: error: ", 0U), 0U) << answer.err;
+    EXPECT_EQ(answer.err.rfind("none\\x0A\\x1B[31m.dcf: error: ", 0U), 0U) << answer.err;
 }
 } // namespace
 } // namespace counterpoint::tools

@@ -65,15 +65,15 @@ TEST_F(GenerateCommandTest, AnErrorOfTheCheckWritesNothing)
     const Answer answer = RunCommand({"generate", file, "--output", Path("out")});
     EXPECT_EQ(answer.status, 1);
     EXPECT_EQ(answer.out, "");
-    EXPECT_NE(answer.err.find(":331: error: 0x13FF:01: signature 0xB632 of SRDO 1, expected 0xB631"),
+    EXPECT_NE(answer.err.find(":331:16: error: 0x13FF:01: signature 0xB632 of SRDO 1, expected 0xB631"),
               std::string::npos);
-    EXPECT_NE(answer.err.find(":0: error: nothing is written, expected a file without errors, or --force\n"),
+    EXPECT_NE(answer.err.find(": error: nothing is written, expected a file without errors, or --force\n"),
               std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(Path("out")));
     // With --force it is told, and written
     const Answer forced = RunCommand({"generate", file, "--output", Path("out"), "--force"});
     EXPECT_EQ(forced.status, 0);
-    EXPECT_NE(forced.err.find(":331: error:"), std::string::npos);
+    EXPECT_NE(forced.err.find(":331:16: error:"), std::string::npos);
     EXPECT_EQ(FilesIn("out"), 2U);
 }
 
@@ -84,8 +84,9 @@ TEST_F(GenerateCommandTest, BadInputIsOneLineAndNoFile)
                                               "DefaultValue=$NODEID+0x80\n");
     const Answer lacking = RunCommand({"generate", formula, "--output", Path("out")});
     EXPECT_EQ(lacking.status, 2);
-    EXPECT_EQ(lacking.err, formula + ":7: error: 0x1014:00: value '$NODEID+0x80' needs the node-ID and there is none, "
-                                     "expected --node-id, or NodeID in [DeviceComissioning]\n");
+    EXPECT_EQ(lacking.err, formula +
+                               ":7:14: error: 0x1014:00: value '$NODEID+0x80' needs the node-ID and there is none, "
+                               "expected --node-id, or NodeID in [DeviceComissioning]\n");
     EXPECT_FALSE(std::filesystem::exists(Path("out")));
     EXPECT_EQ(RunCommand({"generate", formula, "--output", Path("out"), "--node-id", "3"}).status, 0);
     EXPECT_EQ(RunCommand({"generate", Example(), "--namespace", "class"}).status, 2);
@@ -103,7 +104,7 @@ TEST_F(GenerateCommandTest, ReplacesNothingButItsOwn)
     const std::string input = File("object_dictionary.hpp", device);
     const Answer own = RunCommand({"generate", input, "--output", Path("")});
     EXPECT_EQ(own.status, 2);
-    EXPECT_EQ(own.err, input + ":0: error: it is there and was not made by 'counterpoint generate', expected another "
+    EXPECT_EQ(own.err, input + ": error: it is there and was not made by 'counterpoint generate', expected another "
                                "--output, or that you remove it\n");
     EXPECT_EQ(cia306::ReadTextFile(input), device);
     static_cast<void>(File("object_dictionary.hpp", ""));

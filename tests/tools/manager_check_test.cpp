@@ -265,19 +265,18 @@ TEST_F(ManagerCheckTest, AnExpectationThatASafetySlaveCannotMeetIsTold)
          "PDOMapping=0\n\n[13FFsub1]"}};
     // Each is told once, though both masters know the slave
     EXPECT_EQ(check("", {}).err, "");
-    EXPECT_EQ(check("", invalid).err,
-              dcf + ":309: 0x13FE:00: 0x00 keeps node 33 from being started until somebody declares its configuration "
-                    "valid, expected 0xA5, or write_safety: true in the network file\n");
+    EXPECT_EQ(check("", invalid).err, dcf + ":309:16: warning: 0x13FE:00: 0x00 keeps node 33 from being started until "
+                                            "somebody declares its configuration "
+                                            "valid, expected 0xA5, or write_safety: true in the network file\n");
     EXPECT_EQ(check("", invalid).status, 0);
     EXPECT_EQ(check(", write_safety: true", invalid).err, "");
-    EXPECT_EQ(check("", roomy).err,
-              dcf +
-                  ":322: 0x13FF:00: room for 3 signatures, and the highest SRDO of the file is 1: what node 33 has in "
-                  "the others is not read, expected them in the file\n");
+    EXPECT_EQ(check("", roomy).err, dcf + ":322:14: warning: 0x13FF:00: room for 3 signatures, and the highest SRDO of "
+                                          "the file is 1: what node 33 has in "
+                                          "the others is not read, expected them in the file\n");
     // What is no configuration at all is refused
     const Answer unsigned_one = check("", {{"ParameterValue=0x9FCB", "ParameterValue=0x9FCC"}});
     EXPECT_EQ(unsigned_one.status, 2);
-    EXPECT_EQ(unsigned_one.err.rfind(dcf + ":309: error: 0x13FE:00: 0xA5 marks a configuration with errors", 0U), 0U)
+    EXPECT_EQ(unsigned_one.err.rfind(dcf + ":309:16: error: 0x13FE:00: 0xA5 marks a configuration with errors", 0U), 0U)
         << unsigned_one.err;
     const Answer flagless =
         check("", {{"7=0x13FE\n8=0x13FF", "7=0x13FF"},

@@ -225,7 +225,7 @@ TEST_F(ManagerCommandTest, WhatCannotBeUsedEndsWith2)
     const std::string file = File("net.yaml", "manager: {node: 127}\nslaves: [{node: 300}]\n");
     const Answer bad_file = RunCommand({"manager", "--can", "udp:239.74.163.91:43191", "--network", file});
     EXPECT_EQ(bad_file.status, 2);
-    EXPECT_EQ(bad_file.err.rfind(file + ":2:17: ", 0U), 0U) << bad_file.err;
+    EXPECT_EQ(bad_file.err.rfind(file + ":2:17: error: ", 0U), 0U) << bad_file.err;
 }
 
 TEST_F(ManagerCommandTest, AnOutputWithoutANameIsRefused)
@@ -236,13 +236,13 @@ TEST_F(ManagerCommandTest, AnOutputWithoutANameIsRefused)
         const Answer answer = RunCommand({"manager", "--can", "udp:239.74.163.91:43191", "--network",
                                           NetworkFile("chain.yaml"), "--for", "1", "--no-input", option, ""});
         EXPECT_EQ(answer.status, 2) << option;
-        EXPECT_EQ(answer.err, std::string(option) + ": empty file name, expected the name of a file\n");
+        EXPECT_EQ(answer.err, std::string(option) + ": error: empty file name, expected the name of a file\n");
     }
     for (const char* const option : {"--html", "--json", "--candump"})
     {
         const Answer answer = RunCommand({"simulate", "--quiet", NetworkFile("boot.yaml"), option, ""});
         EXPECT_EQ(answer.status, 2) << option;
-        EXPECT_EQ(answer.err, std::string(option) + ": empty file name, expected the name of a file\n");
+        EXPECT_EQ(answer.err, std::string(option) + ": error: empty file name, expected the name of a file\n");
     }
 }
 
@@ -261,9 +261,9 @@ TEST_F(ManagerCommandTest, ACheckRunsNothingAndTakesNoOptionOfARun)
         words.insert(words.end(), more.begin(), more.end());
         const Answer answer = RunCommand(words);
         EXPECT_EQ(answer.status, 2) << more[0];
-        EXPECT_EQ(answer.err, more[0] +
-                                  ": with --check, which runs nothing, expected --check FILE FILE... alone, or with "
-                                  "--node-id\n");
+        EXPECT_EQ(answer.err,
+                  more[0] + ": error: with --check, which runs nothing, expected --check FILE FILE... alone, or with "
+                            "--node-id\n");
     }
 }
 

@@ -155,7 +155,7 @@ TEST_F(MonitorCommandTest, BadInputIsOneLine)
     Verifies(req::SRS_MON_002);
     const Answer bad = Monitor({File("bad.log", "(1.000000) can0 101#01\n(1.000000) can0 101#0\n")});
     EXPECT_EQ(bad.status, 2);
-    EXPECT_EQ(bad.err, Path("bad.log") + ":2: error: line '(1.000000) can0 101#0', expected 0 to 8 bytes of two "
+    EXPECT_EQ(bad.err, Path("bad.log") + ":2:21: error: line '(1.000000) can0 101#0', expected 0 to 8 bytes of two "
                                          "hexadecimal digits\n");
     EXPECT_EQ(Monitor({}).status, 2);
     EXPECT_EQ(Monitor({Path("none.log")}).status, 2);
@@ -166,16 +166,15 @@ TEST_F(MonitorCommandTest, BadInputIsOneLine)
     // What would be ignored is refused: a name that no frame has, an option that belongs to the other source
     const Answer nothing = Monitor({Recording(), "--interface", "can9"});
     EXPECT_EQ(nothing.status, 2);
-    EXPECT_EQ(nothing.err, Path("bus.log") +
-                               ":0: error: no frame of interface 'can9', expected --interface with one of "
-                               "the recording\n");
+    EXPECT_EQ(nothing.err, Path("bus.log") + ": error: no frame of interface 'can9', expected --interface with one of "
+                                             "the recording\n");
     EXPECT_EQ(Monitor({Recording(), "--interface", "can0"}).status, 1);
     EXPECT_EQ(Monitor({Recording(), "--interface", ""}).status, 2);
     EXPECT_EQ(Monitor({Recording(), "--for", "1"}).status, 2);
     EXPECT_EQ(Monitor({"--can", "udp:239.74.163.3:43199", "--interface", "can0", "--for", "1"}).status, 2);
     const Answer own = Monitor({Recording(), "--html", Path("bus.log")});
     EXPECT_EQ(own.status, 2);
-    EXPECT_EQ(own.err, Path("bus.log") + ":0: error: --html is a file that is read, expected another one\n");
+    EXPECT_EQ(own.err, Path("bus.log") + ": error: --html is a file that is read, expected another one\n");
     EXPECT_EQ(Monitor({Path("bus.log")}).status, 1);
     const Answer other = RunCommand({"monitor", "--can", "nothing:here", "--dcf", Example("sensor")});
     EXPECT_EQ(other.status, 2);
@@ -203,10 +202,9 @@ TEST_F(MonitorCommandTest, ARecordingWithoutFramesIsRefused)
         EXPECT_EQ(answer.status, 2);
         return answer.err.substr(Path("some.log").size());
     };
-    EXPECT_EQ(error_of(""), ":0: error: it is empty, expected a recording of candump -l, pcap or pcapng\n");
-    EXPECT_EQ(error_of("\n\r\n"), ":0: error: no CAN frame in it, expected a recording with at least one\n");
-    EXPECT_EQ(error_of("\x1F\x8B\x08"),
-              ":0: error: it is compressed (gzip), expected the recording itself, unpacked\n");
+    EXPECT_EQ(error_of(""), ": error: it is empty, expected a recording of candump -l, pcap or pcapng\n");
+    EXPECT_EQ(error_of("\n\r\n"), ": error: no CAN frame in it, expected a recording with at least one\n");
+    EXPECT_EQ(error_of("\x1F\x8B\x08"), ": error: it is compressed (gzip), expected the recording itself, unpacked\n");
 }
 
 // Given a server of the bus that ends and comes back, then the monitor tells both and goes on.

@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "tests/canopen/cia306/device_text.hpp"
+#include "tests/canopen/cia306/check_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/eds.hpp"
 #include "verification/trace/verifies.hpp"
@@ -56,7 +56,9 @@ TEST_F(SignCommandTest, GivesThePublishedSignatureOfACertifiedDevice)
     const Answer answer = RunCommand({"sign", GoldFile()});
     EXPECT_EQ(answer.status, 0);
     EXPECT_EQ(answer.out, "0x13FF:01 = 0x4370\n");
-    EXPECT_EQ(answer.err, "");
+    EXPECT_EQ(answer.err, GoldFile() +
+                              ":77:1: warning: 0x5F04:00: is missing; a wrong device parameter, 0x1300 included, "
+                              "is not found, expected an object of type UNSIGNED32 with the device digest\n");
 }
 
 TEST_F(SignCommandTest, GivesAllVectors)
@@ -96,7 +98,45 @@ TEST_F(SignCommandTest, AFileWithoutSrdoGivesAWarningAndNoLine)
     const Answer answer = RunCommand({"sign", file});
     EXPECT_EQ(answer.status, 0);
     EXPECT_EQ(answer.out, "");
-    EXPECT_EQ(answer.err, file + ":0: warning: no SRDO, expected communication parameters at 0x1301 to 0x1340\n");
+    EXPECT_NE(answer.err.find(file + ":1:1: warning: no SRDO, nothing of CANopen Safety is checked, expected "
+                                     "communication parameters at 0x1301 to 0x1340\n"),
+              std::string::npos);
+}
+
+TEST_F(SignCommandTest, PrintsTheWarningsOfCheck)
+{
+    Verifies(req::SRS_CLI_037);
+    // Given a plain device with node-ID 0, one that lacks 5F04h, and one that does not announce safety
+    const std::string sensor = cia306::test::ExampleText("sensor");
+    for (const std::string& text :
+         {std::string("[1000]\nDataType=7\nAccessType=ro\n[DeviceComissioning]\nNodeID=0\n"),
+          cia306::test::WithoutDigest(sensor),
+          cia306::test::Changed(sensor, {{"CANopenSafetySupported=1\n", "CANopenSafetySupported=0\n"}})})
+    {
+        const std::string file = File("in.dcf", text);
+        // When it is signed
+        const Answer answer = RunCommand({"sign", file, "--write", Path("out.dcf")});
+        // Then the warnings are those of check, line by line
+        EXPECT_EQ(answer.status, 0);
+        EXPECT_NE(answer.err, "");
+        EXPECT_EQ(answer.err, RunCommand({"check", Path("out.dcf")}).out);
+        // and in the document the same
+        const auto document = nlohmann::json::parse(RunCommand({"sign", "--json", Path("out.dcf")}).out);
+        const auto checked = nlohmann::json::parse(RunCommand({"check", "--json", Path("out.dcf")}).out);
+        EXPECT_EQ(document["warnings"], checked["findings"]);
+    }
+}
+
+TEST_F(SignCommandTest, TellsThatCheckFindsErrors)
+{
+    Verifies(req::SRS_CLI_037);
+    const std::string file = File(
+        "in.dcf", cia306::test::WithValues(cia306::test::ExampleText("sensor"), {{"1301sub1", "ParameterValue", "3"}}));
+    const Answer answer = RunCommand({"sign", file, "--write", Path("out.dcf")});
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_EQ(answer.err, Path("out.dcf") + ": warning: check finds errors: 2, expected none\n");
+    // A file that is yet to be signed is wrong in its signatures
+    EXPECT_EQ(RunCommand({"sign", file}).err, "");
 }
 
 TEST_F(SignCommandTest, RefusesAFileThatWasCut)
@@ -110,7 +150,7 @@ TEST_F(SignCommandTest, RefusesAFileThatWasCut)
     // Then one line names the first object that is not there
     EXPECT_EQ(answer.status, 2);
     EXPECT_EQ(answer.out, "");
-    EXPECT_EQ(answer.err, file + ":72: error: 0x1301: is listed, expected a section that describes it\n");
+    EXPECT_EQ(answer.err, file + ":72:3: error: 0x1301: is listed, expected a section that describes it\n");
 }
 
 TEST_F(SignCommandTest, VerbosePrintsTheBytesFieldByField)
@@ -135,8 +175,9 @@ TEST_F(SignCommandTest, TakesTheNodeIdFromTheCommandLineElseFromTheFile)
     const Answer answer = RunCommand({"sign", without});
     EXPECT_EQ(answer.status, 2);
     EXPECT_EQ(answer.out, "");
-    EXPECT_EQ(answer.err, without + ":54: error: 0x1301:05: value '$NODEID+0x100' needs the node-ID and there is none, "
-                                    "expected --node-id, or NodeID in [DeviceComissioning]\n");
+    EXPECT_EQ(answer.err, without +
+                              ":54:14: error: 0x1301:05: value '$NODEID+0x100' needs the node-ID and there is none, "
+                              "expected --node-id, or NodeID in [DeviceComissioning]\n");
 }
 
 TEST_F(SignCommandTest, WritesTheSignaturesAndNothingElse)
@@ -165,9 +206,9 @@ TEST_F(SignCommandTest, WritesNothingWhenItRefuses)
         File("in.dcf", cia306::test::Changed(cia306::test::ExampleText("sensor"), {{"[13FFsub1]", "[Gone]"}}));
     const Answer answer = RunCommand({"sign", file, "--write", Path("out.dcf")});
     EXPECT_EQ(answer.status, 2);
-    EXPECT_EQ(answer.err, file +
-                              ":312: error: 0x13FF:01 is missing, expected an object that takes the signature of SRDO "
-                              "1\n");
+    EXPECT_EQ(answer.err,
+              file + ":312:1: error: 0x13FF:01 is missing, expected an object that takes the signature of SRDO "
+                     "1\n");
     EXPECT_FALSE(std::filesystem::exists(Path("out.dcf")));
     const Answer folder = RunCommand({"sign", GoldFile(), "--write", Path("no/out.dcf")});
     EXPECT_EQ(folder.status, 2);
@@ -220,8 +261,9 @@ TEST_F(SignCommandTest, ADigestThatCannotBeComputedIsRefused)
     const Answer answer = RunCommand({"sign", without, "--write", Path("out.dcf")});
     EXPECT_EQ(answer.status, 2);
     EXPECT_EQ(answer.out, "");
-    EXPECT_EQ(answer.err, without + ":627: error: 0x5F04:00: the digest needs the node-ID and there is none, expected "
-                                    "--node-id, or NodeID in [DeviceComissioning]\n");
+    EXPECT_EQ(answer.err, without +
+                              ":627:16: error: 0x5F04:00: the digest needs the node-ID and there is none, expected "
+                              "--node-id, or NodeID in [DeviceComissioning]\n");
     EXPECT_FALSE(std::filesystem::exists(Path("out.dcf")));
     EXPECT_EQ(RunCommand({"sign", without, "--node-id", "33"}).out, "0x13FF:01 = 0x9FCB\n0x5F04:00 = 0x046FFAB7\n");
 }
@@ -253,7 +295,7 @@ TEST_F(SignCommandTest, RefusesAsJsonToo)
     const auto document = nlohmann::json::parse(answer.out);
     EXPECT_EQ(document["error"]["line"], 2);
     EXPECT_EQ(document["error"]["message"], "'DataType' is '\\xE4', expected a number from 0 to 65535");
-    EXPECT_EQ(answer.err, file + ":2: error: 'DataType' is '\\xE4', expected a number from 0 to 65535\n");
+    EXPECT_EQ(answer.err, file + ":2:10: error: 'DataType' is '\\xE4', expected a number from 0 to 65535\n");
 }
 } // namespace
 } // namespace counterpoint::tools

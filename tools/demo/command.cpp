@@ -75,7 +75,7 @@ std::vector<std::string> ListScenarios(const std::vector<fs::path>& folders)
     }
     if (paths.empty())
     {
-        throw cia306::InputError(folders.front().string(), 0U,
+        throw cia306::InputError(folders.front().string(), {},
                                  {"no scenarios", "files such as 01_loss.yaml; --scenarios names their folder"});
     }
     std::sort(paths.begin(), paths.end(),

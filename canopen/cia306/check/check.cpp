@@ -5,6 +5,24 @@
 
 namespace counterpoint::cia306
 {
+namespace
+{
+/// A device that takes its node-ID by LSS needs none in its file.
+void CheckNodeId(const CheckContext& context, Findings& findings)
+{
+    const Device& device = context.device;
+    const bool has_one = context.node_id || device.is_lss_supported;
+    if (has_one || device.is_node_id_refused)
+    {
+        return;
+    }
+    const bool has_section = !device.commissioning_place.IsWhole();
+    const Place place = has_section ? device.commissioning_place : device.device_info_place.OrBeginning();
+    findings.Warning(place, "", "no node-ID",
+                     "NodeID in [DeviceComissioning], --node-id, or LSS_Supported=1 in [DeviceInfo]");
+}
+} // namespace
+
 std::vector<Finding> CheckDevice(const Device& device, const CheckOptions& options)
 {
     const std::optional<std::uint8_t> node_id = options.node_id ? options.node_id : device.node_id;
@@ -26,6 +44,7 @@ std::vector<Finding> CheckDevice(const Device& device, const CheckOptions& optio
         CheckMapping(context, srdo, findings);
         CheckStaticMapping(context, srdo, findings);
     }
+    CheckNodeId(context, findings);
     CheckIdentifiers(configuration, findings);
     CheckShared(configuration, findings);
     CheckParameters(context, findings);

@@ -19,7 +19,7 @@ struct CheckOptions
 
 /// Everything that is wrong with the safety configuration of the device, the reader's warnings included, in the order
 /// of the lines. Never throws for what the file says. [SRS_CLI_009, SRS_CLI_010, SRS_CLI_011, SRS_CLI_012, SRS_CLI_013,
-/// SRS_CLI_014, SRS_CLI_015, SRS_CLI_016, SRS_CLI_017, SRS_CLI_018]
+/// SRS_CLI_014, SRS_CLI_015, SRS_CLI_016, SRS_CLI_017, SRS_CLI_018, SRS_CLI_036]
 [[nodiscard]] std::vector<Finding> CheckDevice(const Device& device, const CheckOptions& options);
 } // namespace counterpoint::cia306
 

@@ -29,19 +29,19 @@ void CheckFixed(const SrdoConfiguration& srdo, Findings& findings)
     const bool is_other_count = srdo.highest_sub.value && !srdo.highest_sub.Is(kHighestSub);
     if (is_other_count)
     {
-        findings.Tell(WhenOn(srdo), srdo.highest_sub.line, ObjectName(index, 0U),
+        findings.Tell(WhenOn(srdo), srdo.highest_sub.place, ObjectName(index, 0U),
                       {"highest sub-index " + Decimal(*srdo.highest_sub.value), "6"});
     }
     if (srdo.direction.value.value_or(0U) > kMaxDirection)
     {
-        findings.Error(srdo.direction.line, ObjectName(index, 1U), "direction " + Decimal(*srdo.direction.value),
+        findings.Error(srdo.direction.place, ObjectName(index, 1U), "direction " + Decimal(*srdo.direction.value),
                        "0 (off), 1 (producer) or 2 (consumer)");
     }
     const std::string type = "transmission type " + Decimal(srdo.transmission_type.value.value_or(0U));
     if (srdo.transmission_type.value && !srdo.transmission_type.Is(kTransmissionType))
     {
         const bool is_other = srdo.transmission_type.Is(kOtherTransmissionType);
-        findings.Error(srdo.transmission_type.line, ObjectName(index, 4U), type,
+        findings.Error(srdo.transmission_type.place, ObjectName(index, 4U), type,
                        is_other ? "254; devices with 255 exist, this kernel refuses it" : "254");
     }
 }
@@ -56,19 +56,19 @@ bool CheckCobId(const std::string& object, const Field& cob_id, const bool is_no
     const std::string name = "COB-ID " + Hex(*cob_id.value, 3);
     if (*cob_id.value > kMaxIdentifier)
     {
-        findings.Error(cob_id.line, object, name + " has reserved bits set", "bits 11 to 31 to be 0");
+        findings.Error(cob_id.place, object, name + " has reserved bits set", "bits 11 to 31 to be 0");
         return false;
     }
     const bool is_in_range = *cob_id.value >= kFirstCobId && *cob_id.value <= kLastCobId;
     if (!is_in_range)
     {
-        findings.Error(cob_id.line, object, name, "a COB-ID from 0x101 to 0x180");
+        findings.Error(cob_id.place, object, name, "a COB-ID from 0x101 to 0x180");
         return false;
     }
     const bool is_odd = (*cob_id.value & 1U) != 0U;
     if (is_odd != is_normal)
     {
-        findings.Error(cob_id.line, object, name + (is_odd ? " is odd" : " is even"),
+        findings.Error(cob_id.place, object, name + (is_odd ? " is odd" : " is even"),
                        is_normal ? "an odd one for normal data" : "an even one for inverse data");
         return false;
     }
@@ -89,7 +89,7 @@ void CheckCobIds(const SrdoConfiguration& srdo, Findings& findings)
     const bool is_apart = is_first_right && is_second_right && *srdo.cob_id_2.value != *srdo.cob_id_1.value + 1U;
     if (is_apart)
     {
-        findings.Error(srdo.cob_id_2.line, ObjectName(index, 6U), "COB-ID 2 " + Hex(*srdo.cob_id_2.value, 3),
+        findings.Error(srdo.cob_id_2.place, ObjectName(index, 6U), "COB-ID 2 " + Hex(*srdo.cob_id_2.value, 3),
                        Hex(*srdo.cob_id_1.value + 1U, 3) + " (COB-ID 1 + 1)");
     }
 }
@@ -100,12 +100,12 @@ void CheckConsumerTimes(const SrdoConfiguration& srdo, Findings& findings)
     const std::uint64_t srvt = *srdo.srvt_ms.value;
     if (srvt == 0U)
     {
-        findings.Error(srdo.srvt_ms.line, ObjectName(srdo.CommunicationIndex(), 3U), "SRVT 0 ms of a consumer",
+        findings.Error(srdo.srvt_ms.place, ObjectName(srdo.CommunicationIndex(), 3U), "SRVT 0 ms of a consumer",
                        "1 ms or more");
     }
     if (srvt >= sct)
     {
-        findings.Error(srdo.srvt_ms.line, ObjectName(srdo.CommunicationIndex(), 3U), "SRVT " + Decimal(srvt) + " ms",
+        findings.Error(srdo.srvt_ms.place, ObjectName(srdo.CommunicationIndex(), 3U), "SRVT " + Decimal(srvt) + " ms",
                        "less than the SCT of " + Decimal(sct) + " ms");
     }
 }
@@ -118,18 +118,18 @@ void CheckProducerTimes(const CheckContext& context, const SrdoConfiguration& sr
     const bool is_below_cycle = sct == 0U || sct * kMicrosecondsPerMillisecond < cycle_us;
     if (is_below_cycle)
     {
-        findings.Error(srdo.sct_ms.line, ObjectName(srdo.CommunicationIndex(), 2U),
+        findings.Error(srdo.sct_ms.place, ObjectName(srdo.CommunicationIndex(), 2U),
                        "refresh time " + Decimal(sct) + " ms",
                        "at least one cycle of " + Decimal(cycle_us) + " us (0x5F00:01)");
     }
     if (srvt == 0U)
     {
-        findings.Warning(srdo.srvt_ms.line, ObjectName(srdo.CommunicationIndex(), 3U),
+        findings.Warning(srdo.srvt_ms.place, ObjectName(srdo.CommunicationIndex(), 3U),
                          "SRVT 0 ms of a producer: no confirmation comes in time", "1 ms or more");
     }
     if (srvt >= sct)
     {
-        findings.Warning(srdo.srvt_ms.line, ObjectName(srdo.CommunicationIndex(), 3U), "SRVT " + Decimal(srvt) + " ms",
+        findings.Warning(srdo.srvt_ms.place, ObjectName(srdo.CommunicationIndex(), 3U), "SRVT " + Decimal(srvt) + " ms",
                          "less than the refresh time of " + Decimal(sct) + " ms");
     }
 }
@@ -148,7 +148,7 @@ void CheckDefaultCobId(const CheckContext& context, const std::uint8_t sub, cons
     const bool has_default = *context.node_id <= kMaxDefaultNodeId;
     if (has_default && value.value && value.value->bits != expected)
     {
-        findings.Warning(entry->default_value.line, ObjectName(kFirstCommunicationIndex, sub),
+        findings.Warning(entry->default_value.place, ObjectName(kFirstCommunicationIndex, sub),
                          "default COB-ID " + Hex(value.value->bits, 3),
                          Hex(expected, 3) + " for node-ID " + Decimal(*context.node_id) +
                              " (pre-defined connection set)");
@@ -156,7 +156,7 @@ void CheckDefaultCobId(const CheckContext& context, const std::uint8_t sub, cons
     const bool is_missing_set = !has_default && !entry->parameter_value.IsSet();
     if (is_missing_set)
     {
-        findings.Warning(entry->default_value.line, ObjectName(kFirstCommunicationIndex, sub),
+        findings.Warning(entry->default_value.place, ObjectName(kFirstCommunicationIndex, sub),
                          "default COB-ID with node-ID " + Decimal(*context.node_id),
                          "a ParameterValue: there is no default COB-ID above node-ID 64");
     }
@@ -205,7 +205,7 @@ void CheckIdentifiers(const SafetyConfiguration& configuration, Findings& findin
         const bool is_other_off = user->second->direction.Is(0U);
         const bool are_on = !is_off && !is_other_off;
         const std::string reason = is_off && is_other_off ? ", both are off" : (are_on ? "" : ", one is off");
-        findings.Tell(are_on ? Severity::kError : Severity::kWarning, cob_id.line, object,
+        findings.Tell(are_on ? Severity::kError : Severity::kWarning, cob_id.place, object,
                       {wrong + reason, "an identifier of its own"});
     };
     for (const SrdoConfiguration& srdo : configuration.srdos)

@@ -37,21 +37,21 @@ void CheckDummy(const CheckContext& context, const SrdoConfiguration& srdo, cons
         context.device.dummies.count(entry.Index()) != 0U && entry.Sub() == 0U && entry.Index() <= kLastDummy;
     if (!is_allowed)
     {
-        findings.Error(entry.line, name, "dummy object " + MappedName(entry) + " is not mappable",
+        findings.Error(entry.place, name, "dummy object " + MappedName(entry) + " is not mappable",
                        "a data type 0x0001 to 0x0007 that [DummyUsage] allows, with sub-index 0");
     }
     else if (entry.Bits() != bits)
     {
-        findings.Error(entry.line, name, "length of " + Bits(entry.Bits()), Bits(bits) + " of the dummy object");
+        findings.Error(entry.place, name, "length of " + Bits(entry.Bits()), Bits(bits) + " of the dummy object");
     }
     else if (context.parameters.dummy_mapping != kDummiesAllowed)
     {
-        findings.Error(entry.line, name, "dummy object " + MappedName(entry) + " in a device without dummy mapping",
+        findings.Error(entry.place, name, "dummy object " + MappedName(entry) + " in a device without dummy mapping",
                        "0x66 in " + ObjectName(kDeviceParametersIndex, kDummyMappingSub));
     }
     if (srdo.IsProducer())
     {
-        findings.Error(entry.line, name, "dummy object " + MappedName(entry) + " in a producer",
+        findings.Error(entry.place, name, "dummy object " + MappedName(entry) + " in a producer",
                        "an object with data to send");
     }
 }
@@ -86,24 +86,24 @@ void CheckObject(const SrdoConfiguration& srdo, const MappingEntry& entry, const
     const std::string mapped = "mapped object " + MappedName(entry);
     if (!IsMappable(object))
     {
-        findings.Error(entry.line, name, mapped + " is not mappable (line " + std::to_string(object.line) + ")",
+        findings.Error(entry.place, name, mapped + " is not mappable (line " + std::to_string(object.place.line) + ")",
                        "SRDOMapping=1, or PDOMapping=1 where there is no SRDOMapping");
     }
     const bool is_wrong_access = !srdo.direction.Is(0U) && !IsAccessRight(object.access, srdo.IsConsumer());
     if (is_wrong_access)
     {
-        findings.Error(entry.line, name,
-                       mapped + " has the wrong AccessType (line " + std::to_string(object.line) + ")",
+        findings.Error(entry.place, name,
+                       mapped + " has the wrong AccessType (line " + std::to_string(object.place.line) + ")",
                        srdo.IsConsumer() ? "rw, wo or rww to be received" : "ro, rw, rwr or const to be sent");
     }
     const DataType& type = object.type;
     if (type.bits == 0U)
     {
-        findings.Error(entry.line, name, mapped + " is of " + type.name, "a data type with a fixed length");
+        findings.Error(entry.place, name, mapped + " is of " + type.name, "a data type with a fixed length");
     }
     else if (type.bits != entry.Bits())
     {
-        findings.Error(entry.line, name, "length of " + Bits(entry.Bits()),
+        findings.Error(entry.place, name, "length of " + Bits(entry.Bits()),
                        Bits(type.bits) + ", the length of " + MappedName(entry) + " (" + type.name + ")");
     }
 }
@@ -116,20 +116,20 @@ void CheckCount(const CheckContext& context, const SrdoConfiguration& srdo, Find
     const bool is_odd = (count & 1U) != 0U;
     if (is_odd)
     {
-        findings.Error(srdo.entry_count.line, name, text, "an even number: one normal and one inverse entry a pair");
+        findings.Error(srdo.entry_count.place, name, text, "an even number: one normal and one inverse entry a pair");
     }
     const std::uint8_t room = context.parameters.map_entries;
     const bool is_above_room = !srdo.is_static && count > room && count <= kMaxMappingEntries;
     if (is_above_room)
     {
-        findings.Error(srdo.entry_count.line, name, text,
+        findings.Error(srdo.entry_count.place, name, text,
                        "at most " + std::to_string(room) + ", for which " +
                            ObjectName(kDeviceParametersIndex, kMapEntriesSub) + " gives room");
     }
     const bool is_empty = srdo.entry_count.Is(0U) && (srdo.IsProducer() || srdo.IsConsumer());
     if (is_empty)
     {
-        findings.Error(srdo.entry_count.line, name, "no mapping entry in an SRDO that is on", "2 or more");
+        findings.Error(srdo.entry_count.place, name, "no mapping entry in an SRDO that is on", "2 or more");
     }
 }
 
@@ -145,11 +145,11 @@ void CheckTotals(const SrdoConfiguration& srdo, Findings& findings)
     const std::string name = ObjectName(srdo.MappingIndex(), 0U);
     if (normal_bits > kMaxBits)
     {
-        findings.Error(srdo.entry_count.line, name, Bits(normal_bits) + " of normal data", "at most 64 bit");
+        findings.Error(srdo.entry_count.place, name, Bits(normal_bits) + " of normal data", "at most 64 bit");
     }
     if (inverse_bits > kMaxBits)
     {
-        findings.Error(srdo.entry_count.line, name, Bits(inverse_bits) + " of inverse data", "at most 64 bit");
+        findings.Error(srdo.entry_count.place, name, Bits(inverse_bits) + " of inverse data", "at most 64 bit");
     }
 }
 
@@ -169,12 +169,12 @@ void CheckPairs(const CheckContext& context, const SrdoConfiguration& srdo, Find
         if (normal.Bits() != inverse.Bits())
         {
             findings.Tell(
-                WhenOn(srdo), inverse.line, name,
+                WhenOn(srdo), inverse.place, name,
                 {"inverse entry of " + Bits(inverse.Bits()), Bits(normal.Bits()) + " as the normal entry before it"});
         }
         if (normal.IsDummy() != inverse.IsDummy())
         {
-            findings.Error(inverse.line, name, "dummy object on one side of the pair only",
+            findings.Error(inverse.place, name, "dummy object on one side of the pair only",
                            "normal and inverse data to be stored both or not at all");
         }
         const Entry* const object = context.device.Find(normal.Index(), normal.Sub());
@@ -185,10 +185,10 @@ void CheckPairs(const CheckContext& context, const SrdoConfiguration& srdo, Find
             const std::uint32_t srad = *object->inverted_srad;
             const std::string own =
                 ObjectName(static_cast<std::uint16_t>(srad >> 8U), static_cast<std::uint8_t>(srad & 0xFFU));
-            findings.Tell(WhenOn(srdo), inverse.line, name,
+            findings.Tell(WhenOn(srdo), inverse.place, name,
                           {"inverse entry " + MappedName(inverse),
                            own + ", the InvertedSRAD of " + MappedName(normal) + " (line " +
-                               std::to_string(object->inverted_srad_line) + ")"});
+                               std::to_string(object->inverted_srad_place.line) + ")"});
         }
     }
 }
@@ -210,14 +210,14 @@ void CheckSides(const SrdoConfiguration& srdo, Findings& findings)
         if (other != other_side.end())
         {
             findings.Tell(
-                WhenOn(srdo), entry.line, EntryName(srdo, entry),
+                WhenOn(srdo), entry.place, EntryName(srdo, entry),
                 {"object " + MappedName(entry) + " is normal and inverse data of SRDO " + std::to_string(srdo.number),
                  "another object than in sub-index " + std::to_string(other->second->sub)});
         }
         const auto [before, is_new] = own_side.emplace(object, &entry);
         if (!is_new)
         {
-            findings.Tell(WhenOn(srdo), entry.line, EntryName(srdo, entry),
+            findings.Tell(WhenOn(srdo), entry.place, EntryName(srdo, entry),
                           {"object " + MappedName(entry) + " is mapped twice",
                            "another object than in sub-index " + std::to_string(before->second->sub)});
         }
@@ -231,7 +231,7 @@ void CheckMappedValue(const CheckContext& context, const MappingEntry& entry, Fi
     const auto problem = has_value ? ProblemOf(object->Configured().text, object->type) : std::nullopt;
     if (problem)
     {
-        findings.Error(object->ValueLine(), MappedName(entry), problem->wrong, problem->expected);
+        findings.Error(object->ValuePlace(), MappedName(entry), problem->wrong, problem->expected);
     }
 }
 
@@ -245,7 +245,7 @@ void CheckMappedObject(const CheckContext& context, const SrdoConfiguration& srd
     if (!is_multiple)
     {
         findings.Tell(
-            WhenOn(srdo), entry.line, name,
+            WhenOn(srdo), entry.place, name,
             {"length of " + Bits(entry.Bits()), "a multiple of " + Bits(context.granularity_bits) + " (granularity)"});
     }
     if (entry.IsDummy())
@@ -256,7 +256,7 @@ void CheckMappedObject(const CheckContext& context, const SrdoConfiguration& srd
     const Entry* const object = context.device.Find(entry.Index(), entry.Sub());
     if (object == nullptr)
     {
-        findings.Error(entry.line, name, "mapped object " + MappedName(entry) + " is unknown",
+        findings.Error(entry.place, name, "mapped object " + MappedName(entry) + " is unknown",
                        "an object that the file describes");
         return;
     }
@@ -294,7 +294,7 @@ void CheckShared(const SafetyConfiguration& configuration, Findings& findings)
                 const bool is_shared = other != &srdo && (srdo.IsConsumer() || other->IsConsumer());
                 if (is_shared)
                 {
-                    findings.Error(entry.line, EntryName(srdo, entry),
+                    findings.Error(entry.place, EntryName(srdo, entry),
                                    "object " + MappedName(entry) + " is in the mapping of SRDO " +
                                        std::to_string(other->number) + " too, and one of the two receives",
                                    "an object of its own");

@@ -14,9 +14,9 @@ namespace
 {
 constexpr std::uint8_t kHighestCommunicationSub = 6U;
 
-std::size_t FirstLine(const SafetyConfiguration& configuration)
+Place FirstPlace(const SafetyConfiguration& configuration)
 {
-    return configuration.srdos.empty() ? 1U : configuration.srdos.front().line;
+    return configuration.srdos.empty() ? Place{1U, 1U} : configuration.srdos.front().place;
 }
 
 bool IsReserved(const std::uint16_t index)
@@ -49,7 +49,7 @@ void CheckHighestSub(const Object& object, Findings& findings)
     if (is_beyond)
     {
         const Entry& last = object.entries.rbegin()->second;
-        findings.Error(last.line, ObjectName(object.index, last.sub),
+        findings.Error(last.place, ObjectName(object.index, last.sub),
                        "sub-index " + std::to_string(last.sub) + " is not defined",
                        "at most sub-index " + std::to_string(*highest));
     }
@@ -62,14 +62,14 @@ void CheckIndices(const Device& device, Findings& findings)
         const std::string name = Hex(index, 4);
         if (IsReserved(index))
         {
-            findings.Error(object.line, name, "the index is reserved", "no object here");
+            findings.Error(object.place, name, "the index is reserved", "no object here");
         }
         CheckHighestSub(object, findings);
         const bool is_mapping = index >= kFirstMappingIndex && index < kFirstMappingIndex + kMaxSrdos;
         const auto communication = static_cast<std::uint16_t>(index - kFirstMappingIndex + kFirstCommunicationIndex);
         if (is_mapping && device.Find(communication) == nullptr)
         {
-            findings.Error(object.line, name, "mapping parameters without communication parameters",
+            findings.Error(object.place, name, "mapping parameters without communication parameters",
                            "a section [" + Hex(communication, 4).substr(2U) + "]");
         }
     }
@@ -85,19 +85,19 @@ Field LimitOf(const Entry& entry, const Text& limit, const std::optional<std::ui
     const ValueResult value = ParseValue(limit.text, entry.data_type, node_id);
     if (!value.value)
     {
-        findings.Error(limit.line, ObjectName(entry.index, entry.sub), "limit: " + value.problem.wrong,
+        findings.Error(limit.place, ObjectName(entry.index, entry.sub), "limit: " + value.problem.wrong,
                        value.problem.expected);
         return {};
     }
-    return {value.value->bits, limit.line};
+    return {value.value->bits, limit.place};
 }
 
 void CheckLimits(const CheckContext& context, const Entry& entry, Findings& findings)
 {
     const std::string name = ObjectName(entry.index, entry.sub);
-    const std::size_t line = entry.ValueLine();
+    const Place place = entry.ValuePlace();
     const bool is_silent = DataTypeOf(entry.data_type).kind != DataKind::kUnsigned || !entry.Configured().IsSet() ||
-                           findings.HasErrorAt(line, name);
+                           findings.HasErrorAt(place, name);
     if (is_silent)
     {
         return;
@@ -105,7 +105,7 @@ void CheckLimits(const CheckContext& context, const Entry& entry, Findings& find
     const ValueResult value = ConfiguredValue(entry, context.node_id);
     if (!value.value)
     {
-        findings.Error(line, name, value.problem.wrong, value.problem.expected);
+        findings.Error(place, name, value.problem.wrong, value.problem.expected);
         return;
     }
     const Field low = LimitOf(entry, entry.low_limit, context.node_id, findings);
@@ -113,11 +113,11 @@ void CheckLimits(const CheckContext& context, const Entry& entry, Findings& find
     const std::string text = "value " + Quoted(entry.Configured().text);
     if (value.value->bits < low.value.value_or(0U))
     {
-        findings.Error(line, name, text, "at least the LowLimit " + Quoted(entry.low_limit.text));
+        findings.Error(place, name, text, "at least the LowLimit " + Quoted(entry.low_limit.text));
     }
     if (high.value && value.value->bits > *high.value)
     {
-        findings.Error(line, name, text, "at most the HighLimit " + Quoted(entry.high_limit.text));
+        findings.Error(place, name, text, "at most the HighLimit " + Quoted(entry.high_limit.text));
     }
 }
 
@@ -130,17 +130,17 @@ void CheckInvertedSrad(const Device& device, const Entry& entry, Findings& findi
     const std::string text = "InvertedSRAD " + ObjectName(index, sub);
     if (inverse == &entry)
     {
-        findings.Error(entry.inverted_srad_line, ObjectName(entry.index, entry.sub), text + " names the object itself",
+        findings.Error(entry.inverted_srad_place, ObjectName(entry.index, entry.sub), text + " names the object itself",
                        "another object");
     }
     else if (inverse == nullptr)
     {
-        findings.Error(entry.inverted_srad_line, ObjectName(entry.index, entry.sub), text + " names an unknown object",
+        findings.Error(entry.inverted_srad_place, ObjectName(entry.index, entry.sub), text + " names an unknown object",
                        "an object that the file describes");
     }
     else if (inverse->data_type != entry.data_type)
     {
-        findings.Error(entry.inverted_srad_line, ObjectName(entry.index, entry.sub),
+        findings.Error(entry.inverted_srad_place, ObjectName(entry.index, entry.sub),
                        text + " is of " + DataTypeOf(inverse->data_type).name,
                        std::string("the same data type, ") + DataTypeOf(entry.data_type).name);
     }
@@ -174,12 +174,12 @@ void CheckGfc(const CheckContext& context, Findings& findings)
         {
             return; // By 5F00h, with which the parameters are compared.
         }
-        findings.Warning(FirstLine(context.configuration), Hex(kGfcIndex, 4), "the GFC parameter is missing",
+        findings.Warning(FirstPlace(context.configuration), Hex(kGfcIndex, 4), "the GFC parameter is missing",
                          "an object of type UNSIGNED8");
     }
     else if (gfc.value.value_or(0U) > 1U)
     {
-        findings.Error(gfc.line, ObjectName(kGfcIndex, 0U), "GFC parameter " + std::to_string(*gfc.value), "0 or 1");
+        findings.Error(gfc.place, ObjectName(kGfcIndex, 0U), "GFC parameter " + std::to_string(*gfc.value), "0 or 1");
     }
 }
 
@@ -197,7 +197,7 @@ void CheckGaps(const CheckContext& context, Findings& findings)
         const ValueResult value = ConfiguredValue(entry, context.node_id);
         if (value.value && value.value->bits != 0U)
         {
-            findings.Warning(entry.ValueLine(), ObjectName(kSignatureIndex, sub),
+            findings.Warning(entry.ValuePlace(), ObjectName(kSignatureIndex, sub),
                              "signature " + Hex(value.value->bits, 4) + " of an SRDO that does not exist", "0x0000");
         }
     }
@@ -208,7 +208,7 @@ void CheckSignatures(const CheckContext& context, Findings& findings)
     const SafetyConfiguration& configuration = context.configuration;
     if (context.device.Find(kSignatureIndex) == nullptr)
     {
-        findings.Error(FirstLine(configuration), Hex(kSignatureIndex, 4),
+        findings.Error(FirstPlace(configuration), Hex(kSignatureIndex, 4),
                        "the safety configuration signature is missing", "an array with a sub-index for each SRDO");
         return;
     }
@@ -216,7 +216,7 @@ void CheckSignatures(const CheckContext& context, Findings& findings)
     const std::uint8_t highest = configuration.srdos.back().number;
     if (configuration.signature_count.value && *configuration.signature_count.value < highest)
     {
-        findings.Error(configuration.signature_count.line, ObjectName(kSignatureIndex, 0U),
+        findings.Error(configuration.signature_count.place, ObjectName(kSignatureIndex, 0U),
                        std::to_string(*configuration.signature_count.value) + " signatures",
                        "at least " + std::to_string(highest) + ", the highest SRDO");
     }
@@ -225,7 +225,7 @@ void CheckSignatures(const CheckContext& context, Findings& findings)
         const bool is_comparable = srdo.signature_problems.empty() && srdo.signature.value;
         if (is_comparable && !srdo.signature.Is(SignatureOf(srdo)))
         {
-            findings.Error(srdo.signature.line, ObjectName(kSignatureIndex, srdo.number),
+            findings.Error(srdo.signature.place, ObjectName(kSignatureIndex, srdo.number),
                            "signature " + Hex(*srdo.signature.value, 4) + " of SRDO " + std::to_string(srdo.number),
                            Hex(SignatureOf(srdo), 4) + ", computed from its parameters");
         }
@@ -239,23 +239,23 @@ void CheckValid(const CheckContext& context, Findings& findings)
     const Entry* const entry = context.device.Find(kConfigurationValidIndex, 0U);
     if (entry == nullptr)
     {
-        findings.Error(FirstLine(context.configuration), name, "the configuration valid flag is missing",
+        findings.Error(FirstPlace(context.configuration), name, "the configuration valid flag is missing",
                        "an object of type UNSIGNED8");
         return;
     }
     if (entry->access != Access::kReadWrite)
     {
-        findings.Warning(entry->line, name, "the flag cannot be set and cleared", "AccessType=rw");
+        findings.Warning(entry->place, name, "the flag cannot be set and cleared", "AccessType=rw");
     }
     const bool is_valid = valid.Is(kConfigurationIsValid);
     if (is_valid && findings.HasError())
     {
-        findings.Error(valid.line, name, "0xA5 marks a configuration with errors as valid",
+        findings.Error(valid.place, name, "0xA5 marks a configuration with errors as valid",
                        "0x00 until all of them are repaired");
     }
     if (valid.value && !is_valid && !findings.HasError())
     {
-        findings.Warning(valid.line, name, Hex(*valid.value, 2) + ": the SRDOs stay off", "0xA5 to set them going");
+        findings.Warning(valid.place, name, Hex(*valid.value, 2) + ": the SRDOs stay off", "0xA5 to set them going");
     }
 }
 
@@ -265,8 +265,8 @@ void CheckSupport(const Device& device, Findings& findings)
     {
         return;
     }
-    findings.Warning(std::max<std::size_t>(device.device_info_line, 1U), "",
-                     "[DeviceInfo] does not announce CANopen Safety", "CANopenSafetySupported=1");
+    findings.Warning(device.device_info_place.OrBeginning(), "", "[DeviceInfo] does not announce CANopen Safety",
+                     "CANopenSafetySupported=1");
 }
 } // namespace
 
@@ -276,7 +276,7 @@ void CheckObjects(const CheckContext& context, Findings& findings)
     CheckEntries(context, findings);
     if (context.configuration.srdos.empty())
     {
-        const std::size_t line = std::max<std::size_t>(context.device.device_info_line, 1U);
+        const Place place = context.device.device_info_place.OrBeginning();
         const std::string expected = "communication parameters at 0x1301 to 0x1340";
         const auto object = FirstSafetyObject(context.device);
         if (object)
@@ -285,11 +285,11 @@ void CheckObjects(const CheckContext& context, Findings& findings)
         }
         else if (context.device.is_safety_supported.value_or(false))
         {
-            findings.Error(line, "", "CANopenSafetySupported is 1 and there is no SRDO", expected);
+            findings.Error(place, "", "CANopenSafetySupported is 1 and there is no SRDO", expected);
         }
         else
         {
-            findings.Warning(line, "", "no SRDO, nothing of CANopen Safety is checked", expected);
+            findings.Warning(place, "", "no SRDO, nothing of CANopen Safety is checked", expected);
         }
         return;
     }

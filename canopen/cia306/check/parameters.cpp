@@ -2,6 +2,8 @@
 #include "canopen/cia306/check/rules.hpp"
 #include "canopen/cia306/safety/digest.hpp"
 
+#include <algorithm>
+
 namespace counterpoint::cia306
 {
 namespace
@@ -28,17 +30,17 @@ class ParameterCheck
     void CheckSrdo(const SrdoConfiguration& srdo);
 
   private:
-    [[nodiscard]] std::size_t LineOf(const std::uint16_t index, const std::uint8_t sub) const
+    [[nodiscard]] Place PlaceOf(const std::uint16_t index, const std::uint8_t sub) const
     {
         const Entry* const entry = context_.device.Find(index, sub);
-        return entry == nullptr ? std::size_t{1U} : entry->ValueLine();
+        return entry == nullptr ? Place{1U, 1U} : entry->ValuePlace();
     }
 
     void Require(const bool holds, const std::uint8_t sub, const std::string& wrong, const std::string& expected)
     {
         if (!holds)
         {
-            findings_.Error(LineOf(kDeviceParametersIndex, sub), ObjectName(kDeviceParametersIndex, sub), wrong,
+            findings_.Error(PlaceOf(kDeviceParametersIndex, sub), ObjectName(kDeviceParametersIndex, sub), wrong,
                             expected);
         }
     }
@@ -64,7 +66,7 @@ class ParameterCheck
     void WarnSrdo(const std::uint16_t index, const std::uint8_t number, const std::string& wrong,
                   const std::string& expected)
     {
-        findings_.Warning(LineOf(index, number), ObjectName(index, number), wrong, expected);
+        findings_.Warning(PlaceOf(index, number), ObjectName(index, number), wrong, expected);
     }
 
     const CheckContext& context_;
@@ -123,7 +125,7 @@ void ParameterCheck::CheckGaps()
         const bool is_gap = own_.number_gaps != kGapsSearched && srdo.number != expected;
         if (is_gap)
         {
-            findings_.Error(srdo.line, Hex(srdo.CommunicationIndex(), 4),
+            findings_.Error(srdo.place, Hex(srdo.CommunicationIndex(), 4),
                             "SRDO " + std::to_string(srdo.number) + " in a device without gaps",
                             "SRDO " + std::to_string(expected) + " before it, or 0x99 in " +
                                 ObjectName(kDeviceParametersIndex, kNumberGapsSub));
@@ -175,6 +177,30 @@ void ParameterCheck::CheckSrdo(const SrdoConfiguration& srdo)
                  "no bit above the " + std::to_string(bits) + " mapped bits");
     }
 }
+
+/// Without a digest nothing binds what 13FFh does not cover; that matters from the first SRDO that is on.
+void WarnOfNoDigest(const CheckContext& context, const DigestRecord& record, Findings& findings)
+{
+    const auto& srdos = context.configuration.srdos;
+    const auto on = std::find_if(srdos.begin(), srdos.end(),
+                                 [](const SrdoConfiguration& srdo) { return srdo.IsProducer() || srdo.IsConsumer(); });
+    const bool is_told = findings.HasErrorAt(record.stored.place, DigestName());
+    if (on == srdos.end() || is_told)
+    {
+        return;
+    }
+    const std::string unbound = "; a wrong device parameter, 0x1300 included, is not found";
+    if (record.is_present)
+    {
+        findings.Warning(record.stored.place, DigestName(), "no device digest" + unbound,
+                         "the one that 'counterpoint sign' computes");
+    }
+    else
+    {
+        findings.Warning(on->place, DigestName(), "is missing" + unbound,
+                         "an object of type UNSIGNED32 with the device digest");
+    }
+}
 } // namespace
 
 void CheckParameters(const CheckContext& context, Findings& findings)
@@ -200,22 +226,23 @@ void CheckDigest(const CheckContext& context, Findings& findings)
     const bool has_place = !record.is_present || context.device.Find(kDigestIndex, 0U) != nullptr;
     if (!has_place)
     {
-        findings.Error(record.stored.line, DigestName(), "is missing", "an object of type UNSIGNED32");
+        findings.Error(record.stored.place, DigestName(), "is missing", "an object of type UNSIGNED32");
     }
     const bool is_expected = record.stored.value.value_or(0U) != 0U;
     if (!is_expected)
     {
+        WarnOfNoDigest(context, record, findings);
         return;
     }
     if (!context.node_id)
     {
         // The other problems are found where they are.
-        findings.Error(record.stored.line, DigestName(), "the digest needs the node-ID and there is none",
+        findings.Error(record.stored.place, DigestName(), "the digest needs the node-ID and there is none",
                        "--node-id, or NodeID in [DeviceComissioning]");
     }
     else if (record.problems.empty() && !record.stored.Is(DigestOf(record.fields)))
     {
-        findings.Error(record.stored.line, DigestName(), "device digest " + Hex(*record.stored.value, 8),
+        findings.Error(record.stored.place, DigestName(), "device digest " + Hex(*record.stored.value, 8),
                        Hex(DigestOf(record.fields), 8) + ", computed from the device's parameters");
     }
 }

@@ -21,20 +21,19 @@ class Findings
 {
   public:
     /// Adds an error: line of the file, object (may be empty), what is wrong, what was expected.
-    void Error(const std::size_t line, const std::string& object, const std::string& wrong, const std::string& expected)
+    void Error(const Place place, const std::string& object, const std::string& wrong, const std::string& expected)
     {
-        Tell(Severity::kError, line, object, {wrong, expected});
+        Tell(Severity::kError, place, object, {wrong, expected});
     }
     /// Adds a warning of the same form.
-    void Warning(const std::size_t line, const std::string& object, const std::string& wrong,
-                 const std::string& expected)
+    void Warning(const Place place, const std::string& object, const std::string& wrong, const std::string& expected)
     {
-        Tell(Severity::kWarning, line, object, {wrong, expected});
+        Tell(Severity::kWarning, place, object, {wrong, expected});
     }
     /// Adds one or the other.
-    void Tell(const Severity severity, const std::size_t line, const std::string& object, const Problem& problem)
+    void Tell(const Severity severity, const Place place, const std::string& object, const Problem& problem)
     {
-        Add({{severity, line, object, problem.wrong + ", expected " + problem.expected}});
+        Add({{severity, place, object, problem.wrong + ", expected " + problem.expected}});
     }
     /// Adds findings that somebody else made.
     void Add(const std::vector<Finding>& findings)
@@ -43,7 +42,7 @@ class Findings
         {
             if (finding.severity == Severity::kError)
             {
-                error_places_.emplace(finding.line, finding.object);
+                error_places_.emplace(finding.place.line, finding.object);
             }
             findings_.push_back(finding);
         }
@@ -54,9 +53,9 @@ class Findings
         return !error_places_.empty();
     }
     /// Whether there is an error of this object at this line.
-    [[nodiscard]] bool HasErrorAt(const std::size_t line, const std::string& object) const
+    [[nodiscard]] bool HasErrorAt(const Place place, const std::string& object) const
     {
-        return error_places_.count({line, object}) != 0U;
+        return error_places_.count({place.line, object}) != 0U;
     }
     /// All findings, in the order of their lines.
     [[nodiscard]] std::vector<Finding> Sorted() const

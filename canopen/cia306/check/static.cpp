@@ -19,7 +19,7 @@ void CheckWrite(const CheckContext& context, const Entry& entry, Findings& findi
                               (entry.access == Access::kConstant ? "const" : "ro");
     if (!entry.default_value.IsSet())
     {
-        findings.Error(entry.parameter_value.line, name, wrong, "a DefaultValue, which nobody writes");
+        findings.Error(entry.parameter_value.place, name, wrong, "a DefaultValue, which nobody writes");
         return;
     }
     const ValueResult written = ParseValue(entry.parameter_value.text, entry.type, context.node_id);
@@ -27,11 +27,11 @@ void CheckWrite(const CheckContext& context, const Entry& entry, Findings& findi
     const bool is_equal = written.value && own.value && written.value->bits == own.value->bits;
     if (is_equal)
     {
-        findings.Warning(entry.parameter_value.line, name, wrong, "none: nothing can be written there");
+        findings.Warning(entry.parameter_value.place, name, wrong, "none: nothing can be written there");
     }
     else
     {
-        findings.Error(entry.parameter_value.line, name, wrong,
+        findings.Error(entry.parameter_value.place, name, wrong,
                        "its DefaultValue " + Quoted(entry.default_value.text) + ": nothing can be written there");
     }
 }
@@ -41,14 +41,14 @@ void CheckStaticEntry(const SrdoConfiguration& srdo, const MappingEntry& entry, 
     const std::string name = ObjectName(srdo.MappingIndex(), entry.sub);
     if (entry.IsDummy())
     {
-        findings.Error(entry.line, name,
+        findings.Error(entry.place, name,
                        "dummy object " + ObjectName(entry.Index(), entry.Sub()) + " in a static mapping",
                        "an object of the application");
     }
     else if (entry.Bits() % kByteBits != 0U)
     {
         findings.Tell(
-            WhenOn(srdo), entry.line, name,
+            WhenOn(srdo), entry.place, name,
             {"length of " + std::to_string(entry.Bits()) + " bit in a static mapping", "a multiple of 8 bit"});
     }
 }
@@ -78,7 +78,7 @@ void CheckStaticMapping(const CheckContext& context, const SrdoConfiguration& sr
     const bool is_mixed = fixed != 0U && fixed != used;
     if (is_mixed)
     {
-        findings.Warning(object->line, Hex(object->index, 4),
+        findings.Warning(object->place, Hex(object->index, 4),
                          std::to_string(fixed) + " of " + std::to_string(used) + " sub-indices are const or ro",
                          "all of them (static mapping) or none");
     }

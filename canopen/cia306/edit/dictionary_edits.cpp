@@ -140,7 +140,7 @@ std::string DictionaryEdits::LastSectionOf(const Object& object) const
     std::string last = object.section;
     for (const std::string& name : SectionsIn(document_, object))
     {
-        const bool is_later = document_.Find(name)->line > document_.Find(last)->line;
+        const bool is_later = document_.Find(name)->place.line > document_.Find(last)->place.line;
         last = is_later ? name : last;
     }
     return last;

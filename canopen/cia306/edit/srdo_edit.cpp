@@ -90,7 +90,7 @@ void SrdoBuilder::RequireFree() const
         const auto listed = device_.missing.find(index);
         if (object != nullptr || listed != device_.missing.end())
         {
-            throw InputError(device_.file, object != nullptr ? object->line : listed->second,
+            throw InputError(device_.file, object != nullptr ? object->place : listed->second,
                              {"SRDO " + std::to_string(plan_.number) + " is there already", "a number that is free"});
         }
     }
@@ -140,13 +140,13 @@ void SrdoBuilder::MapPresent(const PlannedPair& pair)
     const Entry* const normal = device_.Find(pair.normal->index, pair.normal->sub);
     if (normal == nullptr)
     {
-        throw InputError(device_.file, 0U,
+        throw InputError(device_.file, {},
                          {Name(*pair.normal) + " is not in the file",
                           "an object that it describes, or a length such as 8 for a new one"});
     }
     if (normal->type.bits == 0U)
     {
-        throw InputError(device_.file, normal->line,
+        throw InputError(device_.file, normal->place,
                          {Name(*pair.normal) + " is of " + normal->type.name, "a data type of 1 to 64 bits"});
     }
     AddMapping(*pair.normal, InverseOf(pair, *normal), normal->type.bits);
@@ -166,7 +166,7 @@ ObjectPlace SrdoBuilder::InverseOf(const PlannedPair& pair, const Entry& normal)
     }
     if (normal.is_compact)
     {
-        throw InputError(device_.file, normal.line,
+        throw InputError(device_.file, normal.place,
                          {Name(*pair.normal) + " of a compact object has no inverse object",
                           "one that is named behind it, such as " + Name(*pair.normal) + "/0x2100:01"});
     }
@@ -200,7 +200,7 @@ std::uint16_t SrdoBuilder::FreeIndex() const
         }
         ++index;
     }
-    throw InputError(device_.file, 0U, {"no index is free for a new object", "one from 0x2000 to 0x5DFF"});
+    throw InputError(device_.file, {}, {"no index is free for a new object", "one from 0x2000 to 0x5DFF"});
 }
 
 NewEntry SrdoBuilder::VariableOf(const PlannedPair& pair, const std::uint8_t place, const bool is_normal) const

@@ -94,7 +94,7 @@ IniDocument WithoutSrdo(const IniDocument& document, const std::uint8_t number,
     const auto mapping = static_cast<std::uint16_t>(kFirstMappingIndex + number - 1U);
     if (device.Find(communication) == nullptr)
     {
-        throw InputError(device.file, 0U,
+        throw InputError(device.file, {},
                          {"there is no SRDO " + std::to_string(number), "one that the file has (srdo list)"});
     }
     std::vector<std::string> sections;

@@ -25,10 +25,10 @@ bool Entry::IsInRpdo() const noexcept
     return is_pdo_mappable && !IsFixed() && access != Access::kReadWriteInput;
 }
 
-std::size_t Entry::ValueLine() const noexcept
+Place Entry::ValuePlace() const noexcept
 {
     const Text& configured = Configured();
-    return configured.IsSet() ? configured.line : line;
+    return configured.IsSet() ? configured.place : place;
 }
 
 const Object* Device::Find(const std::uint16_t index) const
@@ -79,7 +79,7 @@ Value RequiredValue(const std::string& file, const Entry& entry, const std::opti
     const ValueResult result = ConfiguredValue(entry, node_id);
     if (!result.value)
     {
-        throw InputError(file, entry.ValueLine(),
+        throw InputError(file, entry.ValuePlace(),
                          {ObjectName(entry.index, entry.sub) + ": " + result.problem.wrong, result.problem.expected});
     }
     return *result.value;

@@ -16,11 +16,11 @@
 
 namespace counterpoint::cia306
 {
-/// Text of a key and the line in which it stands; no text and line 0 where the key is missing or empty.
+/// Text of a key and its place; no text and no place where the key is missing or empty.
 struct Text
 {
     std::string text;
-    std::size_t line{0U};
+    Place place;
 
     /// Whether there is a text.
     [[nodiscard]] bool IsSet() const noexcept
@@ -65,12 +65,12 @@ struct Entry
     bool is_pdo_mappable{false};
     std::optional<bool> is_srdo_mappable;       ///< SRDOMapping, where the key is there.
     std::optional<std::uint32_t> inverted_srad; ///< Index * 256 + sub-index of the inverse object.
-    std::size_t inverted_srad_line{0U};
+    Place inverted_srad_place;
     Text default_value;
     Text parameter_value;
     Text low_limit;
     Text high_limit;
-    std::size_t line{0U};
+    Place place;
     std::string section;    ///< Where its values are written.
     bool is_compact{false}; ///< Made from CompactSubObj: its parameter value is key "sub" of section [indexValue].
 
@@ -82,8 +82,8 @@ struct Entry
     [[nodiscard]] bool IsInTpdo() const noexcept;
     /// Whether a PDO may receive it: PDOMapping=1, and it is no input.
     [[nodiscard]] bool IsInRpdo() const noexcept;
-    /// Line of the configured value, else of the section.
-    [[nodiscard]] std::size_t ValueLine() const noexcept;
+    /// Place of the configured value, else of the section.
+    [[nodiscard]] Place ValuePlace() const noexcept;
 };
 
 /// An object of the dictionary with its entries by sub-index.
@@ -94,7 +94,7 @@ struct Object
     ObjectType type{ObjectType::kVar};
     std::uint16_t data_type{0U}; ///< For a record: index of its DEFSTRUCT; 0 where the file does not tell.
     std::map<std::uint8_t, Entry> entries;
-    std::size_t line{0U};
+    Place place;
     std::string section;
 };
 
@@ -105,14 +105,16 @@ struct Device
     std::string file;
     std::map<std::uint16_t, Object> objects;
     std::optional<std::uint8_t> node_id; ///< Node-ID of the commissioning section, 1 to 127.
+    bool is_node_id_refused{false};      ///< NodeID is there and is none; the reader has warned.
+    Place commissioning_place;
     std::optional<bool> is_safety_supported;
     bool is_lss_supported{false}; ///< LSS_Supported.
-    std::size_t device_info_line{0U};
+    Place device_info_place;
     /// Granularity of DeviceInfo, where it is one that a Counterpoint device can have.
     std::optional<std::uint8_t> granularity_bits;
-    std::set<std::uint16_t> dummies;              ///< Data types that DummyUsage allows to be mapped.
-    std::map<std::uint16_t, std::size_t> missing; ///< Objects that a list names and no section describes; their lines.
-    std::vector<Finding> warnings;                ///< In the order of the lines.
+    std::set<std::uint16_t> dummies;        ///< Data types that DummyUsage allows to be mapped.
+    std::map<std::uint16_t, Place> missing; ///< Objects that a list names and no section describes; where it does.
+    std::vector<Finding> warnings;          ///< In the order of the lines.
 
     /// The object with this index; null: the file has none.
     [[nodiscard]] const Object* Find(std::uint16_t index) const;

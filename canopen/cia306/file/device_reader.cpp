@@ -87,6 +87,7 @@ void ResolveTypes(Device& device)
             const bool is_member = is_record && entry.data_type == 0U;
             entry.data_type = is_member ? MemberType(device, object, sub) : entry.data_type;
             entry.type = TypeOf(device, entry.data_type);
+            LeaveOutComments(entry, device.warnings);
         }
     }
 }
@@ -106,7 +107,7 @@ class DeviceReader
         ObjectReader(document_, device_).Read();
         if (device_.objects.empty())
         {
-            throw InputError(device_.file, std::max<std::size_t>(document_.LineCount(), 1U),
+            throw InputError(device_.file, {std::max<std::size_t>(document_.LineCount(), 1U), 1U},
                              {"the file describes no object", "sections such as [1000]"});
         }
         ReadDeviceInfo();
@@ -115,19 +116,24 @@ class DeviceReader
         ReadLists();
         ResolveTypes(device_);
         FinishEntries();
-        device_.warnings = SortedByLine(std::move(device_.warnings));
+        device_.warnings = WithoutRepeated(SortedByLine(std::move(device_.warnings)));
         return std::move(device_);
     }
 
   private:
-    void Warn(const std::size_t line, const std::string& text)
+    void Warn(const Place place, const std::string& text)
     {
-        device_.warnings.push_back({Severity::kWarning, line, "", text});
+        device_.warnings.push_back({Severity::kWarning, place, "", text});
     }
 
-    void Warn(const std::size_t line, const std::uint16_t index, const std::string& text)
+    void Warn(const Place place, const std::uint16_t index, const std::string& text)
     {
-        device_.warnings.push_back({Severity::kWarning, line, Hex(index, 4), text});
+        device_.warnings.push_back({Severity::kWarning, place, Hex(index, 4), text});
+    }
+
+    SectionReader ReaderOf(const IniSection& section)
+    {
+        return {device_.file, section, device_.warnings};
     }
 
     void ReadDeviceInfo();
@@ -137,7 +143,7 @@ class DeviceReader
     void ReadDummyUsage();
     void ReadLists();
     void ReadList(const IniSection& section, std::set<std::uint16_t>& listed);
-    void AddMissing(std::size_t line, std::uint16_t index);
+    void AddMissing(Place place, std::uint16_t index);
     void FinishEntries();
     void WarnOfSubNumber(const Object& object);
 
@@ -150,25 +156,25 @@ void DeviceReader::ReadDeviceInfo()
     const IniSection* const section = document_.Find("DeviceInfo");
     if (section == nullptr)
     {
-        Warn(1U, "no section [DeviceInfo], expected one");
+        Warn({1U, 1U}, "no section [DeviceInfo], expected one");
         return;
     }
-    device_.device_info_line = section->line;
-    device_.is_safety_supported = SectionReader(device_.file, *section).FlagAt("CANopenSafetySupported");
-    const IniKey* const lss = section->Find("LSS_Supported");
-    device_.is_lss_supported = lss != nullptr && ParseUnsigned(lss->value, 1U).value_or(0U) == 1U;
+    device_.device_info_place = section->place;
+    device_.is_safety_supported = ReaderOf(*section).FlagAt("CANopenSafetySupported");
+    const IniKey* const lss = ReaderOf(*section).Find("LSS_Supported");
+    device_.is_lss_supported = lss != nullptr && ParseUnsigned(lss->Bare(), 1U).value_or(0U) == 1U;
     ReadGranularity(*section);
 }
 
 /// 0 stands for a mapping that cannot be changed and says nothing about lengths.
 void DeviceReader::ReadGranularity(const IniSection& section)
 {
-    const IniKey* const key = section.Find("Granularity");
-    if (key == nullptr || key->value.empty())
+    const IniKey* const key = ReaderOf(section).Find("Granularity");
+    if (key == nullptr)
     {
         return;
     }
-    const auto bits = ParseUnsigned(key->value, 64U);
+    const auto bits = ParseUnsigned(key->Bare(), 64U);
     const bool is_known = bits && IsGranularity(*bits);
     if (is_known)
     {
@@ -176,7 +182,7 @@ void DeviceReader::ReadGranularity(const IniSection& section)
     }
     else if (bits.value_or(1U) != 0U)
     {
-        Warn(key->line, "Granularity is " + Quoted(key->value) + ", expected 1, 8, 16, 32 or 64; it is ignored");
+        Warn(key->place, "Granularity is " + Quoted(key->value) + ", expected 1, 8, 16, 32 or 64; it is ignored");
     }
 }
 
@@ -186,9 +192,11 @@ void DeviceReader::ReadCommissioning()
     const IniSection* const corrected = document_.Find("DeviceCommissioning");
     if (standard != nullptr && corrected != nullptr)
     {
-        throw InputError(device_.file, std::max(standard->line, corrected->line),
-                         {"the commissioning section stands a second time",
-                          "it once, as in line " + std::to_string(std::min(standard->line, corrected->line))});
+        const bool is_first = standard->place.line < corrected->place.line;
+        const Place first = is_first ? standard->place : corrected->place;
+        throw InputError(
+            device_.file, is_first ? corrected->place : standard->place,
+            {"the commissioning section stands a second time", "it once, as in line " + std::to_string(first.line)});
     }
     if (standard != nullptr)
     {
@@ -196,14 +204,15 @@ void DeviceReader::ReadCommissioning()
     }
     if (corrected != nullptr)
     {
-        Warn(corrected->line, "section [DeviceCommissioning], expected [DeviceComissioning] as CiA 306 writes it");
+        Warn(corrected->place, "section [DeviceCommissioning], expected [DeviceComissioning] as CiA 306 writes it");
         ReadNodeId(*corrected);
     }
 }
 
 void DeviceReader::ReadNodeId(const IniSection& section)
 {
-    const SectionReader reader(device_.file, section);
+    device_.commissioning_place = section.place;
+    const SectionReader reader = ReaderOf(section);
     const auto number = reader.NumberAt("NodeID", kUnconfiguredNodeId);
     if (!number)
     {
@@ -213,7 +222,8 @@ void DeviceReader::ReadNodeId(const IniSection& section)
     const bool is_none = *number == 0U || *number == kUnconfiguredNodeId;
     if (is_none)
     {
-        Warn(key.line, "NodeID is " + Quoted(key.value) + ", expected 1 to 127; the device has no node-ID");
+        Warn(key.place, "NodeID is " + Quoted(key.value) + ", expected 1 to 127; the device has no node-ID");
+        device_.is_node_id_refused = true;
         return;
     }
     if (*number > kMaxNodeId)
@@ -231,7 +241,7 @@ void DeviceReader::ReadDummyUsage()
     {
         return;
     }
-    const SectionReader reader(device_.file, *section);
+    const SectionReader reader = ReaderOf(*section);
     for (const IniKey& key : section->keys)
     {
         const std::string lower = Lower(key.name);
@@ -239,7 +249,7 @@ void DeviceReader::ReadDummyUsage()
         const auto index = ParseUnsigned("0x" + (is_dummy ? lower.substr(prefix.size()) : ""), 0xFFFFU);
         if (!index)
         {
-            Warn(key.line,
+            Warn(key.name_place,
                  "key " + Quoted(key.name) + " in [DummyUsage], expected Dummy and four digits; it is ignored");
             continue;
         }
@@ -267,7 +277,7 @@ void DeviceReader::ReadLists()
         const bool is_type = object.type == ObjectType::kDeftype || object.type == ObjectType::kDefstruct;
         if (listed.count(index) == 0U && !is_type)
         {
-            Warn(object.line, index,
+            Warn(object.place, index,
                  "is in none of the lists [MandatoryObjects], [OptionalObjects], [ManufacturerObjects]");
         }
     }
@@ -275,7 +285,7 @@ void DeviceReader::ReadLists()
 
 void DeviceReader::ReadList(const IniSection& section, std::set<std::uint16_t>& listed)
 {
-    const SectionReader reader(device_.file, section);
+    const SectionReader reader = ReaderOf(section);
     const auto count = reader.NumberAt("SupportedObjects", 0xFFFFU);
     std::uint64_t found = 0U;
     for (const IniKey& key : section.keys)
@@ -293,23 +303,23 @@ void DeviceReader::ReadList(const IniSection& section, std::set<std::uint16_t>& 
         ++found;
         if (device_.Find(static_cast<std::uint16_t>(*index)) == nullptr)
         {
-            AddMissing(key.line, static_cast<std::uint16_t>(*index));
+            AddMissing(key.place, static_cast<std::uint16_t>(*index));
         }
         listed.insert(static_cast<std::uint16_t>(*index));
     }
     if (count.value_or(0U) != found)
     {
-        Warn(section.line, "section " + Quoted(section.name) + " lists " + std::to_string(found) +
-                               " objects, expected SupportedObjects of that number");
+        Warn(section.place, "section " + Quoted(section.name) + " lists " + std::to_string(found) +
+                                " objects, expected SupportedObjects of that number");
     }
 }
 
-void DeviceReader::AddMissing(const std::size_t line, const std::uint16_t index)
+void DeviceReader::AddMissing(const Place place, const std::uint16_t index)
 {
-    device_.missing.emplace(index, line);
+    device_.missing.emplace(index, place);
     if (!IsSafetyObject(index))
     {
-        Warn(line, index, "is listed, expected a section that describes it");
+        Warn(place, index, "is listed, expected a section that describes it");
     }
 }
 
@@ -333,11 +343,11 @@ void DeviceReader::FinishEntries()
 void DeviceReader::WarnOfSubNumber(const Object& object)
 {
     const IniSection& section = *document_.Find(object.section);
-    const auto number = SectionReader(device_.file, section).NumberAt("SubNumber", kMaxSubNumber);
+    const auto number = ReaderOf(section).NumberAt("SubNumber", kMaxSubNumber);
     const bool differs = number && *number != 0U && *number != object.entries.size();
     if (differs)
     {
-        Warn(section.Find("SubNumber")->line, object.index,
+        Warn(section.Find("SubNumber")->place, object.index,
              "SubNumber is " + std::to_string(*number) + ", expected " + std::to_string(object.entries.size()) +
                  ", the number of its sub-indices");
     }

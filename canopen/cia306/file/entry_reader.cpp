@@ -24,9 +24,9 @@ constexpr std::array<std::pair<std::string_view, Access>, 6U> kAccessNames{{
     {"const", Access::kConstant},
 }};
 
-void Warn(std::vector<Finding>& warnings, const std::size_t line, const Entry& entry, const std::string& text)
+void Warn(std::vector<Finding>& warnings, const Place place, const Entry& entry, const std::string& text)
 {
-    warnings.push_back({Severity::kWarning, line, ObjectName(entry.index, entry.sub), text});
+    warnings.push_back({Severity::kWarning, place, ObjectName(entry.index, entry.sub), text});
 }
 
 void WarnOfValue(const Entry& entry, const Text& value, std::string_view key, std::vector<Finding>& warnings)
@@ -38,7 +38,8 @@ void WarnOfValue(const Entry& entry, const Text& value, std::string_view key, st
     const auto problem = ProblemOf(value.text, entry.type);
     if (problem)
     {
-        Warn(warnings, value.line, entry, std::string(key) + ": " + problem->wrong + ", expected " + problem->expected);
+        Warn(warnings, value.place, entry,
+             std::string(key) + ": " + problem->wrong + ", expected " + problem->expected);
     }
 }
 
@@ -49,7 +50,7 @@ void WarnOfSuffix(const Entry& entry, const Text& value, const std::string_view 
     const auto formula = is_text ? std::nullopt : ParseFormula(value.text);
     if (formula && formula->number.has_suffix)
     {
-        Warn(warnings, value.line, entry,
+        Warn(warnings, value.place, entry,
              std::string(key) + ": " + Quoted(value.text) +
                  " is read without its suffix, expected a number without U or L");
     }
@@ -62,24 +63,40 @@ bool IsBareInvertedSrad(const std::string_view text)
 }
 } // namespace
 
-SectionReader::SectionReader(const std::string& file, const IniSection& section) noexcept
-    : file_(&file), section_(&section)
+SectionReader::SectionReader(const std::string& file, const IniSection& section,
+                             std::vector<Finding>& warnings) noexcept
+    : file_(&file), section_(&section), warnings_(&warnings)
 {
+}
+
+const IniKey* SectionReader::Find(const std::string_view key) const
+{
+    const IniKey* const found = section_->Find(key);
+    if (found == nullptr)
+    {
+        return nullptr;
+    }
+    const auto comment = CommentBehind(found->value, found->place);
+    if (comment)
+    {
+        warnings_->push_back(*comment);
+    }
+    return found->Bare().empty() ? nullptr : found;
 }
 
 void SectionReader::Refuse(const IniKey& key, const std::string& expected) const
 {
-    throw InputError(*file_, key.line, {Quoted(key.name) + " is " + Quoted(key.value), expected});
+    throw InputError(*file_, key.place, {Quoted(key.name) + " is " + Quoted(key.value), expected});
 }
 
 std::optional<std::uint64_t> SectionReader::NumberAt(const std::string_view key, const std::uint64_t max) const
 {
-    const IniKey* const found = section_->Find(key);
-    if (found == nullptr || found->value.empty())
+    const IniKey* const found = Find(key);
+    if (found == nullptr)
     {
         return std::nullopt;
     }
-    const auto number = ParseUnsigned(found->value, max);
+    const auto number = ParseUnsigned(found->Bare(), max);
     if (!number)
     {
         Refuse(*found, "a number from 0 to " + std::to_string(max));
@@ -96,7 +113,7 @@ std::optional<bool> SectionReader::FlagAt(const std::string_view key) const
 Text SectionReader::TextAt(const std::string_view key) const
 {
     const IniKey* const found = section_->Find(key);
-    return found == nullptr || found->value.empty() ? Text{} : Text{found->value, found->line};
+    return found == nullptr || found->value.empty() ? Text{} : Text{found->value, found->place};
 }
 
 ObjectType SectionReader::ObjectTypeAt(const std::string_view key) const
@@ -113,12 +130,12 @@ ObjectType SectionReader::ObjectTypeAt(const std::string_view key) const
 
 Access SectionReader::AccessAt(const std::string_view key) const
 {
-    const IniKey* const found = section_->Find(key);
-    if (found == nullptr || found->value.empty())
+    const IniKey* const found = Find(key);
+    if (found == nullptr)
     {
         return Access::kUnknown;
     }
-    const std::string lower = Lower(found->value);
+    const std::string lower = Lower(found->Bare());
     for (const auto& [name, access] : kAccessNames)
     {
         if (lower == name)
@@ -129,32 +146,32 @@ Access SectionReader::AccessAt(const std::string_view key) const
     Refuse(*found, "ro, wo, rw, rwr, rww or const");
 }
 
-void SectionReader::ReadInvertedSrad(Entry& entry, std::vector<Finding>& warnings) const
+void SectionReader::ReadInvertedSrad(Entry& entry) const
 {
-    const IniKey* const found = section_->Find("InvertedSRAD");
-    if (found == nullptr || found->value.empty())
+    const IniKey* const found = Find("InvertedSRAD");
+    if (found == nullptr)
     {
         return;
     }
-    const bool is_bare = IsBareInvertedSrad(found->value);
-    const auto number = ParseUnsigned(is_bare ? "0x" + found->value : found->value, kMaxInvertedSrad);
+    const std::string text = found->Bare();
+    const bool is_bare = IsBareInvertedSrad(text);
+    const auto number = ParseUnsigned(is_bare ? "0x" + text : text, kMaxInvertedSrad);
     if (!number)
     {
         Refuse(*found, "index and sub-index of the inverse object as one number, such as 0x210001");
     }
     if (is_bare)
     {
-        Warn(warnings, found->line, entry,
-             "InvertedSRAD without 0x is read as hexadecimal, expected 0x" + found->value);
+        Warn(*warnings_, found->place, entry, "InvertedSRAD without 0x is read as hexadecimal, expected 0x" + text);
     }
     if (*number != 0U)
     {
         entry.inverted_srad = static_cast<std::uint32_t>(*number);
-        entry.inverted_srad_line = found->line;
+        entry.inverted_srad_place = found->place;
     }
 }
 
-Entry SectionReader::ReadEntry(const std::uint16_t index, const std::uint8_t sub, std::vector<Finding>& warnings) const
+Entry SectionReader::ReadEntry(const std::uint16_t index, const std::uint8_t sub) const
 {
     Entry entry;
     entry.index = index;
@@ -172,9 +189,9 @@ Entry SectionReader::ReadEntry(const std::uint16_t index, const std::uint8_t sub
     entry.parameter_value = TextAt("ParameterValue");
     entry.low_limit = TextAt("LowLimit");
     entry.high_limit = TextAt("HighLimit");
-    entry.line = section_->line;
+    entry.place = section_->place;
     entry.section = section_->name;
-    ReadInvertedSrad(entry, warnings);
+    ReadInvertedSrad(entry);
     return entry;
 }
 
@@ -185,22 +202,41 @@ bool IsSafetyObject(const std::uint16_t index) noexcept
     return is_communication || is_parameter;
 }
 
+void LeaveOutComments(Entry& entry, std::vector<Finding>& warnings)
+{
+    const bool may_hold_any = entry.type.kind == DataKind::kText || entry.type.kind == DataKind::kUnknown ||
+                              entry.type.kind == DataKind::kStructure;
+    if (may_hold_any)
+    {
+        return;
+    }
+    for (Text* const value : {&entry.default_value, &entry.parameter_value, &entry.low_limit, &entry.high_limit})
+    {
+        const auto comment = CommentBehind(value->text, value->place);
+        if (comment)
+        {
+            warnings.push_back(*comment);
+            value->text = std::string(WithoutComment(value->text));
+        }
+    }
+}
+
 void WarnOfEntry(const Entry& entry, std::vector<Finding>& warnings)
 {
     if (entry.data_type == 0U)
     {
-        Warn(warnings, entry.line, entry, "no DataType, expected one; its values are not checked");
+        Warn(warnings, entry.place, entry, "no DataType, expected one; its values are not checked");
     }
     else if (entry.type.kind == DataKind::kUnknown)
     {
-        Warn(warnings, entry.line, entry,
+        Warn(warnings, entry.place, entry,
              "DataType " + Hex(entry.data_type, 4) +
                  " is unknown, expected 0x0001 to 0x001B, or an object there that describes it; its values are not "
                  "checked");
     }
     if (entry.access == Access::kUnknown)
     {
-        Warn(warnings, entry.line, entry, "no AccessType, expected ro, wo, rw, rwr, rww or const");
+        Warn(warnings, entry.place, entry, "no AccessType, expected ro, wo, rw, rwr, rww or const");
     }
     const std::array<std::pair<const Text*, std::string_view>, 4U> values{{{&entry.default_value, "DefaultValue"},
                                                                            {&entry.parameter_value, "ParameterValue"},

@@ -17,8 +17,11 @@ namespace counterpoint::cia306
 class SectionReader
 {
   public:
-    SectionReader(const std::string& file, const IniSection& section) noexcept;
+    /// All of them outlive it; warnings are added to `warnings`.
+    SectionReader(const std::string& file, const IniSection& section, std::vector<Finding>& warnings) noexcept;
 
+    /// The key of a number or word; null where it is missing or empty. A comment behind its value is told.
+    [[nodiscard]] const IniKey* Find(std::string_view key) const;
     /// The number at `key`, nothing where the key is missing or empty. Throws InputError where it is none or above max.
     [[nodiscard]] std::optional<std::uint64_t> NumberAt(std::string_view key, std::uint64_t max) const;
     /// The flag (0 or 1) at `key`; nothing where the key is missing or empty.
@@ -29,21 +32,26 @@ class SectionReader
     [[nodiscard]] ObjectType ObjectTypeAt(std::string_view key) const;
     /// The access right at `key`; kUnknown where the key is missing or empty.
     [[nodiscard]] Access AccessAt(std::string_view key) const;
-    /// Everything that says something about the data element; warnings are added to `warnings`.
-    [[nodiscard]] Entry ReadEntry(std::uint16_t index, std::uint8_t sub, std::vector<Finding>& warnings) const;
+    /// Everything that says something about the data element.
+    [[nodiscard]] Entry ReadEntry(std::uint16_t index, std::uint8_t sub) const;
 
     /// Throws InputError for the value of this key.
     [[noreturn]] void Refuse(const IniKey& key, const std::string& expected) const;
 
   private:
-    void ReadInvertedSrad(Entry& entry, std::vector<Finding>& warnings) const;
+    void ReadInvertedSrad(Entry& entry) const;
 
     const std::string* file_;
     const IniSection* section_;
+    std::vector<Finding>* warnings_;
 };
 
 /// Whether the values of this object are judged by the check of the safety configuration, not by the reader.
 [[nodiscard]] bool IsSafetyObject(std::uint16_t index) noexcept;
+
+/// Takes comments behind the values and limits away and tells them, unless the type is one of text or not known: there
+/// '#' and ';' belong to the value. [SRS_EDS_035]
+void LeaveOutComments(Entry& entry, std::vector<Finding>& warnings);
 
 /// Warns of what files in use often have wrong: no type, no access, values that do not fit.
 void WarnOfEntry(const Entry& entry, std::vector<Finding>& warnings);

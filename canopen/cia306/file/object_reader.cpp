@@ -85,17 +85,17 @@ void ObjectReader::ForEach(const SectionKind kind, const Pass pass)
     }
 }
 
-void ObjectReader::Warn(const std::size_t line, const std::string& text)
+void ObjectReader::Warn(const Place place, const std::string& text)
 {
-    device_->warnings.push_back({Severity::kWarning, line, "", text});
+    device_->warnings.push_back({Severity::kWarning, place, "", text});
 }
 
-void ObjectReader::AddEntry(Object& object, Entry entry, const std::size_t line)
+void ObjectReader::AddEntry(Object& object, Entry entry, const Place place)
 {
     ++entry_count_;
     if (entry_count_ > kMaxEntries)
     {
-        throw InputError(device_->file, line, {"there is a sub-index more", "at most " + std::to_string(kMaxEntries)});
+        throw InputError(device_->file, place, {"there is a sub-index more", "at most " + std::to_string(kMaxEntries)});
     }
     const std::uint8_t sub = entry.sub;
     object.entries[sub] = std::move(entry);
@@ -103,10 +103,10 @@ void ObjectReader::AddEntry(Object& object, Entry entry, const std::size_t line)
 
 void ObjectReader::ReadObject(const IniSection& section, const SectionName& name)
 {
-    const SectionReader reader(device_->file, section);
+    const SectionReader reader(device_->file, section, device_->warnings);
     Object object;
     object.index = name.index;
-    object.line = section.line;
+    object.place = section.place;
     object.section = section.name;
     object.name = reader.TextAt("ParameterName").text;
     object.type = reader.ObjectTypeAt("ObjectType");
@@ -121,14 +121,14 @@ void ObjectReader::ReadObject(const IniSection& section, const SectionName& name
     }
     else if (!has_subs)
     {
-        AddEntry(object, reader.ReadEntry(name.index, 0U, device_->warnings), section.line);
+        AddEntry(object, reader.ReadEntry(name.index, 0U), section.place);
     }
     device_->objects.emplace(name.index, std::move(object));
 }
 
 void ObjectReader::AddCompactEntries(const IniSection& section, Object& object, const std::uint8_t count)
 {
-    Entry entry = SectionReader(device_->file, section).ReadEntry(object.index, 0U, device_->warnings);
+    Entry entry = SectionReader(device_->file, section, device_->warnings).ReadEntry(object.index, 0U);
     entry.is_compact = true;
     entry.parameter_value = Text{};
     entry.section = section.name + "Value";
@@ -141,13 +141,13 @@ void ObjectReader::AddCompactEntries(const IniSection& section, Object& object, 
     number.inverted_srad = std::nullopt;
     number.low_limit = Text{};
     number.high_limit = Text{};
-    number.default_value = Text{std::to_string(count), section.Find("CompactSubObj")->line};
-    AddEntry(object, std::move(number), section.line);
+    number.default_value = Text{std::to_string(count), section.Find("CompactSubObj")->place};
+    AddEntry(object, std::move(number), section.place);
     for (std::uint32_t sub = 1U; sub <= count; ++sub)
     {
         entry.sub = static_cast<std::uint8_t>(sub);
         entry.name = object.name + std::to_string(sub);
-        AddEntry(object, entry, section.line);
+        AddEntry(object, entry, section.place);
     }
 }
 
@@ -156,7 +156,7 @@ void ObjectReader::ReadSub(const IniSection& section, const SectionName& name)
     const auto found = device_->objects.find(name.index);
     if (found == device_->objects.end())
     {
-        throw InputError(device_->file, section.line,
+        throw InputError(device_->file, section.place,
                          {"section " + Quoted(section.name) + " belongs to no object",
                           "a section [" + Hex(name.index, 4).substr(2U) + "]"});
     }
@@ -166,13 +166,13 @@ void ObjectReader::ReadSub(const IniSection& section, const SectionName& name)
     const bool is_second = before != object.entries.end() && !is_variable && !before->second.is_compact;
     if (is_second)
     {
-        throw InputError(device_->file, section.line,
+        throw InputError(device_->file, section.place,
                          {"sub-index " + ObjectName(name.index, name.sub) + " is described a second time",
-                          "it once, as in line " + std::to_string(before->second.line)});
+                          "it once, as in line " + std::to_string(before->second.place.line)});
     }
     DropVariable(object);
-    const SectionReader reader(device_->file, section);
-    AddEntry(object, reader.ReadEntry(name.index, name.sub, device_->warnings), section.line);
+    const SectionReader reader(device_->file, section, device_->warnings);
+    AddEntry(object, reader.ReadEntry(name.index, name.sub), section.place);
 }
 
 /// An object without SubNumber and type was taken for a variable until its first sub-index came.
@@ -182,7 +182,7 @@ void ObjectReader::DropVariable(Object& object)
     const bool has_variable = variable != object.entries.end() && variable->second.section == object.section;
     if (has_variable)
     {
-        Warn(object.line,
+        Warn(object.place,
              Hex(object.index, 4) + " has sub-indices, expected SubNumber, or an ObjectType of 0x8 or 0x9");
         object.entries.erase(variable);
     }
@@ -202,8 +202,8 @@ Entry* ObjectReader::CompactEntry(const IniSection& section, const IniKey& key, 
         sub && object != device_->objects.end() && object->second.entries.count(static_cast<std::uint8_t>(*sub)) != 0U;
     if (!is_known)
     {
-        Warn(key.line, "key " + Quoted(key.name) + " in section " + Quoted(section.name) +
-                           " names no sub-index of the object, expected one; it is ignored");
+        Warn(key.name_place, "key " + Quoted(key.name) + " in section " + Quoted(section.name) +
+                                 " names no sub-index of the object, expected one; it is ignored");
         return nullptr;
     }
     return &object->second.entries[static_cast<std::uint8_t>(*sub)];
@@ -232,17 +232,17 @@ void ObjectReader::ReadValues(const IniSection& section, const SectionName& name
         }
         if (entry->parameter_value.IsSet())
         {
-            throw InputError(device_->file, key.line,
+            throw InputError(device_->file, key.place,
                              {ObjectName(name.index, entry->sub) + " has a second value",
-                              "it once, as in line " + std::to_string(entry->parameter_value.line)});
+                              "it once, as in line " + std::to_string(entry->parameter_value.place.line)});
         }
-        entry->parameter_value = Text{key.value, key.line};
+        entry->parameter_value = Text{key.value, key.place};
     }
 }
 
 void ObjectReader::WarnOfName(const IniSection& section, const SectionName& /*name*/)
 {
-    Warn(section.line, "section " + Quoted(section.name) +
-                           " is no object, expected a form such as [1018], [1018sub1] or [1018Value]; it is ignored");
+    Warn(section.place, "section " + Quoted(section.name) +
+                            " is no object, expected a form such as [1018], [1018sub1] or [1018Value]; it is ignored");
 }
 } // namespace counterpoint::cia306

@@ -52,10 +52,10 @@ class ObjectReader
     void ReadValues(const IniSection& section, const SectionName& name);
     void WarnOfName(const IniSection& section, const SectionName& name);
     void AddCompactEntries(const IniSection& section, Object& object, std::uint8_t count);
-    void AddEntry(Object& object, Entry entry, std::size_t line);
+    void AddEntry(Object& object, Entry entry, Place place);
     void DropVariable(Object& object);
     [[nodiscard]] Entry* CompactEntry(const IniSection& section, const IniKey& key, std::uint16_t index);
-    void Warn(std::size_t line, const std::string& text);
+    void Warn(Place place, const std::string& text);
 
     const IniDocument* document_;
     Device* device_;

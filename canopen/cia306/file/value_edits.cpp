@@ -38,7 +38,7 @@ void AddEdit(Edits& edits, const IniDocument& document, const Device& device, co
     std::string present = key;
     for (const IniKey& candidate : values->keys)
     {
-        present = candidate.line == entry.parameter_value.line ? candidate.name : present;
+        present = candidate.place == entry.parameter_value.place ? candidate.name : present;
     }
     edits.keys.push_back({entry.section, present, edit.value, ""});
 }

@@ -53,7 +53,7 @@ class ParameterReader
         {
             return;
         }
-        const Field field = ReadField(device_, index, sub, data_type, node_id_, entry->line, problems_);
+        const Field field = ReadField(device_, index, sub, data_type, node_id_, entry->place, problems_);
         number = field.value ? static_cast<Number>(*field.value) : number;
     }
 
@@ -64,7 +64,7 @@ class ParameterReader
         Read(kDeviceParametersIndex, sub, kUnsigned32, number);
         if (number > kLongestMs)
         {
-            problems_.push_back({Severity::kError, device_.Find(kDeviceParametersIndex, sub)->ValueLine(),
+            problems_.push_back({Severity::kError, device_.Find(kDeviceParametersIndex, sub)->ValuePlace(),
                                  ObjectName(kDeviceParametersIndex, sub),
                                  "interval of " + std::to_string(number) + " ms, expected at most " +
                                      std::to_string(kLongestMs) + " ms"});

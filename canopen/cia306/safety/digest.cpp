@@ -122,26 +122,26 @@ DigestRecord ExtractDigest(const Device& device, const SafetyConfiguration& conf
         return record;
     }
     const bool is_read = entry == nullptr || entry->Configured().IsSet();
-    record.stored.line = is_read ? 0U : entry->line;
+    record.stored.place = is_read ? Place{} : entry->place;
     if (is_read)
     {
-        record.stored = ReadField(device, kDigestIndex, 0U, kUnsigned32, node_id, 0U, record.problems);
+        record.stored = ReadField(device, kDigestIndex, 0U, kUnsigned32, node_id, {}, record.problems);
     }
     // Read once more for their problems: each is one of the digest only if it keeps the digest from being computed.
     if (device.Find(kGfcIndex) != nullptr)
     {
-        (void)ReadField(device, kGfcIndex, 0U, kUnsigned8, node_id, 0U, record.problems);
+        (void)ReadField(device, kGfcIndex, 0U, kUnsigned8, node_id, {}, record.problems);
     }
     for (const SrdoConfiguration& srdo : configuration.srdos)
     {
-        (void)ReadField(device, srdo.CommunicationIndex(), 4U, kUnsigned8, node_id, srdo.line, record.problems);
+        (void)ReadField(device, srdo.CommunicationIndex(), 4U, kUnsigned8, node_id, srdo.place, record.problems);
     }
     std::vector<Finding> parameter_problems;
     const DeviceParameters parameters = ReadDeviceParameters(device, node_id, parameter_problems);
     record.problems.insert(record.problems.end(), parameter_problems.begin(), parameter_problems.end());
     if (!node_id)
     {
-        record.problems.push_back({Severity::kError, record.stored.line, DigestName(),
+        record.problems.push_back({Severity::kError, record.stored.place, DigestName(),
                                    "the digest needs the node-ID and there is none, expected --node-id, or NodeID in "
                                    "[DeviceComissioning]"});
     }

@@ -10,9 +10,9 @@ namespace counterpoint::cia306
 {
 namespace
 {
-void AddError(std::vector<Finding>& problems, const std::size_t line, const std::string& object, const Problem& problem)
+void AddError(std::vector<Finding>& problems, const Place place, const std::string& object, const Problem& problem)
 {
-    problems.push_back({Severity::kError, line, object, problem.wrong + ", expected " + problem.expected});
+    problems.push_back({Severity::kError, place, object, problem.wrong + ", expected " + problem.expected});
 }
 
 /// Reads the parameters of one SRDO after the other.
@@ -28,21 +28,21 @@ class SrdoReader
     {
         SrdoConfiguration srdo;
         srdo.number = number;
-        srdo.line = communication.line;
+        srdo.place = communication.place;
         ReadCommunication(srdo);
         ReadMapping(srdo);
         if (device_.Find(kSignatureIndex) != nullptr)
         {
-            srdo.signature = ReadAt(kSignatureIndex, number, kUnsigned16, srdo.line, srdo.other_problems);
+            srdo.signature = ReadAt(kSignatureIndex, number, kUnsigned16, srdo.place, srdo.other_problems);
         }
         return srdo;
     }
 
   private:
     [[nodiscard]] Field ReadAt(const std::uint16_t index, const std::uint8_t sub, const std::uint16_t data_type,
-                               const std::size_t line, std::vector<Finding>& problems) const
+                               const Place place, std::vector<Finding>& problems) const
     {
-        return ReadField(device_, index, sub, data_type, node_id_, line, problems);
+        return ReadField(device_, index, sub, data_type, node_id_, place, problems);
     }
 
     [[nodiscard]] bool IsFixed(const std::uint16_t index, const std::uint8_t sub) const
@@ -54,13 +54,13 @@ class SrdoReader
     void ReadCommunication(SrdoConfiguration& srdo) const
     {
         const std::uint16_t index = srdo.CommunicationIndex();
-        srdo.highest_sub = ReadAt(index, 0U, kUnsigned8, srdo.line, srdo.other_problems);
-        srdo.direction = ReadAt(index, 1U, kUnsigned8, srdo.line, srdo.signature_problems);
-        srdo.sct_ms = ReadAt(index, 2U, kUnsigned16, srdo.line, srdo.signature_problems);
-        srdo.srvt_ms = ReadAt(index, 3U, kUnsigned8, srdo.line, srdo.signature_problems);
-        srdo.transmission_type = ReadAt(index, 4U, kUnsigned8, srdo.line, srdo.other_problems);
-        srdo.cob_id_1 = ReadAt(index, 5U, kUnsigned32, srdo.line, srdo.signature_problems);
-        srdo.cob_id_2 = ReadAt(index, 6U, kUnsigned32, srdo.line, srdo.signature_problems);
+        srdo.highest_sub = ReadAt(index, 0U, kUnsigned8, srdo.place, srdo.other_problems);
+        srdo.direction = ReadAt(index, 1U, kUnsigned8, srdo.place, srdo.signature_problems);
+        srdo.sct_ms = ReadAt(index, 2U, kUnsigned16, srdo.place, srdo.signature_problems);
+        srdo.srvt_ms = ReadAt(index, 3U, kUnsigned8, srdo.place, srdo.signature_problems);
+        srdo.transmission_type = ReadAt(index, 4U, kUnsigned8, srdo.place, srdo.other_problems);
+        srdo.cob_id_1 = ReadAt(index, 5U, kUnsigned32, srdo.place, srdo.signature_problems);
+        srdo.cob_id_2 = ReadAt(index, 6U, kUnsigned32, srdo.place, srdo.signature_problems);
     }
 
     void ReadMapping(SrdoConfiguration& srdo) const
@@ -69,16 +69,16 @@ class SrdoReader
         const Object* const object = device_.Find(index);
         if (object == nullptr)
         {
-            AddError(srdo.signature_problems, srdo.line, Hex(index, 4),
+            AddError(srdo.signature_problems, srdo.place, Hex(index, 4),
                      {"SRDO " + std::to_string(srdo.number) + " has no mapping parameters",
                       "a section [" + Hex(index, 4).substr(2U) + "]"});
             return;
         }
-        srdo.entry_count = ReadAt(index, 0U, kUnsigned8, object->line, srdo.signature_problems);
+        srdo.entry_count = ReadAt(index, 0U, kUnsigned8, object->place, srdo.signature_problems);
         const std::uint64_t count = srdo.entry_count.value.value_or(0U);
         if (count > kMaxMappingEntries)
         {
-            AddError(srdo.signature_problems, srdo.entry_count.line, ObjectName(index, 0U),
+            AddError(srdo.signature_problems, srdo.entry_count.place, ObjectName(index, 0U),
                      {std::to_string(count) + " mapping entries", "at most 128"});
             return;
         }
@@ -86,11 +86,11 @@ class SrdoReader
         for (std::uint64_t place = 1U; place <= count; ++place)
         {
             const auto sub = static_cast<std::uint8_t>(place);
-            const Field field = ReadAt(index, sub, kUnsigned32, srdo.entry_count.line, srdo.signature_problems);
+            const Field field = ReadAt(index, sub, kUnsigned32, srdo.entry_count.place, srdo.signature_problems);
             srdo.is_static = srdo.is_static && IsFixed(index, sub);
             if (field.value)
             {
-                srdo.mapping.push_back({sub, static_cast<std::uint32_t>(*field.value), field.line});
+                srdo.mapping.push_back({sub, static_cast<std::uint32_t>(*field.value), field.place});
             }
         }
     }
@@ -101,48 +101,49 @@ class SrdoReader
 } // namespace
 
 Field ReadField(const Device& device, const std::uint16_t index, const std::uint8_t sub, const std::uint16_t data_type,
-                const std::optional<std::uint8_t> node_id, const std::size_t line, std::vector<Finding>& problems)
+                const std::optional<std::uint8_t> node_id, const Place place, std::vector<Finding>& problems)
 {
     const std::string name = ObjectName(index, sub);
     const Entry* const entry = device.Find(index, sub);
     if (entry == nullptr)
     {
         const Object* const object = device.Find(index);
-        const std::size_t place = object == nullptr ? line : object->line;
-        AddError(problems, place, name, {"is missing", std::string("an object of type ") + DataTypeOf(data_type).name});
-        return {std::nullopt, place};
+        const Place nearest = object == nullptr ? place : object->place;
+        AddError(problems, nearest, name,
+                 {"is missing", std::string("an object of type ") + DataTypeOf(data_type).name});
+        return {std::nullopt, nearest};
     }
     // An entry without DataType is read by the type that it has to have; the reader has warned.
     const bool is_other_type = entry->data_type != 0U && entry->data_type != data_type;
     if (is_other_type)
     {
-        AddError(problems, entry->line, name,
+        AddError(problems, entry->place, name,
                  {"DataType is " + Hex(entry->data_type, 4) + " (" + DataTypeOf(entry->data_type).name + ")",
                   Hex(data_type, 4) + " (" + DataTypeOf(data_type).name + ")"});
     }
     const Text& text = entry->Configured();
     if (!text.IsSet())
     {
-        AddError(problems, entry->line, name, {"has no value", "a ParameterValue or DefaultValue"});
-        return {std::nullopt, entry->line};
+        AddError(problems, entry->place, name, {"has no value", "a ParameterValue or DefaultValue"});
+        return {std::nullopt, entry->place};
     }
     const ValueResult result = ParseValue(text.text, data_type, node_id);
     if (!result.value)
     {
-        AddError(problems, text.line, name, result.problem);
-        return {std::nullopt, text.line};
+        AddError(problems, text.place, name, result.problem);
+        return {std::nullopt, text.place};
     }
-    return {result.value->bits, text.line};
+    return {result.value->bits, text.place};
 }
 
-std::optional<std::pair<std::uint16_t, std::size_t>> FirstSafetyObject(const Device& device)
+std::optional<std::pair<std::uint16_t, Place>> FirstSafetyObject(const Device& device)
 {
     constexpr std::uint16_t first = 0x1300U;
     constexpr std::uint16_t last = 0x13FFU;
     const auto found = device.objects.lower_bound(first);
     if (found != device.objects.end() && found->first <= last)
     {
-        return std::pair(found->first, found->second.line);
+        return std::pair(found->first, found->second.place);
     }
     const auto listed = device.missing.lower_bound(first);
     const bool is_listed = listed != device.missing.end() && listed->first <= last;
@@ -180,18 +181,18 @@ SafetyConfiguration ExtractSafety(const Device& device, const std::optional<std:
             configuration.srdos.push_back(reader.Read(number, *object));
         }
     }
-    for (const auto& [index, line] : device.missing)
+    for (const auto& [index, place] : device.missing)
     {
         if (IsSafetyObject(index))
         {
-            AddError(configuration.missing, line, Hex(index, 4), {"is listed", "a section that describes it"});
+            AddError(configuration.missing, place, Hex(index, 4), {"is listed", "a section that describes it"});
         }
     }
     const auto read = [&](const std::uint16_t index, Field& field)
     {
         if (device.Find(index) != nullptr)
         {
-            field = ReadField(device, index, 0U, kUnsigned8, node_id, 0U, configuration.problems);
+            field = ReadField(device, index, 0U, kUnsigned8, node_id, {}, configuration.problems);
         }
     };
     read(kGfcIndex, configuration.gfc);
@@ -207,7 +208,7 @@ void RequireNone(const std::string& file, const std::vector<Finding>& problems)
     if (found != problems.end())
     {
         const std::string object = found->object.empty() ? "" : found->object + ": ";
-        throw InputError(file, found->line, {object + found->text, ""});
+        throw InputError(file, found->place, {object + found->text, ""});
     }
 }
 } // namespace counterpoint::cia306

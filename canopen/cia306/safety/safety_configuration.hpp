@@ -22,11 +22,11 @@ constexpr std::uint8_t kMaxSrdos = 64U;
 constexpr std::uint8_t kMaxMappingEntries = 128U;
 constexpr std::uint8_t kConfigurationIsValid = 0xA5U;
 
-/// A number of the configuration and the line it stands in (of its object, where it is missing).
+/// A number of the configuration and its place (that of its object, where it is missing).
 struct Field
 {
     std::optional<std::uint64_t> value;
-    std::size_t line{0U};
+    Place place;
 
     /// Whether there is a value and it is this number.
     [[nodiscard]] bool Is(std::uint64_t number) const noexcept
@@ -40,7 +40,7 @@ struct MappingEntry
 {
     std::uint8_t sub{0U};
     std::uint32_t raw{0U};
-    std::size_t line{0U};
+    Place place;
 
     /// Index of the mapped object.
     [[nodiscard]] std::uint16_t Index() const noexcept
@@ -73,7 +73,7 @@ struct MappingEntry
 struct SrdoConfiguration
 {
     std::uint8_t number{0U}; ///< 1 to 64.
-    std::size_t line{0U};    ///< Of its communication parameters.
+    Place place;             ///< Of its communication parameters.
     Field highest_sub;
     Field direction;
     Field sct_ms;
@@ -131,16 +131,16 @@ struct SafetyConfiguration
 
 /// The first object of 1300h to 13FFh that the file describes or lists, and its line; nothing: it has none. A file that
 /// has one and no SRDO is no plain device, but one of which a part is missing. [SRS_CLI_033]
-[[nodiscard]] std::optional<std::pair<std::uint16_t, std::size_t>> FirstSafetyObject(const Device& device);
+[[nodiscard]] std::optional<std::pair<std::uint16_t, Place>> FirstSafetyObject(const Device& device);
 
 /// Reads the safety configuration of a file. Never throws for what the file says: what cannot be used becomes a
 /// problem.
 [[nodiscard]] SafetyConfiguration ExtractSafety(const Device& device, std::optional<std::uint8_t> node_id);
 
 /// The value at index and sub-index; adds a finding where it is missing, of another data type, or out of range.
-/// `line` is used where the object does not exist.
+/// `place` is used where the object does not exist.
 [[nodiscard]] Field ReadField(const Device& device, std::uint16_t index, std::uint8_t sub, std::uint16_t data_type,
-                              std::optional<std::uint8_t> node_id, std::size_t line, std::vector<Finding>& problems);
+                              std::optional<std::uint8_t> node_id, Place place, std::vector<Finding>& problems);
 
 /// Throws an InputError for the first of the problems that is an error; warnings do not count.
 void RequireNone(const std::string& file, const std::vector<Finding>& problems);

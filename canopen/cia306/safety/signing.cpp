@@ -19,7 +19,7 @@ const Entry& PlaceOf(const Device& device, const SrdoConfiguration& srdo)
     if (entry == nullptr)
     {
         const Object* const object = device.Find(kSignatureIndex);
-        throw InputError(device.file, object == nullptr ? srdo.line : object->line,
+        throw InputError(device.file, object == nullptr ? srdo.place : object->place,
                          {ObjectName(kSignatureIndex, srdo.number) + " is missing",
                           "an object that takes the signature of SRDO " + std::to_string(srdo.number)});
     }
@@ -27,7 +27,7 @@ const Entry& PlaceOf(const Device& device, const SrdoConfiguration& srdo)
     if (is_other_type)
     {
         throw InputError(
-            device.file, entry->line,
+            device.file, entry->place,
             {ObjectName(kSignatureIndex, srdo.number) + " is of " + DataTypeOf(entry->data_type).name, "UNSIGNED16"});
     }
     return *entry;
@@ -42,7 +42,7 @@ void RequireSigned(const IniDocument& document, const std::optional<std::uint8_t
     const bool is_digest_there = !digest.is_present || digest.stored.Is(DigestOf(digest.fields));
     if (!is_digest_there)
     {
-        throw InputError(document.File(), digest.stored.line,
+        throw InputError(document.File(), digest.stored.place,
                          {DigestName() + ": the digest is not there when read back", Hex(DigestOf(digest.fields), 8)});
     }
     for (const SrdoConfiguration& srdo : configuration.srdos)
@@ -50,7 +50,7 @@ void RequireSigned(const IniDocument& document, const std::optional<std::uint8_t
         RequireNone(document.File(), srdo.signature_problems);
         if (!srdo.signature.Is(SignatureOf(srdo)))
         {
-            throw InputError(document.File(), srdo.signature.line,
+            throw InputError(document.File(), srdo.signature.place,
                              {ObjectName(kSignatureIndex, srdo.number) + ": the signature is not there when read back",
                               Hex(SignatureOf(srdo), 4)});
         }

@@ -10,7 +10,18 @@ namespace counterpoint::cia306
 std::vector<Finding> SortedByLine(std::vector<Finding> findings)
 {
     std::stable_sort(findings.begin(), findings.end(),
-                     [](const Finding& left, const Finding& right) { return left.line < right.line; });
+                     [](const Finding& left, const Finding& right) { return left.place.line < right.place.line; });
+    return findings;
+}
+
+std::vector<Finding> WithoutRepeated(std::vector<Finding> findings)
+{
+    const auto is_equal = [](const Finding& left, const Finding& right)
+    {
+        return left.place.line == right.place.line && left.place.column == right.place.column &&
+               left.object == right.object && left.text == right.text;
+    };
+    findings.erase(std::unique(findings.begin(), findings.end(), is_equal), findings.end());
     return findings;
 }
 
@@ -18,6 +29,6 @@ std::string FormatFinding(const std::string& file, const Finding& finding)
 {
     const std::string severity = finding.severity == Severity::kError ? "error" : "warning";
     const std::string object = finding.object.empty() ? "" : finding.object + ": ";
-    return Printable(file) + ":" + std::to_string(finding.line) + ": " + severity + ": " + object + finding.text;
+    return PlaceText(file, finding.place) + ": " + severity + ": " + object + finding.text;
 }
 } // namespace counterpoint::cia306

@@ -2,7 +2,8 @@
 #ifndef CANOPEN_CIA306_TEXT_FINDING_HPP
 #define CANOPEN_CIA306_TEXT_FINDING_HPP
 
-#include <cstddef>
+#include "canopen/cia306/text/place.hpp"
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -20,7 +21,7 @@ enum class Severity : std::uint8_t
 struct Finding
 {
     Severity severity{Severity::kError};
-    std::size_t line{0U};
+    Place place;
     std::string object; ///< "0x1301:02", or empty where no object is concerned.
     std::string text;   ///< What is wrong, and what was expected.
 };
@@ -28,7 +29,10 @@ struct Finding
 /// In the order of the lines; findings of one line stay in their order.
 [[nodiscard]] std::vector<Finding> SortedByLine(std::vector<Finding> findings);
 
-/// The finding as a line: FILE:LINE: error|warning: OBJECT: TEXT
+/// Each finding once, where equal ones stand one behind the other.
+[[nodiscard]] std::vector<Finding> WithoutRepeated(std::vector<Finding> findings);
+
+/// The finding as a line: FILE:LINE:COLUMN: error|warning: OBJECT: TEXT
 [[nodiscard]] std::string FormatFinding(const std::string& file, const Finding& finding);
 } // namespace counterpoint::cia306
 

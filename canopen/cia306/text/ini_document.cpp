@@ -11,6 +11,7 @@ namespace
 {
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kBlank = " \t";
+constexpr std::string_view kCommentSigns = "#;";
 constexpr char kDosEndOfFile = '\x1A';
 
 bool StartsWith(const std::string_view text, const std::string_view prefix)
@@ -31,15 +32,15 @@ std::string_view WithoutLineEnd(std::string_view line)
     return line;
 }
 
-/// `line` with its value replaced; what stands around the value stays.
+/// `line` with its value replaced; what stands around the value stays, a comment too.
 std::string WithValue(const std::string& line, const std::string& value)
 {
     const std::string_view content = WithoutLineEnd(line);
     const std::size_t after_sign = content.find('=') + 1U;
     const std::size_t first = content.find_first_not_of(kBlank, after_sign);
     const std::size_t begin = first == std::string_view::npos ? after_sign : first;
-    const std::size_t end = first == std::string_view::npos ? after_sign : content.find_last_not_of(kBlank) + 1U;
-    return line.substr(0U, begin) + value + line.substr(end);
+    const std::string_view old = WithoutComment(content.substr(begin));
+    return line.substr(0U, begin) + value + line.substr(begin + old.size());
 }
 } // namespace
 
@@ -64,6 +65,25 @@ std::string_view Trimmed(const std::string_view text)
     return text.substr(first, text.find_last_not_of(kBlank) - first + 1U);
 }
 
+std::string_view WithoutComment(const std::string_view value)
+{
+    return Trimmed(value.substr(0U, value.find_first_of(kCommentSigns)));
+}
+
+std::optional<Finding> CommentBehind(const std::string_view value, const Place place)
+{
+    const std::size_t begin = value.find_first_of(kCommentSigns);
+    if (begin == std::string_view::npos)
+    {
+        return std::nullopt;
+    }
+    return Finding{Severity::kWarning,
+                   {place.line, place.column + begin},
+                   "",
+                   "a comment " + Quoted(value.substr(begin)) +
+                       " behind a value, expected it in a line of its own; it is ignored"};
+}
+
 const IniKey* IniSection::Find(const std::string_view key) const
 {
     const auto found = index.find(Lower(key));
@@ -77,7 +97,7 @@ IniDocument IniDocument::Parse(std::string file, const std::string_view text)
     const bool is_utf16 = StartsWith(text, "\xFF\xFE") || StartsWith(text, "\xFE\xFF");
     if (is_utf16)
     {
-        document.Refuse(1U, "the text is UTF-16", "8-bit text (ASCII, Latin-1 or UTF-8)");
+        document.Refuse({1U, 1U}, "the text is UTF-16", "8-bit text (ASCII, Latin-1 or UTF-8)");
     }
     document.SplitLines(text);
     for (std::size_t place = 0U; place < document.lines_.size(); ++place)
@@ -101,12 +121,12 @@ void IniDocument::SplitLines(const std::string_view text)
         const std::size_t end = found == std::string_view::npos ? text.size() : found + 1U;
         if (lines_.size() == kMaxLines)
         {
-            Refuse(kMaxLines + 1U, "there is a line more", "at most " + std::to_string(kMaxLines) + " lines");
+            Refuse({kMaxLines + 1U, 1U}, "there is a line more", "at most " + std::to_string(kMaxLines) + " lines");
         }
         if (end - begin > kMaxLineBytes)
         {
             RequirePrintable(lines_.size() + 1U, text.substr(begin, kMaxLineBytes));
-            Refuse(lines_.size() + 1U, "the line has more than " + std::to_string(kMaxLineBytes) + " bytes",
+            Refuse({lines_.size() + 1U, 1U}, "the line has more than " + std::to_string(kMaxLineBytes) + " bytes",
                    "shorter lines (CiA 306: 255)");
         }
         lines_.emplace_back(text.substr(begin, end - begin));
@@ -119,7 +139,8 @@ void IniDocument::ReadLine(const std::size_t line, const std::string_view conten
     const bool is_dos_end = line == lines_.size() && content.size() == 1U && content.front() == kDosEndOfFile;
     if (is_dos_end)
     {
-        warnings_.push_back({Severity::kWarning, line, "", "end-of-file character 1Ah, expected the end of the file"});
+        warnings_.push_back(
+            {Severity::kWarning, {line, 1U}, "", "end-of-file character 1Ah, expected the end of the file"});
         return;
     }
     RequirePrintable(line, content);
@@ -128,75 +149,93 @@ void IniDocument::ReadLine(const std::size_t line, const std::string_view conten
     {
         return;
     }
+    const Place place{line, content.find_first_not_of(kBlank) + 1U};
     if (text.front() == '#')
     {
         warnings_.push_back(
-            {Severity::kWarning, line, "", "a comment with '#' is no part of CiA 306, expected ';'; it is ignored"});
+            {Severity::kWarning, place, "", "a comment with '#' is no part of CiA 306, expected ';'; it is ignored"});
         return;
     }
     if (text.front() == '[')
     {
-        ReadSectionHead(line, text);
+        ReadSectionHead(place, text);
         return;
     }
-    ReadKey(line, text);
+    ReadKey(place, text);
 }
 
-void IniDocument::ReadSectionHead(const std::size_t line, const std::string_view content)
+void IniDocument::ReadSectionHead(const Place place, const std::string_view content)
 {
     const std::size_t close = content.find(']');
     if (close == std::string_view::npos)
     {
-        Refuse(line, "section " + Quoted(content) + " is not closed", "']' at its end");
+        Refuse(place, "section " + Quoted(content) + " is not closed", "']' at its end");
     }
-    if (close + 1U != content.size())
+    const std::size_t after = content.find_first_not_of(kBlank, close + 1U);
+    if (after != std::string_view::npos)
     {
-        Refuse(line, "text " + Quoted(content.substr(close + 1U)) + " after the section name", "nothing after ']'");
+        WarnOfRest({place.line, place.column + after}, content.substr(after));
     }
     const std::string_view name = Trimmed(content.substr(1U, close - 1U));
     if (name.empty() || name.find('[') != std::string_view::npos)
     {
-        Refuse(line, "section name " + Quoted(name), "a name such as [DeviceInfo] or [1000sub0]");
+        Refuse(place, "section name " + Quoted(name), "a name such as [DeviceInfo] or [1000sub0]");
     }
-    const auto [place, is_new] = section_index_.emplace(Lower(name), sections_.size());
+    const auto [number, is_new] = section_index_.emplace(Lower(name), sections_.size());
     if (!is_new)
     {
-        Refuse(line, "section " + Quoted(name) + " stands a second time",
-               "it once, as in line " + std::to_string(sections_[place->second].line));
+        Refuse(place, "section " + Quoted(name) + " stands a second time",
+               "it once, as in line " + std::to_string(sections_[number->second].place.line));
     }
     IniSection section;
     section.name = std::string(name);
-    section.line = line;
-    section.last_line = line;
+    section.place = place;
+    section.last_line = place.line;
     sections_.push_back(std::move(section));
 }
 
-void IniDocument::ReadKey(const std::size_t line, const std::string_view content)
+/// What stands behind the name of a section: a comment is left out, anything else refused.
+void IniDocument::WarnOfRest(const Place place, const std::string_view rest)
+{
+    if (!WithoutComment(rest).empty())
+    {
+        Refuse(place, "text " + Quoted(rest) + " after the section name", "nothing after ']'");
+    }
+    warnings_.push_back({Severity::kWarning, place, "",
+                         "a comment " + Quoted(rest) +
+                             " behind the section name, expected it in a line of its own; it "
+                             "is ignored"});
+}
+
+void IniDocument::ReadKey(const Place place, const std::string_view content)
 {
     const std::size_t sign = content.find('=');
     if (sign == std::string_view::npos)
     {
-        Refuse(line, Quoted(content) + " is no line of an EDS",
+        Refuse(place, Quoted(content) + " is no line of an EDS",
                "[section], key=value or a comment that begins with ';'");
     }
     const std::string_view name = Trimmed(content.substr(0U, sign));
     if (name.empty())
     {
-        Refuse(line, "a value without a key", "key=value");
+        Refuse(place, "a value without a key", "key=value");
     }
     if (sections_.empty())
     {
-        Refuse(line, "key " + Quoted(name) + " before the first section", "a section such as [FileInfo] before it");
+        Refuse(place, "key " + Quoted(name) + " before the first section", "a section such as [FileInfo] before it");
     }
     IniSection& section = sections_.back();
-    const auto [place, is_new] = section.index.emplace(Lower(name), section.keys.size());
+    const auto [number, is_new] = section.index.emplace(Lower(name), section.keys.size());
     if (!is_new)
     {
-        Refuse(line, "key " + Quoted(name) + " stands a second time in section " + Quoted(section.name),
-               "it once, as in line " + std::to_string(section.keys[place->second].line));
+        Refuse(place, "key " + Quoted(name) + " stands a second time in section " + Quoted(section.name),
+               "it once, as in line " + std::to_string(section.keys[number->second].place.line));
     }
-    section.keys.push_back({std::string(name), std::string(Trimmed(content.substr(sign + 1U))), line});
-    section.last_line = line;
+    const std::size_t found = content.find_first_not_of(kBlank, sign + 1U);
+    const std::size_t begin = found == std::string_view::npos ? content.size() : found;
+    section.keys.push_back(
+        {std::string(name), std::string(content.substr(begin)), {place.line, place.column + begin}, place});
+    section.last_line = place.line;
 }
 
 void IniDocument::RequirePrintable(const std::size_t line, const std::string_view content) const
@@ -207,15 +246,15 @@ void IniDocument::RequirePrintable(const std::size_t line, const std::string_vie
         const bool is_control = (byte < 0x20U && byte != 0x09U) || byte == 0x7FU;
         if (is_control)
         {
-            Refuse(line, "control byte " + Hex(byte, 2) + " in column " + std::to_string(place + 1U),
+            Refuse({line, place + 1U}, "control byte " + Hex(byte, 2),
                    byte == 0x0DU ? "lines that end in LF or CR LF" : "8-bit text");
         }
     }
 }
 
-void IniDocument::Refuse(const std::size_t line, const std::string& wrong, const std::string& expected) const
+void IniDocument::Refuse(const Place place, const std::string& wrong, const std::string& expected) const
 {
-    throw InputError(file_, line, {wrong, expected});
+    throw InputError(file_, place, {wrong, expected});
 }
 
 const IniSection* IniDocument::Find(const std::string_view section) const
@@ -262,11 +301,11 @@ IniDocument IniDocument::With(const std::vector<KeyEdit>& keys, const std::vecto
         const IniKey* const key = section.Find(edit.key);
         if (key != nullptr)
         {
-            lines[key->line - 1U] = WithValue(lines[key->line - 1U], edit.value);
+            lines[key->place.line - 1U] = WithValue(lines[key->place.line - 1U], edit.value);
             continue;
         }
         const IniKey* const before = section.Find(edit.after_key);
-        const std::size_t line = before == nullptr ? section.last_line : before->line;
+        const std::size_t line = before == nullptr ? section.last_line : before->place.line;
         added[line - 1U] += edit.key + "=" + edit.value + end;
     }
     for (const SectionEdit& edit : sections)
@@ -296,7 +335,7 @@ IniDocument IniDocument::Without(const std::vector<std::string>& sections, const
         const bool has_empty_line =
             section.last_line < lines_.size() && Trimmed(WithoutLineEnd(lines_[section.last_line])).empty();
         const std::size_t last = section.last_line + (has_empty_line ? 1U : 0U);
-        for (std::size_t line = section.line; line <= last; ++line)
+        for (std::size_t line = section.place.line; line <= last; ++line)
         {
             is_left_out[line] = true;
         }
@@ -308,7 +347,7 @@ IniDocument IniDocument::Without(const std::vector<std::string>& sections, const
         {
             throw std::invalid_argument("no key " + place.key + " in [" + place.section + "] to leave out");
         }
-        is_left_out[key->line] = true;
+        is_left_out[key->place.line] = true;
     }
     std::string text;
     for (std::size_t place = 0U; place < lines_.size(); ++place)

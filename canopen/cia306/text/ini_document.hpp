@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,19 +23,32 @@ constexpr std::size_t kMaxLineBytes = 65535U;
 /// The text without spaces and tabs at both ends.
 [[nodiscard]] std::string_view Trimmed(std::string_view text);
 
-/// A key of a section with its value and line.
+/// A number or word without the comment that '#' or ';' begins behind it: neither of them holds one. [SRS_EDS_035]
+[[nodiscard]] std::string_view WithoutComment(std::string_view value);
+
+/// The warning of the comment behind a value that begins at `place`; nothing: there is none.
+[[nodiscard]] std::optional<Finding> CommentBehind(std::string_view value, Place place);
+
+/// A key of a section with its value.
 struct IniKey
 {
     std::string name;
-    std::string value;
-    std::size_t line{0U};
+    std::string value; ///< Without blanks at both ends, a comment behind it included: only its reader knows.
+    Place place;       ///< Of the value.
+    Place name_place;
+
+    /// The value as a number or word is read.
+    [[nodiscard]] std::string Bare() const
+    {
+        return std::string(WithoutComment(value));
+    }
 };
 
 /// A section with its keys.
 struct IniSection
 {
     std::string name;
-    std::size_t line{0U};
+    Place place;
     std::size_t last_line{0U};                ///< Line of its last key; of its head where it has no key.
     std::vector<IniKey> keys;                 ///< In the order of the file.
     std::map<std::string, std::size_t> index; ///< Lower case name to place in `keys`.
@@ -71,7 +85,7 @@ struct KeyPlace
 /// The lines of a file, and the sections and keys seen in them.
 /// Invariant: Text() of a parsed document is the text that was parsed, byte by byte; lines are never rewritten, an edit
 /// replaces the value in one line or adds lines. [SRS_EDS_002, SRS_EDS_003, SRS_EDS_004, SRS_EDS_005, SRS_EDS_016,
-/// SRS_EDS_018]
+/// SRS_EDS_018, SRS_EDS_035]
 class IniDocument
 {
   public:
@@ -113,10 +127,11 @@ class IniDocument
   private:
     void SplitLines(std::string_view text);
     void ReadLine(std::size_t line, std::string_view content);
-    void ReadSectionHead(std::size_t line, std::string_view content);
-    void ReadKey(std::size_t line, std::string_view content);
+    void ReadSectionHead(Place place, std::string_view content);
+    void WarnOfRest(Place place, std::string_view rest);
+    void ReadKey(Place place, std::string_view content);
     void RequirePrintable(std::size_t line, std::string_view content) const;
-    [[noreturn]] void Refuse(std::size_t line, const std::string& wrong, const std::string& expected) const;
+    [[noreturn]] void Refuse(Place place, const std::string& wrong, const std::string& expected) const;
     [[nodiscard]] const IniSection& Existing(const std::string& section) const;
     [[nodiscard]] std::string LineEnd() const;
 

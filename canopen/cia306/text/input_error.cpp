@@ -22,11 +22,15 @@ std::string Sentence(const Problem& problem)
     return problem.expected.empty() ? problem.wrong : problem.wrong + ", expected " + problem.expected;
 }
 
-std::string ErrorLine(const std::string& file, const std::size_t line, const Problem& problem)
-{
-    return Printable(file) + ":" + std::to_string(line) + ": error: " + Sentence(problem);
-}
 } // namespace
+
+std::string PlaceText(const std::string& file, const Place place)
+{
+    std::string text = Printable(file);
+    text += place.line != 0U ? ":" + std::to_string(place.line) : "";
+    text += place.line != 0U && place.column != 0U ? ":" + std::to_string(place.column) : "";
+    return text;
+}
 
 std::string Quoted(const std::string_view text)
 {
@@ -87,9 +91,9 @@ std::string ObjectName(const std::uint16_t index, const std::uint8_t sub)
     return Hex(index, 4) + ":" + Hex(sub, 2).substr(2U);
 }
 
-InputError::InputError(std::string file, const std::size_t line, const Problem& problem)
-    : std::runtime_error(ErrorLine(file, line, problem)), file_(std::move(file)), line_(line),
-      message_(Sentence(problem))
+InputError::InputError(std::string file, const Place place, const Problem& problem)
+    : std::runtime_error(PlaceText(file, place) + ": error: " + Sentence(problem)), file_(std::move(file)),
+      place_(place), message_(Sentence(problem))
 {
 }
 } // namespace counterpoint::cia306

@@ -2,7 +2,8 @@
 #ifndef CANOPEN_CIA306_TEXT_INPUT_ERROR_HPP
 #define CANOPEN_CIA306_TEXT_INPUT_ERROR_HPP
 
-#include <cstddef>
+#include "canopen/cia306/text/place.hpp"
+
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -29,24 +30,23 @@ struct Problem
 /// `value` as "0x" and at least `digits` upper case hexadecimal digits.
 [[nodiscard]] std::string Hex(std::uint64_t value, int digits);
 
-/// Refuses a file. what() is the one line that a person reads: FILE:LINE: error: WRONG, expected EXPECTED.
-/// Line 0 is the file as a whole.
+/// Refuses a file. what() is the one line that a person reads: FILE:LINE:COLUMN: error: WRONG, expected EXPECTED.
 class InputError : public std::runtime_error
 {
   public:
-    InputError(std::string file, std::size_t line, const Problem& problem);
+    InputError(std::string file, Place place, const Problem& problem);
 
     /// Name of the file.
     [[nodiscard]] const std::string& File() const noexcept
     {
         return file_;
     }
-    /// Line, from 1; 0: the file as a whole.
-    [[nodiscard]] std::size_t Line() const noexcept
+    /// Where in the file.
+    [[nodiscard]] Place Where() const noexcept
     {
-        return line_;
+        return place_;
     }
-    /// The message without file and line.
+    /// The message without file and place.
     [[nodiscard]] const std::string& Message() const noexcept
     {
         return message_;
@@ -54,7 +54,7 @@ class InputError : public std::runtime_error
 
   private:
     std::string file_;
-    std::size_t line_;
+    Place place_;
     std::string message_;
 };
 } // namespace counterpoint::cia306

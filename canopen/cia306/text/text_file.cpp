@@ -54,7 +54,7 @@ std::string ErrorText()
 
 [[noreturn]] void Refuse(const std::string& path, const std::string& wrong, const std::string& expected)
 {
-    throw InputError(path, 0U, {wrong, expected});
+    throw InputError(path, {}, {wrong, expected});
 }
 
 std::string KindOf(const mode_t mode)

@@ -21,9 +21,8 @@ namespace
 using cia301::DataType;
 using cia301::SdoAbort;
 
-/// What a string or domain that can be written has room for, at least.
+/// What a string that can be written has room for, at least.
 constexpr std::size_t kTextRoom = 256U;
-constexpr std::size_t kDomainRoom = 8192U;
 constexpr std::uint16_t kOctetString = 0x000AU;
 constexpr std::uint16_t kUnicodeString = 0x000BU;
 constexpr std::uint16_t kHighResolution = 0x1013U;
@@ -163,8 +162,9 @@ std::uint8_t LastSubOf(const cia306::Device& file, const std::uint16_t index)
     return (object == nullptr || object->entries.empty()) ? std::uint8_t{0U} : object->entries.rbegin()->first;
 }
 
-DeviceObjects::DeviceObjects(const cia306::Device& device, const std::uint8_t node_id, const IsKernels& is_kernels)
-    : file_(device.file)
+DeviceObjects::DeviceObjects(const cia306::Device& device, const std::uint8_t node_id, const IsKernels& is_kernels,
+                             const std::uint32_t domain_bytes)
+    : file_(device.file), domain_bytes_(domain_bytes)
 {
     for (const auto& [index, object] : device.objects)
     {
@@ -282,7 +282,7 @@ cia301::PdoMap DeviceObjects::MapOf(const cia306::Device& device, const std::uin
         const cia306::ValueResult value = cia306::ConfiguredValue(*count, std::nullopt);
         if (value.value && value.value->bits >= kSourceMode)
         {
-            throw cia306::InputError(file_, count->ValueLine(),
+            throw cia306::InputError(file_, count->ValuePlace(),
                                      {cia306::ObjectName(index, 0U) + " = " + std::to_string(value.value->bits) +
                                           ", a multiplexed PDO, which is not built",
                                       "a count of mapped objects, 0 to 64"});
@@ -298,7 +298,7 @@ void DeviceObjects::SetValue(const cia306::Entry& source, const std::uint8_t nod
 {
     Stored stored;
     stored.entry = entries_.size();
-    stored.line = source.ValueLine();
+    stored.place = source.ValuePlace();
     stored.value.resize((source.type.bits + 7U) / 8U);
     const std::optional<cia306::Value> value = cia306::UsableValue(file_, source, node_id);
     stored.is_configured = value.has_value();
@@ -331,7 +331,7 @@ void DeviceObjects::SetValue(const cia306::Entry& source, const std::uint8_t nod
 
 void DeviceObjects::LeaveOut(const cia306::Entry& source, const cia306::Text& text, const cia306::Problem& problem)
 {
-    left_out_.push_back({cia306::Severity::kWarning, text.line, cia306::ObjectName(source.index, source.sub),
+    left_out_.push_back({cia306::Severity::kWarning, text.place, cia306::ObjectName(source.index, source.sub),
                          problem.wrong + " is left out, expected " + problem.expected});
 }
 
@@ -342,7 +342,7 @@ void DeviceObjects::SetRoom(cia301::Entry& entry, const cia306::Entry& source)
     {
         lengths_.push_back(static_cast<std::uint32_t>(room.size()));
         entry.length_bytes = &lengths_.back();
-        const std::size_t least = (source.data_type == cia306::kDomainType) ? kDomainRoom : kTextRoom;
+        const std::size_t least = (source.data_type == cia306::kDomainType) ? domain_bytes_ : kTextRoom;
         room.resize(std::max(room.size(), source.IsFixed() ? std::size_t{1U} : least));
         entry.size_bytes = static_cast<std::uint32_t>(room.size());
     }
@@ -424,7 +424,7 @@ void DeviceObjects::Load(const Stored& stored) noexcept
     const SdoAbort abort = cia301::WriteEntry(entry, {stored.value.data(), size});
     if (abort != SdoAbort::kNone)
     {
-        refusals_.push_back({cia306::Severity::kWarning, stored.line, cia306::ObjectName(entry.index, entry.sub),
+        refusals_.push_back({cia306::Severity::kWarning, stored.place, cia306::ObjectName(entry.index, entry.sub),
                              "the device refuses this value with abort code " +
                                  cia306::Hex(static_cast<std::uint32_t>(abort), 8) +
                                  ", expected one of the object's range"});
@@ -444,7 +444,7 @@ std::vector<cia306::Finding> DeviceObjects::NotTaken(const std::function<bool(co
         const cia301::Entry& entry = entries_[stored.entry];
         const std::string object = cia306::ObjectName(entry.index, entry.sub);
         const bool is_refused = std::any_of(refusals_.begin(), refusals_.end(), [&](const cia306::Finding& refusal)
-                                            { return refusal.line == stored.line && refusal.object == object; });
+                                            { return refusal.place == stored.place && refusal.object == object; });
         const bool is_own = cia301::IsOwnObject(entry.index) && entry.index != kDefaultServer;
         const bool is_of_service = entry.place == nullptr && stored.is_configured && !is_own;
         // 1013h is a time that goes on.
@@ -453,7 +453,7 @@ std::vector<cia306::Finding> DeviceObjects::NotTaken(const std::function<bool(co
         {
             continue;
         }
-        findings.push_back({cia306::Severity::kWarning, stored.line, object, ReasonOf(entry, stored.value)});
+        findings.push_back({cia306::Severity::kWarning, stored.place, object, ReasonOf(entry, stored.value)});
     }
     return findings;
 }

@@ -19,6 +19,10 @@ namespace counterpoint::runtime
 /// @brief Highest sub-index of a list of the file; 0: it has none.
 [[nodiscard]] std::uint8_t LastSubOf(const cia306::Device& file, std::uint16_t index);
 
+/// Room of a DOMAIN that can be written, in bytes, where nobody says otherwise, and the most that may be asked for.
+constexpr std::uint32_t kDomainBytes = 8192U;
+constexpr std::uint32_t kMostDomainBytes = 16U * 1024U * 1024U;
+
 /// The objects of an EDS or DCF that are not the kernel's, as a table for a dictionary. It owns their values, so it
 /// cannot be moved or copied. [SRS_NODE_001]
 class DeviceObjects
@@ -29,8 +33,10 @@ class DeviceObjects
     /// Finds the hook of an object that belongs to an optional service; null: the object belongs to none.
     using FindHook = std::function<cia301::NumberHook*(std::uint16_t index)>;
 
-    /// Throws cia306::InputError for a multiplexed PDO.
-    DeviceObjects(const cia306::Device& device, std::uint8_t node_id, const IsKernels& is_kernels);
+    /// A DOMAIN that can be written has room for `domain_bytes`, and for its value in the file where that is longer.
+    /// Throws cia306::InputError for a multiplexed PDO. [SRS_NODE_040]
+    DeviceObjects(const cia306::Device& device, std::uint8_t node_id, const IsKernels& is_kernels,
+                  std::uint32_t domain_bytes);
     DeviceObjects(const DeviceObjects&) = delete;
     DeviceObjects& operator=(const DeviceObjects&) = delete;
 
@@ -61,7 +67,7 @@ class DeviceObjects
     {
         std::size_t entry{0U};
         std::vector<std::uint8_t> value;
-        std::size_t line{0U};
+        cia306::Place place;
         bool is_configured{false}; ///< The file gives it.
     };
 
@@ -87,6 +93,7 @@ class DeviceObjects
     void LeaveOut(const cia306::Entry& source, const cia306::Text& text, const cia306::Problem& problem);
 
     std::string file_;
+    std::size_t domain_bytes_;
     std::vector<cia301::Entry> entries_;
     std::vector<Stored> stored_;
     std::deque<std::vector<std::uint8_t>> memory_;

@@ -96,7 +96,7 @@ std::string NodeStore::Load(const std::uint8_t groups) noexcept
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     const cia301::LoadReport report = store_.Load(groups);
-    const std::string warning = cia306::Printable(path_) + ":0: warning: ";
+    const std::string warning = cia306::Printable(path_) + ": warning: ";
     if (report.finding == cia301::StoreFinding::kLost)
     {
         return warning + "what was saved is damaged, expected the whole set that 1010h has saved last; no older one is "
@@ -122,7 +122,7 @@ std::vector<std::string> NodeStore::NotTaken() const
     std::vector<std::string> lines;
     for (const std::string& object : loaded_.NotTaken())
     {
-        lines.push_back(cia306::Printable(path_) + ":0: warning: " + object +
+        lines.push_back(cia306::Printable(path_) + ": warning: " + object +
                         ": the device does without the saved value, expected one that goes with the others");
     }
     return lines;

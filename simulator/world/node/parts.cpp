@@ -35,7 +35,7 @@ NodeParts::NodeParts(const NodeInside& inside, runtime::DeviceAssembly& assembly
     if (!inside.self_test->Settle(cycles))
     {
         throw cia306::InputError(
-            inside.model.File(), 0U,
+            inside.model.File(), {},
             {"the self tests do not fit into the diagnostic interval of " + std::to_string(cycles) + " cycles",
              "a longer one (0x5F00:04), or 'self_tests: false' for this node"});
     }

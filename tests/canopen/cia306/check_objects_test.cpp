@@ -87,6 +87,54 @@ TEST(CheckObjects, MissingObjects)
     test::ExpectRows("sensor", rows, {});
 }
 
+TEST(CheckObjects, NoDigestWhileAnSrdoIsOn)
+{
+    Verifies(req::SRS_CLI_022);
+    const std::string unbound = "; a wrong device parameter, 0x1300 included, is not found, expected ";
+    const std::string none =
+        "warning: 0x5F04:00: no device digest" + unbound + "the one that 'counterpoint sign' computes";
+    // Given a sensor, signed, whose digest is then 0, without a value, or not there
+    const std::string sensor = test::ExampleText("sensor");
+    const std::string zero = test::WithValues(sensor, {{"5F04", kValue, "0"}});
+    EXPECT_EQ(test::FindingsOf(zero, {}), Lines{none});
+    const std::string empty = test::WithValues(sensor, {{"5F04", kValue, ""}, {"5F04", "DefaultValue", ""}});
+    EXPECT_EQ(test::FindingsOf(empty, {}), Lines{none});
+    EXPECT_EQ(
+        test::FindingsOf(test::WithoutDigest(sensor), {}),
+        (Lines{"warning: 0x5F04:00: is missing" + unbound + "an object of type UNSIGNED32 with the device digest"}));
+    // When its SRDO is off, nothing is bound that is in use
+    const std::string off = test::SignedAgain(test::WithValues(zero, {{"1301sub1", kValue, "0"}}), std::nullopt);
+    EXPECT_EQ(test::FindingsOf(test::WithValues(off, {{"5F04", kValue, "0"}}), {}), Lines{});
+    // What is wrong already is told once
+    const std::string other = test::WithValues(sensor, {{"5F04", kValue, "-1"}});
+    EXPECT_EQ(test::FindingsOf(other, {}).size(), 2U);
+    EXPECT_EQ(test::FindingsOf(other, {}).back().substr(0U, 24U), "error: 0x5F04:00: value ");
+}
+
+TEST(CheckObjects, NoNodeId)
+{
+    Verifies(req::SRS_CLI_036);
+    const std::string none = "warning: no node-ID, expected NodeID in [DeviceComissioning], --node-id, or "
+                             "LSS_Supported=1 in [DeviceInfo]";
+    const std::string info = "[DeviceInfo]\nVendorName=x\n";
+    const std::string object = "[1000]\nDataType=7\nAccessType=ro\nDefaultValue=0\n";
+    const auto has = [&none](const std::string& text, const CheckOptions& options)
+    {
+        const Lines lines = test::FindingsOf(text, options);
+        return std::count(lines.begin(), lines.end(), none);
+    };
+    EXPECT_EQ(has(info + object, {}), 1);
+    EXPECT_EQ(has(object, {}), 1);
+    EXPECT_EQ(has(info + object + "[DeviceComissioning]\nNodeID=\n", {}), 1);
+    EXPECT_EQ(has(info + object, {9U, {}}), 0);
+    EXPECT_EQ(has(info + object + "[DeviceComissioning]\nNodeID=9\n", {}), 0);
+    EXPECT_EQ(has(info + "LSS_Supported=1\n" + object, {}), 0);
+    // 0 is told by the reader
+    const Lines zero = test::FindingsOf(info + object + "[DeviceComissioning]\nNodeID=0\n", {});
+    EXPECT_EQ(has(info + object + "[DeviceComissioning]\nNodeID=0\n", {}), 0);
+    EXPECT_EQ(zero.back(), "warning: NodeID is '0', expected 1 to 127; the device has no node-ID");
+}
+
 TEST(CheckObjects, SignaturesOfGapsAndTheirNumber)
 {
     Verifies(req::SRS_CLI_016);
@@ -201,10 +249,10 @@ TEST(CheckObjects, ADeviceWithoutSrdo)
     Verifies(req::SRS_CLI_017);
     const std::string object = "[1000]\nDataType=7\nAccessType=ro\n[MandatoryObjects]\nSupportedObjects=1\n1=0x1000\n";
     EXPECT_EQ(
-        test::FindingsOf("[DeviceInfo]\n" + object, {}),
+        test::FindingsOf("[DeviceInfo]\n" + object, {9U, {}}),
         Lines{"warning: no SRDO, nothing of CANopen Safety is checked, expected communication parameters at 0x1301 "
               "to 0x1340"});
-    EXPECT_EQ(test::FindingsOf("[DeviceInfo]\nCANopenSafetySupported=1\n" + object, {}),
+    EXPECT_EQ(test::FindingsOf("[DeviceInfo]\nCANopenSafetySupported=1\n" + object, {9U, {}}),
               Lines{"error: CANopenSafetySupported is 1 and there is no SRDO, expected communication parameters at "
                     "0x1301 to 0x1340"});
 }
@@ -227,7 +275,7 @@ TEST(CheckObjects, ASafetyObjectWithoutSrdoIsAnErrorAtItsLine)
     const auto error = std::find_if(found.begin(), found.end(), [](const Finding& finding)
                                     { return finding.text.find("a safety object and no SRDO") == 0U; });
     ASSERT_NE(error, found.end());
-    EXPECT_EQ(error->line, 7U); // Of the list
+    EXPECT_EQ(error->place.line, 7U); // Of the list
     for (const std::string index : {"12FF", "1400"})
     {
         const std::string object = "[" + index + "]\nDataType=5\nAccessType=rw\nDefaultValue=0\n";
@@ -250,8 +298,8 @@ TEST(CheckObjects, AllFindingsComeAtOnceInTheOrderOfTheirLines)
     Lines objects;
     for (const Finding& finding : CheckDevice(test::DeviceOf(text), {}))
     {
-        EXPECT_GE(finding.line, last);
-        last = finding.line;
+        EXPECT_GE(finding.place.line, last);
+        last = finding.place.line;
         objects.push_back(finding.object);
     }
     EXPECT_EQ(objects, (Lines{"0x1300:00", "0x1301:04", "0x1301:05", "0x1381:04", "0x1381:04", "0x13FE:00", "0x13FF:01",

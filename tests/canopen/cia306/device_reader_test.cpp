@@ -47,15 +47,15 @@ TEST(DeviceReader, ReadsAVariableWithEverything)
     EXPECT_EQ(entry->data_type, 0x0003U);
     EXPECT_EQ(entry->access, Access::kReadWriteInput);
     EXPECT_EQ(entry->low_limit.text, "-10");
-    EXPECT_EQ(entry->high_limit.line, 17U);
+    EXPECT_EQ(entry->high_limit.place.line, 17U);
     EXPECT_EQ(entry->default_value.text, "1");
-    EXPECT_EQ(entry->default_value.line, 18U);
+    EXPECT_EQ(entry->default_value.place.line, 18U);
     EXPECT_EQ(entry->parameter_value.text, "2");
     EXPECT_TRUE(entry->is_pdo_mappable);
     EXPECT_EQ(entry->is_srdo_mappable, false);
     EXPECT_EQ(entry->inverted_srad, 0x21000AU);
-    EXPECT_EQ(entry->inverted_srad_line, 22U);
-    EXPECT_EQ(entry->line, 11U);
+    EXPECT_EQ(entry->inverted_srad_place.line, 22U);
+    EXPECT_EQ(entry->place.line, 11U);
 }
 
 TEST(DeviceReader, ReadsSubIndicesAsHexadecimal)
@@ -98,7 +98,7 @@ TEST(DeviceReader, ExpandsACompactObject)
     EXPECT_EQ(device.Find(0x1381U, 1U)->Configured().text, "0x5");
     EXPECT_EQ(device.Find(0x1381U, 2U)->name, "Second");
     EXPECT_EQ(device.Find(0x1381U, 3U)->Configured().text, "0x20000108");
-    EXPECT_EQ(device.Find(0x1381U, 3U)->Configured().line, 24U);
+    EXPECT_EQ(device.Find(0x1381U, 3U)->Configured().place.line, 24U);
     EXPECT_EQ(device.Find(0x1381U, 3U)->data_type, 0x0007U);
 }
 
@@ -117,9 +117,10 @@ TEST(DeviceReader, ReadsTheNodeIdOfBothSpellings)
     Verifies(req::SRS_EDS_009);
     EXPECT_EQ(DeviceOf(Text("[DeviceComissioning]\nNodeID=0x10\n")).node_id, 16U);
     EXPECT_EQ(DeviceOf(Text("[DeviceCommissioning]\nNODEID=127\n")).node_id, 127U);
-    EXPECT_EQ(WarningsOf(Text("[DeviceCommissioning]\nNodeID=1\n")),
-              std::vector<std::string>{"f:11: warning: section [DeviceCommissioning], expected [DeviceComissioning] as "
-                                       "CiA 306 writes it"});
+    EXPECT_EQ(
+        WarningsOf(Text("[DeviceCommissioning]\nNodeID=1\n")),
+        std::vector<std::string>{"f:11:1: warning: section [DeviceCommissioning], expected [DeviceComissioning] as "
+                                 "CiA 306 writes it"});
     EXPECT_EQ(DeviceOf(Text("[DeviceComissioning]\nNodeID=\n")).node_id, std::nullopt);
     EXPECT_EQ(DeviceOf(Text("")).node_id, std::nullopt);
 }
@@ -129,7 +130,7 @@ TEST(DeviceReader, NodeId255And0MeanNone)
     Verifies(req::SRS_EDS_009);
     EXPECT_EQ(DeviceOf(Text("[DeviceComissioning]\nNodeID=255\n")).node_id, std::nullopt);
     EXPECT_EQ(WarningsOf(Text("[DeviceComissioning]\nNodeID=0\n")),
-              std::vector<std::string>{"f:12: warning: NodeID is '0', expected 1 to 127; the device has no node-ID"});
+              std::vector<std::string>{"f:12:8: warning: NodeID is '0', expected 1 to 127; the device has no node-ID"});
 }
 
 TEST(DeviceReader, ReadsDummyUsageAndTheSafetyFlag)
@@ -152,7 +153,7 @@ TEST(DeviceReader, ReadsInvertedSradWithoutPrefixAsHexadecimalAndWarns)
     EXPECT_EQ(device.Find(0x1000U, 0U)->inverted_srad, 0x210001U);
     EXPECT_EQ(device.Find(0x1000U, 0U)->is_srdo_mappable, true);
     EXPECT_EQ(WarningsOf(text),
-              std::vector<std::string>{"f:11: warning: 0x1000:00: InvertedSRAD without 0x is read as hexadecimal, "
+              std::vector<std::string>{"f:11:14: warning: 0x1000:00: InvertedSRAD without 0x is read as hexadecimal, "
                                        "expected 0x210001"});
 }
 
@@ -165,35 +166,36 @@ TEST(DeviceReader, WarnsOfWhatRealFilesHaveWrong)
         const char* warning;
     };
     const Row rows[] = {
-        {"[2000]\nDataType=5\nAccessType=rw\n",
-         "f:11: warning: 0x2000: is in none of the lists [MandatoryObjects], [OptionalObjects], [ManufacturerObjects]"},
+        {"[2000]\nDataType=5\nAccessType=rw\n", "f:11:1: warning: 0x2000: is in none of the lists [MandatoryObjects], "
+                                                "[OptionalObjects], [ManufacturerObjects]"},
         {"[OptionalObjects]\nSupportedObjects=1\n1=0x2000\n",
-         "f:13: warning: 0x2000: is listed, expected a section that describes it"},
+         "f:13:3: warning: 0x2000: is listed, expected a section that describes it"},
         {"[OptionalObjects]\nSupportedObjects=2\n1=0x1000\n",
-         "f:11: warning: section 'OptionalObjects' lists 1 objects, expected SupportedObjects of that number"},
+         "f:11:1: warning: section 'OptionalObjects' lists 1 objects, expected SupportedObjects of that number"},
         {"[OptionalObjects]\nSupportedObjects=1\n1=0x2000\n[2000]\nAccessType=rw\n",
-         "f:14: warning: 0x2000:00: no DataType, expected one; its values are not checked"},
+         "f:14:1: warning: 0x2000:00: no DataType, expected one; its values are not checked"},
         {"[OptionalObjects]\nSupportedObjects=1\n1=0x2000\n[2000]\nDataType=0x40\nAccessType=rw\n",
-         "f:14: warning: 0x2000:00: DataType 0x0040 is unknown, expected 0x0001 to 0x001B, or an object "
+         "f:14:1: warning: 0x2000:00: DataType 0x0040 is unknown, expected 0x0001 to 0x001B, or an object "
          "there that describes it; its values are not checked"},
         {"[OptionalObjects]\nSupportedObjects=1\n1=0x2000\n[2000]\nDataType=5\n",
-         "f:14: warning: 0x2000:00: no AccessType, expected ro, wo, rw, rwr, rww or const"},
+         "f:14:1: warning: 0x2000:00: no AccessType, expected ro, wo, rw, rwr, rww or const"},
         {"[OptionalObjects]\nSupportedObjects=1\n1=0x2000\n[2000]\nDataType=5\nAccessType=rw\nDefaultValue=256\n",
-         "f:17: warning: 0x2000:00: DefaultValue: value '256', expected a number from 0 to 255 (UNSIGNED8)"},
+         "f:17:14: warning: 0x2000:00: DefaultValue: value '256', expected a number from 0 to 255 (UNSIGNED8)"},
         {"[OptionalObjects]\nSupportedObjects=1\n1=0x2000\n[2000]\nObjectType=8\nSubNumber=2\n[2000sub0]\nDataType=5\n"
          "AccessType=ro\n",
-         "f:16: warning: 0x2000: SubNumber is 2, expected 1, the number of its sub-indices"},
+         "f:16:11: warning: 0x2000: SubNumber is 2, expected 1, the number of its sub-indices"},
         {"[OptionalObjects]\nSupportedObjects=1\n1=0x2000\n[2000]\nDataType=5\nAccessType=ro\n[2000sub0]\nDataType=5\n"
          "AccessType=ro\n",
-         "f:14: warning: 0x2000 has sub-indices, expected SubNumber, or an ObjectType of 0x8 or 0x9"},
-        {"[1000subZ]\nk=v\n", "f:11: warning: section '1000subZ' is no object, expected a form such as [1018], "
+         "f:14:1: warning: 0x2000 has sub-indices, expected SubNumber, or an ObjectType of 0x8 or 0x9"},
+        {"[1000subZ]\nk=v\n", "f:11:1: warning: section '1000subZ' is no object, expected a form such as [1018], "
                               "[1018sub1] or [1018Value]; it is ignored"},
-        {"[0x1001]\nk=v\n", "f:11: warning: section '0x1001' is no object, expected a form such as [1018], [1018sub1] "
-                            "or [1018Value]; it is ignored"},
-        {"[1000Value]\n7=1\n", "f:12: warning: key '7' in section '1000Value' names no sub-index of the object, "
+        {"[0x1001]\nk=v\n",
+         "f:11:1: warning: section '0x1001' is no object, expected a form such as [1018], [1018sub1] "
+         "or [1018Value]; it is ignored"},
+        {"[1000Value]\n7=1\n", "f:12:1: warning: key '7' in section '1000Value' names no sub-index of the object, "
                                "expected one; it is ignored"},
         {"[DummyUsage]\nDumm5=1\n",
-         "f:12: warning: key 'Dumm5' in [DummyUsage], expected Dummy and four digits; it is ignored"},
+         "f:12:1: warning: key 'Dumm5' in [DummyUsage], expected Dummy and four digits; it is ignored"},
     };
     EXPECT_TRUE(WarningsOf(Text("")).empty());
     for (const Row& row : rows)
@@ -218,6 +220,64 @@ TEST(DeviceReader, AnObjectOfTypeDomainHasThatDataType)
         DeviceOf(Text("[2000]\nObjectType=0x2\nDataType=0x0007\nAccessType=rw\nDefaultValue=a.bin\n"));
     EXPECT_EQ(device.Find(0x2000U, 0U)->data_type, 0x000FU);
     EXPECT_EQ(device.warnings.size(), 1U); // It is not listed; its value is not judged.
+}
+
+TEST(DeviceReader, LeavesOutCommentsBehindNumbersAndWordsAndTellsThem)
+{
+    Verifies(req::SRS_EDS_035);
+    const Device device = test::DeviceOf("[DeviceInfo]\nVendorName=A; B # C\nGranularity=8 ; bit\nLSS_Supported=1#yes\n"
+                                         "[DeviceComissioning]\nNodeID=\t5 # five\nNodeName=x # y\n"
+                                         "[2000]\nParameterName=Speed # 1; rpm\nDataType=0x0007 ; U32\n"
+                                         "AccessType=rw # both\nDefaultValue=5;five\nLowLimit= ; none\n"
+                                         "HighLimit=$NODEID+0x10 # own\nPDOMapping=1\t# yes\nInvertedSRAD=210001 ;s\n");
+    const Entry& entry = *device.Find(0x2000U, 0U);
+    EXPECT_EQ(device.node_id, 5U);
+    EXPECT_EQ(device.granularity_bits, 8U);
+    EXPECT_TRUE(device.is_lss_supported);
+    EXPECT_EQ(entry.name, "Speed # 1; rpm");
+    EXPECT_EQ(entry.data_type, 7U);
+    EXPECT_EQ(entry.access, Access::kReadWrite);
+    EXPECT_EQ(entry.default_value.text, "5");
+    EXPECT_FALSE(entry.low_limit.IsSet());
+    EXPECT_EQ(entry.high_limit.text, "$NODEID+0x10");
+    EXPECT_TRUE(entry.is_pdo_mappable);
+    EXPECT_EQ(entry.inverted_srad, 0x210001U);
+    std::vector<std::string> places;
+    for (const Finding& finding : device.warnings)
+    {
+        const std::size_t comment = finding.text.find("a comment ");
+        if (comment != std::string::npos)
+        {
+            places.push_back(std::to_string(finding.place.line) + ":" + std::to_string(finding.place.column) + " " +
+                             finding.text.substr(10U, finding.text.find(" behind") - 10U));
+        }
+    }
+    EXPECT_EQ(places, (std::vector<std::string>{"3:15 '; bit'", "4:16 '#yes'", "6:11 '# five'", "10:17 '; U32'",
+                                                "11:15 '# both'", "12:15 ';five'", "13:11 '; none'", "14:24 '# own'",
+                                                "15:14 '# yes'", "16:21 ';s'"}));
+}
+
+TEST(DeviceReader, KeepsWhatMayBePartOfAText)
+{
+    Verifies(req::SRS_EDS_035);
+    const auto text_of = [](const std::string& type, const std::string& value)
+    {
+        const Device device =
+            test::DeviceOf("[2000]\nDataType=" + type + "\nAccessType=ro\nDefaultValue=" + value + "\n");
+        return device.Find(0x2000U, 0U)->Configured().text;
+    };
+    EXPECT_EQ(text_of("9", "\"a;b\" # c"), "\"a;b\" # c");
+    EXPECT_EQ(text_of("0xA", "01 02 ; 03"), "01 02 ; 03");
+    EXPECT_EQ(text_of("0xB", "# 1"), "# 1");
+    EXPECT_EQ(text_of("0xF", "a#b"), "a#b");
+    EXPECT_EQ(text_of("0x40", "1 # who knows"), "1 # who knows");
+    EXPECT_EQ(text_of("8", "1.5 # fits"), "1.5");
+    // Names of compact sub-indices, and their values
+    const Device compact =
+        test::DeviceOf("[2000]\nObjectType=8\nDataType=5\nAccessType=rw\nCompactSubObj=2 ; two\n"
+                       "[2000Name]\nNrOfEntries=1\n1=One # 1\n[2000Value]\nNrOfEntries=1\n2=9 # nine\n");
+    EXPECT_EQ(compact.Find(0x2000U, 1U)->name, "One # 1");
+    EXPECT_EQ(compact.Find(0x2000U, 2U)->Configured().text, "9");
 }
 } // namespace
 } // namespace counterpoint::cia306

@@ -31,7 +31,7 @@ bool IsSame(const Entry& left, const Entry& right)
     const bool has_same_values =
         left.default_value.text == right.default_value.text && left.parameter_value.text == right.parameter_value.text;
     return has_same_values && left.name == right.name && left.data_type == right.data_type &&
-           left.access == right.access && left.line == right.line && left.inverted_srad == right.inverted_srad;
+           left.access == right.access && left.place == right.place && left.inverted_srad == right.inverted_srad;
 }
 
 void RequireSame(const Device& left, const Device& right)

@@ -26,10 +26,10 @@ TEST(IniDocument, ReadsSectionsKeysAndTheirLines)
     const IniDocument document = Parse("[FileInfo]\nFileName=a.eds\n\n[1000]\nDataType=0x0007\n");
     ASSERT_EQ(document.Sections().size(), 2U);
     EXPECT_EQ(document.Sections()[1].name, "1000");
-    EXPECT_EQ(document.Sections()[1].line, 4U);
+    EXPECT_EQ(document.Sections()[1].place.line, 4U);
     ASSERT_NE(document.Find("1000")->Find("DataType"), nullptr);
     EXPECT_EQ(document.Find("1000")->Find("DataType")->value, "0x0007");
-    EXPECT_EQ(document.Find("1000")->Find("DataType")->line, 5U);
+    EXPECT_EQ(document.Find("1000")->Find("DataType")->place.line, 5U);
 }
 
 TEST(IniDocument, AcceptsEveryLineEndByteOrderMarkSpacesAndComments)
@@ -114,10 +114,48 @@ TEST(IniDocument, WarnsOfOtherComments)
     const IniDocument document = Parse("[A]\n#ParameterValue=0x2\n\x1A");
     ASSERT_EQ(document.Warnings().size(), 2U);
     EXPECT_EQ(FormatFinding("f.eds", document.Warnings()[0]),
-              "f.eds:2: warning: a comment with '#' is no part of CiA 306, expected ';'; it is ignored");
+              "f.eds:2:1: warning: a comment with '#' is no part of CiA 306, expected ';'; it is ignored");
     EXPECT_EQ(FormatFinding("f.eds", document.Warnings()[1]),
-              "f.eds:3: warning: end-of-file character 1Ah, expected the end of the file");
+              "f.eds:3:1: warning: end-of-file character 1Ah, expected the end of the file");
     EXPECT_EQ(document.Find("A")->Find("ParameterValue"), nullptr);
+}
+
+TEST(IniDocument, NamesTheColumnOfSectionKeyAndValue)
+{
+    Verifies(req::SRS_EDS_036);
+    const IniDocument document = Parse("\xEF\xBB\xBF [A]\n\tKey =\t x y \nlast=\n");
+    const IniSection& section = *document.Find("A");
+    EXPECT_EQ(section.place.column, 2U); // the byte order mark has none
+    EXPECT_EQ(section.Find("Key")->name_place.column, 2U);
+    EXPECT_EQ(section.Find("Key")->place.column, 9U);
+    EXPECT_EQ(section.Find("last")->place.column, 6U); // where it would begin
+}
+
+TEST(IniDocument, LeavesOutACommentBehindTheNameOfASection)
+{
+    Verifies(req::SRS_EDS_035);
+    const IniDocument document = Parse("[A] # one\n [B]; [two]\r\n[C]\t;\nk=v # w\n");
+    ASSERT_EQ(document.Sections().size(), 3U);
+    EXPECT_EQ(document.Sections()[1].name, "B");
+    const std::string own = " behind the section name, expected it in a line of its own; it is ignored";
+    ASSERT_EQ(document.Warnings().size(), 3U);
+    EXPECT_EQ(FormatFinding("f.eds", document.Warnings()[0]), "f.eds:1:5: warning: a comment '# one'" + own);
+    EXPECT_EQ(FormatFinding("f.eds", document.Warnings()[1]), "f.eds:2:5: warning: a comment '; [two]'" + own);
+    EXPECT_EQ(FormatFinding("f.eds", document.Warnings()[2]), "f.eds:3:5: warning: a comment ';'" + own);
+    // The value of a key may be a text: its reader knows
+    EXPECT_EQ(document.Find("C")->Find("k")->value, "v # w");
+    EXPECT_EQ(document.Find("C")->Find("k")->Bare(), "v");
+    EXPECT_THROW((void)Parse("[A] one\n"), InputError);
+    EXPECT_THROW((void)Parse("[A] one # two\n"), InputError);
+}
+
+TEST(IniDocument, KeepsTheCommentBehindAValueThatIsSet)
+{
+    Verifies(req::SRS_EDS_005);
+    Verifies(req::SRS_EDS_035);
+    const IniDocument before = Parse("[A]\nk= 0x1 \t# one\r\nm=;none\n");
+    EXPECT_EQ(before.With({{"A", "k", "0x22", ""}, {"A", "m", "3", ""}}, {}).Text(),
+              "[A]\nk= 0x22 \t# one\r\nm=3;none\n");
 }
 
 TEST(IniDocument, ShortensAndEscapesTextOfTheFileInMessages)

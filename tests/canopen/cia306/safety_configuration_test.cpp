@@ -157,20 +157,21 @@ TEST(SafetyConfiguration, WhatIsMissingOrWrongIsReportedWithItsPlace)
         std::string problem;
     };
     const Row rows[] = {
-        {{{"[1301sub2]", "[1301sub9]"}}, "f:185: error: 0x1301:02: is missing, expected an object of type UNSIGNED16"},
+        {{{"[1301sub2]", "[1301sub9]"}},
+         "f:185:1: error: 0x1301:02: is missing, expected an object of type UNSIGNED16"},
         {{{"DataType=0x0006\nAccessType=rw\nDefaultValue=25", "DataType=0x0005\nAccessType=rw\nDefaultValue=25"}},
-         "f:209: error: 0x1301:02: DataType is 0x0005 (UNSIGNED8), expected 0x0006 (UNSIGNED16)"},
+         "f:209:1: error: 0x1301:02: DataType is 0x0005 (UNSIGNED8), expected 0x0006 (UNSIGNED16)"},
         {{{"DefaultValue=25\nParameterValue=25\n", "DefaultValue=\n"}},
-         "f:209: error: 0x1301:02: has no value, expected a ParameterValue or DefaultValue"},
+         "f:209:1: error: 0x1301:02: has no value, expected a ParameterValue or DefaultValue"},
         {{{"ParameterValue=25\n", "ParameterValue=65536\n"}},
-         "f:215: error: 0x1301:02: value '65536', expected a number from 0 to 65535 (UNSIGNED16)"},
+         "f:215:16: error: 0x1301:02: value '65536', expected a number from 0 to 65535 (UNSIGNED16)"},
         {{{"[1381]", "[1391]"},
           {"[1381sub0]", "[1391sub0]"},
           {"[1381sub1]", "[1391sub1]"},
           {"[1381sub2]", "[1391sub2]"},
           {"[1381sub3]", "[1391sub3]"},
           {"[1381sub4]", "[1391sub4]"}},
-         "f:185: error: 0x1381: SRDO 1 has no mapping parameters, expected a section [1381]"},
+         "f:185:1: error: 0x1381: SRDO 1 has no mapping parameters, expected a section [1381]"},
     };
     for (const Row& row : rows)
     {
@@ -182,18 +183,18 @@ TEST(SafetyConfiguration, WhatIsMissingOrWrongIsReportedWithItsPlace)
 TEST(SafetyConfiguration, TheFirstErrorOfProblemsIsThrown)
 {
     Verifies(req::SRS_EDS_024);
-    EXPECT_NO_THROW(RequireNone("f", {{Severity::kWarning, 3U, "0x1301:01", "w"}}));
+    EXPECT_NO_THROW(RequireNone("f", {{Severity::kWarning, {3U, 0U}, "0x1301:01", "w"}}));
     try
     {
-        RequireNone("f",
-                    {{Severity::kWarning, 3U, "0x1301:01", "w"}, {Severity::kError, 4U, "0x1301:02", "a, expected b"}});
+        RequireNone("f", {{Severity::kWarning, {3U, 0U}, "0x1301:01", "w"},
+                          {Severity::kError, {4U, 7U}, "0x1301:02", "a, expected b"}});
         FAIL() << "no refusal";
     }
     catch (const InputError& error)
     {
-        EXPECT_STREQ(error.what(), "f:4: error: 0x1301:02: a, expected b");
+        EXPECT_STREQ(error.what(), "f:4:7: error: 0x1301:02: a, expected b");
         EXPECT_EQ(error.File(), "f");
-        EXPECT_EQ(error.Line(), 4U);
+        EXPECT_EQ(error.Where().line, 4U);
         EXPECT_EQ(error.Message(), "0x1301:02: a, expected b");
     }
 }
@@ -283,7 +284,7 @@ TEST(DeviceParameters, OneThatCannotBeUsedKeepsItsDefaultAndIsReported)
                                    "DefaultValue=fast\n");
     EXPECT_EQ(ReadDeviceParameters(device, std::nullopt, problems).cycle_us, 1000U);
     EXPECT_EQ(Formatted(problems),
-              std::vector<std::string>{"f:7: error: 0x5F00:01: value 'fast', expected a number from 0 to 4294967295 "
+              std::vector<std::string>{"f:7:14: error: 0x5F00:01: value 'fast', expected a number from 0 to 4294967295 "
                                        "(UNSIGNED32), or $NODEID+number"});
 }
 } // namespace

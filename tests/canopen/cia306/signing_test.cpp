@@ -81,19 +81,19 @@ TEST(Signing, WithoutAPlaceForASignatureItIsRefused)
 {
     Verifies(req::SRS_CLI_005);
     EXPECT_EQ(RefusalOfSigning(Changed(ExampleText("controller"), {{"[13FFsub2]", "[13FFsub3]"}})),
-              "test.dcf:434: error: 0x13FF:02 is missing, expected an object that takes the signature of SRDO 2");
+              "test.dcf:434:1: error: 0x13FF:02 is missing, expected an object that takes the signature of SRDO 2");
     EXPECT_EQ(RefusalOfSigning(Changed(ExampleText("sensor"), {{"[13FF]", "[13F0]"},
                                                                {"[13FFsub0]", "[13F0sub0]"},
                                                                {"[13FFsub1]", "[13F0sub1]"},
                                                                {"=0x13FF", "=0x13F0"}})),
-              "test.dcf:185: error: 0x13FF:01 is missing, expected an object that takes the signature of SRDO 1");
+              "test.dcf:185:1: error: 0x13FF:01 is missing, expected an object that takes the signature of SRDO 1");
 }
 
 TEST(Signing, WhatCannotBeSignedIsRefused)
 {
     Verifies(req::SRS_EDS_024);
     EXPECT_EQ(RefusalOfSigning(Changed(ExampleText("sensor"), {{"ParameterValue=25\n", "ParameterValue=25 ms\n"}})),
-              "test.dcf:215: error: 0x1301:02: value '25 ms', expected a number from 0 to 65535 (UNSIGNED16), or "
+              "test.dcf:215:16: error: 0x1301:02: value '25 ms', expected a number from 0 to 65535 (UNSIGNED16), or "
               "$NODEID+number");
 }
 
@@ -103,7 +103,7 @@ TEST(Signing, APlaceThatCannotHoldASignatureIsRefused)
     EXPECT_EQ(
         RefusalOfSigning(Changed(ExampleText("sensor"), {{"DataType=0x0006\nAccessType=rw\nDefaultValue=0x0000",
                                                           "DataType=0x0005\nAccessType=rw\nDefaultValue=0x0000"}})),
-        "test.dcf:325: error: 0x13FF:01 is of UNSIGNED8, expected UNSIGNED16");
+        "test.dcf:325:1: error: 0x13FF:01 is of UNSIGNED8, expected UNSIGNED16");
 }
 } // namespace
 } // namespace counterpoint::cia306

@@ -65,12 +65,12 @@ TEST_F(TextFile, WhatIsNoRegularFileIsRefusedWithoutWaiting)
 {
     Verifies(req::SRS_EDS_017);
     ASSERT_EQ(::mkfifo(Path("pipe").c_str(), 0600), 0);
-    EXPECT_EQ(RefusalOf(Path("pipe")), Path("pipe") + ":0: error: it is a pipe, expected a regular file");
-    EXPECT_EQ(RefusalOf("/dev/zero"), "/dev/zero:0: error: it is a device, expected a regular file");
-    EXPECT_EQ(RefusalOf(folder_.string()), folder_.string() + ":0: error: it is a directory, expected a regular file");
-    EXPECT_EQ(RefusalOf(Path("none")), Path("none") + ":0: error: it cannot be opened (No such file or directory), "
+    EXPECT_EQ(RefusalOf(Path("pipe")), Path("pipe") + ": error: it is a pipe, expected a regular file");
+    EXPECT_EQ(RefusalOf("/dev/zero"), "/dev/zero: error: it is a device, expected a regular file");
+    EXPECT_EQ(RefusalOf(folder_.string()), folder_.string() + ": error: it is a directory, expected a regular file");
+    EXPECT_EQ(RefusalOf(Path("none")), Path("none") + ": error: it cannot be opened (No such file or directory), "
                                                       "expected a readable EDS or DCF file");
-    EXPECT_EQ(RefusalOf(""), ":0: error: it cannot be opened (No such file or directory), expected a readable EDS or "
+    EXPECT_EQ(RefusalOf(""), ": error: it cannot be opened (No such file or directory), expected a readable EDS or "
                              "DCF file");
 }
 
@@ -83,10 +83,10 @@ TEST_F(TextFile, ALargeFileIsRefusedBeforeItIsRead)
     // Sparse: reading all of it would take long and much memory.
     std::filesystem::resize_file(Path("large"), 16777217U);
     EXPECT_EQ(RefusalOf(Path("large")),
-              Path("large") + ":0: error: it has 16777217 bytes, expected at most 16777216 bytes");
+              Path("large") + ": error: it has 16777217 bytes, expected at most 16777216 bytes");
     std::filesystem::resize_file(Path("large"), std::uintmax_t{1} << 40U);
     EXPECT_EQ(RefusalOf(Path("large")),
-              Path("large") + ":0: error: it has 1099511627776 bytes, expected at most 16777216 bytes");
+              Path("large") + ": error: it has 1099511627776 bytes, expected at most 16777216 bytes");
 }
 
 TEST_F(TextFile, AFileIsReplacedInOneStepAndKeepsItsMode)

@@ -85,10 +85,10 @@ TEST(GenerateTest, WhatCannotBeGeneratedIsNamedWithItsLine)
         << RefusalOf(safety);
     EXPECT_EQ(
         RefusalOf(head + test::Section("2000", "A", 7U, "rw", "$NODEID+1")),
-        "test.dcf:8: error: 0x2000:00: value '$NODEID+1' needs the node-ID and there is none, expected --node-id, "
+        "test.dcf:8:14: error: 0x2000:00: value '$NODEID+1' needs the node-ID and there is none, expected --node-id, "
         "or NodeID in [DeviceComissioning]");
     EXPECT_EQ(RefusalOf(head + test::Section("0040", "A", 5U, "rw", "1")),
-              "test.dcf:0: error: no object for a dictionary, expected objects from 0x1000 on");
+              "test.dcf: error: no object for a dictionary, expected objects from 0x1000 on");
     const std::string twice = Changed(StaticText(), {{"DefaultValue=0x24000110", "DefaultValue=0x22000110"}});
     EXPECT_NE(RefusalOf(twice).find("which a static mapping has already, expected each object in one static mapping"),
               std::string::npos)
@@ -138,7 +138,7 @@ TEST(GenerateTest, WhatHasNoLengthIsLeftOutWithAWarning)
     EXPECT_EQ(code.entry_count, 1U);
     ASSERT_EQ(code.warnings.size(), 2U);
     EXPECT_EQ(cia306::FormatFinding("a.eds", code.warnings[0]),
-              "a.eds:3: warning: 0x2000:00: is left out, expected a data type whose length is known");
+              "a.eds:3:1: warning: 0x2000:00: is left out, expected a data type whose length is known");
     EXPECT_EQ(code.warnings[1].text,
               "value '9', expected one between LowLimit and HighLimit; it is generated all the same");
 }

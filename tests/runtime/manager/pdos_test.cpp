@@ -129,16 +129,16 @@ TEST_F(ManagerPdosTest, OutputsThatNobodySendsAreRefused)
     };
     const std::string file = Path("net.yaml");
     EXPECT_EQ(problem(PdoNetwork(",\n     outputs: [{pdo: 2, data: 01}]")),
-              file + ":4: error: no RxPDO 2 of node 10, expected one that its DCF switches on and maps");
+              file + ":4:16: error: no RxPDO 2 of node 10, expected one that its DCF switches on and maps");
     EXPECT_EQ(problem(PdoNetwork(",\n     outputs: [{pdo: 1, data: 01}]")),
-              file + ":4: error: RxPDO 1 of node 10 with 1 bytes, expected 2 as its mapping has");
+              file + ":4:16: error: RxPDO 1 of node 10 with 1 bytes, expected 2 as its mapping has");
     EXPECT_EQ(problem(PdoNetwork(",\n     outputs: [{pdo: 1, data: 01 02}, {pdo: 1, data: 01 02}]")),
-              file + ":4: error: RxPDO 1 of node 10 a second time, expected each RxPDO once");
+              file + ":4:39: error: RxPDO 1 of node 10 a second time, expected each RxPDO once");
     EXPECT_EQ(problem(PdoNetwork(",\n     outputs: [{pdo: 1, data: 0g}]")),
-              file + ":4:31: '0g', expected 1 to 8 bytes as hexadecimal digits, such as 01 FF");
+              file + ":4:31: error: '0g', expected 1 to 8 bytes as hexadecimal digits, such as 01 FF");
     EXPECT_NE(problem(PdoNetwork(",\n     outputs: {pdo: 1}")).find(":4:"), std::string::npos);
     EXPECT_EQ(problem(PdoNetwork(",\n     outputs: [{pdo: 1, data: 01 02}]", "cia302")),
-              file + ":4: error: outputs of node 10 with another profile, expected the profile el6751, which sends "
+              file + ":4:16: error: outputs of node 10 with another profile, expected the profile el6751, which sends "
                      "RxPDOs");
 }
 } // namespace

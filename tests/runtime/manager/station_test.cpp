@@ -275,7 +275,7 @@ TEST_F(ManagerStationTest, IdentityAndNetworkOfItsOwnDcf)
     }
     catch (const cia306::InputError& error)
     {
-        EXPECT_EQ(std::string(error.what()), Path("net.yaml") + ":1: error: '" + Path("controller.dcf") +
+        EXPECT_EQ(std::string(error.what()), Path("net.yaml") + ":1:10: error: '" + Path("controller.dcf") +
                                                  "' is for node-ID 2, expected the DCF of the manager, node 3");
     }
 }

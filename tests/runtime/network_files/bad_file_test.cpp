@@ -23,99 +23,102 @@ struct BadFile
 };
 
 constexpr BadFile kBadCpj[] = {
-    {"", ":1: error: no section [Topology], expected a CPJ file of CiA 306-3"},
-    {"[Net]\nNodes=1\n", ":2: error: no section [Topology], expected a CPJ file of CiA 306-3"},
+    {"", ":1:1: error: no section [Topology], expected a CPJ file of CiA 306-3"},
+    {"[Net]\nNodes=1\n", ":2:1: error: no section [Topology], expected a CPJ file of CiA 306-3"},
     {"[Topology]\nNodes=1\nNode1Present=1\nNode1DCFName=sensor.dcf\n[Topology2]\nNodes=1\n",
-     ":5: error: a second network [Topology2], expected one network a file"},
+     ":5:1: error: a second network [Topology2], expected one network a file"},
     {"[Topology]\nNode1Present=1\nNode1DCFName=sensor.dcf\n",
-     ":1: error: no key Nodes in [Topology], expected Nodes=1"},
+     ":1:1: error: no key Nodes in [Topology], expected Nodes=1"},
     {"[Topology]\nNodes=2\nNode1Present=1\nNode1DCFName=sensor.dcf\n",
-     ":2: error: Nodes=2, and 1 nodes are present, expected equal numbers"},
+     ":2:7: error: Nodes=2, and 1 nodes are present, expected equal numbers"},
     {"[Topology]\nNodes=one\nNode1Present=1\nNode1DCFName=sensor.dcf\n",
-     ":2: error: Nodes='one', expected a number from 0 to 127"},
+     ":2:7: error: Nodes='one', expected a number from 0 to 127"},
     {"[Topology]\nNodes=1\nNode128Present=1\n",
-     ":3: error: key 'Node128Present', expected a node-ID from 1 to 127 after Node"},
+     ":3:1: error: key 'Node128Present', expected a node-ID from 1 to 127 after Node"},
     {"[Topology]\nNodes=1\nNode0Present=1\n",
-     ":3: error: key 'Node0Present', expected a node-ID from 1 to 127 after Node"},
+     ":3:1: error: key 'Node0Present', expected a node-ID from 1 to 127 after Node"},
     {"[Topology]\nNodes=1\nNode99999999999999999999Present=1\n",
-     ":3: error: key 'Node99999999999999999999Present', expected a node-ID from 1 to 127 after Node"},
+     ":3:1: error: key 'Node99999999999999999999Present', expected a node-ID from 1 to 127 after Node"},
     {"[Topology]\nNodes=1\nNode1Present=2\nNode1DCFName=sensor.dcf\n",
-     ":3: error: Node1Present='2', expected a number from 0 to 1"},
+     ":3:14: error: Node1Present='2', expected a number from 0 to 1"},
     {"[Topology]\nNodes=1\nNode1Present=1\n",
-     ":3: error: node 1 is present and has no DCF, expected Node1DCFName=FILE"},
+     ":3:14: error: node 1 is present and has no DCF, expected Node1DCFName=FILE"},
     {"[Topology]\nNodes=1\nNode1Present=1\nNode1DCFName=sensor.dcf\n",
-     ":1: error: no node is the manager, expected CANopenManager=1 in [DeviceComissioning] of one DCF, or the option "
+     ":1:1: error: no node is the manager, expected CANopenManager=1 in [DeviceComissioning] of one DCF, or the option "
      "--node-id"},
     {"[Topology]\nNodes=1\nNode2Present=1\nNode2DCFName=manager.dcf\n",
-     ":4: error: a network without slaves, expected at least one"},
+     ":4:14: error: a network without slaves, expected at least one"},
     {"[Topology]\nNodes=2\nNode2Present=1\nNode2DCFName=manager.dcf\nNode3Present=1\nNode3DCFName=manager.dcf\n",
-     ":6: error: a second manager, node 3 besides node 2, expected CANopenManager=1 in one DCF"},
-    {"[Topology\nNodes=1\n", ":1: error: "},
+     ":6:14: error: a second manager, node 3 besides node 2, expected CANopenManager=1 in one DCF"},
+    {"[Topology\nNodes=1\n", ":1:1: error: "},
 };
 
 constexpr BadFile kBadYaml[] = {
-    {"", ":1:1: "},
-    {"manager: {node: 127}\n", ":1:1: no key 'slaves', expected it here"},
-    {"slaves: [{node: 1}]\n", ":1:1: no key 'manager', expected it here"},
+    {"", ":1:1: error: "},
+    {"manager: {node: 127}\n", ":1:1: error: no key 'slaves', expected it here"},
+    {"slaves: [{node: 1}]\n", ":1:1: error: no key 'manager', expected it here"},
     {"manager: {}\nslaves: [{node: 1}]\n", ": error: no node-ID of the manager, expected one from 1 to 127"},
-    {"manager: {node: 0}\nslaves: [{node: 1}]\n", ":1:17: "},
-    {"manager: {node: 128}\nslaves: [{node: 1}]\n", ":1:17: "},
-    {"manager: {node: 127}\nslaves: []\n", ":1: error: a network without slaves, expected at least one"},
-    {"manager: {node: 127}\nslaves: {node: 1}\n", ":2:9: "},
-    {"manager: {node: 127}\nslaves: [{name: x}]\n", ":2:10: no key 'node', expected it here"},
+    {"manager: {node: 0}\nslaves: [{node: 1}]\n", ":1:17: error: "},
+    {"manager: {node: 128}\nslaves: [{node: 1}]\n", ":1:17: error: "},
+    {"manager: {node: 127}\nslaves: []\n", ":1:10: error: a network without slaves, expected at least one"},
+    {"manager: {node: 127}\nslaves: {node: 1}\n", ":2:9: error: "},
+    {"manager: {node: 127}\nslaves: [{name: x}]\n", ":2:10: error: no key 'node', expected it here"},
     {"manager: {node: 127}\nslaves: [{node: 127}]\n",
-     ":2: error: node 127 is the manager and a slave, expected different node-IDs"},
+     ":2:10: error: node 127 is the manager and a slave, expected different node-IDs"},
     {"manager: {node: 127}\nslaves: [{node: 1},\n {node: 1}]\n",
-     ":3: error: node 1 a second time, expected each node once"},
-    {"manager: {node: 127}\nslaves: [{node: 1, speed: 3}]\n", ":2:20: unknown key 'speed', expected node, name, dcf"},
-    {"manager: {node: 127}\nslaves: [{node: 1, dcf: nobody.dcf}]\n", ":2:25: there is no file "},
+     ":3:2: error: node 1 a second time, expected each node once"},
+    {"manager: {node: 127}\nslaves: [{node: 1, speed: 3}]\n",
+     ":2:20: error: unknown key 'speed', expected node, name, dcf"},
+    {"manager: {node: 127}\nslaves: [{node: 1, dcf: nobody.dcf}]\n", ":2:25: error: there is no file "},
     {"manager: {node: 127}\nslaves: [{node: 1, dcf: actuator.dcf}]\n",
      " is for node-ID 33, expected the DCF of node 1"},
-    {"manager: {node: 127}\nslaves: [{node: 1, mandatory: yes}]\n", ":2:31: 'yes', expected one of true, false"},
-    {"manager: {node: 127}\nslaves: [{node: 1, heartbeat: 100}]\n", ":2:31: "},
+    {"manager: {node: 127}\nslaves: [{node: 1, mandatory: yes}]\n", ":2:31: error: 'yes', expected one of true, false"},
+    {"manager: {node: 127}\nslaves: [{node: 1, heartbeat: 100}]\n", ":2:31: error: "},
     {"manager: {node: 127}\nslaves: [{node: 1, heartbeat: 70 s}]\n",
-     ":2:31: a time that its object cannot hold, expected whole milliseconds, at most 65535"},
+     ":2:31: error: a time that its object cannot hold, expected whole milliseconds, at most 65535"},
     {"manager: {node: 127}\nslaves: [{node: 1, consumer: 100 us}]\n",
-     ":2:30: a time that its object cannot hold, expected whole milliseconds, at most 65535"},
+     ":2:30: error: a time that its object cannot hold, expected whole milliseconds, at most 65535"},
     {"manager: {node: 127}\nslaves: [{node: 1, arming: never}]\n",
-     ":2:28: 'never', expected one of first_heartbeat, boot_up, immediately"},
-    {"manager: {node: 127, start_up: 0x80}\nslaves: [{node: 1}]\n", ":1:32: "},
+     ":2:28: error: 'never', expected one of first_heartbeat, boot_up, immediately"},
+    {"manager: {node: 127, start_up: 0x80}\nslaves: [{node: 1}]\n", ":1:32: error: "},
     {"manager: {node: 127, start_up: 0}\nslaves: [{node: 1}]\n",
-     ":1:32: 0x0, expected bit 0: a manager is an NMT master"},
+     ":1:32: error: 0x0, expected bit 0: a manager is an NMT master"},
     {"manager: {node: 127, start_up: 0x22}\nslaves: [{node: 1}]\n",
-     ":1:32: 0x22, expected bit 0: a manager is an NMT master"},
+     ":1:32: error: 0x22, expected bit 0: a manager is an NMT master"},
     {"manager: {node: 127, profile: codesys}\nslaves: [{node: 1}]\n",
-     ":1:31: 'codesys', expected one of cia302, el6751, plc_designer"},
-    {"manager: {node: 127, flying: {priority: 3}}\nslaves: [{node: 1}]\n", ":1:41: "},
-    {"manager: {node: 127, sdo_timeout: 0 ms}\nslaves: [{node: 1}]\n", ":1:35: 0 ms, expected 1 ms to 1000 s"},
-    {"manager: {node: 127, sdo_timeout: 4000 s}\nslaves: [{node: 1}]\n", ":1:35: 4000000 ms, expected 1 ms to 1000 s"},
+     ":1:31: error: 'codesys', expected one of cia302, el6751, plc_designer"},
+    {"manager: {node: 127, flying: {priority: 3}}\nslaves: [{node: 1}]\n", ":1:41: error: "},
+    {"manager: {node: 127, sdo_timeout: 0 ms}\nslaves: [{node: 1}]\n", ":1:35: error: 0 ms, expected 1 ms to 1000 s"},
+    {"manager: {node: 127, sdo_timeout: 4000 s}\nslaves: [{node: 1}]\n",
+     ":1:35: error: 4000000 ms, expected 1 ms to 1000 s"},
     {"manager: {node: 127, sync: 999 us}\nslaves: [{node: 1}]\n",
-     ":1: error: SYNC period (1006h) of 999 us, expected none, or at least 1000 us"},
+     ":1:10: error: SYNC period (1006h) of 999 us, expected none, or at least 1000 us"},
     {"manager: {node: 127}\nslaves: [{node: 1, assignment: 0}]\n",
-     ":2:32: 0x0, expected bit 0: a slave of the network"},
+     ":2:32: error: 0x0, expected bit 0: a slave of the network"},
     {"manager: {node: 127}\nslaves: [{node: 1, dcf: .}]\n", " is a folder, expected a DCF"},
     {"manager: {node: 127, flying: {start: never}}\nslaves: [{node: 1}]\n",
-     ":1:38: 'never', expected one of at_once, by_order"},
+     ":1:38: error: 'never', expected one of at_once, by_order"},
     {"manager: {node: 127, dcf: actuator.dcf}\nslaves: [{node: 1}]\n",
      " is for node-ID 33, expected the DCF of the manager, node 127"},
-    {"manager: {node: 127, sdo_tries: 0}\nslaves: [{node: 1}]\n", ":1:33: "},
+    {"manager: {node: 127, sdo_tries: 0}\nslaves: [{node: 1}]\n", ":1:33: error: "},
     {"manager: {node: 127}\nslaves: [{node: 1, guard_time: 100 ms}]\n",
-     ":2: error: guard time 100 ms with retry factor 0, expected both above 0, or none"},
+     ":2:10: error: guard time 100 ms with retry factor 0, expected both above 0, or none"},
     {"manager: {node: 127}\nslaves: [{node: 1, assignment: 0x5, retry_factor: 3}]\n",
-     ":2: error: guard time 0 ms with retry factor 3, expected both above 0, or none"},
+     ":2:10: error: guard time 0 ms with retry factor 3, expected both above 0, or none"},
     {"manager: {node: 127}\nslaves: [{node: 1, heartbeat: 500 ms, consumer: 500 ms}]\n",
-     ":2: error: consumer time 500 ms of a heartbeat each 500 ms, expected a longer one"},
+     ":2:10: error: consumer time 500 ms of a heartbeat each 500 ms, expected a longer one"},
     {"manager: {node: 127}\nslaves: [{node: 1, write_safety: true}]\n",
-     ":2: error: write_safety of node 1, which has no safety configuration, expected a DCF with an SRDO"},
+     ":2:10: error: write_safety of node 1, which has no safety configuration, expected a DCF with an SRDO"},
     {"manager: {node: 127}\nslaves: [{node: 1, software: {update: false}}]\n",
-     ":2: error: software of node 1 with nothing to compare, expected identification, date or time above 0"},
+     ":2:10: error: software of node 1 with nothing to compare, expected identification, date or time above 0"},
     {"manager: {node: 127}\nslaves: [{node: 1, software: {date: 1, update: true}}]\n",
-     ":2: error: an update of the software of node 1 without a program, expected update: true and program: FILE"},
+     ":2:10: error: an update of the software of node 1 without a program, expected update: true and program: FILE"},
     {"manager: {node: 127}\nslaves: [{node: 1, software: {date: 1, program: sensor.dcf}}]\n",
-     ":2: error: a program of node 1 that no update may load, expected update: true and program: FILE"},
+     ":2:10: error: a program of node 1 that no update may load, expected update: true and program: FILE"},
     {"manager: {node: 127}\nslaves: [{node: 1, software: {date: 1, program: nobody.bin}}]\n",
-     ":2:49: there is no file "},
-    {"manager: {node: 127, node: 126}\nslaves: [{node: 1}]\n", ":1:22: key 'node' twice, expected each key once"},
+     ":2:49: error: there is no file "},
+    {"manager: {node: 127, node: 126}\nslaves: [{node: 1}]\n",
+     ":1:22: error: key 'node' twice, expected each key once"},
     {"manager: {node: 127\n", ":"},
 };
 
@@ -177,11 +180,13 @@ TEST_F(BadNetworkTest, WhatACpjSaysBesideItsFormatIsTold)
     // When it is read, then each is told with its line, and nothing else
     const network_plan::LoadedNetwork net(runtime::ReadNetworkFile(path, 0U));
     const std::vector<std::string> expected{
-        path + ":9: a comment with '#' is no part of CiA 306, expected ';'; it is ignored",
-        path + ":12: section [Other] is ignored, expected [Topology] alone",
-        path + ":2: key 'NetNamme' is ignored, expected NetName, Nodes, NodeNPresent, NodeNName or NodeNDCFName",
-        path + ":11: key 'Node3Presnt' is ignored, expected NetName, Nodes, NodeNPresent, NodeNName or NodeNDCFName",
-        path + ":10: node 3 without Node3Present is taken as absent, expected Node3Present=1 or 0"};
+        path + ":9:1: warning: a comment with '#' is no part of CiA 306, expected ';'; it is ignored",
+        path + ":12:1: warning: section [Other] is ignored, expected [Topology] alone",
+        path + ":2:1: warning: key 'NetNamme' is ignored, expected NetName, Nodes, NodeNPresent, NodeNName or "
+               "NodeNDCFName",
+        path + ":11:1: warning: key 'Node3Presnt' is ignored, expected NetName, Nodes, NodeNPresent, NodeNName or "
+               "NodeNDCFName",
+        path + ":10:1: warning: node 3 without Node3Present is taken as absent, expected Node3Present=1 or 0"};
     EXPECT_EQ(net.Warnings(), expected);
     EXPECT_EQ(net.Slaves().size(), 1U);
 }
@@ -199,19 +204,18 @@ TEST_F(BadNetworkTest, EachMalformedYamlHasItsLine)
 TEST_F(BadNetworkTest, AFileThatIsNotThereOrADcfThatIsNone)
 {
     Verifies(req::SRS_NET_004);
-    EXPECT_EQ(Refusal(Path("nobody.cpj")).rfind(Path("nobody.cpj") + ":1: error: there is no file ", 0U), 0U);
-    EXPECT_EQ(Refusal(Path("nobody.yaml")).rfind(Path("nobody.yaml") + ":1: error: there is no file ", 0U), 0U);
-    EXPECT_EQ(Refusal("/dev/zero"),
-              "/dev/zero:1: error: '/dev/zero' is no regular file, expected a network file, CPJ or "
-              "YAML");
+    EXPECT_EQ(Refusal(Path("nobody.cpj")).rfind(Path("nobody.cpj") + ": error: there is no file ", 0U), 0U);
+    EXPECT_EQ(Refusal(Path("nobody.yaml")).rfind(Path("nobody.yaml") + ": error: there is no file ", 0U), 0U);
+    EXPECT_EQ(Refusal("/dev/zero"), "/dev/zero: error: '/dev/zero' is no regular file, expected a network file, CPJ or "
+                                    "YAML");
     const std::string large = File("large.yaml", std::string(1048577U, '#'));
-    EXPECT_EQ(Refusal(large), large + ":1: error: a network file of 1048577 bytes, expected at most 1048576");
+    EXPECT_EQ(Refusal(large), large + ": error: a network file of 1048577 bytes, expected at most 1048576");
     // Where a DCF cannot be opened, the line that names it is told
     const std::string device = File("d.cpj", "[Topology]\nNodes=1\nNode1Present=1\nNode1DCFName=/dev/zero\n");
-    EXPECT_EQ(Refusal(device), device + ":4: error: '/dev/zero' is no regular file, expected the DCF of node 1");
+    EXPECT_EQ(Refusal(device), device + ":4:14: error: '/dev/zero' is no regular file, expected the DCF of node 1");
     static_cast<void>(File("bad.dcf", "[FileInfo\n"));
     const std::string file = File("net.yaml", "manager: {node: 127}\nslaves: [{node: 1, dcf: bad.dcf}]\n");
-    EXPECT_EQ(Refusal(file).rfind(Path("bad.dcf") + ":1: error: ", 0U), 0U) << Refusal(file);
+    EXPECT_EQ(Refusal(file).rfind(Path("bad.dcf") + ":1:1: error: ", 0U), 0U) << Refusal(file);
 }
 
 TEST_F(BadNetworkTest, ASafetyConfigurationThatBreaksARuleIsNoExpectation)
@@ -221,7 +225,7 @@ TEST_F(BadNetworkTest, ASafetyConfigurationThatBreaksARuleIsNoExpectation)
     static_cast<void>(
         File("bad.dcf", Changed(ExampleText("sensor"), {{"ParameterValue=0xB631", "ParameterValue=0xB632"}})));
     const std::string file = File("net.yaml", "manager: {node: 127}\nslaves: [{node: 1, dcf: bad.dcf}]\n");
-    EXPECT_EQ(Refusal(file), Path("bad.dcf") + ":309: error: 0x13FE:00: 0xA5 marks a configuration with errors as "
+    EXPECT_EQ(Refusal(file), Path("bad.dcf") + ":309:16: error: 0x13FE:00: 0xA5 marks a configuration with errors as "
                                                "valid, expected 0x00 until all of them are repaired");
 }
 } // namespace

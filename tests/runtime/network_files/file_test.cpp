@@ -145,7 +145,7 @@ TEST_F(NetworkFileTest, AnSrdoThatIsOnlyListedIsNoPlainSlave)
     {
         refusal = error.what();
     }
-    EXPECT_EQ(refusal, Path("listed.dcf") + ":51: error: 0x1302: is listed, expected a section that describes it");
+    EXPECT_EQ(refusal, Path("listed.dcf") + ":51:4: error: 0x1302: is listed, expected a section that describes it");
 }
 
 TEST_F(NetworkFileTest, WhatIsConstInTheSafetyConfigurationIsExpectedToo)
@@ -247,12 +247,16 @@ slaves:
         }
         return told;
     };
-    EXPECT_EQ(warnings("cia302"), (std::vector<std::string>{"1: sync", "1: el6751", "4: el6751", "4: plc_designer"}));
-    EXPECT_EQ(warnings("el6751"), (std::vector<std::string>{"1: boot_time", "1: bit 6 of start_up", "4: plc_designer",
-                                                            "4: keep_alive", "4: restore"}));
+    EXPECT_EQ(warnings("cia302"), (std::vector<std::string>{"1:10: warning: sync", "1:10: warning: el6751",
+                                                            "4:5: warning: el6751", "4:5: warning: plc_designer"}));
+    EXPECT_EQ(
+        warnings("el6751"),
+        (std::vector<std::string>{"1:10: warning: boot_time", "1:10: warning: bit 6 of start_up",
+                                  "4:5: warning: plc_designer", "4:5: warning: keep_alive", "4:5: warning: restore"}));
     EXPECT_EQ(warnings("plc_designer"),
-              (std::vector<std::string>{"1: sync", "1: el6751", "1: boot_time", "1: bit 6 of start_up", "4: el6751",
-                                        "4: keep_alive", "4: restore", "4: serial"}));
+              (std::vector<std::string>{"1:10: warning: sync", "1:10: warning: el6751", "1:10: warning: boot_time",
+                                        "1:10: warning: bit 6 of start_up", "4:5: warning: el6751",
+                                        "4:5: warning: keep_alive", "4:5: warning: restore", "4:5: warning: serial"}));
 }
 
 TEST_F(NetworkFileTest, AGuardTimeBesideAHeartbeatAndAReservedBitAreToldToo)
@@ -269,11 +273,13 @@ TEST_F(NetworkFileTest, AGuardTimeBesideAHeartbeatAndAReservedBitAreToldToo)
     ASSERT_EQ(net.Warnings().size(), 3U);
     const auto says = [&net](const std::size_t number, const std::string& text)
     { return net.Warnings()[number].find("net.yaml:" + text) != std::string::npos; };
-    EXPECT_TRUE(says(0U, "3: guard_time has no effect: node 1 is supervised by heartbeat within 300 ms, expected "
-                         "heartbeat: 0 ms and no consumer time for one that is guarded"));
-    EXPECT_TRUE(says(1U, "5: bit 1 of assignment, which is reserved, has no effect"));
-    EXPECT_TRUE(says(2U, "6: node 4 sends a heartbeat each 50 ms and will not answer when it is guarded, expected "
-                         "heartbeat: 0 ms"));
+    EXPECT_TRUE(
+        says(0U, "3:5: warning: guard_time has no effect: node 1 is supervised by heartbeat within 300 ms, expected "
+                 "heartbeat: 0 ms and no consumer time for one that is guarded"));
+    EXPECT_TRUE(says(1U, "5:5: warning: bit 1 of assignment, which is reserved, has no effect"));
+    EXPECT_TRUE(
+        says(2U, "6:5: warning: node 4 sends a heartbeat each 50 ms and will not answer when it is guarded, expected "
+                 "heartbeat: 0 ms"));
 }
 
 std::string Variable(const std::string& section, const std::string& type, const std::string& value)
@@ -347,7 +353,7 @@ TEST_F(ManagersFileTest, ItsBitsAreKnownOnesAndWhoIsInItsNetworkIsInItsList)
     for (const std::string& value : {std::string("0x10"), std::string("0x0"), std::string("0x81")})
     {
         const std::string line = Refusal(Changed(dcf, {{"ParameterValue=0x11\n", "ParameterValue=" + value + "\n"}}));
-        EXPECT_NE(line.find("/manager.dcf:892: error: 0x1F80:00: " + value +
+        EXPECT_NE(line.find("/manager.dcf:892:16: error: 0x1F80:00: " + value +
                             ", expected bit 0 (NMT master), and of the others bits 1 to 6 alone"),
                   std::string::npos)
             << line;
@@ -393,7 +399,7 @@ TEST_F(NetworkFileTest, OneStartForAllWithASafetySlaveIsWarnedOf)
                                      0U));
         return net.Warnings();
     };
-    const std::string place = Path("net.yaml") + ":2: ";
+    const std::string place = Path("net.yaml") + ":2:10: warning: ";
     const std::string singly = place + "one start for all is asked for (1F80h bit 1), and there is a safety slave: "
                                        "each slave is started by itself after its verification";
     EXPECT_EQ(warnings("cia302"), std::vector<std::string>{singly});
@@ -416,7 +422,8 @@ TEST_F(NetworkFileTest, AConsumerTimeOfASlaveThatIsToldToSendNoHeartbeatIsWarned
             0U));
         return net.Warnings();
     };
-    const std::string told = Path("net.yaml") + ":3: node 5 is told to send no heartbeat and awaited within 300 ms: ";
+    const std::string told =
+        Path("net.yaml") + ":3:5: warning: node 5 is told to send no heartbeat and awaited within 300 ms: ";
     const std::string expected = ", expected a heartbeat, or consumer: 0 ms";
     const std::string silent = ", heartbeat: 0 ms, consumer: 300 ms";
     EXPECT_EQ(warnings("cia302", silent),

@@ -103,11 +103,11 @@ TEST_F(NetworkFlyingTest, UnknownWordsAndTimesAreRefusedAtTheirPlace)
         }
         return std::string("accepted");
     };
-    EXPECT_EQ(refusal("cyclic: 0x76"), ":1:56: '0x76', expected one of force, negotiation");
-    EXPECT_EQ(refusal("standby: sleeps"), ":1:57: 'sleeps', expected one of ignores, asks, races");
-    EXPECT_EQ(refusal("watch_time: 0 ms"), ":1:60: a master that is lost at once, expected a time above 0");
-    EXPECT_EQ(refusal("restarts: 256").substr(0U, 8U), ":1:58: '");
-    EXPECT_EQ(refusal("on_lost: race").substr(0U, 7U), ":1:48: ");
+    EXPECT_EQ(refusal("cyclic: 0x76"), ":1:56: error: '0x76', expected one of force, negotiation");
+    EXPECT_EQ(refusal("standby: sleeps"), ":1:57: error: 'sleeps', expected one of ignores, asks, races");
+    EXPECT_EQ(refusal("watch_time: 0 ms"), ":1:60: error: a master that is lost at once, expected a time above 0");
+    EXPECT_EQ(refusal("restarts: 256").substr(0U, 15U), ":1:58: error: '");
+    EXPECT_EQ(refusal("on_lost: race").substr(0U, 14U), ":1:48: error: ");
 }
 
 TEST_F(NetworkFlyingTest, StartUpValueDecidesNotTheDictionary)
@@ -160,9 +160,9 @@ TEST_F(NetworkFlyingTest, AFlyingMasterWithoutHeartbeatIsWarnedOf)
     const std::string file = File("net.yaml", "manager: {node: 2, flying: {priority: 1}}\nslaves: [{node: 9}]\n");
     const LoadedNetwork net(runtime::ReadNetworkFile(file, 0U));
     ASSERT_EQ(net.Warnings().size(), 1U);
-    EXPECT_EQ(net.Warnings()[0], file +
-                                     ":1: a flying master without heartbeat, which its standbys lose again and again: "
-                                     "expected a heartbeat above 0 ms");
+    EXPECT_EQ(net.Warnings()[0],
+              file + ":1:20: warning: a flying master without heartbeat, which its standbys lose again and again: "
+                     "expected a heartbeat above 0 ms");
 }
 
 TEST_F(NetworkFlyingTest, TimesThatDoNotGoTogetherAreWarnedOfAtTheirLine)
@@ -184,23 +184,26 @@ TEST_F(NetworkFlyingTest, TimesThatDoNotGoTogetherAreWarnedOfAtTheirLine)
     // Given a time for missing the master that is its heartbeat's, and one above it
     const std::string lost = " for masters with a heartbeat each 500 ms as this one: their standbys lose them again "
                              "and again, expected a longer one|";
-    EXPECT_EQ(warnings("    watch_time: 500 ms\n", slave), ":5: watch_time 500 ms" + lost);
+    EXPECT_EQ(warnings("    watch_time: 500 ms\n", slave), ":5:17: warning: watch_time 500 ms" + lost);
     EXPECT_EQ(warnings("    watch_time: 501 ms\n", slave), "");
     EXPECT_EQ(warnings("    watch_time: 500 ms\n    watch: application\n", slave), "");
     EXPECT_EQ(warnings("    watch_time: 500 ms\n    watch: twice_producer\n", slave), "");
     // Given a node slot in which a cycle of 1 ms and the frames of 125 kbit/s do not fit
-    EXPECT_EQ(warnings("    priority: 1\n    node_slot: 7 ms\n", slave),
-              ":6: node_slot 7 ms: with a cycle of 1 ms and 125 kbit/s a failover may take longer than computed, "
-              "expected at least 8 ms|");
+    EXPECT_EQ(
+        warnings("    priority: 1\n    node_slot: 7 ms\n", slave),
+        ":6:16: warning: node_slot 7 ms: with a cycle of 1 ms and 125 kbit/s a failover may take longer than computed, "
+        "expected at least 8 ms|");
     EXPECT_EQ(warnings("    node_slot: 8 ms\n", slave), "");
     // Given standbys that race whenever the master sends its cyclic message
     EXPECT_EQ(warnings("    cyclic: negotiation\n    standby: races\n", slave),
-              ":6: standby races with cyclic negotiation: masters like this one elect without end, expected another "
+              ":6:14: warning: standby races with cyclic negotiation: masters like this one elect without end, "
+              "expected another "
               "word for one of them|");
     EXPECT_EQ(warnings("    standby: races\n", slave), "");
     // Given masters that hear of each other by 071h alone, and ignore it
     EXPECT_EQ(warnings("    cyclic: negotiation\n    claim_heard: ignores\n", slave),
-              ":6: claim_heard ignores with cyclic negotiation: two masters like this one never end, expected another "
+              ":6:18: warning: claim_heard ignores with cyclic negotiation: two masters like this one never end, "
+              "expected another "
               "word for one of them|");
     EXPECT_EQ(warnings("    claim_heard: ignores\n", slave), "");
 }

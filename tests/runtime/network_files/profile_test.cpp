@@ -75,7 +75,7 @@ TEST_F(NetworkProfileTest, ASynchronousPdoWithoutASyncPeriodIsRefused)
     catch (const std::exception& error)
     {
         EXPECT_EQ(std::string(error.what()),
-                  file + ":4: error: PDO 1 of node 5 is synchronous (type 1) and there is no SYNC, expected a period "
+                  file + ":4:5: error: PDO 1 of node 5 is synchronous (type 1) and there is no SYNC, expected a period "
                          "under manager, sync");
     }
 }
@@ -287,8 +287,9 @@ TEST_F(NetworkProfileTest, OtherConsumersOfTheSlaveAreKept)
     const LoadedNetwork net(runtime::ReadNetworkFile(Net("  profile: el6751\n  heartbeat: 100 ms\n", ""), 0U));
     EXPECT_EQ(Keys(net.Setup().slaves[5].concise_dcf), (std::vector<std::uint32_t>{0x100600U, 0x101602U, 0x200000U}));
     ASSERT_EQ(net.Warnings().size(), 1U);
-    EXPECT_NE(net.Warnings()[0].find(":8: node 5 watches node 9 by 1016h:01, where the profile writes the manager, "
-                                     "expected it at another sub-index"),
+    EXPECT_NE(net.Warnings()[0].find(
+                  ":8:5: warning: node 5 watches node 9 by 1016h:01, where the profile writes the manager, "
+                  "expected it at another sub-index"),
               std::string::npos)
         << net.Warnings()[0];
 }
@@ -322,8 +323,9 @@ TEST_F(NetworkProfileTest, APdoOf29BitsIsRefused)
     catch (const std::exception& error)
     {
         EXPECT_EQ(std::string(error.what()),
-                  dcf + ":75: error: 0x1400:01 is 0x20000205, a PDO with an identifier of 29 bits, expected one of 11 "
-                        "bits (bit 29 is 0)");
+                  dcf +
+                      ":75:16: error: 0x1400:01 is 0x20000205, a PDO with an identifier of 29 bits, expected one of 11 "
+                      "bits (bit 29 is 0)");
     }
 }
 
@@ -342,15 +344,18 @@ TEST_F(NetworkProfileTest, ASlaveThatHardlyWaitsForTheManagersHeartbeatIsTold)
     };
     // 100 ms x 2 as of the DCF; 1.5 times the period is enough
     EXPECT_EQ(warnings("  profile: el6751\n  heartbeat: 200 ms\n", ""),
-              "8: node 5 watches the manager for 200 ms, whose heartbeat comes every 200 ms, expected at least 300 ms, "
+              "8:5: warning: node 5 watches the manager for 200 ms, whose heartbeat comes every 200 ms, expected at "
+              "least 300 ms, "
               "or a shorter heartbeat under manager\n");
     EXPECT_EQ(warnings("  profile: el6751\n  heartbeat: 134 ms\n", ""),
-              "8: node 5 watches the manager for 200 ms, whose heartbeat comes every 134 ms, expected at least 201 ms, "
+              "8:5: warning: node 5 watches the manager for 200 ms, whose heartbeat comes every 134 ms, expected at "
+              "least 201 ms, "
               "or a shorter heartbeat under manager\n");
     EXPECT_EQ(warnings("  profile: el6751\n  heartbeat: 133 ms\n", ""), "");
-    EXPECT_EQ(warnings("  profile: el6751\n", ""),
-              "7: node 5 watches the manager for 200 ms, and the manager sends no heartbeat, expected one under "
-              "manager\n");
+    EXPECT_EQ(
+        warnings("  profile: el6751\n", ""),
+        "7:5: warning: node 5 watches the manager for 200 ms, and the manager sends no heartbeat, expected one under "
+        "manager\n");
     // Under another profile what 1016h of the DCF says of this manager, not of another node
     const auto device = [this](const std::string& consumer)
     {
@@ -364,12 +369,12 @@ TEST_F(NetworkProfileTest, ASlaveThatHardlyWaitsForTheManagersHeartbeatIsTold)
         static_cast<void>(File("io.dcf", text));
     };
     device("0x7F0064");
-    EXPECT_EQ(warnings("  heartbeat: 90 ms\n", ""),
-              "3: sync has no effect with the profile cia302\n"
-              "7: node 5 watches the manager for 100 ms, whose heartbeat comes every 90 ms, expected at least 135 ms, "
-              "or a shorter heartbeat under manager\n");
+    EXPECT_EQ(warnings("  heartbeat: 90 ms\n", ""), "3:3: warning: sync has no effect with the profile cia302\n"
+                                                    "7:5: warning: node 5 watches the manager for 100 ms, whose "
+                                                    "heartbeat comes every 90 ms, expected at least 135 ms, "
+                                                    "or a shorter heartbeat under manager\n");
     device("0x7E0064");
-    EXPECT_EQ(warnings("  heartbeat: 90 ms\n", ""), "3: sync has no effect with the profile cia302\n");
+    EXPECT_EQ(warnings("  heartbeat: 90 ms\n", ""), "3:3: warning: sync has no effect with the profile cia302\n");
 }
 
 } // namespace

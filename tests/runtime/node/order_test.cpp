@@ -131,11 +131,12 @@ TEST_F(NodeScriptTest, WhatCannotBeUsedIsRefusedWithItsPlace)
     EXPECT_NE(Refusal("steps: [{at: 1 s, do: quit, every: 0 s}]"), "accepted");
     EXPECT_NE(Refusal("logic: [{set: 0x2000:01, op: copy, from: [0x2200:01, 0x2200:02]}]"), "accepted");
     EXPECT_NE(Refusal("logic: [{set: 0x2000:01, op: and, from: []}]"), "accepted");
-    EXPECT_EQ(Refusal("steps: [{at: 1 s, at: 2 s, do: quit}]"), file + ":1:19: key 'at' twice, expected each key once");
-    EXPECT_EQ(Refusal("steps: []\nsteps: []"), file + ":2:1: key 'steps' twice, expected each key once");
-    EXPECT_EQ(Refusal("title: [1]"), file + ":1:8: a list, expected a title");
+    EXPECT_EQ(Refusal("steps: [{at: 1 s, at: 2 s, do: quit}]"),
+              file + ":1:19: error: key 'at' twice, expected each key once");
+    EXPECT_EQ(Refusal("steps: []\nsteps: []"), file + ":2:1: error: key 'steps' twice, expected each key once");
+    EXPECT_EQ(Refusal("title: [1]"), file + ":1:8: error: a list, expected a title");
     EXPECT_EQ(Refusal("steps: [{at: 1 s, do: ''}]"),
-              file + ":1:23: no order, expected an order such as set 0x2000:01 1");
+              file + ":1:23: error: no order, expected an order such as set 0x2000:01 1");
 }
 
 using NodeCommandTest = test::CommandTest;

@@ -277,7 +277,7 @@ TEST_F(NodeServicesTest, AStoreThatCannotBeUsedIsTold)
                                        [](const NodeLine& line) { return line.event["event"] == "store"; });
         ASSERT_NE(told, lines.end()) << store;
         const std::string text = told->event["text"];
-        EXPECT_EQ(text.find(store + ":0: warning: "), 0U) << text;
+        EXPECT_EQ(text.find(store + ": warning: "), 0U) << text;
         EXPECT_NE(text.find(dcf == everything
                                 ? "what was saved is damaged, expected the whole set that 1010h has saved last"
                                 : "saved values are refused (0x4001:00, 0x4002:00, "),
@@ -325,7 +325,7 @@ TEST_F(NodeServicesTest, ADamagedStoreNeverBringsAnOlderConfigurationBack)
     file.put(static_cast<char>(byte ^ 1));
     file.close();
     const std::string told = store +
-                             ":0: warning: what was saved is damaged, expected the whole set that 1010h has "
+                             ": warning: what was saved is damaged, expected the whole set that 1010h has "
                              "saved last; no older one is loaded, and 13FEh is not A5h until a configuration is "
                              "written and saved again";
     // A save of the manufacturer's values alone brings no safety configuration back

@@ -37,6 +37,8 @@ inline constexpr RequirementId SRS_CLI_032{"SRS_CLI_032"};
 inline constexpr RequirementId SRS_CLI_033{"SRS_CLI_033"};
 inline constexpr RequirementId SRS_CLI_034{"SRS_CLI_034"};
 inline constexpr RequirementId SRS_CLI_035{"SRS_CLI_035"};
+inline constexpr RequirementId SRS_CLI_036{"SRS_CLI_036"};
+inline constexpr RequirementId SRS_CLI_037{"SRS_CLI_037"};
 inline constexpr RequirementId SRS_EDS_001{"SRS_EDS_001"};
 inline constexpr RequirementId SRS_EDS_002{"SRS_EDS_002"};
 inline constexpr RequirementId SRS_EDS_003{"SRS_EDS_003"};
@@ -71,6 +73,8 @@ inline constexpr RequirementId SRS_EDS_031{"SRS_EDS_031"};
 inline constexpr RequirementId SRS_EDS_032{"SRS_EDS_032"};
 inline constexpr RequirementId SRS_EDS_033{"SRS_EDS_033"};
 inline constexpr RequirementId SRS_EDS_034{"SRS_EDS_034"};
+inline constexpr RequirementId SRS_EDS_035{"SRS_EDS_035"};
+inline constexpr RequirementId SRS_EDS_036{"SRS_EDS_036"};
 } // namespace counterpoint::req
 
 #endif

@@ -58,6 +58,7 @@ inline constexpr RequirementId SRS_NODE_031{"SRS_NODE_031"};
 inline constexpr RequirementId SRS_NODE_032{"SRS_NODE_032"};
 inline constexpr RequirementId SRS_NODE_037{"SRS_NODE_037"};
 inline constexpr RequirementId SRS_NODE_038{"SRS_NODE_038"};
+inline constexpr RequirementId SRS_NODE_040{"SRS_NODE_040"};
 } // namespace counterpoint::req
 
 #endif

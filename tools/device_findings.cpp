@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "tools/device_check.hpp"
+#include "tools/device_findings.hpp"
 
 #include "canopen/cia306/file/device_reader.hpp"
 #include "canopen/cia306/safety/safety_configuration.hpp"
@@ -31,11 +31,11 @@ std::vector<cia306::Finding> TryGenerate(const cia306::Device& device, const std
     }
     catch (const cia306::InputError& error)
     {
-        return {{cia306::Severity::kError, error.Line(), "", error.Message()}};
+        return {{cia306::Severity::kError, error.Where(), "", error.Message()}};
     }
 }
 
-/// What the commands that use the file say of it; a file without node-ID is tried with any. [SRS_CLI_030]
+/// What the commands that use the file say of it; a file without node-ID is tried with any.
 std::vector<cia306::Finding> TryCommands(const cia306::Device& device, const std::string& text,
                                          const std::optional<std::uint8_t> node_id)
 {
@@ -51,7 +51,7 @@ void AddOthers(std::vector<cia306::Finding>& findings, const std::vector<cia306:
     for (const cia306::Finding& other : others)
     {
         const bool is_told = std::any_of(findings.begin(), findings.end(), [&other](const cia306::Finding& finding)
-                                         { return finding.line == other.line && finding.object == other.object; });
+                                         { return finding.place == other.place && finding.object == other.object; });
         if (!is_told || other.severity == cia306::Severity::kError)
         {
             findings.push_back(other);
@@ -94,13 +94,17 @@ std::vector<cia306::Finding> FindingsOf(const cia306::Device& device, const std:
                                         const cia306::CheckOptions& options)
 {
     std::vector<cia306::Finding> findings = cia306::CheckDevice(device, options);
-    const bool has_error = std::any_of(findings.begin(), findings.end(), [](const cia306::Finding& finding)
-                                       { return finding.severity == cia306::Severity::kError; });
-    if (!has_error)
+    if (ErrorsIn(findings) == 0U)
     {
         AddOthers(findings, TryCommands(device, text, options.node_id));
     }
     return findings;
+}
+
+std::size_t ErrorsIn(const std::vector<cia306::Finding>& findings)
+{
+    return static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(), [](const cia306::Finding& finding)
+                                                  { return finding.severity == cia306::Severity::kError; }));
 }
 
 const cia306::Finding* CauseIn(const std::vector<cia306::Finding>& findings)

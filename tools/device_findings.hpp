@@ -1,9 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#ifndef TOOLS_DEVICE_CHECK_HPP
-#define TOOLS_DEVICE_CHECK_HPP
+#ifndef TOOLS_DEVICE_FINDINGS_HPP
+#define TOOLS_DEVICE_FINDINGS_HPP
 
 #include "canopen/cia306/check/check.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,10 +12,13 @@
 
 namespace counterpoint::tools
 {
-/// What the rules find in a device and, where they find no error, what the commands that use its file say of it, in the
-/// order of the lines. `text` is the text of the file. [SRS_CLI_030]
+/// @brief What `check` finds in a device file, in the order of the lines: its rules and, where these find no error,
+/// what the commands that use the file say of it. `text` is the text that `device` was read from. [SRS_CLI_030]
 [[nodiscard]] std::vector<cia306::Finding> FindingsOf(const cia306::Device& device, const std::string& text,
                                                       const cia306::CheckOptions& options);
+
+/// Number of errors among the findings.
+[[nodiscard]] std::size_t ErrorsIn(const std::vector<cia306::Finding>& findings);
 
 /// The error to tell where one is told: 13FEh only repeats that there are others. Null: there is none.
 [[nodiscard]] const cia306::Finding* CauseIn(const std::vector<cia306::Finding>& findings);
@@ -25,4 +29,4 @@ namespace counterpoint::tools
                                                                  std::optional<std::uint8_t> node_id);
 } // namespace counterpoint::tools
 
-#endif // TOOLS_DEVICE_CHECK_HPP
+#endif // TOOLS_DEVICE_FINDINGS_HPP

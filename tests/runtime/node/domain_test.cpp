@@ -1,0 +1,55 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/file/device_reader.hpp"
+#include "runtime/device/objects/objects.hpp"
+#include "tests/tools/command_run.hpp"
+#include "verification/trace/ids/node.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <cstdint>
+#include <string>
+
+// How much a client may write into a DOMAIN.
+namespace counterpoint::runtime
+{
+namespace
+{
+/// Room of 3000h, an object of this type and access, with a value.
+std::uint32_t RoomOf(const std::string& keys, const std::uint32_t domain_bytes)
+{
+    const std::string text = "[3000]\n" + keys;
+    const cia306::Device device = cia306::ReadDevice(cia306::IniDocument::Parse("room.dcf", text));
+    const auto is_kernels = [](std::uint16_t, std::uint8_t) { return false; };
+    const DeviceObjects objects(device, 5U, is_kernels, domain_bytes);
+    return objects.Table().entries[0].size_bytes;
+}
+
+TEST(DomainRoom, IsThatOfTheSetting)
+{
+    Verifies(req::SRS_NODE_040);
+    const std::string domain = "ObjectType=2\nAccessType=rw\n";
+    EXPECT_EQ(RoomOf(domain, kDomainBytes), 8192U);
+    EXPECT_EQ(RoomOf(domain, 1U), 1U);
+    EXPECT_EQ(RoomOf(domain, 100000U), 100000U);
+    // A longer value of the file has its own
+    EXPECT_EQ(RoomOf(domain + "DefaultValue=abcdefghijklmnop\n", 4U), 16U);
+    // Nobody writes it
+    EXPECT_EQ(RoomOf("ObjectType=2\nAccessType=ro\nDefaultValue=abc\n", 8192U), 3U);
+    // Strings are not concerned
+    EXPECT_EQ(RoomOf("DataType=9\nAccessType=rw\n", 1U), 256U);
+}
+
+TEST(DomainRoom, IsAnOptionWithARange)
+{
+    Verifies(req::SRS_NODE_040);
+    for (const char* const bytes : {"0", "16777217", "-1", "8k"})
+    {
+        const auto answer = tools::test::RunCommand(
+            {"node", "--can", "udp:239.74.163.2:43113", "--dcf", "none.dcf", "--domain-bytes", bytes});
+        EXPECT_EQ(answer.status, 2) << bytes;
+        EXPECT_NE(answer.err.find("--domain-bytes"), std::string::npos) << answer.err;
+    }
+    const std::string help = tools::test::RunCommand({"node", "--help"}).out;
+    EXPECT_NE(help.find("--domain-bytes INT:INT in [1 - 16777216]=8192"), std::string::npos) << help;
+}
+} // namespace
+} // namespace counterpoint::runtime
