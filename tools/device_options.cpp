@@ -48,6 +48,7 @@ ExitStatus RunOnDevice(const DeviceOptions& options, const Streams& streams, con
         if (options.is_json)
         {
             const nlohmann::ordered_json answer{
+                {"format", "counterpoint-error-1"},
                 {"error", {{"file", error.File()}, {"line", error.Line()}, {"message", error.Message()}}}};
             streams.out << runtime::JsonText(answer);
         }

@@ -68,9 +68,11 @@ TEST_F(SlipInAFile, NearestKeyAndWordAreNamed)
 {
     Verifies(req::SRS_EASE_001);
     const std::string scenario = File("a.yaml", "titel: none\n");
-    EXPECT_EQ(RunCommand({"simulate", scenario}).err.rfind(
-                  scenario + ":1:1: unknown key 'titel' (did you mean 'title'?) in a scenario, expected one of ", 0U),
-              0U);
+    EXPECT_EQ(
+        RunCommand({"simulate", scenario})
+            .err.rfind(scenario + ":1:1: unknown key 'titel' (did you mean 'title'?) in a scenario, expected one of ",
+                       0U),
+        0U);
     const std::string network = File("b.yaml", "manager: {node: 127}\nslaves: [{node: 1, naem: x}]\n");
     EXPECT_EQ(RunCommand({"manager", "--can", "none", "--network", network})
                   .err.rfind(network + ":2:20: unknown key 'naem' (did you mean 'name'?), expected node, name", 0U),
@@ -172,9 +174,10 @@ TEST_F(Completion, TextsOfTheTablesCannotBreakTheScripts)
     Verifies(req::SRS_EASE_003);
     // From the table: "Start-up profile of the managers: one of the scenario's 'profiles'" and "Run once: ... [KEY]".
     const std::string zsh = RunCommand({"completion", "zsh"}).out;
-    EXPECT_NE(zsh.find("'*--profile[Start-up profile of the managers\\: one of the scenario'\\''s '\\''profiles'\\'']:TEXT:"
-                       "_files'"),
-              std::string::npos);
+    EXPECT_NE(
+        zsh.find("'*--profile[Start-up profile of the managers\\: one of the scenario'\\''s '\\''profiles'\\'']:TEXT:"
+                 "_files'"),
+        std::string::npos);
     EXPECT_EQ(zsh.rfind("#compdef counterpoint\n", 0U), 0U);
     const std::string fish = RunCommand({"completion", "fish"}).out;
     EXPECT_NE(fish.find(" -l profile -r -F -d 'Start-up profile of the managers: one of the scenario\\'s "

@@ -170,7 +170,8 @@ void WriteZsh(const std::vector<DescribedCommand>& commands, std::ostream& out)
         {
             if (option.is_of_commands)
             {
-                out << " \\\n                " << ShellQuoted(std::string(option.name) + "[" + option.description + "]");
+                out << " \\\n                "
+                    << ShellQuoted(std::string(option.name) + "[" + option.description + "]");
             }
         }
         out << " ;;\n";

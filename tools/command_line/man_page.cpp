@@ -33,7 +33,8 @@ std::string Synopsis(const Options& options)
     for (const Option& option : options.All())
     {
         const std::string value = ValueName(option);
-        const std::string name = "\\fB" + Roff(option.name) + "\\fR" + (value.empty() ? "" : " \\fI" + Roff(value) + "\\fR");
+        const std::string name =
+            "\\fB" + Roff(option.name) + "\\fR" + (value.empty() ? "" : " \\fI" + Roff(value) + "\\fR");
         text += option.is_required ? " " + name : " [" + name + "]";
     }
     return text;
@@ -71,7 +72,8 @@ void WriteCommand(const DescribedCommand& command, std::ostream& out)
     for (const Option& option : command.options->All())
     {
         const std::string value = ValueName(option);
-        out << ".TP\n\\fB" << Roff(option.name) << "\\fR" << (value.empty() ? "" : " \\fI" + Roff(value) + "\\fR") << "\n"
+        out << ".TP\n\\fB" << Roff(option.name) << "\\fR" << (value.empty() ? "" : " \\fI" + Roff(value) + "\\fR")
+            << "\n"
             << Roff(WhatItIs(option)) << ".\n";
     }
     const std::string& footer = command.options->FooterText();
@@ -86,8 +88,8 @@ std::string ManPage(const std::vector<CommandRow>& table)
 {
     std::ostringstream out;
     const std::string version = CounterpointVersion;
-    out << ".\\\" Made by 'counterpoint man'.\n.TH COUNTERPOINT 1 \"\" \"" << Roff(version.substr(0U, version.find(" (")))
-        << "\" \"User Commands\"\n.SH NAME\n"
+    out << ".\\\" Made by 'counterpoint man'.\n.TH COUNTERPOINT 1 \"\" \""
+        << Roff(version.substr(0U, version.find(" ("))) << "\" \"User Commands\"\n.SH NAME\n"
         << kProgram << " \\- CANopen Safety (EN 50325\\-5) tools\n.SH SYNOPSIS\n.B " << kProgram
         << "\nCOMMAND [OPTION ...]\n";
     for (const CommonOption& option : kCommonOptions)

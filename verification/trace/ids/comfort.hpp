@@ -10,6 +10,7 @@ namespace counterpoint::req
 inline constexpr RequirementId SRS_EASE_001{"SRS_EASE_001"};
 inline constexpr RequirementId SRS_EASE_003{"SRS_EASE_003"};
 inline constexpr RequirementId SRS_EASE_004{"SRS_EASE_004"};
+inline constexpr RequirementId SRS_EASE_005{"SRS_EASE_005"};
 } // namespace counterpoint::req
 
 #endif
