@@ -6,7 +6,7 @@ set(COUNTERPOINT_INSTALLED_ROOMS safety_core_contract safety_core_comparator hal
     safety_core_crosslink channel_a channel_b hal_absent canopen_cia301
     canopen_cia302_network canopen_cia302_safety_gate canopen_cia302_flying_master canopen_start_up_cia302
     canopen_start_up_el6751 canopen_start_up_plc_designer canopen_manager
-    canopen_cia305 canopen_device canopen_generated)
+    canopen_cia305 canopen_device canopen_generated names)
 set(COUNTERPOINT_INSTALLED_FOLDERS safety_core hal/api hal/absent channel_a channel_b canopen/cia301 canopen/cia302 canopen/start_up canopen/manager
     canopen/cia305
     canopen/device canopen/generated)
@@ -41,6 +41,8 @@ endif()
 
 install(TARGETS ${COUNTERPOINT_INSTALLED_ROOMS} EXPORT CounterpointTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 foreach(folder IN LISTS COUNTERPOINT_INSTALLED_FOLDERS)
+  install(DIRECTORY ${COUNTERPOINT_NAMES}/names/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/names/${folder} OPTIONAL
+          FILES_MATCHING PATTERN "*.hpp")
   install(DIRECTORY ${Counterpoint_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder}
           FILES_MATCHING PATTERN "*.hpp")
 endforeach()

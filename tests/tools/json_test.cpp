@@ -91,10 +91,11 @@ TEST_F(JsonAnswer, EachDocumentHasItsFormatAndEachFieldIsDescribed)
                        "counterpoint-sign-1", false),
               "");
     EXPECT_EQ(UntoldIn(RunCommand({"check", device_, "--json"}).out, "counterpoint-check-1", false), "");
-    EXPECT_EQ(UntoldIn(RunCommand({"check", device_, "--json", "--granularity", "64"}).out, "counterpoint-check-1", false),
-              "");
-    EXPECT_EQ(UntoldIn(RunCommand({"generate", device_, "--json", "--output", Path("c")}).out, "counterpoint-generate-1",
-                       false),
+    EXPECT_EQ(
+        UntoldIn(RunCommand({"check", device_, "--json", "--granularity", "64"}).out, "counterpoint-check-1", false),
+        "");
+    EXPECT_EQ(UntoldIn(RunCommand({"generate", device_, "--json", "--output", Path("c")}).out,
+                       "counterpoint-generate-1", false),
               "");
     EXPECT_EQ(UntoldIn(RunCommand({"check", Path("none.dcf"), "--json"}).out, "counterpoint-error-1", false), "");
 }
@@ -103,12 +104,13 @@ TEST_F(JsonAnswer, RecordingOfASimulationAndWhatTheMonitorSaysOfIt)
 {
     Verifies(req::SRS_EASE_005);
     const std::string scenario = kSource + "/examples/emergency_stop/02_loss_of_inverse_frame.yaml";
-    ASSERT_NE(RunCommand({"simulate", scenario, "--quiet", "--json", Path("run.json"), "--candump", Path("run.log")}).status,
-              2);
+    ASSERT_NE(
+        RunCommand({"simulate", scenario, "--quiet", "--json", Path("run.json"), "--candump", Path("run.log")}).status,
+        2);
     EXPECT_EQ(UntoldIn(cia306::ReadTextFile(Path("run.json")), "counterpoint-simulation-1", false), "");
     const std::string examples = kSource + "/examples/emergency_stop/";
-    const test::Answer answer = RunCommand({"monitor", Path("run.log"), "--json", "--dcf", examples + "sensor.dcf", "--dcf",
-                                      examples + "controller.dcf", "--dcf", examples + "actuator.dcf"});
+    const test::Answer answer = RunCommand({"monitor", Path("run.log"), "--json", "--dcf", examples + "sensor.dcf",
+                                            "--dcf", examples + "controller.dcf", "--dcf", examples + "actuator.dcf"});
     ASSERT_NE(answer.status, 2) << answer.err;
     EXPECT_EQ(UntoldIn(answer.out, "counterpoint-monitor-1", false), "");
 }
@@ -120,13 +122,13 @@ TEST_F(JsonAnswer, EachLineOfNodeAndManagerHasItsFormat)
         File("script.yaml", "steps:\n  - {at: 50 ms, do: nmt start}\n  - {at: 200 ms, do: state}\n"
                             "  - {at: 210 ms, do: get 0x1018:01}\n  - {at: 220 ms, do: get 0x7777:01}\n"
                             "  - {at: 300 ms, do: quit}\n");
-    const test::Answer node = RunCommand({"node", "--can", "udp:239.74.163.61:43161", "--dcf", device_, "--script", script,
-                                    "--json", "--no-input", "--no-self-tests"});
+    const test::Answer node = RunCommand({"node", "--can", "udp:239.74.163.61:43161", "--dcf", device_, "--script",
+                                          script, "--json", "--no-input", "--no-self-tests"});
     EXPECT_EQ(UntoldIn(node.out, "counterpoint-node-1", true), "") << node.out;
     EXPECT_NE(node.out.find("\"event\":\"stopped\""), std::string::npos) << node.err;
-    const test::Answer manager =
-        RunCommand({"manager", "--can", "udp:239.74.163.61:43162", "--network", kSource + "/examples/networks/chain.yaml",
-                    "--for", "1", "--json", "--no-input", "--log", Path("log")});
+    const test::Answer manager = RunCommand({"manager", "--can", "udp:239.74.163.61:43162", "--network",
+                                             kSource + "/examples/networks/chain.yaml", "--for", "1", "--json",
+                                             "--no-input", "--log", Path("log")});
     EXPECT_EQ(UntoldIn(manager.out, "counterpoint-manager-1", true), "") << manager.out;
     EXPECT_NE(manager.out.find("\"event\":\"table\""), std::string::npos) << manager.err;
     EXPECT_NE(manager.out.find("\"heartbeat_age_ms\":null,\"emergency_code\":0,\"emergency_count\":0,"),
@@ -148,7 +150,8 @@ TEST_F(JsonAnswer, SweepHasItsFormat)
 {
     Verifies(req::SRS_EASE_005);
     const std::string scenario = kSource + "/examples/emergency_stop/00_no_fault.yaml";
-    ASSERT_NE(RunCommand({"simulate", scenario, "--quiet", "--sweep", "seed=1:2:1", "--json", Path("sweep.json")}).status, 2);
+    ASSERT_NE(
+        RunCommand({"simulate", scenario, "--quiet", "--sweep", "seed=1:2:1", "--json", Path("sweep.json")}).status, 2);
     EXPECT_EQ(UntoldIn(cia306::ReadTextFile(Path("sweep.json")), "counterpoint-sweep-1", false), "");
 }
 } // namespace

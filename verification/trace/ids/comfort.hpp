@@ -11,6 +11,8 @@ inline constexpr RequirementId SRS_EASE_001{"SRS_EASE_001"};
 inline constexpr RequirementId SRS_EASE_003{"SRS_EASE_003"};
 inline constexpr RequirementId SRS_EASE_004{"SRS_EASE_004"};
 inline constexpr RequirementId SRS_EASE_005{"SRS_EASE_005"};
+inline constexpr RequirementId SRS_EASE_006{"SRS_EASE_006"};
+inline constexpr RequirementId SRS_EASE_007{"SRS_EASE_007"};
 } // namespace counterpoint::req
 
 #endif
