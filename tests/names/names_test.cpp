@@ -33,8 +33,9 @@ TEST(Names, MeaningIsTheCommentOfTheEnumerator)
 {
     Verifies(req::SRS_EASE_006);
     EXPECT_STREQ(MeaningOf(StartResult::kPorts), "Not kFirst or kSecond.");
-    EXPECT_STREQ(MeaningOf(StartResult::kObjects), // Of two lines.
-                 "Out of order, a length not 1 to 64, no place, more than 1024, or 0001h to 0007h beside dummy entries.");
+    EXPECT_STREQ(
+        MeaningOf(StartResult::kObjects), // Of two lines.
+        "Out of order, a length not 1 to 64, no place, more than 1024, or 0001h to 0007h beside dummy entries.");
     EXPECT_STREQ(MeaningOf(StartResult::kStarted), "");
     EXPECT_STREQ(MeaningOf(DeviceFault::kCrossLink), "The link to the other CPU is lost or wrong.");
 }
@@ -62,7 +63,8 @@ TEST(Names, WordsOfFilesAreTheNames)
 TEST(NoStart, ReasonIsToldInWords)
 {
     Verifies(req::SRS_EASE_007);
-    EXPECT_EQ(runtime::NoStartText(StartResult::kSrdoCount), "the kernel refuses this device: srdo count (Not 1 to 64)");
+    EXPECT_EQ(runtime::NoStartText(StartResult::kSrdoCount),
+              "the kernel refuses this device: srdo count (Not 1 to 64)");
     EXPECT_EQ(runtime::NoStartText(StartResult::kStamps),
               "the kernel refuses this device: stamps (The HAL does not guarantee stamps)");
     EXPECT_EQ(runtime::NoStartText(StartResult::kInvalid), "the kernel refuses this device: invalid");

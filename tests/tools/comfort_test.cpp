@@ -1,12 +1,17 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tests/tools/command_run.hpp"
 #include "tools/command_line/described.hpp"
+#include "tools/command_line/painter.hpp"
 #include "verification/trace/ids/comfort.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
+#include <pty.h>
 #include <string>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <vector>
 
 namespace counterpoint::tools
@@ -84,6 +89,74 @@ TEST_F(SlipInAFile, NearestKeyAndWordAreNamed)
     const std::string far_away = File("d.yaml", "colour: red\n");
     EXPECT_EQ(RunCommand({"simulate", far_away}).err.rfind(far_away + ":1:1: unknown key 'colour' in a scenario", 0U),
               0U);
+}
+
+/// What a shell command writes to a terminal, without carriage returns.
+std::string OnTerminal(const std::string& command)
+{
+    int terminal = -1;
+    const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+    if (child == 0)
+    {
+        ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+        ::_exit(127);
+    }
+    std::string text;
+    char letter = 0;
+    while (child > 0 && ::read(terminal, &letter, 1U) == 1) // Ends with an error when the other side is closed.
+    {
+        text += (letter == '\r') ? "" : std::string(1U, letter);
+    }
+    static_cast<void>(::waitpid(child, nullptr, 0));
+    static_cast<void>(::close(terminal));
+    return text;
+}
+
+const std::string kProgramFile = COUNTERPOINT_PROGRAM;
+const std::string kColours = "TERM=xterm NO_COLOR= ";
+
+TEST(Colours, WordsStandAlone)
+{
+    Verifies(req::SRS_EASE_002);
+    EXPECT_EQ(Painted("a:1: error: b"), "a:1: \033[31merror:\033[0m b");
+    EXPECT_EQ(Painted("a:1: warning: b"), "a:1: \033[33mwarning:\033[0m b");
+    EXPECT_EQ(Painted("NMT operational"), "NMT \033[32moperational\033[0m");
+    EXPECT_EQ(Painted("pre-operational, srdo_error, terror: unreleased"),
+              "pre-operational, srdo_error, terror: unreleased");
+    EXPECT_EQ(Painted("SRDO 1 faulted\n"), "SRDO 1 \033[31mfaulted\033[0m\n");
+    EXPECT_EQ(Painted(""), "");
+}
+
+TEST(Colours, AreOnATerminalAlone)
+{
+    Verifies(req::SRS_EASE_002);
+    const std::string command = kProgramFile + " check nobody.dcf";
+    const std::string coloured = OnTerminal(kColours + command);
+    EXPECT_NE(coloured.find("nobody.dcf:0: \033[31merror:\033[0m "), std::string::npos) << coloured;
+    // A pipe, a file; each output by itself.
+    EXPECT_EQ(Printed(kColours + command + " || true").find('\033'), std::string::npos);
+    EXPECT_EQ(OnTerminal(kColours + command + " 2>&1 | cat").find('\033'), std::string::npos);
+    const std::string half = OnTerminal(kColours + command + " --json | cat");
+    EXPECT_NE(half.find("\033[31merror:\033[0m"), std::string::npos) << half;
+    EXPECT_NE(half.find("\"error\": {\n"), std::string::npos) << half;
+}
+
+TEST(Colours, NobodyGetsThemWhoWantsOrKnowsNone)
+{
+    Verifies(req::SRS_EASE_002);
+    const std::string command = kProgramFile + " check nobody.dcf";
+    const std::string plain = OnTerminal("TERM=xterm NO_COLOR=1 " + command);
+    EXPECT_NE(plain.find("nobody.dcf:0: error: "), std::string::npos) << plain;
+    EXPECT_EQ(plain.find('\033'), std::string::npos);
+    EXPECT_EQ(OnTerminal("NO_COLOR= TERM=dumb " + command).find('\033'), std::string::npos);
+    EXPECT_EQ(OnTerminal("NO_COLOR= TERM= " + command).find('\033'), std::string::npos);
+}
+
+TEST(Colours, OutputThatCannotBeWrittenIsStillTold)
+{
+    Verifies(req::SRS_EASE_002);
+    const std::string text = OnTerminal(kColours + kProgramFile + " man >/dev/full; echo status $?");
+    EXPECT_NE(text.find("status 2"), std::string::npos) << text;
 }
 
 class Completion : public CommandTest

@@ -5,6 +5,7 @@
 #include "canopen/cia306/text/nearest_word.hpp"
 #include "runtime/yaml/document.hpp"
 #include "tools/command_line/described.hpp"
+#include "tools/command_line/painter.hpp"
 #include "version/version.hpp"
 
 #include <CLI/CLI.hpp>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <exception>
 #include <iostream>
+#include <unistd.h>
 #include <variant>
 
 namespace counterpoint::tools
@@ -263,6 +265,8 @@ int RunProgram(const int count, const char* const* const arguments, const std::v
     {
         words.emplace_back(arguments[place]);
     }
+    const Painter out(std::cout, STDOUT_FILENO);
+    const Painter err(std::cerr, STDERR_FILENO);
     ExitStatus status = RunCommandLine(words, table, {std::cout, std::cerr});
     std::cout.flush();
     if (!std::cout)

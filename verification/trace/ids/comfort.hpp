@@ -8,6 +8,7 @@
 namespace counterpoint::req
 {
 inline constexpr RequirementId SRS_EASE_001{"SRS_EASE_001"};
+inline constexpr RequirementId SRS_EASE_002{"SRS_EASE_002"};
 inline constexpr RequirementId SRS_EASE_003{"SRS_EASE_003"};
 inline constexpr RequirementId SRS_EASE_004{"SRS_EASE_004"};
 inline constexpr RequirementId SRS_EASE_005{"SRS_EASE_005"};
