@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdlib>
 #include <set>
 #include <sstream>
 #include <string>
@@ -80,6 +81,15 @@ std::string UntoldIn(const std::string& out, const std::string& format, const bo
 class JsonAnswer : public CommandTest
 {
   protected:
+    /// What the program itself answers: node and manager block signals for as long as their process lives.
+    [[nodiscard]] std::string ProgramOutput(const std::string& arguments) const
+    {
+        const std::string command =
+            std::string(COUNTERPOINT_PROGRAM) + " " + arguments + " >" + Path("out") + " </dev/null";
+        static_cast<void>(std::system(command.c_str()));
+        return cia306::ReadTextFile(Path("out"));
+    }
+
     const std::string device_{kSource + "/examples/emergency_stop/actuator.dcf"};
 };
 
@@ -122,17 +132,16 @@ TEST_F(JsonAnswer, EachLineOfNodeAndManagerHasItsFormat)
         File("script.yaml", "steps:\n  - {at: 50 ms, do: nmt start}\n  - {at: 200 ms, do: state}\n"
                             "  - {at: 210 ms, do: get 0x1018:01}\n  - {at: 220 ms, do: get 0x7777:01}\n"
                             "  - {at: 300 ms, do: quit}\n");
-    const test::Answer node = RunCommand({"node", "--can", "udp:239.74.163.61:43161", "--dcf", device_, "--script",
-                                          script, "--json", "--no-input", "--no-self-tests"});
-    EXPECT_EQ(UntoldIn(node.out, "counterpoint-node-1", true), "") << node.out;
-    EXPECT_NE(node.out.find("\"event\":\"stopped\""), std::string::npos) << node.err;
-    const test::Answer manager = RunCommand({"manager", "--can", "udp:239.74.163.61:43162", "--network",
-                                             kSource + "/examples/networks/chain.yaml", "--for", "1", "--json",
-                                             "--no-input", "--log", Path("log")});
-    EXPECT_EQ(UntoldIn(manager.out, "counterpoint-manager-1", true), "") << manager.out;
-    EXPECT_NE(manager.out.find("\"event\":\"table\""), std::string::npos) << manager.err;
-    EXPECT_NE(manager.out.find("\"heartbeat_age_ms\":null,\"emergency_code\":0,\"emergency_count\":0,"),
-              std::string::npos);
+    const std::string node = ProgramOutput("node --can udp:239.74.163.61:43161 --dcf " + device_ + " --script " +
+                                           script + " --json --no-input --no-self-tests");
+    EXPECT_EQ(UntoldIn(node, "counterpoint-node-1", true), "") << node;
+    EXPECT_NE(node.find("\"event\":\"stopped\""), std::string::npos);
+    const std::string manager =
+        ProgramOutput("manager --can udp:239.74.163.61:43162 --network " + kSource +
+                      "/examples/networks/chain.yaml --for 1 --json --no-input --log " + Path("log"));
+    EXPECT_EQ(UntoldIn(manager, "counterpoint-manager-1", true), "") << manager;
+    EXPECT_NE(manager.find("\"event\":\"table\""), std::string::npos);
+    EXPECT_NE(manager.find("\"heartbeat_age_ms\":null,\"emergency_code\":0,\"emergency_count\":0,"), std::string::npos);
     EXPECT_EQ(UntoldIn(cia306::ReadTextFile(Path("log")), "counterpoint-manager-1", true), "");
 }
 

@@ -22,9 +22,9 @@ struct PaintedWord
 
 /// A word stands alone: pre-operational is not operational.
 constexpr PaintedWord kWords[] = {
-    {"error:", kRed},         {"warning:", kYellow}, {"FAILED", kRed},        {"in time", kGreen},
-    {"as expected", kGreen},  {"faulted", kRed},     {"waiting", kYellow},    {"released", kGreen},
-    {"operational", kGreen},  {"device safe state", kRed},
+    {"error:", kRed},        {"warning:", kYellow},       {"FAILED", kRed},     {"in time", kGreen},
+    {"as expected", kGreen}, {"faulted", kRed},           {"waiting", kYellow}, {"released", kGreen},
+    {"operational", kGreen}, {"device safe state", kRed},
 };
 
 bool IsOfAWord(const char letter)

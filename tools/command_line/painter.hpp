@@ -11,8 +11,8 @@ namespace counterpoint::tools
 /// `text` with its errors in red, its warnings in yellow and the words of states in their colours.
 [[nodiscard]] std::string Painted(const std::string& text);
 
-/// Paints what is written to a stream of the program as long as it lives, where `file`, to which the stream writes, is a
-/// terminal that knows colours, and the environment does not say NO_COLOR; elsewhere it changes nothing. A word that
+/// Paints what is written to a stream of the program as long as it lives, where `file`, to which the stream writes, is
+/// a terminal that knows colours, and the environment does not say NO_COLOR; elsewhere it changes nothing. A word that
 /// two writes to an unbuffered stream are parted by stays as it is. [SRS_EASE_002]
 class Painter final : private std::streambuf
 {
