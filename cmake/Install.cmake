@@ -6,7 +6,7 @@ set(COUNTERPOINT_INSTALLED_ROOMS safety_core_contract safety_core_comparator hal
     safety_core_crosslink channel_a channel_b hal_absent canopen_cia301
     canopen_cia302_network canopen_cia302_safety_gate canopen_cia302_flying_master canopen_start_up_cia302
     canopen_start_up_el6751 canopen_start_up_plc_designer canopen_manager
-    canopen_cia305 canopen_device canopen_generated)
+    canopen_cia305 canopen_device canopen_generated names)
 set(COUNTERPOINT_INSTALLED_FOLDERS safety_core hal/api hal/absent channel_a channel_b canopen/cia301 canopen/cia302 canopen/start_up canopen/manager
     canopen/cia305
     canopen/device canopen/generated)
@@ -15,6 +15,10 @@ if(COUNTERPOINT_HOST)
   list(APPEND COUNTERPOINT_INSTALLED_FOLDERS hal/host)
   install(CODE "set(CMAKE_INSTALL_DO_STRIP TRUE)") # Of the program alone: CMake strips no archive.
   install(TARGETS counterpoint RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} OPTIONAL)
+  install(FILES ${COUNTERPOINT_SHELL_TEXTS}/counterpoint.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 OPTIONAL)
+  install(FILES ${COUNTERPOINT_SHELL_TEXTS}/bash RENAME counterpoint DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions OPTIONAL)
+  install(FILES ${COUNTERPOINT_SHELL_TEXTS}/zsh RENAME _counterpoint DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions OPTIONAL)
+  install(FILES ${COUNTERPOINT_SHELL_TEXTS}/fish RENAME counterpoint.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d OPTIONAL)
 endif()
 set(COUNTERPOINT_PACKAGE_OPTIONS "" CACHE STRING "Options of rooms of the package: a preset keeps the place of the build out of them")
 set(COUNTERPOINT_PACKAGE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/Counterpoint)
@@ -32,11 +36,13 @@ endforeach()
 add_custom_target(counterpoint_package)
 add_dependencies(counterpoint_package ${COUNTERPOINT_INSTALLED_ROOMS})
 if(COUNTERPOINT_HOST)
-  add_dependencies(counterpoint_package counterpoint)
+  add_dependencies(counterpoint_package counterpoint counterpoint_shell_texts)
 endif()
 
 install(TARGETS ${COUNTERPOINT_INSTALLED_ROOMS} EXPORT CounterpointTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 foreach(folder IN LISTS COUNTERPOINT_INSTALLED_FOLDERS)
+  install(DIRECTORY ${COUNTERPOINT_NAMES}/names/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/names/${folder} OPTIONAL
+          FILES_MATCHING PATTERN "*.hpp")
   install(DIRECTORY ${Counterpoint_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder}
           FILES_MATCHING PATTERN "*.hpp")
 endforeach()

@@ -15,17 +15,20 @@ set(COUNTERPOINT_HOST_OPTIONS "" CACHE STRING "Options of rooms without KERNEL a
 set(COUNTERPOINT_KERNEL_FLAGS -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-stack-protector
     -fno-asynchronous-unwind-tables -fno-common -ffunction-sections -fdata-sections)
 
-# counterpoint_room(<target> [KERNEL] [CLANG] [INTERFACE] SOURCES ... DEPENDS ...)
+# counterpoint_room(<target> [KERNEL] [CLANG] [INTERFACE] [MADE] SOURCES ... DEPENDS ...)
 #   KERNEL     freestanding flags of the certified part
 #   CLANG      compiled by Clang even where the rest is compiled by GCC (diversity of channel B)
 #   INTERFACE  headers only
+#   MADE       its headers are made in the build, in <build>/include/<room>/<room>, instead of standing in its folder
 function(counterpoint_room target)
-  cmake_parse_arguments(ROOM "KERNEL;CLANG;INTERFACE" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ROOM "KERNEL;CLANG;INTERFACE;MADE" "" "SOURCES;DEPENDS" ${ARGN})
   file(RELATIVE_PATH room_path ${Counterpoint_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
   set(stage ${Counterpoint_BINARY_DIR}/include/${target})
   get_filename_component(stage_parent ${stage}/${room_path} DIRECTORY)
   file(MAKE_DIRECTORY ${stage_parent})
-  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${stage}/${room_path} SYMBOLIC)
+  if(NOT ROOM_MADE)
+    file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${stage}/${room_path} SYMBOLIC)
+  endif()
   if(ROOM_INTERFACE)
     add_library(${target} INTERFACE)
     target_include_directories(${target} INTERFACE $<BUILD_INTERFACE:${stage}>)

@@ -20,6 +20,7 @@ constexpr int kLongestSeconds = 1000000;
 constexpr int kServeMs = 100;
 constexpr std::size_t kLongestName = 15U;
 constexpr std::uint64_t kSecondNs = 1'000'000'000U;
+constexpr const char* kFormat = "counterpoint-bus-1";
 constexpr const char* kListenHere = "127.0.0.1:29536";
 
 volatile std::sig_atomic_t is_asked_to_end = 0;
@@ -144,7 +145,8 @@ class BusCommand final : public Command
     void TellStart(const std::string& host, const std::uint16_t port, const std::vector<host::ServedBus>& served,
                    std::ostream& out) const
     {
-        nlohmann::ordered_json answer{{"host", host}, {"port", port}, {"buses", nlohmann::ordered_json::object()}};
+        nlohmann::ordered_json answer{
+            {"format", kFormat}, {"host", host}, {"port", port}, {"buses", nlohmann::ordered_json::object()}};
         for (const host::ServedBus& bus : served)
         {
             answer["buses"][bus.name] = bus.address;
@@ -165,11 +167,9 @@ class BusCommand final : public Command
     {
         if (is_json_)
         {
-            const nlohmann::ordered_json answer{{"clients", counts.accepted},
-                                                {"to_bus", counts.to_bus},
-                                                {"from_bus", counts.from_bus},
-                                                {"malformed", counts.malformed},
-                                                {"too_slow", counts.too_slow}};
+            const nlohmann::ordered_json answer{
+                {"format", kFormat},           {"clients", counts.accepted},    {"to_bus", counts.to_bus},
+                {"from_bus", counts.from_bus}, {"malformed", counts.malformed}, {"too_slow", counts.too_slow}};
             out << answer.dump() << "\n";
             return;
         }

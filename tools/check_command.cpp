@@ -59,7 +59,8 @@ class CheckCommand final : public Command
 
     void PrintJson(const std::vector<cia306::Finding>& findings, const std::size_t errors, std::ostream& out) const
     {
-        nlohmann::ordered_json answer{{"file", options_.file},
+        nlohmann::ordered_json answer{{"format", "counterpoint-check-1"},
+                                      {"file", options_.file},
                                       {"holds", errors == 0U},
                                       {"errors", errors},
                                       {"warnings", findings.size() - errors},

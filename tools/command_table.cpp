@@ -20,6 +20,9 @@ std::vector<CommandRow> CommandTable()
         {"check", "Check the safety configuration of a DCF against every rule", &MakeCheckCommand},
         {"generate", "Generate the C++ object dictionary of a device from its EDS or DCF", &MakeGenerateCommand},
         {"monitor", "Watch the SRDOs of a recording or a live bus by the DCFs of its devices", &MakeMonitorCommand},
+        {"completion", "Print the script by which a shell completes command lines of counterpoint",
+         &MakeCompletionCommand},
+        {"man", "Print the manual page of counterpoint", &MakeManCommand},
     };
 }
 } // namespace counterpoint::tools

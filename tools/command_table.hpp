@@ -34,6 +34,10 @@ namespace counterpoint::tools
 [[nodiscard]] std::unique_ptr<Command> MakeGenerateCommand();
 /// `counterpoint monitor`: what the SRDOs of a recording or a live bus do. [SRS_MON_001]
 [[nodiscard]] std::unique_ptr<Command> MakeMonitorCommand();
+/// counterpoint completion SHELL [SRS_EASE_003]
+[[nodiscard]] std::unique_ptr<Command> MakeCompletionCommand();
+/// `counterpoint man`: its manual page. [SRS_EASE_004]
+[[nodiscard]] std::unique_ptr<Command> MakeManCommand();
 } // namespace counterpoint::tools
 
 #endif // TOOLS_COMMAND_TABLE_HPP

@@ -48,7 +48,8 @@ ExitStatus RunOnDevice(const DeviceOptions& options, const Streams& streams, con
     {
         if (options.is_json)
         {
-            const nlohmann::ordered_json answer{{"error",
+            const nlohmann::ordered_json answer{{"format", "counterpoint-error-1"},
+                                                {"error",
                                                  {{"file", error.File()},
                                                   {"line", error.Where().line},
                                                   {"column", error.Where().column},

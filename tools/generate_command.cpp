@@ -138,7 +138,8 @@ class GenerateCommand final : public Command
     void PrintJson(const generate::GeneratedCode& code, const std::vector<cia306::Finding>& findings,
                    const bool is_refused, std::ostream& out) const
     {
-        nlohmann::ordered_json answer{{"file", options_.file}, {"holds", !is_refused}};
+        nlohmann::ordered_json answer{
+            {"format", "counterpoint-generate-1"}, {"file", options_.file}, {"holds", !is_refused}};
         answer["written"] = nlohmann::ordered_json::array();
         if (!is_refused)
         {

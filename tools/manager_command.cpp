@@ -86,12 +86,12 @@ class ManagerCommand final : public Command
     [[nodiscard]] ExitStatus Check(const Streams& streams) const
     {
         for (const char* const option :
-             {"--can", "--network", "--for", "--log", "--html", "--socket", "--socket-group", "--json", "--no-input"})
+             {"--can", "--network", "--for", "--log", "--html", "--socket", "--socket-group", "--no-input"})
         {
             if (options_->IsGiven(option))
             {
                 throw runtime::YamlError(option, {}, "with --check, which runs nothing",
-                                         "--check FILE FILE... alone, or with --node-id");
+                                         "--check FILE FILE... alone, or with --node-id and --json");
             }
         }
         std::vector<std::unique_ptr<network_plan::LoadedNetwork>> networks;
@@ -102,9 +102,21 @@ class ManagerCommand final : public Command
             networks.push_back(std::make_unique<network_plan::LoadedNetwork>(runtime::ReadNetworkFile(file, node)));
             masters.push_back(networks.back().get());
         }
-        runtime::PrintLines(runtime::WarningsOf(masters), streams.err);
+        const std::vector<std::string> warnings = runtime::WarningsOf(masters);
         const std::vector<std::string> lines = runtime::DifferencesOf(masters);
-        runtime::PrintLines(lines, streams.out);
+        runtime::PrintLines(warnings, streams.err);
+        if (is_json_)
+        {
+            streams.out << runtime::JsonText({{"format", "counterpoint-manager-check-1"},
+                                              {"files", check_},
+                                              {"holds", lines.empty()},
+                                              {"differences", lines},
+                                              {"warnings", warnings}});
+        }
+        else
+        {
+            runtime::PrintLines(lines, streams.out);
+        }
         return lines.empty() ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
     }
 

@@ -165,7 +165,7 @@ class SignCommand final : public Command
                                                 const cia306::DigestRecord& digest,
                                                 const std::optional<std::uint8_t> node_id) const
     {
-        nlohmann::ordered_json answer{{"file", options_.file}, {"node_id", nullptr}};
+        nlohmann::ordered_json answer{{"format", "counterpoint-sign-1"}, {"file", options_.file}, {"node_id", nullptr}};
         if (node_id)
         {
             answer["node_id"] = *node_id;

@@ -23,6 +23,12 @@ template <class App, std::uint8_t kSrdos> class AppDevice final : private Owner
     {
         return device_;
     }
+    /// @brief What the kernel answered to the last start; kInvalid: it was not asked, because of the device safe state.
+    /// NameOf and MeaningOf (names/safety_core/kernel/start_check.hpp) say it in words. [SRS_EASE_007]
+    [[nodiscard]] StartResult Started() const noexcept
+    {
+        return started_;
+    }
 
   private:
     static constexpr std::uint32_t kRoom = (2U * kSrdos) + 2U;
@@ -30,10 +36,9 @@ template <class App, std::uint8_t kSrdos> class AppDevice final : private Owner
     /// Only a restart with all start-up tests leads out of the device safe state, and this device cannot run them.
     [[nodiscard]] LoadResult OnResetNode() noexcept override
     {
-        const bool is_safe = has_started_ && (kernel_.DeviceState().fault != DeviceFault::kNone);
-        has_started_ =
-            (!is_safe) && (kernel_.Start(application_.Describe(), FlowCallback::kOff) == StartResult::kStarted);
-        return has_started_ ? LoadResult::kLoaded : LoadResult::kFailed;
+        const bool is_safe = (started_ == StartResult::kStarted) && (kernel_.DeviceState().fault != DeviceFault::kNone);
+        started_ = is_safe ? StartResult::kInvalid : kernel_.Start(application_.Describe(), FlowCallback::kOff);
+        return (started_ == StartResult::kStarted) ? LoadResult::kLoaded : LoadResult::kFailed;
     }
     /// What was written once stays.
     [[nodiscard]] LoadResult OnResetCommunication() noexcept override
@@ -45,7 +50,7 @@ template <class App, std::uint8_t kSrdos> class AppDevice final : private Owner
 
     App& application_;
     Kernel& kernel_;
-    bool has_started_{false};
+    StartResult started_{StartResult::kInvalid};
     QueuedFrame frames_[kRoom]{};
     NoServices services_;
     Device device_;

@@ -29,6 +29,13 @@ struct Limits
     std::uint64_t high{0U};
 };
 
+/// What a consumed variable reads while its SRDO is not released.
+struct SafeRead
+{
+    std::uint8_t srdo{0U};  ///< Its number.
+    std::uint64_t bits{0U}; ///< Its part of the safe value.
+};
+
 /// One data element of the device as the generated code has it.
 struct Element
 {
@@ -45,6 +52,7 @@ struct Element
     std::size_t length{0U};                   ///< Place of a string's length among the lengths.
     std::optional<std::uint64_t> node_addend; ///< The value is the node-ID and so much.
     std::optional<std::size_t> inverse;       ///< For a normal variable: the element of its inverse.
+    std::optional<SafeRead> safe_read;        ///< For a normal variable that a consumer maps.
 
     /// Index and sub-index as one ordered number.
     [[nodiscard]] std::uint32_t Key() const noexcept

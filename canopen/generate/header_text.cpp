@@ -26,25 +26,23 @@ std::string GuardOf(const std::string& name_space)
 /// A constant as its type holds it.
 std::string ConstantLiteral(const Element& element)
 {
-    const cia306::DataType& type = element.entry->type;
     std::uint64_t bits = 0U;
     for (std::size_t place = element.value.size(); place != 0U; --place)
     {
         bits = (bits << 8U) | element.value[place - 1U];
     }
-    if (type.kind == cia306::DataKind::kBoolean)
-    {
-        return bits != 0U ? "true" : "false";
-    }
-    const bool is_negative = type.kind == cia306::DataKind::kSigned && ((bits >> (type.bits - 1U)) & 1U) != 0U;
-    if (!is_negative)
-    {
-        const bool is_signed = type.kind == cia306::DataKind::kSigned;
-        return is_signed ? std::to_string(bits) + (type.bits > 32U ? "LL" : "") : UnsignedLiteral(bits);
-    }
-    // The most negative number has no literal.
-    const std::uint64_t all = ~std::uint64_t{0U} >> (64U - type.bits);
-    return "-" + std::to_string(all - bits) + (type.bits > 32U ? "LL" : "") + " - 1";
+    return BitsLiteral(element.entry->type, bits);
+}
+
+/// Of a variable that a consumer of the file maps: its value, or its safe value.
+std::string CheckedDeclaration(const Element& element)
+{
+    return "/// As above while SRDO " + std::to_string(element.safe_read->srdo) + " (bit kSrdo" +
+           std::to_string(element.safe_read->srdo) +
+           "Slot of `released`: what the output gate lets through, or the slots in SrdoState::kReleased)\n"
+           "/// is released and the pair is inverse; else its part of the safe value, " +
+           SafeLiteral(element) + ".\n[[nodiscard]] " + CppTypeOf(element.entry->type) + " Get" + element.name +
+           "(counterpoint::SrdoMask released) noexcept;\n";
 }
 
 std::string ConstantDeclaration(const Element& element)
@@ -66,7 +64,8 @@ std::string AccessDeclaration(const Element& element)
     text += element.home == Home::kProduced ? "; the application writes it for its SRDO\n" : "";
     text += element.home == Home::kConsumed ? "; the channels write it\n" : "";
     text += element.IsVariable() ? "" : "\n";
-    text += "[[nodiscard]] " + type + " Get" + element.name + "() noexcept;\n";
+    text += "[[nodiscard]] " + type + " " + GetterName(element) + "() noexcept;\n";
+    text += HasCheckedGetter(element) ? CheckedDeclaration(element) : "";
     if (HasSetter(element) && is_number)
     {
         text += "void Set" + element.name + "(" + type + " value) noexcept;\n";

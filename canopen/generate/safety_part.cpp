@@ -15,6 +15,7 @@ using cia306::MappingEntry;
 using cia306::SrdoConfiguration;
 
 constexpr std::uint8_t kLastNode = 127U;
+constexpr std::uint32_t kPayloadBits = 64U;
 
 struct ObjectPlace
 {
@@ -37,6 +38,22 @@ std::optional<std::size_t> Find(const std::vector<Element>& elements, const std:
     return is_there ? std::optional(static_cast<std::size_t>(found - elements.begin())) : std::nullopt;
 }
 
+/// `bits` of a safe value from `offset` on; nothing beyond it.
+std::uint64_t SafeBits(const std::uint64_t safe_value, const std::uint32_t offset, const std::uint32_t bits)
+{
+    const std::uint64_t rest = (offset < kPayloadBits) ? safe_value >> offset : 0U;
+    return (bits < kPayloadBits) ? rest & ((std::uint64_t{1U} << bits) - 1U) : rest;
+}
+
+/// Of two SRDOs that map a variable the one that is on has it.
+void SetSafeRead(const SrdoConfiguration& srdo, const std::uint64_t bits, Element& element)
+{
+    const bool is_its = srdo.IsConsumer() || (!srdo.IsProducer() && !element.safe_read);
+    if (element.home == Home::kConsumed && is_its)
+    {
+        element.safe_read = SafeRead{srdo.number, bits};
+    }
+}
 void Append(std::vector<SafetySetting>& settings, const ObjectPlace& object, const std::uint8_t size,
             const std::uint32_t value)
 {
@@ -140,14 +157,18 @@ void SafetyPart::JoinPairs(std::vector<Element>& elements) const
     }
     for (const SrdoConfiguration& srdo : safety_.srdos)
     {
+        std::uint32_t offset = 0U;
         for (std::size_t place = 0U; place + 1U < srdo.mapping.size(); place += 2U)
         {
+            const std::uint32_t bits = srdo.mapping[place].Bits();
             const auto normal = Find(elements, srdo.mapping[place].raw >> 8U);
             const auto inverse = Find(elements, srdo.mapping[place + 1U].raw >> 8U);
             if (normal && inverse)
             {
                 elements[*normal].inverse = inverse;
+                SetSafeRead(srdo, SafeBits(parameters_.Srdo(srdo.number).safe_value, offset, bits), elements[*normal]);
             }
+            offset += bits;
         }
     }
 }

@@ -75,7 +75,7 @@ std::string StringAccess(const Element& element)
 std::string NumberAccess(const Layout& layout, const Element& element)
 {
     const std::string type = CppTypeOf(element.entry->type);
-    std::string text = Function(type + " Get" + element.name + "()", "return " + ReadText(element) + ";");
+    std::string text = Function(type + " " + GetterName(element) + "()", "return " + ReadText(element) + ";");
     if (HasSetter(element))
     {
         text += Function("void Set" + element.name + "(const " + type + " value)", WriteText(element) + ";");
@@ -85,6 +85,18 @@ std::string NumberAccess(const Layout& layout, const Element& element)
         text += Function("counterpoint::PairView Compare" + element.name + "()",
                          "return counterpoint::IsInversePair(" + PlaceText(element) + ", " +
                              PlaceText(layout.elements[*element.inverse]) + ");");
+    }
+    if (HasCheckedGetter(element))
+    {
+        const std::string slot = "kSrdo" + std::to_string(element.safe_read->srdo) + "Slot";
+        text += Function(type + " Get" + element.name + "(const counterpoint::SrdoMask released)",
+                         "const bool is_released = ((released >> " + slot +
+                             ") & 1U) != 0U;\n"
+                             "    const bool is_whole = Compare" +
+                             element.name +
+                             "() == counterpoint::PairView::kInverse;\n"
+                             "    return (is_released && is_whole) ? " +
+                             GetterName(element) + "() : static_cast<" + type + ">(" + SafeLiteral(element) + ");");
     }
     return text;
 }

@@ -5,8 +5,32 @@
 
 #include "canopen/cia306/text/input_error.hpp"
 
+#include <cmath>
+#include <cstring>
+#include <iomanip>
+#include <sstream>
+
 namespace counterpoint::generate
 {
+namespace
+{
+/// Each bit of it, as a hexadecimal number.
+template <typename Real, typename Bits> std::string ExactLiteral(const Bits bits, const char* const suffix)
+{
+    Real value{};
+    static_assert(sizeof(value) == sizeof(bits), "the bits of it");
+    std::memcpy(&value, &bits, sizeof(value));
+    std::ostringstream text;
+    text << std::hexfloat << value << suffix;
+    return std::isfinite(value) ? text.str() : "";
+}
+
+std::string RealLiteral(const std::uint32_t width, const std::uint64_t bits)
+{
+    return (width == 32U) ? ExactLiteral<float>(static_cast<std::uint32_t>(bits), "F") : ExactLiteral<double>(bits, "");
+}
+} // namespace
+
 std::string HexLiteral(const std::uint64_t value, const int digits)
 {
     return cia306::Hex(value, digits) + (value > 0xFFFFFFFFU ? "ULL" : "U");
@@ -49,6 +73,42 @@ std::string PlaceText(const Element& element)
 bool HasSetter(const Element& element)
 {
     return element.home == Home::kStored || element.home == Home::kProduced;
+}
+
+std::string BitsLiteral(const cia306::DataType& type, const std::uint64_t bits)
+{
+    if (type.kind == cia306::DataKind::kBoolean)
+    {
+        return bits != 0U ? "true" : "false";
+    }
+    if (type.kind == cia306::DataKind::kReal)
+    {
+        return RealLiteral(type.bits, bits);
+    }
+    const bool is_signed = type.kind == cia306::DataKind::kSigned;
+    const bool is_negative = is_signed && ((bits >> (type.bits - 1U)) & 1U) != 0U;
+    if (!is_negative)
+    {
+        return is_signed ? std::to_string(bits) + (type.bits > 32U ? "LL" : "") : UnsignedLiteral(bits);
+    }
+    // The most negative number has no literal.
+    const std::uint64_t all = ~std::uint64_t{0U} >> (64U - type.bits);
+    return "-" + std::to_string(all - bits) + (type.bits > 32U ? "LL" : "") + " - 1";
+}
+
+std::string GetterName(const Element& element)
+{
+    return "Get" + element.name + (element.home == Home::kConsumed ? "Unchecked" : "");
+}
+
+bool HasCheckedGetter(const Element& element)
+{
+    return element.safe_read && element.inverse && IsNumber(element) && !SafeLiteral(element).empty();
+}
+
+std::string SafeLiteral(const Element& element)
+{
+    return BitsLiteral(element.entry->type, element.safe_read->bits);
 }
 
 bool IsNumber(const Element& element)

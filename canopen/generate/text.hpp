@@ -34,6 +34,14 @@ struct FileText
 [[nodiscard]] std::string PlaceText(const Element& element);
 /// Whether there is a function by which the application writes it.
 [[nodiscard]] bool HasSetter(const Element& element);
+/// The bits of a value as a literal of its type; empty where there is none (a REAL that is no number).
+[[nodiscard]] std::string BitsLiteral(const cia306::DataType& type, std::uint64_t bits);
+/// The function that reads it as it stands in memory: "GetX", of what the channels write "GetXUnchecked". [SRS_GEN_020]
+[[nodiscard]] std::string GetterName(const Element& element);
+/// Whether there is a function that answers its value or its safe value. [SRS_GEN_020]
+[[nodiscard]] bool HasCheckedGetter(const Element& element);
+/// What that function answers while the SRDO is not released.
+[[nodiscard]] std::string SafeLiteral(const Element& element);
 /// Whether its value is a number.
 [[nodiscard]] bool IsNumber(const Element& element);
 

@@ -147,7 +147,8 @@ void WriteSummary(const Report& report, std::ostream& out)
 std::string JsonReport(const Report& report)
 {
     const Analysis& analysis = report.analysis;
-    Json answer{{"source", report.source},
+    Json answer{{"format", "counterpoint-monitor-1"},
+                {"source", report.source},
                 {"holds", analysis.ViolationCount() == 0U},
                 {"frames", analysis.FrameCount()},
                 {"first_s", static_cast<double>(analysis.First()) / static_cast<double>(kSecond)},
@@ -167,10 +168,11 @@ std::string JsonReport(const Report& report)
         {
             watchers.push_back(watch);
         }
-        answer["violations"].push_back({{"time_s", SecondsText(violation.breach.time)},
-                                        {"cause", CauseName(violation.breach.cause)},
-                                        {"srdos", watchers},
-                                        {"details", violation.breach.details}});
+        answer["violations"].push_back(
+            {{"time_s", static_cast<double>(violation.breach.time) / static_cast<double>(kSecond)},
+             {"cause", CauseName(violation.breach.cause)},
+             {"srdos", watchers},
+             {"details", violation.breach.details}});
     }
     for (std::size_t number = 0U; number < report.network.Watches().size(); ++number)
     {

@@ -13,6 +13,8 @@
 #include "hal/host/output.hpp"
 #include "hal/host/virtual/bus.hpp"
 #include "hal/host/watchdog.hpp"
+#include "names/safety_core/contract/srdo.hpp"
+#include "names/safety_core/kernel/start_check.hpp"
 
 #include <cstdio>
 
@@ -64,21 +66,6 @@ class Sender final : public host::BusListener
     }
     unsigned reports{0U};
 };
-
-const char* NameOf(const SrdoState state)
-{
-    switch (state)
-    {
-    case SrdoState::kWaiting:
-        return "waiting";
-    case SrdoState::kFaulted:
-        return "faulted";
-    case SrdoState::kReleased:
-        return "released";
-    default:
-        return "off";
-    }
-}
 
 /// The hardware on the bench, and the device on it.
 struct Bench
@@ -139,7 +126,9 @@ int main()
     Bench bench{};
     if (!PowerOn(bench))
     {
-        std::puts("start or configuration refused");
+        const StartResult started = bench.device.Started();
+        const bool is_started = started == StartResult::kStarted; // Then it is the configuration.
+        std::printf("refused: %s %s\n", is_started ? "configuration" : NameOf(started), MeaningOf(started));
         return 1;
     }
     bool was_on = false;
@@ -156,7 +145,7 @@ int main()
             std::printf("%3u ms: SRDO 1 %s, output %s", ms, NameOf(state), is_on ? "on" : "off");
             if (error != SrdoCause::kNone)
             {
-                std::printf(", cause %u", static_cast<unsigned>(error));
+                std::printf(", cause %s", NameOf(error));
             }
             std::puts("");
         }

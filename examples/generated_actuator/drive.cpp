@@ -6,14 +6,11 @@
 namespace counterpoint::examples
 {
 
-// The gate says whether the data may be used at all; a bit that flipped in these variables since is found here.
+// The gate says whether the data may be used at all, and a bit that flipped in these variables since is found in the
+// functions: elsewhere both answer the safe value, which is not 1.
 bool Drive::MayMove(const SrdoMask open) noexcept
 {
-    const bool is_open = ((open >> actuator::kSrdo1Slot) & 1U) != 0U;
-    const bool is_whole = (actuator::CompareReceivedCommandCommand() == PairView::kInverse) &&
-                          (actuator::CompareReceivedCommandMode() == PairView::kInverse);
-    return is_open && is_whole && (actuator::GetReceivedCommandCommand() == 1U) &&
-           (actuator::GetReceivedCommandMode() == 1U);
+    return (actuator::GetReceivedCommandCommand(open) == 1U) && (actuator::GetReceivedCommandMode(open) == 1U);
 }
 
 } // namespace counterpoint::examples

@@ -48,29 +48,10 @@ void TimeLine::Note(const unsigned ms, const std::string& line)
     }
 }
 
-const char* NameOf(const SrdoState state)
-{
-    switch (state)
-    {
-    case SrdoState::kWaiting:
-        return "waiting";
-    case SrdoState::kFaulted:
-        return "faulted";
-    case SrdoState::kReleased:
-        return "released";
-    case SrdoState::kProducer:
-        return "producer";
-    case SrdoState::kOff:
-    case SrdoState::kInvalid:
-    default:
-        return "off";
-    }
-}
-
 std::string NameOf(const DeviceFaultReport& report)
 {
     return (report.fault == DeviceFault::kNone) ? std::string{"running"}
-                                                : "device fault " + std::to_string(static_cast<unsigned>(report.fault));
+                                                : std::string{"device fault "} + NameOf(report.fault);
 }
 
 } // namespace counterpoint::examples

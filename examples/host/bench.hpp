@@ -10,6 +10,8 @@
 #include "hal/host/output.hpp"
 #include "hal/host/virtual/bus.hpp"
 #include "hal/host/watchdog.hpp"
+#include "names/safety_core/contract/device_fault.hpp"
+#include "names/safety_core/contract/srdo.hpp"
 #include "safety_core/crosslink/peer.hpp"
 #include "safety_core/kernel/kernel.hpp"
 
@@ -138,8 +140,7 @@ class TimeLine
     std::string text_{};
 };
 
-[[nodiscard]] const char* NameOf(SrdoState state);
-/// @brief "running", or the number of the DeviceFault.
+/// @brief "running", or the DeviceFault.
 [[nodiscard]] std::string NameOf(const DeviceFaultReport& report);
 
 } // namespace counterpoint::examples

@@ -35,11 +35,9 @@ std::string RunSensor()
         cause = (error == SrdoCause::kNone) ? cause : error;
         if ((ms % 100U) == 0U)
         {
-            line.Note(ms,
-                      "pairs " + std::to_string(controller.pairs) + ", buttons " +
-                          std::to_string(controller.heard.first) + " " + std::to_string(controller.heard.second) +
-                          ((cause == SrdoCause::kNone) ? std::string{}
-                                                       : ", cause " + std::to_string(static_cast<unsigned>(cause))));
+            line.Note(ms, "pairs " + std::to_string(controller.pairs) + ", buttons " +
+                              std::to_string(controller.heard.first) + " " + std::to_string(controller.heard.second) +
+                              ((cause == SrdoCause::kNone) ? std::string{} : std::string{", cause "} + NameOf(cause)));
             cause = SrdoCause::kNone;
         }
     }

@@ -12,6 +12,7 @@ namespace counterpoint::runtime
 {
 namespace
 {
+constexpr const char* kFormat = "counterpoint-node-1";
 constexpr double kNsPerSecond = 1e9;
 constexpr double kNsPerUs = 1e3;
 constexpr std::size_t kMostWaiting = 65536U;
@@ -48,7 +49,8 @@ void NodeReport::Tell(const std::uint64_t at_ns, const std::string& text, const 
         Put(time.data() + text + "\n", room);
         return;
     }
-    nlohmann::ordered_json line{{"at_us", static_cast<std::uint64_t>(since_ns / kNsPerUs)}, {"event", event}};
+    nlohmann::ordered_json line{
+        {"format", kFormat}, {"at_us", static_cast<std::uint64_t>(since_ns / kNsPerUs)}, {"event", event}};
     line.update(details);
     Put(OneLine(line), room);
 }
@@ -88,9 +90,10 @@ void NodeReport::Put(std::string line, const std::size_t room)
         if (left_out_ > 0U)
         {
             const std::string text = std::to_string(left_out_) + " lines left out here: nobody read them";
-            waiting_.push_back((form_ == ReportForm::kText)
-                                   ? text + "\n"
-                                   : OneLine({{"event", "left_out"}, {"count", left_out_}, {"text", text}}));
+            waiting_.push_back(
+                (form_ == ReportForm::kText)
+                    ? text + "\n"
+                    : OneLine({{"format", kFormat}, {"event", "left_out"}, {"count", left_out_}, {"text", text}}));
             left_out_ = 0U;
         }
         waiting_.push_back(std::move(line));

@@ -2,6 +2,7 @@
 #include "runtime/device/names.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
+#include "names/safety_core/kernel/start_check.hpp"
 
 #include <algorithm>
 
@@ -28,6 +29,16 @@ std::string MillisecondsText(const Nanoseconds time)
     }
     const bool needs_sign = microseconds < 0 && microseconds > -1000;
     return (needs_sign ? "-" : "") + whole + (fraction.empty() ? "" : "." + fraction) + " ms";
+}
+
+std::string NoStartText(const StartResult result)
+{
+    std::string meaning = MeaningOf(result);
+    if (!meaning.empty() && meaning.back() == '.')
+    {
+        meaning.pop_back();
+    }
+    return "the kernel refuses this device: " + Words(NameOf(result)) + (meaning.empty() ? "" : " (" + meaning + ")");
 }
 
 std::string Words(std::string name)

@@ -7,6 +7,7 @@
 
 #include "safety_core/contract/channel.hpp"
 #include "safety_core/contract/device_fault.hpp"
+#include "safety_core/kernel/start_check.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -109,6 +110,8 @@ template <typename Meaning, std::size_t kCount>
 [[nodiscard]] std::string IdentifierText(std::uint32_t identifier);
 /// A time as text: "12.345 ms", without trailing zeros.
 [[nodiscard]] std::string MillisecondsText(Nanoseconds time);
+/// Why the kernel did not start, in words. [SRS_EASE_007]
+[[nodiscard]] std::string NoStartText(StartResult result);
 /// @brief A name as people read it: without underscores.
 [[nodiscard]] std::string Words(std::string name);
 } // namespace counterpoint::runtime

@@ -4,6 +4,7 @@
 #include "canopen/cia306/text/input_error.hpp"
 #include "runtime/console/json_text.hpp"
 #include "runtime/device/names.hpp"
+#include "runtime/manager/report/journal.hpp"
 #include "runtime/manager/report/status.hpp"
 #include "runtime/node/ports.hpp"
 
@@ -364,7 +365,8 @@ std::string ManagerLoop::Answer(const std::string& line)
         answer = result + "\n";
     }
     return (settings_.is_json && !answer.empty() && answer[0] != '{')
-               ? OneLine({{"event", "answer"}, {"text", answer.substr(0U, answer.size() - 1U)}})
+               ? OneLine(
+                     {{"format", kManagerFormat}, {"event", "answer"}, {"text", answer.substr(0U, answer.size() - 1U)}})
                : answer;
 }
 } // namespace counterpoint::runtime

@@ -3,6 +3,7 @@
 
 #include "canopen/cia306/file/device_reader.hpp"
 #include "canopen/cia306/text/input_error.hpp"
+#include "names/safety_core/kernel/start_check.hpp"
 #include "runtime/device/names.hpp"
 #include "safety_core/kernel/limits.hpp"
 
@@ -138,10 +139,9 @@ void NodeRefusals::Tell(const std::uint64_t at_ns, const std::vector<cia306::Fin
 
 void NodeRefusals::TellNoStart(const std::uint64_t at_ns, const StartResult result)
 {
-    const auto reason = static_cast<unsigned>(result);
-    const std::string text = "the kernel refuses this device, reason " + std::to_string(reason) + " of StartResult";
+    const std::string text = NoStartText(result);
     Keep({cia306::Severity::kError, {}, "", text});
-    report_.Tell(at_ns, text, "no_start", {{"reason", reason}});
+    report_.Tell(at_ns, text, "no_start", {{"reason", NameOf(result)}, {"text", text}});
 }
 
 void NodeRefusals::Keep(const cia306::Finding& finding)

@@ -107,7 +107,7 @@ void NodeTransfers::Tell(const Transfer& transfer, const std::uint64_t now_ns)
         const std::uint64_t value = cia301::FromLittleEndian(transfer.bytes.data(), shown);
         text = what + " = " + (count <= shown ? std::to_string(value) + ", " : "") + std::to_string(count) +
                " bytes: " + BytesText(transfer.bytes.data(), count);
-        details["size"] = count;
+        details["size_bytes"] = count;
         details["value"] = value;
     }
     report_.Tell(now_ns, text, is_read ? "read" : "written", details);

@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/yaml/map.hpp"
 
+#include "canopen/cia306/text/nearest_word.hpp"
+
 #include <algorithm>
 
 namespace counterpoint::runtime
@@ -25,7 +27,10 @@ YamlMap::YamlMap(const std::string& file, const YamlNode& node, const std::initi
             std::any_of(known.begin(), known.end(), [&key](const char* const name) { return key.scalar == name; });
         if (!is_known)
         {
-            YamlValue(file_, key).Refuse("unknown key " + Shown(key.scalar), names);
+            YamlValue(file_, key)
+                .Refuse("unknown key " + Shown(key.scalar) +
+                            cia306::DidYouMean(key.scalar, {known.begin(), known.end()}),
+                        names);
         }
         for (std::size_t before = 0U; before < place; before += 2U)
         {

@@ -2,6 +2,7 @@
 #ifndef RUNTIME_YAML_VALUE_HPP
 #define RUNTIME_YAML_VALUE_HPP
 
+#include "canopen/cia306/text/nearest_word.hpp"
 #include "runtime/yaml/document.hpp"
 
 #include "safety_core/kernel/object_access.hpp"
@@ -90,6 +91,7 @@ class YamlValue
     [[nodiscard]] Meaning Choice(const Word<Meaning> (&words)[kCount]) const
     {
         std::string expected;
+        std::vector<std::string> known;
         const std::string text = Text("one word");
         for (const Word<Meaning>& word : words)
         {
@@ -98,8 +100,9 @@ class YamlValue
                 return word.meaning;
             }
             expected += (expected.empty() ? "" : ", ") + std::string(word.text);
+            known.emplace_back(word.text);
         }
-        Refuse(Shown(text), "one of " + expected);
+        Refuse(Shown(text) + cia306::DidYouMean(text, known), "one of " + expected);
     }
 
   private:

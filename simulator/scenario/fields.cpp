@@ -239,10 +239,14 @@ void Fields::Close() const
 {
     const runtime::YamlNode& node = value_.Node();
     std::string expected;
-    std::set<std::string> told;
+    std::vector<std::string> known;
     for (const KeySpec* const spec : KeysOf(*sections_.back()))
     {
-        expected += told.insert(spec->key).second ? (expected.empty() ? "" : ", ") + std::string(spec->key) : "";
+        if (std::find(known.begin(), known.end(), spec->key) == known.end())
+        {
+            expected += (expected.empty() ? "" : ", ") + std::string(spec->key);
+            known.emplace_back(spec->key);
+        }
     }
     for (std::size_t member = 0U; member < node.items.size(); member += 2U)
     {
@@ -250,7 +254,9 @@ void Fields::Close() const
         const std::string title = sections_.back()->title;
         if (SpecOf(key.scalar) == nullptr)
         {
-            throw YamlError(value_.FileName(), key.place, "unknown key " + runtime::Shown(key.scalar) + " in " + title,
+            throw YamlError(value_.FileName(), key.place,
+                            "unknown key " + runtime::Shown(key.scalar) + cia306::DidYouMean(key.scalar, known) +
+                                " in " + title,
                             "one of " + expected);
         }
         if (std::find(known_.begin(), known_.end(), key.scalar) == known_.end())

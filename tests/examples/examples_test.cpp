@@ -15,13 +15,13 @@ TEST(Examples, SensorSendsWhatItsContactsSayAndNothingWhileTheyContradict)
     Verifies(req::SRS_VER_018);
     // Given a sensor whose button 1 is pressed from 200 to 300 ms and whose button 2 has a broken contact from 500 to
     // 600 ms When it runs for a second Then the controller gets four pairs in 100 ms, with the values of the buttons,
-    // and none with a broken contact (cause 4)
+    // and none with a broken contact (cause not_inverse)
     EXPECT_EQ(RunSensor(), " 100 ms pairs 4, buttons 1 1\n"
                            " 200 ms pairs 8, buttons 1 1\n"
                            " 300 ms pairs 12, buttons 0 1\n"
                            " 400 ms pairs 16, buttons 1 1\n"
                            " 500 ms pairs 20, buttons 1 1\n"
-                           " 600 ms pairs 20, buttons 1 1, cause 4\n"
+                           " 600 ms pairs 20, buttons 1 1, cause not_inverse\n"
                            " 700 ms pairs 24, buttons 1 1\n"
                            " 800 ms pairs 28, buttons 1 1\n"
                            " 900 ms pairs 32, buttons 1 1\n"
@@ -52,17 +52,18 @@ TEST(Examples, ControllerOfTwoCpusSendsUntilTheWireIsCut)
     // Given two CPUs with one channel each, a button that is pressed from 300 to 400 ms
     // When the wire between them is cut at 600 ms
     // Then both are in the device safe state (13: cross link) within the time-out of 10 ms, and no wrong pair was sent
-    EXPECT_EQ(RunController(), "   1 ms CPU A running, CPU B running, buttons off, commands 0 0\n"
-                               "  50 ms CPU A running, CPU B running, buttons faulted, commands 0 0\n"
-                               "  51 ms CPU A running, CPU B running, buttons waiting, commands 0 0\n"
-                               "  75 ms CPU A running, CPU B running, buttons faulted, commands 0 0\n"
-                               "  76 ms CPU A running, CPU B running, buttons released, commands 0 0\n"
-                               "  78 ms CPU A running, CPU B running, buttons released, commands 1 1\n"
-                               " 303 ms CPU A running, CPU B running, buttons released, commands 0 1\n"
-                               " 403 ms CPU A running, CPU B running, buttons released, commands 1 1\n"
-                               " 609 ms CPU A running, CPU B device fault 13, buttons released, commands 1 1\n"
-                               " 610 ms CPU A device fault 13, CPU B device fault 13, buttons faulted, commands 1 1\n"
-                               "pairs 22, wrong pairs 0\n");
+    EXPECT_EQ(RunController(),
+              "   1 ms CPU A running, CPU B running, buttons off, commands 0 0\n"
+              "  50 ms CPU A running, CPU B running, buttons faulted, commands 0 0\n"
+              "  51 ms CPU A running, CPU B running, buttons waiting, commands 0 0\n"
+              "  75 ms CPU A running, CPU B running, buttons faulted, commands 0 0\n"
+              "  76 ms CPU A running, CPU B running, buttons released, commands 0 0\n"
+              "  78 ms CPU A running, CPU B running, buttons released, commands 1 1\n"
+              " 303 ms CPU A running, CPU B running, buttons released, commands 0 1\n"
+              " 403 ms CPU A running, CPU B running, buttons released, commands 1 1\n"
+              " 609 ms CPU A running, CPU B device fault cross_link, buttons released, commands 1 1\n"
+              " 610 ms CPU A device fault cross_link, CPU B device fault cross_link, buttons faulted, commands 1 1\n"
+              "pairs 22, wrong pairs 0\n");
 }
 
 } // namespace

@@ -73,9 +73,9 @@ TEST(BusCommandTest, EndsByItself)
     const Answer answer =
         RunCommand({"bus", kGroup + "?bitrate=125000", "--listen", "127.0.0.1:0", "--seconds", "1", "--json"});
     EXPECT_EQ(answer.status, 0) << answer.err;
-    EXPECT_EQ(answer.out.substr(0U, 27U), "{\"host\":\"127.0.0.1\",\"port\":");
+    EXPECT_EQ(answer.out.substr(0U, 57U), "{\"format\":\"counterpoint-bus-1\",\"host\":\"127.0.0.1\",\"port\":");
     EXPECT_NE(answer.out.find("\"buses\":{\"can0\":\"" + kGroup +
-                              "?bitrate=125000\"}}\n{\"clients\":0,\"to_bus\":0,"
+                              "?bitrate=125000\"}}\n{\"format\":\"counterpoint-bus-1\",\"clients\":0,\"to_bus\":0,"
                               "\"from_bus\":0,\"malformed\":0,\"too_slow\":0}\n"),
               std::string::npos)
         << answer.out;

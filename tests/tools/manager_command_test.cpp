@@ -4,6 +4,7 @@
 #include "runtime/manager/order.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
+#include "verification/trace/ids/comfort.hpp"
 #include "verification/trace/ids/flying_master.hpp"
 #include "verification/trace/ids/manager.hpp"
 #include "verification/trace/ids/simulator.hpp"
@@ -251,11 +252,8 @@ TEST_F(ManagerCommandTest, ACheckRunsNothingAndTakesNoOptionOfARun)
     Verifies(req::SRS_MGR_004);
     const std::vector<std::string> check{"manager", "--check", NetworkFile("master_2.yaml"),
                                          NetworkFile("master_5.yaml")};
-    for (const std::vector<std::string>& more :
-         std::vector<std::vector<std::string>>{{"--can", "udp:239.74.163.91:43191"},
-                                               {"--network", NetworkFile("chain.yaml")},
-                                               {"--log", Path("x")},
-                                               {"--json"}})
+    for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
+             {"--can", "udp:239.74.163.91:43191"}, {"--network", NetworkFile("chain.yaml")}, {"--log", Path("x")}})
     {
         std::vector<std::string> words = check;
         words.insert(words.end(), more.begin(), more.end());
@@ -263,8 +261,22 @@ TEST_F(ManagerCommandTest, ACheckRunsNothingAndTakesNoOptionOfARun)
         EXPECT_EQ(answer.status, 2) << more[0];
         EXPECT_EQ(answer.err,
                   more[0] + ": error: with --check, which runs nothing, expected --check FILE FILE... alone, or with "
-                            "--node-id\n");
+                            "--node-id and --json\n");
     }
+}
+
+TEST_F(ManagerCommandTest, ComparisonIsOneJsonDocument)
+{
+    Verifies(req::SRS_EASE_005);
+    const std::string chain = NetworkFile("chain.yaml");
+    const Answer answer = RunCommand({"manager", "--check", chain, chain, "--json"});
+    const nlohmann::json document = nlohmann::json::parse(answer.out);
+    EXPECT_EQ(document["format"], "counterpoint-manager-check-1");
+    EXPECT_EQ(document["files"], (std::vector<std::string>{chain, chain}));
+    EXPECT_EQ(document["holds"], answer.status == 0);
+    EXPECT_EQ(document["differences"].size() == 0U, answer.status == 0);
+    EXPECT_EQ(document["warnings"].size(),
+              static_cast<std::size_t>(std::count(answer.err.begin(), answer.err.end(), '\n')));
 }
 
 TEST_F(ManagerCommandTest, TheHelpTellsTheOrders)

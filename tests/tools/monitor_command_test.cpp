@@ -124,7 +124,7 @@ TEST_F(MonitorCommandTest, AnswersAsJson)
     EXPECT_EQ(document["holds"], false);
     EXPECT_EQ(document["frames"], 8);
     ASSERT_EQ(document["violations"].size(), 1U);
-    EXPECT_EQ(document["violations"][0]["time_s"], "10.050200");
+    EXPECT_EQ(document["violations"][0]["time_s"], 10.0502);
     EXPECT_EQ(document["violations"][0]["cause"], "not inverse");
     EXPECT_EQ(document["srdos"][0]["pairs"], 3);
     EXPECT_EQ(document["srdos"][0]["causes"]["not inverse"], 1);

@@ -47,10 +47,11 @@ struct Option
     std::optional<ValueCount> value_count; ///< How many values may follow each time it is given.
     Problem problem{nullptr};
     std::optional<std::pair<int, int>> range;
-    std::set<int> numbers; ///< The only ones allowed; empty: all.
-    std::string excluded;  ///< Name of an option that may not stand beside it.
-    std::string needed;    ///< Name of an option that must be given beside it.
-    std::size_t times{0U}; ///< How often it was given.
+    std::set<int> numbers;          ///< The only ones allowed; empty: all.
+    std::vector<std::string> words; ///< The only ones allowed; empty: all.
+    std::string excluded;           ///< Name of an option that may not stand beside it.
+    std::string needed;             ///< Name of an option that must be given beside it.
+    std::size_t times{0U};          ///< How often it was given.
 
     /// Each of the following sets the property of its name and returns the option itself.
     Option& Required()
@@ -98,6 +99,11 @@ struct Option
         numbers = std::move(allowed);
         return *this;
     }
+    Option& Words(std::vector<std::string> allowed)
+    {
+        words = std::move(allowed);
+        return *this;
+    }
     Option& Excludes(std::string other)
     {
         excluded = std::move(other);
@@ -137,6 +143,10 @@ class Options
 
     /// All options, in the order in which they were added.
     [[nodiscard]] std::deque<Option>& All()
+    {
+        return options_;
+    }
+    [[nodiscard]] const std::deque<Option>& All() const
     {
         return options_;
     }

@@ -2,8 +2,10 @@
 #include "tools/command_line/run.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/text/nearest_word.hpp"
 #include "runtime/yaml/document.hpp"
-#include "tools/command_line/options.hpp"
+#include "tools/command_line/described.hpp"
+#include "tools/command_line/painter.hpp"
 #include "version/version.hpp"
 
 #include <CLI/CLI.hpp>
@@ -11,16 +13,13 @@
 #include <algorithm>
 #include <exception>
 #include <iostream>
-#include <memory>
+#include <unistd.h>
 #include <variant>
 
 namespace counterpoint::tools
 {
 namespace
 {
-constexpr const char* kProgram = "counterpoint";
-constexpr const char* kExitStatus = "Exit status: 0 what was asked holds, 1 it does not, 2 bad input or bad usage.";
-
 /// One line, whatever the library or the system says.
 std::string OneLine(std::string text)
 {
@@ -32,14 +31,24 @@ std::string OneLine(std::string text)
     return cia306::Printable(text);
 }
 
-std::string NamesOf(const std::vector<CommandRow>& table)
+std::vector<std::string> NamesOf(const std::vector<CommandRow>& table)
 {
-    std::string names;
+    std::vector<std::string> names;
     for (const CommandRow& row : table)
     {
-        names += (names.empty() ? "" : ", ") + std::string(row.name);
+        names.emplace_back(row.name);
     }
     return names;
+}
+
+std::string Listed(const std::vector<std::string>& names)
+{
+    std::string text;
+    for (const std::string& name : names)
+    {
+        text += (text.empty() ? "" : ", ") + name;
+    }
+    return text;
 }
 
 /// What is wrong with a number that people read otherwise than the library does, such as 010, which would be 8.
@@ -80,6 +89,10 @@ void AddChecks(CLI::Option& added, const Option& option)
     if (!option.numbers.empty())
     {
         added.check(CLI::IsMember(option.numbers));
+    }
+    if (!option.words.empty())
+    {
+        added.check(CLI::IsMember(option.words));
     }
 }
 
@@ -131,30 +144,56 @@ std::string LongName(const std::string& names)
 struct Entry
 {
     CLI::App* app;
-    std::unique_ptr<Command> command;
-    std::unique_ptr<Options> options;
+    DescribedCommand described;
 };
 
 Entry AddCommand(CLI::App& app, const CommandRow& row)
 {
-    Entry entry{app.add_subcommand(row.name, row.description), row.make(), std::make_unique<Options>()};
-    entry.command->Describe(*entry.options);
-    for (const Option& option : entry.options->All())
+    Entry entry{app.add_subcommand(row.name, row.description), Described(row)};
+    for (const Option& option : entry.described.options->All())
     {
         Describe(*entry.app, option);
     }
-    const std::string& more = entry.options->FooterText();
+    const std::string& more = entry.described.options->FooterText();
     entry.app->footer(more + (more.empty() ? "" : "\n") + kExitStatus);
     return entry;
 }
 
 ExitStatus Run(const Entry& entry, const Streams& streams)
 {
-    for (Option& option : entry.options->All())
+    for (Option& option : entry.described.options->All())
     {
         option.times = entry.app->count(LongName(option.name));
     }
-    return entry.command->Run(streams);
+    return entry.described.command->Run(streams);
+}
+
+/// The first option on the command line that `command` does not know, with the one that may be meant.
+std::string UnknownOption(const CLI::App& command)
+{
+    std::vector<std::string> known;
+    for (const CLI::Option* const option : command.get_options())
+    {
+        known.push_back(option->get_name());
+    }
+    for (const std::string& word : command.remaining())
+    {
+        const std::string name = word.substr(0U, word.find('='));
+        if (name.rfind("--", 0U) == 0U && name.size() > 2U)
+        {
+            return cia306::Quoted(name) + " is no option" + cia306::DidYouMean(name, known);
+        }
+    }
+    return "";
+}
+
+/// What is wrong with a command line without a command.
+std::string WithoutCommand(const CLI::App& app, const std::vector<CommandRow>& table)
+{
+    const std::vector<std::string> unknown = app.remaining();
+    return unknown.empty() ? std::string()
+                           : cia306::Quoted(unknown.front()) + " is no command" +
+                                 cia306::DidYouMean(unknown.front(), NamesOf(table));
 }
 
 ExitStatus Usage(const CLI::App& app, const std::vector<CommandRow>& table, const CLI::ParseError& error,
@@ -170,16 +209,15 @@ ExitStatus Usage(const CLI::App& app, const std::vector<CommandRow>& table, cons
     {
         help += " " + command->get_name();
     }
-    const std::vector<std::string> unknown = app.remaining();
     const bool has_command = !app.get_subcommands().empty();
-    std::string wrong = OneLine(error.what());
-    if (!has_command && !unknown.empty())
+    std::string wrong = has_command ? UnknownOption(*app.get_subcommands().front()) : WithoutCommand(app, table);
+    if (wrong.empty())
     {
-        wrong = cia306::Quoted(unknown.front()) + " is no command";
+        wrong = OneLine(error.what());
     }
     streams.err << kProgram << ": " << wrong << "; expected "
-                << (has_command ? "" : "one of " + NamesOf(table) + " in ") << "a command line as told by '" << help
-                << " --help'\n";
+                << (has_command ? "" : "one of " + Listed(NamesOf(table)) + " in ") << "a command line as told by '"
+                << help << " --help'\n";
     return ExitStatus::kBadInput;
 }
 } // namespace
@@ -233,6 +271,8 @@ int RunProgram(const int count, const char* const* const arguments, const std::v
     {
         words.emplace_back(arguments[place]);
     }
+    const Painter out(std::cout, STDOUT_FILENO);
+    const Painter err(std::cerr, STDERR_FILENO);
     ExitStatus status = RunCommandLine(words, table, {std::cout, std::cerr});
     std::cout.flush();
     if (!std::cout)

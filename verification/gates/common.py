@@ -11,7 +11,7 @@ import sys
 
 SAFETY_ROOMS = ("safety_core/contract", "safety_core/comparator", "safety_core/kernel", "safety_core/selftest", "safety_core/crosslink", "channel_a", "channel_b")
 MISRA_ROOMS = ("safety_core", "channel_a", "channel_b", "hal")
-PRODUCT_FOLDERS = ("safety_core", "channel_a", "channel_b", "hal", "canopen", "runtime", "simulator", "examples", "tools", "version")
+PRODUCT_FOLDERS = ("safety_core", "channel_a", "channel_b", "hal", "canopen", "runtime", "simulator", "examples", "tools", "version", "names")
 
 
 class CannotLook(Exception):

@@ -24,7 +24,8 @@ std::string Letter(const char letter)
 
 std::string JsonLine(const ManagerEvent& event)
 {
-    nlohmann::ordered_json line{{"t_us", event.at_us}, {"node", event.node}, {"event", event.kind}};
+    nlohmann::ordered_json line{
+        {"format", kManagerFormat}, {"t_us", event.at_us}, {"node", event.node}, {"event", event.kind}};
     if (event.details.is_object())
     {
         line.update(event.details);

@@ -14,6 +14,9 @@
 
 namespace counterpoint::runtime
 {
+/// What each JSON object of a manager begins with. [SRS_EASE_005]
+constexpr const char* kManagerFormat = "counterpoint-manager-1";
+
 /// An event of the network.
 struct ManagerEvent
 {

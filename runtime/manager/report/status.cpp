@@ -2,6 +2,7 @@
 #include "runtime/manager/report/status.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
+#include "runtime/manager/report/journal.hpp"
 #include "runtime/manager/report/texts.hpp"
 
 #include <algorithm>
@@ -154,6 +155,12 @@ std::string StatusTable(const ManagerStation& station, const std::uint64_t now_u
     return table + PdoTable(station.Pdos(), now_us);
 }
 
+/// In milliseconds; null where there is none.
+nlohmann::ordered_json AgeJson(const bool is_known, const std::uint64_t age_us)
+{
+    return is_known ? nlohmann::ordered_json(age_us / kUsPerMs) : nlohmann::ordered_json(nullptr);
+}
+
 nlohmann::ordered_json PdosJson(const ManagerPdos& pdos, const std::uint64_t now_us)
 {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
@@ -162,7 +169,7 @@ nlohmann::ordered_json PdosJson(const ManagerPdos& pdos, const std::uint64_t now
         rows.push_back({{"node", value.node},
                         {"pdo", NameOf(value)},
                         {"data", value.was_seen ? BytesText(value.bytes) : ""},
-                        {"age", value.was_seen ? AgeOf(value, now_us) : "-"}});
+                        {"age_ms", AgeJson(value.was_seen && !value.is_output, now_us - value.at_us)}});
     }
     return rows;
 }
@@ -175,20 +182,24 @@ nlohmann::ordered_json StatusJson(const ManagerStation& station, const std::uint
     for (const StatusRow& row : StatusRows(assembly, now))
     {
         const cia302::NodeStatus status = assembly.Core().Status(NodeId{row.node});
+        const cia302::NodeRecord& record = assembly.Core().Table().Record(NodeId{row.node});
+        const cia302::EmergencyRecord& emergency = assembly.Core().Watched().Of(NodeId{row.node}).emergency;
         slaves.push_back({{"node", row.node},
                           {"name", row.name},
                           {"state", row.state},
                           {"letter", (status.letter == 0) ? "" : std::string(1U, status.letter)},
                           {"code", status.code},
                           {"step", row.step},
-                          {"heartbeat", row.heartbeat},
-                          {"emergency", row.emergency},
+                          {"heartbeat_age_ms", AgeJson(record.was_seen, now.us - record.last_sign.us)},
+                          {"emergency_code", emergency.code},
+                          {"emergency_count", emergency.count},
                           {"safety", row.safety},
                           {"finding", row.finding},
                           {"good", row.is_good}});
     }
     const cia302::Manager& manager = assembly.Core();
-    return {{"event", "table"},
+    return {{"format", kManagerFormat},
+            {"event", "table"},
             {"manager", assembly.Net().Setup().own.value},
             {"state", WordOf(manager.OwnState())},
             {"active", manager.IsActive()},

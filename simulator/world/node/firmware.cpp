@@ -71,10 +71,9 @@ void NodeFirmware::Start()
     }
     if (!is_up)
     {
-        throw cia306::InputError(inside_.model.File(), {},
-                                 {"the kernel refuses this device, reason " +
-                                      std::to_string(static_cast<unsigned>(started_)) + " of StartResult",
-                                  "SRDOs, objects and times of 0x5F00 within the ranges of DeviceConfig"});
+        throw cia306::InputError(
+            inside_.model.File(), {},
+            {runtime::NoStartText(started_), "SRDOs, objects and times of 0x5F00 within the ranges of DeviceConfig"});
     }
 }
 

@@ -3,7 +3,9 @@
 #include "canopen/cia301/sdo/client_port.hpp"
 #include "canopen/cia301/time/time_stamp.hpp"
 #include "canopen/device/app_device.hpp"
+#include "names/safety_core/kernel/start_check.hpp"
 #include "tests/canopen/device/device_rig.hpp"
+#include "verification/trace/ids/comfort.hpp"
 #include "verification/trace/ids/node.hpp"
 
 #include <algorithm>
@@ -208,17 +210,23 @@ TEST_F(DeviceBareTest, AnApplicationLeavesItsSafeStateByPowerAlone)
 TEST_F(DeviceBareTest, AnApplicationThatIsRefusedIsNoDevice)
 {
     Verifies(req::SRS_DEV_022);
+    Verifies(req::SRS_EASE_007);
     // Given an application whose description the kernel refuses, or whose configuration
     TestedApplication tested{config};
     tested.config.node_id = 2U;
     TestedApplication::is_refused = true;
     AppDevice<TestedApplication, 3U> unconfigured{core, &ports, tested};
+    EXPECT_EQ(unconfigured.Started(), StartResult::kInvalid); // Not asked.
     EXPECT_EQ(unconfigured.Whole().PowerOn(Instant{now_us}), LoadResult::kFailed);
+    EXPECT_EQ(unconfigured.Started(), StartResult::kStarted);
     TestedApplication::is_refused = false;
     tested.config.srdo_count = 0U;
     AppDevice<TestedApplication, 3U> refused{core, &ports, tested};
     EXPECT_EQ(refused.Whole().PowerOn(Instant{now_us}), LoadResult::kFailed);
-    // Then nothing is sent
+    // Then the reason is kept, with its words, and nothing is sent
+    EXPECT_EQ(refused.Started(), StartResult::kSrdoCount);
+    EXPECT_STREQ(NameOf(refused.Started()), "srdo_count");
+    EXPECT_STREQ(MeaningOf(refused.Started()), "Not 1 to 64.");
     EXPECT_TRUE(ports.sent.empty());
 }
 

@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/generate/generate.hpp"
+#include "canopen/generate/text.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/canopen/generate/random_device.hpp"
 #include "verification/trace/ids/generate.hpp"
@@ -127,6 +128,42 @@ TEST(GenerateTest, ConstantsAndTypesAreThoseOfTheFile)
     EXPECT_EQ(code.entry_count, 9U);
     EXPECT_EQ(code.stored_bytes, 3U + 3U + 4U + 32U);
     EXPECT_EQ(code.constant_bytes, 4U + 8U + 8U + 1U + 3U);
+}
+
+TEST(GenerateTest, EachVariableOfAConsumerHasItsPartOfTheSafeValue)
+{
+    Verifies(req::SRS_GEN_020);
+    std::string text = cia306::ReadTextFile(cia306::test::SourceFolder() + "/examples/actuator/actuator.dcf");
+    const std::string zero = "ParameterValue=0x0000000000000000";
+    text.replace(text.find(zero, text.find("[5F02sub1]")), zero.size(), "ParameterValue=0x0000000000000A05");
+    const GeneratedCode code = Code(text);
+    // The first mapped bit is the lowest of the safe value.
+    EXPECT_TRUE(Has(code.source, "? GetReceivedCommandCommandUnchecked() : static_cast<std::uint8_t>(5U);"));
+    EXPECT_TRUE(Has(code.source, "? GetReceivedCommandModeUnchecked() : static_cast<std::uint8_t>(10U);"));
+    EXPECT_TRUE(Has(code.source, "const bool is_released = ((released >> kSrdo1Slot) & 1U) != 0U;"));
+    EXPECT_TRUE(Has(code.header, "std::uint8_t GetReceivedCommandMode(counterpoint::SrdoMask released) noexcept;"));
+    EXPECT_FALSE(Has(code.header, "GetReceivedCommandMode()"));
+}
+
+TEST(GenerateTest, VariablesOfAProducerAreTheApplicationsOwn)
+{
+    Verifies(req::SRS_GEN_020);
+    const GeneratedCode code = Code(cia306::ReadTextFile(cia306::test::SourceFolder() + "/examples/sensor/sensor.dcf"));
+    EXPECT_FALSE(Has(code.header, "Unchecked"));
+    EXPECT_FALSE(Has(code.header, "released)"));
+}
+
+TEST(GenerateTest, SafeValuesAreLiteralsOfTheirTypes)
+{
+    Verifies(req::SRS_GEN_020);
+    using cia306::DataKind;
+    EXPECT_EQ(BitsLiteral({"BOOLEAN", DataKind::kBoolean, 1U}, 1U), "true");
+    EXPECT_EQ(BitsLiteral({"INTEGER8", DataKind::kSigned, 8U}, 0x80U), "-127 - 1");
+    EXPECT_EQ(BitsLiteral({"INTEGER16", DataKind::kSigned, 16U}, 0x7FFFU), "32767");
+    EXPECT_EQ(BitsLiteral({"UNSIGNED64", DataKind::kUnsigned, 64U}, 0xFFFFFFFFFFFFFFFFU), "18446744073709551615ULL");
+    EXPECT_EQ(BitsLiteral({"REAL32", DataKind::kReal, 32U}, 0x3FC00000U), "0x1.8p+0F");
+    EXPECT_EQ(BitsLiteral({"REAL64", DataKind::kReal, 64U}, 0xC000000000000000U), "-0x1p+1");
+    EXPECT_EQ(BitsLiteral({"REAL32", DataKind::kReal, 32U}, 0x7FC00000U), ""); // No number.
 }
 
 TEST(GenerateTest, WhatHasNoLengthIsLeftOutWithAWarning)

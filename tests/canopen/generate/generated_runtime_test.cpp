@@ -4,6 +4,8 @@
 #include "canopen/generated/constant_objects.hpp"
 #include "canopen/generated/numbers.hpp"
 #include "canopen/generated/stored_objects.hpp"
+#include "data_digest/object_dictionary.hpp"
+#include "safety_core/kernel/variable.hpp"
 #include "tests/canopen/cia301/fake_objects.hpp"
 #include "verification/trace/ids/generate.hpp"
 #include "verification/trace/verifies.hpp"
@@ -212,6 +214,47 @@ TEST_F(GeneratedRuntime, CompareNamesWhatAHookHasNot)
     EXPECT_EQ(reply.object.sub, 1U);
     EXPECT_EQ(reply.refused, 4U);
     EXPECT_EQ(stored.Compare({0x1017U, 0x1017U}).refused, 0U);
+}
+
+/// Place of a variable of the device.
+VariablePlace PlaceOf(const DeviceConfig& device, const std::uint16_t index)
+{
+    for (std::uint16_t object = 0U; object < device.object_count; ++object)
+    {
+        if (device.objects[object].index == index)
+        {
+            return {device.objects[object].place, device.objects[object].length_bits};
+        }
+    }
+    return {nullptr, 0U};
+}
+
+TEST(GeneratedAccess, ValueIsThatOfAReleasedWholePairElseTheSafeOne)
+{
+    Verifies(req::SRS_GEN_020);
+    // Given a consumer with the safe value A1B2C3D4h, before anything was received: the pair is not inverse
+    namespace digest = test_data_digest;
+    digest::ResetApplication();
+    EXPECT_EQ(digest::GetIn1(0xFFFFFFFFU), 0xA1B2C3D4U);
+    EXPECT_EQ(digest::GetIn1Unchecked(), 0U);
+    // When the channels write a pair
+    const VariablePlace normal = PlaceOf(digest::kDevice, 0x2200U);
+    const VariablePlace inverse = PlaceOf(digest::kDevice, 0x2300U);
+    WriteVariable(normal, VariableValue{0x00000005U});
+    WriteVariable(inverse, VariableValue{0xFFFFFFFAU});
+    // Then it is the value while SRDO 2, slot 0, is released, and the safe value while only others are
+    EXPECT_EQ(digest::GetIn1(1U), 5U);
+    EXPECT_EQ(digest::GetIn1(3U), 5U);
+    EXPECT_EQ(digest::GetIn1(0U), 0xA1B2C3D4U);
+    EXPECT_EQ(digest::GetIn1(2U), 0xA1B2C3D4U);
+    EXPECT_EQ(digest::GetIn1Unchecked(), 5U);
+    // When one bit flips in either half
+    WriteVariable(inverse, VariableValue{0xFFFFFFFBU});
+    EXPECT_EQ(digest::GetIn1(1U), 0xA1B2C3D4U);
+    WriteVariable(inverse, VariableValue{0xFFFFFFFAU});
+    WriteVariable(normal, VariableValue{0x80000005U});
+    EXPECT_EQ(digest::GetIn1(1U), 0xA1B2C3D4U);
+    digest::ResetApplication();
 }
 
 TEST(GeneratedNumbers, AreRightToTheirEnds)

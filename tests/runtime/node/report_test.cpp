@@ -90,7 +90,7 @@ TEST_F(NodeReportTest, TheEndDoesNotWaitForAReaderThatReadsNothing)
         report.Tell(0U, "", "value", {{"value", i}});
     }
     EXPECT_FALSE(report.Finish());
-    EXPECT_EQ(ReadTo("\n").substr(0U, 27U), R"({"at_us":0,"event":"value",)");
+    EXPECT_EQ(ReadTo("\n").substr(0U, 58U), R"({"format":"counterpoint-node-1","at_us":0,"event":"value",)");
 }
 
 // Given a reader that has ended, then the end tells that not everything was written.

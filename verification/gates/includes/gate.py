@@ -40,10 +40,11 @@ MAY_SEE = {
     "canopen/generate": ["canopen/cia306"],
     "canopen/monitor": ["canopen/cia306"],
     "canopen/network_plan": ["canopen/cia301", "canopen/cia302", "canopen/cia306", "canopen/manager", "canopen/start_up"],
-    "runtime": DEVICE,
-    "simulator": [*DEVICE, "runtime"],
-    "tools": ["version", "safety_core", "hal", "canopen", "runtime", "simulator"],
-    "examples": DEVICE,
+    "names": [],
+    "runtime": [*DEVICE, "names"],
+    "simulator": [*DEVICE, "names", "runtime"],
+    "tools": ["version", "names", "safety_core", "hal", "canopen", "runtime", "simulator"],
+    "examples": [*DEVICE, "names"],
 }
 PRODUCT = sorted({room.split("/")[0] for room in MAY_SEE})
 # Rooms of the host may use libraries, which DEPENDS cannot name.

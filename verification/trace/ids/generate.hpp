@@ -26,6 +26,7 @@ inline constexpr RequirementId SRS_GEN_016{"SRS_GEN_016"};
 inline constexpr RequirementId SRS_GEN_017{"SRS_GEN_017"};
 inline constexpr RequirementId SRS_GEN_018{"SRS_GEN_018"};
 inline constexpr RequirementId SRS_GEN_019{"SRS_GEN_019"};
+inline constexpr RequirementId SRS_GEN_020{"SRS_GEN_020"};
 inline constexpr RequirementId SRS_GEN_027{"SRS_GEN_027"};
 } // namespace counterpoint::req
 

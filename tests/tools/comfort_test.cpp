@@ -1,0 +1,296 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/tools/command_run.hpp"
+#include "tools/command_line/described.hpp"
+#include "tools/command_line/painter.hpp"
+#include "verification/trace/ids/comfort.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <pty.h>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+namespace counterpoint::tools
+{
+namespace
+{
+using test::Answer;
+using test::CommandTest;
+using test::RunCommand;
+
+/// What a shell command prints, without the last line end; "failed" where it is not there or says that it failed.
+std::string Printed(const std::string& command)
+{
+    FILE* const pipe = ::popen((command + " 2>&1").c_str(), "r");
+    if (pipe == nullptr)
+    {
+        return "failed";
+    }
+    std::string text;
+    std::array<char, 4096U> block{};
+    for (std::size_t count = block.size(); count == block.size();)
+    {
+        count = std::fread(block.data(), 1U, block.size(), pipe);
+        text.append(block.data(), count);
+    }
+    while (!text.empty() && text.back() == '\n')
+    {
+        text.pop_back();
+    }
+    return (::pclose(pipe) == 0) ? text : "failed: " + text;
+}
+
+bool Has(const std::string& program)
+{
+    return Printed("command -v " + program).rfind("failed", 0U) != 0U;
+}
+
+TEST(Slip, NearestCommandAndOptionAreNamed)
+{
+    Verifies(req::SRS_EASE_001);
+    EXPECT_EQ(RunCommand({"chekc", "a.dcf"}).err.substr(0U, 62U),
+              "counterpoint: 'chekc' is no command (did you mean 'check'?); e");
+    EXPECT_EQ(RunCommand({"sign", "a.dcf", "--nodeid", "3"}).err,
+              "counterpoint: '--nodeid' is no option (did you mean '--node-id'?); expected a command line as told by "
+              "'counterpoint sign --help'\n");
+    EXPECT_EQ(RunCommand({"sign", "a.dcf", "--node_id=3"}).err,
+              "counterpoint: '--node_id' is no option (did you mean '--node-id'?); expected a command line as told by "
+              "'counterpoint sign --help'\n");
+    EXPECT_EQ(RunCommand({"check", "a.dcf", "--verbose"}).err,
+              "counterpoint: '--verbose' is no option; expected a command line as told by 'counterpoint check "
+              "--help'\n");
+}
+
+class SlipInAFile : public CommandTest
+{
+};
+
+TEST_F(SlipInAFile, NearestKeyAndWordAreNamed)
+{
+    Verifies(req::SRS_EASE_001);
+    const std::string scenario = File("a.yaml", "titel: none\n");
+    EXPECT_EQ(
+        RunCommand({"simulate", scenario})
+            .err.rfind(scenario + ":1:1: unknown key 'titel' (did you mean 'title'?) in a scenario, expected one of ",
+                       0U),
+        0U);
+    const std::string network = File("b.yaml", "manager: {node: 127}\nslaves: [{node: 1, naem: x}]\n");
+    EXPECT_EQ(RunCommand({"manager", "--can", "none", "--network", network})
+                  .err.rfind(network + ":2:20: unknown key 'naem' (did you mean 'name'?), expected node, name", 0U),
+              0U);
+    const std::string profile = File("c.yaml", "manager: {node: 127, profile: el6571}\nslaves: [{node: 1}]\n");
+    EXPECT_EQ(RunCommand({"manager", "--can", "none", "--network", profile})
+                  .err.rfind(profile + ":1:31: 'el6571' (did you mean 'el6751'?), expected one of cia302", 0U),
+              0U);
+    const std::string far_away = File("d.yaml", "colour: red\n");
+    EXPECT_EQ(RunCommand({"simulate", far_away}).err.rfind(far_away + ":1:1: unknown key 'colour' in a scenario", 0U),
+              0U);
+}
+
+/// What a shell command writes to a terminal, without carriage returns.
+std::string OnTerminal(const std::string& command)
+{
+    int terminal = -1;
+    const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+    if (child == 0)
+    {
+        ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+        ::_exit(127);
+    }
+    std::string text;
+    char letter = 0;
+    while (child > 0 && ::read(terminal, &letter, 1U) == 1) // Ends with an error when the other side is closed.
+    {
+        text += (letter == '\r') ? "" : std::string(1U, letter);
+    }
+    static_cast<void>(::waitpid(child, nullptr, 0));
+    static_cast<void>(::close(terminal));
+    return text;
+}
+
+const std::string kProgramFile = COUNTERPOINT_PROGRAM;
+const std::string kColours = "TERM=xterm NO_COLOR= ";
+
+TEST(Colours, WordsStandAlone)
+{
+    Verifies(req::SRS_EASE_002);
+    EXPECT_EQ(Painted("a:1: error: b"), "a:1: \033[31merror:\033[0m b");
+    EXPECT_EQ(Painted("a:1: warning: b"), "a:1: \033[33mwarning:\033[0m b");
+    EXPECT_EQ(Painted("NMT operational"), "NMT \033[32moperational\033[0m");
+    EXPECT_EQ(Painted("pre-operational, srdo_error, terror: unreleased"),
+              "pre-operational, srdo_error, terror: unreleased");
+    EXPECT_EQ(Painted("SRDO 1 faulted\n"), "SRDO 1 \033[31mfaulted\033[0m\n");
+    EXPECT_EQ(Painted(""), "");
+}
+
+TEST(Colours, AreOnATerminalAlone)
+{
+    Verifies(req::SRS_EASE_002);
+    const std::string command = kProgramFile + " check nobody.dcf";
+    const std::string coloured = OnTerminal(kColours + command);
+    EXPECT_NE(coloured.find("nobody.dcf:0: \033[31merror:\033[0m "), std::string::npos) << coloured;
+    // A pipe, a file; each output by itself.
+    EXPECT_EQ(Printed(kColours + command + " || true").find('\033'), std::string::npos);
+    EXPECT_EQ(OnTerminal(kColours + command + " 2>&1 | cat").find('\033'), std::string::npos);
+    const std::string half = OnTerminal(kColours + command + " --json | cat");
+    EXPECT_NE(half.find("\033[31merror:\033[0m"), std::string::npos) << half;
+    EXPECT_NE(half.find("\"error\": {\n"), std::string::npos) << half;
+}
+
+TEST(Colours, NobodyGetsThemWhoWantsOrKnowsNone)
+{
+    Verifies(req::SRS_EASE_002);
+    const std::string command = kProgramFile + " check nobody.dcf";
+    const std::string plain = OnTerminal("TERM=xterm NO_COLOR=1 " + command);
+    EXPECT_NE(plain.find("nobody.dcf:0: error: "), std::string::npos) << plain;
+    EXPECT_EQ(plain.find('\033'), std::string::npos);
+    EXPECT_EQ(OnTerminal("NO_COLOR= TERM=dumb " + command).find('\033'), std::string::npos);
+    EXPECT_EQ(OnTerminal("NO_COLOR= TERM= " + command).find('\033'), std::string::npos);
+}
+
+TEST(Colours, OutputThatCannotBeWrittenIsStillTold)
+{
+    Verifies(req::SRS_EASE_002);
+    const std::string text = OnTerminal(kColours + kProgramFile + " man >/dev/full; echo status $?");
+    EXPECT_NE(text.find("status 2"), std::string::npos) << text;
+}
+
+class Completion : public CommandTest
+{
+  protected:
+    /// What bash offers for the last of `words`, a blank between the offers.
+    [[nodiscard]] std::string Offers(const std::vector<std::string>& words) const
+    {
+        std::string line;
+        for (const std::string& word : words)
+        {
+            line += " '" + word + "'";
+        }
+        const std::string script = File("offers.bash", RunCommand({"completion", "bash"}).out + "COMP_WORDS=(" + line +
+                                                           ")\nCOMP_CWORD=" + std::to_string(words.size() - 1U) +
+                                                           "\n_counterpoint\necho \"${COMPREPLY[*]}\"\n");
+        return Printed("bash --norc " + script);
+    }
+};
+
+TEST_F(Completion, BashOffersCommandsOptionsAndValues)
+{
+    Verifies(req::SRS_EASE_003);
+    if (!Has("bash"))
+    {
+        GTEST_SKIP() << "no bash";
+    }
+    EXPECT_EQ(Offers({"counterpoint", "si"}), "simulate sign");
+    EXPECT_EQ(Offers({"counterpoint", "--v"}), "--version");
+    EXPECT_EQ(Offers({"counterpoint", "sign", "--"}), "--node-id --json --write --verbose --help");
+    EXPECT_EQ(Offers({"counterpoint", "sign", "a.dcf", "--ver"}), "--verbose");
+    EXPECT_EQ(Offers({"counterpoint", "check", "--granularity", ""}), "1 8 16 32 64");
+    EXPECT_EQ(Offers({"counterpoint", "check", "--granularity", "1"}), "1 16");
+    EXPECT_EQ(Offers({"counterpoint", "completion", ""}), "bash zsh fish");
+    EXPECT_EQ(Offers({"counterpoint", "sign", "--node-id", ""}), ""); // A number.
+    EXPECT_EQ(Offers({"counterpoint", "sign", "exam"}), "");          // A file: left to the shell.
+    EXPECT_EQ(Offers({"counterpoint", "frobnicate", "--"}), "");
+}
+
+TEST_F(Completion, NamesOfFilesAreLeftToBashAndNumbersToNobody)
+{
+    Verifies(req::SRS_EASE_003);
+    const std::string script = RunCommand({"completion", "bash"}).out;
+    EXPECT_NE(script.find("complete -o default -F _counterpoint counterpoint\n"), std::string::npos);
+    EXPECT_NE(script.find("'sign --node-id') words=''; no_file=1 ;;\n"), std::string::npos);
+    EXPECT_EQ(script.find("'sign --write')"), std::string::npos);
+    EXPECT_NE(script.find("if [ -n \"$no_file\" ]; then compopt +o default"), std::string::npos);
+}
+
+TEST_F(Completion, EachScriptHasEveryCommandAndEveryOption)
+{
+    Verifies(req::SRS_EASE_003);
+    for (const std::string shell : {"bash", "zsh", "fish"})
+    {
+        const Answer answer = RunCommand({"completion", shell});
+        EXPECT_EQ(answer.status, 0);
+        for (const CommandRow& row : CommandTable())
+        {
+            EXPECT_NE(answer.out.find(row.name), std::string::npos) << shell << " " << row.name;
+            const DescribedCommand described = Described(row);
+            for (const Option& option : described.options->All())
+            {
+                const std::string name = (shell == "fish" && !IsPositional(option)) ? " -l " + option.name.substr(2U)
+                                         : IsPositional(option)                     ? std::string()
+                                                                                    : option.name;
+                EXPECT_NE(answer.out.find(name), std::string::npos) << shell << " " << row.name << " " << option.name;
+            }
+        }
+    }
+    EXPECT_EQ(RunCommand({"completion", "csh"}).status, 2);
+    EXPECT_EQ(RunCommand({"completion"}).status, 2);
+}
+
+TEST_F(Completion, ScriptsAreReadByTheirShells)
+{
+    Verifies(req::SRS_EASE_003);
+    for (const std::string shell : {"bash", "zsh", "fish"})
+    {
+        if (Has(shell))
+        {
+            EXPECT_EQ(Printed(shell + " -n " + File(shell, RunCommand({"completion", shell}).out)), "") << shell;
+        }
+    }
+}
+
+TEST_F(Completion, TextsOfTheTablesCannotBreakTheScripts)
+{
+    Verifies(req::SRS_EASE_003);
+    // From the table: "Start-up profile of the managers: one of the scenario's 'profiles'" and "Run once: ... [KEY]".
+    const std::string zsh = RunCommand({"completion", "zsh"}).out;
+    EXPECT_NE(
+        zsh.find("'*--profile[Start-up profile of the managers\\: one of the scenario'\\''s '\\''profiles'\\'']:TEXT:"
+                 "_files'"),
+        std::string::npos);
+    EXPECT_EQ(zsh.rfind("#compdef counterpoint\n", 0U), 0U);
+    const std::string fish = RunCommand({"completion", "fish"}).out;
+    EXPECT_NE(fish.find(" -l profile -r -F -d 'Start-up profile of the managers: one of the scenario\\'s "
+                        "\\'profiles\\''\n"),
+              std::string::npos);
+}
+
+TEST(ManualPage, NamesEachCommandAndItsOptionsWithTheirConditions)
+{
+    Verifies(req::SRS_EASE_004);
+    const Answer answer = RunCommand({"man"});
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_EQ(answer.err, "");
+    EXPECT_NE(answer.out.find("\n.TH COUNTERPOINT 1 "), std::string::npos);
+    for (const CommandRow& row : CommandTable())
+    {
+        EXPECT_NE(answer.out.find("\n.SS \"counterpoint " + std::string(row.name) + "\"\n"), std::string::npos);
+    }
+    EXPECT_NE(answer.out.find("\n.TP\n\\fB\\-\\-node\\-id\\fR \\fIN\\fR\n"
+                              "Node\\-ID for $NODEID (default: the one in the file); 1 to 127.\n"),
+              std::string::npos);
+    EXPECT_NE(answer.out.find("; one of 1, 8, 16, 32, 64.\n"), std::string::npos);
+    EXPECT_NE(answer.out.find("\nList the scenarios and end; not beside \\-\\-html.\n"), std::string::npos);
+    EXPECT_NE(answer.out.find("; 1 to 1000000; only with \\-\\-can.\n"), std::string::npos);
+    EXPECT_NE(answer.out.find("\n.SH EXIT STATUS\n"), std::string::npos);
+    EXPECT_EQ(RunCommand({"man"}).out, answer.out);
+}
+
+class ManualPageFile : public CommandTest
+{
+};
+
+TEST_F(ManualPageFile, GroffHasNoWarning)
+{
+    Verifies(req::SRS_EASE_004);
+    if (!Has("groff"))
+    {
+        GTEST_SKIP() << "no groff";
+    }
+    EXPECT_EQ(Printed("groff -man -Tascii -ww " + File("counterpoint.1", RunCommand({"man"}).out) + " >/dev/null"), "");
+}
+} // namespace
+} // namespace counterpoint::tools
