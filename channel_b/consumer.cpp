@@ -83,21 +83,6 @@ SrdoMask Consumers::Leave() noexcept
     return left;
 }
 
-bool Consumers::IsActive(SlotIndex slot) const noexcept
-{
-    return HasAny(x_active, BitOf(slot));
-}
-
-bool Consumers::IsHeld(SlotIndex slot) const noexcept
-{
-    return x_pairs.held[slot] == Mark::kHeld;
-}
-
-bool Consumers::IsReleased(SlotIndex slot) const noexcept
-{
-    return IsHeld(slot) && (x_pairs.granted[slot] == Mark::kGranted) && x_faults.IsCauseDefined(slot);
-}
-
 /// Whether the marks are defined, fit each other, and still say what the last OnCycle decided. [SRS_CONS_024]
 bool Consumers::IsSound(SlotIndex slot) const noexcept
 {
@@ -137,17 +122,6 @@ HeldPair Consumers::Held(SlotIndex slot) const noexcept
         }
     }
     return pair;
-}
-
-/// [SRS_REL_010]
-SrdoMask Consumers::Permitted() const noexcept
-{
-    return x_committed & x_permitted;
-}
-
-void Consumers::Withdraw(SlotIndex slot) noexcept
-{
-    x_committed &= ~BitOf(slot);
 }
 
 /// Nothing is granted any longer. A pending normal frame stays. [SRS_CONS_012]

@@ -3,6 +3,7 @@
 #define CHANNEL_B_CONSUMER_HPP
 
 #include "channel_b/parts.hpp"
+#include "channel_b/slots.hpp"
 #include "channel_b/storage.hpp"
 #include "channel_b/tick.hpp"
 #include "safety_core/contract/channel.hpp"
@@ -43,17 +44,34 @@ class Consumers
     /// @brief Writes, then reads back; the slots whose objects hold something else than was written.
     [[nodiscard]] SrdoMask Commit(const Agreement& agreement, SrdoMask examine) noexcept;
     /// @brief The objects of the slot hold no released data any longer.
-    void Withdraw(SlotIndex slot) noexcept;
+    void Withdraw(SlotIndex slot) noexcept
+    {
+        x_committed &= ~BitOf(slot);
+    }
 
-    [[nodiscard]] bool IsActive(SlotIndex slot) const noexcept;
+    [[nodiscard]] bool IsActive(SlotIndex slot) const noexcept
+    {
+        return HasAny(x_active, BitOf(slot));
+    }
+
     [[nodiscard]] SrdoState StateOf(SlotIndex slot) const noexcept;
     [[nodiscard]] HeldPair Held(SlotIndex slot) const noexcept;
-    /// @brief What the last Commit, since the last OnCycle, left committed and did not return.
-    [[nodiscard]] SrdoMask Permitted() const noexcept;
+    /// @brief What the last Commit, since the last OnCycle, left committed and did not return. [SRS_REL_010]
+    [[nodiscard]] SrdoMask Permitted() const noexcept
+    {
+        return x_committed & x_permitted;
+    }
 
   private:
-    [[nodiscard]] bool IsHeld(SlotIndex slot) const noexcept;
-    [[nodiscard]] bool IsReleased(SlotIndex slot) const noexcept;
+    [[nodiscard]] bool IsHeld(SlotIndex slot) const noexcept
+    {
+        return x_pairs.held[slot] == Mark::kHeld;
+    }
+
+    [[nodiscard]] bool IsReleased(SlotIndex slot) const noexcept
+    {
+        return IsHeld(slot) && (x_pairs.granted[slot] == Mark::kGranted) && x_faults.IsCauseDefined(slot);
+    }
     [[nodiscard]] bool IsSound(SlotIndex slot) const noexcept;
 
     [[nodiscard]] SrdoCause ExpiredAt(SlotIndex slot, std::uint32_t since_call_us) const noexcept;

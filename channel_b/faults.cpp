@@ -62,11 +62,6 @@ void Faults::Complain(SlotIndex slot, SrdoCause cause) noexcept
     x_unreported |= BitOf(slot);
 }
 
-void Faults::Forget(SlotIndex slot) noexcept
-{
-    x_columns.first_cause[slot] = CodeOf(SrdoCause::kNone);
-}
-
 /// [SRS_CONS_021]
 SrdoMask Faults::Report() noexcept
 {

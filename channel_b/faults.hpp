@@ -27,7 +27,10 @@ class Faults
     /// @brief To be signalled like a fault, without being one.
     void Complain(SlotIndex slot, SrdoCause cause) noexcept;
     /// @brief The first cause was read.
-    void Forget(SlotIndex slot) noexcept;
+    void Forget(SlotIndex slot) noexcept
+    {
+        x_columns.first_cause[slot] = static_cast<std::uint8_t>(SrdoCause::kNone);
+    }
 
     /// @brief Slots with something that is not reported yet.
     [[nodiscard]] SrdoMask Unreported() const noexcept

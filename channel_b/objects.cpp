@@ -8,12 +8,6 @@
 namespace counterpoint::channel_b
 {
 
-void Objects::Restart(const DeviceConfig& config) noexcept
-{
-    x_objects = Column<const MappableObject>{config.objects};
-    x_count = config.object_count;
-}
-
 /// [SRS_CFG_027]
 bool Objects::IsNamed(std::uint32_t place, std::uint32_t entry, MapAccess access) const noexcept
 {

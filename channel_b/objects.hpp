@@ -15,7 +15,11 @@ namespace counterpoint::channel_b
 class Objects
 {
   public:
-    void Restart(const DeviceConfig& config) noexcept;
+    void Restart(const DeviceConfig& config) noexcept
+    {
+        x_objects = Column<const MappableObject>{config.objects};
+        x_count = config.object_count;
+    }
 
     /// @brief Place of the first object that is not before the one that the entry names.
     [[nodiscard]] std::uint32_t Find(std::uint32_t entry) const noexcept

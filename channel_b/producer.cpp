@@ -24,6 +24,12 @@ constexpr std::uint32_t kLongestPhaseUs = std::uint32_t{1U} << 27U;
     return frame;
 }
 
+/// Not one microsecond is left.
+[[nodiscard]] bool IsPhaseOver(std::uint32_t phase_left_us) noexcept
+{
+    return (phase_left_us - 1U) >= kLongestPhaseUs;
+}
+
 constexpr CanFrame kNoFrame{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}};
 constexpr Confirmation kNothingConfirmed{kNoSlot, ConfirmStep::kNone};
 
@@ -47,40 +53,6 @@ void Producers::Admit(SlotIndex slot) noexcept
     x_pairs.phase_left[slot] = kFirstTransmissionStepUs * x_settings.Config().node_id;
     x_pairs.limit[slot] = x_settings.SrvtUs(slot);
     x_pairs.stage[slot] = Stage::kIdle;
-}
-
-/// A fault that gives up the pair in flight. [SRS_PROD_009]
-void Producers::Fail(SlotIndex slot, SrdoCause cause) noexcept
-{
-    x_pairs.stage[slot] = Stage::kIdle;
-    x_faults.Record(slot, cause);
-}
-
-bool Producers::IsActive(SlotIndex slot) const noexcept
-{
-    return HasAny(x_active, BitOf(slot));
-}
-
-/// A corrupted stage is in flight until its budget is over; nothing confirms it.
-bool Producers::IsInFlight(SlotIndex slot) const noexcept
-{
-    return IsActive(slot) && (x_pairs.stage[slot] != Stage::kIdle);
-}
-
-std::uint32_t Producers::Ordinal(SlotIndex slot) const noexcept
-{
-    return x_pairs.ordinal[slot];
-}
-
-/// [SRS_CONS_025]
-Payload Producers::InFlight(SlotIndex slot) const noexcept
-{
-    return PayloadOf(IsInFlight(slot) ? x_pairs.data[slot] : 0U);
-}
-
-std::uint64_t Producers::InverseData(SlotIndex slot) const noexcept
-{
-    return ~x_pairs.data[slot] & LowBytes(x_mappings.LengthBytes(slot));
 }
 
 /// [SRS_PROD_005, SRS_PROD_006]
@@ -197,18 +169,6 @@ void Producers::OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept
 
 // ---- the cycle
 
-/// Not one microsecond is left.
-bool Producers::IsPhaseOver(SlotIndex slot) const noexcept
-{
-    return (x_pairs.phase_left[slot] - 1U) >= kLongestPhaseUs;
-}
-
-/// For so long the application may send nothing: the refresh time and a cycle that is just in time.
-std::uint32_t Producers::SilenceUs(SlotIndex slot) const noexcept
-{
-    return x_settings.SctUs(slot) + x_settings.LongestCallUs();
-}
-
 /// The refresh falls due at exact distances, whenever the calls come. [SRS_PROD_001, SRS_PROD_002, SRS_PROD_010]
 void Producers::AdvanceProvider(SlotIndex slot) noexcept
 {
@@ -267,7 +227,7 @@ void Producers::ServeOne(SlotIndex slot, const Tick& tick) noexcept
     {
         x_pairs.phase_left[slot] -= tick.elapsed_us;
     }
-    if (IsPhaseOver(slot))
+    if (IsPhaseOver(x_pairs.phase_left[slot]))
     {
         if (is_provider)
         {
