@@ -212,24 +212,23 @@ void Producers::AdvanceApplication(SlotIndex slot) noexcept
     }
 }
 
-/// [SRS_PROD_008, SRS_PROD_009, SRS_PROD_010, SRS_PROD_012]
-void Producers::ServeOne(SlotIndex slot, const Tick& tick) noexcept
+/// [SRS_PROD_008, SRS_PROD_009]
+void Producers::SpendConfirmation(SlotIndex slot, std::uint32_t elapsed_us) noexcept
 {
-    const SrdoMask bit = BitOf(slot);
-    const bool is_provider = x_settings.Form(slot) == ProducerForm::kProviderCalled;
-    const bool is_standing = HasAny(tick.stand & x_started, bit) && is_provider;
-    x_pairs.left[slot] -= tick.elapsed_us;
-    if (IsInFlight(slot) && (x_pairs.left[slot] > x_pairs.limit[slot]))
+    x_pairs.left[slot] -= elapsed_us;
+    if (x_pairs.left[slot] > x_pairs.limit[slot])
     {
         Fail(slot, SrdoCause::kNoConfirmation);
     }
-    if (!is_standing)
-    {
-        x_pairs.phase_left[slot] -= tick.elapsed_us;
-    }
+}
+
+/// [SRS_PROD_010, SRS_PROD_012]
+void Producers::SpendPhase(SlotIndex slot, std::uint32_t elapsed_us) noexcept
+{
+    x_pairs.phase_left[slot] -= elapsed_us;
     if (IsPhaseOver(x_pairs.phase_left[slot]))
     {
-        if (is_provider)
+        if (IsProvider(slot))
         {
             AdvanceProvider(slot);
         }
@@ -238,15 +237,16 @@ void Producers::ServeOne(SlotIndex slot, const Tick& tick) noexcept
             AdvanceApplication(slot);
         }
     }
-    if (HasAny(tick.edges & ~x_faults.Unreported(), bit))
-    {
-        x_faults.Forget(slot);
-    }
 }
 
-/// [SRS_PROD_003, SRS_PROD_004]
+/// [SRS_PROD_003, SRS_PROD_004, SRS_PROD_009, SRS_PROD_012]
 void Producers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
 {
+    if (x_active == 0U)
+    {
+        return;
+    }
+    const SrdoMask standing = tick.stand & x_started;
     SrdoMask in_flight = 0U;
     std::uint32_t count = 0U;
     x_requested |= tick.requests & x_active;
@@ -254,12 +254,22 @@ void Producers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
     while (walk.Next())
     {
         const SlotIndex slot = walk.Slot();
-        ServeOne(slot, tick);
-        if (IsInFlight(slot))
+        if (x_pairs.stage[slot] != Stage::kIdle)
+        {
+            SpendConfirmation(slot, tick.elapsed_us);
+        }
+        const bool is_standing = HasAny(standing, BitOf(slot)) && IsProvider(slot);
+        SpendPhase(slot, is_standing ? 0U : tick.elapsed_us);
+        if (x_pairs.stage[slot] != Stage::kIdle)
         {
             in_flight |= BitOf(slot);
         }
         ++count;
+    }
+    SlotWalk acknowledged{tick.edges & x_active & ~x_faults.Unreported()};
+    while (acknowledged.Next())
+    {
+        x_faults.Forget(acknowledged.Slot());
     }
     outcome.due = (x_refresh_due | (x_requested & x_started)) & ~in_flight;
     outcome.is_tx = static_cast<std::uint8_t>(count);

@@ -76,6 +76,11 @@ class Producers
                                              std::uint32_t since_call_us) noexcept;
     [[nodiscard]] Confirmation ConfirmInverse(SlotIndex slot, const CanFrame& frame,
                                               std::uint32_t since_call_us) noexcept;
+    [[nodiscard]] bool IsProvider(SlotIndex slot) const noexcept
+    {
+        return x_settings.Form(slot) == ProducerForm::kProviderCalled;
+    }
+
     /// A fault that gives up the pair in flight. [SRS_PROD_009]
     void Fail(SlotIndex slot, SrdoCause cause) noexcept
     {
@@ -83,7 +88,8 @@ class Producers
         x_faults.Record(slot, cause);
     }
 
-    void ServeOne(SlotIndex slot, const Tick& tick) noexcept;
+    void SpendConfirmation(SlotIndex slot, std::uint32_t elapsed_us) noexcept;
+    void SpendPhase(SlotIndex slot, std::uint32_t elapsed_us) noexcept;
     void AdvanceProvider(SlotIndex slot) noexcept;
     void AdvanceApplication(SlotIndex slot) noexcept;
 
