@@ -108,22 +108,6 @@ SrdoState Consumers::StateOf(SlotIndex slot) const noexcept
     return HasAny(x_troubled, BitOf(slot)) ? SrdoState::kFaulted : SrdoState::kWaiting;
 }
 
-/// Of a valid pair the inverse data tell the normal data. [SRS_CONS_025]
-HeldPair Consumers::Held(SlotIndex slot) const noexcept
-{
-    HeldPair pair{{0U, 0U}, 0U, 0U};
-    if (IsActive(slot))
-    {
-        pair.ordinal = x_pairs.ordinal[slot];
-        if (IsHeld(slot))
-        {
-            pair.data = PayloadOf(~x_pairs.data[slot] & x_mappings.MappedBits(slot));
-            pair.holds_pair = 1U;
-        }
-    }
-    return pair;
-}
-
 /// Nothing is granted any longer. A pending normal frame stays. [SRS_CONS_012]
 void Consumers::Discard(SlotIndex slot) noexcept
 {
@@ -189,23 +173,6 @@ SrdoCause Consumers::ExpiredAtInverse(SlotIndex slot, std::uint32_t since_call_u
 }
 
 // ---- frames
-
-/// [SRS_CONS_001]
-void Consumers::OnFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
-{
-    if (!IsActive(slot))
-    {
-        return;
-    }
-    if ((frame.identifier % 2U) != 0U)
-    {
-        TakeNormal(slot, frame, since_call_us);
-    }
-    else
-    {
-        TakeInverse(slot, frame, since_call_us);
-    }
-}
 
 /// The first thing that is wrong with a normal frame. [SRS_CONS_004, SRS_CONS_005, SRS_CONS_007, SRS_CONS_011]
 SrdoCause Consumers::FlawOfNormal(SlotIndex slot, const CanFrame& frame) const noexcept

@@ -37,8 +37,23 @@ class Consumers
     [[nodiscard]] SrdoMask Leave() noexcept;
 
     /// @brief A data frame that the look-up leads here, so long after the last OnCycle (modular); only an active
-    /// consumer takes it.
-    void OnFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept;
+    /// consumer takes it. [SRS_CONS_001]
+    void OnFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
+    {
+        if (!IsActive(slot))
+        {
+            return;
+        }
+        if ((frame.identifier % 2U) != 0U)
+        {
+            TakeNormal(slot, frame, since_call_us);
+        }
+        else
+        {
+            TakeInverse(slot, frame, since_call_us);
+        }
+    }
+
     void Serve(const Tick& tick, CycleOutcome& outcome) noexcept;
     void Demote(SlotIndex slot) noexcept;
     /// @brief Writes, then reads back; the slots whose objects hold something else than was written.
@@ -55,7 +70,22 @@ class Consumers
     }
 
     [[nodiscard]] SrdoState StateOf(SlotIndex slot) const noexcept;
-    [[nodiscard]] HeldPair Held(SlotIndex slot) const noexcept;
+    /// @brief Of a valid pair the inverse data tell the normal data. [SRS_CONS_025]
+    [[nodiscard]] HeldPair Held(SlotIndex slot) const noexcept
+    {
+        HeldPair pair{{0U, 0U}, 0U, 0U};
+        if (IsActive(slot))
+        {
+            pair.ordinal = x_pairs.ordinal[slot];
+            if (IsHeld(slot))
+            {
+                pair.data = PayloadOf(~x_pairs.data[slot] & x_mappings.MappedBits(slot));
+                pair.holds_pair = 1U;
+            }
+        }
+        return pair;
+    }
+
     /// @brief What the last Commit, since the last OnCycle, left committed and did not return. [SRS_REL_010]
     [[nodiscard]] SrdoMask Permitted() const noexcept
     {
