@@ -305,8 +305,8 @@ void Consumers::Examine(SlotIndex slot, const Tick& tick) noexcept
     }
 }
 
-/// [SRS_REL_003, SRS_REL_004, SRS_REL_007]
-void Consumers::Grant(SlotIndex slot) noexcept
+/// Whether the slot is released now. [SRS_REL_003, SRS_REL_004, SRS_REL_007]
+bool Consumers::Grant(SlotIndex slot) noexcept
 {
     const bool is_acknowledged = x_pairs.edge[slot] == Mark::kWaits;
     const bool is_permitted = is_acknowledged || (x_settings.Policy(slot) == ReleasePolicy::kAutomatic);
@@ -314,15 +314,18 @@ void Consumers::Grant(SlotIndex slot) noexcept
     {
         x_pairs.granted[slot] = Mark::kGranted;
     }
-    if (is_acknowledged && IsReleased(slot))
+    const bool is_released = IsReleased(slot);
+    if (is_acknowledged && is_released)
     {
         x_faults.Forget(slot);
         x_pairs.edge[slot] = Mark::kUnset;
     }
+    return is_released;
 }
 
-/// Where there is more to do than to take the time of SCT. [SRS_CONS_013, SRS_CONS_022, SRS_REL_005]
-void Consumers::ServeBusy(SlotIndex slot, const Tick& tick, CycleOutcome& outcome) noexcept
+/// Where there is more to do than to take the time of SCT; whether the slot is released. [SRS_CONS_013, SRS_CONS_022,
+/// SRS_REL_005]
+bool Consumers::ServeBusy(SlotIndex slot, const Tick& tick, CycleOutcome& outcome) noexcept
 {
     const SrdoMask bit = BitOf(slot);
     SpendOthers(slot, tick.elapsed_us);
@@ -346,7 +349,7 @@ void Consumers::ServeBusy(SlotIndex slot, const Tick& tick, CycleOutcome& outcom
         x_unheard &= ~bit;
         x_faults.Complain(slot, SrdoCause::kWaitingPastSct);
     }
-    Grant(slot);
+    return Grant(slot);
 }
 
 /// Takes the time from the budgets of SCT of `quiet` consumers. Settled is what its marks release, within its SCT and
@@ -391,8 +394,7 @@ void Consumers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
         {
             x_pairs.left[slot] -= tick.elapsed_us;
         }
-        ServeBusy(slot, tick, outcome);
-        if (IsReleased(slot))
+        if (ServeBusy(slot, tick, outcome))
         {
             released |= BitOf(slot);
         }

@@ -109,8 +109,8 @@ class Consumers
     [[nodiscard]] SrdoMask Settle(SrdoMask quiet, std::uint32_t elapsed_us, CycleOutcome& outcome) noexcept;
     void SpendOthers(SlotIndex slot, std::uint32_t elapsed_us) noexcept;
     void Examine(SlotIndex slot, const Tick& tick) noexcept;
-    void Grant(SlotIndex slot) noexcept;
-    void ServeBusy(SlotIndex slot, const Tick& tick, CycleOutcome& outcome) noexcept;
+    [[nodiscard]] bool Grant(SlotIndex slot) noexcept;
+    [[nodiscard]] bool ServeBusy(SlotIndex slot, const Tick& tick, CycleOutcome& outcome) noexcept;
     void Discard(SlotIndex slot) noexcept;
     [[gnu::cold]] void Fault(SlotIndex slot, SrdoCause cause) noexcept;
 

@@ -59,8 +59,20 @@ class Faults
         return HasAny(x_signalled, BitOf(slot)) ? x_columns.signals[slot] : 0U;
     }
 
-    /// @brief Signals what was recorded, and nothing else any longer; the slots with a signal.
-    [[nodiscard]] SrdoMask Report() noexcept;
+    /// @brief Signals what was recorded, and nothing else any longer; the slots with a signal. [SRS_CONS_021]
+    [[nodiscard]] SrdoMask Report() noexcept
+    {
+        SlotWalk walk{x_unreported};
+        while (walk.Next())
+        {
+            const SlotIndex slot = walk.Slot();
+            x_columns.signals[slot] = x_columns.causes[slot];
+            x_columns.causes[slot] = 0U;
+        }
+        x_signalled = x_unreported;
+        x_unreported = 0U;
+        return x_signalled;
+    }
 
   private:
     FaultColumns x_columns;

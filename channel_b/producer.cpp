@@ -63,7 +63,8 @@ PreparedPair Producers::Prepare(SlotIndex slot) noexcept
         return PreparedPair{kNoFrame, PrepareStatus::kNotProducer};
     }
     const SrdoMask bit = BitOf(slot);
-    x_pairs.data[slot] = ~x_mappings.ReadInverse(slot) & x_mappings.MappedBits(slot);
+    const std::uint64_t data = ~x_mappings.ReadInverse(slot) & x_mappings.MappedBits(slot);
+    x_pairs.data[slot] = data;
     x_pairs.stage[slot] = Stage::kNormal;
     x_pairs.left[slot] = x_pairs.limit[slot];
     if (HasAny(x_silent, bit))
@@ -72,9 +73,9 @@ PreparedPair Producers::Prepare(SlotIndex slot) noexcept
     }
     x_requested &= ~bit;
     x_refresh_due &= ~bit;
-    return PreparedPair{FrameOf(x_settings.NormalIdentifier(slot), x_settings.Config().normal_port,
-                                x_mappings.LengthBytes(slot), x_pairs.data[slot]),
-                        PrepareStatus::kReady};
+    return PreparedPair{
+        FrameOf(x_settings.NormalIdentifier(slot), x_settings.Config().normal_port, x_mappings.LengthBytes(slot), data),
+        PrepareStatus::kReady};
 }
 
 /// [SRS_PROD_006]
