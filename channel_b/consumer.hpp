@@ -6,6 +6,7 @@
 #include "channel_b/slots.hpp"
 #include "channel_b/storage.hpp"
 #include "channel_b/tick.hpp"
+#include "channel_b/words.hpp"
 #include "safety_core/contract/channel.hpp"
 
 #include <cstdint>
