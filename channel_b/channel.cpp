@@ -19,11 +19,13 @@ namespace
     return (value << count) | (value >> (32U - count));
 }
 
+/// Times a byte it is that byte in each of four.
+constexpr std::uint32_t kEachByte = 0x01010101U;
+
 /// [SRS_CFG_031]
 [[nodiscard]] GuardView ViewGuard(const CycleInput& input, std::uint32_t declared) noexcept
 {
-    const std::uint32_t in_each_byte = declared | (declared << 8U) | (declared << 16U) | (declared << 24U);
-    if (input.guard_token != (RotatedLeft(input.challenge, 8U) ^ in_each_byte))
+    if (input.guard_token != (RotatedLeft(input.challenge, 8U) ^ (declared * kEachByte)))
     {
         return GuardView::kStale;
     }
@@ -191,13 +193,6 @@ DeviceDigest Channel::Digest(SlotIndex slot, DeviceDigest before) const noexcept
     return DeviceDigest{crc.Value()};
 }
 
-/// A slot counts as valid if no rule is broken.
-CheckResult Channel::Conclude(SlotIndex slot, ConfigFault fault, std::uint16_t signature) noexcept
-{
-    x_admission.valid[slot] = (fault == ConfigFault::kNone) ? Mark::kGood : Mark::kUnset;
-    return CheckResult{fault, signature};
-}
-
 /// [SRS_CFG_020]
 CheckResult Channel::Validate(SlotIndex slot) noexcept
 {
@@ -244,11 +239,6 @@ CheckResult Channel::Recheck(SlotIndex slot) noexcept
 
 // ---- OPERATIONAL
 
-bool Channel::IsRunning() const noexcept
-{
-    return x_activity == Mark::kRunning;
-}
-
 /// Whether the slot becomes active, and as what. A direction that is neither stays off. [SRS_CONS_002, SRS_CONS_024]
 void Channel::Admit(SlotIndex slot) noexcept
 {
@@ -287,13 +277,6 @@ void Channel::Enter() noexcept
     {
         Admit(slot);
     }
-}
-
-/// Slot to which the identifier leads; whoever asks compares it with the number of slots.
-SlotIndex Channel::LookUp(std::uint32_t identifier) const noexcept
-{
-    const std::uint32_t offset = identifier - kFirstSrdoIdentifier;
-    return (offset < kSrdoIdentifierCount) ? x_admission.slot_of[offset] : kNoSlot;
 }
 
 /// A frame before OPERATIONAL finds no active consumer. A global fail-safe command is accepted only by 1300h = 1 and in

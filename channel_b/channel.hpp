@@ -47,11 +47,26 @@ class Channel final : public counterpoint::Channel
 
   private:
     [[nodiscard]] std::uint16_t SignatureOf(SlotIndex slot) const noexcept;
-    [[nodiscard]] CheckResult Conclude(SlotIndex slot, ConfigFault fault, std::uint16_t signature) noexcept;
-    [[nodiscard]] bool IsRunning() const noexcept;
+    /// A slot counts as valid if no rule is broken.
+    [[nodiscard]] CheckResult Conclude(SlotIndex slot, ConfigFault fault, std::uint16_t signature) noexcept
+    {
+        x_admission.valid[slot] = (fault == ConfigFault::kNone) ? Mark::kGood : Mark::kUnset;
+        return CheckResult{fault, signature};
+    }
+
+    [[nodiscard]] bool IsRunning() const noexcept
+    {
+        return x_activity == Mark::kRunning;
+    }
+
     void Enter() noexcept;
     void Admit(SlotIndex slot) noexcept;
-    [[nodiscard]] SlotIndex LookUp(std::uint32_t identifier) const noexcept;
+    /// Slot to which the identifier leads; whoever asks compares it with the number of slots.
+    [[nodiscard]] SlotIndex LookUp(std::uint32_t identifier) const noexcept
+    {
+        const std::uint32_t offset = identifier - kFirstSrdoIdentifier;
+        return (offset < kSrdoIdentifierCount) ? x_admission.slot_of[offset] : kNoSlot;
+    }
 
     AdmissionColumns x_admission;
     ChannelRoom x_room;

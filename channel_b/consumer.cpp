@@ -83,21 +83,6 @@ SrdoMask Consumers::Leave() noexcept
     return left;
 }
 
-bool Consumers::IsActive(SlotIndex slot) const noexcept
-{
-    return HasAny(x_active, BitOf(slot));
-}
-
-bool Consumers::IsHeld(SlotIndex slot) const noexcept
-{
-    return x_pairs.held[slot] == Mark::kHeld;
-}
-
-bool Consumers::IsReleased(SlotIndex slot) const noexcept
-{
-    return IsHeld(slot) && (x_pairs.granted[slot] == Mark::kGranted) && x_faults.IsCauseDefined(slot);
-}
-
 /// Whether the marks are defined, fit each other, and still say what the last OnCycle decided. [SRS_CONS_024]
 bool Consumers::IsSound(SlotIndex slot) const noexcept
 {
@@ -121,33 +106,6 @@ SrdoState Consumers::StateOf(SlotIndex slot) const noexcept
         return SrdoState::kReleased;
     }
     return HasAny(x_troubled, BitOf(slot)) ? SrdoState::kFaulted : SrdoState::kWaiting;
-}
-
-/// Of a valid pair the inverse data tell the normal data. [SRS_CONS_025]
-HeldPair Consumers::Held(SlotIndex slot) const noexcept
-{
-    HeldPair pair{{0U, 0U}, 0U, 0U};
-    if (IsActive(slot))
-    {
-        pair.ordinal = x_pairs.ordinal[slot];
-        if (IsHeld(slot))
-        {
-            pair.data = PayloadOf(~x_pairs.data[slot] & x_mappings.MappedBits(slot));
-            pair.holds_pair = 1U;
-        }
-    }
-    return pair;
-}
-
-/// [SRS_REL_010]
-SrdoMask Consumers::Permitted() const noexcept
-{
-    return x_committed & x_permitted;
-}
-
-void Consumers::Withdraw(SlotIndex slot) noexcept
-{
-    x_committed &= ~BitOf(slot);
 }
 
 /// Nothing is granted any longer. A pending normal frame stays. [SRS_CONS_012]
@@ -215,23 +173,6 @@ SrdoCause Consumers::ExpiredAtInverse(SlotIndex slot, std::uint32_t since_call_u
 }
 
 // ---- frames
-
-/// [SRS_CONS_001]
-void Consumers::OnFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
-{
-    if (!IsActive(slot))
-    {
-        return;
-    }
-    if ((frame.identifier % 2U) != 0U)
-    {
-        TakeNormal(slot, frame, since_call_us);
-    }
-    else
-    {
-        TakeInverse(slot, frame, since_call_us);
-    }
-}
 
 /// The first thing that is wrong with a normal frame. [SRS_CONS_004, SRS_CONS_005, SRS_CONS_007, SRS_CONS_011]
 SrdoCause Consumers::FlawOfNormal(SlotIndex slot, const CanFrame& frame) const noexcept
@@ -364,8 +305,8 @@ void Consumers::Examine(SlotIndex slot, const Tick& tick) noexcept
     }
 }
 
-/// [SRS_REL_003, SRS_REL_004, SRS_REL_007]
-void Consumers::Grant(SlotIndex slot) noexcept
+/// Whether the slot is released now. [SRS_REL_003, SRS_REL_004, SRS_REL_007]
+bool Consumers::Grant(SlotIndex slot) noexcept
 {
     const bool is_acknowledged = x_pairs.edge[slot] == Mark::kWaits;
     const bool is_permitted = is_acknowledged || (x_settings.Policy(slot) == ReleasePolicy::kAutomatic);
@@ -373,15 +314,18 @@ void Consumers::Grant(SlotIndex slot) noexcept
     {
         x_pairs.granted[slot] = Mark::kGranted;
     }
-    if (is_acknowledged && IsReleased(slot))
+    const bool is_released = IsReleased(slot);
+    if (is_acknowledged && is_released)
     {
         x_faults.Forget(slot);
         x_pairs.edge[slot] = Mark::kUnset;
     }
+    return is_released;
 }
 
-/// Where there is more to do than to take the time of SCT. [SRS_CONS_013, SRS_CONS_022, SRS_REL_005]
-void Consumers::ServeBusy(SlotIndex slot, const Tick& tick, CycleOutcome& outcome) noexcept
+/// Where there is more to do than to take the time of SCT; whether the slot is released. [SRS_CONS_013, SRS_CONS_022,
+/// SRS_REL_005]
+bool Consumers::ServeBusy(SlotIndex slot, const Tick& tick, CycleOutcome& outcome) noexcept
 {
     const SrdoMask bit = BitOf(slot);
     SpendOthers(slot, tick.elapsed_us);
@@ -405,7 +349,7 @@ void Consumers::ServeBusy(SlotIndex slot, const Tick& tick, CycleOutcome& outcom
         x_unheard &= ~bit;
         x_faults.Complain(slot, SrdoCause::kWaitingPastSct);
     }
-    Grant(slot);
+    return Grant(slot);
 }
 
 /// Takes the time from the budgets of SCT of `quiet` consumers. Settled is what its marks release, within its SCT and
@@ -450,8 +394,7 @@ void Consumers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
         {
             x_pairs.left[slot] -= tick.elapsed_us;
         }
-        ServeBusy(slot, tick, outcome);
-        if (IsReleased(slot))
+        if (ServeBusy(slot, tick, outcome))
         {
             released |= BitOf(slot);
         }

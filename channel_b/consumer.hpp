@@ -3,8 +3,10 @@
 #define CHANNEL_B_CONSUMER_HPP
 
 #include "channel_b/parts.hpp"
+#include "channel_b/slots.hpp"
 #include "channel_b/storage.hpp"
 #include "channel_b/tick.hpp"
+#include "channel_b/words.hpp"
 #include "safety_core/contract/channel.hpp"
 
 #include <cstdint>
@@ -36,24 +38,71 @@ class Consumers
     [[nodiscard]] SrdoMask Leave() noexcept;
 
     /// @brief A data frame that the look-up leads here, so long after the last OnCycle (modular); only an active
-    /// consumer takes it.
-    void OnFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept;
+    /// consumer takes it. [SRS_CONS_001]
+    void OnFrame(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
+    {
+        if (!IsActive(slot))
+        {
+            return;
+        }
+        if ((frame.identifier % 2U) != 0U)
+        {
+            TakeNormal(slot, frame, since_call_us);
+        }
+        else
+        {
+            TakeInverse(slot, frame, since_call_us);
+        }
+    }
+
     void Serve(const Tick& tick, CycleOutcome& outcome) noexcept;
     void Demote(SlotIndex slot) noexcept;
     /// @brief Writes, then reads back; the slots whose objects hold something else than was written.
     [[nodiscard]] SrdoMask Commit(const Agreement& agreement, SrdoMask examine) noexcept;
     /// @brief The objects of the slot hold no released data any longer.
-    void Withdraw(SlotIndex slot) noexcept;
+    void Withdraw(SlotIndex slot) noexcept
+    {
+        x_committed &= ~BitOf(slot);
+    }
 
-    [[nodiscard]] bool IsActive(SlotIndex slot) const noexcept;
+    [[nodiscard]] bool IsActive(SlotIndex slot) const noexcept
+    {
+        return HasAny(x_active, BitOf(slot));
+    }
+
     [[nodiscard]] SrdoState StateOf(SlotIndex slot) const noexcept;
-    [[nodiscard]] HeldPair Held(SlotIndex slot) const noexcept;
-    /// @brief What the last Commit, since the last OnCycle, left committed and did not return.
-    [[nodiscard]] SrdoMask Permitted() const noexcept;
+    /// @brief Of a valid pair the inverse data tell the normal data. [SRS_CONS_025]
+    [[nodiscard]] HeldPair Held(SlotIndex slot) const noexcept
+    {
+        HeldPair pair{{0U, 0U}, 0U, 0U};
+        if (IsActive(slot))
+        {
+            pair.ordinal = x_pairs.ordinal[slot];
+            if (IsHeld(slot))
+            {
+                pair.data = PayloadOf(~x_pairs.data[slot] & x_mappings.MappedBits(slot));
+                pair.holds_pair = 1U;
+            }
+        }
+        return pair;
+    }
+
+    /// @brief What the last Commit, since the last OnCycle, left committed and did not return. [SRS_REL_010]
+    [[nodiscard]] SrdoMask Permitted() const noexcept
+    {
+        return x_committed & x_permitted;
+    }
 
   private:
-    [[nodiscard]] bool IsHeld(SlotIndex slot) const noexcept;
-    [[nodiscard]] bool IsReleased(SlotIndex slot) const noexcept;
+    [[nodiscard]] bool IsHeld(SlotIndex slot) const noexcept
+    {
+        return x_pairs.held[slot] == Mark::kHeld;
+    }
+
+    [[nodiscard]] bool IsReleased(SlotIndex slot) const noexcept
+    {
+        return IsHeld(slot) && (x_pairs.granted[slot] == Mark::kGranted) && x_faults.IsCauseDefined(slot);
+    }
     [[nodiscard]] bool IsSound(SlotIndex slot) const noexcept;
 
     [[nodiscard]] SrdoCause ExpiredAt(SlotIndex slot, std::uint32_t since_call_us) const noexcept;
@@ -61,8 +110,8 @@ class Consumers
     [[nodiscard]] SrdoMask Settle(SrdoMask quiet, std::uint32_t elapsed_us, CycleOutcome& outcome) noexcept;
     void SpendOthers(SlotIndex slot, std::uint32_t elapsed_us) noexcept;
     void Examine(SlotIndex slot, const Tick& tick) noexcept;
-    void Grant(SlotIndex slot) noexcept;
-    void ServeBusy(SlotIndex slot, const Tick& tick, CycleOutcome& outcome) noexcept;
+    [[nodiscard]] bool Grant(SlotIndex slot) noexcept;
+    [[nodiscard]] bool ServeBusy(SlotIndex slot, const Tick& tick, CycleOutcome& outcome) noexcept;
     void Discard(SlotIndex slot) noexcept;
     [[gnu::cold]] void Fault(SlotIndex slot, SrdoCause cause) noexcept;
 

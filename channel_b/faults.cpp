@@ -62,24 +62,4 @@ void Faults::Complain(SlotIndex slot, SrdoCause cause) noexcept
     x_unreported |= BitOf(slot);
 }
 
-void Faults::Forget(SlotIndex slot) noexcept
-{
-    x_columns.first_cause[slot] = CodeOf(SrdoCause::kNone);
-}
-
-/// [SRS_CONS_021]
-SrdoMask Faults::Report() noexcept
-{
-    SlotWalk walk{x_unreported};
-    while (walk.Next())
-    {
-        const SlotIndex slot = walk.Slot();
-        x_columns.signals[slot] = x_columns.causes[slot];
-        x_columns.causes[slot] = 0U;
-    }
-    x_signalled = x_unreported;
-    x_unreported = 0U;
-    return x_signalled;
-}
-
 } // namespace counterpoint::channel_b

@@ -27,7 +27,10 @@ class Faults
     /// @brief To be signalled like a fault, without being one.
     void Complain(SlotIndex slot, SrdoCause cause) noexcept;
     /// @brief The first cause was read.
-    void Forget(SlotIndex slot) noexcept;
+    void Forget(SlotIndex slot) noexcept
+    {
+        x_columns.first_cause[slot] = static_cast<std::uint8_t>(SrdoCause::kNone);
+    }
 
     /// @brief Slots with something that is not reported yet.
     [[nodiscard]] SrdoMask Unreported() const noexcept
@@ -56,8 +59,20 @@ class Faults
         return HasAny(x_signalled, BitOf(slot)) ? x_columns.signals[slot] : 0U;
     }
 
-    /// @brief Signals what was recorded, and nothing else any longer; the slots with a signal.
-    [[nodiscard]] SrdoMask Report() noexcept;
+    /// @brief Signals what was recorded, and nothing else any longer; the slots with a signal. [SRS_CONS_021]
+    [[nodiscard]] SrdoMask Report() noexcept
+    {
+        SlotWalk walk{x_unreported};
+        while (walk.Next())
+        {
+            const SlotIndex slot = walk.Slot();
+            x_columns.signals[slot] = x_columns.causes[slot];
+            x_columns.causes[slot] = 0U;
+        }
+        x_signalled = x_unreported;
+        x_unreported = 0U;
+        return x_signalled;
+    }
 
   private:
     FaultColumns x_columns;

@@ -101,16 +101,6 @@ void Mappings::Restart(const DeviceConfig& config) noexcept
     }
 }
 
-std::size_t Mappings::FirstEntryOf(SlotIndex slot) const noexcept
-{
-    return std::size_t{slot} * x_room;
-}
-
-bool Mappings::IsStatic(SlotIndex slot) const noexcept
-{
-    return x_settings.Setup(slot).map.entries != nullptr;
-}
-
 /// [SRS_CFG_020, SRS_CFG_032]
 Mapping Mappings::Of(SlotIndex slot) const noexcept
 {
@@ -151,11 +141,6 @@ std::uint32_t Mappings::LoadEntry(SlotIndex slot, std::uint8_t sub) const noexce
     return mapping.entries[sub - 1U];
 }
 
-void Mappings::SetFields(SlotIndex slot, const StaticFields& fields) noexcept
-{
-    x_columns.fields[slot] = fields;
-}
-
 /// What an entry behind the last one leads to is no object.
 void Mappings::FindPlaces(SlotIndex slot, const Mapping& mapping) noexcept
 {
@@ -171,12 +156,6 @@ void Mappings::FindPlaces(SlotIndex slot, const Mapping& mapping) noexcept
         }
         x_columns.places[FirstEntryOf(slot) + index] = static_cast<std::uint16_t>(place);
     }
-}
-
-/// A static mapping has no places of its own: what it names is looked up each time.
-std::uint32_t Mappings::PlaceOf(const Mapping& mapping, std::uint32_t index) const noexcept
-{
-    return (mapping.places.first != nullptr) ? mapping.places[index] : x_objects.Find(mapping.entries[index]);
 }
 
 /// The rules that need no object, for a normal entry and the inverse entry behind it. [SRS_CFG_027, SRS_CFG_033]
@@ -338,11 +317,6 @@ bool Mappings::HoldsInverse(SlotIndex slot, std::uint64_t data) const noexcept
         }
     }
     return ((held ^ data) & MappedBits(slot) & ~of_dummies) == 0U;
-}
-
-std::uint64_t Mappings::InverseOfSafe(SlotIndex slot) const noexcept
-{
-    return ~WordOf(x_settings.Setup(slot).safe_value);
 }
 
 } // namespace counterpoint::channel_b

@@ -5,7 +5,9 @@
 #include "channel_b/objects.hpp"
 #include "channel_b/settings.hpp"
 #include "channel_b/storage.hpp"
+#include "channel_b/words.hpp"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace counterpoint::channel_b
@@ -31,12 +33,19 @@ class Mappings
 
     void Restart(const DeviceConfig& config) noexcept;
 
-    [[nodiscard]] bool IsStatic(SlotIndex slot) const noexcept;
+    [[nodiscard]] bool IsStatic(SlotIndex slot) const noexcept
+    {
+        return x_settings.Setup(slot).map.entries != nullptr;
+    }
+
     [[nodiscard]] Mapping Of(SlotIndex slot) const noexcept;
     /// @brief Keeps an entry of an existing slot; whether there is such an entry to be written.
     [[nodiscard]] bool StoreEntry(SlotIndex slot, std::uint8_t sub, std::uint32_t value) noexcept;
     [[nodiscard]] std::uint32_t LoadEntry(SlotIndex slot, std::uint8_t sub) const noexcept;
-    void SetFields(SlotIndex slot, const StaticFields& fields) noexcept;
+    void SetFields(SlotIndex slot, const StaticFields& fields) noexcept
+    {
+        x_columns.fields[slot] = fields;
+    }
 
     /// @brief All rules of the mapping; finds the places of its entries.
     [[nodiscard]] ConfigFault Resolve(SlotIndex slot) noexcept;
@@ -58,7 +67,11 @@ class Mappings
     [[nodiscard]] std::uint64_t ReadInverse(SlotIndex slot) const noexcept;
     void WriteInverse(SlotIndex slot, std::uint64_t data) const noexcept;
     /// @brief The complement of the safe value.
-    [[nodiscard]] std::uint64_t InverseOfSafe(SlotIndex slot) const noexcept;
+    [[nodiscard]] std::uint64_t InverseOfSafe(SlotIndex slot) const noexcept
+    {
+        return ~WordOf(x_settings.Setup(slot).safe_value);
+    }
+
     /// @brief Whether the inverse objects hold these data. What a dummy has of them is not looked for; an entry that
     /// leads neither to an object nor to a dummy holds nothing.
     [[nodiscard]] bool HoldsInverse(SlotIndex slot, std::uint64_t data) const noexcept;
@@ -67,8 +80,16 @@ class Mappings
     void FindPlaces(SlotIndex slot, const Mapping& mapping) noexcept;
     [[nodiscard]] bool IsPairAllowed(const Mapping& mapping, std::uint32_t index) const noexcept;
     [[nodiscard]] bool IsShared(SlotIndex slot) const noexcept;
-    [[nodiscard]] std::uint32_t PlaceOf(const Mapping& mapping, std::uint32_t index) const noexcept;
-    [[nodiscard]] std::size_t FirstEntryOf(SlotIndex slot) const noexcept;
+    /// A static mapping has no places of its own: what it names is looked up each time.
+    [[nodiscard]] std::uint32_t PlaceOf(const Mapping& mapping, std::uint32_t index) const noexcept
+    {
+        return (mapping.places.first != nullptr) ? mapping.places[index] : x_objects.Find(mapping.entries[index]);
+    }
+
+    [[nodiscard]] std::size_t FirstEntryOf(SlotIndex slot) const noexcept
+    {
+        return std::size_t{slot} * x_room;
+    }
 
     MappingColumns x_columns;
     const Settings& x_settings;

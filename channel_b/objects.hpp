@@ -15,7 +15,11 @@ namespace counterpoint::channel_b
 class Objects
 {
   public:
-    void Restart(const DeviceConfig& config) noexcept;
+    void Restart(const DeviceConfig& config) noexcept
+    {
+        x_objects = Column<const MappableObject>{config.objects};
+        x_count = config.object_count;
+    }
 
     /// @brief Place of the first object that is not before the one that the entry names.
     [[nodiscard]] std::uint32_t Find(std::uint32_t entry) const noexcept
@@ -36,13 +40,22 @@ class Objects
         }
         return low;
     }
-    /// @brief Whether there is an object at the place, with index, sub-index and length as the entry says, that an SRDO
-    /// of this access may map.
-    [[nodiscard]] bool IsNamed(std::uint32_t place, std::uint32_t entry, MapAccess access) const noexcept;
     /// @brief Whether there is an object at the place.
     [[nodiscard]] bool IsThere(std::uint32_t place) const noexcept
     {
         return place < x_count;
+    }
+
+    /// @brief Whether there is an object at the place, with index, sub-index and length as the entry says, that an SRDO
+    /// of this access may map. [SRS_CFG_027]
+    [[nodiscard]] bool IsNamed(std::uint32_t place, std::uint32_t entry, MapAccess access) const noexcept
+    {
+        if (!IsThere(place))
+        {
+            return false;
+        }
+        const MappableObject& object = x_objects[place];
+        return (EntryOf(object) == entry) && (object.access == access);
     }
 
     /// @brief Where the object lies, and behind it.

@@ -24,6 +24,12 @@ constexpr std::uint32_t kLongestPhaseUs = std::uint32_t{1U} << 27U;
     return frame;
 }
 
+/// Not one microsecond is left.
+[[nodiscard]] bool IsPhaseOver(std::uint32_t phase_left_us) noexcept
+{
+    return (phase_left_us - 1U) >= kLongestPhaseUs;
+}
+
 constexpr CanFrame kNoFrame{0U, FrameKind::kInvalid, CanPortId::kInvalid, 0U, {}};
 constexpr Confirmation kNothingConfirmed{kNoSlot, ConfirmStep::kNone};
 
@@ -49,40 +55,6 @@ void Producers::Admit(SlotIndex slot) noexcept
     x_pairs.stage[slot] = Stage::kIdle;
 }
 
-/// A fault that gives up the pair in flight. [SRS_PROD_009]
-void Producers::Fail(SlotIndex slot, SrdoCause cause) noexcept
-{
-    x_pairs.stage[slot] = Stage::kIdle;
-    x_faults.Record(slot, cause);
-}
-
-bool Producers::IsActive(SlotIndex slot) const noexcept
-{
-    return HasAny(x_active, BitOf(slot));
-}
-
-/// A corrupted stage is in flight until its budget is over; nothing confirms it.
-bool Producers::IsInFlight(SlotIndex slot) const noexcept
-{
-    return IsActive(slot) && (x_pairs.stage[slot] != Stage::kIdle);
-}
-
-std::uint32_t Producers::Ordinal(SlotIndex slot) const noexcept
-{
-    return x_pairs.ordinal[slot];
-}
-
-/// [SRS_CONS_025]
-Payload Producers::InFlight(SlotIndex slot) const noexcept
-{
-    return PayloadOf(IsInFlight(slot) ? x_pairs.data[slot] : 0U);
-}
-
-std::uint64_t Producers::InverseData(SlotIndex slot) const noexcept
-{
-    return ~x_pairs.data[slot] & LowBytes(x_mappings.LengthBytes(slot));
-}
-
 /// [SRS_PROD_005, SRS_PROD_006]
 PreparedPair Producers::Prepare(SlotIndex slot) noexcept
 {
@@ -91,7 +63,8 @@ PreparedPair Producers::Prepare(SlotIndex slot) noexcept
         return PreparedPair{kNoFrame, PrepareStatus::kNotProducer};
     }
     const SrdoMask bit = BitOf(slot);
-    x_pairs.data[slot] = ~x_mappings.ReadInverse(slot) & x_mappings.MappedBits(slot);
+    const std::uint64_t data = ~x_mappings.ReadInverse(slot) & x_mappings.MappedBits(slot);
+    x_pairs.data[slot] = data;
     x_pairs.stage[slot] = Stage::kNormal;
     x_pairs.left[slot] = x_pairs.limit[slot];
     if (HasAny(x_silent, bit))
@@ -100,9 +73,9 @@ PreparedPair Producers::Prepare(SlotIndex slot) noexcept
     }
     x_requested &= ~bit;
     x_refresh_due &= ~bit;
-    return PreparedPair{FrameOf(x_settings.NormalIdentifier(slot), x_settings.Config().normal_port,
-                                x_mappings.LengthBytes(slot), x_pairs.data[slot]),
-                        PrepareStatus::kReady};
+    return PreparedPair{
+        FrameOf(x_settings.NormalIdentifier(slot), x_settings.Config().normal_port, x_mappings.LengthBytes(slot), data),
+        PrepareStatus::kReady};
 }
 
 /// [SRS_PROD_006]
@@ -197,18 +170,6 @@ void Producers::OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept
 
 // ---- the cycle
 
-/// Not one microsecond is left.
-bool Producers::IsPhaseOver(SlotIndex slot) const noexcept
-{
-    return (x_pairs.phase_left[slot] - 1U) >= kLongestPhaseUs;
-}
-
-/// For so long the application may send nothing: the refresh time and a cycle that is just in time.
-std::uint32_t Producers::SilenceUs(SlotIndex slot) const noexcept
-{
-    return x_settings.SctUs(slot) + x_settings.LongestCallUs();
-}
-
 /// The refresh falls due at exact distances, whenever the calls come. [SRS_PROD_001, SRS_PROD_002, SRS_PROD_010]
 void Producers::AdvanceProvider(SlotIndex slot) noexcept
 {
@@ -252,24 +213,23 @@ void Producers::AdvanceApplication(SlotIndex slot) noexcept
     }
 }
 
-/// [SRS_PROD_008, SRS_PROD_009, SRS_PROD_010, SRS_PROD_012]
-void Producers::ServeOne(SlotIndex slot, const Tick& tick) noexcept
+/// [SRS_PROD_008, SRS_PROD_009]
+void Producers::SpendConfirmation(SlotIndex slot, std::uint32_t elapsed_us) noexcept
 {
-    const SrdoMask bit = BitOf(slot);
-    const bool is_provider = x_settings.Form(slot) == ProducerForm::kProviderCalled;
-    const bool is_standing = HasAny(tick.stand & x_started, bit) && is_provider;
-    x_pairs.left[slot] -= tick.elapsed_us;
-    if (IsInFlight(slot) && (x_pairs.left[slot] > x_pairs.limit[slot]))
+    x_pairs.left[slot] -= elapsed_us;
+    if (x_pairs.left[slot] > x_pairs.limit[slot])
     {
         Fail(slot, SrdoCause::kNoConfirmation);
     }
-    if (!is_standing)
+}
+
+/// [SRS_PROD_010, SRS_PROD_012]
+void Producers::SpendPhase(SlotIndex slot, std::uint32_t elapsed_us) noexcept
+{
+    x_pairs.phase_left[slot] -= elapsed_us;
+    if (IsPhaseOver(x_pairs.phase_left[slot]))
     {
-        x_pairs.phase_left[slot] -= tick.elapsed_us;
-    }
-    if (IsPhaseOver(slot))
-    {
-        if (is_provider)
+        if (IsProvider(slot))
         {
             AdvanceProvider(slot);
         }
@@ -278,15 +238,16 @@ void Producers::ServeOne(SlotIndex slot, const Tick& tick) noexcept
             AdvanceApplication(slot);
         }
     }
-    if (HasAny(tick.edges & ~x_faults.Unreported(), bit))
-    {
-        x_faults.Forget(slot);
-    }
 }
 
-/// [SRS_PROD_003, SRS_PROD_004]
+/// [SRS_PROD_003, SRS_PROD_004, SRS_PROD_009, SRS_PROD_012]
 void Producers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
 {
+    if (x_active == 0U)
+    {
+        return;
+    }
+    const SrdoMask standing = tick.stand & x_started;
     SrdoMask in_flight = 0U;
     std::uint32_t count = 0U;
     x_requested |= tick.requests & x_active;
@@ -294,12 +255,22 @@ void Producers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
     while (walk.Next())
     {
         const SlotIndex slot = walk.Slot();
-        ServeOne(slot, tick);
-        if (IsInFlight(slot))
+        if (x_pairs.stage[slot] != Stage::kIdle)
+        {
+            SpendConfirmation(slot, tick.elapsed_us);
+        }
+        const bool is_standing = HasAny(standing, BitOf(slot)) && IsProvider(slot);
+        SpendPhase(slot, is_standing ? 0U : tick.elapsed_us);
+        if (x_pairs.stage[slot] != Stage::kIdle)
         {
             in_flight |= BitOf(slot);
         }
         ++count;
+    }
+    SlotWalk acknowledged{tick.edges & x_active & ~x_faults.Unreported()};
+    while (acknowledged.Next())
+    {
+        x_faults.Forget(acknowledged.Slot());
     }
     outcome.due = (x_refresh_due | (x_requested & x_started)) & ~in_flight;
     outcome.is_tx = static_cast<std::uint8_t>(count);

@@ -3,8 +3,10 @@
 #define CHANNEL_B_PRODUCER_HPP
 
 #include "channel_b/parts.hpp"
+#include "channel_b/slots.hpp"
 #include "channel_b/storage.hpp"
 #include "channel_b/tick.hpp"
+#include "channel_b/words.hpp"
 #include "safety_core/contract/channel.hpp"
 
 #include <cstdint>
@@ -33,25 +35,61 @@ class Producers
     [[nodiscard]] Confirmation OnConfirm(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept;
     void OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept;
 
-    [[nodiscard]] bool IsActive(SlotIndex slot) const noexcept;
+    [[nodiscard]] bool IsActive(SlotIndex slot) const noexcept
+    {
+        return HasAny(x_active, BitOf(slot));
+    }
+
     /// @brief Pairs sent.
-    [[nodiscard]] std::uint32_t Ordinal(SlotIndex slot) const noexcept;
-    /// @brief Normal data of the pair in flight; 0 if there is none.
-    [[nodiscard]] Payload InFlight(SlotIndex slot) const noexcept;
+    [[nodiscard]] std::uint32_t Ordinal(SlotIndex slot) const noexcept
+    {
+        return x_pairs.ordinal[slot];
+    }
+
+    /// @brief Normal data of the pair in flight; 0 if there is none. [SRS_CONS_025]
+    [[nodiscard]] Payload InFlight(SlotIndex slot) const noexcept
+    {
+        return PayloadOf(IsInFlight(slot) ? x_pairs.data[slot] : 0U);
+    }
 
   private:
-    [[nodiscard]] bool IsInFlight(SlotIndex slot) const noexcept;
-    [[nodiscard]] bool IsPhaseOver(SlotIndex slot) const noexcept;
-    [[nodiscard]] std::uint32_t SilenceUs(SlotIndex slot) const noexcept;
-    [[nodiscard]] std::uint64_t InverseData(SlotIndex slot) const noexcept;
+    /// A corrupted stage is in flight until its budget is over; nothing confirms it.
+    [[nodiscard]] bool IsInFlight(SlotIndex slot) const noexcept
+    {
+        return IsActive(slot) && (x_pairs.stage[slot] != Stage::kIdle);
+    }
+
+    /// For so long the application may send nothing: the refresh time and a cycle that is just in time.
+    [[nodiscard]] std::uint32_t SilenceUs(SlotIndex slot) const noexcept
+    {
+        return x_settings.SctUs(slot) + x_settings.LongestCallUs();
+    }
+
+    [[nodiscard]] std::uint64_t InverseData(SlotIndex slot) const noexcept
+    {
+        return ~x_pairs.data[slot] & LowBytes(x_mappings.LengthBytes(slot));
+    }
+
     [[nodiscard]] SrdoCause FlawOf(SlotIndex slot, const CanFrame& frame, std::uint64_t data,
                                    std::uint32_t since_call_us) const noexcept;
     [[nodiscard]] Confirmation ConfirmNormal(SlotIndex slot, const CanFrame& frame,
                                              std::uint32_t since_call_us) noexcept;
     [[nodiscard]] Confirmation ConfirmInverse(SlotIndex slot, const CanFrame& frame,
                                               std::uint32_t since_call_us) noexcept;
-    void Fail(SlotIndex slot, SrdoCause cause) noexcept;
-    void ServeOne(SlotIndex slot, const Tick& tick) noexcept;
+    [[nodiscard]] bool IsProvider(SlotIndex slot) const noexcept
+    {
+        return x_settings.Form(slot) == ProducerForm::kProviderCalled;
+    }
+
+    /// A fault that gives up the pair in flight. [SRS_PROD_009]
+    void Fail(SlotIndex slot, SrdoCause cause) noexcept
+    {
+        x_pairs.stage[slot] = Stage::kIdle;
+        x_faults.Record(slot, cause);
+    }
+
+    void SpendConfirmation(SlotIndex slot, std::uint32_t elapsed_us) noexcept;
+    void SpendPhase(SlotIndex slot, std::uint32_t elapsed_us) noexcept;
     void AdvanceProvider(SlotIndex slot) noexcept;
     void AdvanceApplication(SlotIndex slot) noexcept;
 

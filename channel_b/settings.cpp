@@ -19,12 +19,6 @@ constexpr std::uint8_t kDefaultSrvtMs = 20U;
 constexpr std::uint8_t kLastDefaultProducer = 32U;
 constexpr std::uint8_t kLastDefaultNode = 64U;
 
-/// By ConfigField; entries of mappings are not kept here.
-constexpr std::uint8_t kFieldCount = 12U;
-constexpr Span kSpans[kFieldCount] = {
-    kNowhere, kDirection, kSct,      kSrvt,    kTransmissionType, // MISRA D-001
-    kCobId1,  kCobId2,    kMapCount, kNowhere, kSignature,        kGfcParameter, kConfigurationValid};
-
 /// The value that counts, or that of all others.
 template <typename T> [[nodiscard]] constexpr T OnlyIf(T value, T expected, T other) noexcept
 {
@@ -65,25 +59,6 @@ void Settings::TakeSetup(SlotIndex slot) noexcept
         Unpack(normal + 1U, At(slot, kCobId2.at), kCobId2.width);
         Unpack((node > kLastDefaultProducer) ? kDefaultSctMs : kDefaultRefreshMs, At(slot, kSct.at), kSct.width);
     }
-}
-
-Settings::Place Settings::PlaceOf(const ConfigAddress& address) const noexcept
-{
-    const std::uint32_t field = static_cast<std::uint32_t>(address.field);
-    if (field >= kFieldCount)
-    {
-        return Place{{nullptr}, 0U};
-    }
-    const Span span = kSpans[field]; // MISRA D-002
-    if (address.field >= ConfigField::kGfcParameter)
-    {
-        return Place{{&x_columns.device[span.at]}, span.width};
-    }
-    if (address.slot >= x_count)
-    {
-        return Place{{nullptr}, 0U};
-    }
-    return Place{At(address.slot, span.at), span.width};
 }
 
 /// [SRS_CFG_003]

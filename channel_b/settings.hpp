@@ -31,6 +31,12 @@ constexpr Span kGfcParameter{0U, 1U};
 constexpr Span kConfigurationValid{1U, 1U};
 constexpr Span kNowhere{0U, 0U};
 
+/// By ConfigField; entries of mappings are not kept here.
+constexpr std::uint8_t kFieldCount = 12U;
+constexpr Span kSpans[kFieldCount] = {
+    kNowhere, kDirection, kSct,      kSrvt,    kTransmissionType, // MISRA D-001
+    kCobId1,  kCobId2,    kMapCount, kNowhere, kSignature,        kGfcParameter, kConfigurationValid};
+
 static_assert(kImageBytes == (kSignature.at + kSignature.width), "nothing behind the signature");
 
 /// The configuration as canonical images, one a slot, the only copy that this channel has: all but the entries of
@@ -158,7 +164,25 @@ class Settings
         return static_cast<std::uint32_t>(Packed({At(slot, span.at).first}, span.width) & 0xFFFFFFFFU);
     }
     void TakeSetup(SlotIndex slot) noexcept;
-    [[nodiscard]] Place PlaceOf(const ConfigAddress& address) const noexcept;
+    [[nodiscard]] Place PlaceOf(const ConfigAddress& address) const noexcept
+    {
+        const std::uint32_t field = static_cast<std::uint32_t>(address.field);
+        if (field >= kFieldCount)
+        {
+            return Place{{nullptr}, 0U};
+        }
+        const Span span = kSpans[field]; // MISRA D-002
+        if (address.field >= ConfigField::kGfcParameter)
+        {
+            return Place{{&x_columns.device[span.at]}, span.width};
+        }
+        if (address.slot >= x_count)
+        {
+            return Place{{nullptr}, 0U};
+        }
+        return Place{At(address.slot, span.at), span.width};
+    }
+
     [[nodiscard]] Column<std::uint8_t> At(SlotIndex slot, std::uint8_t at) const noexcept
     {
         return {&x_columns.image[(std::size_t{slot} * kImageBytes) + at]};
