@@ -78,7 +78,7 @@ class Decision
     }
     /// @brief The kernel's own permit is computed from the comparator's echo and spoiled by a latch that is not
     /// running; no branch decides about it. [SRS_KRN_005]
-    void GivePermits(const KernelContext& context, const std::uint32_t challenge) const noexcept
+    void GivePermits(KernelContext& context, const std::uint32_t challenge) const noexcept
     {
         const std::uint32_t low = static_cast<std::uint32_t>(committed_);
         const std::uint32_t high = static_cast<std::uint32_t>(committed_ >> kWordBits);

@@ -329,7 +329,7 @@ StateReply Kernel::GetState(const CommunicationIndex index) const noexcept
     const SrdoView a = context_.parts.channel_a.View(slot);
     const SrdoView b = context_.parts.channel_b.View(slot);
     // In the device safe state nothing is released, whatever the channels still hold.
-    const bool is_shared = (a.state == b.state) && ((a.state != SrdoState::kReleased) || context_.latch.IsRunning());
+    const bool is_shared = (a.state == b.state) && ((a.state != SrdoState::kReleased) || context_.latch.SaysRunning());
     const SrdoState state = is_shared ? a.state : SrdoState::kFaulted;
     // A demoted channel learned of the fault from the other one, which knows the cause.
     const bool asks_b = (a.first_cause == SrdoCause::kDemoted) || (a.first_cause == SrdoCause::kNone);

@@ -31,7 +31,7 @@ void Production::Begin(const KernelContext& context) noexcept
     shortest_refresh_us_ = shortest_ms * kMicrosecondsPerMillisecond;
 }
 
-Result Production::Readiness(const KernelContext& context) noexcept
+Result Production::Readiness(KernelContext& context) noexcept
 {
     if (!context.latch.IsRunning())
     {
@@ -44,7 +44,7 @@ Result Production::Readiness(const KernelContext& context) noexcept
     return context.guard.IsValid() ? Result::kSuccessful : Result::kInvalidConfiguration;
 }
 
-Result Production::WhyNotSent(const KernelContext& context, const SlotIndex wanted) noexcept
+Result Production::WhyNotSent(KernelContext& context, const SlotIndex wanted) noexcept
 {
     const Result readiness = Readiness(context);
     if (readiness != Result::kSuccessful)
@@ -124,7 +124,7 @@ void Production::GiveUp(const KernelContext& context, const SlotIndex slot, cons
     context.parts.channel_b.OnTransmitFault(slot, fault);
 }
 
-Result Production::SendGfc(const KernelContext& context) noexcept
+Result Production::SendGfc(KernelContext& context) noexcept
 {
     const Result readiness = Readiness(context);
     if (readiness != Result::kSuccessful)

@@ -29,7 +29,7 @@ class Production
 
     /// @brief Asks for the transmission of those of `asked` that are producers. One alone is `wanted`; kNoSlot stands
     /// for all. [SRS_KRN_011]
-    [[nodiscard]] Result Request(const KernelContext& context, const SlotIndex wanted, const SrdoMask asked) noexcept
+    [[nodiscard]] Result Request(KernelContext& context, const SlotIndex wanted, const SrdoMask asked) noexcept
     {
         const SrdoMask to_send = producers_ & asked;
         if ((to_send == 0U) || (!context.latch.IsRunning()))
@@ -40,7 +40,7 @@ class Production
         return Result::kSuccessful;
     }
     /// @brief Sends the GFC; an SRDO must follow within the shortest refresh time. [SRS_KRN_013]
-    [[nodiscard]] Result SendGfc(const KernelContext& context) noexcept;
+    [[nodiscard]] Result SendGfc(KernelContext& context) noexcept;
 
     /// @brief A cycle begins at this instant of counter A.
     void OnCycle(const Instant now) noexcept
@@ -49,7 +49,7 @@ class Production
     }
     /// @brief All producers in the device safe state, in which nothing is sent; else none. The channels then let their
     /// refresh times stand still, so that no missed refresh is told. [SRS_KRN_004]
-    [[nodiscard]] SrdoMask Halted(const KernelContext& context) const noexcept
+    [[nodiscard]] SrdoMask Halted(KernelContext& context) const noexcept
     {
         return producers_ & ~context.latch.Gate();
     }
@@ -108,9 +108,9 @@ class Production
 
   private:
     // Used in one source file alone: `inline` leaves it to the compiler whether they are called or put in place.
-    [[nodiscard]] static Result Readiness(const KernelContext& context) noexcept;
+    [[nodiscard]] static Result Readiness(KernelContext& context) noexcept;
     /// @brief Why a request has no effect; `wanted` as in Request.
-    [[nodiscard]] static Result WhyNotSent(const KernelContext& context, SlotIndex wanted) noexcept;
+    [[nodiscard]] static Result WhyNotSent(KernelContext& context, SlotIndex wanted) noexcept;
     /// @brief Asks the provider if there is one, has both channels prepare the pair, and sends the normal frame if both
     /// gave the same.
     inline void ProduceSlot(KernelContext& context, SlotIndex slot) noexcept;

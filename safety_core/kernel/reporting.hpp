@@ -116,9 +116,9 @@ class Reporting
         }
     }
     /// @brief The device safe state, once.
-    void TellDevice(const KernelContext& context) noexcept
+    void TellDevice(KernelContext& context) noexcept
     {
-        if ((!fault_told_) && (!context.latch.IsRunning()))
+        if ((!context.latch.IsRunning()) && (!fault_told_))
         {
             fault_told_ = true;
             context.parts.application.OnDeviceFault(context.latch.Report());

@@ -6,7 +6,6 @@ namespace counterpoint
 namespace
 {
 
-constexpr std::uint32_t kSafe = 0U;
 constexpr std::uint16_t kMostFaults = 65535U;
 
 } // namespace
@@ -41,7 +40,7 @@ void SafeStateLatch::Enter(const DeviceFault fault, const SlotIndex slot) noexce
 DeviceFaultReport SafeStateLatch::Report() const noexcept
 {
     DeviceFaultReport report = report_;
-    if (IsRunning())
+    if (SaysRunning())
     {
         report.fault = DeviceFault::kNone; // Whatever the record says, nobody entered the safe state.
     }

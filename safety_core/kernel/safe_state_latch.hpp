@@ -33,17 +33,24 @@ class SafeStateLatch
         Enter(fault, kNoSlot);
     }
     /// @brief All bits set while running, no bit otherwise.
-    [[nodiscard]] SrdoMask Gate() const noexcept
+    [[nodiscard]] SrdoMask Gate() noexcept
     {
         return IsRunning() ? ~SrdoMask{0U} : SrdoMask{0U};
     }
     /// @brief 0 while running, something else otherwise: spoils the kernel's permit. [SRS_KRN_005]
-    [[nodiscard]] std::uint32_t Spoiler() const noexcept
+    [[nodiscard]] std::uint32_t Spoiler() noexcept
     {
+        Settle();
         return (word_ ^ kRunning) | (inverse_ ^ ~kRunning);
     }
-    /// @brief Both words say so; anything else is the device safe state.
-    [[nodiscard]] bool IsRunning() const noexcept
+    /// @brief Both words say so; anything else is the device safe state, and stays it. [SRS_KRN_041]
+    [[nodiscard]] bool IsRunning() noexcept
+    {
+        Settle();
+        return SaysRunning();
+    }
+    /// @brief What both words say now; for who looks and decides nothing by it.
+    [[nodiscard]] bool SaysRunning() const noexcept
     {
         return (word_ == kRunning) && (inverse_ == ~kRunning);
     }
@@ -52,6 +59,18 @@ class SafeStateLatch
     [[nodiscard]] DeviceFaultReport Report() const noexcept;
 
   private:
+    /// @brief A bit that was otherwise and comes back does not start the device again: no single bit leads from here to
+    /// the running pattern.
+    void Settle() noexcept
+    {
+        if (!SaysRunning())
+        {
+            word_ = kSafe;
+            inverse_ = kSafe;
+        }
+    }
+
+    static constexpr std::uint32_t kSafe = 0U;
     static constexpr std::uint32_t kRunning = 0x5A5A5A5AU;
 
     std::uint32_t word_{0U};

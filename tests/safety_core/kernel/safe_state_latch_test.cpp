@@ -16,7 +16,7 @@ TEST(SafeStateLatch, ZeroFilledMemoryIsTheSafeState)
 {
     Verifies(req::SRS_KRN_003);
     // Given a latch that nobody armed
-    const SafeStateLatch latch{};
+    SafeStateLatch latch{};
     // Then it grants nothing and spoils every permit
     EXPECT_FALSE(latch.IsRunning());
     EXPECT_EQ(latch.Gate(), 0U);
@@ -103,6 +103,54 @@ TEST(SafeStateLatch, AnySingleFlippedBitOfItsWordsStopsIt)
         // And says that nobody entered it
         EXPECT_EQ(latch.Report().fault, DeviceFault::kInvalid) << "bit " << bit;
     }
+}
+
+/// The first eight bytes of a latch are its two words.
+void FlipWordBit(SafeStateLatch& latch, const std::uint32_t bit)
+{
+    unsigned char bytes[sizeof(SafeStateLatch)];
+    std::memcpy(bytes, &latch, sizeof(bytes));
+    bytes[bit / 8U] = static_cast<unsigned char>(bytes[bit / 8U] ^ (1U << (bit % 8U)));
+    std::memcpy(static_cast<void*>(&latch), bytes, sizeof(bytes));
+}
+
+// bit    changed    looked at    changed back
+// latch  runs       safe         safe
+TEST(SafeStateLatch, BitThatComesBackDoesNotStartItAgain)
+{
+    Verifies(req::SRS_KRN_041);
+    for (std::uint32_t bit = 0U; bit < 64U; ++bit)
+    {
+        for (std::uint32_t look = 0U; look < 3U; ++look)
+        {
+            SafeStateLatch latch{};
+            latch.Arm();
+            // When a bit is otherwise, one of the three questions is asked, and the bit comes back
+            FlipWordBit(latch, bit);
+            const bool is_safe = (look == 0U)   ? !latch.IsRunning()
+                                 : (look == 1U) ? (latch.Gate() == 0U)
+                                                : (latch.Spoiler() != 0U);
+            EXPECT_TRUE(is_safe) << "bit " << bit;
+            FlipWordBit(latch, bit);
+            // Then the device stays safe, and a start is what ends it
+            EXPECT_FALSE(latch.SaysRunning()) << "bit " << bit << ", question " << look;
+            EXPECT_EQ(latch.Report().fault, DeviceFault::kInvalid) << "bit " << bit;
+            latch.Arm();
+            EXPECT_TRUE(latch.IsRunning());
+        }
+    }
+}
+
+TEST(SafeStateLatch, WhoOnlyLooksChangesNothing)
+{
+    Verifies(req::SRS_KRN_041);
+    SafeStateLatch latch{};
+    latch.Arm();
+    FlipWordBit(latch, 7U);
+    EXPECT_FALSE(latch.SaysRunning());
+    EXPECT_EQ(latch.Report().fault, DeviceFault::kInvalid);
+    FlipWordBit(latch, 7U);
+    EXPECT_TRUE(latch.SaysRunning());
 }
 
 TEST(SafeStateLatch, FlippedRecordOfARunningLatchTellsNoFault)

@@ -77,6 +77,7 @@ inline constexpr RequirementId SRS_KRN_037{"SRS_KRN_037"};
 inline constexpr RequirementId SRS_KRN_038{"SRS_KRN_038"};
 inline constexpr RequirementId SRS_KRN_039{"SRS_KRN_039"};
 inline constexpr RequirementId SRS_KRN_040{"SRS_KRN_040"};
+inline constexpr RequirementId SRS_KRN_041{"SRS_KRN_041"};
 inline constexpr RequirementId SRS_LIM_001{"SRS_LIM_001"};
 inline constexpr RequirementId SRS_LIM_002{"SRS_LIM_002"};
 } // namespace counterpoint::req
