@@ -19,9 +19,11 @@ class CampaignTest : public tools::test::CommandTest
 {
   protected:
     /// A plan for a device, with more lines.
-    [[nodiscard]] std::string PlanFile(const std::string& name, const std::string& device, const std::string& more) const
+    [[nodiscard]] std::string PlanFile(const std::string& name, const std::string& device,
+                                       const std::string& more) const
     {
-        return File(name, "title: A test\nscenario: " COUNTERPOINT_SOURCE_FOLDER "/examples/campaigns/at_work.yaml\ndevice: " +
+        return File(name, "title: A test\nscenario: " COUNTERPOINT_SOURCE_FOLDER
+                          "/examples/campaigns/at_work.yaml\ndevice: " +
                               device + "\n" + more);
     }
     /// Runs `counterpoint campaign` in this process.

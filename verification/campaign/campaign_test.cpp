@@ -87,24 +87,25 @@ TEST_P(BadPlans, AreRefusedWithTheirPlace)
     EXPECT_NE(answer.err.find(plan + GetParam().message), std::string::npos) << answer.err;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Plans, BadPlans,
-    ::testing::Values(BadPlan{"", ":1:1: no key 'at'"},
-                      BadPlan{"at: [500 ms, 400 ms]\n", ":4:14: a time that is not later"},
-                      BadPlan{"at: [9 s]\n", ":4:5: an instant at which"},
-                      BadPlan{"at: [3 s]\n", ":4:5: an instant at which"},
-                      BadPlan{"at: [500 ms]\nparts: [stack]\n", ":5:9: 'stack', expected one of channel_a"},
-                      BadPlan{"at: [500 ms]\nkinds: [flip, flip]\n", ":5:15: the same word twice"},
-                      BadPlan{"at: [500 ms]\nmembers: [latch+12]\n", ":5:11: member 'latch'"},
-                      BadPlan{"at: [500 ms]\nsample: 0\n", ":5:9: "},
-                      BadPlan{"at: [500 ms]\ncolour: red\n", ":5:1: unknown key"}));
+INSTANTIATE_TEST_SUITE_P(Plans, BadPlans,
+                         ::testing::Values(BadPlan{"", ":1:1: no key 'at'"},
+                                           BadPlan{"at: [500 ms, 400 ms]\n", ":4:14: a time that is not later"},
+                                           BadPlan{"at: [9 s]\n", ":4:5: an instant at which"},
+                                           BadPlan{"at: [3 s]\n", ":4:5: an instant at which"},
+                                           BadPlan{"at: [500 ms]\nparts: [stack]\n",
+                                                   ":5:9: 'stack', expected one of channel_a"},
+                                           BadPlan{"at: [500 ms]\nkinds: [flip, flip]\n", ":5:15: the same word twice"},
+                                           BadPlan{"at: [500 ms]\nmembers: [latch+12]\n", ":5:11: member 'latch'"},
+                                           BadPlan{"at: [500 ms]\nsample: 0\n", ":5:9: "},
+                                           BadPlan{"at: [500 ms]\ncolour: red\n", ":5:1: unknown key"}));
 
 TEST_F(ShardTest, AnyNumberOfProcessesAndShardsGivesTheSameBytes)
 {
     Verifies(req::SRS_CMG_008);
     const std::string plan = PlanFile("plan.yaml", "actuator", kMixed);
     // Given the results of one process
-    const tools::test::Answer alone = Campaign({plan, "--jobs", "1", "--out", Path("alone"), "--csv", Path("alone.csv")});
+    const tools::test::Answer alone =
+        Campaign({plan, "--jobs", "1", "--out", Path("alone"), "--csv", Path("alone.csv")});
     // When three do it, or two shards that are joined
     static_cast<void>(Campaign({plan, "--jobs", "3", "--out", Path("three")}));
     static_cast<void>(Campaign({plan, "--shard", "1/2", "--out", Path("first")}));
@@ -183,7 +184,8 @@ TEST_F(ReportTest, SilentAndLateFaultsAreNamedAndTheCampaignDoesNotHold)
 {
     Verifies(req::SRS_CMG_010);
     Verifies(req::SRS_CMG_007);
-    // Given a campaign of which all was detected in 1 ms, but for number 5, which is silent, and number 7, which is late
+    // Given a campaign of which all was detected in 1 ms, but for number 5, which is silent, and number 7, which is
+    // late
     Session session(PlanFile("plan.yaml", "actuator",
                              "at: [500 ms]\nparts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip]\n"));
     ASSERT_EQ(session.Faults().Size(), 8U);
@@ -252,22 +254,26 @@ TEST_P(PlantedDefects, AreNamedByACampaignThatHoldsWithoutThem)
 
 INSTANTIATE_TEST_SUITE_P(
     Parts, PlantedDefects,
-    ::testing::Values(Defect{"blind_comparator",
-                             "members: [channel_b.data+0]\nphases: [channel_b]\nkinds: [flip]\ndetectors: [comparator]\n",
-                             "idle: comparator found nothing"},
-                      Defect{"flow_monitor_off",
-                             "parts: [flow_monitor]\nkinds: [flip]\nsample: 100\ndetectors: [flow_monitor]\n",
-                             "idle: flow_monitor found nothing"},
-                      Defect{"loose_permit",
-                             "parts: [comparator]\nmembers: [comparator.verdict]\nphases: [commit]\nkinds: "
-                             "[flip]\nsample: 400\ndetectors: [permits]\n",
-                             "idle: permits found nothing"}));
+    ::testing::Values(
+        Defect{"blind_comparator",
+               "members: [channel_b.data+0]\nphases: [channel_b]\nkinds: [flip]\ndetectors: [comparator]\n",
+               "idle: comparator found nothing"},
+        Defect{"flow_monitor_off", "parts: [flow_monitor]\nkinds: [flip]\nsample: 100\ndetectors: [flow_monitor]\n",
+               "idle: flow_monitor found nothing"},
+        Defect{"loose_permit",
+               "parts: [comparator]\nmembers: [comparator.verdict]\nphases: [commit]\nkinds: "
+               "[flip]\nsample: 400\ndetectors: [permits]\n",
+               "idle: permits found nothing"},
+        Defect{"held_output", "parts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip]\n",
+               "latch+0.0, flip, cycle 549, phase permits: nobody, open again without an acknowledge, or "
+               "behind a device fault"}));
 
 TEST(ProgressTest, TellsPartRateAndTimeLeft)
 {
     Verifies(req::SRS_CMG_012);
     // 300 000 of a million after 100 s, of which 100 000 were there before
-    EXPECT_EQ(ProgressText(300000U, 1000000U, 100000U, 100.0), "campaign 30.0 %, 2000 experiments a second, 350 s left");
+    EXPECT_EQ(ProgressText(300000U, 1000000U, 100000U, 100.0),
+              "campaign 30.0 %, 2000 experiments a second, 350 s left");
     std::ostringstream no_terminal;
     {
         Progress progress(no_terminal, 10U, 0U);

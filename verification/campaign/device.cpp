@@ -19,6 +19,14 @@ Instant BusInstant(const Nanoseconds at)
     return {static_cast<std::uint32_t>(at / runtime::kNanosecondsPerMicrosecond)};
 }
 
+FlatOutput* MakeOutput(Region& region, const Planted planted)
+{
+    if (planted == Planted::kLoosePermit)
+    {
+        return &region.Make<LooseOutput>();
+    }
+    return (planted == Planted::kHeldOutput) ? &region.Make<HeldOutput>() : &region.Make<FlatOutput>();
+}
 } // namespace
 
 Device::Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, const Planted planted)
@@ -83,7 +91,7 @@ void Device::MakeSurroundings(const Recording& recording, const Planted planted)
     ports_ = &region_.Make<FlatPorts>();
     ports_->frame_ns = recording.frame_ns;
     watchdog_ = &region_.Make<FlatWatchdog>();
-    output_ = (planted == Planted::kLoosePermit) ? &region_.Make<LooseOutput>() : &region_.Make<FlatOutput>();
+    output_ = MakeOutput(region_, planted);
     output_->limit = {LateCycleUs(reference_)};
     flow_ = (planted == Planted::kFlowOff) ? &region_.Make<ContentFlow>() : &region_.Make<TappedFlow>();
     Add(Part::kFlowMonitor, "flow_monitor", &flow_->monitor, sizeof(flow_->monitor));

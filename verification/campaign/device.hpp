@@ -20,7 +20,8 @@ enum class Planted : std::uint8_t
     kNothing = 0U,
     kBlindComparator = 1U, ///< Byte 0 of the held pair of channel B is shown to the comparator as channel A has it.
     kFlowOff = 2U,         ///< The flow monitor answers right, whatever happened.
-    kLoosePermit = 3U,     ///< The output opens by the masks of A and B, whatever the permits answer.
+    kLoosePermit = 3U,     ///< The output opens by the masks of the permits, whatever they answer.
+    kHeldOutput = 4U,      ///< The output, once open, stays open.
 };
 
 /// Parts of the device whose memory is hit. Those that a person would name.

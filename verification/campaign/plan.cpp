@@ -38,10 +38,9 @@ constexpr Word<FaultKind> kKindWords[] = {
     {"intermittent", FaultKind::kIntermittent},
 };
 constexpr Word<Planted> kPlantedWords[] = {
-    {"nothing", Planted::kNothing},
-    {"blind_comparator", Planted::kBlindComparator},
-    {"flow_monitor_off", Planted::kFlowOff},
-    {"loose_permit", Planted::kLoosePermit},
+    {"nothing", Planted::kNothing},          {"blind_comparator", Planted::kBlindComparator},
+    {"flow_monitor_off", Planted::kFlowOff}, {"loose_permit", Planted::kLoosePermit},
+    {"held_output", Planted::kHeldOutput},
 };
 constexpr Word<Detector> kDetectorWords[] = {
     {"comparator", Detector::kComparator}, {"flow_monitor", Detector::kFlowMonitor},

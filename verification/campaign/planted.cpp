@@ -16,6 +16,12 @@ Permit Righted(const Permit& given, const std::uint32_t challenge, const std::ui
     const std::uint32_t rotated = (high << kRotation) | (high >> (kWordBits - kRotation));
     return {given.mask, ((challenge + low) ^ rotated) * constant};
 }
+
+hal::PermitSet Righted(const hal::PermitSet& given, const std::uint32_t challenge)
+{
+    return {Righted(given.a, challenge, kPermitConstantA), Righted(given.b, challenge, kPermitConstantB),
+            Righted(given.kernel, challenge, kPermitConstantKernel)};
+}
 } // namespace
 
 std::uint32_t LooseOutput::Challenge() noexcept
@@ -26,7 +32,19 @@ std::uint32_t LooseOutput::Challenge() noexcept
 
 void LooseOutput::Drive(const hal::PermitSet& permits) noexcept
 {
-    FlatOutput::Drive({Righted(permits.a, issued_, kPermitConstantA), Righted(permits.b, issued_, kPermitConstantB),
-                       Righted(permits.kernel, issued_, kPermitConstantKernel)});
+    FlatOutput::Drive(Righted(permits, issued_));
+}
+
+std::uint32_t HeldOutput::Challenge() noexcept
+{
+    issued_ = FlatOutput::Challenge();
+    return issued_;
+}
+
+void HeldOutput::Drive(const hal::PermitSet& permits) noexcept
+{
+    const bool opens = Probe(permits, issued_) == hal::ProbeAnswer::kAccepted && permits.kernel.mask != 0U;
+    last_ = opens ? permits : last_;
+    FlatOutput::Drive(Righted(last_, issued_));
 }
 } // namespace counterpoint::campaign

@@ -54,6 +54,17 @@ class LooseOutput final : public FlatOutput
   private:
     std::uint32_t issued_{0U};
 };
+/// An output that stays open, once it was: wrong permits change nothing.
+class HeldOutput final : public FlatOutput
+{
+  public:
+    [[nodiscard]] std::uint32_t Challenge() noexcept override;
+    void Drive(const hal::PermitSet& permits) noexcept override;
+
+  private:
+    std::uint32_t issued_{0U};
+    hal::PermitSet last_{}; ///< The last right ones with an open output.
+};
 } // namespace counterpoint::campaign
 
 #endif // VERIFICATION_CAMPAIGN_PLANTED_HPP

@@ -97,7 +97,8 @@ TEST_P(KnownFaults, AreFoundByTheirMechanismInTime)
 INSTANTIATE_TEST_SUITE_P(
     Members, KnownFaults,
     ::testing::Values(Known{"latch", 0U, Class::kDetected, Detector::kLatch, 1000U},
-                      Known{"kernel.seal", 0U, Class::kDetected, Detector::kSeal, 2000U}, // No permit: the gate's own time.
+                      Known{"kernel.seal", 0U, Class::kDetected, Detector::kSeal,
+                            2000U}, // No permit: the gate's own time.
                       Known{"kernel.run", 8U, Class::kDetected, Detector::kFlowMonitor, 1000U}, // Frames that came.
                       Known{"kernel.run", 4U, Class::kDetected, Detector::kComparator, 1000U},  // Number of the cycle.
                       Known{"channel_a.entries", 0U, Class::kDetected, Detector::kComparator, kDiagnosticLimitUs},
