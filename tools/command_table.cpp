@@ -10,6 +10,7 @@ std::vector<CommandRow> CommandTable()
     return {
         kDemoRow,
         {"simulate", "Simulate a scenario: devices, faults, expectations", &MakeSimulateCommand},
+        {"campaign", "Hit a device with a million faults and account for each of them", &MakeCampaignCommand},
         {"node", "Run the device of a DCF on a live CAN bus", &MakeNodeCommand},
         {"manager", "Manage a CANopen network on a live CAN bus: start, check, supervise its slaves",
          &MakeManagerCommand},

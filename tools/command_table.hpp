@@ -15,6 +15,9 @@ namespace counterpoint::tools
 /// counterpoint simulate SCENARIO [--html OUT] [--json OUT] [--candump OUT] [--profile PROFILE] [--seed N] [--until T]
 ///                       [--frames] [--quiet] [--sweep ...] [--explain]
 [[nodiscard]] std::unique_ptr<Command> MakeSimulateCommand();
+/// counterpoint campaign PLAN [--out RESULTS] [--html OUT] [--csv OUT] [--shard K/N] [--jobs N]
+/// counterpoint campaign merge PLAN RESULTS ... [--out ALL] [--html OUT] [--csv OUT]
+[[nodiscard]] std::unique_ptr<Command> MakeCampaignCommand();
 /// `counterpoint node`: a device on a live bus. [SRS_NODE_001, SRS_NODE_002, SRS_NODE_003, SRS_NODE_004, SRS_NODE_005,
 /// SRS_NODE_006, SRS_NODE_007, SRS_NODE_008, SRS_NODE_009, SRS_NODE_010]
 [[nodiscard]] std::unique_ptr<Command> MakeNodeCommand();

@@ -1,0 +1,39 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tools/campaign/order.hpp"
+
+#include <initializer_list>
+#include <utility>
+
+namespace counterpoint::tools
+{
+void DescribeCampaign(Options& options, CampaignOrder& order)
+{
+    constexpr int kMostJobs = 1024;
+    options.Add("PLAN", &order.files, "Plan of a campaign (YAML), or: merge PLAN RESULTS ...").Required();
+    options
+        .Add("--out", &order.out, "File of results: what is in it is not tried again; with merge: where all results go")
+        .Check(&ProblemOfFileName);
+    options.Add("--html", &order.html, "Write the report as a page").Check(&ProblemOfFileName);
+    options.Add("--csv", &order.csv, "Write each experiment as a line").Check(&ProblemOfFileName);
+    options.Add("--shard", &order.shard, "K/N: try each N-th experiment, from the K-th on").ShowDefault();
+    options.Add("--jobs", &order.jobs, "Processes at a time; 0: one for each processor")
+        .Range(0, kMostJobs)
+        .ShowDefault();
+    options.Footer("Exit status: 0 nothing silent, nothing late; 1 something is; 2 a plan that cannot be used.\n"
+                   "The plan and the report are explained in docs/campaign.md.");
+}
+
+std::vector<std::string> ArgumentsOf(const CampaignOrder& order)
+{
+    std::vector<std::string> arguments = order.files;
+    for (const auto& [name, value] : {std::pair("--out", order.out), {"--html", order.html}, {"--csv", order.csv}})
+    {
+        if (!value.empty())
+        {
+            arguments.insert(arguments.end(), {name, value});
+        }
+    }
+    arguments.insert(arguments.end(), {"--shard", order.shard, "--jobs", std::to_string(order.jobs)});
+    return arguments;
+}
+} // namespace counterpoint::tools

@@ -1,0 +1,299 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Plans, samples, shards, reports, and the planted defects that a campaign has to find.
+#include "verification/campaign/campaign_rig.hpp"
+#include "verification/campaign/progress.hpp"
+#include "verification/campaign/statistics.hpp"
+
+#include <csignal>
+#include <set>
+#include <sys/wait.h>
+#include <thread>
+
+namespace counterpoint::campaign::test
+{
+namespace
+{
+/// Quick, and found at once.
+constexpr const char* kQuick = "at: [500 ms]\ncycles: 2\nparts: [latch, flow_monitor, clocks]\nkinds: [flip]\n";
+/// Most of them end in the first cycles, some go on until the end.
+constexpr const char* kMixed = "at: [500 ms]\ncycles: 2\nsample: 60\n";
+
+using PlanTest = CampaignTest;
+using ShardTest = CampaignTest;
+using ReportTest = CampaignTest;
+
+TEST_F(PlanTest, FaultsAreEachBitAtEachPhaseOfEachCycleInEachWay)
+{
+    Verifies(req::SRS_CMG_003);
+    // Given 12 bytes of a latch, 2 cycles, 14 phases, 4 kinds
+    const Session session(PlanFile("plan.yaml", "actuator", "at: [500 ms]\ncycles: 2\nparts: [latch]\n"));
+    EXPECT_EQ(session.Faults().Size(), 12U * 8U * 2U * 14U * 4U);
+    std::set<std::string> seen;
+    for (std::uint64_t number = 0U; number < session.Faults().Size(); ++number)
+    {
+        const Experiment fault = session.Faults().At(number);
+        seen.insert(PlaceText(session.Parts(), fault) + WordOf(fault.kind) + WordOf(fault.phase) +
+                    std::to_string(fault.cycle));
+    }
+    EXPECT_EQ(seen.size(), session.Faults().Size());
+    EXPECT_EQ(seen.count("latch+0.0flipbefore_frames499"), 1U);
+    EXPECT_EQ(seen.count("latch+11.7stuck_at_1permits500"), 1U);
+}
+
+TEST_F(PlanTest, WordsWithAnAddressOfTheProgramAreLeftOutAndCounted)
+{
+    Verifies(req::SRS_CMG_003);
+    // The tables of virtual functions of flow monitor and both channels
+    const std::string plan = PlanFile("plan.yaml", "actuator", "at: [500 ms]\nsample: 1\n");
+    EXPECT_EQ(Session(plan).Faults().LeftOut(), 24U);
+    EXPECT_NE(Campaign({plan}).out.find("left out: 24 bytes"), std::string::npos);
+}
+
+TEST_F(PlanTest, SampleIsDrawnBySeedAlone)
+{
+    Verifies(req::SRS_CMG_004);
+    const auto drawn = [this](const std::string& more)
+    {
+        const Session session(PlanFile("plan.yaml", "actuator", more));
+        std::vector<std::string> faults;
+        for (std::uint64_t number = 0U; number < session.Faults().Size(); ++number)
+        {
+            faults.push_back(PlaceText(session.Parts(), session.Faults().At(number)));
+        }
+        return faults;
+    };
+    const std::string plan = "at: [500 ms]\nparts: [guard]\nkinds: [flip]\nsample: 50\n";
+    EXPECT_EQ(drawn(plan).size(), 50U);
+    EXPECT_EQ(drawn(plan), drawn(plan));
+    EXPECT_NE(drawn(plan), drawn(plan + "seed: 2\n"));
+}
+
+struct BadPlan
+{
+    const char* lines; ///< From line 4 on.
+    const char* message;
+};
+
+class BadPlans : public CampaignTest, public ::testing::WithParamInterface<BadPlan>
+{
+};
+
+TEST_P(BadPlans, AreRefusedWithTheirPlace)
+{
+    Verifies(req::SRS_CMG_004);
+    const std::string plan = PlanFile("plan.yaml", "actuator", GetParam().lines);
+    const tools::test::Answer answer = Campaign({plan});
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_NE(answer.err.find(plan + GetParam().message), std::string::npos) << answer.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(Plans, BadPlans,
+                         ::testing::Values(BadPlan{"", ":1:1: no key 'at'"},
+                                           BadPlan{"at: [500 ms, 400 ms]\n", ":4:14: a time that is not later"},
+                                           BadPlan{"at: [9 s]\n", ":4:5: an instant at which"},
+                                           BadPlan{"at: [3 s]\n", ":4:5: an instant at which"},
+                                           BadPlan{"at: [500 ms]\nparts: [stack]\n",
+                                                   ":5:9: 'stack', expected one of channel_a"},
+                                           BadPlan{"at: [500 ms]\nkinds: [flip, flip]\n", ":5:15: the same word twice"},
+                                           BadPlan{"at: [500 ms]\nmembers: [latch+12]\n", ":5:11: member 'latch'"},
+                                           BadPlan{"at: [500 ms]\nsample: 0\n", ":5:9: "},
+                                           BadPlan{"at: [500 ms]\ncolour: red\n", ":5:1: unknown key"}));
+
+TEST_F(ShardTest, AnyNumberOfProcessesAndShardsGivesTheSameBytes)
+{
+    Verifies(req::SRS_CMG_008);
+    const std::string plan = PlanFile("plan.yaml", "actuator", kMixed);
+    // Given the results of one process
+    const tools::test::Answer alone =
+        Campaign({plan, "--jobs", "1", "--out", Path("alone"), "--csv", Path("alone.csv")});
+    // When three do it, or two shards that are joined
+    static_cast<void>(Campaign({plan, "--jobs", "3", "--out", Path("three")}));
+    static_cast<void>(Campaign({plan, "--shard", "1/2", "--out", Path("first")}));
+    static_cast<void>(Campaign({plan, "--shard", "2/2", "--out", Path("second")}));
+    const tools::test::Answer joined =
+        Campaign({"merge", plan, Path("second"), Path("first"), "--out", Path("joined"), "--csv", Path("joined.csv")});
+    // Then files and report are the same
+    EXPECT_EQ(cia306::ReadTextFile(Path("alone")), cia306::ReadTextFile(Path("three")));
+    EXPECT_EQ(cia306::ReadTextFile(Path("alone")), cia306::ReadTextFile(Path("joined")));
+    EXPECT_EQ(cia306::ReadTextFile(Path("alone.csv")), cia306::ReadTextFile(Path("joined.csv")));
+    EXPECT_EQ(alone.out, joined.out);
+    // and one shard alone does not hold
+    const tools::test::Answer half = Campaign({"merge", plan, Path("first")});
+    EXPECT_EQ(half.status, 1);
+    EXPECT_NE(half.out.find("open: 1200 experiments were not tried"), std::string::npos) << half.out;
+}
+
+TEST_F(ShardTest, CampaignThatWasKilledGoesOnToTheSameBytes)
+{
+    Verifies(req::SRS_CMG_008);
+    const std::string plan = PlanFile("plan.yaml", "actuator", kMixed);
+    const tools::test::Answer whole = Campaign({plan, "--jobs", "1", "--out", Path("whole")});
+    // Given a campaign that is killed as soon as it has some outcomes
+    const pid_t child = fork();
+    if (child == 0)
+    {
+        static_cast<void>(Campaign({plan, "--jobs", "1", "--out", Path("killed")}));
+        _exit(0);
+    }
+    const auto has_some = [this]()
+    {
+        std::error_code none;
+        const std::string bytes =
+            std::filesystem::exists(Path("killed"), none) ? cia306::ReadTextFile(Path("killed")) : std::string();
+        return bytes.find_first_not_of('\0', 32U) != std::string::npos;
+    };
+    for (int look = 0; look < 60000 && !has_some(); ++look)
+    {
+        std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    }
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    // When it is begun again
+    const tools::test::Answer again = Campaign({plan, "--jobs", "1", "--out", Path("killed")});
+    // Then
+    EXPECT_EQ(cia306::ReadTextFile(Path("killed")), cia306::ReadTextFile(Path("whole")));
+    EXPECT_EQ(again.out, whole.out);
+}
+
+TEST_F(ShardTest, ResultsOfSomethingElseAreRefused)
+{
+    Verifies(req::SRS_CMG_008);
+    const std::string plan = PlanFile("plan.yaml", "actuator", kQuick);
+    static_cast<void>(Campaign({plan, "--out", Path("results")}));
+    const std::string other = PlanFile("other.yaml", "actuator", std::string(kQuick) + "seed: 2\n");
+    EXPECT_EQ(Campaign({other, "--out", Path("results")}).status, 2);
+    EXPECT_EQ(Campaign({"merge", other, Path("results")}).status, 2);
+    EXPECT_EQ(Campaign({"merge", plan, plan}).status, 2);
+    EXPECT_EQ(Campaign({plan, "--shard", "3/2"}).status, 2);
+}
+
+TEST(Statistics, BoundIsThatOfClopperAndPearson)
+{
+    Verifies(req::SRS_CMG_010);
+    EXPECT_NEAR(UpperBound(0U, 299U, 0.95), 0.0100, 0.0001); // 1 - 0.05^(1/299)
+    EXPECT_NEAR(UpperBound(0U, 459U, 0.99), 0.0100, 0.0001);
+    EXPECT_NEAR(UpperBound(0U, 2995U, 0.95), 0.0010, 0.00001);
+    EXPECT_NEAR(UpperBound(1U, 100U, 0.95), 0.0466, 0.0001);
+    EXPECT_EQ(UpperBound(0U, 0U, 0.95), 1.0);
+    EXPECT_EQ(UpperBound(7U, 7U, 0.95), 1.0);
+    EXPECT_EQ(Quantile({1U, 2U, 3U, 4U}, 0.5), 2U);
+    EXPECT_EQ(Quantile({1U, 2U, 3U, 4U}, 0.999), 4U);
+}
+
+TEST_F(ReportTest, SilentAndLateFaultsAreNamedAndTheCampaignDoesNotHold)
+{
+    Verifies(req::SRS_CMG_010);
+    Verifies(req::SRS_CMG_007);
+    // Given a campaign of which all was detected in 1 ms, but for number 5, which is silent, and number 7, which is
+    // late
+    Session session(PlanFile("plan.yaml", "actuator",
+                             "at: [500 ms]\nparts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip]\n"));
+    ASSERT_EQ(session.Faults().Size(), 8U);
+    Results results("", session.Identity(Shard{}));
+    for (std::uint64_t index = 0U; index < 8U; ++index)
+    {
+        results.Put(index, Outcome{Class::kDetected, Detector::kLatch, 0U, 0U, 1000U});
+    }
+    EXPECT_TRUE(Summarise(session.Parts(), results).Holds());
+    results.Put(5U, Outcome{Class::kSilent, Detector::kNobody, static_cast<std::uint8_t>(Wrong::kData), 0U, 2000U});
+    results.Put(7U, Outcome{Class::kDetected, Detector::kLatch, 0U, 1U, 1009000U});
+    // When it is reported
+    const Summary summary = Summarise(session.Parts(), results);
+    const std::string text = TextReport(session.Parts(), summary);
+    const std::string page = HtmlReport(session.Parts(), summary);
+    // Then
+    EXPECT_FALSE(summary.Holds());
+    EXPECT_EQ(summary.tallies.front().Effective(), 8U);
+    EXPECT_NE(text.find("silent: experiment 5: latch+0.5, flip, cycle 499, phase permits: nobody, open with data that "
+                        "the bus did not bring, 2.000 ms"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("late: experiment 7: latch+0.7"), std::string::npos) << text;
+    EXPECT_NE(page.find("<td>latch+0.5</td>"), std::string::npos);
+    EXPECT_NE(page.find("name=\"viewport\""), std::string::npos);
+    EXPECT_EQ(page.find("http"), std::string::npos); // Nothing is fetched.
+    EXPECT_NE(CsvReport(session.Parts(), results).find("\n5,latch,latch+0.5,flip,499,permits,silent,nobody,"),
+              std::string::npos);
+}
+
+TEST_F(ReportTest, CampaignThatHoldsEndsWithStatus0)
+{
+    Verifies(req::SRS_CMG_010);
+    const std::string plan = PlanFile("plan.yaml", "actuator", std::string(kQuick) + "detectors: [latch]\n");
+    EXPECT_EQ(Campaign({plan}).status, 2); // The latch detects nothing: it is what is hit.
+    const tools::test::Answer answer =
+        Campaign({PlanFile("good.yaml", "actuator", std::string(kQuick) + "detectors: [clocks, flow_monitor]\n"),
+                  "--html", Path("page.html")});
+    EXPECT_EQ(answer.status, 0) << answer.out;
+    EXPECT_NE(answer.out.find("verdict: holds"), std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(Path("page.html")));
+}
+
+struct Defect
+{
+    const char* planted;
+    const char* lines;
+    const char* idle;
+};
+
+class PlantedDefects : public CampaignTest, public ::testing::WithParamInterface<Defect>
+{
+};
+
+TEST_P(PlantedDefects, AreNamedByACampaignThatHoldsWithoutThem)
+{
+    Verifies(req::SRS_CMG_011);
+    const std::string lines = std::string("at: [550 ms]\ncycles: 25\n") + GetParam().lines;
+    const tools::test::Answer sound = Campaign({PlanFile("sound.yaml", "actuator", lines)});
+    EXPECT_EQ(sound.status, 0) << sound.out;
+    const tools::test::Answer answer =
+        Campaign({PlanFile("planted.yaml", "actuator", lines + "planted: " + GetParam().planted + "\n")});
+    EXPECT_EQ(answer.status, 1) << answer.out;
+    EXPECT_NE(answer.out.find(GetParam().idle), std::string::npos) << answer.out;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Parts, PlantedDefects,
+    ::testing::Values(
+        Defect{"blind_comparator",
+               "members: [channel_b.data+0]\nphases: [channel_b]\nkinds: [flip]\ndetectors: [comparator]\n",
+               "idle: comparator found nothing"},
+        Defect{"flow_monitor_off", "parts: [flow_monitor]\nkinds: [flip]\nsample: 100\ndetectors: [flow_monitor]\n",
+               "idle: flow_monitor found nothing"},
+        Defect{"loose_permit",
+               "parts: [comparator]\nmembers: [comparator.verdict]\nphases: [commit]\nkinds: "
+               "[flip]\nsample: 400\ndetectors: [permits]\n",
+               "idle: permits found nothing"},
+        Defect{"held_output", "parts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip]\n",
+               "latch+0.0, flip, cycle 549, phase permits: nobody, open again without an acknowledge, or "
+               "behind a device fault"}));
+
+TEST(ProgressTest, TellsPartRateAndTimeLeft)
+{
+    Verifies(req::SRS_CMG_012);
+    // 300 000 of a million after 100 s, of which 100 000 were there before
+    EXPECT_EQ(ProgressText(300000U, 1000000U, 100000U, 100.0),
+              "campaign 30.0 %, 2000 experiments a second, 350 s left");
+    std::ostringstream no_terminal;
+    {
+        Progress progress(no_terminal, 10U, 0U);
+        progress.Show(5U);
+    }
+    EXPECT_EQ(no_terminal.str(), "");
+}
+
+TEST_F(PlanTest, CommandHandsOverToTheProgramBesideIt)
+{
+    Verifies(req::SRS_CMG_013);
+    const std::string plan = PlanFile("plan.yaml", "actuator", kQuick);
+    const auto status_of = [](const std::string& line)
+    { return WEXITSTATUS(std::system((line + " > /dev/null 2>&1").c_str())); };
+    const std::string program = COUNTERPOINT_PROGRAM;
+    EXPECT_EQ(status_of(program + " campaign " + plan + " --jobs 1"), 0);
+    EXPECT_EQ(status_of(program + " campaign " + Path("none.yaml")), 2);
+    // Alone in a folder
+    std::filesystem::copy_file(program, Path("counterpoint"));
+    EXPECT_EQ(status_of(Path("counterpoint") + " campaign " + plan), 2);
+}
+} // namespace
+} // namespace counterpoint::campaign::test

@@ -1,0 +1,145 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/campaign/crew.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <stdexcept>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace counterpoint::campaign
+{
+namespace
+{
+constexpr std::uint64_t kPortion = 64U;
+constexpr std::size_t kMostJobs = 1024U;
+constexpr std::chrono::milliseconds kPause{50};
+} // namespace
+
+struct Crew::Board
+{
+    std::uint64_t next;
+    std::uint64_t done;
+    std::array<std::uint64_t, kMostJobs> current; ///< Of each process: index of the running experiment, plus 1.
+};
+
+Crew::Crew(Runner& runner, const Space& space, Results& results, const std::uint32_t jobs)
+    : runner_(runner), space_(space), results_(results), children_(std::min<std::size_t>(jobs, kMostJobs), 0)
+{
+    void* const place = mmap(nullptr, sizeof(Board), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (place == MAP_FAILED)
+    {
+        throw std::runtime_error("no memory to be shared");
+    }
+    board_ = static_cast<Board*>(place);
+    board_->done = results.Size() - results.OpenCount();
+}
+
+Crew::~Crew()
+{
+    for (const pid_t child : children_)
+    {
+        if (child > 0)
+        {
+            kill(child, SIGKILL);
+            waitpid(child, nullptr, 0);
+        }
+    }
+    munmap(board_, sizeof(Board));
+}
+
+void Crew::Work(const std::function<void(std::uint64_t)>& progress)
+{
+    // What a process had taken when it died is left for the next round.
+    while (results_.OpenCount() != 0U)
+    {
+        board_->next = 0U;
+        for (std::uint32_t job = 0U; job < children_.size(); ++job)
+        {
+            Begin(job);
+        }
+        for (bool is_busy = true; is_busy;)
+        {
+            std::this_thread::sleep_for(kPause);
+            for (pid_t ended = waitpid(-1, nullptr, WNOHANG); ended > 0; ended = waitpid(-1, nullptr, WNOHANG))
+            {
+                Bury(ended);
+            }
+            is_busy = std::any_of(children_.begin(), children_.end(), [](const pid_t child) { return child > 0; });
+            progress(__atomic_load_n(&board_->done, __ATOMIC_RELAXED));
+        }
+    }
+}
+
+void Crew::Begin(const std::uint32_t job)
+{
+    board_->current[job] = 0U;
+    const pid_t parent = getpid();
+    const pid_t child = fork();
+    if (child < 0)
+    {
+        throw std::runtime_error("no further process");
+    }
+    if (child == 0)
+    {
+        prctl(PR_SET_PDEATHSIG, SIGKILL);
+        if (getppid() == parent)
+        {
+            Toil(job);
+        }
+        _exit(0);
+    }
+    children_[job] = child;
+}
+
+void Crew::Toil(const std::uint32_t job)
+{
+    const Trap trap;
+    for (;;)
+    {
+        const std::uint64_t begin = __atomic_fetch_add(&board_->next, kPortion, __ATOMIC_RELAXED);
+        const std::uint64_t end = std::min(begin + kPortion, results_.Size());
+        if (begin >= results_.Size())
+        {
+            return;
+        }
+        for (std::uint64_t index = begin; index < end; ++index)
+        {
+            if (results_.At(index).result != Class::kOpen)
+            {
+                continue;
+            }
+            __atomic_store_n(&board_->current[job], index + 1U, __ATOMIC_RELEASE);
+            results_.Put(index, runner_.Run(space_.At(results_.NumberAt(index))));
+            __atomic_store_n(&board_->current[job], std::uint64_t{0U}, __ATOMIC_RELEASE);
+            __atomic_fetch_add(&board_->done, std::uint64_t{1U}, __ATOMIC_RELAXED);
+        }
+    }
+}
+
+/// A process that ended within an experiment was ended by it: on a device, an exception.
+void Crew::Bury(const pid_t child)
+{
+    const auto place = std::find(children_.begin(), children_.end(), child);
+    if (place == children_.end())
+    {
+        return;
+    }
+    const auto job = static_cast<std::uint32_t>(place - children_.begin());
+    *place = 0;
+    const std::uint64_t current = __atomic_load_n(&board_->current[job], __ATOMIC_ACQUIRE);
+    if (current != 0U)
+    {
+        results_.Put(current - 1U, Outcome{Class::kSafeOther, Detector::kException, 0U, 0U, runner_.ExceptionUs()});
+        board_->current[job] = 0U;
+        __atomic_fetch_add(&board_->done, std::uint64_t{1U}, __ATOMIC_RELAXED);
+        Begin(job);
+    }
+}
+} // namespace counterpoint::campaign

@@ -1,0 +1,47 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_CAMPAIGN_CREW_HPP
+#define VERIFICATION_CAMPAIGN_CREW_HPP
+
+#include "verification/campaign/results.hpp"
+#include "verification/campaign/runner.hpp"
+#include "verification/campaign/space.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include <sys/types.h>
+
+namespace counterpoint::campaign
+{
+/// Processes that try all experiments of a shard that have no outcome yet. Each has a copy of the device; what a wild
+/// access does in one stays there. [SRS_CMG_008, SRS_CMG_009]
+class Crew
+{
+  public:
+    /// @brief All outlive it. `jobs` is at least 1.
+    Crew(Runner& runner, const Space& space, Results& results, std::uint32_t jobs);
+    ~Crew();
+    Crew(const Crew&) = delete;
+    Crew& operator=(const Crew&) = delete;
+
+    /// @brief Until none is left. `progress` is told now and then how many have an outcome.
+    void Work(const std::function<void(std::uint64_t)>& progress);
+
+  private:
+    /// What the processes share.
+    struct Board;
+
+    void Begin(std::uint32_t job);
+    void Toil(std::uint32_t job);
+    void Bury(pid_t child);
+
+    Runner& runner_;
+    const Space& space_;
+    Results& results_;
+    std::vector<pid_t> children_;
+    Board* board_;
+};
+} // namespace counterpoint::campaign
+
+#endif // VERIFICATION_CAMPAIGN_CREW_HPP

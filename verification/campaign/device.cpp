@@ -1,0 +1,262 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/campaign/device.hpp"
+
+#include "runtime/device/assembly.hpp"
+#include "verification/campaign/channels.hpp"
+#include "verification/campaign/kernel_places.hpp"
+#include "verification/campaign/planted.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace counterpoint::campaign
+{
+namespace
+{
+/// Time of the bus as output and watchdog count it.
+Instant BusInstant(const Nanoseconds at)
+{
+    return {static_cast<std::uint32_t>(at / runtime::kNanosecondsPerMicrosecond)};
+}
+
+FlatOutput* MakeOutput(Region& region, const Planted planted)
+{
+    if (planted == Planted::kLoosePermit)
+    {
+        return &region.Make<LooseOutput>();
+    }
+    return (planted == Planted::kHeldOutput) ? &region.Make<HeldOutput>() : &region.Make<FlatOutput>();
+}
+} // namespace
+
+Device::Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, const Planted planted)
+    : region_(region), recording_(recording), reference_(model.Config())
+{
+    MakeSurroundings(recording, planted);
+    CopyTables(model);
+    MakeChannels(planted);
+    MakeKernel();
+    Start(model);
+}
+
+void Device::Add(const Part part, const std::string& name, const void* const object, const std::size_t size)
+{
+    places_.push_back({part, name, region_.OffsetOf(object), size});
+}
+
+void Device::CopyTables(const runtime::DeviceModel& model)
+{
+    config_ = &region_.Make<DeviceConfig>(model.Config());
+    Add(Part::kTables, "config", config_, sizeof(*config_));
+    auto& source = const_cast<runtime::DeviceModel&>(model); // Its memory is read here alone.
+    const std::size_t memory_size = source.Memory().size();
+    auto* const memory = region_.MakeArray<std::uint8_t>(memory_size);
+    std::copy(source.Memory().begin(), source.Memory().end(), memory);
+    Add(Part::kVariables, "variables", memory, memory_size);
+    auto* const objects = region_.MakeArray<MappableObject>(model.Objects().size());
+    std::copy(model.Objects().begin(), model.Objects().end(), objects);
+    for (std::size_t index = 0U; index < model.Objects().size(); ++index)
+    {
+        objects[index].place = memory + (model.Objects()[index].place - source.Memory().data());
+    }
+    Add(Part::kTables, "objects", objects, sizeof(MappableObject) * model.Objects().size());
+    auto* const setups = region_.MakeArray<SrdoSetup>(config_->srdo_count);
+    std::copy_n(model.Config().srdos, config_->srdo_count, setups);
+    Add(Part::kTables, "setups", setups, sizeof(SrdoSetup) * config_->srdo_count);
+    config_->objects = objects;
+    config_->srdos = setups;
+    for (const runtime::StaticTable& table : model.StaticTables())
+    {
+        auto* const entries = region_.MakeArray<std::uint32_t>(table.entries.size());
+        std::copy(table.entries.begin(), table.entries.end(), entries);
+        setups[model.SlotOf(table.number).value_or(0U)].map.entries = entries;
+        Add(Part::kTables, "static_map", entries, sizeof(std::uint32_t) * table.entries.size());
+    }
+    for (const runtime::VariablePair& pair : model.Pairs())
+    {
+        const MappableObject& normal = objects[pair.normal];
+        const MappableObject& inverse = objects[pair.inverse];
+        pairs_.push_back({{normal.place, normal.length_bits},
+                          {inverse.place, inverse.length_bits},
+                          {normal.index, normal.sub},
+                          model.SlotOf(pair.srdo).value_or(0U),
+                          pair.first_bit,
+                          pair.is_consumer});
+    }
+}
+
+void Device::MakeSurroundings(const Recording& recording, const Planted planted)
+{
+    application_ = &region_.Make<FlatApplication>();
+    ports_ = &region_.Make<FlatPorts>();
+    ports_->frame_ns = recording.frame_ns;
+    watchdog_ = &region_.Make<FlatWatchdog>();
+    output_ = MakeOutput(region_, planted);
+    output_->limit = {LateCycleUs(reference_)};
+    flow_ = (planted == Planted::kFlowOff) ? &region_.Make<ContentFlow>() : &region_.Make<TappedFlow>();
+    Add(Part::kFlowMonitor, "flow_monitor", &flow_->monitor, sizeof(flow_->monitor));
+    windows_ = region_.MakeArray<CauseWindows>(reference_.srdo_count);
+    Add(Part::kKernel, "kernel.windows", windows_, sizeof(CauseWindows) * reference_.srdo_count);
+}
+
+void Device::MakeChannels(const Planted planted)
+{
+    const ChannelRoom room{reference_.srdo_count, reference_.map_entries};
+    const MadeChannel a = MakeChannelA(region_, room);
+    const MadeChannel b = MakeChannelB(region_, room);
+    places_.insert(places_.end(), a.places.begin(), a.places.end());
+    places_.insert(places_.end(), b.places.begin(), b.places.end());
+    a_ = a.voice;
+    b_ = (planted == Planted::kBlindComparator) ? &region_.Make<HalfSeenChannel>(*b.voice, *a.voice) : b.voice;
+}
+
+void Device::MakeKernel()
+{
+    kernel_ = &region_.Make<Kernel>(
+        KernelParts{*a_, *b_, *ports_, *output_, *watchdog_, *application_, nullptr, windows_, flow_});
+    const std::vector<Place> members = PlacesOf(*kernel_, region_);
+    places_.insert(places_.end(), members.begin(), members.end());
+}
+
+void Device::Start(const runtime::DeviceModel& model)
+{
+    ports_->now = recording_.power_on;
+    SetTime(recording_.power_on);
+    if (kernel_->Start(*config_, FlowCallback::kOff) != StartResult::kStarted)
+    {
+        throw std::runtime_error("the kernel refuses the device of " + model.File());
+    }
+    auto& source = const_cast<runtime::DeviceModel&>(model); // To learn where its fields are.
+    for (const runtime::StaticTable& table : model.StaticTables())
+    {
+        const StaticFields fields = source.FieldsOf(table);
+        const auto moved = [&](std::uint8_t* const place)
+        { return pairs_.empty() ? nullptr : (config_->objects[0].place - model.Objects()[0].place) + place; };
+        static_cast<void>(kernel_->DefineStaticFields(runtime::CommunicationIndexOf(table.number),
+                                                      {moved(fields.normal), moved(fields.inverse)}));
+    }
+    for (const runtime::ConfigurationWrite& write : model.Writes())
+    {
+        if (kernel_->WriteObject(write.object, runtime::DataOf(write)) != AbortCode::kNone)
+        {
+            throw std::runtime_error("the kernel refuses a value of " + model.File() + " in line " +
+                                     std::to_string(write.line));
+        }
+    }
+    watchdog_->timer.Start(runtime::WindowOf(reference_), watchdog_->now);
+}
+
+void Device::Follow(PhaseHook* const hook) noexcept
+{
+    hook_ = hook;
+    flow_->hook = hook;
+}
+
+void Device::SetTime(const Nanoseconds at) noexcept
+{
+    output_->now = BusInstant(at);
+    watchdog_->now = BusInstant(at);
+}
+
+SrdoMask Device::Open() noexcept
+{
+    watchdog_->timer.Examine(watchdog_->now);
+    const SrdoMask open = output_->gate.Open(output_->now, output_->limit);
+    return watchdog_->timer.IsAlive() ? open : SrdoMask{0U};
+}
+
+void Device::Cycle(const std::size_t cycle)
+{
+    const RecordedCycle& recorded = recording_.cycles[cycle];
+    const bool is_first = cycle == 0U;
+    const std::size_t first_frame = is_first ? 0U : recording_.cycles[cycle - 1U].frames_end;
+    // What was confirmed is on the bus; what waits moves to the front.
+    const std::uint32_t waiting = ports_->count - std::min(ports_->confirmed, ports_->count);
+    for (std::uint32_t index = 0U; index < waiting; ++index)
+    {
+        ports_->frames[index] = ports_->frames[ports_->confirmed + index];
+    }
+    std::fill(ports_->frames.begin() + waiting, ports_->frames.end(), OwnFrame{});
+    ports_->count = waiting;
+    ports_->confirmed = 0U;
+    if (recorded.nmt != (is_first ? NmtState::kInvalid : recording_.cycles[cycle - 1U].nmt))
+    {
+        kernel_->SetNmtState(recorded.nmt);
+    }
+    if (hook_ != nullptr)
+    {
+        hook_->At(Phase::kBeforeFrames);
+    }
+    Deliver(recorded, first_frame);
+    if (hook_ != nullptr)
+    {
+        hook_->At(Phase::kAfterFrames);
+    }
+    SetTime(recorded.at);
+    ports_->now = recorded.at;
+    kernel_->Cycle(recorded.call);
+    WriteProducers(cycle);
+}
+
+/// Received frames and confirmations in the order of the bus.
+void Device::Deliver(const RecordedCycle& cycle, const std::size_t first_frame)
+{
+    std::size_t next = first_frame;
+    bool has_come = false;
+    for (;;)
+    {
+        const bool has_frame = next < cycle.frames_end;
+        const bool has_own = ports_->confirmed < std::min<std::uint32_t>(ports_->count, kMostOwnFrames) &&
+                             ports_->frames[ports_->confirmed].confirmed_at <= cycle.at;
+        if (!has_frame && !has_own)
+        {
+            break;
+        }
+        if (has_own && (!has_frame || ports_->frames[ports_->confirmed].confirmed_at < recording_.frames[next].at))
+        {
+            const OwnFrame own = ports_->frames[ports_->confirmed];
+            ++ports_->confirmed;
+            ports_->now = own.confirmed_at;
+            SetTime(own.confirmed_at);
+            kernel_->OnConfirm({own.frame, recording_.counters.At(own.confirmed_at)});
+        }
+        else
+        {
+            kernel_->OnFrame(recording_.frames[next].stamped);
+            ++next;
+        }
+        if (!has_come && hook_ != nullptr)
+        {
+            hook_->At(Phase::kBetweenFrames);
+        }
+        has_come = true;
+    }
+    if (!has_come && hook_ != nullptr)
+    {
+        hook_->At(Phase::kBetweenFrames);
+    }
+}
+
+/// As an application does it that senses with two paths: each side by itself, in every cycle.
+void Device::WriteProducers(const std::size_t cycle)
+{
+    for (const FlatPair& pair : pairs_)
+    {
+        if (pair.is_consumer)
+        {
+            continue;
+        }
+        std::uint64_t value = 0U;
+        for (const RecordedInput& input : recording_.inputs)
+        {
+            if (input.cycle <= cycle && input.object.index == pair.address.index &&
+                input.object.sub == pair.address.sub)
+            {
+                value = input.value;
+            }
+        }
+        WriteVariable(pair.normal, {value});
+        WriteVariable(pair.inverse, {~value});
+    }
+}
+} // namespace counterpoint::campaign

@@ -1,0 +1,143 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_CAMPAIGN_DEVICE_HPP
+#define VERIFICATION_CAMPAIGN_DEVICE_HPP
+
+#include "runtime/device/model.hpp"
+#include "verification/campaign/recording.hpp"
+#include "verification/campaign/region.hpp"
+#include "verification/campaign/surroundings.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace counterpoint::campaign
+{
+/// A part that was changed on purpose, so that a campaign has something to find. [SRS_CMG_011]
+enum class Planted : std::uint8_t
+{
+    kNothing = 0U,
+    kBlindComparator = 1U, ///< Byte 0 of the held pair of channel B is shown to the comparator as channel A has it.
+    kFlowOff = 2U,         ///< The flow monitor answers right, whatever happened.
+    kLoosePermit = 3U,     ///< The output opens by the masks of the permits, whatever they answer.
+    kHeldOutput = 4U,      ///< The output, once open, stays open.
+};
+
+/// Parts of the device whose memory is hit. Those that a person would name.
+enum class Part : std::uint8_t
+{
+    kChannelA = 0U,
+    kChannelB = 1U,
+    kComparator = 2U,
+    kFlowMonitor = 3U,
+    kGuard = 4U,
+    kLatch = 5U,
+    kClocks = 6U,
+    kKernel = 7U, ///< The rest of it.
+    kTables = 8U,
+    kVariables = 9U,
+};
+constexpr std::size_t kPartCount = 10U;
+
+/// A member of the device under test, and where it lies in the region.
+struct Place
+{
+    Part part{Part::kKernel};
+    std::string name;
+    std::size_t offset{0U};
+    std::size_t size{0U};
+};
+
+/// A mapped pair of variables of the device under test.
+struct FlatPair
+{
+    VariablePlace normal{};
+    VariablePlace inverse{};
+    ObjectAddress address{0U, 0U};
+    SlotIndex slot{kNoSlot};
+    std::uint32_t first_bit{0U}; ///< In the data of the SRDO.
+    bool is_consumer{false};
+};
+
+/// Kernel, both channels and all that they work on, in one piece of memory. [SRS_CMG_001]
+class Device
+{
+  public:
+    /// @brief Builds the device of the model in the region, starts and configures it at power-on of the recording.
+    /// Throws std::runtime_error for a device that the kernel refuses.
+    Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, Planted planted);
+
+    /// @brief One cycle of the recording with all that comes before it.
+    void Cycle(std::size_t cycle);
+    /// @brief Who is told the phases of each cycle; null: nobody.
+    void Follow(PhaseHook* hook) noexcept;
+    /// @brief Slots whose outputs are open now.
+    [[nodiscard]] SrdoMask Open() noexcept;
+
+    /// @brief Its memory, member by member.
+    [[nodiscard]] const std::vector<Place>& Places() const noexcept
+    {
+        return places_;
+    }
+    [[nodiscard]] const std::vector<FlatPair>& Pairs() const noexcept
+    {
+        return pairs_;
+    }
+    [[nodiscard]] const DeviceConfig& Config() const noexcept
+    {
+        return reference_;
+    }
+    [[nodiscard]] Region& Memory() noexcept
+    {
+        return region_;
+    }
+    [[nodiscard]] const FlatApplication& Told() const noexcept
+    {
+        return *application_;
+    }
+    [[nodiscard]] const FlatPorts& Ports() const noexcept
+    {
+        return *ports_;
+    }
+    [[nodiscard]] Kernel& Core() noexcept
+    {
+        return *kernel_;
+    }
+    [[nodiscard]] bool IsWatchdogAlive() const noexcept
+    {
+        return watchdog_->timer.IsAlive();
+    }
+
+  private:
+    void CopyTables(const runtime::DeviceModel& model);
+    void MakeSurroundings(const Recording& recording, Planted planted);
+    void MakeChannels(Planted planted);
+    void MakeKernel();
+    void Start(const runtime::DeviceModel& model);
+    void Deliver(const RecordedCycle& cycle, std::size_t first_frame);
+    void Add(Part part, const std::string& name, const void* object, std::size_t size);
+    void WriteProducers(std::size_t cycle);
+    void SetTime(Nanoseconds at) noexcept;
+
+    Region& region_;
+    const Recording& recording_;
+    DeviceConfig reference_; ///< As it was before any fault.
+    std::vector<Place> places_{};
+    std::vector<FlatPair> pairs_{};
+    // In the region.
+    DeviceConfig* config_{nullptr};
+    FlatApplication* application_{nullptr};
+    FlatPorts* ports_{nullptr};
+    FlatOutput* output_{nullptr};
+    FlatWatchdog* watchdog_{nullptr};
+    TappedFlow* flow_{nullptr};
+    Channel* a_{nullptr};
+    Channel* b_{nullptr};
+    CauseWindows* windows_{nullptr};
+    Kernel* kernel_{nullptr};
+    PhaseHook* hook_{nullptr};
+};
+} // namespace counterpoint::campaign
+
+#endif // VERIFICATION_CAMPAIGN_DEVICE_HPP

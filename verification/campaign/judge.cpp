@@ -1,0 +1,225 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/campaign/judge.hpp"
+
+#include "safety_core/kernel/limits.hpp"
+
+#include <algorithm>
+
+namespace counterpoint::campaign
+{
+namespace
+{
+constexpr Nanoseconds kUs = runtime::kNanosecondsPerMicrosecond;
+/// An input that changed so many cycles ago may still be sent as it was.
+constexpr std::size_t kInputCycles = 4U;
+
+std::uint64_t MaskOf(const VariablePlace& place)
+{
+    return ~std::uint64_t{0U} >> (kMaxPayloadBits - place.length_bits);
+}
+} // namespace
+
+Judge::Judge(const Recording& recording, const runtime::DeviceModel& model, Device& device)
+    : recording_(recording), device_(device),
+      discrepancy_((device.Config().discrepancy_us + 2U * LateCycleUs(device.Config())) * kUs)
+{
+    for (const runtime::SrdoModel& each : model.Srdos())
+    {
+        Srdo srdo;
+        srdo.slot = model.SlotOf(each.number).value_or(kNoSlot);
+        srdo.number = each.number;
+        srdo.is_consumer = each.direction == kDirectionConsumer;
+        srdo.is_automatic = device.Config().srdos[srdo.slot].policy == ReleasePolicy::kAutomatic;
+        const Payload& safe = device.Config().srdos[srdo.slot].safe_value;
+        srdo.safe = (std::uint64_t{safe.high} << 32U) | safe.low;
+        srdo.model = each;
+        for (const FlatPair& pair : device.Pairs())
+        {
+            if (pair.slot == srdo.slot)
+            {
+                srdo.pairs.push_back(pair);
+                srdo.bits = std::max<std::uint32_t>(srdo.bits, pair.first_bit + pair.normal.length_bits);
+            }
+        }
+        if (srdo.is_consumer)
+        {
+            srdo.bus.emplace_back(recording, each, srdo.bits);
+        }
+        srdos_.push_back(std::move(srdo));
+    }
+}
+
+Sight Judge::Look(const std::size_t cycle, JudgeMemory& memory)
+{
+    Sight sight;
+    sight.open = device_.Open();
+    Arm(cycle, sight.open, memory);
+    for (const Srdo& srdo : srdos_)
+    {
+        const bool is_open = ((sight.open >> srdo.slot) & 1U) != 0U;
+        if (srdo.is_consumer && is_open)
+        {
+            LookAtOutput(srdo, cycle, memory, sight);
+        }
+    }
+    LookAtFrames(cycle, memory, sight);
+    return sight;
+}
+
+void Judge::Arm(const std::size_t cycle, const SrdoMask open, JudgeMemory& memory) const
+{
+    const RecordedCycle& recorded = recording_.cycles[cycle];
+    const SrdoMask level = recorded.call.acknowledge_a & recorded.call.acknowledge_b;
+    const SrdoMask edge = level & ~memory.pressed;
+    const SrdoMask told = device_.Told().faulted & ~memory.told;
+    memory.pressed = level;
+    memory.told = device_.Told().faulted;
+    memory.fault_cycles += (device_.Told().device_fault != DeviceFault::kNone) ? 1U : 0U;
+    if (recorded.nmt != NmtState::kOperational)
+    {
+        memory.armed = 0U;
+        memory.erred = 0U;
+        memory.stopped = 0U;
+        return;
+    }
+    for (const Srdo& srdo : srdos_)
+    {
+        const SrdoMask bit = SrdoMask{1U} << srdo.slot;
+        const SrdoMask number = SrdoMask{1U} << ((srdo.number - 1U) % kMaxSrdoCount);
+        memory.erred |= ((told & number) != 0U) ? bit : SrdoMask{0U};
+        // An error that takes nothing back is a word too many; one that does asks for an acknowledge.
+        if ((memory.erred & bit & ~open) != 0U && IsTakenBack(srdo))
+        {
+            memory.armed &= ~bit;
+            memory.stopped |= bit;
+            memory.erred &= ~bit;
+        }
+        if ((edge & bit) != 0U || srdo.is_automatic)
+        {
+            memory.armed |= bit;
+            memory.stopped &= ~bit;
+        }
+    }
+}
+
+/// Its objects hold the safe value.
+bool Judge::IsTakenBack(const Srdo& srdo)
+{
+    return std::all_of(srdo.pairs.begin(), srdo.pairs.end(),
+                       [&srdo](const FlatPair& pair)
+                       {
+                           const std::uint64_t safe = (srdo.safe >> pair.first_bit) & MaskOf(pair.normal);
+                           return ReadVariable(pair.normal).bits == safe &&
+                                  IsInversePair(pair.normal, pair.inverse) == PairView::kInverse;
+                       });
+}
+
+void Judge::LookAtOutput(const Srdo& srdo, const std::size_t cycle, const JudgeMemory& memory, Sight& sight) const
+{
+    const SrdoMask bit = SrdoMask{1U} << srdo.slot;
+    std::uint64_t data = 0U;
+    std::uint64_t mask = 0U;
+    for (const FlatPair& pair : srdo.pairs)
+    {
+        if (IsInversePair(pair.normal, pair.inverse) != PairView::kInverse)
+        {
+            sight.not_inverse |= bit;
+            return; // The application does not use it.
+        }
+        data |= ReadVariable(pair.normal).bits << pair.first_bit;
+        mask |= MaskOf(pair.normal) << pair.first_bit;
+    }
+    // The permits of the cycle that tells of a device fault may have been given before.
+    if (memory.fault_cycles > 1U)
+    {
+        sight.wrong = Wrong::kRestart;
+    }
+    else if ((memory.armed & bit) == 0U)
+    {
+        sight.wrong = ((memory.stopped & bit) != 0U) ? Wrong::kRestart : Wrong::kNoLeave;
+    }
+    else if (!srdo.bus.front().Allows(cycle, data, mask, discrepancy_))
+    {
+        sight.wrong = Wrong::kData;
+    }
+    else
+    {
+        // As it should be.
+    }
+}
+
+void Judge::LookAtFrames(const std::size_t cycle, JudgeMemory& memory, Sight& sight) const
+{
+    const FlatPorts& ports = device_.Ports();
+    const std::uint32_t kept = std::min<std::uint32_t>(ports.count, kMostOwnFrames);
+    const std::uint32_t fresh = std::min(ports.sent - memory.sent, kept);
+    memory.sent = ports.sent;
+    for (std::uint32_t index = kept - fresh; index < kept; ++index)
+    {
+        const Wrong wrong = LookAtFrame(ports.frames[index], cycle, memory);
+        sight.wrong = (sight.wrong == Wrong::kNothing) ? wrong : sight.wrong;
+    }
+    for (std::size_t index = 0U; index < srdos_.size(); ++index)
+    {
+        const Srdo& srdo = srdos_[index];
+        const Nanoseconds last = memory.pair_at[srdo.slot];
+        const Nanoseconds patience = recording_.peer_scts[index] * kUs;
+        const bool is_waited_for = srdo.model.direction == kDirectionProducer && last != 0;
+        sight.is_missed = sight.is_missed || (is_waited_for && recording_.cycles[cycle].at - last > patience);
+    }
+}
+
+Wrong Judge::LookAtFrame(const OwnFrame& own, const std::size_t cycle, JudgeMemory& memory) const
+{
+    for (const Srdo& srdo : srdos_)
+    {
+        OwnFrame& normal = memory.normal[srdo.slot];
+        if (srdo.model.direction != kDirectionProducer)
+        {
+            continue;
+        }
+        if (own.frame.identifier == srdo.model.cob_id_1)
+        {
+            normal = own;
+            return (memory.fault_cycles > 1U) ? Wrong::kRestart : Wrong::kNothing;
+        }
+        if (own.frame.identifier != srdo.model.cob_id_2)
+        {
+            continue;
+        }
+        const std::uint64_t all = ~std::uint64_t{0U} >> (kMaxPayloadBits - srdo.bits);
+        const std::uint64_t data = NumberIn(normal.frame);
+        const bool is_pair = normal.confirmed_at != 0 && normal.frame.length_bytes * 8U == srdo.bits &&
+                             own.frame.length_bytes == normal.frame.length_bytes && (data ^ NumberIn(own.frame)) == all;
+        normal = OwnFrame{};
+        if (!is_pair)
+        {
+            return Wrong::kNothing; // Whoever consumes it finds it wrong.
+        }
+        memory.pair_at[srdo.slot] = own.confirmed_at;
+        const bool is_true =
+            std::all_of(srdo.pairs.begin(), srdo.pairs.end(), [this, data, cycle](const FlatPair& pair)
+                        { return WasInput(pair, (data >> pair.first_bit) & MaskOf(pair.normal), cycle); });
+        return is_true ? Wrong::kNothing : Wrong::kSentPair;
+    }
+    return Wrong::kIdentifier;
+}
+
+/// In this cycle or shortly before.
+bool Judge::WasInput(const FlatPair& pair, const std::uint64_t value, const std::size_t cycle) const
+{
+    std::uint64_t present = 0U;
+    bool was_it = false;
+    const std::size_t since = cycle - std::min(cycle, kInputCycles);
+    for (const RecordedInput& input : recording_.inputs)
+    {
+        if (input.cycle > cycle || input.object.index != pair.address.index || input.object.sub != pair.address.sub)
+        {
+            continue;
+        }
+        was_it = was_it || (input.cycle > since && present == value);
+        present = input.value;
+    }
+    return was_it || present == value;
+}
+} // namespace counterpoint::campaign

@@ -1,0 +1,89 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_CAMPAIGN_JUDGE_HPP
+#define VERIFICATION_CAMPAIGN_JUDGE_HPP
+
+#include "verification/campaign/bus_view.hpp"
+#include "verification/campaign/device.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace counterpoint::campaign
+{
+/// What must never happen without being noticed. [SRS_CMG_005]
+enum class Wrong : std::uint8_t
+{
+    kNothing = 0U,
+    kData = 1U,       ///< Open, with data that the bus did not bring, or too old.
+    kNoLeave = 2U,    ///< Open outside of OPERATIONAL, or before the first acknowledge.
+    kRestart = 3U,    ///< Open again behind an error without an acknowledge; open or sending behind a device fault.
+    kIdentifier = 4U, ///< A frame under an identifier that is not the device's.
+    kSentPair = 5U,   ///< A complete valid pair on the bus with data that the application did not have.
+};
+
+/// What the judge remembers from cycle to cycle. Plain memory.
+struct JudgeMemory
+{
+    SrdoMask armed{0U};   ///< An acknowledge came since OPERATIONAL was entered, or since an error closed the output.
+    SrdoMask erred{0U};   ///< An error was told, and nothing has been taken back since.
+    SrdoMask stopped{0U}; ///< An error took the released pair back, and no acknowledge has come since.
+    SrdoMask told{0U};    ///< Of FlatApplication::faulted.
+    SrdoMask pressed{0U};
+    std::uint32_t fault_cycles{0U}; ///< Cycles since a device fault was told.
+    std::uint32_t sent{0U};
+    std::array<OwnFrame, kMaxSrdoCount>
+        normal{}; ///< The last normal frame of each producer that waits for its inverse.
+    std::array<std::int64_t, kMaxSrdoCount> pair_at{};
+};
+
+/// What the judge saw in a cycle.
+struct Sight
+{
+    Wrong wrong{Wrong::kNothing};
+    SrdoMask open{0U};
+    SrdoMask not_inverse{0U}; ///< Open, but the pair of variables does not pass the application's check.
+    bool is_missed{false};    ///< Who consumes what the device sends has waited longer than SCT.
+};
+
+/// Decides from bus, inputs and output alone what the device may do: neither the kernel's nor the channels' opinion is
+/// asked, but for the errors that the application is told of. [SRS_CMG_005]
+class Judge
+{
+  public:
+    /// @brief All outlive it.
+    Judge(const Recording& recording, const runtime::DeviceModel& model, Device& device);
+
+    /// @brief After each cycle.
+    [[nodiscard]] Sight Look(std::size_t cycle, JudgeMemory& memory);
+
+  private:
+    /// An SRDO of the device.
+    struct Srdo
+    {
+        SlotIndex slot{kNoSlot};
+        std::uint8_t number{0U};
+        bool is_consumer{false};
+        bool is_automatic{false};
+        runtime::SrdoModel model{};
+        std::uint32_t bits{0U};
+        std::uint64_t safe{0U};     ///< Of a consumer.
+        std::vector<BusView> bus{}; ///< One of a consumer.
+        std::vector<FlatPair> pairs{};
+    };
+
+    void Arm(std::size_t cycle, SrdoMask open, JudgeMemory& memory) const;
+    [[nodiscard]] static bool IsTakenBack(const Srdo& srdo);
+    void LookAtOutput(const Srdo& srdo, std::size_t cycle, const JudgeMemory& memory, Sight& sight) const;
+    void LookAtFrames(std::size_t cycle, JudgeMemory& memory, Sight& sight) const;
+    [[nodiscard]] Wrong LookAtFrame(const OwnFrame& own, std::size_t cycle, JudgeMemory& memory) const;
+    [[nodiscard]] bool WasInput(const FlatPair& pair, std::uint64_t value, std::size_t cycle) const;
+
+    const Recording& recording_;
+    Device& device_;
+    std::vector<Srdo> srdos_{};
+    Nanoseconds discrepancy_; ///< For which the pair before may still be in place.
+};
+} // namespace counterpoint::campaign
+
+#endif // VERIFICATION_CAMPAIGN_JUDGE_HPP

@@ -1,0 +1,61 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_CAMPAIGN_OUTCOME_HPP
+#define VERIFICATION_CAMPAIGN_OUTCOME_HPP
+
+#include "safety_core/contract/device_fault.hpp"
+#include "safety_core/contract/srdo.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::campaign
+{
+/// What became of one fault. [SRS_CMG_006]
+enum class Class : std::uint8_t
+{
+    kOpen = 0U,     ///< Not tried yet.
+    kMasked = 1U,   ///< The device is again as if nothing had happened, and did nothing else than without the fault.
+    kBenign = 2U,   ///< Its memory differs until the end; it did nothing else than without the fault, or nothing wrong.
+    kDetected = 3U, ///< By a mechanism of the kernel or the channels: the output closed, or the device is safe.
+    kSafeOther = 4U, ///< Safe by somebody else: exception, output that closes by time, application, receivers.
+    kSilent = 5U,    ///< Something that must not happen, and nobody noticed before.
+};
+constexpr std::size_t kClassCount = 6U;
+
+/// Who found it first.
+enum class Detector : std::uint8_t
+{
+    kNobody = 0U,
+    kComparator = 1U,
+    kFlowMonitor = 2U,
+    kGuard = 3U,
+    kSeal = 4U,     ///< The kernel's seal over the addresses of its parts.
+    kClocks = 5U,   ///< Clock supervision: counters, late calls, order of frames.
+    kChannels = 6U, ///< A cause of an SRDO: SCT, SRVT and the others.
+    kPermits = 7U,  ///< The output gate, for want of three right permits.
+    kWatchdog = 8U,
+    kLatch = 9U,      ///< The latch of the safe state, which is changed itself.
+    kPairCheck = 10U, ///< The application's check of the released pair.
+    kReceivers = 11U, ///< Who consumes what the device sends.
+    kException = 12U, ///< The processor.
+    kTime = 13U,      ///< A call that does not return: output and watchdog.
+};
+constexpr std::size_t kDetectorCount = 14U;
+
+/// One experiment's outcome, as it lies in a file of results.
+struct Outcome
+{
+    Class result{Class::kOpen};
+    Detector detector{Detector::kNobody};
+    std::uint8_t detail{0U};  ///< kSilent: Wrong; else DeviceFault or SrdoCause, by the detector.
+    std::uint8_t is_late{0U}; ///< 1: above the limit, counted from the first effect of the fault.
+    std::uint32_t us{0U};     ///< From the fault to the closed output (to the device fault, where none was open).
+};
+static_assert(sizeof(Outcome) == 8U, "the format of a file of results");
+
+[[nodiscard]] const char* WordOf(Class result);
+[[nodiscard]] const char* WordOf(Detector detector);
+/// @brief Why an outcome is what it is, for people.
+[[nodiscard]] const char* ReasonOf(const Outcome& outcome);
+} // namespace counterpoint::campaign
+
+#endif // VERIFICATION_CAMPAIGN_OUTCOME_HPP

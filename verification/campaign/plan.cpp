@@ -1,0 +1,214 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/campaign/plan.hpp"
+
+#include "runtime/yaml/map.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+namespace counterpoint::campaign
+{
+namespace
+{
+using runtime::Word;
+using runtime::YamlMap;
+using runtime::YamlValue;
+
+constexpr Word<Phase> kPhaseWords[] = {
+    {"before_frames", Phase::kBeforeFrames}, {"between_frames", Phase::kBetweenFrames},
+    {"after_frames", Phase::kAfterFrames},   {"self_test", static_cast<Phase>(3U)},
+    {"clocks", static_cast<Phase>(4U)},      {"guard", static_cast<Phase>(5U)},
+    {"channel_a", static_cast<Phase>(6U)},   {"channel_b", static_cast<Phase>(7U)},
+    {"comparison", static_cast<Phase>(8U)},  {"demotion", static_cast<Phase>(9U)},
+    {"production", static_cast<Phase>(10U)}, {"commit", static_cast<Phase>(11U)},
+    {"events", static_cast<Phase>(12U)},     {"permits", static_cast<Phase>(13U)},
+};
+constexpr Word<Part> kPartWords[] = {
+    {"channel_a", Part::kChannelA},    {"channel_b", Part::kChannelB},
+    {"comparator", Part::kComparator}, {"flow_monitor", Part::kFlowMonitor},
+    {"guard", Part::kGuard},           {"latch", Part::kLatch},
+    {"clocks", Part::kClocks},         {"kernel", Part::kKernel},
+    {"tables", Part::kTables},         {"variables", Part::kVariables},
+};
+constexpr Word<FaultKind> kKindWords[] = {
+    {"flip", FaultKind::kFlip},
+    {"stuck_at_0", FaultKind::kStuckAt0},
+    {"stuck_at_1", FaultKind::kStuckAt1},
+    {"intermittent", FaultKind::kIntermittent},
+};
+constexpr Word<Planted> kPlantedWords[] = {
+    {"nothing", Planted::kNothing},          {"blind_comparator", Planted::kBlindComparator},
+    {"flow_monitor_off", Planted::kFlowOff}, {"loose_permit", Planted::kLoosePermit},
+    {"held_output", Planted::kHeldOutput},
+};
+constexpr Word<Detector> kDetectorWords[] = {
+    {"comparator", Detector::kComparator}, {"flow_monitor", Detector::kFlowMonitor},
+    {"guard", Detector::kGuard},           {"seal", Detector::kSeal},
+    {"clocks", Detector::kClocks},         {"channels", Detector::kChannels},
+    {"permits", Detector::kPermits},       {"watchdog", Detector::kWatchdog},
+};
+
+static_assert(sizeof(kPhaseWords) / sizeof(kPhaseWords[0]) == kPhaseCount, "a word each");
+static_assert(sizeof(kPartWords) / sizeof(kPartWords[0]) == kPartCount, "a word each");
+static_assert(sizeof(kKindWords) / sizeof(kKindWords[0]) == kFaultKindCount, "a word each");
+
+template <typename Meaning, std::size_t kCount>
+const char* TextOf(const Word<Meaning> (&words)[kCount], const Meaning meaning)
+{
+    const auto found = std::find_if(std::begin(words), std::end(words),
+                                    [meaning](const Word<Meaning>& word) { return word.meaning == meaning; });
+    return (found == std::end(words)) ? "?" : found->text;
+}
+
+/// The words of a list, in the order of the table, or all of them where the key is missing.
+template <typename Meaning, std::size_t kCount>
+std::vector<Meaning> Chosen(const YamlMap& map, const char* const key, const Word<Meaning> (&words)[kCount])
+{
+    std::vector<Meaning> chosen;
+    const std::optional<YamlValue> list = map.Find(key);
+    if (!list)
+    {
+        for (const Word<Meaning>& word : words)
+        {
+            chosen.push_back(word.meaning);
+        }
+        return chosen;
+    }
+    for (const YamlValue& item : list->Items("a list of words"))
+    {
+        const Meaning meaning = item.Choice(words);
+        if (std::find(chosen.begin(), chosen.end(), meaning) != chosen.end())
+        {
+            item.Refuse("the same word twice", "each once");
+        }
+        chosen.push_back(meaning);
+    }
+    if (chosen.empty())
+    {
+        list->Refuse("an empty list", "at least one word");
+    }
+    return chosen;
+}
+
+std::uint64_t HashOf(const std::string& text)
+{
+    std::uint64_t hash = 0xCBF29CE484222325U;
+    for (const char character : text)
+    {
+        hash = (hash ^ static_cast<std::uint8_t>(character)) * 0x100000001B3U;
+    }
+    return hash;
+}
+
+void ReadInstants(const YamlMap& map, Plan& plan)
+{
+    const YamlValue at = map.Require("at");
+    plan.at_source = at.Where();
+    for (const YamlValue& item : at.Items("a list of times"))
+    {
+        plan.at.push_back(item.Lasting());
+        if (plan.at.size() > 1U && plan.at.back() <= plan.at[plan.at.size() - 2U])
+        {
+            item.Refuse("a time that is not later than the one before", "ascending times");
+        }
+    }
+    if (plan.at.empty())
+    {
+        at.Refuse("an empty list", "at least one time");
+    }
+}
+
+void ReadMembers(const YamlMap& map, Plan& plan)
+{
+    const std::optional<YamlValue> list = map.Find("members");
+    if (!list)
+    {
+        return;
+    }
+    for (const YamlValue& item : list->Items("a list of members"))
+    {
+        const std::string text = item.Text("a member, or a byte of it as channel_b.data+0");
+        const std::size_t plus = text.find('+');
+        Member member{text.substr(0U, plus), std::nullopt, item.Where()};
+        if (plus != std::string::npos)
+        {
+            std::size_t byte = 0U;
+            const char* const end = text.data() + text.size();
+            const auto [stop, error] = std::from_chars(text.data() + plus + 1U, end, byte);
+            if (error != std::errc() || stop != end)
+            {
+                item.Refuse(runtime::Shown(text), "a member, or a byte of it as channel_b.data+0");
+            }
+            member.byte = byte;
+        }
+        plan.members.push_back(member);
+    }
+}
+
+void ReadSample(const YamlMap& map, Plan& plan)
+{
+    constexpr std::uint64_t kMost = 10'000'000U;
+    if (const auto sample = map.Find("sample"); sample && sample->Node().scalar != "all")
+    {
+        plan.sample = sample->Number({1U, kMost});
+    }
+    if (const auto seed = map.Find("seed"))
+    {
+        plan.seed = seed->Number({0U, ~std::uint64_t{0U}});
+    }
+    if (const auto confidence = map.Find("confidence"))
+    {
+        plan.confidence_percent = static_cast<std::uint32_t>(confidence->Number({50U, 99U}));
+    }
+    if (const auto cycles = map.Find("cycles"))
+    {
+        plan.cycles = static_cast<std::uint32_t>(cycles->Number({1U, 1000U}));
+    }
+}
+} // namespace
+
+Plan ReadPlan(const std::string& file)
+{
+    const std::string text = runtime::ReadYamlText(file);
+    const runtime::YamlNode root = runtime::ParseYaml(file, text);
+    const YamlMap map(file, root,
+                      {"title", "scenario", "device", "at", "cycles", "phases", "parts", "members", "kinds",
+                       "detectors", "seed", "sample", "confidence", "planted"});
+    Plan plan;
+    plan.file = file;
+    plan.digest = HashOf(text);
+    plan.title = map.Require("title").Text("a title");
+    const std::filesystem::path scenario = map.Require("scenario").Text("the file name of a scenario");
+    plan.scenario =
+        scenario.is_absolute() ? scenario.string() : (std::filesystem::path(file).parent_path() / scenario).string();
+    plan.device_node = map.Require("device").Node();
+    ReadInstants(map, plan);
+    plan.phases = Chosen(map, "phases", kPhaseWords);
+    plan.parts = Chosen(map, "parts", kPartWords);
+    plan.kinds = Chosen(map, "kinds", kKindWords);
+    plan.detectors = map.Find("detectors") ? Chosen(map, "detectors", kDetectorWords) : std::vector<Detector>{};
+    ReadMembers(map, plan);
+    ReadSample(map, plan);
+    if (const auto planted = map.Find("planted"))
+    {
+        plan.planted = planted->Choice(kPlantedWords);
+    }
+    return plan;
+}
+
+const char* WordOf(const Phase phase)
+{
+    return TextOf(kPhaseWords, phase);
+}
+
+const char* WordOf(const Part part)
+{
+    return TextOf(kPartWords, part);
+}
+
+const char* WordOf(const FaultKind kind)
+{
+    return TextOf(kKindWords, kind);
+}
+} // namespace counterpoint::campaign

@@ -1,0 +1,173 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/campaign/recording.hpp"
+
+#include <algorithm>
+
+namespace counterpoint::campaign
+{
+namespace
+{
+constexpr std::int64_t kMillion = 1000000;
+constexpr std::int64_t kFrameBits = 111 + 24; ///< Eight bytes, and stuffed as far as can be.
+
+bool IsSafetyFrame(const CanFrame& frame)
+{
+    return frame.identifier == kGfcIdentifier ||
+           (frame.identifier >= kFirstSrdoIdentifier && frame.identifier <= kLastSrdoIdentifier);
+}
+} // namespace
+
+Counters::Counters(const simulator::NodeSetup& setup) : a_(setup.counter_a.start_us), b_(setup.counter_b.start_us)
+{
+    a_.SetRate(0, static_cast<std::uint32_t>(kMillion + setup.counter_a.drift_ppm));
+    b_.SetRate(0, static_cast<std::uint32_t>(kMillion + setup.counter_b.drift_ppm));
+}
+
+RecordedScenario::RecordedScenario(const std::string& file, const runtime::YamlValue& device)
+    : run_(file, std::nullopt, std::nullopt, true), node_(Find(device))
+{
+    RequireThatItCanBeRecorded(device);
+    run_.Simulate(nullptr);
+    RecordCycles();
+    RecordFrames();
+    RecordInputs();
+    RecordPeers();
+}
+
+simulator::NodeIndex RecordedScenario::Find(const runtime::YamlValue& device) const
+{
+    const std::string name = device.Text("the name of a node");
+    const auto& nodes = run_.Setting().nodes;
+    const auto found =
+        std::find_if(nodes.begin(), nodes.end(), [&name](const auto& node) { return node.name == name; });
+    if (found == nodes.end())
+    {
+        device.Refuse("node " + runtime::Shown(name), "a node of the scenario");
+    }
+    return static_cast<simulator::NodeIndex>(found - nodes.begin());
+}
+
+void RecordedScenario::RequireThatItCanBeRecorded(const runtime::YamlValue& device) const
+{
+    const simulator::Scenario& scenario = run_.Setting();
+    const auto is_of_device = [this](const auto& each) { return each.node == node_; };
+    if (!scenario.faults.empty() || !scenario.managers.empty() || !scenario.actions.empty() || !scenario.gfc.empty())
+    {
+        device.Refuse("a scenario with faults, managers, actions or GFC", "devices and inputs alone");
+    }
+    if (scenario.nodes[node_].role != runtime::CpuRole::kWhole || scenario.nodes[node_].controllers != 1U)
+    {
+        device.Refuse("a device with two CPUs or two controllers", "one CPU with one controller");
+    }
+    if (std::any_of(scenario.logic.begin(), scenario.logic.end(), is_of_device) ||
+        std::any_of(scenario.power.begin(), scenario.power.end(), is_of_device))
+    {
+        device.Refuse("a device with logic or power cycles", "one that senses or acts, with its supply always on");
+    }
+}
+
+/// As the simulator has it: the counters run from the beginning, cycles begin with the supply, and their distance is
+/// that of the node's oscillator, which is counter A's.
+void RecordedScenario::RecordCycles()
+{
+    const simulator::NodeSetup& setup = run_.Setting().nodes[node_];
+    const Counters counters(setup);
+    recording_.counters = counters;
+    recording_.power_on = setup.phase;
+    recording_.frame_ns = kFrameBits * runtime::kNanosecondsPerSecond / run_.Setting().bitrate;
+    const std::int64_t oscillator = kMillion + setup.counter_a.drift_ppm;
+    const std::int64_t scaled =
+        std::int64_t{Model().Config().cycle_us} * runtime::kNanosecondsPerMicrosecond * kMillion;
+    std::int64_t rest = 0;
+    Nanoseconds at = setup.phase;
+    const auto& acknowledges = run_.Setting().acknowledges;
+    for (;;)
+    {
+        at += scaled / oscillator;
+        rest += scaled % oscillator;
+        at += (rest >= oscillator) ? 1 : 0;
+        rest -= (rest >= oscillator) ? oscillator : 0;
+        if (at > run_.Setting().duration)
+        {
+            break;
+        }
+        RecordedCycle cycle;
+        cycle.at = at;
+        cycle.call.now = counters.At(at);
+        for (const simulator::Acknowledge& acknowledge : acknowledges)
+        {
+            if (acknowledge.node == node_ && acknowledge.at <= at && at < acknowledge.at + acknowledge.pulse)
+            {
+                const SrdoMask bit = SrdoMask{1U} << Model().SlotOf(acknowledge.srdo).value_or(0U);
+                cycle.call.acknowledge_a |= bit;
+                cycle.call.acknowledge_b |= bit;
+            }
+        }
+        for (const simulator::Event& event : run_.Record().Events())
+        {
+            if (event.node == node_ && event.kind == simulator::EventKind::kNmt && event.at <= at)
+            {
+                cycle.nmt = static_cast<NmtState>(event.value);
+            }
+        }
+        recording_.cycles.push_back(cycle);
+    }
+}
+
+void RecordedScenario::RecordFrames()
+{
+    const Counters counters(run_.Setting().nodes[node_]);
+    for (const simulator::FrameEntry& entry : run_.Record().Frames())
+    {
+        if (entry.sender != node_ && entry.fate == host::FrameFate::kComplete && IsSafetyFrame(entry.frame))
+        {
+            recording_.frames.push_back({entry.end, {entry.frame, counters.At(entry.end)}});
+        }
+    }
+    std::size_t next = 0U;
+    for (RecordedCycle& cycle : recording_.cycles)
+    {
+        while (next < recording_.frames.size() && recording_.frames[next].at <= cycle.at)
+        {
+            ++next;
+        }
+        cycle.frames_end = next;
+    }
+}
+
+void RecordedScenario::RecordInputs()
+{
+    for (const simulator::Stimulus& stimulus : run_.Setting().stimuli)
+    {
+        if (stimulus.node == node_)
+        {
+            const auto seen = std::find_if(recording_.cycles.begin(), recording_.cycles.end(),
+                                           [&stimulus](const RecordedCycle& cycle) { return cycle.at >= stimulus.at; });
+            recording_.inputs.push_back(
+                {static_cast<std::size_t>(seen - recording_.cycles.begin()), stimulus.object, stimulus.value});
+        }
+    }
+    std::stable_sort(recording_.inputs.begin(), recording_.inputs.end(),
+                     [](const RecordedInput& left, const RecordedInput& right) { return left.cycle < right.cycle; });
+}
+
+void RecordedScenario::RecordPeers()
+{
+    constexpr std::uint32_t kNobody = ~std::uint32_t{0U};
+    for (const runtime::SrdoModel& own : Model().Srdos())
+    {
+        std::uint32_t shortest = kNobody;
+        for (std::size_t node = 0U; node < run_.Setting().nodes.size(); ++node)
+        {
+            for (const runtime::SrdoModel& other : run_.ModelOf(static_cast<simulator::NodeIndex>(node)).Srdos())
+            {
+                if (other.direction == kDirectionConsumer && other.cob_id_1 == own.cob_id_1)
+                {
+                    shortest = std::min(shortest, other.times.sct_ms * kMicrosecondsPerMillisecond);
+                }
+            }
+        }
+        recording_.peer_scts.push_back(shortest);
+    }
+}
+} // namespace counterpoint::campaign

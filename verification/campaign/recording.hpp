@@ -1,0 +1,113 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_CAMPAIGN_RECORDING_HPP
+#define VERIFICATION_CAMPAIGN_RECORDING_HPP
+
+#include "hal/host/clocks.hpp"
+#include "runtime/yaml/value.hpp"
+#include "safety_core/kernel/kernel.hpp"
+#include "simulator/judge/run.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace counterpoint::campaign
+{
+using runtime::Nanoseconds;
+
+/// The counters of a node at any time of the bus.
+class Counters
+{
+  public:
+    explicit Counters(const simulator::NodeSetup& setup);
+
+    [[nodiscard]] InstantPair At(const Nanoseconds at) const
+    {
+        return {a_.At(at), b_.At(at)};
+    }
+
+  private:
+    host::HostClock a_;
+    host::HostClock b_;
+};
+
+/// A frame of another device as the device under test gets it.
+struct RecordedFrame
+{
+    Nanoseconds at{0};
+    StampedFrame stamped{};
+};
+
+/// What happens to the device from one cycle to the next.
+struct RecordedCycle
+{
+    Nanoseconds at{0};
+    CycleCall call{};
+    std::size_t frames_end{0U}; ///< Frames of the recording before this one have come.
+    NmtState nmt{NmtState::kInvalid};
+};
+
+/// An input of the application that changes.
+struct RecordedInput
+{
+    std::size_t cycle{0U}; ///< The first one that sees it.
+    ObjectAddress object{0U, 0U};
+    std::uint64_t value{0U};
+};
+
+/// Everything that one device of a scenario without faults receives, written down once. [SRS_CMG_002]
+struct Recording
+{
+    std::vector<RecordedCycle> cycles;
+    std::vector<RecordedFrame> frames;
+    std::vector<RecordedInput> inputs;
+    Nanoseconds frame_ns{0}; ///< Time that a frame of the device takes on the bus.
+    Nanoseconds power_on{0};
+    Counters counters{simulator::NodeSetup{}};
+    std::vector<std::uint32_t> peer_scts; ///< Of each SRDO of the device, in us: the shortest SCT of who consumes it.
+};
+
+/// A scenario as it ran in the simulator, and the device of it that is hit.
+class RecordedScenario
+{
+  public:
+    /// @brief Runs the scenario. `device` is where its name stands. Throws YamlError, also for a device or scenario
+    /// that cannot be recorded, and cia306::InputError.
+    RecordedScenario(const std::string& file, const runtime::YamlValue& device);
+
+    [[nodiscard]] const Recording& Record() const noexcept
+    {
+        return recording_;
+    }
+    [[nodiscard]] const runtime::DeviceModel& Model() const
+    {
+        return run_.ModelOf(node_);
+    }
+    /// @brief What the simulator noted of the same run.
+    [[nodiscard]] const simulator::Run& Simulated() const noexcept
+    {
+        return run_;
+    }
+    /// @brief Its index in the scenario.
+    [[nodiscard]] simulator::NodeIndex Node() const noexcept
+    {
+        return node_;
+    }
+
+  private:
+    [[nodiscard]] simulator::NodeIndex Find(const runtime::YamlValue& device) const;
+    void RequireThatItCanBeRecorded(const runtime::YamlValue& device) const;
+    void RecordCycles();
+    void RecordFrames();
+    void RecordInputs();
+    void RecordPeers();
+
+    simulator::Run run_;
+    simulator::NodeIndex node_;
+    Recording recording_{};
+};
+} // namespace counterpoint::campaign
+
+#endif // VERIFICATION_CAMPAIGN_RECORDING_HPP

@@ -1,0 +1,160 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/campaign/results.hpp"
+
+#include "runtime/yaml/document.hpp"
+
+#include <array>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace counterpoint::campaign
+{
+namespace
+{
+/// In front of the outcomes.
+struct Header
+{
+    std::array<char, 8U> mark{'C', 'P', 'C', 'A', 'M', 'P', '0', '1'};
+    std::uint64_t digest{0U};
+    std::uint64_t total{0U};
+    std::uint32_t number{0U};
+    std::uint32_t count{0U};
+};
+static_assert(sizeof(Header) == 32U, "the format of a file of results");
+
+Header HeaderOf(const ResultsOf& of)
+{
+    Header header;
+    header.digest = of.digest;
+    header.total = of.total;
+    header.number = of.shard.number;
+    header.count = of.shard.count;
+    return header;
+}
+
+bool IsEqual(const Header& left, const Header& right)
+{
+    return std::memcmp(&left, &right, sizeof(Header)) == 0;
+}
+
+[[noreturn]] void Refuse(const std::string& file, const std::string& wrong)
+{
+    throw runtime::YamlError(file, {}, wrong, "a file of results of this plan, scenario and program");
+}
+} // namespace
+
+Results::Results(const std::string& file, const ResultsOf& of)
+    : of_(of), size_((of.total + of.shard.count - of.shard.number) / of.shard.count),
+      length_(sizeof(Header) + (size_ * sizeof(Outcome)))
+{
+    if (file.empty())
+    {
+        Map(-1, "memory");
+        return;
+    }
+    const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    if (descriptor < 0)
+    {
+        Refuse(file, "a file that cannot be written");
+    }
+    struct stat known = {};
+    const bool is_known = fstat(descriptor, &known) == 0 && S_ISREG(known.st_mode);
+    const bool is_new = is_known && known.st_size == 0;
+    const bool is_sized = is_known && (is_new || static_cast<std::uint64_t>(known.st_size) == length_);
+    if (!is_sized || ftruncate(descriptor, static_cast<off_t>(length_)) != 0)
+    {
+        close(descriptor);
+        Refuse(file, "a file of another size");
+    }
+    Map(descriptor, file);
+    close(descriptor);
+    Header header;
+    std::memcpy(&header, bytes_, sizeof(header));
+    if (is_new || IsEqual(header, Header{{}, 0U, 0U, 0U, 0U})) // The process ended right behind the beginning.
+    {
+        header = HeaderOf(of);
+        std::memcpy(bytes_, &header, sizeof(header));
+    }
+    if (!IsEqual(header, HeaderOf(of)))
+    {
+        munmap(bytes_, length_);
+        Refuse(file, "results of another campaign, scenario or shard");
+    }
+}
+
+Results::~Results()
+{
+    munmap(bytes_, length_);
+}
+
+void Results::Map(const int descriptor, const std::string& file)
+{
+    const int flags = (descriptor < 0) ? (MAP_SHARED | MAP_ANONYMOUS) : MAP_SHARED;
+    void* const place = mmap(nullptr, length_, PROT_READ | PROT_WRITE, flags, descriptor, 0);
+    if (place == MAP_FAILED)
+    {
+        Refuse(file, "no room");
+    }
+    bytes_ = static_cast<std::uint8_t*>(place);
+}
+
+Outcome Results::At(const std::uint64_t index) const noexcept
+{
+    Outcome outcome;
+    std::memcpy(&outcome, bytes_ + sizeof(Header) + (index * sizeof(Outcome)), sizeof(outcome));
+    return outcome;
+}
+
+void Results::Put(const std::uint64_t index, const Outcome& outcome) noexcept
+{
+    std::uint64_t word = 0U;
+    std::memcpy(&word, &outcome, sizeof(word));
+    auto* const place = reinterpret_cast<std::uint64_t*>(bytes_ + sizeof(Header) + (index * sizeof(Outcome)));
+    __atomic_store_n(place, word, __ATOMIC_RELEASE);
+}
+
+std::uint64_t Results::OpenCount() const noexcept
+{
+    std::uint64_t open = 0U;
+    for (std::uint64_t index = 0U; index < size_; ++index)
+    {
+        open += (At(index).result == Class::kOpen) ? 1U : 0U;
+    }
+    return open;
+}
+
+ResultsOf Results::Read(const std::string& file)
+{
+    Header header{{}, 0U, 0U, 0U, 0U};
+    std::ifstream in(file, std::ios::binary);
+    in.read(reinterpret_cast<char*>(&header), sizeof(header));
+    if (!in || header.mark != Header{}.mark || header.count == 0U || header.number == 0U ||
+        header.number > header.count)
+    {
+        Refuse(file, "no file of results");
+    }
+    return {header.digest, header.total, {header.number, header.count}};
+}
+
+void Results::Merge(const std::string& file)
+{
+    const ResultsOf other_of = Read(file);
+    if (other_of.digest != of_.digest || other_of.total != of_.total)
+    {
+        Refuse(file, "results of another campaign or scenario");
+    }
+    const Results other(file, other_of);
+    for (std::uint64_t index = 0U; index < other.Size(); ++index)
+    {
+        const Outcome outcome = other.At(index);
+        if (outcome.result != Class::kOpen)
+        {
+            Put(other.NumberAt(index), outcome); // This one holds all of them.
+        }
+    }
+}
+} // namespace counterpoint::campaign

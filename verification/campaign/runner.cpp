@@ -1,0 +1,370 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/campaign/runner.hpp"
+
+#include "safety_core/kernel/limits.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <initializer_list>
+#include <stdexcept>
+#include <string>
+
+namespace counterpoint::campaign
+{
+namespace
+{
+/// So many cycles behind a device fault nothing may open again.
+constexpr std::size_t kSettleCycles = 80U;
+/// Of an intermittent fault.
+constexpr std::size_t kStrikes = 5U;
+constexpr std::size_t kStrikeDistance = 7U;
+constexpr std::size_t kMoreCycles = 50U;
+constexpr std::uint8_t kNoPart = 0xFFU;
+
+bool Strikes(const Experiment& fault, const std::size_t cycle)
+{
+    const std::size_t since = cycle - fault.cycle;
+    return since == 0U || (fault.kind == FaultKind::kIntermittent && since % kStrikeDistance == 0U &&
+                           since < kStrikes * kStrikeDistance);
+}
+
+/// Whether the fault can still change anything behind this cycle.
+bool IsOver(const Experiment& fault, const std::size_t cycle)
+{
+    return fault.kind == FaultKind::kFlip ||
+           (fault.kind == FaultKind::kIntermittent && cycle >= fault.cycle + (kStrikes - 1U) * kStrikeDistance);
+}
+
+bool IsStuck(const FaultKind kind)
+{
+    return kind == FaultKind::kStuckAt0 || kind == FaultKind::kStuckAt1;
+}
+
+Detector DetectorOf(const DeviceFault fault)
+{
+    switch (fault)
+    {
+    case DeviceFault::kDisagreement:
+    case DeviceFault::kUnmatched:
+    case DeviceFault::kComparator:
+        return Detector::kComparator;
+    case DeviceFault::kGuard:
+    case DeviceFault::kConfiguration:
+        return Detector::kGuard;
+    case DeviceFault::kFlow:
+        return Detector::kFlowMonitor;
+    case DeviceFault::kClock:
+    case DeviceFault::kLateCall:
+    case DeviceFault::kFrameOrder:
+        return Detector::kClocks;
+    case DeviceFault::kSelfTest:
+        return Detector::kSeal;
+    case DeviceFault::kInvalid:
+    case DeviceFault::kApplication:
+    case DeviceFault::kHandshake:
+    case DeviceFault::kCrossLink:
+    case DeviceFault::kNone:
+        break;
+    }
+    return Detector::kLatch;
+}
+
+std::uint32_t LongestOf(const runtime::DeviceModel& model, const DeviceConfig& config,
+                        const std::initializer_list<FaultClass> classes)
+{
+    std::uint32_t longest = 0U;
+    for (const runtime::SrdoModel& srdo : model.Srdos())
+    {
+        for (const FaultClass each : classes)
+        {
+            const Limit limit = ComputeLimit(config, srdo.times, each);
+            longest = (limit.result == Result::kSuccessful) ? std::max(longest, limit.us) : longest;
+        }
+    }
+    return longest;
+}
+} // namespace
+
+Limits LimitsOf(const runtime::DeviceModel& model, const DeviceConfig& config)
+{
+    const std::uint32_t of_channel =
+        LongestOf(model, config,
+                  {FaultClass::kBus, FaultClass::kBusNextNormal, FaultClass::kChannel, FaultClass::kConfiguration});
+    const std::uint32_t of_kernel =
+        std::max(of_channel, LongestOf(model, config, {FaultClass::kSupervisor, FaultClass::kClock}));
+    Limits limits;
+    limits.us.fill(of_kernel);
+    limits.us[static_cast<std::size_t>(Part::kChannelA)] = of_channel;
+    limits.us[static_cast<std::size_t>(Part::kChannelB)] = of_channel;
+    limits.us[static_cast<std::size_t>(Part::kVariables)] = of_channel;
+    limits.us[static_cast<std::size_t>(Part::kTables)] = LongestOf(model, config, {FaultClass::kSharedSource});
+    return limits;
+}
+
+std::size_t HorizonOf(const Limits& limits, const DeviceConfig& config)
+{
+    return (*std::max_element(limits.us.begin(), limits.us.end()) / config.cycle_us) + kMoreCycles;
+}
+
+Runner::Runner(Device& device, Judge& judge, const Recording& recording, const std::vector<std::size_t>& cycles,
+               const Limits& limits)
+    : device_(device), judge_(judge), recording_(recording), limits_(limits),
+      horizon_(HorizonOf(limits, device.Config())), first_(cycles.front()), size_(device.Memory().Size()),
+      all_set_(size_, 0xFFU), ever_set_(size_, 0U), owner_(size_, kNoPart)
+{
+    for (const Place& place : device.Places())
+    {
+        std::fill_n(owner_.begin() + static_cast<std::ptrdiff_t>(place.offset), place.size,
+                    static_cast<std::uint8_t>(place.part));
+    }
+    const std::size_t end = cycles.back() + horizon_ + 1U;
+    device_.Follow(this);
+    JudgeMemory memory;
+    for (std::size_t cycle = 0U; cycle < end && cycle < recording_.cycles.size(); ++cycle)
+    {
+        if (cycle >= first_)
+        {
+            kept_.insert(kept_.end(), device_.Memory().Bytes(), device_.Memory().Bytes() + size_);
+        }
+        memories_.push_back(memory);
+        now_ = cycle;
+        device_.Cycle(cycle);
+        const Sight sight = judge_.Look(cycle, memory);
+        open_.push_back(sight.open);
+        const bool is_well = sight.wrong == Wrong::kNothing && sight.not_inverse == 0U && !sight.is_missed &&
+                             device_.Core().DeviceState().fault == DeviceFault::kNone;
+        if (!is_well)
+        {
+            throw std::runtime_error("without a fault the device is not as it must be in cycle " +
+                                     std::to_string(cycle) + " (" + std::to_string(static_cast<unsigned>(sight.wrong)) +
+                                     ", " + std::to_string(static_cast<unsigned>(device_.Core().DeviceState().fault)) +
+                                     ")");
+        }
+    }
+    kept_.insert(kept_.end(), device_.Memory().Bytes(), device_.Memory().Bytes() + size_);
+}
+
+void Runner::KeepBits() noexcept
+{
+    const std::uint8_t* const bytes = device_.Memory().Bytes();
+    for (std::size_t index = 0U; index < size_; ++index)
+    {
+        all_set_[index] = static_cast<std::uint8_t>(all_set_[index] & bytes[index]);
+        ever_set_[index] = static_cast<std::uint8_t>(ever_set_[index] | bytes[index]);
+    }
+}
+
+void Runner::At(const Phase phase) noexcept
+{
+    if (fault_ == nullptr)
+    {
+        if (now_ >= first_)
+        {
+            KeepBits();
+        }
+        return;
+    }
+    const auto mask = static_cast<std::uint8_t>(1U << fault_->bit);
+    std::uint8_t& byte = device_.Memory().Bytes()[fault_->offset];
+    if (IsStuck(fault_->kind))
+    {
+        if (now_ > fault_->cycle || phase >= fault_->phase)
+        {
+            byte = static_cast<std::uint8_t>((fault_->kind == FaultKind::kStuckAt1) ? (byte | mask) : (byte & ~mask));
+        }
+    }
+    else if (phase == fault_->phase && Strikes(*fault_, now_))
+    {
+        byte = static_cast<std::uint8_t>(byte ^ mask);
+    }
+    else
+    {
+        // Not now.
+    }
+}
+
+/// A bit that is stuck at what it is anyway changes nothing.
+bool Runner::IsNeverOtherwise(const Experiment& experiment) const
+{
+    const auto mask = static_cast<std::uint8_t>(1U << experiment.bit);
+    return (experiment.kind == FaultKind::kStuckAt1 && (all_set_[experiment.offset] & mask) != 0U) ||
+           (experiment.kind == FaultKind::kStuckAt0 && (ever_set_[experiment.offset] & mask) == 0U);
+}
+
+Outcome Runner::Run(const Experiment& experiment)
+{
+    if (IsNeverOtherwise(experiment))
+    {
+        return Outcome{Class::kMasked, Detector::kNobody, 0U, 0U, 0U};
+    }
+    Begin(experiment);
+    found_ = Outcome{Class::kOpen, Detector::kNobody, 0U, 0U, 0U};
+    const Return back = Trap::Run([this, &experiment]() { Watch(experiment); });
+    fault_ = nullptr;
+    if (back != Return::kEnded && found_.result == Class::kOpen)
+    {
+        // The processor's handler, or the output's own time, closes it.
+        found_.result = Class::kSafeOther;
+        found_.detector = (back == Return::kException) ? Detector::kException : Detector::kTime;
+        found_.us = Since(experiment, now_) + ExceptionUs();
+    }
+    if (found_.result == Class::kDetected && found_.us > limits_.us.at(static_cast<std::size_t>(experiment.part)))
+    {
+        found_.is_late = IsLate(experiment) ? 1U : 0U;
+    }
+    return found_;
+}
+
+void Runner::Begin(const Experiment& experiment)
+{
+    std::memcpy(device_.Memory().Bytes(), kept_.data() + ((experiment.cycle - first_) * size_), size_);
+    fault_ = &experiment;
+    now_ = experiment.cycle;
+}
+
+/// A fault may lie still for long: a bit that is stuck at what it is anyway, a word that is not read. The same run
+/// again, to see when anything outside of the part that is hit became different. [SRS_CMG_007]
+bool Runner::IsLate(const Experiment& experiment)
+{
+    const Outcome found = found_;
+    Begin(experiment);
+    std::size_t effect = experiment.cycle;
+    const Return back = Trap::Run(
+        [this, &experiment, &effect, &found]()
+        {
+            for (; Since(experiment, now_) < found.us; ++now_)
+            {
+                device_.Cycle(now_);
+                effect = now_;
+                if (HasSpread(experiment))
+                {
+                    return;
+                }
+            }
+        });
+    static_cast<void>(back); // Where it ends by an exception, the effect is the exception.
+    fault_ = nullptr;
+    found_ = found;
+    const std::uint32_t silent_us = (effect > experiment.cycle) ? Since(experiment, effect - 1U) : 0U;
+    return found.us - std::min(found.us, silent_us) > limits_.us.at(static_cast<std::size_t>(experiment.part));
+}
+
+bool Runner::HasSpread(const Experiment& experiment) const
+{
+    const std::uint8_t* const is = device_.Memory().Bytes();
+    const std::uint8_t* const was = kept_.data() + ((now_ + 1U - first_) * size_);
+    const auto part = static_cast<std::uint8_t>(experiment.part);
+    for (std::size_t offset = 0U; offset < size_; ++offset)
+    {
+        if (is[offset] != was[offset] && owner_[offset] != part)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::uint32_t Runner::ExceptionUs() const noexcept
+{
+    return LateCycleUs(device_.Config());
+}
+
+void Runner::Watch(const Experiment& experiment)
+{
+    JudgeMemory memory = memories_[experiment.cycle];
+    std::size_t end = experiment.cycle + horizon_;
+    bool is_settling = false;
+    for (; now_ < end; ++now_)
+    {
+        device_.Cycle(now_);
+        const Sight sight = judge_.Look(now_, memory);
+        if (Notice(sight, experiment))
+        {
+            return;
+        }
+        const bool is_safe = device_.Core().DeviceState().fault != DeviceFault::kNone && sight.open == 0U;
+        if (is_safe && !is_settling)
+        {
+            is_settling = true;
+            end = std::min(end, now_ + kSettleCycles);
+        }
+        if (IsOver(experiment, now_) && IsAsWithoutFault(now_ + 1U))
+        {
+            found_.result = (found_.result == Class::kOpen) ? Class::kMasked : found_.result;
+            return;
+        }
+    }
+    found_.result = (found_.result == Class::kOpen) ? Class::kBenign : found_.result;
+}
+
+/// True: nothing that comes later counts.
+bool Runner::Notice(const Sight& sight, const Experiment& experiment)
+{
+    if (sight.wrong != Wrong::kNothing)
+    {
+        found_ = Outcome{Class::kSilent, Detector::kNobody, static_cast<std::uint8_t>(sight.wrong), 0U,
+                         Since(experiment, now_)};
+        return true;
+    }
+    if (found_.result != Class::kOpen)
+    {
+        return false;
+    }
+    const bool has_closed = (open_[now_] & ~sight.open) != 0U;
+    const bool is_device_fault = device_.Core().DeviceState().fault != DeviceFault::kNone;
+    if (has_closed || (is_device_fault && sight.open == 0U))
+    {
+        found_ = Blame();
+        found_.us = Since(experiment, now_);
+    }
+    else if (sight.not_inverse != 0U || sight.is_missed)
+    {
+        found_.result = Class::kSafeOther;
+        found_.detector = (sight.not_inverse != 0U) ? Detector::kPairCheck : Detector::kReceivers;
+        found_.us = Since(experiment, now_);
+    }
+    else
+    {
+        // Nothing to be seen yet.
+    }
+    return false;
+}
+
+Outcome Runner::Blame() const
+{
+    Outcome outcome{Class::kDetected, Detector::kPermits, 0U, 0U, 0U};
+    const DeviceFault fault = device_.Core().DeviceState().fault;
+    if (fault != DeviceFault::kNone)
+    {
+        outcome.detector = DetectorOf(fault);
+        outcome.detail = static_cast<std::uint8_t>(fault);
+    }
+    else if (!device_.IsWatchdogAlive())
+    {
+        outcome.detector = Detector::kWatchdog;
+    }
+    else if (device_.Told().faulted != 0U)
+    {
+        outcome.detector = Detector::kChannels;
+        outcome.detail = static_cast<std::uint8_t>(device_.Told().first_cause);
+    }
+    else
+    {
+        // The gate alone.
+    }
+    return outcome;
+}
+
+bool Runner::IsAsWithoutFault(const std::size_t cycle) const
+{
+    return std::memcmp(device_.Memory().Bytes(), kept_.data() + ((cycle - first_) * size_), size_) == 0;
+}
+
+/// A fault before the cycle may have come as early as behind the cycle before.
+std::uint32_t Runner::Since(const Experiment& experiment, const std::size_t cycle) const
+{
+    const bool is_before = experiment.phase < Phase::kFirstStep;
+    const Nanoseconds began = recording_.cycles[experiment.cycle - (is_before ? 1U : 0U)].at;
+    return static_cast<std::uint32_t>((recording_.cycles[cycle].at - began) / runtime::kNanosecondsPerMicrosecond);
+}
+} // namespace counterpoint::campaign

@@ -1,0 +1,83 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_CAMPAIGN_RUNNER_HPP
+#define VERIFICATION_CAMPAIGN_RUNNER_HPP
+
+#include "verification/campaign/device.hpp"
+#include "verification/campaign/judge.hpp"
+#include "verification/campaign/outcome.hpp"
+#include "verification/campaign/plan.hpp"
+#include "verification/campaign/space.hpp"
+#include "verification/campaign/trap.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace counterpoint::campaign
+{
+/// Longest times from a fault to the safe output, by part, from the configuration. [SRS_CMG_007]
+struct Limits
+{
+    std::array<std::uint32_t, kPartCount> us{};
+};
+
+/// @brief By ComputeLimit of the kernel, of all SRDOs the longest.
+[[nodiscard]] Limits LimitsOf(const runtime::DeviceModel& model, const DeviceConfig& config);
+/// @brief For so many cycles behind its fault a run may go on: all limits, and some more.
+[[nodiscard]] std::size_t HorizonOf(const Limits& limits, const DeviceConfig& config);
+
+/// Runs one experiment after the other, each from the device as it was without fault at the begin of its cycle.
+/// [SRS_CMG_001, SRS_CMG_006]
+class Runner final : private PhaseHook
+{
+  public:
+    /// @brief Runs the device once without fault and keeps it as it was before each cycle from the first one of
+    /// `cycles` on. Throws std::runtime_error where that run is not as it must be. All outlive it.
+    Runner(Device& device, Judge& judge, const Recording& recording, const std::vector<std::size_t>& cycles,
+           const Limits& limits);
+
+    /// @brief Tries one fault. A Trap has to be there.
+    [[nodiscard]] Outcome Run(const Experiment& experiment);
+    /// @brief Slots whose outputs are open behind this cycle of the run without fault.
+    [[nodiscard]] SrdoMask OpenWithoutFault(const std::size_t cycle) const
+    {
+        return open_[cycle];
+    }
+
+    /// @brief From an exception to the closed output.
+    [[nodiscard]] std::uint32_t ExceptionUs() const noexcept;
+
+  private:
+    void At(Phase phase) noexcept override;
+    [[nodiscard]] bool IsNeverOtherwise(const Experiment& experiment) const;
+    void Begin(const Experiment& experiment);
+    void Watch(const Experiment& experiment);
+    [[nodiscard]] bool IsLate(const Experiment& experiment);
+    [[nodiscard]] bool HasSpread(const Experiment& experiment) const;
+    [[nodiscard]] bool Notice(const Sight& sight, const Experiment& experiment);
+    [[nodiscard]] Outcome Blame() const;
+    [[nodiscard]] bool IsAsWithoutFault(std::size_t cycle) const;
+    [[nodiscard]] std::uint32_t Since(const Experiment& experiment, std::size_t cycle) const;
+    void KeepBits() noexcept;
+
+    Device& device_;
+    Judge& judge_;
+    const Recording& recording_;
+    const Limits& limits_;
+    std::size_t horizon_;
+    std::size_t first_;                    ///< The first cycle of which the memory is kept.
+    std::size_t size_;                     ///< Of that memory.
+    std::vector<std::uint8_t> kept_{};     ///< One after the other.
+    std::vector<JudgeMemory> memories_{};  ///< Before each cycle.
+    std::vector<SrdoMask> open_{};         ///< Behind each cycle.
+    std::vector<std::uint8_t> all_set_{};  ///< Bits that are 1 at each phase of each kept cycle.
+    std::vector<std::uint8_t> ever_set_{}; ///< Bits that are 1 at one of them.
+    std::vector<std::uint8_t> owner_;      ///< The part of each byte.
+    const Experiment* fault_{nullptr};     ///< Null: the run without fault.
+    std::size_t now_{0U};                  ///< The running cycle.
+    Outcome found_{};                      ///< Of the running experiment; outlives a run that is brought back.
+};
+} // namespace counterpoint::campaign
+
+#endif // VERIFICATION_CAMPAIGN_RUNNER_HPP

@@ -1,0 +1,245 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// What becomes of single faults, and what the judge calls wrong.
+#include "verification/campaign/campaign_rig.hpp"
+
+#include "simulator/journal/journal.hpp"
+
+#include <csignal>
+
+namespace counterpoint::campaign::test
+{
+namespace
+{
+constexpr const char* kSmall = "at: [500 ms]\nsample: 10\n";
+constexpr std::uint32_t kDiagnosticLimitUs = 1008000U; // 1000 ms, a late cycle, the drift of two counters, the output.
+
+using RunnerTest = CampaignTest;
+
+TEST_F(RunnerTest, DeviceWithoutFaultOpensAndClosesWithTheSimulatedOne)
+{
+    Verifies(req::SRS_CMG_002);
+    // Given the recording of the actuator
+    Session session(PlanFile("plan.yaml", "actuator", kSmall));
+    // When it has run without a fault
+    std::vector<Nanoseconds> opened;
+    for (std::size_t cycle = 1U; cycle < 2000U; ++cycle)
+    {
+        if (session.Runs().OpenWithoutFault(cycle) != session.Runs().OpenWithoutFault(cycle - 1U))
+        {
+            opened.push_back(session.Scenario().Record().cycles[cycle].at);
+        }
+    }
+    // Then its output opened where the simulated one did, by the acknowledge at 150 ms
+    std::vector<Nanoseconds> simulated;
+    for (const simulator::Event& event : session.Scenario().Simulated().Record().Events())
+    {
+        if (event.kind == simulator::EventKind::kOutput && event.node == session.Scenario().Node())
+        {
+            simulated.push_back(event.at);
+        }
+    }
+    EXPECT_EQ(opened, simulated);
+    EXPECT_EQ(opened, std::vector<Nanoseconds>{151809245});
+}
+
+TEST_F(RunnerTest, SameFaultHasTheSameOutcomeWhateverWasTriedBefore)
+{
+    Verifies(req::SRS_CMG_001);
+    const Trap trap;
+    Session session(PlanFile("plan.yaml", "actuator", "at: [500 ms]\nsample: 25\n"));
+    // Given the outcomes in ascending order
+    std::vector<Outcome> first;
+    for (std::uint64_t number = 0U; number < session.Faults().Size(); ++number)
+    {
+        first.push_back(session.Runs().Run(session.Faults().At(number)));
+    }
+    // When each is tried again in descending order
+    std::uint64_t differences = 0U;
+    for (std::uint64_t number = session.Faults().Size(); number-- > 0U;)
+    {
+        const Outcome again = session.Runs().Run(session.Faults().At(number));
+        const Outcome& before = first[number];
+        const bool is_same = again.result == before.result && again.detector == before.detector &&
+                             again.detail == before.detail && again.us == before.us;
+        differences += is_same ? 0U : 1U;
+    }
+    // Then nothing differs
+    EXPECT_EQ(first.size(), 1000U); // 10 parts, 4 kinds
+    EXPECT_EQ(differences, 0U);
+}
+
+struct Known
+{
+    const char* member;
+    std::size_t byte;
+    Class result;
+    Detector detector;
+    std::uint32_t longest_us;
+};
+
+class KnownFaults : public CampaignTest, public ::testing::WithParamInterface<Known>
+{
+};
+
+TEST_P(KnownFaults, AreFoundByTheirMechanismInTime)
+{
+    Verifies(req::SRS_CMG_006);
+    const Trap trap;
+    Session session(PlanFile("plan.yaml", "actuator", kSmall));
+    // When bit 4 of the byte flips behind the frames of cycle 499
+    const Outcome outcome = session.Runs().Run(FaultIn(session, GetParam().member, GetParam().byte, 4U));
+    // Then
+    EXPECT_EQ(outcome.result, GetParam().result);
+    EXPECT_EQ(outcome.detector, GetParam().detector) << WordOf(outcome.detector);
+    EXPECT_LE(outcome.us, GetParam().longest_us);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Members, KnownFaults,
+    ::testing::Values(Known{"latch", 0U, Class::kDetected, Detector::kLatch, 1000U},
+                      Known{"kernel.seal", 0U, Class::kDetected, Detector::kSeal,
+                            2000U}, // No permit: the gate's own time.
+                      Known{"kernel.run", 8U, Class::kDetected, Detector::kFlowMonitor, 1000U}, // Frames that came.
+                      Known{"kernel.run", 4U, Class::kDetected, Detector::kComparator, 1000U},  // Number of the cycle.
+                      Known{"channel_a.entries", 0U, Class::kDetected, Detector::kComparator, kDiagnosticLimitUs},
+                      Known{"kernel.config", 5U, Class::kSafeOther, Detector::kException, 3000U},
+                      Known{"variables", 0U, Class::kSafeOther, Detector::kPairCheck, 1000U}));
+
+TEST_F(RunnerTest, FaultThatIsUndoneIsMasked)
+{
+    Verifies(req::SRS_CMG_006);
+    const Trap trap;
+    Session session(PlanFile("plan.yaml", "actuator", kSmall));
+    // When the flow signature of the cycle before flips, which Begin writes anew
+    Experiment fault = FaultIn(session, "flow_monitor", 8U, 0U);
+    const Outcome outcome = session.Runs().Run(fault);
+    // Then the device is as without it
+    EXPECT_EQ(outcome.result, Class::kMasked);
+    // When a bit is stuck at what it is anyway, it is never otherwise
+    fault = FaultIn(session, "channel_a.object", 200U, 7U);
+    fault.kind = FaultKind::kStuckAt0;
+    EXPECT_EQ(session.Runs().Run(fault).result, Class::kMasked);
+}
+
+TEST_F(RunnerTest, LimitsAreThoseOfTheConfiguration)
+{
+    Verifies(req::SRS_CMG_007);
+    const Session session(PlanFile("plan.yaml", "actuator", kSmall));
+    const Limits& limits = session.Parts().limits;
+    EXPECT_EQ(limits.us[static_cast<std::size_t>(Part::kChannelA)], kDiagnosticLimitUs);
+    EXPECT_EQ(limits.us[static_cast<std::size_t>(Part::kTables)], 2013000U); // Two passes, of which one is under way.
+}
+
+TEST_F(RunnerTest, ExceptionAndEndlessRunAreBroughtBack)
+{
+    Verifies(req::SRS_CMG_009);
+    const Trap trap;
+    EXPECT_EQ(Trap::Run([]() { raise(SIGSEGV); }), Return::kException);
+    EXPECT_EQ(Trap::Run([]() { raise(SIGILL); }), Return::kException);
+    volatile bool goes_on = true;
+    EXPECT_EQ(Trap::Run(
+                  [&goes_on]()
+                  {
+                      while (goes_on)
+                      {
+                      }
+                  }),
+              Return::kNever);
+    EXPECT_EQ(Trap::Run([]() {}), Return::kEnded);
+}
+
+/// A device without faults, a cycle at a time, with what the judge says of it.
+class JudgeTest : public CampaignTest
+{
+  protected:
+    struct Bench
+    {
+        explicit Bench(const std::string& plan_file)
+            : plan(ReadPlan(plan_file)), scenario(plan.scenario, runtime::YamlValue(plan.file, plan.device_node)),
+              region(1U << 20U), device(region, scenario.Model(), scenario.Record(), Planted::kNothing),
+              judge(scenario.Record(), scenario.Model(), device)
+        {
+        }
+        Sight RunTo(const std::size_t end)
+        {
+            Sight sight;
+            for (; next < end; ++next)
+            {
+                device.Cycle(next);
+                sight = judge.Look(next, memory);
+            }
+            return sight;
+        }
+        Plan plan;
+        RecordedScenario scenario;
+        Region region;
+        Device device;
+        Judge judge;
+        JudgeMemory memory{};
+        std::size_t next{0U};
+    };
+};
+
+TEST_F(JudgeTest, OpenOutputNeedsDataOfTheBusAndLeave)
+{
+    Verifies(req::SRS_CMG_005);
+    // Given the actuator at work, with 1 and 1
+    Bench bench(PlanFile("plan.yaml", "actuator", kSmall));
+    const Sight sight = bench.RunTo(400U);
+    EXPECT_EQ(sight.open, 1U);
+    EXPECT_EQ(sight.wrong, Wrong::kNothing);
+    const FlatPair& pair = bench.device.Pairs().front();
+    JudgeMemory memory = bench.memory;
+    // When one variable alone changes, then the application refuses the pair
+    WriteVariable(pair.normal, {0x80U});
+    EXPECT_EQ(bench.judge.Look(399U, memory).not_inverse, 1U);
+    // When both do, then it is open with data that no pair of the bus had
+    WriteVariable(pair.inverse, {0x7FU});
+    EXPECT_EQ(bench.judge.Look(399U, memory).wrong, Wrong::kData);
+    // and with the old ones again nothing is wrong,
+    WriteVariable(pair.normal, {1U});
+    WriteVariable(pair.inverse, {0xFEU});
+    EXPECT_EQ(bench.judge.Look(399U, memory).wrong, Wrong::kNothing);
+    // but without an acknowledge, or behind an error or a device fault.
+    memory.armed = 0U;
+    EXPECT_EQ(bench.judge.Look(399U, memory).wrong, Wrong::kNoLeave);
+    memory.stopped = 1U;
+    EXPECT_EQ(bench.judge.Look(399U, memory).wrong, Wrong::kRestart);
+    memory.armed = 1U;
+    memory.fault_cycles = 2U;
+    EXPECT_EQ(bench.judge.Look(399U, memory).wrong, Wrong::kRestart);
+}
+
+TEST_F(JudgeTest, SentFrameNeedsAnIdentifierOfTheDeviceAndDataOfTheApplication)
+{
+    Verifies(req::SRS_CMG_005);
+    // Given the sensor at work, which sends by 101h and 102h
+    Bench bench(PlanFile("plan.yaml", "sensor", kSmall));
+    EXPECT_EQ(bench.RunTo(400U).wrong, Wrong::kNothing);
+    auto& ports = const_cast<FlatPorts&>(bench.device.Ports());
+    const auto send = [&ports](const std::uint32_t identifier, const std::uint8_t byte_0, const std::uint8_t byte_1)
+    {
+        return ports.Transmit({identifier, FrameKind::kData, CanPortId::kFirst, 2U, {byte_0, byte_1}}) ==
+               hal::TransmitStatus::kAccepted;
+    };
+    // When it sends what nobody pressed, but not inverse, then the receivers find it
+    ASSERT_TRUE(send(0x101U, 0x55U, 0x01U) && send(0x102U, 0xFFU, 0xFEU));
+    EXPECT_EQ(bench.judge.Look(399U, bench.memory).wrong, Wrong::kNothing);
+    // When it is a valid pair, then nobody does
+    ASSERT_TRUE(send(0x101U, 0x55U, 0x01U) && send(0x102U, 0xAAU, 0xFEU));
+    EXPECT_EQ(bench.judge.Look(399U, bench.memory).wrong, Wrong::kSentPair);
+    // When it sends under an identifier of the controller
+    ASSERT_TRUE(send(0x103U, 0x01U, 0x01U));
+    EXPECT_EQ(bench.judge.Look(399U, bench.memory).wrong, Wrong::kIdentifier);
+}
+
+TEST_F(RunnerTest, DeviceThatCannotBeRecordedIsRefusedAtItsName)
+{
+    Verifies(req::SRS_CMG_002);
+    const std::string plan = PlanFile("plan.yaml", "controller", kSmall);
+    const tools::test::Answer answer = Campaign({plan});
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_NE(answer.err.find(plan + ":3:9: a device with logic"), std::string::npos) << answer.err;
+}
+} // namespace
+} // namespace counterpoint::campaign::test

@@ -1,0 +1,49 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/campaign/session.hpp"
+
+namespace counterpoint::campaign
+{
+namespace
+{
+constexpr std::size_t kRegionBytes = std::size_t{1U} << 20U;
+} // namespace
+
+Session::Session(const std::string& plan_file)
+    : plan_(ReadPlan(plan_file)), scenario_(plan_.scenario, runtime::YamlValue(plan_.file, plan_.device_node)),
+      region_(kRegionBytes), device_(region_, scenario_.Model(), scenario_.Record(), plan_.planted),
+      judge_(scenario_.Record(), scenario_.Model(), device_), limits_(LimitsOf(scenario_.Model(), device_.Config())),
+      space_(plan_, scenario_.Record(), device_, HorizonOf(limits_, device_.Config())),
+      runner_(device_, judge_, scenario_.Record(), space_.Cycles(), limits_)
+{
+}
+
+/// Of the text of the plan, of what the device receives and of how it lies in memory.
+ResultsOf Session::Identity(const Shard& shard) const
+{
+    std::uint64_t digest = plan_.digest;
+    const auto add = [&digest](const std::uint64_t value) { digest = (digest ^ value) * 0x100000001B3U; };
+    for (const RecordedFrame& frame : scenario_.Record().frames)
+    {
+        add(static_cast<std::uint64_t>(frame.at));
+        add(frame.stamped.frame.identifier);
+        add(NumberIn(frame.stamped.frame));
+    }
+    for (const RecordedCycle& cycle : scenario_.Record().cycles)
+    {
+        add(static_cast<std::uint64_t>(cycle.at));
+        add(cycle.call.acknowledge_a);
+        add(static_cast<std::uint64_t>(cycle.nmt));
+    }
+    for (const RecordedInput& input : scenario_.Record().inputs)
+    {
+        add(input.cycle);
+        add(input.value);
+    }
+    for (const Place& place : device_.Places())
+    {
+        add(place.offset);
+        add(place.size);
+    }
+    return {digest, space_.Size(), shard};
+}
+} // namespace counterpoint::campaign

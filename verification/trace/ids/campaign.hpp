@@ -1,0 +1,25 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Generated from docs/requirements/campaign.sdoc by verification/trace/generate_ids.py. Do not edit.
+#ifndef VERIFICATION_TRACE_IDS_CAMPAIGN_HPP
+#define VERIFICATION_TRACE_IDS_CAMPAIGN_HPP
+
+#include "verification/trace/requirement_id.hpp"
+
+namespace counterpoint::req
+{
+inline constexpr RequirementId SRS_CMG_001{"SRS_CMG_001"};
+inline constexpr RequirementId SRS_CMG_002{"SRS_CMG_002"};
+inline constexpr RequirementId SRS_CMG_003{"SRS_CMG_003"};
+inline constexpr RequirementId SRS_CMG_004{"SRS_CMG_004"};
+inline constexpr RequirementId SRS_CMG_005{"SRS_CMG_005"};
+inline constexpr RequirementId SRS_CMG_006{"SRS_CMG_006"};
+inline constexpr RequirementId SRS_CMG_007{"SRS_CMG_007"};
+inline constexpr RequirementId SRS_CMG_008{"SRS_CMG_008"};
+inline constexpr RequirementId SRS_CMG_009{"SRS_CMG_009"};
+inline constexpr RequirementId SRS_CMG_010{"SRS_CMG_010"};
+inline constexpr RequirementId SRS_CMG_011{"SRS_CMG_011"};
+inline constexpr RequirementId SRS_CMG_012{"SRS_CMG_012"};
+inline constexpr RequirementId SRS_CMG_013{"SRS_CMG_013"};
+} // namespace counterpoint::req
+
+#endif
