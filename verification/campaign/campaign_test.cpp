@@ -87,17 +87,17 @@ TEST_P(BadPlans, AreRefusedWithTheirPlace)
     EXPECT_NE(answer.err.find(plan + GetParam().message), std::string::npos) << answer.err;
 }
 
-INSTANTIATE_TEST_SUITE_P(Plans, BadPlans,
-                         ::testing::Values(BadPlan{"", ":1:1: no key 'at'"},
-                                           BadPlan{"at: [500 ms, 400 ms]\n", ":4:14: a time that is not later"},
-                                           BadPlan{"at: [9 s]\n", ":4:5: an instant at which"},
-                                           BadPlan{"at: [3 s]\n", ":4:5: an instant at which"},
-                                           BadPlan{"at: [500 ms]\nparts: [stack]\n",
-                                                   ":5:9: 'stack', expected one of channel_a"},
-                                           BadPlan{"at: [500 ms]\nkinds: [flip, flip]\n", ":5:15: the same word twice"},
-                                           BadPlan{"at: [500 ms]\nmembers: [latch+12]\n", ":5:11: member 'latch'"},
-                                           BadPlan{"at: [500 ms]\nsample: 0\n", ":5:9: "},
-                                           BadPlan{"at: [500 ms]\ncolour: red\n", ":5:1: unknown key"}));
+INSTANTIATE_TEST_SUITE_P(
+    Plans, BadPlans,
+    ::testing::Values(BadPlan{"", ":1:1: error: no key 'at'"},
+                      BadPlan{"at: [500 ms, 400 ms]\n", ":4:14: error: a time that is not later"},
+                      BadPlan{"at: [9 s]\n", ":4:5: error: an instant at which"},
+                      BadPlan{"at: [3 s]\n", ":4:5: error: an instant at which"},
+                      BadPlan{"at: [500 ms]\nparts: [stack]\n", ":5:9: error: 'stack', expected one of channel_a"},
+                      BadPlan{"at: [500 ms]\nkinds: [flip, flip]\n", ":5:15: error: the same word twice"},
+                      BadPlan{"at: [500 ms]\nmembers: [latch+12]\n", ":5:11: error: member 'latch'"},
+                      BadPlan{"at: [500 ms]\nsample: 0\n", ":5:9: error: "},
+                      BadPlan{"at: [500 ms]\ncolour: red\n", ":5:1: error: unknown key"}));
 
 TEST_F(ShardTest, AnyNumberOfProcessesAndShardsGivesTheSameBytes)
 {

@@ -140,7 +140,7 @@ void Device::Start(const runtime::DeviceModel& model)
         if (kernel_->WriteObject(write.object, runtime::DataOf(write)) != AbortCode::kNone)
         {
             throw std::runtime_error("the kernel refuses a value of " + model.File() + " in line " +
-                                     std::to_string(write.line));
+                                     std::to_string(write.place.line));
         }
     }
     watchdog_->timer.Start(runtime::WindowOf(reference_), watchdog_->now);

@@ -239,7 +239,7 @@ TEST_F(RunnerTest, DeviceThatCannotBeRecordedIsRefusedAtItsName)
     const std::string plan = PlanFile("plan.yaml", "controller", kSmall);
     const tools::test::Answer answer = Campaign({plan});
     EXPECT_EQ(answer.status, 2);
-    EXPECT_NE(answer.err.find(plan + ":3:9: a device with logic"), std::string::npos) << answer.err;
+    EXPECT_NE(answer.err.find(plan + ":3:9: error: a device with logic"), std::string::npos) << answer.err;
 }
 } // namespace
 } // namespace counterpoint::campaign::test
