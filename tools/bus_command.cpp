@@ -3,12 +3,12 @@
 #include "hal/host/live/address.hpp"
 #include "hal/host/live/socketcand/server.hpp"
 #include "runtime/console/json_text.hpp"
+#include "tools/command_line/end_signals.hpp"
 #include "tools/command_line/options.hpp"
 #include "tools/command_table.hpp"
 
 #include <algorithm>
 #include <charconv>
-#include <csignal>
 #include <ostream>
 #include <vector>
 
@@ -22,13 +22,6 @@ constexpr std::size_t kLongestName = 15U;
 constexpr std::uint64_t kSecondNs = 1'000'000'000U;
 constexpr const char* kFormat = "counterpoint-bus-1";
 constexpr const char* kListenHere = "127.0.0.1:29536";
-
-volatile std::sig_atomic_t is_asked_to_end = 0;
-
-void AskToEnd(int /*number*/)
-{
-    is_asked_to_end = 1;
-}
 
 struct ListenPlace
 {
@@ -129,13 +122,11 @@ class BusCommand final : public Command
         }
         const ListenPlace place = PlaceOf(listen_);
         host::SocketcandServer server(place.host, place.port, served);
-        is_asked_to_end = 0;
-        static_cast<void>(std::signal(SIGINT, &AskToEnd));
-        static_cast<void>(std::signal(SIGTERM, &AskToEnd));
+        const EndSignals signals;
         TellStart(place.host, server.Port(), served, streams.out);
         const std::uint64_t start_ns = host::LiveNow();
         const std::uint64_t limit_ns = static_cast<std::uint64_t>(seconds_) * kSecondNs;
-        while ((is_asked_to_end == 0) && ((limit_ns == 0U) || (host::LiveNow() - start_ns < limit_ns)))
+        while (!signals.IsAsked() && ((limit_ns == 0U) || (host::LiveNow() - start_ns < limit_ns)))
         {
             server.Serve(kServeMs);
         }

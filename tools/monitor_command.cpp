@@ -7,18 +7,17 @@
 #include "canopen/monitor/texts.hpp"
 #include "hal/host/live/bus.hpp"
 #include "runtime/console/json_text.hpp"
+#include "tools/command_line/end_signals.hpp"
 #include "tools/command_table.hpp"
 #include "tools/device_options.hpp"
 
 #include <algorithm>
-#include <csignal>
 #include <filesystem>
 #include <functional>
 #include <ostream>
 #include <poll.h>
 #include <string>
 #include <system_error>
-#include <unistd.h>
 #include <vector>
 
 namespace counterpoint::tools
@@ -56,22 +55,6 @@ std::string ProblemOfInterface(const std::string& text)
 constexpr int kPollMs = 10; ///< An expired limit is told so late at most.
 /// A frame may be stamped before the poll that found none: so old a time has no frame to come.
 constexpr Time kSettled = 20 * monitor::kMillisecond;
-
-volatile std::sig_atomic_t is_interrupted = 0;
-
-/// The end waits for whoever reads the output: at Ctrl-C, for he sits before it, as long as it takes.
-constexpr unsigned kPatienceSeconds = 2U;
-
-void OnInterrupt(const int signal)
-{
-    is_interrupted = 1;
-    static_cast<void>((signal == SIGTERM) ? ::alarm(kPatienceSeconds) : 0U);
-}
-
-void GiveUp(int /*signal*/)
-{
-    ::_exit(static_cast<int>(ExitStatus::kBadInput));
-}
 
 LogFrame FrameOf(const host::LiveFrame& live)
 {
@@ -125,9 +108,7 @@ struct LiveWatcher
 void WatchLiveBus(const std::string& address, const int seconds, const Streams& streams, const LiveWatcher& watcher)
 {
     const std::unique_ptr<host::LiveBus> bus = Open(address);
-    is_interrupted = 0;
-    const auto before_int = std::signal(SIGINT, &OnInterrupt);
-    const auto before_term = std::signal(SIGTERM, &OnInterrupt);
+    const EndSignals signals;
     const Time begin = static_cast<Time>(host::LiveNow());
     Time last = begin;
     bool is_down = false;
@@ -156,14 +137,12 @@ void WatchLiveBus(const std::string& address, const int seconds, const Streams& 
             watcher.advance(last);
         }
         streams.out.flush();
-        is_over = is_interrupted != 0 || (seconds != 0 && now - begin >= seconds * monitor::kSecond);
+        is_over = signals.IsAsked() || (seconds != 0 && now - begin >= seconds * monitor::kSecond);
     }
     if (const std::uint32_t lost = bus->Health().lost_frames; lost != 0U)
     {
         streams.err << "counterpoint monitor: " << lost << " frames were lost on this machine\n";
     }
-    static_cast<void>(std::signal(SIGINT, before_int));
-    static_cast<void>(std::signal(SIGTERM, before_term));
 }
 
 class MonitorCommand final : public Command
@@ -197,11 +176,7 @@ class MonitorCommand final : public Command
         DeviceOptions options;
         options.file = file_;
         options.is_json = is_json_;
-        const auto before = std::signal(SIGALRM, &GiveUp);
-        const ExitStatus status = RunOnDevice(options, streams, [&] { return Watch(streams); });
-        static_cast<void>(::alarm(0U));
-        static_cast<void>(std::signal(SIGALRM, before));
-        return status;
+        return RunOnDevice(options, streams, [&] { return Watch(streams); });
     }
 
   private:

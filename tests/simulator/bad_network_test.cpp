@@ -27,7 +27,9 @@ constexpr BadPart kMalformed[] = {
     {"expect: [{that: state, node: 1, is: stopped, at: 3 s}]",
      ":4:10: error: expectation at 3000 ms, after the end of the run, expected a time up to 2000 ms"},
     {"expect: [{that: active, manager: 9, is: true}]", ":4:10: error: no manager with node-ID 9"},
-    {"speed: 3", ":4:1: error: unknown key 'speed' in a scenario, expected one of extends, title, description"},
+    {"speed: 3",
+     ":4:1: error: unknown key 'speed' (did you mean 'seed'?) in a scenario, expected one of extends, title, "
+     "description"},
     {"bitrate: 5", ":4:10: error: '5', expected a number from 10000 to 1000000"},
     {"bitrate: 10001", ":4:10: error: '10001', expected one of 10000, 20000"},
     {"title: y", ":4:1: error: key 'title' twice, expected each key once"},

@@ -75,20 +75,23 @@ TEST_F(SlipInAFile, NearestKeyAndWordAreNamed)
     const std::string scenario = File("a.yaml", "titel: none\n");
     EXPECT_EQ(
         RunCommand({"simulate", scenario})
-            .err.rfind(scenario + ":1:1: unknown key 'titel' (did you mean 'title'?) in a scenario, expected one of ",
+            .err.rfind(scenario +
+                           ":1:1: error: unknown key 'titel' (did you mean 'title'?) in a scenario, expected one of ",
                        0U),
         0U);
     const std::string network = File("b.yaml", "manager: {node: 127}\nslaves: [{node: 1, naem: x}]\n");
-    EXPECT_EQ(RunCommand({"manager", "--can", "none", "--network", network})
-                  .err.rfind(network + ":2:20: unknown key 'naem' (did you mean 'name'?), expected node, name", 0U),
-              0U);
+    EXPECT_EQ(
+        RunCommand({"manager", "--can", "none", "--network", network})
+            .err.rfind(network + ":2:20: error: unknown key 'naem' (did you mean 'name'?), expected node, name", 0U),
+        0U);
     const std::string profile = File("c.yaml", "manager: {node: 127, profile: el6571}\nslaves: [{node: 1}]\n");
     EXPECT_EQ(RunCommand({"manager", "--can", "none", "--network", profile})
-                  .err.rfind(profile + ":1:31: 'el6571' (did you mean 'el6751'?), expected one of cia302", 0U),
+                  .err.rfind(profile + ":1:31: error: 'el6571' (did you mean 'el6751'?), expected one of cia302", 0U),
               0U);
     const std::string far_away = File("d.yaml", "colour: red\n");
-    EXPECT_EQ(RunCommand({"simulate", far_away}).err.rfind(far_away + ":1:1: unknown key 'colour' in a scenario", 0U),
-              0U);
+    EXPECT_EQ(
+        RunCommand({"simulate", far_away}).err.rfind(far_away + ":1:1: error: unknown key 'colour' in a scenario", 0U),
+        0U);
 }
 
 /// What a shell command writes to a terminal, without carriage returns.
@@ -132,7 +135,7 @@ TEST(Colours, AreOnATerminalAlone)
     Verifies(req::SRS_EASE_002);
     const std::string command = kProgramFile + " check nobody.dcf";
     const std::string coloured = OnTerminal(kColours + command);
-    EXPECT_NE(coloured.find("nobody.dcf:0: \033[31merror:\033[0m "), std::string::npos) << coloured;
+    EXPECT_NE(coloured.find("nobody.dcf: \033[31merror:\033[0m "), std::string::npos) << coloured;
     // A pipe, a file; each output by itself.
     EXPECT_EQ(Printed(kColours + command + " || true").find('\033'), std::string::npos);
     EXPECT_EQ(OnTerminal(kColours + command + " 2>&1 | cat").find('\033'), std::string::npos);
@@ -146,7 +149,7 @@ TEST(Colours, NobodyGetsThemWhoWantsOrKnowsNone)
     Verifies(req::SRS_EASE_002);
     const std::string command = kProgramFile + " check nobody.dcf";
     const std::string plain = OnTerminal("TERM=xterm NO_COLOR=1 " + command);
-    EXPECT_NE(plain.find("nobody.dcf:0: error: "), std::string::npos) << plain;
+    EXPECT_NE(plain.find("nobody.dcf: error: "), std::string::npos) << plain;
     EXPECT_EQ(plain.find('\033'), std::string::npos);
     EXPECT_EQ(OnTerminal("NO_COLOR= TERM=dumb " + command).find('\033'), std::string::npos);
     EXPECT_EQ(OnTerminal("NO_COLOR= TERM= " + command).find('\033'), std::string::npos);

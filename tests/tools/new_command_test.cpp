@@ -190,7 +190,7 @@ TEST_F(NewCommandTest, SixtyFourSrdosFit)
     EXPECT_EQ(New("many.dcf", options).status, 0);
     EXPECT_EQ(ValueOf(DeviceOf("many.dcf"), 0x1340U, 6U), "0x00000180");
     const Answer full = RunCommand({"srdo", "add", Path("many.dcf"), "--consume", "8@0x101"});
-    EXPECT_EQ(full.err, Path("many.dcf") + ":0: error: all 64 SRDOs are there, expected a file with a free number\n");
+    EXPECT_EQ(full.err, Path("many.dcf") + ": error: all 64 SRDOs are there, expected a file with a free number\n");
     options.insert(options.end(), {"--consume", "8@0x101"});
     const Answer more = New("more.dcf", options);
     EXPECT_EQ(more.status, 2);
@@ -305,12 +305,11 @@ TEST_F(NewCommandTest, WhatCheckWouldFindIsToldAndNothingIsWritten)
     Verifies(req::SRS_NEW_005);
     const Answer warned = New("x.dcf", {"--node-id", "5", "--produce", "8", "--refresh", "20"});
     EXPECT_EQ(warned.status, 2);
-    EXPECT_EQ(warned.err, Path("x.dcf") +
-                              ":0: error: nothing was written: 0x1301:03: SRVT 20 ms, expected less than the "
-                              "refresh time of 20 ms\n");
+    EXPECT_EQ(warned.err, Path("x.dcf") + ": error: nothing was written: 0x1301:03: SRVT 20 ms, expected less than the "
+                                          "refresh time of 20 ms\n");
     const Answer twice = New("x.dcf", {"--node-id", "5", "--produce", "8", "--consume", "8@node5"});
     EXPECT_EQ(twice.status, 2);
-    EXPECT_EQ(twice.err, Path("x.dcf") + ":0: error: nothing was written: 0x1302:05: COB-ID 0x109 is in use by SRDO 1, "
+    EXPECT_EQ(twice.err, Path("x.dcf") + ": error: nothing was written: 0x1302:05: COB-ID 0x109 is in use by SRDO 1, "
                                          "expected an identifier of its own\n");
     EXPECT_FALSE(Exists("x.dcf"));
     EXPECT_EQ(New("x.dcf", {"--node-id", "5", "--produce", "8", "--refresh", "21"}).status, 0);
@@ -322,7 +321,7 @@ TEST_F(NewCommandTest, NothingIsOverwrittenWithoutForce)
     const std::string path = File("old.dcf", "work of weeks\n");
     const Answer refused = New("old.dcf", {"--node-id", "5", "--produce", "8"});
     EXPECT_EQ(refused.status, 2);
-    EXPECT_EQ(refused.err, path + ":0: error: the file is there already, expected the name of a new one, or --force\n");
+    EXPECT_EQ(refused.err, path + ": error: the file is there already, expected the name of a new one, or --force\n");
     EXPECT_EQ(cia306::ReadTextFile(path), "work of weeks\n");
     // A link that leads nowhere is there, too.
     std::filesystem::create_symlink(Path("nowhere.dcf"), Path("link.dcf"));

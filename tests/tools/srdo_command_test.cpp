@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia306/file/device_reader.hpp"
+#include "tests/canopen/cia306/check_text.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/new_device.hpp"
@@ -204,11 +205,28 @@ TEST_F(SrdoCommandTest, PlainDeviceBecomesASafetyDevice)
     EXPECT_EQ(Value(0x13FFU, 1U), "0xD5D1");
     EXPECT_EQ(Value(0x5F03U, 1U), "0x01");
     EXPECT_EQ(Value(0x5F01U, 1U), "no entry");
+    // zlib.crc32 of 06 08 00 99 5A 01 01, the times of 5F00h by default, 00, and 01 00 01 00 FE with eight bytes 0.
+    EXPECT_EQ(Value(0x5F04U, 0U), "0xCE8C2BF2");
     const std::string text = Written();
     EXPECT_NE(text.find("\r\nCANopenSafetySupported=1\r\n"), std::string::npos);
     EXPECT_NE(text.find("\r\n[OptionalObjects]\r\nSupportedObjects=5\r\n1=0x1301\r\n2=0x1381\r\n3=0x1300\r\n"),
               std::string::npos);
     EXPECT_EQ(RunCommand({"check", Path("d.dcf")}).out, "");
+}
+
+TEST_F(SrdoCommandTest, DigestComesWithTheNodeIdThatItNeeds)
+{
+    Verifies(req::SRS_NEW_010);
+    // Given a file with SRDO 1 but neither digest nor node-ID, when it gets SRDO 2
+    const std::string before = Changed(cia306::test::WithoutDigest(ExampleText("sensor")), {{"NodeID=1\n", ""}});
+    EXPECT_EQ(Add(before, {"--consume", "8@0x111"}).err, "");
+    // Then there is no digest, and check says so,
+    EXPECT_EQ(Value(0x5F04U, 0U), "no entry");
+    EXPECT_NE(RunCommand({"check", Path("d.dcf")}).out.find("warning: 0x5F04:00: is missing"), std::string::npos);
+    // with a node-ID there is the one of the sensor that had a digest before.
+    EXPECT_EQ(Add(before, {"--consume", "8@0x111", "--node-id", "1"}).err, "");
+    EXPECT_EQ(Value(0x5F04U, 0U), "0xF93CA8D8");
+    EXPECT_EQ(RunCommand({"check", Path("d.dcf"), "--node-id", "1"}).out, "");
 }
 
 TEST_F(SrdoCommandTest, CompactArraysAreLengthened)
@@ -274,26 +292,26 @@ TEST_F(SrdoCommandTest, RefusalLeavesTheFileAsItWas)
     for (const Row& row : std::vector<Row>{
              {Changed(sensor, {{"0xB631", "0xB632"}}),
               {"--consume", "8@0x111"},
-              ":331: error: 0x13FF:01: signature 0xB632 of SRDO 1, expected 0xB631, computed from its parameters"},
+              ":331:16: error: 0x13FF:01: signature 0xB632 of SRDO 1, expected 0xB631, computed from its parameters"},
              {sensor,
               {"--consume", "8@0x111", "--number", "1"},
-              ":185: error: SRDO 1 is there already, expected a number that is free"},
+              ":185:1: error: SRDO 1 is there already, expected a number that is free"},
              {sensor,
               {"--consume", "8@0x101"},
-              ":0: error: 0x1302:05: COB-ID 0x101 is in use by SRDO 1, expected an identifier of its own; nothing was "
+              ": error: 0x1302:05: COB-ID 0x101 is in use by SRDO 1, expected an identifier of its own; nothing was "
               "written"},
              {sensor,
               {"--consume", "8@0x111", "--number", "3"},
-              ":0: error: 0x1303: SRDO 3 in a device without gaps, expected SRDO 2 before it, or 0x99 in 0x5F00:0D; "
+              ": error: 0x1303: SRDO 3 in a device without gaps, expected SRDO 2 before it, or 0x99 in 0x5F00:0D; "
               "nothing was written"},
              {sensor,
               {"--consume", "0x2222:01@0x111"},
-              ":0: error: 0x2222:01 is not in the file, expected an object that it describes, or a length such as 8 "
+              ": error: 0x2222:01 is not in the file, expected an object that it describes, or a length such as 8 "
               "for a "
               "new one"},
              {sensor,
               {"--consume", "0x2000:01@0x111"},
-              ":0: error: 0x1382:01: mapped object 0x2000:01 has the wrong AccessType (line 458), expected rw, wo or "
+              ": error: 0x1382:01: mapped object 0x2000:01 has the wrong AccessType (line 458), expected rw, wo or "
               "rww to "
               "be received; nothing was written"}})
     {
@@ -312,10 +330,10 @@ TEST_F(SrdoCommandTest, ObjectThatCannotBeMappedIsRefused)
                               "DataType=0x0009\nAccessType=ro\n\n[3001]\nParameterName=Values\nObjectType=0x8\n"
                               "DataType=0x0005\nAccessType=ro\nCompactSubObj=3\n";
     EXPECT_EQ(Add(plain, {"--produce", "0x3000:00"}).err,
-              Path("d.dcf") + ":12: error: 0x3000:00 is of VISIBLE_STRING, expected a data type of 1 to 64 bits\n");
+              Path("d.dcf") + ":12:1: error: 0x3000:00 is of VISIBLE_STRING, expected a data type of 1 to 64 bits\n");
     EXPECT_EQ(Add(plain, {"--produce", "0x3001:02"}).err,
               Path("d.dcf") +
-                  ":18: error: 0x3001:02 of a compact object has no inverse object, expected one that is named "
+                  ":18:1: error: 0x3001:02 of a compact object has no inverse object, expected one that is named "
                   "behind it, such as 0x3001:02/0x2100:01\n");
     EXPECT_EQ(Written(), plain);
 }
@@ -412,12 +430,12 @@ TEST_F(SrdoCommandTest, RemovingWhatMustStayIsRefused)
     const std::string sensor = ExampleText("sensor");
     const std::string file = File("d.dcf", sensor);
     EXPECT_EQ(RunCommand({"srdo", "remove", file, "--number", "2"}).err,
-              file + ":0: error: there is no SRDO 2, expected one that the file has (srdo list)\n");
+              file + ": error: there is no SRDO 2, expected one that the file has (srdo list)\n");
     // The only one: what is left would be no safety device.
     const Answer last = RunCommand({"srdo", "remove", file, "--number", "1"});
     EXPECT_EQ(last.status, 2);
     EXPECT_EQ(last.err,
-              file + ":0: error: 0x1300: a safety object and no SRDO, expected communication parameters at 0x1301 to "
+              file + ": error: 0x1300: a safety object and no SRDO, expected communication parameters at 0x1301 to "
                      "0x1340; nothing was written\n");
     EXPECT_EQ(Written(), sensor);
 }

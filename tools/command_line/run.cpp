@@ -5,6 +5,7 @@
 #include "canopen/cia306/text/nearest_word.hpp"
 #include "runtime/yaml/document.hpp"
 #include "tools/command_line/described.hpp"
+#include "tools/command_line/end_signals.hpp"
 #include "tools/command_line/painter.hpp"
 #include "version/version.hpp"
 
@@ -271,6 +272,7 @@ int RunProgram(const int count, const char* const* const arguments, const std::v
     {
         words.emplace_back(arguments[place]);
     }
+    LimitWaitForReader();
     const Painter out(std::cout, STDOUT_FILENO);
     const Painter err(std::cerr, STDERR_FILENO);
     ExitStatus status = RunCommandLine(words, table, {std::cout, std::cerr});

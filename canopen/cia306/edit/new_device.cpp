@@ -156,13 +156,13 @@ NewObject DeviceParametersObject()
          Parameter(kInversePortSub, "Controller of the inverse frames", kUnsigned8, "1")}};
 }
 
+/// The device digest (5F04h) comes with the first SRDO.
 std::vector<NewObject> ManufacturerObjects()
 {
     return {DeviceParametersObject(),
             {kReleasePolicyIndex, "Release policy (0x5A: automatic)", ObjectType::kArray, {}},
             {kSafeValueIndex, "Safe value", ObjectType::kArray, {}},
             {kProducerFormIndex, "Producer form", ObjectType::kArray, {}},
-            Variable(kDigestIndex, {0U, "Device digest (0: none is expected)", kUnsigned32, "rw", "0x00000000"}),
             {kDetectionIndex, "SRVT detection", ObjectType::kArray, {}}};
 }
 

@@ -284,7 +284,7 @@ void SrdoBuilder::AddMappingObject()
     edits_.Add(mapping);
 }
 
-/// What all SRDOs share: 1300h and 13FEh, and a place in each array.
+/// What all SRDOs share: 1300h, 13FEh and 5F04h, and a place in each array. The digest needs a node-ID.
 void SrdoBuilder::AddCommonObjects()
 {
     const std::uint8_t sub = plan_.number;
@@ -300,6 +300,13 @@ void SrdoBuilder::AddCommonObjects()
     {
         edits_.Add(
             {kConfigurationValidIndex, "", ObjectType::kVar, {{0U, "Configuration valid", kUnsigned8, "rw", "0x00"}}});
+    }
+    if (device_.Find(kDigestIndex) == nullptr && node_id_)
+    {
+        edits_.Add({kDigestIndex,
+                    "",
+                    ObjectType::kVar,
+                    {{0U, "Device digest (0: none is expected)", kUnsigned32, "rw", "0x00000000"}}});
     }
     edits_.Ensure(kSignatureIndex, "Safety configuration signature",
                   {sub, "Signature" + srdo, kUnsigned16, "rw", "0x0000"});

@@ -15,9 +15,9 @@ namespace counterpoint::cia306
 [[nodiscard]] std::optional<std::uint8_t> FreeSrdoNumber(const Device& device);
 
 /// The document with one SRDO more, which is on: its parameters, the objects that it maps where they are new, its
-/// places in 13FFh and 5F01h to 5F05h, lists and counts; signed, with A5h in 13FEh. All else is kept byte for byte.
-/// Throws InputError where the file cannot have it. Whether the SRDO is right is for the rules of `check` to say.
-/// [SRS_NEW_010, SRS_NEW_011, SRS_NEW_012]
+/// places in 13FFh and 5F01h to 5F05h, lists and counts, the device digest where there is a node-ID; signed, with A5h
+/// in 13FEh. All else is kept byte for byte. Throws InputError where the file cannot have it. Whether the SRDO is right
+/// is for the rules of `check` to say. [SRS_NEW_010, SRS_NEW_011, SRS_NEW_012]
 [[nodiscard]] IniDocument WithSrdo(const IniDocument& document, const SrdoPlan& plan,
                                    std::optional<std::uint8_t> node_id);
 
