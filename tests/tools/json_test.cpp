@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/comfort.hpp"
+#include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <nlohmann/json.hpp>
@@ -123,6 +124,29 @@ TEST_F(JsonAnswer, RecordingOfASimulationAndWhatTheMonitorSaysOfIt)
                                             "--dcf", examples + "controller.dcf", "--dcf", examples + "actuator.dcf"});
     ASSERT_NE(answer.status, 2) << answer.err;
     EXPECT_EQ(UntoldIn(answer.out, "counterpoint-monitor-1", false), "");
+}
+
+TEST_F(JsonAnswer, DemonstrationTellsLimitAndTimeOfEachRun)
+{
+    Verifies(req::SRS_DEMO_006);
+    Verifies(req::SRS_EASE_005);
+    const std::string folder = kSource + "/examples/emergency_stop";
+    const test::Answer answer = RunCommand({"demo", "--scenarios", folder, "--html", Path("page.html"), "--json"});
+    EXPECT_EQ(answer.status, 0) << answer.err;
+    EXPECT_EQ(UntoldIn(answer.out, "counterpoint-demo-1", false), "");
+    const Json document = Json::parse(answer.out);
+    EXPECT_EQ(document["holds"], true);
+    EXPECT_EQ(document["page"], Path("page.html"));
+    ASSERT_FALSE(document["runs"].empty());
+    for (const Json& run : document["runs"])
+    {
+        EXPECT_EQ(run["holds"], true) << run;
+        if (run.contains("limit_ns"))
+        {
+            EXPECT_LE(run["elapsed_ns"].get<std::int64_t>(), run["limit_ns"].get<std::int64_t>()) << run;
+            EXPECT_NE(run["detected_by"], "") << run;
+        }
+    }
 }
 
 TEST_F(JsonAnswer, EachLineOfNodeAndManagerHasItsFormat)

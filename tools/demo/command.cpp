@@ -3,6 +3,7 @@
 
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/text_file.hpp"
+#include "runtime/console/json_text.hpp"
 #include "simulator/judge/run.hpp"
 #include "simulator/report/reports.hpp"
 #include "simulator/scenario/names.hpp"
@@ -104,6 +105,7 @@ class DemoCommand final : public Command
         options.Add("--html", &html_, "Page with all timing diagrams; a folder gets index.html").ShowDefault();
         options.Add("--scenarios", &scenarios_, "Folder of the scenarios NN_name.yaml");
         options.Add("--list", &list_, "List the scenarios and end").Excludes("--html");
+        options.Add("--json", &json_, "Print one JSON document instead of the table").Excludes("--list");
         options_ = &options;
     }
 
@@ -146,6 +148,47 @@ class DemoCommand final : public Command
             runs.push_back(std::make_unique<simulator::Run>(file, std::nullopt, std::nullopt, true));
         }
         const std::string page = RequirePage();
+        return json_ ? DemonstrateToPrograms(runs, page, streams) : DemonstrateToPeople(runs, page, streams);
+    }
+
+    [[nodiscard]] static ExitStatus StatusOf(const std::vector<std::unique_ptr<simulator::Run>>& runs)
+    {
+        const bool holds = std::all_of(runs.begin(), runs.end(),
+                                       [](const std::unique_ptr<simulator::Run>& run) { return run->Holds(); });
+        return holds ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
+    }
+
+    /// What `simulate --json` says of each run in full. [SRS_DEMO_006]
+    [[nodiscard]] static ExitStatus DemonstrateToPrograms(const std::vector<std::unique_ptr<simulator::Run>>& runs,
+                                                          const std::string& page, const Streams& streams)
+    {
+        nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+        for (const std::unique_ptr<simulator::Run>& run : runs)
+        {
+            run->Simulate(nullptr);
+            nlohmann::ordered_json row{
+                {"title", run->Setting().title}, {"scenario", run->Setting().file}, {"holds", run->Holds()}};
+            const simulator::Measurement* const measurement = run->FirstMeasurement();
+            if (measurement != nullptr)
+            {
+                row["limit_ns"] = measurement->limit;
+                row["elapsed_ns"] = measurement->elapsed;
+                row["detected_by"] = simulator::Name(measurement->detection.party);
+                row["detection_cause"] = measurement->detection.cause;
+            }
+            rows.push_back(row);
+        }
+        WritePage(runs, page);
+        streams.out << runtime::JsonText({{"format", "counterpoint-demo-1"},
+                                          {"holds", StatusOf(runs) == ExitStatus::kHolds},
+                                          {"runs", rows},
+                                          {"page", page}});
+        return StatusOf(runs);
+    }
+
+    [[nodiscard]] static ExitStatus DemonstrateToPeople(const std::vector<std::unique_ptr<simulator::Run>>& runs,
+                                                        const std::string& page, const Streams& streams)
+    {
         streams.out << "Emergency-stop chain: sensor -> controller -> actuator, 500 kbit/s, cycle 1 ms. Each limit is "
                        "computed\n"
                        "from the device's configuration before its run; times are simulated, output time included.\n\n";
@@ -171,7 +214,7 @@ class DemoCommand final : public Command
         }
         WritePage(runs, page);
         streams.out << "Timing diagrams: " << page << "\n";
-        return (static_cast<std::size_t>(held) == runs.size()) ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
+        return StatusOf(runs);
     }
 
     using Cells = std::array<std::string, 6U>;
@@ -271,6 +314,7 @@ class DemoCommand final : public Command
     std::string scenarios_;
     const Options* options_{nullptr};
     bool list_{false};
+    bool json_{false};
 };
 } // namespace
 

@@ -12,6 +12,7 @@ inline constexpr RequirementId SRS_DEMO_002{"SRS_DEMO_002"};
 inline constexpr RequirementId SRS_DEMO_003{"SRS_DEMO_003"};
 inline constexpr RequirementId SRS_DEMO_004{"SRS_DEMO_004"};
 inline constexpr RequirementId SRS_DEMO_005{"SRS_DEMO_005"};
+inline constexpr RequirementId SRS_DEMO_006{"SRS_DEMO_006"};
 inline constexpr RequirementId SRS_SIM_001{"SRS_SIM_001"};
 inline constexpr RequirementId SRS_SIM_002{"SRS_SIM_002"};
 inline constexpr RequirementId SRS_SIM_003{"SRS_SIM_003"};
