@@ -142,20 +142,23 @@ std::string ManagerAssembly::Negotiate()
     return is_taken ? "taken" : "no negotiation waits for an order, expected flying: {start: by_order}";
 }
 
-bool ManagerAssembly::HasStarted() const noexcept
+bool ManagerAssembly::Runs(const cia302::NodeId node) const noexcept
 {
     constexpr auto kOperational = static_cast<std::uint8_t>(cia302::SlaveState::kOperational);
+    const bool is_running = manager_.Table().RequestValue(node) == kOperational;
+    const bool was_heard = manager_.Table().Record(node).state == cia302::SlaveState::kOperational;
+    return is_running && (was_heard || manager_.Status(node).is_started);
+}
+
+bool ManagerAssembly::HasStarted() const noexcept
+{
     bool has_started = true;
     for (const auto& slave : net_.Slaves())
     {
         const cia302::NodeId node{slave->plan.node};
         const bool is_needed = net_.Setup().Slave(node).Has(cia302::kInNetwork | cia302::kMandatory);
-        // What it said last, where it is listened to; else what it was told.
-        const bool is_running = manager_.Table().RequestValue(node) == kOperational;
-        const bool was_heard = manager_.Table().Record(node).state == cia302::SlaveState::kOperational;
         const bool is_faulty = net_.Setup().IsSafetySlave(node) && manager_.Watched().Of(node).fault != 0U;
-        const bool runs = is_running && (was_heard || manager_.Status(node).is_started) && !is_faulty;
-        has_started = has_started && (runs || !is_needed);
+        has_started = has_started && ((Runs(node) && !is_faulty) || !is_needed);
     }
     return has_started;
 }

@@ -57,6 +57,8 @@ class ManagerAssembly
     [[nodiscard]] std::string Negotiate();
     /// @brief Lets later negotiations begin by themselves. Call it before the manager's cycle.
     void OnCycle(Instant now);
+    /// @brief Whether a slave is OPERATIONAL by what it said last, where it is listened to, else by what it was told.
+    [[nodiscard]] bool Runs(cia302::NodeId node) const noexcept;
     /// @brief Whether every mandatory slave was started.
     [[nodiscard]] bool HasStarted() const noexcept;
     /// @brief Tells the flying master and the EL6751 profile the state of the controller.

@@ -110,6 +110,39 @@ TEST_F(ManagerResultsTest, AnAbortIsToldByItsCodeAndInWords)
               "product code differs: 0x1018:02 is 0x3, expected 0x7");
 }
 
+TEST_F(ManagerResultsTest, ASlaveThatSaysThatItLeftOperationalIsNotGood)
+{
+    Verifies(req::SRS_MGR_005);
+    for (const char* const profile : {"cia302", "plc_designer"})
+    {
+        // Given a mandatory slave that was started and is heard as OPERATIONAL
+        Make("manager: {node: 127, profile: " + std::string(profile) +
+             "}\nslaves: [{node: 6, device_type: 0x191, consumer: 300 ms}]\n");
+        Run(1000U);
+        Hear(0x706U, {0U});
+        for (int beat = 0; beat < 6; ++beat)
+        {
+            Answer(6U, {0x43U, 0x00U, 0x10U, 0x00U, 0x91U, 0x01U, 0x00U, 0x00U}, 110);
+            Hear(0x706U, {(beat < 5) ? std::uint8_t{0x7FU} : std::uint8_t{0x05U}});
+            Run(2U);
+        }
+        EXPECT_TRUE(Row(6U).is_good) << profile;
+        EXPECT_TRUE(station->Assembly().HasStarted()) << profile;
+        // When somebody stops it, then it is not good, as the exit status says
+        for (const std::uint8_t state : {std::uint8_t{0x04U}, std::uint8_t{0x7FU}})
+        {
+            Hear(0x706U, {state});
+            Run(2U);
+            EXPECT_FALSE(Row(6U).is_good) << profile;
+            EXPECT_FALSE(station->Assembly().HasStarted()) << profile;
+        }
+        // And again when it is back
+        Hear(0x706U, {0x05U});
+        Run(2U);
+        EXPECT_TRUE(Row(6U).is_good) << profile;
+    }
+}
+
 TEST_F(ManagerResultsTest, AnAbortAndSilenceAt1000hAreToldThoughThereIsNoBootTime)
 {
     Verifies(req::SRS_MGR_026);
