@@ -267,7 +267,7 @@ TEST_F(NewCommandTest, WrongValuesAreRefusedWithWhatWasExpected)
     Verifies(req::SRS_NEW_003);
     const std::string form =
         ", expected [NAME=][COUNTx]LENGTH such as 2x8, i16 or Speed=32, or INDEX:SUB of an object of "
-        "the file";
+        "the file, such as 0x6004:00";
     for (const auto& [option, value, problem] : std::vector<std::array<std::string, 3U>>{
              {"--node-id", "0", "'0', expected a number from 1 to 127"},
              {"--node-id", "128", "'128', expected a number from 1 to 127"},

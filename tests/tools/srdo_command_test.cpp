@@ -348,6 +348,12 @@ TEST_F(SrdoCommandTest, UsageThatDoesNotFitIsRefused)
     EXPECT_EQ(Add(sensor, {"--consume", "8"}).err,
               "counterpoint: --consume '8': SRDO 2 has no default COB-ID, expected one behind @, such as 8@0x109 or "
               "8@node5\n");
+    // As in a file, 2000 is hexadecimal for many; it is no number that may be guessed.
+    EXPECT_EQ(Add(sensor, {"--produce", "2000:02@0x113"}).err,
+              "counterpoint: --produce: '2000:02', expected [NAME=][COUNTx]LENGTH such as 2x8, i16 or Speed=32, or "
+              "INDEX:SUB of an object of the file, such as 0x6004:00; expected a command line as told by 'counterpoint "
+              "srdo --help'\n");
+    EXPECT_EQ(Add(sensor, {"--produce", "0x2000:02/8448:02@0x113"}).status, 2);
     EXPECT_EQ(Add(sensor, {"--consume", "8@0x111", "--refresh", "5"}).err,
               "counterpoint: --refresh fits no SRDO that is received, expected --sct\n");
     EXPECT_EQ(RunCommand({"srdo", "list", Path("d.dcf"), "--number", "2"}).err,
