@@ -72,9 +72,8 @@ class NewCommand final : public Command
         {
             const cia306::Finding* const cause = CauseIn(findings);
             const cia306::Finding& first = cause == nullptr ? findings.front() : *cause;
-            throw cia306::InputError(
-                output_, {},
-                {"nothing was written: " + first.object + (first.object.empty() ? "" : ": ") + first.text, ""});
+            cia306::RequireNone(output_,
+                                {{cia306::Severity::kError, {}, first.object, first.text + "; nothing was written"}});
         }
     }
 

@@ -151,6 +151,12 @@ class SignCommand final : public Command
         findings.erase(std::remove_if(findings.begin(), findings.end(), [](const cia306::Finding& finding)
                                       { return finding.severity == cia306::Severity::kError; }),
                        findings.end());
+        if (IsOfAnotherNode(device, node_id) && !output_.empty())
+        {
+            findings.push_back({cia306::Severity::kWarning, device.commissioning_place, "",
+                                "NodeID is " + std::to_string(*device.node_id) + ", expected " +
+                                    std::to_string(*node_id) + ", the node-ID that the file is signed for"});
+        }
         if (errors != 0U && !output_.empty())
         {
             findings.push_back({cia306::Severity::kWarning,
@@ -159,6 +165,11 @@ class SignCommand final : public Command
                                 "check finds errors: " + std::to_string(errors) + ", expected none"});
         }
         return findings;
+    }
+
+    [[nodiscard]] static bool IsOfAnotherNode(const cia306::Device& device, const std::optional<std::uint8_t> node_id)
+    {
+        return device.node_id && node_id && *device.node_id != *node_id;
     }
 
     [[nodiscard]] nlohmann::ordered_json Answer(const cia306::SafetyConfiguration& configuration,

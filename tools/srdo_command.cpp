@@ -10,7 +10,9 @@
 #include "tools/srdo_options.hpp"
 #include "tools/srdo_report.hpp"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <ostream>
 #include <stdexcept>
 #include <vector>
@@ -113,7 +115,7 @@ class SrdoCommand final : public Command
 
     [[nodiscard]] ExitStatus List(const Streams& streams) const
     {
-        Print(cia306::ReadDeviceFile(device_options_.file), streams);
+        Print(cia306::ReadDeviceFile(device_options_.file), {}, streams);
         return ExitStatus::kHolds;
     }
 
@@ -123,16 +125,18 @@ class SrdoCommand final : public Command
         const auto document = cia306::IniDocument::Parse(device_options_.file, text);
         const cia306::Device device = cia306::ReadDevice(document);
         const std::optional<std::uint8_t> node_id = device_options_.NodeId(device);
+        const std::vector<cia306::Finding> before = FindingsOf(device, text, {node_id, {}});
         if (!cia306::ExtractSafety(device, node_id).srdos.empty())
         {
-            RequireNoError(FindingsOf(device, text, {node_id, {}}));
+            RequireNoError(before);
         }
         const cia306::IniDocument changed =
             action_ == "remove" ? cia306::WithoutSrdo(document, static_cast<std::uint8_t>(number_), node_id)
                                 : Added(document, device, node_id, streams);
-        RequireNoError(changed.Text(), node_id);
-        cia306::WriteTextFile(output_.empty() ? device_options_.file : output_, changed.Text());
-        Print(cia306::ReadDevice(changed), streams);
+        const std::vector<cia306::Finding> after = FindingsBeforeWriting(changed.Text(), node_id);
+        RequireNoErrorAfter(after);
+        cia306::WriteTextFile(Result(), changed.Text());
+        Print(cia306::ReadDevice(changed), Brought(before, after), streams);
         return ExitStatus::kHolds;
     }
 
@@ -169,9 +173,8 @@ class SrdoCommand final : public Command
     }
 
     /// The lines of a text that is not written help nobody. [SRS_NEW_012]
-    void RequireNoError(const std::string& text, const std::optional<std::uint8_t> node_id) const
+    void RequireNoErrorAfter(std::vector<cia306::Finding> findings) const
     {
-        std::vector<cia306::Finding> findings = FindingsBeforeWriting(text, node_id);
         for (cia306::Finding& finding : findings)
         {
             finding.place = {};
@@ -180,16 +183,44 @@ class SrdoCommand final : public Command
         RequireNoError(findings);
     }
 
-    void Print(const cia306::Device& device, const Streams& streams) const
+    /// The findings of the changed file that those of the file before do not have; lines have moved. [SRS_NEW_016]
+    [[nodiscard]] static std::vector<cia306::Finding> Brought(const std::vector<cia306::Finding>& before,
+                                                              const std::vector<cia306::Finding>& after)
+    {
+        std::vector<cia306::Finding> brought;
+        std::copy_if(after.begin(), after.end(), std::back_inserter(brought),
+                     [&before](const cia306::Finding& finding)
+                     {
+                         return std::none_of(before.begin(), before.end(), [&finding](const cia306::Finding& old)
+                                             { return old.object == finding.object && old.text == finding.text; });
+                     });
+        return brought;
+    }
+
+    /// The file that is written.
+    [[nodiscard]] const std::string& Result() const noexcept
+    {
+        return output_.empty() ? device_options_.file : output_;
+    }
+
+    void Print(const cia306::Device& device, const std::vector<cia306::Finding>& warnings, const Streams& streams) const
     {
         const cia306::SafetyConfiguration configuration = cia306::ExtractSafety(device, device_options_.NodeId(device));
         if (!device_options_.is_json)
         {
             PrintSrdos(device, configuration, streams.out);
+            for (const cia306::Finding& warning : warnings)
+            {
+                streams.err << cia306::FormatFinding(Result(), warning) << "\n";
+            }
             return;
         }
-        const nlohmann::ordered_json answer{{"file", output_.empty() ? device_options_.file : output_},
-                                            {"srdos", SrdosToJson(device, configuration)}};
+        nlohmann::ordered_json answer{
+            {"format", "counterpoint-srdo-1"}, {"file", Result()}, {"srdos", SrdosToJson(device, configuration)}};
+        if (action_ != "list")
+        {
+            answer["warnings"] = ToJson(warnings);
+        }
         streams.out << runtime::JsonText(answer);
     }
 

@@ -43,7 +43,8 @@ DeviceSource::DeviceSource(const cia306::Device& device, const std::string& file
 {
     if (!node_id_)
     {
-        throw InputError(file_, {}, {"no node-ID", "NodeID in the commissioning section, or node_id in the scenario"});
+        throw InputError(file_, {},
+                         {"no node-ID", "NodeID in [DeviceComissioning], --node-id, or node_id in the scenario"});
     }
     safety_ = cia306::ExtractSafety(device_, node_id_);
     cia306::RequireNone(file_, safety_.missing);

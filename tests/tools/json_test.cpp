@@ -109,6 +109,10 @@ TEST_F(JsonAnswer, EachDocumentHasItsFormatAndEachFieldIsDescribed)
                        "counterpoint-generate-1", false),
               "");
     EXPECT_EQ(UntoldIn(RunCommand({"check", Path("none.dcf"), "--json"}).out, "counterpoint-error-1", false), "");
+    EXPECT_EQ(UntoldIn(RunCommand({"srdo", "list", device_, "--json"}).out, "counterpoint-srdo-1", false), "");
+    EXPECT_EQ(UntoldIn(RunCommand({"srdo", "add", device_, "--consume", "8@0x111", "--json", "-o", Path("b.dcf")}).out,
+                       "counterpoint-srdo-1", false),
+              "");
 }
 
 TEST_F(JsonAnswer, RecordingOfASimulationAndWhatTheMonitorSaysOfIt)

@@ -124,6 +124,16 @@ TEST_F(MessagesTest, OfDeviceFiles)
     });
 }
 
+TEST_F(MessagesTest, DeviceWithoutNodeIdNamesEveryPlaceOfOne)
+{
+    Verifies(req::SRS_EDS_036);
+    const std::string file = File("s.dcf", Sensor("NodeID=1\n", ""));
+    const std::string scenario = File("s.yaml", "title: s\nduration: 1 ms\nnodes:\n  s: {dcf: s.dcf}\n");
+    EXPECT_EQ(RunCommand({"simulate", scenario}).err,
+              file + ": error: no node-ID, expected NodeID in [DeviceComissioning], --node-id, or node_id in the "
+                     "scenario\n");
+}
+
 TEST_F(MessagesTest, OfScenariosAndScripts)
 {
     Verifies(req::SRS_EDS_036);

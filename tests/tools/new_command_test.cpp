@@ -267,7 +267,7 @@ TEST_F(NewCommandTest, WrongValuesAreRefusedWithWhatWasExpected)
     Verifies(req::SRS_NEW_003);
     const std::string form =
         ", expected [NAME=][COUNTx]LENGTH such as 2x8, i16 or Speed=32, or INDEX:SUB of an object of "
-        "the file";
+        "the file, such as 0x6004:00";
     for (const auto& [option, value, problem] : std::vector<std::array<std::string, 3U>>{
              {"--node-id", "0", "'0', expected a number from 1 to 127"},
              {"--node-id", "128", "'128', expected a number from 1 to 127"},
@@ -305,12 +305,12 @@ TEST_F(NewCommandTest, WhatCheckWouldFindIsToldAndNothingIsWritten)
     Verifies(req::SRS_NEW_005);
     const Answer warned = New("x.dcf", {"--node-id", "5", "--produce", "8", "--refresh", "20"});
     EXPECT_EQ(warned.status, 2);
-    EXPECT_EQ(warned.err, Path("x.dcf") + ": error: nothing was written: 0x1301:03: SRVT 20 ms, expected less than the "
-                                          "refresh time of 20 ms\n");
+    EXPECT_EQ(warned.err, Path("x.dcf") + ": error: 0x1301:03: SRVT 20 ms, expected less than the "
+                                          "refresh time of 20 ms; nothing was written\n");
     const Answer twice = New("x.dcf", {"--node-id", "5", "--produce", "8", "--consume", "8@node5"});
     EXPECT_EQ(twice.status, 2);
-    EXPECT_EQ(twice.err, Path("x.dcf") + ": error: nothing was written: 0x1302:05: COB-ID 0x109 is in use by SRDO 1, "
-                                         "expected an identifier of its own\n");
+    EXPECT_EQ(twice.err, Path("x.dcf") + ": error: 0x1302:05: COB-ID 0x109 is in use by SRDO 1, "
+                                         "expected an identifier of its own; nothing was written\n");
     EXPECT_FALSE(Exists("x.dcf"));
     EXPECT_EQ(New("x.dcf", {"--node-id", "5", "--produce", "8", "--refresh", "21"}).status, 0);
 }

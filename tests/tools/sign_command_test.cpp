@@ -139,6 +139,22 @@ TEST_F(SignCommandTest, TellsThatCheckFindsErrors)
     EXPECT_EQ(RunCommand({"sign", file}).err, "");
 }
 
+TEST_F(SignCommandTest, TellsThatTheCopyIsForAnotherNode)
+{
+    Verifies(req::SRS_CLI_037);
+    // Given a device with node-ID 1 and a digest
+    const std::string file = File("in.dcf", cia306::test::ExampleText("sensor"));
+    // When it is signed for another one
+    const Answer answer = RunCommand({"sign", file, "--node-id", "9", "--write", Path("out.dcf")});
+    // Then the copy holds for that one alone, and the user hears of it
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_NE(answer.err.find("warning: NodeID is 1, expected 9, the node-ID that the file is signed for\n"),
+              std::string::npos);
+    EXPECT_EQ(RunCommand({"check", Path("out.dcf")}).status, 1);
+    EXPECT_EQ(RunCommand({"check", Path("out.dcf"), "--node-id", "9"}).status, 0);
+    EXPECT_EQ(RunCommand({"sign", file, "--node-id", "1", "--write", Path("out.dcf")}).err, "");
+}
+
 TEST_F(SignCommandTest, RefusesAFileThatWasCut)
 {
     Verifies(req::SRS_EDS_031);

@@ -348,6 +348,12 @@ TEST_F(SrdoCommandTest, UsageThatDoesNotFitIsRefused)
     EXPECT_EQ(Add(sensor, {"--consume", "8"}).err,
               "counterpoint: --consume '8': SRDO 2 has no default COB-ID, expected one behind @, such as 8@0x109 or "
               "8@node5\n");
+    // As in a file, 2000 is hexadecimal for many; it is no number that may be guessed.
+    EXPECT_EQ(Add(sensor, {"--produce", "2000:02@0x113"}).err,
+              "counterpoint: --produce: '2000:02', expected [NAME=][COUNTx]LENGTH such as 2x8, i16 or Speed=32, or "
+              "INDEX:SUB of an object of the file, such as 0x6004:00; expected a command line as told by 'counterpoint "
+              "srdo --help'\n");
+    EXPECT_EQ(Add(sensor, {"--produce", "0x2000:02/8448:02@0x113"}).status, 2);
     EXPECT_EQ(Add(sensor, {"--consume", "8@0x111", "--refresh", "5"}).err,
               "counterpoint: --refresh fits no SRDO that is received, expected --sct\n");
     EXPECT_EQ(RunCommand({"srdo", "list", Path("d.dcf"), "--number", "2"}).err,
@@ -435,9 +441,32 @@ TEST_F(SrdoCommandTest, RemovingWhatMustStayIsRefused)
     const Answer last = RunCommand({"srdo", "remove", file, "--number", "1"});
     EXPECT_EQ(last.status, 2);
     EXPECT_EQ(last.err,
-              file + ": error: 0x1300: a safety object and no SRDO, expected communication parameters at 0x1301 to "
-                     "0x1340; nothing was written\n");
+              file + ": error: SRDO 1 is the only one, expected another one that stays: a safety device needs one\n");
     EXPECT_EQ(Written(), sensor);
+}
+
+TEST_F(SrdoCommandTest, WarningsThatTheChangeBringsAreTold)
+{
+    Verifies(req::SRS_NEW_016);
+    // Given a device with a warning of its own
+    const std::string text =
+        Changed(ExampleText("sensor"), {{"CANopenSafetySupported=1\n", "CANopenSafetySupported=0\n"}});
+    EXPECT_NE(RunCommand({"check", File("d.dcf", text)}).out, "");
+    // When an SRDO is added whose SRVT is no less than its refresh time
+    const Answer added = Add(text, {"--produce", "8@0x111", "--refresh", "10"});
+    // Then that is told, with the line of the file that was written
+    EXPECT_EQ(added.status, 0);
+    EXPECT_NE(added.err.find("warning: 0x1302:03: SRVT 20 ms, expected less than the refresh time of 10 ms\n"),
+              std::string::npos);
+    EXPECT_EQ(added.err.find("CANopenSafetySupported"), std::string::npos);
+    EXPECT_NE(RunCommand({"check", Path("d.dcf")}).out.find(added.err), std::string::npos);
+    // and as a document
+    const Answer json = Add(text, {"--produce", "8@0x111", "--refresh", "10", "--json"});
+    const auto document = nlohmann::json::parse(json.out);
+    ASSERT_EQ(document.at("warnings").size(), 1U);
+    EXPECT_EQ(document.at("warnings").at(0).at("object"), "0x1302:03");
+    // and one that is right brings none
+    EXPECT_EQ(Add(text, {"--produce", "8@0x111"}).err, "");
 }
 
 TEST_F(SrdoCommandTest, CopyIsWrittenInsteadOfTheFile)
@@ -469,6 +498,7 @@ TEST_F(SrdoCommandTest, ListTellsTheSrdosOfAFile)
                           "  ? and 0x2100:01  8 bit  Button 1, inverse\n  0x2000:02 and 0x2100:02  8 bit  Button 2\n");
     const Answer json = RunCommand({"srdo", "list", "--json", File("s.dcf", ExampleText("sensor"))});
     const auto document = nlohmann::json::parse(json.out);
+    EXPECT_EQ(document.at("format"), "counterpoint-srdo-1");
     EXPECT_EQ(document.at("file"), Path("s.dcf"));
     EXPECT_EQ(document.at("srdos").at(0).at("direction"), "sends");
     EXPECT_EQ(document.at("srdos").at(0).at("cob_id_2"), 0x102);

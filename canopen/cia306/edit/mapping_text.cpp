@@ -17,7 +17,7 @@ constexpr std::uint64_t kFirstCobId = 0x101U;
 constexpr std::uint64_t kLastCobId = 0x17FU;
 constexpr std::string_view kNode = "node";
 constexpr const char* kForm =
-    "[NAME=][COUNTx]LENGTH such as 2x8, i16 or Speed=32, or INDEX:SUB of an object of the file";
+    "[NAME=][COUNTx]LENGTH such as 2x8, i16 or Speed=32, or INDEX:SUB of an object of the file, such as 0x6004:00";
 
 using Halves = std::pair<std::string_view, std::optional<std::string_view>>;
 
@@ -65,7 +65,9 @@ std::optional<std::uint16_t> IntegerType(const std::string_view length)
 std::optional<ObjectPlace> PlaceOf(const std::string_view text)
 {
     const auto [index_text, sub_text] = SplitAt(text, ':');
-    const auto index = ParseUnsigned(index_text, 0xFFFFU);
+    // 6004:00 would be a decimal number, which nobody means.
+    const bool is_hexadecimal = index_text.substr(0U, 2U) == "0x";
+    const auto index = is_hexadecimal ? ParseUnsigned(index_text, 0xFFFFU) : std::nullopt;
     // Sub-indices are written as messages show them: two hexadecimal digits.
     const auto sub = ParseDigits(sub_text.value_or(""), 16);
     const bool is_place = index && sub && *sub <= 0xFEU;

@@ -97,6 +97,12 @@ IniDocument WithoutSrdo(const IniDocument& document, const std::uint8_t number,
         throw InputError(device.file, {},
                          {"there is no SRDO " + std::to_string(number), "one that the file has (srdo list)"});
     }
+    if (ExtractSafety(device, node_id).srdos.size() == 1U)
+    {
+        throw InputError(device.file, {},
+                         {"SRDO " + std::to_string(number) + " is the only one",
+                          "another one that stays: a safety device needs one"});
+    }
     std::vector<std::string> sections;
     for (const std::uint16_t index : {communication, mapping})
     {

@@ -3,6 +3,7 @@
 
 #include "canopen/cia306/file/entry_reader.hpp"
 #include "canopen/cia306/file/object_reader.hpp"
+#include "canopen/cia306/text/nearest_word.hpp"
 #include "canopen/cia306/text/number.hpp"
 #include "canopen/cia306/text/text_file.hpp"
 
@@ -114,6 +115,7 @@ class DeviceReader
         ReadCommissioning();
         ReadDummyUsage();
         ReadLists();
+        WarnOfSections();
         ResolveTypes(device_);
         FinishEntries();
         device_.warnings = WithoutRepeated(SortedByLine(std::move(device_.warnings)));
@@ -142,6 +144,7 @@ class DeviceReader
     void ReadNodeId(const IniSection& section);
     void ReadDummyUsage();
     void ReadLists();
+    void WarnOfSections();
     void ReadList(const IniSection& section, std::set<std::uint16_t>& listed);
     void AddMissing(Place place, std::uint16_t index);
     void FinishEntries();
@@ -160,6 +163,7 @@ void DeviceReader::ReadDeviceInfo()
         return;
     }
     device_.device_info_place = section->place;
+    ReaderOf(*section).WarnOfSlips({"CANopenSafetySupported", "LSS_Supported", "Granularity"});
     device_.is_safety_supported = ReaderOf(*section).FlagAt("CANopenSafetySupported");
     const IniKey* const lss = ReaderOf(*section).Find("LSS_Supported");
     device_.is_lss_supported = lss != nullptr && ParseUnsigned(lss->Bare(), 1U).value_or(0U) == 1U;
@@ -213,6 +217,7 @@ void DeviceReader::ReadNodeId(const IniSection& section)
 {
     device_.commissioning_place = section.place;
     const SectionReader reader = ReaderOf(section);
+    reader.WarnOfSlips({"NodeID"});
     const auto number = reader.NumberAt("NodeID", kUnconfiguredNodeId);
     if (!number)
     {
@@ -311,6 +316,26 @@ void DeviceReader::ReadList(const IniSection& section, std::set<std::uint16_t>& 
     {
         Warn(section.place, "section " + Quoted(section.name) + " lists " + std::to_string(found) +
                                 " objects, expected SupportedObjects of that number");
+    }
+}
+
+/// [SRS_EDS_037]
+void DeviceReader::WarnOfSections()
+{
+    const std::vector<std::string> known{"DeviceInfo",       "DeviceComissioning", "DummyUsage",
+                                         "MandatoryObjects", "OptionalObjects",    "ManufacturerObjects"};
+    for (const IniSection& section : document_.Sections())
+    {
+        const std::string name = Lower(section.name);
+        const bool is_known =
+            name == "devicecommissioning" ||
+            std::any_of(known.begin(), known.end(), [&name](const std::string& word) { return Lower(word) == name; });
+        const std::string meant = is_known ? "" : DidYouMean(section.name, known);
+        if (!meant.empty())
+        {
+            Warn(section.place,
+                 "unknown section " + Quoted(section.name) + meant + ", expected one of CiA 306; it is ignored");
+        }
     }
 }
 

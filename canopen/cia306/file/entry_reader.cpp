@@ -2,8 +2,10 @@
 #include "canopen/cia306/file/entry_reader.hpp"
 
 #include "canopen/cia306/file/data_type.hpp"
+#include "canopen/cia306/text/nearest_word.hpp"
 #include "canopen/cia306/text/number.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -168,6 +170,22 @@ void SectionReader::ReadInvertedSrad(Entry& entry) const
     {
         entry.inverted_srad = static_cast<std::uint32_t>(*number);
         entry.inverted_srad_place = found->place;
+    }
+}
+
+void SectionReader::WarnOfSlips(const std::vector<std::string>& known) const
+{
+    for (const IniKey& key : section_->keys)
+    {
+        const bool is_known = std::any_of(known.begin(), known.end(),
+                                          [&key](const std::string& name) { return Lower(name) == Lower(key.name); });
+        const std::string meant = is_known ? "" : DidYouMean(key.name, known);
+        if (!meant.empty())
+        {
+            warnings_->push_back({Severity::kWarning, key.name_place, "",
+                                  "unknown key " + Quoted(key.name) + meant + " in section " + Quoted(section_->name) +
+                                      ", expected one of CiA 306; it is ignored"});
+        }
     }
 }
 

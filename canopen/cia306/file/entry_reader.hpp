@@ -35,6 +35,9 @@ class SectionReader
     /// Everything that says something about the data element.
     [[nodiscard]] Entry ReadEntry(std::uint16_t index, std::uint8_t sub) const;
 
+    /// Warns of each key that is none of these and near to one of them. [SRS_EDS_037]
+    void WarnOfSlips(const std::vector<std::string>& known) const;
+
     /// Throws InputError for the value of this key.
     [[noreturn]] void Refuse(const IniKey& key, const std::string& expected) const;
 

@@ -16,6 +16,16 @@ constexpr std::uint64_t kMaxSubNumber = 256U;
 constexpr std::size_t kIndexDigits = 4U;
 constexpr std::size_t kMaxSubDigits = 2U;
 
+/// The keys of an object or sub-index that CiA 306 knows.
+const std::vector<std::string>& KeysOfObjects()
+{
+    static const std::vector<std::string> keys{
+        "ParameterName", "ObjectType", "DataType",   "AccessType",  "DefaultValue", "ParameterValue",
+        "LowLimit",      "HighLimit",  "PDOMapping", "SRDOMapping", "InvertedSRAD", "SubNumber",
+        "CompactSubObj", "ObjFlags",   "Denotation", "UploadFile",  "DownloadFile"};
+    return keys;
+}
+
 /// Takes the name of a section apart. Never fails: a name that is not one of an object has kind kOther or kMisspelt.
 SectionName ParseSectionName(const std::string_view name)
 {
@@ -104,6 +114,7 @@ void ObjectReader::AddEntry(Object& object, Entry entry, const Place place)
 void ObjectReader::ReadObject(const IniSection& section, const SectionName& name)
 {
     const SectionReader reader(device_->file, section, device_->warnings);
+    reader.WarnOfSlips(KeysOfObjects());
     Object object;
     object.index = name.index;
     object.place = section.place;
@@ -172,6 +183,7 @@ void ObjectReader::ReadSub(const IniSection& section, const SectionName& name)
     }
     DropVariable(object);
     const SectionReader reader(device_->file, section, device_->warnings);
+    reader.WarnOfSlips(KeysOfObjects());
     AddEntry(object, reader.ReadEntry(name.index, name.sub), section.place);
 }
 

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia306/text/nearest_word.hpp"
 
+#include "canopen/cia306/text/ini_document.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ std::string DidYouMean(const std::string_view text, const std::vector<std::strin
     for (const std::string& word : known)
     {
         const bool can_be_meant = text.size() > 1U && text.size() <= kLongestWord;
-        const std::size_t slips = can_be_meant ? SlipsBetween(text, word) : least;
+        const std::size_t slips = can_be_meant ? SlipsBetween(Lower(text), Lower(word)) : least;
         if (slips < least)
         {
             least = slips;

@@ -125,6 +125,36 @@ TEST(DeviceReader, ReadsTheNodeIdOfBothSpellings)
     EXPECT_EQ(DeviceOf(Text("")).node_id, std::nullopt);
 }
 
+TEST(DeviceReader, TellsKeysThatAreASlipAwayFromKnownOnes)
+{
+    Verifies(req::SRS_EDS_037);
+    // Given an object and a sub-index with a slip in a key, in any case, and a key of a manufacturer
+    EXPECT_EQ(WarningsOf(Text("[2000]\nObjectType=9\nSubNumber=1\nSubNumbers=1\n[2000sub0]\nDataType=5\nAccessType=ro\n"
+                              "DefaultValue=1\nPARAMTERVALUE=2\nUnit=3\nobjflags=0\n[ManufacturerObjects]\n"
+                              "SupportedObjects=1\n1=0x2000\n")),
+              (std::vector<std::string>{"f:14:1: warning: unknown key 'SubNumbers' (did you mean 'SubNumber'?) in "
+                                        "section '2000', expected one of CiA 306; it is ignored",
+                                        "f:19:1: warning: unknown key 'PARAMTERVALUE' (did you mean 'ParameterValue'?) "
+                                        "in section '2000sub0', expected one of CiA 306; it is ignored"}));
+    // and slips around the objects
+    EXPECT_EQ(WarningsOf(test::Changed(Text("[DeviceComissioning]\nNode_ID=1\n"), {{"VendorName=x", "Granularty=1"}})),
+              (std::vector<std::string>{"f:2:1: warning: unknown key 'Granularty' (did you mean 'Granularity'?) in "
+                                        "section 'DeviceInfo', expected one of CiA 306; it is ignored",
+                                        "f:12:1: warning: unknown key 'Node_ID' (did you mean 'NodeID'?) in section "
+                                        "'DeviceComissioning', expected one of CiA 306; it is ignored"}));
+}
+
+TEST(DeviceReader, TellsSectionsThatAreASlipAwayFromKnownOnes)
+{
+    Verifies(req::SRS_EDS_037);
+    EXPECT_EQ(WarningsOf(Text("[OptionalObject]\nSupportedObjects=0\n[DeviceComissionning]\nNodeID=1\n"
+                              "[dummyusage]\n[Comments]\nLines=0\n[M1ModuleInfo]\n")),
+              (std::vector<std::string>{"f:11:1: warning: unknown section 'OptionalObject' (did you mean "
+                                        "'OptionalObjects'?), expected one of CiA 306; it is ignored",
+                                        "f:13:1: warning: unknown section 'DeviceComissionning' (did you mean "
+                                        "'DeviceComissioning'?), expected one of CiA 306; it is ignored"}));
+}
+
 TEST(DeviceReader, NodeId255And0MeanNone)
 {
     Verifies(req::SRS_EDS_009);

@@ -17,6 +17,7 @@ TEST(NearestWord, OneSlipInAShortWordIsNear)
     EXPECT_EQ(DidYouMean("chack", {"sign", "check"}), " (did you mean 'check'?)"); // Another one.
     EXPECT_EQ(DidYouMean("sgin", {"sign", "check"}), " (did you mean 'sign'?)");   // Two changed places.
     EXPECT_EQ(DidYouMean("sg", {"sig"}), " (did you mean 'sig'?)");
+    EXPECT_EQ(DidYouMean("CHCK", {"sign", "check"}), " (did you mean 'check'?)");
 }
 
 TEST(NearestWord, TwoSlipsAreNearFromSixLettersOn)

@@ -19,6 +19,7 @@ inline constexpr RequirementId SRS_NEW_012{"SRS_NEW_012"};
 inline constexpr RequirementId SRS_NEW_013{"SRS_NEW_013"};
 inline constexpr RequirementId SRS_NEW_014{"SRS_NEW_014"};
 inline constexpr RequirementId SRS_NEW_015{"SRS_NEW_015"};
+inline constexpr RequirementId SRS_NEW_016{"SRS_NEW_016"};
 } // namespace counterpoint::req
 
 #endif
