@@ -35,7 +35,10 @@ constexpr const char* kStyle =
     ".sequence svg .lane{stroke:var(--line)}.sequence svg .arrow{stroke:var(--ink);fill:none}.sequence svg .badarrow{"
     "stroke:var(--bad);fill:none}.sequence svg .head{fill:var(--head)}.sequence figure,.sequence "
     ".wide{overflow-x:auto;margin:0}"
-    "@media(max-width:600px){.sequence{margin:12px}.sequence .wide td{white-space:nowrap}}"
+    // On a phone each slave is a block of named lines: what is wrong stands below the name, not beside it.
+    "@media(max-width:600px){.sequence{margin:12px}.sequence .results tr{display:block;padding:6px 0;border-bottom:1px "
+    "solid var(--line)}.sequence .results tr.titles,.sequence .results td:empty{display:none}.sequence .results td{"
+    "display:block;border:0;padding:0}.sequence .results td::before{content:attr(data-of) \" \";color:var(--soft)}}"
     ".sequence figcaption{color:var(--soft);margin-bottom:8px}";
 
 /// At most so many bytes, no character cut in two.
@@ -67,19 +70,26 @@ std::string NameOf(const ManagerAssembly& assembly)
                                                                : assembly.Net().Plan().name);
 }
 
+/// A cell that knows its title: where the table is no table any more, it is told before each value.
+std::string Cell(const std::string& title, const std::string& html)
+{
+    return "<td data-of=\"" + title + "\">" + html + "</td>";
+}
+
 std::string ResultTable(const ManagerAssembly& assembly, const Instant now)
 {
     std::ostringstream out;
     out << "<div "
-           "class=\"wide\"><table><tr><th>node</th><th>name</th><th>state</th><th>result</th><th>step</"
+           "class=\"wide\"><table class=\"results\"><tr "
+           "class=\"titles\"><th>node</th><th>name</th><th>state</th><th>result</th><th>step</"
            "th><th>emergency</th><th>safety</th>"
            "<th>finding</th></tr>";
     for (const StatusRow& row : StatusRows(assembly, now))
     {
-        out << "<tr><td>" << int{row.node} << "</td><td>" << cia306::HtmlText(row.name) << "</td><td class=\""
-            << (row.is_good ? "good" : "bad") << "\">" << row.state << "</td><td>" << row.result << "</td><td>"
-            << row.step << "</td><td>" << row.emergency << "</td><td>" << row.safety << "</td><td>"
-            << cia306::HtmlText(row.finding) << "</td></tr>";
+        out << "<tr>" << Cell("node", std::to_string(row.node)) << Cell("name", cia306::HtmlText(row.name))
+            << "<td data-of=\"state\" class=\"" << (row.is_good ? "good" : "bad") << "\">" << row.state << "</td>"
+            << Cell("result", row.result) << Cell("step", row.step) << Cell("emergency", row.emergency)
+            << Cell("safety", row.safety) << Cell("finding", cia306::HtmlText(row.finding)) << "</tr>";
     }
     out << "</table></div>";
     return out.str();

@@ -241,8 +241,13 @@ TEST_F(ManagerResultsTest, ThePageHasEmergenciesAndFitsAPhone)
     const std::string page = runtime::DiagramPage(station->Assembly(), station->Diagram(), Instant{Us()});
     EXPECT_NE(page.find("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"), std::string::npos);
     EXPECT_NE(page.find("<th>emergency</th>"), std::string::npos);
-    EXPECT_NE(page.find("<td>0x8130 (1)</td>"), std::string::npos);
-    EXPECT_NE(page.find("<div class=\"wide\"><table>"), std::string::npos);
+    EXPECT_NE(page.find("<td data-of=\"emergency\">0x8130 (1)</td>"), std::string::npos);
+    EXPECT_NE(page.find("<div class=\"wide\"><table class=\"results\">"), std::string::npos);
+    // Below each other, each with its title.
+    EXPECT_NE(page.find("@media(max-width:600px)"), std::string::npos);
+    EXPECT_NE(page.find(".results td::before{content:attr(data-of)"), std::string::npos);
+    EXPECT_NE(page.find("<td data-of=\"name\">"), std::string::npos);
+    EXPECT_NE(page.find("<td data-of=\"state\" class=\""), std::string::npos);
 }
 } // namespace
 } // namespace counterpoint::tools
