@@ -4,6 +4,7 @@
 
 #include "safety_core/kernel/flow_monitor.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace counterpoint
@@ -32,6 +33,10 @@ class MarkTap final : public FlowWatch
     void Mark(FlowStep step, const FlowEvidence& evidence) noexcept override
     {
         steps.push_back(step);
+        if (on_step)
+        {
+            on_step(step);
+        }
         if (step != at)
         {
             monitor_.Mark(step, evidence);
@@ -72,6 +77,7 @@ class MarkTap final : public FlowWatch
     std::uint32_t begun{0U};
     std::uint32_t ended{0U};
     mutable std::uint32_t asked{0U};
+    std::function<void(FlowStep)> on_step{}; ///< Behind what was done in this step.
     MarkFault fault{MarkFault::kNone};
     FlowStep at{FlowStep::kInvalid};
 

@@ -84,6 +84,15 @@ TEST(SafeStateLatch, CountStaysAtItsGreatestValue)
     EXPECT_EQ(latch.Report().count, 65535U);
 }
 
+/// The first eight bytes of a latch are its two words.
+void FlipWordBit(SafeStateLatch& latch, const std::uint32_t bit)
+{
+    unsigned char bytes[sizeof(SafeStateLatch)];
+    std::memcpy(bytes, &latch, sizeof(bytes));
+    bytes[bit / 8U] = static_cast<unsigned char>(bytes[bit / 8U] ^ (1U << (bit % 8U)));
+    std::memcpy(static_cast<void*>(&latch), bytes, sizeof(bytes));
+}
+
 TEST(SafeStateLatch, AnySingleFlippedBitOfItsWordsStopsIt)
 {
     Verifies(req::SRS_KRN_003);
@@ -92,10 +101,7 @@ TEST(SafeStateLatch, AnySingleFlippedBitOfItsWordsStopsIt)
     {
         SafeStateLatch latch{};
         latch.Arm();
-        unsigned char bytes[sizeof(SafeStateLatch)];
-        std::memcpy(bytes, &latch, sizeof(bytes));
-        bytes[bit / 8U] = static_cast<unsigned char>(bytes[bit / 8U] ^ (1U << (bit % 8U)));
-        std::memcpy(static_cast<void*>(&latch), bytes, sizeof(bytes));
+        FlipWordBit(latch, bit);
         // Then the latch is in the safe state
         EXPECT_FALSE(latch.IsRunning()) << "bit " << bit;
         EXPECT_NE(latch.Spoiler(), 0U) << "bit " << bit;
@@ -103,15 +109,6 @@ TEST(SafeStateLatch, AnySingleFlippedBitOfItsWordsStopsIt)
         // And says that nobody entered it
         EXPECT_EQ(latch.Report().fault, DeviceFault::kInvalid) << "bit " << bit;
     }
-}
-
-/// The first eight bytes of a latch are its two words.
-void FlipWordBit(SafeStateLatch& latch, const std::uint32_t bit)
-{
-    unsigned char bytes[sizeof(SafeStateLatch)];
-    std::memcpy(bytes, &latch, sizeof(bytes));
-    bytes[bit / 8U] = static_cast<unsigned char>(bytes[bit / 8U] ^ (1U << (bit % 8U)));
-    std::memcpy(static_cast<void*>(&latch), bytes, sizeof(bytes));
 }
 
 // bit    changed    looked at    changed back
