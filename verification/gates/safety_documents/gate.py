@@ -17,9 +17,13 @@ FOLDER = "docs/safety"
 TECHNIQUES, FMEA, TOOLS, PLAN = (f"{FOLDER}/{name}.md" for name in ("techniques", "fmea", "tools", "plan"))
 TABLES = [f"A.{number}" for number in range(1, 11)] + [f"B.{number}" for number in range(1, 10)]
 PARTS = ("safety_core/comparator", "safety_core/kernel", "safety_core/selftest", "safety_core/crosslink", "channel_a", "channel_b", "hal/api")
+MANUAL = "docs/safety_manual.md"
 LIMITS = "safety_core/kernel/limits.hpp"
 OTHER_LIMITS = ("cycle", "start", "none")
 CAMPAIGN = "verification/campaign/plan.cpp"
+VERIFIES = re.compile(rf"\breq::({UID.pattern})")
+CONFORMANCE = "verification/conformance/"
+CONFORMANCE_TESTS = ("ChannelAConformance.Case", "ChannelBConformance.Case")
 INJECTION = ("skips", "inversions", "registers", "memory")
 CLASSES = ("T1", "T2", "T3")
 LINK = re.compile(r"\]\([^)]+\)")
@@ -27,6 +31,8 @@ QUOTED = re.compile(r"`([^`]+)`")
 TEST = re.compile(r"[A-Z]\w+\.(?:\*|[A-Z]\w+)")
 COUNT = re.compile(r"(\d+) entries of \[?`([\w/]+\.json)`")
 VERB = re.compile(r"`\./dev ([a-z]+)(?: -R (\w+))?")
+ROW = re.compile(r"^\| ((?:AU-|F-[A-Z])\d\d) \|", re.MULTILINE)
+NAMED_ROW = re.compile(r"\b(?:AU-|F-[A-Z])\d\d\b")
 CTEST = re.compile(r"\b(?:counterpoint_test\w*\(|add_test\(NAME )\s*(\w+)")
 
 
@@ -62,18 +68,33 @@ def techniques(root):
             yield f"{TECHNIQUES}:{number}: '{cells[0]}' leads nowhere, expected a link, or 'not done: why'"
 
 
+def tests(root):
+    """Test -> the requirements that it names; `Suite.*` stands for all of a suite. Both conformance tests run all cases of the table."""
+    found, table = {}, set()
+    for name in files(root, "*.cpp", under=("tests", "verification")):
+        text = read(root, name)
+        cases = list(TEST_CASE.finditer(text))
+        if name.startswith(CONFORMANCE):
+            table |= set(VERIFIES.findall(text))
+        for case, end in zip(cases, [other.start() for other in cases[1:]] + [len(text)]):
+            for suite in (case[1], case[1].rstrip("_")):
+                for test in (f"{suite}.{case[2]}", f"{suite}.*"):
+                    found.setdefault(test, set()).update(VERIFIES.findall(text, case.end(), end))
+    for test in CONFORMANCE_TESTS:
+        if test in found:
+            found[test] |= table
+    return found
+
+
 class Names:
     """What the documents may name."""
 
     def __init__(self, root):
         self.requirements = set(read_requirements(root))
-        self.tests = set()
-        for name in files(root, "*.cpp", under=("tests", "verification")):
-            for suite, case in TEST_CASE.findall(read(root, name)):
-                for first in (suite, suite.rstrip("_")):
-                    self.tests |= {f"{first}.{case}", f"{first}.*"}
+        self.tests = tests(root)
         listed = re.search(r"enum class FaultClass\b.*?\};", read(root, LIMITS), re.DOTALL)
         self.limits = set(re.findall(r"\b(k\w+) =", listed.group(0)) if listed else []) - {"kInvalid"} | set(OTHER_LIMITS)
+        self.rows = set(ROW.findall(read(root, MANUAL)) + ROW.findall(read(root, FMEA)))
         self.campaign = set(re.findall(r'\{"(\w+)", Part::', read(root, CAMPAIGN)))
         self.programs = {word for name in files(root, "CMakeLists.txt") for word in CTEST.findall(read(root, name))}
         self.verbs = set(re.findall(r"^help_(\w+)\(\)", read(root, "dev"), re.MULTILINE))
@@ -106,6 +127,9 @@ def failure_mode(root, names, where, cells):
     evidence = QUOTED.findall(shown)
     if not evidence:
         yield f"{where}: {identity} shows nothing, expected a test, a part of the campaign, a class of the injection or a verb of ./dev"
+    run = [word for word in evidence if word in names.tests]
+    if run and not any(names.tests[word] & set(UID.findall(requirements)) for word in run):
+        yield f"{where}: no test of {identity} names one of its requirements"
     yield from (f"{where}: {identity} is shown by '{word}', expected a test, a part of the campaign, a class of the injection or a verb of ./dev"
                 for word in evidence if not names.is_evidence(word))
 
@@ -152,6 +176,7 @@ def everywhere(root, names, name):
     for number, line in enumerate(read(root, name).splitlines(), start=1):
         where = f"{name}:{number}"
         yield from (f"{where}: there is no requirement {uid}" for uid in UID.findall(line) if uid not in names.requirements)
+        yield from (f"{where}: there is no row {row}, neither in {MANUAL} nor in {FMEA}" for row in NAMED_ROW.findall(line) if row not in names.rows)
         yield from (f"{where}: there is no test '{word}'" for word in QUOTED.findall(line) if TEST.fullmatch(word) and word not in names.tests)
         for verb, program in VERB.findall(line):
             if verb not in names.verbs:
@@ -166,7 +191,7 @@ def everywhere(root, names, name):
 
 
 def gate(root, _data):
-    missing = [name for name in (TECHNIQUES, FMEA, TOOLS, PLAN, LIMITS, CAMPAIGN, "dev") if not (root / name).is_file()]
+    missing = [name for name in (TECHNIQUES, FMEA, TOOLS, PLAN, MANUAL, LIMITS, CAMPAIGN, "dev") if not (root / name).is_file()]
     if missing:
         raise CannotLook(", ".join(missing))
     try:

@@ -47,6 +47,7 @@ inline constexpr RequirementId SRS_VER_112{"SRS_VER_112"};
 inline constexpr RequirementId SRS_VER_113{"SRS_VER_113"};
 inline constexpr RequirementId SRS_VER_114{"SRS_VER_114"};
 inline constexpr RequirementId SRS_VER_115{"SRS_VER_115"};
+inline constexpr RequirementId SRS_VER_116{"SRS_VER_116"};
 } // namespace counterpoint::req
 
 #endif
