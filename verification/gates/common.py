@@ -11,6 +11,8 @@ import sys
 
 SAFETY_ROOMS = ("safety_core/contract", "safety_core/comparator", "safety_core/kernel", "safety_core/selftest", "safety_core/crosslink", "channel_a", "channel_b")
 MISRA_ROOMS = ("safety_core", "channel_a", "channel_b", "hal")
+# A case of GoogleTest: its suite, its name.
+TEST_CASE = re.compile(r"\b(?:TYPED_)?TEST(?:_[FP])?\(\s*(\w+),\s*(\w+)\s*\)")
 PRODUCT_FOLDERS = ("safety_core", "channel_a", "channel_b", "hal", "canopen", "runtime", "simulator", "examples", "tools", "version", "names")
 
 

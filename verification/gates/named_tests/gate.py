@@ -6,10 +6,9 @@ import re
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-from common import CannotLook, files, read, run_gate  # noqa: E402
+from common import TEST_CASE, CannotLook, files, read, run_gate  # noqa: E402
 
 TABLE = "docs/reference_table.md"
-CASE = re.compile(r"\b(?:TYPED_)?TEST(?:_[FP])?\(\s*(\w+),\s*(\w+)\s*\)")
 CONFORMANCE = re.compile(r"\bMakeCase\(\s*\"(\w+)\"")
 PLACES = ("tests", "verification")
 QUOTED = re.compile(r"`([^`]+)`")
@@ -22,7 +21,7 @@ def known(root):
         parts = pathlib.PurePosixPath(name)
         if parts.suffix == ".cpp":
             names |= set(CONFORMANCE.findall(read(root, name)))
-            for suite, case in CASE.findall(read(root, name)):
+            for suite, case in TEST_CASE.findall(read(root, name)):
                 names |= {case, f"{suite}.{case}", f"{suite.rstrip('_')}.{case}"}
         names |= {parts.stem, parts.parent.as_posix(), parts.parent.name}
     return names

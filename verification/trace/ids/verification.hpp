@@ -41,6 +41,13 @@ inline constexpr RequirementId SRS_VER_051{"SRS_VER_051"};
 inline constexpr RequirementId SRS_VER_060{"SRS_VER_060"};
 inline constexpr RequirementId SRS_VER_061{"SRS_VER_061"};
 inline constexpr RequirementId SRS_VER_062{"SRS_VER_062"};
+inline constexpr RequirementId SRS_VER_110{"SRS_VER_110"};
+inline constexpr RequirementId SRS_VER_111{"SRS_VER_111"};
+inline constexpr RequirementId SRS_VER_112{"SRS_VER_112"};
+inline constexpr RequirementId SRS_VER_113{"SRS_VER_113"};
+inline constexpr RequirementId SRS_VER_114{"SRS_VER_114"};
+inline constexpr RequirementId SRS_VER_115{"SRS_VER_115"};
+inline constexpr RequirementId SRS_VER_116{"SRS_VER_116"};
 } // namespace counterpoint::req
 
 #endif
