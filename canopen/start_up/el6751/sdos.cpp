@@ -155,7 +155,7 @@ void El6751Sdos::Fail(const NodeId node, const std::int16_t code, const Instant 
     slave.phase = Next(slave.phase, El6751Event::kFail);
     slave.status.is_other = slave.status.is_other || (slave.place.row <= El6751Row::kSerialNumber);
     slave.cause = code;
-    slave.signs = parts_.table.Record(node).signs;
+    slave.signs = slaves_.SignsBefore(node);
     slaves_.Tell(node, code, AccessOf(Context(node), slave.place).step, now);
 }
 
