@@ -23,16 +23,6 @@ std::string ResultOf(const network_plan::StartProfile profile, const cia302::Nod
     return (profile == network_plan::StartProfile::kCia302) ? letter : std::to_string(status.code);
 }
 
-/// Whether the start-up ended as the profile wants it to.
-bool HasGoodResult(const network_plan::StartProfile profile, const cia302::NodeStatus& status)
-{
-    constexpr int kPlcStarted = 5;
-    bool is_good = status.letter == 0 || status.letter == 'L';
-    is_good = (profile == network_plan::StartProfile::kEl6751) ? status.code == 0 : is_good;
-    is_good = (profile == network_plan::StartProfile::kPlcDesigner) ? status.code == kPlcStarted : is_good;
-    return is_good;
-}
-
 std::string Age(const cia302::NodeRecord& record, const Instant now)
 {
     return record.was_seen ? std::to_string((now.us - record.last_sign.us) / kUsPerMs) + " ms" : "-";
@@ -72,7 +62,7 @@ StatusRow RowOf(const ManagerAssembly& assembly, const network_plan::LoadedSlave
     const std::uint16_t fault = is_safety ? manager.Watched().Of(node).fault : std::uint16_t{0U};
     row.finding = (fault != 0U && row.finding.empty()) ? FaultText(fault) : row.finding;
     row.finding = manager.Watched().Of(node).is_duplicate ? "two devices with this node-ID?" : row.finding;
-    row.is_good = HasGoodResult(profile, status) && assembly.Runs(node) && fault == 0U;
+    row.is_good = assembly.IsGood(node);
     return row;
 }
 

@@ -202,6 +202,54 @@ TEST_F(ManagerResultsTest, AStartOfASlaveThatIsRefusedSaysWhatWasFound)
     EXPECT_EQ(Order("start 6"), "taken");
 }
 
+TEST_F(ManagerResultsTest, ASlaveThatRunsWithAFindingIsNotGoodNorExitStatus0)
+{
+    Verifies(req::SRS_MGR_004);
+    Verifies(req::SRS_MGR_005);
+    const std::vector<std::uint8_t> other{0x43U, 0x00U, 0x10U, 0x00U, 0x92U, 0x01U, 0x00U, 0x00U};
+    for (const char* const profile : {"cia302", "el6751"})
+    {
+        // Given another device than the expected one, started by hand
+        Make("manager: {node: 127, profile: " + std::string(profile) + "}\nslaves: [{node: 6, device_type: 0x191}]\n");
+        Run(2U);
+        Hear(0x706U, {0U});
+        Answer(6U, other, 20);
+        EXPECT_FALSE(station->Assembly().HasStarted()) << profile;
+        EXPECT_EQ(Order("start 6").rfind("taken; started all the same", 0U), 0U) << profile;
+        Run(5U);
+        Hear(0x706U, {0x05U});
+        Run(2U);
+        EXPECT_EQ(Row(6U).state, "operational") << profile;
+        EXPECT_FALSE(Row(6U).is_good) << profile;
+        EXPECT_FALSE(station->Assembly().HasStarted()) << profile;
+    }
+    EXPECT_EQ(Row(6U).result, "0");
+    EXPECT_EQ(Row(6U).finding, "started though its start-up failed: 0x1000:00 is 0x192, expected 0x191");
+    EXPECT_TRUE(IsTold("0: started though its start-up failed (0x1000:00 is 0x192, expected 0x191)"));
+    // When the expected one takes its place
+    EXPECT_EQ(Order("boot 6"), "taken");
+    Run(5U);
+    Hear(0x706U, {0U});
+    Answer(6U, {0x43U, 0x00U, 0x10U, 0x00U, 0x91U, 0x01U, 0x00U, 0x00U}, 20);
+    EXPECT_EQ(Row(6U).finding, "");
+    EXPECT_TRUE(Row(6U).is_good);
+    EXPECT_TRUE(station->Assembly().HasStarted());
+}
+
+TEST_F(ManagerResultsTest, AKeptAliveSlaveWithALetterIsNotGood)
+{
+    Verifies(req::SRS_MGR_004);
+    Make("manager: {node: 127}\nslaves: [{node: 6, device_type: 0x191, keep_alive: true, consumer: 300 ms}]\n");
+    Run(2U);
+    Answer(6U, {0x43U, 0x00U, 0x10U, 0x00U, 0x92U, 0x01U, 0x00U, 0x00U}, 20);
+    Hear(0x706U, {0x05U});
+    Run(2U);
+    EXPECT_EQ(Row(6U).result, "C");
+    EXPECT_EQ(Row(6U).state, "operational");
+    EXPECT_FALSE(Row(6U).is_good);
+    EXPECT_FALSE(station->Assembly().HasStarted());
+}
+
 TEST_F(ManagerResultsTest, AControlThatIsNoneSaysWhatItIsAndWhatThereIs)
 {
     Verifies(req::SRS_MGR_026);
