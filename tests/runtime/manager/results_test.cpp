@@ -176,6 +176,20 @@ TEST_F(ManagerResultsTest, AStartOfAllNamesWhoIsLeftOutAndWhy)
                                   "expected that one, and boot NODE");
     Run(5U);
     EXPECT_EQ(Commands(), (std::vector<std::string>{"1 7"}));
+    // When it was started all the same, nobody is left out
+    sent.clear();
+    EXPECT_EQ(Order("start 6").rfind("taken; started all the same: node 6", 0U), 0U);
+    Run(5U);
+    EXPECT_EQ(Order("start all"), "taken");
+    Run(5U);
+    EXPECT_EQ(Commands(), (std::vector<std::string>{"1 6", "1 0"}));
+    // When it is stopped, it is left out again, and named
+    sent.clear();
+    EXPECT_EQ(Order("stop 6"), "taken");
+    EXPECT_EQ(Order("start all"), "taken but for node 6: C: device type differs (0x1000:00 is 0x192, expected 0x191), "
+                                  "expected that one, and boot NODE");
+    Run(5U);
+    EXPECT_EQ(Commands(), (std::vector<std::string>{"2 6", "1 7"}));
 }
 
 TEST_F(ManagerResultsTest, AStartOfASlaveThatIsRefusedSaysWhatWasFound)
