@@ -66,6 +66,22 @@ StatusRow RowOf(const ManagerAssembly& assembly, const network_plan::LoadedSlave
     return row;
 }
 
+/// Who is heard on the bus and is no slave.
+std::vector<NodeId> UnlistedNodes(const ManagerAssembly& assembly)
+{
+    std::vector<NodeId> nodes;
+    for (std::uint8_t id = 1U; id <= cia302::kLastNode; ++id)
+    {
+        const NodeId node{id};
+        const bool is_ours = assembly.Net().Setup().IsListed(node) || id == assembly.Net().Setup().own.value;
+        if (assembly.Core().Table().Record(node).was_seen && !is_ours)
+        {
+            nodes.push_back(node);
+        }
+    }
+    return nodes;
+}
+
 std::string Column(const std::string& text, const std::size_t width)
 {
     const std::string shown = cia306::Printable(text.substr(0U, width));
@@ -95,6 +111,17 @@ std::vector<StatusRow> StatusRows(const ManagerAssembly& assembly, const Instant
     std::sort(rows.begin(), rows.end(),
               [](const StatusRow& left, const StatusRow& right) { return left.node < right.node; });
     return rows;
+}
+
+std::string UnlistedText(const ManagerAssembly& assembly)
+{
+    std::string text;
+    for (const NodeId node : UnlistedNodes(assembly))
+    {
+        text += (text.empty() ? "not in the network list (A): node " : ", node ") + std::to_string(node.value) + " " +
+                WordOf(assembly.Core().Table().Record(node).state);
+    }
+    return text;
 }
 
 std::string ManagerLine(const ManagerAssembly& assembly)
@@ -141,7 +168,8 @@ std::string StatusTable(const ManagerStation& station, const std::uint64_t now_u
         table += Line({std::to_string(row.node), row.name, row.state, row.result, row.step, row.heartbeat,
                        row.emergency, row.safety, row.finding});
     }
-    return table + PdoTable(station.Pdos(), now_us);
+    const std::string unlisted = UnlistedText(assembly);
+    return table + unlisted + (unlisted.empty() ? "" : "\n") + PdoTable(station.Pdos(), now_us);
 }
 
 /// In milliseconds; null where there is none.
@@ -186,6 +214,14 @@ nlohmann::ordered_json StatusJson(const ManagerStation& station, const std::uint
                           {"finding", row.finding},
                           {"good", row.is_good}});
     }
+    nlohmann::ordered_json unlisted = nlohmann::ordered_json::array();
+    for (const NodeId node : UnlistedNodes(assembly))
+    {
+        const cia302::NodeRecord& record = assembly.Core().Table().Record(node);
+        unlisted.push_back({{"node", node.value},
+                            {"state", WordOf(record.state)},
+                            {"heartbeat_age_ms", AgeJson(true, now.us - record.last_sign.us)}});
+    }
     const cia302::Manager& manager = assembly.Core();
     return {{"format", kManagerFormat},
             {"event", "table"},
@@ -195,6 +231,7 @@ nlohmann::ordered_json StatusJson(const ManagerStation& station, const std::uint
             {"profile", WordOf(assembly.Net().Plan().manager.profile)},
             {"master_state", manager.MasterState()},
             {"slaves", slaves},
+            {"unlisted", unlisted},
             {"pdos", PdosJson(station.Pdos(), now_us)}};
 }
 } // namespace counterpoint::runtime

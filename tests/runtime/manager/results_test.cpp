@@ -264,6 +264,31 @@ TEST_F(ManagerResultsTest, AKeptAliveSlaveWithALetterIsNotGood)
     EXPECT_FALSE(station->Assembly().HasStarted());
 }
 
+TEST_F(ManagerResultsTest, WhoIsNotInTheNetworkListIsNamed)
+{
+    Verifies(req::SRS_MGR_005);
+    for (const char* const profile : {"cia302", "el6751", "plc_designer"})
+    {
+        Make("manager: {node: 127, profile: " + std::string(profile) + "}\nslaves: [{node: 6, device_type: 0x191}]\n");
+        Run(2U);
+        EXPECT_EQ(runtime::UnlistedText(station->Assembly()), "") << profile;
+        EXPECT_EQ(runtime::StatusTable(*station, now_us).find("network list"), std::string::npos) << profile;
+        // When two others are heard, and the slave, and somebody with the node-ID of the manager
+        Hear(0x706U, {0x7FU});
+        Hear(0x737U, {0x00U});
+        Hear(0x701U, {0x05U});
+        Hear(0x77FU, {0x05U});
+        Run(3U);
+        const std::string named = "not in the network list (A): node 1 operational, node 55 pre-operational";
+        EXPECT_EQ(runtime::UnlistedText(station->Assembly()), named) << profile;
+        EXPECT_NE(runtime::StatusTable(*station, now_us).find("\n" + named + "\n"), std::string::npos) << profile;
+        EXPECT_NE(
+            runtime::StatusJson(*station, 3000U).dump().find("\"unlisted\":[{\"node\":1,\"state\":\"operational\","),
+            std::string::npos)
+            << profile;
+    }
+}
+
 TEST_F(ManagerResultsTest, AControlThatIsNoneSaysWhatItIsAndWhatThereIs)
 {
     Verifies(req::SRS_MGR_026);
