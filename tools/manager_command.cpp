@@ -61,7 +61,8 @@ class ManagerCommand final : public Command
         options.Footer(
             "Orders, typed as lines or by the socket:\n" + runtime::ManagerOrderHelp() +
             "On a terminal the table of all slaves is shown and redrawn; elsewhere a line is printed for each\n"
-            "event, and the table at the end. Exit status 0: every mandatory slave was started at the end.");
+            "event, and the table at the end. Exit status 0: at the end every mandatory slave\n"
+            "was started, runs, and has nothing wrong with it.");
     }
 
     [[nodiscard]] ExitStatus Run(const Streams& streams) override

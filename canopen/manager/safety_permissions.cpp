@@ -111,11 +111,12 @@ void SafetyPermissions::OnForeignStart(const NodeId node, const StartUp& profile
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
         const NodeId slave{id};
-        const SlaveState state = table_.Record(slave).state;
+        const NodeRecord& record = table_.Record(slave);
+        const bool is_heard = (record.state != SlaveState::kUnknown) || record.has_answered;
         const GateState gate = gate_.State(slave);
         const bool is_started = profile.Status(slave).is_started;
         const bool is_hit = (node.value == kAllNodes.value) || (node.value == id);
-        const bool was_there = (state != SlaveState::kUnknown) || is_started || (gate == GateState::kDiffers);
+        const bool was_there = is_heard || is_started || (gate == GateState::kDiffers);
         const bool is_ours = HasStarted(slave, profile) && (gate == GateState::kOpen);
         if (is_hit && setup_.IsSafetySlave(slave) && was_there && !is_ours)
         {

@@ -150,15 +150,33 @@ bool ManagerAssembly::Runs(const cia302::NodeId node) const noexcept
     return is_running && (was_heard || manager_.Status(node).is_started);
 }
 
+bool ManagerAssembly::HasFault(const cia302::NodeId node) const noexcept
+{
+    return net_.Setup().IsSafetySlave(node) && manager_.Watched().Of(node).fault != 0U;
+}
+
+bool ManagerAssembly::IsGood(const cia302::NodeId node) const noexcept
+{
+    constexpr int kNoError = 0; // NodeState.
+    const cia302::NodeStatus status = manager_.Status(node);
+    const StartProfile profile = net_.Plan().manager.profile;
+    bool is_good = status.letter == 0 || status.letter == 'L';
+    is_good = (profile == StartProfile::kEl6751) ? status.code == kNoError && !status.has_failed : is_good;
+    is_good = (profile == StartProfile::kPlcDesigner) ? status.code == cia302::kPlcStarted : is_good;
+    return is_good && Runs(node) && !HasFault(node);
+}
+
 bool ManagerAssembly::HasStarted() const noexcept
 {
     bool has_started = true;
     for (const auto& slave : net_.Slaves())
     {
         const cia302::NodeId node{slave->plan.node};
+        const cia302::NodeStatus status = manager_.Status(node);
         const bool is_needed = net_.Setup().Slave(node).Has(cia302::kInNetwork | cia302::kMandatory);
-        const bool is_faulty = net_.Setup().IsSafetySlave(node) && manager_.Watched().Of(node).fault != 0U;
-        has_started = has_started && ((Runs(node) && !is_faulty) || !is_needed);
+        const bool is_waiting = el6751_ != nullptr && status.code == cia302::kNodeWaitsForPdos && !status.has_failed;
+        const bool has_one = IsGood(node) || (is_waiting && Runs(node) && !HasFault(node));
+        has_started = has_started && (has_one || !is_needed);
     }
     return has_started;
 }

@@ -59,7 +59,9 @@ class ManagerAssembly
     void OnCycle(Instant now);
     /// @brief Whether a slave is OPERATIONAL by what it said last, where it is listened to, else by what it was told.
     [[nodiscard]] bool Runs(cia302::NodeId node) const noexcept;
-    /// @brief Whether every mandatory slave was started.
+    /// @brief Whether a slave runs, its start-up ended without a finding, and it told no fault of the device.
+    [[nodiscard]] bool IsGood(cia302::NodeId node) const noexcept;
+    /// @brief Whether every mandatory slave is good, or waits for TxPDOs alone.
     [[nodiscard]] bool HasStarted() const noexcept;
     /// @brief Tells the flying master and the EL6751 profile the state of the controller.
     void OnController(cia302::ControllerState state, Instant now) noexcept;
@@ -70,6 +72,7 @@ class ManagerAssembly
                                             Instant now) noexcept;
 
   private:
+    [[nodiscard]] bool HasFault(cia302::NodeId node) const noexcept;
     [[nodiscard]] cia302::ManagerRoom Room() noexcept;
     void MakeProfile();
     void Use(cia302::StartUp& profile) noexcept;

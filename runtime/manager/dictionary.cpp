@@ -47,6 +47,15 @@ bool HasAllSub(const std::uint16_t index)
     return index == 0x1F25U || index == 0x1F82U || index == 0x1F83U;
 }
 
+/// An object as a person reads it: with its node, where the sub-index is one.
+std::string NameOf(const ObjectAddress& object)
+{
+    const bool is_of_nodes = std::any_of(std::begin(kArrays), std::end(kArrays),
+                                         [&object](const auto& row) { return row.index == object.index; });
+    const bool is_node = is_of_nodes && object.sub >= 1U && object.sub <= cia302::kLastNode;
+    return cia306::ObjectName(object.index, object.sub) + (is_node ? " (node " + std::to_string(object.sub) + ")" : "");
+}
+
 /// What a person may do about a refusal.
 std::string RemedyOf(const SdoAbort abort)
 {
@@ -255,7 +264,7 @@ std::string ManagerDictionary::Get(const ObjectAddress& object, const Instant no
 {
     static_cast<void>(Begin(now));
     const cia301::Entry* const entry = dictionary_.Find(object);
-    const std::string name = cia306::ObjectName(object.index, object.sub);
+    const std::string name = NameOf(object);
     if (entry == nullptr)
     {
         return "no object " + name + ", expected one of the manager";
@@ -282,7 +291,7 @@ std::string ManagerDictionary::Set(const ObjectAddress& object, const std::uint6
 {
     static_cast<void>(Begin(now));
     const cia301::Entry* const entry = dictionary_.Find(object);
-    const std::string name = cia306::ObjectName(object.index, object.sub);
+    const std::string name = NameOf(object);
     const bool is_writable = entry != nullptr && cia301::IsNumber(entry->type) &&
                              (entry->access == Access::kReadWrite || entry->access == Access::kWriteOnly);
     if (!is_writable)

@@ -41,7 +41,7 @@ class ManagerLoop
     ManagerLoop(network_plan::LoadedNetwork& net, std::unique_ptr<host::LiveBus> bus, NodeReport& report,
                 ManagerSocket* socket, ManagerLoopSettings settings);
 
-    /// @brief Runs until `quit`, SIGTERM, SIGINT or the end of its time. True: every mandatory slave was started then.
+    /// @brief Runs until `quit`, SIGTERM, SIGINT or the end of its time. True: every mandatory slave was good then.
     [[nodiscard]] bool Run();
     /// @brief Whether every event is in the log; true without a log.
     [[nodiscard]] bool IsLogWhole() const noexcept

@@ -44,7 +44,8 @@ std::optional<std::uint8_t> NodeOf(const std::string& text, const bool may_be_al
     {
         return std::uint8_t{0U};
     }
-    const auto number = cia306::ParseUnsigned(text, cia302::kLastNode);
+    const bool is_octal = text.size() > 1U && text[0] == '0' && text[1] != 'x' && text[1] != 'X'; // Node 010 is no 8.
+    const auto number = is_octal ? std::nullopt : cia306::ParseUnsigned(text, cia302::kLastNode);
     return (number && *number > 0U) ? std::optional(static_cast<std::uint8_t>(*number)) : std::nullopt;
 }
 
@@ -314,7 +315,7 @@ std::string ManagerOrderHelp()
            "  control NODE A D    write control of the EL6751 profile: ADS state A, device state D\n"
            "  output NODE PDO BYTES what an RxPDO of the EL6751 profile carries, as hexadecimal digits: output 10 1 01 "
            "FF\n"
-           "  get OBJECT          an object of the manager itself: get 0x1F80:00\n"
+           "  get OBJECT          an object of the manager itself, hexadecimal: get 0x1F82:0A is that of node 10\n"
            "  set OBJECT NUMBER   writes one: set 0x1F90:03 1\n"
            "  negotiate           the flying master begins its negotiation (start: by_order)\n"
            "  help                this\n"

@@ -155,6 +155,10 @@ Nanoseconds YamlValue::Duration() const
     constexpr Unit kUnits[] = {{"us", 3U}, {"ms", 6U}, {"s", 9U}};
     const std::string expected = "a time with its unit such as 10 ms, 2.5 s or 100 us, at most 10000000 s";
     const std::string text = Text(expected);
+    if (text == "0")
+    {
+        return 0; // In whatever unit.
+    }
     const std::size_t end = text.find_last_of("0123456789.");
     const std::string number = (end == std::string::npos) ? "" : text.substr(0U, end + 1U);
     const std::size_t unit_begin =

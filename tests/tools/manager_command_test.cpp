@@ -336,6 +336,8 @@ TEST_F(ManagerCommandTest, OrdersAreReadStrictly)
     EXPECT_EQ(runtime::ParseManagerOrder("boot all").problem, "boot: 'all', expected a node-ID from 1 to 127");
     EXPECT_EQ(runtime::ParseManagerOrder("stop").problem, "stop: no node, expected a node-ID from 1 to 127, or all");
     EXPECT_EQ(runtime::ParseManagerOrder("stop 128").problem, "stop: '128', expected a node-ID from 1 to 127, or all");
+    EXPECT_EQ(runtime::ParseManagerOrder("stop 010").problem, "stop: '010', expected a node-ID from 1 to 127, or all");
+    EXPECT_EQ(runtime::ParseManagerOrder("stop 0x0A").node, 10U);
     EXPECT_EQ(runtime::ParseManagerOrder("fly").problem,
               "order 'fly', expected status, start, stop, preop, reset, reset-comm, "
               "boot, write-safety, control, output, get, set, negotiate, help or quit");

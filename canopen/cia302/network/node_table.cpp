@@ -7,6 +7,8 @@ namespace
 {
 
 constexpr std::uint32_t kUsPerMs = 1000U;
+constexpr std::uint32_t kAnswers = 0x580U;
+constexpr std::uint8_t kSdoBytes = 8U;
 constexpr std::uint32_t kErrorControl = 0x700U;
 constexpr std::uint8_t kToggleBit = 0x80U;
 constexpr NodeRecord kNothing{};
@@ -153,6 +155,7 @@ void NodeTable::SetMissing(const NodeId node) noexcept
     if (record != nullptr)
     {
         record->state = SlaveState::kMissing;
+        record->has_answered = false;
     }
 }
 
@@ -160,8 +163,14 @@ void NodeTable::OnFrame(const CanFrame& frame, const Instant now) noexcept
 {
     const bool is_sign = (frame.kind == FrameKind::kData) && (frame.length_bytes == 1U) &&
                          (frame.identifier > kErrorControl) && (frame.identifier <= (kErrorControl + kLastNode));
+    const bool is_answer = (frame.kind == FrameKind::kData) && (frame.length_bytes == kSdoBytes) &&
+                           (frame.identifier > kAnswers) && (frame.identifier <= (kAnswers + kLastNode));
     const NodeId node{static_cast<std::uint8_t>(frame.identifier & kLastNode)};
-    if (is_sign && (node.value != parts_.setup.own.value))
+    if (is_answer)
+    {
+        HearAnswer(parts_.records[node.value]);
+    }
+    else if (is_sign && (node.value != parts_.setup.own.value))
     {
         Hear(node, frame.data[0], now);
     }
@@ -171,8 +180,17 @@ void NodeTable::OnFrame(const CanFrame& frame, const Instant now) noexcept
     }
     else
     {
-        // Not of error control.
+        // Neither error control nor an answer.
     }
+}
+
+/// It is there, in a state that nobody knows. Whether a supervised node is lost is a matter of its supervision alone.
+void NodeTable::HearAnswer(NodeRecord& record) noexcept
+{
+    const bool is_back = (record.state == SlaveState::kMissing) && (record.watch == Watch::kNone);
+    record.has_answered = true;
+    record.is_expected = false;
+    record.state = is_back ? SlaveState::kUnknown : record.state;
 }
 
 /// Of somebody else: the nodes may be OPERATIONAL no more, whatever their next sign says.
@@ -183,7 +201,9 @@ void NodeTable::HearCommand(const NmtCommand command, const NodeId node) noexcep
         NodeRecord& record = parts_.records[id];
         const bool is_hit = (node.value == kAllNodes.value) || (node.value == id);
         const bool is_start = (command == NmtCommand::kStart);
+        const bool is_reset = (command == NmtCommand::kResetNode) || (command == NmtCommand::kResetCommunication);
         record.runs = (is_hit && !is_start) ? std::uint8_t{0U} : record.runs;
+        record.has_answered = record.has_answered && !(is_hit && is_reset);
         record.asked = is_hit ? AskedBy(command) : record.asked;
         record.state = (is_hit && record.is_presumed) ? record.asked : record.state;
     }
@@ -328,6 +348,7 @@ void NodeTable::Command(NodeRecord& record, const NmtCommand command, const Inst
     {
         record.state = SlaveState::kUnknown;
         record.has_booted = false;
+        record.has_answered = false;
         record.toggle = Toggle::kClear;
         record.is_asked = false;
         record.has_begun = false;

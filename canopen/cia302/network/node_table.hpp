@@ -78,6 +78,7 @@ struct NodeRecord
     bool has_booted;    ///< Its boot-up message came since the last reset of it.
     bool is_presumed;   ///< Nothing was heard since Presume: `state` is what was commanded.
     bool has_gap;       ///< Frames were lost since its last sign: Miss.
+    bool has_answered;  ///< An SDO since its last reset: it is there, whatever else it says or does not say.
     std::uint8_t signs; ///< Counts heartbeats, guarding answers and boot-up messages, modulo 256.
     std::uint8_t beats; ///< Counts heartbeats and guarding answers, modulo 256.
     std::uint8_t runs;  ///< OPERATIONAL signs in a row since the last NMT command but a start, up to kRunsSurely.
@@ -165,6 +166,7 @@ class NodeTable final : public NmtListener
   private:
     void Hear(NodeId node, std::uint8_t byte, Instant now) noexcept;
     void HearBootUp(NodeId node, NodeRecord& record, Toggle next, Instant now) noexcept;
+    void HearAnswer(NodeRecord& record) noexcept;
     void HearState(NodeId node, NodeRecord& record, std::uint8_t byte, Instant now) noexcept;
     [[nodiscard]] bool TakeToggle(NodeId node, NodeRecord& record, bool is_set, Instant now) noexcept;
     void Guard(NodeId node, NodeRecord& record, Instant now) noexcept;

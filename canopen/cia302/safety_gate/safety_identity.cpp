@@ -52,7 +52,8 @@ IdentityRow IdentityRowOf(const SlaveSetup& slave, const IdentityRule rule, cons
     if (row < kIdentityRows)
     {
         found.expected = expected[row];
-        found.mask = (found.expected == 0U) ? 0U : MaskOf(slave, rule, row);
+        const bool is_zero_meant = (rule == IdentityRule::kEl6751) && (row == kTypeRow); // Its text compares 0, too.
+        found.mask = ((found.expected == 0U) && !is_zero_meant) ? 0U : MaskOf(slave, rule, row);
     }
     return found;
 }

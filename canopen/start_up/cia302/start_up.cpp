@@ -341,13 +341,14 @@ NmtAnswer Cia302StartUp::CommandAll(const NmtCommand command, const BootTime& ti
     return answer;
 }
 
-/// A slave whose boot ended with an error. A safety slave is asked and read again before its start.
+/// A slave whose boot ended with an error, and that nobody started all the same. A safety slave is asked and read again
+/// before its start.
 bool Cia302StartUp::IsRefused(const NodeId node) const noexcept
 {
     const BootRecord& record = boot_.Record(node);
     const char letter = record.status.letter;
     const bool is_error = (letter != '\0') && (letter != 'L') && (letter != 'A');
-    const bool is_ended = !record.is_booted && !record.status.is_busy;
+    const bool is_ended = !record.is_booted && !record.status.is_busy && !record.status.is_started;
     return parts_.setup.IsListed(node) && !parts_.setup.IsSafetySlave(node) && is_error && is_ended;
 }
 

@@ -29,6 +29,7 @@ void El6751Operation::Begin(const NodeId node, const Instant now) noexcept
     else
     {
         Hold(node, kNodePreOperational, now);
+        slaves_.Of(node).signs = slaves_.SignsBefore(node);
     }
 }
 

@@ -48,6 +48,7 @@ void El6751Sdos::Begin(const NodeId node, const std::int16_t code, const Instant
     slave.is_cut = false;
     slave.status.ForgetObject();
     slave.status.is_started = false;
+    slave.status.has_failed = false;
     slave.status.is_other = false;
     slaves_.Tell(node, code, AccessOf(Context(node), slave.place).step, now);
 }
@@ -154,8 +155,9 @@ void El6751Sdos::Fail(const NodeId node, const std::int16_t code, const Instant 
     El6751Node& slave = slaves_.Of(node);
     slave.phase = Next(slave.phase, El6751Event::kFail);
     slave.status.is_other = slave.status.is_other || (slave.place.row <= El6751Row::kSerialNumber);
+    slave.status.has_failed = true;
     slave.cause = code;
-    slave.signs = parts_.table.Record(node).signs;
+    slave.signs = slaves_.SignsBefore(node);
     slaves_.Tell(node, code, AccessOf(Context(node), slave.place).step, now);
 }
 

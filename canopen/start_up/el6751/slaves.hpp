@@ -101,6 +101,12 @@ class El6751Slaves
         return (phase == El6751Phase::kResetting) || (phase == El6751Phase::kRows) || (phase == El6751Phase::kVerify) ||
                (phase == El6751Phase::kStarting) || IsStopping(phase);
     }
+    /// @brief For El6751Node::signs behind a start-up: what the slave said meanwhile counts, or a start of somebody
+    /// else, of which a slave without error control gives no other sign.
+    [[nodiscard]] std::uint8_t SignsBefore(const NodeId node) const noexcept
+    {
+        return static_cast<std::uint8_t>(parts_.common.table.Record(node).signs - 1U);
+    }
     /// @brief Sets NodeState and step; the listener is told if one of them has changed.
     void Tell(const NodeId node, const std::int16_t code, const StartUpStep step, const Instant now) noexcept
     {

@@ -91,7 +91,8 @@ std::string ResultTable(const ManagerAssembly& assembly, const Instant now)
             << Cell("result", row.result) << Cell("step", row.step) << Cell("emergency", row.emergency)
             << Cell("safety", row.safety) << Cell("finding", cia306::HtmlText(row.finding)) << "</tr>";
     }
-    out << "</table></div>";
+    const std::string unlisted = UnlistedText(assembly);
+    out << "</table></div>" << (unlisted.empty() ? "" : "<p>" + unlisted + "</p>");
     return out.str();
 }
 

@@ -23,16 +23,6 @@ std::string ResultOf(const network_plan::StartProfile profile, const cia302::Nod
     return (profile == network_plan::StartProfile::kCia302) ? letter : std::to_string(status.code);
 }
 
-/// Whether the start-up ended as the profile wants it to.
-bool HasGoodResult(const network_plan::StartProfile profile, const cia302::NodeStatus& status)
-{
-    constexpr int kPlcStarted = 5;
-    bool is_good = status.letter == 0 || status.letter == 'L';
-    is_good = (profile == network_plan::StartProfile::kEl6751) ? status.code == 0 : is_good;
-    is_good = (profile == network_plan::StartProfile::kPlcDesigner) ? status.code == kPlcStarted : is_good;
-    return is_good;
-}
-
 std::string Age(const cia302::NodeRecord& record, const Instant now)
 {
     return record.was_seen ? std::to_string((now.us - record.last_sign.us) / kUsPerMs) + " ms" : "-";
@@ -72,8 +62,24 @@ StatusRow RowOf(const ManagerAssembly& assembly, const network_plan::LoadedSlave
     const std::uint16_t fault = is_safety ? manager.Watched().Of(node).fault : std::uint16_t{0U};
     row.finding = (fault != 0U && row.finding.empty()) ? FaultText(fault) : row.finding;
     row.finding = manager.Watched().Of(node).is_duplicate ? "two devices with this node-ID?" : row.finding;
-    row.is_good = HasGoodResult(profile, status) && assembly.Runs(node) && fault == 0U;
+    row.is_good = assembly.IsGood(node);
     return row;
+}
+
+/// Who is heard on the bus and is no slave.
+std::vector<NodeId> UnlistedNodes(const ManagerAssembly& assembly)
+{
+    std::vector<NodeId> nodes;
+    for (std::uint8_t id = 1U; id <= cia302::kLastNode; ++id)
+    {
+        const NodeId node{id};
+        const bool is_ours = assembly.Net().Setup().IsListed(node) || id == assembly.Net().Setup().own.value;
+        if (assembly.Core().Table().Record(node).was_seen && !is_ours)
+        {
+            nodes.push_back(node);
+        }
+    }
+    return nodes;
 }
 
 std::string Column(const std::string& text, const std::size_t width)
@@ -105,6 +111,17 @@ std::vector<StatusRow> StatusRows(const ManagerAssembly& assembly, const Instant
     std::sort(rows.begin(), rows.end(),
               [](const StatusRow& left, const StatusRow& right) { return left.node < right.node; });
     return rows;
+}
+
+std::string UnlistedText(const ManagerAssembly& assembly)
+{
+    std::string text;
+    for (const NodeId node : UnlistedNodes(assembly))
+    {
+        text += (text.empty() ? "not in the network list (A): node " : ", node ") + std::to_string(node.value) + " " +
+                WordOf(assembly.Core().Table().Record(node).state);
+    }
+    return text;
 }
 
 std::string ManagerLine(const ManagerAssembly& assembly)
@@ -151,7 +168,8 @@ std::string StatusTable(const ManagerStation& station, const std::uint64_t now_u
         table += Line({std::to_string(row.node), row.name, row.state, row.result, row.step, row.heartbeat,
                        row.emergency, row.safety, row.finding});
     }
-    return table + PdoTable(station.Pdos(), now_us);
+    const std::string unlisted = UnlistedText(assembly);
+    return table + unlisted + (unlisted.empty() ? "" : "\n") + PdoTable(station.Pdos(), now_us);
 }
 
 /// In milliseconds; null where there is none.
@@ -196,6 +214,14 @@ nlohmann::ordered_json StatusJson(const ManagerStation& station, const std::uint
                           {"finding", row.finding},
                           {"good", row.is_good}});
     }
+    nlohmann::ordered_json unlisted = nlohmann::ordered_json::array();
+    for (const NodeId node : UnlistedNodes(assembly))
+    {
+        const cia302::NodeRecord& record = assembly.Core().Table().Record(node);
+        unlisted.push_back({{"node", node.value},
+                            {"state", WordOf(record.state)},
+                            {"heartbeat_age_ms", AgeJson(true, now.us - record.last_sign.us)}});
+    }
     const cia302::Manager& manager = assembly.Core();
     return {{"format", kManagerFormat},
             {"event", "table"},
@@ -205,6 +231,7 @@ nlohmann::ordered_json StatusJson(const ManagerStation& station, const std::uint
             {"profile", WordOf(assembly.Net().Plan().manager.profile)},
             {"master_state", manager.MasterState()},
             {"slaves", slaves},
+            {"unlisted", unlisted},
             {"pdos", PdosJson(station.Pdos(), now_us)}};
 }
 } // namespace counterpoint::runtime

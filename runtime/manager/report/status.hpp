@@ -31,6 +31,9 @@ struct StatusRow
 
 /// @brief A row for each slave, by node-ID. [SRS_MGR_005]
 [[nodiscard]] std::vector<StatusRow> StatusRows(const ManagerAssembly& assembly, Instant now);
+/// @brief Nodes that were heard and are not in the network list: a text such as "not in the network list (A): node 55
+/// operational"; empty when there is none.
+[[nodiscard]] std::string UnlistedText(const ManagerAssembly& assembly);
 /// @brief Manager, slaves and process data as a table of text, with a line end.
 [[nodiscard]] std::string StatusTable(const ManagerStation& station, std::uint64_t now_us);
 /// @brief The same for programs: with `--json` the last line of the output, and the answer to `status`. [SRS_MGR_005]

@@ -38,6 +38,8 @@ inline constexpr Word<network_plan::StartProfile> kProfileWords[] = {
 [[nodiscard]] std::string FindingText(const cia302::GateFinding& finding);
 /// @brief The same for a status that tells an error in its profile.
 [[nodiscard]] std::string FindingText(network_plan::StartProfile profile, const cia302::NodeStatus& status);
+/// @brief Whether a slave under el6751 was started, by a hand, though its start-up failed.
+[[nodiscard]] bool IsDespite(const cia302::NodeStatus& status) noexcept;
 /// @brief Whether a slave under cia302 refused or did not answer 1000h, and is asked again.
 [[nodiscard]] bool IsAskedAgain(const cia302::NodeStatus& status) noexcept;
 /// @brief Letter or code in words, and the finding: "O: serial number differs (0x1018:04 is 0x21, expected 0x22)";

@@ -182,6 +182,7 @@ void FakeSlave::OnCycle(const Instant now)
 
 cia301::Reading FakeSlave::OnRead(const ObjectAddress& address, const cia301::Room& room) noexcept
 {
+    ++reads;
     const auto refusal = refused.find(KeyAt(address));
     const Octets& value = values_[KeyAt(address)];
     cia301::Reading reading{SdoAbort::kNone, static_cast<std::uint32_t>(value.size())};

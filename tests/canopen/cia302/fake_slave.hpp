@@ -56,6 +56,7 @@ class FakeSlave final : public cia301::ReadHook, public cia301::WriteHook
     std::vector<std::uint32_t> writes{};           ///< Keys in order.
     std::uint32_t mute_after_writes{0xFFFFFFFFU};  ///< Falls silent after as many.
     int resets{0};
+    int reads{0}; ///< Of objects that it has.
 
   private:
     void Build();

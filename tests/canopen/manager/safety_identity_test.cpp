@@ -41,8 +41,9 @@ TEST(SafetyIdentityRows, AreThoseOfTheProfile)
         slave.el6751 = &box;
         for (std::uint8_t row = 0U; row < 5U; ++row)
         {
-            // Nothing expected: not asked.
-            EXPECT_EQ(IdentityRowOf(slave, one.rule, row).mask, 0U);
+            // Nothing expected: not asked, but the device type of EL6751.
+            const bool is_type = (one.rule == IdentityRule::kEl6751) && (row == 0U) && one.is_type_checked;
+            EXPECT_EQ(IdentityRowOf(slave, one.rule, row).mask, is_type ? kAll : 0U);
         }
         slave.device_type = 11U;
         slave.vendor_id = 12U;
@@ -222,6 +223,27 @@ TEST_F(SafetyIdentityTest, IsWithoutTheTypeWhereEl6751DoesNotCheckIt)
     setups[5].el6751 = &box;
     devices[0]->Put32(0x1000U, 0U, 0x192U);
     Begin(Profile::kEl6751);
+    Run(6000U);
+    EXPECT_EQ(Running(5U), 1);
+}
+
+TEST_F(SafetyIdentityTest, IsADeviceTypeOf0ToEl6751Too)
+{
+    Verifies(req::SRS_SFS_010);
+    // Given one that is to have device type 0, and has another one
+    setups[5].device_type = 0U;
+    Begin(Profile::kEl6751);
+    Run(6000U);
+    EXPECT_EQ(manager->Status(kSlave).code, 5);
+    // When somebody else starts it
+    Put(Nmt(NmtCommand::kStart, 5U));
+    Run(3000U);
+    EXPECT_EQ(Running(5U), 0);
+    EXPECT_EQ(Gate(), GateState::kDiffers);
+    EXPECT_EQ(manager->Gate().Finding(kSlave).read, 0x191U);
+    // When it is the one, it runs
+    devices[0]->Put32(0x1000U, 0U, 0U);
+    EXPECT_EQ(Order(NmtCommand::kResetNode, 5U), NmtAnswer::kTaken);
     Run(6000U);
     EXPECT_EQ(Running(5U), 1);
 }

@@ -176,6 +176,20 @@ TEST_F(ManagerResultsTest, AStartOfAllNamesWhoIsLeftOutAndWhy)
                                   "expected that one, and boot NODE");
     Run(5U);
     EXPECT_EQ(Commands(), (std::vector<std::string>{"1 7"}));
+    // When it was started all the same, nobody is left out
+    sent.clear();
+    EXPECT_EQ(Order("start 6").rfind("taken; started all the same: node 6", 0U), 0U);
+    Run(5U);
+    EXPECT_EQ(Order("start all"), "taken");
+    Run(5U);
+    EXPECT_EQ(Commands(), (std::vector<std::string>{"1 6", "1 0"}));
+    // When it is stopped, it is left out again, and named
+    sent.clear();
+    EXPECT_EQ(Order("stop 6"), "taken");
+    EXPECT_EQ(Order("start all"), "taken but for node 6: C: device type differs (0x1000:00 is 0x192, expected 0x191), "
+                                  "expected that one, and boot NODE");
+    Run(5U);
+    EXPECT_EQ(Commands(), (std::vector<std::string>{"2 6", "1 7"}));
 }
 
 TEST_F(ManagerResultsTest, AStartOfASlaveThatIsRefusedSaysWhatWasFound)
@@ -200,6 +214,79 @@ TEST_F(ManagerResultsTest, AStartOfASlaveThatIsRefusedSaysWhatWasFound)
     EXPECT_EQ(Order("start all"), "taken; started all the same: node 6: 5: SDO value differs (0x1000:00 is 0x192, "
                                   "expected 0x191)");
     EXPECT_EQ(Order("start 6"), "taken");
+}
+
+TEST_F(ManagerResultsTest, ASlaveThatRunsWithAFindingIsNotGoodNorExitStatus0)
+{
+    Verifies(req::SRS_MGR_004);
+    Verifies(req::SRS_MGR_005);
+    const std::vector<std::uint8_t> other{0x43U, 0x00U, 0x10U, 0x00U, 0x92U, 0x01U, 0x00U, 0x00U};
+    for (const char* const profile : {"cia302", "el6751"})
+    {
+        // Given another device than the expected one, started by hand
+        Make("manager: {node: 127, profile: " + std::string(profile) + "}\nslaves: [{node: 6, device_type: 0x191}]\n");
+        Run(2U);
+        Hear(0x706U, {0U});
+        Answer(6U, other, 20);
+        EXPECT_FALSE(station->Assembly().HasStarted()) << profile;
+        EXPECT_EQ(Order("start 6").rfind("taken; started all the same", 0U), 0U) << profile;
+        Run(5U);
+        Hear(0x706U, {0x05U});
+        Run(2U);
+        EXPECT_EQ(Row(6U).state, "operational") << profile;
+        EXPECT_FALSE(Row(6U).is_good) << profile;
+        EXPECT_FALSE(station->Assembly().HasStarted()) << profile;
+    }
+    EXPECT_EQ(Row(6U).result, "0");
+    EXPECT_EQ(Row(6U).finding, "started though its start-up failed: 0x1000:00 is 0x192, expected 0x191");
+    EXPECT_TRUE(IsTold("0: started though its start-up failed (0x1000:00 is 0x192, expected 0x191)"));
+    // When the expected one takes its place
+    EXPECT_EQ(Order("boot 6"), "taken");
+    Run(5U);
+    Hear(0x706U, {0U});
+    Answer(6U, {0x43U, 0x00U, 0x10U, 0x00U, 0x91U, 0x01U, 0x00U, 0x00U}, 20);
+    EXPECT_EQ(Row(6U).finding, "");
+    EXPECT_TRUE(Row(6U).is_good);
+    EXPECT_TRUE(station->Assembly().HasStarted());
+}
+
+TEST_F(ManagerResultsTest, AKeptAliveSlaveWithALetterIsNotGood)
+{
+    Verifies(req::SRS_MGR_004);
+    Make("manager: {node: 127}\nslaves: [{node: 6, device_type: 0x191, keep_alive: true, consumer: 300 ms}]\n");
+    Run(2U);
+    Answer(6U, {0x43U, 0x00U, 0x10U, 0x00U, 0x92U, 0x01U, 0x00U, 0x00U}, 20);
+    Hear(0x706U, {0x05U});
+    Run(2U);
+    EXPECT_EQ(Row(6U).result, "C");
+    EXPECT_EQ(Row(6U).state, "operational");
+    EXPECT_FALSE(Row(6U).is_good);
+    EXPECT_FALSE(station->Assembly().HasStarted());
+}
+
+TEST_F(ManagerResultsTest, WhoIsNotInTheNetworkListIsNamed)
+{
+    Verifies(req::SRS_MGR_005);
+    for (const char* const profile : {"cia302", "el6751", "plc_designer"})
+    {
+        Make("manager: {node: 127, profile: " + std::string(profile) + "}\nslaves: [{node: 6, device_type: 0x191}]\n");
+        Run(2U);
+        EXPECT_EQ(runtime::UnlistedText(station->Assembly()), "") << profile;
+        EXPECT_EQ(runtime::StatusTable(*station, now_us).find("network list"), std::string::npos) << profile;
+        // When two others are heard, and the slave, and somebody with the node-ID of the manager
+        Hear(0x706U, {0x7FU});
+        Hear(0x737U, {0x00U});
+        Hear(0x701U, {0x05U});
+        Hear(0x77FU, {0x05U});
+        Run(3U);
+        const std::string named = "not in the network list (A): node 1 operational, node 55 pre-operational";
+        EXPECT_EQ(runtime::UnlistedText(station->Assembly()), named) << profile;
+        EXPECT_NE(runtime::StatusTable(*station, now_us).find("\n" + named + "\n"), std::string::npos) << profile;
+        EXPECT_NE(
+            runtime::StatusJson(*station, 3000U).dump().find("\"unlisted\":[{\"node\":1,\"state\":\"operational\","),
+            std::string::npos)
+            << profile;
+    }
 }
 
 TEST_F(ManagerResultsTest, AControlThatIsNoneSaysWhatItIsAndWhatThereIs)

@@ -123,7 +123,7 @@ TEST_F(ManagerStationTest, WritesObeyRules)
     EXPECT_EQ(Write(0x1F8AU, 33U, 1U, 1U), 0x06010002U);
     EXPECT_EQ(Write(0x1F22U, 33U, 0U, 4U), 0x06010002U);
     EXPECT_EQ(Order("set 0x1F81:21 0"),
-              "0x1F81:21 = 0: 0x06010002, expected an object that may change, and not of a safety slave");
+              "0x1F81:21 (node 33) = 0: 0x06010002, expected an object that may change, and not of a safety slave");
     // 1F80h: what the device is stays
     EXPECT_EQ(Write(0x1F80U, 0U, 0x21U, 4U), 0x08000022U);
     EXPECT_EQ(Write(0x1F80U, 0U, 0x00U, 4U), 0x08000022U);
@@ -265,7 +265,7 @@ TEST_F(ManagerStationTest, IdentityAndNetworkOfItsOwnDcf)
     Make("manager: {node: 2, dcf: controller.dcf}\nslaves: [{node: 5}]\n");
     EXPECT_EQ(Order("get 0x1018:02"), "0x1018:02 = 2 (0x2)");
     EXPECT_EQ(Order("get 0x1018:03"), "0x1018:03 = 65536 (0x10000)");
-    EXPECT_EQ(Order("get 0x1F81:05"), "0x1F81:05 = 13 (0xD)");
+    EXPECT_EQ(Order("get 0x1F81:05"), "0x1F81:05 (node 5) = 13 (0xD)");
     EXPECT_EQ(Order("get 0x6000:01"), "no object 0x6000:01, expected one of the manager");
     // A DCF for another node is no one of the manager
     try

@@ -170,6 +170,19 @@ TEST_F(NetworkFileTest, WhatIsConstInTheSafetyConfigurationIsExpectedToo)
     EXPECT_EQ(ValueOf(safety, 0x13FFU, 8U), kNoValue);
 }
 
+TEST_F(NetworkFileTest, ATimeOf0NeedsNoUnit)
+{
+    Verifies(req::SRS_NET_002);
+    const LoadedNetwork net(runtime::ReadNetworkFile(
+        File("net.yaml", "manager: {node: 127, boot_time: 0, inhibit: 0 ms, heartbeat: 0}\nslaves: [{node: 5}]\n"),
+        0U));
+    EXPECT_EQ(net.Setup().boot_time_ms, 0U);
+    EXPECT_EQ(net.Setup().inhibit_100us, 0U);
+    EXPECT_EQ(net.Plan().manager.heartbeat_ms, std::uint16_t{0U});
+    const std::string bad = File("bad.yaml", "manager: {node: 127, boot_time: 00}\nslaves: [{node: 5}]\n");
+    EXPECT_THROW(static_cast<void>(runtime::ReadNetworkFile(bad, 0U)), std::exception);
+}
+
 TEST_F(NetworkFileTest, YamlSaysMore)
 {
     Verifies(req::SRS_NET_002);

@@ -34,6 +34,17 @@ class NodeTableTest : public ::testing::Test, public NodeListener
         const CanFrame frame{0x700U + watched, FrameKind::kData, CanPortId::kFirst, 1U, {byte}};
         table.OnFrame(frame, Now());
     }
+    /// An answer by SDO.
+    void Answer(const std::uint8_t length)
+    {
+        table.OnFrame(CanFrame{0x585U, FrameKind::kData, CanPortId::kFirst, length, {0x43U}}, Now());
+    }
+    /// A command of somebody else.
+    void Foreign(const NmtCommand command, const std::uint8_t node)
+    {
+        table.OnFrame(CanFrame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {static_cast<std::uint8_t>(command), node}},
+                      Now());
+    }
     void At(std::uint32_t time_ms)
     {
         while (ms < time_ms)
@@ -349,6 +360,55 @@ TEST_F(NodeTableTest, NodeThatNeverShowsItself)
     Hear(0U);
     At(2000U);
     EXPECT_EQ(Told(), (Events{NodeEvent::kBootUp}));
+}
+
+TEST_F(NodeTableTest, NodeThatAnswersHasShownItself)
+{
+    Verifies(req::SRS_NMM_025);
+    // Given one that sends neither boot-up message nor heartbeat
+    table.Expect(NodeId{5U}, 200U, Now());
+    Answer(8U);
+    At(900U);
+    EXPECT_EQ(Told(), (Events{}));
+    EXPECT_EQ(records[5].state, SlaveState::kUnknown);
+    // When what it sends is no answer, or of another node
+    table.Expect(NodeId{5U}, 200U, Now());
+    Answer(7U);
+    table.OnFrame(CanFrame{0x586U, FrameKind::kData, CanPortId::kFirst, 8U, {}}, Now());
+    table.OnFrame(CanFrame{0x585U, FrameKind::kRemote, CanPortId::kFirst, 8U, {}}, Now());
+    table.OnFrame(CanFrame{0x580U, FrameKind::kData, CanPortId::kFirst, 8U, {}}, Now());
+    At(2000U);
+    EXPECT_EQ(Told(), (Events{NodeEvent::kNeverSeen}));
+}
+
+TEST_F(NodeTableTest, AnAnswerEndsMissingUnlessSupervisionSaysSo)
+{
+    Verifies(req::SRS_NMM_020);
+    table.SetMissing(NodeId{5U});
+    Answer(8U);
+    EXPECT_EQ(records[5].state, SlaveState::kUnknown);
+    EXPECT_TRUE(records[5].has_answered);
+    table.SetMissing(NodeId{5U});
+    EXPECT_FALSE(records[5].has_answered);
+    // When it was started, and is not supervised
+    Answer(8U);
+    Sent(NmtCommand::kStart, 5U);
+    EXPECT_EQ(table.RequestValue(NodeId{5U}), 5U);
+    // When its heartbeat is lost
+    table.WatchHeartbeat(NodeId{5U}, 100U, Arming::kImmediately, Now());
+    At(101U);
+    EXPECT_EQ(Told(), (Events{NodeEvent::kHeartbeatLost}));
+    Answer(8U);
+    EXPECT_EQ(records[5].state, SlaveState::kMissing);
+    EXPECT_EQ(Told(), (Events{}));
+    // When somebody resets it, or another one
+    Foreign(NmtCommand::kResetNode, 6U);
+    EXPECT_TRUE(records[5].has_answered);
+    Foreign(NmtCommand::kResetCommunication, 0U);
+    EXPECT_FALSE(records[5].has_answered);
+    Answer(8U);
+    Sent(NmtCommand::kResetNode, 5U);
+    EXPECT_FALSE(records[5].has_answered);
 }
 
 TEST_F(NodeTableTest, NodeThatNobodyListed)
