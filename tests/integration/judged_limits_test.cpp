@@ -251,6 +251,32 @@ TEST(SentByTheApplication, HasTheNewValueAtOnce)
     }
 }
 
+// A provider is asked at each refresh, 25 ms apart: a frame that begins behind the change has the new value, also where
+// the input changed in the very cycle before.
+TEST(SentByTheProvider, HasTheInputAsItIsWhenItIsAsked)
+{
+    Verifies(req::SRS_SIM_072);
+    const std::string dcf = DeviceWith("sensor", {{"5F03sub1", "0x01"}});
+    std::size_t told = 0U;
+    for (int place = 0; place < 25; ++place)
+    {
+        const auto run =
+            RunOf("duration: 560 ms\nnodes:\n  sensor: {dcf: " + dcf + "}\n  actuator: {dcf: " + Examples() +
+                  "actuator.dcf}\ninputs:\n"
+                  "  - {at: 20 ms, node: sensor, object: 0x2000:01, value: 1}\n"
+                  "  - {at: " +
+                  std::to_string(500 + place) + ".3 ms, node: sensor, object: 0x2000:01, value: 0}\n");
+        const Nanoseconds changed = (500 + place) * kNanosecondsPerMillisecond + 300 * kUs;
+        for (const FrameEntry& frame : run->Record().Frames())
+        {
+            const bool is_after = frame.frame.identifier == 0x101U && frame.start >= changed;
+            told += is_after ? 1U : 0U;
+            EXPECT_EQ(is_after ? frame.frame.data[0] : 0U, 0U) << place;
+        }
+    }
+    EXPECT_GE(told, 25U);
+}
+
 /// A section with one value of a DCF.
 std::string Entry(const std::string& section, const char* const type, const std::string& value,
                   const std::string& more = "PDOMapping=0\n")

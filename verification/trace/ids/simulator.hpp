@@ -81,6 +81,7 @@ inline constexpr RequirementId SRS_SIM_068{"SRS_SIM_068"};
 inline constexpr RequirementId SRS_SIM_069{"SRS_SIM_069"};
 inline constexpr RequirementId SRS_SIM_070{"SRS_SIM_070"};
 inline constexpr RequirementId SRS_SIM_071{"SRS_SIM_071"};
+inline constexpr RequirementId SRS_SIM_072{"SRS_SIM_072"};
 } // namespace counterpoint::req
 
 #endif
