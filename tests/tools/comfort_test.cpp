@@ -1,4 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "tools/command_line/described.hpp"
 #include "tools/command_line/painter.hpp"
@@ -12,6 +13,7 @@
 #include <string>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace counterpoint::tools
@@ -92,6 +94,34 @@ TEST_F(SlipInAFile, NearestKeyAndWordAreNamed)
     EXPECT_EQ(
         RunCommand({"simulate", far_away}).err.rfind(far_away + ":1:1: error: unknown key 'colour' in a scenario", 0U),
         0U);
+}
+
+// Words of a scenario: of a table, kinds of faults, names that the file itself gives; and a slip in a key that is
+// needed.
+TEST_F(SlipInAFile, NearestWordOfAScenarioIsNamed)
+{
+    Verifies(req::SRS_EASE_001);
+    const std::string chain = cia306::test::SourceFolder() + "/examples/emergency_stop/chain.yaml";
+    const std::vector<std::pair<std::string, std::string>> cases{
+        {"faults: [{fault: los, frames: {identifier: 0x103}}]", "'los' (did you mean 'loss'?), expected one of "},
+        {"expect: [{that: safe_witin, node: actuator, srdo: 1}]",
+         "'safe_witin' (did you mean 'safe_within'?), expected one of "},
+        {"expect: [{that: safe, node: actutor, srdo: 1, at: 5 ms}]",
+         "node 'actutor' (did you mean 'actuator'?), expected one of "},
+        {"faults: [{fault: loss, name: first, frames: {identifier: 0x103}}]\n"
+         "expect: [{that: safe_within, fault: fisrt, node: actuator, srdo: 1}]",
+         "fault 'fisrt' (did you mean 'first'?), expected one of "},
+        {"inputs: [{at: 30 ms, nod: sensor, object: 0x2000:01, value: 1}]",
+         "unknown key 'nod' (did you mean 'node'?) in an input, expected key 'node'"},
+        {"inputs: [{at: 30 ms, object: 0x2000:01, value: 1}]", "an input without key 'node', expected that key"},
+        {"faults: [{fault: explosion}]", "'explosion', expected one of "},
+    };
+    for (const auto& [text, told] : cases)
+    {
+        const std::string file = File("a.yaml", "extends: " + chain + "\n" + text + "\n");
+        const std::string error = RunCommand({"simulate", file, "--quiet"}).err;
+        EXPECT_NE(error.find(": error: " + told), std::string::npos) << error;
+    }
 }
 
 /// What a shell command writes to a terminal, without carriage returns.
