@@ -224,6 +224,13 @@ TEST_F(Completion, BashOffersCommandsOptionsAndValues)
     EXPECT_EQ(Offers({"counterpoint", "check", "--granularity", ""}), "1 8 16 32 64");
     EXPECT_EQ(Offers({"counterpoint", "check", "--granularity", "1"}), "1 16");
     EXPECT_EQ(Offers({"counterpoint", "completion", ""}), "bash zsh fish");
+    EXPECT_EQ(Offers({"counterpoint", "srdo", ""}), "add remove list");
+    EXPECT_EQ(Offers({"counterpoint", "srdo", "add", ""}), ""); // A file.
+    EXPECT_EQ(Offers({"counterpoint", "new", "--role", "con"}), "consumer controller");
+    EXPECT_EQ(Offers({"counterpoint", "new", "--detection", ""}), "early late");
+    EXPECT_EQ(Offers({"counterpoint", "srdo", "--release", "a"}), "automatic");
+    EXPECT_EQ(Offers({"counterpoint", "new", "--gfc", ""}), "on off");
+    EXPECT_EQ(Offers({"counterpoint", "new", "--bit-rate", "1"}), "10 125 1000");
     EXPECT_EQ(Offers({"counterpoint", "sign", "--node-id", ""}), ""); // A number.
     EXPECT_EQ(Offers({"counterpoint", "sign", "exam"}), "");          // A file: left to the shell.
     EXPECT_EQ(Offers({"counterpoint", "frobnicate", "--"}), "");
@@ -235,8 +242,24 @@ TEST_F(Completion, NamesOfFilesAreLeftToBashAndNumbersToNobody)
     const std::string script = RunCommand({"completion", "bash"}).out;
     EXPECT_NE(script.find("complete -o default -F _counterpoint counterpoint\n"), std::string::npos);
     EXPECT_NE(script.find("'sign --node-id') words=''; no_file=1 ;;\n"), std::string::npos);
+    for (const char* const number : {"new --node-id", "new --vendor-id", "new --refresh", "srdo --safe-value",
+                                     "simulate "
+                                     "--seed"})
+    {
+        EXPECT_NE(script.find("'" + std::string(number) + "') words=''; no_file=1 ;;\n"), std::string::npos) << number;
+    }
     EXPECT_EQ(script.find("'sign --write')"), std::string::npos);
     EXPECT_NE(script.find("if [ -n \"$no_file\" ]; then compopt +o default"), std::string::npos);
+}
+
+// Two of them are an error: nothing of the command would be completed.
+TEST_F(Completion, ZshHasOneRestOfALine)
+{
+    Verifies(req::SRS_EASE_003);
+    const std::string script = RunCommand({"completion", "zsh"}).out;
+    EXPECT_NE(script.find("'1:ACTION:(add remove list)'"), std::string::npos);
+    EXPECT_NE(script.find("'*:FILE:_files'"), std::string::npos);
+    EXPECT_EQ(script.find("'*:ACTION:"), std::string::npos);
 }
 
 TEST_F(Completion, EachScriptHasEveryCommandAndEveryOption)
