@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/text_file.hpp"
+#include "canopen/monitor/contradictions.hpp"
 #include "canopen/monitor/decoder.hpp"
 #include "canopen/monitor/recording.hpp"
 #include "canopen/monitor/report.hpp"
@@ -208,6 +209,7 @@ class MonitorCommand final : public Command
         }
         RequirePage();
         const monitor::Network network = ReadNetwork();
+        TellContradictions(network, streams);
         std::vector<monitor::Violation> kept;
         monitor::Analysis analysis(network,
                                    [&](const monitor::Violation& violation)
@@ -257,6 +259,19 @@ class MonitorCommand final : public Command
         }
         analysis.End();
         return Conclude({network, analysis, kept, address_.empty() ? file_ : address_}, streams);
+    }
+
+    /// With --json they are in the document.
+    void TellContradictions(const monitor::Network& network, const Streams& streams) const
+    {
+        if (is_json_)
+        {
+            return;
+        }
+        for (const monitor::Contradiction& contradiction : monitor::ContradictionsOf(network))
+        {
+            streams.err << cia306::FormatFinding(contradiction.file, contradiction.finding) << "\n";
+        }
     }
 
     /// A page that could not be written is told before the work, and none takes the place of what is read.

@@ -83,6 +83,7 @@ void NewAnswers::Describe(Options& options)
 {
     options.Add("--role", &role_, "What the device does: producer, consumer, or controller, which is both")
         .Type("WORD")
+        .Words({"producer", "consumer", "controller"})
         .Check(ProblemOfRole);
     options.Add("--node-id", &node_id_, "Node-ID, 1 to 127").Type("N").Check(ProblemOfNodeId);
     options.Add("--name", &name_, "Name of the device (default: Safety device)").Type("TEXT").Check(ProblemOfText);
@@ -97,8 +98,12 @@ void NewAnswers::Describe(Options& options)
     srdos_.Describe(options);
     options.Add("--gfc", &gfc_, "Global fail-safe command (1300h): on or off (default)")
         .Type("WORD")
+        .Words({"on", "off"})
         .Check(ProblemOfSwitch);
-    options.Add("--bit-rate", &bit_rate_, "Bit rate [kbit/s] (default: 500)").Type("KBIT").Check(ProblemOfBitRate);
+    options.Add("--bit-rate", &bit_rate_, "Bit rate [kbit/s] (default: 500)")
+        .Type("KBIT")
+        .Words({"10", "20", "50", "125", "250", "500", "800", "1000"})
+        .Check(ProblemOfBitRate);
     options.Add("--vendor-name", &vendor_name_, "Name of the vendor (default: Unknown)")
         .Type("TEXT")
         .Check(ProblemOfText);

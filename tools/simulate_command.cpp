@@ -35,7 +35,7 @@ class SimulateCommand final : public Command
         options.Add("--html", &html_, "Write a page with the timing diagram");
         options.Add("--json", &json_, "Write recording, measurements and verdicts as JSON");
         options.Add("--candump", &candump_, "Write the frames of the bus as candump -l does");
-        options.Add("--seed", &seed_, "Instead of the scenario's seed: 0 to 2^64 - 1");
+        options.Add("--seed", &seed_, "Instead of the scenario's seed: 0 to 2^64 - 1").Type("N");
         options.Add("--profile", &profile_, "Start-up profile of the managers: one of the scenario's 'profiles'");
         options.Add("--until", &until_, "Instead of the scenario's duration, with its unit: 500ms, 20s");
         options.Add("--frames", &frames_, "Show every frame on the time line");

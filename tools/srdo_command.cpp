@@ -48,6 +48,7 @@ class SrdoCommand final : public Command
             .Add("ACTION", &action_, "add: FILE gets one SRDO more, signed; remove: one less; list: those that it has")
             .Required()
             .Type("")
+            .Words({"add", "remove", "list"})
             .Check(ProblemOfAction);
         device_options_.Describe(options);
         options.Add("--produce", &produced_, "The SRDO is sent: lengths of new objects, or objects of FILE")

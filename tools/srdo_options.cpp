@@ -67,9 +67,11 @@ void SrdoOptions::Describe(Options& options)
     options.Add("--srvt", &srvt, "SRVT [ms] (default: 20)").Type("MS").Check(ProblemOfSrvt);
     options.Add("--detection", &detection, "SRVT detection of what is received: early (default) or late")
         .Type("WORD")
+        .Words({"early", "late"})
         .Check(ProblemOfDetection);
     options.Add("--release", &release, "Release of what is received: interlock (default) or automatic")
         .Type("WORD")
+        .Words({"interlock", "automatic"})
         .Check(ProblemOfRelease);
 }
 

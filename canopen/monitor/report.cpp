@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/monitor/report.hpp"
 
+#include "canopen/monitor/contradictions.hpp"
 #include "canopen/monitor/texts.hpp"
 
 #include <nlohmann/json.hpp>
@@ -156,10 +157,19 @@ std::string JsonReport(const Report& report)
                 {"services", Json::object()},
                 {"violation_count", analysis.ViolationCount()},
                 {"violations", Json::array()},
+                {"warnings", Json::array()},
                 {"srdos", Json::array()}};
     for (std::size_t service = 0U; service < kServiceCount; ++service)
     {
         answer["services"][ServiceName(static_cast<Service>(service))] = analysis.Frames().at(service);
+    }
+    for (const Contradiction& contradiction : ContradictionsOf(report.network))
+    {
+        answer["warnings"].push_back({{"file", contradiction.file},
+                                      {"line", contradiction.finding.place.line},
+                                      {"column", contradiction.finding.place.column},
+                                      {"object", contradiction.finding.object},
+                                      {"message", contradiction.finding.text}});
     }
     for (const Violation& violation : report.violations)
     {

@@ -86,9 +86,11 @@ void NodeApplication::TellValue(const PairValue& pair)
                  {{"srdo", pair.srdo}, {"object", runtime::ObjectText(pair.address)}, {"value", pair.normal}});
 }
 
+// The inputs as they are now, not as they were behind the cycle before. [SRS_NODE_041]
 RefreshAnswer NodeApplication::OnRefresh(const CommunicationIndex index) noexcept
 {
     static_cast<void>(index);
+    WriteOut();
     return RefreshAnswer::kReady;
 }
 

@@ -3,6 +3,8 @@
 #include "simulator/scenario/names.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <map>
 
 namespace counterpoint::simulator
@@ -122,16 +124,33 @@ bool IsCommanded(const Journal& journal, const NodeIndex node, const std::uint8_
     return last.closes && std::none_of(journal.Events().begin(), journal.Events().end(), is_later_opening);
 }
 
-Detection DetectionAt(const Journal& journal, const NodeIndex node, const Nanoseconds from)
+namespace
 {
+/// The first `most` detections at a node, one for each instant at which something was noticed.
+std::vector<Detection> DetectionsAt(const Journal& journal, const NodeIndex node, const Nanoseconds from,
+                                    const std::size_t most)
+{
+    std::vector<Detection> detections;
     Findings findings;
+    const auto conclude = [&detections, &findings]()
+    {
+        if (findings.at >= 0)
+        {
+            detections.push_back(Conclude(findings));
+        }
+    };
     for (const Event& event : journal.Events())
     {
         const bool is_here = event.node == node && event.at >= from && IsFinding(event) &&
                              !(FollowsCommands(event) && IsCommanded(journal, node, event.srdo, event.at));
-        if (is_here && findings.at >= 0 && event.at > findings.at)
+        if (is_here && event.at > findings.at)
         {
-            break;
+            conclude();
+            findings = Findings{};
+            if (detections.size() == most)
+            {
+                return detections;
+            }
         }
         if (is_here)
         {
@@ -139,6 +158,33 @@ Detection DetectionAt(const Journal& journal, const NodeIndex node, const Nanose
             findings.first.try_emplace(event.kind, &event);
         }
     }
-    return (findings.at < 0) ? Detection{} : Conclude(findings);
+    conclude();
+    return detections;
+}
+} // namespace
+
+std::string DetectionText(const Detection& detection)
+{
+    return std::string(Name(detection.party)) + (detection.cause.empty() ? "" : " (" + detection.cause + ")");
+}
+
+Detection DetectionAt(const Journal& journal, const NodeIndex node, const Nanoseconds from)
+{
+    const std::vector<Detection> first = DetectionsAt(journal, node, from, 1U);
+    return first.empty() ? Detection{} : first.front();
+}
+
+std::vector<Detection> DetectionsOf(const Journal& journal, const Expectation& expectation, const Nanoseconds from)
+{
+    constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+    std::vector<Detection> detections = DetectionsAt(journal, expectation.node, from, kAll);
+    if (expectation.is_series)
+    {
+        const std::vector<Detection> others = DetectionsAt(journal, expectation.node + 1U, from, kAll);
+        detections.insert(detections.end(), others.begin(), others.end());
+    }
+    std::stable_sort(detections.begin(), detections.end(),
+                     [](const Detection& left, const Detection& right) { return left.at < right.at; });
+    return detections;
 }
 } // namespace counterpoint::simulator

@@ -6,6 +6,7 @@
 #include "simulator/scenario/reader.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace counterpoint::simulator
@@ -127,7 +128,9 @@ void Run::Simulate(const std::function<void(Nanoseconds)>& progress)
     }
     journal_.Sort();
     verdicts_ = Judge(scenario_, journal_, *network_, found_);
+    FindOtherFinders();
     FindOtherClosers();
+    without_.clear();
 }
 
 /// Where an output closed in time, but closes no later without the fault, another one closed it, unless this one alone
@@ -136,25 +139,20 @@ void Run::FindOtherClosers()
 {
     for (ExpectationVerdict& verdict : verdicts_)
     {
-        const std::string others = (verdict.holds && verdict.measurement) ? OthersBefore(*verdict.measurement) : "";
+        const bool is_in_time = verdict.holds && verdict.measurement;
+        const std::string others =
+            is_in_time ? OthersBefore(verdict.measurement->fault, verdict.measurement->closed) : "";
         if (others.empty())
         {
             continue;
         }
         Measurement& measurement = *verdict.measurement;
         const Expectation& expectation = scenario_.expectations[verdict.expectation];
-        const Nanoseconds without = ClosedWithout({measurement.fault}, expectation, measurement.effect);
-        std::vector<std::size_t> all_others;
-        for (std::size_t fault = 0U; fault < scenario_.faults.size(); ++fault)
-        {
-            if (fault != measurement.fault)
-            {
-                all_others.push_back(fault);
-            }
-        }
+        const Nanoseconds from = measurement.effect;
+        const Nanoseconds without = ClosedAt(RecordWithout({measurement.fault}), expectation, from);
         const bool is_no_later = without >= 0 && without <= measurement.closed;
         measurement.is_of_another =
-            is_no_later && ClosedWithout(all_others, expectation, measurement.effect) != measurement.closed;
+            is_no_later && ClosedAt(RecordWithout(AllBut(measurement.fault)), expectation, from) != measurement.closed;
         if (measurement.is_of_another)
         {
             verdict.holds = false;
@@ -164,14 +162,64 @@ void Run::FindOtherClosers()
     }
 }
 
-/// The other faults that had an effect before the output closed: "'a', 'b'".
-std::string Run::OthersBefore(const Measurement& measurement) const
+void Run::FindOtherFinders()
 {
-    std::vector<std::size_t> known{measurement.fault};
+    for (ExpectationVerdict& verdict : verdicts_)
+    {
+        if (verdict.detection || verdict.measurement)
+        {
+            FindOtherFinder(verdict);
+        }
+    }
+}
+
+/// What comes no later without the fault is another one's detection, unless this fault alone brings it then, too: the
+/// next one counts. [SRS_SIM_073]
+void Run::FindOtherFinder(ExpectationVerdict& verdict)
+{
+    const Expectation& expectation = scenario_.expectations[verdict.expectation];
+    Detection& detection = verdict.detection ? *verdict.detection : verdict.measurement->detection;
+    const Nanoseconds from = verdict.detection ? verdict.effect : verdict.measurement->effect;
+    const std::string others = (detection.at < 0) ? "" : OthersBefore(expectation.fault, detection.at);
+    if (others.empty())
+    {
+        return;
+    }
+    const auto without = DetectionsOf(RecordWithout({expectation.fault}), expectation, from);
+    const auto alone = DetectionsOf(RecordWithout(AllBut(expectation.fault)), expectation, from);
+    const auto is_own = [&without, &alone](const Detection& found)
+    {
+        const auto is_no_later = [&found](const Detection& other)
+        { return other.IsLike(found) && other.at <= found.at; };
+        const auto is_same = [&found](const Detection& other) { return other.IsLike(found) && other.at == found.at; };
+        return std::none_of(without.begin(), without.end(), is_no_later) ||
+               std::any_of(alone.begin(), alone.end(), is_same);
+    };
+    const auto all = DetectionsOf(journal_, expectation, from);
+    const auto own = std::find_if(all.begin(), all.end(), is_own);
+    if (own == all.begin())
+    {
+        return;
+    }
+    const Detection first = detection;
+    detection = (own == all.end()) ? Detection{} : *own;
+    if (verdict.detection)
+    {
+        const std::vector<Party>& parties = expectation.parties;
+        verdict.holds = std::find(parties.begin(), parties.end(), detection.party) != parties.end();
+        verdict.seen = DetectionText(detection) + "; " + DetectionText(first) + " at " + MillisecondsText(first.at) +
+                       " found another fault (" + others + ")";
+    }
+}
+
+/// The other faults that had an effect until then: "'a', 'b'".
+std::string Run::OthersBefore(const std::size_t fault, const Nanoseconds at) const
+{
+    std::vector<std::size_t> known{fault};
     std::string names;
     for (const Event& event : journal_.Events())
     {
-        const bool is_before = event.kind == EventKind::kFault && event.at <= measurement.closed;
+        const bool is_before = event.kind == EventKind::kFault && event.at <= at;
         if (is_before && std::find(known.begin(), known.end(), event.value) == known.end())
         {
             known.push_back(event.value);
@@ -181,21 +229,32 @@ std::string Run::OthersBefore(const Measurement& measurement) const
     return names;
 }
 
-/// When the output closes in a run that is the same but for these faults.
-Nanoseconds Run::ClosedWithout(const std::vector<std::size_t>& faults, const Expectation& expectation,
-                               const Nanoseconds from) const
+std::vector<std::size_t> Run::AllBut(const std::size_t fault) const
 {
-    Scenario scenario = scenario_;
-    scenario.duration = whole_;
-    scenario.expectations.clear();
-    for (const std::size_t fault : faults)
+    std::vector<std::size_t> others(scenario_.faults.size());
+    std::iota(others.begin(), others.end(), std::size_t{0U});
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(fault));
+    return others;
+}
+
+/// What happens in a run that is the same but for these faults.
+const Journal& Run::RecordWithout(const std::vector<std::size_t>& faults)
+{
+    std::unique_ptr<Run>& run = without_[faults];
+    if (run == nullptr)
     {
-        scenario.faults[fault].is_left_out = true;
-        scenario.faults[fault].frames.count = 0U;
+        Scenario scenario = scenario_;
+        scenario.duration = whole_;
+        scenario.expectations.clear();
+        for (const std::size_t fault : faults)
+        {
+            scenario.faults[fault].is_left_out = true;
+            scenario.faults[fault].frames.count = 0U;
+        }
+        run = std::make_unique<Run>(std::move(scenario), until_, false, make_);
+        run->Simulate(nullptr);
     }
-    Run run(std::move(scenario), until_, false, make_);
-    run.Simulate(nullptr);
-    return ClosedAt(run.Record(), expectation, from);
+    return run->Record();
 }
 
 const runtime::DeviceModel& Run::ModelOf(const NodeIndex node) const

@@ -9,6 +9,7 @@
 #include "simulator/world/network.hpp"
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -78,9 +79,11 @@ class Run
     void LookAt(Nanoseconds now);
     [[nodiscard]] std::string FoundAtDevice(const Expectation& expectation);
     void FindOtherClosers();
-    [[nodiscard]] std::string OthersBefore(const Measurement& measurement) const;
-    [[nodiscard]] Nanoseconds ClosedWithout(const std::vector<std::size_t>& faults, const Expectation& expectation,
-                                            Nanoseconds from) const;
+    void FindOtherFinders();
+    void FindOtherFinder(ExpectationVerdict& verdict);
+    [[nodiscard]] std::string OthersBefore(std::size_t fault, Nanoseconds at) const;
+    [[nodiscard]] std::vector<std::size_t> AllBut(std::size_t fault) const;
+    [[nodiscard]] const Journal& RecordWithout(const std::vector<std::size_t>& faults);
 
     Scenario scenario_;
     std::optional<Nanoseconds> until_;
@@ -91,6 +94,7 @@ class Run
     std::unique_ptr<ManagedWorld> managed_; ///< The managers; null: there are none.
     std::vector<std::string> found_;        ///< By expectation: what a manager or device said at its time.
     std::vector<ExpectationVerdict> verdicts_;
+    std::map<std::vector<std::size_t>, std::unique_ptr<Run>> without_; ///< Runs that are the same but for these faults.
 };
 } // namespace counterpoint::simulator
 

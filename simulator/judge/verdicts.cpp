@@ -282,8 +282,9 @@ class Judgement
             verdict.holds = verdict.holds || (effect >= 0 && party == detection.party);
             verdict.wanted += std::string(party == expectation.parties.front() ? "" : " or ") + Name(party);
         }
-        verdict.seen = (effect < 0) ? "the fault never happened" : Name(detection.party);
-        verdict.seen += detection.cause.empty() ? "" : " (" + detection.cause + ")";
+        verdict.seen = (effect < 0) ? "the fault never happened" : DetectionText(detection);
+        verdict.effect = effect;
+        verdict.detection = (effect < 0) ? std::nullopt : std::optional<Detection>(detection);
         return verdict;
     }
 

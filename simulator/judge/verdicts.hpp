@@ -18,7 +18,15 @@ struct Detection
     Party party{Party::kNobody};
     std::string cause; ///< A word of the scenario format, such as sct or disagreement.
     Nanoseconds at{-1};
+
+    /// @brief Whether the same party found the same thing.
+    [[nodiscard]] bool IsLike(const Detection& other) const noexcept
+    {
+        return party == other.party && cause == other.cause;
+    }
 };
+/// @brief As people read it: "channels (sct)".
+[[nodiscard]] std::string DetectionText(const Detection& detection);
 
 /// In place of a limit: there is none by the times of the device.
 constexpr Nanoseconds kNoLimit{-1};
@@ -62,6 +70,8 @@ struct ExpectationVerdict
     std::string wanted;
     std::string seen;
     std::optional<Measurement> measurement; ///< Of kSafeWithin.
+    std::optional<Detection> detection{};   ///< Of kDetectedBy, where the fault had an effect.
+    Nanoseconds effect{-1};                 ///< When that was.
 };
 
 /// @brief The verdict of each expectation after a run. `found` has, for each expectation, what managers and
@@ -79,6 +89,10 @@ struct ExpectationVerdict
 [[nodiscard]] bool IsCommanded(const Journal& journal, NodeIndex node, std::uint8_t srdo, Nanoseconds at);
 /// @brief The first detection at a node at or after `from`; not what follows from a command.
 [[nodiscard]] Detection DetectionAt(const Journal& journal, NodeIndex node, Nanoseconds from);
+/// @brief All detections at the node of the expectation, or at the two whose outputs are in series, in the order of
+/// their times: one for each instant.
+[[nodiscard]] std::vector<Detection> DetectionsOf(const Journal& journal, const Expectation& expectation,
+                                                  Nanoseconds from);
 } // namespace counterpoint::simulator
 
 #endif // SIMULATOR_JUDGE_VERDICTS_HPP

@@ -22,6 +22,7 @@ std::size_t ReadFaultIndex(Fields& fields, const Scenario& scenario)
     }
     const std::string name = value->Text("the name of a fault");
     std::string expected;
+    std::vector<std::string> known;
     for (std::size_t index = 0U; index < scenario.faults.size(); ++index)
     {
         if (scenario.faults[index].name == name)
@@ -29,8 +30,9 @@ std::size_t ReadFaultIndex(Fields& fields, const Scenario& scenario)
             return index;
         }
         expected += (expected.empty() ? "" : ", ") + scenario.faults[index].name;
+        known.push_back(scenario.faults[index].name);
     }
-    value->Refuse("fault " + runtime::Shown(name),
+    value->Refuse("fault " + runtime::Shown(name) + cia306::DidYouMean(name, known),
                   expected.empty() ? "a fault of 'faults', which has none" : "one of " + expected);
 }
 

@@ -70,7 +70,8 @@ const FaultSection& SectionOfKind(const YamlValue& value)
             return section;
         }
     }
-    value.Refuse(runtime::Shown(text), "one of " + WordsOfFaults());
+    const std::string known = WordsOfFaults();
+    value.Refuse(runtime::Shown(text) + cia306::DidYouMean(text, WordsIn(known)), "one of " + known);
 }
 
 std::optional<NodeIndex> FindNode(Fields& fields, const char* const key, const Scenario& scenario)

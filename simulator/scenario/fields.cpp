@@ -22,9 +22,10 @@ void RequireWord(const KeySpec& spec, const YamlValue& value)
 {
     const std::string words = spec.shape.words();
     const std::string text = value.Text("one of " + words);
-    if ((", " + words + ",").find(", " + text + ",") == std::string::npos || text.find(',') != std::string::npos)
+    const std::vector<std::string> known = WordsIn(words);
+    if (std::find(known.begin(), known.end(), text) == known.end())
     {
-        value.Refuse(runtime::Shown(text), "one of " + words);
+        value.Refuse(runtime::Shown(text) + cia306::DidYouMean(text, known), "one of " + words);
     }
 }
 
@@ -107,6 +108,18 @@ std::uint64_t Fitting(const KeySpec& spec, const YamlValue& value)
 }
 } // namespace
 
+std::vector<std::string> WordsIn(const std::string& list)
+{
+    std::vector<std::string> words;
+    for (std::size_t begin = 0U; begin < list.size();)
+    {
+        const std::size_t end = std::min(list.find(", ", begin), list.size());
+        words.push_back(list.substr(begin, end - begin));
+        begin = end + 2U;
+    }
+    return words;
+}
+
 std::vector<YamlValue> ItemsOf(const YamlValue& value)
 {
     const bool is_list = value.Node().kind == runtime::YamlKind::kSequence;
@@ -177,10 +190,29 @@ std::optional<YamlValue> Fields::Find(const std::string& key)
     }
     if (spec->fallback == kNeeded)
     {
-        value_.Refuse(std::string(sections_.back()->title) + " without key '" + key + "'", "that key");
+        RefuseWithout(key);
     }
     return (spec->fallback == nullptr) ? std::nullopt
                                        : std::optional<YamlValue>(YamlValue(value_.FileName(), FallbackOf(*spec)));
+}
+
+/// A key that is there and nobody knows may be a slip of the one that is missing. [SRS_EASE_001]
+void Fields::RefuseWithout(const std::string& key) const
+{
+    const runtime::YamlNode& node = value_.Node();
+    const std::string title = sections_.back()->title;
+    for (std::size_t member = 0U; member < node.items.size(); member += 2U)
+    {
+        const runtime::YamlNode& other = node.items[member];
+        const std::string meant = SpecOf(other.scalar) == nullptr ? cia306::DidYouMean(other.scalar, {key}) : "";
+        if (!meant.empty())
+        {
+            throw YamlError(value_.FileName(), other.place,
+                            "unknown key " + runtime::Shown(other.scalar) + meant + " in " + title,
+                            "key '" + key + "'");
+        }
+    }
+    value_.Refuse(title + " without key '" + key + "'", "that key");
 }
 
 YamlValue Fields::Require(const std::string& key)
@@ -188,7 +220,7 @@ YamlValue Fields::Require(const std::string& key)
     const std::optional<YamlValue> found = Find(key);
     if (!found)
     {
-        value_.Refuse(std::string(sections_.back()->title) + " without key '" + key + "'", "that key");
+        RefuseWithout(key);
     }
     return *found;
 }

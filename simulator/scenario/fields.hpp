@@ -16,6 +16,8 @@
 
 namespace counterpoint::simulator
 {
+/// The words of "loss, delay".
+[[nodiscard]] std::vector<std::string> WordsIn(const std::string& list);
 /// The items of a list, or a single value as a list of one.
 [[nodiscard]] std::vector<YamlValue> ItemsOf(const YamlValue& value);
 
@@ -80,6 +82,7 @@ class Fields
     void Close() const;
 
   private:
+    [[noreturn]] void RefuseWithout(const std::string& key) const;
     [[nodiscard]] const KeySpec* SpecOf(const std::string& key) const;
     [[nodiscard]] std::uint64_t Quantity(const std::string& key, const YamlValue& value) const;
 

@@ -199,7 +199,7 @@ NodeIndex NodeNamed(const Scenario& scenario, const YamlValue& name)
         }
         expected += (expected.empty() ? "" : ", ") + setup.name;
     }
-    name.Refuse("node " + runtime::Shown(text),
+    name.Refuse("node " + runtime::Shown(text) + cia306::DidYouMean(text, WordsIn(expected)),
                 expected.empty() ? "a node of 'nodes', which has none" : "one of " + expected);
 }
 

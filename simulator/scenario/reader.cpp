@@ -306,7 +306,7 @@ bool IsOfProfile(Fields& fields, const Scenario& scenario)
         const std::string word = profile.Text("a profile");
         if (std::find(known.begin(), known.end(), word) == known.end())
         {
-            profile.Refuse("profile " + runtime::Shown(word),
+            profile.Refuse("profile " + runtime::Shown(word) + cia306::DidYouMean(word, known),
                            known.empty() ? "a scenario with 'profiles'" : "one of its 'profiles': " + Joined(known));
         }
         is_there = is_there || word == scenario.profile;

@@ -220,6 +220,47 @@ TEST(JudgedLimit, IsKeptForEachOfTwoFaultsThatCloseTheOutputAlone)
     EXPECT_EQ(Failures(*run), "");
 }
 
+// An inverse frame that comes 200 us later disturbs nobody; 30 ms later one is lost, which SRVT finds.
+TEST(Detection, IsNotCreditedToAFaultThatNobodyNoticed)
+{
+    Verifies(req::SRS_SIM_073);
+    const std::string faults =
+        "faults:\n  - {fault: delay, name: harmless, by: 200 us, frames: {identifier: 0x104, receiver: actuator, from: "
+        "500 ms}}\n  - {fault: loss, name: real, frames: {identifier: 0x104, receiver: actuator, from: 530 ms}}\n";
+    const auto run = RunChainOf({}, faults + "expect:\n"
+                                             "  - {that: detected_by, node: actuator, fault: harmless, by: nobody}\n"
+                                             "  - {that: detected_by, node: actuator, fault: real, by: channels}\n"
+                                             "  - {that: detected_by, node: actuator, fault: harmless, by: channels}\n"
+                                             "  - {that: safe_within, node: actuator, srdo: 1, fault: harmless}\n");
+    ASSERT_EQ(run->Verdicts().size(), 4U);
+    EXPECT_TRUE(run->Verdicts()[0].holds) << run->Verdicts()[0].seen;
+    EXPECT_EQ(run->Verdicts()[0].seen.rfind("nobody; channels (srvt) at ", 0U), 0U) << run->Verdicts()[0].seen;
+    EXPECT_NE(run->Verdicts()[0].seen.find(" found another fault ('real')"), std::string::npos)
+        << run->Verdicts()[0].seen;
+    EXPECT_TRUE(run->Verdicts()[1].holds) << run->Verdicts()[1].seen;
+    EXPECT_EQ(run->Verdicts()[1].seen, "channels (srvt)");
+    EXPECT_FALSE(run->Verdicts()[2].holds) << run->Verdicts()[2].seen;
+    ASSERT_TRUE(run->Verdicts()[3].measurement);
+    EXPECT_EQ(run->Verdicts()[3].measurement->detection.party, Party::kNobody);
+}
+
+// Behind one that was found another is found by itself; and each of two that bring the same at one instant is found.
+TEST(Detection, IsThatOfEachOfSeveralFaults)
+{
+    Verifies(req::SRS_SIM_073);
+    const std::string expect = "expect:\n  - {that: detected_by, node: actuator, fault: one, by: channels}\n"
+                               "  - {that: detected_by, node: actuator, fault: two, by: channels}\n";
+    for (const char* const second : {"from: 600 ms", "from: 500 ms, count: 2"})
+    {
+        const auto run = RunChainOf(
+            {}, std::string("faults:\n"
+                            "  - {fault: loss, name: one, frames: {identifier: 0x104, receiver: actuator, from: 500 "
+                            "ms}}\n  - {fault: loss, name: two, frames: {identifier: 0x104, receiver: actuator, ") +
+                    second + "}}\n" + expect);
+        EXPECT_EQ(Failures(*run), "") << second;
+    }
+}
+
 // The sensor's application sends: refresh 25 ms, cycle 1 ms. Whenever the button changes, no frame that ends more than
 // a cycle and a frame later has the old value.
 TEST(SentByTheApplication, HasTheNewValueAtOnce)
@@ -249,6 +290,32 @@ TEST(SentByTheApplication, HasTheNewValueAtOnce)
         EXPECT_GE(told, changed) << at;
         EXPECT_LE(told, changed + 3 * kNanosecondsPerMillisecond) << at;
     }
+}
+
+// A provider is asked at each refresh, 25 ms apart: a frame that begins behind the change has the new value, also where
+// the input changed in the very cycle before.
+TEST(SentByTheProvider, HasTheInputAsItIsWhenItIsAsked)
+{
+    Verifies(req::SRS_SIM_072);
+    const std::string dcf = DeviceWith("sensor", {{"5F03sub1", "0x01"}});
+    std::size_t told = 0U;
+    for (int place = 0; place < 25; ++place)
+    {
+        const auto run =
+            RunOf("duration: 560 ms\nnodes:\n  sensor: {dcf: " + dcf + "}\n  actuator: {dcf: " + Examples() +
+                  "actuator.dcf}\ninputs:\n"
+                  "  - {at: 20 ms, node: sensor, object: 0x2000:01, value: 1}\n"
+                  "  - {at: " +
+                  std::to_string(500 + place) + ".3 ms, node: sensor, object: 0x2000:01, value: 0}\n");
+        const Nanoseconds changed = (500 + place) * kNanosecondsPerMillisecond + 300 * kUs;
+        for (const FrameEntry& frame : run->Record().Frames())
+        {
+            const bool is_after = frame.frame.identifier == 0x101U && frame.start >= changed;
+            told += is_after ? 1U : 0U;
+            EXPECT_EQ(is_after ? frame.frame.data[0] : 0U, 0U) << place;
+        }
+    }
+    EXPECT_GE(told, 25U);
 }
 
 /// A section with one value of a DCF.

@@ -80,7 +80,7 @@ constexpr BadCase kBadCases[] = {
     {"number with text", "seed: 12abc\n", "2:7: error: '12abc', expected a number"},
     {"bit rate", "bitrate: 333333\n", "2:10: error: '333333', expected one of 10000"},
     {"unknown node", "inputs:\n  - {at: 1 ms, node: sensr, object: 0x2000:01, value: 1}\n",
-     "3:22: error: node 'sensr', expected one of sensor, controller, actuator"},
+     "3:22: error: node 'sensr' (did you mean 'sensor'?), expected one of sensor, controller, actuator"},
     {"unknown object", "inputs:\n  - {at: 1 ms, node: sensor, object: 0x2000:07, value: 1}\n",
      "3:5: error: object 0x2000:07 in "},
     {"object of the wrong direction", "inputs:\n  - {at: 1 ms, node: actuator, object: 0x2200:01, value: 1}\n",

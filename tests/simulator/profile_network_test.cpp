@@ -110,7 +110,7 @@ TEST_F(ProfileNetworkTest, AnUnknownProfileIsRefused)
               "--profile: error: 'cia302', expected a scenario with 'profiles'\n");
     const std::string managers = "managers: [{network: net.yaml}]\n";
     ExpectRefused(managers + "profiles: [cia302, cia301]",
-                  ":3:20: error: 'cia301', expected one of cia302, el6751, plc_designer");
+                  ":3:20: error: 'cia301' (did you mean 'cia302'?), expected one of cia302, el6751, plc_designer");
     ExpectRefused(managers + "profiles: []", ":3:11: error: an empty list, expected one profile or more");
     ExpectRefused(managers + "profiles: [el6751, el6751]",
                   ":3:20: error: 'el6751' a second time, expected each profile once");

@@ -61,7 +61,8 @@ constexpr BadCase kBadCases[] = {
     {"faults:\n  - {fault: standstill, node: actuator, at: 500 ms}\n",
      "3:31: error: node 'actuator', which is two CPUs, expected actuator.a or actuator.b"},
     {"faults:\n  - {fault: standstill, node: actuator.c, at: 500 ms}\n",
-     "3:31: error: node 'actuator.c', expected one of sensor, controller, actuator.a, actuator.b"},
+     "3:31: error: node 'actuator.c' (did you mean 'actuator.a'?), expected one of sensor, controller, actuator.a, "
+     "actuator.b"},
     {"faults:\n  - {fault: link_cut, node: sensor, at: 500 ms}\n",
      "3:29: error: node 'sensor', expected a node with 'structure: two_cpu'"},
     {"faults:\n  - {fault: link_cut, node: actuator.a, at: 500 ms}\n",

@@ -1,4 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "tools/command_line/described.hpp"
 #include "tools/command_line/painter.hpp"
@@ -12,6 +13,7 @@
 #include <string>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace counterpoint::tools
@@ -92,6 +94,34 @@ TEST_F(SlipInAFile, NearestKeyAndWordAreNamed)
     EXPECT_EQ(
         RunCommand({"simulate", far_away}).err.rfind(far_away + ":1:1: error: unknown key 'colour' in a scenario", 0U),
         0U);
+}
+
+// Words of a scenario: of a table, kinds of faults, names that the file itself gives; and a slip in a key that is
+// needed.
+TEST_F(SlipInAFile, NearestWordOfAScenarioIsNamed)
+{
+    Verifies(req::SRS_EASE_001);
+    const std::string chain = cia306::test::SourceFolder() + "/examples/emergency_stop/chain.yaml";
+    const std::vector<std::pair<std::string, std::string>> cases{
+        {"faults: [{fault: los, frames: {identifier: 0x103}}]", "'los' (did you mean 'loss'?), expected one of "},
+        {"expect: [{that: safe_witin, node: actuator, srdo: 1}]",
+         "'safe_witin' (did you mean 'safe_within'?), expected one of "},
+        {"expect: [{that: safe, node: actutor, srdo: 1, at: 5 ms}]",
+         "node 'actutor' (did you mean 'actuator'?), expected one of "},
+        {"faults: [{fault: loss, name: first, frames: {identifier: 0x103}}]\n"
+         "expect: [{that: safe_within, fault: fisrt, node: actuator, srdo: 1}]",
+         "fault 'fisrt' (did you mean 'first'?), expected one of "},
+        {"inputs: [{at: 30 ms, nod: sensor, object: 0x2000:01, value: 1}]",
+         "unknown key 'nod' (did you mean 'node'?) in an input, expected key 'node'"},
+        {"inputs: [{at: 30 ms, object: 0x2000:01, value: 1}]", "an input without key 'node', expected that key"},
+        {"faults: [{fault: explosion}]", "'explosion', expected one of "},
+    };
+    for (const auto& [text, told] : cases)
+    {
+        const std::string file = File("a.yaml", "extends: " + chain + "\n" + text + "\n");
+        const std::string error = RunCommand({"simulate", file, "--quiet"}).err;
+        EXPECT_NE(error.find(": error: " + told), std::string::npos) << error;
+    }
 }
 
 /// What a shell command writes to a terminal, without carriage returns.
@@ -194,6 +224,13 @@ TEST_F(Completion, BashOffersCommandsOptionsAndValues)
     EXPECT_EQ(Offers({"counterpoint", "check", "--granularity", ""}), "1 8 16 32 64");
     EXPECT_EQ(Offers({"counterpoint", "check", "--granularity", "1"}), "1 16");
     EXPECT_EQ(Offers({"counterpoint", "completion", ""}), "bash zsh fish");
+    EXPECT_EQ(Offers({"counterpoint", "srdo", ""}), "add remove list");
+    EXPECT_EQ(Offers({"counterpoint", "srdo", "add", ""}), ""); // A file.
+    EXPECT_EQ(Offers({"counterpoint", "new", "--role", "con"}), "consumer controller");
+    EXPECT_EQ(Offers({"counterpoint", "new", "--detection", ""}), "early late");
+    EXPECT_EQ(Offers({"counterpoint", "srdo", "--release", "a"}), "automatic");
+    EXPECT_EQ(Offers({"counterpoint", "new", "--gfc", ""}), "on off");
+    EXPECT_EQ(Offers({"counterpoint", "new", "--bit-rate", "1"}), "10 125 1000");
     EXPECT_EQ(Offers({"counterpoint", "sign", "--node-id", ""}), ""); // A number.
     EXPECT_EQ(Offers({"counterpoint", "sign", "exam"}), "");          // A file: left to the shell.
     EXPECT_EQ(Offers({"counterpoint", "frobnicate", "--"}), "");
@@ -205,8 +242,24 @@ TEST_F(Completion, NamesOfFilesAreLeftToBashAndNumbersToNobody)
     const std::string script = RunCommand({"completion", "bash"}).out;
     EXPECT_NE(script.find("complete -o default -F _counterpoint counterpoint\n"), std::string::npos);
     EXPECT_NE(script.find("'sign --node-id') words=''; no_file=1 ;;\n"), std::string::npos);
+    for (const char* const number : {"new --node-id", "new --vendor-id", "new --refresh", "srdo --safe-value",
+                                     "simulate "
+                                     "--seed"})
+    {
+        EXPECT_NE(script.find("'" + std::string(number) + "') words=''; no_file=1 ;;\n"), std::string::npos) << number;
+    }
     EXPECT_EQ(script.find("'sign --write')"), std::string::npos);
     EXPECT_NE(script.find("if [ -n \"$no_file\" ]; then compopt +o default"), std::string::npos);
+}
+
+// Two of them are an error: nothing of the command would be completed.
+TEST_F(Completion, ZshHasOneRestOfALine)
+{
+    Verifies(req::SRS_EASE_003);
+    const std::string script = RunCommand({"completion", "zsh"}).out;
+    EXPECT_NE(script.find("'1:ACTION:(add remove list)'"), std::string::npos);
+    EXPECT_NE(script.find("'*:FILE:_files'"), std::string::npos);
+    EXPECT_EQ(script.find("'*:ACTION:"), std::string::npos);
 }
 
 TEST_F(Completion, EachScriptHasEveryCommandAndEveryOption)

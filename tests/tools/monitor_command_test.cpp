@@ -81,6 +81,56 @@ TEST_F(MonitorCommandTest, TellsViolationsAndASummary)
         "  SRVT   none measured, limit 20 ms\n");
 }
 
+// A second sensor sends the pair of the first one; controllers with 24 bits for 16, with 103h's partner beside 101h,
+// and with an SCT as short as the refresh time. The chain itself has nothing to tell.
+TEST_F(MonitorCommandTest, TellsWhereFilesContradictEachOther)
+{
+    Verifies(req::SRS_MON_020);
+    using cia306::test::ExampleText;
+    const std::string sensor = Example("sensor");
+    const std::string at = Path("other.dcf");
+    const auto told = [this, &sensor](const std::string& text, const std::vector<std::string>& more)
+    {
+        std::vector<std::string> line{"monitor", Recording(), "--dcf", sensor, File("other.dcf", text) + "=90"};
+        line.insert(line.end(), more.begin(), more.end());
+        const Answer answer = RunCommand(line);
+        EXPECT_EQ(answer.status, 1);
+        return more.empty() ? answer.err : answer.out;
+    };
+    EXPECT_EQ(Monitor({Recording()}).err, "");
+    const std::string same = told(ExampleText("sensor"), {});
+    EXPECT_NE(same.find(": warning: 0x1301:01: sends 0x101 and 0x102, which Sensor SRDO 1 sends, too, expected one "
+                        "producer\n"),
+              std::string::npos)
+        << same;
+    EXPECT_EQ(same.rfind(at + ":", 0U), 0U) << same;
+
+    const std::string controller = ExampleText("controller");
+    EXPECT_EQ(told(controller, {}), "");
+    const auto changed = [&controller](const std::string& name, const std::string& value)
+    {
+        const std::size_t key = controller.find("ParameterValue=", controller.find("[" + name + "]"));
+        const std::size_t end = controller.find('\n', key);
+        return controller.substr(0U, key) + "ParameterValue=" + value + controller.substr(end);
+    };
+    EXPECT_NE(told(changed("1301sub2", "25"), {})
+                  .find(": warning: 0x1301:02: SCT 25 ms, while Sensor SRDO 1 has a refresh time of 25 ms, expected an "
+                        "SCT above it\n"),
+              std::string::npos);
+    EXPECT_EQ(told(changed("1301sub2", "26"), {}), "");
+    EXPECT_NE(told(changed("1301sub6", "0x104"), {})
+                  .find("identifiers 0x101 and 0x104, while Sensor SRDO 1 has 0x101 and 0x102, expected the same pair, "
+                        "or none of its identifiers\n"),
+              std::string::npos);
+    EXPECT_NE(told(changed("1381sub0", "2"), {})
+                  .find(": warning: 0x1381:00: 8 bits mapped, while Sensor SRDO 1 maps 16, expected the same length\n"),
+              std::string::npos);
+    const auto document = nlohmann::json::parse(told(changed("1301sub2", "10"), {"--json"}));
+    ASSERT_EQ(document["warnings"].size(), 1U);
+    EXPECT_EQ(document["warnings"][0]["object"], "0x1301:02");
+    EXPECT_EQ(document["warnings"][0]["file"], at);
+}
+
 TEST_F(MonitorCommandTest, FramesInWords)
 {
     Verifies(req::SRS_MON_004);

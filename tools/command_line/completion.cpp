@@ -131,12 +131,30 @@ std::string ZshAction(const Option& option)
     return TakesFile(option) ? "_files" : "";
 }
 
+/// All but the last of the positionals are one word each: zsh knows one rest of a line.
+void WriteZshPositionals(const Options& options, std::ostream& out)
+{
+    std::vector<const Option*> positionals;
+    for (const Option& option : options.All())
+    {
+        if (IsPositional(option))
+        {
+            positionals.push_back(&option);
+        }
+    }
+    for (std::size_t place = 1U; place <= positionals.size(); ++place)
+    {
+        const Option& option = *positionals[place - 1U];
+        const std::string where = (place == positionals.size()) ? "*" : std::to_string(place);
+        out << " \\\n                " << ShellQuoted(where + ":" + option.name + ":" + ZshAction(option));
+    }
+}
+
 void WriteZshOption(const Option& option, std::ostream& out)
 {
     const std::string description = Escaped(option.description, "[]:\\");
     if (IsPositional(option))
     {
-        out << " \\\n                " << ShellQuoted("*:" + option.name + ":" + ZshAction(option));
         return;
     }
     const std::string value =
@@ -166,6 +184,7 @@ void WriteZsh(const std::vector<DescribedCommand>& commands, std::ostream& out)
         {
             WriteZshOption(option, out);
         }
+        WriteZshPositionals(*command.options, out);
         for (const CommonOption& option : kCommonOptions)
         {
             if (option.is_of_commands)

@@ -43,7 +43,8 @@ std::vector<std::string> ValuesOf(const Option& option)
 
 bool TakesFile(const Option& option)
 {
-    return TakesValue(option) && !std::holds_alternative<int*>(option.target) && ValuesOf(option).empty() &&
-           option.problem != &ProblemOfAddress;
+    const std::string type = option.type.value_or("");
+    const bool is_number = std::holds_alternative<int*>(option.target) || type == "N" || type == "MS";
+    return TakesValue(option) && !is_number && ValuesOf(option).empty() && option.problem != &ProblemOfAddress;
 }
 } // namespace counterpoint::tools

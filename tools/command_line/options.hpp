@@ -48,7 +48,7 @@ struct Option
     Problem problem{nullptr};
     std::optional<std::pair<int, int>> range;
     std::set<int> numbers;          ///< The only ones allowed; empty: all.
-    std::vector<std::string> words; ///< The only ones allowed; empty: all.
+    std::vector<std::string> words; ///< The only ones allowed; empty: all. A `problem` refuses others in its own words.
     std::string excluded;           ///< Name of an option that may not stand beside it.
     std::string needed;             ///< Name of an option that must be given beside it.
     std::size_t times{0U};          ///< How often it was given.

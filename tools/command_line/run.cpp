@@ -91,7 +91,7 @@ void AddChecks(CLI::Option& added, const Option& option)
     {
         added.check(CLI::IsMember(option.numbers));
     }
-    if (!option.words.empty())
+    if (!option.words.empty() && option.problem == nullptr)
     {
         added.check(CLI::IsMember(option.words));
     }

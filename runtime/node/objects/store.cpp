@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <stdexcept>
 #include <utility>
 
 namespace counterpoint::runtime
@@ -15,9 +16,29 @@ constexpr std::uint32_t kBankBytes = 256U * 1024U;
 constexpr std::uint32_t kLargestItem = 65535U;
 /// For how long a reset waits for a store that is under way.
 constexpr int kPatienceMs = 2000;
+
+/// What the host says of the file has the form of all complaints about files. [SRS_EDS_036]
+host::FileParameterMemory OpenFile(const std::string& path)
+{
+    try
+    {
+        return host::FileParameterMemory(path, kBankBytes);
+    }
+    catch (const std::runtime_error& error)
+    {
+        const std::string text = error.what();
+        const std::string head = path + ": ";
+        const std::string mark = ", expected ";
+        const std::size_t begin = (text.rfind(head, 0U) == 0U) ? head.size() : 0U;
+        const std::size_t end = std::min(text.rfind(mark), text.size());
+        throw cia306::InputError(
+            path, {},
+            {"the store " + text.substr(begin, end - begin), text.substr(std::min(end + mark.size(), text.size()))});
+    }
+}
 } // namespace
 
-NodeMemory::NodeMemory(const std::string& path) : file_(path, kBankBytes), worker_([this] { Work(); })
+NodeMemory::NodeMemory(const std::string& path) : file_(OpenFile(path)), worker_([this] { Work(); })
 {
 }
 

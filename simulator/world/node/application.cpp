@@ -109,8 +109,10 @@ void NodeApplication::NoteUntold(const DeviceFaultReport& report) noexcept
     }
 }
 
+// The inputs as they are now, not as they were behind the cycle before. [SRS_SIM_072]
 RefreshAnswer NodeApplication::OnRefresh(const CommunicationIndex /*index*/) noexcept
 {
+    WriteOut();
     return RefreshAnswer::kReady;
 }
 

@@ -283,6 +283,30 @@ TEST(NodeConfiguredTest, AnApplicationThatSendsSendsItsNewValue)
     }
 }
 
+// Refresh 25 ms, cycle 5 ms: wherever in the refresh time an input changes, the next pair has the new value.
+TEST(NodeConfiguredTest, AProviderDeliversTheInputsAsTheyAre)
+{
+    Verifies(req::SRS_NODE_041);
+    for (int place = 0; place < 6; ++place)
+    {
+        Bench bench(FileWith("sensor", {{"5F03sub1", "0x01"}, {"5F04", "0"}}));
+        bench.Start();
+        for (int cycle = 0; cycle < 20 + place; ++cycle)
+        {
+            bench.Cycle();
+        }
+        const std::size_t before = bench.SentWith(0x101U).size();
+        ASSERT_TRUE(bench.Device().App().SetInput({0x2000U, 1U}, 1U));
+        for (int cycle = 0; cycle < 8; ++cycle)
+        {
+            bench.Cycle();
+        }
+        const std::vector<unsigned> normal = bench.SentWith(0x101U);
+        ASSERT_GT(normal.size(), before) << place;
+        EXPECT_EQ(normal[before], 1U) << place;
+    }
+}
+
 // Actuator: SCT 50 ms, SRVT 20 ms, output 1 ms; cycle 5 ms, 5 ms late; the clocks 0.5 ms apart in 100 ms. The normal
 // frame that comes 50 ms after the last good one is waited for in early detection until SRVT is over.
 TEST(NodeConfiguredTest, TheLimitHoldsWhereTheNextNormalFrameStillCame)

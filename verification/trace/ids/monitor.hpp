@@ -26,6 +26,7 @@ inline constexpr RequirementId SRS_MON_016{"SRS_MON_016"};
 inline constexpr RequirementId SRS_MON_017{"SRS_MON_017"};
 inline constexpr RequirementId SRS_MON_018{"SRS_MON_018"};
 inline constexpr RequirementId SRS_MON_019{"SRS_MON_019"};
+inline constexpr RequirementId SRS_MON_020{"SRS_MON_020"};
 } // namespace counterpoint::req
 
 #endif

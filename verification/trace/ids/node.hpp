@@ -59,6 +59,7 @@ inline constexpr RequirementId SRS_NODE_032{"SRS_NODE_032"};
 inline constexpr RequirementId SRS_NODE_037{"SRS_NODE_037"};
 inline constexpr RequirementId SRS_NODE_038{"SRS_NODE_038"};
 inline constexpr RequirementId SRS_NODE_040{"SRS_NODE_040"};
+inline constexpr RequirementId SRS_NODE_041{"SRS_NODE_041"};
 } // namespace counterpoint::req
 
 #endif

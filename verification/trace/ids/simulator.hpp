@@ -81,6 +81,8 @@ inline constexpr RequirementId SRS_SIM_068{"SRS_SIM_068"};
 inline constexpr RequirementId SRS_SIM_069{"SRS_SIM_069"};
 inline constexpr RequirementId SRS_SIM_070{"SRS_SIM_070"};
 inline constexpr RequirementId SRS_SIM_071{"SRS_SIM_071"};
+inline constexpr RequirementId SRS_SIM_072{"SRS_SIM_072"};
+inline constexpr RequirementId SRS_SIM_073{"SRS_SIM_073"};
 } // namespace counterpoint::req
 
 #endif
