@@ -311,7 +311,7 @@ TEST_F(SrdoCommandTest, RefusalLeavesTheFileAsItWas)
               "new one"},
              {sensor,
               {"--consume", "0x2000:01@0x111"},
-              ": error: 0x1382:01: mapped object 0x2000:01 has the wrong AccessType (line 458), expected rw, wo or "
+              ": error: 0x1382:01: mapped object 0x2000:01 has the wrong AccessType (line 462), expected rw, wo or "
               "rww to "
               "be received; nothing was written"}})
     {

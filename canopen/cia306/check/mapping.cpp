@@ -93,7 +93,7 @@ void CheckObject(const SrdoConfiguration& srdo, const MappingEntry& entry, const
     if (is_wrong_access)
     {
         findings.Error(entry.place, name,
-                       mapped + " has the wrong AccessType (line " + std::to_string(object.place.line) + ")",
+                       mapped + " has the wrong AccessType (line " + std::to_string(object.access_place.line) + ")",
                        srdo.IsConsumer() ? "rw, wo or rww to be received" : "ro, rw, rwr or const to be sent");
     }
     const DataType& type = object.type;

@@ -71,6 +71,8 @@ struct Entry
     Text low_limit;
     Text high_limit;
     Place place;
+    Place type_place;       ///< Of the value of DataType, else of the section.
+    Place access_place;     ///< Of the value of AccessType, else of the section.
     std::string section;    ///< Where its values are written.
     bool is_compact{false}; ///< Made from CompactSubObj: its parameter value is key "sub" of section [indexValue].
 

@@ -430,12 +430,12 @@ TEST(CheckMapping, WhatAnEntryNames)
           "where there is no SRDOMapping"}},
         {{{"2000sub1", "SRDOMapping", ""}, {"2000sub1", "PDOMapping", "1"}}, {}},
         {{{"2000sub1", "AccessType", "wo"}},
-         {"error: 0x1381:01: mapped object 0x2000:01 has the wrong AccessType (line 347), expected ro, rw, rwr or "
+         {"error: 0x1381:01: mapped object 0x2000:01 has the wrong AccessType (line 351), expected ro, rw, rwr or "
           "const "
           "to be sent"}},
         {{{"2000sub1", "AccessType", "rwr"}}, {}},
         {{{"2000sub1", "AccessType", "rww"}},
-         {"error: 0x1381:01: mapped object 0x2000:01 has the wrong AccessType (line 347), expected ro, rw, rwr or "
+         {"error: 0x1381:01: mapped object 0x2000:01 has the wrong AccessType (line 351), expected ro, rw, rwr or "
           "const "
           "to be sent"}},
         {{{"1381sub1", kValue, "0x20000110"}, {"1381sub2", kValue, "0x21000110"}},
@@ -455,7 +455,7 @@ TEST(CheckMapping, AccessOfReceivedObjects)
 {
     Verifies(req::SRS_CLI_013);
     const std::string wrong =
-        "error: 0x1381:02: mapped object 0x2300:01 has the wrong AccessType (line 380), expected rw, wo or rww to be "
+        "error: 0x1381:02: mapped object 0x2300:01 has the wrong AccessType (line 384), expected rw, wo or rww to be "
         "received";
     const std::vector<CheckRow> rows = {
         {{{"2300sub1", "AccessType", "rw"}}, {}},       {{{"2300sub1", "AccessType", "wo"}}, {}},

@@ -253,7 +253,7 @@ TEST(MalformedWide, WhatCannotBeSignedIsRefusedByOneLine)
         {"dummies", "Dummy0003=1", "Dummy0003=2", "",
          "test.dcf:26:11: error: 'Dummy0003' is '2', expected a number from 0 to 1"},
         {"digest", "digest\nObjectType=0x7\nDataType=0x0007", "digest\nObjectType=0x7\nDataType=0x0006", "",
-         "test.dcf:672:1: error: 0x5F04:00: DataType is 0x0006 (UNSIGNED16), expected 0x0007 (UNSIGNED32)"},
+         "test.dcf:675:10: error: 0x5F04:00: DataType is 0x0006 (UNSIGNED16), expected 0x0007 (UNSIGNED32)"},
         {"digest", "digest\nObjectType=0x7\n", "digest\nObjectType=0x8\n", "",
          "test.dcf:672:1: error: 0x5F04:00: is missing, expected an object of type UNSIGNED32"},
         {"digest", "0x5F9AFA3D", "-1", "",
