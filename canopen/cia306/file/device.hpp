@@ -112,6 +112,7 @@ struct Device
     std::optional<bool> is_safety_supported;
     bool is_lss_supported{false}; ///< LSS_Supported.
     Place device_info_place;
+    Place mandatory_place; ///< Of [MandatoryObjects]; the file as a whole where there is none.
     /// Granularity of DeviceInfo, where it is one that a Counterpoint device can have.
     std::optional<std::uint8_t> granularity_bits;
     std::set<std::uint16_t> dummies;        ///< Data types that DummyUsage allows to be mapped.

@@ -247,7 +247,7 @@ TEST(CheckObjects, DeviceParameters)
 TEST(CheckObjects, ADeviceWithoutSrdo)
 {
     Verifies(req::SRS_CLI_017);
-    const std::string object = "[1000]\nDataType=7\nAccessType=ro\n[MandatoryObjects]\nSupportedObjects=1\n1=0x1000\n";
+    const std::string object = "[1000]\nDataType=7\nAccessType=ro\n[OptionalObjects]\nSupportedObjects=1\n1=0x1000\n";
     EXPECT_EQ(
         test::FindingsOf("[DeviceInfo]\n" + object, {9U, {}}),
         Lines{"warning: no SRDO, nothing of CANopen Safety is checked, expected communication parameters at 0x1301 "
@@ -315,8 +315,10 @@ std::string WithWideObjects(const std::string& type)
         text += "\n[" + std::string(index) + "]\nParameterName=w\nObjectType=0x8\nSubNumber=10\n";
         for (int sub = 0; sub <= 9; ++sub)
         {
-            text += "\n[" + std::string(index) + "sub" + std::to_string(sub) + "]\nDataType=" + type +
-                    "\nAccessType=ro\nDefaultValue=0\nSRDOMapping=1\n";
+            const bool is_count = sub == 0;
+            text += "\n[" + std::string(index) + "sub" + std::to_string(sub) +
+                    "]\nDataType=" + (is_count ? "0x0005" : type) +
+                    "\nAccessType=ro\nDefaultValue=" + (is_count ? "9" : "0") + "\nSRDOMapping=1\n";
         }
     }
     return test::Changed(text,
