@@ -95,7 +95,7 @@ class Builder
         const bool is_known = entry.type.bits != 0U || entry.type.kind == DataKind::kText;
         if (!is_known)
         {
-            context_.warnings.push_back({cia306::Severity::kWarning, entry.place,
+            context_.warnings.push_back({cia306::Severity::kWarning, entry.type_place,
                                          cia306::ObjectName(entry.index, entry.sub),
                                          "is left out, expected a data type whose length is known"});
             return;

@@ -2,6 +2,7 @@
 #ifndef RUNTIME_DEVICE_ASSEMBLY_HPP
 #define RUNTIME_DEVICE_ASSEMBLY_HPP
 
+#include "canopen/cia301/dictionary/no_objects.hpp"
 #include "canopen/cia306/file/device.hpp"
 #include "canopen/device/device.hpp"
 #include "canopen/device/safety_objects.hpp"
@@ -82,7 +83,7 @@ class ServiceAssembly
     cia301::EmergencyProducer emergency_;
     device::KernelWatch watch_;
     device::SafetyObjects facade_;
-    NoSafetyObjects no_safety_{}; ///< Instead of it, for a plain device.
+    cia301::NoObjects no_safety_{}; ///< Instead of it, for a plain device.
     cia301::Dictionary dictionary_;
     device::Services services_;
     OptionalServices optional_;

@@ -3,6 +3,7 @@
 #define RUNTIME_MANAGER_DICTIONARY_HPP
 
 #include "canopen/cia301/dictionary/dictionary.hpp"
+#include "canopen/cia301/dictionary/no_objects.hpp"
 #include "canopen/cia301/sdo/server.hpp"
 #include "canopen/cia301/sdo/server_port.hpp"
 #include "runtime/device/objects/hooks.hpp"
@@ -54,7 +55,7 @@ class ManagerDictionary
     std::deque<std::vector<std::uint8_t>> values_;
     std::uint32_t domain_length_{0U}; ///< Domains come by hooks; their entries need a place for a length.
     std::vector<std::uint8_t> buffer_;
-    NoSafetyObjects no_safety_;
+    cia301::NoObjects no_safety_;
     cia301::Dictionary dictionary_;
     cia301::SdoServer server_;
     cia301::SdoServerPort port_;

@@ -199,7 +199,7 @@ TEST_F(SrdoCommandTest, PlainDeviceBecomesASafetyDevice)
     EXPECT_EQ(answer.err, "");
     EXPECT_EQ(answer.out, "SRDO 1 sends 0x10B and 0x10C, refresh time 25 ms, SRVT 20 ms, signature 0xD5D1\n"
                           "  0x2000:01 and 0x2100:01  8 bit  Sent data 1.1\n");
-    // Then it has what belongs to one, and check finds nothing.
+    // Then it has what belongs to one, and check finds nothing of it.
     EXPECT_EQ(Value(0x1300U, 0U), "0");
     EXPECT_EQ(Value(0x13FEU, 0U), "0xA5");
     EXPECT_EQ(Value(0x13FFU, 1U), "0xD5D1");
@@ -211,7 +211,9 @@ TEST_F(SrdoCommandTest, PlainDeviceBecomesASafetyDevice)
     EXPECT_NE(text.find("\r\nCANopenSafetySupported=1\r\n"), std::string::npos);
     EXPECT_NE(text.find("\r\n[OptionalObjects]\r\nSupportedObjects=5\r\n1=0x1301\r\n2=0x1381\r\n3=0x1300\r\n"),
               std::string::npos);
-    EXPECT_EQ(RunCommand({"check", Path("d.dcf")}).out, "");
+    EXPECT_EQ(RunCommand({"check", Path("d.dcf")}).out,
+              Path("d.dcf") + ":11:1: warning: [MandatoryObjects] without 0x1001 0x1018, expected 0x1000, 0x1001 and "
+                              "0x1018, which every device has\n");
 }
 
 TEST_F(SrdoCommandTest, DigestComesWithTheNodeIdThatItNeeds)
@@ -311,7 +313,7 @@ TEST_F(SrdoCommandTest, RefusalLeavesTheFileAsItWas)
               "new one"},
              {sensor,
               {"--consume", "0x2000:01@0x111"},
-              ": error: 0x1382:01: mapped object 0x2000:01 has the wrong AccessType (line 458), expected rw, wo or "
+              ": error: 0x1382:01: mapped object 0x2000:01 has the wrong AccessType (line 462), expected rw, wo or "
               "rww to "
               "be received; nothing was written"}})
     {

@@ -45,6 +45,9 @@ std::vector<Finding> CheckDevice(const Device& device, const CheckOptions& optio
         CheckStaticMapping(context, srdo, findings);
     }
     CheckNodeId(context, findings);
+    CheckMandatory(device, findings);
+    CheckHighestSubs(context, findings);
+    CheckKernelAccess(device, findings);
     CheckIdentifiers(configuration, findings);
     CheckShared(configuration, findings);
     CheckParameters(context, findings);

@@ -93,7 +93,7 @@ void CheckObject(const SrdoConfiguration& srdo, const MappingEntry& entry, const
     if (is_wrong_access)
     {
         findings.Error(entry.place, name,
-                       mapped + " has the wrong AccessType (line " + std::to_string(object.place.line) + ")",
+                       mapped + " has the wrong AccessType (line " + std::to_string(object.access_place.line) + ")",
                        srdo.IsConsumer() ? "rw, wo or rww to be received" : "ro, rw, rwr or const to be sent");
     }
     const DataType& type = object.type;
@@ -150,6 +150,46 @@ void CheckTotals(const SrdoConfiguration& srdo, Findings& findings)
     if (inverse_bits > kMaxBits)
     {
         findings.Error(srdo.entry_count.place, name, Bits(inverse_bits) + " of inverse data", "at most 64 bit");
+    }
+}
+
+/// Objects that the InvertedSRAD of another one names and that have none themselves: inverse data, and whose.
+std::map<std::uint32_t, const Entry*> InverseObjects(const Device& device)
+{
+    std::map<std::uint32_t, const Entry*> inverses;
+    for (const auto& [index, object] : device.objects)
+    {
+        for (const auto& [sub, entry] : object.entries)
+        {
+            const std::uint32_t srad = entry.inverted_srad.value_or(0U);
+            const Entry* const inverse =
+                device.Find(static_cast<std::uint16_t>(srad >> 8U), static_cast<std::uint8_t>(srad & 0xFFU));
+            if (entry.inverted_srad && inverse != nullptr && !inverse->inverted_srad)
+            {
+                inverses.emplace(srad, &entry);
+            }
+        }
+    }
+    return inverses;
+}
+
+/// Inverse data in the place of normal data: the application would get the inverse of what was sent.
+void CheckNormals(const CheckContext& context, const SrdoConfiguration& srdo, Findings& findings)
+{
+    const std::map<std::uint32_t, const Entry*> inverses = InverseObjects(context.device);
+    for (const MappingEntry& entry : srdo.mapping)
+    {
+        const auto found = inverses.find(entry.raw >> 8U);
+        if (!entry.IsNormal() || found == inverses.end())
+        {
+            continue;
+        }
+        const Entry& normal = *found->second;
+        const std::string name = ObjectName(normal.index, normal.sub);
+        findings.Tell(WhenOn(srdo), entry.place, EntryName(srdo, entry),
+                      {"normal entry " + MappedName(entry) + " is the InvertedSRAD of " + name + " (line " +
+                           std::to_string(normal.inverted_srad_place.line) + ")",
+                       "normal data here and " + MappedName(entry) + " behind it"});
     }
 }
 
@@ -272,6 +312,7 @@ void CheckMapping(const CheckContext& context, const SrdoConfiguration& srdo, Fi
         CheckMappedValue(context, entry, findings);
     }
     CheckTotals(srdo, findings);
+    CheckNormals(context, srdo, findings);
     CheckPairs(context, srdo, findings);
     CheckSides(srdo, findings);
 }

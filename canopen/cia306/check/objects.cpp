@@ -245,7 +245,7 @@ void CheckValid(const CheckContext& context, Findings& findings)
     }
     if (entry->access != Access::kReadWrite)
     {
-        findings.Warning(entry->place, name, "the flag cannot be set and cleared", "AccessType=rw");
+        findings.Warning(entry->access_place, name, "the flag cannot be set and cleared", "AccessType=rw");
     }
     const bool is_valid = valid.Is(kConfigurationIsValid);
     if (is_valid && findings.HasError())

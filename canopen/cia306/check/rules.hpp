@@ -100,6 +100,15 @@ void CheckIdentifiers(const SafetyConfiguration& configuration, Findings& findin
 /// Whether an object is mapped by two SRDOs that are on, one of which receives. [SRS_CLI_032]
 void CheckShared(const SafetyConfiguration& configuration, Findings& findings);
 
+/// Objects that every device has. [SRS_CLI_038]
+void CheckMandatory(const Device& device, Findings& findings);
+
+/// Sub-index 0 of lists and records from 2000h on. [SRS_CLI_039]
+void CheckHighestSubs(const CheckContext& context, Findings& findings);
+
+/// Access rights of what the kernel serves by its own rules. [SRS_CLI_040]
+void CheckKernelAccess(const Device& device, Findings& findings);
+
 /// 1300h, 13FEh, 13FFh, reserved indices, limits, InvertedSRAD. Comes last: 13FEh depends on the other findings.
 /// [SRS_CLI_014, SRS_CLI_016, SRS_CLI_017]
 void CheckObjects(const CheckContext& context, Findings& findings);

@@ -71,6 +71,8 @@ struct Entry
     Text low_limit;
     Text high_limit;
     Place place;
+    Place type_place;       ///< Of the value of DataType, else of the section.
+    Place access_place;     ///< Of the value of AccessType, else of the section.
     std::string section;    ///< Where its values are written.
     bool is_compact{false}; ///< Made from CompactSubObj: its parameter value is key "sub" of section [indexValue].
 
@@ -110,6 +112,7 @@ struct Device
     std::optional<bool> is_safety_supported;
     bool is_lss_supported{false}; ///< LSS_Supported.
     Place device_info_place;
+    Place mandatory_place; ///< Of [MandatoryObjects]; the file as a whole where there is none.
     /// Granularity of DeviceInfo, where it is one that a Counterpoint device can have.
     std::optional<std::uint8_t> granularity_bits;
     std::set<std::uint16_t> dummies;        ///< Data types that DummyUsage allows to be mapped.

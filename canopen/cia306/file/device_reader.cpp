@@ -277,6 +277,8 @@ void DeviceReader::ReadLists()
             ReadList(*section, listed);
         }
     }
+    const IniSection* const mandatory = document_.Find(names[0]);
+    device_.mandatory_place = (mandatory == nullptr) ? Place{} : mandatory->place;
     for (const auto& [index, object] : device_.objects)
     {
         const bool is_type = object.type == ObjectType::kDeftype || object.type == ObjectType::kDefstruct;

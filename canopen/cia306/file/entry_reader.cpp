@@ -118,6 +118,12 @@ Text SectionReader::TextAt(const std::string_view key) const
     return found == nullptr || found->value.empty() ? Text{} : Text{found->value, found->place};
 }
 
+Place SectionReader::PlaceAt(const std::string_view key) const
+{
+    const IniKey* const found = section_->Find(key);
+    return found == nullptr || found->Bare().empty() ? section_->place : found->place;
+}
+
 ObjectType SectionReader::ObjectTypeAt(const std::string_view key) const
 {
     const auto number = NumberAt(key, kMaxObjectType);
@@ -208,6 +214,8 @@ Entry SectionReader::ReadEntry(const std::uint16_t index, const std::uint8_t sub
     entry.low_limit = TextAt("LowLimit");
     entry.high_limit = TextAt("HighLimit");
     entry.place = section_->place;
+    entry.type_place = PlaceAt("DataType");
+    entry.access_place = PlaceAt("AccessType");
     entry.section = section_->name;
     ReadInvertedSrad(entry);
     return entry;
@@ -247,7 +255,7 @@ void WarnOfEntry(const Entry& entry, std::vector<Finding>& warnings)
     }
     else if (entry.type.kind == DataKind::kUnknown)
     {
-        Warn(warnings, entry.place, entry,
+        Warn(warnings, entry.type_place, entry,
              "DataType " + Hex(entry.data_type, 4) +
                  " is unknown, expected 0x0001 to 0x001B, or an object there that describes it; its values are not "
                  "checked");

@@ -28,6 +28,8 @@ class SectionReader
     [[nodiscard]] std::optional<bool> FlagAt(std::string_view key) const;
     /// The text at `key` and its line.
     [[nodiscard]] Text TextAt(std::string_view key) const;
+    /// The place of the value at `key`; of the section where the key is missing or empty. [SRS_EDS_036]
+    [[nodiscard]] Place PlaceAt(std::string_view key) const;
     /// The object type at `key`; a variable where the key is missing or empty.
     [[nodiscard]] ObjectType ObjectTypeAt(std::string_view key) const;
     /// The access right at `key`; kUnknown where the key is missing or empty.

@@ -146,6 +146,8 @@ void ObjectReader::AddCompactEntries(const IniSection& section, Object& object, 
     Entry number = entry;
     number.name = "NrOfObjects";
     number.data_type = kUnsigned8;
+    number.type_place = section.place;
+    number.access_place = section.place;
     number.access = Access::kReadOnly;
     number.is_pdo_mappable = false;
     number.is_srdo_mappable = std::nullopt;

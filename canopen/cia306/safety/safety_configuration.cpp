@@ -117,7 +117,7 @@ Field ReadField(const Device& device, const std::uint16_t index, const std::uint
     const bool is_other_type = entry->data_type != 0U && entry->data_type != data_type;
     if (is_other_type)
     {
-        AddError(problems, entry->place, name,
+        AddError(problems, entry->type_place, name,
                  {"DataType is " + Hex(entry->data_type, 4) + " (" + DataTypeOf(entry->data_type).name + ")",
                   Hex(data_type, 4) + " (" + DataTypeOf(data_type).name + ")"});
     }

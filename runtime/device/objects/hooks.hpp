@@ -3,7 +3,6 @@
 #define RUNTIME_DEVICE_OBJECTS_HOOKS_HPP
 
 #include "canopen/cia301/dictionary/entry.hpp"
-#include "canopen/cia301/dictionary/foreign_objects.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -32,23 +31,6 @@ class FixedHook final : public cia301::WriteHook
   private:
     const cia301::EntryTable& table_;
     cia301::SdoAbort refusal_;
-};
-
-/// The foreign objects of a plain device: there are none. [SRS_NODE_016]
-class NoSafetyObjects final : public cia301::ForeignObjects
-{
-  public:
-    [[nodiscard]] ObjectReading Read(const ObjectAddress& address) noexcept override
-    {
-        static_cast<void>(address);
-        return {AbortCode::kObjectUnknown, {}};
-    }
-    [[nodiscard]] AbortCode Write(const ObjectAddress& address, const ObjectData& data) noexcept override
-    {
-        static_cast<void>(address);
-        static_cast<void>(data);
-        return AbortCode::kObjectUnknown;
-    }
 };
 
 /// Hook of 1010h and 1011h of a device without a store, and of their groups that no store has: sub-indices say that

@@ -148,6 +148,45 @@ bool HasValue(const cia301::Entry& entry, const std::vector<std::uint8_t>& value
     return reading.abort == SdoAbort::kNone && now == value;
 }
 
+/// How many bytes the service has of this object; nothing where it cannot be read.
+std::optional<std::uint32_t> ServiceBytes(const cia301::Entry& entry)
+{
+    std::array<std::uint8_t, sizeof(std::uint64_t)> bytes{};
+    const cia301::Reading reading = cia301::ReadEntry(entry, {bytes.data(), static_cast<std::uint32_t>(bytes.size())});
+    return reading.abort == SdoAbort::kNone ? std::optional(reading.size_bytes) : std::nullopt;
+}
+
+/// Why a PDO of the file with this COB-ID is off.
+std::string ReasonOfPdo(const std::uint64_t cob_id)
+{
+    struct Range
+    {
+        std::uint64_t last;
+        const char* owner;
+    };
+    // What CiA 301 keeps from configurable objects, and whose it is.
+    constexpr std::array<Range, 6U> kOwners{{{0x07FU, "of NMT and GFC"},
+                                             {0x180U, "of SRDOs"},
+                                             {0x5FFU, "of the default SDOs"},
+                                             {0x67FU, "of the default SDOs"},
+                                             {0x6FFU, "that CiA 301 reserves"},
+                                             {0x7FFU, "of error control and LSS"}}};
+    const std::uint64_t identifier = cob_id & cia301::kCobIdentifier;
+    const std::string off = "the device has turned this PDO off, ";
+    const auto owner = std::find_if(kOwners.begin(), kOwners.end(),
+                                    [identifier](const Range& range) { return identifier <= range.last; });
+    if ((cob_id & cia301::kCobExtended) != 0U || owner == kOwners.end())
+    {
+        return off + "expected an identifier of 11 bit";
+    }
+    if (!cia301::IsConfigurable(static_cast<std::uint32_t>(identifier)))
+    {
+        return off + "expected another identifier than " + cia306::Hex(identifier, 3) + ", which is one " +
+               owner->owner;
+    }
+    return off + "expected a mapping and settings that hold";
+}
+
 bool IsOfServiceObjects(const std::uint16_t index)
 {
     constexpr std::array<std::uint16_t, 8U> kServiceObjects{0x1001U, 0x1003U, 0x100CU, 0x100DU,
@@ -299,6 +338,7 @@ void DeviceObjects::SetValue(const cia306::Entry& source, const std::uint8_t nod
     Stored stored;
     stored.entry = entries_.size();
     stored.place = source.ValuePlace();
+    stored.type_place = source.type_place;
     stored.value.resize((source.type.bits + 7U) / 8U);
     const std::optional<cia306::Value> value = cia306::UsableValue(file_, source, node_id);
     stored.is_configured = value.has_value();
@@ -453,6 +493,14 @@ std::vector<cia306::Finding> DeviceObjects::NotTaken(const std::function<bool(co
         {
             continue;
         }
+        const std::uint32_t service_bytes = ServiceBytes(entry).value_or(entry.size_bytes);
+        if (service_bytes != entry.size_bytes)
+        {
+            findings.push_back({cia306::Severity::kWarning, stored.type_place, object,
+                                "data type of " + std::to_string(8U * entry.size_bytes) + " bit, expected one of " +
+                                    std::to_string(8U * service_bytes) + " bit, which the device has here"});
+            continue;
+        }
         findings.push_back({cia306::Severity::kWarning, stored.place, object, ReasonOf(entry, stored.value)});
     }
     return findings;
@@ -466,7 +514,7 @@ std::string DeviceObjects::ReasonOf(const cia301::Entry& entry, const std::vecto
     const bool is_pdo = entry.index >= kFirstRpdo && entry.index < kFirstTpdoMap && !is_mapping && entry.sub == 1U;
     if (is_pdo)
     {
-        return "the device has turned this PDO off, expected a mapping and settings that hold";
+        return ReasonOfPdo(cia301::FromLittleEndian(value.data(), static_cast<std::uint32_t>(value.size())));
     }
     if (entry.index == kDefaultServer)
     {

@@ -68,6 +68,7 @@ class DeviceObjects
         std::size_t entry{0U};
         std::vector<std::uint8_t> value;
         cia306::Place place;
+        cia306::Place type_place;  ///< Of its data type.
         bool is_configured{false}; ///< The file gives it.
     };
 

@@ -2,6 +2,7 @@
 // Any frames at any time to an SDO server, or as answers to an SDO client. The input is a list of steps: one byte of
 // what happens, then the bytes that it needs; what is missing is 0.
 #include "canopen/cia301/base/little_endian.hpp"
+#include "canopen/cia301/dictionary/no_objects.hpp"
 #include "canopen/cia301/sdo/client.hpp"
 #include "canopen/cia301/sdo/server.hpp"
 
@@ -62,19 +63,6 @@ class Steps
   private:
     const std::uint8_t* data_;
     std::size_t left_;
-};
-
-class NoObjects final : public ForeignObjects
-{
-  public:
-    ObjectReading Read(const ObjectAddress&) noexcept override
-    {
-        return ObjectReading{AbortCode::kObjectUnknown, {}};
-    }
-    AbortCode Write(const ObjectAddress&, const ObjectData&) noexcept override
-    {
-        return AbortCode::kObjectUnknown;
-    }
 };
 
 /// Accepts after it was asked three times.

@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia301/dictionary/dictionary.hpp"
+#include "canopen/cia301/dictionary/no_objects.hpp"
 #include "canopen/cia301/objects/service_objects.hpp"
 #include "tests/safety_core/kernel/rig.hpp"
 #include "verification/trace/ids/cia301.hpp"
@@ -114,6 +115,29 @@ TEST_F(KernelObjectsTest, TheDictionaryServesTheKernelsObjects)
     // When it is written over the dictionary, the kernel has it
     EXPECT_EQ(dictionary.WriteNumber({0x1300U, 0U}, 0U, 1U), SdoAbort::kNone);
     EXPECT_EQ(Read(0x1300U, 0U), 0U);
+}
+
+// A kernel that was not started answers 0800 0022h to all of these
+TEST(NoObjectsTest, ADeviceWithoutSrdosHasNoSafetyObjects)
+{
+    Verifies(req::SRS_OBD_017);
+    NoObjects none{};
+    std::uint8_t byte = 7U;
+    const Entry own{
+        0x2000U, 1U, DataType::kUnsigned8, Access::kReadWrite, kInBoth, kInBoth, 1U, &byte, nullptr, nullptr, nullptr,
+        nullptr, 0U};
+    Dictionary dictionary{EntryTable{&own, 1U}, none};
+    dictionary.SetNmtState(NmtState::kPreOperational);
+    for (const std::uint16_t index :
+         std::array<std::uint16_t, 6U>{0x1300U, 0x1301U, 0x1381U, 0x13FEU, 0x13FFU, 0x1000U})
+    {
+        EXPECT_EQ(dictionary.ReadNumber({index, 0U}).abort, SdoAbort::kObjectUnknown) << index;
+        EXPECT_EQ(dictionary.WriteNumber({index, 0U}, 0U, 1U), SdoAbort::kObjectUnknown) << index;
+        EXPECT_EQ(dictionary.MayWrite({index, 0U}, 1U), SdoAbort::kObjectUnknown) << index;
+        EXPECT_EQ(dictionary.SizeOf({index, 0U}).abort, SdoAbort::kObjectUnknown) << index;
+    }
+    EXPECT_EQ(dictionary.ReadNumber({0x2000U, 0U}).abort, SdoAbort::kSubUnknown);
+    EXPECT_EQ(dictionary.ReadNumber({0x2000U, 1U}).value, 7U);
 }
 
 } // namespace

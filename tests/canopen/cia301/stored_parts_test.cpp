@@ -233,6 +233,24 @@ TEST_F(StoredPartsTest, AnEntryThatIsNoLongerStoredIsNotLoaded)
     EXPECT_EQ(application[0], 0U);
 }
 
+// 9FFFh is the last one of the application's group
+TEST_F(StoredPartsTest, AnEntryFromA000hOnIsInNoGroup)
+{
+    Verifies(req::SRS_STO_011);
+    application = {7U};
+    table[9].index = 0x9FFFU;
+    EXPECT_EQ(Download(kSaveAllRequest), 0U);
+    Restart();
+    EXPECT_EQ(report.loaded, 6U);
+    EXPECT_EQ(application[0], 7U);
+    table[9].index = 0xA000U;
+    EXPECT_EQ(Download(kSaveAllRequest), 0U);
+    Restart();
+    EXPECT_EQ(report.loaded, 5U);
+    EXPECT_EQ(report.refused, 0U);
+    EXPECT_EQ(application[0], 0U);
+}
+
 TEST_F(StoredPartsTest, APartThatIsGoneIsCounted)
 {
     Verifies(req::SRS_STO_007);

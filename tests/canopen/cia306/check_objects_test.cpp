@@ -247,7 +247,7 @@ TEST(CheckObjects, DeviceParameters)
 TEST(CheckObjects, ADeviceWithoutSrdo)
 {
     Verifies(req::SRS_CLI_017);
-    const std::string object = "[1000]\nDataType=7\nAccessType=ro\n[MandatoryObjects]\nSupportedObjects=1\n1=0x1000\n";
+    const std::string object = "[1000]\nDataType=7\nAccessType=ro\n[OptionalObjects]\nSupportedObjects=1\n1=0x1000\n";
     EXPECT_EQ(
         test::FindingsOf("[DeviceInfo]\n" + object, {9U, {}}),
         Lines{"warning: no SRDO, nothing of CANopen Safety is checked, expected communication parameters at 0x1301 "
@@ -315,8 +315,10 @@ std::string WithWideObjects(const std::string& type)
         text += "\n[" + std::string(index) + "]\nParameterName=w\nObjectType=0x8\nSubNumber=10\n";
         for (int sub = 0; sub <= 9; ++sub)
         {
-            text += "\n[" + std::string(index) + "sub" + std::to_string(sub) + "]\nDataType=" + type +
-                    "\nAccessType=ro\nDefaultValue=0\nSRDOMapping=1\n";
+            const bool is_count = sub == 0;
+            text += "\n[" + std::string(index) + "sub" + std::to_string(sub) +
+                    "]\nDataType=" + (is_count ? "0x0005" : type) +
+                    "\nAccessType=ro\nDefaultValue=" + (is_count ? "9" : "0") + "\nSRDOMapping=1\n";
         }
     }
     return test::Changed(text,
@@ -430,12 +432,12 @@ TEST(CheckMapping, WhatAnEntryNames)
           "where there is no SRDOMapping"}},
         {{{"2000sub1", "SRDOMapping", ""}, {"2000sub1", "PDOMapping", "1"}}, {}},
         {{{"2000sub1", "AccessType", "wo"}},
-         {"error: 0x1381:01: mapped object 0x2000:01 has the wrong AccessType (line 347), expected ro, rw, rwr or "
+         {"error: 0x1381:01: mapped object 0x2000:01 has the wrong AccessType (line 351), expected ro, rw, rwr or "
           "const "
           "to be sent"}},
         {{{"2000sub1", "AccessType", "rwr"}}, {}},
         {{{"2000sub1", "AccessType", "rww"}},
-         {"error: 0x1381:01: mapped object 0x2000:01 has the wrong AccessType (line 347), expected ro, rw, rwr or "
+         {"error: 0x1381:01: mapped object 0x2000:01 has the wrong AccessType (line 351), expected ro, rw, rwr or "
           "const "
           "to be sent"}},
         {{{"1381sub1", kValue, "0x20000110"}, {"1381sub2", kValue, "0x21000110"}},
@@ -455,7 +457,7 @@ TEST(CheckMapping, AccessOfReceivedObjects)
 {
     Verifies(req::SRS_CLI_013);
     const std::string wrong =
-        "error: 0x1381:02: mapped object 0x2300:01 has the wrong AccessType (line 380), expected rw, wo or rww to be "
+        "error: 0x1381:02: mapped object 0x2300:01 has the wrong AccessType (line 384), expected rw, wo or rww to be "
         "received";
     const std::vector<CheckRow> rows = {
         {{{"2300sub1", "AccessType", "rw"}}, {}},       {{{"2300sub1", "AccessType", "wo"}}, {}},
@@ -489,6 +491,33 @@ TEST(CheckMapping, NormalAndInverseAreDifferentObjectsOfEqualLength)
          {"error: 0x1381:02: inverse entry of 8 bit, expected 16 bit as the normal entry before it"}},
     };
     test::ExpectRows("sensor", rows, {});
+}
+
+// Signature and inversion are right of all of them
+TEST(CheckMapping, InverseDataStandsNotInThePlaceOfNormalData)
+{
+    Verifies(req::SRS_CLI_014);
+    const std::string first = "error: 0x1381:01: normal entry 0x2100:01 is the InvertedSRAD of 0x2000:01 (line 355), "
+                              "expected normal data here and 0x2100:01 behind it";
+    const std::vector<CheckRow> rows = {
+        {{{"1381sub1", kValue, "0x21000108"}, {"1381sub2", kValue, "0x20000108"}}, {first}},
+        {{{"1381sub1", kValue, "0x21000108"}, {"1381sub2", kValue, "0x21000208"}, {"1381sub0", kValue, "2"}}, {first}},
+        // Without an InvertedSRAD nobody knows; each the inverse of the other is both.
+        {{{"1381sub1", kValue, "0x21000108"}, {"1381sub2", kValue, "0x20000108"}, {"2000sub1", "InvertedSRAD", ""}},
+         {}},
+        {{{"1381sub1", kValue, "0x21000108"},
+          {"1381sub2", kValue, "0x20000108"},
+          {"2100sub1", "InvertedSRAD", "0x200001"}},
+         {}},
+    };
+    test::ExpectRows("sensor", rows, {});
+    const test::Set off{"1302sub1", kValue, "0"};
+    test::ExpectRows(
+        "controller",
+        {{{off, {"1382sub1", kValue, "0x21000108"}, {"1382sub2", kValue, "0x20000108"}},
+          {"warning: 0x1382:01: normal entry 0x2100:01 is the InvertedSRAD of 0x2000:01 (line 486), expected "
+           "normal data here and 0x2100:01 behind it"}}},
+        {});
 }
 
 TEST(CheckMapping, InvertedSradNamesAnotherObjectOfTheSameType)

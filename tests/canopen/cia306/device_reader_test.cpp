@@ -205,7 +205,7 @@ TEST(DeviceReader, WarnsOfWhatRealFilesHaveWrong)
         {"[OptionalObjects]\nSupportedObjects=1\n1=0x2000\n[2000]\nAccessType=rw\n",
          "f:14:1: warning: 0x2000:00: no DataType, expected one; its values are not checked"},
         {"[OptionalObjects]\nSupportedObjects=1\n1=0x2000\n[2000]\nDataType=0x40\nAccessType=rw\n",
-         "f:14:1: warning: 0x2000:00: DataType 0x0040 is unknown, expected 0x0001 to 0x001B, or an object "
+         "f:15:10: warning: 0x2000:00: DataType 0x0040 is unknown, expected 0x0001 to 0x001B, or an object "
          "there that describes it; its values are not checked"},
         {"[OptionalObjects]\nSupportedObjects=1\n1=0x2000\n[2000]\nDataType=5\n",
          "f:14:1: warning: 0x2000:00: no AccessType, expected ro, wo, rw, rwr, rww or const"},

@@ -241,7 +241,7 @@ TEST(MalformedWide, WhatCannotBeSignedIsRefusedByOneLine)
         {"static", "DefaultValue=16\n", "DefaultValue=256\n", "",
          "test.dcf:212:14: error: 0x1381:00: value '256', expected a number from 0 to 255 (UNSIGNED8)"},
         {"bits", "", "", "\n[1381SUB80]\nDataType=7\n",
-         "test.dcf:2710:1: error: section '1381SUB80' stands a second time, expected it once, as in line 1403"},
+         "test.dcf:2739:1: error: section '1381SUB80' stands a second time, expected it once, as in line 1403"},
         {"bits", "ParameterValue=0x60200101\n", "ParameterValue=0x6020:01\n", "",
          "test.dcf:266:16: error: 0x1381:01: value '0x6020:01', expected a number from 0 to 4294967295 (UNSIGNED32), "
          "or "
@@ -253,7 +253,7 @@ TEST(MalformedWide, WhatCannotBeSignedIsRefusedByOneLine)
         {"dummies", "Dummy0003=1", "Dummy0003=2", "",
          "test.dcf:26:11: error: 'Dummy0003' is '2', expected a number from 0 to 1"},
         {"digest", "digest\nObjectType=0x7\nDataType=0x0007", "digest\nObjectType=0x7\nDataType=0x0006", "",
-         "test.dcf:672:1: error: 0x5F04:00: DataType is 0x0006 (UNSIGNED16), expected 0x0007 (UNSIGNED32)"},
+         "test.dcf:675:10: error: 0x5F04:00: DataType is 0x0006 (UNSIGNED16), expected 0x0007 (UNSIGNED32)"},
         {"digest", "digest\nObjectType=0x7\n", "digest\nObjectType=0x8\n", "",
          "test.dcf:672:1: error: 0x5F04:00: is missing, expected an object of type UNSIGNED32"},
         {"digest", "0x5F9AFA3D", "-1", "",

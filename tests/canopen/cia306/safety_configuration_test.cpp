@@ -160,7 +160,7 @@ TEST(SafetyConfiguration, WhatIsMissingOrWrongIsReportedWithItsPlace)
         {{{"[1301sub2]", "[1301sub9]"}},
          "f:185:1: error: 0x1301:02: is missing, expected an object of type UNSIGNED16"},
         {{{"DataType=0x0006\nAccessType=rw\nDefaultValue=25", "DataType=0x0005\nAccessType=rw\nDefaultValue=25"}},
-         "f:209:1: error: 0x1301:02: DataType is 0x0005 (UNSIGNED8), expected 0x0006 (UNSIGNED16)"},
+         "f:212:10: error: 0x1301:02: DataType is 0x0005 (UNSIGNED8), expected 0x0006 (UNSIGNED16)"},
         {{{"DefaultValue=25\nParameterValue=25\n", "DefaultValue=\n"}},
          "f:209:1: error: 0x1301:02: has no value, expected a ParameterValue or DefaultValue"},
         {{{"ParameterValue=25\n", "ParameterValue=65536\n"}},

@@ -1,4 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia301/dictionary/no_objects.hpp"
 #include "canopen/cia301/emergency/consumer.hpp"
 #include "canopen/cia301/sdo/client_port.hpp"
 #include "canopen/cia301/time/time_stamp.hpp"
@@ -335,25 +336,11 @@ TEST_F(DeviceFurtherTest, AClientAndASecondServerShareTheBusWithTheFirst)
     EXPECT_EQ(client.Client().Outcome().abort, cia301::SdoAbort::kDeviceState);
 }
 
-/// What a plain device has behind its own table.
-class NoObjects final : public cia301::ForeignObjects
-{
-  public:
-    ObjectReading Read(const ObjectAddress& /*address*/) noexcept override
-    {
-        return {AbortCode::kObjectUnknown, {}};
-    }
-    AbortCode Write(const ObjectAddress& /*address*/, const ObjectData& /*data*/) noexcept override
-    {
-        return AbortCode::kObjectUnknown;
-    }
-};
-
 TEST_F(DeviceFurtherTest, APlainDeviceMissesNoSafetyConfiguration)
 {
     Verifies(req::SRS_DEV_021);
     is_configured = false;
-    NoObjects none{};
+    cia301::NoObjects none{};
     cia301::Dictionary plain{cia301::EntryTable{entries.data(), 12U}, none};
     Device other{DeviceParts{core, watch, plain, services, *this, FrameRoom{safety_frames.data(), 8U},
                              FrameRoom{service_frames.data(), 16U}, 3U}};

@@ -175,7 +175,7 @@ TEST(GenerateTest, WhatHasNoLengthIsLeftOutWithAWarning)
     EXPECT_EQ(code.entry_count, 1U);
     ASSERT_EQ(code.warnings.size(), 2U);
     EXPECT_EQ(cia306::FormatFinding("a.eds", code.warnings[0]),
-              "a.eds:3:1: warning: 0x2000:00: is left out, expected a data type whose length is known");
+              "a.eds:6:10: warning: 0x2000:00: is left out, expected a data type whose length is known");
     EXPECT_EQ(code.warnings[1].text,
               "value '9', expected one between LowLimit and HighLimit; it is generated all the same");
 }

@@ -4,6 +4,7 @@
 
 #include "canopen/cia301/base/little_endian.hpp"
 #include "canopen/cia301/dictionary/foreign_objects.hpp"
+#include "canopen/cia301/dictionary/no_objects.hpp"
 #include "canopen/cia301/sdo/server.hpp"
 #include "tests/canopen/generate/generated_case.hpp"
 #include "tests/safety_core/kernel/rig.hpp"
@@ -27,7 +28,7 @@ class GeneratedNode
   public:
     explicit GeneratedNode(const GeneratedCase& generated)
         : generated_(generated), buffer_(generated.longest_bytes), facade_(kernel_),
-          dictionary_(*generated.table, facade_),
+          dictionary_(*generated.table, Foreign()),
           server_({dictionary_, {buffer_.data(), generated.longest_bytes}, 2000000U, 127U})
     {
         output_.now_us = &now_us_;
@@ -87,6 +88,12 @@ class GeneratedNode
     }
 
   private:
+    /// As docs/generate.md says: without SRDOs there is no kernel behind the table.
+    cia301::ForeignObjects& Foreign()
+    {
+        const bool has_srdos = generated_.device->srdo_count != 0U;
+        return has_srdos ? static_cast<cia301::ForeignObjects&>(facade_) : none_;
+    }
     cia301::SdoFrame Ask(const cia301::SdoFrame& request)
     {
         return server_.OnFrame(request, 8U, Instant{0U}).frame;
@@ -105,6 +112,7 @@ class GeneratedNode
     Kernel kernel_{KernelParts{a_, b_, ports_, output_, watchdog_, application_}};
     std::vector<std::uint8_t> buffer_;
     cia301::KernelObjects facade_;
+    cia301::NoObjects none_{};
     cia301::Dictionary dictionary_;
     cia301::SdoServer server_;
 };

@@ -26,8 +26,6 @@ using test::Upload;
 constexpr std::uint32_t kWriteOnly = 0x06010001U;
 constexpr std::uint32_t kObjectUnknown = 0x06020000U;
 constexpr std::uint32_t kSubUnknown = 0x06090011U;
-/// Of a kernel that was not started: there are no SRDOs.
-constexpr std::uint32_t kDeviceState = 0x08000022U;
 constexpr std::uint32_t kGeneral = 0x08000000U;
 
 bool HasSrdos(const cia306::Device& device)
@@ -172,8 +170,7 @@ TEST_P(GeneratedValues, TheSdoServerServesWhatTheFileSays)
             const bool is_known = entry.type.bits != 0U || entry.type.kind == cia306::DataKind::kText;
             const bool is_variable = entry.is_srdo_mappable.value_or(false);
             const std::uint32_t unknown = object.entries.size() > 1U ? kSubUnknown : kObjectUnknown;
-            Upload expected = is_known ? Expected(entry, Case().node_id, is_variable)
-                                       : Upload{has_srdos ? unknown : kDeviceState, {}};
+            Upload expected = is_known ? Expected(entry, Case().node_id, is_variable) : Upload{unknown, {}};
             const auto safe = safe_values.find((static_cast<std::uint32_t>(index) << 8U) | sub);
             expected = safe != safe_values.end() ? Upload{0U, safe->second} : expected;
             EXPECT_EQ(upload.abort, expected.abort) << cia306::ObjectName(index, sub);

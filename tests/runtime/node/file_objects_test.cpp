@@ -1,5 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/file/device_reader.hpp"
 #include "runtime/node/device.hpp"
+#include "runtime/node/trial.hpp"
 #include "tests/tools/command_run.hpp"
 #include "tests/tools/echo_bus.hpp"
 #include "verification/trace/ids/node.hpp"
@@ -8,9 +10,11 @@
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 // The objects of services are those of the file: which sub-indices there are, who may write them, what they are.
@@ -92,6 +96,17 @@ class FileObjectsTest : public tools::test::CommandTest
             std::this_thread::sleep_for(std::chrono::microseconds(10));
         }
         ASSERT_EQ(abort, SdoAbort::kNone);
+    }
+    /// What a device of this file does without, as check has it.
+    [[nodiscard]] std::vector<std::string> Tried(const std::string& objects)
+    {
+        std::vector<std::string> lines;
+        for (const cia306::Finding& finding :
+             TryDevice(cia306::ReadDeviceFile(File("tried.dcf", kHead + objects)), std::nullopt))
+        {
+            lines.push_back(finding.object + ": " + finding.text);
+        }
+        return lines;
     }
     [[nodiscard]] std::string Told()
     {
@@ -285,6 +300,52 @@ TEST_F(FileObjectsTest, ABooleanOfAPdoMayBeAByte)
               std::string::npos)
         << told;
     EXPECT_NE(told.find("0x1800:01: the device has turned this PDO off"), std::string::npos) << told;
+}
+
+// 101h to 180h are of SRDOs alone, 180h the last one; 181h is free, and so is 600h between two ranges of the default
+// SDOs
+TEST_F(FileObjectsTest, APdoWithTheIdentifierOfAnotherServiceIsToldWithIt)
+{
+    Verifies(req::SRS_NODE_017);
+    const auto pdo = [](const std::string& cob_id)
+    {
+        return "[2001]\nDataType=5\nAccessType=rw\nDefaultValue=1\nPDOMapping=1\n" + Record("1800") +
+               Element("1800sub0", "5", "const", "2") + Element("1800sub1", "7", "rw", cob_id) +
+               Element("1800sub2", "5", "rw", "254") + Record("1A00") + Element("1A00sub0", "5", "rw", "1") +
+               Element("1A00sub1", "7", "rw", "0x20010008");
+    };
+    const std::string off = "0x1800:01: the device has turned this PDO off, expected ";
+    const std::pair<const char*, std::string> rows[] = {
+        {"0x7F", "another identifier than 0x07F, which is one of NMT and GFC"},
+        {"0x40000109", "another identifier than 0x109, which is one of SRDOs"},
+        {"0x180", "another identifier than 0x180, which is one of SRDOs"},
+        {"0x582", "another identifier than 0x582, which is one of the default SDOs"},
+        {"0x67F", "another identifier than 0x67F, which is one of the default SDOs"},
+        {"0x6E0", "another identifier than 0x6E0, which is one that CiA 301 reserves"},
+        {"0x702", "another identifier than 0x702, which is one of error control and LSS"},
+        {"0x20000185", "an identifier of 11 bit"},
+        {"0x800", "an identifier of 11 bit"}};
+    for (const auto& [cob_id, expected] : rows)
+    {
+        EXPECT_EQ(Tried(pdo(cob_id)), std::vector<std::string>{off + expected});
+    }
+    for (const char* const free : {"0x80", "0x100", "0x181", "0x600", "0x6DF"})
+    {
+        EXPECT_EQ(Tried(pdo(free)), std::vector<std::string>{}) << free;
+    }
+}
+
+// The heartbeat runs; what was wrong is that the device was said to do without the value
+TEST_F(FileObjectsTest, AnObjectOfAServiceWithAnotherDataTypeIsToldWithBothLengths)
+{
+    Verifies(req::SRS_NODE_030);
+    EXPECT_EQ(
+        Tried(Element("1017", "7", "rw", "100")),
+        std::vector<std::string>{"0x1017:00: data type of 32 bit, expected one of 16 bit, which the device has here"});
+    EXPECT_EQ(
+        Tried(Element("1014", "6", "rw", "$NODEID+0x80")),
+        std::vector<std::string>{"0x1014:00: data type of 16 bit, expected one of 32 bit, which the device has here"});
+    EXPECT_EQ(Tried(Element("1017", "6", "rw", "100")), std::vector<std::string>{});
 }
 
 // An SRDO has the length of its object, which is one bit: what check says with both lengths the device says with a code
