@@ -136,13 +136,16 @@ def collect_commands(progress, jobs):
     if not set(single) <= set(commands):
         raise StepFailed(f"verification/trace/other_evidence.yaml: one_core names {sorted(set(single) - set(commands))}, expected names of commands")
 
+    started = {}
+
     def run(name, beside):
+        started[name] = time.time()
         return progress.run(f"Running {commands[name]}", f"evidence-{name}", ["bash", "-c", commands[name]], may_fail=True, beside=beside)
 
     statuses = {name: run(name, False) for name in commands if name not in single}
     with concurrent.futures.ThreadPoolExecutor(max_workers=jobs) as pool:
         statuses.update(zip(single, pool.map(lambda name: run(name, True), single)))
-    results = {name: {"command": command, "status": statuses[name]} for name, command in commands.items()}
+    results = {name: {"command": command, "status": statuses[name], "started": started[name]} for name, command in commands.items()}
     (DATA / "commands.json").write_text(json.dumps(results, indent=1))
 
 

@@ -62,7 +62,8 @@ class Functions:
         return next((function for function in self.of(path) if function.first_line <= line <= function.last_line), None)
 
     def place(self, path, line):
-        """What a comment at this line speaks of: the function around it, the one below it, or the one that is declared there."""
+        """What a comment at this line speaks of: the function around it, the one below it, or the one that is declared there; in a header
+        with a source of the same name, else that source."""
         around = self.around(path, line)
         if around or not path.endswith(CPP):
             return Place(path, line, around)
@@ -74,10 +75,9 @@ class Functions:
         statement = re.split(r"[;{]", "\n".join(code[first - 1:first + 11]))[0]
         name = re.search(r"([~\w]+)\s*\(", statement)
         source = re.sub(r"\.hpp$", ".cpp", path)
-        if name and source != path and (self.root / source).is_file():
-            for function in self.of(source):
-                if function.name.split("::")[-1] == name.group(1):
-                    return Place(source, function.first_line, function)
+        if source != path and (self.root / source).is_file():
+            named = [function for function in self.of(source) if name and function.name.split("::")[-1] == name.group(1)]
+            return Place(source, named[0].first_line, named[0]) if named else Place(source, 1)
         return Place(path, line)
 
 
@@ -91,6 +91,8 @@ def places_of(root, requirements, known_functions):
         unique = {}
         for path, line in lines:
             place = known_functions.place(path, line)
-            unique.setdefault((place.path, place.function.first_line if place.function else place.line), place)
+            # A header that declares what a source defines: both.
+            for one in [place] if place.path == path else [place, Place(path, line)]:
+                unique.setdefault((one.path, one.function.first_line if one.function else one.line), one)
         found[uid] = list(unique.values())
     return found

@@ -41,6 +41,12 @@ inline constexpr RequirementId SRS_VER_051{"SRS_VER_051"};
 inline constexpr RequirementId SRS_VER_060{"SRS_VER_060"};
 inline constexpr RequirementId SRS_VER_061{"SRS_VER_061"};
 inline constexpr RequirementId SRS_VER_062{"SRS_VER_062"};
+inline constexpr RequirementId SRS_VER_090{"SRS_VER_090"};
+inline constexpr RequirementId SRS_VER_091{"SRS_VER_091"};
+inline constexpr RequirementId SRS_VER_092{"SRS_VER_092"};
+inline constexpr RequirementId SRS_VER_093{"SRS_VER_093"};
+inline constexpr RequirementId SRS_VER_094{"SRS_VER_094"};
+inline constexpr RequirementId SRS_VER_095{"SRS_VER_095"};
 } // namespace counterpoint::req
 
 #endif
