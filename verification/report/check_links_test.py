@@ -10,8 +10,8 @@ REQUIREMENT = """<svg id="picture"><a href="docs__semantics.md.html#s1">semantic
 <section id="sources"><a href="docs__semantics.md.html#s1">semantics 1</a></section>
 <section id="realised"><a href="room__a.cpp.html#L2">a.cpp</a></section>
 <section id="shown"><a href="tests__a_test.cpp.html#L1">S.Case</a></section>"""
-DOCUMENT = '<section id="s1"><a href="SRS_A_001.html">SRS_A_001</a></section>'
-CODE = """<section id="file"><a href="SRS_A_001.html">SRS_A_001</a></section>
+DOCUMENT = '<section id="s1"><a href="SRS_AREA_001.html">SRS_AREA_001</a></section>'
+CODE = """<section id="file"><a href="SRS_AREA_001.html">SRS_AREA_001</a></section>
 <div><a id="L1" href="#file">1</a><code>// &lt;a&gt;</code></div><div><a id="L2" href="#file">2</a><code>int a;</code></div>"""
 
 
@@ -21,8 +21,8 @@ class CheckLinks(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
         (self.folder / "walk").mkdir()
-        (self.folder / "trace.html").write_text('<a href="walk/SRS_A_001.html#shown">SRS_A_001</a> <a href="https://example.org/none">far away</a>')
-        self.pages = {"SRS_A_001": REQUIREMENT, "docs__semantics.md": DOCUMENT, "room__a.cpp": CODE, "tests__a_test.cpp": CODE}
+        (self.folder / "trace.html").write_text('<a href="walk/SRS_AREA_001.html#shown">SRS_AREA_001</a> <a href="https://example.org/none">far away</a>')
+        self.pages = {"SRS_AREA_001": REQUIREMENT, "docs__semantics.md": DOCUMENT, "room__a.cpp": CODE, "tests__a_test.cpp": CODE}
 
     def expect(self, *findings):
         for name, text in self.pages.items():
@@ -37,22 +37,22 @@ class CheckLinks(unittest.TestCase):
         self.expect()
 
     def test_no_such_page(self):
-        (self.folder / "trace.html").write_text('<a href="walk/SRS_A_002.html">SRS_A_002</a>')
-        self.expect("trace.html: walk/SRS_A_002.html leads to no page")
+        (self.folder / "trace.html").write_text('<a href="walk/SRS_AREA_002.html">SRS_AREA_002</a>')
+        self.expect("trace.html: walk/SRS_AREA_002.html leads to no page")
 
     def test_no_such_place(self):
-        self.change("SRS_A_001", "room__a.cpp.html#L2", "room__a.cpp.html#L3")
-        self.expect("walk/SRS_A_001.html: room__a.cpp.html#L3 leads to no place of walk/room__a.cpp.html",
-                    "walk/room__a.cpp.html: leads to walk/SRS_A_001.html, which does not lead back",
-                    "walk/SRS_A_001.html: leads to nothing that is what realises it, and does not say so")
+        self.change("SRS_AREA_001", "room__a.cpp.html#L2", "room__a.cpp.html#L3")
+        self.expect("walk/SRS_AREA_001.html: room__a.cpp.html#L3 leads to no place of walk/room__a.cpp.html",
+                    "walk/room__a.cpp.html: leads to walk/SRS_AREA_001.html, which does not lead back",
+                    "walk/SRS_AREA_001.html: leads to nothing that is what realises it, and does not say so")
 
     def test_document_does_not_lead_back(self):
         self.pages["docs__semantics.md"] = '<section id="s1"></section>'
-        self.expect("walk/SRS_A_001.html: leads to walk/docs__semantics.md.html, which does not lead back")
+        self.expect("walk/SRS_AREA_001.html: leads to walk/docs__semantics.md.html, which does not lead back")
 
     def test_requirement_does_not_lead_back(self):
         self.pages["tests__b_test.cpp"] = CODE
-        self.expect("walk/tests__b_test.cpp.html: leads to walk/SRS_A_001.html, which does not lead back")
+        self.expect("walk/tests__b_test.cpp.html: leads to walk/SRS_AREA_001.html, which does not lead back")
 
     def test_line_of_no_requirement(self):
         self.change("room__a.cpp", '<div><a id="L2" href="#file">', '<section id="F2"></section><div><a id="L2" href="#F2">')
@@ -64,17 +64,17 @@ class CheckLinks(unittest.TestCase):
 
     def test_no_test_and_says_so(self):
         self.pages.pop("tests__a_test.cpp")
-        self.change("SRS_A_001", '<a href="tests__a_test.cpp.html#L1">S.Case</a>', '<p class="gap bad">Nothing shows it.</p>')
+        self.change("SRS_AREA_001", '<a href="tests__a_test.cpp.html#L1">S.Case</a>', '<p class="gap bad">Nothing shows it.</p>')
         self.expect()
 
     def test_no_test(self):
         self.pages.pop("tests__a_test.cpp")
-        self.change("SRS_A_001", '<a href="tests__a_test.cpp.html#L1">S.Case</a>', "")
-        self.expect("walk/SRS_A_001.html: leads to nothing that is what shows it, and does not say so")
+        self.change("SRS_AREA_001", '<a href="tests__a_test.cpp.html#L1">S.Case</a>', "")
+        self.expect("walk/SRS_AREA_001.html: leads to nothing that is what shows it, and does not say so")
 
     def test_no_picture(self):
-        self.change("SRS_A_001", 'id="picture"', "")
-        self.expect("walk/SRS_A_001.html: has no part 'picture'")
+        self.change("SRS_AREA_001", 'id="picture"', "")
+        self.expect("walk/SRS_AREA_001.html: has no part 'picture'")
 
 
 if __name__ == "__main__":

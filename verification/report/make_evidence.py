@@ -19,7 +19,8 @@ import time
 import xml.etree.ElementTree as ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "verification/coverage"))
+for folder in ("coverage", "trace"):
+    sys.path.insert(0, str(ROOT / "verification" / folder))
 import test_run  # noqa: E402
 from measure import TEST_FOLDERS  # noqa: E402
 
@@ -118,6 +119,8 @@ def collect_coverage(progress, jobs):
     progress.run("Measuring MC/DC, branches, lines, functions (Clang 19)", "coverage",
                  [sys.executable, "verification/coverage/measure.py", "build/coverage", DATA / "coverage", "--jobs", str(jobs),
                   "--html", EVIDENCE / "coverage_clang"], may_fail=True)
+    import line_coverage
+    line_coverage.record(ROOT, DATA)
 
 
 def collect_gcov(progress, jobs):

@@ -15,7 +15,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "trace"))
 import neighbours  # noqa: E402
 from common import PRODUCT_FOLDERS, files, read  # noqa: E402
-from line_coverage import file_coverages  # noqa: E402
+from line_coverage import changed_since, file_coverages  # noqa: E402
 from places import CPP, Functions, below, places_of, told_paths  # noqa: E402
 from source_items import BIBLIOGRAPHY, Sources  # noqa: E402
 from walk_files import file_page, file_rows, page_of  # noqa: E402
@@ -50,7 +50,7 @@ class Walk:
     def __init__(self, root, data, matrix):
         self.root, self.matrix = root, matrix
         self.functions = Functions(root)
-        self.coverage = file_coverages(root, data)
+        self.coverage, self.stale = file_coverages(root, data), set(changed_since(root, data))
         self.sources = Sources(root, matrix.requirements.keys())
         self.places = places_of(root, matrix.requirements, self.functions)
         self.clauses = {uid: self.sources.clauses(requirement) for uid, requirement in matrix.requirements.items()}

@@ -31,7 +31,8 @@ def blocks_of(walk, path):
 
 
 def line_html(number, text, place, count):
-    counted = "" if count is None else f'<i{"" if count else " class=bad"}>{count if count < 10000 else "many"}</i>'
+    """Without `count` the file is not measured, with "" the line holds no code."""
+    counted = "" if count is None else f'<i{" class=bad" if count == 0 else ""}>{count if count == "" or count < 10000 else "many"}</i>'
     return f'<div><a id="L{number}" href="#{place}">{number}</a>{counted}<code>{html.escape(text) or " "}</code></div>'
 
 
@@ -48,11 +49,11 @@ def file_page(walk, path):
         elif current is not own and number > end:
             current = own
             parts.append({"block": None, "html": []})
-        count = None if counts is None else counts.get(number)
+        count = None if counts is None else counts.get(number, "")
         parts[-1]["html"].append(line_html(number, text, current.place, count))
     for part in parts:
         part["html"] = "".join(part["html"])
-    return {"path": path, "own": own, "parts": parts, "measured": counts is not None}
+    return {"path": path, "own": own, "parts": parts, "measured": counts is not None, "stale": path in walk.stale}
 
 
 def file_rows(walk):

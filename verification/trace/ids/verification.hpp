@@ -47,6 +47,7 @@ inline constexpr RequirementId SRS_VER_092{"SRS_VER_092"};
 inline constexpr RequirementId SRS_VER_093{"SRS_VER_093"};
 inline constexpr RequirementId SRS_VER_094{"SRS_VER_094"};
 inline constexpr RequirementId SRS_VER_095{"SRS_VER_095"};
+inline constexpr RequirementId SRS_VER_096{"SRS_VER_096"};
 } // namespace counterpoint::req
 
 #endif
