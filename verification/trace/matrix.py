@@ -5,12 +5,15 @@ Used by verification/gates/trace (fails on gaps) and by the evidence pages (show
 import json
 import pathlib
 import re
+import sys
 import xml.etree.ElementTree as ElementTree
 
 import yaml
 
-import generate_ids
-import reviews
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "gates"))
+import generate_ids  # noqa: E402
+import reviews  # noqa: E402
+from common import files, read  # noqa: E402
 
 REGISTRY = "verification/trace/other_evidence.yaml"
 KNOWN_GAPS = "docs/known_gaps.json"
@@ -65,15 +68,27 @@ def gtest_evidence(root, data):
                                    paths[recorded], int(case.get("line", 0)) if paths[recorded] else 0)
 
 
-def ctest_evidence(data):
+def registrations(root):
+    """Where each ctest entry that is no GoogleTest is written: name -> (file, line)."""
+    found = {}
+    for name in files(root, "CMakeLists.txt"):
+        for number, line in enumerate(read(root, name).splitlines(), start=1):
+            for test in re.findall(r"\badd_test\(\s*NAME (\w+)", line):
+                found[test] = (name, number)
+    return found
+
+
+def ctest_evidence(root, data):
     """Programs that are no GoogleTest name requirements as labels of their ctest entry."""
     path = data / "ctest.json"
     if not path.exists():
         return
+    written = registrations(root)
     for entry in json.loads(path.read_text()):
+        place, line = written.get(entry["name"], ("", 0))
         for label in entry["labels"]:
             if UID.fullmatch(label):
-                yield Evidence(label, "test", f"ctest: {entry['name']}", entry["passed"])
+                yield Evidence(label, "test", f"ctest: {entry['name']}", entry["passed"], "", f"ctest {entry['name']}", place, line)
 
 
 def gate_result(data, name):
@@ -196,7 +211,7 @@ class Matrix:
         except generate_ids.BadInput as error:
             self.requirements = {}
             self.problems.append(str(error))
-        evidence = list(gtest_evidence(root, data)) + list(ctest_evidence(data))
+        evidence = list(gtest_evidence(root, data)) + list(ctest_evidence(root, data))
         self.test_count = len(evidence)
         evidence += self.registered(root, data)
         for uid in self.requirements:
