@@ -7,6 +7,7 @@ import re
 import sys
 
 import jinja2
+import markupsafe
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "trace"))
@@ -15,7 +16,7 @@ from common import SAFETY_ROOMS  # noqa: E402
 import check_links  # noqa: E402
 import walk  # noqa: E402
 from failover import page_of as failover_page  # noqa: E402
-from matrix import repository_matrix  # noqa: E402
+from matrix import UID, repository_matrix  # noqa: E402
 from walk_files import page_of  # noqa: E402
 
 LISTS = ("index", "trace", "coverage", "gates", "misra", "failover", "tools")
@@ -109,8 +110,17 @@ def misra(root, gate_rows):
 
 
 def templates():
-    return jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True, trim_blocks=True, lstrip_blocks=True,
-                              undefined=jinja2.StrictUndefined)
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True, trim_blocks=True, lstrip_blocks=True,
+                                     undefined=jinja2.StrictUndefined)
+    environment.filters["linked"] = linked
+    return environment
+
+
+def linked(text, requirements):
+    """A message whose ids lead to the pages of these requirements."""
+    def link(match):
+        return f'<a href="walk/{match[0]}.html">{match[0]}</a>' if match[0] in requirements else match[0]
+    return markupsafe.Markup(UID.sub(link, str(markupsafe.escape(text))))
 
 
 def reviewed(matrix):
