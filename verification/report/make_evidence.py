@@ -19,7 +19,8 @@ import time
 import xml.etree.ElementTree as ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "verification/coverage"))
+for folder in ("coverage", "trace"):
+    sys.path.insert(0, str(ROOT / "verification" / folder))
 import test_run  # noqa: E402
 from measure import TEST_FOLDERS  # noqa: E402
 
@@ -118,6 +119,8 @@ def collect_coverage(progress, jobs):
     progress.run("Measuring MC/DC, branches, lines, functions (Clang 19)", "coverage",
                  [sys.executable, "verification/coverage/measure.py", "build/coverage", DATA / "coverage", "--jobs", str(jobs),
                   "--html", EVIDENCE / "coverage_clang"], may_fail=True)
+    import line_coverage
+    line_coverage.record(ROOT, DATA)
 
 
 def collect_gcov(progress, jobs):
@@ -136,13 +139,16 @@ def collect_commands(progress, jobs):
     if not set(single) <= set(commands):
         raise StepFailed(f"verification/trace/other_evidence.yaml: one_core names {sorted(set(single) - set(commands))}, expected names of commands")
 
+    started = {}
+
     def run(name, beside):
+        started[name] = time.time()
         return progress.run(f"Running {commands[name]}", f"evidence-{name}", ["bash", "-c", commands[name]], may_fail=True, beside=beside)
 
     statuses = {name: run(name, False) for name in commands if name not in single}
     with concurrent.futures.ThreadPoolExecutor(max_workers=jobs) as pool:
         statuses.update(zip(single, pool.map(lambda name: run(name, True), single)))
-    results = {name: {"command": command, "status": statuses[name]} for name, command in commands.items()}
+    results = {name: {"command": command, "status": statuses[name], "started": started[name]} for name, command in commands.items()}
     (DATA / "commands.json").write_text(json.dumps(results, indent=1))
 
 

@@ -7,14 +7,19 @@ import re
 import sys
 
 import jinja2
+import markupsafe
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "trace"))
 sys.path.insert(0, str(HERE.parent / "gates"))
 from common import SAFETY_ROOMS  # noqa: E402
+import check_links  # noqa: E402
+import walk  # noqa: E402
 from failover import page_of as failover_page  # noqa: E402
-from matrix import repository_matrix  # noqa: E402
+from matrix import UID, repository_matrix  # noqa: E402
+from walk_files import page_of  # noqa: E402
 
+LISTS = ("index", "trace", "coverage", "gates", "misra", "failover", "tools")
 METRICS = ("functions", "lines", "branches", "mcdc")
 PLAN_ROW = re.compile(r"^\| ((?:D )?\d+\.\d+\.\d+) \| (\w+) \| (\w+) \| (.*) \|$", re.MULTILINE)
 
@@ -104,10 +109,31 @@ def misra(root, gate_rows):
     return rows, records, collections.Counter(re.sub(r"[:(].*", "", row["status"]).strip() for row in rows)
 
 
+def templates():
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True, trim_blocks=True, lstrip_blocks=True,
+                                     undefined=jinja2.StrictUndefined)
+    environment.filters["linked"] = linked
+    return environment
+
+
+def linked(text, requirements):
+    """A message whose ids lead to the pages of these requirements."""
+    def link(match):
+        return f'<a href="walk/{match[0]}.html">{match[0]}</a>' if match[0] in requirements else match[0]
+    return markupsafe.Markup(UID.sub(link, str(markupsafe.escape(text))))
+
+
+def reviewed(matrix):
+    """How many links from a requirement to what shows it are in each state."""
+    counts = collections.Counter({"unreviewed": 0, "reviewed": 0, "suspect": 0})
+    for items in matrix.rows.values():
+        counts.update(matrix.reviews.state(item)["state"] for item in {item.link: item for item in items}.values())
+    return counts
+
+
 def write(root, evidence, data):
     """Writes the pages and returns the gaps, one text each."""
-    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True, trim_blocks=True,
-                                     lstrip_blocks=True, undefined=jinja2.StrictUndefined)
+    environment = templates()
     gate_rows = gates(data)
     matrix = repository_matrix(root, data)
     coverage_rows, totals = coverage(root, data)
@@ -129,12 +155,13 @@ def write(root, evidence, data):
         "tests": tests, "test_origin": test_origin, "commands": commands, "gaps": gaps, "failover": failover, "areas": areas(matrix),
         "gcov_totals": read_json(data / "gcov/summary.json", {}),
         "has_gcov": (evidence / "coverage_gcov/index.html").exists(),
-        "has_clang": (evidence / "coverage_clang/index.html").exists(),
+        "has_clang": (evidence / "coverage_clang/index.html").exists(), "reviewed": reviewed(matrix), "page_of": page_of, "up": "",
     }
-    for name in ("index", "trace", "coverage", "gates", "misra", "failover", "tools"):
+    for name in LISTS:
         page = environment.get_template(f"{name}.html.j2").render(page=name, **context)
         (evidence / f"{name}.html").write_text(page, encoding="utf-8")
-    return gaps
+    walk.write(root, evidence / "walk", data, matrix, environment)
+    return gaps + [f"link of the evidence: {finding}" for finding in check_links.check(evidence)]
 
 
 def areas(matrix):

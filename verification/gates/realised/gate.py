@@ -11,28 +11,15 @@ sys.path.insert(0, str(HERE.parents[1]))
 sys.path.insert(0, str(HERE.parents[2] / "trace"))
 from common import PRODUCT_FOLDERS, files, read, run_gate  # noqa: E402
 from generate_ids import BadInput, UID, read_requirements  # noqa: E402
+from places import MACHINERY, TEXT, below, naming_lines, told_paths  # noqa: E402
 
-# Documents about the machinery: their code is in verification.
-MACHINERY = ("conformance", "firmware", "target", "verification")
 CHANNELS = ("channel_a", "channel_b")
 SHORTENED = re.compile(rf"{UID.pattern}(?:, ?-|-|\.\.)[0-9]+")
-TEXT = (".md", ".dcf", ".eds", ".yaml", ".json")
-
-
-def below(path, folder):
-    return path == folder or path.startswith(folder + "/")
 
 
 def naming(root, folders):
     """Id -> files of code that name it."""
-    found = {}
-    for name in files(root, under=folders):
-        # The generated headers of ids and the registry name every id; a test shows a requirement and does not realise it.
-        if below(name, "verification/trace") or name.endswith((*TEXT, "_test.cpp")):
-            continue
-        for match in re.finditer(rf"\b{UID.pattern}\b", read(root, name)):
-            found.setdefault(match.group(0), set()).add(name)
-    return found
+    return {uid: {name for name, _ in lines} for uid, lines in naming_lines(root, folders).items()}
 
 
 def shortened(root):
@@ -46,7 +33,7 @@ def shortened(root):
 
 def told(root, requirement):
     """The paths of REALISED, and what is wrong with them."""
-    paths = [path.strip() for path in requirement.fields.get("REALISED", "").split(",") if path.strip()]
+    paths = told_paths(requirement)
     wrong = [path for path in paths if not (root / path).exists() or not any(below(path, folder) for folder in (*PRODUCT_FOLDERS, "verification"))]
     return paths, [f"REALISED names '{path}', expected a file or folder of the product or of verification" for path in wrong]
 
