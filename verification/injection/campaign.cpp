@@ -56,12 +56,6 @@ Campaign::Campaign(Machine& machine, const Program& program, const std::vector<S
 void Campaign::RunUndisturbed()
 {
     machine_.Start();
-    // What configures the device, before the first step.
-    const Seen seen = machine_.Step(script_.front().mail);
-    if ((seen.end != StepEnd::kDone) || (seen.refused != 0U))
-    {
-        throw std::runtime_error{"the image refuses its configuration"};
-    }
     machine_.Save(before_.front());
     for (std::size_t step = 0U; step < script_.size(); ++step)
     {

@@ -138,7 +138,7 @@ void Judge::FindMechanism(const Seen& seen)
         is_level_2_ = true;
         Detect("device fault " + std::to_string(seen.device_fault));
     }
-    if ((!seen.is_answered) || (seen.answer != golden.answer))
+    if ((seen.is_answered != golden.is_answered) || (seen.answer != golden.answer))
     {
         Detect(seen.is_cut_off ? "pins cut off" : "watchdog");
     }
@@ -158,6 +158,16 @@ void Judge::FindMechanism(const Seen& seen)
         {
             Detect("configuration invalid");
         }
+        if (((event & 0xFFFF0000U) == 0x80000U) && (!is_expected))
+        {
+            is_refused_ = true;
+            Detect("signature compared by who configures");
+        }
+    }
+    if (seen.refused != golden.refused)
+    {
+        is_refused_ = true;
+        Detect("refused to who configures");
     }
 }
 
@@ -265,7 +275,7 @@ bool Judge::See(const Seen& seen)
     JudgeObjects(seen);
     ++now_;
     // The watchdog ends what happens next; behind pins that are cut off the firmware calls nothing any more.
-    const bool is_ended = (mechanism_ == "watchdog") || (seen.is_cut_off && (seen.pins == 0U));
+    const bool is_ended = is_refused_ || (mechanism_ == "watchdog") || (seen.is_cut_off && (seen.pins == 0U));
     const bool is_safe = (seen.pins == 0U) && (seen.objects[0].normal == 0U) && (seen.objects[1].normal == 0U);
     safe_since_ = is_safe ? (safe_since_ + 1U) : 0U;
     return (!wrong_.empty()) || is_ended || (is_level_2_ && (safe_since_ > (2U * kGrace)));

@@ -89,6 +89,7 @@ class Judge
     std::uint32_t sent_normal_{0U};
     std::uint32_t safe_since_{0U}; ///< Steps.
     bool is_level_2_{false};
+    bool is_refused_{false}; ///< Who configures goes no further.
     bool is_different_{false};
     bool is_frame_lost_{false};
     bool is_pair_wrong_{false};

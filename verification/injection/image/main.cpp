@@ -220,6 +220,8 @@ void SignAll() noexcept
     for (std::uint8_t slot = 0U; slot < kSrdos; ++slot)
     {
         const SignReply reply = faulted_kernel.Sign(CommunicationIndex{static_cast<std::uint16_t>(0x1301U + slot)});
+        // Who configures has computed it, too (AU-16).
+        Tell(kPortEvent, 0x80000U + reply.signature);
         const bool good = WriteNumber(MailWrite{0x13FFU, slot + 1U, reply.signature, 2U});
         Tell(kPortRefused, (good && (reply.result == Result::kSuccessful)) ? 0U : 1U);
     }

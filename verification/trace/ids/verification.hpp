@@ -41,6 +41,11 @@ inline constexpr RequirementId SRS_VER_051{"SRS_VER_051"};
 inline constexpr RequirementId SRS_VER_060{"SRS_VER_060"};
 inline constexpr RequirementId SRS_VER_061{"SRS_VER_061"};
 inline constexpr RequirementId SRS_VER_062{"SRS_VER_062"};
+inline constexpr RequirementId SRS_VER_070{"SRS_VER_070"};
+inline constexpr RequirementId SRS_VER_071{"SRS_VER_071"};
+inline constexpr RequirementId SRS_VER_072{"SRS_VER_072"};
+inline constexpr RequirementId SRS_VER_073{"SRS_VER_073"};
+inline constexpr RequirementId SRS_VER_074{"SRS_VER_074"};
 } // namespace counterpoint::req
 
 #endif
