@@ -140,6 +140,8 @@ Plan PlanOf(Options& options)
     plan.flash = NumberOf(options["flash"]);
     plan.memory = NumberOf(options["memory"]);
     plan.stuck = NumberOf(options["stuck"]);
+    plan.first = NumberOf(options["first"]);
+    plan.last = (options.count("last") == 0U) ? plan.last : NumberOf(options["last"]);
     plan.seed = NumberOf(options["seed"]);
     plan.shard = NumberOf(options["shard"]);
     plan.shards = NumberOf(options["shards"]);
@@ -168,10 +170,12 @@ int main(int count, char** arguments)
 {
     if (count < 4)
     {
-        std::fprintf(stderr, "counterpoint_injector IMAGE DESCRIPTION KEY=NUMBER...\n"
-                             "code (1 skips, 2 inversions, 3 both), each, sample, registers, opcodes, flash, memory, "
-                             "stuck, seed, shard, shards;\none run: step, fault, instruction, address, number. run.py "
-                             "builds what it needs and starts it.\n");
+        std::fprintf(
+            stderr,
+            "counterpoint_injector IMAGE DESCRIPTION KEY=NUMBER...\n"
+            "code (1 skips, 2 inversions, 3 both), each, sample, registers, opcodes, flash, memory, "
+            "stuck, seed, first, last, shard, shards;\none run: step, fault, instruction, address, number. run.py "
+            "builds what it needs and starts it.\n");
         return 2;
     }
     try

@@ -78,7 +78,7 @@ class Progress:
 
 
 def command_of(arguments, shard):
-    numbers = {"code": CODE[arguments.code], "seed": arguments.seed, "shard": shard, "shards": arguments.jobs, "each": arguments.each,
+    numbers = {"code": CODE[arguments.code], "seed": arguments.seed, "shard": shard, "shards": arguments.jobs, "first": arguments.steps[0], "last": arguments.steps[1], "each": arguments.each,
                "sample": arguments.sample, **{name: getattr(arguments, name) for name in DRAWN}}
     return [str(INJECTOR), f"{IMAGE}.bin", f"{IMAGE}.txt"] + [f"{name}={number}" for name, number in numbers.items()]
 
@@ -208,6 +208,7 @@ def parse():
     parser.add_argument("--code-of", default="", metavar="REGEX", help="only of functions whose mangled names contain this")
     parser.add_argument("--each", type=int, default=0, metavar="N", help="of each instruction at most N executions a step (default: all)")
     parser.add_argument("--sample", type=int, default=0, metavar="N", help="of the skips and inversions so many are drawn (default: all)")
+    parser.add_argument("--steps", type=int, nargs=2, default=(0, 0xFFFFFFFF), metavar=("FIRST", "LAST"), help="only faults that come in these cycles")
     parser.add_argument("--show", nargs=5, metavar=("STEP", "FAULT", "INSTRUCTION", "ADDRESS", "NUMBER"),
                         help="each step of one run, as a survivor's example in injection.json names it")
     for name, what in (("registers", "bits of registers"), ("opcodes", "bits of instructions, at one execution"),
@@ -229,7 +230,7 @@ def parse():
 def judge(arguments, paths, failures, is_tested):
     """The record of injection.json."""
     summary, (not_called, functions) = summarise(paths)
-    is_complete = arguments.code == "both" and arguments.each == arguments.sample == 0 and not arguments.code_of
+    is_complete = arguments.code == "both" and arguments.each == arguments.sample == 0 and not arguments.code_of and arguments.steps == (0, 0xFFFFFFFF)
     reasons = json.loads((HERE / "reasons.json").read_text(encoding="utf-8"))
     survivors = list(summary.survivors.values())
     problems = judge_survivors(survivors, reasons, mechanisms_of_manual(), is_complete)

@@ -199,6 +199,9 @@ std::vector<Drawn> Space::Draw(const Plan& plan, std::size_t& all) const
     DrawInstructions(FaultKind::kFlash, plan.flash, plan.seed + 5U, experiments);
     DrawMemory(plan, experiments);
     DrawStuck(plan, experiments);
+    const auto is_outside = [&plan](const Experiment& experiment)
+    { return (experiment.step < plan.first) || (experiment.step > plan.last); };
+    experiments.erase(std::remove_if(experiments.begin(), experiments.end(), is_outside), experiments.end());
     // Neighbours have most in common: the way to them, and what they come to.
     std::sort(experiments.begin(), experiments.end(), IsBefore);
     all = experiments.size();

@@ -17,13 +17,15 @@ struct Plan
 {
     bool skips{true};
     bool inversions{true};
-    std::uint32_t each{0U};      ///< Of each instruction so many executions a step, spread; 0: all.
-    std::uint32_t sample{0U};    ///< Of the skips and inversions so many are drawn; 0: all.
-    std::uint32_t registers{0U}; ///< So many bits are drawn.
-    std::uint32_t opcodes{0U};   ///< So many bits are drawn.
-    std::uint32_t flash{0U};     ///< So many bits are drawn.
-    std::uint32_t memory{0U};    ///< So many bits are drawn; all at every step where it is above what there is.
-    std::uint32_t stuck{0U};     ///< So many bits are drawn.
+    std::uint32_t each{0U};          ///< Of each instruction so many executions a step, spread; 0: all.
+    std::uint32_t sample{0U};        ///< Of the skips and inversions so many are drawn; 0: all.
+    std::uint32_t registers{0U};     ///< So many bits are drawn.
+    std::uint32_t opcodes{0U};       ///< So many bits are drawn.
+    std::uint32_t flash{0U};         ///< So many bits are drawn.
+    std::uint32_t memory{0U};        ///< So many bits are drawn; all at every step where it is above what there is.
+    std::uint32_t stuck{0U};         ///< So many bits are drawn.
+    std::uint32_t first{0U};         ///< Steps from here ...
+    std::uint32_t last{0xFFFFFFFFU}; ///< ... to here.
     std::uint32_t seed{1U};
     std::uint32_t shard{0U};
     std::uint32_t shards{1U};
