@@ -1,225 +1,348 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/injection/campaign.hpp"
 
+#include "verification/injection/thumb.hpp"
+
 #include <algorithm>
-#include <map>
-#include <random>
 #include <stdexcept>
+#include <utility>
 
 namespace counterpoint::injection
 {
 namespace
 {
 
-// Of `often` executions `each`, the first and the last among them.
-bool IsChosen(const std::uint32_t number, const std::uint32_t often, const std::uint32_t each)
+constexpr std::uint32_t kGfc = 0x001U;
+constexpr std::uint32_t kNoStep = 0xFFFFFFFFU;
+
+bool IsShown(const Shown& shown, const Seen& seen)
 {
-    if ((each == 0U) || (often <= each))
-    {
-        return true;
-    }
-    return (number == (often - 1U)) || (((number * (each - 1U)) % (often - 1U)) < (each - 1U));
+    const bool is_told =
+        (shown.event == 0U) || (std::find(seen.events.begin(), seen.events.end(), shown.event) != seen.events.end());
+    return is_told && ((shown.pins == kAnyPins) || (shown.pins == seen.pins)) && (seen.sent.size() >= shown.frames) &&
+           (seen.device_fault == shown.device_fault) && (seen.end == StepEnd::kDone) && (seen.refused == 0U);
+}
+
+bool IsLasting(const FaultKind kind)
+{
+    return (kind == FaultKind::kMemory) || (kind == FaultKind::kStuck) || (kind == FaultKind::kFlash);
 }
 
 } // namespace
 
 Campaign::Campaign(Machine& machine, const Program& program, const std::vector<ScriptStep>& script)
-    : machine_{machine}, program_{program}, script_{script}
+    : machine_{machine}, program_{program}, script_{script}, middle_step_{kNoStep}
 {
-    machine_.Start();
-    // What configures the device, before the first step.
-    Seen seen = machine_.Step(script_.front().mail, Fault{}, nullptr);
     before_.resize(script_.size() + 1U);
     traces_.resize(script_.size());
-    for (std::size_t step = 0U; step < script_.size(); ++step)
-    {
-        if ((seen.end != StepEnd::kDone) || (seen.refused != 0U))
-        {
-            throw std::runtime_error{"the image refuses what comes before step " + std::to_string(step)};
-        }
-        machine_.Save(before_[step]);
-        seen = machine_.Step(script_[step].mail, Fault{}, &traces_[step]);
-        golden_.push_back(seen);
-    }
-    machine_.Save(before_[script_.size()]);
+    accesses_.resize(script_.size());
+    is_executed_.assign(script_.size(), std::vector<bool>(program_.Code().size()));
+    RunUndisturbed();
     for (const ScriptStep& step : script_)
     {
+        golden_.is_operational.push_back(step.is_operational);
         for (std::uint32_t i = 0U; i < step.mail.frame_count; ++i)
         {
             const MailFrame& frame = step.mail.frames[i];
             if ((frame.identifier == 0x101U) || (frame.identifier == 0x103U))
             {
-                values_[(frame.identifier - 0x101U) / 2U].push_back(__builtin_bswap32(frame.first));
+                golden_.values[(frame.identifier - 0x101U) / 2U].push_back(__builtin_bswap32(frame.first));
             }
         }
     }
 }
 
-std::uint64_t Campaign::Instructions() const
+// Each step twice: for its instructions, and for what it reads.
+void Campaign::RunUndisturbed()
 {
-    std::uint64_t sum = 0U;
-    for (const std::vector<std::uint32_t>& trace : traces_)
+    machine_.Start();
+    machine_.Save(before_.front());
+    for (std::size_t step = 0U; step < script_.size(); ++step)
     {
-        sum += trace.size();
-    }
-    return sum;
-}
-
-Experiment Campaign::SkippedCall(const std::uint32_t step, const std::string& function) const
-{
-    const std::uint32_t entry = program_.Symbol(function) & ~1U;
-    const std::vector<std::uint32_t>& trace = traces_[step];
-    for (std::uint32_t count = 1U; count < trace.size(); ++count)
-    {
-        if ((trace[count] == entry) && (!program_.IsFaulted(trace[count - 1U])))
+        (void)machine_.Note(script_[step].mail, accesses_[step]);
+        machine_.Restore(before_[step]);
+        golden_.steps.push_back(machine_.Trace(script_[step].mail, traces_[step]));
+        machine_.Save(before_[step + 1U]);
+        if (!IsShown(script_[step].shown, golden_.steps.back()))
         {
-            return {step, {FaultKind::kSkip, count - 1U, trace[count - 1U], 0U}};
+            throw std::runtime_error{"step " + std::to_string(step) + " does not show " + script_[step].scene};
         }
-    }
-    throw std::runtime_error{"no call of " + function + " in step " + std::to_string(step)};
-}
-
-void Campaign::DrawCode(const Plan& plan, std::vector<Experiment>& to) const
-{
-    for (std::uint32_t step = 0U; step < FaultedSteps(); ++step)
-    {
-        const std::vector<std::uint32_t>& trace = traces_[step];
-        std::map<std::uint32_t, std::uint32_t> often;
-        std::map<std::uint32_t, std::uint32_t> seen;
-        for (const std::uint32_t address : trace)
+        for (const std::uint32_t address : traces_[step])
         {
-            ++often[address];
-        }
-        for (std::uint32_t count = 0U; count < trace.size(); ++count)
-        {
-            const std::uint32_t address = trace[count];
-            const std::uint32_t before = seen[address]++;
-            if ((!program_.IsFaulted(address)) || (!IsChosen(before, often[address], plan.each)))
-            {
-                continue;
-            }
-            if (plan.skips)
-            {
-                to.push_back({step, {FaultKind::kSkip, FindBlock(program_, trace, count), address, 0U}});
-            }
-            if (plan.inversions && IsDecision(program_, address) && ((count + 1U) < trace.size()))
-            {
-                const bool is_taken = trace[count + 1U] != (address + program_.Length(address));
-                to.push_back({step, {FaultKind::kInvert, count, address, is_taken ? 1U : 0U}});
-            }
-        }
-    }
-    if ((plan.sample != 0U) && (plan.sample < to.size()))
-    {
-        std::mt19937 random{plan.seed};
-        for (std::size_t i = 0U; i < plan.sample; ++i)
-        {
-            std::swap(to[i], to[i + (random() % (to.size() - i))]);
-        }
-        to.resize(plan.sample);
-    }
-}
-
-void Campaign::DrawRegisters(const Plan& plan, std::vector<Experiment>& to) const
-{
-    std::mt19937 random{plan.seed};
-    std::uint32_t left = plan.registers;
-    while (left != 0U)
-    {
-        const auto step = static_cast<std::uint32_t>(random() % FaultedSteps());
-        const std::vector<std::uint32_t>& trace = traces_[step];
-        const auto count = static_cast<std::uint32_t>(random() % trace.size());
-        const std::uint32_t reads = program_.Reads(trace[count]);
-        const auto which = static_cast<std::uint32_t>(random() % 15U);
-        const auto bit = static_cast<std::uint32_t>(random() % 32U);
-        if (program_.IsFaulted(trace[count]) && (((reads >> which) & 1U) != 0U))
-        {
-            to.push_back({step, {FaultKind::kRegister, count, trace[count], (32U * which) + bit}});
-            --left;
+            is_executed_[step][address] = true;
         }
     }
 }
 
-void Campaign::DrawMemory(const Plan& plan, std::vector<Experiment>& to) const
+// What lies between the experiment before and this one is run; the whole step is not.
+void Campaign::WalkTo(const Experiment& experiment)
 {
-    std::vector<Experiment> all;
-    for (std::uint32_t step = 0U; step < FaultedSteps(); ++step)
+    const std::uint32_t count = FindBlock(program_, traces_[experiment.step], experiment.fault.count);
+    if ((middle_step_ != experiment.step) || (middle_.count > count))
     {
-        for (const Range& range : program_.Memory())
-        {
-            for (std::uint32_t bit = 0U; bit < (8U * (range.end - range.begin)); ++bit)
-            {
-                all.push_back({step, {FaultKind::kMemory, 0U, range.begin + (bit / 8U), bit % 8U}});
-            }
-        }
+        machine_.Restore(before_[experiment.step]);
+        machine_.Begin(script_[experiment.step].mail);
     }
-    std::mt19937 random{plan.seed};
-    for (std::size_t i = 0U; (i < plan.memory) && (i < all.size()); ++i)
+    else
     {
-        std::swap(all[i], all[i + (random() % (all.size() - i))]);
-        to.push_back(all[i]);
+        machine_.Restore(middle_);
     }
+    machine_.WalkTo(count);
+    machine_.Save(middle_);
+    middle_step_ = experiment.step;
 }
 
-std::vector<Experiment> Campaign::Draw(const Plan& plan) const
+Seen Campaign::FirstStep(const Experiment& experiment)
 {
-    std::vector<Experiment> all;
-    DrawCode(plan, all);
-    DrawRegisters(plan, all);
-    DrawMemory(plan, all);
-    // In a drawn order, so that a part of the run says something of the whole.
-    std::mt19937 random{plan.seed};
-    for (std::size_t i = all.size(); i > 1U; --i)
+    const Fault& fault = experiment.fault;
+    if (fault.kind == FaultKind::kNone)
     {
-        std::swap(all[i - 1U], all[random() % i]);
+        machine_.Restore(before_[experiment.step]);
+        return machine_.Step(script_[experiment.step].mail);
     }
-    std::vector<Experiment> mine;
-    for (std::size_t i = plan.shard; i < all.size(); i += plan.shards)
-    {
-        mine.push_back(all[i]);
-    }
-    return mine;
+    WalkTo(experiment);
+    return machine_.Finish(fault);
 }
 
-Verdict Campaign::Run(const Experiment& experiment, const std::function<void(std::size_t, const Seen&)>& look)
+Digest Campaign::StateOf(const Judge& judge)
 {
-    machine_.Restore(before_[experiment.step]);
-    Fault fault = experiment.fault;
-    if (fault.kind == FaultKind::kMemory)
+    Digest state{};
+    machine_.Add(state);
+    judge.Add(state);
+    return state;
+}
+
+Verdict Campaign::RunOnce(const Experiment& experiment, const Look& look)
+{
+    Judge judge{golden_, experiment.step};
+    std::vector<Digest> states{};
+    Seen seen = FirstStep(experiment);
+    Verdict verdict{};
+    for (std::size_t step = experiment.step;; ++step)
     {
-        machine_.FlipMemory(fault.address, fault.number);
-        fault = Fault{};
-    }
-    Judge judge{golden_, values_, experiment.step};
-    for (std::size_t step = experiment.step; step < script_.size(); ++step)
-    {
-        const Seen seen = machine_.Step(script_[step].mail, fault, nullptr);
         look(step, seen);
-        if (judge.See(seen))
+        const bool is_final = judge.See(seen);
+        const bool is_equal = (!is_final) && machine_.Equals(before_[step + 1U]);
+        if (is_final || is_equal || ((step + 1U) == script_.size()))
         {
-            return judge.Conclude(false);
+            verdict = judge.Conclude(is_equal);
+            break;
         }
-        if (machine_.Equals(before_[step + 1U]))
+        states.push_back(StateOf(judge));
+        if (verdicts_.Find(states.back(), experiment.step, verdict))
         {
-            return judge.Conclude(true);
+            break;
         }
-        fault = Fault{};
+        seen = machine_.Step(script_[step + 1U].mail);
     }
-    return judge.Conclude(false);
+    verdicts_.Keep(states, experiment.step, verdict);
+    return verdict;
 }
 
-Verdict Campaign::RunControl(const std::uint32_t step, const std::function<void(Mailbox&, std::uint32_t)>& mail,
-                             const std::function<void(Machine&, std::uint32_t)>& memory)
+// Whether the undisturbed step meets what is wrong.
+Campaign::Meeting Campaign::MeetingOf(const Fault& fault, const std::uint32_t step) const
+{
+    if (fault.kind == FaultKind::kFlash)
+    {
+        return is_executed_[step][fault.count] ? Meeting::kMeets : Meeting::kPasses;
+    }
+    const std::uint32_t place = machine_.Memory().PlaceOf(fault.address);
+    const Accesses& accesses = accesses_[step];
+    const bool is_read_0 = ((accesses.zeros[place] >> (fault.number % 8U)) & 1U) != 0U;
+    const bool is_read_1 = ((accesses.ones[place] >> (fault.number % 8U)) & 1U) != 0U;
+    if (fault.kind == FaultKind::kStuck)
+    {
+        return ((fault.number >= 8U) ? is_read_0 : is_read_1) ? Meeting::kMeets : Meeting::kPasses;
+    }
+    if (is_read_0 || is_read_1)
+    {
+        return Meeting::kMeets;
+    }
+    return accesses.is_written[place] ? Meeting::kEnds : Meeting::kPasses;
+}
+
+// From this step on; the end of the script where none meets it.
+std::uint32_t Campaign::NextMeeting(const Fault& fault, std::uint32_t step, Verdict& without) const
+{
+    without.kind = (fault.kind == FaultKind::kMemory) ? Class::kLatent : Class::kMasked;
+    for (; step < script_.size(); ++step)
+    {
+        const Meeting meeting = MeetingOf(fault, step);
+        if (meeting == Meeting::kMeets)
+        {
+            return step;
+        }
+        if (meeting == Meeting::kEnds)
+        {
+            without.kind = Class::kMasked;
+            break;
+        }
+    }
+    return static_cast<std::uint32_t>(script_.size());
+}
+
+void Campaign::Plant(const Fault& fault, const std::uint32_t step)
 {
     machine_.Restore(before_[step]);
-    Judge judge{golden_, values_, step};
+    if (fault.kind == FaultKind::kStuck)
+    {
+        machine_.Memory().Stick(fault.address, fault.number % 8U, fault.number >= 8U);
+    }
+    else if (fault.kind == FaultKind::kMemory)
+    {
+        machine_.Memory().Flip(fault.address, fault.number);
+    }
+}
+
+// Whether nothing but the fault itself differs from the undisturbed device before this step.
+bool Campaign::IsFaultAlone(const Fault& fault, const std::uint32_t step)
+{
+    if (fault.kind != FaultKind::kMemory)
+    {
+        return machine_.Equals(before_[step]);
+    }
+    machine_.Memory().Flip(fault.address, fault.number);
+    const bool is_alone = machine_.Equals(before_[step]);
+    machine_.Memory().Flip(fault.address, fault.number);
+    return is_alone;
+}
+
+// A fault that stays: where all else is as without it, what comes next is the next step that meets it.
+Verdict Campaign::RunLasting(const Experiment& experiment, const Look& look)
+{
+    const auto end = static_cast<std::uint32_t>(script_.size());
+    const Fault& fault = experiment.fault;
+    Verdict verdict{};
+    const std::uint32_t first = NextMeeting(fault, experiment.step, verdict);
+    if (first == end)
+    {
+        return verdict;
+    }
+    Plant(fault, first);
+    Judge judge{golden_, first};
+    std::vector<Digest> states{};
+    std::uint32_t step = first;
+    for (bool is_known = false; !is_known;)
+    {
+        const Seen seen = machine_.Step(script_[step].mail);
+        look(step, seen);
+        const bool is_final = judge.See(seen);
+        ++step;
+        const bool is_gone =
+            (!is_final) && ((step == end) || (fault.kind == FaultKind::kMemory)) && machine_.Equals(before_[step]);
+        if (is_final || is_gone || (step == end))
+        {
+            verdict = judge.Conclude(is_gone);
+            break;
+        }
+        if (IsFaultAlone(fault, step))
+        {
+            const std::uint32_t next = NextMeeting(fault, step, verdict);
+            if (next == end)
+            {
+                verdict = judge.Conclude(verdict.kind == Class::kMasked);
+                break;
+            }
+            if (next != step)
+            {
+                judge.SkipTo(next);
+                Plant(fault, next);
+                step = next;
+            }
+        }
+        if (fault.kind == FaultKind::kMemory)
+        {
+            states.push_back(StateOf(judge));
+            is_known = verdicts_.Find(states.back(), first, verdict);
+        }
+    }
+    verdicts_.Keep(states, first, verdict);
+    return verdict;
+}
+
+// Whether all is as if the bus had lost the GFC of this step.
+bool Campaign::IsLostGfc(const Experiment& experiment)
+{
+    const Mailbox& mail = script_[experiment.step].mail;
+    if ((mail.frame_count == 0U) || (mail.frames[0].identifier != kGfc))
+    {
+        return false;
+    }
+    Mailbox without = mail;
+    without.frame_count = 0U;
+    Seen seen = FirstStep(experiment);
+    std::vector<Seen> faulted{seen};
+    for (std::size_t step = experiment.step + 1U; step < script_.size(); ++step)
+    {
+        faulted.push_back(machine_.Step(script_[step].mail));
+    }
+    machine_.Restore(before_[experiment.step]);
+    seen = machine_.Step(without);
+    for (std::size_t i = 0U; i < faulted.size(); ++i)
+    {
+        if (!AreSame(seen, faulted[i]))
+        {
+            return false;
+        }
+        if ((i + 1U) < faulted.size())
+        {
+            seen = machine_.Step(script_[experiment.step + i + 1U].mail);
+        }
+    }
+    return true;
+}
+
+Verdict Campaign::Show(const Experiment& experiment, const Look& look)
+{
+    if (!IsLasting(experiment.fault.kind))
+    {
+        return RunOnce(experiment, look);
+    }
+    const bool is_code = experiment.fault.kind == FaultKind::kFlash;
+    if (is_code)
+    {
+        machine_.FlipCode(experiment.fault.address, experiment.fault.number);
+    }
+    const Verdict verdict = RunLasting(experiment, look);
+    if (is_code)
+    {
+        machine_.FlipCode(experiment.fault.address, experiment.fault.number);
+    }
+    return verdict;
+}
+
+Verdict Campaign::Run(const Experiment& experiment)
+{
+    const Verdict verdict = Show(experiment, [](std::size_t, const Seen&) {});
+    if ((verdict.kind == Class::kSilent) && (!IsLasting(experiment.fault.kind)) && IsLostGfc(experiment))
+    {
+        return {Class::kLostFrame, "GFC", 0U};
+    }
+    return verdict;
+}
+
+Verdict Campaign::RunAnew(const Experiment& experiment)
+{
+    MemoryOfVerdicts verdicts{};
+    std::swap(verdicts, verdicts_);
+    middle_step_ = kNoStep;
+    const Verdict verdict = Run(experiment);
+    std::swap(verdicts, verdicts_);
+    return verdict;
+}
+
+Verdict Campaign::RunControl(const std::uint32_t step, const Planted& planted)
+{
+    machine_.Restore(before_[step]);
+    Judge judge{golden_, step};
     for (std::uint32_t now = step; now < script_.size(); ++now)
     {
         Mailbox changed = script_[now].mail;
-        mail(changed, now - step);
-        Seen seen = machine_.Step(changed, Fault{}, nullptr);
-        memory(machine_, now - step);
-        seen.objects = machine_.Objects();
+        planted.mail(changed, now - step);
+        Seen seen = machine_.Step(changed);
+        planted.memory(machine_, now - step);
+        seen.objects = machine_.Memory().Objects();
+        planted.seen(seen, now - step);
         if (judge.See(seen))
         {
             break;

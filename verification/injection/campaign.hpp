@@ -3,6 +3,8 @@
 #define VERIFICATION_INJECTION_CAMPAIGN_HPP
 
 #include "verification/injection/judge.hpp"
+#include "verification/injection/machine.hpp"
+#include "verification/injection/memory_of_verdicts.hpp"
 #include "verification/injection/script.hpp"
 
 #include <cstdint>
@@ -20,61 +22,75 @@ struct Experiment
     Fault fault;
 };
 
-/// What is faulted.
-struct Plan
+using Look = std::function<void(std::size_t, const Seen&)>;
+
+/// What a planted danger does, each of them with the number of the step from the first one on.
+struct Planted
 {
-    bool skips{true};
-    bool inversions{true};
-    std::uint32_t each{0U};      ///< Of each instruction so many executions a step, spread; 0: all.
-    std::uint32_t sample{0U};    ///< Of the faults of the code so many are drawn; 0: all.
-    std::uint32_t registers{0U}; ///< So many bits are drawn.
-    std::uint32_t memory{0U};    ///< So many bits are drawn; all at every step where it is above what there is.
-    std::uint32_t seed{1U};
-    std::uint32_t shard{0U};
-    std::uint32_t shards{1U};
+    std::function<void(Mailbox&, std::uint32_t)> mail{[](Mailbox&, std::uint32_t) {}};
+    std::function<void(Machine&, std::uint32_t)> memory{[](Machine&, std::uint32_t) {}};
+    std::function<void(Seen&, std::uint32_t)> seen{[](Seen&, std::uint32_t) {}};
 };
 
 /// One image, its undisturbed run, and runs with faults.
 class Campaign
 {
   public:
-    /// @brief Runs the script without a fault. Throws std::runtime_error where the image refuses something.
+    /// @brief Runs the script without a fault. Throws std::runtime_error where the image refuses something, or a step
+    /// does not show what its scene is called.
     Campaign(Machine& machine, const Program& program, const std::vector<ScriptStep>& script);
 
-    [[nodiscard]] std::vector<Experiment> Draw(const Plan& plan) const;
-    /// @brief `look` is called with each step and what it showed.
-    [[nodiscard]] Verdict Run(
-        const Experiment& experiment,
-        const std::function<void(std::size_t, const Seen&)>& look = [](std::size_t, const Seen&) {});
-    /// @brief The call of this function in this step, made by what is not faulted, is skipped.
-    [[nodiscard]] Experiment SkippedCall(std::uint32_t step, const std::string& function) const;
-    /// @brief The script from `step` on with something done to the world at its begin and to the RAM after it.
-    [[nodiscard]] Verdict RunControl(std::uint32_t step, const std::function<void(Mailbox&, std::uint32_t)>& mail,
-                                     const std::function<void(Machine&, std::uint32_t)>& memory);
+    [[nodiscard]] Verdict Run(const Experiment& experiment);
+    /// @brief The same from the begin of its step to its end, without what is known of others.
+    [[nodiscard]] Verdict RunAnew(const Experiment& experiment);
+    /// @brief `look` is called with each step that is run and what it showed.
+    [[nodiscard]] Verdict Show(const Experiment& experiment, const Look& look);
+    /// @brief The script from `step` on with something planted.
+    [[nodiscard]] Verdict RunControl(std::uint32_t step, const Planted& planted);
 
     [[nodiscard]] const std::vector<Seen>& Golden() const
     {
-        return golden_;
+        return golden_.steps;
     }
-    [[nodiscard]] std::uint64_t Instructions() const;
+    /// @brief The instructions of each step, without a fault.
+    [[nodiscard]] const std::vector<std::vector<std::uint32_t>>& Traces() const
+    {
+        return traces_;
+    }
 
   private:
-    /// @brief Steps in which a fault may come.
-    [[nodiscard]] std::uint32_t FaultedSteps() const
+    /// What a step does with a fault that stays.
+    enum class Meeting : std::uint8_t
     {
-        return static_cast<std::uint32_t>(traces_.size()) - kTailSteps;
-    }
-    void DrawCode(const Plan& plan, std::vector<Experiment>& to) const;
-    void DrawRegisters(const Plan& plan, std::vector<Experiment>& to) const;
-    void DrawMemory(const Plan& plan, std::vector<Experiment>& to) const;
+        kPasses, ///< Nothing.
+        kMeets,  ///< Reads or executes it.
+        kEnds,   ///< Writes over it.
+    };
+
+    void RunUndisturbed();
+    [[nodiscard]] Seen FirstStep(const Experiment& experiment);
+    void WalkTo(const Experiment& experiment);
+    [[nodiscard]] Verdict RunOnce(const Experiment& experiment, const Look& look);
+    [[nodiscard]] Verdict RunLasting(const Experiment& experiment, const Look& look);
+    [[nodiscard]] Meeting MeetingOf(const Fault& fault, std::uint32_t step) const;
+    [[nodiscard]] std::uint32_t NextMeeting(const Fault& fault, std::uint32_t step, Verdict& without) const;
+    void Plant(const Fault& fault, std::uint32_t step);
+    [[nodiscard]] bool IsFaultAlone(const Fault& fault, std::uint32_t step);
+    [[nodiscard]] bool IsLostGfc(const Experiment& experiment);
+    [[nodiscard]] Digest StateOf(const Judge& judge);
 
     Machine& machine_;
     const Program& program_;
     const std::vector<ScriptStep>& script_;
     std::vector<Snapshot> before_{};
     std::vector<std::vector<std::uint32_t>> traces_{};
-    std::vector<Seen> golden_{};
-    SentValues values_{};
+    std::vector<std::vector<bool>> is_executed_{}; ///< Of each step each address.
+    std::vector<Accesses> accesses_{};
+    Undisturbed golden_{};
+    MemoryOfVerdicts verdicts_{};
+    // Before the instruction of the experiment before, in the undisturbed step.
+    Snapshot middle_{};
+    std::uint32_t middle_step_;
 };
 
 } // namespace counterpoint::injection

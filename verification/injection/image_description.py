@@ -68,6 +68,13 @@ def places(elf, addresses):
     return result
 
 
+def functions_not_called(description, elf, executed):
+    """Names of the faulted functions of which no instruction is executed, and how many functions there are."""
+    ranges = [tuple(map(int, line.split()[1:])) for line in description.read_text(encoding="utf-8").splitlines() if line.startswith("code ")]
+    never = [begin for begin, end in ranges if not any(begin <= address < end for address in executed)]
+    return sorted({function for function, _ in places(elf, never).values()}), len(ranges)
+
+
 def parts_of_memory(elf):
     """(begin, end, name) of each part whose RAM is faulted."""
     table = subprocess.run(["arm-none-eabi-readelf", "-sW", elf], capture_output=True, text=True, check=True).stdout

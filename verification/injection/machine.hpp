@@ -2,99 +2,31 @@
 #ifndef VERIFICATION_INJECTION_MACHINE_HPP
 #define VERIFICATION_INJECTION_MACHINE_HPP
 
+#include "verification/injection/digest.hpp"
 #include "verification/injection/image/mailbox.hpp"
+#include "verification/injection/outside.hpp"
 #include "verification/injection/program.hpp"
+#include "verification/injection/ram.hpp"
+#include "verification/injection/registers.hpp"
 
-#include <array>
 #include <cstdint>
-#include <string>
 #include <vector>
 
-struct uc_struct;
 struct uc_context;
 
 namespace counterpoint::injection
 {
 
-/// A frame that the image has sent.
-struct SentFrame
-{
-    std::uint32_t identifier;
-    std::uint32_t length_bytes;
-    std::uint32_t first;
-    std::uint32_t second;
-
-    bool operator==(const SentFrame& other) const
-    {
-        return (identifier == other.identifier) && (length_bytes == other.length_bytes) && (first == other.first) &&
-               (second == other.second);
-    }
-};
-
-/// Values of an object and of its inverse one.
-struct ObjectPair
-{
-    std::uint32_t normal;
-    std::uint32_t inverse;
-};
-
-enum class StepEnd : std::uint8_t
-{
-    kDone,
-    kException, ///< Access, instruction or call that the processor refuses.
-    kRunaway,   ///< Many times as long as without a fault: the watchdog is not answered.
-};
-
-/// What a step showed outside.
-struct Seen
-{
-    StepEnd end{StepEnd::kDone};
-    std::uint32_t pins{0U}; ///< High at the end of the step.
-    std::uint32_t refused{0U};
-    std::uint32_t device_fault{0U};
-    std::uint32_t answer{0U};
-    bool is_answered{false};
-    bool is_cut_off{false};
-    std::vector<SentFrame> sent{};
-    std::vector<std::uint32_t> events{};
-    std::array<ObjectPair, 3> objects{};
-};
-
-/// What the image has outside of RAM and processor: pins, and frames on their way.
-struct World
-{
-    std::uint32_t direction[2]{};
-    std::uint32_t output[2]{};
-    bool is_error_pin_low{false};
-    std::vector<SentFrame> pending{};
-
-    bool operator==(const World& other) const
-    {
-        return (direction[0] == other.direction[0]) && (direction[1] == other.direction[1]) &&
-               (output[0] == other.output[0]) && (output[1] == other.output[1]) &&
-               (is_error_pin_low == other.is_error_pin_low) && (pending == other.pending);
-    }
-};
-
-/// Registers that a call keeps, stack pointer and the place to go on.
-struct Registers
-{
-    std::array<std::uint32_t, 10> words{}; ///< r4 to r11, sp, pc
-    std::array<std::uint64_t, 8> doubles{};
-
-    bool operator==(const Registers& other) const
-    {
-        return (words == other.words) && (doubles == other.doubles);
-    }
-};
-
-/// Between two steps.
+/// Between two steps, or before an instruction of a step.
 struct Snapshot
 {
     std::vector<std::uint8_t> ram{};
     Registers registers{};
     uc_context* context{nullptr};
-    World world{};
+    Outside outside{};
+    std::vector<std::uint8_t> mail{};
+    std::uint32_t count{0U};
+    std::uint32_t stopped{0U};
 };
 
 enum class FaultKind : std::uint8_t
@@ -103,7 +35,10 @@ enum class FaultKind : std::uint8_t
     kSkip,
     kInvert,
     kRegister, ///< One bit, before the instruction that reads it.
-    kMemory,   ///< One bit of RAM, before the step.
+    kOpcode,   ///< One bit of the instruction, for one execution.
+    kMemory,   ///< One bit of RAM, before the step: it stays until it is written.
+    kStuck,    ///< One bit of RAM reads as 0 or as 1 from the step on.
+    kFlash,    ///< One bit of the code, from the step on.
 };
 
 /// One fault in one step.
@@ -111,8 +46,8 @@ struct Fault
 {
     FaultKind kind{FaultKind::kNone};
     std::uint32_t count{0U};   ///< Instruction of the step, from 0.
-    std::uint32_t address{0U}; ///< Of the instruction, or of the byte of RAM.
-    std::uint32_t number{0U};  ///< Bit; with kRegister 32 * register + bit.
+    std::uint32_t address{0U}; ///< Of the instruction, or of the byte.
+    std::uint32_t number{0U};  ///< Bit; with kRegister 32 * register + bit; with kStuck 8 * value + bit.
 };
 
 /// The emulated processor with the image, and what is around it.
@@ -126,17 +61,30 @@ class Machine
 
     /// @brief From reset up to before the first step. Throws std::runtime_error where that fails.
     void Start();
-    /// @brief One step. With a trace: the addresses of its instructions are appended.
-    Seen Step(const Mailbox& mail, const Fault& fault, std::vector<std::uint32_t>* trace);
+    /// @brief One step without a fault; stuck bits and changed code stay.
+    Seen Step(const Mailbox& mail);
+    /// @brief The same; the addresses of its instructions are appended.
+    Seen Trace(const Mailbox& mail, std::vector<std::uint32_t>& trace);
+    /// @brief The same; what it does with RAM is noted.
+    Seen Note(const Mailbox& mail, Accesses& accesses);
+    /// @brief A step begins; it goes on up to before its instruction `count`, and Finish ends it.
+    void Begin(const Mailbox& mail);
+    void WalkTo(std::uint32_t count);
+    Seen Finish(const Fault& fault);
 
     void Save(Snapshot& to);
     void Restore(const Snapshot& from);
     /// @brief Whether everything that lives is as it was then.
     [[nodiscard]] bool Equals(const Snapshot& other);
-    /// @brief Inverts a bit of RAM between two steps.
-    void FlipMemory(std::uint32_t address, std::uint32_t bit);
-    void WriteObjects(std::uint32_t object, const ObjectPair& values);
-    [[nodiscard]] std::array<ObjectPair, 3> Objects();
+    /// @brief Adds everything that lives.
+    void Add(Digest& to);
+    /// @brief Inverts a bit of the code that Step runs, until it is inverted again.
+    void FlipCode(std::uint32_t address, std::uint32_t bit);
+    /// @brief Between two steps; Restore ends what is stuck.
+    [[nodiscard]] Ram& Memory()
+    {
+        return ram_;
+    }
 
   private:
     friend struct MachineCalls;
@@ -145,52 +93,41 @@ class Machine
     void OnInstruction(std::uint32_t address);
     void OnBlock(std::uint32_t address);
     void StopAt(std::uint32_t address);
-    [[nodiscard]] std::uint32_t ReadPort(std::uint32_t address) const;
-    void WritePort(std::uint32_t address, std::uint32_t value);
-    void WritePin(std::uint32_t offset, std::uint32_t value);
     void Use(uc_struct* engine);
     [[nodiscard]] bool Run(std::uint32_t from);
-    [[nodiscard]] bool RunFaulted(std::uint32_t from);
-    [[nodiscard]] bool RunPatched(std::uint32_t patched, std::uint32_t block_end);
-    [[nodiscard]] Registers ReadRegisters();
+    [[nodiscard]] bool RunFaulted(const Fault& fault);
+    [[nodiscard]] bool RunPatched(const Fault& fault);
+    [[nodiscard]] bool RunOn(std::uint32_t from);
+    [[nodiscard]] bool IsOver() const;
+    void Patch(const Fault& fault);
+    [[nodiscard]] std::uint32_t Caller();
+    [[nodiscard]] Seen Conclude(bool is_running);
     void Fill(const Mailbox& mail);
-    void Look();
-    [[nodiscard]] std::uint8_t* Ram(std::uint32_t address);
 
     const Program& program_;
     uc_struct* watched_{nullptr}; ///< Stops at any instruction.
-    uc_struct* fast_{nullptr};    ///< The same memory, for steps without a fault; stops at blocks.
-    uc_struct* engine_{nullptr};  ///< The one of both that has the state.
-    std::uint32_t cpsr_{0U};      ///< Of `fast_` after the start: a crash leaves other modes behind.
-    std::uint32_t fpscr_{0U};
+    uc_struct* fast_{nullptr};    ///< The same memory, for what has no fault; stops at blocks.
+    uc_struct* reading_{nullptr}; ///< The same, and looks at each read.
+    uc_struct* engine_{nullptr};  ///< The one that has the state.
+    uc_context* started_[2]{};    ///< Of `fast_` and `reading_`: a crash leaves other modes behind.
+    std::uint32_t mode_{0U};      ///< Of the processor, in CPSR.
     std::uint32_t step_end_;
-    std::uint32_t places_;
     std::uint32_t ram_begin_;
-    std::uint32_t ram_live_;
-    std::uint32_t stack_top_;
+    Ram ram_;
     std::uint8_t* code_{nullptr};
-    std::uint8_t* ram_{nullptr};
-    std::uint32_t ram_bytes_{0U};
     std::uint8_t* mail_{nullptr};
 
-    World world_{};
-    Seen seen_{};
-    SentFrame sending_{};
+    Outside outside_{};
     std::vector<std::uint32_t>* trace_{nullptr};
-    Fault fault_{};
     std::uint32_t count_{0U};
     std::uint32_t stop_at_{0U};
+    std::uint32_t register_{0U}; ///< Where a bit of a register is inverted within a block: its number.
+    bool is_walking_{false};     ///< Stops at `stop_at_`; otherwise inverts the bit there.
     std::uint32_t most_{0U};
     Range patched_{0U, 0U}; ///< Leaving it stops.
     std::uint32_t stopped_{0U};
     bool is_stopped_{false};
 };
-
-/// @brief The IT instruction whose block has the instruction number `count` of the trace; `count` itself where none.
-[[nodiscard]] std::uint32_t FindBlock(const Program& program, const std::vector<std::uint32_t>& trace,
-                                      std::uint32_t count);
-/// @brief Whether the instruction decides: a conditional branch or an IT.
-[[nodiscard]] bool IsDecision(const Program& program, std::uint32_t address);
 
 } // namespace counterpoint::injection
 

@@ -2,10 +2,13 @@
 //
 // One shard of a campaign. run.py starts it, and says what its lines mean.
 #include "verification/injection/campaign.hpp"
+#include "verification/injection/controls.hpp"
+#include "verification/injection/space.hpp"
 
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <map>
 #include <string>
@@ -15,10 +18,15 @@ namespace
 
 using namespace counterpoint::injection;
 
+constexpr const char* kFaults[] = {"none", "skip", "invert", "register", "opcode", "memory", "stuck", "flash"};
+
+constexpr std::uint64_t kEachAnew = 1000U;
+
+using Options = std::map<std::string, std::string>;
+
 const char* NameOfFault(const FaultKind kind)
 {
-    constexpr const char* kNames[] = {"none", "skip", "invert", "register", "memory"};
-    return kNames[static_cast<std::size_t>(kind)];
+    return kFaults[static_cast<std::size_t>(kind)];
 }
 
 void PrintSeen(const char* const name, const std::size_t step, const std::string& scene, const Seen& seen)
@@ -33,83 +41,56 @@ void PrintSeen(const char* const name, const std::size_t step, const std::string
     std::printf("\n");
 }
 
+// The undisturbed run, and each address of code that it executes.
 void PrintGolden(const Campaign& campaign, const std::vector<ScriptStep>& script)
 {
+    std::map<std::uint32_t, std::uint64_t> executed;
     for (std::size_t step = 0U; step < script.size(); ++step)
     {
         PrintSeen("golden", step, script[step].scene, campaign.Golden()[step]);
-    }
-}
-
-// The step of this scene.
-std::uint32_t StepOf(const std::vector<ScriptStep>& script, const std::string& scene)
-{
-    std::uint32_t step = 0U;
-    while ((step < script.size()) && (script[step].scene != scene))
-    {
-        ++step;
-    }
-    return step;
-}
-
-/// Faults that nobody can see: they must be told as silent. [SRS_VER_042]
-bool RunControls(Campaign& campaign, const std::vector<ScriptStep>& script)
-{
-    const auto no_mail = [](Mailbox&, std::uint32_t) {};
-    const auto no_memory = [](Machine&, std::uint32_t) {};
-    const auto forged = [](Mailbox& mail, const std::uint32_t step)
-    {
-        if (step == 0U)
+        for (const std::uint32_t address : campaign.Traces()[step])
         {
-            mail.frame_count = 0U;
-            AddPair(mail, 0U, 0x0BADF00DU);
+            ++executed[address];
         }
-    };
-    const auto changed = [](Machine& machine, std::uint32_t)
-    { machine.WriteObjects(0U, ObjectPair{0x0BADF00DU, ~0x0BADF00DU}); };
-    const auto acknowledged = [](Mailbox& mail, const std::uint32_t step)
+    }
+    for (const auto& [address, count] : executed)
     {
-        mail.acknowledge_a |= (step < 3U) ? 1U : 0U;
-        mail.acknowledge_b |= (step < 3U) ? 1U : 0U;
-    };
-    const Experiment skipped =
-        campaign.SkippedCall(StepOf(script, "GFC"), "_ZN12counterpoint6Kernel7OnFrameERKNS_12StampedFrameE");
-    const std::uint32_t pair = StepOf(script, "pair");
-    const std::uint32_t expiry = StepOf(script, "SCT expiry, pair without acknowledge") - 1U;
-    const Verdict verdicts[] = {campaign.RunControl(pair, forged, no_memory),
-                                campaign.RunControl(pair, no_mail, changed),
-                                campaign.RunControl(expiry, acknowledged, no_memory), campaign.Run(skipped),
-                                campaign.RunControl(pair, no_mail, no_memory)};
-    constexpr const char* kNames[] = {"forged pair", "both variables changed", "foreign acknowledge",
-                                      "GFC that is not handed over", "nothing"};
+        std::printf("executed\t%u\t%llu\n", address, static_cast<unsigned long long>(count));
+    }
+}
+
+bool PrintControls(const std::vector<Control>& controls)
+{
     bool is_good = true;
-    for (std::size_t i = 0U; i < 5U; ++i)
+    for (const Control& control : controls)
     {
-        const bool is_silent = verdicts[i].kind == Class::kSilent;
-        std::printf("control\t%s\t%s\t%s\n", kNames[i], NameOf(verdicts[i].kind), verdicts[i].what.c_str());
-        is_good = is_good && (is_silent == (i != 4U));
+        std::printf("control\t%s\t%s\t%s\t%s\n", control.name.c_str(), NameOf(control.told.kind),
+                    control.told.what.c_str(), control.IsGood() ? "told" : "NOT TOLD");
+        is_good = is_good && control.IsGood();
     }
     return is_good;
 }
 
-void RunAll(Campaign& campaign, const std::vector<ScriptStep>& script, const std::vector<Experiment>& experiments)
+bool AreEqual(const Verdict& first, const Verdict& second)
+{
+    return (first.kind == second.kind) && (first.what == second.what) && (first.steps == second.steps);
+}
+
+void RunAll(Campaign& campaign, const std::vector<ScriptStep>& script, const std::vector<Drawn>& experiments)
 {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point begin = Clock::now();
-    std::map<std::string, std::uint64_t> counts;
     std::uint64_t done = 0U;
-    for (const Experiment& experiment : experiments)
+    std::uint64_t different = 0U;
+    for (const Drawn& drawn : experiments)
     {
+        const Experiment& experiment = drawn.experiment;
         const Verdict verdict = campaign.Run(experiment);
-        const std::string kind = NameOfFault(experiment.fault.kind);
-        ++counts[kind + "\t" + NameOf(verdict.kind) + "\t" + verdict.what + "\t" + std::to_string(verdict.steps)];
-        if (verdict.kind == Class::kSilent)
-        {
-            std::printf("silent\t%s\t%u\t%s\t%u\t%u\t%u\t%s\t%u\n", kind.c_str(), experiment.step,
-                        script[experiment.step].scene.c_str(), experiment.fault.address, experiment.fault.count,
-                        experiment.fault.number, verdict.what.c_str(), verdict.steps);
-            std::fflush(stdout);
-        }
+        std::printf("row\t%zu\t%s\t%u\t%s\t%u\t%u\t%u\t%s\t%s\t%u\n", drawn.number, NameOfFault(experiment.fault.kind),
+                    experiment.step, script[experiment.step].scene.c_str(), experiment.fault.count,
+                    experiment.fault.address, experiment.fault.number, NameOf(verdict.kind), verdict.what.c_str(),
+                    verdict.steps);
+        different += (((done % kEachAnew) == 0U) && !AreEqual(verdict, campaign.RunAnew(experiment))) ? 1U : 0U;
         ++done;
         if ((done % 2000U) == 0U)
         {
@@ -120,34 +101,66 @@ void RunAll(Campaign& campaign, const std::vector<ScriptStep>& script, const std
     }
     // What a fault left behind in the emulator would be told as detection of the next ones.
     const Verdict clean = campaign.Run(Experiment{0U, Fault{}});
-    std::printf("control\tnothing, behind all faults\t%s\t%s\n", NameOf(clean.kind), clean.what.c_str());
-    for (const auto& [name, count] : counts)
-    {
-        std::printf("count\t%s\t%llu\n", name.c_str(), static_cast<unsigned long long>(count));
-    }
+    std::printf("control\tnothing, behind all faults\t%s\t%s\t%s\n", NameOf(clean.kind), clean.what.c_str(),
+                (clean.kind == Class::kMasked) ? "told" : "NOT TOLD");
+    std::printf("control\teach %lluth run anew\t%llu differ\t\t%s\n", static_cast<unsigned long long>(kEachAnew),
+                static_cast<unsigned long long>(different), (different == 0U) ? "told" : "NOT TOLD");
     const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
-    std::printf("end\t%llu\t%.1f\n", static_cast<unsigned long long>(done), seconds);
+    std::printf("end\t%llu\t%.1f\t%.1f\n", static_cast<unsigned long long>(done), seconds,
+                static_cast<double>(std::clock()) / CLOCKS_PER_SEC);
 }
 
-std::uint32_t NumberOf(const char* const text)
+std::uint32_t NumberOf(const std::string& text)
 {
-    return static_cast<std::uint32_t>(std::strtoul(text, nullptr, 0));
+    return static_cast<std::uint32_t>(std::strtoul(text.c_str(), nullptr, 0));
+}
+
+Options OptionsOf(const int count, char** const arguments)
+{
+    Options options{};
+    for (int i = 3; i < count; ++i)
+    {
+        const std::string text{arguments[i]};
+        const std::size_t sign = text.find('=');
+        options[text.substr(0U, sign)] = (sign == std::string::npos) ? "" : text.substr(sign + 1U);
+    }
+    return options;
+}
+
+Plan PlanOf(Options& options)
+{
+    Plan plan{};
+    const std::uint32_t code = NumberOf(options["code"]);
+    plan.skips = (code & 1U) != 0U;
+    plan.inversions = (code & 2U) != 0U;
+    plan.each = NumberOf(options["each"]);
+    plan.sample = NumberOf(options["sample"]);
+    plan.registers = NumberOf(options["registers"]);
+    plan.opcodes = NumberOf(options["opcodes"]);
+    plan.flash = NumberOf(options["flash"]);
+    plan.memory = NumberOf(options["memory"]);
+    plan.stuck = NumberOf(options["stuck"]);
+    plan.first = NumberOf(options["first"]);
+    plan.last = (options.count("last") == 0U) ? plan.last : NumberOf(options["last"]);
+    plan.seed = NumberOf(options["seed"]);
+    plan.shard = NumberOf(options["shard"]);
+    plan.shards = NumberOf(options["shards"]);
+    return plan;
 }
 
 /// Each step of the run with one fault, and its verdict.
-void ShowOne(Campaign& campaign, const std::vector<ScriptStep>& script, char** const arguments)
+void ShowOne(Campaign& campaign, const std::vector<ScriptStep>& script, Options& options)
 {
-    Experiment experiment{};
-    experiment.step = NumberOf(arguments[0]);
     std::uint32_t kind = 1U;
-    while ((kind < 4U) && (arguments[1] != std::string{NameOfFault(static_cast<FaultKind>(kind))}))
+    while ((kind < 7U) && (options["fault"] != kFaults[kind]))
     {
         ++kind;
     }
-    experiment.fault = {static_cast<FaultKind>(kind), NumberOf(arguments[2]), NumberOf(arguments[3]),
-                        NumberOf(arguments[4])};
-    const Verdict verdict = campaign.Run(experiment, [&script](const std::size_t step, const Seen& seen)
-                                         { PrintSeen("step", step, script[step].scene, seen); });
+    const Experiment experiment{NumberOf(options["step"]),
+                                {static_cast<FaultKind>(kind), NumberOf(options["instruction"]),
+                                 NumberOf(options["address"]), NumberOf(options["number"])}};
+    const Verdict verdict = campaign.Show(experiment, [&script](const std::size_t step, const Seen& seen)
+                                          { PrintSeen("step", step, script[step].scene, seen); });
     std::printf("verdict\t%s\t%s\t%u\n", NameOf(verdict.kind), verdict.what.c_str(), verdict.steps);
 }
 
@@ -155,11 +168,14 @@ void ShowOne(Campaign& campaign, const std::vector<ScriptStep>& script, char** c
 
 int main(int count, char** arguments)
 {
-    if ((count != 11) && (count != 16))
+    if (count < 4)
     {
-        std::fprintf(stderr, "counterpoint_injector IMAGE DESCRIPTION CODE REGISTERS MEMORY SEED SHARD SHARDS EACH "
-                             "SAMPLE [STEP FAULT INSTRUCTION ADDRESS NUMBER]\n"
-                             "CODE: 1 skips, 2 inversions, 3 both. run.py builds what it needs and starts it.\n");
+        std::fprintf(
+            stderr,
+            "counterpoint_injector IMAGE DESCRIPTION KEY=NUMBER...\n"
+            "code (1 skips, 2 inversions, 3 both), each, sample, registers, opcodes, flash, memory, "
+            "stuck, seed, first, last, shard, shards;\none run: step, fault, instruction, address, number. run.py "
+            "builds what it needs and starts it.\n");
         return 2;
     }
     try
@@ -168,29 +184,21 @@ int main(int count, char** arguments)
         const std::vector<ScriptStep> script = MakeScript();
         Machine machine{program};
         Campaign campaign{machine, program, script};
-        const std::uint32_t code = NumberOf(arguments[3]);
-        Plan plan{};
-        plan.skips = (code & 1U) != 0U;
-        plan.inversions = (code & 2U) != 0U;
-        plan.registers = NumberOf(arguments[4]);
-        plan.memory = NumberOf(arguments[5]);
-        plan.seed = NumberOf(arguments[6]);
-        plan.shard = NumberOf(arguments[7]);
-        plan.shards = NumberOf(arguments[8]);
-        plan.each = NumberOf(arguments[9]);
-        plan.sample = NumberOf(arguments[10]);
+        const Space space{program, campaign.Traces()};
+        Options options = OptionsOf(count, arguments);
         PrintGolden(campaign, script);
-        if (count == 16)
+        if (options.count("fault") != 0U)
         {
-            ShowOne(campaign, script, &arguments[11]);
+            ShowOne(campaign, script, options);
             return 0;
         }
-        if (!RunControls(campaign, script))
+        if (!PrintControls(RunControls(campaign, space, script)))
         {
             return 1;
         }
-        const std::vector<Experiment> experiments = campaign.Draw(plan);
-        std::printf("drawn\t%zu\t%llu\n", experiments.size(), static_cast<unsigned long long>(campaign.Instructions()));
+        std::size_t all = 0U;
+        const std::vector<Drawn> experiments = space.Draw(PlanOf(options), all);
+        std::printf("drawn\t%zu\n", all);
         RunAll(campaign, script, experiments);
     }
     catch (const std::exception& problem)

@@ -11,11 +11,24 @@
 namespace counterpoint::injection
 {
 
+constexpr std::uint32_t kAnyPins = 0xFFU;
+
+/// What a step shows without a fault, so that it is the scene that it is called.
+struct Shown
+{
+    std::uint32_t pins{kAnyPins};
+    std::uint32_t event{0U}; ///< 0: any.
+    std::uint32_t frames{0U};
+    std::uint32_t device_fault{0U};
+};
+
 /// One step of the script, and the scene that it belongs to.
 struct ScriptStep
 {
     std::string scene;
     Mailbox mail;
+    Shown shown{};
+    bool is_operational{false};
 };
 
 /// @brief The whole script, from the first cycle to the device safe state.

@@ -212,7 +212,15 @@ bool WriteNumber(const MailWrite& write) noexcept
         data.bytes[i] = static_cast<std::uint8_t>(write.value >> (8U * i));
     }
     const ObjectAddress address{static_cast<std::uint16_t>(write.index), static_cast<std::uint8_t>(write.sub)};
-    return faulted_kernel.WriteObject(address, data) == AbortCode::kNone;
+    const bool is_written = faulted_kernel.WriteObject(address, data) == AbortCode::kNone;
+    // Who configures reads everything back (safety manual 7).
+    const ObjectReading reading = faulted_kernel.ReadObject(address);
+    bool is_same = (reading.abort == AbortCode::kNone) && (reading.data.size_bytes == data.size_bytes);
+    for (std::uint32_t i = 0U; i < write.size_bytes; ++i)
+    {
+        is_same = is_same && (reading.data.bytes[i] == data.bytes[i]);
+    }
+    return is_written && is_same;
 }
 
 void SignAll() noexcept
@@ -220,6 +228,8 @@ void SignAll() noexcept
     for (std::uint8_t slot = 0U; slot < kSrdos; ++slot)
     {
         const SignReply reply = faulted_kernel.Sign(CommunicationIndex{static_cast<std::uint16_t>(0x1301U + slot)});
+        // Who configures has computed it, too (AU-16).
+        Tell(kPortEvent, 0x80000U + reply.signature);
         const bool good = WriteNumber(MailWrite{0x13FFU, slot + 1U, reply.signature, 2U});
         Tell(kPortRefused, (good && (reply.result == Result::kSuccessful)) ? 0U : 1U);
     }
