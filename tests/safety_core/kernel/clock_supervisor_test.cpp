@@ -107,6 +107,25 @@ TEST_F(ClockSupervision, SmallDriftStartsAnewWithEachInterval)
     }
 }
 
+// t [us]    0          1000       at the interval, by one counter alone     1000 later
+// apart     0          0          150                                       300, of it 150 since the new reference
+TEST_F(ClockSupervision, ReferenceMovesOnExactlyWithTheIntervalOfEitherCounter)
+{
+    Verifies(req::SRS_CLK_001);
+    config_.cycle_us = 10000U;
+    for (const bool is_a_first : {true, false})
+    {
+        clocks_.Restart(config_);
+        const auto at = [this, is_a_first](const std::uint32_t first_us, const std::uint32_t second_us)
+        { return clocks_.OnCycle(is_a_first ? At(first_us, second_us) : At(second_us, first_us)); };
+        EXPECT_EQ(at(0U, 0U), DeviceFault::kNone);
+        EXPECT_EQ(at(1000U, 1000U), DeviceFault::kNone);
+        EXPECT_EQ(at(10000U, 9850U), DeviceFault::kNone);
+        EXPECT_EQ(at(11000U, 10700U), DeviceFault::kNone);
+        EXPECT_EQ(at(12000U, 11649U), DeviceFault::kClock);
+    }
+}
+
 TEST_F(ClockSupervision, StampsBetweenTwoCyclesAreInOrder)
 {
     Verifies(req::SRS_KRN_008);
@@ -126,6 +145,15 @@ TEST_F(ClockSupervision, StampBeforeThePreviousOneIsAFault)
     EXPECT_EQ(clocks_.OnCycle(At(2000U, 6000U)), DeviceFault::kFrameOrder);
     // and it is told once
     EXPECT_EQ(clocks_.OnCycle(At(3000U, 7000U)), DeviceFault::kNone);
+}
+
+TEST_F(ClockSupervision, TwoStepsBackwardsAreAFaultLikeOne)
+{
+    Verifies(req::SRS_KRN_008);
+    (void)clocks_.OnCycle(At(1000U, 5000U));
+    clocks_.OnFrame(At(999U, 4999U));
+    clocks_.OnFrame(At(998U, 4998U));
+    EXPECT_EQ(clocks_.OnCycle(At(2000U, 6000U)), DeviceFault::kFrameOrder);
 }
 
 TEST_F(ClockSupervision, StampBeforeThePreviousCycleOrAfterThisOneIsAFault)

@@ -254,6 +254,7 @@ TEST_F(ComparatorLost, FrozenAtItsLastVerdictIsSafeInTheSameCycle)
     Verifies(req::SRS_CMP_001);
     EXPECT_EQ(CyclesToSafe(ComparatorCalls::kFrozen), 1U);
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kComparator);
+    EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
 }
 
 TEST_F(ComparatorLost, EveryMemberIsTurnedRoundWithinOneTestIntervalAnotherEachTime)
@@ -306,6 +307,7 @@ TEST_F(ComparatorLost, AlwaysGoodIsFoundByTheDeliberateDifferenceWithinTheTestIn
     Verifies(req::SRS_CMP_009);
     EXPECT_LE(CyclesToSafe(ComparatorCalls::kAlwaysGood), 67U);
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kComparator);
+    EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
 }
 
 TEST_F(ComparatorLost, BlindForDataIsFoundByTheDeliberateDifferenceWithinTheTestInterval)

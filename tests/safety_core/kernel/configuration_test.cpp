@@ -302,6 +302,29 @@ TEST_F(Configuring, WriteToGfcParameterHasBothChannelsComputeAtOnce)
     EXPECT_EQ(kernel.DeviceState().slot, 2U);
 }
 
+TEST_F(Configuring, WriteOfAnotherObjectComputesNoDigest)
+{
+    Verifies(req::SRS_CFG_050);
+    Configure();
+    a.digests = 0;
+    b.digests = 0;
+    ASSERT_EQ(Write(0x1303U, 2U, 30U, 2U), AbortCode::kNone);
+    EXPECT_EQ(a.digests, 0);
+    EXPECT_EQ(b.digests, 0);
+    ASSERT_EQ(Write(0x1300U, 0U, 0U, 1U), AbortCode::kNone);
+    EXPECT_EQ(a.digests, 3);
+    EXPECT_EQ(b.digests, 3);
+}
+
+TEST_F(Configuring, ValidityIsStoredWithoutASubIndex)
+{
+    Verifies(req::SRS_CFG_046);
+    Configure();
+    EXPECT_EQ(a.last_stored.address.field, ConfigField::kConfigurationValid);
+    EXPECT_EQ(a.last_stored.address.sub, 0U);
+    EXPECT_EQ(a.last_stored.value, 0xA5U);
+}
+
 // t [cycles]   12 digest of slot 0 done     1300h written     30 digest of slot 2 done: not compared
 TEST_F(Configuring, WriteToGfcParameterTakesTheDigestAnew)
 {

@@ -105,6 +105,24 @@ TEST(FlowMonitor, WrongEvidenceOfAnyStepSpoilsTheAnswer)
     }
 }
 
+TEST(FlowMonitor, WrongEvidenceInAnyBitOfAnyStepSpoilsTheAnswer)
+{
+    Verifies(req::SRS_FLOW_001);
+    Verifies(req::SRS_FLOW_003);
+    for (std::uint32_t chosen = 0U; chosen < (32U * kFlowStepCount); ++chosen)
+    {
+        FlowMonitor flow{};
+        flow.Begin();
+        for (std::uint8_t step = 1U; step <= kFlowStepCount; ++step)
+        {
+            const bool is_chosen = (step - 1U) == (chosen / 32U);
+            flow.Mark(static_cast<FlowStep>(step), is_chosen ? FlowEvidence{1U << (chosen % 32U), 0U} : kRight);
+        }
+        EXPECT_NE(flow.End(kQuestion).value, kRightAnswer) << chosen;
+        EXPECT_EQ(flow.Finding(), DeviceFault::kFlow) << chosen;
+    }
+}
+
 TEST(FlowMonitor, MissingBeginAndOldAnswerAreWrong)
 {
     Verifies(req::SRS_FLOW_001);

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // The calls of the flow monitor in the real kernel, and what a cycle with one wrong mark leads to.
+#include "tests/safety_core/kernel/comparator_test_hooks.hpp"
 #include "tests/safety_core/kernel/mark_tap.hpp"
 #include "tests/safety_core/kernel/rig.hpp"
 #include "verification/trace/ids/kernel.hpp"
@@ -24,6 +25,16 @@ class GivenFlow : protected MarkTapHolder, public Rig
   protected:
     GivenFlow() : Rig{nullptr, &flow}
     {
+    }
+    /// The mark of this step in the present cycle.
+    FlowEvidence Of(const FlowStep step) const
+    {
+        return flow.evidences.at(static_cast<std::size_t>(step) - 1U);
+    }
+    void Has(const FlowStep step, const std::uint32_t observed, const std::uint32_t expected) const
+    {
+        EXPECT_EQ(Of(step).observed, observed) << static_cast<std::uint32_t>(step);
+        EXPECT_EQ(Of(step).expected, expected) << static_cast<std::uint32_t>(step);
     }
 };
 
@@ -63,6 +74,49 @@ TEST_F(GivenFlow, IsCalledForEveryStepOfACycleInItsOrder)
                                      FlowStep::kProduction, FlowStep::kCommit, FlowStep::kEvents, FlowStep::kPermits}));
     EXPECT_TRUE(WatchdogAlive());
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+}
+
+TEST_F(GivenFlow, IsGivenWhatEachStepProducedAndWhatItMust)
+{
+    Verifies(req::SRS_FLOW_001);
+    // Given cycle 2 with cycle numbers of the channels, and one SRDO more in B's counts, that are not right
+    Operate();
+    a.on_outcome = [](CycleOutcome& outcome) { outcome.cycle = 7U; };
+    b.on_outcome = [](CycleOutcome& outcome)
+    {
+        outcome.cycle = 9U;
+        ++outcome.is_tx;
+    };
+    Cycle();
+    Has(FlowStep::kChannelA, 7U, 2U);
+    Has(FlowStep::kChannelB, 9U, 2U);
+    Has(FlowStep::kEvents, 4U, 3U);
+    // outside of OPERATIONAL all three are passed over at once
+    b.on_outcome = [](CycleOutcome& outcome) { outcome.not_operational = 2U; };
+    kernel.SetNmtState(NmtState::kPreOperational);
+    Cycle();
+    Has(FlowStep::kEvents, 6U, 3U);
+    // and a comparator that was not called gives no challenge back
+    comparator_calls = ComparatorCalls::kNotCalled;
+    Cycle();
+    comparator_calls = ComparatorCalls::kReal;
+    EXPECT_EQ(Of(FlowStep::kComparison).observed, 0U);
+    EXPECT_NE(Of(FlowStep::kComparison).expected, 0U);
+}
+
+TEST_F(GivenFlow, IsGivenTheMarkOfAFrameOnItsWay)
+{
+    Verifies(req::SRS_KRN_034);
+    // Given frames from 0 on, of which 001h is the GFC
+    for (const std::uint32_t identifier : {0x000U, 0x001U, 0x700U})
+    {
+        Operate();
+        b.on_frame = [this]() { Cycle(); };
+        Receive(identifier, {});
+        b.on_frame = nullptr;
+        Has(FlowStep::kClocks, identifier + 1U, 0U);
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kFlow);
+    }
 }
 
 /// What is wrong with the mark of a step, and the last step of which it can be wrong.

@@ -6,6 +6,8 @@
 #include "verification/trace/ids/channel.hpp"
 #include "verification/trace/ids/kernel.hpp"
 
+#include <algorithm>
+
 namespace counterpoint
 {
 namespace
@@ -94,6 +96,7 @@ TEST_F(StoredConfiguration, ItemsAreInTheOrderOfTheRequirement)
     EXPECT_EQ(image.items[25], 1U);
     EXPECT_EQ(image.items[72], 1U);
     EXPECT_EQ(kernel.Image().ReadItem(kItems).result, Result::kNotExist);
+    EXPECT_EQ(kernel.Image().ReadItem(kItems).value, 0U);
 }
 
 TEST_F(StoredConfiguration, CrcCoversAddressesValuesAndValidity)
@@ -230,6 +233,59 @@ TEST_F(StoredConfiguration, CopiesThatDifferAreADeviceFault)
     EXPECT_EQ(kernel.Image().ReadItem(0U).result, Result::kDeviceFault);
     EXPECT_EQ(kernel.Image().Header().result, Result::kDeviceFault);
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kConfiguration);
+}
+
+// Slot 1 of three: neither the first item nor the last one.
+TEST_F(StoredConfiguration, OneItemThatDiffersIsEnough)
+{
+    Verifies(req::SRS_CFG_051);
+    Configure();
+    b.load_slot = 1U;
+    b.load_flip = 1U;
+    EXPECT_EQ(kernel.Image().ReadItem(0U).result, Result::kSuccessful);
+    EXPECT_EQ(kernel.Image().ReadItem(kGfcItem).result, Result::kSuccessful);
+    EXPECT_EQ(kernel.Image().Header().result, Result::kDeviceFault);
+}
+
+// Given a header that fits what is left when items that differ read 0.
+TEST_F(StoredConfiguration, ImageIsNotLoadedIntoCopiesThatDiffer)
+{
+    Verifies(req::SRS_CFG_051);
+    Verifies(req::SRS_CFG_052);
+    Configure();
+    std::vector<std::uint32_t> items = Save().items;
+    std::fill(items.begin() + 48, items.begin() + 72, 0U);
+    b.load_slot = 2U;
+    b.load_flip = 1U;
+    const ImageHeader header{kItems, image::CrcOf(image::WordsOf(items, 0U)), 0U};
+    EXPECT_EQ(kernel.Image().Load(header), Result::kDeviceFault);
+}
+
+TEST_F(StoredConfiguration, HeaderAloneTakesTheValidityBack)
+{
+    Verifies(req::SRS_CFG_052);
+    Configure();
+    ASSERT_EQ(Write(0x13FEU, 0U, 0U, 1U), AbortCode::kNone);
+    const Image image = Save();
+    ASSERT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+    EXPECT_EQ(kernel.Image().Load(image.header), Result::kSuccessful);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0U);
+}
+
+TEST_F(StoredConfiguration, StaticMappingIsNeitherLoadedNorRestored)
+{
+    Verifies(req::SRS_CFG_052);
+    Verifies(req::SRS_CFG_053);
+    static constexpr std::uint32_t kEntries[] = {0x22000110U, 0x23000110U};
+    setups[2].map = StaticMap{kEntries, 2U};
+    Configure();
+    // Given the map count of SRDO 4, item 55
+    EXPECT_EQ(kernel.Image().LoadItem(55U, 0x102U), Result::kSuccessful);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    EXPECT_EQ(kernel.Image().RestoreDefaults(), Result::kSuccessful);
+    EXPECT_EQ(Read(0x1384U, 0U), 2U);
+    EXPECT_EQ(Read(0x1384U, 1U), 0x22000110U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
 }
 
 TEST_F(StoredConfiguration, NothingIsLoadedOrRestoredInOperational)

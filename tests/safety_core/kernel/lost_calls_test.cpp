@@ -33,6 +33,7 @@ TEST_F(LostCalls, FrameThatIsNotHandedOverIsAWrongFlow)
     b.on_frame = nullptr;
     // Then that cycle's flow is wrong, and nothing stays open
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kFlow);
+    EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
     Cycle();
     EXPECT_EQ(Open(), 0U);
 }
@@ -125,6 +126,7 @@ void PartsOfTheKernel::FlipAndRun(const std::size_t byte, const std::uint32_t bi
     Cycles(2U);
     // Then nothing is called, given or answered
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kSelfTest) << "byte " << byte << ", bit " << bit;
+    EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
     EXPECT_EQ(calls, 0U);
     EXPECT_EQ(output.last.kernel.response, given);
     EXPECT_EQ(Open(), 0U);

@@ -28,11 +28,13 @@ class MarkTap final : public FlowWatch
     {
         ++begun;
         steps.clear();
+        evidences.clear();
         monitor_.Begin();
     }
     void Mark(FlowStep step, const FlowEvidence& evidence) noexcept override
     {
         steps.push_back(step);
+        evidences.push_back(evidence);
         if (on_step)
         {
             on_step(step);
@@ -73,7 +75,8 @@ class MarkTap final : public FlowWatch
         return monitor_.Finding();
     }
 
-    std::vector<FlowStep> steps{}; ///< Of the present cycle, in their order.
+    std::vector<FlowStep> steps{};         ///< Of the present cycle, in their order.
+    std::vector<FlowEvidence> evidences{}; ///< Likewise.
     std::uint32_t begun{0U};
     std::uint32_t ended{0U};
     mutable std::uint32_t asked{0U};

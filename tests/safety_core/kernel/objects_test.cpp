@@ -15,6 +15,12 @@ class SafetyObjects : public Rig
     {
         return kernel.ReadObject(ObjectAddress{index, sub}).abort;
     }
+    /// Both channels keep it, whatever the rules say.
+    void Corrupt(const ConfigAddress& address, const std::uint32_t value)
+    {
+        real_a.Store(ConfigItem{address, value});
+        real_b.Store(ConfigItem{address, value});
+    }
 };
 
 TEST_F(SafetyObjects, PowerOnValuesAreTheDefaults)
@@ -86,6 +92,42 @@ TEST_F(SafetyObjects, VariableOfBitsIsReadInWholeBytesWithoutForeignBits)
     EXPECT_EQ(reading.data.size_bytes, 2U);
     EXPECT_EQ(reading.data.bytes[0], 0x12U);
     EXPECT_EQ(reading.data.bytes[1], 0x04U);
+    // One bit more than none, and than a byte
+    for (const std::uint8_t length_bits : std::initializer_list<std::uint8_t>{1, 9})
+    {
+        objects[0].length_bits = length_bits;
+        ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+        EXPECT_EQ(kernel.ReadObject(ObjectAddress{0x2000U, 1U}).data.size_bytes, (length_bits == 1U) ? 1U : 2U);
+    }
+}
+
+TEST_F(SafetyObjects, SubIndexZeroIsOneByte)
+{
+    Verifies(req::SRS_CFG_041);
+    Configure();
+    for (const std::uint16_t index : std::initializer_list<std::uint16_t>{0x1301U, 0x1381U, 0x13FFU})
+    {
+        EXPECT_EQ(kernel.ReadObject(ObjectAddress{index, 0U}).data.size_bytes, 1U) << index;
+    }
+}
+
+// Given a device that ends before the last of the setups.
+TEST_F(SafetyObjects, SrdosAreAsManyAsTheDeviceHas)
+{
+    Verifies(req::SRS_CFG_040);
+    config.srdo_count = 2U;
+    ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+    EXPECT_EQ(ReadAbort(0x1303U, 1U), AbortCode::kNone);
+    EXPECT_EQ(ReadAbort(0x1304U, 1U), AbortCode::kObjectUnknown);
+}
+
+TEST(Dummies, NoLengthMakesOneOfTheIndexBehindThem)
+{
+    Verifies(req::SRS_CFG_045);
+    for (std::uint32_t length_bits = 0U; length_bits <= 0xFFU; ++length_bits)
+    {
+        EXPECT_FALSE(IsDummy(0x00080000U | length_bits)) << length_bits;
+    }
 }
 
 TEST_F(SafetyObjects, MapEntriesOfTheDeviceLimitSubIndexAndCount)
@@ -288,19 +330,54 @@ TEST_F(SafetyObjects, SecondIdentifierAloneInUseKeepsItOff)
     // Given that SRDO 4 has 105h, 106h, and channels in which another SRDO's COB-ID 1 is 106h
     ASSERT_EQ(Write(0x1304U, 5U, 0x105U, 4U), AbortCode::kNone);
     ASSERT_EQ(Write(0x1304U, 6U, 0x106U, 4U), AbortCode::kNone);
-    const ConfigItem corrupted{ConfigAddress{0U, ConfigField::kCobId1, 0U}, 0x106U};
-    real_a.Store(corrupted);
-    real_b.Store(corrupted);
+    Corrupt(ConfigAddress{0U, ConfigField::kCobId1, 0U}, 0x106U);
     EXPECT_EQ(Write(0x1304U, 1U, 1U, 1U), AbortCode::kValueRange);
     // and one whose COB-ID 2 is 106h
-    const ConfigItem restored{ConfigAddress{0U, ConfigField::kCobId1, 0U}, 0x101U};
-    const ConfigItem second{ConfigAddress{0U, ConfigField::kCobId2, 0U}, 0x106U};
-    for (Channel* const channel : std::initializer_list<Channel*>{&real_a, &real_b})
-    {
-        channel->Store(restored);
-        channel->Store(second);
-    }
+    Corrupt(ConfigAddress{0U, ConfigField::kCobId1, 0U}, 0x101U);
+    Corrupt(ConfigAddress{0U, ConfigField::kCobId2, 0U}, 0x106U);
     EXPECT_EQ(Write(0x1304U, 1U, 1U, 1U), AbortCode::kValueRange);
+}
+
+TEST_F(SafetyObjects, FirstIdentifierAloneInUseKeepsItOff)
+{
+    Verifies(req::SRS_CFG_044);
+    Configure();
+    // Given that SRDO 4 has 105h, 106h, and channels in which another SRDO's COB-ID 2 is 105h
+    ASSERT_EQ(Write(0x1304U, 5U, 0x105U, 4U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x1304U, 6U, 0x106U, 4U), AbortCode::kNone);
+    Corrupt(ConfigAddress{0U, ConfigField::kCobId2, 0U}, 0x105U);
+    EXPECT_EQ(Write(0x1304U, 1U, 1U, 1U), AbortCode::kValueRange);
+}
+
+TEST_F(SafetyObjects, IdentifierIsInUseByAnSrdoThatIsOn)
+{
+    Verifies(req::SRS_CFG_044);
+    Configure();
+    // Given SRDO 1 is off, then SRDO 3 keeps what it has
+    ASSERT_EQ(Write(0x1301U, 1U, 0U, 1U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x1304U, 5U, 0x103U, 4U), AbortCode::kValueRange);
+    // and once it is off as well, with SRDO 1 on, SRDO 4 may have it
+    ASSERT_EQ(Write(0x1301U, 1U, 2U, 1U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x1303U, 1U, 0U, 1U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x1304U, 5U, 0x103U, 4U), AbortCode::kNone);
+}
+
+TEST_F(SafetyObjects, IdentifiersThatAreNoneSwitchNothingOn)
+{
+    Verifies(req::SRS_CFG_044);
+    Configure();
+    // Given channels in which SRDO 4 has 0 and 1
+    Corrupt(ConfigAddress{2U, ConfigField::kCobId2, 0U}, 1U);
+    EXPECT_EQ(Write(0x1304U, 1U, 1U, 1U), AbortCode::kValueRange);
+}
+
+TEST_F(SafetyObjects, WhateverItsIdentifiersAreAnSrdoCanBeSwitchedOff)
+{
+    Verifies(req::SRS_CFG_044);
+    Configure();
+    Corrupt(ConfigAddress{1U, ConfigField::kCobId2, 0U}, 0x106U);
+    EXPECT_EQ(Write(0x1303U, 1U, 0U, 1U), AbortCode::kNone);
+    EXPECT_EQ(Read(0x1303U, 1U), 0U);
 }
 
 TEST_F(SafetyObjects, DirectionCanTurnRound)
@@ -310,6 +387,9 @@ TEST_F(SafetyObjects, DirectionCanTurnRound)
     // Given SRDO 1 as consumer, its own identifiers do not stand in its way as producer
     EXPECT_EQ(Write(0x1301U, 1U, 1U, 1U), AbortCode::kNone);
     EXPECT_EQ(Read(0x1301U, 1U), 1U);
+    // nor those of SRDO 3, a producer, as consumer
+    EXPECT_EQ(Write(0x1303U, 1U, 2U, 1U), AbortCode::kNone);
+    EXPECT_EQ(Read(0x1303U, 1U), 2U);
 }
 
 TEST_F(SafetyObjects, MappingIsDeletedFirst)
@@ -326,6 +406,9 @@ TEST_F(SafetyObjects, MappingIsDeletedFirst)
     ASSERT_EQ(Write(0x1381U, 0U, 0U, 1U), AbortCode::kNone);
     EXPECT_EQ(Write(0x1381U, 1U, 0x20000110U, 4U), AbortCode::kNone);
     EXPECT_EQ(Write(0x1381U, 1U, 0U, 4U), AbortCode::kNone);
+    // on, with nothing mapped
+    ASSERT_EQ(Write(0x1301U, 1U, 2U, 1U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x1381U, 1U, 0x20000110U, 4U), AbortCode::kUnsupportedAccess);
 }
 
 TEST_F(SafetyObjects, MappingEntriesMustNameMappableObjects)
@@ -360,6 +443,15 @@ TEST_F(SafetyObjects, MapCountMayNotReachMoreThanSixtyFourBitsOnEitherSide)
         ASSERT_EQ(Write(0x1384U, sub, 0x21000110U, 4U), AbortCode::kNone);
     }
     EXPECT_EQ(Write(0x1384U, 0U, 10U, 1U), AbortCode::kMapTooLong);
+    // as well of another SRDO than the third
+    ASSERT_EQ(Write(0x1384U, 2U, 0U, 4U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x1301U, 1U, 0U, 1U), AbortCode::kNone);
+    ASSERT_EQ(Write(0x1381U, 0U, 0U, 1U), AbortCode::kNone);
+    for (const std::uint8_t sub : std::initializer_list<std::uint8_t>{2, 4, 6, 8, 10})
+    {
+        ASSERT_EQ(Write(0x1381U, sub, 0x21000110U, 4U), AbortCode::kNone);
+    }
+    EXPECT_EQ(Write(0x1381U, 0U, 10U, 1U), AbortCode::kMapTooLong);
 }
 
 TEST(DefaultConnection, IdentifiersAndDirectionByNodeId)

@@ -67,7 +67,10 @@ TEST_F(Production, SecondPairIsAnEventAndCountedInTheFlow)
     application.flow.clear();
     Cycle();
     EXPECT_EQ(application.flow.back(), std::make_pair(FlowEvent::kSrdoTransmitted, std::uint16_t{1U}));
-    Cycles(24U);
+    // And in one cycle alone
+    Cycle();
+    EXPECT_EQ(application.flow.back().first, FlowEvent::kItIsInvalid);
+    Cycles(23U);
     ConfirmLast();
     ConfirmLast();
     EXPECT_EQ(application.events.size(), 2U);
@@ -380,6 +383,49 @@ TEST_F(Production, ChannelThatAloneCallsAProducerDueStandsInTheNextCycle)
     Cycles(3U);
     EXPECT_EQ(a.stands, 1);
     EXPECT_EQ(b.stands, 0);
+}
+
+// t          k            between    k+1
+// due        one alone               .
+// latch      runs         safe       safe       the producer stands in both for one reason, in one for two
+TEST_F(Production, ProducerThatStandsForTwoReasonsStands)
+{
+    Verifies(req::SRS_KRN_004);
+    Verifies(req::SRS_KRN_017);
+    for (const bool is_a : {true, false})
+    {
+        Operate();
+        Tap& behind = is_a ? b : a;
+        behind.on_outcome = [](CycleOutcome& outcome) { outcome.due = 0U; };
+        Cycle();
+        behind.on_outcome = nullptr;
+        kernel.DemandSafeState();
+        Cycle();
+        EXPECT_EQ(a.last_input.stand, 2U);
+        EXPECT_EQ(b.last_input.stand, 2U);
+    }
+}
+
+TEST_F(Production, StepsThatTheChannelsDoNotShareAreFollowedByNothing)
+{
+    Verifies(req::SRS_KRN_014);
+    Operate();
+    Cycle();
+    b.on_confirmed = [](Confirmation& confirmation) { confirmation.step = ConfirmStep::kPair; };
+    ConfirmLast();
+    EXPECT_EQ(ports.sent.size(), 1U);
+}
+
+TEST_F(Production, ConfirmationOfASlotThatDoesNotExistIsFollowedByNothing)
+{
+    Verifies(req::SRS_KRN_014);
+    Operate();
+    Cycle();
+    const auto behind_the_last = [](Confirmation& confirmation) { confirmation = {3U, ConfirmStep::kPair}; };
+    a.on_confirmed = behind_the_last;
+    b.on_confirmed = behind_the_last;
+    ConfirmLast();
+    EXPECT_TRUE(application.events.empty());
 }
 
 TEST_F(Production, ConfirmationsOfDifferentSlotsAreFollowedByNothing)

@@ -78,6 +78,17 @@ TEST_F(ReadBack, LowestSlotOfBothChannelsIsTold)
 }
 
 // In the call that leaves OPERATIONAL, not a cycle later.
+TEST_F(ReadBack, SlotThatBothChannelsFindIsTold)
+{
+    Verifies(req::SRS_KRN_037);
+    Operate();
+    a.more_found = 2U;
+    b.more_found = 2U;
+    Cycle();
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+    EXPECT_EQ(kernel.DeviceState().slot, 1U);
+}
+
 TEST_F(ReadBack, SafeValueThatIsNotAsWrittenIsADeviceFaultInTheCall)
 {
     Verifies(req::SRS_KRN_037);

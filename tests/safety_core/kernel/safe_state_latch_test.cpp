@@ -22,6 +22,19 @@ TEST(SafeStateLatch, ZeroFilledMemoryIsTheSafeState)
     EXPECT_EQ(latch.Gate(), 0U);
     EXPECT_NE(latch.Spoiler(), 0U);
     EXPECT_EQ(latch.Report().fault, DeviceFault::kInvalid);
+    EXPECT_EQ(latch.Report().slot, kNoSlot);
+    EXPECT_EQ(latch.Report().count, 0U);
+}
+
+TEST(SafeStateLatch, StartForgetsWhatWasRecorded)
+{
+    Verifies(req::SRS_KRN_003);
+    SafeStateLatch latch{};
+    latch.Arm();
+    latch.Enter(DeviceFault::kClock, 5U);
+    latch.Arm();
+    EXPECT_EQ(latch.Report().slot, kNoSlot);
+    EXPECT_EQ(latch.Report().count, 0U);
 }
 
 TEST(SafeStateLatch, ArmedLatchRuns)
@@ -69,6 +82,7 @@ TEST(SafeStateLatch, DemandDoesNotDependOnWhatEnterDecides)
     // and the next fault is recorded
     latch.Demand(DeviceFault::kApplication);
     EXPECT_EQ(latch.Report().fault, DeviceFault::kApplication);
+    EXPECT_EQ(latch.Report().slot, kNoSlot);
     EXPECT_EQ(latch.Report().count, 1U);
 }
 
@@ -91,6 +105,36 @@ void FlipWordBit(SafeStateLatch& latch, const std::uint32_t bit)
     std::memcpy(bytes, &latch, sizeof(bytes));
     bytes[bit / 8U] = static_cast<unsigned char>(bytes[bit / 8U] ^ (1U << (bit % 8U)));
     std::memcpy(static_cast<void*>(&latch), bytes, sizeof(bytes));
+}
+
+/// Neither word is what it is in a running latch.
+bool HaveBothWordsLeft(const SafeStateLatch& latch)
+{
+    std::uint32_t words[2];
+    std::memcpy(&words[0], &latch, sizeof(words));
+    return (words[0] != 0x5A5A5A5AU) && (words[1] != 0xA5A5A5A5U);
+}
+
+// Each way into the safe state: the other word alone would stop the latch as well.
+TEST(SafeStateLatch, BothWordsLeaveTheRunningPattern)
+{
+    Verifies(req::SRS_KRN_003);
+    Verifies(req::SRS_KRN_041);
+    SafeStateLatch latch{};
+    latch.Arm();
+    EXPECT_FALSE(HaveBothWordsLeft(latch));
+    latch.Enter(DeviceFault::kClock, 5U);
+    EXPECT_TRUE(HaveBothWordsLeft(latch));
+    latch.Arm();
+    latch.Disarm();
+    EXPECT_TRUE(HaveBothWordsLeft(latch));
+    for (std::uint32_t bit = 0U; bit < 64U; ++bit)
+    {
+        latch.Arm();
+        FlipWordBit(latch, bit);
+        EXPECT_FALSE(latch.IsRunning());
+        EXPECT_TRUE(HaveBothWordsLeft(latch)) << "bit " << bit;
+    }
 }
 
 TEST(SafeStateLatch, AnySingleFlippedBitOfItsWordsStopsIt)

@@ -14,13 +14,13 @@ namespace
 class Sending : public Rig
 {
   public:
-    /// SRDO 1 or 4 as producer of 50 ms, signed; 13FEh is left to the test.
-    void MakeProducer(const std::uint16_t number, const std::uint32_t cob_id)
+    /// SRDO 1 or 4 as producer, signed; 13FEh is left to the test.
+    void MakeProducer(const std::uint16_t number, const std::uint32_t cob_id, const std::uint32_t refresh_ms = 50U)
     {
         const std::uint16_t communication = static_cast<std::uint16_t>(0x1300U + number);
         const std::uint16_t mapping = static_cast<std::uint16_t>(0x1380U + number);
         ASSERT_EQ(Write(communication, 1U, 0U, 1U), AbortCode::kNone);
-        ASSERT_EQ(Write(communication, 2U, 50U, 2U), AbortCode::kNone);
+        ASSERT_EQ(Write(communication, 2U, refresh_ms, 2U), AbortCode::kNone);
         ASSERT_EQ(Write(communication, 5U, cob_id, 4U), AbortCode::kNone);
         ASSERT_EQ(Write(communication, 6U, cob_id + 1U, 4U), AbortCode::kNone);
         ASSERT_EQ(Write(mapping, 0U, 0U, 1U), AbortCode::kNone);
@@ -275,6 +275,51 @@ TEST_F(Sending, ShortestRefreshTimeOfSeveralProducersCounts)
     EXPECT_EQ(application.gfcs_not_followed, 0);
     Cycle();
     EXPECT_EQ(application.gfcs_not_followed, 1);
+}
+
+TEST_F(Sending, ShortestRefreshTimeIsFoundByOneMillisecondInAnyPlace)
+{
+    Verifies(req::SRS_KRN_013);
+    setups[1].form = ProducerForm::kApplicationSends;
+    struct Times
+    {
+        std::uint32_t first_ms;
+        std::uint32_t last_ms;
+        std::uint32_t shortest_ms;
+    };
+    // Given SRDO 3 with 25 ms between them
+    for (const Times& times : {Times{26U, 24U, 24U}, Times{24U, 26U, 24U}, Times{26U, 26U, 25U}, Times{1U, 50U, 1U}})
+    {
+        Configure();
+        MakeProducer(1U, 0x101U, times.first_ms);
+        MakeProducer(4U, 0x107U, times.last_ms);
+        ASSERT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+        kernel.SetNmtState(NmtState::kOperational);
+        Cycle();
+        ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
+        Cycles(times.shortest_ms);
+        EXPECT_EQ(application.gfcs_not_followed, 0) << times.first_ms;
+        Cycle();
+        EXPECT_EQ(application.gfcs_not_followed, 1) << times.first_ms;
+        application.gfcs_not_followed = 0;
+    }
+}
+
+TEST_F(Sending, SecondRequestBeforeTheCycleTakesNothingBack)
+{
+    Verifies(req::SRS_KRN_011);
+    Operate();
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kSuccessful);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0U}), Result::kSuccessful);
+    Cycle();
+    EXPECT_EQ(a.last_input.request, 2U);
+    EXPECT_EQ(b.last_input.request, 2U);
+    // Nor does the device safe state, in which the channels are asked for all producers
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kSuccessful);
+    kernel.DemandSafeState();
+    Cycle();
+    EXPECT_EQ(a.last_input.request, 2U);
+    EXPECT_EQ(b.last_input.request, 2U);
 }
 
 // What an application may do from within its callbacks.

@@ -51,6 +51,27 @@ TEST_F(StartLimits, EveryTimeHasItsGreatestValue)
     HasUpperLimit(&DeviceConfig::cycle_us, 1000000U);
 }
 
+TEST_F(StartLimits, TwoTimesThatAreTooLongAreRefusedAsOneIs)
+{
+    Verifies(req::SRS_KRN_001);
+    constexpr std::uint32_t DeviceConfig::* kTimes[] = {
+        &DeviceConfig::discrepancy_us,   &DeviceConfig::acknowledge_window_us, &DeviceConfig::diagnostic_interval_us,
+        &DeviceConfig::test_interval_us, &DeviceConfig::clock_interval_us,     &DeviceConfig::output_time_us};
+    for (const auto first : kTimes)
+    {
+        for (const auto second : kTimes)
+        {
+            EXPECT_EQ(With(
+                          [first, second](DeviceConfig& c)
+                          {
+                              c.*first = 0x40000000U;
+                              c.*second = 0x40000000U;
+                          }),
+                      StartResult::kTiming);
+        }
+    }
+}
+
 TEST_F(StartLimits, EveryTimeHasItsLeastValue)
 {
     Verifies(req::SRS_KRN_001);
@@ -149,6 +170,10 @@ TEST_F(StartLimits, ObjectsAscendBySubIndexAsWell)
     EXPECT_EQ(with(0x1FFFU, 255U), StartResult::kObjects);
     EXPECT_EQ(with(0x2200U, 0U), StartResult::kStarted);
     EXPECT_EQ(with(0x2200U, 1U), StartResult::kObjects);
+    // Behind the greatest sub-index of 2000h
+    objects[0].sub = 0xFFU;
+    EXPECT_EQ(with(0x2001U, 0U), StartResult::kStarted);
+    objects[0].sub = 1U;
     objects[1].index = 0x2100U;
     objects[1].sub = 1U;
     // The first may be 0000h:00, the last FFFFh:FF

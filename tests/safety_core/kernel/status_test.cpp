@@ -277,6 +277,45 @@ TEST_F(Status, StartResetsTheBytes)
     EXPECT_EQ(StatusOf(kConsumer), 0x30U);
 }
 
+// call      OnEvent   TakeOverdue   TakeOverdue   TakeOverdue
+// overdue             none          5             5
+TEST(StatusStorage, WhatIsOverdueStaysSoUntilItIsAnswered)
+{
+    Verifies(req::SRS_KRN_022);
+    SrdoStatus status{};
+    status.OnEvent(5U);
+    EXPECT_EQ(status.TakeOverdue(), kNoSlot);
+    EXPECT_EQ(status.TakeOverdue(), 5U);
+    EXPECT_EQ(status.TakeOverdue(), 5U);
+    status.Answer(5U, StatusByte{0x30U});
+    EXPECT_EQ(status.TakeOverdue(), kNoSlot);
+}
+
+TEST(StatusStorage, SecondEventIsAnnouncedAsTheFirstOne)
+{
+    Verifies(req::SRS_KRN_021);
+    SrdoStatus status{};
+    status.OnEvent(5U);
+    status.OnEvent(5U);
+    EXPECT_EQ(status.Get(5U).value, 0x00U);
+    EXPECT_EQ(status.TakeOverdue(), kNoSlot);
+    EXPECT_EQ(status.TakeOverdue(), 5U);
+}
+
+// An answer is in bits 7 to 4 alone.
+TEST(StatusStorage, LowBitsOfAnAnswerHaveNoMeaning)
+{
+    Verifies(req::SRS_KRN_022);
+    for (std::uint8_t low = 0U; low < 16U; ++low)
+    {
+        SrdoStatus status{};
+        status.OnError(5U);
+        status.Answer(5U, StatusByte{static_cast<std::uint8_t>(0xB0U | low)});
+        EXPECT_EQ(status.TakeOverdue(), kNoSlot);
+        EXPECT_EQ(status.TakeOverdue(), kNoSlot) << unsigned{low};
+    }
+}
+
 TEST(StatusStorage, AllSrdosTakeAtMostSixtyFourBytes)
 {
     Verifies(req::SRS_KRN_021);

@@ -24,6 +24,7 @@ class Tap final : public Channel
     }
     void Store(const ConfigItem& item) noexcept override
     {
+        last_stored = item;
         if (!drop_store)
         {
             real_.Store(item);
@@ -32,7 +33,7 @@ class Tap final : public Channel
     ConfigItem Load(const ConfigAddress& address) const noexcept override
     {
         ConfigItem item = real_.Load(address);
-        item.value ^= load_flip;
+        item.value ^= ((load_slot == kNoSlot) || (address.slot == load_slot)) ? load_flip : 0U;
         return item;
     }
     ChannelRoom Room() const noexcept override
@@ -45,16 +46,19 @@ class Tap final : public Channel
     {
         ++fields_set;
         last_fields = fields;
+        fields_slot = slot;
         real_.SetFields(slot, fields);
     }
     DeviceDigest Digest(SlotIndex slot, DeviceDigest before) const noexcept override
     {
+        ++digests;
         DeviceDigest digest = real_.Digest(slot, before);
         digest.value ^= (slot == digest_slot) ? digest_flip : 0U;
         return digest;
     }
     CheckResult Validate(SlotIndex slot) noexcept override
     {
+        validated = slot;
         return Alter(real_.Validate(slot));
     }
     CheckResult Recheck(SlotIndex slot) noexcept override
@@ -74,6 +78,7 @@ class Tap final : public Channel
     }
     CycleOutcome OnCycle(const CycleInput& input) noexcept override
     {
+        last_input = input;
         requests |= input.request;
         stands += (input.stand == 0U) ? 0 : 1;
         CycleOutcome outcome = skip_cycle ? CycleOutcome{} : real_.OnCycle(input);
@@ -85,6 +90,7 @@ class Tap final : public Channel
     }
     HeldPair Held(SlotIndex slot) const noexcept override
     {
+        last_held = slot;
         HeldPair held = real_.Held(slot);
         held.data.low ^= data_flip;
         return held;
@@ -92,12 +98,13 @@ class Tap final : public Channel
     SrdoView View(SlotIndex slot) const noexcept override
     {
         SrdoView view = real_.View(slot);
-        view.signals |= more_signals;
+        view.signals |= ((signals_slot == kNoSlot) || (slot == signals_slot)) ? more_signals : 0U;
         return view;
     }
     void Demote(SlotIndex slot) noexcept override
     {
         ++demotions;
+        demoted = slot;
         real_.Demote(slot);
     }
     [[nodiscard]] SrdoMask Commit(const Agreement& agreement, SrdoMask examine) noexcept override
@@ -158,6 +165,7 @@ class Tap final : public Channel
     void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override
     {
         transmit_faults.push_back(fault.cause);
+        given_up = slot;
         real_.OnTransmitFault(slot, fault);
     }
 
@@ -177,7 +185,16 @@ class Tap final : public Channel
     std::uint32_t digest_flip{0U};
     std::uint32_t more_signals{0U};
     StaticFields last_fields{};
-    SlotIndex digest_slot{0U}; ///< Where it is flipped.
+    ConfigItem last_stored{};
+    CycleInput last_input{};
+    SlotIndex digest_slot{0U};            ///< Where it is flipped.
+    SlotIndex load_slot{kNoSlot};         ///< Likewise; kNoSlot: everywhere.
+    SlotIndex signals_slot{kNoSlot};      ///< Likewise.
+    SlotIndex fields_slot{kNoSlot};       ///< By the last SetFields.
+    SlotIndex validated{kNoSlot};         ///< By the last Validate.
+    SlotIndex demoted{kNoSlot};           ///< By the last Demote.
+    mutable SlotIndex last_held{kNoSlot}; ///< Of which the last pair was asked for.
+    SlotIndex given_up{kNoSlot};          ///< By the last OnTransmitFault.
     std::uint16_t signature_flip{0U};
     std::uint8_t room_slots{0U};   ///< Instead of the real one's; 0: the real one's.
     std::uint8_t room_entries{0U}; ///< Likewise.
@@ -186,6 +203,7 @@ class Tap final : public Channel
     int fields_set{0};
     int stands{0};                 ///< Calls with a producer that stands.
     mutable int inverse_frames{0}; ///< Times that it was asked for one.
+    mutable int digests{0};        ///< Likewise.
     bool drop_store{false};
     bool drop_frames{false};
     bool drop_confirms{false};

@@ -81,7 +81,9 @@ TEST(ToldCauses, CausesDoNotDisturbEachOther)
         }
     };
     together({1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 10U, 11U, 18U});
+    together({18U, 11U, 10U, 9U, 8U, 7U, 6U, 5U, 4U, 3U, 2U, 1U});
     together({4U, 13U, 14U, 15U, 16U, 17U});
+    together({17U, 16U, 15U, 14U, 13U, 4U});
 }
 
 // An SRDO that has become a producer tells what it never told, whatever it told as a consumer.
@@ -99,6 +101,7 @@ TEST(ToldCauses, CauseThatSharesItsPlaceIsTold)
         EXPECT_FALSE(causes.Take(5U, second, At(2000U)));
         EXPECT_TRUE(causes.Take(5U, first, At(3000U)));
         EXPECT_FALSE(causes.Take(5U, first, At(3000U)));
+        EXPECT_TRUE(causes.Take(5U, second, At(4000U)));
     }
 }
 
@@ -147,6 +150,7 @@ class Telling : public Rig
     {
         tap.on_outcome = [slot](CycleOutcome& outcome) { outcome.signalled = SrdoMask{1U} << slot; };
         tap.more_signals = signals;
+        tap.signals_slot = slot;
         Cycle();
         tap.on_outcome = nullptr;
         tap.more_signals = 0U;
@@ -212,6 +216,35 @@ TEST_F(Telling, ProducersWindowIsItsRefreshTime)
     EXPECT_EQ(told(), 1U);
     CycleWith(a, 1U, kBusOffBit);
     EXPECT_EQ(told(), 2U);
+}
+
+// SRDO 1 by channel A alone, SRDO 3 by channel B alone.
+TEST_F(Telling, EachSlotIsToldForItself)
+{
+    Verifies(req::SRS_KRN_032);
+    Verifies(req::SRS_KRN_006);
+    Verifies(req::SRS_KRN_021);
+    Operate();
+    application.refresh = RefreshAnswer::kSkip;
+    CycleWith(a, 0U, kLengthBit);
+    CycleWith(b, 1U, kLengthBit);
+    EXPECT_EQ(CausesOf(0x1301U), std::vector<SrdoCause>{SrdoCause::kLength});
+    EXPECT_EQ(CausesOf(0x1303U), std::vector<SrdoCause>{SrdoCause::kLength});
+    EXPECT_EQ(kernel.GetStatus(CommunicationIndex{0x1303U}).status.value, 0x50U);
+    // A round of all slots behind the window nothing of it is kept
+    EXPECT_NE(windows[1].open, 0U);
+    Cycles(25U + 64U + 1U);
+    EXPECT_EQ(windows[1].open & kLengthBit, 0U);
+}
+
+TEST_F(Telling, EveryCauseThereIsAndNoOther)
+{
+    Verifies(req::SRS_KRN_006);
+    Operate();
+    CycleWith(a, 0U, 0xFFF80001U);
+    EXPECT_TRUE(application.errors.empty());
+    CycleWith(a, 0U, 0x00040000U);
+    EXPECT_EQ(CausesOf(0x1301U), std::vector<SrdoCause>{SrdoCause::kWaitingPastSct});
 }
 
 // 71 minutes later, when the instant of the last telling looks new, and after a second Start.
