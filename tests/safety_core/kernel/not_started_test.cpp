@@ -69,14 +69,14 @@ TEST_F(NotStarted, GuardForgetsItsDeviceAndWhatWasDeclared)
     latch.Arm();
     ConfigurationGuard guard{a, b, latch};
     EXPECT_EQ(guard.Valid(), 0U);
-    // Given a device without SRDOs, whose configuration always holds
-    const DeviceConfig device{};
-    guard.Restart(device);
+    // Given channels with a configuration that holds
+    Configure();
+    guard.Restart(config);
     ASSERT_EQ(guard.Declare(), Result::kSuccessful);
     ASSERT_TRUE(guard.IsValid());
-    EXPECT_EQ(&guard.Config(), &device);
+    EXPECT_EQ(&guard.Config(), &config);
     // When it starts anew, nothing is declared; when it stops, nor is it, and there is no device
-    guard.Restart(device);
+    guard.Restart(config);
     EXPECT_EQ(guard.Valid(), 0U);
     ASSERT_EQ(guard.Declare(), Result::kSuccessful);
     guard.Stop();

@@ -128,6 +128,18 @@ TEST(ToldCauses, WindowThatIsOverIsClosedBySweeping)
     EXPECT_TRUE(causes.Take(5U, SrdoCause::kLength, At(1000U)));
 }
 
+TEST(ToldCauses, WindowOfEachCauseIsClosedBySweeping)
+{
+    Verifies(req::SRS_KRN_032);
+    for (std::uint32_t number = 1U; number <= 18U; ++number)
+    {
+        Room room{};
+        EXPECT_TRUE(room.causes.Take(5U, static_cast<SrdoCause>(number), At(1000U)));
+        room.causes.Sweep(5U, At(51001U));
+        EXPECT_EQ(room.causes.Slots(), 0U) << number;
+    }
+}
+
 TEST(ToldCauses, EverySlotHasItsTurn)
 {
     Verifies(req::SRS_KRN_032);

@@ -46,6 +46,18 @@ TEST(Variable, PairIsInverseOnlyIfEveryBitIs)
     EXPECT_EQ(IsInversePair(VariablePlace{normal, 8U}, VariablePlace{inverse, 16U}), PairView::kNotInverse);
 }
 
+// 11 bits in two bytes.
+TEST(Variable, EveryBitBelowTheLastByteCounts)
+{
+    Verifies(req::SRS_KRN_016);
+    std::uint8_t normal[2] = {0x12U, 0x04U};
+    for (std::uint32_t bit = 0U; bit < 8U; ++bit)
+    {
+        std::uint8_t inverse[2] = {static_cast<std::uint8_t>(0xEDU ^ (1U << bit)), 0x03U};
+        EXPECT_EQ(IsInversePair(VariablePlace{normal, 11U}, VariablePlace{inverse, 11U}), PairView::kNotInverse) << bit;
+    }
+}
+
 // 11 bits in two bytes: bits 3 to 7 of the second byte do not belong to it.
 TEST(Variable, BitsAboveTheLengthAreIgnoredAndWrittenAsZero)
 {
