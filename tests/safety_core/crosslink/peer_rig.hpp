@@ -17,8 +17,9 @@ namespace counterpoint
 class FakeChannel final : public Channel
 {
   public:
-    void Restart(const DeviceConfig& /*config*/) noexcept override
+    void Restart(const DeviceConfig& config) noexcept override
     {
+        device = &config;
         ++restarts;
     }
     void Store(const ConfigItem& item) noexcept override
@@ -28,11 +29,11 @@ class FakeChannel final : public Channel
     ConfigItem Load(const ConfigAddress& address) const noexcept override
     {
         std::uint32_t value = 0U;
-        if (address.slot < kMaxSrdoCount)
+        if ((address.slot < kMaxSrdoCount) && (address.sub == 0U))
         {
             value = (address.field == ConfigField::kCobId1) ? cob_id_1[address.slot] : value;
             value = (address.field == ConfigField::kDirection) ? direction[address.slot] : value;
-            value = (address.field == ConfigField::kSrvt) ? 20U : value;
+            value = (address.field == ConfigField::kSrvt) ? srvt_ms[address.slot] : value;
         }
         return ConfigItem{address, value};
     }
@@ -40,24 +41,30 @@ class FakeChannel final : public Channel
     {
         return ChannelRoom{7U, 12U};
     }
-    void SetFields(SlotIndex /*slot*/, const StaticFields& /*fields*/) noexcept override
+    void SetFields(SlotIndex slot, const StaticFields& given) noexcept override
     {
+        asked = slot;
+        fields = given;
         ++fields_set;
     }
     DeviceDigest Digest(SlotIndex slot, DeviceDigest before) const noexcept override
     {
         return DeviceDigest{before.value + digest_of[slot]};
     }
-    CheckResult Validate(SlotIndex /*slot*/) noexcept override
+    CheckResult Validate(SlotIndex slot) noexcept override
     {
+        asked = slot;
         return check;
     }
-    CheckResult Recheck(SlotIndex /*slot*/) noexcept override
+    CheckResult Recheck(SlotIndex slot) noexcept override
     {
+        asked = slot;
         return check;
     }
-    void OnFrame(const CanFrame& /*frame*/, Instant /*stamp*/) noexcept override
+    void OnFrame(const CanFrame& frame, Instant stamp) noexcept override
     {
+        heard = frame.identifier;
+        heard_at_us = stamp.us;
         ++frames;
     }
     CycleOutcome OnCycle(const CycleInput& input) noexcept override
@@ -87,16 +94,20 @@ class FakeChannel final : public Channel
     {
         return Permit{3U, challenge};
     }
-    PreparedPair Prepare(SlotIndex /*slot*/) noexcept override
+    PreparedPair Prepare(SlotIndex slot) noexcept override
     {
+        asked = slot;
         return prepared;
     }
-    Confirmation OnConfirm(const CanFrame& /*frame*/, Instant /*stamp*/) noexcept override
+    Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override
     {
+        heard = frame.identifier;
+        heard_at_us = stamp.us;
         return confirmation;
     }
-    CanFrame InverseFrame(SlotIndex /*slot*/) const noexcept override
+    CanFrame InverseFrame(SlotIndex slot) const noexcept override
     {
+        asked = slot;
         return prepared.normal;
     }
     void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override
@@ -107,6 +118,7 @@ class FakeChannel final : public Channel
     std::array<std::uint32_t, kMaxSrdoCount> cob_id_1{0x101U, 0x103U, 0U};
     std::array<std::uint32_t, kMaxSrdoCount> direction{2U, 1U, 0U};
     std::array<std::uint32_t, kMaxSrdoCount> digest_of{1U, 20U, 300U};
+    std::array<std::uint32_t, kMaxSrdoCount> srvt_ms{20U, 20U, 20U};
     std::array<HeldPair, kMaxSrdoCount> held{};
     std::array<SrdoView, kMaxSrdoCount> view{};
     CycleOutcome outcome{};
@@ -120,6 +132,11 @@ class FakeChannel final : public Channel
     std::vector<ConfigItem> stored{};
     std::vector<SlotIndex> demoted{};
     std::vector<std::pair<SlotIndex, SrdoCause>> transmit_faults{};
+    const DeviceConfig* device{nullptr}; ///< Of the last Restart.
+    StaticFields fields{};
+    mutable SlotIndex asked{kNoSlot}; ///< By the last call about one slot that gives nothing else away of it.
+    std::uint32_t heard{0U};          ///< Identifier of the last frame, received or confirmed, and when that was.
+    std::uint32_t heard_at_us{0U};
     int restarts{0};
     int fields_set{0};
     int frames{0};

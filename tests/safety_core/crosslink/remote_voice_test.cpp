@@ -187,6 +187,123 @@ TEST_F(RemoteVoice_, NarrowerWindowOfAKnownPairIsNotNeeded)
     EXPECT_EQ(rig.remote.fresh, 0U);
 }
 
+// Given reports that differ in several members by the same bits, then they are of another pair.
+TEST_F(RemoteVoice_, SeveralDifferencesHideNoneOfEachOther)
+{
+    Verifies(req::SRS_TWO_003);
+    Tell(PairReport(3000U));
+    rig.Cycle(20000U);
+    std::uint32_t now_us = 20000U;
+    const auto is_fresh = [this, &now_us](const SlotReport& other)
+    {
+        Tell(other);
+        now_us += 10000U;
+        rig.Cycle(now_us);
+        EXPECT_EQ(rig.remote.fresh, 1U);
+        Tell(PairReport(3000U));
+        now_us += 10000U;
+        rig.Cycle(now_us);
+    };
+    SlotReport other = PairReport(3000U);
+    other.data.low ^= 1U;
+    other.data.high ^= 1U;
+    is_fresh(other);
+    other = PairReport(3000U);
+    other.data.low ^= 1U;
+    other.ordinal ^= 1U;
+    is_fresh(other);
+    // Holdings 33h and CCh differ in FFh
+    other = PairReport(3000U);
+    other.holding = Holding::kNothing;
+    other.ordinal ^= 0xFFU;
+    is_fresh(other);
+}
+
+// Given two other pairs told between two cycles, then the slot is fresh; two new faults are as new as one.
+TEST_F(RemoteVoice_, SecondNewsBeforeTheCycleTakesNothingBack)
+{
+    Verifies(req::SRS_TWO_003);
+    Verifies(req::SRS_TWO_006);
+    Tell(PairReport(3000U, 9U, 0x1U));
+    Tell(PairReport(3000U, 10U, 0x2U));
+    rig.Cycle(20000U);
+    EXPECT_EQ(rig.remote.fresh, 1U);
+    for (const SrdoMask faults : {1U, 0U, 1U})
+    {
+        LinkMessage word = rig.AnswerTo(20000U);
+        word.new_faults = faults;
+        rig.Hear(word, 22000U);
+    }
+    rig.Cycle(30000U);
+    EXPECT_EQ(rig.remote.new_fault, 1U);
+}
+
+// Given a pair of slot 0, when nothing is held of slot 1, then slot 0 alone is released, of all that the peer releases.
+TEST_F(RemoteVoice_, WhatIsNotHeldIsNotReleased)
+{
+    Verifies(req::SRS_TWO_005);
+    LinkMessage word = rig.AnswerTo(10000U);
+    word.reports[0] = PairReport(3000U);
+    word.reports[1] = NothingReport(3000U);
+    word.reports[1].slot = 1U;
+    word.released = ~SrdoMask{0U};
+    rig.Hear(word, 12000U);
+    rig.Cycle(20000U);
+    EXPECT_EQ(rig.remote.released, 1U);
+}
+
+// Given a slot that is no consumer, then in contact the own pair is shown.
+TEST_F(RemoteVoice_, PairOfNoConsumerIsTheOwnOne)
+{
+    Verifies(req::SRS_TWO_003);
+    rig.channel.held[1] = HeldPair{Payload{5U, 6U}, 77U, 1U};
+    EXPECT_EQ(rig.Remote().Held(1U).ordinal, 77U);
+    EXPECT_EQ(rig.Remote().Held(1U).holds_pair, 1U);
+}
+
+// Given slot 2 as the consumer, on the bus at 8.0 ms, then its pair, its discards and its view are not those of slot 0.
+TEST_F(RemoteVoice_, EachSlotHasItsOwnPairAndDiscard)
+{
+    Verifies(req::SRS_TWO_002);
+    Verifies(req::SRS_TWO_004);
+    rig.channel.cob_id_1[2] = 0x105U;
+    static_cast<void>(rig.Own().Validate(2U));
+    rig.channel.outcome.waiting = 4U;
+    rig.Own().OnFrame(PeerRig::Frame(0x106U), Instant{11900U});
+    rig.channel.held[2] = HeldPair{Payload{1U, 2U}, 5U, 1U};
+    rig.channel.outcome.fresh = 4U;
+    rig.Cycle(12000U);
+    rig.channel.outcome.fresh = 0U;
+    // The peer discarded not after 9.2 ms: slot 0's pair of 8.0 ms before, slot 2's of 11.9 ms behind it
+    SlotReport nothing = NothingReport(3000U);
+    nothing.slot = 2U;
+    Tell(nothing);
+    EXPECT_EQ(rig.Remote().Held(2U).ordinal, ~5U);
+    EXPECT_EQ(rig.Remote().View(2U).ordinal, ~5U);
+    // Nothing here: slot 2 was discarded at 13.0 ms, slot 0 never in contact; the peer's pair is of 11.0 ms at least
+    rig.Cycle(13000U);
+    rig.Own().Demote(2U);
+    rig.channel.held[2] = HeldPair{Payload{0U, 0U}, 0U, 0U};
+    SlotReport pair = PairReport(0U);
+    pair.slot = 2U;
+    Tell(pair);
+    EXPECT_EQ(rig.Remote().Held(2U).holds_pair, 0U);
+    EXPECT_EQ(rig.Remote().View(2U).holds_pair, 0U);
+}
+
+// Given a slot that is committed, when it is committed again, then it stays so.
+TEST_F(RemoteVoice_, CommittedSlotStaysCommitted)
+{
+    Verifies(req::SRS_TWO_009);
+    Tell(PairReport(3000U));
+    rig.Cycle(20000U);
+    for (std::uint32_t cycle = 0U; cycle < 3U; ++cycle)
+    {
+        EXPECT_EQ(rig.Remote().Commit(Agreement{1U, 1U}, 0U), 0U);
+        EXPECT_EQ(rig.Remote().Answer(100U).mask, 1U);
+    }
+}
+
 // Given reports of a slot that cannot be, or without a holding, then they say nothing.
 TEST_F(RemoteVoice_, EmptyReportsSayNothing)
 {

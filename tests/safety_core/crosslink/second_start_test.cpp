@@ -181,6 +181,56 @@ TEST(SecondStart, RemoteVoiceShowsNothingOfBefore)
     EXPECT_EQ(rig.Remote().Answer(100U).mask, 0U);
 }
 
+// Given a pair, a fault and a commitment of before, when the CPU is started again, then they count for nothing in
+// contact.
+TEST(SecondStart, ContactBeginsWithNothingHeldToldOrCommitted)
+{
+    Verifies(req::SRS_TWO_005);
+    Verifies(req::SRS_TWO_006);
+    Verifies(req::SRS_TWO_009);
+    PeerRig rig{PeerRole::kA};
+    rig.channel.outcome.waiting = 0U;
+    rig.channel.outcome.released = 1U;
+    rig.Contact(1000U);
+    rig.Complete(8000U, 10000U, HeldPair{Payload{0x12U, 0U}, 3U, 1U});
+    const SlotReport pair{0U, Holding::kPair, SrdoState::kReleased, SrdoCause::kNone, 9U, 3000U, Payload{0x12U, 0U}};
+    LinkMessage word = rig.AnswerTo(10000U);
+    word.released = 1U;
+    word.reports[0] = pair;
+    rig.Hear(word, 12000U);
+    rig.Cycle(20000U);
+    EXPECT_EQ(rig.Remote().Commit(Agreement{1U, 1U}, 0U), 0U);
+    ASSERT_EQ(rig.Remote().Answer(100U).mask, 1U);
+    // A fault, and another pair, that no cycle has seen
+    word = rig.AnswerTo(20000U);
+    word.released = 1U;
+    word.new_faults = 1U;
+    word.reports[0] = pair;
+    word.reports[0].ordinal = 10U;
+    rig.Hear(word, 22000U);
+    StartAgain(rig);
+    rig.Cycle(23000U);
+    EXPECT_EQ(rig.remote.new_fault, 0U);
+    EXPECT_EQ(rig.remote.fresh, 0U);
+    // In contact, released and faulted without a report
+    word = rig.AnswerTo(24000U);
+    word.released = 1U;
+    word.new_faults = 1U;
+    rig.Hear(word, 26000U);
+    rig.Cycle(30000U);
+    EXPECT_EQ(rig.remote.released, 0U);
+    EXPECT_EQ(rig.remote.new_fault, 1U);
+    // and with one, but not matched
+    word = rig.AnswerTo(30000U);
+    word.released = 1U;
+    word.reports[0] = pair;
+    rig.Hear(word, 32000U);
+    rig.Cycle(40000U);
+    ASSERT_EQ(rig.remote.released, 1U);
+    EXPECT_EQ(rig.Remote().Commit(Agreement{1U, 0U}, 0U), 0U);
+    EXPECT_EQ(rig.Remote().Answer(100U).mask, 0U);
+}
+
 // Given a leader that used the frame of number 7, when both CPUs are started again and the follower, which counts anew,
 // comes to number 7, then the frame is used: what was used before counts no more.
 TEST(SecondStart, NumberUsedBeforeIsANewFrame)

@@ -291,15 +291,16 @@ TEST(StatusStorage, WhatIsOverdueStaysSoUntilItIsAnswered)
     EXPECT_EQ(status.TakeOverdue(), kNoSlot);
 }
 
-TEST(StatusStorage, SecondEventIsAnnouncedAsTheFirstOne)
+TEST_F(Status, SecondEventIsAnnouncedAsTheFirstOne)
 {
     Verifies(req::SRS_KRN_021);
-    SrdoStatus status{};
-    status.OnEvent(5U);
-    status.OnEvent(5U);
-    EXPECT_EQ(status.Get(5U).value, 0x00U);
-    EXPECT_EQ(status.TakeOverdue(), kNoSlot);
-    EXPECT_EQ(status.TakeOverdue(), 5U);
+    Operate();
+    for (std::uint32_t pair = 0U; pair < 2U; ++pair)
+    {
+        ReceivePair();
+        Cycle();
+        EXPECT_EQ(StatusOf(kConsumer), 0x00U) << pair;
+    }
 }
 
 // An answer is in bits 7 to 4 alone.

@@ -249,6 +249,18 @@ TEST_F(Telling, EachSlotIsToldForItself)
     EXPECT_EQ(windows[1].open & kLengthBit, 0U);
 }
 
+// t [ms]   0 told   64 and 128 its turn to be swept   131 within its refresh time of 200 ms, beyond the SCT of SRDO 1
+TEST_F(Telling, SweepingGoesByTheSlotsOwnWindow)
+{
+    Verifies(req::SRS_KRN_032);
+    ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+    ASSERT_EQ(Write(0x1303U, 2U, 200U, 2U), AbortCode::kNone);
+    CycleWith(a, 1U, kLengthBit);
+    Cycles(130U);
+    CycleWith(a, 1U, kLengthBit);
+    EXPECT_EQ(CausesOf(0x1303U), std::vector<SrdoCause>{SrdoCause::kLength});
+}
+
 TEST_F(Telling, EveryCauseThereIsAndNoOther)
 {
     Verifies(req::SRS_KRN_006);
