@@ -65,7 +65,7 @@ void Comparator::Restart(const ComparatorSetup& setup) noexcept
 {
     // An edge may lie anywhere in the window; without one, what one channel sees a little later has its time as well.
     const bool is_window_longer = setup.acknowledge_window_us > setup.discrepancy_us;
-    slots_ = ~SrdoMask{0U} >> (std::uint32_t{kMaxSrdoCount} - setup.slot_count);
+    slots_ = FirstSlots(setup.slot_count);
     pairs_.Restart(setup.discrepancy_us);
     releases_.Restart(is_window_longer ? setup.acknowledge_window_us : setup.discrepancy_us);
     agreed_ = 0U;
@@ -99,10 +99,10 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
     // its acknowledge, and waits for the other one.
     const SrdoMask faulted_in_one = a.faulted ^ b.faulted;
     const SrdoMask faults = a.faulted | b.faulted | a.new_fault | b.new_fault;
-    verdict.demote = (a.new_fault ^ b.new_fault) | (faulted_in_one & agreed_);
-    agreed_ = a.released & b.released & ~faults;
+    verdict.demote = ((a.new_fault ^ b.new_fault) | (faulted_in_one & agreed_)) & slots_;
+    agreed_ = a.released & b.released & ~faults & slots_;
     verdict.agreement.agreed = agreed_;
-    verdict.start = a.due & b.due;
+    verdict.start = a.due & b.due & slots_;
 
     const SrdoMask to_compare = slots_ & ~verdict.demote;
     const SrdoMask fresh = a.fresh | b.fresh;

@@ -35,6 +35,12 @@ struct SlotSet
     return SlotSet{SrdoMask{1U} << slot};
 }
 
+/// @brief The first `count` slots; `count` is 1 to 64, checked by Kernel::Start. O(1)
+[[nodiscard]] inline SrdoMask FirstSlots(const std::uint8_t count) noexcept
+{
+    return ~SrdoMask{0U} >> (std::uint32_t{kMaxSrdoCount} - count);
+}
+
 /// @brief The lowest slot of a set that is not empty. O(1), without an instruction that a target may lack.
 [[nodiscard]] inline SlotIndex LowestOf(const SlotSet set) noexcept
 {

@@ -64,7 +64,7 @@ class Reporting
         context.parts.application.OnSrdoEvent(IndexOf(*context.config, slot));
     }
     /// @brief Every cause that a channel signals and that was not told within its window, and a GFC. O(signalled)
-    /// [SRS_KRN_032]
+    /// [SRS_KRN_032, SRS_CMP_007]
     void TellErrors(const KernelContext& context, const SrdoMask signalled, const Instant now) noexcept
     {
         errors_ = 0U;
@@ -75,7 +75,11 @@ class Reporting
         SlotSet to_report{signalled};
         while (to_report.mask != 0U)
         {
-            TellSlot(context, TakeLowest(to_report), now);
+            const SlotIndex slot = TakeLowest(to_report);
+            if (slot < context.config->srdo_count)
+            {
+                TellSlot(context, slot, now);
+            }
         }
         if (gfc_seen_)
         {

@@ -29,6 +29,26 @@ TEST_F(Comparing, SlotThatDoesNotExistIsNeverLookedAt)
     EXPECT_EQ(last.fault, DeviceFault::kNone);
 }
 
+TEST_F(Comparing, SlotThatDoesNotExistIsNeitherAgreedNorDemotedNorStarted)
+{
+    Verifies(req::SRS_CMP_007);
+    // Given both channels release slots 4 to 63 of four, and call them due
+    a.outcome.released = ~SrdoMask{0U};
+    b.outcome.released = ~SrdoMask{0U};
+    a.outcome.due = ~SrdoMask{0U};
+    b.outcome.due = ~SrdoMask{0U};
+    const Verdict both = CompareAt(0U);
+    EXPECT_EQ(both.agreement.agreed, 0xFU);
+    EXPECT_EQ(both.start, 0xFU);
+    // When A alone calls them newly faulted, and then B alone faulted
+    a.outcome.new_fault = ~SrdoMask{0U};
+    EXPECT_EQ(CompareAt(1000U).demote, 0xFU);
+    a.outcome.new_fault = 0U;
+    (void)CompareAt(2000U);
+    b.outcome.faulted = ~SrdoMask{0U};
+    EXPECT_EQ(CompareAt(3000U).demote, 0xFU);
+}
+
 TEST_F(Comparing, RestartForgetsWhatDiffered)
 {
     Verifies(req::SRS_CMP_007);

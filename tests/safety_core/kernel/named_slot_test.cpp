@@ -127,6 +127,32 @@ TEST_F(NamedSlot, ThatDoesNotExistIsNotLookedAt)
     EXPECT_EQ(b.last_held, 2U);
 }
 
+TEST_F(NamedSlot, ThatDoesNotExistIsNeitherDemotedNorPreparedNorReported)
+{
+    Verifies(req::SRS_CMP_007);
+    Operate();
+    const int demotions = a.demotions;
+    const SrdoMask beyond = ~SrdoMask{7U};
+    // Given A alone calls slots 3 to 63 newly faulted
+    a.on_outcome = [beyond](CycleOutcome& outcome) { outcome.new_fault |= beyond; };
+    Cycle();
+    EXPECT_EQ(a.demotions, demotions);
+    // And both call them due, and signal something
+    const auto due_and_signalled = [beyond](CycleOutcome& outcome)
+    {
+        outcome.due |= beyond;
+        outcome.signalled = beyond;
+    };
+    a.on_outcome = due_and_signalled;
+    b.on_outcome = due_and_signalled;
+    a.last_viewed = kNoSlot;
+    b.last_viewed = kNoSlot;
+    Cycle();
+    EXPECT_EQ(a.last_viewed, kNoSlot);
+    EXPECT_EQ(b.last_viewed, kNoSlot);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+}
+
 TEST_F(NamedSlot, IsGivenUpWhereItsInverseFrameIsNotTaken)
 {
     Verifies(req::SRS_KRN_014);

@@ -97,6 +97,7 @@ class Tap final : public Channel
     }
     SrdoView View(SlotIndex slot) const noexcept override
     {
+        last_viewed = slot;
         SrdoView view = real_.View(slot);
         view.signals |= ((signals_slot == kNoSlot) || (slot == signals_slot)) ? more_signals : 0U;
         return view;
@@ -194,6 +195,7 @@ class Tap final : public Channel
     SlotIndex validated{kNoSlot};         ///< By the last Validate.
     SlotIndex demoted{kNoSlot};           ///< By the last Demote.
     mutable SlotIndex last_held{kNoSlot}; ///< Of which the last pair was asked for.
+    mutable SlotIndex last_viewed{kNoSlot};
     SlotIndex given_up{kNoSlot};          ///< By the last OnTransmitFault.
     std::uint16_t signature_flip{0U};
     std::uint8_t room_slots{0U};   ///< Instead of the real one's; 0: the real one's.
