@@ -71,13 +71,6 @@ TEST(ArmedFrames, AnswerCountsFromItsOwnMoment)
     EXPECT_EQ(armed.Slots(), 0x10U);
     armed.Clear(Window{Instant{5000U}, Instant{6000U}});
     EXPECT_EQ(armed.Slots(), 0U);
-    // And so does a refusal
-    armed.Arm(ArmingOf(4U, 1000U));
-    EXPECT_EQ(armed.Refuse(Refusal{2U, SrdoCause::kBusOff}, Instant{5000U}), 4U);
-    armed.Clear(Window{Instant{4999U}, Instant{6000U}});
-    EXPECT_EQ(armed.Slots(), 0x10U);
-    armed.Clear(Window{Instant{5000U}, Instant{6000U}});
-    EXPECT_EQ(armed.Slots(), 0U);
 }
 
 // Given every choice of the lowest four slots, then the two lowest of it fit, one behind one armed frame, and none

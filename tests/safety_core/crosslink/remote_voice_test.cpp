@@ -291,30 +291,6 @@ TEST_F(RemoteVoice_, EachSlotHasItsOwnPairAndDiscard)
     EXPECT_EQ(rig.Remote().View(2U).holds_pair, 0U);
 }
 
-TEST_F(RemoteVoice_, NarrowerWindowOfAKnownPairIsNotNeededInAnySlot)
-{
-    Verifies(req::SRS_TWO_003);
-    rig.channel.cob_id_1[2] = 0x105U;
-    static_cast<void>(rig.Own().Validate(2U));
-    rig.channel.outcome.released = 5U;
-    rig.Own().OnFrame(PeerRig::Frame(0x106U), Instant{6000U});
-    rig.channel.held[2] = kPair;
-    rig.channel.outcome.fresh = 4U;
-    rig.Cycle(10500U);
-    rig.channel.outcome.fresh = 0U;
-    SlotReport report = PairReport(5500U); // [5398, 6602]: slot 2's own pair, not that of slot 0
-    report.slot = 2U;
-    Tell(report);
-    rig.Cycle(20000U);
-    EXPECT_EQ(rig.remote.fresh, 4U);
-    LinkMessage word = rig.AnswerTo(10500U);
-    report.age_us = 5800U; // [5598, 6302]
-    word.reports[0] = report;
-    rig.Hear(word, 12000U);
-    rig.Cycle(30000U);
-    EXPECT_EQ(rig.remote.fresh, 0U);
-}
-
 // Given a slot that is committed, when it is committed again, then it stays so.
 TEST_F(RemoteVoice_, CommittedSlotStaysCommitted)
 {

@@ -162,27 +162,6 @@ TEST_F(MemorySignatureTest, WhatCannotBeUsedHasNoSlices)
     EXPECT_EQ(slices({0x1000U, 2U}, 0U, 1U), 0U);
 }
 
-TEST_F(MemorySignatureTest, RestartBeginsAtTheFirstWordOfTheFirstSpan)
-{
-    Verifies(req::SRS_STS_001);
-    // Given a pass that was over, and one that is in the second span
-    count = 2U;
-    Restart(2U, SignatureSource::kTaken, 0U);
-    while (Slice() != SliceResult::kPassed)
-    {
-    }
-    const std::uint32_t expected = signature.Value();
-    EXPECT_NE(expected, 0U);
-    EXPECT_EQ(Slice(), SliceResult::kContinues);
-    EXPECT_EQ(Slice(), SliceResult::kContinues);
-    // When it is started again, then nothing of that counts
-    Restart(2U, SignatureSource::kGiven, expected);
-    EXPECT_EQ(signature.Value(), 0U);
-    EXPECT_EQ(Slice(), SliceResult::kContinues);
-    EXPECT_EQ(Slice(), SliceResult::kContinues);
-    EXPECT_EQ(Slice(), SliceResult::kPassed);
-}
-
 TEST_F(MemorySignatureTest, PositionOutsideOfTheSpansIsNotRead)
 {
     Verifies(req::SRS_STS_001);

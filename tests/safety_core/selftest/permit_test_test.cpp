@@ -91,18 +91,6 @@ TEST(PermitTest, RealGatePassesAndIsNeverDriven)
     }
 }
 
-TEST(PermitTest, OldPermitIsTheRightOneOfTheSetBefore)
-{
-    Verifies(req::SRS_STS_030);
-    ShownOutput output;
-    PermitTest test;
-    test.Restart();
-    static_cast<void>(Pass(test, output));
-    EXPECT_EQ(output.sets[1].a.response, output.challenges[0] * kPermitConstantA);
-    EXPECT_EQ(output.sets[4].b.response, output.challenges[3] * kPermitConstantB);
-    EXPECT_EQ(output.sets[7].kernel.response, output.challenges[6] * kPermitConstantKernel);
-}
-
 TEST(PermitTest, OnePermitOfASetIsWrongOldOrMissing)
 {
     Verifies(req::SRS_STS_030);

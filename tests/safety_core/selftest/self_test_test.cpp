@@ -213,8 +213,6 @@ TEST_F(SelfTestTest, ChangedStackGuardIsFoundInTheSameCycle)
     Verifies(req::SRS_STS_061);
     ASSERT_EQ(device->Start().answer, StartAnswer::kPassed);
     EXPECT_EQ(device->self_test.StackHighWaterBytes(), 0U);
-    device->stack[15] = 1U;
-    EXPECT_EQ(device->self_test.StackHighWaterBytes(), 4U);
     Flip(device->stack[2]);
     const SelfTestOutcome outcome = device->self_test.OnCycle();
     EXPECT_EQ(outcome.fault, DeviceFault::kSelfTest);
@@ -247,8 +245,6 @@ TEST_F(SelfTestTest, ChangedPartEndsTheCycleBeforeAnySlice)
         const SelfTestOutcome outcome = device->self_test.OnCycle();
         EXPECT_EQ(outcome.fault, DeviceFault::kSelfTest);
         EXPECT_EQ(outcome.parts, PartsView::kInvalid);
-        EXPECT_NE(outcome.progress, 0U);
-        EXPECT_NE(outcome.progress, cycle + 1U);
     }
     EXPECT_EQ(device->lock.locks, 22U);
     EXPECT_EQ(device->self_test.FirstFailed(), TestId::kParts);
