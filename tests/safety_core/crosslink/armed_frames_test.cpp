@@ -60,6 +60,45 @@ TEST(ArmedFrames, GivesUpAfterItsLimit)
     EXPECT_EQ(armed.At(0U).slot, 3U);
 }
 
+// Given both places taken by one slot, then it is armed, and not even the lowest slot fits.
+TEST(ArmedFrames, PlacesOfOneSlotAreOneSlot)
+{
+    Verifies(req::SRS_TWO_011);
+    ArmedFrames armed{};
+    EXPECT_EQ(armed.Fitting(7U), 3U);
+    armed.Arm(ArmingOf(4U, 0U));
+    EXPECT_EQ(armed.Fitting(7U), 1U);
+    armed.Arm(ArmingOf(4U, 0U));
+    EXPECT_EQ(armed.Slots(), 0x10U);
+    EXPECT_EQ(armed.Fitting(1U), 0U);
+}
+
+// Given a frame armed at 1 ms and on the bus at 5 ms, then a word composed at 4 ms leaves it answered.
+TEST(ArmedFrames, AnswerIsAsOldAsTheFrameOnTheBus)
+{
+    Verifies(req::SRS_TWO_012);
+    ArmedFrames armed{};
+    armed.Arm(ArmingOf(4U, 1000U));
+    armed.Answer(4U, Instant{5000U});
+    armed.Clear(Window{Instant{4000U}, Instant{6000U}});
+    EXPECT_EQ(armed.Slots(), 0x10U);
+    armed.Clear(Window{Instant{5000U}, Instant{7000U}});
+    EXPECT_EQ(armed.Slots(), 0U);
+}
+
+// Given a frame armed at 1 ms that the leader refuses at 5 ms, then a word composed at 4 ms leaves it answered.
+TEST(ArmedFrames, RefusalIsAsOldAsItsMessage)
+{
+    Verifies(req::SRS_TWO_012);
+    ArmedFrames armed{};
+    armed.Arm(ArmingOf(4U, 1000U));
+    EXPECT_EQ(armed.Refuse(Refusal{1U, SrdoCause::kNotInverse}, Instant{5000U}), 4U);
+    armed.Clear(Window{Instant{4000U}, Instant{6000U}});
+    EXPECT_EQ(armed.Slots(), 0x10U);
+    armed.Clear(Window{Instant{5000U}, Instant{7000U}});
+    EXPECT_EQ(armed.Slots(), 0U);
+}
+
 // Given 255 armings, then numbers never become 0.
 TEST(ArmedFrames, NumbersAreNeverZero)
 {

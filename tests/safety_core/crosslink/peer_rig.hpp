@@ -17,8 +17,9 @@ namespace counterpoint
 class FakeChannel final : public Channel
 {
   public:
-    void Restart(const DeviceConfig& /*config*/) noexcept override
+    void Restart(const DeviceConfig& config) noexcept override
     {
+        device = &config;
         ++restarts;
     }
     void Store(const ConfigItem& item) noexcept override
@@ -28,11 +29,11 @@ class FakeChannel final : public Channel
     ConfigItem Load(const ConfigAddress& address) const noexcept override
     {
         std::uint32_t value = 0U;
-        if (address.slot < kMaxSrdoCount)
+        if ((address.slot < kMaxSrdoCount) && (address.sub == 0U))
         {
             value = (address.field == ConfigField::kCobId1) ? cob_id_1[address.slot] : value;
             value = (address.field == ConfigField::kDirection) ? direction[address.slot] : value;
-            value = (address.field == ConfigField::kSrvt) ? 20U : value;
+            value = (address.field == ConfigField::kSrvt) ? srvt_ms[address.slot] : value;
         }
         return ConfigItem{address, value};
     }
@@ -40,24 +41,29 @@ class FakeChannel final : public Channel
     {
         return ChannelRoom{7U, 12U};
     }
-    void SetFields(SlotIndex /*slot*/, const StaticFields& /*fields*/) noexcept override
+    void SetFields(SlotIndex slot, const StaticFields& given) noexcept override
     {
+        asked = slot;
+        fields = given;
         ++fields_set;
     }
     DeviceDigest Digest(SlotIndex slot, DeviceDigest before) const noexcept override
     {
         return DeviceDigest{before.value + digest_of[slot]};
     }
-    CheckResult Validate(SlotIndex /*slot*/) noexcept override
+    CheckResult Validate(SlotIndex slot) noexcept override
     {
+        asked = slot;
         return check;
     }
-    CheckResult Recheck(SlotIndex /*slot*/) noexcept override
+    CheckResult Recheck(SlotIndex slot) noexcept override
     {
+        asked = slot;
         return check;
     }
-    void OnFrame(const CanFrame& /*frame*/, Instant /*stamp*/) noexcept override
+    void OnFrame(const CanFrame& frame, Instant stamp) noexcept override
     {
+        heard = {frame, stamp};
         ++frames;
     }
     CycleOutcome OnCycle(const CycleInput& input) noexcept override
@@ -87,17 +93,22 @@ class FakeChannel final : public Channel
     {
         return Permit{3U, challenge};
     }
-    PreparedPair Prepare(SlotIndex /*slot*/) noexcept override
+    PreparedPair Prepare(SlotIndex slot) noexcept override
     {
+        asked = slot;
         return prepared;
     }
-    Confirmation OnConfirm(const CanFrame& /*frame*/, Instant /*stamp*/) noexcept override
+    Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override
     {
+        heard = {frame, stamp};
         return confirmation;
     }
-    CanFrame InverseFrame(SlotIndex /*slot*/) const noexcept override
+    /// With the slot in its first byte.
+    CanFrame InverseFrame(SlotIndex slot) const noexcept override
     {
-        return prepared.normal;
+        CanFrame frame = prepared.normal;
+        frame.data[0] = slot;
+        return frame;
     }
     void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override
     {
@@ -106,6 +117,7 @@ class FakeChannel final : public Channel
 
     std::array<std::uint32_t, kMaxSrdoCount> cob_id_1{0x101U, 0x103U, 0U};
     std::array<std::uint32_t, kMaxSrdoCount> direction{2U, 1U, 0U};
+    std::array<std::uint32_t, kMaxSrdoCount> srvt_ms{20U, 20U, 20U};
     std::array<std::uint32_t, kMaxSrdoCount> digest_of{1U, 20U, 300U};
     std::array<HeldPair, kMaxSrdoCount> held{};
     std::array<SrdoView, kMaxSrdoCount> view{};
@@ -117,6 +129,10 @@ class FakeChannel final : public Channel
     Agreement committed{};
     SrdoMask examined{0U};
     SrdoMask found{0U}; ///< What Commit returns.
+    const DeviceConfig* device{nullptr};
+    SlotIndex asked{kNoSlot}; ///< By the last call that names a slot and keeps nothing else.
+    StaticFields fields{};
+    std::pair<CanFrame, Instant> heard{};
     std::vector<ConfigItem> stored{};
     std::vector<SlotIndex> demoted{};
     std::vector<std::pair<SlotIndex, SrdoCause>> transmit_faults{};

@@ -156,7 +156,11 @@ TEST(RemoteVoiceAlone, ArmedFrameIsUsedOnce)
     // The own channel has nothing ready: its status, no frame, and the peer's frame is not used.
     rig.channel.prepared = PreparedPair{CanFrame{}, PrepareStatus::kNotProducer};
     static_cast<void>(rig.Own().Prepare(1U));
-    EXPECT_EQ(rig.Remote().Prepare(1U).status, PrepareStatus::kNotProducer);
+    const PreparedPair without = rig.Remote().Prepare(1U);
+    EXPECT_EQ(without.status, PrepareStatus::kNotProducer);
+    EXPECT_EQ(without.normal.identifier, 0U);
+    rig.Cycle(13500U);
+    EXPECT_EQ(rig.remote.due, 2U);
     rig.channel.prepared = PreparedPair{PeerRig::Frame(0x103U), PrepareStatus::kReady};
     static_cast<void>(rig.Own().Prepare(1U));
     const PreparedPair pair = rig.Remote().Prepare(1U);
