@@ -60,39 +60,43 @@ TEST(ArmedFrames, GivesUpAfterItsLimit)
     EXPECT_EQ(armed.At(0U).slot, 3U);
 }
 
-// Given a frame that was answered at 5 ms, then it is done with a word composed at 5 ms, not before.
-TEST(ArmedFrames, AnswerCountsFromItsOwnMoment)
+// Given both places taken by one slot, then it is armed, and not even the lowest slot fits.
+TEST(ArmedFrames, PlacesOfOneSlotAreOneSlot)
+{
+    Verifies(req::SRS_TWO_011);
+    ArmedFrames armed{};
+    EXPECT_EQ(armed.Fitting(7U), 3U);
+    armed.Arm(ArmingOf(4U, 0U));
+    EXPECT_EQ(armed.Fitting(7U), 1U);
+    armed.Arm(ArmingOf(4U, 0U));
+    EXPECT_EQ(armed.Slots(), 0x10U);
+    EXPECT_EQ(armed.Fitting(1U), 0U);
+}
+
+// Given a frame armed at 1 ms and on the bus at 5 ms, then a word composed at 4 ms leaves it answered.
+TEST(ArmedFrames, AnswerIsAsOldAsTheFrameOnTheBus)
 {
     Verifies(req::SRS_TWO_012);
     ArmedFrames armed{};
     armed.Arm(ArmingOf(4U, 1000U));
     armed.Answer(4U, Instant{5000U});
-    armed.Clear(Window{Instant{4999U}, Instant{6000U}});
+    armed.Clear(Window{Instant{4000U}, Instant{6000U}});
     EXPECT_EQ(armed.Slots(), 0x10U);
-    armed.Clear(Window{Instant{5000U}, Instant{6000U}});
+    armed.Clear(Window{Instant{5000U}, Instant{7000U}});
     EXPECT_EQ(armed.Slots(), 0U);
 }
 
-// Given every choice of the lowest four slots, then the two lowest of it fit, one behind one armed frame, and none
-// behind two.
-TEST(ArmedFrames, LowestOfTheWantedFit)
+// Given a frame armed at 1 ms that the leader refuses at 5 ms, then a word composed at 4 ms leaves it answered.
+TEST(ArmedFrames, RefusalIsAsOldAsItsMessage)
 {
-    Verifies(req::SRS_TWO_011);
-    constexpr std::uint8_t kTwoLowest[16] = {0U, 1U, 2U, 3U, 4U, 5U, 6U, 3U, 8U, 9U, 10U, 3U, 12U, 5U, 6U, 3U};
-    constexpr std::uint8_t kLowest[16] = {0U, 1U, 2U, 1U, 4U, 1U, 2U, 1U, 8U, 1U, 2U, 1U, 4U, 1U, 2U, 1U};
-    ArmedFrames none{};
-    ArmedFrames one{};
-    one.Arm(ArmingOf(4U, 0U));
-    ArmedFrames two{};
-    two.Arm(ArmingOf(4U, 0U));
-    two.Arm(ArmingOf(4U, 0U));
-    EXPECT_EQ(two.Slots(), 0x10U); // One slot in both places is armed.
-    for (std::uint32_t wanted = 0U; wanted < 16U; ++wanted)
-    {
-        EXPECT_EQ(none.Fitting(wanted), kTwoLowest[wanted]) << wanted;
-        EXPECT_EQ(one.Fitting(wanted), kLowest[wanted]) << wanted;
-        EXPECT_EQ(two.Fitting(wanted), 0U) << wanted;
-    }
+    Verifies(req::SRS_TWO_012);
+    ArmedFrames armed{};
+    armed.Arm(ArmingOf(4U, 1000U));
+    EXPECT_EQ(armed.Refuse(Refusal{1U, SrdoCause::kNotInverse}, Instant{5000U}), 4U);
+    armed.Clear(Window{Instant{4000U}, Instant{6000U}});
+    EXPECT_EQ(armed.Slots(), 0x10U);
+    armed.Clear(Window{Instant{5000U}, Instant{7000U}});
+    EXPECT_EQ(armed.Slots(), 0U);
 }
 
 // Given 255 armings, then numbers never become 0.

@@ -75,6 +75,17 @@ TEST_F(Supervision, LossIsFoundWithinTheLimitWheneverItBegins)
     EXPECT_EQ(longest_us, 55000U);
 }
 
+// Given instants less than half the circle of the counter apart, then the earlier one is not after the later one.
+TEST(Instants, AreModular)
+{
+    Verifies(req::SRS_TWO_004);
+    EXPECT_TRUE(IsNotAfter(Instant{5U}, Instant{5U}));
+    EXPECT_TRUE(IsNotAfter(Instant{0U}, Instant{0x7FFFFFFFU}));
+    EXPECT_FALSE(IsNotAfter(Instant{0U}, Instant{0x80000000U}));
+    EXPECT_TRUE(IsNotAfter(Instant{0xFFFFFFF0U}, Instant{0x40000000U}));
+    EXPECT_FALSE(IsNotAfter(Instant{1U}, Instant{0U}));
+}
+
 // Given no contact, when messages without echo come, in any order, then nothing is taken, lost or a fault, and the
 // newest is echoed.
 TEST_F(Supervision, BeforeContactNothingIsAFault)

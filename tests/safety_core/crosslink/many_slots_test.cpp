@@ -2,7 +2,7 @@
 //
 // Two CPUs with 64 SRDOs: more than one consumer, one that is unused, slots in both halves of a mask, and slots that
 // the link names though they cannot be.
-#include "tests/safety_core/crosslink/peer_rig.hpp"
+#include "tests/safety_core/crosslink/wide_rig.hpp"
 #include "verification/trace/ids/crosslink.hpp"
 
 #include <gtest/gtest.h>
@@ -15,58 +15,6 @@ namespace counterpoint
 {
 namespace
 {
-
-SrdoMask MaskOf(const std::initializer_list<SlotIndex> slots)
-{
-    SrdoMask mask = 0U;
-    for (const SlotIndex slot : slots)
-    {
-        mask |= SrdoMask{1U} << slot;
-    }
-    return mask;
-}
-
-SlotReport PairReport(const SlotIndex slot, const std::uint32_t age_us, const std::uint32_t low)
-{
-    return SlotReport{slot, Holding::kPair, SrdoState::kReleased, SrdoCause::kNone, 9U, age_us, Payload{low, 0U}};
-}
-
-/// Slot 1 is a producer, slot 2 off, every other a consumer; slot n has the identifiers 101h + 2n and the next one.
-class WideRig : public PeerRig
-{
-  public:
-    explicit WideRig(const PeerRole role) : PeerRig{role}
-    {
-        config.srdo_count = 64U;
-        Own().Restart(config);
-        Remote().Restart(config);
-        for (SlotIndex slot = 0U; slot < 64U; ++slot)
-        {
-            channel.cob_id_1[slot] = 0x101U + (2U * slot);
-            channel.direction[slot] = 2U;
-            static_cast<void>(Own().Validate(slot));
-        }
-        channel.direction[1] = 1U;
-        channel.direction[2] = 0U;
-        channel.outcome.waiting = 0U;
-    }
-    /// The inverse frame of a slot is on the bus, and its pair is held from the next cycle on.
-    void Hold(const SlotIndex slot, const std::uint32_t at_us, const std::uint32_t ordinal)
-    {
-        Own().OnFrame(Frame(0x102U + (2U * slot)), Instant{at_us});
-        channel.held[slot] = HeldPair{Payload{0x100U + slot, 0U}, ordinal, 1U};
-        channel.outcome.fresh |= SrdoMask{1U} << slot;
-        channel.outcome.released |= SrdoMask{1U} << slot;
-    }
-    /// The peer tells this between 11 and 12 ms.
-    void Tell(const std::initializer_list<SlotReport> reports, const SrdoMask released)
-    {
-        LinkMessage word = AnswerTo(10000U);
-        std::copy(reports.begin(), reports.end(), &word.reports[0]);
-        word.released = released;
-        Hear(word, 12000U);
-    }
-};
 
 // Given pairs in slots 5 (on the bus at 8 ms) and 50 (at 9 ms), when the peer tells both, then each is its own pair
 // with its own data; the consumer of which it told nothing does not match, and the unused slot shows what the own

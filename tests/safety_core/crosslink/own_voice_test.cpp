@@ -181,6 +181,38 @@ TEST(OwnVoice, AgeOfADiscardDoesNotComeRound)
     EXPECT_GE(rig.Say(now_us).reports[0].age_us, 0x20000000U);
 }
 
+// Given a discard of slot 2 longer than 2^29 us ago, when all three slots were swept, then its age is 2^29 us as of its
+// own cycle.
+TEST(OwnVoice, AgeOfADiscardOfEachSlotIsLimited)
+{
+    Verifies(req::SRS_TWO_015);
+    PeerRig rig{PeerRole::kA};
+    rig.channel.outcome.waiting = 4U;
+    rig.Cycle(10000U);
+    for (std::uint32_t cycle = 0U; cycle < 3U; ++cycle)
+    {
+        rig.Cycle(0x30000000U + (cycle * 10000U));
+    }
+    const LinkMessage said = rig.Say(0x30000000U + 20000U);
+    EXPECT_EQ(said.reports[0].slot, 2U);
+    EXPECT_EQ(said.reports[0].age_us, 0x20000000U + 10000U); // Slot 2 was swept in the second of these cycles.
+}
+
+// Given a discard 100 us ago at a late hour, and one just 2^29 us ago, then both stay; a microsecond later the older
+// one moves on.
+TEST(PairMoments, OnlyAnOldDiscardIsMovedOn)
+{
+    Verifies(req::SRS_TWO_015);
+    PairMoments moments{};
+    moments.Discard(4U, Instant{0x30000000U});
+    moments.LimitAge(2U, Instant{0x30000064U});
+    EXPECT_EQ(moments.DiscardedAt(2U).us, 0x30000000U);
+    moments.LimitAge(2U, Instant{0x50000000U});
+    EXPECT_EQ(moments.DiscardedAt(2U).us, 0x30000000U);
+    moments.LimitAge(2U, Instant{0x50000001U});
+    EXPECT_EQ(moments.DiscardedAt(2U).us, 0x30000001U);
+}
+
 // Given three SRDOs, when as many cycles are over, then the digest of all is told.
 TEST(OwnVoice, DigestIsThatOfTheLastWholeSweep)
 {
@@ -286,6 +318,70 @@ TEST(OwnVoice, FollowerArmsWhatTheLeaderWants)
     rig.Hear(word, 32000U);
     rig.Cycle(40000U);
     EXPECT_EQ(rig.remote.due, 2U);
+}
+
+// Given CPU B with frames of slots 1 and 2 armed, then the message tells each in a place of its own.
+TEST(OwnVoice, BothArmedFramesAreTold)
+{
+    Verifies(req::SRS_TWO_011);
+    PeerRig rig{PeerRole::kB};
+    rig.Cycle(10000U);
+    rig.channel.prepared = PreparedPair{PeerRig::Frame(0x103U), PrepareStatus::kReady};
+    static_cast<void>(rig.Remote().Prepare(1U));
+    LinkMessage said = rig.Say(10500U);
+    EXPECT_EQ(said.armed[0].slot, 1U);
+    EXPECT_EQ(said.armed[1].slot, kNoSlot);
+    rig.channel.prepared.normal = PeerRig::Frame(0x105U);
+    static_cast<void>(rig.Remote().Prepare(2U));
+    said = rig.Say(11000U);
+    EXPECT_EQ(said.armed[1].slot, 2U);
+    EXPECT_EQ(said.armed[1].number, 2U);
+    EXPECT_EQ(said.armed[1].frame.identifier, 0x105U);
+    // The inverse frame on the bus is no answer of the leader
+    rig.channel.confirmation = Confirmation{1U, ConfirmStep::kPair};
+    static_cast<void>(rig.Own().OnConfirm(PeerRig::Frame(0x104U), Instant{12000U}));
+    EXPECT_EQ(rig.Say(12000U).armed[0].slot, 1U);
+}
+
+// Given CPU B with slot 1 armed, when the channel calls it due although the leader does not, then it stands; and what
+// the application and the leader both ask for is requested.
+TEST(OwnVoice, ReasonsToStandAndToRequestDoNotCancelEachOther)
+{
+    Verifies(req::SRS_TWO_011);
+    PeerRig rig{PeerRole::kB};
+    rig.channel.prepared = PreparedPair{PeerRig::Frame(0x103U), PrepareStatus::kReady};
+    rig.channel.outcome.due = 2U;
+    rig.Cycle(1000U);
+    static_cast<void>(rig.Remote().Prepare(1U));
+    rig.Cycle(2000U);
+    EXPECT_EQ(rig.channel.last_input.stand, 2U);
+    LinkMessage word = rig.AnswerTo(5000U);
+    word.due = 4U;
+    rig.Hear(word, 7000U);
+    CycleInput input{};
+    input.now = Instant{10000U};
+    input.request = 4U;
+    static_cast<void>(rig.Own().OnCycle(input));
+    EXPECT_EQ(rig.channel.last_input.request, 4U);
+}
+
+// Given an armed frame and clocks past 2^31 us, when one message tells it given up and its slot due anew, then the slot
+// is requested: a refusal is older than the message.
+TEST(OwnVoice, RefusedSlotIsWantedAgainBySameMessage)
+{
+    Verifies(req::SRS_TWO_011);
+    Verifies(req::SRS_TWO_012);
+    PeerRig rig{PeerRole::kB};
+    rig.Cycle(0x90000000U);
+    rig.channel.prepared = PreparedPair{PeerRig::Frame(0x103U), PrepareStatus::kReady};
+    static_cast<void>(rig.Remote().Prepare(1U));
+    LinkMessage word = rig.AnswerTo(0x90001000U);
+    word.refusal = Refusal{1U, SrdoCause::kNotInverse};
+    word.due = 2U;
+    rig.Hear(word, 0x90001000U + 2000U);
+    ASSERT_EQ(rig.channel.transmit_faults.size(), 1U);
+    rig.Cycle(0x90002000U);
+    EXPECT_EQ(rig.channel.last_input.request, 2U);
 }
 
 // Given CPU B, when its own schedule is due and the leader's is not, then it is not shown and stands in the next cycle.

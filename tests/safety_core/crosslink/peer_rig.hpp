@@ -63,8 +63,7 @@ class FakeChannel final : public Channel
     }
     void OnFrame(const CanFrame& frame, Instant stamp) noexcept override
     {
-        heard = frame.identifier;
-        heard_at_us = stamp.us;
+        heard = {frame, stamp};
         ++frames;
     }
     CycleOutcome OnCycle(const CycleInput& input) noexcept override
@@ -101,14 +100,15 @@ class FakeChannel final : public Channel
     }
     Confirmation OnConfirm(const CanFrame& frame, Instant stamp) noexcept override
     {
-        heard = frame.identifier;
-        heard_at_us = stamp.us;
+        heard = {frame, stamp};
         return confirmation;
     }
+    /// With the slot in its first byte.
     CanFrame InverseFrame(SlotIndex slot) const noexcept override
     {
-        asked = slot;
-        return prepared.normal;
+        CanFrame frame = prepared.normal;
+        frame.data[0] = slot;
+        return frame;
     }
     void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept override
     {
@@ -117,8 +117,8 @@ class FakeChannel final : public Channel
 
     std::array<std::uint32_t, kMaxSrdoCount> cob_id_1{0x101U, 0x103U, 0U};
     std::array<std::uint32_t, kMaxSrdoCount> direction{2U, 1U, 0U};
-    std::array<std::uint32_t, kMaxSrdoCount> digest_of{1U, 20U, 300U};
     std::array<std::uint32_t, kMaxSrdoCount> srvt_ms{20U, 20U, 20U};
+    std::array<std::uint32_t, kMaxSrdoCount> digest_of{1U, 20U, 300U};
     std::array<HeldPair, kMaxSrdoCount> held{};
     std::array<SrdoView, kMaxSrdoCount> view{};
     CycleOutcome outcome{};
@@ -129,14 +129,13 @@ class FakeChannel final : public Channel
     Agreement committed{};
     SrdoMask examined{0U};
     SrdoMask found{0U}; ///< What Commit returns.
+    const DeviceConfig* device{nullptr};
+    SlotIndex asked{kNoSlot}; ///< By the last call that names a slot and keeps nothing else.
+    StaticFields fields{};
+    std::pair<CanFrame, Instant> heard{};
     std::vector<ConfigItem> stored{};
     std::vector<SlotIndex> demoted{};
     std::vector<std::pair<SlotIndex, SrdoCause>> transmit_faults{};
-    const DeviceConfig* device{nullptr}; ///< Of the last Restart.
-    StaticFields fields{};
-    mutable SlotIndex asked{kNoSlot}; ///< By the last call about one slot that gives nothing else away of it.
-    std::uint32_t heard{0U};          ///< Identifier of the last frame, received or confirmed, and when that was.
-    std::uint32_t heard_at_us{0U};
     int restarts{0};
     int fields_set{0};
     int frames{0};

@@ -116,61 +116,6 @@ TEST(PeerMessages, FaultsAreCarriedUntilEchoed)
     EXPECT_EQ(rig.Say(36000U).new_faults, 0U);
 }
 
-// Given an echo of the message before the last one, when that carried the fault, then it is carried no more; the same
-// fault again before an echo is carried all the same.
-TEST(PeerMessages, EchoOfAnOlderMessageIsEnough)
-{
-    Verifies(req::SRS_TWO_006);
-    PeerRig rig{PeerRole::kA};
-    rig.Contact(1000U);
-    rig.channel.outcome.new_fault = 1U;
-    rig.Cycle(10000U);
-    const LinkMessage first = rig.Say(10000U);
-    EXPECT_EQ(first.new_faults, 1U);
-    rig.channel.outcome.new_fault = 0U;
-    rig.Cycle(20000U);
-    EXPECT_EQ(rig.Say(20000U).new_faults, 1U);
-    rig.said = first;
-    rig.Hear(rig.Word(21000U), 22000U);
-    EXPECT_EQ(rig.Say(23000U).new_faults, 0U);
-    rig.channel.outcome.new_fault = 1U;
-    for (const std::uint32_t at_us : {30000U, 40000U})
-    {
-        rig.Cycle(at_us);
-        EXPECT_EQ(rig.Say(at_us).new_faults, 1U);
-    }
-}
-
-// Given consumers in slots 0 and 2, then each report is that of its own slot.
-TEST(PeerMessages, EachReportIsOfItsOwnSlot)
-{
-    Verifies(req::SRS_TWO_014);
-    PeerRig rig{PeerRole::kA};
-    rig.channel.outcome.waiting = 5U;
-    rig.Cycle(10000U);
-    rig.Own().Demote(2U); // As of 10 ms
-    rig.Cycle(20000U);
-    rig.channel.view[2].first_cause = SrdoCause::kSrvt;
-    rig.channel.held[2].ordinal = 7U;
-    rig.channel.outcome.new_fault = 1U; // Slot 0 as of 30 ms
-    rig.Cycle(30000U);
-    const LinkMessage said = rig.Say(31000U);
-    for (const SlotReport& report : said.reports)
-    {
-        if (report.slot == 2U)
-        {
-            EXPECT_EQ(report.ordinal, 7U);
-            EXPECT_EQ(report.cause, SrdoCause::kSrvt);
-            EXPECT_EQ(report.age_us, 21000U);
-        }
-        if (report.slot == 0U)
-        {
-            EXPECT_EQ(report.ordinal, 0U);
-            EXPECT_EQ(report.age_us, 1000U);
-        }
-    }
-}
-
 // Given six active consumers, then each message reports four: news first, then in turn.
 TEST(PeerMessages, ReportsNewsFirstThenInTurn)
 {

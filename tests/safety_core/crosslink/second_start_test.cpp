@@ -40,6 +40,9 @@ TEST(SecondStart, OwnVoiceTellsNothingOfBefore)
     const LinkMessage said = rig.Say(7000U);
     EXPECT_EQ(said.sequence, 2U);
     EXPECT_EQ(said.echo.heard, 0U);
+    EXPECT_EQ(said.echo.sequence, 0U);
+    EXPECT_EQ(said.echo.stamp.us, 0U);
+    EXPECT_EQ(said.echo.hold_us, 7000U);
     EXPECT_EQ(said.digest.value, 0U);
     EXPECT_EQ(said.check.slot, kNoSlot);
     EXPECT_EQ(said.check.result.fault, ConfigFault::kInvalid);
@@ -120,6 +123,7 @@ TEST(SecondStart, TimeBeginsAnew)
     follower.channel.prepared = PreparedPair{PeerRig::Frame(0x103U), PrepareStatus::kReady};
     static_cast<void>(follower.Remote().Prepare(1U));
     EXPECT_EQ(follower.Say(20000U).armed[0].slot, 1U);
+    EXPECT_EQ(follower.Say(20001U).armed[0].slot, kNoSlot);
     PeerRig leader{PeerRole::kA};
     leader.Cycle(30000U);
     StartAgain(leader);
@@ -181,51 +185,42 @@ TEST(SecondStart, RemoteVoiceShowsNothingOfBefore)
     EXPECT_EQ(rig.Remote().Answer(100U).mask, 0U);
 }
 
-// Given a pair, a fault and a commitment of before, when the CPU is started again, then they count for nothing in
-// contact.
-TEST(SecondStart, ContactBeginsWithNothingHeldToldOrCommitted)
+// Given a pair, a release, a commitment and faults 0 and 2 of the peer, told before its CPU is started again, then
+// nothing is fresh, a fault, released without a report or committed without a match by it; the faults are new again.
+TEST(SecondStart, WordOfBeforeCountsNoMore)
 {
     Verifies(req::SRS_TWO_005);
     Verifies(req::SRS_TWO_006);
     Verifies(req::SRS_TWO_009);
     PeerRig rig{PeerRole::kA};
-    rig.channel.outcome.waiting = 0U;
-    rig.channel.outcome.released = 1U;
-    rig.Contact(1000U);
-    rig.Complete(8000U, 10000U, HeldPair{Payload{0x12U, 0U}, 3U, 1U});
-    const SlotReport pair{0U, Holding::kPair, SrdoState::kReleased, SrdoCause::kNone, 9U, 3000U, Payload{0x12U, 0U}};
-    LinkMessage word = rig.AnswerTo(10000U);
-    word.released = 1U;
-    word.reports[0] = pair;
-    rig.Hear(word, 12000U);
-    rig.Cycle(20000U);
+    const SlotReport report{0U, Holding::kPair, SrdoState::kReleased, SrdoCause::kNone, 9U, 3000U, Payload{0x12U, 0U}};
+    const auto tell = [&rig](const std::uint32_t at_us, const SlotReport& told, const SrdoMask faults)
+    {
+        LinkMessage word = rig.AnswerTo(at_us);
+        word.released = 1U;
+        word.new_faults = faults;
+        word.reports[0] = told;
+        rig.Hear(word, at_us + 2000U);
+    };
+    tell(1000U, report, 0U);
+    rig.Cycle(5000U);
     EXPECT_EQ(rig.Remote().Commit(Agreement{1U, 1U}, 0U), 0U);
     ASSERT_EQ(rig.Remote().Answer(100U).mask, 1U);
-    // A fault, and another pair, that no cycle has seen
-    word = rig.AnswerTo(20000U);
-    word.released = 1U;
-    word.new_faults = 1U;
-    word.reports[0] = pair;
-    word.reports[0].ordinal = 10U;
-    rig.Hear(word, 22000U);
+    SlotReport newer = report;
+    newer.ordinal = 10U;
+    tell(6000U, newer, 5U);
     StartAgain(rig);
-    rig.Cycle(23000U);
-    EXPECT_EQ(rig.remote.new_fault, 0U);
+    rig.Cycle(10000U);
     EXPECT_EQ(rig.remote.fresh, 0U);
-    // In contact, released and faulted without a report
-    word = rig.AnswerTo(24000U);
-    word.released = 1U;
-    word.new_faults = 1U;
-    rig.Hear(word, 26000U);
-    rig.Cycle(30000U);
+    EXPECT_EQ(rig.remote.new_fault, 0U);
+    SlotReport none{};
+    none.slot = kNoSlot;
+    tell(11000U, none, 5U);
+    rig.Cycle(15000U);
     EXPECT_EQ(rig.remote.released, 0U);
-    EXPECT_EQ(rig.remote.new_fault, 1U);
-    // and with one, but not matched
-    word = rig.AnswerTo(30000U);
-    word.released = 1U;
-    word.reports[0] = pair;
-    rig.Hear(word, 32000U);
-    rig.Cycle(40000U);
+    EXPECT_EQ(rig.remote.new_fault, 5U);
+    tell(16000U, report, 5U);
+    rig.Cycle(20000U);
     ASSERT_EQ(rig.remote.released, 1U);
     EXPECT_EQ(rig.Remote().Commit(Agreement{1U, 0U}, 0U), 0U);
     EXPECT_EQ(rig.Remote().Answer(100U).mask, 0U);

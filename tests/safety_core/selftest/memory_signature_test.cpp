@@ -90,6 +90,24 @@ TEST_F(MemorySignatureTest, SlicesAndSpansDoNotChangeIt)
     EXPECT_EQ(Slice(), SliceResult::kPassed);
 }
 
+TEST_F(MemorySignatureTest, RestartBeginsWithTheFirstSpan)
+{
+    Verifies(req::SRS_STS_001);
+    // Given a pass, and the first of two spans once more
+    spans = {hal::MemorySpan{0x1000U, 1U}, hal::MemorySpan{0x1004U, 1U}};
+    count = 2U;
+    Restart(7U, SignatureSource::kGiven, 0x9AE0'DAAFU);
+    EXPECT_EQ(Slice(), SliceResult::kContinues);
+    EXPECT_EQ(Slice(), SliceResult::kPassed);
+    EXPECT_EQ(Slice(), SliceResult::kContinues);
+    // When it is started again, then there is no value yet, and a pass is both spans
+    Restart(7U, SignatureSource::kGiven, 0x9AE0'DAAFU);
+    EXPECT_EQ(signature.Value(), 0U);
+    EXPECT_EQ(signature.Done(), 0U);
+    EXPECT_EQ(Slice(), SliceResult::kContinues);
+    EXPECT_EQ(Slice(), SliceResult::kPassed);
+}
+
 TEST_F(MemorySignatureTest, EachFlippedBitIsFoundAndThePassAfterStartsAnew)
 {
     Verifies(req::SRS_STS_001);

@@ -70,6 +70,16 @@ TEST(PartsCheck, WhatCannotBeUsedFails)
     check.Restart(PartsSetup{places.data(), 4U}, memory);
     EXPECT_FALSE(check.IsUsable());
     EXPECT_EQ(check.Check(memory), SliceResult::kFailed);
+    // Given that it is behind the last one, then it does not count
+    check.Restart(PartsSetup{places.data(), 3U}, memory);
+    EXPECT_TRUE(check.IsUsable());
+    EXPECT_EQ(check.Check(memory), SliceResult::kPassed);
+    // Given a second one that is as far from a word, and the first one alone
+    places[2] += 1U;
+    check.Restart(PartsSetup{places.data(), 4U}, memory);
+    EXPECT_FALSE(check.IsUsable());
+    check.Restart(PartsSetup{places.data() + 2U, 1U}, memory);
+    EXPECT_FALSE(check.IsUsable());
 }
 
 } // namespace

@@ -17,7 +17,7 @@ namespace counterpoint::selftest
 namespace
 {
 
-/// Cells that keep what they were told.
+/// Cells that keep what they were told; two of the exchanges may give a wrong bit 0.
 class LoggedMemory final : public hal::MemoryAccess
 {
   public:
@@ -31,8 +31,9 @@ class LoggedMemory final : public hal::MemoryAccess
     }
     [[nodiscard]] std::uint32_t Exchange(const hal::Address place, const std::uint32_t value) noexcept override
     {
+        const bool is_wrong = (log.size() == wrong[0]) || (log.size() == wrong[1]);
         log.emplace_back(place, value);
-        return std::exchange(cells[(place - first) / 4U], value);
+        return std::exchange(cells[(place - first) / 4U], value) ^ (is_wrong ? 1U : 0U);
     }
     [[nodiscard]] hal::Address StackPosition() const noexcept override
     {
@@ -64,6 +65,7 @@ class LoggedMemory final : public hal::MemoryAccess
     hal::Address first{0x1000U};
     std::array<std::uint32_t, 64> cells{};
     std::vector<std::pair<hal::Address, std::uint32_t>> log{};
+    std::array<std::size_t, 2> wrong{SIZE_MAX, SIZE_MAX}; ///< By their number in the log.
 };
 
 class RamPatterns : public ::testing::Test
@@ -133,6 +135,21 @@ TEST_F(RamPatterns, MarchWritesBackgroundAndInverseUpAndDown)
     }
     EXPECT_EQ(memory.log[48], (std::pair<hal::Address, std::uint32_t>{0x1000U, 0xC0DE0000U}));
     EXPECT_EQ(memory.log[49], (std::pair<hal::Address, std::uint32_t>{0x1004U, 0xC0DE0001U}));
+}
+
+// A window of two words has 50 exchanges, the first two of which save what it holds.
+TEST_F(RamPatterns, TwoWrongReadingsDoNotCancelEachOther)
+{
+    Verifies(req::SRS_STS_010);
+    for (std::size_t one = 2U; one < 50U; ++one)
+    {
+        for (std::size_t other = one + 1U; other < 50U; ++other)
+        {
+            Restart({0x1000U, 2U}, 2U);
+            memory.wrong = {one, other};
+            EXPECT_EQ(test.Slice(ports), SliceResult::kFailed) << one << ' ' << other;
+        }
+    }
 }
 
 // A span that begins at 100Ch: words 0Ch 10h 14h 18h 1Ch 20h 24h. Windows of four share a word; line 4 leads from 10h,

@@ -83,6 +83,30 @@ TEST_F(RamTestTest, PassIsWindowsThatShareAWordAndThenTheLines)
     EXPECT_TRUE(IsAsItWas());
 }
 
+TEST_F(RamTestTest, RestartBeginsAPassAnew)
+{
+    Verifies(req::SRS_STS_011);
+    // Given a pass that has come to its second line, when it is started again, then it is eight slices again
+    for (std::uint32_t slice = 0U; slice < 5U; ++slice)
+    {
+        EXPECT_EQ(test.Slice(ports), SliceResult::kContinues);
+    }
+    Restart(5U);
+    for (std::uint32_t slice = 0U; slice < 7U; ++slice)
+    {
+        EXPECT_EQ(test.Slice(ports), SliceResult::kContinues) << slice;
+    }
+    EXPECT_EQ(test.Slice(ports), SliceResult::kPassed);
+    // Given one that has come to its second span, then it begins with the first one
+    spans = {{0x1000U, 1U}, {0x1010U, 2U}};
+    Restart(2U);
+    EXPECT_EQ(test.Slice(ports), SliceResult::kContinues);
+    Restart(2U);
+    EXPECT_EQ(test.Slice(ports), SliceResult::kContinues);
+    EXPECT_EQ(test.Slice(ports), SliceResult::kContinues);
+    EXPECT_EQ(test.Slice(ports), SliceResult::kPassed);
+}
+
 TEST_F(RamTestTest, NumberOfSlices)
 {
     Verifies(req::SRS_STS_011);
@@ -138,6 +162,14 @@ TEST_F(RamTestTest, EffortDoesNotDependOnWhatIsFound)
     Restart(5U);
     EXPECT_EQ(test.Slice(counted_ports), SliceResult::kFailed);
     EXPECT_EQ(counted.Accesses() - sound, sound);
+    // and the pair of a line no background
+    for (std::uint32_t slice = 1U; slice < 4U; ++slice)
+    {
+        static_cast<void>(test.Slice(counted_ports));
+    }
+    const std::uint64_t windows = counted.Accesses();
+    static_cast<void>(test.Slice(counted_ports));
+    EXPECT_EQ(counted.Accesses() - windows, 2U * 13U);
 }
 
 TEST_F(RamTestTest, WindowsNearTheStackPositionAreLeftOutAndCounted)
@@ -153,11 +185,12 @@ TEST_F(RamTestTest, WindowsNearTheStackPositionAreLeftOutAndCounted)
         EXPECT_EQ(lock.locks - locks, 1U - test.LeftOut());
         return test.LeftOut() == 1U;
     };
-    // Then it is tested when the stack is more than 2048 bytes above its last or below its first word
+    // Then it is tested when the stack is more than 2048 bytes above its last or 2048 or more below its first word
     EXPECT_FALSE(is_left_out(0x1805U));
     EXPECT_TRUE(is_left_out(0x1804U));
     EXPECT_TRUE(is_left_out(0x1000U));
     EXPECT_TRUE(is_left_out(0x0801U));
+    EXPECT_FALSE(is_left_out(0x0800U));
     EXPECT_FALSE(is_left_out(0x07FCU));
 }
 
@@ -221,6 +254,7 @@ TEST_F(RamTestTest, WhatCannotBeUsedHasNoSlices)
     Verifies(req::SRS_STS_060);
     EXPECT_EQ(SlicesOf({0x1000U, 0U}, 5U), 0U);
     EXPECT_EQ(SlicesOf({0x1000U, 0x0100'0001U}, 5U), 0U);
+    EXPECT_EQ(SlicesOf({0x1000U, 0x0100'0000U}, 5U), 4194328U); // 4194304 windows, lines 4 to 2^25
     EXPECT_EQ(SlicesOf({0x1002U, 4U}, 5U), 0U);
     EXPECT_EQ(SlicesOf({0x1000U, 4U}, 1U), 0U);
     EXPECT_EQ(SlicesOf({0x1000U, 4U}, 17U), 0U);

@@ -213,6 +213,8 @@ TEST_F(SelfTestTest, ChangedStackGuardIsFoundInTheSameCycle)
     Verifies(req::SRS_STS_061);
     ASSERT_EQ(device->Start().answer, StartAnswer::kPassed);
     EXPECT_EQ(device->self_test.StackHighWaterBytes(), 0U);
+    Flip(device->stack[10]); // Six words from the near end.
+    EXPECT_EQ(device->self_test.StackHighWaterBytes(), 24U);
     Flip(device->stack[2]);
     const SelfTestOutcome outcome = device->self_test.OnCycle();
     EXPECT_EQ(outcome.fault, DeviceFault::kSelfTest);
@@ -248,9 +250,11 @@ TEST_F(SelfTestTest, ChangedPartEndsTheCycleBeforeAnySlice)
     }
     EXPECT_EQ(device->lock.locks, 22U);
     EXPECT_EQ(device->self_test.FirstFailed(), TestId::kParts);
+    // Then the progress is that of 37 checks of the parts alone, each of which weighs 10001h
+    EXPECT_EQ(device->self_test.OnCycle().progress, (kRound + 1U) * 0x10001U);
     device->cells.Write(part, word);
     // When it is back, the progress still tells what was left out
-    EXPECT_NE(device->self_test.OnCycle().progress, kRound + 1U);
+    EXPECT_NE(device->self_test.OnCycle().progress, kRound + 2U);
 }
 
 TEST_F(SelfTestTest, RoundThatIsTooLongOrTooShortFails)

@@ -69,6 +69,10 @@ TEST_F(StackGuardTest, StackInUseIsFilledUpToAReachBelowItsPosition)
     EXPECT_EQ(guard.HighWaterBytes(memory), 2560U);
     EXPECT_EQ(memory.Read(0x11000U - 2560U), 0U);
     EXPECT_EQ(guard.Check(memory), SliceResult::kPassed);
+    // and a byte nearer is a word more
+    memory.stack_position = 0x11000U - 511U;
+    guard.Restart(kSetup, memory);
+    EXPECT_EQ(guard.HighWaterBytes(memory), 2556U);
     // Given that it runs at its first and its last byte
     memory.stack_position = 0x10000U;
     cells.Write(0x10000U, 0U);
@@ -95,6 +99,20 @@ TEST_F(StackGuardTest, WhatCannotBeUsedFails)
         EXPECT_EQ(guard.Check(memory), SliceResult::kFailed);
     }
     EXPECT_EQ(memory.Read(0x10000U), 0U);
+    // Given guard words that an earlier start has left, then they save nothing
+    guard.Restart(kSetup, memory);
+    EXPECT_EQ(guard.Check(memory), SliceResult::kPassed);
+    guard.Restart(StackSetup{{0x10000U, 4U}, 4U}, memory);
+    EXPECT_EQ(guard.Check(memory), SliceResult::kFailed);
+}
+
+TEST_F(StackGuardTest, SameBitOfTwoGuardWordsIsFound)
+{
+    Verifies(req::SRS_STS_020);
+    guard.Restart(kSetup, memory);
+    memory.Write(0x10004U, memory.Read(0x10004U) ^ 1U);
+    memory.Write(0x1000CU, memory.Read(0x1000CU) ^ 1U);
+    EXPECT_EQ(guard.Check(memory), SliceResult::kFailed);
 }
 
 } // namespace
