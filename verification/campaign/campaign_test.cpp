@@ -229,44 +229,76 @@ TEST_F(ReportTest, CampaignThatHoldsEndsWithStatus0)
     EXPECT_TRUE(std::filesystem::exists(Path("page.html")));
 }
 
+/// A program with one defect, a plan that the shipped one holds, and what is told of the other.
 struct Defect
 {
-    const char* planted;
-    const char* lines;
-    const char* idle;
+    const char* program;
+    const char* plan;
+    const char* told;
 };
 
 class PlantedDefects : public CampaignTest, public ::testing::WithParamInterface<Defect>
 {
+  protected:
+    [[nodiscard]] tools::test::Answer RunOf(const std::string& program) const
+    {
+        const std::string line = program + " campaign " COUNTERPOINT_SOURCE_FOLDER "/verification/campaign/planted/" +
+                                 GetParam().plan + " > " + Path("out");
+        const int status = std::system(line.c_str());
+        return {WEXITSTATUS(status), cia306::ReadTextFile(Path("out")), ""};
+    }
 };
 
 TEST_P(PlantedDefects, AreNamedByACampaignThatHoldsWithoutThem)
 {
     Verifies(req::SRS_CMG_011);
-    const std::string lines = std::string("at: [550 ms]\ncycles: 25\n") + GetParam().lines;
-    const tools::test::Answer sound = Campaign({PlanFile("sound.yaml", "actuator", lines)});
+    Verifies(req::SRS_CMG_040);
+    Verifies(req::SRS_CMG_043);
+    const tools::test::Answer sound = RunOf(COUNTERPOINT_CAMPAIGN);
     EXPECT_EQ(sound.status, 0) << sound.out;
-    const tools::test::Answer answer =
-        Campaign({PlanFile("planted.yaml", "actuator", lines + "planted: " + GetParam().planted + "\n")});
-    EXPECT_EQ(answer.status, 1) << answer.out;
-    EXPECT_NE(answer.out.find(GetParam().idle), std::string::npos) << answer.out;
+    const tools::test::Answer broken =
+        RunOf(std::string(COUNTERPOINT_PLANTED) + "/counterpoint_campaign_" + GetParam().program);
+    EXPECT_EQ(broken.status, 1) << broken.out;
+    EXPECT_NE(broken.out.find(GetParam().told), std::string::npos) << broken.out;
+    EXPECT_NE(broken.out.find("verdict: does not hold"), std::string::npos);
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Parts, PlantedDefects,
     ::testing::Values(
-        Defect{"blind_comparator",
-               "members: [channel_b.data+0]\nphases: [channel_b]\nkinds: [flip]\ndetectors: [comparator]\n",
-               "idle: comparator found nothing"},
-        Defect{"flow_monitor_off", "parts: [flow_monitor]\nkinds: [flip]\nsample: 100\ndetectors: [flow_monitor]\n",
-               "idle: flow_monitor found nothing"},
-        Defect{"loose_permit",
-               "parts: [comparator]\nmembers: [comparator.verdict]\nphases: [commit]\nkinds: "
-               "[flip]\nsample: 400\ndetectors: [permits]\n",
-               "idle: permits found nothing"},
-        Defect{"held_output", "parts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip]\n",
-               "latch+0.0, flip, cycle 549, phase permits: nobody, open again without an acknowledge, or "
-               "behind a device fault"}));
+        // The comparator's own test looks at bit 0 of each word, so that it needs no fault to find the first of them.
+        Defect{"comparator_ignores_byte_0", "comparator.yaml",
+               "not well: without a fault, in cycle 985: device fault comparator, found by comparator"},
+        Defect{"comparator_ignores_byte_1", "comparator.yaml", "idle: comparator found nothing"},
+        Defect{"flow_monitor_off", "flow_monitor.yaml", "idle: flow_monitor found nothing"},
+        Defect{"srvt_check_gone_in_b", "srvt.yaml", "idle: channel_b.srvt found nothing"},
+        Defect{"permit_not_tied_to_the_challenge", "permits.yaml", "idle: permits found nothing"},
+        Defect{"used_unprotected", "used.yaml",
+               "pins.used+0.0, flip, cycle 735, phase self_test: nobody, open with data"},
+        Defect{"output_held", "latch.yaml",
+               "latch+0.0, flip, cycle 549, phase permits: nobody, open again without an acknowledge, or behind a "
+               "device fault"}));
+
+TEST_F(PlanTest, VoiceThatIsNoCauseOfAChannelIsRefused)
+{
+    Verifies(req::SRS_CMG_041);
+    const std::string plan = PlanFile("plan.yaml", "actuator", "at: [500 ms]\nvoices: [channel_c.srvt]\n");
+    EXPECT_NE(Campaign({plan}).err.find(plan + ":5:10: error: 'channel_c.srvt', expected a cause of one channel"),
+              std::string::npos);
+}
+
+TEST_F(PlanTest, PinsAreHitWhereTheyAreTheOutput)
+{
+    Verifies(req::SRS_CMG_042);
+    const std::string lines = "at: [550 ms]\nparts: [pins]\nkinds: [flip]\nphases: [permits]\nmembers: [pins.live]\n";
+    // 32 bits, each of which is found at the pins' next look
+    const tools::test::Answer pins =
+        Campaign({PlanFile("pins.yaml", "actuator", lines + "output: pins\ndetectors: [pins]\n")});
+    EXPECT_EQ(pins.status, 0) << pins.out;
+    EXPECT_NE(pins.out.find("found first by: pins 32\n"), std::string::npos) << pins.out;
+    // and a device with the gate alone has none
+    EXPECT_EQ(Campaign({PlanFile("gate.yaml", "actuator", lines)}).status, 2);
+}
 
 TEST(ProgressTest, TellsPartRateAndTimeLeft)
 {

@@ -64,6 +64,11 @@ class CampaignRun final : public tools::Command
         {
             throw;
         }
+        catch (const NotWell& error)
+        {
+            streams.out << "not well: " << error.what() << "\nverdict: does not hold\n";
+            return ExitStatus::kDoesNotHold;
+        }
         catch (const std::runtime_error& error)
         {
             streams.err << "counterpoint campaign: error: " << error.what() << "\n";

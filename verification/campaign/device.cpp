@@ -4,7 +4,8 @@
 #include "runtime/device/assembly.hpp"
 #include "verification/campaign/channels.hpp"
 #include "verification/campaign/kernel_places.hpp"
-#include "verification/campaign/planted.hpp"
+#include "verification/campaign/outcome.hpp"
+#include "verification/campaign/pins_output.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -18,23 +19,14 @@ Instant BusInstant(const Nanoseconds at)
 {
     return {static_cast<std::uint32_t>(at / runtime::kNanosecondsPerMicrosecond)};
 }
-
-FlatOutput* MakeOutput(Region& region, const Planted planted)
-{
-    if (planted == Planted::kLoosePermit)
-    {
-        return &region.Make<LooseOutput>();
-    }
-    return (planted == Planted::kHeldOutput) ? &region.Make<HeldOutput>() : &region.Make<FlatOutput>();
-}
 } // namespace
 
-Device::Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, const Planted planted)
+Device::Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, const OutputKind output)
     : region_(region), recording_(recording), reference_(model.Config())
 {
-    MakeSurroundings(recording, planted);
+    MakeSurroundings(recording, output);
     CopyTables(model);
-    MakeChannels(planted);
+    MakeChannels();
     MakeKernel();
     Start(model);
 }
@@ -85,21 +77,22 @@ void Device::CopyTables(const runtime::DeviceModel& model)
     }
 }
 
-void Device::MakeSurroundings(const Recording& recording, const Planted planted)
+void Device::MakeSurroundings(const Recording& recording, const OutputKind output)
 {
     application_ = &region_.Make<FlatApplication>();
     ports_ = &region_.Make<FlatPorts>();
     ports_->frame_ns = recording.frame_ns;
     watchdog_ = &region_.Make<FlatWatchdog>();
-    output_ = MakeOutput(region_, planted);
+    output_ =
+        (output == OutputKind::kPins) ? &MakePinsOutput(region_, reference_, places_) : &region_.Make<FlatOutput>();
     output_->limit = {LateCycleUs(reference_)};
-    flow_ = (planted == Planted::kFlowOff) ? &region_.Make<ContentFlow>() : &region_.Make<TappedFlow>();
+    flow_ = &region_.Make<TappedFlow>();
     Add(Part::kFlowMonitor, "flow_monitor", &flow_->monitor, sizeof(flow_->monitor));
     windows_ = region_.MakeArray<CauseWindows>(reference_.srdo_count);
     Add(Part::kKernel, "kernel.windows", windows_, sizeof(CauseWindows) * reference_.srdo_count);
 }
 
-void Device::MakeChannels(const Planted planted)
+void Device::MakeChannels()
 {
     const ChannelRoom room{reference_.srdo_count, reference_.map_entries};
     const MadeChannel a = MakeChannelA(region_, room);
@@ -107,7 +100,7 @@ void Device::MakeChannels(const Planted planted)
     places_.insert(places_.end(), a.places.begin(), a.places.end());
     places_.insert(places_.end(), b.places.begin(), b.places.end());
     a_ = a.voice;
-    b_ = (planted == Planted::kBlindComparator) ? &region_.Make<HalfSeenChannel>(*b.voice, *a.voice) : b.voice;
+    b_ = b.voice;
 }
 
 void Device::MakeKernel()
@@ -152,6 +145,18 @@ void Device::Follow(PhaseHook* const hook) noexcept
     flow_->hook = hook;
 }
 
+std::uint8_t Device::WhoSaid(const SrdoCause cause) const noexcept
+{
+    std::uint8_t marks = 0U;
+    for (SlotIndex slot = 0U; slot < reference_.srdo_count; ++slot)
+    {
+        const std::uint32_t bit = std::uint32_t{1U} << (static_cast<std::uint32_t>(cause) % 32U);
+        marks |= ((a_->View(slot).signals & bit) != 0U) ? kMarkSaidByA : std::uint8_t{0U};
+        marks |= ((b_->View(slot).signals & bit) != 0U) ? kMarkSaidByB : std::uint8_t{0U};
+    }
+    return marks;
+}
+
 void Device::SetTime(const Nanoseconds at) noexcept
 {
     output_->now = BusInstant(at);
@@ -161,7 +166,7 @@ void Device::SetTime(const Nanoseconds at) noexcept
 SrdoMask Device::Open() noexcept
 {
     watchdog_->timer.Examine(watchdog_->now);
-    const SrdoMask open = output_->gate.Open(output_->now, output_->limit);
+    const SrdoMask open = output_->Open();
     return watchdog_->timer.IsAlive() ? open : SrdoMask{0U};
 }
 
@@ -194,7 +199,11 @@ void Device::Cycle(const std::size_t cycle)
     }
     SetTime(recorded.at);
     ports_->now = recorded.at;
-    kernel_->Cycle(recorded.call);
+    output_->Examine();
+    if (output_->is_live)
+    {
+        kernel_->Cycle(recorded.call);
+    }
     WriteProducers(cycle);
 }
 

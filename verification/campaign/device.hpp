@@ -14,14 +14,11 @@
 
 namespace counterpoint::campaign
 {
-/// A part that was changed on purpose, so that a campaign has something to find. [SRS_CMG_011]
-enum class Planted : std::uint8_t
+/// What the device drives.
+enum class OutputKind : std::uint8_t
 {
-    kNothing = 0U,
-    kBlindComparator = 1U, ///< Byte 0 of the held pair of channel B is shown to the comparator as channel A has it.
-    kFlowOff = 2U,         ///< The flow monitor answers right, whatever happened.
-    kLoosePermit = 3U,     ///< The output opens by the masks of the permits, whatever they answer.
-    kHeldOutput = 4U,      ///< The output, once open, stays open.
+    kGate = 0U, ///< The output gate alone, which is not hit.
+    kPins = 1U, ///< The safety pins of the port to the TMS570, which are.
 };
 
 /// Parts of the device whose memory is hit. Those that a person would name.
@@ -37,8 +34,9 @@ enum class Part : std::uint8_t
     kKernel = 7U, ///< The rest of it.
     kTables = 8U,
     kVariables = 9U,
+    kPins = 10U, ///< Of the port.
 };
-constexpr std::size_t kPartCount = 10U;
+constexpr std::size_t kPartCount = 11U;
 
 /// A member of the device under test, and where it lies in the region.
 struct Place
@@ -66,7 +64,7 @@ class Device
   public:
     /// @brief Builds the device of the model in the region, starts and configures it at power-on of the recording.
     /// Throws std::runtime_error for a device that the kernel refuses.
-    Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, Planted planted);
+    Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, OutputKind output);
 
     /// @brief One cycle of the recording with all that comes before it.
     void Cycle(std::size_t cycle);
@@ -104,6 +102,13 @@ class Device
     {
         return *kernel_;
     }
+    /// @brief Which channels report this cause in the last cycle, as marks of an outcome.
+    [[nodiscard]] std::uint8_t WhoSaid(SrdoCause cause) const noexcept;
+    /// @brief Whether the output has not cut itself off.
+    [[nodiscard]] bool IsOutputLive() const noexcept
+    {
+        return output_->is_live;
+    }
     [[nodiscard]] bool IsWatchdogAlive() const noexcept
     {
         return watchdog_->timer.IsAlive();
@@ -111,8 +116,8 @@ class Device
 
   private:
     void CopyTables(const runtime::DeviceModel& model);
-    void MakeSurroundings(const Recording& recording, Planted planted);
-    void MakeChannels(Planted planted);
+    void MakeSurroundings(const Recording& recording, OutputKind output);
+    void MakeChannels();
     void MakeKernel();
     void Start(const runtime::DeviceModel& model);
     void Deliver(const RecordedCycle& cycle, std::size_t first_frame);

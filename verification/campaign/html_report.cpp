@@ -186,9 +186,9 @@ std::string HtmlReport(const Campaign& campaign, const Summary& summary)
     std::string text = std::string(kHead) + "<title>" + title + "</title></head><body><h1>" + title + "</h1>\n";
     text += summary.Holds() && summary.open == 0U ? "<p>The verdict: <b>holds</b>.</p>\n"
                                                   : "<p class=\"bad\">The verdict: <b>does not hold</b>.</p>\n";
-    for (const Detector detector : summary.idle)
+    for (const std::string& name : summary.idle)
     {
-        text += "<p class=\"bad\">" + std::string(WordOf(detector)) + " found nothing; the plan expects it to.</p>\n";
+        text += "<p class=\"bad\">" + name + " found nothing; the plan expects it to.</p>\n";
     }
     text += "<p>Seed " + std::to_string(campaign.plan.seed) + ", " + std::to_string(campaign.space.Size()) +
             " experiments, " + std::to_string(summary.open) + " of them not tried; " +

@@ -13,8 +13,8 @@ namespace
 constexpr std::array<const char*, kClassCount> kClassWords{"open",     "masked",     "benign",
                                                            "detected", "safe_other", "silent"};
 constexpr std::array<const char*, kDetectorCount> kDetectorWords{
-    "nobody",  "comparator", "flow_monitor", "guard",      "seal",      "clocks",    "channels",
-    "permits", "watchdog",   "latch",        "pair_check", "receivers", "exception", "time"};
+    "nobody",   "comparator", "flow_monitor", "guard",     "seal",      "clocks", "channels", "permits",
+    "watchdog", "latch",      "pair_check",   "receivers", "exception", "time",   "pins"};
 constexpr std::array<const char*, 6U> kWrongWords{"",
                                                   "open with data that the bus did not bring",
                                                   "open without leave",
@@ -44,7 +44,8 @@ const char* ReasonOf(const Outcome& outcome)
         return runtime::NameOf(runtime::kCauseWords, static_cast<SrdoCause>(outcome.detail), "?");
     }
     const bool is_of_device = outcome.detector != Detector::kNobody && outcome.result == Class::kDetected &&
-                              outcome.detector != Detector::kPermits && outcome.detector != Detector::kWatchdog;
+                              outcome.detector != Detector::kPermits && outcome.detector != Detector::kWatchdog &&
+                              outcome.detector != Detector::kPins;
     return is_of_device ? runtime::NameOf(runtime::kDeviceFaultWords, static_cast<DeviceFault>(outcome.detail), "?")
                         : "";
 }

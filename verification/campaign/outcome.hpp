@@ -38,19 +38,29 @@ enum class Detector : std::uint8_t
     kReceivers = 11U, ///< Who consumes what the device sends.
     kException = 12U, ///< The processor.
     kTime = 13U,      ///< A call that does not return: output and watchdog.
+    kPins = 14U,      ///< The safety pins' look at themselves.
 };
-constexpr std::size_t kDetectorCount = 14U;
+constexpr std::size_t kDetectorCount = 15U;
 
 /// One experiment's outcome, as it lies in a file of results.
 struct Outcome
 {
     Class result{Class::kOpen};
     Detector detector{Detector::kNobody};
-    std::uint8_t detail{0U};  ///< kSilent: Wrong; else DeviceFault or SrdoCause, by the detector.
-    std::uint8_t is_late{0U}; ///< 1: above the limit, counted from the first effect of the fault.
-    std::uint32_t us{0U};     ///< From the fault to the closed output (to the device fault, where none was open).
+    std::uint8_t detail{0U}; ///< kSilent: Wrong; else DeviceFault or SrdoCause, by the detector.
+    std::uint8_t marks{0U};  ///< Bits of the marks below.
+    std::uint32_t us{0U};    ///< From the fault to the closed output (to the device fault, where none was open).
 };
 static_assert(sizeof(Outcome) == 8U, "the format of a file of results");
+
+constexpr std::uint8_t kMarkLate = 1U;    ///< Above the limit, counted from the first effect of the fault.
+constexpr std::uint8_t kMarkSaidByA = 2U; ///< Of kChannels: channel A reported this cause by itself.
+constexpr std::uint8_t kMarkSaidByB = 4U;
+
+[[nodiscard]] constexpr bool IsLate(const Outcome& outcome)
+{
+    return (outcome.marks & kMarkLate) != 0U;
+}
 
 [[nodiscard]] const char* WordOf(Class result);
 [[nodiscard]] const char* WordOf(Detector detector);

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/plan.hpp"
 
+#include "runtime/device/names.hpp"
 #include "runtime/yaml/map.hpp"
 
 #include <algorithm>
@@ -25,11 +26,17 @@ constexpr Word<Phase> kPhaseWords[] = {
     {"events", static_cast<Phase>(12U)},     {"permits", static_cast<Phase>(13U)},
 };
 constexpr Word<Part> kPartWords[] = {
-    {"channel_a", Part::kChannelA},    {"channel_b", Part::kChannelB},
-    {"comparator", Part::kComparator}, {"flow_monitor", Part::kFlowMonitor},
-    {"guard", Part::kGuard},           {"latch", Part::kLatch},
-    {"clocks", Part::kClocks},         {"kernel", Part::kKernel},
-    {"tables", Part::kTables},         {"variables", Part::kVariables},
+    {"channel_a", Part::kChannelA},
+    {"channel_b", Part::kChannelB},
+    {"comparator", Part::kComparator},
+    {"flow_monitor", Part::kFlowMonitor},
+    {"guard", Part::kGuard},
+    {"latch", Part::kLatch},
+    {"clocks", Part::kClocks},
+    {"kernel", Part::kKernel},
+    {"tables", Part::kTables},
+    {"variables", Part::kVariables},
+    {"pins", Part::kPins},
 };
 constexpr Word<FaultKind> kKindWords[] = {
     {"flip", FaultKind::kFlip},
@@ -37,16 +44,20 @@ constexpr Word<FaultKind> kKindWords[] = {
     {"stuck_at_1", FaultKind::kStuckAt1},
     {"intermittent", FaultKind::kIntermittent},
 };
-constexpr Word<Planted> kPlantedWords[] = {
-    {"nothing", Planted::kNothing},          {"blind_comparator", Planted::kBlindComparator},
-    {"flow_monitor_off", Planted::kFlowOff}, {"loose_permit", Planted::kLoosePermit},
-    {"held_output", Planted::kHeldOutput},
+constexpr Word<OutputKind> kOutputWords[] = {
+    {"gate", OutputKind::kGate},
+    {"pins", OutputKind::kPins},
 };
 constexpr Word<Detector> kDetectorWords[] = {
-    {"comparator", Detector::kComparator}, {"flow_monitor", Detector::kFlowMonitor},
-    {"guard", Detector::kGuard},           {"seal", Detector::kSeal},
-    {"clocks", Detector::kClocks},         {"channels", Detector::kChannels},
-    {"permits", Detector::kPermits},       {"watchdog", Detector::kWatchdog},
+    {"comparator", Detector::kComparator},
+    {"flow_monitor", Detector::kFlowMonitor},
+    {"guard", Detector::kGuard},
+    {"seal", Detector::kSeal},
+    {"clocks", Detector::kClocks},
+    {"channels", Detector::kChannels},
+    {"permits", Detector::kPermits},
+    {"watchdog", Detector::kWatchdog},
+    {"pins", Detector::kPins},
 };
 
 static_assert(sizeof(kPhaseWords) / sizeof(kPhaseWords[0]) == kPhaseCount, "a word each");
@@ -146,6 +157,30 @@ void ReadMembers(const YamlMap& map, Plan& plan)
     }
 }
 
+/// As channel_b.srvt.
+void ReadVoices(const YamlMap& map, Plan& plan)
+{
+    const std::optional<YamlValue> list = map.Find("voices");
+    if (!list)
+    {
+        return;
+    }
+    for (const YamlValue& item : list->Items("a list of causes"))
+    {
+        const std::string text = item.Text("a cause of one channel, as channel_b.srvt");
+        const bool is_a = text.rfind("channel_a.", 0U) == 0U;
+        const bool is_b = text.rfind("channel_b.", 0U) == 0U;
+        const std::string word = text.substr(text.find('.') + 1U);
+        const auto* const found = std::find_if(std::begin(runtime::kCauseWords), std::end(runtime::kCauseWords),
+                                               [&word](const auto& each) { return word == each.text; });
+        if ((!is_a && !is_b) || found == std::end(runtime::kCauseWords))
+        {
+            item.Refuse(runtime::Shown(text), "a cause of one channel, as channel_b.srvt");
+        }
+        plan.voices.push_back({text, is_a ? kMarkSaidByA : kMarkSaidByB, found->meaning});
+    }
+}
+
 void ReadSample(const YamlMap& map, Plan& plan)
 {
     constexpr std::uint64_t kMost = 10'000'000U;
@@ -174,7 +209,7 @@ Plan ReadPlan(const std::string& file)
     const runtime::YamlNode root = runtime::ParseYaml(file, text);
     const YamlMap map(file, root,
                       {"title", "scenario", "device", "at", "cycles", "phases", "parts", "members", "kinds",
-                       "detectors", "seed", "sample", "confidence", "planted"});
+                       "detectors", "voices", "seed", "sample", "confidence", "output"});
     Plan plan;
     plan.file = file;
     plan.digest = HashOf(text);
@@ -190,9 +225,10 @@ Plan ReadPlan(const std::string& file)
     plan.detectors = map.Find("detectors") ? Chosen(map, "detectors", kDetectorWords) : std::vector<Detector>{};
     ReadMembers(map, plan);
     ReadSample(map, plan);
-    if (const auto planted = map.Find("planted"))
+    ReadVoices(map, plan);
+    if (const auto output = map.Find("output"))
     {
-        plan.planted = planted->Choice(kPlantedWords);
+        plan.output = output->Choice(kOutputWords);
     }
     return plan;
 }

@@ -34,6 +34,14 @@ struct Member
     runtime::Source source;
 };
 
+/// A cause that one channel has to report by itself.
+struct Voice
+{
+    std::string name; ///< As channel_b.srvt.
+    std::uint8_t mark{0U};
+    SrdoCause cause{SrdoCause::kNone};
+};
+
 /// A campaign as its file says. [SRS_CMG_004]
 struct Plan
 {
@@ -52,8 +60,9 @@ struct Plan
     std::uint64_t seed{1U};
     std::uint64_t sample{0U}; ///< Of each part and kind; 0: all.
     std::uint32_t confidence_percent{99U};
-    Planted planted{Planted::kNothing};
-    std::uint64_t digest{0U}; ///< Of the text of this file, for results that belong together.
+    OutputKind output{OutputKind::kGate};
+    std::vector<Voice> voices; ///< That have to say something.
+    std::uint64_t digest{0U};  ///< Of the text of this file, for results that belong together.
 };
 
 /// @brief Reads a plan. Throws YamlError.

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/runner.hpp"
 
+#include "runtime/device/names.hpp"
 #include "safety_core/kernel/limits.hpp"
 
 #include <algorithm>
@@ -131,17 +132,37 @@ Runner::Runner(Device& device, Judge& judge, const Recording& recording, const s
         device_.Cycle(cycle);
         const Sight sight = judge_.Look(cycle, memory);
         open_.push_back(sight.open);
-        const bool is_well = sight.wrong == Wrong::kNothing && sight.not_inverse == 0U && !sight.is_missed &&
-                             device_.Core().DeviceState().fault == DeviceFault::kNone;
-        if (!is_well)
+        const std::string problem = WhatIsNotWell(sight);
+        if (!problem.empty())
         {
-            throw std::runtime_error("without a fault the device is not as it must be in cycle " +
-                                     std::to_string(cycle) + " (" + std::to_string(static_cast<unsigned>(sight.wrong)) +
-                                     ", " + std::to_string(static_cast<unsigned>(device_.Core().DeviceState().fault)) +
-                                     ")");
+            throw NotWell("without a fault, in cycle " + std::to_string(cycle) + ": " + problem);
         }
     }
     kept_.insert(kept_.end(), device_.Memory().Bytes(), device_.Memory().Bytes() + size_);
+}
+
+/// In words; empty: it is as it must be.
+std::string Runner::WhatIsNotWell(const Sight& sight) const
+{
+    const DeviceFault fault = device_.Core().DeviceState().fault;
+    if (fault != DeviceFault::kNone)
+    {
+        return std::string("device fault ") + runtime::NameOf(runtime::kDeviceFaultWords, fault, "?") + ", found by " +
+               WordOf(DetectorOf(fault));
+    }
+    if (sight.wrong != Wrong::kNothing)
+    {
+        return ReasonOf(Outcome{Class::kSilent, Detector::kNobody, static_cast<std::uint8_t>(sight.wrong), 0U, 0U});
+    }
+    if (!device_.IsOutputLive())
+    {
+        return "the pins cut themselves off";
+    }
+    if (sight.not_inverse != 0U)
+    {
+        return "a pair of variables is not inverse";
+    }
+    return sight.is_missed ? "receivers wait for its frames" : "";
 }
 
 void Runner::KeepBits() noexcept
@@ -210,7 +231,7 @@ Outcome Runner::Run(const Experiment& experiment)
     }
     if (found_.result == Class::kDetected && found_.us > limits_.us.at(static_cast<std::size_t>(experiment.part)))
     {
-        found_.is_late = IsLate(experiment) ? 1U : 0U;
+        found_.marks |= IsLate(experiment) ? kMarkLate : std::uint8_t{0U};
     }
     return found_;
 }
@@ -282,7 +303,7 @@ void Runner::Watch(const Experiment& experiment)
         {
             return;
         }
-        const bool is_safe = device_.Core().DeviceState().fault != DeviceFault::kNone && sight.open == 0U;
+        const bool is_safe = HasGivenUp() && sight.open == 0U;
         if (is_safe && !is_settling)
         {
             is_settling = true;
@@ -311,8 +332,7 @@ bool Runner::Notice(const Sight& sight, const Experiment& experiment)
         return false;
     }
     const bool has_closed = (open_[now_] & ~sight.open) != 0U;
-    const bool is_device_fault = device_.Core().DeviceState().fault != DeviceFault::kNone;
-    if (has_closed || (is_device_fault && sight.open == 0U))
+    if (has_closed || (HasGivenUp() && sight.open == 0U))
     {
         found_ = Blame();
         found_.us = Since(experiment, now_);
@@ -339,6 +359,10 @@ Outcome Runner::Blame() const
         outcome.detector = DetectorOf(fault);
         outcome.detail = static_cast<std::uint8_t>(fault);
     }
+    else if (!device_.IsOutputLive())
+    {
+        outcome.detector = Detector::kPins;
+    }
     else if (!device_.IsWatchdogAlive())
     {
         outcome.detector = Detector::kWatchdog;
@@ -347,12 +371,18 @@ Outcome Runner::Blame() const
     {
         outcome.detector = Detector::kChannels;
         outcome.detail = static_cast<std::uint8_t>(device_.Told().first_cause);
+        outcome.marks = device_.WhoSaid(device_.Told().first_cause);
     }
     else
     {
         // The gate alone.
     }
     return outcome;
+}
+
+bool Runner::HasGivenUp() const
+{
+    return device_.Core().DeviceState().fault != DeviceFault::kNone || !device_.IsOutputLive();
 }
 
 bool Runner::IsAsWithoutFault(const std::size_t cycle) const

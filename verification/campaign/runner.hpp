@@ -12,6 +12,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace counterpoint::campaign
@@ -27,13 +29,20 @@ struct Limits
 /// @brief For so many cycles behind its fault a run may go on: all limits, and some more.
 [[nodiscard]] std::size_t HorizonOf(const Limits& limits, const DeviceConfig& config);
 
+/// Without a fault the device does not do what it must: there is nothing to be measured. [SRS_CMG_043]
+class NotWell : public std::runtime_error
+{
+  public:
+    using std::runtime_error::runtime_error;
+};
+
 /// Runs one experiment after the other, each from the device as it was without fault at the begin of its cycle.
 /// [SRS_CMG_001, SRS_CMG_006]
 class Runner final : private PhaseHook
 {
   public:
     /// @brief Runs the device once without fault and keeps it as it was before each cycle from the first one of
-    /// `cycles` on. Throws std::runtime_error where that run is not as it must be. All outlive it.
+    /// `cycles` on. Throws NotWell where that run is not as it must be. All outlive it.
     Runner(Device& device, Judge& judge, const Recording& recording, const std::vector<std::size_t>& cycles,
            const Limits& limits);
 
@@ -56,6 +65,8 @@ class Runner final : private PhaseHook
     [[nodiscard]] bool IsLate(const Experiment& experiment);
     [[nodiscard]] bool HasSpread(const Experiment& experiment) const;
     [[nodiscard]] bool Notice(const Sight& sight, const Experiment& experiment);
+    [[nodiscard]] std::string WhatIsNotWell(const Sight& sight) const;
+    [[nodiscard]] bool HasGivenUp() const;
     [[nodiscard]] Outcome Blame() const;
     [[nodiscard]] bool IsAsWithoutFault(std::size_t cycle) const;
     [[nodiscard]] std::uint32_t Since(const Experiment& experiment, std::size_t cycle) const;

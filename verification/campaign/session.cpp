@@ -10,7 +10,7 @@ constexpr std::size_t kRegionBytes = std::size_t{1U} << 20U;
 
 Session::Session(const std::string& plan_file)
     : plan_(ReadPlan(plan_file)), scenario_(plan_.scenario, runtime::YamlValue(plan_.file, plan_.device_node)),
-      region_(kRegionBytes), device_(region_, scenario_.Model(), scenario_.Record(), plan_.planted),
+      region_(kRegionBytes), device_(region_, scenario_.Model(), scenario_.Record(), plan_.output),
       judge_(scenario_.Record(), scenario_.Model(), device_), limits_(LimitsOf(scenario_.Model(), device_.Config())),
       space_(plan_, scenario_.Record(), device_, HorizonOf(limits_, device_.Config())),
       runner_(device_, judge_, scenario_.Record(), space_.Cycles(), limits_)

@@ -7,6 +7,21 @@ namespace counterpoint::campaign
 {
 namespace
 {
+/// Whether this channel said this cause by itself in at least one experiment.
+bool IsHeard(const Voice& voice, const Results& results)
+{
+    for (std::uint64_t index = 0U; index < results.Size(); ++index)
+    {
+        const Outcome outcome = results.At(index);
+        if (outcome.detector == Detector::kChannels && outcome.detail == static_cast<std::uint8_t>(voice.cause) &&
+            (outcome.marks & voice.mark) != 0U)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool HasTime(const Outcome& outcome)
 {
     return outcome.result == Class::kDetected || outcome.result == Class::kSafeOther;
@@ -44,7 +59,7 @@ Summary Summarise(const Campaign& campaign, const Results& results)
         if (HasTime(outcome))
         {
             tally->times.push_back(outcome.us);
-            if (outcome.is_late != 0U)
+            if (IsLate(outcome))
             {
                 ++tally->late;
                 summary.late.push_back({number, campaign.space.At(number), outcome});
@@ -55,8 +70,20 @@ Summary Summarise(const Campaign& campaign, const Results& results)
     {
         std::sort(each.times.begin(), each.times.end());
     }
-    std::copy_if(campaign.plan.detectors.begin(), campaign.plan.detectors.end(), std::back_inserter(summary.idle),
-                 [&found](const Detector detector) { return found.at(static_cast<std::size_t>(detector)) == 0U; });
+    for (const Detector detector : campaign.plan.detectors)
+    {
+        if (found.at(static_cast<std::size_t>(detector)) == 0U)
+        {
+            summary.idle.emplace_back(WordOf(detector));
+        }
+    }
+    for (const Voice& voice : campaign.plan.voices)
+    {
+        if (!IsHeard(voice, results))
+        {
+            summary.idle.push_back(voice.name);
+        }
+    }
     return summary;
 }
 
@@ -81,7 +108,7 @@ std::string CsvReport(const Campaign& campaign, const Results& results)
                 PlaceText(campaign, experiment) + "," + WordOf(experiment.kind) + "," +
                 std::to_string(experiment.cycle) + "," + WordOf(experiment.phase) + "," + WordOf(outcome.result) + "," +
                 WordOf(outcome.detector) + "," + ReasonOf(outcome) + "," + std::to_string(outcome.us) + "," +
-                std::to_string(outcome.is_late) + "\n";
+                std::to_string(IsLate(outcome) ? 1 : 0) + "\n";
     }
     return text;
 }

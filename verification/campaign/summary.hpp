@@ -52,8 +52,8 @@ struct Summary
     std::vector<Tally> tallies;
     std::vector<Finding> silent;
     std::vector<Finding> late;
-    std::vector<Detector> idle; ///< That the plan asks for and that found nothing.
-    std::uint64_t open{0U};     ///< Not tried, or in another shard.
+    std::vector<std::string> idle; ///< Detectors and voices that the plan asks for and that found nothing.
+    std::uint64_t open{0U};        ///< Not tried, or in another shard.
 
     /// @brief Nothing silent, nothing late, and each detector that the plan names found something.
     [[nodiscard]] bool Holds() const noexcept

@@ -122,9 +122,9 @@ std::string TextReport(const Campaign& campaign, const Summary& summary)
                        DetectorLine(summary) + "left out: " + std::to_string(campaign.space.LeftOut()) +
                        " bytes that hold addresses of the program\n" +
                        FindingLines(campaign, "silent", summary.silent) + FindingLines(campaign, "late", summary.late);
-    for (const Detector detector : summary.idle)
+    for (const std::string& name : summary.idle)
     {
-        text += std::string("idle: ") + WordOf(detector) + " found nothing; the plan expects it to\n";
+        text += "idle: " + name + " found nothing; the plan expects it to\n";
     }
     if (summary.open != 0U)
     {

@@ -20,6 +20,10 @@ inline constexpr RequirementId SRS_CMG_010{"SRS_CMG_010"};
 inline constexpr RequirementId SRS_CMG_011{"SRS_CMG_011"};
 inline constexpr RequirementId SRS_CMG_012{"SRS_CMG_012"};
 inline constexpr RequirementId SRS_CMG_013{"SRS_CMG_013"};
+inline constexpr RequirementId SRS_CMG_040{"SRS_CMG_040"};
+inline constexpr RequirementId SRS_CMG_041{"SRS_CMG_041"};
+inline constexpr RequirementId SRS_CMG_042{"SRS_CMG_042"};
+inline constexpr RequirementId SRS_CMG_043{"SRS_CMG_043"};
 } // namespace counterpoint::req
 
 #endif
