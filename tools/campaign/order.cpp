@@ -15,6 +15,11 @@ void DescribeCampaign(Options& options, CampaignOrder& order)
         .Check(&ProblemOfFileName);
     options.Add("--html", &order.html, "Write the report as a page").Check(&ProblemOfFileName);
     options.Add("--csv", &order.csv, "Write each experiment as a line").Check(&ProblemOfFileName);
+    options.Add("--json", &order.json, "Write the report for programs").Check(&ProblemOfFileName);
+    options
+        .Add("--replay", &order.replay,
+             "Number of one experiment, as report and CSV have it: its time line, with --html as a page")
+        .Check(&ProblemOfFileName);
     options.Add("--shard", &order.shard, "K/N: try each N-th experiment, from the K-th on").ShowDefault();
     options.Add("--jobs", &order.jobs, "Processes at a time; 0: one for each processor")
         .Range(0, kMostJobs)
@@ -26,7 +31,11 @@ void DescribeCampaign(Options& options, CampaignOrder& order)
 std::vector<std::string> ArgumentsOf(const CampaignOrder& order)
 {
     std::vector<std::string> arguments = order.files;
-    for (const auto& [name, value] : {std::pair("--out", order.out), {"--html", order.html}, {"--csv", order.csv}})
+    for (const auto& [name, value] : {std::pair("--out", order.out),
+                                      {"--html", order.html},
+                                      {"--csv", order.csv},
+                                      {"--json", order.json},
+                                      {"--replay", order.replay}})
     {
         if (!value.empty())
         {

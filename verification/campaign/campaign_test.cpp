@@ -279,6 +279,85 @@ INSTANTIATE_TEST_SUITE_P(
                "latch+0.0, flip, cycle 549, phase permits: nobody, open again without an acknowledge, or behind a "
                "device fault"}));
 
+TEST_F(ReportTest, AnyExperimentIsShownAgainAsTimeLineAndPage)
+{
+    Verifies(req::SRS_CMG_044);
+    const std::string plan =
+        PlanFile("plan.yaml", "actuator",
+                 "at: [500 ms]\nparts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip]\n");
+    // When experiment 5 is shown again
+    const tools::test::Answer answer = Campaign({plan, "--replay", "5", "--html", Path("page.html")});
+    // Then the fault, what it does and the outcome of the CSV file are told
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_NE(answer.out.find("fault      latch+0.5, flip, at permits of cycle 499"), std::string::npos) << answer.out;
+    EXPECT_NE(answer.out.find("output     SAFE"), std::string::npos) << answer.out;
+    EXPECT_NE(answer.out.find("outcome: detected, by latch"), std::string::npos) << answer.out;
+    static_cast<void>(Campaign({plan, "--csv", Path("rows.csv")}));
+    EXPECT_NE(cia306::ReadTextFile(Path("rows.csv")).find("\n5,latch,latch+0.5,flip,499,permits,detected,latch,"),
+              std::string::npos);
+    const std::string page = cia306::ReadTextFile(Path("page.html"));
+    EXPECT_NE(page.find("<td>latch+0.5, flip, at permits of cycle 499</td>"), std::string::npos);
+    EXPECT_NE(page.find("name=\"viewport\""), std::string::npos);
+    EXPECT_EQ(page.find("http"), std::string::npos);
+    // and one that there is not is refused
+    EXPECT_NE(Campaign({plan, "--replay", "8"}).err.find("'8', expected the number of an experiment, 0 to 7"),
+              std::string::npos);
+}
+
+TEST_F(ReportTest, ProgramsAreToldClassesTimesMapAndSurvivors)
+{
+    Verifies(req::SRS_CMG_045);
+    // Given 8 faults, of which number 5 is silent, the others detected in 1 ms
+    const Session session(
+        PlanFile("plan.yaml", "actuator",
+                 "at: [500 ms]\nparts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip]\n"));
+    Results results("", session.Identity(Shard{}));
+    for (std::uint64_t index = 0U; index < 8U; ++index)
+    {
+        results.Put(index, Outcome{Class::kDetected, Detector::kLatch, 0U, 0U, 1000U});
+    }
+    results.Put(5U, Outcome{Class::kSilent, Detector::kNobody, static_cast<std::uint8_t>(Wrong::kData), 0U, 2000U});
+    // When they are told
+    const Summary summary = Summarise(session.Parts(), results);
+    const std::string json = JsonReport(session.Parts(), summary);
+    // Then
+    for (const char* const text :
+         {"\"format\": \"counterpoint-campaign-1\"", "\"holds\": false", "\"effective\": 8", "\"detected\": 7",
+          "\"latch\": 7", "\"median_us\": 1000", "\"up_to_us\": 1000", "\"phase\": \"permits\"", "\"experiment\": 5",
+          "\"declared\": \"safety_core/kernel/kernel_context.hpp:27\""})
+    {
+        EXPECT_NE(json.find(text), std::string::npos) << text << json;
+    }
+    EXPECT_NE(HtmlReport(session.Parts(), summary).find("<td><b>1</b>/8</td>"), std::string::npos);
+}
+
+TEST_F(ReportTest, FindingsThatSomebodyAnswersForAreToldAndStaleReasonsFail)
+{
+    Verifies(req::SRS_CMG_046);
+    // Given a plan that knows of bit 5, and one that knows of a byte at which nothing is found
+    const std::string lines =
+        "at: [500 ms]\nparts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip]\nknown:\n";
+    const auto judged = [this, &lines](const std::string& known, const std::uint64_t silent)
+    {
+        const Session session(PlanFile("plan.yaml", "actuator", lines + known));
+        Results results("", session.Identity(Shard{}));
+        for (std::uint64_t index = 0U; index < 8U; ++index)
+        {
+            results.Put(index, Outcome{Class::kMasked, Detector::kNobody, 0U, 0U, 0U});
+        }
+        results.Put(silent, Outcome{Class::kSilent, Detector::kNobody, 1U, 0U, 0U});
+        return TextReport(session.Parts(), Summarise(session.Parts(), results));
+    };
+    const std::string bit = "  - {place: latch+0.5, reason: march over live memory}\n";
+    // Then bit 5 is told with the reason and the campaign holds, with bit 4 it does not
+    EXPECT_NE(judged(bit, 5U).find("(known: march over live memory)"), std::string::npos);
+    EXPECT_NE(judged(bit, 5U).find("verdict: holds"), std::string::npos);
+    EXPECT_NE(judged(bit, 4U).find("verdict: does not hold"), std::string::npos);
+    // nor does it where a reason is needed by nothing
+    EXPECT_NE(judged(bit + "  - {place: latch+0.6, reason: march}\n", 5U).find("stale: nothing was found at latch+0.6"),
+              std::string::npos);
+}
+
 TEST_F(PlanTest, VoiceThatIsNoCauseOfAChannelIsRefused)
 {
     Verifies(req::SRS_CMG_041);

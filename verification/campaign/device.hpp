@@ -102,6 +102,14 @@ class Device
     {
         return *kernel_;
     }
+    [[nodiscard]] SrdoView ViewOfA(const SlotIndex slot) const noexcept
+    {
+        return a_->View(slot);
+    }
+    [[nodiscard]] SrdoView ViewOfB(const SlotIndex slot) const noexcept
+    {
+        return b_->View(slot);
+    }
     /// @brief Which channels report this cause in the last cycle, as marks of an outcome.
     [[nodiscard]] std::uint8_t WhoSaid(SrdoCause cause) const noexcept;
     /// @brief Whether the output has not cut itself off.

@@ -5,6 +5,7 @@
 #include "verification/campaign/judge.hpp"
 
 #include <array>
+#include <cstdio>
 
 namespace counterpoint::campaign
 {
@@ -48,5 +49,23 @@ const char* ReasonOf(const Outcome& outcome)
                               outcome.detector != Detector::kPins;
     return is_of_device ? runtime::NameOf(runtime::kDeviceFaultWords, static_cast<DeviceFault>(outcome.detail), "?")
                         : "";
+}
+
+std::string MsText(const std::uint32_t us)
+{
+    constexpr double kThousand = 1000.0;
+    char text[32] = {};
+    std::snprintf(text, sizeof(text), "%.3f", us / kThousand);
+    return text;
+}
+
+std::string OutcomeText(const Outcome& outcome)
+{
+    const std::string reason = ReasonOf(outcome);
+    std::string text = std::string("outcome: ") + WordOf(outcome.result);
+    text += (outcome.detector == Detector::kNobody) ? "" : std::string(", by ") + WordOf(outcome.detector);
+    text += reason.empty() ? "" : ", " + reason;
+    const bool has_time = outcome.result >= Class::kDetected;
+    return text + (has_time ? ", after " + MsText(outcome.us) + " ms" : "") + (IsLate(outcome) ? ", late" : "");
 }
 } // namespace counterpoint::campaign

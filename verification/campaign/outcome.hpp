@@ -6,6 +6,7 @@
 #include "safety_core/contract/srdo.hpp"
 
 #include <cstdint>
+#include <string>
 
 namespace counterpoint::campaign
 {
@@ -64,6 +65,10 @@ constexpr std::uint8_t kMarkSaidByB = 4U;
 
 [[nodiscard]] const char* WordOf(Class result);
 [[nodiscard]] const char* WordOf(Detector detector);
+/// @brief An outcome as a sentence.
+[[nodiscard]] std::string OutcomeText(const Outcome& outcome);
+/// @brief Microseconds as 1.234.
+[[nodiscard]] std::string MsText(std::uint32_t us);
 /// @brief Why an outcome is what it is, for people.
 [[nodiscard]] const char* ReasonOf(const Outcome& outcome);
 } // namespace counterpoint::campaign

@@ -181,6 +181,21 @@ void ReadVoices(const YamlMap& map, Plan& plan)
     }
 }
 
+void ReadKnown(const YamlMap& map, Plan& plan)
+{
+    const std::optional<YamlValue> list = map.Find("known");
+    if (!list)
+    {
+        return;
+    }
+    for (const YamlValue& item : list->Items("a list of places with a reason"))
+    {
+        const YamlMap known(plan.file, item.Node(), {"place", "reason"});
+        plan.known.push_back({known.Require("place").Text("a member, byte or bit, as comparator.verdict+8.0"),
+                              known.Require("reason").Text("who answers for it")});
+    }
+}
+
 void ReadSample(const YamlMap& map, Plan& plan)
 {
     constexpr std::uint64_t kMost = 10'000'000U;
@@ -209,7 +224,7 @@ Plan ReadPlan(const std::string& file)
     const runtime::YamlNode root = runtime::ParseYaml(file, text);
     const YamlMap map(file, root,
                       {"title", "scenario", "device", "at", "cycles", "phases", "parts", "members", "kinds",
-                       "detectors", "voices", "seed", "sample", "confidence", "output"});
+                       "detectors", "known", "voices", "seed", "sample", "confidence", "output"});
     Plan plan;
     plan.file = file;
     plan.digest = HashOf(text);
@@ -226,6 +241,7 @@ Plan ReadPlan(const std::string& file)
     ReadMembers(map, plan);
     ReadSample(map, plan);
     ReadVoices(map, plan);
+    ReadKnown(map, plan);
     if (const auto output = map.Find("output"))
     {
         plan.output = output->Choice(kOutputWords);

@@ -42,6 +42,13 @@ struct Voice
     SrdoCause cause{SrdoCause::kNone};
 };
 
+/// Findings that a mechanism outside of the device answers for, by their place. [SRS_CMG_046]
+struct Known
+{
+    std::string place; ///< A member, a byte of it or a bit: comparator.verdict+8.0.
+    std::string reason;
+};
+
 /// A campaign as its file says. [SRS_CMG_004]
 struct Plan
 {
@@ -61,6 +68,7 @@ struct Plan
     std::uint64_t sample{0U}; ///< Of each part and kind; 0: all.
     std::uint32_t confidence_percent{99U};
     OutputKind output{OutputKind::kGate};
+    std::vector<Known> known;
     std::vector<Voice> voices; ///< That have to say something.
     std::uint64_t digest{0U};  ///< Of the text of this file, for results that belong together.
 };

@@ -238,9 +238,14 @@ Outcome Runner::Run(const Experiment& experiment)
 
 void Runner::Begin(const Experiment& experiment)
 {
-    std::memcpy(device_.Memory().Bytes(), kept_.data() + ((experiment.cycle - first_) * size_), size_);
+    Rewind(experiment.cycle);
     fault_ = &experiment;
-    now_ = experiment.cycle;
+}
+
+void Runner::Rewind(const std::size_t cycle)
+{
+    std::memcpy(device_.Memory().Bytes(), kept_.data() + ((cycle - first_) * size_), size_);
+    now_ = cycle;
 }
 
 /// A fault may lie still for long: a bit that is stuck at what it is anyway, a word that is not read. The same run
@@ -299,6 +304,10 @@ void Runner::Watch(const Experiment& experiment)
     {
         device_.Cycle(now_);
         const Sight sight = judge_.Look(now_, memory);
+        if (watcher_ != nullptr)
+        {
+            watcher_->OnCycle(now_, sight);
+        }
         if (Notice(sight, experiment))
         {
             return;
@@ -378,6 +387,21 @@ Outcome Runner::Blame() const
         // The gate alone.
     }
     return outcome;
+}
+
+std::vector<std::size_t> Runner::DifferentPlaces() const
+{
+    const std::uint8_t* const was = kept_.data() + ((now_ + 1U - first_) * size_);
+    std::vector<std::size_t> different;
+    for (std::size_t index = 0U; index < device_.Places().size(); ++index)
+    {
+        const Place& place = device_.Places()[index];
+        if (std::memcmp(device_.Memory().Bytes() + place.offset, was + place.offset, place.size) != 0)
+        {
+            different.push_back(index);
+        }
+    }
+    return different;
 }
 
 bool Runner::HasGivenUp() const

@@ -36,6 +36,20 @@ class NotWell : public std::runtime_error
     using std::runtime_error::runtime_error;
 };
 
+/// Is told of each cycle of an experiment. Owns nothing while it runs that an exception must not leave behind.
+class CycleWatcher
+{
+  public:
+    virtual void OnCycle(std::size_t cycle, const Sight& sight) = 0;
+
+    CycleWatcher(const CycleWatcher&) = delete;
+    CycleWatcher& operator=(const CycleWatcher&) = delete;
+
+  protected:
+    CycleWatcher() = default;
+    ~CycleWatcher() = default;
+};
+
 /// Runs one experiment after the other, each from the device as it was without fault at the begin of its cycle.
 /// [SRS_CMG_001, SRS_CMG_006]
 class Runner final : private PhaseHook
@@ -48,6 +62,19 @@ class Runner final : private PhaseHook
 
     /// @brief Tries one fault. A Trap has to be there.
     [[nodiscard]] Outcome Run(const Experiment& experiment);
+    /// @brief Who is told of each cycle; null: nobody.
+    void Follow(CycleWatcher* const watcher) noexcept
+    {
+        watcher_ = watcher;
+    }
+    /// @brief Brings the device back to what it was before this cycle without fault.
+    void Rewind(std::size_t cycle);
+    [[nodiscard]] Device& Subject() noexcept
+    {
+        return device_;
+    }
+    /// @brief Members that are not as they were behind this cycle without fault, in the order of Device::Places.
+    [[nodiscard]] std::vector<std::size_t> DifferentPlaces() const;
     /// @brief Slots whose outputs are open behind this cycle of the run without fault.
     [[nodiscard]] SrdoMask OpenWithoutFault(const std::size_t cycle) const
     {
@@ -75,6 +102,7 @@ class Runner final : private PhaseHook
     Device& device_;
     Judge& judge_;
     const Recording& recording_;
+    CycleWatcher* watcher_{nullptr};
     const Limits& limits_;
     std::size_t horizon_;
     std::size_t first_;                    ///< The first cycle of which the memory is kept.

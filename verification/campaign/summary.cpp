@@ -26,12 +26,10 @@ bool HasTime(const Outcome& outcome)
 {
     return outcome.result == Class::kDetected || outcome.result == Class::kSafeOther;
 }
-} // namespace
 
-Summary Summarise(const Campaign& campaign, const Results& results)
+Summary EmptySummary(const Campaign& campaign)
 {
     Summary summary;
-    std::array<std::uint64_t, kDetectorCount> found{};
     for (const Stratum& stratum : campaign.space.Strata())
     {
         Tally tally;
@@ -39,40 +37,71 @@ Summary Summarise(const Campaign& campaign, const Results& results)
         tally.limit_us = campaign.limits.us.at(static_cast<std::size_t>(stratum.part));
         summary.tallies.push_back(tally);
     }
-    auto tally = summary.tallies.begin();
-    for (std::uint64_t index = 0U; index < results.Size(); ++index)
+    for (std::size_t detector = 0U; detector < kDetectorCount; ++detector)
     {
-        const std::uint64_t number = results.NumberAt(index);
-        while (number >= tally->stratum.first + tally->stratum.taken)
-        {
-            ++tally;
-        }
-        const Outcome outcome = results.At(index);
-        ++tally->classes.at(static_cast<std::size_t>(outcome.result));
-        ++tally->detectors.at(static_cast<std::size_t>(outcome.detector));
-        ++found.at(static_cast<std::size_t>(outcome.detector));
-        summary.open += (outcome.result == Class::kOpen) ? 1U : 0U;
-        if (outcome.result == Class::kSilent)
-        {
-            summary.silent.push_back({number, campaign.space.At(number), outcome});
-        }
-        if (HasTime(outcome))
-        {
-            tally->times.push_back(outcome.us);
-            if (IsLate(outcome))
-            {
-                ++tally->late;
-                summary.late.push_back({number, campaign.space.At(number), outcome});
-            }
-        }
+        summary.mechanisms.push_back({static_cast<Detector>(detector), {}});
     }
-    for (Tally& each : summary.tallies)
+    summary.map.assign(campaign.device.Places().size(), std::vector<MapCell>(kPhaseCount));
+    return summary;
+}
+
+/// Whether a place is the known one, or within it.
+bool IsWithin(const std::string& place, const std::string& known)
+{
+    return place.rfind(known, 0U) == 0U &&
+           (place.size() == known.size() || place[known.size()] == '+' || place[known.size()] == '.');
+}
+
+Finding FindingOf(const Campaign& campaign, const std::uint64_t number, const Outcome& outcome)
+{
+    Finding finding{number, campaign.space.At(number), outcome, ""};
+    for (const Known& known : campaign.plan.known)
     {
-        std::sort(each.times.begin(), each.times.end());
+        finding.known = IsWithin(PlaceText(campaign, finding.experiment), known.place) ? known.reason : finding.known;
     }
+    return finding;
+}
+
+void Count(const Campaign& campaign, const std::uint64_t number, const Outcome& outcome, Tally& tally, Summary& summary)
+{
+    ++tally.classes.at(static_cast<std::size_t>(outcome.result));
+    ++tally.detectors.at(static_cast<std::size_t>(outcome.detector));
+    if (outcome.result == Class::kOpen)
+    {
+        ++summary.open;
+        return;
+    }
+    const Experiment experiment = campaign.space.At(number);
+    MapCell& cell = summary.map.at(experiment.place).at(static_cast<std::size_t>(experiment.phase));
+    ++cell.injected;
+    cell.effective += (outcome.result >= Class::kDetected) ? 1U : 0U;
+    cell.silent += (outcome.result == Class::kSilent) ? 1U : 0U;
+    if (HasTime(outcome))
+    {
+        tally.times.push_back(outcome.us);
+        summary.mechanisms.at(static_cast<std::size_t>(outcome.detector)).times.push_back(outcome.us);
+    }
+    if (outcome.result == Class::kSilent)
+    {
+        summary.silent.push_back(FindingOf(campaign, number, outcome));
+    }
+    else if (IsLate(outcome))
+    {
+        ++tally.late;
+        summary.late.push_back(FindingOf(campaign, number, outcome));
+    }
+    else
+    {
+        // Nobody has to look at it.
+    }
+}
+
+/// What the plan expects and what did not come.
+void Expect(const Campaign& campaign, const Results& results, Summary& summary)
+{
     for (const Detector detector : campaign.plan.detectors)
     {
-        if (found.at(static_cast<std::size_t>(detector)) == 0U)
+        if (summary.mechanisms.at(static_cast<std::size_t>(detector)).times.empty())
         {
             summary.idle.emplace_back(WordOf(detector));
         }
@@ -84,7 +113,73 @@ Summary Summarise(const Campaign& campaign, const Results& results)
             summary.idle.push_back(voice.name);
         }
     }
+    for (const Known& known : campaign.plan.known)
+    {
+        const auto is_of_it = [&campaign, &known](const Finding& finding)
+        { return IsWithin(PlaceText(campaign, finding.experiment), known.place); };
+        if (std::none_of(summary.silent.begin(), summary.silent.end(), is_of_it) &&
+            std::none_of(summary.late.begin(), summary.late.end(), is_of_it))
+        {
+            summary.stale.push_back(known.place);
+        }
+    }
+}
+} // namespace
+
+bool Summary::IsKnown(const std::vector<Finding>& findings) noexcept
+{
+    return std::none_of(findings.begin(), findings.end(), [](const Finding& finding) { return finding.known.empty(); });
+}
+
+Summary Summarise(const Campaign& campaign, const Results& results)
+{
+    Summary summary = EmptySummary(campaign);
+    auto tally = summary.tallies.begin();
+    for (std::uint64_t index = 0U; index < results.Size(); ++index)
+    {
+        const std::uint64_t number = results.NumberAt(index);
+        while (number >= tally->stratum.first + tally->stratum.taken)
+        {
+            ++tally;
+        }
+        Count(campaign, number, results.At(index), *tally, summary);
+    }
+    for (Tally& each : summary.tallies)
+    {
+        std::sort(each.times.begin(), each.times.end());
+    }
+    for (Mechanism& each : summary.mechanisms)
+    {
+        std::sort(each.times.begin(), each.times.end());
+    }
+    Expect(campaign, results, summary);
+    const auto has_none = [](const Mechanism& each) { return each.times.empty(); };
+    summary.mechanisms.erase(std::remove_if(summary.mechanisms.begin(), summary.mechanisms.end(), has_none),
+                             summary.mechanisms.end());
     return summary;
+}
+
+std::vector<Bin> HistogramOf(const Summary& summary)
+{
+    constexpr std::uint32_t kFirstUs = 1000U;
+    std::vector<Bin> bins;
+    for (const Mechanism& mechanism : summary.mechanisms)
+    {
+        for (const std::uint32_t us : mechanism.times)
+        {
+            std::size_t bin = 0U;
+            for (std::uint64_t limit = kFirstUs; limit < us; limit *= 2U)
+            {
+                ++bin;
+            }
+            while (bins.size() <= bin)
+            {
+                bins.push_back({bins.empty() ? kFirstUs : bins.back().up_to_us * 2U, 0U});
+            }
+            ++bins[bin].count;
+        }
+    }
+    return bins;
 }
 
 std::string PlaceText(const Campaign& campaign, const Experiment& experiment)

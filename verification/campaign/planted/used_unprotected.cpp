@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-// The safety pins of the TMS570 as they once were, in the place of the shipped ones: which pins are safety outputs is one
-// word, `used_`, that nothing protects. A bit of it that is lost leaves its pin high. The campaign has to find it.
+// The safety pins of the TMS570 as they once were, in the place of the shipped ones: which pins are safety outputs is
+// one word, `used_`, that nothing protects. A bit of it that is lost leaves its pin high. The campaign has to find it.
 #include "hal/tms570/output/gio_registers.hpp"
 #include "verification/campaign/pins_output.hpp"
 
@@ -58,7 +58,8 @@ class UnprotectedPins
         }
         SetPins(gate_.Open(clocks_.Now().a, setup_.limit));
         const bool are_outputs = (Read(At(setup_.port, kDirection)) & used_) == used_;
-        if (!are_outputs || (tms570::WaitFor(At(setup_.port, kInput), Bits{used_, driven_}, kPinLooks) != Outcome::kDone))
+        if (!are_outputs ||
+            (tms570::WaitFor(At(setup_.port, kInput), Bits{used_, driven_}, kPinLooks) != Outcome::kDone))
         {
             CutOff();
             return Outcome::kFailed;

@@ -24,6 +24,9 @@ inline constexpr RequirementId SRS_CMG_040{"SRS_CMG_040"};
 inline constexpr RequirementId SRS_CMG_041{"SRS_CMG_041"};
 inline constexpr RequirementId SRS_CMG_042{"SRS_CMG_042"};
 inline constexpr RequirementId SRS_CMG_043{"SRS_CMG_043"};
+inline constexpr RequirementId SRS_CMG_044{"SRS_CMG_044"};
+inline constexpr RequirementId SRS_CMG_045{"SRS_CMG_045"};
+inline constexpr RequirementId SRS_CMG_046{"SRS_CMG_046"};
 } // namespace counterpoint::req
 
 #endif
