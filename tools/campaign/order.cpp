@@ -24,8 +24,13 @@ void DescribeCampaign(Options& options, CampaignOrder& order)
     options.Add("--jobs", &order.jobs, "Processes at a time; 0: one for each processor")
         .Range(0, kMostJobs)
         .ShowDefault();
-    options.Footer("Exit status: 0 nothing silent, nothing late; 1 something is; 2 a plan that cannot be used.\n"
-                   "The plan and the report are explained in docs/campaign.md.");
+    options.Footer(
+        "Start: counterpoint campaign examples/campaigns/actuator.yaml --html page.html\n"
+        "One fault of it, step by step: the same plan with --replay 54\n"
+        "Many machines: --shard 1/64 --out 1.results and so on, then: merge PLAN *.results --html page.html\n"
+        "Killed: the same command with the same --out goes on.\n"
+        "Exit status: 0 nothing silent, nothing late; 1 something is; 2 a plan that cannot be used.\n"
+        "The plan and the report are explained in docs/campaign.md.");
 }
 
 std::vector<std::string> ArgumentsOf(const CampaignOrder& order)

@@ -35,16 +35,11 @@ Json StratumOf(const Campaign& campaign, const Tally& tally)
     }
     const double confidence = campaign.plan.confidence_percent / kPercent;
     const std::uint64_t effective = tally.Effective();
-    Json stratum{{"part", WordOf(tally.stratum.part)},
-                 {"kind", WordOf(tally.stratum.kind)},
-                 {"faults", tally.stratum.size},
-                 {"injected", tally.stratum.taken},
-                 {"open", tally.Of(Class::kOpen)},
-                 {"masked", tally.Of(Class::kMasked)},
-                 {"benign", tally.Of(Class::kBenign)},
-                 {"effective", effective},
-                 {"detected", tally.Of(Class::kDetected)},
-                 {"safe_other", tally.Of(Class::kSafeOther)},
+    Json stratum{{"part", WordOf(tally.stratum.part)},     {"kind", WordOf(tally.stratum.kind)},
+                 {"faults", tally.stratum.size},           {"injected", tally.stratum.taken},
+                 {"open", tally.Of(Class::kOpen)},         {"masked", tally.Of(Class::kMasked)},
+                 {"benign", tally.Of(Class::kBenign)},     {"effective", effective},
+                 {"detected", tally.Of(Class::kDetected)}, {"safe_other", tally.Of(Class::kSafeOther)},
                  {"silent", tally.Of(Class::kSilent)}};
     stratum["silent_at_most"] =
         (effective == 0U) ? Json() : Json(UpperBound(tally.Of(Class::kSilent), effective, confidence));

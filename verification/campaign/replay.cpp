@@ -118,7 +118,8 @@ void Replay::OnCycle(const std::size_t cycle, const Sight& sight)
         if (std::find(told_different_.begin(), told_different_.end(), place) == told_different_.end())
         {
             told_different_.push_back(place);
-            names += (fresh < kMostNames) ? (fresh == 0U ? "" : ", ") + session_.Parts().device.Places()[place].name : "";
+            names +=
+                (fresh < kMostNames) ? (fresh == 0U ? "" : ", ") + session_.Parts().device.Places()[place].name : "";
             ++fresh;
         }
     }
@@ -133,7 +134,8 @@ void Replay::OnCycle(const std::size_t cycle, const Sight& sight)
     TellValues(is);
     if (sight.wrong != Wrong::kNothing)
     {
-        Tell("judge", ReasonOf(Outcome{Class::kSilent, Detector::kNobody, static_cast<std::uint8_t>(sight.wrong), 0U, 0U}));
+        Tell("judge",
+             ReasonOf(Outcome{Class::kSilent, Detector::kNobody, static_cast<std::uint8_t>(sight.wrong), 0U, 0U}));
     }
     last_ = std::move(is);
 }
@@ -221,10 +223,10 @@ std::string Replay::Lane(const std::string& name, const std::vector<Stretch>& st
     const auto x_of = [this, span](const Nanoseconds at)
     { return kLeft + static_cast<double>(std::max<Nanoseconds>(at - begin_, 0)) / span * (kWidth - kLeft); };
     const int top = row * kRow;
-    std::string text = "<text x=\"0\" y=\"" + std::to_string(top + 22) +
-                       "\" font-size=\"18\" fill=\"currentColor\">" + name + "</text><line x1=\"" + std::to_string(kLeft) +
-                       "\" x2=\"" + std::to_string(kWidth) + "\" y1=\"" + std::to_string(top + 28) + "\" y2=\"" +
-                       std::to_string(top + 28) + "\" stroke=\"currentColor\"/>\n";
+    std::string text = "<text x=\"0\" y=\"" + std::to_string(top + 22) + "\" font-size=\"18\" fill=\"currentColor\">" +
+                       name + "</text><line x1=\"" + std::to_string(kLeft) + "\" x2=\"" + std::to_string(kWidth) +
+                       "\" y1=\"" + std::to_string(top + 28) + "\" y2=\"" + std::to_string(top + 28) +
+                       "\" stroke=\"currentColor\"/>\n";
     for (const Stretch& stretch : stretches)
     {
         const double from = x_of(stretch.begin);
@@ -247,8 +249,9 @@ std::string Replay::Picture() const
            "\" role=\"img\" aria-label=\"When the output is open\">\n" + Lane("without fault", open_without_, 0) +
            Lane("output open", open_, 1) + Lane("events", marks, 2) + "<text x=\"" + std::to_string(kLeft) + "\" y=\"" +
            std::to_string(3 * kRow + 20) + "\" font-size=\"18\" fill=\"currentColor\">" + TimeText(begin_) +
-           "</text><text text-anchor=\"end\" x=\"" + std::to_string(kWidth) + "\" y=\"" + std::to_string(3 * kRow + 20) +
-           "\" font-size=\"18\" fill=\"currentColor\">" + TimeText(PictureEnd()) + "</text></svg>\n";
+           "</text><text text-anchor=\"end\" x=\"" + std::to_string(kWidth) + "\" y=\"" +
+           std::to_string(3 * kRow + 20) + "\" font-size=\"18\" fill=\"currentColor\">" + TimeText(PictureEnd()) +
+           "</text></svg>\n";
 }
 
 std::string Replay::Page() const

@@ -117,7 +117,8 @@ void Expect(const Campaign& campaign, const Results& results, Summary& summary)
     {
         const auto is_of_it = [&campaign, &known](const Finding& finding)
         { return IsWithin(PlaceText(campaign, finding.experiment), known.place); };
-        if (std::none_of(summary.silent.begin(), summary.silent.end(), is_of_it) &&
+        // A sample need not draw it.
+        if (campaign.plan.sample == 0U && std::none_of(summary.silent.begin(), summary.silent.end(), is_of_it) &&
             std::none_of(summary.late.begin(), summary.late.end(), is_of_it))
         {
             summary.stale.push_back(known.place);

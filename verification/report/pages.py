@@ -12,6 +12,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "trace"))
 sys.path.insert(0, str(HERE.parent / "gates"))
 from common import SAFETY_ROOMS  # noqa: E402
+from campaign import page_of as campaign_page  # noqa: E402
 from failover import page_of as failover_page  # noqa: E402
 from matrix import repository_matrix  # noqa: E402
 
@@ -121,17 +122,19 @@ def write(root, evidence, data):
              if result["status"] != 0]
     failover, failover_gaps = failover_page(root / "build/elections/failovers.json")
     gaps += failover_gaps
+    campaign, campaign_gaps = campaign_page(root, evidence)
+    gaps += campaign_gaps
     if not gate_rows:
         gaps.append("no gate has run")
     context = {
         "identity": read_json(data / "identity.json", {}), "gates": gate_rows, "matrix": matrix, "coverage": coverage_rows,
         "totals": totals, "metrics": METRICS, "misra": misra_rows, "deviations": records, "misra_counts": misra_counts,
-        "tests": tests, "test_origin": test_origin, "commands": commands, "gaps": gaps, "failover": failover, "areas": areas(matrix),
+        "tests": tests, "test_origin": test_origin, "commands": commands, "gaps": gaps, "failover": failover, "campaign": campaign, "areas": areas(matrix),
         "gcov_totals": read_json(data / "gcov/summary.json", {}),
         "has_gcov": (evidence / "coverage_gcov/index.html").exists(),
         "has_clang": (evidence / "coverage_clang/index.html").exists(),
     }
-    for name in ("index", "trace", "coverage", "gates", "misra", "failover", "tools"):
+    for name in ("index", "trace", "coverage", "gates", "misra", "failover", "campaign", "tools"):
         page = environment.get_template(f"{name}.html.j2").render(page=name, **context)
         (evidence / f"{name}.html").write_text(page, encoding="utf-8")
     return gaps

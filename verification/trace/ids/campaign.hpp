@@ -27,6 +27,7 @@ inline constexpr RequirementId SRS_CMG_043{"SRS_CMG_043"};
 inline constexpr RequirementId SRS_CMG_044{"SRS_CMG_044"};
 inline constexpr RequirementId SRS_CMG_045{"SRS_CMG_045"};
 inline constexpr RequirementId SRS_CMG_046{"SRS_CMG_046"};
+inline constexpr RequirementId SRS_CMG_047{"SRS_CMG_047"};
 } // namespace counterpoint::req
 
 #endif
