@@ -157,14 +157,14 @@ std::string Map(const Campaign& campaign, const Summary& summary)
     std::string text = "<h2>Map of memory and phase</h2><p>Faults with an effect; in bold: silent ones of them. Empty: "
                        "not tried.</p>" +
                        Table(head, "map");
-    for (std::size_t place = 0U; place < summary.map.size(); ++place)
+    for (const MapRow& member : summary.map)
     {
-        std::vector<std::string> row{campaign.device.Places()[place].name};
+        std::vector<std::string> row{member.name};
         bool has_silent = false;
         bool has_any = false;
         for (const Phase phase : campaign.plan.phases)
         {
-            const MapCell& cell = summary.map[place].at(static_cast<std::size_t>(phase));
+            const MapCell& cell = member.cells.at(static_cast<std::size_t>(phase));
             has_silent = has_silent || cell.silent != 0U;
             has_any = has_any || cell.injected != 0U;
             row.push_back(CellText(cell));

@@ -53,14 +53,14 @@ Json StratumOf(const Campaign& campaign, const Tally& tally)
 Json MapOf(const Campaign& campaign, const Summary& summary)
 {
     Json map = Json::array();
-    for (std::size_t place = 0U; place < summary.map.size(); ++place)
+    for (const MapRow& row : summary.map)
     {
         for (const Phase phase : campaign.plan.phases)
         {
-            const MapCell& cell = summary.map[place].at(static_cast<std::size_t>(phase));
+            const MapCell& cell = row.cells.at(static_cast<std::size_t>(phase));
             if (cell.injected != 0U)
             {
-                map.push_back({{"member", campaign.device.Places()[place].name},
+                map.push_back({{"member", row.name},
                                {"phase", WordOf(phase)},
                                {"injected", cell.injected},
                                {"effective", cell.effective},

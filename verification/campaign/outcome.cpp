@@ -65,7 +65,7 @@ std::string OutcomeText(const Outcome& outcome)
     std::string text = std::string("outcome: ") + WordOf(outcome.result);
     text += (outcome.detector == Detector::kNobody) ? "" : std::string(", by ") + WordOf(outcome.detector);
     text += reason.empty() ? "" : ", " + reason;
-    const bool has_time = outcome.result >= Class::kDetected;
+    const bool has_time = IsEffective(outcome.result);
     return text + (has_time ? ", after " + MsText(outcome.us) + " ms" : "") + (IsLate(outcome) ? ", late" : "");
 }
 } // namespace counterpoint::campaign

@@ -65,6 +65,11 @@ constexpr std::uint8_t kMarkSaidByB = 4U;
 
 [[nodiscard]] const char* WordOf(Class result);
 [[nodiscard]] const char* WordOf(Detector detector);
+/// @brief Whether the fault changed what the device does: of these alone a share is said.
+[[nodiscard]] constexpr bool IsEffective(const Class result)
+{
+    return result == Class::kDetected || result == Class::kSafeOther || result == Class::kSilent;
+}
 /// @brief An outcome as a sentence.
 [[nodiscard]] std::string OutcomeText(const Outcome& outcome);
 /// @brief Microseconds as 1.234.

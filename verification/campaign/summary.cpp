@@ -41,7 +41,10 @@ Summary EmptySummary(const Campaign& campaign)
     {
         summary.mechanisms.push_back({static_cast<Detector>(detector), {}});
     }
-    summary.map.assign(campaign.device.Places().size(), std::vector<MapCell>(kPhaseCount));
+    for (const Place& place : campaign.device.Places())
+    {
+        summary.map.push_back({place.name, std::vector<MapCell>(kPhaseCount)});
+    }
     return summary;
 }
 
@@ -72,9 +75,9 @@ void Count(const Campaign& campaign, const std::uint64_t number, const Outcome& 
         return;
     }
     const Experiment experiment = campaign.space.At(number);
-    MapCell& cell = summary.map.at(experiment.place).at(static_cast<std::size_t>(experiment.phase));
+    MapCell& cell = summary.map.at(experiment.place).cells.at(static_cast<std::size_t>(experiment.phase));
     ++cell.injected;
-    cell.effective += (outcome.result >= Class::kDetected) ? 1U : 0U;
+    cell.effective += IsEffective(outcome.result) ? 1U : 0U;
     cell.silent += (outcome.result == Class::kSilent) ? 1U : 0U;
     if (HasTime(outcome))
     {

@@ -55,6 +55,13 @@ struct MapCell
     std::uint64_t silent{0U};
 };
 
+/// A member of the device.
+struct MapRow
+{
+    std::string name;
+    std::vector<MapCell> cells; ///< By phase.
+};
+
 /// So many were found within `up_to_us`, and not within the half of it.
 struct Bin
 {
@@ -75,11 +82,11 @@ struct Summary
     std::vector<Tally> tallies;
     std::vector<Finding> silent;
     std::vector<Finding> late;
-    std::vector<std::string> idle;         ///< Detectors and voices that the plan asks for and that found nothing.
-    std::vector<std::string> stale;        ///< Known places of the plan at which nothing was found.
-    std::vector<Mechanism> mechanisms;     ///< Those that found something.
-    std::vector<std::vector<MapCell>> map; ///< By place of the device and phase.
-    std::uint64_t open{0U};                ///< Not tried, or in another shard.
+    std::vector<std::string> idle;     ///< Detectors and voices that the plan asks for and that found nothing.
+    std::vector<std::string> stale;    ///< Known places of the plan at which nothing was found.
+    std::vector<Mechanism> mechanisms; ///< Those that found something.
+    std::vector<MapRow> map;           ///< The places of the device, in their order.
+    std::uint64_t open{0U};            ///< Not tried, or in another shard.
 
     /// @brief Nothing silent and nothing late that nobody answers for, and each detector, voice and known place of the
     /// plan found something.
