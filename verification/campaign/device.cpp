@@ -2,11 +2,13 @@
 #include "verification/campaign/device.hpp"
 
 #include "runtime/device/assembly.hpp"
+#include "verification/campaign/calls.hpp"
 #include "verification/campaign/channels.hpp"
 #include "verification/campaign/kernel_places.hpp"
 #include "verification/campaign/planted.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 namespace counterpoint::campaign
@@ -29,12 +31,14 @@ FlatOutput* MakeOutput(Region& region, const Planted planted)
 }
 } // namespace
 
-Device::Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, const Planted planted)
-    : region_(region), recording_(recording), reference_(model.Config())
+Device::Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, const Planted planted,
+               const bool has_call_faults)
+    : region_(region), recording_(recording), reference_(model.Config()), feed_(recording)
 {
     MakeSurroundings(recording, planted);
     CopyTables(model);
-    MakeChannels(planted);
+    feed_.TakeInputs(pairs_);
+    MakeChannels(planted, has_call_faults);
     MakeKernel();
     Start(model);
 }
@@ -99,7 +103,7 @@ void Device::MakeSurroundings(const Recording& recording, const Planted planted)
     Add(Part::kKernel, "kernel.windows", windows_, sizeof(CauseWindows) * reference_.srdo_count);
 }
 
-void Device::MakeChannels(const Planted planted)
+void Device::MakeChannels(const Planted planted, const bool has_call_faults)
 {
     const ChannelRoom room{reference_.srdo_count, reference_.map_entries};
     const MadeChannel a = MakeChannelA(region_, room);
@@ -108,6 +112,13 @@ void Device::MakeChannels(const Planted planted)
     places_.insert(places_.end(), b.places.begin(), b.places.end());
     a_ = a.voice;
     b_ = (planted == Planted::kBlindComparator) ? &region_.Make<HalfSeenChannel>(*b.voice, *a.voice) : b.voice;
+    if (has_call_faults)
+    {
+        disturbed_a_ = &region_.Make<DisturbedChannel>(*a_, Part::kCallsOfA, feed_.OfCalls());
+        disturbed_b_ = &region_.Make<DisturbedChannel>(*b_, Part::kCallsOfB, feed_.OfCalls());
+        a_ = disturbed_a_;
+        b_ = disturbed_b_;
+    }
 }
 
 void Device::MakeKernel()
@@ -167,10 +178,19 @@ SrdoMask Device::Open() noexcept
 
 void Device::Cycle(const std::size_t cycle)
 {
-    const RecordedCycle& recorded = recording_.cycles[cycle];
-    const bool is_first = cycle == 0U;
-    const std::size_t first_frame = is_first ? 0U : recording_.cycles[cycle - 1U].frames_end;
-    // What was confirmed is on the bus; what waits moves to the front.
+    MoveOwnFrames();
+    feed_.BeginCycle();
+    const Calls calls = feed_.CallsIn(cycle);
+    for (std::size_t index = 0U; index < calls.count; ++index)
+    {
+        Call(cycle, calls.at.at(index));
+    }
+    SetTime(recording_.cycles[cycle].at);
+}
+
+/// What was confirmed is on the bus; what waits moves to the front.
+void Device::MoveOwnFrames()
+{
     const std::uint32_t waiting = ports_->count - std::min(ports_->confirmed, ports_->count);
     for (std::uint32_t index = 0U; index < waiting; ++index)
     {
@@ -179,51 +199,55 @@ void Device::Cycle(const std::size_t cycle)
     std::fill(ports_->frames.begin() + waiting, ports_->frames.end(), OwnFrame{});
     ports_->count = waiting;
     ports_->confirmed = 0U;
-    if (recorded.nmt != (is_first ? NmtState::kInvalid : recording_.cycles[cycle - 1U].nmt))
+}
+
+void Device::Call(const std::size_t cycle, const Nanoseconds at)
+{
+    if (disturbed_a_ != nullptr)
     {
-        kernel_->SetNmtState(recorded.nmt);
+        disturbed_a_->BeginCycle();
+        disturbed_b_->BeginCycle();
     }
+    feed_.BeginCall(cycle, *kernel_);
     if (hook_ != nullptr)
     {
         hook_->At(Phase::kBeforeFrames);
     }
-    Deliver(recorded, first_frame);
+    Deliver(at);
     if (hook_ != nullptr)
     {
         hook_->At(Phase::kAfterFrames);
     }
-    SetTime(recorded.at);
-    ports_->now = recorded.at;
-    kernel_->Cycle(recorded.call);
+    SetTime(at);
+    ports_->now = at;
+    kernel_->Cycle(feed_.CallOf(cycle, at));
     WriteProducers(cycle);
 }
 
 /// Received frames and confirmations in the order of the bus.
-void Device::Deliver(const RecordedCycle& cycle, const std::size_t first_frame)
+void Device::Deliver(const Nanoseconds at)
 {
-    std::size_t next = first_frame;
     bool has_come = false;
     for (;;)
     {
-        const bool has_frame = next < cycle.frames_end;
+        const std::optional<RecordedFrame> frame = feed_.FrameUntil(at);
         const bool has_own = ports_->confirmed < std::min<std::uint32_t>(ports_->count, kMostOwnFrames) &&
-                             ports_->frames[ports_->confirmed].confirmed_at <= cycle.at;
-        if (!has_frame && !has_own)
+                             ports_->frames[ports_->confirmed].confirmed_at <= at;
+        if (!frame && !has_own)
         {
             break;
         }
-        if (has_own && (!has_frame || ports_->frames[ports_->confirmed].confirmed_at < recording_.frames[next].at))
+        if (has_own && (!frame || ports_->frames[ports_->confirmed].confirmed_at < frame->at))
         {
             const OwnFrame own = ports_->frames[ports_->confirmed];
             ++ports_->confirmed;
             ports_->now = own.confirmed_at;
             SetTime(own.confirmed_at);
-            kernel_->OnConfirm({own.frame, recording_.counters.At(own.confirmed_at)});
+            feed_.Confirm(own, *kernel_);
         }
         else
         {
-            kernel_->OnFrame(recording_.frames[next].stamped);
-            ++next;
+            feed_.Hand(*frame, *kernel_);
         }
         if (!has_come && hook_ != nullptr)
         {
@@ -240,8 +264,9 @@ void Device::Deliver(const RecordedCycle& cycle, const std::size_t first_frame)
 /// As an application does it that senses with two paths: each side by itself, in every cycle.
 void Device::WriteProducers(const std::size_t cycle)
 {
-    for (const FlatPair& pair : pairs_)
+    for (std::size_t index = 0U; index < pairs_.size(); ++index)
     {
+        const FlatPair& pair = pairs_[index];
         if (pair.is_consumer)
         {
             continue;
@@ -255,8 +280,8 @@ void Device::WriteProducers(const std::size_t cycle)
                 value = input.value;
             }
         }
-        WriteVariable(pair.normal, {value});
-        WriteVariable(pair.inverse, {~value});
+        WriteVariable(pair.normal, {feed_.Written(cycle, index, false, value)});
+        WriteVariable(pair.inverse, {feed_.Written(cycle, index, true, ~value)});
     }
 }
 } // namespace counterpoint::campaign

@@ -3,6 +3,7 @@
 #define VERIFICATION_CAMPAIGN_DEVICE_HPP
 
 #include "runtime/device/model.hpp"
+#include "verification/campaign/feed.hpp"
 #include "verification/campaign/recording.hpp"
 #include "verification/campaign/region.hpp"
 #include "verification/campaign/surroundings.hpp"
@@ -37,8 +38,20 @@ enum class Part : std::uint8_t
     kKernel = 7U, ///< The rest of it.
     kTables = 8U,
     kVariables = 9U,
+    // From here on no memory.
+    kBus = 10U,         ///< Frames that the device receives. [SRS_CMG_020]
+    kKernelCalls = 11U, ///< What is called of the kernel. [SRS_CMG_022]
+    kCallsOfA = 12U,    ///< What the kernel calls of channel A.
+    kCallsOfB = 13U,
+    kSteps = 14U,        ///< Of the flow.
+    kCounters = 15U,     ///< [SRS_CMG_023]
+    kCycle = 16U,        ///< When it is called.
+    kBothChannels = 17U, ///< A bit in each. [SRS_CMG_024]
+    kInputs = 18U,       ///< What the application senses with two paths. [SRS_CMG_025]
 };
-constexpr std::size_t kPartCount = 10U;
+constexpr std::size_t kPartCount = 19U;
+/// The first so many are memory.
+constexpr std::size_t kMemoryPartCount = 10U;
 
 /// A member of the device under test, and where it lies in the region.
 struct Place
@@ -49,16 +62,7 @@ struct Place
     std::size_t size{0U};
 };
 
-/// A mapped pair of variables of the device under test.
-struct FlatPair
-{
-    VariablePlace normal{};
-    VariablePlace inverse{};
-    ObjectAddress address{0U, 0U};
-    SlotIndex slot{kNoSlot};
-    std::uint32_t first_bit{0U}; ///< In the data of the SRDO.
-    bool is_consumer{false};
-};
+class DisturbedChannel;
 
 /// Kernel, both channels and all that they work on, in one piece of memory. [SRS_CMG_001]
 class Device
@@ -66,10 +70,19 @@ class Device
   public:
     /// @brief Builds the device of the model in the region, starts and configures it at power-on of the recording.
     /// Throws std::runtime_error for a device that the kernel refuses.
-    Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, Planted planted);
+    Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, Planted planted,
+           bool has_call_faults = false);
+    ~Device() = default;
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
 
     /// @brief One cycle of the recording with all that comes before it.
     void Cycle(std::size_t cycle);
+    /// @brief What it receives, and the fault of that. To be rewound when its memory is brought back.
+    [[nodiscard]] Feed& Receives() noexcept
+    {
+        return feed_;
+    }
     /// @brief Who is told the phases of each cycle; null: nobody.
     void Follow(PhaseHook* hook) noexcept;
     /// @brief Slots whose outputs are open now.
@@ -112,10 +125,12 @@ class Device
   private:
     void CopyTables(const runtime::DeviceModel& model);
     void MakeSurroundings(const Recording& recording, Planted planted);
-    void MakeChannels(Planted planted);
+    void MakeChannels(Planted planted, bool has_call_faults);
     void MakeKernel();
     void Start(const runtime::DeviceModel& model);
-    void Deliver(const RecordedCycle& cycle, std::size_t first_frame);
+    void MoveOwnFrames();
+    void Call(std::size_t cycle, Nanoseconds at);
+    void Deliver(Nanoseconds at);
     void Add(Part part, const std::string& name, const void* object, std::size_t size);
     void WriteProducers(std::size_t cycle);
     void SetTime(Nanoseconds at) noexcept;
@@ -134,9 +149,12 @@ class Device
     TappedFlow* flow_{nullptr};
     Channel* a_{nullptr};
     Channel* b_{nullptr};
+    DisturbedChannel* disturbed_a_{nullptr}; ///< Null: no plan for calls.
+    DisturbedChannel* disturbed_b_{nullptr};
     CauseWindows* windows_{nullptr};
     Kernel* kernel_{nullptr};
     PhaseHook* hook_{nullptr};
+    Feed feed_; ///< Outside of it.
 };
 } // namespace counterpoint::campaign
 

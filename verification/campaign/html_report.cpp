@@ -192,7 +192,8 @@ std::string HtmlReport(const Campaign& campaign, const Summary& summary)
     }
     text += "<p>Seed " + std::to_string(campaign.plan.seed) + ", " + std::to_string(campaign.space.Size()) +
             " experiments, " + std::to_string(summary.open) + " of them not tried; " +
-            std::to_string(campaign.space.LeftOut()) + " bytes that hold addresses of the program are left out.</p>\n";
+            std::to_string(campaign.space.LeftOut()) + " bytes that hold addresses of the program are left out. " +
+            ListedText(summary) + "</p>\n";
     text += CountTable(campaign, summary) + FindingTable(campaign, "Silent", summary.silent) + DetectorTable(summary) +
             TimeTable(summary) + Histogram(summary) + FindingTable(campaign, "Later than the limit", summary.late);
     return text + "</body></html>\n";

@@ -10,8 +10,8 @@ namespace counterpoint::campaign
 {
 namespace
 {
-constexpr std::array<const char*, kClassCount> kClassWords{"open",     "masked",     "benign",
-                                                           "detected", "safe_other", "silent"};
+constexpr std::array<const char*, kClassCount> kClassWords{"open",       "masked", "benign", "detected",
+                                                           "safe_other", "silent", "listed"};
 constexpr std::array<const char*, kDetectorCount> kDetectorWords{
     "nobody",  "comparator", "flow_monitor", "guard",      "seal",      "clocks",    "channels",
     "permits", "watchdog",   "latch",        "pair_check", "receivers", "exception", "time"};
@@ -38,6 +38,10 @@ const char* ReasonOf(const Outcome& outcome)
     if (outcome.result == Class::kSilent)
     {
         return kWrongWords.at(outcome.detail);
+    }
+    if (outcome.result == Class::kListed)
+    {
+        return "open by a complete valid pair that nobody sent, or that is too old";
     }
     if (outcome.detector == Detector::kChannels)
     {

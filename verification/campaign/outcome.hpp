@@ -18,8 +18,9 @@ enum class Class : std::uint8_t
     kDetected = 3U, ///< By a mechanism of the kernel or the channels: the output closed, or the device is safe.
     kSafeOther = 4U, ///< Safe by somebody else: exception, output that closes by time, application, receivers.
     kSilent = 5U,    ///< Something that must not happen, and nobody noticed before.
+    kListed = 6U,    ///< Open by a complete stale or forged pair: the limit that the safety manual lists. [SRS_CMG_021]
 };
-constexpr std::size_t kClassCount = 6U;
+constexpr std::size_t kClassCount = 7U;
 
 /// Who found it first.
 enum class Detector : std::uint8_t

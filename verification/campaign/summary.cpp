@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/summary.hpp"
 
+#include "verification/campaign/variants.hpp"
+
 #include <algorithm>
 
 namespace counterpoint::campaign
@@ -21,7 +23,7 @@ Summary Summarise(const Campaign& campaign, const Results& results)
     {
         Tally tally;
         tally.stratum = stratum;
-        tally.limit_us = campaign.limits.us.at(static_cast<std::size_t>(stratum.part));
+        tally.limit_us = campaign.limits.Of(stratum.part, stratum.kind);
         summary.tallies.push_back(tally);
     }
     auto tally = summary.tallies.begin();
@@ -62,8 +64,32 @@ Summary Summarise(const Campaign& campaign, const Results& results)
 
 std::string PlaceText(const Campaign& campaign, const Experiment& experiment)
 {
+    if (!IsMemory(experiment.part))
+    {
+        return SubjectText(experiment, campaign.recording);
+    }
     const Place& place = campaign.device.Places()[experiment.place];
+    if (experiment.part == Part::kBothChannels)
+    {
+        const Place& other = campaign.device.Places()[experiment.second.place];
+        return place.name + "+" + std::to_string(experiment.offset - place.offset) + "." +
+               std::to_string(experiment.bit) + " and " + other.name + "+" +
+               std::to_string(experiment.second.offset - other.offset) + "." + std::to_string(experiment.second.bit);
+    }
     return place.name + "+" + std::to_string(experiment.offset - place.offset) + "." + std::to_string(experiment.bit);
+}
+
+std::string ListedText(const Summary& summary)
+{
+    std::uint64_t listed = 0U;
+    for (const Tally& tally : summary.tallies)
+    {
+        listed += tally.Of(Class::kListed);
+    }
+    return (listed == 0U)
+               ? ""
+               : "listed: " + std::to_string(listed) +
+                     " open by a complete pair that is too old or that nobody sent, the limit that is listed\n";
 }
 
 std::string CsvReport(const Campaign& campaign, const Results& results)

@@ -76,6 +76,8 @@ struct Campaign
 
 /// @brief Place of an experiment as "channel_a.records+12.3": byte 12 of the member, bit 3.
 [[nodiscard]] std::string PlaceText(const Campaign& campaign, const Experiment& experiment);
+/// @brief How many are of the listed limit; empty: none. [SRS_CMG_021]
+[[nodiscard]] std::string ListedText(const Summary& summary);
 /// @brief The report for a terminal.
 [[nodiscard]] std::string TextReport(const Campaign& campaign, const Summary& summary);
 /// @brief The report as one page without any other file. [SRS_CMG_010]

@@ -20,6 +20,13 @@ inline constexpr RequirementId SRS_CMG_010{"SRS_CMG_010"};
 inline constexpr RequirementId SRS_CMG_011{"SRS_CMG_011"};
 inline constexpr RequirementId SRS_CMG_012{"SRS_CMG_012"};
 inline constexpr RequirementId SRS_CMG_013{"SRS_CMG_013"};
+inline constexpr RequirementId SRS_CMG_020{"SRS_CMG_020"};
+inline constexpr RequirementId SRS_CMG_021{"SRS_CMG_021"};
+inline constexpr RequirementId SRS_CMG_022{"SRS_CMG_022"};
+inline constexpr RequirementId SRS_CMG_023{"SRS_CMG_023"};
+inline constexpr RequirementId SRS_CMG_024{"SRS_CMG_024"};
+inline constexpr RequirementId SRS_CMG_025{"SRS_CMG_025"};
+inline constexpr RequirementId SRS_CMG_026{"SRS_CMG_026"};
 } // namespace counterpoint::req
 
 #endif
