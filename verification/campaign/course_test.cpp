@@ -336,6 +336,21 @@ TEST_F(OutcomeTest, InputThatIsStuckOnOneSideIsNoValidPair)
     EXPECT_EQ(acknowledge.of.count("stuck_at_1 silent"), 0U);
 }
 
+TEST_F(OutcomeTest, MarchFindsTheStuckBitThatNobodyCompares)
+{
+    Verifies(req::SRS_CMG_027);
+    // Given the bit of the comparator's verdict that keeps old data at the open output
+    const std::string lines = "at: [500 ms]\ncycles: 1\nphases: [comparison]\nkinds: [stuck_at_0]\n"
+                              "parts: [comparator]\nmembers: [comparator.verdict+8]\n";
+    const Counts without = Tried("actuator", lines);
+    EXPECT_EQ(without.of.at("stuck_at_0 silent"), 1U);
+    // When the device has self tests, the march finds it within the diagnostic interval, and each other bit
+    const Counts with = Tried("actuator", lines + "self_test: true\n");
+    EXPECT_EQ(with.of.at("stuck_at_0 exposed"), 1U);
+    EXPECT_EQ(with.of.at("stuck_at_0 detected"), 7U);
+    EXPECT_EQ(with.late, 0U);
+}
+
 TEST_F(CourseTest, PlanWithoutAFaultIsRefused)
 {
     Verifies(req::SRS_CMG_026);

@@ -32,13 +32,17 @@ FlatOutput* MakeOutput(Region& region, const Planted planted)
 } // namespace
 
 Device::Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, const Planted planted,
-               const bool has_call_faults)
+               const DeviceSetup& setup)
     : region_(region), recording_(recording), reference_(model.Config()), feed_(recording)
 {
     MakeSurroundings(recording, planted);
     CopyTables(model);
     feed_.TakeInputs(pairs_);
-    MakeChannels(planted, has_call_faults);
+    MakeChannels(planted, setup);
+    if (setup.has_self_test)
+    {
+        self_test_ = std::make_unique<FlatSelfTest>(region_, *output_);
+    }
     MakeKernel();
     Start(model);
 }
@@ -103,7 +107,7 @@ void Device::MakeSurroundings(const Recording& recording, const Planted planted)
     Add(Part::kKernel, "kernel.windows", windows_, sizeof(CauseWindows) * reference_.srdo_count);
 }
 
-void Device::MakeChannels(const Planted planted, const bool has_call_faults)
+void Device::MakeChannels(const Planted planted, const DeviceSetup& setup)
 {
     const ChannelRoom room{reference_.srdo_count, reference_.map_entries};
     const MadeChannel a = MakeChannelA(region_, room);
@@ -112,7 +116,8 @@ void Device::MakeChannels(const Planted planted, const bool has_call_faults)
     places_.insert(places_.end(), b.places.begin(), b.places.end());
     a_ = a.voice;
     b_ = (planted == Planted::kBlindComparator) ? &region_.Make<HalfSeenChannel>(*b.voice, *a.voice) : b.voice;
-    if (has_call_faults)
+    shipped_ = {a.voice, b.voice};
+    if (setup.has_call_faults)
     {
         disturbed_a_ = &region_.Make<DisturbedChannel>(*a_, Part::kCallsOfA, feed_.OfCalls());
         disturbed_b_ = &region_.Make<DisturbedChannel>(*b_, Part::kCallsOfB, feed_.OfCalls());
@@ -123,8 +128,9 @@ void Device::MakeChannels(const Planted planted, const bool has_call_faults)
 
 void Device::MakeKernel()
 {
-    kernel_ = &region_.Make<Kernel>(
-        KernelParts{*a_, *b_, *ports_, *output_, *watchdog_, *application_, nullptr, windows_, flow_});
+    kernel_ =
+        &region_.Make<Kernel>(KernelParts{*a_, *b_, *ports_, *output_, *watchdog_, *application_,
+                                          (self_test_ == nullptr) ? nullptr : &self_test_->Part(), windows_, flow_});
     const std::vector<Place> members = PlacesOf(*kernel_, region_);
     places_.insert(places_.end(), members.begin(), members.end());
 }
@@ -133,6 +139,10 @@ void Device::Start(const runtime::DeviceModel& model)
 {
     ports_->now = recording_.power_on;
     SetTime(recording_.power_on);
+    if (self_test_ != nullptr)
+    {
+        AddToSelfTest();
+    }
     if (kernel_->Start(*config_, FlowCallback::kOff) != StartResult::kStarted)
     {
         throw std::runtime_error("the kernel refuses the device of " + model.File());
@@ -155,6 +165,40 @@ void Device::Start(const runtime::DeviceModel& model)
         }
     }
     watchdog_->timer.Start(runtime::WindowOf(reference_), watchdog_->now);
+}
+
+/// All of channels and kernel is live memory, the tables are constant.
+void Device::AddToSelfTest()
+{
+    for (Channel* const channel : shipped_)
+    {
+        self_test_->AddPart(channel);
+    }
+    self_test_->AddPart(output_);
+    self_test_->AddPart(watchdog_);
+    self_test_->AddPart(application_);
+    std::uint8_t* const bytes = region_.Bytes();
+    for (const Part part : {Part::kChannelA, Part::kChannelB})
+    {
+        std::size_t begin = region_.Size();
+        std::size_t end = 0U;
+        for (const Place& place : places_)
+        {
+            begin = (place.part == part) ? std::min(begin, place.offset) : begin;
+            end = (place.part == part) ? std::max(end, place.offset + place.size) : end;
+        }
+        self_test_->AddLive(bytes + begin, end - begin);
+    }
+    self_test_->AddLive(kernel_, sizeof(*kernel_));
+    self_test_->AddLive(&flow_->monitor, sizeof(flow_->monitor));
+    for (const Place& place : places_)
+    {
+        if (place.part == Part::kTables)
+        {
+            self_test_->AddConstant(bytes + place.offset, place.size);
+        }
+    }
+    self_test_->Start(*shipped_[0], *shipped_[1], reference_.diagnostic_interval_us / LateCycleUs(reference_));
 }
 
 void Device::Follow(PhaseHook* const hook) noexcept

@@ -4,12 +4,15 @@
 
 #include "runtime/device/model.hpp"
 #include "verification/campaign/feed.hpp"
+#include "verification/campaign/flat_self_test.hpp"
 #include "verification/campaign/recording.hpp"
 #include "verification/campaign/region.hpp"
 #include "verification/campaign/surroundings.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -64,6 +67,13 @@ struct Place
 
 class DisturbedChannel;
 
+/// What a plan wants of the device.
+struct DeviceSetup
+{
+    bool has_call_faults{false}; ///< Something stands in front of the channels.
+    bool has_self_test{false};
+};
+
 /// Kernel, both channels and all that they work on, in one piece of memory. [SRS_CMG_001]
 class Device
 {
@@ -71,7 +81,7 @@ class Device
     /// @brief Builds the device of the model in the region, starts and configures it at power-on of the recording.
     /// Throws std::runtime_error for a device that the kernel refuses.
     Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, Planted planted,
-           bool has_call_faults = false);
+           const DeviceSetup& setup = {});
     ~Device() = default;
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
@@ -92,6 +102,11 @@ class Device
     [[nodiscard]] const std::vector<Place>& Places() const noexcept
     {
         return places_;
+    }
+    /// @brief Null: it has none.
+    [[nodiscard]] FlatSelfTest* SelfTest() noexcept
+    {
+        return self_test_.get();
     }
     [[nodiscard]] const std::vector<FlatPair>& Pairs() const noexcept
     {
@@ -125,7 +140,8 @@ class Device
   private:
     void CopyTables(const runtime::DeviceModel& model);
     void MakeSurroundings(const Recording& recording, Planted planted);
-    void MakeChannels(Planted planted, bool has_call_faults);
+    void MakeChannels(Planted planted, const DeviceSetup& setup);
+    void AddToSelfTest();
     void MakeKernel();
     void Start(const runtime::DeviceModel& model);
     void MoveOwnFrames();
@@ -149,11 +165,13 @@ class Device
     TappedFlow* flow_{nullptr};
     Channel* a_{nullptr};
     Channel* b_{nullptr};
+    std::array<Channel*, 2U> shipped_{};     ///< Both, behind whatever stands in front.
     DisturbedChannel* disturbed_a_{nullptr}; ///< Null: no plan for calls.
     DisturbedChannel* disturbed_b_{nullptr};
     CauseWindows* windows_{nullptr};
     Kernel* kernel_{nullptr};
     PhaseHook* hook_{nullptr};
+    std::unique_ptr<FlatSelfTest> self_test_{};
     Feed feed_; ///< Outside of it.
 };
 } // namespace counterpoint::campaign

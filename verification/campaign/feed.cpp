@@ -60,7 +60,7 @@ void Feed::TakeInputs(const std::vector<FlatPair>& pairs)
 }
 
 void Feed::Rewind(const std::size_t cycle, const Experiment* const fault, const std::size_t end,
-                    const std::uint64_t seed)
+                  const std::uint64_t seed)
 {
     fault_ = fault;
     if (fault == nullptr || IsMemory(fault->part))

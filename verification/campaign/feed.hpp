@@ -75,7 +75,8 @@ class Feed
     /// @brief What the kernel's cycle is called with.
     [[nodiscard]] CycleCall CallOf(std::size_t cycle, Nanoseconds at) const;
     /// @brief What the application writes into this side of a pair.
-    [[nodiscard]] std::uint64_t Written(std::size_t cycle, std::size_t pair, bool is_inverse, std::uint64_t value) const;
+    [[nodiscard]] std::uint64_t Written(std::size_t cycle, std::size_t pair, bool is_inverse,
+                                        std::uint64_t value) const;
 
     /// @brief The frames that the kernel got in the last cycle.
     [[nodiscard]] const std::vector<RecordedFrame>& Handed() const noexcept

@@ -11,10 +11,10 @@ namespace counterpoint::campaign
 namespace
 {
 constexpr std::array<const char*, kClassCount> kClassWords{"open",       "masked", "benign", "detected",
-                                                           "safe_other", "silent", "listed"};
+                                                           "safe_other", "silent", "listed", "exposed"};
 constexpr std::array<const char*, kDetectorCount> kDetectorWords{
-    "nobody",  "comparator", "flow_monitor", "guard",      "seal",      "clocks",    "channels",
-    "permits", "watchdog",   "latch",        "pair_check", "receivers", "exception", "time"};
+    "nobody",   "comparator", "flow_monitor", "guard",     "seal",      "clocks", "channels", "permits",
+    "watchdog", "latch",      "pair_check",   "receivers", "exception", "time",   "self_test"};
 constexpr std::array<const char*, 6U> kWrongWords{"",
                                                   "open with data that the bus did not bring",
                                                   "open without leave",

@@ -19,8 +19,11 @@ enum class Class : std::uint8_t
     kSafeOther = 4U, ///< Safe by somebody else: exception, output that closes by time, application, receivers.
     kSilent = 5U,    ///< Something that must not happen, and nobody noticed before.
     kListed = 6U,    ///< Open by a complete stale or forged pair: the limit that the safety manual lists. [SRS_CMG_021]
+    /// Open with wrong data for a time, and closed by a mechanism within the limit: what a march over live memory is
+    /// for.
+    kExposed = 7U, // [SRS_CMG_027]
 };
-constexpr std::size_t kClassCount = 7U;
+constexpr std::size_t kClassCount = 8U;
 
 /// Who found it first.
 enum class Detector : std::uint8_t
@@ -39,8 +42,9 @@ enum class Detector : std::uint8_t
     kReceivers = 11U, ///< Who consumes what the device sends.
     kException = 12U, ///< The processor.
     kTime = 13U,      ///< A call that does not return: output and watchdog.
+    kSelfTest = 14U,  ///< The shipped self tests.
 };
-constexpr std::size_t kDetectorCount = 14U;
+constexpr std::size_t kDetectorCount = 15U;
 
 /// One experiment's outcome, as it lies in a file of results.
 struct Outcome

@@ -2,6 +2,7 @@
 #include "verification/campaign/plan.hpp"
 
 #include "runtime/yaml/map.hpp"
+#include "runtime/yaml/optional_values.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -81,6 +82,7 @@ constexpr Word<Detector> kDetectorWords[] = {
     {"guard", Detector::kGuard},           {"seal", Detector::kSeal},
     {"clocks", Detector::kClocks},         {"channels", Detector::kChannels},
     {"permits", Detector::kPermits},       {"watchdog", Detector::kWatchdog},
+    {"self_test", Detector::kSelfTest},
 };
 
 static_assert(sizeof(kPhaseWords) / sizeof(kPhaseWords[0]) == kPhaseCount, "a word each");
@@ -217,7 +219,7 @@ Plan ReadPlan(const std::string& file)
     const runtime::YamlNode root = runtime::ParseYaml(file, text);
     const YamlMap map(file, root,
                       {"title", "scenario", "device", "at", "cycles", "phases", "parts", "members", "kinds",
-                       "detectors", "reach", "seed", "sample", "confidence", "planted"});
+                       "detectors", "reach", "self_test", "seed", "sample", "confidence", "planted"});
     Plan plan;
     plan.file = file;
     plan.digest = HashOf(text);
@@ -237,6 +239,10 @@ Plan ReadPlan(const std::string& file)
     plan.detectors = map.Find("detectors") ? Chosen(map, "detectors", kDetectorWords) : std::vector<Detector>{};
     ReadMembers(map, plan);
     ReadSample(map, plan);
+    if (const auto self_test = map.Find("self_test"))
+    {
+        plan.has_self_test = self_test->Choice(runtime::kTruthWords);
+    }
     if (const auto planted = map.Find("planted"))
     {
         plan.planted = planted->Choice(kPlantedWords);

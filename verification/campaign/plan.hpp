@@ -76,6 +76,7 @@ struct Plan
     std::uint64_t sample{0U};                ///< Of each part and kind; 0: all.
     runtime::Nanoseconds reach{kUsualReach}; ///< How far faults of frames and cycles move in time.
     std::uint32_t confidence_percent{99U};
+    bool has_self_test{false}; ///< The device has the shipped self tests.
     Planted planted{Planted::kNothing};
     std::uint64_t digest{0U}; ///< Of the text of this file, for results that belong together.
 };

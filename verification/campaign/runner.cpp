@@ -207,6 +207,10 @@ void Runner::ForceBit(const Phase phase) noexcept
     std::uint8_t& byte = bytes[fault_->offset];
     if (IsStuck(fault_->kind))
     {
+        if (device_.SelfTest() != nullptr && now_ == fault_->cycle && phase == fault_->phase)
+        {
+            device_.SelfTest()->Stick(&byte, fault_->bit, fault_->kind == FaultKind::kStuckAt1);
+        }
         if (now_ > fault_->cycle || phase >= fault_->phase)
         {
             byte = static_cast<std::uint8_t>((fault_->kind == FaultKind::kStuckAt1) ? (byte | mask) : (byte & ~mask));
@@ -285,9 +289,9 @@ void Runner::TakeBack() noexcept
 /// A bit that is stuck at what it is anyway changes nothing.
 bool Runner::IsNeverOtherwise(const Experiment& experiment) const
 {
-    if (!IsMemory(experiment.part))
+    if (!IsMemory(experiment.part) || device_.SelfTest() != nullptr)
     {
-        return false;
+        return false; // A march writes what it is not.
     }
     const auto mask = static_cast<std::uint8_t>(1U << experiment.bit);
     return (experiment.kind == FaultKind::kStuckAt1 && (all_set_[experiment.offset] & mask) != 0U) ||
@@ -321,9 +325,14 @@ Outcome Runner::Run(const Experiment& experiment)
 void Runner::Begin(const Experiment& experiment)
 {
     std::memcpy(device_.Memory().Bytes(), kept_.data() + ((experiment.cycle - first_) * size_), size_);
+    if (device_.SelfTest() != nullptr)
+    {
+        device_.SelfTest()->Release();
+    }
     fault_ = &experiment;
     now_ = experiment.cycle;
     is_kept_ = false;
+    is_exposed_ = false;
     device_.Receives().Rewind(experiment.cycle, &experiment, EndOf(experiment), seed_);
 }
 
@@ -424,9 +433,18 @@ bool Runner::Notice(const Sight& sight, const Experiment& experiment)
 {
     if (sight.wrong != Wrong::kNothing)
     {
-        found_ = Outcome{Class::kSilent, Detector::kNobody, static_cast<std::uint8_t>(sight.wrong), 0U,
-                         Since(experiment, now_)};
-        return true;
+        return NoticeWrong(sight, experiment);
+    }
+    if (is_exposed_ && HasClosed(sight))
+    {
+        is_exposed_ = false;
+        const std::uint32_t us = Since(experiment, now_);
+        if (us <= limits_.Of(experiment))
+        {
+            found_ = Blame();
+            found_.result = Class::kExposed;
+            found_.us = us;
+        }
     }
     if (found_.result != Class::kOpen)
     {
@@ -438,9 +456,7 @@ bool Runner::Notice(const Sight& sight, const Experiment& experiment)
         found_.us = Since(experiment, now_);
         return false;
     }
-    const bool has_closed = (open_[now_] & ~sight.open) != 0U;
-    const bool is_device_fault = device_.Core().DeviceState().fault != DeviceFault::kNone;
-    if (has_closed || (is_device_fault && sight.open == 0U))
+    if (HasClosed(sight))
     {
         found_ = Blame();
         found_.us = Since(experiment, now_);
@@ -458,13 +474,36 @@ bool Runner::Notice(const Sight& sight, const Experiment& experiment)
     return false;
 }
 
+/// Memory that is wrong may be so until the march meets it: within the limit, where there is one. [SRS_CMG_027]
+bool Runner::NoticeWrong(const Sight& sight, const Experiment& experiment)
+{
+    const bool has_march = device_.SelfTest() != nullptr && IsMemory(experiment.part);
+    const bool may_be_found = has_march && sight.wrong == Wrong::kData &&
+                              (is_exposed_ || found_.result == Class::kOpen) &&
+                              Since(experiment, now_) <= limits_.Of(experiment);
+    if (!is_exposed_ || !may_be_found)
+    {
+        found_ = Outcome{Class::kSilent, Detector::kNobody, static_cast<std::uint8_t>(sight.wrong), 0U,
+                         Since(experiment, now_)};
+    }
+    is_exposed_ = may_be_found;
+    return !may_be_found;
+}
+
+bool Runner::HasClosed(const Sight& sight) const
+{
+    const bool is_device_fault = device_.Core().DeviceState().fault != DeviceFault::kNone;
+    return (open_[now_] & ~sight.open) != 0U || (is_device_fault && sight.open == 0U);
+}
+
 Outcome Runner::Blame() const
 {
     Outcome outcome{Class::kDetected, Detector::kPermits, 0U, 0U, 0U};
     const DeviceFault fault = device_.Core().DeviceState().fault;
     if (fault != DeviceFault::kNone)
     {
-        outcome.detector = DetectorOf(fault);
+        const bool is_of_test = fault == DeviceFault::kSelfTest && device_.SelfTest() != nullptr;
+        outcome.detector = is_of_test ? Detector::kSelfTest : DetectorOf(fault);
         outcome.detail = static_cast<std::uint8_t>(fault);
     }
     else if (!device_.IsWatchdogAlive())

@@ -66,6 +66,8 @@ class Runner final : private PhaseHook
     [[nodiscard]] bool IsLate(const Experiment& experiment);
     [[nodiscard]] bool HasSpread(const Experiment& experiment) const;
     [[nodiscard]] bool Notice(const Sight& sight, const Experiment& experiment);
+    [[nodiscard]] bool NoticeWrong(const Sight& sight, const Experiment& experiment);
+    [[nodiscard]] bool HasClosed(const Sight& sight) const;
     [[nodiscard]] Outcome Blame() const;
     [[nodiscard]] bool IsAsWithoutFault(std::size_t cycle) const;
     [[nodiscard]] std::uint32_t Since(const Experiment& experiment, std::size_t cycle) const;
@@ -91,6 +93,7 @@ class Runner final : private PhaseHook
     std::vector<std::uint8_t> owner_;      ///< The part of each byte.
     std::vector<std::uint8_t> before_{};   ///< The memory before the step that is disturbed,
     std::vector<std::uint8_t> behind_{};   ///< and behind it, while that waits.
+    bool is_exposed_{false};               ///< Wrong so far, and may yet be found in time.
     bool is_kept_{false};                  ///< It does.
     Place flow_{};                         ///< The flow monitor.
     const Experiment* fault_{nullptr};     ///< Null: the run without fault.

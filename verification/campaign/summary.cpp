@@ -11,7 +11,8 @@ namespace
 {
 bool HasTime(const Outcome& outcome)
 {
-    return outcome.result == Class::kDetected || outcome.result == Class::kSafeOther;
+    return outcome.result == Class::kDetected || outcome.result == Class::kSafeOther ||
+           outcome.result == Class::kExposed;
 }
 } // namespace
 
@@ -82,14 +83,23 @@ std::string PlaceText(const Campaign& campaign, const Experiment& experiment)
 std::string ListedText(const Summary& summary)
 {
     std::uint64_t listed = 0U;
+    std::uint64_t exposed = 0U;
     for (const Tally& tally : summary.tallies)
     {
         listed += tally.Of(Class::kListed);
+        exposed += tally.Of(Class::kExposed);
     }
-    return (listed == 0U)
-               ? ""
-               : "listed: " + std::to_string(listed) +
-                     " open by a complete pair that is too old or that nobody sent, the limit that is listed\n";
+    std::string text;
+    if (listed != 0U)
+    {
+        text += "listed: " + std::to_string(listed) +
+                " open by a complete pair that is too old or that nobody sent, the limit that is listed\n";
+    }
+    if (exposed != 0U)
+    {
+        text += "exposed: " + std::to_string(exposed) + " open with wrong data for a time, closed within the limit\n";
+    }
+    return text;
 }
 
 std::string CsvReport(const Campaign& campaign, const Results& results)

@@ -34,7 +34,7 @@ struct Tally
     /// @brief Those that changed what the device does: of these alone a share is said.
     [[nodiscard]] std::uint64_t Effective() const
     {
-        return Of(Class::kDetected) + Of(Class::kSafeOther) + Of(Class::kSilent);
+        return Of(Class::kDetected) + Of(Class::kSafeOther) + Of(Class::kSilent) + Of(Class::kExposed);
     }
 };
 
@@ -76,7 +76,7 @@ struct Campaign
 
 /// @brief Place of an experiment as "channel_a.records+12.3": byte 12 of the member, bit 3.
 [[nodiscard]] std::string PlaceText(const Campaign& campaign, const Experiment& experiment);
-/// @brief How many are of the listed limit; empty: none. [SRS_CMG_021]
+/// @brief How many are of the listed limit, and how many were wrong for a time; empty: none. [SRS_CMG_021, SRS_CMG_027]
 [[nodiscard]] std::string ListedText(const Summary& summary);
 /// @brief The report for a terminal.
 [[nodiscard]] std::string TextReport(const Campaign& campaign, const Summary& summary);

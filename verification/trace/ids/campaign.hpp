@@ -27,6 +27,7 @@ inline constexpr RequirementId SRS_CMG_023{"SRS_CMG_023"};
 inline constexpr RequirementId SRS_CMG_024{"SRS_CMG_024"};
 inline constexpr RequirementId SRS_CMG_025{"SRS_CMG_025"};
 inline constexpr RequirementId SRS_CMG_026{"SRS_CMG_026"};
+inline constexpr RequirementId SRS_CMG_027{"SRS_CMG_027"};
 } // namespace counterpoint::req
 
 #endif
