@@ -10,8 +10,9 @@
 
 namespace counterpoint::campaign
 {
-/// The shipped self tests of the device under test, over its live memory as it lies in the region: a march that runs over
-/// a cell which is stuck reads what that cell can hold. What changes while they run lies in the region. [SRS_CMG_027]
+/// The shipped self tests of the device under test, over its live memory as it lies in the region: a march that runs
+/// over a cell which is stuck reads what that cell can hold. What changes while they run lies in the region.
+/// [SRS_CMG_027]
 class FlatSelfTest
 {
   public:

@@ -119,8 +119,10 @@ Limits LimitsOf(const runtime::DeviceModel& model, const DeviceConfig& config)
 std::uint32_t Limits::Of(const Experiment& experiment) const
 {
     const bool is_call = experiment.part == Part::kCallsOfA || experiment.part == Part::kCallsOfB;
-    const bool is_of_guard = experiment.subject / kTurns >= static_cast<std::size_t>(ChannelCall::kLoad);
-    return (is_call && !is_of_guard) ? wrong_channel_us : Of(experiment.part, experiment.kind);
+    const auto call = static_cast<ChannelCall>(experiment.subject / kTurns);
+    // What guard and comparator read is found by their own checks.
+    const bool is_read = call == ChannelCall::kHeld || call == ChannelCall::kLoad || call == ChannelCall::kRecheck;
+    return (is_call && !is_read) ? wrong_channel_us : Of(experiment.part, experiment.kind);
 }
 
 std::size_t HorizonOf(const Limits& limits, const DeviceConfig& config)

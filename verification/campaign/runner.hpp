@@ -29,7 +29,8 @@ struct Limits
         const bool is_wrong = part == Part::kBus && kind == FaultKind::kWrongLength;
         return is_wrong ? wrong_frame_us : us.at(static_cast<std::size_t>(part));
     }
-    /// @brief The same, and of what the guard does not call of a channel: that of a wrong channel. [SRS_CMG_022]
+    /// @brief The same, and of what neither guard nor comparator reads of a channel: that of a wrong channel.
+    /// [SRS_CMG_022]
     [[nodiscard]] std::uint32_t Of(const Experiment& experiment) const;
 };
 
