@@ -342,6 +342,100 @@ TEST_F(ReportTest, ProgramsAreToldClassesTimesMapAndSurvivors)
     EXPECT_NE(HtmlReport(session.Parts(), summary).find("<td><b>1</b>/8</td>"), std::string::npos);
 }
 
+TEST_F(ReportTest, WrongUntilTheSelfTestFoundItIsToldApartAndDoesNotHold)
+{
+    Verifies(req::SRS_CMG_027);
+    // Given 8 faults, of which number 5 was open with wrong data for 400 ms, the others detected in 1 ms
+    const std::string lines =
+        "at: [500 ms]\nparts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip]\nself_test: true\n";
+    const auto told = [this, &lines](const std::string& known)
+    {
+        const Session session(PlanFile("plan.yaml", "actuator", lines + known));
+        Results results("", session.Identity(Shard{}));
+        for (std::uint64_t index = 0U; index < 8U; ++index)
+        {
+            results.Put(index, Outcome{Class::kDetected, Detector::kSelfTest, 0U, 0U, 1000U});
+        }
+        const auto fault = static_cast<std::uint8_t>(DeviceFault::kSelfTest);
+        results.Put(5U, Outcome{Class::kExposed, Detector::kSelfTest, fault, 0U, 400000U});
+        const Summary summary = Summarise(session.Parts(), results);
+        return std::vector<std::string>{TextReport(session.Parts(), summary), HtmlReport(session.Parts(), summary),
+                                        JsonReport(session.Parts(), summary), CsvReport(session.Parts(), results)};
+    };
+    // Then each report says so, with the time, and it is not among those that were detected
+    const std::vector<std::string> without = told("");
+    EXPECT_NE(without[0].find("exposed: experiment 5: latch+0.5, flip, cycle 499, phase permits: self_test, open with "
+                              "wrong data until the self test found it, 400.000 ms\n"),
+              std::string::npos)
+        << without[0];
+    EXPECT_NE(without[0].find("found first by: self_test 7\n"), std::string::npos) << without[0];
+    EXPECT_NE(without[0].find("verdict: does not hold"), std::string::npos);
+    EXPECT_NE(without[1].find("<h2>Exposed: open with wrong data until the self test found it: 1</h2>"),
+              std::string::npos);
+    EXPECT_NE(without[1].find("<td>400.000</td>"), std::string::npos);
+    const auto json = nlohmann::json::parse(without[2]);
+    EXPECT_EQ(json.at("holds"), false);
+    EXPECT_EQ(json.at("strata").at(0).at("exposed"), 1);
+    EXPECT_EQ(json.at("strata").at(0).at("detected"), 7);
+    EXPECT_EQ(json.at("strata").at(0).at("worst_us"), 1000);
+    EXPECT_EQ(json.at("map").at(0).at("exposed"), 1);
+    EXPECT_EQ(json.at("survivors").at(0).at("class"), "exposed");
+    EXPECT_EQ(json.at("survivors").at(0).at("us"), 400000);
+    EXPECT_NE(without[3].find("\n5,latch,latch+0.5,flip,499,permits,exposed,self_test,open with wrong data until the "
+                              "self test found it,400000,0\n"),
+              std::string::npos)
+        << without[3];
+    // and it holds where the plan knows of an exposed fault there, not where it knows of a late one
+    const std::string place = "known:\n  - {place: latch+0.5, class: ";
+    EXPECT_NE(told(place + "exposed, reason: march}\n")[0].find("verdict: holds"), std::string::npos);
+    EXPECT_NE(told(place + "late, reason: march}\n")[0].find("verdict: does not hold"), std::string::npos);
+    EXPECT_NE(told(place + "late, reason: march}\n")[0].find("stale: nothing was found at latch+0.5"),
+              std::string::npos);
+}
+
+TEST_F(ReportTest, FaultThatIsNoMemoryIsToldByWhatWasHit)
+{
+    Verifies(req::SRS_CMG_044);
+    Verifies(req::SRS_CMG_045);
+    Verifies(req::SRS_CMG_046);
+    // Given counter A and B each stopped, of which that of B was late
+    const std::string lines = "at: [550 ms]\nparts: [counters]\nkinds: [stopped]\n";
+    const std::string plan = PlanFile("plan.yaml", "actuator", lines);
+    const auto told = [this, &lines](const std::string& known)
+    {
+        const Session session(PlanFile("plan.yaml", "actuator", lines + known));
+        Results results("", session.Identity(Shard{}));
+        for (std::uint64_t index = 0U; index < 3U; ++index)
+        {
+            results.Put(index, Outcome{Class::kDetected, Detector::kClocks, 0U, 0U, 1000U});
+        }
+        const auto fault = static_cast<std::uint8_t>(DeviceFault::kClock);
+        results.Put(1U, Outcome{Class::kDetected, Detector::kClocks, fault, kMarkLate, 150000U});
+        const Summary summary = Summarise(session.Parts(), results);
+        EXPECT_NE(HtmlReport(session.Parts(), summary).find("<td>counter_b</td>"), std::string::npos);
+        return nlohmann::json::parse(JsonReport(session.Parts(), summary));
+    };
+    // Then the map has a row for each, and the late one has a place and no byte
+    const auto json = told("");
+    EXPECT_EQ(json.at("map").size(), 0U);
+    EXPECT_EQ(json.at("subjects").size(), 3U);
+    EXPECT_EQ(json.at("subjects").at(1).dump(), "{\"effective\":1,\"exposed\":0,\"injected\":1,\"kind\":\"stopped\","
+                                                "\"silent\":0,\"subject\":\"counter_b\"}");
+    EXPECT_EQ(json.at("survivors").at(0).at("place"), "counter_b -1000000 ppm");
+    EXPECT_EQ(json.at("survivors").at(0).at("member"), "counter_b");
+    EXPECT_EQ(json.at("survivors").at(0).at("declared"), "");
+    EXPECT_TRUE(json.at("survivors").at(0).at("byte").is_null());
+    EXPECT_EQ(json.at("holds"), false);
+    EXPECT_EQ(told("known:\n  - {place: counter_b -1000000 ppm, class: late, reason: clocks}\n").at("holds"), true);
+    EXPECT_EQ(told("known:\n  - {place: counter_a -1000000 ppm, class: late, reason: clocks}\n").at("holds"), false);
+    // and it can be shown again
+    const tools::test::Answer answer = Campaign({plan, "--replay", "1", "--html", Path("page.html")});
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_NE(answer.out.find("fault      counter_b -1000000 ppm, stopped, "), std::string::npos) << answer.out;
+    EXPECT_NE(answer.out.find("outcome: detected, by clocks"), std::string::npos) << answer.out;
+    EXPECT_NE(cia306::ReadTextFile(Path("page.html")).find("<td>counter_b -1000000 ppm, stopped"), std::string::npos);
+}
+
 TEST_F(ReportTest, FindingsThatSomebodyAnswersForAreToldAndStaleReasonsFail)
 {
     Verifies(req::SRS_CMG_046);

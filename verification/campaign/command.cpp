@@ -136,7 +136,7 @@ class CampaignRun final : public tools::Command
             cia306::WriteTextFile(order_.html, replay.Page());
         }
         streams.out << replay.Text();
-        return (replay.Found().result == Class::kSilent) ? ExitStatus::kDoesNotHold : ExitStatus::kHolds;
+        return IsDangerous(replay.Found().result) ? ExitStatus::kDoesNotHold : ExitStatus::kHolds;
     }
 
     [[nodiscard]] ExitStatus Merge(const Streams& streams) const

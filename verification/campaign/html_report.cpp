@@ -42,8 +42,9 @@ std::string Bound(const Campaign& campaign, const Tally& tally)
 
 std::string CountTable(const Campaign& campaign, const Summary& summary)
 {
-    std::string text = "<h2>Classes</h2>" + Table({"part", "kind", "effective", "silent", "silent at most", "detected",
-                                                   "safe by others", "injected", "masked", "benign", "faults"});
+    std::string text =
+        "<h2>Classes</h2>" + Table({"part", "kind", "effective", "silent", "silent at most", "exposed", "detected",
+                                    "safe by others", "listed", "injected", "masked", "benign", "faults"});
     for (const Tally& tally : summary.tallies)
     {
         if (tally.stratum.size == 0U)
@@ -51,13 +52,17 @@ std::string CountTable(const Campaign& campaign, const Summary& summary)
             continue;
         }
         text += Row({WordOf(tally.stratum.part), WordOf(tally.stratum.kind), Number(tally.Effective()),
-                     Number(tally.Of(Class::kSilent)), Bound(campaign, tally), Number(tally.Of(Class::kDetected)),
-                     Number(tally.Of(Class::kSafeOther)), Number(tally.stratum.taken), Number(tally.Of(Class::kMasked)),
+                     Number(tally.Of(Class::kSilent)), Bound(campaign, tally), Number(tally.Of(Class::kExposed)),
+                     Number(tally.Of(Class::kDetected)), Number(tally.Of(Class::kSafeOther)),
+                     Number(tally.Of(Class::kListed)), Number(tally.stratum.taken), Number(tally.Of(Class::kMasked)),
                      Number(tally.Of(Class::kBenign)), Number(tally.stratum.size)},
-                    (tally.Of(Class::kSilent) != 0U) ? "bad" : "");
+                    (tally.Of(Class::kSilent) + tally.Of(Class::kExposed) != 0U) ? "bad" : "");
     }
     return text + html::kTableEnd + "<p>Silent at most: share of the effective faults, Clopper-Pearson, one-sided, " +
-           Number(campaign.plan.confidence_percent) + " %. Faults that had no effect count for nothing.</p>\n";
+           Number(campaign.plan.confidence_percent) +
+           " %. Faults that had no effect count for nothing. Exposed: open with wrong data until the self test found "
+           "it, which is not detected in time. Listed: open by a complete valid pair that is too old or that nobody "
+           "sent, the limit that the safety manual lists.</p>\n";
 }
 
 std::string DetectorTable(const Summary& summary)
@@ -136,7 +141,7 @@ std::string Histogram(const Summary& summary)
     return text + html::kTableEnd;
 }
 
-/// Of a cell of the map: silent ones of those that had an effect.
+/// Of a cell of the map: silent and exposed ones of those that had an effect.
 std::string CellText(const MapCell& cell)
 {
     if (cell.injected == 0U)
@@ -144,34 +149,59 @@ std::string CellText(const MapCell& cell)
         return "";
     }
     const std::string effective = Number(cell.effective);
-    return (cell.silent == 0U) ? effective : "<b>" + Number(cell.silent) + "</b>/" + effective;
+    const std::uint64_t dangerous = cell.silent + cell.exposed;
+    return (dangerous == 0U) ? effective : "<b>" + Number(dangerous) + "</b>/" + effective;
+}
+
+/// Of what is no memory, each once.
+std::vector<FaultKind> KindsOf(const Summary& summary)
+{
+    std::vector<FaultKind> kinds;
+    for (const Tally& tally : summary.tallies)
+    {
+        const bool is_new = std::find(kinds.begin(), kinds.end(), tally.stratum.kind) == kinds.end();
+        if (is_new && tally.stratum.size != 0U && !IsMemory(tally.stratum.part))
+        {
+            kinds.push_back(tally.stratum.kind);
+        }
+    }
+    return kinds;
+}
+
+/// Rows in which anything was tried; columns are phases or kinds.
+template <typename Column>
+std::string MapTable(const std::string& first, const std::vector<Column>& columns, const std::vector<MapRow>& rows)
+{
+    std::vector<std::string> head{first};
+    for (const Column column : columns)
+    {
+        head.push_back(runtime::Words(WordOf(column)));
+    }
+    std::string text = Table(head, "map");
+    for (const MapRow& each : rows)
+    {
+        std::vector<std::string> row{each.name};
+        bool is_bad = false;
+        bool has_any = false;
+        for (const Column column : columns)
+        {
+            const MapCell& cell = each.cells.at(static_cast<std::size_t>(column));
+            is_bad = is_bad || cell.silent + cell.exposed != 0U;
+            has_any = has_any || cell.injected != 0U;
+            row.push_back(CellText(cell));
+        }
+        text += has_any ? Row(row, is_bad ? "bad" : "") : "";
+    }
+    return text + html::kTableEnd;
 }
 
 std::string Map(const Campaign& campaign, const Summary& summary)
 {
-    std::vector<std::string> head{"member"};
-    for (const Phase phase : campaign.plan.phases)
-    {
-        head.push_back(runtime::Words(WordOf(phase)));
-    }
-    std::string text = "<h2>Map of memory and phase</h2><p>Faults with an effect; in bold: silent ones of them. Empty: "
-                       "not tried.</p>" +
-                       Table(head, "map");
-    for (const MapRow& member : summary.map)
-    {
-        std::vector<std::string> row{member.name};
-        bool has_silent = false;
-        bool has_any = false;
-        for (const Phase phase : campaign.plan.phases)
-        {
-            const MapCell& cell = member.cells.at(static_cast<std::size_t>(phase));
-            has_silent = has_silent || cell.silent != 0U;
-            has_any = has_any || cell.injected != 0U;
-            row.push_back(CellText(cell));
-        }
-        text += has_any ? Row(row, has_silent ? "bad" : "") : "";
-    }
-    return text + html::kTableEnd;
+    std::string text = "<h2>Map</h2><p>Faults with an effect; in bold: silent and exposed ones of them. Empty: not "
+                       "tried. Two bits at once count for the members of both.</p>";
+    const bool has_memory = std::any_of(campaign.plan.parts.begin(), campaign.plan.parts.end(), IsMemory);
+    text += has_memory ? MapTable("member", campaign.plan.phases, summary.map) : "";
+    return text + (summary.subjects.empty() ? "" : MapTable("no memory", KindsOf(summary), summary.subjects));
 }
 
 std::string FindingTable(const Campaign& campaign, const std::string& title, const std::vector<Finding>& findings)
@@ -181,18 +211,17 @@ std::string FindingTable(const Campaign& campaign, const std::string& title, con
     {
         return text;
     }
-    text +=
-        Table({"experiment", "member", "declared in", "kind", "cycle", "phase", "found by", "ms", "reason"}, "text");
+    text += Table({"experiment", "place", "declared in", "kind", "cycle", "phase", "found by", "ms", "reason"}, "text");
     for (std::size_t index = 0U; index < findings.size() && index < kMostRows; ++index)
     {
         const Finding& finding = findings[index];
         const std::string known = finding.known.empty() ? "" : "; known: " + finding.known;
-        text += Row({Number(finding.number), PlaceText(campaign, finding.experiment),
-                     DeclarationOf(campaign.device.Places()[finding.experiment.place].name),
-                     WordOf(finding.experiment.kind), Number(finding.experiment.cycle),
-                     WordOf(finding.experiment.phase), WordOf(finding.outcome.detector), MsText(finding.outcome.us),
-                     Escaped(ReasonOf(finding.outcome) + known)},
-                    finding.known.empty() ? "bad" : "");
+        text +=
+            Row({Number(finding.number), PlaceText(campaign, finding.experiment),
+                 DeclarationOf(MemberText(campaign, finding.experiment)), WordOf(finding.experiment.kind),
+                 Number(finding.experiment.cycle), WordOf(finding.experiment.phase), WordOf(finding.outcome.detector),
+                 MsText(finding.outcome.us), Escaped(ReasonOf(finding.outcome) + known)},
+                finding.known.empty() ? "bad" : "");
     }
     return text + html::kTableEnd;
 }
@@ -222,6 +251,7 @@ std::string HtmlReport(const Campaign& campaign, const Summary& summary)
 {
     return html::Head(campaign.plan.title) + Verdict(campaign, summary) + CountTable(campaign, summary) +
            FindingTable(campaign, "Silent", summary.silent) +
+           FindingTable(campaign, "Exposed: open with wrong data until the self test found it", summary.exposed) +
            FindingTable(campaign, "Later than the limit", summary.late) + DetectorTable(summary) + TimeTables(summary) +
            Histogram(summary) + Map(campaign, summary) + "</body></html>\n";
 }

@@ -40,6 +40,7 @@ Json StratumOf(const Campaign& campaign, const Tally& tally)
                  {"open", tally.Of(Class::kOpen)},         {"masked", tally.Of(Class::kMasked)},
                  {"benign", tally.Of(Class::kBenign)},     {"effective", effective},
                  {"detected", tally.Of(Class::kDetected)}, {"safe_other", tally.Of(Class::kSafeOther)},
+                 {"listed", tally.Of(Class::kListed)},     {"exposed", tally.Of(Class::kExposed)},
                  {"silent", tally.Of(Class::kSilent)}};
     stratum["silent_at_most"] =
         (effective == 0U) ? Json() : Json(UpperBound(tally.Of(Class::kSilent), effective, confidence));
@@ -48,6 +49,15 @@ Json StratumOf(const Campaign& campaign, const Tally& tally)
     stratum["limit_us"] = tally.limit_us;
     stratum["late"] = tally.late;
     return stratum;
+}
+
+Json CellOf(Json cell, const MapCell& counted)
+{
+    cell["injected"] = counted.injected;
+    cell["effective"] = counted.effective;
+    cell["silent"] = counted.silent;
+    cell["exposed"] = counted.exposed;
+    return cell;
 }
 
 Json MapOf(const Campaign& campaign, const Summary& summary)
@@ -60,26 +70,42 @@ Json MapOf(const Campaign& campaign, const Summary& summary)
             const MapCell& cell = row.cells.at(static_cast<std::size_t>(phase));
             if (cell.injected != 0U)
             {
-                map.push_back({{"member", row.name},
-                               {"phase", WordOf(phase)},
-                               {"injected", cell.injected},
-                               {"effective", cell.effective},
-                               {"silent", cell.silent}});
+                map.push_back(CellOf({{"member", row.name}, {"phase", WordOf(phase)}}, cell));
             }
         }
     }
     return map;
 }
 
+Json SubjectsOf(const Summary& summary)
+{
+    Json subjects = Json::array();
+    for (const MapRow& row : summary.subjects)
+    {
+        for (std::size_t kind = 0U; kind < kFaultKindCount; ++kind)
+        {
+            if (row.cells.at(kind).injected != 0U)
+            {
+                subjects.push_back(CellOf({{"subject", row.name}, {"kind", WordOf(static_cast<FaultKind>(kind))}},
+                                          row.cells.at(kind)));
+            }
+        }
+    }
+    return subjects;
+}
+
 Json SurvivorOf(const Campaign& campaign, const Finding& finding)
 {
+    const std::string member = MemberText(campaign, finding.experiment);
+    const bool is_memory = IsMemory(finding.experiment.part);
     const Place& place = campaign.device.Places()[finding.experiment.place];
     Json survivor{{"experiment", finding.number},
                   {"class", IsLate(finding.outcome) ? "late" : WordOf(finding.outcome.result)},
-                  {"member", place.name},
-                  {"declared", DeclarationOf(place.name)},
-                  {"byte", finding.experiment.offset - place.offset},
-                  {"bit", finding.experiment.bit},
+                  {"place", PlaceText(campaign, finding.experiment)},
+                  {"member", member},
+                  {"declared", DeclarationOf(member)},
+                  {"byte", is_memory ? Json(finding.experiment.offset - place.offset) : Json()},
+                  {"bit", is_memory ? Json(finding.experiment.bit) : Json()},
                   {"kind", WordOf(finding.experiment.kind)},
                   {"cycle", finding.experiment.cycle},
                   {"phase", WordOf(finding.experiment.phase)},
@@ -128,8 +154,9 @@ std::string JsonReport(const Campaign& campaign, const Summary& summary)
     }
     report["histogram"] = bins;
     report["map"] = MapOf(campaign, summary);
+    report["subjects"] = SubjectsOf(summary);
     Json survivors = Json::array();
-    for (const auto* const findings : {&summary.silent, &summary.late})
+    for (const auto* const findings : {&summary.silent, &summary.exposed, &summary.late})
     {
         for (const Finding& finding : *findings)
         {

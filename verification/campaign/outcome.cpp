@@ -11,11 +11,11 @@ namespace counterpoint::campaign
 {
 namespace
 {
-constexpr std::array<const char*, kClassCount> kClassWords{"open",     "masked",     "benign",
-                                                           "detected", "safe_other", "silent"};
+constexpr std::array<const char*, kClassCount> kClassWords{"open",       "masked", "benign", "detected",
+                                                           "safe_other", "silent", "listed", "exposed"};
 constexpr std::array<const char*, kDetectorCount> kDetectorWords{
     "nobody",   "comparator", "flow_monitor", "guard",     "seal",      "clocks", "channels", "permits",
-    "watchdog", "latch",      "pair_check",   "receivers", "exception", "time",   "pins"};
+    "watchdog", "latch",      "pair_check",   "receivers", "exception", "time",   "pins",     "self_test"};
 constexpr std::array<const char*, 6U> kWrongWords{"",
                                                   "open with data that the bus did not bring",
                                                   "open without leave",
@@ -34,11 +34,19 @@ const char* WordOf(const Detector detector)
     return kDetectorWords.at(static_cast<std::size_t>(detector));
 }
 
-const char* ReasonOf(const Outcome& outcome)
+std::string ReasonOf(const Outcome& outcome)
 {
     if (outcome.result == Class::kSilent)
     {
         return kWrongWords.at(outcome.detail);
+    }
+    if (outcome.result == Class::kListed)
+    {
+        return "open by a complete valid pair that nobody sent, or that is too old";
+    }
+    if (outcome.result == Class::kExposed)
+    {
+        return "open with wrong data until the " + runtime::Words(WordOf(outcome.detector)) + " found it";
     }
     if (outcome.detector == Detector::kChannels)
     {

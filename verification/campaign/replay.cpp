@@ -257,7 +257,7 @@ std::string Replay::Picture() const
 std::string Replay::Page() const
 {
     std::string text = html::Head(Title());
-    text += std::string("<p class=\"") + (found_.result == Class::kSilent ? "bad" : "good") + "\">" +
+    text += std::string("<p class=\"") + (IsDangerous(found_.result) ? "bad" : "good") + "\">" +
             html::Escaped(OutcomeText(found_)) + "</p>\n" + Picture() + html::Table({"time", "who", "what"}, "text");
     for (const Moment& moment : moments_)
     {

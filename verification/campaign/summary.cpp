@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/summary.hpp"
 
+#include "verification/campaign/variants.hpp"
+
 #include <algorithm>
 
 namespace counterpoint::campaign
@@ -34,7 +36,7 @@ Summary EmptySummary(const Campaign& campaign)
     {
         Tally tally;
         tally.stratum = stratum;
-        tally.limit_us = campaign.limits.us.at(static_cast<std::size_t>(stratum.part));
+        tally.limit_us = campaign.limits.Of(stratum.part, stratum.kind);
         summary.tallies.push_back(tally);
     }
     for (std::size_t detector = 0U; detector < kDetectorCount; ++detector)
@@ -55,30 +57,80 @@ bool IsWithin(const std::string& place, const std::string& known)
            (place.size() == known.size() || place[known.size()] == '+' || place[known.size()] == '.');
 }
 
+std::string BitText(const Campaign& campaign, const Bit& bit)
+{
+    const Place& place = campaign.device.Places()[bit.place];
+    return place.name + "+" + std::to_string(bit.offset - place.offset) + "." + std::to_string(bit.bit);
+}
+
+Bit FirstOf(const Experiment& experiment)
+{
+    return {experiment.place, experiment.offset, experiment.bit};
+}
+
+/// Of two bits at once either of them.
+bool IsOf(const Campaign& campaign, const Finding& finding, const Known& known)
+{
+    const Experiment& experiment = finding.experiment;
+    const bool is_pair = experiment.part == Part::kBothChannels;
+    const bool is_there = IsWithin(PlaceText(campaign, experiment), known.place) ||
+                          (is_pair && (IsWithin(BitText(campaign, FirstOf(experiment)), known.place) ||
+                                       IsWithin(BitText(campaign, experiment.second), known.place)));
+    return is_there && known.result.value_or(finding.outcome.result) == finding.outcome.result;
+}
+
 Finding FindingOf(const Campaign& campaign, const std::uint64_t number, const Outcome& outcome)
 {
     Finding finding{number, campaign.space.At(number), outcome, ""};
     for (const Known& known : campaign.plan.known)
     {
-        finding.known = IsWithin(PlaceText(campaign, finding.experiment), known.place) ? known.reason : finding.known;
+        finding.known = IsOf(campaign, finding, known) ? known.reason : finding.known;
     }
     return finding;
+}
+
+void Count(const Outcome& outcome, MapCell& cell)
+{
+    ++cell.injected;
+    cell.effective += IsEffective(outcome.result) ? 1U : 0U;
+    cell.silent += (outcome.result == Class::kSilent) ? 1U : 0U;
+    cell.exposed += (outcome.result == Class::kExposed) ? 1U : 0U;
+}
+
+/// Two bits at once count for the members of both.
+void CountInMap(const Campaign& campaign, const Experiment& experiment, const Outcome& outcome, Summary& summary)
+{
+    const auto phase = static_cast<std::size_t>(experiment.phase);
+    if (IsMemory(experiment.part))
+    {
+        Count(outcome, summary.map.at(experiment.place).cells.at(phase));
+        if (experiment.part == Part::kBothChannels)
+        {
+            Count(outcome, summary.map.at(experiment.second.place).cells.at(phase));
+        }
+        return;
+    }
+    const std::string name = MemberText(campaign, experiment);
+    auto row = std::find_if(summary.subjects.begin(), summary.subjects.end(),
+                            [&name](const MapRow& each) { return each.name == name; });
+    if (row == summary.subjects.end())
+    {
+        row = summary.subjects.insert(row, MapRow{name, std::vector<MapCell>(kFaultKindCount)});
+    }
+    Count(outcome, row->cells.at(static_cast<std::size_t>(experiment.kind)));
 }
 
 void Count(const Campaign& campaign, const std::uint64_t number, const Outcome& outcome, Tally& tally, Summary& summary)
 {
     ++tally.classes.at(static_cast<std::size_t>(outcome.result));
-    ++tally.detectors.at(static_cast<std::size_t>(outcome.detector));
+    tally.detectors.at(static_cast<std::size_t>(outcome.detector)) += (outcome.result != Class::kExposed) ? 1U : 0U;
     if (outcome.result == Class::kOpen)
     {
         ++summary.open;
         return;
     }
     const Experiment experiment = campaign.space.At(number);
-    MapCell& cell = summary.map.at(experiment.place).cells.at(static_cast<std::size_t>(experiment.phase));
-    ++cell.injected;
-    cell.effective += IsEffective(outcome.result) ? 1U : 0U;
-    cell.silent += (outcome.result == Class::kSilent) ? 1U : 0U;
+    CountInMap(campaign, experiment, outcome, summary);
     if (HasTime(outcome))
     {
         tally.times.push_back(outcome.us);
@@ -87,6 +139,10 @@ void Count(const Campaign& campaign, const std::uint64_t number, const Outcome& 
     if (outcome.result == Class::kSilent)
     {
         summary.silent.push_back(FindingOf(campaign, number, outcome));
+    }
+    else if (outcome.result == Class::kExposed)
+    {
+        summary.exposed.push_back(FindingOf(campaign, number, outcome));
     }
     else if (IsLate(outcome))
     {
@@ -118,11 +174,14 @@ void Expect(const Campaign& campaign, const Results& results, Summary& summary)
     }
     for (const Known& known : campaign.plan.known)
     {
-        const auto is_of_it = [&campaign, &known](const Finding& finding)
-        { return IsWithin(PlaceText(campaign, finding.experiment), known.place); };
+        const auto is_needed = [&campaign, &known](const std::vector<Finding>& findings)
+        {
+            return std::any_of(findings.begin(), findings.end(),
+                               [&](const Finding& finding) { return IsOf(campaign, finding, known); });
+        };
         // A sample need not draw it.
-        if (campaign.plan.sample == 0U && std::none_of(summary.silent.begin(), summary.silent.end(), is_of_it) &&
-            std::none_of(summary.late.begin(), summary.late.end(), is_of_it))
+        if (campaign.plan.sample == 0U && !is_needed(summary.silent) && !is_needed(summary.exposed) &&
+            !is_needed(summary.late))
         {
             summary.stale.push_back(known.place);
         }
@@ -188,8 +247,31 @@ std::vector<Bin> HistogramOf(const Summary& summary)
 
 std::string PlaceText(const Campaign& campaign, const Experiment& experiment)
 {
-    const Place& place = campaign.device.Places()[experiment.place];
-    return place.name + "+" + std::to_string(experiment.offset - place.offset) + "." + std::to_string(experiment.bit);
+    if (!IsMemory(experiment.part))
+    {
+        return SubjectText(experiment, campaign.recording);
+    }
+    const std::string text = BitText(campaign, FirstOf(experiment));
+    return (experiment.part == Part::kBothChannels) ? text + " and " + BitText(campaign, experiment.second) : text;
+}
+
+std::string MemberText(const Campaign& campaign, const Experiment& experiment)
+{
+    return IsMemory(experiment.part) ? campaign.device.Places()[experiment.place].name
+                                     : SubjectName(experiment, campaign.recording);
+}
+
+std::string ListedText(const Summary& summary)
+{
+    std::uint64_t listed = 0U;
+    for (const Tally& tally : summary.tallies)
+    {
+        listed += tally.Of(Class::kListed);
+    }
+    return (listed == 0U)
+               ? ""
+               : "listed: " + std::to_string(listed) +
+                     " open by a complete pair that is too old or that nobody sent, the limit that is listed\n";
 }
 
 std::string CsvReport(const Campaign& campaign, const Results& results)

@@ -34,7 +34,12 @@ struct Tally
     /// @brief Those that changed what the device does: of these alone a share is said.
     [[nodiscard]] std::uint64_t Effective() const
     {
-        return Of(Class::kDetected) + Of(Class::kSafeOther) + Of(Class::kSilent);
+        std::uint64_t count = 0U;
+        for (std::size_t each = 0U; each < kClassCount; ++each)
+        {
+            count += IsEffective(static_cast<Class>(each)) ? classes.at(each) : 0U;
+        }
+        return count;
     }
 };
 
@@ -53,13 +58,14 @@ struct MapCell
     std::uint64_t injected{0U};
     std::uint64_t effective{0U};
     std::uint64_t silent{0U};
+    std::uint64_t exposed{0U};
 };
 
-/// A member of the device.
+/// A member of the device, or what is no memory.
 struct MapRow
 {
     std::string name;
-    std::vector<MapCell> cells; ///< By phase.
+    std::vector<MapCell> cells; ///< By phase, or by kind.
 };
 
 /// So many were found within `up_to_us`, and not within the half of it.
@@ -81,18 +87,20 @@ struct Summary
 {
     std::vector<Tally> tallies;
     std::vector<Finding> silent;
+    std::vector<Finding> exposed; ///< Silent until the self test found them. [SRS_CMG_027]
     std::vector<Finding> late;
     std::vector<std::string> idle;     ///< Detectors and voices that the plan asks for and that found nothing.
     std::vector<std::string> stale;    ///< Known places of the plan at which nothing was found.
     std::vector<Mechanism> mechanisms; ///< Those that found something.
-    std::vector<MapRow> map;           ///< The places of the device, in their order.
+    std::vector<MapRow> map;           ///< The places of the device, in their order, by phase.
+    std::vector<MapRow> subjects;      ///< What was hit and is no memory, by kind.
     std::uint64_t open{0U};            ///< Not tried, or in another shard.
 
-    /// @brief Nothing silent and nothing late that nobody answers for, and each detector, voice and known place of the
+    /// @brief Nothing silent, exposed or late that nobody answers for, and each detector, voice and known place of the
     /// plan found something.
     [[nodiscard]] bool Holds() const noexcept
     {
-        return IsKnown(silent) && IsKnown(late) && idle.empty() && stale.empty();
+        return IsKnown(silent) && IsKnown(exposed) && IsKnown(late) && idle.empty() && stale.empty();
     }
 
   private:
@@ -113,6 +121,10 @@ struct Campaign
 
 /// @brief Place of an experiment as "channel_a.records+12.3": byte 12 of the member, bit 3.
 [[nodiscard]] std::string PlaceText(const Campaign& campaign, const Experiment& experiment);
+/// @brief The member that was hit, or what is no memory.
+[[nodiscard]] std::string MemberText(const Campaign& campaign, const Experiment& experiment);
+/// @brief How many are of the listed limit; empty: none. [SRS_CMG_021]
+[[nodiscard]] std::string ListedText(const Summary& summary);
 /// @brief How long it took until what was detected or safe otherwise was so, by powers of two from 1 ms on.
 [[nodiscard]] std::vector<Bin> HistogramOf(const Summary& summary);
 /// @brief Where a member is declared, as channel_b/storage.hpp:82; empty where nobody knows. [SRS_CMG_045]

@@ -43,8 +43,8 @@ std::string BoundText(const Tally& tally, const double confidence)
 std::string CountTable(const Campaign& campaign, const Summary& summary)
 {
     const double confidence = campaign.plan.confidence_percent / kPercent;
-    std::string text = Row(
-        {"part", "kind", "injected", "masked", "benign", "effective", "detected", "by others", "silent", "at most"});
+    std::string text = Row({"part", "kind", "injected", "masked", "benign", "effective", "detected", "by others",
+                            "listed", "exposed", "silent", "at most"});
     for (const Tally& tally : summary.tallies)
     {
         if (tally.stratum.size == 0U)
@@ -54,8 +54,8 @@ std::string CountTable(const Campaign& campaign, const Summary& summary)
         const auto count = [&tally](const Class wanted) { return std::to_string(tally.Of(wanted)); };
         text += Row({WordOf(tally.stratum.part), WordOf(tally.stratum.kind), std::to_string(tally.stratum.taken),
                      count(Class::kMasked), count(Class::kBenign), std::to_string(tally.Effective()),
-                     count(Class::kDetected), count(Class::kSafeOther), count(Class::kSilent),
-                     BoundText(tally, confidence)});
+                     count(Class::kDetected), count(Class::kSafeOther), count(Class::kListed), count(Class::kExposed),
+                     count(Class::kSilent), BoundText(tally, confidence)});
     }
     return text + "at most: silent share of effective faults, Clopper-Pearson, one-sided, " +
            std::to_string(campaign.plan.confidence_percent) + " %\n";
@@ -121,8 +121,10 @@ std::string TextReport(const Campaign& campaign, const Summary& summary)
 {
     std::string text = campaign.plan.title + "\n\n" + CountTable(campaign, summary) + "\n" + TimeTable(summary) + "\n" +
                        DetectorLine(summary) + "left out: " + std::to_string(campaign.space.LeftOut()) +
-                       " bytes that hold addresses of the program\n" +
-                       FindingLines(campaign, "silent", summary.silent) + FindingLines(campaign, "late", summary.late);
+                       " bytes that hold addresses of the program\n" + ListedText(summary) +
+                       FindingLines(campaign, "silent", summary.silent) +
+                       FindingLines(campaign, "exposed", summary.exposed) +
+                       FindingLines(campaign, "late", summary.late);
     for (const std::string& name : summary.idle)
     {
         text += "idle: " + name + " found nothing; the plan expects it to\n";
@@ -131,7 +133,7 @@ std::string TextReport(const Campaign& campaign, const Summary& summary)
     {
         text += "stale: nothing was found at " + place + ", which the plan calls known\n";
     }
-    if (!summary.silent.empty() || !summary.late.empty())
+    if (!summary.silent.empty() || !summary.exposed.empty() || !summary.late.empty())
     {
         text += "time line of one: counterpoint campaign " + campaign.plan.file + " --replay EXPERIMENT\n";
     }
