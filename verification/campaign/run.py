@@ -18,6 +18,7 @@ import time
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
+COUNTED = ("injected", "effective", "detected", "safe_other", "listed", "silent", "exposed", "late")
 RECORD = HERE / "long/result.json"
 HEAD = """<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <title>Fault campaigns</title><style>:root{color-scheme:light dark}body{font:16px/1.4 sans-serif;margin:1em auto;max-width:60em;
@@ -47,11 +48,11 @@ def run_plan(program, plan, out, options):
     done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
     (out / f"{plan.stem}.txt").write_text(done.stdout + done.stderr, encoding="utf-8")
     report = json.loads(files["json"].read_text(encoding="utf-8")) if files["json"].exists() else {"title": plan.stem, "strata": []}
-    total = {key: sum(stratum[key] for stratum in report["strata"]) for key in ("injected", "effective", "detected", "safe_other", "silent", "late")}
+    total = {key: sum(stratum[key] for stratum in report["strata"]) for key in COUNTED}
     result = {"plan": plan.stem, "title": report["title"], "holds": done.returncode == 0 and report.get("holds") is True, **total,
               "known": sum(1 for each in report.get("survivors", []) if each["known"]), "seconds": round(time.monotonic() - begun, 1)}
     print(f"{'holds' if result['holds'] else 'DOES NOT HOLD':14} {plan.stem}: {total['injected']} injected, {total['effective']} effective, "
-          f"{total['silent']} silent, {total['late']} late, {result['known']} known, {result['seconds']} s", flush=True)
+          f"{total['listed']} listed, {total['silent']} silent, {total['exposed']} exposed, {total['late']} late, {result['known']} known, {result['seconds']} s", flush=True)
     return result
 
 
@@ -69,13 +70,13 @@ def run_planted(program, folder, defect, options):
 
 
 def page(results, planted):
-    text = HEAD + '<div class="wide"><table><tr><th>plan</th><th>verdict</th><th>injected</th><th>effective</th><th>silent</th><th>late</th>' \
-        "<th>of both known</th><th>detected</th><th>safe by others</th></tr>\n"
+    text = HEAD + '<div class="wide"><table><tr><th>plan</th><th>verdict</th><th>injected</th><th>effective</th><th>silent</th><th>exposed</th>' \
+        "<th>late</th><th>of these known</th><th>detected</th><th>safe by others</th><th>listed</th></tr>\n"
     for each in results:
         name = html.escape(each["plan"])
         text += f'<tr><td><a href="{name}.html">{html.escape(each["title"])}</a> (<a href="{name}.csv">CSV</a>, <a href="{name}.json">JSON</a>)</td>' \
             f'<td class="{"good" if each["holds"] else "bad"}">{"holds" if each["holds"] else "does not hold"}</td>'
-        text += "".join(f"<td>{each[key]}</td>" for key in ("injected", "effective", "silent", "late", "known", "detected", "safe_other")) + "</tr>\n"
+        text += "".join(f"<td>{each[key]}</td>" for key in ("injected", "effective", "silent", "exposed", "late", "known", "detected", "safe_other", "listed")) + "</tr>\n"
     text += '</table></div><h2>Planted defects</h2><div class="wide"><table class="text"><tr><th>defect</th><th>found</th><th>told</th></tr>\n'
     for each in planted:
         text += f'<tr><td>{each["program"]}</td><td class="{"good" if each["found"] else "bad"}">{"found" if each["found"] else "NOT FOUND"}</td>' \
