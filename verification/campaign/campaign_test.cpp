@@ -97,6 +97,8 @@ INSTANTIATE_TEST_SUITE_P(
                       BadPlan{"at: [500 ms]\nparts: [stack]\n", ":5:9: error: 'stack', expected one of channel_a"},
                       BadPlan{"at: [500 ms]\nkinds: [flip, flip]\n", ":5:15: error: the same word twice"},
                       BadPlan{"at: [500 ms]\nmembers: [latch+12]\n", ":5:11: error: member 'latch'"},
+                      BadPlan{"at: [500 ms]\nknown:\n  - {place: latch, class: masked, reason: none}\n",
+                              ":6:27: error: 'masked', expected one of silent"},
                       BadPlan{"at: [500 ms]\nsample: 0\n", ":5:9: error: "},
                       BadPlan{"at: [500 ms]\ncolour: red\n", ":5:1: error: unknown key"}));
 

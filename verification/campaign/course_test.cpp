@@ -350,6 +350,30 @@ TEST_F(OutcomeTest, MarchFindsTheStuckBitThatNobodyCompares)
     EXPECT_EQ(with.late, 0U);
 }
 
+TEST_F(OutcomeTest, TimeLineTellsFromWhenOnTheOutputWasWrongUntilItWasFound)
+{
+    Verifies(req::SRS_CMG_027);
+    Verifies(req::SRS_CMG_044);
+    // Given the same bit in a device with self tests
+    const std::string plan =
+        PlanFile("plan.yaml", "actuator",
+                 "at: [500 ms]\ncycles: 1\nphases: [comparison]\nkinds: [stuck_at_0]\nparts: [comparator]\n"
+                 "members: [comparator.verdict+8]\nself_test: true\n");
+    // When it is shown again
+    const tools::test::Answer answer = Campaign({plan, "--replay", "0"});
+    // Then what is wrong is told once, then who found it, and it is no experiment that holds
+    EXPECT_EQ(answer.status, 1);
+    const std::string wrong = "judge      open with data that the bus did not bring";
+    const std::size_t told = answer.out.find(wrong);
+    const std::size_t found = answer.out.find("kernel     device fault self_test");
+    ASSERT_NE(told, std::string::npos) << answer.out;
+    EXPECT_EQ(answer.out.find(wrong, told + 1U), std::string::npos) << answer.out;
+    EXPECT_LT(told, found);
+    EXPECT_NE(answer.out.find("outcome: exposed, by self_test, open with wrong data until the self test found it"),
+              std::string::npos)
+        << answer.out;
+}
+
 TEST_F(CourseTest, PlanWithoutAFaultIsRefused)
 {
     Verifies(req::SRS_CMG_026);

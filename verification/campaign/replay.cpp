@@ -132,11 +132,12 @@ void Replay::OnCycle(const std::size_t cycle, const Sight& sight)
     TellChannel("channel B", last_.b, is.b);
     TellDevice(is);
     TellValues(is);
-    if (sight.wrong != Wrong::kNothing)
+    if (sight.wrong != Wrong::kNothing && sight.wrong != wrong_)
     {
         Tell("judge",
              ReasonOf(Outcome{Class::kSilent, Detector::kNobody, static_cast<std::uint8_t>(sight.wrong), 0U, 0U}));
     }
+    wrong_ = sight.wrong;
     last_ = std::move(is);
 }
 

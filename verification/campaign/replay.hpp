@@ -75,6 +75,7 @@ class Replay final : private CycleWatcher
     Nanoseconds begin_;
     Nanoseconds now_{0};
     Sighting last_{};
+    Wrong wrong_{Wrong::kNothing}; ///< What the judge said last.
     std::vector<std::size_t> told_different_{};
     std::vector<Moment> moments_{};
     std::vector<Stretch> open_{};
