@@ -374,6 +374,21 @@ TEST_F(OutcomeTest, TimeLineTellsFromWhenOnTheOutputWasWrongUntilItWasFound)
         << answer.out;
 }
 
+TEST_F(CourseTest, NoExperimentFindsWhatAnotherOneLeft)
+{
+    Verifies(req::SRS_CMG_001);
+    const Trap trap;
+    // Given a device
+    Session session(PlanFile("plan.yaml", "actuator", "at: [500 ms]\nkinds: [flip]\nsample: 1\n"));
+    std::uint8_t* const bytes = session.Runs().Subject().Memory().Bytes();
+    const std::size_t size = session.Runs().Subject().Memory().Size();
+    // Then all that can be written is brought back
+    EXPECT_EQ(size % 4096U, 0U);
+    EXPECT_EQ(Trap::Run([bytes, size]() { bytes[size - 1U] = 1U; }), Return::kEnded);
+    EXPECT_EQ(Trap::Run([bytes, size]() { bytes[size] = 1U; }), Return::kException);
+    EXPECT_EQ(Trap::Run([bytes]() { bytes[(1U << 20U) - 1U] = 1U; }), Return::kException);
+}
+
 TEST_F(CourseTest, PlanWithoutAFaultIsRefused)
 {
     Verifies(req::SRS_CMG_026);

@@ -37,6 +37,7 @@ Device::Device(Region& region, const runtime::DeviceModel& model, const Recordin
     }
     MakeKernel();
     Start(model);
+    region_.Close();
 }
 
 void Device::Add(const Part part, const std::string& name, const void* const object, const std::size_t size)
