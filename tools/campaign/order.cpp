@@ -15,18 +15,32 @@ void DescribeCampaign(Options& options, CampaignOrder& order)
         .Check(&ProblemOfFileName);
     options.Add("--html", &order.html, "Write the report as a page").Check(&ProblemOfFileName);
     options.Add("--csv", &order.csv, "Write each experiment as a line").Check(&ProblemOfFileName);
+    options.Add("--json", &order.json, "Write the report for programs").Check(&ProblemOfFileName);
+    options
+        .Add("--replay", &order.replay,
+             "Number of one experiment, as report and CSV have it: its time line, with --html as a page")
+        .Check(&ProblemOfFileName);
     options.Add("--shard", &order.shard, "K/N: try each N-th experiment, from the K-th on").ShowDefault();
     options.Add("--jobs", &order.jobs, "Processes at a time; 0: one for each processor")
         .Range(0, kMostJobs)
         .ShowDefault();
-    options.Footer("Exit status: 0 nothing silent, nothing late; 1 something is; 2 a plan that cannot be used.\n"
-                   "The plan and the report are explained in docs/campaign.md.");
+    options.Footer(
+        "Start: counterpoint campaign examples/campaigns/actuator.yaml --html page.html\n"
+        "One fault of it, step by step: the same plan with --replay 54\n"
+        "Many machines: --shard 1/64 --out 1.results and so on, then: merge PLAN *.results --html page.html\n"
+        "Killed: the same command with the same --out goes on.\n"
+        "Exit status: 0 nothing silent, nothing late; 1 something is; 2 a plan that cannot be used.\n"
+        "The plan and the report are explained in docs/campaign.md.");
 }
 
 std::vector<std::string> ArgumentsOf(const CampaignOrder& order)
 {
     std::vector<std::string> arguments = order.files;
-    for (const auto& [name, value] : {std::pair("--out", order.out), {"--html", order.html}, {"--csv", order.csv}})
+    for (const auto& [name, value] : {std::pair("--out", order.out),
+                                      {"--html", order.html},
+                                      {"--csv", order.csv},
+                                      {"--json", order.json},
+                                      {"--replay", order.replay}})
     {
         if (!value.empty())
         {

@@ -17,6 +17,8 @@ struct CampaignOrder
     std::string out;
     std::string html;
     std::string csv;
+    std::string json;
+    std::string replay; ///< Number of an experiment; empty: none.
     std::string shard{"1/1"};
     int jobs{0}; ///< 0: one for each processor.
 };

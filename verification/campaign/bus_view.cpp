@@ -25,49 +25,79 @@ std::uint64_t NumberIn(const CanFrame& frame)
 }
 
 BusView::BusView(const Recording& recording, const runtime::SrdoModel& srdo, const std::uint32_t mapped_bits)
-    : recording_(recording), greatest_age_((srdo.times.sct_ms + srdo.times.srvt_ms) * kMs)
+    : cob_id_1_(srdo.cob_id_1), cob_id_2_(srdo.cob_id_2), bytes_((mapped_bits + kByteBits - 1U) / kByteBits),
+      srvt_(srdo.times.srvt_ms * kMs), greatest_age_((srdo.times.sct_ms + srdo.times.srvt_ms) * kMs)
 {
-    const std::uint32_t bytes = (mapped_bits + kByteBits - 1U) / kByteBits;
-    const std::uint64_t all = LowBits(bytes * kByteBits);
-    const RecordedFrame* normal = nullptr;
-    std::size_t frame = 0U;
-    for (const RecordedCycle& cycle : recording.cycles)
+    Received received;
+    for (const RecordedFrame& frame : recording.frames)
     {
-        for (; frame < cycle.frames_end; ++frame)
+        if (Complete(received, frame))
         {
-            const RecordedFrame& came = recording.frames[frame];
-            const bool is_long = came.stamped.frame.length_bytes == bytes;
-            if (came.stamped.frame.identifier == srdo.cob_id_1)
-            {
-                normal = (is_long && normal == nullptr) ? &came : nullptr;
-            }
-            else if (came.stamped.frame.identifier == srdo.cob_id_2)
-            {
-                const bool is_pair = normal != nullptr && is_long && came.at - normal->at <= srdo.times.srvt_ms * kMs &&
-                                     (NumberIn(normal->stamped.frame) ^ NumberIn(came.stamped.frame)) == all;
-                if (is_pair)
-                {
-                    pairs_.push_back({normal->at, came.at, NumberIn(normal->stamped.frame)});
-                }
-                normal = nullptr;
-            }
+            pairs_.push_back(received.newest);
         }
-        ends_.push_back(pairs_.size());
     }
 }
 
-bool BusView::Allows(const std::size_t cycle, const std::uint64_t data, const std::uint64_t mask,
-                     const Nanoseconds discrepancy) const
+/// True: a complete valid pair is the newest one.
+bool BusView::Complete(Received& received, const RecordedFrame& came) const
 {
-    const Nanoseconds now = recording_.cycles[cycle].at;
-    const std::size_t end = ends_[cycle];
-    const auto is_it = [this, now, data, mask](const std::size_t index)
-    { return ((pairs_[index].data ^ data) & mask) == 0U && now - pairs_[index].normal_at <= greatest_age_; };
-    if (end == 0U)
+    const CanFrame& frame = came.stamped.frame;
+    const bool is_long = frame.length_bytes == bytes_ && frame.kind == FrameKind::kData;
+    if (frame.identifier == cob_id_1_)
+    {
+        received.waits = is_long && !received.waits;
+        received.normal_at = came.at;
+        received.normal = NumberIn(frame);
+        return false;
+    }
+    if (frame.identifier != cob_id_2_)
     {
         return false;
     }
-    const bool may_be_older = end > 1U && now - pairs_[end - 1U].inverse_at <= discrepancy;
-    return is_it(end - 1U) || (may_be_older && is_it(end - 2U));
+    const bool is_pair = received.waits && is_long && came.at - received.normal_at <= srvt_ &&
+                         (received.normal ^ NumberIn(frame)) == LowBits(bytes_ * kByteBits);
+    received.waits = false;
+    if (is_pair)
+    {
+        received.before = received.newest;
+        received.newest = {received.normal_at, came.at, received.normal, BusPair::kNever};
+        ++received.count;
+    }
+    return is_pair;
+}
+
+/// Who sent it is not asked: it is one that was sent if its data are those of a pair that was sent no earlier than the
+/// last one that was, and not after it came.
+void BusView::Take(Received& received, const RecordedFrame& came) const
+{
+    if (!Complete(received, came))
+    {
+        return;
+    }
+    for (std::size_t index = received.sent; index < pairs_.size() && pairs_[index].normal_at <= came.at; ++index)
+    {
+        if (pairs_[index].data == received.newest.data)
+        {
+            received.newest.sent_at = pairs_[index].normal_at;
+            received.sent = index;
+        }
+    }
+}
+
+Leave BusView::Allows(const Received& received, const Nanoseconds now, const std::uint64_t data,
+                      const std::uint64_t mask, const Nanoseconds discrepancy) const
+{
+    const auto is_it = [this, now, data, mask](const BusPair& pair)
+    { return ((pair.data ^ data) & mask) == 0U && now - pair.normal_at <= greatest_age_; };
+    const auto is_sent = [this, now](const BusPair& pair)
+    { return pair.sent_at != BusPair::kNever && now - pair.sent_at <= greatest_age_; };
+    const bool is_newest = received.count > 0U && is_it(received.newest);
+    const bool is_before =
+        received.count > 1U && now - received.newest.inverse_at <= discrepancy && is_it(received.before);
+    if ((is_newest && is_sent(received.newest)) || (is_before && is_sent(received.before)))
+    {
+        return Leave::kGiven;
+    }
+    return (is_newest || is_before) ? Leave::kListed : Leave::kNone;
 }
 } // namespace counterpoint::campaign

@@ -15,7 +15,30 @@ struct BusPair
 {
     Nanoseconds normal_at{0};
     Nanoseconds inverse_at{0};
-    std::uint64_t data{0U}; ///< Byte 0 of the frame is the lowest.
+    std::uint64_t data{0U};      ///< Byte 0 of the frame is the lowest.
+    Nanoseconds sent_at{kNever}; ///< When the normal frame of the pair was sent that this one is.
+
+    static constexpr Nanoseconds kNever = -1;
+};
+
+/// What a device got of one SRDO so far. Plain memory.
+struct Received
+{
+    BusPair newest{};
+    BusPair before{};
+    Nanoseconds normal_at{0};
+    std::uint64_t normal{0U};
+    std::size_t sent{0U}; ///< The latest one that was sent, of those that were got.
+    std::uint32_t count{0U};
+    bool waits{false}; ///< For the inverse frame of `normal`.
+};
+
+/// Whether an output may use data.
+enum class Leave : std::uint8_t
+{
+    kNone = 0U,
+    kGiven = 1U,
+    kListed = 2U, ///< By a complete valid pair, which nobody sent, or which is older than it may be. [SRS_CMG_021]
 };
 
 /// @brief Bytes of a frame as a number, byte 0 the lowest.
@@ -29,15 +52,22 @@ class BusView
     /// @brief For one consumer.
     BusView(const Recording& recording, const runtime::SrdoModel& srdo, std::uint32_t mapped_bits);
 
-    /// @brief Whether an output may use `data` in this cycle, of the bits in `mask`. A pair that was followed by
-    /// another one counts until the channels had to agree on the newer one.
-    [[nodiscard]] bool Allows(std::size_t cycle, std::uint64_t data, std::uint64_t mask, Nanoseconds discrepancy) const;
+    /// @brief A frame that the device got.
+    void Take(Received& received, const RecordedFrame& came) const;
+    /// @brief Whether an output may use `data` now, of the bits in `mask`. A pair that was followed by another one
+    /// counts until the channels had to agree on the newer one.
+    [[nodiscard]] Leave Allows(const Received& received, Nanoseconds now, std::uint64_t data, std::uint64_t mask,
+                               Nanoseconds discrepancy) const;
 
   private:
-    const Recording& recording_;
+    [[nodiscard]] bool Complete(Received& received, const RecordedFrame& came) const;
+
+    std::uint32_t cob_id_1_;
+    std::uint32_t cob_id_2_;
+    std::uint32_t bytes_;
+    Nanoseconds srvt_;
     Nanoseconds greatest_age_;
-    std::vector<BusPair> pairs_{};
-    std::vector<std::size_t> ends_{}; ///< Pairs before this one were complete, by cycle.
+    std::vector<BusPair> pairs_{}; ///< That were sent.
 };
 } // namespace counterpoint::campaign
 

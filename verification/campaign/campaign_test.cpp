@@ -5,6 +5,7 @@
 #include "verification/campaign/statistics.hpp"
 
 #include <csignal>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sys/wait.h>
 #include <thread>
@@ -96,6 +97,8 @@ INSTANTIATE_TEST_SUITE_P(
                       BadPlan{"at: [500 ms]\nparts: [stack]\n", ":5:9: error: 'stack', expected one of channel_a"},
                       BadPlan{"at: [500 ms]\nkinds: [flip, flip]\n", ":5:15: error: the same word twice"},
                       BadPlan{"at: [500 ms]\nmembers: [latch+12]\n", ":5:11: error: member 'latch'"},
+                      BadPlan{"at: [500 ms]\nknown:\n  - {place: latch, class: masked, reason: none}\n",
+                              ":6:27: error: 'masked', expected one of silent"},
                       BadPlan{"at: [500 ms]\nsample: 0\n", ":5:9: error: "},
                       BadPlan{"at: [500 ms]\ncolour: red\n", ":5:1: error: unknown key"}));
 
@@ -112,6 +115,16 @@ TEST_F(ShardTest, AnyNumberOfProcessesAndShardsGivesTheSameBytes)
     static_cast<void>(Campaign({plan, "--shard", "2/2", "--out", Path("second")}));
     const tools::test::Answer joined =
         Campaign({"merge", plan, Path("second"), Path("first"), "--out", Path("joined"), "--csv", Path("joined.csv")});
+    // or five, of which one is given twice
+    std::vector<std::string> five{"merge", plan};
+    for (const char* const shard : {"1/5", "2/5", "3/5", "4/5", "5/5"})
+    {
+        five.push_back(Path(std::string("of_five_") + shard[0]));
+        static_cast<void>(Campaign({plan, "--shard", shard, "--out", five.back()}));
+    }
+    five.insert(five.end(), {five.back(), "--out", Path("joined_five")});
+    static_cast<void>(Campaign(five));
+    EXPECT_EQ(cia306::ReadTextFile(Path("alone")), cia306::ReadTextFile(Path("joined_five")));
     // Then files and report are the same
     EXPECT_EQ(cia306::ReadTextFile(Path("alone")), cia306::ReadTextFile(Path("three")));
     EXPECT_EQ(cia306::ReadTextFile(Path("alone")), cia306::ReadTextFile(Path("joined")));
@@ -229,44 +242,249 @@ TEST_F(ReportTest, CampaignThatHoldsEndsWithStatus0)
     EXPECT_TRUE(std::filesystem::exists(Path("page.html")));
 }
 
+/// A program with one defect, a plan that the shipped one holds, and what is told of the other.
 struct Defect
 {
-    const char* planted;
-    const char* lines;
-    const char* idle;
+    std::string program;
+    std::string plan;
+    std::string told;
 };
+
+constexpr const char* kPlanted = COUNTERPOINT_SOURCE_FOLDER "/verification/campaign/planted/";
+
+/// The table that ./dev campaign reads, too.
+std::vector<Defect> Defects()
+{
+    std::vector<Defect> defects;
+    const auto table = nlohmann::json::parse(cia306::ReadTextFile(std::string(kPlanted) + "expected.json"));
+    for (const auto& row : table.at("defects"))
+    {
+        defects.push_back({row.at("program"), row.at("plan"), row.at("told")});
+    }
+    return defects;
+}
 
 class PlantedDefects : public CampaignTest, public ::testing::WithParamInterface<Defect>
 {
+  protected:
+    [[nodiscard]] tools::test::Answer RunOf(const std::string& program) const
+    {
+        const std::string line = program + " campaign " + kPlanted + GetParam().plan + " > " + Path("out");
+        const int status = std::system(line.c_str());
+        return {WEXITSTATUS(status), cia306::ReadTextFile(Path("out")), ""};
+    }
 };
 
 TEST_P(PlantedDefects, AreNamedByACampaignThatHoldsWithoutThem)
 {
     Verifies(req::SRS_CMG_011);
-    const std::string lines = std::string("at: [550 ms]\ncycles: 25\n") + GetParam().lines;
-    const tools::test::Answer sound = Campaign({PlanFile("sound.yaml", "actuator", lines)});
+    Verifies(req::SRS_CMG_040);
+    Verifies(req::SRS_CMG_043);
+    const tools::test::Answer sound = RunOf(COUNTERPOINT_CAMPAIGN);
     EXPECT_EQ(sound.status, 0) << sound.out;
-    const tools::test::Answer answer =
-        Campaign({PlanFile("planted.yaml", "actuator", lines + "planted: " + GetParam().planted + "\n")});
-    EXPECT_EQ(answer.status, 1) << answer.out;
-    EXPECT_NE(answer.out.find(GetParam().idle), std::string::npos) << answer.out;
+    const tools::test::Answer broken =
+        RunOf(std::string(COUNTERPOINT_PLANTED) + "/counterpoint_campaign_" + GetParam().program);
+    EXPECT_EQ(broken.status, 1) << broken.out;
+    EXPECT_NE(broken.out.find(GetParam().told), std::string::npos) << broken.out;
+    EXPECT_NE(broken.out.find("verdict: does not hold"), std::string::npos);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Parts, PlantedDefects,
-    ::testing::Values(
-        Defect{"blind_comparator",
-               "members: [channel_b.data+0]\nphases: [channel_b]\nkinds: [flip]\ndetectors: [comparator]\n",
-               "idle: comparator found nothing"},
-        Defect{"flow_monitor_off", "parts: [flow_monitor]\nkinds: [flip]\nsample: 100\ndetectors: [flow_monitor]\n",
-               "idle: flow_monitor found nothing"},
-        Defect{"loose_permit",
-               "parts: [comparator]\nmembers: [comparator.verdict]\nphases: [commit]\nkinds: "
-               "[flip]\nsample: 400\ndetectors: [permits]\n",
-               "idle: permits found nothing"},
-        Defect{"held_output", "parts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip]\n",
-               "latch+0.0, flip, cycle 549, phase permits: nobody, open again without an acknowledge, or "
-               "behind a device fault"}));
+INSTANTIATE_TEST_SUITE_P(Parts, PlantedDefects, ::testing::ValuesIn(Defects()),
+                         [](const auto& parameter) { return parameter.param.program; });
+
+TEST_F(ReportTest, AnyExperimentIsShownAgainAsTimeLineAndPage)
+{
+    Verifies(req::SRS_CMG_044);
+    const std::string plan =
+        PlanFile("plan.yaml", "actuator",
+                 "at: [500 ms]\nparts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip]\n");
+    // When experiment 5 is shown again
+    const tools::test::Answer answer = Campaign({plan, "--replay", "5", "--html", Path("page.html")});
+    // Then the fault, what it does and the outcome of the CSV file are told
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_NE(answer.out.find("fault      latch+0.5, flip, at permits of cycle 499"), std::string::npos) << answer.out;
+    EXPECT_NE(answer.out.find("output     SAFE"), std::string::npos) << answer.out;
+    EXPECT_NE(answer.out.find("outcome: detected, by latch"), std::string::npos) << answer.out;
+    static_cast<void>(Campaign({plan, "--csv", Path("rows.csv")}));
+    EXPECT_NE(cia306::ReadTextFile(Path("rows.csv")).find("\n5,latch,latch+0.5,flip,499,permits,detected,latch,"),
+              std::string::npos);
+    const std::string page = cia306::ReadTextFile(Path("page.html"));
+    EXPECT_NE(page.find("<td>latch+0.5, flip, at permits of cycle 499</td>"), std::string::npos);
+    EXPECT_NE(page.find("name=\"viewport\""), std::string::npos);
+    EXPECT_EQ(page.find("http"), std::string::npos);
+    // and one that there is not is refused
+    EXPECT_NE(Campaign({plan, "--replay", "8"}).err.find("'8', expected the number of an experiment, 0 to 7"),
+              std::string::npos);
+}
+
+TEST_F(ReportTest, ProgramsAreToldClassesTimesMapAndSurvivors)
+{
+    Verifies(req::SRS_CMG_045);
+    // Given 8 faults, of which number 5 is silent, the others detected in 1 ms
+    const Session session(
+        PlanFile("plan.yaml", "actuator",
+                 "at: [500 ms]\nparts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip]\n"));
+    Results results("", session.Identity(Shard{}));
+    for (std::uint64_t index = 0U; index < 8U; ++index)
+    {
+        results.Put(index, Outcome{Class::kDetected, Detector::kLatch, 0U, 0U, 1000U});
+    }
+    results.Put(5U, Outcome{Class::kSilent, Detector::kNobody, static_cast<std::uint8_t>(Wrong::kData), 0U, 2000U});
+    // When they are told
+    const Summary summary = Summarise(session.Parts(), results);
+    const std::string json = JsonReport(session.Parts(), summary);
+    // Then
+    for (const char* const text :
+         {"\"format\": \"counterpoint-campaign-1\"", "\"holds\": false", "\"effective\": 8", "\"detected\": 7",
+          "\"latch\": 7", "\"median_us\": 1000", "\"up_to_us\": 1000", "\"phase\": \"permits\"", "\"experiment\": 5",
+          "\"declared\": \"safety_core/kernel/kernel_context.hpp:27\""})
+    {
+        EXPECT_NE(json.find(text), std::string::npos) << text << json;
+    }
+    EXPECT_NE(HtmlReport(session.Parts(), summary).find("<td><b>1</b>/8</td>"), std::string::npos);
+}
+
+TEST_F(ReportTest, WrongUntilTheSelfTestFoundItIsToldApartAndDoesNotHold)
+{
+    Verifies(req::SRS_CMG_027);
+    // Given 8 faults, of which number 5 was open with wrong data for 400 ms, the others detected in 1 ms
+    const std::string lines =
+        "at: [500 ms]\nparts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip]\nself_test: true\n";
+    const auto told = [this, &lines](const std::string& known)
+    {
+        const Session session(PlanFile("plan.yaml", "actuator", lines + known));
+        Results results("", session.Identity(Shard{}));
+        for (std::uint64_t index = 0U; index < 8U; ++index)
+        {
+            results.Put(index, Outcome{Class::kDetected, Detector::kSelfTest, 0U, 0U, 1000U});
+        }
+        const auto fault = static_cast<std::uint8_t>(DeviceFault::kSelfTest);
+        results.Put(5U, Outcome{Class::kExposed, Detector::kSelfTest, fault, 0U, 400000U});
+        const Summary summary = Summarise(session.Parts(), results);
+        return std::vector<std::string>{TextReport(session.Parts(), summary), HtmlReport(session.Parts(), summary),
+                                        JsonReport(session.Parts(), summary), CsvReport(session.Parts(), results)};
+    };
+    // Then each report says so, with the time, and it is not among those that were detected
+    const std::vector<std::string> without = told("");
+    EXPECT_NE(without[0].find("exposed: experiment 5: latch+0.5, flip, cycle 499, phase permits: self_test, open with "
+                              "wrong data until the self test found it, 400.000 ms\n"),
+              std::string::npos)
+        << without[0];
+    EXPECT_NE(without[0].find("found first by: self_test 7\n"), std::string::npos) << without[0];
+    EXPECT_NE(without[0].find("verdict: does not hold"), std::string::npos);
+    EXPECT_NE(without[1].find("<h2>Exposed: open with wrong data until the self test found it: 1</h2>"),
+              std::string::npos);
+    EXPECT_NE(without[1].find("<td>400.000</td>"), std::string::npos);
+    const auto json = nlohmann::json::parse(without[2]);
+    EXPECT_EQ(json.at("holds"), false);
+    EXPECT_EQ(json.at("strata").at(0).at("exposed"), 1);
+    EXPECT_EQ(json.at("strata").at(0).at("detected"), 7);
+    EXPECT_EQ(json.at("strata").at(0).at("worst_us"), 1000);
+    EXPECT_EQ(json.at("map").at(0).at("exposed"), 1);
+    EXPECT_EQ(json.at("survivors").at(0).at("class"), "exposed");
+    EXPECT_EQ(json.at("survivors").at(0).at("us"), 400000);
+    EXPECT_NE(without[3].find("\n5,latch,latch+0.5,flip,499,permits,exposed,self_test,open with wrong data until the "
+                              "self test found it,400000,0\n"),
+              std::string::npos)
+        << without[3];
+    // and it holds where the plan knows of an exposed fault there, not where it knows of a late one
+    const std::string place = "known:\n  - {place: latch+0.5, class: ";
+    EXPECT_NE(told(place + "exposed, reason: march}\n")[0].find("verdict: holds"), std::string::npos);
+    EXPECT_NE(told(place + "late, reason: march}\n")[0].find("verdict: does not hold"), std::string::npos);
+    EXPECT_NE(told(place + "late, reason: march}\n")[0].find("stale: nothing was found at latch+0.5"),
+              std::string::npos);
+}
+
+TEST_F(ReportTest, FaultThatIsNoMemoryIsToldByWhatWasHit)
+{
+    Verifies(req::SRS_CMG_044);
+    Verifies(req::SRS_CMG_045);
+    Verifies(req::SRS_CMG_046);
+    // Given counter A and B each stopped, of which that of B was late
+    const std::string lines = "at: [550 ms]\nparts: [counters]\nkinds: [stopped]\n";
+    const std::string plan = PlanFile("plan.yaml", "actuator", lines);
+    const auto told = [this, &lines](const std::string& known)
+    {
+        const Session session(PlanFile("plan.yaml", "actuator", lines + known));
+        Results results("", session.Identity(Shard{}));
+        for (std::uint64_t index = 0U; index < 3U; ++index)
+        {
+            results.Put(index, Outcome{Class::kDetected, Detector::kClocks, 0U, 0U, 1000U});
+        }
+        const auto fault = static_cast<std::uint8_t>(DeviceFault::kClock);
+        results.Put(1U, Outcome{Class::kDetected, Detector::kClocks, fault, kMarkLate, 150000U});
+        const Summary summary = Summarise(session.Parts(), results);
+        EXPECT_NE(HtmlReport(session.Parts(), summary).find("<td>counter_b</td>"), std::string::npos);
+        return nlohmann::json::parse(JsonReport(session.Parts(), summary));
+    };
+    // Then the map has a row for each, and the late one has a place and no byte
+    const auto json = told("");
+    EXPECT_EQ(json.at("map").size(), 0U);
+    EXPECT_EQ(json.at("subjects").size(), 3U);
+    EXPECT_EQ(json.at("subjects").at(1).dump(), "{\"effective\":1,\"exposed\":0,\"injected\":1,\"kind\":\"stopped\","
+                                                "\"silent\":0,\"subject\":\"counter_b\"}");
+    EXPECT_EQ(json.at("survivors").at(0).at("place"), "counter_b -1000000 ppm");
+    EXPECT_EQ(json.at("survivors").at(0).at("member"), "counter_b");
+    EXPECT_EQ(json.at("survivors").at(0).at("declared"), "");
+    EXPECT_TRUE(json.at("survivors").at(0).at("byte").is_null());
+    EXPECT_EQ(json.at("holds"), false);
+    EXPECT_EQ(told("known:\n  - {place: counter_b -1000000 ppm, class: late, reason: clocks}\n").at("holds"), true);
+    EXPECT_EQ(told("known:\n  - {place: counter_a -1000000 ppm, class: late, reason: clocks}\n").at("holds"), false);
+    // and it can be shown again
+    const tools::test::Answer answer = Campaign({plan, "--replay", "1", "--html", Path("page.html")});
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_NE(answer.out.find("fault      counter_b -1000000 ppm, stopped, "), std::string::npos) << answer.out;
+    EXPECT_NE(answer.out.find("outcome: detected, by clocks"), std::string::npos) << answer.out;
+    EXPECT_NE(cia306::ReadTextFile(Path("page.html")).find("<td>counter_b -1000000 ppm, stopped"), std::string::npos);
+}
+
+TEST_F(ReportTest, FindingsThatSomebodyAnswersForAreToldAndStaleReasonsFail)
+{
+    Verifies(req::SRS_CMG_046);
+    // Given a plan that knows of bit 5, and one that knows of a byte at which nothing is found
+    const std::string lines =
+        "at: [500 ms]\nparts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip]\nknown:\n";
+    const auto judged = [this, &lines](const std::string& known, const std::uint64_t silent)
+    {
+        const Session session(PlanFile("plan.yaml", "actuator", lines + known));
+        Results results("", session.Identity(Shard{}));
+        for (std::uint64_t index = 0U; index < 8U; ++index)
+        {
+            results.Put(index, Outcome{Class::kMasked, Detector::kNobody, 0U, 0U, 0U});
+        }
+        results.Put(silent, Outcome{Class::kSilent, Detector::kNobody, 1U, 0U, 0U});
+        return TextReport(session.Parts(), Summarise(session.Parts(), results));
+    };
+    const std::string bit = "  - {place: latch+0.5, reason: march over live memory}\n";
+    // Then bit 5 is told with the reason and the campaign holds, with bit 4 it does not
+    EXPECT_NE(judged(bit, 5U).find("(known: march over live memory)"), std::string::npos);
+    EXPECT_NE(judged(bit, 5U).find("verdict: holds"), std::string::npos);
+    EXPECT_NE(judged(bit, 4U).find("verdict: does not hold"), std::string::npos);
+    // nor does it where a reason is needed by nothing
+    EXPECT_NE(judged(bit + "  - {place: latch+0.6, reason: march}\n", 5U).find("stale: nothing was found at latch+0.6"),
+              std::string::npos);
+}
+
+TEST_F(PlanTest, VoiceThatIsNoCauseOfAChannelIsRefused)
+{
+    Verifies(req::SRS_CMG_041);
+    const std::string plan = PlanFile("plan.yaml", "actuator", "at: [500 ms]\nvoices: [channel_c.srvt]\n");
+    EXPECT_NE(Campaign({plan}).err.find(plan + ":5:10: error: 'channel_c.srvt', expected a cause of one channel"),
+              std::string::npos);
+}
+
+TEST_F(PlanTest, PinsAreHitWhereTheyAreTheOutput)
+{
+    Verifies(req::SRS_CMG_042);
+    const std::string lines = "at: [550 ms]\nparts: [pins]\nkinds: [flip]\nphases: [permits]\nmembers: [pins.live]\n";
+    // 32 bits, each of which is found at the pins' next look
+    const tools::test::Answer pins =
+        Campaign({PlanFile("pins.yaml", "actuator", lines + "output: pins\ndetectors: [pins]\n")});
+    EXPECT_EQ(pins.status, 0) << pins.out;
+    EXPECT_NE(pins.out.find("found first by: pins 32\n"), std::string::npos) << pins.out;
+    // and a device with the gate alone has none
+    EXPECT_EQ(Campaign({PlanFile("gate.yaml", "actuator", lines)}).status, 2);
+}
 
 TEST(ProgressTest, TellsPartRateAndTimeLeft)
 {

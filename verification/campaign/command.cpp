@@ -7,6 +7,7 @@
 #include "tools/campaign/order.hpp"
 #include "verification/campaign/crew.hpp"
 #include "verification/campaign/progress.hpp"
+#include "verification/campaign/replay.hpp"
 #include "verification/campaign/session.hpp"
 
 #include <algorithm>
@@ -54,6 +55,10 @@ class CampaignRun final : public tools::Command
         {
             const bool merges = order_.files.front() == kMerge;
             RequireFiles(merges);
+            if (!order_.replay.empty())
+            {
+                return ShowAgain(streams);
+            }
             return merges ? Merge(streams) : Try(streams);
         }
         catch (const runtime::YamlError&)
@@ -63,6 +68,11 @@ class CampaignRun final : public tools::Command
         catch (const cia306::InputError&)
         {
             throw;
+        }
+        catch (const NotWell& error)
+        {
+            streams.out << "not well: " << error.what() << "\nverdict: does not hold\n";
+            return ExitStatus::kDoesNotHold;
         }
         catch (const std::runtime_error& error)
         {
@@ -89,6 +99,7 @@ class CampaignRun final : public tools::Command
         }
         files.Write("--html", order_.html);
         files.Write("--csv", order_.csv);
+        files.Write("--json", order_.json);
     }
 
     [[nodiscard]] ExitStatus Try(const Streams& streams) const
@@ -105,6 +116,27 @@ class CampaignRun final : public tools::Command
             crew.Work([&progress](const std::uint64_t done) { progress.Show(done); });
         }
         return Report(session, results, streams);
+    }
+
+    [[nodiscard]] ExitStatus ShowAgain(const Streams& streams) const
+    {
+        Session session(order_.files.front());
+        std::uint64_t number = 0U;
+        const char* const end = order_.replay.data() + order_.replay.size();
+        const auto [stop, error] = std::from_chars(order_.replay.data(), end, number);
+        if (error != std::errc() || stop != end || number >= session.Faults().Size())
+        {
+            throw runtime::YamlError("--replay", {}, runtime::Shown(order_.replay),
+                                     "the number of an experiment, 0 to " +
+                                         std::to_string(session.Faults().Size() - 1U));
+        }
+        const Replay replay(session, number);
+        if (!order_.html.empty())
+        {
+            cia306::WriteTextFile(order_.html, replay.Page());
+        }
+        streams.out << replay.Text();
+        return IsDangerous(replay.Found().result) ? ExitStatus::kDoesNotHold : ExitStatus::kHolds;
     }
 
     [[nodiscard]] ExitStatus Merge(const Streams& streams) const
@@ -125,6 +157,10 @@ class CampaignRun final : public tools::Command
         if (!order_.html.empty())
         {
             cia306::WriteTextFile(order_.html, HtmlReport(campaign, summary));
+        }
+        if (!order_.json.empty())
+        {
+            cia306::WriteTextFile(order_.json, JsonReport(campaign, summary));
         }
         if (!order_.csv.empty())
         {

@@ -2,11 +2,14 @@
 #include "verification/campaign/device.hpp"
 
 #include "runtime/device/assembly.hpp"
+#include "verification/campaign/calls.hpp"
 #include "verification/campaign/channels.hpp"
 #include "verification/campaign/kernel_places.hpp"
-#include "verification/campaign/planted.hpp"
+#include "verification/campaign/outcome.hpp"
+#include "verification/campaign/pins_output.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 
 namespace counterpoint::campaign
@@ -18,25 +21,23 @@ Instant BusInstant(const Nanoseconds at)
 {
     return {static_cast<std::uint32_t>(at / runtime::kNanosecondsPerMicrosecond)};
 }
-
-FlatOutput* MakeOutput(Region& region, const Planted planted)
-{
-    if (planted == Planted::kLoosePermit)
-    {
-        return &region.Make<LooseOutput>();
-    }
-    return (planted == Planted::kHeldOutput) ? &region.Make<HeldOutput>() : &region.Make<FlatOutput>();
-}
 } // namespace
 
-Device::Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, const Planted planted)
-    : region_(region), recording_(recording), reference_(model.Config())
+Device::Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, const OutputKind output,
+               const DeviceSetup& setup)
+    : region_(region), recording_(recording), reference_(model.Config()), feed_(recording)
 {
-    MakeSurroundings(recording, planted);
+    MakeSurroundings(recording, output);
     CopyTables(model);
-    MakeChannels(planted);
+    feed_.TakeInputs(pairs_);
+    MakeChannels(setup);
+    if (setup.has_self_test)
+    {
+        self_test_ = std::make_unique<FlatSelfTest>(region_, *output_);
+    }
     MakeKernel();
     Start(model);
+    region_.Close();
 }
 
 void Device::Add(const Part part, const std::string& name, const void* const object, const std::size_t size)
@@ -85,21 +86,22 @@ void Device::CopyTables(const runtime::DeviceModel& model)
     }
 }
 
-void Device::MakeSurroundings(const Recording& recording, const Planted planted)
+void Device::MakeSurroundings(const Recording& recording, const OutputKind output)
 {
     application_ = &region_.Make<FlatApplication>();
     ports_ = &region_.Make<FlatPorts>();
     ports_->frame_ns = recording.frame_ns;
     watchdog_ = &region_.Make<FlatWatchdog>();
-    output_ = MakeOutput(region_, planted);
+    output_ =
+        (output == OutputKind::kPins) ? &MakePinsOutput(region_, reference_, places_) : &region_.Make<FlatOutput>();
     output_->limit = {LateCycleUs(reference_)};
-    flow_ = (planted == Planted::kFlowOff) ? &region_.Make<ContentFlow>() : &region_.Make<TappedFlow>();
+    flow_ = &region_.Make<TappedFlow>();
     Add(Part::kFlowMonitor, "flow_monitor", &flow_->monitor, sizeof(flow_->monitor));
     windows_ = region_.MakeArray<CauseWindows>(reference_.srdo_count);
     Add(Part::kKernel, "kernel.windows", windows_, sizeof(CauseWindows) * reference_.srdo_count);
 }
 
-void Device::MakeChannels(const Planted planted)
+void Device::MakeChannels(const DeviceSetup& setup)
 {
     const ChannelRoom room{reference_.srdo_count, reference_.map_entries};
     const MadeChannel a = MakeChannelA(region_, room);
@@ -107,13 +109,22 @@ void Device::MakeChannels(const Planted planted)
     places_.insert(places_.end(), a.places.begin(), a.places.end());
     places_.insert(places_.end(), b.places.begin(), b.places.end());
     a_ = a.voice;
-    b_ = (planted == Planted::kBlindComparator) ? &region_.Make<HalfSeenChannel>(*b.voice, *a.voice) : b.voice;
+    b_ = b.voice;
+    shipped_ = {a.voice, b.voice};
+    if (setup.has_call_faults)
+    {
+        disturbed_a_ = &region_.Make<DisturbedChannel>(*a_, Part::kCallsOfA, feed_.OfCalls());
+        disturbed_b_ = &region_.Make<DisturbedChannel>(*b_, Part::kCallsOfB, feed_.OfCalls());
+        a_ = disturbed_a_;
+        b_ = disturbed_b_;
+    }
 }
 
 void Device::MakeKernel()
 {
-    kernel_ = &region_.Make<Kernel>(
-        KernelParts{*a_, *b_, *ports_, *output_, *watchdog_, *application_, nullptr, windows_, flow_});
+    kernel_ =
+        &region_.Make<Kernel>(KernelParts{*a_, *b_, *ports_, *output_, *watchdog_, *application_,
+                                          (self_test_ == nullptr) ? nullptr : &self_test_->Part(), windows_, flow_});
     const std::vector<Place> members = PlacesOf(*kernel_, region_);
     places_.insert(places_.end(), members.begin(), members.end());
 }
@@ -122,6 +133,10 @@ void Device::Start(const runtime::DeviceModel& model)
 {
     ports_->now = recording_.power_on;
     SetTime(recording_.power_on);
+    if (self_test_ != nullptr)
+    {
+        AddToSelfTest();
+    }
     if (kernel_->Start(*config_, FlowCallback::kOff) != StartResult::kStarted)
     {
         throw std::runtime_error("the kernel refuses the device of " + model.File());
@@ -146,10 +161,56 @@ void Device::Start(const runtime::DeviceModel& model)
     watchdog_->timer.Start(runtime::WindowOf(reference_), watchdog_->now);
 }
 
+/// All of channels and kernel is live memory, the tables are constant.
+void Device::AddToSelfTest()
+{
+    for (Channel* const channel : shipped_)
+    {
+        self_test_->AddPart(channel);
+    }
+    self_test_->AddPart(output_);
+    self_test_->AddPart(watchdog_);
+    self_test_->AddPart(application_);
+    std::uint8_t* const bytes = region_.Bytes();
+    for (const Part part : {Part::kChannelA, Part::kChannelB})
+    {
+        std::size_t begin = region_.Size();
+        std::size_t end = 0U;
+        for (const Place& place : places_)
+        {
+            begin = (place.part == part) ? std::min(begin, place.offset) : begin;
+            end = (place.part == part) ? std::max(end, place.offset + place.size) : end;
+        }
+        self_test_->AddLive(bytes + begin, end - begin);
+    }
+    self_test_->AddLive(kernel_, sizeof(*kernel_));
+    self_test_->AddLive(&flow_->monitor, sizeof(flow_->monitor));
+    for (const Place& place : places_)
+    {
+        if (place.part == Part::kTables)
+        {
+            self_test_->AddConstant(bytes + place.offset, place.size);
+        }
+    }
+    self_test_->Start(*shipped_[0], *shipped_[1], reference_.diagnostic_interval_us / LateCycleUs(reference_));
+}
+
 void Device::Follow(PhaseHook* const hook) noexcept
 {
     hook_ = hook;
     flow_->hook = hook;
+}
+
+std::uint8_t Device::WhoSaid(const SrdoCause cause) const noexcept
+{
+    std::uint8_t marks = 0U;
+    for (SlotIndex slot = 0U; slot < reference_.srdo_count; ++slot)
+    {
+        const std::uint32_t bit = std::uint32_t{1U} << (static_cast<std::uint32_t>(cause) % 32U);
+        marks |= ((a_->View(slot).signals & bit) != 0U) ? kMarkSaidByA : std::uint8_t{0U};
+        marks |= ((b_->View(slot).signals & bit) != 0U) ? kMarkSaidByB : std::uint8_t{0U};
+    }
+    return marks;
 }
 
 void Device::SetTime(const Nanoseconds at) noexcept
@@ -161,16 +222,25 @@ void Device::SetTime(const Nanoseconds at) noexcept
 SrdoMask Device::Open() noexcept
 {
     watchdog_->timer.Examine(watchdog_->now);
-    const SrdoMask open = output_->gate.Open(output_->now, output_->limit);
+    const SrdoMask open = output_->Open();
     return watchdog_->timer.IsAlive() ? open : SrdoMask{0U};
 }
 
 void Device::Cycle(const std::size_t cycle)
 {
-    const RecordedCycle& recorded = recording_.cycles[cycle];
-    const bool is_first = cycle == 0U;
-    const std::size_t first_frame = is_first ? 0U : recording_.cycles[cycle - 1U].frames_end;
-    // What was confirmed is on the bus; what waits moves to the front.
+    MoveOwnFrames();
+    feed_.BeginCycle();
+    const Calls calls = feed_.CallsIn(cycle);
+    for (std::size_t index = 0U; index < calls.count; ++index)
+    {
+        Call(cycle, calls.at.at(index));
+    }
+    SetTime(recording_.cycles[cycle].at);
+}
+
+/// What was confirmed is on the bus; what waits moves to the front.
+void Device::MoveOwnFrames()
+{
     const std::uint32_t waiting = ports_->count - std::min(ports_->confirmed, ports_->count);
     for (std::uint32_t index = 0U; index < waiting; ++index)
     {
@@ -179,51 +249,59 @@ void Device::Cycle(const std::size_t cycle)
     std::fill(ports_->frames.begin() + waiting, ports_->frames.end(), OwnFrame{});
     ports_->count = waiting;
     ports_->confirmed = 0U;
-    if (recorded.nmt != (is_first ? NmtState::kInvalid : recording_.cycles[cycle - 1U].nmt))
+}
+
+void Device::Call(const std::size_t cycle, const Nanoseconds at)
+{
+    if (disturbed_a_ != nullptr)
     {
-        kernel_->SetNmtState(recorded.nmt);
+        disturbed_a_->BeginCycle();
+        disturbed_b_->BeginCycle();
     }
+    feed_.BeginCall(cycle, *kernel_);
     if (hook_ != nullptr)
     {
         hook_->At(Phase::kBeforeFrames);
     }
-    Deliver(recorded, first_frame);
+    Deliver(at);
     if (hook_ != nullptr)
     {
         hook_->At(Phase::kAfterFrames);
     }
-    SetTime(recorded.at);
-    ports_->now = recorded.at;
-    kernel_->Cycle(recorded.call);
+    SetTime(at);
+    ports_->now = at;
+    output_->Examine();
+    if (output_->is_live)
+    {
+        kernel_->Cycle(feed_.CallOf(cycle, at));
+    }
     WriteProducers(cycle);
 }
 
 /// Received frames and confirmations in the order of the bus.
-void Device::Deliver(const RecordedCycle& cycle, const std::size_t first_frame)
+void Device::Deliver(const Nanoseconds at)
 {
-    std::size_t next = first_frame;
     bool has_come = false;
     for (;;)
     {
-        const bool has_frame = next < cycle.frames_end;
+        const std::optional<RecordedFrame> frame = feed_.FrameUntil(at);
         const bool has_own = ports_->confirmed < std::min<std::uint32_t>(ports_->count, kMostOwnFrames) &&
-                             ports_->frames[ports_->confirmed].confirmed_at <= cycle.at;
-        if (!has_frame && !has_own)
+                             ports_->frames[ports_->confirmed].confirmed_at <= at;
+        if (!frame && !has_own)
         {
             break;
         }
-        if (has_own && (!has_frame || ports_->frames[ports_->confirmed].confirmed_at < recording_.frames[next].at))
+        if (has_own && (!frame || ports_->frames[ports_->confirmed].confirmed_at < frame->at))
         {
             const OwnFrame own = ports_->frames[ports_->confirmed];
             ++ports_->confirmed;
             ports_->now = own.confirmed_at;
             SetTime(own.confirmed_at);
-            kernel_->OnConfirm({own.frame, recording_.counters.At(own.confirmed_at)});
+            feed_.Confirm(own, *kernel_);
         }
         else
         {
-            kernel_->OnFrame(recording_.frames[next].stamped);
-            ++next;
+            feed_.Hand(*frame, *kernel_);
         }
         if (!has_come && hook_ != nullptr)
         {
@@ -240,8 +318,9 @@ void Device::Deliver(const RecordedCycle& cycle, const std::size_t first_frame)
 /// As an application does it that senses with two paths: each side by itself, in every cycle.
 void Device::WriteProducers(const std::size_t cycle)
 {
-    for (const FlatPair& pair : pairs_)
+    for (std::size_t index = 0U; index < pairs_.size(); ++index)
     {
+        const FlatPair& pair = pairs_[index];
         if (pair.is_consumer)
         {
             continue;
@@ -255,8 +334,8 @@ void Device::WriteProducers(const std::size_t cycle)
                 value = input.value;
             }
         }
-        WriteVariable(pair.normal, {value});
-        WriteVariable(pair.inverse, {~value});
+        WriteVariable(pair.normal, {feed_.Written(cycle, index, false, value)});
+        WriteVariable(pair.inverse, {feed_.Written(cycle, index, true, ~value)});
     }
 }
 } // namespace counterpoint::campaign

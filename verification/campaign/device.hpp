@@ -3,25 +3,26 @@
 #define VERIFICATION_CAMPAIGN_DEVICE_HPP
 
 #include "runtime/device/model.hpp"
+#include "verification/campaign/feed.hpp"
+#include "verification/campaign/flat_self_test.hpp"
 #include "verification/campaign/recording.hpp"
 #include "verification/campaign/region.hpp"
 #include "verification/campaign/surroundings.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace counterpoint::campaign
 {
-/// A part that was changed on purpose, so that a campaign has something to find. [SRS_CMG_011]
-enum class Planted : std::uint8_t
+/// What the device drives.
+enum class OutputKind : std::uint8_t
 {
-    kNothing = 0U,
-    kBlindComparator = 1U, ///< Byte 0 of the held pair of channel B is shown to the comparator as channel A has it.
-    kFlowOff = 2U,         ///< The flow monitor answers right, whatever happened.
-    kLoosePermit = 3U,     ///< The output opens by the masks of the permits, whatever they answer.
-    kHeldOutput = 4U,      ///< The output, once open, stays open.
+    kGate = 0U, ///< The output gate alone, which is not hit.
+    kPins = 1U, ///< The safety pins of the port to the TMS570, which are.
 };
 
 /// Parts of the device whose memory is hit. Those that a person would name.
@@ -37,8 +38,21 @@ enum class Part : std::uint8_t
     kKernel = 7U, ///< The rest of it.
     kTables = 8U,
     kVariables = 9U,
+    kPins = 10U, ///< Of the port.
+    // From here on no memory, but kBothChannels.
+    kBus = 11U,         ///< Frames that the device receives. [SRS_CMG_020]
+    kKernelCalls = 12U, ///< What is called of the kernel. [SRS_CMG_022]
+    kCallsOfA = 13U,    ///< What the kernel calls of channel A.
+    kCallsOfB = 14U,
+    kSteps = 15U,        ///< Of the flow.
+    kCounters = 16U,     ///< [SRS_CMG_023]
+    kCycle = 17U,        ///< When it is called.
+    kBothChannels = 18U, ///< A bit in each. [SRS_CMG_024]
+    kInputs = 19U,       ///< What the application senses with two paths. [SRS_CMG_025]
 };
-constexpr std::size_t kPartCount = 10U;
+constexpr std::size_t kPartCount = 20U;
+/// The first so many are memory.
+constexpr std::size_t kMemoryPartCount = 11U;
 
 /// A member of the device under test, and where it lies in the region.
 struct Place
@@ -49,15 +63,13 @@ struct Place
     std::size_t size{0U};
 };
 
-/// A mapped pair of variables of the device under test.
-struct FlatPair
+class DisturbedChannel;
+
+/// What a plan wants of the device.
+struct DeviceSetup
 {
-    VariablePlace normal{};
-    VariablePlace inverse{};
-    ObjectAddress address{0U, 0U};
-    SlotIndex slot{kNoSlot};
-    std::uint32_t first_bit{0U}; ///< In the data of the SRDO.
-    bool is_consumer{false};
+    bool has_call_faults{false}; ///< Something stands in front of the channels.
+    bool has_self_test{false};
 };
 
 /// Kernel, both channels and all that they work on, in one piece of memory. [SRS_CMG_001]
@@ -66,10 +78,19 @@ class Device
   public:
     /// @brief Builds the device of the model in the region, starts and configures it at power-on of the recording.
     /// Throws std::runtime_error for a device that the kernel refuses.
-    Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, Planted planted);
+    Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, OutputKind output,
+           const DeviceSetup& setup = {});
+    ~Device() = default;
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
 
     /// @brief One cycle of the recording with all that comes before it.
     void Cycle(std::size_t cycle);
+    /// @brief What it receives, and the fault of that. To be rewound when its memory is brought back.
+    [[nodiscard]] Feed& Receives() noexcept
+    {
+        return feed_;
+    }
     /// @brief Who is told the phases of each cycle; null: nobody.
     void Follow(PhaseHook* hook) noexcept;
     /// @brief Slots whose outputs are open now.
@@ -79,6 +100,11 @@ class Device
     [[nodiscard]] const std::vector<Place>& Places() const noexcept
     {
         return places_;
+    }
+    /// @brief Null: it has none.
+    [[nodiscard]] FlatSelfTest* SelfTest() noexcept
+    {
+        return self_test_.get();
     }
     [[nodiscard]] const std::vector<FlatPair>& Pairs() const noexcept
     {
@@ -104,6 +130,21 @@ class Device
     {
         return *kernel_;
     }
+    [[nodiscard]] SrdoView ViewOfA(const SlotIndex slot) const noexcept
+    {
+        return a_->View(slot);
+    }
+    [[nodiscard]] SrdoView ViewOfB(const SlotIndex slot) const noexcept
+    {
+        return b_->View(slot);
+    }
+    /// @brief Which channels report this cause in the last cycle, as marks of an outcome.
+    [[nodiscard]] std::uint8_t WhoSaid(SrdoCause cause) const noexcept;
+    /// @brief Whether the output has not cut itself off.
+    [[nodiscard]] bool IsOutputLive() const noexcept
+    {
+        return output_->is_live;
+    }
     [[nodiscard]] bool IsWatchdogAlive() const noexcept
     {
         return watchdog_->timer.IsAlive();
@@ -111,11 +152,14 @@ class Device
 
   private:
     void CopyTables(const runtime::DeviceModel& model);
-    void MakeSurroundings(const Recording& recording, Planted planted);
-    void MakeChannels(Planted planted);
+    void MakeSurroundings(const Recording& recording, OutputKind output);
+    void MakeChannels(const DeviceSetup& setup);
+    void AddToSelfTest();
     void MakeKernel();
     void Start(const runtime::DeviceModel& model);
-    void Deliver(const RecordedCycle& cycle, std::size_t first_frame);
+    void MoveOwnFrames();
+    void Call(std::size_t cycle, Nanoseconds at);
+    void Deliver(Nanoseconds at);
     void Add(Part part, const std::string& name, const void* object, std::size_t size);
     void WriteProducers(std::size_t cycle);
     void SetTime(Nanoseconds at) noexcept;
@@ -134,9 +178,14 @@ class Device
     TappedFlow* flow_{nullptr};
     Channel* a_{nullptr};
     Channel* b_{nullptr};
+    std::array<Channel*, 2U> shipped_{};     ///< Both, behind whatever stands in front.
+    DisturbedChannel* disturbed_a_{nullptr}; ///< Null: no plan for calls.
+    DisturbedChannel* disturbed_b_{nullptr};
     CauseWindows* windows_{nullptr};
     Kernel* kernel_{nullptr};
     PhaseHook* hook_{nullptr};
+    std::unique_ptr<FlatSelfTest> self_test_{};
+    Feed feed_; ///< Outside of it.
 };
 } // namespace counterpoint::campaign
 

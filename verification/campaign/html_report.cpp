@@ -1,4 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/device/names.hpp"
+#include "verification/campaign/html.hpp"
 #include "verification/campaign/statistics.hpp"
 #include "verification/campaign/summary.hpp"
 
@@ -9,192 +11,248 @@ namespace counterpoint::campaign
 {
 namespace
 {
+using html::Escaped;
+using html::Row;
+using html::Table;
+
 constexpr double kPercent = 100.0;
-constexpr double kThousand = 1000.0;
+constexpr double kMedian = 0.5;
+constexpr double kAlmostAll = 0.999;
+constexpr std::uint64_t kBarWidth = 200U;
+/// More are in the file of --csv and --json.
+constexpr std::size_t kMostRows = 1000U;
 
-constexpr const char* kHead =
-    "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<style>"
-    "body{font:16px/1.4 sans-serif;margin:1em auto;max-width:70em;padding:0 .6em}"
-    ".wide{overflow-x:auto}table{border-collapse:collapse;font-size:.9em}"
-    "td,th{border-bottom:1px solid #ccc;padding:.2em .6em;text-align:right;white-space:nowrap}"
-    "td:first-child,th:first-child,.text td{text-align:left}.bad{background:#fdd}"
-    ".bar{display:inline-block;height:.8em;background:#47a}"
-    "@media(prefers-color-scheme:dark){body{background:#111;color:#eee}.bad{background:#622}td,th{border-color:#444}}"
-    "</style>\n";
-
-std::string Escaped(const std::string& text)
+std::string Number(const std::uint64_t number)
 {
-    std::string escaped;
-    for (const char character : text)
-    {
-        switch (character)
-        {
-        case '&':
-            escaped += "&amp;";
-            break;
-        case '<':
-            escaped += "&lt;";
-            break;
-        case '>':
-            escaped += "&gt;";
-            break;
-        default:
-            escaped += character;
-            break;
-        }
-    }
-    return escaped;
+    return std::to_string(number);
 }
 
-std::string Ms(const std::uint32_t us)
+std::string Bound(const Campaign& campaign, const Tally& tally)
 {
+    if (tally.Effective() == 0U)
+    {
+        return "-";
+    }
     char text[32] = {};
-    std::snprintf(text, sizeof(text), "%.3f", us / kThousand);
+    const double confidence = campaign.plan.confidence_percent / kPercent;
+    std::snprintf(text, sizeof(text), "%.4f %%",
+                  UpperBound(tally.Of(Class::kSilent), tally.Effective(), confidence) * kPercent);
     return text;
-}
-
-std::string Cells(const std::vector<std::string>& cells, const char* const tag)
-{
-    std::string row;
-    for (const std::string& cell : cells)
-    {
-        row += "<" + std::string(tag) + ">" + cell + "</" + tag + ">";
-    }
-    return row;
 }
 
 std::string CountTable(const Campaign& campaign, const Summary& summary)
 {
-    std::string text = "<h2>Classes</h2><div class=\"wide\"><table><tr>" +
-                       Cells({"part", "kind", "faults", "injected", "masked", "benign", "effective", "detected",
-                              "safe by others", "silent", "silent at most"},
-                             "th") +
-                       "</tr>\n";
+    std::string text =
+        "<h2>Classes</h2>" + Table({"part", "kind", "effective", "silent", "silent at most", "exposed", "detected",
+                                    "safe by others", "listed", "injected", "masked", "benign", "faults"});
     for (const Tally& tally : summary.tallies)
     {
-        char bound[32] = "-";
-        if (tally.Effective() != 0U)
+        if (tally.stratum.size == 0U)
         {
-            std::snprintf(
-                bound, sizeof(bound), "%.4f %%",
-                UpperBound(tally.Of(Class::kSilent), tally.Effective(), campaign.plan.confidence_percent / kPercent) *
-                    kPercent);
+            continue;
         }
-        text += std::string("<tr") + ((tally.Of(Class::kSilent) != 0U) ? " class=\"bad\">" : ">") +
-                Cells({WordOf(tally.stratum.part), WordOf(tally.stratum.kind), std::to_string(tally.stratum.size),
-                       std::to_string(tally.stratum.taken), std::to_string(tally.Of(Class::kMasked)),
-                       std::to_string(tally.Of(Class::kBenign)), std::to_string(tally.Effective()),
-                       std::to_string(tally.Of(Class::kDetected)), std::to_string(tally.Of(Class::kSafeOther)),
-                       std::to_string(tally.Of(Class::kSilent)), bound},
-                      "td") +
-                "</tr>\n";
+        text += Row({WordOf(tally.stratum.part), WordOf(tally.stratum.kind), Number(tally.Effective()),
+                     Number(tally.Of(Class::kSilent)), Bound(campaign, tally), Number(tally.Of(Class::kExposed)),
+                     Number(tally.Of(Class::kDetected)), Number(tally.Of(Class::kSafeOther)),
+                     Number(tally.Of(Class::kListed)), Number(tally.stratum.taken), Number(tally.Of(Class::kMasked)),
+                     Number(tally.Of(Class::kBenign)), Number(tally.stratum.size)},
+                    (tally.Of(Class::kSilent) + tally.Of(Class::kExposed) != 0U) ? "bad" : "");
     }
-    return text + "</table></div><p>Silent at most: share of the effective faults, Clopper-Pearson, one-sided, " +
-           std::to_string(campaign.plan.confidence_percent) + " %. Faults that had no effect count for nothing.</p>\n";
+    return text + html::kTableEnd + "<p>Silent at most: share of the effective faults, Clopper-Pearson, one-sided, " +
+           Number(campaign.plan.confidence_percent) +
+           " %. Faults that had no effect count for nothing. Exposed: open with wrong data until the self test found "
+           "it, which is not detected in time. Listed: open by a complete valid pair that is too old or that nobody "
+           "sent, the limit that the safety manual lists.</p>\n";
 }
 
 std::string DetectorTable(const Summary& summary)
 {
     std::vector<std::string> head{"part", "kind"};
-    for (std::size_t detector = 1U; detector < kDetectorCount; ++detector)
+    for (const Mechanism& mechanism : summary.mechanisms)
     {
-        head.emplace_back(WordOf(static_cast<Detector>(detector)));
+        head.emplace_back(WordOf(mechanism.detector));
     }
-    std::string text = "<h2>Found first by</h2><div class=\"wide\"><table><tr>" + Cells(head, "th") + "</tr>\n";
+    std::string text = "<h2>Found first by</h2>" + Table(head);
     for (const Tally& tally : summary.tallies)
     {
-        std::vector<std::string> row{WordOf(tally.stratum.part), WordOf(tally.stratum.kind)};
-        for (std::size_t detector = 1U; detector < kDetectorCount; ++detector)
+        if (tally.stratum.size == 0U)
         {
-            row.push_back(std::to_string(tally.detectors[detector]));
+            continue;
         }
-        text += "<tr>" + Cells(row, "td") + "</tr>\n";
+        std::vector<std::string> row{WordOf(tally.stratum.part), WordOf(tally.stratum.kind)};
+        for (const Mechanism& mechanism : summary.mechanisms)
+        {
+            row.push_back(Number(tally.detectors.at(static_cast<std::size_t>(mechanism.detector))));
+        }
+        text += Row(row);
     }
-    return text + "</table></div>\n";
+    return text + html::kTableEnd;
 }
 
-std::string TimeTable(const Summary& summary)
+std::vector<std::string> Times(const std::vector<std::uint32_t>& sorted)
 {
-    std::string text = "<h2>Time to the safe output [ms]</h2><div class=\"wide\"><table><tr>" +
-                       Cells({"part", "kind", "median", "99.9 %", "worst", "limit", "late"}, "th") + "</tr>\n";
+    return {Number(sorted.size()), MsText(Quantile(sorted, kMedian)), MsText(Quantile(sorted, kAlmostAll)),
+            MsText(sorted.empty() ? 0U : sorted.back())};
+}
+
+std::string TimeTables(const Summary& summary)
+{
+    std::string text = "<h2>Time to the safe output [ms]</h2>" +
+                       Table({"part", "kind", "found", "median", "99.9 %", "worst", "limit", "late"});
     for (const Tally& tally : summary.tallies)
     {
-        text += std::string("<tr") + ((tally.late != 0U) ? " class=\"bad\">" : ">") +
-                Cells({WordOf(tally.stratum.part), WordOf(tally.stratum.kind), Ms(Quantile(tally.times, 0.5)),
-                       Ms(Quantile(tally.times, 0.999)), Ms(tally.times.empty() ? 0U : tally.times.back()),
-                       Ms(tally.limit_us), std::to_string(tally.late)},
-                      "td") +
-                "</tr>\n";
+        if (tally.stratum.size == 0U)
+        {
+            continue;
+        }
+        std::vector<std::string> row{WordOf(tally.stratum.part), WordOf(tally.stratum.kind)};
+        const std::vector<std::string> times = Times(tally.times);
+        row.insert(row.end(), times.begin(), times.end());
+        row.insert(row.end(), {MsText(tally.limit_us), Number(tally.late)});
+        text += Row(row, (tally.late != 0U) ? "bad" : "");
     }
-    return text + "</table></div>\n";
+    text += std::string(html::kTableEnd) + Table({"mechanism", "found", "median", "99.9 %", "worst"});
+    for (const Mechanism& mechanism : summary.mechanisms)
+    {
+        std::vector<std::string> row = Times(mechanism.times);
+        row.insert(row.begin(), WordOf(mechanism.detector));
+        text += Row(row);
+    }
+    return text + html::kTableEnd;
 }
 
-/// How many came within twice the time of the row before.
 std::string Histogram(const Summary& summary)
 {
-    std::string text = "<h2>Histogram of these times</h2><div class=\"wide\"><table><tr>" +
-                       Cells({"up to [ms]", "faults", ""}, "th") + "</tr>\n";
-    std::vector<std::uint32_t> times;
+    const std::vector<Bin> bins = HistogramOf(summary);
+    std::uint64_t most = 1U;
+    for (const Bin& bin : bins)
+    {
+        most = std::max(most, bin.count);
+    }
+    std::string text = "<h2>Histogram of these times</h2>" + Table({"up to [ms]", "faults", ""});
+    for (const Bin& bin : bins)
+    {
+        const std::uint64_t width = bin.count * kBarWidth / most;
+        text +=
+            Row({MsText(bin.up_to_us), Number(bin.count),
+                 "<span class=\"bar\" style=\"width:" + Number(std::max<std::uint64_t>(width, 1U)) + "px\"></span>"},
+                "text");
+    }
+    return text + html::kTableEnd;
+}
+
+/// Of a cell of the map: silent and exposed ones of those that had an effect.
+std::string CellText(const MapCell& cell)
+{
+    if (cell.injected == 0U)
+    {
+        return "";
+    }
+    const std::string effective = Number(cell.effective);
+    const std::uint64_t dangerous = cell.silent + cell.exposed;
+    return (dangerous == 0U) ? effective : "<b>" + Number(dangerous) + "</b>/" + effective;
+}
+
+/// Of what is no memory, each once.
+std::vector<FaultKind> KindsOf(const Summary& summary)
+{
+    std::vector<FaultKind> kinds;
     for (const Tally& tally : summary.tallies)
     {
-        times.insert(times.end(), tally.times.begin(), tally.times.end());
+        const bool is_new = std::find(kinds.begin(), kinds.end(), tally.stratum.kind) == kinds.end();
+        if (is_new && tally.stratum.size != 0U && !IsMemory(tally.stratum.part))
+        {
+            kinds.push_back(tally.stratum.kind);
+        }
     }
-    std::sort(times.begin(), times.end());
-    auto begin = times.begin();
-    for (std::uint64_t limit = 1000U; begin != times.end(); limit *= 2U)
+    return kinds;
+}
+
+/// Rows in which anything was tried; columns are phases or kinds.
+template <typename Column>
+std::string MapTable(const std::string& first, const std::vector<Column>& columns, const std::vector<MapRow>& rows)
+{
+    std::vector<std::string> head{first};
+    for (const Column column : columns)
     {
-        const auto end = std::upper_bound(begin, times.end(), limit);
-        const auto count = static_cast<std::uint64_t>(end - begin);
-        const std::uint64_t width = count * 300U / times.size();
-        text += "<tr>" +
-                Cells({Ms(static_cast<std::uint32_t>(limit)), std::to_string(count),
-                       "<span class=\"bar\" style=\"width:" + std::to_string(width) + "px\"></span>"},
-                      "td") +
-                "</tr>\n";
-        begin = end;
+        head.push_back(runtime::Words(WordOf(column)));
     }
-    return text + "</table></div>\n";
+    std::string text = Table(head, "map");
+    for (const MapRow& each : rows)
+    {
+        std::vector<std::string> row{each.name};
+        bool is_bad = false;
+        bool has_any = false;
+        for (const Column column : columns)
+        {
+            const MapCell& cell = each.cells.at(static_cast<std::size_t>(column));
+            is_bad = is_bad || cell.silent + cell.exposed != 0U;
+            has_any = has_any || cell.injected != 0U;
+            row.push_back(CellText(cell));
+        }
+        text += has_any ? Row(row, is_bad ? "bad" : "") : "";
+    }
+    return text + html::kTableEnd;
+}
+
+std::string Map(const Campaign& campaign, const Summary& summary)
+{
+    std::string text = "<h2>Map</h2><p>Faults with an effect; in bold: silent and exposed ones of them. Empty: not "
+                       "tried. Two bits at once count for the members of both.</p>";
+    const bool has_memory = std::any_of(campaign.plan.parts.begin(), campaign.plan.parts.end(), IsMemory);
+    text += has_memory ? MapTable("member", campaign.plan.phases, summary.map) : "";
+    return text + (summary.subjects.empty() ? "" : MapTable("no memory", KindsOf(summary), summary.subjects));
 }
 
 std::string FindingTable(const Campaign& campaign, const std::string& title, const std::vector<Finding>& findings)
 {
-    std::string text = "<h2>" + title + ": " + std::to_string(findings.size()) + "</h2>\n";
+    std::string text = "<h2>" + title + ": " + Number(findings.size()) + "</h2>\n";
     if (findings.empty())
     {
         return text;
     }
-    text += "<div class=\"wide\"><table class=\"text\"><tr>" +
-            Cells({"experiment", "place", "kind", "cycle", "phase", "found by", "reason", "ms"}, "th") + "</tr>\n";
-    for (const Finding& finding : findings)
+    text += Table({"experiment", "place", "declared in", "kind", "cycle", "phase", "found by", "ms", "reason"}, "text");
+    for (std::size_t index = 0U; index < findings.size() && index < kMostRows; ++index)
     {
-        text += "<tr>" +
-                Cells({std::to_string(finding.number), PlaceText(campaign, finding.experiment),
-                       WordOf(finding.experiment.kind), std::to_string(finding.experiment.cycle),
-                       WordOf(finding.experiment.phase), WordOf(finding.outcome.detector), ReasonOf(finding.outcome),
-                       Ms(finding.outcome.us)},
-                      "td") +
-                "</tr>\n";
+        const Finding& finding = findings[index];
+        const std::string known = finding.known.empty() ? "" : "; known: " + finding.known;
+        text +=
+            Row({Number(finding.number), PlaceText(campaign, finding.experiment),
+                 DeclarationOf(MemberText(campaign, finding.experiment)), WordOf(finding.experiment.kind),
+                 Number(finding.experiment.cycle), WordOf(finding.experiment.phase), WordOf(finding.outcome.detector),
+                 MsText(finding.outcome.us), Escaped(ReasonOf(finding.outcome) + known)},
+                finding.known.empty() ? "bad" : "");
     }
-    return text + "</table></div>\n";
+    return text + html::kTableEnd;
+}
+
+std::string Verdict(const Campaign& campaign, const Summary& summary)
+{
+    std::string text = summary.Holds() && summary.open == 0U
+                           ? "<p class=\"good\">The verdict: <b>holds</b>.</p>\n"
+                           : "<p class=\"bad\">The verdict: <b>does not hold</b>.</p>\n";
+    for (const std::string& name : summary.idle)
+    {
+        text += "<p class=\"bad\">" + name + " found nothing; the plan expects it to.</p>\n";
+    }
+    for (const std::string& place : summary.stale)
+    {
+        text += "<p class=\"bad\">Nothing was found at " + Escaped(place) + ", which the plan calls known.</p>\n";
+    }
+    return text + "<p>Seed " + Number(campaign.plan.seed) + ", " + Number(campaign.space.Size()) + " experiments, " +
+           Number(summary.open) + " of them not tried; " + Number(campaign.space.LeftOut()) +
+           " bytes that hold addresses of the program are left out. The time line of an experiment: <code>counterpoint "
+           "campaign " +
+           Escaped(campaign.plan.file) + " --replay EXPERIMENT --html PAGE</code></p>\n";
 }
 } // namespace
 
 std::string HtmlReport(const Campaign& campaign, const Summary& summary)
 {
-    const std::string title = Escaped(campaign.plan.title);
-    std::string text = std::string(kHead) + "<title>" + title + "</title></head><body><h1>" + title + "</h1>\n";
-    text += summary.Holds() && summary.open == 0U ? "<p>The verdict: <b>holds</b>.</p>\n"
-                                                  : "<p class=\"bad\">The verdict: <b>does not hold</b>.</p>\n";
-    for (const Detector detector : summary.idle)
-    {
-        text += "<p class=\"bad\">" + std::string(WordOf(detector)) + " found nothing; the plan expects it to.</p>\n";
-    }
-    text += "<p>Seed " + std::to_string(campaign.plan.seed) + ", " + std::to_string(campaign.space.Size()) +
-            " experiments, " + std::to_string(summary.open) + " of them not tried; " +
-            std::to_string(campaign.space.LeftOut()) + " bytes that hold addresses of the program are left out.</p>\n";
-    text += CountTable(campaign, summary) + FindingTable(campaign, "Silent", summary.silent) + DetectorTable(summary) +
-            TimeTable(summary) + Histogram(summary) + FindingTable(campaign, "Later than the limit", summary.late);
-    return text + "</body></html>\n";
+    return html::Head(campaign.plan.title) + Verdict(campaign, summary) + CountTable(campaign, summary) +
+           FindingTable(campaign, "Silent", summary.silent) +
+           FindingTable(campaign, "Exposed: open with wrong data until the self test found it", summary.exposed) +
+           FindingTable(campaign, "Later than the limit", summary.late) + DetectorTable(summary) + TimeTables(summary) +
+           Histogram(summary) + Map(campaign, summary) + "</body></html>\n";
 }
 } // namespace counterpoint::campaign

@@ -53,6 +53,7 @@ Sight Judge::Look(const std::size_t cycle, JudgeMemory& memory)
 {
     Sight sight;
     sight.open = device_.Open();
+    TakeFrames(cycle, memory);
     Arm(cycle, sight.open, memory);
     for (const Srdo& srdo : srdos_)
     {
@@ -64,6 +65,26 @@ Sight Judge::Look(const std::size_t cycle, JudgeMemory& memory)
     }
     LookAtFrames(cycle, memory, sight);
     return sight;
+}
+
+/// What the device got is what was on the bus, or what a fault made of it.
+void Judge::TakeFrames(const std::size_t cycle, JudgeMemory& memory) const
+{
+    if (cycle < memory.looked)
+    {
+        return;
+    }
+    memory.looked = cycle + 1U;
+    for (const RecordedFrame& frame : device_.Receives().Handed())
+    {
+        for (const Srdo& srdo : srdos_)
+        {
+            if (srdo.is_consumer)
+            {
+                srdo.bus.front().Take(memory.received.at(srdo.slot), frame);
+            }
+        }
+    }
 }
 
 void Judge::Arm(const std::size_t cycle, const SrdoMask open, JudgeMemory& memory) const
@@ -138,13 +159,12 @@ void Judge::LookAtOutput(const Srdo& srdo, const std::size_t cycle, const JudgeM
     {
         sight.wrong = ((memory.stopped & bit) != 0U) ? Wrong::kRestart : Wrong::kNoLeave;
     }
-    else if (!srdo.bus.front().Allows(cycle, data, mask, discrepancy_))
-    {
-        sight.wrong = Wrong::kData;
-    }
     else
     {
-        // As it should be.
+        const Leave leave = srdo.bus.front().Allows(memory.received.at(srdo.slot), recording_.cycles[cycle].at, data,
+                                                    mask, discrepancy_);
+        sight.wrong = (leave == Leave::kNone) ? Wrong::kData : sight.wrong;
+        sight.listed |= (leave == Leave::kListed) ? bit : SrdoMask{0U};
     }
 }
 

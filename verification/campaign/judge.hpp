@@ -35,6 +35,8 @@ struct JudgeMemory
     std::array<OwnFrame, kMaxSrdoCount>
         normal{}; ///< The last normal frame of each producer that waits for its inverse.
     std::array<std::int64_t, kMaxSrdoCount> pair_at{};
+    std::array<Received, kMaxSrdoCount> received{};
+    std::size_t looked{0U}; ///< Cycles whose frames were taken.
 };
 
 /// What the judge saw in a cycle.
@@ -42,6 +44,7 @@ struct Sight
 {
     Wrong wrong{Wrong::kNothing};
     SrdoMask open{0U};
+    SrdoMask listed{0U};      ///< Open by a complete valid pair that nobody sent, or that is too old: the listed limit.
     SrdoMask not_inverse{0U}; ///< Open, but the pair of variables does not pass the application's check.
     bool is_missed{false};    ///< Who consumes what the device sends has waited longer than SCT.
 };
@@ -74,6 +77,7 @@ class Judge
 
     void Arm(std::size_t cycle, SrdoMask open, JudgeMemory& memory) const;
     [[nodiscard]] static bool IsTakenBack(const Srdo& srdo);
+    void TakeFrames(std::size_t cycle, JudgeMemory& memory) const;
     void LookAtOutput(const Srdo& srdo, std::size_t cycle, const JudgeMemory& memory, Sight& sight) const;
     void LookAtFrames(std::size_t cycle, JudgeMemory& memory, Sight& sight) const;
     [[nodiscard]] Wrong LookAtFrame(const OwnFrame& own, std::size_t cycle, JudgeMemory& memory) const;

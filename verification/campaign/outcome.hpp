@@ -6,6 +6,7 @@
 #include "safety_core/contract/srdo.hpp"
 
 #include <cstdint>
+#include <string>
 
 namespace counterpoint::campaign
 {
@@ -18,8 +19,10 @@ enum class Class : std::uint8_t
     kDetected = 3U, ///< By a mechanism of the kernel or the channels: the output closed, or the device is safe.
     kSafeOther = 4U, ///< Safe by somebody else: exception, output that closes by time, application, receivers.
     kSilent = 5U,    ///< Something that must not happen, and nobody noticed before.
+    kListed = 6U,    ///< Open by a complete stale or forged pair: the limit that the safety manual lists. [SRS_CMG_021]
+    kExposed = 7U,   ///< Open with wrong data until the self test found it, within the limit. [SRS_CMG_027]
 };
-constexpr std::size_t kClassCount = 6U;
+constexpr std::size_t kClassCount = 8U;
 
 /// Who found it first.
 enum class Detector : std::uint8_t
@@ -38,24 +41,49 @@ enum class Detector : std::uint8_t
     kReceivers = 11U, ///< Who consumes what the device sends.
     kException = 12U, ///< The processor.
     kTime = 13U,      ///< A call that does not return: output and watchdog.
+    kPins = 14U,      ///< The safety pins' look at themselves.
+    kSelfTest = 15U,  ///< The shipped self tests.
 };
-constexpr std::size_t kDetectorCount = 14U;
+constexpr std::size_t kDetectorCount = 16U;
 
 /// One experiment's outcome, as it lies in a file of results.
 struct Outcome
 {
     Class result{Class::kOpen};
     Detector detector{Detector::kNobody};
-    std::uint8_t detail{0U};  ///< kSilent: Wrong; else DeviceFault or SrdoCause, by the detector.
-    std::uint8_t is_late{0U}; ///< 1: above the limit, counted from the first effect of the fault.
-    std::uint32_t us{0U};     ///< From the fault to the closed output (to the device fault, where none was open).
+    std::uint8_t detail{0U}; ///< kSilent: Wrong; else DeviceFault or SrdoCause, by the detector.
+    std::uint8_t marks{0U};  ///< Bits of the marks below.
+    std::uint32_t us{0U};    ///< From the fault to the closed output (to the device fault, where none was open).
 };
 static_assert(sizeof(Outcome) == 8U, "the format of a file of results");
 
+constexpr std::uint8_t kMarkLate = 1U;    ///< Above the limit, counted from the first effect of the fault.
+constexpr std::uint8_t kMarkSaidByA = 2U; ///< Of kChannels: channel A reported this cause by itself.
+constexpr std::uint8_t kMarkSaidByB = 4U;
+
+[[nodiscard]] constexpr bool IsLate(const Outcome& outcome)
+{
+    return (outcome.marks & kMarkLate) != 0U;
+}
+
 [[nodiscard]] const char* WordOf(Class result);
 [[nodiscard]] const char* WordOf(Detector detector);
+/// @brief Whether the device did something that must not happen: for good, or until somebody found it.
+[[nodiscard]] constexpr bool IsDangerous(const Class result)
+{
+    return result == Class::kSilent || result == Class::kExposed;
+}
+/// @brief Whether the fault changed what the device does: of these alone a share is said.
+[[nodiscard]] constexpr bool IsEffective(const Class result)
+{
+    return result == Class::kDetected || result == Class::kSafeOther || IsDangerous(result);
+}
+/// @brief An outcome as a sentence.
+[[nodiscard]] std::string OutcomeText(const Outcome& outcome);
+/// @brief Microseconds as 1.234.
+[[nodiscard]] std::string MsText(std::uint32_t us);
 /// @brief Why an outcome is what it is, for people.
-[[nodiscard]] const char* ReasonOf(const Outcome& outcome);
+[[nodiscard]] std::string ReasonOf(const Outcome& outcome);
 } // namespace counterpoint::campaign
 
 #endif // VERIFICATION_CAMPAIGN_OUTCOME_HPP

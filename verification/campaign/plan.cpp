@@ -1,7 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/plan.hpp"
 
+#include "runtime/device/names.hpp"
 #include "runtime/yaml/map.hpp"
+#include "runtime/yaml/optional_values.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -25,28 +27,74 @@ constexpr Word<Phase> kPhaseWords[] = {
     {"events", static_cast<Phase>(12U)},     {"permits", static_cast<Phase>(13U)},
 };
 constexpr Word<Part> kPartWords[] = {
-    {"channel_a", Part::kChannelA},    {"channel_b", Part::kChannelB},
-    {"comparator", Part::kComparator}, {"flow_monitor", Part::kFlowMonitor},
-    {"guard", Part::kGuard},           {"latch", Part::kLatch},
-    {"clocks", Part::kClocks},         {"kernel", Part::kKernel},
-    {"tables", Part::kTables},         {"variables", Part::kVariables},
+    {"channel_a", Part::kChannelA},
+    {"channel_b", Part::kChannelB},
+    {"comparator", Part::kComparator},
+    {"flow_monitor", Part::kFlowMonitor},
+    {"guard", Part::kGuard},
+    {"latch", Part::kLatch},
+    {"clocks", Part::kClocks},
+    {"kernel", Part::kKernel},
+    {"tables", Part::kTables},
+    {"variables", Part::kVariables},
+    {"pins", Part::kPins},
+    {"bus", Part::kBus},
+    {"kernel_calls", Part::kKernelCalls},
+    {"a_calls", Part::kCallsOfA},
+    {"b_calls", Part::kCallsOfB},
+    {"steps", Part::kSteps},
+    {"counters", Part::kCounters},
+    {"cycle", Part::kCycle},
+    {"both_channels", Part::kBothChannels},
+    {"inputs", Part::kInputs},
 };
 constexpr Word<FaultKind> kKindWords[] = {
     {"flip", FaultKind::kFlip},
     {"stuck_at_0", FaultKind::kStuckAt0},
     {"stuck_at_1", FaultKind::kStuckAt1},
     {"intermittent", FaultKind::kIntermittent},
+    {"lost", FaultKind::kLost},
+    {"repeated", FaultKind::kRepeated},
+    {"inserted", FaultKind::kInserted},
+    {"wrong_order", FaultKind::kWrongOrder},
+    {"delayed", FaultKind::kDelayed},
+    {"corrupted", FaultKind::kCorrupted},
+    {"wrong_length", FaultKind::kWrongLength},
+    {"wrong_identifier", FaultKind::kWrongIdentifier},
+    {"pair_repeated", FaultKind::kPairRepeated},
+    {"pair_delayed", FaultKind::kPairDelayed},
+    {"pair_forged", FaultKind::kPairForged},
+    {"skipped", FaultKind::kSkipped},
+    {"doubled", FaultKind::kDoubled},
+    {"reordered", FaultKind::kReordered},
+    {"late", FaultKind::kLate},
+    {"early", FaultKind::kEarly},
+    {"stopped", FaultKind::kStopped},
+    {"fast", FaultKind::kFast},
+    {"slow", FaultKind::kSlow},
+    {"jump", FaultKind::kJump},
 };
-constexpr Word<Planted> kPlantedWords[] = {
-    {"nothing", Planted::kNothing},          {"blind_comparator", Planted::kBlindComparator},
-    {"flow_monitor_off", Planted::kFlowOff}, {"loose_permit", Planted::kLoosePermit},
-    {"held_output", Planted::kHeldOutput},
+constexpr Word<OutputKind> kOutputWords[] = {
+    {"gate", OutputKind::kGate},
+    {"pins", OutputKind::kPins},
 };
 constexpr Word<Detector> kDetectorWords[] = {
-    {"comparator", Detector::kComparator}, {"flow_monitor", Detector::kFlowMonitor},
-    {"guard", Detector::kGuard},           {"seal", Detector::kSeal},
-    {"clocks", Detector::kClocks},         {"channels", Detector::kChannels},
-    {"permits", Detector::kPermits},       {"watchdog", Detector::kWatchdog},
+    {"comparator", Detector::kComparator},
+    {"flow_monitor", Detector::kFlowMonitor},
+    {"guard", Detector::kGuard},
+    {"seal", Detector::kSeal},
+    {"clocks", Detector::kClocks},
+    {"channels", Detector::kChannels},
+    {"permits", Detector::kPermits},
+    {"watchdog", Detector::kWatchdog},
+    {"pins", Detector::kPins},
+    {"self_test", Detector::kSelfTest},
+};
+/// Of `known`.
+constexpr Word<Class> kFindingWords[] = {
+    {"silent", Class::kSilent},
+    {"exposed", Class::kExposed},
+    {"late", Class::kDetected},
 };
 
 static_assert(sizeof(kPhaseWords) / sizeof(kPhaseWords[0]) == kPhaseCount, "a word each");
@@ -146,6 +194,49 @@ void ReadMembers(const YamlMap& map, Plan& plan)
     }
 }
 
+/// As channel_b.srvt.
+void ReadVoices(const YamlMap& map, Plan& plan)
+{
+    const std::optional<YamlValue> list = map.Find("voices");
+    if (!list)
+    {
+        return;
+    }
+    for (const YamlValue& item : list->Items("a list of causes"))
+    {
+        const std::string text = item.Text("a cause of one channel, as channel_b.srvt");
+        const bool is_a = text.rfind("channel_a.", 0U) == 0U;
+        const bool is_b = text.rfind("channel_b.", 0U) == 0U;
+        const std::string word = text.substr(text.find('.') + 1U);
+        const auto* const found = std::find_if(std::begin(runtime::kCauseWords), std::end(runtime::kCauseWords),
+                                               [&word](const auto& each) { return word == each.text; });
+        if ((!is_a && !is_b) || found == std::end(runtime::kCauseWords))
+        {
+            item.Refuse(runtime::Shown(text), "a cause of one channel, as channel_b.srvt");
+        }
+        plan.voices.push_back({text, is_a ? kMarkSaidByA : kMarkSaidByB, found->meaning});
+    }
+}
+
+void ReadKnown(const YamlMap& map, Plan& plan)
+{
+    const std::optional<YamlValue> list = map.Find("known");
+    if (!list)
+    {
+        return;
+    }
+    for (const YamlValue& item : list->Items("a list of places with a reason"))
+    {
+        const YamlMap known(plan.file, item.Node(), {"place", "class", "reason"});
+        plan.known.push_back({known.Require("place").Text("a member, byte or bit, as comparator.verdict+8.0"),
+                              known.Require("reason").Text("who answers for it")});
+        if (const auto result = known.Find("class"))
+        {
+            plan.known.back().result = result->Choice(kFindingWords);
+        }
+    }
+}
+
 void ReadSample(const YamlMap& map, Plan& plan)
 {
     constexpr std::uint64_t kMost = 10'000'000U;
@@ -161,6 +252,15 @@ void ReadSample(const YamlMap& map, Plan& plan)
     {
         plan.confidence_percent = static_cast<std::uint32_t>(confidence->Number({50U, 99U}));
     }
+    if (const auto reach = map.Find("reach"))
+    {
+        constexpr runtime::Nanoseconds kMostReach = 1000 * runtime::kNanosecondsPerMillisecond;
+        plan.reach = reach->Lasting();
+        if (plan.reach < kGrid || plan.reach > kMostReach)
+        {
+            reach->Refuse("a reach that is no multiple of the grid of 50 us within a second", "a time as 60 ms");
+        }
+    }
     if (const auto cycles = map.Find("cycles"))
     {
         plan.cycles = static_cast<std::uint32_t>(cycles->Number({1U, 1000U}));
@@ -174,7 +274,7 @@ Plan ReadPlan(const std::string& file)
     const runtime::YamlNode root = runtime::ParseYaml(file, text);
     const YamlMap map(file, root,
                       {"title", "scenario", "device", "at", "cycles", "phases", "parts", "members", "kinds",
-                       "detectors", "seed", "sample", "confidence", "planted"});
+                       "detectors", "known", "voices", "reach", "self_test", "seed", "sample", "confidence", "output"});
     Plan plan;
     plan.file = file;
     plan.digest = HashOf(text);
@@ -186,15 +286,56 @@ Plan ReadPlan(const std::string& file)
     ReadInstants(map, plan);
     plan.phases = Chosen(map, "phases", kPhaseWords);
     plan.parts = Chosen(map, "parts", kPartWords);
+    if (!map.Find("parts"))
+    {
+        plan.parts.resize(kMemoryPartCount); // The others are tried by name.
+    }
     plan.kinds = Chosen(map, "kinds", kKindWords);
     plan.detectors = map.Find("detectors") ? Chosen(map, "detectors", kDetectorWords) : std::vector<Detector>{};
     ReadMembers(map, plan);
     ReadSample(map, plan);
-    if (const auto planted = map.Find("planted"))
+    ReadVoices(map, plan);
+    ReadKnown(map, plan);
+    if (const auto self_test = map.Find("self_test"))
     {
-        plan.planted = planted->Choice(kPlantedWords);
+        plan.has_self_test = self_test->Choice(runtime::kTruthWords);
+    }
+    if (const auto output = map.Find("output"))
+    {
+        plan.output = output->Choice(kOutputWords);
     }
     return plan;
+}
+
+bool IsOf(const Part part, const FaultKind kind)
+{
+    const auto is_from_to = [kind](const FaultKind first, const FaultKind last)
+    { return kind >= first && kind <= last; };
+    if (part == Part::kBus)
+    {
+        return is_from_to(FaultKind::kLost, FaultKind::kPairForged);
+    }
+    if (part == Part::kKernelCalls || part == Part::kCallsOfA || part == Part::kCallsOfB)
+    {
+        return is_from_to(FaultKind::kSkipped, FaultKind::kLate);
+    }
+    if (part == Part::kSteps)
+    {
+        return kind == FaultKind::kSkipped || kind == FaultKind::kLate;
+    }
+    if (part == Part::kCycle)
+    {
+        return is_from_to(FaultKind::kSkipped, FaultKind::kEarly) && kind != FaultKind::kReordered;
+    }
+    if (part == Part::kCounters)
+    {
+        return is_from_to(FaultKind::kStopped, FaultKind::kJump);
+    }
+    if (part == Part::kInputs)
+    {
+        return kind == FaultKind::kStuckAt0 || kind == FaultKind::kStuckAt1;
+    }
+    return is_from_to(FaultKind::kFlip, (part == Part::kBothChannels) ? FaultKind::kFlip : FaultKind::kIntermittent);
 }
 
 const char* WordOf(const Phase phase)

@@ -8,6 +8,7 @@ namespace counterpoint::campaign
 namespace
 {
 constexpr std::int64_t kMillion = 1000000;
+constexpr std::size_t kNoFrame = ~std::size_t{0U};
 constexpr std::int64_t kFrameBits = 111 + 24; ///< Eight bytes, and stuffed as far as can be.
 
 bool IsSafetyFrame(const CanFrame& frame)
@@ -17,10 +18,30 @@ bool IsSafetyFrame(const CanFrame& frame)
 }
 } // namespace
 
-Counters::Counters(const simulator::NodeSetup& setup) : a_(setup.counter_a.start_us), b_(setup.counter_b.start_us)
+Counters::Counters(const simulator::NodeSetup& setup)
+    : a_(setup.counter_a.start_us), b_(setup.counter_b.start_us), rate_a_(kMillion + setup.counter_a.drift_ppm),
+      rate_b_(kMillion + setup.counter_b.drift_ppm)
 {
-    a_.SetRate(0, static_cast<std::uint32_t>(kMillion + setup.counter_a.drift_ppm));
-    b_.SetRate(0, static_cast<std::uint32_t>(kMillion + setup.counter_b.drift_ppm));
+    a_.SetRate(0, static_cast<std::uint32_t>(rate_a_));
+    b_.SetRate(0, static_cast<std::uint32_t>(rate_b_));
+}
+
+void Counters::Disturb(const std::size_t which, const Nanoseconds at, const std::int64_t rate_ppm,
+                       const std::int32_t jump_us)
+{
+    const auto disturb = [at, rate_ppm, jump_us](host::HostClock& clock, const std::int64_t rate)
+    {
+        clock.SetRate(at, static_cast<std::uint32_t>(rate * (kMillion + rate_ppm) / kMillion));
+        clock.Jump(at, jump_us);
+    };
+    if (which != 1U)
+    {
+        disturb(a_, rate_a_);
+    }
+    if (which != 0U)
+    {
+        disturb(b_, rate_b_);
+    }
 }
 
 RecordedScenario::RecordedScenario(const std::string& file, const runtime::YamlValue& device)
@@ -30,6 +51,7 @@ RecordedScenario::RecordedScenario(const std::string& file, const runtime::YamlV
     run_.Simulate(nullptr);
     RecordCycles();
     RecordFrames();
+    RecordPairs();
     RecordInputs();
     RecordPeers();
 }
@@ -132,6 +154,45 @@ void RecordedScenario::RecordFrames()
             ++next;
         }
         cycle.frames_end = next;
+    }
+}
+
+/// A normal frame and the inverse one behind it, of each consumer.
+void RecordedScenario::RecordPairs()
+{
+    for (const runtime::SrdoModel& srdo : Model().Srdos())
+    {
+        if (srdo.direction != kDirectionConsumer)
+        {
+            continue;
+        }
+        std::size_t normal = kNoFrame;
+        for (std::size_t index = 0U; index < recording_.frames.size(); ++index)
+        {
+            const std::uint32_t identifier = recording_.frames[index].stamped.frame.identifier;
+            if (identifier == srdo.cob_id_1)
+            {
+                normal = index;
+            }
+            else if (identifier == srdo.cob_id_2 && normal != kNoFrame)
+            {
+                recording_.pairs.push_back({normal, index});
+                normal = kNoFrame;
+            }
+            else
+            {
+                // Of another SRDO.
+            }
+        }
+    }
+    for (const RecordedFrame& frame : recording_.frames)
+    {
+        const std::uint32_t identifier = frame.stamped.frame.identifier;
+        auto& known = recording_.identifiers;
+        if (std::find(known.begin(), known.end(), identifier) == known.end())
+        {
+            known.push_back(identifier);
+        }
     }
 }
 

@@ -23,6 +23,8 @@ class Counters
   public:
     explicit Counters(const simulator::NodeSetup& setup);
 
+    /// @brief From `at` on counter A (0), B (1) or both (2) run by so much faster than they do, and jump. [SRS_CMG_023]
+    void Disturb(std::size_t which, Nanoseconds at, std::int64_t rate_ppm, std::int32_t jump_us);
     [[nodiscard]] InstantPair At(const Nanoseconds at) const
     {
         return {a_.At(at), b_.At(at)};
@@ -31,6 +33,8 @@ class Counters
   private:
     host::HostClock a_;
     host::HostClock b_;
+    std::int64_t rate_a_;
+    std::int64_t rate_b_;
 };
 
 /// A frame of another device as the device under test gets it.
@@ -38,6 +42,13 @@ struct RecordedFrame
 {
     Nanoseconds at{0};
     StampedFrame stamped{};
+};
+
+/// A complete pair of an SRDO that the device consumes: indices of frames.
+struct RecordedPair
+{
+    std::size_t normal{0U};
+    std::size_t inverse{0U};
 };
 
 /// What happens to the device from one cycle to the next.
@@ -62,6 +73,8 @@ struct Recording
 {
     std::vector<RecordedCycle> cycles;
     std::vector<RecordedFrame> frames;
+    std::vector<RecordedPair> pairs;
+    std::vector<std::uint32_t> identifiers; ///< Of the frames, each once.
     std::vector<RecordedInput> inputs;
     Nanoseconds frame_ns{0}; ///< Time that a frame of the device takes on the bus.
     Nanoseconds power_on{0};
@@ -101,6 +114,7 @@ class RecordedScenario
     void RequireThatItCanBeRecorded(const runtime::YamlValue& device) const;
     void RecordCycles();
     void RecordFrames();
+    void RecordPairs();
     void RecordInputs();
     void RecordPeers();
 

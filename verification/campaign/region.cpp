@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <sys/mman.h>
+#include <unistd.h>
 
 namespace counterpoint::campaign
 {
@@ -35,6 +36,17 @@ Region::Region(const std::size_t capacity_bytes) : capacity_(capacity_bytes)
 Region::~Region()
 {
     munmap(reserved_, 2U * kAround);
+}
+
+void Region::Close()
+{
+    const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    used_ = ((used_ + page - 1U) / page) * page;
+    if (used_ < capacity_ && mprotect(bytes_ + used_, capacity_ - used_, PROT_NONE) != 0)
+    {
+        throw std::runtime_error("no border behind the device under test");
+    }
+    capacity_ = used_;
 }
 
 std::size_t Region::OffsetOf(const void* const object) const noexcept

@@ -31,6 +31,9 @@ class Region
     {
         return static_cast<Element*>(Take(sizeof(Element) * count, alignof(Element)));
     }
+    /// @brief Nothing more is made: memory that is not brought back cannot be read or written from now on, so that no
+    /// experiment finds what another one left there. What is in use becomes whole pages.
+    void Close();
     /// @brief Where it begins.
     [[nodiscard]] std::uint8_t* Bytes() const noexcept
     {

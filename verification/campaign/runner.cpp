@@ -1,7 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/runner.hpp"
 
+#include "runtime/device/names.hpp"
 #include "safety_core/kernel/limits.hpp"
+#include "verification/campaign/variants.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -31,7 +33,7 @@ bool Strikes(const Experiment& fault, const std::size_t cycle)
 /// Whether the fault can still change anything behind this cycle.
 bool IsOver(const Experiment& fault, const std::size_t cycle)
 {
-    return fault.kind == FaultKind::kFlip ||
+    return !IsMemory(fault.part) || fault.kind == FaultKind::kFlip ||
            (fault.kind == FaultKind::kIntermittent && cycle >= fault.cycle + (kStrikes - 1U) * kStrikeDistance);
 }
 
@@ -98,7 +100,30 @@ Limits LimitsOf(const runtime::DeviceModel& model, const DeviceConfig& config)
     limits.us[static_cast<std::size_t>(Part::kChannelB)] = of_channel;
     limits.us[static_cast<std::size_t>(Part::kVariables)] = of_channel;
     limits.us[static_cast<std::size_t>(Part::kTables)] = LongestOf(model, config, {FaultClass::kSharedSource});
+    const std::uint32_t of_bus = LongestOf(model, config, {FaultClass::kBus, FaultClass::kBusNextNormal});
+    const std::uint32_t of_steps =
+        std::max(of_bus, LongestOf(model, config, {FaultClass::kSupervisor, FaultClass::kChannel, FaultClass::kClock}));
+    limits.wrong_frame_us = LongestOf(model, config, {FaultClass::kWrongFrame});
+    limits.wrong_channel_us = std::max(of_bus, LongestOf(model, config, {FaultClass::kChannel}));
+    limits.us[static_cast<std::size_t>(Part::kBus)] = of_bus;
+    limits.us[static_cast<std::size_t>(Part::kKernelCalls)] = of_bus;
+    limits.us[static_cast<std::size_t>(Part::kCallsOfA)] = of_channel;
+    limits.us[static_cast<std::size_t>(Part::kCallsOfB)] = of_channel;
+    limits.us[static_cast<std::size_t>(Part::kBothChannels)] = of_channel;
+    limits.us[static_cast<std::size_t>(Part::kSteps)] = of_steps;
+    limits.us[static_cast<std::size_t>(Part::kCycle)] = of_steps;
+    limits.us[static_cast<std::size_t>(Part::kInputs)] = of_steps;
+    limits.us[static_cast<std::size_t>(Part::kCounters)] = LongestOf(model, config, {FaultClass::kClock});
     return limits;
+}
+
+std::uint32_t Limits::Of(const Experiment& experiment) const
+{
+    const bool is_call = experiment.part == Part::kCallsOfA || experiment.part == Part::kCallsOfB;
+    const auto call = static_cast<ChannelCall>(experiment.subject / kTurns);
+    // What guard and comparator read is found by their own checks.
+    const bool is_read = call == ChannelCall::kHeld || call == ChannelCall::kLoad || call == ChannelCall::kRecheck;
+    return (is_call && !is_read) ? wrong_channel_us : Of(experiment.part, experiment.kind);
 }
 
 std::size_t HorizonOf(const Limits& limits, const DeviceConfig& config)
@@ -106,18 +131,18 @@ std::size_t HorizonOf(const Limits& limits, const DeviceConfig& config)
     return (*std::max_element(limits.us.begin(), limits.us.end()) / config.cycle_us) + kMoreCycles;
 }
 
-Runner::Runner(Device& device, Judge& judge, const Recording& recording, const std::vector<std::size_t>& cycles,
-               const Limits& limits)
-    : device_(device), judge_(judge), recording_(recording), limits_(limits),
-      horizon_(HorizonOf(limits, device.Config())), first_(cycles.front()), size_(device.Memory().Size()),
+Runner::Runner(Device& device, Judge& judge, const Recording& recording, const Space& space, const Limits& limits)
+    : device_(device), judge_(judge), recording_(recording), limits_(limits), seed_(space.Seed()),
+      horizon_(HorizonOf(limits, device.Config())), first_(space.Cycles().front()), size_(device.Memory().Size()),
       all_set_(size_, 0xFFU), ever_set_(size_, 0U), owner_(size_, kNoPart)
 {
     for (const Place& place : device.Places())
     {
         std::fill_n(owner_.begin() + static_cast<std::ptrdiff_t>(place.offset), place.size,
                     static_cast<std::uint8_t>(place.part));
+        flow_ = (place.part == Part::kFlowMonitor) ? place : flow_;
     }
-    const std::size_t end = cycles.back() + horizon_ + 1U;
+    const std::size_t end = space.LastCycle() + horizon_ + 1U;
     device_.Follow(this);
     JudgeMemory memory;
     for (std::size_t cycle = 0U; cycle < end && cycle < recording_.cycles.size(); ++cycle)
@@ -131,17 +156,37 @@ Runner::Runner(Device& device, Judge& judge, const Recording& recording, const s
         device_.Cycle(cycle);
         const Sight sight = judge_.Look(cycle, memory);
         open_.push_back(sight.open);
-        const bool is_well = sight.wrong == Wrong::kNothing && sight.not_inverse == 0U && !sight.is_missed &&
-                             device_.Core().DeviceState().fault == DeviceFault::kNone;
-        if (!is_well)
+        const std::string problem = WhatIsNotWell(sight);
+        if (!problem.empty())
         {
-            throw std::runtime_error("without a fault the device is not as it must be in cycle " +
-                                     std::to_string(cycle) + " (" + std::to_string(static_cast<unsigned>(sight.wrong)) +
-                                     ", " + std::to_string(static_cast<unsigned>(device_.Core().DeviceState().fault)) +
-                                     ")");
+            throw NotWell("without a fault, in cycle " + std::to_string(cycle) + ": " + problem);
         }
     }
     kept_.insert(kept_.end(), device_.Memory().Bytes(), device_.Memory().Bytes() + size_);
+}
+
+/// In words; empty: it is as it must be.
+std::string Runner::WhatIsNotWell(const Sight& sight) const
+{
+    const DeviceFault fault = device_.Core().DeviceState().fault;
+    if (fault != DeviceFault::kNone)
+    {
+        return std::string("device fault ") + runtime::NameOf(runtime::kDeviceFaultWords, fault, "?") + ", found by " +
+               WordOf(DetectorOf(fault));
+    }
+    if (sight.wrong != Wrong::kNothing)
+    {
+        return ReasonOf(Outcome{Class::kSilent, Detector::kNobody, static_cast<std::uint8_t>(sight.wrong), 0U, 0U});
+    }
+    if (!device_.IsOutputLive())
+    {
+        return "the pins cut themselves off";
+    }
+    if (sight.not_inverse != 0U)
+    {
+        return "a pair of variables is not inverse";
+    }
+    return sight.is_missed ? "receivers wait for its frames" : "";
 }
 
 void Runner::KeepBits() noexcept
@@ -164,10 +209,31 @@ void Runner::At(const Phase phase) noexcept
         }
         return;
     }
+    if (fault_->part == Part::kSteps)
+    {
+        DisturbStep(phase);
+    }
+    else if (IsMemory(fault_->part))
+    {
+        ForceBit(phase);
+    }
+    else
+    {
+        // It is in what the device receives, or in its calls.
+    }
+}
+
+void Runner::ForceBit(const Phase phase) noexcept
+{
     const auto mask = static_cast<std::uint8_t>(1U << fault_->bit);
-    std::uint8_t& byte = device_.Memory().Bytes()[fault_->offset];
+    std::uint8_t* const bytes = device_.Memory().Bytes();
+    std::uint8_t& byte = bytes[fault_->offset];
     if (IsStuck(fault_->kind))
     {
+        if (device_.SelfTest() != nullptr && now_ == fault_->cycle && phase == fault_->phase)
+        {
+            device_.SelfTest()->Stick(&byte, fault_->bit, fault_->kind == FaultKind::kStuckAt1);
+        }
         if (now_ > fault_->cycle || phase >= fault_->phase)
         {
             byte = static_cast<std::uint8_t>((fault_->kind == FaultKind::kStuckAt1) ? (byte | mask) : (byte & ~mask));
@@ -176,6 +242,11 @@ void Runner::At(const Phase phase) noexcept
     else if (phase == fault_->phase && Strikes(*fault_, now_))
     {
         byte = static_cast<std::uint8_t>(byte ^ mask);
+        if (fault_->part == Part::kBothChannels)
+        {
+            const Bit& second = fault_->second;
+            bytes[second.offset] = static_cast<std::uint8_t>(bytes[second.offset] ^ (1U << second.bit));
+        }
     }
     else
     {
@@ -183,9 +254,68 @@ void Runner::At(const Phase phase) noexcept
     }
 }
 
+/// All that the step wrote is taken back as soon as it is done; what is late comes behind the next step. [SRS_CMG_022]
+void Runner::DisturbStep(const Phase phase) noexcept
+{
+    const bool is_always = (fault_->variant & kAlways) != 0U;
+    const std::uint8_t* const bytes = device_.Memory().Bytes();
+    if (is_kept_)
+    {
+        is_kept_ = false;
+        for (std::size_t offset = 0U; offset < size_; ++offset)
+        {
+            if (behind_[offset] != before_[offset])
+            {
+                device_.Memory().Bytes()[offset] = behind_[offset];
+            }
+        }
+    }
+    if (now_ != fault_->cycle && !is_always)
+    {
+        return;
+    }
+    const auto step = static_cast<std::size_t>(fault_->phase);
+    if (static_cast<std::size_t>(phase) + 1U == step)
+    {
+        before_.assign(bytes, bytes + size_);
+    }
+    else if (phase == fault_->phase)
+    {
+        if (fault_->kind == FaultKind::kLate)
+        {
+            behind_.assign(bytes, bytes + size_);
+            is_kept_ = true;
+        }
+        TakeBack();
+    }
+    else
+    {
+        // Not this one.
+    }
+}
+
+/// With its mark, or all but that.
+void Runner::TakeBack() noexcept
+{
+    std::uint8_t* const bytes = device_.Memory().Bytes();
+    const bool has_mark = fault_->kind == FaultKind::kSkipped && (fault_->variant & kNothingLeft) == 0U;
+    const std::size_t end = flow_.offset + flow_.size;
+    if (!has_mark)
+    {
+        std::memcpy(bytes, before_.data(), size_);
+        return;
+    }
+    std::memcpy(bytes, before_.data(), flow_.offset);
+    std::memcpy(bytes + end, before_.data() + end, size_ - end);
+}
+
 /// A bit that is stuck at what it is anyway changes nothing.
 bool Runner::IsNeverOtherwise(const Experiment& experiment) const
 {
+    if (!IsMemory(experiment.part) || device_.SelfTest() != nullptr)
+    {
+        return false; // A march writes what it is not.
+    }
     const auto mask = static_cast<std::uint8_t>(1U << experiment.bit);
     return (experiment.kind == FaultKind::kStuckAt1 && (all_set_[experiment.offset] & mask) != 0U) ||
            (experiment.kind == FaultKind::kStuckAt0 && (ever_set_[experiment.offset] & mask) == 0U);
@@ -208,18 +338,42 @@ Outcome Runner::Run(const Experiment& experiment)
         found_.detector = (back == Return::kException) ? Detector::kException : Detector::kTime;
         found_.us = Since(experiment, now_) + ExceptionUs();
     }
-    if (found_.result == Class::kDetected && found_.us > limits_.us.at(static_cast<std::size_t>(experiment.part)))
+    if (found_.result == Class::kDetected && found_.us > limits_.Of(experiment))
     {
-        found_.is_late = IsLate(experiment) ? 1U : 0U;
+        found_.marks |= IsLate(experiment) ? kMarkLate : std::uint8_t{0U};
     }
     return found_;
 }
 
 void Runner::Begin(const Experiment& experiment)
 {
-    std::memcpy(device_.Memory().Bytes(), kept_.data() + ((experiment.cycle - first_) * size_), size_);
+    Rewind(experiment.cycle);
+    if (device_.SelfTest() != nullptr)
+    {
+        device_.SelfTest()->Release();
+    }
     fault_ = &experiment;
-    now_ = experiment.cycle;
+    is_kept_ = false;
+    is_exposed_ = false;
+    device_.Receives().Rewind(experiment.cycle, &experiment, EndOf(experiment), seed_);
+}
+
+void Runner::Rewind(const std::size_t cycle)
+{
+    std::memcpy(device_.Memory().Bytes(), kept_.data() + ((cycle - first_) * size_), size_);
+    now_ = cycle;
+}
+
+/// What is no memory is seen by the time of its limit, or never.
+std::size_t Runner::EndOf(const Experiment& experiment) const
+{
+    const std::size_t limit = limits_.Of(experiment) / device_.Config().cycle_us;
+    const bool moves_in_time = experiment.part == Part::kBus || experiment.part == Part::kCycle;
+    const std::size_t more =
+        moves_in_time ? static_cast<std::size_t>(experiment.variant * kGrid /
+                                                 (device_.Config().cycle_us * runtime::kNanosecondsPerMicrosecond))
+                      : 0U;
+    return experiment.cycle + (IsMemory(experiment.part) ? horizon_ : std::min(horizon_, limit + more + kMoreCycles));
 }
 
 /// A fault may lie still for long: a bit that is stuck at what it is anyway, a word that is not read. The same run
@@ -246,7 +400,7 @@ bool Runner::IsLate(const Experiment& experiment)
     fault_ = nullptr;
     found_ = found;
     const std::uint32_t silent_us = (effect > experiment.cycle) ? Since(experiment, effect - 1U) : 0U;
-    return found.us - std::min(found.us, silent_us) > limits_.us.at(static_cast<std::size_t>(experiment.part));
+    return found.us - std::min(found.us, silent_us) > limits_.Of(experiment);
 }
 
 bool Runner::HasSpread(const Experiment& experiment) const
@@ -254,9 +408,14 @@ bool Runner::HasSpread(const Experiment& experiment) const
     const std::uint8_t* const is = device_.Memory().Bytes();
     const std::uint8_t* const was = kept_.data() + ((now_ + 1U - first_) * size_);
     const auto part = static_cast<std::uint8_t>(experiment.part);
+    const auto is_hit = [&experiment, part](const std::uint8_t owner)
+    {
+        return owner == part ||
+               (experiment.part == Part::kBothChannels && owner <= static_cast<std::uint8_t>(Part::kChannelB));
+    };
     for (std::size_t offset = 0U; offset < size_; ++offset)
     {
-        if (is[offset] != was[offset] && owner_[offset] != part)
+        if (is[offset] != was[offset] && !is_hit(owner_[offset]))
         {
             return true;
         }
@@ -272,23 +431,27 @@ std::uint32_t Runner::ExceptionUs() const noexcept
 void Runner::Watch(const Experiment& experiment)
 {
     JudgeMemory memory = memories_[experiment.cycle];
-    std::size_t end = experiment.cycle + horizon_;
+    std::size_t end = EndOf(experiment);
     bool is_settling = false;
     for (; now_ < end; ++now_)
     {
         device_.Cycle(now_);
         const Sight sight = judge_.Look(now_, memory);
+        if (watcher_ != nullptr)
+        {
+            watcher_->OnCycle(now_, sight);
+        }
         if (Notice(sight, experiment))
         {
             return;
         }
-        const bool is_safe = device_.Core().DeviceState().fault != DeviceFault::kNone && sight.open == 0U;
+        const bool is_safe = HasGivenUp() && sight.open == 0U;
         if (is_safe && !is_settling)
         {
             is_settling = true;
             end = std::min(end, now_ + kSettleCycles);
         }
-        if (IsOver(experiment, now_) && IsAsWithoutFault(now_ + 1U))
+        if (IsOver(experiment, now_) && device_.Receives().IsUndisturbed(now_) && IsAsWithoutFault(now_ + 1U))
         {
             found_.result = (found_.result == Class::kOpen) ? Class::kMasked : found_.result;
             return;
@@ -302,17 +465,30 @@ bool Runner::Notice(const Sight& sight, const Experiment& experiment)
 {
     if (sight.wrong != Wrong::kNothing)
     {
-        found_ = Outcome{Class::kSilent, Detector::kNobody, static_cast<std::uint8_t>(sight.wrong), 0U,
-                         Since(experiment, now_)};
-        return true;
+        return NoticeWrong(sight, experiment);
+    }
+    if (is_exposed_ && HasClosed(sight))
+    {
+        is_exposed_ = false;
+        const std::uint32_t us = Since(experiment, now_);
+        if (us <= limits_.Of(experiment))
+        {
+            found_ = Blame();
+            found_.result = Class::kExposed;
+            found_.us = us;
+        }
     }
     if (found_.result != Class::kOpen)
     {
         return false;
     }
-    const bool has_closed = (open_[now_] & ~sight.open) != 0U;
-    const bool is_device_fault = device_.Core().DeviceState().fault != DeviceFault::kNone;
-    if (has_closed || (is_device_fault && sight.open == 0U))
+    if (sight.listed != 0U)
+    {
+        found_.result = Class::kListed;
+        found_.us = Since(experiment, now_);
+        return false;
+    }
+    if (HasClosed(sight))
     {
         found_ = Blame();
         found_.us = Since(experiment, now_);
@@ -330,14 +506,40 @@ bool Runner::Notice(const Sight& sight, const Experiment& experiment)
     return false;
 }
 
+/// Memory that is wrong may be so until the march meets it: within the limit, where there is one. [SRS_CMG_027]
+bool Runner::NoticeWrong(const Sight& sight, const Experiment& experiment)
+{
+    const bool has_march = device_.SelfTest() != nullptr && IsMemory(experiment.part);
+    const bool may_be_found = has_march && sight.wrong == Wrong::kData &&
+                              (is_exposed_ || found_.result == Class::kOpen) &&
+                              Since(experiment, now_) <= limits_.Of(experiment);
+    if (!is_exposed_ || !may_be_found)
+    {
+        found_ = Outcome{Class::kSilent, Detector::kNobody, static_cast<std::uint8_t>(sight.wrong), 0U,
+                         Since(experiment, now_)};
+    }
+    is_exposed_ = may_be_found;
+    return !may_be_found;
+}
+
+bool Runner::HasClosed(const Sight& sight) const
+{
+    return (open_[now_] & ~sight.open) != 0U || (HasGivenUp() && sight.open == 0U);
+}
+
 Outcome Runner::Blame() const
 {
     Outcome outcome{Class::kDetected, Detector::kPermits, 0U, 0U, 0U};
     const DeviceFault fault = device_.Core().DeviceState().fault;
     if (fault != DeviceFault::kNone)
     {
-        outcome.detector = DetectorOf(fault);
+        const bool is_of_test = fault == DeviceFault::kSelfTest && device_.SelfTest() != nullptr;
+        outcome.detector = is_of_test ? Detector::kSelfTest : DetectorOf(fault);
         outcome.detail = static_cast<std::uint8_t>(fault);
+    }
+    else if (!device_.IsOutputLive())
+    {
+        outcome.detector = Detector::kPins;
     }
     else if (!device_.IsWatchdogAlive())
     {
@@ -347,12 +549,33 @@ Outcome Runner::Blame() const
     {
         outcome.detector = Detector::kChannels;
         outcome.detail = static_cast<std::uint8_t>(device_.Told().first_cause);
+        outcome.marks = device_.WhoSaid(device_.Told().first_cause);
     }
     else
     {
         // The gate alone.
     }
     return outcome;
+}
+
+std::vector<std::size_t> Runner::DifferentPlaces() const
+{
+    const std::uint8_t* const was = kept_.data() + ((now_ + 1U - first_) * size_);
+    std::vector<std::size_t> different;
+    for (std::size_t index = 0U; index < device_.Places().size(); ++index)
+    {
+        const Place& place = device_.Places()[index];
+        if (std::memcmp(device_.Memory().Bytes() + place.offset, was + place.offset, place.size) != 0)
+        {
+            different.push_back(index);
+        }
+    }
+    return different;
+}
+
+bool Runner::HasGivenUp() const
+{
+    return device_.Core().DeviceState().fault != DeviceFault::kNone || !device_.IsOutputLive();
 }
 
 bool Runner::IsAsWithoutFault(const std::size_t cycle) const

@@ -12,6 +12,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace counterpoint::campaign
@@ -20,6 +22,18 @@ namespace counterpoint::campaign
 struct Limits
 {
     std::array<std::uint32_t, kPartCount> us{};
+    std::uint32_t wrong_frame_us{0U};   ///< Of a frame that is wrong in itself.
+    std::uint32_t wrong_channel_us{0U}; ///< Of one channel.
+
+    /// @brief By part and kind. [SRS_CMG_020]
+    [[nodiscard]] std::uint32_t Of(const Part part, const FaultKind kind) const
+    {
+        const bool is_wrong = part == Part::kBus && kind == FaultKind::kWrongLength;
+        return is_wrong ? wrong_frame_us : us.at(static_cast<std::size_t>(part));
+    }
+    /// @brief The same, and of what neither guard nor comparator reads of a channel: that of a wrong channel.
+    /// [SRS_CMG_022]
+    [[nodiscard]] std::uint32_t Of(const Experiment& experiment) const;
 };
 
 /// @brief By ComputeLimit of the kernel, of all SRDOs the longest.
@@ -27,18 +41,51 @@ struct Limits
 /// @brief For so many cycles behind its fault a run may go on: all limits, and some more.
 [[nodiscard]] std::size_t HorizonOf(const Limits& limits, const DeviceConfig& config);
 
+/// Without a fault the device does not do what it must: there is nothing to be measured. [SRS_CMG_043]
+class NotWell : public std::runtime_error
+{
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Is told of each cycle of an experiment. Owns nothing while it runs that an exception must not leave behind.
+class CycleWatcher
+{
+  public:
+    virtual void OnCycle(std::size_t cycle, const Sight& sight) = 0;
+
+    CycleWatcher(const CycleWatcher&) = delete;
+    CycleWatcher& operator=(const CycleWatcher&) = delete;
+
+  protected:
+    CycleWatcher() = default;
+    ~CycleWatcher() = default;
+};
+
 /// Runs one experiment after the other, each from the device as it was without fault at the begin of its cycle.
 /// [SRS_CMG_001, SRS_CMG_006]
 class Runner final : private PhaseHook
 {
   public:
-    /// @brief Runs the device once without fault and keeps it as it was before each cycle from the first one of
-    /// `cycles` on. Throws std::runtime_error where that run is not as it must be. All outlive it.
-    Runner(Device& device, Judge& judge, const Recording& recording, const std::vector<std::size_t>& cycles,
-           const Limits& limits);
+    /// @brief Runs the device once without fault and keeps it as it was before each cycle in which a fault of `space`
+    /// begins, and behind. Throws NotWell where that run is not as it must be. All outlive it.
+    Runner(Device& device, Judge& judge, const Recording& recording, const Space& space, const Limits& limits);
 
     /// @brief Tries one fault. A Trap has to be there.
     [[nodiscard]] Outcome Run(const Experiment& experiment);
+    /// @brief Who is told of each cycle; null: nobody.
+    void Follow(CycleWatcher* const watcher) noexcept
+    {
+        watcher_ = watcher;
+    }
+    /// @brief Brings the device back to what it was before this cycle without fault.
+    void Rewind(std::size_t cycle);
+    [[nodiscard]] Device& Subject() noexcept
+    {
+        return device_;
+    }
+    /// @brief Members that are not as they were behind this cycle without fault, in the order of Device::Places.
+    [[nodiscard]] std::vector<std::size_t> DifferentPlaces() const;
     /// @brief Slots whose outputs are open behind this cycle of the run without fault.
     [[nodiscard]] SrdoMask OpenWithoutFault(const std::size_t cycle) const
     {
@@ -56,15 +103,25 @@ class Runner final : private PhaseHook
     [[nodiscard]] bool IsLate(const Experiment& experiment);
     [[nodiscard]] bool HasSpread(const Experiment& experiment) const;
     [[nodiscard]] bool Notice(const Sight& sight, const Experiment& experiment);
+    [[nodiscard]] std::string WhatIsNotWell(const Sight& sight) const;
+    [[nodiscard]] bool NoticeWrong(const Sight& sight, const Experiment& experiment);
+    [[nodiscard]] bool HasClosed(const Sight& sight) const;
+    [[nodiscard]] bool HasGivenUp() const;
     [[nodiscard]] Outcome Blame() const;
     [[nodiscard]] bool IsAsWithoutFault(std::size_t cycle) const;
     [[nodiscard]] std::uint32_t Since(const Experiment& experiment, std::size_t cycle) const;
     void KeepBits() noexcept;
+    void ForceBit(Phase phase) noexcept;
+    void DisturbStep(Phase phase) noexcept;
+    void TakeBack() noexcept;
+    [[nodiscard]] std::size_t EndOf(const Experiment& experiment) const;
 
     Device& device_;
     Judge& judge_;
     const Recording& recording_;
+    CycleWatcher* watcher_{nullptr};
     const Limits& limits_;
+    std::uint64_t seed_;
     std::size_t horizon_;
     std::size_t first_;                    ///< The first cycle of which the memory is kept.
     std::size_t size_;                     ///< Of that memory.
@@ -74,6 +131,11 @@ class Runner final : private PhaseHook
     std::vector<std::uint8_t> all_set_{};  ///< Bits that are 1 at each phase of each kept cycle.
     std::vector<std::uint8_t> ever_set_{}; ///< Bits that are 1 at one of them.
     std::vector<std::uint8_t> owner_;      ///< The part of each byte.
+    std::vector<std::uint8_t> before_{};   ///< The memory before the step that is disturbed,
+    std::vector<std::uint8_t> behind_{};   ///< and behind it, while that waits.
+    bool is_exposed_{false};               ///< Wrong so far, and may yet be found in time.
+    bool is_kept_{false};                  ///< It does.
+    Place flow_{};                         ///< The flow monitor.
     const Experiment* fault_{nullptr};     ///< Null: the run without fault.
     std::size_t now_{0U};                  ///< The running cycle.
     Outcome found_{};                      ///< Of the running experiment; outlives a run that is brought back.

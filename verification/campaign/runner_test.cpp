@@ -156,7 +156,7 @@ class JudgeTest : public CampaignTest
     {
         explicit Bench(const std::string& plan_file)
             : plan(ReadPlan(plan_file)), scenario(plan.scenario, runtime::YamlValue(plan.file, plan.device_node)),
-              region(1U << 20U), device(region, scenario.Model(), scenario.Record(), Planted::kNothing),
+              region(1U << 20U), device(region, scenario.Model(), scenario.Record(), OutputKind::kGate),
               judge(scenario.Record(), scenario.Model(), device)
         {
         }

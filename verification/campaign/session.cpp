@@ -1,19 +1,30 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/session.hpp"
 
+#include <algorithm>
+
 namespace counterpoint::campaign
 {
 namespace
 {
 constexpr std::size_t kRegionBytes = std::size_t{1U} << 20U;
+
+DeviceSetup SetupOf(const Plan& plan)
+{
+    DeviceSetup setup;
+    setup.has_call_faults = std::any_of(plan.parts.begin(), plan.parts.end(), [](const Part part)
+                                        { return part == Part::kCallsOfA || part == Part::kCallsOfB; });
+    setup.has_self_test = plan.has_self_test;
+    return setup;
+}
 } // namespace
 
 Session::Session(const std::string& plan_file)
     : plan_(ReadPlan(plan_file)), scenario_(plan_.scenario, runtime::YamlValue(plan_.file, plan_.device_node)),
-      region_(kRegionBytes), device_(region_, scenario_.Model(), scenario_.Record(), plan_.planted),
+      region_(kRegionBytes), device_(region_, scenario_.Model(), scenario_.Record(), plan_.output, SetupOf(plan_)),
       judge_(scenario_.Record(), scenario_.Model(), device_), limits_(LimitsOf(scenario_.Model(), device_.Config())),
       space_(plan_, scenario_.Record(), device_, HorizonOf(limits_, device_.Config())),
-      runner_(device_, judge_, scenario_.Record(), space_.Cycles(), limits_)
+      runner_(device_, judge_, scenario_.Record(), space_, limits_)
 {
 }
 

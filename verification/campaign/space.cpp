@@ -1,6 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/space.hpp"
 
+#include "verification/campaign/drawn.hpp"
+#include "verification/campaign/variants.hpp"
+
 #include <algorithm>
 #include <cstring>
 
@@ -13,15 +16,7 @@ namespace counterpoint::campaign
 namespace
 {
 constexpr std::uint64_t kBitsOfByte = 8U;
-
-/// A number that looks drawn, of seed and number alone (SplitMix64).
-std::uint64_t Drawn(const std::uint64_t seed, const std::uint64_t number)
-{
-    std::uint64_t state = seed + (number + 1U) * 0x9E3779B97F4A7C15U;
-    state = (state ^ (state >> 30U)) * 0xBF58476D1CE4E5B9U;
-    state = (state ^ (state >> 27U)) * 0x94D049BB133111EBU;
-    return state ^ (state >> 31U);
-}
+constexpr std::uint64_t kMostExperiments = 100'000'000U;
 
 bool IsAddressOfProgram(const std::uint8_t* const word)
 {
@@ -32,24 +27,49 @@ bool IsAddressOfProgram(const std::uint8_t* const word)
 }
 } // namespace
 
-Space::Space(const Plan& plan, const Recording& recording, Device& device, const std::size_t horizon) : plan_(plan)
+Space::Space(const Plan& plan, const Recording& recording, Device& device, const std::size_t horizon)
+    : plan_(plan), recording_(recording), input_count_(device.Receives().Inputs().size())
 {
+    TakeReach(device);
     TakeCycles(plan, recording, horizon);
+    TakeFrames();
     TakeBytes(device);
     for (const Part part : plan.parts)
     {
         for (const FaultKind kind : plan.kinds)
         {
+            if (!IsOf(part, kind))
+            {
+                continue;
+            }
             Stratum stratum;
             stratum.part = part;
             stratum.kind = kind;
             stratum.first = size_;
-            stratum.size = BytesOf(part) * kBitsOfByte * cycles_.size() * plan.phases.size();
+            stratum.size = SizeOf(part, kind);
             stratum.taken = (plan.sample == 0U) ? stratum.size : std::min(plan.sample, stratum.size);
+            if (stratum.taken > kMostExperiments - std::min(size_, kMostExperiments))
+            {
+                throw runtime::YamlError(plan.file, {}, "more than " + std::to_string(kMostExperiments) + " faults",
+                                         "a sample");
+            }
             size_ += stratum.taken;
             strata_.push_back(stratum);
         }
     }
+    if (size_ == 0U)
+    {
+        throw runtime::YamlError(plan.file, {}, "parts and kinds of which this device can have no fault",
+                                 "a kind of the part, and something that is hit");
+    }
+}
+
+/// How far faults move in time. [SRS_CMG_020]
+void Space::TakeReach(const Device& device)
+{
+    const Nanoseconds cycle = device.Config().cycle_us * runtime::kNanosecondsPerMicrosecond;
+    reach_ = static_cast<std::uint64_t>(plan_.reach / kGrid);
+    early_ = static_cast<std::uint64_t>(std::max<Nanoseconds>(cycle / kGrid, 1) - 1);
 }
 
 void Space::TakeCycles(const Plan& plan, const Recording& recording, const std::size_t horizon)
@@ -59,7 +79,14 @@ void Space::TakeCycles(const Plan& plan, const Recording& recording, const std::
         const auto first = std::find_if(recording.cycles.begin(), recording.cycles.end(),
                                         [at](const RecordedCycle& cycle) { return cycle.at >= at; });
         const auto begin = static_cast<std::size_t>(first - recording.cycles.begin());
-        if (begin == 0U || begin + plan.cycles + horizon > recording.cycles.size())
+        const bool moves =
+            std::any_of(plan.parts.begin(), plan.parts.end(), [](const Part part) { return part == Part::kBus; });
+        const std::size_t last = begin + plan.cycles - 1U;
+        const Nanoseconds end =
+            (last < recording.cycles.size()) ? recording.cycles[last].at + (moves ? plan.reach : 0) : 0;
+        const std::size_t behind = (end == 0) ? recording.cycles.size() : CycleOf(recording, end);
+        last_cycle_ = behind;
+        if (begin == 0U || behind + horizon >= recording.cycles.size())
         {
             throw runtime::YamlError(plan.at_source.file, plan.at_source.place,
                                      "an instant at which the device is not running, or with less than " +
@@ -140,14 +167,161 @@ Experiment Space::At(const std::uint64_t number) const
     Experiment experiment;
     experiment.part = stratum.part;
     experiment.kind = stratum.kind;
+    if (IsMemory(stratum.part))
+    {
+        TakeMemory(experiment, index);
+    }
+    else
+    {
+        TakeSubject(experiment, index);
+    }
+    return experiment;
+}
+
+Bit Space::BitAt(const Part part, const std::uint64_t index) const
+{
+    const Byte& byte = bytes_[static_cast<std::size_t>(part)][index / kBitsOfByte];
+    return {byte.place, byte.offset, static_cast<std::uint8_t>(index % kBitsOfByte)};
+}
+
+void Space::TakeMemory(Experiment& experiment, std::uint64_t index) const
+{
     experiment.phase = plan_.phases[index % plan_.phases.size()];
     index /= plan_.phases.size();
     experiment.cycle = cycles_[index % cycles_.size()];
     index /= cycles_.size();
-    experiment.bit = static_cast<std::uint8_t>(index % kBitsOfByte);
-    const Byte& byte = bytes_[static_cast<std::size_t>(stratum.part)][index / kBitsOfByte];
-    experiment.place = byte.place;
-    experiment.offset = byte.offset;
-    return experiment;
+    Part first = experiment.part;
+    if (experiment.part == Part::kBothChannels)
+    {
+        const std::uint64_t others = BytesOf(Part::kChannelB) * kBitsOfByte;
+        experiment.second = BitAt(Part::kChannelB, index % others);
+        index /= others;
+        first = Part::kChannelA;
+    }
+    const Bit bit = BitAt(first, index);
+    experiment.place = bit.place;
+    experiment.offset = bit.offset;
+    experiment.bit = bit.bit;
+}
+
+void Space::TakeSubject(Experiment& experiment, std::uint64_t index) const
+{
+    const std::uint64_t variants = VariantsOf(experiment.part, experiment.kind);
+    experiment.variant = static_cast<std::uint32_t>(index % variants);
+    index /= variants;
+    if (experiment.part == Part::kBus)
+    {
+        TakeBusSubject(experiment, index);
+        return;
+    }
+    experiment.cycle = cycles_[index % cycles_.size()];
+    experiment.subject = index / cycles_.size();
+    if (experiment.part == Part::kSteps)
+    {
+        experiment.phase = static_cast<Phase>(static_cast<std::size_t>(Phase::kFirstStep) + 1U + experiment.subject);
+    }
+}
+
+/// A fault that comes later begins where it comes.
+void Space::TakeBusSubject(Experiment& experiment, const std::uint64_t subject) const
+{
+    const bool is_pair = IsOfPair(experiment.kind);
+    std::size_t frame = 0U;
+    if (experiment.kind == FaultKind::kCorrupted)
+    {
+        const auto behind = std::upper_bound(frame_bits_.begin(), frame_bits_.end(), subject);
+        const auto which = static_cast<std::size_t>(behind - frame_bits_.begin());
+        frame = frames_[which];
+        experiment.variant = static_cast<std::uint32_t>(subject - ((which == 0U) ? 0U : frame_bits_[which - 1U]));
+    }
+    else
+    {
+        frame = is_pair ? recording_.pairs[frame_pairs_[subject]].normal : frames_[subject];
+    }
+    experiment.subject = is_pair ? frame_pairs_[subject] : frame;
+    const bool is_later = experiment.kind == FaultKind::kRepeated || experiment.kind == FaultKind::kInserted ||
+                          experiment.kind == FaultKind::kPairRepeated || experiment.kind == FaultKind::kPairForged;
+    const Nanoseconds offset = is_later ? kGrid * (Nanoseconds{experiment.variant} + 1) : 0;
+    experiment.cycle = CycleOf(recording_, recording_.frames[frame].at + offset);
+}
+
+std::uint64_t Space::VariantsOf(const Part part, const FaultKind kind) const
+{
+    if (part == Part::kCycle && kind == FaultKind::kEarly)
+    {
+        return early_;
+    }
+    return campaign::VariantsOf(part, kind, reach_, recording_.identifiers.size());
+}
+
+/// Without cycles, and without variants.
+std::uint64_t Space::SubjectsOf(const Part part, const FaultKind kind) const
+{
+    if (part == Part::kBus && kind == FaultKind::kCorrupted)
+    {
+        return frame_bits_.empty() ? 0U : frame_bits_.back();
+    }
+    if (part == Part::kBus)
+    {
+        return IsOfPair(kind) ? frame_pairs_.size() : frames_.size();
+    }
+    if (part == Part::kKernelCalls)
+    {
+        return std::uint64_t{kKernelCalls} * kTurns;
+    }
+    if (part == Part::kCallsOfA || part == Part::kCallsOfB)
+    {
+        return std::uint64_t{kChannelCalls} * kTurns;
+    }
+    if (part == Part::kSteps)
+    {
+        return kStepSubjects;
+    }
+    if (part == Part::kCounters)
+    {
+        return kCounterSubjects;
+    }
+    return (part == Part::kInputs) ? input_count_ : 1U;
+}
+
+std::uint64_t Space::SizeOf(const Part part, const FaultKind kind) const
+{
+    if (part == Part::kBus)
+    {
+        return SubjectsOf(part, kind) * VariantsOf(part, kind);
+    }
+    if (!IsMemory(part))
+    {
+        return SubjectsOf(part, kind) * VariantsOf(part, kind) * cycles_.size();
+    }
+    const std::uint64_t moments = cycles_.size() * plan_.phases.size();
+    if (part == Part::kBothChannels)
+    {
+        return BytesOf(Part::kChannelA) * kBitsOfByte * BytesOf(Part::kChannelB) * kBitsOfByte * moments;
+    }
+    return BytesOf(part) * kBitsOfByte * moments;
+}
+
+void Space::TakeFrames()
+{
+    const auto is_hit = [this](const RecordedFrame& frame)
+    { return std::binary_search(cycles_.begin(), cycles_.end(), CycleOf(recording_, frame.at)); };
+    std::uint64_t bits = 0U;
+    for (std::size_t frame = 0U; frame < recording_.frames.size(); ++frame)
+    {
+        if (is_hit(recording_.frames[frame]))
+        {
+            frames_.push_back(frame);
+            bits += recording_.frames[frame].stamped.frame.length_bytes * kBitsOfByte;
+            frame_bits_.push_back(bits);
+        }
+    }
+    for (std::size_t pair = 0U; pair < recording_.pairs.size(); ++pair)
+    {
+        if (is_hit(recording_.frames[recording_.pairs[pair].normal]))
+        {
+            frame_pairs_.push_back(pair);
+        }
+    }
 }
 } // namespace counterpoint::campaign

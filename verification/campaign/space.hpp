@@ -3,6 +3,7 @@
 #define VERIFICATION_CAMPAIGN_SPACE_HPP
 
 #include "verification/campaign/device.hpp"
+#include "verification/campaign/experiment.hpp"
 #include "verification/campaign/plan.hpp"
 #include "verification/campaign/recording.hpp"
 
@@ -12,18 +13,6 @@
 
 namespace counterpoint::campaign
 {
-/// One fault: where, when and how.
-struct Experiment
-{
-    Part part{Part::kKernel};
-    FaultKind kind{FaultKind::kFlip};
-    std::size_t place{0U};  ///< In Device::Places().
-    std::size_t offset{0U}; ///< In the region.
-    std::uint8_t bit{0U};
-    std::size_t cycle{0U};
-    Phase phase{Phase::kBeforeFrames};
-};
-
 /// Faults of one part and kind, of which all are tried or a sample.
 struct Stratum
 {
@@ -57,6 +46,15 @@ class Space
     {
         return cycles_;
     }
+    /// @brief The last cycle in which a fault begins.
+    [[nodiscard]] std::size_t LastCycle() const noexcept
+    {
+        return last_cycle_;
+    }
+    [[nodiscard]] std::uint64_t Seed() const noexcept
+    {
+        return plan_.seed;
+    }
     /// @brief Bytes of addresses of the program, which are not hit.
     [[nodiscard]] std::size_t LeftOut() const noexcept
     {
@@ -78,9 +76,26 @@ class Space
     void RequireMembers(const Device& device) const;
     [[nodiscard]] bool IsChosen(const Place& place, std::size_t byte) const;
     void TakeBytes(Device& device);
+    void TakeReach(const Device& device);
     void TakeCycles(const Plan& plan, const Recording& recording, std::size_t horizon);
+    void TakeFrames();
+    [[nodiscard]] std::uint64_t SizeOf(Part part, FaultKind kind) const;
+    [[nodiscard]] std::uint64_t SubjectsOf(Part part, FaultKind kind) const;
+    [[nodiscard]] std::uint64_t VariantsOf(Part part, FaultKind kind) const;
+    void TakeMemory(Experiment& experiment, std::uint64_t index) const;
+    void TakeSubject(Experiment& experiment, std::uint64_t index) const;
+    void TakeBusSubject(Experiment& experiment, std::uint64_t subject) const;
+    [[nodiscard]] Bit BitAt(Part part, std::uint64_t index) const;
 
     const Plan& plan_;
+    const Recording& recording_;
+    std::size_t input_count_;
+    std::uint64_t reach_{0U}; ///< In steps of the grid.
+    std::uint64_t early_{0U}; ///< A cycle in these, less one.
+    std::size_t last_cycle_{0U};
+    std::vector<std::size_t> frames_{};       ///< That come in these cycles.
+    std::vector<std::uint64_t> frame_bits_{}; ///< Of their data, each with those before it.
+    std::vector<std::size_t> frame_pairs_{};  ///< In Recording::pairs.
     std::vector<std::size_t> cycles_{};
     std::vector<Byte> bytes_[kPartCount]{};
     std::vector<Stratum> strata_{};

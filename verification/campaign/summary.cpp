@@ -1,29 +1,202 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/summary.hpp"
 
+#include "verification/campaign/variants.hpp"
+
 #include <algorithm>
 
 namespace counterpoint::campaign
 {
 namespace
 {
+/// Whether this channel said this cause by itself in at least one experiment.
+bool IsHeard(const Voice& voice, const Results& results)
+{
+    for (std::uint64_t index = 0U; index < results.Size(); ++index)
+    {
+        const Outcome outcome = results.At(index);
+        if (outcome.detector == Detector::kChannels && outcome.detail == static_cast<std::uint8_t>(voice.cause) &&
+            (outcome.marks & voice.mark) != 0U)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 bool HasTime(const Outcome& outcome)
 {
     return outcome.result == Class::kDetected || outcome.result == Class::kSafeOther;
 }
-} // namespace
 
-Summary Summarise(const Campaign& campaign, const Results& results)
+Summary EmptySummary(const Campaign& campaign)
 {
     Summary summary;
-    std::array<std::uint64_t, kDetectorCount> found{};
     for (const Stratum& stratum : campaign.space.Strata())
     {
         Tally tally;
         tally.stratum = stratum;
-        tally.limit_us = campaign.limits.us.at(static_cast<std::size_t>(stratum.part));
+        tally.limit_us = campaign.limits.Of(stratum.part, stratum.kind);
         summary.tallies.push_back(tally);
     }
+    for (std::size_t detector = 0U; detector < kDetectorCount; ++detector)
+    {
+        summary.mechanisms.push_back({static_cast<Detector>(detector), {}});
+    }
+    for (const Place& place : campaign.device.Places())
+    {
+        summary.map.push_back({place.name, std::vector<MapCell>(kPhaseCount)});
+    }
+    return summary;
+}
+
+/// Whether a place is the known one, or within it.
+bool IsWithin(const std::string& place, const std::string& known)
+{
+    return place.rfind(known, 0U) == 0U &&
+           (place.size() == known.size() || place[known.size()] == '+' || place[known.size()] == '.');
+}
+
+std::string BitText(const Campaign& campaign, const Bit& bit)
+{
+    const Place& place = campaign.device.Places()[bit.place];
+    return place.name + "+" + std::to_string(bit.offset - place.offset) + "." + std::to_string(bit.bit);
+}
+
+Bit FirstOf(const Experiment& experiment)
+{
+    return {experiment.place, experiment.offset, experiment.bit};
+}
+
+/// Of two bits at once either of them.
+bool IsOf(const Campaign& campaign, const Finding& finding, const Known& known)
+{
+    const Experiment& experiment = finding.experiment;
+    const bool is_pair = experiment.part == Part::kBothChannels;
+    const bool is_there = IsWithin(PlaceText(campaign, experiment), known.place) ||
+                          (is_pair && (IsWithin(BitText(campaign, FirstOf(experiment)), known.place) ||
+                                       IsWithin(BitText(campaign, experiment.second), known.place)));
+    return is_there && known.result.value_or(finding.outcome.result) == finding.outcome.result;
+}
+
+Finding FindingOf(const Campaign& campaign, const std::uint64_t number, const Outcome& outcome)
+{
+    Finding finding{number, campaign.space.At(number), outcome, ""};
+    for (const Known& known : campaign.plan.known)
+    {
+        finding.known = IsOf(campaign, finding, known) ? known.reason : finding.known;
+    }
+    return finding;
+}
+
+void Count(const Outcome& outcome, MapCell& cell)
+{
+    ++cell.injected;
+    cell.effective += IsEffective(outcome.result) ? 1U : 0U;
+    cell.silent += (outcome.result == Class::kSilent) ? 1U : 0U;
+    cell.exposed += (outcome.result == Class::kExposed) ? 1U : 0U;
+}
+
+/// Two bits at once count for the members of both.
+void CountInMap(const Campaign& campaign, const Experiment& experiment, const Outcome& outcome, Summary& summary)
+{
+    const auto phase = static_cast<std::size_t>(experiment.phase);
+    if (IsMemory(experiment.part))
+    {
+        Count(outcome, summary.map.at(experiment.place).cells.at(phase));
+        if (experiment.part == Part::kBothChannels)
+        {
+            Count(outcome, summary.map.at(experiment.second.place).cells.at(phase));
+        }
+        return;
+    }
+    const std::string name = MemberText(campaign, experiment);
+    auto row = std::find_if(summary.subjects.begin(), summary.subjects.end(),
+                            [&name](const MapRow& each) { return each.name == name; });
+    if (row == summary.subjects.end())
+    {
+        row = summary.subjects.insert(row, MapRow{name, std::vector<MapCell>(kFaultKindCount)});
+    }
+    Count(outcome, row->cells.at(static_cast<std::size_t>(experiment.kind)));
+}
+
+void Count(const Campaign& campaign, const std::uint64_t number, const Outcome& outcome, Tally& tally, Summary& summary)
+{
+    ++tally.classes.at(static_cast<std::size_t>(outcome.result));
+    tally.detectors.at(static_cast<std::size_t>(outcome.detector)) += (outcome.result != Class::kExposed) ? 1U : 0U;
+    if (outcome.result == Class::kOpen)
+    {
+        ++summary.open;
+        return;
+    }
+    const Experiment experiment = campaign.space.At(number);
+    CountInMap(campaign, experiment, outcome, summary);
+    if (HasTime(outcome))
+    {
+        tally.times.push_back(outcome.us);
+        summary.mechanisms.at(static_cast<std::size_t>(outcome.detector)).times.push_back(outcome.us);
+    }
+    if (outcome.result == Class::kSilent)
+    {
+        summary.silent.push_back(FindingOf(campaign, number, outcome));
+    }
+    else if (outcome.result == Class::kExposed)
+    {
+        summary.exposed.push_back(FindingOf(campaign, number, outcome));
+    }
+    else if (IsLate(outcome))
+    {
+        ++tally.late;
+        summary.late.push_back(FindingOf(campaign, number, outcome));
+    }
+    else
+    {
+        // Nobody has to look at it.
+    }
+}
+
+/// What the plan expects and what did not come.
+void Expect(const Campaign& campaign, const Results& results, Summary& summary)
+{
+    for (const Detector detector : campaign.plan.detectors)
+    {
+        if (summary.mechanisms.at(static_cast<std::size_t>(detector)).times.empty())
+        {
+            summary.idle.emplace_back(WordOf(detector));
+        }
+    }
+    for (const Voice& voice : campaign.plan.voices)
+    {
+        if (!IsHeard(voice, results))
+        {
+            summary.idle.push_back(voice.name);
+        }
+    }
+    for (const Known& known : campaign.plan.known)
+    {
+        const auto is_needed = [&campaign, &known](const std::vector<Finding>& findings)
+        {
+            return std::any_of(findings.begin(), findings.end(),
+                               [&](const Finding& finding) { return IsOf(campaign, finding, known); });
+        };
+        // A sample need not draw it.
+        if (campaign.plan.sample == 0U && !is_needed(summary.silent) && !is_needed(summary.exposed) &&
+            !is_needed(summary.late))
+        {
+            summary.stale.push_back(known.place);
+        }
+    }
+}
+} // namespace
+
+bool Summary::IsKnown(const std::vector<Finding>& findings) noexcept
+{
+    return std::none_of(findings.begin(), findings.end(), [](const Finding& finding) { return finding.known.empty(); });
+}
+
+Summary Summarise(const Campaign& campaign, const Results& results)
+{
+    Summary summary = EmptySummary(campaign);
     auto tally = summary.tallies.begin();
     for (std::uint64_t index = 0U; index < results.Size(); ++index)
     {
@@ -32,38 +205,73 @@ Summary Summarise(const Campaign& campaign, const Results& results)
         {
             ++tally;
         }
-        const Outcome outcome = results.At(index);
-        ++tally->classes.at(static_cast<std::size_t>(outcome.result));
-        ++tally->detectors.at(static_cast<std::size_t>(outcome.detector));
-        ++found.at(static_cast<std::size_t>(outcome.detector));
-        summary.open += (outcome.result == Class::kOpen) ? 1U : 0U;
-        if (outcome.result == Class::kSilent)
-        {
-            summary.silent.push_back({number, campaign.space.At(number), outcome});
-        }
-        if (HasTime(outcome))
-        {
-            tally->times.push_back(outcome.us);
-            if (outcome.is_late != 0U)
-            {
-                ++tally->late;
-                summary.late.push_back({number, campaign.space.At(number), outcome});
-            }
-        }
+        Count(campaign, number, results.At(index), *tally, summary);
     }
     for (Tally& each : summary.tallies)
     {
         std::sort(each.times.begin(), each.times.end());
     }
-    std::copy_if(campaign.plan.detectors.begin(), campaign.plan.detectors.end(), std::back_inserter(summary.idle),
-                 [&found](const Detector detector) { return found.at(static_cast<std::size_t>(detector)) == 0U; });
+    for (Mechanism& each : summary.mechanisms)
+    {
+        std::sort(each.times.begin(), each.times.end());
+    }
+    Expect(campaign, results, summary);
+    const auto has_none = [](const Mechanism& each) { return each.times.empty(); };
+    summary.mechanisms.erase(std::remove_if(summary.mechanisms.begin(), summary.mechanisms.end(), has_none),
+                             summary.mechanisms.end());
     return summary;
+}
+
+std::vector<Bin> HistogramOf(const Summary& summary)
+{
+    constexpr std::uint32_t kFirstUs = 1000U;
+    std::vector<Bin> bins;
+    for (const Mechanism& mechanism : summary.mechanisms)
+    {
+        for (const std::uint32_t us : mechanism.times)
+        {
+            std::size_t bin = 0U;
+            for (std::uint64_t limit = kFirstUs; limit < us; limit *= 2U)
+            {
+                ++bin;
+            }
+            while (bins.size() <= bin)
+            {
+                bins.push_back({bins.empty() ? kFirstUs : bins.back().up_to_us * 2U, 0U});
+            }
+            ++bins[bin].count;
+        }
+    }
+    return bins;
 }
 
 std::string PlaceText(const Campaign& campaign, const Experiment& experiment)
 {
-    const Place& place = campaign.device.Places()[experiment.place];
-    return place.name + "+" + std::to_string(experiment.offset - place.offset) + "." + std::to_string(experiment.bit);
+    if (!IsMemory(experiment.part))
+    {
+        return SubjectText(experiment, campaign.recording);
+    }
+    const std::string text = BitText(campaign, FirstOf(experiment));
+    return (experiment.part == Part::kBothChannels) ? text + " and " + BitText(campaign, experiment.second) : text;
+}
+
+std::string MemberText(const Campaign& campaign, const Experiment& experiment)
+{
+    return IsMemory(experiment.part) ? campaign.device.Places()[experiment.place].name
+                                     : SubjectName(experiment, campaign.recording);
+}
+
+std::string ListedText(const Summary& summary)
+{
+    std::uint64_t listed = 0U;
+    for (const Tally& tally : summary.tallies)
+    {
+        listed += tally.Of(Class::kListed);
+    }
+    return (listed == 0U)
+               ? ""
+               : "listed: " + std::to_string(listed) +
+                     " open by a complete pair that is too old or that nobody sent, the limit that is listed\n";
 }
 
 std::string CsvReport(const Campaign& campaign, const Results& results)
@@ -81,7 +289,7 @@ std::string CsvReport(const Campaign& campaign, const Results& results)
                 PlaceText(campaign, experiment) + "," + WordOf(experiment.kind) + "," +
                 std::to_string(experiment.cycle) + "," + WordOf(experiment.phase) + "," + WordOf(outcome.result) + "," +
                 WordOf(outcome.detector) + "," + ReasonOf(outcome) + "," + std::to_string(outcome.us) + "," +
-                std::to_string(outcome.is_late) + "\n";
+                std::to_string(IsLate(outcome) ? 1 : 0) + "\n";
     }
     return text;
 }

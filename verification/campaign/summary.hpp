@@ -34,7 +34,12 @@ struct Tally
     /// @brief Those that changed what the device does: of these alone a share is said.
     [[nodiscard]] std::uint64_t Effective() const
     {
-        return Of(Class::kDetected) + Of(Class::kSafeOther) + Of(Class::kSilent);
+        std::uint64_t count = 0U;
+        for (std::size_t each = 0U; each < kClassCount; ++each)
+        {
+            count += IsEffective(static_cast<Class>(each)) ? classes.at(each) : 0U;
+        }
+        return count;
     }
 };
 
@@ -44,6 +49,37 @@ struct Finding
     std::uint64_t number{0U};
     Experiment experiment{};
     Outcome outcome{};
+    std::string known; ///< The plan's reason; empty: nobody answers for it.
+};
+
+/// Faults of one member at one phase.
+struct MapCell
+{
+    std::uint64_t injected{0U};
+    std::uint64_t effective{0U};
+    std::uint64_t silent{0U};
+    std::uint64_t exposed{0U};
+};
+
+/// A member of the device, or what is no memory.
+struct MapRow
+{
+    std::string name;
+    std::vector<MapCell> cells; ///< By phase, or by kind.
+};
+
+/// So many were found within `up_to_us`, and not within the half of it.
+struct Bin
+{
+    std::uint32_t up_to_us{0U};
+    std::uint64_t count{0U};
+};
+
+/// What one mechanism found first.
+struct Mechanism
+{
+    Detector detector{Detector::kNobody};
+    std::vector<std::uint32_t> times{}; ///< Ascending.
 };
 
 /// All results of a campaign, counted and judged. [SRS_CMG_010]
@@ -51,15 +87,24 @@ struct Summary
 {
     std::vector<Tally> tallies;
     std::vector<Finding> silent;
+    std::vector<Finding> exposed; ///< Silent until the self test found them. [SRS_CMG_027]
     std::vector<Finding> late;
-    std::vector<Detector> idle; ///< That the plan asks for and that found nothing.
-    std::uint64_t open{0U};     ///< Not tried, or in another shard.
+    std::vector<std::string> idle;     ///< Detectors and voices that the plan asks for and that found nothing.
+    std::vector<std::string> stale;    ///< Known places of the plan at which nothing was found.
+    std::vector<Mechanism> mechanisms; ///< Those that found something.
+    std::vector<MapRow> map;           ///< The places of the device, in their order, by phase.
+    std::vector<MapRow> subjects;      ///< What was hit and is no memory, by kind.
+    std::uint64_t open{0U};            ///< Not tried, or in another shard.
 
-    /// @brief Nothing silent, nothing late, and each detector that the plan names found something.
+    /// @brief Nothing silent, exposed or late that nobody answers for, and each detector, voice and known place of the
+    /// plan found something.
     [[nodiscard]] bool Holds() const noexcept
     {
-        return silent.empty() && late.empty() && idle.empty();
+        return IsKnown(silent) && IsKnown(exposed) && IsKnown(late) && idle.empty() && stale.empty();
     }
+
+  private:
+    [[nodiscard]] static bool IsKnown(const std::vector<Finding>& findings) noexcept;
 };
 
 /// What a report is written of. All outlive it.
@@ -76,10 +121,20 @@ struct Campaign
 
 /// @brief Place of an experiment as "channel_a.records+12.3": byte 12 of the member, bit 3.
 [[nodiscard]] std::string PlaceText(const Campaign& campaign, const Experiment& experiment);
+/// @brief The member that was hit, or what is no memory.
+[[nodiscard]] std::string MemberText(const Campaign& campaign, const Experiment& experiment);
+/// @brief How many are of the listed limit; empty: none. [SRS_CMG_021]
+[[nodiscard]] std::string ListedText(const Summary& summary);
+/// @brief How long it took until what was detected or safe otherwise was so, by powers of two from 1 ms on.
+[[nodiscard]] std::vector<Bin> HistogramOf(const Summary& summary);
+/// @brief Where a member is declared, as channel_b/storage.hpp:82; empty where nobody knows. [SRS_CMG_045]
+[[nodiscard]] std::string DeclarationOf(const std::string& member);
 /// @brief The report for a terminal.
 [[nodiscard]] std::string TextReport(const Campaign& campaign, const Summary& summary);
 /// @brief The report as one page without any other file. [SRS_CMG_010]
 [[nodiscard]] std::string HtmlReport(const Campaign& campaign, const Summary& summary);
+/// @brief The report for programs: docs/json.md. [SRS_CMG_045]
+[[nodiscard]] std::string JsonReport(const Campaign& campaign, const Summary& summary);
 /// @brief All experiments that have an outcome, one a line.
 [[nodiscard]] std::string CsvReport(const Campaign& campaign, const Results& results);
 } // namespace counterpoint::campaign

@@ -134,9 +134,20 @@ class FlatOutput : public hal::SafetyOutput
         return hal::OutputGate::Probe(permits, challenge);
     }
 
+    /// @brief Slots that are open now.
+    [[nodiscard]] virtual SrdoMask Open() noexcept
+    {
+        return gate.Open(now, limit);
+    }
+    /// @brief Once a cycle, before the kernel's: an output that looks at itself may be no longer live behind it.
+    virtual void Examine() noexcept
+    {
+    }
+
     hal::OutputGate gate{};
     Instant now{0U}; ///< Time of the bus.
     hal::GateLimit limit{0U};
+    bool is_live{true}; ///< False: it has cut itself off, and nobody calls the kernel any more.
 };
 
 /// What the application is told, slot by slot. It has its producers' values always ready.

@@ -12,16 +12,8 @@ namespace
 {
 constexpr std::size_t kMostLines = 30U;
 constexpr double kPercent = 100.0;
-constexpr double kThousand = 1000.0;
 constexpr int kNameWidth = 13;
 constexpr int kWidth = 11;
-
-std::string Ms(const std::uint32_t us)
-{
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(3) << us / kThousand;
-    return text.str();
-}
 
 /// Two names to the left, the others to the right.
 std::string Row(const std::initializer_list<std::string> cells)
@@ -51,15 +43,19 @@ std::string BoundText(const Tally& tally, const double confidence)
 std::string CountTable(const Campaign& campaign, const Summary& summary)
 {
     const double confidence = campaign.plan.confidence_percent / kPercent;
-    std::string text = Row(
-        {"part", "kind", "injected", "masked", "benign", "effective", "detected", "by others", "silent", "at most"});
+    std::string text = Row({"part", "kind", "injected", "masked", "benign", "effective", "detected", "by others",
+                            "listed", "exposed", "silent", "at most"});
     for (const Tally& tally : summary.tallies)
     {
+        if (tally.stratum.size == 0U)
+        {
+            continue; // The device has none, or the plan names others.
+        }
         const auto count = [&tally](const Class wanted) { return std::to_string(tally.Of(wanted)); };
         text += Row({WordOf(tally.stratum.part), WordOf(tally.stratum.kind), std::to_string(tally.stratum.taken),
                      count(Class::kMasked), count(Class::kBenign), std::to_string(tally.Effective()),
-                     count(Class::kDetected), count(Class::kSafeOther), count(Class::kSilent),
-                     BoundText(tally, confidence)});
+                     count(Class::kDetected), count(Class::kSafeOther), count(Class::kListed), count(Class::kExposed),
+                     count(Class::kSilent), BoundText(tally, confidence)});
     }
     return text + "at most: silent share of effective faults, Clopper-Pearson, one-sided, " +
            std::to_string(campaign.plan.confidence_percent) + " %\n";
@@ -70,9 +66,13 @@ std::string TimeTable(const Summary& summary)
     std::string text = Row({"time [ms]", "kind", "median", "99.9 %", "worst", "limit", "late"});
     for (const Tally& tally : summary.tallies)
     {
-        text += Row({WordOf(tally.stratum.part), WordOf(tally.stratum.kind), Ms(Quantile(tally.times, 0.5)),
-                     Ms(Quantile(tally.times, 0.999)), Ms(tally.times.empty() ? 0U : tally.times.back()),
-                     Ms(tally.limit_us), std::to_string(tally.late)});
+        if (tally.stratum.size == 0U)
+        {
+            continue; // The device has none, or the plan names others.
+        }
+        text += Row({WordOf(tally.stratum.part), WordOf(tally.stratum.kind), MsText(Quantile(tally.times, 0.5)),
+                     MsText(Quantile(tally.times, 0.999)), MsText(tally.times.empty() ? 0U : tally.times.back()),
+                     MsText(tally.limit_us), std::to_string(tally.late)});
     }
     return text;
 }
@@ -106,7 +106,8 @@ std::string FindingLines(const Campaign& campaign, const std::string& title, con
                 PlaceText(campaign, finding.experiment) + ", " + WordOf(finding.experiment.kind) + ", cycle " +
                 std::to_string(finding.experiment.cycle) + ", phase " + WordOf(finding.experiment.phase) + ": " +
                 WordOf(finding.outcome.detector) + (reason.empty() ? "" : ", ") + reason + ", " +
-                Ms(finding.outcome.us) + " ms\n";
+                MsText(finding.outcome.us) + " ms" + (finding.known.empty() ? "" : " (known: " + finding.known + ")") +
+                "\n";
     }
     if (findings.size() > kMostLines)
     {
@@ -120,11 +121,21 @@ std::string TextReport(const Campaign& campaign, const Summary& summary)
 {
     std::string text = campaign.plan.title + "\n\n" + CountTable(campaign, summary) + "\n" + TimeTable(summary) + "\n" +
                        DetectorLine(summary) + "left out: " + std::to_string(campaign.space.LeftOut()) +
-                       " bytes that hold addresses of the program\n" +
-                       FindingLines(campaign, "silent", summary.silent) + FindingLines(campaign, "late", summary.late);
-    for (const Detector detector : summary.idle)
+                       " bytes that hold addresses of the program\n" + ListedText(summary) +
+                       FindingLines(campaign, "silent", summary.silent) +
+                       FindingLines(campaign, "exposed", summary.exposed) +
+                       FindingLines(campaign, "late", summary.late);
+    for (const std::string& name : summary.idle)
     {
-        text += std::string("idle: ") + WordOf(detector) + " found nothing; the plan expects it to\n";
+        text += "idle: " + name + " found nothing; the plan expects it to\n";
+    }
+    for (const std::string& place : summary.stale)
+    {
+        text += "stale: nothing was found at " + place + ", which the plan calls known\n";
+    }
+    if (!summary.silent.empty() || !summary.exposed.empty() || !summary.late.empty())
+    {
+        text += "time line of one: counterpoint campaign " + campaign.plan.file + " --replay EXPERIMENT\n";
     }
     if (summary.open != 0U)
     {

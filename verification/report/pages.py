@@ -13,6 +13,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "trace"))
 sys.path.insert(0, str(HERE.parent / "gates"))
 from common import SAFETY_ROOMS  # noqa: E402
+from campaign import page_of as campaign_page  # noqa: E402
 import check_links  # noqa: E402
 import walk  # noqa: E402
 from failover import page_of as failover_page  # noqa: E402
@@ -20,7 +21,7 @@ from injection import page_of as injection_page  # noqa: E402
 from matrix import UID, repository_matrix  # noqa: E402
 from walk_files import page_of  # noqa: E402
 
-LISTS = ("index", "trace", "coverage", "gates", "misra", "failover", "injection", "tools")
+LISTS = ("index", "trace", "coverage", "gates", "misra", "failover", "injection", "campaign", "tools")
 METRICS = ("functions", "lines", "branches", "mcdc")
 PLAN_ROW = re.compile(r"^\| ((?:D )?\d+\.\d+\.\d+) \| (\w+) \| (\w+) \| (.*) \|$", re.MULTILINE)
 
@@ -148,14 +149,15 @@ def write(root, evidence, data):
              if result["status"] != 0]
     failover, failover_gaps = failover_page(root / "build/elections/failovers.json")
     injection, injection_gaps = injection_page(root / "build/injection", evidence)
-    gaps += failover_gaps + injection_gaps
+    campaign, campaign_gaps = campaign_page(root, evidence)
+    gaps += failover_gaps + injection_gaps + campaign_gaps
     if not gate_rows:
         gaps.append("no gate has run")
     context = {
         "identity": read_json(data / "identity.json", {}), "gates": gate_rows, "matrix": matrix, "coverage": coverage_rows,
         "totals": totals, "metrics": METRICS, "misra": misra_rows, "deviations": records, "misra_counts": misra_counts,
         "tests": tests, "test_origin": test_origin, "commands": commands, "gaps": gaps, "failover": failover, "injection": injection,
-        "areas": areas(matrix),
+        "campaign": campaign, "areas": areas(matrix),
         "gcov_totals": read_json(data / "gcov/summary.json", {}),
         "has_gcov": (evidence / "coverage_gcov/index.html").exists(),
         "has_clang": (evidence / "coverage_clang/index.html").exists(), "reviewed": reviewed(matrix), "page_of": page_of, "up": "",

@@ -44,6 +44,11 @@ class NodeMemory final : public hal::MemoryAccess
     [[nodiscard]] hal::Address PlaceOf(const void* object) const noexcept override;
 
     void Stick(const StuckBit& stuck);
+    /// @brief No bit is stuck any more.
+    void Release() noexcept
+    {
+        stuck_.clear();
+    }
     /// @brief Every stuck bit at its level: before each call into the node.
     void Hold();
     /// @brief Faults whose bit differed from what it should be for the first time since the last call.

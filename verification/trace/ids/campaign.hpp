@@ -20,6 +20,22 @@ inline constexpr RequirementId SRS_CMG_010{"SRS_CMG_010"};
 inline constexpr RequirementId SRS_CMG_011{"SRS_CMG_011"};
 inline constexpr RequirementId SRS_CMG_012{"SRS_CMG_012"};
 inline constexpr RequirementId SRS_CMG_013{"SRS_CMG_013"};
+inline constexpr RequirementId SRS_CMG_020{"SRS_CMG_020"};
+inline constexpr RequirementId SRS_CMG_021{"SRS_CMG_021"};
+inline constexpr RequirementId SRS_CMG_022{"SRS_CMG_022"};
+inline constexpr RequirementId SRS_CMG_023{"SRS_CMG_023"};
+inline constexpr RequirementId SRS_CMG_024{"SRS_CMG_024"};
+inline constexpr RequirementId SRS_CMG_025{"SRS_CMG_025"};
+inline constexpr RequirementId SRS_CMG_026{"SRS_CMG_026"};
+inline constexpr RequirementId SRS_CMG_027{"SRS_CMG_027"};
+inline constexpr RequirementId SRS_CMG_040{"SRS_CMG_040"};
+inline constexpr RequirementId SRS_CMG_041{"SRS_CMG_041"};
+inline constexpr RequirementId SRS_CMG_042{"SRS_CMG_042"};
+inline constexpr RequirementId SRS_CMG_043{"SRS_CMG_043"};
+inline constexpr RequirementId SRS_CMG_044{"SRS_CMG_044"};
+inline constexpr RequirementId SRS_CMG_045{"SRS_CMG_045"};
+inline constexpr RequirementId SRS_CMG_046{"SRS_CMG_046"};
+inline constexpr RequirementId SRS_CMG_047{"SRS_CMG_047"};
 } // namespace counterpoint::req
 
 #endif

@@ -1,0 +1,43 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef VERIFICATION_CAMPAIGN_EXPERIMENT_HPP
+#define VERIFICATION_CAMPAIGN_EXPERIMENT_HPP
+
+#include "verification/campaign/device.hpp"
+#include "verification/campaign/plan.hpp"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace counterpoint::campaign
+{
+/// A bit of the device's memory.
+struct Bit
+{
+    std::size_t place{0U};  ///< In Device::Places().
+    std::size_t offset{0U}; ///< In the region.
+    std::uint8_t bit{0U};
+};
+
+/// One fault: where, when and how.
+struct Experiment
+{
+    Part part{Part::kKernel};
+    FaultKind kind{FaultKind::kFlip};
+    std::size_t place{0U};  ///< In Device::Places().
+    std::size_t offset{0U}; ///< In the region.
+    std::uint8_t bit{0U};
+    std::size_t cycle{0U}; ///< The first one that can be otherwise.
+    Phase phase{Phase::kBeforeFrames};
+    Bit second{};              ///< Of Part::kBothChannels, in channel B.
+    std::size_t subject{0U};   ///< What is not memory: the frame, pair, call, step, counter or input.
+    std::uint32_t variant{0U}; ///< How much, how long, which: by the kind.
+};
+
+/// @brief Whether a part is bits of memory.
+[[nodiscard]] constexpr bool IsMemory(const Part part) noexcept
+{
+    return static_cast<std::size_t>(part) < kMemoryPartCount || part == Part::kBothChannels;
+}
+} // namespace counterpoint::campaign
+
+#endif // VERIFICATION_CAMPAIGN_EXPERIMENT_HPP
