@@ -196,7 +196,7 @@ class Tap final : public Channel
     SlotIndex demoted{kNoSlot};           ///< By the last Demote.
     mutable SlotIndex last_held{kNoSlot}; ///< Of which the last pair was asked for.
     mutable SlotIndex last_viewed{kNoSlot};
-    SlotIndex given_up{kNoSlot};          ///< By the last OnTransmitFault.
+    SlotIndex given_up{kNoSlot}; ///< By the last OnTransmitFault.
     std::uint16_t signature_flip{0U};
     std::uint8_t room_slots{0U};   ///< Instead of the real one's; 0: the real one's.
     std::uint8_t room_entries{0U}; ///< Likewise.
