@@ -244,10 +244,7 @@ void Services::OnCycle(const cia301::Moment& moment) noexcept
     {
         lss->OnCycle(moment);
     }
-    if ((lss == nullptr) || !lss->IsSilent())
-    {
-        outbox.Poll(moment.now);
-    }
+    Flush(moment.now);
 }
 
 void Services::OnBus(const BusCondition left, const BusCondition entered) noexcept
@@ -276,7 +273,10 @@ void Services::OnBus(const BusCondition left, const BusCondition entered) noexce
 
 void Services::Flush(const Instant now) noexcept
 {
-    outbox.Poll(now);
+    if ((lss == nullptr) || !lss->IsSilent())
+    {
+        outbox.Poll(now);
+    }
 }
 
 void Services::Send(const cia301::FrameToSend& frame) noexcept
