@@ -485,23 +485,24 @@ std::vector<cia306::Finding> DeviceObjects::NotTaken(const std::function<bool(co
         const std::string object = cia306::ObjectName(entry.index, entry.sub);
         const bool is_refused = std::any_of(refusals_.begin(), refusals_.end(), [&](const cia306::Finding& refusal)
                                             { return refusal.place == stored.place && refusal.object == object; });
-        const bool is_own = cia301::IsOwnObject(entry.index) && entry.index != kDefaultServer;
-        const bool is_of_service = entry.place == nullptr && stored.is_configured && !is_own;
-        // 1013h is a time that goes on.
-        const bool is_other = entry.index == kHighResolution || is_replaced({entry.index, entry.sub});
-        if (!is_of_service || is_refused || is_other || HasValue(entry, stored.value))
+        if (entry.place != nullptr || is_refused)
         {
             continue;
         }
+        const bool is_own = cia301::IsOwnObject(entry.index) && entry.index != kDefaultServer;
+        // 1013h is a time that goes on.
+        const bool is_other = entry.index == kHighResolution || is_replaced({entry.index, entry.sub});
         const std::uint32_t service_bytes = ServiceBytes(entry).value_or(entry.size_bytes);
         if (service_bytes != entry.size_bytes)
         {
             findings.push_back({cia306::Severity::kWarning, stored.type_place, object,
                                 "data type of " + std::to_string(8U * entry.size_bytes) + " bit, expected one of " +
                                     std::to_string(8U * service_bytes) + " bit, which the device has here"});
-            continue;
         }
-        findings.push_back({cia306::Severity::kWarning, stored.place, object, ReasonOf(entry, stored.value)});
+        else if (stored.is_configured && !is_own && !is_other && !HasValue(entry, stored.value))
+        {
+            findings.push_back({cia306::Severity::kWarning, stored.place, object, ReasonOf(entry, stored.value)});
+        }
     }
     return findings;
 }

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -100,9 +101,12 @@ class FileObjectsTest : public tools::test::CommandTest
     /// What a device of this file does without, as check has it.
     [[nodiscard]] std::vector<std::string> Tried(const std::string& objects)
     {
+        return TriedFile(kHead + objects);
+    }
+    [[nodiscard]] std::vector<std::string> TriedFile(const std::string& text)
+    {
         std::vector<std::string> lines;
-        for (const cia306::Finding& finding :
-             TryDevice(cia306::ReadDeviceFile(File("tried.dcf", kHead + objects)), std::nullopt))
+        for (const cia306::Finding& finding : TryDevice(cia306::ReadDeviceFile(File("tried.dcf", text)), std::nullopt))
         {
             lines.push_back(finding.object + ": " + finding.text);
         }
@@ -346,6 +350,20 @@ TEST_F(FileObjectsTest, AnObjectOfAServiceWithAnotherDataTypeIsToldWithBothLengt
         Tried(Element("1014", "6", "rw", "$NODEID+0x80")),
         std::vector<std::string>{"0x1014:00: data type of 16 bit, expected one of 32 bit, which the device has here"});
     EXPECT_EQ(Tried(Element("1017", "6", "rw", "100")), std::vector<std::string>{});
+    // Also where the device has a value of its own, or the file has none
+    const auto told = [](const char* const object, const unsigned own, const unsigned expected)
+    {
+        return std::vector<std::string>{std::string(object) + ": data type of " + std::to_string(own) +
+                                        " bit, expected one of " + std::to_string(expected) +
+                                        " bit, which the device has here"};
+    };
+    EXPECT_EQ(Tried(Element("1017", "7", "rw", "")), told("0x1017:00", 32U, 16U));
+    EXPECT_EQ(Tried(Element("1003", "6", "rw", "")), told("0x1003:00", 16U, 8U));
+    EXPECT_EQ(Tried(Record("1010") + Element("1010sub1", "5", "rw", "1")), told("0x1010:01", 8U, 32U));
+    EXPECT_EQ(Tried(Record("1011") + Element("1011sub1", "5", "rw", "1")), told("0x1011:01", 8U, 32U));
+    EXPECT_EQ(Tried(Record("1200") + Element("1200sub1", "6", "ro", "$NODEID+0x600")), told("0x1200:01", 16U, 32U));
+    EXPECT_EQ(TriedFile(std::regex_replace(kHead, std::regex("\\[1001\\]\nDataType=5"), "[1001]\nDataType=6")),
+              told("0x1001:00", 16U, 8U));
 }
 
 // An SRDO has the length of its object, which is one bit: what check says with both lengths the device says with a code
