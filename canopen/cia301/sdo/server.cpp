@@ -102,10 +102,6 @@ SdoAnswer SdoServer::Poll(const Instant now) noexcept
     {
         answer = AskAgain();
     }
-    else if (IsBusy() && (refusal_ != SdoAbort::kNone) && (silence_us >= (time_out_us_ / 2U)))
-    {
-        answer = Abort(refusal_);
-    }
     else if (IsBusy() && (silence_us >= time_out_us_))
     {
         answer = Abort(SdoAbort::kTimeOut);
@@ -437,24 +433,17 @@ SdoAnswer SdoServer::BlockSegment(const SdoFrame& request) noexcept
         refusal_ = (refusal_ == SdoAbort::kNone) ? TakeSegment(request) : refusal_;
         sequence_ = number;
         has_last_ = is_last;
+        is_repeated_ = is_repeated_ && (refusal_ == SdoAbort::kNone);
     }
     SdoAnswer answer{};
     if (!is_number)
     {
         answer = Abort(SdoAbort::kSequence);
     }
-    else if ((is_last || (number == block_size_)) && (refusal_ != SdoAbort::kNone))
-    {
-        answer = Abort(refusal_);
-    }
     else if (is_last || (number == block_size_))
     {
         answer = AcknowledgeBlock();
         is_repeated_ = false;
-    }
-    else
-    {
-        // More segments come.
     }
     return answer;
 }
@@ -490,7 +479,7 @@ SdoAnswer SdoServer::AcknowledgeBlock() noexcept
     answer.frame.bytes[2] = own_block_size_;
     sequence_ = 0U;
     phase_ = has_last_ ? Phase::kBlockDownloadEnd : Phase::kBlockDownload;
-    return answer;
+    return (refusal_ == SdoAbort::kNone) ? answer : Abort(refusal_);
 }
 
 SdoAnswer SdoServer::EndBlockDownload(const SdoFrame& request) noexcept
