@@ -63,7 +63,7 @@ void LssSlave::OnFrame(const CanFrame& frame, const Moment& moment) noexcept
     const bool is_allowed = is_nameless || cia301::IsAllowed(cia301::Service::kLss, moment.state);
     if (is_command && is_allowed && !IsSilent())
     {
-        Obey(frame, moment.now);
+        Obey(frame, moment);
     }
 }
 
@@ -98,7 +98,7 @@ const LssSettings& LssSlave::Settings() const noexcept
     return pending_;
 }
 
-void LssSlave::Obey(const CanFrame& frame, const Instant now) noexcept
+void LssSlave::Obey(const CanFrame& frame, const Moment& moment) noexcept
 {
     const std::uint8_t command = frame.data[0];
     const auto value = static_cast<std::uint32_t>(cia301::FromLittleEndian(&frame.data[1], 4U));
@@ -127,7 +127,7 @@ void LssSlave::Obey(const CanFrame& frame, const Instant now) noexcept
     }
     else if (state_ == LssState::kConfiguration)
     {
-        Configure(frame, now);
+        Configure(frame, moment);
     }
 }
 
@@ -239,7 +239,7 @@ void LssSlave::Flush() noexcept
 }
 
 /// Commands that only a slave in configuration obeys.
-void LssSlave::Configure(const CanFrame& frame, const Instant now) noexcept
+void LssSlave::Configure(const CanFrame& frame, const Moment& moment) noexcept
 {
     const std::uint8_t command = frame.data[0];
     if (command == kConfigureNodeId)
@@ -252,7 +252,7 @@ void LssSlave::Configure(const CanFrame& frame, const Instant now) noexcept
     }
     else if (command == kActivateTiming)
     {
-        ActivateTiming(static_cast<std::uint16_t>(frame.data[1] | (frame.data[2] << 8U)), now);
+        ActivateTiming(static_cast<std::uint16_t>(frame.data[1] | (frame.data[2] << 8U)), moment);
     }
     else if (command == kStore)
     {
@@ -268,7 +268,11 @@ void LssSlave::Configure(const CanFrame& frame, const Instant now) noexcept
 void LssSlave::OnCycle(const Moment& moment) noexcept
 {
     const std::uint32_t since_us = moment.now.us - switched_at_.us;
-    if ((switching_ == Switching::kBefore) && (since_us >= delay_us_))
+    if (moment.state == cia301::NodeState::kOperational)
+    {
+        switching_ = Switching::kNone;
+    }
+    else if ((switching_ == Switching::kBefore) && (since_us >= delay_us_))
     {
         parts_.device.SwitchTo(pending_.timing);
         switching_ = Switching::kAfter;
@@ -300,12 +304,17 @@ void LssSlave::ConfigureTiming(const std::uint8_t table, const std::uint8_t inde
     Answer(kConfigureTiming, is_taken ? kDone : kOutOfRange);
 }
 
-/// Silence for the delay, the change, silence for the delay again: so all nodes have changed before one sends.
-void LssSlave::ActivateTiming(const std::uint16_t delay_ms, const Instant now) noexcept
+/// Silence for the delay, the change, silence for the delay again: so all nodes have changed before one sends. In
+/// OPERATIONAL the kernel sends its SRDOs, whatever LSS says.
+void LssSlave::ActivateTiming(const std::uint16_t delay_ms, const Moment& moment) noexcept
 {
-    delay_us_ = delay_ms * kUsPerMs;
-    switched_at_ = now;
-    switching_ = Switching::kBefore;
+    const bool is_quiet = moment.state != cia301::NodeState::kOperational;
+    if (is_quiet && parts_.device.IsSupported(pending_.timing))
+    {
+        delay_us_ = delay_ms * kUsPerMs;
+        switched_at_ = moment.now;
+        switching_ = Switching::kBefore;
+    }
 }
 
 void LssSlave::FinishStore() noexcept

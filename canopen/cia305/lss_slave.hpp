@@ -116,8 +116,8 @@ class LssSlave
         kAfter = 2U,  ///< Silent, new rate.
     };
 
-    void Obey(const CanFrame& frame, Instant now) noexcept;
-    void Configure(const CanFrame& frame, Instant now) noexcept;
+    void Obey(const CanFrame& frame, const Moment& moment) noexcept;
+    void Configure(const CanFrame& frame, const Moment& moment) noexcept;
     void Inquire(std::uint8_t command) noexcept;
     void SwitchGlobal(std::uint8_t mode) noexcept;
     void SwitchSelective(std::uint8_t part, std::uint32_t value) noexcept;
@@ -125,7 +125,7 @@ class LssSlave
     void FastScan(const CanFrame& frame) noexcept;
     void ConfigureNodeId(std::uint8_t node_id) noexcept;
     void ConfigureTiming(std::uint8_t table, std::uint8_t index) noexcept;
-    void ActivateTiming(std::uint16_t delay_ms, Instant now) noexcept;
+    void ActivateTiming(std::uint16_t delay_ms, const Moment& moment) noexcept;
     void FinishStore() noexcept;
     [[nodiscard]] std::uint32_t AddressPart(std::uint32_t part) const noexcept;
     void Answer(std::uint8_t command, std::uint32_t value) noexcept;

@@ -4,6 +4,7 @@
 #include "canopen/device/kernel_watch.hpp"
 
 #include "canopen/cia301/objects/service_table.hpp"
+#include "canopen/cia301/pdo/settings.hpp"
 
 namespace counterpoint::device
 {
@@ -34,6 +35,38 @@ constexpr std::uint32_t kSdoRequests = 0x600U;
 constexpr std::uint32_t kSdoLast = 0x67FU;
 constexpr std::uint32_t kErrorControl = 0x700U;
 constexpr std::uint32_t kErrorControlLast = 0x77FU;
+constexpr std::uint16_t kFirstRpdo = 0x1400U;
+constexpr std::uint16_t kLastRpdo = 0x15FFU;
+constexpr std::uint16_t kFirstTpdo = 0x1800U;
+constexpr std::uint16_t kLastTpdo = 0x19FFU;
+constexpr std::uint32_t kStandard = 0x7FFU;
+constexpr std::uint32_t kTimeRoles = cia301::kCobOff | cia301::kCobBit30; ///< Bit 31 of 1012h: consumes.
+
+bool IsIn(const std::uint16_t index, const std::uint16_t first, const std::uint16_t last) noexcept
+{
+    return (index >= first) && (index <= last);
+}
+
+/// Whether this value gives a service, but not a PDO, an identifier.
+bool IsIdentifierOfService(const ObjectAddress& object, const std::uint32_t value) noexcept
+{
+    const bool is_on = (value & cia301::kCobOff) == 0U;
+    bool is_identifier = is_on && ((object.index == 0x1014U) || ((object.index == 0x1028U) && (object.sub > 0U)));
+    is_identifier = is_identifier || (is_on && IsIn(object.index, 0x1201U, 0x12FFU) && IsIn(object.sub, 1U, 2U));
+    is_identifier = is_identifier || (object.index == 0x1005U);
+    return is_identifier || ((object.index == 0x1012U) && ((value & kTimeRoles) != 0U));
+}
+
+/// Whether a service that is no PDO uses this identifier.
+bool IsOfService(const Services& services, const std::uint32_t identifier) noexcept
+{
+    bool is_used = services.sync.Uses(identifier) || (services.emergency.CobId() == identifier);
+    for (std::uint8_t place = 0U; place < services.further.count; ++place)
+    {
+        is_used = is_used || services.further.list[place]->Uses(identifier);
+    }
+    return is_used;
+}
 
 } // namespace
 
@@ -107,6 +140,7 @@ void Services::BeginConfiguration() noexcept
     }
     sync.BeginConfiguration();
     objects.BeginConfiguration();
+    pdos.BeginConfiguration();
     tpdos.BeginConfiguration();
     rpdos.BeginConfiguration();
 }
@@ -118,13 +152,16 @@ void Services::EndConfiguration() noexcept
     {
         if (cia301::NumberHook* const hook = further.list[place]->Objects())
         {
-            hook->EndConfiguration();
+            hook->EndConfiguration(this);
         }
     }
-    sync.EndConfiguration();
-    objects.EndConfiguration();
+    sync.EndConfiguration(this);
+    objects.EndConfiguration(this);
     rpdos.EndConfiguration();
     tpdos.EndConfiguration();
+    tpdos.TurnOffShared(*this);
+    rpdos.TurnOffShared(*this);
+    pdos.EndConfiguration(this);
     const cia301::NumberReading start_up = dictionary->ReadNumber({kStartUpIndex, 0U});
     Rejoin({start_up.abort == cia301::SdoAbort::kNone, static_cast<std::uint32_t>(start_up.value)});
 }
@@ -244,10 +281,7 @@ void Services::OnCycle(const cia301::Moment& moment) noexcept
     {
         lss->OnCycle(moment);
     }
-    if ((lss == nullptr) || !lss->IsSilent())
-    {
-        outbox.Poll(moment.now);
-    }
+    Flush(moment.now);
 }
 
 void Services::OnBus(const BusCondition left, const BusCondition entered) noexcept
@@ -276,7 +310,34 @@ void Services::OnBus(const BusCondition left, const BusCondition entered) noexce
 
 void Services::Flush(const Instant now) noexcept
 {
-    outbox.Poll(now);
+    if ((lss == nullptr) || !lss->IsSilent())
+    {
+        outbox.Poll(now);
+    }
+}
+
+bool Services::Allows(const ObjectAddress& object, const std::uint32_t value) const noexcept
+{
+    const std::uint32_t identifier = value & kStandard;
+    const bool is_on = ((value & cia301::kCobOff) == 0U) && (object.sub == cia301::kCobIdSub);
+    const bool is_tpdo = is_on && IsIn(object.index, kFirstTpdo, kLastTpdo);
+    const bool is_rpdo = is_on && IsIn(object.index, kFirstRpdo, kLastRpdo);
+    bool is_shared = false;
+    if (is_tpdo || is_rpdo)
+    {
+        const auto own = static_cast<std::uint16_t>((object.index - kFirstTpdo) + 1U);
+        const bool is_sent = tpdos.Uses(identifier, is_tpdo ? own : std::uint16_t{0U});
+        is_shared = IsOfService(*this, identifier) || is_sent || (is_tpdo && rpdos.Uses(identifier, 0U));
+    }
+    else if (IsIdentifierOfService(object, value))
+    {
+        is_shared = tpdos.Uses(identifier, 0U) || rpdos.Uses(identifier, 0U);
+    }
+    else
+    {
+        // No identifier.
+    }
+    return !is_shared;
 }
 
 void Services::Send(const cia301::FrameToSend& frame) noexcept

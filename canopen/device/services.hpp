@@ -49,7 +49,7 @@ struct ServiceParts
 
 /// The services of CiA 301 of one device. The members are public because entries of the dictionary name them as hooks;
 /// whoever builds the table needs only their addresses. Used by Device. [SRS_DEV_009, SRS_DEV_010, SRS_DEV_012]
-struct Services final : public ServiceSet
+struct Services final : public ServiceSet, public cia301::WriteRule
 {
     /// @brief As at power-on, before any configuration.
     Services(cia301::NodeId own_node, const ServiceParts& parts) noexcept;
@@ -92,6 +92,9 @@ struct Services final : public ServiceSet
     void OnCycle(const cia301::Moment& moment) noexcept override;
     void OnBus(BusCondition left, BusCondition entered) noexcept override;
     void Flush(Instant now) noexcept override;
+    /// @brief Whether a PDO keeps off the identifiers of the other services and, unless both are received, of the other
+    /// PDOs, and another service off those of PDOs. [SRS_PDO_009]
+    [[nodiscard]] bool Allows(const ObjectAddress& object, std::uint32_t value) const noexcept override;
 };
 
 } // namespace counterpoint::device

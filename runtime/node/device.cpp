@@ -2,6 +2,8 @@
 #include "runtime/node/device.hpp"
 
 #include "canopen/cia306/file/device_reader.hpp"
+#include "canopen/cia306/safety/digest.hpp"
+#include "canopen/cia306/safety/safety_configuration.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "names/safety_core/kernel/start_check.hpp"
 #include "runtime/device/names.hpp"
@@ -95,6 +97,23 @@ void TellSrdo(NodeReport& report, const std::uint64_t at_ns, const DeviceConfig&
                 {{"srdo", srdo.number},
                  {"consumer", is_consumer},
                  {"limit_us", is_consumer ? limit_us : nlohmann::ordered_json(0U)}});
+}
+
+/// Writes that the digest of the file is not expected, and whether it was right, where the device differs from its
+/// file. [SRS_NODE_042]
+void TellDigest(NodeReport& report, const std::uint64_t at_ns, const cia306::Device& file, const DeviceConfig& config)
+{
+    const cia306::DigestRecord digest =
+        cia306::ExtractDigest(file, cia306::ExtractSafety(file, file.node_id), file.node_id);
+    if (config.digest != 0U || digest.stored.value.value_or(0U) == 0U)
+    {
+        return;
+    }
+    const bool is_right = digest.problems.empty() && digest.stored.Is(cia306::DigestOf(digest.fields));
+    report.Tell(at_ns,
+                std::string("no device digest is expected: cycle, node-ID or controllers are not those of the file") +
+                    (is_right ? "" : ", whose 0x5F04:00 is not its digest"),
+                "no_digest", {{"is_right", is_right}});
 }
 
 /// The SRDO of a slot as the kernel has it now; `of_file` is what the file says of it.
@@ -229,6 +248,7 @@ void NodeDevice::TellStart(const std::string& buses, const std::uint64_t now_ns)
                   {"cycle_tolerance_us", config_.cycle_tolerance_us}});
     const std::string covered = self_test_ ? self_test_->Text() : "none";
     report_.Tell(now_ns, "self tests: " + covered, "self_tests", {{"covered", covered}});
+    TellDigest(report_, now_ns, file_, config_);
     if (model_.Srdos().empty())
     {
         report_.Tell(now_ns, "no safety objects: a plain CANopen device", "plain", nlohmann::ordered_json::object());

@@ -23,7 +23,9 @@ Reading NumberHook::OnRead(const ObjectAddress& address, const Room& room) noexc
 
 SdoAbort NumberHook::OnWrite(const ObjectAddress& address, const Bytes& value) noexcept
 {
-    return Store(address, static_cast<std::uint32_t>(FromLittleEndian(value.data, value.size_bytes)));
+    const auto number = static_cast<std::uint32_t>(FromLittleEndian(value.data, value.size_bytes));
+    const bool is_allowed = is_configuring_ || (rule_ == nullptr) || rule_->Allows(address, number);
+    return is_allowed ? Store(address, number) : SdoAbort::kValueRange;
 }
 
 } // namespace counterpoint::cia301

@@ -15,6 +15,20 @@ struct ObjectValue
     std::uint32_t size_bytes;
 };
 
+/// A rule between the objects of several services. [SRS_PDO_009]
+class WriteRule
+{
+  public:
+    /// @brief Whether this object may get this value beside what the others have.
+    [[nodiscard]] virtual bool Allows(const ObjectAddress& object, std::uint32_t value) const noexcept = 0;
+
+  protected:
+    WriteRule() noexcept = default;
+    ~WriteRule() noexcept = default;
+    WriteRule(const WriteRule&) = default;
+    WriteRule& operator=(const WriteRule&) = default;
+};
+
 /// Base of the hooks of all services: turns the bytes of an object into a number of up to 4 bytes and back. Its entries
 /// need no place. The dictionary has checked length and limits before OnWrite.
 class NumberHook : public ReadHook, public WriteHook
@@ -28,10 +42,12 @@ class NumberHook : public ReadHook, public WriteHook
     {
         is_configuring_ = true;
     }
-    /// @brief From now on values come from clients, whose rules also look at the present values.
-    void EndConfiguration() noexcept
+    /// @brief From now on values come from clients, whose rules also look at the present values, and what `rule`, which
+    /// is kept by reference, does not allow is refused with 0609 0030h. Null: no such rule.
+    void EndConfiguration(const WriteRule* const rule) noexcept
     {
         is_configuring_ = false;
+        rule_ = rule;
     }
 
   protected:
@@ -51,6 +67,7 @@ class NumberHook : public ReadHook, public WriteHook
     [[nodiscard]] virtual SdoAbort Store(const ObjectAddress& address, std::uint32_t value) noexcept = 0;
 
     bool is_configuring_{false};
+    const WriteRule* rule_{nullptr};
 };
 
 } // namespace counterpoint::cia301

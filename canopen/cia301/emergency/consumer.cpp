@@ -31,6 +31,11 @@ bool EmergencyConsumer::Wants(const std::uint32_t identifier) const noexcept
     return is_wanted;
 }
 
+bool EmergencyConsumer::Uses(const std::uint32_t identifier) const noexcept
+{
+    return Wants(identifier);
+}
+
 void EmergencyConsumer::ResetCommunication(NodeId) noexcept
 {
     for (std::uint8_t i = 0U; i < sources_.count; ++i)

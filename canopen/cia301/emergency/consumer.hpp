@@ -45,6 +45,7 @@ class EmergencyConsumer final : public NumberHook, public BusService
     EmergencyConsumer(const EmergencySources& sources, EmergencyListener& listener) noexcept;
 
     [[nodiscard]] bool Wants(std::uint32_t identifier) const noexcept override;
+    [[nodiscard]] bool Uses(std::uint32_t identifier) const noexcept override;
     /// @brief Reset communication: 1028h is as at power-on, no node is listened to.
     void ResetCommunication(NodeId node) noexcept override;
     [[nodiscard]] NumberHook* Objects() noexcept override

@@ -17,6 +17,8 @@ class BusService
   public:
     /// @brief Whether a data frame with this identifier is for this service at present. May interrupt the other calls.
     [[nodiscard]] virtual bool Wants(std::uint32_t identifier) const noexcept = 0;
+    /// @brief Whether this service sends or receives by this identifier at present.
+    [[nodiscard]] virtual bool Uses(std::uint32_t identifier) const noexcept = 0;
     /// @brief Reset communication: its objects become as at power-on. `node` is the node-ID from now on.
     virtual void ResetCommunication(NodeId node) noexcept = 0;
     /// @brief The hook of its objects, which gets the values of a configuration after a reset; null: it has none.

@@ -11,6 +11,7 @@ namespace counterpoint::cia301
 namespace
 {
 
+constexpr std::uint16_t kFirstObject = 0x1400U;
 constexpr std::uint32_t kUsPerMs = 1000U;
 constexpr std::uint32_t kStandard = 0x7FFU;
 
@@ -167,6 +168,16 @@ void Rpdos::EndConfiguration() noexcept
         pdo.run = RpdoRun{};
     }
     is_configuring_ = false;
+}
+
+void Rpdos::TurnOffShared(const WriteRule& rule) noexcept
+{
+    cia301::TurnOffShared(parts_.table.pdos, parts_.table.count, kFirstObject, rule);
+}
+
+bool Rpdos::Uses(const std::uint32_t identifier, const std::uint16_t except) const noexcept
+{
+    return IsUsed(parts_.table.pdos, parts_.table.count, identifier, except);
 }
 
 ObjectValue Rpdos::FetchSetting(const std::uint16_t number, const std::uint8_t sub) const noexcept

@@ -51,6 +51,34 @@ template <typename Pdo> [[nodiscard]] bool IsValid(const Pdo& pdo) noexcept
     return (pdo.settings.cob_id & kCobOff) == 0U;
 }
 
+/// @brief Whether a valid PDO, but not the one of this number, has this identifier. O(count)
+template <typename Pdo>
+[[nodiscard]] bool IsUsed(const Pdo* const pdos, const std::uint16_t count, const std::uint32_t identifier,
+                          const std::uint16_t except) noexcept
+{
+    bool is_used = false;
+    for (std::uint16_t i = 0U; i < count; ++i)
+    {
+        const bool is_same = (pdos[i].settings.cob_id & kCobIdentifier) == identifier;
+        is_used = is_used || (is_same && IsValid(pdos[i]) && (pdos[i].number != except));
+    }
+    return is_used;
+}
+
+/// @brief Turns off each valid PDO whose COB-ID the rule does not allow, the last one first: of two with one identifier
+/// the first keeps it. `first_index` is the object of PDO 1. O(count * rule)
+template <typename Pdo>
+void TurnOffShared(Pdo* const pdos, const std::uint16_t count, const std::uint16_t first_index,
+                   const WriteRule& rule) noexcept
+{
+    for (std::uint16_t left = count; left > 0U; --left)
+    {
+        Pdo& pdo = pdos[left - 1U];
+        const ObjectAddress object{static_cast<std::uint16_t>((first_index + pdo.number) - 1U), kCobIdSub};
+        pdo.settings.cob_id |= rule.Allows(object, pdo.settings.cob_id) ? 0U : kCobOff;
+    }
+}
+
 template <typename Pdo> [[nodiscard]] bool IsSynchronous(const Pdo& pdo) noexcept
 {
     return pdo.settings.type <= kLastSynchronous;

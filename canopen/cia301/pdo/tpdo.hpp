@@ -85,6 +85,11 @@ class Tpdos
     void BeginConfiguration() noexcept;
     /// @brief Checks everything: a PDO whose mapping does not hold is off.
     void EndConfiguration() noexcept;
+    /// @brief After EndConfiguration: turns off each PDO whose COB-ID the rule does not allow. O(count * rule)
+    /// [SRS_PDO_009]
+    void TurnOffShared(const WriteRule& rule) noexcept;
+    /// @brief Whether a valid PDO has this identifier, but for the one of the number `except`; 0: for none. O(count)
+    [[nodiscard]] bool Uses(std::uint32_t identifier, std::uint16_t except) const noexcept;
 
     /// @brief A remote frame may ask for a PDO. [SRS_PDO_014]
     void OnFrame(const CanFrame& frame, const Moment& moment) noexcept;

@@ -40,6 +40,11 @@ bool SdoClientPort::Wants(const std::uint32_t identifier) const noexcept
     return IsOn(parameters_) && (identifier == parameters_.answer);
 }
 
+bool SdoClientPort::Uses(const std::uint32_t identifier) const noexcept
+{
+    return HasIdentifier(parameters_, identifier);
+}
+
 void SdoClientPort::ResetCommunication(NodeId) noexcept
 {
     client_.OnServerRestart(); // Nothing is sent to a server of before.

@@ -37,6 +37,7 @@ class SdoClientPort final : public NumberHook, public BusService
     [[nodiscard]] SdoClient& Client() noexcept;
 
     [[nodiscard]] bool Wants(std::uint32_t identifier) const noexcept override;
+    [[nodiscard]] bool Uses(std::uint32_t identifier) const noexcept override;
     /// @brief Reset communication: off; a running transfer has failed.
     void ResetCommunication(NodeId node) noexcept override;
     [[nodiscard]] NumberHook* Objects() noexcept override

@@ -32,6 +32,11 @@ struct SdoParameters
 {
     return ((parameters.request | parameters.answer) & kCobOff) == 0U;
 }
+/// @brief Whether one of the COB-IDs is valid and has this identifier.
+[[nodiscard]] constexpr bool HasIdentifier(const SdoParameters& parameters, const std::uint32_t identifier) noexcept
+{
+    return (parameters.request == identifier) || (parameters.answer == identifier);
+}
 /// @brief A sub-index as the bus reads it; 0 is 3. O(1)
 [[nodiscard]] ObjectValue FetchSdo(const SdoParameters& parameters, std::uint8_t sub) noexcept;
 /// @brief Changes a sub-index: a COB-ID changes only while it is off, the node is 0 to 127. O(1) [SRS_SDO_018]

@@ -58,8 +58,8 @@ SdoServer::SdoServer(const SdoServerParts& parts) noexcept
     : dictionary_(parts.dictionary), buffer_(parts.buffer), time_out_us_(parts.time_out_us),
       own_block_size_((parts.block_size == 0U) ? kMaxBlockSize : AtMost(parts.block_size, kMaxBlockSize)),
       phase_(Phase::kIdle), target_{0U, 0U}, last_{0U}, length_(0U), position_(0U), crc_bytes_(0U), crc_(0U),
-      toggle_(0U), sequence_(0U), block_size_(0U), has_crc_(false), has_last_(false), is_repeated_(false),
-      delayed_{SdoPresence::kNothing, {}}
+      toggle_(0U), sequence_(0U), block_size_(0U), has_crc_(false), has_last_(false), refusal_(SdoAbort::kNone),
+      is_repeated_(false), delayed_{SdoPresence::kNothing, {}}
 {
 }
 
@@ -207,6 +207,7 @@ void SdoServer::SetTarget(const SdoFrame& request) noexcept
     toggle_ = 0U;
     sequence_ = 0U;
     has_last_ = false;
+    refusal_ = SdoAbort::kNone;
     is_repeated_ = false;
 }
 
@@ -420,24 +421,24 @@ SdoAnswer SdoServer::BeginBlockDownload(const SdoFrame& request) noexcept
     return (abort == SdoAbort::kNone) ? Answer(kDownloadBegun, block_size_) : Abort(abort);
 }
 
+/// Segments that follow a refused one are still segments: taken for requests they would be carried out. So the abort
+/// comes when none can follow any more.
 SdoAnswer SdoServer::BlockSegment(const SdoFrame& request) noexcept
 {
     const std::uint8_t number = request.bytes[0] & kSequenceMask;
     const bool is_last = (request.bytes[0] & kLastSegment) != 0U;
-    SdoAbort abort = SdoAbort::kNone;
-    if ((number == 0U) || (number > block_size_))
+    const bool is_number = (number > 0U) && (number <= block_size_);
+    if (is_number && (number == (sequence_ + 1U)))
     {
-        abort = SdoAbort::kSequence;
-    }
-    else if (number == (sequence_ + 1U))
-    {
-        abort = TakeSegment(request);
+        refusal_ = (refusal_ == SdoAbort::kNone) ? TakeSegment(request) : refusal_;
+        sequence_ = number;
         has_last_ = is_last;
+        is_repeated_ = is_repeated_ && (refusal_ == SdoAbort::kNone);
     }
     SdoAnswer answer{};
-    if (abort != SdoAbort::kNone)
+    if (!is_number)
     {
-        answer = Abort(abort);
+        answer = Abort(SdoAbort::kSequence);
     }
     else if (is_last || (number == block_size_))
     {
@@ -466,7 +467,6 @@ SdoAbort SdoServer::TakeSegment(const SdoFrame& request) noexcept
             buffer_.data[position_ + i] = request.bytes[1U + i];
         }
         position_ += kSegmentBytes;
-        sequence_ = request.bytes[0] & kSequenceMask;
     }
     return abort;
 }
@@ -479,7 +479,7 @@ SdoAnswer SdoServer::AcknowledgeBlock() noexcept
     answer.frame.bytes[2] = own_block_size_;
     sequence_ = 0U;
     phase_ = has_last_ ? Phase::kBlockDownloadEnd : Phase::kBlockDownload;
-    return answer;
+    return (refusal_ == SdoAbort::kNone) ? answer : Abort(refusal_);
 }
 
 SdoAnswer SdoServer::EndBlockDownload(const SdoFrame& request) noexcept

@@ -32,6 +32,11 @@ bool SdoServerPort::Wants(const std::uint32_t identifier) const noexcept
     return IsOn(parameters_) && (identifier == parameters_.request);
 }
 
+bool SdoServerPort::Uses(const std::uint32_t identifier) const noexcept
+{
+    return HasIdentifier(parameters_, identifier);
+}
+
 void SdoServerPort::ResetCommunication(const NodeId node) noexcept
 {
     static_cast<void>(server_.Close(SdoAbort::kDeviceState));

@@ -27,6 +27,7 @@ class SdoServerPort final : public NumberHook, public BusService
     SdoServerPort(SdoServer& server, FrameSink& sink, SdoServerNumber number) noexcept;
 
     [[nodiscard]] bool Wants(std::uint32_t identifier) const noexcept override;
+    [[nodiscard]] bool Uses(std::uint32_t identifier) const noexcept override;
     /// @brief Reset communication with this node-ID; a running transfer is forgotten.
     void ResetCommunication(NodeId node) noexcept override;
     [[nodiscard]] NumberHook* Objects() noexcept override

@@ -37,6 +37,11 @@ void Sync::Reset() noexcept
     is_running_ = false;
 }
 
+bool Sync::Uses(const std::uint32_t identifier) const noexcept
+{
+    return identifier == (cob_id_ & kStandard);
+}
+
 void Sync::OnFrame(const CanFrame& frame, const Moment& moment) noexcept
 {
     const bool is_sync = (frame.kind == FrameKind::kData) && (frame.identifier == (cob_id_ & kStandard));

@@ -49,6 +49,8 @@ class Sync final : public NumberHook
 
     /// @brief Reset communication: 1005h is 80h, the others 0.
     void Reset() noexcept;
+    /// @brief Whether SYNC has this identifier. O(1)
+    [[nodiscard]] bool Uses(std::uint32_t identifier) const noexcept;
     /// @brief A frame from the bus. O(1) + listener [SRS_SYNC_001, SRS_SYNC_002]
     void OnFrame(const CanFrame& frame, const Moment& moment) noexcept;
     /// @brief Sends the SYNC that is due. O(1) + listener [SRS_SYNC_003, SRS_SYNC_004]

@@ -32,6 +32,11 @@ bool TimeStamp::Wants(const std::uint32_t identifier) const noexcept
     return ((cob_id_ & kConsumes) != 0U) && (identifier == (cob_id_ & kStandard));
 }
 
+bool TimeStamp::Uses(const std::uint32_t identifier) const noexcept
+{
+    return ((cob_id_ & kRoles) != 0U) && (identifier == (cob_id_ & kStandard));
+}
+
 void TimeStamp::ResetCommunication(NodeId) noexcept
 {
     cob_id_ = kDefaultCobId;

@@ -38,6 +38,7 @@ class TimeStamp final : public NumberHook, public BusService
     TimeStamp(FrameSink& sink, TimeListener& listener) noexcept;
 
     [[nodiscard]] bool Wants(std::uint32_t identifier) const noexcept override;
+    [[nodiscard]] bool Uses(std::uint32_t identifier) const noexcept override;
     /// @brief Reset communication: 1012h is 100h, neither consumed nor produced; 1013h is the time of the device.
     void ResetCommunication(NodeId node) noexcept override;
     [[nodiscard]] NumberHook* Objects() noexcept override

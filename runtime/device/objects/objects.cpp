@@ -27,6 +27,7 @@ constexpr std::uint16_t kOctetString = 0x000AU;
 constexpr std::uint16_t kUnicodeString = 0x000BU;
 constexpr std::uint16_t kHighResolution = 0x1013U;
 constexpr std::uint16_t kConsumerTimes = 0x1016U;
+constexpr std::uint16_t kEmergencySources = 0x1028U;
 constexpr std::uint16_t kDefaultServer = 0x1200U;
 constexpr std::uint16_t kFirstApplication = 0x2000U;
 
@@ -36,6 +37,7 @@ constexpr std::uint16_t kFirstRpdoMap = 0x1600U;
 constexpr std::uint16_t kFirstTpdo = 0x1800U;
 constexpr std::uint16_t kFirstTpdoMap = 0x1A00U;
 constexpr std::uint16_t kLastTpdoMap = 0x1BFFU;
+constexpr std::uint32_t kDefaultSync = 0x80U;
 constexpr std::uint8_t kPdoEntries = 64U;
 /// 254: source address mode of a multiplexed PDO; 255: destination address mode.
 constexpr std::uint64_t kSourceMode = 254U;
@@ -148,6 +150,16 @@ bool HasValue(const cia301::Entry& entry, const std::vector<std::uint8_t>& value
     return reading.abort == SdoAbort::kNone && now == value;
 }
 
+std::uint32_t NumberNow(const cia301::Entry& entry)
+{
+    std::array<std::uint8_t, sizeof(std::uint64_t)> bytes{};
+    const auto room = static_cast<std::uint32_t>(bytes.size());
+    const bool has_number =
+        entry.read_hook != nullptr && cia301::ReadEntry(entry, {bytes.data(), room}).abort == SdoAbort::kNone;
+    return has_number ? static_cast<std::uint32_t>(cia301::FromLittleEndian(bytes.data(), sizeof(std::uint32_t)))
+                      : cia301::kCobOff;
+}
+
 /// How many bytes the service has of this object; nothing where it cannot be read.
 std::optional<std::uint32_t> ServiceBytes(const cia301::Entry& entry)
 {
@@ -156,7 +168,26 @@ std::optional<std::uint32_t> ServiceBytes(const cia301::Entry& entry)
     return reading.abort == SdoAbort::kNone ? std::optional(reading.size_bytes) : std::nullopt;
 }
 
-/// Why a PDO of the file with this COB-ID is off.
+/// Whether this object has a COB-ID, which is on with the value that it has now.
+bool HasCobId(const cia301::Entry& entry)
+{
+    constexpr std::uint16_t kCobIdSync = 0x1005U;
+    constexpr std::uint16_t kCobIdTime = 0x1012U;
+    constexpr std::uint16_t kCobIdEmergency = 0x1014U;
+    const bool is_first = entry.sub == 1U;
+    const bool is_sdo = entry.index > kDefaultServer && entry.index < kFirstRpdo && (is_first || entry.sub == 2U);
+    const bool is_pdo = entry.index >= kFirstRpdo && entry.index < kFirstTpdoMap && is_first;
+    const bool is_source = entry.index == kEmergencySources && entry.sub > 0U;
+    const bool is_time = entry.index == kCobIdTime;
+    const bool is_sync = entry.index == kCobIdSync;
+    const bool has_it = is_sdo || (is_pdo && !cia301::IsPdoMapping(entry.index)) || is_source || is_time || is_sync ||
+                        entry.index == kCobIdEmergency;
+    const std::uint32_t value = has_it ? NumberNow(entry) : cia301::kCobOff;
+    return is_sync ||
+           (is_time ? (value & (cia301::kCobOff | cia301::kCobBit30)) != 0U : (value & cia301::kCobOff) == 0U);
+}
+
+/// Why a PDO of the file with this COB-ID is off, were it not for the identifiers that the device uses elsewhere.
 std::string ReasonOfPdo(const std::uint64_t cob_id)
 {
     struct Range
@@ -243,6 +274,7 @@ device::ServiceRooms DeviceObjects::Rooms() noexcept
 void DeviceObjects::Connect(device::Services& services, const FindHook& further,
                             cia301::NumberHook* const store) noexcept
 {
+    services_ = &services;
     for (cia301::Entry& entry : entries_)
     {
         const Keeper keeper = KeeperOf(entry, services, further, store);
@@ -485,25 +517,42 @@ std::vector<cia306::Finding> DeviceObjects::NotTaken(const std::function<bool(co
         const std::string object = cia306::ObjectName(entry.index, entry.sub);
         const bool is_refused = std::any_of(refusals_.begin(), refusals_.end(), [&](const cia306::Finding& refusal)
                                             { return refusal.place == stored.place && refusal.object == object; });
-        const bool is_own = cia301::IsOwnObject(entry.index) && entry.index != kDefaultServer;
-        const bool is_of_service = entry.place == nullptr && stored.is_configured && !is_own;
-        // 1013h is a time that goes on.
-        const bool is_other = entry.index == kHighResolution || is_replaced({entry.index, entry.sub});
-        if (!is_of_service || is_refused || is_other || HasValue(entry, stored.value))
+        if (entry.place != nullptr || is_refused)
         {
             continue;
         }
+        const bool is_own = cia301::IsOwnObject(entry.index) && entry.index != kDefaultServer;
+        // 1013h is a time that goes on.
+        const bool is_other = entry.index == kHighResolution || is_replaced({entry.index, entry.sub});
         const std::uint32_t service_bytes = ServiceBytes(entry).value_or(entry.size_bytes);
         if (service_bytes != entry.size_bytes)
         {
             findings.push_back({cia306::Severity::kWarning, stored.type_place, object,
                                 "data type of " + std::to_string(8U * entry.size_bytes) + " bit, expected one of " +
                                     std::to_string(8U * service_bytes) + " bit, which the device has here"});
-            continue;
         }
-        findings.push_back({cia306::Severity::kWarning, stored.place, object, ReasonOf(entry, stored.value)});
+        else if (stored.is_configured && !is_own && !is_other && !HasValue(entry, stored.value))
+        {
+            findings.push_back({cia306::Severity::kWarning, stored.place, object, ReasonOf(entry, stored.value)});
+        }
     }
     return findings;
+}
+
+/// Which object has this identifier, but not the one of the PDO `pdo`. RPDOs may share theirs.
+std::string DeviceObjects::OwnerOf(const cia301::Entry& pdo, const std::uint32_t identifier) const
+{
+    const auto is_rpdo = [](const cia301::Entry& each)
+    { return each.index >= kFirstRpdo && each.index < kFirstRpdoMap; };
+    for (const cia301::Entry& each : entries_)
+    {
+        const bool is_other = each.index != pdo.index && !(is_rpdo(each) && is_rpdo(pdo));
+        if (is_other && HasCobId(each) && (NumberNow(each) & cia301::kCobIdentifier) == identifier)
+        {
+            return cia306::ObjectName(each.index, each.sub);
+        }
+    }
+    return identifier == kDefaultSync ? "SYNC" : "the emergencies of this device";
 }
 
 /// Why a service has not this value.
@@ -514,7 +563,13 @@ std::string DeviceObjects::ReasonOf(const cia301::Entry& entry, const std::vecto
     const bool is_pdo = entry.index >= kFirstRpdo && entry.index < kFirstTpdoMap && !is_mapping && entry.sub == 1U;
     if (is_pdo)
     {
-        return ReasonOfPdo(cia301::FromLittleEndian(value.data(), static_cast<std::uint32_t>(value.size())));
+        const std::uint64_t cob_id = cia301::FromLittleEndian(value.data(), static_cast<std::uint32_t>(value.size()));
+        const auto identifier = static_cast<std::uint32_t>(cob_id & cia301::kCobIdentifier);
+        const bool is_taken = services_ != nullptr && cia301::IsConfigurable(identifier) &&
+                              !services_->Allows({entry.index, entry.sub}, static_cast<std::uint32_t>(cob_id));
+        return is_taken ? "the device has turned this PDO off, expected another identifier than " +
+                              cia306::Hex(identifier, 3) + ", which is that of " + OwnerOf(entry, identifier)
+                        : ReasonOfPdo(cob_id);
     }
     if (entry.index == kDefaultServer)
     {

@@ -89,6 +89,7 @@ class DeviceObjects
     void SetLimits(cia301::Entry& entry, const cia306::Entry& source, std::uint8_t node_id);
     void Load(const Stored& stored) noexcept;
     [[nodiscard]] std::string ReasonOf(const cia301::Entry& entry, const std::vector<std::uint8_t>& value) const;
+    [[nodiscard]] std::string OwnerOf(const cia301::Entry& pdo, std::uint32_t identifier) const;
     [[nodiscard]] std::uint64_t LimitOf(const cia306::Entry& source, const cia306::Text& text, std::uint8_t node_id,
                                         std::uint64_t otherwise);
     void LeaveOut(const cia306::Entry& source, const cia306::Text& text, const cia306::Problem& problem);
@@ -108,6 +109,7 @@ class DeviceObjects
     std::vector<cia306::Finding> left_out_; ///< What the file says and its data type cannot have.
     std::vector<cia306::Finding> refusals_;
     cia301::EntryTable table_{nullptr, 0U};
+    const device::Services* services_{nullptr}; ///< Set by Connect.
     FixedHook fixed_{table_, cia301::SdoAbort::kLocalControl};
     FixedHook count_{table_, cia301::SdoAbort::kReadOnly};
     NoStoreHook no_store_;

@@ -3,6 +3,8 @@
 #include "tests/canopen/cia301/sdo_rig.hpp"
 #include "verification/trace/ids/cia301.hpp"
 
+#include <algorithm>
+
 namespace counterpoint::cia301
 {
 namespace
@@ -137,7 +139,7 @@ TEST_F(SdoBlockTest, DownloadsOfOtherLengthsThanStatedAreRefused)
     Verifies(req::SRS_SDO_013);
     EXPECT_EQ(Send({0xC2U, 0x03U, 0x21U, 0x00U, 7U})[0], 0xA4U);
     EXPECT_TRUE(SendSegments(1, 1).empty());
-    EXPECT_EQ(Send({0x02U}), AbortOf(0x2103U, 0U, 0x06070012U));
+    EXPECT_EQ(Send({0x82U}), AbortOf(0x2103U, 0U, 0x06070012U));
     EXPECT_EQ(Send({0xC2U, 0x03U, 0x21U, 0x00U, 9U})[0], 0xA4U);
     EXPECT_EQ(Send({0x81U})[1], 1U);
     EXPECT_EQ(Send({0xC1U}), AbortOf(0x2103U, 0U, 0x06070013U));
@@ -152,6 +154,56 @@ TEST_F(SdoBlockTest, DownloadsOfOtherLengthsThanStatedAreRefused)
     }
     EXPECT_TRUE(SendSegments(1, 3).empty());
     EXPECT_EQ(Send({0x04U}), AbortOf(0x2103U, 0U, 0x05040005U));
+}
+
+// Segments 2Fh 00h 21h 00h 01h of a file, read as a request, would write 2100h
+TEST_F(SdoBlockTest, TheRestOfARefusedSubBlockIsNoRequest)
+{
+    Verifies(req::SRS_SDO_011);
+    SdoServer wide{SdoServerParts{dictionary, Room{buffer.data(), 7U}, 1000U, 0x40U}};
+    const auto send = [&](const Octets& bytes)
+    {
+        SdoFrame frame{};
+        std::copy(bytes.begin(), bytes.end(), frame.bytes);
+        return Plain(wide.OnFrame(frame, 8U, Instant{now_us}));
+    };
+    const auto poll = [&] { return Plain(wide.Poll(Instant{now_us})); };
+    const auto segments = [&](const unsigned first, const unsigned last)
+    {
+        for (unsigned number = first; number <= last; ++number)
+        {
+            EXPECT_TRUE(send({static_cast<std::uint8_t>(number), 0x00U, 0x21U, 0x00U, 0x01U}).empty()) << number;
+            now_us += 400U; // They keep it alive, however long they take.
+            EXPECT_TRUE(poll().empty()) << number;
+        }
+    };
+    const Octets begin{0xC0U, 0x03U, 0x21U, 0x00U};
+    const Octets too_long = AbortOf(0x2103U, 0U, 0x05040005U);
+    // To the last number of the sub-block
+    EXPECT_EQ(send(begin)[0], 0xA4U);
+    segments(1U, 0x3FU);
+    EXPECT_EQ(send({0x40U, 0x00U, 0x21U, 0x00U}), too_long);
+    EXPECT_FALSE(wide.IsBusy());
+    // To the mark of the last segment
+    EXPECT_EQ(send(begin)[0], 0xA4U);
+    segments(1U, 0x2EU);
+    EXPECT_EQ(send({0xAFU, 0x00U, 0x21U, 0x00U, 0x01U}), too_long);
+    // To half the time-out without a next one, where some are lost
+    EXPECT_EQ(send(begin)[0], 0xA4U);
+    segments(1U, 2U);
+    EXPECT_TRUE(send({0x2FU, 0x00U, 0x21U, 0x00U, 0x01U}).empty());
+    now_us += 99U;
+    EXPECT_TRUE(poll().empty());
+    now_us += 1U;
+    EXPECT_EQ(poll(), too_long);
+    EXPECT_TRUE(poll().empty());
+    EXPECT_EQ(u8[0], 0x7FU);
+    // An abort of the client ends it without an answer; then requests are requests
+    EXPECT_EQ(send(begin)[0], 0xA4U);
+    segments(1U, 3U);
+    EXPECT_TRUE(send({0x80U}).empty());
+    EXPECT_EQ(send({0x2FU, 0x00U, 0x21U, 0x00U, 0x01U})[0], 0x60U);
+    EXPECT_EQ(u8[0], 1U);
 }
 
 TEST_F(SdoBlockTest, TheBufferIsFilledToItsLastByteAndNoFurther)

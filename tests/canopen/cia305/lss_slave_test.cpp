@@ -215,6 +215,35 @@ TEST_F(LssSlaveTest, TheBitRateChangesInSilence)
     EXPECT_EQ(Send({0x5EU}), Reply(0x5EU, 0xFFU));
 }
 
+// In OPERATIONAL the kernel sends SRDOs, which no silence of the services holds
+TEST_F(LssSlaveTest, NoBitRateChangesInOperationalNorToOneThatIsNotSupported)
+{
+    Verifies(req::SRS_LSS_005);
+    static_cast<void>(Send({0x04U, 1U}));
+    state = NodeState::kOperational;
+    EXPECT_TRUE(Send({0x15U, 10U, 0U}).empty());
+    EXPECT_FALSE(slave.IsSilent());
+    EXPECT_EQ(Send({0x5EU}), Reply(0x5EU, 0xFFU));
+    // A start in the silence ends it: before the change there is none
+    state = NodeState::kPreOperational;
+    EXPECT_TRUE(Send({0x15U, 10U, 0U}).empty());
+    EXPECT_TRUE(slave.IsSilent());
+    state = NodeState::kOperational;
+    now_us += 10000U;
+    static_cast<void>(Cycle());
+    EXPECT_FALSE(slave.IsSilent());
+    EXPECT_EQ(rate, -1);
+    // The rate that was stored is none of this controller, and 13h gave no other one
+    state = NodeState::kPreOperational;
+    LssSlave other{LssParts{sink, *this, kIdentity, LssSettings{5U, {8U}}}};
+    CanFrame frame{0x7E5U, FrameKind::kData, CanPortId::kFirst, 8U, {0x04U, 1U}};
+    static_cast<void>(other.TakeNodeId());
+    other.OnFrame(frame, Moment{state, Instant{now_us}});
+    frame.data[0] = 0x15U;
+    other.OnFrame(frame, Moment{state, Instant{now_us}});
+    EXPECT_FALSE(other.IsSilent());
+}
+
 TEST_F(LssSlaveTest, StoreIsAnsweredWhenItHasEnded)
 {
     Verifies(req::SRS_LSS_006);

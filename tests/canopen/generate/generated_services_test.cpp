@@ -61,7 +61,7 @@ class GeneratedServices : public cia301::ServiceRig
         rpdos.Reset();
         rpdos.BeginConfiguration();
         const PresetReply reply = stored.Preset({0x1000U, 0x1FFFU});
-        service_objects.EndConfiguration();
+        service_objects.EndConfiguration(nullptr);
         rpdos.EndConfiguration();
         tpdos.EndConfiguration();
         return reply;

@@ -332,6 +332,24 @@ TEST(NodeConfiguredTest, TheLimitHoldsWhereTheNextNormalFrameStillCame)
     }
 }
 
+// The bench runs with 5 ms, the file with another cycle
+TEST(NodeConfiguredTest, ADigestThatIsNotExpectedIsTold)
+{
+    Verifies(req::SRS_NODE_042);
+    const std::string line = "no device digest is expected: cycle, node-ID or controllers are not those of the file";
+    const auto told = [](const std::map<std::string, std::string>& values)
+    {
+        Bench bench(FileWith("actuator", values));
+        bench.Device().TellStart("udp:1", bench.NowNs());
+        return bench.Told();
+    };
+    EXPECT_NE(told({}).find(line + "\n"), std::string::npos) << told({});
+    EXPECT_NE(told({{"5F04", "0x1"}}).find(line + ", whose 0x5F04:00 is not its digest\n"), std::string::npos);
+    // None in the file, or the cycle of the file
+    EXPECT_EQ(told({{"5F04", "0"}}).find(line), std::string::npos);
+    EXPECT_EQ(told({{"5F00sub1", "5000"}}).find(line), std::string::npos);
+}
+
 TEST(NodeConfiguredTest, AnSrdoThatWasSwitchedOffOverSdoHasNoInputs)
 {
     Verifies(req::SRS_NODE_019);

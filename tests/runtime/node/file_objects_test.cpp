@@ -5,12 +5,14 @@
 #include "tests/tools/command_run.hpp"
 #include "tests/tools/echo_bus.hpp"
 #include "verification/trace/ids/node.hpp"
+#include "verification/trace/ids/pdo.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -100,9 +102,12 @@ class FileObjectsTest : public tools::test::CommandTest
     /// What a device of this file does without, as check has it.
     [[nodiscard]] std::vector<std::string> Tried(const std::string& objects)
     {
+        return TriedFile(kHead + objects);
+    }
+    [[nodiscard]] std::vector<std::string> TriedFile(const std::string& text)
+    {
         std::vector<std::string> lines;
-        for (const cia306::Finding& finding :
-             TryDevice(cia306::ReadDeviceFile(File("tried.dcf", kHead + objects)), std::nullopt))
+        for (const cia306::Finding& finding : TryDevice(cia306::ReadDeviceFile(File("tried.dcf", text)), std::nullopt))
         {
             lines.push_back(finding.object + ": " + finding.text);
         }
@@ -329,10 +334,98 @@ TEST_F(FileObjectsTest, APdoWithTheIdentifierOfAnotherServiceIsToldWithIt)
     {
         EXPECT_EQ(Tried(pdo(cob_id)), std::vector<std::string>{off + expected});
     }
-    for (const char* const free : {"0x80", "0x100", "0x181", "0x600", "0x6DF"})
+    for (const char* const free : {"0x100", "0x181", "0x600", "0x6DF"})
     {
         EXPECT_EQ(Tried(pdo(free)), std::vector<std::string>{}) << free;
     }
+}
+
+/// A PDO of one byte; `kind` 14 receives, 18 sends.
+std::string OneByte(const unsigned kind, const unsigned number, const std::string& cob_id)
+{
+    const std::string mapping = kind == 14U ? "160" : "1A0";
+    const std::string at = std::to_string(kind) + "0" + std::to_string(number);
+    const std::string map = mapping + std::to_string(number);
+    return Record(at) + Element(at + "sub0", "5", "const", "2") + Element(at + "sub1", "7", "rw", cob_id) +
+           Element(at + "sub2", "5", "rw", "254") + Record(map) + Element(map + "sub0", "5", "rw", "1") +
+           Element(map + "sub1", "7", "rw", "0x20000008");
+}
+
+// Its frames would be read as emergencies, 0000h among them, as SYNC, TIME or SDO
+TEST_F(FileObjectsTest, APdoWithAnIdentifierThatTheDeviceUsesElsewhereIsOffAndToldWithItsObject)
+{
+    Verifies(req::SRS_NODE_017);
+    Verifies(req::SRS_PDO_009);
+    const auto reason = [](const char* const object, const char* const identifier, const std::string& owner)
+    {
+        return std::vector<std::string>{std::string(object) +
+                                        ":01: the device has turned this PDO off, expected another identifier than " +
+                                        identifier + ", which is that of " + owner};
+    };
+    const std::string server =
+        Record("1201") + Element("1201sub1", "7", "rw", "0x240") + Element("1201sub2", "7", "rw", "0x241");
+    const std::string client =
+        Record("1280") + Element("1280sub1", "7", "rw", "0x250") + Element("1280sub2", "7", "rw", "0x251");
+    const std::string emergencies = Record("1028") + Element("1028sub1", "7", "rw", "0x230");
+    struct Row
+    {
+        std::string others;
+        const char* identifier;
+        const char* owner;
+    };
+    for (const Row& row :
+         {Row{"", "0x085", "the emergencies of this device"}, Row{"", "0x080", "SYNC"},
+          Row{Element("1014", "7", "rw", "$NODEID+0x80"), "0x085", "0x1014:00"},
+          Row{Element("1014", "7", "rw", "0x200"), "0x200", "0x1014:00"},
+          Row{Element("1005", "7", "rw", "0x210"), "0x210", "0x1005:00"},
+          Row{Element("1012", "7", "rw", "0x80000100"), "0x100", "0x1012:00"},
+          Row{Element("1012", "7", "rw", "0x40000220"), "0x220", "0x1012:00"}, Row{emergencies, "0x230", "0x1028:01"},
+          Row{server, "0x240", "0x1201:01"}, Row{server, "0x241", "0x1201:02"}, Row{client, "0x250", "0x1280:01"},
+          Row{client, "0x251", "0x1280:02"}})
+    {
+        EXPECT_EQ(Tried(row.others + OneByte(18U, 0U, row.identifier)), reason("0x1800", row.identifier, row.owner));
+        EXPECT_EQ(Tried(row.others + OneByte(14U, 0U, row.identifier)), reason("0x1400", row.identifier, row.owner));
+    }
+    // Of two with one identifier the first keeps it, and a received one before one that is sent
+    EXPECT_EQ(Tried(OneByte(18U, 0U, "0x185") + OneByte(18U, 1U, "0x185")), reason("0x1801", "0x185", "0x1800:01"));
+    EXPECT_EQ(Tried(OneByte(14U, 0U, "0x185") + OneByte(18U, 0U, "0x185")), reason("0x1800", "0x185", "0x1400:01"));
+    // What is off takes no identifier, and one frame may be received by two PDOs
+    for (const std::string& free : {Element("1014", "7", "rw", "0x80000085") + OneByte(18U, 0U, "0x85"),
+                                    Element("1012", "7", "rw", "0x100") + OneByte(18U, 0U, "0x100"),
+                                    OneByte(18U, 0U, "0x80000185") + OneByte(18U, 1U, "0x185"),
+                                    OneByte(14U, 0U, "0x185") + OneByte(14U, 1U, "0x185")})
+    {
+        EXPECT_EQ(Tried(free), std::vector<std::string>{}) << free;
+    }
+}
+
+TEST_F(FileObjectsTest, NoClientGivesAPdoAndAnotherServiceOneIdentifier)
+{
+    Verifies(req::SRS_PDO_009);
+    Start(Element("1005", "7", "rw", "0x80") + Element("1012", "7", "rw", "0x100") +
+          Element("1014", "7", "rw", "0x80000085") + Record("1028") + Element("1028sub1", "7", "rw", "0x80000000") +
+          Record("1201") + Element("1201sub1", "7", "rw", "0x80000000") + Element("1201sub2", "7", "rw", "0x80000000") +
+          OneByte(14U, 0U, "0x80000205") + OneByte(14U, 1U, "0x80000305") + OneByte(18U, 0U, "0x185") +
+          OneByte(18U, 1U, "0x80000285"));
+    // The identifier of a PDO is given to no other service, to no TPDO and to no RPDO
+    const std::pair<ObjectAddress, std::uint32_t> others[] = {
+        {{0x1005U, 0U}, 0x185U}, {{0x1012U, 0U}, 0x80000185U}, {{0x1014U, 0U}, 0x185U}, {{0x1028U, 1U}, 0x185U},
+        {{0x1201U, 1U}, 0x185U}, {{0x1201U, 2U}, 0x185U},      {{0x1400U, 1U}, 0x185U}, {{0x1801U, 1U}, 0x185U}};
+    for (const auto& [object, cob_id] : others)
+    {
+        EXPECT_EQ(Write(object, cob_id, 4U), SdoAbort::kValueRange) << cia306::ObjectName(object.index, object.sub);
+    }
+    // Another one, or the same one without a role, is taken; then no PDO gets it
+    EXPECT_EQ(Write({0x1012U, 0U}, 0x185U, 4U), SdoAbort::kNone);
+    EXPECT_EQ(Write({0x1014U, 0U}, 0x85U, 4U), SdoAbort::kNone);
+    EXPECT_EQ(Write({0x1801U, 1U}, 0x85U, 4U), SdoAbort::kValueRange);
+    EXPECT_EQ(Write({0x1400U, 1U}, 0x80U, 4U), SdoAbort::kValueRange);
+    // The own one again, and RPDOs share theirs
+    EXPECT_EQ(Write({0x1800U, 1U}, 0x185U, 4U), SdoAbort::kNone);
+    EXPECT_EQ(Write({0x1400U, 1U}, 0x205U, 4U), SdoAbort::kNone);
+    EXPECT_EQ(Write({0x1401U, 1U}, 0x205U, 4U), SdoAbort::kNone);
+    EXPECT_EQ(Write({0x1801U, 1U}, 0x205U, 4U), SdoAbort::kValueRange);
+    EXPECT_EQ(Write({0x1801U, 1U}, 0x80000205U, 4U), SdoAbort::kNone);
 }
 
 // The heartbeat runs; what was wrong is that the device was said to do without the value
@@ -346,6 +439,20 @@ TEST_F(FileObjectsTest, AnObjectOfAServiceWithAnotherDataTypeIsToldWithBothLengt
         Tried(Element("1014", "6", "rw", "$NODEID+0x80")),
         std::vector<std::string>{"0x1014:00: data type of 16 bit, expected one of 32 bit, which the device has here"});
     EXPECT_EQ(Tried(Element("1017", "6", "rw", "100")), std::vector<std::string>{});
+    // Also where the device has a value of its own, or the file has none
+    const auto told = [](const char* const object, const unsigned own, const unsigned expected)
+    {
+        return std::vector<std::string>{std::string(object) + ": data type of " + std::to_string(own) +
+                                        " bit, expected one of " + std::to_string(expected) +
+                                        " bit, which the device has here"};
+    };
+    EXPECT_EQ(Tried(Element("1017", "7", "rw", "")), told("0x1017:00", 32U, 16U));
+    EXPECT_EQ(Tried(Element("1003", "6", "rw", "")), told("0x1003:00", 16U, 8U));
+    EXPECT_EQ(Tried(Record("1010") + Element("1010sub1", "5", "rw", "1")), told("0x1010:01", 8U, 32U));
+    EXPECT_EQ(Tried(Record("1011") + Element("1011sub1", "5", "rw", "1")), told("0x1011:01", 8U, 32U));
+    EXPECT_EQ(Tried(Record("1200") + Element("1200sub1", "6", "ro", "$NODEID+0x600")), told("0x1200:01", 16U, 32U));
+    EXPECT_EQ(TriedFile(std::regex_replace(kHead, std::regex("\\[1001\\]\nDataType=5"), "[1001]\nDataType=6")),
+              told("0x1001:00", 16U, 8U));
 }
 
 // An SRDO has the length of its object, which is one bit: what check says with both lengths the device says with a code

@@ -15,6 +15,7 @@ inline constexpr RequirementId SRS_PDO_005{"SRS_PDO_005"};
 inline constexpr RequirementId SRS_PDO_006{"SRS_PDO_006"};
 inline constexpr RequirementId SRS_PDO_007{"SRS_PDO_007"};
 inline constexpr RequirementId SRS_PDO_008{"SRS_PDO_008"};
+inline constexpr RequirementId SRS_PDO_009{"SRS_PDO_009"};
 inline constexpr RequirementId SRS_PDO_010{"SRS_PDO_010"};
 inline constexpr RequirementId SRS_PDO_011{"SRS_PDO_011"};
 inline constexpr RequirementId SRS_PDO_012{"SRS_PDO_012"};
