@@ -226,6 +226,10 @@ TEST_F(ManagerCheckTest, WhatDoesNotWorkTogetherIsNamed)
     const Answer never = RunCommand({"manager", "--check", two, deaf});
     EXPECT_EQ(never.out, deaf + ":6: claim_heard is ignores, expected compares beside cyclic negotiation of " + two +
                              ":5: two such masters never end\n");
+    // And 076h of the one that ignores 071h ends it
+    const std::string forces = network("forces.yaml", "  node: 5\n  flying:\n    claim_heard: ignores\n",
+                                       "node: 2, boot: false, mandatory: false, consumer: 900 ms");
+    EXPECT_EQ(RunCommand({"manager", "--check", two, forces}).out.find("claim_heard"), std::string::npos);
     // Then what may be meant is a warning
     const Answer none = RunCommand({"manager", "--check", two, by_none});
     EXPECT_EQ(none.status, 0) << none.out;
