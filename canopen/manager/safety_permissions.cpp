@@ -104,21 +104,20 @@ void SafetyPermissions::ReadAnew(const NodeId node) noexcept
     }
 }
 
-/// Somebody else starts safety slaves. What this device has verified and started runs already; all others that were
-/// there last are taken to run, whether or not they say so by any error control, and so are read. [SRS_SFS_006]
+/// Somebody else starts safety slaves. What this device has verified and started runs already; all others are taken to
+/// run, whether or not they say so by any error control, and so are read. [SRS_SFS_006]
 void SafetyPermissions::OnForeignStart(const NodeId node, const StartUp& profile, const Instant now) noexcept
 {
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
         const NodeId slave{id};
-        const NodeRecord& record = table_.Record(slave);
-        const bool is_heard = (record.state != SlaveState::kUnknown) || record.has_answered;
-        const GateState gate = gate_.State(slave);
-        const bool is_started = profile.Status(slave).is_started;
-        const bool is_hit = (node.value == kAllNodes.value) || (node.value == id);
-        const bool was_there = is_heard || is_started || (gate == GateState::kDiffers);
-        const bool is_ours = HasStarted(slave, profile) && (gate == GateState::kOpen);
-        if (is_hit && setup_.IsSafetySlave(slave) && was_there && !is_ours)
+        const bool is_hit = ((node.value == kAllNodes.value) || (node.value == id)) && setup_.IsSafetySlave(slave);
+        const bool is_ours = HasStarted(slave, profile) && (gate_.State(slave) == GateState::kOpen);
+        if (is_hit)
+        {
+            table_.KeepStarted(slave);
+        }
+        if (is_hit && !is_ours)
         {
             ReadAnew(slave); // It may have been changed since it was read.
             table_.Presume(slave, now);

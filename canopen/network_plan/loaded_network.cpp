@@ -283,12 +283,14 @@ void LoadedNetwork::FillIdentity(const LoadedSlave& slave, SlaveSetup& setup) co
     constexpr std::uint16_t kDeviceType = 0x1000U;
     constexpr std::uint16_t kIdentity = 0x1018U;
     constexpr std::uint16_t kDate = 0x1020U;
+    constexpr std::uint16_t kEmergency = 0x1014U;
     const SlavePlan& plan = slave.plan;
     setup.device_type = plan.device_type.value_or(Configured(slave, kDeviceType, 0U));
     setup.vendor_id = plan.vendor_id.value_or(Configured(slave, kIdentity, 1U));
     setup.product_code = plan.product_code.value_or(Configured(slave, kIdentity, 2U));
     setup.revision_number = plan.revision.value_or(Configured(slave, kIdentity, 3U));
     setup.serial_number = plan.serial.value_or(Configured(slave, kIdentity, 4U));
+    setup.emergency_id = Configured(slave, kEmergency, 0U);
     setup.configuration_date = plan.date.value_or(Configured(slave, kDate, 1U));
     setup.configuration_time = plan.time.value_or(Configured(slave, kDate, 2U));
 }

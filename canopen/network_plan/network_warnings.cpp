@@ -232,6 +232,8 @@ void NetworkWarnings::WarnOfGuarding(const SlavePlan& slave, const bool is_el675
 /// What the gate expects and the device does not have by itself, or has and the gate does not read.
 void NetworkWarnings::WarnOfSafety(const LoadedSlave& slave)
 {
+    constexpr std::uint16_t kEmergency = 0x1014U;
+    constexpr std::uint32_t kIsOff = 0x80000000U;
     constexpr std::uint16_t kValidFlag = 0x13FEU;
     constexpr std::uint16_t kSignatures = 0x13FFU;
     std::uint32_t count = 0U;
@@ -259,6 +261,12 @@ void NetworkWarnings::WarnOfSafety(const LoadedSlave& slave)
         warn(kValidFlag, cia306::Hex(value, 2) + " keeps " + node +
                              " from being started until somebody declares its configuration valid, expected 0xA5, or "
                              "write_safety: true in the network file");
+    }
+    if (!slave.objects.empty() && (setup_.slaves[slave.plan.node].emergency_id & kIsOff) != 0U)
+    {
+        warn(kEmergency, cia306::Hex(setup_.slaves[slave.plan.node].emergency_id, 8) +
+                             " switches off the emergencies of " + node +
+                             ", which counts as good in its safe state, expected an identifier without bit 31");
     }
     if (count > highest)
     {

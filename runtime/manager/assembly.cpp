@@ -152,7 +152,8 @@ bool ManagerAssembly::Runs(const cia302::NodeId node) const noexcept
 
 bool ManagerAssembly::HasFault(const cia302::NodeId node) const noexcept
 {
-    return net_.Setup().IsSafetySlave(node) && manager_.Watched().Of(node).fault != 0U;
+    const cia302::WatchedNode& watched = manager_.Watched().Of(node);
+    return watched.is_duplicate || (net_.Setup().IsSafetySlave(node) && watched.fault != 0U);
 }
 
 bool ManagerAssembly::IsGood(const cia302::NodeId node) const noexcept

@@ -335,6 +335,10 @@ std::string WriteSafety(ManagerAssembly& assembly, const cia302::NodeId node, co
     {
         answer = name + " is no safety slave, expected one";
     }
+    else if (!assembly.Core().IsActive())
+    {
+        answer = "the manager is not the active master, expected the order at that one";
+    }
     else if (assembly.Core().Status(node).is_other)
     {
         answer = name + " is not known to be the expected device, expected that one, and boot NODE";
@@ -345,7 +349,7 @@ std::string WriteSafety(ManagerAssembly& assembly, const cia302::NodeId node, co
     }
     else if (!assembly.Core().WriteSafety(node, now))
     {
-        answer = "the start-up of the slave runs, or the manager is not the active master, expected it later";
+        answer = "the start-up of the slave runs, expected it later";
     }
     return answer;
 }

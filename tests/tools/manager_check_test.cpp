@@ -226,6 +226,10 @@ TEST_F(ManagerCheckTest, WhatDoesNotWorkTogetherIsNamed)
     const Answer never = RunCommand({"manager", "--check", two, deaf});
     EXPECT_EQ(never.out, deaf + ":6: claim_heard is ignores, expected compares beside cyclic negotiation of " + two +
                              ":5: two such masters never end\n");
+    // And 076h of the one that ignores 071h ends it
+    const std::string forces = network("forces.yaml", "  node: 5\n  flying:\n    claim_heard: ignores\n",
+                                       "node: 2, boot: false, mandatory: false, consumer: 900 ms");
+    EXPECT_EQ(RunCommand({"manager", "--check", two, forces}).out.find("claim_heard"), std::string::npos);
     // Then what may be meant is a warning
     const Answer none = RunCommand({"manager", "--check", two, by_none});
     EXPECT_EQ(none.status, 0) << none.out;
@@ -273,6 +277,9 @@ TEST_F(ManagerCheckTest, AnExpectationThatASafetySlaveCannotMeetIsTold)
     EXPECT_EQ(check("", roomy).err, dcf + ":322:14: warning: 0x13FF:00: room for 3 signatures, and the highest SRDO of "
                                           "the file is 1: what node 33 has in "
                                           "the others is not read, expected them in the file\n");
+    EXPECT_EQ(check("", {{"DefaultValue=$NODEID+0x80", "DefaultValue=0x800000A1"}}).err,
+              dcf + ":109:14: warning: 0x1014:00: 0x800000A1 switches off the emergencies of node 33, which counts as "
+                    "good in its safe state, expected an identifier without bit 31\n");
     // What is no configuration at all is refused
     const Answer unsigned_one = check("", {{"ParameterValue=0x9FCB", "ParameterValue=0x9FCC"}});
     EXPECT_EQ(unsigned_one.status, 2);

@@ -42,16 +42,17 @@ SlaveState AskedBy(const NmtCommand command) noexcept
     return state;
 }
 
+/// Null: no node.
+NodeRecord* Find(const NodeTableParts& parts, const NodeId node) noexcept
+{
+    const bool is_node = (node.value >= 1U) && (node.value <= kLastNode);
+    return is_node ? &parts.records[node.value] : nullptr;
+}
+
 } // namespace
 
 NodeTable::NodeTable(const NodeTableParts& parts) noexcept : parts_(parts)
 {
-}
-
-NodeRecord* NodeTable::Find(const NodeId node) noexcept
-{
-    const bool is_node = (node.value >= 1U) && (node.value <= kLastNode);
-    return is_node ? &parts_.records[node.value] : nullptr;
 }
 
 const NodeRecord& NodeTable::Record(const NodeId node) const noexcept
@@ -77,7 +78,7 @@ bool NodeTable::RunsSurely(const NodeId node) const noexcept
 void NodeTable::WatchHeartbeat(const NodeId node, const std::uint16_t time_ms, const Arming arming,
                                const Instant now) noexcept
 {
-    NodeRecord* const record = Find(node);
+    NodeRecord* const record = Find(parts_, node);
     if (record != nullptr)
     {
         record->watch = (time_ms > 0U) ? Watch::kHeartbeat : Watch::kNone;
@@ -93,7 +94,7 @@ void NodeTable::WatchHeartbeat(const NodeId node, const std::uint16_t time_ms, c
 void NodeTable::WatchGuarding(const NodeId node, const std::uint16_t time_ms, const std::uint8_t retry_factor,
                               const Instant now) noexcept
 {
-    NodeRecord* const record = Find(node);
+    NodeRecord* const record = Find(parts_, node);
     if (record != nullptr)
     {
         const bool is_on = (time_ms > 0U) && (retry_factor > 0U);
@@ -128,7 +129,7 @@ void NodeTable::WatchAsSetUp(const NodeId node, const Instant now) noexcept
 
 void NodeTable::Expect(const NodeId node, const std::uint32_t time_ms, const Instant now) noexcept
 {
-    NodeRecord* const record = Find(node);
+    NodeRecord* const record = Find(parts_, node);
     if (record != nullptr)
     {
         record->is_expected = true;
@@ -139,7 +140,7 @@ void NodeTable::Expect(const NodeId node, const std::uint32_t time_ms, const Ins
 
 bool NodeTable::AskState(const NodeId node) noexcept
 {
-    NodeRecord* const record = Find(node);
+    NodeRecord* const record = Find(parts_, node);
     const bool has_left = (record != nullptr) && SendRemote(node);
     if (has_left)
     {
@@ -151,11 +152,10 @@ bool NodeTable::AskState(const NodeId node) noexcept
 
 void NodeTable::SetMissing(const NodeId node) noexcept
 {
-    NodeRecord* const record = Find(node);
+    NodeRecord* const record = Find(parts_, node);
     if (record != nullptr)
     {
         record->state = SlaveState::kMissing;
-        record->has_answered = false;
     }
 }
 
@@ -168,7 +168,7 @@ void NodeTable::OnFrame(const CanFrame& frame, const Instant now) noexcept
     const NodeId node{static_cast<std::uint8_t>(frame.identifier & kLastNode)};
     if (is_answer)
     {
-        HearAnswer(parts_.records[node.value]);
+        HearAnswer(node, now);
     }
     else if (is_sign && (node.value != parts_.setup.own.value))
     {
@@ -185,12 +185,16 @@ void NodeTable::OnFrame(const CanFrame& frame, const Instant now) noexcept
 }
 
 /// It is there, in a state that nobody knows. Whether a supervised node is lost is a matter of its supervision alone.
-void NodeTable::HearAnswer(NodeRecord& record) noexcept
+void NodeTable::HearAnswer(const NodeId node, const Instant now) noexcept
 {
+    NodeRecord& record = parts_.records[node.value];
     const bool is_back = (record.state == SlaveState::kMissing) && (record.watch == Watch::kNone);
-    record.has_answered = true;
     record.is_expected = false;
     record.state = is_back ? SlaveState::kUnknown : record.state;
+    if (is_back && record.is_kept_started)
+    {
+        Presume(node, now);
+    }
 }
 
 /// Of somebody else: the nodes may be OPERATIONAL no more, whatever their next sign says.
@@ -201,9 +205,8 @@ void NodeTable::HearCommand(const NmtCommand command, const NodeId node) noexcep
         NodeRecord& record = parts_.records[id];
         const bool is_hit = (node.value == kAllNodes.value) || (node.value == id);
         const bool is_start = (command == NmtCommand::kStart);
-        const bool is_reset = (command == NmtCommand::kResetNode) || (command == NmtCommand::kResetCommunication);
         record.runs = (is_hit && !is_start) ? std::uint8_t{0U} : record.runs;
-        record.has_answered = record.has_answered && !(is_hit && is_reset);
+        record.is_kept_started = record.is_kept_started && (!is_hit || is_start);
         record.asked = is_hit ? AskedBy(command) : record.asked;
         record.state = (is_hit && record.is_presumed) ? record.asked : record.state;
     }
@@ -212,7 +215,7 @@ void NodeTable::HearCommand(const NmtCommand command, const NodeId node) noexcep
 /// The command was the last one for it: no sign of before is on its way.
 void NodeTable::Presume(const NodeId node, const Instant now) noexcept
 {
-    NodeRecord* const record = Find(node);
+    NodeRecord* const record = Find(parts_, node);
     if ((record != nullptr) && (record->state != SlaveState::kMissing))
     {
         record->state = SlaveState::kOperational;
@@ -223,9 +226,18 @@ void NodeTable::Presume(const NodeId node, const Instant now) noexcept
     }
 }
 
+void NodeTable::KeepStarted(const NodeId node) noexcept
+{
+    NodeRecord* const record = Find(parts_, node);
+    if (record != nullptr)
+    {
+        record->is_kept_started = true;
+    }
+}
+
 void NodeTable::Miss(const NodeId node) noexcept
 {
-    NodeRecord* const record = Find(node);
+    NodeRecord* const record = Find(parts_, node);
     if (record != nullptr)
     {
         record->has_gap = true;
@@ -245,6 +257,7 @@ void NodeTable::Hear(const NodeId node, const std::uint8_t byte, const Instant n
         record.was_seen = true;
         record.has_gap = false;
         record.is_presumed = false;
+        record.is_kept_started = record.is_kept_started && is_boot_up;
         record.is_expected = false;
         record.last_sign = now;
         ++record.signs;
@@ -267,7 +280,8 @@ void NodeTable::Hear(const NodeId node, const std::uint8_t byte, const Instant n
     }
 }
 
-/// `next` is the toggle bit of the first answer.
+/// `next` is the toggle bit of the first answer. The message has the lowest priority on the bus: a start behind the
+/// reset may have come before it.
 void NodeTable::HearBootUp(const NodeId node, NodeRecord& record, const Toggle next, const Instant now) noexcept
 {
     record.state = SlaveState::kPreOperational;
@@ -283,6 +297,11 @@ void NodeTable::HearBootUp(const NodeId node, NodeRecord& record, const Toggle n
                         ((record.watch == Watch::kHeartbeat) && (record.arming != Arming::kFirstHeartbeat));
     record.since = now;
     parts_.listener.OnNodeEvent(node, NodeEvent::kBootUp, now);
+    if (record.is_kept_started)
+    {
+        record.asked = SlaveState::kOperational;
+        Presume(node, now);
+    }
 }
 
 void NodeTable::HearState(const NodeId node, NodeRecord& record, const std::uint8_t byte, const Instant now) noexcept
@@ -342,13 +361,13 @@ void NodeTable::OnNmtSent(const NmtRequest& request, const Instant now) noexcept
 void NodeTable::Command(NodeRecord& record, const NmtCommand command, const Instant now) noexcept
 {
     record.asked = AskedBy(command);
+    record.is_kept_started = false;
     record.state = record.is_presumed ? record.asked : record.state;
     record.runs = (command == NmtCommand::kStart) ? record.runs : std::uint8_t{0U};
     if ((command == NmtCommand::kResetNode) || (command == NmtCommand::kResetCommunication))
     {
         record.state = SlaveState::kUnknown;
         record.has_booted = false;
-        record.has_answered = false;
         record.toggle = Toggle::kClear;
         record.is_asked = false;
         record.has_begun = false;

@@ -73,16 +73,16 @@ constexpr std::uint8_t kRunsSurely = 2U;
 struct NodeRecord
 {
     SlaveState state;
-    SlaveState asked;   ///< State that the last NMT command, of whomever, asked for; kUnknown after a reset.
-    bool was_seen;      ///< Ever.
-    bool has_booted;    ///< Its boot-up message came since the last reset of it.
-    bool is_presumed;   ///< Nothing was heard since Presume: `state` is what was commanded.
-    bool has_gap;       ///< Frames were lost since its last sign: Miss.
-    bool has_answered;  ///< An SDO since its last reset: it is there, whatever else it says or does not say.
-    std::uint8_t signs; ///< Counts heartbeats, guarding answers and boot-up messages, modulo 256.
-    std::uint8_t beats; ///< Counts heartbeats and guarding answers, modulo 256.
-    std::uint8_t runs;  ///< OPERATIONAL signs in a row since the last NMT command but a start, up to kRunsSurely.
-    Instant last_sign;  ///< Only with `was_seen`.
+    SlaveState asked;     ///< State that the last NMT command, of whomever, asked for; kUnknown after a reset.
+    bool was_seen;        ///< Ever.
+    bool has_booted;      ///< Its boot-up message came since the last reset of it.
+    bool is_presumed;     ///< Nothing was heard since Presume: `state` is what was commanded.
+    bool has_gap;         ///< Frames were lost since its last sign: Miss.
+    bool is_kept_started; ///< KeepStarted, and no command, heartbeat or guarding answer since.
+    std::uint8_t signs;   ///< Counts heartbeats, guarding answers and boot-up messages, modulo 256.
+    std::uint8_t beats;   ///< Counts heartbeats and guarding answers, modulo 256.
+    std::uint8_t runs;    ///< OPERATIONAL signs in a row since the last NMT command but a start, up to kRunsSurely.
+    Instant last_sign;    ///< Only with `was_seen`.
 
     Watch watch;           ///< What supervises it.
     bool is_running;       ///< Supervision counts: silence becomes a loss.
@@ -135,6 +135,10 @@ class NodeTable final : public NmtListener
     /// @brief Somebody started it: it counts as OPERATIONAL until it says otherwise, and kChanged is told. One that is
     /// missing stays missing.
     void Presume(NodeId node, Instant now) noexcept;
+    /// @brief The start of somebody else that comes: it may be behind a reset whose boot-up message still waits, so
+    /// that only a heartbeat, a guarding answer or another command ends it, and the node is presumed anew behind a
+    /// boot-up message and, where it was missing, an SDO of it. [SRS_SFS_006]
+    void KeepStarted(NodeId node) noexcept;
 
     /// @brief Frames were lost, perhaps those of this node: if its last command was a start, and its next sign says
     /// PRE-OPERATIONAL, kBootUp is told. [SRS_NMM_020]
@@ -166,7 +170,7 @@ class NodeTable final : public NmtListener
   private:
     void Hear(NodeId node, std::uint8_t byte, Instant now) noexcept;
     void HearBootUp(NodeId node, NodeRecord& record, Toggle next, Instant now) noexcept;
-    void HearAnswer(NodeRecord& record) noexcept;
+    void HearAnswer(NodeId node, Instant now) noexcept;
     void HearState(NodeId node, NodeRecord& record, std::uint8_t byte, Instant now) noexcept;
     [[nodiscard]] bool TakeToggle(NodeId node, NodeRecord& record, bool is_set, Instant now) noexcept;
     void Guard(NodeId node, NodeRecord& record, Instant now) noexcept;
@@ -176,7 +180,6 @@ class NodeTable final : public NmtListener
     void Command(NodeRecord& record, NmtCommand command, Instant now) noexcept;
     void HearCommand(NmtCommand command, NodeId node) noexcept;
     [[nodiscard]] bool SendRemote(NodeId node) noexcept;
-    [[nodiscard]] NodeRecord* Find(NodeId node) noexcept;
 
     NodeTableParts parts_;
 };

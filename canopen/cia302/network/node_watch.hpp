@@ -68,7 +68,7 @@ class NodeWatch
     /// @brief `nodes` has kNodeRoom elements; all kept by reference.
     NodeWatch(const NetworkSetup& setup, WatchedNode* nodes, NodeWatchListener& listener) noexcept;
 
-    /// @brief A frame from the bus, never one of this device itself. O(1), a reset of all O(127)
+    /// @brief A frame from the bus, never one of this device itself. O(127)
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
     /// @brief Tells the last emergency message of a storm that has ended. Once a cycle. O(127)
     void OnCycle(Instant now) noexcept;
@@ -86,6 +86,7 @@ class NodeWatch
     [[nodiscard]] const WatchedNode& Of(NodeId node) const noexcept;
 
   private:
+    [[nodiscard]] NodeId EmergencySender(std::uint32_t identifier) const noexcept;
     void OnEmergency(NodeId node, const CanFrame& frame, Instant now) noexcept;
     void Tell(NodeId node, Instant now) noexcept;
     void OnSign(NodeId node, std::uint8_t byte, Instant now) noexcept;

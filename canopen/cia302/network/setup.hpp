@@ -87,6 +87,7 @@ struct SlaveSetup
     const SafetyExpectation* safety; ///< Null: no safety slave.
     const El6751Slave* el6751;       ///< Needed by the EL6751 profile only.
     const PlcSlave* plc;             ///< Needed by the PLC Designer profile only.
+    std::uint32_t emergency_id;      ///< 1014h: whose emergencies come with it; 0: 80h + node-ID.
 
     /// @brief Whether all these bits of 1F81h are set.
     [[nodiscard]] constexpr bool Has(const std::uint32_t bits) const noexcept

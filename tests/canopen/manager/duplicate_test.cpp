@@ -169,6 +169,27 @@ CanFrame Emergency(const std::uint16_t code, const std::uint8_t error_register)
                      0U, 0U, 0U, 0U}};
 }
 
+TEST_F(SecondAnswerTest, AFaultIsThatOfTheNodeWhoseIdentifierItHas)
+{
+    Verifies(req::SRS_MGR_025);
+    // Given a node with the identifier that is that of node 16 elsewhere, and one that sends none
+    setups[5].emergency_id = 0x90U;
+    setups[7].emergency_id = 0x80000087U;
+    Begin(Profile::kCia302);
+    const auto fault = [this](const std::uint8_t node) { return manager->Watched().Of(NodeId{node}).fault; };
+    CanFrame frame = Emergency(0x6100U, 0x81U);
+    for (const std::uint32_t identifier : {0x85U, 0x87U, 0x90U, 0x86U})
+    {
+        frame.identifier = identifier;
+        Put(frame);
+    }
+    EXPECT_EQ(fault(5U), 0x6100U);
+    EXPECT_EQ(fault(6U), 0x6100U);
+    EXPECT_EQ(fault(7U), 0U);
+    EXPECT_EQ(fault(16U), 0U);
+    EXPECT_EQ(manager->Watched().Of(NodeId{5U}).emergency.count, 1U);
+}
+
 TEST_F(SecondAnswerTest, AFaultOfTheDeviceIsKeptUntilItEnds)
 {
     Verifies(req::SRS_MGR_025);

@@ -46,6 +46,26 @@ class ForeignStartTest : public ManagerRig, public ::testing::WithParamInterface
         }
     }
 
+    /// A reset by this device (true) or somebody else, whose boot-up message comes behind the start of somebody else.
+    void ExpectStoppedBehindLateBootUp(const bool is_own)
+    {
+        constexpr std::uint32_t kOfSlave = 0x705U;
+        if (is_own)
+        {
+            EXPECT_EQ(Order(NmtCommand::kResetCommunication, 5U), NmtAnswer::kTaken);
+        }
+        else
+        {
+            Put(Nmt(NmtCommand::kResetCommunication, 5U));
+        }
+        Run(2U);
+        Put(Nmt(NmtCommand::kStart, 5U));
+        EXPECT_EQ(Running(5U), 1);
+        Put(CanFrame{kOfSlave, FrameKind::kData, CanPortId::kFirst, 1U, {}});
+        Run(6000U);
+        EXPECT_EQ(Running(5U), 0) << is_own;
+    }
+
     El6751Slave box{};
 };
 
@@ -84,6 +104,31 @@ TEST_P(ForeignStartTest, OfAChangedOneWhoseBootUpMessageWasLostIsFound)
     devices[0]->has_boot_up = false;
     devices[0]->Put(0x1301U, 2U, {26U, 0U});
     ExpectStopped(30U);
+}
+
+TEST_P(ForeignStartTest, OfAnotherDeviceBeforeItsBootUpMessageIsFound)
+{
+    Verifies(req::SRS_SFS_006);
+    MakeOther();
+    Begin(GetParam());
+    Run(6000U);
+    devices[0]->has_boot_up = false; // The test sends it.
+    ExpectStoppedBehindLateBootUp(true);
+    ExpectStoppedBehindLateBootUp(false);
+    EXPECT_TRUE(manager->Status(kSlave).is_other);
+}
+
+TEST_P(ForeignStartTest, OfAChangedOneThatTheManagerDoesNotStartIsFoundBeforeItsBootUpMessage)
+{
+    Verifies(req::SRS_SFS_006);
+    setup.start_up |= kApplicationStartsSlaves;
+    box.is_started = false;
+    devices[0]->Put(0x1301U, 2U, {26U, 0U});
+    Begin(GetParam());
+    Run(6000U);
+    devices[0]->has_boot_up = false;
+    ExpectStoppedBehindLateBootUp(true);
+    ExpectStoppedBehindLateBootUp(false);
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, ForeignStartTest, ::testing::ValuesIn(kProfiles));

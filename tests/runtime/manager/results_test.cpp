@@ -319,6 +319,27 @@ TEST_F(ManagerResultsTest, ASafetySlaveInItsSafeStateIsNotGood)
     EXPECT_EQ(Row(33U).finding, "");
 }
 
+TEST_F(ManagerResultsTest, ANodeThatMayBeTwoDevicesIsNotGood)
+{
+    Verifies(req::SRS_MGR_010);
+    Make("manager: {node: 127}\nslaves: [{node: 5, boot: false}]\n");
+    EndStartUp();
+    Hear(0x705U, {0x05U});
+    Run(2U);
+    EXPECT_TRUE(Row(5U).is_good);
+    EXPECT_TRUE(station->Assembly().HasStarted());
+    // When each of three requests of somebody is answered twice
+    for (const std::uint8_t sub : {std::uint8_t{1U}, std::uint8_t{2U}, std::uint8_t{3U}})
+    {
+        Hear(0x605U, {0x40U, 0x18U, 0x10U, sub, 0U, 0U, 0U, 0U});
+        Hear(0x585U, {0x43U, 0x18U, 0x10U, sub, 1U, 0U, 0U, 0U});
+        Hear(0x585U, {0x43U, 0x18U, 0x10U, sub, 2U, 0U, 0U, 0U});
+    }
+    EXPECT_EQ(Row(5U).finding, "two devices with this node-ID?");
+    EXPECT_FALSE(Row(5U).is_good);
+    EXPECT_FALSE(station->Assembly().HasStarted());
+}
+
 TEST_F(ManagerResultsTest, ThePageHasEmergenciesAndFitsAPhone)
 {
     Verifies(req::SRS_MGR_008);

@@ -316,6 +316,15 @@ TEST_F(ManagerStationTest, ASlaveThatIsOperationalIsNotWritten)
     EXPECT_EQ(Order("write-safety 5"), "node 5 is no safety slave, expected one");
 }
 
+TEST_F(ManagerStationTest, AStandbyTellsWhoIsToBeAskedToWrite)
+{
+    Verifies(req::SRS_MGR_006);
+    Make("manager: {node: 127, heartbeat: 200 ms, flying: {start: by_order}}\nslaves: [{node: 33, dcf: "
+         "actuator.dcf}]\n");
+    Run(2U);
+    EXPECT_EQ(Order("write-safety 33"), "the manager is not the active master, expected the order at that one");
+}
+
 TEST_F(ManagerStationTest, ACommandToAllMakesNoAbsentSlaveAStartedOne)
 {
     Verifies(req::SRS_MGR_004);

@@ -212,7 +212,9 @@ slaves:
     EXPECT_EQ(net.Setup().slaves[33].restore_sub, 1U);
     EXPECT_EQ(net.Setup().slaves[33].heartbeat.arming, cia302::Arming::kImmediately);
     EXPECT_TRUE(net.Find(33U)->plan.writes_safety);
+    EXPECT_EQ(net.Setup().slaves[33].emergency_id, 0xA1U); // $NODEID+0x80 of the DCF.
     EXPECT_EQ(net.Setup().slaves[34].assignment, 0x00640305U);
+    EXPECT_EQ(net.Setup().slaves[34].emergency_id, 0U);
     EXPECT_EQ(net.Setup().slaves[34].device_type, 0x191U);
     EXPECT_EQ(net.Setup().slaves[34].safety, nullptr);
 }

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia302/network/node_table.hpp"
 #include "tests/canopen/cia301/keeping_sink.hpp"
+#include "verification/trace/ids/manager.hpp"
 #include "verification/trace/ids/nmt_master.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -387,9 +388,7 @@ TEST_F(NodeTableTest, AnAnswerEndsMissingUnlessSupervisionSaysSo)
     table.SetMissing(NodeId{5U});
     Answer(8U);
     EXPECT_EQ(records[5].state, SlaveState::kUnknown);
-    EXPECT_TRUE(records[5].has_answered);
     table.SetMissing(NodeId{5U});
-    EXPECT_FALSE(records[5].has_answered);
     // When it was started, and is not supervised
     Answer(8U);
     Sent(NmtCommand::kStart, 5U);
@@ -401,14 +400,49 @@ TEST_F(NodeTableTest, AnAnswerEndsMissingUnlessSupervisionSaysSo)
     Answer(8U);
     EXPECT_EQ(records[5].state, SlaveState::kMissing);
     EXPECT_EQ(Told(), (Events{}));
-    // When somebody resets it, or another one
-    Foreign(NmtCommand::kResetNode, 6U);
-    EXPECT_TRUE(records[5].has_answered);
-    Foreign(NmtCommand::kResetCommunication, 0U);
-    EXPECT_FALSE(records[5].has_answered);
+}
+
+TEST_F(NodeTableTest, AStartOfSomebodyElseOutlastsBootUpMessageAndSilence)
+{
+    Verifies(req::SRS_SFS_006);
+    Sent(NmtCommand::kResetCommunication, 0U);
+    table.KeepStarted(NodeId{5U});
+    Foreign(NmtCommand::kStart, 5U);
+    // When its boot-up message comes behind the start, or it answers an SDO at last
+    Hear(0U);
+    EXPECT_EQ(Told(), (Events{NodeEvent::kBootUp, NodeEvent::kChanged}));
+    EXPECT_TRUE(table.RunsSurely(NodeId{5U}));
+    EXPECT_EQ(table.RequestValue(NodeId{5U}), 5U);
+    table.SetMissing(NodeId{5U});
+    EXPECT_FALSE(table.RunsSurely(NodeId{5U}));
     Answer(8U);
-    Sent(NmtCommand::kResetNode, 5U);
-    EXPECT_FALSE(records[5].has_answered);
+    EXPECT_TRUE(table.RunsSurely(NodeId{5U}));
+    // When it tells its state itself
+    Hear(127U);
+    EXPECT_EQ(table.RequestValue(NodeId{5U}), 5U); // Unwatched: what was asked for last.
+    EXPECT_FALSE(table.RunsSurely(NodeId{5U}));
+    Hear(0U);
+    EXPECT_EQ(table.RequestValue(NodeId{5U}), 127U);
+    EXPECT_FALSE(table.RunsSurely(NodeId{5U}));
+}
+
+TEST_F(NodeTableTest, ALaterCommandEndsTheStartOfSomebodyElse)
+{
+    Verifies(req::SRS_SFS_006);
+    const auto is_kept = [this](const auto& command)
+    {
+        table.KeepStarted(NodeId{5U});
+        command();
+        Hear(0U);
+        return table.RunsSurely(NodeId{5U});
+    };
+    EXPECT_TRUE(is_kept([this] { Foreign(NmtCommand::kStart, 0U); }));
+    EXPECT_TRUE(is_kept([this] { Foreign(NmtCommand::kStop, 6U); }));
+    EXPECT_TRUE(is_kept([this] { Sent(NmtCommand::kStop, 6U); }));
+    EXPECT_FALSE(is_kept([this] { Foreign(NmtCommand::kStop, 5U); }));
+    EXPECT_FALSE(is_kept([this] { Foreign(NmtCommand::kResetNode, 0U); }));
+    EXPECT_FALSE(is_kept([this] { Sent(NmtCommand::kPreOperational, 5U); }));
+    EXPECT_FALSE(is_kept([this] { Sent(NmtCommand::kStart, 5U); }));
 }
 
 TEST_F(NodeTableTest, NodeThatNobodyListed)
