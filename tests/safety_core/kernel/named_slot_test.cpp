@@ -134,11 +134,11 @@ TEST_F(NamedSlot, ThatDoesNotExistIsNeitherDemotedNorPreparedNorReported)
     const int demotions = a.demotions;
     const SrdoMask beyond = ~SrdoMask{7U};
     // Given A alone calls slots 3 to 63 newly faulted
-    a.on_outcome = [beyond](CycleOutcome& outcome) { outcome.new_fault |= beyond; };
+    a.on_outcome = [](CycleOutcome& outcome) { outcome.new_fault |= beyond; };
     Cycle();
     EXPECT_EQ(a.demotions, demotions);
     // And both call them due, and signal something
-    const auto due_and_signalled = [beyond](CycleOutcome& outcome)
+    const auto due_and_signalled = [](CycleOutcome& outcome)
     {
         outcome.due |= beyond;
         outcome.signalled = beyond;
