@@ -5,22 +5,25 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <map>
 
 namespace counterpoint::simulator
 {
 namespace
 {
-/// What was noticed at one instant: of each kind the first event.
+/// What was noticed at one instant.
 struct Findings
 {
-    std::map<EventKind, const Event*> first;
+    std::vector<const Event*> events;
     Nanoseconds at{-1};
 
-    [[nodiscard]] const Event* Of(const EventKind kind) const
+    [[nodiscard]] bool Has(const EventKind kind) const
     {
-        const auto found = first.find(kind);
-        return (found == first.end()) ? nullptr : found->second;
+        return std::any_of(events.begin(), events.end(), [kind](const Event* event) { return event->kind == kind; });
+    }
+    [[nodiscard]] bool Has(const EventKind kind, const std::uint8_t srdo) const
+    {
+        return std::any_of(events.begin(), events.end(),
+                           [kind, srdo](const Event* event) { return event->kind == kind && event->srdo == srdo; });
     }
 };
 
@@ -86,26 +89,66 @@ bool FollowsCommands(const Event& event)
     return event.kind == EventKind::kOutput || (is_cause && CauseOf(event) == SrdoCause::kNotOperational);
 }
 
-Detection Conclude(const Findings& findings)
+void AddOnce(std::vector<Detection>& members, const Detection& found)
 {
-    if (const Event* const fault = findings.Of(EventKind::kDeviceFault))
+    const auto is_like = [&found](const Detection& other) { return other.IsLike(found); };
+    if (std::none_of(members.begin(), members.end(), is_like))
     {
-        return {PartyOf(*fault), Name(static_cast<DeviceFault>(fault->value)), findings.at};
+        members.push_back(found);
     }
-    const Event* const cause_a = findings.Of(EventKind::kCauseA);
-    const Event* const cause_b = findings.Of(EventKind::kCauseB);
-    if (cause_a != nullptr || cause_b != nullptr)
+}
+
+/// The cause that counts, then all that are signalled with it.
+void AddCauses(const Findings& findings, const Event& event, std::vector<Detection>& members)
+{
+    const bool is_a = findings.Has(EventKind::kCauseA, event.srdo);
+    const bool is_b = findings.Has(EventKind::kCauseB, event.srdo);
+    const Party one = is_a ? Party::kChannelA : Party::kChannelB;
+    const Party party = (is_a && is_b) ? Party::kChannels : one;
+    AddOnce(members, {party, Name(CauseOf(event)), findings.at, event.srdo});
+    for (std::uint32_t cause = 1U; cause < 32U; ++cause)
     {
-        const Party one = (cause_a != nullptr) ? Party::kChannelA : Party::kChannelB;
-        const bool is_both = cause_a != nullptr && cause_b != nullptr;
-        return {is_both ? Party::kChannels : one, Name(CauseOf((cause_a != nullptr) ? *cause_a : *cause_b)),
-                findings.at};
+        const bool is_signalled = ((event.other >> cause) & 1U) != 0U;
+        if (is_signalled && static_cast<SrdoCause>(cause) != SrdoCause::kNotOperational)
+        {
+            AddOnce(members, {party, Name(static_cast<SrdoCause>(cause)), findings.at, event.srdo});
+        }
     }
-    if (findings.Of(EventKind::kWatchdog) != nullptr)
+}
+
+/// Every member of what was noticed at one instant: device faults, causes of each SRDO, the watchdog, and outputs that
+/// nothing of these closed.
+std::vector<Detection> Conclude(const Findings& findings)
+{
+    std::vector<Detection> members;
+    const auto each = [&findings](const EventKind kind, const auto& add)
     {
-        return {Party::kWatchdog, "wrong_or_no_answer", findings.at};
-    }
-    return {Party::kOutputGate, "no_right_permits", findings.at};
+        for (const Event* const event : findings.events)
+        {
+            if (event->kind == kind)
+            {
+                add(*event);
+            }
+        }
+    };
+    each(EventKind::kDeviceFault, [&](const Event& event)
+         { AddOnce(members, {PartyOf(event), Name(static_cast<DeviceFault>(event.value)), findings.at}); });
+    each(EventKind::kCauseA, [&](const Event& event) { AddCauses(findings, event, members); });
+    each(EventKind::kCauseB, [&](const Event& event) { AddCauses(findings, event, members); });
+    each(EventKind::kWatchdog,
+         [&](const Event& /*event*/) { AddOnce(members, {Party::kWatchdog, "wrong_or_no_answer", findings.at}); });
+    const bool is_device = findings.Has(EventKind::kDeviceFault) || findings.Has(EventKind::kWatchdog);
+    each(EventKind::kOutput,
+         [&](const Event& event)
+         {
+             const bool has_cause =
+                 findings.Has(EventKind::kCauseA, event.srdo) || findings.Has(EventKind::kCauseB, event.srdo);
+             if (!is_device && !has_cause)
+             {
+                 AddOnce(members, {Party::kOutputGate, "no_right_permits", findings.at, event.srdo});
+             }
+         });
+    return members;
 }
 } // namespace
 
@@ -126,18 +169,18 @@ bool IsCommanded(const Journal& journal, const NodeIndex node, const std::uint8_
 
 namespace
 {
-/// The first `most` detections at a node, one for each instant at which something was noticed.
+/// The detections at a node, of the first `most` instants at which something was noticed.
 std::vector<Detection> DetectionsAt(const Journal& journal, const NodeIndex node, const Nanoseconds from,
                                     const std::size_t most)
 {
     std::vector<Detection> detections;
     Findings findings;
-    const auto conclude = [&detections, &findings]()
+    std::size_t instants = 0U;
+    const auto conclude = [&detections, &findings, &instants]()
     {
-        if (findings.at >= 0)
-        {
-            detections.push_back(Conclude(findings));
-        }
+        const std::vector<Detection> members = Conclude(findings);
+        detections.insert(detections.end(), members.begin(), members.end());
+        instants += members.empty() ? 0U : 1U;
     };
     for (const Event& event : journal.Events())
     {
@@ -147,7 +190,7 @@ std::vector<Detection> DetectionsAt(const Journal& journal, const NodeIndex node
         {
             conclude();
             findings = Findings{};
-            if (detections.size() == most)
+            if (instants == most)
             {
                 return detections;
             }
@@ -155,7 +198,7 @@ std::vector<Detection> DetectionsAt(const Journal& journal, const NodeIndex node
         if (is_here)
         {
             findings.at = event.at;
-            findings.first.try_emplace(event.kind, &event);
+            findings.events.push_back(&event);
         }
     }
     conclude();

@@ -6,6 +6,7 @@
 #include "simulator/scenario/reader.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -38,6 +39,129 @@ Scenario Cut(Scenario scenario, const std::optional<Nanoseconds> until)
     }
     return scenario;
 }
+
+Nanoseconds EffectOf(const Journal& journal, const std::size_t fault)
+{
+    for (const Event& event : journal.Events())
+    {
+        if (event.kind == EventKind::kFault && event.value == fault)
+        {
+            return event.at;
+        }
+    }
+    return -1;
+}
+
+/// The other faults that had an effect until then, in the order of these.
+std::vector<std::size_t> FaultsBefore(const Journal& journal, const std::size_t fault, const Nanoseconds at)
+{
+    std::vector<std::size_t> others;
+    for (const Event& event : journal.Events())
+    {
+        const bool is_other = event.kind == EventKind::kFault && event.at <= at && event.value != fault;
+        if (is_other && std::find(others.begin(), others.end(), event.value) == others.end())
+        {
+            others.push_back(event.value);
+        }
+    }
+    return others;
+}
+
+/// A run, the same one without one of its faults, and with that fault alone.
+struct Compared
+{
+    const Journal& whole;
+    const Journal& without;
+    const Journal& alone;
+    std::size_t fault;
+
+    /// What the run without the fault has behind this instant may follow from faults that came later.
+    [[nodiscard]] Nanoseconds NextEffect(const Nanoseconds at) const
+    {
+        for (const Event& event : without.Events())
+        {
+            const bool is_later = event.kind == EventKind::kFault && event.at > at;
+            const Nanoseconds here = is_later ? EffectOf(whole, event.value) : 0;
+            if (is_later && (here < 0 || here > at))
+            {
+                return event.at;
+            }
+        }
+        return std::numeric_limits<Nanoseconds>::max();
+    }
+    /// Whether the fault has its effect without the others, too. One that shows only together with another is found
+    /// with it.
+    [[nodiscard]] bool ShowsAlone() const
+    {
+        return EffectOf(alone, fault) >= 0;
+    }
+};
+
+bool IsClosedByAnother(const Compared& runs, const Expectation& expectation, const Nanoseconds from,
+                       const Nanoseconds closed)
+{
+    const Nanoseconds without = ClosedAt(runs.without, expectation, from);
+    const Nanoseconds alone = ClosedAt(runs.alone, expectation, from);
+    const bool is_no_later = without >= 0 && without <= closed && alone != closed;
+    const bool is_shifted = without >= 0 && without < runs.NextEffect(closed) && alone < 0 && runs.ShowsAlone();
+    return is_no_later || is_shifted;
+}
+
+bool IsSame(const Detection& one, const Detection& other)
+{
+    return one.IsLike(other) && one.at == other.at;
+}
+
+template <typename Condition> bool IsAny(const std::vector<Detection>& detections, const Condition& condition)
+{
+    return std::any_of(detections.begin(), detections.end(), condition);
+}
+
+/// The detections of the whole run that this fault brought.
+class OwnDetections
+{
+  public:
+    OwnDetections(const Compared& runs, const Expectation& expectation, const Nanoseconds from)
+        : runs_(runs), all_(DetectionsOf(runs.whole, expectation, from)),
+          without_(DetectionsOf(runs.without, expectation, from)), alone_(DetectionsOf(runs.alone, expectation, from))
+    {
+    }
+
+    /// The first one; nobody's: there is none.
+    [[nodiscard]] Detection First() const
+    {
+        const auto own =
+            std::find_if(all_.begin(), all_.end(), [this](const Detection& found) { return IsOwn(found); });
+        return (own == all_.end()) ? Detection{} : *own;
+    }
+
+  private:
+    [[nodiscard]] bool IsOwn(const Detection& found) const
+    {
+        const bool comes_alone = IsAny(alone_, [&found](const Detection& other) { return IsSame(other, found); });
+        const bool is_no_later =
+            IsAny(without_, [&found](const Detection& other) { return other.IsLike(found) && other.at <= found.at; });
+        return comes_alone || (!is_no_later && !IsShifted(found));
+    }
+    /// Whether this fault, which alone never brings it, only changed when or by whom another one was found: without it
+    /// there is one that the whole run has not.
+    [[nodiscard]] bool IsShifted(const Detection& found) const
+    {
+        const Nanoseconds next = runs_.NextEffect(found.at);
+        const auto is_like = [&found](const Detection& other) { return other.IsLike(found); };
+        const auto is_missing = [this, &found, next](const Detection& other)
+        {
+            const bool is_partner = other.at < next && (other.IsLike(found) || alone_.empty());
+            return is_partner && !IsAny(all_, [&other](const Detection& here) { return IsSame(here, other); });
+        };
+        return runs_.ShowsAlone() && !IsAny(alone_, is_like) && IsAny(without_, is_missing);
+    }
+
+    const Compared& runs_;
+    std::vector<Detection> all_;
+    std::vector<Detection> without_;
+    std::vector<Detection> alone_;
+};
 } // namespace
 
 Run::Run(Scenario scenario, const std::optional<Nanoseconds> until, const bool keeps_all, const MakeManaged& make)
@@ -133,8 +257,8 @@ void Run::Simulate(const std::function<void(Nanoseconds)>& progress)
     without_.clear();
 }
 
-/// Where an output closed in time, but closes no later without the fault, another one closed it, unless this one alone
-/// does so too. [SRS_SIM_068]
+/// Where an output closed in time, but closes no later without the fault, or where this fault alone closes none,
+/// another one closed it, unless this one alone does so too. [SRS_SIM_068]
 void Run::FindOtherClosers()
 {
     for (ExpectationVerdict& verdict : verdicts_)
@@ -148,16 +272,24 @@ void Run::FindOtherClosers()
         }
         Measurement& measurement = *verdict.measurement;
         const Expectation& expectation = scenario_.expectations[verdict.expectation];
-        const Nanoseconds from = measurement.effect;
-        const Nanoseconds without = ClosedAt(RecordWithout({measurement.fault}), expectation, from);
-        const bool is_no_later = without >= 0 && without <= measurement.closed;
+        const auto is_another = [this, &expectation, &measurement](const std::size_t fault)
+        {
+            const Compared runs{journal_, RecordWithout({fault}), RecordWithout(AllBut(fault)), fault};
+            return IsClosedByAnother(runs, expectation, measurement.effect, measurement.closed);
+        };
+        // Where it is none of them, each delayed the other: then it is each one that alone closes it no later.
+        const auto before = FaultsBefore(journal_, measurement.fault, measurement.closed);
+        const Nanoseconds alone = ClosedAt(RecordWithout(AllBut(measurement.fault)), expectation, measurement.effect);
+        const bool is_enough = alone >= 0 && alone <= measurement.closed;
         measurement.is_of_another =
-            is_no_later && ClosedAt(RecordWithout(AllBut(measurement.fault)), expectation, from) != measurement.closed;
+            is_another(measurement.fault) && !(is_enough && std::all_of(before.begin(), before.end(), is_another));
         if (measurement.is_of_another)
         {
             verdict.holds = false;
-            verdict.seen = "closed at " + MillisecondsText(measurement.closed) + " by another fault (" + others +
-                           "): without this one it closes at " + MillisecondsText(without);
+            verdict.seen =
+                "closed at " + MillisecondsText(measurement.closed) + " by another fault (" + others +
+                "): without this one it closes at " +
+                MillisecondsText(ClosedAt(RecordWithout({measurement.fault}), expectation, measurement.effect));
         }
     }
 }
@@ -173,8 +305,8 @@ void Run::FindOtherFinders()
     }
 }
 
-/// What comes no later without the fault is another one's detection, unless this fault alone brings it then, too: the
-/// next one counts. [SRS_SIM_073]
+/// What comes no later without the fault is another one's detection, and so is what this fault only shifts: the next
+/// one counts. [SRS_SIM_073]
 void Run::FindOtherFinder(ExpectationVerdict& verdict)
 {
     const Expectation& expectation = scenario_.expectations[verdict.expectation];
@@ -185,24 +317,15 @@ void Run::FindOtherFinder(ExpectationVerdict& verdict)
     {
         return;
     }
-    const auto without = DetectionsOf(RecordWithout({expectation.fault}), expectation, from);
-    const auto alone = DetectionsOf(RecordWithout(AllBut(expectation.fault)), expectation, from);
-    const auto is_own = [&without, &alone](const Detection& found)
-    {
-        const auto is_no_later = [&found](const Detection& other)
-        { return other.IsLike(found) && other.at <= found.at; };
-        const auto is_same = [&found](const Detection& other) { return other.IsLike(found) && other.at == found.at; };
-        return std::none_of(without.begin(), without.end(), is_no_later) ||
-               std::any_of(alone.begin(), alone.end(), is_same);
-    };
-    const auto all = DetectionsOf(journal_, expectation, from);
-    const auto own = std::find_if(all.begin(), all.end(), is_own);
-    if (own == all.begin())
+    const Compared runs{journal_, RecordWithout({expectation.fault}), RecordWithout(AllBut(expectation.fault)),
+                        expectation.fault};
+    const Detection own = OwnDetections(runs, expectation, from).First();
+    if (IsSame(own, detection))
     {
         return;
     }
     const Detection first = detection;
-    detection = (own == all.end()) ? Detection{} : *own;
+    detection = own;
     if (verdict.detection)
     {
         const std::vector<Party>& parties = expectation.parties;
@@ -215,16 +338,10 @@ void Run::FindOtherFinder(ExpectationVerdict& verdict)
 /// The other faults that had an effect until then: "'a', 'b'".
 std::string Run::OthersBefore(const std::size_t fault, const Nanoseconds at) const
 {
-    std::vector<std::size_t> known{fault};
     std::string names;
-    for (const Event& event : journal_.Events())
+    for (const std::size_t other : FaultsBefore(journal_, fault, at))
     {
-        const bool is_before = event.kind == EventKind::kFault && event.at <= at;
-        if (is_before && std::find(known.begin(), known.end(), event.value) == known.end())
-        {
-            known.push_back(event.value);
-            names += (names.empty() ? "" : ", ") + runtime::Shown(scenario_.faults[event.value].name);
-        }
+        names += (names.empty() ? "" : ", ") + runtime::Shown(scenario_.faults[other].name);
     }
     return names;
 }
@@ -268,10 +385,7 @@ std::vector<std::string> Run::FaultsWithoutEffect() const
     for (std::size_t index = 0U; index < scenario_.faults.size(); ++index)
     {
         const FaultSetup& fault = scenario_.faults[index];
-        const bool had_effect =
-            std::any_of(journal_.Events().begin(), journal_.Events().end(), [index](const Event& event)
-                        { return event.kind == EventKind::kFault && event.value == index; });
-        if (!had_effect)
+        if (EffectOf(journal_, index) < 0)
         {
             lines.push_back(
                 LineOf(fault.source, "fault " + runtime::Shown(fault.name) + " never happened",

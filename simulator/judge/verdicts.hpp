@@ -18,11 +18,12 @@ struct Detection
     Party party{Party::kNobody};
     std::string cause; ///< A word of the scenario format, such as sct or disagreement.
     Nanoseconds at{-1};
+    std::uint8_t srdo{0U}; ///< 0: the whole device.
 
-    /// @brief Whether the same party found the same thing.
+    /// @brief Whether the same party found the same thing, of the same SRDO.
     [[nodiscard]] bool IsLike(const Detection& other) const noexcept
     {
-        return party == other.party && cause == other.cause;
+        return party == other.party && cause == other.cause && srdo == other.srdo;
     }
 };
 /// @brief As people read it: "channels (sct)".
@@ -90,7 +91,7 @@ struct ExpectationVerdict
 /// @brief The first detection at a node at or after `from`; not what follows from a command.
 [[nodiscard]] Detection DetectionAt(const Journal& journal, NodeIndex node, Nanoseconds from);
 /// @brief All detections at the node of the expectation, or at the two whose outputs are in series, in the order of
-/// their times: one for each instant.
+/// their times: for each instant first the one that is told, then whatever else was noticed then. [SRS_SIM_073]
 [[nodiscard]] std::vector<Detection> DetectionsOf(const Journal& journal, const Expectation& expectation,
                                                   Nanoseconds from);
 } // namespace counterpoint::simulator

@@ -261,6 +261,84 @@ TEST(Detection, IsThatOfEachOfSeveralFaults)
     }
 }
 
+// Two frames of one SRDO are wrong in two ways, and a frame is wrong while a clock jumps: found in one cycle each.
+TEST(Detection, TellsEachOfWhatOneCycleNoticed)
+{
+    Verifies(req::SRS_SIM_073);
+    const auto frames = RunChain(
+        "faults:\n"
+        "  - {fault: corruption, name: one, frames: {identifier: 0x103, receiver: actuator, from: 500 ms}, "
+        "length: 1}\n"
+        "  - {fault: insertion, name: two, at: 511.7 ms, identifier: 0x104, data: [1, 1], receiver: actuator}\n"
+        "expect:\n"
+        "  - {that: detected_by, node: actuator, fault: one, by: channels}\n"
+        "  - {that: detected_by, node: actuator, fault: two, by: channels}\n");
+    EXPECT_EQ(Failures(*frames), "");
+    EXPECT_EQ(frames->Verdicts()[0].seen, "channels (length)");
+    EXPECT_EQ(
+        frames->Verdicts()[1].seen.rfind("channels (inverse_first); channels (length) at 511.807 ms found another "
+                                         "fault ('one')",
+                                         0U),
+        0U)
+        << frames->Verdicts()[1].seen;
+    const auto clock =
+        RunChain("faults:\n"
+                 "  - {fault: corruption, name: one, frames: {identifier: 0x104, receiver: actuator, from: 500 ms}, "
+                 "bits: [0]}\n"
+                 "  - {fault: clock, name: two, node: actuator, counter: a, jump: 30 ms, at: 511.2 ms}\n"
+                 "expect:\n"
+                 "  - {that: detected_by, node: actuator, fault: one, by: channels}\n"
+                 "  - {that: detected_by, node: actuator, fault: two, by: clock_supervisor}\n");
+    EXPECT_EQ(Failures(*clock), "");
+}
+
+// A clock within its tolerance, which nobody notices, lets the cycles fall elsewhere; a comparator that is blind for
+// less than its test interval leaves a frozen channel to the flow monitor.
+TEST(Detection, ThatAFaultOnlyShiftsIsAnothers)
+{
+    Verifies(req::SRS_SIM_068);
+    Verifies(req::SRS_SIM_073);
+    const auto clock = RunChain(
+        "faults:\n"
+        "  - {fault: clock, name: slow, node: actuator, counter: both, ppm: 45000, at: 480 ms, until: 560 ms}\n"
+        "  - {fault: loss, name: lost, frames: {identifier: 0x104, receiver: actuator, from: 500 ms}}\n"
+        "expect:\n"
+        "  - {that: detected_by, fault: slow, node: actuator, by: nobody}\n"
+        "  - {that: safe_within, fault: slow, node: actuator, srdo: 1}\n"
+        "  - {that: detected_by, fault: lost, node: actuator, by: channels}\n"
+        "  - {that: safe_within, fault: lost, node: actuator, srdo: 1}\n");
+    EXPECT_TRUE(clock->Verdicts()[0].holds) << clock->Verdicts()[0].seen;
+    EXPECT_FALSE(clock->Verdicts()[1].holds) << clock->Verdicts()[1].seen;
+    EXPECT_NE(clock->Verdicts()[1].seen.find(" by another fault ('lost')"), std::string::npos);
+    EXPECT_TRUE(clock->Verdicts()[2].holds) << clock->Verdicts()[2].seen;
+    EXPECT_TRUE(clock->Verdicts()[3].holds) << clock->Verdicts()[3].seen;
+    const auto blind =
+        RunChain("duration: 1500 ms\nfaults:\n"
+                 "  - {fault: always_good, name: blind, node: actuator, part: comparator, at: 400 ms, until: 600 ms}\n"
+                 "  - {fault: frozen, name: frozen, node: actuator, part: channel_a, at: 500 ms}\n"
+                 "expect:\n"
+                 "  - {that: detected_by, fault: blind, node: actuator, by: nobody}\n"
+                 "  - {that: detected_by, fault: frozen, node: actuator, by: flow_monitor}\n");
+    EXPECT_EQ(Failures(*blind), "");
+}
+
+// Six pairs are lost at each CPU. Either loss alone is found sooner, by the CPU that gets no frames, than both.
+TEST(JudgedLimit, IsKeptForEachOfTwoFaultsThatDelayEachOther)
+{
+    Verifies(req::SRS_SIM_068);
+    const std::string chain = std::string(COUNTERPOINT_SOURCE_FOLDER) + "/examples/two_cpus/chain.yaml";
+    const auto run = RunOf("extends: " + chain +
+                           "\nfaults:\n"
+                           "  - {fault: loss, name: one, frames: {identifier: [0x103, 0x104], receiver: actuator.a, "
+                           "from: 500 ms, count: 6}}\n"
+                           "  - {fault: loss, name: two, frames: {identifier: [0x103, 0x104], receiver: actuator.b, "
+                           "from: 500 ms, count: 6}}\n"
+                           "expect:\n"
+                           "  - {that: safe_within, fault: one, node: actuator, srdo: 1}\n"
+                           "  - {that: safe_within, fault: two, node: actuator, srdo: 1}\n");
+    EXPECT_EQ(Failures(*run), "");
+}
+
 // The sensor's application sends: refresh 25 ms, cycle 1 ms. Whenever the button changes, no frame that ends more than
 // a cycle and a frame later has the old value.
 TEST(SentByTheApplication, HasTheNewValueAtOnce)
@@ -390,6 +468,55 @@ std::string SensorWith(const unsigned count)
     const cia306::IniDocument document = cia306::IniDocument::Parse("sensor", text + sections);
     const cia306::Device device = cia306::ReadDevice(document);
     return TextFile(cia306::WithSignatures(document, device, device.node_id).Text(), ".many.dcf");
+}
+
+/// A device that consumes both SRDOs of such a sensor.
+std::string ConsumerOfTwo()
+{
+    std::string text = TextOf(SensorWith(2U));
+    for (const char* const index : {"1301", "1302"})
+    {
+        Set(text, std::string(index) + "sub1", "ParameterValue", "2");
+        Set(text, std::string(index) + "sub2", "ParameterValue", "50");
+    }
+    for (const char* const variable : {"2000sub1", "2000sub2", "2100sub1", "2100sub2", "4002", "4102"})
+    {
+        Set(text, variable, "AccessType", "rw");
+    }
+    Set(text, "DeviceComissioning", "NodeID", "9");
+    const cia306::IniDocument document = cia306::IniDocument::Parse("consumer", text);
+    const cia306::Device device = cia306::ReadDevice(document);
+    return TextFile(cia306::WithSignatures(document, device, device.node_id).Text(), ".consumer.dcf");
+}
+
+// In one cycle SRDO 1 has a frame of another length and SRDO 2 one with a wrong bit, or the other way round; or both
+// the same.
+TEST(Detection, IsThatOfEachSrdo)
+{
+    Verifies(req::SRS_SIM_073);
+    const std::string consumer = ConsumerOfTwo();
+    const std::string devices = "duration: 700 ms\nnodes:\n  sensor: {dcf: " + SensorWith(2U) +
+                                "}\n  consumer: {dcf: " + consumer +
+                                "}\nacknowledge:\n  - {at: 100 ms, node: consumer, srdo: 1}\n"
+                                "  - {at: 100 ms, node: consumer, srdo: 2}\n";
+    const std::string expect = "expect:\n  - {that: detected_by, fault: one, node: consumer, by: channels}\n"
+                               "  - {that: safe_within, fault: one, node: consumer, srdo: 1}\n"
+                               "  - {that: detected_by, fault: two, node: consumer, by: channels}\n"
+                               "  - {that: safe_within, fault: two, node: consumer, srdo: 2}\n";
+    for (const auto& [one, two] : {std::pair("length: 3", "bits: [0]"), std::pair("bits: [0]", "length: 3"),
+                                   std::pair("bits: [0]", "bits: [0]")})
+    {
+        const auto run = RunOf(devices +
+                               "faults:\n"
+                               "  - {fault: corruption, name: one, frames: {identifier: 0x102, receiver: consumer, "
+                               "from: 500 ms}, " +
+                               one +
+                               "}\n"
+                               "  - {fault: corruption, name: two, frames: {identifier: 0x104, receiver: consumer, "
+                               "from: 500 ms}, " +
+                               two + "}\n" + expect);
+        EXPECT_EQ(Failures(*run), "") << one;
+    }
 }
 
 // All SRDOs of a device begin at one instant and have one refresh time: they are due in one cycle, again and again.
