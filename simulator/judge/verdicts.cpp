@@ -12,12 +12,33 @@ namespace
 {
 constexpr std::int64_t kMillion = 1000000;
 
+// Whether the fault is one of a device, and another device is judged, which is told of it by the bus alone. What counts
+// from the link of the faulty device has its limit everywhere, see LimitOf.
+bool IsElsewhere(const Scenario& scenario, const Expectation& expectation, const FaultClass row)
+{
+    const bool is_of_device = row == FaultClass::kChannel || row == FaultClass::kConfiguration ||
+                              row == FaultClass::kSharedSource || row == FaultClass::kSupervisor ||
+                              row == FaultClass::kClock;
+    const NodeIndex place = scenario.faults[expectation.fault].node;
+    if (!is_of_device || place >= scenario.nodes.size())
+    {
+        return false;
+    }
+    const NodeSetup& node = scenario.nodes[place];
+    const bool is_by_link = row == FaultClass::kClock && node.role != runtime::CpuRole::kWhole;
+    return !is_by_link && node.device != scenario.nodes[expectation.node].device;
+}
+
 // The row of the table of limits: of the expectation, or of its fault. The self tests read within the diagnostic
 // interval what both channels read from one place. With a channel a CPU a copy is all that its kernel reads.
 FaultClass LimitClassOf(const Scenario& scenario, const Expectation& expectation)
 {
     const FaultSetup& fault = scenario.faults[expectation.fault];
     const FaultClass row = (expectation.fault_class == FaultClass::kInvalid) ? ClassOf(fault) : expectation.fault_class;
+    if (expectation.fault_class == FaultClass::kInvalid && IsElsewhere(scenario, expectation, row))
+    {
+        return FaultClass::kBus;
+    }
     if (expectation.fault_class != FaultClass::kInvalid || fault.kind != FaultKind(NodeFault::kBitFlip))
     {
         return row;

@@ -339,6 +339,23 @@ TEST(JudgedLimit, IsKeptForEachOfTwoFaultsThatDelayEachOther)
     EXPECT_EQ(Failures(*run), "");
 }
 
+// The actuator hears of a fault inside the controller by the bus alone: SCT, cycle and output time.
+TEST(JudgedLimit, AtAnotherDeviceIsThatOfTheBus)
+{
+    Verifies(req::SRS_SIM_031);
+    for (const char* const fault :
+         {"{fault: bit_flip, node: controller, part: program, at: 700 ms, offset: 5000, bit: 7}",
+          "{fault: frozen, node: controller, part: channel_a, at: 700 ms}",
+          "{fault: clock, node: controller, counter: a, jump: 30 ms, at: 700 ms}"})
+    {
+        const auto run = RunChain(std::string("duration: 7 s\nfaults:\n  - ") + fault +
+                                  "\nexpect:\n  - {that: safe_within, node: actuator, srdo: 1}\n");
+        EXPECT_EQ(Failures(*run), "") << fault;
+        EXPECT_EQ(MeasurementOf(*run).fault_class, FaultClass::kBus) << fault;
+        EXPECT_EQ(MeasurementOf(*run).limit, 53000 * kUs) << fault;
+    }
+}
+
 // The sensor's application sends: refresh 25 ms, cycle 1 ms. Whenever the button changes, no frame that ends more than
 // a cycle and a frame later has the old value.
 TEST(SentByTheApplication, HasTheNewValueAtOnce)
