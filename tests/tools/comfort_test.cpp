@@ -233,6 +233,8 @@ TEST_F(Completion, BashOffersCommandsOptionsAndValues)
     EXPECT_EQ(Offers({"counterpoint", "new", "--bit-rate", "1"}), "10 125 1000");
     EXPECT_EQ(Offers({"counterpoint", "sign", "--node-id", ""}), ""); // A number.
     EXPECT_EQ(Offers({"counterpoint", "sign", "exam"}), "");          // A file: left to the shell.
+    EXPECT_EQ(Offers({"counterpoint", "new", "--o"}), "--output");
+    EXPECT_EQ(Offers({"counterpoint", "srdo", "add", "-o"}), "-o");
     EXPECT_EQ(Offers({"counterpoint", "frobnicate", "--"}), "");
 }
 
@@ -250,6 +252,20 @@ TEST_F(Completion, NamesOfFilesAreLeftToBashAndNumbersToNobody)
     }
     EXPECT_EQ(script.find("'sign --write')"), std::string::npos);
     EXPECT_NE(script.find("if [ -n \"$no_file\" ]; then compopt +o default"), std::string::npos);
+}
+
+TEST_F(Completion, EachNameOfAnOptionIsAWordOfItsOwn)
+{
+    Verifies(req::SRS_EASE_003);
+    for (const char* const shell : {"bash", "zsh", "fish"})
+    {
+        EXPECT_EQ(RunCommand({"completion", shell}).out.find("-o,--output"), std::string::npos) << shell;
+    }
+    const std::string zsh = RunCommand({"completion", "zsh"}).out;
+    EXPECT_NE(zsh.find("'*-o[The DCF to write]:FILE:_files'"), std::string::npos);
+    EXPECT_NE(zsh.find("'*--output[The DCF to write]:FILE:_files'"), std::string::npos);
+    EXPECT_NE(RunCommand({"completion", "fish"}).out.find(" -s o -l output -r -F -d 'The DCF to write'\n"),
+              std::string::npos);
 }
 
 // Two of them are an error: nothing of the command would be completed.
@@ -275,9 +291,10 @@ TEST_F(Completion, EachScriptHasEveryCommandAndEveryOption)
             const DescribedCommand described = Described(row);
             for (const Option& option : described.options->All())
             {
-                const std::string name = (shell == "fish" && !IsPositional(option)) ? " -l " + option.name.substr(2U)
+                const std::string full = option.name.substr(option.name.rfind(',') + 1U);
+                const std::string name = (shell == "fish" && !IsPositional(option)) ? " -l " + full.substr(2U)
                                          : IsPositional(option)                     ? std::string()
-                                                                                    : option.name;
+                                                                                    : full;
                 EXPECT_NE(answer.out.find(name), std::string::npos) << shell << " " << row.name << " " << option.name;
             }
         }

@@ -43,6 +43,18 @@ std::string Joined(const std::vector<std::string>& words)
     return text;
 }
 
+/// The names of an option: of "-o,--output" both.
+std::vector<std::string> NamesOf(const Option& option)
+{
+    std::vector<std::string> names;
+    std::istringstream in(option.name);
+    for (std::string name; std::getline(in, name, ',');)
+    {
+        names.push_back(name);
+    }
+    return names;
+}
+
 /// All names of options of a command, and those of every command.
 std::vector<std::string> NamesOf(const Options& options)
 {
@@ -51,7 +63,8 @@ std::vector<std::string> NamesOf(const Options& options)
     {
         if (!IsPositional(option))
         {
-            names.push_back(option.name);
+            const std::vector<std::string> own = NamesOf(option);
+            names.insert(names.end(), own.begin(), own.end());
         }
     }
     for (const CommonOption& option : kCommonOptions)
@@ -102,7 +115,10 @@ void WriteBash(const std::vector<DescribedCommand>& commands, std::ostream& out)
         {
             if (!IsPositional(option) && TakesValue(option))
             {
-                WriteBashValues(command.name + " " + option.name, option, out);
+                for (const std::string& name : NamesOf(option))
+                {
+                    WriteBashValues(command.name + " " + name, option, out);
+                }
             }
             else if (IsPositional(option))
             {
@@ -160,7 +176,10 @@ void WriteZshOption(const Option& option, std::ostream& out)
     const std::string value =
         TakesValue(option) ? ":" + Escaped(ValueName(option), ":\\") + ":" + ZshAction(option) : "";
     const std::string optional = option.if_alone ? ":" : ""; // Two colons: the value may be missing.
-    out << " \\\n                " << ShellQuoted("*" + option.name + "[" + description + "]" + optional + value);
+    for (const std::string& name : NamesOf(option))
+    {
+        out << " \\\n                " << ShellQuoted("*" + name + "[" + description + "]" + optional + value);
+    }
 }
 
 void WriteZsh(const std::vector<DescribedCommand>& commands, std::ostream& out)
@@ -207,7 +226,12 @@ void WriteFishOption(const std::string& when, const Option& option, std::ostream
     out << "complete -c counterpoint -n " << when;
     if (!IsPositional(option))
     {
-        out << " -l " << option.name.substr(2U) << (TakesValue(option) ? (TakesFile(option) ? " -r -F" : " -x") : "");
+        for (const std::string& name : NamesOf(option))
+        {
+            const bool is_long = name.rfind("--", 0U) == 0U;
+            out << (is_long ? " -l " : " -s ") << name.substr(is_long ? 2U : 1U);
+        }
+        out << (TakesValue(option) ? (TakesFile(option) ? " -r -F" : " -x") : "");
     }
     if (!values.empty())
     {
