@@ -66,7 +66,9 @@ std::uint32_t MappedBits(const ConfigurationCopies& copies, const SlotIndex slot
 AbortCode AdmitMapCount(const ConfigurationCopies& copies, const ConfigItem& item) noexcept
 {
     const SlotIndex slot = item.address.slot;
-    if (copies.Value(slot, ConfigField::kDirection) != kDirectionOff)
+    const bool is_on = copies.Value(slot, ConfigField::kDirection) != kDirectionOff;
+    const bool is_deleted = (copies.Value(slot, ConfigField::kMapCount) == 0U) || (item.value == 0U);
+    if (is_on || (!is_deleted))
     {
         return AbortCode::kUnsupportedAccess;
     }

@@ -402,6 +402,10 @@ TEST_F(SafetyObjects, MappingIsDeletedFirst)
     // off, but its count is not 0
     ASSERT_EQ(Write(0x1301U, 1U, 0U, 1U), AbortCode::kNone);
     EXPECT_EQ(Write(0x1381U, 1U, 0x20000110U, 4U), AbortCode::kUnsupportedAccess);
+    // another count that is not 0, right or not, longer or shorter
+    EXPECT_EQ(Write(0x1381U, 0U, 4U, 1U), AbortCode::kUnsupportedAccess);
+    EXPECT_EQ(Write(0x1381U, 0U, 3U, 1U), AbortCode::kUnsupportedAccess);
+    EXPECT_EQ(Write(0x1381U, 0U, 255U, 1U), AbortCode::kUnsupportedAccess);
     // deleted
     ASSERT_EQ(Write(0x1381U, 0U, 0U, 1U), AbortCode::kNone);
     EXPECT_EQ(Write(0x1381U, 1U, 0x20000110U, 4U), AbortCode::kNone);
