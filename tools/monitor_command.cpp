@@ -210,6 +210,7 @@ class MonitorCommand final : public Command
         RequirePage();
         const monitor::Network network = ReadNetwork();
         TellContradictions(network, streams);
+        RequireWatch(network);
         std::vector<monitor::Violation> kept;
         monitor::Analysis analysis(network,
                                    [&](const monitor::Violation& violation)
@@ -305,13 +306,17 @@ class MonitorCommand final : public Command
             files.push_back(NodeFileOf(dcf));
         }
         const auto sct = sct_ms_ == 0 ? std::nullopt : std::optional<Time>(sct_ms_ * monitor::kMillisecond);
-        monitor::Network network(files, sct);
+        return {files, sct};
+    }
+
+    void RequireWatch(const monitor::Network& network) const
+    {
         if (network.Watches().empty() && !shows_frames_)
         {
-            throw InputError(files.front().path, {},
-                             {"no SRDO that is on in any of the files", "at least one to watch, or --frames"});
+            throw InputError(NodeFileOf(dcfs_.front()).path, {},
+                             {"no SRDO that is active in any of the files",
+                              "at least one to watch, which is on and has 0xA5 in 13FEh, or --frames"});
         }
-        return network;
     }
 
     [[nodiscard]] ExitStatus Conclude(const monitor::Report& report, const Streams& streams) const

@@ -115,22 +115,38 @@ class Comparison
     const End& later_;
     std::vector<Contradiction>& found_;
 };
+
+/// A file that sets SRDOs up and does not declare them valid. [SRS_MON_021]
+void TellInactive(const NodeModel& node, std::vector<Contradiction>& found)
+{
+    const auto& srdos = node.safety.srdos;
+    const auto on = std::find_if(srdos.begin(), srdos.end(), [](const SrdoConfiguration& srdo) { return srdo.IsOn(); });
+    if (on == srdos.end() || !node.active.empty())
+    {
+        return;
+    }
+    const cia306::Field& valid = node.safety.configuration_valid;
+    const std::string what = valid.value ? cia306::Hex(*valid.value, 2) + ", so" : "is missing, so";
+    found.push_back({node.device.file,
+                     {cia306::Severity::kWarning, valid.value ? valid.place : on->place,
+                      cia306::ObjectName(cia306::kConfigurationValidIndex, 0U),
+                      what + " that no SRDO of " + node.name +
+                          " is active and none is watched, expected 0xA5 where the device was declared valid"}});
+}
 } // namespace
 
 std::vector<Contradiction> ContradictionsOf(const Network& network)
 {
     std::vector<End> ends;
+    std::vector<Contradiction> found;
     for (const NodeModel& node : network.Nodes())
     {
-        for (const SrdoConfiguration& srdo : node.safety.srdos)
+        for (const SrdoConfiguration& srdo : node.active)
         {
-            if (srdo.IsProducer() || srdo.IsConsumer())
-            {
-                ends.push_back({node, srdo});
-            }
+            ends.push_back({node, srdo});
         }
+        TellInactive(node, found);
     }
-    std::vector<Contradiction> found;
     for (std::size_t later = 0U; later < ends.size(); ++later)
     {
         for (std::size_t earlier = 0U; earlier < later; ++earlier)

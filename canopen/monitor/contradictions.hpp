@@ -11,7 +11,7 @@
 
 namespace counterpoint::monitor
 {
-/// A place of a file that says another thing than another file of the same bus.
+/// A place of a file that says another thing than another file of the same bus, or than the rest of its own.
 struct Contradiction
 {
     std::string file;
@@ -19,7 +19,8 @@ struct Contradiction
 };
 
 /// @brief What the SRDOs of two devices that share an identifier say differently: the pair of identifiers, two
-/// producers, the mapped length, an SCT that is not above the refresh time. In the order of the files. [SRS_MON_020]
+/// producers, the mapped length, an SCT that is not above the refresh time; and SRDOs that are set up where 13FEh is
+/// not A5h. In the order of the files. [SRS_MON_020, SRS_MON_021]
 [[nodiscard]] std::vector<Contradiction> ContradictionsOf(const Network& network);
 } // namespace counterpoint::monitor
 

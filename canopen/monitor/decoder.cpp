@@ -260,7 +260,18 @@ std::string Decoder::Srdo(const LogFrame& frame) const
         return network_.NameOf(watch) + half +
                (is_normal ? FieldsText(network_.Nodes()[end.node], watch.fields, frame) : "");
     }
-    return (frame.identifier & 1U) != 0U ? "normal, of no file" : "inverse, of no file";
+    const std::string half = (frame.identifier & 1U) != 0U ? "normal, of " : "inverse, of ";
+    for (const NodeModel& node : network_.Nodes())
+    {
+        for (const cia306::SrdoConfiguration& srdo : node.safety.srdos)
+        {
+            if (srdo.cob_id_1.Is(frame.identifier) || srdo.cob_id_2.Is(frame.identifier))
+            {
+                return half + node.name + " SRDO " + std::to_string(srdo.number) + ", which is not active";
+            }
+        }
+    }
+    return half + "no file";
 }
 
 std::string Decoder::ObjectText(const std::uint8_t node_id, const std::uint16_t index, const std::uint8_t sub) const

@@ -22,12 +22,12 @@ GfcWatch::GfcWatch(const Network& network)
     for (const NodeModel& node : network.Nodes())
     {
         Time shortest = std::numeric_limits<Time>::max();
-        for (const cia306::SrdoConfiguration& srdo : node.safety.srdos)
+        for (const cia306::SrdoConfiguration& srdo : node.active)
         {
             const Time refresh = RefreshOf(srdo);
             shortest = refresh != 0 ? std::min(shortest, refresh) : shortest;
         }
-        for (const cia306::SrdoConfiguration& srdo : node.safety.srdos)
+        for (const cia306::SrdoConfiguration& srdo : node.active)
         {
             const std::uint64_t place = srdo.cob_id_1.value.value_or(0U) - kFirstSrdo;
             const bool may_send = node.safety.gfc.Is(1U) && RefreshOf(srdo) != 0 && place < kSrdoIdentifiers;

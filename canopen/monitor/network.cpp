@@ -80,6 +80,20 @@ WatchModel WatchOf(const NodeModel& node, const SrdoConfiguration& srdo)
     watch.setup.is_late = node.parameters.Srdo(srdo.number).srvt_detection == cia306::kLateDetection;
     return watch;
 }
+
+std::vector<SrdoConfiguration> ActiveOf(const cia306::SafetyConfiguration& safety)
+{
+    std::vector<SrdoConfiguration> active;
+    const bool is_valid = safety.configuration_valid.Is(cia306::kConfigurationIsValid);
+    for (const SrdoConfiguration& srdo : safety.srdos)
+    {
+        if (is_valid && srdo.IsOn())
+        {
+            active.push_back(srdo);
+        }
+    }
+    return active;
+}
 } // namespace
 
 Network::Network(const std::vector<NodeFile>& files, const std::optional<Time> sct)
@@ -118,6 +132,7 @@ void Network::AddNode(const NodeFile& file)
     {
         cia306::RequireNone(file.path, srdo.signature_problems);
     }
+    node.active = ActiveOf(node.safety);
     std::vector<cia306::Finding> problems;
     node.parameters = cia306::ReadDeviceParameters(node.device, id, problems);
     cia306::RequireNone(file.path, problems);
@@ -174,7 +189,7 @@ void Network::AddWatches(const std::optional<Time> sct)
 {
     for (std::size_t node = 0U; node < nodes_.size(); ++node)
     {
-        for (const SrdoConfiguration& srdo : nodes_[node].safety.srdos)
+        for (const SrdoConfiguration& srdo : nodes_[node].active)
         {
             if (srdo.IsConsumer())
             {
@@ -185,7 +200,7 @@ void Network::AddWatches(const std::optional<Time> sct)
     }
     for (std::size_t node = 0U; node < nodes_.size(); ++node)
     {
-        for (const SrdoConfiguration& srdo : nodes_[node].safety.srdos)
+        for (const SrdoConfiguration& srdo : nodes_[node].active)
         {
             if (!srdo.IsProducer())
             {

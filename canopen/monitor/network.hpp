@@ -42,6 +42,7 @@ struct NodeModel
     std::uint32_t emergency_id{0U};
     cia306::Device device;
     cia306::SafetyConfiguration safety;
+    std::vector<cia306::SrdoConfiguration> active; ///< Those of `safety` that are on; none while 13FEh is not A5h.
     cia306::DeviceParameters parameters;
 };
 
@@ -69,7 +70,7 @@ struct NodeFile
 };
 
 /// The devices of a bus, read from their DCFs, and the SRDOs to be watched. Throws InputError for files that cannot be
-/// used. [SRS_MON_004]
+/// used. [SRS_MON_004, SRS_MON_021]
 class Network
 {
   public:

@@ -131,6 +131,47 @@ TEST_F(MonitorCommandTest, TellsWhereFilesContradictEachOther)
     EXPECT_EQ(document["warnings"][0]["file"], at);
 }
 
+// The controller's configuration is not valid: nobody consumes the sensor's pair, and nobody here sends 103h.
+TEST_F(MonitorCommandTest, WatchesNoSrdoOfAConfigurationThatIsNotValid)
+{
+    Verifies(req::SRS_MON_021);
+    const auto invalid = [this](const std::string& name, const std::string& value)
+    {
+        std::string text = cia306::test::ExampleText(name);
+        const std::size_t key = text.find("ParameterValue=0xA5", text.find("[13FE]"));
+        return File(name + ".dcf", text.replace(key, 19U, "ParameterValue=" + value));
+    };
+    const std::string controller = invalid("controller", "0");
+    const std::string log = File("two.log", "(1.000000) can0 101#0102\n(1.000200) can0 102#FEFD\n"
+                                            "(1.001000) can0 001#\n(1.002000) can0 103#01\n(2.000000) can0 701#05\n");
+    const Answer one = RunCommand({"monitor", log, "--frames", "--dcf", Example("sensor"), controller});
+    EXPECT_EQ(one.err.rfind(controller + ":", 0U), 0U) << one.err;
+    EXPECT_NE(one.err.find(": warning: 0x13FE:00: 0x00, so that no SRDO of Controller is active and none is watched, "
+                           "expected 0xA5 where the device was declared valid\n"),
+              std::string::npos)
+        << one.err;
+    EXPECT_NE(one.out.find("Sensor SRDO 1 -> nobody here (101h, 102h)"), std::string::npos) << one.out;
+    EXPECT_NE(one.out.find("103h [1] 01  SRDO normal, of Controller SRDO 2, which is not active\n"), std::string::npos)
+        << one.out;
+    EXPECT_EQ(one.out.find("(103h, 104h)"), std::string::npos) << one.out;
+    EXPECT_EQ(one.out.find("GFC not followed"), std::string::npos) << one.out;
+
+    const std::string sensor = invalid("sensor", "0x01");
+    const Answer none = RunCommand({"monitor", log, "--dcf", sensor, controller});
+    EXPECT_EQ(none.status, 2);
+    EXPECT_NE(none.err.find(": warning: 0x13FE:00: 0x01, so that no SRDO of Sensor is active"), std::string::npos);
+    EXPECT_NE(none.err.find(sensor + ": error: no SRDO that is active in any of the files, expected at least one to "
+                                     "watch, which is on and has 0xA5 in 13FEh, or --frames\n"),
+              std::string::npos)
+        << none.err;
+    const auto document =
+        nlohmann::json::parse(RunCommand({"monitor", log, "--json", "--dcf", Example("sensor"), controller}).out);
+    ASSERT_EQ(document["warnings"].size(), 1U);
+    EXPECT_EQ(document["warnings"][0]["object"], "0x13FE:00");
+    ASSERT_EQ(document["srdos"].size(), 1U);
+    EXPECT_EQ(document["srdos"][0]["consumer"], nullptr);
+}
+
 TEST_F(MonitorCommandTest, FramesInWords)
 {
     Verifies(req::SRS_MON_004);

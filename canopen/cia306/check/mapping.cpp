@@ -126,7 +126,7 @@ void CheckCount(const CheckContext& context, const SrdoConfiguration& srdo, Find
                        "at most " + std::to_string(room) + ", for which " +
                            ObjectName(kDeviceParametersIndex, kMapEntriesSub) + " gives room");
     }
-    const bool is_empty = srdo.entry_count.Is(0U) && (srdo.IsProducer() || srdo.IsConsumer());
+    const bool is_empty = srdo.entry_count.Is(0U) && srdo.IsOn();
     if (is_empty)
     {
         findings.Error(srdo.entry_count.place, name, "no mapping entry in an SRDO that is on", "2 or more");
@@ -322,7 +322,7 @@ void CheckShared(const SafetyConfiguration& configuration, Findings& findings)
     std::map<std::uint32_t, std::vector<const SrdoConfiguration*>> users;
     for (const SrdoConfiguration& srdo : configuration.srdos)
     {
-        const bool is_on = srdo.IsProducer() || srdo.IsConsumer();
+        const bool is_on = srdo.IsOn();
         for (const MappingEntry& entry : srdo.mapping)
         {
             if (!is_on || entry.IsDummy())

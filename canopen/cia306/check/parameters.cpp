@@ -182,8 +182,7 @@ void ParameterCheck::CheckSrdo(const SrdoConfiguration& srdo)
 void WarnOfNoDigest(const CheckContext& context, const DigestRecord& record, Findings& findings)
 {
     const auto& srdos = context.configuration.srdos;
-    const auto on = std::find_if(srdos.begin(), srdos.end(),
-                                 [](const SrdoConfiguration& srdo) { return srdo.IsProducer() || srdo.IsConsumer(); });
+    const auto on = std::find_if(srdos.begin(), srdos.end(), [](const SrdoConfiguration& srdo) { return srdo.IsOn(); });
     const bool is_told = findings.HasErrorAt(record.stored.place, DigestName());
     if (on == srdos.end() || is_told)
     {

@@ -109,6 +109,11 @@ struct SrdoConfiguration
     {
         return direction.Is(2U);
     }
+    /// Whether it is a producer or a consumer.
+    [[nodiscard]] bool IsOn() const noexcept
+    {
+        return IsProducer() || IsConsumer();
+    }
     /// Whether its mapping names this data element.
     [[nodiscard]] bool Maps(const Entry& entry) const noexcept;
 };

@@ -27,6 +27,7 @@ inline constexpr RequirementId SRS_MON_017{"SRS_MON_017"};
 inline constexpr RequirementId SRS_MON_018{"SRS_MON_018"};
 inline constexpr RequirementId SRS_MON_019{"SRS_MON_019"};
 inline constexpr RequirementId SRS_MON_020{"SRS_MON_020"};
+inline constexpr RequirementId SRS_MON_021{"SRS_MON_021"};
 } // namespace counterpoint::req
 
 #endif
