@@ -105,6 +105,7 @@ void NodeTable::WatchGuarding(const NodeId node, const std::uint16_t time_ms, co
         record->has_begun = false;
         record->is_asked = false;
         record->missed = 0U;
+        record->untoggled = (record->untoggled < kMostUntoggled) ? record->untoggled : std::uint8_t{0U};
         record->since = Instant{now.us - record->time_us};
     }
 }
@@ -334,6 +335,8 @@ bool NodeTable::TakeToggle(const NodeId node, NodeRecord& record, const bool is_
     const Toggle heard = is_set ? Toggle::kSet : Toggle::kClear;
     const bool is_right = (record.toggle == Toggle::kAny) || (record.toggle == heard);
     const bool is_news = !is_right && !record.is_toggle_wrong;
+    const bool has_changed = is_right && (record.toggle == Toggle::kSet); // It was 0 before.
+    record.untoggled = has_changed ? std::uint8_t{0U} : record.untoggled;
     record.toggle = is_set ? Toggle::kClear : Toggle::kSet;
     record.is_toggle_wrong = !is_right;
     record.is_asked = record.is_asked && !is_right;
@@ -445,6 +448,8 @@ void NodeTable::Miss(const NodeId node, NodeRecord& record, const Instant now) n
         {
             record.state = SlaveState::kMissing;
             record.has_begun = false;
+            const bool is_more = record.is_toggle_wrong && (record.untoggled < kMostUntoggled);
+            record.untoggled = is_more ? static_cast<std::uint8_t>(record.untoggled + 1U) : record.untoggled;
         }
         parts_.listener.OnNodeEvent(node, is_lost ? NodeEvent::kGuardLost : NodeEvent::kGuardMissed, now);
     }

@@ -69,6 +69,9 @@ enum class Toggle : std::uint8_t
 /// One sign may have been under way when a command made the node leave OPERATIONAL; two in a row were not.
 constexpr std::uint8_t kRunsSurely = 2U;
 
+/// Losses of a node that answers and does not toggle, before its supervision counts as failed.
+constexpr std::uint8_t kMostUntoggled = 3U;
+
 /// What is known of one node. Zero-filled at first.
 struct NodeRecord
 {
@@ -93,9 +96,10 @@ struct NodeRecord
     std::uint8_t retry_factor;
     std::uint8_t missed; ///< Unanswered remote frames in a row.
     Toggle toggle;
-    bool is_asked;        ///< A remote frame is out and not answered.
-    bool is_toggle_wrong; ///< The toggle error was told already.
-    bool is_expected;     ///< Expect runs.
+    bool is_asked;          ///< A remote frame is out and not answered.
+    bool is_toggle_wrong;   ///< The toggle error was told already.
+    std::uint8_t untoggled; ///< Losses in a row of a node that answers, while its toggle bit did not change.
+    bool is_expected;       ///< Expect runs.
     std::uint32_t expect_us;
     Instant expected_from;
 };
@@ -120,7 +124,8 @@ class NodeTable final : public NmtListener
 
     /// @brief Supervision by heartbeat from now on. `time_ms` 0: none.
     void WatchHeartbeat(NodeId node, std::uint16_t time_ms, Arming arming, Instant now) noexcept;
-    /// @brief Supervision by remote frames: one each `time_ms`, the first at once. Time or factor 0: none.
+    /// @brief Supervision by remote frames: one each `time_ms`, the first at once. Time or factor 0: none. Where
+    /// kMostUntoggled is reached, NodeRecord::untoggled begins anew.
     void WatchGuarding(NodeId node, std::uint16_t time_ms, std::uint8_t retry_factor, Instant now) noexcept;
     /// @brief No supervision from now on; what was heard stays.
     void Unwatch(NodeId node) noexcept;

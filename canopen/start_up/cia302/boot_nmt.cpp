@@ -101,10 +101,20 @@ BootFinding BootNmt::Release(const BootJob& job) noexcept
     return finding;
 }
 
+/// Its first answer would be right once more: who was lost again and again because no further one was ends here, and is
+/// not reset for ever. [SRS_BOOT_026]
 BootFinding BootNmt::Watch(const BootJob& job) noexcept
 {
+    const bool is_stuck = (parts_.table.Record(job.node).untoggled >= kMostUntoggled);
     parts_.table.WatchAsSetUp(job.node, job.time.now);
-    return Found((parts_.table.Record(job.node).watch == Watch::kNone) ? BootEvent::kSkip : BootEvent::kDone);
+    const NodeRecord& record = parts_.table.Record(job.node);
+    BootFinding finding = Found((record.watch == cia302::Watch::kNone) ? BootEvent::kSkip : BootEvent::kDone);
+    if (is_stuck && (record.watch == cia302::Watch::kGuarding))
+    {
+        job.record.status.abort = SdoAbort::kToggle;
+        finding = Failed('K');
+    }
+    return finding;
 }
 
 /// The slave must show a heartbeat, or answer a remote frame; the boot-up message is none.

@@ -90,21 +90,22 @@ constexpr Word<cia301::NodeState> kOwnStates[] = {{"initialising", cia301::NodeS
                                                   {"pre-operational", cia301::NodeState::kPreOperational},
                                                   {"operational", cia301::NodeState::kOperational},
                                                   {"stopped", cia301::NodeState::kStopped}};
-constexpr Word<char> kLetters[] = {{"not in the network list", 'A'},
-                                   {"no answer to device type (1000h)", 'B'},
-                                   {"device type differs", 'C'},
-                                   {"vendor-ID differs", 'D'},
-                                   {"no heartbeat when its state was asked for", 'E'},
-                                   {"no guarding answer when its state was asked for", 'F'},
-                                   {"program objects are not configured", 'G'},
-                                   {"software differs and may not be updated", 'H'},
-                                   {"software update failed", 'I'},
-                                   {"configuration failed", 'J'},
-                                   {"no heartbeat or guarding answer when supervision began", 'K'},
-                                   {"was OPERATIONAL already", 'L'},
-                                   {"product code differs", 'M'},
-                                   {"revision differs", 'N'},
-                                   {"serial number differs", 'O'}};
+constexpr Word<char> kLetters[] = {
+    {"not in the network list", 'A'},
+    {"no answer to device type (1000h)", 'B'},
+    {"device type differs", 'C'},
+    {"vendor-ID differs", 'D'},
+    {"no heartbeat when its state was asked for", 'E'},
+    {"no guarding answer when its state was asked for", 'F'},
+    {"program objects are not configured", 'G'},
+    {"software differs and may not be updated", 'H'},
+    {"software update failed", 'I'},
+    {"configuration failed", 'J'},
+    {"no heartbeat or guarding answer when supervision began, or none that toggles", 'K'},
+    {"was OPERATIONAL already", 'L'},
+    {"product code differs", 'M'},
+    {"revision differs", 'N'},
+    {"serial number differs", 'O'}};
 constexpr Word<int> kNodeStates[] = {{"no error", 0},
                                      {"deactivated", 1},
                                      {"not found", 2},
@@ -141,6 +142,10 @@ std::string ValueText(const ObjectAddress& object, const cia301::SdoAbort abort,
     if (object.index == 0U && abort == cia301::SdoAbort::kGeneral)
     {
         return "two devices seem to have this node-ID, expected one and a reset";
+    }
+    if (object.index == 0U && abort == cia301::SdoAbort::kToggle)
+    {
+        return "the toggle bit of its guarding answers does not change, expected another one in each answer";
     }
     if (abort != cia301::SdoAbort::kNone)
     {

@@ -32,6 +32,7 @@ inline constexpr RequirementId SRS_BOOT_022{"SRS_BOOT_022"};
 inline constexpr RequirementId SRS_BOOT_023{"SRS_BOOT_023"};
 inline constexpr RequirementId SRS_BOOT_024{"SRS_BOOT_024"};
 inline constexpr RequirementId SRS_BOOT_025{"SRS_BOOT_025"};
+inline constexpr RequirementId SRS_BOOT_026{"SRS_BOOT_026"};
 inline constexpr RequirementId SRS_NMM_001{"SRS_NMM_001"};
 inline constexpr RequirementId SRS_NMM_002{"SRS_NMM_002"};
 inline constexpr RequirementId SRS_NMM_003{"SRS_NMM_003"};

@@ -216,6 +216,47 @@ TEST_F(ErrorHandlingTest, SlaveThatDoesNotToggleIsLost)
     EXPECT_EQ(events, (Lines{"1:7 1", "1:7 2", "101:7 7", "201:7 5", "301:7 5", "401:7 6"}));
 }
 
+// The first answer behind each boot-up message is right: it is lost three times, and ends at its fourth boot.
+TEST_F(ErrorHandlingTest, SlaveThatNeverTogglesIsNotResetForEver)
+{
+    Verifies(req::SRS_BOOT_026);
+    Add(7U, kBoot | kGuarded).is_toggle_stuck = true;
+    Begin();
+    Run(5000U);
+    EXPECT_EQ(Letter(7U), "K");
+    EXPECT_EQ(Of(7U).step, StartUpStep::kErrorControl);
+    EXPECT_EQ(Of(7U).abort, SdoAbort::kToggle);
+    EXPECT_EQ(slaves[7]->State(), NodeState::kPreOperational);
+    const Lines resets{"82 00", "01 07", "81 07", "01 07", "81 07", "01 07", "81 07"};
+    EXPECT_EQ(Told(), resets);
+    Run(5000U);
+    EXPECT_EQ(Told(), resets);
+    // When it is repaired and boots up by itself, then it is started and stays
+    slaves[7]->is_toggle_stuck = false;
+    slaves[7]->Power(Now());
+    Run(5000U);
+    EXPECT_EQ(Letter(7U), "-");
+    EXPECT_EQ(slaves[7]->State(), NodeState::kOperational);
+    // And from then on a loss by the toggle bit is the first one again
+    slaves[7]->is_toggle_stuck = true;
+    log.clear();
+    Run(600U);
+    EXPECT_EQ(Told(), (Lines{"81 07", "01 07"}));
+}
+
+TEST_F(ErrorHandlingTest, MandatorySlaveThatNeverTogglesDoesNotResetAllForEver)
+{
+    Verifies(req::SRS_BOOT_026);
+    setup.start_up = kIsMaster | kResetAllOnError;
+    Add(7U, kBoot | kMandatory | kGuarded).is_toggle_stuck = true;
+    Begin();
+    Run(20000U);
+    EXPECT_EQ(Letter(7U), "K");
+    EXPECT_EQ(Step(), MasterStep::kHalted);
+    const Lines told = Told();
+    EXPECT_EQ(std::count(told.begin(), told.end(), "81 00") + std::count(told.begin(), told.end(), "82 00"), 4);
+}
+
 TEST_F(ErrorHandlingTest, NodesThatAreNotListedMayComeAndGo)
 {
     Verifies(req::SRS_BOOT_017);
