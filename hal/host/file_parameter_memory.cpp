@@ -19,10 +19,25 @@ namespace
 
 constexpr std::uint8_t kErased = 0xFFU;
 constexpr std::uint32_t kChunk = 4096U;
+constexpr std::uint32_t kMostParts = 100U; ///< Names that are tried for a file that is being made.
 
 [[noreturn]] void Refuse(const std::string& path, const std::string& why)
 {
     throw std::runtime_error(path + ": " + why);
+}
+
+/// A file that was not there before; -1: it was, or there can be none.
+int CreateAlone(const std::string& path)
+{
+    return ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+}
+
+/// For file systems without links: the name is taken by a file of ours first, so that no other one is replaced.
+bool RenameAlone(const std::string& from, const std::string& to)
+{
+    const int claim = CreateAlone(to);
+    const bool is_claimed = (claim >= 0) && (::close(claim) == 0);
+    return is_claimed && (::rename(from.c_str(), to.c_str()) == 0);
 }
 
 } // namespace
@@ -77,11 +92,18 @@ void FileParameterMemory::Open()
     }
 }
 
-/// It gets its name when it is complete: a creation that broke off leaves no file that looks like a damaged one.
+/// It gets its name when it is complete: a creation that broke off leaves no file that looks like a damaged one. A file
+/// that has the name of the part already is not ours, or the rest of such a creation: it stays as it is.
 void FileParameterMemory::Create() const
 {
-    const std::string part = path_ + ".new";
-    FileParameterMemory made{part, ::open(part.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0644), bank_bytes_};
+    std::string part = path_ + ".new";
+    int file = CreateAlone(part);
+    for (std::uint32_t number = 2U; (file < 0) && (errno == EEXIST) && (number <= kMostParts); ++number)
+    {
+        part = path_ + ".new" + std::to_string(number);
+        file = CreateAlone(part);
+    }
+    FileParameterMemory made{part, file, bank_bytes_};
     if (made.file_ < 0)
     {
         Refuse(path_, "cannot be opened for reading and writing: " + std::string(std::strerror(errno)) +
@@ -95,7 +117,7 @@ void FileParameterMemory::Create() const
     const bool is_done = is_first_done && (made.Status() == hal::MemoryStatus::kReady);
     // Another device may have been faster: its file stays.
     const bool is_named = is_done && ((::link(part.c_str(), path_.c_str()) == 0) || (errno == EEXIST) ||
-                                      (::rename(part.c_str(), path_.c_str()) == 0));
+                                      RenameAlone(part, path_) || (errno == EEXIST));
     static_cast<void>(::unlink(part.c_str()));
     if (!is_named)
     {

@@ -15,7 +15,8 @@ namespace counterpoint::host
 class FileParameterMemory final : public hal::ParameterMemory
 {
   public:
-    /// @brief Opens the file, or creates an erased one, whole or not at all, if there is none. Throws
+    /// @brief Opens the file, or creates an erased one, whole or not at all, if there is none; no other file is
+    /// changed. Throws
     /// std::runtime_error, one line with the path, if that fails, if the file has another size than two banks, 0 among
     /// them, or if `bank_bytes` is no multiple of the unit.
     FileParameterMemory(const std::string& path, std::uint32_t bank_bytes);

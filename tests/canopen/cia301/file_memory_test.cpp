@@ -119,7 +119,26 @@ TEST_F(FileMemoryTest, AnEmptyOrShortenedFileIsNoNewOne)
     std::ofstream{path + ".new"} << "0123";
     EXPECT_EQ(Refusal(path, 64U), "");
     EXPECT_EQ(std::filesystem::file_size(path), 128U);
-    EXPECT_FALSE(std::filesystem::exists(path + ".new"));
+    std::filesystem::remove(path + ".new");
+}
+
+TEST_F(FileMemoryTest, FilesOfOthersBesideTheNewOneStayAsTheyAre)
+{
+    Verifies(req::SRS_STO_013);
+    // Given a file and a link to one of the user, with the names of the part
+    std::ofstream{path + ".new"} << "mine";
+    std::ofstream{path + ".notes"} << "notes";
+    std::filesystem::create_symlink(path + ".notes", path + ".new2");
+    EXPECT_EQ(Refusal(path, 64U), "");
+    EXPECT_EQ(std::filesystem::file_size(path), 128U);
+    EXPECT_EQ(std::filesystem::file_size(path + ".new"), 4U);
+    EXPECT_EQ(std::filesystem::file_size(path + ".notes"), 5U);
+    EXPECT_TRUE(std::filesystem::is_symlink(path + ".new2"));
+    EXPECT_FALSE(std::filesystem::exists(path + ".new3")); // That of the store, while it was made.
+    for (const char* const name : {".new", ".new2", ".notes"})
+    {
+        std::filesystem::remove(path + name);
+    }
 }
 
 TEST_F(FileMemoryTest, AFileThatIsNoLongerThereTakesNothing)
