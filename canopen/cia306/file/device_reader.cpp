@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
 
 namespace counterpoint::cia306
@@ -145,7 +146,7 @@ class DeviceReader
     void ReadDummyUsage();
     void ReadLists();
     void WarnOfSections();
-    void ReadList(const IniSection& section, std::set<std::uint16_t>& listed);
+    void ReadList(const IniSection& section, std::map<std::uint16_t, Place>& listed);
     void AddMissing(Place place, std::uint16_t index);
     void FinishEntries();
     void WarnOfSubNumber(const Object& object);
@@ -268,7 +269,7 @@ void DeviceReader::ReadDummyUsage()
 void DeviceReader::ReadLists()
 {
     constexpr std::array<std::string_view, 3U> names{"MandatoryObjects", "OptionalObjects", "ManufacturerObjects"};
-    std::set<std::uint16_t> listed;
+    std::map<std::uint16_t, Place> listed;
     for (const std::string_view name : names)
     {
         const IniSection* const section = document_.Find(name);
@@ -279,6 +280,10 @@ void DeviceReader::ReadLists()
     }
     const IniSection* const mandatory = document_.Find(names[0]);
     device_.mandatory_place = (mandatory == nullptr) ? Place{} : mandatory->place;
+    if (mandatory == nullptr && !listed.empty()) // Without any list each object is told.
+    {
+        Warn({1U, 1U}, "no section [MandatoryObjects], expected one that lists 0x1000, 0x1001 and 0x1018");
+    }
     for (const auto& [index, object] : device_.objects)
     {
         const bool is_type = object.type == ObjectType::kDeftype || object.type == ObjectType::kDefstruct;
@@ -290,7 +295,8 @@ void DeviceReader::ReadLists()
     }
 }
 
-void DeviceReader::ReadList(const IniSection& section, std::set<std::uint16_t>& listed)
+/// `listed`: what was listed so far, and where. [SRS_EDS_038]
+void DeviceReader::ReadList(const IniSection& section, std::map<std::uint16_t, Place>& listed)
 {
     const SectionReader reader = ReaderOf(section);
     const auto count = reader.NumberAt("SupportedObjects", 0xFFFFU);
@@ -312,7 +318,13 @@ void DeviceReader::ReadList(const IniSection& section, std::set<std::uint16_t>& 
         {
             AddMissing(key.place, static_cast<std::uint16_t>(*index));
         }
-        listed.insert(static_cast<std::uint16_t>(*index));
+        const auto [first, is_new] = listed.emplace(static_cast<std::uint16_t>(*index), key.place);
+        if (!is_new)
+        {
+            Warn(key.place, first->first,
+                 "is listed a second time, in [" + section.name + "], expected it once, as in line " +
+                     std::to_string(first->second.line));
+        }
     }
     if (count.value_or(0U) != found)
     {
@@ -362,6 +374,7 @@ void DeviceReader::FinishEntries()
             if (!is_repeated)
             {
                 WarnOfEntry(entry, device_.warnings);
+                WarnOfLimits(entry, device_.node_id, device_.warnings);
             }
         }
     }

@@ -248,13 +248,17 @@ TEST(CheckObjects, ADeviceWithoutSrdo)
 {
     Verifies(req::SRS_CLI_017);
     const std::string object = "[1000]\nDataType=7\nAccessType=ro\n[OptionalObjects]\nSupportedObjects=1\n1=0x1000\n";
+    const std::string unlisted =
+        "warning: no section [MandatoryObjects], expected one that lists 0x1000, 0x1001 and 0x1018";
     EXPECT_EQ(
         test::FindingsOf("[DeviceInfo]\n" + object, {9U, {}}),
-        Lines{"warning: no SRDO, nothing of CANopen Safety is checked, expected communication parameters at 0x1301 "
-              "to 0x1340"});
+        (Lines{unlisted,
+               "warning: no SRDO, nothing of CANopen Safety is checked, expected communication parameters at 0x1301 "
+               "to 0x1340"}));
     EXPECT_EQ(test::FindingsOf("[DeviceInfo]\nCANopenSafetySupported=1\n" + object, {9U, {}}),
-              Lines{"error: CANopenSafetySupported is 1 and there is no SRDO, expected communication parameters at "
-                    "0x1301 to 0x1340"});
+              (Lines{unlisted,
+                     "error: CANopenSafetySupported is 1 and there is no SRDO, expected communication parameters at "
+                     "0x1301 to 0x1340"}));
 }
 
 TEST(CheckObjects, ASafetyObjectWithoutSrdoIsAnErrorAtItsLine)

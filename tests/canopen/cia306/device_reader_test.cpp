@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -200,8 +201,8 @@ TEST(DeviceReader, WarnsOfWhatRealFilesHaveWrong)
                                                 "[OptionalObjects], [ManufacturerObjects]"},
         {"[OptionalObjects]\nSupportedObjects=1\n1=0x2000\n",
          "f:13:3: warning: 0x2000: is listed, expected a section that describes it"},
-        {"[OptionalObjects]\nSupportedObjects=2\n1=0x1000\n",
-         "f:11:1: warning: section 'OptionalObjects' lists 1 objects, expected SupportedObjects of that number"},
+        {"[OptionalObjects]\nSupportedObjects=1\n",
+         "f:11:1: warning: section 'OptionalObjects' lists 0 objects, expected SupportedObjects of that number"},
         {"[OptionalObjects]\nSupportedObjects=1\n1=0x2000\n[2000]\nAccessType=rw\n",
          "f:14:1: warning: 0x2000:00: no DataType, expected one; its values are not checked"},
         {"[OptionalObjects]\nSupportedObjects=1\n1=0x2000\n[2000]\nDataType=0x40\nAccessType=rw\n",
@@ -231,6 +232,50 @@ TEST(DeviceReader, WarnsOfWhatRealFilesHaveWrong)
     for (const Row& row : rows)
     {
         EXPECT_EQ(WarningsOf(Text(row.more)), std::vector<std::string>{row.warning}) << row.more;
+    }
+}
+
+TEST(DeviceReader, WarnsOfListsThatContradictEachOther)
+{
+    Verifies(req::SRS_EDS_038);
+    const std::string object = "[1000]\nParameterName=Device type\nDataType=0x0007\nAccessType=ro\nDefaultValue=1\n";
+    const std::string info = "[DeviceInfo]\nVendorName=x\n";
+    EXPECT_EQ(WarningsOf(info + "[OptionalObjects]\nSupportedObjects=1\n1=0x1000\n" + object),
+              std::vector<std::string>{
+                  "f:1:1: warning: no section [MandatoryObjects], expected one that lists 0x1000, 0x1001 and 0x1018"});
+    EXPECT_EQ(WarningsOf(Text("[OptionalObjects]\nSupportedObjects=1\n1=0x1000\n")),
+              std::vector<std::string>{"f:13:3: warning: 0x1000: is listed a second time, in [OptionalObjects], "
+                                       "expected it once, as in line 5"});
+    EXPECT_EQ(WarningsOf(info + "[MandatoryObjects]\nSupportedObjects=2\n1=0x1000\n2=4096\n" + object),
+              std::vector<std::string>{"f:6:3: warning: 0x1000: is listed a second time, in [MandatoryObjects], "
+                                       "expected it once, as in line 5"});
+}
+
+TEST(DeviceReader, WarnsOfALowLimitAboveTheHighLimit)
+{
+    Verifies(req::SRS_EDS_038);
+    const auto warnings = [](const std::string& type, const std::string& low, const std::string& high)
+    {
+        return WarningsOf(Text("[DeviceComissioning]\nNodeID=5\n[OptionalObjects]\nSupportedObjects=1\n1=0x2000\n"
+                               "[2000]\nAccessType=rw\nDataType=" +
+                               type + "\nLowLimit=" + low + "\nHighLimit=" + high + "\n"));
+    };
+    EXPECT_EQ(warnings("5", "0x20", "0x10"),
+              std::vector<std::string>{"f:19:10: warning: 0x2000:00: LowLimit '0x20', expected at most the HighLimit "
+                                       "'0x10' of line 20"});
+    EXPECT_EQ(warnings("7", "$NODEID+2", "6").size(), 1U); // 7 and 6.
+    EXPECT_EQ(warnings("2", "1", "-1").size(), 1U);
+    EXPECT_EQ(warnings("2", "0", "0xFF").size(), 1U); // An INTEGER8: -1.
+    EXPECT_EQ(warnings("8", "-1.5", "-2.5").size(), 1U);
+    EXPECT_EQ(warnings("8", "0.5", "-0.5").size(), 1U);
+    for (const auto& [type, low, high] : std::vector<std::array<std::string, 3U>>{{"5", "16", "16"},
+                                                                                  {"7", "$NODEID+1", "6"},
+                                                                                  {"2", "-128", "127"},
+                                                                                  {"8", "-2.5", "-1.5"},
+                                                                                  {"8", "-0.5", "0.5"},
+                                                                                  {"9", "b", "a"}})
+    {
+        EXPECT_TRUE(warnings(type, low, high).empty()) << type << " " << low << " " << high;
     }
 }
 

@@ -79,6 +79,7 @@ inline constexpr RequirementId SRS_EDS_034{"SRS_EDS_034"};
 inline constexpr RequirementId SRS_EDS_035{"SRS_EDS_035"};
 inline constexpr RequirementId SRS_EDS_036{"SRS_EDS_036"};
 inline constexpr RequirementId SRS_EDS_037{"SRS_EDS_037"};
+inline constexpr RequirementId SRS_EDS_038{"SRS_EDS_038"};
 } // namespace counterpoint::req
 
 #endif
