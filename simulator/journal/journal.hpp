@@ -153,6 +153,13 @@ class Journal
             frames_.push_back(frame);
         }
     }
+    /// @brief When the fault of this index first had an effect; -1: never.
+    [[nodiscard]] Nanoseconds EffectOf(const std::size_t fault) const
+    {
+        const auto found = std::find_if(events_.begin(), events_.end(), [fault](const Event& event)
+                                        { return event.kind == EventKind::kFault && event.value == fault; });
+        return (found == events_.end()) ? -1 : found->at;
+    }
     /// @brief Puts the events in the order of time; events of one instant stay in their order. It is needed because
     /// some effects are told in advance.
     void Sort()

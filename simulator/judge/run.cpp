@@ -40,18 +40,6 @@ Scenario Cut(Scenario scenario, const std::optional<Nanoseconds> until)
     return scenario;
 }
 
-Nanoseconds EffectOf(const Journal& journal, const std::size_t fault)
-{
-    for (const Event& event : journal.Events())
-    {
-        if (event.kind == EventKind::kFault && event.value == fault)
-        {
-            return event.at;
-        }
-    }
-    return -1;
-}
-
 /// The other faults that had an effect until then, in the order of these.
 std::vector<std::size_t> FaultsBefore(const Journal& journal, const std::size_t fault, const Nanoseconds at)
 {
@@ -81,7 +69,7 @@ struct Compared
         for (const Event& event : without.Events())
         {
             const bool is_later = event.kind == EventKind::kFault && event.at > at;
-            const Nanoseconds here = is_later ? EffectOf(whole, event.value) : 0;
+            const Nanoseconds here = is_later ? whole.EffectOf(event.value) : 0;
             if (is_later && (here < 0 || here > at))
             {
                 return event.at;
@@ -93,7 +81,7 @@ struct Compared
     /// with it.
     [[nodiscard]] bool ShowsAlone() const
     {
-        return EffectOf(alone, fault) >= 0;
+        return alone.EffectOf(fault) >= 0;
     }
 };
 
@@ -385,7 +373,7 @@ std::vector<std::string> Run::FaultsWithoutEffect() const
     for (std::size_t index = 0U; index < scenario_.faults.size(); ++index)
     {
         const FaultSetup& fault = scenario_.faults[index];
-        if (EffectOf(journal_, index) < 0)
+        if (journal_.EffectOf(index) < 0)
         {
             lines.push_back(
                 LineOf(fault.source, "fault " + runtime::Shown(fault.name) + " never happened",

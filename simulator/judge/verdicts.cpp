@@ -121,18 +121,6 @@ class Judgement
         return {0U, (found == expectation.is) != is_absence, WantedOf(expectation), found, {}};
     }
 
-    [[nodiscard]] Nanoseconds EffectOf(const std::size_t fault) const
-    {
-        for (const Event& event : journal_.Events())
-        {
-            if (event.kind == EventKind::kFault && event.value == fault)
-            {
-                return event.at;
-            }
-        }
-        return -1;
-    }
-
   private:
     /// Whom a manager is asked about: by its name, if the scenario has it.
     [[nodiscard]] std::string NameOfAsked(const std::uint8_t node_id) const
@@ -294,7 +282,7 @@ class Judgement
 
     [[nodiscard]] ExpectationVerdict OfDetection(const Expectation& expectation) const
     {
-        const Nanoseconds effect = EffectOf(expectation.fault);
+        const Nanoseconds effect = journal_.EffectOf(expectation.fault);
         const Detection detection = (effect < 0) ? Detection{} : FirstDetection(expectation, effect);
         ExpectationVerdict verdict;
         verdict.wanted = "detected at " + NameOfPlace(expectation) + " by ";
@@ -376,7 +364,7 @@ class Judgement
         measurement.srdo = expectation.srdo;
         measurement.fault_class = LimitClassOf(scenario_, expectation);
         measurement.limit = LimitOf(scenario_, expectation, model);
-        measurement.effect = EffectOf(expectation.fault);
+        measurement.effect = journal_.EffectOf(expectation.fault);
         if (measurement.effect < 0)
         {
             return measurement;
@@ -524,7 +512,7 @@ std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& j
     }
     for (std::size_t index = 0U; index < scenario.faults.size(); ++index)
     {
-        if (!scenario.faults[index].is_optional && judgement.EffectOf(index) < 0)
+        if (!scenario.faults[index].is_optional && journal.EffectOf(index) < 0)
         {
             const std::string wanted = "fault " + runtime::Shown(scenario.faults[index].name) + " happens";
             verdicts.push_back({kOfItself, false, wanted, "never happened", {}});
