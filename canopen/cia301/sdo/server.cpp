@@ -422,13 +422,13 @@ SdoAnswer SdoServer::BeginBlockDownload(const SdoFrame& request) noexcept
 }
 
 /// Segments that follow a refused one are still segments: taken for requests they would be carried out. So the abort
-/// comes when none can follow any more.
+/// comes when none can follow any more. One out of order, or of a number that the block does not have, was not
+/// received.
 SdoAnswer SdoServer::BlockSegment(const SdoFrame& request) noexcept
 {
     const std::uint8_t number = request.bytes[0] & kSequenceMask;
     const bool is_last = (request.bytes[0] & kLastSegment) != 0U;
-    const bool is_number = (number > 0U) && (number <= block_size_);
-    if (is_number && (number == (sequence_ + 1U)))
+    if (number == (sequence_ + 1U))
     {
         refusal_ = (refusal_ == SdoAbort::kNone) ? TakeSegment(request) : refusal_;
         sequence_ = number;
@@ -436,11 +436,7 @@ SdoAnswer SdoServer::BlockSegment(const SdoFrame& request) noexcept
         is_repeated_ = is_repeated_ && (refusal_ == SdoAbort::kNone);
     }
     SdoAnswer answer{};
-    if (!is_number)
-    {
-        answer = Abort(SdoAbort::kSequence);
-    }
-    else if (is_last || (number == block_size_))
+    if (is_last || (number == block_size_))
     {
         answer = AcknowledgeBlock();
         is_repeated_ = false;

@@ -123,13 +123,30 @@ TEST_F(SdoBlockTest, LostSegmentsAreRepeatedAndDoubledOnesIgnored)
     EXPECT_EQ(domain[42], 0x77U);
 }
 
-TEST_F(SdoBlockTest, SequenceNumbersBeyondTheBlockAreRefused)
+TEST_F(SdoBlockTest, SequenceNumbersThatTheBlockDoesNotHaveAreNotReceived)
 {
     Verifies(req::SRS_SDO_006);
-    for (const std::uint8_t number : Octets{0x00U, 0x05U, 0x7FU, 0x85U, 0xFFU})
+    for (const std::uint8_t number : Octets{0x00U, 0x05U, 0x2FU, 0x7FU})
+    {
+        // Given a block of 4 segments, of which the first one came
+        EXPECT_EQ(Send({0xC0U, 0x03U, 0x21U, 0x00U})[0], 0xA4U);
+        EXPECT_TRUE(SendSegments(1, 1).empty());
+        // When one with such a number comes, then it is left aside, and so are the others, which are no requests
+        EXPECT_TRUE(Send({number, 0x00U, 0x20U, 0x01U, 0x55U}).empty()) << int{number};
+        EXPECT_TRUE(Send({0x03U, 1U}).empty());
+        // and the end of the block tells the last good one
+        EXPECT_EQ(Send({0x04U, 1U}), (Octets{0xA2U, 1U, 4U, 0U, 0U, 0U, 0U, 0U}));
+        EXPECT_EQ(Send({0x81U, 0x77U}), (Octets{0xA2U, 1U, 4U, 0U, 0U, 0U, 0U, 0U}));
+        EXPECT_EQ(Send({0xD9U})[0], 0xA1U);
+        EXPECT_EQ(domain_length, 8U);
+    }
+    // One that says it is the last ends the block, too
+    for (const std::uint8_t number : Octets{0x85U, 0xFFU})
     {
         EXPECT_EQ(Send({0xC0U, 0x03U, 0x21U, 0x00U})[0], 0xA4U);
-        EXPECT_EQ(Send({number}), AbortOf(0x2103U, 0U, 0x05040003U)) << int{number};
+        EXPECT_TRUE(SendSegments(1, 2).empty());
+        EXPECT_EQ(Send({number}), (Octets{0xA2U, 2U, 4U, 0U, 0U, 0U, 0U, 0U})) << int{number};
+        EXPECT_EQ(Send({0x80U, 0x03U, 0x21U}).size(), 0U);
     }
 }
 
