@@ -39,6 +39,9 @@ constexpr std::uint16_t kFirstRpdo = 0x1400U;
 constexpr std::uint16_t kLastRpdo = 0x15FFU;
 constexpr std::uint16_t kFirstTpdo = 0x1800U;
 constexpr std::uint16_t kLastTpdo = 0x19FFU;
+constexpr std::uint16_t kSyncCobId = 0x1005U;
+constexpr std::uint16_t kEmergencyCobId = 0x1014U;
+constexpr std::uint16_t kEmergencySources = 0x1028U;
 constexpr std::uint32_t kStandard = 0x7FFU;
 constexpr std::uint32_t kTimeRoles = cia301::kCobOff | cia301::kCobBit30; ///< Bit 31 of 1012h: consumes.
 
@@ -47,21 +50,32 @@ bool IsIn(const std::uint16_t index, const std::uint16_t first, const std::uint1
     return (index >= first) && (index <= last);
 }
 
+bool IsPdo(const std::uint16_t index) noexcept
+{
+    return IsIn(index, kFirstRpdo, kLastRpdo) || IsIn(index, kFirstTpdo, kLastTpdo);
+}
+
 /// Whether this value gives a service, but not a PDO, an identifier.
 bool IsIdentifierOfService(const ObjectAddress& object, const std::uint32_t value) noexcept
 {
     const bool is_on = (value & cia301::kCobOff) == 0U;
-    bool is_identifier = is_on && ((object.index == 0x1014U) || ((object.index == 0x1028U) && (object.sub > 0U)));
+    bool is_identifier =
+        is_on && ((object.index == kEmergencyCobId) || ((object.index == kEmergencySources) && (object.sub > 0U)));
     is_identifier = is_identifier || (is_on && IsIn(object.index, 0x1201U, 0x12FFU) && IsIn(object.sub, 1U, 2U));
-    is_identifier = is_identifier || (object.index == 0x1005U);
+    is_identifier = is_identifier || (object.index == kSyncCobId);
     return is_identifier || ((object.index == 0x1012U) && ((value & kTimeRoles) != 0U));
 }
 
-/// Whether a service that is no PDO uses this identifier.
-bool IsOfService(const Services& services, const std::uint32_t identifier) noexcept
+/// Whether a service that is no PDO uses this identifier: another one than that of `index`. Those that are neither SYNC
+/// nor emergency producer are not told from each other, and 1028h may name the own emergency.
+bool IsOfService(const Services& services, const std::uint32_t identifier, const std::uint16_t index) noexcept
 {
-    bool is_used = services.sync.Uses(identifier) || (services.emergency.CobId() == identifier);
-    for (std::uint8_t place = 0U; place < services.further.count; ++place)
+    const bool is_sync = (index != kSyncCobId) && services.sync.Uses(identifier);
+    const bool is_emergency = (services.emergency.CobId() == identifier);
+    const bool is_of_emergency = (index == kEmergencyCobId) || (index == kEmergencySources);
+    const bool is_known = IsPdo(index) || (index == kSyncCobId) || ((index == kEmergencyCobId) && !is_emergency);
+    bool is_used = is_sync || (is_emergency && !is_of_emergency);
+    for (std::uint8_t place = 0U; is_known && (place < services.further.count); ++place)
     {
         is_used = is_used || services.further.list[place]->Uses(identifier);
     }
@@ -327,11 +341,12 @@ bool Services::Allows(const ObjectAddress& object, const std::uint32_t value) co
     {
         const auto own = static_cast<std::uint16_t>((object.index - kFirstTpdo) + 1U);
         const bool is_sent = tpdos.Uses(identifier, is_tpdo ? own : std::uint16_t{0U});
-        is_shared = IsOfService(*this, identifier) || is_sent || (is_tpdo && rpdos.Uses(identifier, 0U));
+        is_shared = IsOfService(*this, identifier, object.index) || is_sent || (is_tpdo && rpdos.Uses(identifier, 0U));
     }
     else if (IsIdentifierOfService(object, value))
     {
-        is_shared = tpdos.Uses(identifier, 0U) || rpdos.Uses(identifier, 0U);
+        is_shared =
+            IsOfService(*this, identifier, object.index) || tpdos.Uses(identifier, 0U) || rpdos.Uses(identifier, 0U);
     }
     else
     {

@@ -336,6 +336,22 @@ TEST_F(DeviceServicesTest, LostFramesOfServicesAreTold)
     EXPECT_EQ(Emergencies(), (Codes{0x8110U, 0U}));
 }
 
+TEST_F(DeviceServicesTest, TheEmergencyAndSyncHaveIdentifiersOfTheirOwn)
+{
+    Verifies(req::SRS_EMCY_003);
+    Start();
+    // Given an emergency that is off, then it is not turned on with SYNC's identifier
+    EXPECT_EQ(Download(0x1014U, 0U, 0x80000082U, 4U), 0U);
+    EXPECT_EQ(Download(0x1014U, 0U, 0x80U, 4U), 0x06090030U);
+    EXPECT_EQ(Download(0x1014U, 0U, 0x80000080U, 4U), 0U); // Off, it has none.
+    EXPECT_EQ(Download(0x1014U, 0U, 0x82U, 4U), 0U);
+    EXPECT_EQ(Download(0x1014U, 0U, 0x82U, 4U), 0U); // Its own one is no other service's.
+    // nor SYNC moved to the emergency's
+    EXPECT_EQ(Download(0x1005U, 0U, 0x82U, 4U), 0x06090030U);
+    EXPECT_EQ(Download(0x1005U, 0U, 0x83U, 4U), 0U);
+    EXPECT_EQ(Download(0x1005U, 0U, 0x83U, 4U), 0U);
+}
+
 TEST_F(DeviceServicesTest, AnotherNodeWithOurIdentifierIsTold)
 {
     Verifies(req::SRS_DEV_016);
