@@ -21,12 +21,6 @@ std::optional<std::uint64_t> ParseNumber(const std::string_view text, const int 
     return is_whole ? std::optional<std::uint64_t>(number) : std::nullopt;
 }
 
-std::optional<std::uint64_t> ParseUnsigned(const std::string_view text)
-{
-    const bool is_hexadecimal = text.size() > 2U && text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
-    return is_hexadecimal ? ParseNumber(text.substr(2U), 16) : ParseNumber(text, 10);
-}
-
 /// `text` times 10^`digits` without any rounding: at most `digits` digits behind the point.
 std::optional<std::int64_t> ParseDecimal(const std::string_view text, const std::size_t digits)
 {
@@ -69,6 +63,16 @@ const char* KindName(const YamlKind kind)
 }
 
 } // namespace
+
+bool IsHexadecimal(const std::string_view text) noexcept
+{
+    return text.size() > 2U && text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
+}
+
+std::optional<std::uint64_t> ParseUnsigned(const std::string_view text)
+{
+    return IsHexadecimal(text) ? ParseNumber(text.substr(2U), 16) : ParseNumber(text, 10);
+}
 
 std::string WhatIs(const YamlNode& node)
 {

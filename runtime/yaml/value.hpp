@@ -10,7 +10,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace counterpoint::runtime
@@ -45,6 +47,12 @@ template <typename Meaning> struct Word
 
 /// Longest time that a scenario may name.
 constexpr Nanoseconds kLongestTime = 10000000 * kNanosecondsPerSecond;
+
+/// Whether a number begins with 0x.
+[[nodiscard]] bool IsHexadecimal(std::string_view text) noexcept;
+
+/// A number of a file or command line: decimal, or hexadecimal after 0x; nothing: it is none, or above 2^64 - 1.
+[[nodiscard]] std::optional<std::uint64_t> ParseUnsigned(std::string_view text);
 
 /// What stands at a node, in words, for a message.
 [[nodiscard]] std::string WhatIs(const YamlNode& node);

@@ -20,6 +20,7 @@ struct SweepAxis
     std::string path; ///< faults.NAME.at, duration, nodes.sensor.counter_a.ppm: keys, names or numbers from 0, joined
                       ///< by points.
     bool is_time{false};
+    bool is_hexadecimal{false};       ///< FROM was written so.
     std::vector<std::int64_t> values; ///< Nanoseconds, or plain numbers.
 
     /// @brief One of the values, as it stands in a scenario.

@@ -2,8 +2,11 @@
 #include "simulator/judge/sweep.hpp"
 #include "simulator/scenario/parts.hpp"
 
+#include "canopen/cia306/text/input_error.hpp"
+
 #include <algorithm>
 #include <charconv>
+#include <limits>
 
 // What a sweep varies, and how it gets into the scenario. [SRS_SIM_050]
 namespace counterpoint::simulator
@@ -22,21 +25,23 @@ struct Quantity
 {
     std::int64_t value{0};
     bool is_time{false};
+    bool is_hexadecimal{false};
 };
 
 Quantity ParseQuantity(const std::string& text)
 {
-    std::int64_t number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error == std::errc() && end == text.data() + text.size())
-    {
-        return {number, false};
-    }
     const bool is_negative = !text.empty() && text[0] == '-';
-    const runtime::YamlNode node{runtime::YamlKind::kScalar, false, {}, text.substr(is_negative ? 1U : 0U), {}};
+    const std::string magnitude = text.substr(is_negative ? 1U : 0U);
+    const std::optional<std::uint64_t> number = runtime::ParseUnsigned(magnitude);
+    if (number && *number <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()))
+    {
+        const auto value = static_cast<std::int64_t>(*number);
+        return {is_negative ? -value : value, false, runtime::IsHexadecimal(magnitude)};
+    }
+    const runtime::YamlNode node{runtime::YamlKind::kScalar, false, {}, magnitude, {}};
     const std::string place = "--sweep"; // Outlives the value below.
     const Nanoseconds time = YamlValue(place, node).Duration();
-    return {is_negative ? -time : time, true};
+    return {is_negative ? -time : time, true, false};
 }
 
 std::vector<std::string> Split(const std::string& text, const char separator)
@@ -155,7 +160,8 @@ std::string SweepAxis::Text(const std::size_t place) const
     const std::int64_t value = values[place];
     if (!is_time)
     {
-        return std::to_string(value);
+        const bool is_shown_so = is_hexadecimal && value >= 0;
+        return is_shown_so ? cia306::Hex(static_cast<std::uint64_t>(value), 1) : std::to_string(value);
     }
     const std::int64_t magnitude = (value < 0) ? -value : value;
     std::string fraction =
@@ -190,7 +196,7 @@ SweepAxis ParseSweepAxis(const std::string& text)
     {
         Refuse(runtime::Shown(text) + " with more than " + std::to_string(kMostSweepRuns) + " runs", "a larger STEP");
     }
-    SweepAxis axis{text.substr(0U, equals), from.is_time, {}};
+    SweepAxis axis{text.substr(0U, equals), from.is_time, from.is_hexadecimal, {}};
     for (std::int64_t value = from.value; value <= to.value; value += step.value)
     {
         axis.values.push_back(value);

@@ -305,6 +305,22 @@ TEST(Sweep, RunsEveryValueAndPrintsATable)
         answer.out);
 }
 
+TEST(Sweep, TakesHexadecimalNumbersAsTheScenarioDoes)
+{
+    Verifies(req::SRS_SIM_050);
+    const Answer answer =
+        RunCommand({"simulate", LostPairs(), "--quiet", "--sweep", "faults.0.frames.identifier=0x103:0X104:0x1"});
+    EXPECT_EQ(answer.err, "");
+    EXPECT_NE(answer.out.find("\n0x103  "), std::string::npos) << answer.out;
+    EXPECT_NE(answer.out.find("\n0x104  "), std::string::npos) << answer.out;
+    EXPECT_NE(answer.out.find("of 2 runs hold"), std::string::npos) << answer.out;
+    // A number without digits is none, nor is one of 64 bits
+    for (const char* const wrong : {"seed=0x:0x2:1", "seed=1:0xFFFFFFFFFFFFFFFF:1", "seed=0x1:0x1G:1"})
+    {
+        EXPECT_EQ(RunCommand({"simulate", LostPairs(), "--sweep", wrong}).status, 2) << wrong;
+    }
+}
+
 TEST(Sweep, EndsWithOneWhenARunFails)
 {
     Verifies(req::SRS_SIM_050);
