@@ -81,7 +81,11 @@ std::uint32_t NumberOf(const std::string& text)
 
 void NewAnswers::Describe(Options& options)
 {
-    options.Add("--role", &role_, "What the device does: producer, consumer, or controller, which is both")
+    options
+        .Add("--role", &role_,
+             "What the device does: producer (default with --produce alone), consumer (default with --consume alone), "
+             "or "
+             "controller, which is both (default with both)")
         .Type("WORD")
         .Words({"producer", "consumer", "controller"})
         .Check(ProblemOfRole);

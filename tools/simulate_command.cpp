@@ -8,6 +8,7 @@
 #include "simulator/judge/sweep.hpp"
 #include "simulator/managers/managed.hpp"
 #include "simulator/report/reports.hpp"
+#include "simulator/scenario/network_names.hpp"
 #include "simulator/scenario/reader.hpp"
 #include "simulator/scenario/schema.hpp"
 #include "tools/command_line/options.hpp"
@@ -26,6 +27,16 @@ namespace
 /// What --explain alone stands for: an empty KEY is a slip, as of a variable that a shell does not know.
 constexpr const char* kEverything = "all";
 
+std::vector<std::string> Profiles()
+{
+    std::vector<std::string> words;
+    for (const simulator::FoundWord& profile : simulator::kProfileWords)
+    {
+        words.emplace_back(profile.text);
+    }
+    return words;
+}
+
 class SimulateCommand final : public Command
 {
   public:
@@ -36,7 +47,9 @@ class SimulateCommand final : public Command
         options.Add("--json", &json_, "Write recording, measurements and verdicts as JSON");
         options.Add("--candump", &candump_, "Write the frames of the bus as candump -l does");
         options.Add("--seed", &seed_, "Instead of the scenario's seed: 0 to 2^64 - 1").Type("N");
-        options.Add("--profile", &profile_, "Start-up profile of the managers: one of the scenario's 'profiles'");
+        options.Add("--profile", &profile_, "Start-up profile of the managers: one of the scenario's 'profiles'")
+            .Words(Profiles())
+            .Check([](const std::string& /*text*/) { return std::string(); }); // The scenario says which.
         options.Add("--until", &until_, "Instead of the scenario's duration, with its unit: 500ms, 20s");
         options.Add("--frames", &frames_, "Show every frame on the time line");
         options.Add("--quiet", &quiet_, "No time line; only what was expected and did not come").Excludes("--frames");
@@ -80,6 +93,7 @@ class SimulateCommand final : public Command
         if (explained_.empty() || text.empty())
         {
             streams.err << "counterpoint simulate: --explain " << runtime::Shown(explained_)
+                        << cia306::DidYouMean(explained_, simulator::ExplainedNames())
                         << ", expected a key or section of the format; without a name all of them are told\n";
             return ExitStatus::kBadInput;
         }

@@ -1,6 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "simulator/faults/frame_faults.hpp"
 
+#include "hal/host/virtual/frame_bits.hpp"
+
+#include <string>
 #include <utility>
 
 namespace counterpoint::simulator
@@ -9,6 +12,19 @@ namespace
 {
 /// Far apart from the numbers of the frame faults.
 constexpr std::uint64_t kControllerSalt = 0xC0117501U;
+
+/// How long a frame is on the wire is known when it is there: its stuff bits depend on its data. [SRS_SIM_074]
+void RequireBit(const FaultSetup& fault, const CanFrame& frame)
+{
+    const std::uint16_t bits = host::MeasureFrame(frame).OnWire();
+    if (fault.bit >= bits)
+    {
+        throw YamlError(fault.source.file, fault.source.place,
+                        "bit " + std::to_string(fault.bit) + " of a frame of " + std::to_string(bits) +
+                            " bits on the wire, identifier " + IdentifierText(frame.identifier),
+                        "a bit from 0 to " + std::to_string(bits - 1U) + ", or other 'frames'");
+    }
+}
 } // namespace
 
 ControllerFaults::ControllerFaults(const FaultStage& stage, std::vector<FrameSelector> selectors)
@@ -65,6 +81,10 @@ host::SubmitFate ControllerFaults::OnSubmit(CanFrame& frame, const host::NodeInd
 host::WireHit ControllerFaults::OnWire(const host::FrameOnBus& sent)
 {
     const FrameSelector* const hit = Hit(Moment::kWire, sent.frame, sent.sender);
+    if (hit != nullptr)
+    {
+        RequireBit(hit->Fault(), sent.frame);
+    }
     return host::WireHit{(hit == nullptr) ? host::WireHit::kNone : std::uint16_t{hit->Fault().bit}};
 }
 

@@ -194,6 +194,22 @@ std::string ExplainText(const std::string& name)
     return (name.empty() ? units : "") + text;
 }
 
+std::vector<std::string> ExplainedNames()
+{
+    const std::string prefix = kActionPrefix;
+    std::vector<std::string> names;
+    for (const SectionSpec& section : Schema())
+    {
+        const std::string name = section.name;
+        names.push_back((name.rfind(prefix, 0U) == 0U) ? name.substr(prefix.size()) : name);
+        for (const KeySpec& key : section.keys)
+        {
+            names.emplace_back(key.key);
+        }
+    }
+    return names;
+}
+
 std::string ExplainMarkdown()
 {
     std::string text;

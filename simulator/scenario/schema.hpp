@@ -140,6 +140,8 @@ inline constexpr KeySpec kAtKey{"at", ValueType::kDuration, kNeeded, "500 ms", "
 /// @brief The description for a terminal: of everything for an empty name, else of each section and key of that name;
 /// sections of events are also found without "events.". An empty answer: there is no such name.
 [[nodiscard]] std::string ExplainText(const std::string& name);
+/// @brief Every name that ExplainText knows.
+[[nodiscard]] std::vector<std::string> ExplainedNames();
 /// @brief The reference part of docs/scenario.md.
 [[nodiscard]] std::string ExplainMarkdown();
 

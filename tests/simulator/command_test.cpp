@@ -217,8 +217,14 @@ TEST(SimulateCommand, ExplainsTheFormat)
                          "all of them are told\n");
     const Answer none = RunCommand({"simulate", "--explain", "losses"});
     EXPECT_EQ(none.status, 2);
-    EXPECT_EQ(none.err, "counterpoint simulate: --explain 'losses', expected a key or section of the format; without a "
-                        "name all of them are told\n");
+    EXPECT_EQ(none.err,
+              "counterpoint simulate: --explain 'losses' (did you mean 'loss'?), expected a key or section of "
+              "the format; without a name all of them are told\n");
+    // Of a key and of an event as well, and of nothing near none
+    const auto told = [](const std::string& name) { return RunCommand({"simulate", "--explain", name}).err; };
+    EXPECT_NE(told("probabilty_ppm").find("'probabilty_ppm' (did you mean 'probability_ppm'?), "), std::string::npos);
+    EXPECT_NE(told("replacee").find("'replacee' (did you mean 'replace'?), "), std::string::npos) << told("replacee");
+    EXPECT_NE(told("something else").find("'something else', expected "), std::string::npos);
     // And the document has the same reference
     const Answer reference = RunCommand({"simulate", "--explain", "--markdown"});
     EXPECT_EQ(reference.status, 0);
@@ -227,6 +233,27 @@ TEST(SimulateCommand, ExplainsTheFormat)
     const std::size_t place = document.find(begin);
     ASSERT_NE(place, std::string::npos);
     EXPECT_EQ(document.substr(place + begin.size()), reference.out);
+}
+
+TEST(SimulateCommand, AWireErrorBehindTheEndOfTheFrameIsRefused)
+{
+    Verifies(req::SRS_SIM_074);
+    const auto run = [](const std::string& bit)
+    {
+        const std::string file = simulator::TextFile("extends: " + simulator::Examples() +
+                                                     "chain.yaml\nfaults:\n  - {fault: wire_error, bit: " + bit +
+                                                     ", frames: {identifier: 0x103, from: 500 ms, count: 1}}\n");
+        Answer answer = RunCommand({"simulate", file, "--quiet"});
+        const bool is_of_file = answer.err.rfind(file, 0U) == 0U;
+        answer.err = is_of_file ? answer.err.substr(file.size()) : answer.err;
+        return answer;
+    };
+    EXPECT_EQ(run("64").status, 0) << run("64").err;
+    const Answer refused = run("65");
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_EQ(refused.err,
+              ":3:5: error: bit 65 of a frame of 65 bits on the wire, identifier 0x103, expected a bit from "
+              "0 to 64, or other 'frames'\n");
 }
 
 TEST(DemoCommand, ShowsEveryRunWithItsLimitAndWritesThePage)

@@ -230,6 +230,7 @@ TEST_F(Completion, BashOffersCommandsOptionsAndValues)
     EXPECT_EQ(Offers({"counterpoint", "new", "--detection", ""}), "early late");
     EXPECT_EQ(Offers({"counterpoint", "srdo", "--release", "a"}), "automatic");
     EXPECT_EQ(Offers({"counterpoint", "new", "--gfc", ""}), "on off");
+    EXPECT_EQ(Offers({"counterpoint", "simulate", "--profile", ""}), "cia302 el6751 plc_designer");
     EXPECT_EQ(Offers({"counterpoint", "new", "--bit-rate", "1"}), "10 125 1000");
     EXPECT_EQ(Offers({"counterpoint", "sign", "--node-id", ""}), ""); // A number.
     EXPECT_EQ(Offers({"counterpoint", "sign", "exam"}), "");          // A file: left to the shell.

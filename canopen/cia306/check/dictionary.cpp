@@ -12,15 +12,16 @@ constexpr std::uint16_t kFirstOwn = 0x2000U;
 constexpr std::uint8_t kStructureSub = 0xFFU; ///< Describes the structure of an object; counts for nothing.
 constexpr std::uint8_t kTransmissionSub = 4U; ///< Of 1301h to 1340h: a constant of the kernel, whatever the file says.
 
-/// Whether the kernel lets a client write this one, whatever the file says of it. 13FEh has a rule of its own, and so
-/// have mappings, which may be static.
+/// Whether the kernel lets a client write this one, whatever the file says of it. Mappings have a rule of their own:
+/// they may be static.
 bool IsWrittenByKernel(const Entry& entry)
 {
     const bool is_communication =
         entry.index >= kFirstCommunicationIndex && entry.index < kFirstCommunicationIndex + kMaxSrdos;
     const bool is_parameter = is_communication && entry.sub != 0U && entry.sub != kTransmissionSub;
     const bool is_signature = entry.index == kSignatureIndex && entry.sub != 0U;
-    return entry.index == kGfcIndex || is_parameter || is_signature;
+    const bool is_flag = entry.index == kGfcIndex || entry.index == kConfigurationValidIndex;
+    return is_flag || is_parameter || is_signature;
 }
 
 std::uint8_t HighestSub(const Object& object)

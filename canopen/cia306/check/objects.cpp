@@ -243,10 +243,6 @@ void CheckValid(const CheckContext& context, Findings& findings)
                        "an object of type UNSIGNED8");
         return;
     }
-    if (entry->access != Access::kReadWrite)
-    {
-        findings.Warning(entry->access_place, name, "the flag cannot be set and cleared", "AccessType=rw");
-    }
     const bool is_valid = valid.Is(kConfigurationIsValid);
     if (is_valid && findings.HasError())
     {

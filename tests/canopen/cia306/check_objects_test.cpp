@@ -46,11 +46,16 @@ TEST(CheckObjects, ASignatureIsComparedForAnSrdoThatIsOffToo)
 TEST(CheckObjects, ConfigurationValid)
 {
     Verifies(req::SRS_CLI_016);
+    Verifies(req::SRS_CLI_040);
     const std::vector<CheckRow> rows = {
         {{{"13FE", kValue, "0"}}, {"warning: 0x13FE:00: 0x00: the SRDOs stay off, expected 0xA5 to set them going"}},
         {{{"13FE", kValue, "0x5A"}}, {"warning: 0x13FE:00: 0x5A: the SRDOs stay off, expected 0xA5 to set them going"}},
         {{{"13FE", "AccessType", "ro"}},
-         {"warning: 0x13FE:00: the flag cannot be set and cleared, expected AccessType=rw"}},
+         {"warning: 0x13FE:00: the device lets clients read and write it all the same, expected AccessType=rw"}},
+        {{{"13FE", "AccessType", "wo"}},
+         {"warning: 0x13FE:00: the device lets clients read and write it all the same, expected AccessType=rw"}},
+        {{{"13FE", "AccessType", "const"}},
+         {"warning: 0x13FE:00: the device lets clients read and write it all the same, expected AccessType=rw"}},
     };
     test::ExpectRows("sensor", rows, {});
 }

@@ -83,6 +83,7 @@ inline constexpr RequirementId SRS_SIM_070{"SRS_SIM_070"};
 inline constexpr RequirementId SRS_SIM_071{"SRS_SIM_071"};
 inline constexpr RequirementId SRS_SIM_072{"SRS_SIM_072"};
 inline constexpr RequirementId SRS_SIM_073{"SRS_SIM_073"};
+inline constexpr RequirementId SRS_SIM_074{"SRS_SIM_074"};
 } // namespace counterpoint::req
 
 #endif
