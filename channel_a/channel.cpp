@@ -15,30 +15,33 @@ namespace counterpoint::channel_a
 namespace
 {
 
-// Power-on state of one slot.
+static_assert((State{} == State::kOff) && (kDirectionOff == 0U) && (kNo == 0U), "0 grants nothing");
+
+// Power-on state of one slot. Its steps are nothing until they are worked out.
 void Clear(const Voice& voice, const std::size_t slot) noexcept
 {
     const SrdoSetup& setup = voice.config->srdos[slot]; // MISRA D-002
     Record& record = At(voice, slot);
     record = Record{};
-    record.grants.Set(Grant::kState, static_cast<std::uint8_t>(State::kOff));
-    record.grants.Set(Grant::kLength, 0U);
+    record.grants.Clear();
     record.grants.Set(Grant::kPolicy, static_cast<std::uint8_t>(setup.policy));
-    record.grants.Set(Grant::kEdge, kNo);
-    record.grants.Set(Grant::kResolved, kNo);
-    record.grants.Set(Grant::kChecked, kNo);
     record.limit_us = kNoLimit;
     record.form = setup.form;
     record.detection = setup.detection;
     record.safe = BytesOf(setup.safe_value);
     SetFirstCause(record, SrdoCause::kNone);
     SetDefaults(record, setup.number, voice.config->node_id);
-    const std::size_t entries = voice.storage.map_entries;
     voice.storage.counts[slot] = 0U; // MISRA D-002
-    for (std::size_t entry = slot * entries; entry < ((slot + 1U) * entries); ++entry)
+}
+
+// Those of all slots.
+void ClearEntries(const Voice& voice) noexcept
+{
+    std::uint32_t* const first = voice.storage.entries;
+    std::uint32_t* const end = first + (std::size_t{voice.count} * voice.storage.map_entries); // MISRA D-002
+    for (std::uint32_t* entry = first; entry != end; ++entry)                                  // MISRA D-002
     {
-        voice.storage.entries[entry] = 0U;                                                 // MISRA D-002
-        voice.storage.steps[entry / kEntriesPerStep] = Step{kNoObject, kNoObject, 0U, 0U}; // MISRA D-002
+        *entry = 0U;
     }
 }
 
@@ -50,15 +53,14 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     voice_ = Voice{};
     voice_.storage = storage;
     voice_.config = &config;
-    // 1 to 64, by the contract of DeviceConfig.
-    voice_.count = (config.srdo_count < storage.capacity) ? config.srdo_count : storage.capacity;
+    voice_.count = config.srdo_count; // 1 to 64 and not above Room: the kernel refuses another device. [SRS_KRN_020]
     voice_.ports[kNormalHalf] = config.normal_port;
     voice_.ports[kInverseHalf] = config.inverse_port;
     voice_.late_after_us = config.cycle_us + config.cycle_tolerance_us;
     voice_.first_delay_us = kFirstTransmissionStepUs * config.node_id;
     voice_.outcome.not_operational = 1U;
     voice_.reading = ~SrdoMask{0U}; // An acknowledge that reads 1 from power-on on is no edge. [SRS_REL_005]
-    voice_.high_levels = ~SrdoMask{0U};
+    ClearEntries(voice_);
     for (std::size_t slot = 0U; slot < voice_.count; ++slot)
     {
         Clear(voice_, slot);

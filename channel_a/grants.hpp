@@ -23,6 +23,8 @@ enum class Grant : std::uint8_t
     kChecked = 7U,    ///< kYes: the last Validate or Recheck found no fault.
 };
 
+constexpr std::size_t kGrantCount = 8U;
+
 /// What a grant that is no more than yes or no has to be for yes. Everything else says no.
 constexpr std::uint8_t kYes = 0xA6U;
 constexpr std::uint8_t kNo = 0U;
@@ -39,6 +41,15 @@ struct Grants
     {
         values.at[static_cast<std::size_t>(grant)] = value;
         complements.at[static_cast<std::size_t>(grant)] = static_cast<std::uint8_t>(~std::uint32_t{value});
+    }
+
+    /// @brief All are 0, which grants nothing.
+    void Clear() noexcept
+    {
+        for (std::size_t grant = 0U; grant < kGrantCount; ++grant)
+        {
+            Set(static_cast<Grant>(grant), 0U);
+        }
     }
 
     /// @brief The value alone, for what grants nothing by it.

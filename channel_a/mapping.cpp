@@ -11,7 +11,6 @@ constexpr std::uint32_t kSubShift = 8U;
 constexpr std::uint32_t kIndexShift = 16U;
 constexpr std::uint32_t kLengthBits = 0xFFU;
 constexpr std::uint32_t kSubAndLength = 0xFFFFU;
-constexpr std::uint32_t kBad = 0xFFFFFFFFU;
 
 /// Bits of the data types 0001h to 0007h.
 constexpr std::uint8_t kDummyBits[kLastDummyIndex] = {1U, 8U, 16U, 32U, 8U, 16U, 32U}; // MISRA D-001
@@ -168,9 +167,8 @@ bool FitsOthers(const DeviceConfig& config, const Record& record, const Mapping&
 Step StepOf(const DeviceConfig& config, const std::uint32_t* const entries, const std::uint32_t pair,
             const std::uint32_t first_bit) noexcept
 {
-    const std::uint32_t entry = NormalEntry(entries, pair);
-    return Step{FindObject(config, entry), FindObject(config, InverseEntry(entries, pair)),
-                static_cast<std::uint8_t>(first_bit & kByteMask), static_cast<std::uint8_t>(entry & kLengthBits)};
+    return Step{FindObject(config, NormalEntry(entries, pair)), FindObject(config, InverseEntry(entries, pair)),
+                static_cast<std::uint8_t>(first_bit & kByteMask)};
 }
 
 void WorkOut(const DeviceConfig& config, const std::uint32_t* const entries, const std::uint32_t count,
@@ -179,14 +177,13 @@ void WorkOut(const DeviceConfig& config, const std::uint32_t* const entries, con
     std::uint32_t first_bit = 0U;
     for (std::uint32_t pair = 0U; pair < count; ++pair)
     {
-        const Step step = StepOf(config, entries, pair, first_bit);
-        steps[pair] = step; // MISRA D-002
-        first_bit += step.bits;
+        steps[pair] = StepOf(config, entries, pair, first_bit); // MISRA D-002
+        first_bit += NormalEntry(entries, pair) & kLengthBits;
     }
 }
 
 // What Validate and Recheck have in common: each step is that of its entries, and the objects of a static mapping lie
-// one behind the other in its two fields. Bits of all normal entries; kBad where something does not fit.
+// one behind the other in its two fields. Bits of all normal entries; 0 where something does not fit.
 std::uint32_t Measured(const DeviceConfig& config, const Record& record, const Mapping& mapping) noexcept
 {
     const std::uint8_t* next_normal = record.fields.normal;
@@ -197,7 +194,6 @@ std::uint32_t Measured(const DeviceConfig& config, const Record& record, const M
     {
         const Step step = (mapping.steps != nullptr) ? mapping.steps[pair] // MISRA D-002
                                                      : StepOf(config, mapping.entries, pair, total);
-        const std::uint32_t bits = NormalEntry(mapping.entries, pair) & kLengthBits;
         if (!IsStepOf(config, record, mapping, pair, step))
         {
             ++wrong;
@@ -211,10 +207,9 @@ std::uint32_t Measured(const DeviceConfig& config, const Record& record, const M
             ++wrong;
         }
         wrong += (step.first_bit ^ total) & kByteMask;
-        wrong += step.bits ^ bits;
-        total += bits;
+        total += NormalEntry(mapping.entries, pair) & kLengthBits;
     }
-    return (wrong == 0U) ? total : kBad;
+    return (wrong == 0U) ? total : 0U;
 }
 
 } // namespace
@@ -265,7 +260,7 @@ ConfigFault Resolve(const DeviceConfig& config, Record& record, const Mapping& m
         WorkOut(config, mapping.entries, count / kEntriesPerStep, mapping.steps);
     }
     const std::uint32_t total = Measured(config, record, mapping);
-    if (!fits || (total == kBad))
+    if (!fits || (total == 0U))
     {
         return ConfigFault::kMapping;
     }
@@ -296,8 +291,12 @@ bool SharesObject(const DeviceConfig& config, const Record& record, const Mappin
 
 bool HoldsSteps(const DeviceConfig& config, const Record& record, const Mapping& mapping) noexcept
 {
+    if (!record.grants.Is(Grant::kResolved, kYes))
+    {
+        return false; // Its steps may be those of other entries, or of none.
+    }
     const std::uint32_t total = Measured(config, record, mapping);
-    if (!record.grants.Is(Grant::kResolved, kYes) || (total != record.total_bits))
+    if (total != record.total_bits)
     {
         return false;
     }

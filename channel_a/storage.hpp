@@ -72,7 +72,6 @@ struct Step
     std::uint16_t normal;   ///< Place in DeviceConfig::objects of the object that is written and read; kNoObject: none.
     std::uint16_t inverse;  ///< Likewise of its inverse; only confirmed.
     std::uint8_t first_bit; ///< In the frame.
-    std::uint8_t bits;
 };
 
 constexpr std::uint16_t kNoObject = 0xFFFFU;

@@ -155,7 +155,6 @@ std::uint32_t LoadOfSlot(const Voice& voice, const ConfigAddress& address) noexc
 
 void SetDefaults(Record& record, const std::uint8_t number, const std::uint8_t node_id) noexcept
 {
-    record.grants.Set(Grant::kDirection, kDirectionOff);
     record.values.sct_ms = kDefaultSctMs;
     record.values.srvt_ms = kDefaultSrvtMs;
     record.values.transmission_type = kTransmissionTypeAsynchronous;

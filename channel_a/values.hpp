@@ -12,7 +12,7 @@
 namespace counterpoint::channel_a
 {
 
-/// @brief One SRDO as at power-on. [SRS_CFG_002]
+/// @brief The values of one SRDO as at power-on. [SRS_CFG_002]
 void SetDefaults(Record& record, std::uint8_t number, std::uint8_t node_id) noexcept;
 void StoreValue(Voice& voice, const ConfigItem& item) noexcept;
 /// @brief 0 for what does not exist.

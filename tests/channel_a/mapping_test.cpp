@@ -277,6 +277,40 @@ TEST(ChannelAMapping, OfStaticObjectsOfOneAndNineBitsIsRefused)
     }
 }
 
+TEST(ChannelAMapping, OfADirectionThatItNoLongerFitsKeepsTheSlotOff)
+{
+    Verifies(req::SRS_CFG_003);
+    Verifies(req::SRS_CFG_027);
+    Verifies(req::SRS_CFG_030);
+    Verifies(req::SRS_CONS_002);
+    static constexpr std::uint8_t kOther[] = {kDirectionProducer, kDirectionConsumer};
+    static constexpr std::uint8_t kOwn[] = {kDirectionConsumer, kDirectionProducer};
+    for (SlotIndex slot = 0U; slot < kSlotCount; ++slot)
+    {
+        // Given a sound configuration, over which an image is loaded with the other direction of one SRDO and 13FEh = 0
+        const auto fenced = std::make_unique<FencedDevice>();
+        Device& device = fenced->device;
+        device.Start();
+        device.Store(kNoSlot, ConfigField::kConfigurationValid, 0U);
+        device.Store(slot, ConfigField::kDirection, kOther[slot]);
+        // Then its mapping is refused, even if it is signed, and found by the cyclic check
+        EXPECT_EQ(device.Sign(slot).fault, ConfigFault::kMapping);
+        EXPECT_EQ(device.channel.Recheck(slot).fault, ConfigFault::kTable);
+        // and it stays off in OPERATIONAL, the other one does not
+        device.Store(kNoSlot, ConfigField::kConfigurationValid, 0xA5U);
+        EXPECT_EQ(device.Cycle().is_invalid, 1U);
+        EXPECT_EQ(device.channel.View(slot).state, SrdoState::kOff);
+        EXPECT_EQ(device.channel.Prepare(slot).status, PrepareStatus::kNotProducer);
+        // When the image has its own direction again, then it becomes active
+        device.nmt = NmtState::kPreOperational;
+        static_cast<void>(device.Cycle());
+        device.Store(slot, ConfigField::kDirection, kOwn[slot]);
+        EXPECT_EQ(device.Sign(slot).fault, ConfigFault::kNone);
+        device.nmt = NmtState::kOperational;
+        EXPECT_EQ(device.Cycle().is_invalid, 0U);
+    }
+}
+
 // What Validate says of slot 1 beside slot 0, each with two entries of its own and its direction.
 ConfigFault FaultBeside(Device& device, std::uint8_t direction_0, const std::uint32_t* entries_0,
                         std::uint8_t direction_1, const std::uint32_t* entries_1)

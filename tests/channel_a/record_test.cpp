@@ -105,6 +105,42 @@ TEST(ChannelARecord, OfAProducerThatIsCorruptedSendsNothing)
     EXPECT_GE(found, 64U);
 }
 
+// Flips each bit of so many bytes in turn and counts those after which a recheck of the consumer finds its table wrong.
+std::uint32_t FoundByRecheck(Device& device, std::uint8_t* bytes, std::size_t count)
+{
+    std::uint32_t found = 0U;
+    for (std::size_t bit = 0U; bit < (8U * count); ++bit)
+    {
+        std::uint8_t& byte = bytes[bit / 8U];
+        const std::uint8_t before = byte;
+        byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8U)));
+        found += (device.channel.Recheck(kConsumerSlot).fault == ConfigFault::kTable) ? 1U : 0U;
+        byte = before;
+    }
+    return found;
+}
+
+TEST(ChannelARecord, OfAMappingThatIsCorruptedIsFoundByTheRecheck)
+{
+    Verifies(req::SRS_CFG_030);
+    // Given an SRDO with a resolved mapping
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    device.Start();
+    ASSERT_EQ(device.channel.Recheck(kConsumerSlot).fault, ConfigFault::kNone);
+    // When a bit flips of what was worked out of it, then the recheck finds each
+    channel_a::Record& record = fenced->fence.storage.records[kConsumerSlot];
+    std::uint8_t* const grants = record.grants.values.at;
+    EXPECT_EQ(FoundByRecheck(device, record.mapped.at, 8U), 64U);
+    EXPECT_EQ(FoundByRecheck(device, &record.spare_bits, 1U), 8U);
+    EXPECT_EQ(FoundByRecheck(device, &record.total_bits, 1U), 8U);
+    EXPECT_EQ(FoundByRecheck(device, &grants[static_cast<std::size_t>(channel_a::Grant::kLength)], 1U), 8U);
+    EXPECT_EQ(FoundByRecheck(device, &grants[static_cast<std::size_t>(channel_a::Grant::kResolved)], 1U), 8U);
+    EXPECT_EQ(FoundByRecheck(device, &fenced->fence.storage.steps[0].first_bit, 1U), 8U);
+    // and nothing when all is as it was
+    EXPECT_EQ(device.channel.Recheck(kConsumerSlot).fault, ConfigFault::kNone);
+}
+
 TEST(ChannelARecord, OfALatePairDoesNotComeIntoTimeAgainWithTheCounter)
 {
     Verifies(req::SRS_TIME_009);

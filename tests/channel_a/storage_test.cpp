@@ -56,5 +56,37 @@ TEST(ChannelAStorage, OfADeviceWithoutDynamicEntriesTakesNoneOfItsOwn)
     EXPECT_GE(sizeof(channel_a::StorageFor<8U, 16U>) - sizeof(channel_a::StorageFor<8U, 0U>), (8U * 16U * 4U) - 4U);
 }
 
+TEST(ChannelAStorage, OfSlotsThatTheDeviceDoesNotHaveIsLeftAlone)
+{
+    Verifies(req::SRS_CFG_002);
+    // Given room for three SRDOs with two entries each, full of anything, and a device with two
+    channel_a::StorageFor<3U, 2U> storage{};
+    storage.records[2].error_count = 0xC3C3U;
+    storage.counts[2] = 0xC3U;
+    for (std::uint32_t& entry : storage.entries)
+    {
+        entry = 0xC3C3C3C3U;
+    }
+    const SrdoSetup setups[2] = {
+        {1U, ReleasePolicy::kInterlock, ProducerForm::kApplicationSends, Payload{}, SrvtDetection::kEarly, StaticMap{}},
+        {2U, ReleasePolicy::kInterlock, ProducerForm::kApplicationSends, Payload{}, SrvtDetection::kEarly,
+         StaticMap{}}};
+    DeviceConfig config{};
+    config.srdos = setups;
+    config.srdo_count = 2U;
+    config.node_id = 1U;
+    config.map_entries = 2U;
+    channel_a::Channel channel{storage.Handle()};
+    // When the channel starts
+    channel.Restart(config);
+    // Then the entries of both are 0, and nothing of the third is touched
+    EXPECT_EQ(storage.entries[0], 0U);
+    EXPECT_EQ(storage.entries[3], 0U);
+    EXPECT_EQ(storage.entries[4], 0xC3C3C3C3U);
+    EXPECT_EQ(storage.entries[5], 0xC3C3C3C3U);
+    EXPECT_EQ(storage.records[2].error_count, 0xC3C3U);
+    EXPECT_EQ(storage.counts[2], 0xC3U);
+}
+
 } // namespace
 } // namespace counterpoint
