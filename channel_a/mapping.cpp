@@ -206,7 +206,10 @@ std::uint32_t Measured(const DeviceConfig& config, const Record& record, const M
         {
             ++wrong;
         }
-        wrong += (step.first_bit ^ total) & kByteMask;
+        if (step.first_bit != (total & kByteMask))
+        {
+            ++wrong;
+        }
         total += NormalEntry(mapping.entries, pair) & kLengthBits;
     }
     return (wrong == 0U) ? total : 0U;

@@ -141,6 +141,20 @@ TEST(ChannelARecord, OfAMappingThatIsCorruptedIsFoundByTheRecheck)
     EXPECT_EQ(device.channel.Recheck(kConsumerSlot).fault, ConfigFault::kNone);
 }
 
+TEST(ChannelARecord, OfAFullMappingLeavesThatOfTheNextSlotAlone)
+{
+    Verifies(req::SRS_CFG_030);
+    // Given room for four entries, and two SRDOs that need all of it
+    const auto storage = std::make_unique<channel_a::StorageFor<kSlotCount, 4U>>();
+    Device device{storage->Handle()};
+    device.config.map_entries = 4U;
+    device.Start();
+    ASSERT_EQ(device.channel.Recheck(kProducerSlot).fault, ConfigFault::kNone);
+    // When the first one is validated again, then the mapping of the second is what it was
+    EXPECT_EQ(device.channel.Validate(kConsumerSlot).fault, ConfigFault::kNone);
+    EXPECT_EQ(device.channel.Recheck(kProducerSlot).fault, ConfigFault::kNone);
+}
+
 TEST(ChannelARecord, OfALatePairDoesNotComeIntoTimeAgainWithTheCounter)
 {
     Verifies(req::SRS_TIME_009);
