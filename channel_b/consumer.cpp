@@ -42,6 +42,7 @@ void Consumers::Restart() noexcept
 {
     Enter();
     x_committed = 0U;
+    x_missed = 0U;
     x_permitted = 0U;
 }
 
@@ -410,13 +411,25 @@ void Consumers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
     x_fresh = 0U;
 }
 
-/// Nothing is read before everything is written. [SRS_REL_002, SRS_REL_010, SRS_REL_011]
+/// [SRS_REL_002, SRS_REL_012]
+void Consumers::SetUp(SlotIndex slot) noexcept
+{
+    const std::uint64_t safe = x_mappings.InverseOfSafe(slot);
+    x_mappings.WriteInverse(slot, safe);
+    if (!x_mappings.HoldsInverse(slot, safe))
+    {
+        x_missed |= BitOf(slot);
+    }
+}
+
+/// Nothing is read before everything is written. [SRS_REL_002, SRS_REL_010, SRS_REL_011, SRS_REL_012]
 SrdoMask Consumers::Commit(const Agreement& agreement, SrdoMask examine) noexcept
 {
     const SrdoMask released = agreement.agreed & x_released;
     const SrdoMask written = released & agreement.matched & x_unwritten;
     const SrdoMask changed = written | (x_committed & ~released);
-    SrdoMask wrong = 0U;
+    SrdoMask wrong = x_missed;
+    x_missed = 0U;
     x_unwritten &= ~written;
     x_committed = (x_committed & released) | written;
     SlotWalk writing{changed};

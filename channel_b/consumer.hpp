@@ -65,6 +65,10 @@ class Consumers
         x_committed &= ~BitOf(slot);
     }
 
+    /// @brief Writes the safe value of a slot that is set up, and reads it back; the next Commit tells if it is not
+    /// there.
+    void SetUp(SlotIndex slot) noexcept;
+
     [[nodiscard]] bool IsActive(SlotIndex slot) const noexcept
     {
         return HasAny(x_active, BitOf(slot));
@@ -132,6 +136,7 @@ class Consumers
     SrdoMask x_released{0U};  ///< As the last OnCycle decided, less those with a fault since.
     SrdoMask x_unwritten{0U}; ///< The held pair has not been written into the objects.
     SrdoMask x_committed{0U};
+    SrdoMask x_missed{0U};         ///< Set up, and the objects did not hold the safe value; not told yet.
     SrdoMask x_permitted{0U};      ///< Committed and found as written by the last Commit; none since an OnCycle.
     std::uint32_t x_active_us{0U}; ///< Since entering OPERATIONAL.
 };
