@@ -20,7 +20,7 @@ constexpr std::uint32_t kLongestPhaseUs = std::uint32_t{1U} << 27U;
                                std::uint64_t data) noexcept
 {
     CanFrame frame{identifier, FrameKind::kData, port, length_bytes, {}};
-    Unpack(data, {&frame.data[0U]}, kMaxPayloadBytes);
+    Unpack(data, {&frame.data[0U]}, kMaxPayloadBits);
     return frame;
 }
 
