@@ -22,18 +22,13 @@ constexpr std::uint32_t kLongOverUs = std::uint32_t{1U} << 31U;
     return (left - since_call_us) > limit;
 }
 
-/// Whether all bits of a frame are inverse, and none but mapped ones are set in the normal one. [SRS_CONS_009]
+/// Whether all bits that frames have are inverse, and none but mapped ones are set in the normal one. [SRS_CONS_009]
 [[nodiscard]] bool IsInverse(std::uint64_t normal, std::uint64_t inverse, std::uint64_t frame_bits,
                              std::uint64_t mapped_bits) noexcept
 {
-    return ((normal ^ inverse) == frame_bits) && ((normal & ~mapped_bits) == 0U);
-}
-
-/// What the inverse objects of a slot are to hold.
-[[nodiscard]] std::uint64_t DueData(const Mappings& mappings, SrdoMask committed, SlotIndex slot,
-                                    std::uint64_t held) noexcept
-{
-    return HasAny(committed, BitOf(slot)) ? held : mappings.InverseOfSafe(slot);
+    const std::uint64_t equal = ~(normal ^ inverse);
+    const std::uint64_t unmapped = normal & ~mapped_bits;
+    return ((equal | unmapped) & frame_bits) == 0U;
 }
 
 } // namespace
@@ -206,7 +201,8 @@ SrdoCause Consumers::FlawOfInverse(SlotIndex slot, const CanFrame& frame) const 
 
 /// A limit that is over discards what was there before the frame, which is then taken as the first one.
 /// [SRS_CONS_003, SRS_CONS_006, SRS_CONS_007, SRS_CONS_011]
-void Consumers::TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
+void Consumers::TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint64_t data,
+                           std::uint32_t since_call_us) noexcept
 {
     const SrdoCause expired = ExpiredAt(slot, since_call_us);
     if (expired != SrdoCause::kNone)
@@ -220,13 +216,14 @@ void Consumers::TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t 
         return;
     }
     x_pending |= BitOf(slot);
-    x_pairs.pending[slot] = FrameData(frame);
+    x_pairs.pending[slot] = data;
     // The next OnCycle takes away what lay between the last one and the frame.
     x_pairs.srvt_left[slot] = x_pairs.srvt_limit[slot] + since_call_us;
 }
 
 /// [SRS_CONS_003, SRS_CONS_008, SRS_CONS_009, SRS_CONS_010, SRS_CONS_011]
-void Consumers::TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
+void Consumers::TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint64_t data,
+                            std::uint32_t since_call_us) noexcept
 {
     const SrdoMask bit = BitOf(slot);
     const SrdoCause expired = ExpiredAtInverse(slot, since_call_us);
@@ -234,11 +231,9 @@ void Consumers::TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t
     {
         Fault(slot, expired);
     }
-    const std::uint64_t normal = x_pairs.pending[slot];
-    const std::uint64_t inverse = FrameData(frame);
     SrdoCause flaw = FlawOfInverse(slot, frame);
     if ((flaw == SrdoCause::kNone) &&
-        (!IsInverse(normal, inverse, LowBytes(frame.length_bytes), x_mappings.MappedBits(slot))))
+        (!IsInverse(x_pairs.pending[slot], data, LowBytes(frame.length_bytes), x_mappings.MappedBits(slot))))
     {
         flaw = SrdoCause::kNotInverse;
     }
@@ -250,7 +245,7 @@ void Consumers::TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t
     // Both limits count from the normal frame, so that the greater one has the difference more left.
     x_pairs.left[slot] = x_pairs.srvt_left[slot] + (x_pairs.limit[slot] - x_pairs.srvt_limit[slot]);
     x_pairs.held[slot] = Mark::kHeld;
-    x_pairs.data[slot] = inverse;
+    x_pairs.data[slot] = data;
     x_pairs.ordinal[slot] += 1U;
     x_pending &= ~bit;
     x_unheard &= ~bit;
@@ -411,14 +406,21 @@ void Consumers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
     x_fresh = 0U;
 }
 
+// ---- objects
+
 /// [SRS_REL_002, SRS_REL_012]
 void Consumers::SetUp(SlotIndex slot) noexcept
 {
-    const std::uint64_t safe = x_mappings.InverseOfSafe(slot);
-    x_mappings.WriteInverse(slot, safe);
-    if (!x_mappings.HoldsInverse(slot, safe))
+    const SrdoMask bit = BitOf(slot);
+    x_committed &= ~bit;
+    if (x_settings.Direction(slot) == kDirectionConsumer)
     {
-        x_missed |= BitOf(slot);
+        const std::uint64_t safe = x_mappings.InverseOfSafe(slot);
+        x_mappings.WriteInverse(slot, safe);
+        if (!x_mappings.HoldsInverse(slot, safe))
+        {
+            x_missed |= bit;
+        }
     }
 }
 
@@ -436,13 +438,13 @@ SrdoMask Consumers::Commit(const Agreement& agreement, SrdoMask examine) noexcep
     while (writing.Next())
     {
         const SlotIndex slot = writing.Slot();
-        x_mappings.WriteInverse(slot, DueData(x_mappings, x_committed, slot, x_pairs.data[slot]));
+        x_mappings.WriteInverse(slot, DueData(slot));
     }
     SlotWalk reading{changed | (examine & x_committed & ~x_unwritten)};
     while (reading.Next())
     {
         const SlotIndex slot = reading.Slot();
-        if (!x_mappings.HoldsInverse(slot, DueData(x_mappings, x_committed, slot, x_pairs.data[slot])))
+        if (!x_mappings.HoldsInverse(slot, DueData(slot)))
         {
             wrong |= BitOf(slot);
         }

@@ -45,13 +45,14 @@ class Consumers
         {
             return;
         }
+        const std::uint64_t data = FrameWord(frame);
         if ((frame.identifier % 2U) != 0U)
         {
-            TakeNormal(slot, frame, since_call_us);
+            TakeNormal(slot, frame, data, since_call_us);
         }
         else
         {
-            TakeInverse(slot, frame, since_call_us);
+            TakeInverse(slot, frame, data, since_call_us);
         }
     }
 
@@ -59,14 +60,8 @@ class Consumers
     void Demote(SlotIndex slot) noexcept;
     /// @brief Writes, then reads back; the slots whose objects hold something else than was written.
     [[nodiscard]] SrdoMask Commit(const Agreement& agreement, SrdoMask examine) noexcept;
-    /// @brief The objects of the slot hold no released data any longer.
-    void Withdraw(SlotIndex slot) noexcept
-    {
-        x_committed &= ~BitOf(slot);
-    }
-
-    /// @brief Writes the safe value of a slot that is set up, and reads it back; the next Commit tells if it is not
-    /// there.
+    /// @brief What was released of this slot is over. The objects of a consumer take the safe value, which is read
+    /// back; the next Commit tells if it is not there.
     void SetUp(SlotIndex slot) noexcept;
 
     [[nodiscard]] bool IsActive(SlotIndex slot) const noexcept
@@ -108,6 +103,11 @@ class Consumers
         return IsHeld(slot) && (x_pairs.granted[slot] == Mark::kGranted) && x_faults.IsCauseDefined(slot);
     }
     [[nodiscard]] bool IsSound(SlotIndex slot) const noexcept;
+    /// What the inverse objects of a slot are to hold.
+    [[nodiscard]] std::uint64_t DueData(SlotIndex slot) const noexcept
+    {
+        return HasAny(x_committed, BitOf(slot)) ? x_pairs.data[slot] : x_mappings.InverseOfSafe(slot);
+    }
 
     [[nodiscard]] SrdoCause ExpiredAt(SlotIndex slot, std::uint32_t since_call_us) const noexcept;
     [[nodiscard]] SrdoCause ExpiredAtInverse(SlotIndex slot, std::uint32_t since_call_us) const noexcept;
@@ -121,8 +121,8 @@ class Consumers
 
     [[nodiscard]] SrdoCause FlawOfNormal(SlotIndex slot, const CanFrame& frame) const noexcept;
     [[nodiscard]] SrdoCause FlawOfInverse(SlotIndex slot, const CanFrame& frame) const noexcept;
-    void TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept;
-    void TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept;
+    void TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint64_t data, std::uint32_t since_call_us) noexcept;
+    void TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint64_t data, std::uint32_t since_call_us) noexcept;
 
     PairColumns x_pairs;
     const Settings& x_settings;

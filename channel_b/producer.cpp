@@ -95,7 +95,7 @@ SrdoCause Producers::FlawOf(SlotIndex slot, const CanFrame& frame, std::uint64_t
                             std::uint32_t since_call_us) const noexcept
 {
     const bool is_length_right = frame.length_bytes == x_mappings.LengthBytes(slot);
-    if ((!is_length_right) || (FrameData(frame) != data))
+    if ((!is_length_right) || ((FrameWord(frame) & LowBytes(frame.length_bytes)) != data))
     {
         return SrdoCause::kWrongEcho;
     }

@@ -53,10 +53,10 @@ inline void Unpack(std::uint64_t word, Column<std::uint8_t> bytes, std::uint32_t
     return LowBits(kBitsPerByte * count);
 }
 
-/// Bytes behind the length have no meaning, and are 0 in the word.
-[[nodiscard]] inline std::uint64_t FrameData(const CanFrame& frame) noexcept
+/// Bytes behind the length have no meaning.
+[[nodiscard]] inline std::uint64_t FrameWord(const CanFrame& frame) noexcept
 {
-    return Packed({&frame.data[0U]}, kMaxPayloadBits) & LowBytes(frame.length_bytes);
+    return Packed({&frame.data[0U]}, kMaxPayloadBits);
 }
 
 [[nodiscard]] inline std::uint64_t WordOf(const Payload& payload) noexcept
