@@ -31,6 +31,13 @@ constexpr std::uint32_t kLongOverUs = std::uint32_t{1U} << 31U;
     return ((equal | unmapped) & frame_bits) == 0U;
 }
 
+/// What the inverse objects of a slot are to hold.
+[[nodiscard]] std::uint64_t DueData(const Mappings& mappings, SrdoMask committed, SlotIndex slot,
+                                    std::uint64_t held) noexcept
+{
+    return HasAny(committed, BitOf(slot)) ? held : mappings.InverseOfSafe(slot);
+}
+
 } // namespace
 
 void Consumers::Restart() noexcept
@@ -438,13 +445,13 @@ SrdoMask Consumers::Commit(const Agreement& agreement, SrdoMask examine) noexcep
     while (writing.Next())
     {
         const SlotIndex slot = writing.Slot();
-        x_mappings.WriteInverse(slot, DueData(slot));
+        x_mappings.WriteInverse(slot, DueData(x_mappings, x_committed, slot, x_pairs.data[slot]));
     }
     SlotWalk reading{changed | (examine & x_committed & ~x_unwritten)};
     while (reading.Next())
     {
         const SlotIndex slot = reading.Slot();
-        if (!x_mappings.HoldsInverse(slot, DueData(slot)))
+        if (!x_mappings.HoldsInverse(slot, DueData(x_mappings, x_committed, slot, x_pairs.data[slot])))
         {
             wrong |= BitOf(slot);
         }

@@ -103,11 +103,6 @@ class Consumers
         return IsHeld(slot) && (x_pairs.granted[slot] == Mark::kGranted) && x_faults.IsCauseDefined(slot);
     }
     [[nodiscard]] bool IsSound(SlotIndex slot) const noexcept;
-    /// What the inverse objects of a slot are to hold.
-    [[nodiscard]] std::uint64_t DueData(SlotIndex slot) const noexcept
-    {
-        return HasAny(x_committed, BitOf(slot)) ? x_pairs.data[slot] : x_mappings.InverseOfSafe(slot);
-    }
 
     [[nodiscard]] SrdoCause ExpiredAt(SlotIndex slot, std::uint32_t since_call_us) const noexcept;
     [[nodiscard]] SrdoCause ExpiredAtInverse(SlotIndex slot, std::uint32_t since_call_us) const noexcept;
