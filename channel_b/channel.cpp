@@ -215,11 +215,7 @@ CheckResult Channel::Validate(SlotIndex slot) noexcept
     if ((fault == ConfigFault::kNone) && (direction != kDirectionOff))
     {
         x_admission.resolved[slot] = Mark::kGood;
-        x_consumers.Withdraw(slot); // What was released is overwritten here, or no longer ours.
-        if (direction == kDirectionConsumer)
-        {
-            x_mappings.WriteInverse(slot, x_mappings.InverseOfSafe(slot));
-        }
+        x_consumers.SetUp(slot);
     }
     return Conclude(slot, fault, signature);
 }

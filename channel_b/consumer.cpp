@@ -22,11 +22,13 @@ constexpr std::uint32_t kLongOverUs = std::uint32_t{1U} << 31U;
     return (left - since_call_us) > limit;
 }
 
-/// Whether all bits of a frame are inverse, and none but mapped ones are set in the normal one. [SRS_CONS_009]
+/// Whether all bits that frames have are inverse, and none but mapped ones are set in the normal one. [SRS_CONS_009]
 [[nodiscard]] bool IsInverse(std::uint64_t normal, std::uint64_t inverse, std::uint64_t frame_bits,
                              std::uint64_t mapped_bits) noexcept
 {
-    return ((normal ^ inverse) == frame_bits) && ((normal & ~mapped_bits) == 0U);
+    const std::uint64_t equal = ~(normal ^ inverse);
+    const std::uint64_t unmapped = normal & ~mapped_bits;
+    return ((equal | unmapped) & frame_bits) == 0U;
 }
 
 /// What the inverse objects of a slot are to hold.
@@ -42,6 +44,7 @@ void Consumers::Restart() noexcept
 {
     Enter();
     x_committed = 0U;
+    x_missed = 0U;
     x_permitted = 0U;
 }
 
@@ -205,7 +208,8 @@ SrdoCause Consumers::FlawOfInverse(SlotIndex slot, const CanFrame& frame) const 
 
 /// A limit that is over discards what was there before the frame, which is then taken as the first one.
 /// [SRS_CONS_003, SRS_CONS_006, SRS_CONS_007, SRS_CONS_011]
-void Consumers::TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
+void Consumers::TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint64_t data,
+                           std::uint32_t since_call_us) noexcept
 {
     const SrdoCause expired = ExpiredAt(slot, since_call_us);
     if (expired != SrdoCause::kNone)
@@ -219,13 +223,14 @@ void Consumers::TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t 
         return;
     }
     x_pending |= BitOf(slot);
-    x_pairs.pending[slot] = FrameData(frame);
+    x_pairs.pending[slot] = data;
     // The next OnCycle takes away what lay between the last one and the frame.
     x_pairs.srvt_left[slot] = x_pairs.srvt_limit[slot] + since_call_us;
 }
 
 /// [SRS_CONS_003, SRS_CONS_008, SRS_CONS_009, SRS_CONS_010, SRS_CONS_011]
-void Consumers::TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept
+void Consumers::TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint64_t data,
+                            std::uint32_t since_call_us) noexcept
 {
     const SrdoMask bit = BitOf(slot);
     const SrdoCause expired = ExpiredAtInverse(slot, since_call_us);
@@ -233,11 +238,9 @@ void Consumers::TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t
     {
         Fault(slot, expired);
     }
-    const std::uint64_t normal = x_pairs.pending[slot];
-    const std::uint64_t inverse = FrameData(frame);
     SrdoCause flaw = FlawOfInverse(slot, frame);
     if ((flaw == SrdoCause::kNone) &&
-        (!IsInverse(normal, inverse, LowBytes(frame.length_bytes), x_mappings.MappedBits(slot))))
+        (!IsInverse(x_pairs.pending[slot], data, LowBytes(frame.length_bytes), x_mappings.MappedBits(slot))))
     {
         flaw = SrdoCause::kNotInverse;
     }
@@ -249,7 +252,7 @@ void Consumers::TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t
     // Both limits count from the normal frame, so that the greater one has the difference more left.
     x_pairs.left[slot] = x_pairs.srvt_left[slot] + (x_pairs.limit[slot] - x_pairs.srvt_limit[slot]);
     x_pairs.held[slot] = Mark::kHeld;
-    x_pairs.data[slot] = inverse;
+    x_pairs.data[slot] = data;
     x_pairs.ordinal[slot] += 1U;
     x_pending &= ~bit;
     x_unheard &= ~bit;
@@ -410,13 +413,32 @@ void Consumers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
     x_fresh = 0U;
 }
 
-/// Nothing is read before everything is written. [SRS_REL_002, SRS_REL_010, SRS_REL_011]
+// ---- objects
+
+/// [SRS_REL_002, SRS_REL_012]
+void Consumers::SetUp(SlotIndex slot) noexcept
+{
+    const SrdoMask bit = BitOf(slot);
+    x_committed &= ~bit;
+    if (x_settings.Direction(slot) == kDirectionConsumer)
+    {
+        const std::uint64_t safe = x_mappings.InverseOfSafe(slot);
+        x_mappings.WriteInverse(slot, safe);
+        if (!x_mappings.HoldsInverse(slot, safe))
+        {
+            x_missed |= bit;
+        }
+    }
+}
+
+/// Nothing is read before everything is written. [SRS_REL_002, SRS_REL_010, SRS_REL_011, SRS_REL_012]
 SrdoMask Consumers::Commit(const Agreement& agreement, SrdoMask examine) noexcept
 {
     const SrdoMask released = agreement.agreed & x_released;
     const SrdoMask written = released & agreement.matched & x_unwritten;
     const SrdoMask changed = written | (x_committed & ~released);
-    SrdoMask wrong = 0U;
+    SrdoMask wrong = x_missed;
+    x_missed = 0U;
     x_unwritten &= ~written;
     x_committed = (x_committed & released) | written;
     SlotWalk writing{changed};

@@ -45,13 +45,14 @@ class Consumers
         {
             return;
         }
+        const std::uint64_t data = FrameWord(frame);
         if ((frame.identifier % 2U) != 0U)
         {
-            TakeNormal(slot, frame, since_call_us);
+            TakeNormal(slot, frame, data, since_call_us);
         }
         else
         {
-            TakeInverse(slot, frame, since_call_us);
+            TakeInverse(slot, frame, data, since_call_us);
         }
     }
 
@@ -59,11 +60,9 @@ class Consumers
     void Demote(SlotIndex slot) noexcept;
     /// @brief Writes, then reads back; the slots whose objects hold something else than was written.
     [[nodiscard]] SrdoMask Commit(const Agreement& agreement, SrdoMask examine) noexcept;
-    /// @brief The objects of the slot hold no released data any longer.
-    void Withdraw(SlotIndex slot) noexcept
-    {
-        x_committed &= ~BitOf(slot);
-    }
+    /// @brief What was released of this slot is over. The objects of a consumer take the safe value, which is read
+    /// back; the next Commit tells if it is not there.
+    void SetUp(SlotIndex slot) noexcept;
 
     [[nodiscard]] bool IsActive(SlotIndex slot) const noexcept
     {
@@ -117,8 +116,8 @@ class Consumers
 
     [[nodiscard]] SrdoCause FlawOfNormal(SlotIndex slot, const CanFrame& frame) const noexcept;
     [[nodiscard]] SrdoCause FlawOfInverse(SlotIndex slot, const CanFrame& frame) const noexcept;
-    void TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept;
-    void TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint32_t since_call_us) noexcept;
+    void TakeNormal(SlotIndex slot, const CanFrame& frame, std::uint64_t data, std::uint32_t since_call_us) noexcept;
+    void TakeInverse(SlotIndex slot, const CanFrame& frame, std::uint64_t data, std::uint32_t since_call_us) noexcept;
 
     PairColumns x_pairs;
     const Settings& x_settings;
@@ -132,6 +131,7 @@ class Consumers
     SrdoMask x_released{0U};  ///< As the last OnCycle decided, less those with a fault since.
     SrdoMask x_unwritten{0U}; ///< The held pair has not been written into the objects.
     SrdoMask x_committed{0U};
+    SrdoMask x_missed{0U};         ///< Set up, and the objects did not hold the safe value; not told yet.
     SrdoMask x_permitted{0U};      ///< Committed and found as written by the last Commit; none since an OnCycle.
     std::uint32_t x_active_us{0U}; ///< Since entering OPERATIONAL.
 };

@@ -79,7 +79,7 @@ class Objects
             return 0U;
         }
         const MappableObject& object = x_objects[place];
-        return Packed({object.place}, BytesFor(object.length_bits)) & LowBits(object.length_bits);
+        return Packed({object.place}, object.length_bits) & LowBits(object.length_bits);
     }
 
     /// @brief The lowest bits of the word become the value of an object, and bits of its last byte above the length 0;
@@ -91,7 +91,7 @@ class Objects
             return;
         }
         const MappableObject& object = x_objects[place];
-        Unpack(word & LowBits(object.length_bits), {object.place}, BytesFor(object.length_bits));
+        Unpack(word & LowBits(object.length_bits), {object.place}, object.length_bits);
     }
 
   private:

@@ -20,7 +20,7 @@ constexpr std::uint32_t kLongestPhaseUs = std::uint32_t{1U} << 27U;
                                std::uint64_t data) noexcept
 {
     CanFrame frame{identifier, FrameKind::kData, port, length_bytes, {}};
-    Unpack(data, {&frame.data[0U]}, kMaxPayloadBytes);
+    Unpack(data, {&frame.data[0U]}, kMaxPayloadBits);
     return frame;
 }
 
@@ -95,7 +95,7 @@ SrdoCause Producers::FlawOf(SlotIndex slot, const CanFrame& frame, std::uint64_t
                             std::uint32_t since_call_us) const noexcept
 {
     const bool is_length_right = frame.length_bytes == x_mappings.LengthBytes(slot);
-    if ((!is_length_right) || (FrameData(frame) != data))
+    if ((!is_length_right) || ((FrameWord(frame) & LowBytes(frame.length_bytes)) != data))
     {
         return SrdoCause::kWrongEcho;
     }

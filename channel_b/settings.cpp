@@ -47,17 +47,17 @@ void Settings::TakeSetup(SlotIndex slot) noexcept
     x_columns.policy[slot] = OnlyIf(setup.policy, ReleasePolicy::kAutomatic, ReleasePolicy::kInterlock);
     x_columns.form[slot] = OnlyIf(setup.form, ProducerForm::kProviderCalled, ProducerForm::kApplicationSends);
     x_columns.detection[slot] = OnlyIf(setup.detection, SrvtDetection::kLate, SrvtDetection::kEarly);
-    Unpack(0U, At(slot, 0U), kMaxPayloadBytes);
-    Unpack(0U, At(slot, kMaxPayloadBytes), kMaxPayloadBytes);
-    Unpack(kDefaultRefreshMs, At(slot, kSct.at), kSct.width);
-    Unpack(kDefaultSrvtMs, At(slot, kSrvt.at), kSrvt.width);
-    Unpack(kTransmissionTypeAsynchronous, At(slot, kTransmissionType.at), kTransmissionType.width);
+    Unpack(0U, At(slot, 0U), kMaxPayloadBits);
+    Unpack(0U, At(slot, kMaxPayloadBytes), kMaxPayloadBits);
+    Unpack(kDefaultRefreshMs, At(slot, kSct.at), kSct.bits);
+    Unpack(kDefaultSrvtMs, At(slot, kSrvt.at), kSrvt.bits);
+    Unpack(kTransmissionTypeAsynchronous, At(slot, kTransmissionType.at), kTransmissionType.bits);
     if ((setup.number == 1U) && (node <= kLastDefaultNode))
     {
         const std::uint32_t normal = (kFirstSrdoIdentifier - 2U) + (2U * node); // 0FFh + 2n
-        Unpack(normal, At(slot, kCobId1.at), kCobId1.width);
-        Unpack(normal + 1U, At(slot, kCobId2.at), kCobId2.width);
-        Unpack((node > kLastDefaultProducer) ? kDefaultSctMs : kDefaultRefreshMs, At(slot, kSct.at), kSct.width);
+        Unpack(normal, At(slot, kCobId1.at), kCobId1.bits);
+        Unpack(normal + 1U, At(slot, kCobId2.at), kCobId2.bits);
+        Unpack((node > kLastDefaultProducer) ? kDefaultSctMs : kDefaultRefreshMs, At(slot, kSct.at), kSct.bits);
     }
 }
 
@@ -65,15 +65,15 @@ void Settings::TakeSetup(SlotIndex slot) noexcept
 bool Settings::Store(const ConfigItem& item) noexcept
 {
     const Place place = PlaceOf(item.address);
-    Unpack(item.value, place.bytes, place.width);
-    return (place.width != 0U) && (item.address.field <= ConfigField::kMapCount);
+    Unpack(item.value, place.bytes, place.bits);
+    return (place.bits != 0U) && (item.address.field <= ConfigField::kMapCount);
 }
 
 /// [SRS_CFG_003]
 std::uint32_t Settings::Load(const ConfigAddress& address) const noexcept
 {
     const Place place = PlaceOf(address);
-    return static_cast<std::uint32_t>(Packed({place.bytes.first}, place.width) & 0xFFFFFFFFU);
+    return static_cast<std::uint32_t>(Packed({place.bytes.first}, place.bits) & 0xFFFFFFFFU);
 }
 
 /// [SRS_CFG_024]

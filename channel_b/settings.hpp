@@ -12,23 +12,23 @@
 namespace counterpoint::channel_b
 {
 
-/// Place and width of a field in an image, or in the device's bytes.
+/// First byte and length of a field in an image, or in the device's bytes.
 struct Span
 {
     std::uint8_t at;
-    std::uint8_t width;
+    std::uint8_t bits;
 };
 
-constexpr Span kDirection{0U, 1U};
-constexpr Span kSct{1U, 2U};
-constexpr Span kSrvt{3U, 1U};
-constexpr Span kCobId1{4U, 4U};
-constexpr Span kCobId2{8U, 4U};
-constexpr Span kMapCount{12U, 1U};
-constexpr Span kTransmissionType{13U, 1U};
-constexpr Span kSignature{14U, 2U};
-constexpr Span kGfcParameter{0U, 1U};
-constexpr Span kConfigurationValid{1U, 1U};
+constexpr Span kDirection{0U, 8U};
+constexpr Span kSct{1U, 16U};
+constexpr Span kSrvt{3U, 8U};
+constexpr Span kCobId1{4U, 32U};
+constexpr Span kCobId2{8U, 32U};
+constexpr Span kMapCount{12U, 8U};
+constexpr Span kTransmissionType{13U, 8U};
+constexpr Span kSignature{14U, 16U};
+constexpr Span kGfcParameter{0U, 8U};
+constexpr Span kConfigurationValid{1U, 8U};
 constexpr Span kNowhere{0U, 0U};
 
 /// By ConfigField; entries of mappings are not kept here.
@@ -37,7 +37,7 @@ constexpr Span kSpans[kFieldCount] = {
     kNowhere, kDirection, kSct,      kSrvt,    kTransmissionType, // MISRA D-001
     kCobId1,  kCobId2,    kMapCount, kNowhere, kSignature,        kGfcParameter, kConfigurationValid};
 
-static_assert(kImageBytes == (kSignature.at + kSignature.width), "nothing behind the signature");
+static_assert(kImageBytes == (kSignature.at + (kSignature.bits / kBitsPerByte)), "nothing behind the signature");
 
 /// The configuration as canonical images, one a slot, the only copy that this channel has: all but the entries of
 /// mappings. Besides, what the digest covers of the setups.
@@ -152,16 +152,16 @@ class Settings
     }
 
   private:
-    /// Where a value is kept; width 0 if it does not exist.
+    /// Where a value is kept; no bits if it does not exist.
     struct Place
     {
         Column<std::uint8_t> bytes;
-        std::uint32_t width;
+        std::uint32_t bits;
     };
 
     [[nodiscard]] std::uint32_t Number(SlotIndex slot, Span span) const noexcept
     {
-        return static_cast<std::uint32_t>(Packed({At(slot, span.at).first}, span.width) & 0xFFFFFFFFU);
+        return static_cast<std::uint32_t>(Packed({At(slot, span.at).first}, span.bits) & 0xFFFFFFFFU);
     }
     void TakeSetup(SlotIndex slot) noexcept;
     [[nodiscard]] Place PlaceOf(const ConfigAddress& address) const noexcept
@@ -174,13 +174,13 @@ class Settings
         const Span span = kSpans[field]; // MISRA D-002
         if (address.field >= ConfigField::kGfcParameter)
         {
-            return Place{{&x_columns.device[span.at]}, span.width};
+            return Place{{&x_columns.device[span.at]}, span.bits};
         }
         if (address.slot >= x_count)
         {
             return Place{{nullptr}, 0U};
         }
-        return Place{At(address.slot, span.at), span.width};
+        return Place{At(address.slot, span.at), span.bits};
     }
 
     [[nodiscard]] Column<std::uint8_t> At(SlotIndex slot, std::uint8_t at) const noexcept

@@ -75,8 +75,8 @@ struct MappingColumns
 /// greater than the limit that it began with, because modular subtraction has then gone below zero. [SRS_TIME_001]
 struct PairColumns
 {
-    Column<std::uint64_t> data;    ///< Consumer: inverse data of the held pair. Producer: normal data in flight.
-    Column<std::uint64_t> pending; ///< Consumer: normal data that wait for their inverse.
+    Column<std::uint64_t> data;    ///< Consumer: inverse frame of the held pair. Producer: normal data in flight.
+    Column<std::uint64_t> pending; ///< Consumer: normal frame that waits for its inverse.
     Column<std::uint32_t> left;    ///< Consumer: budget of SCT. Producer: of the confirmation.
     Column<std::uint32_t> limit;
     Column<std::uint32_t> srvt_left; ///< Consumer: budget of SRVT.

@@ -15,22 +15,23 @@ namespace counterpoint::channel_b
 
 constexpr std::uint32_t kBitsPerByte = 8U;
 
-[[nodiscard]] inline std::uint64_t Packed(Column<const std::uint8_t> bytes, std::uint32_t count) noexcept
+/// The lowest bits of so many bytes as they take, at most 64.
+[[nodiscard]] inline std::uint64_t Packed(Column<const std::uint8_t> bytes, std::uint32_t bits) noexcept
 {
     std::uint64_t word = 0U;
-    for (std::uint32_t byte = 0U; (byte < kMaxPayloadBytes) && (byte < count); ++byte)
+    for (std::uint32_t at = 0U; (at < kMaxPayloadBits) && (at < bits); at += kBitsPerByte)
     {
-        word |= std::uint64_t{bytes[byte]} << (kBitsPerByte * byte);
+        word |= std::uint64_t{bytes[at / kBitsPerByte]} << at;
     }
     return word;
 }
 
-inline void Unpack(std::uint64_t word, Column<std::uint8_t> bytes, std::uint32_t count) noexcept
+inline void Unpack(std::uint64_t word, Column<std::uint8_t> bytes, std::uint32_t bits) noexcept
 {
     std::uint64_t rest = word;
-    for (std::uint32_t byte = 0U; (byte < kMaxPayloadBytes) && (byte < count); ++byte)
+    for (std::uint32_t at = 0U; (at < kMaxPayloadBits) && (at < bits); at += kBitsPerByte)
     {
-        bytes[byte] = static_cast<std::uint8_t>(rest & 0xFFU);
+        bytes[at / kBitsPerByte] = static_cast<std::uint8_t>(rest & 0xFFU);
         rest >>= kBitsPerByte;
     }
 }
@@ -52,10 +53,10 @@ inline void Unpack(std::uint64_t word, Column<std::uint8_t> bytes, std::uint32_t
     return LowBits(kBitsPerByte * count);
 }
 
-/// Bytes behind the length have no meaning, and are 0 in the word.
-[[nodiscard]] inline std::uint64_t FrameData(const CanFrame& frame) noexcept
+/// Bytes behind the length have no meaning.
+[[nodiscard]] inline std::uint64_t FrameWord(const CanFrame& frame) noexcept
 {
-    return Packed({&frame.data[0U]}, kMaxPayloadBytes) & LowBytes(frame.length_bytes);
+    return Packed({&frame.data[0U]}, kMaxPayloadBits);
 }
 
 [[nodiscard]] inline std::uint64_t WordOf(const Payload& payload) noexcept

@@ -3,6 +3,7 @@
 // What channel B finds otherwise than it wrote it, where its places or a dummy are concerned.
 #include "tests/channel_b/rig.hpp"
 #include "verification/trace/ids/channel.hpp"
+#include "verification/trace/ids/kernel.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>
@@ -80,6 +81,82 @@ TEST(ChannelBReadingBack, DummyAboveAnObjectIsNotLookedFor)
     Verifies(req::SRS_REL_011);
     Verifies(req::SRS_CFG_033);
     ExpectTheObjectAloneIsLookedAt({0x60000120U, 0x60010120U, 0x00040020U, 0x00040020U}, 0x1122334455667788U);
+}
+
+constexpr Payload kTwoHalves{0x44332211U, 0x88776655U};
+
+TEST(ChannelBReadingBack, SafeValueThatIsNotThereAfterSetUpIsToldByTheNextCommit)
+{
+    Verifies(req::SRS_REL_012);
+    // Given two inverse objects in one place, so that the second half of the safe value overwrites the first one
+    const auto rig = std::make_unique<Rig>(ReleasePolicy::kAutomatic);
+    rig->Setup(0U).safe_value = kTwoHalves;
+    rig->Share(2U, 3U);
+    // when the SRDOs are set up, and long before a pair is released
+    rig->Start();
+    ASSERT_EQ(rig->Value(3U), 0x778899AAU);
+    // then the next Commit tells that slot, even if it has nothing to write or to examine,
+    EXPECT_EQ(rig->Voice().Commit(Agreement{0U, 0U}, 0U), 1U);
+    // and once
+    static_cast<void>(rig->Cycle());
+    EXPECT_EQ(rig->Voice().Commit(Agreement{0U, 0U}, 0U), 0U);
+    // but again when it is set up again
+    ASSERT_EQ(rig->Voice().Validate(0U).fault, ConfigFault::kNone);
+    static_cast<void>(rig->Cycle());
+    EXPECT_EQ(rig->Voice().Commit(Agreement{0U, 0U}, 0U), 1U);
+}
+
+TEST(ChannelBReadingBack, SafeValueThatIsThereAfterSetUpIsNotTold)
+{
+    Verifies(req::SRS_REL_012);
+    // Given every object in a place of its own
+    const auto rig = std::make_unique<Rig>(ReleasePolicy::kAutomatic);
+    rig->Setup(0U).safe_value = kTwoHalves;
+    rig->Start();
+    ASSERT_EQ(rig->Value(2U), 0xBBCCDDEEU);
+    ASSERT_EQ(rig->Value(3U), 0x778899AAU);
+    EXPECT_EQ(rig->Voice().Commit(Agreement{0U, 0U}, 0U), 0U);
+    // when the application changes an object behind the set-up, then that is not what was written wrongly
+    ASSERT_EQ(rig->Voice().Validate(0U).fault, ConfigFault::kNone);
+    rig->Put(2U, 0U);
+    EXPECT_EQ(rig->Voice().Commit(Agreement{0U, 0U}, 0U), 0U);
+}
+
+TEST(ChannelBReadingBack, WhatWasNotThereAfterSetUpIsForgottenByRestart)
+{
+    Verifies(req::SRS_REL_012);
+    // Given a safe value that is not there, which no Commit has told yet
+    const auto rig = std::make_unique<Rig>(ReleasePolicy::kAutomatic);
+    rig->Setup(0U).safe_value = kTwoHalves;
+    rig->Share(2U, 3U);
+    rig->Start();
+    // when the device starts anew with its objects apart
+    rig->Share(2U, 2U);
+    rig->Start();
+    // then nothing is told
+    EXPECT_EQ(rig->Voice().Commit(Agreement{0U, 0U}, 0U), 0U);
+}
+
+TEST(ChannelBReadingBack, NoPermitInACommitThatTellsOfASetUp)
+{
+    Verifies(req::SRS_REL_012);
+    Verifies(req::SRS_REL_010);
+    // Given a safe value that is not there, and a pair that is, both halves of its inverse being equal
+    const auto rig = std::make_unique<Rig>(ReleasePolicy::kAutomatic);
+    rig->Setup(0U).safe_value = kTwoHalves;
+    rig->Share(2U, 3U);
+    rig->Start();
+    static_cast<void>(rig->Enter());
+    rig->Pair(0U, 0x1122334411223344U);
+    ASSERT_EQ(rig->Cycle().released & 1U, 1U);
+    // when the first Commit comes with that pair, then it tells the set-up and permits nothing
+    EXPECT_EQ(rig->Voice().Commit(Agreement{1U, 1U}, 0U), 1U);
+    EXPECT_EQ(rig->Value(3U), 0xEEDDCCBBU);
+    EXPECT_EQ(rig->Voice().Answer(1U).mask, 0U);
+    // and the next one permits it
+    static_cast<void>(rig->Cycle());
+    EXPECT_EQ(rig->Voice().Commit(Agreement{1U, 1U}, 0U), 0U);
+    EXPECT_EQ(rig->Voice().Answer(1U).mask, 1U);
 }
 
 } // namespace

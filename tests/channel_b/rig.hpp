@@ -225,6 +225,12 @@ class Rig
         }
     }
 
+    /// @brief The object lies where the other one does: what is written there last is what both hold.
+    void Share(std::size_t object, std::size_t other)
+    {
+        objects_[object].place = places_[other];
+    }
+
     /// @brief Of the two objects that nobody maps.
     void SetFree(std::uint8_t bits, MapAccess access)
     {

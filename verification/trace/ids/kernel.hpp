@@ -80,6 +80,7 @@ inline constexpr RequirementId SRS_KRN_040{"SRS_KRN_040"};
 inline constexpr RequirementId SRS_KRN_041{"SRS_KRN_041"};
 inline constexpr RequirementId SRS_LIM_001{"SRS_LIM_001"};
 inline constexpr RequirementId SRS_LIM_002{"SRS_LIM_002"};
+inline constexpr RequirementId SRS_REL_012{"SRS_REL_012"};
 } // namespace counterpoint::req
 
 #endif
