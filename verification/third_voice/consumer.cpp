@@ -24,6 +24,11 @@ bool AcknowledgeInput::Rises(const bool level, const bool is_one_enough)
     return settled_ && !was;
 }
 
+Time AcknowledgeInput::Standing() const
+{
+    return (last_ ? 1 : 0) + (settled_ ? 2 : 0);
+}
+
 void Consumer::EnterOperational(const ConsumerRules& rules, const Time now)
 {
     rules_ = rules;
@@ -269,5 +274,24 @@ void Consumer::EndCycle()
         held_.reset();
     }
     has_new_fault_ = false;
+}
+
+std::vector<Time> Consumer::StandingAt(const Time now) const
+{
+    constexpr Time kNone = -1;
+    const bool counts_waiting = is_active_ && !has_told_waiting_ && !has_seen_pair_;
+    const bool counts_given = (state_ == SrdoState::kReleased) && !is_settled_;
+    return {is_active_ ? 1 : 0,
+            static_cast<Time>(state_),
+            pending_ ? static_cast<Time>(pending_->data) : kNone,
+            pending_ ? now - pending_->stamp : kNone,
+            held_ ? static_cast<Time>(held_->data) : kNone,
+            held_ ? now - held_->stamp : kNone,
+            counts_waiting ? now - entered_ : kNone,
+            has_new_fault_ ? 1 : 0,
+            is_settled_ ? 1 : 0,
+            counts_given ? now - given_at_ : kNone,
+            input_.Standing(),
+            edge_ ? now - *edge_ : kNone};
 }
 } // namespace counterpoint::third_voice

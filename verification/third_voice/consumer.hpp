@@ -38,6 +38,8 @@ class AcknowledgeInput
   public:
     /// @brief Whether the settled level rose with this reading.
     bool Rises(bool level, bool is_one_enough);
+    /// @brief All that it remembers.
+    [[nodiscard]] Time Standing() const;
 
   private:
     bool last_{true}; ///< A constant 1 never acknowledges.
@@ -80,6 +82,8 @@ class Consumer
     /// @brief Causes that came up since the last call.
     [[nodiscard]] std::set<SrdoCause> TakeCauses();
     void EndCycle();
+    /// @brief All that decides what it will do next, instants as ages at `now`: for whoever looks at each state once.
+    [[nodiscard]] std::vector<Time> StandingAt(Time now) const;
 
   private:
     struct Half

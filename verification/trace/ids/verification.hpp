@@ -60,6 +60,9 @@ inline constexpr RequirementId SRS_VER_113{"SRS_VER_113"};
 inline constexpr RequirementId SRS_VER_114{"SRS_VER_114"};
 inline constexpr RequirementId SRS_VER_115{"SRS_VER_115"};
 inline constexpr RequirementId SRS_VER_116{"SRS_VER_116"};
+inline constexpr RequirementId SRS_VER_117{"SRS_VER_117"};
+inline constexpr RequirementId SRS_VER_118{"SRS_VER_118"};
+inline constexpr RequirementId SRS_VER_119{"SRS_VER_119"};
 } // namespace counterpoint::req
 
 #endif
