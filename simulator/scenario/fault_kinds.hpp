@@ -366,7 +366,7 @@ inline constexpr FaultSection kSections[] = {
          "The frame arrives changed; the CRC of the bus did not see it.",
          {{"bits", Numbers(kBits), kOptional, "[0, 15]", "these bits are flipped (0 is bit 0 of byte 0)", To<&F::bits>},
           {"length", Number({0U, 8U}), kOptional, "1", "the length is another", ToLength}}),
-    Kind(FrameFault::kRepetition, C::kWrongFrame, "repetition", "on_frames",
+    Kind(FrameFault::kRepetition, {C::kBusNextNormal, C::kWrongFrame}, "repetition", "on_frames",
          "The frame arrives again; copies that do not fit into 16 receptions are told.",
          {{"times", Number({1U, host::ReceptionList::kCapacity - 1U}), "1", "3", "how many copies", To<&F::times>},
           {"after", T::kDuration, "0 ms", "3 ms", "time between two of them", To<&F::by>}}),

@@ -339,6 +339,26 @@ TEST(JudgedLimit, IsKeptForEachOfTwoFaultsThatDelayEachOther)
     EXPECT_EQ(Failures(*run), "");
 }
 
+// A copy of a normal frame behind the pair begins a new one: SRVT or the next normal frame ends it, not the copy. One
+// that comes with the frame itself is wrong.
+TEST(JudgedLimit, OfALateCopyOfANormalFrameIsThatOfAnInsertion)
+{
+    Verifies(req::SRS_SIM_031);
+    const auto run_with = [](const char* const after)
+    {
+        return RunChain(std::string("faults:\n  - {fault: repetition, after: ") + after +
+                        ", frames: {identifier: 0x103, receiver: actuator, from: 500 ms}}\n"
+                        "expect:\n  - {that: safe_within, node: actuator, srdo: 1}\n");
+    };
+    const auto late = run_with("3 ms");
+    EXPECT_EQ(Failures(*late), "");
+    EXPECT_EQ(MeasurementOf(*late).fault_class, FaultClass::kBusNextNormal);
+    EXPECT_EQ(MeasurementOf(*late).limit, 73000 * kUs);
+    const auto at_once = run_with("0 ms");
+    EXPECT_EQ(Failures(*at_once), "");
+    EXPECT_EQ(MeasurementOf(*at_once).fault_class, FaultClass::kWrongFrame);
+}
+
 // The actuator hears of a fault inside the controller by the bus alone: SCT, cycle and output time.
 TEST(JudgedLimit, AtAnotherDeviceIsThatOfTheBus)
 {
