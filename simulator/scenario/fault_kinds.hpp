@@ -370,7 +370,7 @@ inline constexpr FaultSection kSections[] = {
          "The frame arrives again; copies that do not fit into 16 receptions are told.",
          {{"times", Number({1U, host::ReceptionList::kCapacity - 1U}), "1", "3", "how many copies", To<&F::times>},
           {"after", T::kDuration, "0 ms", "3 ms", "time between two of them", To<&F::by>}}),
-    Kind(FrameFault::kWrongSequence, C::kWrongFrame, "wrong_sequence", "on_frames",
+    Kind(FrameFault::kWrongSequence, {C::kBus, C::kBusNextNormal}, "wrong_sequence", "on_frames",
          "The frame arrives after the next one."),
     Kind(FrameFault::kLoss, {C::kBus, C::kBusNextNormal}, "loss", "on_frames", "The frame does not arrive."),
     Kind(FrameFault::kDelay, {C::kBus, C::kBusNextNormal}, "delay", "on_frames", "The frame arrives later.",

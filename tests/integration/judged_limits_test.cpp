@@ -359,6 +359,28 @@ TEST(JudgedLimit, OfALateCopyOfANormalFrameIsThatOfAnInsertion)
     EXPECT_EQ(MeasurementOf(*at_once).fault_class, FaultClass::kWrongFrame);
 }
 
+// An inverse frame that comes behind the next normal one, 25 ms later: it stays away from the instant on at which it
+// should have come, as one that is late by so much.
+TEST(JudgedLimit, OfAFrameOutOfOrderCountsFromWhereItStaysAway)
+{
+    Verifies(req::SRS_SIM_031);
+    const auto run_with = [](const char* const detection, const std::string& fault)
+    {
+        return RunChainOf({{"actuator", {{"5F05sub1", detection}}}},
+                          "faults:\n  - {" + fault +
+                              ", frames: {identifier: 0x104, receiver: actuator, from: 500 ms}}\n"
+                              "expect:\n  - {that: safe_within, node: actuator, srdo: 1}\n");
+    };
+    for (const char* const detection : {"0x00", "0x3C"}) // Early, late.
+    {
+        const auto late = run_with(detection, "fault: delay, by: 24.6 ms");
+        const auto wrong_order = run_with(detection, "fault: wrong_sequence");
+        EXPECT_EQ(Failures(*wrong_order), "") << detection;
+        EXPECT_EQ(MeasurementOf(*wrong_order).effect, MeasurementOf(*late).effect) << detection;
+        EXPECT_EQ(MeasurementOf(*wrong_order).limit, MeasurementOf(*late).limit) << detection;
+    }
+}
+
 // The actuator hears of a fault inside the controller by the bus alone: SCT, cycle and output time.
 TEST(JudgedLimit, AtAnotherDeviceIsThatOfTheBus)
 {
