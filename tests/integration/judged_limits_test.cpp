@@ -398,6 +398,44 @@ TEST(JudgedLimit, AtAnotherDeviceIsThatOfTheBus)
     }
 }
 
+/// The emergency-stop chain with a controller of two CPUs.
+std::string ChainWithTwoCpusInTheMiddle()
+{
+    const std::string actuator = "  actuator: {dcf: " + Examples() + "actuator.dcf, phase: 810 us}\n";
+    return "title: controller of two CPUs\nbitrate: 500000\nduration: 3 s\nnodes:\n  sensor: {dcf: " + Examples() +
+           "sensor.dcf, phase: 130 us}\n  controller:\n    dcf: " + Examples() + "controller.dcf\n" + R"(
+    structure: two_cpu
+    cpu_a: {phase: 470 us, counter: {ppm: 20}}
+    cpu_b: {phase: 910 us, counter: {ppm: -20}}
+    link: {timeout: 10 ms, delay: 200 us}
+)" + actuator +
+           R"(
+inputs:
+  - {at: 20 ms, node: sensor, object: 0x2000:01, value: 1}
+  - {at: 20 ms, node: sensor, object: 0x2000:02, value: 1}
+logic:
+  - {node: controller, set: 0x2000:01, op: and, from: [0x2200:01, 0x2200:02]}
+  - {node: controller, set: 0x2000:02, op: or, from: [0x2200:01, 0x2200:02]}
+acknowledge:
+  - {at: 150 ms, node: actuator, srdo: 1, pulse: 50 ms}
+)";
+}
+
+// So it is where the two CPUs of the controller lose each other: the actuator has no part in their link.
+TEST(JudgedLimit, AtAnotherDeviceThanThatOfALinkIsThatOfTheBus)
+{
+    Verifies(req::SRS_SIM_031);
+    for (const char* const fault : {"{fault: link_cut, node: controller, at: 500 ms}",
+                                    "{fault: clock, node: controller.a, counter: a, ppm: 4400, at: 500 ms}"})
+    {
+        const auto run = RunOf(ChainWithTwoCpusInTheMiddle() + "faults:\n  - " + fault +
+                               "\nexpect:\n  - {that: safe_within, node: actuator, srdo: 1}\n");
+        EXPECT_EQ(Failures(*run), "") << fault;
+        EXPECT_EQ(MeasurementOf(*run).fault_class, FaultClass::kBus) << fault;
+        EXPECT_EQ(MeasurementOf(*run).limit, 53000 * kUs) << fault;
+    }
+}
+
 // The sensor's application sends: refresh 25 ms, cycle 1 ms. Whenever the button changes, no frame that ends more than
 // a cycle and a frame later has the old value.
 TEST(SentByTheApplication, HasTheNewValueAtOnce)
