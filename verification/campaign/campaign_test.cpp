@@ -4,7 +4,9 @@
 #include "verification/campaign/progress.hpp"
 #include "verification/campaign/statistics.hpp"
 
+#include <algorithm>
 #include <csignal>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sys/wait.h>
@@ -227,6 +229,61 @@ TEST_F(ReportTest, SilentAndLateFaultsAreNamedAndTheCampaignDoesNotHold)
     EXPECT_EQ(page.find("http"), std::string::npos); // Nothing is fetched.
     EXPECT_NE(CsvReport(session.Parts(), results).find("\n5,latch,latch+0.5,flip,499,permits,silent,nobody,"),
               std::string::npos);
+}
+
+/// Fields of each row but the first, by the heads of the first one, read as RFC 4180 has it.
+std::vector<std::map<std::string, std::string>> RowsOf(const std::string& csv)
+{
+    std::vector<std::vector<std::string>> rows(1U, std::vector<std::string>(1U));
+    bool is_quoted = false;
+    for (const char character : csv)
+    {
+        if (character == '"')
+        {
+            is_quoted = !is_quoted;
+        }
+        else if (character == ',' && !is_quoted)
+        {
+            rows.back().emplace_back();
+        }
+        else if (character == '\n' && !is_quoted)
+        {
+            rows.emplace_back(1U);
+        }
+        else
+        {
+            rows.back().back() += character;
+        }
+    }
+    std::vector<std::map<std::string, std::string>> by_heads;
+    for (std::size_t row = 1U; row + 1U < rows.size(); ++row)
+    {
+        EXPECT_EQ(rows[row].size(), rows[0U].size()) << row;
+        by_heads.emplace_back();
+        for (std::size_t field = 0U; field < std::min(rows[row].size(), rows[0U].size()); ++field)
+        {
+            by_heads.back()[rows[0U][field]] = rows[row][field];
+        }
+    }
+    return by_heads;
+}
+
+TEST_F(ReportTest, RowsOfTheCsvFileHaveAFieldForEachHead)
+{
+    Verifies(req::SRS_CMG_010);
+    const std::string plan =
+        PlanFile("plan.yaml", "actuator",
+                 "at: [540 ms]\ncycles: 50\nreach: 3 ms\nparts: [bus]\nkinds: [lost, pair_forged]\nsample: 20\n");
+    static_cast<void>(Campaign({plan, "--csv", Path("rows.csv")}));
+    const auto rows = RowsOf(cia306::ReadTextFile(Path("rows.csv")));
+    EXPECT_EQ(rows.size(), 40U);
+    // A reason with a comma is one field
+    const auto listed =
+        std::find_if(rows.begin(), rows.end(), [](const auto& row) { return row.at("class") == "listed"; });
+    ASSERT_NE(listed, rows.end());
+    EXPECT_EQ(listed->at("reason"), "open by a complete valid pair that nobody sent, or that is too old");
+    EXPECT_EQ(listed->at("detector"), "nobody");
+    EXPECT_EQ(listed->at("late"), "0");
 }
 
 TEST_F(ReportTest, CampaignThatHoldsEndsWithStatus0)
