@@ -356,7 +356,7 @@ inline constexpr FaultSection kSections[] = {
             {"off", T::kLasting, kOptional, "20 ms", "intermittent: then none for so long, again and again"},
             {"first", Number(kCounts), "1", "3", "from the n-th frame that fits"},
             {"every", Number(kCounts), "1", "10", "from there on every n-th"},
-            {"count", Number(kCounts), "1", "6", "at most so many"},
+            {"count", Number(kCounts), "1", "6", "at most so many; needed beside 'until', 'on' and 'every'"},
             {"probability_ppm", Number(kMillionths), "1000000", "500", "by chance, drawn from the seed"}}),
     Shared("frames_of", "the frames of an SRDO", nullptr, "Frames by SRDO instead of by COB-ID.",
            {{"node", T::kNode, kNeeded, "actuator", "a node that has the SRDO"},
