@@ -4,6 +4,7 @@
 #include "verification/campaign/variants.hpp"
 
 #include <map>
+#include <set>
 
 namespace counterpoint::campaign::test
 {
@@ -195,6 +196,34 @@ TEST_F(OutcomeTest, NoErrorOfOneFrameIsSilentOrListed)
         EXPECT_GT(counts.of.at(std::string(kind) + " detected"), 0U) << kind;
     }
     EXPECT_EQ(counts.late, 0U);
+}
+
+// One cycle signals several causes: what is told is the one that came first, as the channels keep it.
+TEST_F(OutcomeTest, ReasonIsTheFirstCauseOfTheCycle)
+{
+    Verifies(req::SRS_CMG_006);
+    const Trap trap;
+    const auto reasons = [this](const char* const kind, const std::uint32_t identifier, const std::uint32_t steps)
+    {
+        Session session(
+            PlanFile("plan.yaml", "actuator",
+                     "at: [540 ms]\ncycles: 50\nreach: 20 ms\nparts: [bus]\nkinds: [" + std::string(kind) + "]\n"));
+        std::set<SrdoCause> causes;
+        for (std::uint64_t number = 0U; number < session.Faults().Size(); ++number)
+        {
+            const Experiment fault = session.Faults().At(number);
+            const CanFrame& frame = session.Parts().recording.frames[fault.subject].stamped.frame;
+            if (frame.identifier == identifier && fault.variant + 1U == steps)
+            {
+                causes.insert(static_cast<SrdoCause>(session.Runs().Run(fault).detail));
+            }
+        }
+        return causes;
+    };
+    // A copy 50 us behind the normal frame is the second one; the inverse frame is left over.
+    EXPECT_EQ(reasons("repeated", 0x103U, 1U), std::set<SrdoCause>{SrdoCause::kNormalTwice});
+    // An inverse frame that is 19.9 ms late comes when SRVT of 20 ms has expired.
+    EXPECT_EQ(reasons("delayed", 0x104U, 398U), std::set<SrdoCause>{SrdoCause::kSrvt});
 }
 
 TEST_F(OutcomeTest, CompleteForgedPairIsListed)

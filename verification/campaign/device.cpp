@@ -21,6 +21,11 @@ Instant BusInstant(const Nanoseconds at)
 {
     return {static_cast<std::uint32_t>(at / runtime::kNanosecondsPerMicrosecond)};
 }
+
+bool Signals(const std::uint32_t signals, const SrdoCause cause)
+{
+    return ((signals >> (static_cast<std::uint32_t>(cause) % 32U)) & 1U) != 0U;
+}
 } // namespace
 
 Device::Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, const OutputKind output,
@@ -201,14 +206,32 @@ void Device::Follow(PhaseHook* const hook) noexcept
     flow_->hook = hook;
 }
 
+SrdoCause Device::FirstCause() const noexcept
+{
+    const SrdoCause told = application_->first_cause;
+    for (SlotIndex slot = 0U; slot < reference_.srdo_count; ++slot)
+    {
+        const SrdoView a = a_->View(slot);
+        const SrdoView b = b_->View(slot);
+        // A demoted channel learned of the fault from the other one, which knows the cause.
+        const bool asks_b = a.first_cause == SrdoCause::kDemoted || a.first_cause == SrdoCause::kNone;
+        const SrdoCause first = asks_b ? b.first_cause : a.first_cause;
+        const std::uint32_t signals = a.signals | b.signals;
+        if (Signals(signals, told) && Signals(signals, first))
+        {
+            return first;
+        }
+    }
+    return told;
+}
+
 std::uint8_t Device::WhoSaid(const SrdoCause cause) const noexcept
 {
     std::uint8_t marks = 0U;
     for (SlotIndex slot = 0U; slot < reference_.srdo_count; ++slot)
     {
-        const std::uint32_t bit = std::uint32_t{1U} << (static_cast<std::uint32_t>(cause) % 32U);
-        marks |= ((a_->View(slot).signals & bit) != 0U) ? kMarkSaidByA : std::uint8_t{0U};
-        marks |= ((b_->View(slot).signals & bit) != 0U) ? kMarkSaidByB : std::uint8_t{0U};
+        marks |= Signals(a_->View(slot).signals, cause) ? kMarkSaidByA : std::uint8_t{0U};
+        marks |= Signals(b_->View(slot).signals, cause) ? kMarkSaidByB : std::uint8_t{0U};
     }
     return marks;
 }
