@@ -5,6 +5,7 @@
 
 #include <map>
 #include <set>
+#include <utility>
 
 namespace counterpoint::campaign::test
 {
@@ -281,6 +282,29 @@ TEST(BusView, JudgeTellsAPairThatNobodySentFromOneThatIsTooOldAndFromNone)
     }
     EXPECT_EQ(leave(late, 73000000, 0x12U), Leave::kGiven);
     EXPECT_EQ(leave(late, 73000001, 0x12U), Leave::kListed);
+}
+
+// With late detection SCT is examined whether or not a normal frame waits for its inverse one.
+TEST(BusView, WithLateDetectionAPairIsNoOlderThanSct)
+{
+    Verifies(req::SRS_CMG_005);
+    // Given a pair of 10h at 1 ms, SCT 50 ms, SRVT 20 ms
+    Recording recording = FourFrames();
+    recording.frames[1U].stamped.frame.data[0] = 0xEFU;
+    runtime::SrdoModel srdo;
+    srdo.cob_id_1 = 0x101U;
+    srdo.cob_id_2 = 0x102U;
+    for (const auto& [detection, oldest] : {std::pair(SrvtDetection::kLate, Nanoseconds{51000000}),
+                                            std::pair(SrvtDetection::kEarly, Nanoseconds{71000000})})
+    {
+        srdo.times = {50U, 20U, detection};
+        const BusView bus(recording, srdo, 8U);
+        Received received;
+        bus.Take(received, recording.frames[0U]);
+        bus.Take(received, recording.frames[1U]);
+        EXPECT_EQ(bus.Allows(received, oldest, 0x10U, 0xFFU, 0), Leave::kGiven);
+        EXPECT_EQ(bus.Allows(received, oldest + 1, 0x10U, 0xFFU, 0), Leave::kNone);
+    }
 }
 
 TEST_F(OutcomeTest, CallsThatDoNotComeAreFoundOrChangeNothing)
