@@ -101,6 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
                       BadPlan{"at: [500 ms]\nmembers: [latch+12]\n", ":5:11: error: member 'latch'"},
                       BadPlan{"at: [500 ms]\nknown:\n  - {place: latch, class: masked, reason: none}\n",
                               ":6:27: error: 'masked', expected one of silent"},
+                      BadPlan{"at: [500 ms]\nreach: 51 us\n", ":5:8: error: a reach that is no multiple of the grid"},
                       BadPlan{"at: [500 ms]\nsample: 0\n", ":5:9: error: "},
                       BadPlan{"at: [500 ms]\ncolour: red\n", ":5:1: error: unknown key"}));
 

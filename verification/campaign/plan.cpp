@@ -256,7 +256,7 @@ void ReadSample(const YamlMap& map, Plan& plan)
     {
         constexpr runtime::Nanoseconds kMostReach = 1000 * runtime::kNanosecondsPerMillisecond;
         plan.reach = reach->Lasting();
-        if (plan.reach < kGrid || plan.reach > kMostReach)
+        if (plan.reach < kGrid || plan.reach > kMostReach || plan.reach % kGrid != 0)
         {
             reach->Refuse("a reach that is no multiple of the grid of 50 us within a second", "a time as 60 ms");
         }
