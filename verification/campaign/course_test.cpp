@@ -445,8 +445,8 @@ TEST_F(CourseTest, NoExperimentFindsWhatAnotherOneLeft)
 TEST_F(CourseTest, PlanWithoutAFaultIsRefused)
 {
     Verifies(req::SRS_CMG_026);
-    const tools::test::Answer none =
-        Campaign({PlanFile("none.yaml", "actuator", "at: [500 ms]\nparts: [bus]\nkinds: [flip]\n")});
+    const tools::test::Answer none = Campaign(
+        {PlanFile("none.yaml", "actuator", "at: [500 ms]\nparts: [pins]\nkinds: [flip]\n")}); // The gate has none.
     EXPECT_EQ(none.status, 2);
     EXPECT_NE(none.err.find("error: parts and kinds of which this device can have no fault"), std::string::npos)
         << none.err;
