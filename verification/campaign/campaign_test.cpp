@@ -189,6 +189,37 @@ TEST_F(ShardTest, ResultsOfSomethingElseAreRefused)
     EXPECT_EQ(Campaign({plan, "--shard", "3/2"}).status, 2);
 }
 
+TEST_F(ShardTest, FileInWhichABitIsWrongIsRefused)
+{
+    Verifies(req::SRS_CMG_008);
+    // Given a file of four outcomes, one of which is not tried yet
+    const ResultsOf of{0x123456789ABCDEF0U, 8U, {2U, 2U}};
+    {
+        Results results(Path("whole"), of);
+        results.Put(0U, {Class::kDetected, Detector::kSelfTest, 3U, kMarkLate, 1234U});
+        results.Put(1U, {Class::kExposed, Detector::kNobody, 0U, 0U, 0xFFFFFFFFU});
+        results.Put(3U, {Class::kMasked, Detector::kNobody, 0U, 0U, 0U});
+    }
+    const Results again(Path("whole"), of);
+    EXPECT_EQ(again.At(0U).result, Class::kDetected);
+    EXPECT_EQ(again.At(0U).detector, Detector::kSelfTest);
+    EXPECT_EQ(again.At(1U).us, 0xFFFFFFFFU);
+    EXPECT_EQ(again.OpenCount(), 1U);
+    const std::string whole = cia306::ReadTextFile(Path("whole"));
+    ASSERT_EQ(whole.size(), 64U);
+    // When any bit of it is wrong, then it is neither gone on with nor joined
+    Results all("", {of.digest, of.total, {1U, 1U}});
+    all.Merge(Path("whole"));
+    for (std::size_t bit = 0U; bit < whole.size() * 8U; ++bit)
+    {
+        std::string damaged = whole;
+        damaged[bit / 8U] = static_cast<char>(damaged[bit / 8U] ^ (1 << (bit % 8U)));
+        const std::string file = File("damaged", damaged);
+        EXPECT_THROW(Results(file, of), runtime::YamlError) << bit;
+        EXPECT_THROW(all.Merge(file), runtime::YamlError) << bit;
+    }
+}
+
 TEST(Statistics, BoundIsThatOfClopperAndPearson)
 {
     Verifies(req::SRS_CMG_010);
