@@ -206,25 +206,6 @@ void Device::Follow(PhaseHook* const hook) noexcept
     flow_->hook = hook;
 }
 
-SrdoCause Device::FirstCause() const noexcept
-{
-    const SrdoCause told = application_->first_cause;
-    for (SlotIndex slot = 0U; slot < reference_.srdo_count; ++slot)
-    {
-        const SrdoView a = a_->View(slot);
-        const SrdoView b = b_->View(slot);
-        // A demoted channel learned of the fault from the other one, which knows the cause.
-        const bool asks_b = a.first_cause == SrdoCause::kDemoted || a.first_cause == SrdoCause::kNone;
-        const SrdoCause first = asks_b ? b.first_cause : a.first_cause;
-        const std::uint32_t signals = a.signals | b.signals;
-        if (Signals(signals, told) && Signals(signals, first))
-        {
-            return first;
-        }
-    }
-    return told;
-}
-
 std::uint8_t Device::WhoSaid(const SrdoCause cause) const noexcept
 {
     std::uint8_t marks = 0U;
@@ -360,5 +341,24 @@ void Device::WriteProducers(const std::size_t cycle)
         WriteVariable(pair.normal, {feed_.Written(cycle, index, false, value)});
         WriteVariable(pair.inverse, {feed_.Written(cycle, index, true, ~value)});
     }
+}
+
+SrdoCause FirstCauseOf(const Device& device) noexcept
+{
+    const SrdoCause told = device.Told().first_cause;
+    for (SlotIndex slot = 0U; slot < device.Config().srdo_count; ++slot)
+    {
+        const SrdoView a = device.ViewOfA(slot);
+        const SrdoView b = device.ViewOfB(slot);
+        // A demoted channel learned of the fault from the other one, which knows the cause.
+        const bool asks_b = a.first_cause == SrdoCause::kDemoted || a.first_cause == SrdoCause::kNone;
+        const SrdoCause first = asks_b ? b.first_cause : a.first_cause;
+        const std::uint32_t signals = a.signals | b.signals;
+        if (Signals(signals, told) && Signals(signals, first))
+        {
+            return first;
+        }
+    }
+    return told;
 }
 } // namespace counterpoint::campaign

@@ -548,7 +548,7 @@ Outcome Runner::Blame() const
     else if (device_.Told().faulted != 0U)
     {
         outcome.detector = Detector::kChannels;
-        const SrdoCause cause = device_.FirstCause();
+        const SrdoCause cause = FirstCauseOf(device_);
         outcome.detail = static_cast<std::uint8_t>(cause);
         outcome.marks = device_.WhoSaid(cause);
     }
