@@ -24,6 +24,7 @@ constexpr std::uint16_t kOptionName = 2U;
 constexpr std::uint16_t kOptionResolution = 9U;
 constexpr std::uint16_t kOptionOffset = 14U;
 constexpr std::uint8_t kPowerOfTwo = 0x80U;
+constexpr std::int64_t kMostSeconds = 4000000000;
 
 std::size_t Padded(const std::size_t count) noexcept
 {
@@ -159,10 +160,12 @@ void PcapngReader::ReadOptions(std::size_t begin, const std::size_t end, Interfa
         }
         if (code == kOptionOffset && length == 8U)
         {
-            const std::uint32_t low = bytes_.Number32(begin);
-            const std::uint32_t high = bytes_.Number32(begin + 4U);
-            // Seconds beyond some centuries have no place in the time; nobody records so.
-            interface.offset = (high == 0U && low < 0x80000000U) ? static_cast<Time>(low) * kSecond : 0;
+            interface.offset_s = static_cast<std::int64_t>(bytes_.Number64(begin));
+            if (interface.offset_s < -kMostSeconds || interface.offset_s > kMostSeconds)
+            {
+                Refuse({"a time offset of " + std::to_string(interface.offset_s) + " seconds",
+                        "-4 000 000 000 to 4 000 000 000"});
+            }
         }
         interface.name = code == kOptionName ? std::string(value) : interface.name;
         begin += Padded(length);
@@ -171,18 +174,23 @@ void PcapngReader::ReadOptions(std::size_t begin, const std::size_t end, Interfa
 
 Time PcapngReader::TimeOf(const std::uint64_t ticks, const Interface& interface) const
 {
-    constexpr std::uint64_t most_seconds = 4000000000U;
-    const std::uint64_t seconds = ticks / interface.ticks;
+    const std::uint64_t own_seconds = ticks / interface.ticks;
     const std::uint64_t rest = ticks % interface.ticks;
-    if (seconds > most_seconds)
+    if (own_seconds > static_cast<std::uint64_t>(kMostSeconds))
     {
-        Refuse({"a time of " + std::to_string(seconds) + " seconds", "at most 4 000 000 000"});
+        Refuse({"a time of " + std::to_string(own_seconds) + " seconds", "at most 4 000 000 000"});
+    }
+    const std::int64_t seconds = interface.offset_s + static_cast<std::int64_t>(own_seconds);
+    if (seconds < 0)
+    {
+        Refuse(
+            {"a time of " + std::to_string(seconds) + " seconds", "none before 0, with the offset of its interface"});
     }
     const long double fraction = static_cast<long double>(rest) / static_cast<long double>(interface.ticks);
     const bool is_exact = interface.ticks <= 1000000000U;
     const auto nanoseconds =
         is_exact ? static_cast<Time>(rest * 1000000000U / interface.ticks) : static_cast<Time>(fraction * 1.0e9L);
-    return interface.offset + static_cast<Time>(seconds) * kSecond + nanoseconds;
+    return static_cast<Time>(seconds) * kSecond + nanoseconds;
 }
 
 bool PcapngReader::HasReadable() const

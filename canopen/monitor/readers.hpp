@@ -70,6 +70,13 @@ class CaptureBytes
         const std::uint32_t second = Number16(at + 2U);
         return is_big_endian_ ? (first << 16U) | second : (second << 16U) | first;
     }
+    /// The number at `at`; `at` + 8 is at most Size(), checked by the caller.
+    [[nodiscard]] std::uint64_t Number64(const std::size_t at) const noexcept
+    {
+        const std::uint64_t first = Number32(at);
+        const std::uint64_t second = Number32(at + 4U);
+        return is_big_endian_ ? (first << 32U) | second : (second << 32U) | first;
+    }
     /// Bytes from `at` on.
     [[nodiscard]] std::string_view Part(const std::size_t at, const std::size_t count) const noexcept
     {
@@ -146,7 +153,7 @@ class PcapngReader final : public FrameSource
     {
         std::uint16_t link_type{0U};
         std::uint64_t ticks{1000000U}; ///< A second has so many.
-        Time offset{0};
+        std::int64_t offset_s{0};      ///< From -kMostSeconds to kMostSeconds.
         std::string name;
     };
 

@@ -110,9 +110,9 @@ bool FrameFaults::Apply(const FrameSelector& selector, const host::NodeIndex rec
         Repeat(selector, receiver, receptions);
         return false;
     case FrameFault::kWrongSequence:
-        held_.push_back({receiver, selector.Index(), first.frame});
+        held_.push_back({receiver, first.frame});
         receptions.Clear();
-        return false;
+        return true;
     case FrameFault::kLoss:
         receptions.Clear();
         return true;
@@ -172,7 +172,6 @@ void FrameFaults::ReleaseHeld(const host::NodeIndex receiver, host::ReceptionLis
         return;
     }
     static_cast<void>(receptions.Add({mine->frame, 0}));
-    teller_.Tell(mine->fault, stage_.places[receiver].node, mine->frame.identifier, stage_.bus.Now());
     held_.erase(mine);
 }
 } // namespace counterpoint::simulator

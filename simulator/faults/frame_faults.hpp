@@ -45,7 +45,6 @@ class FrameFaults final : public host::BusFault
     struct Held
     {
         host::NodeIndex receiver{0U};
-        std::size_t fault{0U};
         CanFrame frame{};
     };
 

@@ -206,8 +206,9 @@ std::string SweepJson(const SweepResult& result)
         for (std::size_t axis = 0U; axis < result.axes.size(); ++axis)
         {
             const SweepAxis& swept = result.axes[axis];
-            values[swept.path] =
-                swept.is_time ? Json(swept.Text(row.places[axis])) : Json(swept.values[row.places[axis]]);
+            const std::int64_t value = swept.values[row.places[axis]];
+            constexpr auto unit = static_cast<double>(kNanosecondsPerMillisecond);
+            values[swept.path] = swept.is_time ? Json(static_cast<double>(value) / unit) : Json(value);
         }
         Json json{{"values", values}, {"holds", row.holds}};
         if (row.measurement)

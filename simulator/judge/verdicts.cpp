@@ -12,21 +12,15 @@ namespace
 {
 constexpr std::int64_t kMillion = 1000000;
 
-// Whether the fault is one of a device, and another device is judged, which is told of it by the bus alone. What counts
-// from the link of the faulty device has its limit everywhere, see LimitOf.
+// Whether the fault is one of a device, and another device is judged, which is told of it by the bus alone.
 bool IsElsewhere(const Scenario& scenario, const Expectation& expectation, const FaultClass row)
 {
     const bool is_of_device = row == FaultClass::kChannel || row == FaultClass::kConfiguration ||
                               row == FaultClass::kSharedSource || row == FaultClass::kSupervisor ||
-                              row == FaultClass::kClock;
+                              row == FaultClass::kClock || row == FaultClass::kCrossLink;
     const NodeIndex place = scenario.faults[expectation.fault].node;
-    if (!is_of_device || place >= scenario.nodes.size())
-    {
-        return false;
-    }
-    const NodeSetup& node = scenario.nodes[place];
-    const bool is_by_link = row == FaultClass::kClock && node.role != runtime::CpuRole::kWhole;
-    return !is_by_link && node.device != scenario.nodes[expectation.node].device;
+    return is_of_device && place < scenario.nodes.size() &&
+           scenario.nodes[place].device != scenario.nodes[expectation.node].device;
 }
 
 // The row of the table of limits: of the expectation, or of its fault. The self tests read within the diagnostic
@@ -470,15 +464,12 @@ Nanoseconds LimitOf(const Scenario& scenario, const Expectation& expectation, co
         times = (srdo.number == expectation.srdo) ? srdo.times : times;
     }
     const FaultSetup& fault = scenario.faults[expectation.fault];
+    const NodeSetup& node = scenario.nodes[expectation.node];
     const bool is_peers_clock = fault_class == FaultClass::kClock && fault.kind == FaultKind(NodeFault::kClock) &&
-                                scenario.nodes[fault.node].role != runtime::CpuRole::kWhole;
+                                node.role != runtime::CpuRole::kWhole &&
+                                scenario.nodes[fault.node].device == node.device;
     if (fault_class == FaultClass::kCrossLink || is_peers_clock)
     {
-        // At a node with one CPU it is the device of the fault that stops to be heard.
-        const NodeSetup& own_node = scenario.nodes[expectation.node];
-        const NodeSetup& node = (own_node.role == runtime::CpuRole::kWhole)
-                                    ? scenario.nodes[scenario.faults[expectation.fault].node]
-                                    : own_node;
         // The clocks are compared by messages, the last of which may be as old as the time-out.
         const Nanoseconds own = node.link.timeout + (is_peers_clock ? node.link.clock_interval : 0);
         const auto own_us = static_cast<std::uint32_t>(own / kNanosecondsPerMicrosecond);

@@ -43,6 +43,19 @@ void ReadPattern(Fields& fields, Nanoseconds& on, Nanoseconds& off)
     }
 }
 
+/// Without `count` one frame is hit: a window, a pattern or a turn that no second one can come to is a slip.
+void RequireCount(Fields& fields)
+{
+    for (const char* const key : {"until", "on", "every"})
+    {
+        const auto value = fields.Find(key);
+        if (value && !fields.Find("count"))
+        {
+            value->Refuse("key '" + std::string(key) + "' where one frame is hit", "key 'count' beside it");
+        }
+    }
+}
+
 ConfigAddress ReadConfigAddress(Fields& fields)
 {
     ConfigAddress address{0U, ConfigField::kInvalid, 0U};
@@ -128,6 +141,7 @@ void ToFrames(Fields& all, const char* const key, const Scenario& scenario, Faul
     fields.Into("first", choice.first);
     fields.Into("every", choice.every);
     fields.Into("count", choice.count);
+    RequireCount(fields);
     fields.Into("probability_ppm", choice.probability_ppm);
     fields.Close();
 }

@@ -42,6 +42,10 @@ FaultClass ClassOf(const FaultSetup& fault)
     {
         return FaultClass::kSharedSource;
     }
+    if (fault.kind == FaultKind(FrameFault::kRepetition) && fault.by == 0)
+    {
+        return FaultClass::kWrongFrame; // Nothing is between the frame and its copy; a late one begins a new pair.
+    }
     const bool is_of_frames =
         std::holds_alternative<FrameFault>(fault.kind) || std::holds_alternative<ControllerFault>(fault.kind);
     const bool is_of_node =

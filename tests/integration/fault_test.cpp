@@ -52,7 +52,7 @@ constexpr FaultCase kBusFaults[] = {
      "1}\n"},
     {"normal again after 3 ms",
      "fault: repetition, frames: {identifier: 0x103, receiver: actuator, from: 500 ms}, after: 3 ms",
-     "  - {that: safe_within, node: actuator, srdo: 1, limit: bus_next_normal}\n"},
+     "  - {that: safe_within, node: actuator, srdo: 1}\n"},
     {"delay of the inverse past SRVT",
      "fault: delay, frames: {identifier: 0x104, receiver: actuator, from: 500 ms}, by: 21 ms",
      "  - {that: cause, node: actuator, srdo: 1, is: srvt}\n  - {that: safe_within, node: actuator, srdo: 1}\n"},

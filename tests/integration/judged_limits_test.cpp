@@ -339,20 +339,25 @@ TEST(JudgedLimit, IsKeptForEachOfTwoFaultsThatDelayEachOther)
     EXPECT_EQ(Failures(*run), "");
 }
 
-// The actuator hears of a fault inside the controller by the bus alone: SCT, cycle and output time.
-TEST(JudgedLimit, AtAnotherDeviceIsThatOfTheBus)
+// An inverse frame that comes behind the next normal one, 25 ms later: it stays away from the instant on at which it
+// should have come, as one that is late by so much.
+TEST(JudgedLimit, OfAFrameOutOfOrderCountsFromWhereItStaysAway)
 {
     Verifies(req::SRS_SIM_031);
-    for (const char* const fault :
-         {"{fault: bit_flip, node: controller, part: program, at: 700 ms, offset: 5000, bit: 7}",
-          "{fault: frozen, node: controller, part: channel_a, at: 700 ms}",
-          "{fault: clock, node: controller, counter: a, jump: 30 ms, at: 700 ms}"})
+    const auto run_with = [](const char* const detection, const std::string& fault)
     {
-        const auto run = RunChain(std::string("duration: 7 s\nfaults:\n  - ") + fault +
-                                  "\nexpect:\n  - {that: safe_within, node: actuator, srdo: 1}\n");
-        EXPECT_EQ(Failures(*run), "") << fault;
-        EXPECT_EQ(MeasurementOf(*run).fault_class, FaultClass::kBus) << fault;
-        EXPECT_EQ(MeasurementOf(*run).limit, 53000 * kUs) << fault;
+        return RunChainOf({{"actuator", {{"5F05sub1", detection}}}},
+                          "faults:\n  - {" + fault +
+                              ", frames: {identifier: 0x104, receiver: actuator, from: 500 ms}}\n"
+                              "expect:\n  - {that: safe_within, node: actuator, srdo: 1}\n");
+    };
+    for (const char* const detection : {"0x00", "0x3C"}) // Early, late.
+    {
+        const auto late = run_with(detection, "fault: delay, by: 24.6 ms");
+        const auto wrong_order = run_with(detection, "fault: wrong_sequence");
+        EXPECT_EQ(Failures(*wrong_order), "") << detection;
+        EXPECT_EQ(MeasurementOf(*wrong_order).effect, MeasurementOf(*late).effect) << detection;
+        EXPECT_EQ(MeasurementOf(*wrong_order).limit, MeasurementOf(*late).limit) << detection;
     }
 }
 

@@ -373,7 +373,7 @@ TEST(Sweep, TakesEveryCombinationAndAddsKeys)
     EXPECT_EQ(json["format"], "counterpoint-sweep-1");
     ASSERT_EQ(json["runs"].size(), 9U);
     EXPECT_EQ(json["runs"][0]["values"]["nodes.actuator.counter_b.ppm"], -100);
-    EXPECT_EQ(json["runs"][8]["values"]["faults.0.frames.from"], "500.5 ms");
+    EXPECT_EQ(json["runs"][8]["values"]["faults.0.frames.from"], 500.5); // In the unit of its axis.
     EXPECT_EQ(json["runs"][4]["limit_ns"], 53000000);
     EXPECT_EQ(json["runs"][4]["detected_by"], "channels");
     // And the page has a point for each, the limit, and no address to load from

@@ -26,7 +26,9 @@ std::uint64_t NumberIn(const CanFrame& frame)
 
 BusView::BusView(const Recording& recording, const runtime::SrdoModel& srdo, const std::uint32_t mapped_bits)
     : cob_id_1_(srdo.cob_id_1), cob_id_2_(srdo.cob_id_2), bytes_((mapped_bits + kByteBits - 1U) / kByteBits),
-      srvt_(srdo.times.srvt_ms * kMs), greatest_age_((srdo.times.sct_ms + srdo.times.srvt_ms) * kMs)
+      srvt_(srdo.times.srvt_ms * kMs),
+      greatest_age_((srdo.times.detection == SrvtDetection::kLate) ? srdo.times.sct_ms * kMs
+                                                                   : (srdo.times.sct_ms + srdo.times.srvt_ms) * kMs)
 {
     Received received;
     for (const RecordedFrame& frame : recording.frames)

@@ -99,6 +99,13 @@ INSTANTIATE_TEST_SUITE_P(
                       BadPlan{"at: [500 ms]\nmembers: [latch+12]\n", ":5:11: error: member 'latch'"},
                       BadPlan{"at: [500 ms]\nknown:\n  - {place: latch, class: masked, reason: none}\n",
                               ":6:27: error: 'masked', expected one of silent"},
+                      BadPlan{"at: [500 ms]\nparts: [bus]\nmembers: [channel_b.data]\n",
+                              ":6:11: error: member 'channel_b.data' without an effect"},
+                      BadPlan{"at: [500 ms]\nparts: [bus]\nphases: [permits]\n",
+                              ":6:9: error: phases where nothing of the memory is hit"},
+                      BadPlan{"at: [500 ms]\nparts: [bus]\nkinds: [lost, flip]\n",
+                              ":6:15: error: a kind that none of the parts has"},
+                      BadPlan{"at: [500 ms]\nreach: 51 us\n", ":5:8: error: a reach that is no multiple of the grid"},
                       BadPlan{"at: [500 ms]\nsample: 0\n", ":5:9: error: "},
                       BadPlan{"at: [500 ms]\ncolour: red\n", ":5:1: error: unknown key"}));
 

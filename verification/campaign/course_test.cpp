@@ -4,6 +4,8 @@
 #include "verification/campaign/variants.hpp"
 
 #include <map>
+#include <set>
+#include <utility>
 
 namespace counterpoint::campaign::test
 {
@@ -197,6 +199,34 @@ TEST_F(OutcomeTest, NoErrorOfOneFrameIsSilentOrListed)
     EXPECT_EQ(counts.late, 0U);
 }
 
+// One cycle signals several causes: what is told is the one that came first, as the channels keep it.
+TEST_F(OutcomeTest, ReasonIsTheFirstCauseOfTheCycle)
+{
+    Verifies(req::SRS_CMG_006);
+    const Trap trap;
+    const auto reasons = [this](const char* const kind, const std::uint32_t identifier, const std::uint32_t steps)
+    {
+        Session session(
+            PlanFile("plan.yaml", "actuator",
+                     "at: [540 ms]\ncycles: 50\nreach: 20 ms\nparts: [bus]\nkinds: [" + std::string(kind) + "]\n"));
+        std::set<SrdoCause> causes;
+        for (std::uint64_t number = 0U; number < session.Faults().Size(); ++number)
+        {
+            const Experiment fault = session.Faults().At(number);
+            const CanFrame& frame = session.Parts().recording.frames[fault.subject].stamped.frame;
+            if (frame.identifier == identifier && fault.variant + 1U == steps)
+            {
+                causes.insert(static_cast<SrdoCause>(session.Runs().Run(fault).detail));
+            }
+        }
+        return causes;
+    };
+    // A copy 50 us behind the normal frame is the second one; the inverse frame is left over.
+    EXPECT_EQ(reasons("repeated", 0x103U, 1U), std::set<SrdoCause>{SrdoCause::kNormalTwice});
+    // An inverse frame that is 19.9 ms late comes when SRVT of 20 ms has expired.
+    EXPECT_EQ(reasons("delayed", 0x104U, 398U), std::set<SrdoCause>{SrdoCause::kSrvt});
+}
+
 TEST_F(OutcomeTest, CompleteForgedPairIsListed)
 {
     Verifies(req::SRS_CMG_021);
@@ -252,6 +282,29 @@ TEST(BusView, JudgeTellsAPairThatNobodySentFromOneThatIsTooOldAndFromNone)
     }
     EXPECT_EQ(leave(late, 73000000, 0x12U), Leave::kGiven);
     EXPECT_EQ(leave(late, 73000001, 0x12U), Leave::kListed);
+}
+
+// With late detection SCT is examined whether or not a normal frame waits for its inverse one.
+TEST(BusView, WithLateDetectionAPairIsNoOlderThanSct)
+{
+    Verifies(req::SRS_CMG_005);
+    // Given a pair of 10h at 1 ms, SCT 50 ms, SRVT 20 ms
+    Recording recording = FourFrames();
+    recording.frames[1U].stamped.frame.data[0] = 0xEFU;
+    runtime::SrdoModel srdo;
+    srdo.cob_id_1 = 0x101U;
+    srdo.cob_id_2 = 0x102U;
+    for (const auto& [detection, oldest] : {std::pair(SrvtDetection::kLate, Nanoseconds{51000000}),
+                                            std::pair(SrvtDetection::kEarly, Nanoseconds{71000000})})
+    {
+        srdo.times = {50U, 20U, detection};
+        const BusView bus(recording, srdo, 8U);
+        Received received;
+        bus.Take(received, recording.frames[0U]);
+        bus.Take(received, recording.frames[1U]);
+        EXPECT_EQ(bus.Allows(received, oldest, 0x10U, 0xFFU, 0), Leave::kGiven);
+        EXPECT_EQ(bus.Allows(received, oldest + 1, 0x10U, 0xFFU, 0), Leave::kNone);
+    }
 }
 
 TEST_F(OutcomeTest, CallsThatDoNotComeAreFoundOrChangeNothing)
@@ -392,8 +445,8 @@ TEST_F(CourseTest, NoExperimentFindsWhatAnotherOneLeft)
 TEST_F(CourseTest, PlanWithoutAFaultIsRefused)
 {
     Verifies(req::SRS_CMG_026);
-    const tools::test::Answer none =
-        Campaign({PlanFile("none.yaml", "actuator", "at: [500 ms]\nparts: [bus]\nkinds: [flip]\n")});
+    const tools::test::Answer none = Campaign(
+        {PlanFile("none.yaml", "actuator", "at: [500 ms]\nparts: [pins]\nkinds: [flip]\n")}); // The gate has none.
     EXPECT_EQ(none.status, 2);
     EXPECT_NE(none.err.find("error: parts and kinds of which this device can have no fault"), std::string::npos)
         << none.err;

@@ -21,6 +21,11 @@ Instant BusInstant(const Nanoseconds at)
 {
     return {static_cast<std::uint32_t>(at / runtime::kNanosecondsPerMicrosecond)};
 }
+
+bool Signals(const std::uint32_t signals, const SrdoCause cause)
+{
+    return ((signals >> (static_cast<std::uint32_t>(cause) % 32U)) & 1U) != 0U;
+}
 } // namespace
 
 Device::Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, const OutputKind output,
@@ -206,9 +211,8 @@ std::uint8_t Device::WhoSaid(const SrdoCause cause) const noexcept
     std::uint8_t marks = 0U;
     for (SlotIndex slot = 0U; slot < reference_.srdo_count; ++slot)
     {
-        const std::uint32_t bit = std::uint32_t{1U} << (static_cast<std::uint32_t>(cause) % 32U);
-        marks |= ((a_->View(slot).signals & bit) != 0U) ? kMarkSaidByA : std::uint8_t{0U};
-        marks |= ((b_->View(slot).signals & bit) != 0U) ? kMarkSaidByB : std::uint8_t{0U};
+        marks |= Signals(a_->View(slot).signals, cause) ? kMarkSaidByA : std::uint8_t{0U};
+        marks |= Signals(b_->View(slot).signals, cause) ? kMarkSaidByB : std::uint8_t{0U};
     }
     return marks;
 }
@@ -337,5 +341,24 @@ void Device::WriteProducers(const std::size_t cycle)
         WriteVariable(pair.normal, {feed_.Written(cycle, index, false, value)});
         WriteVariable(pair.inverse, {feed_.Written(cycle, index, true, ~value)});
     }
+}
+
+SrdoCause FirstCauseOf(const Device& device) noexcept
+{
+    const SrdoCause told = device.Told().first_cause;
+    for (SlotIndex slot = 0U; slot < device.Config().srdo_count; ++slot)
+    {
+        const SrdoView a = device.ViewOfA(slot);
+        const SrdoView b = device.ViewOfB(slot);
+        // A demoted channel learned of the fault from the other one, which knows the cause.
+        const bool asks_b = a.first_cause == SrdoCause::kDemoted || a.first_cause == SrdoCause::kNone;
+        const SrdoCause first = asks_b ? b.first_cause : a.first_cause;
+        const std::uint32_t signals = a.signals | b.signals;
+        if (Signals(signals, told) && Signals(signals, first))
+        {
+            return first;
+        }
+    }
+    return told;
 }
 } // namespace counterpoint::campaign

@@ -187,6 +187,10 @@ class Device
     std::unique_ptr<FlatSelfTest> self_test_{};
     Feed feed_; ///< Outside of it.
 };
+
+/// @brief The cause that the application was told first; of those of one cycle, which it is told in the order of their
+/// numbers, the one that came first.
+[[nodiscard]] SrdoCause FirstCauseOf(const Device& device) noexcept;
 } // namespace counterpoint::campaign
 
 #endif // VERIFICATION_CAMPAIGN_DEVICE_HPP

@@ -46,7 +46,7 @@ enum class Detector : std::uint8_t
 };
 constexpr std::size_t kDetectorCount = 16U;
 
-/// One experiment's outcome, as it lies in a file of results.
+/// One experiment's outcome.
 struct Outcome
 {
     Class result{Class::kOpen};
@@ -55,7 +55,6 @@ struct Outcome
     std::uint8_t marks{0U};  ///< Bits of the marks below.
     std::uint32_t us{0U};    ///< From the fault to the closed output (to the device fault, where none was open).
 };
-static_assert(sizeof(Outcome) == 8U, "the format of a file of results");
 
 constexpr std::uint8_t kMarkLate = 1U;    ///< Above the limit, counted from the first effect of the fault.
 constexpr std::uint8_t kMarkSaidByA = 2U; ///< Of kChannels: channel A reported this cause by itself.

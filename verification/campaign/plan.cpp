@@ -4,6 +4,7 @@
 #include "runtime/device/names.hpp"
 #include "runtime/yaml/map.hpp"
 #include "runtime/yaml/optional_values.hpp"
+#include "verification/campaign/experiment.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -256,7 +257,7 @@ void ReadSample(const YamlMap& map, Plan& plan)
     {
         constexpr runtime::Nanoseconds kMostReach = 1000 * runtime::kNanosecondsPerMillisecond;
         plan.reach = reach->Lasting();
-        if (plan.reach < kGrid || plan.reach > kMostReach)
+        if (plan.reach < kGrid || plan.reach > kMostReach || plan.reach % kGrid != 0)
         {
             reach->Refuse("a reach that is no multiple of the grid of 50 us within a second", "a time as 60 ms");
         }
@@ -264,6 +265,31 @@ void ReadSample(const YamlMap& map, Plan& plan)
     if (const auto cycles = map.Find("cycles"))
     {
         plan.cycles = static_cast<std::uint32_t>(cycles->Number({1U, 1000U}));
+    }
+}
+
+/// A kind of none of the parts, and phases where no memory is hit, would be left aside.
+void RequireEffect(const YamlMap& map, const Plan& plan)
+{
+    const auto is_memory = [](const Part part) { return IsMemory(part); };
+    const std::optional<YamlValue> phases = map.Find("phases");
+    if (phases && std::none_of(plan.parts.begin(), plan.parts.end(), is_memory))
+    {
+        phases->Refuse("phases where nothing of the memory is hit", "a part of the memory, or no phases");
+    }
+    const std::optional<YamlValue> kinds = map.Find("kinds");
+    if (!kinds)
+    {
+        return;
+    }
+    const std::vector<YamlValue> items = kinds->Items("a list of words");
+    for (std::size_t index = 0U; index < items.size(); ++index)
+    {
+        const FaultKind kind = plan.kinds[index];
+        if (std::none_of(plan.parts.begin(), plan.parts.end(), [kind](const Part part) { return IsOf(part, kind); }))
+        {
+            items[index].Refuse("a kind that none of the parts has", "one of its kinds");
+        }
     }
 }
 } // namespace
@@ -291,6 +317,7 @@ Plan ReadPlan(const std::string& file)
         plan.parts.resize(kMemoryPartCount); // The others are tried by name.
     }
     plan.kinds = Chosen(map, "kinds", kKindWords);
+    RequireEffect(map, plan);
     plan.detectors = map.Find("detectors") ? Chosen(map, "detectors", kDetectorWords) : std::vector<Detector>{};
     ReadMembers(map, plan);
     ReadSample(map, plan);

@@ -18,13 +18,44 @@ namespace
 /// In front of the outcomes.
 struct Header
 {
-    std::array<char, 8U> mark{'C', 'P', 'C', 'A', 'M', 'P', '0', '1'};
+    std::array<char, 7U> mark{'C', 'P', 'C', 'A', 'M', 'P', '2'};
+    std::uint8_t check{0U};
     std::uint64_t digest{0U};
     std::uint64_t total{0U};
     std::uint32_t number{0U};
     std::uint32_t count{0U};
 };
 static_assert(sizeof(Header) == 32U, "the format of a file of results");
+
+/// One outcome; one that is not tried yet is 0.
+struct Stored
+{
+    std::uint8_t result_and_detector{0U}; ///< Low and high half.
+    std::uint8_t detail{0U};
+    std::uint8_t marks{0U};
+    std::uint8_t check{0U};
+    std::uint32_t us{0U};
+};
+static_assert(sizeof(Stored) == sizeof(std::uint64_t), "the format of a file of results");
+static_assert(kClassCount <= 16U && kDetectorCount <= 16U, "halves of a byte");
+
+/// CRC of polynomial 07h, without its own place; 0 of what is 0.
+template <typename T> std::uint8_t CheckOf(T record)
+{
+    record.check = 0U;
+    std::array<std::uint8_t, sizeof(T)> bytes{};
+    std::memcpy(bytes.data(), &record, sizeof(T));
+    std::uint32_t crc = 0U;
+    for (const std::uint8_t byte : bytes)
+    {
+        crc ^= byte;
+        for (int bit = 0; bit < 8; ++bit)
+        {
+            crc = ((crc & 0x80U) != 0U) ? ((crc << 1U) ^ 0x107U) : (crc << 1U);
+        }
+    }
+    return static_cast<std::uint8_t>(crc);
+}
 
 Header HeaderOf(const ResultsOf& of)
 {
@@ -33,6 +64,7 @@ Header HeaderOf(const ResultsOf& of)
     header.total = of.total;
     header.number = of.shard.number;
     header.count = of.shard.count;
+    header.check = CheckOf(header);
     return header;
 }
 
@@ -49,7 +81,7 @@ bool IsEqual(const Header& left, const Header& right)
 
 Results::Results(const std::string& file, const ResultsOf& of)
     : of_(of), size_((of.total + of.shard.count - of.shard.number) / of.shard.count),
-      length_(sizeof(Header) + (size_ * sizeof(Outcome)))
+      length_(sizeof(Header) + (size_ * sizeof(Stored)))
 {
     if (file.empty())
     {
@@ -74,7 +106,7 @@ Results::Results(const std::string& file, const ResultsOf& of)
     close(descriptor);
     Header header;
     std::memcpy(&header, bytes_, sizeof(header));
-    if (is_new || IsEqual(header, Header{{}, 0U, 0U, 0U, 0U})) // The process ended right behind the beginning.
+    if (is_new || IsEqual(header, Header{{}, 0U, 0U, 0U, 0U, 0U})) // The process ended right behind the beginning.
     {
         header = HeaderOf(of);
         std::memcpy(bytes_, &header, sizeof(header));
@@ -84,6 +116,7 @@ Results::Results(const std::string& file, const ResultsOf& of)
         munmap(bytes_, length_);
         Refuse(file, "results of another campaign, scenario or shard");
     }
+    RequireWhole(file);
 }
 
 Results::~Results()
@@ -102,18 +135,42 @@ void Results::Map(const int descriptor, const std::string& file)
     bytes_ = static_cast<std::uint8_t*>(place);
 }
 
+/// Throws where an outcome is not as it was put there.
+void Results::RequireWhole(const std::string& file)
+{
+    for (std::uint64_t index = 0U; index < size_; ++index)
+    {
+        Stored stored;
+        std::memcpy(&stored, bytes_ + sizeof(Header) + (index * sizeof(Stored)), sizeof(stored));
+        if (stored.check != CheckOf(stored))
+        {
+            munmap(bytes_, length_);
+            Refuse(file, "a damaged outcome of experiment " + std::to_string(NumberAt(index)));
+        }
+    }
+}
+
 Outcome Results::At(const std::uint64_t index) const noexcept
 {
-    Outcome outcome;
-    std::memcpy(&outcome, bytes_ + sizeof(Header) + (index * sizeof(Outcome)), sizeof(outcome));
-    return outcome;
+    constexpr std::uint8_t half = 0x0FU;
+    Stored stored;
+    std::memcpy(&stored, bytes_ + sizeof(Header) + (index * sizeof(Stored)), sizeof(stored));
+    return {static_cast<Class>(stored.result_and_detector & half),
+            static_cast<Detector>(stored.result_and_detector >> 4U), stored.detail, stored.marks, stored.us};
 }
 
 void Results::Put(const std::uint64_t index, const Outcome& outcome) noexcept
 {
+    Stored stored;
+    stored.result_and_detector = static_cast<std::uint8_t>(static_cast<std::uint32_t>(outcome.result) |
+                                                           (static_cast<std::uint32_t>(outcome.detector) << 4U));
+    stored.detail = outcome.detail;
+    stored.marks = outcome.marks;
+    stored.us = outcome.us;
+    stored.check = CheckOf(stored);
     std::uint64_t word = 0U;
-    std::memcpy(&word, &outcome, sizeof(word));
-    auto* const place = reinterpret_cast<std::uint64_t*>(bytes_ + sizeof(Header) + (index * sizeof(Outcome)));
+    std::memcpy(&word, &stored, sizeof(word));
+    auto* const place = reinterpret_cast<std::uint64_t*>(bytes_ + sizeof(Header) + (index * sizeof(Stored)));
     __atomic_store_n(place, word, __ATOMIC_RELEASE);
 }
 
@@ -129,13 +186,13 @@ std::uint64_t Results::OpenCount() const noexcept
 
 ResultsOf Results::Read(const std::string& file)
 {
-    Header header{{}, 0U, 0U, 0U, 0U};
+    Header header{{}, 0U, 0U, 0U, 0U, 0U};
     std::ifstream in(file, std::ios::binary);
     in.read(reinterpret_cast<char*>(&header), sizeof(header));
-    if (!in || header.mark != Header{}.mark || header.count == 0U || header.number == 0U ||
-        header.number > header.count)
+    if (!in || header.mark != Header{}.mark || header.check != CheckOf(header) || header.count == 0U ||
+        header.number == 0U || header.number > header.count)
     {
-        Refuse(file, "no file of results");
+        Refuse(file, "no file of results, or a damaged one");
     }
     return {header.digest, header.total, {header.number, header.count}};
 }

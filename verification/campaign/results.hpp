@@ -26,12 +26,13 @@ struct ResultsOf
 };
 
 /// A file with one outcome an experiment. It is memory that is shared by all processes and kept by the system: what was
-/// written is there whatever becomes of them. [SRS_CMG_008]
+/// written is there whatever becomes of them. Each outcome, and what the file belongs to, has a check of its own.
+/// [SRS_CMG_008]
 class Results
 {
   public:
     /// @brief Opens or makes the file; without a name the outcomes are kept in memory alone. Throws YamlError for a
-    /// file that is no file of results, or one of something else.
+    /// file that is no file of results, a damaged one, or one of something else.
     Results(const std::string& file, const ResultsOf& of);
     ~Results();
     Results(const Results&) = delete;
@@ -50,7 +51,7 @@ class Results
     [[nodiscard]] Outcome At(std::uint64_t index) const noexcept;
     /// @brief All of it or nothing, whoever else writes, and whenever the process ends.
     void Put(std::uint64_t index, const Outcome& outcome) noexcept;
-    /// @brief Takes over what another file has. Throws YamlError for one of something else.
+    /// @brief Takes over what another file has. Throws YamlError for a damaged one, and one of something else.
     void Merge(const std::string& file);
     /// @brief How many are not tried yet.
     [[nodiscard]] std::uint64_t OpenCount() const noexcept;
@@ -59,6 +60,7 @@ class Results
 
   private:
     void Map(int descriptor, const std::string& file);
+    void RequireWhole(const std::string& file);
 
     ResultsOf of_;
     std::uint64_t size_;

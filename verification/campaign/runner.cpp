@@ -548,8 +548,9 @@ Outcome Runner::Blame() const
     else if (device_.Told().faulted != 0U)
     {
         outcome.detector = Detector::kChannels;
-        outcome.detail = static_cast<std::uint8_t>(device_.Told().first_cause);
-        outcome.marks = device_.WhoSaid(device_.Told().first_cause);
+        const SrdoCause cause = FirstCauseOf(device_);
+        outcome.detail = static_cast<std::uint8_t>(cause);
+        outcome.marks = device_.WhoSaid(cause);
     }
     else
     {

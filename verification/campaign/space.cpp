@@ -102,18 +102,32 @@ void Space::TakeCycles(const Plan& plan, const Recording& recording, const std::
     cycles_.erase(std::unique(cycles_.begin(), cycles_.end()), cycles_.end());
 }
 
-/// Members that the device does not have are refused.
+bool Space::IsHit(const Part part) const
+{
+    const bool is_of_both = part == Part::kChannelA || part == Part::kChannelB;
+    return std::any_of(plan_.parts.begin(), plan_.parts.end(), [part, is_of_both](const Part each)
+                       { return each == part || (is_of_both && each == Part::kBothChannels); });
+}
+
+/// Members that the device does not have, or of which the plan hits nothing, are refused.
 void Space::RequireMembers(const Device& device) const
 {
     for (const Member& member : plan_.members)
     {
         const auto has = [&member](const Place& place)
         { return place.name == member.name && member.byte.value_or(0U) < place.size; };
-        if (std::none_of(device.Places().begin(), device.Places().end(), has))
+        const auto found = std::find_if(device.Places().begin(), device.Places().end(), has);
+        if (found == device.Places().end())
         {
             throw runtime::YamlError(member.source.file, member.source.place,
                                      "member " + runtime::Shown(member.name) + " that the device does not have",
                                      "one as in the reports, channel_a.records for instance");
+        }
+        if (!IsHit(found->part))
+        {
+            throw runtime::YamlError(member.source.file, member.source.place,
+                                     "member " + runtime::Shown(member.name) + " without an effect",
+                                     "one of the parts that the plan names");
         }
     }
 }

@@ -74,6 +74,7 @@ class Space
     };
 
     void RequireMembers(const Device& device) const;
+    [[nodiscard]] bool IsHit(Part part) const;
     [[nodiscard]] bool IsChosen(const Place& place, std::size_t byte) const;
     void TakeBytes(Device& device);
     void TakeReach(const Device& device);

@@ -187,6 +187,21 @@ void Expect(const Campaign& campaign, const Results& results, Summary& summary)
         }
     }
 }
+
+/// A field of a row: between quotation marks where commas or quotation marks are in it, as RFC 4180 says.
+std::string Field(const std::string& text)
+{
+    if (text.find_first_of(",\"\n") == std::string::npos)
+    {
+        return text;
+    }
+    std::string field = "\"";
+    for (const char character : text)
+    {
+        field += (character == '"') ? "\"\"" : std::string(1U, character);
+    }
+    return field + "\"";
+}
 } // namespace
 
 bool Summary::IsKnown(const std::vector<Finding>& findings) noexcept
@@ -286,9 +301,9 @@ std::string CsvReport(const Campaign& campaign, const Results& results)
         }
         const Experiment experiment = campaign.space.At(results.NumberAt(index));
         text += std::to_string(results.NumberAt(index)) + "," + WordOf(experiment.part) + "," +
-                PlaceText(campaign, experiment) + "," + WordOf(experiment.kind) + "," +
+                Field(PlaceText(campaign, experiment)) + "," + WordOf(experiment.kind) + "," +
                 std::to_string(experiment.cycle) + "," + WordOf(experiment.phase) + "," + WordOf(outcome.result) + "," +
-                WordOf(outcome.detector) + "," + ReasonOf(outcome) + "," + std::to_string(outcome.us) + "," +
+                WordOf(outcome.detector) + "," + Field(ReasonOf(outcome)) + "," + std::to_string(outcome.us) + "," +
                 std::to_string(IsLate(outcome) ? 1 : 0) + "\n";
     }
     return text;

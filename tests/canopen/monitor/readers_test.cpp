@@ -79,6 +79,27 @@ TEST(Readers, EveryKindOfFrameIsReadFromEveryFormat)
     }
 }
 
+// Seconds that are added to each time: 64 bits with sign, in the byte order of the section.
+TEST(Readers, TheOffsetOfAnInterfaceIsAddedToItsTimes)
+{
+    Verifies(req::SRS_MON_003);
+    const std::vector<LogFrame> frames = AllKinds(); // From 1 s on.
+    for (const ByteOrder order : {ByteOrder::kLittle, ByteOrder::kBig})
+    {
+        EXPECT_EQ(FramesOf(PcapngOf(frames, order, 6U, 1000))[0U].time, 1001 * kSecond);
+        EXPECT_EQ(FramesOf(PcapngOf(frames, order, 9U, -1))[0U].time, 0);
+        EXPECT_EQ(FramesOf(PcapngOf(frames, order, 6U, 4000000000))[0U].time, 4000000001 * kSecond);
+        // What no time can be is refused
+        EXPECT_EQ(RefusalOf(PcapngOf(frames, order, 6U, -2)),
+                  "test.log:4: error: block 4: a time of -1 seconds, expected none before 0, with the offset of its "
+                  "interface");
+        EXPECT_EQ(RefusalOf(PcapngOf(frames, order, 6U, 4000000001)),
+                  "test.log:2: error: block 2: a time offset of 4000000001 seconds, expected -4 000 000 000 to "
+                  "4 000 000 000");
+        EXPECT_NE(RefusalOf(PcapngOf(frames, order, 6U, -4000000001)), "");
+    }
+}
+
 TEST(Readers, CookedCapturesAreRead)
 {
     Verifies(req::SRS_MON_003);

@@ -101,7 +101,8 @@ std::string PcapngBlock(const std::uint32_t type, const std::string& body, const
     return writer.text;
 }
 
-std::string PcapngOf(const std::vector<LogFrame>& frames, const ByteOrder order, const std::uint8_t resolution)
+std::string PcapngOf(const std::vector<LogFrame>& frames, const ByteOrder order, const std::uint8_t resolution,
+                     const std::int64_t offset_s)
 {
     CaptureWriter section(order);
     section.Number(0x1A2B3C4DU, 4U);
@@ -118,6 +119,9 @@ std::string PcapngOf(const std::vector<LogFrame>& frames, const ByteOrder order,
     interface.Number(9U, 2U); // if_tsresol
     interface.Number(1U, 2U);
     interface.text += std::string(1U, static_cast<char>(resolution)) + std::string(3U, '\0');
+    interface.Number(14U, 2U); // if_tsoffset
+    interface.Number(8U, 2U);
+    interface.Number(static_cast<std::uint64_t>(offset_s), 8U);
     interface.Number(0U, 4U);
     std::string text = PcapngBlock(0x0A0D0D0AU, section.text, order) + PcapngBlock(1U, interface.text, order) +
                        PcapngBlock(0x0BADU, "unknown", order);

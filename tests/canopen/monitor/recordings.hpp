@@ -43,8 +43,9 @@ class CaptureWriter
 [[nodiscard]] std::string SocketCanPacket(const LogFrame& frame);
 /// nanoseconds: magic and stamps of that kind.
 [[nodiscard]] std::string PcapOf(const std::vector<LogFrame>& frames, ByteOrder order, bool has_nanoseconds);
-/// `resolution` is the option if_tsresol.
-[[nodiscard]] std::string PcapngOf(const std::vector<LogFrame>& frames, ByteOrder order, std::uint8_t resolution);
+/// `resolution` is the option if_tsresol, `offset_s` if_tsoffset: what is added to each time.
+[[nodiscard]] std::string PcapngOf(const std::vector<LogFrame>& frames, ByteOrder order, std::uint8_t resolution,
+                                   std::int64_t offset_s = 0);
 /// The same with link type LINUX_SLL (or SLL2); a packet of another protocol stands first.
 [[nodiscard]] std::string CookedPcapOf(const std::vector<LogFrame>& frames, ByteOrder order, bool is_second);
 /// A block of pcapng with its lengths.

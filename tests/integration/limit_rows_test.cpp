@@ -1,0 +1,106 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+//
+// Which row of the table of limits the simulator takes where the scenario names none.
+#include "tests/integration/scenario_run.hpp"
+#include "verification/trace/ids/simulator.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace counterpoint::simulator
+{
+namespace
+{
+constexpr Nanoseconds kUs = kNanosecondsPerMicrosecond;
+
+/// A scenario that extends none.
+std::unique_ptr<Run> RunOf(const std::string& text)
+{
+    auto run = std::make_unique<Run>(TextFile(text), std::nullopt, std::nullopt, false);
+    run->Simulate(nullptr);
+    return run;
+}
+
+const Measurement& MeasurementOf(const Run& run)
+{
+    return *run.Verdicts().front().measurement;
+}
+
+// A copy of a normal frame behind the pair begins a new one: SRVT or the next normal frame ends it, not the copy. One
+// that comes with the frame itself is wrong.
+TEST(JudgedLimit, OfALateCopyOfANormalFrameIsThatOfAnInsertion)
+{
+    Verifies(req::SRS_SIM_031);
+    const auto run_with = [](const char* const after)
+    {
+        return RunChain(std::string("faults:\n  - {fault: repetition, after: ") + after +
+                        ", frames: {identifier: 0x103, receiver: actuator, from: 500 ms}}\n"
+                        "expect:\n  - {that: safe_within, node: actuator, srdo: 1}\n");
+    };
+    const auto late = run_with("3 ms");
+    EXPECT_EQ(Failures(*late), "");
+    EXPECT_EQ(MeasurementOf(*late).fault_class, FaultClass::kBusNextNormal);
+    EXPECT_EQ(MeasurementOf(*late).limit, 73000 * kUs);
+    const auto at_once = run_with("0 ms");
+    EXPECT_EQ(Failures(*at_once), "");
+    EXPECT_EQ(MeasurementOf(*at_once).fault_class, FaultClass::kWrongFrame);
+}
+
+// The actuator hears of a fault inside the controller by the bus alone: SCT, cycle and output time.
+TEST(JudgedLimit, AtAnotherDeviceIsThatOfTheBus)
+{
+    Verifies(req::SRS_SIM_031);
+    for (const char* const fault :
+         {"{fault: bit_flip, node: controller, part: program, at: 700 ms, offset: 5000, bit: 7}",
+          "{fault: frozen, node: controller, part: channel_a, at: 700 ms}",
+          "{fault: clock, node: controller, counter: a, jump: 30 ms, at: 700 ms}"})
+    {
+        const auto run = RunChain(std::string("duration: 7 s\nfaults:\n  - ") + fault +
+                                  "\nexpect:\n  - {that: safe_within, node: actuator, srdo: 1}\n");
+        EXPECT_EQ(Failures(*run), "") << fault;
+        EXPECT_EQ(MeasurementOf(*run).fault_class, FaultClass::kBus) << fault;
+        EXPECT_EQ(MeasurementOf(*run).limit, 53000 * kUs) << fault;
+    }
+}
+
+/// The emergency-stop chain with a controller of two CPUs.
+std::string ChainWithTwoCpusInTheMiddle()
+{
+    const std::string actuator = "  actuator: {dcf: " + Examples() + "actuator.dcf, phase: 810 us}\n";
+    return "title: controller of two CPUs\nbitrate: 500000\nduration: 3 s\nnodes:\n  sensor: {dcf: " + Examples() +
+           "sensor.dcf, phase: 130 us}\n  controller:\n    dcf: " + Examples() + "controller.dcf\n" + R"(
+    structure: two_cpu
+    cpu_a: {phase: 470 us, counter: {ppm: 20}}
+    cpu_b: {phase: 910 us, counter: {ppm: -20}}
+    link: {timeout: 10 ms, delay: 200 us}
+)" + actuator +
+           R"(
+inputs:
+  - {at: 20 ms, node: sensor, object: 0x2000:01, value: 1}
+  - {at: 20 ms, node: sensor, object: 0x2000:02, value: 1}
+logic:
+  - {node: controller, set: 0x2000:01, op: and, from: [0x2200:01, 0x2200:02]}
+  - {node: controller, set: 0x2000:02, op: or, from: [0x2200:01, 0x2200:02]}
+acknowledge:
+  - {at: 150 ms, node: actuator, srdo: 1, pulse: 50 ms}
+)";
+}
+
+// So it is where the two CPUs of the controller lose each other: the actuator has no part in their link.
+TEST(JudgedLimit, AtAnotherDeviceThanThatOfALinkIsThatOfTheBus)
+{
+    Verifies(req::SRS_SIM_031);
+    for (const char* const fault : {"{fault: link_cut, node: controller, at: 500 ms}",
+                                    "{fault: clock, node: controller.a, counter: a, ppm: 4400, at: 500 ms}"})
+    {
+        const auto run = RunOf(ChainWithTwoCpusInTheMiddle() + "faults:\n  - " + fault +
+                               "\nexpect:\n  - {that: safe_within, node: actuator, srdo: 1}\n");
+        EXPECT_EQ(Failures(*run), "") << fault;
+        EXPECT_EQ(MeasurementOf(*run).fault_class, FaultClass::kBus) << fault;
+        EXPECT_EQ(MeasurementOf(*run).limit, 53000 * kUs) << fault;
+    }
+}
+} // namespace
+} // namespace counterpoint::simulator
