@@ -84,7 +84,7 @@ struct Element
 
 [[nodiscard]] bool IsNear(const hal::Address place, const hal::Address stack) noexcept
 {
-    return ((place + kReachBytes) - stack) < (kReachBytes * 2U);
+    return ((place + kReachBytes) - stack) <= (kReachBytes * 2U);
 }
 
 } // namespace

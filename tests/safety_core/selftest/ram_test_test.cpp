@@ -185,12 +185,13 @@ TEST_F(RamTestTest, WindowsNearTheStackPositionAreLeftOutAndCounted)
         EXPECT_EQ(lock.locks - locks, 1U - test.LeftOut());
         return test.LeftOut() == 1U;
     };
-    // Then it is tested when the stack is more than 2048 bytes above its last or 2048 or more below its first word
+    // Then it is tested when the stack is more than 2048 bytes above its last or below its first word
     EXPECT_FALSE(is_left_out(0x1805U));
     EXPECT_TRUE(is_left_out(0x1804U));
     EXPECT_TRUE(is_left_out(0x1000U));
     EXPECT_TRUE(is_left_out(0x0801U));
-    EXPECT_FALSE(is_left_out(0x0800U));
+    EXPECT_TRUE(is_left_out(0x0800U));
+    EXPECT_FALSE(is_left_out(0x07FFU));
     EXPECT_FALSE(is_left_out(0x07FCU));
 }
 
