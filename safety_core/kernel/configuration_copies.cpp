@@ -13,6 +13,13 @@ CheckResult CheckBy(Channel& channel, const SlotIndex slot, const CheckDepth dep
 
 } // namespace
 
+SlotIndex ConfigurationCopies::NamedBy(const ConfigAddress& address) noexcept
+{
+    const bool is_of_device =
+        (address.field == ConfigField::kGfcParameter) || (address.field == ConfigField::kConfigurationValid);
+    return is_of_device ? kNoSlot : address.slot;
+}
+
 std::uint32_t ConfigurationCopies::Value(const SlotIndex slot, const ConfigField field,
                                          const std::uint8_t sub) const noexcept
 {
@@ -29,7 +36,7 @@ void ConfigurationCopies::Store(const ConfigItem& item) noexcept
         (a_.Load(item.address).value ^ item.value) | (b_.Load(item.address).value ^ item.value);
     if (differences != 0U)
     {
-        latch_.Enter(DeviceFault::kConfiguration, item.address.slot);
+        latch_.Enter(DeviceFault::kConfiguration, NamedBy(item.address));
     }
 }
 

@@ -63,7 +63,7 @@ class ConfigurationCopies
         const std::uint32_t value_b = b_.Load(address).value;
         if (value_a != value_b)
         {
-            latch_.Enter(DeviceFault::kConfiguration, address.slot);
+            latch_.Enter(DeviceFault::kConfiguration, NamedBy(address));
         }
         return CommonValue{value_a, value_a == value_b};
     }
@@ -88,6 +88,9 @@ class ConfigurationCopies
     }
 
   private:
+    /// @brief The slot that a fault of this value names: none for 1300h and 13FEh, which are of the device.
+    [[nodiscard]] static SlotIndex NamedBy(const ConfigAddress& address) noexcept;
+
     Channel& a_;
     Channel& b_;
     SafeStateLatch& latch_;

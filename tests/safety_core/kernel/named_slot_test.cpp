@@ -54,6 +54,22 @@ TEST_F(NamedSlot, OfAValueThatReadsDifferently)
     Is(DeviceFault::kConfiguration, 2U);
 }
 
+// 1300h and 13FEh belong to the device.
+TEST_F(NamedSlot, NoneOfAValueOfTheDevice)
+{
+    Verifies(req::SRS_CFG_047);
+    Verifies(req::SRS_KRN_003);
+    for (const std::uint16_t index : {std::uint16_t{0x1300U}, std::uint16_t{0x13FEU}})
+    {
+        b.load_flip = 0U;
+        Configure();
+        b.load_flip = 1U;
+        (void)kernel.ReadObject(ObjectAddress{index, 0U});
+        (void)Write(index, 0U, 0U, 1U);
+        Is(DeviceFault::kConfiguration, kNoSlot);
+    }
+}
+
 TEST_F(NamedSlot, OfACheckThatTheChannelsDoNotShare)
 {
     Verifies(req::SRS_KRN_015);
