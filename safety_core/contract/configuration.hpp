@@ -104,7 +104,8 @@ struct DeviceConfig
     /// 15 cycles as late as allowed to 2^30 - 1: the comparator is tested with every member that it compares in it.
     std::uint32_t test_interval_us;
     std::uint32_t clock_tolerance_us; ///< Greatest difference of the counters' progress within clock_interval_us.
-    std::uint32_t clock_interval_us;  ///< Above clock_tolerance_us, at most 2^30 - 1.
+    /// Above clock_tolerance_us, 4 cycles as late as allowed to 2^30 - 1.
+    std::uint32_t clock_interval_us;
     /// 0 to 2^30 - 1: from the dropped permit to the safe output; used in computed limits only.
     std::uint32_t output_time_us;
     std::uint32_t digest; ///< Expected device digest (5F04h); 0: none is expected. [SRS_CFG_050]

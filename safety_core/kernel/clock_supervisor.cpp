@@ -21,9 +21,12 @@ std::uint32_t Apart(const std::uint32_t left, const std::uint32_t right) noexcep
 
 void ClockSupervisor::Restart(const DeviceConfig& config) noexcept
 {
-    tolerance_us_ = config.clock_tolerance_us;
-    interval_us_ = config.clock_interval_us;
     late_us_ = LateCycleUs(config);
+    window_us_ = (config.clock_interval_us - late_us_) / 2U;
+    // The share of the tolerance that belongs to a window. One late cycle is as good as `cycles`-th of the interval,
+    // rounded up. Kernel::Start has made sure that there are some.
+    const std::uint32_t cycles = config.clock_interval_us / (late_us_ + 1U);
+    tolerance_us_ = (config.clock_tolerance_us - ((config.clock_tolerance_us + (cycles - 1U)) / cycles)) / 2U;
     started_ = false;
 }
 
@@ -52,7 +55,7 @@ DeviceFault ClockSupervisor::OnCycle(const InstantPair& now) noexcept
     {
         fault = DeviceFault::kClock;
     }
-    if ((progress_a_us >= interval_us_) || (progress_b_us >= interval_us_))
+    if ((progress_a_us >= window_us_) || (progress_b_us >= window_us_))
     {
         reference_ = now;
     }

@@ -13,6 +13,10 @@ namespace counterpoint
 
 /// Supervises the progress of the two counters against each other, the distance of the cycles, and the stamps of the
 /// frames between them. [SRS_CLK_001, SRS_CLK_002, SRS_KRN_008]
+///
+/// t      |--- window ---|--- window ---|      A drift that begins in a window may be too little in what is left of it:
+/// drift       |---------------------->|       it is found in the next one. Two windows, each a late cycle longer than
+///              clock interval + late cycle    it has to be, are the clock interval and one late cycle.
 class ClockSupervisor
 {
   public:
@@ -35,8 +39,8 @@ class ClockSupervisor
     InstantPair reference_{{0U}, {0U}};
     InstantPair previous_{{0U}, {0U}};
     InstantPair newest_{{0U}, {0U}}; ///< Latest stamp or cycle instant seen.
-    std::uint32_t tolerance_us_{0U};
-    std::uint32_t interval_us_{0U};
+    std::uint32_t tolerance_us_{0U}; ///< Within a window.
+    std::uint32_t window_us_{0U};    ///< The reference moves on with the first cycle behind it.
     std::uint32_t late_us_{0U};
     /// Steps from one stamp to the next since the last cycle, their bits together. Instants are modular: bit 31 stands
     /// for a step backwards.

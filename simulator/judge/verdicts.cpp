@@ -291,26 +291,20 @@ class Judgement
         return verdict;
     }
 
-    /// How long a counter that runs at another rate takes until the two counters are further apart than they may be:
-    /// that is where its limit counts from. [SRS_LIM_002]
+    /// How long the clock of a peer that runs at another rate takes until the two clocks are further apart than they
+    /// may be: that is where its limit counts from. [SRS_SIM_031]
     [[nodiscard]] Nanoseconds UntilApart(const Measurement& measurement) const
     {
         const FaultSetup& fault = scenario_.faults[measurement.fault];
-        const bool is_one = fault.hits_counter_a != fault.hits_counter_b;
+        const NodeSetup& node = scenario_.nodes[fault.node];
         if (measurement.fault_class != FaultClass::kClock || fault.kind != FaultKind(NodeFault::kClock) || fault.jump ||
-            !is_one)
+            node.role == runtime::CpuRole::kWhole)
         {
             return 0;
         }
-        const NodeSetup& node = scenario_.nodes[fault.node];
-        const bool is_whole = node.role == runtime::CpuRole::kWhole;
-        const CounterSetup& other = !is_whole              ? PeerOf(scenario_, fault.node).counter_a
-                                    : fault.hits_counter_a ? node.counter_b
-                                                           : node.counter_a;
-        const std::int64_t apart_ppm = std::abs(std::int64_t{fault.rate_ppm} - other.drift_ppm);
-        const std::uint32_t tolerance_us = network_.At(fault.node).Model().Config().clock_tolerance_us;
-        const Nanoseconds tolerance = is_whole ? tolerance_us * kNanosecondsPerMicrosecond : node.link.clock_tolerance;
-        return (apart_ppm == 0) ? 0 : (tolerance * kMillion) / apart_ppm;
+        const std::int64_t other_ppm = PeerOf(scenario_, fault.node).counter_a.drift_ppm;
+        const std::int64_t apart_ppm = std::abs(std::int64_t{fault.rate_ppm} - other_ppm);
+        return (apart_ppm == 0) ? 0 : (node.link.clock_tolerance * kMillion) / apart_ppm;
     }
 
     /// What the limit counts from: see semantics 5.

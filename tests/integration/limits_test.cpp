@@ -51,8 +51,8 @@ TEST(LimitOfAFlippedBit, HoldsForWhatBothChannelsReadWheneverItFlips)
     EXPECT_GT(longest_us, 1400000); // Its two SRDOs share a digest: far more than one interval.
 }
 
-// Counters may be apart by 0.5 ms in 100 ms. One that drifts by a tenth more is found in the interval that begins after
-// the fault: counted from the instant at which they are 0.5 ms apart, within the limit.
+// Counters may be apart by 0.5 ms in 100 ms. One that drifts by a tenth more is found in the window that begins after
+// the fault: from its begin, within the limit.
 TEST(LimitOfACounter, HoldsForASlowDriftWheneverItBegins)
 {
     Verifies(req::SRS_LIM_002);

@@ -11,6 +11,7 @@ namespace
 constexpr std::uint32_t kShortestCycleUs = 100U;
 constexpr std::uint32_t kLongestCycleUs = 1000000U;
 constexpr std::uint64_t kUsPerMs = 1000U;
+constexpr std::uint64_t kClockCycles = 4U;      ///< Cycles that the kernel needs in an interval of the clock tolerance.
 constexpr std::uint64_t kComparatorTests = 15U; ///< Cycles that the kernel needs in a test interval.
 constexpr std::uint8_t kPorts = 2U;
 
@@ -101,6 +102,10 @@ void ParameterCheck::CheckTimes()
     Require(own_.test_interval_ms * kUsPerMs >= round_us, 5U,
             "test interval of " + std::to_string(own_.test_interval_ms) + " ms",
             "at least " + std::to_string(round_us) + " us, 15 cycles with their tolerance");
+    const std::uint64_t clock_us = kClockCycles * late_us;
+    Require(own_.clock_tolerance_interval_us >= clock_us, 7U,
+            "clock tolerance interval of " + std::to_string(own_.clock_tolerance_interval_us) + " us",
+            "at least " + std::to_string(clock_us) + " us, 4 cycles with their tolerance");
 }
 
 void ParameterCheck::CheckForm()

@@ -375,6 +375,10 @@ TEST(CheckParameters, Times)
         find({{"5F00sub5", kValue, "22"}}),
         Lines{"error: 0x5F00:05: test interval of 22 ms, expected at least 22500 us, 15 cycles with their tolerance"});
     EXPECT_EQ(find({{"5F00sub5", kValue, "23"}}), Lines{});
+    EXPECT_EQ(find({{"5F00sub7", kValue, "6000"}}), Lines{});
+    EXPECT_EQ(find({{"5F00sub7", kValue, "5999"}}),
+              Lines{"error: 0x5F00:07: clock tolerance interval of 5999 us, expected "
+                    "at least 6000 us, 4 cycles with their tolerance"});
     EXPECT_EQ(find({{"5F00sub6", kValue, "99999"}}), Lines{});
     EXPECT_EQ(find({{"5F00sub6", kValue, "100000"}}),
               Lines{"error: 0x5F00:06: clock tolerance of 100000 us, expected less than its interval of 100000 us "

@@ -48,6 +48,7 @@ TEST_F(StartLimits, EveryTimeHasItsGreatestValue)
     HasUpperLimit(&DeviceConfig::clock_tolerance_us, 99999U); // Below the interval of 100 ms.
     config.diagnostic_interval_us = 6003000U;
     config.test_interval_us = 15007500U;
+    config.clock_interval_us = 4002000U;
     HasUpperLimit(&DeviceConfig::cycle_us, 1000000U);
 }
 
@@ -75,7 +76,10 @@ TEST_F(StartLimits, TwoTimesThatAreTooLongAreRefusedAsOneIs)
 TEST_F(StartLimits, EveryTimeHasItsLeastValue)
 {
     Verifies(req::SRS_KRN_001);
-    HasLowerLimit(&DeviceConfig::clock_interval_us, 201U);
+    HasLowerLimit(&DeviceConfig::clock_interval_us, 6000U); // Four late cycles.
+    config.clock_tolerance_us = 6000U;
+    HasLowerLimit(&DeviceConfig::clock_interval_us, 6001U); // Above the tolerance.
+    config.clock_tolerance_us = 200U;
     HasLowerLimit(&DeviceConfig::diagnostic_interval_us, 9000U); // Two late cycles for each of three SRDOs.
     HasLowerLimit(&DeviceConfig::test_interval_us, 22500U);      // 15 cycles of 1.5 ms.
     config.cycle_tolerance_us = 50U;
@@ -88,7 +92,7 @@ TEST_F(StartLimits, EveryTimeHasItsLeastValue)
                       c.cycle_tolerance_us = 0U;
                       c.output_time_us = 0U;
                       c.clock_tolerance_us = 0U;
-                      c.clock_interval_us = 1U;
+                      c.clock_interval_us = 4000U; // Four cycles.
                   }),
               StartResult::kStarted);
 }
@@ -105,6 +109,7 @@ TEST_F(StartLimits, ToleranceMayBeAWholeCycleOfAnyLength)
                 c.cycle_tolerance_us = tolerance_us;
                 c.diagnostic_interval_us = 12000000U;
                 c.test_interval_us = 30000000U;
+                c.clock_interval_us = 8000000U;
             });
     };
     EXPECT_EQ(with_cycle(100U, 100U), StartResult::kStarted);

@@ -179,7 +179,7 @@ TEST_F(Starting, EachTimeHasItsRange)
             c.test_interval_us = 0x3FFFFFFFU;
         });
     refused([](DeviceConfig& c) { c.cycle_tolerance_us = 1001U; });
-    refused([](DeviceConfig& c) { c.clock_interval_us = 200U; });
+    refused([](DeviceConfig& c) { c.clock_interval_us = 5999U; });
     refused([](DeviceConfig& c) { c.discrepancy_us = 0x40000000U; });
     refused([](DeviceConfig& c) { c.diagnostic_interval_us = 8999U; });
     refused([](DeviceConfig& c) { c.test_interval_us = 22499U; });
