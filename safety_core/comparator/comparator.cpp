@@ -121,7 +121,7 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
     {
         Look(comparison, SlotSet{to_look & (0U - to_look)}, verdict);
     }
-    verdict.agreement.matched = ~(pairs_.Slots() | releases_.Slots());
+    verdict.agreement.matched = Matched();
     previous_ = comparison.now;
     return verdict;
 }
@@ -143,6 +143,9 @@ void Comparator::Look(const Comparison& comparison, const SlotSet only, Verdict&
     if ((pairs | data | due_in_one) != 0U)
     {
         pairs_.Open(bit);
+    }
+    if ((pairs_.Slots() & bit) != 0U) // Also a bit that is set without a difference: it keeps back every pair.
+    {
         const bool is_over = pairs_.IsOver(only, previous_, comparison.now);
         if ((pairs == 0U) && (data != 0U))
         {

@@ -123,6 +123,12 @@ class Comparator
         Comparator copy{*this};
         return copy.Compare(comparison);
     }
+    /// @brief Slots in which the last Compare left nothing different: what its verdict calls matched, from the
+    /// differences themselves. [SRS_CMP_011]
+    [[nodiscard]] SrdoMask Matched() const noexcept
+    {
+        return ~(pairs_.Slots() | releases_.Slots());
+    }
     /// @brief Compares status and every member of the frame; prepared pairs and inverse frames alike. [SRS_CMP_010,
     /// SRS_KRN_014]
     [[nodiscard]] static PreparedVerdict ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept;

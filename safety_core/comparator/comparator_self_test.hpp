@@ -11,8 +11,8 @@
 namespace counterpoint
 {
 
-/// Finds a comparator that is blind: by two voices, and two frames, that differ in one member alone, another one in
-/// each cycle of a round. [SRS_CMP_009]
+/// Finds a comparator that is blind: by two voices, and two frames, that differ in one bit of one member alone, another
+/// member in each cycle of a round, another bit in each round. [SRS_CMP_009, SRS_CMP_012]
 ///
 /// t    0                     test interval
 ///      |------ wait ------|0 1 2 ... 14|      The first wait counts from the first cycle, each other one from the
@@ -33,6 +33,7 @@ class ComparatorSelfTest
         wait_us_ = config.test_interval_us - LongestRoundUs(config);
         is_timed_ = false;
         number_ = kComparatorTests;
+        slots_ = FirstSlots(config.srdo_count);
     }
     /// @brief Once a cycle: whether a test has to be run now. The time counts from the first call on.
     [[nodiscard]] bool TakeTurn(Instant now) noexcept;
@@ -44,6 +45,9 @@ class ComparatorSelfTest
     std::uint32_t number_{};  ///< Of the next test; those of a round are done from kComparatorTests on.
     Instant begun_{};         ///< Begin of the round, or of the first wait.
     bool is_timed_{};         ///< `begun_` is set.
+    std::uint8_t round_{};    ///< Modular: which bit is turned round.
+    SrdoMask slot_{};         ///< The one that is turned round.
+    SrdoMask slots_{};        ///< Those that exist.
 };
 
 } // namespace counterpoint

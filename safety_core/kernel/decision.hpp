@@ -42,10 +42,10 @@ class Decision
     {
         if (self_test_.TakeTurn(comparison.now))
         {
-            context.latch.Enter(self_test_.Run(comparator_, comparison), kNoSlot);
+            context.latch.Take(self_test_.Run(comparator_, comparison), kNoSlot);
         }
         verdict_ = comparator_.Compare(comparison);
-        context.latch.Enter(verdict_.fault, verdict_.slot);
+        context.latch.Take(verdict_.fault, verdict_.slot);
         if (verdict_.echo != comparison.challenge)
         {
             context.latch.Enter(DeviceFault::kComparator, kNoSlot);
@@ -69,6 +69,11 @@ class Decision
     /// @brief Both channels write what is agreed and read it back. Consumers whose new pair was released.
     [[nodiscard]] SrdoMask Commit(KernelContext& context) noexcept
     {
+        const SrdoMask unlike = (verdict_.agreement.matched ^ comparator_.Matched()) & verdict_.agreement.agreed;
+        if (unlike != 0U) // Looked at here, where it is used. [SRS_CMP_011]
+        {
+            context.latch.Enter(DeviceFault::kComparator, kNoSlot);
+        }
         const SrdoMask agreed = verdict_.agreement.agreed & ~verdict_.demote & context.latch.Gate();
         const SrdoMask written = agreed & verdict_.agreement.matched;
         const SrdoMask sound = ~WriteObjects(context, Agreement{agreed, verdict_.agreement.matched});

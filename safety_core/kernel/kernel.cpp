@@ -98,7 +98,7 @@ PartsView Kernel::ExamineSelf() noexcept
         return PartsView::kSound;
     }
     const SelfTestOutcome outcome = context_.parts.self_test->OnCycle();
-    context_.latch.Enter((outcome.parts == PartsView::kSound) ? outcome.fault : DeviceFault::kSelfTest, kNoSlot);
+    context_.latch.Take((outcome.parts == PartsView::kSound) ? outcome.fault : DeviceFault::kSelfTest, kNoSlot);
     context_.parts.flow->Mark(FlowStep::kSelfTest, FlowEvidence{outcome.progress, run_.cycle});
     return outcome.parts;
 }
@@ -174,17 +174,18 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     }
     const std::uint32_t challenge = context_.parts.output.Challenge();
 
-    context_.latch.Enter(clocks_.OnCycle(call.now), kNoSlot);
+    context_.latch.Take(clocks_.OnCycle(call.now), kNoSlot);
     context_.parts.flow->Mark(FlowStep::kClocks, FlowEvidence{run_.frames, 0U});
     const std::uint32_t token = context_.guard.Cycle(challenge, call.now.a);
     context_.parts.flow->Mark(FlowStep::kGuard, kDone);
 
-    CycleInput input = TakeInput(call, challenge, token);
+    const SrdoMask halted = production_.Halted(context_);
+    CycleInput input = TakeInput(call, challenge, token, halted);
     const CycleOutcome outcome_a = context_.parts.channel_a.OnCycle(input);
     context_.parts.flow->Mark(FlowStep::kChannelA, FlowEvidence{outcome_a.cycle, run_.cycle});
     input.now = call.now.b;
     input.acknowledge = call.acknowledge_b;
-    input.stand = production_.StandOfB() | production_.Halted(context_);
+    input.stand = production_.StandOfB() | halted;
     input.nmt = second_nmt_.Take();
     const CycleOutcome outcome_b = context_.parts.channel_b.OnCycle(input);
     context_.parts.flow->Mark(FlowStep::kChannelB, FlowEvidence{outcome_b.cycle, run_.cycle});
@@ -208,14 +209,14 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     context_.parts.flow->Mark(FlowStep::kPermits, kDone);
 
     context_.parts.watchdog.Answer(context_.parts.flow->End(context_.parts.watchdog.Question()));
-    context_.latch.Enter(context_.parts.flow->Finding(), kNoSlot);
+    context_.latch.Take(context_.parts.flow->Finding(), kNoSlot);
     reporting_.TellDevice(context_);
 }
 
 // What channel A is given.
-CycleInput Kernel::TakeInput(const CycleCall& call, const std::uint32_t challenge, const std::uint32_t token) noexcept
+CycleInput Kernel::TakeInput(const CycleCall& call, const std::uint32_t challenge, const std::uint32_t token,
+                             const SrdoMask halted) noexcept
 {
-    const SrdoMask halted = production_.Halted(context_);
     SrdoMask request = halted;
     NmtState nmt = NmtState::kPreOperational;
     // OPERATIONAL that was left and entered again between two cycles was left: the channels see one cycle outside of

@@ -11,6 +11,19 @@ namespace
 
 constexpr std::uint32_t kSignBit = 31U;
 
+// The GFC as it has to be on the bus, in the memory of constants: what SendGfc composes is compared with it.
+constexpr PreparedPair GfcBy(const CanPortId port) noexcept
+{
+    PreparedPair gfc{};
+    gfc.normal.identifier = kGfcIdentifier;
+    gfc.normal.kind = FrameKind::kData;
+    gfc.normal.port = port;
+    gfc.status = PrepareStatus::kReady;
+    return gfc;
+}
+constexpr PreparedPair kGfcByFirst = GfcBy(CanPortId::kFirst);
+constexpr PreparedPair kGfcBySecond = GfcBy(CanPortId::kSecond);
+
 } // namespace
 
 void Production::Begin(const KernelContext& context) noexcept
@@ -135,11 +148,18 @@ Result Production::SendGfc(KernelContext& context) noexcept
     {
         return Result::kGfcUnsupported;
     }
-    CanFrame frame{};
-    frame.identifier = kGfcIdentifier;
-    frame.kind = FrameKind::kData;
-    frame.port = context.config->normal_port;
-    if (context.parts.can.Transmit(frame) != hal::TransmitStatus::kAccepted)
+    PreparedPair gfc{};
+    gfc.normal.identifier = kGfcIdentifier;
+    gfc.normal.kind = FrameKind::kData;
+    gfc.normal.port = context.config->normal_port;
+    gfc.status = PrepareStatus::kReady;
+    const PreparedPair& wanted = (gfc.normal.port == CanPortId::kFirst) ? kGfcByFirst : kGfcBySecond;
+    if (Comparator::ComparePrepared(gfc, wanted) != PreparedVerdict::kEqual)
+    {
+        context.latch.Enter(DeviceFault::kDisagreement, kNoSlot);
+        return Result::kDeviceFault;
+    }
+    if (context.parts.can.Transmit(gfc.normal) != hal::TransmitStatus::kAccepted)
     {
         return Result::kTransmitFailed;
     }

@@ -39,7 +39,8 @@ class Production
         requests_ |= to_send;
         return Result::kSuccessful;
     }
-    /// @brief Sends the GFC; an SRDO must follow within the shortest refresh time. [SRS_KRN_013]
+    /// @brief Sends the GFC, composed here and compared with a constant; an SRDO must follow within the shortest
+    /// refresh time. [SRS_KRN_013, SRS_KRN_042]
     [[nodiscard]] Result SendGfc(KernelContext& context) noexcept;
 
     /// @brief A cycle begins at this instant of counter A.

@@ -25,6 +25,14 @@ class SafeStateLatch
     }
     /// @brief Enters the device safe state; the first fault is kept. A fault of kNone has no effect.
     void Enter(DeviceFault fault, SlotIndex slot) noexcept;
+    /// @brief Enter, for who looks in each cycle: without a fault there is no call.
+    void Take(const DeviceFault fault, const SlotIndex slot) noexcept
+    {
+        if (fault != DeviceFault::kNone)
+        {
+            Enter(fault, slot);
+        }
+    }
     /// @brief Enter, for who asks once and not in every cycle. A word is spoiled first, by a statement of its own:
     /// neither a lost call of Enter nor a lost decision in it keeps this running. [SRS_KRN_031]
     void Demand(const DeviceFault fault) noexcept

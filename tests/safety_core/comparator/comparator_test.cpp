@@ -405,6 +405,7 @@ TEST_F(Comparing, SelfTestWaitsForTheEndOfTheIntervalAndBeginsWithTheSameDiffere
     config.cycle_us = 1000U;
     config.cycle_tolerance_us = 500U;
     config.test_interval_us = 50000U;
+    config.srdo_count = 4U;
     ComparatorSelfTest test{};
     Comparison comparison{&a.outcome, &b.outcome, &a, &b, Instant{0U}, 17U, 0xABCDU, HeldPair{}};
     const auto run_round = [&]()
@@ -433,12 +434,29 @@ TEST_F(Comparing, SelfTestWaitsForTheEndOfTheIntervalAndBeginsWithTheSameDiffere
     }
 }
 
+// t [us]    1000   2000 bit 2 of open_, the first member, is 1 from now on     6000 (limit)   6001
+TEST_F(Comparing, PairThatIsKeptBackWithoutADifferenceIsUnmatchedAfterTheDiscrepancyTime)
+{
+    Verifies(req::SRS_CMP_011);
+    auto* const open = reinterpret_cast<unsigned char*>(&comparator);
+    EXPECT_EQ(CompareAt(1000U).agreement.matched & 4U, 4U);
+    a.outcome.fresh = 4U;
+    b.outcome.fresh = 4U;
+    b.on_held = [open]() { open[0] = static_cast<unsigned char>(open[0] | 4U); };
+    EXPECT_EQ(CompareAt(2000U).agreement.matched & 4U, 0U);
+    EXPECT_EQ(CompareAt(6000U).fault, DeviceFault::kNone);
+    const Verdict verdict = CompareAt(6001U);
+    EXPECT_EQ(verdict.fault, DeviceFault::kUnmatched);
+    EXPECT_EQ(verdict.slot, 2U);
+}
+
 // The test's own voices are both channel A's.
 TEST_F(Comparing, SelfTestDoesNotMindWhatTheChannelsSayAndAFaultOfTheirsStaysTheirs)
 {
     Verifies(req::SRS_CMP_009);
     DeviceConfig config{};
     config.test_interval_us = 1U;
+    config.srdo_count = 4U;
     ComparatorSelfTest test{};
     test.Restart(config);
     a.outcome.guard = GuardView::kStale;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <functional>
 
 namespace counterpoint
 {
@@ -42,6 +43,10 @@ class SpokenChannel final : public Channel
     }
     HeldPair Held(SlotIndex slot) const noexcept override
     {
+        if (on_held)
+        {
+            on_held();
+        }
         return held[slot];
     }
     SrdoView View(SlotIndex) const noexcept override
@@ -88,6 +93,7 @@ class SpokenChannel final : public Channel
 
     CycleOutcome outcome{};
     HeldPair held[kMaxSrdoCount]{};
+    std::function<void()> on_held{};
 };
 
 // Four slots; slot 2 is a consumer that holds pair 9; discrepancy time 5000 us, window 20000 us.

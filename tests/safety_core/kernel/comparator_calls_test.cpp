@@ -4,7 +4,10 @@
 #include "verification/trace/ids/kernel.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <functional>
 #include <iterator>
+#include <numeric>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +15,7 @@ namespace counterpoint
 {
 
 ComparatorCalls comparator_calls = ComparatorCalls::kReal;
+std::size_t changed_bit = 0U;
 
 namespace
 {
@@ -99,7 +103,21 @@ struct TurnedMembers
 {
     std::vector<std::string_view> voices{};
     std::vector<std::string_view> frames{};
+    std::vector<std::uint32_t> words{};       ///< Bits of `low`.
+    std::vector<std::uint32_t> sums{};        ///< Bits of the ordinals and of their sum, those that both have.
+    std::vector<std::uint32_t> bytes{};       ///< Bits of `sct_checked`.
+    std::vector<std::uint32_t> frame_bytes{}; ///< Bits of the length, and of `status`.
+    std::vector<std::uint32_t> identifiers{};
+    std::vector<SrdoMask> slots{}; ///< Bits of `released`.
 };
+
+void Note(std::vector<std::uint32_t>& bits, const std::uint32_t turned)
+{
+    if (turned != 0U)
+    {
+        bits.push_back(turned);
+    }
+}
 
 /// Where they are noted; null: nowhere. A test's own, for memory of one test is nothing for the next.
 TurnedMembers* turned_members = nullptr;
@@ -129,6 +147,16 @@ extern "C"
         }
         SeenVoices voices{*comparison.outcome_a, *comparison.outcome_b, comparison.turned, comparison.cycle};
         const bool is_noted = (turned_members != nullptr) && (comparison.channel_a == comparison.channel_b);
+        if (is_noted)
+        {
+            Note(turned_members->words, voices.turned.data.low);
+            Note(turned_members->sums, voices.turned.ordinal & (voices.a.ordinal_sum ^ voices.b.ordinal_sum));
+            Note(turned_members->bytes, std::uint32_t{voices.a.sct_checked} ^ voices.b.sct_checked);
+            if (voices.a.released != voices.b.released)
+            {
+                turned_members->slots.push_back(voices.a.released ^ voices.b.released);
+            }
+        }
         for (const Member& member : kMembers)
         {
             if (is_noted && member.differs(voices))
@@ -149,18 +177,31 @@ extern "C"
         {
             last_verdict.fault = DeviceFault::kNone;
         }
+        if (comparator_calls == ComparatorCalls::kNeverMatched)
+        {
+            last_verdict.agreement.matched &= ~SrdoMask{1U};
+        }
         return last_verdict;
     }
 
     PreparedVerdict __wrap__ZN12counterpoint10Comparator15ComparePreparedERKNS_12PreparedPairES3_(const PreparedPair& a,
                                                                                                   const PreparedPair& b)
     {
+        if (comparator_calls == ComparatorCalls::kFrameChanged)
+        {
+            PreparedPair changed = a;
+            auto* const bytes = reinterpret_cast<unsigned char*>(&changed);
+            bytes[changed_bit / 8U] = static_cast<unsigned char>(bytes[changed_bit / 8U] ^ (1U << (changed_bit % 8U)));
+            return __real__ZN12counterpoint10Comparator15ComparePreparedERKNS_12PreparedPairES3_(changed, b);
+        }
         const PreparedVerdict verdict =
             __real__ZN12counterpoint10Comparator15ComparePreparedERKNS_12PreparedPairES3_(a, b);
         const std::string_view member = FrameMember(a, b);
         if ((turned_members != nullptr) && (a.status == PrepareStatus::kInvalid))
         {
             turned_members->frames.push_back(member);
+            Note(turned_members->identifiers, b.normal.identifier);
+            Note(turned_members->frame_bytes, static_cast<std::uint32_t>(b.status));
         }
         const bool is_blind = (!member.empty()) && (blind_member == member);
         const bool is_unseen = (comparator_calls == ComparatorCalls::kDataUnseen) || is_blind;
@@ -257,6 +298,42 @@ TEST_F(ComparatorLost, FrozenAtItsLastVerdictIsSafeInTheSameCycle)
     EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
 }
 
+// The outcome of a comparison that is not stored, or a bit of it that is stuck: pairs come, and none would be written.
+TEST_F(ComparatorLost, VerdictThatIsNotWhatTheDifferencesSayIsSafeInTheSameCycle)
+{
+    Verifies(req::SRS_CMP_011);
+    EXPECT_EQ(CyclesToSafe(ComparatorCalls::kNeverMatched), 1U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kComparator);
+    EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
+    EXPECT_EQ(kernel.DeviceState().count, 1U);
+}
+
+// A wrong bit in each member of what is composed: identifier, kind, controller, length, data, status.
+TEST_F(ComparatorLost, GfcThatIsNotComposedAsItHasToBeDoesNotLeave)
+{
+    Verifies(req::SRS_KRN_042);
+    constexpr std::size_t kComposed[] = {
+        offsetof(PreparedPair, normal.identifier), offsetof(PreparedPair, normal.kind),
+        offsetof(PreparedPair, normal.port),       offsetof(PreparedPair, normal.length_bytes),
+        offsetof(PreparedPair, normal.data),       offsetof(PreparedPair, status)};
+    for (const CanPortId port : {CanPortId::kFirst, CanPortId::kSecond})
+    {
+        config.normal_port = port;
+        for (const std::size_t member : kComposed)
+        {
+            comparator_calls = ComparatorCalls::kReal;
+            Operate();
+            comparator_calls = ComparatorCalls::kFrameChanged;
+            changed_bit = member * 8U;
+            ports.sent.clear();
+            EXPECT_EQ(kernel.SendGfc(), Result::kDeviceFault) << member;
+            EXPECT_TRUE(ports.sent.empty());
+            EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+            EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
+        }
+    }
+}
+
 TEST_F(ComparatorLost, EveryMemberIsTurnedRoundWithinOneTestIntervalAnotherEachTime)
 {
     Verifies(req::SRS_CMP_009);
@@ -282,6 +359,63 @@ TEST_F(ComparatorLost, EveryMemberIsTurnedRoundWithinOneTestIntervalAnotherEachT
         EXPECT_TRUE(std::equal(turned.frames.begin(), turned.frames.end(), std::begin(kFrames), std::end(kFrames)));
         EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
     }
+}
+
+// Rounds behind each other: 15 cycles each; three SRDOs.
+TEST_F(ComparatorLost, EveryBitIsTurnedRoundWithinThirtyTwoRoundsEveryByteWithinFourAndEverySlot)
+{
+    Verifies(req::SRS_CMP_012);
+    config.test_interval_us = 22500U;
+    TurnedMembers turned{};
+    turned_members = &turned;
+    Operate();
+    turned = TurnedMembers{};
+    for (int cycle = 0; cycle < (64 * 15); ++cycle)
+    {
+        LateCycle();
+    }
+    turned_members = nullptr;
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    for (const std::vector<std::uint32_t>* const words : {&turned.words, &turned.sums, &turned.identifiers})
+    {
+        ASSERT_EQ(words->size(), 64U);
+        for (std::size_t round = 0U; round < 32U; ++round)
+        {
+            std::uint32_t bytes = 0U;
+            std::uint32_t bits = 0U;
+            for (std::size_t next = 0U; next < 32U; ++next)
+            {
+                const std::uint32_t word = (*words)[round + next];
+                bits |= word;
+                for (std::uint32_t byte = 0U; (next < 4U) && (byte < 4U); ++byte)
+                {
+                    bytes |= ((word & (0xFFU << (8U * byte))) != 0U) ? (1U << byte) : 0U;
+                }
+            }
+            EXPECT_EQ(bytes, 0xFU) << round;
+            EXPECT_EQ(bits, 0xFFFFFFFFU) << round;
+        }
+    }
+    for (const std::vector<std::uint32_t>* const bytes : {&turned.bytes, &turned.frame_bytes})
+    {
+        ASSERT_EQ(bytes->size(), 64U);
+        for (std::size_t round = 0U; round < 56U; ++round)
+        {
+            EXPECT_EQ(std::accumulate(bytes->begin() + static_cast<std::ptrdiff_t>(round),
+                                      bytes->begin() + static_cast<std::ptrdiff_t>(round + 8U), 0U, std::bit_or<>{}),
+                      0xFFU);
+        }
+    }
+    ASSERT_EQ(turned.slots.size(), 64U);
+    for (std::size_t round = 0U; round < 64U; ++round)
+    {
+        EXPECT_EQ(turned.slots[round], SrdoMask{1U} << (round % 3U)) << round;
+    }
+    // The first round has the number 1; its first member was turned round before
+    constexpr std::uint32_t kWords[] = {0x00000100U, 0x00010000U, 0x01000000U, 0x00000002U, 0x00000200U};
+    EXPECT_TRUE(std::equal(std::begin(kWords), std::end(kWords), turned.words.begin()));
+    constexpr std::uint32_t kBytes[] = {0x04U, 0x08U, 0x10U, 0x20U, 0x40U, 0x80U, 0x01U, 0x02U, 0x04U};
+    EXPECT_TRUE(std::equal(std::begin(kBytes), std::end(kBytes), turned.bytes.begin()));
 }
 
 // Blind from each fifth cycle of an interval on, with nothing else wrong.

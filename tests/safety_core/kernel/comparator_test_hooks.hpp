@@ -2,6 +2,7 @@
 #ifndef TESTS_SAFETY_CORE_KERNEL_COMPARATOR_TEST_HOOKS_HPP
 #define TESTS_SAFETY_CORE_KERNEL_COMPARATOR_TEST_HOOKS_HPP
 
+#include <cstddef>
 #include <cstdint>
 
 namespace counterpoint
@@ -12,13 +13,17 @@ namespace counterpoint
 enum class ComparatorCalls : std::uint8_t
 {
     kReal = 0U,
-    kNotCalled = 1U,  ///< Nothing comes back but zeros.
-    kFrozen = 2U,     ///< The last verdict comes back.
-    kAlwaysGood = 3U, ///< No fault ever; everything else is real.
-    kDataUnseen = 4U, ///< Prepared pairs are always called equal.
+    kNotCalled = 1U,    ///< Nothing comes back but zeros.
+    kFrozen = 2U,       ///< The last verdict comes back.
+    kAlwaysGood = 3U,   ///< No fault ever; everything else is real.
+    kDataUnseen = 4U,   ///< Prepared pairs are always called equal.
+    kNeverMatched = 5U, ///< Slot 0 is never called matched; everything else is real.
+    kFrameChanged = 6U, ///< The first of two frames has another bit, see `changed_bit`.
 };
 
 extern ComparatorCalls comparator_calls;
+/// Of a prepared pair, counted over its bytes.
+extern std::size_t changed_bit;
 
 } // namespace counterpoint
 
