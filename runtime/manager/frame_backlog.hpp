@@ -28,7 +28,7 @@ class FrameBacklog
     bool has_{false};
 };
 
-/// @brief Whether the frame is a boot-up message; it means the same whenever it came.
+/// @brief Whether the frame is a boot-up message.
 [[nodiscard]] bool IsBootUp(const host::LiveFrame& frame) noexcept;
 } // namespace counterpoint::runtime
 

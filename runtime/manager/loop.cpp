@@ -187,6 +187,15 @@ void ManagerLoop::Wait()
     has_typed_ = ready > 0 && places[1].revents != 0;
 }
 
+/// Boot-up messages and emergencies mean the same whenever they came: none of them is told a second time. [SRS_MGR_004]
+bool ManagerLoop::IsTimeless(const host::LiveFrame& frame)
+{
+    const bool is_foreign = !frame.own && !frame.error && !frame.fd;
+    const cia302::NodeWatch& watch = station_.Assembly().Core().Watched();
+    return IsBootUp(frame) ||
+           (is_foreign && watch.EmergencySender(host::ToCanFrame(frame, CanPortId::kFirst)).value != 0U);
+}
+
 void ManagerLoop::Receive()
 {
     // Of a bus that never falls silent some at a time: cycles and orders come in between.
@@ -197,7 +206,7 @@ void ManagerLoop::Receive()
     {
         const bool is_old = host::LiveNow() - last_turn_ns_ > settings_.longest_pause_ns;
         old += is_old ? 1U : 0U;
-        if (!is_old || IsBootUp(frame))
+        if (!is_old || IsTimeless(frame))
         {
             frames.push_back(frame);
         }
@@ -208,14 +217,15 @@ void ManagerLoop::Receive()
     if (is_connection && backlog_.Has(frames.size(), last_turn_ns_))
     {
         old += frames.size();
-        frames.erase(
-            std::remove_if(frames.begin(), frames.end(), [](const host::LiveFrame& each) { return !IsBootUp(each); }),
-            frames.end());
+        frames.erase(std::remove_if(frames.begin(), frames.end(),
+                                    [this](const host::LiveFrame& each) { return !IsTimeless(each); }),
+                     frames.end());
     }
     if (old > 0U)
     {
         // Before what is left: a boot-up message whose reset was left aside is not the second one of the reset before.
-        const std::string text = "frames left aside but for boot-up messages: when they came cannot be known";
+        const std::string text =
+            "frames left aside but for boot-up messages and emergencies: when they came cannot be known";
         station_.Tell("lost_frames", std::to_string(old) + " " + text, {{"count", old}}, StationUs());
         station_.Assembly().Core().OnLost(InstantAt(StationUs()));
     }

@@ -61,6 +61,7 @@ class ManagerLoop
     void OnEvent(const ManagerEvent& event);
     void Wait();
     void Receive();
+    [[nodiscard]] bool IsTimeless(const host::LiveFrame& frame);
     void TakeFrame(const host::LiveFrame& frame);
     [[nodiscard]] std::uint64_t StationUs();
     void WatchBus();

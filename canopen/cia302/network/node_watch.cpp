@@ -41,8 +41,7 @@ void NodeWatch::OnFrame(const CanFrame& frame, const Instant now) noexcept
     const NodeId node{static_cast<std::uint8_t>(frame.identifier & kNodeMask)};
     const std::uint32_t function = frame.identifier & ~kNodeMask;
     const bool is_data = (frame.kind == FrameKind::kData) && (node.value != 0U);
-    const bool is_emergency = (frame.kind == FrameKind::kData) && (frame.length_bytes == kEmergencyBytes);
-    const NodeId sender = is_emergency ? EmergencySender(frame.identifier) : NodeId{0U};
+    const NodeId sender = EmergencySender(frame);
     OnSent(frame); // Others ask too.
     if (sender.value != 0U)
     {
@@ -63,16 +62,17 @@ void NodeWatch::OnFrame(const CanFrame& frame, const Instant now) noexcept
     }
 }
 
-/// A slave of which 1014h names another identifier keeps that; of all others it is 80h + node-ID. Node 0: nobody.
-NodeId NodeWatch::EmergencySender(const std::uint32_t identifier) const noexcept
+/// A slave of which 1014h names another identifier keeps that; of all others it is 80h + node-ID.
+NodeId NodeWatch::EmergencySender(const CanFrame& frame) const noexcept
 {
+    const bool is_emergency = (frame.kind == FrameKind::kData) && (frame.length_bytes == kEmergencyBytes);
     NodeId sender{0U};
     bool is_named = false;
-    for (std::uint8_t id = 1U; (id <= kLastNode) && !is_named; ++id)
+    for (std::uint8_t id = 1U; (id <= kLastNode) && is_emergency && !is_named; ++id)
     {
         const std::uint32_t named = setup_.Slave(NodeId{id}).emergency_id;
         const std::uint32_t expected = (named == 0U) ? (kEmergencies + id) : named;
-        const bool is_one = (identifier == expected);
+        const bool is_one = (frame.identifier == expected);
         is_named = is_one && (named != 0U);
         sender = is_one ? NodeId{id} : sender;
     }

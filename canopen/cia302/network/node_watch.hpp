@@ -82,11 +82,12 @@ class NodeWatch
     void OnLost() noexcept;
     /// @brief One node, or all with node 0, was reset: what was suspected may be over. O(127)
     void OnReset(NodeId node) noexcept;
+    /// @brief Who tells an emergency by this frame; node 0: it is none, or nobody's. O(127) [SRS_MGR_025]
+    [[nodiscard]] NodeId EmergencySender(const CanFrame& frame) const noexcept;
     /// @brief `node` is 1 to 127, checked by the caller.
     [[nodiscard]] const WatchedNode& Of(NodeId node) const noexcept;
 
   private:
-    [[nodiscard]] NodeId EmergencySender(std::uint32_t identifier) const noexcept;
     void OnEmergency(NodeId node, const CanFrame& frame, Instant now) noexcept;
     void Tell(NodeId node, Instant now) noexcept;
     void OnSign(NodeId node, std::uint8_t byte, Instant now) noexcept;

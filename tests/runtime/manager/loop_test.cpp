@@ -26,7 +26,8 @@ constexpr std::size_t kFrames = 300U; ///< More than the loop takes in a turn.
 constexpr std::uint64_t kPeriodNs = 5U * kMs;
 constexpr std::uint64_t kPauseNs = kFrames * kPeriodNs;
 
-/// Heartbeats of node 5 that nobody could read for a while: all at once, with the times at which they came.
+/// Heartbeats of node 5 that nobody could read for a while: all at once, with the times at which they came; behind them
+/// emergency 6100h of node 5, and frames of the same length that are none.
 class WaitingBus final : public host::LiveBus
 {
   public:
@@ -42,6 +43,12 @@ class WaitingBus final : public host::LiveBus
             frame.time_ns = begin_ns_ + kPauseNs - apart_ns * (kFrames - place);
             frames_.push_back(frame);
         }
+        frames_.push_back(Fault(0x385U));
+        frames_.push_back(Fault(0x85U));
+        frames_.push_back(Fault(0x85U));
+        frames_.back().extended = true;
+        frames_.push_back(Fault(0x85U));
+        frames_.back().length_bytes = 7U;
     }
     [[nodiscard]] host::SendResult Send(const host::LiveFrame& /*frame*/) override
     {
@@ -80,6 +87,17 @@ class WaitingBus final : public host::LiveBus
     }
 
   private:
+    [[nodiscard]] host::LiveFrame Fault(const std::uint32_t identifier) const
+    {
+        host::LiveFrame frame;
+        frame.identifier = identifier;
+        frame.length_bytes = 8U;
+        frame.data[1] = 0x61U;
+        frame.data[2] = 0x81U;
+        frame.time_ns = begin_ns_ + kPauseNs;
+        return frame;
+    }
+
     std::string name_;
     std::uint64_t begin_ns_;
     std::deque<host::LiveFrame> frames_;
@@ -88,9 +106,9 @@ class WaitingBus final : public host::LiveBus
 class ManagerLoopTest : public test::CommandTest
 {
   protected:
-    /// How often a second device was suspected, from a run on heartbeats that came `apart_ns` from each other.
-    int Duplicates(const std::uint64_t apart_ns, const std::uint64_t longest_pause_ns = runtime::kLongestPauseNs,
-                   const std::string& name = "udp:239.74.163.91:43191")
+    /// What the log says of `event`, from a run on heartbeats that came `apart_ns` from each other.
+    std::vector<nlohmann::json> Told(const std::string& event, const std::uint64_t apart_ns,
+                                     const std::uint64_t longest_pause_ns, const std::string& name)
     {
         network_plan::LoadedNetwork net(runtime::ReadNetworkFile(
             File("net.yaml",
@@ -105,13 +123,20 @@ class ManagerLoopTest : public test::CommandTest
         runtime::ManagerLoop loop(net, std::make_unique<WaitingBus>(apart_ns, name), report, nullptr, settings);
         EXPECT_FALSE(loop.Run());
         std::istringstream log(cia306::ReadTextFile(Path("log.jsonl")));
-        int count = 0;
+        std::vector<nlohmann::json> told;
         for (std::string line; std::getline(log, line);)
         {
-            const auto event = nlohmann::json::parse(line);
-            count += (event["event"] == "duplicate") ? 1 : 0;
+            told.push_back(nlohmann::json::parse(line));
         }
-        return count;
+        told.erase(std::remove_if(told.begin(), told.end(), [&](const auto& each) { return each["event"] != event; }),
+                   told.end());
+        return told;
+    }
+    std::size_t Duplicates(const std::uint64_t apart_ns,
+                           const std::uint64_t longest_pause_ns = runtime::kLongestPauseNs,
+                           const std::string& name = "udp:239.74.163.91:43191")
+    {
+        return Told("duplicate", apart_ns, longest_pause_ns, name).size();
     }
 };
 
@@ -120,13 +145,31 @@ TEST_F(ManagerLoopTest, WhatWaitedDuringAPauseIsNoSecondDevice)
     Verifies(req::SRS_MGR_004);
     Verifies(req::SRS_MGR_010);
     // Given 300 heartbeats that came each 5 ms while the process was paused, then one device is seen
-    EXPECT_EQ(Duplicates(kPeriodNs), 0);
+    EXPECT_EQ(Duplicates(kPeriodNs), 0U);
     // And given as many that came within 300 us, then two
-    EXPECT_EQ(Duplicates(1000U), 1);
+    EXPECT_EQ(Duplicates(1000U), 1U);
     // But after a pause that is too long to know, what waited is left aside
-    EXPECT_EQ(Duplicates(1000U, 1000U * kMs), 0);
+    EXPECT_EQ(Duplicates(1000U, 1000U * kMs), 0U);
     // Nor is there a second device when a connection without times gives all of it at once
-    EXPECT_EQ(Duplicates(0U, runtime::kLongestPauseNs, "socketcand:localhost:1/can0"), 0);
+    EXPECT_EQ(Duplicates(0U, runtime::kLongestPauseNs, "socketcand:localhost:1/can0"), 0U);
+}
+
+// A device in its safe state tells it once: what else says that it is in it?
+TEST_F(ManagerLoopTest, AnEmergencyThatWaitedIsNotLeftAside)
+{
+    Verifies(req::SRS_MGR_004);
+    Verifies(req::SRS_MGR_025);
+    const std::pair<std::uint64_t, const char*> runs[] = {{1000U * kMs, "udp:239.74.163.91:43191"},
+                                                          {runtime::kLongestPauseNs, "socketcand:localhost:1/can0"}};
+    for (const auto& [longest_pause_ns, name] : runs)
+    {
+        // Given an emergency of node 5 among what waited too long, or in a heap, and frames that look like one
+        const std::vector<nlohmann::json> told = Told("emergency", 1000U, longest_pause_ns, name);
+        // Then it is told, and alone
+        ASSERT_EQ(told.size(), 1U) << name;
+        EXPECT_EQ(told[0]["node"], 5) << name;
+        EXPECT_EQ(told[0]["code"], 0x6100) << name;
+    }
 }
 
 /// A connection that is down, and opens itself again some day. It looks who else is at its server.
