@@ -78,6 +78,7 @@ void El6751Sdos::BeginTransfer(const NodeId node, const Instant now) noexcept
     if ((slave.place.row == El6751Row::kUserObject) && (slave.place.user.entry == 0U) && !IsConcise(list))
     {
         slave.status.object = ObjectAddress{0x1F22U, node.value};
+        slave.status.abort = SdoAbort::kNoDictionary;
         Fail(node, kNodeSyntax, now);
     }
     else if (access.is_upload)
@@ -133,6 +134,9 @@ void El6751Sdos::EndTransfer(const NodeId node, const Instant now) noexcept
         case El6751Verdict::kSyntax:
         case El6751Verdict::kInvalid:
         default:
+            // Not aborted: another length. The numbers would not say what is wrong.
+            slave.status.abort =
+                (slave.status.abort == SdoAbort::kNone) ? SdoAbort::kLengthMismatch : slave.status.abort;
             Fail(node, kNodeSyntax, now);
             break;
         }

@@ -6,6 +6,7 @@
 #include "runtime/manager/report/texts.hpp"
 #include "tests/runtime/manager/rig.hpp"
 #include "verification/trace/ids/manager.hpp"
+#include "verification/trace/ids/start_up_profiles.hpp"
 #include "verification/trace/verifies.hpp"
 
 namespace counterpoint::tools
@@ -160,6 +161,23 @@ TEST_F(ManagerResultsTest, AnAbortAndSilenceAt1000hAreToldThoughThereIsNoBootTim
     EXPECT_EQ(std::count_if(events.begin(), events.end(), [](const runtime::ManagerEvent& event)
                             { return event.text.rfind("asked again", 0U) == 0U; }),
               2);
+}
+
+TEST_F(ManagerResultsTest, AnAnswerOfAnotherLengthIsToldAsThatAndNotByNumbers)
+{
+    Verifies(req::SRS_MGR_026);
+    Verifies(req::SRS_ELM_025);
+    // Given the right number of 1000h in two bytes, which el6751 refuses
+    Make("manager: {node: 127, profile: el6751}\nslaves: [{node: 6, device_type: 0x191}]\n");
+    Run(2U);
+    Hear(0x706U, {0U});
+    Answer(6U, {0x4BU, 0x00U, 0x10U, 0x00U, 0x91U, 0x01U, 0x00U, 0x00U}, 20);
+    EXPECT_EQ(Row(6U).result, "4");
+    EXPECT_EQ(Row(6U).finding, "SDO aborted or of wrong length: 0x1000:00: 0x06070010 (another length)");
+    EXPECT_EQ(Order("start 6"), "taken; started all the same: node 6: 4: SDO aborted or of wrong length (0x1000:00: "
+                                "0x06070010 (another length))");
+    Run(5U);
+    EXPECT_EQ(Row(6U).finding, "started though its start-up failed: 0x1000:00: 0x06070010 (another length)");
 }
 
 TEST_F(ManagerResultsTest, AStartOfAllNamesWhoIsLeftOutAndWhy)

@@ -169,6 +169,7 @@ TEST_F(El6751IdentityTest, RowDeviceTypeCanBeSwitchedOff)
 TEST_F(El6751IdentityTest, RowDeviceTypeAbortedOrOfWrongLengthIsASyntaxError)
 {
     Verifies(req::SRS_ELM_004);
+    Verifies(req::SRS_ELM_025);
     AddFull();
     slaves[5]->Behave(0x1000U, 0U, Manner::kAbort);
     Begin();
@@ -178,6 +179,7 @@ TEST_F(El6751IdentityTest, RowDeviceTypeAbortedOrOfWrongLengthIsASyntaxError)
     slaves[5]->Power(Now().us);
     Run(20U);
     EXPECT_EQ(Code(5U), 4);
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kLengthMismatch);
     slaves[5]->Behave(0x1000U, 0U, Manner::kGibberish);
     slaves[5]->Power(Now().us);
     Run(20U);

@@ -147,6 +147,7 @@ TEST_F(El6751ObjectsTest, RowFurtherSdosInTheirOrder)
 TEST_F(El6751ObjectsTest, AListThatIsNoConciseDcfIsNotBegun)
 {
     Verifies(req::SRS_ELM_024);
+    Verifies(req::SRS_ELM_025);
     AddBox(5U);
     User(5U, 0x6423U, 0U, {1U});
     User(5U, 0x6424U, 0U, {1U});
@@ -156,6 +157,7 @@ TEST_F(El6751ObjectsTest, AListThatIsNoConciseDcfIsNotBegun)
     EXPECT_EQ(Code(5U), 4);
     EXPECT_EQ(Of(5U).object.index, 0x1F22U);
     EXPECT_EQ(Of(5U).object.sub, 5U);
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kNoDictionary);
     EXPECT_EQ(Nmt(), (Log{"0:82 00"}));
     // Neither is one with something behind it
     setups[5].concise_dcf.size_bytes += 1U;
