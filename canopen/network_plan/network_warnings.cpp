@@ -15,6 +15,7 @@ namespace
 using cia306::InputError;
 
 constexpr std::uint32_t kReservedAssignment = 0x02U;
+constexpr std::uint32_t kLastIdentifier = 0x7FFU; ///< Frames with 29 bits are not looked at.
 
 /// A key that only some profiles look at.
 struct ProfileKey
@@ -267,6 +268,15 @@ void NetworkWarnings::WarnOfSafety(const LoadedSlave& slave)
         warn(kEmergency, cia306::Hex(setup_.slaves[slave.plan.node].emergency_id, 8) +
                              " switches off the emergencies of " + node +
                              ", which counts as good in its safe state, expected an identifier without bit 31");
+    }
+    else if (!slave.objects.empty() && setup_.slaves[slave.plan.node].emergency_id > kLastIdentifier)
+    {
+        warn(kEmergency, cia306::Hex(setup_.slaves[slave.plan.node].emergency_id, 8) + ": the emergencies of " + node +
+                             " are not heard, and it counts as good in its safe state, expected 0x001 to 0x7FF");
+    }
+    else
+    {
+        // Heard, or nobody asks.
     }
     if (count > highest)
     {

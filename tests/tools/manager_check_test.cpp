@@ -280,6 +280,14 @@ TEST_F(ManagerCheckTest, AnExpectationThatASafetySlaveCannotMeetIsTold)
     EXPECT_EQ(check("", {{"DefaultValue=$NODEID+0x80", "DefaultValue=0x800000A1"}}).err,
               dcf + ":109:14: warning: 0x1014:00: 0x800000A1 switches off the emergencies of node 33, which counts as "
                     "good in its safe state, expected an identifier without bit 31\n");
+    // An identifier of 29 bits, or with a reserved bit, is not heard
+    for (const std::string identifier : {"0x200000A1", "0x400000A1", "0x00000800"})
+    {
+        EXPECT_EQ(check("", {{"DefaultValue=$NODEID+0x80", "DefaultValue=" + identifier}}).err,
+                  dcf + ":109:14: warning: 0x1014:00: " + identifier +
+                      ": the emergencies of node 33 are not heard, and it counts as good in its safe state, expected "
+                      "0x001 to 0x7FF\n");
+    }
     // What is no configuration at all is refused
     const Answer unsigned_one = check("", {{"ParameterValue=0x9FCB", "ParameterValue=0x9FCC"}});
     EXPECT_EQ(unsigned_one.status, 2);
