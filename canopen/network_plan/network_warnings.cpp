@@ -14,6 +14,7 @@ namespace
 {
 using cia306::InputError;
 
+constexpr std::uint16_t kEmergency = 0x1014U;
 constexpr std::uint32_t kReservedAssignment = 0x02U;
 constexpr std::uint32_t kLastIdentifier = 0x7FFU; ///< Frames with 29 bits are not looked at.
 
@@ -135,6 +136,9 @@ class NetworkWarnings
     void WarnOfUnused();
     void WarnOfGuarding(const SlavePlan& slave, bool is_el6751);
     void WarnOfSafety(const LoadedSlave& slave);
+    void WarnOfEmergencies();
+    [[nodiscard]] std::string EmergencyPlace(const LoadedSlave& slave) const;
+    [[nodiscard]] std::uint32_t EmergencyOf(const LoadedSlave& slave) const;
     void WarnOfHeartbeat();
     void WarnOfFlying();
     [[nodiscard]] bool HasUnwatchedNode() const;
@@ -156,6 +160,7 @@ std::vector<std::string> NetworkWarnings::All()
     {
         WarnOfSafety(*slave);
     }
+    WarnOfEmergencies();
     WarnOfUnused();
     WarnOfHeartbeat();
     WarnOfFlying();
@@ -233,7 +238,6 @@ void NetworkWarnings::WarnOfGuarding(const SlavePlan& slave, const bool is_el675
 /// What the gate expects and the device does not have by itself, or has and the gate does not read.
 void NetworkWarnings::WarnOfSafety(const LoadedSlave& slave)
 {
-    constexpr std::uint16_t kEmergency = 0x1014U;
     constexpr std::uint32_t kIsOff = 0x80000000U;
     constexpr std::uint16_t kValidFlag = 0x13FEU;
     constexpr std::uint16_t kSignatures = 0x13FFU;
@@ -283,6 +287,43 @@ void NetworkWarnings::WarnOfSafety(const LoadedSlave& slave)
         warn(kSignatures, "room for " + std::to_string(count) + " signatures, and the highest SRDO of the file is " +
                               std::to_string(highest) + ": what " + node +
                               " has in the others is not read, expected them in the file");
+    }
+}
+
+/// As cia302::NodeWatch hears them.
+std::uint32_t NetworkWarnings::EmergencyOf(const LoadedSlave& slave) const
+{
+    constexpr std::uint32_t kUsual = 0x80U;
+    const std::uint32_t named = setup_.slaves[slave.plan.node].emergency_id;
+    return (named == 0U) ? kUsual + slave.plan.node : named;
+}
+
+std::string NetworkWarnings::EmergencyPlace(const LoadedSlave& slave) const
+{
+    const cia306::Entry* const entry = slave.device.Find(kEmergency, 0U);
+    return (entry == nullptr) ? cia306::PlaceText(plan_.file, slave.plan.place)
+                              : cia306::PlaceText(slave.device.file, entry->ValuePlace());
+}
+
+/// Of two slaves with one identifier the first that names it is charged with all of its emergencies.
+void NetworkWarnings::WarnOfEmergencies()
+{
+    for (std::size_t place = 0U; place < loaded_.size(); ++place)
+    {
+        for (std::size_t behind = place + 1U; behind < loaded_.size(); ++behind)
+        {
+            const LoadedSlave& first = *loaded_[place];
+            const LoadedSlave& second = *loaded_[behind];
+            const std::uint32_t identifier = EmergencyOf(first);
+            if (identifier == EmergencyOf(second) && identifier <= kLastIdentifier)
+            {
+                warnings_.push_back(EmergencyPlace(first) + ": warning: " + cia306::ObjectName(kEmergency, 0U) + ": " +
+                                    cia306::Hex(identifier, 3) + " of node " + std::to_string(first.plan.node) +
+                                    " is that of node " + std::to_string(second.plan.node) + ", too (" +
+                                    EmergencyPlace(second) +
+                                    "): whose emergencies come with it is not known, expected one for each");
+            }
+        }
     }
 }
 
