@@ -163,7 +163,9 @@ bool ManagerAssembly::IsGood(const cia302::NodeId node) const noexcept
     const StartProfile profile = net_.Plan().manager.profile;
     bool is_good = status.letter == 0 || status.letter == 'L';
     is_good = (profile == StartProfile::kEl6751) ? status.code == kNoError && !status.has_failed : is_good;
-    is_good = (profile == StartProfile::kPlcDesigner) ? status.code == cia302::kPlcStarted : is_good;
+    // Who does not lead has begun no start-up, and so found nothing.
+    const int wanted = manager_.IsActive() ? cia302::kPlcStarted : cia302::kPlcOutside;
+    is_good = (profile == StartProfile::kPlcDesigner) ? status.code == wanted : is_good;
     return is_good && Runs(node) && !HasFault(node);
 }
 

@@ -144,6 +144,37 @@ TEST_F(ManagerResultsTest, ASlaveThatSaysThatItLeftOperationalIsNotGood)
     }
 }
 
+TEST_F(ManagerResultsTest, AtAStandbyWhoRunsIsGoodUnderEachProfile)
+{
+    Verifies(req::SRS_MGR_005);
+    for (const std::string profile : {"cia302", "el6751", "plc_designer"})
+    {
+        // Given a manager that asks for the active master, which answers
+        Make("manager: {node: 127, heartbeat: 100 ms, profile: " + profile +
+             ", flying: {priority: 1}}\nslaves: [{node: 6, device_type: 0x191, consumer: 400 ms}, {node: 5, boot: "
+             "false, "
+             "mandatory: false, consumer: 500 ms}]\n");
+        sent.clear();
+        for (int ms = 0; ms < 5000 && Count(0x073U) == 0U; ++ms)
+        {
+            Run(1U);
+        }
+        Hear(0x071U, {0U, 5U});
+        Run(2U);
+        ASSERT_FALSE(station->Assembly().Core().IsActive()) << profile;
+        EXPECT_FALSE(station->Assembly().HasStarted()) << profile;
+        // When the slave says that it is OPERATIONAL, then it is good, as soon as it does not, no more
+        Hear(0x706U, {0x05U});
+        Run(2U);
+        EXPECT_TRUE(Row(6U).is_good) << profile;
+        EXPECT_TRUE(station->Assembly().HasStarted()) << profile;
+        Hear(0x706U, {0x7FU});
+        Run(2U);
+        EXPECT_FALSE(Row(6U).is_good) << profile;
+        EXPECT_FALSE(station->Assembly().HasStarted()) << profile;
+    }
+}
+
 TEST_F(ManagerResultsTest, AnAbortAndSilenceAt1000hAreToldThoughThereIsNoBootTime)
 {
     Verifies(req::SRS_MGR_026);
