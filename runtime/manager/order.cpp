@@ -353,28 +353,49 @@ std::string WriteSafety(ManagerAssembly& assembly, const cia302::NodeId node, co
     }
     return answer;
 }
+
+/// Why an order for this node, which is none of ours or cannot take it, is not carried out.
+std::string NotOurs(const ManagerAssembly& assembly, const cia302::NodeId node)
+{
+    const std::string name = "node " + std::to_string(node.value);
+    std::string answer = "the start-up of the network has not begun, expected the order later";
+    if (node.value == assembly.Net().Setup().own.value)
+    {
+        answer = name + " is this manager, expected a slave";
+    }
+    else if (!assembly.Net().Setup().IsListed(node))
+    {
+        answer = name + " is not in the network file, expected a slave";
+    }
+    else if (!assembly.Core().IsActive())
+    {
+        answer = WordOf(cia302::NmtAnswer::kNotActive);
+    }
+    else
+    {
+        // A slave of ours.
+    }
+    return answer;
+}
 } // namespace
 
 std::string CarryOut(const ManagerOrder& order, ManagerAssembly& assembly, const Instant now)
 {
     const cia302::NodeId node{order.node};
     const bool is_listed = assembly.Net().Setup().IsListed(node);
-    const std::string not_ours = "node " + std::to_string(order.node) +
-                                 " is not in the network file, or the manager "
-                                 "is not the active master, expected a slave";
     std::string answer = "taken";
     if (order.kind == ManagerOrderKind::kCommand)
     {
         const bool is_known = order.node == 0U || is_listed || order.node == assembly.Net().Setup().own.value;
-        answer = is_known ? AnswerTo(order, assembly, now) : not_ours;
+        answer = is_known ? AnswerTo(order, assembly, now) : NotOurs(assembly, node);
     }
     else if (order.kind == ManagerOrderKind::kControl)
     {
-        answer = is_listed ? ControlAnswer(order, assembly, now) : not_ours;
+        answer = is_listed ? ControlAnswer(order, assembly, now) : NotOurs(assembly, node);
     }
     else if (order.kind == ManagerOrderKind::kBoot)
     {
-        answer = assembly.Core().Role().Boot(node, now) ? answer : not_ours;
+        answer = assembly.Core().Role().Boot(node, now) ? answer : NotOurs(assembly, node);
     }
     else if (order.kind == ManagerOrderKind::kNegotiate)
     {

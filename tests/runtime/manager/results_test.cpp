@@ -147,6 +147,7 @@ TEST_F(ManagerResultsTest, ASlaveThatSaysThatItLeftOperationalIsNotGood)
 TEST_F(ManagerResultsTest, AtAStandbyWhoRunsIsGoodUnderEachProfile)
 {
     Verifies(req::SRS_MGR_005);
+    Verifies(req::SRS_MGR_006);
     for (const std::string profile : {"cia302", "el6751", "plc_designer"})
     {
         // Given a manager that asks for the active master, which answers
@@ -172,6 +173,16 @@ TEST_F(ManagerResultsTest, AtAStandbyWhoRunsIsGoodUnderEachProfile)
         Run(2U);
         EXPECT_FALSE(Row(6U).is_good) << profile;
         EXPECT_FALSE(station->Assembly().HasStarted()) << profile;
+        // And an order is refused with its reason
+        const std::string standby = "this manager is not the active master, expected the command at that one";
+        EXPECT_EQ(Order("boot 6"), standby) << profile;
+        EXPECT_EQ(Order("stop 6"), standby) << profile;
+        for (const std::string order : {"boot", "stop"})
+        {
+            EXPECT_EQ(Order(order + " 99"), "node 99 is not in the network file, expected a slave") << profile;
+        }
+        EXPECT_EQ(Order("boot 127"), "node 127 is this manager, expected a slave") << profile;
+        EXPECT_EQ(Order("control 127 5 0"), "node 127 is this manager, expected a slave") << profile;
     }
 }
 
