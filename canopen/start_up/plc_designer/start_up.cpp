@@ -314,12 +314,14 @@ void PlcStartUp::OnAnswer(const NodeId node, const Instant now) noexcept
     }
 }
 
-/// Again, in this cycle; an optional slave is asked once. [SRS_PLC_005, SRS_PLC_006, SRS_PLC_008]
+/// Again, in this cycle; an optional slave is asked once. What was no answer that can be used has its own abort code.
+/// [SRS_PLC_005, SRS_PLC_006, SRS_PLC_008]
 void PlcStartUp::OnSilence(const NodeId node, const Instant now) noexcept
 {
     PlcNode& slave = slaves_.Of(node);
     slave.is_transferring = false;
-    slave.status.abort = SdoAbort::kTimeOut;
+    const bool has_failed = (parts_.sdo.State(node) == TransferState::kFailed);
+    slave.status.abort = has_failed ? parts_.sdo.Outcome(node).abort : SdoAbort::kTimeOut;
     if ((slave.row == PlcRow::kDeviceType) && slaves_.SetupOf(node).is_optional && !slave.reading.is_unread)
     {
         slave.signs = parts_.table.Record(node).signs;

@@ -112,6 +112,12 @@ TEST_F(PlcBootTest, DeviceTypeIsAskedForEveryHalfSecondUntilAnyAnswer)
     EXPECT_EQ(slaves[5]->log, (Log{"nmt 81", "r 1000:00", "r 1000:00", "r 1000:00", "r 1000:00", "r 1000:00"}));
     EXPECT_EQ(Code(5U), 3);
     EXPECT_EQ(Of(5U).abort, SdoAbort::kTimeOut);
+    // What answers with something that is no device type is asked as often, and not told to be silent
+    slaves[5]->Behave(0x1000U, 0U, Manner::kGibberish);
+    Run(1000U);
+    EXPECT_EQ(slaves[5]->log.size(), 8U);
+    EXPECT_EQ(Code(5U), 3);
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kOutOfMemory);
     // With a boot-up message its silence is over
     slaves[5]->Behave(0x1000U, 0U, Manner::kGood);
     slaves[5]->Power(Now().us);
