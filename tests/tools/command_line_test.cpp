@@ -51,6 +51,18 @@ TEST(CommandLine, BadUsageIsOneLineThatSaysWhatIsExpected)
     }
 }
 
+TEST(CommandLine, AFractionIsToldToBeNone)
+{
+    Verifies(req::SRS_CLI_020);
+    for (const std::string number : {"0.5", "1.5", "2."})
+    {
+        EXPECT_EQ(RunCommand({"manager", "--can", "can0", "--network", "a.yaml", "--for", number}).err,
+                  "counterpoint: --for: " + number +
+                      " is no whole number, expected one; expected a command line as told by 'counterpoint manager "
+                      "--help'\n");
+    }
+}
+
 TEST(CommandLine, UnknownCommandIsNamedBesideTheKnownOnes)
 {
     Verifies(req::SRS_CLI_020);

@@ -52,9 +52,15 @@ std::string Listed(const std::vector<std::string>& names)
     return text;
 }
 
-/// What is wrong with a number that people read otherwise than the library does, such as 010, which would be 8.
+/// What is wrong with a number that people read otherwise than the library does, such as 010, which would be 8, or that
+/// is no whole one.
 std::string ProblemOfNumber(const std::string& text)
 {
+    const std::size_t point = text.find('.');
+    if (point != std::string::npos && text.find_first_not_of("0123456789", point + 1U) == std::string::npos)
+    {
+        return text + " is no whole number, expected one";
+    }
     const bool is_hexadecimal = text.size() > 2U && (text[1] == 'x' || text[1] == 'X');
     const bool is_octal = text.size() > 1U && text[0] == '0' && !is_hexadecimal;
     return is_octal ? text + " begins with 0, expected a decimal number, or a hexadecimal one after 0x" : std::string();
