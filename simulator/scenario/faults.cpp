@@ -46,12 +46,13 @@ void ReadPattern(Fields& fields, Nanoseconds& on, Nanoseconds& off)
 /// Without `count` one frame is hit: a window, a pattern or a turn that no second one can come to is a slip.
 void RequireCount(Fields& fields)
 {
+    const runtime::YamlNode& written = fields.Value().Node();
     for (const char* const key : {"until", "on", "every"})
     {
-        const auto value = fields.Find(key);
-        if (value && !fields.Find("count"))
+        if (MemberOf(written, key) != nullptr && MemberOf(written, "count") == nullptr)
         {
-            value->Refuse("key '" + std::string(key) + "' where one frame is hit", "key 'count' beside it");
+            fields.Require(key).Refuse("key '" + std::string(key) + "' where one frame is hit",
+                                       "key 'count' beside it");
         }
     }
 }
