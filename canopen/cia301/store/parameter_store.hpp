@@ -111,7 +111,8 @@ class ParameterStore
     /// O(bank)
     bool Mount() noexcept;
     /// @brief Hands the items of these groups to their parts, after another look at the memory. Not while IsBusy: a
-    /// device that is reset during a store first sees the store through. O(set) [SRS_STO_007, SRS_STO_014]
+    /// device that is reset during a store first sees the store through (device::Owner::IsStoring). O(set)
+    /// [SRS_STO_007, SRS_STO_014]
     LoadReport Load(std::uint8_t groups) noexcept;
     /// @brief Starts a request, or asks for the end of the running one: kPending until it ended, then kNone once, or
     /// kHardware (memory), kNotStored (no room), kLocalControl (another request is running). A result that nobody asks
