@@ -34,6 +34,13 @@ class StoredPart
     [[nodiscard]] virtual std::uint32_t ItemCount() noexcept = 0;
     /// @brief Group of an item, and its present bytes, which are written to `room`.
     [[nodiscard]] virtual StoredItem Item(std::uint32_t number, const Room& room) noexcept = 0;
+    /// @brief All items were asked for by a save of these groups. Not kNone: something changed meanwhile, so that they
+    /// do not belong together; the whole set is not stored.
+    [[nodiscard]] virtual SdoAbort EndSave(std::uint8_t groups) noexcept
+    {
+        static_cast<void>(groups);
+        return SdoAbort::kNone;
+    }
     /// @brief Items of these groups are about to be loaded; nothing else is loaded before EndLoad.
     virtual void BeginLoad(std::uint8_t groups) noexcept = 0;
     /// @brief Takes a stored item. False: this device has no use for it any more.
