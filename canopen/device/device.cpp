@@ -37,8 +37,7 @@ LoadResult Device::PowerOn(const Instant now) noexcept
         is_waiting_ = false;
         Settle();
         parts_.services.Flush(now);
-        const bool is_up = is_waiting_ || (cia301::StateByte(State()) != 0U);
-        result = is_up ? LoadResult::kLoaded : LoadResult::kFailed;
+        result = is_failed_ ? LoadResult::kFailed : LoadResult::kLoaded;
     }
     return result;
 }
@@ -187,7 +186,9 @@ void Device::Initialise() noexcept
     ServiceSet& services = parts_.services;
     cia301::NmtSlave& slave = services.slave;
     is_waiting_ = is_waiting_ && !services.MayBoot();
-    while ((!is_failed_) && (!is_waiting_) && (cia301::StateByte(slave.State()) == 0U))
+    // A store that reads what is reset would keep values that nobody saved.
+    const bool is_storing = parts_.owner.IsStoring();
+    while ((!is_storing) && (!is_failed_) && (!is_waiting_) && (cia301::StateByte(slave.State()) == 0U))
     {
         ApplyState();
         is_waiting_ = (slave.State() == NodeState::kResetCommunication) && !services.TakeNodeId();

@@ -34,6 +34,11 @@ class Owner
     /// at power-on already. kFailed as above. Where LSS gave another node-ID (Services::node), start the kernel with
     /// it.
     [[nodiscard]] virtual LoadResult OnResetCommunication() noexcept = 0;
+    /// @brief Whether a store reads the objects at present: until it has ended no reset touches them. [SRS_DEV_025]
+    [[nodiscard]] virtual bool IsStoring() const noexcept
+    {
+        return false;
+    }
 
   protected:
     Owner() noexcept = default;
@@ -85,7 +90,7 @@ class Device
     explicit Device(const BareParts& parts) noexcept;
 
     /// @brief Supply on: INITIALISATION, boot-up message, and the state that 1F80h leads to. kLoaded: the device came
-    /// up, or waits for a node-ID. [SRS_DEV_002, SRS_DEV_019]
+    /// up, or waits for a node-ID or for the end of a store. [SRS_DEV_002, SRS_DEV_019, SRS_DEV_025]
     [[nodiscard]] LoadResult PowerOn(Instant now) noexcept;
     /// @brief Supply off, of a device whose memory outlives it: frames that wait and the NMT state are gone, and
     /// PowerOn begins anew. [SRS_DEV_023]

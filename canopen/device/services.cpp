@@ -286,8 +286,13 @@ void Services::OnCycle(const cia301::Moment& moment) noexcept
     {
         Send(emergency.Poll(moment.state, moment.now));
     }
-    sdo_port.OnCycle(moment);
-    for (std::uint8_t place = 0U; place < further.count; ++place)
+    // A reset that waits for a store ends transfers without a word.
+    const bool is_up = cia301::StateByte(moment.state) != 0U;
+    if (is_up)
+    {
+        sdo_port.OnCycle(moment);
+    }
+    for (std::uint8_t place = 0U; is_up && (place < further.count); ++place)
     {
         further.list[place]->OnCycle(moment);
     }

@@ -161,6 +161,11 @@ device::LoadResult DeviceAssembly::OnResetCommunication() noexcept
     return device::LoadResult::kLoaded;
 }
 
+bool DeviceAssembly::IsStoring() const noexcept
+{
+    return owner_.IsSaving();
+}
+
 /// Writing the same values again would withdraw 13FEh for a moment.
 bool DeviceAssembly::IsSafetyLoaded() noexcept
 {

@@ -33,6 +33,11 @@ class AssemblyOwner : public cia301::TimeListener, public cia301::EmergencyListe
     /// @brief The values of the file were loaded; values that were stored are to be loaded now. `groups` are groups of
     /// cia301::ParameterStore.
     virtual void OnLoaded(std::uint8_t groups) noexcept = 0;
+    /// @brief Whether a store reads the objects at present: a reset waits for its end.
+    [[nodiscard]] virtual bool IsSaving() const noexcept
+    {
+        return false;
+    }
     /// @brief The kernel refused a value of the file.
     virtual void OnRefused(const ConfigurationWrite& write, AbortCode code) noexcept = 0;
     /// @brief Communication was reset: states and values count as not told yet. `refusals`: values of the file that
@@ -158,6 +163,7 @@ class DeviceAssembly final : private device::Owner
   private:
     [[nodiscard]] device::LoadResult OnResetNode() noexcept override;
     [[nodiscard]] device::LoadResult OnResetCommunication() noexcept override;
+    [[nodiscard]] bool IsStoring() const noexcept override;
     [[nodiscard]] device::FrameRoom SafetyRoom() noexcept;
     [[nodiscard]] bool IsSafetyLoaded() noexcept;
     void LoadSafety() noexcept;

@@ -117,8 +117,9 @@ class NodeDevice final : private AssemblyOwner
     /// @brief Whether the kernel was started again since the last call. Cycles and watchdog then begin again at
     /// `now_ns`, which is after the start has ended.
     [[nodiscard]] bool TakeRestart(std::uint64_t now_ns);
-    /// @brief Whether a save is under way: Serve should be called soon, because it takes many steps.
-    [[nodiscard]] bool IsSaving() const noexcept;
+    /// @brief Whether a save is under way: Serve should be called soon, because it takes many steps. A reset
+    /// waits for its end. [SRS_DEV_025]
+    [[nodiscard]] bool IsSaving() const noexcept override;
     /// @brief A person presses the acknowledge button of an SRDO. False: there is no such SRDO.
     [[nodiscard]] bool Acknowledge(std::uint8_t srdo, std::uint64_t now_ns);
     /// @brief Closes the outputs and sends no SRDO any more.

@@ -71,7 +71,7 @@ bool SdoServer::IsBusy() const noexcept
 SdoAnswer SdoServer::OnFrame(const SdoFrame& request, const std::uint8_t length_bytes, const Instant now) noexcept
 {
     SdoAnswer answer = kNoAnswer;
-    if (length_bytes == 8U)
+    if ((length_bytes == 8U) && !rest_.Takes(request.bytes[0], now))
     {
         // Segments of a sub-block use all bits of the command; 80h has none of their numbers. The next one goes on.
         const bool is_block = (phase_ == Phase::kBlockDownload);
@@ -93,6 +93,7 @@ SdoAnswer SdoServer::Poll(const Instant now) noexcept
 {
     SdoAnswer answer = kNoAnswer;
     const std::uint32_t silence_us = now.us - last_.us;
+    rest_.Poll(now, time_out_us_ / 2U);
     if (phase_ == Phase::kBlockUpload)
     {
         last_ = now;
@@ -104,7 +105,7 @@ SdoAnswer SdoServer::Poll(const Instant now) noexcept
     }
     else if (IsBusy() && (silence_us >= time_out_us_))
     {
-        answer = Abort(SdoAbort::kTimeOut);
+        answer = Cut(SdoAbort::kTimeOut);
     }
     else if ((phase_ == Phase::kBlockDownload) && (sequence_ > 0U) && (silence_us >= (time_out_us_ / 2U)) &&
              !is_repeated_)
@@ -117,7 +118,17 @@ SdoAnswer SdoServer::Poll(const Instant now) noexcept
 
 SdoAnswer SdoServer::Close(const SdoAbort reason) noexcept
 {
-    return IsBusy() ? Abort(reason) : kNoAnswer;
+    return IsBusy() ? Cut(reason) : kNoAnswer;
+}
+
+/// As Abort, of a transfer whose client may not know yet.
+SdoAnswer SdoServer::Cut(const SdoAbort reason) noexcept
+{
+    if (phase_ == Phase::kBlockDownload)
+    {
+        rest_.Await(block_size_);
+    }
+    return Abort(reason);
 }
 
 SdoAnswer SdoServer::Dispatch(const SdoFrame& request) noexcept
@@ -152,7 +163,8 @@ SdoAnswer SdoServer::Dispatch(const SdoFrame& request) noexcept
     }
     else if ((phase_ == Phase::kBlockUploadStart) && (upload_part == 3U))
     {
-        answer = StartBlockUpload(request);
+        phase_ = Phase::kBlockUpload;
+        answer = NextSegment();
     }
     else if (((phase_ == Phase::kBlockUploadAck) || (phase_ == Phase::kBlockUpload)) && (upload_part == 2U))
     {
@@ -160,7 +172,7 @@ SdoAnswer SdoServer::Dispatch(const SdoFrame& request) noexcept
     }
     else if ((phase_ == Phase::kBlockUploadEnd) && (upload_part == 1U))
     {
-        answer = EndBlockUpload(request);
+        phase_ = Phase::kIdle;
     }
     else
     {
@@ -522,12 +534,6 @@ SdoAnswer SdoServer::BeginBlockUpload(const SdoFrame& request) noexcept
     return answer;
 }
 
-SdoAnswer SdoServer::StartBlockUpload(const SdoFrame&) noexcept
-{
-    phase_ = Phase::kBlockUpload;
-    return NextSegment();
-}
-
 /// The segment after `sequence_` of the sub-block that begins at `position_`.
 SdoAnswer SdoServer::NextSegment() noexcept
 {
@@ -585,12 +591,6 @@ SdoAnswer SdoServer::BlockAcknowledged(const SdoFrame& request) noexcept
         }
     }
     return answer;
-}
-
-SdoAnswer SdoServer::EndBlockUpload(const SdoFrame&) noexcept
-{
-    phase_ = Phase::kIdle;
-    return SdoAnswer{SdoPresence::kNothing, {}};
 }
 
 } // namespace counterpoint::cia301

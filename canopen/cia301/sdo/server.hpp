@@ -3,6 +3,7 @@
 #define CANOPEN_CIA301_SDO_SERVER_HPP
 
 #include "canopen/cia301/dictionary/dictionary.hpp"
+#include "canopen/cia301/sdo/block_rest.hpp"
 
 #include "safety_core/contract/time.hpp"
 
@@ -65,7 +66,7 @@ class SdoServer
     /// [SRS_SDO_007, SRS_SDO_010, SRS_SDO_017]
     [[nodiscard]] SdoAnswer Poll(Instant now) noexcept;
     /// @brief Ends a running transfer with an abort, which is to be sent; without a transfer there is nothing to send.
-    /// [SRS_SDO_014]
+    /// [SRS_SDO_014, SRS_SDO_019]
     [[nodiscard]] SdoAnswer Close(SdoAbort reason) noexcept;
     /// @brief Whether a transfer is running.
     [[nodiscard]] bool IsBusy() const noexcept;
@@ -89,6 +90,7 @@ class SdoServer
     [[nodiscard]] SdoAnswer Begin(const SdoFrame& request) noexcept;
     void SetTarget(const SdoFrame& request) noexcept;
     [[nodiscard]] SdoAnswer Abort(SdoAbort reason) noexcept;
+    [[nodiscard]] SdoAnswer Cut(SdoAbort reason) noexcept;
     [[nodiscard]] SdoAnswer Answer(std::uint8_t command, std::uint32_t value) const noexcept;
 
     [[nodiscard]] SdoAnswer BeginDownload(const SdoFrame& request) noexcept;
@@ -108,10 +110,8 @@ class SdoServer
     [[nodiscard]] SdoAnswer AcknowledgeBlock() noexcept;
     [[nodiscard]] SdoAnswer EndBlockDownload(const SdoFrame& request) noexcept;
     [[nodiscard]] SdoAnswer BeginBlockUpload(const SdoFrame& request) noexcept;
-    [[nodiscard]] SdoAnswer StartBlockUpload(const SdoFrame& request) noexcept;
     [[nodiscard]] SdoAnswer NextSegment() noexcept;
     [[nodiscard]] SdoAnswer BlockAcknowledged(const SdoFrame& request) noexcept;
-    [[nodiscard]] SdoAnswer EndBlockUpload(const SdoFrame& request) noexcept;
 
     Dictionary& dictionary_;
     Room buffer_;
@@ -131,6 +131,7 @@ class SdoServer
     bool has_last_;     ///< The segment with the end mark came.
     SdoAbort refusal_;  ///< Of a segment of this sub-block, told at its end; kNone: all were taken.
     bool is_repeated_;  ///< The half time-out of this sub-block was used.
+    BlockRest rest_;    ///< Of a transfer that was cut.
     SdoAnswer delayed_; ///< Follows when the hook has taken the value.
 };
 

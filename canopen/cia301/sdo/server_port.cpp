@@ -66,7 +66,8 @@ void SdoServerPort::OnFrame(const CanFrame& frame, const Moment& moment) noexcep
 
 void SdoServerPort::OnCycle(const Moment& moment) noexcept
 {
-    if (!IsAllowed(Service::kSdo, moment.state))
+    const bool is_allowed = IsAllowed(Service::kSdo, moment.state);
+    if (!is_allowed)
     {
         const SdoAnswer answer = server_.Close(SdoAbort::kDeviceState);
         if (answer.presence == SdoPresence::kFrame)
@@ -74,7 +75,7 @@ void SdoServerPort::OnCycle(const Moment& moment) noexcept
             Put(answer);
         }
     }
-    bool is_going = Flush();
+    bool is_going = Flush() && is_allowed;
     for (std::uint8_t i = 0U; is_going && (i < kMaxBlockSize); ++i)
     {
         const SdoAnswer answer = server_.Poll(moment.now);

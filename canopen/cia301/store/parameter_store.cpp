@@ -295,9 +295,14 @@ void ParameterStore::FetchItem() noexcept
         }
         else if (item_ >= item_count_)
         {
+            const SdoAbort abort = parts_.parts[part_]->EndSave(request_.groups);
             ++part_;
             item_ = 0U;
             item_count_ = kUnknownLength;
+            if (abort != SdoAbort::kNone)
+            {
+                End(abort);
+            }
         }
         else
         {

@@ -34,6 +34,13 @@ class StoredPart
     [[nodiscard]] virtual std::uint32_t ItemCount() noexcept = 0;
     /// @brief Group of an item, and its present bytes, which are written to `room`.
     [[nodiscard]] virtual StoredItem Item(std::uint32_t number, const Room& room) noexcept = 0;
+    /// @brief All items were asked for by a save of these groups. Not kNone: something changed meanwhile, so that they
+    /// do not belong together; the whole set is not stored.
+    [[nodiscard]] virtual SdoAbort EndSave(std::uint8_t groups) noexcept
+    {
+        static_cast<void>(groups);
+        return SdoAbort::kNone;
+    }
     /// @brief Items of these groups are about to be loaded; nothing else is loaded before EndLoad.
     virtual void BeginLoad(std::uint8_t groups) noexcept = 0;
     /// @brief Takes a stored item. False: this device has no use for it any more.
@@ -111,7 +118,8 @@ class ParameterStore
     /// O(bank)
     bool Mount() noexcept;
     /// @brief Hands the items of these groups to their parts, after another look at the memory. Not while IsBusy: a
-    /// device that is reset during a store first sees the store through. O(set) [SRS_STO_007, SRS_STO_014]
+    /// device that is reset during a store first sees the store through (device::Owner::IsStoring). O(set)
+    /// [SRS_STO_007, SRS_STO_014]
     LoadReport Load(std::uint8_t groups) noexcept;
     /// @brief Starts a request, or asks for the end of the running one: kPending until it ended, then kNone once, or
     /// kHardware (memory), kNotStored (no room), kLocalControl (another request is running). A result that nobody asks

@@ -3,6 +3,7 @@
 
 #include "canopen/cia301/base/little_endian.hpp"
 #include "canopen/cia301/dictionary/entry_value.hpp"
+#include "canopen/cia301/store/stored_image.hpp"
 
 namespace counterpoint::cia301
 {
@@ -45,6 +46,13 @@ std::uint8_t GroupOfIndex(const std::uint16_t index) noexcept
 std::uint32_t NumberAt(const std::uint8_t* const bytes) noexcept
 {
     return static_cast<std::uint32_t>(FromLittleEndian(bytes, 4U));
+}
+
+std::uint32_t ContinueWith(const std::uint32_t crc, const std::uint32_t value) noexcept
+{
+    std::uint8_t bytes[4] = {};
+    ToLittleEndian(value, bytes, 4U);
+    return ContinueCrc32(crc, Bytes{bytes, 4U});
 }
 
 } // namespace
@@ -108,7 +116,7 @@ void StoredEntries::Lose(std::uint8_t) noexcept
 }
 
 StoredSafety::StoredSafety(Kernel& kernel) noexcept
-    : kernel_(kernel), header_{0U, 0U, 0U}, has_header_(false), has_image_(false)
+    : kernel_(kernel), header_{0U, 0U, 0U}, has_header_(false), has_image_(false), given_crc_(0U)
 {
 }
 
@@ -118,6 +126,7 @@ std::uint32_t StoredSafety::ItemCount() noexcept
 {
     const HeaderReply reply = kernel_.Image().Header();
     header_ = reply.header;
+    given_crc_ = 0U;
     has_image_ = (reply.result == Result::kSuccessful);
     const std::uint32_t items = (header_.count + (kValuesInItem - 1U)) / kValuesInItem;
     return has_image_ ? (1U + items) : 1U;
@@ -149,9 +158,29 @@ StoredItem StoredSafety::Item(const std::uint32_t number, const Room& room) noex
             const ItemReply reply = kernel_.Image().ReadItem(first + i);
             item.abort = (reply.result == Result::kSuccessful) ? item.abort : SdoAbort::kNotStored;
             ToLittleEndian(reply.value, &room.data[kValueItemHead + (4U * i)], 4U);
+            given_crc_ = ContinueWith(given_crc_, reply.value);
         }
     }
     return item;
+}
+
+/// A client may have written while the items were read: header and values are those of one configuration only if both
+/// are those of now.
+SdoAbort StoredSafety::EndSave(const std::uint8_t groups) noexcept
+{
+    SdoAbort abort = SdoAbort::kNone;
+    if (has_image_ && ((groups & kCommunicationGroup) != 0U))
+    {
+        const ImageHeader now = kernel_.Image().Header().header;
+        std::uint32_t crc = 0U;
+        for (std::uint32_t i = 0U; i < header_.count; ++i)
+        {
+            crc = ContinueWith(crc, kernel_.Image().ReadItem(i).value);
+        }
+        const bool is_same = (now.crc == header_.crc) && (now.valid == header_.valid) && (crc == given_crc_);
+        abort = is_same ? SdoAbort::kNone : SdoAbort::kDeviceState;
+    }
+    return abort;
 }
 
 void StoredSafety::BeginLoad(std::uint8_t) noexcept

@@ -34,7 +34,7 @@ class StoredEntries final : public StoredPart
 
 /// The configuration that the kernel owns (1300h to 13FFh), as a part of the communication group. Where the saved one
 /// is lost, or the kernel refuses it, its power-on configuration holds, without A5h in 13FEh. The kernel is kept by
-/// reference. [SRS_STO_012, SRS_STO_014, SRS_STO_017]
+/// reference. [SRS_STO_012, SRS_STO_014, SRS_STO_017, SRS_STO_019]
 class StoredSafety final : public StoredPart
 {
   public:
@@ -43,6 +43,7 @@ class StoredSafety final : public StoredPart
 
     [[nodiscard]] std::uint32_t ItemCount() noexcept override;
     [[nodiscard]] StoredItem Item(std::uint32_t number, const Room& room) noexcept override;
+    [[nodiscard]] SdoAbort EndSave(std::uint8_t groups) noexcept override;
     void BeginLoad(std::uint8_t groups) noexcept override;
     bool LoadItem(const Bytes& item) noexcept override;
     bool EndLoad(std::uint8_t groups) noexcept override;
@@ -52,7 +53,8 @@ class StoredSafety final : public StoredPart
     Kernel& kernel_;
     ImageHeader header_; ///< Of the set that is being saved or loaded.
     bool has_header_;
-    bool has_image_; ///< The kernel gave one to be saved.
+    bool has_image_;          ///< The kernel gave one to be saved.
+    std::uint32_t given_crc_; ///< CRC-32 of the values that a save has been given.
 };
 
 /// Hook of 1010h and 1011h: sub-index 1 all, 2 communication, 3 application, 4 manufacturer. The store is kept by

@@ -9,6 +9,7 @@
 #include "canopen/cia306/safety/safety_configuration.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/utf16.hpp"
+#include "runtime/device/objects/service_length.hpp"
 
 #include <algorithm>
 #include <array>
@@ -160,14 +161,6 @@ std::uint32_t NumberNow(const cia301::Entry& entry)
                       : cia301::kCobOff;
 }
 
-/// How many bytes the service has of this object; nothing where it cannot be read.
-std::optional<std::uint32_t> ServiceBytes(const cia301::Entry& entry)
-{
-    std::array<std::uint8_t, sizeof(std::uint64_t)> bytes{};
-    const cia301::Reading reading = cia301::ReadEntry(entry, {bytes.data(), static_cast<std::uint32_t>(bytes.size())});
-    return reading.abort == SdoAbort::kNone ? std::optional(reading.size_bytes) : std::nullopt;
-}
-
 /// Whether this object has a COB-ID, which is on with the value that it has now.
 bool HasCobId(const cia301::Entry& entry)
 {
@@ -275,8 +268,9 @@ void DeviceObjects::Connect(device::Services& services, const FindHook& further,
                             cia301::NumberHook* const store) noexcept
 {
     services_ = &services;
-    for (cia301::Entry& entry : entries_)
+    for (Stored& stored : stored_)
     {
+        cia301::Entry& entry = entries_[stored.entry];
         const Keeper keeper = KeeperOf(entry, services, further, store);
         if (cia301::IsSubCount({entry.index, entry.sub}))
         {
@@ -288,6 +282,8 @@ void DeviceObjects::Connect(device::Services& services, const FindHook& further,
             entry.write_hook = keeper.write;
             entry.place = nullptr;
             entry.length_bytes = nullptr;
+            TakeServiceLength(entry);
+            FitNumber(stored.value, entry.size_bytes);
         }
     }
 }
@@ -322,6 +318,7 @@ void DeviceObjects::Append(const cia306::Object& object, const cia306::Entry& so
     entry.uses = UsesOf(source);
     entry.size_bytes = static_cast<std::uint32_t>((source.type.bits + 7U) / 8U);
     SetRoom(entry, source);
+    stored.type_bytes = entry.size_bytes;
     entry.write_hook = IsFixedAtStart(source.index) ? &fixed_ : nullptr;
     SetLimits(entry, source, node_id);
     entries_.push_back(entry);
@@ -517,21 +514,20 @@ std::vector<cia306::Finding> DeviceObjects::NotTaken(const std::function<bool(co
         const std::string object = cia306::ObjectName(entry.index, entry.sub);
         const bool is_refused = std::any_of(refusals_.begin(), refusals_.end(), [&](const cia306::Finding& refusal)
                                             { return refusal.place == stored.place && refusal.object == object; });
-        if (entry.place != nullptr || is_refused)
+        if (entry.place != nullptr)
         {
             continue;
         }
         const bool is_own = cia301::IsOwnObject(entry.index) && entry.index != kDefaultServer;
         // 1013h is a time that goes on.
         const bool is_other = entry.index == kHighResolution || is_replaced({entry.index, entry.sub});
-        const std::uint32_t service_bytes = ServiceBytes(entry).value_or(entry.size_bytes);
-        if (service_bytes != entry.size_bytes)
+        if (entry.size_bytes != stored.type_bytes)
         {
             findings.push_back({cia306::Severity::kWarning, stored.type_place, object,
-                                "data type of " + std::to_string(8U * entry.size_bytes) + " bit, expected one of " +
-                                    std::to_string(8U * service_bytes) + " bit, which the device has here"});
+                                "data type of " + std::to_string(8U * stored.type_bytes) + " bit, expected one of " +
+                                    std::to_string(8U * entry.size_bytes) + " bit, which the device has here"});
         }
-        else if (stored.is_configured && !is_own && !is_other && !HasValue(entry, stored.value))
+        else if (!is_refused && stored.is_configured && !is_own && !is_other && !HasValue(entry, stored.value))
         {
             findings.push_back({cia306::Severity::kWarning, stored.place, object, ReasonOf(entry, stored.value)});
         }

@@ -68,7 +68,8 @@ class DeviceObjects
         std::size_t entry{0U};
         std::vector<std::uint8_t> value;
         cia306::Place place;
-        cia306::Place type_place;  ///< Of its data type.
+        cia306::Place type_place; ///< Of its data type.
+        std::uint32_t type_bytes{0U};
         bool is_configured{false}; ///< The file gives it.
     };
 

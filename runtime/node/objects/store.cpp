@@ -4,7 +4,6 @@
 #include "canopen/cia306/text/input_error.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 #include <utility>
 
@@ -14,8 +13,6 @@ namespace
 {
 constexpr std::uint32_t kBankBytes = 256U * 1024U;
 constexpr std::uint32_t kLargestItem = 65535U;
-/// For how long a reset waits for a store that is under way.
-constexpr int kPatienceMs = 2000;
 
 /// What the host says of the file has the form of all complaints about files. [SRS_EDS_036]
 host::FileParameterMemory OpenFile(const std::string& path)
@@ -111,11 +108,6 @@ NodeStore::NodeStore(const std::string& path, const NodeStoreParts& parts)
 
 std::string NodeStore::Load(const std::uint8_t groups) noexcept
 {
-    for (int waited_ms = 0; store_.IsBusy() && waited_ms < kPatienceMs; ++waited_ms)
-    {
-        store_.OnCycle();
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
     const cia301::LoadReport report = store_.Load(groups);
     const std::string warning = cia306::Printable(path_) + ": warning: ";
     if (report.finding == cia301::StoreFinding::kLost)

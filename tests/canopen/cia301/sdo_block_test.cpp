@@ -275,6 +275,92 @@ TEST_F(SdoBlockTest, ASubBlockThatStopsIsAcknowledgedOnceAndThenTimesOut)
     EXPECT_EQ(Send({0xC0U}), AbortOf(0x2103U, 0U, 0x05040001U));
 }
 
+// Segments 47 and 64 of a sub-block of 64 look like the begin of a download and of an upload.
+class SdoRestTest : public SdoRig
+{
+  public:
+    Octets SendWhole(const Octets& request)
+    {
+        SdoFrame frame{};
+        std::copy(request.begin(), request.end(), frame.bytes);
+        return Plain(whole.OnFrame(frame, 8U, Instant{now_us}));
+    }
+    Octets PollWhole()
+    {
+        return Plain(whole.Poll(Instant{now_us}));
+    }
+    /// A transfer with one segment of its sub-block.
+    void Begin()
+    {
+        EXPECT_EQ(SendWhole({0xC0U, 0x03U, 0x21U, 0x00U})[0], 0xA4U);
+        EXPECT_TRUE(SendWhole({0x01U}).empty());
+    }
+    void BeginAndClose()
+    {
+        Begin();
+        EXPECT_EQ(Plain(whole.Close(SdoAbort::kDeviceState)), AbortOf(0x2103U, 0U, 0x08000022U));
+        EXPECT_FALSE(whole.IsBusy());
+    }
+
+    const Octets write{0x2FU, 0x00U, 0x21U, 0x00U, 0x01U};
+    const Octets done{0x60U, 0x00U, 0x21U, 0x00U, 0U, 0U, 0U, 0U};
+    SdoServer whole{SdoServerParts{dictionary, Room{buffer.data(), 1000U}, 1000U, 64U}};
+};
+
+TEST_F(SdoRestTest, TheRestOfASubBlockThatWasCutIsNoRequest)
+{
+    Verifies(req::SRS_SDO_019);
+    // Given a reset, and segments up to the last one
+    BeginAndClose();
+    EXPECT_TRUE(SendWhole(write).empty());
+    EXPECT_TRUE(SendWhole({0x40U, 0x00U, 0x21U, 0x00U}).empty());
+    EXPECT_EQ(u8[0], 0x7FU);
+    EXPECT_EQ(SendWhole({0x40U, 0x00U, 0x21U, 0x00U})[0], 0x4FU);
+    // The mark of the last segment ends it as well
+    BeginAndClose();
+    EXPECT_TRUE(SendWhole({0xA4U, 0x00U, 0x21U, 0x00U, 4U, 1U}).empty());
+    EXPECT_EQ(SendWhole({0xA4U, 0x00U, 0x21U, 0x00U, 4U, 1U})[0], 0x4FU);
+    // An abort of the client, and a frame that is none of the sub-block
+    BeginAndClose();
+    EXPECT_TRUE(SendWhole({0x80U}).empty());
+    EXPECT_EQ(SendWhole(write), done);
+    EXPECT_EQ(u8[0], 0x01U);
+    BeginAndClose();
+    EXPECT_EQ(SendWhole({0x60U}), AbortOf(0U, 0U, 0x05040001U));
+}
+
+TEST_F(SdoRestTest, ThatEndsWithAPauseAndBeginsWithATimeOutToo)
+{
+    Verifies(req::SRS_SDO_019);
+    // A pause of half the time-out, counted from the first time that the server is asked, then from the last segment
+    BeginAndClose();
+    now_us += 5000U;
+    EXPECT_TRUE(PollWhole().empty());
+    now_us += 499U;
+    EXPECT_TRUE(PollWhole().empty());
+    EXPECT_TRUE(SendWhole(write).empty());
+    now_us += 499U;
+    EXPECT_TRUE(PollWhole().empty());
+    EXPECT_TRUE(SendWhole(write).empty());
+    EXPECT_EQ(u8[0], 0x7FU);
+    now_us += 500U;
+    EXPECT_TRUE(PollWhole().empty());
+    EXPECT_EQ(SendWhole(write), done);
+    // A time-out
+    u8[0] = 0x7FU;
+    Begin();
+    now_us += 1000U;
+    EXPECT_EQ(PollWhole(), AbortOf(0x2103U, 0U, 0x05040000U));
+    EXPECT_TRUE(SendWhole(write).empty());
+    EXPECT_EQ(u8[0], 0x7FU);
+    // Between sub-blocks, and outside of block downloads, nothing is left over
+    EXPECT_TRUE(SendWhole({0x80U}).empty());
+    Begin();
+    EXPECT_EQ(SendWhole({0x82U})[0], 0xA2U);
+    static_cast<void>(whole.Close(SdoAbort::kDeviceState));
+    EXPECT_EQ(SendWhole(write), done);
+}
+
 TEST_F(SdoBlockTest, UploadInBlocksOfTheClientsSizeWithCrc)
 {
     Verifies(req::SRS_SDO_007);

@@ -94,6 +94,7 @@ TEST_F(SdoRandomTest, RandomFramesAreAnsweredAndStayInTheBuffer)
     std::mt19937 source{20260731U};
     const auto random = [&source] { return static_cast<std::uint32_t>(source()); };
     Expectation expectation{};
+    bool has_rest = false; // A time-out ended a sub-block: what may be its rest has no answer.
     int aborts = 0;
     int answers = 0;
     for (int i = 0; i < 400000; ++i)
@@ -114,7 +115,9 @@ TEST_F(SdoRandomTest, RandomFramesAreAnsweredAndStayInTheBuffer)
         now_us += random() % 300U;
         const bool may_be_silent = expectation.MayBeSilent(request);
         const Octets answer = Plain(small.OnFrame(request, 8U, Instant{now_us}));
-        ASSERT_TRUE(may_be_silent || !answer.empty()) << i << " " << int{request.bytes[0]};
+        const bool is_rest = has_rest && (((request.bytes[0] & 0x7FU) - 1U) < 5U);
+        ASSERT_TRUE(may_be_silent || is_rest || !answer.empty()) << i << " " << int{request.bytes[0]};
+        has_rest = is_rest && answer.empty() && (request.bytes[0] < 5U);
         ExpectKnownAbort(answer);
         aborts += (!answer.empty() && (answer[0] == 0x80U)) ? 1 : 0;
         answers += answer.empty() ? 0 : 1;
@@ -123,13 +126,11 @@ TEST_F(SdoRandomTest, RandomFramesAreAnsweredAndStayInTheBuffer)
         {
             expectation.is_upload_end = false;
         }
-        if (!small.IsBusy())
-        {
-            expectation = Expectation{};
-        }
+        expectation = small.IsBusy() ? expectation : Expectation{};
         for (Octets more = Plain(small.Poll(Instant{now_us})); !more.empty(); more = Plain(small.Poll(Instant{now_us})))
         {
             ExpectKnownAbort(more);
+            has_rest = has_rest || (expectation.is_block_download && (more[0] == 0x80U));
             expectation.Follow(more);
             if (!small.IsBusy())
             {

@@ -295,6 +295,89 @@ TEST_F(StoredSafetyTest, TheKernelsConfigurationComesBackValid)
     EXPECT_NE(Read(0x13FEU, 0U), 0xA5U);
 }
 
+// t [cycles]   0 save of SCT 50 ms     moment: 60 ms, signed, A5h     end
+TEST_F(StoredSafetyTest, ASaveWithinWhichTheConfigurationChangesIsRefused)
+{
+    Verifies(req::SRS_STO_019);
+    Verifies(req::SRS_STO_005);
+    Configure();
+    std::array<std::uint8_t, 64> scratch{};
+    CutMemory memory{8192U};
+    StoredSafety safety{kernel};
+    std::array<StoredPart*, 1> parts{&safety};
+    ParameterStore store{StoreParts{memory, parts.data(), 1U, Room{scratch.data(), 64U}}};
+    const auto write = [this](const std::uint32_t sct_ms)
+    {
+        EXPECT_EQ(Write(0x1301U, 2U, sct_ms, 2U), AbortCode::kNone);
+        const SignReply reply = kernel.Sign(CommunicationIndex{0x1301U});
+        EXPECT_EQ(Write(0x13FFU, 1U, reply.signature, 2U), AbortCode::kNone);
+        EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+    };
+    std::uint32_t saved_ms = 0U;
+    int refused = 0;
+    int changes = 0;
+    for (int moment = 0; moment < 3000; ++moment)
+    {
+        SCOPED_TRACE(moment);
+        const std::uint32_t before_ms = 50U + static_cast<std::uint32_t>(moment % 2);
+        write(before_ms);
+        EXPECT_EQ(store.Ask({StoreAction::kSave, kAllGroups}), SdoAbort::kPending);
+        bool is_changed = false;
+        for (int i = 0; (i < 3000) && store.IsBusy(); ++i)
+        {
+            if (i == moment)
+            {
+                write(60U);
+                is_changed = true;
+            }
+            store.OnCycle();
+        }
+        const SdoAbort answer = store.Ask({StoreAction::kSave, kAllGroups});
+        const std::uint32_t last_ms = saved_ms;
+        // Then an answer of success means a set that loads, and a refusal leaves the one before
+        EXPECT_TRUE((answer == SdoAbort::kNone) || (answer == SdoAbort::kDeviceState));
+        EXPECT_EQ(kernel.Image().RestoreDefaults(), Result::kSuccessful);
+        const LoadReport report = store.Load(kCommunicationGroup);
+        EXPECT_NE(report.finding, StoreFinding::kRefused);
+        EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+        saved_ms = Read(0x1301U, 2U);
+        EXPECT_TRUE((answer == SdoAbort::kNone) ? ((saved_ms == before_ms) || (is_changed && (saved_ms == 60U)))
+                                                : (saved_ms == last_ms));
+        refused += (answer == SdoAbort::kNone) ? 0 : 1;
+        if (!is_changed)
+        {
+            break; // Every moment of a save was tried.
+        }
+        ++changes;
+    }
+    EXPECT_GT(refused, 3);
+    EXPECT_GT(changes, refused);
+}
+
+// 50 ms, 60 ms while the values are read, and 50 ms again: neither the first nor the last look sees it.
+TEST_F(StoredSafetyTest, AChangeThatIsTakenBackBeforeTheEndIsFound)
+{
+    Verifies(req::SRS_STO_019);
+    Configure();
+    std::array<std::uint8_t, 64> scratch{};
+    const Room room{scratch.data(), 64U};
+    StoredSafety safety{kernel};
+    const std::uint32_t items = safety.ItemCount();
+    for (std::uint32_t i = 0U; i < items; ++i)
+    {
+        const std::uint32_t sct_ms = (i == 1U) ? 60U : 50U;
+        EXPECT_EQ(Write(0x1301U, 2U, sct_ms, 2U), AbortCode::kNone);
+        EXPECT_EQ(safety.Item(i, room).abort, SdoAbort::kNone);
+    }
+    EXPECT_EQ(Write(0x1301U, 2U, 50U, 2U), AbortCode::kNone);
+    const SignReply reply = kernel.Sign(CommunicationIndex{0x1301U});
+    EXPECT_EQ(Write(0x13FFU, 1U, reply.signature, 2U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+    EXPECT_EQ(safety.EndSave(kAllGroups), SdoAbort::kDeviceState);
+    // A save of other groups does not mind
+    EXPECT_EQ(safety.EndSave(kApplicationGroup), SdoAbort::kNone);
+}
+
 TEST_F(StoredSafetyTest, AfterALostSetTheDeviceDoesNotComeUpWithA5)
 {
     Verifies(req::SRS_STO_014);

@@ -25,6 +25,10 @@ class DeviceRig : public Rig, public Owner
 
     LoadResult OnResetNode() noexcept override;
     LoadResult OnResetCommunication() noexcept override;
+    [[nodiscard]] bool IsStoring() const noexcept override
+    {
+        return is_storing;
+    }
 
     /// PowerOn; must succeed unless the test expects otherwise.
     void Start();
@@ -70,6 +74,7 @@ class DeviceRig : public Rig, public Owner
     Device device;
 
     LoadResult node_answer{LoadResult::kLoaded};
+    bool is_storing{false};
     bool is_configured{true}; ///< OnResetCommunication declares the configuration valid.
     int node_resets{0};
     int communication_resets{0};

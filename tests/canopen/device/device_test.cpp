@@ -110,6 +110,50 @@ TEST_F(DeviceTest, TheSafeStateIsToldAgainBehindTheBootUpOfAResetOfCommunication
     EXPECT_TRUE(Sent(0x82U).empty());
 }
 
+// t [cycles]   0 store begins, command      5 store ends, the reset is carried out
+TEST_F(DeviceTest, AResetWaitsForTheEndOfAStore)
+{
+    Verifies(req::SRS_DEV_025);
+    for (const std::uint8_t command : {std::uint8_t{129U}, std::uint8_t{130U}})
+    {
+        SCOPED_TRACE(int{command});
+        stored_heartbeat_ms = 1U;
+        is_storing = false;
+        node_resets = 0;
+        communication_resets = 0;
+        Start();
+        Cycle();
+        EXPECT_EQ(Download(0x1016U, 1U, 0x00050064U, 4U), 0U);
+        Frame(0x602U, {0x21U, 0x00U, 0x25U, 0x00U, 0x04U, 0U, 0U, 0U}); // Half of a download.
+        Cycle();
+        is_storing = true;
+        Forget();
+        Command(command);
+        Cycles(5U);
+        // Then it is in INITIALISATION at once, its objects are those that are being stored, and it says nothing
+        EXPECT_EQ(device.State(), (command == 129U) ? NodeState::kResetApplication : NodeState::kResetCommunication);
+        EXPECT_EQ(dictionary.ReadNumber({0x1016U, 1U}).value, 0x00050064U);
+        EXPECT_EQ(node_resets, 1);
+        EXPECT_EQ(communication_resets, 1);
+        Command(1U);
+        Frame(0x602U, {0x40U, 0x00U, 0x10U, 0U, 0U, 0U, 0U, 0U});
+        Cycle();
+        EXPECT_EQ(ports.sent.size(), forgotten);
+        // When the store has ended, the reset takes place
+        is_storing = false;
+        Cycles(2U);
+        EXPECT_EQ(device.State(), NodeState::kPreOperational);
+        EXPECT_EQ(dictionary.ReadNumber({0x1016U, 1U}).value, 0U);
+        EXPECT_EQ(node_resets, (command == 129U) ? 2 : 1);
+        EXPECT_EQ(communication_resets, 2);
+        ASSERT_FALSE(Sent(0x702U).empty());
+        EXPECT_EQ(Sent(0x702U)[0], Octets{0U});
+        EXPECT_TRUE(Sent(0x582U).empty());
+        EXPECT_EQ(core.DeviceState().fault, DeviceFault::kNone);
+        device.PowerOff();
+    }
+}
+
 TEST_F(DeviceTest, ResetCommunicationBringsBackStoredValues)
 {
     Verifies(req::SRS_DEV_004);

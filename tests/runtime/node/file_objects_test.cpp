@@ -453,6 +453,38 @@ TEST_F(FileObjectsTest, AnObjectOfAServiceWithAnotherDataTypeIsToldWithBothLengt
     EXPECT_EQ(Tried(Record("1200") + Element("1200sub1", "6", "ro", "$NODEID+0x600")), told("0x1200:01", 16U, 32U));
     EXPECT_EQ(TriedFile(std::regex_replace(kHead, std::regex("\\[1001\\]\nDataType=5"), "[1001]\nDataType=6")),
               told("0x1001:00", 16U, 8U));
+    // Where there is nothing to be read, and beside a value that is left out or refused
+    EXPECT_EQ(Tried(Record("1003") + Element("1003sub1", "6", "ro", "")), told("0x1003:01", 16U, 32U));
+    const auto last = [this](const std::string& objects)
+    {
+        const std::vector<std::string> lines = Tried(objects);
+        return (lines.size() == 2U) ? std::vector<std::string>{lines[1]} : lines;
+    };
+    EXPECT_EQ(last(Element("1017", "7", "rw", "0x10000")), told("0x1017:00", 32U, 16U));
+    EXPECT_EQ(last(Element("1012", "6", "rw", "0x40000100")), told("0x1012:00", 16U, 32U));
+    EXPECT_EQ(last(Record("1028") + Element("1028sub1", "6", "rw", "0x80000081")), told("0x1028:01", 16U, 32U));
+}
+
+TEST_F(FileObjectsTest, AnObjectOfAServiceHasTheLengthOfTheServiceForItsClients)
+{
+    Verifies(req::SRS_NODE_043);
+    Start(Element("1005", "6", "rw", "0x80") + Record("1010") + Element("1010sub1", "5", "rw", "1") +
+          Element("1014", "6", "rw", "$NODEID+0x80") + Element("1017", "7", "rw", "100") + Record("1029") +
+          Element("1029sub1", "6", "rw", "1"));
+    // The numbers of the file are there
+    EXPECT_EQ(Read({0x1005U, 0U}), 0x80U);
+    EXPECT_EQ(Read({0x1014U, 0U}), 0x85U);
+    EXPECT_EQ(Read({0x1017U, 0U}), 100U);
+    EXPECT_EQ(Read({0x1029U, 1U}), 1U);
+    // A client writes with the length that it reads, and with no other
+    EXPECT_EQ(Write({0x1017U, 0U}, 200U, 2U), SdoAbort::kNone);
+    EXPECT_EQ(Write({0x1017U, 0U}, 300U, 4U), SdoAbort::kTooLong);
+    EXPECT_EQ(Read({0x1017U, 0U}), 200U);
+    EXPECT_EQ(Write({0x1005U, 0U}, 0x90U, 4U), SdoAbort::kNone);
+    EXPECT_EQ(Write({0x1005U, 0U}, 0x80U, 2U), SdoAbort::kTooShort);
+    EXPECT_EQ(Write({0x1029U, 1U}, 2U, 1U), SdoAbort::kNone);
+    EXPECT_EQ(Write({0x1029U, 1U}, 1U, 2U), SdoAbort::kTooLong);
+    EXPECT_EQ(Write({0x1010U, 1U}, 0x65766173U, 4U), SdoAbort::kNotStored); // Without --store.
 }
 
 // An SRDO has the length of its object, which is one bit: what check says with both lengths the device says with a code

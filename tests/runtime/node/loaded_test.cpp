@@ -114,6 +114,22 @@ class LoadedTest : public tools::test::CommandTest
         }
         ASSERT_EQ(abort, SdoAbort::kNone);
     }
+    /// An NMT command of the manager, and what follows until the device has booted.
+    void Reset(const std::uint8_t command)
+    {
+        device->OnFrame(tools::test::FrameOf(0U, {command, 5U}, now_ns), CanPortId::kFirst, {Instant{0U}, Instant{0U}});
+        for (int i = 0; i < 100000; ++i)
+        {
+            now_ns += kNsPerMs;
+            device->Serve({Instant{0U}, Instant{0U}}, now_ns);
+            if (device->Assembly().Device().State() == cia301::NodeState::kPreOperational)
+            {
+                return;
+            }
+            std::this_thread::sleep_for(std::chrono::microseconds(10));
+        }
+        ADD_FAILURE() << "no boot";
+    }
     [[nodiscard]] std::string Told()
     {
         static_cast<void>(report.Finish());
@@ -185,6 +201,43 @@ TEST_F(LoadedTest, TheDeviceThatWasSavedIsTheOneThatStarts)
     EXPECT_EQ(Write({0x1028U, 1U}, 0x00000081U, 4U), SdoAbort::kValueRange);
     EXPECT_EQ(Write({0x1201U, 1U}, 0x00000690U, 4U), SdoAbort::kValueRange);
     EXPECT_EQ(Write({0x1280U, 1U}, 0x00000606U, 4U), SdoAbort::kValueRange);
+    device.reset();
+    EXPECT_EQ(Told().find("warning"), std::string::npos) << out.str();
+}
+
+// 1017h and 1015h of the file are 100 and 10, those of the set before 50 and 20
+TEST_F(LoadedTest, AResetDuringASaveKeepsWhatIsSaved)
+{
+    Verifies(req::SRS_DEV_025);
+    for (const std::uint8_t command : {std::uint8_t{129U}, std::uint8_t{130U}})
+    {
+        for (int steps = 0; steps < 60; steps += 3)
+        {
+            SCOPED_TRACE(testing::Message() << int{command} << " behind " << steps);
+            const std::string store = Path("save" + std::to_string(command) + std::to_string(steps));
+            Start(kFile, store);
+            EXPECT_EQ(Write({0x1017U, 0U}, 50U, 2U), SdoAbort::kNone);
+            EXPECT_EQ(Write({0x1015U, 0U}, 20U, 2U), SdoAbort::kNone);
+            Save();
+            EXPECT_EQ(Write({0x1017U, 0U}, 51U, 2U), SdoAbort::kNone);
+            EXPECT_EQ(Write({0x1015U, 0U}, 21U, 2U), SdoAbort::kNone);
+            // When a save has gone so far, and its client asks no more because of the reset
+            EXPECT_EQ(Write({0x1010U, 1U}, kSave, 4U), SdoAbort::kPending);
+            for (int i = 0; i < steps; ++i)
+            {
+                now_ns += kNsPerMs;
+                device->Serve({Instant{0U}, Instant{0U}}, now_ns);
+                std::this_thread::sleep_for(std::chrono::microseconds(10));
+            }
+            Reset(command);
+            // Then the device has it, and after another start, too
+            EXPECT_EQ(Read({0x1017U, 0U}), 51U);
+            EXPECT_EQ(Read({0x1015U, 0U}), 21U);
+            Start(kFile, store);
+            EXPECT_EQ(Read({0x1017U, 0U}), 51U);
+            EXPECT_EQ(Read({0x1015U, 0U}), 21U);
+        }
+    }
     device.reset();
     EXPECT_EQ(Told().find("warning"), std::string::npos) << out.str();
 }

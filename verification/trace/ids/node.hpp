@@ -31,6 +31,7 @@ inline constexpr RequirementId SRS_DEV_021{"SRS_DEV_021"};
 inline constexpr RequirementId SRS_DEV_022{"SRS_DEV_022"};
 inline constexpr RequirementId SRS_DEV_023{"SRS_DEV_023"};
 inline constexpr RequirementId SRS_DEV_024{"SRS_DEV_024"};
+inline constexpr RequirementId SRS_DEV_025{"SRS_DEV_025"};
 inline constexpr RequirementId SRS_NODE_001{"SRS_NODE_001"};
 inline constexpr RequirementId SRS_NODE_002{"SRS_NODE_002"};
 inline constexpr RequirementId SRS_NODE_003{"SRS_NODE_003"};
@@ -61,6 +62,7 @@ inline constexpr RequirementId SRS_NODE_038{"SRS_NODE_038"};
 inline constexpr RequirementId SRS_NODE_040{"SRS_NODE_040"};
 inline constexpr RequirementId SRS_NODE_041{"SRS_NODE_041"};
 inline constexpr RequirementId SRS_NODE_042{"SRS_NODE_042"};
+inline constexpr RequirementId SRS_NODE_043{"SRS_NODE_043"};
 } // namespace counterpoint::req
 
 #endif

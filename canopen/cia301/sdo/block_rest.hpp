@@ -1,0 +1,33 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA301_SDO_BLOCK_REST_HPP
+#define CANOPEN_CIA301_SDO_BLOCK_REST_HPP
+
+#include "safety_core/contract/time.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::cia301
+{
+
+/// The rest of a sub-block of a download that was ended within it: a client sends its sub-block without waiting, and
+/// what is still under way looks like requests. [SRS_SDO_019]
+class BlockRest
+{
+  public:
+    /// @brief Segments 1 to `block_size` may still come. Time counts from the next call of Poll or Takes on.
+    void Await(std::uint8_t block_size) noexcept;
+    /// @brief Whether a frame with this first byte is one of them. The last one ends the rest, and so does any other
+    /// frame. O(1)
+    [[nodiscard]] bool Takes(std::uint8_t head, Instant now) noexcept;
+    /// @brief Ends the rest after a pause. Once a cycle. O(1)
+    void Poll(Instant now, std::uint32_t pause_us) noexcept;
+
+  private:
+    std::uint8_t block_size_{0U}; ///< 0: nothing is awaited.
+    bool is_timed_{false};        ///< `last_` counts.
+    Instant last_{0U};
+};
+
+} // namespace counterpoint::cia301
+
+#endif
