@@ -4,6 +4,7 @@
 #include "canopen/cia301/store/stored_parts.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "safety_core/comparator/comparator_self_test.hpp"
+#include "safety_core/kernel/clock_supervisor.hpp"
 #include "safety_core/kernel/limits.hpp"
 
 #include <algorithm>
@@ -248,6 +249,7 @@ DeviceConfig ConfigOf(const DeviceModel& model, const std::optional<std::uint32_
         config.diagnostic_interval_us = std::max({config.diagnostic_interval_us, static_cast<std::uint32_t>(same_us),
                                                   2U * LateCycleUs(config) * config.srdo_count});
         config.test_interval_us = std::max(config.test_interval_us, ComparatorSelfTest::LongestRoundUs(config));
+        config.clock_interval_us = std::max(config.clock_interval_us, ClockSupervisor::LeastIntervalUs(config));
         config.digest = 0U;
     }
     return config;

@@ -11,6 +11,7 @@ namespace
 {
 
 constexpr std::uint32_t kSignBit = 31U;
+constexpr std::uint32_t kLeastCycles = 4U;
 
 std::uint32_t Apart(const std::uint32_t left, const std::uint32_t right) noexcept
 {
@@ -18,6 +19,11 @@ std::uint32_t Apart(const std::uint32_t left, const std::uint32_t right) noexcep
 }
 
 } // namespace
+
+std::uint32_t ClockSupervisor::LeastIntervalUs(const DeviceConfig& config) noexcept
+{
+    return kLeastCycles * LateCycleUs(config);
+}
 
 void ClockSupervisor::Restart(const DeviceConfig& config) noexcept
 {

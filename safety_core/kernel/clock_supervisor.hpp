@@ -20,6 +20,8 @@ namespace counterpoint
 class ClockSupervisor
 {
   public:
+    /// @brief Shortest clock interval, in us: each of the two windows in it has a cycle of its own, however late.
+    [[nodiscard]] static std::uint32_t LeastIntervalUs(const DeviceConfig& config) noexcept;
     /// @brief Times of this device, which Kernel::Start has checked; the references are those of the first OnCycle.
     void Restart(const DeviceConfig& config) noexcept;
     /// @brief Stamps of the next frame in bus order.

@@ -2,6 +2,7 @@
 #include "safety_core/kernel/start_check.hpp"
 
 #include "safety_core/comparator/comparator_self_test.hpp"
+#include "safety_core/kernel/clock_supervisor.hpp"
 #include "safety_core/kernel/limits.hpp"
 
 namespace counterpoint
@@ -14,7 +15,6 @@ constexpr std::uint16_t kMostObjects = 1024U;
 constexpr std::uint32_t kShortestCycleUs = 100U;
 constexpr std::uint32_t kLongestCycleUs = 1000000U;
 constexpr std::uint32_t kLongestTimeUs = 0x3FFFFFFFU; // Differences of instants stay valid with room to spare.
-constexpr std::uint32_t kLeastClockCycles = 4U;
 constexpr std::uint32_t kGranularities = 1U | 8U | 16U | 32U | 64U;
 
 // A guarantee that is missing has its result at the same place of the same order.
@@ -128,8 +128,7 @@ StartResult CheckTiming(const DeviceConfig& config) noexcept
     {
         return StartResult::kTiming;
     }
-    // Of the two windows of the clock supervision in it each has a cycle of its own, however late.
-    const bool is_supervised = config.clock_interval_us >= (kLeastClockCycles * LateCycleUs(config));
+    const bool is_supervised = config.clock_interval_us >= ClockSupervisor::LeastIntervalUs(config);
     // One signature or digest a cycle at the most, one test of the comparator a cycle at the most, however late.
     const bool is_diagnosed = config.diagnostic_interval_us >= (2U * LateCycleUs(config) * config.srdo_count);
     const bool is_tested = config.test_interval_us >= ComparatorSelfTest::LongestRoundUs(config);

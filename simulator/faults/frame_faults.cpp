@@ -51,7 +51,7 @@ void FrameFaults::OnReception(const host::FrameOnBus& sent, const host::NodeInde
         ForForeign(place, sent, receptions);
         return;
     }
-    ReleaseHeld(receiver, receptions);
+    const std::optional<CanFrame> held = TakeHeld(receiver);
     TellForeign(sent, place.node);
     for (const FrameSelector& selector : selectors_)
     {
@@ -60,6 +60,10 @@ void FrameFaults::OnReception(const host::FrameOnBus& sent, const host::NodeInde
         {
             teller_.Tell(selector.Index(), place.node, sent.frame.identifier, stage_.bus.Now());
         }
+    }
+    if (held) // Comes behind this frame, and is not hit by what hits this one.
+    {
+        static_cast<void>(receptions.Add({*held, 0}));
     }
 }
 
@@ -162,16 +166,17 @@ void FrameFaults::Store(const FrameSelector& selector, const host::NodeIndex rec
     let_go_[{selector.Index(), receiver}] = at;
 }
 
-// The frame that was held back comes behind this one.
-void FrameFaults::ReleaseHeld(const host::NodeIndex receiver, host::ReceptionList& receptions)
+// The frame that was held back for this receiver, if there is one.
+std::optional<CanFrame> FrameFaults::TakeHeld(const host::NodeIndex receiver)
 {
     const auto mine =
         std::find_if(held_.begin(), held_.end(), [receiver](const Held& held) { return held.receiver == receiver; });
     if (mine == held_.end())
     {
-        return;
+        return std::nullopt;
     }
-    static_cast<void>(receptions.Add({mine->frame, 0}));
+    const CanFrame frame = mine->frame;
     held_.erase(mine);
+    return frame;
 }
 } // namespace counterpoint::simulator

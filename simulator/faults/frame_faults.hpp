@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace counterpoint::simulator
@@ -53,7 +54,7 @@ class FrameFaults final : public host::BusFault
     [[nodiscard]] bool Apply(const FrameSelector& selector, host::NodeIndex receiver, host::ReceptionList& receptions);
     void Repeat(const FrameSelector& selector, host::NodeIndex receiver, host::ReceptionList& receptions);
     void Store(const FrameSelector& selector, host::NodeIndex receiver, host::ReceptionList& receptions);
-    void ReleaseHeld(host::NodeIndex receiver, host::ReceptionList& receptions);
+    std::optional<CanFrame> TakeHeld(host::NodeIndex receiver);
 
     FaultStage stage_;
     EffectTeller teller_;

@@ -281,14 +281,14 @@ TEST(Detection, TellsEachOfWhatOneCycleNoticed)
                                          0U),
         0U)
         << frames->Verdicts()[1].seen;
-    const auto clock =
-        RunChain("faults:\n"
-                 "  - {fault: corruption, name: one, frames: {identifier: 0x104, receiver: actuator, from: 500 ms}, "
-                 "bits: [0]}\n"
-                 "  - {fault: clock, name: two, node: actuator, counter: a, jump: 30 ms, at: 511.2 ms}\n"
-                 "expect:\n"
-                 "  - {that: detected_by, node: actuator, fault: one, by: channels}\n"
-                 "  - {that: detected_by, node: actuator, fault: two, by: clock_supervisor}\n");
+    const auto clock = RunChainOf(
+        {}, "faults:\n"
+            "  - {fault: corruption, name: one, frames: {identifier: 0x104, receiver: actuator, from: 500 ms}, "
+            "bits: [0]}\n"
+            "  - {fault: clock, name: two, node: actuator, counter: a, jump: 30 ms, at: 511.2 ms}\n"
+            "expect:\n"
+            "  - {that: detected_by, node: actuator, fault: one, by: channels}\n"
+            "  - {that: detected_by, node: actuator, fault: two, by: clock_supervisor}\n");
     EXPECT_EQ(Failures(*clock), "");
 }
 
@@ -359,6 +359,23 @@ TEST(JudgedLimit, OfAFrameOutOfOrderCountsFromWhereItStaysAway)
         EXPECT_EQ(MeasurementOf(*wrong_order).effect, MeasurementOf(*late).effect) << detection;
         EXPECT_EQ(MeasurementOf(*wrong_order).limit, MeasurementOf(*late).limit) << detection;
     }
+}
+
+// Of two frames on neighbouring places the first one is held back and the second one lost: the first still comes, so
+// that its pair is late for want of the inverse frame (SRVT 20 ms), not both of them (SCT 25 ms).
+TEST(JudgedLimit, AFrameThatIsHeldBackComesAlthoughTheNextOneIsLost)
+{
+    Verifies(req::SRS_SIM_031);
+    const std::string held = "  - {name: held, fault: wrong_sequence, frames: {identifier: 0x103, receiver: actuator, "
+                             "from: 500 ms}}\n";
+    const std::string lost =
+        "  - {name: lost, fault: loss, frames: {identifier: 0x104, receiver: actuator, from: 500 ms}}\n";
+    const std::string expect =
+        "expect:\n  - {that: safe_within, fault: lost, node: actuator, srdo: 1, limit: bus_next_normal}\n";
+    const auto one = RunChainOf({}, "faults:\n" + lost + expect);
+    const auto both = RunChainOf({}, "faults:\n" + held + lost + expect);
+    EXPECT_GT(MeasurementOf(*one).closed, 0);
+    EXPECT_EQ(MeasurementOf(*both).closed, MeasurementOf(*one).closed);
 }
 
 // The sensor's application sends: refresh 25 ms, cycle 1 ms. Whenever the button changes, no frame that ends more than

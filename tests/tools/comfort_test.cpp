@@ -323,11 +323,12 @@ TEST_F(Completion, TextsOfTheTablesCannotBreakTheScripts)
     const std::string zsh = RunCommand({"completion", "zsh"}).out;
     EXPECT_NE(
         zsh.find("'*--profile[Start-up profile of the managers\\: one of the scenario'\\''s '\\''profiles'\\'']:TEXT:"
-                 "_files'"),
+                 "(cia302 el6751 plc_designer)'"),
         std::string::npos);
     EXPECT_EQ(zsh.rfind("#compdef counterpoint\n", 0U), 0U);
     const std::string fish = RunCommand({"completion", "fish"}).out;
-    EXPECT_NE(fish.find(" -l profile -r -F -d 'Start-up profile of the managers: one of the scenario\\'s "
+    EXPECT_NE(fish.find(" -l profile -x -a 'cia302 el6751 plc_designer' -d 'Start-up profile of the managers: one of "
+                        "the scenario\\'s "
                         "\\'profiles\\''\n"),
               std::string::npos);
 }
