@@ -147,8 +147,8 @@ bool ComparatorSelfTest::TakeTurn(const Instant now) noexcept
         begun_ = now;
         number_ = 0U;
         ++round_;
-        slot_ = (slot_ << 1U) & slots_;
-        slot_ = (slot_ == 0U) ? SrdoMask{1U} : slot_;
+        ++slot_;
+        slot_ = (slot_ < slots_) ? slot_ : SlotIndex{0U};
     }
     return number_ < kComparatorTests;
 }
@@ -160,7 +160,7 @@ DeviceFault ComparatorSelfTest::Run(const Comparator& comparator, const Comparis
     Voices voices{*comparison.outcome_a, *comparison.outcome_a, HeldPair{}};
     voices.a.fresh = 0U; // News of its own would have the comparator look for another reason.
     voices.b.fresh = 0U;
-    const TurnedBits bits = BitsOf(round_, slot_);
+    const TurnedBits bits = BitsOf(round_, SrdoMask{1U} << slot_);
     Turn(voices, number, bits);
     const Verdict verdict =
         comparator.Try(Comparison{&voices.a, &voices.b, comparison.channel_a, comparison.channel_a, comparison.now,

@@ -33,7 +33,7 @@ class ComparatorSelfTest
         wait_us_ = config.test_interval_us - LongestRoundUs(config);
         is_timed_ = false;
         number_ = kComparatorTests;
-        slots_ = FirstSlots(config.srdo_count);
+        slots_ = config.srdo_count;
     }
     /// @brief Once a cycle: whether a test has to be run now. The time counts from the first call on.
     [[nodiscard]] bool TakeTurn(Instant now) noexcept;
@@ -46,8 +46,8 @@ class ComparatorSelfTest
     Instant begun_{};         ///< Begin of the round, or of the first wait.
     bool is_timed_{};         ///< `begun_` is set.
     std::uint8_t round_{};    ///< Modular: which bit is turned round.
-    SrdoMask slot_{};         ///< The one that is turned round.
-    SrdoMask slots_{};        ///< Those that exist.
+    SlotIndex slot_{kNoSlot}; ///< The one that is turned round; the first follows kNoSlot.
+    std::uint8_t slots_{};    ///< Number of those that exist.
 };
 
 } // namespace counterpoint

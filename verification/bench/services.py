@@ -10,7 +10,7 @@ import emulator
 # Which sources are which service: beginnings of their paths below canopen, the longest one counts. Every object of the rooms has one row.
 SERVICES = {
     "dictionary": ["cia301/base/", "cia301/dictionary/"],
-    "sdo_server": ["cia301/sdo/server", "cia301/sdo/parameters", "cia301/store/crc16"],
+    "sdo_server": ["cia301/sdo/server", "cia301/sdo/block_rest", "cia301/sdo/parameters", "cia301/store/crc16"],
     "sdo_client": ["cia301/sdo/client"],
     "nmt": ["cia301/nmt/slave"],
     "heartbeat": ["cia301/nmt/heartbeat"],
