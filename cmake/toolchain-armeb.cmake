@@ -9,6 +9,9 @@ set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR armeb)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 
+# A compiler cache brings objects back without the call graphs that the analysis of the stack reads.
+unset(ENV{CMAKE_CXX_COMPILER_LAUNCHER})
+
 set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
 set(CMAKE_ASM_COMPILER arm-none-eabi-gcc)
 

@@ -48,7 +48,7 @@ def enumerators(header, name):
     """Value -> name of an enumeration of the contract."""
     text = (ROOT / "safety_core/contract" / header).read_text(encoding="utf-8")
     body = text.split(f"enum class {name} ")[1].split("};")[0]
-    return {int(value, 0): word for word, value in re.findall(r"k(\w+) = (\w+?)U", body)}
+    return {int(value, 0): word for word, value in re.findall(r"k(\w+)\s*=\s*(\w+?)U", body)}
 
 
 def mechanism_name(text, faults, causes):
