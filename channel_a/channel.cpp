@@ -37,11 +37,10 @@ void Clear(const Voice& voice, const std::size_t slot) noexcept
 // Those of all slots.
 void ClearEntries(const Voice& voice) noexcept
 {
-    std::uint32_t* const first = voice.storage.entries;
-    std::uint32_t* const end = first + (std::size_t{voice.count} * voice.storage.map_entries); // MISRA D-002
-    for (std::uint32_t* entry = first; entry != end; ++entry)                                  // MISRA D-002
+    const std::size_t entries = std::size_t{voice.count} * voice.storage.map_entries;
+    for (std::size_t entry = 0U; entry < entries; ++entry)
     {
-        *entry = 0U;
+        voice.storage.entries[entry] = 0U; // MISRA D-002
     }
 }
 

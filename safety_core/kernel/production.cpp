@@ -12,17 +12,10 @@ namespace
 constexpr std::uint32_t kSignBit = 31U;
 
 // The GFC as it has to be on the bus, in the memory of constants: what SendGfc composes is compared with it.
-constexpr PreparedPair GfcBy(const CanPortId port) noexcept
-{
-    PreparedPair gfc{};
-    gfc.normal.identifier = kGfcIdentifier;
-    gfc.normal.kind = FrameKind::kData;
-    gfc.normal.port = port;
-    gfc.status = PrepareStatus::kReady;
-    return gfc;
-}
-constexpr PreparedPair kGfcByFirst = GfcBy(CanPortId::kFirst);
-constexpr PreparedPair kGfcBySecond = GfcBy(CanPortId::kSecond);
+constexpr PreparedPair kGfcByFirst{{kGfcIdentifier, FrameKind::kData, CanPortId::kFirst, 0U, {}},
+                                   PrepareStatus::kReady};
+constexpr PreparedPair kGfcBySecond{{kGfcIdentifier, FrameKind::kData, CanPortId::kSecond, 0U, {}},
+                                    PrepareStatus::kReady};
 
 } // namespace
 

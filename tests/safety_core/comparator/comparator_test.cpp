@@ -7,6 +7,7 @@
 #include "verification/trace/verifies.hpp"
 
 #include <cstdint>
+#include <cstring>
 #include <initializer_list>
 
 namespace counterpoint
@@ -438,11 +439,17 @@ TEST_F(Comparing, SelfTestWaitsForTheEndOfTheIntervalAndBeginsWithTheSameDiffere
 TEST_F(Comparing, PairThatIsKeptBackWithoutADifferenceIsUnmatchedAfterTheDiscrepancyTime)
 {
     Verifies(req::SRS_CMP_011);
-    auto* const open = reinterpret_cast<unsigned char*>(&comparator);
+    const auto set_bit = [this]()
+    {
+        SrdoMask open = 0U;
+        std::memcpy(&open, &comparator, sizeof(open));
+        open |= 4U;
+        std::memcpy(static_cast<void*>(&comparator), &open, sizeof(open));
+    };
     EXPECT_EQ(CompareAt(1000U).agreement.matched & 4U, 4U);
     a.outcome.fresh = 4U;
     b.outcome.fresh = 4U;
-    b.on_held = [open]() { open[0] = static_cast<unsigned char>(open[0] | 4U); };
+    b.on_held = set_bit;
     EXPECT_EQ(CompareAt(2000U).agreement.matched & 4U, 0U);
     EXPECT_EQ(CompareAt(6000U).fault, DeviceFault::kNone);
     const Verdict verdict = CompareAt(6001U);
