@@ -296,9 +296,12 @@ class Judgement
     [[nodiscard]] Nanoseconds UntilApart(const Measurement& measurement) const
     {
         const FaultSetup& fault = scenario_.faults[measurement.fault];
+        if (measurement.fault_class != FaultClass::kClock || fault.kind != FaultKind(NodeFault::kClock) || fault.jump)
+        {
+            return 0;
+        }
         const NodeSetup& node = scenario_.nodes[fault.node];
-        if (measurement.fault_class != FaultClass::kClock || fault.kind != FaultKind(NodeFault::kClock) || fault.jump ||
-            node.role == runtime::CpuRole::kWhole)
+        if (node.role == runtime::CpuRole::kWhole)
         {
             return 0;
         }
