@@ -12,9 +12,8 @@ namespace counterpoint
 /// Why a device is in its safe state (level 2). [SRS_KRN_003]
 enum class DeviceFault : std::uint8_t
 {
-    kInvalid = 0U, ///< Also: the latch itself was found corrupted.
-    kDisagreement =
-        1U, ///< Outcomes, data or checks of the channels are not equal, or an object or the GFC is not as it was to be.
+    kInvalid = 0U,       ///< Also: the latch itself was found corrupted.
+    kDisagreement = 1U,  ///< Outcomes, data or checks of the channels are not equal, or an object or the GFC is wrong.
     kUnmatched = 2U,     ///< Ordinals or due marks differed for longer than the discrepancy time.
     kGuard = 3U,         ///< A channel found the guard's token stale.
     kConfiguration = 4U, ///< Signature or resolved mapping wrong while 13FEh was A5h, or a copy of it changed.
