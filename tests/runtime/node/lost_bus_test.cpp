@@ -60,6 +60,33 @@ TEST(NodeLostBusTest, ALostServerThatComesBackOpensNothing)
     EXPECT_EQ(controller->End(), 0);
 }
 
+/// Lets real time pass in which the time of the processes stands still, as on a machine that has much else to do.
+void LetTheMachineBeSlow()
+{
+    pollfd nothing{-1, POLLIN, 0};
+    EXPECT_EQ(::poll(&nothing, 1U, 2500), 0);
+}
+
+// Given a machine on which the processes are seconds behind real time, when the server ends and is there again, then a
+// device waits for the next connection by its own time, and takes part again.
+TEST(NodeLostBusTest, ASlowMachineChangesNothing)
+{
+    Verifies(req::SRS_LIVE_058);
+    auto server = std::make_unique<host::RunningServer>(OwnBus());
+    const std::uint16_t port = server->Port();
+    const auto actuator = StartNode("emergency_stop/actuator.dcf", {}, server->Address("can0"));
+    LetTheMachineBeSlow();
+    server.reset();
+    EXPECT_FALSE(actuator->WaitFor(Event("bus", "state", "down")).event.is_null());
+    const std::uint64_t lost_ns = NowNs();
+    EXPECT_FALSE(actuator->Tells(Event("bus", "state", "active"), kQuietMs));
+    EXPECT_GE(NowNs() - lost_ns, static_cast<std::uint64_t>(kQuietMs) * 1000000U);
+    server = std::make_unique<host::RunningServer>(OwnBus(), port);
+    EXPECT_FALSE(actuator->WaitFor(Event("bus", "state", "active")).event.is_null());
+    actuator->Type("quit");
+    EXPECT_EQ(actuator->End(), 0);
+}
+
 /// Stands between clients and a server on this machine, and can hold what both say.
 class Relay
 {
