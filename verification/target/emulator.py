@@ -1,4 +1,4 @@
-"""Runs images on QEMU's Cortex-R5F with big-endian data."""
+"""Runs images on QEMU: its Cortex-R5F with big-endian data, and boards with a Cortex-M."""
 import dataclasses
 import subprocess
 
@@ -22,6 +22,16 @@ def run_image(binary, argument="run", seconds=1800, count_instructions=True, fol
         command += ["-device", f"loader,file={path},addr={address:#x},force-raw=on"]
     if count_instructions:
         command += ["-icount", "shift=0"]
+    return run_command(command, seconds, folder)
+
+
+def run_board(board, image, argument="run", seconds=1800):
+    """Runs one little-endian ELF file on a board that the emulator knows by name."""
+    return run_command(["qemu-system-arm", "-M", board, "-nographic", "-monitor", "none", "-serial", "none", "-semihosting-config",
+                        f"enable=on,target=native,arg={argument}", "-kernel", str(image)], seconds, None)
+
+
+def run_command(command, seconds, folder):
     try:
         done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=seconds, check=False,
                               cwd=folder)

@@ -6,7 +6,8 @@
 Builds images (build/target) and the same programs for the host (build/product). Checks, one line each: the way of both
 compilers into one image, faults that end a run, the conformance cases and the differential sequences (number, failures,
 hash: as on the host), the network manager with a whole safety device as its slave, the firmware examples in scenarios and with
-misdeeds, the images for silicon, coverage of the target's objects, symbols, both byte orders, stack. Result: build/target/target.json.
+misdeeds, the images for silicon, coverage of the target's objects, symbols, both byte orders, stack; cases and sequences
+little-endian on four Cortex-M. Result: build/target/target.json.
   --tests     coverage with the tests of core, link and self tests and with corrupted storage, too: 360 tests on the target; then
               no condition of a decision may be left that the target does not show (some minutes more)
   --no-build  use what was built before
@@ -20,6 +21,7 @@ import subprocess
 import sys
 
 import byte_order
+import cortex_m_run
 import coverage_run
 import driver_sources
 import emulator
@@ -227,6 +229,7 @@ def main():
                                                *(f"own_device_{variant}_be32" for variant in image_check.VARIANTS),
                                                *target_build.CERTIFIED_TARGETS], TARGET)
         target_build.build_preset("product", ["conformance_host", "manager_host", *(f"firmware_{device}_host" for device in firmware_run.DEVICES)])
+        cortex_m_run.build()
         coverage_run.build(covered)
     report = Report()
     check_selftest(report)
@@ -237,6 +240,7 @@ def main():
     costs = firmware_run.check(report, IMAGES / "firmware", PRODUCT / "verification/target/firmware")
     check_images(report)
     byte_order.check(report, TARGET, PRODUCT)
+    cortex_m_run.check(report, PRODUCT / "verification/target/conformance/conformance_host")
     coverage = coverage_run.check(report, covered)
     rows = check_stack(report)
     items = count_instructions(report)

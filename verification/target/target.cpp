@@ -42,15 +42,15 @@ Word AddressOf(const volatile void* place) noexcept
 }
 
 /// The emulator reads the request's words with the order of a little-endian processor.
-Word Swapped(Word value) noexcept
+constexpr Word LittleEndian(const Word value) noexcept
 {
-    return __builtin_bswap32(value);
+    return (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__) ? value : __builtin_bswap32(value);
 }
 
 /// The compiler does not see that the host reads and writes the block.
 Word Request(Word operation, Word first, Word second, Word third) noexcept
 {
-    volatile Word block[3] = {Swapped(first), Swapped(second), Swapped(third)};
+    volatile Word block[3] = {LittleEndian(first), LittleEndian(second), LittleEndian(third)};
     return TargetTrap(operation, AddressOf(block));
 }
 

@@ -34,6 +34,7 @@ inline constexpr RequirementId SRS_TGT_008{"SRS_TGT_008"};
 inline constexpr RequirementId SRS_TGT_009{"SRS_TGT_009"};
 inline constexpr RequirementId SRS_TGT_010{"SRS_TGT_010"};
 inline constexpr RequirementId SRS_TGT_011{"SRS_TGT_011"};
+inline constexpr RequirementId SRS_TGT_012{"SRS_TGT_012"};
 } // namespace counterpoint::req
 
 #endif
