@@ -175,7 +175,7 @@ def collect_identity():
     def text(*command):
         return subprocess.run(command, cwd=ROOT, check=False, capture_output=True, text=True).stdout.strip()
     tools = [("g++-12", "--version"), ("clang++-19", "--version"), ("clang-tidy-19", "--version"), ("llvm-cov-19", "--version"),
-             ("cppcheck", "--version"), ("gcovr", "--version"), ("valgrind", "--version"), ("cmake", "--version"),
+             ("cppcheck", "--version"), ("spin", "-V"), ("gcovr", "--version"), ("valgrind", "--version"), ("cmake", "--version"),
              ("ninja", "--version"), ("arm-none-eabi-g++", "--version"), ("ld.lld-19", "--version"),
              ("qemu-system-arm", "--version"), (sys.executable, "--version"),
              (pathlib.Path(sys.executable).parent / "strictdoc", "version")]
