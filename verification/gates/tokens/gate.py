@@ -24,6 +24,8 @@ BANNED = [
     (re.compile(r"\b(float|double)\b"), "floating point"),
     (re.compile(r"\bunion\b"), "union"),
     (re.compile(r"(?<![\w\])\[])\[[&=]?[\w\s,&]*\]\s*[({]"), "lambda"),
+    (re.compile(r"^\s*static\s+(?!const(?:expr)?\b|inline\s+constexpr\b)[^()]*[;={]"), "static variable"),
+    (re.compile(r"\bnoexcept\s*\(\s*false\b"), "noexcept(false)"),
     (re.compile(r"\binitializer_list\b|\bmain\s*\("), "what only a hosted program has"),
 ]
 # Put together here, so that this file does not find itself.
