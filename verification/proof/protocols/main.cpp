@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/proof/protocols/comparator_rig.hpp"
+#include "verification/proof/protocols/election_rig.hpp"
 #include "verification/proof/protocols/link_rig.hpp"
 #include "verification/proof/protocols/replay.hpp"
 
@@ -25,6 +26,9 @@ constexpr Named<ComparatorDefect> kComparatorDefects[] = {{"way_out", Comparator
 constexpr Named<LinkDefect> kLinkDefects[] = {{"longer_timeout", LinkDefect::kLongerTimeout},
                                               {"takes_foreign", LinkDefect::kTakesForeign},
                                               {"older_answers", LinkDefect::kOlderAnswers}};
+constexpr Named<ElectionDefect> kElectionDefects[] = {{"unbounded", ElectionDefect::kUnbounded},
+                                                      {"deaf_to_force", ElectionDefect::kDeafToForce},
+                                                      {"wrong_priority", ElectionDefect::kWrongPriority}};
 
 int Print(const Replayed& replayed)
 {
@@ -78,12 +82,16 @@ int main(const int count, char** const words)
         {
             return Run<LinkRig>(kLinkDefects, wish);
         }
+        if (name == "election")
+        {
+            return Run<ElectionRig>(kElectionDefects, wish);
+        }
     }
     catch (const std::exception& error)
     {
         std::cerr << "counterpoint_replay: " << error.what() << "\n";
         return 2;
     }
-    std::cerr << "usage: counterpoint_replay comparator|link [DEFECT | --defects] < TRANSITIONS\n";
+    std::cerr << "usage: counterpoint_replay comparator|election|link [DEFECT | --defects] < TRANSITIONS\n";
     return 2;
 }

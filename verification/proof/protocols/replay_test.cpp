@@ -2,6 +2,8 @@
 #include "verification/proof/protocols/replay.hpp"
 
 #include "verification/proof/protocols/comparator_rig.hpp"
+#include "verification/proof/protocols/election_rig.hpp"
+#include "verification/proof/protocols/link_rig.hpp"
 #include "verification/trace/ids/verification.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -89,6 +91,45 @@ TEST(ReplayOfModels, ComparatorOfTheProductOpensByBothAlone)
     EXPECT_EQ(one.story, (Story{"1 0 0 0 0 0 0 0 0 0", "0 1 0 0 0 1 0 0 0 0"}));
     const Replayed out = Replay<ComparatorRig>{model}.Run(ComparatorRig{ComparatorDefect::kWayOut});
     EXPECT_EQ(out.refused, "model shows 0 0 0 0, code shows 1 0 0 0");
+}
+
+// Given a start and a cycle, when the peer answers the own message of that cycle, then contact begins; what answers
+// nothing, and the same damaged, changes nothing.
+TEST(ReplayOfModels, LinkOfTheProductBeginsByAnAnswerAlone)
+{
+    Verifies(req::SRS_VER_131);
+    Verifies(req::SRS_VER_132);
+    const Model model = ModelOf("T 0 | 0 0 0 0 0 0 | 1 | 1 0 0 99\n"
+                                "T 0 | 1 0 1 0 1 0 | 2 | 1 4 1 0\n"
+                                "T 1 | 1 0 1 0 1 1 | 1 | 1 5 0 99\n"
+                                "T 1 | 1 0 1 0 1 2 | 1 | 1 5 0 99\n"
+                                "T 1 | 1 0 1 0 1 0 | 3 | 2 1 1 0\n"
+                                "T 3 | 1 0 1 0 1 0 | 3 | 2 2 1 0\n");
+    EXPECT_EQ(Replay<LinkRig>{model}.Run(LinkRig{}).refused, "");
+    const Replayed older = Replay<LinkRig>{model}.Run(LinkRig{LinkDefect::kOlderAnswers});
+    EXPECT_EQ(older.refused, "model shows 1 4 1 0, code shows 2 1 1 0");
+    const Replayed foreign = Replay<LinkRig>{model}.Run(LinkRig{LinkDefect::kTakesForeign});
+    EXPECT_EQ(foreign.refused, "model shows 1 5 0 99, code shows 1 4 1 0");
+    EXPECT_EQ(foreign.story, (Story{"0 0 0 0 0 0", "1 0 1 0 1 1"}));
+}
+
+// Given a device of level 1 alone, when it asks and a worse one claims, then it sends 076h and begins anew after 5 ms;
+// with level 2 instead it follows.
+TEST(ReplayOfModels, FlyingMasterOfTheProductForcesAWorseOneAlone)
+{
+    Verifies(req::SRS_VER_131);
+    Verifies(req::SRS_VER_132);
+    const Model model = ModelOf("T 0 | 0 0 250 1 2 | 1 | 0 0 0 0 0 0 0\n"
+                                "T 1 | 1 0 0 1 2 | 2 | 1 0 0 0 5 0 0\n"
+                                "T 2 | 3 0 5 1 2 | 3 | 1 0 0 0 0 0 0\n"
+                                "T 3 | 1 0 0 1 2 | 4 | 2 0 0 0 32 0 4\n"
+                                "T 4 | 2 0 6 1 2 | 5 | 1 0 1 0 5 0 5\n");
+    EXPECT_EQ(Replay<ElectionRig>{model}.Run(ElectionRig{}).refused, "");
+    const Model follows = ModelOf("T 0 | 1 0 0 2 2 | 1 | 1 0 0 0 5 0 0\n"
+                                  "T 1 | 2 0 6 2 2 | 2 | 4 0 0 0 6000 0 0\n");
+    EXPECT_EQ(Replay<ElectionRig>{follows}.Run(ElectionRig{}).refused, "");
+    const Replayed wrong = Replay<ElectionRig>{follows}.Run(ElectionRig{ElectionDefect::kWrongPriority});
+    EXPECT_EQ(wrong.refused, "model shows 4 0 0 0 6000 0 0, code shows 1 0 0 0 5 0 0");
 }
 
 } // namespace

@@ -67,6 +67,7 @@ inline constexpr RequirementId SRS_VER_130{"SRS_VER_130"};
 inline constexpr RequirementId SRS_VER_131{"SRS_VER_131"};
 inline constexpr RequirementId SRS_VER_132{"SRS_VER_132"};
 inline constexpr RequirementId SRS_VER_133{"SRS_VER_133"};
+inline constexpr RequirementId SRS_VER_134{"SRS_VER_134"};
 inline constexpr RequirementId SRS_VER_135{"SRS_VER_135"};
 } // namespace counterpoint::req
 
