@@ -8,6 +8,7 @@ For each model, which is a NAME.pml beside this file:
   2. the same run tells each transition, and counterpoint_replay drives all of them through the code;
   3. each defect of the model, a PLANTED_... of its text, must make spin tell a failed assertion;
   4. each defect of the code that counterpoint_replay knows for it must be refused.
+Where a model says "Each state lets in N inputs", so many different ones leave each of its states: none was lost between two choices.
 Exit status: 0 all holds, 1 something does not, 2 it could not be run. docs/proof.md says what is shown and what not.
 """
 import argparse
@@ -76,13 +77,28 @@ def replay(program, model, lines, defect=None):
     return done.returncode == 0, done.stdout.strip()
 
 
+def inputs_lost(model, lines):
+    """What is wrong with the number of inputs of a state, by what the model says of it; empty: nothing."""
+    said = re.search(r"Each state lets in (\d+) inputs", (HERE / f"{model}.pml").read_text())
+    if not said:
+        return ""
+    let_in = {}
+    for line in lines.open(encoding="ascii"):
+        if line.startswith("T "):
+            before, given = line[2:].split("|")[:2]
+            let_in.setdefault(before, set()).add(given)
+    return "".join(f"state {state}lets in {len(given)} inputs, expected {said.group(1)}\n" for state, given in let_in.items()
+                   if len(given) != int(said.group(1)))
+
+
 def check(model, program, work):
     """The lines of one model. Returns a list of (is a defect, passed)."""
     report, lines = explore(model, work / model, [], True)
     states, failed = verdict(report)
     results = [(False, show(not failed, f"{model}: {states} states of the model, every assertion holds", failed + "\n" + report))]
-    if failed:
-        return results
+    lost = inputs_lost(model, lines)
+    if failed or lost:
+        return results + ([(False, show(False, f"{model}: inputs are missing", lost))] if lost else [])
     passed, output = replay(program, model, lines)
     results.append((False, show(passed, f"{model}: replayed, {output.splitlines()[0].split(': ', 1)[1]}", output)))
     for defect in sorted(set(re.findall(r"PLANTED_[A-Z_]+", (HERE / f"{model}.pml").read_text()))):

@@ -2,7 +2,8 @@
 
    The comparator with decision and latch of the kernel, over one slot and two channels that may say anything in any cycle.
    Written from SRS_CMP_002 to SRS_CMP_008, SRS_CMP_011 and semantics 3, 4. Limits: discrepancy time 2 cycles, acknowledge
-   window 3 cycles. Tell prints each transition for the replay in the code; PLANTED_... are defects that have to be found. */
+   window 3 cycles. Tell prints each transition for the replay in the code; PLANTED_... are defects that have to be found.
+   Each state lets in 1731 inputs. */
 
 #define DISCREPANCY 2
 #define WINDOW 3

@@ -5,7 +5,7 @@
    are damaged or of another sender. Written from SRS_LNK_002 to SRS_LNK_006, SRS_LNK_011 and decision 0005.
 
    Time goes in cycles. The own message of a cycle has the cycle as its number and stamp. A message that comes was composed
-   `c` cycles ago, echoes the own message of `e` cycles ago, and held that for `h` cycles. Time-out: 3 cycles. */
+   `c` cycles ago, echoes the own message of `e` cycles ago, and held that for `h` cycles. Time-out: 3 cycles. Each state lets in 86 inputs. */
 
 #define TIMEOUT 3
 #define OLDEST 5 /* No message is older. What is older still in the state is OLDEST + 1. */

@@ -2,6 +2,7 @@
 #include "verification/proof/protocols/comparator_rig.hpp"
 #include "verification/proof/protocols/election_rig.hpp"
 #include "verification/proof/protocols/link_rig.hpp"
+#include "verification/proof/protocols/producer_rig.hpp"
 #include "verification/proof/protocols/replay.hpp"
 
 #include <exception>
@@ -29,6 +30,9 @@ constexpr Named<LinkDefect> kLinkDefects[] = {{"longer_timeout", LinkDefect::kLo
 constexpr Named<ElectionDefect> kElectionDefects[] = {{"unbounded", ElectionDefect::kUnbounded},
                                                       {"deaf_to_force", ElectionDefect::kDeafToForce},
                                                       {"wrong_priority", ElectionDefect::kWrongPriority}};
+constexpr Named<ProducerDefect> kProducerDefects[] = {{"longer_srvt", ProducerDefect::kLongerSrvt},
+                                                      {"forgets_faults", ProducerDefect::kForgetsFaults},
+                                                      {"confirms_itself", ProducerDefect::kConfirmsItself}};
 
 int Print(const Replayed& replayed)
 {
@@ -86,12 +90,16 @@ int main(const int count, char** const words)
         {
             return Run<ElectionRig>(kElectionDefects, wish);
         }
+        if (name == "producer")
+        {
+            return Run<ProducerRig>(kProducerDefects, wish);
+        }
     }
     catch (const std::exception& error)
     {
         std::cerr << "counterpoint_replay: " << error.what() << "\n";
         return 2;
     }
-    std::cerr << "usage: counterpoint_replay comparator|election|link [DEFECT | --defects] < TRANSITIONS\n";
+    std::cerr << "usage: counterpoint_replay comparator|election|link|producer [DEFECT | --defects] < TRANSITIONS\n";
     return 2;
 }

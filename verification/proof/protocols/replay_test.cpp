@@ -4,6 +4,7 @@
 #include "verification/proof/protocols/comparator_rig.hpp"
 #include "verification/proof/protocols/election_rig.hpp"
 #include "verification/proof/protocols/link_rig.hpp"
+#include "verification/proof/protocols/producer_rig.hpp"
 #include "verification/trace/ids/verification.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -130,6 +131,24 @@ TEST(ReplayOfModels, FlyingMasterOfTheProductForcesAWorseOneAlone)
     EXPECT_EQ(Replay<ElectionRig>{follows}.Run(ElectionRig{}).refused, "");
     const Replayed wrong = Replay<ElectionRig>{follows}.Run(ElectionRig{ElectionDefect::kWrongPriority});
     EXPECT_EQ(wrong.refused, "model shows 4 0 0 0 6000 0 0, code shows 1 0 0 0 5 0 0");
+}
+
+// Given OPERATIONAL since a cycle, then both channels call the producer due in the next one, and the pair that is
+// prepared is given up by bus-off in both; one channel that is not told of it shows something else.
+TEST(ReplayOfModels, ProducerOfBothChannelsIsDueAfterItsDelay)
+{
+    Verifies(req::SRS_VER_131);
+    Verifies(req::SRS_VER_132);
+    const Model model = ModelOf("T 0 | 0 1 0 | 1 | 1 0 0 0 0 0\n"
+                                "T 1 | 0 1 0 | 2 | 1 1 0 0 0 0\n"
+                                "T 2 | 1 0 0 | 3 | 1 0 0 1 0 0\n"
+                                "T 3 | 2 0 0 | 4 | 1 0 0 0 1 1\n"
+                                "T 3 | 2 1 0 | 5 | 1 0 1 0 0 0\n"
+                                "T 4 | 3 14 0 | 5 | 1 0 1 0 0 0\n");
+    EXPECT_EQ(Replay<ProducerRig>{model}.Run(ProducerRig{}).refused, "");
+    const Replayed untold = Replay<ProducerRig>{model}.Run(ProducerRig{ProducerDefect::kForgetsFaults});
+    EXPECT_EQ(untold.refused, "model shows 1 0 1 0 0 0, code shows -1");
+    EXPECT_EQ(untold.story, (Story{"0 1 0", "0 1 0", "1 0 0", "2 0 0", "3 14 0"}));
 }
 
 } // namespace
