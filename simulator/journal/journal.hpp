@@ -86,6 +86,12 @@ struct FrameEntry
     CanFrame frame{};
     NodeIndex sender{kNoNode};
     host::FrameFate fate{host::FrameFate::kComplete};
+
+    /// @brief False: it came to single receivers past the bus, and took no time there.
+    [[nodiscard]] bool IsOfBus() const noexcept
+    {
+        return end > start;
+    }
 };
 
 /// Somebody told a device what to do, or took or gave its supply.

@@ -66,6 +66,28 @@ std::size_t CountOf(const std::vector<SweepAxis>& axes)
     return count;
 }
 
+/// Each row is the run that its cells name: nothing else sets what an axis sets.
+void RequireEffects(const std::vector<SweepAxis>& axes, const SweepOptions& options)
+{
+    std::vector<std::string> taken;
+    if (options.seed)
+    {
+        taken.emplace_back("seed");
+    }
+    if (options.until)
+    {
+        taken.emplace_back("duration");
+    }
+    for (const SweepAxis& axis : axes)
+    {
+        if (std::find(taken.begin(), taken.end(), axis.path) != taken.end())
+        {
+            throw YamlError("--sweep", {}, axis.path + " twice, by '--sweep', '--seed' or '--until'", "each key once");
+        }
+        taken.push_back(axis.path);
+    }
+}
+
 std::string TimeText(const Nanoseconds time, const char* const none)
 {
     return (time < 0) ? none : MillisecondsText(time);
@@ -134,6 +156,7 @@ const SweepRow* SweepResult::Worst() const noexcept
 SweepResult RunSweep(const std::string& file, const std::vector<SweepAxis>& axes, const SweepOptions& options,
                      const std::function<void(double)>& progress)
 {
+    RequireEffects(axes, options);
     const std::vector<ScenarioDocument> documents = LoadScenario(file);
     const std::size_t count = CountOf(axes);
     SweepResult result;

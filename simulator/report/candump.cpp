@@ -24,7 +24,7 @@ std::string CandumpReport(const Run& run)
     std::string text;
     for (const FrameEntry& entry : run.Record().Frames())
     {
-        const bool is_seen = entry.fate == host::FrameFate::kComplete && entry.sender != kNoNode;
+        const bool is_seen = entry.fate == host::FrameFate::kComplete && entry.IsOfBus();
         text += is_seen ? CandumpLine(entry.frame, entry.end) : ""; // By anybody on the bus.
     }
     return text;

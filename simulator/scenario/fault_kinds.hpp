@@ -348,7 +348,7 @@ inline constexpr FaultSection kSections[] = {
              "COB-ID or list of COB-IDs; default: any"},
             {"srdo", Map("frames_of"), kOptional, "{node: actuator, srdo: 1}", "instead: the frames of an SRDO"},
             {"sender", T::kNode, kOptional, "controller", "default: any"},
-            {"receiver", T::kNode, kOptional, "actuator", "default: every receiver"},
+            {"receiver", T::kNode, kOptional, "actuator", "default: every receiver; of faults in receivers alone"},
             {"controller", Number(kControllers), kOptional, "2", "of the receiver; default: each"},
             {"from", T::kDuration, "0 ms", "500 ms", "not before"},
             {"until", T::kDuration, kOptional, "700 ms", "not from then on"},

@@ -117,6 +117,13 @@ void ToReceiver(Fields& fields, const char* const key, const Scenario& scenario,
     fault.frames.receiver = FindNode(fields, key, scenario);
 }
 
+/// Else it happens in the sender's controller or on the bus, for everybody: whose receivers were named, the key had no
+/// effect.
+bool IsOfReceivers(const FaultKind& kind)
+{
+    return !std::holds_alternative<ControllerFault>(kind) && kind != FaultKind(FrameFault::kDuplicate);
+}
+
 void ToFrames(Fields& all, const char* const key, const Scenario& scenario, FaultSetup& fault)
 {
     Fields fields = *all.Map(key);
@@ -134,8 +141,11 @@ void ToFrames(Fields& all, const char* const key, const Scenario& scenario, Faul
         }
     }
     choice.sender = FindNode(fields, "sender", scenario);
-    choice.receiver = FindNode(fields, "receiver", scenario);
-    fields.Into("controller", choice.controller);
+    if (IsOfReceivers(fault.kind))
+    {
+        choice.receiver = FindNode(fields, "receiver", scenario);
+        fields.Into("controller", choice.controller);
+    }
     fields.Into("from", choice.from);
     ReadEnd(fields, "from", choice.from, choice.until);
     ReadPattern(fields, choice.on, choice.off);
@@ -194,7 +204,7 @@ void ToData(Fields& fields, const char* const key, const Scenario& /*scenario*/,
 
 void ToEvery(Fields& fields, const char* const key, const Scenario& /*scenario*/, FaultSetup& fault)
 {
-    if (fields.Into(key, fault.by) && fault.by > runtime::kLongestTime / fault.times)
+    if (fault.times > 1U && fields.Into(key, fault.by) && fault.by > runtime::kLongestTime / fault.times)
     {
         const YamlValue by = fields.Require(key);
         by.Refuse(runtime::Shown(by.Node().scalar),

@@ -51,6 +51,7 @@ TEST_P(BadScenario, IsRefusedByOneLineThatNamesThePlace)
 {
     Verifies(req::SRS_SIM_010);
     Verifies(req::SRS_SIM_012);
+    Verifies(req::SRS_SIM_075);
     // Given a scenario with one thing wrong in it, from line 2 on
     const std::string file = TextFile("extends: " + Examples() + "chain.yaml\n" + GetParam().text);
     // When it is read and built
@@ -136,6 +137,37 @@ constexpr BadCase kBadCases[] = {
      "3:31: error: unknown key 'by' in a fault, expected one of fault, name, optional, frames"},
     {"key without an effect", "faults:\n  - {fault: confirmation, frames: {}, by: 3 ms}\n",
      "3:39: error: key 'by' without an effect in this fault, expected only keys that fit its others"},
+    {"receiver of wire_error", "faults:\n  - {fault: wire_error, frames: {identifier: 1, receiver: actuator}}\n",
+     "3:49: error: key 'receiver' without an effect in this choice of frames, expected only keys that fit its others"},
+    {"controller of wire_error", "faults:\n  - {fault: wire_error, frames: {identifier: 1, controller: 1}}\n",
+     "3:49: error: key 'controller' without an effect in this choice of frames, expected only keys that fit its "
+     "others"},
+    {"receiver of queue_full", "faults:\n  - {fault: queue_full, frames: {identifier: 1, receiver: actuator}}\n",
+     "3:49: error: key 'receiver' without an effect in this choice of frames, expected only keys that fit its others"},
+    {"controller of queue_full", "faults:\n  - {fault: queue_full, frames: {identifier: 1, controller: 1}}\n",
+     "3:49: error: key 'controller' without an effect in this choice of frames, expected only keys that fit its "
+     "others"},
+    {"receiver of swallowed", "faults:\n  - {fault: swallowed, frames: {identifier: 1, receiver: actuator}}\n",
+     "3:48: error: key 'receiver' without an effect in this choice of frames, expected only keys that fit its others"},
+    {"controller of swallowed", "faults:\n  - {fault: swallowed, frames: {identifier: 1, controller: 1}}\n",
+     "3:48: error: key 'controller' without an effect in this choice of frames, expected only keys that fit its "
+     "others"},
+    {"receiver of confirmation", "faults:\n  - {fault: confirmation, frames: {identifier: 1, receiver: actuator}}\n",
+     "3:51: error: key 'receiver' without an effect in this choice of frames, expected only keys that fit its others"},
+    {"controller of confirmation", "faults:\n  - {fault: confirmation, frames: {identifier: 1, controller: 1}}\n",
+     "3:51: error: key 'controller' without an effect in this choice of frames, expected only keys that fit its "
+     "others"},
+    {"receiver of duplicate", "faults:\n  - {fault: duplicate, frames: {identifier: 1, receiver: actuator}}\n",
+     "3:48: error: key 'receiver' without an effect in this choice of frames, expected only keys that fit its others"},
+    {"controller of duplicate", "faults:\n  - {fault: duplicate, frames: {identifier: 1, controller: 1}}\n",
+     "3:48: error: key 'controller' without an effect in this choice of frames, expected only keys that fit its "
+     "others"},
+    {"time between one frame of insertion",
+     "faults:\n  - {fault: insertion, at: 1 ms, identifier: 1, times: 1, every: 3 ms}\n",
+     "3:59: error: key 'every' without an effect in this fault, expected only keys that fit its others"},
+    {"time between one frame of masquerade",
+     "faults:\n  - {fault: masquerade, at: 1 ms, identifier: 1, times: 1, every: 3 ms, node: sensor}\n",
+     "3:60: error: key 'every' without an effect in this fault, expected only keys that fit its others"},
     {"state and command", "nmt:\n  - {at: 1 ms, node: all, state: stopped, command: stop}\n",
      "3:5: error: an NMT event, expected either 'state' or 'command'"},
     {"power for no time", "power:\n  - {at: 1 ms, node: sensor, off: 0 ms}\n",

@@ -14,8 +14,9 @@ namespace counterpoint::simulator
 namespace
 {
 /// Keys that only some values of others leave an effect.
-const std::set<std::string> kConditional{"confirmation.by", "confirmation.bits", "bit_flip.srdo",
-                                         "link_insertion.back"};
+const std::set<std::string> kConditional{"confirmation.by",     "confirmation.bits", "bit_flip.srdo",
+                                         "link_insertion.back", "insertion.every",   "masquerade.every",
+                                         "link_insertion.every"};
 
 /// A scenario with a fault of this kind: the keys that it needs, and one more, each with the example of its row.
 std::string TextWith(const SectionSpec& kind, const KeySpec& more)

@@ -146,6 +146,47 @@ TEST(Reports, CandumpHasOneLineForEachFrameOfTheBus)
     EXPECT_EQ(run->Record().Frames().size(), static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')));
 }
 
+// Given a controller of others that repeats one frame, a frame that comes to one receiver past the bus, and a
+// controller of others that never pauses, then the log has what was on the bus.
+TEST(Reports, CandumpHasTheFramesOfControllersThatAreNoNodes)
+{
+    Verifies(req::SRS_SIM_042);
+    constexpr const char* kFaults = R"(
+faults:
+  - {fault: duplicate, name: d, frames: {identifier: 0x104, from: 300 ms}, after: 2 ms}
+  - {fault: insertion, name: i, at: 350 ms, identifier: 0x7AA, receiver: actuator, optional: true}
+  - {fault: babbling, name: b, at: 380 ms, until: 390 ms, identifier: 0x001}
+)";
+    const auto run = RunChain(std::string("duration: 400 ms\n") + kFaults, true);
+    const std::string text = CandumpReport(*run);
+    const auto count = [&run](const std::uint32_t identifier, const bool is_of_node)
+    {
+        const auto& frames = run->Record().Frames();
+        return std::count_if(frames.begin(), frames.end(),
+                             [identifier, is_of_node](const FrameEntry& entry)
+                             {
+                                 return entry.frame.identifier == identifier &&
+                                        (entry.sender != kNoNode) == is_of_node &&
+                                        entry.fate == host::FrameFate::kComplete;
+                             });
+    };
+    const auto lines = [&text](const std::string& head)
+    {
+        std::ptrdiff_t found = 0;
+        for (std::size_t at = text.find(head); at != std::string::npos; at = text.find(head, at + 1U))
+        {
+            ++found;
+        }
+        return found;
+    };
+    EXPECT_EQ(count(0x104U, false), 1);
+    EXPECT_EQ(lines(" can0 104#"), count(0x104U, true) + 1);
+    EXPECT_GT(count(0x001U, false), 10);
+    EXPECT_EQ(lines(" can0 001#"), count(0x001U, false));
+    EXPECT_EQ(count(0x7AAU, false), 1);
+    EXPECT_EQ(lines(" can0 7AA#"), 0);
+}
+
 TEST(Reports, PageNeedsNoNetworkAndNothingEndsItsScript)
 {
     Verifies(req::SRS_SIM_043);

@@ -84,6 +84,7 @@ inline constexpr RequirementId SRS_SIM_071{"SRS_SIM_071"};
 inline constexpr RequirementId SRS_SIM_072{"SRS_SIM_072"};
 inline constexpr RequirementId SRS_SIM_073{"SRS_SIM_073"};
 inline constexpr RequirementId SRS_SIM_074{"SRS_SIM_074"};
+inline constexpr RequirementId SRS_SIM_075{"SRS_SIM_075"};
 } // namespace counterpoint::req
 
 #endif
