@@ -11,6 +11,7 @@
 #include "tools/command_line/end_signals.hpp"
 #include "tools/command_table.hpp"
 #include "tools/device_options.hpp"
+#include "tools/file_warnings.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -209,6 +210,7 @@ class MonitorCommand final : public Command
         }
         RequirePage();
         const monitor::Network network = ReadNetwork();
+        TellFileWarnings(Files(), streams.err);
         TellContradictions(network, streams);
         RequireWatch(network);
         std::vector<monitor::Violation> kept;
@@ -282,11 +284,8 @@ class MonitorCommand final : public Command
         {
             return;
         }
-        std::vector<std::string> inputs{file_};
-        for (const std::string& dcf : dcfs_)
-        {
-            inputs.push_back(NodeFileOf(dcf).path);
-        }
+        std::vector<std::string> inputs = Files();
+        inputs.push_back(file_);
         for (const std::string& input : inputs)
         {
             std::error_code error; // Of a file that is not there, which is another than the page.
@@ -296,6 +295,17 @@ class MonitorCommand final : public Command
             }
         }
         cia306::RequireWritable(html_);
+    }
+
+    /// The DCFs, without the node-IDs behind their names.
+    [[nodiscard]] std::vector<std::string> Files() const
+    {
+        std::vector<std::string> files;
+        for (const std::string& dcf : dcfs_)
+        {
+            files.push_back(NodeFileOf(dcf).path);
+        }
+        return files;
     }
 
     [[nodiscard]] monitor::Network ReadNetwork() const

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/node/loop.hpp"
 #include "tools/command_line/options.hpp"
+#include "tools/file_warnings.hpp"
 
 #include "runtime/yaml/document.hpp"
 #include "tools/command_table.hpp"
@@ -91,6 +92,7 @@ class NodeCommand final : public Command
         settings.has_self_tests = !has_no_self_tests_;
         settings.domain_bytes = static_cast<std::uint32_t>(domain_bytes_);
         const runtime::NodeScript script = script_.empty() ? runtime::NodeScript{} : runtime::ReadNodeScript(script_);
+        tools::TellFileWarnings({dcf_}, streams.err);
         runtime::NodePorts ports(address_, second_address_);
         runtime::NodeReport report(streams.out, is_json_ ? runtime::ReportForm::kJson : runtime::ReportForm::kText,
                                    host::LiveNow(), STDOUT_FILENO);

@@ -13,6 +13,7 @@
 #include "simulator/scenario/schema.hpp"
 #include "tools/command_line/options.hpp"
 #include "tools/command_table.hpp"
+#include "tools/file_warnings.hpp"
 
 #include <optional>
 #include <ostream>
@@ -123,6 +124,7 @@ class SimulateCommand final : public Command
         {
             throw runtime::YamlError("--candump", {}, "frames of one bus for a sweep", "--html or --json");
         }
+        tools::TellFileWarnings(simulator::FilesOf(simulator::LoadScenario(scenario_)), streams.err);
         const simulator::SweepOptions options{Seed(), Until(), &simulator::MakeManagedWorld, profile_};
         simulator::SweepResult result;
         {
@@ -148,6 +150,7 @@ class SimulateCommand final : public Command
     {
         const std::optional<runtime::Nanoseconds> until = Until();
         RequireFiles();
+        tools::TellFileWarnings(simulator::FilesOf(simulator::LoadScenario(scenario_)), streams.err);
         const std::optional<std::uint64_t> seed = Seed();
         const bool keeps_all = !quiet_ || !html_.empty() || !json_.empty() || !candump_.empty();
         simulator::Run run(scenario_, seed, until, keeps_all, &simulator::MakeManagedWorld, profile_);

@@ -116,7 +116,8 @@ class SrdoCommand final : public Command
 
     [[nodiscard]] ExitStatus List(const Streams& streams) const
     {
-        Print(cia306::ReadDeviceFile(device_options_.file), {}, streams);
+        const cia306::Device device = cia306::ReadDeviceFile(device_options_.file);
+        Print(device, device.warnings, streams);
         return ExitStatus::kHolds;
     }
 
@@ -218,10 +219,7 @@ class SrdoCommand final : public Command
         }
         nlohmann::ordered_json answer{
             {"format", "counterpoint-srdo-1"}, {"file", Result()}, {"srdos", SrdosToJson(device, configuration)}};
-        if (action_ != "list")
-        {
-            answer["warnings"] = ToJson(warnings);
-        }
+        answer["warnings"] = ToJson(warnings);
         streams.out << runtime::JsonText(answer);
     }
 

@@ -2,6 +2,7 @@
 #include "canopen/network_plan/loaded_network.hpp"
 
 #include "canopen/cia302/network/concise_dcf.hpp"
+#include "canopen/cia306/text/finding.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/network_plan/start_up_bits.hpp"
 
@@ -139,23 +140,26 @@ class NetworkWarnings
     void WarnOfEmergencies();
     [[nodiscard]] std::string EmergencyPlace(const LoadedSlave& slave) const;
     [[nodiscard]] std::uint32_t EmergencyOf(const LoadedSlave& slave) const;
+    void WarnOfFiles();
     void WarnOfHeartbeat();
     void WarnOfFlying();
     [[nodiscard]] bool HasUnwatchedNode() const;
 
     const NetworkPlan& plan_;
+    const cia306::Device& own_;
     const cia302::NetworkSetup& setup_;
     const std::vector<std::unique_ptr<LoadedSlave>>& loaded_;
     std::vector<std::string> warnings_;
 };
 
 NetworkWarnings::NetworkWarnings(const LoadedNetwork& network)
-    : plan_(network.Plan()), setup_(network.Setup()), loaded_(network.Slaves())
+    : plan_(network.Plan()), own_(network.Device()), setup_(network.Setup()), loaded_(network.Slaves())
 {
 }
 
 std::vector<std::string> NetworkWarnings::All()
 {
+    WarnOfFiles();
     for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
     {
         WarnOfSafety(*slave);
@@ -165,6 +169,28 @@ std::vector<std::string> NetworkWarnings::All()
     WarnOfHeartbeat();
     WarnOfFlying();
     return warnings_;
+}
+
+/// What the reader of the DCFs found strange, each file once. [SRS_EDS_038]
+void NetworkWarnings::WarnOfFiles()
+{
+    std::vector<const cia306::Device*> told{&own_};
+    for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
+    {
+        const bool is_told = std::any_of(told.begin(), told.end(), [&slave](const cia306::Device* const other)
+                                         { return other->file == slave->device.file; });
+        if (!is_told)
+        {
+            told.push_back(&slave->device);
+        }
+    }
+    for (const cia306::Device* const device : told)
+    {
+        for (const cia306::Finding& warning : device->warnings)
+        {
+            warnings_.push_back(cia306::FormatFinding(device->file, warning));
+        }
+    }
 }
 
 /// A slave that waits hardly longer than the period loses the manager on a loaded bus. [SRS_NET_006]
