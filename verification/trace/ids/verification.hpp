@@ -63,6 +63,12 @@ inline constexpr RequirementId SRS_VER_116{"SRS_VER_116"};
 inline constexpr RequirementId SRS_VER_117{"SRS_VER_117"};
 inline constexpr RequirementId SRS_VER_118{"SRS_VER_118"};
 inline constexpr RequirementId SRS_VER_119{"SRS_VER_119"};
+inline constexpr RequirementId SRS_VER_130{"SRS_VER_130"};
+inline constexpr RequirementId SRS_VER_131{"SRS_VER_131"};
+inline constexpr RequirementId SRS_VER_132{"SRS_VER_132"};
+inline constexpr RequirementId SRS_VER_133{"SRS_VER_133"};
+inline constexpr RequirementId SRS_VER_134{"SRS_VER_134"};
+inline constexpr RequirementId SRS_VER_135{"SRS_VER_135"};
 } // namespace counterpoint::req
 
 #endif
