@@ -13,14 +13,23 @@ NAME = "bill.spdx.json"  # In the folder of the collected data, in the evidence 
 PARTS = {"package": "install", "images": "images"}
 # What `counterpoint` is made with; no room of the package, and no image, has any of them.
 LINKED = ("libcli11-dev", "libyaml-cpp-dev", "nlohmann-json3-dev", "libboost-dev")
+# Installed only when asked for; it makes nothing that is measured.
+OPTIONAL_LISTS = ("PDF_PACKAGES",)
 BUILD_LISTS = ("PACKAGES", "FIRMWARE_PACKAGES")
 ROOT_ID = "SPDXRef-Counterpoint"
 
 
+def package_lists(dev):
+    """(name, packages) of each list of ./dev."""
+    return re.findall(r"^(\w*PACKAGES)=\((.*)\)$", dev, re.MULTILINE)
+
+
 def debian_packages(dev):
-    """Name -> relationship, for each package that ./dev installs."""
+    """Name -> relationship, for each package that ./dev installs without being asked."""
     found = {}
-    for name, packages in re.findall(r"^(\w*PACKAGES)=\((.*)\)$", dev, re.MULTILINE):
+    for name, packages in package_lists(dev):
+        if name in OPTIONAL_LISTS:
+            continue
         for package in packages.split():
             role = "DEPENDENCY_OF" if package in LINKED else "BUILD_TOOL_OF" if name in BUILD_LISTS else "TEST_TOOL_OF"
             found.setdefault(package, role)

@@ -22,6 +22,7 @@ for folder in ("verification/coverage", "verification/trace", "verification/rele
     sys.path.insert(0, str(ROOT / folder))
 import bill  # noqa: E402
 import digest  # noqa: E402
+import pdf  # noqa: E402
 import test_run  # noqa: E402
 from measure import TEST_FOLDERS  # noqa: E402
 
@@ -197,6 +198,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--quick", action="store_true", help="use the data of the last run, repeat only gates and pages")
+    parser.add_argument("--pdf", action="store_true", help="print the lists into build/evidence/evidence.pdf, too")
     options = parser.parse_args()
     progress = Progress()
     DATA.mkdir(parents=True, exist_ok=True)
@@ -215,7 +217,10 @@ def main():
         import pages
         gaps = pages.write(ROOT, EVIDENCE, DATA)
         (DATA / "verdict.json").write_text(json.dumps({"gaps": gaps}, indent=1))
-    except (StepFailed, FileNotFoundError, subprocess.CalledProcessError) as problem:
+        (EVIDENCE / pdf.NAME).unlink(missing_ok=True)
+        if options.pdf:
+            print(f"Printed: build/evidence/{pdf.NAME}, {pdf.write(EVIDENCE, pages.LISTS)} sheets", flush=True)
+    except (pdf.CannotPrint, StepFailed, FileNotFoundError, subprocess.CalledProcessError) as problem:
         print(f"The evidence cannot be made: {problem}", file=sys.stderr)
         return 2
     for gap in gaps:

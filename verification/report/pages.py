@@ -22,10 +22,12 @@ import walk  # noqa: E402
 from failover import page_of as failover_page  # noqa: E402
 from injection import page_of as injection_page  # noqa: E402
 from matrix import UID, repository_matrix  # noqa: E402
+from interfaces import page_of as interfaces_page  # noqa: E402
+from system_level import SystemLevel, references  # noqa: E402
 from timing import page_of as timing_page  # noqa: E402
 from walk_files import page_of  # noqa: E402
 
-LISTS = ("index", "trace", "coverage", "gates", "misra", "failover", "injection", "campaign", "timing", "tools")
+LISTS = ("index", "trace", "safety_requirements", "interfaces", "coverage", "gates", "misra", "failover", "injection", "campaign", "timing", "tools")
 METRICS = ("functions", "lines", "branches", "mcdc")
 PLAN_ROW = re.compile(r"^\| ((?:D )?\d+\.\d+\.\d+) \| (\w+) \| (\w+) \| (.*) \|$", re.MULTILINE)
 
@@ -117,6 +119,7 @@ def templates():
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True, trim_blocks=True, lstrip_blocks=True,
                                      undefined=jinja2.StrictUndefined)
     environment.filters["linked"] = linked
+    environment.filters["allocated"] = lambda uid, level: level.relevance(uid)
     return environment
 
 
@@ -153,14 +156,16 @@ def write(root, evidence, data):
     injection, injection_gaps = injection_page(root / "build/injection", evidence)
     campaign, campaign_gaps = campaign_page(root, evidence)
     timing, timing_gaps = timing_page(root, data)
-    gaps += failover_gaps + injection_gaps + campaign_gaps + timing_gaps
+    interfaces, interface_gaps = interfaces_page(root)
+    gaps += failover_gaps + injection_gaps + campaign_gaps + timing_gaps + interface_gaps
     if not gate_rows:
         gaps.append("no gate has run")
     context = {
         "identity": read_json(data / "identity.json", {}), "gates": gate_rows, "matrix": matrix, "coverage": coverage_rows,
         "totals": totals, "metrics": METRICS, "misra": misra_rows, "deviations": records, "misra_counts": misra_counts,
         "tests": tests, "test_origin": test_origin, "commands": commands, "gaps": gaps, "failover": failover, "injection": injection,
-        "campaign": campaign, "timing": timing, "areas": areas(matrix),
+        "campaign": campaign, "timing": timing, "interfaces": interfaces,
+        "level": SystemLevel(root), "references": references, "areas": areas(matrix),
         "gcov_totals": read_json(data / "gcov/summary.json", {}),
         "has_gcov": (evidence / "coverage_gcov/index.html").exists(),
         "has_clang": (evidence / "coverage_clang/index.html").exists(), "reviewed": reviewed(matrix), "page_of": page_of, "up": "",

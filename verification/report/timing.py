@@ -13,7 +13,7 @@ WORST = "own_device_worst"
 SCENARIOS = "verification/target/firmware/scenarios"
 MAIN = "FirmwareMain"
 # Rows of the bench that are budgets of time and stack on the target.
-BUDGETS = ("fw_cycle", "fw_stack_a", "fw_stack_b", "fixed_target", "load", "services")
+BUDGETS = ("fixed", "fw_cycle", "fw_stack_a", "fw_stack_b", "fixed_target", "load", "services")
 
 
 def record_of(path):

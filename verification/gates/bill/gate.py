@@ -44,7 +44,8 @@ def named_packages(root, record):
         if version != pin:
             yield f"{bill.NAME}: {name} {version}, expected {pin} as in requirements.txt"
     reasons = set(re.findall(r"[\w.+-]+", " ".join(re.findall(r"^\| (.*?) \|", read(root, "docs/dependencies.md"), re.MULTILINE))))
-    for name in sorted(debian.keys() - reasons):
+    every = {name for _, names in bill.package_lists(read(root, "dev")) for name in names.split()}
+    for name in sorted(every - reasons):
         yield f"docs/dependencies.md: no row for {name}, expected why ./dev installs it"
 
 

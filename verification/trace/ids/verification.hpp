@@ -69,6 +69,10 @@ inline constexpr RequirementId SRS_VER_132{"SRS_VER_132"};
 inline constexpr RequirementId SRS_VER_133{"SRS_VER_133"};
 inline constexpr RequirementId SRS_VER_134{"SRS_VER_134"};
 inline constexpr RequirementId SRS_VER_135{"SRS_VER_135"};
+inline constexpr RequirementId SRS_VER_136{"SRS_VER_136"};
+inline constexpr RequirementId SRS_VER_137{"SRS_VER_137"};
+inline constexpr RequirementId SRS_VER_138{"SRS_VER_138"};
+inline constexpr RequirementId SRS_VER_139{"SRS_VER_139"};
 } // namespace counterpoint::req
 
 #endif
