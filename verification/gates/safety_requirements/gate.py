@@ -10,7 +10,7 @@ HERE = pathlib.Path(__file__).resolve()
 sys.path[:0] = [str(HERE.parents[1]), str(HERE.parents[2] / "trace")]
 from common import SAFETY_ROOMS, CannotLook, read, run_gate  # noqa: E402
 from generate_ids import BadInput, read_requirements  # noqa: E402
-from places import Functions, below, places_of, told_paths  # noqa: E402
+from places import below, naming_lines, told_paths  # noqa: E402
 from source_items import Sources  # noqa: E402
 from system_level import DOCUMENT, RELEVANCES, SystemLevel, area_of  # noqa: E402
 
@@ -56,9 +56,8 @@ def of_areas(level, requirements):
 
 def of_places(root, level, requirements):
     """Requirements that a safety room realises."""
-    places = places_of(root, requirements, Functions(root))
-    safety = {uid for uid, requirement in requirements.items()
-              if any(below(path, room) for path in [*(place.path for place in places[uid]), *told_paths(requirement)] for room in ROOMS)}
+    naming = naming_lines(root, ROOMS)
+    safety = {uid for uid, requirement in requirements.items() if uid in naming or any(below(path, room) for path in told_paths(requirement) for room in ROOMS)}
     for uid in sorted(safety - set(level.single)):
         if level.relevance(uid) not in ("yes", "not allocated"):
             yield level.areas[area_of(uid)]["line"], f"{uid}: a safety room realises it, and its area is '{level.relevance(uid)}', expected yes, or a row of its own"
