@@ -4,7 +4,7 @@
     digest.py BUILD TEMPLATE FILE     writes FILE: TEMPLATE with the first digits of the digest for @COUNTERPOINT_OBJECTS@
 
 `counterpoint --version` and the firmware images tell these digits, evidence and release the whole digest: what was measured is what
-is there. The same commit, compilers and options give the same digest in any folder. [SRS_VER_130]
+is there. The same commit, compilers and options give the same digest in any folder. [SRS_VER_140]
 """
 import hashlib
 import pathlib

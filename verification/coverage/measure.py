@@ -98,7 +98,7 @@ def compile_again(build, root, out):
     (out / "compile.log").write_text("".join(log))
 
 def without_place(html, root):
-    """The pages of llvm-cov name their place and time: without them they are the same wherever and whenever they were made. [SRS_VER_131]"""
+    """The pages of llvm-cov name their place and time: without them they are the same wherever and whenever they were made. [SRS_VER_141]"""
     pages, made = html / "sources", html / "coverage" / root.relative_to("/")
     if made.is_dir():
         made.rename(pages)

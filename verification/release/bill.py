@@ -1,7 +1,7 @@
 """The bill of materials of a release in SPDX 2.3 (JSON): each file that is handed out, what it is linked with, what built and tested it.
 
 Versions are those of the machine that built it (dpkg) and the pins of requirements.txt. The time is that of the commit and the name space
-holds it, so that the same commit and tools give the same bytes. The gate `bill` reads it by spdx-tools. [SRS_VER_133]
+holds it, so that the same commit and tools give the same bytes. The gate `bill` reads it by spdx-tools. [SRS_VER_143]
 """
 import hashlib
 import json

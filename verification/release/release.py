@@ -8,7 +8,7 @@ Refused are: changed files, evidence of another commit or with a gap, a program 
 a version without its section of the changelog or with unreleased lines, a page that names the folder it was made in.
 The same commit and evidence give the same bytes in any folder.
   --draft   packs in spite of that, says so in the name, and lists what a release would be refused for in DRAFT
-Exit status: 0 packed, 1 refused, 2 there is nothing to pack. [SRS_VER_132]
+Exit status: 0 packed, 1 refused, 2 there is nothing to pack. [SRS_VER_142]
 """
 import argparse
 import gzip

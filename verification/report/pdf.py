@@ -1,4 +1,4 @@
-"""Prints the lists of the evidence into one PDF for paper: headless Chromium prints each page, pypdf joins them, a bookmark each. [SRS_VER_139]
+"""Prints the lists of the evidence into one PDF for paper: headless Chromium prints each page, pypdf joins them, a bookmark each. [SRS_VER_149]
 
 The pages of the walk are thousands and are not printed; a link to one of them leads to its file beside the PDF.
 """
