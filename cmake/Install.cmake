@@ -29,6 +29,11 @@ foreach(room IN LISTS COUNTERPOINT_INSTALLED_ROOMS)
     target_include_directories(${room} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   else()
     target_compile_options(${room} PRIVATE ${COUNTERPOINT_PACKAGE_OPTIONS})
+    # What ships is compiled without a compiler cache, which may rewrite paths, so that it is the same in any folder.
+    get_target_property(launcher ${room} CXX_COMPILER_LAUNCHER)
+    if(COUNTERPOINT_PACKAGE_OPTIONS AND NOT launcher MATCHES "compile_with")
+      set_target_properties(${room} PROPERTIES CXX_COMPILER_LAUNCHER "")
+    endif()
   endif()
 endforeach()
 

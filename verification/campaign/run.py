@@ -38,7 +38,9 @@ def run_plan(program, plan, out, options):
     """One campaign: its report as a dictionary, with the name of its page."""
     begun = time.monotonic()
     files = {kind: out / f"{plan.stem}.{kind}" for kind in ("html", "json", "csv")}
-    words = [str(program), "campaign", str(plan), "--jobs", str(options.jobs)]
+    # Below the root by a name that is the same wherever the tree stands: the report tells it.
+    told = plan.relative_to(ROOT) if plan.is_relative_to(ROOT) else plan
+    words = [str(program), "campaign", str(told), "--jobs", str(options.jobs)]
     for kind, file in files.items():
         file.unlink(missing_ok=True)
         if kind != "csv" or not options.long:

@@ -14,6 +14,7 @@ import concurrent.futures
 import json
 import os
 import pathlib
+import re
 import shlex
 import shutil
 import subprocess
@@ -96,6 +97,18 @@ def compile_again(build, root, out):
         log.append(f"{'COMPILED' if done.returncode == 0 else 'FAILED'} {name}\n{done.stderr}")
     (out / "compile.log").write_text("".join(log))
 
+def without_place(html, root):
+    """The pages of llvm-cov name their place and time: without them they are the same wherever and whenever they were made. [SRS_VER_141]"""
+    pages, made = html / "sources", html / "coverage" / root.relative_to("/")
+    if made.is_dir():
+        made.rename(pages)
+        shutil.rmtree(html / "coverage")
+    for page in html.rglob("*.html"):
+        up = "../" * (len(page.relative_to(html).parts) - 1)
+        text = re.sub(r"<h4>Created: [^<]*</h4>", "", page.read_text(encoding="utf-8", errors="replace"))
+        text = re.sub(r"'(?:\.\./)*(style\.css|control\.js)'", rf"'{up}\1'", text)
+        page.write_text(text.replace(f"coverage{root}/", "sources/").replace(f"{root}/", ""), encoding="utf-8")
+
 
 def export(commands, build, root, out, html):
     profile = out / "merged.profdata"
@@ -117,6 +130,7 @@ def export(commands, build, root, out, html):
         shutil.rmtree(html, ignore_errors=True)
         run(["llvm-cov-19", "show", *objects, f"-instr-profile={profile}", "--show-mcdc", "--show-mcdc-summary",
              "--show-branches=count", "--format=html", f"-output-dir={html}", "--project-title=Counterpoint safety rooms", *sources])
+        without_place(html, root)
 
 
 def main():

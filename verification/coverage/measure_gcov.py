@@ -9,10 +9,17 @@ Exit status: 0 measured, 1 a test failed, 2 nothing could be measured.
 import argparse
 import pathlib
 import shutil
+import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from measure import ROOT, SAFETY_ROOMS, CannotMeasure, google_tests, run, run_tests  # noqa: E402
+
+
+def commit_time():
+    """Of the pages: when the measured state was committed, so that two runs write the same."""
+    done = subprocess.run(["git", "-c", "safe.directory=*", "log", "-1", "--format=%ct"], cwd=ROOT, capture_output=True, text=True, check=False)
+    return done.stdout.strip() or "0"
 
 
 def main():
@@ -35,7 +42,7 @@ def main():
         if options.html:
             shutil.rmtree(options.html, ignore_errors=True)
             options.html.mkdir(parents=True)
-            command += ["--html-details", options.html.resolve() / "index.html", "--html-self-contained"]
+            command += ["--html-details", options.html.resolve() / "index.html", "--html-self-contained", "--timestamp", commit_time()]
         print(run([*command, build], cwd=build))
     except CannotMeasure as problem:
         print(problem, file=sys.stderr)

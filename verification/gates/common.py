@@ -71,6 +71,19 @@ def read(root, name):
     return (root / name).read_text(encoding="utf-8", errors="replace")
 
 
+def table_rows(text):
+    """(line, header, cells) of each row of each table of a document."""
+    header = []
+    for number, line in enumerate(text.splitlines(), start=1):
+        cells = [cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
+        if not cells:
+            header = []
+        elif not header:
+            header = cells
+        elif not set(cells[0]) <= set("-: "):
+            yield number, header, cells
+
+
 TOKEN = re.compile(r"""
     (?P<comment>//[^\n]*|/\*.*?\*/)
   | (?P<raw>R"(?P<delimiter>[^()\s\\]{0,16})\(.*?\)(?P=delimiter)")

@@ -7,7 +7,6 @@ on the tree, and writes pages from what was collected. The pages hold nothing th
 import argparse
 import concurrent.futures
 import datetime
-import importlib.util
 import json
 import os
 import pathlib
@@ -19,8 +18,11 @@ import time
 import xml.etree.ElementTree as ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-for folder in ("coverage", "trace"):
-    sys.path.insert(0, str(ROOT / "verification" / folder))
+for folder in ("verification/coverage", "verification/trace", "verification/release", "version"):
+    sys.path.insert(0, str(ROOT / folder))
+import bill  # noqa: E402
+import digest  # noqa: E402
+import pdf  # noqa: E402
 import test_run  # noqa: E402
 from measure import TEST_FOLDERS  # noqa: E402
 
@@ -86,8 +88,8 @@ def collect_tests(progress, jobs):
             shutil.copy(report, results)
         shutil.copy(passed / "run/ctest.xml", junit)
         ended = datetime.datetime.fromtimestamp((passed / "run/ctest.xml").stat().st_mtime, datetime.timezone.utc)
-        origin = f"the run of ./dev test that ended {ended:%Y-%m-%d %H:%M:%S} UTC: same commit, files, tests and programs"
-        print(f"Tests of the product: results of {origin}", flush=True)
+        origin = "a run of ./dev test: same commit, files, tests and programs"
+        print(f"Tests of the product: results of {origin}, which ended {ended:%Y-%m-%d %H:%M:%S} UTC", flush=True)
     else:
         progress.run("Running the tests of the product", "verify-test",
                      ["ctest", "--test-dir", "build/product", "--parallel", str(jobs), "--output-on-failure", "--no-tests=error",
@@ -152,21 +154,13 @@ def collect_commands(progress, jobs):
     (DATA / "commands.json").write_text(json.dumps(results, indent=1))
 
 
-def digest():
-    """The digest over the shipped objects, computed as the target run and the benchmarks do."""
-    path = ROOT / "verification/target/objects.py"
-    specification = importlib.util.spec_from_file_location("target_objects", path)
-    module = importlib.util.module_from_spec(specification)
-    specification.loader.exec_module(module)
-    return module.digest(ROOT / "build/product")
-
-
 def told_versions():
     """What the command line prints and what each image for silicon holds, by the name of the file."""
-    tool = ROOT / "build/product/tools/counterpoint"
+    tool, images = ROOT / "build/product/tools/counterpoint", fresh(DATA / "images")
     texts = {tool.name: subprocess.run([tool, "--version"], check=True, capture_output=True, text=True).stdout.strip()}
     for image in sorted((ROOT / "build/target/verification/target/firmware").glob("*_be32.elf")):
-        found = re.findall(rb"counterpoint \d[\w.]* \(commit \w+\)(?=\0)", image.read_bytes())
+        found = re.findall(rb"counterpoint \d[\w.]* \(commit \w+, objects \w+\)(?=\0)", image.read_bytes())
+        shutil.copy(image, images)
         texts[image.name] = " and ".join(text.decode() for text in found) or "no version"
     return texts
 
@@ -187,17 +181,24 @@ def collect_identity():
             lines = ["not found"]
         line = next((line.strip() for line in lines if any(character.isdigit() for character in line)), "not found")
         versions.append({"tool": pathlib.Path(command[0]).name, "version": line})
-    value, count = digest()
-    changed = text("git", "-c", "safe.directory=*", "status", "--porcelain").splitlines()
-    (DATA / "identity.json").write_text(json.dumps({
-        "commit": text("git", "-c", "safe.directory=*", "rev-parse", "HEAD"), "commit_date": text("git", "-c", "safe.directory=*", "log", "-1", "--format=%cI"),
-        "changed_files": len(changed), "versions": told_versions(), "digest": value, "object_count": count, "tools": versions}, indent=1))
+    value, count = digest.digest(ROOT / "build/product")
+    git = ("git", "-c", "safe.directory=*")
+    changed = text(*git, "status", "--porcelain").splitlines()
+    committed = datetime.datetime.fromtimestamp(int(text(*git, "log", "-1", "--format=%ct") or 0), datetime.timezone.utc)
+    identity = {
+        "version": re.search(r"project\(Counterpoint VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text()).group(1),
+        "commit": text(*git, "rev-parse", "HEAD"), "commit_date": text(*git, "log", "-1", "--format=%cI"), "commit_time": f"{committed:%Y-%m-%dT%H:%M:%SZ}",
+        "changed_files": len(changed), "versions": told_versions(), "digest": value, "object_count": count,
+        "target_digest": digest.digest(ROOT / "build/target")[0], "tools": versions}
+    (DATA / "identity.json").write_text(json.dumps(identity, indent=1))
+    bill.write(ROOT, DATA, identity)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--quick", action="store_true", help="use the data of the last run, repeat only gates and pages")
+    parser.add_argument("--pdf", action="store_true", help="print the lists into build/evidence/evidence.pdf, too")
     options = parser.parse_args()
     progress = Progress()
     DATA.mkdir(parents=True, exist_ok=True)
@@ -215,7 +216,11 @@ def main():
                               may_fail=True)
         import pages
         gaps = pages.write(ROOT, EVIDENCE, DATA)
-    except (StepFailed, FileNotFoundError, subprocess.CalledProcessError) as problem:
+        (DATA / "verdict.json").write_text(json.dumps({"gaps": gaps}, indent=1))
+        (EVIDENCE / pdf.NAME).unlink(missing_ok=True)
+        if options.pdf:
+            print(f"Printed: build/evidence/{pdf.NAME}, {pdf.write(EVIDENCE, pages.LISTS)} sheets", flush=True)
+    except (pdf.CannotPrint, StepFailed, FileNotFoundError, subprocess.CalledProcessError) as problem:
         print(f"The evidence cannot be made: {problem}", file=sys.stderr)
         return 2
     for gap in gaps:

@@ -4,6 +4,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import sys
 
 import jinja2
@@ -12,6 +13,8 @@ import markupsafe
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "trace"))
 sys.path.insert(0, str(HERE.parent / "gates"))
+sys.path.insert(0, str(HERE.parent / "release"))
+import bill  # noqa: E402
 from common import SAFETY_ROOMS  # noqa: E402
 from campaign import page_of as campaign_page  # noqa: E402
 import check_links  # noqa: E402
@@ -19,9 +22,12 @@ import walk  # noqa: E402
 from failover import page_of as failover_page  # noqa: E402
 from injection import page_of as injection_page  # noqa: E402
 from matrix import UID, repository_matrix  # noqa: E402
+from interfaces import page_of as interfaces_page  # noqa: E402
+from system_level import SystemLevel, references  # noqa: E402
+from timing import page_of as timing_page  # noqa: E402
 from walk_files import page_of  # noqa: E402
 
-LISTS = ("index", "trace", "coverage", "gates", "misra", "failover", "injection", "campaign", "tools")
+LISTS = ("index", "trace", "safety_requirements", "interfaces", "coverage", "gates", "misra", "failover", "injection", "campaign", "timing", "tools")
 METRICS = ("functions", "lines", "branches", "mcdc")
 PLAN_ROW = re.compile(r"^\| ((?:D )?\d+\.\d+\.\d+) \| (\w+) \| (\w+) \| (.*) \|$", re.MULTILINE)
 
@@ -52,7 +58,7 @@ def coverage(root, data):
         name = path.relative_to(root).as_posix() if path.is_relative_to(root) else None
         if name is None or not any(name.startswith(room + "/") for room in SAFETY_ROOMS):
             continue
-        row = {"name": name, "gcov": gcov.get(str(path)), "page": html_of(root, entry["filename"])}
+        row = {"name": name, "gcov": gcov.get(str(path)), "page": html_of(data.parent, root, entry["filename"])}
         for metric in METRICS:
             row[metric] = (entry["summary"][metric]["covered"], entry["summary"][metric]["count"])
             totals[metric + "_covered"] += row[metric][0]
@@ -62,12 +68,10 @@ def coverage(root, data):
     return sorted(rows, key=lambda row: row["name"]), totals
 
 
-def html_of(root, filename):
-    """Where llvm-cov put the annotated source, as a link from the evidence folder; empty if it is not there."""
-    for place in (f"coverage_clang/coverage{filename}.html",):
-        if (root / "build/evidence" / place).exists():
-            return place
-    return ""
+def html_of(evidence, root, filename):
+    """Where the annotated source by llvm-cov is, as a link from the evidence folder; empty if it is not there."""
+    place = f"coverage_clang/sources/{filename.removeprefix(f'{root}/')}.html"
+    return place if (evidence / place).exists() else ""
 
 
 def deviations(root):
@@ -115,6 +119,7 @@ def templates():
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(HERE / "templates"), autoescape=True, trim_blocks=True, lstrip_blocks=True,
                                      undefined=jinja2.StrictUndefined)
     environment.filters["linked"] = linked
+    environment.filters["allocated"] = lambda uid, level: level.relevance(uid)
     return environment
 
 
@@ -150,18 +155,23 @@ def write(root, evidence, data):
     failover, failover_gaps = failover_page(root / "build/elections/failovers.json")
     injection, injection_gaps = injection_page(root / "build/injection", evidence)
     campaign, campaign_gaps = campaign_page(root, evidence)
-    gaps += failover_gaps + injection_gaps + campaign_gaps
+    timing, timing_gaps = timing_page(root, data)
+    interfaces, interface_gaps = interfaces_page(root)
+    gaps += failover_gaps + injection_gaps + campaign_gaps + timing_gaps + interface_gaps
     if not gate_rows:
         gaps.append("no gate has run")
     context = {
         "identity": read_json(data / "identity.json", {}), "gates": gate_rows, "matrix": matrix, "coverage": coverage_rows,
         "totals": totals, "metrics": METRICS, "misra": misra_rows, "deviations": records, "misra_counts": misra_counts,
         "tests": tests, "test_origin": test_origin, "commands": commands, "gaps": gaps, "failover": failover, "injection": injection,
-        "campaign": campaign, "areas": areas(matrix),
+        "campaign": campaign, "timing": timing, "interfaces": interfaces,
+        "level": SystemLevel(root), "references": references, "areas": areas(matrix),
         "gcov_totals": read_json(data / "gcov/summary.json", {}),
         "has_gcov": (evidence / "coverage_gcov/index.html").exists(),
         "has_clang": (evidence / "coverage_clang/index.html").exists(), "reviewed": reviewed(matrix), "page_of": page_of, "up": "",
     }
+    if (data / bill.NAME).exists():
+        shutil.copy(data / bill.NAME, evidence)
     for name in LISTS:
         page = environment.get_template(f"{name}.html.j2").render(page=name, **context)
         (evidence / f"{name}.html").write_text(page, encoding="utf-8")

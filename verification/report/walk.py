@@ -16,6 +16,8 @@ sys.path.insert(0, str(HERE.parent / "trace"))
 import neighbours  # noqa: E402
 from common import PRODUCT_FOLDERS, files, read  # noqa: E402
 from line_coverage import changed_since, file_coverages  # noqa: E402
+from common import CannotLook  # noqa: E402
+from system_level import SystemLevel  # noqa: E402
 from places import CPP, Functions, below, places_of, told_paths  # noqa: E402
 from source_items import BIBLIOGRAPHY, Sources  # noqa: E402
 from walk_files import file_page, file_rows, page_of  # noqa: E402
@@ -55,6 +57,10 @@ class Walk:
         self.places = places_of(root, matrix.requirements, self.functions)
         self.clauses = {uid: self.sources.clauses(requirement) for uid, requirement in matrix.requirements.items()}
         self.tracked = files(root)
+        try:
+            self.level = SystemLevel(root)
+        except CannotLook:
+            self.level = None  # A tree of a fixture.
         self.told = {uid: self.told_files(requirement) for uid, requirement in matrix.requirements.items()}
         self.links = {uid: self.links_of(uid) for uid in matrix.requirements}
         self.citing = collections.defaultdict(lambda: collections.defaultdict(list))  # path or "" -> section or id -> ids of requirements

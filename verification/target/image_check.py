@@ -238,7 +238,7 @@ def check_version(elf):
     project = re.search(r"project\(Counterpoint VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")).group(1)
     address = elf.symbols.get("CounterpointVersion")
     text = "no symbol CounterpointVersion" if address is None else elf.text_at(address)
-    yield re.fullmatch(rf"counterpoint {re.escape(project)} \(commit \w+\)", text) is not None, "version of the project", text
+    yield re.fullmatch(rf"counterpoint {re.escape(project)} \(commit \w+, objects [0-9a-f]{{16}}\)", text) is not None, "version of the project", text
 
 
 def variant_differences(root):

@@ -1,18 +1,12 @@
 """The objects of core and channels in a build folder: digest, size, and what they need from elsewhere."""
-import hashlib
 import pathlib
 import re
 import subprocess
-import tempfile
+import sys
 
-# Room, archive in the build folder. The digest goes over the objects in this order.
-CERTIFIED = [("safety_core/comparator", "safety_core/comparator/libsafety_core_comparator.a"),
-             ("safety_core/kernel", "safety_core/kernel/libsafety_core_kernel.a"),
-             ("safety_core/selftest", "safety_core/selftest/libsafety_core_selftest.a"),
-             ("safety_core/crosslink", "safety_core/crosslink/libsafety_core_crosslink.a"),
-             ("hal/api", "hal/api/libhal_api.a"),
-             ("channel_a", "channel_a/libchannel_a.a"),
-             ("channel_b", "channel_b/libchannel_b.a")]
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "version"))
+from digest import CERTIFIED, BadInput, archives, digest, members  # noqa: E402, F401
+
 # The services of a device and the network manager.
 SERVICES = [("canopen/cia301", "canopen/cia301/libcanopen_cia301.a"),
             ("canopen/cia302/network", "canopen/cia302/network/libcanopen_cia302_network.a"),
@@ -30,36 +24,6 @@ SERVICES = [("canopen/cia301", "canopen/cia301/libcanopen_cia301.a"),
 MEMORY_FUNCTIONS = re.compile(r"(mem(cpy|move|set|cmp)|__aeabi_mem(cpy|move|set|clr)[48]?)")
 # Stands in the virtual table of an abstract class; called only through a destroyed object.
 ABSTRACT = {"__cxa_pure_virtual"}
-
-
-class BadInput(Exception):
-    """Input that cannot be used; the text names it."""
-
-
-def archives(build, rooms=None):
-    for room, path in rooms or CERTIFIED:
-        archive = pathlib.Path(build) / path
-        if not archive.is_file():
-            raise BadInput(f"{archive}: not there, expected after the build")
-        yield room, archive
-
-
-def members(archive, tool="ar"):
-    """Name and bytes of each object, in the order of the names."""
-    with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([tool, "x", str(archive.resolve())], cwd=folder, check=True)
-        return [(path.name, path.read_bytes()) for path in sorted(pathlib.Path(folder).iterdir())]
-
-
-def digest(build):
-    """SHA-256 over room, name and bytes of every object."""
-    total = hashlib.sha256()
-    count = 0
-    for room, archive in archives(build):
-        for name, content in members(archive):
-            total.update(f"{room}/{name}:{hashlib.sha256(content).hexdigest()}\n".encode())
-            count += 1
-    return total.hexdigest(), count
 
 
 def sizes(build, prefix):

@@ -8,12 +8,12 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from common import CannotLook, files, read, run_gate, without_comments  # noqa: E402
+from loop_heads import HEAD, head_of, split  # noqa: E402
 
 UNDER = ["hal/tms570", "examples/firmware"]
 # File, and the text of the loop's place. The first two stand still in the safe state; the last one is the life of the device.
 ENDLESS = [("hal/tms570/silicon/exception_hooks.cpp", "for (;;)", "WaitForInterrupt"), ("hal/tms570/start/start_up.S", "Stopped", "1b"),
            ("examples/firmware/common/silicon_main.cpp", "for (;;)", "executive.Cycle")]
-HEAD = re.compile(r"\b(for|while)\s*\(")
 # A counter, alone or with a constant added, against its end.
 BOUND = re.compile(r"^\(*(\w+)(?: \+ \w+\))? (?:<=?|>) \(?[\w.:]+(?: - \w+)?\)*$")
 WINDOW = 900
@@ -23,32 +23,8 @@ COUNTS = re.compile(r"\s(subs|adds|cmp|ands)\s")
 LEAVES = re.compile(r"^(?:\d+:)?\s*(b(?:eq|ne|hs|lo|cs|cc|mi|pl|hi|ls|ge|lt|gt|le)|cbn?z)\s")
 
 
-def head_of(code, start):
-    """The text between the parentheses that open at `start`."""
-    depth = 0
-    for place in range(start, len(code)):
-        depth += {"(": 1, ")": -1}.get(code[place], 0)
-        if depth == 0:
-            return code[start + 1:place]
-    return code[start + 1:]
-
-
 def is_permitted(name, loop, near):
     return any(name == file and loop.startswith(head) and what in near for file, head, what in ENDLESS)
-
-
-def split(text, operator):
-    """Parts of an expression that stand on its outermost level."""
-    text = text.strip()
-    while text.startswith("(") and head_of(text, 0) == text[1:-1]:
-        text = text[1:-1].strip()
-    parts, depth, start = [], 0, 0
-    for place, letter in enumerate(text):
-        depth += {"(": 1, ")": -1}.get(letter, 0)
-        if depth == 0 and text.startswith(operator, place):
-            parts.append(text[start:place])
-            start = place + len(operator)
-    return parts + [text[start:]]
 
 
 def ends(condition, moved):

@@ -10,7 +10,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve()
 sys.path.insert(0, str(HERE.parents[1]))
 sys.path.insert(0, str(HERE.parents[2] / "trace"))
-from common import TEST_CASE, CannotLook, files, read, run_gate  # noqa: E402
+from common import TEST_CASE, CannotLook, files, read, run_gate, table_rows  # noqa: E402
 from generate_ids import BadInput, UID, read_requirements  # noqa: E402
 
 FOLDER = "docs/safety"
@@ -37,16 +37,7 @@ CTEST = re.compile(r"\b(?:counterpoint_test\w*\(|add_test\(NAME )\s*(\w+)")
 
 
 def rows(root, name):
-    """(line, header, cells) of each row of each table of a document."""
-    header = []
-    for number, line in enumerate(read(root, name).splitlines(), start=1):
-        cells = [cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1]]
-        if not cells:
-            header = []
-        elif not header:
-            header = cells
-        elif not set(cells[0]) <= set("-: "):
-            yield number, header, cells
+    return table_rows(read(root, name))
 
 
 def has_reason(cell):

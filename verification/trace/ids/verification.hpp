@@ -70,6 +70,16 @@ inline constexpr RequirementId SRS_VER_133{"SRS_VER_133"};
 inline constexpr RequirementId SRS_VER_134{"SRS_VER_134"};
 inline constexpr RequirementId SRS_VER_135{"SRS_VER_135"};
 inline constexpr RequirementId SRS_VER_136{"SRS_VER_136"};
+inline constexpr RequirementId SRS_VER_140{"SRS_VER_140"};
+inline constexpr RequirementId SRS_VER_141{"SRS_VER_141"};
+inline constexpr RequirementId SRS_VER_142{"SRS_VER_142"};
+inline constexpr RequirementId SRS_VER_143{"SRS_VER_143"};
+inline constexpr RequirementId SRS_VER_144{"SRS_VER_144"};
+inline constexpr RequirementId SRS_VER_145{"SRS_VER_145"};
+inline constexpr RequirementId SRS_VER_146{"SRS_VER_146"};
+inline constexpr RequirementId SRS_VER_147{"SRS_VER_147"};
+inline constexpr RequirementId SRS_VER_148{"SRS_VER_148"};
+inline constexpr RequirementId SRS_VER_149{"SRS_VER_149"};
 } // namespace counterpoint::req
 
 #endif
