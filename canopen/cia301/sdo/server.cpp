@@ -307,7 +307,7 @@ SdoAnswer SdoServer::Finish(const SdoAbort abort, const SdoAnswer& done) noexcep
 SdoAnswer SdoServer::AskAgain() noexcept
 {
     phase_ = Phase::kIdle;
-    return Finish(dictionary_.Write(target_, Bytes{buffer_.data, position_}), delayed_);
+    return Finish(dictionary_.WriteAgain(target_, Bytes{buffer_.data, position_}), delayed_);
 }
 
 /// Whether a download of the stated length can be taken.

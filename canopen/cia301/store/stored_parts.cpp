@@ -99,7 +99,7 @@ bool StoredEntries::LoadItem(const Bytes& item) noexcept
         const Entry* const entry = dictionary_.Find(address);
         const Bytes value{&item.data[kAddressBytes], item.size_bytes - kAddressBytes};
         const bool is_stored = (entry != nullptr) && ((entry->uses & kStored) != 0U);
-        is_loaded = is_stored && (WriteEntry(*entry, value) == SdoAbort::kNone);
+        is_loaded = is_stored && (WriteEntry(*entry, value, Attempt::kFirst) == SdoAbort::kNone);
     }
     return is_loaded;
 }
@@ -249,6 +249,16 @@ ObjectValue StoreObjects::Fetch(const ObjectAddress& address) noexcept
 
 SdoAbort StoreObjects::Store(const ObjectAddress& address, const std::uint32_t value) noexcept
 {
+    return Request(address, value, Attempt::kFirst);
+}
+
+SdoAbort StoreObjects::StoreAgain(const ObjectAddress& address, const std::uint32_t value) noexcept
+{
+    return Request(address, value, Attempt::kAgain);
+}
+
+SdoAbort StoreObjects::Request(const ObjectAddress& address, const std::uint32_t value, const Attempt attempt) noexcept
+{
     const bool is_save = (address.index == kSaveObject);
     SdoAbort abort = Fetch(address).abort;
     if ((abort == SdoAbort::kNone) && (address.sub == 0U))
@@ -261,8 +271,8 @@ SdoAbort StoreObjects::Store(const ObjectAddress& address, const std::uint32_t v
     }
     else if (abort == SdoAbort::kNone)
     {
-        const StoreAction action = is_save ? StoreAction::kSave : StoreAction::kForget;
-        abort = store_.Ask(StoreRequest{action, kGroupOf[address.sub]});
+        const StoreRequest request{is_save ? StoreAction::kSave : StoreAction::kForget, kGroupOf[address.sub]};
+        abort = (attempt == Attempt::kAgain) ? store_.Continue(request) : store_.Begin(request);
     }
     return abort;
 }

@@ -58,7 +58,7 @@ class StoredSafety final : public StoredPart
 };
 
 /// Hook of 1010h and 1011h: sub-index 1 all, 2 communication, 3 application, 4 manufacturer. The store is kept by
-/// reference. [SRS_STO_003, SRS_STO_004]
+/// reference. [SRS_STO_003, SRS_STO_004, SRS_STO_020]
 class StoreObjects final : public NumberHook
 {
   public:
@@ -68,6 +68,8 @@ class StoreObjects final : public NumberHook
   private:
     [[nodiscard]] ObjectValue Fetch(const ObjectAddress& address) noexcept override;
     [[nodiscard]] SdoAbort Store(const ObjectAddress& address, std::uint32_t value) noexcept override;
+    [[nodiscard]] SdoAbort StoreAgain(const ObjectAddress& address, std::uint32_t value) noexcept override;
+    [[nodiscard]] SdoAbort Request(const ObjectAddress& address, std::uint32_t value, Attempt attempt) noexcept;
 
     ParameterStore& store_;
 };

@@ -490,7 +490,7 @@ void DeviceObjects::Load(const Stored& stored) noexcept
     {
         return;
     }
-    const SdoAbort abort = cia301::WriteEntry(entry, {stored.value.data(), size});
+    const SdoAbort abort = cia301::WriteEntry(entry, {stored.value.data(), size}, cia301::Attempt::kFirst);
     if (abort != SdoAbort::kNone)
     {
         refusals_.push_back({cia306::Severity::kWarning, stored.place, cia306::ObjectName(entry.index, entry.sub),

@@ -286,6 +286,29 @@ TEST_F(NodeServicesTest, AStoreThatCannotBeUsedIsTold)
     }
 }
 
+// Two saves at once: the second one is refused, and the first one goes on to its end.
+TEST_F(NodeServicesTest, AnOrderToSaveWithinASaveIsRefused)
+{
+    Verifies(req::SRS_STO_020);
+    const std::string store = Path("twice.store");
+    std::remove(store.c_str());
+    auto node = StartNode("../tests/runtime/data/everything.dcf", {"--store", store});
+    node->Type("set 0x4005:00 50");
+    node->Type("set 0x1010:01 0x65766173");
+    node->Type("set 0x1010:01 0x65766173");
+    const std::string text = node->WaitFor("problem").event["text"];
+    EXPECT_EQ(text.find("set: 0x1010:01 = 1702257011 refused with 0800 0021h"), 0U) << text;
+    EXPECT_FALSE(node->Tells([](const nlohmann::json& event) { return event["event"] == "problem"; }, 700));
+    node->Type("quit");
+    EXPECT_EQ(node->End(), 0);
+    node = StartNode("../tests/runtime/data/everything.dcf", {"--store", store});
+    node->Type("get 0x4005:00");
+    EXPECT_EQ(node->WaitFor("object").event["value"], 50);
+    node->Type("quit");
+    EXPECT_EQ(node->End(), 0);
+    std::remove(store.c_str());
+}
+
 // Given a configuration that was saved, and a newer one: where a bit of the newer one has changed, neither the older
 // one nor that of the file comes up valid, the node says so, and what is saved then counts again.
 TEST_F(NodeServicesTest, ADamagedStoreNeverBringsAnOlderConfigurationBack)
