@@ -8,6 +8,11 @@
 
 namespace counterpoint::runtime
 {
+namespace
+{
+constexpr std::uint32_t kBitsOfByte = 8U;
+} // namespace
+
 NodeOrders::NodeOrders(NodePorts& ports, NodeReport& report) : ports_(ports), report_(report)
 {
 }
@@ -87,8 +92,13 @@ void NodeOrders::Set(const NodeOrder& order, NodeDevice& device, const cia301::A
     }
     cia301::Dictionary& objects = device.Assembly().Dictionary();
     const cia301::Reading size = objects.SizeOf(order.object);
+    const bool is_cut = size.size_bytes < sizeof(order.value) && (order.value >> (kBitsOfByte * size.size_bytes)) != 0U;
     cia301::SdoAbort abort = size.abort;
-    if (abort == cia301::SdoAbort::kNone)
+    if (abort == cia301::SdoAbort::kNone && is_cut)
+    {
+        abort = cia301::SdoAbort::kValueHigh;
+    }
+    else if (abort == cia301::SdoAbort::kNone)
     {
         abort = (attempt == cia301::Attempt::kFirst)
                     ? objects.WriteNumber(order.object, order.value, size.size_bytes)

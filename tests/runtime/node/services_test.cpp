@@ -286,6 +286,31 @@ TEST_F(NodeServicesTest, AStoreThatCannotBeUsedIsTold)
     }
 }
 
+// A value of more bytes than its object has is not cut off: of a variable, an SCT, a direction.
+TEST_F(NodeServicesTest, AnOrderWhoseObjectCannotHoldTheValueChangesNothing)
+{
+    Verifies(req::SRS_NODE_003);
+    auto node = StartNode("../tests/runtime/data/everything.dcf", {});
+    for (const std::string& set : {std::string("0x4005:00 256"), std::string("0x1301:02 65596"),
+                                   std::string("0x1301:01 258"), std::string("0x1017:00 65536")})
+    {
+        const std::string object = set.substr(0U, 9U);
+        node->Type("get " + object);
+        const int before = node->WaitFor("object").event["value"];
+        node->Type("set " + set);
+        const std::string text = node->WaitFor("problem").event["text"];
+        EXPECT_EQ(text.find("set: " + object + " = " + set.substr(10U) + " refused with 0609 0031h"), 0U) << text;
+        node->Type("get " + object);
+        EXPECT_EQ(node->WaitFor("object").event["value"], before) << set;
+    }
+    // The greatest one is taken
+    node->Type("set 0x1017:00 65535");
+    node->Type("get 0x1017:00");
+    EXPECT_EQ(node->WaitFor("object").event["value"], 65535);
+    node->Type("quit");
+    EXPECT_EQ(node->End(), 0);
+}
+
 // Two saves at once: the second one is refused, and the first one goes on to its end.
 TEST_F(NodeServicesTest, AnOrderToSaveWithinASaveIsRefused)
 {
