@@ -165,7 +165,8 @@ StoredItem StoredSafety::Item(const std::uint32_t number, const Room& room) noex
 }
 
 /// A client may have written while the items were read: header and values are those of one configuration only if both
-/// are those of now.
+/// are those of now. A valid one of another digest than the expected one (1300h may change while it runs) would be
+/// refused at the next start.
 SdoAbort StoredSafety::EndSave(const std::uint8_t groups) noexcept
 {
     SdoAbort abort = SdoAbort::kNone;
@@ -178,7 +179,9 @@ SdoAbort StoredSafety::EndSave(const std::uint8_t groups) noexcept
             crc = ContinueWith(crc, kernel_.Image().ReadItem(i).value);
         }
         const bool is_same = (now.crc == header_.crc) && (now.valid == header_.valid) && (crc == given_crc_);
-        abort = is_same ? SdoAbort::kNone : SdoAbort::kDeviceState;
+        const bool is_expected =
+            (now.valid != kConfigurationValidValue) || (kernel_.Digest().result == Result::kSuccessful);
+        abort = (is_same && is_expected) ? SdoAbort::kNone : SdoAbort::kDeviceState;
     }
     return abort;
 }

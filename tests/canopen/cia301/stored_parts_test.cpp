@@ -455,6 +455,48 @@ TEST_F(StoredSafetyTest, AChangeThatIsTakenBackBeforeTheEndIsFound)
     EXPECT_EQ(safety.EndSave(kApplicationGroup), SdoAbort::kNone);
 }
 
+// 1300h may be written while 13FEh is A5h, and stays in force; with 5F04h the next start would refuse it.
+TEST_F(StoredSafetyTest, AConfigurationThatTheNextStartWouldRefuseIsNotSaved)
+{
+    Verifies(req::SRS_STO_021);
+    Configure();
+    config.digest = kernel.Digest().digest;
+    std::array<std::uint8_t, 64> scratch{};
+    CutMemory memory{8192U};
+    StoredSafety safety{kernel};
+    std::array<StoredPart*, 1> parts{&safety};
+    ParameterStore store{StoreParts{memory, parts.data(), 1U, Room{scratch.data(), 64U}}};
+    const auto save = [&store]
+    {
+        EXPECT_EQ(store.Begin({StoreAction::kSave, kAllGroups}), SdoAbort::kPending);
+        for (int i = 0; (i < 3000) && store.IsBusy(); ++i)
+        {
+            store.OnCycle();
+        }
+        return store.Continue({StoreAction::kSave, kAllGroups});
+    };
+    EXPECT_EQ(save(), SdoAbort::kNone);
+    const std::uint32_t gfc = Read(0x1300U, 0U);
+    EXPECT_EQ(Write(0x1300U, 0U, 1U - gfc, 1U), AbortCode::kNone);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    // Then it is refused, and the set before is still there
+    EXPECT_EQ(save(), SdoAbort::kDeviceState);
+    EXPECT_EQ(kernel.Image().RestoreDefaults(), Result::kSuccessful);
+    EXPECT_NE(store.Load(kCommunicationGroup).finding, StoreFinding::kRefused);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    EXPECT_EQ(Read(0x1300U, 0U), gfc);
+    // One that is not valid is nothing that a start could refuse, and without an expected digest there is nothing to be
+    EXPECT_EQ(Write(0x1300U, 0U, 1U - gfc, 1U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x13FEU, 0U, 0U, 1U), AbortCode::kNone);
+    EXPECT_EQ(save(), SdoAbort::kNone);
+    config.digest = 0U;
+    EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+    EXPECT_EQ(save(), SdoAbort::kNone);
+    EXPECT_NE(store.Load(kCommunicationGroup).finding, StoreFinding::kRefused);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    EXPECT_EQ(Read(0x1300U, 0U), 1U - gfc);
+}
+
 TEST_F(StoredSafetyTest, AfterALostSetTheDeviceDoesNotComeUpWithA5)
 {
     Verifies(req::SRS_STO_014);
