@@ -282,8 +282,9 @@ void DeviceObjects::Connect(device::Services& services, const FindHook& further,
             entry.write_hook = keeper.write;
             entry.place = nullptr;
             entry.length_bytes = nullptr;
+            const cia301::DataType type = entry.type;
             TakeServiceLength(entry);
-            FitNumber(stored.value, entry.size_bytes);
+            FitNumber(stored.value, type, entry.size_bytes);
         }
     }
 }
