@@ -49,9 +49,9 @@ constexpr std::uint32_t kUsPerMs = 1000U;
 } // namespace
 
 LssSlave::LssSlave(const LssParts& parts) noexcept
-    : parts_(parts), pending_(parts.settings), state_(LssState::kWaiting), switching_(Switching::kNone),
-      switched_at_{0U}, delay_us_(0U), active_node_id_(kNoNodeId), selected_(0U), identified_(0U), scanned_(0U),
-      is_storing_(false), is_sending_(false), waiting_{}
+    : parts_(parts), pending_(parts.settings), storing_(parts.settings), state_(LssState::kWaiting),
+      switching_(Switching::kNone), switched_at_{0U}, delay_us_(0U), active_node_id_(kNoNodeId), selected_(0U),
+      identified_(0U), scanned_(0U), is_storing_(false), is_sending_(false), waiting_{}
 {
 }
 
@@ -257,6 +257,7 @@ void LssSlave::Configure(const CanFrame& frame, const Moment& moment) noexcept
     else if (command == kStore)
     {
         is_storing_ = true;
+        storing_ = pending_;
         FinishStore();
     }
     else if ((command >= kInquireVendor) && (command <= kInquireNodeId))
@@ -319,7 +320,7 @@ void LssSlave::ActivateTiming(const std::uint16_t delay_ms, const Moment& moment
 
 void LssSlave::FinishStore() noexcept
 {
-    const LssStored stored = parts_.device.Store(pending_);
+    const LssStored stored = parts_.device.Store(storing_);
     is_storing_ = (stored == LssStored::kPending);
     if (stored == LssStored::kDone)
     {

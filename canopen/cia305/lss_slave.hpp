@@ -92,7 +92,7 @@ class LssSlave
     /// SRS_LSS_007, SRS_LSS_008, SRS_LSS_009, SRS_LSS_010]
     void OnFrame(const CanFrame& frame, const Moment& moment) noexcept;
     /// @brief Watches the delays of a change of bit rate and sends the answer to a store. Once a cycle. [SRS_LSS_005,
-    /// SRS_LSS_006]
+    /// SRS_LSS_006, SRS_LSS_013]
     void OnCycle(const Moment& moment) noexcept;
 
     /// @brief Reset communication: the configured node-ID becomes the active one, and is returned. [SRS_LSS_004]
@@ -133,6 +133,7 @@ class LssSlave
 
     LssParts parts_;
     LssSettings pending_;
+    LssSettings storing_; ///< As they were when the last 17h came.
     LssState state_;
     Switching switching_;
     Instant switched_at_;

@@ -8,9 +8,14 @@ namespace
 
 constexpr std::uint32_t kItemBytes = 2U;
 
+bool IsSame(const LssSettings& left, const LssSettings& right) noexcept
+{
+    return (left.node_id == right.node_id) && (left.timing.index == right.timing.index);
+}
+
 } // namespace
 
-StoredLss::StoredLss(const LssSettings& settings) noexcept : settings_(settings)
+StoredLss::StoredLss(const LssSettings& settings) noexcept : settings_(settings), is_saving_(false)
 {
 }
 
@@ -22,16 +27,20 @@ const LssSettings& StoredLss::Settings() const noexcept
 LssStored StoredLss::Keep(const LssSettings& settings, cia301::ParameterStore& store) noexcept
 {
     const cia301::StoreRequest request{cia301::StoreAction::kSave, cia301::kLssGroup};
-    settings_ = settings;
-    const cia301::SdoAbort answer = store.Ask(request);
-    LssStored stored = LssStored::kFailed;
-    if ((answer == cia301::SdoAbort::kPending) || (answer == cia301::SdoAbort::kLocalControl))
+    LssStored stored = LssStored::kPending;
+    if (!is_saving_)
     {
-        stored = LssStored::kPending; // Another store that is running comes first.
+        is_saving_ = (store.Begin(request) == cia301::SdoAbort::kPending); // Another store that is running comes first.
+        settings_ = is_saving_ ? settings : settings_;
     }
-    else if (answer == cia301::SdoAbort::kNone)
+    else
     {
-        stored = LssStored::kDone;
+        const cia301::SdoAbort answer = store.Continue(request);
+        is_saving_ = (answer == cia301::SdoAbort::kPending);
+        if (!is_saving_ && IsSame(settings, settings_))
+        {
+            stored = (answer == cia301::SdoAbort::kNone) ? LssStored::kDone : LssStored::kFailed;
+        }
     }
     return stored;
 }

@@ -10,7 +10,7 @@ namespace counterpoint::cia305
 {
 
 /// Node-ID and bit timing in the parameter store, in the group that only LSS saves. At power-on: Mount, Load of
-/// kLssGroup, Settings; later LssDevice::Store hands its settings to Keep. Not reentrant. [SRS_LSS_012]
+/// kLssGroup, Settings; later LssDevice::Store hands its settings to Keep. Not reentrant. [SRS_LSS_012, SRS_LSS_013]
 class StoredLss final : public cia301::StoredPart
 {
   public:
@@ -19,7 +19,8 @@ class StoredLss final : public cia301::StoredPart
 
     /// @brief The settings that hold now.
     [[nodiscard]] const LssSettings& Settings() const noexcept;
-    /// @brief Saves these settings. kPending until the saving has ended, as LssDevice::Store wants it.
+    /// @brief Saves these settings. kPending until the saving has ended, as LssDevice::Store wants it; where others are
+    /// being saved, until these are saved behind them. [SRS_LSS_013]
     [[nodiscard]] LssStored Keep(const LssSettings& settings, cia301::ParameterStore& store) noexcept;
 
     [[nodiscard]] std::uint32_t ItemCount() noexcept override;
@@ -31,6 +32,7 @@ class StoredLss final : public cia301::StoredPart
 
   private:
     LssSettings settings_;
+    bool is_saving_;
 };
 
 } // namespace counterpoint::cia305

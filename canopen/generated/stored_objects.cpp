@@ -191,6 +191,13 @@ SdoAbort StoredObjects::OnWrite(const ObjectAddress& address, const Bytes& value
     return abort;
 }
 
+/// Only a hook answers kPending.
+SdoAbort StoredObjects::OnWriteAgain(const ObjectAddress& address, const Bytes& value) noexcept
+{
+    const ObjectHooks hooks = HooksOf(address);
+    return (hooks.write != nullptr) ? hooks.write->OnWriteAgain(address, value) : OnWrite(address, value);
+}
+
 /// The hooks that have this object; null: the stored value is used.
 ObjectHooks StoredObjects::HooksOf(const ObjectAddress& address) const noexcept
 {

@@ -110,6 +110,13 @@ SdoAbort ManagerObjects::OnWrite(const ObjectAddress& address, const cia301::Byt
     return (abort == SdoAbort::kNone) ? Store(address, value) : abort;
 }
 
+/// Only a command is delayed (1F82h).
+SdoAbort ManagerObjects::OnWriteAgain(const ObjectAddress& address, const cia301::Bytes& value) noexcept
+{
+    const bool is_command = address.index == kNmt && assembly_.Core().IsActive();
+    return is_command ? objects_.OnWriteAgain(address, value) : OnWrite(address, value);
+}
+
 SdoAbort ManagerObjects::MayWrite(const ObjectAddress& address, const std::uint32_t value) const noexcept
 {
     const auto unless = [](const bool is_wrong, const SdoAbort abort) { return is_wrong ? abort : SdoAbort::kNone; };

@@ -21,6 +21,8 @@ class ManagerObjects final : public cia301::ReadHook, public cia301::WriteHook
 
     [[nodiscard]] cia301::Reading OnRead(const ObjectAddress& address, const cia301::Room& room) noexcept override;
     [[nodiscard]] cia301::SdoAbort OnWrite(const ObjectAddress& address, const cia301::Bytes& value) noexcept override;
+    [[nodiscard]] cia301::SdoAbort OnWriteAgain(const ObjectAddress& address,
+                                                const cia301::Bytes& value) noexcept override;
 
   private:
     [[nodiscard]] cia301::Reading ReadDomain(const ObjectAddress& address, const cia301::Room& room) noexcept;

@@ -3,8 +3,16 @@
 
 #include "runtime/device/names.hpp"
 
+#include <optional>
+#include <utility>
+
 namespace counterpoint::runtime
 {
+namespace
+{
+constexpr std::uint32_t kBitsOfByte = 8U;
+} // namespace
+
 NodeOrders::NodeOrders(NodePorts& ports, NodeReport& report) : ports_(ports), report_(report)
 {
 }
@@ -15,7 +23,7 @@ bool NodeOrders::Carry(const NodeOrder& order, NodeDevice& device, const NodeMom
     switch (order.kind)
     {
     case OrderKind::kSet:
-        Set(order, device);
+        Set(order, device, cia301::Attempt::kFirst);
         break;
     case OrderKind::kGet:
         TellObject(order.object, device);
@@ -68,24 +76,38 @@ bool NodeOrders::Carry(const NodeOrder& order, NodeDevice& device, const NodeMom
 
 void NodeOrders::GoOn(NodeDevice& device, const NodeMoment& at)
 {
-    static_cast<void>(Carry(NodeOrder(pending_), device, at));
+    at_ = at;
+    if (pending_)
+    {
+        Set(*std::exchange(pending_, std::nullopt), device, cia301::Attempt::kAgain);
+    }
 }
 
 /// An input of the application, else an object of the device itself.
-void NodeOrders::Set(const NodeOrder& order, NodeDevice& device)
+void NodeOrders::Set(const NodeOrder& order, NodeDevice& device, const cia301::Attempt attempt)
 {
-    if (device.App().SetInput(order.object, order.value))
+    if (attempt == cia301::Attempt::kFirst && device.App().SetInput(order.object, order.value))
     {
         return;
     }
     cia301::Dictionary& objects = device.Assembly().Dictionary();
     const cia301::Reading size = objects.SizeOf(order.object);
+    const bool is_cut = size.size_bytes < sizeof(order.value) && (order.value >> (kBitsOfByte * size.size_bytes)) != 0U;
     cia301::SdoAbort abort = size.abort;
-    if (abort == cia301::SdoAbort::kNone)
+    if (abort == cia301::SdoAbort::kNone && is_cut)
     {
-        abort = objects.WriteNumber(order.object, order.value, size.size_bytes);
+        abort = cia301::SdoAbort::kValueHigh;
     }
-    pending_ = (abort == cia301::SdoAbort::kPending) ? order : NodeOrder{};
+    else if (abort == cia301::SdoAbort::kNone)
+    {
+        abort = (attempt == cia301::Attempt::kFirst)
+                    ? objects.WriteNumber(order.object, order.value, size.size_bytes)
+                    : objects.WriteNumberAgain(order.object, order.value, size.size_bytes);
+    }
+    if (abort == cia301::SdoAbort::kPending)
+    {
+        pending_ = order;
+    }
     if (abort != cia301::SdoAbort::kNone && abort != cia301::SdoAbort::kPending)
     {
         TellProblem("set: " + ObjectText(order.object) + " = " + std::to_string(order.value) + " refused with " +

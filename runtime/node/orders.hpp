@@ -6,6 +6,7 @@
 #include "runtime/node/order.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace counterpoint::runtime
@@ -31,7 +32,7 @@ class NodeOrders
     void GoOn(NodeDevice& device, const NodeMoment& at);
 
   private:
-    void Set(const NodeOrder& order, NodeDevice& device);
+    void Set(const NodeOrder& order, NodeDevice& device, cia301::Attempt attempt);
     void TellObject(const ObjectAddress& object, NodeDevice& device);
     void SendCommand(const NodeOrder& order, NodeDevice& device);
     void TellState(NodeDevice& device);
@@ -41,7 +42,7 @@ class NodeOrders
     NodePorts& ports_;
     NodeReport& report_;
     NodeMoment at_{};
-    NodeOrder pending_{};
+    std::optional<NodeOrder> pending_; ///< A set whose object has not taken its value yet.
 };
 } // namespace counterpoint::runtime
 

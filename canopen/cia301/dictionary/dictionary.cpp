@@ -55,6 +55,16 @@ Reading Dictionary::Read(const ObjectAddress& address, const Room& room) noexcep
 
 SdoAbort Dictionary::Write(const ObjectAddress& address, const Bytes& value) noexcept
 {
+    return Put(address, value, Attempt::kFirst);
+}
+
+SdoAbort Dictionary::WriteAgain(const ObjectAddress& address, const Bytes& value) noexcept
+{
+    return Put(address, value, Attempt::kAgain);
+}
+
+SdoAbort Dictionary::Put(const ObjectAddress& address, const Bytes& value, const Attempt attempt) noexcept
+{
     const Entry* const entry = Find(address);
     SdoAbort abort = SdoAbort::kNone;
     if (entry == nullptr)
@@ -66,7 +76,7 @@ SdoAbort Dictionary::Write(const ObjectAddress& address, const Bytes& value) noe
         abort = WriteRight(*entry);
         if (abort == SdoAbort::kNone)
         {
-            abort = WriteEntry(*entry, value);
+            abort = WriteEntry(*entry, value, attempt);
         }
     }
     return abort;
@@ -133,6 +143,18 @@ NumberReading Dictionary::ReadNumber(const ObjectAddress& address) noexcept
 SdoAbort Dictionary::WriteNumber(const ObjectAddress& address, const std::uint64_t value,
                                  const std::uint32_t size_bytes) noexcept
 {
+    return PutNumber(address, value, size_bytes, Attempt::kFirst);
+}
+
+SdoAbort Dictionary::WriteNumberAgain(const ObjectAddress& address, const std::uint64_t value,
+                                      const std::uint32_t size_bytes) noexcept
+{
+    return PutNumber(address, value, size_bytes, Attempt::kAgain);
+}
+
+SdoAbort Dictionary::PutNumber(const ObjectAddress& address, const std::uint64_t value, const std::uint32_t size_bytes,
+                               const Attempt attempt) noexcept
+{
     SdoAbort abort = SdoAbort::kLengthMismatch;
     if ((size_bytes > 0U) && (size_bytes <= kMaxNumberBytes))
     {
@@ -146,7 +168,7 @@ SdoAbort Dictionary::WriteNumber(const ObjectAddress& address, const std::uint64
         }
         else if (entry->size_bytes == size_bytes)
         {
-            abort = WriteEntry(*entry, image);
+            abort = WriteEntry(*entry, image, attempt);
         }
     }
     return abort;

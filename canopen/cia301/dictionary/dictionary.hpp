@@ -38,6 +38,8 @@ class Dictionary
     /// @brief Writes as a client on the bus does. O(log n + length) [SRS_OBD_002, SRS_OBD_003, SRS_OBD_004,
     /// SRS_OBD_005, SRS_OBD_006, SRS_OBD_007, SRS_OBD_008]
     [[nodiscard]] SdoAbort Write(const ObjectAddress& address, const Bytes& value) noexcept;
+    /// @brief Asks again for the end of a Write that answered kPending. O(log n + length) [SRS_OBD_015]
+    [[nodiscard]] SdoAbort WriteAgain(const ObjectAddress& address, const Bytes& value) noexcept;
     /// @brief Whether Write can succeed for a value of `size_bytes` (or kUnknownLength). O(log n) [SRS_OBD_011]
     [[nodiscard]] SdoAbort MayWrite(const ObjectAddress& address, std::uint32_t size_bytes) noexcept;
     /// @brief Present length of the value in bytes, for uploads whose length nobody states. O(log n)
@@ -50,6 +52,9 @@ class Dictionary
     /// not looked at. O(log n) [SRS_OBD_010]
     [[nodiscard]] SdoAbort WriteNumber(const ObjectAddress& address, std::uint64_t value,
                                        std::uint32_t size_bytes) noexcept;
+    /// @brief Asks again for the end of a WriteNumber that answered kPending. O(log n) [SRS_OBD_015]
+    [[nodiscard]] SdoAbort WriteNumberAgain(const ObjectAddress& address, std::uint64_t value,
+                                            std::uint32_t size_bytes) noexcept;
 
     /// @brief The own entry at an address, or null. O(log n) [SRS_OBD_001]
     [[nodiscard]] const Entry* Find(const ObjectAddress& address) const noexcept;
@@ -61,6 +66,9 @@ class Dictionary
     [[nodiscard]] SdoAbort WriteRight(const Entry& entry) const noexcept;
     [[nodiscard]] SdoAbort ReadRight(const Entry& entry) const noexcept;
     [[nodiscard]] Reading ReadForeign(const ObjectAddress& address, const Room& room) noexcept;
+    [[nodiscard]] SdoAbort Put(const ObjectAddress& address, const Bytes& value, Attempt attempt) noexcept;
+    [[nodiscard]] SdoAbort PutNumber(const ObjectAddress& address, std::uint64_t value, std::uint32_t size_bytes,
+                                     Attempt attempt) noexcept;
     [[nodiscard]] SdoAbort WriteForeign(const ObjectAddress& address, const Bytes& value) noexcept;
 
     EntryTable table_;

@@ -97,6 +97,14 @@ class ReadHook
     ReadHook& operator=(const ReadHook&) = default;
 };
 
+/// Whether a write is a new one, or asks again for the end of one that was answered with kPending.
+enum class Attempt : std::uint8_t
+{
+    kInvalid = 0U,
+    kFirst = 1U,
+    kAgain = 2U,
+};
+
 /// Is asked before a value is stored; length and limits were checked before.
 class WriteHook
 {
@@ -104,6 +112,12 @@ class WriteHook
     /// @brief kNone accepts the value. kPending: not ready, ask again with the same value. Everything else refuses it
     /// and is sent to the client as it is. [SRS_OBD_007, SRS_OBD_015]
     [[nodiscard]] virtual SdoAbort OnWrite(const ObjectAddress& address, const Bytes& value) noexcept = 0;
+    /// @brief Asks again after kPending. A hook that has begun something overrides it: whoever writes the same value
+    /// anew is not told the end of what was begun for another write. [SRS_OBD_015]
+    [[nodiscard]] virtual SdoAbort OnWriteAgain(const ObjectAddress& address, const Bytes& value) noexcept
+    {
+        return OnWrite(address, value);
+    }
 
   protected:
     WriteHook() noexcept = default;

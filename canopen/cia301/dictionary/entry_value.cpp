@@ -130,7 +130,7 @@ Reading ReadEntry(const Entry& entry, const Room& room) noexcept
     return reading;
 }
 
-SdoAbort WriteEntry(const Entry& entry, const Bytes& value) noexcept
+SdoAbort WriteEntry(const Entry& entry, const Bytes& value, const Attempt attempt) noexcept
 {
     SdoAbort abort = CheckLength(entry, value.size_bytes);
     if (abort == SdoAbort::kNone)
@@ -139,7 +139,9 @@ SdoAbort WriteEntry(const Entry& entry, const Bytes& value) noexcept
     }
     if ((abort == SdoAbort::kNone) && (entry.write_hook != nullptr))
     {
-        abort = entry.write_hook->OnWrite(ObjectAddress{entry.index, entry.sub}, value);
+        const ObjectAddress address{entry.index, entry.sub};
+        abort = (attempt == Attempt::kAgain) ? entry.write_hook->OnWriteAgain(address, value)
+                                             : entry.write_hook->OnWrite(address, value);
     }
     else if ((abort == SdoAbort::kNone) && (entry.place == nullptr))
     {

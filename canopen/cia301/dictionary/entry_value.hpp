@@ -19,8 +19,8 @@ namespace counterpoint::cia301
 [[nodiscard]] SdoAbort CheckLimits(const Entry& entry, const Bytes& value) noexcept;
 /// @brief The value from hook or place. [SRS_OBD_007, SRS_OBD_009]
 [[nodiscard]] Reading ReadEntry(const Entry& entry, const Room& room) noexcept;
-/// @brief Checks, asks the hook, stores. [SRS_OBD_005, SRS_OBD_006, SRS_OBD_007]
-[[nodiscard]] SdoAbort WriteEntry(const Entry& entry, const Bytes& value) noexcept;
+/// @brief Checks, asks the hook, stores. [SRS_OBD_005, SRS_OBD_006, SRS_OBD_007, SRS_OBD_015]
+[[nodiscard]] SdoAbort WriteEntry(const Entry& entry, const Bytes& value, Attempt attempt) noexcept;
 /// @brief Whether a service has this object: the device's file may have more sub-indices than the service.
 [[nodiscard]] bool HasObject(ReadHook& hook, const ObjectAddress& address) noexcept;
 

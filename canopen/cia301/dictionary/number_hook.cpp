@@ -23,9 +23,24 @@ Reading NumberHook::OnRead(const ObjectAddress& address, const Room& room) noexc
 
 SdoAbort NumberHook::OnWrite(const ObjectAddress& address, const Bytes& value) noexcept
 {
+    return Take(address, value, Attempt::kFirst);
+}
+
+SdoAbort NumberHook::OnWriteAgain(const ObjectAddress& address, const Bytes& value) noexcept
+{
+    return Take(address, value, Attempt::kAgain);
+}
+
+SdoAbort NumberHook::Take(const ObjectAddress& address, const Bytes& value, const Attempt attempt) noexcept
+{
     const auto number = static_cast<std::uint32_t>(FromLittleEndian(value.data, value.size_bytes));
     const bool is_allowed = is_configuring_ || (rule_ == nullptr) || rule_->Allows(address, number);
-    return is_allowed ? Store(address, number) : SdoAbort::kValueRange;
+    SdoAbort abort = SdoAbort::kValueRange;
+    if (is_allowed)
+    {
+        abort = (attempt == Attempt::kAgain) ? StoreAgain(address, number) : Store(address, number);
+    }
+    return abort;
 }
 
 } // namespace counterpoint::cia301

@@ -36,6 +36,7 @@ class NumberHook : public ReadHook, public WriteHook
   public:
     [[nodiscard]] Reading OnRead(const ObjectAddress& address, const Room& room) noexcept final;
     [[nodiscard]] SdoAbort OnWrite(const ObjectAddress& address, const Bytes& value) noexcept final;
+    [[nodiscard]] SdoAbort OnWriteAgain(const ObjectAddress& address, const Bytes& value) noexcept final;
     /// @brief Until EndConfiguration the values that come are those of a file or a store, in any order: each is taken
     /// if it can be had at all, whatever the others are at present. [SRS_OBD_016]
     void BeginConfiguration() noexcept
@@ -65,6 +66,12 @@ class NumberHook : public ReadHook, public WriteHook
     [[nodiscard]] virtual ObjectValue Fetch(const ObjectAddress& address) noexcept = 0;
     /// @brief Takes a value that is written; kNone where it was accepted.
     [[nodiscard]] virtual SdoAbort Store(const ObjectAddress& address, std::uint32_t value) noexcept = 0;
+    /// @brief As WriteHook::OnWriteAgain.
+    [[nodiscard]] virtual SdoAbort StoreAgain(const ObjectAddress& address, const std::uint32_t value) noexcept
+    {
+        return Store(address, value);
+    }
+    [[nodiscard]] SdoAbort Take(const ObjectAddress& address, const Bytes& value, Attempt attempt) noexcept;
 
     bool is_configuring_{false};
     const WriteRule* rule_{nullptr};

@@ -217,7 +217,7 @@ void Unpack(const PdoMap& map, const PdoData& data) noexcept
             std::uint8_t bytes[kPdoBytes] = {};
             ToLittleEndian((word >> at) & MaskOf(BitsOf(field)), bytes, kPdoBytes);
             // A value beyond its limits stays on the bus: nobody waits for an answer to a PDO.
-            static_cast<void>(WriteEntry(*field.entry, Bytes{bytes, field.entry->size_bytes}));
+            static_cast<void>(WriteEntry(*field.entry, Bytes{bytes, field.entry->size_bytes}, Attempt::kFirst));
         }
         at += BitsOf(field);
     }

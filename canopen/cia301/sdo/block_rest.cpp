@@ -8,6 +8,7 @@ namespace
 
 constexpr std::uint8_t kLastSegment = 0x80U;
 constexpr std::uint8_t kSequenceMask = 0x7FU;
+constexpr std::uint32_t kFrameBytes = 8U;
 
 } // namespace
 
@@ -33,6 +34,24 @@ void BlockRest::Poll(const Instant now, const std::uint32_t pause_us) noexcept
     last_ = is_timed_ ? last_ : now;
     is_timed_ = true;
     block_size_ = ((now.us - last_.us) >= pause_us) ? std::uint8_t{0U} : block_size_;
+}
+
+void DoubledSegment::Await(const std::uint8_t* const bytes) noexcept
+{
+    for (std::uint32_t i = 0U; i < kFrameBytes; ++i)
+    {
+        bytes_[i] = bytes[i];
+    }
+    is_awaited_ = true;
+}
+
+bool DoubledSegment::Takes(const std::uint8_t* const bytes) noexcept
+{
+    for (std::uint32_t i = 0U; i < kFrameBytes; ++i)
+    {
+        is_awaited_ = is_awaited_ && (bytes_[i] == bytes[i]);
+    }
+    return is_awaited_;
 }
 
 } // namespace counterpoint::cia301

@@ -28,6 +28,22 @@ class BlockRest
     Instant last_{0U};
 };
 
+/// The segment that ends a sub-block, once more: an error in the last bit of its end lets a frame come twice. It is
+/// none of what follows, whatever that is. Not for sub-blocks of one segment, where the same frame is the next segment.
+/// [SRS_SDO_006]
+class DoubledSegment
+{
+  public:
+    /// @brief This frame of 8 bytes may come again as the next one.
+    void Await(const std::uint8_t* bytes) noexcept;
+    /// @brief Whether this frame of 8 bytes is that one. Any other ends the waiting. O(1)
+    [[nodiscard]] bool Takes(const std::uint8_t* bytes) noexcept;
+
+  private:
+    bool is_awaited_{false};
+    std::uint8_t bytes_[8]{};
+};
+
 } // namespace counterpoint::cia301
 
 #endif

@@ -71,7 +71,7 @@ bool SdoServer::IsBusy() const noexcept
 SdoAnswer SdoServer::OnFrame(const SdoFrame& request, const std::uint8_t length_bytes, const Instant now) noexcept
 {
     SdoAnswer answer = kNoAnswer;
-    if ((length_bytes == 8U) && !rest_.Takes(request.bytes[0], now))
+    if ((length_bytes == 8U) && !doubled_.Takes(request.bytes) && !rest_.Takes(request.bytes[0], now))
     {
         // Segments of a sub-block use all bits of the command; 80h has none of their numbers. The next one goes on.
         const bool is_block = (phase_ == Phase::kBlockDownload);
@@ -307,7 +307,7 @@ SdoAnswer SdoServer::Finish(const SdoAbort abort, const SdoAnswer& done) noexcep
 SdoAnswer SdoServer::AskAgain() noexcept
 {
     phase_ = Phase::kIdle;
-    return Finish(dictionary_.Write(target_, Bytes{buffer_.data, position_}), delayed_);
+    return Finish(dictionary_.WriteAgain(target_, Bytes{buffer_.data, position_}), delayed_);
 }
 
 /// Whether a download of the stated length can be taken.
@@ -452,6 +452,10 @@ SdoAnswer SdoServer::BlockSegment(const SdoFrame& request) noexcept
     {
         answer = AcknowledgeBlock();
         is_repeated_ = false;
+        if ((number != 1U) || (phase_ != Phase::kBlockDownload))
+        {
+            doubled_.Await(request.bytes);
+        }
     }
     return answer;
 }

@@ -128,10 +128,11 @@ class SdoServer
     std::uint8_t sequence_;
     std::uint8_t block_size_;
     bool has_crc_;
-    bool has_last_;     ///< The segment with the end mark came.
-    SdoAbort refusal_;  ///< Of a segment of this sub-block, told at its end; kNone: all were taken.
-    bool is_repeated_;  ///< The half time-out of this sub-block was used.
-    BlockRest rest_;    ///< Of a transfer that was cut.
+    bool has_last_;    ///< The segment with the end mark came.
+    SdoAbort refusal_; ///< Of a segment of this sub-block, told at its end; kNone: all were taken.
+    bool is_repeated_; ///< The half time-out of this sub-block was used.
+    BlockRest rest_;   ///< Of a transfer that was cut.
+    DoubledSegment doubled_;
     SdoAnswer delayed_; ///< Follows when the hook has taken the value.
 };
 

@@ -157,18 +157,25 @@ void ParameterStore::LoadItems(const std::uint8_t groups, LoadReport& report) no
     }
 }
 
-SdoAbort ParameterStore::Ask(const StoreRequest& request) noexcept
+/// The marks of an older save are of no interest to the next one, which waits for the memory alone.
+SdoAbort ParameterStore::Begin(const StoreRequest& request) noexcept
 {
-    const bool is_same = (request.action == request_.action) && (request.groups == request_.groups);
-    SdoAbort answer = SdoAbort::kPending;
-    if (phase_ == Phase::kIdle)
+    const bool is_free = (phase_ == Phase::kIdle) || (phase_ == Phase::kMend);
+    if (is_free)
     {
         request_ = request;
         phase_ = Phase::kBegin;
     }
-    else if (phase_ == Phase::kMend)
+    return is_free ? SdoAbort::kPending : SdoAbort::kLocalControl;
+}
+
+SdoAbort ParameterStore::Continue(const StoreRequest& request) noexcept
+{
+    const bool is_same = (request.action == request_.action) && (request.groups == request_.groups);
+    SdoAbort answer = SdoAbort::kPending;
+    if ((phase_ == Phase::kIdle) || (phase_ == Phase::kMend))
     {
-        answer = SdoAbort::kPending; // Not begun yet.
+        answer = Begin(request);
     }
     else if (!is_same)
     {

@@ -105,7 +105,7 @@ struct LoadReport
 /// generation and CRC, after everything else, and the other bank keeps the set before. Loses no set whenever power
 /// fails. The older set comes back for a save that power cut off; never for one that was complete and has decayed.
 /// [SRS_STO_001, SRS_STO_002, SRS_STO_003, SRS_STO_004, SRS_STO_005, SRS_STO_006, SRS_STO_007, SRS_STO_008,
-/// SRS_STO_014, SRS_STO_015, SRS_STO_016]
+/// SRS_STO_014, SRS_STO_015, SRS_STO_016, SRS_STO_020]
 ///
 /// Order of use: Mount once; Load at each reset; OnCycle once a cycle. Not reentrant.
 class ParameterStore
@@ -121,10 +121,13 @@ class ParameterStore
     /// device that is reset during a store first sees the store through (device::Owner::IsStoring). O(set)
     /// [SRS_STO_007, SRS_STO_014]
     LoadReport Load(std::uint8_t groups) noexcept;
-    /// @brief Starts a request, or asks for the end of the running one: kPending until it ended, then kNone once, or
-    /// kHardware (memory), kNotStored (no room), kLocalControl (another request is running). A result that nobody asks
-    /// for in two cycles is forgotten. [SRS_STO_005]
-    [[nodiscard]] SdoAbort Ask(const StoreRequest& request) noexcept;
+    /// @brief Starts a request: kPending, or kLocalControl where one is running or its result waits, whoever asked for
+    /// that. [SRS_STO_020]
+    [[nodiscard]] SdoAbort Begin(const StoreRequest& request) noexcept;
+    /// @brief Asks for the end of what Begin has started, for whoever called that: kPending until it ended, then kNone
+    /// once, or kHardware (memory), kNotStored (no room), or what a part refuses with. A result that nobody asks for
+    /// in two cycles is forgotten; the request begins anew then. [SRS_STO_005]
+    [[nodiscard]] SdoAbort Continue(const StoreRequest& request) noexcept;
     /// @brief One step of at most kStoreStepBytes or one erasing; O(step) [SRS_STO_006]
     void OnCycle() noexcept;
     /// @brief Whether a request is under way.

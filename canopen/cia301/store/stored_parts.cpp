@@ -99,7 +99,7 @@ bool StoredEntries::LoadItem(const Bytes& item) noexcept
         const Entry* const entry = dictionary_.Find(address);
         const Bytes value{&item.data[kAddressBytes], item.size_bytes - kAddressBytes};
         const bool is_stored = (entry != nullptr) && ((entry->uses & kStored) != 0U);
-        is_loaded = is_stored && (WriteEntry(*entry, value) == SdoAbort::kNone);
+        is_loaded = is_stored && (WriteEntry(*entry, value, Attempt::kFirst) == SdoAbort::kNone);
     }
     return is_loaded;
 }
@@ -165,7 +165,8 @@ StoredItem StoredSafety::Item(const std::uint32_t number, const Room& room) noex
 }
 
 /// A client may have written while the items were read: header and values are those of one configuration only if both
-/// are those of now.
+/// are those of now. A valid one of another digest than the expected one (1300h may change while it runs) would be
+/// refused at the next start.
 SdoAbort StoredSafety::EndSave(const std::uint8_t groups) noexcept
 {
     SdoAbort abort = SdoAbort::kNone;
@@ -178,7 +179,9 @@ SdoAbort StoredSafety::EndSave(const std::uint8_t groups) noexcept
             crc = ContinueWith(crc, kernel_.Image().ReadItem(i).value);
         }
         const bool is_same = (now.crc == header_.crc) && (now.valid == header_.valid) && (crc == given_crc_);
-        abort = is_same ? SdoAbort::kNone : SdoAbort::kDeviceState;
+        const bool is_expected =
+            (now.valid != kConfigurationValidValue) || (kernel_.Digest().result == Result::kSuccessful);
+        abort = (is_same && is_expected) ? SdoAbort::kNone : SdoAbort::kDeviceState;
     }
     return abort;
 }
@@ -249,6 +252,16 @@ ObjectValue StoreObjects::Fetch(const ObjectAddress& address) noexcept
 
 SdoAbort StoreObjects::Store(const ObjectAddress& address, const std::uint32_t value) noexcept
 {
+    return Request(address, value, Attempt::kFirst);
+}
+
+SdoAbort StoreObjects::StoreAgain(const ObjectAddress& address, const std::uint32_t value) noexcept
+{
+    return Request(address, value, Attempt::kAgain);
+}
+
+SdoAbort StoreObjects::Request(const ObjectAddress& address, const std::uint32_t value, const Attempt attempt) noexcept
+{
     const bool is_save = (address.index == kSaveObject);
     SdoAbort abort = Fetch(address).abort;
     if ((abort == SdoAbort::kNone) && (address.sub == 0U))
@@ -261,8 +274,8 @@ SdoAbort StoreObjects::Store(const ObjectAddress& address, const std::uint32_t v
     }
     else if (abort == SdoAbort::kNone)
     {
-        const StoreAction action = is_save ? StoreAction::kSave : StoreAction::kForget;
-        abort = store_.Ask(StoreRequest{action, kGroupOf[address.sub]});
+        const StoreRequest request{is_save ? StoreAction::kSave : StoreAction::kForget, kGroupOf[address.sub]};
+        abort = (attempt == Attempt::kAgain) ? store_.Continue(request) : store_.Begin(request);
     }
     return abort;
 }

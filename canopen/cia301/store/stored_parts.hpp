@@ -34,7 +34,7 @@ class StoredEntries final : public StoredPart
 
 /// The configuration that the kernel owns (1300h to 13FFh), as a part of the communication group. Where the saved one
 /// is lost, or the kernel refuses it, its power-on configuration holds, without A5h in 13FEh. The kernel is kept by
-/// reference. [SRS_STO_012, SRS_STO_014, SRS_STO_017, SRS_STO_019]
+/// reference. [SRS_STO_012, SRS_STO_014, SRS_STO_017, SRS_STO_019, SRS_STO_021]
 class StoredSafety final : public StoredPart
 {
   public:
@@ -58,7 +58,7 @@ class StoredSafety final : public StoredPart
 };
 
 /// Hook of 1010h and 1011h: sub-index 1 all, 2 communication, 3 application, 4 manufacturer. The store is kept by
-/// reference. [SRS_STO_003, SRS_STO_004]
+/// reference. [SRS_STO_003, SRS_STO_004, SRS_STO_020]
 class StoreObjects final : public NumberHook
 {
   public:
@@ -68,6 +68,8 @@ class StoreObjects final : public NumberHook
   private:
     [[nodiscard]] ObjectValue Fetch(const ObjectAddress& address) noexcept override;
     [[nodiscard]] SdoAbort Store(const ObjectAddress& address, std::uint32_t value) noexcept override;
+    [[nodiscard]] SdoAbort StoreAgain(const ObjectAddress& address, std::uint32_t value) noexcept override;
+    [[nodiscard]] SdoAbort Request(const ObjectAddress& address, std::uint32_t value, Attempt attempt) noexcept;
 
     ParameterStore& store_;
 };

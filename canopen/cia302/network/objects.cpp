@@ -107,7 +107,7 @@ SdoAbort AbortOf(const NmtAnswer answer) noexcept
 } // namespace
 
 NetworkObjects::NetworkObjects(const NetworkObjectParts& parts) noexcept
-    : parts_(parts), now_{0U}, requester_{0U}, next_(1U), is_other_met_(false)
+    : parts_(parts), now_{0U}, requester_{0U}, each_(NmtCommand::kInvalid), next_(1U), is_other_met_(false)
 {
 }
 
@@ -200,7 +200,7 @@ SdoAbort NetworkObjects::Store(const ObjectAddress& address, const std::uint32_t
     }
     else if (address.index == kNmt)
     {
-        abort = RequestNmt(address.sub, value);
+        abort = RequestNmt(address.sub, value, cia301::Attempt::kFirst);
     }
     else if (address.index == kGuarding)
     {
@@ -215,6 +215,12 @@ SdoAbort NetworkObjects::Store(const ObjectAddress& address, const std::uint32_t
         abort = StoreArray(address, value);
     }
     return abort;
+}
+
+/// A full queue is all that delays a write.
+SdoAbort NetworkObjects::StoreAgain(const ObjectAddress& address, const std::uint32_t value) noexcept
+{
+    return (address.index == kNmt) ? RequestNmt(address.sub, value, cia301::Attempt::kAgain) : Store(address, value);
 }
 
 SdoAbort NetworkObjects::StoreSetup(const std::uint16_t index, const std::uint32_t value) noexcept
@@ -298,8 +304,11 @@ cia301::Reading NetworkDomains::OnRead(const ObjectAddress& address, const Room&
     return reading;
 }
 
-SdoAbort NetworkObjects::RequestNmt(const std::uint8_t sub, const std::uint32_t value) noexcept
+/// A command to each begins with the first node, whatever another client's has come to, and takes its place.
+SdoAbort NetworkObjects::RequestNmt(const std::uint8_t sub, const std::uint32_t value,
+                                    const cia301::Attempt attempt) noexcept
 {
+    const bool is_new = (attempt == cia301::Attempt::kFirst);
     const bool is_all = (sub == kAllSub);
     const bool is_each = (value >= kAllBut);
     const bool is_short = (value == 0x0FU); // Only with 80h.
@@ -312,7 +321,10 @@ SdoAbort NetworkObjects::RequestNmt(const std::uint8_t sub, const std::uint32_t 
     }
     else if ((command != NmtCommand::kInvalid) && is_all && is_each)
     {
-        abort = RequestEach(command);
+        next_ = is_new ? std::uint8_t{1U} : next_;
+        is_other_met_ = !is_new && is_other_met_;
+        each_ = is_new ? command : each_;
+        abort = (each_ == command) ? RequestEach(command) : SdoAbort::kLocalControl;
     }
     else if ((command != NmtCommand::kInvalid) && is_known && !is_each)
     {
@@ -342,8 +354,7 @@ SdoAbort NetworkObjects::RequestEach(const NmtCommand command) noexcept
     if (abort != SdoAbort::kPending)
     {
         abort = ((abort == SdoAbort::kNone) && is_other_met_) ? SdoAbort::kDeviceState : abort;
-        next_ = 1U;
-        is_other_met_ = false;
+        each_ = NmtCommand::kInvalid;
     }
     return abort;
 }

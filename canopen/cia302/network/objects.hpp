@@ -37,11 +37,12 @@ class NetworkObjects final : public cia301::NumberHook
   private:
     [[nodiscard]] cia301::ObjectValue Fetch(const ObjectAddress& address) noexcept override;
     [[nodiscard]] SdoAbort Store(const ObjectAddress& address, std::uint32_t value) noexcept override;
+    [[nodiscard]] SdoAbort StoreAgain(const ObjectAddress& address, std::uint32_t value) noexcept override;
     [[nodiscard]] cia301::ObjectValue FetchArray(const ObjectAddress& address) const noexcept;
     [[nodiscard]] cia301::ObjectValue FetchService(const ObjectAddress& address) const noexcept;
     [[nodiscard]] SdoAbort StoreSetup(std::uint16_t index, std::uint32_t value) noexcept;
     [[nodiscard]] SdoAbort StoreArray(const ObjectAddress& address, std::uint32_t value) noexcept;
-    [[nodiscard]] SdoAbort RequestNmt(std::uint8_t sub, std::uint32_t value) noexcept;
+    [[nodiscard]] SdoAbort RequestNmt(std::uint8_t sub, std::uint32_t value, cia301::Attempt attempt) noexcept;
     [[nodiscard]] SdoAbort RequestEach(NmtCommand command) noexcept;
     [[nodiscard]] SdoAbort RequestGuarding(std::uint8_t sub, std::uint32_t value) noexcept;
     [[nodiscard]] SdoAbort GuardNode(NodeId node, bool is_on) noexcept;
@@ -50,7 +51,8 @@ class NetworkObjects final : public cia301::NumberHook
     NetworkObjectParts parts_;
     Instant now_;
     NodeId requester_;
-    std::uint8_t next_; ///< Node at which a command to each goes on: the queue was full.
+    NmtCommand each_;   ///< A command to each that is under way, else kInvalid.
+    std::uint8_t next_; ///< Node at which it goes on: the queue was full.
     bool is_other_met_; ///< In this pass of RequestEach.
 };
 

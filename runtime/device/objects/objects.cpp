@@ -282,8 +282,9 @@ void DeviceObjects::Connect(device::Services& services, const FindHook& further,
             entry.write_hook = keeper.write;
             entry.place = nullptr;
             entry.length_bytes = nullptr;
+            const cia301::DataType type = entry.type;
             TakeServiceLength(entry);
-            FitNumber(stored.value, entry.size_bytes);
+            FitNumber(stored.value, type, entry.size_bytes);
         }
     }
 }
@@ -490,7 +491,7 @@ void DeviceObjects::Load(const Stored& stored) noexcept
     {
         return;
     }
-    const SdoAbort abort = cia301::WriteEntry(entry, {stored.value.data(), size});
+    const SdoAbort abort = cia301::WriteEntry(entry, {stored.value.data(), size}, cia301::Attempt::kFirst);
     if (abort != SdoAbort::kNone)
     {
         refusals_.push_back({cia306::Severity::kWarning, stored.place, cia306::ObjectName(entry.index, entry.sub),

@@ -25,6 +25,11 @@ DataType NumberType(const bool is_signed, const std::uint32_t size_bytes)
         return is_signed ? DataType::kInteger32 : DataType::kUnsigned32;
     }
 }
+
+/// Whose bytes are those of no integer.
+constexpr std::array kNoNumbers{DataType::kReal32,         DataType::kReal64,        DataType::kVisibleString,
+                                DataType::kOctetString,    DataType::kUnicodeString, DataType::kTimeOfDay,
+                                DataType::kTimeDifference, DataType::kDomain};
 } // namespace
 
 void TakeServiceLength(cia301::Entry& entry) noexcept
@@ -40,12 +45,19 @@ void TakeServiceLength(cia301::Entry& entry) noexcept
     }
 }
 
-void FitNumber(std::vector<std::uint8_t>& value, const std::uint32_t size_bytes)
+void FitNumber(std::vector<std::uint8_t>& value, const DataType type, const std::uint32_t size_bytes)
 {
+    constexpr std::uint8_t kSign = 0x80U;
+    if (std::find(kNoNumbers.begin(), kNoNumbers.end(), type) != kNoNumbers.end())
+    {
+        value.clear();
+        return;
+    }
+    const bool is_negative = cia301::IsSigned(type) && !value.empty() && (value.back() & kSign) != 0U;
     const bool is_longer = value.size() > size_bytes;
     const bool fits = !is_longer || std::all_of(value.begin() + static_cast<std::ptrdiff_t>(size_bytes), value.end(),
                                                 [](const std::uint8_t byte) { return byte == 0U; });
-    if (fits)
+    if (fits && !is_negative)
     {
         value.resize(size_bytes);
     }

@@ -13,8 +13,9 @@ namespace counterpoint::runtime
 /// type the file has for it. [SRS_NODE_043]
 void TakeServiceLength(cia301::Entry& entry) noexcept;
 
-/// @brief The number in so many bytes; one that they cannot hold stays as it is.
-void FitNumber(std::vector<std::uint8_t>& value, std::uint32_t size_bytes);
+/// @brief A number of this type in so many bytes without a sign; one that they cannot hold stays as it is. Nothing is
+/// left of what is no number, so that it is refused whatever its length. [SRS_NODE_043]
+void FitNumber(std::vector<std::uint8_t>& value, cia301::DataType type, std::uint32_t size_bytes);
 } // namespace counterpoint::runtime
 
 #endif // RUNTIME_DEVICE_OBJECTS_SERVICE_LENGTH_HPP

@@ -85,11 +85,14 @@ class ParameterStoreTest : public ::testing::Test
         /// Cycles until the request has an answer; kPending: it has none.
         SdoAbort Finish(const StoreRequest& request)
         {
-            SdoAbort answer = store.Ask(request);
+            return Await(request, store.Begin(request));
+        }
+        SdoAbort Await(const StoreRequest& request, SdoAbort answer = SdoAbort::kPending)
+        {
             for (int i = 0; (i < 500) && (answer == SdoAbort::kPending); ++i)
             {
                 store.OnCycle();
-                answer = store.Ask(request);
+                answer = store.Continue(request);
             }
             return answer;
         }
@@ -465,13 +468,13 @@ TEST_F(ParameterStoreTest, FailuresAreToldAndLeaveTheOldSet)
     memory.is_failed = false;
     part.values = SetOf(2U);
     Started started{*this};
-    EXPECT_EQ(started.store.Ask(kSaveAll), SdoAbort::kPending);
+    EXPECT_EQ(started.store.Begin(kSaveAll), SdoAbort::kPending);
     for (int i = 0; i < 20; ++i)
     {
         started.store.OnCycle();
     }
     memory.banks[1][46] ^= 1U;
-    EXPECT_EQ(started.Finish(kSaveAll), SdoAbort::kHardware);
+    EXPECT_EQ(started.Await(kSaveAll), SdoAbort::kHardware);
     // More than a bank
     Values big{};
     for (int number = 0; number < 9; ++number)
@@ -491,24 +494,44 @@ TEST_F(ParameterStoreTest, FailuresAreToldAndLeaveTheOldSet)
 TEST_F(ParameterStoreTest, OneRequestAtATimeAndAnAnswerThatNobodyFetchesIsForgotten)
 {
     Verifies(req::SRS_STO_005);
+    Verifies(req::SRS_STO_020);
     part.values = SetOf(1U);
     Started started{*this};
-    EXPECT_FALSE(started.store.IsBusy());
-    EXPECT_EQ(started.store.Ask(kSaveAll), SdoAbort::kPending);
-    EXPECT_TRUE(started.store.IsBusy());
-    EXPECT_EQ(started.store.Ask({StoreAction::kForget, kAllGroups}), SdoAbort::kLocalControl);
-    EXPECT_EQ(started.store.Ask({StoreAction::kSave, kLssGroup}), SdoAbort::kLocalControl);
-    while (started.store.IsBusy())
+    ParameterStore& store = started.store;
+    const StoreRequest forget{StoreAction::kForget, kAllGroups};
+    const StoreRequest save_lss{StoreAction::kSave, kLssGroup};
+    EXPECT_FALSE(store.IsBusy());
+    EXPECT_EQ(store.Begin(kSaveAll), SdoAbort::kPending);
+    EXPECT_TRUE(store.IsBusy());
+    // The same request of somebody else is another one
+    for (const StoreRequest& request : {kSaveAll, forget, save_lss})
     {
-        started.store.OnCycle();
+        EXPECT_EQ(store.Begin(request), SdoAbort::kLocalControl);
     }
-    started.store.OnCycle();
-    EXPECT_EQ(started.store.Ask({StoreAction::kSave, kLssGroup}), SdoAbort::kLocalControl);
-    started.store.OnCycle();
-    // The next one begins anew
+    EXPECT_EQ(store.Continue(forget), SdoAbort::kLocalControl);
+    EXPECT_EQ(store.Continue(save_lss), SdoAbort::kLocalControl);
+    EXPECT_EQ(store.Continue(kSaveAll), SdoAbort::kPending);
+    while (store.IsBusy())
+    {
+        store.OnCycle();
+    }
+    store.OnCycle();
+    EXPECT_EQ(store.Begin(save_lss), SdoAbort::kLocalControl);
+    EXPECT_EQ(store.Begin(kSaveAll), SdoAbort::kLocalControl);
+    store.OnCycle();
+    // The next one begins anew, and one that was forgotten, too
     part.values = SetOf(2U);
-    EXPECT_EQ(started.Finish(kSaveAll), SdoAbort::kNone);
+    EXPECT_EQ(store.Continue(kSaveAll), SdoAbort::kPending);
+    EXPECT_EQ(started.Await(kSaveAll), SdoAbort::kNone);
     EXPECT_EQ(LoadNow(), SetOf(2U));
+    part.values = SetOf(3U);
+    EXPECT_EQ(started.Finish(kSaveAll), SdoAbort::kNone);
+    EXPECT_EQ(LoadNow(), SetOf(3U));
+    // Forgetting is bound alike
+    EXPECT_EQ(store.Begin(forget), SdoAbort::kPending);
+    EXPECT_EQ(store.Begin(forget), SdoAbort::kLocalControl);
+    EXPECT_EQ(started.Await(forget), SdoAbort::kNone);
+    EXPECT_EQ(store.Begin(forget), SdoAbort::kPending);
 }
 
 TEST_F(ParameterStoreTest, NoStepIsLong)
@@ -516,7 +539,7 @@ TEST_F(ParameterStoreTest, NoStepIsLong)
     Verifies(req::SRS_STO_006);
     part.values = SetOf(1U);
     Started started{*this};
-    EXPECT_EQ(started.store.Ask(kSaveAll), SdoAbort::kPending);
+    EXPECT_EQ(started.store.Begin(kSaveAll), SdoAbort::kPending);
     int steps = 0;
     std::int64_t greatest = 0;
     while (started.store.IsBusy())
@@ -552,11 +575,11 @@ TEST(ParameterStoreWithoutMemory, SavesAndLoadsNothing)
     std::array<std::uint8_t, 64> scratch{};
     ParameterStore store{StoreParts{memory, parts.data(), 1U, Room{scratch.data(), 64U}}};
     EXPECT_FALSE(store.Mount());
-    SdoAbort answer = store.Ask(kSaveAll);
+    SdoAbort answer = store.Begin(kSaveAll);
     for (int i = 0; (i < 500) && (answer == SdoAbort::kPending); ++i)
     {
         store.OnCycle();
-        answer = store.Ask(kSaveAll);
+        answer = store.Continue(kSaveAll);
     }
     EXPECT_EQ(answer, SdoAbort::kHardware);
     const LoadReport report = store.Load(kAllGroups);

@@ -104,6 +104,67 @@ TEST_F(SdoBlockTest, AWrongCrcWritesNothing)
     EXPECT_EQ(domain_length, 9U);
 }
 
+// The segment that ends a sub-block, and the last one of all, come twice; then what follows is as if they had not.
+TEST_F(SdoBlockTest, ADoubledEndOfASubBlockIsIgnored)
+{
+    Verifies(req::SRS_SDO_006);
+    EXPECT_EQ(Send({0xC0U, 0x03U, 0x21U, 0x00U})[0], 0xA4U);
+    EXPECT_EQ(SendSegments(1, 4), (Octets{0xA2U, 4U, 4U, 0U, 0U, 0U, 0U, 0U}));
+    EXPECT_TRUE(Send({0x04U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}).empty());
+    EXPECT_TRUE(SendSegments(1, 1).empty());
+    // Number 4 of this sub-block is no double any more: 2 and 3 are lost
+    EXPECT_EQ(Send({0x04U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}), (Octets{0xA2U, 1U, 4U, 0U, 0U, 0U, 0U, 0U}));
+    EXPECT_TRUE(Send({0x04U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}).empty());
+    EXPECT_TRUE(SendSegments(1, 1).empty());
+    EXPECT_EQ(Send({0x82U, 8U, 9U}), (Octets{0xA2U, 2U, 4U, 0U, 0U, 0U, 0U, 0U}));
+    EXPECT_TRUE(Send({0x82U, 8U, 9U}).empty());
+    EXPECT_TRUE(server.IsBusy());
+    EXPECT_EQ(Send({0xD5U})[0], 0xA1U); // 5 bytes unused of 7 segments
+    EXPECT_EQ(domain_length, 44U);
+    EXPECT_EQ(domain[43], 9U);
+    // Other bytes in the same place are no double: 81h is an abort of the client then
+    EXPECT_EQ(Send({0xC0U, 0x03U, 0x21U, 0x00U})[0], 0xA4U);
+    EXPECT_EQ(Send({0x81U, 1U}), (Octets{0xA2U, 1U, 4U, 0U, 0U, 0U, 0U, 0U}));
+    EXPECT_TRUE(Send({0x81U, 1U}).empty());
+    EXPECT_TRUE(server.IsBusy());
+    EXPECT_TRUE(Send({0x81U, 2U}).empty());
+    EXPECT_FALSE(server.IsBusy());
+}
+
+// Behind an abort such a frame would be a request: number 40h, as an example, an upload.
+TEST_F(SdoBlockTest, ADoubledEndOfAnAbortedSubBlockIsNoRequest)
+{
+    Verifies(req::SRS_SDO_006);
+    SdoServer long_blocks{SdoServerParts{dictionary, Room{buffer.data(), 8U}, 1000U, 0x40U}};
+    const auto send = [&long_blocks, this](const std::uint8_t head)
+    { return long_blocks.OnFrame(SdoFrame{{head, 0x03U, 0x21U, 0U, 1U, 0U, 0U, 0U}}, 8U, Instant{now_us}); };
+    EXPECT_EQ(send(0xC0U).frame.bytes[0], 0xA4U);
+    for (std::uint8_t number = 1U; number < 0x40U; ++number)
+    {
+        EXPECT_EQ(send(number).presence, SdoPresence::kNothing);
+    }
+    EXPECT_EQ(send(0x40U).frame.bytes[0], 0x80U); // Too long for the buffer.
+    EXPECT_EQ(send(0x40U).presence, SdoPresence::kNothing);
+    EXPECT_FALSE(long_blocks.IsBusy());
+    // What a client asks for then is a request
+    EXPECT_EQ(send(0xC0U).frame.bytes[0], 0xA4U);
+}
+
+// Of sub-blocks of one segment, the same frame again is the next segment.
+TEST_F(SdoBlockTest, EqualSegmentsOfSubBlocksOfOneAreNoDoubles)
+{
+    Verifies(req::SRS_SDO_006);
+    SdoServer short_blocks{SdoServerParts{dictionary, Room{buffer.data(), 64U}, 1000U, 1U}};
+    const auto send = [&short_blocks, this](const std::uint8_t head)
+    { return short_blocks.OnFrame(SdoFrame{{head, 0x03U, 0x21U, 0U, 1U, 0U, 0U, 0U}}, 8U, Instant{now_us}); };
+    EXPECT_EQ(send(0xC0U).frame.bytes[0], 0xA4U);
+    EXPECT_EQ(send(0x01U).frame.bytes[0], 0xA2U);
+    EXPECT_EQ(send(0x01U).frame.bytes[0], 0xA2U);
+    EXPECT_EQ(send(0x81U).frame.bytes[0], 0xA2U);
+    EXPECT_EQ(send(0xC1U).frame.bytes[0], 0xA1U);
+    EXPECT_EQ(domain_length, 21U);
+}
+
 TEST_F(SdoBlockTest, LostSegmentsAreRepeatedAndDoubledOnesIgnored)
 {
     Verifies(req::SRS_SDO_006);

@@ -148,6 +148,83 @@ TEST_F(StoredPartsTest, SaveIsAnsweredWhenItIsDoneAndDoesNotTimeOut)
     EXPECT_TRUE(store.IsBusy());
 }
 
+// t [cycles]   0 save of 1      moment: its client gives up or not, at once or now; write of 2, save      end
+TEST_F(StoredPartsTest, ASaveThatMeetsOneUnderWayIsNotAnsweredByIt)
+{
+    Verifies(req::SRS_STO_020);
+    const Octets give_up{0x80U, 0x10U, 0x10U, 1U, 0U, 0U, 4U, 5U};
+    for (const bool is_early : {false, true})
+    {
+        int refused = 0;
+        int moment = 0;
+        for (std::uint32_t first = 0xFFFFFFFFU; first != 0U; ++moment)
+        {
+            SCOPED_TRACE(moment);
+            manufacturer = {1U, 1U};
+            if (is_early)
+            {
+                EXPECT_EQ(Download(kSaveAllRequest, 0), 0xFFFFFFFFU);
+                EXPECT_EQ(Download(give_up, moment), 0xFFFFFFFFU);
+                first = (moment > 200) ? 0U : first; // Long behind the end.
+            }
+            else
+            {
+                first = Download(kSaveAllRequest, moment);
+                EXPECT_EQ(Download(give_up, 0), 0xFFFFFFFFU);
+            }
+            manufacturer = {2U, 2U};
+            // Then it is refused, or a save of its own
+            const std::uint32_t second = Download(kSaveAllRequest);
+            EXPECT_TRUE((second == 0U) || (second == 0x08000021U));
+            Restart();
+            EXPECT_TRUE((second != 0U) || (manufacturer[0] == 2U));
+            refused += (second == 0U) ? 0 : 1;
+            manufacturer = {3U, 3U};
+            EXPECT_EQ(Download(kSaveAllRequest), 0U);
+            Restart();
+            EXPECT_EQ(manufacturer[0], 3U);
+        }
+        EXPECT_GT(refused, 10);
+        EXPECT_GT(moment, refused);
+    }
+}
+
+TEST_F(StoredPartsTest, ASaveOfASecondClientIsNotAnsweredByThatOfTheFirst)
+{
+    Verifies(req::SRS_STO_020);
+    Verifies(req::SRS_OBD_015);
+    std::array<std::uint8_t, 16> second_buffer{};
+    SdoServer second{SdoServerParts{stored_dictionary, Room{second_buffer.data(), 16U}, 5000U, 127U}};
+    SdoFrame request{};
+    std::copy(kSaveAllRequest.begin(), kSaveAllRequest.end(), request.bytes);
+    manufacturer = {1U, 1U};
+    EXPECT_EQ(Download(kSaveAllRequest, 10), 0xFFFFFFFFU);
+    manufacturer = {2U, 2U};
+    const SdoAnswer answer = second.OnFrame(request, 8U, Instant{now_us});
+    EXPECT_EQ(answer.presence, SdoPresence::kFrame);
+    EXPECT_EQ(answer.frame.bytes[0], 0x80U);
+    EXPECT_EQ(FromLittleEndian(&answer.frame.bytes[4], 4U), 0x08000021U);
+    EXPECT_FALSE(second.IsBusy());
+    // And the first client has its answer
+    Octets first{};
+    for (int i = 0; (i < 300) && first.empty(); ++i)
+    {
+        now_us += 1000U;
+        store.OnCycle();
+        port.OnCycle(Now());
+        first = sink.Next();
+    }
+    EXPECT_EQ(first, (Octets{0x60U, 0x10U, 0x10U, 1U, 0U, 0U, 0U, 0U}));
+    EXPECT_EQ(second.OnFrame(request, 8U, Instant{now_us}).presence, SdoPresence::kNothing);
+    for (int i = 0; (i < 300) && second.IsBusy(); ++i)
+    {
+        store.OnCycle();
+        static_cast<void>(second.Poll(Instant{now_us}));
+    }
+    Restart();
+    EXPECT_EQ(manufacturer[0], 2U);
+}
+
 TEST_F(StoredPartsTest, SignaturesAndSubIndices)
 {
     Verifies(req::SRS_STO_003);
@@ -272,12 +349,12 @@ TEST_F(StoredSafetyTest, TheKernelsConfigurationComesBackValid)
     StoredSafety safety{kernel};
     std::array<StoredPart*, 1> parts{&safety};
     ParameterStore store{StoreParts{memory, parts.data(), 1U, Room{scratch.data(), 64U}}};
-    EXPECT_EQ(store.Ask({StoreAction::kSave, kAllGroups}), SdoAbort::kPending);
+    EXPECT_EQ(store.Begin({StoreAction::kSave, kAllGroups}), SdoAbort::kPending);
     for (int i = 0; (i < 3000) && store.IsBusy(); ++i)
     {
         store.OnCycle();
     }
-    EXPECT_EQ(store.Ask({StoreAction::kSave, kAllGroups}), SdoAbort::kNone);
+    EXPECT_EQ(store.Continue({StoreAction::kSave, kAllGroups}), SdoAbort::kNone);
     // When it is changed, and loaded again
     EXPECT_EQ(kernel.Image().RestoreDefaults(), Result::kSuccessful);
     EXPECT_NE(Read(0x13FEU, 0U), 0xA5U);
@@ -321,7 +398,7 @@ TEST_F(StoredSafetyTest, ASaveWithinWhichTheConfigurationChangesIsRefused)
         SCOPED_TRACE(moment);
         const std::uint32_t before_ms = 50U + static_cast<std::uint32_t>(moment % 2);
         write(before_ms);
-        EXPECT_EQ(store.Ask({StoreAction::kSave, kAllGroups}), SdoAbort::kPending);
+        EXPECT_EQ(store.Begin({StoreAction::kSave, kAllGroups}), SdoAbort::kPending);
         bool is_changed = false;
         for (int i = 0; (i < 3000) && store.IsBusy(); ++i)
         {
@@ -332,7 +409,7 @@ TEST_F(StoredSafetyTest, ASaveWithinWhichTheConfigurationChangesIsRefused)
             }
             store.OnCycle();
         }
-        const SdoAbort answer = store.Ask({StoreAction::kSave, kAllGroups});
+        const SdoAbort answer = store.Continue({StoreAction::kSave, kAllGroups});
         const std::uint32_t last_ms = saved_ms;
         // Then an answer of success means a set that loads, and a refusal leaves the one before
         EXPECT_TRUE((answer == SdoAbort::kNone) || (answer == SdoAbort::kDeviceState));
@@ -378,6 +455,48 @@ TEST_F(StoredSafetyTest, AChangeThatIsTakenBackBeforeTheEndIsFound)
     EXPECT_EQ(safety.EndSave(kApplicationGroup), SdoAbort::kNone);
 }
 
+// 1300h may be written while 13FEh is A5h, and stays in force; with 5F04h the next start would refuse it.
+TEST_F(StoredSafetyTest, AConfigurationThatTheNextStartWouldRefuseIsNotSaved)
+{
+    Verifies(req::SRS_STO_021);
+    Configure();
+    config.digest = kernel.Digest().digest;
+    std::array<std::uint8_t, 64> scratch{};
+    CutMemory memory{8192U};
+    StoredSafety safety{kernel};
+    std::array<StoredPart*, 1> parts{&safety};
+    ParameterStore store{StoreParts{memory, parts.data(), 1U, Room{scratch.data(), 64U}}};
+    const auto save = [&store]
+    {
+        EXPECT_EQ(store.Begin({StoreAction::kSave, kAllGroups}), SdoAbort::kPending);
+        for (int i = 0; (i < 3000) && store.IsBusy(); ++i)
+        {
+            store.OnCycle();
+        }
+        return store.Continue({StoreAction::kSave, kAllGroups});
+    };
+    EXPECT_EQ(save(), SdoAbort::kNone);
+    const std::uint32_t gfc = Read(0x1300U, 0U);
+    EXPECT_EQ(Write(0x1300U, 0U, 1U - gfc, 1U), AbortCode::kNone);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    // Then it is refused, and the set before is still there
+    EXPECT_EQ(save(), SdoAbort::kDeviceState);
+    EXPECT_EQ(kernel.Image().RestoreDefaults(), Result::kSuccessful);
+    EXPECT_NE(store.Load(kCommunicationGroup).finding, StoreFinding::kRefused);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    EXPECT_EQ(Read(0x1300U, 0U), gfc);
+    // One that is not valid is nothing that a start could refuse, and without an expected digest there is nothing to be
+    EXPECT_EQ(Write(0x1300U, 0U, 1U - gfc, 1U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x13FEU, 0U, 0U, 1U), AbortCode::kNone);
+    EXPECT_EQ(save(), SdoAbort::kNone);
+    config.digest = 0U;
+    EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+    EXPECT_EQ(save(), SdoAbort::kNone);
+    EXPECT_NE(store.Load(kCommunicationGroup).finding, StoreFinding::kRefused);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    EXPECT_EQ(Read(0x1300U, 0U), 1U - gfc);
+}
+
 TEST_F(StoredSafetyTest, AfterALostSetTheDeviceDoesNotComeUpWithA5)
 {
     Verifies(req::SRS_STO_014);
@@ -390,12 +509,12 @@ TEST_F(StoredSafetyTest, AfterALostSetTheDeviceDoesNotComeUpWithA5)
     ParameterStore store{StoreParts{memory, parts.data(), 1U, Room{scratch.data(), 64U}}};
     for (int save = 0; save < 2; ++save)
     {
-        EXPECT_EQ(store.Ask({StoreAction::kSave, kAllGroups}), SdoAbort::kPending);
+        EXPECT_EQ(store.Begin({StoreAction::kSave, kAllGroups}), SdoAbort::kPending);
         for (int i = 0; (i < 3000) && store.IsBusy(); ++i)
         {
             store.OnCycle();
         }
-        EXPECT_EQ(store.Ask({StoreAction::kSave, kAllGroups}), SdoAbort::kNone);
+        EXPECT_EQ(store.Continue({StoreAction::kSave, kAllGroups}), SdoAbort::kNone);
     }
     // When a bit of the newer set changes, and the defaults of the device are valid
     memory.banks[1][77] ^= 0x20U;

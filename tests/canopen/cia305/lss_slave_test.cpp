@@ -266,6 +266,25 @@ TEST_F(LssSlaveTest, StoreIsAnsweredWhenItHasEnded)
     EXPECT_EQ(Send({0x17U}), Reply(0x17U, 2U));
 }
 
+// 17h of 42, then 11h 43 alone; 17h again: both have one answer, when 43 is kept
+TEST_F(LssSlaveTest, WhatIsStoredIsWhatWasConfiguredWhenTheLastStoreCame)
+{
+    Verifies(req::SRS_LSS_013);
+    static_cast<void>(Send({0x04U, 1U}));
+    static_cast<void>(Send({0x11U, 42U}));
+    answer = LssStored::kPending;
+    EXPECT_TRUE(Send({0x17U}).empty());
+    EXPECT_EQ(Send({0x11U, 43U}), Reply(0x11U));
+    EXPECT_TRUE(Cycle().empty());
+    EXPECT_EQ(stored.node_id, 42U);
+    EXPECT_TRUE(Send({0x17U}).empty());
+    EXPECT_EQ(stored.node_id, 43U);
+    answer = LssStored::kDone;
+    EXPECT_EQ(Cycle(), Reply(0x17U));
+    EXPECT_EQ(stored.node_id, 43U);
+    EXPECT_TRUE(Cycle().empty());
+}
+
 TEST_F(LssSlaveTest, TheAddressIsInquired)
 {
     Verifies(req::SRS_LSS_007);

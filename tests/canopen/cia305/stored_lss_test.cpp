@@ -54,19 +54,43 @@ TEST_F(StoredLssTest, SettingsOutliveTheirPowerAndTheDefaultsOfTheApplication)
     EXPECT_EQ(lss.Settings().timing.index, 4U);
     // When the defaults of the application are restored
     const StoreRequest forget{StoreAction::kForget, cia301::kAllGroups};
-    EXPECT_EQ(store.Ask(forget), cia301::SdoAbort::kPending);
+    EXPECT_EQ(store.Begin(forget), cia301::SdoAbort::kPending);
     EXPECT_EQ(lss.Keep(LssSettings{43U, {4U}}, store), LssStored::kPending); // it comes later
     while (store.IsBusy())
     {
         store.OnCycle();
     }
-    EXPECT_EQ(store.Ask(forget), cia301::SdoAbort::kNone);
+    EXPECT_EQ(store.Continue(forget), cia301::SdoAbort::kNone);
     // Then the node-ID is still there
     EXPECT_EQ(Restarted().node_id, 42U);
     EXPECT_EQ(Keep(LssSettings{43U, {4U}}), LssStored::kDone);
     EXPECT_EQ(Restarted().node_id, 43U);
     const std::uint8_t wrong[3] = {1U, 2U, 3U};
     EXPECT_FALSE(lss.LoadItem({wrong, 3U}));
+}
+
+// t [cycles]   0 save of 33      moment: save of 44      end
+TEST_F(StoredLssTest, SettingsThatComeWithinASaveOfOthersAreSavedBehindIt)
+{
+    Verifies(req::SRS_LSS_013);
+    int moment = 0;
+    for (LssStored first = LssStored::kPending; first == LssStored::kPending; ++moment)
+    {
+        SCOPED_TRACE(moment);
+        for (int i = 0; (i <= moment) && (first == LssStored::kPending); ++i)
+        {
+            first = lss.Keep(LssSettings{33U, {4U}}, store);
+            store.OnCycle();
+        }
+        EXPECT_EQ(Keep(LssSettings{44U, {4U}}), LssStored::kDone);
+        EXPECT_EQ(lss.Settings().node_id, 44U);
+        EXPECT_EQ(Restarted().node_id, 44U);
+        // Another bit timing is another setting, too
+        EXPECT_EQ(lss.Keep(LssSettings{44U, {2U}}, store), LssStored::kPending);
+        EXPECT_EQ(Keep(LssSettings{44U, {3U}}), LssStored::kDone);
+        EXPECT_EQ(Restarted().timing.index, 3U);
+    }
+    EXPECT_GT(moment, 10);
 }
 
 TEST_F(StoredLssTest, AMemoryThatFailsIsTold)

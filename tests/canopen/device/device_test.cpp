@@ -136,6 +136,7 @@ TEST_F(DeviceTest, AResetWaitsForTheEndOfAStore)
         EXPECT_EQ(node_resets, 1);
         EXPECT_EQ(communication_resets, 1);
         Command(1U);
+        Command(129U);
         Frame(0x602U, {0x40U, 0x00U, 0x10U, 0U, 0U, 0U, 0U, 0U});
         Cycle();
         EXPECT_EQ(ports.sent.size(), forgotten);

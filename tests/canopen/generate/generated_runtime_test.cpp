@@ -7,6 +7,7 @@
 #include "data_digest/object_dictionary.hpp"
 #include "safety_core/kernel/variable.hpp"
 #include "tests/canopen/cia301/fake_objects.hpp"
+#include "verification/trace/ids/cia301.hpp"
 #include "verification/trace/ids/generate.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -44,6 +45,12 @@ class Service final : public cia301::ReadHook, public cia301::WriteHook
         told.push_back({address.index, address.sub, value.data[0], value.size_bytes});
         return (refused.count(address.index) != 0U) ? SdoAbort::kDeviceState : answer;
     }
+    SdoAbort OnWriteAgain(const ObjectAddress& /*address*/, const Bytes& /*value*/) noexcept override
+    {
+        ++asked_again;
+        return answer;
+    }
+    int asked_again{0};
     std::set<std::uint16_t> refused{};
     std::vector<std::array<std::uint32_t, 4U>> told{};
     SdoAbort answer{SdoAbort::kNone};
@@ -147,6 +154,27 @@ TEST_F(GeneratedRuntime, AHookKeepsTheObjectsOfItsRange)
     // Others are as before
     EXPECT_EQ(Read(0x1016U, 1U), 2U);
     EXPECT_EQ(Read(0x1018U, 0U), 0xA1U);
+}
+
+// What a hook delays is stored when it has taken it, and asking again is no new write.
+TEST_F(GeneratedRuntime, AHookThatDelaysAWriteIsToldThatItIsAskedAgain)
+{
+    Verifies(req::SRS_OBD_015);
+    Service service{};
+    ASSERT_EQ(stored.Attach({0x1017U, 0x1017U}, {&service, &service}), AttachResult::kAttached);
+    const std::uint8_t value = 9U;
+    service.answer = SdoAbort::kPending;
+    EXPECT_EQ(Write(0x1017U, 0U, value), SdoAbort::kPending);
+    EXPECT_EQ(dictionary.WriteAgain({0x1017U, 0U}, Bytes{&value, 1U}), SdoAbort::kPending);
+    EXPECT_EQ(bytes[2], 3U);
+    service.answer = SdoAbort::kNone;
+    EXPECT_EQ(dictionary.WriteNumberAgain({0x1017U, 0U}, 9U, 1U), SdoAbort::kNone);
+    EXPECT_EQ(bytes[2], 9U);
+    EXPECT_EQ(service.told.size(), 1U);
+    EXPECT_EQ(service.asked_again, 2);
+    // A hook that makes no difference is asked as the first time; where there is none, there is nothing to wait for
+    EXPECT_EQ(dictionary.WriteNumberAgain({0x5F00U, 1U}, 0xA3A2U, 2U), SdoAbort::kNone);
+    EXPECT_EQ(stored.OnWriteAgain({0x1016U, 1U}, Bytes{&value, 1U}), SdoAbort::kNone);
 }
 
 TEST_F(GeneratedRuntime, RangesDoNotOverlapAndAreEightAtMost)

@@ -4,6 +4,7 @@
 #include "canopen/cia306/text/input_error.hpp"
 #include "tests/runtime/manager/rig.hpp"
 #include "verification/trace/ids/manager.hpp"
+#include "verification/trace/ids/nmt_master.hpp"
 #include "verification/trace/verifies.hpp"
 
 namespace counterpoint::tools
@@ -61,6 +62,36 @@ TEST_F(ManagerStationTest, AClientReadsTheNetwork)
     EXPECT_FALSE(concise.empty());
     const std::vector<std::uint8_t> text = ReadDomain(0x1F20U, 33U);
     EXPECT_EQ(std::string(text.begin(), text.end()), ExampleText("actuator"));
+}
+
+// Given a queue that is full of commands to node 5, then a stop of each goes on node by node as one leaves, and is
+// answered behind the last one.
+TEST_F(ManagerStationTest, ACommandToEachGoesOnWhereTheQueueHeldItUp)
+{
+    Verifies(req::SRS_NMM_006);
+    Make("manager: {node: 127, heartbeat: 100 ms, inhibit: 100 ms, boot_time: 2 s}\n"
+         "slaves:\n"
+         "  - {node: 5, boot: false, mandatory: false, vendor_id: 0xABC, consumer: 300 ms}\n"
+         "  - {node: 6, mandatory: false, vendor_id: 0x2A}\n");
+    Run(2U);
+    int taken = 0;
+    while (!Ask({0x2FU, 0x82U, 0x1FU, 5U, 127U, 0U, 0U, 0U}).empty())
+    {
+        ASSERT_LT(++taken, 400);
+    }
+    EXPECT_TRUE(Ask({0x80U, 0x82U, 0x1FU, 5U, 0U, 0U, 4U, 5U}).empty());
+    EXPECT_TRUE(Ask({0x2FU, 0x82U, 0x1FU, 0x80U, 0x84U, 0U, 0U, 0U}).empty());
+    Run(50000U);
+    EXPECT_EQ(Count(0x580U + kOwn), 1U);
+    Lines stops;
+    for (const std::string& command : Commands())
+    {
+        if (command.rfind("2 ", 0U) == 0U)
+        {
+            stops.push_back(command);
+        }
+    }
+    EXPECT_EQ(stops, (Lines{"2 5", "2 6"}));
 }
 
 TEST_F(ManagerStationTest, ARequestCommandsTheNetwork)

@@ -8,6 +8,7 @@
 #include "verification/trace/ids/pdo.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -89,13 +90,13 @@ class FileObjectsTest : public tools::test::CommandTest
     }
     void Save()
     {
-        SdoAbort abort = SdoAbort::kPending;
+        SdoAbort abort = Write({0x1010U, 1U}, 0x65766173U, 4U);
         for (int i = 0; i < 100000 && abort == SdoAbort::kPending; ++i)
         {
-            abort = Write({0x1010U, 1U}, 0x65766173U, 4U);
             now_ns += kNsPerMs;
             device->Serve({Instant{0U}, Instant{0U}}, now_ns);
             std::this_thread::sleep_for(std::chrono::microseconds(10));
+            abort = device->Assembly().Dictionary().WriteNumberAgain({0x1010U, 1U}, 0x65766173U, 4U);
         }
         ASSERT_EQ(abort, SdoAbort::kNone);
     }
@@ -485,6 +486,29 @@ TEST_F(FileObjectsTest, AnObjectOfAServiceHasTheLengthOfTheServiceForItsClients)
     EXPECT_EQ(Write({0x1029U, 1U}, 2U, 1U), SdoAbort::kNone);
     EXPECT_EQ(Write({0x1029U, 1U}, 1U, 2U), SdoAbort::kTooLong);
     EXPECT_EQ(Write({0x1010U, 1U}, 0x65766173U, 4U), SdoAbort::kNotStored); // Without --store.
+}
+
+TEST_F(FileObjectsTest, WhatIsNoNumberOfTheServiceIsRefused)
+{
+    Verifies(req::SRS_NODE_043);
+    Verifies(req::SRS_NODE_030);
+    // -1 as INTEGER8 and INTEGER32; 'd', '32', '100' as VISIBLE_STRING; 3200 as OCTET_STRING; 10 as REAL32
+    const std::vector<std::pair<std::string, std::string>> values{
+        {"2", "-1"}, {"4", "-1"}, {"9", "d"}, {"9", "32"}, {"9", "100"}, {"0xA", "3200"}, {"8", "10"}};
+    for (const auto& [type, value] : values)
+    {
+        SCOPED_TRACE(testing::Message() << type << " " << value);
+        const std::vector<std::string> lines = Tried(Element("1017", type.c_str(), "rw", value.c_str()));
+        const std::string refused = "0x1017:00: the device refuses this value with abort code 0x0607001";
+        EXPECT_TRUE(std::any_of(lines.begin(), lines.end(),
+                                [&refused](const std::string& line) { return line.rfind(refused, 0U) == 0U; }));
+        Start(Element("1017", type.c_str(), "rw", value.c_str()));
+        EXPECT_EQ(Read({0x1017U, 0U}), 0U);
+    }
+    Start(Element("1017", "2", "rw", "100"));
+    EXPECT_EQ(Read({0x1017U, 0U}), 100U);
+    Start(Element("1017", "1", "rw", "1"));
+    EXPECT_EQ(Read({0x1017U, 0U}), 1U);
 }
 
 // An SRDO has the length of its object, which is one bit: what check says with both lengths the device says with a code

@@ -104,13 +104,13 @@ class LoadedTest : public tools::test::CommandTest
     }
     void Save()
     {
-        SdoAbort abort = SdoAbort::kPending;
+        SdoAbort abort = Write({0x1010U, 1U}, kSave, 4U);
         for (int i = 0; i < 100000 && abort == SdoAbort::kPending; ++i)
         {
-            abort = Write({0x1010U, 1U}, kSave, 4U);
             now_ns += kNsPerMs;
             device->Serve({Instant{0U}, Instant{0U}}, now_ns);
             std::this_thread::sleep_for(std::chrono::microseconds(10));
+            abort = device->Assembly().Dictionary().WriteNumberAgain({0x1010U, 1U}, kSave, 4U);
         }
         ASSERT_EQ(abort, SdoAbort::kNone);
     }

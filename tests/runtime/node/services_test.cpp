@@ -286,6 +286,54 @@ TEST_F(NodeServicesTest, AStoreThatCannotBeUsedIsTold)
     }
 }
 
+// A value of more bytes than its object has is not cut off: of a variable, an SCT, a direction.
+TEST_F(NodeServicesTest, AnOrderWhoseObjectCannotHoldTheValueChangesNothing)
+{
+    Verifies(req::SRS_NODE_003);
+    auto node = StartNode("../tests/runtime/data/everything.dcf", {});
+    for (const std::string& set : {std::string("0x4005:00 256"), std::string("0x1301:02 65596"),
+                                   std::string("0x1301:01 258"), std::string("0x1017:00 65536")})
+    {
+        const std::string object = set.substr(0U, 9U);
+        node->Type("get " + object);
+        const int before = node->WaitFor("object").event["value"];
+        node->Type("set " + set);
+        const std::string text = node->WaitFor("problem").event["text"];
+        EXPECT_EQ(text.find("set: " + object + " = " + set.substr(10U) + " refused with 0609 0031h"), 0U) << text;
+        node->Type("get " + object);
+        EXPECT_EQ(node->WaitFor("object").event["value"], before) << set;
+    }
+    // The greatest one is taken
+    node->Type("set 0x1017:00 65535");
+    node->Type("get 0x1017:00");
+    EXPECT_EQ(node->WaitFor("object").event["value"], 65535);
+    node->Type("quit");
+    EXPECT_EQ(node->End(), 0);
+}
+
+// Two saves at once: the second one is refused, and the first one goes on to its end.
+TEST_F(NodeServicesTest, AnOrderToSaveWithinASaveIsRefused)
+{
+    Verifies(req::SRS_STO_020);
+    const std::string store = Path("twice.store");
+    std::remove(store.c_str());
+    auto node = StartNode("../tests/runtime/data/everything.dcf", {"--store", store});
+    node->Type("set 0x4005:00 50");
+    node->Type("set 0x1010:01 0x65766173");
+    node->Type("set 0x1010:01 0x65766173");
+    const std::string text = node->WaitFor("problem").event["text"];
+    EXPECT_EQ(text.find("set: 0x1010:01 = 1702257011 refused with 0800 0021h"), 0U) << text;
+    EXPECT_FALSE(node->Tells([](const nlohmann::json& event) { return event["event"] == "problem"; }, 700));
+    node->Type("quit");
+    EXPECT_EQ(node->End(), 0);
+    node = StartNode("../tests/runtime/data/everything.dcf", {"--store", store});
+    node->Type("get 0x4005:00");
+    EXPECT_EQ(node->WaitFor("object").event["value"], 50);
+    node->Type("quit");
+    EXPECT_EQ(node->End(), 0);
+    std::remove(store.c_str());
+}
+
 // Given a configuration that was saved, and a newer one: where a bit of the newer one has changed, neither the older
 // one nor that of the file comes up valid, the node says so, and what is saved then counts again.
 TEST_F(NodeServicesTest, ADamagedStoreNeverBringsAnOlderConfigurationBack)

@@ -248,6 +248,21 @@ TEST_F(SafetyObjects, VariableIsKnownByItsWholeAddress)
     EXPECT_EQ(Write(0x2200U, 2U, 0U, 2U), AbortCode::kObjectUnknown);
 }
 
+// 1300h may have changed since: with an expected digest its refusal leaves what was declared.
+TEST_F(SafetyObjects, ValidOverValidIsADeclarationAnew)
+{
+    Verifies(req::SRS_CFG_042);
+    Configure();
+    const std::uint32_t gfc = Read(0x1300U, 0U);
+    config.digest = kernel.Digest().digest;
+    EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x1300U, 0U, 1U - gfc, 1U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kIncompatible);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    EXPECT_EQ(Write(0x1300U, 0U, gfc, 1U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+}
+
 TEST_F(SafetyObjects, IdenticalValueIsAcceptedAndClearsNothing)
 {
     Verifies(req::SRS_CFG_042);

@@ -19,6 +19,7 @@ inline constexpr RequirementId SRS_LSS_009{"SRS_LSS_009"};
 inline constexpr RequirementId SRS_LSS_010{"SRS_LSS_010"};
 inline constexpr RequirementId SRS_LSS_011{"SRS_LSS_011"};
 inline constexpr RequirementId SRS_LSS_012{"SRS_LSS_012"};
+inline constexpr RequirementId SRS_LSS_013{"SRS_LSS_013"};
 } // namespace counterpoint::req
 
 #endif

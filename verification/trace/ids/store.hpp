@@ -25,6 +25,8 @@ inline constexpr RequirementId SRS_STO_016{"SRS_STO_016"};
 inline constexpr RequirementId SRS_STO_017{"SRS_STO_017"};
 inline constexpr RequirementId SRS_STO_018{"SRS_STO_018"};
 inline constexpr RequirementId SRS_STO_019{"SRS_STO_019"};
+inline constexpr RequirementId SRS_STO_020{"SRS_STO_020"};
+inline constexpr RequirementId SRS_STO_021{"SRS_STO_021"};
 } // namespace counterpoint::req
 
 #endif

@@ -43,6 +43,12 @@ class NetworkObjectsTest : public BootRig
         Deliver();
         return abort;
     }
+    SdoAbort WriteAgain(std::uint16_t index, std::uint8_t sub, std::uint8_t value)
+    {
+        const SdoAbort abort = objects.OnWriteAgain(ObjectAddress{index, sub}, Bytes{&value, 1U});
+        Deliver();
+        return abort;
+    }
     /// Value with its size in the upper half, or the abort code with size 0.
     std::uint64_t Read(std::uint16_t index, std::uint8_t sub)
     {
@@ -164,13 +170,32 @@ TEST_F(NetworkObjectsTest, AFullQueueDelaysTheAnswer)
     }
     EXPECT_EQ(Write(0x1F82U, 0x80U, 0x84U), SdoAbort::kPending); // Room for one.
     Run(10U);
-    EXPECT_EQ(Write(0x1F82U, 0x80U, 0x84U), SdoAbort::kNone);
+    EXPECT_EQ(WriteAgain(0x1F82U, 0x80U, 0x84U), SdoAbort::kNone);
     Run(400U);
     const Lines told = Told();
     ASSERT_GE(told.size(), 3U);
     EXPECT_EQ(std::count(told.begin(), told.end(), "02 05"), 1); // It went on where it had stopped.
     EXPECT_EQ(std::count(told.begin(), told.end(), "02 06"), 1);
     EXPECT_EQ(std::count(told.begin(), told.end(), "02 07"), 1);
+}
+
+// Given a start of each that the full queue holds up behind node 5: a stop of each is no rest of it.
+TEST_F(NetworkObjectsTest, ACommandToEachThatWasGivenUpLeavesNobodyOutOfTheNextOne)
+{
+    Verifies(req::SRS_NMM_006);
+    setup.inhibit_100us = 10U;
+    while (nmt.Waiting() < 254U)
+    {
+        static_cast<void>(nmt.Request(NmtCommand::kPreOperational, NodeId{99U}, Now()));
+    }
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 0x85U), SdoAbort::kPending);
+    Run(400U);
+    log.clear();
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 0x84U), SdoAbort::kNone);
+    // And whoever had begun the first one is told that another one has its place
+    EXPECT_EQ(WriteAgain(0x1F82U, 0x80U, 0x85U), SdoAbort::kLocalControl);
+    Run(400U);
+    EXPECT_EQ(Told(), (Lines{"02 05", "02 06", "02 07"}));
 }
 
 TEST_F(NetworkObjectsTest, ReadingOfTheRequestObject)
