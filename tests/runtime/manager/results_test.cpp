@@ -436,6 +436,24 @@ TEST_F(ManagerResultsTest, TheAgeOfAHeartbeatIsNotThatOfACounterThatCameRound)
     EXPECT_EQ(status["unlisted"][0]["heartbeat_age_ms"], 4'320'007);
 }
 
+TEST_F(ManagerResultsTest, ASafetySlaveThatRunsAndIsNotVerifiedIsNotGood)
+{
+    Verifies(req::SRS_MGR_005);
+    // Given a safety slave and another one that somebody else has started, and that answer nothing
+    Make("manager: {node: 127}\nslaves: [{node: 33, dcf: actuator.dcf, boot: false}, {node: 5, boot: false}]\n");
+    for (const std::uint32_t node : {33U, 5U})
+    {
+        Run(2U);
+        Hear(0x700U + node, {0x05U});
+    }
+    Run(20U);
+    EXPECT_EQ(Row(33U).state, "operational");
+    EXPECT_EQ(Row(33U).safety, "closed");
+    EXPECT_FALSE(Row(33U).is_good);
+    EXPECT_TRUE(Row(5U).is_good);
+    EXPECT_FALSE(station->Assembly().HasStarted());
+}
+
 TEST_F(ManagerResultsTest, ANodeThatMayBeTwoDevicesIsNotGood)
 {
     Verifies(req::SRS_MGR_010);
