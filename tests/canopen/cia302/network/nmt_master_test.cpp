@@ -104,6 +104,38 @@ TEST_F(NmtMasterTest, WithoutInhibitTimeAllLeaveAtOnceAndAFullSinkKeepsThem)
     EXPECT_EQ(Ask(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
 }
 
+TEST_F(NmtMasterTest, AStopOfOneNodeGoesBeforeWhatWaitsForOthers)
+{
+    Verifies(req::SRS_NMM_001);
+    using Node = std::pair<NmtCommand, std::uint8_t>;
+    const auto stop = NmtCommand::kStop;
+    const auto reset = NmtCommand::kResetNode;
+    const std::pair<std::vector<Node>, std::vector<Bytes2>> runs[] = {
+        {{{reset, 6U}, {reset, 7U}, {stop, 8U}, {stop, 9U}}, {{2U, 8U}, {2U, 9U}, {129U, 6U}, {129U, 7U}}},
+        // Not before what waits for the same node, or for all
+        {{{reset, 6U}, {reset, 7U}, {stop, 6U}}, {{129U, 6U}, {2U, 6U}, {129U, 7U}}},
+        {{{reset, 6U}, {reset, 0U}, {reset, 7U}, {stop, 8U}}, {{129U, 6U}, {129U, 0U}, {2U, 8U}, {129U, 7U}}},
+        // A stop of all is one of each
+        {{{reset, 6U}, {reset, 7U}, {stop, 0U}}, {{129U, 6U}, {129U, 7U}, {2U, 0U}}}};
+    setup.inhibit_100us = 20U;
+    for (const auto& [asked, left] : runs)
+    {
+        EXPECT_EQ(Ask(reset, 5U), NmtAnswer::kTaken);
+        EXPECT_EQ(sink.Next(), (Bytes2{129U, 5U}));
+        for (const auto& [command, node] : asked)
+        {
+            EXPECT_EQ(Ask(command, node), NmtAnswer::kTaken);
+        }
+        for (const Bytes2& frame : left)
+        {
+            After(2000U);
+            EXPECT_EQ(sink.Next(), frame);
+        }
+        EXPECT_EQ(nmt.Waiting(), 0U);
+        After(2000U);
+    }
+}
+
 TEST_F(NmtMasterTest, ACommandForTheOwnNodeReachesTheListenerOnly)
 {
     Verifies(req::SRS_NMM_001);
