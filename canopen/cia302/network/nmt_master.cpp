@@ -51,6 +51,20 @@ NmtRequest& NmtMaster::At(const std::uint16_t place) const noexcept
     return parts_.room.requests[(std::uint32_t{first_} + place) % parts_.room.count];
 }
 
+/// As the last one for its node: behind it nothing would change. A start counts from its order on: IsStale.
+bool NmtMaster::IsWaiting(const NmtRequest& request) const noexcept
+{
+    bool is_waiting = false;
+    for (std::uint16_t i = 0U; i < waiting_; ++i)
+    {
+        const NmtRequest& other = At(i);
+        const bool is_same = (other.node.value == request.node.value);
+        const bool is_all = (other.node.value == kAllNodes.value) || (request.node.value == kAllNodes.value);
+        is_waiting = (is_same || is_all) ? (is_same && (other.command == request.command)) : is_waiting;
+    }
+    return is_waiting && (request.command != NmtCommand::kStart);
+}
+
 /// At the end; a stop of one node before what waits for others: who has to be stopped runs as long as it waits. It goes
 /// before no other stop, and before nothing that is for this node or for all.
 void NmtMaster::Put(const NmtRequest& request) noexcept
@@ -76,11 +90,12 @@ NmtAnswer NmtMaster::Request(const NmtCommand command, const NodeId node, const 
 {
     const NmtRequest request{command, node, now};
     NmtAnswer answer = Check(request);
-    if ((answer == NmtAnswer::kTaken) && (waiting_ >= parts_.room.count))
+    const bool is_new = (answer == NmtAnswer::kTaken) && !IsWaiting(request);
+    if (is_new && (waiting_ >= parts_.room.count))
     {
         answer = NmtAnswer::kQueueFull;
     }
-    if (answer == NmtAnswer::kTaken)
+    else if (is_new)
     {
         Put(request);
         if (!is_sending_)

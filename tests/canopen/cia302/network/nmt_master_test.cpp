@@ -136,6 +136,41 @@ TEST_F(NmtMasterTest, AStopOfOneNodeGoesBeforeWhatWaitsForOthers)
     }
 }
 
+TEST_F(NmtMasterTest, ACommandThatWaitsForItsNodeIsNotPutBehindItself)
+{
+    Verifies(req::SRS_NMM_001);
+    setup.inhibit_100us = 20U;
+    EXPECT_EQ(Ask(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+    EXPECT_EQ(sink.Next(), (Bytes2{128U, 5U}));
+    // Given one that is asked for again and again while it waits, and others between
+    for (int again = 0; again < 9; ++again)
+    {
+        EXPECT_EQ(Ask(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+        EXPECT_EQ(Ask(NmtCommand::kResetNode, 6U), NmtAnswer::kTaken);
+    }
+    EXPECT_EQ(nmt.Waiting(), 2U);
+    After(2000U);
+    EXPECT_EQ(sink.Next(), (Bytes2{128U, 5U}));
+    // Behind another one for the node or for all it is not the same, nor is a start, which counts from its order on
+    EXPECT_EQ(Ask(NmtCommand::kStop, 0U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kResetNode, 6U), NmtAnswer::kTaken);
+    EXPECT_EQ(nmt.Waiting(), 3U);
+    for (const Bytes2& frame : {Bytes2{129U, 6U}, Bytes2{2U, 0U}, Bytes2{129U, 6U}})
+    {
+        After(2000U);
+        EXPECT_EQ(sink.Next(), frame);
+    }
+    EXPECT_EQ(Ask(NmtCommand::kStart, 6U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kStart, 6U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kStop, 6U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kStart, 6U), NmtAnswer::kTaken);
+    EXPECT_EQ(nmt.Waiting(), 4U);
+    // What waits for one node and is then asked for of all is another command
+    After(2000U);
+    EXPECT_EQ(Ask(NmtCommand::kStop, 0U), NmtAnswer::kTaken);
+    EXPECT_EQ(nmt.Waiting(), 4U);
+}
+
 TEST_F(NmtMasterTest, ACommandForTheOwnNodeReachesTheListenerOnly)
 {
     Verifies(req::SRS_NMM_001);
