@@ -174,8 +174,7 @@ class ManagerCommand final : public Command
                               : runtime::StatusTable(station, now_us));
         if (!html_.empty())
         {
-            cia306::WriteTextFile(
-                html_, runtime::DiagramPage(station.Assembly(), station.Diagram(), runtime::InstantAt(now_us)));
+            cia306::WriteTextFile(html_, runtime::DiagramPage(station.Assembly(), station.Diagram()));
         }
         const bool is_written = report.Finish();
         if (!loop.IsLogWhole())

@@ -133,7 +133,8 @@ bool SafetyPermissions::HasStarted(const NodeId node, const StartUp& profile) co
 }
 
 /// 1300h may be written in every state, and 1010h and 1011h change what a device has after its reset alone: they count
-/// until the start. A device takes nothing else of 1300h to 13FFh in OPERATIONAL: it had not got the start yet.
+/// until the start. A device takes nothing else of 1300h to 13FFh in OPERATIONAL: it had not got the start yet. Who
+/// runs is read again, whoever started it.
 void SafetyPermissions::OnFrame(const CanFrame& frame, const StartUp* const profile, const Instant now) noexcept
 {
     constexpr std::uint16_t kStore = 0x1010U;
@@ -153,13 +154,14 @@ void SafetyPermissions::OnFrame(const CanFrame& frame, const StartUp* const prof
     if (is_meant && gate_.OnWritten(node, object) && (gate_.State(node) == GateState::kOpen))
     {
         const bool is_started = HasStarted(node, *profile);
+        const bool is_running = is_started || table_.IsFoundRunning(node);
         if (!is_started || is_configuration)
         {
             Close(node);
-        }
-        if (is_started && is_configuration)
-        {
-            table_.Presume(node, now);
+            if (is_running)
+            {
+                table_.Presume(node, now);
+            }
         }
     }
 }

@@ -153,7 +153,9 @@ bool ManagerAssembly::Runs(const cia302::NodeId node) const noexcept
 bool ManagerAssembly::HasFault(const cia302::NodeId node) const noexcept
 {
     const cia302::WatchedNode& watched = manager_.Watched().Of(node);
-    return watched.is_duplicate || (net_.Setup().IsSafetySlave(node) && watched.fault != 0U);
+    // Who does not lead verifies nobody.
+    const bool is_unverified = manager_.IsActive() && manager_.Gate().State(node) != cia302::GateState::kOpen;
+    return watched.is_duplicate || (net_.Setup().IsSafetySlave(node) && (watched.fault != 0U || is_unverified));
 }
 
 bool ManagerAssembly::IsGood(const cia302::NodeId node) const noexcept

@@ -4,26 +4,29 @@
 
 #include "hal/host/live/bus.hpp"
 
-#include <cstddef>
+#include <array>
 #include <cstdint>
+#include <vector>
 
 namespace counterpoint::runtime
 {
 /// Finds frames that have waited somewhere, on a connection that tells no times of reception: after a silence more
-/// frames come than a bus can carry. Taken as new, they would look like two devices with one node-ID. [SRS_MGR_004]
+/// frames come than a bus can carry, or more heartbeats of one node than it can send. Taken as new, they would look
+/// like two devices with one node-ID. [SRS_MGR_004]
 class FrameBacklog
 {
   public:
     /// @brief Begins at `start_ns`, without a backlog.
     explicit FrameBacklog(std::uint64_t start_ns) noexcept;
 
-    /// @brief `count` frames came since the last call. True: they belong to a backlog.
-    [[nodiscard]] bool Has(std::size_t count, std::uint64_t now_ns) noexcept;
+    /// @brief `frames` came since the last call. True: they belong to a backlog.
+    [[nodiscard]] bool Has(const std::vector<host::LiveFrame>& frames, std::uint64_t now_ns) noexcept;
 
   private:
     std::uint64_t last_turn_ns_;
     std::uint64_t last_frame_ns_;
-    std::uint64_t ahead_ns_{0U}; ///< How much longer the frames are than the time in which they came.
+    /// How much longer the frames take than the time in which they came: at place 0 all, else the heartbeats of a node.
+    std::array<std::uint64_t, 128U> ahead_ns_{};
     std::uint64_t silence_end_ns_{0U};
     bool has_{false};
 };

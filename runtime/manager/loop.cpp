@@ -214,7 +214,7 @@ void ManagerLoop::Receive()
     last_turn_ns_ = host::LiveNow();
     is_behind_ = frames.size() == kFramesOfTurn;
     const bool is_connection = address_.rfind("socketcand:", 0U) == 0U; // It tells no times of reception.
-    if (is_connection && backlog_.Has(frames.size(), last_turn_ns_))
+    if (is_connection && backlog_.Has(frames, last_turn_ns_))
     {
         old += frames.size();
         frames.erase(std::remove_if(frames.begin(), frames.end(),

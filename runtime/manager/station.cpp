@@ -52,7 +52,18 @@ void ManagerStation::OnFrame(const CanFrame& frame, const std::uint64_t now_us)
     assembly_.Core().OnFrame(frame, InstantAt(now_us));
     dictionary_.OnFrame(frame, InstantAt(now_us));
     pdos_.OnFrame(frame, now_us);
+    KeepSign(cia302::NodeId{static_cast<std::uint8_t>(frame.identifier & cia302::kLastNode)});
     Leave();
+}
+
+/// Behind a frame that may have been one.
+void ManagerStation::KeepSign(const cia302::NodeId node)
+{
+    const cia302::NodeRecord& record = assembly_.Core().Table().Record(node);
+    if (record.was_seen && record.last_sign.us == InstantAt(now_us_).us)
+    {
+        last_signs_us_.at(node.value) = now_us_;
+    }
 }
 
 void ManagerStation::OnCycle(const std::uint64_t now_us)

@@ -59,6 +59,13 @@ class ManagerStation final : private cia301::FrameSink
         return diagram_;
     }
 
+    /// @brief When the node last sent a sign of life; only of one that was seen. Unlike that of the node table this
+    /// time does not come round. [SRS_MGR_005]
+    [[nodiscard]] std::uint64_t LastSignUs(const cia302::NodeId node) const
+    {
+        return last_signs_us_.at(node.value);
+    }
+
   private:
     /// Where the writing of a safety configuration is, that its network file asks for.
     enum class Writing : std::uint8_t
@@ -72,6 +79,7 @@ class ManagerStation final : private cia301::FrameSink
     [[nodiscard]] bool Send(const CanFrame& frame) noexcept override;
     void Enter(std::uint64_t now_us);
     void Leave();
+    void KeepSign(cia302::NodeId node);
     void TellInputs();
     [[nodiscard]] bool IsAllStopped() const;
     void FollowWriting(const ManagerEvent& event);
@@ -86,6 +94,7 @@ class ManagerStation final : private cia301::FrameSink
     ManagerDictionary dictionary_;
     ManagerPdos pdos_;
     std::array<Writing, cia302::kNodeRoom> writing_{};
+    std::array<std::uint64_t, cia302::kNodeRoom> last_signs_us_{};
 };
 
 /// @brief A time since the start as the manager's counter reads it.

@@ -80,7 +80,7 @@ std::string FoundAtManager(const Expectation& expectation, const SimulatedManage
 class Managed final : public ManagedWorld
 {
   public:
-    Managed(const Scenario& scenario, Journal& journal, Network& network) : scenario_(scenario)
+    Managed(const Scenario& scenario, Journal& journal, Network& network)
     {
         for (const ManagerSetup& setup : scenario.managers)
         {
@@ -147,16 +147,13 @@ class Managed final : public ManagedWorld
         {
             if (manager->Station() != nullptr)
             {
-                text += runtime::DiagramSection(
-                    manager->Station()->Assembly(), manager->Station()->Diagram(),
-                    runtime::InstantAt(static_cast<std::uint64_t>(scenario_.duration / kNanosecondsPerMicrosecond)));
+                text += runtime::DiagramSection(manager->Station()->Assembly(), manager->Station()->Diagram());
             }
         }
         return text;
     }
 
   private:
-    const Scenario& scenario_;
     SimulatedManagers managers_;
 };
 } // namespace

@@ -46,19 +46,58 @@ NmtAnswer NmtMaster::Check(const NmtRequest& request) const noexcept
     return answer;
 }
 
+NmtRequest& NmtMaster::At(const std::uint16_t place) const noexcept
+{
+    return parts_.room.requests[(std::uint32_t{first_} + place) % parts_.room.count];
+}
+
+/// As the last one for its node: behind it nothing would change. A start counts from its order on: IsStale.
+bool NmtMaster::IsWaiting(const NmtRequest& request) const noexcept
+{
+    bool is_waiting = false;
+    for (std::uint16_t i = 0U; i < waiting_; ++i)
+    {
+        const NmtRequest& other = At(i);
+        const bool is_same = (other.node.value == request.node.value);
+        const bool is_all = (other.node.value == kAllNodes.value) || (request.node.value == kAllNodes.value);
+        is_waiting = (is_same || is_all) ? (is_same && (other.command == request.command)) : is_waiting;
+    }
+    return is_waiting && (request.command != NmtCommand::kStart);
+}
+
+/// At the end; a stop of one node before what waits for others: who has to be stopped runs as long as it waits. It goes
+/// before no other stop, and before nothing that is for this node or for all.
+void NmtMaster::Put(const NmtRequest& request) noexcept
+{
+    std::uint16_t place = waiting_;
+    bool is_urgent = (request.command == NmtCommand::kStop) && (request.node.value != kAllNodes.value);
+    while (is_urgent && (place > 0U))
+    {
+        const NmtRequest& before = At(static_cast<std::uint16_t>(place - 1U));
+        const bool is_meant = (before.node.value == request.node.value) || (before.node.value == kAllNodes.value);
+        is_urgent = !is_meant && (before.command != NmtCommand::kStop);
+        if (is_urgent)
+        {
+            At(place) = before;
+            --place;
+        }
+    }
+    At(place) = request;
+    ++waiting_;
+}
+
 NmtAnswer NmtMaster::Request(const NmtCommand command, const NodeId node, const Instant now) noexcept
 {
     const NmtRequest request{command, node, now};
     NmtAnswer answer = Check(request);
-    if ((answer == NmtAnswer::kTaken) && (waiting_ >= parts_.room.count))
+    const bool is_new = (answer == NmtAnswer::kTaken) && !IsWaiting(request);
+    if (is_new && (waiting_ >= parts_.room.count))
     {
         answer = NmtAnswer::kQueueFull;
     }
-    if (answer == NmtAnswer::kTaken)
+    else if (is_new)
     {
-        const std::uint32_t end = (std::uint32_t{first_} + waiting_) % parts_.room.count;
-        parts_.room.requests[end] = request;
-        ++waiting_;
+        Put(request);
         if (!is_sending_)
         {
             OnCycle(now);
@@ -85,7 +124,7 @@ void NmtMaster::DropStarts(const NodeId node) noexcept
 {
     for (std::uint16_t i = 0U; i < waiting_; ++i)
     {
-        NmtRequest& request = parts_.room.requests[(std::uint32_t{first_} + i) % parts_.room.count];
+        NmtRequest& request = At(i);
         const bool is_it = (request.command == NmtCommand::kStart) && (request.node.value == node.value);
         request.command = is_it ? NmtCommand::kInvalid : request.command; // Falls out when its turn comes.
     }

@@ -44,8 +44,9 @@ struct NmtMasterParts
     const StartGate& gate; ///< Tells who may be started.
 };
 
-/// Sends the NMT commands of the device; no other part sends one. It sends them in order, with 102Ah between two of
-/// them. The start of a safety slave is checked when it is asked for, and again when it leaves. Not reentrant.
+/// Sends the NMT commands of the device; no other part sends one. It sends them in order, but a stop of one node before
+/// what waits for others, with 102Ah between two of them. The start of a safety slave is checked when it is asked for,
+/// and again when it leaves. Not reentrant.
 class NmtMaster
 {
   public:
@@ -60,8 +61,9 @@ class NmtMaster
         return is_active_;
     }
 
-    /// @brief Puts a command into the queue, and sends it at once if the inhibit time is over and nothing waits. What
-    /// is refused, and why: see NmtAnswer. [SRS_NMM_001, SRS_NMM_002, SRS_NMM_003, SRS_NMM_004, SRS_NMM_005]
+    /// @brief Puts a command into the queue, and sends it at once if the inhibit time is over and nothing waits. One
+    /// but a start that is the last one waiting for its node is taken and not put there a second time. What is refused,
+    /// and why: see NmtAnswer. O(queue) [SRS_NMM_001, SRS_NMM_002, SRS_NMM_003, SRS_NMM_004, SRS_NMM_005]
     [[nodiscard]] NmtAnswer Request(NmtCommand command, NodeId node, Instant now) noexcept;
     /// @brief The command singly to each node of the network list but `except` (0: nobody) and the own
     /// node: kTaken, or the first refusal, while the others are asked for. O(127)
@@ -84,6 +86,9 @@ class NmtMaster
 
   private:
     [[nodiscard]] NmtAnswer Check(const NmtRequest& request) const noexcept;
+    [[nodiscard]] NmtRequest& At(std::uint16_t place) const noexcept;
+    [[nodiscard]] bool IsWaiting(const NmtRequest& request) const noexcept;
+    void Put(const NmtRequest& request) noexcept;
     [[nodiscard]] bool IsStale(const NmtRequest& request, Instant now) const noexcept;
     [[nodiscard]] bool Emit(const NmtRequest& request, Instant now) noexcept;
 

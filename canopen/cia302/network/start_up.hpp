@@ -139,11 +139,9 @@ class StartUp
     {
         return Boot(node, now);
     }
-    /// @brief Configuration of one slave alone (1F25h); a profile that has no such thing boots it. False: not now.
-    [[nodiscard]] virtual bool Configure(const NodeId node, const Instant now) noexcept
-    {
-        return Boot(node, now);
-    }
+    /// @brief Configuration of one slave alone (1F25h); a profile that has no such thing boots it. False: as Boot, or
+    /// the slave is not IsConfigurable.
+    [[nodiscard]] virtual bool Configure(NodeId node, Instant now) noexcept = 0;
 
     /// @brief What makes a slave the expected device under this profile.
     [[nodiscard]] virtual IdentityRule Identity() const noexcept
@@ -162,6 +160,16 @@ class StartUp
     StartUp(const StartUp&) = default;
     StartUp& operator=(const StartUp&) = default;
 };
+
+/// @brief Whether a slave can be configured now: it is neither STOPPED, without an SDO to be written by, nor being
+/// started up, nor a safety slave that is another device than the expected one. [SRS_NMM_009]
+[[nodiscard]] inline bool IsConfigurable(const StartUpParts& parts, const StartUp& start_up, const NodeId node) noexcept
+{
+    constexpr auto kStopped = static_cast<std::uint8_t>(SlaveState::kStopped);
+    const NodeStatus status = start_up.Status(node);
+    const bool is_other = parts.setup.IsSafetySlave(node) && status.is_other;
+    return !is_other && !status.is_busy && (parts.table.RequestValue(node) != kStopped);
+}
 
 inline void StartUp::OnBusBack(const Instant /*now*/) noexcept
 {

@@ -437,11 +437,8 @@ bool Cia302StartUp::Resume(const NodeId node, const Instant now) noexcept
 bool Cia302StartUp::Configure(const NodeId node, const Instant now) noexcept
 {
     const BootTime time = clock_.Tick(now);
-    constexpr auto kStopped = static_cast<std::uint8_t>(SlaveState::kStopped); // It has no SDO to be written by.
-    const NodeStatus& status = boot_.Record(node).status;
-    const bool is_other = parts_.setup.IsSafetySlave(node) && status.is_other;
-    const bool is_free = parts_.setup.IsListed(node) && (master_.Step() != MasterStep::kIdle) && !is_other &&
-                         !status.is_busy && (parts_.table.RequestValue(node) != kStopped);
+    const bool is_free =
+        parts_.setup.IsListed(node) && (master_.Step() != MasterStep::kIdle) && IsConfigurable(parts_, *this, node);
     if (is_free)
     {
         boot_.Configure(node, time);

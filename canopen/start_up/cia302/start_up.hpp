@@ -29,8 +29,7 @@ class Cia302StartUp final : public StartUp, private BootListener
     /// @brief As StartUp. Also false after error handling stopped all nodes: slaves are then booted by order only.
     /// [SRS_BOOT_017]
     [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept override;
-    /// @brief Writes the configuration alone. False: not listed, its boot runs, it is STOPPED, a safety slave that is
-    /// another device than the expected one, or no start-up runs. [SRS_NMM_009]
+    /// @brief Writes the configuration alone. False: not listed, not IsConfigurable, or no start-up runs. [SRS_NMM_009]
     [[nodiscard]] bool Configure(NodeId node, Instant now) noexcept override;
 
     [[nodiscard]] NodeStatus Status(NodeId node) const noexcept override;

@@ -390,6 +390,11 @@ bool El6751StartUp::Resume(const NodeId node, const Instant now) noexcept
     return is_one;
 }
 
+bool El6751StartUp::Configure(const NodeId node, const Instant now) noexcept
+{
+    return IsConfigurable(parts_, *this, node) && Boot(node, now);
+}
+
 NodeStatus El6751StartUp::Status(const NodeId node) const noexcept
 {
     const El6751Node& slave = slaves_.Of(node);

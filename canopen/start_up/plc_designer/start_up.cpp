@@ -471,6 +471,11 @@ bool PlcStartUp::Resume(const NodeId node, const Instant now) noexcept
     return is_one;
 }
 
+bool PlcStartUp::Configure(const NodeId node, const Instant now) noexcept
+{
+    return IsConfigurable(parts_, *this, node) && Boot(node, now);
+}
+
 std::int16_t PlcStartUp::MasterState() const noexcept
 {
     return master_;

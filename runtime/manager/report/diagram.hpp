@@ -64,11 +64,11 @@ class ManagerDiagram
 };
 
 /// @brief Results and diagram as a part of a page; the page has DiagramStyle once.
-[[nodiscard]] std::string DiagramSection(const ManagerAssembly& assembly, const ManagerDiagram& diagram, Instant now);
+[[nodiscard]] std::string DiagramSection(const ManagerAssembly& assembly, const ManagerDiagram& diagram);
 /// @brief The style sheet of such parts.
 [[nodiscard]] std::string DiagramStyle();
 /// @brief Results and diagram as a page of its own, which needs no other file.
-[[nodiscard]] std::string DiagramPage(const ManagerAssembly& assembly, const ManagerDiagram& diagram, Instant now);
+[[nodiscard]] std::string DiagramPage(const ManagerAssembly& assembly, const ManagerDiagram& diagram);
 } // namespace counterpoint::runtime
 
 #endif // RUNTIME_MANAGER_REPORT_DIAGRAM_HPP

@@ -76,7 +76,7 @@ std::string Cell(const std::string& title, const std::string& html)
     return "<td data-of=\"" + title + "\">" + html + "</td>";
 }
 
-std::string ResultTable(const ManagerAssembly& assembly, const Instant now)
+std::string ResultTable(const ManagerAssembly& assembly)
 {
     std::ostringstream out;
     out << "<div "
@@ -84,7 +84,7 @@ std::string ResultTable(const ManagerAssembly& assembly, const Instant now)
            "class=\"titles\"><th>node</th><th>name</th><th>state</th><th>result</th><th>step</"
            "th><th>emergency</th><th>safety</th>"
            "<th>finding</th></tr>";
-    for (const StatusRow& row : StatusRows(assembly, now))
+    for (const StatusRow& row : StatusRows(assembly))
     {
         out << "<tr>" << Cell("node", std::to_string(row.node)) << Cell("name", cia306::HtmlText(row.name))
             << "<td data-of=\"state\" class=\"" << (row.is_good ? "good" : "bad") << "\">" << row.state << "</td>"
@@ -233,11 +233,11 @@ class Picture
 };
 } // namespace
 
-std::string DiagramSection(const ManagerAssembly& assembly, const ManagerDiagram& diagram, const Instant now)
+std::string DiagramSection(const ManagerAssembly& assembly, const ManagerDiagram& diagram)
 {
     std::ostringstream out;
     out << "<section class=\"sequence\"><h1>Boot-up of " << NameOf(assembly) << "</h1><p>"
-        << cia306::HtmlText(ManagerLine(assembly)) << "</p>" << ResultTable(assembly, now)
+        << cia306::HtmlText(ManagerLine(assembly)) << "</p>" << ResultTable(assembly)
         << "<figure><figcaption>Time goes down, one row for each message; SDO transfers are one row, an arrow to and "
            "fro with the time to the answer.";
     if (diagram.LeftOut() > 0U)
@@ -253,11 +253,11 @@ std::string DiagramStyle()
     return std::string("<style>") + kStyle + "</style>";
 }
 
-std::string DiagramPage(const ManagerAssembly& assembly, const ManagerDiagram& diagram, const Instant now)
+std::string DiagramPage(const ManagerAssembly& assembly, const ManagerDiagram& diagram)
 {
     return "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
            "content=\"width=device-width, initial-scale=1\"><title>Boot-up of " +
-           NameOf(assembly) + "</title>" + DiagramStyle() + "</head><body>" + DiagramSection(assembly, diagram, now) +
+           NameOf(assembly) + "</title>" + DiagramStyle() + "</head><body>" + DiagramSection(assembly, diagram) +
            "</body></html>\n";
 }
 } // namespace counterpoint::runtime

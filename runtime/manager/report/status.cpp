@@ -23,11 +23,6 @@ std::string ResultOf(const network_plan::StartProfile profile, const cia302::Nod
     return (profile == network_plan::StartProfile::kCia302) ? letter : std::to_string(status.code);
 }
 
-std::string Age(const cia302::NodeRecord& record, const Instant now)
-{
-    return record.was_seen ? std::to_string((now.us - record.last_sign.us) / kUsPerMs) + " ms" : "-";
-}
-
 std::string FaultText(const std::uint16_t code)
 {
     return "device fault: emergency " + cia306::Hex(code, 4) + ", expected its end or a restart of the device";
@@ -38,7 +33,7 @@ std::string EmergencyText(const cia302::EmergencyRecord& emergency)
     return (emergency.count == 0U) ? "" : cia306::Hex(emergency.code, 4) + " (" + std::to_string(emergency.count) + ")";
 }
 
-StatusRow RowOf(const ManagerAssembly& assembly, const network_plan::LoadedSlave& slave, const Instant now)
+StatusRow RowOf(const ManagerAssembly& assembly, const network_plan::LoadedSlave& slave)
 {
     const NodeId node{slave.plan.node};
     const cia302::Manager& manager = assembly.Core();
@@ -52,7 +47,6 @@ StatusRow RowOf(const ManagerAssembly& assembly, const network_plan::LoadedSlave
     row.state = WordOf(record.state);
     row.result = ResultOf(profile, status);
     row.step = WordOf(status.step);
-    row.heartbeat = Age(record, now);
     row.emergency = EmergencyText(manager.Watched().Of(node).emergency);
     row.safety = is_safety ? WordOf(manager.Gate().State(node)) : "";
     const bool is_refused = is_safety && (manager.Gate().State(node) == cia302::GateState::kDiffers ||
@@ -60,8 +54,8 @@ StatusRow RowOf(const ManagerAssembly& assembly, const network_plan::LoadedSlave
     row.finding =
         is_refused ? "safety configuration: " + FindingText(manager.Gate().Finding(node)) : ResultText(profile, status);
     const std::uint16_t fault = is_safety ? manager.Watched().Of(node).fault : std::uint16_t{0U};
-    row.finding = (fault != 0U && row.finding.empty()) ? FaultText(fault) : row.finding;
     row.finding = manager.Watched().Of(node).is_duplicate ? "two devices with this node-ID?" : row.finding;
+    row.finding = (fault != 0U) ? FaultText(fault) + (row.finding.empty() ? "" : "; " + row.finding) : row.finding;
     row.is_good = assembly.IsGood(node);
     return row;
 }
@@ -101,12 +95,12 @@ std::string Line(const std::array<std::string, 9U>& cells)
 }
 } // namespace
 
-std::vector<StatusRow> StatusRows(const ManagerAssembly& assembly, const Instant now)
+std::vector<StatusRow> StatusRows(const ManagerAssembly& assembly)
 {
     std::vector<StatusRow> rows;
     for (const auto& slave : assembly.Net().Slaves())
     {
-        rows.push_back(RowOf(assembly, *slave, now));
+        rows.push_back(RowOf(assembly, *slave));
     }
     std::sort(rows.begin(), rows.end(),
               [](const StatusRow& left, const StatusRow& right) { return left.node < right.node; });
@@ -137,10 +131,15 @@ std::string ManagerLine(const ManagerAssembly& assembly)
            ", " + role + ", profile " + WordOf(profile) + ", " + MasterText(profile, manager.MasterState());
 }
 
+std::string MsText(const std::uint64_t age_us)
+{
+    return std::to_string(age_us / kUsPerMs) + " ms";
+}
+
 /// Who looks at a value wants to know how old it is.
 std::string AgeOf(const PdoValue& value, const std::uint64_t now_us)
 {
-    return value.is_output ? "" : std::to_string((now_us - value.at_us) / kUsPerMs) + " ms";
+    return value.is_output ? "" : MsText(now_us - value.at_us);
 }
 
 std::string PdoTable(const ManagerPdos& pdos, const std::uint64_t now_us)
@@ -160,13 +159,15 @@ std::string PdoTable(const ManagerPdos& pdos, const std::uint64_t now_us)
 std::string StatusTable(const ManagerStation& station, const std::uint64_t now_us)
 {
     const ManagerAssembly& assembly = station.Assembly();
-    const Instant now = InstantAt(now_us);
     std::string table = ManagerLine(assembly) + "\n";
     table += Line({"node", "name", "state", "result", "step", "heartbeat", "emergency", "safety", "finding"});
-    for (const StatusRow& row : StatusRows(assembly, now))
+    for (const StatusRow& row : StatusRows(assembly))
     {
-        table += Line({std::to_string(row.node), row.name, row.state, row.result, row.step, row.heartbeat,
-                       row.emergency, row.safety, row.finding});
+        const NodeId node{row.node};
+        const bool was_seen = assembly.Core().Table().Record(node).was_seen;
+        const std::string heartbeat = was_seen ? MsText(now_us - station.LastSignUs(node)) : "-";
+        table += Line({std::to_string(row.node), row.name, row.state, row.result, row.step, heartbeat, row.emergency,
+                       row.safety, row.finding});
     }
     const std::string unlisted = UnlistedText(assembly);
     return table + unlisted + (unlisted.empty() ? "" : "\n") + PdoTable(station.Pdos(), now_us);
@@ -194,20 +195,20 @@ nlohmann::ordered_json PdosJson(const ManagerPdos& pdos, const std::uint64_t now
 nlohmann::ordered_json StatusJson(const ManagerStation& station, const std::uint64_t now_us)
 {
     const ManagerAssembly& assembly = station.Assembly();
-    const Instant now = InstantAt(now_us);
     nlohmann::ordered_json slaves = nlohmann::ordered_json::array();
-    for (const StatusRow& row : StatusRows(assembly, now))
+    for (const StatusRow& row : StatusRows(assembly))
     {
-        const cia302::NodeStatus status = assembly.Core().Status(NodeId{row.node});
-        const cia302::NodeRecord& record = assembly.Core().Table().Record(NodeId{row.node});
-        const cia302::EmergencyRecord& emergency = assembly.Core().Watched().Of(NodeId{row.node}).emergency;
+        const NodeId node{row.node};
+        const cia302::NodeStatus status = assembly.Core().Status(node);
+        const bool was_seen = assembly.Core().Table().Record(node).was_seen;
+        const cia302::EmergencyRecord& emergency = assembly.Core().Watched().Of(node).emergency;
         slaves.push_back({{"node", row.node},
                           {"name", row.name},
                           {"state", row.state},
                           {"letter", (status.letter == 0) ? "" : std::string(1U, status.letter)},
                           {"code", status.code},
                           {"step", row.step},
-                          {"heartbeat_age_ms", AgeJson(record.was_seen, now.us - record.last_sign.us)},
+                          {"heartbeat_age_ms", AgeJson(was_seen, now_us - station.LastSignUs(node))},
                           {"emergency_code", emergency.code},
                           {"emergency_count", emergency.count},
                           {"safety", row.safety},
@@ -220,7 +221,7 @@ nlohmann::ordered_json StatusJson(const ManagerStation& station, const std::uint
         const cia302::NodeRecord& record = assembly.Core().Table().Record(node);
         unlisted.push_back({{"node", node.value},
                             {"state", WordOf(record.state)},
-                            {"heartbeat_age_ms", AgeJson(true, now.us - record.last_sign.us)}});
+                            {"heartbeat_age_ms", AgeJson(true, now_us - station.LastSignUs(node))}});
     }
     const cia302::Manager& manager = assembly.Core();
     return {{"format", kManagerFormat},

@@ -22,7 +22,6 @@ struct StatusRow
     std::string state;
     std::string result; ///< Letter or code, empty for none.
     std::string step;
-    std::string heartbeat; ///< Age of the last sign of life, "-": never.
     std::string emergency; ///< Last code, empty for none.
     std::string safety;    ///< State of the gate, empty for no safety slave.
     std::string finding;
@@ -30,7 +29,7 @@ struct StatusRow
 };
 
 /// @brief A row for each slave, by node-ID. [SRS_MGR_005]
-[[nodiscard]] std::vector<StatusRow> StatusRows(const ManagerAssembly& assembly, Instant now);
+[[nodiscard]] std::vector<StatusRow> StatusRows(const ManagerAssembly& assembly);
 /// @brief Nodes that were heard and are not in the network list: a text such as "not in the network list (A): node 55
 /// operational"; empty when there is none.
 [[nodiscard]] std::string UnlistedText(const ManagerAssembly& assembly);

@@ -53,6 +53,10 @@ class IdleProfile final : public StartUp
     {
         return true;
     }
+    [[nodiscard]] bool Configure(const NodeId /*node*/, const Instant /*now*/) noexcept override
+    {
+        return true;
+    }
     [[nodiscard]] NodeStatus Status(const NodeId /*node*/) const noexcept override
     {
         return NodeStatus{};

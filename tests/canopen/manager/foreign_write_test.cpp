@@ -81,6 +81,26 @@ class ForeignWriteTest : public ManagerRig, public ::testing::WithParamInterface
         EXPECT_TRUE(starts.empty());
         EXPECT_EQ(Gate(), GateState::kDiffers);
     }
+    /// A slave that the application is to start, without heartbeat and guarding: somebody else starts it and then
+    /// writes.
+    void ExpectFoundBehindForeignStart(const CanFrame& write, const std::uint16_t index)
+    {
+        setup.start_up |= kApplicationStartsSlaves;
+        box.is_started = false;
+        setups[5].el6751 = &box;
+        Begin(GetParam());
+        Run(6000U);
+        Put(Nmt(NmtCommand::kStart, 5U));
+        Run(3000U);
+        EXPECT_EQ(Running(5U), 1);
+        EXPECT_EQ(Gate(), GateState::kOpen);
+        EXPECT_TRUE(starts.empty());
+        Put(write);
+        Run(3000U);
+        EXPECT_EQ(Running(5U), 0);
+        EXPECT_EQ(Gate(), GateState::kDiffers);
+        EXPECT_EQ(Finding(), index);
+    }
     /// At each instant of the reading and behind it: somebody writes, and the slave is not left running.
     void ExpectFound(const CanFrame& wrong, const CanFrame& right, const std::uint16_t index, const std::uint32_t last)
     {
@@ -101,6 +121,8 @@ class ForeignWriteTest : public ManagerRig, public ::testing::WithParamInterface
         Run(6000U);
         EXPECT_EQ(Running(5U), 1);
     }
+
+    El6751Slave box{};
 };
 
 TEST_P(ForeignWriteTest, OfATimeIsFoundAtEachInstantOfTheReadingAndBehindIt)
@@ -216,6 +238,21 @@ TEST_P(ForeignWriteTest, WhatIsNoWriteOfTheConfigurationDisturbsNothing)
         Put(frame);
         EXPECT_EQ(Rest(), whole - 8U) << int{frame.data[0]};
     }
+}
+
+TEST_P(ForeignWriteTest, OfATimeOfASlaveThatSomebodyElseStartedIsFound)
+{
+    Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_011);
+    ExpectFoundBehindForeignStart(Write(0x1301U, 2U, 2U, 26U), 0x1301U);
+}
+
+// The manager has not started it: nothing of what was read counts behind the write.
+TEST_P(ForeignWriteTest, OfTheGfcOfASlaveThatSomebodyElseStartedIsFound)
+{
+    Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_011);
+    ExpectFoundBehindForeignStart(Write(0x1300U, 0U, 1U, 0U), 0x1300U);
 }
 
 TEST_P(ForeignWriteTest, OfTheGfcOfASlaveThatRunsIsItsRight)

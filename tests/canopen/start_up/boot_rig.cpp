@@ -147,6 +147,18 @@ void BootRig::Deliver()
     }
 }
 
+/// One that is asked for twice in a row waits once.
+void BootRig::FillQueue(const std::uint16_t count)
+{
+    setup.inhibit_100us = 10U;
+    for (int i = 0; (i < 300) && (nmt.Waiting() < count); ++i)
+    {
+        const bool is_reset = (i % 2) == 0;
+        const NmtCommand command = is_reset ? NmtCommand::kResetNode : NmtCommand::kPreOperational;
+        static_cast<void>(nmt.Request(command, NodeId{99U}, Now()));
+    }
+}
+
 void BootRig::Run(const std::uint32_t time_ms)
 {
     for (std::uint32_t i = 0U; i < time_ms; ++i)

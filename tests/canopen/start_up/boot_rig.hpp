@@ -101,6 +101,8 @@ class BootRig : public ::testing::Test,
     /// Powers what is there and begins the start-up.
     void Begin();
     void Run(std::uint32_t ms);
+    /// So many commands wait in the queue, which has room for 256, each 1 ms after the other.
+    void FillQueue(std::uint16_t count = 256U);
     /// Carries frames until nobody sends any more.
     void Deliver();
     /// A frame that only the manager hears.

@@ -103,6 +103,16 @@ class WaitingBus final : public host::LiveBus
     std::deque<host::LiveFrame> frames_;
 };
 
+std::vector<host::LiveFrame> Frames(const std::size_t count, const std::uint32_t identifier = 0x185U,
+                                    const std::uint8_t byte = 0x05U)
+{
+    host::LiveFrame frame;
+    frame.identifier = identifier;
+    frame.length_bytes = 1U;
+    frame.data[0] = byte;
+    return std::vector<host::LiveFrame>(count, frame);
+}
+
 class ManagerLoopTest : public test::CommandTest
 {
   protected:
@@ -236,22 +246,50 @@ TEST_F(ManagerLoopTest, AHeapIsMoreThanABusCarriesAfterASilence)
     runtime::FrameBacklog full(0U);
     for (std::uint64_t ms = 600U; ms < 3000U; ++ms)
     {
-        EXPECT_FALSE(full.Has(21U, ms * kMs)) << ms;
+        EXPECT_FALSE(full.Has(Frames(21U), ms * kMs)) << ms;
     }
     // And a connection that gives 73 frames in each of 13 ms, some in each turn, and then what is on the bus
     runtime::FrameBacklog backlog(0U);
     std::size_t passed = 0U;
     for (std::uint64_t turn = 0U; turn < 130U; ++turn)
     {
-        passed += backlog.Has(7U + turn % 2U, 600U * kMs + turn * 100000U) ? 0U : 7U + turn % 2U;
+        passed += backlog.Has(Frames(7U + turn % 2U), 600U * kMs + turn * 100000U) ? 0U : 7U + turn % 2U;
     }
     EXPECT_LT(passed, 80U);
     for (std::uint64_t ms = 700U; ms < 1000U; ++ms)
     {
-        EXPECT_FALSE(backlog.Has(1U, ms * kMs)) << ms;
+        EXPECT_FALSE(backlog.Has(Frames(1U), ms * kMs)) << ms;
     }
     // Then a backlog without a silence before it is none
-    EXPECT_FALSE(runtime::FrameBacklog(0U).Has(300U, 400U * kMs));
+    EXPECT_FALSE(runtime::FrameBacklog(0U).Has(Frames(300U), 400U * kMs));
+}
+
+TEST_F(ManagerLoopTest, AHeapIsAlsoMoreHeartbeatsOfANodeThanItCanSend)
+{
+    Verifies(req::SRS_MGR_004);
+    // Given a server that stalled for 800 ms, and eight heartbeats of node 5 that it then gives at once, or in two
+    // parts
+    runtime::FrameBacklog at_once(0U);
+    EXPECT_TRUE(at_once.Has(Frames(8U, 0x705U), 800U * kMs));
+    runtime::FrameBacklog in_parts(0U);
+    EXPECT_FALSE(in_parts.Has(Frames(2U, 0x705U), 800U * kMs));
+    EXPECT_TRUE(in_parts.Has(Frames(6U, 0x705U), 800U * kMs + 300000U));
+    // Then that ends with them
+    EXPECT_FALSE(in_parts.Has({}, 810U * kMs));
+    EXPECT_FALSE(in_parts.Has(Frames(1U, 0x705U), 900U * kMs));
+    // And given a heartbeat each of 20 nodes behind each other, or two devices with one node-ID, then it is none
+    runtime::FrameBacklog nodes(0U);
+    for (std::uint32_t node = 1U; node <= 20U; ++node)
+    {
+        EXPECT_FALSE(nodes.Has(Frames(1U, 0x700U + node), 800U * kMs + node * 60000U)) << node;
+    }
+    runtime::FrameBacklog two(0U);
+    EXPECT_FALSE(two.Has(Frames(2U, 0x705U), 800U * kMs));
+    // Nor other frames, or boot-up messages, which are taken anyway
+    runtime::FrameBacklog others(0U);
+    EXPECT_FALSE(others.Has(Frames(8U, 0x185U), 800U * kMs));
+    runtime::FrameBacklog boot_ups(0U);
+    EXPECT_FALSE(boot_ups.Has(Frames(8U, 0x705U, 0U), 800U * kMs));
 }
 } // namespace
 } // namespace counterpoint::tools

@@ -21,7 +21,7 @@ class ManagerResultsTest : public test::ManagerRig
   protected:
     [[nodiscard]] runtime::StatusRow Row(const std::uint8_t node)
     {
-        for (const runtime::StatusRow& row : runtime::StatusRows(station->Assembly(), Instant{Us()}))
+        for (const runtime::StatusRow& row : runtime::StatusRows(station->Assembly()))
         {
             if (row.node == node)
             {
@@ -30,27 +30,20 @@ class ManagerResultsTest : public test::ManagerRig
         }
         return {};
     }
-    [[nodiscard]] std::uint32_t Us() const
+    /// Each of three requests of somebody.
+    void AnswerTwice(const std::uint8_t node)
     {
-        return static_cast<std::uint32_t>(now_us);
+        for (const std::uint8_t sub : {std::uint8_t{1U}, std::uint8_t{2U}, std::uint8_t{3U}})
+        {
+            Hear(0x600U + node, {0x40U, 0x18U, 0x10U, sub, 0U, 0U, 0U, 0U});
+            Hear(0x580U + node, {0x43U, 0x18U, 0x10U, sub, 1U, 0U, 0U, 0U});
+            Hear(0x580U + node, {0x43U, 0x18U, 0x10U, sub, 2U, 0U, 0U, 0U});
+        }
     }
     [[nodiscard]] bool IsTold(const std::string& text) const
     {
         return std::any_of(events.begin(), events.end(), [&text](const runtime::ManagerEvent& event)
                            { return event.text.find(text) != std::string::npos; });
-    }
-    /// The slave answers each question about 1000h as given, for so many ms.
-    void Answer(const std::uint8_t node, const std::vector<std::uint8_t>& answer, const int ms)
-    {
-        for (int i = 0; i < ms; ++i)
-        {
-            if (Count(0x600U + node) > 0U)
-            {
-                sent.clear();
-                Hear(0x580U + node, answer);
-            }
-            Run(1U);
-        }
     }
 };
 
@@ -379,6 +372,88 @@ TEST_F(ManagerResultsTest, ASafetySlaveInItsSafeStateIsNotGood)
     EXPECT_EQ(Row(33U).finding, "");
 }
 
+TEST_F(ManagerResultsTest, ADeviceFaultIsNamedWhateverElseThereIsToTell)
+{
+    Verifies(req::SRS_MGR_025);
+    const std::string fault = "device fault: emergency 0x6100, expected its end or a restart of the device";
+    const std::pair<const char*, const char*> runs[] = {
+        {"cia302", "device type differs: 0x1000:00 is 0x192, expected 0x191"},
+        {"el6751", "SDO value differs: 0x1000:00 is 0x192, expected 0x191"},
+        {"plc_designer", "is configured"}};
+    for (const auto& [profile, result] : runs)
+    {
+        // Given a safety slave whose start-up has something to tell
+        Make("manager: {node: 127, profile: " + std::string(profile) +
+             "}\nslaves: [{node: 33, dcf: actuator.dcf, device_type: 0x191}]\n");
+        Run(1000U);
+        Hear(0x721U, {0U});
+        Answer(33U, {0x43U, 0x00U, 0x10U, 0x00U, 0x92U, 0x01U, 0x00U, 0x00U}, 700);
+        EXPECT_EQ(Row(33U).finding, result) << profile;
+        // When it tells its device fault, and then another emergency
+        Hear(0xA1U, {0x00U, 0x61U, 0x81U, 0U, 0U, 0U, 0U, 0U});
+        Hear(0xA1U, {0x30U, 0x81U, 0x91U, 0U, 0U, 0U, 0U, 0U});
+        // Then table, page and JSON name the fault, and the rest behind it
+        EXPECT_EQ(Row(33U).finding, fault + "; " + result) << profile;
+        const std::string page = runtime::DiagramPage(station->Assembly(), station->Diagram());
+        EXPECT_NE(page.find("<td data-of=\"finding\">" + fault + "; "), std::string::npos) << profile;
+        EXPECT_NE(runtime::StatusTable(*station, now_us).find(fault), std::string::npos) << profile;
+        EXPECT_EQ(runtime::StatusJson(*station, now_us)["slaves"][0]["finding"], fault + "; " + result) << profile;
+    }
+    // And so it is where it may be two devices
+    Make("manager: {node: 127}\nslaves: [{node: 33, dcf: actuator.dcf, boot: false}]\n");
+    Run(2U);
+    Hear(0xA1U, {0x00U, 0x61U, 0x81U, 0U, 0U, 0U, 0U, 0U});
+    AnswerTwice(33U);
+    EXPECT_EQ(Row(33U).finding, fault + "; two devices with this node-ID?");
+}
+
+TEST_F(ManagerResultsTest, TheAgeOfAHeartbeatIsNotThatOfACounterThatCameRound)
+{
+    Verifies(req::SRS_MGR_005);
+    // Given a slave, and a node that is none, that were heard 72 minutes ago
+    Make("manager: {node: 127}\nslaves: [{node: 5, boot: false}, {node: 6, boot: false}]\n");
+    Run(2U);
+    Hear(0x705U, {0x05U});
+    Hear(0x709U, {0x05U});
+    for (int minute = 0; minute < 72; ++minute)
+    {
+        now_us += 60'000'000U;
+        station->OnCycle(now_us);
+    }
+    nlohmann::json status = runtime::StatusJson(*station, now_us);
+    EXPECT_EQ(status["slaves"][0]["heartbeat_age_ms"], 4'320'000);
+    EXPECT_TRUE(status["slaves"][1]["heartbeat_age_ms"].is_null());
+    EXPECT_EQ(status["unlisted"][0]["heartbeat_age_ms"], 4'320'000);
+    EXPECT_NE(runtime::StatusTable(*station, now_us).find("  4320000 ms"), std::string::npos);
+    EXPECT_NE(runtime::StatusTable(*station, now_us).find("  -\n"), std::string::npos);
+    // When the slave is heard again, and then says something else, then the heartbeat counts
+    Hear(0x705U, {0x05U});
+    Run(3U);
+    Hear(0x185U, {0x05U});
+    Run(4U);
+    status = runtime::StatusJson(*station, now_us);
+    EXPECT_EQ(status["slaves"][0]["heartbeat_age_ms"], 7);
+    EXPECT_EQ(status["unlisted"][0]["heartbeat_age_ms"], 4'320'007);
+}
+
+TEST_F(ManagerResultsTest, ASafetySlaveThatRunsAndIsNotVerifiedIsNotGood)
+{
+    Verifies(req::SRS_MGR_005);
+    // Given a safety slave and another one that somebody else has started, and that answer nothing
+    Make("manager: {node: 127}\nslaves: [{node: 33, dcf: actuator.dcf, boot: false}, {node: 5, boot: false}]\n");
+    for (const std::uint32_t node : {33U, 5U})
+    {
+        Run(2U);
+        Hear(0x700U + node, {0x05U});
+    }
+    Run(20U);
+    EXPECT_EQ(Row(33U).state, "operational");
+    EXPECT_EQ(Row(33U).safety, "closed");
+    EXPECT_FALSE(Row(33U).is_good);
+    EXPECT_TRUE(Row(5U).is_good);
+    EXPECT_FALSE(station->Assembly().HasStarted());
+}
+
 TEST_F(ManagerResultsTest, ANodeThatMayBeTwoDevicesIsNotGood)
 {
     Verifies(req::SRS_MGR_010);
@@ -389,12 +464,7 @@ TEST_F(ManagerResultsTest, ANodeThatMayBeTwoDevicesIsNotGood)
     EXPECT_TRUE(Row(5U).is_good);
     EXPECT_TRUE(station->Assembly().HasStarted());
     // When each of three requests of somebody is answered twice
-    for (const std::uint8_t sub : {std::uint8_t{1U}, std::uint8_t{2U}, std::uint8_t{3U}})
-    {
-        Hear(0x605U, {0x40U, 0x18U, 0x10U, sub, 0U, 0U, 0U, 0U});
-        Hear(0x585U, {0x43U, 0x18U, 0x10U, sub, 1U, 0U, 0U, 0U});
-        Hear(0x585U, {0x43U, 0x18U, 0x10U, sub, 2U, 0U, 0U, 0U});
-    }
+    AnswerTwice(5U);
     EXPECT_EQ(Row(5U).finding, "two devices with this node-ID?");
     EXPECT_FALSE(Row(5U).is_good);
     EXPECT_FALSE(station->Assembly().HasStarted());
@@ -406,7 +476,7 @@ TEST_F(ManagerResultsTest, ThePageHasEmergenciesAndFitsAPhone)
     Make("manager: {node: 127}\nslaves: [{node: 5, boot: false}]\n");
     Run(2U);
     Hear(0x85U, {0x30U, 0x81U, 0x11U, 0U, 0U, 0U, 0U, 0U});
-    const std::string page = runtime::DiagramPage(station->Assembly(), station->Diagram(), Instant{Us()});
+    const std::string page = runtime::DiagramPage(station->Assembly(), station->Diagram());
     EXPECT_NE(page.find("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"), std::string::npos);
     EXPECT_NE(page.find("<th>emergency</th>"), std::string::npos);
     EXPECT_NE(page.find("<td data-of=\"emergency\">0x8130 (1)</td>"), std::string::npos);

@@ -65,6 +65,19 @@ class ManagerRig : public CommandTest
         std::copy(data.begin(), data.end(), &frame.data[0]);
         station->OnFrame(frame, now_us);
     }
+    /// The slave answers each question about 1000h as given, for so many ms.
+    void Answer(const std::uint8_t node, const std::vector<std::uint8_t>& answer, const int ms)
+    {
+        for (int i = 0; i < ms; ++i)
+        {
+            if (Count(0x600U + node) > 0U)
+            {
+                sent.clear();
+                Hear(0x580U + node, answer);
+            }
+            Run(1U);
+        }
+    }
     /// The answer of the manager's SDO server to a request.
     std::vector<std::uint8_t> Ask(const std::vector<std::uint8_t>& request)
     {

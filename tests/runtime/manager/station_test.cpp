@@ -119,6 +119,52 @@ TEST_F(ManagerStationTest, ARequestCommandsTheNetwork)
     EXPECT_EQ(std::count(commands.begin(), commands.end(), "1 5"), 1);
 }
 
+TEST_F(ManagerStationTest, WhoCannotBeConfiguredIsLeftAsItIsUnderEachProfile)
+{
+    Verifies(req::SRS_NMM_009);
+    constexpr std::uint32_t kConf = 0x666E6F63U;
+    const std::pair<const char*, Lines> runs[] = {
+        {"cia302", {"128 6"}}, {"el6751", {"128 6", "130 6"}}, {"plc_designer", {"128 6", "129 6"}}};
+    for (const auto& [profile, commands] : runs)
+    {
+        // Given a slave that is started up, then it is not configured beside that
+        Make("manager: {node: 127, profile: " + std::string(profile) +
+             "}\nslaves: [{node: 6, device_type: 0x191, consumer: 300 ms}]\n");
+        Run(1000U);
+        EXPECT_EQ(Write(0x1F25U, 6U, kConf, 4U), 0x08000022U) << profile;
+        Hear(0x706U, {0U});
+        for (int beat = 0; beat < 6; ++beat)
+        {
+            Answer(6U, {0x43U, 0x00U, 0x10U, 0x00U, 0x91U, 0x01U, 0x00U, 0x00U}, 110);
+            Hear(0x706U, {(beat < 5) ? std::uint8_t{0x7FU} : std::uint8_t{0x05U}});
+        }
+        EXPECT_EQ(Read(0x1F82U, 6U), 5U) << profile;
+        // When it is stopped, then nothing is sent to it, whether it is asked for alone or with all
+        EXPECT_EQ(Order("stop 6"), "taken") << profile;
+        Run(2U);
+        Hear(0x706U, {0x04U});
+        for (const std::uint8_t sub : {std::uint8_t{6U}, std::uint8_t{0x80U}})
+        {
+            EXPECT_EQ(Write(0x1F25U, sub, kConf, 4U), 0x08000022U) << profile;
+            Run(20U);
+            EXPECT_EQ(Commands(), Lines{}) << profile;
+            EXPECT_EQ(Read(0x1F82U, 6U), 4U) << profile;
+        }
+        // When it is PRE-OPERATIONAL, then it is configured: where there is no such thing, started up
+        sent.clear();
+        EXPECT_EQ(Order("preop 6"), "taken") << profile;
+        Run(2U);
+        Hear(0x706U, {0x7FU});
+        const Lines held = Commands();
+        EXPECT_EQ(Write(0x1F25U, 6U, kConf, 4U), 0U) << profile;
+        Run(20U);
+        Lines all = held;
+        const Lines behind = Commands();
+        all.insert(all.end(), behind.begin(), behind.end());
+        EXPECT_EQ(all, commands) << profile;
+    }
+}
+
 TEST_F(ManagerStationTest, WritesObeyRules)
 {
     Verifies(req::SRS_MGR_021);

@@ -159,15 +159,8 @@ TEST_F(NetworkObjectsTest, StartOfAllWithASafetySlaveIsOneStartEachAfterVerifica
 TEST_F(NetworkObjectsTest, AFullQueueDelaysTheAnswer)
 {
     Verifies(req::SRS_NMM_006);
-    setup.inhibit_100us = 10U;
-    for (int i = 0; i < 255; ++i)
-    {
-        static_cast<void>(nmt.Request(NmtCommand::kPreOperational, NodeId{99U}, Now()));
-    }
-    while (nmt.Waiting() < 255U)
-    {
-        static_cast<void>(nmt.Request(NmtCommand::kPreOperational, NodeId{99U}, Now()));
-    }
+    FillQueue(255U);
+    ASSERT_EQ(nmt.Waiting(), 255U);
     EXPECT_EQ(Write(0x1F82U, 0x80U, 0x84U), SdoAbort::kPending); // Room for one.
     Run(10U);
     EXPECT_EQ(WriteAgain(0x1F82U, 0x80U, 0x84U), SdoAbort::kNone);

@@ -104,6 +104,73 @@ TEST_F(NmtMasterTest, WithoutInhibitTimeAllLeaveAtOnceAndAFullSinkKeepsThem)
     EXPECT_EQ(Ask(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
 }
 
+TEST_F(NmtMasterTest, AStopOfOneNodeGoesBeforeWhatWaitsForOthers)
+{
+    Verifies(req::SRS_NMM_001);
+    using Node = std::pair<NmtCommand, std::uint8_t>;
+    const auto stop = NmtCommand::kStop;
+    const auto reset = NmtCommand::kResetNode;
+    const std::pair<std::vector<Node>, std::vector<Bytes2>> runs[] = {
+        {{{reset, 6U}, {reset, 7U}, {stop, 8U}, {stop, 9U}}, {{2U, 8U}, {2U, 9U}, {129U, 6U}, {129U, 7U}}},
+        // Not before what waits for the same node, or for all
+        {{{reset, 6U}, {reset, 7U}, {stop, 6U}}, {{129U, 6U}, {2U, 6U}, {129U, 7U}}},
+        {{{reset, 6U}, {reset, 0U}, {reset, 7U}, {stop, 8U}}, {{129U, 6U}, {129U, 0U}, {2U, 8U}, {129U, 7U}}},
+        // A stop of all is one of each
+        {{{reset, 6U}, {reset, 7U}, {stop, 0U}}, {{129U, 6U}, {129U, 7U}, {2U, 0U}}}};
+    setup.inhibit_100us = 20U;
+    for (const auto& [asked, left] : runs)
+    {
+        EXPECT_EQ(Ask(reset, 5U), NmtAnswer::kTaken);
+        EXPECT_EQ(sink.Next(), (Bytes2{129U, 5U}));
+        for (const auto& [command, node] : asked)
+        {
+            EXPECT_EQ(Ask(command, node), NmtAnswer::kTaken);
+        }
+        for (const Bytes2& frame : left)
+        {
+            After(2000U);
+            EXPECT_EQ(sink.Next(), frame);
+        }
+        EXPECT_EQ(nmt.Waiting(), 0U);
+        After(2000U);
+    }
+}
+
+TEST_F(NmtMasterTest, ACommandThatWaitsForItsNodeIsNotPutBehindItself)
+{
+    Verifies(req::SRS_NMM_001);
+    setup.inhibit_100us = 20U;
+    EXPECT_EQ(Ask(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+    EXPECT_EQ(sink.Next(), (Bytes2{128U, 5U}));
+    // Given one that is asked for again and again while it waits, and others between
+    for (int again = 0; again < 9; ++again)
+    {
+        EXPECT_EQ(Ask(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+        EXPECT_EQ(Ask(NmtCommand::kResetNode, 6U), NmtAnswer::kTaken);
+    }
+    EXPECT_EQ(nmt.Waiting(), 2U);
+    After(2000U);
+    EXPECT_EQ(sink.Next(), (Bytes2{128U, 5U}));
+    // Behind another one for the node or for all it is not the same, nor is a start, which counts from its order on
+    EXPECT_EQ(Ask(NmtCommand::kStop, 0U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kResetNode, 6U), NmtAnswer::kTaken);
+    EXPECT_EQ(nmt.Waiting(), 3U);
+    for (const Bytes2& frame : {Bytes2{129U, 6U}, Bytes2{2U, 0U}, Bytes2{129U, 6U}})
+    {
+        After(2000U);
+        EXPECT_EQ(sink.Next(), frame);
+    }
+    EXPECT_EQ(Ask(NmtCommand::kStart, 6U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kStart, 6U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kStop, 6U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kStart, 6U), NmtAnswer::kTaken);
+    EXPECT_EQ(nmt.Waiting(), 4U);
+    // What waits for one node and is then asked for of all is another command
+    After(2000U);
+    EXPECT_EQ(Ask(NmtCommand::kStop, 0U), NmtAnswer::kTaken);
+    EXPECT_EQ(nmt.Waiting(), 4U);
+}
+
 TEST_F(NmtMasterTest, ACommandForTheOwnNodeReachesTheListenerOnly)
 {
     Verifies(req::SRS_NMM_001);

@@ -323,16 +323,6 @@ TEST_F(BootSilentBlockTest, I_SilenceInABlockDownloadIsNotTriedBySegments)
 /// Boots that are disturbed where it is least convenient.
 class BootCornersTest : public BootRig
 {
-  public:
-    /// As many commands in the queue as it takes, each 1 ms after the other.
-    void FillQueue()
-    {
-        setup.inhibit_100us = 10U;
-        for (int i = 0; i < 300; ++i)
-        {
-            static_cast<void>(nmt.Request(NmtCommand::kPreOperational, NodeId{99U}, Now()));
-        }
-    }
 };
 
 TEST_F(BootCornersTest, BootAnewDuringVerificationVerifiesAnew)

@@ -137,11 +137,7 @@ TEST_F(ErrorHandlingTest, ReactionsWaitForRoomInTheQueue)
     Verifies(req::SRS_BOOT_017);
     Verifies(req::SRS_NMM_005);
     Start(kIsMaster | kStopAllOnError);
-    setup.inhibit_100us = 10U;
-    for (int i = 0; i < 400; ++i)
-    {
-        static_cast<void>(nmt.Request(NmtCommand::kPreOperational, NodeId{99U}, Now()));
-    }
+    FillQueue();
     EXPECT_EQ(nmt.Waiting(), 256U);
     slaves[5]->Unplug();
     static_cast<void>(nmt.Request(NmtCommand::kPreOperational, NodeId{99U}, Now()));
