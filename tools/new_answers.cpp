@@ -75,7 +75,7 @@ std::string ProblemOfCobId(const std::string& text)
 
 std::uint32_t NumberOf(const std::string& text)
 {
-    return static_cast<std::uint32_t>(cia306::ParseUnsigned(text, kMostIdentity).value());
+    return static_cast<std::uint32_t>(cia306::ParseTyped(text, kMostIdentity).value());
 }
 } // namespace
 

@@ -34,8 +34,7 @@ std::string ProblemOfAction(const std::string& text)
 
 std::string ProblemOfImage(const std::string& text)
 {
-    return cia306::ParseUnsigned(text, ~std::uint64_t{0U}) ? ""
-                                                           : cia306::Quoted(text) + ", expected a number of 64 bits";
+    return cia306::ParseTyped(text, ~std::uint64_t{0U}) ? "" : cia306::Quoted(text) + ", expected a number of 64 bits";
 }
 
 class SrdoCommand final : public Command
@@ -161,7 +160,7 @@ class SrdoCommand final : public Command
         const bool is_producer = !produced_.empty();
         cia306::SrdoPlan plan = srdos_.PlanOf(*number, is_producer, is_producer ? produced_ : consumed_, node_id);
         const std::string image = safe_value_.empty() ? "0" : safe_value_;
-        plan.safe_value = cia306::ParseUnsigned(image, ~std::uint64_t{0U}).value();
+        plan.safe_value = cia306::ParseTyped(image, ~std::uint64_t{0U}).value();
         return plan;
     }
 

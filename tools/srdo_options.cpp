@@ -38,14 +38,13 @@ std::string ProblemOfRelease(const std::string& text)
 /// A number that was checked before.
 std::uint64_t NumberOf(const std::string& text)
 {
-    return cia306::ParseUnsigned(text, kMostSctMs).value();
+    return cia306::ParseTyped(text, kMostSctMs).value();
 }
 } // namespace
 
 std::string ProblemOfRange(const std::string& text, const std::uint32_t lowest, const std::uint32_t highest)
 {
-    const bool is_octal = text.size() > 1U && text[0] == '0' && text[1] != 'x' && text[1] != 'X';
-    const auto number = is_octal ? std::nullopt : cia306::ParseUnsigned(text, highest);
+    const auto number = cia306::ParseTyped(text, highest);
     const bool is_right = number && *number >= lowest;
     return is_right ? ""
                     : cia306::Quoted(text) + ", expected a number from " + std::to_string(lowest) + " to " +

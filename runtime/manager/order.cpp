@@ -44,8 +44,7 @@ std::optional<std::uint8_t> NodeOf(const std::string& text, const bool may_be_al
     {
         return std::uint8_t{0U};
     }
-    const bool is_octal = text.size() > 1U && text[0] == '0' && text[1] != 'x' && text[1] != 'X'; // Node 010 is no 8.
-    const auto number = is_octal ? std::nullopt : cia306::ParseUnsigned(text, cia302::kLastNode);
+    const auto number = cia306::ParseTyped(text, cia302::kLastNode);
     return (number && *number > 0U) ? std::optional(static_cast<std::uint8_t>(*number)) : std::nullopt;
 }
 
@@ -75,8 +74,8 @@ ManagerOrder ControlOf(const std::vector<std::string>& words)
         return Problem(words[0] + ": " + std::to_string(words.size() - 1U) + " numbers", expected);
     }
     const auto node = NodeOf(words[1], false);
-    const auto ads_state = cia306::ParseUnsigned(words[2], kHighest);
-    const auto device_state = cia306::ParseUnsigned(words[3], kHighest);
+    const auto ads_state = cia306::ParseTyped(words[2], kHighest);
+    const auto device_state = cia306::ParseTyped(words[3], kHighest);
     if (!node || !ads_state || !device_state)
     {
         const std::string& wrong = !node ? words[1] : !ads_state ? words[2] : words[3];
@@ -95,7 +94,7 @@ ManagerOrder ObjectOf(const std::vector<std::string>& words)
     const bool is_set = words[0] == "set";
     const std::size_t count = is_set ? 3U : 2U;
     const auto object = (words.size() == count) ? ParseObject(words[1]) : std::nullopt;
-    const auto value = (object && is_set) ? cia306::ParseUnsigned(words[2], std::numeric_limits<std::uint32_t>::max())
+    const auto value = (object && is_set) ? cia306::ParseTyped(words[2], std::numeric_limits<std::uint32_t>::max())
                                           : std::optional<std::uint64_t>(0U);
     if (!object || !value)
     {
@@ -114,7 +113,7 @@ ManagerOrder OutputOf(const std::vector<std::string>& words)
 {
     constexpr std::uint64_t kHighestPdo = 512U;
     const auto node = (words.size() >= 4U) ? NodeOf(words[1], false) : std::nullopt;
-    const std::uint64_t pdo = node ? cia306::ParseUnsigned(words[2], kHighestPdo).value_or(0U) : 0U;
+    const std::uint64_t pdo = node ? cia306::ParseTyped(words[2], kHighestPdo).value_or(0U) : 0U;
     std::string text;
     for (std::size_t place = 3U; place < words.size(); ++place)
     {

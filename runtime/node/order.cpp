@@ -50,8 +50,7 @@ NodeOrder Problem(const std::string& wrong, const std::string& expected)
 NodeOrder ParseSet(const std::vector<std::string>& words)
 {
     const std::optional<ObjectAddress> object = (words.size() == 3U) ? ParseObject(words[1U]) : std::nullopt;
-    const auto value =
-        object ? cia306::ParseUnsigned(words[2U], std::numeric_limits<std::uint64_t>::max()) : std::nullopt;
+    const auto value = object ? cia306::ParseTyped(words[2U], std::numeric_limits<std::uint64_t>::max()) : std::nullopt;
     if (!value)
     {
         return Problem("'set' with something else than an object and a number", "set 0x2000:01 1");
@@ -68,7 +67,7 @@ NodeOrder ParseGet(const std::vector<std::string>& words)
 
 NodeOrder ParseAcknowledge(const std::vector<std::string>& words)
 {
-    const auto number = (words.size() == 2U) ? cia306::ParseUnsigned(words[1U], kHighestSrdo) : std::nullopt;
+    const auto number = (words.size() == 2U) ? cia306::ParseTyped(words[1U], kHighestSrdo) : std::nullopt;
     return (number && *number != 0U)
                ? NodeOrder{OrderKind::kAcknowledge, {0U, 0U}, *number, 0U, {}}
                : Problem("'ack' with something else than an SRDO", "ack 1: a number from 1 to 64");
@@ -88,7 +87,7 @@ NodeOrder ParseCommand(const std::vector<std::string>& words)
     std::uint8_t node = 0U;
     if (words.size() == 3U)
     {
-        const auto number = cia306::ParseUnsigned(words[2U], kHighestNode);
+        const auto number = cia306::ParseTyped(words[2U], kHighestNode);
         if (!number || *number == 0U)
         {
             return Problem(cia306::Quoted(words[2U]) + " is no node-ID", expected);
@@ -103,16 +102,16 @@ NodeOrder ParseTransfer(const std::vector<std::string>& words)
     constexpr std::uint64_t kLongestNumber = 8U;
     const bool is_read = words.front() == "read";
     const bool is_whole = words.size() == (is_read ? 3U : 5U);
-    const auto node = is_whole ? cia306::ParseUnsigned(words[1U], kHighestNode) : std::nullopt;
+    const auto node = is_whole ? cia306::ParseTyped(words[1U], kHighestNode) : std::nullopt;
     const std::optional<ObjectAddress> object = is_whole ? ParseObject(words[2U]) : std::nullopt;
     NodeOrder order{is_read ? OrderKind::kRead : OrderKind::kWrite, {0U, 0U}, 0U, 0U, {}};
     bool is_usable = node && *node != 0U && object;
     if (is_usable && !is_read)
     {
-        const auto size = cia306::ParseUnsigned(words[4U], kLongestNumber);
+        const auto size = cia306::ParseTyped(words[4U], kLongestNumber);
         const bool is_size = size && *size != 0U;
         const auto greatest = ~std::uint64_t{0U} >> (is_size ? 8U * (kLongestNumber - *size) : 0U);
-        const auto value = is_size ? cia306::ParseUnsigned(words[3U], greatest) : std::nullopt;
+        const auto value = is_size ? cia306::ParseTyped(words[3U], greatest) : std::nullopt;
         is_usable = value.has_value();
         order.value = value.value_or(0U);
         order.size_bytes = static_cast<std::uint8_t>(size.value_or(0U));
@@ -136,8 +135,8 @@ std::optional<ObjectAddress> ParseObject(const std::string& text)
     {
         return std::nullopt;
     }
-    const auto index = cia306::ParseUnsigned(text.substr(0U, colon), std::numeric_limits<std::uint16_t>::max());
-    const auto sub = cia306::ParseUnsigned("0x" + text.substr(colon + 1U), std::numeric_limits<std::uint8_t>::max());
+    const auto index = cia306::ParseTyped(text.substr(0U, colon), std::numeric_limits<std::uint16_t>::max());
+    const auto sub = cia306::ParseTyped("0x" + text.substr(colon + 1U), std::numeric_limits<std::uint8_t>::max());
     if (!index || !sub)
     {
         return std::nullopt;

@@ -39,17 +39,18 @@ TEST_F(FileWarnings, EachCommandTellsThem)
 {
     Verifies(req::SRS_EDS_038);
     const std::string dcf = Sensor();
-    const std::string scenario = File("s.yaml", "duration: 10 ms\nnodes:\n  a: {dcf: sensor.dcf}\n  b: {dcf: sensor.dcf, node_id: 2}\n");
+    const std::string scenario =
+        File("s.yaml", "duration: 10 ms\nnodes:\n  a: {dcf: sensor.dcf}\n  b: {dcf: sensor.dcf, node_id: 2}\n");
     const std::string network = File("n.yaml", "manager: {node: 5}\nslaves:\n  - {node: 1, dcf: sensor.dcf}\n");
     const std::string log = File("bus.log", "(1.000000) can0 701#05\n");
-    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-             {"check", dcf},
-             {"srdo", "list", dcf},
-             {"node", "--dcf", dcf, "--can", "no bus"},
-             {"simulate", scenario, "--quiet"},
-             {"simulate", scenario, "--sweep", "seed=1:2:1"},
-             {"monitor", log, "--dcf", dcf},
-             {"manager", "--check", network, network}})
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"check", dcf},
+                                               {"srdo", "list", dcf},
+                                               {"node", "--dcf", dcf, "--can", "no bus"},
+                                               {"simulate", scenario, "--quiet"},
+                                               {"simulate", scenario, "--sweep", "seed=1:2:1"},
+                                               {"monitor", log, "--dcf", dcf},
+                                               {"manager", "--check", network, network}})
     {
         const Answer answer = RunCommand(arguments);
         const std::string all = answer.out + answer.err;

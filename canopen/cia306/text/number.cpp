@@ -70,6 +70,12 @@ std::optional<std::uint64_t> ParseUnsigned(const std::string_view text, const st
     return fits ? std::optional(number->magnitude) : std::nullopt;
 }
 
+std::optional<std::uint64_t> ParseTyped(const std::string_view text, const std::uint64_t max)
+{
+    const bool is_octal = text.size() > 1U && text[0] == '0' && text[1] != 'x' && text[1] != 'X';
+    return is_octal ? std::nullopt : ParseUnsigned(text, max);
+}
+
 std::optional<Formula> ParseFormula(const std::string_view text)
 {
     constexpr std::string_view name = "$nodeid";

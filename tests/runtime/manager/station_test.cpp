@@ -431,6 +431,8 @@ TEST_F(ManagerStationTest, WithoutAFlyingMasterThereIsNothingToNegotiate)
     EXPECT_EQ(runtime::ParseManagerOrder("get 1F80").problem,
               "'get' with something else than an object, expected get 0x1F80:00");
     EXPECT_EQ(runtime::ParseManagerOrder("set 0x1F90:03").kind, runtime::ManagerOrderKind::kProblem);
+    EXPECT_EQ(runtime::ParseManagerOrder("set 0x1F90:03 010").kind, runtime::ManagerOrderKind::kProblem);
+    EXPECT_EQ(runtime::ParseManagerOrder("get 01F90:03").kind, runtime::ManagerOrderKind::kProblem);
     EXPECT_EQ(runtime::ParseManagerOrder("set 0x1F90:03 x").kind, runtime::ManagerOrderKind::kProblem);
     EXPECT_EQ(runtime::ParseManagerOrder("set 0x1F90:03 4294967296").kind, runtime::ManagerOrderKind::kProblem);
     EXPECT_EQ(Order("set 0x1017:00 65536"), "0x1017:00 = 65536, expected at most 2 bytes");

@@ -227,7 +227,8 @@ TEST_F(NetworkProfileTest, ManualNetworkManagementIsAnOrder)
     EXPECT_EQ(station.Carry(runtime::ParseManagerOrder("control 5 5 1"), 8000U), "taken");
     EXPECT_NE(station.Carry(runtime::ParseManagerOrder("control 6 5 1"), 9000U), "taken");
     EXPECT_EQ(commands, (std::vector<std::string>{"130 0", "1 5", "1 0", "128 5", "1 5"}));
-    for (const char* const wrong : {"control", "control 5 5", "control 0 5 1", "control 5 x 1", "control 5 5 65536"})
+    for (const char* const wrong :
+         {"control", "control 5 5", "control 0 5 1", "control 5 x 1", "control 5 010 1", "control 5 5 65536"})
     {
         EXPECT_EQ(runtime::ParseManagerOrder(wrong).kind, runtime::ManagerOrderKind::kProblem) << wrong;
     }
