@@ -210,8 +210,7 @@ class MonitorCommand final : public Command
         }
         RequirePage();
         const monitor::Network network = ReadNetwork();
-        TellFileWarnings(Files(), streams.err);
-        TellContradictions(network, streams);
+        TellStrange(network, streams);
         RequireWatch(network);
         std::vector<monitor::Violation> kept;
         monitor::Analysis analysis(network,
@@ -264,9 +263,10 @@ class MonitorCommand final : public Command
         return Conclude({network, analysis, kept, address_.empty() ? file_ : address_}, streams);
     }
 
-    /// With --json they are in the document.
-    void TellContradictions(const monitor::Network& network, const Streams& streams) const
+    /// In the files, and between them; with --json the second are in the document.
+    void TellStrange(const monitor::Network& network, const Streams& streams) const
     {
+        TellFileWarnings(Files(), streams.err);
         if (is_json_)
         {
             return;

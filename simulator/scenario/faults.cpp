@@ -118,7 +118,7 @@ void ToReceiver(Fields& fields, const char* const key, const Scenario& scenario,
 }
 
 /// Else it happens in the sender's controller or on the bus, for everybody: whose receivers were named, the key had no
-/// effect.
+/// effect. [SRS_SIM_075]
 bool IsOfReceivers(const FaultKind& kind)
 {
     return !std::holds_alternative<ControllerFault>(kind) && kind != FaultKind(FrameFault::kDuplicate);
