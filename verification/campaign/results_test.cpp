@@ -124,7 +124,7 @@ TEST_F(ResultsTest, InjectedAreThoseThatWereTried)
     EXPECT_EQ(report.at("strata").at(0).at("injected"), 3U);
     EXPECT_EQ(report.at("strata").at(1).at("injected"), 3U);
     EXPECT_EQ(report.at("open"), 0U);
-    EXPECT_NE(TextReport(session.Parts(), summary).find("latch        flip                   3          0"),
+    EXPECT_NE(TextReport(session.Parts(), summary).find("latch         flip                    3          0"),
               std::string::npos)
         << TextReport(session.Parts(), summary);
     EXPECT_NE(HtmlReport(session.Parts(), summary).find("<td>3</td><td>0</td><td>0</td><td>8</td>"), std::string::npos);
@@ -135,6 +135,14 @@ TEST_F(ResultsTest, InjectedAreThoseThatWereTried)
     EXPECT_EQ(part.at("strata").at(0).at("injected"), 1U);
     EXPECT_EQ(part.at("strata").at(0).at("open"), 2U);
     EXPECT_EQ(part.at("open"), 5U);
+}
+
+TEST_F(ResultsTest, PartAndKindAreTwoWords)
+{
+    Verifies(req::SRS_CMG_010);
+    const tools::test::Answer answer =
+        Campaign({PlanFile("plan.yaml", "actuator", "at: [500 ms]\nparts: [both_channels]\nsample: 1\n")});
+    EXPECT_NE(answer.out.find("both_channels flip "), std::string::npos) << answer.out;
 }
 
 /// A plan in a folder of its own, with a copy of all that it reads.

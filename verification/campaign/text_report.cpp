@@ -12,7 +12,7 @@ namespace
 {
 constexpr std::size_t kMostLines = 30U;
 constexpr double kPercent = 100.0;
-constexpr int kNameWidth = 13;
+constexpr int kNameWidth = 14; // The longest part, and a space.
 constexpr int kWidth = 11;
 
 /// Two names to the left, the others to the right.
