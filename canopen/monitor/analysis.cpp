@@ -111,6 +111,8 @@ Service Analysis::ServiceOf(const LogFrame& frame) const noexcept
 
 void Analysis::Take(const LogFrame& frame)
 {
+    first_frame_ = (frame_count_ == 0U) ? frame.time : first_frame_;
+    last_frame_ = frame.time;
     ++frame_count_;
     Advance(frame.time);
     const Service service = ServiceOf(frame);

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace counterpoint::monitor
@@ -87,15 +88,20 @@ class Analysis final : private BreachSink
     {
         return frame_count_;
     }
-    /// @brief Time of the first frame.
+    /// @brief When the watching began: by the first frame, or by a look at the clock before it.
     [[nodiscard]] Time First() const noexcept
     {
         return first_;
     }
-    /// @brief Time of the last frame.
+    /// @brief Until when it has come.
     [[nodiscard]] Time Last() const noexcept
     {
         return last_;
+    }
+    /// @brief Times of the first and the last frame; only with a FrameCount above 0.
+    [[nodiscard]] std::pair<Time, Time> FrameTimes() const noexcept
+    {
+        return {first_frame_, last_frame_};
     }
     /// @brief What a frame is for.
     [[nodiscard]] Service ServiceOf(const LogFrame& frame) const noexcept;
@@ -123,6 +129,8 @@ class Analysis final : private BreachSink
     bool is_blind_{true}; ///< What was before the next call was not seen.
     Time first_{0};
     Time last_{0};
+    Time first_frame_{0};
+    Time last_frame_{0};
     std::size_t frame_count_{0U};
     std::size_t violation_count_{0U};
 };

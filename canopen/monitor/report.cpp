@@ -148,12 +148,15 @@ void WriteSummary(const Report& report, std::ostream& out)
 std::string JsonReport(const Report& report)
 {
     const Analysis& analysis = report.analysis;
+    const auto [first, last] = analysis.FrameTimes();
+    const auto time = [&analysis](const Time at)
+    { return (analysis.FrameCount() == 0U) ? Json() : Json(static_cast<double>(at) / static_cast<double>(kSecond)); };
     Json answer{{"format", "counterpoint-monitor-1"},
                 {"source", report.source},
                 {"holds", analysis.ViolationCount() == 0U},
                 {"frames", analysis.FrameCount()},
-                {"first_s", static_cast<double>(analysis.First()) / static_cast<double>(kSecond)},
-                {"last_s", static_cast<double>(analysis.Last()) / static_cast<double>(kSecond)},
+                {"first_s", time(first)},
+                {"last_s", time(last)},
                 {"services", Json::object()},
                 {"violation_count", analysis.ViolationCount()},
                 {"violations", Json::array()},

@@ -245,15 +245,15 @@ void Run::Simulate(const std::function<void(Nanoseconds)>& progress)
     without_.clear();
 }
 
-/// Where an output closed in time, but closes no later without the fault, or where this fault alone closes none,
-/// another one closed it, unless this one alone does so too. [SRS_SIM_068]
+/// Where an output closed, in time or late, but closes no later without the fault, or where this fault alone closes
+/// none, another one closed it, unless this one alone does so too. [SRS_SIM_068]
 void Run::FindOtherClosers()
 {
     for (ExpectationVerdict& verdict : verdicts_)
     {
-        const bool is_in_time = verdict.holds && verdict.measurement;
+        const bool is_closed = verdict.measurement && verdict.measurement->IsClosedByAFault();
         const std::string others =
-            is_in_time ? OthersBefore(verdict.measurement->fault, verdict.measurement->closed) : "";
+            is_closed ? OthersBefore(verdict.measurement->fault, verdict.measurement->closed) : "";
         if (others.empty())
         {
             continue;

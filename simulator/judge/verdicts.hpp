@@ -52,6 +52,11 @@ struct Measurement
     bool is_of_another{false}; ///< It was another fault that closed the output. [SRS_SIM_068]
     Detection detection;
 
+    /// @brief Whether the output was open before and closed, by no command, in time or late.
+    [[nodiscard]] bool IsClosedByAFault() const noexcept
+    {
+        return was_open && !is_commanded && closed >= 0;
+    }
     /// @brief Whether the output was open before and safe within the limit.
     [[nodiscard]] bool Holds() const noexcept
     {

@@ -206,6 +206,21 @@ TEST(JudgedLimit, IsNotKeptByAnOutputThatAnotherFaultCloses)
     EXPECT_TRUE(run->Verdicts()[1].holds) << run->Verdicts()[1].seen;
 }
 
+// A normal frame is wrong, which alone is answered in time; its inverse frame never leaves, which SRVT answers later.
+TEST(JudgedLimit, OfAFaultThatIsAnsweredLateBecauseOfAnotherTellsTheOther)
+{
+    Verifies(req::SRS_SIM_068);
+    const std::string wrong = "faults:\n  - {fault: corruption, name: wrong, bits: [6], frames: {identifier: 0x103, "
+                              "receiver: actuator, from: 500 ms}}\n";
+    const std::string away = "  - {fault: swallowed, name: away, frames: {identifier: 0x104, from: 500 ms}}\n";
+    const std::string expect = "expect:\n  - {that: safe_within, node: actuator, srdo: 1, fault: wrong}\n";
+    EXPECT_EQ(Failures(*RunChainOf({}, wrong + expect)), "");
+    const auto run = RunChainOf({}, wrong + away + expect);
+    EXPECT_FALSE(run->Verdicts()[0].holds);
+    EXPECT_NE(run->Verdicts()[0].seen.find(" by another fault ('away')"), std::string::npos) << run->Verdicts()[0].seen;
+    EXPECT_TRUE(run->Verdicts()[0].measurement->is_of_another);
+}
+
 // Two that each close it at the same instant are both answered in time.
 TEST(JudgedLimit, IsKeptForEachOfTwoFaultsThatCloseTheOutputAlone)
 {

@@ -10,20 +10,24 @@ void DescribeCampaign(Options& options, CampaignOrder& order)
 {
     constexpr int kMostJobs = 1024;
     options.Add("PLAN", &order.files, "Plan of a campaign (YAML), or: merge PLAN RESULTS ...").Required();
-    options
-        .Add("--out", &order.out, "File of results: what is in it is not tried again; with merge: where all results go")
-        .Check(&ProblemOfFileName);
     options.Add("--html", &order.html, "Write the report as a page").Check(&ProblemOfFileName);
-    options.Add("--csv", &order.csv, "Write each experiment as a line").Check(&ProblemOfFileName);
-    options.Add("--json", &order.json, "Write the report for programs").Check(&ProblemOfFileName);
     options
         .Add("--replay", &order.replay,
              "Number of one experiment, as report and CSV have it: its time line, with --html as a page")
         .Check(&ProblemOfFileName);
-    options.Add("--shard", &order.shard, "K/N: try each N-th experiment, from the K-th on").ShowDefault();
+    options
+        .Add("--out", &order.out, "File of results: what is in it is not tried again; with merge: where all results go")
+        .Check(&ProblemOfFileName)
+        .Excludes("--replay");
+    options.Add("--csv", &order.csv, "Write each experiment as a line").Check(&ProblemOfFileName).Excludes("--replay");
+    options.Add("--json", &order.json, "Write the report for programs").Check(&ProblemOfFileName).Excludes("--replay");
+    options.Add("--shard", &order.shard, "K/N: try each N-th experiment, from the K-th on")
+        .ShowDefault()
+        .Excludes("--replay");
     options.Add("--jobs", &order.jobs, "Processes at a time; 0: one for each processor")
         .Range(0, kMostJobs)
-        .ShowDefault();
+        .ShowDefault()
+        .Excludes("--replay");
     options.Footer(
         "Start: counterpoint campaign examples/campaigns/actuator.yaml --html page.html\n"
         "One fault of it, step by step: the same plan with --replay 54\n"
@@ -40,14 +44,15 @@ std::vector<std::string> ArgumentsOf(const CampaignOrder& order)
                                       {"--html", order.html},
                                       {"--csv", order.csv},
                                       {"--json", order.json},
-                                      {"--replay", order.replay}})
+                                      {"--replay", order.replay},
+                                      {"--shard", order.shard == CampaignOrder{}.shard ? "" : order.shard},
+                                      {"--jobs", order.jobs == 0 ? "" : std::to_string(order.jobs)}})
     {
         if (!value.empty())
         {
             arguments.insert(arguments.end(), {name, value});
         }
     }
-    arguments.insert(arguments.end(), {"--shard", order.shard, "--jobs", std::to_string(order.jobs)});
     return arguments;
 }
 } // namespace counterpoint::tools

@@ -25,7 +25,7 @@ struct CampaignOrder
 
 /// @brief Adds the options of the command. `order` lives as long as they do.
 void DescribeCampaign(Options& options, CampaignOrder& order);
-/// @brief The same order as a command line: its arguments behind `campaign`.
+/// @brief The same order as a command line: its arguments behind `campaign`, without what is the default.
 [[nodiscard]] std::vector<std::string> ArgumentsOf(const CampaignOrder& order);
 } // namespace counterpoint::tools
 

@@ -4,6 +4,7 @@
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/text_file.hpp"
 #include "runtime/console/output_files.hpp"
+#include "simulator/scenario/reader.hpp"
 #include "tools/campaign/order.hpp"
 #include "verification/campaign/crew.hpp"
 #include "verification/campaign/progress.hpp"
@@ -15,6 +16,7 @@
 #include <ostream>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 namespace counterpoint::campaign
 {
@@ -92,11 +94,42 @@ class CampaignRun final : public tools::Command
         {
             throw runtime::YamlError(kMerge, {}, "no results to join", "merge PLAN RESULTS ...");
         }
+        if (merges)
+        {
+            RequireNothingToTry();
+        }
+        RequireOutputs(merges ? 1U : 0U);
+    }
+
+    /// A merge tries nothing. [SRS_CMG_048]
+    void RequireNothingToTry() const
+    {
+        const tools::CampaignOrder usual;
+        for (const auto& [option, is_given] : {std::pair("--replay", order_.replay != usual.replay),
+                                               {"--shard", order_.shard != usual.shard},
+                                               {"--jobs", order_.jobs != usual.jobs}})
+        {
+            if (is_given)
+            {
+                throw runtime::YamlError(option, {}, "beside merge, which tries nothing", "it without merge");
+            }
+        }
+    }
+
+    /// Before anything is tried. [SRS_CMG_049]
+    void RequireOutputs(const std::size_t plan) const
+    {
         runtime::OutputFiles files;
-        for (std::size_t index = merges ? 1U : 0U; index < order_.files.size(); ++index)
+        for (std::size_t index = plan; index < order_.files.size(); ++index)
         {
             files.Read(order_.files[index]);
         }
+        for (const std::string& file :
+             simulator::FilesOf(simulator::LoadScenario(ReadPlan(order_.files[plan]).scenario)))
+        {
+            files.Read(file);
+        }
+        files.Read(order_.out); // What is in it is gone on with.
         files.Write("--html", order_.html);
         files.Write("--csv", order_.csv);
         files.Write("--json", order_.json);

@@ -54,7 +54,7 @@ std::string CountTable(const Campaign& campaign, const Summary& summary)
         text += Row({WordOf(tally.stratum.part), WordOf(tally.stratum.kind), Number(tally.Effective()),
                      Number(tally.Of(Class::kSilent)), Bound(campaign, tally), Number(tally.Of(Class::kExposed)),
                      Number(tally.Of(Class::kDetected)), Number(tally.Of(Class::kSafeOther)),
-                     Number(tally.Of(Class::kListed)), Number(tally.stratum.taken), Number(tally.Of(Class::kMasked)),
+                     Number(tally.Of(Class::kListed)), Number(tally.Injected()), Number(tally.Of(Class::kMasked)),
                      Number(tally.Of(Class::kBenign)), Number(tally.stratum.size)},
                     (tally.Of(Class::kSilent) + tally.Of(Class::kExposed) != 0U) ? "bad" : "");
     }

@@ -36,7 +36,7 @@ Json StratumOf(const Campaign& campaign, const Tally& tally)
     const double confidence = campaign.plan.confidence_percent / kPercent;
     const std::uint64_t effective = tally.Effective();
     Json stratum{{"part", WordOf(tally.stratum.part)},     {"kind", WordOf(tally.stratum.kind)},
-                 {"faults", tally.stratum.size},           {"injected", tally.stratum.taken},
+                 {"faults", tally.stratum.size},           {"injected", tally.Injected()},
                  {"open", tally.Of(Class::kOpen)},         {"masked", tally.Of(Class::kMasked)},
                  {"benign", tally.Of(Class::kBenign)},     {"effective", effective},
                  {"detected", tally.Of(Class::kDetected)}, {"safe_other", tally.Of(Class::kSafeOther)},

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <map>
+#include <nlohmann/json.hpp>
+#include <sys/wait.h>
+#include <utility>
 
 namespace counterpoint::campaign::test
 {
@@ -95,6 +98,133 @@ TEST_F(ResultsTest, RowsOfTheCsvFileHaveAFieldForEachHead)
     EXPECT_EQ(listed->at("reason"), "open by a complete valid pair that nobody sent, or that is too old");
     EXPECT_EQ(listed->at("detector"), "nobody");
     EXPECT_EQ(listed->at("late"), "0");
+}
+
+/// Two faults of each of 8 bits.
+constexpr const char* kLatch =
+    "at: [500 ms]\nparts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip, intermittent]\n";
+
+TEST_F(ResultsTest, InjectedAreThoseThatWereTried)
+{
+    Verifies(req::SRS_CMG_010);
+    // Given the first of three shards of 8 flips and 8 intermittent faults: numbers 0, 3, 6 and 9, 12, 15
+    const Session session(PlanFile("plan.yaml", "actuator", kLatch));
+    ASSERT_EQ(session.Faults().Size(), 16U);
+    Results shard("", session.Identity({1U, 3U}));
+    ASSERT_EQ(shard.Size(), 6U);
+    for (std::uint64_t index = 0U; index < 6U; ++index)
+    {
+        shard.Put(index, {Class::kDetected, Detector::kLatch, 0U, 0U, 1000U});
+    }
+    // When it is reported
+    const Summary summary = Summarise(session.Parts(), shard);
+    const auto report = nlohmann::json::parse(JsonReport(session.Parts(), summary));
+    // Then 3 of each kind were injected, and none of the shard is open
+    EXPECT_EQ(report.at("strata").at(0).at("faults"), 8U);
+    EXPECT_EQ(report.at("strata").at(0).at("injected"), 3U);
+    EXPECT_EQ(report.at("strata").at(1).at("injected"), 3U);
+    EXPECT_EQ(report.at("open"), 0U);
+    EXPECT_NE(TextReport(session.Parts(), summary).find("latch         flip                    3          0"),
+              std::string::npos)
+        << TextReport(session.Parts(), summary);
+    EXPECT_NE(HtmlReport(session.Parts(), summary).find("<td>3</td><td>0</td><td>0</td><td>8</td>"), std::string::npos);
+    // When one of them was not tried, then it is not injected, but open
+    Results some("", session.Identity({1U, 3U}));
+    some.Put(0U, {Class::kMasked, Detector::kNobody, 0U, 0U, 0U});
+    const auto part = nlohmann::json::parse(JsonReport(session.Parts(), Summarise(session.Parts(), some)));
+    EXPECT_EQ(part.at("strata").at(0).at("injected"), 1U);
+    EXPECT_EQ(part.at("strata").at(0).at("open"), 2U);
+    EXPECT_EQ(part.at("open"), 5U);
+}
+
+TEST_F(ResultsTest, PartAndKindAreTwoWords)
+{
+    Verifies(req::SRS_CMG_010);
+    const tools::test::Answer answer =
+        Campaign({PlanFile("plan.yaml", "actuator", "at: [500 ms]\nparts: [both_channels]\nsample: 1\n")});
+    EXPECT_NE(answer.out.find("both_channels flip "), std::string::npos) << answer.out;
+}
+
+/// A plan in a folder of its own, with a copy of all that it reads.
+class OutputTest : public CampaignTest
+{
+  protected:
+    OutputTest()
+    {
+        for (const char* const folder : {"campaigns", "emergency_stop"})
+        {
+            std::filesystem::copy(std::string(COUNTERPOINT_SOURCE_FOLDER "/examples/") + folder, Path(folder),
+                                  std::filesystem::copy_options::recursive);
+        }
+        plan_ = File("campaigns/plan.yaml",
+                     std::string("title: A test\nscenario: at_work.yaml\ndevice: actuator\n") + kLatch);
+        tried_ = Campaign({plan_, "--jobs", "1", "--out", Path("results")});
+    }
+    std::string plan_;
+    tools::test::Answer tried_;
+};
+
+TEST_F(OutputTest, IsNoFileThatTheRunReadsOrWritesBesides)
+{
+    Verifies(req::SRS_CMG_049);
+    ASSERT_EQ(tried_.status, 0) << tried_.err << tried_.out;
+    // Given the plan, its results, its scenario, what that extends, and a DCF
+    for (const std::string& file : {plan_, Path("results"), Path("campaigns/at_work.yaml"),
+                                    Path("emergency_stop/chain.yaml"), Path("emergency_stop/sensor.dcf")})
+    {
+        const std::string before = cia306::ReadTextFile(file);
+        // When it is to be the output of a campaign, a merge or a replay
+        for (const std::vector<std::string>& order :
+             {std::vector<std::string>{plan_, "--out", Path("results"), "--csv"},
+              {plan_, "--out", Path("results"), "--json"},
+              {plan_, "--out", Path("results"), "--html"},
+              {"merge", plan_, Path("results"), "--json"}})
+        {
+            std::vector<std::string> arguments = order;
+            arguments.push_back(file);
+            const tools::test::Answer answer = Campaign(arguments);
+            // Then it is refused, and is as it was
+            EXPECT_EQ(answer.status, 2) << file;
+            EXPECT_NE(answer.err.find(order.back() + ": error: "), std::string::npos) << answer.err;
+            EXPECT_NE(answer.err.find("expected a file of its own for each output"), std::string::npos) << answer.err;
+            EXPECT_TRUE(answer.out.empty()) << answer.out;
+            EXPECT_EQ(cia306::ReadTextFile(file), before) << file;
+        }
+    }
+    EXPECT_EQ(Campaign({plan_, "--replay", "1", "--html", Path("emergency_stop/sensor.dcf")}).status, 2);
+    EXPECT_EQ(Campaign({plan_, "--csv", Path("same"), "--json", Path("same")}).status, 2);
+    // And any other one is written
+    EXPECT_EQ(Campaign({plan_, "--out", Path("results"), "--csv", Path("rows.csv"), "--json", Path("all.json")}).status,
+              0);
+    EXPECT_TRUE(std::filesystem::exists(Path("rows.csv")));
+}
+
+TEST_F(OutputTest, OptionsWithoutAnEffectAreRefused)
+{
+    Verifies(req::SRS_CMG_048);
+    for (const auto& [option, value] : {std::pair("--out", Path("new")),
+                                        {"--csv", Path("new")},
+                                        {"--json", Path("new")},
+                                        {"--shard", "2/3"},
+                                        {"--jobs", "2"}})
+    {
+        const tools::test::Answer answer = Campaign({plan_, "--replay", "1", option, value});
+        EXPECT_EQ(answer.status, 2) << option;
+        EXPECT_NE(answer.err.find(option), std::string::npos) << answer.err;
+        EXPECT_FALSE(std::filesystem::exists(Path("new"))) << option;
+    }
+    for (const auto& [option, value] : {std::pair("--replay", "1"), {"--shard", "2/3"}, {"--jobs", "2"}})
+    {
+        const tools::test::Answer answer =
+            Campaign({"merge", plan_, Path("results"), option, value, "--html", Path("new")});
+        EXPECT_EQ(answer.status, 2) << option;
+        EXPECT_NE(answer.err.find(std::string(option) + ": error: beside merge"), std::string::npos) << answer.err;
+        EXPECT_FALSE(std::filesystem::exists(Path("new"))) << option;
+    }
+    // And the program beside the command is told of a replay alone
+    const std::string line = std::string(COUNTERPOINT_PROGRAM) + " campaign " + plan_ + " --replay 1 > " + Path("text");
+    EXPECT_EQ(WEXITSTATUS(std::system(line.c_str())), 0);
+    EXPECT_NE(cia306::ReadTextFile(Path("text")).find("outcome: "), std::string::npos);
 }
 } // namespace
 } // namespace counterpoint::campaign::test

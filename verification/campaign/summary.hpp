@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,11 @@ struct Tally
     [[nodiscard]] std::uint64_t Of(const Class wanted) const
     {
         return classes.at(static_cast<std::size_t>(wanted));
+    }
+    /// @brief Those of the plan that were tried.
+    [[nodiscard]] std::uint64_t Injected() const
+    {
+        return std::accumulate(classes.begin(), classes.end(), std::uint64_t{0U}) - Of(Class::kOpen);
     }
     /// @brief Those that changed what the device does: of these alone a share is said.
     [[nodiscard]] std::uint64_t Effective() const

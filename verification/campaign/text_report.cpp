@@ -12,7 +12,7 @@ namespace
 {
 constexpr std::size_t kMostLines = 30U;
 constexpr double kPercent = 100.0;
-constexpr int kNameWidth = 13;
+constexpr int kNameWidth = 14; // The longest part, and a space.
 constexpr int kWidth = 11;
 
 /// Two names to the left, the others to the right.
@@ -52,7 +52,7 @@ std::string CountTable(const Campaign& campaign, const Summary& summary)
             continue; // The device has none, or the plan names others.
         }
         const auto count = [&tally](const Class wanted) { return std::to_string(tally.Of(wanted)); };
-        text += Row({WordOf(tally.stratum.part), WordOf(tally.stratum.kind), std::to_string(tally.stratum.taken),
+        text += Row({WordOf(tally.stratum.part), WordOf(tally.stratum.kind), std::to_string(tally.Injected()),
                      count(Class::kMasked), count(Class::kBenign), std::to_string(tally.Effective()),
                      count(Class::kDetected), count(Class::kSafeOther), count(Class::kListed), count(Class::kExposed),
                      count(Class::kSilent), BoundText(tally, confidence)});

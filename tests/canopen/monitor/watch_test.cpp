@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // One pair, frame by frame: controller (SCT 50 ms, SRVT 20 ms) listens to the sensor's 101h and 102h.
+#include "canopen/monitor/report.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/canopen/monitor/recordings.hpp"
 #include "verification/trace/ids/monitor.hpp"
@@ -200,6 +201,29 @@ TEST_F(Watch, ASilentBusLastsAsLongAsItIsWatched)
     analysis.Advance(40002 * kSecond);
     EXPECT_EQ(analysis.Last() - analysis.First(), 2 * kSecond);
     EXPECT_EQ(analysis.FrameCount(), 0U);
+}
+
+TEST_F(Watch, TheDocumentTellsTheTimesOfFramesNotOfTheWatching)
+{
+    Verifies(req::SRS_MON_011);
+    const std::vector<Violation> none;
+    Analysis analysis(early, [](const Violation&) {});
+    const auto times = [this, &none, &analysis]()
+    {
+        const std::string document = JsonReport({early, analysis, none, "bus"});
+        const std::size_t begin = document.find("\"first_s\"");
+        return document.substr(begin, document.find(" \"services\"") - begin);
+    };
+    // Given a bus that is watched from 10 s on, and is silent
+    analysis.Advance(10 * kSecond);
+    analysis.Advance(11 * kSecond);
+    EXPECT_EQ(times(), "\"first_s\": null,\n  \"last_s\": null,\n ");
+    // When frames come at 12 and 13 s, and none until 20 s
+    analysis.Take(Frame(12000000, 0x701U, {5U}));
+    analysis.Take(Frame(13000000, 0x701U, {5U}));
+    analysis.Advance(20 * kSecond);
+    // Then their times are told
+    EXPECT_EQ(times(), "\"first_s\": 12.0,\n  \"last_s\": 13.0,\n ");
 }
 
 TEST_F(Watch, OtherFramesAreNoCandidates)

@@ -36,6 +36,8 @@ inline constexpr RequirementId SRS_CMG_044{"SRS_CMG_044"};
 inline constexpr RequirementId SRS_CMG_045{"SRS_CMG_045"};
 inline constexpr RequirementId SRS_CMG_046{"SRS_CMG_046"};
 inline constexpr RequirementId SRS_CMG_047{"SRS_CMG_047"};
+inline constexpr RequirementId SRS_CMG_048{"SRS_CMG_048"};
+inline constexpr RequirementId SRS_CMG_049{"SRS_CMG_049"};
 } // namespace counterpoint::req
 
 #endif
