@@ -344,6 +344,57 @@ TEST_F(OutcomeTest, CallsThatDoNotComeAreFoundOrChangeNothing)
     EXPECT_EQ(counts.late, 0U);
 }
 
+/// A step of the actuator in cycle 499.
+Experiment StepFault(const FaultKind kind, const FlowStep step, const std::uint32_t variant)
+{
+    Experiment fault;
+    fault.part = Part::kSteps;
+    fault.kind = kind;
+    fault.subject = static_cast<std::size_t>(step) - 2U; // The first step has none before it.
+    fault.phase =
+        static_cast<Phase>(static_cast<std::uint8_t>(Phase::kFirstStep) + static_cast<std::uint8_t>(step) - 1U);
+    fault.variant = variant;
+    fault.cycle = 499U;
+    return fault;
+}
+
+TEST_F(DisturbedTest, StepThatRunsTwiceFindsWhatItLeft)
+{
+    Verifies(req::SRS_CMG_028);
+    const Trap trap;
+    Session session(PlanFile("plan.yaml", "actuator", "at: [500 ms]\ncycles: 1\nparts: [steps]\nkinds: [doubled]\n"));
+    EXPECT_EQ(session.Faults().Size(), 10U * 4U);
+    // When channel A's step runs twice in a cycle and its mark is made once, then A has counted a cycle more than B
+    const Outcome channel = session.Runs().Run(StepFault(FaultKind::kDoubled, FlowStep::kChannelA, 0U));
+    EXPECT_EQ(channel.result, Class::kDetected);
+    EXPECT_EQ(channel.detector, Detector::kComparator) << WordOf(channel.detector);
+    // and where that is the first cycle of many, the second one is not reached.
+    EXPECT_EQ(session.Runs().Run(StepFault(FaultKind::kDoubled, FlowStep::kChannelA, kAlways)).us, channel.us);
+    // When the permits are given twice, the second ones answer no challenge that the gate still has
+    const Outcome permits = session.Runs().Run(StepFault(FaultKind::kDoubled, FlowStep::kPermits, 0U));
+    EXPECT_EQ(permits.detector, Detector::kPermits) << WordOf(permits.detector);
+    // When the comparison runs twice, it finds the same; its second mark is one too many
+    const Experiment comparison = StepFault(FaultKind::kDoubled, FlowStep::kComparison, 0U);
+    EXPECT_EQ(session.Runs().Run(comparison).result, Class::kMasked);
+    const Outcome marked = session.Runs().Run(StepFault(FaultKind::kDoubled, FlowStep::kComparison, kNothingLeft));
+    EXPECT_EQ(marked.detector, Detector::kFlowMonitor) << WordOf(marked.detector);
+}
+
+TEST_F(DisturbedTest, StepThatRunsBehindTheNextOneIsSeenByItsMark)
+{
+    Verifies(req::SRS_CMG_028);
+    const Trap trap;
+    Session session(PlanFile("plan.yaml", "actuator", "at: [500 ms]\ncycles: 1\nparts: [steps]\nkinds: [reordered]\n"));
+    EXPECT_EQ(session.Faults().Size(), 9U * 4U);
+    // When channel B's step comes before channel A's, then each did what it had to do
+    EXPECT_EQ(session.Runs().Run(StepFault(FaultKind::kReordered, FlowStep::kChannelA, 0U)).result, Class::kMasked);
+    // and only the marks tell.
+    const Outcome marked = session.Runs().Run(StepFault(FaultKind::kReordered, FlowStep::kChannelA, kNothingLeft));
+    EXPECT_EQ(marked.result, Class::kDetected);
+    EXPECT_EQ(marked.detector, Detector::kFlowMonitor) << WordOf(marked.detector);
+    EXPECT_EQ(marked.us, 0U);
+}
+
 TEST_F(DisturbedTest, SkippedCallOfAChannelIsTheOneThatIsMeant)
 {
     Verifies(req::SRS_CMG_022);

@@ -342,13 +342,9 @@ bool IsOf(const Part part, const FaultKind kind)
     {
         return is_from_to(FaultKind::kLost, FaultKind::kPairForged);
     }
-    if (part == Part::kKernelCalls || part == Part::kCallsOfA || part == Part::kCallsOfB)
+    if (part == Part::kKernelCalls || part == Part::kCallsOfA || part == Part::kCallsOfB || part == Part::kSteps)
     {
         return is_from_to(FaultKind::kSkipped, FaultKind::kLate);
-    }
-    if (part == Part::kSteps)
-    {
-        return kind == FaultKind::kSkipped || kind == FaultKind::kLate;
     }
     if (part == Part::kCycle)
     {

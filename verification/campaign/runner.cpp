@@ -134,13 +134,12 @@ std::size_t HorizonOf(const Limits& limits, const DeviceConfig& config)
 Runner::Runner(Device& device, Judge& judge, const Recording& recording, const Space& space, const Limits& limits)
     : device_(device), judge_(judge), recording_(recording), limits_(limits), seed_(space.Seed()),
       horizon_(HorizonOf(limits, device.Config())), first_(space.Cycles().front()), size_(device.Memory().Size()),
-      all_set_(size_, 0xFFU), ever_set_(size_, 0U), owner_(size_, kNoPart)
+      all_set_(size_, 0xFFU), ever_set_(size_, 0U), owner_(size_, kNoPart), steps_(device)
 {
     for (const Place& place : device.Places())
     {
         std::fill_n(owner_.begin() + static_cast<std::ptrdiff_t>(place.offset), place.size,
                     static_cast<std::uint8_t>(place.part));
-        flow_ = (place.part == Part::kFlowMonitor) ? place : flow_;
     }
     const std::size_t end = space.LastCycle() + horizon_ + 1U;
     device_.Follow(this);
@@ -211,7 +210,7 @@ void Runner::At(const Phase phase) noexcept
     }
     if (fault_->part == Part::kSteps)
     {
-        DisturbStep(phase);
+        steps_.At(*fault_, now_, phase, frame_);
     }
     else if (IsMemory(fault_->part))
     {
@@ -221,6 +220,14 @@ void Runner::At(const Phase phase) noexcept
     {
         // It is in what the device receives, or in its calls.
     }
+}
+
+/// A function of its own, so that a step that runs again stands below its frame.
+[[gnu::noinline]] void Runner::RunCycle()
+{
+    frame_ = __builtin_frame_address(0);
+    device_.Cycle(now_);
+    frame_ = nullptr;
 }
 
 void Runner::ForceBit(const Phase phase) noexcept
@@ -252,61 +259,6 @@ void Runner::ForceBit(const Phase phase) noexcept
     {
         // Not now.
     }
-}
-
-/// All that the step wrote is taken back as soon as it is done; what is late comes behind the next step. [SRS_CMG_022]
-void Runner::DisturbStep(const Phase phase) noexcept
-{
-    const bool is_always = (fault_->variant & kAlways) != 0U;
-    const std::uint8_t* const bytes = device_.Memory().Bytes();
-    if (is_kept_)
-    {
-        is_kept_ = false;
-        for (std::size_t offset = 0U; offset < size_; ++offset)
-        {
-            if (behind_[offset] != before_[offset])
-            {
-                device_.Memory().Bytes()[offset] = behind_[offset];
-            }
-        }
-    }
-    if (now_ != fault_->cycle && !is_always)
-    {
-        return;
-    }
-    const auto step = static_cast<std::size_t>(fault_->phase);
-    if (static_cast<std::size_t>(phase) + 1U == step)
-    {
-        before_.assign(bytes, bytes + size_);
-    }
-    else if (phase == fault_->phase)
-    {
-        if (fault_->kind == FaultKind::kLate)
-        {
-            behind_.assign(bytes, bytes + size_);
-            is_kept_ = true;
-        }
-        TakeBack();
-    }
-    else
-    {
-        // Not this one.
-    }
-}
-
-/// With its mark, or all but that.
-void Runner::TakeBack() noexcept
-{
-    std::uint8_t* const bytes = device_.Memory().Bytes();
-    const bool has_mark = fault_->kind == FaultKind::kSkipped && (fault_->variant & kNothingLeft) == 0U;
-    const std::size_t end = flow_.offset + flow_.size;
-    if (!has_mark)
-    {
-        std::memcpy(bytes, before_.data(), size_);
-        return;
-    }
-    std::memcpy(bytes, before_.data(), flow_.offset);
-    std::memcpy(bytes + end, before_.data() + end, size_ - end);
 }
 
 /// A bit that is stuck at what it is anyway changes nothing.
@@ -353,7 +305,7 @@ void Runner::Begin(const Experiment& experiment)
         device_.SelfTest()->Release();
     }
     fault_ = &experiment;
-    is_kept_ = false;
+    steps_.Begin();
     is_exposed_ = false;
     device_.Receives().Rewind(experiment.cycle, &experiment, EndOf(experiment), seed_);
 }
@@ -388,7 +340,7 @@ bool Runner::IsLate(const Experiment& experiment)
         {
             for (; Since(experiment, now_) < found.us; ++now_)
             {
-                device_.Cycle(now_);
+                RunCycle();
                 effect = now_;
                 if (HasSpread(experiment))
                 {
@@ -435,7 +387,7 @@ void Runner::Watch(const Experiment& experiment)
     bool is_settling = false;
     for (; now_ < end; ++now_)
     {
-        device_.Cycle(now_);
+        RunCycle();
         const Sight sight = judge_.Look(now_, memory);
         if (watcher_ != nullptr)
         {

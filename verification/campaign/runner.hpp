@@ -7,6 +7,7 @@
 #include "verification/campaign/outcome.hpp"
 #include "verification/campaign/plan.hpp"
 #include "verification/campaign/space.hpp"
+#include "verification/campaign/steps.hpp"
 #include "verification/campaign/trap.hpp"
 
 #include <array>
@@ -112,8 +113,7 @@ class Runner final : private PhaseHook
     [[nodiscard]] std::uint32_t Since(const Experiment& experiment, std::size_t cycle) const;
     void KeepBits() noexcept;
     void ForceBit(Phase phase) noexcept;
-    void DisturbStep(Phase phase) noexcept;
-    void TakeBack() noexcept;
+    void RunCycle();
     [[nodiscard]] std::size_t EndOf(const Experiment& experiment) const;
 
     Device& device_;
@@ -131,14 +131,12 @@ class Runner final : private PhaseHook
     std::vector<std::uint8_t> all_set_{};  ///< Bits that are 1 at each phase of each kept cycle.
     std::vector<std::uint8_t> ever_set_{}; ///< Bits that are 1 at one of them.
     std::vector<std::uint8_t> owner_;      ///< The part of each byte.
-    std::vector<std::uint8_t> before_{};   ///< The memory before the step that is disturbed,
-    std::vector<std::uint8_t> behind_{};   ///< and behind it, while that waits.
-    bool is_exposed_{false};               ///< Wrong so far, and may yet be found in time.
-    bool is_kept_{false};                  ///< It does.
-    Place flow_{};                         ///< The flow monitor.
-    const Experiment* fault_{nullptr};     ///< Null: the run without fault.
-    std::size_t now_{0U};                  ///< The running cycle.
-    Outcome found_{};                      ///< Of the running experiment; outlives a run that is brought back.
+    StepFaults steps_;
+    const void* frame_{nullptr};       ///< Of the function that runs a cycle.
+    bool is_exposed_{false};           ///< Wrong so far, and may yet be found in time.
+    const Experiment* fault_{nullptr}; ///< Null: the run without fault.
+    std::size_t now_{0U};              ///< The running cycle.
+    Outcome found_{};                  ///< Of the running experiment; outlives a run that is brought back.
 };
 } // namespace counterpoint::campaign
 

@@ -289,7 +289,7 @@ std::uint64_t Space::SubjectsOf(const Part part, const FaultKind kind) const
     }
     if (part == Part::kSteps)
     {
-        return kStepSubjects;
+        return (kind == FaultKind::kReordered) ? kStepSubjects - 1U : kStepSubjects;
     }
     if (part == Part::kCounters)
     {

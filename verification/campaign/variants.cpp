@@ -126,7 +126,8 @@ std::uint64_t VariantsOf(const Part part, const FaultKind kind, const std::uint6
         return 1U;
     }
     const bool has_answer = part != Part::kKernelCalls && kind == FaultKind::kSkipped;
-    return has_answer ? 4U : 2U;
+    const bool has_mark = part == Part::kSteps && kind != FaultKind::kLate;
+    return (has_answer || has_mark) ? 4U : 2U;
 }
 
 CounterFault CounterFaultOf(const Experiment& fault)

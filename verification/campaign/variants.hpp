@@ -51,7 +51,7 @@ constexpr std::uint32_t kAlways = 1U;
 constexpr std::uint32_t kNothingLeft = 2U;
 /// In a row.
 constexpr std::uint32_t kSkippedCycles = 5U;
-/// Steps that have one before them.
+/// Steps that have one before them; the last one has none behind it.
 constexpr std::size_t kStepSubjects = kFlowStepCount - 1U;
 /// A, B, both.
 constexpr std::size_t kCounterSubjects = 3U;
