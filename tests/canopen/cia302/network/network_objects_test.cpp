@@ -176,11 +176,7 @@ TEST_F(NetworkObjectsTest, AFullQueueDelaysTheAnswer)
 TEST_F(NetworkObjectsTest, ACommandToEachThatWasGivenUpLeavesNobodyOutOfTheNextOne)
 {
     Verifies(req::SRS_NMM_006);
-    setup.inhibit_100us = 10U;
-    while (nmt.Waiting() < 254U)
-    {
-        static_cast<void>(nmt.Request(NmtCommand::kPreOperational, NodeId{99U}, Now()));
-    }
+    FillQueue(254U);
     EXPECT_EQ(Write(0x1F82U, 0x80U, 0x85U), SdoAbort::kPending);
     Run(400U);
     log.clear();
