@@ -149,7 +149,9 @@ TEST_F(NodeCommandTest, BadInputIsOneLineAndStatus2)
 {
     Verifies(req::SRS_NODE_009);
     const std::string sensor = std::string(COUNTERPOINT_SOURCE) + "/examples/emergency_stop/sensor.dcf";
-    const std::string minimal = std::string(COUNTERPOINT_SOURCE) + "/tests/canopen/cia306/data/minimal.eds";
+    std::string text = cia306::ReadTextFile(sensor);
+    text.erase(text.find("NodeID="), std::string("NodeID=1\n").size());
+    const std::string unnamed = File("unnamed.dcf", text);
     const std::string bus = "udp:239.74.163.2:43117";
     const std::vector<std::vector<std::string>> calls{
         {"--dcf", sensor},
@@ -157,7 +159,7 @@ TEST_F(NodeCommandTest, BadInputIsOneLineAndStatus2)
         {"--can", "udp:1.2.3.4:5", "--dcf", sensor},
         {"--can", "no_such_can7", "--dcf", sensor},
         {"--can", bus, "--dcf", Path("missing.dcf")},
-        {"--can", bus, "--dcf", minimal},
+        {"--can", bus, "--dcf", unnamed},
         {"--can", bus, "--can2", "", "--dcf", sensor},
         {"--can", "udp:\n\x1B[31m", "--dcf", sensor},
         {"--can", bus, "--dcf", sensor, "--node-id", "128"},
