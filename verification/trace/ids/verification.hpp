@@ -84,6 +84,7 @@ inline constexpr RequirementId SRS_VER_160{"SRS_VER_160"};
 inline constexpr RequirementId SRS_VER_161{"SRS_VER_161"};
 inline constexpr RequirementId SRS_VER_162{"SRS_VER_162"};
 inline constexpr RequirementId SRS_VER_163{"SRS_VER_163"};
+inline constexpr RequirementId SRS_VER_164{"SRS_VER_164"};
 } // namespace counterpoint::req
 
 #endif
