@@ -85,6 +85,7 @@ inline constexpr RequirementId SRS_VER_161{"SRS_VER_161"};
 inline constexpr RequirementId SRS_VER_162{"SRS_VER_162"};
 inline constexpr RequirementId SRS_VER_163{"SRS_VER_163"};
 inline constexpr RequirementId SRS_VER_164{"SRS_VER_164"};
+inline constexpr RequirementId SRS_VER_165{"SRS_VER_165"};
 } // namespace counterpoint::req
 
 #endif
