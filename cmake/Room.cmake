@@ -4,9 +4,12 @@
 # <build>/include/<room>/, and only the staged folders of the named rooms are on its include path. An include that the
 # architecture forbids therefore does not compile; verification/gates proves it with fixtures.
 
-set(COUNTERPOINT_WARNINGS -Wall -Wextra -Wpedantic -Werror -Wconversion -Wsign-conversion -Wshadow -Wcast-qual
+set(COUNTERPOINT_WARNINGS -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wcast-qual
     -Wold-style-cast -Woverloaded-virtual -Wnon-virtual-dtor -Wundef -Wswitch-enum -Wdouble-promotion
     -Wformat=2 -Wnull-dereference)
+if(COUNTERPOINT_WERROR)
+  list(APPEND COUNTERPOINT_WARNINGS -Werror)
+endif()
 # Tests are not measured; a preset may have them compiled in less time than the rooms that they test.
 set(COUNTERPOINT_TEST_OPTIONS "" CACHE STRING "Options of test programs alone, after those of everything")
 # Debug information of rooms that are no part of a device takes a third of their compile time; a preset may ask for less.
@@ -36,7 +39,7 @@ function(counterpoint_room target)
     target_compile_features(${target} INTERFACE cxx_std_17)
   else()
     add_library(${target} STATIC ${ROOM_SOURCES})
-    target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${stage}> $<INSTALL_INTERFACE:include>)
+    target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${stage}>)
     target_link_libraries(${target} PUBLIC ${ROOM_DEPENDS})
     target_compile_features(${target} PUBLIC cxx_std_17)
     target_compile_options(${target} PRIVATE ${COUNTERPOINT_WARNINGS})
@@ -57,4 +60,7 @@ function(counterpoint_room target)
     endif()
   endif()
   add_library(Counterpoint::${target} ALIAS ${target})
+  if(NOT Counterpoint_IS_TOP_LEVEL)
+    set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL TRUE)
+  endif()
 endfunction()

@@ -114,6 +114,9 @@ def collect_objects(progress):
     shutil.copy(ROOT / "build/product/compile_commands.json", DATA / "compile_commands.json")
     fresh(DATA / "package")
     progress.run("Installing the package", "install", ["cmake", "--install", "build/product", "--prefix", DATA / "package"])
+    debian = fresh(DATA / "debian")
+    progress.run("Making Debian packages", "cpack", ["cpack", "-G", "DEB", "--config", "build/product/CPackConfig.cmake", "-B", debian])
+    shutil.rmtree(debian / "_CPack_Packages")
 
 
 def collect_coverage(progress, jobs):

@@ -5,6 +5,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <iterator>
 #include <linux/can/netlink.h>
 #include <linux/if_link.h>
 #include <linux/netlink.h>
@@ -86,7 +87,7 @@ std::uint8_t Limited(const std::uint16_t count)
 void Append(std::vector<std::uint8_t>& message, const void* const bytes, const std::size_t count)
 {
     const auto* const first = static_cast<const std::uint8_t*>(bytes);
-    message.insert(message.end(), first, first + count);
+    std::copy(first, first + count, std::back_inserter(message));
 }
 
 std::vector<std::uint8_t> LinkMessage(const std::uint16_t type, const std::uint16_t flags, const ifinfomsg& link,

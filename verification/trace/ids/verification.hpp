@@ -80,6 +80,12 @@ inline constexpr RequirementId SRS_VER_146{"SRS_VER_146"};
 inline constexpr RequirementId SRS_VER_147{"SRS_VER_147"};
 inline constexpr RequirementId SRS_VER_148{"SRS_VER_148"};
 inline constexpr RequirementId SRS_VER_149{"SRS_VER_149"};
+inline constexpr RequirementId SRS_VER_160{"SRS_VER_160"};
+inline constexpr RequirementId SRS_VER_161{"SRS_VER_161"};
+inline constexpr RequirementId SRS_VER_162{"SRS_VER_162"};
+inline constexpr RequirementId SRS_VER_163{"SRS_VER_163"};
+inline constexpr RequirementId SRS_VER_164{"SRS_VER_164"};
+inline constexpr RequirementId SRS_VER_165{"SRS_VER_165"};
 } // namespace counterpoint::req
 
 #endif
