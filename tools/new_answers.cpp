@@ -146,11 +146,9 @@ void NewAnswers::Complete(Questions& questions)
 void NewAnswers::CompleteRole(Questions& questions)
 {
     const bool is_told = !produced_.empty() || !consumed_.empty();
-    if (role_.empty() && is_told && !questions.IsAsking())
-    {
-        role_ = consumed_.empty() ? "producer" : (produced_.empty() ? "consumer" : "controller");
-    }
-    questions.Complete(role_, {"--role", "producer, consumer, or controller (both)", "", ProblemOfRole});
+    const char* const implied = consumed_.empty() ? "producer" : (produced_.empty() ? "consumer" : "controller");
+    questions.Complete(role_,
+                       {"--role", "producer, consumer, or controller (both)", is_told ? implied : "", ProblemOfRole});
     const bool is_wrong = (role_ == "producer" && !consumed_.empty()) || (role_ == "consumer" && !produced_.empty());
     if (is_wrong)
     {

@@ -107,6 +107,10 @@ class SrdoCommand final : public Command
         {
             throw std::runtime_error("--produce or --consume is missing, expected the mapping of the SRDO");
         }
+        if (!produced_.empty() && all_->IsGiven("--safe-value"))
+        {
+            throw std::runtime_error("--safe-value fits no SRDO that is sent, expected --consume");
+        }
         if (action_ == "remove" && number_ == 0)
         {
             throw std::runtime_error("--number is missing, expected that of the SRDO, 1 to 64");

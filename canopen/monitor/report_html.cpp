@@ -19,15 +19,16 @@ constexpr int kChartHeight = 120;
 constexpr const char* kStyle =
     "body{font:15px/1.5 system-ui,sans-serif;color:#1b2733;background:#fff;max-width:72rem;margin:2rem auto;padding:0 "
     "1rem}"
-    "h1{font-size:1.5rem}h2{font-size:1.1rem;margin:2rem 0 .3rem;border-top:1px solid #d5dce3;padding-top:1rem}"
+    "h1,h2{overflow-wrap:anywhere}h1{font-size:1.5rem}h2{font-size:1.1rem;margin:2rem 0 .3rem;border-top:1px solid "
+    "#d5dce3;padding-top:1rem}"
     "table{border-collapse:collapse;width:100%}td,th{text-align:left;padding:.25rem .6rem;border-bottom:1px solid "
     "#e6ebf0;"
     "vertical-align:top}td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}"
     ".bad{color:#a51d24;font-weight:600}.good{color:#1c6b3c;font-weight:600}.charts{display:flex;flex-wrap:wrap;gap:"
     "2rem}"
-    "figure{margin:.5rem "
-    "0;max-width:31rem}figcaption{color:#52616f}rect{fill:#3b6ea5}rect.over{fill:#a51d24}line{stroke:#a51d24;"
-    "stroke-width:2}svg text{font-size:11px;fill:#52616f}.scroll{overflow-x:auto}"
+    "figure{margin:.5rem 0;max-width:min(31rem,100%);overflow-x:auto}"
+    "figcaption{color:#52616f}rect{fill:#3b6ea5}rect.over{fill:#a51d24}line{stroke:#a51d24;stroke-width:2}svg "
+    "text{font-size:11px;fill:#52616f}.scroll{overflow-x:auto}"
     "@media(prefers-color-scheme:dark){body{background:#12181e;color:#dfe7ee}td,th,h2{border-color:#2c3945}"
     ".bad{color:#ff8087}.good{color:#6fcf97}rect{fill:#6ea3dc}svg text,figcaption{fill:#9fb0bf;color:#9fb0bf}}";
 

@@ -98,6 +98,19 @@ bool PowerOn(Bench& bench)
     return bench.device.Whole().PowerOn(bench.clocks.Now().a) == device::LoadResult::kLoaded;
 }
 
+/// Why there is no device: its description, or its configuration, which is refused alike when it is written again.
+void TellRefusal(Bench& bench)
+{
+    const StartResult started = bench.device.Started();
+    if (started != StartResult::kStarted)
+    {
+        std::printf("refused: %s %s\n", NameOf(started), MeaningOf(started));
+        return;
+    }
+    const AbortCode abort = first_device::Device::Configure(bench.kernel);
+    std::printf("configuration refused, abort code %08X\n", static_cast<unsigned>(abort));
+}
+
 /// What happens around the device until the millisecond `ms`, then its cycle.
 void Run(Bench& bench, const unsigned ms)
 {
@@ -126,9 +139,7 @@ int main()
     Bench bench{};
     if (!PowerOn(bench))
     {
-        const StartResult started = bench.device.Started();
-        const bool is_started = started == StartResult::kStarted; // Then it is the configuration.
-        std::printf("refused: %s %s\n", is_started ? "configuration" : NameOf(started), MeaningOf(started));
+        TellRefusal(bench);
         return 1;
     }
     bool was_on = false;

@@ -239,6 +239,11 @@ TEST_F(MonitorCommandTest, WritesAPageThatNeedsNoOtherFile)
     EXPECT_NE(page.find("<svg"), std::string::npos);
     EXPECT_NE(page.find("limit 50 ms"), std::string::npos);
     EXPECT_NE(page.find("<td>not inverse</td>"), std::string::npos);
+    // No chart, table or name is wider than a narrow page: they scroll, and a name is broken.
+    EXPECT_NE(page.find("figure{margin:.5rem 0;max-width:min(31rem,100%);overflow-x:auto}"), std::string::npos);
+    EXPECT_NE(page.find(".scroll{overflow-x:auto}"), std::string::npos);
+    EXPECT_NE(page.find("<div class=\"scroll\"><table>"), std::string::npos);
+    EXPECT_NE(page.find("h1,h2{overflow-wrap:anywhere}"), std::string::npos);
 }
 
 TEST_F(MonitorCommandTest, BadInputIsOneLine)

@@ -5,6 +5,7 @@
 #include "verification/trace/ids/new_device.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <algorithm>
 #include <array>
 #include <fcntl.h>
 #include <filesystem>
@@ -13,6 +14,7 @@
 #include <stdexcept>
 #include <string>
 #include <unistd.h>
+#include <variant>
 #include <vector>
 
 namespace counterpoint::tools
@@ -370,6 +372,35 @@ TEST(NewAnswersTest, PersonIsAskedForWhatNoOptionSays)
     EXPECT_EQ(plan.srdos[1].cob_id, 0x109U);
     EXPECT_EQ(plan.srdos[1].srvt_ms, 30U);
     EXPECT_TRUE(plan.srdos[1].is_late);
+}
+
+// What is sent and received is told: the role that follows from it is the default
+TEST(NewAnswersTest, RoleThatFollowsFromTheOptionsIsTheDefault)
+{
+    Verifies(req::SRS_NEW_002);
+    const auto asked = [](const std::vector<std::string>& given)
+    {
+        NewAnswers answers;
+        Options options;
+        answers.Describe(options);
+        for (Option& option : options.All())
+        {
+            if (std::find(given.begin(), given.end(), option.name) != given.end())
+            {
+                std::get<std::vector<std::string>*>(option.target)->push_back("8");
+            }
+        }
+        std::istringstream typed("\n\n");
+        std::ostringstream text;
+        Questions questions(&typed, text);
+        EXPECT_THROW(answers.Complete(questions), std::runtime_error); // The input ends at a later question.
+        return text.str().substr(0U, text.str().find(": "));
+    };
+    const std::string question = "producer, consumer, or controller (both)";
+    EXPECT_EQ(asked({"--produce"}), question + " [producer]");
+    EXPECT_EQ(asked({"--consume"}), question + " [consumer]");
+    EXPECT_EQ(asked({"--produce", "--consume"}), question + " [controller]");
+    EXPECT_EQ(asked({}), question);
 }
 
 TEST(NewAnswersTest, EndOfTheInputIsNoAnswer)

@@ -4,6 +4,7 @@
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/new_device.hpp"
+#include "verification/trace/ids/node.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>
@@ -281,6 +282,73 @@ TEST_F(SrdoCommandTest, ObjectOfTheFileGoesWithItsInverseObject)
     EXPECT_EQ(RunCommand({"check", Path("d.dcf")}).out, "");
 }
 
+// A pair that is not inverse from the start on is never sent, whatever the application does not touch
+TEST_F(SrdoCommandTest, NewInverseObjectBeginsWithTheInverseValue)
+{
+    Verifies(req::SRS_NEW_013);
+    struct Row
+    {
+        std::string type;
+        std::string values;
+        std::string default_value;
+        std::string configured;
+    };
+    for (const Row& row : std::vector<Row>{
+             {"0x0005", "", "0xFF", "0xFF"},
+             {"0x0005", "DefaultValue=5\n", "0xFA", "0xFA"},
+             {"0x0005", "DefaultValue=5\nParameterValue=0x0F\n", "0xFA", "0xF0"},
+             {"0x0006", "ParameterValue=100\n", "0xFFFF", "0xFF9B"},
+             {"0x0006", "DefaultValue=$NODEID+0x10\n", "0xFFEE", "0xFFEE"},
+             {"0x0003", "DefaultValue=-1\n", "0", "0"},
+             {"0x0003", "DefaultValue=100\n", "-101", "-101"},
+             {"0x0003", "DefaultValue=-32768\n", "32767", "32767"},
+             {"0x0015", "DefaultValue=0\n", "-1", "-1"},
+             {"0x0015", "DefaultValue=0x7FFFFFFFFFFFFFFF\n", "-9223372036854775808", "-9223372036854775808"},
+             {"0x001B", "DefaultValue=1\n", "0xFFFFFFFFFFFFFFFE", "0xFFFFFFFFFFFFFFFE"},
+             {"0x0008", "DefaultValue=1\n", "0xC07FFFFF", "0xC07FFFFF"}})
+    {
+        const std::string object = "[3000]\nParameterName=Speed\nObjectType=0x7\nDataType=" + row.type +
+                                   "\nAccessType=ro\n" + row.values + "PDOMapping=0\n\n[5F00]\n";
+        const Answer answer =
+            Add(Changed(ExampleText("sensor"), {{"[5F00]\n", object},
+                                                {"8=0x5F05\n", "8=0x5F05\n9=0x3000\n"},
+                                                {"SupportedObjects=8\n1=0x2000", "SupportedObjects=9\n1=0x2000"}}),
+                {"--produce", "0x3000:00@0x113"});
+        EXPECT_EQ(answer.status, 0) << answer.err;
+        const cia306::Device device = Device();
+        const cia306::Entry* const inverse = device.Find(0x2001U, 0U);
+        ASSERT_NE(inverse, nullptr);
+        EXPECT_EQ(inverse->default_value.text, row.default_value) << row.type << row.values;
+        EXPECT_EQ(inverse->Configured().text, row.configured) << row.type << row.values;
+        EXPECT_EQ(RunCommand({"check", Path("d.dcf")}).out.find("error"), std::string::npos);
+    }
+}
+
+// The kernel has the object then, and the heartbeat none
+TEST_F(SrdoCommandTest, ObjectOfAServiceThatIsMappedIsTold)
+{
+    Verifies(req::SRS_NODE_044);
+    Verifies(req::SRS_NEW_016);
+    const std::string end = ": a variable of SRDOs, so that the kernel has it and the service of this object works "
+                            "without it, expected SRDOMapping=0 and another object in the mapping\n";
+    const Answer answer = Add(ExampleText("sensor"), {"--produce", "0x1017:00@0x113"});
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_EQ(answer.err, Path("d.dcf") + ":123:1: warning: 0x1017:00" + end);
+    EXPECT_EQ(RunCommand({"check", Path("d.dcf")}).out, answer.err);
+    // The flag alone makes it one
+    const auto marked = [this, &end](const std::string& object)
+    {
+        const std::string text = Changed(ExampleText("sensor"), {{object, object + "SRDOMapping=1\n"}});
+        return RunCommand({"check", File("d.dcf", text)}).out.find(end) != std::string::npos;
+    };
+    EXPECT_TRUE(marked("[1017]\n"));
+    EXPECT_TRUE(marked("[1001]\n"));
+    // No service works with these
+    EXPECT_FALSE(marked("[1000]\n"));
+    EXPECT_FALSE(marked("[1018sub1]\n"));
+    EXPECT_FALSE(marked("[2000sub1]\nParameterName=Button 1\n"));
+}
+
 TEST_F(SrdoCommandTest, RefusalLeavesTheFileAsItWas)
 {
     Verifies(req::SRS_NEW_012);
@@ -358,6 +426,8 @@ TEST_F(SrdoCommandTest, UsageThatDoesNotFitIsRefused)
     EXPECT_EQ(Add(sensor, {"--produce", "0x2000:02/8448:02@0x113"}).status, 2);
     EXPECT_EQ(Add(sensor, {"--consume", "8@0x111", "--refresh", "5"}).err,
               "counterpoint: --refresh fits no SRDO that is received, expected --sct\n");
+    EXPECT_EQ(Add(sensor, {"--produce", "8@0x111", "--safe-value", "5"}).err,
+              "counterpoint: --safe-value fits no SRDO that is sent, expected --consume\n");
     EXPECT_EQ(RunCommand({"srdo", "list", Path("d.dcf"), "--number", "2"}).err,
               "counterpoint: --number does not fit srdo list, expected srdo add or remove\n");
     EXPECT_EQ(RunCommand({"srdo", "list", Path("d.dcf"), "-o", "x"}).err,

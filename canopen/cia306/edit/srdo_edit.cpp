@@ -28,11 +28,17 @@ std::string Name(const ObjectPlace& place)
     return ObjectName(place.index, place.sub);
 }
 
-/// The image of a value whose bits are all 1.
-std::string AllOnes(const DataType& type)
+/// The text of the value of this type whose bits are none of these.
+std::string Complement(const DataType& type, const std::uint64_t bits)
 {
-    const bool is_signed = type.kind == DataKind::kSigned;
-    return is_signed ? "-1" : Hex(~std::uint64_t{0U} >> (64U - type.bits), type.bits / 4);
+    const std::uint64_t mask = ~std::uint64_t{0U} >> (64U - type.bits);
+    const std::uint64_t image = ~bits & mask;
+    const bool is_negative = type.kind == DataKind::kSigned && (image >> (type.bits - 1U)) != 0U;
+    if (type.kind == DataKind::kSigned)
+    {
+        return is_negative ? "-" + std::to_string((~image & mask) + 1U) : std::to_string(image);
+    }
+    return Hex(image, type.bits / 4);
 }
 
 /// Builds one SRDO of a file.
@@ -56,6 +62,7 @@ class SrdoBuilder
     void MapPresent(const PlannedPair& pair);
     void AddMapping(const ObjectPlace& normal, const ObjectPlace& inverse, std::uint8_t bits);
     [[nodiscard]] ObjectPlace InverseOf(const PlannedPair& pair, const Entry& normal);
+    [[nodiscard]] std::uint64_t BitsOf(const Entry& entry, const Text& value) const;
     [[nodiscard]] std::uint16_t FreeIndex() const;
     void AddNewObjects(const std::vector<PlannedPair>& pairs);
     [[nodiscard]] NewEntry VariableOf(const PlannedPair& pair, std::uint8_t place, bool is_normal) const;
@@ -152,7 +159,8 @@ void SrdoBuilder::MapPresent(const PlannedPair& pair)
     AddMapping(*pair.normal, InverseOf(pair, *normal), normal->type.bits);
 }
 
-/// The inverse object that is named, or the one that the normal object names, or a new one. [SRS_NEW_013]
+/// The inverse object that is named, or the one that the normal object names, or a new one, which begins with the
+/// inverse value: a pair that is not inverse is never sent. [SRS_NEW_013]
 ObjectPlace SrdoBuilder::InverseOf(const PlannedPair& pair, const Entry& normal)
 {
     if (pair.inverse)
@@ -179,12 +187,19 @@ ObjectPlace SrdoBuilder::InverseOf(const PlannedPair& pair, const Entry& normal)
                   name,
                   normal.data_type,
                   plan_.is_producer ? "ro" : "rww",
-                  AllOnes(normal.type),
-                  "",
+                  Complement(normal.type, BitsOf(normal, normal.default_value)),
+                  normal.parameter_value.IsSet() ? Complement(normal.type, BitsOf(normal, normal.parameter_value)) : "",
                   {{"SRDOMapping", "1"}}}}});
     edits_.Set(normal.section, "SRDOMapping", "1");
     edits_.Set(normal.section, "InvertedSRAD", Hex((std::uint32_t{place.index} << 8U) | place.sub, 6));
     return place;
+}
+
+/// A value of the file; 0, with which the device begins, where there is none.
+std::uint64_t SrdoBuilder::BitsOf(const Entry& entry, const Text& value) const
+{
+    const ValueResult result = value.IsSet() ? ParseValue(value.text, entry.type, node_id_) : ValueResult{};
+    return result.value ? result.value->bits : 0U;
 }
 
 /// The first index of the manufacturer's area that is free, and free 100h behind it.
@@ -213,7 +228,7 @@ NewEntry SrdoBuilder::VariableOf(const PlannedPair& pair, const std::uint8_t pla
     entry.name = (pair.name.empty() ? made : pair.name) + (is_normal ? "" : ", inverse");
     entry.data_type = pair.data_type;
     entry.access = plan_.is_producer ? "ro" : "rww";
-    entry.default_value = is_normal ? "0" : AllOnes(type);
+    entry.default_value = is_normal ? "0" : Complement(type, 0U);
     entry.more = {{"SRDOMapping", "1"}};
     return entry;
 }

@@ -10,6 +10,7 @@
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/utf16.hpp"
 #include "runtime/device/objects/service_length.hpp"
+#include "runtime/device/objects/service_objects.hpp"
 
 #include <algorithm>
 #include <array>
@@ -210,13 +211,6 @@ std::string ReasonOfPdo(const std::uint64_t cob_id)
     }
     return off + "expected a mapping and settings that hold";
 }
-
-bool IsOfServiceObjects(const std::uint16_t index)
-{
-    constexpr std::array<std::uint16_t, 8U> kServiceObjects{0x1001U, 0x1003U, 0x100CU, 0x100DU,
-                                                            0x1014U, 0x1015U, 0x1016U, 0x1017U};
-    return std::find(kServiceObjects.begin(), kServiceObjects.end(), index) != kServiceObjects.end();
-}
 } // namespace
 
 std::uint8_t LastSubOf(const cia306::Device& file, const std::uint16_t index)
@@ -234,9 +228,14 @@ DeviceObjects::DeviceObjects(const cia306::Device& device, const std::uint8_t no
         for (const auto& [sub, entry] : object.entries)
         {
             const bool has_value = entry.type.kind != cia306::DataKind::kStructure;
-            if (has_value && index >= cia306::kFirstObjectIndex && !is_kernels(index, sub))
+            const bool is_the_kernels = is_kernels(index, sub);
+            if (has_value && index >= cia306::kFirstObjectIndex && !is_the_kernels)
             {
                 Append(object, entry, node_id);
+            }
+            else if (is_the_kernels && IsOfAService(index))
+            {
+                left_out_.push_back(KeptByTheKernel(entry));
             }
         }
     }

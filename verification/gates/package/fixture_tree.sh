@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# fixture_tree.sh MADE TARGET LIBRARIES [OUTPUT [FILE]]: a package with one target and the manager's, a consumer of each, and
-# a guide of one program that prints "output off". OUTPUT is what the guide says instead, FILE the text of its source file.
+# fixture_tree.sh MADE TARGET LIBRARIES [OUTPUT [FILE [CHANGE]]]: a package with one target and the manager's, a consumer of each,
+# and a guide of one program that prints "output off". OUTPUT is what the guide says instead, FILE the text of its source file,
+# CHANGE what the guide changes in the program so that it prints "output on".
 set -euo pipefail
 made=$1
 config=$made/data/package/lib/cmake/Counterpoint
@@ -41,4 +42,5 @@ printf '%s\n' "$program" >"$example/main.cpp"
     printf '<!-- file: examples/first_device/CMakeLists.txt -->\n```cmake\n%s\n```\n' "$(cat "$example/CMakeLists.txt")"
     printf '<!-- file: examples/first_device/main.cpp -->\n```cpp\n%s\n```\n' "${5:-$program}"
     printf '<!-- output: build/first_device -->\n```\n%s\n```\n' "${4:-output off}"
+    printf '<!-- changed: %s -->\n```\noutput on\n```\n' "${6:-main.cpp: off => on}"
 } >"$made/tree/docs/user_guide.md"

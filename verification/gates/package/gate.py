@@ -6,7 +6,8 @@ file the place of the build. Uses DATA/package, the installation of the product 
 
 In the guide the line `<!-- file: PATH -->` before a code block says that the block is this file, `<!-- part: PATH -->` that
 it is a piece of it, and `<!-- output: COMMAND -->` that it is what the command prints in a folder with the guide's files;
-`counterpoint` is the program of the package."""
+`counterpoint` is the program of the package. `<!-- changed: FILE: OLD => NEW -->` says that it is what the guide's program prints
+when NEW stands in FILE in place of OLD, which is there once."""
 import os
 import pathlib
 import re
@@ -24,7 +25,8 @@ LINKS = pathlib.Path(__file__).resolve().parents[1] / "links/gate.py"
 PROGRAMS = ("consumer", "manager_consumer")
 GUIDE = "docs/user_guide.md"
 SYSTEM = re.compile(r"lib(c|m|gcc_s|stdc\+\+)\.so|ld-linux")
-BLOCK = re.compile(r"^<!-- (file|part|output): (.+?) -->\n```\w*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+PROGRAM = "first_device"
+BLOCK = re.compile(r"^<!-- (file|part|output|changed): (.+?) -->\n```\w*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
 def step(findings, project, what, command, **options):
@@ -61,7 +63,7 @@ def first_difference(shown, real):
 
 def guide_blocks(root):
     text = (root / GUIDE).read_text(encoding="utf-8")
-    marks = len(re.findall(r"^<!-- (?:file|part|output): ", text, re.MULTILINE))
+    marks = len(re.findall(r"^<!-- (?:file|part|output|changed): ", text, re.MULTILINE))
     blocks = [(text.count("\n", 0, match.start(3)) + 1, match[1], match[2], match[3]) for match in BLOCK.finditer(text)]
     if not blocks or len(blocks) != marks:
         raise CannotLook(f"a code block after each of the {marks} marks in {GUIDE}, there are {len(blocks)}")
@@ -71,7 +73,7 @@ def guide_blocks(root):
 def compare_with_files(findings, root, blocks, work):
     """Lays out what the guide shows as files; what it does not show (a DCF) is copied from the package by the caller."""
     for line, kind, name, shown in blocks:
-        if kind == "output":
+        if kind in ("output", "changed"):
             continue
         if not (root / name).is_file():
             findings.append(f"{GUIDE}:{line}: there is no {name}, expected the file of this block")
@@ -104,6 +106,30 @@ def compare_output(findings, blocks, work, package):
                             f"'{difference[2]}'")
 
 
+def compare_changed(findings, blocks, work, package):
+    """The guide's program with each change that the guide tells: what it prints, whatever its exit status."""
+    for line, kind, change, shown in blocks:
+        if kind != "changed":
+            continue
+        told = re.fullmatch(r"([\w.]+): (.+) => (.+)", change)
+        text = (work / told[1]).read_text(encoding="utf-8") if told and (work / told[1]).is_file() else ""
+        if not told or text.count(told[2]) != 1:
+            findings.append(f"{GUIDE}:{line}: '{change}', expected FILE: OLD => NEW with OLD once in a file of the guide")
+            continue
+        with tempfile.TemporaryDirectory(prefix="changed_") as folder:
+            copy = pathlib.Path(folder)
+            for path in work.iterdir():
+                if path.is_file():
+                    shutil.copy(path, copy)
+            (copy / told[1]).write_text(text.replace(told[2], told[3]), encoding="utf-8")
+            if build(findings, f"{GUIDE}:{line}", copy, copy / "build", package):
+                done = subprocess.run([copy / "build" / PROGRAM], capture_output=True, text=True, check=False, timeout=1800)
+                difference = first_difference(shown, done.stdout + done.stderr)
+                if difference:
+                    findings.append(f"{GUIDE}:{line + difference[0]}: the guide shows '{difference[1]}', the program with "
+                                    f"'{told[3]}' in {told[1]} prints '{difference[2]}'")
+
+
 def check_guide(findings, root, package):
     blocks = guide_blocks(root)
     with tempfile.TemporaryDirectory(prefix="guide_") as folder:
@@ -113,7 +139,8 @@ def check_guide(findings, root, package):
         compare_with_files(findings, root, blocks, work)
         if build(findings, GUIDE, work, work / "build", package):
             compare_output(findings, blocks, work, package)
-            for program in sorted((work / "build").glob("first_device")):
+            compare_changed(findings, blocks, work, package)
+            for program in sorted((work / "build").glob(PROGRAM)):
                 check_libraries(findings, GUIDE, program)
     return len(blocks)
 
