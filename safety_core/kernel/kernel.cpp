@@ -144,19 +144,23 @@ void Kernel::OnConfirm(const StampedFrame& frame) noexcept
     {
         return;
     }
+    // A pair that began before OPERATIONAL was left is over, although the channels have not been told yet. [SRS_KRN_044]
+    if (run_.left_operational || (!second_nmt_.HasStayed()))
+    {
+        return;
+    }
     if (a.step == ConfirmStep::kPair)
     {
         production_.OnSent();
         reporting_.TellEvent(context_, slot);
     }
-    else if ((a.step == ConfirmStep::kNormal) && (!run_.left_operational) && second_nmt_.HasStayed())
+    else if (a.step == ConfirmStep::kNormal)
     {
         Production::SendInverse(context_, slot);
     }
     else
     {
-        // The pair began before OPERATIONAL was left and is over, although the channels have not been told yet; or both
-        // channels agree that nothing of theirs was confirmed.
+        // Both channels agree that nothing of theirs was confirmed.
     }
 }
 
@@ -331,7 +335,10 @@ StateReply Kernel::GetState(const CommunicationIndex index) const noexcept
     const SrdoView b = context_.parts.channel_b.View(slot);
     // In the device safe state nothing is released, whatever the channels still hold.
     const bool is_shared = (a.state == b.state) && ((a.state != SrdoState::kReleased) || context_.latch.SaysRunning());
-    const SrdoState state = is_shared ? a.state : SrdoState::kFaulted;
+    // Once OPERATIONAL was left nothing is in use; the channels are told in the next cycle. [SRS_KRN_043]
+    const bool is_in_use = (context_.guard.Nmt() == NmtState::kOperational) && (!run_.left_operational);
+    const SrdoState shared = is_in_use ? a.state : SrdoState::kOff;
+    const SrdoState state = is_shared ? shared : SrdoState::kFaulted;
     // A demoted channel learned of the fault from the other one, which knows the cause.
     const bool asks_b = (a.first_cause == SrdoCause::kDemoted) || (a.first_cause == SrdoCause::kNone);
     const std::uint16_t error_count = (a.error_count > b.error_count) ? a.error_count : b.error_count;

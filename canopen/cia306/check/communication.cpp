@@ -122,6 +122,15 @@ void CheckProducerTimes(const CheckContext& context, const SrdoConfiguration& sr
                        "refresh time " + Decimal(sct) + " ms",
                        "at least one cycle of " + Decimal(cycle_us) + " us (0x5F00:01)");
     }
+    // Each cycle examines one refresh: calls that late leave some over for the calls behind them. [SRS_EDS_039]
+    const std::uint64_t late_us = std::uint64_t{cycle_us} + context.parameters.cycle_tolerance_us;
+    const bool is_called = context.parameters.Srdo(srdo.number).producer_form == kProviderCalled;
+    if (is_called && !is_below_cycle && sct * kMicrosecondsPerMillisecond < late_us)
+    {
+        findings.Warning(srdo.sct_ms.place, ObjectName(srdo.CommunicationIndex(), 2U),
+                         "refresh time " + Decimal(sct) + " ms: late calls put refreshes off, and nothing tells it",
+                         "at least a cycle with its tolerance, " + Decimal(late_us) + " us");
+    }
     if (srvt == 0U)
     {
         findings.Warning(srdo.srvt_ms.place, ObjectName(srdo.CommunicationIndex(), 3U),

@@ -178,7 +178,10 @@ TEST(CheckSrdo, TimesOfAProducer)
     Verifies(req::SRS_CLI_011);
     const std::vector<CheckRow> rows = {
         {{{"1302sub2", kValue, "1"}, {"1302sub3", kValue, "1"}},
-         {"warning: 0x1302:03: SRVT 1 ms, expected less than the refresh time of 1 ms"}},
+         {"warning: 0x1302:02: refresh time 1 ms: late calls put refreshes off, and nothing tells it, expected at "
+          "least a "
+          "cycle with its tolerance, 1500 us",
+          "warning: 0x1302:03: SRVT 1 ms, expected less than the refresh time of 1 ms"}},
         {{{"1302sub2", kValue, "1"}, {"1302sub3", kValue, "1"}, {"5F00sub1", kValue, "1001"}},
          {"error: 0x1302:02: refresh time 1 ms, expected at least one cycle of 1001 us (0x5F00:01)",
           "warning: 0x1302:03: SRVT 1 ms, expected less than the refresh time of 1 ms"}},
@@ -190,6 +193,45 @@ TEST(CheckSrdo, TimesOfAProducer)
          {"warning: 0x1302:03: SRVT 25 ms, expected less than the refresh time of 25 ms"}},
         {{{"1302sub3", kValue, "0"}},
          {"warning: 0x1302:03: SRVT 0 ms of a producer: no confirmation comes in time, expected 1 ms or more"}},
+    };
+    test::ExpectRows("controller", rows, {});
+}
+
+TEST(CheckSrdo, ARefreshTimeBelowALateCycleIsWarnedOf)
+{
+    Verifies(req::SRS_EDS_039);
+    const std::string put_off =
+        "warning: 0x1302:02: refresh time 2 ms: late calls put refreshes off, and nothing tells it, "
+        "expected at least a cycle with its tolerance, 2001 us";
+    const std::vector<CheckRow> rows = {
+        // Cycle 1001 us, tolerance 1000 us; refresh time 2 ms, by provider: 1 us less than may pass between two calls
+        {{{"1302sub2", kValue, "2"},
+          {"1302sub3", kValue, "1"},
+          {"5F00sub1", kValue, "1001"},
+          {"5F00sub2", kValue, "1000"},
+          {"5F03sub2", kValue, "1"}},
+         {put_off}},
+        // The limit itself
+        {{{"1302sub2", kValue, "2"},
+          {"1302sub3", kValue, "1"},
+          {"5F00sub1", kValue, "1000"},
+          {"5F00sub2", kValue, "1000"},
+          {"5F03sub2", kValue, "1"}},
+         {}},
+        // The application sends: then the time between its pairs is watched
+        {{{"1302sub2", kValue, "2"},
+          {"1302sub3", kValue, "1"},
+          {"5F00sub1", kValue, "1001"},
+          {"5F00sub2", kValue, "1000"},
+          {"5F03sub2", kValue, "0"}},
+         {}},
+        {{{"1302sub1", kValue, "0"},
+          {"1302sub2", kValue, "2"},
+          {"1302sub3", kValue, "1"},
+          {"5F00sub1", kValue, "1001"},
+          {"5F00sub2", kValue, "1000"},
+          {"5F03sub2", kValue, "1"}},
+         {}},
     };
     test::ExpectRows("controller", rows, {});
 }

@@ -80,6 +80,7 @@ inline constexpr RequirementId SRS_EDS_035{"SRS_EDS_035"};
 inline constexpr RequirementId SRS_EDS_036{"SRS_EDS_036"};
 inline constexpr RequirementId SRS_EDS_037{"SRS_EDS_037"};
 inline constexpr RequirementId SRS_EDS_038{"SRS_EDS_038"};
+inline constexpr RequirementId SRS_EDS_039{"SRS_EDS_039"};
 } // namespace counterpoint::req
 
 #endif

@@ -81,6 +81,8 @@ inline constexpr RequirementId SRS_KRN_039{"SRS_KRN_039"};
 inline constexpr RequirementId SRS_KRN_040{"SRS_KRN_040"};
 inline constexpr RequirementId SRS_KRN_041{"SRS_KRN_041"};
 inline constexpr RequirementId SRS_KRN_042{"SRS_KRN_042"};
+inline constexpr RequirementId SRS_KRN_043{"SRS_KRN_043"};
+inline constexpr RequirementId SRS_KRN_044{"SRS_KRN_044"};
 inline constexpr RequirementId SRS_LIM_001{"SRS_LIM_001"};
 inline constexpr RequirementId SRS_LIM_002{"SRS_LIM_002"};
 inline constexpr RequirementId SRS_REL_012{"SRS_REL_012"};
