@@ -63,6 +63,7 @@ inline constexpr RequirementId SRS_NODE_040{"SRS_NODE_040"};
 inline constexpr RequirementId SRS_NODE_041{"SRS_NODE_041"};
 inline constexpr RequirementId SRS_NODE_042{"SRS_NODE_042"};
 inline constexpr RequirementId SRS_NODE_043{"SRS_NODE_043"};
+inline constexpr RequirementId SRS_NODE_044{"SRS_NODE_044"};
 } // namespace counterpoint::req
 
 #endif
