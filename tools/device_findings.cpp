@@ -45,21 +45,6 @@ std::vector<cia306::Finding> TryCommands(const cia306::Device& device, const std
     return findings;
 }
 
-/// Adds those of lines and objects of which nothing was found yet.
-void AddOthers(std::vector<cia306::Finding>& findings, const std::vector<cia306::Finding>& others)
-{
-    for (const cia306::Finding& other : others)
-    {
-        const bool is_told = std::any_of(findings.begin(), findings.end(), [&other](const cia306::Finding& finding)
-                                         { return finding.place == other.place && finding.object == other.object; });
-        if (!is_told || other.severity == cia306::Severity::kError)
-        {
-            findings.push_back(other);
-        }
-    }
-    findings = cia306::SortedByLine(std::move(findings));
-}
-
 /// A folder for this process alone, which ends with the object.
 class TemporaryFolder
 {
@@ -99,6 +84,20 @@ std::vector<cia306::Finding> FindingsOf(const cia306::Device& device, const std:
         AddOthers(findings, TryCommands(device, text, options.node_id));
     }
     return findings;
+}
+
+void AddOthers(std::vector<cia306::Finding>& findings, const std::vector<cia306::Finding>& others)
+{
+    for (const cia306::Finding& other : others)
+    {
+        const bool is_told = std::any_of(findings.begin(), findings.end(), [&other](const cia306::Finding& finding)
+                                         { return finding.place == other.place && finding.object == other.object; });
+        if (!is_told || other.severity == cia306::Severity::kError)
+        {
+            findings.push_back(other);
+        }
+    }
+    findings = cia306::SortedByLine(std::move(findings));
 }
 
 std::size_t ErrorsIn(const std::vector<cia306::Finding>& findings)

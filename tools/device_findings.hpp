@@ -17,6 +17,9 @@ namespace counterpoint::tools
 [[nodiscard]] std::vector<cia306::Finding> FindingsOf(const cia306::Device& device, const std::string& text,
                                                       const cia306::CheckOptions& options);
 
+/// @brief Adds to findings in the order of their lines those of other lines and objects, and errors.
+void AddOthers(std::vector<cia306::Finding>& findings, const std::vector<cia306::Finding>& others);
+
 /// Number of errors among the findings.
 [[nodiscard]] std::size_t ErrorsIn(const std::vector<cia306::Finding>& findings);
 

@@ -1,13 +1,12 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "canopen/cia306/check/check.hpp"
 #include "canopen/cia306/file/device_reader.hpp"
 #include "canopen/cia306/text/text_file.hpp"
 #include "canopen/generate/generate.hpp"
 #include "runtime/console/json_text.hpp"
 #include "tools/command_table.hpp"
+#include "tools/device_findings.hpp"
 #include "tools/device_options.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <ostream>
 #include <system_error>
@@ -17,11 +16,6 @@ namespace counterpoint::tools
 {
 namespace
 {
-bool IsError(const cia306::Finding& finding)
-{
-    return finding.severity == cia306::Severity::kError;
-}
-
 /// Makes the folder where only its last part is missing.
 void RequireFolder(const std::string& folder)
 {
@@ -76,23 +70,23 @@ class GenerateCommand final : public Command
         const std::string text = cia306::ReadTextFile(options_.file);
         const cia306::Device device = cia306::ReadDevice(cia306::IniDocument::Parse(options_.file, text));
         const std::optional<std::uint8_t> node_id = options_.NodeId(device);
-        std::vector<cia306::Finding> findings = cia306::CheckDevice(device, {node_id, std::nullopt});
-        const bool is_refused = std::any_of(findings.begin(), findings.end(), IsError) && !is_forced_;
+        std::vector<cia306::Finding> findings = FindingsOf(device, text, {node_id, std::nullopt});
+        const bool is_refused = ErrorsIn(findings) != 0U && !is_forced_;
         generate::GeneratedCode code;
         if (!is_refused)
         {
             const std::string name = name_space_.empty() ? generate::NamespaceOf(options_.file) : name_space_;
             code = generate::Generate(device, text, {name, node_id});
-            findings.insert(findings.end(), code.warnings.begin(), code.warnings.end());
+            AddOthers(findings, code.warnings);
             Write(code);
         }
         if (options_.is_json)
         {
-            PrintJson(code, cia306::SortedByLine(findings), is_refused, streams.out);
+            PrintJson(code, findings, is_refused, streams.out);
         }
         else
         {
-            for (const cia306::Finding& finding : cia306::SortedByLine(findings))
+            for (const cia306::Finding& finding : findings)
             {
                 streams.err << cia306::FormatFinding(options_.file, finding) << "\n";
             }

@@ -145,7 +145,7 @@ void Kernel::OnConfirm(const StampedFrame& frame) noexcept
         return;
     }
     // A pair that began before OPERATIONAL was left is over, although the channels have not been told yet. [SRS_KRN_044]
-    if (run_.left_operational || (!second_nmt_.HasStayed()))
+    if (run_.left_operational)
     {
         return;
     }
@@ -154,13 +154,14 @@ void Kernel::OnConfirm(const StampedFrame& frame) noexcept
         production_.OnSent();
         reporting_.TellEvent(context_, slot);
     }
-    else if (a.step == ConfirmStep::kNormal)
+    else if ((a.step == ConfirmStep::kNormal) && second_nmt_.HasStayed())
     {
         Production::SendInverse(context_, slot);
     }
     else
     {
-        // Both channels agree that nothing of theirs was confirmed.
+        // The other copy of the NMT state says that the pair is over; or both channels agree that nothing of theirs was
+        // confirmed.
     }
 }
 

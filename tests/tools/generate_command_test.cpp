@@ -77,6 +77,47 @@ TEST_F(GenerateCommandTest, AnErrorOfTheCheckWritesNothing)
     EXPECT_EQ(FilesIn("out"), 2U);
 }
 
+// What node refuses is an error of the check, too: here a multiplexed PDO
+TEST_F(GenerateCommandTest, WhatTheDeviceRefusesIsAnErrorToo)
+{
+    Verifies(req::SRS_GEN_002);
+    const std::string file =
+        File("device.dcf", "[DeviceInfo]\nVendorName=x\n[DeviceComissioning]\nNodeID=5\n"
+                           "[1800]\nObjectType=9\n[1800sub0]\nDataType=5\nAccessType=const\nDefaultValue=2\n"
+                           "[1800sub1]\nDataType=7\nAccessType=rw\nDefaultValue=0x185\n"
+                           "[1800sub2]\nDataType=5\nAccessType=rw\nDefaultValue=254\n"
+                           "[1A00]\nObjectType=9\n[1A00sub0]\nDataType=5\nAccessType=rw\nDefaultValue=254\n"
+                           "[1A00sub1]\nDataType=7\nAccessType=rw\nDefaultValue=0x20000008\n");
+    const std::string error = ":24:14: error: 0x1A00:00 = 254, a multiplexed PDO, which is not built, expected a count";
+    EXPECT_EQ(RunCommand({"check", file}).status, 1);
+    const Answer answer = RunCommand({"generate", file, "--output", Path("out")});
+    EXPECT_EQ(answer.status, 1);
+    EXPECT_NE(answer.err.find(error), std::string::npos) << answer.err;
+    EXPECT_FALSE(std::filesystem::exists(Path("out")));
+    const Answer forced = RunCommand({"generate", file, "--output", Path("out"), "--force"});
+    EXPECT_EQ(forced.status, 0) << forced.err;
+    EXPECT_NE(forced.err.find(error), std::string::npos) << forced.err;
+    EXPECT_EQ(FilesIn("out"), 2U);
+}
+
+// A value that a service refuses, a length that it has not, and what only generated code does without
+TEST_F(GenerateCommandTest, TellsWhatTheCheckTellsAndEachOnce)
+{
+    Verifies(req::SRS_GEN_002);
+    const std::string file = File("device.dcf", "[DeviceInfo]\nVendorName=x\n[DeviceComissioning]\nNodeID=5\n"
+                                                "[1005]\nDataType=7\nAccessType=rw\nDefaultValue=0x20000080\n"
+                                                "[1017]\nDataType=7\nAccessType=rw\nDefaultValue=100\n"
+                                                "[2000]\nDataType=5\nAccessType=rw\nDefaultValue=9\nHighLimit=8\n");
+    const Answer checked = RunCommand({"check", file});
+    EXPECT_EQ(checked.status, 0);
+    EXPECT_NE(checked.out.find(":8:14: warning: 0x1005:00: the device refuses this value"), std::string::npos);
+    EXPECT_NE(checked.out.find(":10:10: warning: 0x1017:00: data type of 32 bit"), std::string::npos);
+    EXPECT_NE(checked.out.find(":16:14: warning: 0x2000:00: value '9', expected one between"), std::string::npos);
+    const Answer answer = RunCommand({"generate", file, "--output", Path("out")});
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_EQ(answer.err, checked.out);
+}
+
 TEST_F(GenerateCommandTest, BadInputIsOneLineAndNoFile)
 {
     Verifies(req::SRS_GEN_003);

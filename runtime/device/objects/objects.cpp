@@ -11,6 +11,7 @@
 #include "canopen/cia306/text/utf16.hpp"
 #include "runtime/device/objects/service_length.hpp"
 #include "runtime/device/objects/service_objects.hpp"
+#include "runtime/device/objects/value_limits.hpp"
 
 #include <algorithm>
 #include <array>
@@ -419,35 +420,25 @@ void DeviceObjects::SetRoom(cia301::Entry& entry, const cia306::Entry& source)
     entry.place = memory_.back().data();
 }
 
+/// Its limits, and what it begins with where they leave 0 out.
 void DeviceObjects::SetLimits(cia301::Entry& entry, const cia306::Entry& source, const std::uint8_t node_id)
 {
-    if (source.low_limit.IsSet() || source.high_limit.IsSet())
+    const std::optional<cia301::ValueLimits> limits =
+        LimitsOf(source, entry.type, node_id, [this, &source](const cia306::Text& text, const cia306::Problem& problem)
+                 { LeaveOut(source, text, problem); });
+    if (!limits)
     {
-        const bool is_signed = cia301::IsSigned(entry.type);
-        const std::uint64_t sign = std::uint64_t{1U} << 63U;
-        limits_.push_back({LimitOf(source, source.low_limit, node_id, is_signed ? sign : 0U),
-                           LimitOf(source, source.high_limit, node_id, is_signed ? sign - 1U : ~std::uint64_t{0U})});
-        entry.limits = &limits_.back();
+        return;
     }
-}
-
-std::uint64_t DeviceObjects::LimitOf(const cia306::Entry& source, const cia306::Text& text, const std::uint8_t node_id,
-                                     const std::uint64_t otherwise)
-{
-    if (!text.IsSet() || source.type.bits == 0U)
+    limits_.push_back(*limits);
+    entry.limits = &limits_.back();
+    Stored& stored = stored_.back();
+    const bool is_count = cia301::IsSubCount({entry.index, entry.sub});
+    if (!stored.is_configured && !is_count && cia301::IsNumber(entry.type))
     {
-        return otherwise;
+        cia301::ToLittleEndian(FirstValue(*limits, entry.type), stored.value.data(), entry.size_bytes);
+        std::copy(stored.value.begin(), stored.value.end(), entry.place);
     }
-    const cia306::ValueResult result = cia306::ParseValue(text.text, source.type, node_id);
-    if (!result.value)
-    {
-        LeaveOut(source, text, {"limit: " + result.problem.wrong, result.problem.expected});
-        return otherwise;
-    }
-    std::array<std::uint8_t, 8U> bytes{};
-    const auto size = static_cast<std::uint32_t>((source.type.bits + 7U) / 8U);
-    cia301::ToLittleEndian(result.value->bits, bytes.data(), size);
-    return cia301::NumberOf(TypeOf(source), {bytes.data(), size});
 }
 
 void DeviceObjects::LoadApplication() noexcept

@@ -91,8 +91,6 @@ class DeviceObjects
     void Load(const Stored& stored) noexcept;
     [[nodiscard]] std::string ReasonOf(const cia301::Entry& entry, const std::vector<std::uint8_t>& value) const;
     [[nodiscard]] std::string OwnerOf(const cia301::Entry& pdo, std::uint32_t identifier) const;
-    [[nodiscard]] std::uint64_t LimitOf(const cia306::Entry& source, const cia306::Text& text, std::uint8_t node_id,
-                                        std::uint64_t otherwise);
     void LeaveOut(const cia306::Entry& source, const cia306::Text& text, const cia306::Problem& problem);
 
     std::string file_;

@@ -521,5 +521,57 @@ TEST_F(FileObjectsTest, ABooleanOfAnSrdoIsOneBit)
     EXPECT_EQ(Write({0x1381U, 1U}, 0x60200108U, 4U), SdoAbort::kNotMappable);
     EXPECT_EQ(Write({0x1381U, 1U}, 0x60200101U, 4U), SdoAbort::kNone);
 }
+
+// 2001h begins above 0, 2002h below it, 2003h within its limits, 2004h has its value from the file
+TEST_F(FileObjectsTest, ANumberWithoutValueBeginsWithTheLimitNextToZero)
+{
+    Verifies(req::SRS_NODE_045);
+    const std::string objects = Record("1010") + Element("1010sub0", "5", "const", "1") +
+                                Element("1010sub1", "7", "rw", "1") + Element("2001", "6", "rw", "") +
+                                "LowLimit=50\nHighLimit=200\n" + Element("2002", "3", "rw", "") +
+                                "LowLimit=-300\nHighLimit=-2\n" + Element("2003", "3", "rw", "") +
+                                "LowLimit=-5\nHighLimit=5\n" + Element("2004", "6", "rw", "60") + "LowLimit=50\n";
+    Start(objects, Path("node.store"));
+    EXPECT_EQ(Read({0x2001U, 0U}), 50U);
+    EXPECT_EQ(Read({0x2002U, 0U}), 0xFFFEU);
+    EXPECT_EQ(Read({0x2003U, 0U}), 0U);
+    EXPECT_EQ(Read({0x2004U, 0U}), 60U);
+    // What is read may be written back, and saved
+    EXPECT_EQ(Write({0x2001U, 0U}, 50U, 2U), SdoAbort::kNone);
+    EXPECT_EQ(Write({0x2001U, 0U}, 49U, 2U), SdoAbort::kValueLow);
+    EXPECT_EQ(Write({0x2002U, 0U}, 0xFFFEU, 2U), SdoAbort::kNone);
+    EXPECT_EQ(Write({0x2002U, 0U}, 0xFFFFU, 2U), SdoAbort::kValueHigh);
+    Save();
+    Start(objects, Path("node.store"));
+    EXPECT_EQ(Read({0x2001U, 0U}), 50U);
+    EXPECT_EQ(Read({0x2002U, 0U}), 0xFFFEU);
+    EXPECT_EQ(Told().find("warning"), std::string::npos) << out.str();
+}
+
+// 0030h is BIT1, 0036h BIT7, 0037h BIT8; the type 0041h of the file has 12 bits
+TEST_F(FileObjectsTest, ANumberTakesNoMoreThanTheBitsOfItsType)
+{
+    Verifies(req::SRS_NODE_045);
+    struct Number
+    {
+        ObjectAddress object;
+        std::uint32_t highest;
+        std::uint32_t size_bytes;
+    };
+    Start("[0041]\nObjectType=5\nDataType=7\nAccessType=const\nDefaultValue=12\n" +
+          Element("2001", "0x0030", "rw", "1") + Element("2002", "0x0036", "rw", "") +
+          Element("2003", "0x0041", "rw", "0xABC") + Element("2004", "0x0032", "rw", "") + "HighLimit=5\n" +
+          Element("2005", "0x0037", "rw", ""));
+    const std::vector<Number> numbers{
+        {{0x2001U, 0U}, 1U, 1U}, {{0x2002U, 0U}, 0x7FU, 1U}, {{0x2003U, 0U}, 0xFFFU, 2U}, {{0x2004U, 0U}, 5U, 1U}};
+    for (const Number& number : numbers)
+    {
+        EXPECT_EQ(Write(number.object, number.highest, number.size_bytes), SdoAbort::kNone);
+        EXPECT_EQ(Write(number.object, number.highest + 1U, number.size_bytes), SdoAbort::kValueHigh);
+        EXPECT_EQ(Read(number.object), number.highest);
+    }
+    EXPECT_EQ(Write({0x2005U, 0U}, 0xFFU, 1U), SdoAbort::kNone);
+    EXPECT_EQ(Told().find("warning"), std::string::npos) << out.str();
+}
 } // namespace
 } // namespace counterpoint::runtime

@@ -64,6 +64,7 @@ inline constexpr RequirementId SRS_NODE_041{"SRS_NODE_041"};
 inline constexpr RequirementId SRS_NODE_042{"SRS_NODE_042"};
 inline constexpr RequirementId SRS_NODE_043{"SRS_NODE_043"};
 inline constexpr RequirementId SRS_NODE_044{"SRS_NODE_044"};
+inline constexpr RequirementId SRS_NODE_045{"SRS_NODE_045"};
 } // namespace counterpoint::req
 
 #endif
