@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <pty.h>
 #include <string>
 #include <sys/wait.h>
@@ -190,6 +191,24 @@ TEST(Colours, OutputThatCannotBeWrittenIsStillTold)
     Verifies(req::SRS_EASE_002);
     const std::string text = OnTerminal(kColours + kProgramFile + " man >/dev/full; echo status $?");
     EXPECT_NE(text.find("status 2"), std::string::npos) << text;
+}
+
+using FileThatMayNotGrow = CommandTest;
+
+TEST_F(FileThatMayNotGrow, IsToldAndLeavesNothing)
+{
+    Verifies(req::SRS_EASE_008);
+    const auto limited = [](const std::string& arguments)
+    { return Printed("(ulimit -f 0; " + kProgramFile + " " + arguments + "; echo status $?)"); };
+    const std::string dcf = cia306::test::SourceFolder() + "/examples/emergency_stop/sensor.dcf";
+    EXPECT_EQ(limited("sign " + dcf + " --write " + Path("copy.dcf")),
+              Path("copy.dcf") +
+                  ": error: it cannot be written (File too large), expected a file system with room\nstatus 2");
+    EXPECT_EQ(limited("node --can udp:239.74.163.2:43184 --dcf " + dcf + " --store " + Path("store")),
+              Path("store") + ": error: the store cannot be written, expected a regular file with room\nstatus 2");
+    EXPECT_TRUE(std::filesystem::is_empty(Path("")));
+    EXPECT_EQ(limited("man >" + Path("page")),
+              "counterpoint: the answer cannot be written, expected an open output\nstatus 2");
 }
 
 class Completion : public CommandTest

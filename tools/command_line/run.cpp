@@ -12,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <unistd.h>
@@ -279,6 +280,8 @@ int RunProgram(const int count, const char* const* const arguments, const std::v
         words.emplace_back(arguments[place]);
     }
     LimitWaitForReader();
+    // A file that may grow no further is told where it is written; the signal would end the program. [SRS_EASE_008]
+    static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
     const Painter out(std::cout, STDOUT_FILENO);
     const Painter err(std::cerr, STDERR_FILENO);
     ExitStatus status = RunCommandLine(words, table, {std::cout, std::cerr});

@@ -8,6 +8,7 @@ namespace
 
 constexpr std::uint8_t kLastSegment = 0x80U;
 constexpr std::uint8_t kSequenceMask = 0x7FU;
+constexpr std::uint8_t kFirstBegin = 0x20U; ///< No request with a smaller number begins a transfer.
 constexpr std::uint32_t kFrameBytes = 8U;
 
 } // namespace
@@ -15,15 +16,21 @@ constexpr std::uint32_t kFrameBytes = 8U;
 void BlockRest::Await(const std::uint8_t block_size) noexcept
 {
     block_size_ = block_size;
+    number_ = 0U;
+    is_doubled_ = false;
     is_timed_ = false;
 }
 
 bool BlockRest::Takes(const std::uint8_t head, const Instant now) noexcept
 {
     const std::uint8_t number = head & kSequenceMask;
-    const bool is_rest = (number > 0U) && (number <= block_size_);
+    const bool is_same = (number == number_) && !is_doubled_;
+    const bool is_in_order = (number > number_) || (number < kFirstBegin) || is_same;
+    const bool is_rest = (number > 0U) && (number <= block_size_) && is_in_order;
     const bool is_last = ((head & kLastSegment) != 0U) || (number == block_size_);
     block_size_ = (is_rest && !is_last) ? block_size_ : std::uint8_t{0U};
+    is_doubled_ = (number == number_);
+    number_ = number;
     is_timed_ = true;
     last_ = now;
     return is_rest;
@@ -47,11 +54,13 @@ void DoubledSegment::Await(const std::uint8_t* const bytes) noexcept
 
 bool DoubledSegment::Takes(const std::uint8_t* const bytes) noexcept
 {
+    bool is_same = is_awaited_;
     for (std::uint32_t i = 0U; i < kFrameBytes; ++i)
     {
-        is_awaited_ = is_awaited_ && (bytes_[i] == bytes[i]);
+        is_same = is_same && (bytes_[i] == bytes[i]);
     }
-    return is_awaited_;
+    is_awaited_ = false;
+    return is_same;
 }
 
 } // namespace counterpoint::cia301

@@ -10,20 +10,24 @@ namespace counterpoint::cia301
 {
 
 /// The rest of a sub-block of a download that was ended within it: a client sends its sub-block without waiting, and
-/// what is still under way looks like requests. [SRS_SDO_019]
+/// what is still under way looks like requests. Its numbers grow, and one may come twice; a client that sends its
+/// sub-block anew begins with small ones, with which no transfer begins. So a client that gave up, and asks for the
+/// same again and again, is no rest for ever. [SRS_SDO_019]
 class BlockRest
 {
   public:
     /// @brief Segments 1 to `block_size` may still come. Time counts from the next call of Poll or Takes on.
     void Await(std::uint8_t block_size) noexcept;
     /// @brief Whether a frame with this first byte is one of them. The last one ends the rest, and so does any other
-    /// frame. O(1)
+    /// frame, one with a number out of order among them. O(1)
     [[nodiscard]] bool Takes(std::uint8_t head, Instant now) noexcept;
     /// @brief Ends the rest after a pause. Once a cycle. O(1)
     void Poll(Instant now, std::uint32_t pause_us) noexcept;
 
   private:
     std::uint8_t block_size_{0U}; ///< 0: nothing is awaited.
+    std::uint8_t number_{0U};     ///< Of the last one.
+    bool is_doubled_{false};      ///< That one came twice.
     bool is_timed_{false};        ///< `last_` counts.
     Instant last_{0U};
 };
@@ -36,7 +40,7 @@ class DoubledSegment
   public:
     /// @brief This frame of 8 bytes may come again as the next one.
     void Await(const std::uint8_t* bytes) noexcept;
-    /// @brief Whether this frame of 8 bytes is that one. Any other ends the waiting. O(1)
+    /// @brief Whether this frame of 8 bytes is that one. It ends the waiting, and so does any other. O(1)
     [[nodiscard]] bool Takes(const std::uint8_t* bytes) noexcept;
 
   private:

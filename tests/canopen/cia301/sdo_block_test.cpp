@@ -422,6 +422,69 @@ TEST_F(SdoRestTest, ThatEndsWithAPauseAndBeginsWithATimeOutToo)
     EXPECT_EQ(SendWhole(write), done);
 }
 
+// A client that gave up and asks for the same again and again: 40h is the last segment of a sub-block of 64, 2Fh one of
+// it
+TEST_F(SdoRestTest, ARequestThatIsRepeatedHasAnAnswerBehindAnAbandonedDownload)
+{
+    Verifies(req::SRS_SDO_006);
+    Verifies(req::SRS_SDO_019);
+    const Octets read{0x40U, 0x00U, 0x21U, 0x00U};
+    EXPECT_EQ(SendWhole({0xC0U, 0x03U, 0x21U, 0x00U})[0], 0xA4U);
+    EXPECT_EQ(SendWhole(read)[0], 0xA2U);
+    EXPECT_TRUE(SendWhole(read).empty()); // the end of the sub-block came twice
+    EXPECT_EQ(SendWhole(read)[0], 0xA2U); // not three times
+    now_us += 1000U;
+    EXPECT_EQ(PollWhole(), AbortOf(0x2103U, 0U, 0x05040000U));
+    EXPECT_TRUE(SendWhole(read).empty()); // twice again
+    EXPECT_TRUE(SendWhole(read).empty()); // the end of what is left over
+    EXPECT_EQ(SendWhole(read)[0], 0x4FU);
+    // Sooner than the pause that ends the rest
+    Begin();
+    now_us += 1000U;
+    EXPECT_EQ(PollWhole(), AbortOf(0x2103U, 0U, 0x05040000U));
+    for (int i = 0; i < 2; ++i)
+    {
+        EXPECT_TRUE(SendWhole(write).empty()) << i;
+        now_us += 400U;
+        EXPECT_TRUE(PollWhole().empty());
+    }
+    EXPECT_EQ(u8[0], 0x7FU);
+    EXPECT_EQ(SendWhole(write), done);
+    EXPECT_EQ(u8[0], 0x01U);
+}
+
+TEST_F(SdoRestTest, ANumberBelowTheOneBeforeIsNoRestUnlessTheSubBlockBeginsAnew)
+{
+    Verifies(req::SRS_SDO_019);
+    // 22h, a download of one byte, behind 2Fh
+    BeginAndClose();
+    EXPECT_TRUE(SendWhole(write).empty());
+    EXPECT_EQ(SendWhole({0x22U, 0x00U, 0x21U, 0x00U, 0x02U}), done);
+    EXPECT_EQ(u8[0], 0x02U);
+    // Segments that come twice each
+    BeginAndClose();
+    for (const std::uint8_t number : Octets{0x21U, 0x21U, 0x22U, 0x22U, 0x2FU, 0x2FU})
+    {
+        EXPECT_TRUE(SendWhole({number, 0x00U, 0x21U, 0x00U, 0x03U}).empty()) << int{number};
+    }
+    EXPECT_TRUE(SendWhole({0x80U}).empty());
+    EXPECT_EQ(u8[0], 0x02U);
+    // A client that was told how far its sub-block came sends what follows as 1, 2, 3 ...; up to 1Fh nothing begins a
+    // transfer
+    for (const std::uint8_t first : Octets{0x01U, 0x1FU})
+    {
+        BeginAndClose();
+        EXPECT_TRUE(SendWhole({0x30U}).empty());
+        EXPECT_TRUE(SendWhole({first}).empty());
+        EXPECT_TRUE(SendWhole(write).empty());
+        EXPECT_TRUE(SendWhole({0x80U}).empty());
+        EXPECT_EQ(u8[0], 0x02U);
+    }
+    BeginAndClose();
+    EXPECT_TRUE(SendWhole({0x30U}).empty());
+    EXPECT_EQ(SendWhole({0x20U, 0x03U, 0x21U, 0x00U})[0], 0x60U);
+}
+
 TEST_F(SdoBlockTest, UploadInBlocksOfTheClientsSizeWithCrc)
 {
     Verifies(req::SRS_SDO_007);

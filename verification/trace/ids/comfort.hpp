@@ -14,6 +14,7 @@ inline constexpr RequirementId SRS_EASE_004{"SRS_EASE_004"};
 inline constexpr RequirementId SRS_EASE_005{"SRS_EASE_005"};
 inline constexpr RequirementId SRS_EASE_006{"SRS_EASE_006"};
 inline constexpr RequirementId SRS_EASE_007{"SRS_EASE_007"};
+inline constexpr RequirementId SRS_EASE_008{"SRS_EASE_008"};
 } // namespace counterpoint::req
 
 #endif
