@@ -16,8 +16,6 @@ using html::Row;
 using html::Table;
 
 constexpr double kPercent = 100.0;
-constexpr double kMedian = 0.5;
-constexpr double kAlmostAll = 0.999;
 constexpr std::uint64_t kBarWidth = 200U;
 /// More are in the file of --csv and --json.
 constexpr std::size_t kMostRows = 1000U;
@@ -91,8 +89,9 @@ std::string DetectorTable(const Summary& summary)
 
 std::vector<std::string> Times(const std::vector<std::uint32_t>& sorted)
 {
-    return {Number(sorted.size()), MsText(Quantile(sorted, kMedian)), MsText(Quantile(sorted, kAlmostAll)),
-            MsText(sorted.empty() ? 0U : sorted.back())};
+    std::vector<std::string> times = TimeTexts(sorted);
+    times.insert(times.begin(), Number(sorted.size()));
+    return times;
 }
 
 std::string TimeTables(const Summary& summary)

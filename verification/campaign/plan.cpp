@@ -4,7 +4,7 @@
 #include "runtime/device/names.hpp"
 #include "runtime/yaml/map.hpp"
 #include "runtime/yaml/optional_values.hpp"
-#include "verification/campaign/experiment.hpp"
+#include "verification/campaign/variants.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -140,6 +140,32 @@ std::vector<Meaning> Chosen(const YamlMap& map, const char* const key, const Wor
     return chosen;
 }
 
+/// Where each word of a list is; none where the key is missing.
+std::vector<runtime::Source> SourcesOf(const YamlMap& map, const char* const key)
+{
+    std::vector<runtime::Source> sources;
+    if (const std::optional<YamlValue> list = map.Find(key))
+    {
+        for (const YamlValue& item : list->Items("a list of words"))
+        {
+            sources.push_back(item.Where());
+        }
+    }
+    return sources;
+}
+
+/// The items of a list that has one at least; none where the key is missing.
+std::vector<YamlValue> SomeItems(const YamlMap& map, const char* const key, const std::string& expected)
+{
+    const std::optional<YamlValue> list = map.Find(key);
+    std::vector<YamlValue> items = list ? list->Items("a list of " + expected) : std::vector<YamlValue>{};
+    if (list && items.empty())
+    {
+        list->Refuse("an empty list", "at least one of " + expected);
+    }
+    return items;
+}
+
 std::uint64_t HashOf(const std::string& text)
 {
     std::uint64_t hash = 0xCBF29CE484222325U;
@@ -170,12 +196,7 @@ void ReadInstants(const YamlMap& map, Plan& plan)
 
 void ReadMembers(const YamlMap& map, Plan& plan)
 {
-    const std::optional<YamlValue> list = map.Find("members");
-    if (!list)
-    {
-        return;
-    }
-    for (const YamlValue& item : list->Items("a list of members"))
+    for (const YamlValue& item : SomeItems(map, "members", "members"))
     {
         const std::string text = item.Text("a member, or a byte of it as channel_b.data+0");
         const std::size_t plus = text.find('+');
@@ -191,6 +212,11 @@ void ReadMembers(const YamlMap& map, Plan& plan)
             }
             member.byte = byte;
         }
+        if (std::any_of(plan.members.begin(), plan.members.end(),
+                        [&member](const Member& each) { return each.name == member.name && each.byte == member.byte; }))
+        {
+            item.Refuse("the same member twice", "each once");
+        }
         plan.members.push_back(member);
     }
 }
@@ -198,12 +224,7 @@ void ReadMembers(const YamlMap& map, Plan& plan)
 /// As channel_b.srvt.
 void ReadVoices(const YamlMap& map, Plan& plan)
 {
-    const std::optional<YamlValue> list = map.Find("voices");
-    if (!list)
-    {
-        return;
-    }
-    for (const YamlValue& item : list->Items("a list of causes"))
+    for (const YamlValue& item : SomeItems(map, "voices", "causes"))
     {
         const std::string text = item.Text("a cause of one channel, as channel_b.srvt");
         const bool is_a = text.rfind("channel_a.", 0U) == 0U;
@@ -211,9 +232,15 @@ void ReadVoices(const YamlMap& map, Plan& plan)
         const std::string word = text.substr(text.find('.') + 1U);
         const auto* const found = std::find_if(std::begin(runtime::kCauseWords), std::end(runtime::kCauseWords),
                                                [&word](const auto& each) { return word == each.text; });
-        if ((!is_a && !is_b) || found == std::end(runtime::kCauseWords))
+        const bool is_cause = found != std::end(runtime::kCauseWords) && found->meaning != SrdoCause::kNone;
+        if ((!is_a && !is_b) || !is_cause)
         {
             item.Refuse(runtime::Shown(text), "a cause of one channel, as channel_b.srvt");
+        }
+        if (std::any_of(plan.voices.begin(), plan.voices.end(),
+                        [&text](const Voice& each) { return each.name == text; }))
+        {
+            item.Refuse("the same voice twice", "each once");
         }
         plan.voices.push_back({text, is_a ? kMarkSaidByA : kMarkSaidByB, found->meaning});
     }
@@ -221,16 +248,16 @@ void ReadVoices(const YamlMap& map, Plan& plan)
 
 void ReadKnown(const YamlMap& map, Plan& plan)
 {
-    const std::optional<YamlValue> list = map.Find("known");
-    if (!list)
-    {
-        return;
-    }
-    for (const YamlValue& item : list->Items("a list of places with a reason"))
+    for (const YamlValue& item : SomeItems(map, "known", "places with a reason"))
     {
         const YamlMap known(plan.file, item.Node(), {"place", "class", "reason"});
+        const YamlValue reason = known.Require("reason");
         plan.known.push_back({known.Require("place").Text("a member, byte or bit, as comparator.verdict+8.0"),
-                              known.Require("reason").Text("who answers for it")});
+                              reason.Text("who answers for it")});
+        if (plan.known.back().reason.empty())
+        {
+            reason.Refuse("an empty text", "who answers for it");
+        }
         if (const auto result = known.Find("class"))
         {
             plan.known.back().result = result->Choice(kFindingWords);
@@ -265,6 +292,20 @@ void ReadSample(const YamlMap& map, Plan& plan)
     if (const auto cycles = map.Find("cycles"))
     {
         plan.cycles = static_cast<std::uint32_t>(cycles->Number({1U, 1000U}));
+    }
+}
+
+void RequireReach(const YamlMap& map, const Plan& plan)
+{
+    const std::optional<YamlValue> reach = map.Find("reach");
+    const auto moves = [&plan](const Part part)
+    {
+        return std::any_of(plan.kinds.begin(), plan.kinds.end(),
+                           [part](const FaultKind kind) { return HasReach(part, kind); });
+    };
+    if (reach && std::none_of(plan.parts.begin(), plan.parts.end(), moves))
+    {
+        reach->Refuse("a reach where nothing moves in time", "a part and kind that does, or no reach");
     }
 }
 
@@ -316,11 +357,14 @@ Plan ReadPlan(const std::string& file)
     {
         plan.parts.resize(kMemoryPartCount); // The others are tried by name.
     }
+    plan.part_sources = SourcesOf(map, "parts");
     plan.kinds = Chosen(map, "kinds", kKindWords);
+    plan.kind_sources = SourcesOf(map, "kinds");
     RequireEffect(map, plan);
     plan.detectors = map.Find("detectors") ? Chosen(map, "detectors", kDetectorWords) : std::vector<Detector>{};
     ReadMembers(map, plan);
     ReadSample(map, plan);
+    RequireReach(map, plan);
     ReadVoices(map, plan);
     ReadKnown(map, plan);
     if (const auto self_test = map.Find("self_test"))
@@ -359,6 +403,17 @@ bool IsOf(const Part part, const FaultKind kind)
         return kind == FaultKind::kStuckAt0 || kind == FaultKind::kStuckAt1;
     }
     return is_from_to(FaultKind::kFlip, (part == Part::kBothChannels) ? FaultKind::kFlip : FaultKind::kIntermittent);
+}
+
+bool HasReach(const Part part, const FaultKind kind)
+{
+    if (part == Part::kCycle)
+    {
+        return kind == FaultKind::kLate; // An early one moves within its cycle.
+    }
+    const bool is_later =
+        kind == FaultKind::kRepeated || kind == FaultKind::kInserted || kind == FaultKind::kDelayed || IsOfPair(kind);
+    return part == Part::kBus && is_later;
 }
 
 const char* WordOf(const Phase phase)

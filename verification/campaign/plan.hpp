@@ -85,9 +85,11 @@ struct Plan
     std::uint32_t cycles{1U}; ///< Consecutive cycles from each instant.
     std::vector<Phase> phases;
     std::vector<Part> parts;
-    std::vector<Member> members; ///< Of these parts; none: all.
+    std::vector<runtime::Source> part_sources; ///< Where they are named; empty: all of memory, by default.
+    std::vector<Member> members;               ///< Of these parts; none: all.
     std::vector<FaultKind> kinds;
-    std::vector<Detector> detectors; ///< That have to find something.
+    std::vector<runtime::Source> kind_sources; ///< Where they are named; empty: all.
+    std::vector<Detector> detectors;           ///< That have to find something.
     std::uint64_t seed{1U};
     std::uint64_t sample{0U};                ///< Of each part and kind; 0: all.
     runtime::Nanoseconds reach{kUsualReach}; ///< How far faults of frames and cycles move in time.
@@ -104,6 +106,9 @@ struct Plan
 
 /// @brief Whether a part can have faults of this kind.
 [[nodiscard]] bool IsOf(Part part, FaultKind kind);
+
+/// @brief Whether `reach` tells how far faults of this kind of this part move in time.
+[[nodiscard]] bool HasReach(Part part, FaultKind kind);
 
 /// @brief The words of a plan.
 [[nodiscard]] const char* WordOf(Phase phase);

@@ -100,6 +100,64 @@ TEST_F(ResultsTest, RowsOfTheCsvFileHaveAFieldForEachHead)
     EXPECT_EQ(listed->at("late"), "0");
 }
 
+TEST_F(ResultsTest, KnownPlaceIsAMemberAByteOrABitOfItAndNoPartOfAName)
+{
+    Verifies(req::SRS_CMG_046);
+    // Given bit 5 of a byte of the comparator silent, and a plan that knows of a place
+    const auto holds = [this](const std::string& place)
+    {
+        const Session session(PlanFile("plan.yaml", "actuator",
+                                       "at: [500 ms]\nparts: [comparator]\nmembers: [comparator.verdict+8]\nphases: "
+                                       "[permits]\nkinds: [flip]\nknown:\n  - {place: " +
+                                           place + ", reason: march}\n"));
+        Results results("", session.Identity(Shard{}));
+        for (std::uint64_t index = 0U; index < 8U; ++index)
+        {
+            results.Put(index, Outcome{Class::kMasked, Detector::kNobody, 0U, 0U, 0U});
+        }
+        results.Put(5U, Outcome{Class::kSilent, Detector::kNobody, 1U, 0U, 0U});
+        return Summarise(session.Parts(), results).Holds();
+    };
+    // Then
+    EXPECT_TRUE(holds("comparator.verdict+8.5"));
+    EXPECT_TRUE(holds("comparator.verdict+8"));
+    EXPECT_TRUE(holds("comparator.verdict"));
+    EXPECT_FALSE(holds("comparator.verdict+8.4"));
+    EXPECT_FALSE(holds("comparator.verdict+"));
+    EXPECT_FALSE(holds("comparator.ver"));
+    // A part is no place: it would answer for all of its members
+    EXPECT_FALSE(holds("comparator"));
+}
+
+TEST_F(ResultsTest, WhereNothingWasFoundNoTimeIsTold)
+{
+    Verifies(req::SRS_CMG_010);
+    // Given 8 faults that had no effect
+    const Session session(
+        PlanFile("plan.yaml", "actuator",
+                 "at: [500 ms]\nparts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip]\n"));
+    Results results("", session.Identity(Shard{}));
+    for (std::uint64_t index = 0U; index < 8U; ++index)
+    {
+        results.Put(index, Outcome{Class::kMasked, Detector::kNobody, 0U, 0U, 0U});
+    }
+    const Summary summary = Summarise(session.Parts(), results);
+    // Then the tables have no times, and the limit
+    const std::string text = TextReport(session.Parts(), summary);
+    EXPECT_NE(text.find("latch         flip                    -          -          -   1008.000          0\n"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(HtmlReport(session.Parts(), summary)
+                  .find("<td>flip</td><td>0</td><td>-</td><td>-</td><td>-</td><td>1008.000</td><td>0</td>"),
+              std::string::npos);
+    // A time of 0 is one that was found at once
+    results.Put(5U, Outcome{Class::kDetected, Detector::kLatch, 0U, 0U, 0U});
+    const std::string found = TextReport(session.Parts(), Summarise(session.Parts(), results));
+    EXPECT_NE(found.find("latch         flip                0.000      0.000      0.000   1008.000          0\n"),
+              std::string::npos)
+        << found;
+}
+
 /// Two faults of each of 8 bits.
 constexpr const char* kLatch =
     "at: [500 ms]\nparts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip, intermittent]\n";

@@ -57,10 +57,35 @@ Space::Space(const Plan& plan, const Recording& recording, Device& device, const
             strata_.push_back(stratum);
         }
     }
-    if (size_ == 0U)
+    RequireFaults();
+}
+
+/// A part or kind that the plan names and that hits nothing here would be told as tried. [SRS_CMG_004]
+void Space::RequireFaults() const
+{
+    constexpr const char* kExpected = "one that has something to hit: a frame in these cycles, an input, output: pins";
+    const auto has_some = [this](const auto& is_it)
     {
-        throw runtime::YamlError(plan.file, {}, "parts and kinds of which this device can have no fault",
-                                 "a kind of the part, and something that is hit");
+        return std::any_of(strata_.begin(), strata_.end(),
+                           [&is_it](const Stratum& stratum) { return is_it(stratum) && stratum.size != 0U; });
+    };
+    for (std::size_t index = 0U; index < plan_.part_sources.size(); ++index)
+    {
+        const Part part = plan_.parts[index];
+        if (!has_some([part](const Stratum& stratum) { return stratum.part == part; }))
+        {
+            throw runtime::YamlError(plan_.part_sources[index].file, plan_.part_sources[index].place,
+                                     "part " + runtime::Shown(WordOf(part)) + " of which nothing is hit", kExpected);
+        }
+    }
+    for (std::size_t index = 0U; index < plan_.kind_sources.size(); ++index)
+    {
+        const FaultKind kind = plan_.kinds[index];
+        if (!has_some([kind](const Stratum& stratum) { return stratum.kind == kind; }))
+        {
+            throw runtime::YamlError(plan_.kind_sources[index].file, plan_.kind_sources[index].place,
+                                     "kind " + runtime::Shown(WordOf(kind)) + " of which nothing is hit", kExpected);
+        }
     }
 }
 
@@ -132,6 +157,28 @@ void Space::RequireMembers(const Device& device) const
     }
 }
 
+/// A member of which every byte is left out would be told as tried.
+void Space::RequireBytes(const Device& device) const
+{
+    for (const Member& member : plan_.members)
+    {
+        const auto is_of = [&device, &member](const Byte& byte)
+        {
+            const Place& place = device.Places()[byte.place];
+            return place.name == member.name &&
+                   byte.offset - place.offset == member.byte.value_or(byte.offset - place.offset);
+        };
+        if (std::none_of(std::begin(bytes_), std::end(bytes_), [&is_of](const std::vector<Byte>& bytes)
+                         { return std::any_of(bytes.begin(), bytes.end(), is_of); }))
+        {
+            throw runtime::YamlError(member.source.file, member.source.place,
+                                     "member " + runtime::Shown(member.name) +
+                                         " that holds nothing but addresses of the program, which are not hit",
+                                     "another one");
+        }
+    }
+}
+
 bool Space::IsChosen(const Place& place, const std::size_t byte) const
 {
     return plan_.members.empty() ||
@@ -162,6 +209,7 @@ void Space::TakeBytes(Device& device)
             }
         }
     }
+    RequireBytes(device);
 }
 
 Experiment Space::At(const std::uint64_t number) const

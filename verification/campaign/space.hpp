@@ -29,7 +29,7 @@ class Space
 {
   public:
     /// @brief Words that hold an address of the program are left out. Throws YamlError for an instant outside of the
-    /// recording, with `horizon` cycles behind it.
+    /// recording, with `horizon` cycles behind it, and for what the plan names and nothing is hit of.
     Space(const Plan& plan, const Recording& recording, Device& device, std::size_t horizon);
 
     [[nodiscard]] std::uint64_t Size() const noexcept
@@ -74,6 +74,8 @@ class Space
     };
 
     void RequireMembers(const Device& device) const;
+    void RequireBytes(const Device& device) const;
+    void RequireFaults() const;
     [[nodiscard]] bool IsHit(Part part) const;
     [[nodiscard]] bool IsChosen(const Place& place, std::size_t byte) const;
     void TakeBytes(Device& device);

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/summary.hpp"
 
+#include "verification/campaign/statistics.hpp"
 #include "verification/campaign/variants.hpp"
 
 #include <algorithm>
@@ -50,11 +51,12 @@ Summary EmptySummary(const Campaign& campaign)
     return summary;
 }
 
-/// Whether a place is the known one, or within it.
-bool IsWithin(const std::string& place, const std::string& known)
+/// Whether a bit of the memory, as member+byte.bit, is the known one, or one of a known byte or member. The beginning
+/// of a name is none of these: a part would answer for all of its members.
+bool IsWithin(const std::string& bit, const std::string& known)
 {
-    return place.rfind(known, 0U) == 0U &&
-           (place.size() == known.size() || place[known.size()] == '+' || place[known.size()] == '.');
+    const std::size_t dot = bit.rfind('.');
+    return known == bit || known == bit.substr(0U, dot) || known == bit.substr(0U, bit.find('+'));
 }
 
 std::string BitText(const Campaign& campaign, const Bit& bit)
@@ -72,10 +74,11 @@ Bit FirstOf(const Experiment& experiment)
 bool IsOf(const Campaign& campaign, const Finding& finding, const Known& known)
 {
     const Experiment& experiment = finding.experiment;
+    const bool is_memory = IsMemory(experiment.part);
     const bool is_pair = experiment.part == Part::kBothChannels;
-    const bool is_there = IsWithin(PlaceText(campaign, experiment), known.place) ||
-                          (is_pair && (IsWithin(BitText(campaign, FirstOf(experiment)), known.place) ||
-                                       IsWithin(BitText(campaign, experiment.second), known.place)));
+    const bool is_there = PlaceText(campaign, experiment) == known.place ||
+                          (is_memory && IsWithin(BitText(campaign, FirstOf(experiment)), known.place)) ||
+                          (is_pair && IsWithin(BitText(campaign, experiment.second), known.place));
     return is_there && known.result.value_or(finding.outcome.result) == finding.outcome.result;
 }
 
@@ -274,6 +277,17 @@ std::string MemberText(const Campaign& campaign, const Experiment& experiment)
 {
     return IsMemory(experiment.part) ? campaign.device.Places()[experiment.place].name
                                      : SubjectName(experiment, campaign.recording);
+}
+
+std::vector<std::string> TimeTexts(const std::vector<std::uint32_t>& sorted)
+{
+    if (sorted.empty())
+    {
+        return {"-", "-", "-"};
+    }
+    constexpr double kMedian = 0.5;
+    constexpr double kAlmostAll = 0.999;
+    return {MsText(Quantile(sorted, kMedian)), MsText(Quantile(sorted, kAlmostAll)), MsText(sorted.back())};
 }
 
 std::string ListedText(const Summary& summary)

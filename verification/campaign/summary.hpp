@@ -129,6 +129,8 @@ struct Campaign
 [[nodiscard]] std::string PlaceText(const Campaign& campaign, const Experiment& experiment);
 /// @brief The member that was hit, or what is no memory.
 [[nodiscard]] std::string MemberText(const Campaign& campaign, const Experiment& experiment);
+/// @brief Median, 99.9 % and greatest of sorted times, in ms; a dash each where nothing was found.
+[[nodiscard]] std::vector<std::string> TimeTexts(const std::vector<std::uint32_t>& sorted);
 /// @brief How many are of the listed limit; empty: none. [SRS_CMG_021]
 [[nodiscard]] std::string ListedText(const Summary& summary);
 /// @brief How long it took until what was detected or safe otherwise was so, by powers of two from 1 ms on.

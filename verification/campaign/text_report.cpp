@@ -70,8 +70,8 @@ std::string TimeTable(const Summary& summary)
         {
             continue; // The device has none, or the plan names others.
         }
-        text += Row({WordOf(tally.stratum.part), WordOf(tally.stratum.kind), MsText(Quantile(tally.times, 0.5)),
-                     MsText(Quantile(tally.times, 0.999)), MsText(tally.times.empty() ? 0U : tally.times.back()),
+        const std::vector<std::string> times = TimeTexts(tally.times);
+        text += Row({WordOf(tally.stratum.part), WordOf(tally.stratum.kind), times[0], times[1], times[2],
                      MsText(tally.limit_us), std::to_string(tally.late)});
     }
     return text;
