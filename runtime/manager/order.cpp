@@ -328,6 +328,7 @@ std::string WriteSafety(ManagerAssembly& assembly, const cia302::NodeId node, co
 {
     constexpr auto kOperational = static_cast<std::uint8_t>(cia302::SlaveState::kOperational);
     const bool is_safety = assembly.Net().Setup().IsSafetySlave(node);
+    const cia302::NodeTable& table = assembly.Core().Table();
     const std::string name = "node " + std::to_string(node.value);
     std::string answer = "taken";
     if (!is_safety)
@@ -342,7 +343,7 @@ std::string WriteSafety(ManagerAssembly& assembly, const cia302::NodeId node, co
     {
         answer = name + " is not known to be the expected device, expected that one, and boot NODE";
     }
-    else if (assembly.Core().Table().RequestValue(node) == kOperational)
+    else if ((table.RequestValue(node) == kOperational) && !table.HasLeft(node))
     {
         answer = name + " is OPERATIONAL, expected it stopped or PRE-OPERATIONAL";
     }

@@ -165,10 +165,9 @@ class StartUp
 /// started up, nor a safety slave that is another device than the expected one. [SRS_NMM_009]
 [[nodiscard]] inline bool IsConfigurable(const StartUpParts& parts, const StartUp& start_up, const NodeId node) noexcept
 {
-    constexpr auto kStopped = static_cast<std::uint8_t>(SlaveState::kStopped);
     const NodeStatus status = start_up.Status(node);
     const bool is_other = parts.setup.IsSafetySlave(node) && status.is_other;
-    return !is_other && !status.is_busy && (parts.table.RequestValue(node) != kStopped);
+    return !is_other && !status.is_busy && !parts.table.IsStopped(node);
 }
 
 inline void StartUp::OnBusBack(const Instant /*now*/) noexcept

@@ -74,11 +74,9 @@ BootFinding BootIdentity::Work(const BootJob& job) noexcept
 BootFinding BootIdentity::WakeUp(const BootJob& job) noexcept
 {
     const NodeRecord& heard = parts_.table.Record(job.node);
-    const bool is_stopped = (heard.asked == SlaveState::kStopped) && !parts_.table.RunsSurely(job.node);
-    const bool is_deaf = (heard.state == SlaveState::kStopped) || is_stopped;
     const bool is_first = (job.record.state == BootState::kTypeFirst);
     const bool is_held = !is_first && (heard.asked == SlaveState::kStopped);
-    if (is_deaf && !is_held)
+    if (parts_.table.IsStopped(job.node) && !is_held)
     {
         static_cast<void>(parts_.nmt.Request(NmtCommand::kPreOperational, job.node, job.time.now));
     }

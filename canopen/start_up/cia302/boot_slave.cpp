@@ -8,7 +8,6 @@ namespace
 
 /// More states than a boot passes in one call: it ends also if two states handed a boot to each other.
 constexpr std::uint8_t kMaxStatesPerCall = 32U;
-constexpr std::uint8_t kStoppedByte = 4U; ///< As 1F82h reads it.
 
 /// It is another device than the expected one, or never said which it is.
 bool IsOfIdentity(const char letter) noexcept
@@ -139,9 +138,7 @@ void BootSlave::Start(const NodeId node, const BootTime& time) noexcept
     if (!job.record.status.is_busy)
     {
         parts_.gate.Close(node); // What was verified at the boot may be long ago.
-        const SlaveState state = parts_.table.Record(node).state;
-        const bool is_deaf = (state == SlaveState::kStopped) || (parts_.table.RequestValue(node) == kStoppedByte);
-        if (is_deaf && parts_.setup.IsSafetySlave(node))
+        if (parts_.table.IsStopped(node) && parts_.setup.IsSafetySlave(node))
         {
             // STOPPED, it has no SDO to be read by.
             static_cast<void>(parts_.nmt.Request(NmtCommand::kPreOperational, node, time.now));
@@ -161,6 +158,16 @@ void BootSlave::Verify(const NodeId node, const BootTime& time) noexcept
     job.record.status.is_busy = true;
     job.record.is_extra = true;
     Go(job, BootEvent::kVerify);
+    OnCycle(node, time);
+}
+
+void BootSlave::TakeOver(const NodeId node, const BootTime& time) noexcept
+{
+    const BootJob job = JobOf(node, time);
+    Clear(job);
+    job.record.was_operational = true;
+    job.record.status.is_started = true;
+    Go(job, BootEvent::kBeginUnasked);
     OnCycle(node, time);
 }
 

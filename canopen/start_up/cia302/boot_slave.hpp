@@ -58,6 +58,9 @@ class BootSlave
     void Start(NodeId node, const BootTime& time) noexcept;
     /// @brief Verifies a safety slave that was found OPERATIONAL. [SRS_BOOT_013]
     void Verify(NodeId node, const BootTime& time) noexcept;
+    /// @brief A safety slave runs whose boot-up message is waited for: it is supervised and verified, and its boot ends
+    /// as that of one that was OPERATIONAL already. [SRS_BOOT_013]
+    void TakeOver(NodeId node, const BootTime& time) noexcept;
     /// @brief Ends whatever runs, and takes the slave for another device until a boot has found the expected one.
     /// [SRS_BOOT_017]
     void Doubt(NodeId node, const BootTime& time) noexcept;

@@ -61,17 +61,26 @@ void Cia302StartUp::OnFrame(const CanFrame& frame, const Instant now) noexcept
     }
 }
 
-/// It runs, but its gate was closed since it was started: it may have left OPERATIONAL and come back between two signs.
-/// [SRS_BOOT_013]
+/// It runs, but its gate was closed since it was started: it may have left OPERATIONAL and come back between two signs,
+/// or not have heard the reset behind which its boot-up message is waited for. [SRS_BOOT_013]
 void Cia302StartUp::VerifyAgain(const NodeId node, const BootTime& time) noexcept
 {
     const GateState gate = parts_.gate.State(node);
     const bool is_closed = (gate != GateState::kOpen) && (gate != GateState::kBusy);
     const bool is_past_resets = (master_.Step() != MasterStep::kIdle) && (master_.Step() != MasterStep::kReset);
-    const bool is_quiet = !boot_.Record(node).status.is_busy && (parts_.nmt.Waiting() == 0U); // No stop on its way.
-    if (is_closed && is_past_resets && is_quiet && parts_.table.RunsSurely(node))
+    const bool is_quiet = (parts_.nmt.Waiting() == 0U); // No stop on its way.
+    const bool is_found = is_closed && is_past_resets && is_quiet && parts_.table.RunsSurely(node);
+    if (is_found && (boot_.Record(node).state == BootState::kUnheard))
+    {
+        boot_.TakeOver(node, time);
+    }
+    else if (is_found && !boot_.Record(node).status.is_busy)
     {
         boot_.Verify(node, time);
+    }
+    else
+    {
+        // As it is to be, or under way.
     }
 }
 

@@ -164,6 +164,33 @@ TEST_P(LeftOperationalTest, ByOrderAndWasStartedChangedBySomebodyElseIsStopped)
     ExpectStopped();
 }
 
+TEST_P(LeftOperationalTest, ByAStopOfWhichItHasNotSpokenYetIsStartedAgainByOrder)
+{
+    Verifies(req::SRS_BOOT_023);
+    setups[5].heartbeat = HeartbeatSetup{300U, 100U, Arming::kFirstHeartbeat};
+    StartAndForget(GetParam());
+    EXPECT_EQ(Order(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
+    EXPECT_EQ(devices[0]->State(), cia301::NodeState::kStopped);
+    EXPECT_EQ(Order(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    Run(2000U);
+    EXPECT_EQ(Running(5U), 1);
+    EXPECT_EQ(Gate(), GateState::kOpen);
+    EXPECT_TRUE(manager->Status(NodeId{5U}).is_started);
+}
+
+TEST_P(LeftOperationalTest, ByAStopOfWhichItHasNotSpokenYetIsMadePreOperationalToBeWritten)
+{
+    Verifies(req::SRS_SFS_005);
+    setups[5].heartbeat = HeartbeatSetup{300U, 100U, Arming::kFirstHeartbeat};
+    StartAndForget(GetParam());
+    EXPECT_FALSE(manager->WriteSafety(NodeId{5U}, Now())); // It is OPERATIONAL.
+    EXPECT_EQ(Order(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
+    EXPECT_EQ(manager->ProfileParts().table.RequestValue(NodeId{5U}), 5U);
+    EXPECT_TRUE(manager->WriteSafety(NodeId{5U}, Now()));
+    Run(1U);
+    EXPECT_EQ(devices[0]->State(), cia301::NodeState::kPreOperational);
+}
+
 TEST_P(LeftOperationalTest, ADeviceThatRestartsOftenIsNotTakenForTwo)
 {
     Verifies(req::SRS_MGR_010);
@@ -363,6 +390,64 @@ TEST_P(LeftInCia302Test, VerifiedButNotStartedAndThenStartedAsItWasRunsOnVerifie
     EXPECT_EQ(readings, 2);
     EXPECT_EQ(stops, 0);
     EXPECT_EQ(manager->Status(NodeId{5U}).letter, 'L');
+}
+
+TEST_P(LeftInCia302Test, RunsOnChangedBehindAResetThatItDidNotHearIsStopped)
+{
+    Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_SFS_006);
+    // Given an optional one, whose boot-up message is waited for without end
+    setups[5].assignment = static_cast<std::uint32_t>(setups[5].assignment & ~kMandatory);
+    setups[5].heartbeat = HeartbeatSetup{300U, 100U, Arming::kFirstHeartbeat};
+    StartAndForget(GetParam());
+    devices[0]->is_on = false; // Its cable, not its supply.
+    Run(3000U);
+    EXPECT_EQ(manager->Status(NodeId{5U}).step, StartUpStep::kWaitBootUp);
+    Change();
+    devices[0]->is_on = true;
+    Run(1000U);
+    ExpectStopped();
+    EXPECT_EQ(manager->Status(NodeId{5U}).letter, 'J');
+}
+
+TEST_P(LeftInCia302Test, RunsOnAsItWasBehindAResetThatItDidNotHearIsVerifiedAndSupervised)
+{
+    Verifies(req::SRS_BOOT_013);
+    setups[5].assignment = static_cast<std::uint32_t>(setups[5].assignment & ~kMandatory);
+    setups[5].heartbeat = HeartbeatSetup{300U, 100U, Arming::kFirstHeartbeat};
+    StartAndForget(GetParam());
+    devices[0]->is_on = false;
+    Run(3000U);
+    devices[0]->is_on = true;
+    Run(1000U);
+    EXPECT_EQ(Running(5U), 1);
+    EXPECT_EQ(Gate(), GateState::kOpen);
+    EXPECT_EQ(readings, 1);
+    EXPECT_EQ(stops, 0);
+    EXPECT_EQ(manager->Status(NodeId{5U}).letter, 'L');
+    // When it is lost once more, that is told, and its next boot-up message boots it
+    devices[0]->is_on = false;
+    Run(3000U);
+    EXPECT_EQ(manager->Status(NodeId{5U}).step, StartUpStep::kWaitBootUp);
+    devices[0]->Power(Now());
+    Run(1000U);
+    EXPECT_EQ(Running(5U), 1);
+    EXPECT_EQ(manager->Status(NodeId{5U}).letter, '\0');
+}
+
+TEST_P(LeftInCia302Test, SaysPreOperationalWhileItsBootUpIsWaitedForIsNotAsked)
+{
+    Verifies(req::SRS_BOOT_002);
+    setups[5].assignment = static_cast<std::uint32_t>(setups[5].assignment & ~kMandatory);
+    setups[5].heartbeat = HeartbeatSetup{300U, 100U, Arming::kFirstHeartbeat};
+    StartAndForget(GetParam());
+    devices[0]->is_on = false;
+    Run(3000U);
+    devices[0]->has_boot_up = false;
+    devices[0]->Power(Now());
+    Run(1000U);
+    EXPECT_EQ(readings, 0);
+    EXPECT_EQ(manager->Status(NodeId{5U}).step, StartUpStep::kWaitBootUp);
 }
 
 INSTANTIATE_TEST_SUITE_P(Cia302, LeftInCia302Test, ::testing::Values(Profile::kCia302));

@@ -396,6 +396,17 @@ TEST_F(ManagerStationTest, ASlaveThatIsOperationalIsNotWritten)
     EXPECT_EQ(Order("write-safety 5"), "node 5 is no safety slave, expected one");
 }
 
+TEST_F(ManagerStationTest, ASlaveThatWasToldToStopAndHasNotSpokenOfItIsNotCalledOperational)
+{
+    Verifies(req::SRS_SFS_005);
+    Make("manager: {node: 127}\nslaves: [{node: 33, dcf: actuator.dcf, arming: immediately}]\n");
+    Run(2U);
+    Hear(0x721U, {0x05U});
+    EXPECT_EQ(Order("write-safety 33"), "node 33 is OPERATIONAL, expected it stopped or PRE-OPERATIONAL");
+    EXPECT_EQ(Order("stop 33"), "taken");
+    EXPECT_EQ(Order("write-safety 33"), "the start-up of the slave runs, expected it later");
+}
+
 TEST_F(ManagerStationTest, AStandbyTellsWhoIsToBeAskedToWrite)
 {
     Verifies(req::SRS_MGR_006);
