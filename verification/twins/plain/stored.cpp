@@ -41,7 +41,7 @@ const Decision kSignatureStays{"SRS_CFG_003", "storing the signature leaves the 
 const Decision kStaticStays{"SRS_CFG_003", "storing an entry of a static mapping leaves it resolved"};
 const Number kStaticBoth{"SRS_CFG_032", "count of a static mapping"};
 const Number kStaticDeclared{"SRS_CFG_032", "count of a static mapping in the rules"};
-const Number kStaticExisting{"SRS_CFG_032", "entries of a static mapping"};
+const Number kStaticExisting{"SRS_CFG_032", "entries of a static mapping that exist"};
 const Number kDeclared{"SRS_CFG_026", "map count in the rules"};
 const Number kExisting{"SRS_CFG_020", "entries of the map count that exist"};
 const Lesser kRoomOfCount{"SRS_CFG_020", "map count, and map_entries"};
