@@ -3,6 +3,8 @@
 
 #include "verification/twins/plain/point.hpp"
 
+#include <algorithm>
+
 namespace counterpoint::twins::plain
 {
 
@@ -114,6 +116,21 @@ const Act kEntriesFirst{"SRS_CFG_002", "map entries are 0 after Restart"};
 const Act kFieldsFirst{"SRS_CFG_032", "no field is registered after Restart"};
 const Decision kNewFaultActive{"SRS_CONS_023", "new_fault of an active consumer"};
 const Act kToldSignals{"SRS_CONS_021", "signals are told"};
+const Act kAnySignals{"SRS_CONS_021", "what happened is signalled"};
+const Number kByCopy{"SRS_CFG_031", "view of a guard whose token fits"};
+const Place kDemotedRecord{"SRS_REL_006", "slot that is demoted"};
+const Place kFieldsKeptSlot{"SRS_CFG_032", "slot whose fields are kept"};
+const Place kFieldsUnresolvedSlot{"SRS_CFG_032", "slot that registering makes unresolved"};
+const Place kDemotedSlot{"SRS_REL_006", "slot of which a demotion is counted"};
+const Decision kFrameKind{"SRS_CONS_001", "a frame is a data frame"};
+const Number kStepNormal{"SRS_PROD_007", "step told of the normal frame"};
+const Number kStepPair{"SRS_PROD_007", "step told of the pair"};
+const Each kFramesEach{"SRS_CONS_001", "SRDOs that a frame is looked up in"};
+const Each kConfirmEach{"SRS_PROD_007", "SRDOs that a confirmation is looked up in"};
+const Difference kOthers{"SRS_CONS_023", "SRDOs that are not active"};
+const Lesser kSrdoRoom{"SRS_CFG_003", "SRDOs of the device, and room for SRDOs"};
+const Place kEntriesOf{"SRS_CFG_003", "slot with the map entries of an SRDO"};
+const Place kReadBackOf{"SRS_REL_011", "slot whose objects are read back"};
 const Number kPermitRotation{"SRS_REL_010", "bits of the rotation"};
 const Number kPermitUpper{"SRS_REL_010", "first bit of the upper half of the mask"};
 const Number kPermitNone{"SRS_REL_010", "mask while SRDOs are not active"};
@@ -147,7 +164,8 @@ void PlainChannel::Restart(const DeviceConfig& config) noexcept
     fresh.gfc_parameter = kRestartGfc() ? std::uint8_t{0U} : common_.gfc_parameter;
     common_ = fresh;
     common_.config = config;
-    common_.config.srdo_count = kSrdos(config.srdo_count);
+    const std::uint32_t count = kSrdoRoom(config.srdo_count, kMaxSrdoCount);
+    common_.config.srdo_count = static_cast<std::uint8_t>(std::min<std::uint32_t>(kSrdos(count), kMaxSrdoCount));
     for (SlotIndex slot = 0U; slot < kMaxSrdoCount; ++slot)
     {
         const Stored stored = records_[slot].stored;
@@ -161,16 +179,17 @@ void PlainChannel::Restart(const DeviceConfig& config) noexcept
         records_[slot].button.level = is_button && kLevelFirst(true);
         records_[slot].button.bit = is_button && kBitFirst(true);
         records_[slot].fields = kFieldsFirst() ? StaticFields{} : fields;
-        if (slot < config.srdo_count)
+        records_[slot].entries = records_[kEntriesOf(slot)].stored.entries;
+        if (slot < count)
         {
-            records_[slot].setup = config.srdos[slot];
+            records_[slot].setup = (slot < config.srdo_count) ? config.srdos[slot] : SrdoSetup{};
             if (kRestartConfiguration())
             {
                 SetDefaults(config, records_[slot]);
             }
             for (std::uint32_t i = 0U; (i < kMaxMapEntries) && (!kEntriesFirst()); ++i)
             {
-                records_[slot].stored.entries[i] = stored.entries[i];
+                records_[slot].entries[i] = stored.entries[i];
             }
         }
     }
@@ -200,11 +219,13 @@ void PlainChannel::SetFields(SlotIndex slot, const StaticFields& fields) noexcep
     }
     if (kFieldsKept())
     {
-        record.fields.normal = kFieldNormal() ? fields.normal : record.fields.normal;
-        record.fields.inverse = kFieldInverse() ? fields.inverse : record.fields.inverse;
+        StaticFields& kept = records_[kFieldsKeptSlot(kFieldsSlot(slot))].fields;
+        kept.normal = kFieldNormal() ? fields.normal : kept.normal;
+        kept.inverse = kFieldInverse() ? fields.inverse : kept.inverse;
     }
-    record.is_resolved = record.is_resolved && (!kFieldsUnresolve());
-    record.is_sound = record.is_sound && (!kFieldsUnresolve());
+    Record& unresolved = records_[kFieldsUnresolvedSlot(kFieldsSlot(slot))];
+    unresolved.is_resolved = unresolved.is_resolved && (!kFieldsUnresolve());
+    unresolved.is_sound = unresolved.is_sound && (!kFieldsUnresolve());
 }
 
 DeviceDigest PlainChannel::Digest(SlotIndex slot, DeviceDigest before) const noexcept
@@ -225,13 +246,14 @@ CheckResult PlainChannel::Recheck(SlotIndex slot) noexcept
 
 void PlainChannel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
 {
-    const bool is_gfc = kGfcKind(frame.kind == FrameKind::kData) &&
-                        kGfcIdentifierIs(frame.identifier == kGfcIdentifier) && kGfcLength(frame.length_bytes == 0U);
+    const bool is_data = kFrameKind(frame.kind == FrameKind::kData);
+    const bool is_gfc = kGfcKind(is_data) && kGfcIdentifierIs(frame.identifier == kGfcIdentifier) &&
+                        kGfcLength(frame.length_bytes == 0U);
     if (is_gfc && kGfcParameter(common_.gfc_parameter == kOne(1U)) && kGfcOperational(common_.is_operational))
     {
         common_.has_gfc = kGfcKept() || common_.has_gfc;
     }
-    if (!kKind(frame.kind == FrameKind::kData))
+    if (!kKind(is_data))
     {
         return;
     }
@@ -241,12 +263,12 @@ void PlainChannel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
         Record& record = records_[slot];
         const bool is_ours = kCandidateOne(frame.identifier == record.stored.cob_id_1) ||
                              kCandidateTwo(frame.identifier == record.stored.cob_id_2);
-        if (kCandidateActive(record.is_active) && kCandidateConsumer(IsConsumer(record)) && is_ours)
+        if (kCandidateActive(record.is_active) && is_ours && kFramesEach(slot))
         {
             ours = &record;
         }
     }
-    if (ours != nullptr)
+    if ((ours != nullptr) && kCandidateConsumer(IsConsumer(*ours)))
     {
         TakeFrame(common_, *ours, frame, stamp.us);
     }
@@ -263,7 +285,9 @@ GuardView PlainChannel::LookAtGuard(const CycleInput& input) const noexcept
         return kGuardView(kStale(GuardView::kStale));
     }
     const bool is_valid = kIsConfigured(common_.configuration_valid == kConfigurationValidValue);
-    return kGuardView(is_valid ? kConfiguredView(GuardView::kConfigured) : kUnconfiguredView(GuardView::kUnconfigured));
+    const GuardView view =
+        is_valid ? kConfiguredView(GuardView::kConfigured) : kUnconfiguredView(GuardView::kUnconfigured);
+    return kGuardView(kByCopy(view));
 }
 
 void PlainChannel::Enter(Record& record) noexcept
@@ -322,7 +346,7 @@ void PlainChannel::CycleOne(SlotIndex slot, const CycleInput& input, bool is_lat
     }
     else if (record.is_active)
     {
-        CycleProducer(common_, record, input, slot, was_active);
+        CycleProducer(common_, records_, input, slot, was_active);
     }
     else
     {
@@ -336,7 +360,7 @@ void PlainChannel::Tell(SlotIndex slot, CycleOutcome& outcome) noexcept
     Record& record = records_[slot];
     const bool is_consumer = record.is_active && IsConsumer(record);
     const bool is_producer = record.is_active && IsProducer(record);
-    const std::uint32_t recorded = record.recorded | (kSignalsGone() ? 0U : record.told);
+    const std::uint32_t recorded = kAnySignals() ? (record.recorded | (kSignalsGone() ? 0U : record.told)) : 0U;
     record.told = kToldSignals() ? recorded : record.told;
     record.recorded = 0U;
     outcome.released |= BitOf(slot, kReleased(is_consumer && (record.state == SrdoState::kReleased)));
@@ -381,6 +405,12 @@ CycleOutcome PlainChannel::OnCycle(const CycleInput& input) noexcept
     {
         CycleOne(slot, input, is_late, was_operational);
         Tell(slot, outcome);
+    }
+    if (common_.is_operational)
+    {
+        const std::uint32_t active = static_cast<std::uint32_t>(outcome.sct_checked) + outcome.is_tx;
+        const std::uint32_t all = outcome.is_invalid + active;
+        outcome.is_invalid = static_cast<std::uint8_t>(kOthers(all, active));
     }
     common_.has_gfc = kGfcNext(common_.has_gfc && (!kGfcOnce()));
     outcome.not_operational = ((!common_.is_operational) && kNotOperational()) ? 1U : 0U;
@@ -427,7 +457,9 @@ SrdoView PlainChannel::View(SlotIndex slot) const noexcept
 
 void PlainChannel::Demote(SlotIndex slot) noexcept
 {
-    DemoteConsumer(records_[kDemoteSlot(slot)]);
+    const SlotIndex demoted = kDemotedRecord(slot);
+    DemoteConsumer(records_[kDemoteSlot(slot)], records_[kDemoteSlot(demoted)],
+                   records_[kDemoteSlot(kDemotedSlot(demoted))]);
 }
 
 SrdoMask PlainChannel::Commit(const Agreement& agreement, SrdoMask examine) noexcept
@@ -442,7 +474,8 @@ SrdoMask PlainChannel::Commit(const Agreement& agreement, SrdoMask examine) noex
     for (SlotIndex slot = 0U; slot < common_.config.srdo_count; ++slot)
     {
         Record& record = records_[slot];
-        record.is_otherwise = ReadBack(common_, record, is_written[slot], kExamined(IsBit(examine, slot)));
+        record.is_otherwise =
+            ReadBack(common_, record, records_[kReadBackOf(slot)], is_written[slot], kExamined(IsBit(examine, slot)));
         found |= BitOf(slot, kFound(record.is_otherwise));
     }
     common_.has_committed = true;
@@ -475,16 +508,34 @@ PreparedPair PlainChannel::Prepare(SlotIndex slot) noexcept
     return PreparePair(common_, records_[kPrepareSlot(slot)]);
 }
 
+/// Whether an active SRDO of a higher slot has the identifier too, which no configuration that is accepted has.
+bool PlainChannel::IsAnotherBehind(SlotIndex slot, std::uint32_t identifier) const noexcept
+{
+    bool is_behind = false;
+    for (std::uint32_t other = slot + 1U; other < common_.config.srdo_count; ++other)
+    {
+        const Stored& stored = records_[other].stored;
+        is_behind = is_behind ||
+                    (records_[other].is_active && ((stored.cob_id_1 == identifier) || (stored.cob_id_2 == identifier)));
+    }
+    return is_behind;
+}
+
 Confirmation PlainChannel::OnConfirm(const CanFrame& frame, Instant stamp) noexcept
 {
     for (SlotIndex slot = 0U; slot < common_.config.srdo_count; ++slot)
     {
+        if ((!kConfirmEach(slot)) || IsAnotherBehind(slot, frame.identifier))
+        {
+            continue;
+        }
         const ConfirmStep step = Confirm(records_[kConfirmRecord(slot)], frame, stamp.us);
         if (step != ConfirmStep::kNone)
         {
             const bool is_normal = step == ConfirmStep::kNormal;
             const SlotIndex told = is_normal ? kNormalSlot(slot) : kPairSlot(slot);
-            return (is_normal ? kNormalTold() : kPairTold()) ? Confirmation{kConfirmSlot(told), step} : Confirmation{};
+            const ConfirmStep say = is_normal ? kStepNormal(step) : kStepPair(step);
+            return (is_normal ? kNormalTold() : kPairTold()) ? Confirmation{kConfirmSlot(told), say} : Confirmation{};
         }
     }
     return Confirmation{kNoSlot, ConfirmStep::kNone};

@@ -38,6 +38,7 @@ class PlainChannel final : public counterpoint::Channel
 
   private:
     [[nodiscard]] GuardView LookAtGuard(const CycleInput& input) const noexcept;
+    [[nodiscard]] bool IsAnotherBehind(SlotIndex slot, std::uint32_t identifier) const noexcept;
     void Enter(Record& record) noexcept;
     void Leave(Record& record) noexcept;
     void CycleOne(SlotIndex slot, const CycleInput& input, bool is_late, bool was_operational) noexcept;

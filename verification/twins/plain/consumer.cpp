@@ -30,7 +30,14 @@ const Counter kErrors{"SRS_CONS_020", "error_count"};
 const Act kRecorded{"SRS_CONS_020", "a fault is counted and is a cause"};
 const Act kWaitingEnds{"SRS_CONS_022", "anything ends waiting past SCT"};
 const Decision kOwnId{"SRS_CONS_004", "the identifier is the SRDO's own"};
-const Decision kFrameHasFlaw{"SRS_CONS_011", "a frame has a flaw"};
+const Decision kFrameHasFlaw{"SRS_CONS_011", "a frame has a flaw besides"};
+const Decision kFlawFound{"SRS_CONS_011", "a frame has a flaw"};
+const Number kFlawSays{"SRS_CONS_011", "what the checks of a frame say"};
+const Number kPortSays{"SRS_CONS_004", "what the check of the controller says"};
+const Number kLengthSays{"SRS_CONS_005", "what the check of the length says"};
+const Number kNormalSays{"SRS_CONS_007", "what the check of a normal frame's order says"};
+const Number kInverseSays{"SRS_CONS_008", "what the check of an inverse frame's order says"};
+const Number kInversionSays{"SRS_CONS_009", "what the check of the inversion says"};
 const Act kAllCauses{"SRS_CONS_018", "OnCycle records faults"};
 const Decision kGfcPending{"SRS_CONS_017", "a GFC came"};
 const Act kConsumerEdge{"SRS_REL_005", "the edge of a consumer waits"};
@@ -119,6 +126,7 @@ const Act kLateCall{"SRS_CONS_015", "a late call is a fault"};
 const Decision kUnlessExpired{"SRS_CONS_015", "a limit has expired in this call"};
 const Act kOverflow{"SRS_CONS_016", "a queue overflow is a fault"};
 const Act kGfc{"SRS_CONS_017", "a GFC is a fault"};
+const Act kDiscardsAll{"SRS_CONS_013", "the cycle that reports a fault discards pair and ordinal"};
 const Act kDiscards{"SRS_CONS_013", "the cycle that reports a fault discards a pair held since"};
 const Act kDiscardsOrdinal{"SRS_CONS_013", "the cycle that reports a fault sets the ordinal to 0"};
 const Act kForgetsEdgeOfCall{"SRS_REL_005", "an edge in the call that reports a fault is forgotten"};
@@ -141,6 +149,10 @@ const Decision kWaitingState{"SRS_CONS_022", "the consumer is waiting"};
 const Decision kWaitingNothing{"SRS_CONS_022", "no pair and no fault since entering"};
 const Act kWaitingFault{"SRS_CONS_022", "a fault ends waiting past SCT"};
 const Act kWaitingPair{"SRS_CONS_022", "a pair ends waiting past SCT"};
+const Act kWaitsForPair{"SRS_CONS_022", "a completed pair, in whatever state, ends waiting past SCT"};
+const Act kWaitsForFault{"SRS_CONS_022", "a fault, in whatever state, ends waiting past SCT"};
+const Decision kWaitsAtAll{"SRS_CONS_022", "waiting, no pair and no fault since entering"};
+const Decision kWaitingStill{"SRS_CONS_022", "no pair and no fault since entering, and not signalled yet"};
 const Number kWaitingFrom{"SRS_CONS_022", "instant of entering OPERATIONAL"};
 
 // Entering, leaving.
@@ -153,6 +165,10 @@ const Act kLeavingOrdinal{"SRS_CONS_019", "the ordinal is 0 after OPERATIONAL"};
 
 // Acknowledge.
 const Decision kTwoEqual{"SRS_REL_005", "two calls gave the same"};
+const Both kTwoOnes{"SRS_REL_005", "both calls gave 1"};
+const Both kTwoZeros{"SRS_REL_005", "both calls gave 0"};
+const Either kLevelBy{"SRS_REL_005", "both calls gave 1, or the level stays 1"};
+const Either kWaitsFor{"SRS_REL_005", "an edge waits, or a new one"};
 const Act kKeepsBit{"SRS_REL_005", "the bit is kept for the next call"};
 const Act kKeepsLevel{"SRS_REL_005", "the level is followed"};
 const Decision kWasLow{"SRS_REL_005", "the level was 0"};
@@ -279,42 +295,71 @@ bool IsInverted(const Record& record, const CanFrame& frame) noexcept
     return kInvertedBoth(kInverted(is_good), kAbove(is_above_good));
 }
 
+/// What a check of a frame says.
+struct Flaw
+{
+    bool is_found{false};
+    SrdoCause cause{SrdoCause::kNone};
+    bool is_told{true};
+    bool is_refused{true};
+};
+
+Flaw Said(const Number& says, bool is_wrong, SrdoCause cause) noexcept
+{
+    const SrdoCause told = says(is_wrong ? cause : SrdoCause::kNone);
+    return Flaw{is_wrong || (told != SrdoCause::kNone), told, true, true};
+}
+
+/// The first one in the order of SRS_CONS_011.
+Flaw FlawOf(const Common& common, const Record& record, const CanFrame& frame, bool is_inverse) noexcept
+{
+    const std::uint32_t own = is_inverse ? record.stored.cob_id_2 : record.stored.cob_id_1;
+    const bool is_right_port = is_inverse ? kInversePort(frame.port == common.config.inverse_port)
+                                          : kNormalPort(frame.port == common.config.normal_port);
+    const bool is_ours = kPort(is_right_port) && kOwnId(frame.identifier == own);
+    Flaw flaw = Said(kPortSays, !is_ours, kToldIdentifier(SrdoCause::kIdentifier));
+    if (flaw.is_found)
+    {
+        return flaw;
+    }
+    const std::uint32_t length = kMappedLength(LengthOf(record));
+    const bool is_length = kLength(frame.length_bytes <= length) && kNotShorter(frame.length_bytes >= length);
+    flaw = Said(kLengthSays, !is_length, kToldLength(SrdoCause::kLength));
+    if (flaw.is_found)
+    {
+        return flaw;
+    }
+    const bool is_pending = record.reception.is_pending;
+    if (!is_inverse)
+    {
+        const bool is_twice = kTwice(is_pending);
+        flaw = Said(kNormalSays, is_twice, kToldNormalTwice(SrdoCause::kNormalTwice));
+        flaw.is_told = (!is_twice) || kTwiceFault();
+        flaw.is_refused = (!is_twice) || kTwiceDrops();
+        return flaw;
+    }
+    const bool is_first = !kFirst(is_pending);
+    flaw = Said(kInverseSays, is_first, kToldInverseFirst(SrdoCause::kInverseFirst));
+    flaw.is_told = (!is_first) || kFirstFault();
+    if (flaw.is_found)
+    {
+        return flaw;
+    }
+    return Said(kInversionSays, !IsInverted(record, frame), kToldNotInverse(SrdoCause::kNotInverse));
+}
+
 void TakeNormal(Record& record, const CanFrame& frame, std::uint32_t stamp_us) noexcept
 {
     Reception& at = record.reception;
-    if (kTwice(at.is_pending))
-    {
-        if (kTwiceFault())
-        {
-            RecordFault(record, kToldNormalTwice(SrdoCause::kNormalTwice));
-        }
-        if (kTwiceDrops())
-        {
-            return;
-        }
-    }
     at.is_pending = kKeepsPending();
     at.is_too_old = false;
     at.pending_us = kPendingStamp(stamp_us);
     std::copy_n(frame.data, LengthOf(record), at.pending.at);
 }
 
-void TakeInverse(Record& record, const CanFrame& frame, std::uint32_t stamp_us) noexcept
+void TakeInverse(Record& record, std::uint32_t stamp_us) noexcept
 {
     Reception& at = record.reception;
-    if (!kFirst(at.is_pending))
-    {
-        if (kFirstFault())
-        {
-            RecordFault(record, kToldInverseFirst(SrdoCause::kInverseFirst));
-        }
-        return;
-    }
-    if (!IsInverted(record, frame))
-    {
-        RecordFault(record, kToldNotInverse(SrdoCause::kNotInverse));
-        return;
-    }
     if (kKeepsPair())
     {
         at.is_held = true;
@@ -325,6 +370,7 @@ void TakeInverse(Record& record, const CanFrame& frame, std::uint32_t stamp_us) 
     at.is_pending = !kNoLongerPending();
     at.is_fresh = kFresh();
     at.is_written = kNotWritten() ? false : at.is_written;
+    at.had_pair = true;
     at.had_pair_or_fault = at.had_pair_or_fault || (kWaitingPair() && kWaitingEnds());
 }
 
@@ -388,9 +434,10 @@ void Report(Record& record) noexcept
     record.has_fault = false;
     if (record.is_fault_reported)
     {
-        at.is_held = at.is_held && (!kDiscards());
+        const bool discards = kDiscardsAll();
+        at.is_held = at.is_held && (!(discards && kDiscards()));
         at.is_fresh = at.is_fresh && at.is_held;
-        at.ordinal = kDiscardsOrdinal() ? 0U : at.ordinal;
+        at.ordinal = (discards && kDiscardsOrdinal()) ? 0U : at.ordinal;
         at.is_pending = at.is_pending && kPendingStays();
         record.button.is_waiting = record.button.is_waiting && (!kForgetsEdgeOfCall());
     }
@@ -407,6 +454,11 @@ void CountFault(Record& record, SrdoCause cause) noexcept
 
 void RecordFault(Record& record, SrdoCause cause) noexcept
 {
+    RecordAs(record, cause, cause);
+}
+
+void RecordAs(Record& record, SrdoCause cause, SrdoCause signalled) noexcept
+{
     Reception& at = record.reception;
     at.is_pending = at.is_pending && (!kDropsPending());
     at.is_too_old = false;
@@ -418,8 +470,9 @@ void RecordFault(Record& record, SrdoCause cause) noexcept
     {
         CountFault(record, cause);
     }
-    record.recorded |= kSignals() ? (1U << (kSignalBit(static_cast<std::uint32_t>(cause)) % 32U)) : 0U;
+    record.recorded |= kSignals() ? (1U << (kSignalBit(static_cast<std::uint32_t>(signalled)) % 32U)) : 0U;
     record.has_fault = record.has_fault || kFaultIsReported();
+    at.had_fault = true;
     at.had_pair_or_fault = at.had_pair_or_fault || (kWaitingFault() && kWaitingEnds());
     if ((record.state != SrdoState::kProducer) && kFaultedState())
     {
@@ -431,23 +484,22 @@ void TakeFrame(Common& common, Record& record, const CanFrame& frame, std::uint3
 {
     const bool is_inverse = kIsInverse(frame.identifier == record.stored.cob_id_2);
     ExamineAtFrame(record, stamp_us, is_inverse);
-    const std::uint32_t own = is_inverse ? record.stored.cob_id_2 : record.stored.cob_id_1;
-    const bool is_right_port = is_inverse ? kInversePort(frame.port == common.config.inverse_port)
-                                          : kNormalPort(frame.port == common.config.normal_port);
-    if ((!kPort(is_right_port)) || (!kOwnId(frame.identifier == own)))
+    const Flaw flaw = FlawOf(common, record, frame, is_inverse);
+    const SrdoCause cause = kFlawSays(flaw.cause);
+    if (kFlawFound(flaw.is_found || (cause != SrdoCause::kNone)))
     {
-        RecordFault(record, kToldIdentifier(SrdoCause::kIdentifier));
-        return;
-    }
-    const std::uint32_t length = kMappedLength(LengthOf(record));
-    if ((!kLength(frame.length_bytes <= length)) || (!kNotShorter(frame.length_bytes >= length)))
-    {
-        RecordFault(record, kToldLength(SrdoCause::kLength));
-        return;
+        if (flaw.is_told)
+        {
+            RecordFault(record, cause);
+        }
+        if (flaw.is_refused)
+        {
+            return;
+        }
     }
     if (is_inverse)
     {
-        TakeInverse(record, frame, stamp_us);
+        TakeInverse(record, stamp_us);
     }
     else
     {
@@ -489,8 +541,12 @@ void LeaveConsumer(Record& record) noexcept
 void FollowButton(const Common& common, Record& record, bool bit) noexcept
 {
     Button& button = record.button;
-    const bool is_same = kTwoEqual(bit == button.bit);
-    const bool level = is_same ? bit : button.level;
+    const bool is_one = kTwoOnes(bit, button.bit);
+    const bool is_zero = kTwoZeros(!bit, !button.bit);
+    const bool is_same = kTwoEqual(is_one || is_zero);
+    const bool followed = kLevelBy(is_one, button.level && (!is_zero));
+    const bool given = (is_one || is_zero) ? followed : bit;
+    const bool level = is_same ? given : button.level;
     const bool is_edge = is_same && kEdgeOf(kIsHigh(level), kWasLow(!button.level));
     button.level = kKeepsLevel() ? level : button.level;
     button.bit = kKeepsBit() ? bit : button.bit;
@@ -502,7 +558,7 @@ void FollowButton(const Common& common, Record& record, bool bit) noexcept
     if (button.is_edge)
     {
         button.edge_us = (button.is_waiting && (!kNewWindow())) ? button.edge_us : kEdgeFrom(common.now_us);
-        button.is_waiting = kEdgeWaits() || button.is_waiting;
+        button.is_waiting = kWaitsFor(kEdgeWaits(), button.is_waiting);
     }
 }
 
@@ -526,8 +582,9 @@ void CycleConsumer(const Common& common, Record& record, bool is_late, bool is_l
         record.button.is_waiting = record.button.is_waiting && (!kUsesEdge());
     }
     const bool is_past = kWaitingLimit(common.now_us, at.entered_us, kWaitingSct(kSct(record.stored.sct_ms)));
-    if (kWaitingState(record.state == SrdoState::kWaiting) && kWaitingNothing(!at.had_pair_or_fault) &&
-        (!at.is_late_told) && is_past && kWaitingTold())
+    const bool waits = kWaitingState(record.state == SrdoState::kWaiting) && kWaitingNothing(!at.had_pair_or_fault);
+    const bool still = kWaitsForPair() ? (kWaitsForFault() ? waits : (!at.had_pair)) : (!at.had_fault);
+    if (kWaitingStill(kWaitsAtAll(still) && (!at.is_late_told)) && is_past && kWaitingTold())
     {
         record.recorded |= 1U << static_cast<std::uint32_t>(SrdoCause::kWaitingPastSct);
         at.is_late_told = kWaitingOnce();

@@ -16,6 +16,8 @@ const Number kBitsOfObject{"SRS_CFG_036", "bits of each value"};
 const Act kReads{"SRS_CFG_036", "objects read"};
 const Act kWrites{"SRS_CFG_036", "objects written"};
 const Decision kDummy{"SRS_CFG_033", "nothing is written for a dummy"};
+const Act kNextRead{"SRS_CFG_036", "values read one behind the other"};
+const Act kNextWritten{"SRS_CFG_036", "values written one behind the other"};
 const Number kFirstBit{"SRS_CFG_036", "place of the first bit of a value"};
 } // namespace
 
@@ -63,7 +65,7 @@ Bytes ReadObjects(const Record& record, Side side) noexcept
         {
             const std::uint32_t value = (static_cast<std::uint32_t>(part.place[bit / 8U]) >> (bit % 8U)) & 1U;
             const std::uint32_t normal = (side == Side::kNormal) ? value : (value ^ 1U);
-            const std::uint32_t at = kFirstBit(to) + bit;
+            const std::uint32_t at = (kNextRead() ? kFirstBit(to) : 0U) + bit;
             if (at < kMaxPayloadBits)
             {
                 bytes.at[at / 8U] = static_cast<std::uint8_t>(bytes.at[at / 8U] | (normal << (at % 8U)));
@@ -83,7 +85,7 @@ void WriteObjects(const Record& record, Side side, const Bytes& normal) noexcept
         for (std::uint32_t bit = 0U; (bit < whole) && (!kDummy(part.place == nullptr)) && (part.place != nullptr);
              ++bit)
         {
-            const std::uint32_t at = kFirstBit(from) + bit;
+            const std::uint32_t at = (kNextWritten() ? kFirstBit(from) : 0U) + bit;
             const bool is_mapped = bit < kBitsOfObject(part.bits);
             std::uint32_t value = (at < kMaxPayloadBits) ? ((normal.at[at / 8U] >> (at % 8U)) & 1U) : 0U;
             value ^= (side == Side::kNormal) ? 0U : 1U;

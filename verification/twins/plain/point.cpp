@@ -28,7 +28,12 @@ const char* TextOf(Slip slip)
                                          "exactly one of the two",
                                          "down instead of up",
                                          "difference instead of sum",
-                                         "quotient instead of product"};
+                                         "quotient instead of product",
+                                         "sum instead of difference",
+                                         "only the first",
+                                         "all but the first",
+                                         "the greater",
+                                         "always the room"};
     return kTexts[static_cast<std::uint8_t>(slip)];
 }
 } // namespace

@@ -31,6 +31,11 @@ enum class Slip : std::uint8_t
     kDown,
     kDifference,
     kQuotient,
+    kSumInstead,
+    kOnlyFirst,
+    kWithoutFirst,
+    kTheGreater,
+    kTheOther,
 };
 
 /// A place of the plain channel where a requirement says something. One at a time is wrong.
@@ -188,6 +193,56 @@ class Sum final : public Point
     [[nodiscard]] std::uint32_t operator()(std::uint32_t one, std::uint32_t other) const noexcept
     {
         return (Now() == Slip::kDifference) ? (one - other) : (one + other);
+    }
+};
+
+/// What is left of one number without another.
+class Difference final : public Point
+{
+  public:
+    Difference(const char* requirement, const char* what) : Point{requirement, what, {Slip::kSumInstead}}
+    {
+    }
+    [[nodiscard]] std::uint32_t operator()(std::uint32_t one, std::uint32_t other) const noexcept
+    {
+        return (Now() == Slip::kSumInstead) ? (one + other) : (one - other);
+    }
+};
+
+/// The lesser of two: what is told, cut to the room.
+class Lesser final : public Point
+{
+  public:
+    Lesser(const char* requirement, const char* what)
+        : Point{requirement, what, {Slip::kTheGreater, Slip::kTheOther, Slip::kZero}}
+    {
+    }
+    [[nodiscard]] std::uint32_t operator()(std::uint32_t told, std::uint32_t room) const noexcept
+    {
+        const Slip slip = Now();
+        if (slip == Slip::kZero)
+        {
+            return 0U;
+        }
+        if (slip == Slip::kTheOther)
+        {
+            return room;
+        }
+        return ((told < room) != (slip == Slip::kTheGreater)) ? told : room;
+    }
+};
+
+/// Which ones of a row, numbered from 0, it is about: all of them.
+class Each final : public Point
+{
+  public:
+    Each(const char* requirement, const char* what) : Point{requirement, what, {Slip::kOnlyFirst, Slip::kWithoutFirst}}
+    {
+    }
+    [[nodiscard]] bool operator()(std::uint32_t number) const noexcept
+    {
+        const Slip slip = Now();
+        return (slip == Slip::kNone) || ((number == 0U) == (slip == Slip::kOnlyFirst));
     }
 };
 

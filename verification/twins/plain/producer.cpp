@@ -98,6 +98,8 @@ const Number kTooRareCycle{"SRS_PROD_010", "cycle time"};
 const Number kTooRareTolerance{"SRS_PROD_010", "tolerance of the cycle"};
 const Act kTooRareTakesCycle{"SRS_PROD_010", "the time holds the cycle"};
 const Act kTooRareTakesTolerance{"SRS_PROD_010", "the time holds the tolerance"};
+const Sum kTooRareSum{"SRS_PROD_010", "refresh time, and cycle and tolerance"};
+const Sum kTooRareCallSum{"SRS_PROD_010", "cycle and tolerance"};
 const Decision kTooRareRequest{"SRS_PROD_010", "a request waits"};
 const Decision kTooRareForm{"SRS_PROD_010", "the application sends"};
 const Act kTooRareFault{"SRS_PROD_010", "an application that sends too rarely is a fault"};
@@ -122,6 +124,21 @@ const Act kStandDifference{"SRS_PROD_012", "the previous OnCycle counts"};
 const Product kSteps{"SRS_PROD_001", "0.5 ms x node-ID"};
 const Sum kFirstSum{"SRS_PROD_001", "entering OPERATIONAL and the initial delay"};
 const Sum kRefreshSum{"SRS_PROD_002", "instant of a refresh and the refresh time"};
+const Number kCauseAny{"SRS_PROD_009", "which fault of a producer it is"};
+const Number kCauseRecorded{"SRS_PROD_009", "first cause of a producer"};
+const Number kCauseSignalled{"SRS_PROD_009", "signal of a producer"};
+const Number kMissedTold{"SRS_PROD_010", "what is recorded of a missed refresh, in either form"};
+const Number kMissedTold1{"SRS_PROD_010", "what is recorded of a missed refresh"};
+const Place kExaminedSlot{"SRS_PROD_008", "slot that is examined in the cycle"};
+const Place kAcknowledgedSlot{"SRS_PROD_009", "slot whose first cause an edge clears"};
+const Number kGivingUpTold{"SRS_PROD_009", "cause of a fault that gives up the pair"};
+const Act kEdgeOfCall{"SRS_PROD_009", "an edge of a producer counts in its own call"};
+const Act kEdgeGone{"SRS_PROD_009", "an edge of a producer does not wait"};
+const Number kMissedCause{"SRS_PROD_010", "cause of a refresh that is missed"};
+const Number kTimeSays{"SRS_PROD_008", "what the check of the time says"};
+const Number kTimeSaysInCycle{"SRS_PROD_008", "what the check of the time in the cycle says"};
+const Number kTimeSaysOfFrame{"SRS_PROD_008", "what the check of the time of a confirmation says"};
+const Decision kAcknowledges{"SRS_PROD_009", "an edge clears the first cause"};
 const Number kToldAny{"SRS_PROD_009", "cause of a producer"};
 const Number kToldNoConfirmCycle{"SRS_PROD_008", "cause of no confirmation in the cycle"};
 const Number kToldNoConfirmFrame{"SRS_PROD_008", "cause of a confirmation too late"};
@@ -155,17 +172,26 @@ bool IsReached(std::uint32_t now_us, std::uint32_t from_us, std::uint32_t delay_
     return kDelayOver(kDelayReached() ? (elapsed >= delay_us) : (elapsed > delay_us));
 }
 
-void Fault(Record& record, SrdoCause cause) noexcept
+/// A fault `given` that is told as `told`.
+void FaultAs(Record& record, SrdoCause given, SrdoCause told) noexcept
 {
+    const SrdoCause cause = kCauseAny(given);
     if (kProducerFault())
     {
-        RecordFault(record, kToldAny(cause));
+        const bool is_missed = cause == SrdoCause::kRefreshMissed;
+        const SrdoCause recorded = kToldAny(is_missed ? told : kGivingUpTold(told));
+        RecordAs(record, kCauseRecorded(recorded), kCauseSignalled(recorded));
     }
     if ((cause != SrdoCause::kRefreshMissed) && kGivesUp())
     {
         record.transmission.is_in_flight = false;
         record.transmission.is_inverse_awaited = record.transmission.is_inverse_awaited && (!kGivesUpAwaited());
     }
+}
+
+void Fault(Record& record, SrdoCause cause) noexcept
+{
+    FaultAs(record, cause, kCauseAny(cause));
 }
 
 bool IsSrvtOver(const Record& record, const Limit& limit, const Milliseconds& unit, std::uint32_t now_us) noexcept
@@ -179,10 +205,13 @@ bool IsSrvtOver(const Record& record, const Limit& limit, const Milliseconds& un
 
 void ExamineConfirmation(const Common& common, Record& record) noexcept
 {
-    if (kNoConfirmInFlight(record.transmission.is_in_flight) &&
-        IsSrvtOver(record, kNoConfirmInCycle, kSrvtOfCycle, common.now_us) && kNoConfirmFault())
+    const bool is_over = kNoConfirmInFlight(record.transmission.is_in_flight) &&
+                         IsSrvtOver(record, kNoConfirmInCycle, kSrvtOfCycle, common.now_us);
+    const SrdoCause told = is_over ? kToldNoConfirmCycle(SrdoCause::kNoConfirmation) : SrdoCause::kNone;
+    const SrdoCause said = record.transmission.is_in_flight ? kTimeSays(kTimeSaysInCycle(told)) : told;
+    if ((is_over || (said != SrdoCause::kNone)) && kNoConfirmFault())
     {
-        Fault(record, kToldNoConfirmCycle(SrdoCause::kNoConfirmation));
+        Fault(record, said);
     }
 }
 
@@ -200,7 +229,8 @@ void ExamineRefresh(const Common& common, Record& record) noexcept
     {
         if (kMissedFault())
         {
-            Fault(record, kToldMissed(SrdoCause::kRefreshMissed));
+            const SrdoCause cause = kMissedCause(kToldMissed(SrdoCause::kRefreshMissed));
+            FaultAs(record, cause, kMissedTold(kMissedTold1(cause)));
         }
         to.is_refresh_due = to.is_refresh_due || (!kSkips());
     }
@@ -219,11 +249,13 @@ void ExamineApplication(const Common& common, Record& record) noexcept
     const std::uint32_t cycle_us = kTooRareTakesCycle() ? kTooRareCycle(common.config.cycle_us) : 0U;
     const std::uint32_t tolerance_us =
         kTooRareTakesTolerance() ? kTooRareTolerance(common.config.cycle_tolerance_us) : 0U;
-    const std::uint32_t limit_us = kTooRareMs(kTooRareSct(record.stored.sct_ms)) + cycle_us + tolerance_us;
+    const std::uint32_t refresh_us = kTooRareMs(kTooRareSct(record.stored.sct_ms));
+    const std::uint32_t limit_us = kTooRareSum(refresh_us, kTooRareCallSum(cycle_us, tolerance_us));
     if (kTooRare(common.now_us, to.base_us, kTooRareUs(limit_us)) && (!kTooRareRequest(to.is_requested)) &&
         kTooRareFault())
     {
-        Fault(record, kToldRare(SrdoCause::kRefreshMissed));
+        const SrdoCause cause = kMissedCause(kToldRare(SrdoCause::kRefreshMissed));
+        FaultAs(record, cause, kMissedTold(cause));
         to.base_us = kTooRareAnew() ? common.now_us : to.base_us;
     }
 }
@@ -272,9 +304,10 @@ void LeaveProducer(Record& record) noexcept
     record.state = kLeavesState() ? SrdoState::kOff : record.state;
 }
 
-void CycleProducer(const Common& common, Record& record, const CycleInput& input, SlotIndex slot,
+void CycleProducer(const Common& common, Record* records, const CycleInput& input, SlotIndex slot,
                    bool was_active) noexcept
 {
+    Record& record = records[slot];
     Transmission& to = record.transmission;
     const bool is_provider = kProvider(record.setup.form == ProducerForm::kProviderCalled);
     const bool is_standing = ((input.stand >> slot) & 1U) != 0U;
@@ -291,7 +324,7 @@ void CycleProducer(const Common& common, Record& record, const CycleInput& input
     const bool is_first = kBeforeRefresh();
     if (is_first)
     {
-        ExamineConfirmation(common, record);
+        ExamineConfirmation(common, records[kExaminedSlot(slot)]);
     }
     if (IsReached(common.now_us, to.entered_us, delay_us))
     {
@@ -306,15 +339,18 @@ void CycleProducer(const Common& common, Record& record, const CycleInput& input
     }
     if (!is_first)
     {
-        ExamineConfirmation(common, record);
+        ExamineConfirmation(common, records[kExaminedSlot(slot)]);
     }
     record.is_fault_reported = record.has_fault;
     record.has_fault = false;
-    if (kAcknowledgeWith(record.button.is_edge, kAcknowledgeFault(!record.is_fault_reported)) && kAcknowledge())
+    const bool waits = (!kEdgeOfCall()) || (!kEdgeGone());
+    const bool has_edge = record.button.is_edge || (waits && record.button.is_waiting);
+    const bool is_read = kAcknowledgeWith(has_edge, kAcknowledgeFault(!record.is_fault_reported));
+    if (kAcknowledges(is_read) && kAcknowledge())
     {
-        record.cause = SrdoCause::kNone;
+        records[kAcknowledgedSlot(slot)].cause = SrdoCause::kNone;
     }
-    record.button.is_waiting = false;
+    record.button.is_waiting = record.button.is_waiting && waits && !(is_read && kEdgeGone());
 }
 
 bool IsDue(const Common& common, const Record& record) noexcept
@@ -372,11 +408,14 @@ ConfirmStep Confirm(Record& record, const CanFrame& frame, std::uint32_t stamp_u
         }
         return ConfirmStep::kNone;
     }
-    if (IsSrvtOver(record, kNoConfirmAtFrame, kSrvtOfConfirm, stamp_us))
+    const bool is_over = IsSrvtOver(record, kNoConfirmAtFrame, kSrvtOfConfirm, stamp_us);
+    const SrdoCause told = is_over ? kToldNoConfirmFrame(SrdoCause::kNoConfirmation) : SrdoCause::kNone;
+    const SrdoCause said = kTimeSays(kTimeSaysOfFrame(told));
+    if (is_over || (said != SrdoCause::kNone))
     {
         if (kNoConfirmFaultFrame())
         {
-            Fault(record, kToldNoConfirmFrame(SrdoCause::kNoConfirmation));
+            Fault(record, said);
         }
         return ConfirmStep::kNone;
     }

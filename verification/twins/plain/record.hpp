@@ -52,6 +52,8 @@ struct Reception
     bool is_fresh{false};
     bool is_written{false};
     bool had_pair_or_fault{false};
+    bool had_pair{false};
+    bool had_fault{false};
     bool is_late_told{false};
     std::uint32_t entered_us{0U};
 };
@@ -87,6 +89,7 @@ struct Record
     SrdoSetup setup{};
     StaticFields fields{};
     Stored stored{};
+    std::uint32_t* entries{nullptr}; ///< The stored map entries.
     bool is_resolved{false};
     bool is_sound{false}; ///< The last Validate or Recheck found no fault.
     std::vector<Part> parts{};
@@ -101,6 +104,7 @@ struct Record
     bool is_fault_reported{false};
     bool has_fault{false}; ///< To be reported by the next OnCycle.
     bool is_committed{false};
+    bool is_safe{true};       ///< The last that was written is the safe value.
     bool is_otherwise{false}; ///< The last Commit read something else than was written.
     Reception reception{};
     Transmission transmission{};
@@ -146,21 +150,24 @@ void WriteObjects(const Record& record, Side side, const Bytes& normal) noexcept
 
 // consumer.cpp
 void RecordFault(Record& record, SrdoCause cause) noexcept;
+void RecordAs(Record& record, SrdoCause cause, SrdoCause signalled) noexcept;
 void CountFault(Record& record, SrdoCause cause) noexcept;
 void TakeFrame(Common& common, Record& record, const CanFrame& frame, std::uint32_t stamp_us) noexcept;
 void EnterConsumer(Record& record, std::uint32_t now_us) noexcept;
 void LeaveConsumer(Record& record) noexcept;
 void FollowButton(const Common& common, Record& record, bool bit) noexcept;
 void CycleConsumer(const Common& common, Record& record, bool is_late, bool is_lossy) noexcept;
-void DemoteConsumer(Record& record) noexcept;
+void DemoteConsumer(const Record& judged, Record& record, Record& counted) noexcept;
 [[nodiscard]] bool CommitConsumer(const Common& common, Record& record, bool is_agreed, bool is_matched) noexcept;
 /// @brief Whether an object holds something else than was written, if it is looked at.
-[[nodiscard]] bool ReadBack(const Common& common, const Record& record, bool is_written, bool is_examined) noexcept;
+[[nodiscard]] bool ReadBack(const Common& common, const Record& record, const Record& read, bool is_written,
+                            bool is_examined) noexcept;
 
 // producer.cpp
 void EnterProducer(const Common& common, Record& record) noexcept;
 void LeaveProducer(Record& record) noexcept;
-void CycleProducer(const Common& common, Record& record, const CycleInput& input, SlotIndex slot,
+/// @brief `records` are all of them.
+void CycleProducer(const Common& common, Record* records, const CycleInput& input, SlotIndex slot,
                    bool was_active) noexcept;
 [[nodiscard]] bool IsDue(const Common& common, const Record& record) noexcept;
 [[nodiscard]] PreparedPair PreparePair(const Common& common, Record& record) noexcept;
@@ -174,6 +181,10 @@ void Store(Common& common, Record* records, const ConfigItem& item) noexcept;
 [[nodiscard]] std::uint32_t Load(const Common& common, const Record* records, const ConfigAddress& address) noexcept;
 [[nodiscard]] std::uint32_t RoomOf(const Common& common, const Record& record) noexcept;
 [[nodiscard]] std::uint32_t CountOf(const Record& record) noexcept;
+/// @brief Entries that exist of those that the map count says.
+[[nodiscard]] std::uint32_t ExistingOf(const Common& common, const Record& record) noexcept;
+/// @brief The map count for the rules.
+[[nodiscard]] std::uint32_t DeclaredOf(const Common& common, const Record& record) noexcept;
 [[nodiscard]] std::uint32_t EntryOf(const Record& record, std::uint32_t number) noexcept;
 
 // signature.cpp

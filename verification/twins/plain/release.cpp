@@ -42,8 +42,12 @@ const Act kWritesSafe{"SRS_REL_002", "the safe value is written"};
 const Act kNoLongerCommitted{"SRS_REL_002", "a slot with the safe value is not committed"};
 const Decision kWasCommitted{"SRS_REL_002", "the slot is committed"};
 const Act kSafeMasked{"SRS_CFG_036", "bits of the safe value above the mapped length are 0"};
+const Decision kEnds{"SRS_REL_002", "a committed slot is committed no longer"};
+const Either kCommittedBy{"SRS_REL_002", "committed before, or by this pair"};
 const Both kCommitOf{"SRS_REL_002", "agreed, and released here"};
 const Both kCommitMatched{"SRS_REL_002", "agreed, and matched"};
+const Act kDemoteEffect{"SRS_REL_006", "Demote has the effect of a fault"};
+const Act kDemoteEffectEnds{"SRS_REL_006", "Demote has the effect of a fault and ends waiting past SCT"};
 const Act kDemoteDiscards{"SRS_REL_006", "a demotion discards"};
 const Act kDemoteRecorded{"SRS_REL_006", "a demotion is counted and is a cause"};
 
@@ -64,30 +68,33 @@ Bytes SafeOf(const Record& record) noexcept
 
 } // namespace
 
-void DemoteConsumer(Record& record) noexcept
+void DemoteConsumer(const Record& judged, Record& record, Record& counted) noexcept
 {
-    const bool is_state = (record.state == SrdoState::kWaiting) || (record.state == SrdoState::kFaulted) ||
-                          (record.state == SrdoState::kReleased);
-    if (!kDemotable(record.is_active && is_state))
+    const bool is_state = (judged.state == SrdoState::kWaiting) || (judged.state == SrdoState::kFaulted) ||
+                          (judged.state == SrdoState::kReleased);
+    if (!kDemotable(judged.is_active && is_state))
     {
         return;
     }
     Reception& at = record.reception;
-    const bool discards = kDemoteDiscards();
+    const bool ends = kDemoteEffectEnds();
+    const bool has_effect = kDemoteEffect() && ends;
+    const bool discards = kDemoteDiscards() && has_effect;
     at.is_held = at.is_held && (!(discards && kDemoteDrops()));
     at.is_fresh = at.is_fresh && at.is_held;
     at.ordinal = (discards && kDemoteOrdinal()) ? 0U : at.ordinal;
     at.is_pending = at.is_pending && kDemotePending(true);
-    record.state = kDemoteState() ? SrdoState::kFaulted : record.state;
-    const Record was = record;
+    record.state = (has_effect && kDemoteState()) ? SrdoState::kFaulted : record.state;
+    const Record was = counted;
     if (kDemoteRecorded())
     {
-        CountFault(record, kDemoteCause(SrdoCause::kDemoted));
+        CountFault(counted, kDemoteCause(SrdoCause::kDemoted));
     }
-    record.errors = kDemoteCounts() ? record.errors : was.errors;
-    record.cause = kDemoteFirst(false) ? was.cause : record.cause;
+    counted.errors = kDemoteCounts() ? counted.errors : was.errors;
+    counted.cause = kDemoteFirst(false) ? was.cause : counted.cause;
     record.button.is_waiting = record.button.is_waiting && (!(discards && kDemoteEdge()));
-    at.had_pair_or_fault = at.had_pair_or_fault || kDemoteWaiting();
+    at.had_fault = at.had_fault || ends;
+    at.had_pair_or_fault = at.had_pair_or_fault || (ends && kDemoteWaiting());
     record.has_fault = record.has_fault || (!kDemoteQuiet(true));
     record.recorded |= kDemoteSilent(true) ? 0U : (1U << static_cast<std::uint32_t>(SrdoCause::kDemoted));
 }
@@ -96,6 +103,7 @@ void DemoteConsumer(Record& record) noexcept
 bool CommitConsumer(const Common& common, Record& record, bool is_agreed, bool is_matched) noexcept
 {
     Reception& at = record.reception;
+    const bool was_committed = record.is_committed;
     const bool is_released = kCommitOf(kAgreed(is_agreed), kOwnState(record.state == SrdoState::kReleased));
     if (kCommitMatched(is_released, kMatched(is_matched)))
     {
@@ -106,7 +114,9 @@ bool CommitConsumer(const Common& common, Record& record, bool is_agreed, bool i
                 WriteObjects(record, common.side, at.held);
             }
             at.is_written = kNotesWritten();
-            record.is_committed = record.is_committed || kNotesCommitted();
+            record.is_safe = false;
+            const bool stays = was_committed && (!kEnds(false));
+            record.is_committed = kCommittedBy(stays, kNotesCommitted());
             return kReadsPair();
         }
     }
@@ -116,14 +126,17 @@ bool CommitConsumer(const Common& common, Record& record, bool is_agreed, bool i
         {
             WriteObjects(record, common.side, SafeOf(record));
         }
-        record.is_committed = !kNoLongerCommitted();
+        record.is_safe = true;
+        record.is_committed = !kEnds(kNoLongerCommitted());
         return kReadsSafe();
     }
+    record.is_committed = was_committed && (!kEnds(false));
     return false;
 }
 
 /// [SRS_REL_011]
-bool ReadBack(const Common& common, const Record& record, bool is_written, bool is_examined) noexcept
+bool ReadBack(const Common& common, const Record& record, const Record& read, bool is_written,
+              bool is_examined) noexcept
 {
     const Reception& at = record.reception;
     const bool is_in_turn = is_examined && kExaminesCommitted(record.is_committed) && kExaminesWritten(at.is_written);
@@ -131,11 +144,11 @@ bool ReadBack(const Common& common, const Record& record, bool is_written, bool 
     {
         return false;
     }
-    const Bytes expected = record.is_committed ? at.held : SafeOf(record);
-    const Bytes found = ReadObjects(record, common.side);
+    const Bytes expected = record.is_safe ? SafeOf(record) : at.held;
+    const Bytes found = ReadObjects(read, common.side);
     bool is_other = false;
     std::uint32_t from = 0U;
-    for (const Part& part : record.parts)
+    for (const Part& part : read.parts)
     {
         for (std::uint32_t bit = 0U; (bit < part.bits) && (part.place != nullptr); ++bit)
         {

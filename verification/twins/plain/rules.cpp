@@ -122,6 +122,31 @@ const Number kToldShared{"SRS_CFG_037", "fault that is told for a shared object"
 const Number kToldSignature{"SRS_CFG_029", "fault that is told for the signature"};
 const Number kToldRecheck{"SRS_CFG_030", "fault that is told for the signature in a Recheck"};
 const Number kToldTable{"SRS_CFG_030", "fault that is told for the mapping in a Recheck"};
+const Number kDirectionSays{"SRS_CFG_021", "what the check of the direction says"};
+const Number kTypeSays{"SRS_CFG_022", "what the check of the transmission type says"};
+const Number kIdSays{"SRS_CFG_023", "what the check of an identifier says"};
+const Number kUseSays{"SRS_CFG_024", "what the check of identifiers in use says"};
+const Number kTimingSays{"SRS_CFG_025", "what the check of timing says"};
+const Number kCountSays{"SRS_CFG_026", "what the check of the map count says"};
+const Number kEntriesSay{"SRS_CFG_027", "what the check of the entries says"};
+const Number kTotalSays{"SRS_CFG_028", "what the check of the total length says"};
+const Number kSharedSays{"SRS_CFG_037", "what the check of shared objects says"};
+const Decision kEntryGood{"SRS_CFG_027", "an entry by itself is good"};
+const Decision kEntriesCount{"SRS_CFG_026", "the map count is wrong, and no entry without its partner"};
+const Each kUseEach{"SRS_CFG_024", "SRDOs that are looked at"};
+const Number kUseOwnTwo{"SRS_CFG_024", "COB-ID 2 of the SRDO itself"};
+const Number kUseTwo{"SRS_CFG_024", "COB-ID 2 of another"};
+const Place kUsePlace{"SRS_CFG_024", "slot of another SRDO"};
+const Each kSharedEach{"SRS_CFG_037", "lower slots that are looked at"};
+const Place kSharedPlace{"SRS_CFG_037", "lower slot"};
+const Place kSharedEntriesOf{"SRS_CFG_037", "lower slot with the entries"};
+const Place kSharedOnOf{"SRS_CFG_037", "lower slot with the direction"};
+const Decision kSharedWith{"SRS_CFG_037", "an SRDO of a lower slot suffices, whatever it names"};
+const Decision kSharedCommon{"SRS_CFG_037", "the two SRDOs name a common object"};
+const Decision kSharedNamed{"SRS_CFG_037", "an SRDO of a lower slot names the object"};
+const Number kSharedValue{"SRS_CFG_037", "entry that is looked for"};
+const Decision kGoodValidate{"SRS_CFG_003", "a Validate without fault of an SRDO that is on"};
+const Decision kSoundValidate{"SRS_CFG_003", "a Validate without fault of an SRDO that is on resolves it"};
 const Decision kAccessRole{"SRS_CFG_027", "the access of a consumer is wanted"};
 const Decision kFieldsGood{"SRS_CFG_032", "the objects are those of the fields"};
 const Decision kFieldsStatic{"SRS_CFG_032", "the fields of a static mapping are checked"};
@@ -250,17 +275,18 @@ bool IsInField(const std::vector<Part>& side, const std::uint8_t* field, bool is
 }
 
 /// [SRS_CFG_027]
-bool AreEntriesGood(const Common& common, Record& record, std::vector<Part>& normal,
-                    std::vector<Part>& inverse) noexcept
+bool AreEntriesGood(const Common& common, Record& record, std::vector<Part>& normal, std::vector<Part>& inverse,
+                    bool is_alone_accepted) noexcept
 {
-    const std::uint32_t last = kEntriesLast(CountOf(record));
+    const std::uint32_t last = kEntriesLast(ExistingOf(common, record));
     bool is_good = true;
     for (std::uint32_t number = kEntriesFirst(1U); (number <= last) && (number <= kMaxMapEntries); ++number)
     {
         Part part{};
-        is_good = IsGood(common, record, number, part) && is_good;
+        is_good = kEntryGood(IsGood(common, record, number, part)) && is_good;
         (((number % 2U) == 1U) ? normal : inverse).push_back(part);
     }
+    is_good = is_good && (is_alone_accepted || (normal.size() == inverse.size()));
     for (std::size_t i = 0U; (i < normal.size()) && (i < inverse.size()); ++i)
     {
         const bool is_pair = kPairLength(normal[i].bits == inverse[i].bits) &&
@@ -280,10 +306,13 @@ bool IsInUse(const Common& common, const Record* records, SlotIndex slot) noexce
     bool is_used = false;
     for (std::uint32_t i = kUseFirst(0U); (i < kUseCount(common.config.srdo_count)) && (i < kMaxSrdoCount); ++i)
     {
-        const Stored& other = records[i].stored;
-        const bool is_equal = kUse11(own.cob_id_1 == other.cob_id_1) || kUse12(own.cob_id_1 == other.cob_id_2) ||
-                              kUse21(own.cob_id_2 == other.cob_id_1) || kUse22(own.cob_id_2 == other.cob_id_2);
-        is_used = is_used || (kUseOther(i != slot) && kUseOn(other.direction != 0U) && is_equal);
+        const std::uint32_t at = kUsePlace(i);
+        const Stored& other = records[at].stored;
+        const std::uint32_t two = kUseTwo(other.cob_id_2);
+        const std::uint32_t own_two = kUseOwnTwo(own.cob_id_2);
+        const bool is_equal = kUse11(own.cob_id_1 == other.cob_id_1) || kUse12(own.cob_id_1 == two) ||
+                              kUse21(own_two == other.cob_id_1) || kUse22(own_two == two);
+        is_used = is_used || (kUseEach(i) && kUseOther(at != slot) && kUseOn(other.direction != 0U) && is_equal);
     }
     return kUse(is_used);
 }
@@ -295,25 +324,33 @@ bool IsShared(const Common& common, const Record* records, SlotIndex slot) noexc
     bool is_shared = false;
     for (std::uint32_t i = kSharedFirst(0U); i < common.config.srdo_count; ++i)
     {
-        const Record& other = records[i];
-        const bool is_consumer = kSharedConsumer(IsConsumer(own)) || kSharedOther(IsConsumer(other));
-        if ((!kSharedLower(i < slot)) || (!kSharedOn(other.stored.direction != 0U)) || (!is_consumer))
+        const std::uint32_t at = kSharedPlace(i);
+        const Record& known = records[kSharedOnOf(at)];
+        const Record& other = records[kSharedEntriesOf(at)];
+        const bool is_consumer = kSharedConsumer(IsConsumer(own)) || kSharedOther(IsConsumer(known));
+        const bool is_with =
+            kSharedLower(at < slot) && kSharedEach(i) && kSharedOn(known.stored.direction != 0U) && is_consumer;
+        is_shared = is_shared || ((at < slot) && kSharedWith(false));
+        if (!is_with)
         {
             continue;
         }
-        const std::uint32_t whole = CountOf(other);
-        const std::uint32_t room = RoomOf(common, other);
-        const std::uint32_t count = (kSharedCut() && (whole > room)) ? room : whole;
-        for (std::uint32_t mine = kSharedFirstOwn(1U); (mine <= kSharedLastOwn(CountOf(own))) && (mine <= 256U); ++mine)
+        const std::uint32_t count = kSharedCut() ? ExistingOf(common, other) : CountOf(other);
+        bool is_common = false;
+        for (std::uint32_t mine = kSharedFirstOwn(1U);
+             (mine <= kSharedLastOwn(ExistingOf(common, own))) && (mine <= 256U); ++mine)
         {
-            const std::uint32_t value = EntryOf(own, mine);
+            const std::uint32_t value = kSharedValue(EntryOf(own, mine));
             const bool counts = !kSharedDummy(IsDummy(common, own, Read(value)));
+            bool is_named = false;
             for (std::uint32_t its = kSharedFirstEntry(1U); (its <= kSharedLastEntry(count)) && (its <= 256U); ++its)
             {
-                is_shared = is_shared || (counts && kSharedSame(IsSame(kSharedBoth, value, EntryOf(other, its),
-                                                                       kSharedIndex(), kSharedSub())));
+                is_named = is_named ||
+                           kSharedSame(IsSame(kSharedBoth, value, EntryOf(other, its), kSharedIndex(), kSharedSub()));
             }
+            is_common = is_common || (counts && kSharedNamed(is_named));
         }
+        is_shared = is_shared || kSharedCommon(is_common);
     }
     return kShared(is_shared);
 }
@@ -340,6 +377,23 @@ bool IsTimingWrong(const Common& common, const Record& record) noexcept
     return kTimingAny(is_consumer_wrong || (kTimingProducer(!is_consumer) && kRefresh(is_short)));
 }
 
+/// The first broken rule. [SRS_CFG_020]
+struct Verdict
+{
+    ConfigFault first{ConfigFault::kNone};
+    bool is_found{false};
+
+    void Ask(const Number& says, bool is_wrong, ConfigFault fault) noexcept
+    {
+        const ConfigFault told = says(is_wrong ? fault : ConfigFault::kNone);
+        if ((!is_found) && (is_wrong || (told != ConfigFault::kNone)))
+        {
+            first = told;
+            is_found = true;
+        }
+    }
+};
+
 ConfigFault FirstFault(const Common& common, Record* records, SlotIndex slot, std::vector<Part>& own,
                        std::uint32_t& bits) noexcept
 {
@@ -348,52 +402,31 @@ ConfigFault FirstFault(const Common& common, Record* records, SlotIndex slot, st
     {
         return ConfigFault::kNone;
     }
-    if (kDirection(record.stored.direction > kLastDirection(2U)))
-    {
-        return kToldDirection(ConfigFault::kDirection);
-    }
-    if (kType(record.stored.transmission_type != kTheType(254U)))
-    {
-        return kToldType(ConfigFault::kTransmissionType);
-    }
-    if (IsIdentifierWrong(record))
-    {
-        return kToldId(ConfigFault::kIdentifier);
-    }
-    if (IsInUse(common, records, slot))
-    {
-        return kToldUse(ConfigFault::kIdentifierInUse);
-    }
-    if (IsTimingWrong(common, record))
-    {
-        return kToldTiming(ConfigFault::kTiming);
-    }
-    const std::uint32_t count = CountOf(record);
-    if (kCountWrong(kCountOddOrNone(kCountZero(count == 0U), kCountOdd((count % 2U) != 0U)) ||
-                    kCountAbove(count > kCountRoom(RoomOf(common, record)))))
-    {
-        return kToldCount(ConfigFault::kMapping);
-    }
+    Verdict verdict{};
+    verdict.Ask(kDirectionSays, kDirection(record.stored.direction > kLastDirection(2U)),
+                kToldDirection(ConfigFault::kDirection));
+    verdict.Ask(kTypeSays, kType(record.stored.transmission_type != kTheType(254U)),
+                kToldType(ConfigFault::kTransmissionType));
+    verdict.Ask(kIdSays, IsIdentifierWrong(record), kToldId(ConfigFault::kIdentifier));
+    verdict.Ask(kUseSays, IsInUse(common, records, slot), kToldUse(ConfigFault::kIdentifierInUse));
+    verdict.Ask(kTimingSays, IsTimingWrong(common, record), kToldTiming(ConfigFault::kTiming));
+    const std::uint32_t count = DeclaredOf(common, record);
+    const bool is_count_wrong = kCountOddOrNone(kCountZero(count == 0U), kCountOdd((count % 2U) != 0U)) ||
+                                kCountAbove(count > kCountRoom(RoomOf(common, record)));
+    const bool is_told_wrong = kEntriesCount(is_count_wrong);
+    verdict.Ask(kCountSays, kCountWrong(is_told_wrong), kToldCount(ConfigFault::kMapping));
     std::vector<Part> normal;
     std::vector<Part> inverse;
-    if (!AreEntriesGood(common, record, normal, inverse))
-    {
-        return kToldEntries(ConfigFault::kMapping);
-    }
+    const bool are_good = AreEntriesGood(common, record, normal, inverse, is_told_wrong == is_count_wrong);
+    verdict.Ask(kEntriesSay, !are_good, kToldEntries(ConfigFault::kMapping));
     for (const Part& part : normal)
     {
         bits += part.bits;
     }
-    if (kTotal(kTotalSum(bits) > kTotalBits(64U)))
-    {
-        return kToldTotal(ConfigFault::kLengthExceeded);
-    }
-    if (IsShared(common, records, slot))
-    {
-        return kToldShared(ConfigFault::kMapping);
-    }
+    verdict.Ask(kTotalSays, kTotal(kTotalSum(bits) > kTotalBits(64U)), kToldTotal(ConfigFault::kLengthExceeded));
+    verdict.Ask(kSharedSays, IsShared(common, records, slot), kToldShared(ConfigFault::kMapping));
     own = (common.side == Side::kNormal) ? normal : inverse;
-    return ConfigFault::kNone;
+    return verdict.first;
 }
 
 Bytes SafeOf(const Record& record) noexcept
@@ -420,7 +453,10 @@ CheckResult ValidateRecord(const Common& common, Record* records, SlotIndex slot
         fault = kToldSignature(ConfigFault::kSignature);
     }
     const bool is_good = fault == ConfigFault::kNone;
-    if (is_good && (record.stored.direction != kDirectionOff))
+    const bool is_on = is_good && (record.stored.direction != kDirectionOff);
+    const bool resolves = kGoodValidate(kSoundValidate(is_on));
+    record.is_sound = is_good && (kSoundValidate(is_on) == is_on);
+    if (resolves)
     {
         record.parts = own;
         record.bits = bits;
@@ -438,7 +474,6 @@ CheckResult ValidateRecord(const Common& common, Record* records, SlotIndex slot
     {
         record.is_resolved = record.is_resolved && (!kUnresolves());
     }
-    record.is_sound = is_good;
     return CheckResult{fault, kTold(signature)};
 }
 

@@ -20,6 +20,8 @@ const Number kEntry{"SRS_CFG_010", "the value of an entry"};
 const Act kNoReflection{"SRS_CFG_010", "most significant bit first"};
 const Number kFirstEntry{"SRS_CFG_010", "the first entry"};
 const Number kLastEntry{"SRS_CFG_010", "the last entry"};
+const Each kEachEntry{"SRS_CFG_010", "entries that count"};
+const Number kCountOfEntries{"SRS_CFG_020", "entries that exist"};
 const Act kCuts{"SRS_CFG_020", "a map count above map_entries counts as that"};
 const Act kCutsCount{"SRS_CFG_020", "the byte of the map count is cut"};
 const Number kDirection{"SRS_CFG_010", "direction"};
@@ -155,9 +157,8 @@ void AddDevice(Crc32& crc, const Common& common) noexcept
 std::uint16_t SignatureOf(const Common& common, const Record& record) noexcept
 {
     const Stored& stored = record.stored;
-    const std::uint32_t room = RoomOf(common, record);
     const std::uint32_t whole = CountOf(record);
-    const std::uint32_t count = (kCuts() && (whole > room)) ? room : whole;
+    const std::uint32_t count = kCountOfEntries(kCuts() ? ExistingOf(common, record) : whole);
     Crc16 crc;
     crc.Add(kDirection(stored.direction), kHasDirection() ? 1U : 0U);
     crc.Add(kSct(stored.sct_ms), kHasSct() ? 2U : 0U);
@@ -170,6 +171,10 @@ std::uint16_t SignatureOf(const Common& common, const Record& record) noexcept
         if (number > 256U)
         {
             break;
+        }
+        if (!kEachEntry(number - 1U))
+        {
+            continue;
         }
         crc.Add(kSubIndex(kSubSum(number - 1U, 1U)), kSubIndices() ? 1U : 0U);
         crc.Add(kEntry(EntryOf(record, number)), kEntries() ? 4U : 0U);

@@ -35,12 +35,27 @@ const Decision kSlotExists{"SRS_CFG_003", "the slot exists"};
 const Decision kSubFirst{"SRS_CFG_003", "a map entry is not below 1"};
 const Decision kSubLast{"SRS_CFG_003", "a map entry is not above map_entries"};
 const Number kSub{"SRS_CFG_003", "number of a map entry"};
+const Place kUnresolvedSlot{"SRS_CFG_003", "slot that storing makes unresolved"};
 const Act kUnresolves{"SRS_CFG_003", "storing makes the mapping unresolved"};
 const Decision kSignatureStays{"SRS_CFG_003", "storing the signature leaves the mapping resolved"};
 const Decision kStaticStays{"SRS_CFG_003", "storing an entry of a static mapping leaves it resolved"};
+const Number kStaticBoth{"SRS_CFG_032", "count of a static mapping"};
+const Number kStaticDeclared{"SRS_CFG_032", "count of a static mapping in the rules"};
+const Number kStaticExisting{"SRS_CFG_032", "entries of a static mapping that exist"};
+const Number kDeclared{"SRS_CFG_026", "map count in the rules"};
+const Number kExisting{"SRS_CFG_020", "entries of the map count that exist"};
+const Lesser kRoomOfCount{"SRS_CFG_020", "map count, and map_entries"};
+const Decision kNotExchanged{"SRS_CFG_020", "the map count and the entries that exist in their places"};
 const Place kSlot{"SRS_CFG_003", "slot of Store"};
 const Place kLoadSlot{"SRS_CFG_003", "slot of Load"};
 
+const Number kFirstStored{"SRS_CFG_003", "first map entry that is stored"};
+const Number kFirstLoaded{"SRS_CFG_003", "first map entry that is loaded"};
+const Number kLastStored{"SRS_CFG_003", "last map entry that is stored"};
+const Number kLastLoaded{"SRS_CFG_003", "last map entry that is loaded"};
+const Place kRoomStored{"SRS_CFG_003", "slot whose room for entries counts when one is stored"};
+const Place kRoomLoaded{"SRS_CFG_003", "slot whose room for entries counts when one is loaded"};
+const Place kStaticOf{"SRS_CFG_003", "slot that is asked for a static mapping when something is stored"};
 const Number kFirstSub{"SRS_CFG_003", "first map entry"};
 const Number kLastSub{"SRS_CFG_003", "last map entry"};
 const Place kEntrySlot{"SRS_CFG_003", "slot of a map entry that is stored"};
@@ -57,18 +72,20 @@ bool IsStatic(const Record& record) noexcept
     return kStatic(record.setup.map.entries != nullptr) && (record.setup.map.entries != nullptr);
 }
 
-bool IsEntry(const Common& common, const Record& record, std::uint32_t sub) noexcept
+bool IsEntry(const Common& common, const Record& record, std::uint32_t sub, bool is_stored) noexcept
 {
-    return kSubFirst(sub >= kFirstSub(1U)) && kSubLast(sub <= kLastSub(RoomOf(common, record))) && (sub >= 1U) &&
-           (sub <= kMaxMapEntries);
+    const std::uint32_t first = kFirstSub(is_stored ? kFirstStored(1U) : kFirstLoaded(1U));
+    const std::uint32_t room = RoomOf(common, record);
+    const std::uint32_t last = kLastSub(is_stored ? kLastStored(room) : kLastLoaded(room));
+    return kSubFirst(sub >= first) && kSubLast(sub <= last) && (sub >= 1U) && (sub <= kMaxMapEntries);
 }
 
 /// @return Whether anything was kept.
-bool Keep(const Common& common, Record& record, const ConfigItem& item) noexcept
+bool Keep(const Common& common, const Record* records, Record& record, const ConfigItem& item) noexcept
 {
     const std::uint32_t value = item.value;
     Stored& stored = record.stored;
-    const bool is_static = IsStatic(record) && kStaticStore(true);
+    const bool is_static = IsStatic(records[kStaticOf(item.address.slot)]) && kStaticStore(true);
     switch (item.address.field)
     {
     case ConfigField::kDirection:
@@ -95,10 +112,10 @@ bool Keep(const Common& common, Record& record, const ConfigItem& item) noexcept
     case ConfigField::kMapEntry:
     {
         const std::uint32_t sub = kSub(item.address.sub);
-        const bool is_kept = (!is_static) && IsEntry(common, record, sub);
+        const bool is_kept = (!is_static) && IsEntry(common, records[kRoomStored(item.address.slot)], sub, true);
         if (is_kept)
         {
-            stored.entries[sub - 1U] = value;
+            record.entries[sub - 1U] = value;
         }
         return is_kept || (is_static && (!kStaticStays(true)));
     }
@@ -126,9 +143,9 @@ void SetDefaults(const DeviceConfig& config, Record& record) noexcept
     stored.sct_ms = kDefaultSct(std::uint16_t{25U});
     stored.map_count = kDefaultCount(std::uint8_t{0U});
     stored.signature = kDefaultSignature(std::uint16_t{0U});
-    for (std::uint32_t& entry : stored.entries)
+    for (std::uint32_t i = 0U; i < kMaxMapEntries; ++i)
     {
-        entry = kDefaultEntry(0U);
+        record.entries[i] = kDefaultEntry(0U);
     }
     const std::uint32_t node = config.node_id;
     const bool is_default = kIsNumberOne(record.setup.number == 1U) && kIsLowNode(node <= kLastNode(64U));
@@ -151,6 +168,38 @@ std::uint32_t CountOf(const Record& record) noexcept
     return (IsStatic(record) && kStaticCount(true)) ? record.setup.map.count : record.stored.map_count;
 }
 
+namespace
+{
+/// The map count as it is told, and how many entries there are of it.
+struct Counts
+{
+    std::uint32_t declared;
+    std::uint32_t existing;
+};
+
+Counts CountsOf(const Common& common, const Record& record) noexcept
+{
+    const std::uint32_t count = CountOf(record);
+    const std::uint32_t lesser = kRoomOfCount(count, RoomOf(common, record));
+    if (IsStatic(record))
+    {
+        return Counts{kStaticDeclared(kStaticBoth(count)), kStaticExisting(kStaticBoth(lesser))};
+    }
+    const bool is_right = kNotExchanged(true);
+    return Counts{kDeclared(is_right ? count : lesser), kExisting(is_right ? lesser : count)};
+}
+} // namespace
+
+std::uint32_t ExistingOf(const Common& common, const Record& record) noexcept
+{
+    return CountsOf(common, record).existing;
+}
+
+std::uint32_t DeclaredOf(const Common& common, const Record& record) noexcept
+{
+    return CountsOf(common, record).declared;
+}
+
 std::uint32_t EntryOf(const Record& record, std::uint32_t number) noexcept
 {
     if (IsStatic(record) && kStaticEntry(true))
@@ -158,7 +207,7 @@ std::uint32_t EntryOf(const Record& record, std::uint32_t number) noexcept
         const bool is_above = kAboveCount(number > record.setup.map.count) || (number > record.setup.map.count);
         return is_above ? 0U : record.setup.map.entries[number - 1U];
     }
-    return ((number >= 1U) && (number <= kMaxMapEntries)) ? record.stored.entries[number - 1U] : 0U;
+    return ((number >= 1U) && (number <= kMaxMapEntries)) ? record.entries[number - 1U] : 0U;
 }
 
 void Store(Common& common, Record* records, const ConfigItem& item) noexcept
@@ -180,10 +229,12 @@ void Store(Common& common, Record* records, const ConfigItem& item) noexcept
     }
     const bool is_entry = item.address.field == ConfigField::kMapEntry;
     Record& record = records[is_entry ? kEntrySlot(item.address.slot) : kSlot(item.address.slot)];
-    if (Keep(common, record, item) && kUnresolves())
+    if (Keep(common, records, record, item) && kUnresolves())
     {
-        record.is_resolved = false;
-        record.is_sound = false;
+        Record& unresolved = is_entry ? records[kUnresolvedSlot(kEntrySlot(item.address.slot))]
+                                      : records[kUnresolvedSlot(kSlot(item.address.slot))];
+        unresolved.is_resolved = false;
+        unresolved.is_sound = false;
     }
 }
 
@@ -221,7 +272,9 @@ std::uint32_t Load(const Common& common, const Record* records, const ConfigAddr
     case ConfigField::kMapEntry:
     {
         const std::uint32_t sub = kSub(address.sub);
-        return IsEntry(common, record, sub) ? EntryOf(records[kEntryLoadSlot(address.slot)], sub) : 0U;
+        return IsEntry(common, records[kRoomLoaded(address.slot)], sub, false)
+                   ? EntryOf(records[kEntryLoadSlot(address.slot)], sub)
+                   : 0U;
     }
     case ConfigField::kSignature:
         return record.stored.signature;
