@@ -521,6 +521,36 @@ TEST_F(PlanTest, VoiceThatIsNoCauseOfAChannelIsRefused)
               std::string::npos);
 }
 
+TEST_F(ReportTest, ChannelThatNeverReportedItsCauseByItselfFailsTheCampaign)
+{
+    Verifies(req::SRS_CMG_041);
+    // Given a plan by which channel B has to report SRVT by itself
+    const Session session(
+        PlanFile("plan.yaml", "actuator",
+                 "at: [500 ms]\nparts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip]\n"
+                 "voices: [channel_b.srvt]\n"));
+    const auto judged = [&session](const SrdoCause cause, const std::uint8_t marks)
+    {
+        Results results("", session.Identity(Shard{}));
+        for (std::uint64_t index = 0U; index < 8U; ++index)
+        {
+            results.Put(index, Outcome{Class::kDetected, Detector::kLatch, 0U, 0U, 1000U});
+        }
+        results.Put(3U, Outcome{Class::kDetected, Detector::kChannels, static_cast<std::uint8_t>(cause), marks, 1000U});
+        return Summarise(session.Parts(), results);
+    };
+    // When it did so once, then the campaign holds
+    EXPECT_TRUE(judged(SrdoCause::kSrvt, 4U).Holds());
+    // When only the other channel did, or it reported another cause, or none by itself, then it does not
+    EXPECT_FALSE(judged(SrdoCause::kSrvt, 2U).Holds());
+    EXPECT_FALSE(judged(SrdoCause::kSct, 4U).Holds());
+    EXPECT_FALSE(judged(SrdoCause::kSrvt, 0U).Holds());
+    // and the report says of whom
+    EXPECT_NE(TextReport(session.Parts(), judged(SrdoCause::kSct, 4U))
+                  .find("idle: channel_b.srvt found nothing; the plan expects it to"),
+              std::string::npos);
+}
+
 TEST_F(PlanTest, PinsAreHitWhereTheyAreTheOutput)
 {
     Verifies(req::SRS_CMG_042);

@@ -33,6 +33,7 @@ JUDGES = {
     "safety_core_comparator": ((COMPARATOR_PROBE, ("--gtest_brief=1",), "tests"),),
 }
 PROCESSOR_LIMIT_S = 60
+FEWEST = 7  # Of each room [SRS_CNF_020].
 
 
 def read_mutants(path):
@@ -47,6 +48,13 @@ def read_mutants(path):
         if mutant["room"] not in JUDGES:
             raise BadInput(f"{path}: mutant {mutant['name']}: room '{mutant['room']}', expected one of {', '.join(JUDGES)}")
     return mutants
+
+
+def check_enough(mutants):
+    for room in JUDGES:
+        count = sum(1 for mutant in mutants if mutant["room"] == room)
+        if count < FEWEST:
+            raise BadInput(f"{room}: {count} mutants, expected at least {FEWEST}")
 
 
 def mutate(mutant, work):
@@ -128,8 +136,15 @@ def show(results):
 
 
 def self_test(build):
-    """The run must fail on a mutant that changes nothing, one that does not fit, and one that does not compile."""
-    good = True
+    """The run must fail on a mutant that changes nothing, one that does not fit, one that does not compile, and too few."""
+    few = [{"room": room} for room in JUDGES for _ in range(FEWEST)][1:]
+    try:
+        check_enough(few)
+        said = ""
+    except BadInput as error:
+        said = str(error)
+    good = said == "channel_a: 6 mutants, expected at least 7"
+    print(f"{'pass' if good else 'FAIL'}  too few mutants: {said or 'taken'}")
     for mutant, expected in zip(read_mutants(ROOT / HERE / "fixture" / "mutants.json"), ("survives", "occurs", "compile")):
         result = judge(build, mutant)
         if expected == "survives":
@@ -155,6 +170,8 @@ def main(arguments):
         mutants = [mutant for mutant in read_mutants(options.mutants) if mutant["name"].startswith(options.only)]
         if not mutants:
             raise BadInput(f"{options.mutants}: no mutant begins with '{options.only}'")
+        if not options.only and options.mutants == ROOT / HERE / "mutants.json":
+            check_enough(mutants)
         build = Build(options.build.resolve(), [PROBE, COMPARATOR_PROBE])
         if options.self_test:
             return self_test(build)

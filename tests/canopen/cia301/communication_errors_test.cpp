@@ -146,7 +146,10 @@ TEST_F(CommunicationErrorsTest, EmergenciesOfChosenNodesAreHeard)
     EXPECT_EQ(Write(consumer, 0x1028U, 2U, 0x82U), SdoAbort::kNone);
     EXPECT_EQ(Write(consumer, 0x1028U, 2U, 0x82U), SdoAbort::kNone);
     EXPECT_EQ(Write(consumer, 0x1028U, 2U, 0x83U), SdoAbort::kValueRange);
-    EXPECT_EQ(Write(consumer, 0x1028U, 3U, 0x40000083U), SdoAbort::kValueRange);
+    for (std::uint32_t place = 11U; place <= 30U; ++place)
+    {
+        EXPECT_EQ(Write(consumer, 0x1028U, 3U, 0x83U | (1U << place)), SdoAbort::kValueRange) << place;
+    }
     EXPECT_EQ(Write(consumer, 0x1028U, 3U, 0x00000181U), SdoAbort::kNone);
     EXPECT_EQ(Write(consumer, 0x1028U, 3U, 0x80000181U), SdoAbort::kNone);
     EXPECT_EQ(Write(consumer, 0x1028U, 3U, 0x80000101U), SdoAbort::kValueRange);

@@ -53,6 +53,7 @@ TEST_F(EmergencyTest, AnErrorIsSentWhenItComesAndWhenItGoes)
 
 TEST_F(EmergencyTest, TheHistoryHasTheNewestFirst)
 {
+    Verifies(req::SRS_EMCY_001);
     Verifies(req::SRS_EMCY_002);
     EXPECT_EQ(producer.History(0U).value, 0U);
     EXPECT_EQ(producer.History(1U).abort, SdoAbort::kNoData);

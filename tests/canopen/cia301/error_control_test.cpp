@@ -168,6 +168,26 @@ TEST_F(ConsumerTest, EachNodeHasItsOwnEvents)
     ExpectLast(6U, {8U, HeartbeatEvent::kLost, 127U});
 }
 
+TEST_F(ConsumerTest, ABootUpEndsSupervisionUntilTheNextHeartbeat)
+{
+    Verifies(req::SRS_HB_005);
+    EXPECT_EQ(consumer.Write(1U, 0x00070064U), SdoAbort::kNone); // 100 ms
+    consumer.OnFrame(Beat(7U, 5U), Instant{0U});
+    ExpectLast(1U, {7U, HeartbeatEvent::kStarted, 5U});
+    // When a supervised node restarts and says nothing for longer than its time
+    consumer.OnFrame(Beat(7U, 0U), Instant{50000U});
+    ExpectLast(2U, {7U, HeartbeatEvent::kBootUp, 0U});
+    consumer.Poll(Instant{900000U});
+    // Then it is not lost, and after its next heartbeat it may be
+    EXPECT_EQ(told.size(), 2U);
+    consumer.OnFrame(Beat(7U, 127U), Instant{900000U});
+    ExpectLast(3U, {7U, HeartbeatEvent::kStarted, 127U});
+    consumer.Poll(Instant{1000000U});
+    EXPECT_EQ(told.size(), 3U);
+    consumer.Poll(Instant{1000001U});
+    ExpectLast(4U, {7U, HeartbeatEvent::kLost, 127U});
+}
+
 TEST_F(ConsumerTest, WhatIsNoHeartbeatChangesNothing)
 {
     Verifies(req::SRS_HB_006);
@@ -244,6 +264,9 @@ TEST_F(GuardingTest, AMasterThatFallsSilentIsToldOnceAndItsReturnToo)
     EXPECT_EQ(Ask(NodeState::kOperational, 3000000U), 0x05U);
     EXPECT_EQ(event, GuardEvent::kNone);
     EXPECT_EQ(guarding.Poll(Instant{9000000U}), GuardEvent::kNone);
+    guarding.SetLifeTime(0U, 3U);
+    EXPECT_EQ(Ask(NodeState::kOperational, 9000000U), 0x85U);
+    EXPECT_EQ(guarding.Poll(Instant{19000000U}), GuardEvent::kNone);
 }
 
 TEST_F(GuardingTest, ALifeTimeBeyondTheCounterIsKept)

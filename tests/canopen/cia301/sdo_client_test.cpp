@@ -211,6 +211,30 @@ TEST_F(SdoClientTest, BlockDownloadRepeatsWhatWasLost)
     EXPECT_EQ(Result(), 0x05040002U);
 }
 
+TEST_F(SdoClientTest, AServerWithoutCrcGivesAndGetsNone)
+{
+    Verifies(req::SRS_SDC_003);
+    Verifies(req::SRS_SDC_004);
+    EXPECT_TRUE(Download(0x2103U, Octets{1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U}, SdoMode::kBlock));
+    EXPECT_EQ(requests.Next()[0], 0xC6U);
+    Answer({0xA0U, 0x03U, 0x21U, 0U, 1U}); // No CRC, one segment a block.
+    EXPECT_EQ(requests.Next(), (Octets{0x01U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}));
+    EXPECT_TRUE(requests.frames.empty());
+    Answer({0xA2U, 1U, 1U});
+    EXPECT_EQ(requests.Next(), (Octets{0x81U, 8U, 9U, 0U, 0U, 0U, 0U, 0U}));
+    Answer({0xA2U, 1U, 1U});
+    EXPECT_EQ(requests.Next(), (Octets{0xD5U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}));
+    Answer({0xA1U});
+    EXPECT_EQ(Result(), 0U);
+    // What stands in the place of the CRC of an upload is nothing then
+    EXPECT_TRUE(Upload(0x2103U, SdoMode::kBlock));
+    Answer({0xC2U, 0x03U, 0x21U, 0U, 7U});
+    Answer({0x81U, '1', '2', '3', '4', '5', '6', '7'});
+    Answer({0xC1U, 0xFFU, 0xFFU});
+    EXPECT_EQ(Result(), 0U);
+    EXPECT_EQ(got[6], '7');
+}
+
 TEST_F(SdoClientTest, AnEarlyAcknowledgementDropsASegmentThatStillWaits)
 {
     Verifies(req::SRS_SDC_003);

@@ -10,6 +10,7 @@
 #include "canopen/cia301/time/time_stamp.hpp"
 #include "tests/canopen/cia301/service_rig.hpp"
 #include "verification/trace/ids/cia301.hpp"
+#include "verification/trace/ids/node.hpp"
 
 namespace counterpoint::cia301
 {
@@ -174,6 +175,7 @@ using ServiceStates = ::testing::TestWithParam<ServiceRow>;
 
 TEST_P(ServiceStates, AServiceActsInTheStatesOfItsRow)
 {
+    Verifies(req::SRS_DEV_010);
     Verifies(req::SRS_NMT_010);
     Verifies(req::SRS_NMT_006);
     const ServiceRow& row = GetParam();

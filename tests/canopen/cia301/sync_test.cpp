@@ -43,6 +43,40 @@ TEST_F(SyncTest, ADataFrameOnTheIdentifierIsASync)
     EXPECT_EQ(window_us, 500U);
 }
 
+TEST_F(SyncTest, ASyncIsOneInPreOperationalAndOperationalOnlyAndHasItsCounter)
+{
+    Verifies(req::SRS_SYNC_001);
+    EXPECT_EQ(Set(0x1019U, 10U), SdoAbort::kNone);
+    for (const NodeState state : {NodeState::kInvalid, NodeState::kInitialising, NodeState::kResetApplication,
+                                  NodeState::kResetCommunication, NodeState::kStopped})
+    {
+        heard.OnFrame(FrameOf(0x80U, {1U}), Moment{state, Instant{now_us}});
+    }
+    EXPECT_TRUE(counters.empty());
+    heard.OnFrame(FrameOf(0x80U, {2U}), Moment{NodeState::kPreOperational, Instant{now_us}});
+    heard.OnFrame(FrameOf(0x80U, {3U}), Moment{NodeState::kOperational, Instant{now_us}});
+    EXPECT_EQ(counters, (Octets{2U, 3U}));
+}
+
+TEST_F(SyncTest, TheProducerIsSilentInStoppedAndBeforePreOperational)
+{
+    Verifies(req::SRS_SYNC_003);
+    EXPECT_EQ(Set(0x1006U, 1000U), SdoAbort::kNone);
+    EXPECT_EQ(Set(0x1005U, 0x40000080U), SdoAbort::kNone);
+    for (const NodeState state : {NodeState::kInvalid, NodeState::kInitialising, NodeState::kResetApplication,
+                                  NodeState::kResetCommunication, NodeState::kStopped})
+    {
+        heard.OnCycle(Moment{state, Instant{now_us}});
+        now_us += 1000U;
+    }
+    EXPECT_TRUE(sink.frames.empty());
+    heard.OnCycle(Moment{NodeState::kPreOperational, Instant{now_us}});
+    EXPECT_EQ(sink.frames.size(), 1U);
+    now_us += 1000U;
+    heard.OnCycle(Moment{NodeState::kOperational, Instant{now_us}});
+    EXPECT_EQ(sink.frames.size(), 2U);
+}
+
 TEST_F(SyncTest, AWrongLengthIsToldOnceAndIsNoSync)
 {
     Verifies(req::SRS_SYNC_002);
@@ -167,7 +201,10 @@ TEST_F(SyncTest, ObjectsAreChecked)
     {
         EXPECT_EQ(Set(0x1019U, wrong), SdoAbort::kValueRange);
     }
-    EXPECT_EQ(Set(0x1019U, 240U), SdoAbort::kNone);
+    for (const std::uint32_t right : {2U, 0U, 240U})
+    {
+        EXPECT_EQ(Set(0x1019U, right), SdoAbort::kNone);
+    }
     EXPECT_EQ(Set(0x1006U, 1000U), SdoAbort::kNone);
     EXPECT_EQ(Set(0x1019U, 240U), SdoAbort::kNone);
     EXPECT_EQ(Set(0x1019U, 2U), SdoAbort::kDeviceState);

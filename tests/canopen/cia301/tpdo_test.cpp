@@ -215,6 +215,46 @@ TEST_F(TpdoTest, TheInhibitTimeIsKept)
     EXPECT_EQ(Sent(), 0U);
 }
 
+TEST_F(TpdoTest, ARemoteFrameOfAnyLengthIsAnsweredAsTheTypeSays)
+{
+    Verifies(req::SRS_PDO_014);
+    UseTpdo(1U);
+    CanFrame remote = RemoteOf(0x185U);
+    // Given a synchronous type: nothing before the first SYNC, then the values of the last one
+    for (const std::uint32_t type : {0U, 1U, 240U})
+    {
+        Command(128U);
+        Cycle();
+        EXPECT_EQ(WritePdo(0x1800U, 2U, type), SdoAbort::kNone);
+        Command(1U);
+        Cycle();
+        tpdos.OnFrame(remote, Now());
+        EXPECT_EQ(Sent(), 0U) << type;
+        u8[0] = 0x21U;
+        Sync0();
+        static_cast<void>(Sent());
+        u8[0] = 0x31U;
+        for (remote.length_bytes = 0U; remote.length_bytes <= 8U; ++remote.length_bytes)
+        {
+            tpdos.OnFrame(remote, Now());
+            EXPECT_EQ(sink.Next(), (Octets{0x21U, 0x22U, 0x33U})) << type;
+        }
+    }
+    // An event-driven one: the values of now
+    for (const std::uint32_t type : {254U, 255U})
+    {
+        EXPECT_EQ(WritePdo(0x1800U, 2U, type), SdoAbort::kNone);
+        Cycle();
+        static_cast<void>(Sent());
+        u8[0] = static_cast<std::uint8_t>(type);
+        for (remote.length_bytes = 0U; remote.length_bytes <= 8U; ++remote.length_bytes)
+        {
+            tpdos.OnFrame(remote, Now());
+            EXPECT_EQ(sink.Next(), (Octets{static_cast<std::uint8_t>(type), 0x22U, 0x33U})) << type;
+        }
+    }
+}
+
 TEST_F(TpdoTest, RemoteFramesAreAnsweredWhereTheyAreAllowed)
 {
     Verifies(req::SRS_PDO_014);

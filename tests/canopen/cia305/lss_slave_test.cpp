@@ -99,6 +99,18 @@ TEST_F(LssSlaveTest, OnlyFramesOfEightBytesOnItsIdentifierCount)
                               ((command >= 0x46U) && (command <= 0x4CU)) || (command == 0x51U);
         EXPECT_TRUE(is_known || Send({static_cast<std::uint8_t>(command)}).empty()) << command;
     }
+    // and unknown ones in configuration
+    for (std::uint32_t command = 0U; command < 256U; ++command)
+    {
+        EXPECT_TRUE(Send({0x04U, 1U}).empty());
+        const bool is_known = (command == 0x04U) || (command == 0x11U) || (command == 0x13U) || (command == 0x15U) ||
+                              (command == 0x17U) || ((command >= 0x40U) && (command <= 0x43U)) ||
+                              ((command >= 0x46U) && (command <= 0x4CU)) || (command == 0x51U) ||
+                              ((command >= 0x5AU) && (command <= 0x5EU));
+        EXPECT_TRUE(is_known || Send({static_cast<std::uint8_t>(command)}).empty()) << command;
+        EXPECT_EQ(slave.State(), LssState::kConfiguration) << command;
+    }
+    EXPECT_TRUE(Send({0x04U, 0U}).empty());
     // An answer without room is sent later
     sink.room = 0;
     EXPECT_TRUE(Send({0x4CU}).empty());
@@ -233,6 +245,17 @@ TEST_F(LssSlaveTest, NoBitRateChangesInOperationalNorToOneThatIsNotSupported)
     static_cast<void>(Cycle());
     EXPECT_FALSE(slave.IsSilent());
     EXPECT_EQ(rate, -1);
+    // and behind the change the silence ends, too
+    state = NodeState::kPreOperational;
+    EXPECT_TRUE(Send({0x15U, 10U, 0U}).empty());
+    now_us += 10000U;
+    static_cast<void>(Cycle());
+    EXPECT_EQ(rate, 2);
+    EXPECT_TRUE(slave.IsSilent());
+    state = NodeState::kOperational;
+    now_us += 1U;
+    static_cast<void>(Cycle());
+    EXPECT_FALSE(slave.IsSilent());
     // The rate that was stored is none of this controller, and 13h gave no other one
     state = NodeState::kPreOperational;
     LssSlave other{LssParts{sink, *this, kIdentity, LssSettings{5U, {8U}}}};
@@ -293,6 +316,34 @@ TEST_F(LssSlaveTest, TheAddressIsInquired)
     EXPECT_EQ(Send({0x5BU}), (Octets{0x5BU, 0x01U, 0U, 0U, 0x80U, 0U, 0U, 0U}));
     EXPECT_EQ(Send({0x5CU}), (Octets{0x5CU, 0x02U, 0U, 0x01U, 0U, 0U, 0U, 0U}));
     EXPECT_EQ(Send({0x5DU}), (Octets{0x5DU, 0x07U, 0U, 0xFEU, 0xCAU, 0U, 0U, 0U}));
+}
+
+TEST_F(LssSlaveTest, RangesInAnotherOrderIdentifyNobody)
+{
+    Verifies(req::SRS_LSS_008);
+    const std::uint32_t right[] = {0x123U, 0x80000001U, 0x00010002U, 0x00010002U, 0xCAFE0007U, 0xCAFE0007U};
+    const auto send = [this, &right](const std::size_t part)
+    { return Send(static_cast<std::uint8_t>(0x46U + part), right[part]); };
+    // Given two neighbours that change places, or a part that is missing, then there is no answer
+    for (std::size_t first = 0U; first < 5U; ++first)
+    {
+        std::vector<std::size_t> order{0U, 1U, 2U, 3U, 4U, 5U};
+        std::swap(order[first], order[first + 1U]);
+        for (const std::size_t part : order)
+        {
+            EXPECT_TRUE(send(part).empty()) << first;
+        }
+        for (std::size_t part = 0U; part < 6U; ++part)
+        {
+            EXPECT_TRUE((part == first) || send(part).empty()) << first;
+        }
+    }
+    // In order there is one
+    for (std::size_t part = 0U; part < 5U; ++part)
+    {
+        EXPECT_TRUE(send(part).empty());
+    }
+    EXPECT_EQ(send(5U), Reply(0x4FU));
 }
 
 TEST_F(LssSlaveTest, RangesIdentifyASlave)

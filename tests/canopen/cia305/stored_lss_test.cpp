@@ -63,6 +63,17 @@ TEST_F(StoredLssTest, SettingsOutliveTheirPowerAndTheDefaultsOfTheApplication)
     EXPECT_EQ(store.Continue(forget), cia301::SdoAbort::kNone);
     // Then the node-ID is still there
     EXPECT_EQ(Restarted().node_id, 42U);
+    // nor does a save of the application keep one that LSS did not save
+    lss = StoredLss{LssSettings{77U, {3U}}};
+    const StoreRequest save{StoreAction::kSave, cia301::kAllGroups};
+    EXPECT_EQ(store.Begin(save), cia301::SdoAbort::kPending);
+    while (store.IsBusy())
+    {
+        store.OnCycle();
+    }
+    EXPECT_EQ(store.Continue(save), cia301::SdoAbort::kNone);
+    EXPECT_EQ(Restarted().node_id, 42U);
+    EXPECT_EQ(lss.Settings().timing.index, 4U);
     EXPECT_EQ(Keep(LssSettings{43U, {4U}}), LssStored::kDone);
     EXPECT_EQ(Restarted().node_id, 43U);
     const std::uint8_t wrong[3] = {1U, 2U, 3U};

@@ -6,6 +6,7 @@
 #include "canopen/device/app_device.hpp"
 #include "names/safety_core/kernel/start_check.hpp"
 #include "tests/canopen/device/device_rig.hpp"
+#include "verification/trace/ids/cia301.hpp"
 #include "verification/trace/ids/comfort.hpp"
 #include "verification/trace/ids/node.hpp"
 
@@ -257,6 +258,7 @@ class DeviceFurtherTest : public DeviceRig, public cia301::TimeListener, public 
     {
         Put(time, 0x1012U, 0U, 0xC0000100U);
         Put(listener, 0x1028U, 2U, 0x82U);
+        Put(listener, 0x1028U, 1U, 0x83U);
         Put(client, 0x1280U, 1U, 0x605U);
         Put(client, 0x1280U, 2U, 0x585U);
         Put(client, 0x1280U, 3U, 5U);
@@ -307,6 +309,37 @@ TEST_F(DeviceFurtherTest, TimeAndEmergenciesOfOthersAreHeard)
     Frame(0x100U, {1U, 0U, 0U, 0U, 0U, 0U});
     Cycle();
     EXPECT_EQ(days, 0x1234U);
+}
+
+TEST_F(DeviceFurtherTest, NoServiceGetsTheIdentifierOfAnother)
+{
+    Verifies(req::SRS_EMCY_003);
+    Start();
+    Configure();
+    // Given an emergency that is off, then it gets none of TIME, a consumed emergency or a further SDO, request or
+    // answer
+    EXPECT_EQ(Download(0x1014U, 0U, 0x80000082U, 4U), 0U);
+    for (const std::uint32_t used : {0x100U, 0x83U, 0x680U, 0x6A0U})
+    {
+        EXPECT_EQ(Download(0x1014U, 0U, used, 4U), 0x06090030U) << used;
+    }
+    EXPECT_EQ(Download(0x1014U, 0U, 0x101U, 4U), 0x06090030U); // An SRDO's.
+    EXPECT_EQ(Download(0x1014U, 0U, 0x84U, 4U), 0U);
+    // nor does SYNC
+    for (const std::uint32_t used : {0x100U, 0x83U, 0x680U, 0x6A0U, 0x84U})
+    {
+        EXPECT_EQ(Download(0x1005U, 0U, used, 4U), 0x06090030U) << used;
+    }
+    // The other way round: SYNC's identifier, and the own emergency's but in 1028h, are none for the others
+    for (const std::uint32_t used : {0x80U, 0x84U})
+    {
+        EXPECT_FALSE(services.Allows({0x1012U, 0U}, 0x80000000U | used)) << used;
+        EXPECT_FALSE(services.Allows({0x1201U, 1U}, used)) << used;
+        EXPECT_FALSE(services.Allows({0x1280U, 2U}, used)) << used;
+        EXPECT_EQ(services.Allows({0x1028U, 1U}, used), used == 0x84U) << used;
+    }
+    EXPECT_TRUE(services.Allows({0x1012U, 0U}, 0x80000085U));
+    EXPECT_TRUE(services.Allows({0x1201U, 1U}, 0x85U));
 }
 
 TEST_F(DeviceFurtherTest, AClientAndASecondServerShareTheBusWithTheFirst)

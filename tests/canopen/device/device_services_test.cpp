@@ -279,6 +279,50 @@ TEST_F(DeviceServicesTest, ATransmissionThatFailsIsTold)
     EXPECT_EQ(Emergencies(), (Codes{0x8100U, 0U}));
 }
 
+TEST_F(DeviceServicesTest, EachCauseOfAnSrdoHasItsCode)
+{
+    Verifies(req::SRS_DEV_013);
+    Run();
+    const std::vector<std::pair<std::uint8_t, unsigned>> codes{
+        {1U, 0x8210U}, {2U, 0x8250U}, {3U, 0x8250U},  {4U, 0x8250U},  {5U, 0x8250U},  {6U, 0x8250U},  {7U, 0x8250U},
+        {8U, 0x8110U}, {9U, 0x8250U}, {13U, 0x8100U}, {14U, 0x8100U}, {15U, 0x8100U}, {16U, 0x6200U}, {17U, 0x8100U}};
+    for (const auto& [cause, code] : codes)
+    {
+        SCOPED_TRACE(int{cause});
+        Forget();
+        watch.OnSrdoError({0x1302U}, static_cast<SrdoCause>(cause));
+        Cycles(2U);
+        // Then the first two bytes of the details are the SRDO and the cause, and its next pair ends it
+        ASSERT_EQ(Emergencies(), (Codes{code}));
+        EXPECT_EQ(Sent(0x82U)[0][3], 2U);
+        EXPECT_EQ(Sent(0x82U)[0][4], cause);
+        watch.OnSrdoEvent({0x1302U});
+        Cycles(2U);
+        EXPECT_EQ(Emergencies(), (Codes{code, 0U}));
+    }
+    // Leaving OPERATIONAL, GFC, what only the other channel saw and waiting for the first pair are none
+    Forget();
+    for (const std::uint8_t cause : {std::uint8_t{10U}, std::uint8_t{11U}, std::uint8_t{12U}, std::uint8_t{18U}})
+    {
+        watch.OnSrdoError({0x1302U}, static_cast<SrdoCause>(cause));
+    }
+    Cycles(2U);
+    EXPECT_TRUE(Emergencies().empty());
+}
+
+TEST_F(DeviceServicesTest, AConfigurationThatDoesNotHoldNamesItsFirstSrdo)
+{
+    Verifies(req::SRS_DEV_014);
+    Run();
+    Forget();
+    watch.OnConfigurationInvalid({0x1303U});
+    Cycles(2U);
+    EXPECT_EQ(Sent(0x82U), (std::vector<Octets>{{0x00U, 0x63U, 0x81U, 3U, 0U, 0U, 0U, 0U}}));
+    Command(128U);
+    Cycles(2U);
+    EXPECT_EQ(Emergencies(), (Codes{0x6300U, 0U}));
+}
+
 TEST_F(DeviceServicesTest, OperationalWithoutAConfigurationIs6300)
 {
     Verifies(req::SRS_DEV_014);
@@ -311,8 +355,14 @@ TEST_F(DeviceServicesTest, BusOffEmptiesAndReacts)
     Cycles(2U);
     EXPECT_EQ(Emergencies(), (Codes{0x8120U, 0U}));
     Forget();
+    // Given half of a download, an answer that waits, and bus-off
+    Frame(0x602U, {0x21U, 0x00U, 0x25U, 0U, 4U, 0U, 0U, 0U});
+    Cycle();
+    ASSERT_EQ(Sent(0x582U).size(), 1U);
+    Forget();
     ports.answer = hal::TransmitStatus::kBusOff;
-    Frame(0x602U, {0x40U, 0x00U, 0x10U, 0U, 0U, 0U, 0U, 0U});
+    Frame(0x705U, {5U});
+    static_cast<void>(services.outbox.Send(CanFrame{0x582U, FrameKind::kData, CanPortId::kFirst, 1U, {0x55U}}));
     device.OnBus(BusCondition::kOff);
     Cycles(3U);
     EXPECT_EQ(device.State(), NodeState::kPreOperational);
@@ -321,6 +371,11 @@ TEST_F(DeviceServicesTest, BusOffEmptiesAndReacts)
     device.OnBus(BusCondition::kActive);
     Cycles(3U);
     EXPECT_EQ(Emergencies(), (Codes{0x8140U, 0U}));
+    // Then what waited is gone, and a segment of the download is answered by nobody's transfer: 0504 0001h
+    EXPECT_TRUE(Sent(0x582U).empty());
+    Frame(0x602U, {0x07U, 1U, 2U, 3U, 4U, 0U, 0U, 0U});
+    Cycles(2U);
+    EXPECT_EQ(Sent(0x582U), (std::vector<Octets>{{0x80U, 0x00U, 0x00U, 0U, 0x01U, 0x00U, 0x04U, 0x05U}}));
 }
 
 TEST_F(DeviceServicesTest, LostFramesOfServicesAreTold)

@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tests/canopen/device/device_rig.hpp"
+#include "tests/hal/host/allocations.hpp"
 #include "verification/trace/ids/cia301.hpp"
 #include "verification/trace/ids/node.hpp"
 
@@ -45,8 +46,10 @@ TEST_F(DeviceTest, WithoutAKernelItSaysNothing)
     Verifies(req::SRS_DEV_002);
     node_answer = LoadResult::kFailed;
     EXPECT_EQ(device.PowerOn(Instant{now_us}), LoadResult::kFailed);
+    EXPECT_EQ(device.State(), cia301::NodeState::kResetApplication);
     Command(1U);
     Cycles(10U);
+    EXPECT_EQ(device.State(), cia301::NodeState::kResetApplication);
     EXPECT_TRUE(ports.sent.empty());
     EXPECT_EQ(node_resets, 1);
 }
@@ -232,6 +235,29 @@ TEST_F(DeviceTest, TrafficCannotPushAPairOut)
     EXPECT_TRUE(CausesOf(0x1301U).empty());
 }
 
+TEST_F(DeviceTest, ALossIsToldBeforeTheFramesThatWait)
+{
+    Verifies(req::SRS_DEV_008);
+    Run();
+    Pair();
+    Cycle();
+    ASSERT_EQ(core.GetState({0x1301U}).state, SrdoState::kReleased);
+    // Given a good pair that waits, when the hardware layer tells a loss behind it, and the queue is handed over
+    // between two cycles
+    Pair();
+    device.OnLoss();
+    device.Serve(Instant{now_us});
+    Cycle();
+    // Then the cycle that gets the pair is safe
+    EXPECT_EQ(core.GetState({0x1301U}).state, SrdoState::kFaulted);
+    EXPECT_EQ(CausesOf(0x1301U), (std::vector<SrdoCause>{SrdoCause::kQueueOverflow}));
+    EXPECT_EQ(NormalOut(), 0x7F01U);
+    // and the next pair is released
+    Pair();
+    Cycle();
+    EXPECT_EQ(NormalOut(), 0x3412U);
+}
+
 TEST_F(DeviceTest, ALostFrameMakesTheSrdoSafe)
 {
     Verifies(req::SRS_DEV_008);
@@ -341,6 +367,32 @@ TEST_F(DeviceTest, IsUsableWithoutHeap)
     Verifies(req::SRS_DEV_018);
     // All room is the rig's: the object itself is of a fixed size, and small
     EXPECT_LT(sizeof(Device) + sizeof(Services), 4096U);
+    // Nothing throws
+    static_assert(noexcept(device.PowerOn(Instant{0U})));
+    static_assert(noexcept(device.OnFrame(StampedFrame{})));
+    static_assert(noexcept(device.OnConfirm(StampedFrame{})));
+    static_assert(noexcept(device.Cycle(CycleCall{})));
+    static_assert(noexcept(device.Serve(Instant{0U})));
+    // Given a device with a heartbeat of 1 ms, a request and room for what the rig keeps
+    stored_heartbeat_ms = 1U;
+    Run();
+    ports.sent.reserve(1000U);
+    application.events.reserve(1000U);
+    Cycle();
+    const std::uint64_t allocations = host::Allocations();
+    // When it works for 20 cycles, then nothing is taken from the heap but the rig's bytes of three frames
+    Pair();
+    Frame(0x602U, {0x40U, 0x00U, 0x10U, 0U, 0U, 0U, 0U, 0U});
+    Cycles(20U);
+    EXPECT_EQ(host::Allocations(), allocations + 3U);
+    // and while the time that it is given stands still, so does its heartbeat
+    const std::size_t sent = ports.sent.size();
+    for (int count = 0; count < 1000; ++count)
+    {
+        device.Serve(Instant{now_us});
+        ConfirmAll();
+    }
+    EXPECT_EQ(ports.sent.size(), sent);
 }
 
 /// The rig's device with LSS, without a node-ID at first.

@@ -22,6 +22,7 @@ struct GeneratedCase
     const DeviceConfig* device{nullptr};
     generated::ConfigureReply (*configure)(Kernel&) noexcept {nullptr};
     void (*reset)() noexcept {nullptr};
+    void (*reset_communication)() noexcept {nullptr};
     const DeviceConfig& (*device_now)() noexcept {nullptr};
     void (*apply_node_id)(std::uint8_t) noexcept {nullptr};
     std::uint32_t longest_bytes{0U};

@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace counterpoint::generate
 {
@@ -141,6 +143,7 @@ TEST_P(GeneratedValues, TheSdoServerServesWhatTheFileSays)
 {
     Verifies(req::SRS_GEN_014);
     Verifies(req::SRS_GEN_005);
+    Verifies(req::SRS_GEN_007);
     Verifies(req::SRS_GEN_009);
     Verifies(req::SRS_GEN_010);
     Verifies(req::SRS_GEN_011);
@@ -211,6 +214,62 @@ TEST_P(GeneratedValues, AConfigurationToolMayWriteBackWhatItReads)
             << cia306::ObjectName(entry.index, entry.sub);
     }
     GeneratedNode again(Case());
+}
+
+TEST_P(GeneratedValues, EachResetRestoresItsPartOfOneBlock)
+{
+    Verifies(req::SRS_GEN_007);
+    // Given the bytes and lengths of all elements in memory as they are at power-on
+    using Value = std::pair<std::vector<std::uint8_t>, std::uint32_t>;
+    Case().reset();
+    std::map<const std::uint8_t*, const cia301::Entry*> elements;
+    for (std::uint32_t i = 0U; i < Case().table->count; ++i)
+    {
+        const cia301::Entry& entry = Case().table->entries[i];
+        if (entry.place != nullptr)
+        {
+            elements[entry.place] = &entry;
+        }
+    }
+    const auto value_of = [](const cia301::Entry& entry)
+    {
+        return Value{{entry.place, entry.place + entry.size_bytes},
+                     entry.length_bytes != nullptr ? *entry.length_bytes : entry.size_bytes};
+    };
+    std::map<const cia301::Entry*, Value> power_on;
+    std::map<const cia301::Entry*, Value> altered;
+    const std::uint8_t* end = elements.empty() ? nullptr : elements.begin()->first;
+    for (const auto& [place, entry] : elements)
+    {
+        // Then each begins where the one before it ends
+        EXPECT_EQ(place, end) << cia306::ObjectName(entry->index, entry->sub);
+        end = place + entry->size_bytes;
+        power_on[entry] = value_of(*entry);
+    }
+    // When all are altered
+    for (const auto& each : elements)
+    {
+        const cia301::Entry& entry = *each.second;
+        std::for_each(entry.place, entry.place + entry.size_bytes, [](std::uint8_t& byte) { byte ^= 0xFFU; });
+        if (entry.length_bytes != nullptr)
+        {
+            *entry.length_bytes ^= 1U;
+        }
+        altered[&entry] = value_of(entry);
+    }
+    // Then a reset of the communication restores 1000h to 1FFFh alone
+    Case().reset_communication();
+    for (const auto& [entry, value] : power_on)
+    {
+        EXPECT_EQ(value_of(*entry), entry->index <= 0x1FFFU ? value : altered[entry])
+            << cia306::ObjectName(entry->index, entry->sub);
+    }
+    // and one of the application all
+    Case().reset();
+    for (const auto& [entry, value] : power_on)
+    {
+        EXPECT_EQ(value_of(*entry), value) << cia306::ObjectName(entry->index, entry->sub);
+    }
 }
 
 TEST_P(GeneratedValues, AnotherNodeIdChangesWhatTheFileWritesWithIt)

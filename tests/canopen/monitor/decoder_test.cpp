@@ -50,6 +50,7 @@ TEST_F(DecoderTest, NetworkManagement)
     EXPECT_EQ(Words(guarding), "701h [0]  error control remote guarding request, Sensor");
     EXPECT_EQ(Words(0x001U, {}), "001h [0]  GFC global fail-safe command");
     EXPECT_EQ(Words(0x080U, {}), "080h [0]  SYNC ");
+    EXPECT_EQ(Words(0x100U, {1U, 0U, 0U, 0U, 2U, 0U}), "100h [6] 01 00 00 00 02 00  TIME ");
     EXPECT_EQ(Words(0x7E5U, {4U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}), "7E5h [8] 04 00 00 00 00 00 00 00  LSS ");
 }
 

@@ -298,6 +298,7 @@ TEST_F(Watch, ARecordingMayBeginWithinAPair)
 // Given a stop between the frames of a pair, then the inverse frame that was under way is no violation.
 TEST_F(Watch, AProducerMayBeStoppedWithinAPair)
 {
+    Verifies(req::SRS_MON_005);
     Verifies(req::SRS_MON_009);
     Frames frames = Pair(50000);
     frames.insert(frames.begin() + 1, Frame(50100, 0x000U, {2U, 1U}));

@@ -280,6 +280,7 @@ TEST(BusErrors, LonelyNodeTriesForEverAndDoesNotGoBusOff)
 TEST(BusErrors, TwoNodesWithOneIdentifierAndDifferentDataCollide)
 {
     Verifies(req::SRS_BUS_004);
+    Verifies(req::SRS_BUS_015);
     // Given the same identifier with different data in two nodes
     BusRig rig;
     ASSERT_EQ(rig.bus.Submit(0U, MakeFrame(0U, {0x00U})), TransmitStatus::kAccepted);

@@ -175,6 +175,30 @@ TEST(SocketcandClientTest, SeesThatTheConnectionEnds)
     EXPECT_EQ(::poll(&wait, 1U, 0), 0);
 }
 
+TEST(SocketcandClientTest, DropsAndCountsWhatWaitedWhenTheConnectionEnds)
+{
+    Verifies(req::SRS_LIVE_055);
+    // Given a server that reads nothing, and five frames that the system did not take any more
+    ForeignServer server;
+    const auto bus = server.Open();
+    for (int i = 0; i < 1'000'000 && bus->Health().waiting < 5U; ++i)
+    {
+        ASSERT_EQ(bus->Send(Live(1U, {})), SendResult::kSent);
+    }
+    ASSERT_EQ(bus->Health().waiting, 5U);
+    EXPECT_EQ(bus->Health().dropped_frames, 0U);
+    // When the connection ends
+    server.Close();
+    LiveFrame frame;
+    while (bus->Health().state != BusState::kDown)
+    {
+        static_cast<void>(bus->Receive(frame));
+    }
+    // Then they are dropped and counted
+    EXPECT_EQ(bus->Health().waiting, 0U);
+    EXPECT_EQ(bus->Health().dropped_frames, 5U);
+}
+
 constexpr std::uint64_t kSecondNs = 1'000'000'000U;
 
 std::string Group()

@@ -123,6 +123,32 @@ TEST_F(UdpBus, RefusesWhatIsNoFrame)
 
 // Given datagrams of a stranger (short, another magic, flags unknown, a length that does not match), then they are
 // counted and the good one behind them arrives.
+TEST_F(UdpBus, DatagramsStayOnTheMachine)
+{
+    Verifies(req::SRS_LIVE_010);
+    // Given the sockets of two buses, then each sends by the loopback interface, over no hop
+    int sockets = 0;
+    for (int file = 0; file < 256; ++file)
+    {
+        int type = 0;
+        socklen_t bytes = sizeof(type);
+        in_addr interface{};
+        socklen_t length = sizeof(interface);
+        const bool is_datagram = (::getsockopt(file, SOL_SOCKET, SO_TYPE, &type, &bytes) == 0) && (type == SOCK_DGRAM);
+        if (!is_datagram || (::getsockopt(file, IPPROTO_IP, IP_MULTICAST_IF, &interface, &length) != 0))
+        {
+            continue;
+        }
+        ++sockets;
+        EXPECT_EQ(ntohl(interface.s_addr), INADDR_LOOPBACK);
+        int hops = -1;
+        bytes = sizeof(hops);
+        EXPECT_EQ(::getsockopt(file, IPPROTO_IP, IP_MULTICAST_TTL, &hops, &bytes), 0);
+        EXPECT_EQ(hops, 0);
+    }
+    EXPECT_GE(sockets, 2);
+}
+
 TEST_F(UdpBus, DropsStrangeDatagrams)
 {
     Verifies(req::SRS_LIVE_011);
@@ -223,10 +249,13 @@ TEST(UdpBusPace, RefusesWhenItsQueueIsFull)
     Verifies(req::SRS_LIVE_005);
     const auto bus = OpenLiveBus(Group("?bitrate=100000"));
     std::uint8_t taken = 0U;
-    while ((taken < 250U) && (bus->Send(Live(0x1U, {taken})) == SendResult::kSent))
+    SendResult last = SendResult::kSent;
+    while ((taken < 250U) && (last == SendResult::kSent))
     {
-        ++taken;
+        last = bus->Send(Live(0x1U, {taken}));
+        taken = static_cast<std::uint8_t>(taken + ((last == SendResult::kSent) ? 1U : 0U));
     }
+    EXPECT_EQ(last, SendResult::kQueueFull);
     EXPECT_GE(taken, 65U);
     EXPECT_EQ(bus->Health().waiting, 64U);
     for (std::uint8_t n = 0U; n < taken; ++n)
@@ -257,6 +286,18 @@ TEST(UdpBusFilter, PassesWhatMatches)
     EXPECT_EQ(Wait(*bus)->data[0], 1U);
     LiveFrame none;
     EXPECT_FALSE(bus->Receive(none));
+}
+
+TEST(UdpBusFilter, ErrorFramesAlwaysPass)
+{
+    Verifies(req::SRS_LIVE_014);
+    const std::vector<IdentifierFilter> filters{{0x100U, 0x7FFU, false}};
+    LiveFrame error = Live(0x040U, {});
+    EXPECT_FALSE(Passes(filters, error));
+    error.error = true;
+    EXPECT_TRUE(Passes(filters, error));
+    EXPECT_TRUE(Passes(filters, Live(0x100U, {})));
+    EXPECT_TRUE(Passes({}, Live(0x040U, {})));
 }
 
 } // namespace

@@ -182,6 +182,7 @@ TEST_F(CanPortsTest, WhatHasNoObjectIsRefused)
 // Pause 3 cycles, 2 ways back.
 TEST_F(CanPortsTest, BusOffWithdrawsRefusesAndComesBackASetNumberOfTimes)
 {
+    Verifies(req::SRS_TMS_015);
     Verifies(req::SRS_TMS_018);
     for (int time = 0; time < 2; ++time)
     {
@@ -236,6 +237,32 @@ TEST_F(CanPortsTest, BusOffAgainOnTheWayBackBeginsThePauseAnew)
     EXPECT_EQ(rig.Cycle(), BoardFault::kNone);
     EXPECT_TRUE(rig.machine.dcan1.IsOnBus());
     EXPECT_EQ(rig.board.Can().Transmit(Frame(kSentNormal, 0x12U)), hal::TransmitStatus::kAccepted);
+}
+
+TEST_F(CanPortsTest, ControllerRunsWithParityAndWithoutAnAutomaticReturn)
+{
+    Verifies(req::SRS_TMS_011);
+    // Given a started board, then the control register has parity on (bits 13 to 10: Ah), no automatic return after
+    // bus-off (bit 9), and neither initialisation (bit 0) nor change of the set-up (bit 6)
+    const std::uint32_t control = rig.machine.Read(0xFFF7DC00U);
+    EXPECT_EQ(control & 0x3C00U, 0x2800U);
+    EXPECT_EQ(control & 0x0241U, 0U);
+    // and the bit timing is that of the setup
+    EXPECT_EQ(rig.machine.Read(0xFFF7DC0CU), rig.setup.can.first.bit_timing);
+}
+
+TEST_F(CanPortsTest, FrameThatReadsOtherwiseThanItWasHandedOverIsNotConfirmed)
+{
+    Verifies(req::SRS_TMS_016);
+    // Given a frame whose object holds something else when it was sent
+    rig.machine.faults.Set(model::Fault::kDcanWrongReadBack);
+    EXPECT_EQ(rig.board.Can().Transmit(Frame(kSentNormal, 0x12U)), hal::TransmitStatus::kAccepted);
+    EXPECT_TRUE(rig.machine.dcan1.Transmit().has_value());
+    // When the interrupt is taken, then nothing is confirmed, and the controller has a fault and is off the bus
+    rig.TakeInterrupts();
+    EXPECT_EQ(rig.board.NextFrame().kind, QueuedKind::kNothing);
+    EXPECT_EQ(rig.board.Can().Controller(CanPortId::kFirst).Fault(), CanFault::kReadBack);
+    EXPECT_FALSE(rig.machine.dcan1.IsOnBus());
 }
 
 TEST_F(CanPortsTest, SetupThatCannotWorkIsRefused)

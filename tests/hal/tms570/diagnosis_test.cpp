@@ -69,6 +69,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(DiagnosisTest, BusyInterfaceOfACanControllerIsLookedAt64Times)
 {
+    Verifies(req::SRS_TMS_019);
+    Verifies(req::SRS_TMS_015);
     Verifies(req::SRS_TMS_003);
     // Given a controller whose interface to the objects stays busy
     Rig rig;
@@ -245,6 +247,7 @@ TEST(DiagnosisTest, ColdErrorIsKeptWithItsChannel)
 
 TEST(DiagnosisTest, ObjectWithAParityErrorHandsNothingOn)
 {
+    Verifies(req::SRS_TMS_019);
     Verifies(req::SRS_TMS_017);
     // Given a board and a frame in an object whose parity does not fit
     Rig rig;
@@ -269,20 +272,52 @@ TEST(DiagnosisTest, TestedSourcesAreThoseOfTheImage)
     const std::string compiled = TextOf(TMS570_COMPILE_COMMANDS);
     // Then the list has no condition, so that it is the same for the target
     EXPECT_EQ(list.find("if("), std::string::npos);
-    for (const auto& entry : std::filesystem::directory_iterator{TMS570_DRIVERS})
+    const std::filesystem::path drivers{TMS570_DRIVERS};
+    std::size_t count = 0U;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator{drivers})
     {
-        if (entry.path().extension() != ".cpp")
+        // The other side of the pairs of functions, and what runs before and behind the drivers, is the image's own.
+        const std::string name = entry.path().lexically_relative(drivers).generic_string();
+        const bool is_of_image = (name.rfind("silicon/", 0U) == 0U) || (name.rfind("start/", 0U) == 0U);
+        if (is_of_image || (entry.path().extension() != ".cpp"))
         {
             continue;
         }
+        ++count;
         // and each driver is on it, and was compiled once, from the place where it is
-        const std::string name = entry.path().filename().string();
         EXPECT_NE(list.find(name), std::string::npos) << name;
         const std::string line = "\"file\": \"" + entry.path().string() + "\"";
         const std::size_t first = compiled.find(line);
         EXPECT_NE(first, std::string::npos) << name;
         EXPECT_EQ(compiled.find(line, first + 1U), std::string::npos) << name;
     }
+    EXPECT_GE(count, 20U);
+}
+
+TEST(DiagnosisTest, NoDriverHasAConditionalOfThePreprocessor)
+{
+    Verifies(req::SRS_TMS_002);
+    const std::filesystem::path drivers{TMS570_DRIVERS};
+    std::size_t count = 0U;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator{drivers})
+    {
+        const std::string extension = entry.path().extension().string();
+        if ((extension != ".cpp") && (extension != ".hpp"))
+        {
+            continue;
+        }
+        // Given a source, then it has none, and a header the one of its guard
+        ++count;
+        const std::string text = TextOf(entry.path().string());
+        std::size_t conditionals = 0U;
+        for (std::size_t at = text.find("\n#if"); at != std::string::npos; at = text.find("\n#if", at + 1U))
+        {
+            ++conditionals;
+        }
+        EXPECT_EQ(conditionals, (extension == ".hpp") ? 1U : 0U) << entry.path();
+        EXPECT_EQ(text.find("\n#el"), std::string::npos) << entry.path();
+    }
+    EXPECT_GE(count, 40U);
 }
 
 struct Comparator

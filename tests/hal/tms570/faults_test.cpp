@@ -99,6 +99,16 @@ void Bring(Rig& rig, const Fault fault)
 
 TEST_P(StartFaults, RefusesTheStartAtItsStepAndStaysSafe)
 {
+    Verifies(req::SRS_TMS_011);
+    Verifies(req::SRS_TMS_021);
+    Verifies(req::SRS_TMS_031);
+    Verifies(req::SRS_TMS_033);
+    Verifies(req::SRS_TMS_043);
+    Verifies(req::SRS_TMS_044);
+    Verifies(req::SRS_TMS_045);
+    Verifies(req::SRS_TMS_048);
+    Verifies(req::SRS_TMS_049);
+    Verifies(req::SRS_TMS_060);
     Verifies(req::SRS_TMS_070);
     Verifies(req::SRS_TMS_003);
     Verifies(req::SRS_TMS_004);
@@ -202,6 +212,9 @@ void Provoke(Rig& rig, const Fault fault)
 
 TEST_P(RunFaults, AreToldInTimeAndCutOff)
 {
+    Verifies(req::SRS_TMS_016);
+    Verifies(req::SRS_TMS_043);
+    Verifies(req::SRS_TMS_050);
     Verifies(req::SRS_TMS_062);
     Verifies(req::SRS_TMS_070);
     Verifies(req::SRS_TMS_019);

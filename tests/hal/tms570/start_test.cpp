@@ -96,6 +96,7 @@ TEST(Start, ReportHoldsTheReasonOfTheResetBeforeTheLogicTest)
 
 TEST(Start, RefusedBoardGivesNothing)
 {
+    Verifies(req::SRS_TMS_060);
     Verifies(req::SRS_TMS_061);
     // Given a controller whose RAM does not report errors
     Rig rig;

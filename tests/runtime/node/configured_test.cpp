@@ -280,6 +280,13 @@ TEST(NodeConfiguredTest, AnApplicationThatSendsSendsItsNewValue)
         ASSERT_GT(normal.size(), before) << place;
         EXPECT_EQ(normal[before], 1U) << place;
         EXPECT_EQ(bench.SentWith(0x102U).back(), 0xFFFEU) << place;
+        // Then one every 5 cycles, counted from the change
+        for (int cycle = 0; cycle < 25; ++cycle)
+        {
+            bench.Cycle();
+        }
+        EXPECT_EQ(bench.SentWith(0x101U).size(), normal.size() + 5U) << place;
+        EXPECT_EQ(bench.SentWith(0x101U).back(), 1U) << place;
     }
 }
 

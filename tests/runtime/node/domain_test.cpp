@@ -1,4 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia301/dictionary/no_objects.hpp"
 #include "canopen/cia306/file/device_reader.hpp"
 #include "runtime/device/objects/objects.hpp"
 #include "tests/tools/command_run.hpp"
@@ -36,6 +37,20 @@ TEST(DomainRoom, IsThatOfTheSetting)
     EXPECT_EQ(RoomOf("ObjectType=2\nAccessType=ro\nDefaultValue=abc\n", 8192U), 3U);
     // Strings are not concerned
     EXPECT_EQ(RoomOf("DataType=9\nAccessType=rw\n", 1U), 256U);
+}
+
+TEST(DomainRoom, ALongerWriteIsRefused)
+{
+    Verifies(req::SRS_NODE_040);
+    const cia306::Device file =
+        cia306::ReadDevice(cia306::IniDocument::Parse("room.dcf", "[3000]\nObjectType=2\nAccessType=rw\n"));
+    const DeviceObjects objects(file, 5U, [](std::uint16_t, std::uint8_t) { return false; }, 4U);
+    cia301::NoObjects none{};
+    cia301::Dictionary dictionary{objects.Table(), none};
+    dictionary.SetNmtState(NmtState::kPreOperational);
+    const std::uint8_t bytes[5] = {1U, 2U, 3U, 4U, 5U};
+    EXPECT_EQ(dictionary.Write({0x3000U, 0U}, {bytes, 4U}), cia301::SdoAbort::kNone);
+    EXPECT_EQ(dictionary.Write({0x3000U, 0U}, {bytes, 5U}), cia301::SdoAbort::kTooLong);
 }
 
 TEST(DomainRoom, IsAnOptionWithARange)

@@ -161,6 +161,29 @@ TEST_F(NodeProcessTest, AProducerThatIsTerminatedSaysSoAndItsConsumerIsSafe)
     EXPECT_EQ(sensor->Lines().back().event["reason"], "SIGTERM");
 }
 
+TEST_F(NodeProcessTest, EachSignalOfAnEndIsTold)
+{
+    Verifies(req::SRS_NODE_005);
+    for (const auto& [number, name] : {std::pair(SIGINT, "SIGINT"), std::pair(SIGHUP, "SIGHUP")})
+    {
+        sensor = Start("emergency_stop/sensor.dcf");
+        sensor->Signal(number);
+        EXPECT_EQ(sensor->End(), 0) << name;
+        EXPECT_EQ(sensor->Lines().back().event["event"], "stopped") << name;
+        EXPECT_EQ(sensor->Lines().back().event["reason"], name);
+    }
+    // One that is started as nohup starts it goes on
+    const auto before = std::signal(SIGHUP, SIG_IGN);
+    sensor = Start("emergency_stop/sensor.dcf");
+    static_cast<void>(std::signal(SIGHUP, before));
+    sensor->Signal(SIGHUP);
+    sensor->Type("nmt");
+    EXPECT_FALSE(sensor->WaitFor("nmt").event.is_null());
+    sensor->Type("quit");
+    EXPECT_EQ(sensor->End(), 0);
+    EXPECT_EQ(sensor->Lines().back().event["reason"], "quit");
+}
+
 TEST_F(NodeProcessTest, AProducerThatIsStoppedStaysSafeWhenItGoesOn)
 {
     Verifies(req::SRS_NODE_006);

@@ -69,6 +69,33 @@ TEST_F(El6751IdentityTest, AQueueWithoutRoomDelaysTheReset)
     EXPECT_EQ(Nmt(), (Log{"51:82 00", "54:01 05", "54:01 00"}));
 }
 
+class El6751OwnTimeTest : public El6751Rig
+{
+  public:
+    El6751OwnTimeTest() : El6751Rig(El6751Times{}, SdoTimes{500'000U, 1U})
+    {
+    }
+};
+
+TEST_F(El6751OwnTimeTest, TheConfiguredTimeOutSaysWhenASlaveIsNotFound)
+{
+    Verifies(req::SRS_ELM_003);
+    AddBox(5U).is_on = false;
+    Begin();
+    Run(499U);
+    EXPECT_EQ(Code(5U), 8);
+    Run(2U);
+    EXPECT_EQ(Code(5U), 2);
+    EXPECT_EQ(Of(5U).object.index, 0x1000U);
+    // The same SDO is sent again; a slave that never said STOPPED is not commanded
+    Run(3000U);
+    EXPECT_EQ(Code(5U), 2);
+    EXPECT_EQ(Nmt(), (Log{"0:82 00"}));
+    slaves[5]->is_on = true;
+    Run(600U);
+    EXPECT_EQ(Code(5U), 0);
+}
+
 TEST_F(El6751IdentityTest, TheBootUpMessageBeginsTheStartUpAgain)
 {
     Verifies(req::SRS_ELM_002);

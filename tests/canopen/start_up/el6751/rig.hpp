@@ -12,12 +12,12 @@
 namespace counterpoint::cia302
 {
 
-/// ProfileRig with the EL6751 profile. SDO time-out 2 s.
+/// ProfileRig with the EL6751 profile. SDO time-out 2 s unless a test has another one.
 class El6751Rig : public ProfileRig
 {
   public:
-    explicit El6751Rig(const El6751Times& network_times = El6751Times{})
-        : ProfileRig(kEl6751SdoTimes), times(network_times)
+    explicit El6751Rig(const El6751Times& network_times = El6751Times{}, const SdoTimes& sdo_times = kEl6751SdoTimes)
+        : ProfileRig(sdo_times), times(network_times)
     {
         profile = &el;
     }
