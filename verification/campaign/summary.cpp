@@ -53,8 +53,8 @@ Summary EmptySummary(const Campaign& campaign)
 /// Whether a place is the known one, or within it.
 bool IsWithin(const std::string& place, const std::string& known)
 {
-    return place.rfind(known, 0U) == 0U &&
-           (place.size() == known.size() || place[known.size()] == '+' || place[known.size()] == '.');
+    return place.rfind(known, 0U) == 0U && (place.size() == known.size() || place[known.size()] == '+' ||
+                                            place[known.size()] == '.' || place[known.size()] == ' ');
 }
 
 std::string BitText(const Campaign& campaign, const Bit& bit)
