@@ -233,6 +233,7 @@ SrdoMask Device::Open() noexcept
 void Device::Cycle(const std::size_t cycle)
 {
     MoveOwnFrames();
+    ForgetErrors(cycle);
     feed_.BeginCycle();
     const Calls calls = feed_.CallsIn(cycle);
     for (std::size_t index = 0U; index < calls.count; ++index)
@@ -253,6 +254,19 @@ void Device::MoveOwnFrames()
     std::fill(ports_->frames.begin() + waiting, ports_->frames.end(), OwnFrame{});
     ports_->count = waiting;
     ports_->confirmed = 0U;
+}
+
+/// An application does not keep what it was told before somebody acknowledged, or while the device is not OPERATIONAL.
+void Device::ForgetErrors(const std::size_t cycle)
+{
+    const RecordedCycle& now = recording_.cycles[cycle];
+    const CycleCall before = (cycle == 0U) ? CycleCall{} : recording_.cycles[cycle - 1U].call;
+    const bool is_pressed = (now.call.acknowledge_a & ~before.acknowledge_a) != 0U;
+    if (is_pressed || now.nmt != NmtState::kOperational)
+    {
+        application_->faulted = 0U;
+        application_->first_cause = SrdoCause::kNone;
+    }
 }
 
 void Device::Call(const std::size_t cycle, const Nanoseconds at)

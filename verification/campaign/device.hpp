@@ -49,8 +49,9 @@ enum class Part : std::uint8_t
     kCycle = 17U,        ///< When it is called.
     kBothChannels = 18U, ///< A bit in each. [SRS_CMG_024]
     kInputs = 19U,       ///< What the application senses with two paths. [SRS_CMG_025]
+    kCommands = 20U,     ///< What the application tells the kernel: NMT states, GFC. [SRS_CMG_029]
 };
-constexpr std::size_t kPartCount = 20U;
+constexpr std::size_t kPartCount = 21U;
 /// The first so many are memory.
 constexpr std::size_t kMemoryPartCount = 11U;
 
@@ -158,6 +159,7 @@ class Device
     void MakeKernel();
     void Start(const runtime::DeviceModel& model);
     void MoveOwnFrames();
+    void ForgetErrors(std::size_t cycle);
     void Call(std::size_t cycle, Nanoseconds at);
     void Deliver(Nanoseconds at);
     void Add(Part part, const std::string& name, const void* object, std::size_t size);

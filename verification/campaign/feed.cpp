@@ -21,7 +21,7 @@ int TimesOf(const Turn turn)
 } // namespace
 
 Feed::Feed(const Recording& recording)
-    : recording_(recording), course_(recording), calls_(std::make_unique<CallFaults>())
+    : recording_(recording), course_(recording), commands_(recording), calls_(std::make_unique<CallFaults>())
 {
     handed_.reserve(kMostOwnFrames); // Nothing is allocated while a fault is at work.
     held_back_.reserve(kMostOwnFrames);
@@ -74,7 +74,7 @@ void Feed::Rewind(const std::size_t cycle, const Experiment* const fault, const 
         calls_->Set(fault);
     }
     next_frame_ = course_.FirstFrameOf(cycle);
-    nmt_ = (cycle == 0U) ? NmtState::kInvalid : recording_.cycles[cycle - 1U].nmt;
+    commands_.Rewind(cycle, fault);
     handed_.clear();
     held_back_.clear();
     held_confirms_.clear();
@@ -90,7 +90,7 @@ bool Feed::IsUndisturbed(const std::size_t cycle) const
     const bool is_call = fault_->part == Part::kKernelCalls || fault_->part == Part::kCallsOfA ||
                          fault_->part == Part::kCallsOfB || fault_->part == Part::kSteps;
     const bool is_over = !is_call || ((fault_->variant & kAlways) == 0U && cycle > fault_->cycle);
-    return !is_for_ever && is_over && held_back_.empty() && held_confirms_.empty() &&
+    return !is_for_ever && is_over && commands_.IsOver(cycle) && held_back_.empty() && held_confirms_.empty() &&
            course_.IsOver(cycle, next_frame_);
 }
 
@@ -98,11 +98,7 @@ void Feed::BeginCall(const std::size_t cycle, Kernel& kernel)
 {
     calls_->BeginCycle(cycle);
     CatchUp(kernel);
-    if (recording_.cycles[cycle].nmt != nmt_)
-    {
-        nmt_ = recording_.cycles[cycle].nmt;
-        kernel.SetNmtState(nmt_);
-    }
+    commands_.TellUntil(cycle, kernel);
 }
 
 void Feed::Hand(const RecordedFrame& frame, Kernel& kernel)

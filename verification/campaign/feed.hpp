@@ -3,6 +3,7 @@
 #define VERIFICATION_CAMPAIGN_FEED_HPP
 
 #include "safety_core/kernel/kernel.hpp"
+#include "verification/campaign/commands.hpp"
 #include "verification/campaign/course.hpp"
 #include "verification/campaign/surroundings.hpp"
 
@@ -63,7 +64,7 @@ class Feed
     {
         return course_.CallsIn(cycle);
     }
-    /// @brief What comes before all frames: calls that were late, and the NMT state where it changed.
+    /// @brief What comes before all frames: calls that were late, and commands.
     void BeginCall(std::size_t cycle, Kernel& kernel);
     [[nodiscard]] std::optional<RecordedFrame> FrameUntil(const Nanoseconds at) const
     {
@@ -99,6 +100,7 @@ class Feed
 
     const Recording& recording_;
     Course course_;
+    Commands commands_;
     std::unique_ptr<CallFaults> calls_;
     std::vector<InputBit> inputs_{};
     std::vector<RecordedFrame> handed_{};
@@ -106,7 +108,6 @@ class Feed
     std::vector<OwnFrame> held_confirms_{};  ///< of either kind.
     const Experiment* fault_{nullptr};
     std::size_t next_frame_{0U};
-    NmtState nmt_{NmtState::kInvalid};
 };
 } // namespace counterpoint::campaign
 

@@ -13,6 +13,19 @@ constexpr Nanoseconds kUs = runtime::kNanosecondsPerMicrosecond;
 /// An input that changed so many cycles ago may still be sent as it was.
 constexpr std::size_t kInputCycles = 4U;
 
+bool IsGfc(const CanFrame& frame)
+{
+    return frame.identifier == kGfcIdentifier && frame.kind == FrameKind::kData && frame.length_bytes == 0U;
+}
+
+/// 1300h as the DCF has it.
+bool KnowsGfc(const runtime::DeviceModel& model)
+{
+    constexpr std::uint16_t kGfcParameter = 0x1300U;
+    return std::any_of(model.Writes().begin(), model.Writes().end(), [](const runtime::ConfigurationWrite& write)
+                       { return write.object.index == kGfcParameter && write.value == 1U; });
+}
+
 std::uint64_t MaskOf(const VariablePlace& place)
 {
     return ~std::uint64_t{0U} >> (kMaxPayloadBits - place.length_bits);
@@ -20,7 +33,7 @@ std::uint64_t MaskOf(const VariablePlace& place)
 } // namespace
 
 Judge::Judge(const Recording& recording, const runtime::DeviceModel& model, Device& device)
-    : recording_(recording), device_(device),
+    : recording_(recording), device_(device), knows_gfc_(KnowsGfc(model)),
       discrepancy_((device.Config().discrepancy_us + 2U * LateCycleUs(device.Config())) * kUs)
 {
     for (const runtime::SrdoModel& each : model.Srdos())
@@ -70,6 +83,7 @@ Sight Judge::Look(const std::size_t cycle, JudgeMemory& memory)
 /// What the device got is what was on the bus, or what a fault made of it.
 void Judge::TakeFrames(const std::size_t cycle, JudgeMemory& memory) const
 {
+    memory.has_gfc = false;
     if (cycle < memory.looked)
     {
         return;
@@ -77,6 +91,7 @@ void Judge::TakeFrames(const std::size_t cycle, JudgeMemory& memory) const
     memory.looked = cycle + 1U;
     for (const RecordedFrame& frame : device_.Receives().Handed())
     {
+        memory.has_gfc = memory.has_gfc || (knows_gfc_ && IsGfc(frame.stamped.frame));
         for (const Srdo& srdo : srdos_)
         {
             if (srdo.is_consumer)
@@ -108,6 +123,11 @@ void Judge::Arm(const std::size_t cycle, const SrdoMask open, JudgeMemory& memor
         const SrdoMask bit = SrdoMask{1U} << srdo.slot;
         const SrdoMask number = SrdoMask{1U} << ((srdo.number - 1U) % kMaxSrdoCount);
         memory.erred |= ((told & number) != 0U) ? bit : SrdoMask{0U};
+        if (memory.has_gfc)
+        {
+            memory.armed &= ~bit;
+            memory.stopped |= bit;
+        }
         // An error that takes nothing back is a word too many; one that does asks for an acknowledge.
         if ((memory.erred & bit & ~open) != 0U && IsTakenBack(srdo))
         {
@@ -184,6 +204,11 @@ void Judge::LookAtFrames(const std::size_t cycle, JudgeMemory& memory, Sight& si
         const Srdo& srdo = srdos_[index];
         const Nanoseconds last = memory.pair_at[srdo.slot];
         const Nanoseconds patience = recording_.peer_scts[index] * kUs;
+        if (recording_.cycles[cycle].nmt != NmtState::kOperational)
+        {
+            memory.pair_at[srdo.slot] = 0; // Whoever waits was told that it stops.
+            continue;
+        }
         const bool is_waited_for = srdo.model.direction == kDirectionProducer && last != 0;
         sight.is_missed = sight.is_missed || (is_waited_for && recording_.cycles[cycle].at - last > patience);
     }
@@ -221,6 +246,10 @@ Wrong Judge::LookAtFrame(const OwnFrame& own, const std::size_t cycle, JudgeMemo
             std::all_of(srdo.pairs.begin(), srdo.pairs.end(), [this, data, cycle](const FlatPair& pair)
                         { return WasInput(pair, (data >> pair.first_bit) & MaskOf(pair.normal), cycle); });
         return is_true ? Wrong::kNothing : Wrong::kSentPair;
+    }
+    if (knows_gfc_ && IsGfc(own.frame)) // A false one makes safe.
+    {
+        return (memory.fault_cycles > 1U) ? Wrong::kRestart : Wrong::kNothing;
     }
     return Wrong::kIdentifier;
 }

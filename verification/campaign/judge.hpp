@@ -37,6 +37,7 @@ struct JudgeMemory
     std::array<std::int64_t, kMaxSrdoCount> pair_at{};
     std::array<Received, kMaxSrdoCount> received{};
     std::size_t looked{0U}; ///< Cycles whose frames were taken.
+    bool has_gfc{false};    ///< One of them was a GFC.
 };
 
 /// What the judge saw in a cycle.
@@ -86,6 +87,7 @@ class Judge
     const Recording& recording_;
     Device& device_;
     std::vector<Srdo> srdos_{};
+    bool knows_gfc_;          ///< 1300h is 1.
     Nanoseconds discrepancy_; ///< For which the pair before may still be in place.
 };
 } // namespace counterpoint::campaign

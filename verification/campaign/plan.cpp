@@ -48,6 +48,7 @@ constexpr Word<Part> kPartWords[] = {
     {"cycle", Part::kCycle},
     {"both_channels", Part::kBothChannels},
     {"inputs", Part::kInputs},
+    {"commands", Part::kCommands},
 };
 constexpr Word<FaultKind> kKindWords[] = {
     {"flip", FaultKind::kFlip},
@@ -74,6 +75,7 @@ constexpr Word<FaultKind> kKindWords[] = {
     {"fast", FaultKind::kFast},
     {"slow", FaultKind::kSlow},
     {"jump", FaultKind::kJump},
+    {"wrong_command", FaultKind::kWrongCommand},
 };
 constexpr Word<OutputKind> kOutputWords[] = {
     {"gate", OutputKind::kGate},
@@ -397,6 +399,11 @@ bool IsOf(const Part part, const FaultKind kind)
     if (part == Part::kCounters)
     {
         return is_from_to(FaultKind::kStopped, FaultKind::kJump);
+    }
+    if (part == Part::kCommands)
+    {
+        return kind == FaultKind::kSkipped || kind == FaultKind::kDoubled || kind == FaultKind::kLate ||
+               kind == FaultKind::kInserted || kind == FaultKind::kWrongCommand;
     }
     if (part == Part::kInputs)
     {

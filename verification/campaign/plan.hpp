@@ -44,8 +44,9 @@ enum class FaultKind : std::uint8_t
     kFast = 21U,
     kSlow = 22U,
     kJump = 23U,
+    kWrongCommand = 24U, ///< Another one instead. [SRS_CMG_029]
 };
-constexpr std::size_t kFaultKindCount = 24U;
+constexpr std::size_t kFaultKindCount = 25U;
 
 /// A member of the device under test, or one byte of it.
 struct Member

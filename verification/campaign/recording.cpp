@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/recording.hpp"
 
+#include "verification/campaign/course.hpp"
+
 #include <algorithm>
 
 namespace counterpoint::campaign
@@ -15,6 +17,11 @@ bool IsSafetyFrame(const CanFrame& frame)
 {
     return frame.identifier == kGfcIdentifier ||
            (frame.identifier >= kFirstSrdoIdentifier && frame.identifier <= kLastSrdoIdentifier);
+}
+
+bool IsReset(const cia301::NmtCommand command)
+{
+    return command == cia301::NmtCommand::kResetNode || command == cia301::NmtCommand::kResetCommunication;
 }
 } // namespace
 
@@ -53,6 +60,7 @@ RecordedScenario::RecordedScenario(const std::string& file, const runtime::YamlV
     RecordFrames();
     RecordPairs();
     RecordInputs();
+    RecordCommands();
     RecordPeers();
 }
 
@@ -73,9 +81,14 @@ void RecordedScenario::RequireThatItCanBeRecorded(const runtime::YamlValue& devi
 {
     const simulator::Scenario& scenario = run_.Setting();
     const auto is_of_device = [this](const auto& each) { return each.node == node_; };
-    if (!scenario.faults.empty() || !scenario.managers.empty() || !scenario.actions.empty() || !scenario.gfc.empty())
+    if (!scenario.faults.empty() || !scenario.managers.empty() || !scenario.actions.empty())
     {
-        device.Refuse("a scenario with faults, managers, actions or GFC", "devices and inputs alone");
+        device.Refuse("a scenario with faults, managers or actions", "devices, inputs and commands alone");
+    }
+    if (std::any_of(scenario.nmt.begin(), scenario.nmt.end(), [this](const simulator::NmtEvent& event)
+                    { return IsReset(event.command) && (event.node == simulator::kNoNode || event.node == node_); }))
+    {
+        device.Refuse("a device that an NMT command resets", "one that is started and stopped alone");
     }
     if (scenario.nodes[node_].role != runtime::CpuRole::kWhole || scenario.nodes[node_].controllers != 1U)
     {
@@ -210,6 +223,32 @@ void RecordedScenario::RecordInputs()
     }
     std::stable_sort(recording_.inputs.begin(), recording_.inputs.end(),
                      [](const RecordedInput& left, const RecordedInput& right) { return left.cycle < right.cycle; });
+}
+
+/// Changes of the NMT state, and the GFC that the device itself is to send.
+void RecordedScenario::RecordCommands()
+{
+    std::vector<RecordedCommand>& commands = recording_.commands;
+    NmtState known = NmtState::kInvalid;
+    for (std::size_t cycle = 0U; cycle < recording_.cycles.size(); ++cycle)
+    {
+        if (recording_.cycles[cycle].nmt != known)
+        {
+            known = recording_.cycles[cycle].nmt;
+            commands.push_back({cycle, {false, known}});
+        }
+    }
+    for (const simulator::Event& event : run_.Record().Events())
+    {
+        const bool is_call = event.kind == simulator::EventKind::kGfc && event.value <= 1U; // Else it was heard of.
+        const std::size_t cycle = CycleOf(recording_, event.at);
+        if (event.node == node_ && is_call && cycle < recording_.cycles.size())
+        {
+            commands.push_back({cycle, {true, NmtState::kInvalid}});
+        }
+    }
+    std::stable_sort(commands.begin(), commands.end(), [](const RecordedCommand& left, const RecordedCommand& right)
+                     { return left.cycle < right.cycle; });
 }
 
 void RecordedScenario::RecordPeers()

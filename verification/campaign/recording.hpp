@@ -60,6 +60,20 @@ struct RecordedCycle
     NmtState nmt{NmtState::kInvalid};
 };
 
+/// What the application hands to the kernel: an NMT state, or the wish to send the GFC.
+struct Command
+{
+    bool is_gfc{false};
+    NmtState nmt{NmtState::kInvalid};
+};
+
+/// A command, and the first cycle behind it. [SRS_CMG_029]
+struct RecordedCommand
+{
+    std::size_t cycle{0U};
+    Command what{};
+};
+
 /// An input of the application that changes.
 struct RecordedInput
 {
@@ -76,6 +90,7 @@ struct Recording
     std::vector<RecordedPair> pairs;
     std::vector<std::uint32_t> identifiers; ///< Of the frames, each once.
     std::vector<RecordedInput> inputs;
+    std::vector<RecordedCommand> commands;
     Nanoseconds frame_ns{0}; ///< Time that a frame of the device takes on the bus.
     Nanoseconds power_on{0};
     Counters counters{simulator::NodeSetup{}};
@@ -116,6 +131,7 @@ class RecordedScenario
     void RecordFrames();
     void RecordPairs();
     void RecordInputs();
+    void RecordCommands();
     void RecordPeers();
 
     simulator::Run run_;

@@ -306,6 +306,7 @@ void Runner::Begin(const Experiment& experiment)
     }
     fault_ = &experiment;
     steps_.Begin();
+    is_obeyed_ = false;
     is_exposed_ = false;
     device_.Receives().Rewind(experiment.cycle, &experiment, EndOf(experiment), seed_);
 }
@@ -325,7 +326,8 @@ std::size_t Runner::EndOf(const Experiment& experiment) const
         moves_in_time ? static_cast<std::size_t>(experiment.variant * kGrid /
                                                  (device_.Config().cycle_us * runtime::kNanosecondsPerMicrosecond))
                       : 0U;
-    return experiment.cycle + (IsMemory(experiment.part) ? horizon_ : std::min(horizon_, limit + more + kMoreCycles));
+    const bool lasts = IsMemory(experiment.part) || experiment.part == Part::kCommands; // The next command may tell.
+    return experiment.cycle + (lasts ? horizon_ : std::min(horizon_, limit + more + kMoreCycles));
 }
 
 /// A fault may lie still for long: a bit that is stuck at what it is anyway, a word that is not read. The same run
@@ -405,7 +407,8 @@ void Runner::Watch(const Experiment& experiment)
         }
         if (IsOver(experiment, now_) && device_.Receives().IsUndisturbed(now_) && IsAsWithoutFault(now_ + 1U))
         {
-            found_.result = (found_.result == Class::kOpen) ? Class::kMasked : found_.result;
+            const Class undone = is_obeyed_ ? Class::kBenign : Class::kMasked;
+            found_.result = (found_.result == Class::kOpen) ? undone : found_.result;
             return;
         }
     }
@@ -442,8 +445,7 @@ bool Runner::Notice(const Sight& sight, const Experiment& experiment)
     }
     if (HasClosed(sight))
     {
-        found_ = Blame();
-        found_.us = Since(experiment, now_);
+        NoticeClosed(experiment);
     }
     else if (sight.not_inverse != 0U || sight.is_missed)
     {
@@ -456,6 +458,23 @@ bool Runner::Notice(const Sight& sight, const Experiment& experiment)
         // Nothing to be seen yet.
     }
     return false;
+}
+
+/// A device that does what a false command says found nothing. [SRS_CMG_029]
+void Runner::NoticeClosed(const Experiment& experiment)
+{
+    const Outcome blamed = Blame();
+    const bool is_of_command = blamed.detector == Detector::kPermits ||
+                               (blamed.detector == Detector::kChannels &&
+                                (blamed.detail == static_cast<std::uint8_t>(SrdoCause::kNotOperational) ||
+                                 blamed.detail == static_cast<std::uint8_t>(SrdoCause::kGfc)));
+    if (experiment.part == Part::kCommands && is_of_command)
+    {
+        is_obeyed_ = true;
+        return;
+    }
+    found_ = blamed;
+    found_.us = Since(experiment, now_);
 }
 
 /// Memory that is wrong may be so until the march meets it: within the limit, where there is one. [SRS_CMG_027]

@@ -109,6 +109,7 @@ class Runner final : private PhaseHook
     [[nodiscard]] bool HasClosed(const Sight& sight) const;
     [[nodiscard]] bool HasGivenUp() const;
     [[nodiscard]] Outcome Blame() const;
+    void NoticeClosed(const Experiment& experiment);
     [[nodiscard]] bool IsAsWithoutFault(std::size_t cycle) const;
     [[nodiscard]] std::uint32_t Since(const Experiment& experiment, std::size_t cycle) const;
     void KeepBits() noexcept;
@@ -133,6 +134,7 @@ class Runner final : private PhaseHook
     std::vector<std::uint8_t> owner_;      ///< The part of each byte.
     StepFaults steps_;
     const void* frame_{nullptr};       ///< Of the function that runs a cycle.
+    bool is_obeyed_{false};            ///< The output closed because a command of the fault said so.
     bool is_exposed_{false};           ///< Wrong so far, and may yet be found in time.
     const Experiment* fault_{nullptr}; ///< Null: the run without fault.
     std::size_t now_{0U};              ///< The running cycle.

@@ -33,6 +33,7 @@ Space::Space(const Plan& plan, const Recording& recording, Device& device, const
     TakeReach(device);
     TakeCycles(plan, recording, horizon);
     TakeFrames();
+    TakeCommands();
     TakeBytes(device);
     for (const Part part : plan.parts)
     {
@@ -276,6 +277,12 @@ void Space::TakeSubject(Experiment& experiment, std::uint64_t index) const
         TakeBusSubject(experiment, index);
         return;
     }
+    if (experiment.part == Part::kCommands && experiment.kind != FaultKind::kInserted)
+    {
+        experiment.subject = commands_[index];
+        experiment.cycle = recording_.commands[experiment.subject].cycle;
+        return;
+    }
     experiment.cycle = cycles_[index % cycles_.size()];
     experiment.subject = index / cycles_.size();
     if (experiment.part == Part::kSteps)
@@ -327,6 +334,10 @@ std::uint64_t Space::SubjectsOf(const Part part, const FaultKind kind) const
     {
         return IsOfPair(kind) ? frame_pairs_.size() : frames_.size();
     }
+    if (part == Part::kCommands && kind != FaultKind::kInserted)
+    {
+        return commands_.size();
+    }
     if (part == Part::kKernelCalls)
     {
         return std::uint64_t{kKernelCalls} * kTurns;
@@ -348,9 +359,9 @@ std::uint64_t Space::SubjectsOf(const Part part, const FaultKind kind) const
 
 std::uint64_t Space::SizeOf(const Part part, const FaultKind kind) const
 {
-    if (part == Part::kBus)
+    if (part == Part::kBus || (part == Part::kCommands && kind != FaultKind::kInserted))
     {
-        return SubjectsOf(part, kind) * VariantsOf(part, kind);
+        return SubjectsOf(part, kind) * VariantsOf(part, kind); // Each has its own cycle.
     }
     if (!IsMemory(part))
     {
@@ -362,6 +373,17 @@ std::uint64_t Space::SizeOf(const Part part, const FaultKind kind) const
         return BytesOf(Part::kChannelA) * kBitsOfByte * BytesOf(Part::kChannelB) * kBitsOfByte * moments;
     }
     return BytesOf(part) * kBitsOfByte * moments;
+}
+
+void Space::TakeCommands()
+{
+    for (std::size_t command = 0U; command < recording_.commands.size(); ++command)
+    {
+        if (std::binary_search(cycles_.begin(), cycles_.end(), recording_.commands[command].cycle))
+        {
+            commands_.push_back(command);
+        }
+    }
 }
 
 void Space::TakeFrames()

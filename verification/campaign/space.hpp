@@ -82,6 +82,7 @@ class Space
     void TakeReach(const Device& device);
     void TakeCycles(const Plan& plan, const Recording& recording, std::size_t horizon);
     void TakeFrames();
+    void TakeCommands();
     [[nodiscard]] std::uint64_t SizeOf(Part part, FaultKind kind) const;
     [[nodiscard]] std::uint64_t SubjectsOf(Part part, FaultKind kind) const;
     [[nodiscard]] std::uint64_t VariantsOf(Part part, FaultKind kind) const;
@@ -99,6 +100,7 @@ class Space
     std::vector<std::size_t> frames_{};       ///< That come in these cycles.
     std::vector<std::uint64_t> frame_bits_{}; ///< Of their data, each with those before it.
     std::vector<std::size_t> frame_pairs_{};  ///< In Recording::pairs.
+    std::vector<std::size_t> commands_{};     ///< In Recording::commands, of these cycles.
     std::vector<std::size_t> cycles_{};
     std::vector<Byte> bytes_[kPartCount]{};
     std::vector<Stratum> strata_{};

@@ -59,6 +59,12 @@ bool IsWithin(const std::string& bit, const std::string& known)
     return known == bit || known == bit.substr(0U, dot) || known == bit.substr(0U, bit.find('+'));
 }
 
+/// Whether the place of what is no memory, a row of words, begins with the known ones.
+bool BeginsWith(const std::string& place, const std::string& known)
+{
+    return (place + " ").rfind(known + " ", 0U) == 0U;
+}
+
 std::string BitText(const Campaign& campaign, const Bit& bit)
 {
     const Place& place = campaign.device.Places()[bit.place];
@@ -76,7 +82,7 @@ bool IsOf(const Campaign& campaign, const Finding& finding, const Known& known)
     const Experiment& experiment = finding.experiment;
     const bool is_memory = IsMemory(experiment.part);
     const bool is_pair = experiment.part == Part::kBothChannels;
-    const bool is_there = PlaceText(campaign, experiment) == known.place ||
+    const bool is_there = BeginsWith(PlaceText(campaign, experiment), known.place) ||
                           (is_memory && IsWithin(BitText(campaign, FirstOf(experiment)), known.place)) ||
                           (is_pair && IsWithin(BitText(campaign, experiment.second), known.place));
     return is_there && known.result.value_or(finding.outcome.result) == finding.outcome.result;

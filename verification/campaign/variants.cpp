@@ -25,6 +25,9 @@ constexpr std::array<const char*, kChannelCalls> kChannelCallWords{"OnFrame",   
                                                                    "Commit",       "Answer",  "Prepare", "OnConfirm",
                                                                    "InverseFrame", "Load",    "Recheck"};
 constexpr std::array<const char*, kKernelCalls> kKernelCallWords{"OnFrame", "OnConfirm"};
+constexpr NmtState kStates[] = {NmtState::kInitialising, NmtState::kPreOperational, NmtState::kStopped,
+                                NmtState::kOperational};
+constexpr const char* kStateWords[] = {"initialising", "pre_operational", "stopped", "operational"};
 constexpr std::array<const char*, kCounterSubjects> kCounterWords{"counter_a", "counter_b", "both_counters"};
 
 std::uint64_t BusVariants(const FaultKind kind, const std::uint64_t reach, const std::size_t identifiers)
@@ -56,6 +59,19 @@ std::uint64_t CounterVariants(const FaultKind kind)
         return 1U;
     }
     return (kind == FaultKind::kJump) ? 2U * std::size(kJumps) : std::size(kRates);
+}
+
+std::uint64_t CommandVariants(const FaultKind kind)
+{
+    if (kind == FaultKind::kInserted)
+    {
+        return kCommandCount;
+    }
+    if (kind == FaultKind::kWrongCommand)
+    {
+        return kWrongCommands;
+    }
+    return (kind == FaultKind::kSkipped) ? 1U : kCommandCycles;
 }
 
 std::string OffsetText(const Experiment& fault)
@@ -98,6 +114,34 @@ std::string CallText(const std::string& name, const Experiment& fault)
            (((fault.variant & kAlways) != 0U) ? " always" : "");
 }
 
+std::string CommandName(const Command& command)
+{
+    if (command.is_gfc)
+    {
+        return "gfc";
+    }
+    const auto* const found = std::find(std::begin(kStates), std::end(kStates), command.nmt);
+    return (found == std::end(kStates)) ? "state " + std::to_string(static_cast<unsigned>(command.nmt))
+                                        : kStateWords[found - std::begin(kStates)];
+}
+
+std::string CommandText(const std::string& name, const Experiment& fault, const Recording& recording)
+{
+    if (fault.kind == FaultKind::kInserted)
+    {
+        return name;
+    }
+    std::array<char, 32U> at{};
+    std::snprintf(at.data(), at.size(), " in cycle %zu", fault.cycle);
+    const std::string text = name + at.data();
+    if (fault.kind == FaultKind::kWrongCommand)
+    {
+        return text + " as " + CommandName(WrongCommand(recording.commands[fault.subject].what, fault.variant));
+    }
+    const std::uint32_t cycles = fault.variant + ((fault.kind == FaultKind::kLate) ? 1U : 0U);
+    return (fault.kind == FaultKind::kSkipped) ? text : text + " by " + std::to_string(cycles) + " cycles";
+}
+
 std::string CounterText(const std::string& name, const Experiment& fault)
 {
     const CounterFault what = CounterFaultOf(fault);
@@ -120,6 +164,10 @@ std::uint64_t VariantsOf(const Part part, const FaultKind kind, const std::uint6
     if (part == Part::kCycle)
     {
         return (kind == FaultKind::kSkipped) ? kSkippedCycles : (kind == FaultKind::kDoubled) ? 1U : reach;
+    }
+    if (part == Part::kCommands)
+    {
+        return CommandVariants(kind);
     }
     if (part == Part::kInputs)
     {
@@ -147,6 +195,22 @@ CounterFault CounterFaultOf(const Experiment& fault)
         what.rate_ppm = (fault.kind == FaultKind::kFast) ? kRates[fault.variant] : -kRates[fault.variant];
     }
     return what;
+}
+
+Command CommandNumber(const std::uint32_t number)
+{
+    const bool is_gfc = number + 1U == kCommandCount;
+    return {is_gfc, is_gfc ? NmtState::kInvalid : kStates[number]};
+}
+
+Command WrongCommand(const Command& command, const std::uint32_t variant)
+{
+    if (variant < kCommandCount)
+    {
+        return CommandNumber(variant);
+    }
+    const auto state = static_cast<std::uint32_t>(command.nmt);
+    return {false, static_cast<NmtState>(state ^ (1U << (variant - kCommandCount)))};
 }
 
 std::uint64_t DrawnData(const std::uint64_t seed, const Experiment& fault)
@@ -198,6 +262,11 @@ std::string SubjectName(const Experiment& fault, const Recording& recording)
     {
         return kCounterWords.at(fault.subject);
     }
+    if (fault.part == Part::kCommands)
+    {
+        return "command " + CommandName((fault.kind == FaultKind::kInserted) ? CommandNumber(fault.variant)
+                                                                             : recording.commands[fault.subject].what);
+    }
     return (fault.part == Part::kInputs) ? "input " + std::to_string(fault.subject) : "cycle";
 }
 
@@ -220,6 +289,10 @@ std::string SubjectText(const Experiment& fault, const Recording& recording)
     if (fault.part == Part::kCounters)
     {
         return CounterText(name, fault);
+    }
+    if (fault.part == Part::kCommands)
+    {
+        return CommandText(name, fault, recording);
     }
     if (fault.part == Part::kInputs)
     {

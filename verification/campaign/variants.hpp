@@ -53,6 +53,12 @@ constexpr std::uint32_t kNothingLeft = 2U;
 constexpr std::uint32_t kSkippedCycles = 5U;
 /// Steps that have one before them; the last one has none behind it.
 constexpr std::size_t kStepSubjects = kFlowStepCount - 1U;
+/// A command that is told again or late is so by up to so many cycles. [SRS_CMG_029]
+constexpr std::uint32_t kCommandCycles = 50U;
+/// Each NMT state, and the GFC.
+constexpr std::uint32_t kCommandCount = 5U;
+/// Each other command instead, and each bit of the state wrong.
+constexpr std::uint32_t kWrongCommands = kCommandCount + 8U;
 /// A, B, both.
 constexpr std::size_t kCounterSubjects = 3U;
 
@@ -72,6 +78,10 @@ struct CounterFault
 /// @brief Of one subject of a part: how many variants it has. `reach` is in steps of the grid, `identifiers` the number
 /// of those of the recording.
 [[nodiscard]] std::uint64_t VariantsOf(Part part, FaultKind kind, std::uint64_t reach, std::size_t identifiers);
+/// @brief One of kCommandCount.
+[[nodiscard]] Command CommandNumber(std::uint32_t number);
+/// @brief What is told instead of a command; one of kWrongCommands, of which one may be the same.
+[[nodiscard]] Command WrongCommand(const Command& command, std::uint32_t variant);
 [[nodiscard]] CounterFault CounterFaultOf(const Experiment& fault);
 /// @brief Data by seed and experiment.
 [[nodiscard]] std::uint64_t DrawnData(std::uint64_t seed, const Experiment& fault);

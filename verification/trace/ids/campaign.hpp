@@ -29,6 +29,7 @@ inline constexpr RequirementId SRS_CMG_025{"SRS_CMG_025"};
 inline constexpr RequirementId SRS_CMG_026{"SRS_CMG_026"};
 inline constexpr RequirementId SRS_CMG_027{"SRS_CMG_027"};
 inline constexpr RequirementId SRS_CMG_028{"SRS_CMG_028"};
+inline constexpr RequirementId SRS_CMG_029{"SRS_CMG_029"};
 inline constexpr RequirementId SRS_CMG_040{"SRS_CMG_040"};
 inline constexpr RequirementId SRS_CMG_041{"SRS_CMG_041"};
 inline constexpr RequirementId SRS_CMG_042{"SRS_CMG_042"};
