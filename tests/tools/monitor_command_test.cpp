@@ -10,14 +10,17 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <fcntl.h>
 #include <string>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
+#include <vector>
 
 namespace counterpoint::tools
 {
@@ -404,6 +407,49 @@ TEST_F(MonitorCommandTest, ASummaryFollowsASignal)
         EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(500));
         EXPECT_TRUE(document["first_s"].is_null() && document["last_s"].is_null()) << answer.out; // No frame came.
     }
+}
+
+TEST_F(MonitorCommandTest, SigtermEndsItWhereNobodyReads)
+{
+    Verifies(req::SRS_MON_001);
+    // Given a monitor whose output is a full pipe
+    std::array<int, 2U> unread{};
+    ASSERT_EQ(::pipe2(unread.data(), O_NONBLOCK), 0);
+    const std::string piece(4096U, 'x');
+    while (::write(unread[1], piece.data(), piece.size()) > 0)
+    {
+    }
+    ASSERT_EQ(::fcntl(unread[1], F_SETFL, 0), 0);
+    std::vector<std::string> words = Watching("udp:239.74.163.3:43" + std::to_string(200 + ::getpid() % 700), "600");
+    std::vector<char*> line;
+    for (std::string& word : words)
+    {
+        line.push_back(word.data());
+    }
+    line.push_back(nullptr);
+    const pid_t monitor = ::fork();
+    if (monitor == 0)
+    {
+        static_cast<void>(::dup2(unread[1], STDOUT_FILENO));
+        static_cast<void>(::execv(line[0], line.data()));
+        ::_exit(127);
+    }
+    ASSERT_GT(monitor, 0);
+    std::this_thread::sleep_for(std::chrono::seconds(3)); // Until it catches signals.
+    ASSERT_EQ(::waitpid(monitor, nullptr, WNOHANG), 0);
+    // When it is told to end
+    const auto begun = std::chrono::steady_clock::now();
+    ASSERT_EQ(::kill(monitor, SIGTERM), 0);
+    int status = 0;
+    ASSERT_EQ(::waitpid(monitor, &status, 0), monitor);
+    const auto took = std::chrono::steady_clock::now() - begun;
+    // Then it waits two seconds for a reader and ends with status 2
+    EXPECT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 2);
+    EXPECT_GE(took, std::chrono::milliseconds(1900));
+    EXPECT_LT(took, std::chrono::seconds(30)); // Of a busy machine.
+    static_cast<void>(::close(unread[0]));
+    static_cast<void>(::close(unread[1]));
 }
 } // namespace
 } // namespace counterpoint::tools
