@@ -26,6 +26,19 @@ bool Signals(const std::uint32_t signals, const SrdoCause cause)
 {
     return ((signals >> (static_cast<std::uint32_t>(cause) % 32U)) & 1U) != 0U;
 }
+
+/// An application does not keep what it was told before somebody acknowledged, or while the device is not OPERATIONAL.
+void ForgetErrors(const Recording& recording, const std::size_t cycle, FlatApplication& application)
+{
+    const RecordedCycle& now = recording.cycles[cycle];
+    const CycleCall before = (cycle == 0U) ? CycleCall{} : recording.cycles[cycle - 1U].call;
+    const bool is_pressed = (now.call.acknowledge_a & ~before.acknowledge_a) != 0U;
+    if (is_pressed || now.nmt != NmtState::kOperational)
+    {
+        application.faulted = 0U;
+        application.first_cause = SrdoCause::kNone;
+    }
+}
 } // namespace
 
 Device::Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, const OutputKind output,
@@ -233,7 +246,7 @@ SrdoMask Device::Open() noexcept
 void Device::Cycle(const std::size_t cycle)
 {
     MoveOwnFrames();
-    ForgetErrors(cycle);
+    ForgetErrors(recording_, cycle, *application_);
     feed_.BeginCycle();
     const Calls calls = feed_.CallsIn(cycle);
     for (std::size_t index = 0U; index < calls.count; ++index)
@@ -254,19 +267,6 @@ void Device::MoveOwnFrames()
     std::fill(ports_->frames.begin() + waiting, ports_->frames.end(), OwnFrame{});
     ports_->count = waiting;
     ports_->confirmed = 0U;
-}
-
-/// An application does not keep what it was told before somebody acknowledged, or while the device is not OPERATIONAL.
-void Device::ForgetErrors(const std::size_t cycle)
-{
-    const RecordedCycle& now = recording_.cycles[cycle];
-    const CycleCall before = (cycle == 0U) ? CycleCall{} : recording_.cycles[cycle - 1U].call;
-    const bool is_pressed = (now.call.acknowledge_a & ~before.acknowledge_a) != 0U;
-    if (is_pressed || now.nmt != NmtState::kOperational)
-    {
-        application_->faulted = 0U;
-        application_->first_cause = SrdoCause::kNone;
-    }
 }
 
 void Device::Call(const std::size_t cycle, const Nanoseconds at)

@@ -159,7 +159,6 @@ class Device
     void MakeKernel();
     void Start(const runtime::DeviceModel& model);
     void MoveOwnFrames();
-    void ForgetErrors(std::size_t cycle);
     void Call(std::size_t cycle, Nanoseconds at);
     void Deliver(Nanoseconds at);
     void Add(Part part, const std::string& name, const void* object, std::size_t size);
