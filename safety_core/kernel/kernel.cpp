@@ -144,7 +144,8 @@ void Kernel::OnConfirm(const StampedFrame& frame) noexcept
     {
         return;
     }
-    // A pair that began before OPERATIONAL was left is over, although the channels have not been told yet. [SRS_KRN_044]
+    // A pair that began before OPERATIONAL was left is over, although the channels have not been told yet.
+    // [SRS_KRN_044]
     if (run_.left_operational)
     {
         return;
