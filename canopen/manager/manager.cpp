@@ -104,8 +104,8 @@ void Manager::OnCycle(const Instant now) noexcept
 bool Manager::WriteSafety(const NodeId node, const Instant now) noexcept
 {
     const NodeStatus status = Status(node);
-    const bool is_running =
-        (table_.RequestValue(node) == static_cast<std::uint8_t>(SlaveState::kOperational)) && !table_.HasLeft(node);
+    const bool is_running = (table_.RequestValue(node) == static_cast<std::uint8_t>(SlaveState::kOperational)) &&
+                            !cia302::HasLeft(table_, node);
     const bool is_free = IsActive() && !is_running && !status.is_other && !status.is_busy && (nmt_.Waiting() == 0U) &&
                          (gate_.State(node) != GateState::kBusy);
     if (is_free && (table_.Record(node).asked == SlaveState::kStopped))

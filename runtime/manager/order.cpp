@@ -343,7 +343,7 @@ std::string WriteSafety(ManagerAssembly& assembly, const cia302::NodeId node, co
     {
         answer = name + " is not known to be the expected device, expected that one, and boot NODE";
     }
-    else if ((table.RequestValue(node) == kOperational) && !table.HasLeft(node))
+    else if ((table.RequestValue(node) == kOperational) && !cia302::HasLeft(table, node))
     {
         answer = name + " is OPERATIONAL, expected it stopped or PRE-OPERATIONAL";
     }

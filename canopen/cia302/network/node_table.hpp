@@ -163,22 +163,6 @@ class NodeTable final : public NmtListener
     /// @brief Whether the node says OPERATIONAL, and no sign that says so can be older than the last command to leave
     /// it.
     [[nodiscard]] bool RunsSurely(NodeId node) const noexcept;
-    /// @brief Whether the node was told last to leave OPERATIONAL for STOPPED or PRE-OPERATIONAL, and no sign since
-    /// says surely that it did not.
-    [[nodiscard]] bool HasLeft(const NodeId node) const noexcept
-    {
-        const SlaveState asked = Record(node).asked;
-        const bool is_told = (asked == SlaveState::kStopped) || (asked == SlaveState::kPreOperational);
-        return is_told && !RunsSurely(node);
-    }
-    /// @brief Whether the node is STOPPED, and has no SDO: it says so, or was told so last and has not spoken of it
-    /// yet.
-    [[nodiscard]] bool IsStopped(const NodeId node) const noexcept
-    {
-        const NodeRecord& record = Record(node);
-        const bool is_told = (record.asked == SlaveState::kStopped) && !RunsSurely(node);
-        return (record.state == SlaveState::kStopped) || is_told;
-    }
     /// @brief Whether the node is OPERATIONAL although nobody told it otherwise last, or surely so in spite of such a
     /// command.
     [[nodiscard]] bool IsFoundRunning(const NodeId node) const noexcept
@@ -204,6 +188,23 @@ class NodeTable final : public NmtListener
 
     NodeTableParts parts_;
 };
+
+/// @brief Whether the node was told last to leave OPERATIONAL for STOPPED or PRE-OPERATIONAL, and no sign since says
+/// surely that it did not.
+[[nodiscard]] inline bool HasLeft(const NodeTable& table, const NodeId node) noexcept
+{
+    const SlaveState asked = table.Record(node).asked;
+    const bool is_told = (asked == SlaveState::kStopped) || (asked == SlaveState::kPreOperational);
+    return is_told && !table.RunsSurely(node);
+}
+
+/// @brief Whether the node is STOPPED, and has no SDO: it says so, or was told so last and has not spoken of it yet.
+[[nodiscard]] inline bool IsStopped(const NodeTable& table, const NodeId node) noexcept
+{
+    const NodeRecord& record = table.Record(node);
+    const bool is_told = (record.asked == SlaveState::kStopped) && !table.RunsSurely(node);
+    return (record.state == SlaveState::kStopped) || is_told;
+}
 
 } // namespace counterpoint::cia302
 

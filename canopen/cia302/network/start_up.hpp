@@ -167,7 +167,7 @@ class StartUp
 {
     const NodeStatus status = start_up.Status(node);
     const bool is_other = parts.setup.IsSafetySlave(node) && status.is_other;
-    return !is_other && !status.is_busy && !parts.table.IsStopped(node);
+    return !is_other && !status.is_busy && !IsStopped(parts.table, node);
 }
 
 inline void StartUp::OnBusBack(const Instant /*now*/) noexcept

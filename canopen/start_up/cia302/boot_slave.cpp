@@ -138,7 +138,7 @@ void BootSlave::Start(const NodeId node, const BootTime& time) noexcept
     if (!job.record.status.is_busy)
     {
         parts_.gate.Close(node); // What was verified at the boot may be long ago.
-        if (parts_.table.IsStopped(node) && parts_.setup.IsSafetySlave(node))
+        if (cia302::IsStopped(parts_.table, node) && parts_.setup.IsSafetySlave(node))
         {
             // STOPPED, it has no SDO to be read by.
             static_cast<void>(parts_.nmt.Request(NmtCommand::kPreOperational, node, time.now));
