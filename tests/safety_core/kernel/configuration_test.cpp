@@ -431,6 +431,31 @@ TEST_F(Configuring, NmtStateIsThatOfWritesAtOnceAndOfSrdosWithTheCycle)
     }
 }
 
+TEST_F(Configuring, ChangedCopyOf13FEhIsFoundInTheNextCycle)
+{
+    Verifies(req::SRS_CFG_048);
+    Verifies(req::SRS_CMP_002);
+    const std::vector<std::vector<Channel*>> changed{{&real_a}, {&real_b}, {&real_a, &real_b}};
+    for (const std::vector<Channel*>& channels : changed)
+    {
+        for (const std::uint32_t value : {0x00U, 0xA4U, 0x5AU})
+        {
+            Operate();
+            ReceivePair();
+            Cycle();
+            ASSERT_EQ(Open(), 1U);
+            for (Channel* const channel : channels)
+            {
+                channel->Store(ConfigItem{ConfigAddress{0U, ConfigField::kConfigurationValid, 0U}, value});
+            }
+            Cycle();
+            EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kGuard) << channels.size() << " " << value;
+            EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
+            EXPECT_EQ(Open(), 0U);
+        }
+    }
+}
+
 TEST_F(Configuring, DeclarationIsOfEverySrdoInBothChannels)
 {
     Verifies(req::SRS_CFG_046);

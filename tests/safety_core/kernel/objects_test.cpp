@@ -347,6 +347,13 @@ TEST_F(SafetyObjects, IdenticalValueIsAcceptedAndClearsNothing)
     Verifies(req::SRS_CFG_042);
     Verifies(req::SRS_CFG_043);
     Configure();
+    for (const NmtState state : {NmtState::kInitialising, NmtState::kStopped, NmtState::kPreOperational})
+    {
+        kernel.SetNmtState(state);
+        EXPECT_EQ(Write(0x1303U, 2U, 25U, 2U), AbortCode::kNone);
+        EXPECT_EQ(Write(0x13FFU, 3U, Read(0x13FFU, 3U), 2U), AbortCode::kNone);
+        EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    }
     EXPECT_EQ(Write(0x1301U, 1U, 2U, 1U), AbortCode::kNone);
     EXPECT_EQ(Write(0x1301U, 2U, 50U, 2U), AbortCode::kNone);
     EXPECT_EQ(Write(0x1301U, 5U, 0x101U, 4U), AbortCode::kNone);
