@@ -135,6 +135,17 @@ constexpr Step kAcknowledged[] = {
     Slot(0U, kProducing, Cause::kTransmitQueue, 0U, 2U, 0U),
 };
 
+// An edge of one that is not active clears nothing, nor does a level that stays when it becomes active.
+constexpr Step kAcknowledgedWhileOff[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U),
+    TransmitFault(0U, Cause::kBusOff), Nmt(NmtState::kStopped), Cycle(3000U),
+    Slot(0U, kOff, Cause::kBusOff, 0U, 1U, 0U), Acknowledge(1U), Cycle(3900U), Cycle(4000U),
+    Slot(0U, kOff, Cause::kBusOff, 0U, 1U, 0U), Nmt(NmtState::kOperational), Cycle(5000U), Cycle(6000U),
+    Slot(0U, kProducing, Cause::kBusOff, 0U, 1U, 0U), Acknowledge(0U), Cycle(7000U), Cycle(8000U),
+    Acknowledge(1U), Cycle(9000U), Slot(0U, kProducing, Cause::kBusOff, 0U, 1U, 0U), Cycle(10000U),
+    Slot(0U, kProducing, kNoCause, 0U, 1U, 0U),
+};
+
 // Every fault is signalled, also the same one in the next call.
 constexpr Step kEverySignal[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U),
@@ -175,6 +186,7 @@ constexpr Case kCases[] = {
     MakeCase("ConfirmationLedToAnotherSrdo", {req::SRS_PROD_007}, kSender, kAstray),
     MakeCase("TransmitFaults", {req::SRS_PROD_009}, kSender, kTransmitFaults),
     MakeCase("AcknowledgeOfAProducer", {req::SRS_PROD_009}, kSender, kAcknowledged),
+    MakeCase("AcknowledgeOfAProducerThatIsOff", {req::SRS_PROD_009}, kSender, kAcknowledgedWhileOff),
     MakeCase("EveryFaultOfAProducerIsSignalled", {req::SRS_PROD_009, req::SRS_CONS_021}, kSender, kEverySignal),
 };
 // clang-format on

@@ -128,6 +128,14 @@ constexpr Step kGfcNotOperational[] = {
     Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
 };
 
+// One that the cycle of its time did not take is none once OPERATIONAL was left, nor is one that came meanwhile.
+constexpr Step kGfcThenLeft[] = {
+    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), Gfc(500U), Nmt(NmtState::kPreOperational),
+    Cycle(1000U), Slot(0U, kOff, Cause::kNotOperational, 0U, 1U, 0U), Signals(0U, Bit(Cause::kNotOperational)),
+    Gfc(1500U), Nmt(NmtState::kOperational), Cycle(2000U), Masks(0U, 0U, 1U, 0U, 0U), Signals(0U, 0U), Cycle(3000U),
+    Slot(0U, kWaiting, Cause::kNotOperational, 0U, 1U, 0U), Masks(0U, 0U, 1U, 0U, 0U),
+};
+
 // Cycle 10 ms: limit, overflow and GFC in one call; the late call counts only without an expired limit.
 constexpr Step kOrderWithLimit[] = {
     Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), Normal(1000U), Gfc(2000U),
@@ -174,6 +182,7 @@ constexpr Case kCases[] = {
     MakeCase("NoGlobalFailsafeCommand", {req::SRS_CONS_017}, kGold, kGfcOtherFrames),
     MakeCase("GlobalFailsafeCommandOutsideOperational", {req::SRS_CONS_017, req::SRS_CONS_002}, kGold,
              kGfcNotOperational),
+    MakeCase("GlobalFailsafeCommandBeforeLeaving", {req::SRS_CONS_017, req::SRS_CONS_019}, kGold, kGfcThenLeft),
     MakeCase("OrderOfCausesWithALimit", {req::SRS_CONS_018, req::SRS_CONS_020}, kGoldPrompt, kOrderWithLimit),
     MakeCase("OrderOfCausesWithoutALimit", {req::SRS_CONS_018, req::SRS_CONS_020}, kGoldPrompt, kOrderWithoutLimit),
     MakeCase("LostFramesBeforeGlobalFailsafeCommand", {req::SRS_CONS_018}, kGoldPrompt, kOrderOverflowGfc),

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <unistd.h>
@@ -64,6 +66,83 @@ TEST_F(Wire, RefusesImpossibleLengths)
     frame.length = 189U;
     EXPECT_EQ(wire.End(WireEnd::kFirst).Send(frame), hal::LinkStatus::kNothing);
     EXPECT_EQ(Received(WireEnd::kSecond), -1);
+}
+
+// Given frames of the least and the greatest length, then they come in the order in which they were sent, one at a
+// time, unchanged to the last byte.
+TEST_F(Wire, CarriesOneToOneHundredAndEightyEightBytesInTheirOrder)
+{
+    Verifies(req::SRS_LNK_020);
+    hal::LinkFrame longest{};
+    longest.length = 188U;
+    for (std::uint8_t place = 0U; place < 188U; ++place)
+    {
+        longest.bytes[place] = static_cast<std::uint8_t>(255U - place);
+    }
+    hal::LinkFrame shortest{};
+    shortest.length = 1U;
+    shortest.bytes[0] = 7U;
+    for (const hal::LinkFrame* const frame : {&longest, &shortest, &longest})
+    {
+        EXPECT_EQ(wire.End(WireEnd::kSecond).Send(*frame), hal::LinkStatus::kDone);
+    }
+    for (const hal::LinkFrame* const sent : {&longest, &shortest, &longest})
+    {
+        hal::LinkFrame frame{};
+        ASSERT_EQ(wire.End(WireEnd::kFirst).Receive(frame), hal::LinkStatus::kDone);
+        ASSERT_EQ(frame.length, sent->length);
+        EXPECT_TRUE(std::equal(&frame.bytes[0], &frame.bytes[frame.length], &sent->bytes[0]));
+    }
+    EXPECT_EQ(Received(WireEnd::kFirst), -1);
+}
+
+// Given a quarter of a million in a million, then of 10 000 frames about a quarter is lost, comes twice, or is changed;
+// without frequencies, none.
+TEST_F(Wire, LosesRepeatsAndFlipsAsOftenAsItIsTold)
+{
+    Verifies(req::SRS_LNK_021);
+    const auto of = [](const WireFaults& faults)
+    {
+        HostWire own{5U};
+        own.Faults(WireEnd::kFirst) = faults;
+        std::array<int, 2> counts{}; // Frames that came, and those of them that were changed.
+        for (int number = 0; number < 10000; ++number)
+        {
+            EXPECT_EQ(own.End(WireEnd::kFirst).Send(Frame(0U)), hal::LinkStatus::kDone);
+            hal::LinkFrame frame{};
+            while (own.End(WireEnd::kSecond).Receive(frame) == hal::LinkStatus::kDone)
+            {
+                ++counts[0];
+                counts[1] += ((frame.bytes[0] | frame.bytes[1] | frame.bytes[2]) != 0) ? 1 : 0;
+            }
+        }
+        return counts;
+    };
+    WireFaults faults{};
+    EXPECT_EQ(of(faults), (std::array<int, 2>{10000, 0}));
+    faults.loss_ppm = 250'000U;
+    faults.most_lost_in_a_row = 10000U;
+    EXPECT_GT(of(faults)[0], 7200);
+    EXPECT_LT(of(faults)[0], 7800);
+    faults = WireFaults{};
+    faults.repeat_ppm = 250'000U;
+    EXPECT_GT(of(faults)[0], 12200);
+    EXPECT_LT(of(faults)[0], 12800);
+    faults = WireFaults{};
+    faults.flip_ppm = 250'000U;
+    EXPECT_EQ(of(faults)[0], 10000);
+    EXPECT_GT(of(faults)[1], 2200);
+    EXPECT_LT(of(faults)[1], 2800);
+}
+
+TEST_F(Wire, IsCutInEachDirectionForItself)
+{
+    Verifies(req::SRS_LNK_021);
+    wire.Faults(WireEnd::kSecond).is_cut = true;
+    EXPECT_EQ(wire.End(WireEnd::kSecond).Send(Frame(1U)), hal::LinkStatus::kDone);
+    EXPECT_EQ(wire.End(WireEnd::kFirst).Send(Frame(2U)), hal::LinkStatus::kDone);
+    EXPECT_EQ(Received(WireEnd::kFirst), -1);
+    EXPECT_EQ(Received(WireEnd::kSecond), 2);
 }
 
 // Given a million in a million, then every frame is lost (but the third after two in a row), comes twice, or is

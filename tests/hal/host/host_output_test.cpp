@@ -67,6 +67,31 @@ TEST_F(HostOutputTest, CutOffStaysClosedWhateverComes)
     EXPECT_EQ(output.ClosesAt(), kNever);
 }
 
+// Before anything else was done: neither the watchdog, that starts then, nor right permits open it.
+TEST_F(HostOutputTest, CutOffOfAClosedOutputStaysAsWell)
+{
+    Verifies(req::SRS_STS_052);
+    output.CutOff();
+    watchdog.Start(kWindow);
+    for (BusTime cycle = 1; cycle <= 5; ++cycle)
+    {
+        DriveOpen();
+        EXPECT_EQ(output.Open(), 0U);
+        bus.Advance(cycle * kMillisecond);
+        AnswerRight();
+    }
+    ASSERT_TRUE(watchdog.IsAlive());
+    // And once more, while it is cut off
+    output.CutOff();
+    DriveOpen();
+    EXPECT_EQ(output.Open(), 0U);
+    // Another output, as a restart makes it, opens
+    HostOutput next{bus, watchdog, hal::GateLimit{2000U}};
+    const std::uint32_t sum = next.Challenge() + 5U;
+    next.Drive(hal::PermitSet{{5U, sum * 0x9E37'79B1U}, {5U, sum * 0x85EB'CA77U}, {5U, sum * 0xC2B2'AE3DU}});
+    EXPECT_EQ(next.Open(), 5U);
+}
+
 TEST_F(HostOutputTest, ProbingChangesNothing)
 {
     Verifies(req::SRS_STS_031);

@@ -445,5 +445,26 @@ TEST(OwnVoice, FollowerGivesUpWhatTheLeaderGaveUp)
     EXPECT_EQ(rig.channel.transmit_faults.size(), 1U);
 }
 
+// Given CPU B and three slots that the leader and the channel call due, then all are requested, and only as many are
+// shown as armed frames have room for: two, then one.
+TEST(OwnVoice, FollowerShowsAsManyAsArmedFramesHaveRoomFor)
+{
+    Verifies(req::SRS_TWO_011);
+    PeerRig rig{PeerRole::kB};
+    rig.Cycle(1000U);
+    LinkMessage word = rig.AnswerTo(5000U);
+    word.due = 7U;
+    rig.Hear(word, 7000U);
+    rig.channel.outcome.due = 7U;
+    rig.Cycle(10000U);
+    EXPECT_EQ(rig.channel.last_input.request, 7U);
+    EXPECT_EQ(rig.own.due, 3U);
+    rig.channel.prepared = PreparedPair{PeerRig::Frame(0x103U), PrepareStatus::kReady};
+    static_cast<void>(rig.Remote().Prepare(1U));
+    rig.Cycle(11000U);
+    EXPECT_EQ(rig.channel.last_input.request, 5U);
+    EXPECT_EQ(rig.own.due, 1U);
+}
+
 } // namespace
 } // namespace counterpoint

@@ -43,6 +43,20 @@ TEST(PeerMessages, DamagedOnesAreCounted)
     rig.peer.OnMessage(rig.frame, Instant{3000U});
     EXPECT_EQ(rig.peer.Link().Counts().corrupt, 2U);
     EXPECT_EQ(rig.peer.Link().State(), LinkState::kWaiting);
+    // Nor one of another node-ID, or of another length; none of them is echoed
+    LinkMessage other = rig.AnswerTo(4000U);
+    other.sender.node_id = static_cast<std::uint8_t>(other.sender.node_id + 1U);
+    rig.Hear(other, 5000U);
+    for (const std::uint8_t length : std::initializer_list<std::uint8_t>{0U, 187U, 189U})
+    {
+        Encode(rig.Word(5000U), rig.frame);
+        rig.frame.length = length;
+        rig.peer.OnMessage(rig.frame, Instant{6000U});
+    }
+    EXPECT_EQ(rig.peer.Link().Counts().corrupt, 6U);
+    EXPECT_EQ(rig.peer.Link().Counts().taken, 0U);
+    EXPECT_EQ(rig.peer.Link().State(), LinkState::kWaiting);
+    EXPECT_EQ(rig.Say(7000U).echo.heard, 0U);
 }
 
 // Given contact, when a message comes a second time, then what it says is not taken again.

@@ -74,6 +74,35 @@ TEST_F(BetweenCycles, NorWhereOperationalIsEnteredAgainBeforeTheCycle)
     EXPECT_EQ(StateOf(0x1303U), SrdoState::kProducer);
 }
 
+TEST_F(BetweenCycles, NorWhateverIsSetSince)
+{
+    Verifies(req::SRS_KRN_043);
+    Release();
+    kernel.SetNmtState(NmtState::kPreOperational);
+    const auto are_off = [this]()
+    {
+        for (const std::uint16_t index : std::initializer_list<std::uint16_t>{0x1301U, 0x1303U, 0x1304U})
+        {
+            EXPECT_EQ(StateOf(index), SrdoState::kOff) << index;
+        }
+    };
+    // Given the consumer without a mapping, then as a producer, and the producer as a consumer
+    EXPECT_EQ(Write(0x1301U, 1U, 0U, 1U), AbortCode::kNone);
+    are_off();
+    EXPECT_EQ(Write(0x1381U, 0U, 0U, 1U), AbortCode::kNone);
+    are_off();
+    EXPECT_EQ(Write(0x1301U, 1U, 1U, 1U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x1303U, 1U, 2U, 1U), AbortCode::kNone);
+    are_off();
+    // and other NMT states
+    kernel.SetNmtState(NmtState::kStopped);
+    are_off();
+    kernel.SetNmtState(NmtState::kOperational);
+    are_off();
+    Cycle();
+    are_off();
+}
+
 TEST_F(BetweenCycles, ChannelsThatDifferAreStillFaulted)
 {
     Verifies(req::SRS_KRN_015);
@@ -108,7 +137,7 @@ TEST_F(BetweenCycles, AConfirmedInverseFrameIsNoEventOfAnSrdoThatReceivesByThen)
     ASSERT_EQ(ports.sent.size(), 2U);
     // When OPERATIONAL is left, SRDO 3 made a consumer, and the confirmation comes
     kernel.SetNmtState(NmtState::kPreOperational);
-    EXPECT_EQ(Write(0x1303U, 1U, 0U, 1U), AbortCode::kNone);
+    EXPECT_EQ(Write(0x1303U, 1U, 2U, 1U), AbortCode::kNone);
     ConfirmLast();
     // Then nothing was received, and nothing is told
     EXPECT_TRUE(application.events.empty());

@@ -245,5 +245,26 @@ TEST_F(ClockSupervision, FramesBeforeTheFirstCycleAreNotJudged)
     EXPECT_EQ(clocks_.OnCycle(At(1000U, 5000U)), DeviceFault::kNone);
 }
 
+// The cycles are at 1000 and 5000, and at 2000 and 6000; each counter alone is one microsecond out of order.
+TEST_F(ClockSupervision, EitherCounterAloneOutOfOrderIsAFault)
+{
+    Verifies(req::SRS_KRN_008);
+    const auto after = [this](const InstantPair& first, const InstantPair& second)
+    {
+        clocks_.Restart(config_);
+        (void)clocks_.OnCycle(At(1000U, 5000U));
+        clocks_.OnFrame(first);
+        clocks_.OnFrame(second);
+        return clocks_.OnCycle(At(2000U, 6000U));
+    };
+    EXPECT_EQ(after(At(1000U, 5000U), At(2000U, 6000U)), DeviceFault::kNone);
+    EXPECT_EQ(after(At(1500U, 5500U), At(1499U, 5500U)), DeviceFault::kFrameOrder);
+    EXPECT_EQ(after(At(1500U, 5500U), At(1500U, 5499U)), DeviceFault::kFrameOrder);
+    EXPECT_EQ(after(At(999U, 5000U), At(1500U, 5500U)), DeviceFault::kFrameOrder);
+    EXPECT_EQ(after(At(1000U, 4999U), At(1500U, 5500U)), DeviceFault::kFrameOrder);
+    EXPECT_EQ(after(At(1500U, 5500U), At(2001U, 6000U)), DeviceFault::kFrameOrder);
+    EXPECT_EQ(after(At(1500U, 5500U), At(2000U, 6001U)), DeviceFault::kFrameOrder);
+}
+
 } // namespace
 } // namespace counterpoint

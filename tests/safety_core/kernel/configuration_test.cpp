@@ -369,5 +369,107 @@ TEST_F(Configuring, DeclarationNeedsEqualAndExpectedDigests)
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
 }
 
+TEST_F(Configuring, FirstOfSeveralBrokenSignaturesIsToldOnEnteringOperational)
+{
+    Verifies(req::SRS_KRN_010);
+    Configure();
+    for (const SlotIndex slot : std::initializer_list<SlotIndex>{2U, 1U})
+    {
+        const ConfigItem changed{ConfigAddress{slot, ConfigField::kSrvt, 0U}, 21U};
+        real_a.Store(changed);
+        real_b.Store(changed);
+    }
+    kernel.SetNmtState(NmtState::kOperational);
+    EXPECT_EQ(application.invalid, std::vector<std::uint16_t>{0x1303U});
+    EXPECT_EQ(Read(0x13FEU, 0U), 0U);
+}
+
+// Whichever channel finds it: the other one was asked as well, and they differ.
+TEST_F(Configuring, EitherChannelAloneKeepsSrdosOffOnEnteringOperational)
+{
+    Verifies(req::SRS_KRN_010);
+    for (Tap* const tap : {&a, &b})
+    {
+        application.invalid.clear();
+        Configure();
+        tap->signature_flip = 1U;
+        kernel.SetNmtState(NmtState::kOperational);
+        tap->signature_flip = 0U;
+        EXPECT_EQ(application.invalid, std::vector<std::uint16_t>{0x1301U});
+        EXPECT_EQ(Read(0x13FEU, 0U), 0U);
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+        EXPECT_EQ(kernel.DeviceState().slot, 0U);
+    }
+}
+
+// t        OPERATIONAL   pair      cycle     PRE-OPERATIONAL   cycle
+// writes   refused                           accepted
+// SRDOs    off           ignored   waiting   waiting           off
+TEST_F(Configuring, NmtStateIsThatOfWritesAtOnceAndOfSrdosWithTheCycle)
+{
+    Verifies(req::SRS_KRN_010);
+    Configure();
+    Cycle();
+    kernel.SetNmtState(NmtState::kOperational);
+    EXPECT_EQ(Write(0x1304U, 2U, 60U, 2U), AbortCode::kDeviceState);
+    EXPECT_EQ(a.last_input.nmt, NmtState::kPreOperational);
+    ReceivePair();
+    Cycle();
+    for (const Tap* const tap : {&a, &b})
+    {
+        EXPECT_EQ(tap->last_input.nmt, NmtState::kOperational);
+    }
+    EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1301U}).state, SrdoState::kWaiting);
+    EXPECT_EQ(Open(), 0U);
+    kernel.SetNmtState(NmtState::kPreOperational);
+    EXPECT_EQ(Write(0x1304U, 2U, 60U, 2U), AbortCode::kNone);
+    EXPECT_EQ(a.last_input.nmt, NmtState::kOperational);
+    Cycle();
+    for (const Tap* const tap : {&a, &b})
+    {
+        EXPECT_EQ(tap->last_input.nmt, NmtState::kPreOperational);
+    }
+}
+
+TEST_F(Configuring, ChangedCopyOf13FEhIsFoundInTheNextCycle)
+{
+    Verifies(req::SRS_CFG_048);
+    Verifies(req::SRS_CMP_002);
+    const std::vector<std::vector<Channel*>> changed{{&real_a}, {&real_b}, {&real_a, &real_b}};
+    for (const std::vector<Channel*>& channels : changed)
+    {
+        for (const std::uint32_t value : {0x00U, 0xA4U, 0x5AU})
+        {
+            Operate();
+            ReceivePair();
+            Cycle();
+            ASSERT_EQ(Open(), 1U);
+            for (Channel* const channel : channels)
+            {
+                channel->Store(ConfigItem{ConfigAddress{0U, ConfigField::kConfigurationValid, 0U}, value});
+            }
+            Cycle();
+            EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kGuard) << channels.size() << " " << value;
+            EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
+            EXPECT_EQ(Open(), 0U);
+        }
+    }
+}
+
+TEST_F(Configuring, DeclarationIsOfEverySrdoInBothChannels)
+{
+    Verifies(req::SRS_CFG_046);
+    Configure();
+    EXPECT_EQ(a.validated, 2U);
+    EXPECT_EQ(b.validated, 2U);
+    for (const std::uint8_t number : std::initializer_list<std::uint8_t>{1, 3, 4})
+    {
+        Configure();
+        ASSERT_EQ(Write(0x13FFU, number, Read(0x13FFU, number) ^ 1U, 2U), AbortCode::kNone);
+        EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kIncompatible) << static_cast<int>(number);
+        EXPECT_EQ(Read(0x13FEU, 0U), 0U);
+    }
+}
+
 } // namespace
 } // namespace counterpoint

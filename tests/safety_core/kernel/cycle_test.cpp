@@ -127,10 +127,52 @@ TEST_F(Cycling, OverflowMakesEveryConsumerSafe)
     EXPECT_EQ(Open(), 0U);
     ASSERT_EQ(application.errors.size(), 1U);
     EXPECT_EQ(application.errors[0].second, SrdoCause::kQueueOverflow);
+    // Both channels were told, in that cycle alone, and neither had to be demoted
+    EXPECT_EQ(a.last_input.queue, QueueState::kOverflowed);
+    EXPECT_EQ(b.last_input.queue, QueueState::kOverflowed);
+    EXPECT_EQ(kernel.DemotionCount(), 0U);
     // and it is over with the next pair
     ReceivePair();
     Cycle();
     EXPECT_EQ(Open(), 1U);
+    EXPECT_EQ(a.last_input.queue, QueueState::kIntact);
+    EXPECT_EQ(b.last_input.queue, QueueState::kIntact);
+}
+
+TEST_F(Cycling, FramesReachBothChannelsUnchangedInTheOrderGiven)
+{
+    Verifies(req::SRS_KRN_007);
+    Operate();
+    a.keep_frames = true;
+    b.keep_frames = true;
+    // Given frames of several kinds and lengths, one with bytes behind its length, by counters 7 us apart
+    const CanFrame frames[] = {
+        {0x101U, FrameKind::kData, CanPortId::kFirst, 2U, {0x12U, 0x34U, 0x56U, 0U, 0U, 0U, 0U, 0x78U}},
+        {0x7FFU, FrameKind::kRemote, CanPortId::kSecond, 8U, {}},
+        {0x1FFFFFFFU, FrameKind::kExtended, CanPortId::kSecond, 8U, {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U}},
+        {0x101U, FrameKind::kData, CanPortId::kFirst, 0U, {}}};
+    std::uint32_t stamp_us = now_us;
+    for (const CanFrame& frame : frames)
+    {
+        stamp_us += 50U;
+        kernel.OnFrame(StampedFrame{frame, InstantPair{{stamp_us}, {stamp_us + 7U}}});
+    }
+    // Then each channel was handed them one by one, each with the stamp of its own counter
+    for (const Tap* const tap : {&a, &b})
+    {
+        ASSERT_EQ(tap->heard.size(), 4U);
+        for (std::uint32_t number = 0U; number < 4U; ++number)
+        {
+            const CanFrame& given = frames[number];
+            const auto& [frame, stamp] = tap->heard[number];
+            EXPECT_EQ(frame.identifier, given.identifier) << number;
+            EXPECT_EQ(frame.kind, given.kind) << number;
+            EXPECT_EQ(frame.port, given.port) << number;
+            EXPECT_EQ(frame.length_bytes, given.length_bytes) << number;
+            EXPECT_TRUE(std::equal(std::begin(frame.data), std::end(frame.data), std::begin(given.data))) << number;
+            EXPECT_EQ(stamp.us, 6050U + (50U * number) + ((tap == &a) ? 0U : 7U)) << number;
+        }
+    }
 }
 
 TEST_F(Cycling, FrameGoesToBothChannelsEachWithItsOwnStamp)

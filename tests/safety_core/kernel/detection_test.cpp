@@ -216,5 +216,33 @@ TEST_F(Detection, NothingLeavesTheDeviceSafeStateButStart)
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
 }
 
+TEST_F(Detection, ChannelsGuardAndFlowMonitorGoOnInTheDeviceSafeState)
+{
+    Verifies(req::SRS_KRN_004);
+    Release();
+    kernel.DemandSafeState();
+    Cycles(10U);
+    // Then the channels are called as ever, and tell what they find
+    EXPECT_EQ(a.last_input.now.us, now_us);
+    EXPECT_EQ(b.last_input.now.us, now_us);
+    Receive(0x102U, {0xEDU, 0xCBU}, 100U);
+    Cycle();
+    EXPECT_EQ(CausesOf(0x1301U), std::vector<SrdoCause>{SrdoCause::kInverseFirst});
+    EXPECT_TRUE(WatchdogAlive());
+    EXPECT_EQ(kernel.DeviceState().count, 1U);
+    // the guard finds a copy that has changed within the diagnostic interval
+    const ConfigItem changed{ConfigAddress{2U, ConfigField::kSrvt, 0U}, 21U};
+    real_a.Store(changed);
+    real_b.Store(changed);
+    Cycles(30U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kApplication);
+    EXPECT_EQ(kernel.DeviceState().count, 2U);
+    EXPECT_TRUE(WatchdogAlive());
+    // and the flow monitor a channel that is left out
+    a.skip_cycle = true;
+    Cycle();
+    EXPECT_FALSE(WatchdogAlive());
+}
+
 } // namespace
 } // namespace counterpoint

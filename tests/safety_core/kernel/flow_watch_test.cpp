@@ -56,6 +56,7 @@ TEST_F(OwnFlow, AnswersTheWatchdogCycleByCycle)
 
 TEST_F(GivenFlow, IsCalledForEveryStepOfACycleInItsOrder)
 {
+    Verifies(req::SRS_KRN_002);
     Verifies(req::SRS_KRN_039);
     // Given a kernel that was started, and no cycle yet
     Configure();
@@ -73,6 +74,50 @@ TEST_F(GivenFlow, IsCalledForEveryStepOfACycleInItsOrder)
                                      FlowStep::kChannelB, FlowStep::kComparison, FlowStep::kDemotion,
                                      FlowStep::kProduction, FlowStep::kCommit, FlowStep::kEvents, FlowStep::kPermits}));
     EXPECT_TRUE(WatchdogAlive());
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+}
+
+// Calls of A and B, demotions, frames handed over, commits, events, slots of the permit when each step is marked.
+TEST_F(GivenFlow, StepsTakeEffectInTheirOrder)
+{
+    Verifies(req::SRS_KRN_002);
+    Operate();
+    // Given a pair to be released, a producer that is due, and a fault of slot 2 in channel A alone
+    ReceivePair();
+    std::array<std::uint32_t, 2> calls{};
+    std::uint32_t commits = 0U;
+    a.on_outcome = [&calls](CycleOutcome& outcome)
+    {
+        ++calls[0];
+        outcome.new_fault = 4U;
+    };
+    b.on_outcome = [&calls](CycleOutcome&) { ++calls[1]; };
+    a.on_committed = [&commits]() { ++commits; };
+    b.on_committed = a.on_committed;
+    using Effects = std::array<std::uint32_t, 7>;
+    std::vector<Effects> seen;
+    flow.on_step = [this, &calls, &commits, &seen](FlowStep)
+    {
+        EXPECT_EQ(flow.ended, 1U); // The answer to the watchdog is the last of all.
+        seen.push_back(Effects{calls[0], calls[1], static_cast<std::uint32_t>(a.demotions + b.demotions),
+                               static_cast<std::uint32_t>(ports.sent.size()), commits,
+                               static_cast<std::uint32_t>(application.events.size()),
+                               static_cast<std::uint32_t>(output.last.kernel.mask)});
+    };
+    Cycle();
+    flow.on_step = nullptr;
+    EXPECT_EQ(flow.ended, 2U);
+    EXPECT_EQ(seen, (std::vector<Effects>{{0U, 0U, 0U, 0U, 0U, 0U, 0U},
+                                          {0U, 0U, 0U, 0U, 0U, 0U, 0U},
+                                          {0U, 0U, 0U, 0U, 0U, 0U, 0U},
+                                          {1U, 0U, 0U, 0U, 0U, 0U, 0U},
+                                          {1U, 1U, 0U, 0U, 0U, 0U, 0U},
+                                          {1U, 1U, 0U, 0U, 0U, 0U, 0U},
+                                          {1U, 1U, 2U, 0U, 0U, 0U, 0U},
+                                          {1U, 1U, 2U, 1U, 0U, 0U, 0U},
+                                          {1U, 1U, 2U, 1U, 2U, 0U, 0U},
+                                          {1U, 1U, 2U, 1U, 2U, 1U, 0U},
+                                          {1U, 1U, 2U, 1U, 2U, 1U, 1U}}));
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
 }
 

@@ -272,6 +272,24 @@ TEST_F(StoredConfiguration, HeaderAloneTakesTheValidityBack)
     EXPECT_EQ(Read(0x13FEU, 0U), 0U);
 }
 
+// Items of SRDO 4 begin at 48: the map count is 55, the entries behind it.
+TEST_F(StoredConfiguration, EntriesBehindAStaticMappingReadZero)
+{
+    Verifies(req::SRS_CFG_051);
+    static constexpr std::uint32_t kEntries[] = {0x22000110U, 0x23000110U};
+    setups[2].map = StaticMap{kEntries, 2U};
+    Configure();
+    const Image image = Save();
+    ASSERT_EQ(image.items.size(), kItems);
+    EXPECT_EQ(image.items[55], 2U);
+    EXPECT_EQ(image.items[56], 0x22000110U);
+    EXPECT_EQ(image.items[57], 0x23000110U);
+    for (std::uint32_t number = 58U; number < kGfcItem; ++number)
+    {
+        EXPECT_EQ(image.items[number], 0U) << number;
+    }
+}
+
 TEST_F(StoredConfiguration, StaticMappingIsNeitherLoadedNorRestored)
 {
     Verifies(req::SRS_CFG_052);

@@ -84,5 +84,57 @@ TEST_F(NotStarted, GuardForgetsItsDeviceAndWhatWasDeclared)
     EXPECT_EQ(&guard.Config(), &kNoDevice);
 }
 
+TEST_F(NotStarted, EveryCallSaysSoWhateverItNames)
+{
+    Verifies(req::SRS_KRN_030);
+    const StaticFields fields{rx_normal.data(), rx_inverse.data()};
+    // Given a kernel that was never started, one that was stopped, and one whose start was refused
+    for (std::uint32_t round = 0U; round < 3U; ++round)
+    {
+        // Then an SRDO that the device has, and such as it has not, are the same
+        for (const std::uint16_t value : std::initializer_list<std::uint16_t>{0U, 0x1301U, 0x1302U, 0x1341U, 0xFFFFU})
+        {
+            const CommunicationIndex index{value};
+            EXPECT_EQ(kernel.Send(index), Result::kDeviceFault) << value;
+            EXPECT_EQ(kernel.Sign(index).result, Result::kDeviceFault) << value;
+            EXPECT_EQ(kernel.GetState(index).result, Result::kDeviceFault) << value;
+            EXPECT_EQ(kernel.GetStatus(index).result, Result::kDeviceFault) << value;
+            EXPECT_EQ(kernel.SetStatus(index, StatusByte{0x30U}), Result::kDeviceFault) << value;
+            EXPECT_EQ(kernel.GetParameters(index).result, Result::kDeviceFault) << value;
+            EXPECT_EQ(kernel.GetMapped(index, MappedEntry{1U}).result, Result::kDeviceFault) << value;
+            EXPECT_EQ(kernel.GetMapped(index, MappedEntry{200U}).result, Result::kDeviceFault) << value;
+            EXPECT_EQ(kernel.DefineStaticFields(index, fields), Result::kDeviceFault) << value;
+        }
+        for (const std::uint32_t number : std::initializer_list<std::uint32_t>{0U, 72U, 73U, 0xFFFFFFFFU})
+        {
+            EXPECT_EQ(kernel.Image().ReadItem(number).result, Result::kDeviceFault) << number;
+            EXPECT_EQ(kernel.Image().LoadItem(number, 0U), Result::kDeviceFault) << number;
+        }
+        EXPECT_EQ(kernel.Image().Header().result, Result::kDeviceFault);
+        EXPECT_EQ(kernel.Image().Load(ImageHeader{}), Result::kDeviceFault);
+        EXPECT_EQ(kernel.Image().RestoreDefaults(), Result::kDeviceFault);
+        EXPECT_EQ(kernel.SendGfc(), Result::kDeviceFault);
+        EXPECT_EQ(kernel.CheckConfiguration().result, Result::kDeviceFault);
+        EXPECT_EQ(kernel.Digest().result, Result::kDeviceFault);
+        for (const std::uint16_t index :
+             std::initializer_list<std::uint16_t>{0x1300U, 0x1301U, 0x1342U, 0x13FEU, 0x2000U})
+        {
+            EXPECT_EQ(kernel.ReadObject(ObjectAddress{index, 1U}).abort, AbortCode::kDeviceState) << index;
+            EXPECT_EQ(Write(index, 1U, 0U, 1U), AbortCode::kDeviceState) << index;
+            EXPECT_EQ(Write(index, 0U, 0U, 4U), AbortCode::kDeviceState) << index;
+        }
+        if (round == 0U)
+        {
+            Configure();
+            kernel.Stop();
+        }
+        else
+        {
+            config.srdo_count = 0U;
+            ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kSrdoCount);
+        }
+    }
+}
+
 } // namespace
 } // namespace counterpoint

@@ -198,6 +198,85 @@ TEST_F(SafetyObjects, SizeMustBeThatOfTheObject)
     EXPECT_EQ(Write(0x13FEU, 0U, 0U, 2U), AbortCode::kLengthMismatch);
 }
 
+// Each object with every size but its own, a gap in the signatures among them.
+TEST_F(SafetyObjects, NoObjectTakesAnotherSize)
+{
+    Verifies(req::SRS_CFG_040);
+    struct Sized
+    {
+        ObjectAddress address;
+        std::uint8_t size_bytes;
+    };
+    Configure();
+    for (const Sized& object :
+         {Sized{{0x1300U, 0U}, 1U}, Sized{{0x1304U, 1U}, 1U}, Sized{{0x1304U, 2U}, 2U}, Sized{{0x1304U, 3U}, 1U},
+          Sized{{0x1304U, 4U}, 1U}, Sized{{0x1304U, 5U}, 4U}, Sized{{0x1304U, 6U}, 4U}, Sized{{0x1384U, 0U}, 1U},
+          Sized{{0x1384U, 1U}, 4U}, Sized{{0x13FEU, 0U}, 1U}, Sized{{0x13FFU, 4U}, 2U}, Sized{{0x13FFU, 2U}, 2U}})
+    {
+        EXPECT_EQ(kernel.ReadObject(object.address).data.size_bytes, object.size_bytes) << object.address.index;
+        for (std::uint8_t size = 0U; size <= 8U; ++size)
+        {
+            ObjectData data = kernel.ReadObject(object.address).data;
+            data.size_bytes = size;
+            EXPECT_EQ(kernel.WriteObject(object.address, data),
+                      (size == object.size_bytes) ? AbortCode::kNone : AbortCode::kLengthMismatch)
+                << std::hex << object.address.index << " " << static_cast<int>(size);
+        }
+    }
+}
+
+TEST_F(SafetyObjects, ValuesAreLittleEndian)
+{
+    Verifies(req::SRS_CFG_040);
+    Configure();
+    const ObjectData identifier = kernel.ReadObject(ObjectAddress{0x1301U, 5U}).data;
+    EXPECT_EQ(identifier.size_bytes, 4U);
+    const std::array<std::uint8_t, 4> identifier_bytes{0x01U, 0x01U, 0x00U, 0x00U};
+    EXPECT_TRUE(std::equal(identifier_bytes.begin(), identifier_bytes.end(), std::begin(identifier.bytes)));
+    const ObjectData entry = kernel.ReadObject(ObjectAddress{0x1381U, 2U}).data;
+    const std::array<std::uint8_t, 4> entry_bytes{0x10U, 0x01U, 0x00U, 0x23U};
+    EXPECT_TRUE(std::equal(entry_bytes.begin(), entry_bytes.end(), std::begin(entry.bytes)));
+    // 300 ms, low byte first
+    ObjectData time{};
+    time.size_bytes = 2U;
+    time.bytes[0] = 0x2CU;
+    time.bytes[1] = 0x01U;
+    EXPECT_EQ(kernel.WriteObject(ObjectAddress{0x1304U, 2U}, time), AbortCode::kNone);
+    EXPECT_EQ(kernel.GetParameters(CommunicationIndex{0x1304U}).refresh_ms, 300U);
+}
+
+TEST_F(SafetyObjects, SubIndicesThatDoNotExistAreNotWrittenEither)
+{
+    Verifies(req::SRS_CFG_040);
+    Verifies(req::SRS_CFG_041);
+    Configure();
+    for (const ObjectAddress& address :
+         {ObjectAddress{0x1300U, 1U}, ObjectAddress{0x1300U, 255U}, ObjectAddress{0x1301U, 7U},
+          ObjectAddress{0x1301U, 255U}, ObjectAddress{0x1381U, 17U}, ObjectAddress{0x1381U, 255U},
+          ObjectAddress{0x13FEU, 1U}, ObjectAddress{0x13FFU, 5U}, ObjectAddress{0x13FFU, 255U}})
+    {
+        EXPECT_EQ(ReadAbort(address.index, address.sub), AbortCode::kSubUnknown) << address.index;
+        EXPECT_EQ(Write(address.index, address.sub, 0U, 1U), AbortCode::kSubUnknown) << address.index;
+    }
+}
+
+TEST_F(SafetyObjects, GfcParameterIsWritableInEveryState)
+{
+    Verifies(req::SRS_CFG_043);
+    Configure();
+    for (const NmtState state :
+         {NmtState::kInitialising, NmtState::kPreOperational, NmtState::kStopped, NmtState::kOperational})
+    {
+        kernel.SetNmtState(state);
+        for (const std::uint32_t value : {0U, 1U})
+        {
+            EXPECT_EQ(Write(0x1300U, 0U, value, 1U), AbortCode::kNone);
+            EXPECT_EQ(Read(0x1300U, 0U), value);
+            EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+        }
+    }
+}
+
 TEST_F(SafetyObjects, GapInTheSignaturesStaysZero)
 {
     Verifies(req::SRS_CFG_044);
@@ -268,6 +347,13 @@ TEST_F(SafetyObjects, IdenticalValueIsAcceptedAndClearsNothing)
     Verifies(req::SRS_CFG_042);
     Verifies(req::SRS_CFG_043);
     Configure();
+    for (const NmtState state : {NmtState::kInitialising, NmtState::kStopped, NmtState::kPreOperational})
+    {
+        kernel.SetNmtState(state);
+        EXPECT_EQ(Write(0x1303U, 2U, 25U, 2U), AbortCode::kNone);
+        EXPECT_EQ(Write(0x13FFU, 3U, Read(0x13FFU, 3U), 2U), AbortCode::kNone);
+        EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    }
     EXPECT_EQ(Write(0x1301U, 1U, 2U, 1U), AbortCode::kNone);
     EXPECT_EQ(Write(0x1301U, 2U, 50U, 2U), AbortCode::kNone);
     EXPECT_EQ(Write(0x1301U, 5U, 0x101U, 4U), AbortCode::kNone);

@@ -59,6 +59,8 @@ TEST_F(PermitMask, IsEmptyWhenTheApplicationDemandsTheSafeState)
     ReceivePair();
     Cycle();
     NamesNoSlot();
+    // and its words spoil the answer, which is not even that for no slot
+    EXPECT_NE(output.last.kernel.response, static_cast<std::uint32_t>(kernel.LastVerdict().echo * 0xC2B2AE3DU));
 }
 
 TEST_F(PermitMask, IsEmptyAfterTheClocksDiffer)

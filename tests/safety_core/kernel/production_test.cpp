@@ -89,6 +89,34 @@ TEST_F(Production, ProviderThatSkipsSendsNothingUntilItIsReady)
     EXPECT_EQ(ports.sent.size(), 1U);
 }
 
+// t [ms]   7 due    31 asked each millisecond    32 the next refresh
+TEST_F(Production, AnyAnswerButReadyPreparesNothingAndIsMissedIfItLasts)
+{
+    Verifies(req::SRS_KRN_012);
+    for (const RefreshAnswer answer : {RefreshAnswer::kSkip, RefreshAnswer::kInvalid, static_cast<RefreshAnswer>(0x68U),
+                                       static_cast<RefreshAnswer>(0xFFU)})
+    {
+        application.errors.clear();
+        application.refreshed.clear();
+        Operate();
+        application.refresh = answer;
+        std::uint32_t prepared = 0U;
+        const auto count = [&prepared](PreparedPair&) { ++prepared; };
+        a.on_prepared = count;
+        b.on_prepared = count;
+        Cycles(25U);
+        EXPECT_EQ(application.refreshed.size(), 25U);
+        EXPECT_TRUE(CausesOf(0x1303U).empty());
+        EXPECT_EQ(a.last_input.stand | b.last_input.stand, 0U);
+        Cycle();
+        EXPECT_EQ(CausesOf(0x1303U), std::vector<SrdoCause>{SrdoCause::kRefreshMissed});
+        EXPECT_EQ(prepared, 0U);
+        EXPECT_TRUE(ports.sent.empty());
+        a.on_prepared = nullptr;
+        b.on_prepared = nullptr;
+    }
+}
+
 // t [ms]  7               7.1            27.1
 // bus     N handed over   N confirmed    SRVT expired without an inverse frame
 TEST_F(Production, ChannelsThatHandOutNoFrameAreMissedAsNoConfirmation)
@@ -204,18 +232,23 @@ TEST_P(ProductionAltered, UnequalPreparedPairsAreADisagreementAndNothingLeaves)
 {
     Verifies(req::SRS_CMP_010);
     Verifies(req::SRS_KRN_014);
-    Operate();
-    b.on_prepared = GetParam().alter;
-    Cycle();
-    EXPECT_TRUE(ports.sent.empty());
-    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
-    EXPECT_EQ(kernel.DeviceState().slot, 1U);
+    for (Tap* const tap : {&a, &b})
+    {
+        Operate();
+        tap->on_prepared = GetParam().alter;
+        Cycle();
+        tap->on_prepared = nullptr;
+        EXPECT_TRUE(ports.sent.empty());
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+        EXPECT_EQ(kernel.DeviceState().slot, 1U);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Members, ProductionAltered,
     ::testing::Values(Altered{"Status", [](PreparedPair& pair) { pair.status = PrepareStatus::kNotProducer; }},
                       Altered{"Identifier", [](PreparedPair& pair) { pair.normal.identifier = 0x104U; }},
+                      Altered{"Kind", [](PreparedPair& pair) { pair.normal.kind = FrameKind::kRemote; }},
                       Altered{"Controller", [](PreparedPair& pair) { pair.normal.port = CanPortId::kSecond; }},
                       Altered{"Length", [](PreparedPair& pair) { pair.normal.length_bytes = 1U; }}),
     [](const ::testing::TestParamInfo<Altered>& altered) { return std::string{altered.param.member}; });
@@ -244,7 +277,22 @@ TEST_F(Production, FullQueueAndBusOffAreCausesOfTheirOwn)
     EXPECT_EQ(application.errors[0].second, SrdoCause::kTransmitQueue);
     ports.answer = hal::TransmitStatus::kBusOff;
     Cycles(25U);
-    EXPECT_EQ(CausesOf(0x1303U), (std::vector<SrdoCause>{SrdoCause::kTransmitQueue, SrdoCause::kBusOff}));
+    const std::vector<SrdoCause> given_up{SrdoCause::kTransmitQueue, SrdoCause::kBusOff};
+    EXPECT_EQ(CausesOf(0x1303U), given_up);
+    EXPECT_EQ(a.transmit_faults, given_up);
+    EXPECT_EQ(b.transmit_faults, given_up);
+}
+
+TEST_F(Production, InverseFrameForWhichTheQueueHasNoRoomIsGivenUpInBothChannels)
+{
+    Verifies(req::SRS_KRN_014);
+    Operate();
+    Cycle();
+    ports.answer = hal::TransmitStatus::kQueueFull;
+    ConfirmLast();
+    EXPECT_EQ(ports.sent.size(), 1U);
+    EXPECT_EQ(a.transmit_faults, std::vector<SrdoCause>{SrdoCause::kTransmitQueue});
+    EXPECT_EQ(b.transmit_faults, std::vector<SrdoCause>{SrdoCause::kTransmitQueue});
 }
 
 TEST_F(Production, ChannelBThatSawNoConfirmationSendsNoInverse)
@@ -347,6 +395,7 @@ TEST_F(Production, NoInverseFrameOnceOperationalWasLeft)
         ConfirmLast();
         EXPECT_EQ(ports.sent.size(), 1U);
     }
+    EXPECT_EQ(a.inverse_frames + b.inverse_frames, 0);
 }
 
 TEST_F(Production, NoInverseFrameWithoutAValidConfiguration)
@@ -361,6 +410,7 @@ TEST_F(Production, NoInverseFrameWithoutAValidConfiguration)
     kernel.SetNmtState(NmtState::kOperational);
     ConfirmLast();
     EXPECT_EQ(ports.sent.size(), 1U);
+    EXPECT_EQ(a.inverse_frames + b.inverse_frames, 0);
 }
 
 // t      k                    k+1                  k+2
@@ -466,11 +516,13 @@ TEST_F(Production, ForeignConfirmationHasNoEffect)
 TEST_F(Production, DeviceSafeStateKeepsTheInverseFrameBack)
 {
     Verifies(req::SRS_KRN_004);
+    Verifies(req::SRS_KRN_014);
     Operate();
     Cycle();
     kernel.DemandSafeState();
     ConfirmLast();
     EXPECT_EQ(ports.sent.size(), 1U);
+    EXPECT_EQ(a.inverse_frames + b.inverse_frames, 0);
 }
 
 } // namespace

@@ -247,5 +247,31 @@ TEST(ResultOfARule, EachRuleHasItsOwnAndNoUnknownOneIsASuccess)
     EXPECT_EQ(ToResult(static_cast<ConfigFault>(0xFFU)), Result::kInvalidConfiguration);
 }
 
+// As an SDO server sends them.
+TEST(SafetyObjectAborts, CodesAreThoseOfTheRequirement)
+{
+    Verifies(req::SRS_CFG_040);
+    Verifies(req::SRS_CFG_041);
+    Verifies(req::SRS_CFG_042);
+    Verifies(req::SRS_CFG_044);
+    Verifies(req::SRS_CFG_045);
+    Verifies(req::SRS_CFG_046);
+    Verifies(req::SRS_CFG_047);
+    Verifies(req::SRS_KRN_030);
+    const auto is = [](const AbortCode code, const std::uint32_t value)
+    { EXPECT_EQ(static_cast<std::uint32_t>(code), value); };
+    is(AbortCode::kUnsupportedAccess, 0x06010000U);
+    is(AbortCode::kReadOnly, 0x06010002U);
+    is(AbortCode::kObjectUnknown, 0x06020000U);
+    is(AbortCode::kNotMappable, 0x06040041U);
+    is(AbortCode::kMapTooLong, 0x06040042U);
+    is(AbortCode::kIncompatible, 0x06040043U);
+    is(AbortCode::kLengthMismatch, 0x06070010U);
+    is(AbortCode::kSubUnknown, 0x06090011U);
+    is(AbortCode::kValueRange, 0x06090030U);
+    is(AbortCode::kGeneral, 0x08000000U);
+    is(AbortCode::kDeviceState, 0x08000022U);
+}
+
 } // namespace
 } // namespace counterpoint

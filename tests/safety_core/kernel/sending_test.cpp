@@ -182,7 +182,32 @@ TEST_F(Sending, GfcIsSentOnlyIfSupportedAndOperational)
     EXPECT_EQ(kernel.SendGfc(), Result::kSuccessful);
     ASSERT_EQ(ports.sent.size(), 1U);
     EXPECT_EQ(ports.sent[0].identifier, 0x001U);
+    EXPECT_EQ(ports.sent[0].kind, FrameKind::kData);
     EXPECT_EQ(ports.sent[0].length_bytes, 0U);
+}
+
+TEST_F(Sending, GfcNeedsAValidConfigurationOutsideTheDeviceSafeState)
+{
+    Verifies(req::SRS_KRN_013);
+    Configure();
+    ASSERT_EQ(Write(0x13FEU, 0U, 0U, 1U), AbortCode::kNone);
+    kernel.SetNmtState(NmtState::kOperational);
+    Cycle();
+    EXPECT_EQ(kernel.SendGfc(), Result::kInvalidConfiguration);
+    Operate();
+    kernel.DemandSafeState();
+    EXPECT_EQ(kernel.SendGfc(), Result::kDeviceFault);
+    EXPECT_TRUE(ports.sent.empty());
+}
+
+TEST_F(Sending, NothingIsRequestedInTheDeviceSafeState)
+{
+    Verifies(req::SRS_KRN_011);
+    Operate();
+    kernel.DemandSafeState();
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kDeviceFault);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0U}), Result::kDeviceFault);
+    EXPECT_EQ(kernel.Send(CommunicationIndex{0x1302U}), Result::kNotExist);
 }
 
 TEST_F(Sending, GfcThatIsFollowedByAnSrdoIsComplete)

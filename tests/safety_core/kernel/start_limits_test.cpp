@@ -76,6 +76,9 @@ TEST_F(StartLimits, TwoTimesThatAreTooLongAreRefusedAsOneIs)
 TEST_F(StartLimits, EveryTimeHasItsLeastValue)
 {
     Verifies(req::SRS_KRN_001);
+    Verifies(req::SRS_CLK_001);
+    Verifies(req::SRS_LIM_002);
+    Verifies(req::SRS_CMP_009);
     HasLowerLimit(&DeviceConfig::clock_interval_us, 6000U); // Four late cycles.
     config.clock_tolerance_us = 6000U;
     HasLowerLimit(&DeviceConfig::clock_interval_us, 6001U); // Above the tolerance.
@@ -219,6 +222,48 @@ TEST_F(StartLimits, MapEntriesMayBeAllThatAChannelHasRoomForOrNone)
     EXPECT_EQ(With([](DeviceConfig& c) { c.map_entries = 18U; }), StartResult::kStorage);
     EXPECT_EQ(With([](DeviceConfig& c) { c.map_entries = 1U; }), StartResult::kStorage);
     EXPECT_EQ(With([](DeviceConfig& c) { c.map_entries = 254U; }), StartResult::kStorage);
+}
+
+TEST_F(StartLimits, FirstOfSeveralReasonsIsNamed)
+{
+    Verifies(req::SRS_KRN_001);
+    Verifies(req::SRS_KRN_020);
+    // Given a device and a platform in which everything is wrong
+    config.srdo_count = 65U;
+    setups[0].number = 0U;
+    config.node_id = 128U;
+    config.granularity_bits = 3U;
+    config.inverse_port = CanPortId::kInvalid;
+    objects[1].index = 0x2000U;
+    config.cycle_us = 99U;
+    config.map_entries = 18U;
+    ports.guarantees = hal::CanGuarantees{hal::Guarantee::kAbsent, hal::Guarantee::kAbsent, hal::Guarantee::kAbsent};
+    const auto names = [this](const StartResult reason)
+    { EXPECT_EQ(kernel.Start(config, FlowCallback::kOff), reason) << static_cast<int>(reason); };
+    // When one after the other is put right, then it is the next one that is named
+    names(StartResult::kSrdoCount);
+    config.srdo_count = 3U;
+    names(StartResult::kSrdoNumbers);
+    setups[0].number = 1U;
+    names(StartResult::kNodeId);
+    config.node_id = 2U;
+    names(StartResult::kGranularity);
+    config.granularity_bits = 8U;
+    names(StartResult::kPorts);
+    config.inverse_port = CanPortId::kFirst;
+    names(StartResult::kObjects);
+    objects[1].index = 0x2100U;
+    names(StartResult::kTiming);
+    config.cycle_us = 1000U;
+    names(StartResult::kStorage);
+    config.map_entries = 16U;
+    names(StartResult::kBusOrder);
+    ports.guarantees.bus_order = hal::Guarantee::kGiven;
+    names(StartResult::kStamps);
+    ports.guarantees.stamps = hal::Guarantee::kGiven;
+    names(StartResult::kConfirmations);
+    ports.guarantees.confirmations = hal::Guarantee::kGiven;
+    names(StartResult::kStarted);
 }
 
 } // namespace

@@ -323,5 +323,37 @@ TEST(StatusStorage, AllSrdosTakeAtMostSixtyFourBytes)
     EXPECT_LE(sizeof(SrdoStatus), 64U);
 }
 
+TEST(StatusStorage, LowestSlotThatIsOverdueIsNamed)
+{
+    Verifies(req::SRS_KRN_022);
+    SrdoStatus status{};
+    status.OnEvent(63U);
+    status.OnError(7U);
+    status.OnEvent(3U);
+    EXPECT_EQ(status.TakeOverdue(), kNoSlot);
+    EXPECT_EQ(status.TakeOverdue(), 3U);
+    status.Answer(3U, StatusByte{0x30U});
+    EXPECT_EQ(status.TakeOverdue(), 7U);
+    status.Answer(7U, StatusByte{0xB0U});
+    EXPECT_EQ(status.TakeOverdue(), 63U);
+}
+
+// Start that is told nothing of a handshake.
+TEST_F(Status, HandshakeIsOffByDefault)
+{
+    Verifies(req::SRS_KRN_022);
+    ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+    a.on_outcome = [](CycleOutcome& outcome) { outcome.signalled = 1U; };
+    a.more_signals = 2U;
+    a.signals_slot = 0U;
+    Cycle();
+    a.on_outcome = nullptr;
+    a.more_signals = 0U;
+    EXPECT_EQ(StatusOf(kConsumer), 0x50U);
+    Cycles(3U);
+    EXPECT_EQ(StatusOf(kConsumer), 0x50U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+}
+
 } // namespace
 } // namespace counterpoint

@@ -5,6 +5,7 @@
 #include "safety_core/contract/channel.hpp"
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace counterpoint
@@ -67,6 +68,10 @@ class Tap final : public Channel
     }
     void OnFrame(const CanFrame& frame, Instant stamp) noexcept override
     {
+        if (keep_frames)
+        {
+            heard.emplace_back(frame, stamp);
+        }
         if (on_frame)
         {
             on_frame();
@@ -177,9 +182,10 @@ class Tap final : public Channel
     std::function<void(CanFrame&)> on_inverse{};
     std::function<void()> on_committed{};
     std::vector<SrdoCause> transmit_faults{};
-    std::vector<SrdoMask> examined{}; ///< By each Commit, if they are kept.
-    SrdoMask more_found{0U};          ///< Slots that Commit finds otherwise than written.
-    SrdoMask requests{0U};            ///< All that were asked for.
+    std::vector<SrdoMask> examined{};                  ///< By each Commit, if they are kept.
+    std::vector<std::pair<CanFrame, Instant>> heard{}; ///< By each OnFrame, if they are kept.
+    SrdoMask more_found{0U};                           ///< Slots that Commit finds otherwise than written.
+    SrdoMask requests{0U};                             ///< All that were asked for.
     std::uint32_t load_flip{0U};
     std::uint32_t data_flip{0U};
     std::uint32_t permit_flip{0U};
@@ -212,6 +218,7 @@ class Tap final : public Channel
     bool skip_cycle{false};
     bool skip_commit{false};
     bool keep_examined{false};
+    bool keep_frames{false};
 
   private:
     CheckResult Alter(CheckResult result) const noexcept

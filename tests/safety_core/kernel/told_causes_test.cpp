@@ -304,5 +304,19 @@ TEST_F(Telling, WindowDoesNotComeRoundNorSurviveAStart)
     EXPECT_EQ(application.errors.size(), 3U);
 }
 
+TEST_F(Telling, WhatIsNotToldWantsNoAnswer)
+{
+    Verifies(req::SRS_KRN_032);
+    Verifies(req::SRS_KRN_022);
+    handshake = StatusHandshake::kRequired;
+    Operate();
+    CycleWith(a, 0U, kLengthBit);
+    ASSERT_EQ(kernel.SetStatus(CommunicationIndex{0x1301U}, StatusByte{0xB0U}), Result::kSuccessful);
+    CycleWith(b, 0U, kLengthBit);
+    Cycles(3U);
+    EXPECT_EQ(CausesOf(0x1301U).size(), 1U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+}
+
 } // namespace
 } // namespace counterpoint

@@ -78,5 +78,24 @@ TEST(Variable, BitsAboveTheLengthAreIgnoredAndWrittenAsZero)
     EXPECT_EQ(IsInversePair(VariablePlace{&normal, 5U}, VariablePlace{&inverse, 5U}), PairView::kNotInverse);
 }
 
+TEST(Variable, PairOfEachLengthIsInverseInItsBitsAlone)
+{
+    Verifies(req::SRS_KRN_016);
+    constexpr std::uint64_t kValue = 0x0123456789ABCDEFU;
+    for (std::uint8_t length = 1U; length <= 64U; ++length)
+    {
+        std::uint8_t normal[8];
+        std::uint8_t inverse[8];
+        WriteVariable(VariablePlace{normal, 64U}, VariableValue{kValue});
+        for (std::uint32_t flipped = 0U; flipped < 64U; ++flipped)
+        {
+            WriteVariable(VariablePlace{inverse, 64U}, VariableValue{~kValue ^ (std::uint64_t{1U} << flipped)});
+            EXPECT_EQ(IsInversePair(VariablePlace{normal, length}, VariablePlace{inverse, length}),
+                      (flipped < length) ? PairView::kNotInverse : PairView::kInverse)
+                << static_cast<int>(length) << " " << flipped;
+        }
+    }
+}
+
 } // namespace
 } // namespace counterpoint

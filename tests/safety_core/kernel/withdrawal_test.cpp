@@ -89,6 +89,16 @@ TEST_F(Withdrawal, StartOfAStartedKernelWritesTheSafeValue)
     ExpectSafe();
 }
 
+TEST_F(Withdrawal, StartThatIsRefusedWritesTheSafeValueToo)
+{
+    Verifies(req::SRS_KRN_029);
+    Release();
+    DeviceConfig refused = config;
+    refused.node_id = 0U;
+    ASSERT_EQ(kernel.Start(refused, FlowCallback::kOn), StartResult::kNodeId);
+    ExpectSafe();
+}
+
 TEST_F(Withdrawal, AKernelThatWasNotStartedTouchesNothing)
 {
     Verifies(req::SRS_KRN_029);

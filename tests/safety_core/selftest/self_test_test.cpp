@@ -352,5 +352,29 @@ TEST_F(SelfTestTest, FlippedBitOfEachCounterIsFoundByTheProgress)
     }
 }
 
+// Each of two that fail in one cycle: parts come before the stack guard, and that before the slice.
+TEST_F(SelfTestTest, PartsThenStackGuardThenOneSlice)
+{
+    Verifies(req::SRS_STS_061);
+    ASSERT_EQ(device->Start().answer, StartAnswer::kPassed);
+    const hal::Address part = device->parts[1];
+    const std::uint32_t word = device->cells.Read(part);
+    device->cells.Write(part, word ^ 8U);
+    Flip(device->stack[2]);
+    static_cast<void>(device->self_test.OnCycle());
+    EXPECT_EQ(device->self_test.FirstFailed(), TestId::kParts);
+    // Given that the next slice is the first one of the RAM
+    device->cells.Write(part, word);
+    ASSERT_EQ(device->Start().answer, StartAnswer::kPassed);
+    for (std::uint32_t cycle = 0U; cycle < 4U; ++cycle)
+    {
+        ASSERT_EQ(device->self_test.OnCycle().fault, DeviceFault::kNone);
+    }
+    Flip(device->stack[2]);
+    device->memory.Break(StuckAt(device->Place(&device->ram[0])));
+    static_cast<void>(device->self_test.OnCycle());
+    EXPECT_EQ(device->self_test.FirstFailed(), TestId::kStack);
+}
+
 } // namespace
 } // namespace counterpoint::selftest
