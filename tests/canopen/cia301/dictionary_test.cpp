@@ -114,6 +114,42 @@ TEST_F(DictionaryTest, FindsEachEntryAndNothingElse)
     EXPECT_EQ(empty.Find({0x1000U, 0U}), nullptr);
 }
 
+// A search by halves gets from the table what it needs in 1 + log2(n) looks; every other entry may be anything.
+TEST_F(DictionaryTest, LooksAtNoOtherEntriesThanHalvingNeeds)
+{
+    Verifies(req::SRS_OBD_001);
+    const std::pair<std::uint32_t, std::uint32_t> sizes[] = {{1U, 1U}, {2U, 2U},   {3U, 2U},  {7U, 3U},
+                                                             {8U, 4U}, {100U, 7U}, {255U, 8U}};
+    for (const auto& [count, most] : sizes)
+    {
+        for (std::uint32_t place = 0U; place < count; ++place)
+        {
+            // Given a table in which only what halving looks at is right, and each other entry is the one that is
+            // sought
+            const auto index = static_cast<std::uint16_t>(0x2000U + place);
+            std::vector<Entry> table(count, entries[1]);
+            for (Entry& entry : table)
+            {
+                entry.index = index;
+            }
+            std::uint32_t looks = 0U;
+            std::uint32_t low = 0U;
+            std::uint32_t high = count;
+            while (low < high)
+            {
+                const std::uint32_t middle = (low + high) / 2U;
+                table[middle].index = static_cast<std::uint16_t>(0x2000U + middle);
+                ++looks;
+                (middle < place) ? (low = middle + 1U) : (high = middle);
+            }
+            // Then it is found, and nothing else
+            const Dictionary own{EntryTable{table.data(), count}, foreign};
+            EXPECT_EQ(own.Find({index, 0U}), &table[place]) << count << " " << place;
+            EXPECT_LE(looks, most) << count << " " << place;
+        }
+    }
+}
+
 TEST_F(DictionaryTest, TablesOutOfOrderOrWithTheKernelsObjectsAreNotUsable)
 {
     Verifies(req::SRS_OBD_001);

@@ -84,6 +84,8 @@ TEST(CheckObjects, AccessRightsThatTheKernelDoesNotFollow)
         {{{"1300", access, "const"}}, {"warning: 0x1300:00:" + told}},
         {{{"1301sub1", access, "ro"}, {"1301sub3", access, "wo"}},
          {"warning: 0x1301:01:" + told, "warning: 0x1301:03:" + told}},
+        {{{"1301sub2", access, "const"}, {"1301sub5", access, "ro"}},
+         {"warning: 0x1301:02:" + told, "warning: 0x1301:05:" + told}},
         {{{"1301sub6", access, "const"}}, {"warning: 0x1301:06:" + told}},
         {{{"13FFsub1", access, "ro"}}, {"warning: 0x13FF:01:" + told}},
         // Constants of the kernel.

@@ -62,6 +62,7 @@ TEST(Malformed, LinesAreRefusedWithTheirNumberAndWhatWasExpected)
 
 TEST(Malformed, StructureIsRefusedWithLineAndWhatWasExpected)
 {
+    Verifies(req::SRS_EDS_009);
     Verifies(req::SRS_EDS_016);
     const Row rows[] = {
         {"[1000]\nDataType=seven\n", "test.dcf:2:10: error: 'DataType' is 'seven', expected a number from 0 to 65535"},

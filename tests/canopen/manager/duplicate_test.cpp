@@ -76,6 +76,26 @@ TEST_P(DuplicateTest, ASafetySlaveThatMayBeTwoIsNotStartedUntilAReset)
     EXPECT_EQ(Gate(), GateState::kOpen);
 }
 
+TEST_P(DuplicateTest, WhatASinkDidNotTakeIsSentLater)
+{
+    Verifies(req::SRS_MGR_001);
+    // Given a sink that takes nothing in every second half of 100 ms, in the whole start-up of a safety slave
+    Add(5U).heartbeat_ms = 100U;
+    MakeSafe(5U);
+    Add(6U);
+    is_sink_full = true;
+    Begin(GetParam());
+    for (int i = 0; i < 80; ++i)
+    {
+        is_sink_full = !is_sink_full;
+        Run(50U);
+    }
+    // Then each of them runs, by one start of its own or of all
+    EXPECT_EQ(Running(5U), 1);
+    EXPECT_EQ(Running(6U), 1);
+    EXPECT_EQ(Gate(), GateState::kOpen);
+}
+
 TEST_P(DuplicateTest, OneDeviceIsNeverTakenForTwo)
 {
     Verifies(req::SRS_MGR_015);
@@ -348,6 +368,19 @@ TEST_F(SecondAnswerTest, AResetOfWhomeverEndsTheSuspicion)
     Run(200U);
     EXPECT_EQ(Gate(6U), GateState::kOpen);
     EXPECT_EQ(Running(6U), 1);
+}
+
+TEST_F(SecondAnswerTest, AnErrorControlMessageWithTheManagersOwnNodeId)
+{
+    Verifies(req::SRS_MGR_010);
+    Begin(Profile::kCia302);
+    for (const std::uint8_t byte : {std::uint8_t{0x00U}, std::uint8_t{0x05U}, std::uint8_t{0x7FU}})
+    {
+        duplicates.clear();
+        Begin(Profile::kCia302);
+        Put(CanFrame{0x77FU, FrameKind::kData, CanPortId::kFirst, 1U, {byte}});
+        EXPECT_EQ(duplicates, (std::vector<std::uint8_t>{127U})) << int{byte};
+    }
 }
 
 TEST_F(SecondAnswerTest, AnAnswerWithTheManagersOwnNodeId)

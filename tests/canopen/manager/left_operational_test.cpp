@@ -248,6 +248,34 @@ TEST_P(LeftOperationalTest, FramesLostWhileItIsReadMakeTheReadingBeginAnew)
     ExpectStopped();
 }
 
+TEST_P(LeftOperationalTest, EighteenSignsInTenPeriodsAreThoseOfTwoAndSeventeenAreNot)
+{
+    Verifies(req::SRS_MGR_010);
+    struct Signs
+    {
+        int count;
+        std::uint32_t apart_ms;
+        bool is_suspected;
+    };
+    for (const Signs& signs : {Signs{17, 50U, false}, Signs{18, 60U, false}, Signs{18, 58U, true}})
+    {
+        // Given a slave that was started and says nothing by itself, with a producer time of 100 ms, when so many signs
+        // of it come: the last one 800 ms, 1020 ms or 986 ms behind the first one
+        devices[0]->heartbeat_ms = 0U;
+        setups[5].heartbeat = HeartbeatSetup{0U, 100U, Arming::kFirstHeartbeat};
+        StartAndForget(GetParam());
+        Run(2000U);
+        duplicates.clear();
+        for (int sign = 0; sign < signs.count; ++sign)
+        {
+            Put(CanFrame{0x705U, FrameKind::kData, CanPortId::kFirst, 1U, {5U}});
+            Run(signs.apart_ms);
+        }
+        // Then it may be two with 18 in 1 s alone
+        EXPECT_EQ(!duplicates.empty(), signs.is_suspected) << signs.count << " " << signs.apart_ms;
+    }
+}
+
 TEST_P(LeftOperationalTest, HeartbeatsOfADeviceThatWasNotStartedUpAreNotThoseOfTwo)
 {
     Verifies(req::SRS_MGR_010);

@@ -15,8 +15,12 @@ constexpr std::uint32_t kAssignment = kInNetwork | kBootSlave | kMandatory;
 
 bool ManagerRig::Send(const CanFrame& frame) noexcept
 {
-    wire_.push_back({frame, is_ours_});
-    return true;
+    const bool is_taken = !(is_sink_full && is_ours_);
+    if (is_taken)
+    {
+        wire_.push_back({frame, is_ours_});
+    }
+    return is_taken;
 }
 
 void ManagerRig::OnNodeEvent(NodeId, NodeEvent, Instant) noexcept

@@ -67,6 +67,7 @@ class ManagerRig : public ::testing::Test, public cia301::FrameSink, public Mana
 
     std::uint32_t ms{0U};
     bool is_echo_heard{true}; ///< Own frames come back.
+    bool is_sink_full{false}; ///< What the manager hands over is not taken.
     std::vector<std::unique_ptr<FakeSlave>> devices{};
     std::vector<std::uint8_t> duplicates{}; ///< As told.
     std::vector<std::string> starts{};      ///< "node" of each NMT start that left.

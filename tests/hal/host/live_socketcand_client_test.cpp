@@ -4,6 +4,7 @@
 #include "tests/hal/host/live_rig.hpp"
 #include "tests/hal/host/live_server_rig.hpp"
 #include "verification/trace/ids/live_bus.hpp"
+#include "verification/trace/ids/node.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <arpa/inet.h>
@@ -157,6 +158,39 @@ TEST(SocketcandClientTest, LeavesAsideWhatTheConnectionMayHaveHeld)
 }
 
 // Given a connection that ends, then Receive has nothing, Send answers kDown, and Descriptor is quiet afterwards.
+// Given a connection that delays all that is said on it by more than the greatest age, questions and answers too, then
+// no frame of others passes, however often it answers; what comes later than that stays aside, too.
+TEST(SocketcandClientTest, LeavesAsideWhatAConnectionThatDelaysEverythingGives)
+{
+    Verifies(req::SRS_LIVE_059);
+    Verifies(req::SRS_NODE_031);
+    constexpr std::uint32_t kOldestMs = 200U;
+    ForeignServer server;
+    LiveOptions options;
+    options.oldest_ms = kOldestMs;
+    const auto bus = server.Open(options);
+    EXPECT_EQ(Wait(*bus)->identifier, 1U);
+    LiveFrame frame;
+    for (std::uint32_t round = 1U; round <= 3U; ++round)
+    {
+        // A question is asked, and answered later than the greatest age, with a frame behind the answer
+        EXPECT_FALSE(bus->Receive(frame));
+        const std::uint64_t start_ns = LiveNow();
+        while (LiveNow() - start_ns <= (kOldestMs + 20U) * 1'000'000U)
+        {
+            pollfd wait{bus->Descriptor(), POLLIN, 0};
+            static_cast<void>(::poll(&wait, 1U, 10));
+            EXPECT_FALSE(bus->Receive(frame));
+        }
+        server.Say("< echo >< frame 002 1.0 >");
+        while (bus->Health().stale_frames < round)
+        {
+            EXPECT_FALSE(bus->Receive(frame));
+        }
+        EXPECT_EQ(bus->Health().stale_frames, round);
+    }
+}
+
 TEST(SocketcandClientTest, SeesThatTheConnectionEnds)
 {
     Verifies(req::SRS_LIVE_055);

@@ -372,6 +372,40 @@ TEST_F(ManagerResultsTest, ASafetySlaveInItsSafeStateIsNotGood)
     EXPECT_EQ(Row(33U).finding, "");
 }
 
+TEST_F(ManagerResultsTest, ASafetySlaveThatRunsInItsSafeStateIsNotGoodNorExitStatus0)
+{
+    Verifies(req::SRS_MGR_025);
+    for (const std::string profile : {"cia302", "el6751", "plc_designer"})
+    {
+        // Given a manager that does not lead, where a slave is good that is heard to be OPERATIONAL
+        Make("manager: {node: 127, heartbeat: 100 ms, profile: " + profile +
+             ", flying: {priority: 1}}\nslaves: [{node: 33, dcf: actuator.dcf}, {node: 5, boot: false, mandatory: "
+             "false, consumer: 500 ms}]\n");
+        sent.clear();
+        for (int ms = 0; ms < 5000 && Count(0x073U) == 0U; ++ms)
+        {
+            Run(1U);
+        }
+        Hear(0x071U, {0U, 5U});
+        Run(2U);
+        ASSERT_FALSE(station->Assembly().Core().IsActive()) << profile;
+        const auto expect_good = [this, &profile](const bool is_good)
+        {
+            Hear(0x721U, {0x05U});
+            Run(2U);
+            EXPECT_EQ(Row(33U).state, "operational") << profile;
+            EXPECT_EQ(Row(33U).is_good, is_good) << profile;
+            EXPECT_EQ(station->Assembly().HasStarted(), is_good) << profile;
+        };
+        expect_good(true);
+        // When it tells its safe state, then it is not good, though it runs, until it tells the end
+        Hear(0xA1U, {0x00U, 0x61U, 0x81U, 0U, 0U, 0U, 0U, 0U});
+        expect_good(false);
+        Hear(0xA1U, {0x00U, 0x00U, 0x00U, 0U, 0U, 0U, 0U, 0U});
+        expect_good(true);
+    }
+}
+
 TEST_F(ManagerResultsTest, ADeviceFaultIsNamedWhateverElseThereIsToTell)
 {
     Verifies(req::SRS_MGR_025);

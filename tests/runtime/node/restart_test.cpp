@@ -4,10 +4,15 @@
 #include "verification/trace/ids/node.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <csignal>
+#include <deque>
 #include <memory>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 // A start that takes longer than the window of the watchdog: the actuator of the examples, whose output opens with the
 // second pair after an acknowledge, if the watchdog is alive.
@@ -158,6 +163,165 @@ TEST(NodeLoopTest, AStartThatTakesLongIsNoLateAnswerToTheWatchdog)
     const std::size_t closed = told.find("output of SRDO 1 closed", first);
     ASSERT_NE(closed, std::string::npos) << told;
     EXPECT_NE(told.find("output of SRDO 1 open", closed), std::string::npos) << told;
+}
+
+/// A connection to a server, on which pairs come, and of whose frames some are too old from 1 s on, one more each 50
+/// ms.
+class HoldingBus final : public host::LiveBus
+{
+  public:
+    host::SendResult Send(const host::LiveFrame& frame) override
+    {
+        return echo_.Send(frame);
+    }
+    bool Receive(host::LiveFrame& frame) override
+    {
+        return echo_.Receive(frame);
+    }
+    int Descriptor() const override
+    {
+        return -1;
+    }
+    host::BusHealth Health() const override
+    {
+        host::BusHealth health = echo_.Health();
+        const std::uint64_t age_ns = host::LiveNow() - begin_ns_;
+        health.stale_frames = (age_ns < 1000U * kNsPerMs)
+                                  ? 0U
+                                  : static_cast<std::uint32_t>(1U + (age_ns - 1000U * kNsPerMs) / (50U * kNsPerMs));
+        return health;
+    }
+    std::string Name() const override
+    {
+        return "socketcand:localhost:1/can0";
+    }
+    bool Restart() override
+    {
+        return false;
+    }
+
+  private:
+    EchoBus echo_{true, 0U};
+    std::uint64_t begin_ns_{host::LiveNow()};
+};
+
+// Given an output that is open when the connection begins to hold frames, and somebody who acknowledges again and
+// again, then it closes and stays so, and what was left aside is told at once, then once a second, with its number.
+TEST(NodeLoopTest, WhatAConnectionHoldsIsALossThatIsToldOnceASecond)
+{
+    Verifies(req::SRS_NODE_031);
+    const SignalsAsBefore signals;
+    std::ostringstream out;
+    runtime::NodeReport report{out, runtime::ReportForm::kJson, host::LiveNow()};
+    runtime::NodePorts ports{std::make_unique<HoldingBus>(), std::make_unique<EchoBus>(false, 0U)};
+    runtime::NodeScript script;
+    script.steps = {Step(100U, 0U, "nmt start"), Step(300U, 100U, "ack 1"), Step(4500U, 0U, "quit")};
+    const auto make = [&ports, &report](const std::optional<std::uint8_t> /*lss_node_id*/)
+    { return std::make_unique<runtime::NodeDevice>(SettingsOf(20000U), ports, report); };
+    runtime::NodeLoop loop{{make, ports, report, script, -1}};
+    EXPECT_EQ(loop.Run(), runtime::ExitStatus::kHolds);
+    ASSERT_TRUE(report.Finish());
+    std::vector<bool> outputs;
+    std::vector<std::uint64_t> told_us;
+    std::uint64_t count = 0U;
+    std::istringstream lines(out.str());
+    for (std::string line; std::getline(lines, line);)
+    {
+        const nlohmann::json event = nlohmann::json::parse(line);
+        if (event.at("event") == "output")
+        {
+            outputs.push_back(event.at("open"));
+        }
+        if (event.at("event") == "stale_frames")
+        {
+            told_us.push_back(event.at("at_us"));
+            count += event.at("count").get<std::uint64_t>();
+        }
+    }
+    ASSERT_GE(outputs.size(), 2U) << out.str();
+    EXPECT_EQ(std::vector<bool>(outputs.end() - 2, outputs.end()), (std::vector<bool>{true, false})) << out.str();
+    ASSERT_GE(told_us.size(), 2U) << out.str();
+    for (std::size_t place = 1U; place < told_us.size(); ++place)
+    {
+        EXPECT_GE(told_us[place] - told_us[place - 1U], 1000000U);
+    }
+    // All of them but those since the last line, of which there is less than one second
+    EXPECT_GE(count, 20U * (told_us.size() - 1U));
+    EXPECT_LE(count, ports.StaleFrames());
+}
+
+/// A controller that has all frames of the next seconds at once, each with the time at which it comes.
+class StampedBus final : public host::LiveBus
+{
+  public:
+    explicit StampedBus(std::deque<host::LiveFrame> frames) : frames_(std::move(frames))
+    {
+    }
+    host::SendResult Send(const host::LiveFrame& frame) override
+    {
+        return echo_.Send(frame);
+    }
+    bool Receive(host::LiveFrame& frame) override
+    {
+        const bool is_one = !frames_.empty();
+        if (is_one)
+        {
+            frame = frames_.front();
+            frames_.pop_front();
+        }
+        return is_one || echo_.Receive(frame);
+    }
+    int Descriptor() const override
+    {
+        return -1;
+    }
+    host::BusHealth Health() const override
+    {
+        return echo_.Health();
+    }
+    std::string Name() const override
+    {
+        return "stamped";
+    }
+    bool Restart() override
+    {
+        return false;
+    }
+
+  private:
+    std::deque<host::LiveFrame> frames_;
+    EchoBus echo_{false, 0U};
+};
+
+// Given normal frames by the first controller, and each 1 ms behind it the inverse one by the second, all of which can
+// be read at once, then the kernel gets them in the order of their stamps: each pair is whole, and the output opens.
+TEST(NodeLoopTest, FramesOfTwoControllersAreTakenInTheOrderOfTheirStamps)
+{
+    Verifies(req::SRS_NODE_014);
+    const SignalsAsBefore signals;
+    std::deque<host::LiveFrame> normal;
+    std::deque<host::LiveFrame> inverse;
+    const std::uint64_t begin_ns = host::LiveNow() + 50U * kNsPerMs;
+    for (std::uint64_t pair = 0U; pair < 300U; ++pair)
+    {
+        normal.push_back(FrameOf(0x103U, {1U, 2U}, begin_ns + pair * 10U * kNsPerMs));
+        inverse.push_back(FrameOf(0x104U, {0xFEU, 0xFDU}, begin_ns + (pair * 10U + 1U) * kNsPerMs));
+    }
+    std::ostringstream out;
+    runtime::NodeReport report{out, runtime::ReportForm::kText, host::LiveNow()};
+    runtime::NodePorts ports{std::make_unique<StampedBus>(normal), std::make_unique<EchoBus>(false, 0U),
+                             std::make_unique<StampedBus>(inverse)};
+    runtime::NodeScript script;
+    script.steps = {Step(300U, 0U, "nmt start"), Step(600U, 200U, "ack 1"), Step(2500U, 0U, "quit")};
+    const auto make = [&ports, &report](const std::optional<std::uint8_t> /*lss_node_id*/)
+    { return std::make_unique<runtime::NodeDevice>(SettingsOf(20000U), ports, report); };
+    runtime::NodeLoop loop{{make, ports, report, script, -1}};
+    EXPECT_EQ(loop.Run(), runtime::ExitStatus::kHolds);
+    ASSERT_TRUE(report.Finish());
+    const std::string told = out.str();
+    const std::size_t open = told.find("output of SRDO 1 open");
+    ASSERT_NE(open, std::string::npos) << told;
+    EXPECT_EQ(told.find("output of SRDO 1 closed", open), told.rfind("output of SRDO 1 closed")) << told;
 }
 } // namespace
 } // namespace counterpoint::tools::test

@@ -88,6 +88,19 @@ TEST_F(NetworkObjectsTest, RequestForOneNode)
     EXPECT_EQ(Write(0x1F82U, 127U, 127U), SdoAbort::kNone);
     ASSERT_EQ(own.size(), 1U);
     EXPECT_EQ(own[0].command, NmtCommand::kPreOperational);
+    // The own node takes each value, and none of them is on the bus
+    const std::pair<std::uint32_t, NmtCommand> values[] = {{4U, NmtCommand::kStop},
+                                                           {5U, NmtCommand::kStart},
+                                                           {6U, NmtCommand::kResetNode},
+                                                           {7U, NmtCommand::kResetCommunication}};
+    for (const auto& [value, command] : values)
+    {
+        own.clear();
+        EXPECT_EQ(Write(0x1F82U, 127U, value), SdoAbort::kNone) << value;
+        ASSERT_EQ(own.size(), 1U) << value;
+        EXPECT_EQ(own[0].command, command) << value;
+    }
+    EXPECT_EQ(Told().size(), 5U);
     // Refused
     EXPECT_EQ(Write(0x1F82U, 9U, 5U), SdoAbort::kValueRange); // Not listed.
     EXPECT_EQ(Write(0x1F82U, 5U, 3U), SdoAbort::kValueRange);
@@ -156,6 +169,23 @@ TEST_F(NetworkObjectsTest, StartOfAllWithASafetySlaveIsOneStartEachAfterVerifica
     EXPECT_EQ(gate.verifications, 1);
 }
 
+TEST_F(NetworkObjectsTest, RequestForAllTakesEachValue)
+{
+    Verifies(req::SRS_NMM_006);
+    const std::pair<std::uint32_t, std::string> values[] = {
+        {4U, "02 00"}, {5U, "01 00"}, {127U, "80 00"}, {6U, "81 00"}, {7U, "82 00"}};
+    for (const auto& [value, command] : values)
+    {
+        log.clear();
+        EXPECT_EQ(Write(0x1F82U, 0x80U, value), SdoAbort::kNone) << value;
+        EXPECT_EQ(Told(), Lines{command}) << value;
+    }
+    for (const std::uint32_t value : {0U, 1U, 3U, 8U, 126U, 128U})
+    {
+        EXPECT_EQ(Write(0x1F82U, 0x80U, value), SdoAbort::kValueRange) << value;
+    }
+}
+
 TEST_F(NetworkObjectsTest, AFullQueueDelaysTheAnswer)
 {
     Verifies(req::SRS_NMM_006);
@@ -194,6 +224,10 @@ TEST_F(NetworkObjectsTest, ReadingOfTheRequestObject)
     EXPECT_EQ(Read(0x1F82U, 6U), 0x1'0000'0005U);
     EXPECT_EQ(Read(0x1F82U, 9U), 0x1'0000'0000U);
     EXPECT_EQ(Read(0x1F82U, 0x80U), 0x06010001U);
+    // Its own state: as it started itself, then as it was told
+    EXPECT_EQ(Read(0x1F82U, 127U), 0x1'0000'0005U);
+    EXPECT_EQ(Write(0x1F82U, 127U, 127U), SdoAbort::kNone);
+    EXPECT_EQ(Read(0x1F82U, 127U), 0x1'0000'007FU);
     table.SetMissing(NodeId{6U});
     EXPECT_EQ(Read(0x1F82U, 6U), 0x1'0000'0001U);
     // A command to all makes nobody OPERATIONAL who is not there
@@ -220,6 +254,16 @@ TEST_F(NetworkObjectsTest, RequestForGuarding)
     EXPECT_EQ(Read(0x1F83U, 0x80U), 0x06010001U);
     Run(5U);
     EXPECT_GE(Count(0x705U), 1);
+    // By the times of 1F81h: a remote frame each 100 ms, and its answer; none when all are told to stop
+    log.clear();
+    Run(400U);
+    EXPECT_EQ(Count(0x705U), 8);
+    EXPECT_EQ(Write(0x1F83U, 0x80U, 0U), SdoAbort::kNone);
+    EXPECT_EQ(Read(0x1F83U, 5U), 0x1'0000'0000U);
+    log.clear();
+    Run(400U);
+    EXPECT_EQ(Count(0x705U), 0);
+    EXPECT_EQ(Write(0x1F83U, 0x80U, 1U), SdoAbort::kNone);
     // Who is supervised by heartbeat answers no remote frame, and stays supervised
     setups[5].heartbeat = HeartbeatSetup{100U, 50U, Arming::kFirstHeartbeat};
     table.WatchAsSetUp(NodeId{5U}, Now());

@@ -100,6 +100,14 @@ TEST_F(NmtMasterTest, WithoutInhibitTimeAllLeaveAtOnceAndAFullSinkKeepsThem)
     sink.room = 10;
     After(1U);
     EXPECT_EQ(sink.frames.size(), 5U);
+    for (const CanFrame& frame : sink.frames)
+    {
+        EXPECT_EQ(frame.identifier, 0x000U);
+        EXPECT_EQ(frame.kind, FrameKind::kData);
+        EXPECT_EQ(frame.length_bytes, 2U);
+    }
+    EXPECT_EQ(sink.frames[0].data[0], 1U); // In the order in which they were asked for,
+    EXPECT_EQ(sink.frames[1].data[1], 6U);
     EXPECT_EQ(sink.frames[4].data[1], 9U);
     EXPECT_EQ(Ask(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
 }

@@ -148,6 +148,7 @@ TEST_F(SafetyGateTest, AForeignWriteBeginsTheReadingAnew)
 
 TEST_F(SafetyGateTest, AValueOfAnotherLengthDiffers)
 {
+    Verifies(req::SRS_SFS_003);
     Verifies(req::SRS_SFS_004);
     // Given a slave whose 1301h:02 has four bytes with the same number
     on_answer = [](CanFrame& frame)
@@ -164,6 +165,7 @@ TEST_F(SafetyGateTest, AValueOfAnotherLengthDiffers)
 
 TEST_F(SafetyGateTest, AnAbortIsADifference)
 {
+    Verifies(req::SRS_SFS_003);
     Verifies(req::SRS_SFS_004);
     // Given a slave without SRDO 2, which is expected
     std::vector<ExpectedObject> list = Configuration();
@@ -189,6 +191,7 @@ TEST_F(SafetyGateTest, AnAbortIsADifference)
 
 TEST_F(SafetyGateTest, OneLostAnswerIsAskedForAgainThreeAreSilence)
 {
+    Verifies(req::SRS_SFS_003);
     Verifies(req::SRS_SFS_004);
     int lost = 0;
     int to_lose = 2;

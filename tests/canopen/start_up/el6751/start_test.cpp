@@ -258,6 +258,11 @@ TEST_F(El6751StartTest, SyncOnlyIfAnyPdoOfAnyListedSlaveIsSynchronous)
         EXPECT_EQ(syncs[1] - begin_us, 11000U);
         EXPECT_EQ(syncs[2] - begin_us, 21000U);
         EXPECT_EQ(syncs[3] - begin_us, 31000U);
+        for (const Sent& one : sent)
+        {
+            const bool is_sync = one.frame.identifier == 0x80U;
+            EXPECT_TRUE(!is_sync || ((one.frame.length_bytes == 0U) && (one.frame.kind == FrameKind::kData)));
+        }
     }
     setup.sync_period_us = 0U;
     sent.clear();
@@ -313,6 +318,38 @@ TEST_F(El6751StartTest, BusOffIsNodeState11OfEverySlaveAndAfterwardsEverythingBe
     Run(20U);
     EXPECT_EQ(Code(5U), 0);
     EXPECT_EQ(Nmt(), (Log{"6500:82 00", "6504:01 06", "6506:01 05", "6506:01 00"}));
+}
+
+TEST_F(El6751StartTest, WhileTheManagerIsBusOffNobodyIsSupervised)
+{
+    Verifies(req::SRS_ELM_044);
+    AddBox(5U);
+    boxes[5].guard_time_ms = 100U;
+    boxes[5].life_time_factor = 3U;
+    Begin();
+    Run(500U);
+    ASSERT_EQ(Code(5U), 0);
+    told.clear();
+    // When the slave falls silent while the manager is off the bus
+    static_cast<void>(Do(
+        [&]
+        {
+            el.OnController(ControllerState::kBusOff, Now());
+            return true;
+        }));
+    slaves[5]->heartbeat_us = 0U;
+    Run(5000U);
+    // Then its silence is no loss, whatever else it is
+    EXPECT_EQ(told[5], (Log{"11"}));
+    EXPECT_EQ(el.Cause(NodeId{5U}), 0);
+    static_cast<void>(Do(
+        [&]
+        {
+            el.OnController(ControllerState::kRunning, Now());
+            return true;
+        }));
+    Run(50U);
+    EXPECT_EQ(told[5], (Log{"11", "8", "0"}));
 }
 
 TEST_F(El6751StartTest, AControllerThatDoesNotStartIsNodeState13)

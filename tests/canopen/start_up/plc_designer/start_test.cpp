@@ -137,6 +137,7 @@ TEST_F(PlcStartTest, AnotherDeviceTypeIsState98AfterAllSdos)
     Begin600();
     EXPECT_EQ(slaves[5]->log, (Log{"nmt 81", "r 1000:00", "w 2000:00 01"}));
     EXPECT_EQ(Code(5U), 98);
+    EXPECT_EQ(Of(5U).object.index, 0x1000U);
     EXPECT_EQ(Of(5U).expected, 0x191U);
     EXPECT_EQ(Of(5U).read, 0x192U);
     EXPECT_EQ(plc.MasterState(), 5);
@@ -223,8 +224,41 @@ TEST_F(PlcStartTest, ALateBootUpMessageConfiguresAnew)
     EXPECT_EQ(told[5], (Log{"2", "3", "2", "3", "4", "5"}));
 }
 
+TEST_F(PlcStartTest, ALateBootUpMessageLeadsOutOfEachStateBehindTheFirstOnes)
+{
+    Verifies(req::SRS_PLC_018);
+    // Given slaves in states 4 (held), 98 and 99
+    AddPlc(5U);
+    AddPlc(6U);
+    slaves[6]->Set(0x1000U, 0U, 0x192U);
+    AddPlc(7U);
+    setups[7].heartbeat = HeartbeatSetup{300U, 100U, Arming::kImmediately};
+    Begin();
+    Run(1200U);
+    EXPECT_EQ(Command(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+    ASSERT_EQ(Code(5U), 4);
+    ASSERT_EQ(Code(6U), 98);
+    ASSERT_EQ(Code(7U), 99);
+    for (const std::uint8_t node : {std::uint8_t{5U}, std::uint8_t{6U}, std::uint8_t{7U}})
+    {
+        told[node].clear();
+        slaves[node]->log.clear();
+        slaves[node]->Power(Now().us);
+    }
+    Run(600U);
+    // Then each settles, is asked and configured anew
+    EXPECT_EQ(told[5], (Log{"2", "3", "4"}));
+    EXPECT_EQ(told[6], (Log{"2", "3", "98"}));
+    EXPECT_EQ(Log(told[7].begin(), told[7].begin() + 4), (Log{"2", "3", "4", "5"}));
+    for (const std::uint8_t node : {std::uint8_t{5U}, std::uint8_t{6U}, std::uint8_t{7U}})
+    {
+        EXPECT_EQ(slaves[node]->log.front(), "r 1000:00");
+    }
+}
+
 TEST_F(PlcStartTest, AnAbsentOptionalSlaveIsConfiguredOnlyIfTheApplicationAsks)
 {
+    Verifies(req::SRS_PLC_018);
     Verifies(req::SRS_PLC_019);
     AddPlc(5U);
     plc_slaves[5].is_optional = true;
