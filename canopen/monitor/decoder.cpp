@@ -72,6 +72,21 @@ std::string Kind(const LogFrame& frame)
 constexpr std::uint32_t kRequests = 0x600U;
 constexpr std::uint8_t kAbort = 0x80U;
 constexpr std::uint8_t kLastSegment = 0x80U;
+constexpr std::uint8_t kTimeBytes = 6U;
+constexpr const char* kWrongLength = "INVALID: of wrong length";
+
+bool IsFlyingMaster(const std::uint32_t identifier)
+{
+    return identifier >= kFlyingMaster[0].first && identifier <= 0x76U;
+}
+
+/// A remote frame has no value, and asks for something only where it is one of a PDO or of guarding. [SRS_MON_019]
+bool AsksForNothing(const LogFrame& frame, const Service service)
+{
+    const bool is_request = service == Service::kErrorControl || service == Service::kPdo ||
+                            (service == Service::kOther && !IsFlyingMaster(frame.identifier));
+    return frame.is_remote && !is_request;
+}
 
 constexpr NumberRow kAborts[] = {
     {0x05030000U, "toggle bit not alternated"},
@@ -122,12 +137,16 @@ std::string Decoder::Decode(const LogFrame& frame)
         return head + Kind(frame);
     }
     const std::string name = head + ServiceName(service) + " " + Kind(frame);
+    if (AsksForNothing(frame, service))
+    {
+        return name + "INVALID: no data frame";
+    }
     switch (service)
     {
     case Service::kNmt:
         return name + Nmt(frame);
     case Service::kGfc:
-        return name + (frame.length == 0U ? "global fail-safe command" : "with data, nobody counts it");
+        return name + (frame.length == 0U ? "global fail-safe command" : "INVALID: with data");
     case Service::kEmergency:
         return name + Emergency(frame);
     case Service::kErrorControl:
@@ -139,7 +158,9 @@ std::string Decoder::Decode(const LogFrame& frame)
     case Service::kSdo:
         return name + Sdo(frame);
     case Service::kSync:
+        return name + (frame.length <= 1U ? "" : kWrongLength);
     case Service::kTime:
+        return name + (frame.length == kTimeBytes ? "" : kWrongLength);
     case Service::kLss:
     case Service::kForeign:
         break;
@@ -152,9 +173,9 @@ std::string Decoder::Decode(const LogFrame& frame)
 /// A command that no device obeys is marked. [SRS_MON_019]
 std::string Decoder::Nmt(const LogFrame& frame) const
 {
-    if (frame.length != 2U || !frame.IsPlain())
+    if (frame.length != 2U)
     {
-        return frame.IsPlain() ? "INVALID: of wrong length" : "INVALID: no data frame";
+        return kWrongLength;
     }
     const bool is_node = frame.data[1] <= kNodes;
     const bool is_command = std::any_of(std::begin(kCommands), std::end(kCommands),
@@ -168,7 +189,7 @@ std::string Decoder::Nmt(const LogFrame& frame) const
 /// What the identifier means by itself: flying master, PDOs of the predefined connection set. [SRS_MON_019]
 std::string Decoder::Other(const LogFrame& frame) const
 {
-    if (frame.identifier >= kFlyingMaster[0].first && frame.identifier <= 0x76U)
+    if (IsFlyingMaster(frame.identifier))
     {
         const bool has_node = frame.identifier == kActiveMaster && frame.IsPlain() && frame.length == 2U;
         return "flying master: " + WordOf(kFlyingMaster, frame.identifier, "") +
@@ -179,7 +200,7 @@ std::string Decoder::Other(const LogFrame& frame) const
     {
         if (frame.identifier > pdo.identifier && frame.identifier <= pdo.identifier + kNodes)
         {
-            return std::string(pdo.name) + " of " +
+            return (frame.is_remote ? "request of " : "") + std::string(pdo.name) + " of " +
                    network_.NameOf(static_cast<std::uint8_t>(frame.identifier - pdo.identifier)) +
                    ", by its identifier";
         }
@@ -196,7 +217,7 @@ std::string Decoder::Emergency(const LogFrame& frame) const
     }
     if (frame.length != kClassicalBytes)
     {
-        return name + " of wrong length";
+        return name + " " + kWrongLength;
     }
     const auto code = static_cast<std::uint32_t>(BitsAt(frame, 0U, 16U));
     return name + " " + (code == 0U ? "no error" : "error " + cia306::Hex(code, 4).substr(2U) + "h") + ", register " +
@@ -215,7 +236,7 @@ std::string Decoder::ErrorControl(const LogFrame& frame)
     }
     if (frame.length != 1U)
     {
-        return name + " of wrong length";
+        return name + " " + kWrongLength;
     }
     const bool is_boot_up = frame.data[0] == 0U;
     const bool is_answer = std::exchange(guarding.is_asked, false) && !is_boot_up;
@@ -242,8 +263,8 @@ std::string Decoder::Pdo(const LogFrame& frame) const
         return "";
     }
     const NodeModel& node = network_.Nodes()[found->node];
-    return node.name + (found->is_transmit ? " TPDO " : " RPDO ") + std::to_string(found->number) + ": " +
-           FieldsText(node, found->fields, frame);
+    const std::string name = node.name + (found->is_transmit ? " TPDO " : " RPDO ") + std::to_string(found->number);
+    return frame.is_remote ? "request of " + name : name + ": " + FieldsText(node, found->fields, frame);
 }
 
 std::string Decoder::Srdo(const LogFrame& frame) const
@@ -348,9 +369,9 @@ std::string Decoder::Sdo(const LogFrame& frame)
     const auto node_id = static_cast<std::uint8_t>(frame.identifier & kNodes);
     const bool is_request = frame.identifier > kRequests;
     const std::string name = network_.NameOf(node_id) + (is_request ? " <- " : " -> ");
-    if (frame.length != kClassicalBytes || !frame.IsPlain())
+    if (frame.length != kClassicalBytes)
     {
-        return name + "of wrong length";
+        return name + kWrongLength;
     }
     Transfer& transfer = transfers_.at(node_id);
     const bool is_abort = frame.data[0] == kAbort;

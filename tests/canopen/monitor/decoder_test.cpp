@@ -64,6 +64,45 @@ TEST_F(DecoderTest, CommandsThatNobodyObeysAreMarked)
     EXPECT_EQ(Words(0x000U, {1U, 127U}), "000h [2] 01 7F  NMT start, node 127");
 }
 
+TEST_F(DecoderTest, ARemoteFrameHasNoValue)
+{
+    Verifies(req::SRS_MON_019);
+    const auto remote = [this](const std::uint32_t identifier, const std::uint8_t length)
+    {
+        LogFrame frame = Frame(0, identifier, {});
+        frame.is_remote = true;
+        frame.length = length;
+        return Words(frame);
+    };
+    EXPECT_EQ(remote(0x081U, 8U), "081h [8]  EMCY remote INVALID: no data frame");
+    EXPECT_EQ(remote(0x101U, 2U), "101h [2]  SRDO remote INVALID: no data frame");
+    EXPECT_EQ(remote(0x171U, 2U), "171h [2]  SRDO remote INVALID: no data frame");
+    EXPECT_EQ(remote(0x001U, 0U), "001h [0]  GFC remote INVALID: no data frame");
+    EXPECT_EQ(remote(0x000U, 2U), "000h [2]  NMT remote INVALID: no data frame");
+    EXPECT_EQ(remote(0x080U, 0U), "080h [0]  SYNC remote INVALID: no data frame");
+    EXPECT_EQ(remote(0x100U, 6U), "100h [6]  TIME remote INVALID: no data frame");
+    EXPECT_EQ(remote(0x601U, 8U), "601h [8]  SDO remote INVALID: no data frame");
+    EXPECT_EQ(remote(0x7E5U, 8U), "7E5h [8]  LSS remote INVALID: no data frame");
+    EXPECT_EQ(remote(0x071U, 2U), "071h [2]  other remote INVALID: no data frame");
+    // Those of PDOs and guarding ask for something; an identifier without a service says nothing
+    EXPECT_EQ(remote(0x182U, 8U), "182h [8]  other remote request of TPDO 1 of Controller, by its identifier");
+    EXPECT_EQ(remote(0x702U, 1U), "702h [1]  error control remote guarding request, Controller");
+    EXPECT_EQ(remote(0x6E0U, 1U), "6E0h [1]  other remote ");
+}
+
+TEST_F(DecoderTest, LengthsThatNobodyObeysAreMarked)
+{
+    Verifies(req::SRS_MON_019);
+    EXPECT_EQ(Words(0x080U, {7U}), "080h [1] 07  SYNC ");
+    EXPECT_EQ(Words(0x080U, {7U, 0U}), "080h [2] 07 00  SYNC INVALID: of wrong length");
+    EXPECT_EQ(Words(0x100U, {1U, 2U, 3U, 4U, 5U, 6U}), "100h [6] 01 02 03 04 05 06  TIME ");
+    EXPECT_EQ(Words(0x100U, {1U, 2U, 3U, 4U, 5U}), "100h [5] 01 02 03 04 05  TIME INVALID: of wrong length");
+    EXPECT_EQ(Words(0x081U, {0x10U, 0x81U, 1U}), "081h [3] 10 81 01  EMCY Sensor INVALID: of wrong length");
+    EXPECT_EQ(Words(0x601U, {0x40U, 0x17U, 0x10U, 0U}), "601h [4] 40 17 10 00  SDO Sensor <- INVALID: of wrong length");
+    EXPECT_EQ(Words(0x701U, {5U, 5U}), "701h [2] 05 05  error control Sensor INVALID: of wrong length");
+    EXPECT_EQ(Words(0x001U, {0U}), "001h [1] 00  GFC INVALID: with data");
+}
+
 TEST_F(DecoderTest, GuardingHasItsToggleBit)
 {
     Verifies(req::SRS_MON_019);
@@ -185,6 +224,11 @@ TEST_F(DecoderTest, ProcessData)
     Decoder words(drive, of_drive);
     EXPECT_EQ(words.Decode(Frame(0, 0x185U, {0xFEU, 0xFFU, 1U})),
               "185h [3] FE FF 01  PDO Drive TPDO 1: Speed = -2, Moving = 1");
+    // A remote frame asks for it, whatever length it states
+    LogFrame request = Frame(0, 0x185U, {});
+    request.is_remote = true;
+    request.length = 3U;
+    EXPECT_EQ(words.Decode(request), "185h [3]  PDO remote request of Drive TPDO 1");
 }
 } // namespace
 } // namespace counterpoint::monitor
