@@ -80,6 +80,7 @@ void El6751StartUp::End() noexcept
     pdos_.End();
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
+        parts_.gate.Close(NodeId{id});
         parts_.sdo.Cancel(NodeId{id}, SdoAbort::kGeneral);
         slaves_.Of(NodeId{id}) = El6751Node{};
     }

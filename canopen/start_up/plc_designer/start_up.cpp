@@ -48,6 +48,7 @@ void PlcStartUp::End() noexcept
     master_ = 0;
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
+        parts_.gate.Close(NodeId{id});
         parts_.sdo.Cancel(NodeId{id}, SdoAbort::kGeneral);
         slaves_.Of(NodeId{id}) = PlcNode{};
     }

@@ -16,8 +16,10 @@ constexpr std::uint32_t kAssignment = kInNetwork | kBootSlave | kMandatory;
 bool ManagerRig::Send(const CanFrame& frame) noexcept
 {
     const bool is_taken = !(is_sink_full && is_ours_);
+    const bool is_request = (frame.identifier == 0U) || ((frame.identifier & 0x780U) == 0x600U);
     if (is_taken)
     {
+        asked += (is_ours_ && is_request) ? 1 : 0;
         wire_.push_back({frame, is_ours_});
     }
     return is_taken;

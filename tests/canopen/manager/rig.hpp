@@ -72,6 +72,7 @@ class ManagerRig : public ::testing::Test, public cia301::FrameSink, public Mana
     std::vector<std::uint8_t> duplicates{}; ///< As told.
     std::vector<std::string> starts{};      ///< "node" of each NMT start that left.
     int stops{0};                           ///< NMT stops that left.
+    int asked{0};                           ///< SDO requests and commands of the manager.
     std::array<SlaveSetup, kNodeRoom> setups{};
     NetworkSetup setup{NodeId{127U}, kIsMaster, 0U, 0U, 0U, setups.data()};
     std::unique_ptr<Manager> manager{};

@@ -222,6 +222,51 @@ TEST_P(SafetyPathsTest, OfAnotherDeviceThatWasFoundChangedStaysAnotherDevice)
     EXPECT_EQ(manager->Status(NodeId{5U}).letter, (GetParam() == Profile::kCia302) ? 'O' : '\0');
 }
 
+// The answer to each request of the gate is there before the next cycle: what it reads or writes next would leave then.
+TEST_P(SafetyPathsTest, WhoIsNotTheActiveMasterAnyMoreReadsAndWritesNoFurther)
+{
+    Verifies(req::SRS_BOOT_022);
+    Verifies(req::SRS_MGR_002);
+    for (const bool is_writing : {false, true})
+    {
+        SCOPED_TRACE(is_writing);
+        Begin(GetParam());
+        Run(6000U);
+        EXPECT_EQ(Gate(), GateState::kOpen);
+        EXPECT_EQ(Order(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+        Run(10U);
+        if (is_writing)
+        {
+            EXPECT_TRUE(manager->WriteSafety(NodeId{5U}, Now()));
+        }
+        else
+        {
+            EXPECT_EQ(Order(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+        }
+        Run(3U);
+        EXPECT_EQ(Gate(), GateState::kBusy);
+        // When another master takes over
+        manager->Role().OnFlyingMaster(FlyingEvent::kSlaveMode, MasterClaim{0U, NodeId{9U}}, Now());
+        EXPECT_EQ(Gate(), GateState::kClosed);
+        asked = 0;
+        Run(1000U);
+        // Then nothing more is asked, written or started
+        EXPECT_EQ(asked, 0);
+        EXPECT_EQ(Running(5U), 0);
+        EXPECT_EQ(Gate(), GateState::kClosed);
+    }
+}
+
+TEST_P(SafetyPathsTest, WhatWasVerifiedAsTheActiveMasterHoldsNoMoreBehindIt)
+{
+    Verifies(req::SRS_BOOT_022);
+    Begin(GetParam());
+    Run(6000U);
+    EXPECT_EQ(Gate(), GateState::kOpen);
+    manager->Role().OnFlyingMaster(FlyingEvent::kSlaveMode, MasterClaim{0U, NodeId{9U}}, Now());
+    EXPECT_EQ(Gate(), GateState::kClosed);
+}
+
 INSTANTIATE_TEST_SUITE_P(Each, SafetyPathsTest, ::testing::ValuesIn(kProfiles));
 
 using SafetyPathsInCia302Test = SafetyPathsTest;

@@ -132,11 +132,12 @@ def judge(sample, part, is_told, texts):
 
 
 def options():
-    """What every object of the certified part is compiled with."""
+    """What every object of the certified part is compiled with, what the tree adds to it (-Werror) included."""
     room = (GATES.parents[1] / "cmake/Room.cmake").read_text()
     found = []
     for name in ("COUNTERPOINT_WARNINGS", "COUNTERPOINT_KERNEL_FLAGS"):
         found += re.search(rf"set\({name} ([^)]*)\)", room).group(1).split()
+        found += [word for words in re.findall(rf"list\(APPEND {name} ([^)]*)\)", room) for word in words.split()]
     return ["-std=c++17", *found]
 
 
