@@ -45,8 +45,9 @@ struct SignReply
 struct StateReply
 {
     Result result;
-    SrdoState state;           ///< kFaulted where the channels differ; never kReleased in the device safe state.
-    SrdoCause first_cause;     ///< As channel A has it, or channel B where A has none or was demoted.
+    SrdoState state;       ///< kFaulted where the channels differ; kReleased neither in the device safe state nor once
+                           ///< OPERATIONAL was left, where it is kOff.
+    SrdoCause first_cause; ///< As channel A has it, or channel B where A has none or was demoted.
     std::uint16_t error_count; ///< The greater one of both.
 };
 
