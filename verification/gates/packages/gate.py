@@ -40,7 +40,7 @@ class Machine:
         if self.clean_root is None:
             return command, os.environ | env
         variables = [word for name, value in env.items() for word in ("--setenv", name, value)]
-        return ["bwrap", "--unshare-pid", "--die-with-parent", "--bind", self.clean_root, "/", "--proc", "/proc", "--dev", "/dev", "--tmpfs", "/tmp",
+        return ["bwrap", "--unshare-pid", "--die-with-parent", "--bind", self.clean_root, "/", "--proc", "/proc", "--dev", "/dev", "--perms", "1777", "--tmpfs", "/tmp",
                 *self.readable, "--bind", self.work, self.work, "--ro-bind", "/etc/resolv.conf", "/etc/resolv.conf",
                 "--clearenv", "--setenv", "PATH", "/usr/sbin:/usr/bin:/sbin:/bin", "--setenv", "HOME", self.work, *variables, *command], None
 
@@ -50,7 +50,8 @@ class Machine:
         done = subprocess.run([str(word) for word in words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False, env=environment)
         if done.returncode != 0:
             lines = [line for line in done.stdout.splitlines() if line.strip()]
-            raise Fails(f"{pathlib.Path(str(command[0])).name} {command[1] if len(command) > 1 else ''} fails: " + " | ".join(lines[-8:]))
+            lines = [line for line in lines if "error:" in line][:4] + lines[-8:]
+            raise Fails(f"{pathlib.Path(str(command[0])).name} {command[1] if len(command) > 1 else ''} fails: " + " | ".join(lines))
         return done.stdout
 
     def cmake(self, source, folder, *options):
@@ -114,10 +115,22 @@ def check_debian(findings, root, data, shown, machine):
         findings.append(f"Debian package: counterpoint --version prints '{told.strip()}', expected version {version}")
 
 
+def installed_conan(machine):
+    """That of requirements.txt, for the Python of the clean root."""
+    wheels, environment = machine.work / "wheels", machine.work / "python"
+    wanted = next(line for line in read(TREE, "requirements.txt").splitlines() if line.startswith("conan=="))
+    subprocess.run([TREE / ".venv/bin/pip", "wheel", "--quiet", "--wheel-dir", wheels, wanted], check=True)
+    machine.run("python3", "-m", "venv", environment)
+    machine.run(environment / "bin/pip", "install", "--no-index", "--find-links", wheels, "conan")
+    return environment / "bin/conan"
+
+
 def check_conan(findings, root, _, shown, machine):
     conan = TREE / ".venv/bin/conan"
     if not conan.is_file():
         raise CannotLook(".venv/bin/conan of requirements.txt")
+    if machine.clean_root is not None:
+        conan = installed_conan(machine)
     environment = {"CONAN_HOME": str(machine.work / "conan"), "CXX": COMPILER, "CC": "gcc-12"}
     machine.run(conan, "profile", "detect", **environment)
     printed = machine.run(conan, "create", root, "-c", "tools.build:jobs=2", "-c", "tools.cmake.cmake_layout:test_folder=$TMP", **environment)
