@@ -113,12 +113,17 @@ void ClosesByItself(const PortUnderTest& port, Check& check) noexcept
         return;
     }
     DriveCycles(port, 2U);
-    const std::uint32_t limit_us = port.numbers.gate_limit_us;
-    port.bench.pass(port.bench.bench, limit_us / 2U);
-    check.EqualCode("pins that are high at half of the limit", 1U, Pins(port));
+    if (port.numbers.gate_limit_us > port.numbers.cycle_us)
+    {
+        port.bench.pass(port.bench.bench, port.numbers.cycle_us - kMoment);
+        check.EqualCode("pins that are high before the limit", 1U, Pins(port));
+        Serve(port);
+    }
     // The watchdog goes on being answered: the gate closes, not the watchdog.
-    PassCycles(port, (limit_us / port.numbers.cycle_us) + 2U);
+    PassCycles(port, (port.numbers.gate_limit_us / port.numbers.cycle_us) + 2U);
     check.EqualCode("pins that are high after the limit", 0U, Pins(port));
+    const bool is_seen = (port.parts.watchdog != nullptr) && (port.bench.is_alive != nullptr);
+    check.Equal("watchdog alive", 1U, (!is_seen || port.bench.is_alive(port.bench.bench)) ? 1U : 0U);
 }
 
 void ClosedOnceTripped(const PortUnderTest& port, Check& check) noexcept

@@ -225,6 +225,11 @@ void HostBench::Take(PortEvent event)
         events_.push_back(event);
     }
     const std::size_t count = events_.size();
+    const bool both_confirmed = is_confirmation && (count >= 2U) && (events_[count - 2U].kind == EventKind::kConfirmed);
+    if (Has(Defect::kInverseOvertakes) && both_confirmed && (frame.identifier == 0x102U))
+    {
+        std::swap(events_[count - 1U], events_[count - 2U]);
+    }
     const bool both_received = (count >= 2U) && (events_[count - 2U].kind == EventKind::kReceived) &&
                                (events_[count - 1U].kind == EventKind::kReceived);
     // As mailboxes are read that are served by their numbers.

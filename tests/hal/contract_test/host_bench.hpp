@@ -35,6 +35,7 @@ enum class Defect
     kConfirmedOther,
     kConfirmedAtOnce,
     kOwnFrameReceived,
+    kInverseOvertakes,
     kRefusalSwallowed,
     kOneGuaranteeAbsent,
     kAbsentControllerTaken,
