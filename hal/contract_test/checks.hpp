@@ -21,6 +21,7 @@ void CountersDoNotWrapEarly(const PortUnderTest& port, Check& check) noexcept;
 void AllGuaranteesAreGiven(const PortUnderTest& port, Check& check) noexcept;
 void ContentIsAsSent(const PortUnderTest& port, Check& check) noexcept;
 void OrderIsThatOfTheBus(const PortUnderTest& port, Check& check) noexcept;
+void LateInterruptKeepsOrder(const PortUnderTest& port, Check& check) noexcept;
 void StampsAreOfBothCounters(const PortUnderTest& port, Check& check) noexcept;
 void StampsAreAsFarApartAsFrames(const PortUnderTest& port, Check& check) noexcept;
 void ForeignFramesStayAway(const PortUnderTest& port, Check& check) noexcept;

@@ -25,6 +25,7 @@ constexpr CheckRow kRows[]{ // MISRA D-001
     {"can", "all three guarantees", AllGuaranteesAreGiven},
     {"reception", "content as sent", ContentIsAsSent},
     {"reception", "order of the bus", OrderIsThatOfTheBus},
+    {"reception", "late interrupt: order of the bus, or a loss", LateInterruptKeepsOrder},
     {"reception", "stamps of both counters at the end of the frame", StampsAreOfBothCounters},
     {"reception", "stamps as far apart as frames", StampsAreAsFarApartAsFrames},
     {"reception", "foreign identifiers stay away", ForeignFramesStayAway},

@@ -90,6 +90,8 @@ struct PortBench
     SrdoMask (*pins)(void* bench);
     /// @brief Held: frames of the port stay in its controllers (nobody acknowledges). Released: they leave.
     void (*hold_bus)(void* bench, Hold hold);
+    /// @brief Held: the interrupts of the port's controllers wait.
+    void (*hold_interrupt)(void* bench, Hold hold);
     /// @brief Held: the source of this counter stands still.
     void (*hold_counter)(void* bench, Counter counter, Hold hold);
     /// @brief Held: the pin of slot 0 is pulled high from outside.

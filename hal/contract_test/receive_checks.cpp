@@ -92,6 +92,32 @@ void OrderIsThatOfTheBus(const PortUnderTest& port, Check& check) noexcept
     check.Equal(kEvents, 0U, Drain(port).received);
 }
 
+void LateInterruptKeepsOrder(const PortUnderTest& port, Check& check) noexcept
+{
+    if (port.bench.hold_interrupt == nullptr)
+    {
+        check.NotShown("the bench cannot make interrupts late");
+        return;
+    }
+    Settle(port);
+    port.bench.hold_interrupt(port.bench.bench, Hold::kHeld);
+    const bool is_sent = Receive(port, NumberedFrame(port.numbers.received[1], 1U)) &&
+                         Receive(port, NumberedFrame(port.numbers.received[0], 2U));
+    port.bench.hold_interrupt(port.bench.bench, Hold::kReleased);
+    PassCycles(port, 1U);
+    if (!is_sent)
+    {
+        check.NotShown(kPeerCannot);
+        return;
+    }
+    const PortEvent first = Next(port);
+    const PortEvent second = Next(port);
+    const bool is_told = (first.kind == EventKind::kLoss) || (second.kind == EventKind::kLoss);
+    const bool in_order = (NumberOf(first.frame.frame) == 1U) && (NumberOf(second.frame.frame) == 2U);
+    check.Equal("frames in order, or a loss before them", 1U, (is_told || in_order) ? 1U : 0U);
+    static_cast<void>(Drain(port));
+}
+
 void StampsAreOfBothCounters(const PortUnderTest& port, Check& check) noexcept
 {
     if (port.parts.clocks == nullptr)

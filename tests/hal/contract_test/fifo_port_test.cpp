@@ -82,6 +82,13 @@ contract::PortBench BenchOf(Board& board)
     };
     bench.pins = [](void* self) { return SrdoMask{Of(self).model.Pins()}; };
     bench.hold_bus = [](void* self, contract::Hold hold) { Hold(Of(self).model.bus_held, hold); };
+    bench.hold_interrupt = [](void* self, contract::Hold hold) {
+        Hold(Of(self).model.interrupt_masked, hold);
+        if (hold == contract::Hold::kReleased)
+        {
+            Of(self).can.OnInterrupt();
+        }
+    };
     bench.hold_counter = [](void* self, contract::Counter counter, contract::Hold hold) {
         Hold((counter == contract::Counter::kB) ? Of(self).model.b_held : Of(self).model.a_held, hold);
     };
@@ -126,7 +133,7 @@ TEST(FifoPort, KeepsTheContract)
                   "protection: impossible region is refused: not shown: the port has no memory protection",
                   "parameters: programmed bytes are read: not shown: the port has no parameter memory",
                   "parameters: erase touches one bank: not shown: the port has no parameter memory"}));
-    EXPECT_EQ(count.held, 34U);
+    EXPECT_EQ(count.held, 35U);
 }
 
 TEST(FifoPort, OrderOfBothFifosIsThatOfTheirStamps)

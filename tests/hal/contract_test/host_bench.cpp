@@ -61,6 +61,7 @@ PortUnderTest HostBench::Table()
     };
     bench.pins = [](void* self) { return Of(self).Pins(); };
     bench.hold_bus = [](void* self, const Hold hold) { Of(self).HoldBus(hold); };
+    bench.hold_interrupt = [](void* /*self*/, Hold /*hold*/) {}; // Frames wait for `next` in any case.
     bench.hold_counter = [](void* self, const Counter counter, const Hold hold) {
         Of(self).HoldCounter(counter, hold);
     };
