@@ -63,8 +63,8 @@ void ReadData(const std::uint32_t place, CanFrame& frame) noexcept
 
 [[nodiscard]] bool HoldsFrame(const std::uint32_t place, const CanFrame& frame) noexcept
 {
-    const bool same_name = (ReadRegister(place) == frame.identifier) &&
-                           ((ReadRegister(place + 4U) & kLengthMask) == frame.length_bytes);
+    const bool same_name =
+        (ReadRegister(place) == frame.identifier) && ((ReadRegister(place + 4U) & kLengthMask) == frame.length_bytes);
     return same_name && (ReadRegister(place + 8U) == WordOf(frame, 0U)) &&
            (ReadRegister(place + 12U) == WordOf(frame, kWordBytes));
 }
@@ -110,8 +110,9 @@ void Can::OnInterrupt() noexcept
         const std::uint32_t timer = ReadRegister(kCanTimer);
         const InstantPair now = clocks_.Now();
         // Between the two FIFOs the stamps tell the order: the older one first.
-        const bool sent_first = has_sent && (!has_received || (Age(timer, ReadRegister(kEventBuffer)) >
-                                                               Age(timer, ReadRegister(kReceiveLength))));
+        const bool sent_first =
+            has_sent &&
+            (!has_received || (Age(timer, ReadRegister(kEventBuffer)) > Age(timer, ReadRegister(kReceiveLength))));
         if (sent_first)
         {
             TakeSent(timer, now);

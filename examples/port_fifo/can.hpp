@@ -36,8 +36,8 @@ struct FilterList
     std::uint8_t count; ///< At most kFilters.
 };
 
-/// The one CAN controller. The interrupt takes frames and transmit events out of the two FIFOs, the older one first, and
-/// puts them with their stamps into a ring; the program takes them out before each cycle.
+/// The one CAN controller. The interrupt takes frames and transmit events out of the two FIFOs, the older one first,
+/// and puts them with their stamps into a ring; the program takes them out before each cycle.
 class Can final : public counterpoint::hal::CanPorts
 {
   public:

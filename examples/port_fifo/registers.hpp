@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-/// The registers of a controller that does not exist, of the kind that has a receive FIFO, buffers to send from and a FIFO
-/// of transmit events.
+/// The registers of a controller that does not exist, of the kind that has a receive FIFO, buffers to send from and a
+/// FIFO of transmit events.
 namespace port_fifo
 {
 
@@ -23,16 +23,17 @@ inline constexpr std::uint32_t kTransmitCancel = 0x30U;  ///< A bit each buffer.
 inline constexpr std::uint32_t kEventLevel = 0x34U;
 inline constexpr std::uint32_t kEventBuffer = 0x38U; ///< Bits 16 to 31: kCanTimer at the end of the frame.
 inline constexpr std::uint32_t kEventPop = 0x3CU;
-inline constexpr std::uint32_t kFilter = 0x40U;          ///< 8 identifiers of data frames; kFilterUnused.
-inline constexpr std::uint32_t kTransmitBuffer = 0x80U;  ///< 4 times identifier, length, two words of data.
-inline constexpr std::uint32_t kTimerA = 0x100U;         ///< Cycles of 80 MHz, low word; reading it keeps the high word.
+inline constexpr std::uint32_t kFilter = 0x40U;         ///< 8 identifiers of data frames; kFilterUnused.
+inline constexpr std::uint32_t kTransmitBuffer = 0x80U; ///< 4 times identifier, length, two words of data.
+inline constexpr std::uint32_t kTimerA = 0x100U;        ///< Cycles of 80 MHz, low word; reading it keeps the high word.
 inline constexpr std::uint32_t kTimerAHigh = 0x104U;
 inline constexpr std::uint32_t kTimerB = 0x108U; ///< Microseconds, of an oscillator of its own.
 inline constexpr std::uint32_t kPinOut = 0x200U;
 inline constexpr std::uint32_t kPinIn = 0x204U;
 inline constexpr std::uint32_t kPinDirection = 0x208U; ///< 1: output.
 inline constexpr std::uint32_t kWatchdogQuestion = 0x300U;
-inline constexpr std::uint32_t kWatchdogAnswer = 0x304U; ///< Right: (reference + question) * constant, by the chip itself.
+inline constexpr std::uint32_t kWatchdogAnswer =
+    0x304U; ///< Right: (reference + question) * constant, by the chip itself.
 
 inline constexpr std::uint32_t kOffTheBus = 1U;
 inline constexpr std::uint32_t kBusOff = 1U;

@@ -9,11 +9,10 @@ namespace port_skeleton
 
 const char* NameOf(const Part part) noexcept
 {
-    constexpr const char* kNames[kLastPart + 1U]{"no part",       "start-up",          "exceptions",
-                                                 "clocks",        "CAN ports",         "reception",
-                                                 "output",        "cut-off",           "watchdog",
-                                                 "interrupt lock", "memory protection", "parameter memory",
-                                                 "cross link"};
+    constexpr const char* kNames[kLastPart + 1U]{
+        "no part",           "start-up",         "exceptions", "clocks",   "CAN ports",
+        "reception",         "output",           "cut-off",    "watchdog", "interrupt lock",
+        "memory protection", "parameter memory", "cross link"};
     const std::uint8_t number = static_cast<std::uint8_t>(part);
     return (number <= kLastPart) ? kNames[number] : kNames[0];
 }

@@ -12,8 +12,8 @@ namespace port_skeleton
 class InterruptLock final : public counterpoint::hal::InterruptLock
 {
   public:
-    /// @brief CONTRACT. From its return on nothing else of this processor touches memory: no interrupt, no DMA, no second
-    /// core. On a Cortex-M PRIMASK, not BASEPRI, and the fault handlers touch nothing that is tested.
+    /// @brief CONTRACT. From its return on nothing else of this processor touches memory: no interrupt, no DMA, no
+    /// second core. On a Cortex-M PRIMASK, not BASEPRI, and the fault handlers touch nothing that is tested.
     void Lock() noexcept override;
     /// @brief CONTRACT. Back to what it was before Lock, not simply on.
     void Unlock() noexcept override;

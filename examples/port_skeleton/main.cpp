@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// The device of the user guide on the skeleton: it tells what is missing and does not start. `contract` as the first word runs
-// the contract test instead.
+// The device of the user guide on the skeleton: it tells what is missing and does not start. `contract` as the first
+// word runs the contract test instead.
 #include "board.hpp"
 #include "device.hpp"
 
@@ -60,7 +60,7 @@ contract::PortEvent Next(void* const bench)
 contract::PortUnderTest Describe(port_skeleton::Board& board)
 {
     contract::PortUnderTest port{};
-    port.parts = contract::PortParts{&board.can,    &board.clocks,     &board.output,    &board.output,
+    port.parts = contract::PortParts{&board.can,      &board.clocks,     &board.output,    &board.output,
                                      &board.watchdog, &board.protection, &board.parameters};
     port.bench.bench = &board;
     port.bench.write = [](void* /*bench*/, const char* const text) { std::fputs(text, stdout); };

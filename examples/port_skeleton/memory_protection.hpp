@@ -12,10 +12,10 @@ namespace port_skeleton
 class MemoryProtection final : public counterpoint::hal::MemoryProtection
 {
   public:
-    /// @brief CONTRACT. kProtected only when a write by another party traps from the next Enter on; kRefused for a region
-    /// that this MPU cannot have (size, alignment, number), kAbsent without an MPU. Never kProtected for less.
-    [[nodiscard]] counterpoint::hal::ProtectStatus Protect(
-        const counterpoint::hal::MemoryRegion& region) noexcept override;
+    /// @brief CONTRACT. kProtected only when a write by another party traps from the next Enter on; kRefused for a
+    /// region that this MPU cannot have (size, alignment, number), kAbsent without an MPU. Never kProtected for less.
+    [[nodiscard]] counterpoint::hal::ProtectStatus
+    Protect(const counterpoint::hal::MemoryRegion& region) noexcept override;
     /// @brief CONTRACT. From its return on this party may write its own regions and no other party's.
     void Enter(counterpoint::hal::MemoryOwner owner) noexcept override;
 

@@ -14,10 +14,11 @@ class ParameterMemory final : public counterpoint::hal::ParameterMemory
   public:
     /// @brief CONTRACT. Bytes of one bank, a multiple of 8.
     [[nodiscard]] std::uint32_t BankBytes() const noexcept override;
-    /// @brief CONTRACT. Goes on with what is running as far as that needs no waiting. kReady only after what was programmed
-    /// was read back equal.
+    /// @brief CONTRACT. Goes on with what is running as far as that needs no waiting. kReady only after what was
+    /// programmed was read back equal.
     [[nodiscard]] counterpoint::hal::MemoryStatus Status() noexcept override;
-    /// @brief CONTRACT. Starts it and returns. A power failure leaves any value in this bank, and the other one untouched.
+    /// @brief CONTRACT. Starts it and returns. A power failure leaves any value in this bank, and the other one
+    /// untouched.
     void Erase(counterpoint::hal::MemoryBank bank) noexcept override;
     /// @brief CONTRACT. Starts it and returns; a power failure leaves any value in this section alone.
     void Program(const counterpoint::hal::MemorySection& section, const std::uint8_t* from) noexcept override;

@@ -21,9 +21,9 @@ class SafetyOutput final : public counterpoint::hal::SafetyOutput, public counte
     /// makes it an input, a monostable, a timer output. Read each pin back once a cycle; one that does not follow is a
     /// fault that cuts off.
     void Drive(const counterpoint::hal::PermitSet& permits) noexcept override;
-    /// @brief CONTRACT. All pins low by the shortest way, from any exception and any state: no lock, no stack of its own, no
-    /// object that the exception may have destroyed; registers are written directly. Nothing opens them again but a
-    /// restart. Read back; if a pin stays high, by a second way (supply, error pin).
+    /// @brief CONTRACT. All pins low by the shortest way, from any exception and any state: no lock, no stack of its
+    /// own, no object that the exception may have destroyed; registers are written directly. Nothing opens them again
+    /// but a restart. Read back; if a pin stays high, by a second way (supply, error pin).
     void CutOff() noexcept override;
 
     /// @brief Change it to kThere with the body, and not before.

@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// The device of the user guide in a task, on a host: a simulated bus, a sender of commands, an RTOS that is not there, and
-// half a second of simulated time. A second task of lower priority takes all the time that is left; with the word `above` it stands
-// above the safety task, and the watchdog cuts off.
+// The device of the user guide in a task, on a host: a simulated bus, a sender of commands, an RTOS that is not there,
+// and half a second of simulated time. A second task of lower priority takes all the time that is left; with the word
+// `above` it stands above the safety task, and the watchdog cuts off.
 #include "device.hpp"
 #include "rtos_host.hpp"
 #include "safety_task.hpp"
@@ -115,7 +115,8 @@ void SendAt(const unsigned ms)
     }
 }
 
-/// A button of two contacts, one for each channel, pressed from 100 to 150 ms and from 450 ms on: one closes, one opens.
+/// A button of two contacts, one for each channel, pressed from 100 to 150 ms and from 450 ms on: one closes, one
+/// opens.
 bool IsPressed()
 {
     const unsigned ms = static_cast<unsigned>(The().bus.Now() / host::kMillisecond);
@@ -194,8 +195,9 @@ int main(const int count, char** const words)
     const bool is_above = (count > 1) && (std::strcmp(words[1], "above") == 0);
     Board& board = The();
     static_cast<void>(board.can.ConnectPort(CanPortId::kFirst, board.bus, 8U));
-    rtos_task::SafetyTaskParts safety{
-        {board.device.Whole(), board.clocks, board.interrupt.queue, ReadMakeContact, ReadBreakContact, StartWatchdog, CycleDone}, {}};
+    rtos_task::SafetyTaskParts safety{{board.device.Whole(), board.clocks, board.interrupt.queue, ReadMakeContact,
+                                       ReadBreakContact, StartWatchdog, CycleDone},
+                                      {}};
     unsigned rounds = 0U;
     rtos::CreateTask(rtos::TaskSetup{"safety", rtos::Priority::kSafety, rtos_task::SafetyTask, &safety});
     rtos::CreateTask(is_above ? rtos::TaskSetup{"above", rtos::Priority::kAbove, TaskAbove, &rounds}
@@ -209,8 +211,8 @@ int main(const int count, char** const words)
     std::printf("safety task preempted by another task: %u times\n",
                 static_cast<unsigned>(rtos::host::PreemptionsOf(rtos::Priority::kSafety)));
     const rtos::Priority other = is_above ? rtos::Priority::kAbove : rtos::Priority::kOther;
-    std::printf("%s task: %u rounds, preempted %u times, %u interrupts in it\n", is_above ? "higher" : "other",
-                rounds, static_cast<unsigned>(rtos::host::PreemptionsOf(other)),
+    std::printf("%s task: %u rounds, preempted %u times, %u interrupts in it\n", is_above ? "higher" : "other", rounds,
+                static_cast<unsigned>(rtos::host::PreemptionsOf(other)),
                 static_cast<unsigned>(rtos::host::InterruptsIn(other)));
     std::printf("watchdog %s\n", board.watchdog.IsAlive() ? "alive" : "tripped");
     const bool is_running = safety.record.is_started && (board.kernel.DeviceState().fault == DeviceFault::kNone);

@@ -6,8 +6,8 @@
 
 #include <cstdint>
 
-/// The stand-in for an RTOS: simulated time, one task at a time, the same order in each run. Time goes by only in Work and
-/// while no task is ready; it brings interrupts, and a task of higher priority whose tick has come takes over.
+/// The stand-in for an RTOS: simulated time, one task at a time, the same order in each run. Time goes by only in Work
+/// and while no task is ready; it brings interrupts, and a task of higher priority whose tick has come takes over.
 namespace rtos::host
 {
 

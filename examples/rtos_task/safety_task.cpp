@@ -15,8 +15,8 @@ constexpr rtos::Tick kPeriod = 1U;
 /// More than the queue holds: the loop ends though the bus never pauses.
 constexpr std::uint32_t kMostEvents = 32U;
 
-/// Hands over what the interrupt brought. Look and time belong together: whatever comes after the look that found the queue
-/// empty has a later stamp than the `now` of this cycle.
+/// Hands over what the interrupt brought. Look and time belong together: whatever comes after the look that found the
+/// queue empty has a later stamp than the `now` of this cycle.
 InstantPair TakeFrames(const Surroundings& around)
 {
     if (around.queue.TakeLoss())

@@ -70,8 +70,8 @@ struct SafetyTaskParts
     TaskRecord record;
 };
 
-/// @brief Entry of the safety task: power-on, then one cycle each millisecond, for ever. Everything that calls the kernel runs
-/// in here. [SRS_HAL_036]
+/// @brief Entry of the safety task: power-on, then one cycle each millisecond, for ever. Everything that calls the
+/// kernel runs in here. [SRS_HAL_036]
 void SafetyTask(void* parts);
 
 } // namespace rtos_task

@@ -107,19 +107,19 @@ struct PortBench
 /// How the port is set up, and how exact it claims to be.
 struct PortNumbers
 {
-    FrameName received[2];   ///< Two that reach the kernel, the lower identifier first. // MISRA D-001
-    FrameName sent[2];       ///< Normal and inverse data of a producer. // MISRA D-001
-    std::uint32_t foreign;   ///< An identifier that does not reach the kernel.
+    FrameName received[2]; ///< Two that reach the kernel, the lower identifier first. // MISRA D-001
+    FrameName sent[2];     ///< Normal and inverse data of a producer. // MISRA D-001
+    std::uint32_t foreign; ///< An identifier that does not reach the kernel.
     std::uint8_t controllers;
-    std::uint32_t receive_room;   ///< Events that wait for `next`; fewer than 1000.
-    std::uint32_t transmit_room;  ///< Frames that wait for the bus at most; fewer than 250.
-    std::uint32_t frame_us;       ///< The longest frame on this bus and the pause behind it.
-    std::uint32_t tolerance_us;   ///< Latency of a stamp, and error of both counters in 10 cycles.
-    std::uint32_t cycle_us;       ///< Within the window of the watchdog.
-    std::uint32_t gate_limit_us;  ///< How long a right Drive keeps an output open.
+    std::uint32_t receive_room;  ///< Events that wait for `next`; fewer than 1000.
+    std::uint32_t transmit_room; ///< Frames that wait for the bus at most; fewer than 250.
+    std::uint32_t frame_us;      ///< The longest frame on this bus and the pause behind it.
+    std::uint32_t tolerance_us;  ///< Latency of a stamp, and error of both counters in 10 cycles.
+    std::uint32_t cycle_us;      ///< Within the window of the watchdog.
+    std::uint32_t gate_limit_us; ///< How long a right Drive keeps an output open.
     WatchdogWindow window;
-    std::uint32_t most_work;      ///< Of one call of Transmit or `next`.
-    std::uint32_t long_time_us;   ///< For early wraps of the counters, 60 s and more; 0: not shown.
+    std::uint32_t most_work;    ///< Of one call of Transmit or `next`.
+    std::uint32_t long_time_us; ///< For early wraps of the counters, 60 s and more; 0: not shown.
 };
 
 /// The function table that a port fills in to be examined. [SRS_HAL_031]

@@ -144,8 +144,10 @@ void StampsAreOfBothCounters(const PortUnderTest& port, Check& check) noexcept
     const PortEvent event = Next(port);
     check.EqualCode("kind of event (0x3C received)", static_cast<std::uint32_t>(EventKind::kReceived),
                     static_cast<std::uint32_t>(event.kind));
-    check.Within("us of counter A from the request to the stamp", Span{0U, latest}, event.frame.stamp.a.us - before.a.us);
-    check.Within("us of counter B from the request to the stamp", Span{0U, latest}, event.frame.stamp.b.us - before.b.us);
+    check.Within("us of counter A from the request to the stamp", Span{0U, latest},
+                 event.frame.stamp.a.us - before.a.us);
+    check.Within("us of counter B from the request to the stamp", Span{0U, latest},
+                 event.frame.stamp.b.us - before.b.us);
 }
 
 void StampsAreAsFarApartAsFrames(const PortUnderTest& port, Check& check) noexcept

@@ -67,7 +67,8 @@ std::uint32_t FifoModel::Read(const std::uint32_t offset)
     case kReceiveData:
     case kReceiveData + 4U:
         return ReadReceive(offset);
-    case kTransmitPending: {
+    case kTransmitPending:
+    {
         std::uint32_t pending = 0U;
         for (const std::uint32_t buffer : requests_)
         {
@@ -246,7 +247,8 @@ bool FifoModel::IsAccepted(const CanFrame& frame) const
 CanFrame FifoModel::FrameOf(const std::uint32_t buffer) const
 {
     const std::size_t place = (kTransmitBuffer + (buffer * kBufferBytes)) / 4U;
-    CanFrame frame{plain_.at(place), FrameKind::kData, CanPortId::kFirst, static_cast<std::uint8_t>(plain_.at(place + 1U)), {}};
+    CanFrame frame{
+        plain_.at(place), FrameKind::kData, CanPortId::kFirst, static_cast<std::uint8_t>(plain_.at(place + 1U)), {}};
     for (std::uint32_t byte = 0U; byte < counterpoint::kMaxPayloadBytes; ++byte)
     {
         frame.data[byte] = static_cast<std::uint8_t>(plain_.at(place + 2U + (byte / 4U)) >> (8U * (byte % 4U)));

@@ -64,34 +64,38 @@ contract::PortBench BenchOf(Board& board)
     contract::PortBench bench{};
     bench.bench = &board;
     bench.write = [](void* self, const char* text) { Of(self).text += text; };
-    bench.next = [](void* self) {
+    bench.next = [](void* self)
+    {
         const CanEvent event = Of(self).can.Next();
         return contract::PortEvent{static_cast<contract::EventKind>(event.kind), event.frame};
     };
-    bench.pass = [](void* self, std::uint32_t us) {
+    bench.pass = [](void* self, std::uint32_t us)
+    {
         Of(self).model.Advance(us);
         Of(self).pins.Examine();
     };
-    bench.restart = [](void* self) {
+    bench.restart = [](void* self)
+    {
         Of(self).model.Restart();
         Of(self).pins.Start();
     };
-    bench.peer_send = [](void* self, const CanFrame& frame) {
+    bench.peer_send = [](void* self, const CanFrame& frame)
+    {
         Of(self).model.Send(frame);
         return true;
     };
     bench.pins = [](void* self) { return SrdoMask{Of(self).model.Pins()}; };
     bench.hold_bus = [](void* self, contract::Hold hold) { Hold(Of(self).model.bus_held, hold); };
-    bench.hold_interrupt = [](void* self, contract::Hold hold) {
+    bench.hold_interrupt = [](void* self, contract::Hold hold)
+    {
         Hold(Of(self).model.interrupt_masked, hold);
         if (hold == contract::Hold::kReleased)
         {
             Of(self).can.OnInterrupt();
         }
     };
-    bench.hold_counter = [](void* self, contract::Counter counter, contract::Hold hold) {
-        Hold((counter == contract::Counter::kB) ? Of(self).model.b_held : Of(self).model.a_held, hold);
-    };
+    bench.hold_counter = [](void* self, contract::Counter counter, contract::Hold hold)
+    { Hold((counter == contract::Counter::kB) ? Of(self).model.b_held : Of(self).model.a_held, hold); };
     bench.hold_pin = [](void* self, contract::Hold hold) { Hold(Of(self).model.pin_held, hold); };
     bench.read_back = [](void* /*self*/) { return SrdoMask{Pins::ReadBack()}; };
     bench.is_alive = [](void* self) { return Of(self).model.IsAlive(); };
@@ -102,7 +106,8 @@ contract::PortBench BenchOf(Board& board)
 contract::PortUnderTest TableOf(Board& board)
 {
     contract::PortUnderTest port{};
-    port.parts = contract::PortParts{&board.can, &board.clocks, &board.pins, &board.pins, &board.watchdog, nullptr, nullptr};
+    port.parts =
+        contract::PortParts{&board.can, &board.clocks, &board.pins, &board.pins, &board.watchdog, nullptr, nullptr};
     port.bench = BenchOf(board);
     port.numbers = contract::PortNumbers{{{0x121U, CanPortId::kFirst}, {0x122U, CanPortId::kFirst}},
                                          {{0x101U, CanPortId::kFirst}, {0x102U, CanPortId::kFirst}},

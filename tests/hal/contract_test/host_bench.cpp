@@ -51,25 +51,23 @@ PortUnderTest HostBench::Table()
     bench.bench = this;
     bench.write = [](void* self, const char* text) { Of(self).text_ += text; };
     bench.next = [](void* self) { return Of(self).Next(); };
-    bench.pass = [](void* self, const std::uint32_t us) {
+    bench.pass = [](void* self, const std::uint32_t us)
+    {
         HostBench& host = Of(self);
         host.bus_.Advance(host.bus_.Now() + (us * host::kMicrosecond));
     };
     bench.restart = [](void* self) { Of(self).Restart(); };
-    bench.peer_send = [](void* self, const CanFrame& frame) {
-        return Of(self).bus_.Submit(Of(self).peer_node_, frame) == TransmitStatus::kAccepted;
-    };
+    bench.peer_send = [](void* self, const CanFrame& frame)
+    { return Of(self).bus_.Submit(Of(self).peer_node_, frame) == TransmitStatus::kAccepted; };
     bench.pins = [](void* self) { return Of(self).Pins(); };
     bench.hold_bus = [](void* self, const Hold hold) { Of(self).HoldBus(hold); };
     bench.hold_interrupt = [](void* /*self*/, Hold /*hold*/) {}; // Frames wait for `next` in any case.
-    bench.hold_counter = [](void* self, const Counter counter, const Hold hold) {
-        Of(self).HoldCounter(counter, hold);
-    };
+    bench.hold_counter = [](void* self, const Counter counter, const Hold hold)
+    { Of(self).HoldCounter(counter, hold); };
     bench.hold_pin = [](void* self, const Hold hold) { Of(self).pin_held_ = hold == Hold::kHeld; };
     bench.read_back = [](void* self) { return Of(self).Has(Defect::kNotReadBack) ? SrdoMask{0U} : Of(self).Pins(); };
-    bench.is_alive = [](void* self) {
-        return Of(self).Has(Defect::kMissingAnswerTaken) || Of(self).watchdog_.IsAlive();
-    };
+    bench.is_alive = [](void* self)
+    { return Of(self).Has(Defect::kMissingAnswerTaken) || Of(self).watchdog_.IsAlive(); };
     bench.work = [](void* self) { return static_cast<std::uint32_t>(Of(self).bus_.Now() / host::kMicrosecond); };
     const CanPortId inverse = PortOfInverse(controllers_);
     port.numbers = PortNumbers{{{0x121U, CanPortId::kFirst}, {0x122U, inverse}},
@@ -234,7 +232,8 @@ void HostBench::Take(PortEvent event)
     const bool both_received = (count >= 2U) && (events_[count - 2U].kind == EventKind::kReceived) &&
                                (events_[count - 1U].kind == EventKind::kReceived);
     // As mailboxes are read that are served by their numbers.
-    if (Has(Defect::kFramesReordered) && both_received && (frame.identifier < events_[count - 2U].frame.frame.identifier))
+    if (Has(Defect::kFramesReordered) && both_received &&
+        (frame.identifier < events_[count - 2U].frame.frame.identifier))
     {
         std::swap(events_[count - 1U], events_[count - 2U]);
     }

@@ -110,7 +110,12 @@ class RamParameterMemory final : public ParameterMemory
 };
 
 /// The host layer as a port that is examined, with a second node on its bus, and with a defect if one is asked for.
-class HostBench final : public CanPorts, public Clocks, public SafetyOutput, public OutputCutoff, public Watchdog, public MemoryProtection
+class HostBench final : public CanPorts,
+                        public Clocks,
+                        public SafetyOutput,
+                        public OutputCutoff,
+                        public Watchdog,
+                        public MemoryProtection
 {
   public:
     /// @brief One controller, or both on one bus: then the inverse data are on the second one.

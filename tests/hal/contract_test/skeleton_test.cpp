@@ -49,15 +49,15 @@ TEST(PortSkeleton, ContractTestNamesEachPart)
     {
         parts.insert(name.substr(0U, name.find(": ")));
     }
-    EXPECT_EQ(parts, (std::set<std::string>{"can", "clocks", "cut-off", "output", "reception", "transmission",
-                                            "watchdog"}))
+    EXPECT_EQ(parts,
+              (std::set<std::string>{"can", "clocks", "cut-off", "output", "reception", "transmission", "watchdog"}))
         << run.text;
     // What the skeleton refuses as its contract says is held, and what it says to have not at all is not shown.
     EXPECT_EQ(LinesWith(run.text, "protection: "),
               std::vector<std::string>{"protection: impossible region is refused: held"});
-    EXPECT_EQ(LinesWith(run.text, "programmed bytes"),
-              std::vector<std::string>{
-                  "parameters: programmed bytes are read: not shown: the port has no parameter memory"});
+    EXPECT_EQ(
+        LinesWith(run.text, "programmed bytes"),
+        std::vector<std::string>{"parameters: programmed bytes are read: not shown: the port has no parameter memory"});
 }
 
 } // namespace

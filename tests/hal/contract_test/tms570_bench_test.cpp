@@ -133,18 +133,21 @@ contract::PortUnderTest TableOf(Bench& bench)
     port.bench.next = Next;
     port.bench.pass = [](void* self, std::uint32_t us) { Of(self).Pass(us); };
     port.bench.restart = [](void* self) { Of(self).Restart(); };
-    port.bench.peer_send = [](void* self, const CanFrame& frame) {
+    port.bench.peer_send = [](void* self, const CanFrame& frame)
+    {
         Of(self).Send(frame);
         return frame.kind == FrameKind::kData;
     };
     // The watchdog's reset makes the pins inputs and ends the program; the bench goes on as if nothing could follow.
-    port.bench.pins = [](void* self) {
+    port.bench.pins = [](void* self)
+    {
         model::Machine& machine = Of(self).rig->machine;
         return SrdoMask{machine.rti.HasBitten() ? 0U : machine.gio.PinsA()};
     };
     port.bench.is_alive = [](void* self) { return !Of(self).rig->machine.rti.HasBitten(); };
     port.bench.hold_bus = [](void* self, contract::Hold hold) { Of(self).is_held = hold == contract::Hold::kHeld; };
-    port.bench.hold_interrupt = [](void* self, contract::Hold hold) {
+    port.bench.hold_interrupt = [](void* self, contract::Hold hold)
+    {
         Of(self).interrupts_held = hold == contract::Hold::kHeld;
         Of(self).TakeInterrupts();
     };
@@ -172,8 +175,7 @@ TEST(Tms570Contract, DriversKeepIt)
     static_cast<void>(contract::RunContractTest(TableOf(bench)));
     EXPECT_EQ(contract::LinesWith(bench.text, ": broken: "), std::vector<std::string>{}) << bench.text;
     // What these models cannot bring about is not shown.
-    EXPECT_EQ(contract::LinesWith(bench.text, " held, "),
-              std::vector<std::string>{"30 held, 0 broken, 8 not shown"});
+    EXPECT_EQ(contract::LinesWith(bench.text, " held, "), std::vector<std::string>{"30 held, 0 broken, 8 not shown"});
 }
 
 } // namespace
