@@ -1,7 +1,8 @@
 #!/bin/sh
-# program_test.sh PROGRAM SOURCE_FOLDER: the program's exit status on what must not hang or crash it.
+# program_test.sh PROGRAM SOURCE_FOLDER BUILD_FOLDER: the program's exit status on what must not hang or crash it.
 program=$1
 source=$2
+build=$3
 folder=$(mktemp -d) || exit 2
 trap 'rm -rf "$folder"' EXIT
 failures=0
@@ -121,4 +122,19 @@ ends_unread 2 node --can "$bus" --dcf "$source/examples/emergency_stop/sensor.dc
 ends_unread 2 manager --can "$bus" --network "$source/examples/networks/chain.yaml" --no-input
 ends_unread 143 simulate "$source/examples/networks/boot.yaml"
 exec 3>&-
+# The version tells the objects of core and channels that are in the build. [SRS_CLI_024]
+digest() {
+  for room in safety_core/comparator safety_core/kernel safety_core/selftest safety_core/crosslink hal/api channel_a channel_b; do
+    objects=$folder/objects/$room
+    mkdir -p "$objects"
+    (cd "$objects" && ar x "$build/$room/lib$(echo "$room" | tr / _).a")
+    (cd "$objects" && LC_ALL=C ls) | while read -r object; do
+      echo "$room/$object:$(sha256sum <"$objects/$object" | cut -d ' ' -f 1)"
+    done
+  done | sha256sum | cut -c 1-16
+}
+if ! "$program" --version | grep -Eq "^counterpoint [0-9.]+ \(commit ([0-9a-f]{12}|unknown), objects $(digest)\)$"; then
+  echo "counterpoint --version: '$("$program" --version)', expected objects $(digest)"
+  failures=$((failures + 1))
+fi
 [ "$failures" -eq 0 ]
