@@ -136,6 +136,18 @@ TEST_F(ObjectsTest, LengthBeyondEightBytesIsReceivedAsEight)
     EXPECT_EQ(received.frame.frame.length_bytes, 8U);
 }
 
+TEST_F(ObjectsTest, InterfaceThatStaysBusyInBusOffIsAFault)
+{
+    Verifies(req::SRS_TMS_018);
+    Verifies(req::SRS_TMS_019);
+    // Given a controller in bus-off whose interface to the objects stays busy, so that nothing can be withdrawn
+    rig.machine.dcan1.GoBusOff();
+    rig.machine.faults.Set(model::Fault::kDcanBusyForEver);
+    // When the cycle begins, then the device is safe
+    ExpectFault();
+    EXPECT_EQ(rig.board.Can().Controller(CanPortId::kFirst).Fault(), CanFault::kBusy);
+}
+
 /// Objects 1 to 34: 200h to 221h are received.
 [[nodiscard]] std::array<CanObject, 34U> ManyObjects()
 {
@@ -216,7 +228,15 @@ TEST(CanSetupTest, LayoutThatIsNoneAndSetUpsThatCannotBeAreRefused)
     setup.objects = kObjects;
     setup.object_room = 3U;
     EXPECT_EQ(controller.Start(setup), CanFault::kSetup);
+    // and what is wrong in the first of three objects is not mended by the others
+    constexpr CanObject kFirstIsLarge[] = {
+        {0x800U, ObjectUse::kReceive}, {0x121U, ObjectUse::kReceive}, {0x122U, ObjectUse::kReceive}};
     setup.object_room = 4U;
+    setup.objects = kFirstIsLarge;
+    setup.object_count = 3U;
+    EXPECT_EQ(controller.Start(setup), CanFault::kSetup);
+    setup.objects = kObjects;
+    setup.object_count = 4U;
     EXPECT_EQ(controller.Start(setup), CanFault::kNone);
 }
 
@@ -234,6 +254,7 @@ TEST(CanSetupTest, SecondControllerWithTwoPendingFramesIsALoss)
     // Then the kernel is told of a loss before the frames
     EXPECT_EQ(rig.board.NextFrame().kind, QueuedKind::kLoss);
     EXPECT_EQ(rig.board.NextFrame().frame.frame.port, CanPortId::kSecond);
+    EXPECT_EQ(rig.board.Can().Controller(CanPortId::kSecond).Fault(), CanFault::kNone);
 }
 
 TEST(PinsSetupTest, PortThatIsNoneIsRefused)

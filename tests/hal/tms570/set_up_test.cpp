@@ -53,47 +53,46 @@ TEST_P(SetUpChanges, AreFoundInTurnAndTheDeviceIsSafe)
     EXPECT_TRUE(rig.IsSafe());
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Watchdog, SetUpChanges,
-    ::testing::Values(
-        Disturbance{"period", [](model::Machine& machine) { machine.Write(0xFFFFFC94U, 12U); }, BoardFault::kWatchdog},
-        Disturbance{"reaction", [](model::Machine& machine) { machine.Write(0xFFFFFCA4U, 4U); }, BoardFault::kWatchdog},
-        Disturbance{"window", [](model::Machine& machine) { machine.Write(0xFFFFFCA8U, 5U); }, BoardFault::kWatchdog}),
-    [](const auto& row) { return std::string{row.param.name}; });
+INSTANTIATE_TEST_SUITE_P(Watchdog, SetUpChanges,
+                         ::testing::Values(Disturbance{"period", [](model::Machine& machine)
+                                                       { machine.Write(0xFFFFFC94U, 12U); }, BoardFault::kWatchdog},
+                                           Disturbance{"reaction", [](model::Machine& machine)
+                                                       { machine.Write(0xFFFFFCA4U, 4U); }, BoardFault::kWatchdog},
+                                           Disturbance{"window", [](model::Machine& machine)
+                                                       { machine.Write(0xFFFFFCA8U, 5U); }, BoardFault::kWatchdog}),
+                         [](const auto& row) { return std::string{row.param.name}; });
 
-INSTANTIATE_TEST_SUITE_P(
-    Clocks, SetUpChanges,
-    ::testing::Values(
-        Disturbance{"counters_on", [](model::Machine& machine) { machine.Write(0xFFFFFC00U, 7U); },
-                    BoardFault::kCounters},
-        Disturbance{"prescale_a", [](model::Machine& machine) { machine.Write(0xFFFFFC18U, 78U); },
-                    BoardFault::kCounters},
-        Disturbance{"prescale_b", [](model::Machine& machine) { machine.Write(0xFFFFFC38U, 78U); },
-                    BoardFault::kCounters},
-        Disturbance{"main_source", [](model::Machine& machine) { machine.Write(0xFFFFFF48U, 0U); },
-                    BoardFault::kClocks},
-        Disturbance{"source_of_counters", [](model::Machine& machine) { machine.Write(0xFFFFFF50U, 0x01090108U); },
-                    BoardFault::kClocks},
-        Disturbance{"pll_off", [](model::Machine& machine) { machine.Write(0xFFFFFF34U, 2U); }, BoardFault::kClocks}),
-    [](const auto& row) { return std::string{row.param.name}; });
+INSTANTIATE_TEST_SUITE_P(Clocks, SetUpChanges,
+                         ::testing::Values(Disturbance{"counters_on", [](model::Machine& machine)
+                                                       { machine.Write(0xFFFFFC00U, 7U); }, BoardFault::kCounters},
+                                           Disturbance{"prescale_a", [](model::Machine& machine)
+                                                       { machine.Write(0xFFFFFC18U, 78U); }, BoardFault::kCounters},
+                                           Disturbance{"prescale_b", [](model::Machine& machine)
+                                                       { machine.Write(0xFFFFFC38U, 78U); }, BoardFault::kCounters},
+                                           Disturbance{"main_source", [](model::Machine& machine)
+                                                       { machine.Write(0xFFFFFF48U, 0U); }, BoardFault::kClocks},
+                                           Disturbance{"source_of_counters", [](model::Machine& machine)
+                                                       { machine.Write(0xFFFFFF50U, 0x01090108U); },
+                                                       BoardFault::kClocks},
+                                           Disturbance{"pll_off", [](model::Machine& machine)
+                                                       { machine.Write(0xFFFFFF34U, 2U); }, BoardFault::kClocks}),
+                         [](const auto& row) { return std::string{row.param.name}; });
 
 // The clear registers of pin, level and interrupt for channels 0 to 31 and 32 to 63; channel 31 and channel 63.
-INSTANTIATE_TEST_SUITE_P(
-    Esm, SetUpChanges,
-    ::testing::Values(
-        Disturbance{"pin_low", [](model::Machine& machine) { machine.Write(0xFFFFF504U, 0xFFFFFFFFU); },
-                    BoardFault::kEsm},
-        Disturbance{"pin_high", [](model::Machine& machine) { machine.Write(0xFFFFF544U, 0xFFFFFFFFU); },
-                    BoardFault::kEsm},
-        Disturbance{"level_low", [](model::Machine& machine) { machine.Write(0xFFFFF514U, 0xFFFFFFFFU); },
-                    BoardFault::kEsm},
-        Disturbance{"level_high", [](model::Machine& machine) { machine.Write(0xFFFFF554U, 0xFFFFFFFFU); },
-                    BoardFault::kEsm},
-        Disturbance{"interrupt_low", [](model::Machine& machine) { machine.Write(0xFFFFF50CU, 0x80000000U); },
-                    BoardFault::kEsm},
-        Disturbance{"interrupt_high", [](model::Machine& machine) { machine.Write(0xFFFFF54CU, 0x80000000U); },
-                    BoardFault::kEsm}),
-    [](const auto& row) { return std::string{row.param.name}; });
+INSTANTIATE_TEST_SUITE_P(Esm, SetUpChanges,
+                         ::testing::Values(Disturbance{"pin_low", [](model::Machine& machine)
+                                                       { machine.Write(0xFFFFF504U, 0xFFFFFFFFU); }, BoardFault::kEsm},
+                                           Disturbance{"pin_high", [](model::Machine& machine)
+                                                       { machine.Write(0xFFFFF544U, 0xFFFFFFFFU); }, BoardFault::kEsm},
+                                           Disturbance{"level_low", [](model::Machine& machine)
+                                                       { machine.Write(0xFFFFF514U, 0xFFFFFFFFU); }, BoardFault::kEsm},
+                                           Disturbance{"level_high", [](model::Machine& machine)
+                                                       { machine.Write(0xFFFFF554U, 0xFFFFFFFFU); }, BoardFault::kEsm},
+                                           Disturbance{"interrupt_low", [](model::Machine& machine)
+                                                       { machine.Write(0xFFFFF50CU, 0x80000000U); }, BoardFault::kEsm},
+                                           Disturbance{"interrupt_high", [](model::Machine& machine)
+                                                       { machine.Write(0xFFFFF54CU, 0x80000000U); }, BoardFault::kEsm}),
+                         [](const auto& row) { return std::string{row.param.name}; });
 
 INSTANTIATE_TEST_SUITE_P(
     Rest, SetUpChanges,
@@ -101,12 +100,10 @@ INSTANTIATE_TEST_SUITE_P(
         Disturbance{"fast_interrupts", [](model::Machine& machine) { machine.Write(0xFFFFFE18U, 0x80000000U); },
                     BoardFault::kInterrupts},
         Disturbance{"bit_timing", [](model::Machine& machine) { machine.Write(0xFFF7DC0CU, 0x1U); }, BoardFault::kCan},
-        Disturbance{"region_size",
-                    [](model::Machine& machine) { SetRegion(machine, ProcessorRegister::kRegionSize, 0x25U); },
-                    BoardFault::kProtection},
-        Disturbance{"region_access",
-                    [](model::Machine& machine) { SetRegion(machine, ProcessorRegister::kRegionAccess, 0x308U); },
-                    BoardFault::kProtection}),
+        Disturbance{"region_size", [](model::Machine& machine)
+                    { SetRegion(machine, ProcessorRegister::kRegionSize, 0x25U); }, BoardFault::kProtection},
+        Disturbance{"region_access", [](model::Machine& machine)
+                    { SetRegion(machine, ProcessorRegister::kRegionAccess, 0x308U); }, BoardFault::kProtection}),
     [](const auto& row) { return std::string{row.param.name}; });
 
 TEST(SetUpTest, VariantWithoutAComparatorOfClocksIsLookedAtWithoutOne)
@@ -146,6 +143,88 @@ TEST(SetUpTest, CounterWhoseSetUpIsNotKeptRefusesTheStart)
     rig.machine.faults.Set(model::Fault::kCounterSetUpChanged);
     EXPECT_EQ(rig.Start().answer, StartAnswer::kRefused);
     EXPECT_TRUE(rig.IsSafe());
+}
+
+TEST(SetUpTest, CounterOfAnotherClockRefusesTheStart)
+{
+    Verifies(req::SRS_TMS_021);
+    // Given a counter B that runs twice as fast as A, then the start is refused
+    Rig rig;
+    rig.machine.faults.Set(model::Fault::kCounterBFast);
+    EXPECT_EQ(rig.Start().answer, StartAnswer::kRefused);
+    EXPECT_TRUE(rig.IsSafe());
+}
+
+TEST(SetUpTest, ProtectionThatWasNeverStartedIsNoSetUp)
+{
+    Verifies(req::SRS_TMS_062);
+    // Given a processor, when nobody has set its MPU up, then a look at it fails
+    model::Machine machine{kLs12x};
+    Mpu protection;
+    EXPECT_EQ(protection.Examine(), Outcome::kFailed);
+}
+
+TEST(SetUpTest, FastInterruptThatNothingAskedForIsAFault)
+{
+    Verifies(req::SRS_TMS_042);
+    // Given a board without an error, when the fast interrupt comes all the same
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    rig.board.OnFastInterrupt();
+    // Then that is recorded as a fault of the interrupts, and the device is safe
+    EXPECT_EQ(rig.board.BeginCycle(), BoardFault::kInterrupts);
+    EXPECT_TRUE(rig.IsSafe());
+}
+
+TEST(SetUpTest, OpenTellsWhatTheGateHoldsOpen)
+{
+    Verifies(req::SRS_TMS_024);
+    // Given a board, when slot 0 is opened in a cycle, then that is told, and nothing before it
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    EXPECT_EQ(rig.board.Output().Open(), 0U);
+    ASSERT_EQ(rig.Cycle(), BoardFault::kNone);
+    EXPECT_EQ(rig.board.Output().Open(), 1U);
+    EXPECT_EQ(rig.machine.gio.PinsA(), 1U);
+}
+
+TEST(SetUpTest, CutOffInAnInterruptOfDriveLeavesNoPinHigh)
+{
+    Verifies(req::SRS_TMS_024);
+    // Given a board with closed outputs, and an interrupt that cuts off right after the pin was driven high
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    int cut_offs = 0;
+    rig.machine.SetSurroundings(
+        [&rig, &cut_offs]
+        {
+            if (rig.machine.gio.PinsA() != 0U)
+            {
+                ++cut_offs;
+                rig.board.Output().CutOff();
+            }
+        });
+    // When right permits open it
+    rig.board.Output().Drive(Rig::RightPermits(rig.board.Output().Challenge(), 1U));
+    rig.machine.SetSurroundings({});
+    // Then it is low again, nothing is open, and it stays so
+    EXPECT_EQ(cut_offs, 1);
+    EXPECT_EQ(rig.machine.gio.PinsA(), 0U);
+    EXPECT_EQ(rig.board.Output().Open(), 0U);
+    EXPECT_EQ(rig.board.BeginCycle(), BoardFault::kPins);
+}
+
+TEST(SetUpTest, ProbedPermitsOpenNothing)
+{
+    Verifies(req::SRS_TMS_024);
+    // Given a board whose outputs are closed, when the gate is asked about permits, then it answers as Drive would
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    EXPECT_EQ(rig.board.Output().Probe(Rig::RightPermits(7U, 1U), 7U), hal::ProbeAnswer::kAccepted);
+    EXPECT_EQ(rig.board.Output().Probe(Rig::RightPermits(7U, 1U), 8U), hal::ProbeAnswer::kRefused);
+    // and no pin goes high by that
+    EXPECT_EQ(rig.machine.gio.PinsA(), 0U);
+    EXPECT_EQ(rig.board.Output().Open(), 0U);
 }
 
 TEST(SetUpTest, WindowsThatTheWatchdogCannotHaveAreRefused)
