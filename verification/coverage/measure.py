@@ -6,7 +6,7 @@
 BUILD is a build folder of preset `coverage`. Runs the GoogleTest programs of TEST_FOLDERS that ctest knows there, merges the profiles, and
 writes OUT/export.json (llvm-cov export), OUT/tests/*.xml (results) and OUT/compile.log: every file of the safety rooms
 compiled anew, because Clang tells only while compiling which decisions it leaves out of MC/DC.
-The rooms of FURTHER_ROOMS are measured by the programs of FURTHER_FOLDERS as well; these never count for a safety room.
+The rooms that gaps.json lists as measured are exported as well, by these programs and those of FURTHER_FOLDERS.
 With --html also the annotated sources of the safety rooms, each decision with its executed vectors and independence pairs.
 Exit status: 0 measured (whether it is enough, the gates say), 1 a test failed, 2 nothing could be measured.
 """
@@ -21,15 +21,16 @@ import shutil
 import subprocess
 import sys
 
+from places import measured_rooms
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Whose tests count: those of the rooms themselves and the suites both channels share. Whole devices, the simulator and the
 # tools run the same code and do not count, so that nothing is covered by accident; preset coverage need not build them.
 TEST_FOLDERS = ("tests/safety_core", "tests/channel_a", "tests/channel_b", "tests/hal", "verification/conformance",
                 "verification/differential")
 SAFETY_ROOMS = ("safety_core/contract", "safety_core/comparator", "safety_core/kernel", "safety_core/selftest", "safety_core/crosslink", "channel_a", "channel_b")
-# Measured beyond the safety rooms, for the gate's records of gaps.
-FURTHER_FOLDERS = ("tests/canopen",)
-FURTHER_ROOMS = ("hal", "canopen")
+# Run beyond these for the rooms that gaps.json lists as measured; they never count for a safety room.
+FURTHER_FOLDERS = ("tests/canopen/cia301", "tests/canopen/cia302", "tests/canopen/cia305", "tests/canopen/cia306", "tests/canopen/device")
 TIMEOUT_S = 1800
 
 
@@ -138,8 +139,7 @@ def export(commands, further, build, root, out, html):
     safety = merge(commands, out, "merged")
     of_safety = sources(build, root, SAFETY_ROOMS)
     result = json.loads(run(["llvm-cov-19", "export", *safety, *of_safety]))
-    rooms = sorted({path.relative_to(root).as_posix() for room in FURTHER_ROOMS for path in (root / room).glob("*") if path.is_dir()})
-    of_further = sources(build, root, rooms)
+    of_further = sources(build, root, measured_rooms(root))
     if of_further:
         every = merge(commands + further, out, "further")
         result["data"][0]["files"] += json.loads(run(["llvm-cov-19", "export", *every, *of_further]))["data"][0]["files"]

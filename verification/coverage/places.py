@@ -5,6 +5,7 @@ though no such condition stands right before it. Each line that did not run and 
 to the place that begins last before it, so that a place which is recorded, or covered, settles them all.
 """
 import collections
+import json
 import os
 import pathlib
 import sys
@@ -15,6 +16,7 @@ from common import functions, read  # noqa: E402
 
 MEASURED_FOLDERS = ("hal", "canopen", "runtime")
 RECORDS = "verification/coverage/gaps.json"
+GATED = "gated"
 
 
 class Place:
@@ -137,6 +139,13 @@ def room_of(name):
     """hal/host/live/bus.cpp is of the room hal/host; None for a file of no measured room."""
     parts = name.split("/")
     return "/".join(parts[:2]) if len(parts) > 2 and parts[0] in MEASURED_FOLDERS else None
+
+
+def measured_rooms(root):
+    """The rooms that gaps.json lists as gated or with a number, not with a reason why they are not measured."""
+    path = root / RECORDS
+    rooms = json.loads(path.read_text(encoding="utf-8")).get("rooms", {}) if path.is_file() else {}
+    return sorted(name for name, state in rooms.items() if state == GATED or isinstance(state, int))
 
 
 def gaps_of(root, export):

@@ -9,10 +9,9 @@ import collections
 import json
 import re
 
-from places import MEASURED_FOLDERS, RECORDS, FileGaps, Place, gaps_of, room_of  # First: it tells where common.py is.
+from places import GATED, MEASURED_FOLDERS, RECORDS, FileGaps, Place, gaps_of, room_of  # First: it tells where common.py is.
 from common import cpp_files, functions, read
 
-GATED = "gated"
 FIELDS = {"id": str, "file": str, "function": str, "what": str, "reason": str, "reviewer": str}
 OPTIONAL = {"places": int, "varies": bool}
 ID = re.compile(r"GAP_[A-Z0-9]+_\d{3}")
@@ -115,7 +114,7 @@ class Coverage:
             key = (file, place.function, place.what)
             found[key] += 1
             if key not in by_key or found[key] > by_key[key].get("places", 1):
-                room.open.append(f"{file}:{place.line}: {place.function}: {place.what}")
+                room.open.append(f"{file}:{place.line}: {place.function + ': ' if place.function else ''}{place.what}")
                 continue
             room.effective["functions"] += place.what == "never called"
             room.effective["lines"] += place.lines
