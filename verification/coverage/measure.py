@@ -21,7 +21,7 @@ import shutil
 import subprocess
 import sys
 
-from places import measured_rooms
+from uncovered import measured_rooms
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Whose tests count: those of the rooms themselves and the suites both channels share. Whole devices, the simulator and the

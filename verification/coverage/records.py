@@ -2,14 +2,14 @@
 
 A room of MEASURED_FOLDERS is in gaps.json under "rooms", in one of three ways: "gated": each place is covered or recorded; a number:
 so many places are neither, and may not become more; a text: it is not measured, and why.
-A record under "gaps": id, file, function, what (the text that places.py gives), reason, reviewer (empty until a person has read
+A record under "gaps": id, file, function, what (the text that uncovered.py gives), reason, reviewer (empty until a person has read
 it), places where the same text is not covered more than once in the function, varies where a run may cover it or not.
 """
 import collections
 import json
 import re
 
-from places import GATED, MEASURED_FOLDERS, RECORDS, FileGaps, Place, gaps_of, room_of  # First: it tells where common.py is.
+from uncovered import GATED, MEASURED_FOLDERS, RECORDS, FileGaps, Place, gaps_of, room_of  # First: it tells where common.py is.
 from common import cpp_files, functions, read
 
 FIELDS = {"id": str, "file": str, "function": str, "what": str, "reason": str, "reviewer": str}

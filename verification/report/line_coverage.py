@@ -4,7 +4,7 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "coverage"))
-from places import line_counts  # noqa: E402
+from uncovered import line_counts  # noqa: E402
 from matrix import name_in  # noqa: E402
 from test_run import digest_of  # noqa: E402
 

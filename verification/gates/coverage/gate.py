@@ -15,7 +15,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "coverage"))
 from common import SAFETY_ROOMS, CannotLook, cpp_files, functions, read, run_gate  # noqa: E402
-from places import name_below  # noqa: E402
+from uncovered import name_below  # noqa: E402
 from records import Coverage  # noqa: E402
 
 METRICS = ("functions", "lines", "branches", "mcdc")
