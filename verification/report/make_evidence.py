@@ -24,7 +24,7 @@ import bill  # noqa: E402
 import digest  # noqa: E402
 import pdf  # noqa: E402
 import test_run  # noqa: E402
-from measure import TEST_FOLDERS  # noqa: E402
+from measure import FURTHER_FOLDERS, TEST_FOLDERS  # noqa: E402
 
 EVIDENCE = ROOT / "build/evidence"
 DATA = EVIDENCE / "data"
@@ -124,7 +124,7 @@ def collect_objects(progress):
 
 
 def collect_coverage(progress, jobs):
-    build(progress, "coverage", jobs, TEST_FOLDERS)
+    build(progress, "coverage", jobs, [*TEST_FOLDERS, *FURTHER_FOLDERS])
     progress.run("Measuring MC/DC, branches, lines, functions (Clang 19)", "coverage",
                  [sys.executable, "verification/coverage/measure.py", "build/coverage", DATA / "coverage", "--jobs", str(jobs),
                   "--html", EVIDENCE / "coverage_clang"], may_fail=True)
