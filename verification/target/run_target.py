@@ -245,7 +245,8 @@ def main():
     check_images(report)
     byte_order.check(report, TARGET, PRODUCT)
     cortex_m_run.check(report, PRODUCT / "verification/target/conformance/conformance_host")
-    zynqmp_run.check(report, PRODUCT / "verification/target/conformance/conformance_host", outcomes, compilers_of)
+    zynqmp_run.check(report, PRODUCT / "verification/target/conformance/conformance_host",
+                     IMAGES / "conformance/conformance.bin", compilers_of)
     coverage = coverage_run.check(report, covered)
     rows = check_stack(report)
     items = count_instructions(report)
