@@ -1,0 +1,51 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "hal/zynqmp/time/scaled_counter.hpp"
+
+namespace counterpoint::zynqmp
+{
+
+namespace
+{
+
+constexpr std::uint32_t kMicrosecondBits = 32U;
+constexpr std::uint32_t kWordBits = 32U;
+constexpr std::uint32_t kKilo = 1000U;
+/// Bits of the quotient are found one by one: no compiler's function for 64 bits is in the image.
+constexpr std::uint32_t kTopBit = 0x80000000U;
+
+/// 1000 / kilohertz in units of 2^-32, for more than 1000 kHz.
+[[nodiscard]] std::uint32_t FractionOf(const std::uint32_t kilohertz) noexcept
+{
+    std::uint32_t fraction = 0U;
+    std::uint32_t rest = kKilo;
+    for (std::uint32_t bit = kTopBit; bit != 0U; bit >>= 1U)
+    {
+        rest <<= 1U;
+        if (rest >= kilohertz)
+        {
+            rest -= kilohertz;
+            fraction |= bit;
+        }
+    }
+    return fraction;
+}
+
+} // namespace
+
+void ScaledCounter::Start(const CounterRate& rate, const std::uint32_t raw) noexcept
+{
+    mask_ = (rate.bits < kWordBits) ? ((1U << rate.bits) - 1U) : ~std::uint32_t{0U};
+    each_count_ = (rate.kilohertz > kKilo) ? FractionOf(rate.kilohertz) : 0U;
+    microseconds_ = 0U;
+    last_ = raw;
+}
+
+Instant ScaledCounter::Take(const std::uint32_t raw) noexcept
+{
+    const std::uint32_t counts = (raw - last_) & mask_;
+    last_ = raw;
+    microseconds_ += std::uint64_t{counts} * each_count_;
+    return Instant{static_cast<std::uint32_t>(microseconds_ >> kMicrosecondBits)};
+}
+
+} // namespace counterpoint::zynqmp
