@@ -6,6 +6,8 @@
 #
 # <name>.elf, without any library of a compiler. Vectors, start-up and exceptions are those of hal/zynqmp/start.
 set(COUNTERPOINT_ZYNQMP_SCRIPT ${CMAKE_CURRENT_LIST_DIR}/zynqmp.ld)
+# The two directions of the link between the processors, in OCM: written by processor 0, by processor 1.
+set(COUNTERPOINT_ZYNQMP_LINK image_link_0=0xFFFC0000 image_link_1=0xFFFC1000)
 # A processor of a split pair: 64 KiB A-TCM at 0, 64 KiB B-TCM at 00020000h, both its own (UG1085, RPU address map).
 set(COUNTERPOINT_ZYNQMP_TCM_0 code_origin=0x00000000 code_length=0x00010000 ram_origin=0x00020000 ram_length=0x00010000)
 set(COUNTERPOINT_ZYNQMP_TCM_1 ${COUNTERPOINT_ZYNQMP_TCM_0})
@@ -24,7 +26,8 @@ function(counterpoint_zynqmp_image name)
     set(IMAGE_MEMORY emulated)
   endif()
   string(TOUPPER ${IMAGE_MEMORY} memory)
-  set(symbols ${COUNTERPOINT_ZYNQMP_${memory}_${IMAGE_CORE}} ${COUNTERPOINT_ZYNQMP_REGIONS} ${IMAGE_REGIONS} image_core=${IMAGE_CORE})
+  math(EXPR core_symbol "${IMAGE_CORE} + 1") # To a compiler no symbol has the address 0.
+  set(symbols ${COUNTERPOINT_ZYNQMP_${memory}_${IMAGE_CORE}} ${COUNTERPOINT_ZYNQMP_LINK} ${COUNTERPOINT_ZYNQMP_REGIONS} ${IMAGE_REGIONS} image_core=${core_symbol})
   list(TRANSFORM symbols PREPEND "--defsym=")
   list(JOIN symbols "," symbols)
   if(IMAGE_MEMORY STREQUAL tcm)

@@ -5,7 +5,7 @@
 
 extern "C"
 {
-    extern const std::uint8_t image_core[]; // Its address is the number. // MISRA D-001
+    extern const std::uint8_t image_core[]; // Its address is the number of the processor, plus 1.
 }
 
 namespace
@@ -22,7 +22,7 @@ constexpr std::uint32_t kMostLooks = 1000000U;
 
 volatile std::uint32_t& At(const std::uint32_t offset) noexcept
 {
-    const auto core = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(image_core));
+    const auto core = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(image_core)) - 1U;
     return *reinterpret_cast<volatile std::uint32_t*>(kFirstUart + (core * kUartBytes) + offset);
 }
 
