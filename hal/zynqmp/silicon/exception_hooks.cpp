@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // What hal/zynqmp/start asks of the hardware after an exception. [SRS_ZYN_065]
-#include "hal/zynqmp/chip/processor.hpp"
+#include "hal/tms570/chip/processor.hpp"
 #include "hal/zynqmp/output/cut_off.hpp"
 #include "hal/zynqmp/start/exceptions.hpp"
 
@@ -15,6 +15,6 @@ extern "C" void HardwareStop() noexcept
     // The safe state: outputs closed. The watchdog, which nobody serves any more, resets the controller.
     for (;;)
     {
-        counterpoint::zynqmp::WaitForInterrupt();
+        counterpoint::tms570::WaitForInterrupt();
     }
 }

@@ -4,7 +4,7 @@
 // Unit").
 #include "hal/zynqmp/time/counters.hpp"
 
-#include "hal/zynqmp/chip/processor.hpp"
+#include "hal/zynqmp/chip/cycle_counter.hpp"
 #include "hal/zynqmp/time/ttc_registers.hpp"
 
 namespace counterpoint::zynqmp
@@ -15,10 +15,7 @@ namespace
 
 using namespace ttc;
 
-constexpr std::uint32_t kCyclesOn = 1U << 0U;    ///< PMCR.E; every cycle counts, not each 64th.
-constexpr std::uint32_t kCyclesReset = 1U << 2U; ///< PMCR.C
-constexpr std::uint32_t kEachCycle = 0xFU;       ///< PMCR: what of it is compared: E, P, C, D.
-constexpr std::uint32_t kCycleCounterOn = 1U << 31U;
+constexpr std::uint32_t kComparedControl = kCyclesOn | kCyclesEach64th;
 /// A look takes some cycles of the bus; the time that the start watches has passed long before.
 constexpr std::uint32_t kMostLooks = 100000U;
 constexpr std::uint32_t kWatchedUs = 20U;
@@ -57,11 +54,9 @@ Outcome Counters::Start(const CountersSetup& setup) noexcept
     Write(At(setup.timer, kInterruptEnable), 0U);
     const Outcome clock = WriteChecked(At(setup.timer, kClockControl), ClockControl(setup), kWholeWord);
     Write(At(setup.timer, kCounterControl), kWaveformOff | kRestart);
-    WriteProcessor(ProcessorRegister::kCycleUserMode, 0U);
-    WriteProcessor(ProcessorRegister::kCycleControl, kCyclesOn | kCyclesReset);
-    WriteProcessor(ProcessorRegister::kCycleEnable, kCycleCounterOn);
+    SetUpCycles(CycleSetup{kCyclesOn | kCyclesReset, kCycleCounterOn, 0U});
     timer_.Start(setup.timer_rate, Read(At(setup.timer, kCounterValue)));
-    processor_.Start(setup.processor_rate, ReadProcessor(ProcessorRegister::kCycleCounter));
+    processor_.Start(setup.processor_rate, ReadCycleCounter());
     InstantPair now = Now();
     for (std::uint32_t look = 0U; (look < kMostLooks) && ((now.a.us < kWatchedUs) || (now.b.us < kWatchedUs)); ++look)
     {
@@ -77,7 +72,7 @@ Outcome Counters::Start(const CountersSetup& setup) noexcept
 InstantPair Counters::Now() noexcept
 {
     const std::uint32_t timer = Read(At(setup_.timer, kCounterValue));
-    const std::uint32_t cycles = ReadProcessor(ProcessorRegister::kCycleCounter);
+    const std::uint32_t cycles = ReadCycleCounter();
     return InstantPair{timer_.Take(timer), processor_.Take(cycles)};
 }
 
@@ -85,8 +80,9 @@ bool Counters::IsSetUp() const noexcept
 {
     const bool same_clock = Read(At(setup_.timer, kClockControl)) == ClockControl(setup_);
     const bool same_control = (Read(At(setup_.timer, kCounterControl)) & (kWaveformOff | kStopped)) == kWaveformOff;
-    const bool is_counting = (ReadProcessor(ProcessorRegister::kCycleEnable) & kCycleCounterOn) != 0U;
-    const bool each_cycle = (ReadProcessor(ProcessorRegister::kCycleControl) & kEachCycle) == kCyclesOn;
+    const CycleSetup cycles = ReadCycleSetup();
+    const bool is_counting = ((cycles.enabled & kCycleCounterOn) != 0U) && (cycles.user == 0U);
+    const bool each_cycle = (cycles.control & kComparedControl) == kCyclesOn;
     return same_clock && same_control && is_counting && each_cycle;
 }
 
