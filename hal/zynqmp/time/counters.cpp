@@ -28,9 +28,9 @@ constexpr std::uint32_t kMostApartAtStartUs = 3U;
 
 [[nodiscard]] bool IsRate(const CounterRate& rate) noexcept
 {
-    constexpr std::uint32_t kLeastKilohertz = 1000U;
-    constexpr std::uint32_t kMostKilohertz = 2000000U;
-    const bool is_speed = (rate.kilohertz > kLeastKilohertz) && (rate.kilohertz <= kMostKilohertz);
+    constexpr std::uint32_t kLeastHertz = 1000000U;
+    constexpr std::uint32_t kMostHertz = 2000000000U;
+    const bool is_speed = (rate.hertz > kLeastHertz) && (rate.hertz <= kMostHertz);
     return is_speed && (rate.bits >= 16U) && (rate.bits <= 32U);
 }
 
@@ -73,7 +73,13 @@ InstantPair Counters::Now() noexcept
 {
     const std::uint32_t timer = Read(At(setup_.timer, kCounterValue));
     const std::uint32_t cycles = ReadCycleCounter();
-    return InstantPair{timer_.Take(timer), processor_.Take(cycles)};
+    const InstantPair now{timer_.Take(timer), processor_.Take(cycles)};
+    if ((setup_.set_back_from != 0U) && (timer >= setup_.set_back_from))
+    {
+        Write(At(setup_.timer, kCounterControl), kWaveformOff | kRestart);
+        timer_.SetBack();
+    }
+    return now;
 }
 
 bool Counters::IsSetUp() const noexcept

@@ -16,7 +16,9 @@ struct CountersSetup
 {
     RegisterBase timer;          ///< ttc::kTtc0 or another; its first counter.
     std::uint32_t timer_power;   ///< The prescaler divides by 2 to this power, 1 to 16.
-    CounterRate timer_rate;      ///< Behind the prescaler: more than 1000 kHz.
+    CounterRate timer_rate;      ///< Behind the prescaler.
+    std::uint32_t set_back_from; ///< Reading from which on the timer is set back to 0, a count later at most; 0: never,
+                                 ///< it rolls over by itself. The emulator's timers do not survive their roll-over.
     CounterRate processor_rate;  ///< Of the processor's cycles.
     std::uint32_t most_apart_us; ///< What one may differ from the other by within `compare_us`.
     std::uint32_t compare_us;

@@ -9,21 +9,21 @@ namespace
 
 constexpr std::uint32_t kMicrosecondBits = 32U;
 constexpr std::uint32_t kWordBits = 32U;
-constexpr std::uint32_t kKilo = 1000U;
+constexpr std::uint32_t kMillion = 1000000U;
 /// Bits of the quotient are found one by one: no compiler's function for 64 bits is in the image.
 constexpr std::uint32_t kTopBit = 0x80000000U;
 
-/// 1000 / kilohertz in units of 2^-32, for more than 1000 kHz.
-[[nodiscard]] std::uint32_t FractionOf(const std::uint32_t kilohertz) noexcept
+/// 1 000 000 / hertz in units of 2^-32.
+[[nodiscard]] std::uint32_t FractionOf(const std::uint32_t hertz) noexcept
 {
     std::uint32_t fraction = 0U;
-    std::uint32_t rest = kKilo;
+    std::uint32_t rest = kMillion;
     for (std::uint32_t bit = kTopBit; bit != 0U; bit >>= 1U)
     {
         rest <<= 1U;
-        if (rest >= kilohertz)
+        if (rest >= hertz)
         {
-            rest -= kilohertz;
+            rest -= hertz;
             fraction |= bit;
         }
     }
@@ -35,7 +35,7 @@ constexpr std::uint32_t kTopBit = 0x80000000U;
 void ScaledCounter::Start(const CounterRate& rate, const std::uint32_t raw) noexcept
 {
     mask_ = (rate.bits < kWordBits) ? ((1U << rate.bits) - 1U) : ~std::uint32_t{0U};
-    each_count_ = (rate.kilohertz > kKilo) ? FractionOf(rate.kilohertz) : 0U;
+    each_count_ = (rate.hertz > kMillion) ? FractionOf(rate.hertz) : 0U;
     microseconds_ = 0U;
     last_ = raw;
 }

@@ -12,8 +12,8 @@ namespace counterpoint::zynqmp
 /// How often a counter of the hardware counts, and how many bits of it are used.
 struct CounterRate
 {
-    std::uint32_t kilohertz;
-    std::uint32_t bits; ///< 16 to 32.
+    std::uint32_t hertz; ///< More than 1 000 000, at most 2 000 000 000.
+    std::uint32_t bits;  ///< 16 to 32.
 };
 
 /// Makes microseconds, modular over 32 bits, of the readings of a counter that counts at any rate and rolls over. Reads
@@ -25,6 +25,11 @@ class ScaledCounter
     void Start(const CounterRate& rate, std::uint32_t raw) noexcept;
     /// @brief The moment that belongs to a reading.
     [[nodiscard]] Instant Take(std::uint32_t raw) noexcept;
+    /// @brief The counter begins at 0 again, with no time passed.
+    void SetBack() noexcept
+    {
+        last_ = 0U;
+    }
 
   private:
     std::uint64_t microseconds_{0U}; ///< In units of 2^-32 us; its upper half is the moment.
