@@ -17,6 +17,7 @@ extern "C"
     /// What the runner reads of a processor that no longer tells anything.
     volatile std::uint32_t two_cpu_now;    ///< The own clock, as it was looked at last.
     volatile std::uint32_t two_cpu_driven; ///< When the output was driven last.
+    volatile std::uint32_t two_cpu_value;  ///< Channel A's processor: what the sensor said last.
 }
 
 extern "C" [[gnu::noinline]] void TwoCpuPoint() noexcept
@@ -120,6 +121,7 @@ void Executive::Listen() noexcept
 void Executive::Sense() noexcept
 {
     value_ = (value_ + 0x0101U) & 0xFFFFU;
+    two_cpu_value = value_;
     for (std::uint32_t half = 0U; half < 2U; ++half)
     {
         const std::uint32_t bits = (half == 0U) ? value_ : ~value_;
@@ -151,12 +153,12 @@ void Executive::OneCycle() noexcept
     Self().Cycle(now, message_);
     two_cpu_driven = now.us;
     static_cast<void>(Link().Send(message_));
-    SendOut();
     ++cycles_;
     if (cycles_ == kPointCycle)
     {
         TwoCpuPoint();
     }
+    SendOut();
 }
 
 void Executive::Watch() noexcept
