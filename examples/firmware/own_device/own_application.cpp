@@ -72,6 +72,7 @@ const DeviceConfig& OwnApplication::Describe() noexcept
         objects_[number + 6U] = MappableObject{0x2300U, sub, 8U, MapAccess::kConsumer, &command_inverse_[number]};
     }
     SetCommonConfig(config_);
+    config_.inverse_port = inverse_port_;
     config_.srdos = kSetups;
     config_.srdo_count = kSrdos;
     config_.objects = objects_;
