@@ -124,13 +124,13 @@ void TestCounters() noexcept
     Check((a >= 100000U) && (a < 101000U), "counters: the timer has passed 100 ms");
     Check(((a - b) + 20U) <= 40U, "counters: the cycles have passed the same time");
     CountersSetup wrong = kEmulatedCounters;
-    wrong.timer_rate.hertz = 2200000U;
+    wrong.timer_rate.hertz = 1101405U;
     wrong.compare_us = 1000U;
     Check(counters.Start(wrong) == Outcome::kDone, "counters: 6 percent are not seen in the first 20 us");
     Wait(900U);
     Check(counters.Examine() == Outcome::kFailed, "counters: 6 percent are seen within 1 ms");
     Check(counters.Examine() == Outcome::kFailed, "counters: the failure stays");
-    wrong.timer_rate.hertz = 4156250U;
+    wrong.timer_rate.hertz = 2078125U;
     Check(counters.Start(wrong) == Outcome::kFailed, "counters: twice the rate is refused at the start");
     wrong.timer_rate = CounterRate{1000000U, 16U};
     Check(counters.Start(wrong) == Outcome::kFailed, "counters: a rate of 1 MHz is refused");
