@@ -70,6 +70,12 @@ void SetBytes(CanFrame& frame, const std::uint32_t first, const std::uint32_t wo
     return (one > other) ? one : other;
 }
 
+[[nodiscard]] Instant Later(const Instant one, const Instant other) noexcept
+{
+    constexpr std::uint32_t kHalfRange = 0x80000000U;
+    return ((one.us - other.us) < kHalfRange) ? one : other;
+}
+
 /// Time that has passed by the counter that says more.
 [[nodiscard]] std::uint32_t Since(const InstantPair& now, const InstantPair& before) noexcept
 {
@@ -128,6 +134,7 @@ Outcome Canps::Configure(hal::Clocks& clocks) noexcept
     outcome = WaitFor(Place(kStatus), Bits{kIsConfiguring | kIsNormal, kIsNormal}, kStateLooks);
     Write(Place(kClearEvents), kAllEvents);
     emptied_ = clocks.Now();
+    latest_ = emptied_;
     Anchor(clocks);
     return outcome;
 }
@@ -278,6 +285,13 @@ InstantPair Canps::StampOf(const InstantPair& now, const std::uint32_t time_stam
     return InstantPair{Instant{now.a.us - older_us}, Instant{now.b.us - older_us}};
 }
 
+// Two stamps of one moment may differ by a microsecond either way.
+InstantPair Canps::InOrder(const InstantPair& stamp) noexcept
+{
+    latest_ = InstantPair{Later(stamp.a, latest_.a), Later(stamp.b, latest_.b)};
+    return latest_;
+}
+
 // Returns how many frames there were. Each look at the FIFO comes before a reading of the counters.
 std::uint32_t Canps::Drain(hal::Clocks& clocks, FrameQueue& queue, const CanPortId port,
                            const StampSource source) noexcept
@@ -297,7 +311,7 @@ std::uint32_t Canps::Drain(hal::Clocks& clocks, FrameQueue& queue, const CanPort
                            {}};
             SetBytes(frame, 0U, words.data[0U]);
             SetBytes(frame, kWordBytes, words.data[1U]);
-            queue.Put(QueuedFrame{QueuedKind::kReceived, StampedFrame{frame, stamp}});
+            queue.Put(QueuedFrame{QueuedKind::kReceived, StampedFrame{frame, InOrder(stamp)}});
         }
         else
         {
@@ -359,7 +373,7 @@ void Canps::TakeConfirmation(hal::Clocks& clocks, FrameQueue& queue, const CanPo
     }
     CanFrame frame = sending_.UnderWay();
     frame.port = port;
-    queue.Put(QueuedFrame{QueuedKind::kConfirmed, StampedFrame{frame, clocks.Now()}});
+    queue.Put(QueuedFrame{QueuedKind::kConfirmed, StampedFrame{frame, InOrder(clocks.Now())}});
     sending_.End();
     StartNext();
 }

@@ -116,6 +116,7 @@ class Canps
                                       StampSource source) noexcept;
     [[nodiscard]] InstantPair StampOf(const InstantPair& now, std::uint32_t time_stamp, StampSource source,
                                       FrameQueue& queue) const noexcept;
+    [[nodiscard]] InstantPair InOrder(const InstantPair& stamp) noexcept;
     void TakeConfirmation(hal::Clocks& clocks, FrameQueue& queue, CanPortId port) noexcept;
     void StartNext() noexcept;
     void EnterBusOff() noexcept;
@@ -126,6 +127,7 @@ class Canps
     FilterPlan plan_{};
     SendQueue sending_{};
     InstantPair anchor_{};
+    InstantPair latest_{};  ///< Stamp of the frame before: none is earlier, or the order of the FIFO would be lost.
     InstantPair emptied_{}; ///< Before a look that found the receive FIFO empty.
     std::uint32_t foreign_{0U};
     CanFault fault_{CanFault::kInvalid};

@@ -52,11 +52,22 @@ std::uint32_t Run() noexcept
     firmware::PolledExecutive executive{board, driven};
     executive.Start();
     Stage stage{board, output, watchdog, driven, peer, 0U};
+    DeviceFault told = DeviceFault::kNone;
     for (std::uint32_t cycle = 1U; cycle <= scenario.cycles; ++cycle)
     {
         executive.Cycle();
         stage.cycle = cycle;
         scenario.step(stage);
+        const DeviceFault fault = driven.kernel.DeviceState().fault;
+        if (fault != told)
+        {
+            told = fault;
+            Write("cycle ");
+            WriteNumber(cycle);
+            Write(" device fault ");
+            WriteNumber(static_cast<std::uint32_t>(fault));
+            Write("\n");
+        }
     }
     return EndChecks();
 }
