@@ -1,62 +1,60 @@
 """A device with two CPUs on the two emulated processors, and what a fault in one of them does to both outputs.
 
-A fault is a change of memory by the debugger port, at an instruction (TwoCpuPoint, once in the 60th cycle): the same in each run. What
-became of the outputs is told by each processor at its UART, by its own clock; of one that stands, its output closes by the rule of the
-gate, so long after the last Drive as the gate keeps open.
+A fault is a change of memory behind the back of the program, or an endless loop, by an order that the runner lays into the OCM: the
+processor carries it out in its 60th cycle, the same in each run. What became of the outputs is told by each processor at its UART, by
+its own clock; of one that stands, its output closes by the rule of the gate, so long after the last Drive as the gate keeps open.
 """
+import pathlib
 import re
 import struct
+import subprocess
+import tempfile
 
-import zynqmp_debugger
 import zynqmp_machine
 
 IMAGES = ["zynqmp_two_cpu_0", "zynqmp_two_cpu_1", "zynqmp_two_cpu_0_tcm", "zynqmp_two_cpu_1_tcm"]
 SHIFT = 5                # 32 ns an instruction
-BRANCH_TO_ITSELF = b"\xfe\xe7"
+ORDER = 0xFFFDE000       # Four words: role of the processor, address of a byte, its bits that flip (0: it stands), done.
+ROLES = (0xA5, 0x5B)     # PeerRole
+ORDER_CYCLE = 60         # Each processor sends one message a cycle, the first one has the number 1.
 LINK_WRITES = 4          # In a SharedLink: the mailbox that it writes.
 LINK_ELSEWHERE = 0x40    # Bit 14 of that address: still OCM, but nobody reads there.
 SLOT_BYTES, SLOT_WORDS, FIRST_SLOT, SLOTS = 200, 8, 4, 4
 LINKS = (0xFFFC0000, 0xFFFC1000)
 # Places in the storage of the channel of each processor, a bit in each: some hold what matters, some what the next pair overwrites.
-STORAGE = ((100, 4, 92), (64, 32, 16))
+STORAGE = ((100, 4, 92), (128, 32, 16))
 
 
-def place(symbols, end):
+def symbols(image):
+    """Name -> address, names as in C++."""
+    text = subprocess.run(["arm-none-eabi-nm", "-C", str(image)], capture_output=True, text=True, check=True).stdout
+    return {name: int(address, 16) for address, name in re.findall(r"^([0-9a-f]{8}) \S (.*)$", text, re.MULTILINE)}
+
+
+def place(table, end):
     """The one symbol with this end of its name."""
-    found = [row for name, row in symbols.items() if name.endswith(end)]
+    found = [address for name, address in table.items() if name.endswith(end) and not name.startswith("guard variable")]
     if len(found) != 1:
         raise zynqmp_machine.BadRun(f"{len(found)} symbols end with {end}, expected 1")
     return found[0]
 
 
-def flip(debugger, address, bit=1):
-    debugger.write(address, bytes([debugger.read(address, 1)[0] ^ bit]))
+# A fault -> address of a byte and its bits, from the symbols of the processor's image and its number.
+def stand(table, core):
+    return 0, 0
 
 
-def word(debugger, address):
-    return struct.unpack("<I", debugger.read(address, 4))[0]
+def cut(table, core):
+    return place(table, "Link()::link") + LINK_WRITES + 1, LINK_ELSEWHERE
 
 
-def stand(debugger, core, symbols):
-    debugger.write(symbols[core]["TwoCpuPoint"][0] & ~1, BRANCH_TO_ITSELF)
-
-
-def cut(debugger, core, symbols):
-    flip(debugger, place(symbols[core], "Link()::link")[0] + LINK_WRITES + 1, LINK_ELSEWHERE)
-
-
-def spoil_message(debugger, core, symbols):
+def spoil_message(table, core):
     """One bit of the message that this processor has just sent."""
-    newest = word(debugger, LINKS[core])
-    flip(debugger, LINKS[core] + FIRST_SLOT + SLOT_BYTES * (newest % SLOTS) + SLOT_WORDS + 30)
+    return LINKS[core] + FIRST_SLOT + SLOT_BYTES * (ORDER_CYCLE % SLOTS) + SLOT_WORDS + 30, 1
 
 
 def in_storage(offset):
-    return lambda debugger, core, symbols: flip(debugger, place(symbols[core], "two_cpu_storage")[0] + offset)
-
-
-def nothing(debugger, core, symbols):
-    pass
+    return lambda table, core: (place(table, "two_cpu_storage") + offset, 1)
 
 
 def fields(line):
@@ -70,10 +68,11 @@ def line_of(text, word_before):
 class Seen:
     """What one run showed: texts, clocks at the fault, and of a processor that stands when its output was driven last."""
 
-    def __init__(self, texts, clocks, driven):
-        self.texts, self.clocks, self.driven = texts, clocks, driven
+    def __init__(self, texts, driven=None):
+        self.texts, self.driven = texts, driven or {}
         self.limits = [line_of(text, "limits ") for text in texts]
         self.last = [line_of(text, "cpu ") for text in texts]
+        self.clocks = [line_of(text, "order ").get("at", 0) for text in texts]
 
     def closed(self, core):
         """Microseconds from the fault to the closed output; None: it stays open."""
@@ -85,29 +84,26 @@ class Seen:
         return max(0, self.driven[core] + self.limits[core]["gate"] - self.clocks[core])
 
     def was_open(self, core):
-        before = [line for line in self.texts[core].splitlines() if re.match(r"(open|closed) at=", line) and
-                  fields(line)["at"] < self.clocks[core]]
+        before = [line for line in self.texts[core].split("order at=")[0].splitlines() if re.match(r"(open|closed) at=", line)]
         return bool(before) and before[-1].startswith("open")
 
 
-def run(folder, core, change, stands=False):
-    """One run with a fault in the memory of this processor."""
+def run(folder, core=None, fault=None):
+    """One run, with a fault in one processor if that is named."""
     images = [folder / f"zynqmp_two_cpu_{number}.elf" for number in (0, 1)]
-    symbols = [zynqmp_debugger.symbols(image) for image in images]
-    with zynqmp_machine.Machine(images, can=True, shift=SHIFT, gdb=True) as machine:
-        machine.start(run=False)
-        debugger = zynqmp_debugger.Debugger(machine)
-        debugger.run_to(symbols[core]["TwoCpuPoint"][0])
-        clocks = [word(debugger, row["two_cpu_now"][0]) for row in symbols]
-        change(debugger, core, symbols)
-        debugger.go()
-        driven = {}
-        for number in (0, 1):
-            if not (stands and number == core):
-                machine.wait_for(number, "end=")
-        if stands:
-            driven[core] = struct.unpack("<I", machine.read(symbols[core]["two_cpu_driven"][0], 4))[0]
-        return Seen(machine.text, clocks, driven)
+    tables = [symbols(image) for image in images]
+    address, bits = fault(tables[core], core) if fault else (0, 0)
+    with tempfile.TemporaryDirectory() as work:
+        order = pathlib.Path(work) / "order"
+        order.write_bytes(struct.pack("<4I", ROLES[core] if fault else 0, address, bits, 0))
+        with zynqmp_machine.Machine(images, can=True, shift=SHIFT, files={order: ORDER}) as machine:
+            machine.start()
+            stands = core if fault and not bits else None
+            for number in (0, 1):
+                if number != stands:
+                    machine.wait_for(number, "end=")
+            driven = {} if stands is None else {stands: struct.unpack("<I", machine.read(place(tables[stands], "two_cpu_driven"), 4))[0]}
+            return Seen(machine.text, driven)
 
 
 def undisturbed(seen):
@@ -144,7 +140,7 @@ def told(seen):
 
 
 def check_quiet(report, folder):
-    seen = run(folder, 0, nothing)
+    seen = run(folder)
     problems = undisturbed(seen)
     report.add(not problems, "two CPUs on two emulated processors: both outputs open, 103h by one controller, 104h by the other",
                "; ".join(problems) or f"{seen.last[0]['own103']} pairs, {seen.last[0]['taken']} and {seen.last[1]['taken']} messages",
@@ -160,8 +156,8 @@ def check_quiet(report, folder):
 
 def check_faults(report, folder):
     for core in (0, 1):
-        for what, change, stands in (("stands", stand, True), ("no longer reaches the link", cut, False)):
-            seen = run(folder, core, change, stands)
+        for what, fault in (("stands", stand), ("no longer reaches the link", cut)):
+            seen = run(folder, core, fault)
             problems = not_closed(seen, "link")
             report.add(not problems, f"processor {core} {what}: both outputs close within {seen.limits[1 - core].get('link', 0) / 1000:.1f} ms",
                        "; ".join(problems) or told(seen), "SRS_ZYN_014")
@@ -178,17 +174,16 @@ def check_faults(report, folder):
 
 def check_judge(report, quiet):
     """The judge on runs that are made up of a good one."""
-    closed = [text.split("open at=")[0] + f"open at=5\nclosed at={clock + 1000}\ncpu open=0\nend=0\n"
-              for text, clock in zip(quiet.texts, quiet.clocks)]
-    late = [text.replace(f"closed at={clock + 1000}", f"closed at={clock + 900000}") for text, clock in zip(closed, quiet.clocks)]
-    never = closed[0].replace("open at=5\n", "")
-    runs = [quiet.texts, [closed[0], quiet.texts[1]], [quiet.texts[0], closed[1]], [closed[0], late[1]], [late[0], closed[1]],
-            [never, closed[1]]]
-    refused = sum(bool(not_closed(Seen(texts, quiet.clocks, {}), "link")) for texts in runs)
-    refused += bool(undisturbed(Seen(closed, quiet.clocks, {}))) + bool(undisturbed(Seen([quiet.texts[0], ""], quiet.clocks, {})))
-    good = not not_closed(Seen(closed, quiet.clocks, {}), "link")
-    report.add(refused == len(runs) + 2 and good, "an output that stays open, closes late or never was open is refused", f"{refused} of {len(runs) + 2}",
-               "SRS_ZYN_013", "SRS_ZYN_014", "SRS_ZYN_015")
+    start = "limits link=362500 channel=462500 configuration=462500 gate=37500\nopen at=400000\norder at=1500000\n"
+    closed, late = (f"{start}closed at={at}\ncpu open=0\nend=0\n" for at in (1862500, 1862501))
+    opened, never = f"{start}cpu open=1\nend=0\n", closed.replace("open at=400000\n", "")
+    runs = [(opened, opened), (closed, opened), (opened, closed), (closed, late), (late, closed), (never, closed), (start, closed)]
+    refused = sum(bool(not_closed(Seen(texts), "link")) for texts in runs)
+    refused += bool(not_closed(Seen((start, closed), {0: 1862500}), "link"))
+    refused += sum(bool(undisturbed(Seen(texts))) for texts in ((closed, closed), (quiet.texts[0], ""), (quiet.texts[0], quiet.texts[0])))
+    good = not not_closed(Seen((closed, closed)), "link") and not not_closed(Seen((start, closed), {0: 1500000}), "link")
+    report.add(refused == len(runs) + 4 and good, "an output that stays open, closes late or never was open is refused",
+               f"{refused} of {len(runs) + 4}", "SRS_ZYN_013", "SRS_ZYN_014", "SRS_ZYN_015")
 
 
 def check(report, folder):

@@ -19,8 +19,6 @@ namespace
 constexpr std::uint32_t kFirstCan = 0xFF060000U;
 constexpr std::uint32_t kCanBytes = 0x00010000U;
 constexpr std::uint32_t kNanosecondsPerMicrosecond = 1000U;
-constexpr std::uint32_t kTimer = 0xFF140000U; // The fourth TTC: nobody reads it, see TakeTurns.
-constexpr std::uint32_t kTurnCounts = 13300U; // 100 us of 133 MHz
 
 std::uint32_t Core() noexcept
 {
@@ -36,16 +34,6 @@ std::uint32_t WordOf(const std::uint8_t* const bytes) noexcept
 {
     return (static_cast<std::uint32_t>(bytes[0]) << 24U) | (static_cast<std::uint32_t>(bytes[1]) << 16U) |
            (static_cast<std::uint32_t>(bytes[2]) << 8U) | bytes[3];
-}
-
-/// The emulator lets one processor run until its next timer. One that ends each 100 us gives the other one its turn
-/// even where a processor no longer gives it away by itself.
-void TakeTurns() noexcept
-{
-    const auto write = [](const std::uint32_t offset, const std::uint32_t value)
-    { *reinterpret_cast<volatile std::uint32_t*>(kTimer + offset) = value; };
-    write(0x24U, kTurnCounts);
-    write(0x0CU, 0x12U); // From zero, by the interval.
 }
 
 class OwnPorts final : public hal::CanPorts
@@ -98,7 +86,6 @@ std::uint32_t microseconds;
 
 bool StartBoard() noexcept
 {
-    TakeTurns();
     const std::uint32_t enable = 5U; // Cycle counter on, from zero.
     asm volatile("mcr p15, 0, %0, c9, c12, 0" ::"r"(enable));
     asm volatile("mcr p15, 0, %0, c9, c12, 1" ::"r"(0x80000000U));

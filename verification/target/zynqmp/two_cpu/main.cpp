@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // One processor of a device with two: cycles, bus and link by its own clock, and what became of its output, told over
-// its UART. Channel A's processor plays the sensor as well. The runner stops it at TwoCpuPoint to change its memory.
-// [SRS_ZYN_013, SRS_ZYN_014, SRS_ZYN_015]
+// its UART. Channel A's processor plays the sensor as well. The runner lays an order into the OCM: which memory one of
+// the processors changes behind the back of its program, in its 60th cycle. [SRS_ZYN_013, SRS_ZYN_014, SRS_ZYN_015]
 #include "safety_core/kernel/limits.hpp"
 #include "verification/target/target.hpp"
 #include "verification/target/zynqmp/two_cpu/board.hpp"
@@ -12,17 +12,8 @@
 extern "C"
 {
     std::uint32_t TargetMain() noexcept;
-    void TwoCpuPoint() noexcept;
-
-    /// What the runner reads of a processor that no longer tells anything.
-    volatile std::uint32_t two_cpu_now;    ///< The own clock, as it was looked at last.
-    volatile std::uint32_t two_cpu_driven; ///< When the output was driven last.
-    volatile std::uint32_t two_cpu_value;  ///< Channel A's processor: what the sensor said last.
-}
-
-extern "C" [[gnu::noinline]] void TwoCpuPoint() noexcept
-{
-    asm volatile("nop\n nop\n nop\n nop"); // Room for what the runner writes here.
+    /// What the runner reads of a processor that no longer tells anything: when its output was driven last.
+    volatile std::uint32_t two_cpu_driven;
 }
 
 namespace counterpoint::two_cpu
@@ -32,9 +23,23 @@ namespace
 using target::Write;
 using target::WriteNumber;
 
-constexpr std::uint32_t kPointCycle = 60U;
+constexpr std::uint32_t kOrderCycle = 60U;
 constexpr std::uint32_t kLastCycle = 110U;
 constexpr std::uint32_t kFirstPairUs = 400000U;
+
+/// What the runner wants changed.
+struct Order
+{
+    std::uint32_t role;    ///< PeerRole of the processor that does it. 0: nobody.
+    std::uint32_t address; ///< Of a byte.
+    std::uint32_t bits;    ///< Of it, which flip. 0: the processor stands still instead.
+    std::uint32_t is_done;
+};
+
+volatile Order& TheOrder() noexcept
+{
+    return *reinterpret_cast<volatile Order*>(0xFFFDE000U);
+}
 
 Core& Self() noexcept
 {
@@ -61,6 +66,8 @@ class Executive
     void Sense() noexcept;
     void OneCycle() noexcept;
     void Watch() noexcept;
+    void ObeyOrder() noexcept;
+    void NoteOrder() noexcept;
     [[nodiscard]] Instant Look() noexcept;
     [[nodiscard]] bool IsDue(const Instant at) noexcept
     {
@@ -77,12 +84,14 @@ class Executive
     std::uint32_t peer_frames_[2]{}; ///< and by the other one.
     bool is_operational_{false};
     bool is_open_{false};
+    bool is_noted_{false};
+    Instant looked_{0U};
 };
 
 Instant Executive::Look() noexcept
 {
     const Instant now = Now();
-    two_cpu_now = now.us;
+    looked_ = now;
     return now;
 }
 
@@ -121,7 +130,6 @@ void Executive::Listen() noexcept
 void Executive::Sense() noexcept
 {
     value_ = (value_ + 0x0101U) & 0xFFFFU;
-    two_cpu_value = value_;
     for (std::uint32_t half = 0U; half < 2U; ++half)
     {
         const std::uint32_t bits = (half == 0U) ? value_ : ~value_;
@@ -154,15 +162,48 @@ void Executive::OneCycle() noexcept
     two_cpu_driven = now.us;
     static_cast<void>(Link().Send(message_));
     ++cycles_;
-    if (cycles_ == kPointCycle)
+    if (cycles_ == kOrderCycle)
     {
-        TwoCpuPoint();
+        ObeyOrder();
     }
     SendOut();
 }
 
+void Executive::ObeyOrder() noexcept
+{
+    volatile Order& order = TheOrder();
+    if (order.role != static_cast<std::uint32_t>(OwnRole()))
+    {
+        return;
+    }
+    NoteOrder();
+    order.is_done = 1U;
+    if (order.bits == 0U)
+    {
+        for (;;)
+        {
+            asm volatile("wfi"); // A loop that never sleeps would keep the emulator from running the other processor.
+        }
+    }
+    auto& byte = *reinterpret_cast<volatile std::uint8_t*>(order.address);
+    byte = static_cast<std::uint8_t>(byte ^ order.bits);
+}
+
+/// When the order was carried out, by this processor's clock: of the last look before it was seen, so not later.
+void Executive::NoteOrder() noexcept
+{
+    is_noted_ = true;
+    Write("order");
+    Tell("at", looked_.us);
+    Write("\n");
+}
+
 void Executive::Watch() noexcept
 {
+    if ((!is_noted_) && (TheOrder().is_done != 0U))
+    {
+        NoteOrder();
+    }
     const Instant now = Look();
     const bool is_open = Self().IsOpen(now);
     if (is_open != is_open_)
