@@ -12,7 +12,11 @@ constexpr std::uint16_t kFirst[]{0x000U, 0x001U, 0x103U, 0x104U};
 
 ZynqmpNeeds DescribeZynqmpNeeds() noexcept
 {
-    return ZynqmpNeeds{{&kFirst[0], sizeof(kFirst) / sizeof(kFirst[0])}, {nullptr, 0U}, zynqmp::BusLayout::kOneController, 0x80U, {1U}};
+    return ZynqmpNeeds{{&kFirst[0], sizeof(kFirst) / sizeof(kFirst[0])},
+                       {nullptr, 0U},
+                       zynqmp::BusLayout::kOneController,
+                       0x80U,
+                       {1U}};
 }
 
 } // namespace counterpoint::firmware

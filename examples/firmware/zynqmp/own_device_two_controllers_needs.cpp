@@ -14,7 +14,11 @@ constexpr std::uint16_t kSecond[]{0x001U, 0x112U, 0x114U};
 
 ZynqmpNeeds DescribeZynqmpNeeds() noexcept
 {
-    return ZynqmpNeeds{{&kFirst[0], sizeof(kFirst) / sizeof(kFirst[0])}, {&kSecond[0], sizeof(kSecond) / sizeof(kSecond[0])}, zynqmp::BusLayout::kOneBus, 0xC0U, {0x4U, 0x8U}};
+    return ZynqmpNeeds{{&kFirst[0], sizeof(kFirst) / sizeof(kFirst[0])},
+                       {&kSecond[0], sizeof(kSecond) / sizeof(kSecond[0])},
+                       zynqmp::BusLayout::kOneBus,
+                       0xC0U,
+                       {0x4U, 0x8U}};
 }
 
 } // namespace counterpoint::firmware

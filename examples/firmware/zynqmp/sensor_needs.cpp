@@ -12,7 +12,8 @@ constexpr std::uint16_t kFirst[]{0x000U, 0x001U};
 
 ZynqmpNeeds DescribeZynqmpNeeds() noexcept
 {
-    return ZynqmpNeeds{{&kFirst[0], sizeof(kFirst) / sizeof(kFirst[0])}, {nullptr, 0U}, zynqmp::BusLayout::kOneController, 0U, {}};
+    return ZynqmpNeeds{
+        {&kFirst[0], sizeof(kFirst) / sizeof(kFirst[0])}, {nullptr, 0U}, zynqmp::BusLayout::kOneController, 0U, {}};
 }
 
 } // namespace counterpoint::firmware

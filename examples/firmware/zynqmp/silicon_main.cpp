@@ -19,8 +19,8 @@ using namespace counterpoint;
 using namespace counterpoint::zynqmp;
 
 // LPD_LSBUS_CLK and CAN_REF_CLK 100 MHz, the processor 500 MHz.
-constexpr CountersSetup kCounters{ttc::kTtc0, 2U, CounterRate{25000000U, 32U}, 0U, CounterRate{500000000U, 32U}, 50U,
-                                  20000U};
+constexpr CountersSetup kCounters{ttc::kTtc0, 2U,    CounterRate{25000000U, 32U}, 0U, CounterRate{500000000U, 32U},
+                                  50U,        20000U};
 constexpr std::uint32_t kLowSpeedBusKhz = 100000U;
 constexpr std::uint32_t kCanReferenceMhz = 24U;
 constexpr std::uint32_t kCanPrescaler = 2U; ///< 500 kbit/s: 16 quanta a bit.
@@ -34,8 +34,15 @@ constexpr hal::WatchdogWindow kWatchdogWindow{500U, 1600U};
 
 [[nodiscard]] CanpsSetup CanSetup(const RegisterBase base, const IdentifierList& received) noexcept
 {
-    return CanpsSetup{base,         kCanPrescaler,      canps::BitTiming(12U, 3U, 3U), kCanReferenceMhz, received, kLatestLookUs,
-                      kUrgentBelow, kBusOffPauseCycles, kMostReturns};
+    return CanpsSetup{base,
+                      kCanPrescaler,
+                      canps::BitTiming(12U, 3U, 3U),
+                      kCanReferenceMhz,
+                      received,
+                      kLatestLookUs,
+                      kUrgentBelow,
+                      kBusOffPauseCycles,
+                      kMostReturns};
 }
 
 [[nodiscard]] SafetyPinsSetup PinsOf(const firmware::ZynqmpNeeds& needs) noexcept

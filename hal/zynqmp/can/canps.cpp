@@ -306,7 +306,9 @@ std::uint32_t Canps::Drain(hal::Clocks& clocks, FrameQueue& queue, const CanPort
         if (IsOurs(words.identifier))
         {
             const std::uint32_t length = words.length >> kLengthShift;
-            CanFrame frame{words.identifier >> kIdentifierShift, FrameKind::kData, port,
+            CanFrame frame{words.identifier >> kIdentifierShift,
+                           FrameKind::kData,
+                           port,
                            static_cast<std::uint8_t>((length > kMaxPayloadBytes) ? kMaxPayloadBytes : length),
                            {}};
             SetBytes(frame, 0U, words.data[0U]);

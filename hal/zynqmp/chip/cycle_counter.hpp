@@ -5,7 +5,6 @@
 #include <cstdint>
 
 /// The cycle counter of the Cortex-R5F (ARM DDI 0460, "Performance Monitoring Unit"), defined in hal/zynqmp/silicon.
-/// [SRS_ZYN_040]
 namespace counterpoint::zynqmp
 {
 

@@ -5,7 +5,7 @@
 #include "hal/tms570/chip/registers.hpp"
 
 /// The one way from the drivers to the hardware is that of hal/tms570: a register is a word at an address, on either
-/// family. [SRS_ZYN_040, SRS_ZYN_041]
+/// family. [SRS_ZYN_041]
 namespace counterpoint::zynqmp
 {
 

@@ -5,10 +5,10 @@
 namespace counterpoint::zynqmp
 {
 
-/// @brief All pins of the controller low and inputs. Needs nothing but the registers. [SRS_ZYN_063]
+/// @brief All pins of the controller low and inputs. Needs nothing but the registers.
 void CloseAllPins() noexcept;
 
-/// @brief All pins as above, both CAN controllers off the bus. [SRS_ZYN_065]
+/// @brief All pins as above, both CAN controllers off the bus.
 void CutOffEverything() noexcept;
 
 } // namespace counterpoint::zynqmp

@@ -12,7 +12,7 @@
 namespace counterpoint::zynqmp
 {
 
-/// The pins of a device as its board drives them: those of the controller, or others. [SRS_ZYN_061, SRS_ZYN_062]
+/// The pins of a device as its board drives them: those of the controller, or others. [SRS_ZYN_062]
 class OutputDriver : public hal::SafetyOutput, public hal::OutputCutoff
 {
   public:

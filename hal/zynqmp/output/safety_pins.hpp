@@ -24,7 +24,7 @@ struct SafetyPinsSetup
 
 /// Safety outputs on pins: low unless three right permits of this cycle open them. What shall be high is computed
 /// twice, each time with a reading of the gate and a copy of the setup of its own. Whatever differs, a pin that does
-/// not follow included, cuts all pins off until the next Start. [SRS_ZYN_061, SRS_ZYN_062, SRS_ZYN_063]
+/// not follow included, cuts all pins off until the next Start. [SRS_ZYN_062]
 ///
 /// Invariant: `copy_` is the complement of `setup_`, `driven_copy_` that of `driven_`.
 class SafetyPins final : public OutputDriver

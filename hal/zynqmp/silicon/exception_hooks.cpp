@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// What hal/zynqmp/start asks of the hardware after an exception. [SRS_ZYN_065]
+// What hal/zynqmp/start asks of the hardware after an exception.
 #include "hal/tms570/chip/processor.hpp"
 #include "hal/zynqmp/output/cut_off.hpp"
 #include "hal/zynqmp/start/exceptions.hpp"

@@ -32,8 +32,8 @@ namespace
 tms570::MpuSetup FixedRegions() noexcept
 {
     return tms570::MpuSetup{{NumberOf(&image_code_start[0]), NumberOf(&image_code_length[0])},
-                    {NumberOf(&image_ram_start[0]), NumberOf(&image_ram_length[0])},
-                    {NumberOf(&region_non_safety[0]), NumberOf(&region_non_safety_length[0])}};
+                            {NumberOf(&image_ram_start[0]), NumberOf(&image_ram_length[0])},
+                            {NumberOf(&region_non_safety[0]), NumberOf(&region_non_safety_length[0])}};
 }
 
 bool ProtectParties(hal::MemoryProtection& protection) noexcept

@@ -12,7 +12,8 @@ extern "C"
     extern std::uint32_t stack_non_safety_top[];
 }
 
-/// The memory protection unit belongs to the processor and is that of a TMS570's: its driver is hal/tms570/diagnosis/mpu.
+/// The memory protection unit belongs to the processor and is that of a TMS570's: its driver is
+/// hal/tms570/diagnosis/mpu.
 namespace counterpoint::zynqmp
 {
 

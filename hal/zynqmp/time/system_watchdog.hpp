@@ -19,8 +19,7 @@ struct SystemWatchdogSetup
 };
 
 /// The system watchdog. The hardware knows a last moment only and takes a fixed key: question, answer and the beginning
-/// of the window are those of hal::WatchdogTimer, in software, and the key comes out of the answer. [SRS_ZYN_059,
-/// SRS_ZYN_060]
+/// of the window are those of hal::WatchdogTimer, in software, and the key comes out of the answer. [SRS_ZYN_060]
 class SystemWatchdog final : public WatchdogDriver
 {
   public:

@@ -8,7 +8,7 @@
 namespace counterpoint::zynqmp
 {
 
-/// The watchdog as the board drives it: that of the controller, or one outside of it. [SRS_ZYN_059]
+/// The watchdog as the board drives it: that of the controller, or one outside of it.
 class WatchdogDriver : public hal::Watchdog
 {
   public:

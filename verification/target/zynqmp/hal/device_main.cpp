@@ -40,7 +40,8 @@ std::uint32_t Run() noexcept
 {
     const Scenario& scenario = TheScenario();
     const firmware::ZynqmpNeeds needs = firmware::DescribeZynqmpNeeds();
-    const CanPortsSetup can{EmulatedCan(canps::kCan0, needs.first), EmulatedCan(canps::kCan1, needs.second), needs.layout};
+    const CanPortsSetup can{EmulatedCan(canps::kCan0, needs.first), EmulatedCan(canps::kCan1, needs.second),
+                            needs.layout};
     const StartReport report = board.Start(BoardSetup{can, kEmulatedCounters, FixedRegions()});
     Check(report.outcome == Outcome::kDone, "board: started");
     Check(StartPeer(scenario), "the other node is on the bus");
@@ -90,7 +91,9 @@ void SendPast(const RegisterBase base, const OtherFrame& frame) noexcept
 
 SrdoState StateOf(const Stage& stage, const std::uint8_t srdo) noexcept
 {
-    return stage.driven.kernel.GetState(CommunicationIndex{static_cast<std::uint16_t>((kFirstCommunication - 1U) + srdo)}).state;
+    return stage.driven.kernel
+        .GetState(CommunicationIndex{static_cast<std::uint16_t>((kFirstCommunication - 1U) + srdo)})
+        .state;
 }
 
 } // namespace counterpoint::target

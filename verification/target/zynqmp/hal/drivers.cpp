@@ -366,7 +366,8 @@ void TestLateLook() noexcept
     SendFromSecond(0x103U, 1U);
     Check(Next().kind == QueuedKind::kLoss, "CAN: a late look at a frame: its moment is not known, a loss is told");
     Check(IsReceived(ports.Next(), 0x103U), "CAN: the frame follows");
-    Check(ports.Transmit(FrameOf(0x121U, CanPortId::kFirst, 1U, 0U)) == TransmitStatus::kAccepted, "CAN: a frame is sent");
+    Check(ports.Transmit(FrameOf(0x121U, CanPortId::kFirst, 1U, 0U)) == TransmitStatus::kAccepted,
+          "CAN: a frame is sent");
     Wait(2000U);
     Check(Next().kind == QueuedKind::kLoss, "CAN: a late look at a confirmation is a loss, too");
     Restart();
@@ -391,11 +392,11 @@ void TestConfirmations() noexcept
     bool are_taken = true;
     for (std::uint32_t number = 0U; number < 3U; ++number)
     {
-        are_taken = are_taken && (ports.Transmit(FrameOf(identifiers[number], CanPortId::kFirst, 1U,
-                                                         static_cast<std::uint8_t>(number))) == TransmitStatus::kAccepted);
+        are_taken =
+            are_taken && (ports.Transmit(FrameOf(identifiers[number], CanPortId::kFirst, 1U,
+                                                 static_cast<std::uint8_t>(number))) == TransmitStatus::kAccepted);
     }
-    are_taken = are_taken &&
-                (ports.Transmit(FrameOf(0x002U, CanPortId::kFirst, 1U, 9U)) == TransmitStatus::kAccepted);
+    are_taken = are_taken && (ports.Transmit(FrameOf(0x002U, CanPortId::kFirst, 1U, 9U)) == TransmitStatus::kAccepted);
     Check(are_taken, "CAN: three frames and an urgent one are taken at once");
     const std::uint8_t order[]{0U, 9U, 1U, 2U};
     bool is_bus_order = true;
@@ -403,11 +404,11 @@ void TestConfirmations() noexcept
     for (const std::uint8_t expected : order)
     {
         const QueuedFrame received = Next();
-        is_bus_order = is_bus_order && (received.kind == QueuedKind::kReceived) &&
-                       (received.frame.frame.data[0U] == expected);
+        is_bus_order =
+            is_bus_order && (received.kind == QueuedKind::kReceived) && (received.frame.frame.data[0U] == expected);
         const QueuedFrame confirmed = ports.Next();
-        is_confirmed = is_confirmed && (confirmed.kind == QueuedKind::kConfirmed) &&
-                       (confirmed.frame.frame.data[0U] == expected);
+        is_confirmed =
+            is_confirmed && (confirmed.kind == QueuedKind::kConfirmed) && (confirmed.frame.frame.data[0U] == expected);
         Wait(50U);
     }
     Check(is_bus_order, "CAN: the urgent frame goes before those that wait, behind the one under way");
@@ -422,7 +423,8 @@ void TestConfirmations() noexcept
 void TestLostConfirmation() noexcept
 {
     Restart();
-    Check(ports.Transmit(FrameOf(0x121U, CanPortId::kFirst, 1U, 1U)) == TransmitStatus::kAccepted, "CAN: one more frame");
+    Check(ports.Transmit(FrameOf(0x121U, CanPortId::kFirst, 1U, 1U)) == TransmitStatus::kAccepted,
+          "CAN: one more frame");
     Write(At(canps::kCan0, canps::kClearEvents), canps::kSent);
     Check(IsFrame(Next(), QueuedKind::kReceived, CanPortId::kSecond, 0x121U), "CAN: it was on the bus");
     Check(IsNothing(ports.Next()), "CAN: its confirmation is lost, and none is invented");
@@ -509,7 +511,8 @@ void TestAbsent() noexcept
     Check(watchdog.Start() == Outcome::kFailed, "absent: a watchdog that does not read as set up is refused");
     static Board board{BoardParts{own, pins, watchdog}};
     const StartReport report = board.Start(BoardSetup{Setup(), kEmulatedCounters, FixedRegions()});
-    Check((report.outcome == Outcome::kFailed) && (report.last == StartStep::kPins), "board: the start ends at the pins");
+    Check((report.outcome == Outcome::kFailed) && (report.last == StartStep::kPins),
+          "board: the start ends at the pins");
     Check(board.Fault() == BoardFault::kStart, "board: which is told");
     Check(board.StartWatchdog() == Outcome::kFailed, "board: the watchdog is not started");
     Check(board.BeginCycle() == BoardFault::kStart, "board: no cycle begins");

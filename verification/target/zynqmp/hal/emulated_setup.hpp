@@ -11,8 +11,13 @@ namespace counterpoint::target
 {
 
 /// The emulator's timers count 133 MHz, have 16 bits and may not roll over; its cycle counter counts nanoseconds.
-inline constexpr zynqmp::CountersSetup kEmulatedCounters{
-    zynqmp::ttc::kTtc0, 7U, zynqmp::CounterRate{1039062U, 16U}, 0x8000U, zynqmp::CounterRate{1000000000U, 32U}, 50U, 20000U};
+inline constexpr zynqmp::CountersSetup kEmulatedCounters{zynqmp::ttc::kTtc0,
+                                                         7U,
+                                                         zynqmp::CounterRate{1039062U, 16U},
+                                                         0x8000U,
+                                                         zynqmp::CounterRate{1000000000U, 32U},
+                                                         50U,
+                                                         20000U};
 
 /// 24 MHz: 16 quanta a bit of 500 kbit/s, sampled after 13 of them.
 inline constexpr std::uint32_t kCanReferenceMhz = 24U;
@@ -24,8 +29,8 @@ inline constexpr std::uint16_t kUrgentBelow = 0x80U;
 [[nodiscard]] constexpr zynqmp::CanpsSetup EmulatedCan(const zynqmp::RegisterBase base,
                                                        const zynqmp::IdentifierList& received) noexcept
 {
-    return zynqmp::CanpsSetup{base,         kCanPrescaler, kCanBitTiming, kCanReferenceMhz, received, kLatestLookUs,
-                              kUrgentBelow, 3U,            2U};
+    return zynqmp::CanpsSetup{
+        base, kCanPrescaler, kCanBitTiming, kCanReferenceMhz, received, kLatestLookUs, kUrgentBelow, 3U, 2U};
 }
 
 } // namespace counterpoint::target
