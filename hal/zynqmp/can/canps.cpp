@@ -292,6 +292,21 @@ InstantPair Canps::InOrder(const InstantPair& stamp) noexcept
     return latest_;
 }
 
+void Canps::Deliver(const Words& words, const InstantPair& stamp, FrameQueue& queue, const CanPortId port) noexcept
+{
+    if (!IsOurs(words.identifier))
+    {
+        foreign_ += (foreign_ != kWholeWord) ? 1U : 0U;
+        return;
+    }
+    const std::uint32_t length = words.length >> kLengthShift;
+    CanFrame frame{words.identifier >> kIdentifierShift, FrameKind::kData, port, kMaxPayloadBytes, {}};
+    frame.length_bytes = (length > kMaxPayloadBytes) ? kMaxPayloadBytes : static_cast<std::uint8_t>(length);
+    SetBytes(frame, 0U, words.data[0U]);
+    SetBytes(frame, kWordBytes, words.data[1U]);
+    queue.Put(QueuedFrame{QueuedKind::kReceived, StampedFrame{frame, InOrder(stamp)}});
+}
+
 // Returns how many frames there were. Each look at the FIFO comes before a reading of the counters.
 std::uint32_t Canps::Drain(hal::Clocks& clocks, FrameQueue& queue, const CanPortId port,
                            const StampSource source) noexcept
@@ -303,22 +318,7 @@ std::uint32_t Canps::Drain(hal::Clocks& clocks, FrameQueue& queue, const CanPort
         const Words words = ReadFrame();
         const InstantPair now = clocks.Now();
         const InstantPair stamp = StampOf(now, words.length & kTimeStampMask, source, queue);
-        if (IsOurs(words.identifier))
-        {
-            const std::uint32_t length = words.length >> kLengthShift;
-            CanFrame frame{words.identifier >> kIdentifierShift,
-                           FrameKind::kData,
-                           port,
-                           static_cast<std::uint8_t>((length > kMaxPayloadBytes) ? kMaxPayloadBytes : length),
-                           {}};
-            SetBytes(frame, 0U, words.data[0U]);
-            SetBytes(frame, kWordBytes, words.data[1U]);
-            queue.Put(QueuedFrame{QueuedKind::kReceived, StampedFrame{frame, InOrder(stamp)}});
-        }
-        else
-        {
-            foreign_ += (foreign_ != kWholeWord) ? 1U : 0U;
-        }
+        Deliver(words, stamp, queue, port);
         before = now;
         ++frames;
     }

@@ -116,6 +116,7 @@ class Canps
                                       StampSource source) noexcept;
     [[nodiscard]] InstantPair StampOf(const InstantPair& now, std::uint32_t time_stamp, StampSource source,
                                       FrameQueue& queue) const noexcept;
+    void Deliver(const Words& words, const InstantPair& stamp, FrameQueue& queue, CanPortId port) noexcept;
     [[nodiscard]] InstantPair InOrder(const InstantPair& stamp) noexcept;
     void TakeConfirmation(hal::Clocks& clocks, FrameQueue& queue, CanPortId port) noexcept;
     void StartNext() noexcept;

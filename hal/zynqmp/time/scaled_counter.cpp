@@ -18,13 +18,13 @@ constexpr std::uint32_t kTopBit = 0x80000000U;
 {
     std::uint32_t fraction = 0U;
     std::uint32_t rest = kMillion;
-    for (std::uint32_t bit = kTopBit; bit != 0U; bit >>= 1U)
+    for (std::uint32_t bit = 0U; bit < kWordBits; ++bit)
     {
         rest <<= 1U;
         if (rest >= hertz)
         {
             rest -= hertz;
-            fraction |= bit;
+            fraction |= kTopBit >> bit;
         }
     }
     return fraction;
