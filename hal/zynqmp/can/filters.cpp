@@ -13,7 +13,6 @@ namespace
 using namespace canps;
 
 constexpr std::uint32_t kIdentifierBits = 11U;
-constexpr std::uint32_t kExact = kIdentifierMask;
 
 [[nodiscard]] AcceptanceFilter Join(const AcceptanceFilter& one, const AcceptanceFilter& other) noexcept
 {
@@ -69,7 +68,7 @@ FilterPlan PlanFilters(const IdentifierList& identifiers) noexcept
         {
             return FilterPlan{{}, 0U};
         }
-        filters[count] = AcceptanceFilter{identifier, static_cast<std::uint16_t>(kExact)};
+        filters[count] = AcceptanceFilter{identifier, static_cast<std::uint16_t>(kIdentifierMask)};
         ++count;
         if (count > kMostFilters)
         {

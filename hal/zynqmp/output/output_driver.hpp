@@ -28,6 +28,11 @@ class OutputDriver : public hal::SafetyOutput, public hal::OutputCutoff
     /// @brief The outputs in series with the gates, the lowest for bit 0.
     virtual void SetOutputs(std::uint32_t bits) noexcept = 0;
 
+    OutputDriver(const OutputDriver&) = delete;
+    OutputDriver(OutputDriver&&) = delete;
+    OutputDriver& operator=(const OutputDriver&) = delete;
+    OutputDriver& operator=(OutputDriver&&) = delete;
+
   protected:
     OutputDriver() noexcept = default;
     ~OutputDriver() noexcept = default;

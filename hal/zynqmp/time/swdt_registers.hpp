@@ -26,7 +26,6 @@ inline constexpr std::uint32_t kControlKey = 0x920000U;
 inline constexpr std::uint32_t kRestartKey = 0x1999U;
 inline constexpr std::uint32_t kControlMask = 0x3FFFU;
 inline constexpr std::uint32_t kReloadShift = 2U;
-inline constexpr std::uint32_t kDivideBy8 = 0U;
 /// The counter starts from the reload value, of 12 bits, followed by 12 bits 1.
 inline constexpr std::uint32_t kStepCounts = 4096U;
 inline constexpr std::uint32_t kDivider = 8U;

@@ -22,7 +22,7 @@ constexpr std::uint32_t kStep = kStepCounts * kDivider;
 
 [[nodiscard]] std::uint32_t ControlOf(const std::uint32_t steps) noexcept
 {
-    return ((steps - 1U) << kReloadShift) | kDivideBy8;
+    return (steps - 1U) << kReloadShift; // And the least divider, 8.
 }
 
 } // namespace

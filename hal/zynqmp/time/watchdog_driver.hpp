@@ -17,6 +17,11 @@ class WatchdogDriver : public hal::Watchdog
     /// @brief Once a cycle: set up as it was, and not tripped.
     [[nodiscard]] virtual Outcome Examine() noexcept = 0;
 
+    WatchdogDriver(const WatchdogDriver&) = delete;
+    WatchdogDriver(WatchdogDriver&&) = delete;
+    WatchdogDriver& operator=(const WatchdogDriver&) = delete;
+    WatchdogDriver& operator=(WatchdogDriver&&) = delete;
+
   protected:
     WatchdogDriver() noexcept = default;
     ~WatchdogDriver() noexcept = default;
