@@ -117,6 +117,10 @@ def collect_objects(progress):
     debian = fresh(DATA / "debian")
     progress.run("Making Debian packages", "cpack", ["cpack", "-G", "DEB", "--config", "build/product/CPackConfig.cmake", "-B", debian])
     shutil.rmtree(debian / "_CPack_Packages")
+    progress.run("Making a clean Debian 12 for what is handed out", "clean_root",
+                 ["bash", "verification/gates/packages/clean_root.sh", ROOT / "build/clean_root"])
+    (DATA / "clean_root").unlink(missing_ok=True)
+    (DATA / "clean_root").symlink_to(ROOT / "build/clean_root")
 
 
 def collect_coverage(progress, jobs):

@@ -7,7 +7,7 @@ Builds images (build/target) and the same programs for the host (build/product).
 compilers into one image, faults that end a run, the conformance cases and the differential sequences (number, failures,
 hash: as on the host), the network manager with a whole safety device as its slave, the firmware examples in scenarios and with
 misdeeds, the images for silicon, coverage of the target's objects, symbols, both byte orders, stack; cases and sequences
-little-endian on four Cortex-M; the Cortex-R5F of a Zynq UltraScale+: start-up, cases and sequences, a device with two CPUs on both
+little-endian on four Cortex-M; the Cortex-R5F of a Zynq UltraScale+: start-up, cases and sequences, the third voice, a device with two CPUs on both
 processors and faults in one of them. Result: build/target/target.json.
   --tests     coverage with the tests of core, link and self tests and with corrupted storage, too: 360 tests on the target; then
               no condition of a decision may be left that the target does not show (some minutes more)
@@ -232,7 +232,7 @@ def main():
                                                *(f"{device}_be32" for device in firmware_run.DEVICES),
                                                *(f"own_device_{variant}_be32" for variant in image_check.VARIANTS),
                                                *target_build.CERTIFIED_TARGETS], TARGET)
-        target_build.build_preset("product", ["conformance_host", "manager_host", *(f"firmware_{device}_host" for device in firmware_run.DEVICES)])
+        target_build.build_preset("product", ["conformance_host", "third_voice_host", "manager_host", *(f"firmware_{device}_host" for device in firmware_run.DEVICES)])
         cortex_m_run.build()
         zynqmp_run.build()
         zynqmp_hal_run.build()
@@ -248,7 +248,7 @@ def main():
     byte_order.check(report, TARGET, PRODUCT)
     cortex_m_run.check(report, PRODUCT / "verification/target/conformance/conformance_host")
     zynqmp_hal_run.check(report)
-    zynqmp_run.check(report, PRODUCT / "verification/target/conformance/conformance_host",
+    zynqmp_run.check(report, PRODUCT / "verification/target",
                      IMAGES / "conformance/conformance.bin", compilers_of)
     coverage = coverage_run.check(report, covered)
     rows = check_stack(report)

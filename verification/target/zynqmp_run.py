@@ -13,7 +13,7 @@ PROGRAMS = BUILD / "verification/target/zynqmp"
 # All cases, and so many sequences as on the other little-endian processors; the big-endian one runs a hundred times as many besides.
 ARGUMENT = "short"
 RUNS = ("conformance_a", "conformance_b", "differential")
-IMAGES = ["conformance", "zynqmp_start_0", "zynqmp_start_1", "zynqmp_start_tcm", *zynqmp_two_cpu.IMAGES]
+IMAGES = ["conformance", "third_voice", "zynqmp_start_0", "zynqmp_start_1", "zynqmp_start_tcm", *zynqmp_two_cpu.IMAGES]
 HOLDS = ("variables with an initial value", "variables without one are zero", "constructors ran", "the floating-point unit computes",
          "the memory protection is on", "each party writes what is its own")
 # Argument of the program -> cause of the exception (hal::ExceptionCause) and where the access was, by the linker's symbol.
@@ -57,6 +57,26 @@ def check_conformance(report, host_program, big_endian_image):
     refused = sum(not same(other, expected) for other in wrong)
     report.add(refused == len(wrong) and same(expected, expected), "another hash or a run that did not end is refused",
                f"{refused} of {len(wrong)}", "SRS_ZYN_001")
+
+
+def equal_sequences(ours, theirs):
+    """Whether the third voice ended on both, with sequences, without a difference, and alike."""
+    return ours is not None and ours == theirs and " failures=0 " in ours and not ours.startswith("cases=0 ")
+
+
+def check_third_voice(report, host_program):
+    host = subprocess.run([host_program], capture_output=True, text=True, timeout=600, check=False)
+    expected = outcomes(host.stdout).get("third_voice")
+    texts, status = zynqmp_machine.run([BUILD / "verification/target/third_voice/third_voice.elf"], instructions=False)
+    found = outcomes(texts[0]).get("third_voice")
+    report.add(status == 0 and equal_sequences(found, expected), "third voice beside kernel and channels on the Zynq UltraScale+, as on the host",
+               found or "did not end", "SRS_ZYN_016")
+    line = "cases=9 failures=0 hash=00c0ffee steps=5"
+    wrong = [line.replace("ee", "ef"), line.replace("=9", "=8"), line.replace("failures=0", "failures=1"), line + "0", None]
+    refused = sum(not equal_sequences(other, line) for other in wrong) + (not equal_sequences("cases=0 failures=0 ", "cases=0 failures=0 "))
+    refused += not equal_sequences(wrong[2], wrong[2])
+    report.add(refused == 7 and equal_sequences(line, line), "another hash or count, a difference, or no run of the third voice is refused",
+               f"{refused} of 7", "SRS_ZYN_016")
 
 
 def check_objects(report, compilers_of):
@@ -179,8 +199,9 @@ def check_layout(report):
                f"{refused} of {len(wrong)}, {len(emulated)} findings", "SRS_ZYN_004")
 
 
-def check(report, host_program, big_endian_image, compilers_of):
-    check_conformance(report, host_program, big_endian_image)
+def check(report, host_folder, big_endian_image, compilers_of):
+    check_conformance(report, host_folder / "conformance/conformance_host", big_endian_image)
+    check_third_voice(report, host_folder / "third_voice/third_voice_host")
     check_objects(report, compilers_of)
     check_start(report)
     check_layout(report)

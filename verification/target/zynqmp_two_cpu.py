@@ -1,7 +1,7 @@
 """A device with two CPUs on the two emulated processors, and what a fault in one of them does to both outputs.
 
 A fault is a change of memory behind the back of the program, or an endless loop, by an order that the runner lays into the OCM: the
-processor carries it out in its 60th cycle, the same in each run. What became of the outputs is told by each processor at its UART, by
+processor carries it out in its 40th cycle, the same in each run. What became of the outputs is told by each processor at its UART, by
 its own clock; of one that stands, its output closes by the rule of the gate, so long after the last Drive as the gate keeps open.
 """
 import pathlib
@@ -16,7 +16,7 @@ IMAGES = ["zynqmp_two_cpu_0", "zynqmp_two_cpu_1", "zynqmp_two_cpu_0_tcm", "zynqm
 SHIFT = 5                # 32 ns an instruction
 ORDER = 0xFFFDE000       # Four words: role of the processor, address of a byte, its bits that flip (0: it stands), done.
 ROLES = (0xA5, 0x5B)     # PeerRole
-ORDER_CYCLE = 60         # Each processor sends one message a cycle, the first one has the number 1.
+ORDER_CYCLE = 40         # Each processor sends one message a cycle, the first one has the number 1.
 LINK_WRITES = 4          # In a SharedLink: the mailbox that it writes.
 LINK_ELSEWHERE = 0x40    # Bit 14 of that address: still OCM, but nobody reads there.
 SLOT_BYTES, SLOT_WORDS, FIRST_SLOT, SLOTS = 200, 8, 4, 4
@@ -113,10 +113,10 @@ def undisturbed(seen):
         last, other = seen.last[core], seen.last[1 - core]
         if not seen.was_open(core) or last.get("open") != 1 or seen.closed(core) is not None:
             problems.append(f"the output of processor {core} does not stay open")
-        if last.get("received", 0) < 15 or last.get("sent", 0) < 15 or last.get("taken", 0) < 100:
+        if last.get("received", 0) < 8 or last.get("sent", 0) < 8 or last.get("taken", 0) < 65:
             problems.append(f"processor {core}: {last}")
         own, foreign = (("own103", "own104"), ("own104", "own103"))[core]
-        if last.get(own, 0) < 15 or last.get(foreign) != 0 or abs(other.get("peer" + own[3:], 0) - last.get(own, 0)) > 1:
+        if last.get(own, 0) < 8 or last.get(foreign) != 0 or abs(other.get("peer" + own[3:], 0) - last.get(own, 0)) > 1:
             problems.append(f"frames of processor {core}: {last}")
     return problems
 

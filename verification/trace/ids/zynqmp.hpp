@@ -20,6 +20,7 @@ inline constexpr RequirementId SRS_ZYN_012{"SRS_ZYN_012"};
 inline constexpr RequirementId SRS_ZYN_013{"SRS_ZYN_013"};
 inline constexpr RequirementId SRS_ZYN_014{"SRS_ZYN_014"};
 inline constexpr RequirementId SRS_ZYN_015{"SRS_ZYN_015"};
+inline constexpr RequirementId SRS_ZYN_016{"SRS_ZYN_016"};
 } // namespace counterpoint::req
 
 #endif

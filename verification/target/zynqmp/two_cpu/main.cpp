@@ -2,7 +2,7 @@
 //
 // One processor of a device with two: cycles, bus and link by its own clock, and what became of its output, told over
 // its UART. Channel A's processor plays the sensor as well. The runner lays an order into the OCM: which memory one of
-// the processors changes behind the back of its program, in its 60th cycle. [SRS_ZYN_013, SRS_ZYN_014, SRS_ZYN_015]
+// the processors changes behind the back of its program, in its 40th cycle. [SRS_ZYN_013, SRS_ZYN_014, SRS_ZYN_015]
 #include "safety_core/kernel/limits.hpp"
 #include "verification/target/target.hpp"
 #include "verification/target/zynqmp/two_cpu/board.hpp"
@@ -23,8 +23,8 @@ namespace
 using target::Write;
 using target::WriteNumber;
 
-constexpr std::uint32_t kOrderCycle = 60U;
-constexpr std::uint32_t kLastCycle = 110U;
+constexpr std::uint32_t kOrderCycle = 40U;
+constexpr std::uint32_t kLastCycle = 72U;
 constexpr std::uint32_t kFirstPairUs = 400000U;
 
 /// What the runner wants changed.
