@@ -6,8 +6,8 @@
 
 #include <cstdint>
 
-/// The CAN controllers of the processing system: offsets and bits. Source: UG1085, chapter "CAN Controller"; UG1087,
-/// module CAN.
+/// The CAN controllers of the processing system: offsets and bits. Source: UG1085, pages of chapter "CAN
+/// Controller"; offsets and bits as QEMU's hw/net/can/xlnx-zynqmp-can.c has them.
 namespace counterpoint::zynqmp::canps
 {
 

@@ -6,8 +6,8 @@
 
 #include <cstdint>
 
-/// General purpose pins: six banks. Source: UG1085, chapter "GPIO Interface"; UG1087, module GPIO. The emulator has
-/// none.
+/// General purpose pins: six banks. Source: register header of the vendor's public driver gpiops; the base address
+/// was not checked against a manual. The emulator has none.
 namespace counterpoint::zynqmp::gpio
 {
 

@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// Outputs on pins of the controller (UG1085, "GPIO Interface"). After reset all pins are inputs; a pull-down outside
+// Outputs on pins of the controller (gpio_registers.hpp). After reset all pins are inputs; a pull-down outside
 // makes that the safe state.
 #include "hal/zynqmp/output/safety_pins.hpp"
 

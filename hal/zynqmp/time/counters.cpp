@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// Triple timer counter (UG1085, "Triple-Timer Counters") and cycle counter (ARM DDI 0460, "Performance Monitoring
+// Triple timer counter (ttc_registers.hpp) and cycle counter (ARM DDI 0460, "Performance Monitoring
 // Unit").
 #include "hal/zynqmp/time/counters.hpp"
 

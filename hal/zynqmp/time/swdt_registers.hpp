@@ -6,8 +6,8 @@
 
 #include <cstdint>
 
-/// System watchdog timer of the low-power domain. Source: UG1085, chapter "System Watchdog Timers"; UG1087, module
-/// SWDT. The emulator has none.
+/// System watchdog timer of the low-power domain. Source: register header of the vendor's public driver
+/// wdtps; the base address was not checked against a manual. The emulator has none.
 namespace counterpoint::zynqmp::swdt
 {
 

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-/// Triple timer counter, its first counter. Source: UG1085, chapter "Timers and Counters"; UG1087, module TTC.
+/// Triple timer counter, its first counter. Source: QEMU's hw/timer/cadence_ttc.c; no manual was at hand.
 namespace counterpoint::zynqmp::ttc
 {
 
