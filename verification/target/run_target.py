@@ -33,6 +33,7 @@ import manager_run
 import objects
 import stack
 import target_build
+import zynqmp_hal_run
 import zynqmp_machine
 import zynqmp_run
 
@@ -234,6 +235,7 @@ def main():
         target_build.build_preset("product", ["conformance_host", "third_voice_host", "manager_host", *(f"firmware_{device}_host" for device in firmware_run.DEVICES)])
         cortex_m_run.build()
         zynqmp_run.build()
+        zynqmp_hal_run.build()
         coverage_run.build(covered)
     report = Report()
     check_selftest(report)
@@ -245,6 +247,7 @@ def main():
     check_images(report)
     byte_order.check(report, TARGET, PRODUCT)
     cortex_m_run.check(report, PRODUCT / "verification/target/conformance/conformance_host")
+    zynqmp_hal_run.check(report)
     zynqmp_run.check(report, PRODUCT / "verification/target",
                      IMAGES / "conformance/conformance.bin", compilers_of)
     coverage = coverage_run.check(report, covered)

@@ -66,14 +66,14 @@ hal::LinkStatus SharedLink::Send(const hal::LinkFrame& frame) noexcept
 
 hal::LinkStatus SharedLink::Receive(hal::LinkFrame& frame) noexcept
 {
-    const std::uint32_t waiting = from_.newest.Load() - taken_;
+    const std::uint32_t newest = from_.newest.Load();
+    const std::uint32_t waiting = newest - taken_;
     if (waiting > kLinkSlots)
     {
         Add(losses_.overwritten, waiting - kLinkSlots);
         taken_ += waiting - kLinkSlots;
     }
-    const std::uint32_t looks = (waiting > kLinkSlots) ? kLinkSlots : waiting;
-    for (std::uint32_t look = 0U; look < looks; ++look)
+    for (std::uint32_t look = 0U; (look < kLinkSlots) && (taken_ != newest); ++look)
     {
         ++taken_;
         if (Copy(taken_, frame))

@@ -29,6 +29,10 @@ extern "C"
     void FirmwareMain() noexcept;
     void FirmwareInterrupt() noexcept;
     void FirmwareFastInterrupt() noexcept;
+
+    /// @brief Calls `code` in user mode with a stack that ends below `stack_top`. The memory protection decides what it
+    /// may write. [SRS_ZYN_069]
+    void RunUnprivileged(void (*code)() noexcept, std::uint32_t* stack_top) noexcept;
 }
 
 #endif

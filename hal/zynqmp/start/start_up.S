@@ -199,10 +199,57 @@ FirmwareVectors:
     exception Reserved, 5, 4
     mov r1, #0
     enter_exception Reserved
-    exception SupervisorCall, 5, 4     @ nobody calls
+@ The only supervisor call there is: unprivileged code came back to UnprivilegedReturn. From anywhere else, or in any other
+@ mode, it is an exception.
+    begin SupervisorCall
+    setend le
+    mrs r0, spsr
+    and r1, r0, #0x1F
+    cmp r1, #.Lmode_user
+    ldreq r1, =UnprivilegedReturn + 4
+    cmpeq lr, r1
+    bne ForeignCall
+    ldr r1, =unprivileged_stack
+    ldr r2, [r1]
+    cmp r2, #0
+    beq ForeignCall
+    mov r3, #0
+    str r3, [r1]
+    orr r0, r0, #.Lmode_system         @ user and system mode differ in the low four bits
+    msr cpsr_cxsf, r0
+    mov sp, r2
+    pop {r2, r3}
+    vmsr fpscr, r2
+    vpop {d8-d15}
+    pop {r3-r11, pc}
+    finish SupervisorCall
+
+    exception ForeignCall, 5, 4
     place_of_thumb
     mov r1, #0
-    enter_exception SupervisorCall
+    enter_exception ForeignCall
+
+@ void RunUnprivileged(void (*code)(), std::uint32_t* stack_top): calls `code` in user mode on a stack of its own. User and
+@ system mode share the stack pointer: ours waits in unprivileged_stack, which user mode cannot write. [SRS_ZYN_069]
+    begin RunUnprivileged
+    push {r3-r11, lr}
+    vpush {d8-d15}                     @ nothing that a caller relies on is left to that code
+    vmrs r2, fpscr
+    push {r2, r3}
+    ldr r2, =unprivileged_stack
+    str sp, [r2]
+    mov sp, r1
+    ldr lr, =UnprivilegedReturn
+    mrs r2, cpsr
+    bic r2, r2, #0xF                   @ system (11111) becomes user (10000)
+    msr cpsr_c, r2
+    bx r0
+    finish RunUnprivileged
+
+    begin UnprivilegedReturn
+    svc #0
+    b UnprivilegedReturn
+    finish UnprivilegedReturn
 
 @ Interrupts are not nested: each has a stack of its own and runs to its end. Compilers move 64 bits by registers of the
 @ floating-point unit, in what is interrupted and in what interrupts.
@@ -228,5 +275,12 @@ FirmwareVectors:
     interrupt Interrupt, stack_interrupt_top, FirmwareInterrupt
     interrupt FastInterrupt, stack_fast_top, FirmwareFastInterrupt
     .ltorg
+    .section .bss.unprivileged_stack, "aw", %nobits
+    .balign 4
+    .type unprivileged_stack, %object
+unprivileged_stack:
+    .space 4
+    .size unprivileged_stack, . - unprivileged_stack
+
     .section .note.GNU-stack, "", %progbits
     .end
