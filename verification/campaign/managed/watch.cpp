@@ -1,0 +1,544 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/campaign/managed/watch.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace counterpoint::campaign::managed
+{
+namespace
+{
+constexpr Nanoseconds kMs = runtime::kNanosecondsPerMillisecond;
+constexpr Nanoseconds kGrace = 3 * kMs;      ///< Three frames and a cycle: what was under way is nobody's fault.
+constexpr Nanoseconds kObeyed = 20 * kMs;    ///< A command is followed within this.
+constexpr Nanoseconds kLookAtAll = 50 * kMs; ///< Whole configurations are read so often.
+constexpr Nanoseconds kCycles = 5 * kMs;     ///< An output follows the state of its device within this.
+constexpr std::uint32_t kLowest7 = 0x7FU;
+constexpr std::uint32_t kAnswers = 0x580U;
+constexpr std::uint32_t kLife = 0x700U;
+constexpr std::uint8_t kUpload = 0x40U;
+constexpr std::uint8_t kStart = 0x01U;
+
+[[nodiscard]] std::uint32_t NumberIn(const ObjectAddress& object)
+{
+    return (std::uint32_t{object.index} << 8U) | object.sub;
+}
+
+/// Value of an expedited upload with its length; 0 bytes: it is none.
+[[nodiscard]] ExpectedValue UploadIn(const CanFrame& frame)
+{
+    constexpr std::uint8_t kCommandAndSize = 0xE3U;
+    ExpectedValue upload{};
+    if (frame.length_bytes != kMaxPayloadBytes || (frame.data[0] & kCommandAndSize) != (kUpload | 3U))
+    {
+        return upload;
+    }
+    upload.object = {static_cast<std::uint16_t>(frame.data[1] | (frame.data[2] << 8U)), frame.data[3]};
+    upload.size = static_cast<std::uint8_t>(4U - ((frame.data[0] >> 2U) & 3U));
+    for (std::uint8_t byte = 0U; byte < upload.size; ++byte)
+    {
+        upload.value |= std::uint32_t{frame.data[4U + byte]} << (byte * 8U);
+    }
+    return upload;
+}
+
+[[nodiscard]] std::uint64_t HashOf(std::uint64_t hash, const CanFrame& frame)
+{
+    const auto add = [&hash](const std::uint64_t value) { hash = (hash ^ value) * 0x100000001B3U; };
+    add(frame.identifier);
+    add(static_cast<std::uint64_t>(frame.kind));
+    add(frame.length_bytes);
+    for (std::uint8_t byte = 0U; byte < frame.length_bytes; ++byte)
+    {
+        add(frame.data[byte]);
+    }
+    return hash;
+}
+
+constexpr std::array<const char*, 12U> kWrongTexts{
+    "",
+    "a start of all, with a safety slave in the network",
+    "a safety slave was started before its verification had succeeded",
+    "a safety slave was started with another configuration than was expected",
+    "another device than was expected was started",
+    "a safety slave with another configuration runs on",
+    "two active managers",
+    "output open outside of OPERATIONAL",
+    "output open again without an acknowledge",
+    "output open with data that are too old or nobody's",
+    "a frame under a foreign identifier",
+    "the program ended"};
+constexpr std::array<const char*, 3U> kLimitTexts{
+    "", "a safety configuration changed without a message, behind its last reading",
+    "a slave runs by a command that no manager gave to it then"};
+} // namespace
+
+const char* TextOf(const Wrong wrong)
+{
+    return kWrongTexts.at(static_cast<std::size_t>(wrong));
+}
+
+const char* TextOf(const Limit limit)
+{
+    return kLimitTexts.at(static_cast<std::size_t>(limit));
+}
+
+Watch::Watch(Stage& stage, const Plan& plan)
+    : stage_(stage), plan_(plan), runs_(stage.Slaves().size(), false), started_(stage.Slaves().size(), -kObeyed),
+      other_since_(stage.Slaves().size(), -1)
+{
+    constexpr Nanoseconds kSlack = 20 * kMs;
+    constexpr Nanoseconds kChain = 2; // From a sensor to a controller to an actuator.
+    for (const Slave& slave : stage.Slaves())
+    {
+        for (const runtime::SrdoModel& srdo : stage.World().At(slave.index).Model().Srdos())
+        {
+            age_ = std::max(age_, kChain * (srdo.times.sct_ms + srdo.times.srvt_ms) * kMs + kSlack);
+        }
+    }
+    stage.World().Bus().Install(*this);
+}
+
+void Watch::Tell(const Wrong wrong)
+{
+    if (wrong_ == Wrong::kNothing)
+    {
+        wrong_ = wrong;
+        found_at_ = stage_.World().Now();
+    }
+}
+
+void Watch::OnReception(const host::FrameOnBus& /*sent*/, const host::NodeIndex receiver,
+                        host::ReceptionList& receptions)
+{
+    if (stage_.ManagerAt(receiver) == nullptr)
+    {
+        return;
+    }
+    for (const host::Reception& reception : receptions)
+    {
+        const Coming coming{stage_.World().Now() + reception.delay, reception.frame, receiver};
+        if (reception.delay == 0)
+        {
+            Take(coming);
+        }
+        else
+        {
+            coming_.push_back(coming);
+        }
+    }
+}
+
+/// A manager gets a frame.
+void Watch::Take(const Coming& coming)
+{
+    const CanFrame& frame = coming.frame;
+    const auto node = static_cast<std::uint8_t>(frame.identifier & kLowest7);
+    if (frame.kind != FrameKind::kData || node == 0U)
+    {
+        return;
+    }
+    const std::uint32_t service = frame.identifier & ~kLowest7;
+    if (service == kLife && frame.length_bytes == 1U && (frame.data[0] & kLowest7) == 0U)
+    {
+        Reading& reading = readings_[{coming.receiver, node}];
+        Clear(reading, coming.at);
+        reading.booted = coming.at;
+    }
+    if (service != kAnswers)
+    {
+        return;
+    }
+    const ExpectedValue upload = UploadIn(frame);
+    for (const Slave& slave : stage_.Slaves())
+    {
+        for (const ExpectedValue& expected : slave.expected)
+        {
+            if (slave.node_id == node && upload.size != 0U && NumberIn(expected.object) == NumberIn(upload.object))
+            {
+                const bool is_right = upload.size == expected.size && upload.value == expected.value;
+                readings_[{coming.receiver, node}].now[NumberIn(upload.object)] = {is_right, coming.at};
+            }
+        }
+    }
+}
+
+void Watch::Clear(Reading& reading, const Nanoseconds now) const
+{
+    if (now - reading.cleared > kGrace)
+    {
+        reading.before = reading.now;
+    }
+    reading.cleared = now;
+    reading.now.clear();
+}
+
+void Watch::NoteNewManager(const host::NodeIndex bus_node)
+{
+    for (auto& [key, reading] : readings_)
+    {
+        reading = (key.first == bus_node) ? Reading{} : reading;
+    }
+}
+
+void Watch::OnConfirmation(const host::FrameOnBus& sent, host::ReceptionList& /*receptions*/)
+{
+    const CanFrame& frame = sent.frame;
+    if (sent.sender == stage_.Somebody().BusNode())
+    {
+        return;
+    }
+    frames_.push_back({sent.start, frame, sent.sender});
+    std::uint64_t& hash = hashes_[sent.sender];
+    hash = HashOf(hash, frame);
+    ++counts_[sent.sender];
+    const bool is_manager = stage_.ManagerAt(sent.sender) != nullptr;
+    if (reference_ == nullptr)
+    {
+        made_.hashes[sent.sender].push_back(hash);
+        made_.identifiers[sent.sender].insert(frame.identifier);
+    }
+    else
+    {
+        const std::uint32_t service = frame.identifier & ~kLowest7;
+        const auto known = reference_->identifiers.find(sent.sender);
+        const bool is_known = known != reference_->identifiers.end() && known->second.count(frame.identifier) != 0U;
+        const Slave* const slave = stage_.SlaveAt(sent.sender);
+        const bool is_own = slave != nullptr && (frame.identifier & kLowest7) == slave->node_id &&
+                            (service == 0x80U || service == kAnswers || service == kLife);
+        const bool is_of_manager = is_manager && (frame.identifier < 0x80U || service == 0x80U || service == kAnswers ||
+                                                  service == 0x600U || service == kLife);
+        if (!is_known && !is_own && !is_of_manager && (is_manager || slave != nullptr))
+        {
+            Tell(Wrong::kIdentifier);
+        }
+    }
+    if (is_manager && frame.identifier == 0U && frame.length_bytes >= 2U)
+    {
+        OnCommand(frame, sent.sender);
+    }
+}
+
+/// A manager commands.
+void Watch::OnCommand(const CanFrame& frame, const host::NodeIndex sender)
+{
+    const Nanoseconds now = stage_.World().Now();
+    for (std::size_t place = 0U; place < stage_.Slaves().size(); ++place)
+    {
+        const Slave& slave = stage_.Slaves()[place];
+        if (frame.data[1] != 0U && frame.data[1] != slave.node_id)
+        {
+            continue;
+        }
+        if (frame.data[0] != kStart)
+        {
+            Clear(readings_[{sender, slave.node_id}], now);
+            continue;
+        }
+        started_[place] = now;
+        if (slave.expected.empty())
+        {
+            continue;
+        }
+        if (frame.data[1] == 0U)
+        {
+            Tell(Wrong::kStartOfAll);
+        }
+        else
+        {
+            OnStart(slave, sender);
+        }
+    }
+}
+
+const Watch::Answer* Watch::AnswerFor(const Reading& reading, const std::uint32_t key, const Nanoseconds now)
+{
+    const bool is_under_way = now - reading.cleared <= kGrace;
+    const auto found = is_under_way ? reading.before.find(key) : reading.now.find(key);
+    return (found == (is_under_way ? reading.before.end() : reading.now.end())) ? nullptr : &found->second;
+}
+
+/// A safety slave is started by itself.
+void Watch::OnStart(const Slave& slave, const host::NodeIndex sender)
+{
+    const Nanoseconds now = stage_.World().Now();
+    const Reading& reading = readings_[{sender, slave.node_id}];
+    for (const ExpectedValue& expected : slave.expected)
+    {
+        const Answer* const answer = AnswerFor(reading, NumberIn(expected.object), now);
+        if (answer == nullptr || !answer->is_right)
+        {
+            Tell(Wrong::kUnverified);
+            return;
+        }
+        const std::optional<std::uint32_t> value = stage_.ValueIn(slave, expected.object);
+        if (!value || *value == expected.value)
+        {
+            continue;
+        }
+        if (is_stored_ && answer->at <= at_ + kGrace)
+        {
+            limit_ = Limit::kChangedBehind;
+        }
+        else if (now - at_ > kGrace)
+        {
+            Tell(Wrong::kConfiguration);
+        }
+    }
+    if (exchanged_ == &slave && slave.serial != 0U && reading.booted > at_ && now - reading.booted > kGrace)
+    {
+        Tell(Wrong::kIdentity);
+    }
+}
+
+bool Watch::IsOther(const Slave& slave)
+{
+    return std::any_of(slave.expected.begin(), slave.expected.end(),
+                       [this, &slave](const ExpectedValue& expected)
+                       {
+                           const std::optional<std::uint32_t> value = stage_.ValueIn(slave, expected.object);
+                           return value && *value != expected.value;
+                       });
+}
+
+void Watch::Look(const Nanoseconds now)
+{
+    for (std::size_t index = 0U; index < coming_.size();)
+    {
+        if (coming_[index].at > now)
+        {
+            ++index;
+            continue;
+        }
+        Take(coming_[index]);
+        coming_.erase(coming_.begin() + static_cast<std::ptrdiff_t>(index));
+    }
+    LookAtStates(now);
+    LookAtMasters(now);
+    LookAtOutputs(now);
+    Draw();
+    LookAtValues(now);
+    if (reference_ == nullptr)
+    {
+        made_.pictures.push_back(picture_);
+    }
+}
+
+void Watch::LookAtStates(const Nanoseconds now)
+{
+    for (std::size_t place = 0U; place < stage_.Slaves().size(); ++place)
+    {
+        const Slave& slave = stage_.Slaves()[place];
+        const bool runs = stage_.World().At(slave.index).State() == cia301::NodeState::kOperational;
+        const bool begins = runs && !runs_[place];
+        runs_[place] = runs;
+        const std::size_t ms = static_cast<std::size_t>(now / kMs);
+        const bool ran_without = reference_ != nullptr && ms < reference_->pictures.size() &&
+                                 (reference_->pictures[ms].words[place] & 0xFFU) ==
+                                     static_cast<std::uint32_t>(cia301::NodeState::kOperational);
+        if (begins && reference_ != nullptr && !ran_without && now - started_[place] > kObeyed &&
+            limit_ == Limit::kNothing)
+        {
+            limit_ = Limit::kForeignStart;
+        }
+        if (!runs)
+        {
+            other_since_[place] = -1;
+            continue;
+        }
+        if (now % kLookAtAll != 0 || slave.expected.empty())
+        {
+            continue;
+        }
+        if (!IsOther(slave))
+        {
+            other_since_[place] = -1;
+        }
+        else if (is_stored_ && started_[place] < at_)
+        {
+            limit_ = Limit::kChangedBehind; // While it ran.
+        }
+        else if (other_since_[place] < 0)
+        {
+            other_since_[place] = now;
+        }
+        else if (now - other_since_[place] > plan_.stop_within && limit_ != Limit::kChangedBehind)
+        {
+            Tell(Wrong::kRunsOn);
+        }
+    }
+}
+
+void Watch::LookAtMasters(const Nanoseconds now)
+{
+    const auto active = std::count_if(stage_.Managers().begin(), stage_.Managers().end(),
+                                      [this](const auto& manager)
+                                      {
+                                          return manager->HasSupply() &&
+                                                 manager->Station()->Assembly().Core().IsActive() &&
+                                                 stage_.World().Bus().IsOnBus(manager->BusNode());
+                                      });
+    if (active < 2)
+    {
+        two_since_ = -1;
+    }
+    else if (two_since_ < 0)
+    {
+        two_since_ = now;
+    }
+    else if (now - two_since_ > plan_.masters_within)
+    {
+        Tell(Wrong::kTwoMasters);
+    }
+}
+
+void Watch::LookAtOutputs(const Nanoseconds now)
+{
+    for (const Slave& slave : stage_.Slaves())
+    {
+        const simulator::Node& node = stage_.World().At(slave.index);
+        for (std::uint32_t slot = 0U; slot < node.Model().Srdos().size(); ++slot)
+        {
+            LookAtOutput(slave, slot, now);
+        }
+    }
+}
+
+void Watch::LookAtOutput(const Slave& slave, const std::uint32_t slot, const Nanoseconds now)
+{
+    const simulator::Node& node = stage_.World().At(slave.index);
+    Output& output = outputs_[{slave.index, static_cast<std::uint8_t>(slot)}];
+    const bool is_open = node.HasSupply() && ((node.Open() >> slot) & 1U) != 0U;
+    const bool may_be = node.State() == cia301::NodeState::kOperational;
+    output.without_leave = (is_open && !may_be) ? output.without_leave + kMs : 0;
+    if (output.without_leave > kCycles)
+    {
+        Tell(Wrong::kNoLeave);
+    }
+    if (!is_open)
+    {
+        output.closed = output.is_open ? now : output.closed;
+    }
+    else if (!output.is_open && !IsAcknowledged(slave, slot, output.closed - kMs, now))
+    {
+        if (reference_ == nullptr)
+        {
+            made_.automatic.insert({slave.index, slot});
+        }
+        else if (reference_->automatic.count({slave.index, slot}) == 0U)
+        {
+            Tell(Wrong::kNoAcknowledge);
+        }
+    }
+    output.is_open = is_open;
+}
+
+bool Watch::IsAcknowledged(const Slave& slave, const std::uint32_t slot, const Nanoseconds from,
+                           const Nanoseconds now) const
+{
+    const std::uint8_t number = stage_.World().At(slave.index).Model().NumberOf(static_cast<SlotIndex>(slot));
+    const auto& all = stage_.Setting().acknowledges;
+    return std::any_of(
+        all.begin(), all.end(), [&slave, number, from, now](const simulator::Acknowledge& each)
+        { return each.node == slave.index && each.srdo == number && each.at <= now && each.at + each.pulse >= from; });
+}
+
+void Watch::Draw()
+{
+    picture_.words.clear();
+    picture_.values.clear();
+    for (const Slave& slave : stage_.Slaves())
+    {
+        simulator::Node& node = stage_.World().At(slave.index);
+        picture_.words.push_back(static_cast<std::uint32_t>(node.State()) |
+                                 (node.HasSupply() ? static_cast<std::uint32_t>(node.Open()) << 8U : 0U));
+        for (const runtime::PairValue& pair : node.App().Logic().Pairs())
+        {
+            if (pair.is_consumer)
+            {
+                const bool is_open = node.HasSupply() && (node.Open() & pair.slot) != 0U;
+                picture_.values.push_back(is_open ? pair.normal : pair.safe);
+            }
+        }
+    }
+    for (const auto& manager : stage_.Managers())
+    {
+        picture_.words.push_back(manager->HasSupply() ? 1U : 0U);
+        if (!manager->HasSupply())
+        {
+            continue;
+        }
+        const cia302::Manager& core = manager->Station()->Assembly().Core();
+        picture_.words.push_back((core.IsActive() ? 1U : 0U) | (static_cast<std::uint32_t>(core.OwnState()) << 1U));
+        for (const auto& slave : manager->Net().Slaves())
+        {
+            const cia302::NodeId id{slave->plan.node};
+            const cia302::NodeStatus status = core.Status(id);
+            picture_.words.push_back(static_cast<std::uint32_t>(core.Table().Record(id).state) |
+                                     (static_cast<std::uint32_t>(core.Gate().State(id)) << 8U) |
+                                     (static_cast<std::uint32_t>(static_cast<std::uint8_t>(status.letter)) << 16U));
+            picture_.words.push_back(static_cast<std::uint32_t>(status.code) | (status.is_started ? 0x10000U : 0U));
+        }
+    }
+}
+
+/// An output that is open has what it has without fault, now or not longer ago than data may be old.
+void Watch::LookAtValues(const Nanoseconds now)
+{
+    if (reference_ == nullptr)
+    {
+        return;
+    }
+    const std::size_t last = std::min(static_cast<std::size_t>(now / kMs), reference_->pictures.size() - 1U);
+    const std::size_t age = static_cast<std::size_t>(age_ / kMs);
+    const std::size_t first = (last > age) ? last - age : 0U;
+    std::size_t place = 0U;
+    for (const Slave& slave : stage_.Slaves())
+    {
+        simulator::Node& node = stage_.World().At(slave.index);
+        for (const runtime::PairValue& pair : node.App().Logic().Pairs())
+        {
+            if (!pair.is_consumer)
+            {
+                continue;
+            }
+            const std::uint64_t value = picture_.values.at(place);
+            bool is_known = value == pair.safe;
+            for (std::size_t ms = first; ms <= last && !is_known; ++ms)
+            {
+                const std::vector<std::uint64_t>& values = reference_->pictures[ms].values;
+                is_known = place < values.size() && values[place] == value;
+            }
+            if (!is_known)
+            {
+                Tell(Wrong::kData);
+            }
+            ++place;
+        }
+    }
+}
+
+bool Watch::IsWaiting() const noexcept
+{
+    return two_since_ >= 0 || !coming_.empty() ||
+           std::any_of(other_since_.begin(), other_since_.end(), [](const Nanoseconds since) { return since >= 0; });
+}
+
+bool Watch::HasSentTheSame() const
+{
+    return std::all_of(counts_.begin(), counts_.end(),
+                       [this](const auto& each)
+                       {
+                           const auto known = reference_->hashes.find(each.first);
+                           return each.second == 0U ||
+                                  (known != reference_->hashes.end() && each.second <= known->second.size() &&
+                                   known->second[each.second - 1U] == hashes_.at(each.first));
+                       });
+}
+
+Reference Watch::TakeReference()
+{
+    made_.frames = frames_;
+    return std::move(made_);
+}
+} // namespace counterpoint::campaign::managed
