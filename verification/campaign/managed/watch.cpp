@@ -93,6 +93,7 @@ Watch::Watch(Stage& stage, const Plan& plan)
     {
         for (const runtime::SrdoModel& srdo : stage.World().At(slave.index).Model().Srdos())
         {
+            phase_ = std::max(phase_, kChain * srdo.times.sct_ms * kMs / 2);
             age_ = std::max(age_, kChain * (srdo.times.sct_ms + srdo.times.srvt_ms) * kMs + kSlack);
         }
     }
@@ -482,16 +483,18 @@ void Watch::Draw()
     }
 }
 
-/// An output that is open has what it has without fault, now or not longer ago than data may be old.
+/// An output that is open has what it has without fault: now, not longer ago than data may be old, or as much sooner as
+/// its producers may send in another phase.
 void Watch::LookAtValues(const Nanoseconds now)
 {
     if (reference_ == nullptr)
     {
         return;
     }
-    const std::size_t last = std::min(static_cast<std::size_t>(now / kMs), reference_->pictures.size() - 1U);
-    const std::size_t age = static_cast<std::size_t>(age_ / kMs);
-    const std::size_t first = (last > age) ? last - age : 0U;
+    const auto here = static_cast<std::size_t>(now / kMs);
+    const auto age = static_cast<std::size_t>(age_ / kMs);
+    const std::size_t first = (here > age) ? here - age : 0U;
+    const std::size_t last = std::min(here + static_cast<std::size_t>(phase_ / kMs), reference_->pictures.size() - 1U);
     std::size_t place = 0U;
     for (const Slave& slave : stage_.Slaves())
     {

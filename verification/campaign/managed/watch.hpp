@@ -198,7 +198,8 @@ class Watch final : public host::BusFault
     std::map<host::NodeIndex, std::size_t> counts_{};
     std::vector<RecordedFrame> frames_{};
     Reference made_{};
-    Nanoseconds age_{0}; ///< Greatest age of data along the longest chain.
+    Nanoseconds phase_{0}; ///< Greatest time between two frames of a producer.
+    Nanoseconds age_{0};   ///< Greatest age of data along the longest chain.
 };
 } // namespace counterpoint::campaign::managed
 
