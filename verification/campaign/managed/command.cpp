@@ -102,13 +102,15 @@ struct Line
 void AddFrames(const Trial& trial, const Reference& reference, Course& course, std::vector<Line>& lines)
 {
     constexpr Nanoseconds kBefore = 2 * runtime::kNanosecondsPerMillisecond;
-    constexpr Nanoseconds kBehind = 5 * runtime::kNanosecondsPerMillisecond;
-    constexpr std::size_t kMostFrames = 60U;
+    constexpr Nanoseconds kBehind = 3 * runtime::kNanosecondsPerMillisecond;
+    constexpr std::size_t kMostFrames = 90U;
     std::size_t shown = 0U;
     std::map<std::uint32_t, std::size_t> counts;
     for (const RecordedFrame& frame : course.Judge().Frames())
     {
-        const bool is_near = frame.start >= trial.at - kBefore && frame.start <= trial.at + kBehind;
+        const auto is_around = [&frame](const Nanoseconds at)
+        { return frame.start >= at - kBefore && frame.start <= at + kBehind; };
+        const bool is_near = is_around(trial.at) || is_around(IsOfFrames(trial.target) ? EndOf(trial.hit) : trial.at);
         const bool is_command = frame.frame.identifier < 0x80U && frame.start >= trial.at;
         if ((!is_near && !is_command) || shown >= kMostFrames)
         {

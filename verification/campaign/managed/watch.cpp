@@ -15,26 +15,31 @@ constexpr Nanoseconds kLookAtAll = 50 * kMs; ///< Whole configurations are read 
 constexpr Nanoseconds kCycles = 5 * kMs;     ///< An output follows the state of its device within this.
 constexpr std::uint32_t kLowest7 = 0x7FU;
 constexpr std::uint32_t kAnswers = 0x580U;
+constexpr std::uint32_t kRequests = 0x600U;
+constexpr std::uint32_t kEmergencies = 0x80U;
 constexpr std::uint32_t kLife = 0x700U;
 constexpr std::uint8_t kUpload = 0x40U;
 constexpr std::uint8_t kStart = 0x01U;
+constexpr std::uint16_t kGfc = 0x1300U;
 
 [[nodiscard]] std::uint32_t NumberIn(const ObjectAddress& object)
 {
     return (std::uint32_t{object.index} << 8U) | object.sub;
 }
 
-/// Value of an expedited upload with its length; 0 bytes: it is none.
+/// Value of an expedited upload with its length, which is 4 where the answer tells none; 0 bytes: it is none.
 [[nodiscard]] ExpectedValue UploadIn(const CanFrame& frame)
 {
-    constexpr std::uint8_t kCommandAndSize = 0xE3U;
+    constexpr std::uint8_t kCommandAndExpedited = 0xE2U;
+    constexpr std::uint8_t kHasSize = 1U;
     ExpectedValue upload{};
-    if (frame.length_bytes != kMaxPayloadBytes || (frame.data[0] & kCommandAndSize) != (kUpload | 3U))
+    if (frame.length_bytes != kMaxPayloadBytes || (frame.data[0] & kCommandAndExpedited) != (kUpload | 2U))
     {
         return upload;
     }
+    const std::uint8_t unused = static_cast<std::uint8_t>((frame.data[0] >> 2U) & 3U);
     upload.object = {static_cast<std::uint16_t>(frame.data[1] | (frame.data[2] << 8U)), frame.data[3]};
-    upload.size = static_cast<std::uint8_t>(4U - ((frame.data[0] >> 2U) & 3U));
+    upload.size = static_cast<std::uint8_t>(((frame.data[0] & kHasSize) != 0U) ? 4U - unused : 4U);
     for (std::uint8_t byte = 0U; byte < upload.size; ++byte)
     {
         upload.value |= std::uint32_t{frame.data[4U + byte]} << (byte * 8U);
@@ -68,9 +73,9 @@ constexpr std::array<const char*, 12U> kWrongTexts{
     "output open with data that are too old or nobody's",
     "a frame under a foreign identifier",
     "the program ended"};
-constexpr std::array<const char*, 3U> kLimitTexts{
+constexpr std::array<const char*, 4U> kLimitTexts{
     "", "a safety configuration changed without a message, behind its last reading",
-    "a slave runs by a command that no manager gave to it then"};
+    "a slave runs by a command that no manager gave to it then", "1300h was written by somebody else behind the start"};
 } // namespace
 
 const char* TextOf(const Wrong wrong)
@@ -150,21 +155,35 @@ void Watch::Take(const Coming& coming)
     {
         return;
     }
-    const ExpectedValue upload = UploadIn(frame);
     for (const Slave& slave : stage_.Slaves())
     {
-        for (const ExpectedValue& expected : slave.expected)
+        if (slave.node_id == node)
         {
-            if (slave.node_id == node && upload.size != 0U && NumberIn(expected.object) == NumberIn(upload.object))
-            {
-                const bool is_right = upload.size == expected.size && upload.value == expected.value;
-                readings_[{coming.receiver, node}].now[NumberIn(upload.object)] = {is_right, coming.at};
-            }
+            OnAnswer(frame, slave, readings_[{coming.receiver, node}], coming.at);
         }
     }
 }
 
-void Watch::Clear(Reading& reading, const Nanoseconds now) const
+/// The first answer to a request counts; what nobody waits for tells nothing.
+void Watch::OnAnswer(const CanFrame& frame, const Slave& slave, Reading& reading, const Nanoseconds now) const
+{
+    const ExpectedValue upload = UploadIn(frame);
+    if (upload.size == 0U || reading.asked != NumberIn(upload.object))
+    {
+        return;
+    }
+    reading.asked = 0U;
+    for (const ExpectedValue& expected : slave.expected)
+    {
+        if (NumberIn(expected.object) == NumberIn(upload.object))
+        {
+            const bool is_right = upload.size == expected.size && upload.value == expected.value;
+            reading.now[NumberIn(upload.object)] = {is_right, now};
+        }
+    }
+}
+
+void Watch::Clear(Reading& reading, const Nanoseconds now)
 {
     if (now - reading.cleared > kGrace)
     {
@@ -193,30 +212,51 @@ void Watch::OnConfirmation(const host::FrameOnBus& sent, host::ReceptionList& /*
     std::uint64_t& hash = hashes_[sent.sender];
     hash = HashOf(hash, frame);
     ++counts_[sent.sender];
-    const bool is_manager = stage_.ManagerAt(sent.sender) != nullptr;
     if (reference_ == nullptr)
     {
         made_.hashes[sent.sender].push_back(hash);
         made_.identifiers[sent.sender].insert(frame.identifier);
     }
-    else
+    else if (!MaySend(frame.identifier, sent.sender))
     {
-        const std::uint32_t service = frame.identifier & ~kLowest7;
-        const auto known = reference_->identifiers.find(sent.sender);
-        const bool is_known = known != reference_->identifiers.end() && known->second.count(frame.identifier) != 0U;
-        const Slave* const slave = stage_.SlaveAt(sent.sender);
-        const bool is_own = slave != nullptr && (frame.identifier & kLowest7) == slave->node_id &&
-                            (service == 0x80U || service == kAnswers || service == kLife);
-        const bool is_of_manager = is_manager && (frame.identifier < 0x80U || service == 0x80U || service == kAnswers ||
-                                                  service == 0x600U || service == kLife);
-        if (!is_known && !is_own && !is_of_manager && (is_manager || slave != nullptr))
-        {
-            Tell(Wrong::kIdentifier);
-        }
+        Tell(Wrong::kIdentifier);
     }
-    if (is_manager && frame.identifier == 0U && frame.length_bytes >= 2U)
+    if (stage_.ManagerAt(sent.sender) != nullptr)
     {
-        OnCommand(frame, sent.sender);
+        OnOwnFrame(frame, sent.sender);
+    }
+}
+
+/// What it sends without fault, and its other services.
+bool Watch::MaySend(const std::uint32_t identifier, const host::NodeIndex sender) const
+{
+    const auto known = reference_->identifiers.find(sender);
+    if (known != reference_->identifiers.end() && known->second.count(identifier) != 0U)
+    {
+        return true;
+    }
+    const std::uint32_t service = identifier & ~kLowest7;
+    const bool is_answer = service == kEmergencies || service == kAnswers || service == kLife;
+    if (const Slave* const slave = stage_.SlaveAt(sender))
+    {
+        return is_answer && (identifier & kLowest7) == slave->node_id;
+    }
+    return is_answer || service == kRequests || service == 0U;
+}
+
+/// A manager sends.
+void Watch::OnOwnFrame(const CanFrame& frame, const host::NodeIndex sender)
+{
+    const auto node = static_cast<std::uint8_t>(frame.identifier & kLowest7);
+    if (frame.identifier == 0U && frame.length_bytes >= 2U)
+    {
+        OnCommand(frame, sender);
+    }
+    else if ((frame.identifier & ~kLowest7) == kRequests && frame.length_bytes == kMaxPayloadBytes)
+    {
+        const bool is_upload = frame.data[0] == kUpload;
+        const ObjectAddress object{static_cast<std::uint16_t>(frame.data[1] | (frame.data[2] << 8U)), frame.data[3]};
+        readings_[{sender, node}].asked = is_upload ? NumberIn(object) : 0U;
     }
 }
 
@@ -292,14 +332,19 @@ void Watch::OnStart(const Slave& slave, const host::NodeIndex sender)
     }
 }
 
-bool Watch::IsOther(const Slave& slave)
+/// Any object that differs, 1300h last; 0: none.
+std::uint16_t Watch::OtherIn(const Slave& slave)
 {
-    return std::any_of(slave.expected.begin(), slave.expected.end(),
-                       [this, &slave](const ExpectedValue& expected)
-                       {
-                           const std::optional<std::uint32_t> value = stage_.ValueIn(slave, expected.object);
-                           return value && *value != expected.value;
-                       });
+    std::uint16_t other = 0U;
+    for (const ExpectedValue& expected : slave.expected)
+    {
+        const std::uint16_t index = expected.object.index;
+        const bool is_better = other == 0U || index != kGfc;
+        const std::optional<std::uint32_t> value =
+            is_better ? stage_.ValueIn(slave, expected.object) : std::optional<std::uint32_t>();
+        other = (value && *value != expected.value) ? index : other;
+    }
+    return other;
 }
 
 void Watch::Look(const Nanoseconds now)
@@ -351,9 +396,14 @@ void Watch::LookAtStates(const Nanoseconds now)
         {
             continue;
         }
-        if (!IsOther(slave))
+        const std::uint16_t other = OtherIn(slave);
+        if (other == 0U)
         {
             other_since_[place] = -1;
+        }
+        else if (other == kGfc && started_[place] >= 0 && started_[place] < at_)
+        {
+            limit_ = Limit::kGfcBehind;
         }
         else if (is_stored_ && started_[place] < at_)
         {

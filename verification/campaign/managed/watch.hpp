@@ -37,6 +37,7 @@ enum class Limit : std::uint8_t
     kNothing = 0U,
     kChangedBehind = 1U, ///< A safety configuration changed without a message, behind its last reading.
     kForeignStart = 2U,  ///< A slave runs by a command that no manager gave to it then.
+    kGfcBehind = 3U,     ///< 1300h was written behind the start, which is possible in every state.
 };
 
 [[nodiscard]] const char* TextOf(Wrong wrong);
@@ -144,6 +145,7 @@ class Watch final : public host::BusFault
     {
         std::map<std::uint32_t, Answer> now;
         std::map<std::uint32_t, Answer> before;
+        std::uint32_t asked{0U}; ///< The object that it waits for; 0: for none.
         Nanoseconds cleared{-1};
         Nanoseconds booted{-1}; ///< Its last boot-up message that came.
     };
@@ -163,7 +165,10 @@ class Watch final : public host::BusFault
     using Key = std::pair<host::NodeIndex, std::uint8_t>;
 
     void Take(const Coming& coming);
-    void Clear(Reading& reading, Nanoseconds now) const;
+    static void Clear(Reading& reading, Nanoseconds now);
+    void OnAnswer(const CanFrame& frame, const Slave& slave, Reading& reading, Nanoseconds now) const;
+    [[nodiscard]] bool MaySend(std::uint32_t identifier, host::NodeIndex sender) const;
+    void OnOwnFrame(const CanFrame& frame, host::NodeIndex sender);
     void OnCommand(const CanFrame& frame, host::NodeIndex sender);
     void OnStart(const Slave& slave, host::NodeIndex sender);
     [[nodiscard]] static const Answer* AnswerFor(const Reading& reading, std::uint32_t key, Nanoseconds now);
@@ -173,7 +178,7 @@ class Watch final : public host::BusFault
     void LookAtValues(Nanoseconds now);
     void LookAtStates(Nanoseconds now);
     void LookAtMasters(Nanoseconds now);
-    [[nodiscard]] bool IsOther(const Slave& slave);
+    [[nodiscard]] std::uint16_t OtherIn(const Slave& slave);
     void Draw();
     void Tell(Wrong wrong);
 
