@@ -12,6 +12,7 @@ constexpr Nanoseconds kMs = runtime::kNanosecondsPerMillisecond;
 constexpr Nanoseconds kGrace = 3 * kMs;      ///< Three frames and a cycle: what was under way is nobody's fault.
 constexpr Nanoseconds kObeyed = 20 * kMs;    ///< A command is followed within this.
 constexpr Nanoseconds kLookAtAll = 50 * kMs; ///< Whole configurations are read so often.
+constexpr Nanoseconds kSilence = 1000 * kMs; ///< For so long neither hears the other: the bus is not there.
 constexpr Nanoseconds kCycles = 5 * kMs;     ///< An output follows the state of its device within this.
 constexpr std::uint32_t kLowest7 = 0x7FU;
 constexpr std::uint32_t kAnswers = 0x580U;
@@ -73,7 +74,7 @@ constexpr std::array<const char*, 12U> kWrongTexts{
     "output open with data that are too old or nobody's",
     "a frame under a foreign identifier",
     "the program ended"};
-constexpr std::array<const char*, 4U> kLimitTexts{
+constexpr std::array<const char*, 5U> kLimitTexts{
     "", "a safety configuration changed without a message, behind its last reading",
     "a slave runs by a command that no manager gave to it then", "1300h was written by somebody else behind the start"};
 } // namespace
@@ -90,7 +91,7 @@ const char* TextOf(const Limit limit)
 
 Watch::Watch(Stage& stage, const Plan& plan)
     : stage_(stage), plan_(plan), runs_(stage.Slaves().size(), false), started_(stage.Slaves().size(), -kObeyed),
-      other_since_(stage.Slaves().size(), -1)
+      other_since_(stage.Slaves().size(), -1), reached_(stage.Slaves().size(), 0), heard_(stage.Slaves().size(), 0)
 {
     constexpr Nanoseconds kSlack = 20 * kMs;
     constexpr Nanoseconds kChain = 2; // From a sensor to a controller to an actuator.
@@ -114,9 +115,12 @@ void Watch::Tell(const Wrong wrong)
     }
 }
 
-void Watch::OnReception(const host::FrameOnBus& /*sent*/, const host::NodeIndex receiver,
-                        host::ReceptionList& receptions)
+void Watch::OnReception(const host::FrameOnBus& sent, const host::NodeIndex receiver, host::ReceptionList& receptions)
 {
+    if (!receptions.IsEmpty())
+    {
+        Meet(sent.sender, receiver);
+    }
     if (stage_.ManagerAt(receiver) == nullptr)
     {
         return;
@@ -131,6 +135,23 @@ void Watch::OnReception(const host::FrameOnBus& /*sent*/, const host::NodeIndex 
         else
         {
             coming_.push_back(coming);
+        }
+    }
+}
+
+/// A device gets something of a manager, or a manager of a device.
+void Watch::Meet(const host::NodeIndex sender, const host::NodeIndex receiver)
+{
+    for (std::size_t place = 0U; place < stage_.Slaves().size(); ++place)
+    {
+        const host::NodeIndex node = stage_.Slaves()[place].bus_node;
+        if (node == receiver && stage_.ManagerAt(sender) != nullptr)
+        {
+            reached_[place] = stage_.World().Now();
+        }
+        if (node == sender && stage_.ManagerAt(receiver) != nullptr)
+        {
+            heard_[place] = stage_.World().Now();
         }
     }
 }
@@ -412,6 +433,10 @@ void Watch::LookAtStates(const Nanoseconds now)
         else if (other_since_[place] < 0)
         {
             other_since_[place] = now;
+        }
+        else if (now - std::min(reached_[place], heard_[place]) > kSilence)
+        {
+            limit_ = Limit::kApart;
         }
         else if (now - other_since_[place] > plan_.stop_within && limit_ != Limit::kChangedBehind)
         {

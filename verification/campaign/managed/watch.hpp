@@ -37,6 +37,7 @@ enum class Limit : std::uint8_t
     kNothing = 0U,
     kChangedBehind = 1U, ///< A safety configuration changed without a message, behind its last reading.
     kForeignStart = 2U,  ///< A slave runs by a command that no manager gave to it then.
+    kApart = 4U,         ///< Slave and managers do not hear each other any more.
     kGfcBehind = 3U,     ///< 1300h was written behind the start, which is possible in every state.
 };
 
@@ -164,6 +165,7 @@ class Watch final : public host::BusFault
     };
     using Key = std::pair<host::NodeIndex, std::uint8_t>;
 
+    void Meet(host::NodeIndex sender, host::NodeIndex receiver);
     void Take(const Coming& coming);
     static void Clear(Reading& reading, Nanoseconds now);
     void OnAnswer(const CanFrame& frame, const Slave& slave, Reading& reading, Nanoseconds now) const;
@@ -197,6 +199,8 @@ class Watch final : public host::BusFault
     std::vector<bool> runs_;               ///< By slave: OPERATIONAL when it was last looked at.
     std::vector<Nanoseconds> started_;     ///< By slave: the last start of a manager that came to an end.
     std::vector<Nanoseconds> other_since_; ///< By slave: runs with another configuration; -1: it does not.
+    std::vector<Nanoseconds> reached_;     ///< By slave: the last frame of a manager that came to it.
+    std::vector<Nanoseconds> heard_;       ///< By slave: its last frame that came to a manager.
     Nanoseconds two_since_{-1};
     std::vector<Coming> coming_{};
     std::map<host::NodeIndex, std::uint64_t> hashes_{};
