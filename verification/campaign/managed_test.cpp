@@ -24,7 +24,9 @@ class ManagedTest : public CampaignTest
 
 TEST_F(ManagedTest, OutcomesAreTheSameForAnyNumberOfProcessesAndShards)
 {
-    Verifies(req::SRS_CMG_070, req::SRS_CMG_071, req::SRS_CMG_075);
+    Verifies(req::SRS_CMG_070);
+    Verifies(req::SRS_CMG_071);
+    Verifies(req::SRS_CMG_075);
     // Given six lost frames of the start of three safety slaves
     const std::string plan = NetworkPlan("plan.yaml", "until: 60 ms\nparts: [sdo]\nkinds: [lost]\nsample: 6\n");
     const tools::test::Answer one = Campaign({plan, "--jobs", "1", "--csv", Path("one.csv")});
@@ -50,7 +52,8 @@ TEST_F(ManagedTest, OutcomesAreTheSameForAnyNumberOfProcessesAndShards)
 
 TEST_F(ManagedTest, PlansThatCannotBeUsedAreRefusedAtTheirPlace)
 {
-    Verifies(req::SRS_CMG_070, req::SRS_CMG_071);
+    Verifies(req::SRS_CMG_070);
+    Verifies(req::SRS_CMG_071);
     const auto said = [this](const std::string& text)
     {
         const tools::test::Answer answer = Campaign({File("bad.yaml", text)});
