@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,14 @@ struct Tally
     {
         return classes.at(static_cast<std::size_t>(wanted));
     }
-    [[nodiscard]] std::uint64_t Injected() const;
-    [[nodiscard]] std::uint64_t Effective() const;
+    [[nodiscard]] std::uint64_t Injected() const
+    {
+        return std::accumulate(classes.begin(), classes.end(), std::uint64_t{0U}) - Of(Class::kOpen);
+    }
+    [[nodiscard]] std::uint64_t Effective() const
+    {
+        return Of(Class::kDetected) + Of(Class::kSafeOther) + Of(Class::kSilent);
+    }
 };
 
 /// An experiment that a person has to look at.

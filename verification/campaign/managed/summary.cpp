@@ -2,7 +2,6 @@
 #include "verification/campaign/managed/report.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 
 namespace counterpoint::campaign::managed
@@ -69,16 +68,6 @@ void RequireTellers(const Campaign& campaign, Summary& summary)
     }
 }
 } // namespace
-
-std::uint64_t Tally::Injected() const
-{
-    return std::accumulate(classes.begin(), classes.end(), std::uint64_t{0U}) - Of(Class::kOpen);
-}
-
-std::uint64_t Tally::Effective() const
-{
-    return Of(Class::kDetected) + Of(Class::kSafeOther) + Of(Class::kSilent);
-}
 
 bool Summary::Holds() const
 {

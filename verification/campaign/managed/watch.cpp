@@ -76,7 +76,68 @@ constexpr std::array<const char*, 12U> kWrongTexts{
     "the program ended"};
 constexpr std::array<const char*, 5U> kLimitTexts{
     "", "a safety configuration changed without a message, behind its last reading",
-    "a slave runs by a command that no manager gave to it then", "1300h was written by somebody else behind the start"};
+    "a slave runs by a command that no manager gave to it then", "1300h was written by somebody else behind the start",
+    "between a slave with another configuration and the managers, or between these, there is no bus"};
+
+void Clear(Reading& reading, const Nanoseconds now)
+{
+    if (now - reading.cleared > kGrace)
+    {
+        reading.before = reading.now;
+    }
+    reading.cleared = now;
+    reading.now.clear();
+}
+
+[[nodiscard]] const Answer* AnswerFor(const Reading& reading, const std::uint32_t key, const Nanoseconds now)
+{
+    const bool is_under_way = now - reading.cleared <= kGrace;
+    const auto found = is_under_way ? reading.before.find(key) : reading.now.find(key);
+    return (found == (is_under_way ? reading.before.end() : reading.now.end())) ? nullptr : &found->second;
+}
+
+/// What it sends without fault, and its other services.
+[[nodiscard]] bool MaySend(const Stage& stage, const Reference& reference, const std::uint32_t identifier,
+                           const host::NodeIndex sender)
+{
+    const auto known = reference.identifiers.find(sender);
+    if (known != reference.identifiers.end() && known->second.count(identifier) != 0U)
+    {
+        return true;
+    }
+    const std::uint32_t service = identifier & ~kLowest7;
+    const bool is_answer = service == kEmergencies || service == kAnswers || service == kLife;
+    if (const Slave* const slave = stage.SlaveAt(sender))
+    {
+        return is_answer && (identifier & kLowest7) == slave->node_id;
+    }
+    return is_answer || service == kRequests || service == 0U;
+}
+
+/// Any object that differs, 1300h last; 0: none.
+[[nodiscard]] std::uint16_t OtherIn(Stage& stage, const Slave& slave)
+{
+    std::uint16_t other = 0U;
+    for (const ExpectedValue& expected : slave.expected)
+    {
+        const std::uint16_t index = expected.object.index;
+        const bool is_better = other == 0U || index != kGfc;
+        const std::optional<std::uint32_t> value =
+            is_better ? stage.ValueIn(slave, expected.object) : std::optional<std::uint32_t>();
+        other = (value && *value != expected.value) ? index : other;
+    }
+    return other;
+}
+
+[[nodiscard]] bool IsAcknowledged(Stage& stage, const Slave& slave, const std::uint32_t slot, const Nanoseconds from,
+                                  const Nanoseconds now)
+{
+    const std::uint8_t number = stage.World().At(slave.index).Model().NumberOf(static_cast<SlotIndex>(slot));
+    const auto& all = stage.Setting().acknowledges;
+    return std::any_of(
+        all.begin(), all.end(), [&slave, number, from, now](const simulator::Acknowledge& each)
+        { return each.node == slave.index && each.srdo == number && each.at <= now && each.at + each.pulse >= from; });
+}
 } // namespace
 
 const char* TextOf(const Wrong wrong)
@@ -91,7 +152,7 @@ const char* TextOf(const Limit limit)
 
 Watch::Watch(Stage& stage, const Plan& plan)
     : stage_(stage), plan_(plan), runs_(stage.Slaves().size(), false), started_(stage.Slaves().size(), -kObeyed),
-      other_since_(stage.Slaves().size(), -1), reached_(stage.Slaves().size(), 0), heard_(stage.Slaves().size(), 0)
+      other_since_(stage.Slaves().size(), -1), reached_(stage.Slaves().size(), 0), heard_(stage.Slaves().size() + 1U, 0)
 {
     constexpr Nanoseconds kSlack = 20 * kMs;
     constexpr Nanoseconds kChain = 2; // From a sensor to a controller to an actuator.
@@ -154,6 +215,10 @@ void Watch::Meet(const host::NodeIndex sender, const host::NodeIndex receiver)
             heard_[place] = stage_.World().Now();
         }
     }
+    if (stage_.ManagerAt(sender) != nullptr && stage_.ManagerAt(receiver) != nullptr)
+    {
+        heard_.back() = stage_.World().Now();
+    }
 }
 
 /// A manager gets a frame.
@@ -185,33 +250,21 @@ void Watch::Take(const Coming& coming)
     }
 }
 
-/// The first answer to a request counts; what nobody waits for tells nothing.
+/// The first answer to a request counts, and whatever else tells what is expected: two managers may ask the same. What
+/// is wrong and nobody waits for tells nothing.
 void Watch::OnAnswer(const CanFrame& frame, const Slave& slave, Reading& reading, const Nanoseconds now) const
 {
     const ExpectedValue upload = UploadIn(frame);
-    if (upload.size == 0U || reading.asked != NumberIn(upload.object))
-    {
-        return;
-    }
-    reading.asked = 0U;
+    const bool is_asked = upload.size != 0U && reading.asked == NumberIn(upload.object);
+    reading.asked = is_asked ? 0U : reading.asked;
     for (const ExpectedValue& expected : slave.expected)
     {
-        if (NumberIn(expected.object) == NumberIn(upload.object))
+        const bool is_right = upload.size == expected.size && upload.value == expected.value;
+        if (upload.size != 0U && NumberIn(expected.object) == NumberIn(upload.object) && (is_right || is_asked))
         {
-            const bool is_right = upload.size == expected.size && upload.value == expected.value;
             reading.now[NumberIn(upload.object)] = {is_right, now};
         }
     }
-}
-
-void Watch::Clear(Reading& reading, const Nanoseconds now)
-{
-    if (now - reading.cleared > kGrace)
-    {
-        reading.before = reading.now;
-    }
-    reading.cleared = now;
-    reading.now.clear();
 }
 
 void Watch::NoteNewManager(const host::NodeIndex bus_node)
@@ -238,7 +291,7 @@ void Watch::OnConfirmation(const host::FrameOnBus& sent, host::ReceptionList& /*
         made_.hashes[sent.sender].push_back(hash);
         made_.identifiers[sent.sender].insert(frame.identifier);
     }
-    else if (!MaySend(frame.identifier, sent.sender))
+    else if (!MaySend(stage_, *reference_, frame.identifier, sent.sender))
     {
         Tell(Wrong::kIdentifier);
     }
@@ -246,23 +299,6 @@ void Watch::OnConfirmation(const host::FrameOnBus& sent, host::ReceptionList& /*
     {
         OnOwnFrame(frame, sent.sender);
     }
-}
-
-/// What it sends without fault, and its other services.
-bool Watch::MaySend(const std::uint32_t identifier, const host::NodeIndex sender) const
-{
-    const auto known = reference_->identifiers.find(sender);
-    if (known != reference_->identifiers.end() && known->second.count(identifier) != 0U)
-    {
-        return true;
-    }
-    const std::uint32_t service = identifier & ~kLowest7;
-    const bool is_answer = service == kEmergencies || service == kAnswers || service == kLife;
-    if (const Slave* const slave = stage_.SlaveAt(sender))
-    {
-        return is_answer && (identifier & kLowest7) == slave->node_id;
-    }
-    return is_answer || service == kRequests || service == 0U;
 }
 
 /// A manager sends.
@@ -313,13 +349,6 @@ void Watch::OnCommand(const CanFrame& frame, const host::NodeIndex sender)
     }
 }
 
-const Watch::Answer* Watch::AnswerFor(const Reading& reading, const std::uint32_t key, const Nanoseconds now)
-{
-    const bool is_under_way = now - reading.cleared <= kGrace;
-    const auto found = is_under_way ? reading.before.find(key) : reading.now.find(key);
-    return (found == (is_under_way ? reading.before.end() : reading.now.end())) ? nullptr : &found->second;
-}
-
 /// A safety slave is started by itself.
 void Watch::OnStart(const Slave& slave, const host::NodeIndex sender)
 {
@@ -351,21 +380,6 @@ void Watch::OnStart(const Slave& slave, const host::NodeIndex sender)
     {
         Tell(Wrong::kIdentity);
     }
-}
-
-/// Any object that differs, 1300h last; 0: none.
-std::uint16_t Watch::OtherIn(const Slave& slave)
-{
-    std::uint16_t other = 0U;
-    for (const ExpectedValue& expected : slave.expected)
-    {
-        const std::uint16_t index = expected.object.index;
-        const bool is_better = other == 0U || index != kGfc;
-        const std::optional<std::uint32_t> value =
-            is_better ? stage_.ValueIn(slave, expected.object) : std::optional<std::uint32_t>();
-        other = (value && *value != expected.value) ? index : other;
-    }
-    return other;
 }
 
 void Watch::Look(const Nanoseconds now)
@@ -417,7 +431,7 @@ void Watch::LookAtStates(const Nanoseconds now)
         {
             continue;
         }
-        const std::uint16_t other = OtherIn(slave);
+        const std::uint16_t other = OtherIn(stage_, slave);
         if (other == 0U)
         {
             other_since_[place] = -1;
@@ -462,6 +476,10 @@ void Watch::LookAtMasters(const Nanoseconds now)
     {
         two_since_ = now;
     }
+    else if (now - heard_.back() > kSilence)
+    {
+        limit_ = Limit::kApart;
+    }
     else if (now - two_since_ > plan_.masters_within)
     {
         Tell(Wrong::kTwoMasters);
@@ -495,7 +513,7 @@ void Watch::LookAtOutput(const Slave& slave, const std::uint32_t slot, const Nan
     {
         output.closed = output.is_open ? now : output.closed;
     }
-    else if (!output.is_open && !IsAcknowledged(slave, slot, output.closed - kMs, now))
+    else if (!output.is_open && !IsAcknowledged(stage_, slave, slot, output.closed - kMs, now))
     {
         if (reference_ == nullptr)
         {
@@ -507,16 +525,6 @@ void Watch::LookAtOutput(const Slave& slave, const std::uint32_t slot, const Nan
         }
     }
     output.is_open = is_open;
-}
-
-bool Watch::IsAcknowledged(const Slave& slave, const std::uint32_t slot, const Nanoseconds from,
-                           const Nanoseconds now) const
-{
-    const std::uint8_t number = stage_.World().At(slave.index).Model().NumberOf(static_cast<SlotIndex>(slot));
-    const auto& all = stage_.Setting().acknowledges;
-    return std::any_of(
-        all.begin(), all.end(), [&slave, number, from, now](const simulator::Acknowledge& each)
-        { return each.node == slave.index && each.srdo == number && each.at <= now && each.at + each.pulse >= from; });
 }
 
 void Watch::Draw()

@@ -75,6 +75,22 @@ struct Reference
     std::set<std::pair<std::size_t, std::uint32_t>> automatic;    ///< Device and slot that open without an acknowledge.
 };
 
+/// A value that a manager got.
+struct Answer
+{
+    bool is_right{false};
+    Nanoseconds at{0};
+};
+/// What a manager has read of a slave, since it had to read anew and before.
+struct Reading
+{
+    std::map<std::uint32_t, Answer> now;
+    std::map<std::uint32_t, Answer> before;
+    std::uint32_t asked{0U}; ///< The object that it waits for; 0: for none.
+    Nanoseconds cleared{-1};
+    Nanoseconds booted{-1}; ///< Its last boot-up message that came.
+};
+
 /// The judge. It sees frames as each receiver gets them, devices as they are, and managers by their controllers alone;
 /// it shares nothing with the gate. [SRS_CMG_072]
 class Watch final : public host::BusFault
@@ -135,21 +151,6 @@ class Watch final : public host::BusFault
     void OnConfirmation(const host::FrameOnBus& sent, host::ReceptionList& receptions) override;
 
   private:
-    /// A value that a manager got.
-    struct Answer
-    {
-        bool is_right{false};
-        Nanoseconds at{0};
-    };
-    /// What a manager has read of a slave, since it had to read anew and before.
-    struct Reading
-    {
-        std::map<std::uint32_t, Answer> now;
-        std::map<std::uint32_t, Answer> before;
-        std::uint32_t asked{0U}; ///< The object that it waits for; 0: for none.
-        Nanoseconds cleared{-1};
-        Nanoseconds booted{-1}; ///< Its last boot-up message that came.
-    };
     struct Output
     {
         bool is_open{false};
@@ -167,20 +168,15 @@ class Watch final : public host::BusFault
 
     void Meet(host::NodeIndex sender, host::NodeIndex receiver);
     void Take(const Coming& coming);
-    static void Clear(Reading& reading, Nanoseconds now);
     void OnAnswer(const CanFrame& frame, const Slave& slave, Reading& reading, Nanoseconds now) const;
-    [[nodiscard]] bool MaySend(std::uint32_t identifier, host::NodeIndex sender) const;
     void OnOwnFrame(const CanFrame& frame, host::NodeIndex sender);
     void OnCommand(const CanFrame& frame, host::NodeIndex sender);
     void OnStart(const Slave& slave, host::NodeIndex sender);
-    [[nodiscard]] static const Answer* AnswerFor(const Reading& reading, std::uint32_t key, Nanoseconds now);
     void LookAtOutputs(Nanoseconds now);
     void LookAtOutput(const Slave& slave, std::uint32_t slot, Nanoseconds now);
-    [[nodiscard]] bool IsAcknowledged(const Slave& slave, std::uint32_t slot, Nanoseconds from, Nanoseconds now) const;
     void LookAtValues(Nanoseconds now);
     void LookAtStates(Nanoseconds now);
     void LookAtMasters(Nanoseconds now);
-    [[nodiscard]] std::uint16_t OtherIn(const Slave& slave);
     void Draw();
     void Tell(Wrong wrong);
 
@@ -200,7 +196,7 @@ class Watch final : public host::BusFault
     std::vector<Nanoseconds> started_;     ///< By slave: the last start of a manager that came to an end.
     std::vector<Nanoseconds> other_since_; ///< By slave: runs with another configuration; -1: it does not.
     std::vector<Nanoseconds> reached_;     ///< By slave: the last frame of a manager that came to it.
-    std::vector<Nanoseconds> heard_;       ///< By slave: its last frame that came to a manager.
+    std::vector<Nanoseconds> heard_;       ///< By slave: its last frame to a manager; last: of a manager.
     Nanoseconds two_since_{-1};
     std::vector<Coming> coming_{};
     std::map<host::NodeIndex, std::uint64_t> hashes_{};
