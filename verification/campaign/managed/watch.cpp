@@ -2,7 +2,6 @@
 #include "verification/campaign/managed/watch.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace counterpoint::campaign::managed
 {
@@ -13,6 +12,7 @@ constexpr Nanoseconds kGrace = 3 * kMs;      ///< Three frames and a cycle: what
 constexpr Nanoseconds kObeyed = 20 * kMs;    ///< A command is followed within this.
 constexpr Nanoseconds kLookAtAll = 50 * kMs; ///< Whole configurations are read so often.
 constexpr Nanoseconds kSilence = 1000 * kMs; ///< For so long neither hears the other: the bus is not there.
+constexpr Nanoseconds kCycles = 5 * kMs;     ///< An output follows the state of its device within this.
 constexpr std::uint32_t kLowest7 = 0x7FU;
 constexpr std::uint32_t kAnswers = 0x580U;
 constexpr std::uint32_t kRequests = 0x600U;
@@ -59,24 +59,6 @@ constexpr std::uint16_t kGfc = 0x1300U;
     }
     return hash;
 }
-
-constexpr std::array<const char*, 12U> kWrongTexts{
-    "",
-    "a start of all, with a safety slave in the network",
-    "a safety slave was started before its verification had succeeded",
-    "a safety slave was started with another configuration than was expected",
-    "another device than was expected was started",
-    "a safety slave with another configuration runs on",
-    "two active managers",
-    "output open outside of OPERATIONAL",
-    "output open again without an acknowledge",
-    "output open with data that are too old or nobody's",
-    "a frame under a foreign identifier",
-    "the program ended"};
-constexpr std::array<const char*, 5U> kLimitTexts{
-    "", "a safety configuration changed without a message, behind its last reading",
-    "a slave runs by a command that no manager gave to it then", "1300h was written by somebody else behind the start",
-    "between a slave with another configuration and the managers, or between these, there is no bus"};
 
 void Clear(Reading& reading, const Nanoseconds now)
 {
@@ -128,17 +110,16 @@ void Clear(Reading& reading, const Nanoseconds now)
     return other;
 }
 
+[[nodiscard]] bool IsAcknowledged(Stage& stage, const Slave& slave, const std::uint32_t slot, const Nanoseconds from,
+                                  const Nanoseconds now)
+{
+    const std::uint8_t number = stage.World().At(slave.index).Model().NumberOf(static_cast<SlotIndex>(slot));
+    const auto& all = stage.Setting().acknowledges;
+    return std::any_of(
+        all.begin(), all.end(), [&slave, number, from, now](const simulator::Acknowledge& each)
+        { return each.node == slave.index && each.srdo == number && each.at <= now && each.at + each.pulse >= from; });
+}
 } // namespace
-
-const char* TextOf(const Wrong wrong)
-{
-    return kWrongTexts.at(static_cast<std::size_t>(wrong));
-}
-
-const char* TextOf(const Limit limit)
-{
-    return kLimitTexts.at(static_cast<std::size_t>(limit));
-}
 
 Watch::Watch(Stage& stage, const Plan& plan)
     : stage_(stage), plan_(plan), runs_(stage.Slaves().size(), false), started_(stage.Slaves().size(), -kObeyed),
@@ -179,14 +160,7 @@ void Watch::OnReception(const host::FrameOnBus& sent, const host::NodeIndex rece
     for (const host::Reception& reception : receptions)
     {
         const Coming coming{stage_.World().Now() + reception.delay, reception.frame, receiver};
-        if (reception.delay == 0)
-        {
-            Take(coming);
-        }
-        else
-        {
-            coming_.push_back(coming);
-        }
+        (reception.delay == 0) ? Take(coming) : coming_.push_back(coming);
     }
 }
 
@@ -498,5 +472,127 @@ Reference Watch::TakeReference()
 {
     made_.frames = frames_;
     return std::move(made_);
+}
+
+void Watch::LookAtOutputs(const Nanoseconds now)
+{
+    for (const Slave& slave : stage_.Slaves())
+    {
+        const simulator::Node& node = stage_.World().At(slave.index);
+        for (std::uint32_t slot = 0U; slot < node.Model().Srdos().size(); ++slot)
+        {
+            LookAtOutput(slave, slot, now);
+        }
+    }
+}
+
+void Watch::LookAtOutput(const Slave& slave, const std::uint32_t slot, const Nanoseconds now)
+{
+    const simulator::Node& node = stage_.World().At(slave.index);
+    Output& output = outputs_[{slave.index, static_cast<std::uint8_t>(slot)}];
+    const bool is_open = node.HasSupply() && ((node.Open() >> slot) & 1U) != 0U;
+    const bool may_be = node.State() == cia301::NodeState::kOperational;
+    output.without_leave = (is_open && !may_be) ? output.without_leave + kMs : 0;
+    if (output.without_leave > kCycles)
+    {
+        Tell(Wrong::kNoLeave);
+    }
+    if (!is_open)
+    {
+        output.closed = output.is_open ? now : output.closed;
+    }
+    else if (!output.is_open && !IsAcknowledged(stage_, slave, slot, output.closed - kMs, now))
+    {
+        if (reference_ == nullptr)
+        {
+            made_.automatic.insert({slave.index, slot});
+        }
+        else if (reference_->automatic.count({slave.index, slot}) == 0U)
+        {
+            Tell(Wrong::kNoAcknowledge);
+        }
+    }
+    output.is_open = is_open;
+}
+
+void Watch::Draw()
+{
+    picture_.words.clear();
+    picture_.values.clear();
+    for (const Slave& slave : stage_.Slaves())
+    {
+        simulator::Node& node = stage_.World().At(slave.index);
+        picture_.words.push_back(static_cast<std::uint32_t>(node.State()) |
+                                 (node.HasSupply() ? static_cast<std::uint32_t>(node.Open()) << 8U : 0U));
+        for (const runtime::PairValue& pair : node.App().Logic().Pairs())
+        {
+            if (pair.is_consumer)
+            {
+                const bool is_open = node.HasSupply() && (node.Open() & pair.slot) != 0U;
+                picture_.values.push_back(is_open ? pair.normal : pair.safe);
+            }
+        }
+    }
+    for (const auto& manager : stage_.Managers())
+    {
+        picture_.words.push_back(manager->HasSupply() ? 1U : 0U);
+        if (!manager->HasSupply())
+        {
+            continue;
+        }
+        const cia302::Manager& core = manager->Station()->Assembly().Core();
+        picture_.words.push_back((core.IsActive() ? 1U : 0U) | (static_cast<std::uint32_t>(core.OwnState()) << 1U));
+        for (const auto& slave : manager->Net().Slaves())
+        {
+            const cia302::NodeId id{slave->plan.node};
+            const cia302::NodeStatus status = core.Status(id);
+            picture_.words.push_back(static_cast<std::uint32_t>(core.Table().Record(id).state) |
+                                     (static_cast<std::uint32_t>(core.Gate().State(id)) << 8U) |
+                                     (static_cast<std::uint32_t>(static_cast<std::uint8_t>(status.letter)) << 16U));
+            picture_.words.push_back(static_cast<std::uint32_t>(status.code) | (status.is_started ? 0x10000U : 0U));
+        }
+    }
+}
+
+/// An output that is open has what it has without fault: now, not longer ago than data may be old, or as much sooner as
+/// its producers may send in another phase.
+void Watch::LookAtValues(const Nanoseconds now)
+{
+    if (reference_ == nullptr)
+    {
+        return;
+    }
+    const auto here = static_cast<std::size_t>(now / kMs);
+    const auto age = static_cast<std::size_t>(age_ / kMs);
+    const std::size_t first = (here > age) ? here - age : 0U;
+    const std::size_t last = std::min(here + static_cast<std::size_t>(phase_ / kMs), reference_->pictures.size() - 1U);
+    std::size_t place = 0U;
+    for (const Slave& slave : stage_.Slaves())
+    {
+        simulator::Node& node = stage_.World().At(slave.index);
+        for (const runtime::PairValue& pair : node.App().Logic().Pairs())
+        {
+            if (!pair.is_consumer)
+            {
+                continue;
+            }
+            const std::uint64_t value = picture_.values.at(place);
+            bool is_known = value == pair.safe;
+            for (std::size_t ms = first; ms <= last && !is_known; ++ms)
+            {
+                const std::vector<std::uint64_t>& values = reference_->pictures[ms].values;
+                is_known = place < values.size() && values[place] == value;
+            }
+            const std::vector<Picture>& all = reference_->pictures;
+            const bool is_ever_open =
+                !is_known && std::any_of(all.begin(), all.end(), [place, &pair](const Picture& each)
+                                         { return place < each.values.size() && each.values[place] != pair.safe; });
+            if (is_ever_open) // Else the run without fault says nothing of its data.
+            {
+                Tell(Wrong::kData);
+            }
+            ++place;
+        }
+    }
 }
 } // namespace counterpoint::campaign::managed
