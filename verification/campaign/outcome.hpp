@@ -56,13 +56,19 @@ struct Outcome
     std::uint32_t us{0U};    ///< From the fault to the closed output (to the device fault, where none was open).
 };
 
-constexpr std::uint8_t kMarkLate = 1U;    ///< Above the limit, counted from the first effect of the fault.
+constexpr std::uint8_t kMarkLate = 1U;    ///< Above the limit, counted from what the device did first. [SRS_CMG_060]
 constexpr std::uint8_t kMarkSaidByA = 2U; ///< Of kChannels: channel A reported this cause by itself.
 constexpr std::uint8_t kMarkSaidByB = 4U;
+constexpr std::uint8_t kMarkLatent = 8U; ///< Lay longer than the limit where the device did nothing else. [SRS_CMG_060]
 
 [[nodiscard]] constexpr bool IsLate(const Outcome& outcome)
 {
     return (outcome.marks & kMarkLate) != 0U;
+}
+
+[[nodiscard]] constexpr bool IsLatent(const Outcome& outcome)
+{
+    return (outcome.marks & kMarkLatent) != 0U;
 }
 
 [[nodiscard]] const char* WordOf(Class result);

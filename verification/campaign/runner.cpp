@@ -22,6 +22,7 @@ constexpr std::size_t kStrikes = 5U;
 constexpr std::size_t kStrikeDistance = 7U;
 constexpr std::size_t kMoreCycles = 50U;
 constexpr std::uint8_t kNoPart = 0xFFU;
+constexpr std::size_t kNever = ~std::size_t{0U};
 
 bool Strikes(const Experiment& fault, const std::size_t cycle)
 {
@@ -69,6 +70,19 @@ Detector DetectorOf(const DeviceFault fault)
         break;
     }
     return Detector::kLatch;
+}
+
+/// Found by what is done within an interval of the configuration.
+bool IsOfTest(const Outcome& found)
+{
+    return found.detector == Detector::kGuard || found.detector == Detector::kSelfTest ||
+           (found.detector == Detector::kComparator &&
+            found.detail == static_cast<std::uint8_t>(DeviceFault::kComparator));
+}
+
+std::size_t BytesOf(const VariablePlace& place)
+{
+    return (place.length_bits + 7U) / 8U;
 }
 
 std::uint32_t LongestOf(const runtime::DeviceModel& model, const DeviceConfig& config,
@@ -141,6 +155,7 @@ Runner::Runner(Device& device, Judge& judge, const Recording& recording, const S
         std::fill_n(owner_.begin() + static_cast<std::ptrdiff_t>(place.offset), place.size,
                     static_cast<std::uint8_t>(place.part));
     }
+    TakeWhatIsTold();
     const std::size_t end = space.LastCycle() + horizon_ + 1U;
     device_.Follow(this);
     JudgeMemory memory;
@@ -154,7 +169,7 @@ Runner::Runner(Device& device, Judge& judge, const Recording& recording, const S
         now_ = cycle;
         device_.Cycle(cycle);
         const Sight sight = judge_.Look(cycle, memory);
-        open_.push_back(sight.open);
+        sights_.push_back(sight);
         const std::string problem = WhatIsNotWell(sight);
         if (!problem.empty())
         {
@@ -292,7 +307,7 @@ Outcome Runner::Run(const Experiment& experiment)
     }
     if (found_.result == Class::kDetected && found_.us > limits_.Of(experiment))
     {
-        found_.marks |= IsLate(experiment) ? kMarkLate : std::uint8_t{0U};
+        found_.marks |= MarksOf(experiment);
     }
     return found_;
 }
@@ -331,30 +346,76 @@ std::size_t Runner::EndOf(const Experiment& experiment) const
 }
 
 /// A fault may lie still for long: a bit that is stuck at what it is anyway, a word that is not read. The same run
-/// again, to see when anything outside of the part that is hit became different. [SRS_CMG_007]
-bool Runner::IsLate(const Experiment& experiment)
+/// again, to see when the device did something else. What a test finds that comes again and again has its interval from
+/// when the memory is wrong, whatever the device does. [SRS_CMG_007, SRS_CMG_060]
+std::uint8_t Runner::MarksOf(const Experiment& experiment)
 {
     const Outcome found = found_;
     Begin(experiment);
-    std::size_t effect = experiment.cycle;
+    JudgeMemory memory = memories_[experiment.cycle];
+    Signs signs{kNever, kNever, kNever};
     const Return back = Trap::Run(
-        [this, &experiment, &effect, &found]()
+        [this, &experiment, &memory, &signs, &found]()
         {
-            for (; Since(experiment, now_) < found.us; ++now_)
+            for (; Since(experiment, now_) < found.us && signs.effect == kNever; ++now_)
             {
                 RunCycle();
-                effect = now_;
-                if (HasSpread(experiment))
-                {
-                    return;
-                }
+                NoticeSigns(experiment, judge_.Look(now_, memory), signs);
             }
         });
     static_cast<void>(back); // Where it ends by an exception, the effect is the exception.
     fault_ = nullptr;
     found_ = found;
-    const std::uint32_t silent_us = (effect > experiment.cycle) ? Since(experiment, effect - 1U) : 0U;
-    return found.us - std::min(found.us, silent_us) > limits_.Of(experiment);
+    const auto is_above = [this, &experiment, &found](const std::size_t sign)
+    {
+        const std::size_t seen = std::min(sign, now_);
+        const std::uint32_t silent_us = (seen > experiment.cycle) ? Since(experiment, seen - 1U) : 0U;
+        return found.us - std::min(found.us, silent_us) > limits_.Of(experiment);
+    };
+    if (is_above(IsOfTest(found) ? signs.memory : signs.effect))
+    {
+        return kMarkLate;
+    }
+    return is_above(signs.spread) ? kMarkLatent : std::uint8_t{0U};
+}
+
+void Runner::NoticeSigns(const Experiment& experiment, const Sight& sight, Signs& signs) const
+{
+    const auto notice = [this](std::size_t& sign, const bool is_there)
+    { sign = (sign == kNever && is_there) ? now_ : sign; };
+    notice(signs.memory, !IsAsWithoutFault(now_ + 1U));
+    notice(signs.spread, HasSpread(experiment));
+    notice(signs.effect, DoesOtherwise(sight));
+}
+
+/// What a person outside or the safety function can see: output, frames, what the application is told and given.
+bool Runner::DoesOtherwise(const Sight& sight) const
+{
+    const Sight& was = sights_[now_];
+    const bool is_output = sight.open != was.open || sight.not_inverse != was.not_inverse || sight.listed != was.listed;
+    const bool is_frame = sight.is_bad_frame != was.is_bad_frame || sight.is_overdue != was.is_overdue ||
+                          sight.is_missed != was.is_missed;
+    const std::uint8_t* const is = device_.Memory().Bytes();
+    const std::uint8_t* const without = kept_.data() + ((now_ + 1U - first_) * size_);
+    return is_output || is_frame ||
+           std::any_of(told_.begin(), told_.end(), [is, without](const Stretch& each)
+                       { return std::memcmp(is + each.offset, without + each.offset, each.size) != 0; });
+}
+
+/// Producers' variables are what the application senses.
+void Runner::TakeWhatIsTold()
+{
+    told_.push_back({device_.Memory().OffsetOf(&device_.Told()), sizeof(FlatApplication)});
+    for (const FlatPair& pair : device_.Pairs())
+    {
+        for (const VariablePlace& place : {pair.normal, pair.inverse})
+        {
+            if (pair.is_consumer)
+            {
+                told_.push_back({device_.Memory().OffsetOf(place.place), BytesOf(place)});
+            }
+        }
+    }
 }
 
 bool Runner::HasSpread(const Experiment& experiment) const
@@ -495,7 +556,7 @@ bool Runner::NoticeWrong(const Sight& sight, const Experiment& experiment)
 
 bool Runner::HasClosed(const Sight& sight) const
 {
-    return (open_[now_] & ~sight.open) != 0U || (HasGivenUp() && sight.open == 0U);
+    return (sights_[now_].open & ~sight.open) != 0U || (HasGivenUp() && sight.open == 0U);
 }
 
 Outcome Runner::Blame() const

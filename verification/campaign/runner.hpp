@@ -90,18 +90,35 @@ class Runner final : private PhaseHook
     /// @brief Slots whose outputs are open behind this cycle of the run without fault.
     [[nodiscard]] SrdoMask OpenWithoutFault(const std::size_t cycle) const
     {
-        return open_[cycle];
+        return sights_[cycle].open;
     }
 
     /// @brief From an exception to the closed output.
     [[nodiscard]] std::uint32_t ExceptionUs() const noexcept;
 
   private:
+    /// The first cycles, or the one in which it was found, in which a fault could be seen: [SRS_CMG_060]
+    struct Signs
+    {
+        std::size_t memory{0U}; ///< in any byte,
+        std::size_t spread{0U}; ///< in a byte outside of the part that is hit,
+        std::size_t effect{0U}; ///< in what the device does.
+    };
+    /// Bytes of the device that its application reads.
+    struct Stretch
+    {
+        std::size_t offset{0U};
+        std::size_t size{0U};
+    };
+
     void At(Phase phase) noexcept override;
+    void TakeWhatIsTold();
     [[nodiscard]] bool IsNeverOtherwise(const Experiment& experiment) const;
     void Begin(const Experiment& experiment);
     void Watch(const Experiment& experiment);
-    [[nodiscard]] bool IsLate(const Experiment& experiment);
+    [[nodiscard]] std::uint8_t MarksOf(const Experiment& experiment);
+    void NoticeSigns(const Experiment& experiment, const Sight& sight, Signs& signs) const;
+    [[nodiscard]] bool DoesOtherwise(const Sight& sight) const;
     [[nodiscard]] bool HasSpread(const Experiment& experiment) const;
     [[nodiscard]] bool Notice(const Sight& sight, const Experiment& experiment);
     [[nodiscard]] std::string WhatIsNotWell(const Sight& sight) const;
@@ -128,7 +145,8 @@ class Runner final : private PhaseHook
     std::size_t size_;                     ///< Of that memory.
     std::vector<std::uint8_t> kept_{};     ///< One after the other.
     std::vector<JudgeMemory> memories_{};  ///< Before each cycle.
-    std::vector<SrdoMask> open_{};         ///< Behind each cycle.
+    std::vector<Sight> sights_{};          ///< Behind each cycle.
+    std::vector<Stretch> told_{};          ///< What the application is told, and what it is given.
     std::vector<std::uint8_t> all_set_{};  ///< Bits that are 1 at each phase of each kept cycle.
     std::vector<std::uint8_t> ever_set_{}; ///< Bits that are 1 at one of them.
     std::vector<std::uint8_t> owner_;      ///< The part of each byte.

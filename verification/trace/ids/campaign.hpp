@@ -40,6 +40,7 @@ inline constexpr RequirementId SRS_CMG_046{"SRS_CMG_046"};
 inline constexpr RequirementId SRS_CMG_047{"SRS_CMG_047"};
 inline constexpr RequirementId SRS_CMG_048{"SRS_CMG_048"};
 inline constexpr RequirementId SRS_CMG_049{"SRS_CMG_049"};
+inline constexpr RequirementId SRS_CMG_060{"SRS_CMG_060"};
 } // namespace counterpoint::req
 
 #endif
