@@ -26,26 +26,14 @@ bool Signals(const std::uint32_t signals, const SrdoCause cause)
 {
     return ((signals >> (static_cast<std::uint32_t>(cause) % 32U)) & 1U) != 0U;
 }
-
-/// An application does not keep what it was told before somebody acknowledged, or while the device is not OPERATIONAL.
-void ForgetErrors(const Recording& recording, const std::size_t cycle, FlatApplication& application)
-{
-    const RecordedCycle& now = recording.cycles[cycle];
-    const CycleCall before = (cycle == 0U) ? CycleCall{} : recording.cycles[cycle - 1U].call;
-    const bool is_pressed = (now.call.acknowledge_a & ~before.acknowledge_a) != 0U;
-    if (is_pressed || now.nmt != NmtState::kOperational)
-    {
-        application.faulted = 0U;
-        application.first_cause = SrdoCause::kNone;
-    }
-}
 } // namespace
 
 Device::Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, const OutputKind output,
                const DeviceSetup& setup)
-    : region_(region), recording_(recording), reference_(model.Config()), feed_(recording)
+    : region_(region), recording_(recording), reference_(model.Config()), prefix_(setup.cpu ? setup.cpu->prefix : ""),
+      feed_(recording)
 {
-    MakeSurroundings(recording, output);
+    MakeSurroundings(recording, output, setup);
     CopyTables(model);
     feed_.TakeInputs(pairs_);
     MakeChannels(setup);
@@ -55,12 +43,15 @@ Device::Device(Region& region, const runtime::DeviceModel& model, const Recordin
     }
     MakeKernel();
     Start(model);
-    region_.Close();
+    if (!setup.cpu)
+    {
+        region_.Close();
+    }
 }
 
 void Device::Add(const Part part, const std::string& name, const void* const object, const std::size_t size)
 {
-    places_.push_back({part, name, region_.OffsetOf(object), size});
+    places_.push_back({part, prefix_ + name, region_.OffsetOf(object), size});
 }
 
 void Device::CopyTables(const runtime::DeviceModel& model)
@@ -104,10 +95,11 @@ void Device::CopyTables(const runtime::DeviceModel& model)
     }
 }
 
-void Device::MakeSurroundings(const Recording& recording, const OutputKind output)
+void Device::MakeSurroundings(const Recording& recording, const OutputKind output, const DeviceSetup& setup)
 {
-    application_ = &region_.Make<FlatApplication>();
-    ports_ = &region_.Make<FlatPorts>();
+    const bool is_second = setup.cpu && setup.cpu->application != nullptr;
+    application_ = is_second ? setup.cpu->application : &region_.Make<FlatApplication>();
+    ports_ = is_second ? setup.cpu->ports : &region_.Make<FlatPorts>();
     ports_->frame_ns = recording.frame_ns;
     watchdog_ = &region_.Make<FlatWatchdog>();
     output_ =
@@ -121,6 +113,11 @@ void Device::MakeSurroundings(const Recording& recording, const OutputKind outpu
 
 void Device::MakeChannels(const DeviceSetup& setup)
 {
+    if (setup.cpu)
+    {
+        MakeVoices(*setup.cpu);
+        return;
+    }
     const ChannelRoom room{reference_.srdo_count, reference_.map_entries};
     const MadeChannel a = MakeChannelA(region_, room);
     const MadeChannel b = MakeChannelB(region_, room);
@@ -138,13 +135,32 @@ void Device::MakeChannels(const DeviceSetup& setup)
     }
 }
 
+/// One channel, and in the place of the other one what its CPU tells.
+void Device::MakeVoices(const CpuOfTwo& cpu)
+{
+    const ChannelRoom room{reference_.srdo_count, reference_.map_entries};
+    const MadeChannel own = (cpu.link.role == PeerRole::kA) ? MakeChannelA(region_, room) : MakeChannelB(region_, room);
+    for (const Place& place : own.places)
+    {
+        places_.push_back({place.part, prefix_ + place.name, place.offset, place.size});
+    }
+    shipped_ = {own.voice, own.voice};
+    peer_ = &region_.Make<Peer>(*own.voice, *watchdog_, cpu.link);
+    Add(Part::kCrossLink, "cross_link", peer_, sizeof(*peer_));
+    a_ = &peer_->VoiceA();
+    b_ = &peer_->VoiceB();
+}
+
 void Device::MakeKernel()
 {
+    hal::Watchdog& watchdog = (peer_ == nullptr) ? *watchdog_ : peer_->Watchdog();
     kernel_ =
-        &region_.Make<Kernel>(KernelParts{*a_, *b_, *ports_, *output_, *watchdog_, *application_,
+        &region_.Make<Kernel>(KernelParts{*a_, *b_, *ports_, *output_, watchdog, *application_,
                                           (self_test_ == nullptr) ? nullptr : &self_test_->Part(), windows_, flow_});
-    const std::vector<Place> members = PlacesOf(*kernel_, region_);
-    places_.insert(places_.end(), members.begin(), members.end());
+    for (const Place& member : PlacesOf(*kernel_, region_))
+    {
+        places_.push_back({member.part, prefix_ + member.name, member.offset, member.size});
+    }
 }
 
 void Device::Start(const runtime::DeviceModel& model)
@@ -213,6 +229,22 @@ void Device::AddToSelfTest()
     self_test_->Start(*shipped_[0], *shipped_[1], reference_.diagnostic_interval_us / LateCycleUs(reference_));
 }
 
+void Device::Rewind(const std::size_t cycle, const Experiment* const fault, const std::size_t end,
+                    const std::uint64_t seed)
+{
+    feed_.Rewind(cycle, fault, end, seed);
+}
+
+bool Device::IsUndisturbed(const std::size_t cycle) const
+{
+    return feed_.IsUndisturbed(cycle);
+}
+
+DeviceFault Device::Fault() const noexcept
+{
+    return kernel_->DeviceState().fault;
+}
+
 void Device::Follow(PhaseHook* const hook) noexcept
 {
     hook_ = hook;
@@ -246,7 +278,7 @@ SrdoMask Device::Open() noexcept
 void Device::Cycle(const std::size_t cycle)
 {
     MoveOwnFrames();
-    ForgetErrors(recording_, cycle, *application_);
+    ForgetErrors(cycle);
     feed_.BeginCycle();
     const Calls calls = feed_.CallsIn(cycle);
     for (std::size_t index = 0U; index < calls.count; ++index)
@@ -254,6 +286,19 @@ void Device::Cycle(const std::size_t cycle)
         Call(cycle, calls.at.at(index));
     }
     SetTime(recording_.cycles[cycle].at);
+}
+
+/// An application does not keep what it was told before somebody acknowledged, or while the device is not OPERATIONAL.
+void Device::ForgetErrors(const std::size_t cycle) noexcept
+{
+    const RecordedCycle& now = recording_.cycles[cycle];
+    const CycleCall before = (cycle == 0U) ? CycleCall{} : recording_.cycles[cycle - 1U].call;
+    const bool is_pressed = (now.call.acknowledge_a & ~before.acknowledge_a) != 0U;
+    if (is_pressed || now.nmt != NmtState::kOperational)
+    {
+        application_->faulted = 0U;
+        application_->first_cause = SrdoCause::kNone;
+    }
 }
 
 /// What was confirmed is on the bus; what waits moves to the front.

@@ -160,15 +160,17 @@ void Judge::LookAtOutput(const Srdo& srdo, const std::size_t cycle, const JudgeM
 {
     const SrdoMask bit = SrdoMask{1U} << srdo.slot;
     std::uint64_t data = 0U;
+    std::uint64_t inverse = 0U;
     std::uint64_t mask = 0U;
     for (const FlatPair& pair : srdo.pairs)
     {
-        if (IsInversePair(pair.normal, pair.inverse) != PairView::kInverse)
+        if (!device_.HasTwoCpus() && IsInversePair(pair.normal, pair.inverse) != PairView::kInverse)
         {
             sight.not_inverse |= bit;
             return; // The application does not use it.
         }
         data |= ReadVariable(pair.normal).bits << pair.first_bit;
+        inverse |= (~ReadVariable(pair.inverse).bits & MaskOf(pair.inverse)) << pair.first_bit;
         mask |= MaskOf(pair.normal) << pair.first_bit;
     }
     // The permits of the cycle that tells of a device fault may have been given before.
@@ -182,10 +184,18 @@ void Judge::LookAtOutput(const Srdo& srdo, const std::size_t cycle, const JudgeM
     }
     else
     {
-        const Leave leave = srdo.bus.front().Allows(memory.received.at(srdo.slot), recording_.cycles[cycle].at, data,
-                                                    mask, discrepancy_);
-        sight.wrong = (leave == Leave::kNone) ? Wrong::kData : sight.wrong;
-        sight.listed |= (leave == Leave::kListed) ? bit : SrdoMask{0U};
+        const auto allows = [this, &srdo, &memory, cycle, mask](const std::uint64_t each)
+        {
+            return srdo.bus.front().Allows(memory.received.at(srdo.slot), recording_.cycles[cycle].at, each, mask,
+                                           discrepancy_);
+        };
+        const Leave leave = allows(data);
+        const Leave other = device_.HasTwoCpus() ? allows(inverse) : leave;
+        const bool is_none = leave == Leave::kNone && other == Leave::kNone;
+        // What one CPU has wrong stands in series with what the other one has right. [SRS_CMG_064]
+        sight.not_inverse |= (!is_none && (leave == Leave::kNone || other == Leave::kNone)) ? bit : SrdoMask{0U};
+        sight.wrong = is_none ? Wrong::kData : sight.wrong;
+        sight.listed |= (leave == Leave::kListed || other == Leave::kListed) ? bit : SrdoMask{0U};
     }
 }
 

@@ -43,8 +43,9 @@ enum class Detector : std::uint8_t
     kTime = 13U,      ///< A call that does not return: output and watchdog.
     kPins = 14U,      ///< The safety pins' look at themselves.
     kSelfTest = 15U,  ///< The shipped self tests.
+    kCrossLink = 16U, ///< What one CPU of two finds of the other one or of the link.
 };
-constexpr std::size_t kDetectorCount = 16U;
+constexpr std::size_t kDetectorCount = 17U;
 
 /// One experiment's outcome.
 struct Outcome

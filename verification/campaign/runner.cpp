@@ -62,10 +62,11 @@ Detector DetectorOf(const DeviceFault fault)
         return Detector::kClocks;
     case DeviceFault::kSelfTest:
         return Detector::kSeal;
+    case DeviceFault::kCrossLink:
+        return Detector::kCrossLink;
     case DeviceFault::kInvalid:
     case DeviceFault::kApplication:
     case DeviceFault::kHandshake:
-    case DeviceFault::kCrossLink:
     case DeviceFault::kNone:
         break;
     }
@@ -131,6 +132,23 @@ Limits LimitsOf(const runtime::DeviceModel& model, const DeviceConfig& config)
     return limits;
 }
 
+Limits LimitsOf(const runtime::DeviceModel& model, const DeviceConfig& config, const LinkConfig& link)
+{
+    Limits limits = LimitsOf(model, config);
+    const std::uint32_t of_link = ComputeLimit(config, LinkTime{link.timeout_us}).us;
+    // A copy of the configuration is compared with that of the other CPU.
+    const std::uint32_t of_copy = LongestOf(model, config, {FaultClass::kSharedSource});
+    for (std::size_t part = 0U; part < kMemoryPartCount; ++part)
+    {
+        limits.us[part] = std::max({limits.us[part], of_link, of_copy});
+    }
+    limits.us[static_cast<std::size_t>(Part::kLink)] = of_link;
+    limits.us[static_cast<std::size_t>(Part::kCpu)] = of_link;
+    // A drift shows within an interval of the link's comparison, of which one is under way.
+    limits.drift_us = ComputeLimit(config, LinkTime{2U * link.clock_interval_us}).us;
+    return limits;
+}
+
 std::uint32_t Limits::Of(const Experiment& experiment) const
 {
     const bool is_call = experiment.part == Part::kCallsOfA || experiment.part == Part::kCallsOfB;
@@ -182,7 +200,7 @@ Runner::Runner(Device& device, Judge& judge, const Recording& recording, const S
 /// In words; empty: it is as it must be.
 std::string Runner::WhatIsNotWell(const Sight& sight) const
 {
-    const DeviceFault fault = device_.Core().DeviceState().fault;
+    const DeviceFault fault = device_.Fault();
     if (fault != DeviceFault::kNone)
     {
         return std::string("device fault ") + runtime::NameOf(runtime::kDeviceFaultWords, fault, "?") + ", found by " +
@@ -323,7 +341,7 @@ void Runner::Begin(const Experiment& experiment)
     steps_.Begin();
     is_obeyed_ = false;
     is_exposed_ = false;
-    device_.Receives().Rewind(experiment.cycle, &experiment, EndOf(experiment), seed_);
+    device_.Rewind(experiment.cycle, &experiment, EndOf(experiment), seed_);
 }
 
 void Runner::Rewind(const std::size_t cycle)
@@ -466,7 +484,7 @@ void Runner::Watch(const Experiment& experiment)
             is_settling = true;
             end = std::min(end, now_ + kSettleCycles);
         }
-        if (IsOver(experiment, now_) && device_.Receives().IsUndisturbed(now_) && IsAsWithoutFault(now_ + 1U))
+        if (IsOver(experiment, now_) && device_.IsUndisturbed(now_) && IsAsWithoutFault(now_ + 1U))
         {
             const Class undone = is_obeyed_ ? Class::kBenign : Class::kMasked;
             found_.result = (found_.result == Class::kOpen) ? undone : found_.result;
@@ -562,7 +580,7 @@ bool Runner::HasClosed(const Sight& sight) const
 Outcome Runner::Blame() const
 {
     Outcome outcome{Class::kDetected, Detector::kPermits, 0U, 0U, 0U};
-    const DeviceFault fault = device_.Core().DeviceState().fault;
+    const DeviceFault fault = device_.Fault();
     if (fault != DeviceFault::kNone)
     {
         const bool is_of_test = fault == DeviceFault::kSelfTest && device_.SelfTest() != nullptr;
@@ -608,7 +626,7 @@ std::vector<std::size_t> Runner::DifferentPlaces() const
 
 bool Runner::HasGivenUp() const
 {
-    return device_.Core().DeviceState().fault != DeviceFault::kNone || !device_.IsOutputLive();
+    return device_.Fault() != DeviceFault::kNone || !device_.IsOutputLive();
 }
 
 bool Runner::IsAsWithoutFault(const std::size_t cycle) const

@@ -41,6 +41,10 @@ inline constexpr RequirementId SRS_CMG_047{"SRS_CMG_047"};
 inline constexpr RequirementId SRS_CMG_048{"SRS_CMG_048"};
 inline constexpr RequirementId SRS_CMG_049{"SRS_CMG_049"};
 inline constexpr RequirementId SRS_CMG_060{"SRS_CMG_060"};
+inline constexpr RequirementId SRS_CMG_061{"SRS_CMG_061"};
+inline constexpr RequirementId SRS_CMG_062{"SRS_CMG_062"};
+inline constexpr RequirementId SRS_CMG_063{"SRS_CMG_063"};
+inline constexpr RequirementId SRS_CMG_064{"SRS_CMG_064"};
 } // namespace counterpoint::req
 
 #endif
