@@ -61,6 +61,21 @@ RecordedScenario::RecordedScenario(const std::string& file, const runtime::YamlV
         second_ = RecordOf(node_ + 1U);
     }
     recording_ = RecordOf(node_);
+    if (HasTwoCpus())
+    {
+        CountByFirst();
+    }
+}
+
+/// Frames of a cycle of CPU B are those that have come at the end of CPU A's, by which cycles are counted.
+void RecordedScenario::CountByFirst()
+{
+    const std::size_t lead = CycleOf(recording_, second_.cycles.front().at);
+    for (std::size_t cycle = 0U; cycle < second_.cycles.size(); ++cycle)
+    {
+        const std::size_t same = std::min(cycle + lead, recording_.cycles.size() - 1U);
+        second_.cycles[cycle].frames_end = recording_.cycles[same].frames_end;
+    }
 }
 
 /// Of one CPU.

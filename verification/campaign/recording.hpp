@@ -144,6 +144,7 @@ class RecordedScenario
   private:
     [[nodiscard]] simulator::NodeIndex Find(const runtime::YamlValue& device) const;
     void RequireThatItCanBeRecorded(const runtime::YamlValue& device) const;
+    void CountByFirst();
     [[nodiscard]] Recording RecordOf(simulator::NodeIndex node);
     [[nodiscard]] bool IsOwn(simulator::NodeIndex node) const;
     void RecordCycles();
