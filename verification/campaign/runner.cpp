@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <initializer_list>
 #include <stdexcept>
 #include <string>
 
@@ -20,7 +19,6 @@ constexpr std::size_t kSettleCycles = 80U;
 /// Of an intermittent fault.
 constexpr std::size_t kStrikes = 5U;
 constexpr std::size_t kStrikeDistance = 7U;
-constexpr std::size_t kMoreCycles = 50U;
 constexpr std::uint8_t kNoPart = 0xFFU;
 constexpr std::size_t kNever = ~std::size_t{0U};
 
@@ -86,83 +84,7 @@ std::size_t BytesOf(const VariablePlace& place)
 {
     return (place.length_bits + 7U) / 8U;
 }
-
-std::uint32_t LongestOf(const runtime::DeviceModel& model, const DeviceConfig& config,
-                        const std::initializer_list<FaultClass> classes)
-{
-    std::uint32_t longest = 0U;
-    for (const runtime::SrdoModel& srdo : model.Srdos())
-    {
-        for (const FaultClass each : classes)
-        {
-            const Limit limit = ComputeLimit(config, srdo.times, each);
-            longest = (limit.result == Result::kSuccessful) ? std::max(longest, limit.us) : longest;
-        }
-    }
-    return longest;
-}
 } // namespace
-
-Limits LimitsOf(const runtime::DeviceModel& model, const DeviceConfig& config)
-{
-    const std::uint32_t of_channel =
-        LongestOf(model, config,
-                  {FaultClass::kBus, FaultClass::kBusNextNormal, FaultClass::kChannel, FaultClass::kConfiguration});
-    const std::uint32_t of_kernel =
-        std::max(of_channel, LongestOf(model, config, {FaultClass::kSupervisor, FaultClass::kClock}));
-    Limits limits;
-    limits.us.fill(of_kernel);
-    limits.us[static_cast<std::size_t>(Part::kChannelA)] = of_channel;
-    limits.us[static_cast<std::size_t>(Part::kChannelB)] = of_channel;
-    limits.us[static_cast<std::size_t>(Part::kVariables)] = of_channel;
-    limits.us[static_cast<std::size_t>(Part::kTables)] = LongestOf(model, config, {FaultClass::kSharedSource});
-    const std::uint32_t of_bus = LongestOf(model, config, {FaultClass::kBus, FaultClass::kBusNextNormal});
-    const std::uint32_t of_steps =
-        std::max(of_bus, LongestOf(model, config, {FaultClass::kSupervisor, FaultClass::kChannel, FaultClass::kClock}));
-    limits.wrong_frame_us = LongestOf(model, config, {FaultClass::kWrongFrame});
-    limits.wrong_channel_us = std::max(of_bus, LongestOf(model, config, {FaultClass::kChannel}));
-    limits.us[static_cast<std::size_t>(Part::kBus)] = of_bus;
-    limits.us[static_cast<std::size_t>(Part::kKernelCalls)] = of_bus;
-    limits.us[static_cast<std::size_t>(Part::kCallsOfA)] = of_channel;
-    limits.us[static_cast<std::size_t>(Part::kCallsOfB)] = of_channel;
-    limits.us[static_cast<std::size_t>(Part::kBothChannels)] = of_channel;
-    limits.us[static_cast<std::size_t>(Part::kSteps)] = of_steps;
-    limits.us[static_cast<std::size_t>(Part::kCycle)] = of_steps;
-    limits.us[static_cast<std::size_t>(Part::kInputs)] = of_steps;
-    limits.us[static_cast<std::size_t>(Part::kCounters)] = LongestOf(model, config, {FaultClass::kClock});
-    return limits;
-}
-
-Limits LimitsOf(const runtime::DeviceModel& model, const DeviceConfig& config, const LinkConfig& link)
-{
-    Limits limits = LimitsOf(model, config);
-    const std::uint32_t of_link = ComputeLimit(config, LinkTime{link.timeout_us}).us;
-    // A copy of the configuration is compared with that of the other CPU.
-    const std::uint32_t of_copy = LongestOf(model, config, {FaultClass::kSharedSource});
-    for (std::size_t part = 0U; part < kMemoryPartCount; ++part)
-    {
-        limits.us[part] = std::max({limits.us[part], of_link, of_copy});
-    }
-    limits.us[static_cast<std::size_t>(Part::kLink)] = of_link;
-    limits.us[static_cast<std::size_t>(Part::kCpu)] = of_link;
-    // A drift shows within an interval in which the clocks are compared.
-    limits.drift_us = ComputeLimit(config, LinkTime{link.timeout_us + link.clock_interval_us}).us;
-    return limits;
-}
-
-std::uint32_t Limits::Of(const Experiment& experiment) const
-{
-    const bool is_call = experiment.part == Part::kCallsOfA || experiment.part == Part::kCallsOfB;
-    const auto call = static_cast<ChannelCall>(experiment.subject / kTurns);
-    // What guard and comparator read is found by their own checks.
-    const bool is_read = call == ChannelCall::kHeld || call == ChannelCall::kLoad || call == ChannelCall::kRecheck;
-    return (is_call && !is_read) ? wrong_channel_us : Of(experiment.part, experiment.kind);
-}
-
-std::size_t HorizonOf(const Limits& limits, const DeviceConfig& config)
-{
-    return (*std::max_element(limits.us.begin(), limits.us.end()) / config.cycle_us) + kMoreCycles;
-}
 
 Runner::Runner(Device& device, Judge& judge, const Recording& recording, const Space& space, const Limits& limits)
     : device_(device), judge_(judge), recording_(recording), limits_(limits), seed_(space.Seed()),
@@ -355,13 +277,15 @@ void Runner::Rewind(const std::size_t cycle)
 std::size_t Runner::EndOf(const Experiment& experiment) const
 {
     const std::size_t limit = limits_.Of(experiment) / device_.Config().cycle_us;
-    const bool moves_in_time = experiment.part == Part::kBus || experiment.part == Part::kCycle;
+    const bool moves_in_time = experiment.part == Part::kBus || experiment.part == Part::kCycle ||
+                               (experiment.part == Part::kLink && HasReach(experiment.part, experiment.kind));
     const std::size_t more =
         moves_in_time ? static_cast<std::size_t>(experiment.variant * kGrid /
                                                  (device_.Config().cycle_us * runtime::kNanosecondsPerMicrosecond))
                       : 0U;
     const bool lasts = IsMemory(experiment.part) || experiment.part == Part::kCommands; // The next command may tell.
-    return experiment.cycle + (lasts ? horizon_ : std::min(horizon_, limit + more + kMoreCycles));
+    const bool is_long = lasts && !device_.HasTwoCpus(); // Two run for no longer than the limit of their part asks.
+    return experiment.cycle + (is_long ? horizon_ : std::min(horizon_, limit + more + kMoreCycles));
 }
 
 /// A fault may lie still for long: a bit that is stuck at what it is anyway, a word that is not read. The same run
