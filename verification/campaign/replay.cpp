@@ -146,8 +146,8 @@ void Replay::OnCycle(const std::size_t cycle, const Sight& sight)
     {
         Tell("judge", "a frame that no receiver can use, or that nobody wrote");
     }
-    is_overdue_ = sight.is_overdue;
-    is_bad_frame_ = sight.is_bad_frame;
+    is_overdue_ = is_overdue_ || sight.is_overdue;
+    is_bad_frame_ = is_bad_frame_ || sight.is_bad_frame;
     last_ = std::move(is);
 }
 

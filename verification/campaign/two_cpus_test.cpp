@@ -146,8 +146,8 @@ TEST_F(TwoCpusTest, ShardsAndOneProcessGiveTheSameBytes)
     const std::string merged = Path("merged.csv");
     ASSERT_LE(
         Campaign({"merge", plan, Path("1.results"), Path("2.results"), Path("3.results"), "--csv", merged}).status, 1);
-    EXPECT_EQ(Read(one), Read(merged));
-    EXPECT_NE(Read(one).find("cpu,cpu_a as a whole,stopped"), std::string::npos);
+    EXPECT_EQ(cia306::ReadTextFile(one), cia306::ReadTextFile(merged));
+    EXPECT_NE(cia306::ReadTextFile(one).find("cpu,cpu_a as a whole,stopped"), std::string::npos);
 }
 
 TEST_F(TwoCpusTest, PartsThatTheDeviceDoesNotHaveAreRefused)
