@@ -263,11 +263,11 @@ TEST_F(JudgeTest, LateIsCountedFromWhatTheDeviceDoesAndOfTestsFromTheFirstWrongB
     Verifies(req::SRS_CMG_060);
     const Trap trap;
     Bench bench(PlanFile("plan.yaml", "actuator", kSmall));
-    // Given limits of nothing for the kernel and 5 ms for tables and clocks
+    // Given limits of nothing for the kernel and 5 ms for tables and channel A
     Limits limits = LimitsOf(bench.scenario.Model(), bench.device.Config());
     limits.us[static_cast<std::size_t>(Part::kKernel)] = 0U;
     limits.us[static_cast<std::size_t>(Part::kTables)] = 5000U;
-    limits.us[static_cast<std::size_t>(Part::kClocks)] = 5000U;
+    limits.us[static_cast<std::size_t>(Part::kChannelA)] = 5000U;
     const Space space(bench.plan, bench.scenario.Record(), bench.device, HorizonOf(limits, bench.device.Config()));
     Runner runner(bench.device, bench.judge, bench.scenario.Record(), space, limits);
     const auto run = [&bench, &runner](const std::string& member, const std::size_t byte, const std::uint8_t bit)
@@ -282,11 +282,11 @@ TEST_F(JudgeTest, LateIsCountedFromWhatTheDeviceDoesAndOfTestsFromTheFirstWrongB
     const Outcome at_once = run("kernel.run", 8U, 4U);
     EXPECT_EQ(at_once.result, Class::kDetected);
     EXPECT_TRUE(IsLate(at_once));
-    // When a bit of what clocks remember flips, nothing is done until it is found: never late
+    // When a bit of a mapping that channel A keeps flips, nothing is done until it is found: never late
     std::uint64_t still = 0U;
-    for (std::size_t byte = 0U; byte < sizeof(ClockSupervisor); ++byte)
+    for (std::size_t byte = 0U; byte < 16U; ++byte)
     {
-        const Outcome outcome = run("clocks", byte, 0U);
+        const Outcome outcome = run("channel_a.entries", byte, 4U);
         const bool is_later = outcome.result == Class::kDetected && outcome.us > 5000U;
         still += is_later ? 1U : 0U;
         EXPECT_FALSE(IsLate(outcome)) << byte;
