@@ -251,17 +251,6 @@ void Device::Follow(PhaseHook* const hook) noexcept
     flow_->hook = hook;
 }
 
-std::uint8_t Device::WhoSaid(const SrdoCause cause) const noexcept
-{
-    std::uint8_t marks = 0U;
-    for (SlotIndex slot = 0U; slot < reference_.srdo_count; ++slot)
-    {
-        marks |= Signals(a_->View(slot).signals, cause) ? kMarkSaidByA : std::uint8_t{0U};
-        marks |= Signals(b_->View(slot).signals, cause) ? kMarkSaidByB : std::uint8_t{0U};
-    }
-    return marks;
-}
-
 void Device::SetTime(const Nanoseconds at) noexcept
 {
     output_->now = BusInstant(at);
@@ -277,8 +266,8 @@ SrdoMask Device::Open() noexcept
 
 void Device::Cycle(const std::size_t cycle)
 {
-    MoveOwnFrames();
-    ForgetErrors(cycle);
+    ports_->MoveOn();
+    ForgetErrors(recording_, cycle, *application_);
     feed_.BeginCycle();
     const Calls calls = feed_.CallsIn(cycle);
     for (std::size_t index = 0U; index < calls.count; ++index)
@@ -286,32 +275,6 @@ void Device::Cycle(const std::size_t cycle)
         Call(cycle, calls.at.at(index));
     }
     SetTime(recording_.cycles[cycle].at);
-}
-
-/// An application does not keep what it was told before somebody acknowledged, or while the device is not OPERATIONAL.
-void Device::ForgetErrors(const std::size_t cycle) noexcept
-{
-    const RecordedCycle& now = recording_.cycles[cycle];
-    const CycleCall before = (cycle == 0U) ? CycleCall{} : recording_.cycles[cycle - 1U].call;
-    const bool is_pressed = (now.call.acknowledge_a & ~before.acknowledge_a) != 0U;
-    if (is_pressed || now.nmt != NmtState::kOperational)
-    {
-        application_->faulted = 0U;
-        application_->first_cause = SrdoCause::kNone;
-    }
-}
-
-/// What was confirmed is on the bus; what waits moves to the front.
-void Device::MoveOwnFrames()
-{
-    const std::uint32_t waiting = ports_->count - std::min(ports_->confirmed, ports_->count);
-    for (std::uint32_t index = 0U; index < waiting; ++index)
-    {
-        ports_->frames[index] = ports_->frames[ports_->confirmed + index];
-    }
-    std::fill(ports_->frames.begin() + waiting, ports_->frames.end(), OwnFrame{});
-    ports_->count = waiting;
-    ports_->confirmed = 0U;
 }
 
 void Device::Call(const std::size_t cycle, const Nanoseconds at)
@@ -338,7 +301,7 @@ void Device::Call(const std::size_t cycle, const Nanoseconds at)
     {
         kernel_->Cycle(feed_.CallOf(cycle, at));
     }
-    WriteProducers(cycle);
+    feed_.WriteInputs(cycle, pairs_);
 }
 
 /// Received frames and confirmations in the order of the bus.
@@ -378,28 +341,27 @@ void Device::Deliver(const Nanoseconds at)
     }
 }
 
-/// As an application does it that senses with two paths: each side by itself, in every cycle.
-void Device::WriteProducers(const std::size_t cycle)
+void ForgetErrors(const Recording& recording, const std::size_t cycle, FlatApplication& application) noexcept
 {
-    for (std::size_t index = 0U; index < pairs_.size(); ++index)
+    const RecordedCycle& now = recording.cycles[cycle];
+    const CycleCall before = (cycle == 0U) ? CycleCall{} : recording.cycles[cycle - 1U].call;
+    const bool is_pressed = (now.call.acknowledge_a & ~before.acknowledge_a) != 0U;
+    if (is_pressed || now.nmt != NmtState::kOperational)
     {
-        const FlatPair& pair = pairs_[index];
-        if (pair.is_consumer)
-        {
-            continue;
-        }
-        std::uint64_t value = 0U;
-        for (const RecordedInput& input : recording_.inputs)
-        {
-            if (input.cycle <= cycle && input.object.index == pair.address.index &&
-                input.object.sub == pair.address.sub)
-            {
-                value = input.value;
-            }
-        }
-        WriteVariable(pair.normal, {feed_.Written(cycle, index, false, value)});
-        WriteVariable(pair.inverse, {feed_.Written(cycle, index, true, ~value)});
+        application.faulted = 0U;
+        application.first_cause = SrdoCause::kNone;
     }
+}
+
+std::uint8_t WhoSaid(const Device& device, const SrdoCause cause) noexcept
+{
+    std::uint8_t marks = 0U;
+    for (SlotIndex slot = 0U; slot < device.Config().srdo_count; ++slot)
+    {
+        marks |= Signals(device.Voice(0U).View(slot).signals, cause) ? kMarkSaidByA : std::uint8_t{0U};
+        marks |= Signals(device.Voice(1U).View(slot).signals, cause) ? kMarkSaidByB : std::uint8_t{0U};
+    }
+    return marks;
 }
 
 SrdoCause FirstCauseOf(const Device& device) noexcept
@@ -407,8 +369,8 @@ SrdoCause FirstCauseOf(const Device& device) noexcept
     const SrdoCause told = device.Told().first_cause;
     for (SlotIndex slot = 0U; slot < device.Config().srdo_count; ++slot)
     {
-        const SrdoView a = device.ViewOfA(slot);
-        const SrdoView b = device.ViewOfB(slot);
+        const SrdoView a = device.Voice(0U).View(slot);
+        const SrdoView b = device.Voice(1U).View(slot);
         // A demoted channel learned of the fault from the other one, which knows the cause.
         const bool asks_b = a.first_cause == SrdoCause::kDemoted || a.first_cause == SrdoCause::kNone;
         const SrdoCause first = asks_b ? b.first_cause : a.first_cause;

@@ -154,20 +154,11 @@ class Device
     {
         return *ports_;
     }
-    [[nodiscard]] Kernel& Core() noexcept
+    /// @brief Channel A (0) or B.
+    [[nodiscard]] const Channel& Voice(const std::size_t channel) const noexcept
     {
-        return *kernel_;
+        return (channel == 0U) ? *a_ : *b_;
     }
-    [[nodiscard]] SrdoView ViewOfA(const SlotIndex slot) const noexcept
-    {
-        return a_->View(slot);
-    }
-    [[nodiscard]] SrdoView ViewOfB(const SlotIndex slot) const noexcept
-    {
-        return b_->View(slot);
-    }
-    /// @brief Which channels report this cause in the last cycle, as marks of an outcome.
-    [[nodiscard]] std::uint8_t WhoSaid(SrdoCause cause) const noexcept;
     /// @brief Whether the output has not cut itself off.
     [[nodiscard]] bool IsOutputLive() const noexcept
     {
@@ -184,16 +175,13 @@ class Device
     void CopyTables(const runtime::DeviceModel& model);
     void MakeSurroundings(const Recording& recording, OutputKind output, const DeviceSetup& setup);
     void MakeVoices(const CpuOfTwo& cpu);
-    void ForgetErrors(std::size_t cycle) noexcept;
     void MakeChannels(const DeviceSetup& setup);
     void AddToSelfTest();
     void MakeKernel();
     void Start(const runtime::DeviceModel& model);
-    void MoveOwnFrames();
     void Call(std::size_t cycle, Nanoseconds at);
     void Deliver(Nanoseconds at);
     void Add(Part part, const std::string& name, const void* object, std::size_t size);
-    void WriteProducers(std::size_t cycle);
     void SetTime(Nanoseconds at) noexcept;
 
     Region& region_;
@@ -221,6 +209,13 @@ class Device
     std::unique_ptr<FlatSelfTest> self_test_{};
     Feed feed_; ///< Outside of it.
 };
+
+/// @brief An application does not keep what it was told before somebody acknowledged, or while the device is not
+/// OPERATIONAL.
+void ForgetErrors(const Recording& recording, std::size_t cycle, FlatApplication& application) noexcept;
+
+/// @brief Which channels report this cause in the last cycle, as marks of an outcome.
+[[nodiscard]] std::uint8_t WhoSaid(const Device& device, SrdoCause cause) noexcept;
 
 /// @brief The cause that the application was told first; of those of one cycle, which it is told in the order of their
 /// numbers, the one that came first.

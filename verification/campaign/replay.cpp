@@ -91,8 +91,8 @@ Replay::Sighting Replay::See(const SrdoMask open) const
     sighting.sent = device.Ports().sent;
     for (SlotIndex slot = 0U; slot < device.Config().srdo_count; ++slot)
     {
-        sighting.a.push_back(device.ViewOfA(slot));
-        sighting.b.push_back(device.ViewOfB(slot));
+        sighting.a.push_back(device.Voice(0U).View(slot));
+        sighting.b.push_back(device.Voice(1U).View(slot));
     }
     for (const FlatPair& pair : device.Pairs())
     {

@@ -527,7 +527,7 @@ Outcome Runner::Blame() const
         outcome.detector = Detector::kChannels;
         const SrdoCause cause = FirstCauseOf(device_);
         outcome.detail = static_cast<std::uint8_t>(cause);
-        outcome.marks = device_.WhoSaid(cause);
+        outcome.marks = WhoSaid(device_, cause);
     }
     else
     {

@@ -163,8 +163,8 @@ InstantPair TwoCpus::StampOf(const std::size_t cpu, const Nanoseconds at) const
 void TwoCpus::Cycle(const std::size_t cycle)
 {
     now_ = cycle;
-    MoveOwnFrames();
-    ForgetErrors(cycle);
+    ports_->MoveOn();
+    ForgetErrors(*recordings_[0], cycle, *application_);
     progress_->has_come = {false, false};
     for (std::size_t cpu = 0U; cpu < 2U; ++cpu)
     {
@@ -286,17 +286,12 @@ void TwoCpus::RunCpu(const std::size_t cpu, const Nanoseconds at, const std::siz
         self.kernel_->OnCrossLinkFault();
     }
     self.kernel_->Cycle(call);
-    Write(cycle);
+    feed_.WriteInputs(cycle, pairs_); // A side of each pair lies in each CPU.
     hal::LinkFrame message{};
     self.peer_->Compose({call.now.a, self.kernel_->DeviceState().fault}, message);
     const bool is_hit =
         fault_ != nullptr && fault_->part == Part::kLink && fault_->subject == cpu && cycle >= fault_->cycle;
     progress_->link.Send(cpu, message, at, is_hit ? fault_ : nullptr, is_hit ? cycle - fault_->cycle : 0U);
-}
-
-void TwoCpus::Write(const std::size_t cycle)
-{
-    WriteProducers(cycle);
 }
 
 /// What a CPU that is hit as a whole does with its own output does not count.

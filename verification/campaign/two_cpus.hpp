@@ -84,7 +84,6 @@ class TwoCpus final : public Device
     void Do(const Next& next, std::size_t cycle);
     void NoteFrame(std::size_t cpu) noexcept;
     void RunCpu(std::size_t cpu, Nanoseconds at, std::size_t cycle);
-    void Write(std::size_t cycle);
     [[nodiscard]] Nanoseconds TimeOf(std::size_t cpu, std::size_t cycle) const;
     [[nodiscard]] InstantPair StampOf(std::size_t cpu, Nanoseconds at) const;
     [[nodiscard]] Device& Cpu(std::size_t cpu) noexcept;
