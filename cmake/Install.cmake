@@ -8,11 +8,11 @@ set(COUNTERPOINT_INCLUDES ${CMAKE_INSTALL_INCLUDEDIR}/counterpoint)
 set(COUNTERPOINT_ARCHIVES ${CMAKE_INSTALL_LIBDIR}/counterpoint)
 
 set(COUNTERPOINT_INSTALLED_ROOMS safety_core_contract safety_core_comparator hal_api safety_core_kernel safety_core_selftest
-    safety_core_crosslink channel_a channel_b hal_absent canopen_cia301
+    safety_core_crosslink channel_a channel_b hal_absent hal_contract_test canopen_cia301
     canopen_cia302_network canopen_cia302_safety_gate canopen_cia302_flying_master canopen_start_up_cia302
     canopen_start_up_el6751 canopen_start_up_plc_designer canopen_manager
     canopen_cia305 canopen_device canopen_generated version names)
-set(COUNTERPOINT_INSTALLED_FOLDERS safety_core hal/api hal/absent channel_a channel_b canopen/cia301 canopen/cia302 canopen/start_up canopen/manager
+set(COUNTERPOINT_INSTALLED_FOLDERS safety_core hal/api hal/absent hal/contract_test channel_a channel_b canopen/cia301 canopen/cia302 canopen/start_up canopen/manager
     canopen/cia305
     canopen/device canopen/generated version)
 if(TARGET hal_host)
@@ -77,12 +77,14 @@ file(RELATIVE_PATH COUNTERPOINT_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(${Counterpoint_SOURCE_DIR}/cmake/counterpoint.pc.in ${Counterpoint_BINARY_DIR}/counterpoint.pc @ONLY)
 install(FILES ${Counterpoint_BINARY_DIR}/counterpoint.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT library)
 
-# Scenarios, devices as files, and the one example that is a project of its own; the others are rooms of the tree.
+# Scenarios, devices as files, and the examples that are projects of their own; the others are rooms of the tree.
 set(COUNTERPOINT_SHARE ${CMAKE_INSTALL_DATADIR}/counterpoint)
 install(DIRECTORY ${Counterpoint_SOURCE_DIR}/examples DESTINATION ${COUNTERPOINT_SHARE} COMPONENT tool
         FILES_MATCHING PATTERN "*.yaml" PATTERN "*.dcf" PATTERN "examples/README.md" PATTERN firmware EXCLUDE PATTERN host EXCLUDE
         PATTERN common EXCLUDE PATTERN controller EXCLUDE PATTERN generated_actuator EXCLUDE PATTERN network_manager EXCLUDE)
-install(DIRECTORY ${Counterpoint_SOURCE_DIR}/examples/first_device DESTINATION ${COUNTERPOINT_SHARE}/examples COMPONENT tool)
+foreach(project first_device port_skeleton port_fifo rtos_task)
+  install(DIRECTORY ${Counterpoint_SOURCE_DIR}/examples/${project} DESTINATION ${COUNTERPOINT_SHARE}/examples COMPONENT tool)
+endforeach()
 install(FILES ${Counterpoint_SOURCE_DIR}/LICENSE ${Counterpoint_SOURCE_DIR}/CHANGELOG.md DESTINATION ${COUNTERPOINT_SHARE} COMPONENT tool)
 install(DIRECTORY ${Counterpoint_SOURCE_DIR}/docs DESTINATION ${COUNTERPOINT_SHARE} COMPONENT tool FILES_MATCHING PATTERN "*.md" PATTERN decisions EXCLUDE
         PATTERN requirements EXCLUDE PATTERN facts EXCLUDE PATTERN charts EXCLUDE)

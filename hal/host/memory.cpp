@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/host/memory.hpp"
 
-#include <valgrind/memcheck.h>
+#include "hal/host/memcheck/tell.hpp"
 
 namespace counterpoint::host
 {
@@ -11,11 +11,6 @@ namespace
 
 // A test of live memory walks over free stack, gaps between objects and bytes that nobody ever wrote: a sanitizer or
 // memcheck would take each for an error, so that both are told.
-
-void TellMemcheck(const volatile std::uint32_t* const cell)
-{
-    static_cast<void>(VALGRIND_MAKE_MEM_DEFINED(cell, sizeof(*cell)));
-}
 
 [[nodiscard]] __attribute__((no_sanitize("address"))) std::uint32_t ReadCell(const hal::Address place)
 {

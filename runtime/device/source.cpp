@@ -160,7 +160,9 @@ void DeviceSource::AppendVariable(const cia306::Entry& entry, std::vector<Source
     const std::optional<cia306::Value> value = cia306::UsableValue(file_, entry, node_id_);
     if (!value && entry.Configured().IsSet() && safety_.Maps(entry))
     {
-        throw InputError(file_, entry.ValuePlace(), cia306::ConfiguredValue(entry, node_id_).problem);
+        cia306::Problem problem = cia306::ConfiguredValue(entry, node_id_).problem;
+        problem.wrong = cia306::ObjectName(entry.index, entry.sub) + ": " + problem.wrong;
+        throw InputError(file_, entry.ValuePlace(), problem);
     }
     variable.value = value ? value->bits : 0U;
     variables.push_back(variable);

@@ -55,7 +55,11 @@ class CaughtSignals
     ~CaughtSignals()
     {
         static_cast<void>(std::signal(SIGINT, before_int_));
-        static_cast<void>(std::signal(SIGTERM, before_term_));
+        // A second SIGTERM, as timeout sends it, must not cut off what is written last.
+        if (caught_signal != SIGTERM)
+        {
+            static_cast<void>(std::signal(SIGTERM, before_term_));
+        }
         static_cast<void>(std::signal(SIGHUP, before_hup_));
     }
     CaughtSignals(const CaughtSignals&) = delete;

@@ -64,6 +64,14 @@ void SimulatedManager::Run(const Nanoseconds now)
     }
 }
 
+void SimulatedManager::SwitchOn(const Nanoseconds now)
+{
+    is_killed_ = false;
+    is_off_bus_ = false;
+    heard_.clear();
+    Start(now);
+}
+
 void SimulatedManager::Start(const Nanoseconds now)
 {
     bus_.Connect(bus_node_);

@@ -25,6 +25,8 @@ class SimulatedManager final : public Participant, private host::BusListener
 
     /// @brief Adds something that will happen to it; call it in the order of time.
     void Plan(const Action& action);
+    /// @brief One that was killed is there again, as new.
+    void SwitchOn(Nanoseconds now);
     /// @brief What the scenario says about it.
     [[nodiscard]] const ManagerSetup& Setup() const noexcept
     {

@@ -126,6 +126,38 @@ expect:
     EXPECT_EQ(Failures(*run), "");
 }
 
+TEST(FaultOfTime, LateCycleIsFoundByTheWatchdog)
+{
+    Verifies(req::SRS_SIM_023);
+    // When a cycle comes 5 ms late, behind the watchdog's window
+    const auto run = RunChain(R"(
+faults:
+  - {fault: cycle, node: actuator, late: 5 ms, at: 500 ms}
+expect:
+  - {that: safe_within, node: actuator, srdo: 1}
+  - {that: detected_by, node: actuator, by: watchdog}
+)");
+    EXPECT_EQ(Failures(*run), "");
+}
+
+TEST(FaultOfTime, FastAndStoppedCountersAreFoundByTheOtherOne)
+{
+    Verifies(req::SRS_SIM_023);
+    for (const char* const ppm : {"20000", "-1000000"})
+    {
+        for (const char* const counter : {"a", "b"})
+        {
+            const auto run = RunChain(std::string("faults:\n  - {fault: clock, node: actuator, counter: ") + counter +
+                                      ", ppm: " + ppm + R"(, at: 500 ms}
+expect:
+  - {that: device_fault, node: actuator, is: clock}
+  - {that: safe_within, node: actuator, srdo: 1}
+)");
+            EXPECT_EQ(Failures(*run), "") << counter << " " << ppm;
+        }
+    }
+}
+
 TEST(FaultOfTime, SlowCounterIsFoundByTheOtherOne)
 {
     Verifies(req::SRS_SIM_023);

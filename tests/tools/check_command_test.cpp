@@ -217,6 +217,32 @@ TEST_F(OneReading, WhatOneRefusesIsAnErrorOfCheck)
     }
 }
 
+TEST_F(OneReading, ASafetyObjectWithoutSrdoIsRefusedByNode)
+{
+    Verifies(req::SRS_CLI_033);
+    for (const char* const index : {"1300", "13FE"})
+    {
+        const Taken taken = TakenWith(PlainText() + "\n[" + index + "]\nDataType=5\nAccessType=rw\nDefaultValue=0\n");
+        EXPECT_FALSE(taken.node) << index;
+        EXPECT_EQ(taken.check, 1) << index;
+    }
+}
+
+TEST_F(OneReading, AMappedObjectWithAValueThatItsTypeCannotHaveIsRefusedByNodeAndSimulate)
+{
+    Verifies(req::SRS_CLI_034);
+    const Taken taken =
+        TakenWith(cia306::test::WithValues(ExampleText("controller"), {{"2000sub1", "ParameterValue", "256"}}));
+    EXPECT_FALSE(taken.node);
+    EXPECT_EQ(taken.check, 1);
+    const Answer simulated =
+        RunCommand({"simulate", "--quiet", File("s.yaml", "title: x\nduration: 10 ms\nnodes:\n  a: {dcf: one.dcf}\n")});
+    EXPECT_EQ(simulated.status, 2);
+    EXPECT_NE(simulated.err.find("error: 0x2000:01: value '256', expected a number from 0 to 255 (UNSIGNED8)"),
+              std::string::npos)
+        << simulated.err;
+}
+
 TEST_F(OneReading, AnSrdoThatIsOffIsTakenAsTheDeviceTakesIt)
 {
     Verifies(req::SRS_CLI_030);

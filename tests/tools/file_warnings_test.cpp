@@ -46,6 +46,8 @@ TEST_F(FileWarnings, EachCommandTellsThem)
     const std::string log = File("bus.log", "(1.000000) can0 701#05\n");
     for (const std::vector<std::string>& arguments :
          std::vector<std::vector<std::string>>{{"check", dcf},
+                                               {"sign", dcf},
+                                               {"generate", dcf, "--output", Path("code")},
                                                {"srdo", "list", dcf},
                                                {"node", "--dcf", dcf, "--can", "no bus"},
                                                {"simulate", scenario, "--quiet"},

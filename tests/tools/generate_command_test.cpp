@@ -46,6 +46,23 @@ TEST_F(GenerateCommandTest, WritesTwoFilesIntoANewFolder)
     EXPECT_EQ(header.find(cia306::test::SourceFolder()), std::string::npos);
 }
 
+TEST_F(GenerateCommandTest, WithoutAFolderItWritesIntoTheWorkingOne)
+{
+    Verifies(req::SRS_GEN_001);
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::create_directory(Path("here"));
+    std::filesystem::current_path(Path("here"));
+    const Answer answer = RunCommand({"generate", Example()});
+    std::filesystem::current_path(before);
+    EXPECT_EQ(answer.status, 0) << answer.err;
+    EXPECT_EQ(FilesIn("here"), 2U);
+    // And neither of them has a path
+    for (const char* name : {"object_dictionary.hpp", "object_dictionary.cpp"})
+    {
+        EXPECT_EQ(cia306::ReadTextFile(Path("here/") + name).find(cia306::test::SourceFolder()), std::string::npos);
+    }
+}
+
 TEST_F(GenerateCommandTest, TheSameCallWritesTheSameBytes)
 {
     Verifies(req::SRS_GEN_001);

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 
 namespace counterpoint::tools
@@ -174,6 +175,44 @@ TEST_F(ManagerCommandTest, EventsAreJsonAndThePageShowsTheSequence)
     EXPECT_EQ(page.find("src="), std::string::npos);
 }
 
+TEST_F(ManagerCommandTest, EachKindOfEventIsAnObjectWithItsTime)
+{
+    Verifies(req::SRS_MGR_007);
+    // Given networks with a boot, a storm of emergencies and flying masters of which one dies
+    std::map<std::string, nlohmann::json> first;
+    for (const char* const name : {"boot.yaml", "emcy_storm.yaml", "flying.yaml"})
+    {
+        const Answer answer = RunCommand({"simulate", "--quiet", "--json", Path("out.json"), NetworkFile(name)});
+        ASSERT_EQ(answer.status, 0) << name;
+        const auto document = nlohmann::json::parse(cia306::ReadTextFile(Path("out.json")));
+        for (const auto& manager : document["managers"])
+        {
+            for (const auto& event : manager["events"])
+            {
+                EXPECT_TRUE(event["t_us"].is_number_unsigned()) << event;
+                first.emplace(event["event"], event);
+            }
+        }
+    }
+    const std::pair<std::string, std::vector<std::string>> kinds[] = {
+        {"state", {"node", "state"}},
+        {"status", {"node", "letter", "step", "abort", "code"}},
+        {"supervision_started", {"node"}},
+        {"heartbeat_lost", {"node"}},
+        {"emergency", {"node", "code", "register"}},
+        {"nmt", {"node", "command"}},
+        {"gate", {"node", "state"}},
+        {"flying_master", {"number", "priority", "master"}}};
+    for (const auto& [kind, keys] : kinds)
+    {
+        ASSERT_EQ(first.count(kind), 1U) << kind;
+        for (const std::string& key : keys)
+        {
+            EXPECT_TRUE(first[kind].contains(key)) << kind << " " << key;
+        }
+    }
+}
+
 TEST_F(ManagerCommandTest, FramesOfASimulatedNetworkAreWrittenAsCandumpDoes)
 {
     Verifies(req::SRS_MGR_012);
@@ -194,6 +233,7 @@ TEST_F(ManagerCommandTest, FramesOfASimulatedNetworkAreWrittenAsCandumpDoes)
 
 TEST_F(ManagerCommandTest, WithoutItsSlavesTheManagerEndsWith1)
 {
+    Verifies(req::SRS_MGR_007);
     Verifies(req::SRS_MGR_004);
     Verifies(req::SRS_MGR_005);
     const Answer answer =

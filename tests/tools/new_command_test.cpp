@@ -332,6 +332,10 @@ TEST_F(NewCommandTest, NothingIsOverwrittenWithoutForce)
     std::filesystem::create_symlink(Path("nowhere.dcf"), Path("link.dcf"));
     EXPECT_EQ(New("link.dcf", {"--node-id", "5", "--produce", "8"}).status, 2);
     EXPECT_FALSE(Exists("nowhere.dcf"));
+    // So is a folder.
+    std::filesystem::create_directory(Path("folder.dcf"));
+    EXPECT_EQ(New("folder.dcf", {"--node-id", "5", "--produce", "8"}).status, 2);
+    EXPECT_TRUE(std::filesystem::is_directory(Path("folder.dcf")));
     EXPECT_EQ(New("old.dcf", {"--force", "--node-id", "5", "--produce", "8"}).status, 0);
     EXPECT_EQ(DeviceOf("old.dcf").node_id, 5U);
 }

@@ -166,7 +166,13 @@ TEST_F(SignCommandTest, RefusesAFileThatWasCut)
     // Then one line names the first object that is not there
     EXPECT_EQ(answer.status, 2);
     EXPECT_EQ(answer.out, "");
-    EXPECT_EQ(answer.err, file + ":72:3: error: 0x1301: is listed, expected a section that describes it\n");
+    const std::string line = file + ":72:3: error: 0x1301: is listed, expected a section that describes it\n";
+    EXPECT_EQ(answer.err, line);
+    // and so it is when it is to be simulated
+    const Answer simulated =
+        RunCommand({"simulate", "--quiet", File("s.yaml", "title: x\nduration: 10 ms\nnodes:\n  a: {dcf: cut.dcf}\n")});
+    EXPECT_EQ(simulated.status, 2);
+    EXPECT_NE(simulated.err.find(line), std::string::npos) << simulated.err;
 }
 
 TEST_F(SignCommandTest, VerbosePrintsTheBytesFieldByField)
@@ -247,6 +253,7 @@ TEST_F(SignCommandTest, VerbosePrintsAll128Entries)
 
 TEST_F(SignCommandTest, PrintsTheDigestBehindTheSignatures)
 {
+    Verifies(req::SRS_EDS_008);
     Verifies(req::SRS_CLI_021);
     const std::string file = cia306::test::SourceFolder() + "/examples/emergency_stop/actuator.dcf";
     EXPECT_EQ(RunCommand({"sign", file}).out, "0x13FF:01 = 0x9FCB\n0x5F04:00 = 0x046FFAB7\n");

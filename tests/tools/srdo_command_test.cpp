@@ -517,6 +517,24 @@ TEST_F(SrdoCommandTest, RemovingWhatMustStayIsRefused)
     EXPECT_EQ(Written(), sensor);
 }
 
+TEST_F(SrdoCommandTest, RemovingTellsNoWarningOfBefore)
+{
+    Verifies(req::SRS_NEW_016);
+    for (const bool is_json : {false, true})
+    {
+        ASSERT_EQ(Add(ExampleText("sensor"), {"--consume", "8@0x111"}).err, "");
+        static_cast<void>(
+            File("d.dcf", Changed(Written(), {{"CANopenSafetySupported=1\n", "CANopenSafetySupported=0\n"}})));
+        std::vector<std::string> words{"srdo", "remove", Path("d.dcf"), "--number", "2"};
+        words.insert(words.end(), is_json ? 1U : 0U, "--json");
+        const Answer removed = RunCommand(words);
+        EXPECT_EQ(removed.status, 0);
+        EXPECT_EQ(removed.err, "");
+        EXPECT_TRUE(!is_json || nlohmann::json::parse(removed.out).at("warnings").empty()) << removed.out;
+        EXPECT_NE(RunCommand({"check", Path("d.dcf")}).out.find("CANopenSafetySupported"), std::string::npos);
+    }
+}
+
 TEST_F(SrdoCommandTest, WarningsThatTheChangeBringsAreTold)
 {
     Verifies(req::SRS_NEW_016);

@@ -31,6 +31,7 @@ void DescribeCampaign(Options& options, CampaignOrder& order)
     options.Footer(
         "Start: counterpoint campaign examples/campaigns/actuator.yaml --html page.html\n"
         "One fault of it, step by step: the same plan with --replay 54\n"
+        "A network with managers: counterpoint campaign examples/campaigns/managed_start.yaml\n"
         "Many machines: --shard 1/64 --out 1.results and so on, then: merge PLAN *.results --html page.html\n"
         "Killed: the same command with the same --out goes on.\n"
         "Exit status: 0 nothing silent, nothing late; 1 something is; 2 a plan that cannot be used.\n"

@@ -14,12 +14,15 @@ constexpr unsigned kPatienceSeconds = 2U;
 
 volatile std::sig_atomic_t is_asked = 0;
 volatile std::sig_atomic_t is_wait_limited = 0;
+volatile std::sig_atomic_t is_limit_running = 0;
 
 /// At Ctrl-C it waits for the reader as long as it takes, for he sits before it.
 void Ask(const int signal)
 {
     is_asked = 1;
-    static_cast<void>((signal == SIGTERM && is_wait_limited != 0) ? ::alarm(kPatienceSeconds) : 0U);
+    const bool is_limit = (signal == SIGTERM) && (is_wait_limited != 0) && (is_limit_running == 0);
+    is_limit_running = is_limit ? 1 : is_limit_running;
+    static_cast<void>(is_limit ? ::alarm(kPatienceSeconds) : 0U);
 }
 
 void GiveUp(int /*signal*/)
@@ -44,7 +47,11 @@ EndSignals::EndSignals()
 EndSignals::~EndSignals()
 {
     static_cast<void>(std::signal(SIGINT, before_int_));
-    static_cast<void>(std::signal(SIGTERM, before_term_));
+    // A second SIGTERM, as timeout sends it, must not cut off what is written last: that has its limit.
+    if (is_limit_running == 0)
+    {
+        static_cast<void>(std::signal(SIGTERM, before_term_));
+    }
 }
 
 bool EndSignals::IsAsked() const noexcept

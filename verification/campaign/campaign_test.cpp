@@ -328,6 +328,8 @@ TEST_P(PlantedDefects, AreNamedByACampaignThatHoldsWithoutThem)
     Verifies(req::SRS_CMG_011);
     Verifies(req::SRS_CMG_040);
     Verifies(req::SRS_CMG_043);
+    Verifies(req::SRS_CMG_072);
+    Verifies(req::SRS_CMG_077);
     const tools::test::Answer sound = RunOf(COUNTERPOINT_CAMPAIGN);
     EXPECT_EQ(sound.status, 0) << sound.out;
     const tools::test::Answer broken =

@@ -7,6 +7,8 @@
 #include "simulator/scenario/reader.hpp"
 #include "tools/campaign/order.hpp"
 #include "verification/campaign/crew.hpp"
+#include "verification/campaign/managed/command.hpp"
+#include "verification/campaign/managed/plan.hpp"
 #include "verification/campaign/progress.hpp"
 #include "verification/campaign/replay.hpp"
 #include "verification/campaign/session.hpp"
@@ -57,6 +59,10 @@ class CampaignRun final : public tools::Command
         {
             const bool merges = order_.files.front() == kMerge;
             RequireFiles(merges);
+            if (managed::IsManagedPlan(order_.files[merges ? 1U : 0U]))
+            {
+                return RunManaged(merges, streams);
+            }
             if (!order_.replay.empty())
             {
                 return ShowAgain(streams);
@@ -84,6 +90,16 @@ class CampaignRun final : public tools::Command
     }
 
   private:
+    /// A network with managers. [SRS_CMG_070]
+    [[nodiscard]] ExitStatus RunManaged(const bool merges, const Streams& streams) const
+    {
+        if (!order_.replay.empty())
+        {
+            return managed::ShowAgain(order_, streams);
+        }
+        return merges ? managed::Merge(order_, streams) : managed::Try(order_, ParseShard(order_.shard), streams);
+    }
+
     void RequireFiles(const bool merges) const
     {
         if (!merges && order_.files.size() != 1U)
@@ -124,8 +140,10 @@ class CampaignRun final : public tools::Command
         {
             files.Read(order_.files[index]);
         }
-        for (const std::string& file :
-             simulator::FilesOf(simulator::LoadScenario(ReadPlan(order_.files[plan]).scenario)))
+        const std::string& name = order_.files[plan];
+        for (const std::string& file : managed::IsManagedPlan(name)
+                                           ? managed::FilesOf(name)
+                                           : simulator::FilesOf(simulator::LoadScenario(ReadPlan(name).scenario)))
         {
             files.Read(file);
         }

@@ -29,6 +29,7 @@ OTHERS = {
     "comparator.verdict": ("safety_core/kernel/decision.hpp", "verdict_"),
     "comparator.self_test": ("safety_core/kernel/decision.hpp", "self_test_"),
     "comparator.object": ("safety_core/kernel/decision.hpp", "comparator_"),
+    "cross_link": ("safety_core/crosslink/peer.hpp", "own_"),
 }
 for each in ("clocks", "setup", "copy", "gate", "driven", "driven_copy", "live"):
     OTHERS[f"pins.{each}"] = ("hal/tms570/output/safety_pins.hpp", each + "_")
@@ -46,9 +47,12 @@ std::string DeclarationOf(const std::string& member)
 """
 TAIL = """
     };
+    // Of two CPUs both have it where one has.
+    const bool is_of_cpu = member.rfind("cpu_", 0U) == 0U;
+    const std::string of_one = is_of_cpu ? member.substr(member.find('.') + 1U) : member;
     for (const auto& [name, place] : kDeclarations)
     {
-        if (member == name)
+        if (of_one == name)
         {
             return place;
         }

@@ -26,26 +26,14 @@ bool Signals(const std::uint32_t signals, const SrdoCause cause)
 {
     return ((signals >> (static_cast<std::uint32_t>(cause) % 32U)) & 1U) != 0U;
 }
-
-/// An application does not keep what it was told before somebody acknowledged, or while the device is not OPERATIONAL.
-void ForgetErrors(const Recording& recording, const std::size_t cycle, FlatApplication& application)
-{
-    const RecordedCycle& now = recording.cycles[cycle];
-    const CycleCall before = (cycle == 0U) ? CycleCall{} : recording.cycles[cycle - 1U].call;
-    const bool is_pressed = (now.call.acknowledge_a & ~before.acknowledge_a) != 0U;
-    if (is_pressed || now.nmt != NmtState::kOperational)
-    {
-        application.faulted = 0U;
-        application.first_cause = SrdoCause::kNone;
-    }
-}
 } // namespace
 
 Device::Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, const OutputKind output,
                const DeviceSetup& setup)
-    : region_(region), recording_(recording), reference_(model.Config()), feed_(recording)
+    : region_(region), recording_(recording), reference_(model.Config()), prefix_(setup.cpu ? setup.cpu->prefix : ""),
+      feed_(recording)
 {
-    MakeSurroundings(recording, output);
+    MakeSurroundings(recording, output, setup);
     CopyTables(model);
     feed_.TakeInputs(pairs_);
     MakeChannels(setup);
@@ -55,12 +43,15 @@ Device::Device(Region& region, const runtime::DeviceModel& model, const Recordin
     }
     MakeKernel();
     Start(model);
-    region_.Close();
+    if (!setup.cpu)
+    {
+        region_.Close();
+    }
 }
 
 void Device::Add(const Part part, const std::string& name, const void* const object, const std::size_t size)
 {
-    places_.push_back({part, name, region_.OffsetOf(object), size});
+    places_.push_back({part, prefix_ + name, region_.OffsetOf(object), size});
 }
 
 void Device::CopyTables(const runtime::DeviceModel& model)
@@ -104,10 +95,11 @@ void Device::CopyTables(const runtime::DeviceModel& model)
     }
 }
 
-void Device::MakeSurroundings(const Recording& recording, const OutputKind output)
+void Device::MakeSurroundings(const Recording& recording, const OutputKind output, const DeviceSetup& setup)
 {
-    application_ = &region_.Make<FlatApplication>();
-    ports_ = &region_.Make<FlatPorts>();
+    const bool is_second = setup.cpu && setup.cpu->application != nullptr;
+    application_ = is_second ? setup.cpu->application : &region_.Make<FlatApplication>();
+    ports_ = is_second ? setup.cpu->ports : &region_.Make<FlatPorts>();
     ports_->frame_ns = recording.frame_ns;
     watchdog_ = &region_.Make<FlatWatchdog>();
     output_ =
@@ -121,6 +113,11 @@ void Device::MakeSurroundings(const Recording& recording, const OutputKind outpu
 
 void Device::MakeChannels(const DeviceSetup& setup)
 {
+    if (setup.cpu)
+    {
+        MakeVoices(*setup.cpu);
+        return;
+    }
     const ChannelRoom room{reference_.srdo_count, reference_.map_entries};
     const MadeChannel a = MakeChannelA(region_, room);
     const MadeChannel b = MakeChannelB(region_, room);
@@ -138,13 +135,32 @@ void Device::MakeChannels(const DeviceSetup& setup)
     }
 }
 
+/// One channel, and in the place of the other one what its CPU tells.
+void Device::MakeVoices(const CpuOfTwo& cpu)
+{
+    const ChannelRoom room{reference_.srdo_count, reference_.map_entries};
+    const MadeChannel own = (cpu.link.role == PeerRole::kA) ? MakeChannelA(region_, room) : MakeChannelB(region_, room);
+    for (const Place& place : own.places)
+    {
+        places_.push_back({place.part, prefix_ + place.name, place.offset, place.size});
+    }
+    shipped_ = {own.voice, own.voice};
+    peer_ = &region_.Make<Peer>(*own.voice, *watchdog_, cpu.link);
+    Add(Part::kCrossLink, "cross_link", peer_, sizeof(*peer_));
+    a_ = &peer_->VoiceA();
+    b_ = &peer_->VoiceB();
+}
+
 void Device::MakeKernel()
 {
+    hal::Watchdog& watchdog = (peer_ == nullptr) ? *watchdog_ : peer_->Watchdog();
     kernel_ =
-        &region_.Make<Kernel>(KernelParts{*a_, *b_, *ports_, *output_, *watchdog_, *application_,
+        &region_.Make<Kernel>(KernelParts{*a_, *b_, *ports_, *output_, watchdog, *application_,
                                           (self_test_ == nullptr) ? nullptr : &self_test_->Part(), windows_, flow_});
-    const std::vector<Place> members = PlacesOf(*kernel_, region_);
-    places_.insert(places_.end(), members.begin(), members.end());
+    for (const Place& member : PlacesOf(*kernel_, region_))
+    {
+        places_.push_back({member.part, prefix_ + member.name, member.offset, member.size});
+    }
 }
 
 void Device::Start(const runtime::DeviceModel& model)
@@ -213,21 +229,26 @@ void Device::AddToSelfTest()
     self_test_->Start(*shipped_[0], *shipped_[1], reference_.diagnostic_interval_us / LateCycleUs(reference_));
 }
 
+void Device::Rewind(const std::size_t cycle, const Experiment* const fault, const std::size_t end,
+                    const std::uint64_t seed)
+{
+    feed_.Rewind(cycle, fault, end, seed);
+}
+
+bool Device::IsUndisturbed(const std::size_t cycle) const
+{
+    return feed_.IsUndisturbed(cycle);
+}
+
+DeviceFault Device::Fault() const noexcept
+{
+    return kernel_->DeviceState().fault;
+}
+
 void Device::Follow(PhaseHook* const hook) noexcept
 {
     hook_ = hook;
     flow_->hook = hook;
-}
-
-std::uint8_t Device::WhoSaid(const SrdoCause cause) const noexcept
-{
-    std::uint8_t marks = 0U;
-    for (SlotIndex slot = 0U; slot < reference_.srdo_count; ++slot)
-    {
-        marks |= Signals(a_->View(slot).signals, cause) ? kMarkSaidByA : std::uint8_t{0U};
-        marks |= Signals(b_->View(slot).signals, cause) ? kMarkSaidByB : std::uint8_t{0U};
-    }
-    return marks;
 }
 
 void Device::SetTime(const Nanoseconds at) noexcept
@@ -245,7 +266,7 @@ SrdoMask Device::Open() noexcept
 
 void Device::Cycle(const std::size_t cycle)
 {
-    MoveOwnFrames();
+    ports_->MoveOn();
     ForgetErrors(recording_, cycle, *application_);
     feed_.BeginCycle();
     const Calls calls = feed_.CallsIn(cycle);
@@ -254,19 +275,6 @@ void Device::Cycle(const std::size_t cycle)
         Call(cycle, calls.at.at(index));
     }
     SetTime(recording_.cycles[cycle].at);
-}
-
-/// What was confirmed is on the bus; what waits moves to the front.
-void Device::MoveOwnFrames()
-{
-    const std::uint32_t waiting = ports_->count - std::min(ports_->confirmed, ports_->count);
-    for (std::uint32_t index = 0U; index < waiting; ++index)
-    {
-        ports_->frames[index] = ports_->frames[ports_->confirmed + index];
-    }
-    std::fill(ports_->frames.begin() + waiting, ports_->frames.end(), OwnFrame{});
-    ports_->count = waiting;
-    ports_->confirmed = 0U;
 }
 
 void Device::Call(const std::size_t cycle, const Nanoseconds at)
@@ -293,7 +301,7 @@ void Device::Call(const std::size_t cycle, const Nanoseconds at)
     {
         kernel_->Cycle(feed_.CallOf(cycle, at));
     }
-    WriteProducers(cycle);
+    feed_.WriteInputs(cycle, pairs_);
 }
 
 /// Received frames and confirmations in the order of the bus.
@@ -333,28 +341,27 @@ void Device::Deliver(const Nanoseconds at)
     }
 }
 
-/// As an application does it that senses with two paths: each side by itself, in every cycle.
-void Device::WriteProducers(const std::size_t cycle)
+void ForgetErrors(const Recording& recording, const std::size_t cycle, FlatApplication& application) noexcept
 {
-    for (std::size_t index = 0U; index < pairs_.size(); ++index)
+    const RecordedCycle& now = recording.cycles[cycle];
+    const CycleCall before = (cycle == 0U) ? CycleCall{} : recording.cycles[cycle - 1U].call;
+    const bool is_pressed = (now.call.acknowledge_a & ~before.acknowledge_a) != 0U;
+    if (is_pressed || now.nmt != NmtState::kOperational)
     {
-        const FlatPair& pair = pairs_[index];
-        if (pair.is_consumer)
-        {
-            continue;
-        }
-        std::uint64_t value = 0U;
-        for (const RecordedInput& input : recording_.inputs)
-        {
-            if (input.cycle <= cycle && input.object.index == pair.address.index &&
-                input.object.sub == pair.address.sub)
-            {
-                value = input.value;
-            }
-        }
-        WriteVariable(pair.normal, {feed_.Written(cycle, index, false, value)});
-        WriteVariable(pair.inverse, {feed_.Written(cycle, index, true, ~value)});
+        application.faulted = 0U;
+        application.first_cause = SrdoCause::kNone;
     }
+}
+
+std::uint8_t WhoSaid(const Device& device, const SrdoCause cause) noexcept
+{
+    std::uint8_t marks = 0U;
+    for (SlotIndex slot = 0U; slot < device.Config().srdo_count; ++slot)
+    {
+        marks |= Signals(device.Voice(0U).View(slot).signals, cause) ? kMarkSaidByA : std::uint8_t{0U};
+        marks |= Signals(device.Voice(1U).View(slot).signals, cause) ? kMarkSaidByB : std::uint8_t{0U};
+    }
+    return marks;
 }
 
 SrdoCause FirstCauseOf(const Device& device) noexcept
@@ -362,8 +369,8 @@ SrdoCause FirstCauseOf(const Device& device) noexcept
     const SrdoCause told = device.Told().first_cause;
     for (SlotIndex slot = 0U; slot < device.Config().srdo_count; ++slot)
     {
-        const SrdoView a = device.ViewOfA(slot);
-        const SrdoView b = device.ViewOfB(slot);
+        const SrdoView a = device.Voice(0U).View(slot);
+        const SrdoView b = device.Voice(1U).View(slot);
         // A demoted channel learned of the fault from the other one, which knows the cause.
         const bool asks_b = a.first_cause == SrdoCause::kDemoted || a.first_cause == SrdoCause::kNone;
         const SrdoCause first = asks_b ? b.first_cause : a.first_cause;

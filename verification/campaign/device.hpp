@@ -3,6 +3,7 @@
 #define VERIFICATION_CAMPAIGN_DEVICE_HPP
 
 #include "runtime/device/model.hpp"
+#include "safety_core/crosslink/peer.hpp"
 #include "verification/campaign/feed.hpp"
 #include "verification/campaign/flat_self_test.hpp"
 #include "verification/campaign/recording.hpp"
@@ -13,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,22 +40,25 @@ enum class Part : std::uint8_t
     kKernel = 7U, ///< The rest of it.
     kTables = 8U,
     kVariables = 9U,
-    kPins = 10U, ///< Of the port.
+    kPins = 10U,      ///< Of the port.
+    kCrossLink = 11U, ///< Of a CPU of two: what it keeps of the other one. [SRS_CMG_061]
     // From here on no memory, but kBothChannels.
-    kBus = 11U,         ///< Frames that the device receives. [SRS_CMG_020]
-    kKernelCalls = 12U, ///< What is called of the kernel. [SRS_CMG_022]
-    kCallsOfA = 13U,    ///< What the kernel calls of channel A.
-    kCallsOfB = 14U,
-    kSteps = 15U,        ///< Of the flow.
-    kCounters = 16U,     ///< [SRS_CMG_023]
-    kCycle = 17U,        ///< When it is called.
-    kBothChannels = 18U, ///< A bit in each. [SRS_CMG_024]
-    kInputs = 19U,       ///< What the application senses with two paths. [SRS_CMG_025]
-    kCommands = 20U,     ///< What the application tells the kernel: NMT states, GFC. [SRS_CMG_029]
+    kBus = 12U,         ///< Frames that the device receives. [SRS_CMG_020]
+    kKernelCalls = 13U, ///< What is called of the kernel. [SRS_CMG_022]
+    kCallsOfA = 14U,    ///< What the kernel calls of channel A.
+    kCallsOfB = 15U,
+    kSteps = 16U,        ///< Of the flow.
+    kCounters = 17U,     ///< [SRS_CMG_023]
+    kCycle = 18U,        ///< When it is called.
+    kBothChannels = 19U, ///< A bit in each. [SRS_CMG_024]
+    kInputs = 20U,       ///< What the application senses with two paths. [SRS_CMG_025]
+    kCommands = 21U,     ///< What the application tells the kernel: NMT states, GFC. [SRS_CMG_029]
+    kLink = 22U,         ///< Messages between two CPUs. [SRS_CMG_062]
+    kCpu = 23U,          ///< One of two CPUs as a whole. [SRS_CMG_063]
 };
-constexpr std::size_t kPartCount = 21U;
+constexpr std::size_t kPartCount = 24U;
 /// The first so many are memory.
-constexpr std::size_t kMemoryPartCount = 11U;
+constexpr std::size_t kMemoryPartCount = 12U;
 
 /// A member of the device under test, and where it lies in the region.
 struct Place
@@ -66,10 +71,20 @@ struct Place
 
 class DisturbedChannel;
 
+/// What a CPU of two needs to know. What it shares with the other one is null for the first of them.
+struct CpuOfTwo
+{
+    LinkConfig link{};
+    std::string prefix{}; ///< Of the names of its members.
+    FlatApplication* application{nullptr};
+    FlatPorts* ports{nullptr};
+};
+
 /// What a plan wants of the device.
 struct DeviceSetup
 {
-    bool has_call_faults{false}; ///< Something stands in front of the channels.
+    std::optional<CpuOfTwo> cpu{}; ///< None: the device has one CPU.
+    bool has_call_faults{false};   ///< Something stands in front of the channels.
     bool has_self_test{false};
 };
 
@@ -81,21 +96,33 @@ class Device
     /// Throws std::runtime_error for a device that the kernel refuses.
     Device(Region& region, const runtime::DeviceModel& model, const Recording& recording, OutputKind output,
            const DeviceSetup& setup = {});
-    ~Device() = default;
+    virtual ~Device() = default;
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
 
     /// @brief One cycle of the recording with all that comes before it.
-    void Cycle(std::size_t cycle);
+    virtual void Cycle(std::size_t cycle);
     /// @brief What it receives, and the fault of that. To be rewound when its memory is brought back.
     [[nodiscard]] Feed& Receives() noexcept
     {
         return feed_;
     }
+    /// @brief What it receives is as before this cycle, and from there on has this fault. To be called when its memory
+    /// is brought back; as Feed::Rewind.
+    virtual void Rewind(std::size_t cycle, const Experiment* fault, std::size_t end, std::uint64_t seed);
+    /// @brief Whether behind this cycle all comes as recorded.
+    [[nodiscard]] virtual bool IsUndisturbed(std::size_t cycle) const;
     /// @brief Who is told the phases of each cycle; null: nobody.
-    void Follow(PhaseHook* hook) noexcept;
+    virtual void Follow(PhaseHook* hook) noexcept;
     /// @brief Slots whose outputs are open now.
-    [[nodiscard]] SrdoMask Open() noexcept;
+    [[nodiscard]] virtual SrdoMask Open() noexcept;
+    /// @brief Why the device, or one of its CPUs, is safe; kNone: it is not.
+    [[nodiscard]] virtual DeviceFault Fault() const noexcept;
+    /// @brief Whether each CPU has an object of each pair, and nobody both.
+    [[nodiscard]] virtual bool HasTwoCpus() const noexcept
+    {
+        return false;
+    }
 
     /// @brief Its memory, member by member.
     [[nodiscard]] const std::vector<Place>& Places() const noexcept
@@ -127,47 +154,40 @@ class Device
     {
         return *ports_;
     }
-    [[nodiscard]] Kernel& Core() noexcept
+    /// @brief Channel A (0) or B.
+    [[nodiscard]] const Channel& Voice(const std::size_t channel) const noexcept
     {
-        return *kernel_;
+        return (channel == 0U) ? *a_ : *b_;
     }
-    [[nodiscard]] SrdoView ViewOfA(const SlotIndex slot) const noexcept
-    {
-        return a_->View(slot);
-    }
-    [[nodiscard]] SrdoView ViewOfB(const SlotIndex slot) const noexcept
-    {
-        return b_->View(slot);
-    }
-    /// @brief Which channels report this cause in the last cycle, as marks of an outcome.
-    [[nodiscard]] std::uint8_t WhoSaid(SrdoCause cause) const noexcept;
     /// @brief Whether the output has not cut itself off.
     [[nodiscard]] bool IsOutputLive() const noexcept
     {
         return output_->is_live;
     }
-    [[nodiscard]] bool IsWatchdogAlive() const noexcept
+    [[nodiscard]] virtual bool IsWatchdogAlive() const noexcept
     {
         return watchdog_->timer.IsAlive();
     }
 
   private:
+    friend class TwoCpus; ///< Two of these, each with a channel.
+
     void CopyTables(const runtime::DeviceModel& model);
-    void MakeSurroundings(const Recording& recording, OutputKind output);
+    void MakeSurroundings(const Recording& recording, OutputKind output, const DeviceSetup& setup);
+    void MakeVoices(const CpuOfTwo& cpu);
     void MakeChannels(const DeviceSetup& setup);
     void AddToSelfTest();
     void MakeKernel();
     void Start(const runtime::DeviceModel& model);
-    void MoveOwnFrames();
     void Call(std::size_t cycle, Nanoseconds at);
     void Deliver(Nanoseconds at);
     void Add(Part part, const std::string& name, const void* object, std::size_t size);
-    void WriteProducers(std::size_t cycle);
     void SetTime(Nanoseconds at) noexcept;
 
     Region& region_;
     const Recording& recording_;
     DeviceConfig reference_; ///< As it was before any fault.
+    std::string prefix_;     ///< Of the names of members.
     std::vector<Place> places_{};
     std::vector<FlatPair> pairs_{};
     // In the region.
@@ -183,11 +203,19 @@ class Device
     DisturbedChannel* disturbed_a_{nullptr}; ///< Null: no plan for calls.
     DisturbedChannel* disturbed_b_{nullptr};
     CauseWindows* windows_{nullptr};
+    Peer* peer_{nullptr}; ///< Null: the device has one CPU.
     Kernel* kernel_{nullptr};
     PhaseHook* hook_{nullptr};
     std::unique_ptr<FlatSelfTest> self_test_{};
     Feed feed_; ///< Outside of it.
 };
+
+/// @brief An application does not keep what it was told before somebody acknowledged, or while the device is not
+/// OPERATIONAL.
+void ForgetErrors(const Recording& recording, std::size_t cycle, FlatApplication& application) noexcept;
+
+/// @brief Which channels report this cause in the last cycle, as marks of an outcome.
+[[nodiscard]] std::uint8_t WhoSaid(const Device& device, SrdoCause cause) noexcept;
 
 /// @brief The cause that the application was told first; of those of one cycle, which it is told in the order of their
 /// numbers, the one that came first.

@@ -169,6 +169,30 @@ CycleCall Feed::CallOf(const std::size_t cycle, const Nanoseconds at) const
     return call;
 }
 
+/// As an application does it that senses with two paths: each side by itself, in every cycle.
+void Feed::WriteInputs(const std::size_t cycle, const std::vector<FlatPair>& pairs) const
+{
+    for (std::size_t index = 0U; index < pairs.size(); ++index)
+    {
+        const FlatPair& pair = pairs[index];
+        if (pair.is_consumer)
+        {
+            continue;
+        }
+        std::uint64_t value = 0U;
+        for (const RecordedInput& input : recording_.inputs)
+        {
+            if (input.cycle <= cycle && input.object.index == pair.address.index &&
+                input.object.sub == pair.address.sub)
+            {
+                value = input.value;
+            }
+        }
+        WriteVariable(pair.normal, {Written(cycle, index, false, value)});
+        WriteVariable(pair.inverse, {Written(cycle, index, true, ~value)});
+    }
+}
+
 std::uint64_t Feed::Written(const std::size_t cycle, const std::size_t pair, const bool is_inverse,
                             const std::uint64_t value) const
 {

@@ -75,9 +75,8 @@ class Feed
     void Confirm(const OwnFrame& own, Kernel& kernel);
     /// @brief What the kernel's cycle is called with.
     [[nodiscard]] CycleCall CallOf(std::size_t cycle, Nanoseconds at) const;
-    /// @brief What the application writes into this side of a pair.
-    [[nodiscard]] std::uint64_t Written(std::size_t cycle, std::size_t pair, bool is_inverse,
-                                        std::uint64_t value) const;
+    /// @brief The application writes what it senses into the pairs that are produced.
+    void WriteInputs(std::size_t cycle, const std::vector<FlatPair>& pairs) const;
 
     /// @brief The frames that the kernel got in the last cycle.
     [[nodiscard]] const std::vector<RecordedFrame>& Handed() const noexcept
@@ -95,6 +94,9 @@ class Feed
     }
 
   private:
+    /// What is written into this side of a pair.
+    [[nodiscard]] std::uint64_t Written(std::size_t cycle, std::size_t pair, bool is_inverse,
+                                        std::uint64_t value) const;
     void CatchUp(Kernel& kernel);
     [[nodiscard]] const InputBit* StuckInput(std::size_t cycle) const;
 

@@ -242,7 +242,8 @@ std::string Verdict(const Campaign& campaign, const Summary& summary)
            Number(summary.open) + " of them not tried; " + Number(campaign.space.LeftOut()) +
            " bytes that hold addresses of the program are left out. The time line of an experiment: <code>counterpoint "
            "campaign " +
-           Escaped(campaign.plan.file) + " --replay EXPERIMENT --html PAGE</code></p>\n";
+           Escaped(campaign.plan.file) + " --replay EXPERIMENT --html PAGE</code></p>\n" +
+           (summary.latent == 0U ? "" : "<p>" + LatentText(summary) + "</p>\n");
 }
 } // namespace
 

@@ -163,6 +163,7 @@ std::string JsonReport(const Campaign& campaign, const Summary& summary)
             survivors.push_back(SurvivorOf(campaign, finding));
         }
     }
+    report["latent"] = summary.latent;
     report["survivors"] = survivors;
     return report.dump(2) + "\n";
 }

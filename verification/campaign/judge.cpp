@@ -34,6 +34,7 @@ std::uint64_t MaskOf(const VariablePlace& place)
 
 Judge::Judge(const Recording& recording, const runtime::DeviceModel& model, Device& device)
     : recording_(recording), device_(device), knows_gfc_(KnowsGfc(model)),
+      slack_((LateCycleUs(device.Config()) * kUs) + (2 * recording.frame_ns)),
       discrepancy_((device.Config().discrepancy_us + 2U * LateCycleUs(device.Config())) * kUs)
 {
     for (const runtime::SrdoModel& each : model.Srdos())
@@ -159,15 +160,17 @@ void Judge::LookAtOutput(const Srdo& srdo, const std::size_t cycle, const JudgeM
 {
     const SrdoMask bit = SrdoMask{1U} << srdo.slot;
     std::uint64_t data = 0U;
+    std::uint64_t inverse = 0U;
     std::uint64_t mask = 0U;
     for (const FlatPair& pair : srdo.pairs)
     {
-        if (IsInversePair(pair.normal, pair.inverse) != PairView::kInverse)
+        if (!device_.HasTwoCpus() && IsInversePair(pair.normal, pair.inverse) != PairView::kInverse)
         {
             sight.not_inverse |= bit;
             return; // The application does not use it.
         }
         data |= ReadVariable(pair.normal).bits << pair.first_bit;
+        inverse |= (~ReadVariable(pair.inverse).bits & MaskOf(pair.inverse)) << pair.first_bit;
         mask |= MaskOf(pair.normal) << pair.first_bit;
     }
     // The permits of the cycle that tells of a device fault may have been given before.
@@ -181,10 +184,18 @@ void Judge::LookAtOutput(const Srdo& srdo, const std::size_t cycle, const JudgeM
     }
     else
     {
-        const Leave leave = srdo.bus.front().Allows(memory.received.at(srdo.slot), recording_.cycles[cycle].at, data,
-                                                    mask, discrepancy_);
-        sight.wrong = (leave == Leave::kNone) ? Wrong::kData : sight.wrong;
-        sight.listed |= (leave == Leave::kListed) ? bit : SrdoMask{0U};
+        const auto allows = [this, &srdo, &memory, cycle, mask](const std::uint64_t each)
+        {
+            return srdo.bus.front().Allows(memory.received.at(srdo.slot), recording_.cycles[cycle].at, each, mask,
+                                           discrepancy_);
+        };
+        const Leave leave = allows(data);
+        const Leave other = device_.HasTwoCpus() ? allows(inverse) : leave;
+        const bool is_none = leave == Leave::kNone && other == Leave::kNone;
+        // What one CPU has wrong stands in series with what the other one has right. [SRS_CMG_064]
+        sight.not_inverse |= (!is_none && (leave == Leave::kNone || other == Leave::kNone)) ? bit : SrdoMask{0U};
+        sight.wrong = is_none ? Wrong::kData : sight.wrong;
+        sight.listed |= (leave == Leave::kListed || other == Leave::kListed) ? bit : SrdoMask{0U};
     }
 }
 
@@ -196,9 +207,15 @@ void Judge::LookAtFrames(const std::size_t cycle, JudgeMemory& memory, Sight& si
     memory.sent = ports.sent;
     for (std::uint32_t index = kept - fresh; index < kept; ++index)
     {
-        const Wrong wrong = LookAtFrame(ports.frames[index], cycle, memory);
+        const Wrong wrong = LookAtFrame(ports.frames[index], cycle, memory, sight);
         sight.wrong = (sight.wrong == Wrong::kNothing) ? wrong : sight.wrong;
     }
+    LookAtPairs(cycle, memory, sight);
+}
+
+/// Whether they come when they have to.
+void Judge::LookAtPairs(const std::size_t cycle, JudgeMemory& memory, Sight& sight) const
+{
     for (std::size_t index = 0U; index < srdos_.size(); ++index)
     {
         const Srdo& srdo = srdos_[index];
@@ -210,11 +227,14 @@ void Judge::LookAtFrames(const std::size_t cycle, JudgeMemory& memory, Sight& si
             continue;
         }
         const bool is_waited_for = srdo.model.direction == kDirectionProducer && last != 0;
-        sight.is_missed = sight.is_missed || (is_waited_for && recording_.cycles[cycle].at - last > patience);
+        const Nanoseconds waited = recording_.cycles[cycle].at - last;
+        const Nanoseconds refresh = srdo.model.times.sct_ms * kMicrosecondsPerMillisecond * kUs;
+        sight.is_missed = sight.is_missed || (is_waited_for && waited > patience);
+        sight.is_overdue = sight.is_overdue || (is_waited_for && waited > refresh + slack_);
     }
 }
 
-Wrong Judge::LookAtFrame(const OwnFrame& own, const std::size_t cycle, JudgeMemory& memory) const
+Wrong Judge::LookAtFrame(const OwnFrame& own, const std::size_t cycle, JudgeMemory& memory, Sight& sight) const
 {
     for (const Srdo& srdo : srdos_)
     {
@@ -226,6 +246,7 @@ Wrong Judge::LookAtFrame(const OwnFrame& own, const std::size_t cycle, JudgeMemo
         if (own.frame.identifier == srdo.model.cob_id_1)
         {
             normal = own;
+            sight.is_bad_frame = sight.is_bad_frame || !WereInputs(srdo, NumberIn(own.frame), cycle);
             return (memory.fault_cycles > 1U) ? Wrong::kRestart : Wrong::kNothing;
         }
         if (own.frame.identifier != srdo.model.cob_id_2)
@@ -239,19 +260,23 @@ Wrong Judge::LookAtFrame(const OwnFrame& own, const std::size_t cycle, JudgeMemo
         normal = OwnFrame{};
         if (!is_pair)
         {
+            sight.is_bad_frame = true;
             return Wrong::kNothing; // Whoever consumes it finds it wrong.
         }
         memory.pair_at[srdo.slot] = own.confirmed_at;
-        const bool is_true =
-            std::all_of(srdo.pairs.begin(), srdo.pairs.end(), [this, data, cycle](const FlatPair& pair)
-                        { return WasInput(pair, (data >> pair.first_bit) & MaskOf(pair.normal), cycle); });
-        return is_true ? Wrong::kNothing : Wrong::kSentPair;
+        return WereInputs(srdo, data, cycle) ? Wrong::kNothing : Wrong::kSentPair;
     }
     if (knows_gfc_ && IsGfc(own.frame)) // A false one makes safe.
     {
         return (memory.fault_cycles > 1U) ? Wrong::kRestart : Wrong::kNothing;
     }
     return Wrong::kIdentifier;
+}
+
+bool Judge::WereInputs(const Srdo& srdo, const std::uint64_t data, const std::size_t cycle) const
+{
+    return std::all_of(srdo.pairs.begin(), srdo.pairs.end(), [this, data, cycle](const FlatPair& pair)
+                       { return WasInput(pair, (data >> pair.first_bit) & MaskOf(pair.normal), cycle); });
 }
 
 /// In this cycle or shortly before.

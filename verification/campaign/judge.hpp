@@ -48,6 +48,8 @@ struct Sight
     SrdoMask listed{0U};      ///< Open by a complete valid pair that nobody sent, or that is too old: the listed limit.
     SrdoMask not_inverse{0U}; ///< Open, but the pair of variables does not pass the application's check.
     bool is_missed{false};    ///< Who consumes what the device sends has waited longer than SCT.
+    bool is_bad_frame{false}; ///< A frame was sent that nobody can use, or with data that the application did not have.
+    bool is_overdue{false};   ///< No pair was complete within refresh time and a cycle as late as it may be.
 };
 
 /// Decides from bus, inputs and output alone what the device may do: neither the kernel's nor the channels' opinion is
@@ -81,13 +83,16 @@ class Judge
     void TakeFrames(std::size_t cycle, JudgeMemory& memory) const;
     void LookAtOutput(const Srdo& srdo, std::size_t cycle, const JudgeMemory& memory, Sight& sight) const;
     void LookAtFrames(std::size_t cycle, JudgeMemory& memory, Sight& sight) const;
-    [[nodiscard]] Wrong LookAtFrame(const OwnFrame& own, std::size_t cycle, JudgeMemory& memory) const;
+    void LookAtPairs(std::size_t cycle, JudgeMemory& memory, Sight& sight) const;
+    [[nodiscard]] Wrong LookAtFrame(const OwnFrame& own, std::size_t cycle, JudgeMemory& memory, Sight& sight) const;
+    [[nodiscard]] bool WereInputs(const Srdo& srdo, std::uint64_t data, std::size_t cycle) const;
     [[nodiscard]] bool WasInput(const FlatPair& pair, std::uint64_t value, std::size_t cycle) const;
 
     const Recording& recording_;
     Device& device_;
     std::vector<Srdo> srdos_{};
     bool knows_gfc_;          ///< 1300h is 1.
+    Nanoseconds slack_;       ///< Of what comes in time: a cycle as late as it may be, both frames of a pair.
     Nanoseconds discrepancy_; ///< For which the pair before may still be in place.
 };
 } // namespace counterpoint::campaign

@@ -14,8 +14,8 @@ namespace
 constexpr std::array<const char*, kClassCount> kClassWords{"open",       "masked", "benign", "detected",
                                                            "safe_other", "silent", "listed", "exposed"};
 constexpr std::array<const char*, kDetectorCount> kDetectorWords{
-    "nobody",   "comparator", "flow_monitor", "guard",     "seal",      "clocks", "channels", "permits",
-    "watchdog", "latch",      "pair_check",   "receivers", "exception", "time",   "pins",     "self_test"};
+    "nobody", "comparator", "flow_monitor", "guard",     "seal", "clocks", "channels",  "permits",   "watchdog",
+    "latch",  "pair_check", "receivers",    "exception", "time", "pins",   "self_test", "cross_link"};
 constexpr std::array<const char*, 6U> kWrongWords{"",
                                                   "open with data that the bus did not bring",
                                                   "open without leave",

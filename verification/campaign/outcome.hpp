@@ -43,8 +43,9 @@ enum class Detector : std::uint8_t
     kTime = 13U,      ///< A call that does not return: output and watchdog.
     kPins = 14U,      ///< The safety pins' look at themselves.
     kSelfTest = 15U,  ///< The shipped self tests.
+    kCrossLink = 16U, ///< What one CPU of two finds of the other one or of the link.
 };
-constexpr std::size_t kDetectorCount = 16U;
+constexpr std::size_t kDetectorCount = 17U;
 
 /// One experiment's outcome.
 struct Outcome
@@ -56,13 +57,19 @@ struct Outcome
     std::uint32_t us{0U};    ///< From the fault to the closed output (to the device fault, where none was open).
 };
 
-constexpr std::uint8_t kMarkLate = 1U;    ///< Above the limit, counted from the first effect of the fault.
+constexpr std::uint8_t kMarkLate = 1U;    ///< Above the limit, counted from what the device did first. [SRS_CMG_060]
 constexpr std::uint8_t kMarkSaidByA = 2U; ///< Of kChannels: channel A reported this cause by itself.
 constexpr std::uint8_t kMarkSaidByB = 4U;
+constexpr std::uint8_t kMarkLatent = 8U; ///< Lay longer than the limit where the device did nothing else. [SRS_CMG_060]
 
 [[nodiscard]] constexpr bool IsLate(const Outcome& outcome)
 {
     return (outcome.marks & kMarkLate) != 0U;
+}
+
+[[nodiscard]] constexpr bool IsLatent(const Outcome& outcome)
+{
+    return (outcome.marks & kMarkLatent) != 0U;
 }
 
 [[nodiscard]] const char* WordOf(Class result);

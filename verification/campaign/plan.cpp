@@ -41,6 +41,7 @@ constexpr Word<Part> kPartWords[] = {
     {"tables", Part::kTables},
     {"variables", Part::kVariables},
     {"pins", Part::kPins},
+    {"cross_link", Part::kCrossLink},
     {"bus", Part::kBus},
     {"kernel_calls", Part::kKernelCalls},
     {"a_calls", Part::kCallsOfA},
@@ -51,6 +52,8 @@ constexpr Word<Part> kPartWords[] = {
     {"both_channels", Part::kBothChannels},
     {"inputs", Part::kInputs},
     {"commands", Part::kCommands},
+    {"link", Part::kLink},
+    {"cpu", Part::kCpu},
 };
 constexpr Word<FaultKind> kKindWords[] = {
     {"flip", FaultKind::kFlip},
@@ -94,6 +97,7 @@ constexpr Word<Detector> kDetectorWords[] = {
     {"watchdog", Detector::kWatchdog},
     {"pins", Detector::kPins},
     {"self_test", Detector::kSelfTest},
+    {"cross_link", Detector::kCrossLink},
 };
 /// Of `known`.
 constexpr Word<Class> kFindingWords[] = {
@@ -412,6 +416,15 @@ bool IsOf(const Part part, const FaultKind kind)
         return kind == FaultKind::kSkipped || kind == FaultKind::kDoubled || kind == FaultKind::kLate ||
                kind == FaultKind::kInserted || kind == FaultKind::kWrongCommand;
     }
+    if (part == Part::kLink)
+    {
+        return kind == FaultKind::kLost || kind == FaultKind::kRepeated || kind == FaultKind::kWrongOrder ||
+               kind == FaultKind::kDelayed || kind == FaultKind::kCorrupted;
+    }
+    if (part == Part::kCpu)
+    {
+        return is_from_to(FaultKind::kStopped, FaultKind::kSlow);
+    }
     if (part == Part::kInputs)
     {
         return kind == FaultKind::kStuckAt0 || kind == FaultKind::kStuckAt1;
@@ -427,7 +440,7 @@ bool HasReach(const Part part, const FaultKind kind)
     }
     const bool is_later =
         kind == FaultKind::kRepeated || kind == FaultKind::kInserted || kind == FaultKind::kDelayed || IsOfPair(kind);
-    return part == Part::kBus && is_later;
+    return (part == Part::kBus || part == Part::kLink) && is_later;
 }
 
 const char* WordOf(const Phase phase)

@@ -56,20 +56,57 @@ RecordedScenario::RecordedScenario(const std::string& file, const runtime::YamlV
 {
     RequireThatItCanBeRecorded(device);
     run_.Simulate(nullptr);
+    if (HasTwoCpus())
+    {
+        second_ = RecordOf(node_ + 1U);
+    }
+    recording_ = RecordOf(node_);
+    if (HasTwoCpus())
+    {
+        CountByFirst();
+    }
+}
+
+/// Frames of a cycle of CPU B are those that have come at the end of CPU A's, by which cycles are counted.
+void RecordedScenario::CountByFirst()
+{
+    const std::size_t lead = CycleOf(recording_, second_.cycles.front().at);
+    for (std::size_t cycle = 0U; cycle < second_.cycles.size(); ++cycle)
+    {
+        const std::size_t same = std::min(cycle + lead, recording_.cycles.size() - 1U);
+        second_.cycles[cycle].frames_end = recording_.cycles[same].frames_end;
+    }
+}
+
+/// Of one CPU.
+Recording RecordedScenario::RecordOf(const simulator::NodeIndex node)
+{
+    const simulator::NodeIndex first = node_;
+    node_ = node;
+    recording_ = Recording{};
     RecordCycles();
     RecordFrames();
     RecordPairs();
     RecordInputs();
     RecordCommands();
     RecordPeers();
+    node_ = first;
+    return recording_;
+}
+
+/// Of two CPUs either.
+bool RecordedScenario::IsOwn(const simulator::NodeIndex node) const
+{
+    const auto& nodes = run_.Setting().nodes;
+    return node < nodes.size() && nodes[node].device == nodes[node_].device;
 }
 
 simulator::NodeIndex RecordedScenario::Find(const runtime::YamlValue& device) const
 {
     const std::string name = device.Text("the name of a node");
     const auto& nodes = run_.Setting().nodes;
-    const auto found =
-        std::find_if(nodes.begin(), nodes.end(), [&name](const auto& node) { return node.name == name; });
+    const auto found = std::find_if(nodes.begin(), nodes.end(),
+                                    [&name](const auto& node) { return node.name == name || node.device == name; });
     if (found == nodes.end())
     {
         device.Refuse("node " + runtime::Shown(name), "a node of the scenario");
@@ -80,7 +117,7 @@ simulator::NodeIndex RecordedScenario::Find(const runtime::YamlValue& device) co
 void RecordedScenario::RequireThatItCanBeRecorded(const runtime::YamlValue& device) const
 {
     const simulator::Scenario& scenario = run_.Setting();
-    const auto is_of_device = [this](const auto& each) { return each.node == node_; };
+    const auto is_of_device = [this](const auto& each) { return IsOwn(each.node); };
     if (!scenario.faults.empty() || !scenario.managers.empty() || !scenario.actions.empty())
     {
         device.Refuse("a scenario with faults, managers or actions", "devices, inputs and commands alone");
@@ -90,9 +127,14 @@ void RecordedScenario::RequireThatItCanBeRecorded(const runtime::YamlValue& devi
     {
         device.Refuse("a device that an NMT command resets", "one that is started and stopped alone");
     }
-    if (scenario.nodes[node_].role != runtime::CpuRole::kWhole || scenario.nodes[node_].controllers != 1U)
+    if (scenario.nodes[node_].controllers != 1U)
     {
-        device.Refuse("a device with two CPUs or two controllers", "one CPU with one controller");
+        device.Refuse("a device with two controllers", "one with one controller, or with two CPUs");
+    }
+    if (HasTwoCpus() && (scenario.nodes[node_].device != device.Node().scalar || Link().jitter != 0))
+    {
+        device.Refuse("one CPU of two, or a cross link with jitter",
+                      "the device of both, and a link with a delay alone");
     }
     if (std::any_of(scenario.logic.begin(), scenario.logic.end(), is_of_device) ||
         std::any_of(scenario.power.begin(), scenario.power.end(), is_of_device))
@@ -154,7 +196,7 @@ void RecordedScenario::RecordFrames()
     const Counters counters(run_.Setting().nodes[node_]);
     for (const simulator::FrameEntry& entry : run_.Record().Frames())
     {
-        if (entry.sender != node_ && entry.fate == host::FrameFate::kComplete && IsSafetyFrame(entry.frame))
+        if (!IsOwn(entry.sender) && entry.fate == host::FrameFate::kComplete && IsSafetyFrame(entry.frame))
         {
             recording_.frames.push_back({entry.end, {entry.frame, counters.At(entry.end)}});
         }

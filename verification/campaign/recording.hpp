@@ -109,6 +109,23 @@ class RecordedScenario
     {
         return recording_;
     }
+    /// @brief Of CPU B; for a device with two CPUs alone.
+    [[nodiscard]] const Recording& SecondRecord() const noexcept
+    {
+        return second_;
+    }
+    [[nodiscard]] const runtime::DeviceModel& SecondModel() const
+    {
+        return run_.ModelOf(node_ + 1U);
+    }
+    [[nodiscard]] bool HasTwoCpus() const
+    {
+        return run_.Setting().nodes[node_].role != runtime::CpuRole::kWhole;
+    }
+    [[nodiscard]] const simulator::LinkSetup& Link() const
+    {
+        return run_.Setting().nodes[node_].link;
+    }
     [[nodiscard]] const runtime::DeviceModel& Model() const
     {
         return run_.ModelOf(node_);
@@ -127,6 +144,9 @@ class RecordedScenario
   private:
     [[nodiscard]] simulator::NodeIndex Find(const runtime::YamlValue& device) const;
     void RequireThatItCanBeRecorded(const runtime::YamlValue& device) const;
+    void CountByFirst();
+    [[nodiscard]] Recording RecordOf(simulator::NodeIndex node);
+    [[nodiscard]] bool IsOwn(simulator::NodeIndex node) const;
     void RecordCycles();
     void RecordFrames();
     void RecordPairs();
@@ -137,6 +157,7 @@ class RecordedScenario
     simulator::Run run_;
     simulator::NodeIndex node_;
     Recording recording_{};
+    Recording second_{};
 };
 } // namespace counterpoint::campaign
 

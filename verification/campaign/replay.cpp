@@ -85,14 +85,14 @@ Replay::Sighting Replay::See(const SrdoMask open) const
     Device& device = session_.Runs().Subject();
     Sighting sighting;
     sighting.open = open;
-    sighting.fault = device.Core().DeviceState().fault;
+    sighting.fault = device.Fault();
     sighting.is_watchdog_alive = device.IsWatchdogAlive();
     sighting.is_output_live = device.IsOutputLive();
     sighting.sent = device.Ports().sent;
     for (SlotIndex slot = 0U; slot < device.Config().srdo_count; ++slot)
     {
-        sighting.a.push_back(device.ViewOfA(slot));
-        sighting.b.push_back(device.ViewOfB(slot));
+        sighting.a.push_back(device.Voice(0U).View(slot));
+        sighting.b.push_back(device.Voice(1U).View(slot));
     }
     for (const FlatPair& pair : device.Pairs())
     {
@@ -138,6 +138,16 @@ void Replay::OnCycle(const std::size_t cycle, const Sight& sight)
              ReasonOf(Outcome{Class::kSilent, Detector::kNobody, static_cast<std::uint8_t>(sight.wrong), 0U, 0U}));
     }
     wrong_ = sight.wrong;
+    if (sight.is_overdue && !is_overdue_)
+    {
+        Tell("judge", "no pair within the refresh time");
+    }
+    if (sight.is_bad_frame && !is_bad_frame_)
+    {
+        Tell("judge", "a frame that no receiver can use, or that nobody wrote");
+    }
+    is_overdue_ = is_overdue_ || sight.is_overdue;
+    is_bad_frame_ = is_bad_frame_ || sight.is_bad_frame;
     last_ = std::move(is);
 }
 

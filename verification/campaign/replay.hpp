@@ -75,6 +75,8 @@ class Replay final : private CycleWatcher
     Nanoseconds begin_;
     Nanoseconds now_{0};
     Sighting last_{};
+    bool is_overdue_{false}; ///< It was, once.
+    bool is_bad_frame_{false};
     Wrong wrong_{Wrong::kNothing}; ///< What the judge said last.
     std::vector<std::size_t> told_different_{};
     std::vector<Moment> moments_{};

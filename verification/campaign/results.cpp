@@ -18,7 +18,7 @@ namespace
 /// In front of the outcomes.
 struct Header
 {
-    std::array<char, 7U> mark{'C', 'P', 'C', 'A', 'M', 'P', '2'};
+    std::array<char, 7U> mark{'C', 'P', 'C', 'A', 'M', 'P', '3'};
     std::uint8_t check{0U};
     std::uint64_t digest{0U};
     std::uint64_t total{0U};
@@ -30,14 +30,14 @@ static_assert(sizeof(Header) == 32U, "the format of a file of results");
 /// One outcome; one that is not tried yet is 0.
 struct Stored
 {
-    std::uint8_t result_and_detector{0U}; ///< Low and high half.
+    std::uint8_t result_and_detector{0U}; ///< Three bits and five.
     std::uint8_t detail{0U};
     std::uint8_t marks{0U};
     std::uint8_t check{0U};
     std::uint32_t us{0U};
 };
 static_assert(sizeof(Stored) == sizeof(std::uint64_t), "the format of a file of results");
-static_assert(kClassCount <= 16U && kDetectorCount <= 16U, "halves of a byte");
+static_assert(kClassCount <= 8U && kDetectorCount <= 32U, "three bits and five");
 
 /// CRC of polynomial 07h, without its own place; 0 of what is 0.
 template <typename T> std::uint8_t CheckOf(T record)
@@ -152,18 +152,18 @@ void Results::RequireWhole(const std::string& file)
 
 Outcome Results::At(const std::uint64_t index) const noexcept
 {
-    constexpr std::uint8_t half = 0x0FU;
+    constexpr std::uint8_t three = 0x07U;
     Stored stored;
     std::memcpy(&stored, bytes_ + sizeof(Header) + (index * sizeof(Stored)), sizeof(stored));
-    return {static_cast<Class>(stored.result_and_detector & half),
-            static_cast<Detector>(stored.result_and_detector >> 4U), stored.detail, stored.marks, stored.us};
+    return {static_cast<Class>(stored.result_and_detector & three),
+            static_cast<Detector>(stored.result_and_detector >> 3U), stored.detail, stored.marks, stored.us};
 }
 
 void Results::Put(const std::uint64_t index, const Outcome& outcome) noexcept
 {
     Stored stored;
     stored.result_and_detector = static_cast<std::uint8_t>(static_cast<std::uint32_t>(outcome.result) |
-                                                           (static_cast<std::uint32_t>(outcome.detector) << 4U));
+                                                           (static_cast<std::uint32_t>(outcome.detector) << 3U));
     stored.detail = outcome.detail;
     stored.marks = outcome.marks;
     stored.us = outcome.us;

@@ -29,9 +29,9 @@ font-weight:bold}@media(prefers-color-scheme:dark){.good{color:#6c6}.bad{color:#
 
 
 def short_plans():
-    """What people start from; scenarios beside them name no device."""
+    """What people start from; scenarios and networks beside them name neither."""
     plans = sorted((ROOT / "examples/campaigns").glob("*.yaml"))
-    return [plan for plan in plans if any(line.startswith("device:") for line in plan.read_text(encoding="utf-8").splitlines())]
+    return [plan for plan in plans if any(line.startswith(("device:", "network:")) for line in plan.read_text(encoding="utf-8").splitlines())]
 
 
 def run_plan(program, plan, out, options):

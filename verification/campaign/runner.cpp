@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <initializer_list>
 #include <stdexcept>
 #include <string>
 
@@ -20,8 +19,8 @@ constexpr std::size_t kSettleCycles = 80U;
 /// Of an intermittent fault.
 constexpr std::size_t kStrikes = 5U;
 constexpr std::size_t kStrikeDistance = 7U;
-constexpr std::size_t kMoreCycles = 50U;
 constexpr std::uint8_t kNoPart = 0xFFU;
+constexpr std::size_t kNever = ~std::size_t{0U};
 
 bool Strikes(const Experiment& fault, const std::size_t cycle)
 {
@@ -61,75 +60,31 @@ Detector DetectorOf(const DeviceFault fault)
         return Detector::kClocks;
     case DeviceFault::kSelfTest:
         return Detector::kSeal;
+    case DeviceFault::kCrossLink:
+        return Detector::kCrossLink;
     case DeviceFault::kInvalid:
     case DeviceFault::kApplication:
     case DeviceFault::kHandshake:
-    case DeviceFault::kCrossLink:
     case DeviceFault::kNone:
         break;
     }
     return Detector::kLatch;
 }
 
-std::uint32_t LongestOf(const runtime::DeviceModel& model, const DeviceConfig& config,
-                        const std::initializer_list<FaultClass> classes)
+/// Found by what is done within an interval of the configuration. A test that is hit itself may have lost its place.
+bool IsOfTest(const Outcome& found, const std::string& member)
 {
-    std::uint32_t longest = 0U;
-    for (const runtime::SrdoModel& srdo : model.Srdos())
-    {
-        for (const FaultClass each : classes)
-        {
-            const Limit limit = ComputeLimit(config, srdo.times, each);
-            longest = (limit.result == Result::kSuccessful) ? std::max(longest, limit.us) : longest;
-        }
-    }
-    return longest;
+    const bool is_itself = member.find("comparator.self_test") != std::string::npos;
+    return found.detector == Detector::kGuard || found.detector == Detector::kSelfTest ||
+           (found.detector == Detector::kComparator && !is_itself &&
+            found.detail == static_cast<std::uint8_t>(DeviceFault::kComparator));
+}
+
+std::size_t BytesOf(const VariablePlace& place)
+{
+    return (place.length_bits + 7U) / 8U;
 }
 } // namespace
-
-Limits LimitsOf(const runtime::DeviceModel& model, const DeviceConfig& config)
-{
-    const std::uint32_t of_channel =
-        LongestOf(model, config,
-                  {FaultClass::kBus, FaultClass::kBusNextNormal, FaultClass::kChannel, FaultClass::kConfiguration});
-    const std::uint32_t of_kernel =
-        std::max(of_channel, LongestOf(model, config, {FaultClass::kSupervisor, FaultClass::kClock}));
-    Limits limits;
-    limits.us.fill(of_kernel);
-    limits.us[static_cast<std::size_t>(Part::kChannelA)] = of_channel;
-    limits.us[static_cast<std::size_t>(Part::kChannelB)] = of_channel;
-    limits.us[static_cast<std::size_t>(Part::kVariables)] = of_channel;
-    limits.us[static_cast<std::size_t>(Part::kTables)] = LongestOf(model, config, {FaultClass::kSharedSource});
-    const std::uint32_t of_bus = LongestOf(model, config, {FaultClass::kBus, FaultClass::kBusNextNormal});
-    const std::uint32_t of_steps =
-        std::max(of_bus, LongestOf(model, config, {FaultClass::kSupervisor, FaultClass::kChannel, FaultClass::kClock}));
-    limits.wrong_frame_us = LongestOf(model, config, {FaultClass::kWrongFrame});
-    limits.wrong_channel_us = std::max(of_bus, LongestOf(model, config, {FaultClass::kChannel}));
-    limits.us[static_cast<std::size_t>(Part::kBus)] = of_bus;
-    limits.us[static_cast<std::size_t>(Part::kKernelCalls)] = of_bus;
-    limits.us[static_cast<std::size_t>(Part::kCallsOfA)] = of_channel;
-    limits.us[static_cast<std::size_t>(Part::kCallsOfB)] = of_channel;
-    limits.us[static_cast<std::size_t>(Part::kBothChannels)] = of_channel;
-    limits.us[static_cast<std::size_t>(Part::kSteps)] = of_steps;
-    limits.us[static_cast<std::size_t>(Part::kCycle)] = of_steps;
-    limits.us[static_cast<std::size_t>(Part::kInputs)] = of_steps;
-    limits.us[static_cast<std::size_t>(Part::kCounters)] = LongestOf(model, config, {FaultClass::kClock});
-    return limits;
-}
-
-std::uint32_t Limits::Of(const Experiment& experiment) const
-{
-    const bool is_call = experiment.part == Part::kCallsOfA || experiment.part == Part::kCallsOfB;
-    const auto call = static_cast<ChannelCall>(experiment.subject / kTurns);
-    // What guard and comparator read is found by their own checks.
-    const bool is_read = call == ChannelCall::kHeld || call == ChannelCall::kLoad || call == ChannelCall::kRecheck;
-    return (is_call && !is_read) ? wrong_channel_us : Of(experiment.part, experiment.kind);
-}
-
-std::size_t HorizonOf(const Limits& limits, const DeviceConfig& config)
-{
-    return (*std::max_element(limits.us.begin(), limits.us.end()) / config.cycle_us) + kMoreCycles;
-}
 
 Runner::Runner(Device& device, Judge& judge, const Recording& recording, const Space& space, const Limits& limits)
     : device_(device), judge_(judge), recording_(recording), limits_(limits), seed_(space.Seed()),
@@ -141,6 +96,7 @@ Runner::Runner(Device& device, Judge& judge, const Recording& recording, const S
         std::fill_n(owner_.begin() + static_cast<std::ptrdiff_t>(place.offset), place.size,
                     static_cast<std::uint8_t>(place.part));
     }
+    TakeWhatIsTold();
     const std::size_t end = space.LastCycle() + horizon_ + 1U;
     device_.Follow(this);
     JudgeMemory memory;
@@ -154,7 +110,7 @@ Runner::Runner(Device& device, Judge& judge, const Recording& recording, const S
         now_ = cycle;
         device_.Cycle(cycle);
         const Sight sight = judge_.Look(cycle, memory);
-        open_.push_back(sight.open);
+        sights_.push_back(sight);
         const std::string problem = WhatIsNotWell(sight);
         if (!problem.empty())
         {
@@ -167,7 +123,7 @@ Runner::Runner(Device& device, Judge& judge, const Recording& recording, const S
 /// In words; empty: it is as it must be.
 std::string Runner::WhatIsNotWell(const Sight& sight) const
 {
-    const DeviceFault fault = device_.Core().DeviceState().fault;
+    const DeviceFault fault = device_.Fault();
     if (fault != DeviceFault::kNone)
     {
         return std::string("device fault ") + runtime::NameOf(runtime::kDeviceFaultWords, fault, "?") + ", found by " +
@@ -292,7 +248,7 @@ Outcome Runner::Run(const Experiment& experiment)
     }
     if (found_.result == Class::kDetected && found_.us > limits_.Of(experiment))
     {
-        found_.marks |= IsLate(experiment) ? kMarkLate : std::uint8_t{0U};
+        found_.marks |= MarksOf(experiment);
     }
     return found_;
 }
@@ -308,7 +264,7 @@ void Runner::Begin(const Experiment& experiment)
     steps_.Begin();
     is_obeyed_ = false;
     is_exposed_ = false;
-    device_.Receives().Rewind(experiment.cycle, &experiment, EndOf(experiment), seed_);
+    device_.Rewind(experiment.cycle, &experiment, EndOf(experiment), seed_);
 }
 
 void Runner::Rewind(const std::size_t cycle)
@@ -321,40 +277,90 @@ void Runner::Rewind(const std::size_t cycle)
 std::size_t Runner::EndOf(const Experiment& experiment) const
 {
     const std::size_t limit = limits_.Of(experiment) / device_.Config().cycle_us;
-    const bool moves_in_time = experiment.part == Part::kBus || experiment.part == Part::kCycle;
+    const bool moves_in_time = experiment.part == Part::kBus || experiment.part == Part::kCycle ||
+                               (experiment.part == Part::kLink && HasReach(experiment.part, experiment.kind));
     const std::size_t more =
         moves_in_time ? static_cast<std::size_t>(experiment.variant * kGrid /
                                                  (device_.Config().cycle_us * runtime::kNanosecondsPerMicrosecond))
                       : 0U;
     const bool lasts = IsMemory(experiment.part) || experiment.part == Part::kCommands; // The next command may tell.
-    return experiment.cycle + (lasts ? horizon_ : std::min(horizon_, limit + more + kMoreCycles));
+    const bool is_long = lasts && !device_.HasTwoCpus(); // Two run for no longer than the limit of their part asks.
+    return experiment.cycle + (is_long ? horizon_ : std::min(horizon_, limit + more + kMoreCycles));
 }
 
 /// A fault may lie still for long: a bit that is stuck at what it is anyway, a word that is not read. The same run
-/// again, to see when anything outside of the part that is hit became different. [SRS_CMG_007]
-bool Runner::IsLate(const Experiment& experiment)
+/// again, to see when the device did something else. What is no memory has happened as soon as a byte differs. What a
+/// test finds that comes again and again has its interval from when the memory is wrong, whatever the device does.
+/// [SRS_CMG_007, SRS_CMG_060]
+std::uint8_t Runner::MarksOf(const Experiment& experiment)
 {
     const Outcome found = found_;
     Begin(experiment);
-    std::size_t effect = experiment.cycle;
+    JudgeMemory memory = memories_[experiment.cycle];
+    Signs signs{kNever, kNever, kNever};
     const Return back = Trap::Run(
-        [this, &experiment, &effect, &found]()
+        [this, &experiment, &memory, &signs, &found]()
         {
-            for (; Since(experiment, now_) < found.us; ++now_)
+            for (; Since(experiment, now_) < found.us && signs.effect == kNever; ++now_)
             {
                 RunCycle();
-                effect = now_;
-                if (HasSpread(experiment))
-                {
-                    return;
-                }
+                NoticeSigns(experiment, judge_.Look(now_, memory), signs);
             }
         });
     static_cast<void>(back); // Where it ends by an exception, the effect is the exception.
     fault_ = nullptr;
     found_ = found;
-    const std::uint32_t silent_us = (effect > experiment.cycle) ? Since(experiment, effect - 1U) : 0U;
-    return found.us - std::min(found.us, silent_us) > limits_.Of(experiment);
+    const auto is_above = [this, &experiment, &found](const std::size_t sign)
+    {
+        const std::size_t seen = std::min(sign, now_);
+        const std::uint32_t silent_us = (seen > experiment.cycle) ? Since(experiment, seen - 1U) : 0U;
+        return found.us - std::min(found.us, silent_us) > limits_.Of(experiment);
+    };
+    const bool may_lie_still = IsMemory(experiment.part) && !IsOfTest(found, device_.Places()[experiment.place].name);
+    if (is_above(may_lie_still ? signs.effect : signs.memory))
+    {
+        return kMarkLate;
+    }
+    return is_above(signs.spread) ? kMarkLatent : std::uint8_t{0U};
+}
+
+void Runner::NoticeSigns(const Experiment& experiment, const Sight& sight, Signs& signs) const
+{
+    const auto notice = [this](std::size_t& sign, const bool is_there)
+    { sign = (sign == kNever && is_there) ? now_ : sign; };
+    notice(signs.memory, !IsAsWithoutFault(now_ + 1U));
+    notice(signs.spread, HasSpread(experiment));
+    notice(signs.effect, DoesOtherwise(sight));
+}
+
+/// What a person outside or the safety function can see: output, frames, what the application is told and given.
+bool Runner::DoesOtherwise(const Sight& sight) const
+{
+    const Sight& was = sights_[now_];
+    const bool is_output = sight.open != was.open || sight.not_inverse != was.not_inverse || sight.listed != was.listed;
+    const bool is_frame = sight.is_bad_frame != was.is_bad_frame || sight.is_overdue != was.is_overdue ||
+                          sight.is_missed != was.is_missed;
+    const std::uint8_t* const is = device_.Memory().Bytes();
+    const std::uint8_t* const without = kept_.data() + ((now_ + 1U - first_) * size_);
+    return is_output || is_frame ||
+           std::any_of(told_.begin(), told_.end(), [is, without](const Stretch& each)
+                       { return std::memcmp(is + each.offset, without + each.offset, each.size) != 0; });
+}
+
+/// Producers' variables are what the application senses.
+void Runner::TakeWhatIsTold()
+{
+    told_.push_back({device_.Memory().OffsetOf(&device_.Told()), sizeof(FlatApplication)});
+    for (const FlatPair& pair : device_.Pairs())
+    {
+        for (const VariablePlace& place : {pair.normal, pair.inverse})
+        {
+            if (pair.is_consumer)
+            {
+                told_.push_back({device_.Memory().OffsetOf(place.place), BytesOf(place)});
+            }
+        }
+    }
 }
 
 bool Runner::HasSpread(const Experiment& experiment) const
@@ -405,7 +411,7 @@ void Runner::Watch(const Experiment& experiment)
             is_settling = true;
             end = std::min(end, now_ + kSettleCycles);
         }
-        if (IsOver(experiment, now_) && device_.Receives().IsUndisturbed(now_) && IsAsWithoutFault(now_ + 1U))
+        if (IsOver(experiment, now_) && device_.IsUndisturbed(now_) && IsAsWithoutFault(now_ + 1U))
         {
             const Class undone = is_obeyed_ ? Class::kBenign : Class::kMasked;
             found_.result = (found_.result == Class::kOpen) ? undone : found_.result;
@@ -495,13 +501,13 @@ bool Runner::NoticeWrong(const Sight& sight, const Experiment& experiment)
 
 bool Runner::HasClosed(const Sight& sight) const
 {
-    return (open_[now_] & ~sight.open) != 0U || (HasGivenUp() && sight.open == 0U);
+    return (sights_[now_].open & ~sight.open) != 0U || (HasGivenUp() && sight.open == 0U);
 }
 
 Outcome Runner::Blame() const
 {
     Outcome outcome{Class::kDetected, Detector::kPermits, 0U, 0U, 0U};
-    const DeviceFault fault = device_.Core().DeviceState().fault;
+    const DeviceFault fault = device_.Fault();
     if (fault != DeviceFault::kNone)
     {
         const bool is_of_test = fault == DeviceFault::kSelfTest && device_.SelfTest() != nullptr;
@@ -521,7 +527,7 @@ Outcome Runner::Blame() const
         outcome.detector = Detector::kChannels;
         const SrdoCause cause = FirstCauseOf(device_);
         outcome.detail = static_cast<std::uint8_t>(cause);
-        outcome.marks = device_.WhoSaid(cause);
+        outcome.marks = WhoSaid(device_, cause);
     }
     else
     {
@@ -547,7 +553,7 @@ std::vector<std::size_t> Runner::DifferentPlaces() const
 
 bool Runner::HasGivenUp() const
 {
-    return device_.Core().DeviceState().fault != DeviceFault::kNone || !device_.IsOutputLive();
+    return device_.Fault() != DeviceFault::kNone || !device_.IsOutputLive();
 }
 
 bool Runner::IsAsWithoutFault(const std::size_t cycle) const

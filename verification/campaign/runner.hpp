@@ -4,6 +4,7 @@
 
 #include "verification/campaign/device.hpp"
 #include "verification/campaign/judge.hpp"
+#include "verification/campaign/limits.hpp"
 #include "verification/campaign/outcome.hpp"
 #include "verification/campaign/plan.hpp"
 #include "verification/campaign/space.hpp"
@@ -19,29 +20,6 @@
 
 namespace counterpoint::campaign
 {
-/// Longest times from a fault to the safe output, by part, from the configuration. [SRS_CMG_007]
-struct Limits
-{
-    std::array<std::uint32_t, kPartCount> us{};
-    std::uint32_t wrong_frame_us{0U};   ///< Of a frame that is wrong in itself.
-    std::uint32_t wrong_channel_us{0U}; ///< Of one channel.
-
-    /// @brief By part and kind. [SRS_CMG_020]
-    [[nodiscard]] std::uint32_t Of(const Part part, const FaultKind kind) const
-    {
-        const bool is_wrong = part == Part::kBus && kind == FaultKind::kWrongLength;
-        return is_wrong ? wrong_frame_us : us.at(static_cast<std::size_t>(part));
-    }
-    /// @brief The same, and of what neither guard nor comparator reads of a channel: that of a wrong channel.
-    /// [SRS_CMG_022]
-    [[nodiscard]] std::uint32_t Of(const Experiment& experiment) const;
-};
-
-/// @brief By ComputeLimit of the kernel, of all SRDOs the longest.
-[[nodiscard]] Limits LimitsOf(const runtime::DeviceModel& model, const DeviceConfig& config);
-/// @brief For so many cycles behind its fault a run may go on: all limits, and some more.
-[[nodiscard]] std::size_t HorizonOf(const Limits& limits, const DeviceConfig& config);
-
 /// Without a fault the device does not do what it must: there is nothing to be measured. [SRS_CMG_043]
 class NotWell : public std::runtime_error
 {
@@ -90,18 +68,35 @@ class Runner final : private PhaseHook
     /// @brief Slots whose outputs are open behind this cycle of the run without fault.
     [[nodiscard]] SrdoMask OpenWithoutFault(const std::size_t cycle) const
     {
-        return open_[cycle];
+        return sights_[cycle].open;
     }
 
     /// @brief From an exception to the closed output.
     [[nodiscard]] std::uint32_t ExceptionUs() const noexcept;
 
   private:
+    /// The first cycles, or the one in which it was found, in which a fault could be seen: [SRS_CMG_060]
+    struct Signs
+    {
+        std::size_t memory{0U}; ///< in any byte,
+        std::size_t spread{0U}; ///< in a byte outside of the part that is hit,
+        std::size_t effect{0U}; ///< in what the device does.
+    };
+    /// Bytes of the device that its application reads.
+    struct Stretch
+    {
+        std::size_t offset{0U};
+        std::size_t size{0U};
+    };
+
     void At(Phase phase) noexcept override;
+    void TakeWhatIsTold();
     [[nodiscard]] bool IsNeverOtherwise(const Experiment& experiment) const;
     void Begin(const Experiment& experiment);
     void Watch(const Experiment& experiment);
-    [[nodiscard]] bool IsLate(const Experiment& experiment);
+    [[nodiscard]] std::uint8_t MarksOf(const Experiment& experiment);
+    void NoticeSigns(const Experiment& experiment, const Sight& sight, Signs& signs) const;
+    [[nodiscard]] bool DoesOtherwise(const Sight& sight) const;
     [[nodiscard]] bool HasSpread(const Experiment& experiment) const;
     [[nodiscard]] bool Notice(const Sight& sight, const Experiment& experiment);
     [[nodiscard]] std::string WhatIsNotWell(const Sight& sight) const;
@@ -128,7 +123,8 @@ class Runner final : private PhaseHook
     std::size_t size_;                     ///< Of that memory.
     std::vector<std::uint8_t> kept_{};     ///< One after the other.
     std::vector<JudgeMemory> memories_{};  ///< Before each cycle.
-    std::vector<SrdoMask> open_{};         ///< Behind each cycle.
+    std::vector<Sight> sights_{};          ///< Behind each cycle.
+    std::vector<Stretch> told_{};          ///< What the application is told, and what it is given.
     std::vector<std::uint8_t> all_set_{};  ///< Bits that are 1 at each phase of each kept cycle.
     std::vector<std::uint8_t> ever_set_{}; ///< Bits that are 1 at one of them.
     std::vector<std::uint8_t> owner_;      ///< The part of each byte.

@@ -233,6 +233,74 @@ TEST_F(JudgeTest, SentFrameNeedsAnIdentifierOfTheDeviceAndDataOfTheApplication)
     EXPECT_EQ(bench.judge.Look(399U, bench.memory).wrong, Wrong::kIdentifier);
 }
 
+TEST_F(JudgeTest, PairThatDoesNotComeAndFrameThatNobodyCanUseAreSeen)
+{
+    Verifies(req::SRS_CMG_060);
+    // Given the sensor at work: a pair each 25 ms, a cycle as late as may be of 1.5 ms, two frames of 0.27 ms
+    Bench bench(PlanFile("plan.yaml", "sensor", kSmall));
+    const Sight sight = bench.RunTo(400U);
+    EXPECT_FALSE(sight.is_overdue);
+    EXPECT_FALSE(sight.is_bad_frame);
+    const Nanoseconds now = bench.scenario.Record().cycles[399U].at;
+    // When the last pair was complete 27.04 ms ago, then nothing is overdue; with 0.01 ms more it is
+    bench.memory.pair_at.fill(now - 27040000);
+    EXPECT_FALSE(bench.judge.Look(399U, bench.memory).is_overdue);
+    bench.memory.pair_at.fill(now - 27050000);
+    EXPECT_TRUE(bench.judge.Look(399U, bench.memory).is_overdue);
+    // When it sends a normal frame with what nobody pressed
+    auto& ports = const_cast<FlatPorts&>(bench.device.Ports());
+    ASSERT_EQ(ports.Transmit({0x101U, FrameKind::kData, CanPortId::kFirst, 2U, {0x55U, 0x01U}}),
+              hal::TransmitStatus::kAccepted);
+    EXPECT_TRUE(bench.judge.Look(399U, bench.memory).is_bad_frame);
+    // or an inverse one that does not fit
+    ASSERT_EQ(ports.Transmit({0x102U, FrameKind::kData, CanPortId::kFirst, 2U, {0xFFU, 0xFEU}}),
+              hal::TransmitStatus::kAccepted);
+    EXPECT_TRUE(bench.judge.Look(399U, bench.memory).is_bad_frame);
+}
+
+TEST_F(JudgeTest, LateIsCountedFromWhatTheDeviceDoesAndOfTestsFromTheFirstWrongByte)
+{
+    Verifies(req::SRS_CMG_060);
+    const Trap trap;
+    Bench bench(PlanFile("plan.yaml", "actuator", kSmall));
+    // Given limits of nothing for the kernel and 5 ms for tables and channel A
+    Limits limits = LimitsOf(bench.scenario.Model(), bench.device.Config());
+    limits.us[static_cast<std::size_t>(Part::kKernel)] = 0U;
+    limits.us[static_cast<std::size_t>(Part::kTables)] = 5000U;
+    limits.us[static_cast<std::size_t>(Part::kChannelA)] = 5000U;
+    const Space space(bench.plan, bench.scenario.Record(), bench.device, HorizonOf(limits, bench.device.Config()));
+    Runner runner(bench.device, bench.judge, bench.scenario.Record(), space, limits);
+    const auto run = [&bench, &runner](const std::string& member, const std::size_t byte, const std::uint8_t bit)
+    {
+        const std::vector<Place>& places = bench.device.Places();
+        const auto found =
+            std::find_if(places.begin(), places.end(), [&member](const Place& place) { return place.name == member; });
+        return runner.Run({found->part, FaultKind::kFlip, static_cast<std::size_t>(found - places.begin()),
+                           found->offset + byte, bit, 499U, Phase::kAfterFrames});
+    };
+    // When the number of frames that came flips, then the device fault is told in this cycle: above nothing
+    const Outcome at_once = run("kernel.run", 8U, 4U);
+    EXPECT_EQ(at_once.result, Class::kDetected);
+    EXPECT_TRUE(IsLate(at_once));
+    // When a bit of what channel A keeps flips, and the channels compare it later: nothing is done until then, never
+    // late
+    std::uint64_t still = 0U;
+    for (std::size_t byte = 0U; byte < 128U; ++byte)
+    {
+        const Outcome outcome = run("channel_a.records", byte, 4U);
+        const bool is_later = outcome.result == Class::kDetected && outcome.us > 400000U &&
+                              outcome.detail == static_cast<std::uint8_t>(DeviceFault::kDisagreement);
+        still += is_later ? 1U : 0U;
+        EXPECT_FALSE(is_later && IsLate(outcome)) << byte;
+    }
+    EXPECT_GT(still, 0U);
+    // When a word of a table does, nothing is done either, but the guard's interval counts from the first wrong byte
+    const Outcome by_guard = run("config", offsetof(DeviceConfig, test_interval_us), 0U);
+    EXPECT_EQ(by_guard.result, Class::kDetected);
+    EXPECT_EQ(by_guard.detector, Detector::kGuard) << WordOf(by_guard.detector);
+    EXPECT_TRUE(IsLate(by_guard)) << by_guard.us;
+}
+
 TEST_F(RunnerTest, DeviceThatCannotBeRecordedIsRefusedAtItsName)
 {
     Verifies(req::SRS_CMG_002);

@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/session.hpp"
 
+#include "verification/campaign/two_cpus.hpp"
+
 #include <algorithm>
 
 namespace counterpoint::campaign
@@ -17,14 +19,37 @@ DeviceSetup SetupOf(const Plan& plan)
     setup.has_self_test = plan.has_self_test;
     return setup;
 }
+
+std::unique_ptr<Device> MakeDevice(Region& region, const RecordedScenario& scenario, const Plan& plan)
+{
+    if (!scenario.HasTwoCpus())
+    {
+        return std::make_unique<Device>(region, scenario.Model(), scenario.Record(), plan.output, SetupOf(plan));
+    }
+    if (plan.output != OutputKind::kGate || plan.has_self_test)
+    {
+        throw runtime::YamlError(plan.file, plan.device_node.place, "output: pins or self_test: true with two CPUs",
+                                 "output: gate and self_test: false");
+    }
+    return std::make_unique<TwoCpus>(region, scenario);
+}
+
+Limits LimitsFor(const RecordedScenario& scenario, const Device& device)
+{
+    if (!scenario.HasTwoCpus())
+    {
+        return LimitsOf(scenario.Model(), device.Config());
+    }
+    return LimitsOf(scenario.Model(), device.Config(), LinkConfigOf(scenario, PeerRole::kA));
+}
 } // namespace
 
 Session::Session(const std::string& plan_file)
     : plan_(ReadPlan(plan_file)), scenario_(plan_.scenario, runtime::YamlValue(plan_.file, plan_.device_node)),
-      region_(kRegionBytes), device_(region_, scenario_.Model(), scenario_.Record(), plan_.output, SetupOf(plan_)),
-      judge_(scenario_.Record(), scenario_.Model(), device_), limits_(LimitsOf(scenario_.Model(), device_.Config())),
-      space_(plan_, scenario_.Record(), device_, HorizonOf(limits_, device_.Config())),
-      runner_(device_, judge_, scenario_.Record(), space_, limits_)
+      region_(kRegionBytes), device_(MakeDevice(region_, scenario_, plan_)),
+      judge_(scenario_.Record(), scenario_.Model(), *device_), limits_(LimitsFor(scenario_, *device_)),
+      space_(plan_, scenario_.Record(), *device_, HorizonOf(limits_, device_->Config())),
+      runner_(*device_, judge_, scenario_.Record(), space_, limits_)
 {
 }
 
@@ -50,7 +75,7 @@ ResultsOf Session::Identity(const Shard& shard) const
         add(input.cycle);
         add(input.value);
     }
-    for (const Place& place : device_.Places())
+    for (const Place& place : device_->Places())
     {
         add(place.offset);
         add(place.size);

@@ -12,6 +12,7 @@
 #include "verification/campaign/space.hpp"
 #include "verification/campaign/summary.hpp"
 
+#include <memory>
 #include <string>
 
 namespace counterpoint::campaign
@@ -28,7 +29,7 @@ class Session
     [[nodiscard]] ResultsOf Identity(const Shard& shard) const;
     [[nodiscard]] Campaign Parts() const
     {
-        return {plan_, space_, device_, limits_, scenario_.Record()};
+        return {plan_, space_, *device_, limits_, scenario_.Record()};
     }
     [[nodiscard]] const Space& Faults() const noexcept
     {
@@ -47,7 +48,7 @@ class Session
     Plan plan_;
     RecordedScenario scenario_;
     Region region_;
-    Device device_;
+    std::unique_ptr<Device> device_;
     Judge judge_;
     Limits limits_;
     Space space_;

@@ -28,7 +28,8 @@ bool IsAddressOfProgram(const std::uint8_t* const word)
 } // namespace
 
 Space::Space(const Plan& plan, const Recording& recording, Device& device, const std::size_t horizon)
-    : plan_(plan), recording_(recording), input_count_(device.Receives().Inputs().size())
+    : plan_(plan), recording_(recording), input_count_(device.Receives().Inputs().size()),
+      has_two_cpus_(device.HasTwoCpus())
 {
     TakeReach(device);
     TakeCycles(plan, recording, horizon);
@@ -64,7 +65,8 @@ Space::Space(const Plan& plan, const Recording& recording, Device& device, const
 /// A part or kind that the plan names and that hits nothing here would be told as tried. [SRS_CMG_004]
 void Space::RequireFaults() const
 {
-    constexpr const char* kExpected = "one that has something to hit: a frame in these cycles, an input, output: pins";
+    constexpr const char* kExpected = "one that has something to hit: a frame in these cycles, an input, output: pins; "
+                                      "with two CPUs memory, bus, link, cpu";
     const auto has_some = [this](const auto& is_it)
     {
         return std::any_of(strata_.begin(), strata_.end(),
@@ -354,11 +356,27 @@ std::uint64_t Space::SubjectsOf(const Part part, const FaultKind kind) const
     {
         return kCounterSubjects;
     }
+    if (part == Part::kLink || part == Part::kCpu)
+    {
+        return kCpuSubjects;
+    }
     return (part == Part::kInputs) ? input_count_ : 1U;
+}
+
+/// What is tried of a device of two CPUs, and of it alone.
+bool Space::Has(const Part part) const
+{
+    const bool is_of_two = part == Part::kLink || part == Part::kCpu;
+    const bool is_of_one = !IsMemory(part) || part == Part::kBothChannels;
+    return has_two_cpus_ ? (is_of_two || part == Part::kBus || !is_of_one) : !is_of_two;
 }
 
 std::uint64_t Space::SizeOf(const Part part, const FaultKind kind) const
 {
+    if (!Has(part))
+    {
+        return 0U;
+    }
     if (part == Part::kBus || (part == Part::kCommands && kind != FaultKind::kInserted))
     {
         return SubjectsOf(part, kind) * VariantsOf(part, kind); // Each has its own cycle.

@@ -83,6 +83,7 @@ class Space
     void TakeCycles(const Plan& plan, const Recording& recording, std::size_t horizon);
     void TakeFrames();
     void TakeCommands();
+    [[nodiscard]] bool Has(Part part) const;
     [[nodiscard]] std::uint64_t SizeOf(Part part, FaultKind kind) const;
     [[nodiscard]] std::uint64_t SubjectsOf(Part part, FaultKind kind) const;
     [[nodiscard]] std::uint64_t VariantsOf(Part part, FaultKind kind) const;
@@ -94,6 +95,7 @@ class Space
     const Plan& plan_;
     const Recording& recording_;
     std::size_t input_count_;
+    bool has_two_cpus_;
     std::uint64_t reach_{0U}; ///< In steps of the grid.
     std::uint64_t early_{0U}; ///< A cycle in these, less one.
     std::size_t last_cycle_{0U};

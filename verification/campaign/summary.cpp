@@ -145,6 +145,7 @@ void Count(const Campaign& campaign, const std::uint64_t number, const Outcome& 
         tally.times.push_back(outcome.us);
         summary.mechanisms.at(static_cast<std::size_t>(outcome.detector)).times.push_back(outcome.us);
     }
+    summary.latent += IsLatent(outcome) ? 1U : 0U;
     if (outcome.result == Class::kSilent)
     {
         summary.silent.push_back(FindingOf(campaign, number, outcome));
@@ -307,6 +308,14 @@ std::string ListedText(const Summary& summary)
                ? ""
                : "listed: " + std::to_string(listed) +
                      " open by a complete pair that is too old or that nobody sent, the limit that is listed\n";
+}
+
+std::string LatentText(const Summary& summary)
+{
+    return (summary.latent == 0U) ? ""
+                                  : "latent: " + std::to_string(summary.latent) +
+                                        " differed elsewhere in memory for longer than the limit, and were found in " +
+                                        "time behind the first thing that the device did otherwise\n";
 }
 
 std::string CsvReport(const Campaign& campaign, const Results& results)

@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/surroundings.hpp"
 
+#include <algorithm>
+
 namespace counterpoint::campaign
 {
 namespace
@@ -28,6 +30,18 @@ hal::TransmitStatus FlatPorts::DoTransmit(const CanFrame& frame) noexcept
     ++count;
     ++sent;
     return hal::TransmitStatus::kAccepted;
+}
+
+void FlatPorts::MoveOn() noexcept
+{
+    const std::uint32_t waiting = count - std::min(confirmed, count);
+    for (std::uint32_t index = 0U; index < waiting; ++index)
+    {
+        frames[index] = frames[confirmed + index];
+    }
+    std::fill(frames.begin() + waiting, frames.end(), OwnFrame{});
+    count = waiting;
+    confirmed = 0U;
 }
 
 RefreshAnswer FlatApplication::OnRefresh(const CommunicationIndex /*index*/) noexcept

@@ -84,6 +84,9 @@ class FlatPorts final : public hal::CanPorts
         return {hal::Guarantee::kGiven, hal::Guarantee::kGiven, hal::Guarantee::kGiven};
     }
 
+    /// @brief Before a cycle: what was confirmed is on the bus; what waits moves to the front.
+    void MoveOn() noexcept;
+
     std::int64_t now{0};                           ///< ns
     std::int64_t frame_ns{0};                      ///< How long a frame takes.
     std::array<OwnFrame, kMostOwnFrames> frames{}; ///< Of this cycle and those not confirmed yet.

@@ -121,7 +121,7 @@ std::string TextReport(const Campaign& campaign, const Summary& summary)
 {
     std::string text = campaign.plan.title + "\n\n" + CountTable(campaign, summary) + "\n" + TimeTable(summary) + "\n" +
                        DetectorLine(summary) + "left out: " + std::to_string(campaign.space.LeftOut()) +
-                       " bytes that hold addresses of the program\n" + ListedText(summary) +
+                       " bytes that hold addresses of the program\n" + ListedText(summary) + LatentText(summary) +
                        FindingLines(campaign, "silent", summary.silent) +
                        FindingLines(campaign, "exposed", summary.exposed) +
                        FindingLines(campaign, "late", summary.late);

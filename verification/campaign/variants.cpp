@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/variants.hpp"
 
+#include "hal/api/cross_link.hpp"
+
 #include "verification/campaign/drawn.hpp"
 
 #include <algorithm>
@@ -14,6 +16,7 @@ namespace
 {
 constexpr std::uint32_t kIdentifierBits = 11U;
 constexpr FrameKind kOtherKinds[] = {FrameKind::kRemote, FrameKind::kExtended, FrameKind::kFlexibleDataRate};
+constexpr std::uint32_t kBitsOfByte = 8U;
 constexpr std::int64_t kRates[] = {100,   200,   500,    1000,   2000,   5000,  10000,
                                    20000, 50000, 100000, 200000, 500000, 900000};
 constexpr std::int32_t kJumps[] = {50,      100,     200,      500,       1000,       2000,      5000,
@@ -50,6 +53,19 @@ std::uint64_t BusVariants(const FaultKind kind, const std::uint64_t reach, const
     }
     return (kind == FaultKind::kWrongIdentifier) ? kIdentifierBits + (identifiers - 1U) + std::size(kOtherKinds)
                                                  : reach;
+}
+
+std::uint64_t LinkVariants(const FaultKind kind, const std::uint64_t reach)
+{
+    if (kind == FaultKind::kLost)
+    {
+        return kLinkLossVariants;
+    }
+    if (kind == FaultKind::kCorrupted)
+    {
+        return hal::kLinkFrameBytes * std::uint64_t{kBitsOfByte};
+    }
+    return (kind == FaultKind::kWrongOrder) ? kOrderVariants : reach;
 }
 
 std::uint64_t CounterVariants(const FaultKind kind)
@@ -142,6 +158,26 @@ std::string CommandText(const std::string& name, const Experiment& fault, const 
     return (fault.kind == FaultKind::kSkipped) ? text : text + " by " + std::to_string(cycles) + " cycles";
 }
 
+std::string LinkText(const std::string& name, const Experiment& fault)
+{
+    const bool moves = fault.kind == FaultKind::kRepeated || fault.kind == FaultKind::kDelayed;
+    if (fault.kind == FaultKind::kCorrupted)
+    {
+        return name + " bit " + std::to_string(fault.variant / kBitsOfByte) + "." +
+               std::to_string(fault.variant % kBitsOfByte);
+    }
+    return moves ? name + " + " + OffsetText(fault) : name + " variant " + std::to_string(fault.variant);
+}
+
+std::string CpuText(const std::string& name, const Experiment& fault)
+{
+    if (fault.kind == FaultKind::kStopped)
+    {
+        return name + (fault.variant == 0U ? " as a whole" : " clock alone");
+    }
+    return name + " " + std::to_string(CounterFaultOf(fault).rate_ppm) + " ppm";
+}
+
 std::string CounterText(const std::string& name, const Experiment& fault)
 {
     const CounterFault what = CounterFaultOf(fault);
@@ -157,7 +193,15 @@ std::uint64_t VariantsOf(const Part part, const FaultKind kind, const std::uint6
     {
         return BusVariants(kind, reach, identifiers);
     }
-    if (part == Part::kCounters)
+    if (part == Part::kLink)
+    {
+        return LinkVariants(kind, reach);
+    }
+    if (part == Part::kCpu && kind == FaultKind::kStopped)
+    {
+        return kStopVariants;
+    }
+    if (part == Part::kCounters || part == Part::kCpu)
     {
         return CounterVariants(kind);
     }
@@ -258,6 +302,10 @@ std::string SubjectName(const Experiment& fault, const Recording& recording)
     {
         return std::string("step ") + WordOf(fault.phase);
     }
+    if (fault.part == Part::kLink || fault.part == Part::kCpu)
+    {
+        return std::string((fault.part == Part::kLink) ? "link from " : "") + (fault.subject == 0U ? "cpu_a" : "cpu_b");
+    }
     if (fault.part == Part::kCounters)
     {
         return kCounterWords.at(fault.subject);
@@ -285,6 +333,14 @@ std::string SubjectText(const Experiment& fault, const Recording& recording)
     if (fault.part == Part::kSteps)
     {
         return name + (((fault.variant & kNothingLeft) != 0U) ? " and its mark" : "") + tail;
+    }
+    if (fault.part == Part::kLink)
+    {
+        return LinkText(name, fault);
+    }
+    if (fault.part == Part::kCpu)
+    {
+        return CpuText(name, fault);
     }
     if (fault.part == Part::kCounters)
     {

@@ -18,6 +18,11 @@ constexpr std::uint32_t kLossVariants = 6U;
 /// A frame changes places with one of so many that follow.
 constexpr std::uint32_t kOrderVariants = 4U;
 constexpr std::uint32_t kLengthVariants = kMaxPayloadBytes;
+/// Of a message: 1 to 4 in a row, then all. It comes behind one of so many that follow. [SRS_CMG_062]
+constexpr std::uint32_t kLosesLink = 4U;
+constexpr std::uint32_t kLinkLossVariants = 5U;
+/// It does nothing any more; its clock stands and it goes on with its cycles. [SRS_CMG_063]
+constexpr std::uint32_t kStopVariants = 2U;
 
 /// Calls of a channel that are disturbed. [SRS_CMG_022]
 enum class ChannelCall : std::uint8_t
@@ -61,6 +66,8 @@ constexpr std::uint32_t kCommandCount = 5U;
 constexpr std::uint32_t kWrongCommands = kCommandCount + 8U;
 /// A, B, both.
 constexpr std::size_t kCounterSubjects = 3U;
+/// Ways of the link, CPUs.
+constexpr std::size_t kCpuSubjects = 2U;
 
 /// What becomes of a counter, or of both. [SRS_CMG_023]
 struct CounterFault

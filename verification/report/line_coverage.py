@@ -1,8 +1,12 @@
 """Coverage of lines and functions by llvm-cov's export, for the pages of files. Nothing is measured here."""
 import json
+import pathlib
+import sys
 
-from matrix import name_in
-from test_run import digest_of
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "coverage"))
+from uncovered import line_counts  # noqa: E402
+from matrix import name_in  # noqa: E402
+from test_run import digest_of  # noqa: E402
 
 RECORD = "coverage/files.json"  # Below the collected data: what each file was when it was measured.
 
@@ -32,23 +36,6 @@ class FileCoverage:
         sides = [side > 0 for place, counts in self.branches.items() if first <= place[0] <= last for side in counts]
         conditions = [shown for record in self.decisions if first <= record[0] <= last for shown in record[-1]]
         return Counts((sum(count > 0 for count in lines), len(lines)), (sum(sides), len(sides)), (sum(conditions), len(conditions)))
-
-
-def line_counts(segments):
-    """Line -> how often it ran, as llvm-cov shows it: the greatest count of a region that begins in the line, else the one around it."""
-    by_line = {}
-    for segment in segments:
-        by_line.setdefault(segment[0], []).append(segment)
-    counts, around = {}, None
-    for line in range(1, max(by_line, default=0) + 1):
-        here = by_line.get(line, [])
-        starting = [segment[2] for segment in here if segment[3] and segment[4] and not (len(segment) > 5 and segment[5])]
-        inside = [around[2]] if around is not None and around[3] else []
-        skipped = bool(here) and here[0][4] and not here[0][3]
-        if not skipped and (starting or inside):
-            counts[line] = max(starting + inside)
-        around = here[-1] if here else around
-    return counts
 
 
 def measured_entries(root, data):

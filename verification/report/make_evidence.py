@@ -24,7 +24,7 @@ import bill  # noqa: E402
 import digest  # noqa: E402
 import pdf  # noqa: E402
 import test_run  # noqa: E402
-from measure import TEST_FOLDERS  # noqa: E402
+from measure import FURTHER_FOLDERS, TEST_FOLDERS  # noqa: E402
 
 EVIDENCE = ROOT / "build/evidence"
 DATA = EVIDENCE / "data"
@@ -117,10 +117,14 @@ def collect_objects(progress):
     debian = fresh(DATA / "debian")
     progress.run("Making Debian packages", "cpack", ["cpack", "-G", "DEB", "--config", "build/product/CPackConfig.cmake", "-B", debian])
     shutil.rmtree(debian / "_CPack_Packages")
+    progress.run("Making a clean Debian 12 for what is handed out", "clean_root",
+                 ["bash", "verification/gates/packages/clean_root.sh", ROOT / "build/clean_root"])
+    (DATA / "clean_root").unlink(missing_ok=True)
+    (DATA / "clean_root").symlink_to(ROOT / "build/clean_root")
 
 
 def collect_coverage(progress, jobs):
-    build(progress, "coverage", jobs, TEST_FOLDERS)
+    build(progress, "coverage", jobs, [*TEST_FOLDERS, *FURTHER_FOLDERS])
     progress.run("Measuring MC/DC, branches, lines, functions (Clang 19)", "coverage",
                  [sys.executable, "verification/coverage/measure.py", "build/coverage", DATA / "coverage", "--jobs", str(jobs),
                   "--html", EVIDENCE / "coverage_clang"], may_fail=True)

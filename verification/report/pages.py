@@ -13,6 +13,7 @@ import markupsafe
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "trace"))
 sys.path.insert(0, str(HERE.parent / "gates"))
+sys.path.insert(0, str(HERE.parent / "coverage"))
 sys.path.insert(0, str(HERE.parent / "release"))
 import bill  # noqa: E402
 from common import SAFETY_ROOMS  # noqa: E402
@@ -22,6 +23,7 @@ import walk  # noqa: E402
 from failover import page_of as failover_page  # noqa: E402
 from injection import page_of as injection_page  # noqa: E402
 from matrix import UID, repository_matrix  # noqa: E402
+from records import METRICS as ROOM_METRICS, Coverage  # noqa: E402
 from interfaces import page_of as interfaces_page  # noqa: E402
 from system_level import SystemLevel, references  # noqa: E402
 from timing import page_of as timing_page  # noqa: E402
@@ -144,6 +146,7 @@ def write(root, evidence, data):
     gate_rows = gates(data)
     matrix = repository_matrix(root, data)
     coverage_rows, totals = coverage(root, data)
+    beyond = Coverage(root, read_json(data / "coverage/export.json", {"data": [{"files": []}]}))
     misra_rows, records, misra_counts = misra(root, gate_rows)
     tests = read_json(data / "ctest.json", [])
     test_origin = read_json(data / "test_run.json", {"origin": "an unknown run"})["origin"]
@@ -162,7 +165,7 @@ def write(root, evidence, data):
         gaps.append("no gate has run")
     context = {
         "identity": read_json(data / "identity.json", {}), "gates": gate_rows, "matrix": matrix, "coverage": coverage_rows,
-        "totals": totals, "metrics": METRICS, "misra": misra_rows, "deviations": records, "misra_counts": misra_counts,
+        "totals": totals, "metrics": METRICS, "rooms": list(beyond.rooms.values()), "room_metrics": ROOM_METRICS, "misra": misra_rows, "deviations": records, "misra_counts": misra_counts,
         "tests": tests, "test_origin": test_origin, "commands": commands, "gaps": gaps, "failover": failover, "injection": injection,
         "campaign": campaign, "timing": timing, "interfaces": interfaces,
         "level": SystemLevel(root), "references": references, "areas": areas(matrix),

@@ -7,7 +7,8 @@ Builds images (build/target) and the same programs for the host (build/product).
 compilers into one image, faults that end a run, the conformance cases and the differential sequences (number, failures,
 hash: as on the host), the network manager with a whole safety device as its slave, the firmware examples in scenarios and with
 misdeeds, the images for silicon, coverage of the target's objects, symbols, both byte orders, stack; cases and sequences
-little-endian on four Cortex-M. Result: build/target/target.json.
+little-endian on four Cortex-M; the Cortex-R5F of a Zynq UltraScale+: start-up, cases and sequences, the third voice, a device with two CPUs on both
+processors and faults in one of them. Result: build/target/target.json.
   --tests     coverage with the tests of core, link and self tests and with corrupted storage, too: 360 tests on the target; then
               no condition of a decision may be left that the target does not show (some minutes more)
   --no-build  use what was built before
@@ -32,6 +33,9 @@ import manager_run
 import objects
 import stack
 import target_build
+import zynqmp_hal_run
+import zynqmp_machine
+import zynqmp_run
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = pathlib.Path(__file__).resolve().parent
@@ -228,8 +232,10 @@ def main():
                                                *(f"{device}_be32" for device in firmware_run.DEVICES),
                                                *(f"own_device_{variant}_be32" for variant in image_check.VARIANTS),
                                                *target_build.CERTIFIED_TARGETS], TARGET)
-        target_build.build_preset("product", ["conformance_host", "manager_host", *(f"firmware_{device}_host" for device in firmware_run.DEVICES)])
+        target_build.build_preset("product", ["conformance_host", "third_voice_host", "manager_host", *(f"firmware_{device}_host" for device in firmware_run.DEVICES)])
         cortex_m_run.build()
+        zynqmp_run.build()
+        zynqmp_hal_run.build()
         coverage_run.build(covered)
     report = Report()
     check_selftest(report)
@@ -241,6 +247,9 @@ def main():
     check_images(report)
     byte_order.check(report, TARGET, PRODUCT)
     cortex_m_run.check(report, PRODUCT / "verification/target/conformance/conformance_host")
+    zynqmp_hal_run.check(report)
+    zynqmp_run.check(report, PRODUCT / "verification/target",
+                     IMAGES / "conformance/conformance.bin", compilers_of)
     coverage = coverage_run.check(report, covered)
     rows = check_stack(report)
     items = count_instructions(report)
@@ -256,6 +265,6 @@ def main():
 if __name__ == "__main__":
     try:
         sys.exit(main())
-    except (image_check.BadInput, objects.BadInput, stack.BadInput, target_build.BadInput, OSError, subprocess.SubprocessError) as problem:
+    except (image_check.BadInput, objects.BadInput, stack.BadInput, target_build.BadInput, zynqmp_machine.BadRun, OSError, subprocess.SubprocessError) as problem:
         print(f"run_target.py: {problem}", file=sys.stderr)
         sys.exit(2)

@@ -12,13 +12,13 @@ void Buttons::Restart(const std::uint8_t count, const std::uint32_t window)
 void Buttons::Press(Button& button, Dice& dice) const
 {
     const std::uint32_t pause = dice.Below(dice.Pick({4U, 12U, 40U}));
-    const std::uint32_t skew =
-        dice.Pick({0U, 0U, 1U, 2U, 5U, window_ / 2U, window_ - 1U, window_, window_ + 1U, window_ + 2U, 2U * window_});
+    const std::uint32_t skew = dice.Pick<std::uint32_t>(
+        {0U, 0U, 1U, 2U, 5U, window_ / 2U, window_ - 1U, window_, window_ + 1U, window_ + 2U, 2U * window_});
     const std::size_t first = dice.Below(2U);
     for (Input& input : button.inputs)
     {
         input.in = pause;
-        input.length = dice.Pick({0U, 1U, 1U, 2U, 3U, 3U, 8U, 8U, window_ + 3U});
+        input.length = dice.Pick<std::uint32_t>({0U, 1U, 1U, 2U, 3U, 3U, 8U, 8U, window_ + 3U});
     }
     button.inputs[1U - first].in = pause + skew;
     button.is_inverted = dice.Chance(15U);

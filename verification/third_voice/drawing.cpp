@@ -59,7 +59,7 @@ Drawing Draw(Dice& dice, const bool is_asked)
     config.cycle_us = dice.Pick({1000U, 2000U, 5000U});
     config.cycle_tolerance_us = config.cycle_us / 2U;
     drawing.window_cycles = dice.Pick({5U, 10U, 40U});
-    config.discrepancy_us = dice.Pick({5U, is_asked ? 20U : drawing.window_cycles}) * config.cycle_us;
+    config.discrepancy_us = dice.Pick<std::uint32_t>({5U, is_asked ? 20U : drawing.window_cycles}) * config.cycle_us;
     config.acknowledge_window_us = drawing.window_cycles * config.cycle_us;
     config.diagnostic_interval_us = 40U * config.cycle_us;
     config.test_interval_us = 30U * config.cycle_us;

@@ -410,7 +410,7 @@ class Sequence
         std::uint64_t word = talker.is_inverse ? ~talker.data : talker.data;
         const bool is_wrong = dice_.Chance(3U);
         length = (is_wrong && dice_.Chance(50U)) ? (length + 1U) % 9U : length;
-        word ^= is_wrong ? (std::uint64_t{1U} << dice_.Below(std::max(bits, 1U))) : 0U;
+        word ^= is_wrong ? (std::uint64_t{1U} << dice_.Below(std::max<std::uint32_t>(bits, 1U))) : 0U;
         CanFrame frame{talker.is_inverse ? objects.cob_id_2 : objects.cob_id_1,
                        FrameKind::kData,
                        CanPortId::kFirst,

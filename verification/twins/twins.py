@@ -119,7 +119,7 @@ class Room:
         if words[0].endswith("compile_with"):
             words = [words[1], *words[3:]]
         words = words[:words.index("-MD")]
-        return [word for word in words if word not in ("-Werror", "-O2")] + ["-w", "-g0", "-O0", "-fPIC", "-Dstatic_assert(...)="]
+        return [word for word in words if word not in ("-Werror", "-O2")] + ["-w", "-g0", "-O1", "-fPIC", "-Dstatic_assert(...)="]
 
     @functools.lru_cache(maxsize=None)
     def included(self, path):

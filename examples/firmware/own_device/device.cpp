@@ -3,6 +3,7 @@
 // Template of a device with 4 SRDOs. Inputs: bits 0 and 1 are the two readings of input 1, bits 2 and 3 those of input
 // 2, bits 4 and 5 acknowledge output 1 and 2. Outputs: bits 0 and 1.
 #include "examples/firmware/common/safe_device.hpp"
+#include "examples/firmware/own_device/inverse_port.hpp"
 #include "examples/firmware/own_device/own_application.hpp"
 
 namespace counterpoint::firmware
@@ -21,7 +22,7 @@ Cell<device::AppDevice<OwnApplication, kSrdos>> memory_rest;
 CauseWindows windows[kSrdos];
 [[gnu::section(".bss.party_non_safety")]] std::uint32_t cycles_shown;
 
-OwnApplication application{};
+OwnApplication application{InversePort()};
 
 } // namespace
 

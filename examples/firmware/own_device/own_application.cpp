@@ -72,12 +72,14 @@ const DeviceConfig& OwnApplication::Describe() noexcept
         objects_[number + 6U] = MappableObject{0x2300U, sub, 8U, MapAccess::kConsumer, &command_inverse_[number]};
     }
     SetCommonConfig(config_);
+    config_.inverse_port = inverse_port_;
     config_.srdos = kSetups;
     config_.srdo_count = kSrdos;
     config_.objects = objects_;
     config_.object_count = kObjects;
     config_.node_id = 17U;
-    config_.digest = 0x95777803U;
+    // The second as `counterpoint sign` tells it where 5F00h:10 is 2.
+    config_.digest = (inverse_port_ == CanPortId::kFirst) ? 0x95777803U : 0x6B0F27C3U;
     return config_;
 }
 

@@ -16,6 +16,11 @@ class OwnApplication final : public QuietApplication
     static constexpr std::uint8_t kConsumers = 2U; ///< SRDO 3 and 4.
     static constexpr std::uint8_t kSrdos = kProducers + kConsumers;
 
+    /// @brief `inverse_port` is the controller of the inverse frames: kSecond on a board that has one for them.
+    explicit OwnApplication(const CanPortId inverse_port) noexcept : inverse_port_{inverse_port}
+    {
+    }
+
     [[nodiscard]] const DeviceConfig& Describe() noexcept;
     [[nodiscard]] static AbortCode Configure(Kernel& kernel) noexcept;
     /// @brief Before each cycle: the two readings of one safe input, `b` the inverse of `a`.
@@ -28,6 +33,7 @@ class OwnApplication final : public QuietApplication
   private:
     static constexpr std::uint8_t kObjects = 2U * kSrdos;
 
+    CanPortId inverse_port_;
     std::uint8_t sensed_a_[kProducers]{};
     std::uint8_t sensed_b_[kProducers]{};
     std::uint8_t input_[kProducers]{};           ///< 2000h:01, :02.

@@ -55,6 +55,10 @@ TEST_F(TimeStampTest, ATimeIsSentWhereItIsProduced)
     sink.room = 0;
     EXPECT_FALSE(stamp.Send({1U, 1U}, Now()));
     sink.room = 9;
+    Command(1U); // OPERATIONAL
+    EXPECT_TRUE(sink.frames.empty());
+    EXPECT_TRUE(stamp.Send({2U, 0U}, Now()));
+    EXPECT_EQ(sink.Next(), (Octets{2U, 0U, 0U, 0U, 0U, 0U}));
     Command(2U);
     EXPECT_FALSE(stamp.Send({1U, 1U}, Now()));
     EXPECT_TRUE(sink.frames.empty());

@@ -227,6 +227,40 @@ TEST_F(LssSlaveTest, TheBitRateChangesInSilence)
     EXPECT_EQ(Send({0x5EU}), Reply(0x5EU, 0xFFU));
 }
 
+TEST_F(LssSlaveTest, AnAnswerThatWaitsForTheControllerWaitsForTheEndOfTheSilence)
+{
+    Verifies(req::SRS_LSS_005);
+    static_cast<void>(Send({0x04U, 1U}));
+    EXPECT_EQ(Send({0x13U, 0U, 4U}), Reply(0x13U));
+    // Given an answer that found no room, and then the change of the bit rate
+    sink.room = 0;
+    EXPECT_TRUE(Send({0x5EU}).empty());
+    EXPECT_TRUE(Send({0x15U, 10U, 0U}).empty());
+    sink.room = 9;
+    // When there is room again in the silence, before the switch and behind it, then nothing is sent
+    EXPECT_TRUE(Cycle().empty());
+    now_us += 10000U;
+    EXPECT_TRUE(Cycle().empty());
+    EXPECT_EQ(rate, 4);
+    now_us += 9999U;
+    EXPECT_TRUE(Cycle().empty());
+    // and it is, once the device sends again
+    now_us += 1U;
+    EXPECT_EQ(Cycle(), Reply(0x5EU, 0xFFU));
+}
+
+TEST_F(LssSlaveTest, AStoredNodeIdOfZeroIsNone)
+{
+    Verifies(req::SRS_LSS_009);
+    // Given settings with node-ID 0, and with 1 next to it
+    LssSlave zero{LssParts{sink, *this, kIdentity, LssSettings{0U, {2U}}}};
+    LssSlave one{LssParts{sink, *this, kIdentity, LssSettings{1U, {2U}}}};
+    // When the device starts, then the first has no node-ID, and does not boot
+    EXPECT_EQ(zero.TakeNodeId().value, 0xFFU);
+    EXPECT_EQ(zero.ActiveNodeId(), 0xFFU);
+    EXPECT_EQ(one.TakeNodeId().value, 1U);
+}
+
 // In OPERATIONAL the kernel sends SRDOs, which no silence of the services holds
 TEST_F(LssSlaveTest, NoBitRateChangesInOperationalNorToOneThatIsNotSupported)
 {
@@ -433,6 +467,7 @@ TEST_F(LssSlaveTest, AFastscanOfOtherSlavesIsNotAnswered)
     EXPECT_TRUE(Scan(0x123U, 0U, 1U, 1U).empty());  // another part is under scan
     EXPECT_TRUE(Scan(0x123U, 32U, 0U, 0U).empty()); // no bit
     EXPECT_TRUE(Scan(0x123U, 0U, 0U, 4U).empty());  // no part
+    EXPECT_TRUE(Scan(0x123U, 0U, 4U, 0U).empty());  // no part either
     EXPECT_TRUE(Scan(0x122U, 0U, 0U, 0U).empty());
     EXPECT_EQ(Scan(0x122U, 1U, 0U, 0U), Reply(0x4FU));
     // With a node-ID there is none

@@ -119,6 +119,7 @@ TEST_F(TextFile, AFileKeepsItsOwnerAndALinkIsFollowedWhereverItLeads)
     struct stat status{};
     ASSERT_EQ(::stat(Path("a").c_str(), &status), 0);
     EXPECT_EQ(status.st_uid, may_give ? kSomebody : ::geteuid());
+    EXPECT_EQ(status.st_gid, may_give ? kSomebody : ::getegid());
     EXPECT_EQ(status.st_mode & 07777U, 0640U);
     // Links that lead nowhere, one to the other: the file is made at their end
     std::filesystem::create_directory(Path("deep"));
@@ -132,6 +133,39 @@ TEST_F(TextFile, AFileKeepsItsOwnerAndALinkIsFollowedWhereverItLeads)
     std::filesystem::create_symlink("circle", Path("circle"));
     EXPECT_THROW(WriteTextFile(Path("circle"), "x"), InputError);
     EXPECT_TRUE(std::filesystem::is_symlink(Path("circle")));
+}
+
+TEST_F(TextFile, AFileWhoseOwnerCannotBeKeptIsNotReplaced)
+{
+    Verifies(req::SRS_CLI_035);
+    // Given a file of somebody else in a folder where everybody may write: one who may give files away takes that off
+    WriteTextFile(Path("a"), "old");
+    std::filesystem::permissions(folder_, std::filesystem::perms::all);
+    constexpr uid_t kSomebody = 12345U;
+    const uid_t own = ::geteuid();
+    const bool is_somebody = ::seteuid(kSomebody) == 0;
+    const std::string expected =
+        Path("a") + ": error: its owner cannot be kept (Operation not permitted), expected a file of your own, or none";
+    const auto refusal_of = [](const auto& action)
+    {
+        try
+        {
+            action();
+        }
+        catch (const InputError& error)
+        {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const std::string of_writing = refusal_of([this] { WriteTextFile(Path("a"), "new"); });
+    const std::string of_asking = refusal_of([this] { RequireWritable(Path("a")); });
+    static_cast<void>(::seteuid(own));
+    // Then it is refused, before and at the writing, and nothing is there but the file
+    EXPECT_EQ(of_writing, is_somebody ? expected : "");
+    EXPECT_EQ(of_asking, is_somebody ? expected : "");
+    EXPECT_EQ(ReadTextFile(Path("a")), is_somebody ? "old" : "new");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
 }
 
 TEST_F(TextFile, AProcessThatIsKilledWhileItWritesLeavesNothing)

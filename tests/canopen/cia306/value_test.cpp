@@ -101,6 +101,9 @@ TEST(Value, TimesAreDaysAndMilliseconds)
         {"1, 2", kTimeOfDay, true, 0x000100000002U},
         {"1,2", 0x000DU, true, 0x000100000002U},
         {"0xFFFF\t0x0FFFFFFF", 0x000DU, true, 0xFFFF0FFFFFFFU},
+        {"0x3A9802932E00", kTimeOfDay, true, 0x3A9802932E00U}, // One number of 48 bits.
+        {"64424509440000", 0x000DU, true, 0x3A9800000000U},
+        {"0x1000000000000", kTimeOfDay, false, 0U},
         {"65536 0", kTimeOfDay, false, 0U},
         {"0 268435456", kTimeOfDay, false, 0U},
         {"1 2 3", kTimeOfDay, false, 0U},

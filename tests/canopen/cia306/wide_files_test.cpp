@@ -367,6 +367,7 @@ std::vector<std::string> AllDeviceFiles()
 
 TEST(RealFiles, EveryOneIsReadAndWrittenBackByteByByte)
 {
+    Verifies(req::SRS_EDS_025);
     Verifies(req::SRS_EDS_026);
     Verifies(req::SRS_EDS_004);
     const std::vector<std::string> files = AllDeviceFiles();
@@ -378,6 +379,26 @@ TEST(RealFiles, EveryOneIsReadAndWrittenBackByteByByte)
         EXPECT_EQ(document.Text(), text) << file;
         const Device device = ReadDevice(document);
         EXPECT_GE(device.objects.size(), 3U) << file;
+        // What was written is read as the same device
+        const Device again = ReadDevice(IniDocument::Parse(file, document.Text()));
+        EXPECT_EQ(again.node_id, device.node_id) << file;
+        EXPECT_EQ(again.warnings.size(), device.warnings.size()) << file;
+        EXPECT_TRUE(std::equal(device.objects.begin(), device.objects.end(), again.objects.begin(), again.objects.end(),
+                               [](const auto& one, const auto& other)
+                               {
+                                   return one.first == other.first && one.second.name == other.second.name &&
+                                          std::equal(one.second.entries.begin(), one.second.entries.end(),
+                                                     other.second.entries.begin(), other.second.entries.end(),
+                                                     [](const auto& first, const auto& second)
+                                                     {
+                                                         return first.first == second.first &&
+                                                                first.second.data_type == second.second.data_type &&
+                                                                first.second.access == second.second.access &&
+                                                                first.second.Configured().text ==
+                                                                    second.second.Configured().text;
+                                                     });
+                               }))
+            << file;
         EXPECT_NE(device.Find(0x1000U, 0U), nullptr) << file;
     }
 }

@@ -9,6 +9,7 @@
 #include "verification/trace/ids/cia301.hpp"
 #include "verification/trace/ids/comfort.hpp"
 #include "verification/trace/ids/node.hpp"
+#include "verification/trace/ids/pdo.hpp"
 
 #include <algorithm>
 
@@ -340,6 +341,64 @@ TEST_F(DeviceFurtherTest, NoServiceGetsTheIdentifierOfAnother)
     }
     EXPECT_TRUE(services.Allows({0x1012U, 0U}, 0x80000085U));
     EXPECT_TRUE(services.Allows({0x1201U, 1U}, 0x85U));
+}
+
+TEST_F(DeviceFurtherTest, WhatGivesNoIdentifierIsAllowed)
+{
+    Verifies(req::SRS_EMCY_003);
+    Start();
+    Configure();
+    // Given SYNC on 80h, then the count of 1028h, TIME without a role and a client that is off may say 80h
+    EXPECT_TRUE(services.Allows({0x1028U, 0U}, 0x80U));
+    EXPECT_FALSE(services.Allows({0x1028U, 1U}, 0x80U));
+    EXPECT_TRUE(services.Allows({0x1012U, 0U}, 0x80U));
+    EXPECT_TRUE(services.Allows({0x1280U, 1U}, 0x80000080U));
+}
+
+/// The services of the rig with one TPDO and one RPDO, on 182h and 202h.
+class DevicePdoTest : public DeviceFurtherTest
+{
+  public:
+    DevicePdoTest()
+    {
+        with_pdos.further = {list.data(), 4U};
+        Put(with_pdos.sync, 0x1005U, 0U, 0x80U);
+        Put(with_pdos.pdos, 0x1800U, 1U, 0x40000182U);
+        Put(with_pdos.pdos, 0x1400U, 1U, 0x202U);
+    }
+
+    std::array<cia301::PdoField, 1> sent_fields{};
+    std::array<cia301::PdoField, 1> received_fields{};
+    cia301::Tpdo tpdo{1U, cia301::PdoTrigger::kRequest, {sent_fields.data(), 1U}};
+    cia301::Rpdo rpdo{1U, {received_fields.data(), 1U}};
+    Services with_pdos{cia301::NodeId{2U}, ServiceParts{emergency, ports, dictionary,
+                                                        ServiceRooms{{nullptr, 0U}, {&tpdo, 1U}, {&rpdo, 1U}, {}}}};
+};
+
+TEST_F(DevicePdoTest, NoPdoGetsTheIdentifierOfAServiceNorTheOtherWayRound)
+{
+    Verifies(req::SRS_PDO_009);
+    Configure();
+    // Given SYNC, the emergency, TIME, a consumed emergency and a further SDO, then no PDO gets their identifiers
+    for (const std::uint32_t used : {0x80U, 0x82U, 0x100U, 0x83U, 0x680U, 0x6A0U})
+    {
+        EXPECT_FALSE(with_pdos.Allows({0x1800U, 1U}, used)) << used;
+        EXPECT_FALSE(with_pdos.Allows({0x1400U, 1U}, used)) << used;
+    }
+    // nor a PDO that is sent that of one that is received; its own, and that of the received one for it, are free
+    EXPECT_FALSE(with_pdos.Allows({0x1800U, 1U}, 0x202U));
+    EXPECT_FALSE(with_pdos.Allows({0x1400U, 1U}, 0x182U));
+    EXPECT_TRUE(with_pdos.Allows({0x1800U, 1U}, 0x182U));
+    EXPECT_TRUE(with_pdos.Allows({0x1400U, 1U}, 0x202U));
+    EXPECT_TRUE(with_pdos.Allows({0x1800U, 1U}, 0x183U));
+    // and what is off, or no COB-ID, is free
+    EXPECT_TRUE(with_pdos.Allows({0x1800U, 1U}, 0x80000080U));
+    EXPECT_TRUE(with_pdos.Allows({0x1800U, 2U}, 0x80U));
+    // The other way round
+    EXPECT_FALSE(with_pdos.Allows({0x1014U, 0U}, 0x182U));
+    EXPECT_FALSE(with_pdos.Allows({0x1014U, 0U}, 0x202U));
+    EXPECT_FALSE(with_pdos.Allows({0x1005U, 0U}, 0x202U));
+    EXPECT_TRUE(with_pdos.Allows({0x1014U, 0U}, 0x183U));
 }
 
 TEST_F(DeviceFurtherTest, AClientAndASecondServerShareTheBusWithTheFirst)

@@ -162,7 +162,9 @@ TEST_F(DeviceServicesTest, EachDeviceFaultHasACodeOfTheDeviceNotOfTheBus)
         {DeviceFault::kApplication, 0x6200U},   {DeviceFault::kHandshake, 0x6200U},
         {DeviceFault::kConfiguration, 0x6300U}, {DeviceFault::kCrossLink, 0x7500U},
         {DeviceFault::kFrameOrder, 0x6100U},    {DeviceFault::kLateCall, 0x6100U},
-        {DeviceFault::kFlow, 0x6100U},          {DeviceFault::kDisagreement, 0x6100U}};
+        {DeviceFault::kFlow, 0x6100U},          {DeviceFault::kDisagreement, 0x6100U},
+        {DeviceFault::kUnmatched, 0x6100U},     {DeviceFault::kGuard, 0x6100U},
+        {DeviceFault::kComparator, 0x6100U},    {DeviceFault::kInvalid, 0x6100U}};
     for (const auto& [fault, code] : codes)
     {
         Forget();
@@ -450,7 +452,47 @@ TEST_F(DeviceServicesTest, AMappingThatNamesAnOwnObjectIsNotMappable)
     EXPECT_EQ(Download(0x1381U, 0U, 0U, 1U), 0U);
     EXPECT_EQ(Download(0x1381U, 1U, 0x25000020U, 4U), 0x06040041U);
     EXPECT_EQ(Download(0x1381U, 1U, 0x25010020U, 4U), 0x06020000U);
+    EXPECT_EQ(Download(0x1381U, 1U, 0x24FF0020U, 4U), 0x06020000U); // The next one below.
     EXPECT_EQ(Download(0x1381U, 1U, 0x22000110U, 4U), 0U);
+}
+
+TEST_F(DeviceServicesTest, ABusOfWhichNothingIsKnownIsOff)
+{
+    Verifies(req::SRS_DEV_016);
+    Run();
+    // Given a driver that tells no condition at all, then the reaction is that to bus-off
+    device.OnBus(BusCondition::kInvalid);
+    Cycles(3U);
+    EXPECT_EQ(device.State(), NodeState::kPreOperational);
+    // and told once it is there again
+    device.OnBus(BusCondition::kActive);
+    Cycles(3U);
+    EXPECT_EQ(Emergencies(), (Codes{0x8140U, 0U}));
+}
+
+TEST_F(DeviceServicesTest, WithoutRoomHeartbeatAndEmergencyWait)
+{
+    Verifies(req::SRS_DEV_009);
+    Run();
+    EXPECT_EQ(Download(0x1017U, 0U, 1U, 2U), 0U);
+    Cycles(3U);
+    Forget();
+    // Given an outbox that other frames fill, a controller that has no place, and an error
+    ports.answer = hal::TransmitStatus::kQueueFull;
+    for (std::uint8_t count = 0U; count < 16U; ++count)
+    {
+        static_cast<void>(services.outbox.Send(CanFrame{0x5FFU, FrameKind::kData, CanPortId::kFirst, 1U, {count}}));
+    }
+    EXPECT_FALSE(services.outbox.HasRoom());
+    watch.OnSrdoError({0x1302U}, SrdoCause::kSct);
+    Cycles(3U);
+    EXPECT_TRUE(Emergencies().empty());
+    EXPECT_TRUE(Sent(0x702U).empty());
+    // When the controller takes frames again, then both are sent, and the error was not forgotten
+    ports.answer = hal::TransmitStatus::kAccepted;
+    Cycles(12U);
+    EXPECT_EQ(Emergencies(), (Codes{0x8250U}));
+    EXPECT_FALSE(Sent(0x702U).empty());
 }
 
 } // namespace

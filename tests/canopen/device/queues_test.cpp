@@ -126,6 +126,9 @@ TEST_F(SafetyQueueTest, OneGfcAtATime)
     QueuedFrame wrong = ItemOf(0x001U);
     wrong.frame.frame.length_bytes = 1U;
     Offer(queue, wrong); // No GFC at all.
+    wrong = ItemOf(0x001U);
+    wrong.frame.frame.kind = FrameKind::kRemote;
+    Offer(queue, wrong); // None either.
     // Then one waits, and the next one may come after it was taken
     EXPECT_EQ(Take(queue).origin, Origin::kReceived);
     EXPECT_TRUE(IsEmpty(queue));

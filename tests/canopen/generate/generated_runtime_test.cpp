@@ -228,6 +228,46 @@ TEST_F(GeneratedRuntime, PresetGoesOnBehindARefusalAndNamesTheFirst)
     EXPECT_EQ(stored.Preset({0x1016U, 0xFFFFU}).refused, 0U);
 }
 
+TEST_F(GeneratedRuntime, PresetLeavesOutCountersAndWhatIsNoSetting)
+{
+    Verifies(req::SRS_GEN_008);
+    // Given errors, store, defaults, SDO parameters, and a PDO with its mapping, each of which a file gives a value
+    std::vector<Entry> list;
+    for (const auto& [index, sub] : std::vector<std::pair<std::uint16_t, std::uint8_t>>{{0x1001U, 0U},
+                                                                                        {0x1003U, 0U},
+                                                                                        {0x1003U, 1U},
+                                                                                        {0x1010U, 0U},
+                                                                                        {0x1010U, 1U},
+                                                                                        {0x1011U, 1U},
+                                                                                        {0x1017U, 0U},
+                                                                                        {0x1200U, 1U},
+                                                                                        {0x1400U, 0U},
+                                                                                        {0x1400U, 1U},
+                                                                                        {0x1600U, 0U},
+                                                                                        {0x1600U, 1U}})
+    {
+        list.push_back({index, sub, DataType::kUnsigned8, Access::kReadWrite, kInBoth, kInBoth, 1U, bytes.data(),
+                        nullptr, nullptr, nullptr, nullptr});
+    }
+    StoredObjects own{cia301::EntryTable{list.data(), static_cast<std::uint32_t>(list.size())}};
+    for (Entry& entry : list)
+    {
+        entry.read_hook = &own;
+        entry.write_hook = &own;
+    }
+    Service service{};
+    ASSERT_EQ(own.Attach({0x1000U, 0x1FFFU}, {nullptr, &service}), AttachResult::kAttached);
+    EXPECT_EQ(own.Preset({0x1000U, 0x1FFFU}).refused, 0U);
+    // Then the hook is handed what it can be set to, and of the counts the one of the mapping
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> told;
+    for (const auto& each : service.told)
+    {
+        told.emplace_back(each[0], each[1]);
+    }
+    EXPECT_EQ(told, (std::vector<std::pair<std::uint32_t, std::uint32_t>>{
+                        {0x1017U, 0U}, {0x1400U, 1U}, {0x1600U, 0U}, {0x1600U, 1U}}));
+}
+
 TEST_F(GeneratedRuntime, CompareNamesWhatAHookHasNot)
 {
     Verifies(req::SRS_GEN_019);

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace counterpoint::generated
@@ -49,6 +50,8 @@ class GeneratedServices : public cia301::ServiceRig
     {
         table.SetNmtState(NmtState::kPreOperational);
         EXPECT_EQ(stored.Attach({0x1010U, 0x1011U}, {&nobody, &nobody}), AttachResult::kAttached);
+        EXPECT_EQ(stored.Attach({0x1028U, 0x1029U}, {&nobody, &nobody}), AttachResult::kAttached);
+        EXPECT_EQ(stored.Attach({0x1200U, 0x12FFU}, {&nobody, &nobody}), AttachResult::kAttached);
         EXPECT_EQ(stored.Attach({0x1014U, 0x1017U}, {&service_objects, &service_objects}), AttachResult::kAttached);
         EXPECT_EQ(stored.Attach({0x1400U, 0x1BFFU}, {&objects, &objects}), AttachResult::kAttached);
     }
@@ -118,6 +121,15 @@ class GeneratedServices : public cia301::ServiceRig
     ConstantObjects constants{ConstantTable{values, 8U}};
     Four groups{5U};
     Four group{1U};
+    Four restores{6U};
+    Four restore{1U};
+    Four watched{3U};
+    Four behaviours{2U};
+    Four behaviour{1U};
+    Four server{2U};
+    Four client{3U};
+    Four last_rpdo{5U};
+    Four last_tpdo{6U};
     Four consumers{1U};
     Four consumer_time{0x64U, 0x00U, 0x06U, 0x00U};
     Four last{4U};
@@ -126,23 +138,32 @@ class GeneratedServices : public cia301::ServiceRig
     Four reserved{9U};
     Four mapped{1U};
     Four rpdo_field{0x08U, 0x00U, 0x00U, 0x21U};
-    StoredObjects stored{cia301::EntryTable{file, 18U}};
-    const Entry file[18U]{
+    StoredObjects stored{cia301::EntryTable{file, 27U}};
+    const Entry file[27U]{
         Stored(0x1010U, 0U, Access::kReadOnly, 1U, groups),
         Stored(0x1010U, 5U, Access::kReadWrite, 4U, group),
+        Stored(0x1011U, 0U, Access::kReadWrite, 1U, restores),
+        Stored(0x1011U, 5U, Access::kReadWrite, 4U, restore),
         Fixed(0x1014U, 0U, 4U),
         Stored(0x1016U, 0U, Access::kReadWrite, 1U, consumers),
         Stored(0x1016U, 1U, Access::kReadOnly, 4U, consumer_time),
         Fixed(0x1017U, 0U, 2U),
+        Stored(0x1028U, 0U, Access::kReadWrite, 1U, watched),
+        Stored(0x1029U, 0U, Access::kReadWrite, 1U, behaviours),
+        Stored(0x1029U, 1U, Access::kReadWrite, 1U, behaviour),
+        Stored(0x1200U, 0U, Access::kReadWrite, 1U, server),
+        Stored(0x12FFU, 0U, Access::kReadWrite, 1U, client),
         Stored(0x1400U, 0U, Access::kReadOnly, 1U, last),
         Stored(0x1400U, 1U, Access::kReadWrite, 4U, rpdo_id),
         Stored(0x1400U, 2U, Access::kReadOnly, 1U, rpdo_type),
         Stored(0x1400U, 4U, Access::kReadWrite, 1U, reserved),
+        Stored(0x15FFU, 0U, Access::kReadWrite, 1U, last_rpdo),
         Stored(0x1600U, 0U, Access::kReadOnly, 1U, mapped),
         Stored(0x1600U, 1U, Access::kReadWrite, 4U, rpdo_field),
         Fixed(0x1800U, 0U, 1U),
         Fixed(0x1800U, 1U, 4U),
         Fixed(0x1800U, 2U, 1U),
+        Stored(0x19FFU, 0U, Access::kReadWrite, 1U, last_tpdo),
         Fixed(0x1A00U, 0U, 1U),
         Fixed(0x1A00U, 1U, 4U),
         Fixed(0x1A00U, 2U, 4U),
@@ -153,7 +174,7 @@ class GeneratedServices : public cia301::ServiceRig
     cia301::HeartbeatProducer producer{cia301::NodeId{5U}};
     cia301::NodeGuarding guarding{cia301::NodeId{5U}};
     cia301::ServiceObjects service_objects{cia301::ServiceParts{emergency, consumer, producer, guarding, 1U}};
-    cia301::Dictionary table{cia301::EntryTable{file, 18U}, foreign};
+    cia301::Dictionary table{cia301::EntryTable{file, 27U}, foreign};
 };
 
 TEST_F(GeneratedServices, ValuesThatNobodyMayWriteReachTheServices)
@@ -197,6 +218,30 @@ TEST_F(GeneratedServices, SubIndicesAreThoseOfTheTable)
     // But for a group that nobody stores
     const Four save{0x73U, 0x61U, 0x76U, 0x65U};
     EXPECT_EQ(table.Write({0x1010U, 5U}, {save.data(), 4U}), SdoAbort::kNotStored);
+    const Four load{0x6CU, 0x6FU, 0x61U, 0x64U};
+    EXPECT_EQ(table.Write({0x1011U, 5U}, {load.data(), 4U}), SdoAbort::kNotStored);
+}
+
+TEST_F(GeneratedServices, TheNumberOfSubIndicesIsTheTablesWhateverHookIsAttached)
+{
+    Verifies(req::SRS_GEN_027);
+    // Given hooks that have none of them, which would say so
+    EXPECT_EQ(ReadTable(0x1010U, 0U), 5U);
+    const std::pair<std::uint16_t, std::uint8_t> numbers[] = {
+        {std::uint16_t{0x1011U}, std::uint8_t{6U}}, {std::uint16_t{0x1028U}, std::uint8_t{3U}},
+        {std::uint16_t{0x1029U}, std::uint8_t{2U}}, {std::uint16_t{0x1200U}, std::uint8_t{2U}},
+        {std::uint16_t{0x12FFU}, std::uint8_t{3U}}, {std::uint16_t{0x15FFU}, std::uint8_t{5U}},
+        {std::uint16_t{0x19FFU}, std::uint8_t{6U}}};
+    for (const auto& [index, number] : numbers)
+    {
+        EXPECT_EQ(ReadTable(index, 0U), number) << std::hex << index;
+        EXPECT_EQ(WriteTable(index, 0U, number), SdoAbort::kNone) << std::hex << index;
+        EXPECT_EQ(WriteTable(index, 0U, 1U), SdoAbort::kReadOnly) << std::hex << index;
+        EXPECT_EQ(ReadTable(index, 0U), number) << std::hex << index;
+    }
+    // And a sub-index that the hook has not is kept by the table
+    EXPECT_EQ(WriteTable(0x1029U, 1U, 0U), SdoAbort::kNone);
+    EXPECT_EQ(ReadTable(0x1029U, 1U), 0U);
 }
 } // namespace
 } // namespace counterpoint::generated

@@ -216,6 +216,23 @@ TEST_P(GeneratedValues, AConfigurationToolMayWriteBackWhatItReads)
     GeneratedNode again(Case());
 }
 
+TEST_P(GeneratedValues, TheFirstRefusalEndsTheConfigurationAndIsNamed)
+{
+    Verifies(req::SRS_GEN_011);
+    const cia306::Device device = cia306::ReadDeviceFile(Case().file);
+    if (!HasSrdos(device))
+    {
+        return;
+    }
+    // Given a kernel that was not started, which takes no write
+    GeneratedNode node(Case());
+    const generated::ConfigureReply reply = node.Configure();
+    // Then the first one is named, and the last one, 13FEh, was not tried
+    EXPECT_NE(reply.abort, AbortCode::kNone);
+    EXPECT_EQ(reply.object.index, cia306::ExtractSafety(device, Case().node_id).srdos.front().CommunicationIndex());
+    EXPECT_EQ(reply.object.sub, 1U);
+}
+
 TEST_P(GeneratedValues, EachResetRestoresItsPartOfOneBlock)
 {
     Verifies(req::SRS_GEN_007);

@@ -10,9 +10,10 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from common import CannotLook, files, read, run_gate, without_comments  # noqa: E402
 from loop_heads import HEAD, head_of, split  # noqa: E402
 
-UNDER = ["hal/tms570", "examples/firmware"]
+UNDER = ["hal/tms570", "hal/zynqmp", "examples/firmware"]
 # File, and the text of the loop's place. The first two stand still in the safe state; the last one is the life of the device.
-ENDLESS = [("hal/tms570/silicon/exception_hooks.cpp", "for (;;)", "WaitForInterrupt"), ("hal/tms570/start/start_up.S", "Stopped", "1b"),
+ENDLESS = [("hal/zynqmp/silicon/exception_hooks.cpp", "for (;;)", "WaitForInterrupt"), ("examples/firmware/zynqmp/silicon_main.cpp", "for (;;)", "executive.Cycle"),
+           ("hal/tms570/silicon/exception_hooks.cpp", "for (;;)", "WaitForInterrupt"), ("hal/tms570/start/start_up.S", "Stopped", "1b"),
            ("examples/firmware/common/silicon_main.cpp", "for (;;)", "executive.Cycle")]
 # A counter, alone or with a constant added, against its end.
 BOUND = re.compile(r"^\(*(\w+)(?: \+ \w+\))? (?:<=?|>) \(?[\w.:]+(?: - \w+)?\)*$")

@@ -12,7 +12,7 @@ from common import cpp_files, read, run_gate  # noqa: E402
 
 HERE = pathlib.Path(__file__).resolve().parent
 CONFIGURATION = HERE.parents[2] / ".clang-tidy"
-FOLDERS = ["safety_core", "channel_a", "channel_b", "hal/api", "hal/absent", "hal/tms570"]
+FOLDERS = ["safety_core", "channel_a", "channel_b", "hal/api", "hal/absent", "hal/tms570", "hal/zynqmp"]
 FINDING = re.compile(r"^(?P<file>[^:\n]+):(?P<line>\d+):\d+: (?:warning|error): (?P<text>.*) \[(?P<checks>[\w.,+-]+)\]$", re.MULTILINE)
 MARKER = re.compile(r"MISRA (D-\d{3})")
 

@@ -23,7 +23,9 @@ MAY_SEE = {
     "channel_b": CONTRACT,
     "hal/api": CONTRACT,
     "hal/absent": [*CONTRACT, "hal/api"],
+    "hal/contract_test": [*CONTRACT, "hal/api"],
     "hal/tms570": [*CONTRACT, "hal/api"],
+    "hal/zynqmp": [*CONTRACT, "hal/api", "hal/tms570"],
     "hal/host": [*CONTRACT, "hal/api"],
     "canopen/cia301": [*CONTRACT, "safety_core/kernel", "hal/api"],
     "canopen/cia302/network": SERVICES,
@@ -50,7 +52,7 @@ PRODUCT = sorted({room.split("/")[0] for room in MAY_SEE})
 # Rooms of the host may use libraries, which DEPENDS cannot name.
 HOST = ("canopen/cia306", "canopen/generate", "canopen/monitor", "hal/host", "runtime", "simulator", "tools", "examples")
 # What runs on the target has these headers of the standard library and no other: constants, types, std::array.
-FREESTANDING = ["safety_core", "channel_a", "channel_b", "hal/api", "hal/absent", "hal/tms570"]
+FREESTANDING = ["safety_core", "channel_a", "channel_b", "hal/api", "hal/absent", "hal/contract_test", "hal/tms570", "hal/zynqmp"]
 STANDARD_HEADERS = {"array", "cstddef", "cstdint", "limits", "type_traits", "utility"}
 
 

@@ -8,6 +8,7 @@ tree=$made/tree
 library=${LIBRARY:-libcounterpoint-dev}
 tool=${TOOL:-counterpoint}
 mkdir -p "$tree/docs" "$tree/examples/first_device" "$tree/tests/integration/subproject" "$made/data/debian"
+touch "$made/data/this_machine"
 echo 'project(Counterpoint VERSION 0.1.0)' >"$tree/CMakeLists.txt"
 printf '<!-- output: build/first_device -->\n```\noutput off\n```\n' >"$tree/docs/user_guide.md"
 printf '#include <cstdio>\nint main() { std::puts("output off"); }\n' >"$tree/examples/first_device/main.cpp"

@@ -3,7 +3,7 @@
 set -euo pipefail
 tree=$1/tree
 mkdir -p "$tree/tools/reference" "$tree/safety_core" "$tree/docs" "$1/data"
-for folder in hal/api hal/absent canopen/cia301 canopen/cia302 canopen/cia305 canopen/start_up canopen/manager canopen/device canopen/generated version; do
+for folder in hal/api hal/absent hal/contract_test canopen/cia301 canopen/cia302 canopen/cia305 canopen/start_up canopen/manager canopen/device canopen/generated version; do
     mkdir -p "$tree/$folder"
 done
 cp tools/reference/* "$tree/tools/reference"

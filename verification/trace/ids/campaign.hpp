@@ -40,6 +40,19 @@ inline constexpr RequirementId SRS_CMG_046{"SRS_CMG_046"};
 inline constexpr RequirementId SRS_CMG_047{"SRS_CMG_047"};
 inline constexpr RequirementId SRS_CMG_048{"SRS_CMG_048"};
 inline constexpr RequirementId SRS_CMG_049{"SRS_CMG_049"};
+inline constexpr RequirementId SRS_CMG_060{"SRS_CMG_060"};
+inline constexpr RequirementId SRS_CMG_061{"SRS_CMG_061"};
+inline constexpr RequirementId SRS_CMG_062{"SRS_CMG_062"};
+inline constexpr RequirementId SRS_CMG_063{"SRS_CMG_063"};
+inline constexpr RequirementId SRS_CMG_064{"SRS_CMG_064"};
+inline constexpr RequirementId SRS_CMG_070{"SRS_CMG_070"};
+inline constexpr RequirementId SRS_CMG_071{"SRS_CMG_071"};
+inline constexpr RequirementId SRS_CMG_072{"SRS_CMG_072"};
+inline constexpr RequirementId SRS_CMG_073{"SRS_CMG_073"};
+inline constexpr RequirementId SRS_CMG_074{"SRS_CMG_074"};
+inline constexpr RequirementId SRS_CMG_075{"SRS_CMG_075"};
+inline constexpr RequirementId SRS_CMG_076{"SRS_CMG_076"};
+inline constexpr RequirementId SRS_CMG_077{"SRS_CMG_077"};
 } // namespace counterpoint::req
 
 #endif

@@ -40,6 +40,13 @@ inline constexpr RequirementId SRS_HAL_013{"SRS_HAL_013"};
 inline constexpr RequirementId SRS_HAL_014{"SRS_HAL_014"};
 inline constexpr RequirementId SRS_HAL_015{"SRS_HAL_015"};
 inline constexpr RequirementId SRS_HAL_016{"SRS_HAL_016"};
+inline constexpr RequirementId SRS_HAL_030{"SRS_HAL_030"};
+inline constexpr RequirementId SRS_HAL_031{"SRS_HAL_031"};
+inline constexpr RequirementId SRS_HAL_032{"SRS_HAL_032"};
+inline constexpr RequirementId SRS_HAL_033{"SRS_HAL_033"};
+inline constexpr RequirementId SRS_HAL_034{"SRS_HAL_034"};
+inline constexpr RequirementId SRS_HAL_035{"SRS_HAL_035"};
+inline constexpr RequirementId SRS_HAL_036{"SRS_HAL_036"};
 } // namespace counterpoint::req
 
 #endif

@@ -86,6 +86,10 @@ inline constexpr RequirementId SRS_VER_162{"SRS_VER_162"};
 inline constexpr RequirementId SRS_VER_163{"SRS_VER_163"};
 inline constexpr RequirementId SRS_VER_164{"SRS_VER_164"};
 inline constexpr RequirementId SRS_VER_165{"SRS_VER_165"};
+inline constexpr RequirementId SRS_VER_170{"SRS_VER_170"};
+inline constexpr RequirementId SRS_VER_171{"SRS_VER_171"};
+inline constexpr RequirementId SRS_VER_172{"SRS_VER_172"};
+inline constexpr RequirementId SRS_VER_173{"SRS_VER_173"};
 } // namespace counterpoint::req
 
 #endif

@@ -380,6 +380,30 @@ TEST_F(BootCornersTest, StartThatWaitsForTheQueueIsVerifiedAgainIfTheGateCloses)
     EXPECT_EQ(nmt.Dropped(), 1U);
 }
 
+TEST_F(BootCornersTest, AStartThatWasDroppedIsNotMadeUpForWhoWasToldToStop)
+{
+    Verifies(req::SRS_NMM_004);
+    // Given a safety slave whose start waits behind other commands, for longer than its verification is good
+    Add(5U, kMust);
+    Protect(5U);
+    gate.cycles = 5;
+    Begin();
+    Run(2U);
+    FillQueue(100U);
+    Run(20U);
+    ASSERT_TRUE(Of(5U).is_started);
+    EXPECT_EQ(slaves[5]->State(), NodeState::kPreOperational);
+    // When the slave is told to stop
+    EXPECT_EQ(start_up.Command(NmtCommand::kStop, NodeId{5U}, Now()), NmtAnswer::kTaken);
+    const int verified = gate.verifications;
+    Run(320U);
+    // Then the start is dropped, and nobody makes up for it
+    EXPECT_EQ(nmt.Dropped(), 1U);
+    EXPECT_EQ(slaves[5]->State(), NodeState::kStopped);
+    EXPECT_EQ(gate.verifications, verified);
+    EXPECT_FALSE(Of(5U).is_started);
+}
+
 TEST_F(BootCornersTest, StartOfAllWaitsForTheQueue)
 {
     Verifies(req::SRS_BOOT_015);

@@ -1,0 +1,249 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "hal/contract_test/checks.hpp"
+
+namespace counterpoint::hal::contract
+{
+
+namespace
+{
+
+constexpr std::uint32_t kAccepted = static_cast<std::uint32_t>(TransmitStatus::kAccepted);
+constexpr std::uint32_t kWordBits = 32U;
+constexpr const char* kNoCan = "the port has no CAN ports";
+constexpr const char* kNoHold = "the bench cannot hold the bus";
+constexpr const char* kStatus = "status of Transmit (0x69 accepted)";
+
+[[nodiscard]] std::uint32_t Transmit(const PortUnderTest& port, const CanFrame& frame) noexcept
+{
+    return static_cast<std::uint32_t>(port.parts.can->Transmit(frame));
+}
+
+void ExpectConfirmed(const PortUnderTest& port, Check& check, const CanFrame& frame) noexcept
+{
+    const PortEvent event = port.bench.next(port.bench.bench);
+    check.EqualCode("kind of event (0x5A confirmed)", static_cast<std::uint32_t>(EventKind::kConfirmed),
+                    static_cast<std::uint32_t>(event.kind));
+    check.EqualCode("identifier", frame.identifier, event.frame.frame.identifier);
+    check.EqualCode("frame as it was handed over (1: it is)", 1U, AreEqual(frame, event.frame.frame) ? 1U : 0U);
+}
+
+void HoldBus(const PortUnderTest& port, const Hold hold) noexcept
+{
+    port.bench.hold_bus(port.bench.bench, hold);
+}
+
+/// Which numbered frames were accepted, and which confirmed: a bit each.
+struct NumberSet
+{
+    std::uint32_t words[8]; // MISRA D-001
+};
+
+/// @brief Adds the number; how often it was in before. A number beyond the set counts as one that was in.
+[[nodiscard]] std::uint32_t Add(NumberSet& set, const std::uint32_t number) noexcept
+{
+    const std::uint32_t word = number / kWordBits;
+    if (word >= 8U)
+    {
+        return 1U;
+    }
+    const std::uint32_t bit = 1U << (number % kWordBits);
+    const bool was_in = (set.words[word] & bit) != 0U;
+    set.words[word] |= bit;
+    return was_in ? 1U : 0U;
+}
+
+/// Takes all confirmations out: each must be of an accepted frame, and the first of it.
+[[nodiscard]] std::uint32_t CountConfirmed(const PortUnderTest& port, Check& check, NumberSet& accepted) noexcept
+{
+    NumberSet confirmed{};
+    std::uint32_t count = 0U;
+    PortEvent event = port.bench.next(port.bench.bench);
+    for (std::uint32_t taken = 0U; (taken < 512U) && (event.kind != EventKind::kNothing); ++taken)
+    {
+        if (event.kind == EventKind::kConfirmed)
+        {
+            const std::uint32_t number = NumberOf(event.frame.frame);
+            check.Equal("confirmations of a frame that was refused", 1U, Add(accepted, number));
+            check.Equal("second confirmations of a frame", 0U, Add(confirmed, number));
+            ++count;
+        }
+        event = port.bench.next(port.bench.bench);
+    }
+    return count;
+}
+
+} // namespace
+
+void ConfirmedOnceAsSent(const PortUnderTest& port, Check& check) noexcept
+{
+    if (port.parts.can == nullptr)
+    {
+        check.NotShown(kNoCan);
+        return;
+    }
+    Settle(port);
+    CanFrame frame = NumberedFrame(port.numbers.sent[0], 0x1234U);
+    frame.length_bytes = kMaxPayloadBytes;
+    frame.data[7] = 0x9AU;
+    check.EqualCode(kStatus, kAccepted, Transmit(port, frame));
+    PassCycles(port, CyclesForFrames(port, 3U));
+    ExpectConfirmed(port, check, frame);
+    PassCycles(port, CyclesForFrames(port, 3U));
+    const Drained rest = Drain(port);
+    check.Equal("further confirmations", 0U, rest.confirmed);
+    check.Equal("receptions of the own frame", 0U, rest.received);
+}
+
+void ConfirmationHasBothStamps(const PortUnderTest& port, Check& check) noexcept
+{
+    if ((port.parts.can == nullptr) || (port.parts.clocks == nullptr))
+    {
+        check.NotShown("the port has no CAN ports or no clocks");
+        return;
+    }
+    Settle(port);
+    const InstantPair before = port.parts.clocks->Now();
+    const std::uint32_t latest = port.numbers.frame_us + port.numbers.tolerance_us;
+    check.EqualCode(kStatus, kAccepted, Transmit(port, NumberedFrame(port.numbers.sent[0], 1U)));
+    PassCycles(port, CyclesForFrames(port, 3U) + 3U);
+    const PortEvent event = port.bench.next(port.bench.bench);
+    check.EqualCode("kind of event (0x5A confirmed)", static_cast<std::uint32_t>(EventKind::kConfirmed),
+                    static_cast<std::uint32_t>(event.kind));
+    check.Within("us of counter A from the call to the stamp", Span{0U, latest}, event.frame.stamp.a.us - before.a.us);
+    check.Within("us of counter B from the call to the stamp", Span{0U, latest}, event.frame.stamp.b.us - before.b.us);
+}
+
+void NotConfirmedBeforeTheBus(const PortUnderTest& port, Check& check) noexcept
+{
+    if ((port.parts.can == nullptr) || (port.bench.hold_bus == nullptr))
+    {
+        check.NotShown(kNoHold);
+        return;
+    }
+    Settle(port);
+    HoldBus(port, Hold::kHeld);
+    check.EqualCode(kStatus, kAccepted, Transmit(port, NumberedFrame(port.numbers.sent[0], 1U)));
+    PassCycles(port, CyclesForFrames(port, 3U));
+    check.Equal("confirmations while nothing leaves", 0U, Drain(port).confirmed);
+    HoldBus(port, Hold::kReleased);
+    PassCycles(port, CyclesForFrames(port, 3U));
+    check.Equal("confirmations once it has left", 1U, Drain(port).confirmed);
+}
+
+void NormalLeavesBeforeInverse(const PortUnderTest& port, Check& check) noexcept
+{
+    if ((port.parts.can == nullptr) || (port.bench.hold_bus == nullptr))
+    {
+        check.NotShown(kNoHold);
+        return;
+    }
+    Settle(port);
+    HoldBus(port, Hold::kHeld);
+    check.EqualCode(kStatus, kAccepted, Transmit(port, NumberedFrame(port.numbers.sent[0], 1U)));
+    check.EqualCode(kStatus, kAccepted, Transmit(port, NumberedFrame(port.numbers.sent[1], 2U)));
+    HoldBus(port, Hold::kReleased);
+    PassCycles(port, CyclesForFrames(port, 4U));
+    ExpectConfirmed(port, check, NumberedFrame(port.numbers.sent[0], 1U));
+    ExpectConfirmed(port, check, NumberedFrame(port.numbers.sent[1], 2U));
+}
+
+void FullIsRefused(const PortUnderTest& port, Check& check) noexcept
+{
+    if ((port.parts.can == nullptr) || (port.bench.hold_bus == nullptr))
+    {
+        check.NotShown(kNoHold);
+        return;
+    }
+    Settle(port);
+    HoldBus(port, Hold::kHeld);
+    NumberSet accepted{};
+    std::uint32_t count = 0U;
+    std::uint32_t status = kAccepted;
+    const std::uint32_t most = port.numbers.transmit_room + 4U;
+    for (std::uint32_t number = 0U; (number < most) && (status == kAccepted); ++number)
+    {
+        status = Transmit(port, NumberedFrame(port.numbers.sent[0], number));
+        count += (status == kAccepted) ? 1U : 0U;
+        static_cast<void>((status == kAccepted) ? Add(accepted, number) : 0U);
+    }
+    check.EqualCode("status of Transmit beyond the room (1 queue full)",
+                    static_cast<std::uint32_t>(TransmitStatus::kQueueFull), status);
+    HoldBus(port, Hold::kReleased);
+    PassCycles(port, CyclesForFrames(port, count + 3U));
+    check.Equal("confirmations of accepted frames", count, CountConfirmed(port, check, accepted));
+}
+
+void OwnAndForeignInOrder(const PortUnderTest& port, Check& check) noexcept
+{
+    if (port.parts.can == nullptr)
+    {
+        check.NotShown(kNoCan);
+        return;
+    }
+    Settle(port);
+    const std::uint32_t cycles = CyclesForFrames(port, 2U);
+    check.EqualCode(kStatus, kAccepted, Transmit(port, NumberedFrame(port.numbers.sent[0], 1U)));
+    PassCycles(port, cycles);
+    const bool is_sent = Receive(port, NumberedFrame(port.numbers.received[0], 2U));
+    check.EqualCode(kStatus, kAccepted, Transmit(port, NumberedFrame(port.numbers.sent[1], 3U)));
+    PassCycles(port, cycles);
+    if (!is_sent)
+    {
+        check.NotShown("the other node cannot send this");
+        return;
+    }
+    for (std::uint32_t number = 1U; number <= 3U; ++number)
+    {
+        const PortEvent event = port.bench.next(port.bench.bench);
+        check.Equal("number of the frame", number, NumberOf(event.frame.frame));
+        check.EqualCode("kind of event (0x3C received, 0x5A confirmed)",
+                        static_cast<std::uint32_t>((number == 2U) ? EventKind::kReceived : EventKind::kConfirmed),
+                        static_cast<std::uint32_t>(event.kind));
+    }
+}
+
+void AbsentControllerIsRefused(const PortUnderTest& port, Check& check) noexcept
+{
+    if (port.parts.can == nullptr)
+    {
+        check.NotShown(kNoCan);
+        return;
+    }
+    if (port.numbers.controllers > 1U)
+    {
+        check.NotShown("the port has both controllers");
+        return;
+    }
+    Settle(port);
+    const FrameName absent{port.numbers.sent[0].identifier, CanPortId::kSecond};
+    check.EqualCode("status of Transmit (3 refused)", static_cast<std::uint32_t>(TransmitStatus::kRefused),
+                    Transmit(port, NumberedFrame(absent, 1U)));
+    PassCycles(port, CyclesForFrames(port, 2U));
+    check.Equal("confirmations", 0U, Drain(port).confirmed);
+}
+
+void CallsComeBack(const PortUnderTest& port, Check& check) noexcept
+{
+    const bool can_hold = (port.bench.hold_bus != nullptr) && (port.bench.work != nullptr);
+    if ((port.parts.can == nullptr) || !can_hold)
+    {
+        check.NotShown("the bench cannot hold the bus, or does not count work");
+        return;
+    }
+    Settle(port);
+    HoldBus(port, Hold::kHeld);
+    const Span expected{0U, port.numbers.most_work};
+    for (std::uint32_t number = 0U; number < (port.numbers.transmit_room + 4U); ++number)
+    {
+        const std::uint32_t before = port.bench.work(port.bench.bench);
+        static_cast<void>(Transmit(port, NumberedFrame(port.numbers.sent[number % 2U], number)));
+        check.Within("work of Transmit while nothing leaves", expected, port.bench.work(port.bench.bench) - before);
+    }
+    const std::uint32_t before = port.bench.work(port.bench.bench);
+    static_cast<void>(port.bench.next(port.bench.bench));
+    check.Within("work of next while nothing comes", expected, port.bench.work(port.bench.bench) - before);
+    HoldBus(port, Hold::kReleased);
+    PassCycles(port, CyclesForFrames(port, port.numbers.transmit_room + 4U));
+}
+
+} // namespace counterpoint::hal::contract
