@@ -174,7 +174,7 @@ class ManagerCommand final : public Command
                               : runtime::StatusTable(station, now_us));
         if (!html_.empty())
         {
-            cia306::WriteTextFile(html_, runtime::DiagramPage(station.Assembly(), station.Diagram()));
+            cia306::WriteTextFile(html_, runtime::DiagramPage(station));
         }
         const bool is_written = report.Finish();
         if (!loop.IsLogWhole())

@@ -75,7 +75,10 @@ class NodeCommand final : public Command
         }
         catch (const host::LiveBusError& error)
         {
-            streams.err << "counterpoint node: --can: " << error.what() << "\n";
+            const std::string text = error.what(); // [SRS_NODE_051]
+            const std::string second = "bus '" + second_address_ + "'";
+            const bool is_second = second_address_ != address_ && text.compare(0U, second.size(), second) == 0;
+            streams.err << "counterpoint node: " << (is_second ? "--can2: " : "--can: ") << text << "\n";
         }
         return ExitStatus::kBadInput;
     }

@@ -108,6 +108,7 @@ SafetyPart::SafetyPart(const cia306::Device& device, const std::optional<std::ui
         cia306::RequireNone(device_.file, srdo.signature_problems);
         cia306::RequireNone(device_.file, srdo.other_problems);
     }
+    cia306::RequireNone(device_.file, safety_.limits);
     cia306::RequireNone(device_.file, problems);
     if (!node_id_)
     {

@@ -22,6 +22,7 @@ constexpr std::size_t kMostInterfaceBytes = 32U;
 constexpr std::uint32_t kErrorFlag = 0x20000000U;
 constexpr std::uint32_t kExtendedMask = 0x1FFFFFFFU;
 constexpr std::uint32_t kStandardMask = 0x7FFU;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF"; ///< Of UTF-8.
 constexpr const char* kForm =
     "(SECONDS.MICROSECONDS) INTERFACE IDENTIFIER#DATA as candump -l writes it, or a line of candump -ta";
 
@@ -81,6 +82,8 @@ int ByteOf(const std::string_view word) noexcept
 CandumpReader::CandumpReader(std::string file, const std::string_view text, const RecordingOptions& options)
     : file_(std::move(file)), text_(text), interface_(options.interface)
 {
+    // Written by editors of Windows. Columns count from behind it, as editors do. [SRS_MON_025]
+    text_.remove_prefix(text_.substr(0U, kByteOrderMark.size()) == kByteOrderMark ? kByteOrderMark.size() : 0U);
 }
 
 std::size_t CandumpReader::Place() const noexcept

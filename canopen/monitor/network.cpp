@@ -132,6 +132,7 @@ void Network::AddNode(const NodeFile& file)
     {
         cia306::RequireNone(file.path, srdo.signature_problems);
     }
+    cia306::RequireNone(file.path, node.safety.limits);
     node.active = ActiveOf(node.safety);
     std::vector<cia306::Finding> problems;
     node.parameters = cia306::ReadDeviceParameters(node.device, id, problems);

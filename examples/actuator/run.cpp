@@ -16,7 +16,7 @@ std::string RunActuator()
     OtherNode controller{bus, 0x103U, 0x105U};
     if (!actuator.board.PowerOn())
     {
-        return "start refused\n";
+        return actuator.Refusal();
     }
     TimeLine line{};
     for (unsigned ms = 1U; ms <= 1000U; ++ms)

@@ -8,6 +8,7 @@
 #include "channel_b/channel.hpp"
 #include "examples/controller/controller.hpp"
 #include "examples/host/bench.hpp"
+#include "names/safety_core/crosslink/link_config.hpp"
 #include "safety_core/crosslink/peer.hpp"
 
 namespace counterpoint::examples
@@ -35,6 +36,18 @@ class Cpu
     {
         const LinkConfigFault fault = CheckLinkConfig(application.Describe(), application.DescribeLink());
         return (fault == LinkConfigFault::kNone) && board.PowerOn();
+    }
+    /// Why PowerOn failed; the configuration is refused alike when it is written again.
+    [[nodiscard]] std::string Refusal()
+    {
+        const LinkConfigFault fault = CheckLinkConfig(application.Describe(), application.DescribeLink());
+        if (fault != LinkConfigFault::kNone)
+        {
+            return std::string{"link refused: "} + NameOf(fault) + "\n";
+        }
+        const StartResult started = device_.Started();
+        const bool has_started = started == StartResult::kStarted;
+        return RefusalOf(started, has_started ? Controller::Configure(kernel) : AbortCode::kNone);
     }
     void Cycle(const host::BusTime at)
     {
@@ -85,9 +98,13 @@ std::string RunController()
     OtherNode others{bus, 0x101U, 0x103U};
     Cpu a{bus, wire, PeerRole::kA, Instant{5000U}};
     Cpu b{bus, wire, PeerRole::kB, Instant{900000U}};
-    if (!(a.PowerOn() && b.PowerOn()))
+    if (!a.PowerOn())
     {
-        return "start refused\n";
+        return "CPU A: " + a.Refusal();
+    }
+    if (!b.PowerOn())
+    {
+        return "CPU B: " + b.Refusal();
     }
     TimeLine line{};
     for (unsigned ms = 1U; ms <= 1000U; ++ms)

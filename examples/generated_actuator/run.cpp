@@ -38,8 +38,8 @@ struct Node final : private device::Owner
 
     device::LoadResult OnResetNode() noexcept override
     {
-        const StartResult result = kernel.Start(actuator::kDevice, FlowCallback::kOff);
-        return (result == StartResult::kStarted) ? device::LoadResult::kLoaded : device::LoadResult::kFailed;
+        started = kernel.Start(actuator::kDevice, FlowCallback::kOff);
+        return (started == StartResult::kStarted) ? device::LoadResult::kLoaded : device::LoadResult::kFailed;
     }
     /// What the file says of the configuration, and who keeps 1017h.
     device::LoadResult OnResetCommunication() noexcept override
@@ -47,10 +47,12 @@ struct Node final : private device::Owner
         const generated::IndexRange heartbeat{0x1017U, 0x1017U};
         static_cast<void>(actuator::Objects().Attach(heartbeat, {nullptr, &services.objects}));
         static_cast<void>(actuator::Objects().Preset(heartbeat));
-        const AbortCode abort = actuator::Configure(kernel).abort;
-        return (abort == AbortCode::kNone) ? device::LoadResult::kLoaded : device::LoadResult::kFailed;
+        configured = actuator::Configure(kernel).abort;
+        return (configured == AbortCode::kNone) ? device::LoadResult::kLoaded : device::LoadResult::kFailed;
     }
 
+    StartResult started{StartResult::kInvalid};
+    AbortCode configured{AbortCode::kNone};
     channel_a::StorageFor<actuator::kSrdoCount, actuator::kMapEntries> storage_a{};
     channel_b::StorageFor<actuator::kSrdoCount, actuator::kMapEntries> storage_b{};
     channel_a::Channel a{storage_a.Handle()};
@@ -99,7 +101,7 @@ std::string RunGeneratedActuator()
     board.device = &node.whole;
     if (!board.PowerOn())
     {
-        return "start refused\n";
+        return RefusalOf(node.started, node.configured);
     }
     const std::string conversation = Converse(node);
     TimeLine line{};

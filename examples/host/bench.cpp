@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "examples/host/bench.hpp"
 
+#include "names/safety_core/kernel/start_check.hpp"
+
 #include <cstdio>
 
 namespace counterpoint::examples
@@ -46,6 +48,17 @@ void TimeLine::Note(const unsigned ms, const std::string& line)
         text_ += moment + line + "\n";
         last_ = line;
     }
+}
+
+std::string RefusalOf(const StartResult started, const AbortCode configured)
+{
+    if (started != StartResult::kStarted)
+    {
+        return std::string{"start refused: "} + NameOf(started) + ", " + MeaningOf(started) + "\n";
+    }
+    char code[16]{};
+    static_cast<void>(std::snprintf(code, sizeof(code), "%08X", static_cast<unsigned>(configured)));
+    return std::string{"configuration refused, abort code "} + code + "\n";
 }
 
 std::string NameOf(const DeviceFaultReport& report)

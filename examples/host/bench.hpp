@@ -14,6 +14,7 @@
 #include "names/safety_core/contract/srdo.hpp"
 #include "safety_core/crosslink/peer.hpp"
 #include "safety_core/kernel/kernel.hpp"
+#include "safety_core/kernel/start_check.hpp"
 
 #include <cstdint>
 #include <string>
@@ -65,6 +66,10 @@ class Board final : public host::FrameSink
     const Peer* peer{nullptr}; ///< With two CPUs.
 };
 
+/// @brief What a run prints of a device that did not start: what its description has wrong, or, of a kernel that
+/// started, with which abort code it refuses the configuration. [SRS_EASE_007]
+[[nodiscard]] std::string RefusalOf(StartResult started, AbortCode configured);
+
 /// A device of one CPU on its board.
 template <class App, std::uint8_t kSrdos> struct BenchDevice
 {
@@ -76,6 +81,14 @@ template <class App, std::uint8_t kSrdos> struct BenchDevice
     void Cycle(const SrdoMask acknowledge_a, const SrdoMask acknowledge_b)
     {
         device.Whole().Cycle(CycleCall{board.clocks.Now(), acknowledge_a, acknowledge_b});
+    }
+
+    /// @brief Why PowerOn of the board failed; the configuration is refused alike when it is written again.
+    [[nodiscard]] std::string Refusal()
+    {
+        const StartResult started = device.Started();
+        const bool has_started = started == StartResult::kStarted;
+        return RefusalOf(started, has_started ? App::Configure(kernel) : AbortCode::kNone);
     }
 
     Board board;

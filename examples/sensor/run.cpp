@@ -15,7 +15,7 @@ std::string RunSensor()
     OtherNode controller{bus, 0x103U, 0x101U};
     if (!sensor.board.PowerOn())
     {
-        return "start refused\n";
+        return sensor.Refusal();
     }
     TimeLine line{};
     SrdoCause cause = SrdoCause::kNone;

@@ -60,6 +60,7 @@ DeviceSource::DeviceSource(const cia306::Device& device, const std::string& file
                               "at most " + std::to_string(kMaxMapEntries)});
         }
     }
+    cia306::RequireNone(file_, safety_.limits);
     const auto safety_object = cia306::FirstSafetyObject(device_);
     is_plain_ = need == SafetyNeed::kOptional && !safety_object;
     if (safety_.srdos.empty() && !is_plain_)

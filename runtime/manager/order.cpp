@@ -210,11 +210,38 @@ std::string LeftOut(const ManagerOrder& order, const ManagerAssembly& assembly, 
     return left_out;
 }
 
+/// Behind the answer to a start: slaves of which nothing is heard. It went to them, too, and nobody can say that they
+/// took it. [SRS_MGR_080]
+std::string NotHeard(const ManagerOrder& order, const ManagerAssembly& assembly)
+{
+    using cia302::SlaveState;
+    const network_plan::StartProfile profile = assembly.Net().Plan().manager.profile;
+    std::string named;
+    for (const auto& slave : assembly.Net().Slaves())
+    {
+        const cia302::NodeId node{slave->plan.node};
+        const SlaveState state = assembly.Core().Table().Record(node).state;
+        const cia302::NodeStatus status = assembly.Core().Status(node);
+        const bool is_silent = state == SlaveState::kMissing || state == SlaveState::kUnknown;
+        const bool is_meant =
+            order.command == cia302::NmtCommand::kStart && (order.node == 0U || order.node == node.value);
+        if (is_meant && is_silent && !status.is_started && !IsLeftOut(assembly, node.value))
+        {
+            const std::string reason = StatusText(profile, status);
+            named += (named.empty() ? "node " : ", node ") + std::to_string(node.value) + ": " +
+                     (reason.empty() ? WordOf(status.step) : reason);
+        }
+    }
+    return named.empty() ? named : "; nothing is heard of, so perhaps not started: " + named;
+}
+
 /// What became of a command, and who did not take a start.
 std::string AnswerTo(const ManagerOrder& order, ManagerAssembly& assembly, const Instant now)
 {
     using cia302::NmtAnswer;
-    const std::string despite = DespiteWhat(order, assembly); // The start may take away what was found.
+    // The start may take away what was found.
+    const std::string despite = DespiteWhat(order, assembly);
+    const std::string not_heard = NotHeard(order, assembly);
     const NmtAnswer answer = assembly.Core().Role().Command(order.command, cia302::NodeId{order.node}, now);
     const bool is_plc = assembly.Net().Plan().manager.profile == network_plan::StartProfile::kPlcDesigner;
     const bool is_start = order.command == cia302::NmtCommand::kStart;
@@ -227,7 +254,7 @@ std::string AnswerTo(const ManagerOrder& order, ManagerAssembly& assembly, const
         is_by_state ? ", expected each in state 4, 5 or 99" : ", expected that one, and boot NODE";
     const std::string text =
         left_out.empty() ? WordOf(answer) : (is_partly ? some : "not taken by ") + left_out + expected;
-    return text + ((answer == NmtAnswer::kTaken || is_partly) ? despite : "");
+    return text + ((answer == NmtAnswer::kTaken || is_partly) ? despite + not_heard : "");
 }
 
 /// The table of the manual network management has a row for each state and pair.

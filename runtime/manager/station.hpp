@@ -59,6 +59,11 @@ class ManagerStation final : private cia301::FrameSink
         return diagram_;
     }
 
+    /// @brief The time that it was told last.
+    [[nodiscard]] std::uint64_t NowUs() const noexcept
+    {
+        return now_us_;
+    }
     /// @brief When the node last sent a sign of life; only of one that was seen. Unlike that of the node table this
     /// time does not come round. [SRS_MGR_005]
     [[nodiscard]] std::uint64_t LastSignUs(const cia302::NodeId node) const

@@ -7,8 +7,10 @@
 #include "runtime/yaml/document.hpp"
 #include "runtime/yaml/value.hpp"
 
+#include <filesystem>
 #include <initializer_list>
 #include <optional>
+#include <system_error>
 
 namespace counterpoint::runtime
 {
@@ -64,6 +66,11 @@ NodeScript ReadNodeScript(const std::string& file)
 {
     NodeScript script;
     script.file = file;
+    std::error_code error;
+    if (!std::filesystem::exists(file, error) && !error)
+    {
+        throw YamlError(file, {}, "no such file", "a script of orders");
+    }
     const YamlNode document = ParseYaml(file, ReadYamlText(file));
     const YamlMap map(script.file, document, {"title", "logic", "steps"});
     if (const std::optional<YamlValue> title = map.Find("title"))

@@ -147,7 +147,7 @@ class Managed final : public ManagedWorld
         {
             if (manager->Station() != nullptr)
             {
-                text += runtime::DiagramSection(manager->Station()->Assembly(), manager->Station()->Diagram());
+                text += runtime::DiagramSection(*manager->Station());
             }
         }
         return text;

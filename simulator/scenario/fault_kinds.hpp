@@ -240,11 +240,16 @@ void SidesTo(Fields& fields, const char* const key, const Scenario& /*scenario*/
     fault.*kFirst = side != Side::kSecond;
     fault.*kSecond = side != Side::kFirst;
 }
-/// Bits, one or more.
+/// Bits, if there are any.
 template <auto kMember>
-void BitsTo(Fields& fields, const char* const key, const Scenario& /*scenario*/, FaultSetup& fault)
+void SomeBitsTo(Fields& fields, const char* const key, const Scenario& /*scenario*/, FaultSetup& fault)
 {
-    fields.Need(key, fault.*kMember);
+    static_cast<void>(fields.IntoOnce(key, fault.*kMember));
+}
+/// Bits, one or more.
+template <auto kMember> void BitsTo(Fields& fields, const char* const key, const Scenario& scenario, FaultSetup& fault)
+{
+    SomeBitsTo<kMember>(fields, key, scenario, fault);
     if ((fault.*kMember).empty())
     {
         fields.Require(key).Refuse("an empty list", "one bit or more");
@@ -364,7 +369,8 @@ inline constexpr FaultSection kSections[] = {
             {"which", OneOf<kFrameSideWords>(), "both", "inverse", "COB-ID 1, COB-ID 2 or both"}}),
     Kind(FrameFault::kCorruption, {C::kWrongFrame, Shown::kByTheInverse}, "corruption", "on_frames",
          "The frame arrives changed; the CRC of the bus did not see it.",
-         {{"bits", Numbers(kBits), kOptional, "[0, 15]", "these bits are flipped (0 is bit 0 of byte 0)", To<&F::bits>},
+         {{"bits", Numbers(kBits), kOptional, "[0, 15]", "these bits are flipped (0 is bit 0 of byte 0)",
+           SomeBitsTo<&F::bits>},
           {"length", Number({0U, 8U}), kOptional, "1", "the length is another", ToLength}}),
     Kind(FrameFault::kRepetition, {C::kBusNextNormal, C::kWrongFrame}, "repetition", "on_frames",
          "The frame arrives again; copies that do not fit into 16 receptions are told.",

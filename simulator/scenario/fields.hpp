@@ -7,6 +7,7 @@
 
 #include "safety_core/kernel/object_access.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -53,6 +54,21 @@ class Fields
         for (const YamlValue& item : found ? ItemsOf(*found) : std::vector<YamlValue>{})
         {
             target.push_back(static_cast<Number>(item.Number({0U, std::numeric_limits<Number>::max()})));
+        }
+        return found.has_value();
+    }
+    /// @brief The same of a list in which no number may stand twice. [SRS_SIM_080]
+    template <typename Number> bool IntoOnce(const std::string& key, std::vector<Number>& target)
+    {
+        const std::optional<YamlValue> found = Find(key);
+        for (const YamlValue& item : found ? ItemsOf(*found) : std::vector<YamlValue>{})
+        {
+            const auto number = static_cast<Number>(item.Number({0U, std::numeric_limits<Number>::max()}));
+            if (std::find(target.begin(), target.end(), number) != target.end())
+            {
+                item.Refuse(std::to_string(number) + " a second time", "each number once");
+            }
+            target.push_back(number);
         }
         return found.has_value();
     }

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <unistd.h>
 #include <utility>
 
 // The section `nodes`, and who is meant by the name of a node. [SRS_SIM_056]
@@ -149,6 +150,7 @@ std::string Beside(const std::string& file, const std::string& name)
     return path.is_absolute() ? name : (std::filesystem::path(file).parent_path() / path).string();
 }
 
+// [SRS_SIM_081]
 void RequireFile(const std::string& path, const Source& source, const std::string& expected)
 {
     std::error_code error;
@@ -159,6 +161,10 @@ void RequireFile(const std::string& path, const Source& source, const std::strin
                         is_there ? runtime::Shown(path) + " is no regular file"
                                  : "there is no file " + runtime::Shown(path),
                         expected);
+    }
+    if (::access(path.c_str(), R_OK) != 0)
+    {
+        throw YamlError(source.file, source.place, runtime::Shown(path) + " cannot be read", expected);
     }
 }
 

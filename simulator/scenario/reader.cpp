@@ -325,6 +325,7 @@ std::vector<ScenarioDocument> LoadScenario(const std::string& file)
         if (const auto base = fields.Find("extends"))
         {
             const std::string name = Beside(file, base->Text("the file name of a scenario"));
+            RequireFile(name, base->Where(), "a scenario");
             runtime::YamlNode extended = runtime::ParseYaml(name, runtime::ReadYamlText(name));
             documents.insert(documents.begin(), {name, std::move(extended), true});
         }

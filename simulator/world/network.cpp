@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "simulator/world/network.hpp"
 
+#include "simulator/scenario/parts.hpp"
 #include "simulator/world/network_check.hpp"
 
 #include "canopen/cia306/file/device_reader.hpp"
@@ -77,6 +78,7 @@ void Network::BuildNode(const NodeIndex index, const NodeSetup& setup, Journal& 
 {
     const bool has_managers = !world_.scenario.managers.empty();
     const runtime::SafetyNeed need = has_managers ? runtime::SafetyNeed::kOptional : runtime::SafetyNeed::kRequired;
+    RequireFile(setup.dcf, setup.source, "a DCF");
     world_.models.push_back(std::make_unique<runtime::DeviceModel>(setup.dcf, setup.node_id, need));
     runtime::DeviceModel& model = *world_.models.back();
     if (setup.controllers > 1U)

@@ -1,5 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "examples/host/bench.hpp"
 #include "examples/host/run.hpp"
+#include "verification/trace/ids/comfort.hpp"
 #include "verification/trace/ids/verification.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -64,6 +66,14 @@ TEST(Examples, ControllerOfTwoCpusSendsUntilTheWireIsCut)
               " 609 ms CPU A running, CPU B device fault cross_link, buttons released, commands 1 1\n"
               " 610 ms CPU A device fault cross_link, CPU B device fault cross_link, buttons faulted, commands 1 1\n"
               "pairs 22, wrong pairs 0\n");
+}
+
+TEST(Examples, ADeviceThatDoesNotStartSaysWhy)
+{
+    Verifies(req::SRS_EASE_007);
+    EXPECT_EQ(RefusalOf(StartResult::kTiming, AbortCode::kNone), "start refused: timing, A time outside its range.\n");
+    EXPECT_EQ(RefusalOf(StartResult::kStarted, static_cast<AbortCode>(0x06040043U)),
+              "configuration refused, abort code 06040043\n");
 }
 
 } // namespace

@@ -317,7 +317,20 @@ TEST(BadScenarioFile, BaseThatExtendsOrIsMissingIsRefused)
     EXPECT_EQ(Refusal(file),
               file + ":1:10: error: a scenario that extends another one, expected none here: one step only");
     const std::string lost = TextFile("extends: /nonexistent/y.yaml\n");
-    EXPECT_EQ(Refusal(lost), "/nonexistent/y.yaml: error: no such file, expected a scenario");
+    EXPECT_EQ(Refusal(lost), lost + ":1:10: error: there is no file '/nonexistent/y.yaml', expected a scenario");
+}
+
+TEST(BadScenarioFile, WhatItNamesAndCannotBeReadIsToldAtItsName)
+{
+    Verifies(req::SRS_SIM_081);
+    const std::string device = TextFile("duration: 1 s\nnodes:\n  a: {dcf: /nonexistent/a.dcf}\n");
+    EXPECT_EQ(Refusal(device), device + ":3:12: error: there is no file '/nonexistent/a.dcf', expected a DCF");
+    const std::string folder = TextFile("duration: 1 s\nnodes:\n  a: {dcf: /dev}\n");
+    EXPECT_EQ(Refusal(folder), folder + ":3:12: error: '/dev' is no regular file, expected a DCF");
+    const std::string managed =
+        TextFile("duration: 1 s\nmanagers: [{network: /nonexistent/n.yaml}]\nnodes:\n  1: {dcf: /dev}\n");
+    EXPECT_EQ(Refusal(managed),
+              managed + ":2:22: error: there is no file '/nonexistent/n.yaml', expected a network file");
 }
 
 TEST(BadScenarioFile, DeepOrWideNestingEndsSoon)
@@ -372,6 +385,7 @@ TEST(ImpossibleFault, IsRefusedAtTheValueThatCannotBe)
 {
     Verifies(req::SRS_SIM_014);
     Verifies(req::SRS_SIM_012);
+    Verifies(req::SRS_SIM_080);
     struct Case
     {
         const char* fault;
@@ -391,6 +405,14 @@ TEST(ImpossibleFault, IsRefusedAtTheValueThatCannotBe)
              Case{"clock, node: actuator, counter: a, stopped: maybe, at: 5 ms",
                   "3:57: error: 'maybe', expected one of true, false"},
              Case{"not_inverse, node: controller, object: 0x2000:01, bits: [], at: 5 ms", "3:69: error: an empty list"},
+             Case{"corruption, frames: {identifier: 0x103}, bits: [0, 0]",
+                  "3:64: error: 0 a second time, expected each number once"},
+             Case{"corruption, frames: {identifier: 0x103}, bits: [7, 0x10, 16]",
+                  "3:70: error: 16 a second time, expected each number once"},
+             Case{"not_inverse, node: controller, object: 0x2000:01, bits: [3, 3], at: 5 ms",
+                  "3:73: error: 3 a second time, expected each number once"},
+             Case{"confirmation, frames: {identifier: 0x103}, how: wrong, bits: [1, 1]",
+                  "3:78: error: 1 a second time, expected each number once"},
          })
     {
         // Given a fault with one value that the simulator could not do as it is written
@@ -424,11 +446,9 @@ TEST(ScenarioFileName, IsShownInOnePrintableLineWithTheReason)
 TEST(FaultWithoutEffect, IsOneThatLeavesTheFrameAsItIs)
 {
     Verifies(req::SRS_SIM_015);
-    // Given faults that change nothing: a bit behind the last byte, a bit flipped twice, the identifier or rate it has
-    // anyway
+    // Given faults that change nothing: a bit behind the last byte, the identifier or rate it has anyway
     for (const char* const fault :
-         {"corruption, frames: {identifier: 0x103}, bits: [63]",
-          "corruption, frames: {identifier: 0x103}, bits: [0, 0]", "addressing, frames: {identifier: 0x103}, as: 0x103",
+         {"corruption, frames: {identifier: 0x103}, bits: [63]", "addressing, frames: {identifier: 0x103}, as: 0x103",
           "clock, node: actuator, counter: a, ppm: 5, at: 500 ms"})
     {
         // When somebody expects that nobody notices it

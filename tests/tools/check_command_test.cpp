@@ -265,10 +265,14 @@ TEST_F(OneReading, NodeTellsWhatItLeavesOut)
     {
         lines.push_back(finding.object + ": " + finding.text);
     }
+    // The client of this file asks its own second server
+    const std::string own = ", too, and the device keeps all, expected an identifier of its own";
     EXPECT_EQ(lines, (std::vector<std::string>{
                          "0x2FF0:00: value '300' is left out, expected a number from 0 to 255 (UNSIGNED8)",
                          "0x2FF0:00: limit: value 'x' is left out, expected a number from 0 to 255 (UNSIGNED8), or "
-                         "$NODEID+number"}));
+                         "$NODEID+number",
+                         "0x1281:01: COB-ID 0x685 is in use by 0x1201:01" + own,
+                         "0x1281:02: COB-ID 0x6A5 is in use by 0x1201:02" + own}));
 }
 
 TEST_F(OneReading, ASuffixIsToldAndAValueOfTheStructureHasNone)

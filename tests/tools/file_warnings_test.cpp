@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace counterpoint::tools
@@ -62,6 +63,73 @@ TEST_F(FileWarnings, EachCommandTellsThem)
     }
     const Answer list = RunCommand({"srdo", "list", dcf, "--json"});
     EXPECT_EQ(nlohmann::json::parse(list.out)["warnings"].size(), 1U) << list.out;
+}
+
+/// Every command that takes a device from this file as a process of its own would; `network` and `scenario` name it.
+class Limits : public test::CommandTest
+{
+  protected:
+    [[nodiscard]] std::vector<std::vector<std::string>> Commands(const std::string& dcf, const std::string& bus) const
+    {
+        const std::string scenario =
+            File("s.yaml", "duration: 10 ms\nnodes:\n  a: {dcf: limits.dcf}\n  b: {dcf: limits.dcf, node_id: 2}\n");
+        const std::string network = File("n.yaml", "manager: {node: 5}\nslaves:\n  - {node: 1, dcf: limits.dcf}\n");
+        const std::string log = File("bus.log", "(1.000000) can0 701#05\n");
+        return {{"check", dcf},
+                {"sign", dcf},
+                {"generate", dcf, "--output", Path("code"), "--namespace", "one"},
+                {"node", "--dcf", dcf, "--can", bus},
+                {"simulate", scenario, "--quiet"},
+                {"monitor", log, "--dcf", dcf},
+                {"manager", "--check", network, network}};
+    }
+    /// The sensor with further keys in a section.
+    [[nodiscard]] std::string Sensor(const std::string& section, const std::string& keys) const
+    {
+        return File("limits.dcf", cia306::test::Changed(cia306::test::ExampleText("sensor"),
+                                                        {{"[" + section + "]\n", "[" + section + "]\n" + keys}}));
+    }
+};
+
+// Given a safety object outside its limits, when a command takes the file, then it is refused with one message.
+TEST_F(Limits, EachCommandRefusesASafetyObjectOutsideThem)
+{
+    Verifies(req::SRS_EDS_045);
+    for (const auto& [keys, text] : std::vector<std::pair<std::string, std::string>>{
+             {"HighLimit=24\n", "0x1301:02: value '25', expected at most the HighLimit '24'"},
+             {"LowLimit=26\n", "0x1301:02: value '25', expected at least the LowLimit '26'"},
+             {"LowLimit=low\n", "0x1301:02: limit: value 'low', expected a number from 0 to 65535 (UNSIGNED16), or "
+                                "$NODEID+number"}})
+    {
+        for (const std::vector<std::string>& arguments : Commands(Sensor("1301sub2", keys), "udp:239.74.163.2:43113"))
+        {
+            if (arguments.front() == "sign") // It signs what check refuses, and says so.
+            {
+                continue;
+            }
+            const Answer answer = RunCommand(arguments);
+            const std::string all = answer.out + answer.err;
+            EXPECT_NE(all.find(text), std::string::npos) << arguments.front() << ": " << all;
+            const bool is_judged = arguments.front() == "check" || arguments.front() == "generate";
+            EXPECT_EQ(answer.status, is_judged ? 1 : 2) << arguments.front() << ": " << all;
+        }
+    }
+}
+
+// Given another integer outside its limits, when a command reads the file, then it is told, and the file is taken.
+TEST_F(Limits, EachCommandTellsAnotherIntegerOutsideThem)
+{
+    Verifies(req::SRS_EDS_045);
+    const std::string dcf = Sensor("1017", "LowLimit=200\n");
+    const std::string warning =
+        "limits.dcf:127:16: warning: 0x1017:00: value '100', expected at least the LowLimit '200'";
+    for (const std::vector<std::string>& arguments : Commands(dcf, "no bus"))
+    {
+        const Answer answer = RunCommand(arguments);
+        const std::string all = answer.out + answer.err;
+        EXPECT_NE(all.find(warning), std::string::npos) << arguments.front() << ": " << all;
+    }
+    EXPECT_EQ(RunCommand({"check", dcf}).status, 0);
 }
 } // namespace
 } // namespace counterpoint::tools

@@ -2,6 +2,7 @@
 #include "tests/canopen/cia306/check_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/eds.hpp"
+#include "verification/trace/ids/node.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <regex>
@@ -175,6 +176,21 @@ TEST_F(MessagesTest, OfScenariosAndScripts)
          "steps: [{at: 1 s, do: fly}]\n",
          ":1:23: error: 'fly' is no order, expected set, get, ack, gfc, nmt, state, read, write, time, help or quit"},
     });
+}
+
+// Which of two buses, and what kind of file
+TEST_F(MessagesTest, NameTheOptionThatIsWrong)
+{
+    Verifies(req::SRS_NODE_051);
+    const std::string sensor = cia306::test::SourceFolder() + "/examples/emergency_stop/sensor.dcf";
+    const auto error = [&sensor](const std::string& first, const std::string& second)
+    { return test::RunCommand({"node", "--can", first, "--can2", second, "--dcf", sensor}).err; };
+    const std::string good = "udp:239.74.163.2:43113";
+    EXPECT_EQ(error(good, "udp:1").rfind("counterpoint node: --can2: bus 'udp:1': ", 0U), 0U);
+    EXPECT_EQ(error("udp:1", good).rfind("counterpoint node: --can: bus 'udp:1': ", 0U), 0U);
+    EXPECT_EQ(error("udp:1", "udp:1").rfind("counterpoint node: --can: bus 'udp:1': ", 0U), 0U);
+    EXPECT_EQ(test::RunCommand({"node", "--can", good, "--dcf", sensor, "--script", Path("none.yaml")}).err,
+              Path("none.yaml") + ": error: no such file, expected a script of orders\n");
 }
 
 TEST_F(MessagesTest, OfNetworkFilesAndRecordings)

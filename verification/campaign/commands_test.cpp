@@ -2,6 +2,7 @@
 // NMT commands and the GFC: recorded, told to the kernel with a fault, and judged.
 #include "verification/campaign/campaign_rig.hpp"
 #include "verification/campaign/variants.hpp"
+#include "verification/trace/ids/simulator.hpp"
 
 #include <map>
 #include <set>
@@ -121,6 +122,16 @@ TEST_F(CommandsTest, CommandsOfASenderOfTheGfcAreNotDangerous)
         EXPECT_EQ(what.find("silent"), std::string::npos) << what << " " << count;
     }
     EXPECT_GT(counts.size(), 0U);
+}
+
+TEST_F(CommandsTest, ScenarioThatIsNotThereIsToldAtItsName)
+{
+    Verifies(req::SRS_SIM_081);
+    const std::string plan =
+        File("plan.yaml", "title: A test\nscenario: nobody.yaml\ndevice: actuator\nat: [200 ms]\n");
+    const tools::test::Answer answer = Campaign({plan});
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_EQ(answer.err.rfind(plan + ":2:11: error: there is no file '", 0U), 0U) << answer.err;
 }
 
 TEST_F(CommandsTest, DeviceThatACommandResetsIsRefused)

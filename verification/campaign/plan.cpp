@@ -4,11 +4,13 @@
 #include "runtime/device/names.hpp"
 #include "runtime/yaml/map.hpp"
 #include "runtime/yaml/optional_values.hpp"
+#include "simulator/scenario/parts.hpp"
 #include "verification/campaign/variants.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <system_error>
 
 namespace counterpoint::campaign
 {
@@ -343,6 +345,11 @@ void RequireEffect(const YamlMap& map, const Plan& plan)
 
 Plan ReadPlan(const std::string& file)
 {
+    std::error_code error;
+    if (!std::filesystem::exists(file, error) && !error)
+    {
+        throw runtime::YamlError(file, {}, "no such file", "the plan of a campaign");
+    }
     const std::string text = runtime::ReadYamlText(file);
     const runtime::YamlNode root = runtime::ParseYaml(file, text);
     const YamlMap map(file, root,
@@ -352,9 +359,9 @@ Plan ReadPlan(const std::string& file)
     plan.file = file;
     plan.digest = HashOf(text);
     plan.title = map.Require("title").Text("a title");
-    const std::filesystem::path scenario = map.Require("scenario").Text("the file name of a scenario");
-    plan.scenario =
-        scenario.is_absolute() ? scenario.string() : (std::filesystem::path(file).parent_path() / scenario).string();
+    const YamlValue scenario = map.Require("scenario");
+    plan.scenario = simulator::Beside(file, scenario.Text("the file name of a scenario"));
+    simulator::RequireFile(plan.scenario, scenario.Where(), "a scenario");
     plan.device_node = map.Require("device").Node();
     ReadInstants(map, plan);
     plan.phases = Chosen(map, "phases", kPhaseWords);

@@ -75,50 +75,31 @@ void CheckIndices(const Device& device, Findings& findings)
     }
 }
 
-/// A limit that cannot be read is an error of its own; Field without value: no limit.
-Field LimitOf(const Entry& entry, const Text& limit, const std::optional<std::uint8_t> node_id, Findings& findings)
-{
-    if (!limit.IsSet())
-    {
-        return {};
-    }
-    const ValueResult value = ParseValue(limit.text, entry.data_type, node_id);
-    if (!value.value)
-    {
-        findings.Error(limit.place, ObjectName(entry.index, entry.sub), "limit: " + value.problem.wrong,
-                       value.problem.expected);
-        return {};
-    }
-    return {value.value->bits, limit.place};
-}
-
-void CheckLimits(const CheckContext& context, const Entry& entry, Findings& findings)
+/// A value of a safety object that nothing else has read.
+void CheckValue(const CheckContext& context, const Entry& entry, Findings& findings)
 {
     const std::string name = ObjectName(entry.index, entry.sub);
-    const Place place = entry.ValuePlace();
     const bool is_silent = DataTypeOf(entry.data_type).kind != DataKind::kUnsigned || !entry.Configured().IsSet() ||
-                           findings.HasErrorAt(place, name);
-    if (is_silent)
-    {
-        return;
-    }
-    const ValueResult value = ConfiguredValue(entry, context.node_id);
+                           findings.HasErrorAt(entry.ValuePlace(), name);
+    const ValueResult value = is_silent ? ValueResult{Value{}, {}} : ConfiguredValue(entry, context.node_id);
     if (!value.value)
     {
-        findings.Error(place, name, value.problem.wrong, value.problem.expected);
-        return;
+        findings.Error(entry.ValuePlace(), name, value.problem.wrong, value.problem.expected);
     }
-    const Field low = LimitOf(entry, entry.low_limit, context.node_id, findings);
-    const Field high = LimitOf(entry, entry.high_limit, context.node_id, findings);
-    const std::string text = "value " + Quoted(entry.Configured().text);
-    if (value.value->bits < low.value.value_or(0U))
+}
+
+/// What a rule finds wrong with a value is told by the rule.
+void CheckLimits(const CheckContext& context, Findings& findings)
+{
+    std::vector<Finding> left;
+    for (const Finding& finding : context.configuration.limits)
     {
-        findings.Error(place, name, text, "at least the LowLimit " + Quoted(entry.low_limit.text));
+        if (!findings.HasErrorAt(finding.place, finding.object))
+        {
+            left.push_back(finding);
+        }
     }
-    if (high.value && value.value->bits > *high.value)
-    {
-        findings.Error(place, name, text, "at most the HighLimit " + Quoted(entry.high_limit.text));
-    }
+    findings.Add(left);
 }
 
 void CheckInvertedSrad(const Device& device, const Entry& entry, Findings& findings)
@@ -154,7 +135,7 @@ void CheckEntries(const CheckContext& context, Findings& findings)
         {
             if (IsSafetyObject(index))
             {
-                CheckLimits(context, entry, findings);
+                CheckValue(context, entry, findings);
             }
             if (entry.inverted_srad)
             {
@@ -270,6 +251,7 @@ void CheckObjects(const CheckContext& context, Findings& findings)
 {
     CheckIndices(context.device, findings);
     CheckEntries(context, findings);
+    CheckLimits(context, findings);
     if (context.configuration.srdos.empty())
     {
         const Place place = context.device.device_info_place.OrBeginning();

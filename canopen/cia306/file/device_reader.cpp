@@ -2,6 +2,7 @@
 #include "canopen/cia306/file/device_reader.hpp"
 
 #include "canopen/cia306/file/entry_reader.hpp"
+#include "canopen/cia306/file/limits.hpp"
 #include "canopen/cia306/file/object_reader.hpp"
 #include "canopen/cia306/text/nearest_word.hpp"
 #include "canopen/cia306/text/number.hpp"

@@ -58,29 +58,6 @@ void WarnOfSuffix(const Entry& entry, const Text& value, const std::string_view 
     }
 }
 
-/// A number in whose order the values of the type stand; nothing for types without an order.
-std::optional<std::uint64_t> OrderOf(const std::uint64_t bits, const DataType& type)
-{
-    const std::uint64_t sign = type.bits == 0U ? 0U : std::uint64_t{1U} << (type.bits - 1U);
-    const bool is_negative = (bits & sign) != 0U;
-    switch (type.kind)
-    {
-    case DataKind::kBoolean:
-    case DataKind::kUnsigned:
-        return bits;
-    case DataKind::kSigned:
-        return bits ^ sign;
-    case DataKind::kReal: // Sign and magnitude.
-        return is_negative ? sign - (bits ^ sign) : bits + sign;
-    case DataKind::kTime:
-    case DataKind::kText:
-    case DataKind::kStructure:
-    case DataKind::kUnknown:
-        break;
-    }
-    return std::nullopt;
-}
-
 bool IsBareInvertedSrad(const std::string_view text)
 {
     return text.size() == kInvertedSradDigits &&
@@ -298,19 +275,6 @@ void WarnOfEntry(const Entry& entry, std::vector<Finding>& warnings)
         {
             WarnOfValue(entry, *value, key, warnings);
         }
-    }
-}
-
-void WarnOfLimits(const Entry& entry, const std::optional<std::uint8_t> node_id, std::vector<Finding>& warnings)
-{
-    const bool are_set = entry.low_limit.IsSet() && entry.high_limit.IsSet();
-    const ValueResult low = are_set ? ParseValue(entry.low_limit.text, entry.type, node_id) : ValueResult{};
-    const ValueResult high = are_set ? ParseValue(entry.high_limit.text, entry.type, node_id) : ValueResult{};
-    if (low.value && high.value && OrderOf(low.value->bits, entry.type) > OrderOf(high.value->bits, entry.type))
-    {
-        Warn(warnings, entry.low_limit.place, entry,
-             "LowLimit " + Quoted(entry.low_limit.text) + ", expected at most the HighLimit " +
-                 Quoted(entry.high_limit.text) + " of line " + std::to_string(entry.high_limit.place.line));
     }
 }
 } // namespace counterpoint::cia306

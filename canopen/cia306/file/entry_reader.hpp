@@ -60,9 +60,6 @@ void LeaveOutComments(Entry& entry, std::vector<Finding>& warnings);
 
 /// Warns of what files in use often have wrong: no type, no access, values that do not fit.
 void WarnOfEntry(const Entry& entry, std::vector<Finding>& warnings);
-
-/// Warns of a LowLimit above the HighLimit. [SRS_EDS_038]
-void WarnOfLimits(const Entry& entry, std::optional<std::uint8_t> node_id, std::vector<Finding>& warnings);
 } // namespace counterpoint::cia306
 
 #endif // CANOPEN_CIA306_FILE_ENTRY_READER_HPP

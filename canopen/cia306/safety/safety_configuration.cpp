@@ -3,6 +3,7 @@
 
 #include "canopen/cia306/file/data_type.hpp"
 #include "canopen/cia306/file/entry_reader.hpp"
+#include "canopen/cia306/file/limits.hpp"
 
 #include <algorithm>
 
@@ -198,6 +199,7 @@ SafetyConfiguration ExtractSafety(const Device& device, const std::optional<std:
     read(kGfcIndex, configuration.gfc);
     read(kConfigurationValidIndex, configuration.configuration_valid);
     read(kSignatureIndex, configuration.signature_count);
+    configuration.limits = LimitProblems(device, node_id);
     return configuration;
 }
 

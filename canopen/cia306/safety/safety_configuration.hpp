@@ -127,6 +127,7 @@ struct SafetyConfiguration
     Field signature_count;
     std::vector<Finding> missing;  ///< Safety objects that are listed and not described: the file was cut.
     std::vector<Finding> problems; ///< Problems of objects that belong to no SRDO.
+    std::vector<Finding> limits;   ///< Values of safety objects outside of their limits.
 
     /// Whether an SRDO maps this data element.
     [[nodiscard]] bool Maps(const Entry& entry) const noexcept;

@@ -9,6 +9,7 @@
 #include "canopen/cia306/safety/safety_configuration.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/utf16.hpp"
+#include "runtime/device/objects/cob_ids.hpp"
 #include "runtime/device/objects/service_length.hpp"
 #include "runtime/device/objects/service_objects.hpp"
 #include "runtime/device/objects/value_limits.hpp"
@@ -30,7 +31,6 @@ constexpr std::uint16_t kOctetString = 0x000AU;
 constexpr std::uint16_t kUnicodeString = 0x000BU;
 constexpr std::uint16_t kHighResolution = 0x1013U;
 constexpr std::uint16_t kConsumerTimes = 0x1016U;
-constexpr std::uint16_t kEmergencySources = 0x1028U;
 constexpr std::uint16_t kDefaultServer = 0x1200U;
 constexpr std::uint16_t kFirstApplication = 0x2000U;
 
@@ -40,7 +40,6 @@ constexpr std::uint16_t kFirstRpdoMap = 0x1600U;
 constexpr std::uint16_t kFirstTpdo = 0x1800U;
 constexpr std::uint16_t kFirstTpdoMap = 0x1A00U;
 constexpr std::uint16_t kLastTpdoMap = 0x1BFFU;
-constexpr std::uint32_t kDefaultSync = 0x80U;
 constexpr std::uint8_t kPdoEntries = 64U;
 /// 254: source address mode of a multiplexed PDO; 255: destination address mode.
 constexpr std::uint64_t kSourceMode = 254U;
@@ -151,66 +150,6 @@ bool HasValue(const cia301::Entry& entry, const std::vector<std::uint8_t>& value
     const cia301::Reading reading = cia301::ReadEntry(entry, {now.data(), entry.size_bytes});
     now.resize(reading.size_bytes);
     return reading.abort == SdoAbort::kNone && now == value;
-}
-
-std::uint32_t NumberNow(const cia301::Entry& entry)
-{
-    std::array<std::uint8_t, sizeof(std::uint64_t)> bytes{};
-    const auto room = static_cast<std::uint32_t>(bytes.size());
-    const bool has_number =
-        entry.read_hook != nullptr && cia301::ReadEntry(entry, {bytes.data(), room}).abort == SdoAbort::kNone;
-    return has_number ? static_cast<std::uint32_t>(cia301::FromLittleEndian(bytes.data(), sizeof(std::uint32_t)))
-                      : cia301::kCobOff;
-}
-
-/// Whether this object has a COB-ID, which is on with the value that it has now.
-bool HasCobId(const cia301::Entry& entry)
-{
-    constexpr std::uint16_t kCobIdSync = 0x1005U;
-    constexpr std::uint16_t kCobIdTime = 0x1012U;
-    constexpr std::uint16_t kCobIdEmergency = 0x1014U;
-    const bool is_first = entry.sub == 1U;
-    const bool is_sdo = entry.index > kDefaultServer && entry.index < kFirstRpdo && (is_first || entry.sub == 2U);
-    const bool is_pdo = entry.index >= kFirstRpdo && entry.index < kFirstTpdoMap && is_first;
-    const bool is_source = entry.index == kEmergencySources && entry.sub > 0U;
-    const bool is_time = entry.index == kCobIdTime;
-    const bool is_sync = entry.index == kCobIdSync;
-    const bool has_it = is_sdo || (is_pdo && !cia301::IsPdoMapping(entry.index)) || is_source || is_time || is_sync ||
-                        entry.index == kCobIdEmergency;
-    const std::uint32_t value = has_it ? NumberNow(entry) : cia301::kCobOff;
-    return is_sync ||
-           (is_time ? (value & (cia301::kCobOff | cia301::kCobBit30)) != 0U : (value & cia301::kCobOff) == 0U);
-}
-
-/// Why a PDO of the file with this COB-ID is off, were it not for the identifiers that the device uses elsewhere.
-std::string ReasonOfPdo(const std::uint64_t cob_id)
-{
-    struct Range
-    {
-        std::uint64_t last;
-        const char* owner;
-    };
-    // What CiA 301 keeps from configurable objects, and whose it is.
-    constexpr std::array<Range, 6U> kOwners{{{0x07FU, "of NMT and GFC"},
-                                             {0x180U, "of SRDOs"},
-                                             {0x5FFU, "of the default SDOs"},
-                                             {0x67FU, "of the default SDOs"},
-                                             {0x6FFU, "that CiA 301 reserves"},
-                                             {0x7FFU, "of error control and LSS"}}};
-    const std::uint64_t identifier = cob_id & cia301::kCobIdentifier;
-    const std::string off = "the device has turned this PDO off, ";
-    const auto owner = std::find_if(kOwners.begin(), kOwners.end(),
-                                    [identifier](const Range& range) { return identifier <= range.last; });
-    if ((cob_id & cia301::kCobExtended) != 0U || owner == kOwners.end())
-    {
-        return off + "expected an identifier of 11 bit";
-    }
-    if (!cia301::IsConfigurable(static_cast<std::uint32_t>(identifier)))
-    {
-        return off + "expected another identifier than " + cia306::Hex(identifier, 3) + ", which is one " +
-               owner->owner;
-    }
-    return off + "expected a mapping and settings that hold";
 }
 } // namespace
 
@@ -484,10 +423,12 @@ void DeviceObjects::Load(const Stored& stored) noexcept
     const SdoAbort abort = cia301::WriteEntry(entry, {stored.value.data(), size}, cia301::Attempt::kFirst);
     if (abort != SdoAbort::kNone)
     {
+        const std::uint64_t number = cia301::FromLittleEndian(stored.value.data(), std::min(size, entry.size_bytes));
+        const std::string expected = IsCobId(entry.index, entry.sub) ? ExpectedIdentifier(number) : "";
         refusals_.push_back({cia306::Severity::kWarning, stored.place, cia306::ObjectName(entry.index, entry.sub),
                              "the device refuses this value with abort code " +
-                                 cia306::Hex(static_cast<std::uint32_t>(abort), 8) +
-                                 ", expected one of the object's range"});
+                                 cia306::Hex(static_cast<std::uint32_t>(abort), 8) + ", expected " +
+                                 (expected.empty() ? "one of the object's range" : expected)});
     }
 }
 
@@ -523,23 +464,27 @@ std::vector<cia306::Finding> DeviceObjects::NotTaken(const std::function<bool(co
             findings.push_back({cia306::Severity::kWarning, stored.place, object, ReasonOf(entry, stored.value)});
         }
     }
+    AddShared(findings, is_replaced);
     return findings;
 }
 
-/// Which object has this identifier, but not the one of the PDO `pdo`. RPDOs may share theirs.
-std::string DeviceObjects::OwnerOf(const cia301::Entry& pdo, const std::uint32_t identifier) const
+/// Objects of services with one identifier, but for those of which none is the file's.
+void DeviceObjects::AddShared(std::vector<cia306::Finding>& findings,
+                              const std::function<bool(const ObjectAddress&)>& is_replaced) const
 {
-    const auto is_rpdo = [](const cia301::Entry& each)
-    { return each.index >= kFirstRpdo && each.index < kFirstRpdoMap; };
-    for (const cia301::Entry& each : entries_)
+    const bool is_connected = services_ != nullptr;
+    const OwnIdentifiers own{is_connected ? services_->emergency.CobId() : cia301::kCobOff,
+                             is_connected ? services_->node.value : std::uint8_t{0U}};
+    for (const SharedIdentifier& shared : SharedIdentifiers(table_, own))
     {
-        const bool is_other = each.index != pdo.index && !(is_rpdo(each) && is_rpdo(pdo));
-        if (is_other && HasCobId(each) && (NumberNow(each) & cia301::kCobIdentifier) == identifier)
+        const cia301::Entry& entry = entries_[shared.entry];
+        if (!is_replaced({entry.index, entry.sub}))
         {
-            return cia306::ObjectName(each.index, each.sub);
+            findings.push_back({cia306::Severity::kWarning, stored_[shared.entry].place,
+                                cia306::ObjectName(entry.index, entry.sub),
+                                shared.problem.wrong + ", expected " + shared.problem.expected});
         }
     }
-    return identifier == kDefaultSync ? "SYNC" : "the emergencies of this device";
 }
 
 /// Why a service has not this value.
@@ -554,9 +499,11 @@ std::string DeviceObjects::ReasonOf(const cia301::Entry& entry, const std::vecto
         const auto identifier = static_cast<std::uint32_t>(cob_id & cia301::kCobIdentifier);
         const bool is_taken = services_ != nullptr && cia301::IsConfigurable(identifier) &&
                               !services_->Allows({entry.index, entry.sub}, static_cast<std::uint32_t>(cob_id));
+        const std::string expected = ExpectedIdentifier(cob_id);
         return is_taken ? "the device has turned this PDO off, expected another identifier than " +
-                              cia306::Hex(identifier, 3) + ", which is that of " + OwnerOf(entry, identifier)
-                        : ReasonOfPdo(cob_id);
+                              cia306::Hex(identifier, 3) + ", which is that of " + OwnerOf(table_, entry, identifier)
+                        : "the device has turned this PDO off, expected " +
+                              (expected.empty() ? "a mapping and settings that hold" : expected);
     }
     if (entry.index == kDefaultServer)
     {

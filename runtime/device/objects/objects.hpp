@@ -57,7 +57,8 @@ class DeviceObjects
 
     /// @brief Values of the file that the services have not: they go with other values of it, such as those of a PDO
     /// that the device has turned off because its mapping does not hold; but for those objects that got their value
-    /// from elsewhere. Call it after the configuration. [SRS_NODE_017, SRS_NODE_030]
+    /// from elsewhere. Objects of services with one identifier are told, too. Call it after the configuration.
+    /// [SRS_NODE_017, SRS_NODE_030, SRS_NODE_050]
     [[nodiscard]] std::vector<cia306::Finding>
     NotTaken(const std::function<bool(const ObjectAddress&)>& is_replaced) const;
 
@@ -90,7 +91,8 @@ class DeviceObjects
     void SetLimits(cia301::Entry& entry, const cia306::Entry& source, std::uint8_t node_id);
     void Load(const Stored& stored) noexcept;
     [[nodiscard]] std::string ReasonOf(const cia301::Entry& entry, const std::vector<std::uint8_t>& value) const;
-    [[nodiscard]] std::string OwnerOf(const cia301::Entry& pdo, std::uint32_t identifier) const;
+    void AddShared(std::vector<cia306::Finding>& findings,
+                   const std::function<bool(const ObjectAddress&)>& is_replaced) const;
     void LeaveOut(const cia306::Entry& source, const cia306::Text& text, const cia306::Problem& problem);
 
     std::string file_;

@@ -63,12 +63,14 @@ class ManagerDiagram
     std::size_t left_out_{0U};
 };
 
+class ManagerStation;
+
 /// @brief Results and diagram as a part of a page; the page has DiagramStyle once.
-[[nodiscard]] std::string DiagramSection(const ManagerAssembly& assembly, const ManagerDiagram& diagram);
+[[nodiscard]] std::string DiagramSection(const ManagerStation& station);
 /// @brief The style sheet of such parts.
 [[nodiscard]] std::string DiagramStyle();
 /// @brief Results and diagram as a page of its own, which needs no other file.
-[[nodiscard]] std::string DiagramPage(const ManagerAssembly& assembly, const ManagerDiagram& diagram);
+[[nodiscard]] std::string DiagramPage(const ManagerStation& station);
 } // namespace counterpoint::runtime
 
 #endif // RUNTIME_MANAGER_REPORT_DIAGRAM_HPP

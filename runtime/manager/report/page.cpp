@@ -76,22 +76,23 @@ std::string Cell(const std::string& title, const std::string& html)
     return "<td data-of=\"" + title + "\">" + html + "</td>";
 }
 
-std::string ResultTable(const ManagerAssembly& assembly)
+std::string ResultTable(const ManagerStation& station)
 {
     std::ostringstream out;
     out << "<div "
            "class=\"wide\"><table class=\"results\"><tr "
            "class=\"titles\"><th>node</th><th>name</th><th>state</th><th>result</th><th>step</"
-           "th><th>emergency</th><th>safety</th>"
+           "th><th>heartbeat</th><th>emergency</th><th>safety</th>"
            "<th>finding</th></tr>";
-    for (const StatusRow& row : StatusRows(assembly))
+    for (const StatusRow& row : StatusRows(station, station.NowUs()))
     {
         out << "<tr>" << Cell("node", std::to_string(row.node)) << Cell("name", cia306::HtmlText(row.name))
             << "<td data-of=\"state\" class=\"" << (row.is_good ? "good" : "bad") << "\">" << row.state << "</td>"
-            << Cell("result", row.result) << Cell("step", row.step) << Cell("emergency", row.emergency)
-            << Cell("safety", row.safety) << Cell("finding", cia306::HtmlText(row.finding)) << "</tr>";
+            << Cell("result", row.result) << Cell("step", row.step) << Cell("heartbeat", row.age)
+            << Cell("emergency", row.emergency) << Cell("safety", row.safety)
+            << Cell("finding", cia306::HtmlText(row.finding)) << "</tr>";
     }
-    const std::string unlisted = UnlistedText(assembly);
+    const std::string unlisted = UnlistedText(station, station.NowUs());
     out << "</table></div>" << (unlisted.empty() ? "" : "<p>" + unlisted + "</p>");
     return out.str();
 }
@@ -233,11 +234,13 @@ class Picture
 };
 } // namespace
 
-std::string DiagramSection(const ManagerAssembly& assembly, const ManagerDiagram& diagram)
+std::string DiagramSection(const ManagerStation& station)
 {
+    const ManagerAssembly& assembly = station.Assembly();
+    const ManagerDiagram& diagram = station.Diagram();
     std::ostringstream out;
     out << "<section class=\"sequence\"><h1>Boot-up of " << NameOf(assembly) << "</h1><p>"
-        << cia306::HtmlText(ManagerLine(assembly)) << "</p>" << ResultTable(assembly)
+        << cia306::HtmlText(ManagerLine(assembly)) << "</p>" << ResultTable(station)
         << "<figure><figcaption>Time goes down, one row for each message; SDO transfers are one row, an arrow to and "
            "fro with the time to the answer.";
     if (diagram.LeftOut() > 0U)
@@ -253,11 +256,11 @@ std::string DiagramStyle()
     return std::string("<style>") + kStyle + "</style>";
 }
 
-std::string DiagramPage(const ManagerAssembly& assembly, const ManagerDiagram& diagram)
+std::string DiagramPage(const ManagerStation& station)
 {
     return "<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
            "content=\"width=device-width, initial-scale=1\"><title>Boot-up of " +
-           NameOf(assembly) + "</title>" + DiagramStyle() + "</head><body>" + DiagramSection(assembly, diagram) +
+           NameOf(station.Assembly()) + "</title>" + DiagramStyle() + "</head><body>" + DiagramSection(station) +
            "</body></html>\n";
 }
 } // namespace counterpoint::runtime

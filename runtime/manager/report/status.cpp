@@ -16,6 +16,32 @@ using cia302::NodeId;
 
 constexpr std::uint32_t kUsPerMs = 1000U;
 constexpr std::size_t kNameWidth = 20U;
+constexpr std::uint64_t kFreshUs = 1000000U; ///< So long what an unsupervised node said is its state.
+
+std::string MsText(const std::uint64_t age_us)
+{
+    return std::to_string(age_us / kUsPerMs) + " ms";
+}
+
+std::uint64_t AgeUs(const ManagerStation& station, const NodeId node, const std::uint64_t now_us)
+{
+    const std::uint64_t sign_us = station.LastSignUs(node);
+    return (now_us > sign_us) ? now_us - sign_us : 0U;
+}
+
+/// As last heard. Silence of a node that nobody supervises is told by nobody: what it said once is its state for a
+/// while only, and as long as its start-up runs, which misses its answers. [SRS_MGR_081]
+std::string StateText(const ManagerStation& station, const NodeId node, const std::uint64_t now_us)
+{
+    const ManagerAssembly& assembly = station.Assembly();
+    const cia302::NodeRecord& record = assembly.Core().Table().Record(node);
+    const std::uint64_t consumer_us =
+        std::uint64_t{kUsPerMs} * assembly.Net().Setup().Slave(node).heartbeat.consumer_ms;
+    const bool is_supervised = record.watch != cia302::Watch::kNone || assembly.Core().Status(node).is_busy;
+    const bool is_fresh = AgeUs(station, node, now_us) <= std::max(kFreshUs, consumer_us);
+    const bool is_known = is_supervised || is_fresh || record.state == cia302::SlaveState::kMissing;
+    return WordOf(is_known ? record.state : cia302::SlaveState::kUnknown);
+}
 
 std::string ResultOf(const network_plan::StartProfile profile, const cia302::NodeStatus& status)
 {
@@ -33,18 +59,19 @@ std::string EmergencyText(const cia302::EmergencyRecord& emergency)
     return (emergency.count == 0U) ? "" : cia306::Hex(emergency.code, 4) + " (" + std::to_string(emergency.count) + ")";
 }
 
-StatusRow RowOf(const ManagerAssembly& assembly, const network_plan::LoadedSlave& slave)
+StatusRow RowOf(const ManagerStation& station, const network_plan::LoadedSlave& slave, const std::uint64_t now_us)
 {
+    const ManagerAssembly& assembly = station.Assembly();
     const NodeId node{slave.plan.node};
     const cia302::Manager& manager = assembly.Core();
-    const cia302::NodeRecord& record = manager.Table().Record(node);
     const cia302::NodeStatus status = manager.Status(node);
     const network_plan::StartProfile profile = assembly.Net().Plan().manager.profile;
     const bool is_safety = assembly.Net().Setup().IsSafetySlave(node);
     StatusRow row;
     row.node = node.value;
     row.name = slave.plan.name;
-    row.state = WordOf(record.state);
+    row.state = StateText(station, node, now_us);
+    row.age = manager.Table().Record(node).was_seen ? MsText(AgeUs(station, node, now_us)) : "-";
     row.result = ResultOf(profile, status);
     row.step = WordOf(status.step);
     row.emergency = EmergencyText(manager.Watched().Of(node).emergency);
@@ -95,25 +122,25 @@ std::string Line(const std::array<std::string, 9U>& cells)
 }
 } // namespace
 
-std::vector<StatusRow> StatusRows(const ManagerAssembly& assembly)
+std::vector<StatusRow> StatusRows(const ManagerStation& station, const std::uint64_t now_us)
 {
     std::vector<StatusRow> rows;
-    for (const auto& slave : assembly.Net().Slaves())
+    for (const auto& slave : station.Assembly().Net().Slaves())
     {
-        rows.push_back(RowOf(assembly, *slave));
+        rows.push_back(RowOf(station, *slave, now_us));
     }
     std::sort(rows.begin(), rows.end(),
               [](const StatusRow& left, const StatusRow& right) { return left.node < right.node; });
     return rows;
 }
 
-std::string UnlistedText(const ManagerAssembly& assembly)
+std::string UnlistedText(const ManagerStation& station, const std::uint64_t now_us)
 {
     std::string text;
-    for (const NodeId node : UnlistedNodes(assembly))
+    for (const NodeId node : UnlistedNodes(station.Assembly()))
     {
         text += (text.empty() ? "not in the network list (A): node " : ", node ") + std::to_string(node.value) + " " +
-                WordOf(assembly.Core().Table().Record(node).state);
+                StateText(station, node, now_us);
     }
     return text;
 }
@@ -129,11 +156,6 @@ std::string ManagerLine(const ManagerAssembly& assembly)
     }
     return "manager, node " + std::to_string(assembly.Net().Setup().own.value) + ": " + WordOf(manager.OwnState()) +
            ", " + role + ", profile " + WordOf(profile) + ", " + MasterText(profile, manager.MasterState());
-}
-
-std::string MsText(const std::uint64_t age_us)
-{
-    return std::to_string(age_us / kUsPerMs) + " ms";
 }
 
 /// Who looks at a value wants to know how old it is.
@@ -161,15 +183,12 @@ std::string StatusTable(const ManagerStation& station, const std::uint64_t now_u
     const ManagerAssembly& assembly = station.Assembly();
     std::string table = ManagerLine(assembly) + "\n";
     table += Line({"node", "name", "state", "result", "step", "heartbeat", "emergency", "safety", "finding"});
-    for (const StatusRow& row : StatusRows(assembly))
+    for (const StatusRow& row : StatusRows(station, now_us))
     {
-        const NodeId node{row.node};
-        const bool was_seen = assembly.Core().Table().Record(node).was_seen;
-        const std::string heartbeat = was_seen ? MsText(now_us - station.LastSignUs(node)) : "-";
-        table += Line({std::to_string(row.node), row.name, row.state, row.result, row.step, heartbeat, row.emergency,
+        table += Line({std::to_string(row.node), row.name, row.state, row.result, row.step, row.age, row.emergency,
                        row.safety, row.finding});
     }
-    const std::string unlisted = UnlistedText(assembly);
+    const std::string unlisted = UnlistedText(station, now_us);
     return table + unlisted + (unlisted.empty() ? "" : "\n") + PdoTable(station.Pdos(), now_us);
 }
 
@@ -196,7 +215,7 @@ nlohmann::ordered_json StatusJson(const ManagerStation& station, const std::uint
 {
     const ManagerAssembly& assembly = station.Assembly();
     nlohmann::ordered_json slaves = nlohmann::ordered_json::array();
-    for (const StatusRow& row : StatusRows(assembly))
+    for (const StatusRow& row : StatusRows(station, now_us))
     {
         const NodeId node{row.node};
         const cia302::NodeStatus status = assembly.Core().Status(node);
@@ -208,7 +227,7 @@ nlohmann::ordered_json StatusJson(const ManagerStation& station, const std::uint
                           {"letter", (status.letter == 0) ? "" : std::string(1U, status.letter)},
                           {"code", status.code},
                           {"step", row.step},
-                          {"heartbeat_age_ms", AgeJson(was_seen, now_us - station.LastSignUs(node))},
+                          {"heartbeat_age_ms", AgeJson(was_seen, AgeUs(station, node, now_us))},
                           {"emergency_code", emergency.code},
                           {"emergency_count", emergency.count},
                           {"safety", row.safety},
@@ -218,10 +237,9 @@ nlohmann::ordered_json StatusJson(const ManagerStation& station, const std::uint
     nlohmann::ordered_json unlisted = nlohmann::ordered_json::array();
     for (const NodeId node : UnlistedNodes(assembly))
     {
-        const cia302::NodeRecord& record = assembly.Core().Table().Record(node);
         unlisted.push_back({{"node", node.value},
-                            {"state", WordOf(record.state)},
-                            {"heartbeat_age_ms", AgeJson(true, now_us - station.LastSignUs(node))}});
+                            {"state", StateText(station, node, now_us)},
+                            {"heartbeat_age_ms", AgeJson(true, AgeUs(station, node, now_us))}});
     }
     const cia302::Manager& manager = assembly.Core();
     return {{"format", kManagerFormat},

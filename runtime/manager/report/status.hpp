@@ -19,9 +19,10 @@ struct StatusRow
 {
     std::uint8_t node{0U};
     std::string name;
-    std::string state;
+    std::string state;  ///< "unknown" where nobody supervises it and it has been silent for a while.
     std::string result; ///< Letter or code, empty for none.
     std::string step;
+    std::string age;       ///< Of the last sign of life; "-": there was none.
     std::string emergency; ///< Last code, empty for none.
     std::string safety;    ///< State of the gate, empty for no safety slave.
     std::string finding;
@@ -29,10 +30,10 @@ struct StatusRow
 };
 
 /// @brief A row for each slave, by node-ID. [SRS_MGR_005]
-[[nodiscard]] std::vector<StatusRow> StatusRows(const ManagerAssembly& assembly);
+[[nodiscard]] std::vector<StatusRow> StatusRows(const ManagerStation& station, std::uint64_t now_us);
 /// @brief Nodes that were heard and are not in the network list: a text such as "not in the network list (A): node 55
 /// operational"; empty when there is none.
-[[nodiscard]] std::string UnlistedText(const ManagerAssembly& assembly);
+[[nodiscard]] std::string UnlistedText(const ManagerStation& station, std::uint64_t now_us);
 /// @brief Manager, slaves and process data as a table of text, with a line end.
 [[nodiscard]] std::string StatusTable(const ManagerStation& station, std::uint64_t now_us);
 /// @brief The same for programs: with `--json` the last line of the output, and the answer to `status`. [SRS_MGR_005]

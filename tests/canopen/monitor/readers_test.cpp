@@ -141,6 +141,17 @@ TEST(Readers, FormsOfCandump)
     EXPECT_EQ(FramesOf(two, "c").size(), 0U);
 }
 
+TEST(Readers, AByteOrderMarkIsNoPartOfTheFirstLine)
+{
+    Verifies(req::SRS_MON_025);
+    EXPECT_EQ(FramesOf("\xEF\xBB\xBF(1.000002) can0 101#12\r\n(1.000003) can0 102#ED\n").size(), 2U);
+    EXPECT_EQ(RefusalOf("\xEF\xBB\xBF(1.000002) can0 101#1\n"), RefusalOf("(1.000002) can0 101#1\n"));
+    EXPECT_NE(RefusalOf("(1.000002) can0 101#1\n"), "");
+    // Elsewhere it is none, and half of one neither
+    EXPECT_NE(RefusalOf("(1.000002) can0 101#12\n\xEF\xBB\xBF(1.000003) can0 102#ED\n"), "");
+    EXPECT_NE(RefusalOf("\xEF\xBB(1.000002) can0 101#12\n"), "");
+}
+
 TEST(Readers, WhatCandumpPrintsWithTimesIsRead)
 {
     Verifies(req::SRS_MON_002);

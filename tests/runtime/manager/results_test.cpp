@@ -21,7 +21,7 @@ class ManagerResultsTest : public test::ManagerRig
   protected:
     [[nodiscard]] runtime::StatusRow Row(const std::uint8_t node)
     {
-        for (const runtime::StatusRow& row : runtime::StatusRows(station->Assembly()))
+        for (const runtime::StatusRow& row : runtime::StatusRows(*station, now_us))
         {
             if (row.node == node)
             {
@@ -226,7 +226,8 @@ TEST_F(ManagerResultsTest, AStartOfAllNamesWhoIsLeftOutAndWhy)
     EXPECT_EQ(Row(6U).finding, "device type differs: 0x1000:00 is 0x192, expected 0x191");
     sent.clear();
     EXPECT_EQ(Order("start all"), "taken but for node 6: C: device type differs (0x1000:00 is 0x192, expected 0x191), "
-                                  "expected that one, and boot NODE");
+                                  "expected that one, and boot NODE; nothing is heard of, so perhaps not started: "
+                                  "node 7: reset");
     Run(5U);
     EXPECT_EQ(Commands(), (std::vector<std::string>{"1 7"}));
     // When it was started all the same, nobody is left out
@@ -240,7 +241,8 @@ TEST_F(ManagerResultsTest, AStartOfAllNamesWhoIsLeftOutAndWhy)
     sent.clear();
     EXPECT_EQ(Order("stop 6"), "taken");
     EXPECT_EQ(Order("start all"), "taken but for node 6: C: device type differs (0x1000:00 is 0x192, expected 0x191), "
-                                  "expected that one, and boot NODE");
+                                  "expected that one, and boot NODE; nothing is heard of, so perhaps not started: "
+                                  "node 7: reset");
     Run(5U);
     EXPECT_EQ(Commands(), (std::vector<std::string>{"2 6", "1 7"}));
 }
@@ -253,7 +255,7 @@ TEST_F(ManagerResultsTest, AStartOfASlaveThatIsRefusedSaysWhatWasFound)
     Run(2U);
     Hear(0x706U, {0U});
     Answer(6U, other, 20);
-    EXPECT_EQ(Order("start 7"), "taken");
+    EXPECT_EQ(Order("start 7"), "taken; nothing is heard of, so perhaps not started: node 7: reset");
     sent.clear();
     EXPECT_EQ(Order("start 6"), "taken; started all the same: node 6: C: device type differs (0x1000:00 is 0x192, "
                                 "expected 0x191)");
@@ -324,7 +326,7 @@ TEST_F(ManagerResultsTest, WhoIsNotInTheNetworkListIsNamed)
     {
         Make("manager: {node: 127, profile: " + std::string(profile) + "}\nslaves: [{node: 6, device_type: 0x191}]\n");
         Run(2U);
-        EXPECT_EQ(runtime::UnlistedText(station->Assembly()), "") << profile;
+        EXPECT_EQ(runtime::UnlistedText(*station, now_us), "") << profile;
         EXPECT_EQ(runtime::StatusTable(*station, now_us).find("network list"), std::string::npos) << profile;
         // When two others are heard, and the slave, and somebody with the node-ID of the manager
         Hear(0x706U, {0x7FU});
@@ -333,10 +335,10 @@ TEST_F(ManagerResultsTest, WhoIsNotInTheNetworkListIsNamed)
         Hear(0x77FU, {0x05U});
         Run(3U);
         const std::string named = "not in the network list (A): node 1 operational, node 55 pre-operational";
-        EXPECT_EQ(runtime::UnlistedText(station->Assembly()), named) << profile;
+        EXPECT_EQ(runtime::UnlistedText(*station, now_us), named) << profile;
         EXPECT_NE(runtime::StatusTable(*station, now_us).find("\n" + named + "\n"), std::string::npos) << profile;
         EXPECT_NE(
-            runtime::StatusJson(*station, 3000U).dump().find("\"unlisted\":[{\"node\":1,\"state\":\"operational\","),
+            runtime::StatusJson(*station, now_us).dump().find("\"unlisted\":[{\"node\":1,\"state\":\"operational\","),
             std::string::npos)
             << profile;
     }
@@ -428,7 +430,7 @@ TEST_F(ManagerResultsTest, ADeviceFaultIsNamedWhateverElseThereIsToTell)
         Hear(0xA1U, {0x30U, 0x81U, 0x91U, 0U, 0U, 0U, 0U, 0U});
         // Then table, page and JSON name the fault, and the rest behind it
         EXPECT_EQ(Row(33U).finding, fault + "; " + result) << profile;
-        const std::string page = runtime::DiagramPage(station->Assembly(), station->Diagram());
+        const std::string page = runtime::DiagramPage(*station);
         EXPECT_NE(page.find("<td data-of=\"finding\">" + fault + "; "), std::string::npos) << profile;
         EXPECT_NE(runtime::StatusTable(*station, now_us).find(fault), std::string::npos) << profile;
         EXPECT_EQ(runtime::StatusJson(*station, now_us)["slaves"][0]["finding"], fault + "; " + result) << profile;
@@ -439,6 +441,60 @@ TEST_F(ManagerResultsTest, ADeviceFaultIsNamedWhateverElseThereIsToTell)
     Hear(0xA1U, {0x00U, 0x61U, 0x81U, 0U, 0U, 0U, 0U, 0U});
     AnswerTwice(33U);
     EXPECT_EQ(Row(33U).finding, fault + "; two devices with this node-ID?");
+}
+
+// A start has no answer: who is not there is named, whatever the profile
+TEST_F(ManagerResultsTest, AStartNamesWhoIsNotHeard)
+{
+    Verifies(req::SRS_MGR_080);
+    const std::string not_heard = "; nothing is heard of, so perhaps not started: node 7: ";
+    for (const auto& [profile, reason] : std::vector<std::pair<std::string, std::string>>{
+             {"cia302", "wait for boot-up"}, {"el6751", "2: not found (0x1000:00: 0x05040000 (no answer))"}})
+    {
+        Make("manager: {node: 127, profile: " + profile +
+             "}\nslaves: [{node: 6, device_type: 0x191}, {node: 7, device_type: 0x191, mandatory: "
+             "false}]\n");
+        Run(2U);
+        Hear(0x706U, {0U});
+        Answer(6U, {0x43U, 0x00U, 0x10U, 0x00U, 0x91U, 0x01U, 0x00U, 0x00U}, 5000);
+        Hear(0x706U, {5U});
+        EXPECT_EQ(Order("start all"), "taken" + not_heard + reason) << profile;
+        EXPECT_EQ(Order("start 7").rfind("taken" + not_heard, 0U), 0U) << profile;
+        EXPECT_EQ(Order("start 6"), "taken") << profile;
+        // When it has come, then nobody is named
+        Hear(0x707U, {0U});
+        Answer(7U, {0x43U, 0x00U, 0x10U, 0x00U, 0x91U, 0x01U, 0x00U, 0x00U}, 5000);
+        Hear(0x707U, {5U});
+        EXPECT_EQ(Order("start all"), "taken") << profile;
+    }
+}
+
+// Nobody notices the silence of a slave without heartbeat and guarding
+TEST_F(ManagerResultsTest, AnUnsupervisedSlaveThatIsSilentIsUnknown)
+{
+    Verifies(req::SRS_MGR_081);
+    for (const char* const profile : {"cia302", "el6751", "plc_designer"})
+    {
+        Make("manager: {node: 127, profile: " + std::string(profile) + "}\nslaves: [{node: 6, device_type: 0x191}]\n");
+        Run(2U);
+        Hear(0x706U, {0U});
+        Answer(6U, {0x43U, 0x00U, 0x10U, 0x00U, 0x91U, 0x01U, 0x00U, 0x00U}, 5000);
+        EXPECT_EQ(Row(6U).state, "unknown") << profile;
+        EXPECT_EQ(Row(6U).age, "5000 ms") << profile;
+        EXPECT_EQ(runtime::StatusJson(*station, now_us)["slaves"][0]["state"], "unknown") << profile;
+        const std::string page = runtime::DiagramPage(*station);
+        EXPECT_NE(page.find(">unknown</td>"), std::string::npos) << profile;
+        EXPECT_NE(page.find("<td data-of=\"heartbeat\">5000 ms</td>"), std::string::npos) << profile;
+        // When it is heard, then for a second; one that is not in the network list likewise
+        Hear(0x706U, {5U});
+        Hear(0x737U, {5U});
+        Run(1000U);
+        EXPECT_EQ(Row(6U).state, "operational") << profile;
+        EXPECT_EQ(runtime::UnlistedText(*station, now_us), "not in the network list (A): node 55 operational");
+        Run(1U);
+        EXPECT_EQ(Row(6U).state, "unknown") << profile;
+        EXPECT_EQ(runtime::UnlistedText(*station, now_us), "not in the network list (A): node 55 unknown");
+    }
 }
 
 TEST_F(ManagerResultsTest, TheAgeOfAHeartbeatIsNotThatOfACounterThatCameRound)
@@ -510,7 +566,7 @@ TEST_F(ManagerResultsTest, ThePageHasEmergenciesAndFitsAPhone)
     Make("manager: {node: 127}\nslaves: [{node: 5, boot: false}]\n");
     Run(2U);
     Hear(0x85U, {0x30U, 0x81U, 0x11U, 0U, 0U, 0U, 0U, 0U});
-    const std::string page = runtime::DiagramPage(station->Assembly(), station->Diagram());
+    const std::string page = runtime::DiagramPage(*station);
     EXPECT_NE(page.find("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"), std::string::npos);
     EXPECT_NE(page.find("<th>emergency</th>"), std::string::npos);
     EXPECT_NE(page.find("<td data-of=\"emergency\">0x8130 (1)</td>"), std::string::npos);

@@ -31,6 +31,8 @@ inline constexpr RequirementId SRS_MGR_024{"SRS_MGR_024"};
 inline constexpr RequirementId SRS_MGR_025{"SRS_MGR_025"};
 inline constexpr RequirementId SRS_MGR_026{"SRS_MGR_026"};
 inline constexpr RequirementId SRS_MGR_061{"SRS_MGR_061"};
+inline constexpr RequirementId SRS_MGR_080{"SRS_MGR_080"};
+inline constexpr RequirementId SRS_MGR_081{"SRS_MGR_081"};
 inline constexpr RequirementId SRS_NET_001{"SRS_NET_001"};
 inline constexpr RequirementId SRS_NET_002{"SRS_NET_002"};
 inline constexpr RequirementId SRS_NET_003{"SRS_NET_003"};

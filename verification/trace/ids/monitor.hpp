@@ -28,6 +28,7 @@ inline constexpr RequirementId SRS_MON_018{"SRS_MON_018"};
 inline constexpr RequirementId SRS_MON_019{"SRS_MON_019"};
 inline constexpr RequirementId SRS_MON_020{"SRS_MON_020"};
 inline constexpr RequirementId SRS_MON_021{"SRS_MON_021"};
+inline constexpr RequirementId SRS_MON_025{"SRS_MON_025"};
 } // namespace counterpoint::req
 
 #endif

@@ -65,6 +65,8 @@ inline constexpr RequirementId SRS_NODE_042{"SRS_NODE_042"};
 inline constexpr RequirementId SRS_NODE_043{"SRS_NODE_043"};
 inline constexpr RequirementId SRS_NODE_044{"SRS_NODE_044"};
 inline constexpr RequirementId SRS_NODE_045{"SRS_NODE_045"};
+inline constexpr RequirementId SRS_NODE_050{"SRS_NODE_050"};
+inline constexpr RequirementId SRS_NODE_051{"SRS_NODE_051"};
 } // namespace counterpoint::req
 
 #endif

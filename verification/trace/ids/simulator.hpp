@@ -85,6 +85,8 @@ inline constexpr RequirementId SRS_SIM_072{"SRS_SIM_072"};
 inline constexpr RequirementId SRS_SIM_073{"SRS_SIM_073"};
 inline constexpr RequirementId SRS_SIM_074{"SRS_SIM_074"};
 inline constexpr RequirementId SRS_SIM_075{"SRS_SIM_075"};
+inline constexpr RequirementId SRS_SIM_080{"SRS_SIM_080"};
+inline constexpr RequirementId SRS_SIM_081{"SRS_SIM_081"};
 } // namespace counterpoint::req
 
 #endif
