@@ -13,7 +13,7 @@ constexpr std::uint8_t kBehindLast = kLastNode + 1U;
 
 Cia302Master::Cia302Master(const StartUpParts& parts, BootSlave& boot) noexcept
     : parts_(parts), boot_(boot), step_(MasterStep::kIdle), reset_(NmtCommand::kResetCommunication), cursor_(0U),
-      is_start_due_(false), has_news_(false), is_held_(false)
+      is_start_due_(false), has_news_(false), is_self_due_(false), is_held_(false)
 {
 }
 
@@ -32,6 +32,7 @@ void Cia302Master::Begin(const NmtCommand reset, const BootTime& time) noexcept
     reset_ = reset;
     const bool is_singly = (reset == NmtCommand::kResetCommunication) && HasKeptAlive();
     is_held_ = false;
+    is_self_due_ = false;
     cursor_ = is_singly ? std::uint8_t{1U} : std::uint8_t{0U};
     Go(MasterEvent::kReset, time.now);
     SendResets(time);
@@ -41,12 +42,14 @@ void Cia302Master::End(const Instant now) noexcept
 {
     is_start_due_ = false;
     is_held_ = false;
+    is_self_due_ = false;
     Go(MasterEvent::kEnd, now);
 }
 
 void Cia302Master::Stop(const Instant now) noexcept
 {
     is_start_due_ = false;
+    is_self_due_ = false;
     Go(MasterEvent::kStop, now);
 }
 
@@ -157,14 +160,19 @@ void Cia302Master::GoOn(const BootTime& time) noexcept
     else if (is_waiting && IsEach(kMandatory, true))
     {
         Go(MasterEvent::kBooted, time.now);
-        if (!parts_.setup.Has(kApplicationStartsSelf) && !is_held_)
-        {
-            static_cast<void>(CommandOwn(NmtCommand::kStart, time));
-        }
+        is_self_due_ = !parts_.setup.Has(kApplicationStartsSelf) && !is_held_;
     }
     else if (is_waiting)
     {
         Go(MasterEvent::kAgain, time.now);
+    }
+    else
+    {
+        // Nothing new.
+    }
+    if (is_self_due_)
+    {
+        static_cast<void>(CommandOwn(NmtCommand::kStart, time)); // Obey ends it.
     }
 }
 
@@ -260,6 +268,7 @@ NmtAnswer Cia302Master::CommandOwn(const NmtCommand command, const BootTime& tim
 void Cia302Master::Obey(const NmtCommand command, const Instant now) noexcept
 {
     const bool is_hold = (command == NmtCommand::kStop) || (command == NmtCommand::kPreOperational);
+    is_self_due_ = false;
     if (command == NmtCommand::kStart)
     {
         is_held_ = false;

@@ -63,6 +63,7 @@ class Cia302Master
     std::uint8_t cursor_; ///< Next node to be reset; 0: all at once.
     bool is_start_due_;   ///< The slaves are to be started together.
     bool has_news_;       ///< A boot ended since the master looked.
+    bool is_self_due_;    ///< Its own start waits for room in the queue.
     bool is_held_;        ///< A command holds it: it does not start itself.
 };
 
