@@ -64,7 +64,7 @@ class BootSlave
     /// as that of one that was OPERATIONAL already. [SRS_BOOT_013]
     void TakeOver(NodeId node, const BootTime& time) noexcept;
     /// @brief A command holds the slave: no start-up starts it before Release or Start, or before it boots anew.
-    /// [SRS_BOOT_030]
+    /// [SRS_BOOT_030, SRS_BOOT_032]
     void Hold(NodeId node) noexcept;
     /// @brief A start of the slave was ordered and sent.
     void Release(NodeId node, const BootTime& time) noexcept;
