@@ -75,7 +75,7 @@ BootFinding BootIdentity::WakeUp(const BootJob& job) noexcept
 {
     const NodeRecord& heard = parts_.table.Record(job.node);
     const bool is_first = (job.record.state == BootState::kTypeFirst);
-    const bool is_held = !is_first && (heard.asked == SlaveState::kStopped);
+    const bool is_held = (!is_first || job.record.is_held) && (heard.asked == SlaveState::kStopped);
     if (IsStopped(parts_.table, job.node) && !is_held)
     {
         static_cast<void>(parts_.nmt.Request(NmtCommand::kPreOperational, job.node, job.time.now));

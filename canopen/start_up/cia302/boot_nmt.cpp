@@ -189,13 +189,13 @@ BootFinding BootNmt::Refuse(const BootJob& job) noexcept
 }
 
 /// Started, or left as it is: with L it runs unless somebody stopped it and asks for a start, and 1F80h may leave it to
-/// others.
+/// others. One that a command holds is not started: the later order counts. [SRS_BOOT_030]
 BootFinding BootNmt::Start(const BootJob& job, const bool is_master_operational) noexcept
 {
     const bool is_alone = !parts_.setup.Has(kStartAllAtOnce) || is_master_operational;
     const bool is_booting = !job.record.is_extra && job.setup.Has(kBootSlave);
     const bool is_left = parts_.setup.Has(kApplicationStartsSlaves) || job.record.was_operational;
-    const bool is_due = is_booting && !is_left && is_alone;
+    const bool is_due = is_booting && !is_left && is_alone && !job.record.is_held;
     BootEvent event = BootEvent::kFinished;
     if (is_due || job.record.is_start_wanted)
     {

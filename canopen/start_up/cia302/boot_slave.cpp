@@ -67,10 +67,24 @@ void BootSlave::Ask(const NodeId node, const BootTime& time) noexcept
     OnCycle(node, time);
 }
 
+void BootSlave::AskAgain(const NodeId node, const BootTime& time) noexcept
+{
+    const BootJob job = JobOf(node, time);
+    const bool is_held = job.record.is_held;
+    const bool is_start_wanted = job.record.is_start_wanted;
+    Clear(job);
+    job.record.is_held = is_held;
+    job.record.is_start_wanted = is_start_wanted;
+    Go(job, BeginOf(job.setup));
+    OnCycle(node, time);
+}
+
 void BootSlave::Resume(const NodeId node, const BootTime& time) noexcept
 {
     const BootJob job = JobOf(node, time);
+    const bool is_held = job.record.is_held;
     Clear(job);
+    job.record.is_held = is_held; // Nobody has ordered this start.
     job.record.is_fresh = true;
     job.record.is_resumed = true;
     Go(job, BeginOf(job.setup));
@@ -82,6 +96,26 @@ void BootSlave::Await(const NodeId node, const BootTime& time) noexcept
     const BootJob job = JobOf(node, time);
     Clear(job);
     Go(job, BootEvent::kAwait);
+}
+
+/// What runs goes on, and ends without a start; one that it does not answer is not woken. [SRS_BOOT_030]
+void BootSlave::Hold(const NodeId node) noexcept
+{
+    BootRecord& record = Record(node);
+    record.is_held = true;
+    record.is_start_wanted = false;
+    record.is_start_owed = false;
+    record.is_unread = false;
+}
+
+void BootSlave::Release(const NodeId node, const BootTime& time) noexcept
+{
+    const BootJob job = JobOf(node, time);
+    job.record.is_held = false;
+    if (!job.record.status.is_busy && (job.record.status.step == StartUpStep::kManual))
+    {
+        EnterStep(job, StartUpStep::kDone);
+    }
 }
 
 void BootSlave::Reset(const NodeId node, const BootTime& time) noexcept
@@ -135,6 +169,7 @@ void BootSlave::Start(const NodeId node, const BootTime& time) noexcept
 {
     const BootJob job = JobOf(node, time);
     job.record.is_start_wanted = true;
+    job.record.is_held = false;
     if (!job.record.status.is_busy)
     {
         parts_.gate.Close(node); // What was verified at the boot may be long ago.
@@ -238,7 +273,8 @@ void BootSlave::EnterStep(const BootJob& job, const StartUpStep step) noexcept
     job.record.checks = 0U;
     job.record.position = ConcisePosition{};
     job.record.offset = 0U;
-    const bool is_new_look = (step != StartUpStep::kDone) && (job.record.status.letter == '\0');
+    const bool is_end = (step == StartUpStep::kDone) || (step == StartUpStep::kManual);
+    const bool is_new_look = !is_end && (job.record.status.letter == '\0');
     if (is_new_look) // What an earlier step read belongs to that step.
     {
         job.record.status.ForgetObject();
@@ -283,7 +319,7 @@ void BootSlave::Finish(const BootJob& job) noexcept
         job.record.status.object = ObjectAddress{0U, 0U}; // That was J's.
     }
     Rest(job.node, BootEvent::kFinished);
-    EnterStep(job, StartUpStep::kDone);
+    EnterStep(job, (is_boot && job.record.is_held) ? StartUpStep::kManual : StartUpStep::kDone);
     if (is_boot)
     {
         listener_.OnBooted(job.node, job.time);

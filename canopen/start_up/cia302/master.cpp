@@ -13,7 +13,7 @@ constexpr std::uint8_t kBehindLast = kLastNode + 1U;
 
 Cia302Master::Cia302Master(const StartUpParts& parts, BootSlave& boot) noexcept
     : parts_(parts), boot_(boot), step_(MasterStep::kIdle), reset_(NmtCommand::kResetCommunication), cursor_(0U),
-      is_start_due_(false), has_news_(false)
+      is_start_due_(false), has_news_(false), is_self_due_(false), is_held_(false)
 {
 }
 
@@ -31,6 +31,8 @@ void Cia302Master::Begin(const NmtCommand reset, const BootTime& time) noexcept
 {
     reset_ = reset;
     const bool is_singly = (reset == NmtCommand::kResetCommunication) && HasKeptAlive();
+    is_held_ = false;
+    is_self_due_ = false;
     cursor_ = is_singly ? std::uint8_t{1U} : std::uint8_t{0U};
     Go(MasterEvent::kReset, time.now);
     SendResets(time);
@@ -39,12 +41,15 @@ void Cia302Master::Begin(const NmtCommand reset, const BootTime& time) noexcept
 void Cia302Master::End(const Instant now) noexcept
 {
     is_start_due_ = false;
+    is_held_ = false;
+    is_self_due_ = false;
     Go(MasterEvent::kEnd, now);
 }
 
 void Cia302Master::Stop(const Instant now) noexcept
 {
     is_start_due_ = false;
+    is_self_due_ = false;
     Go(MasterEvent::kStop, now);
 }
 
@@ -93,6 +98,7 @@ void Cia302Master::BootAll(const BootTime& time) noexcept
         const NodeId node{id};
         const BootRecord& record = boot_.Record(node);
         const bool is_booting = record.IsBooting(); // An extra alone boots nobody.
+        const bool is_held = record.is_held;
         const bool is_new = parts_.setup.IsListed(node) && !is_booting && !record.is_booted;
         if (is_new && parts_.setup.Slave(node).Has(kKeepAlive))
         {
@@ -101,6 +107,14 @@ void Cia302Master::BootAll(const BootTime& time) noexcept
         else if (is_new)
         {
             boot_.Await(node, time);
+        }
+        else
+        {
+            // On its way, or no slave.
+        }
+        if (is_new && is_held)
+        {
+            boot_.Hold(node); // Ordered while the resets waited.
         }
         if (is_new && (limit_ms > 0U))
         {
@@ -146,14 +160,19 @@ void Cia302Master::GoOn(const BootTime& time) noexcept
     else if (is_waiting && IsEach(kMandatory, true))
     {
         Go(MasterEvent::kBooted, time.now);
-        if (!parts_.setup.Has(kApplicationStartsSelf))
-        {
-            static_cast<void>(CommandOwn(NmtCommand::kStart, time));
-        }
+        is_self_due_ = !parts_.setup.Has(kApplicationStartsSelf) && !is_held_;
     }
     else if (is_waiting)
     {
         Go(MasterEvent::kAgain, time.now);
+    }
+    else
+    {
+        // Nothing new.
+    }
+    if (is_self_due_)
+    {
+        static_cast<void>(CommandOwn(NmtCommand::kStart, time)); // Obey ends it.
     }
 }
 
@@ -184,11 +203,21 @@ void Cia302Master::SendStart(const BootTime& time) noexcept
     }
 }
 
-/// With one start for all if that hits booted slaves only, and none that must be verified.
+bool Cia302Master::IsAnyHeld() const noexcept
+{
+    bool is_any = false;
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        is_any = is_any || boot_.Record(NodeId{id}).is_held;
+    }
+    return is_any;
+}
+
+/// With one start for all if that hits booted slaves only, none that must be verified, and none that a command holds.
 void Cia302Master::StartSlaves(const BootTime& time) noexcept
 {
     is_start_due_ = false;
-    const bool is_together = !parts_.setup.HasSafetySlave() && IsEach(kInNetwork | kBootSlave, true);
+    const bool is_together = !parts_.setup.HasSafetySlave() && IsEach(kInNetwork | kBootSlave, true) && !IsAnyHeld();
     const bool is_sent =
         is_together && (parts_.nmt.Request(NmtCommand::kStart, kAllNodes, time.now) == NmtAnswer::kTaken);
     is_start_due_ = is_together && !is_sent;
@@ -202,7 +231,7 @@ void Cia302Master::StartSlaves(const BootTime& time) noexcept
         {
             record.status.is_started = true;
         }
-        else if (is_meant && !is_together && !record.was_operational)
+        else if (is_meant && !is_together && !record.was_operational && !record.is_held)
         {
             boot_.Start(node, time);
         }
@@ -218,18 +247,38 @@ NmtAnswer Cia302Master::CommandOwn(const NmtCommand command, const BootTime& tim
     const bool was_operational = IsOperational();
     if ((answer == NmtAnswer::kTaken) && is_start && (step_ != MasterStep::kIdle))
     {
-        Go(MasterEvent::kStart, time.now);
+        Obey(command, time.now);
         const bool is_due = parts_.setup.Has(kStartAllAtOnce) && !parts_.setup.Has(kApplicationStartsSlaves);
         if (is_due && !was_operational)
         {
             StartSlaves(time);
         }
     }
-    else if ((answer == NmtAnswer::kTaken) && was_operational)
+    else if (answer == NmtAnswer::kTaken)
     {
-        Go(MasterEvent::kLeave, time.now);
+        Obey(command, time.now);
+    }
+    else
+    {
+        // Not ordered.
     }
     return answer;
+}
+
+void Cia302Master::Obey(const NmtCommand command, const Instant now) noexcept
+{
+    const bool is_hold = (command == NmtCommand::kStop) || (command == NmtCommand::kPreOperational);
+    is_self_due_ = false;
+    if (command == NmtCommand::kStart)
+    {
+        is_held_ = false;
+        Go(MasterEvent::kStart, now);
+    }
+    else
+    {
+        is_held_ = is_held_ || (is_hold && (step_ != MasterStep::kIdle));
+        Go(IsOperational() ? MasterEvent::kLeave : MasterEvent::kNone, now);
+    }
 }
 
 bool Cia302Master::IsOperational() const noexcept

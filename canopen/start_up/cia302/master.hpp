@@ -34,8 +34,9 @@ class Cia302Master
     void OnNews() noexcept;
     /// @brief Carries out a command for this device itself.
     [[nodiscard]] NmtAnswer CommandOwn(NmtCommand command, const BootTime& time) noexcept;
-    /// @brief The application started all, or took all out of OPERATIONAL.
-    void Go(MasterEvent event, Instant now) noexcept;
+    /// @brief A command for this device that was handed over. Out of OPERATIONAL it counts also for the start-up that
+    /// runs: the master does not start itself. [SRS_BOOT_031]
+    void Obey(NmtCommand command, Instant now) noexcept;
     /// @brief Error handling stopped all nodes.
     void Stop(Instant now) noexcept;
 
@@ -48,9 +49,11 @@ class Cia302Master
     [[nodiscard]] bool IsOperational() const noexcept;
 
   private:
+    void Go(MasterEvent event, Instant now) noexcept;
     void StartSlaves(const BootTime& time) noexcept;
     void VerifyRunning(const BootTime& time) noexcept;
     [[nodiscard]] bool HasKeptAlive() const noexcept;
+    [[nodiscard]] bool IsAnyHeld() const noexcept;
     [[nodiscard]] bool IsEach(std::uint32_t bits, bool is_booted) const noexcept;
 
     StartUpParts parts_;
@@ -60,6 +63,8 @@ class Cia302Master
     std::uint8_t cursor_; ///< Next node to be reset; 0: all at once.
     bool is_start_due_;   ///< The slaves are to be started together.
     bool has_news_;       ///< A boot ended since the master looked.
+    bool is_self_due_;    ///< Its own start waits for room in the queue.
+    bool is_held_;        ///< A command holds it: it does not start itself.
 };
 
 } // namespace counterpoint::cia302

@@ -141,9 +141,14 @@ void Cia302StartUp::OnBootUp(const NodeId node, const BootTime& time) noexcept
     const BootRecord& record = boot_.Record(node);
     const bool is_stopped = (master_.Step() == MasterStep::kStopped);
     const bool is_ordered = record.status.is_busy && (!record.is_extra || record.IsAwaitingBootUp());
+    const bool is_kept = record.is_held && (master_.Step() == MasterStep::kReset); // The start-up's own reset.
     if ((master_.Step() != MasterStep::kIdle) && (!is_stopped || is_ordered))
     {
         boot_.OnBootUp(node, time);
+        if (is_kept)
+        {
+            boot_.Hold(node);
+        }
     }
     else if (is_stopped && parts_.setup.IsSafetySlave(node))
     {
@@ -292,9 +297,7 @@ void Cia302StartUp::OnBusBack(const Instant now) noexcept
         const bool is_ended = !status.is_busy && (is_waiting || has_failed);
         if (parts_.setup.IsListed(node) && (is_cut || is_ended))
         {
-            const bool is_start_wanted = record.is_start_wanted;
-            boot_.Ask(node, time);
-            boot_.Record(node).is_start_wanted = is_start_wanted;
+            boot_.AskAgain(node, time);
         }
     }
 }
@@ -335,6 +338,7 @@ NmtAnswer Cia302StartUp::CommandAll(const NmtCommand command, const BootTime& ti
             BootRecord& record = boot_.Record(NodeId{id});
             record.status.is_started = is_start && record.is_booted;
             record.is_start_owed = false;
+            Keep(command, NodeId{id}, time);
         }
         const bool is_begun = (answer == NmtAnswer::kTaken) && (master_.Step() != MasterStep::kIdle);
         if (is_begun && IsReset(command))
@@ -342,9 +346,9 @@ NmtAnswer Cia302StartUp::CommandAll(const NmtCommand command, const BootTime& ti
             End();
             master_.BootAll(time);
         }
-        else if (is_begun && (is_start || master_.IsOperational()))
+        else if (is_begun)
         {
-            master_.Go(is_start ? MasterEvent::kStart : MasterEvent::kLeave, time.now);
+            master_.Obey(command, time.now);
         }
     }
     return answer;
@@ -410,8 +414,28 @@ NmtAnswer Cia302StartUp::CommandNode(const NmtCommand command, const NodeId node
     {
         boot_.Record(node).status.is_started = (command == NmtCommand::kStart);
         boot_.Record(node).is_start_owed = false;
+        Keep(command, node, time);
     }
     return answer;
+}
+
+/// What was ordered counts for the start-up that runs, and for what may start it later. [SRS_BOOT_030]
+void Cia302StartUp::Keep(const NmtCommand command, const NodeId node, const BootTime& time) noexcept
+{
+    const bool is_hold = (command == NmtCommand::kStop) || (command == NmtCommand::kPreOperational);
+    const bool is_meant = parts_.setup.IsListed(node) && (master_.Step() != MasterStep::kIdle);
+    if (is_meant && is_hold)
+    {
+        boot_.Hold(node);
+    }
+    else if (is_meant && (command == NmtCommand::kStart))
+    {
+        boot_.Release(node, time);
+    }
+    else
+    {
+        // A reset begins the start-up anew.
+    }
 }
 
 bool Cia302StartUp::Boot(const NodeId node, const Instant now) noexcept

@@ -60,6 +60,7 @@ class Cia302StartUp final : public StartUp, private BootListener
     [[nodiscard]] bool IsAnyRefused() const noexcept;
     [[nodiscard]] NmtAnswer StartEach(const BootTime& time) noexcept;
     [[nodiscard]] NmtAnswer CommandNode(NmtCommand command, NodeId node, const BootTime& time) noexcept;
+    void Keep(NmtCommand command, NodeId node, const BootTime& time) noexcept;
 
     StartUpParts parts_;
     BootSlave boot_;

@@ -40,6 +40,16 @@ El6751StartUp::El6751StartUp(const El6751Parts& parts) noexcept
 
 void El6751StartUp::Begin(const Instant now) noexcept
 {
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        slaves_.Of(NodeId{id}).is_held_by_hand = false;
+    }
+    BeginAll(now);
+}
+
+/// What is held by hand stays so. [SRS_ELM_060]
+void El6751StartUp::BeginAll(const Instant now) noexcept
+{
     is_active_ = true;
     has_started_all_ = false;
     is_usable_ = pdos_.Begin();
@@ -51,7 +61,9 @@ void El6751StartUp::Begin(const Instant now) noexcept
         if (parts_.setup.IsListed(node))
         {
             const NodeStatus before = slaves_.Of(node).status;
+            const bool is_held = slaves_.Of(node).is_held_by_hand;
             slaves_.Of(node) = El6751Node{};
+            slaves_.Of(node).is_held_by_hand = is_held;
             slaves_.Of(node).status.code = before.code;
             sdos_.Begin(node, is_reset_due_ ? kNodeStarts : lost, now);
         }
@@ -221,7 +233,7 @@ void El6751StartUp::OnController(const ControllerState state, const Instant now)
     controller_ = state;
     if (has_changed && is_active_)
     {
-        Begin(now);
+        BeginAll(now);
     }
 }
 

@@ -66,6 +66,7 @@ class El6751StartUp final : public StartUp
 
   private:
     void TellMaster(Instant now) noexcept;
+    void BeginAll(Instant now) noexcept;
     void SendReset(Instant now) noexcept;
     void StartAll(Instant now) noexcept;
     void OnRestartOfSlave(NodeId node, Instant now) noexcept;

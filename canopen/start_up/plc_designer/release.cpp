@@ -203,7 +203,8 @@ void PlcRelease::StartAll(const Instant now) noexcept
         const std::int16_t state = slave.status.code;
         const bool is_waiting = (state == kPlcConfigured) && slave.is_wanted;
         is_ready = is_ready && (!slave.is_listed || (state > kPlcSdos));
-        is_one_by_one = is_one_by_one || (slave.is_listed && !is_waiting && (state != kPlcAbsent));
+        const bool is_gone = (state == kPlcAbsent) && !slave.is_held; // One that was stopped does not answer either.
+        is_one_by_one = is_one_by_one || (slave.is_listed && !is_waiting && !is_gone);
     }
     if (is_ready && is_one_by_one)
     {

@@ -301,8 +301,10 @@ void PlcStartUp::OnAnswer(const NodeId node, const Instant now) noexcept
     }
     else if (slave.row == PlcRow::kRestore)
     {
+        const bool is_held = slave.is_held;
         slave.was_reset = true;
         BeginReset(node, now);
+        slave.is_held = is_held; // This reset is the start-up's own. [SRS_PLC_030]
     }
     else
     {

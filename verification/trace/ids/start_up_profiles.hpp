@@ -58,6 +58,7 @@ inline constexpr RequirementId SRS_ELM_049{"SRS_ELM_049"};
 inline constexpr RequirementId SRS_ELM_050{"SRS_ELM_050"};
 inline constexpr RequirementId SRS_ELM_051{"SRS_ELM_051"};
 inline constexpr RequirementId SRS_ELM_052{"SRS_ELM_052"};
+inline constexpr RequirementId SRS_ELM_060{"SRS_ELM_060"};
 inline constexpr RequirementId SRS_PLC_001{"SRS_PLC_001"};
 inline constexpr RequirementId SRS_PLC_002{"SRS_PLC_002"};
 inline constexpr RequirementId SRS_PLC_003{"SRS_PLC_003"};
@@ -80,6 +81,7 @@ inline constexpr RequirementId SRS_PLC_019{"SRS_PLC_019"};
 inline constexpr RequirementId SRS_PLC_020{"SRS_PLC_020"};
 inline constexpr RequirementId SRS_PLC_021{"SRS_PLC_021"};
 inline constexpr RequirementId SRS_PLC_022{"SRS_PLC_022"};
+inline constexpr RequirementId SRS_PLC_030{"SRS_PLC_030"};
 } // namespace counterpoint::req
 
 #endif

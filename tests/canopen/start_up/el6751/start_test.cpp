@@ -352,6 +352,45 @@ TEST_F(El6751StartTest, WhileTheManagerIsBusOffNobodyIsSupervised)
     EXPECT_EQ(told[5], (Log{"11", "8", "0"}));
 }
 
+TEST_F(El6751StartTest, AHoldLastsBehindBootUpAndBusOff)
+{
+    Verifies(req::SRS_ELM_060);
+    // Given a start-up of some ms, and an order in each of them
+    AddBox(5U);
+    for (std::uint32_t at_ms = 0U; at_ms < 3U; ++at_ms)
+    {
+        Begin();
+        Run(at_ms);
+        ASSERT_EQ(Code(5U), 8) << at_ms;
+        EXPECT_EQ(Do([this] { return el.Command(NmtCommand::kPreOperational, NodeId{5U}, Now()); }), NmtAnswer::kTaken);
+        sent.clear();
+        Run(1000U);
+        EXPECT_EQ(Commands(), (Log{})) << at_ms;
+        EXPECT_EQ(Code(5U), 12) << at_ms;
+        // When it restarts, and the manager was off the bus, it is asked anew, and not started
+        slaves[5]->Power(Now().us);
+        Run(100U);
+        EXPECT_EQ(Code(5U), 12) << at_ms;
+        for (const ControllerState state : {ControllerState::kBusOff, ControllerState::kRunning})
+        {
+            static_cast<void>(Do(
+                [&]
+                {
+                    el.OnController(state, Now());
+                    return true;
+                }));
+            Run(100U);
+        }
+        EXPECT_EQ(Commands(), (Log{"82 00"})) << at_ms;
+        EXPECT_EQ(Code(5U), 12) << at_ms;
+        EXPECT_FALSE(Of(5U).is_started) << at_ms;
+        // But by order
+        EXPECT_EQ(Do([this] { return el.Command(NmtCommand::kStart, NodeId{5U}, Now()); }), NmtAnswer::kTaken);
+        Run(100U);
+        EXPECT_EQ(Code(5U), 0) << at_ms;
+    }
+}
+
 TEST_F(El6751StartTest, AControllerThatDoesNotStartIsNodeState13)
 {
     Verifies(req::SRS_ELM_045);

@@ -304,6 +304,44 @@ TEST_F(PlcConditionsTest, StoppedByACommandWhileItIsAskedItStaysSo)
 
 using PlcCommandTest = PlcRig;
 
+TEST_F(PlcCommandTest, AHoldLastsBehindTheResetForTheDefaults)
+{
+    Verifies(req::SRS_PLC_030);
+    // Given a slave that takes its defaults, and an order before the reset behind them, in each ms from its boot-up on
+    for (std::uint32_t at_ms = 7U; at_ms < 509U; at_ms += 50U)
+    {
+        AddPlc(5U);
+        plc_slaves[5].is_reset = true;
+        Begin();
+        Run(at_ms);
+        EXPECT_EQ(Command(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+        sent.clear();
+        Run(1500U);
+        EXPECT_EQ(Commands(), (Log{"81 05"})) << at_ms;
+        EXPECT_EQ(Code(5U), 4) << at_ms;
+        EXPECT_FALSE(Of(5U).is_started) << at_ms;
+        plc.End();
+    }
+}
+
+TEST_F(PlcCommandTest, AnOptionalSlaveThatWasStoppedIsLeftOutOfTheStartOfAll)
+{
+    Verifies(req::SRS_PLC_030);
+    setup.start_up = kIsMaster | kStartAllAtOnce;
+    AddPlc(5U);
+    AddPlc(6U);
+    plc_slaves[5].is_optional = true;
+    Begin();
+    Run(100U);
+    EXPECT_EQ(Command(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
+    sent.clear();
+    Run(3000U);
+    EXPECT_EQ(Commands(), (Log{"01 06"}));
+    EXPECT_EQ(Code(5U), 97);
+    EXPECT_EQ(slaves[5]->state, 4U);
+    EXPECT_EQ(Code(6U), 5);
+}
+
 TEST_F(PlcCommandTest, CommandsHoldASlaveInState4)
 {
     Verifies(req::SRS_PLC_015);

@@ -1,0 +1,356 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// A stop, or an enter pre-operational, in the middle of a start-up: the later order counts.
+#include "tests/canopen/start_up/boot_rig.hpp"
+#include "verification/trace/ids/nmt_master.hpp"
+
+namespace counterpoint::cia302
+{
+namespace
+{
+
+using cia301::NodeState;
+using Lines = std::vector<std::string>;
+
+class BootOrdersTest : public BootRig
+{
+  public:
+    NmtAnswer Command(const NmtCommand command, const std::uint8_t node)
+    {
+        const NmtAnswer answer = start_up.Command(command, NodeId{node}, Now());
+        Deliver();
+        return answer;
+    }
+    [[nodiscard]] NodeState StateOf(const std::uint8_t node)
+    {
+        return slaves.at(node)->State();
+    }
+    /// Commands without their times.
+    [[nodiscard]] Lines Sent() const
+    {
+        Lines lines{};
+        for (const std::string& line : Commands())
+        {
+            lines.push_back(line.substr(line.find(':') + 1U));
+        }
+        return lines;
+    }
+    /// "letter step started".
+    [[nodiscard]] std::string Status(const std::uint8_t node) const
+    {
+        const NodeStatus status = Of(node);
+        const char letter = (status.letter == '\0') ? '-' : status.letter;
+        return std::string(1U, letter) + " " + std::to_string(static_cast<int>(status.step)) + " " +
+               (status.is_started ? "started" : "not started") + (status.is_busy ? " busy" : "");
+    }
+};
+
+const std::string kHeld = "- 26 not started"; // Step "by hand".
+
+TEST_F(BootOrdersTest, AStopWhileItsStartWaitsForTheQueueHolds)
+{
+    Verifies(req::SRS_BOOT_030);
+    for (const NmtCommand command : {NmtCommand::kStop, NmtCommand::kPreOperational})
+    {
+        Add(5U, kMust);
+        Protect(5U);
+        gate.cycles = 5;
+        Begin();
+        Run(2U);
+        for (int i = 0; i < 20; ++i)
+        {
+            FillQueue();
+            Run(1U);
+        }
+        ASSERT_EQ(Status(5U), "- 16 not started busy");
+        gate.Close(NodeId{5U});
+        EXPECT_EQ(Command(command, 5U), NmtAnswer::kTaken);
+        Run(1000U);
+        const bool is_stop = (command == NmtCommand::kStop);
+        EXPECT_EQ(StateOf(5U), is_stop ? NodeState::kStopped : NodeState::kPreOperational);
+        EXPECT_EQ(Status(5U), kHeld);
+        EXPECT_EQ(Step(), MasterStep::kOperational); // It was booted.
+        // Until somebody orders its start
+        EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+        Run(100U);
+        EXPECT_EQ(StateOf(5U), NodeState::kOperational);
+        EXPECT_EQ(Status(5U), "- 17 started");
+        start_up.End();
+    }
+}
+
+TEST_F(BootOrdersTest, APreOperationalInAnyStepHolds)
+{
+    Verifies(req::SRS_BOOT_030);
+    // Given a safety slave whose start-up takes from 0 ms to 33 ms, and an order in each of them
+    for (std::uint32_t at_ms = 0U; at_ms < 30U; ++at_ms)
+    {
+        Add(5U, kMust).boot_ms = 10U;
+        Protect(5U);
+        gate.cycles = 20;
+        Begin();
+        Run(at_ms);
+        ASSERT_TRUE(Of(5U).is_busy) << at_ms;
+        EXPECT_EQ(Command(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+        Run(2000U);
+        EXPECT_EQ(Sent(), (Lines{"82 00", "80 05"})) << at_ms;
+        EXPECT_EQ(Status(5U), kHeld) << at_ms;
+        start_up.End();
+    }
+}
+
+TEST_F(BootOrdersTest, AStopWhileItIsAskedWhoItIsIsNotUndone)
+{
+    Verifies(req::SRS_BOOT_030);
+    // Given one that is told to stop before it is asked at all: its boot-up message is not heard
+    Add(5U, kMust).has_boot_up = false;
+    Begin();
+    Run(500U);
+    EXPECT_EQ(Command(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
+    Run(5000U);
+    EXPECT_EQ(Sent(), (Lines{"82 00", "02 05"}));
+    EXPECT_EQ(Status(5U), "- 3 not started busy");
+    // Then it is asked, and made PRE-OPERATIONAL for that, when its boot is ordered
+    EXPECT_TRUE(start_up.Boot(NodeId{5U}, Now()));
+    Run(10U);
+    EXPECT_EQ(Sent(), (Lines{"82 00", "02 05", "80 05", "01 05"}));
+    EXPECT_EQ(Status(5U), "- 17 started");
+}
+
+TEST_F(BootOrdersTest, AStopDuringAStartByOrderHolds)
+{
+    Verifies(req::SRS_BOOT_030);
+    Add(5U, kMust);
+    Protect(5U);
+    gate.cycles = 20;
+    Begin();
+    Run(50U);
+    ASSERT_EQ(Status(5U), "- 17 started");
+    EXPECT_EQ(Command(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    Run(10U);
+    ASSERT_TRUE(Of(5U).is_busy);
+    EXPECT_EQ(Command(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+    Run(500U);
+    EXPECT_EQ(StateOf(5U), NodeState::kPreOperational);
+    EXPECT_FALSE(Of(5U).is_started);
+}
+
+TEST_F(BootOrdersTest, OneThatIsHeldIsLeftOutOfTheStartOfAll)
+{
+    Verifies(req::SRS_BOOT_030);
+    // Given a start of all by 1F80h bit 1 that waits for slave 6, and an order to slave 5, booted before
+    setup.start_up = kIsMaster | kStartAllAtOnce;
+    Add(5U, kMust);
+    Add(6U, kMust).boot_ms = 50U;
+    Begin();
+    Run(20U);
+    EXPECT_EQ(Command(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
+    Run(500U);
+    EXPECT_EQ(Sent(), (Lines{"82 00", "02 05", "01 06"}));
+    EXPECT_EQ(Step(), MasterStep::kOperational);
+    EXPECT_EQ(StateOf(5U), NodeState::kStopped);
+    // Also where it is listed and not to be booted
+    start_up.End();
+    Add(5U, kInNetwork);
+    Add(6U, kMust).boot_ms = 50U;
+    Begin();
+    Run(20U);
+    EXPECT_EQ(Command(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
+    Run(500U);
+    EXPECT_EQ(Sent(), (Lines{"82 00", "02 05", "01 06"}));
+    EXPECT_EQ(StateOf(5U), NodeState::kStopped);
+}
+
+TEST_F(BootOrdersTest, AStopOfAllHoldsTheMasterToo)
+{
+    Verifies(req::SRS_BOOT_030);
+    Verifies(req::SRS_BOOT_031);
+    // Given a start-up that waits for a slave
+    for (const bool is_at_once : {false, true})
+    {
+        setup.start_up = is_at_once ? (kIsMaster | kStartAllAtOnce) : kIsMaster;
+        Add(5U, kMust).boot_ms = 50U;
+        Begin();
+        own.clear();
+        Run(20U);
+        EXPECT_EQ(Command(NmtCommand::kPreOperational, 0U), NmtAnswer::kTaken);
+        Run(500U);
+        // Then it ends, and neither slave nor master was started
+        EXPECT_EQ(Sent(), (Lines{"82 00", "80 00"}));
+        EXPECT_EQ(Status(5U), kHeld);
+        EXPECT_EQ(Step(), MasterStep::kReady);
+        // Until a start of all
+        EXPECT_EQ(Command(NmtCommand::kStart, 0U), NmtAnswer::kTaken);
+        EXPECT_EQ(Sent(), (Lines{"82 00", "80 00", "01 00"}));
+        EXPECT_EQ(Status(5U), "- 17 started");
+        EXPECT_EQ(Step(), MasterStep::kOperational);
+        start_up.End();
+    }
+}
+
+TEST_F(BootOrdersTest, AStopOfTheOwnNodeHoldsTheMasterAlone)
+{
+    Verifies(req::SRS_BOOT_031);
+    Add(5U, kMust).boot_ms = 50U;
+    Begin();
+    Run(20U);
+    EXPECT_EQ(Command(NmtCommand::kPreOperational, 127U), NmtAnswer::kTaken);
+    Run(500U);
+    EXPECT_EQ(Status(5U), "- 17 started");
+    EXPECT_EQ(Step(), MasterStep::kReady);
+    EXPECT_EQ(Command(NmtCommand::kStart, 127U), NmtAnswer::kTaken);
+    EXPECT_EQ(Step(), MasterStep::kOperational);
+    // And not the next start-up of all
+    EXPECT_EQ(Command(NmtCommand::kPreOperational, 127U), NmtAnswer::kTaken);
+    EXPECT_EQ(Command(NmtCommand::kResetNode, 0U), NmtAnswer::kTaken);
+    Run(500U);
+    EXPECT_EQ(Step(), MasterStep::kOperational);
+}
+
+TEST_F(BootOrdersTest, TheStartOfTheMasterWaitsForTheQueue)
+{
+    Verifies(req::SRS_BOOT_015);
+    Verifies(req::SRS_BOOT_031);
+    for (const bool is_held : {false, true})
+    {
+        // Given a queue that is full while the last mandatory slave is booted
+        Add(5U, kMust);
+        Protect(5U);
+        gate.cycles = 5;
+        setup.start_up = kIsMaster | kApplicationStartsSlaves;
+        Begin();
+        Run(2U);
+        for (int i = 0; i < 20; ++i)
+        {
+            FillQueue();
+            Run(1U);
+        }
+        FillQueue();
+        ASSERT_EQ(Status(5U), "- 17 not started");
+        ASSERT_EQ(Step(), MasterStep::kReady);
+        // When there is room, it is started then, unless an order comes before
+        nmt.OnCycle(Instant{Now().us + 1000U});
+        EXPECT_EQ(is_held ? Command(NmtCommand::kPreOperational, 127U) : NmtAnswer::kTaken, NmtAnswer::kTaken);
+        Run(1000U);
+        EXPECT_EQ(Step(), is_held ? MasterStep::kReady : MasterStep::kOperational);
+        start_up.End();
+    }
+}
+
+TEST_F(BootOrdersTest, AnOrderWhileTheResetsWaitHolds)
+{
+    Verifies(req::SRS_BOOT_032);
+    Add(5U, kMust);
+    PowerAll();
+    Run(10U);
+    FillQueue(100U);
+    is_begun = true;
+    start_up.Begin(Now());
+    Run(5U);
+    ASSERT_EQ(Step(), MasterStep::kReset);
+    EXPECT_EQ(Command(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
+    // Its stop leaves 1 ms behind the reset, before it has booted up
+    Run(2000U);
+    EXPECT_FALSE(Of(5U).is_started);
+    EXPECT_NE(StateOf(5U), NodeState::kOperational);
+}
+
+TEST_F(BootOrdersTest, TheHoldEndsWithABootThatBeginsAnew)
+{
+    Verifies(req::SRS_BOOT_032);
+    Add(5U, kMust);
+    Protect(5U);
+    gate.cycles = 20;
+    const auto hold = [this]
+    {
+        EXPECT_TRUE(start_up.Boot(NodeId{5U}, Now()));
+        Run(10U);
+        EXPECT_EQ(Command(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+        Run(100U);
+        EXPECT_EQ(Status(5U), kHeld);
+    };
+    Begin();
+    Run(100U);
+    hold();
+    EXPECT_TRUE(start_up.Boot(NodeId{5U}, Now()));
+    Run(100U);
+    EXPECT_EQ(Status(5U), "- 17 started");
+    hold();
+    EXPECT_EQ(Command(NmtCommand::kResetNode, 5U), NmtAnswer::kTaken);
+    Run(100U);
+    EXPECT_EQ(Status(5U), "- 17 started");
+    hold();
+    slaves[5]->Power(Now()); // It restarts by itself.
+    Run(100U);
+    EXPECT_EQ(Status(5U), "- 17 started");
+}
+
+TEST_F(BootOrdersTest, TheBusThatIsBackAndAWritingLeaveItHeld)
+{
+    Verifies(req::SRS_BOOT_032);
+    Add(5U, kMust);
+    Protect(5U);
+    gate.cycles = 20;
+    Begin();
+    Run(10U);
+    EXPECT_EQ(Command(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+    start_up.OnBusBack(Now());
+    Deliver();
+    EXPECT_EQ(Status(5U), "- 15 not started busy");
+    EXPECT_EQ(gate.verifications, 2); // It begins anew, and goes on.
+    Run(100U);
+    EXPECT_EQ(Status(5U), kHeld);
+    EXPECT_TRUE(start_up.Resume(NodeId{5U}, Now()));
+    Run(100U);
+    EXPECT_EQ(Status(5U), kHeld);
+    // A STOPPED one is not made PRE-OPERATIONAL for it either
+    EXPECT_EQ(Command(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
+    EXPECT_TRUE(start_up.Resume(NodeId{5U}, Now()));
+    start_up.OnBusBack(Now());
+    Run(2000U);
+    EXPECT_EQ(StateOf(5U), NodeState::kStopped);
+    EXPECT_EQ(Sent(), (Lines{"82 00", "80 05", "02 05"}));
+}
+
+TEST_F(BootOrdersTest, AnOrderThatIsNotTakenHoldsNobody)
+{
+    Verifies(req::SRS_BOOT_030);
+    Add(5U, kMust);
+    Protect(5U);
+    gate.cycles = 5;
+    Begin();
+    Run(2U);
+    FillQueue();
+    EXPECT_EQ(Command(NmtCommand::kStop, 5U), NmtAnswer::kQueueFull);
+    Run(500U);
+    EXPECT_EQ(Status(5U), "- 17 started");
+    EXPECT_EQ(StateOf(5U), NodeState::kOperational);
+}
+
+TEST_F(BootOrdersTest, AStartThatIsOwedAndACommandToStop)
+{
+    Verifies(req::SRS_BOOT_030);
+    // Given a safety slave whose start was dropped, and which is verified anew for it
+    Add(5U, kMust);
+    Protect(5U);
+    gate.cycles = 5;
+    Begin();
+    Run(2U);
+    FillQueue(100U);
+    Run(20U);
+    ASSERT_TRUE(Of(5U).is_started);
+    gate.cycles = 50;
+    for (int i = 0; (i < 200) && !Of(5U).is_busy; ++i)
+    {
+        Run(1U);
+    }
+    ASSERT_EQ(nmt.Dropped(), 1U);
+    ASSERT_TRUE(Of(5U).is_busy);
+    EXPECT_EQ(Command(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+    Run(500U);
+    EXPECT_EQ(StateOf(5U), NodeState::kPreOperational);
+    EXPECT_FALSE(Of(5U).is_started);
+}
+
+} // namespace
+} // namespace counterpoint::cia302
