@@ -39,6 +39,7 @@ void OnTheBusAsHandedOver(const PortUnderTest& port, Check& check) noexcept;
 void WaitingFramesKeepOrder(const PortUnderTest& port, Check& check) noexcept;
 void OwnAndForeignInOrder(const PortUnderTest& port, Check& check) noexcept;
 void LateInterruptKeepsOwnFrames(const PortUnderTest& port, Check& check) noexcept;
+void NothingOldAfterBusOff(const PortUnderTest& port, Check& check) noexcept;
 void AbsentControllerIsRefused(const PortUnderTest& port, Check& check) noexcept;
 void CallsComeBack(const PortUnderTest& port, Check& check) noexcept;
 

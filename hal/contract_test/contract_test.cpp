@@ -42,6 +42,7 @@ constexpr CheckRow kRows[]{
     {"transmission", "waiting frames leave in order", WaitingFramesKeepOrder},
     {"transmission", "own and foreign frames in order", OwnAndForeignInOrder},
     {"transmission", "late interrupt: own frames in order, or a loss", LateInterruptKeepsOwnFrames},
+    {"transmission", "nothing old leaves after bus-off", NothingOldAfterBusOff},
     {"transmission", "absent controller is refused", AbsentControllerIsRefused},
     {"transmission", "calls come back", CallsComeBack},
     {"watchdog", "question changes", QuestionChanges},

@@ -104,6 +104,8 @@ struct PortBench
     std::uint32_t (*work)(void* bench);
     /// @brief Takes out the oldest frame that the other node received, as it was on the bus. False: there is none.
     bool (*peer_take)(void* bench, CanFrame& frame);
+    /// @brief Held: the port's controllers are in bus-off (the bus is shorted). Released: the bus is good again.
+    void (*bus_off)(void* bench, Hold hold);
 };
 
 /// How the port is set up, and how exact it claims to be.

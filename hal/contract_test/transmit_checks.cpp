@@ -10,6 +10,7 @@ namespace
 constexpr std::uint32_t kAccepted = static_cast<std::uint32_t>(TransmitStatus::kAccepted);
 constexpr std::uint32_t kWordBits = 32U;
 constexpr std::uint32_t kMostSeen = 512U;
+constexpr std::uint32_t kMostCyclesOff = 1000U;
 constexpr const char* kNoCan = "the port has no CAN ports";
 constexpr const char* kNoHold = "the bench cannot hold the bus";
 constexpr const char* kStatus = "status of Transmit (0x69 accepted)";
@@ -71,6 +72,40 @@ struct NumberSet
         event = port.bench.next(port.bench.bench);
     }
     return count;
+}
+
+/// How often the frame of this number was confirmed; that no other one was, nor received by the other node.
+[[nodiscard]] std::uint32_t CountOf(const PortUnderTest& port, const std::uint32_t number, Check& check) noexcept
+{
+    std::uint32_t count = 0U;
+    PortEvent event = port.bench.next(port.bench.bench);
+    for (std::uint32_t taken = 0U; (taken < kMostSeen) && (event.kind != EventKind::kNothing); ++taken)
+    {
+        const bool is_it = NumberOf(event.frame.frame) == number;
+        const bool is_confirmed = event.kind == EventKind::kConfirmed;
+        check.Equal("confirmations of frames of before", 0U, (is_confirmed && !is_it) ? 1U : 0U);
+        count += (is_confirmed && is_it) ? 1U : 0U;
+        event = port.bench.next(port.bench.bench);
+    }
+    CanFrame seen{};
+    for (std::uint32_t taken = 0U;
+         (taken < kMostSeen) && (port.bench.peer_take != nullptr) && port.bench.peer_take(port.bench.bench, seen);
+         ++taken)
+    {
+        check.Equal("number of a frame that the other node received", number, NumberOf(seen));
+    }
+    return count;
+}
+
+/// @brief What the other node has received so far is of no interest.
+void ForgetSeen(const PortUnderTest& port) noexcept
+{
+    CanFrame seen{};
+    for (std::uint32_t taken = 0U;
+         (taken < kMostSeen) && (port.bench.peer_take != nullptr) && port.bench.peer_take(port.bench.bench, seen);
+         ++taken)
+    {
+    }
 }
 
 } // namespace
@@ -182,10 +217,8 @@ void OnTheBusAsHandedOver(const PortUnderTest& port, Check& check) noexcept
         return;
     }
     Settle(port);
+    ForgetSeen(port);
     CanFrame seen{};
-    for (std::uint32_t taken = 0U; (taken < kMostSeen) && port.bench.peer_take(port.bench.bench, seen); ++taken)
-    {
-    }
     for (std::uint8_t length = 0U; length <= kMaxPayloadBytes; ++length)
     {
         const FrameName& name = port.numbers.sent[length % 2U];
@@ -301,6 +334,41 @@ void LateInterruptKeepsOwnFrames(const PortUnderTest& port, Check& check) noexce
     }
     check.Equal("own, foreign, own frame in order, or a loss among them", 1U, (is_told || in_order) ? 1U : 0U);
     static_cast<void>(Drain(port));
+}
+
+void NothingOldAfterBusOff(const PortUnderTest& port, Check& check) noexcept
+{
+    const bool can_hold = (port.bench.hold_bus != nullptr) && (port.bench.bus_off != nullptr);
+    if ((port.parts.can == nullptr) || !can_hold)
+    {
+        check.NotShown("the bench cannot bring about a bus-off");
+        return;
+    }
+    Settle(port);
+    ForgetSeen(port);
+    HoldBus(port, Hold::kHeld);
+    check.EqualCode(kStatus, kAccepted, Transmit(port, NumberedFrame(port.numbers.sent[0], 1U)));
+    check.EqualCode(kStatus, kAccepted, Transmit(port, NumberedFrame(port.numbers.sent[1], 2U)));
+    port.bench.bus_off(port.bench.bench, Hold::kHeld);
+    PassCycles(port, 1U);
+    check.EqualCode("status of Transmit in bus-off (2 bus-off)", static_cast<std::uint32_t>(TransmitStatus::kBusOff),
+                    Transmit(port, NumberedFrame(port.numbers.sent[0], 3U)));
+    port.bench.bus_off(port.bench.bench, Hold::kReleased);
+    HoldBus(port, Hold::kReleased);
+    std::uint32_t status = static_cast<std::uint32_t>(TransmitStatus::kBusOff);
+    for (std::uint32_t cycle = 0U; (cycle < kMostCyclesOff) && (status != kAccepted); ++cycle)
+    {
+        PassCycles(port, 1U);
+        status = Transmit(port, NumberedFrame(port.numbers.sent[0], 4U));
+    }
+    PassCycles(port, CyclesForFrames(port, 6U));
+    const std::uint32_t confirmed = CountOf(port, 4U, check);
+    if (status != kAccepted)
+    {
+        check.NotShown("the port does not come back on the bus by itself");
+        return;
+    }
+    check.Equal("confirmations of the frame behind it", 1U, confirmed);
 }
 
 void AbsentControllerIsRefused(const PortUnderTest& port, Check& check) noexcept

@@ -26,9 +26,9 @@ TEST(ContractTest, HostKeepsTheContract)
     const ContractCount count = RunContractTest(bench.Table());
     EXPECT_EQ(LinesWith(bench.Text(), ": broken: "), std::vector<std::string>{});
     EXPECT_EQ(LinesWith(bench.Text(), ": not shown: "), std::vector<std::string>{});
-    EXPECT_EQ(count.held, 42U);
+    EXPECT_EQ(count.held, 43U);
     EXPECT_EQ(count.broken, 0U);
-    EXPECT_EQ(LinesWith(bench.Text(), " held, "), std::vector<std::string>{"42 held, 0 broken, 0 not shown"});
+    EXPECT_EQ(LinesWith(bench.Text(), " held, "), std::vector<std::string>{"43 held, 0 broken, 0 not shown"});
 }
 
 TEST(ContractTest, BothControllersKeepTheContract)
@@ -55,7 +55,7 @@ TEST(ContractTest, MissingCallsOfTheTableAreNotShown)
     port.bench.is_alive = nullptr;
     const ContractCount count = RunContractTest(port);
     EXPECT_EQ(count.broken, 0U);
-    EXPECT_EQ(count.not_shown, 13U);
+    EXPECT_EQ(count.not_shown, 14U);
     EXPECT_EQ(
         LinesWith(bench.Text(), "stamps of both counters"),
         std::vector<std::string>{"reception: stamps of both counters at the end of the frame: not shown: the counters "
@@ -90,6 +90,7 @@ class PlantedDefect : public ::testing::TestWithParam<DefectRow>
 TEST_P(PlantedDefect, IsNamed)
 {
     Verifies(req::SRS_HAL_032);
+    Verifies(req::SRS_HAL_037);
     HostBench bench{GetParam().defect};
     const ContractCount count = RunContractTest(bench.Table());
     EXPECT_EQ(NamesOfBroken(bench.Text()), GetParam().broken) << bench.Text();
@@ -118,22 +119,31 @@ const DefectRow kDefects[] = {
      Defect::kConfirmedTwice,
      {"transmission: confirmed once, as sent", "transmission: not confirmed before it was on the bus",
       "transmission: normal data leave before inverse data", "transmission: refuses when full",
-      "transmission: own and foreign frames in order"}},
+      "transmission: waiting frames leave in order", "transmission: own and foreign frames in order",
+      "transmission: late interrupt: own frames in order, or a loss",
+      "transmission: nothing old leaves after bus-off"}},
     {"ConfirmedOther", Defect::kConfirmedOther, {"transmission: confirmed once, as sent"}},
     {"ConfirmedAtOnce",
      Defect::kConfirmedAtOnce,
-     {"transmission: not confirmed before it was on the bus", "transmission: own and foreign frames in order"}},
+     {"transmission: not confirmed before it was on the bus", "transmission: own and foreign frames in order",
+      "transmission: late interrupt: own frames in order, or a loss",
+      "transmission: nothing old leaves after bus-off"}},
     {"OwnFrameReceived",
      Defect::kOwnFrameReceived,
      {"transmission: confirmed once, as sent", "transmission: normal data leave before inverse data",
-      "transmission: own and foreign frames in order"}},
+      "transmission: own and foreign frames in order", "transmission: late interrupt: own frames in order, or a loss"}},
     {"InverseOvertakes",
      Defect::kInverseOvertakes,
      {"transmission: normal data leave before inverse data", "transmission: waiting frames leave in order"}},
-    {"OtherOnTheBus", Defect::kOtherOnTheBus, {"transmission: on the bus as handed over"}},
+    {"OtherOnTheBus",
+     Defect::kOtherOnTheBus,
+     {"transmission: on the bus as handed over", "transmission: nothing old leaves after bus-off"}},
     {"LaterOvertakes", Defect::kLaterOvertakes, {"transmission: waiting frames leave in order"}},
     {"OwnAfterForeign", Defect::kOwnAfterForeign, {"transmission: late interrupt: own frames in order, or a loss"}},
-    {"RefusalSwallowed", Defect::kRefusalSwallowed, {"transmission: refuses when full"}},
+    {"OldAfterBusOff", Defect::kOldAfterBusOff, {"transmission: nothing old leaves after bus-off"}},
+    {"RefusalSwallowed",
+     Defect::kRefusalSwallowed,
+     {"transmission: refuses when full", "transmission: nothing old leaves after bus-off"}},
     {"OneGuaranteeAbsent", Defect::kOneGuaranteeAbsent, {"can: all three guarantees"}},
     {"AbsentControllerTaken", Defect::kAbsentControllerTaken, {"transmission: absent controller is refused"}},
     {"TransmitWaits",

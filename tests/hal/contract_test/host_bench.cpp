@@ -9,7 +9,7 @@ namespace counterpoint::hal::contract
 namespace
 {
 
-constexpr std::uint32_t kForeign = 0x133U;
+constexpr std::uint32_t kForeign = 0x123U; // One bit from both that are received.
 constexpr WatchdogWindow kWindow{500U, 1600U};
 
 [[nodiscard]] HostBench& Of(void* const bench)
@@ -34,10 +34,6 @@ HostBench::HostBench(const Defect defect, const std::uint8_t controllers)
     {
         bus_.AcceptRange(first, kForeign, kForeign);
     }
-    if (Has(Defect::kFirstBitsAsData))
-    {
-        bus_.AcceptRange(first, 0x121U << 18U, 0x121U << 18U);
-    }
     if (controllers > 1U)
     {
         const host::NodeIndex second = can_.ConnectPort(CanPortId::kSecond, bus_, 8U);
@@ -61,8 +57,7 @@ PortUnderTest HostBench::Table()
         host.bus_.Advance(host.bus_.Now() + (us * host::kMicrosecond));
     };
     bench.restart = [](void* self) { Of(self).Restart(); };
-    bench.peer_send = [](void* self, const CanFrame& frame)
-    { return Of(self).bus_.Submit(Of(self).peer_node_, frame) == TransmitStatus::kAccepted; };
+    bench.peer_send = [](void* self, const CanFrame& frame) { return Of(self).PeerSend(frame); };
     bench.pins = [](void* self) { return Of(self).Pins(); };
     bench.hold_bus = [](void* self, const Hold hold) { Of(self).HoldBus(hold); };
     // Frames wait for `next` in any case; what a defect spoils while interrupts wait is noted.
@@ -74,6 +69,7 @@ PortUnderTest HostBench::Table()
     bench.is_alive = [](void* self)
     { return Of(self).Has(Defect::kMissingAnswerTaken) || Of(self).watchdog_.IsAlive(); };
     bench.peer_take = [](void* self, CanFrame& frame) { return Of(self).PeerTake(frame); };
+    bench.bus_off = [](void* self, const Hold hold) { Of(self).BusOff(hold); };
     bench.work = [](void* self) { return static_cast<std::uint32_t>(Of(self).bus_.Now() / host::kMicrosecond); };
     const CanPortId inverse = PortOfInverse(controllers_);
     port.numbers = PortNumbers{{{0x121U, CanPortId::kFirst}, {0x122U, inverse}},
@@ -195,6 +191,7 @@ TransmitStatus HostBench::DoTransmit(const CanFrame& frame) noexcept
         std::swap(on_bus.data[0], on_bus.data[4]); // Words swapped, and turned back in what is confirmed.
     }
     const TransmitStatus status = can_.Transmit(on_bus);
+    last_taken_ = (status == TransmitStatus::kAccepted) ? on_bus : last_taken_;
     if (Has(Defect::kConfirmedAtOnce) && (status == TransmitStatus::kAccepted))
     {
         events_.push_back(PortEvent{EventKind::kConfirmed, StampedFrame{frame, clocks_.Now()}});
@@ -228,11 +225,6 @@ void HostBench::Take(PortEvent event)
     if (Has(Defect::kOtherOnTheBus) && is_confirmation)
     {
         std::swap(frame.data[0], frame.data[4]);
-    }
-    if (Has(Defect::kFirstBitsAsData) && (frame.kind == FrameKind::kExtended))
-    {
-        frame.identifier >>= 18U;
-        frame.kind = FrameKind::kData;
     }
     if (Has(Defect::kConfirmedOther) && is_confirmation)
     {
@@ -278,6 +270,38 @@ void HostBench::Reorder()
     if (Has(Defect::kFramesReordered) && both_received && (frame.identifier < before.frame.frame.identifier))
     {
         std::swap(last, before);
+    }
+}
+
+bool HostBench::PeerSend(const CanFrame& frame)
+{
+    CanFrame sent = frame;
+    if (Has(Defect::kFirstBitsAsData) && (frame.kind == FrameKind::kExtended))
+    {
+        // As a controller takes it whose filter and driver do not look at the length of the identifier.
+        sent.identifier = frame.identifier >> 18U;
+        sent.kind = FrameKind::kData;
+    }
+    return bus_.Submit(peer_node_, sent) == TransmitStatus::kAccepted;
+}
+
+void HostBench::BusOff(const Hold hold)
+{
+    for (std::uint8_t number = 1U; number <= controllers_; ++number)
+    {
+        const host::NodeIndex node = can_.NodeOf((number == 2U) ? CanPortId::kSecond : CanPortId::kFirst);
+        if (hold == Hold::kHeld)
+        {
+            bus_.ForceBusOff(node);
+        }
+        else
+        {
+            bus_.Recover(node);
+        }
+    }
+    if (Has(Defect::kOldAfterBusOff) && (hold == Hold::kReleased))
+    {
+        static_cast<void>(can_.Transmit(last_taken_));
     }
 }
 

@@ -41,6 +41,7 @@ enum class Defect
     kOtherOnTheBus,
     kLaterOvertakes,
     kOwnAfterForeign,
+    kOldAfterBusOff,
     kRefusalSwallowed,
     kOneGuaranteeAbsent,
     kAbsentControllerTaken,
@@ -184,7 +185,9 @@ class HostBench final : public CanPorts,
     void Take(PortEvent event);
     void Reorder();
     [[nodiscard]] PortEvent Next();
+    [[nodiscard]] bool PeerSend(const CanFrame& frame);
     [[nodiscard]] bool PeerTake(CanFrame& frame);
+    void BusOff(Hold hold);
     void Restart();
     void HoldBus(Hold hold);
     void HoldCounter(Counter counter, Hold hold);
@@ -210,6 +213,7 @@ class HostBench final : public CanPorts,
     Events sink_{*this};
     std::deque<PortEvent> events_{};
     std::uint32_t readings_{0U};
+    CanFrame last_taken_{};
     bool was_late_{false}; ///< Interrupts were held since the last restart.
     bool pin_held_{false};
     bool was_cut_off_{false};
