@@ -161,9 +161,21 @@ void NotConfirmedBeforeTheBus(const PortUnderTest& port, Check& check) noexcept
     check.EqualCode(kStatus, kAccepted, Transmit(port, NumberedFrame(port.numbers.sent[0], 1U)));
     PassCycles(port, CyclesForFrames(port, 3U));
     check.Equal("confirmations while nothing leaves", 0U, Drain(port).confirmed);
+    const bool has_clocks = port.parts.clocks != nullptr;
+    const InstantPair released = has_clocks ? port.parts.clocks->Now() : InstantPair{{0U}, {0U}};
     HoldBus(port, Hold::kReleased);
-    PassCycles(port, CyclesForFrames(port, 3U));
-    check.Equal("confirmations once it has left", 1U, Drain(port).confirmed);
+    const std::uint32_t cycles = CyclesForFrames(port, 3U);
+    PassCycles(port, cycles);
+    const Drained drained = Drain(port);
+    check.Equal("confirmations once it has left", 1U, drained.confirmed);
+    if (has_clocks && check.IsHeld())
+    {
+        // The end of the frame on the bus, not the moment at which it was handed over.
+        const InstantPair stamp = drained.first.frame.stamp;
+        const Span expected{0U, (cycles * port.numbers.cycle_us) + port.numbers.tolerance_us};
+        check.Within("us of counter A from the release of the bus to the stamp", expected, stamp.a.us - released.a.us);
+        check.Within("us of counter B from the release of the bus to the stamp", expected, stamp.b.us - released.b.us);
+    }
 }
 
 void NormalLeavesBeforeInverse(const PortUnderTest& port, Check& check) noexcept

@@ -191,6 +191,7 @@ TransmitStatus HostBench::DoTransmit(const CanFrame& frame) noexcept
         std::swap(on_bus.data[0], on_bus.data[4]); // Words swapped, and turned back in what is confirmed.
     }
     const TransmitStatus status = can_.Transmit(on_bus);
+    handed_over_ = clocks_.Now();
     last_taken_ = (status == TransmitStatus::kAccepted) ? on_bus : last_taken_;
     if (Has(Defect::kConfirmedAtOnce) && (status == TransmitStatus::kAccepted))
     {
@@ -225,6 +226,10 @@ void HostBench::Take(PortEvent event)
     if (Has(Defect::kOtherOnTheBus) && is_confirmation)
     {
         std::swap(frame.data[0], frame.data[4]);
+    }
+    if (Has(Defect::kStampedAtRequest) && is_confirmation)
+    {
+        event.frame.stamp = handed_over_;
     }
     if (Has(Defect::kConfirmedOther) && is_confirmation)
     {

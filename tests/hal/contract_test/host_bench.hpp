@@ -42,6 +42,7 @@ enum class Defect
     kLaterOvertakes,
     kOwnAfterForeign,
     kOldAfterBusOff,
+    kStampedAtRequest,
     kRefusalSwallowed,
     kOneGuaranteeAbsent,
     kAbsentControllerTaken,
@@ -214,6 +215,7 @@ class HostBench final : public CanPorts,
     std::deque<PortEvent> events_{};
     std::uint32_t readings_{0U};
     CanFrame last_taken_{};
+    InstantPair handed_over_{};
     bool was_late_{false}; ///< Interrupts were held since the last restart.
     bool pin_held_{false};
     bool was_cut_off_{false};
