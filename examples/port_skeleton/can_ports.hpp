@@ -39,7 +39,8 @@ class CanPorts final : public counterpoint::hal::CanPorts
     /// each frame by Clocks::Now and puts it into a queue; this takes it out. A frame that found no room, or whose
     /// order or stamp is not known, becomes a kLoss before the next frame. A confirmation is read back from the
     /// controller, and only a frame that equals what was handed over is confirmed. Foreign identifiers stay in the
-    /// filters.
+    /// filters, and so do remote frames and those of 29 bits whose first 11 are yours. A loss in the controller
+    /// (overrun) is told like one in your queue.
     [[nodiscard]] CanEvent Next() noexcept;
 
     /// @brief Change it to kThere with the body, and not before.

@@ -74,7 +74,7 @@ contract::PortUnderTest Describe(port_skeleton::Board& board)
     port.numbers.received[1] = contract::FrameName{0x102U, CanPortId::kFirst};
     port.numbers.sent[0] = contract::FrameName{0x103U, CanPortId::kFirst};
     port.numbers.sent[1] = contract::FrameName{0x104U, CanPortId::kFirst};
-    port.numbers.foreign = 0x133U;
+    port.numbers.foreign = 0x111U; // One bit from the first that is received.
     port.numbers.controllers = 1U;
     port.numbers.receive_room = 8U;
     port.numbers.transmit_room = 8U;

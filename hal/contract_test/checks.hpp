@@ -27,6 +27,7 @@ void StampsAreAsFarApartAsFrames(const PortUnderTest& port, Check& check) noexce
 void ForeignFramesStayAway(const PortUnderTest& port, Check& check) noexcept;
 void OtherKindsAreNoData(const PortUnderTest& port, Check& check) noexcept;
 void LossIsTold(const PortUnderTest& port, Check& check) noexcept;
+void LossInControllerIsTold(const PortUnderTest& port, Check& check) noexcept;
 
 // Transmission.
 void ConfirmedOnceAsSent(const PortUnderTest& port, Check& check) noexcept;
@@ -34,7 +35,11 @@ void ConfirmationHasBothStamps(const PortUnderTest& port, Check& check) noexcept
 void NotConfirmedBeforeTheBus(const PortUnderTest& port, Check& check) noexcept;
 void NormalLeavesBeforeInverse(const PortUnderTest& port, Check& check) noexcept;
 void FullIsRefused(const PortUnderTest& port, Check& check) noexcept;
+void OnTheBusAsHandedOver(const PortUnderTest& port, Check& check) noexcept;
+void WaitingFramesKeepOrder(const PortUnderTest& port, Check& check) noexcept;
 void OwnAndForeignInOrder(const PortUnderTest& port, Check& check) noexcept;
+void LateInterruptKeepsOwnFrames(const PortUnderTest& port, Check& check) noexcept;
+void NothingOldAfterBusOff(const PortUnderTest& port, Check& check) noexcept;
 void AbsentControllerIsRefused(const PortUnderTest& port, Check& check) noexcept;
 void CallsComeBack(const PortUnderTest& port, Check& check) noexcept;
 

@@ -20,7 +20,7 @@ struct ContractCount
 /// @brief Examines a port part by part, and writes one line for each check: `part: check: held`, `broken: what:
 /// expected ..., got ...` or `not shown: why`; the last line is the count. Needs no heap and no library; ends after a
 /// bounded number of calls. A line that stops after the check's name tells which call did not come back. The last
-/// check cuts the outputs off. [SRS_HAL_030, SRS_HAL_031]
+/// check cuts the outputs off. [SRS_HAL_030, SRS_HAL_031, SRS_HAL_037]
 [[nodiscard]] ContractCount RunContractTest(const PortUnderTest& port) noexcept;
 
 } // namespace counterpoint::hal::contract

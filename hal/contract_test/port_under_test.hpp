@@ -102,6 +102,10 @@ struct PortBench
     bool (*is_alive)(void* bench);
     /// @brief A count that goes on while a call of the port runs: cycles of the processor, accesses to registers.
     std::uint32_t (*work)(void* bench);
+    /// @brief Takes out the oldest frame that the other node received, as it was on the bus. False: there is none.
+    bool (*peer_take)(void* bench, CanFrame& frame);
+    /// @brief Held: the port's controllers are in bus-off (the bus is shorted). Released: the bus is good again.
+    void (*bus_off)(void* bench, Hold hold);
 };
 
 /// How the port is set up, and how exact it claims to be.
@@ -109,7 +113,7 @@ struct PortNumbers
 {
     FrameName received[2]; ///< Two that reach the kernel, the lower identifier first. // MISRA D-001
     FrameName sent[2];     ///< Normal and inverse data of a producer. // MISRA D-001
-    std::uint32_t foreign; ///< An identifier that does not reach the kernel.
+    std::uint32_t foreign; ///< Does not reach the kernel; one bit from a received one shows a mask that is too wide.
     std::uint8_t controllers;
     std::uint32_t receive_room;  ///< Events that wait for `next`; fewer than 1000.
     std::uint32_t transmit_room; ///< Frames that wait for the bus at most; fewer than 250.

@@ -11,6 +11,7 @@ constexpr std::uint32_t kFrames = 6U;
 constexpr std::uint32_t kMoreThanRoom = 8U;
 constexpr const char* kPeerCannot = "the other node cannot send this";
 constexpr const char* kEvents = "events of reception";
+constexpr const char* kNoLateInterrupt = "the bench cannot make interrupts late";
 
 [[nodiscard]] PortEvent Next(const PortUnderTest& port) noexcept
 {
@@ -31,6 +32,40 @@ void ExpectReceived(Check& check, const PortEvent& event, const CanFrame& frame)
     for (std::uint32_t byte = 0U; byte < frame.length_bytes; ++byte)
     {
         check.EqualCode("data byte", frame.data[byte], event.frame.frame.data[byte]);
+    }
+}
+
+/// More frames than the port has room for; how many, 0 if the other node cannot send them.
+[[nodiscard]] std::uint32_t SendMoreThanRoom(const PortUnderTest& port) noexcept
+{
+    const std::uint32_t sent = port.numbers.receive_room + kMoreThanRoom;
+    bool is_sent = true;
+    for (std::uint32_t number = 0U; (number < sent) && is_sent; ++number)
+    {
+        is_sent = Receive(port, NumberedFrame(port.numbers.received[number % 2U], number));
+    }
+    return is_sent ? sent : 0U;
+}
+
+/// Of these frames some were lost: that must have been told, and be over with the next frame.
+void ExpectLossTold(const PortUnderTest& port, Check& check, const std::uint32_t sent) noexcept
+{
+    const Drained drained = Drain(port);
+    if (sent == 0U)
+    {
+        check.NotShown(kPeerCannot);
+        return;
+    }
+    if (drained.received == sent)
+    {
+        check.NotShown("nothing was lost: the port has more room than receive_room says");
+        return;
+    }
+    check.Within("losses told", Span{1U, sent}, drained.losses);
+    check.Equal("events of no kind", 0U, drained.others);
+    if (Receive(port, NumberedFrame(port.numbers.received[0], 1U)))
+    {
+        ExpectReceived(check, Next(port), NumberedFrame(port.numbers.received[0], 1U));
     }
 }
 
@@ -96,7 +131,7 @@ void LateInterruptKeepsOrder(const PortUnderTest& port, Check& check) noexcept
 {
     if (port.bench.hold_interrupt == nullptr)
     {
-        check.NotShown("the bench cannot make interrupts late");
+        check.NotShown(kNoLateInterrupt);
         return;
     }
     Settle(port);
@@ -192,11 +227,17 @@ void OtherKindsAreNoData(const PortUnderTest& port, Check& check) noexcept
 {
     Settle(port);
     bool is_sent = false;
-    constexpr FrameKind kKinds[]{FrameKind::kRemote, FrameKind::kExtended}; // MISRA D-001
-    for (const FrameKind kind : kKinds)
+    // Of 29 bits the port's identifier is once the last 11, and once the first 11, where a filter for 11 bits looks.
+    constexpr std::uint32_t kFirstBits = 18U;
+    const std::uint32_t identifier = port.numbers.received[0].identifier;
+    const FrameName last{identifier, port.numbers.received[0].port};
+    const FrameName first{identifier << kFirstBits, last.port};
+    CanFrame frames[]{NumberedFrame(last, 1U), NumberedFrame(last, 1U), NumberedFrame(first, 1U)}; // MISRA D-001
+    frames[0].kind = FrameKind::kRemote;
+    frames[1].kind = FrameKind::kExtended;
+    frames[2].kind = FrameKind::kExtended;
+    for (const CanFrame& frame : frames)
     {
-        CanFrame frame = NumberedFrame(port.numbers.received[0], 1U);
-        frame.kind = kind;
         is_sent = Receive(port, frame) || is_sent;
     }
     if (!is_sent)
@@ -216,28 +257,23 @@ void OtherKindsAreNoData(const PortUnderTest& port, Check& check) noexcept
 void LossIsTold(const PortUnderTest& port, Check& check) noexcept
 {
     Settle(port);
-    const std::uint32_t sent = port.numbers.receive_room + kMoreThanRoom;
-    for (std::uint32_t number = 0U; number < sent; ++number)
+    ExpectLossTold(port, check, SendMoreThanRoom(port));
+}
+
+void LossInControllerIsTold(const PortUnderTest& port, Check& check) noexcept
+{
+    if (port.bench.hold_interrupt == nullptr)
     {
-        if (!Receive(port, NumberedFrame(port.numbers.received[number % 2U], number)))
-        {
-            check.NotShown(kPeerCannot);
-            return;
-        }
-    }
-    const Drained drained = Drain(port);
-    if (drained.received == sent)
-    {
-        check.NotShown("nothing was lost: the port has more room than receive_room says");
+        check.NotShown(kNoLateInterrupt);
         return;
     }
-    check.Within("losses told", Span{1U, sent}, drained.losses);
-    check.Equal("events of no kind", 0U, drained.others);
-    // It is over with the next frame.
-    if (Receive(port, NumberedFrame(port.numbers.received[0], 1U)))
-    {
-        ExpectReceived(check, Next(port), NumberedFrame(port.numbers.received[0], 1U));
-    }
+    Settle(port);
+    // Nobody empties the controller: what its FIFO or mailboxes do not hold is lost before the port sees it.
+    port.bench.hold_interrupt(port.bench.bench, Hold::kHeld);
+    const std::uint32_t sent = SendMoreThanRoom(port);
+    port.bench.hold_interrupt(port.bench.bench, Hold::kReleased);
+    PassCycles(port, 1U);
+    ExpectLossTold(port, check, sent);
 }
 
 } // namespace counterpoint::hal::contract

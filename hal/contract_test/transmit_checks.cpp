@@ -9,6 +9,8 @@ namespace
 
 constexpr std::uint32_t kAccepted = static_cast<std::uint32_t>(TransmitStatus::kAccepted);
 constexpr std::uint32_t kWordBits = 32U;
+constexpr std::uint32_t kMostSeen = 512U;
+constexpr std::uint32_t kMostCyclesOff = 1000U;
 constexpr const char* kNoCan = "the port has no CAN ports";
 constexpr const char* kNoHold = "the bench cannot hold the bus";
 constexpr const char* kStatus = "status of Transmit (0x69 accepted)";
@@ -58,7 +60,7 @@ struct NumberSet
     NumberSet confirmed{};
     std::uint32_t count = 0U;
     PortEvent event = port.bench.next(port.bench.bench);
-    for (std::uint32_t taken = 0U; (taken < 512U) && (event.kind != EventKind::kNothing); ++taken)
+    for (std::uint32_t taken = 0U; (taken < kMostSeen) && (event.kind != EventKind::kNothing); ++taken)
     {
         if (event.kind == EventKind::kConfirmed)
         {
@@ -70,6 +72,40 @@ struct NumberSet
         event = port.bench.next(port.bench.bench);
     }
     return count;
+}
+
+/// How often the frame of this number was confirmed; that no other one was, nor received by the other node.
+[[nodiscard]] std::uint32_t CountOf(const PortUnderTest& port, const std::uint32_t number, Check& check) noexcept
+{
+    std::uint32_t count = 0U;
+    PortEvent event = port.bench.next(port.bench.bench);
+    for (std::uint32_t taken = 0U; (taken < kMostSeen) && (event.kind != EventKind::kNothing); ++taken)
+    {
+        const bool is_it = NumberOf(event.frame.frame) == number;
+        const bool is_confirmed = event.kind == EventKind::kConfirmed;
+        check.Equal("confirmations of frames of before", 0U, (is_confirmed && !is_it) ? 1U : 0U);
+        count += (is_confirmed && is_it) ? 1U : 0U;
+        event = port.bench.next(port.bench.bench);
+    }
+    CanFrame seen{};
+    for (std::uint32_t taken = 0U;
+         (taken < kMostSeen) && (port.bench.peer_take != nullptr) && port.bench.peer_take(port.bench.bench, seen);
+         ++taken)
+    {
+        check.Equal("number of a frame that the other node received", number, NumberOf(seen));
+    }
+    return count;
+}
+
+/// @brief What the other node has received so far is of no interest.
+void ForgetSeen(const PortUnderTest& port) noexcept
+{
+    CanFrame seen{};
+    for (std::uint32_t taken = 0U;
+         (taken < kMostSeen) && (port.bench.peer_take != nullptr) && port.bench.peer_take(port.bench.bench, seen);
+         ++taken)
+    {
+    }
 }
 
 } // namespace
@@ -125,9 +161,21 @@ void NotConfirmedBeforeTheBus(const PortUnderTest& port, Check& check) noexcept
     check.EqualCode(kStatus, kAccepted, Transmit(port, NumberedFrame(port.numbers.sent[0], 1U)));
     PassCycles(port, CyclesForFrames(port, 3U));
     check.Equal("confirmations while nothing leaves", 0U, Drain(port).confirmed);
+    const bool has_clocks = port.parts.clocks != nullptr;
+    const InstantPair released = has_clocks ? port.parts.clocks->Now() : InstantPair{{0U}, {0U}};
     HoldBus(port, Hold::kReleased);
-    PassCycles(port, CyclesForFrames(port, 3U));
-    check.Equal("confirmations once it has left", 1U, Drain(port).confirmed);
+    const std::uint32_t cycles = CyclesForFrames(port, 3U);
+    PassCycles(port, cycles);
+    const Drained drained = Drain(port);
+    check.Equal("confirmations once it has left", 1U, drained.confirmed);
+    if (has_clocks && check.IsHeld())
+    {
+        // The end of the frame on the bus, not the moment at which it was handed over.
+        const InstantPair stamp = drained.first.frame.stamp;
+        const Span expected{0U, (cycles * port.numbers.cycle_us) + port.numbers.tolerance_us};
+        check.Within("us of counter A from the release of the bus to the stamp", expected, stamp.a.us - released.a.us);
+        check.Within("us of counter B from the release of the bus to the stamp", expected, stamp.b.us - released.b.us);
+    }
 }
 
 void NormalLeavesBeforeInverse(const PortUnderTest& port, Check& check) noexcept
@@ -173,6 +221,69 @@ void FullIsRefused(const PortUnderTest& port, Check& check) noexcept
     check.Equal("confirmations of accepted frames", count, CountConfirmed(port, check, accepted));
 }
 
+void OnTheBusAsHandedOver(const PortUnderTest& port, Check& check) noexcept
+{
+    if ((port.parts.can == nullptr) || (port.bench.peer_take == nullptr))
+    {
+        check.NotShown("the other node does not tell what it received");
+        return;
+    }
+    Settle(port);
+    ForgetSeen(port);
+    CanFrame seen{};
+    for (std::uint8_t length = 0U; length <= kMaxPayloadBytes; ++length)
+    {
+        const FrameName& name = port.numbers.sent[length % 2U];
+        const CanFrame frame{name.identifier,
+                             FrameKind::kData,
+                             name.port,
+                             length,
+                             {0x80U, 0x7FU, 0x01U, 0xFEU, 0x40U, 0xBFU, 0x02U, 0xFDU}};
+        check.EqualCode(kStatus, kAccepted, Transmit(port, frame));
+        PassCycles(port, CyclesForFrames(port, 3U));
+        check.Equal("frames that the other node received", 1U, port.bench.peer_take(port.bench.bench, seen) ? 1U : 0U);
+        seen.port = name.port; // The other node has one controller.
+        check.EqualCode("identifier", frame.identifier, seen.identifier);
+        check.Equal("length", frame.length_bytes, seen.length_bytes);
+        check.EqualCode("frame as it was handed over (1: it is)", 1U, AreEqual(frame, seen) ? 1U : 0U);
+        static_cast<void>(Drain(port));
+    }
+}
+
+void WaitingFramesKeepOrder(const PortUnderTest& port, Check& check) noexcept
+{
+    if ((port.parts.can == nullptr) || (port.bench.hold_bus == nullptr))
+    {
+        check.NotShown(kNoHold);
+        return;
+    }
+    Settle(port);
+    HoldBus(port, Hold::kHeld);
+    for (std::uint32_t number = 0U; number < port.numbers.transmit_room; ++number)
+    {
+        static_cast<void>(Transmit(port, NumberedFrame(port.numbers.sent[number % 2U], number)));
+    }
+    HoldBus(port, Hold::kReleased);
+    PassCycles(port, CyclesForFrames(port, port.numbers.transmit_room + 3U));
+    const bool on_one_bus = port.numbers.sent[0].port == port.numbers.sent[1].port;
+    // Even numbers are normal data; the number behind one is that of its inverse data.
+    std::uint32_t next[2]{0U, 1U}; // MISRA D-001
+    PortEvent event = port.bench.next(port.bench.bench);
+    for (std::uint32_t taken = 0U; (taken < kMostSeen) && (event.kind != EventKind::kNothing); ++taken)
+    {
+        if (event.kind == EventKind::kConfirmed)
+        {
+            const std::uint32_t number = NumberOf(event.frame.frame);
+            check.Equal("oldest frame of this identifier that waits", next[number % 2U], number);
+            next[number % 2U] = number + 2U;
+            // Two controllers may each send at the same moment.
+            check.Equal("inverse data before their normal data", 0U,
+                        (on_one_bus && (next[1] > (next[0] + 1U))) ? 1U : 0U);
+        }
+        event = port.bench.next(port.bench.bench);
+    }
+}
+
 void OwnAndForeignInOrder(const PortUnderTest& port, Check& check) noexcept
 {
     if (port.parts.can == nullptr)
@@ -200,6 +311,76 @@ void OwnAndForeignInOrder(const PortUnderTest& port, Check& check) noexcept
                         static_cast<std::uint32_t>((number == 2U) ? EventKind::kReceived : EventKind::kConfirmed),
                         static_cast<std::uint32_t>(event.kind));
     }
+}
+
+void LateInterruptKeepsOwnFrames(const PortUnderTest& port, Check& check) noexcept
+{
+    if ((port.parts.can == nullptr) || (port.bench.hold_interrupt == nullptr))
+    {
+        check.NotShown("the port has no CAN ports, or the bench cannot make interrupts late");
+        return;
+    }
+    Settle(port);
+    const std::uint32_t cycles = CyclesForFrames(port, 2U);
+    port.bench.hold_interrupt(port.bench.bench, Hold::kHeld);
+    check.EqualCode(kStatus, kAccepted, Transmit(port, NumberedFrame(port.numbers.sent[0], 1U)));
+    PassCycles(port, cycles);
+    const bool is_sent = Receive(port, NumberedFrame(port.numbers.received[0], 2U));
+    check.EqualCode(kStatus, kAccepted, Transmit(port, NumberedFrame(port.numbers.sent[1], 3U)));
+    PassCycles(port, cycles);
+    port.bench.hold_interrupt(port.bench.bench, Hold::kReleased);
+    PassCycles(port, 1U);
+    if (!is_sent)
+    {
+        check.NotShown("the other node cannot send this");
+        return;
+    }
+    bool is_told = false;
+    bool in_order = true;
+    for (std::uint32_t number = 1U; number <= 3U; ++number)
+    {
+        const PortEvent event = port.bench.next(port.bench.bench);
+        const EventKind kind = (number == 2U) ? EventKind::kReceived : EventKind::kConfirmed;
+        is_told = is_told || (event.kind == EventKind::kLoss);
+        in_order = in_order && (event.kind == kind) && (NumberOf(event.frame.frame) == number);
+    }
+    check.Equal("own, foreign, own frame in order, or a loss among them", 1U, (is_told || in_order) ? 1U : 0U);
+    static_cast<void>(Drain(port));
+}
+
+void NothingOldAfterBusOff(const PortUnderTest& port, Check& check) noexcept
+{
+    const bool can_hold = (port.bench.hold_bus != nullptr) && (port.bench.bus_off != nullptr);
+    if ((port.parts.can == nullptr) || !can_hold)
+    {
+        check.NotShown("the bench cannot bring about a bus-off");
+        return;
+    }
+    Settle(port);
+    ForgetSeen(port);
+    HoldBus(port, Hold::kHeld);
+    check.EqualCode(kStatus, kAccepted, Transmit(port, NumberedFrame(port.numbers.sent[0], 1U)));
+    check.EqualCode(kStatus, kAccepted, Transmit(port, NumberedFrame(port.numbers.sent[1], 2U)));
+    port.bench.bus_off(port.bench.bench, Hold::kHeld);
+    PassCycles(port, 1U);
+    check.EqualCode("status of Transmit in bus-off (2 bus-off)", static_cast<std::uint32_t>(TransmitStatus::kBusOff),
+                    Transmit(port, NumberedFrame(port.numbers.sent[0], 3U)));
+    port.bench.bus_off(port.bench.bench, Hold::kReleased);
+    HoldBus(port, Hold::kReleased);
+    std::uint32_t status = static_cast<std::uint32_t>(TransmitStatus::kBusOff);
+    for (std::uint32_t cycle = 0U; (cycle < kMostCyclesOff) && (status != kAccepted); ++cycle)
+    {
+        PassCycles(port, 1U);
+        status = Transmit(port, NumberedFrame(port.numbers.sent[0], 4U));
+    }
+    PassCycles(port, CyclesForFrames(port, 6U));
+    const std::uint32_t confirmed = CountOf(port, 4U, check);
+    if (status != kAccepted)
+    {
+        check.NotShown("the port does not come back on the bus by itself");
+        return;
+    }
+    check.Equal("confirmations of the frame behind it", 1U, confirmed);
 }
 
 void AbsentControllerIsRefused(const PortUnderTest& port, Check& check) noexcept

@@ -26,9 +26,9 @@ TEST(ContractTest, HostKeepsTheContract)
     const ContractCount count = RunContractTest(bench.Table());
     EXPECT_EQ(LinesWith(bench.Text(), ": broken: "), std::vector<std::string>{});
     EXPECT_EQ(LinesWith(bench.Text(), ": not shown: "), std::vector<std::string>{});
-    EXPECT_EQ(count.held, 38U);
+    EXPECT_EQ(count.held, 43U);
     EXPECT_EQ(count.broken, 0U);
-    EXPECT_EQ(LinesWith(bench.Text(), " held, "), std::vector<std::string>{"38 held, 0 broken, 0 not shown"});
+    EXPECT_EQ(LinesWith(bench.Text(), " held, "), std::vector<std::string>{"43 held, 0 broken, 0 not shown"});
 }
 
 TEST(ContractTest, BothControllersKeepTheContract)
@@ -55,7 +55,7 @@ TEST(ContractTest, MissingCallsOfTheTableAreNotShown)
     port.bench.is_alive = nullptr;
     const ContractCount count = RunContractTest(port);
     EXPECT_EQ(count.broken, 0U);
-    EXPECT_EQ(count.not_shown, 12U);
+    EXPECT_EQ(count.not_shown, 14U);
     EXPECT_EQ(
         LinesWith(bench.Text(), "stamps of both counters"),
         std::vector<std::string>{"reception: stamps of both counters at the end of the frame: not shown: the counters "
@@ -90,6 +90,7 @@ class PlantedDefect : public ::testing::TestWithParam<DefectRow>
 TEST_P(PlantedDefect, IsNamed)
 {
     Verifies(req::SRS_HAL_032);
+    Verifies(req::SRS_HAL_037);
     HostBench bench{GetParam().defect};
     const ContractCount count = RunContractTest(bench.Table());
     EXPECT_EQ(NamesOfBroken(bench.Text()), GetParam().broken) << bench.Text();
@@ -103,7 +104,8 @@ const DefectRow kDefects[] = {
       "reception: stamps as far apart as frames"}},
     {"StampsSwapped",
      Defect::kStampsSwapped,
-     {"reception: stamps of both counters at the end of the frame", "transmission: confirmation has both stamps"}},
+     {"reception: stamps of both counters at the end of the frame", "transmission: confirmation has both stamps",
+      "transmission: not confirmed before it was on the bus"}},
     {"StampedWhenTaken",
      Defect::kStampedWhenTaken,
      {"reception: stamps of both counters at the end of the frame", "reception: stamps as far apart as frames",
@@ -111,22 +113,39 @@ const DefectRow kDefects[] = {
     {"BytesSwapped", Defect::kBytesSwapped, {"reception: content as sent"}},
     {"ForeignDelivered", Defect::kForeignDelivered, {"reception: foreign identifiers stay away"}},
     {"RemoteAsData", Defect::kRemoteAsData, {"reception: other kinds are no data frames"}},
-    {"LossNotTold", Defect::kLossNotTold, {"reception: loss is told"}},
+    {"FirstBitsAsData", Defect::kFirstBitsAsData, {"reception: other kinds are no data frames"}},
+    {"LossNotTold", Defect::kLossNotTold, {"reception: loss is told", "reception: loss in the controller is told"}},
+    {"LossInControllerNotTold", Defect::kLossInControllerNotTold, {"reception: loss in the controller is told"}},
     {"ConfirmedTwice",
      Defect::kConfirmedTwice,
      {"transmission: confirmed once, as sent", "transmission: not confirmed before it was on the bus",
       "transmission: normal data leave before inverse data", "transmission: refuses when full",
-      "transmission: own and foreign frames in order"}},
+      "transmission: waiting frames leave in order", "transmission: own and foreign frames in order",
+      "transmission: late interrupt: own frames in order, or a loss",
+      "transmission: nothing old leaves after bus-off"}},
     {"ConfirmedOther", Defect::kConfirmedOther, {"transmission: confirmed once, as sent"}},
     {"ConfirmedAtOnce",
      Defect::kConfirmedAtOnce,
-     {"transmission: not confirmed before it was on the bus", "transmission: own and foreign frames in order"}},
+     {"transmission: not confirmed before it was on the bus", "transmission: own and foreign frames in order",
+      "transmission: late interrupt: own frames in order, or a loss",
+      "transmission: nothing old leaves after bus-off"}},
     {"OwnFrameReceived",
      Defect::kOwnFrameReceived,
      {"transmission: confirmed once, as sent", "transmission: normal data leave before inverse data",
-      "transmission: own and foreign frames in order"}},
-    {"InverseOvertakes", Defect::kInverseOvertakes, {"transmission: normal data leave before inverse data"}},
-    {"RefusalSwallowed", Defect::kRefusalSwallowed, {"transmission: refuses when full"}},
+      "transmission: own and foreign frames in order", "transmission: late interrupt: own frames in order, or a loss"}},
+    {"StampedAtRequest", Defect::kStampedAtRequest, {"transmission: not confirmed before it was on the bus"}},
+    {"InverseOvertakes",
+     Defect::kInverseOvertakes,
+     {"transmission: normal data leave before inverse data", "transmission: waiting frames leave in order"}},
+    {"OtherOnTheBus",
+     Defect::kOtherOnTheBus,
+     {"transmission: on the bus as handed over", "transmission: nothing old leaves after bus-off"}},
+    {"LaterOvertakes", Defect::kLaterOvertakes, {"transmission: waiting frames leave in order"}},
+    {"OwnAfterForeign", Defect::kOwnAfterForeign, {"transmission: late interrupt: own frames in order, or a loss"}},
+    {"OldAfterBusOff", Defect::kOldAfterBusOff, {"transmission: nothing old leaves after bus-off"}},
+    {"RefusalSwallowed",
+     Defect::kRefusalSwallowed,
+     {"transmission: refuses when full", "transmission: nothing old leaves after bus-off"}},
     {"OneGuaranteeAbsent", Defect::kOneGuaranteeAbsent, {"can: all three guarantees"}},
     {"AbsentControllerTaken", Defect::kAbsentControllerTaken, {"transmission: absent controller is refused"}},
     {"TransmitWaits",
@@ -135,16 +154,17 @@ const DefectRow kDefects[] = {
     {"OneSourceForBoth",
      Defect::kOneSourceForBoth,
      {"clocks: each counter goes on without the other", "reception: stamps of both counters at the end of the frame",
-      "transmission: confirmation has both stamps"}},
+      "transmission: confirmation has both stamps", "transmission: not confirmed before it was on the bus"}},
     {"CounterGoesBack", Defect::kCounterGoesBack, {"clocks: counters never go back"}},
     {"CounterWrapsEarly",
      Defect::kCounterWrapsEarly,
      {"clocks: no wrap before 2^32 us", "reception: stamps of both counters at the end of the frame",
-      "transmission: confirmation has both stamps"}},
+      "transmission: confirmation has both stamps", "transmission: not confirmed before it was on the bus"}},
     {"CounterBSlow",
      Defect::kCounterBSlow,
      {"clocks: both counters go on", "clocks: each counter goes on without the other", "clocks: no wrap before 2^32 us",
-      "reception: stamps of both counters at the end of the frame", "transmission: confirmation has both stamps"}},
+      "reception: stamps of both counters at the end of the frame", "transmission: confirmation has both stamps",
+      "transmission: not confirmed before it was on the bus"}},
     {"QuestionStays", Defect::kQuestionStays, {"watchdog: question changes"}},
     {"EarlyAnswerTaken", Defect::kEarlyAnswerTaken, {"watchdog: early answer trips"}},
     {"MissingAnswerTaken",
@@ -173,6 +193,7 @@ const DefectRow kDefects[] = {
       "output: closed once the watchdog has tripped", "cut-off: low, and stays low"}},
     {"OnePermitNotLookedAt", Defect::kOnePermitNotLookedAt, {"output: a wrong permit closes"}},
     {"NeverCloses", Defect::kNeverCloses, {"output: closes by itself"}},
+    {"ClosesLate", Defect::kClosesLate, {"output: closes by itself"}},
     {"OpenAfterTrip", Defect::kOpenAfterTrip, {"output: closed once the watchdog has tripped"}},
     {"NotReadBack", Defect::kNotReadBack, {"cut-off: pins are read back"}},
     {"CutOffForgotten", Defect::kCutOffForgotten, {"cut-off: low, and stays low"}},

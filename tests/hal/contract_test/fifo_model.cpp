@@ -213,6 +213,7 @@ void FifoModel::Finish()
         CanFrame number{};
         number.identifier = *done.buffer;
         events_.push_back(Entry{number, stamp});
+        seen_by_peer.push_back(done.frame);
         plain_[kCanStatus / 4U] |= (events_.size() > kEventRoom) ? kEventLost : 0U;
     }
     else if (IsAccepted(done.frame))

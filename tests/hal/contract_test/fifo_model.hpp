@@ -43,6 +43,7 @@ class FifoModel
     bool pin_held{false};
     bool interrupt_masked{false};
     std::uint32_t accesses{0U};
+    std::deque<counterpoint::CanFrame> seen_by_peer{};
 
   private:
     struct Entry

@@ -9,7 +9,7 @@ namespace counterpoint::hal::contract
 namespace
 {
 
-constexpr std::uint32_t kForeign = 0x133U;
+constexpr std::uint32_t kForeign = 0x123U; // One bit from both that are received.
 constexpr WatchdogWindow kWindow{500U, 1600U};
 
 [[nodiscard]] HostBench& Of(void* const bench)
@@ -57,17 +57,19 @@ PortUnderTest HostBench::Table()
         host.bus_.Advance(host.bus_.Now() + (us * host::kMicrosecond));
     };
     bench.restart = [](void* self) { Of(self).Restart(); };
-    bench.peer_send = [](void* self, const CanFrame& frame)
-    { return Of(self).bus_.Submit(Of(self).peer_node_, frame) == TransmitStatus::kAccepted; };
+    bench.peer_send = [](void* self, const CanFrame& frame) { return Of(self).PeerSend(frame); };
     bench.pins = [](void* self) { return Of(self).Pins(); };
     bench.hold_bus = [](void* self, const Hold hold) { Of(self).HoldBus(hold); };
-    bench.hold_interrupt = [](void* /*self*/, Hold /*hold*/) {}; // Frames wait for `next` in any case.
+    // Frames wait for `next` in any case; what a defect spoils while interrupts wait is noted.
+    bench.hold_interrupt = [](void* self, const Hold hold) { Of(self).was_late_ = hold == Hold::kReleased; };
     bench.hold_counter = [](void* self, const Counter counter, const Hold hold)
     { Of(self).HoldCounter(counter, hold); };
     bench.hold_pin = [](void* self, const Hold hold) { Of(self).pin_held_ = hold == Hold::kHeld; };
     bench.read_back = [](void* self) { return Of(self).Has(Defect::kNotReadBack) ? SrdoMask{0U} : Of(self).Pins(); };
     bench.is_alive = [](void* self)
     { return Of(self).Has(Defect::kMissingAnswerTaken) || Of(self).watchdog_.IsAlive(); };
+    bench.peer_take = [](void* self, CanFrame& frame) { return Of(self).PeerTake(frame); };
+    bench.bus_off = [](void* self, const Hold hold) { Of(self).BusOff(hold); };
     bench.work = [](void* self) { return static_cast<std::uint32_t>(Of(self).bus_.Now() / host::kMicrosecond); };
     const CanPortId inverse = PortOfInverse(controllers_);
     port.numbers = PortNumbers{{{0x121U, CanPortId::kFirst}, {0x122U, inverse}},
@@ -183,7 +185,14 @@ TransmitStatus HostBench::DoTransmit(const CanFrame& frame) noexcept
         bus_.Advance(bus_.Now() + (300 * host::kMicrosecond));
     }
     const bool is_absent = (frame.port == CanPortId::kSecond) && (controllers_ == 1U);
-    const TransmitStatus status = can_.Transmit(frame);
+    CanFrame on_bus = frame;
+    if (Has(Defect::kOtherOnTheBus))
+    {
+        std::swap(on_bus.data[0], on_bus.data[4]); // Words swapped, and turned back in what is confirmed.
+    }
+    const TransmitStatus status = can_.Transmit(on_bus);
+    handed_over_ = clocks_.Now();
+    last_taken_ = (status == TransmitStatus::kAccepted) ? on_bus : last_taken_;
     if (Has(Defect::kConfirmedAtOnce) && (status == TransmitStatus::kAccepted))
     {
         events_.push_back(PortEvent{EventKind::kConfirmed, StampedFrame{frame, clocks_.Now()}});
@@ -199,7 +208,8 @@ void HostBench::Take(PortEvent event)
 {
     const bool is_confirmation = event.kind == EventKind::kConfirmed;
     if ((Has(Defect::kConfirmedAtOnce) && is_confirmation) ||
-        (Has(Defect::kLossNotTold) && (event.kind == EventKind::kLoss)))
+        ((Has(Defect::kLossNotTold) || (Has(Defect::kLossInControllerNotTold) && was_late_)) &&
+         (event.kind == EventKind::kLoss)))
     {
         return;
     }
@@ -213,6 +223,14 @@ void HostBench::Take(PortEvent event)
         std::swap(frame.data[4], frame.data[7]);
         std::swap(frame.data[5], frame.data[6]);
     }
+    if (Has(Defect::kOtherOnTheBus) && is_confirmation)
+    {
+        std::swap(frame.data[0], frame.data[4]);
+    }
+    if (Has(Defect::kStampedAtRequest) && is_confirmation)
+    {
+        event.frame.stamp = handed_over_;
+    }
     if (Has(Defect::kConfirmedOther) && is_confirmation)
     {
         frame.data[7] ^= 1U;
@@ -223,20 +241,84 @@ void HostBench::Take(PortEvent event)
         event.kind = Has(Defect::kConfirmedTwice) ? EventKind::kConfirmed : EventKind::kReceived;
         events_.push_back(event);
     }
+    Reorder();
+}
+
+void HostBench::Reorder()
+{
     const std::size_t count = events_.size();
-    const bool both_confirmed = is_confirmation && (count >= 2U) && (events_[count - 2U].kind == EventKind::kConfirmed);
+    if (count < 2U)
+    {
+        return;
+    }
+    PortEvent& before = events_[count - 2U];
+    PortEvent& last = events_[count - 1U];
+    const CanFrame& frame = last.frame.frame;
+    const bool is_confirmation = last.kind == EventKind::kConfirmed;
+    const bool both_confirmed = is_confirmation && (before.kind == EventKind::kConfirmed);
     if (Has(Defect::kInverseOvertakes) && both_confirmed && (frame.identifier == 0x102U))
     {
-        std::swap(events_[count - 1U], events_[count - 2U]);
+        std::swap(last, before);
     }
-    const bool both_received = (count >= 2U) && (events_[count - 2U].kind == EventKind::kReceived) &&
-                               (events_[count - 1U].kind == EventKind::kReceived);
-    // As mailboxes are read that are served by their numbers.
-    if (Has(Defect::kFramesReordered) && both_received &&
-        (frame.identifier < events_[count - 2U].frame.frame.identifier))
+    const bool both_received = (before.kind == EventKind::kReceived) && (last.kind == EventKind::kReceived);
+    const bool same_identifier = frame.identifier == before.frame.frame.identifier;
+    if (Has(Defect::kLaterOvertakes) && both_confirmed && same_identifier)
     {
-        std::swap(events_[count - 1U], events_[count - 2U]);
+        std::swap(last, before);
     }
+    if (Has(Defect::kOwnAfterForeign) && was_late_ && (before.kind == EventKind::kConfirmed) &&
+        (last.kind == EventKind::kReceived))
+    {
+        std::swap(last, before);
+    }
+    // As mailboxes are read that are served by their numbers.
+    if (Has(Defect::kFramesReordered) && both_received && (frame.identifier < before.frame.frame.identifier))
+    {
+        std::swap(last, before);
+    }
+}
+
+bool HostBench::PeerSend(const CanFrame& frame)
+{
+    CanFrame sent = frame;
+    if (Has(Defect::kFirstBitsAsData) && (frame.kind == FrameKind::kExtended))
+    {
+        // As a controller takes it whose filter and driver do not look at the length of the identifier.
+        sent.identifier = frame.identifier >> 18U;
+        sent.kind = FrameKind::kData;
+    }
+    return bus_.Submit(peer_node_, sent) == TransmitStatus::kAccepted;
+}
+
+void HostBench::BusOff(const Hold hold)
+{
+    for (std::uint8_t number = 1U; number <= controllers_; ++number)
+    {
+        const host::NodeIndex node = can_.NodeOf((number == 2U) ? CanPortId::kSecond : CanPortId::kFirst);
+        if (hold == Hold::kHeld)
+        {
+            bus_.ForceBusOff(node);
+        }
+        else
+        {
+            bus_.Recover(node);
+        }
+    }
+    if (Has(Defect::kOldAfterBusOff) && (hold == Hold::kReleased))
+    {
+        static_cast<void>(can_.Transmit(last_taken_));
+    }
+}
+
+bool HostBench::PeerTake(CanFrame& frame)
+{
+    if (peer_.seen.empty())
+    {
+        return false;
+    }
+    frame = peer_.seen.front();
+    peer_.seen.pop_front();
+    return true;
 }
 
 PortEvent HostBench::Next()
@@ -264,7 +346,8 @@ void HostBench::Restart()
     watchdog_.Start(kWindow);
     never_trips_.Start(WatchdogWindow{0U, 0x7FFFFFFFU});
     output_.emplace(bus_, Has(Defect::kOpenAfterTrip) ? never_trips_ : watchdog_,
-                    GateLimit{Has(Defect::kNeverCloses) ? 1'000'000'000U : 1500U});
+                    GateLimit{Has(Defect::kNeverCloses) ? 1'000'000'000U : (Has(Defect::kClosesLate) ? 2900U : 1500U)});
+    was_late_ = false;
     pin_held_ = false;
     was_cut_off_ = false;
     was_driven_ = false;

@@ -30,12 +30,19 @@ enum class Defect
     kBytesSwapped,
     kForeignDelivered,
     kRemoteAsData,
+    kFirstBitsAsData,
     kLossNotTold,
+    kLossInControllerNotTold,
     kConfirmedTwice,
     kConfirmedOther,
     kConfirmedAtOnce,
     kOwnFrameReceived,
     kInverseOvertakes,
+    kOtherOnTheBus,
+    kLaterOvertakes,
+    kOwnAfterForeign,
+    kOldAfterBusOff,
+    kStampedAtRequest,
     kRefusalSwallowed,
     kOneGuaranteeAbsent,
     kAbsentControllerTaken,
@@ -57,6 +64,7 @@ enum class Defect
     kNeverOpens,
     kOnePermitNotLookedAt,
     kNeverCloses,
+    kClosesLate,
     kOpenAfterTrip,
     kNotReadBack,
     kCutOffForgotten,
@@ -141,12 +149,15 @@ class HostBench final : public CanPorts,
     class Peer final : public host::BusListener
     {
       public:
-        void OnReceived(const CanFrame& /*frame*/, host::BusTime /*at*/) override
+        void OnReceived(const CanFrame& frame, host::BusTime /*at*/) override
         {
+            seen.push_back(frame);
         }
         void OnConfirmed(const CanFrame& /*frame*/, host::BusTime /*at*/) override
         {
         }
+
+        std::deque<CanFrame> seen{};
     };
     class Events final : public host::FrameSink
     {
@@ -173,7 +184,11 @@ class HostBench final : public CanPorts,
 
     [[nodiscard]] TransmitStatus DoTransmit(const CanFrame& frame) noexcept override;
     void Take(PortEvent event);
+    void Reorder();
     [[nodiscard]] PortEvent Next();
+    [[nodiscard]] bool PeerSend(const CanFrame& frame);
+    [[nodiscard]] bool PeerTake(CanFrame& frame);
+    void BusOff(Hold hold);
     void Restart();
     void HoldBus(Hold hold);
     void HoldCounter(Counter counter, Hold hold);
@@ -199,6 +214,9 @@ class HostBench final : public CanPorts,
     Events sink_{*this};
     std::deque<PortEvent> events_{};
     std::uint32_t readings_{0U};
+    CanFrame last_taken_{};
+    InstantPair handed_over_{};
+    bool was_late_{false}; ///< Interrupts were held since the last restart.
     bool pin_held_{false};
     bool was_cut_off_{false};
     bool was_driven_{false};

@@ -47,6 +47,7 @@ inline constexpr RequirementId SRS_HAL_033{"SRS_HAL_033"};
 inline constexpr RequirementId SRS_HAL_034{"SRS_HAL_034"};
 inline constexpr RequirementId SRS_HAL_035{"SRS_HAL_035"};
 inline constexpr RequirementId SRS_HAL_036{"SRS_HAL_036"};
+inline constexpr RequirementId SRS_HAL_037{"SRS_HAL_037"};
 } // namespace counterpoint::req
 
 #endif
