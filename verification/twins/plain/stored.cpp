@@ -47,8 +47,7 @@ const Number kDeclared{"SRS_CFG_026", "map count in the rules"};
 const Number kExisting{"SRS_CFG_020", "entries of the map count that exist"};
 const Lesser kRoomOfCount{"SRS_CFG_020", "map count, and map_entries"};
 const Decision kNotExchanged{"SRS_CFG_020", "the map count and the entries that exist in their places"};
-const Decision kStaticCut{"SRS_CFG_020",
-                          "the cut count of a static mapping is for the signature, the whole one for the rules"};
+const Decision kStaticCut{"SRS_CFG_020", "the cut count of a static mapping is for the signature alone"};
 const Act kSlotLast{"SRS_CFG_003", "srdo_count itself is no slot"};
 const Act kSlotLastLoaded{"SRS_CFG_003", "srdo_count itself is no slot of Load"};
 const Place kSlot{"SRS_CFG_003", "slot of Store"};
@@ -223,6 +222,16 @@ std::uint32_t EntryOf(const Record& record, std::uint32_t number) noexcept
     return ((number >= 1U) && (number <= kMaxMapEntries)) ? record.entries[number - 1U] : 0U;
 }
 
+namespace
+{
+std::uint32_t LoadedCountOf(const Record& record) noexcept
+{
+    const std::uint32_t count = CountOf(record);
+    const bool is_whole = (!IsStatic(record)) || kStaticCut(true);
+    return (is_whole || (count < kMaxMapEntries)) ? count : kMaxMapEntries;
+}
+} // namespace
+
 void Store(Common& common, Record* records, const ConfigItem& item) noexcept
 {
     if (item.address.field == ConfigField::kGfcParameter)
@@ -282,7 +291,7 @@ std::uint32_t Load(const Common& common, const Record* records, const ConfigAddr
     case ConfigField::kCobId2:
         return record.stored.cob_id_2;
     case ConfigField::kMapCount:
-        return CountOf(records[kCountLoadSlot(address.slot)]);
+        return LoadedCountOf(records[kCountLoadSlot(address.slot)]);
     case ConfigField::kMapEntry:
     {
         const std::uint32_t sub = kSub(address.sub);
