@@ -43,19 +43,18 @@ import time
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "mutation"))
 from build_tree import BadInput, QUIET, progress  # noqa: E402
 from generate import NotRead, mutants_of  # noqa: E402
+from record import FIRST, ONLY_AT, covers, fits, names_of, read_known, record  # noqa: E402
 from schemata import DECLARED, Text, WHILE_COMPILING_CALL  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = "verification/twins"
 PROGRAM = f"{HERE}/counterpoint_twins"
 # Seed and number of sequences of each step. Who is alone with a trace, or stopped, does not take the next one.
-STEPS = ((1, 100), (1, 3000), (2, 10000))
+STEPS = ((1, FIRST), (1, 3000), (2, 10000))
 # Of processor time: about fifty times what a channel takes.
 MILLISECONDS = (1000, 20000, 60000)
 KEPT_EVERY = 10
-ONLY_AT = "only_at"  # Of an entry that is shared by the first step's sequences and told apart by more of them.
 BATCH = 40
-NOTE = "Wrong traces that a mutant of A and one of B share and that no requirement mutant shows, by the names of the mutants. A known gap, no excuse."
 REFUSED, STOPPED = "refused", "stopped"
 RULES = "rules"
 UNBROKEN = 0  # The plain channel as it is.
@@ -249,7 +248,7 @@ class Driver:
                                f"{100 * MOST_LEFT_OUT:.0f} %")
             self.left_out[seed] = differing
         # What the first step shows depends on its own sequences only.
-        self.key = digest_of(self.key, [number for number in self.left_out[STEPS[0][0]] if int(number) < STEPS[0][1]])
+        self.key = digest_of(self.key, [number for number in self.left_out[STEPS[0][0]] if int(number) < FIRST])
 
     def rules(self):
         said = ran([self.program, *self.options, "--list-rules"], ROOT)[1]
@@ -408,47 +407,6 @@ def lines_of(members):
     return [f"{mutant.place}: {mutant.change} [{mutant.name}]" for _, mutant in members]
 
 
-def read_known(path):
-    if not path.exists():
-        return []
-    entries = json.loads(path.read_text(encoding="utf-8"))["known"]
-    for entry in entries:
-        if not all(entry.get(field) for field in ("a", "b", "slip")):
-            raise BadInput(f"{path}: {entry}: expected a, b (names of mutants) and slip")
-        if entry.get(ONLY_AT, STEPS[0][1]) != STEPS[0][1]:
-            raise BadInput(f"{path}: {ONLY_AT} {entry[ONLY_AT]}: expected {STEPS[0][1]}, the sequences of --quick")
-    return entries
-
-
-def fits(entry, names):
-    """Whether it has some of each side."""
-    return all(names[side] & set(entry[side]) for side in "ab")
-
-
-def covers(entries, names):
-    """Whether all names of both sides stand in entries that fit."""
-    fitting = [entry for entry in entries if fits(entry, names)]
-    return all(names[side] <= {name for entry in fitting for name in entry[side]} for side in "ab")
-
-
-def names_of(row):
-    return {side: {re.search(r"\[(\w+)\]$", line).group(1) for line in row[side]} for side in "ab"}
-
-
-def record(path, rows, at_first):
-    """Every row without a requirement mutant, and what is shared by the first step's sequences only; a slip that stands there keeps its words."""
-    words = {name: entry["slip"] for entry in read_known(path) for name in (*entry["a"], *entry["b"])}
-
-    def entry_of(names, more):
-        slip = next((words[name] for side in "ab" for name in sorted(names[side]) if name in words), "not yet told")
-        return {**{side: sorted(names[side]) for side in "ab"}, "slip": slip, **more}
-
-    known = [entry_of(names_of(row), {}) for row in rows if not row["requirement"]]
-    known += [entry_of(names, {ONLY_AT: STEPS[0][1]}) for names in at_first if not covers(known, names)]
-    lines = ",\n".join("  " + json.dumps(entry) for entry in known)
-    path.write_text('{"note": "' + NOTE + '",\n "known": [' + (f"\n{lines}\n " if known else "") + "]}\n", encoding="utf-8")
-
-
 def judged(measurement, shared, entries, wanted, is_all):
     """(rows of the table, unexplained, stale). Entries of the first step's sequences count where these are all; the whole run looks whether they
     are shared there still, and no longer at its end."""
@@ -467,12 +425,12 @@ def judged(measurement, shared, entries, wanted, is_all):
                 unexplained.append(row)
             if not is_first_all:
                 lasting = [entry for entry in entries if ONLY_AT in entry and all(set(entry[side]) <= names[side] for side in "ab")]
-                stale += [(entry, f"shared to the end, expected only at {STEPS[0][1]} sequences") for entry in lasting]
+                stale += [(entry, f"shared to the end, expected only at {FIRST} sequences") for entry in lasting]
         rows.append(row)
     if is_all:
         at_first = measurement.unexplained_at_first(wanted)
         gone = [entry for entry in entries if ONLY_AT in entry and not any(fits(entry, names) for names in at_first)]
-        stale += [(entry, f"no unexplained shared trace at {STEPS[0][1]} sequences any more") for entry in gone]
+        stale += [(entry, f"no unexplained shared trace at {FIRST} sequences any more") for entry in gone]
         stale += [(entry, "no unexplained shared trace any more") for entry in counting if entry not in used]
     return rows, unexplained, stale
 
@@ -547,14 +505,14 @@ def record_test(measurement, wanted, shared, unexplained):
     """What an entry of the record does, marked and unmarked, with a trace that is shared to the end."""
     names = [{side: sorted(found) for side, found in names_of(row).items()} for row in unexplained]
     lasting = [{**each, "slip": "fixture"} for each in names]
-    marked = [{**each, ONLY_AT: STEPS[0][1]} for each in lasting]
-    nowhere = {"a": ["0"], "b": ["0"], "slip": "fixture", ONLY_AT: STEPS[0][1]}
+    marked = [{**each, ONLY_AT: FIRST} for each in lasting]
+    nowhere = {"a": ["0"], "b": ["0"], "slip": "fixture", ONLY_AT: FIRST}
     whole = [judged(measurement, shared, entries, wanted, True)[1:] for entries in (lasting, marked, [*lasting, marked[0]], [*lasting, nowhere])]
     measurement.steps, measurement.base = STEPS[:1], measurement.base[:1]
     quick = judged(measurement, measurement.measure(wanted)[0], marked, wanted, False)[1:]
     return [told(whole[0] == ([], []), "an entry of what is shared to the end: the whole run accepts it"),
             told(len(whole[1][0]) == len(names), f"marked {ONLY_AT}, it does not count in the whole run"),
-            told([why for _, why in whole[2][1]] == [f"shared to the end, expected only at {STEPS[0][1]} sequences"],
+            told([why for _, why in whole[2][1]] == [f"shared to the end, expected only at {FIRST} sequences"],
                  f"marked {ONLY_AT} beside one that counts, it is stale in the whole run"),
             told([entry for entry, _ in whole[3][1]] == [nowhere], f"marked {ONLY_AT} and not shared there, it is stale in the whole run"),
             told(quick == ([], []), f"marked {ONLY_AT}, it counts in the quick run")]
@@ -585,7 +543,7 @@ def parsed(arguments):
     parser.add_argument("--file", action="append", help="mutants of this file alone, as a path in the tree; may be given again")
     parser.add_argument("--sample", type=int, metavar="N", help="N mutants of each channel, drawn by the content of the sources")
     parser.add_argument("--quick", action="store_true",
-                        help=f"judge by the first {STEPS[0][1]} sequences, and only mutants that share one library")
+                        help=f"judge by the first {FIRST} sequences, and only mutants that share one library")
     parser.add_argument("--record", action="store_true", help="write what is unexplained into known.json, instead of failing")
     parser.add_argument("--anew", action="store_true", help="forget all kept traces")
     parser.add_argument("--jobs", type=int, default=2, help="mutants at the same time (default 2)")
