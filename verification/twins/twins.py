@@ -518,9 +518,22 @@ def record_test(measurement, wanted, shared, unexplained):
             told(quick == ([], []), f"marked {ONLY_AT}, it counts in the quick run")]
 
 
+def refusal_test():
+    """A record of another number of sequences is bad input."""
+    with tempfile.TemporaryDirectory(prefix="twins-") as folder:
+        path = pathlib.Path(folder) / "known.json"
+        path.write_text(json.dumps({"known": [{"a": ["0"], "b": ["0"], "slip": "fixture", ONLY_AT: 3000}]}), encoding="utf-8")
+        try:
+            read_known(path)
+            said = ""
+        except BadInput as error:
+            said = str(error)
+    return told(said.endswith(f"{ONLY_AT} 3000: expected {FIRST}, the sequences of --quick"), f"{ONLY_AT} 3000 is refused")
+
+
 def self_test(options):
     """Of two signatures that were once alike a shared trace is unexplained; of the two before them none is. Entries of the record do what they say."""
-    good = True
+    good = refusal_test()
     options.file = options.sample = None
     options.quick = options.record = False
     for case, tree in FIXTURES.items():
