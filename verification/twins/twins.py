@@ -17,7 +17,8 @@ of calls. What it shows becomes one number, its trace.
     shared         a mutant of A and one of B show the same wrong trace: no comparator can see that
     explained      a requirement mutant (a channel as it is, behind a wrapper that breaks one named requirement) shows it too:
                    both break the same requirement in the same way, which no design prevents
-    known          known.json says what the common slip is; a gap that stands there openly, no excuse
+    known          known.json says what the common slip is; a gap that stands there openly, no excuse. An entry with "only_at": 100
+                   counts where 100 sequences are all (--quick); more of them tell the two apart, and the whole run checks that they do
     UNEXPLAINED    anything else: the algorithms are alike there. Change the algorithm of one channel, or, if both only break one
                    requirement, write that requirement mutant (broken_rules.cpp).
 
@@ -42,18 +43,18 @@ import time
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "mutation"))
 from build_tree import BadInput, QUIET, progress  # noqa: E402
 from generate import NotRead, mutants_of  # noqa: E402
+from record import FIRST, ONLY_AT, covers, fits, names_of, read_known, record  # noqa: E402
 from schemata import DECLARED, Text, WHILE_COMPILING_CALL  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = "verification/twins"
 PROGRAM = f"{HERE}/counterpoint_twins"
 # Seed and number of sequences of each step. Who is alone with a trace, or stopped, does not take the next one.
-STEPS = ((1, 100), (1, 3000), (2, 10000))
+STEPS = ((1, FIRST), (1, 3000), (2, 10000))
 # Of processor time: about fifty times what a channel takes.
 MILLISECONDS = (1000, 20000, 60000)
 KEPT_EVERY = 10
 BATCH = 40
-NOTE = "Wrong traces that a mutant of A and one of B share and that no requirement mutant shows, by the names of the mutants. A known gap, no excuse."
 REFUSED, STOPPED = "refused", "stopped"
 RULES = "rules"
 UNBROKEN = 0  # The plain channel as it is.
@@ -247,7 +248,7 @@ class Driver:
                                f"{100 * MOST_LEFT_OUT:.0f} %")
             self.left_out[seed] = differing
         # What the first step shows depends on its own sequences only.
-        self.key = digest_of(self.key, [number for number in self.left_out[STEPS[0][0]] if int(number) < STEPS[0][1]])
+        self.key = digest_of(self.key, [number for number in self.left_out[STEPS[0][0]] if int(number) < FIRST])
 
     def rules(self):
         said = ran([self.program, *self.options, "--list-rules"], ROOT)[1]
@@ -383,11 +384,17 @@ class Measurement:
             prefixes = {key[:step + 1] for key in shared}
             for rule, trace in zip(rest, pool.map(lambda rule: self.rule_trace(room, rule, rules[rule], step), rest)):
                 traces[rule] += (trace,)
+            self.first_of_rules = {trace[0] for trace in traces.values()}
             rest = [rule for rule in rest if traces[rule] in prefixes]
         for rule in rest:
             found.setdefault(traces[rule], []).append(rules[rule][1:])
         self.results.keep(self.rooms)
         return found
+
+    def unexplained_at_first(self, wanted):
+        """Names of the mutants of each side that share a trace of the first step which no requirement mutant shows; behind explanations()."""
+        shared = [(trace, sides) for (trace,), sides in self.groups(wanted, 0).items() if len(sides) == 2 and trace != self.base[0]]
+        return [{side: {mutant.name for _, mutant in sides[side]} for side in "ab"} for trace, sides in shared if trace not in self.first_of_rules]
 
     def rule_trace(self, room, rule, text, step):
         known = self.results.traces.setdefault(RULES, {}).setdefault(digest_of(self.driver.program_key, room.key, *text[1:]), [])
@@ -400,48 +407,32 @@ def lines_of(members):
     return [f"{mutant.place}: {mutant.change} [{mutant.name}]" for _, mutant in members]
 
 
-def read_known(path):
-    if not path.exists():
-        return []
-    entries = json.loads(path.read_text(encoding="utf-8"))["known"]
-    for entry in entries:
-        if not all(entry.get(field) for field in ("a", "b", "slip")):
-            raise BadInput(f"{path}: {entry}: expected a, b (names of mutants) and slip")
-    return entries
-
-
-def record(path, rows):
-    """Every row without a requirement mutant; a slip that stands there already keeps its words."""
-    words = {name: entry["slip"] for entry in read_known(path) for name in (*entry["a"], *entry["b"])}
-    known = []
-    for row in rows:
-        if row["requirement"]:
-            continue
-        sides = {side: [re.search(r"\[(\w+)\]$", line).group(1) for line in row[side]] for side in "ab"}
-        places = " and ".join(row[side][0].split(": ")[0] for side in "ab")
-        slip = next((words[name] for name in (*sides["a"], *sides["b"]) if name in words), f"not yet told, see {places}")
-        known.append({**sides, "slip": slip})
-    lines = ",\n".join("  " + json.dumps(entry) for entry in known)
-    path.write_text('{"note": "' + NOTE + '",\n "known": [' + (f"\n{lines}\n " if known else "") + "]}\n", encoding="utf-8")
-
-
-def judged(measurement, shared, is_all):
-    """(rows of the table, unexplained, stale)"""
+def judged(measurement, shared, entries, wanted, is_all):
+    """(rows of the table, unexplained, stale). Entries of the first step's sequences count where these are all; the whole run looks whether they
+    are shared there still, and no longer at its end."""
     explanations = measurement.explanations(shared)
-    entries = read_known(measurement.pair.known)
-    rows, unexplained, used = [], [], set()
+    is_first_all = len(measurement.steps) == 1
+    counting = [entry for entry in entries if is_first_all or ONLY_AT not in entry]
+    rows, unexplained, used, stale = [], [], [], []
     for traces, sides in sorted(shared.items(), key=lambda item: item[1]["a"][0][1].place):
         row = {"trace": traces[-1], "a": lines_of(sides["a"]), "b": lines_of(sides["b"]), "requirement": explanations.get(traces, [])}
-        names = {side: {mutant.name for _, mutant in sides[side]} for side in "ab"}
-        fitting = [number for number, entry in enumerate(entries) if names["a"] & set(entry["a"]) and names["b"] & set(entry["b"])]
+        names = names_of(row)
         if not row["requirement"]:
-            used |= set(fitting)
-            covered = {side: {name for number in fitting for name in entries[number][side]} for side in "ab"}
-            row["known"] = [entries[number]["slip"] for number in fitting] if all(names[side] <= covered[side] for side in "ab") else []
+            fitting = [entry for entry in counting if fits(entry, names)]
+            used += fitting
+            row["known"] = [entry["slip"] for entry in fitting] if covers(fitting, names) else []
             if not row["known"]:
                 unexplained.append(row)
+            if not is_first_all:
+                lasting = [entry for entry in entries if ONLY_AT in entry and all(set(entry[side]) <= names[side] for side in "ab")]
+                stale += [(entry, f"shared to the end, expected only at {FIRST} sequences") for entry in lasting]
         rows.append(row)
-    return rows, unexplained, [entries[number] for number in range(len(entries)) if is_all and number not in used]
+    if is_all:
+        at_first = measurement.unexplained_at_first(wanted)
+        gone = [entry for entry in entries if ONLY_AT in entry and not any(fits(entry, names) for names in at_first)]
+        stale += [(entry, f"no unexplained shared trace at {FIRST} sequences any more") for entry in gone]
+        stale += [(entry, "no unexplained shared trace any more") for entry in counting if entry not in used]
+    return rows, unexplained, stale
 
 
 def tell(measurement, wanted, found, rows, unexplained, stale):
@@ -450,8 +441,8 @@ def tell(measurement, wanted, found, rows, unexplained, stale):
         print("UNEXPLAINED  the same wrong behaviour, and no requirement mutant has it, expected one:")
         for line in (*row["a"], *row["b"]):
             print(f"    {line}")
-    for entry in stale:
-        print(f"STALE        {entry['slip']}: no unexplained shared trace any more")
+    for entry, why in stale:
+        print(f"STALE        {entry['slip']}: {why}")
     explained = sum(bool(row["requirement"]) for row in rows)
     known = len(rows) - explained - len(unexplained)
     left_out = sum(map(len, measurement.driver.left_out.values()))
@@ -483,10 +474,11 @@ def measured(pair, options, results_path, table_path):
     measurement = Measurement(pair, options.build.resolve(), Results(results_path, options.anew), options.jobs, 1 if options.quick else len(STEPS))
     wanted = chosen(measurement, options)
     found = measurement.measure(wanted)
-    rows, unexplained, stale = judged(measurement, found[0], not (options.file or options.sample or options.quick))
+    is_all = not (options.file or options.sample or options.quick)
+    rows, unexplained, stale = judged(measurement, found[0], read_known(pair.known), wanted, is_all)
     tell(measurement, wanted, found, rows, unexplained, stale)
     if options.record:
-        record(pair.known, rows)
+        record(pair.known, rows, measurement.unexplained_at_first(wanted))
         unexplained, stale = [], []
     print(f"{time.monotonic() - started:.0f} s")
     if table_path:
@@ -504,19 +496,58 @@ def built(build):
         raise BadInput(f"{build}: the program does not build:\n{said}{errors}")
 
 
+def told(good, what):
+    print(f"{'pass' if good else 'FAIL'}  {what}")
+    return good
+
+
+def record_test(measurement, wanted, shared, unexplained):
+    """What an entry of the record does, marked and unmarked, with a trace that is shared to the end."""
+    names = [{side: sorted(found) for side, found in names_of(row).items()} for row in unexplained]
+    lasting = [{**each, "slip": "fixture"} for each in names]
+    marked = [{**each, ONLY_AT: FIRST} for each in lasting]
+    nowhere = {"a": ["0"], "b": ["0"], "slip": "fixture", ONLY_AT: FIRST}
+    whole = [judged(measurement, shared, entries, wanted, True)[1:] for entries in (lasting, marked, [*lasting, marked[0]], [*lasting, nowhere])]
+    measurement.steps, measurement.base = STEPS[:1], measurement.base[:1]
+    quick = judged(measurement, measurement.measure(wanted)[0], marked, wanted, False)[1:]
+    return [told(whole[0] == ([], []), "an entry of what is shared to the end: the whole run accepts it"),
+            told(len(whole[1][0]) == len(names), f"marked {ONLY_AT}, it does not count in the whole run"),
+            told([why for _, why in whole[2][1]] == [f"shared to the end, expected only at {FIRST} sequences"],
+                 f"marked {ONLY_AT} beside one that counts, it is stale in the whole run"),
+            told([entry for entry, _ in whole[3][1]] == [nowhere], f"marked {ONLY_AT} and not shared there, it is stale in the whole run"),
+            told(quick == ([], []), f"marked {ONLY_AT}, it counts in the quick run")]
+
+
+def refusal_test():
+    """A record of another number of sequences is bad input."""
+    with tempfile.TemporaryDirectory(prefix="twins-") as folder:
+        path = pathlib.Path(folder) / "known.json"
+        path.write_text(json.dumps({"known": [{"a": ["0"], "b": ["0"], "slip": "fixture", ONLY_AT: 3000}]}), encoding="utf-8")
+        try:
+            read_known(path)
+            said = ""
+        except BadInput as error:
+            said = str(error)
+    return told(said.endswith(f"{ONLY_AT} 3000: expected {FIRST}, the sequences of --quick"), f"{ONLY_AT} 3000 is refused")
+
+
 def self_test(options):
-    """Of two signatures that were once alike a shared trace is unexplained; of the two before them none is."""
-    good = True
+    """Of two signatures that were once alike a shared trace is unexplained; of the two before them none is. Entries of the record do what they say."""
+    good = refusal_test()
     options.file = options.sample = None
     options.quick = options.record = False
     for case, tree in FIXTURES.items():
         pair = Pair(ROOT / "verification/gates/likeness/fixture" / tree / "tree", ROOT / HERE / "fixture" / case,
                     ROOT / HERE / "fixture" / case / "known.json", ("--unit",))
-        unexplained, _ = measured(pair, options, None, None)
-        held = bool(unexplained) == (case == "alike")
-        print(f"{'pass' if held else 'FAIL'}  fixture {case}: {len(unexplained)} shared traces are unexplained, expected "
-              f"{'some' if case == 'alike' else 'none'}")
-        good = good and held
+        measurement = Measurement(pair, options.build.resolve(), Results(None, options.anew), options.jobs, len(STEPS))
+        wanted = chosen(measurement, options)
+        found = measurement.measure(wanted)
+        rows, unexplained, stale = judged(measurement, found[0], [], wanted, True)
+        tell(measurement, wanted, found, rows, unexplained, stale)
+        expected = "some" if case == "alike" else "none"
+        good &= told(bool(unexplained) == (case == "alike"), f"fixture {case}: {len(unexplained)} shared traces are unexplained, expected {expected}")
+        if case == "alike":
+            good &= all(record_test(measurement, wanted, found[0], unexplained))
     return 0 if good else 1
 
 
@@ -525,7 +556,7 @@ def parsed(arguments):
     parser.add_argument("--file", action="append", help="mutants of this file alone, as a path in the tree; may be given again")
     parser.add_argument("--sample", type=int, metavar="N", help="N mutants of each channel, drawn by the content of the sources")
     parser.add_argument("--quick", action="store_true",
-                        help=f"judge by the first {STEPS[0][1]} sequences, and only mutants that share one library")
+                        help=f"judge by the first {FIRST} sequences, and only mutants that share one library")
     parser.add_argument("--record", action="store_true", help="write what is unexplained into known.json, instead of failing")
     parser.add_argument("--anew", action="store_true", help="forget all kept traces")
     parser.add_argument("--jobs", type=int, default=2, help="mutants at the same time (default 2)")
@@ -538,6 +569,8 @@ def parsed(arguments):
 def main(arguments):
     options = parsed(arguments)
     try:
+        if options.record and (options.quick or options.sample or options.file):
+            raise BadInput("--record with --quick, --sample or --file: what these leave out would be lost, expected the whole run")
         built(options.build.resolve())
         if options.rules:
             print(ran([str(options.build.resolve() / PROGRAM), "--list-rules"], ROOT)[1], end="")

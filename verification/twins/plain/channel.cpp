@@ -135,6 +135,7 @@ const Number kPermitRotation{"SRS_REL_010", "bits of the rotation"};
 const Number kPermitUpper{"SRS_REL_010", "first bit of the upper half of the mask"};
 const Number kPermitNone{"SRS_REL_010", "mask while SRDOs are not active"};
 const Sum kPermitSum{"SRS_REL_010", "challenge and mask"};
+const ExclusiveOr kPermitOf{"SRS_REL_010", "challenge and mask, XOR the upper half of the mask"};
 const Counter kCycleUp{"SRS_CONS_023", "number of OnCycle calls"};
 const Decision kGfcNext{"SRS_CONS_017", "a GFC waits behind an OnCycle"};
 const Number kDigestFirstSlot{"SRS_CFG_034", "slot with the device's part"};
@@ -498,8 +499,8 @@ Permit PlainChannel::Answer(std::uint32_t challenge) const noexcept
     const std::uint32_t bits = kPermitRotation(16U) & 0x1FU;
     const std::uint32_t rotated = kPermitRotated() ? ((high << bits) | (high >> (32U - bits))) : high;
     const std::uint32_t constant = (common_.side == Side::kNormal) ? kPermitConstantA : kPermitConstantB;
-    permit.response =
-        (kPermitSum(kPermitChallenge() ? challenge : 0U, low) ^ rotated) * (kPermitConstant() ? constant : 1U);
+    const std::uint32_t sum = kPermitSum(kPermitChallenge() ? challenge : 0U, low);
+    permit.response = kPermitOf(sum, rotated) * (kPermitConstant() ? constant : 1U);
     return permit;
 }
 

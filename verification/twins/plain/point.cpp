@@ -33,7 +33,9 @@ const char* TextOf(Slip slip)
                                          "only the first",
                                          "all but the first",
                                          "the greater",
-                                         "always the room"};
+                                         "always the room",
+                                         "or instead of exclusive or",
+                                         "and instead of exclusive or"};
     return kTexts[static_cast<std::uint8_t>(slip)];
 }
 } // namespace

@@ -36,6 +36,8 @@ enum class Slip : std::uint8_t
     kWithoutFirst,
     kTheGreater,
     kTheOther,
+    kOrInstead,
+    kAndInstead,
 };
 
 /// A place of the plain channel where a requirement says something. One at a time is wrong.
@@ -193,6 +195,25 @@ class Sum final : public Point
     [[nodiscard]] std::uint32_t operator()(std::uint32_t one, std::uint32_t other) const noexcept
     {
         return (Now() == Slip::kDifference) ? (one - other) : (one + other);
+    }
+};
+
+/// The exclusive or of two.
+class ExclusiveOr final : public Point
+{
+  public:
+    ExclusiveOr(const char* requirement, const char* what)
+        : Point{requirement, what, {Slip::kOrInstead, Slip::kAndInstead}}
+    {
+    }
+    [[nodiscard]] std::uint32_t operator()(std::uint32_t one, std::uint32_t other) const noexcept
+    {
+        const Slip slip = Now();
+        if (slip == Slip::kOrInstead)
+        {
+            return one | other;
+        }
+        return (slip == Slip::kAndInstead) ? (one & other) : (one ^ other);
     }
 };
 

@@ -128,6 +128,7 @@ const Number kCauseAny{"SRS_PROD_009", "which fault of a producer it is"};
 const Number kCauseRecorded{"SRS_PROD_009", "first cause of a producer"};
 const Number kCauseSignalled{"SRS_PROD_009", "signal of a producer"};
 const Number kMissedTold{"SRS_PROD_010", "what is recorded of a missed refresh, in either form"};
+const Number kMissedTold2{"SRS_PROD_010", "what is recorded of an application that sends too rarely"};
 const Number kMissedTold1{"SRS_PROD_010", "what is recorded of a missed refresh"};
 const Place kExaminedSlot{"SRS_PROD_008", "slot that is examined in the cycle"};
 const Place kAcknowledgedSlot{"SRS_PROD_009", "slot whose first cause an edge clears"};
@@ -172,6 +173,12 @@ bool IsReached(std::uint32_t now_us, std::uint32_t from_us, std::uint32_t delay_
     return kDelayOver(kDelayReached() ? (elapsed >= delay_us) : (elapsed > delay_us));
 }
 
+void GiveUpPair(Record& record) noexcept
+{
+    record.transmission.is_in_flight = false;
+    record.transmission.is_inverse_awaited = record.transmission.is_inverse_awaited && (!kGivesUpAwaited());
+}
+
 /// A fault `given` that is told as `told`.
 void FaultAs(Record& record, SrdoCause given, SrdoCause told) noexcept
 {
@@ -184,8 +191,7 @@ void FaultAs(Record& record, SrdoCause given, SrdoCause told) noexcept
     }
     if ((cause != SrdoCause::kRefreshMissed) && kGivesUp())
     {
-        record.transmission.is_in_flight = false;
-        record.transmission.is_inverse_awaited = record.transmission.is_inverse_awaited && (!kGivesUpAwaited());
+        GiveUpPair(record);
     }
 }
 
@@ -255,7 +261,7 @@ void ExamineApplication(const Common& common, Record& record) noexcept
         kTooRareFault())
     {
         const SrdoCause cause = kMissedCause(kToldRare(SrdoCause::kRefreshMissed));
-        FaultAs(record, cause, kMissedTold(cause));
+        FaultAs(record, cause, kMissedTold(kMissedTold2(cause)));
         to.base_us = kTooRareAnew() ? common.now_us : to.base_us;
     }
 }
@@ -464,6 +470,10 @@ void FailTransmission(Record& record, SrdoCause cause) noexcept
     if (kFailInFlight(record.transmission.is_in_flight) && kFailCause(is_cause))
     {
         Fault(record, kToldFail(cause));
+        if (cause == SrdoCause::kRefreshMissed) // Of a pair in flight it is no missed refresh: the pair is given up.
+        {
+            GiveUpPair(record);
+        }
     }
 }
 

@@ -52,6 +52,8 @@ const Number kObjectCount{"SRS_CFG_027", "objects looked at"};
 const Decision kAccess{"SRS_CFG_027", "access fits the direction"};
 const Decision kLength{"SRS_CFG_027", "exactly its length"};
 const Decision kGranularity{"SRS_CFG_027", "length is a multiple of the granularity"};
+const Decision kMultiple{"SRS_CFG_027", "length of any entry is a multiple of the granularity"};
+const Number kRemainder{"SRS_CFG_027", "what a length is above a multiple of the granularity"};
 const Decision kGranularityDummy{"SRS_CFG_027", "length of a dummy is a multiple of the granularity"};
 const Number kGranularityBits{"SRS_CFG_027", "granularity"};
 const Decision kPairLength{"SRS_CFG_027", "both of a pair have equal length"};
@@ -67,6 +69,7 @@ const Number kTotalBits{"SRS_CFG_028", "most bits"};
 const Number kTotalSum{"SRS_CFG_028", "sum of the lengths"};
 const Decision kShared{"SRS_CFG_037", "a shared object"};
 const Decision kSharedLower{"SRS_CFG_037", "an SRDO of a lower slot"};
+const Act kSharedOnlyLower{"SRS_CFG_037", "the SRDO itself is none of a lower slot"};
 const Decision kSharedOn{"SRS_CFG_037", "the other's direction is not 0"};
 const Decision kSharedConsumer{"SRS_CFG_037", "this one is a consumer"};
 const Decision kSharedOther{"SRS_CFG_037", "the other is a consumer"};
@@ -94,6 +97,7 @@ const Decision kDummyConsumer{"SRS_CFG_033", "a dummy of a consumer"};
 const Decision kDummyBoth{"SRS_CFG_033", "both of a pair are dummies"};
 const Decision kDummySub{"SRS_CFG_033", "sub-index 0 of a dummy"};
 const Decision kDummyBits{"SRS_CFG_033", "bits of a dummy"};
+const Decision kDummyForm{"SRS_CFG_033", "sub-index 0 and the bits of a dummy"};
 const Decision kDummyIs{"SRS_CFG_033", "index of a data type"};
 const Number kDummyLast{"SRS_CFG_033", "last index of a data type"};
 const Number kDummyFirst{"SRS_CFG_033", "first index of a data type"};
@@ -141,7 +145,8 @@ const Each kSharedEach{"SRS_CFG_037", "lower slots that are looked at"};
 const Place kSharedPlace{"SRS_CFG_037", "lower slot"};
 const Place kSharedEntriesOf{"SRS_CFG_037", "lower slot with the entries"};
 const Place kSharedOnOf{"SRS_CFG_037", "lower slot with the direction"};
-const Decision kSharedWith{"SRS_CFG_037", "an SRDO of a lower slot suffices, whatever it names"};
+const Either kSharedEither{"SRS_CFG_037", "this one, or the other, is a consumer"};
+const Both kSharedRoles{"SRS_CFG_037", "the other is not off, and one of the two is a consumer"};
 const Decision kSharedCommon{"SRS_CFG_037", "the two SRDOs name a common object"};
 const Decision kSharedNamed{"SRS_CFG_037", "an SRDO of a lower slot names the object"};
 const Number kSharedValue{"SRS_CFG_037", "entry that is looked for"};
@@ -189,7 +194,7 @@ bool IsType(const Entry& entry) noexcept
     const std::uint32_t last = kDummyLast(7U);
     const bool is_index = kDummyIs((entry.index >= first) && (entry.index <= last));
     const std::uint32_t bits = type_bits[entry.index % 8U];
-    return is_index && kDummySub(entry.sub == 0U) && kDummyBits(entry.bits == bits);
+    return is_index && kDummyForm(kDummySub(entry.sub == 0U) && kDummyBits(entry.bits == bits));
 }
 
 bool IsDummy(const Common& common, const Record& record, const Entry& entry) noexcept
@@ -240,7 +245,7 @@ bool IsGood(const Common& common, const Record& record, std::uint32_t number, Pa
 {
     const Entry entry = Read(EntryOf(record, number));
     const std::uint32_t granularity = kGranularityBits(common.config.granularity_bits);
-    const bool is_multiple = (granularity != 0U) && ((entry.bits % granularity) == 0U);
+    const bool is_multiple = kMultiple((granularity != 0U) && (kRemainder(entry.bits % granularity) == 0U));
     part = Part{nullptr, entry.bits};
     if (kDummyAny(IsDummy(common, record, entry)))
     {
@@ -327,10 +332,10 @@ bool IsShared(const Common& common, const Record* records, SlotIndex slot) noexc
         const std::uint32_t at = kSharedPlace(i);
         const Record& known = records[kSharedOnOf(at)];
         const Record& other = records[kSharedEntriesOf(at)];
-        const bool is_consumer = kSharedConsumer(IsConsumer(own)) || kSharedOther(IsConsumer(known));
+        const bool is_consumer = kSharedEither(kSharedConsumer(IsConsumer(own)), kSharedOther(IsConsumer(known)));
+        const bool is_lower = kSharedLower(kSharedOnlyLower() ? (at < slot) : (at <= slot));
         const bool is_with =
-            kSharedLower(at < slot) && kSharedEach(i) && kSharedOn(known.stored.direction != 0U) && is_consumer;
-        is_shared = is_shared || ((at < slot) && kSharedWith(false));
+            is_lower && kSharedEach(i) && kSharedRoles(kSharedOn(known.stored.direction != 0U), is_consumer);
         if (!is_with)
         {
             continue;

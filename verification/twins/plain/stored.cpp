@@ -38,6 +38,7 @@ const Number kSub{"SRS_CFG_003", "number of a map entry"};
 const Place kUnresolvedSlot{"SRS_CFG_003", "slot that storing makes unresolved"};
 const Act kUnresolves{"SRS_CFG_003", "storing makes the mapping unresolved"};
 const Decision kSignatureStays{"SRS_CFG_003", "storing the signature leaves the mapping resolved"};
+const Decision kNoEntryStays{"SRS_CFG_003", "storing an entry that there is none of leaves the mapping resolved"};
 const Decision kStaticStays{"SRS_CFG_003", "storing an entry of a static mapping leaves it resolved"};
 const Number kStaticBoth{"SRS_CFG_032", "count of a static mapping"};
 const Number kStaticDeclared{"SRS_CFG_032", "count of a static mapping in the rules"};
@@ -46,6 +47,9 @@ const Number kDeclared{"SRS_CFG_026", "map count in the rules"};
 const Number kExisting{"SRS_CFG_020", "entries of the map count that exist"};
 const Lesser kRoomOfCount{"SRS_CFG_020", "map count, and map_entries"};
 const Decision kNotExchanged{"SRS_CFG_020", "the map count and the entries that exist in their places"};
+const Decision kStaticCut{"SRS_CFG_020", "the cut count of a static mapping is for the signature alone"};
+const Act kSlotLast{"SRS_CFG_003", "srdo_count itself is no slot"};
+const Act kSlotLastLoaded{"SRS_CFG_003", "srdo_count itself is no slot of Load"};
 const Place kSlot{"SRS_CFG_003", "slot of Store"};
 const Place kLoadSlot{"SRS_CFG_003", "slot of Load"};
 
@@ -65,6 +69,12 @@ const Place kCountLoadSlot{"SRS_CFG_003", "slot of a map count that is loaded"};
 std::uint8_t LowByte(std::uint32_t value) noexcept
 {
     return static_cast<std::uint8_t>(value & 0xFFU);
+}
+
+bool IsSlot(const Common& common, SlotIndex slot, bool is_limit_refused) noexcept
+{
+    const std::uint32_t count = common.config.srdo_count;
+    return (slot < count) || ((slot == count) && !(kSlotLast() && is_limit_refused));
 }
 
 bool IsStatic(const Record& record) noexcept
@@ -117,7 +127,7 @@ bool Keep(const Common& common, const Record* records, Record& record, const Con
         {
             record.entries[sub - 1U] = value;
         }
-        return is_kept || (is_static && (!kStaticStays(true)));
+        return is_kept || (is_static && (!kStaticStays(true))) || (!kNoEntryStays(true));
     }
     case ConfigField::kSignature:
         stored.signature = static_cast<std::uint16_t>(value & 0xFFFFU);
@@ -183,7 +193,9 @@ Counts CountsOf(const Common& common, const Record& record) noexcept
     const std::uint32_t lesser = kRoomOfCount(count, RoomOf(common, record));
     if (IsStatic(record))
     {
-        return Counts{kStaticDeclared(kStaticBoth(count)), kStaticExisting(kStaticBoth(lesser))};
+        const bool is_cut_right = kStaticCut(true);
+        return Counts{kStaticDeclared(kStaticBoth(is_cut_right ? count : lesser)),
+                      kStaticExisting(kStaticBoth(is_cut_right ? lesser : count))};
     }
     const bool is_right = kNotExchanged(true);
     return Counts{kDeclared(is_right ? count : lesser), kExisting(is_right ? lesser : count)};
@@ -210,6 +222,16 @@ std::uint32_t EntryOf(const Record& record, std::uint32_t number) noexcept
     return ((number >= 1U) && (number <= kMaxMapEntries)) ? record.entries[number - 1U] : 0U;
 }
 
+namespace
+{
+std::uint32_t LoadedCountOf(const Record& record) noexcept
+{
+    const std::uint32_t count = CountOf(record);
+    const bool is_whole = (!IsStatic(record)) || kStaticCut(true);
+    return (is_whole || (count < kMaxMapEntries)) ? count : kMaxMapEntries;
+}
+} // namespace
+
 void Store(Common& common, Record* records, const ConfigItem& item) noexcept
 {
     if (item.address.field == ConfigField::kGfcParameter)
@@ -222,7 +244,7 @@ void Store(Common& common, Record* records, const ConfigItem& item) noexcept
         common.configuration_valid = LowByte(item.value);
         return;
     }
-    const bool exists = kSlotExists(item.address.slot < common.config.srdo_count);
+    const bool exists = kSlotExists(IsSlot(common, item.address.slot, true));
     if ((!exists) || (item.address.slot >= kMaxSrdoCount))
     {
         return;
@@ -248,7 +270,8 @@ std::uint32_t Load(const Common& common, const Record* records, const ConfigAddr
     {
         return common.configuration_valid;
     }
-    if ((!kSlotExists(address.slot < common.config.srdo_count)) || (address.slot >= kMaxSrdoCount))
+    const bool exists = kSlotExists(IsSlot(common, address.slot, kSlotLastLoaded()));
+    if ((!exists) || (address.slot >= kMaxSrdoCount))
     {
         return 0U;
     }
@@ -268,7 +291,7 @@ std::uint32_t Load(const Common& common, const Record* records, const ConfigAddr
     case ConfigField::kCobId2:
         return record.stored.cob_id_2;
     case ConfigField::kMapCount:
-        return CountOf(records[kCountLoadSlot(address.slot)]);
+        return LoadedCountOf(records[kCountLoadSlot(address.slot)]);
     case ConfigField::kMapEntry:
     {
         const std::uint32_t sub = kSub(address.sub);
