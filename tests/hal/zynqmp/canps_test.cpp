@@ -2,7 +2,7 @@
 //
 // Bus-off, which the emulator's controllers do not have, and a moment that no program can hit. The registers are words
 // of the test; they do what UG1085 says of reset, enabling and bus-off, and no more.
-#include "hal/zynqmp/can/canps.hpp"
+#include "hal/zynqmp/can/can_ports.hpp"
 
 #include "verification/trace/ids/zynqmp_hal.hpp"
 #include "verification/trace/verifies.hpp"
@@ -30,6 +30,7 @@ struct Registers
     std::map<std::uint32_t, std::uint32_t> words;
     std::vector<std::uint32_t> waiting; ///< Identifiers in the transmit FIFO: they stay there over bus-off.
     bool can_be_enabled{true};
+    bool does_reset_empty{true};
     bool brings_frame{false}; ///< A frame ends right before the time stamps begin anew, and has one of before.
 };
 Registers registers;
@@ -39,8 +40,12 @@ void WriteRegister(const std::uint32_t offset, const std::uint32_t value)
     if ((offset == kReset) && (value == kResetNow))
     {
         registers.words.clear();
-        registers.waiting.clear();
+        if (registers.does_reset_empty)
+        {
+            registers.waiting.clear();
+        }
         registers.words[kStatus] = kIsConfiguring;
+        registers.words[kEvents] = registers.waiting.empty() ? kTransmitEmpty : 0U;
         return;
     }
     if (offset == kClearEvents)
@@ -78,15 +83,19 @@ class Time final : public hal::Clocks
     std::uint32_t now_{0U};
 };
 
+CanpsSetup SetupOfTest()
+{
+    return CanpsSetup{kCan0, 2U,    BitTiming(12U, 3U, 3U), 24U,         IdentifierList{&kReceived[0], 1U},
+                      1500U, 0x80U, kPauseCycles,           kMostReturns};
+}
+
 class CanpsTest : public testing::Test
 {
   protected:
     CanpsTest()
     {
         registers = Registers{};
-        const CanpsSetup setup{kCan0, 2U,    BitTiming(12U, 3U, 3U), 24U,         IdentifierList{&kReceived[0], 1U},
-                               1500U, 0x80U, kPauseCycles,           kMostReturns};
-        EXPECT_EQ(can_.Start(setup, time_), CanFault::kNone);
+        EXPECT_EQ(can_.Start(SetupOfTest(), time_), CanFault::kNone);
     }
 
     hal::TransmitStatus Send(const std::uint32_t identifier)
@@ -208,6 +217,20 @@ TEST_F(CanpsTest, AControllerThatDoesNotComeBackIsAFault)
     EXPECT_EQ(registers.words[kReset], 0U);
 }
 
+// UG1085, "TX Messages": they are retained in bus-off and in configuration mode. Should a reset retain them, too, the
+// controller stays off the bus, or a frame of before the pause would be sent as a new one.
+TEST_F(CanpsTest, AFrameThatOutlivesTheResetIsAFault)
+{
+    Verifies(req::SRS_ZYN_051);
+    registers.does_reset_empty = false;
+    ASSERT_EQ(Send(0x101U), hal::TransmitStatus::kAccepted);
+    FallOff();
+    Cycles(kPauseCycles + 1U);
+    EXPECT_EQ(can_.Fault(), CanFault::kRegisters);
+    EXPECT_NE(registers.words[kReset], kEnabled);
+    EXPECT_EQ(registers.waiting, std::vector<std::uint32_t>{0x101U});
+}
+
 // A time stamp of before the anchor would make the frame older, or younger, than it is: it is taken at once, with the
 // moment of the look.
 TEST_F(CanpsTest, AFrameAtTheAnchorHasTheMomentOfTheLook)
@@ -222,6 +245,23 @@ TEST_F(CanpsTest, AFrameAtTheAnchorHasTheMomentOfTheLook)
     EXPECT_EQ(queued.kind, QueuedKind::kReceived);
     EXPECT_EQ(queued.frame.frame.identifier, 0x103U);
     EXPECT_GT(queued.frame.stamp.a.us, before.us);
+}
+
+// The confirmation has the moment of the look that found it, which is after the look began: another controller's frame
+// may still come before it.
+TEST_F(CanpsTest, WhatEndedAfterTheLookBeganWaitsForTheNext)
+{
+    Verifies(req::SRS_ZYN_047);
+    CanPorts ports{time_};
+    ASSERT_EQ(ports.Start(CanPortsSetup{SetupOfTest(), CanpsSetup{}, BusLayout::kOneController}), CanFault::kNone);
+    ASSERT_EQ(ports.Transmit(CanFrame{0x101U, FrameKind::kData, CanPortId::kFirst, 1U, {}}),
+              hal::TransmitStatus::kAccepted);
+    registers.words[kEvents] |= kSent;
+    static_cast<void>(ports.Look());
+    EXPECT_EQ(ports.Next().kind, QueuedKind::kNothing);
+    static_cast<void>(ports.Look());
+    EXPECT_EQ(ports.Next().kind, QueuedKind::kConfirmed);
+    EXPECT_EQ(ports.Next().kind, QueuedKind::kNothing);
 }
 
 } // namespace
