@@ -231,6 +231,23 @@ TEST_F(CanpsTest, AFrameThatOutlivesTheResetIsAFault)
     EXPECT_EQ(registers.waiting, std::vector<std::uint32_t>{0x101U});
 }
 
+TEST_F(CanpsTest, EachRegisterThatChangedIsAFault)
+{
+    Verifies(req::SRS_ZYN_052);
+    const std::uint32_t offsets[]{kReset,  kMode,       kPrescaler, kBitTiming,
+                                  kStatus, kFilterMask, kFilters,   kFilterIdentifier};
+    for (const std::uint32_t offset : offsets)
+    {
+        ASSERT_EQ(can_.Start(SetupOfTest(), time_), CanFault::kNone);
+        Cycle();
+        ASSERT_EQ(can_.Fault(), CanFault::kNone);
+        registers.words[offset] ^= (offset == kStatus) ? kIsNormal : 0x2U;
+        Cycle();
+        EXPECT_EQ(can_.Fault(), CanFault::kRegisters) << offset;
+        EXPECT_NE(registers.words[kStatus] & kIsConfiguring, 0U) << offset;
+    }
+}
+
 // A time stamp of before the anchor would make the frame older, or younger, than it is: it is taken at once, with the
 // moment of the look.
 TEST_F(CanpsTest, AFrameAtTheAnchorHasTheMomentOfTheLook)
