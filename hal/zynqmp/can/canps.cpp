@@ -119,7 +119,10 @@ CanFault Canps::Start(const CanpsSetup& setup, hal::Clocks& clocks) noexcept
 Outcome Canps::Configure(hal::Clocks& clocks) noexcept
 {
     Write(Place(kReset), kResetNow);
-    Outcome outcome = WaitFor(Place(kStatus), Bits{kIsConfiguring, kIsConfiguring}, kStateLooks);
+    constexpr std::uint32_t kAreFull = kUrgentFull | kTransmitFull;
+    Outcome outcome = WaitFor(Place(kStatus), Bits{kIsConfiguring | kAreFull, kIsConfiguring}, kStateLooks);
+    // A frame of before the reset must not be sent: bus-off and configuration alone retain it.
+    outcome = Both(outcome, WaitFor(Place(kEvents), Bits{kTransmitEmpty, kTransmitEmpty}, kStateLooks));
     outcome = Both(outcome, WriteChecked(Place(kMode), 0U, kWholeWord));
     outcome = Both(outcome, WriteChecked(Place(kPrescaler), setup_.prescaler, kWholeWord));
     outcome = Both(outcome, WriteChecked(Place(kBitTiming), setup_.bit_timing, kWholeWord));

@@ -59,7 +59,7 @@ class Canps
     /// `latest_look_us`. [SRS_ZYN_046, SRS_ZYN_047, SRS_ZYN_050]
     void Look(hal::Clocks& clocks, FrameQueue& queue, CanPortId port) noexcept;
     /// @brief Once a cycle, right after Look: registers, the way out of bus-off, the time stamps begin anew.
-    /// [SRS_ZYN_052]
+    /// [SRS_ZYN_051, SRS_ZYN_052]
     void OnCycle(hal::Clocks& clocks, FrameQueue& queue, CanPortId port) noexcept;
     /// @brief Off the bus until Start; the first fault stays.
     void Stop(CanFault why) noexcept;

@@ -52,6 +52,7 @@ inline constexpr std::uint32_t kUnderflow = 1U << 5U;
 inline constexpr std::uint32_t kOverflow = 1U << 6U;
 inline constexpr std::uint32_t kNotEmpty = 1U << 7U;
 inline constexpr std::uint32_t kBusOff = 1U << 9U;
+inline constexpr std::uint32_t kTransmitEmpty = 1U << 14U; ///< TXFEMP; set after a reset.
 inline constexpr std::uint32_t kAllEvents = 0x7FFFU;
 
 inline constexpr std::uint32_t kClearTimeStamp = 1U << 0U;

@@ -55,8 +55,11 @@ Outcome Counters::Start(const CountersSetup& setup) noexcept
     const Outcome clock = WriteChecked(At(setup.timer, kClockControl), ClockControl(setup), kWholeWord);
     Write(At(setup.timer, kCounterControl), kWaveformOff | kRestart);
     SetUpCycles(CycleSetup{kCyclesOn | kCyclesReset, kCycleCounterOn, 0U});
-    timer_.Start(setup.timer_rate, Read(At(setup.timer, kCounterValue)));
-    processor_.Start(setup.processor_rate, ReadCycleCounter());
+    // Read together: the start of a scale takes some microseconds.
+    const std::uint32_t timer = Read(At(setup.timer, kCounterValue));
+    const std::uint32_t cycles = ReadCycleCounter();
+    timer_.Start(setup.timer_rate, timer);
+    processor_.Start(setup.processor_rate, cycles);
     InstantPair now = Now();
     for (std::uint32_t look = 0U; (look < kMostLooks) && ((now.a.us < kWatchedUs) || (now.b.us < kWatchedUs)); ++look)
     {

@@ -13,21 +13,20 @@ constexpr std::uint32_t kMillion = 1000000U;
 /// Bits of the quotient are found one by one: no compiler's function for 64 bits is in the image.
 constexpr std::uint32_t kTopBit = 0x80000000U;
 
-/// 1 000 000 / hertz in units of 2^-32.
-[[nodiscard]] std::uint32_t FractionOf(const std::uint32_t hertz) noexcept
+/// The next 32 bits of the quotient; `rest` is what is left behind them.
+[[nodiscard]] std::uint32_t NextBits(const std::uint32_t hertz, std::uint32_t& rest) noexcept
 {
-    std::uint32_t fraction = 0U;
-    std::uint32_t rest = kMillion;
+    std::uint32_t quotient = 0U;
     for (std::uint32_t bit = 0U; bit < kWordBits; ++bit)
     {
         rest <<= 1U;
         if (rest >= hertz)
         {
             rest -= hertz;
-            fraction |= kTopBit >> bit;
+            quotient |= kTopBit >> bit;
         }
     }
-    return fraction;
+    return quotient;
 }
 
 } // namespace
@@ -35,7 +34,11 @@ constexpr std::uint32_t kTopBit = 0x80000000U;
 void ScaledCounter::Start(const CounterRate& rate, const std::uint32_t raw) noexcept
 {
     mask_ = (rate.bits < kWordBits) ? ((1U << rate.bits) - 1U) : ~std::uint32_t{0U};
-    each_count_ = (rate.hertz > kMillion) ? FractionOf(rate.hertz) : 0U;
+    std::uint32_t rest = kMillion;
+    const bool is_rate = rate.hertz > kMillion;
+    each_count_ = is_rate ? NextBits(rate.hertz, rest) : 0U;
+    each_count_rest_ = is_rate ? NextBits(rate.hertz, rest) : 0U;
+    rest_ = 0U;
     microseconds_ = 0U;
     last_ = raw;
 }
@@ -44,7 +47,9 @@ Instant ScaledCounter::Take(const std::uint32_t raw) noexcept
 {
     const std::uint32_t counts = (raw - last_) & mask_;
     last_ = raw;
-    microseconds_ += std::uint64_t{counts} * each_count_;
+    const std::uint64_t rest = (std::uint64_t{counts} * each_count_rest_) + rest_;
+    rest_ = static_cast<std::uint32_t>(rest);
+    microseconds_ += (std::uint64_t{counts} * each_count_) + (rest >> kMicrosecondBits);
     return Instant{static_cast<std::uint32_t>(microseconds_ >> kMicrosecondBits)};
 }
 

@@ -32,8 +32,10 @@ class ScaledCounter
     }
 
   private:
-    std::uint64_t microseconds_{0U}; ///< In units of 2^-32 us; its upper half is the moment.
-    std::uint32_t each_count_{0U};   ///< What a count adds, at most 1 us less one unit.
+    std::uint64_t microseconds_{0U};    ///< In units of 2^-32 us; its upper half is the moment.
+    std::uint32_t rest_{0U};            ///< In units of 2^-64 us: what is less than one of `microseconds_`.
+    std::uint32_t each_count_{0U};      ///< What a count adds to `microseconds_`, at most 1 us less one unit.
+    std::uint32_t each_count_rest_{0U}; ///< What it adds to `rest_`: without it a clock would drift by some 100 ppb.
     std::uint32_t last_{0U};
     std::uint32_t mask_{0U};
 };

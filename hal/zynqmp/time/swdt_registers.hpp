@@ -7,7 +7,7 @@
 #include <cstdint>
 
 /// System watchdog timer of the low-power domain. Source: register header of the vendor's public driver
-/// wdtps; the base address was not checked against a manual. The emulator has none.
+/// wdtps; base address as in Linux's zynqmp.dtsi. The emulator has none.
 namespace counterpoint::zynqmp::swdt
 {
 

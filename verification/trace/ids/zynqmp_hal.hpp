@@ -15,6 +15,7 @@ inline constexpr RequirementId SRS_ZYN_047{"SRS_ZYN_047"};
 inline constexpr RequirementId SRS_ZYN_048{"SRS_ZYN_048"};
 inline constexpr RequirementId SRS_ZYN_049{"SRS_ZYN_049"};
 inline constexpr RequirementId SRS_ZYN_050{"SRS_ZYN_050"};
+inline constexpr RequirementId SRS_ZYN_051{"SRS_ZYN_051"};
 inline constexpr RequirementId SRS_ZYN_052{"SRS_ZYN_052"};
 inline constexpr RequirementId SRS_ZYN_054{"SRS_ZYN_054"};
 inline constexpr RequirementId SRS_ZYN_055{"SRS_ZYN_055"};

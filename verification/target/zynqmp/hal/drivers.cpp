@@ -9,6 +9,7 @@
 #include "hal/zynqmp/start/memory_map.hpp"
 #include "hal/zynqmp/time/system_watchdog.hpp"
 #include "verification/target/target.hpp"
+#include "verification/target/zynqmp/hal/board_faults.hpp"
 #include "verification/target/zynqmp/hal/checks.hpp"
 #include "verification/target/zynqmp/hal/emulated_setup.hpp"
 
@@ -541,5 +542,6 @@ std::uint32_t TargetMain() noexcept
     TestLostConfirmation();
     TestRegisterFaults();
     TestAbsent();
+    TestBoardFaults(counters, Setup());
     return EndChecks();
 }
