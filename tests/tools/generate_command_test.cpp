@@ -129,7 +129,8 @@ TEST_F(GenerateCommandTest, TellsWhatTheCheckTellsAndEachOnce)
     EXPECT_EQ(checked.status, 0);
     EXPECT_NE(checked.out.find(":8:14: warning: 0x1005:00: the device refuses this value"), std::string::npos);
     EXPECT_NE(checked.out.find(":10:10: warning: 0x1017:00: data type of 32 bit"), std::string::npos);
-    EXPECT_NE(checked.out.find(":16:14: warning: 0x2000:00: value '9', expected at most the HighLimit '8'"), std::string::npos);
+    EXPECT_NE(checked.out.find(":16:14: warning: 0x2000:00: value '9', expected at most the HighLimit '8'"),
+              std::string::npos);
     const Answer answer = RunCommand({"generate", file, "--output", Path("out")});
     EXPECT_EQ(answer.status, 0);
     EXPECT_EQ(answer.err, checked.out);
