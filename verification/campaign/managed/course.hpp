@@ -60,7 +60,6 @@ class Course
     Nanoseconds looked_{-1}; ///< The last ms.
     Nanoseconds later_at_{runtime::kNever};
     std::function<void()> later_{};
-    bool is_written_{false};
 };
 } // namespace counterpoint::campaign::managed
 
