@@ -47,7 +47,7 @@ void El6751StartUp::Begin(const Instant now) noexcept
     BeginAll(now);
 }
 
-/// What is held by hand stays so. [SRS_ELM_060]
+/// What is held by hand stays so, unless a start was ordered since. [SRS_ELM_060]
 void El6751StartUp::BeginAll(const Instant now) noexcept
 {
     is_active_ = true;
@@ -61,7 +61,7 @@ void El6751StartUp::BeginAll(const Instant now) noexcept
         if (parts_.setup.IsListed(node))
         {
             const NodeStatus before = slaves_.Of(node).status;
-            const bool is_held = slaves_.Of(node).is_held_by_hand;
+            const bool is_held = slaves_.Of(node).is_held_by_hand && !slaves_.Of(node).is_start_wanted;
             slaves_.Of(node) = El6751Node{};
             slaves_.Of(node).is_held_by_hand = is_held;
             slaves_.Of(node).status.code = before.code;

@@ -391,6 +391,38 @@ TEST_F(El6751StartTest, AHoldLastsBehindBootUpAndBusOff)
     }
 }
 
+TEST_F(El6751StartTest, AStartOrderedWhileTheManagerIsBusOffEndsTheHold)
+{
+    Verifies(req::SRS_ELM_060);
+    // Given a slave that runs, and is held while the manager is off the bus
+    AddBox(5U);
+    Begin();
+    Run(100U);
+    ASSERT_EQ(Code(5U), 0);
+    const auto set = [this](const ControllerState state)
+    {
+        static_cast<void>(Do(
+            [&]
+            {
+                el.OnController(state, Now());
+                return true;
+            }));
+    };
+    const auto order = [this](const NmtCommand command)
+    { return Do([&] { return el.Command(command, NodeId{5U}, Now()); }); };
+    set(ControllerState::kBusOff);
+    Run(50U);
+    EXPECT_EQ(order(NmtCommand::kPreOperational), NmtAnswer::kTaken);
+    Run(50U);
+    // When its start is ordered before the bus is back, then the start-up behind starts it
+    EXPECT_EQ(order(NmtCommand::kStart), NmtAnswer::kTaken);
+    Run(50U);
+    set(ControllerState::kRunning);
+    Run(500U);
+    EXPECT_EQ(Code(5U), 0);
+    EXPECT_TRUE(Of(5U).is_started);
+}
+
 TEST_F(El6751StartTest, AControllerThatDoesNotStartIsNodeState13)
 {
     Verifies(req::SRS_ELM_045);
