@@ -65,6 +65,7 @@ TEST_F(ManagedTest, PlansThatCannotBeUsedAreRefusedAtTheirPlace)
                   .find("bad.yaml:2:10: error: a scenario without managers, expected one with "
                         "managers"),
               std::string::npos);
+    EXPECT_NE(said(head + "nobody.yaml\n").find("bad.yaml:2:10: error: there is no file '"), std::string::npos);
     EXPECT_NE(said(head + "managed.yaml\nuntil: 60 ms\nparts: [sdo, election]\n")
                   .find("bad.yaml:4:14: error: a part of which nothing is there between 'from' and 'until'"),
               std::string::npos);

@@ -6,6 +6,7 @@
 #include "runtime/yaml/optional_values.hpp"
 #include "simulator/scenario/parts.hpp"
 #include "verification/campaign/variants.hpp"
+#include "verification/campaign/word_list.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -109,44 +110,6 @@ constexpr Word<Class> kFindingWords[] = {
 static_assert(sizeof(kPhaseWords) / sizeof(kPhaseWords[0]) == kPhaseCount, "a word each");
 static_assert(sizeof(kPartWords) / sizeof(kPartWords[0]) == kPartCount, "a word each");
 static_assert(sizeof(kKindWords) / sizeof(kKindWords[0]) == kFaultKindCount, "a word each");
-
-template <typename Meaning, std::size_t kCount>
-const char* TextOf(const Word<Meaning> (&words)[kCount], const Meaning meaning)
-{
-    const auto found = std::find_if(std::begin(words), std::end(words),
-                                    [meaning](const Word<Meaning>& word) { return word.meaning == meaning; });
-    return (found == std::end(words)) ? "?" : found->text;
-}
-
-/// The words of a list, in the order of the table, or all of them where the key is missing.
-template <typename Meaning, std::size_t kCount>
-std::vector<Meaning> Chosen(const YamlMap& map, const char* const key, const Word<Meaning> (&words)[kCount])
-{
-    std::vector<Meaning> chosen;
-    const std::optional<YamlValue> list = map.Find(key);
-    if (!list)
-    {
-        for (const Word<Meaning>& word : words)
-        {
-            chosen.push_back(word.meaning);
-        }
-        return chosen;
-    }
-    for (const YamlValue& item : list->Items("a list of words"))
-    {
-        const Meaning meaning = item.Choice(words);
-        if (std::find(chosen.begin(), chosen.end(), meaning) != chosen.end())
-        {
-            item.Refuse("the same word twice", "each once");
-        }
-        chosen.push_back(meaning);
-    }
-    if (chosen.empty())
-    {
-        list->Refuse("an empty list", "at least one word");
-    }
-    return chosen;
-}
 
 /// Where each word of a list is; none where the key is missing.
 std::vector<runtime::Source> SourcesOf(const YamlMap& map, const char* const key)

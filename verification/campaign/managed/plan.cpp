@@ -3,8 +3,9 @@
 
 #include "runtime/manager/report/texts.hpp"
 #include "runtime/yaml/map.hpp"
+#include "simulator/scenario/parts.hpp"
+#include "verification/campaign/word_list.hpp"
 
-#include <algorithm>
 #include <filesystem>
 
 namespace counterpoint::campaign::managed
@@ -52,49 +53,6 @@ static_assert(sizeof(kFaultWords) / sizeof(kFaultWords[0]) == kFaultCount, "a wo
 static_assert(sizeof(kTellerWords) / sizeof(kTellerWords[0]) == kTellerCount, "a word each");
 
 constexpr const char* kNetwork = "network";
-
-template <typename Meaning, std::size_t kCount>
-const char* TextOf(const Word<Meaning> (&words)[kCount], const Meaning meaning)
-{
-    const auto* const found = std::find_if(std::begin(words), std::end(words),
-                                           [meaning](const Word<Meaning>& word) { return word.meaning == meaning; });
-    return (found == std::end(words)) ? "?" : found->text;
-}
-
-/// The words of a list; all of the table where the key is missing, and then no sources.
-template <typename Meaning, std::size_t kCount>
-std::vector<Meaning> Chosen(const YamlMap& map, const char* const key, const Word<Meaning> (&words)[kCount],
-                            std::vector<runtime::Source>* const sources)
-{
-    std::vector<Meaning> chosen;
-    const std::optional<YamlValue> list = map.Find(key);
-    if (!list)
-    {
-        for (const Word<Meaning>& word : words)
-        {
-            chosen.push_back(word.meaning);
-        }
-        return chosen;
-    }
-    for (const YamlValue& item : list->Items("a list of words"))
-    {
-        const Meaning meaning = item.Choice(words);
-        if (std::find(chosen.begin(), chosen.end(), meaning) != chosen.end())
-        {
-            item.Refuse("the same word twice", "each once");
-        }
-        chosen.push_back(meaning);
-        if (sources != nullptr)
-        {
-            sources->push_back(item.Where());
-        }
-    }
-    if (chosen.empty())
-    {
-        list->Refuse("an empty list", "at least one word");
-    }
-    return chosen;
-}
 
 std::uint64_t HashOf(const std::string& text)
 {
@@ -226,10 +184,11 @@ Plan ReadManagedPlan(const std::string& file)
     plan.scenario_source = network.Where();
     plan.scenario =
         scenario.is_absolute() ? scenario.string() : (std::filesystem::path(file).parent_path() / scenario).string();
+    simulator::RequireFile(plan.scenario, network.Where(), "a scenario with managers");
     plan.parts = Chosen(map, "parts", kTargetWords, &plan.part_sources);
     plan.kinds = Chosen(map, "kinds", kFaultWords, &plan.kind_sources);
     RequireEffect(plan);
-    plan.detectors = map.Find("detectors") ? Chosen(map, "detectors", kTellerWords, nullptr) : std::vector<Teller>{};
+    plan.detectors = map.Find("detectors") ? Chosen(map, "detectors", kTellerWords) : std::vector<Teller>{};
     ReadTimes(map, plan);
     ReadKnown(map, plan);
     ReadNumbers(map, plan);
