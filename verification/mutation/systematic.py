@@ -6,6 +6,8 @@
     ./dev mutants --file safety_core/comparator/slot_mask.hpp
     ./dev mutants --room kernel --sample 50        the same 50 of the room each time
     ./dev mutants --room kernel --list             names, places and changes; builds and runs nothing
+    ./dev mutants --all --record                   and writes record.json, which the evidence shows
+    ./dev mutants --changed --again 24             functions that changed since the record, and 24 drawn from the others
     ./dev mutants --self-test                      shows that a test suite which checks nothing lets mutants survive
 
 A mutant is one change of one operator, constant, condition, statement, argument or returned value (generate.py). Its object is
@@ -36,6 +38,7 @@ import time
 
 from build_tree import BadInput, Build, progress, run_program
 from generate import KINDS, NotRead, mutants_of
+from record import changed_since, drawn_again, made_by, record_of
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = "verification/mutation"
@@ -55,6 +58,7 @@ ROOMS = {
 FIXTURE = f"{HERE}/fixture/systematic"
 FIXTURES = {"seeing": (FIXTURE, ((f"{HERE}/counterpoint_mutation_seeing", ()),)),
             "blind": (FIXTURE, ((f"{HERE}/counterpoint_mutation_blind", ()),))}
+RECORD = ROOT / HERE / "record.json"
 TESTS = ("tests/", "verification/")
 LEAST_LIMIT_S = 5
 KEPT_EVERY = 20
@@ -286,11 +290,34 @@ def chosen(subjects, count, only):
     return {subject.file: [mutant for mutant in subject.mutants if mutant.name in drawn] for subject in subjects}
 
 
+def draw_of(build):
+    """Changes with every test that judges."""
+    sources = sorted({source for of_program in build.sources.values() for source in of_program})
+    return digest_of(source.read_bytes() for source in sources)
+
+
+def chosen_by_record(options, subjects, build):
+    """File -> mutants of functions that the record does not have, and some of the others."""
+    record = read_json(options.recorded, None)
+    if record is None:
+        raise BadInput(f"{options.recorded}: no such file, expected the record of a whole run (./dev mutants --all --record)")
+    functions, changed = changed_since(record, subjects)
+    for function in functions:
+        print(f"CHANGED   {function}")
+    again = drawn_again(options.again, subjects, changed, draw_of(build))
+    count = sum(map(len, changed.values()))
+    drawn = sorted((mutant.name for of_file in changed.values() for mutant in of_file))[:options.sample]
+    print(f"{len(functions)} functions changed since the record of {record['made']['commit'][:8]} with {count} mutants, {len(drawn)} of them run; "
+          f"{len(again)} drawn from the others")
+    wanted = {*drawn, *(mutant.name for mutant in again)}
+    return {subject.file: [mutant for mutant in subject.mutants if mutant.name in wanted] for subject in subjects}
+
+
 def judged(options, rooms, results_path):
     """Generates, runs and shows. Returns (survivors, stale reasons)."""
     subjects = [Subject(room, file, rooms) for room, file in chosen_files(options, rooms)]
     subjects = [subject for subject in subjects if subject.mutants]
-    wanted = chosen(subjects, options.sample, options.only)
+    wanted = chosen(subjects, options.sample, options.only) if not options.changed else {}
     if options.list:
         for mutant in (mutant for subject in subjects for mutant in wanted[subject.file]):
             print(f"{mutant.name}  {mutant.place}: {mutant.change}")
@@ -299,6 +326,8 @@ def judged(options, rooms, results_path):
     started = time.monotonic()
     build = Build(options.build.resolve(), sorted({program for subject in subjects for program, _ in subject.judges}))
     limits, programs = examine_judges(build, subjects)
+    if options.changed:
+        wanted = chosen_by_record(options, subjects, build)
     results = {} if options.anew else read_json(results_path, {})
     for subject in subjects:
         subject.prepare(build, programs, results.get(subject.file, {}))
@@ -307,7 +336,8 @@ def judged(options, rooms, results_path):
     def keep():
         write_json(results_path, {**results, **{subject.file: subject.kept() for subject in subjects}})
     count = run(Runner(build, limits), subjects, wanted, keep, options.jobs)
-    rows, survivors, stale = show(subjects, wanted, read_reasons(ROOT / HERE / "equivalent.json"))
+    reasons = read_reasons(ROOT / HERE / "equivalent.json")
+    rows, survivors, stale = show(subjects, wanted, reasons)
     passes = not survivors and not stale
     print(f"{rows[-1][1]} mutants, {count} of them run now in {time.monotonic() - started:.0f} s; killed {rows[-1][2]}, survived "
           f"{len(survivors)}, stale reasons {len(stale)}, score {rows[-1][-1]}: {'pass' if passes else 'FAIL'}")
@@ -315,20 +345,40 @@ def judged(options, rooms, results_path):
         fields = ("name", "mutants", "killed", "refused", "same_code", "equivalent", "survived", "score")
         write_json(options.json, {"rows": [dict(zip(fields, row)) for row in rows], "pass": passes,
                                   "survivors": [f"{mutant.name} {mutant.place}: {mutant.change}" for mutant in survivors]})
+    if options.record and passes:
+        write_json(RECORD, record_of(subjects, reasons, made_by(ROOT)))
+    elif options.record:
+        print(f"{RECORD}: not written, expected a run in which nothing survives without a reason", file=sys.stderr)
     return survivors, stale
 
 
 def self_test(options):
     """A suite that checks lets nothing survive; one that calls everything and checks nothing lets something."""
     good = True
-    options.file = options.room = options.sample = options.only = options.json = None
-    for suite, rooms in (("seeing", {"seeing": FIXTURES["seeing"]}), ("blind", {"blind": FIXTURES["blind"]})):
+    options.file = options.room = options.sample = options.only = options.json = options.record = None
+    for suite, record in (("seeing", None), ("blind", None), ("blind", "other"), ("blind", "same")):
         with tempfile.TemporaryDirectory(prefix="mutants-") as folder:
-            survivors, _ = judged(options, rooms, pathlib.Path(folder) / "results.json")
-        held = bool(survivors) == (suite == "blind")
-        print(f"{'pass' if held else 'FAIL'}  fixture {suite}: {len(survivors)} mutants survive, expected {'some' if suite == 'blind' else 'none'}")
+            options.changed, options.again = record is not None, 0
+            options.recorded = pathlib.Path(folder) / "record.json"
+            if record:
+                write_json(options.recorded, fixture_record(record))
+            survivors, _ = judged(options, {suite: FIXTURES[suite]}, pathlib.Path(folder) / "results.json")
+        expected = suite == "blind" and record != "same"
+        held = bool(survivors) == expected
+        print(f"{'pass' if held else 'FAIL'}  fixture {suite}{f', record of the {record} function' if record else ''}: {len(survivors)} mutants survive, "
+              f"expected {'some' if expected else 'none'}")
         good = good and held
     return 0 if good else 1
+
+
+def fixture_record(of):
+    """The record of the fixture as it is, or as if its function had changed since."""
+    subject = Subject("blind", f"{FIXTURE}/subject.cpp", {"blind": FIXTURES["blind"]})
+    subject.verdicts = {mutant.name: "killed" for mutant in subject.mutants}
+    record = record_of([subject], {}, {"commit": "0" * 40})
+    if of == "other":
+        record["files"] = {file: {key + "0": counts for key, counts in functions.items()} for file, functions in record["files"].items()}
+    return record
 
 
 def parsed(arguments):
@@ -339,15 +389,23 @@ def parsed(arguments):
     parser.add_argument("--sample", type=int, metavar="N", help="only N of the mutants, the same ones each time")
     parser.add_argument("--only", action="append", metavar="NAME", help="only the mutant of this name, judged anew; may be given again")
     parser.add_argument("--list", action="store_true", help="print the mutants, build and run nothing")
+    parser.add_argument("--changed", action="store_true", help="functions whose text the record does not have; with --sample at most so many mutants")
+    parser.add_argument("--again", type=int, default=0, metavar="N", help="with --changed: N mutants of the others too, another draw after each change of a test")
+    parser.add_argument("--record", action="store_true", help="with --all: write the record that --changed and the evidence read")
+    parser.add_argument("--recorded", type=pathlib.Path, default=RECORD, help="the record that --changed reads")
     parser.add_argument("--anew", action="store_true", help="forget all kept verdicts")
     parser.add_argument("--jobs", type=int, default=2, help="mutants at the same time (default 2)")
     parser.add_argument("--json", type=pathlib.Path, help="write score and survivors to this file (--all: build/mutants/score.json)")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/product", help="configured build tree (default build/product)")
     parser.add_argument("--self-test", action="store_true", help="show that the run fails where it must")
     options = parser.parse_args(arguments)
-    if not (options.all or options.room or options.file or options.self_test):
-        parser.error("nothing to do, expected --all, --room, --file or --self-test")
-    if options.all and not (options.json or options.sample or options.only):
+    if not (options.all or options.room or options.file or options.self_test or options.changed):
+        parser.error("nothing to do, expected --all, --changed, --room, --file or --self-test")
+    if options.record and (not options.all or options.sample or options.only or options.room or options.file or options.changed):
+        parser.error("--record: expected --all and no choice of mutants")
+    if options.changed and (options.only or options.list):
+        parser.error("--changed: chooses the mutants itself, expected neither --only nor --list")
+    if options.all and not (options.json or options.sample or options.only or options.changed):
         options.json = ROOT / "build/mutants/score.json"
     return options
 

@@ -26,10 +26,11 @@ from matrix import UID, repository_matrix  # noqa: E402
 from records import METRICS as ROOM_METRICS, Coverage  # noqa: E402
 from interfaces import page_of as interfaces_page  # noqa: E402
 from system_level import SystemLevel, references  # noqa: E402
+from mutants import page_of as mutants_page  # noqa: E402
 from timing import page_of as timing_page  # noqa: E402
 from walk_files import page_of  # noqa: E402
 
-LISTS = ("index", "trace", "safety_requirements", "interfaces", "coverage", "gates", "misra", "failover", "injection", "campaign", "timing", "tools")
+LISTS = ("index", "trace", "safety_requirements", "interfaces", "coverage", "gates", "misra", "failover", "injection", "campaign", "mutants", "timing", "tools")
 METRICS = ("functions", "lines", "branches", "mcdc")
 PLAN_ROW = re.compile(r"^\| ((?:D )?\d+\.\d+\.\d+) \| (\w+) \| (\w+) \| (.*) \|$", re.MULTILINE)
 
@@ -160,14 +161,15 @@ def write(root, evidence, data):
     campaign, campaign_gaps = campaign_page(root, evidence)
     timing, timing_gaps = timing_page(root, data)
     interfaces, interface_gaps = interfaces_page(root)
-    gaps += failover_gaps + injection_gaps + campaign_gaps + timing_gaps + interface_gaps
+    mutants, mutant_gaps = mutants_page(root)
+    gaps += mutant_gaps + failover_gaps + injection_gaps + campaign_gaps + timing_gaps + interface_gaps
     if not gate_rows:
         gaps.append("no gate has run")
     context = {
         "identity": read_json(data / "identity.json", {}), "gates": gate_rows, "matrix": matrix, "coverage": coverage_rows,
         "totals": totals, "metrics": METRICS, "rooms": list(beyond.rooms.values()), "room_metrics": ROOM_METRICS, "misra": misra_rows, "deviations": records, "misra_counts": misra_counts,
         "tests": tests, "test_origin": test_origin, "commands": commands, "gaps": gaps, "failover": failover, "injection": injection,
-        "campaign": campaign, "timing": timing, "interfaces": interfaces,
+        "campaign": campaign, "mutants": mutants, "timing": timing, "interfaces": interfaces,
         "level": SystemLevel(root), "references": references, "areas": areas(matrix),
         "gcov_totals": read_json(data / "gcov/summary.json", {}),
         "has_gcov": (evidence / "coverage_gcov/index.html").exists(),

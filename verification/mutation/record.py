@@ -1,0 +1,101 @@
+"""The record of a whole run: each function of the safety rooms, by its text, with what became of its mutants.
+
+A function whose text stands in the record has been judged; one that does not was changed since, or is new. What stands outside of
+functions (constants, members with values) is one entry of its file.
+"""
+import collections
+import dataclasses
+import hashlib
+import subprocess
+
+import tree_sitter
+import tree_sitter_cpp
+
+OUTSIDE = "outside of functions"
+VERDICTS = ("killed", "refused", "same", "equivalent")
+
+
+@dataclasses.dataclass(frozen=True)
+class Function:
+    name: str
+    first: int  # Bytes of the file.
+    last: int
+    key: str  # Name and digest of the text without comments and white space.
+
+
+def plain_text(node, left_out=()):
+    """The tokens below a node, one blank between two; without comments, and without what begins at a byte of `left_out`."""
+    if node.type == "comment" or node.start_byte in left_out and node.type == "function_definition":
+        return ""
+    if not node.children:
+        return node.text.decode() + " "
+    return "".join(plain_text(child, left_out) for child in node.children)
+
+
+def keyed(name, text):
+    return f"{name} {hashlib.sha256(text.encode()).hexdigest()[:16]}"
+
+
+def definitions(node):
+    """Functions with a body, none inside of another."""
+    if node.type == "function_definition":
+        yield node
+        return
+    for child in node.children:
+        yield from definitions(child)
+
+
+def functions_of(source):
+    """Every function of the text (bytes), the last entry what stands outside of them."""
+    root = tree_sitter.Parser(tree_sitter.Language(tree_sitter_cpp.language())).parse(source).root_node
+    found = []
+    for node in definitions(root):
+        declarator = node.child_by_field_name("declarator")
+        name = " ".join(declarator.text.decode().split("(")[0].split()).lstrip("&* ") if declarator else "function"
+        found.append(Function(name, node.start_byte, node.end_byte, keyed(name, plain_text(node))))
+    outside = plain_text(root, {function.first for function in found})
+    return [*found, Function(OUTSIDE, 0, len(source), keyed(OUTSIDE, outside))]
+
+
+def keys_of(source, mutants):
+    """Name of a mutant -> key of the function that it changes."""
+    functions = functions_of(source)
+    return {mutant.name: next(function.key for function in functions if function.first <= mutant.first < function.last) for mutant in mutants}
+
+
+def made_by(root):
+    """What made a run: commit and compilers. Raises OSError if git is not there."""
+    def first_line(*words):
+        return subprocess.run(words, cwd=root, capture_output=True, text=True, check=True).stdout.splitlines()[0]
+    return {"commit": first_line("git", "rev-parse", "HEAD"), "date": first_line("git", "log", "-1", "--format=%cs"),
+            "compilers": [first_line("c++", "--version"), first_line("clang++-19", "--version")]}
+
+
+def record_of(subjects, reasons, made):
+    """Of a run that judged everything. `reasons` has the mutants that no test can see."""
+    files = {}
+    for subject in subjects:
+        counts = collections.defaultdict(collections.Counter)
+        for name, key in keys_of(subject.source, subject.mutants).items():
+            verdict = subject.verdicts[name]
+            counts[key]["equivalent" if verdict == "survived" and name in reasons else verdict] += 1
+        files[subject.file] = {key: {verdict: count for verdict in VERDICTS if (count := of_key[verdict])} for key, of_key in sorted(counts.items())}
+    return {"made": made, "files": files}
+
+
+def changed_since(record, subjects):
+    """(functions, mutants) whose text is not in the record: names of mutants by file, and "file: function" of each."""
+    functions, mutants = [], {}
+    for subject in subjects:
+        known = record["files"].get(subject.file, {})
+        keys = keys_of(subject.source, subject.mutants)
+        mutants[subject.file] = [mutant for mutant in subject.mutants if keys[mutant.name] not in known]
+        functions += [f"{subject.file}: {key.rsplit(' ', 1)[0]}" for key in sorted(set(keys.values())) if key not in known]
+    return functions, mutants
+
+
+def drawn_again(count, subjects, left_out, draw):
+    """`count` mutants of the others, another draw for another text `draw`; those that the record says are equivalent too."""
+    others = [mutant for subject in subjects for mutant in subject.mutants if mutant not in left_out[subject.file]]
+    others.sort(key=lambda mutant: hashlib.sha256(f"{draw}\0{mutant.name}".encode()).digest())
+    return others[:count]
