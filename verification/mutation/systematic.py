@@ -51,9 +51,9 @@ ROOMS = {
     "kernel": ("safety_core/kernel", (CORE_TESTS, ("tests/safety_core/selftest/selftest_tests", BRIEF))),
     "crosslink": ("safety_core/crosslink", (("tests/safety_core/crosslink/crosslink_tests", BRIEF),)),
     "selftest": ("safety_core/selftest", (("tests/safety_core/selftest/selftest_tests", BRIEF),)),
-    "channel_a": ("channel_a", ((PROBE, ()), (PROBE, ("differential",)), ("tests/channel_a/channel_a_storage_test", BRIEF),
+    "channel_a": ("channel_a", ((PROBE, ("differential",)), (PROBE, ()), ("tests/channel_a/channel_a_storage_test", BRIEF),
                                 ("tests/channel_a/channel_a_record_test", BRIEF))),
-    "channel_b": ("channel_b", ((PROBE, ()), (PROBE, ("differential",)))),
+    "channel_b": ("channel_b", ((PROBE, ("differential",)), (PROBE, ()))),
 }
 FIXTURE = f"{HERE}/fixture/systematic"
 FIXTURES = {"seeing": (FIXTURE, ((f"{HERE}/counterpoint_mutation_seeing", ()),)),
