@@ -121,6 +121,7 @@ void NodeApplication::OnGfcNotFollowed() noexcept
 
 void NodeApplication::OnConfigurationInvalid(const CommunicationIndex index) noexcept
 {
+    has_told_invalid_ = true;
     report_.Tell(now_ns_, "configuration of SRDO " + std::to_string(NumberOf(index)) + " does not hold: SRDOs are off",
                  "configuration_invalid", {{"srdo", NumberOf(index)}});
 }

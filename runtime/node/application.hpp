@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 
 namespace counterpoint::runtime
 {
@@ -50,6 +51,11 @@ class NodeApplication final : public Application
     {
         return logic_.TakeChange();
     }
+    /// @brief Whether the kernel has told since the last call that the configuration does not hold. [SRS_NODE_053]
+    [[nodiscard]] bool TakeInvalid() noexcept
+    {
+        return std::exchange(has_told_invalid_, false);
+    }
     /// @brief The values of all pairs: "2200:01=1 ...".
     [[nodiscard]] std::string Values() const;
 
@@ -69,6 +75,7 @@ class NodeApplication final : public Application
     OnPair on_pair_;
     runtime::PairLogic logic_;
     std::uint64_t now_ns_{0U};
+    bool has_told_invalid_{false};
 };
 } // namespace counterpoint::runtime
 

@@ -67,6 +67,8 @@ inline constexpr RequirementId SRS_NODE_044{"SRS_NODE_044"};
 inline constexpr RequirementId SRS_NODE_045{"SRS_NODE_045"};
 inline constexpr RequirementId SRS_NODE_050{"SRS_NODE_050"};
 inline constexpr RequirementId SRS_NODE_051{"SRS_NODE_051"};
+inline constexpr RequirementId SRS_NODE_052{"SRS_NODE_052"};
+inline constexpr RequirementId SRS_NODE_053{"SRS_NODE_053"};
 } // namespace counterpoint::req
 
 #endif
