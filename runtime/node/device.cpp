@@ -127,7 +127,7 @@ NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeRepor
       config_(ConfigOf(UseControllers(model_, ports), settings.cycle_us)), time_(host::BitRate::k500k),
       watchdog_(time_), output_(time_, watchdog_, {config_.cycle_us + config_.cycle_tolerance_us}),
       channel_a_(MakeChannel(Letter::kA, RoomOf(config_))), channel_b_(MakeChannel(Letter::kB, RoomOf(config_))),
-      application_(model_, report),
+      application_(model_, file_, report),
       self_test_(settings.has_self_tests ? std::make_unique<NodeSelfTest>(output_) : nullptr),
       outputs_(model_, output_, report), srdos_(model_, config_, report),
       assembly_(model_, config_,

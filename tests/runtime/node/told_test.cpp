@@ -161,5 +161,53 @@ TEST(NodeToldTest, AConfigurationThatDoesNotHoldIsToldInPlaceOfLimits)
     const std::string told = other.Told();
     EXPECT_NE(told.find("\"event\":\"configuration_invalid\",\"srdo\":0}"), std::string::npos) << told;
 }
+
+TEST(NodeToldTest, SignedObjectsOfSrdosAreToldWithTheirSign)
+{
+    Verifies(req::SRS_NODE_054);
+    Bench bench(FileOfSigned("actuator", {"2200sub1", "2300sub1"}));
+    bench.Start();
+    for (int cycle = 0; cycle < 6; ++cycle)
+    {
+        bench.Receive(0x103U, {0xF9U, 0xF9U});
+        bench.Receive(0x104U, {0x06U, 0x06U});
+        bench.Cycle();
+        EXPECT_TRUE(cycle != 2 || bench.Device().Acknowledge(1U, bench.NowNs()));
+    }
+    EXPECT_EQ(bench.Device().App().Values(), "0x2200:01=-7 0x2200:02=249");
+    bench.Order("get 0x2200:01");
+    bench.Order("get 0x2200:02");
+    const std::string told = bench.Told();
+    EXPECT_NE(told.find("value 0x2200:01 = -7\n"), std::string::npos) << told;
+    EXPECT_NE(told.find("value 0x2200:02 = 249\n"), std::string::npos) << told;
+    EXPECT_NE(told.find(" s  0x2200:01 = -7\n"), std::string::npos) << told;
+    EXPECT_NE(told.find(" s  0x2200:02 = 249\n"), std::string::npos) << told;
+}
+
+TEST(NodeToldTest, SetTakesWhatGetTells)
+{
+    Verifies(req::SRS_NODE_054);
+    Bench bench(FileOfSigned("sensor", {"2000sub1", "2100sub1"}), "", runtime::ReportForm::kJson);
+    bench.Start();
+    bench.Order("set 0x2000:01 -7");
+    for (int cycle = 0; cycle < 20; ++cycle)
+    {
+        bench.Cycle();
+    }
+    ASSERT_FALSE(bench.SentWith(0x101U).empty());
+    EXPECT_EQ(bench.SentWith(0x101U).back() & 0xFFU, 0xF9U);
+    bench.Order("get 0x2000:01");
+    bench.Order("set 0x2000:01 128");
+    bench.Order("set 0x2000:01 -129");
+    bench.Order("set 0x2000:02 -1");
+    EXPECT_EQ(bench.Device().App().Values(), "0x2000:01=-7 0x2000:02=0");
+    bench.Order("set 0x2000:01 0x80");
+    EXPECT_EQ(bench.Device().App().Values(), "0x2000:01=-128 0x2000:02=0");
+    const std::string told = bench.Told();
+    EXPECT_NE(told.find("\"object\":\"0x2000:01\",\"value\":-7}"), std::string::npos) << told;
+    EXPECT_NE(told.find("set: 0x2000:01 = 128 refused with 0609 0031h"), std::string::npos) << told;
+    EXPECT_NE(told.find("set: 0x2000:01 = -129 refused with 0609 0032h"), std::string::npos) << told;
+    EXPECT_NE(told.find("set: 0x2000:02 = -1 refused with 0609 0032h"), std::string::npos) << told;
+}
 } // namespace
 } // namespace counterpoint::tools::test

@@ -69,6 +69,7 @@ inline constexpr RequirementId SRS_NODE_050{"SRS_NODE_050"};
 inline constexpr RequirementId SRS_NODE_051{"SRS_NODE_051"};
 inline constexpr RequirementId SRS_NODE_052{"SRS_NODE_052"};
 inline constexpr RequirementId SRS_NODE_053{"SRS_NODE_053"};
+inline constexpr RequirementId SRS_NODE_054{"SRS_NODE_054"};
 } // namespace counterpoint::req
 
 #endif
