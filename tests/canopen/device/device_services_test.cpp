@@ -135,6 +135,31 @@ TEST_F(DeviceServicesTest, EachLostNodeIsAnErrorOfItsOwn)
     EXPECT_EQ(Upload(0x1001U, 0U) & 0xFFU, 0U);
 }
 
+TEST_F(DeviceServicesTest, ALostNodeThatNobodySupervisesAnyMoreIsNoError)
+{
+    Verifies(req::SRS_GRD_012);
+    Start();
+    EXPECT_EQ(Download(0x1016U, 1U, 0x0005000AU, 4U), 0U); // Node 5, 10 ms.
+    EXPECT_EQ(Download(0x1016U, 2U, 0x0006000AU, 4U), 0U);
+    Frame(0x705U, {5U});
+    Frame(0x706U, {5U});
+    Forget();
+    Cycles(15U);
+    EXPECT_EQ(Emergencies(), (Codes{0x8130U, 0x8130U}));
+    // A refused value changes nothing, another node in its place ends it, and that of node 6 goes on
+    EXPECT_NE(Download(0x1016U, 1U, 0x0006000AU, 4U), 0U);
+    Cycles(2U);
+    EXPECT_TRUE(Emergencies().empty());
+    EXPECT_EQ(Download(0x1016U, 1U, 0x0007000AU, 4U), 0U);
+    Cycles(2U);
+    EXPECT_EQ(Emergencies(), (Codes{0U}));
+    EXPECT_EQ(Upload(0x1001U, 0U) & 0xFFU, 0x11U);
+    EXPECT_EQ(Download(0x1016U, 2U, 0U, 4U), 0U);
+    Cycles(2U);
+    EXPECT_EQ(Emergencies(), (Codes{0U}));
+    EXPECT_EQ(Upload(0x1001U, 0U) & 0xFFU, 0U);
+}
+
 // Eight errors take all places but the last one, and their messages wait.
 TEST_F(DeviceServicesTest, NothingHidesTheDeviceSafeState)
 {

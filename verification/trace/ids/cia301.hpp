@@ -24,6 +24,7 @@ inline constexpr RequirementId SRS_GRD_001{"SRS_GRD_001"};
 inline constexpr RequirementId SRS_GRD_002{"SRS_GRD_002"};
 inline constexpr RequirementId SRS_GRD_010{"SRS_GRD_010"};
 inline constexpr RequirementId SRS_GRD_011{"SRS_GRD_011"};
+inline constexpr RequirementId SRS_GRD_012{"SRS_GRD_012"};
 inline constexpr RequirementId SRS_HB_001{"SRS_HB_001"};
 inline constexpr RequirementId SRS_HB_002{"SRS_HB_002"};
 inline constexpr RequirementId SRS_HB_003{"SRS_HB_003"};
