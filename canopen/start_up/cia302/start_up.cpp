@@ -334,7 +334,7 @@ NmtAnswer Cia302StartUp::CommandAll(const NmtCommand command, const BootTime& ti
         answer = parts_.nmt.Request(command, kAllNodes, time.now);
         for (std::uint8_t id = 1U; (answer == NmtAnswer::kTaken) && (id <= kLastNode); ++id)
         {
-            // Who was never there heard nothing of it.
+            // Who was never there heard nothing of it. [SRS_MGR_122]
             BootRecord& record = boot_.Record(NodeId{id});
             record.status.is_started = is_start && record.is_booted;
             record.is_start_owed = false;
