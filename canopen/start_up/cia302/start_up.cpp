@@ -270,7 +270,8 @@ bool Cia302StartUp::IsMasterOperational() const noexcept
     return master_.IsOperational();
 }
 
-/// It is verified anew and started in the next cycle, unless it boots anew. [SRS_BOOT_014]
+/// It is verified anew and started in the next cycle, unless it boots anew. [SRS_BOOT_014, SRS_NMM_121,
+/// SRS_NMM_122]
 void Cia302StartUp::OnStartDropped(const NodeId node, const Instant /*now*/) noexcept
 {
     BootRecord& record = boot_.Record(node);

@@ -73,6 +73,7 @@ inline constexpr RequirementId SRS_SFS_008{"SRS_SFS_008"};
 inline constexpr RequirementId SRS_SFS_009{"SRS_SFS_009"};
 inline constexpr RequirementId SRS_SFS_010{"SRS_SFS_010"};
 inline constexpr RequirementId SRS_SFS_011{"SRS_SFS_011"};
+inline constexpr RequirementId SRS_SFS_120{"SRS_SFS_120"};
 } // namespace counterpoint::req
 
 #endif
