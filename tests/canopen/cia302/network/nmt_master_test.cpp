@@ -252,6 +252,7 @@ TEST_F(NmtMasterTest, NoStartOfAllWhileASafetySlaveIsListed)
 TEST_F(NmtMasterTest, NoStartOfASafetySlaveThatWasNotVerified)
 {
     Verifies(req::SRS_NMM_004);
+    Verifies(req::SRS_NMM_120);
     slaves[6].safety = reinterpret_cast<const SafetyExpectation*>(&gate);
     EXPECT_EQ(Ask(NmtCommand::kStart, 6U), NmtAnswer::kNotVerified);
     EXPECT_EQ(Ask(NmtCommand::kStop, 6U), NmtAnswer::kTaken);
