@@ -7,6 +7,7 @@
 #include "hal/zynqmp/chip/cycle_counter.hpp"
 #include "hal/zynqmp/output/gpio_registers.hpp"
 #include "hal/zynqmp/time/swdt_registers.hpp"
+#include "verification/target/zynqmp/hal/machine_registers.hpp"
 
 extern "C"
 {
@@ -164,7 +165,7 @@ std::uint32_t Read(const Register place) noexcept
         LetTimePass();
         return ReadWatchdog(place.address - swdt::kLowPowerDomain.address);
     }
-    return *reinterpret_cast<const volatile std::uint32_t*>(place.address);
+    return target::ReadMachine(place.address);
 }
 
 void Write(const Register place, const std::uint32_t value) noexcept
@@ -182,7 +183,7 @@ void Write(const Register place, const std::uint32_t value) noexcept
     }
     else
     {
-        *reinterpret_cast<volatile std::uint32_t*>(place.address) = value;
+        target::WriteMachine(place.address, value);
     }
 }
 

@@ -21,8 +21,8 @@ namespace counterpoint::two_cpu
 [[nodiscard]] std::uint32_t WatchdogPeriodUs() noexcept;
 /// @brief Whether the pin of the consumer's output is high, by the registers alone.
 [[nodiscard]] bool IsPinHigh() noexcept;
-/// @brief Stops the timer of this processor, which is about to stand: the emulator's timers may not roll over, and
-/// nobody would set it back.
+/// @brief Stops the timer of this processor, which is about to stand or has come to its end: the emulator's timers may
+/// not roll over, and nobody would set it back.
 void StopTimer() noexcept;
 /// @brief The link to the other processor.
 [[nodiscard]] hal::CrossLink& Link() noexcept;

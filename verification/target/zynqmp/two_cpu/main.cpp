@@ -71,6 +71,7 @@ class Executive
     void Watch() noexcept;
     void ObeyOrder() noexcept;
     void NoteOrder() noexcept;
+    void TellEnd() const noexcept;
     [[nodiscard]] Instant Look() noexcept;
     [[nodiscard]] bool IsDue(const Instant at) noexcept
     {
@@ -232,6 +233,26 @@ void Executive::Watch() noexcept
     is_open_ = is_open;
 }
 
+void Executive::TellEnd() const noexcept
+{
+    const Core& core = Self();
+    Write("cpu");
+    Tell("open", is_open_ ? 1U : 0U);
+    Tell("fault", static_cast<std::uint32_t>(core.kernel.DeviceState().fault));
+    Tell("finding", static_cast<std::uint32_t>(core.peer.Link().Finding()));
+    Tell("received", core.application.received);
+    Tell("sent", core.application.sent);
+    Tell("own103", own_frames_[0]);
+    Tell("own104", own_frames_[1]);
+    Tell("peer103", peer_frames_[0]);
+    Tell("peer104", peer_frames_[1]);
+    Tell("taken", core.peer.Link().Counts().taken);
+    Tell("corrupt", core.peer.Link().Counts().corrupt);
+    Tell("losses", losses_);
+    Tell("board", static_cast<std::uint32_t>(OwnBoard().Fault()));
+    Write("\n");
+}
+
 std::uint32_t Executive::Run() noexcept
 {
     const bool is_up = StartBoard() && Self().PowerOn(Look());
@@ -274,22 +295,8 @@ std::uint32_t Executive::Run() noexcept
         static_cast<void>(OwnBoard().Look());
         LetOthersRun();
     }
-    const Core& core = Self();
-    Write("cpu");
-    Tell("open", is_open_ ? 1U : 0U);
-    Tell("fault", static_cast<std::uint32_t>(core.kernel.DeviceState().fault));
-    Tell("finding", static_cast<std::uint32_t>(core.peer.Link().Finding()));
-    Tell("received", core.application.received);
-    Tell("sent", core.application.sent);
-    Tell("own103", own_frames_[0]);
-    Tell("own104", own_frames_[1]);
-    Tell("peer103", peer_frames_[0]);
-    Tell("peer104", peer_frames_[1]);
-    Tell("taken", core.peer.Link().Counts().taken);
-    Tell("corrupt", core.peer.Link().Counts().corrupt);
-    Tell("losses", losses_);
-    Tell("board", static_cast<std::uint32_t>(OwnBoard().Fault()));
-    Write("\n");
+    StopTimer();
+    TellEnd();
     return 0U;
 }
 
