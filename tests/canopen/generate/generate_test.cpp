@@ -171,7 +171,7 @@ TEST(GenerateTest, ARealWhoseSafeValueIsNoNumberHasNoCheckedFunction)
     };
     const GeneratedCode number = code("0x3FC00000");
     EXPECT_TRUE(Has(number.header, "float GetIn1(counterpoint::SrdoMask released) noexcept;"));
-    EXPECT_TRUE(Has(number.source, "? GetIn1Unchecked() : 0x1.8p+0F;"));
+    EXPECT_TRUE(Has(number.source, "? GetIn1Unchecked() : static_cast<float>(0x1.8p+0F);"));
     const GeneratedCode none = code("0x7FC00000");
     EXPECT_FALSE(Has(none.header, "GetIn1(counterpoint::SrdoMask released)"));
     EXPECT_TRUE(Has(none.header, "float GetIn1Unchecked() noexcept;"));
