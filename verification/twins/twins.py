@@ -43,7 +43,7 @@ import time
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "mutation"))
 from build_tree import BadInput, QUIET, progress  # noqa: E402
 from generate import NotRead, mutants_of  # noqa: E402
-from record import FIRST, ONLY_AT, covers, fits, names_of, read_known, record  # noqa: E402
+from known import FIRST, ONLY_AT, covers, fits, names_of, read_known, record  # noqa: E402
 from schemata import DECLARED, Text, WHILE_COMPILING_CALL  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
