@@ -14,9 +14,10 @@ namespace
 {
 constexpr std::uint8_t kHighestCommunicationSub = 6U;
 
+/// Of a configuration with an SRDO: without one nothing but that is told.
 Place FirstPlace(const SafetyConfiguration& configuration)
 {
-    return configuration.srdos.empty() ? Place{1U, 1U} : configuration.srdos.front().place;
+    return configuration.srdos.front().place;
 }
 
 bool IsReserved(const std::uint16_t index)

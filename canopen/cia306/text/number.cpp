@@ -11,9 +11,10 @@ namespace counterpoint::cia306
 {
 namespace
 {
-bool HasHexPrefix(const std::string_view text)
+/// Of text in lower case.
+bool HasHexPrefix(const std::string_view lower)
 {
-    return text.size() >= 2U && text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
+    return lower.substr(0U, 2U) == "0x";
 }
 
 /// The suffixes of C's integers, in lower case.

@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Values of a file or a store come to the services in any order and over each other, those of clients do not.
+#include "canopen/cia301/dictionary/object_kinds.hpp"
 #include "canopen/cia301/emergency/consumer.hpp"
 #include "canopen/cia301/nmt/heartbeat_consumer.hpp"
 #include "canopen/cia301/nmt/heartbeat_producer.hpp"
@@ -215,6 +216,40 @@ TEST_F(ServiceLoadingTest, OnlyABootUpMessageOfItsServerEndsATransferOfAClient)
     asks.OnFrame(FrameOf(0x709U, {0U}), Now());
     EXPECT_EQ(asks.Client().State(), SdoClientState::kAborted);
     EXPECT_EQ(asks.Client().Outcome().abort, SdoAbort::kNoConnection);
+}
+
+TEST(ObjectKindsTest, ObjectsThatADictionaryTreatsInAnotherWay)
+{
+    Verifies(req::SRS_OBD_013);
+    struct Case
+    {
+        std::uint16_t index;
+        bool is_store;
+        bool is_own;
+        bool is_mapping;
+        bool is_count;
+    };
+    const Case cases[] = {{0x1000U, false, false, false, false}, {0x1001U, false, true, false, false},
+                          {0x1003U, false, true, false, false},  {0x100FU, false, false, false, false},
+                          {0x1010U, true, true, false, true},    {0x1011U, true, true, false, true},
+                          {0x1012U, false, false, false, false}, {0x1016U, false, false, false, true},
+                          {0x1028U, false, false, false, true},  {0x1029U, false, false, false, true},
+                          {0x11FFU, false, false, false, false}, {0x1200U, false, true, false, true},
+                          {0x1201U, false, false, false, true},  {0x12FFU, false, false, false, true},
+                          {0x1300U, false, false, false, false}, {0x13FFU, false, false, false, false},
+                          {0x1400U, false, false, false, true},  {0x15FFU, false, false, false, true},
+                          {0x1600U, false, false, true, false},  {0x17FFU, false, false, true, false},
+                          {0x1800U, false, false, false, true},  {0x19FFU, false, false, false, true},
+                          {0x1A00U, false, false, true, false},  {0x1BFFU, false, false, true, false},
+                          {0x1C00U, false, false, false, false}};
+    for (const Case& one : cases)
+    {
+        EXPECT_EQ(IsStoreObject(one.index), one.is_store) << std::hex << one.index;
+        EXPECT_EQ(IsOwnObject(one.index), one.is_own) << std::hex << one.index;
+        EXPECT_EQ(IsPdoMapping(one.index), one.is_mapping) << std::hex << one.index;
+        EXPECT_EQ(IsSubCount(ObjectAddress{one.index, 0U}), one.is_count) << std::hex << one.index;
+        EXPECT_FALSE(IsSubCount(ObjectAddress{one.index, 1U})) << std::hex << one.index;
+    }
 }
 
 } // namespace

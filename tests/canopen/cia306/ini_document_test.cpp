@@ -180,5 +180,53 @@ TEST(IniDocumentEdits, WhatIsLeftOutTakesItsLinesAndTheEmptyOneBehind)
     EXPECT_THROW((void)document.Without({"d"}, {}), std::invalid_argument);
     EXPECT_THROW((void)document.Without({}, {{"a", "z"}}), std::invalid_argument);
 }
+TEST(IniDocument, TextOfTwoBytesIsRefusedInBothOrders)
+{
+    Verifies(req::SRS_EDS_002);
+    for (const char* const mark : {"\xFF\xFE", "\xFE\xFF"})
+    {
+        try
+        {
+            (void)IniDocument::Parse("f", mark);
+            FAIL() << "no refusal";
+        }
+        catch (const InputError& error)
+        {
+            EXPECT_STREQ(error.what(),
+                         "f:1:1: error: the text is UTF-16, expected 8-bit text (ASCII, Latin-1 or UTF-8)");
+        }
+    }
+}
+
+TEST(IniDocument, PlacesAndControlsInMessages)
+{
+    Verifies(req::SRS_EDS_036);
+    EXPECT_EQ(PlaceText("f", Place{0U, 0U}), "f");
+    EXPECT_EQ(PlaceText("f", Place{3U, 0U}), "f:3");
+    EXPECT_EQ(PlaceText("f", Place{3U, 7U}), "f:3:7");
+    EXPECT_EQ(Printable("a\x7F"
+                        "b\n"),
+              "a\\x7Fb\\x0A");
+    EXPECT_TRUE((Place{3U, 7U}) == (Place{3U, 7U}));
+    EXPECT_FALSE((Place{3U, 7U}) == (Place{3U, 8U}));
+    EXPECT_FALSE((Place{3U, 7U}) == (Place{4U, 7U}));
+}
+
+TEST(IniDocumentEdits, AnEmptyFirstLineEndsAsItDoes)
+{
+    Verifies(req::SRS_EDS_004);
+    EXPECT_EQ(IniDocument::Parse("f", "\n[A]\nk=1\n").With({{"A", "m", "2", "k"}}, {}).Text(), "\n[A]\nk=1\nm=2\n");
+    EXPECT_EQ(IniDocument::Parse("f", "\r\n[A]\r\nk=1\r\n").With({{"A", "m", "2", "k"}}, {}).Text(),
+              "\r\n[A]\r\nk=1\r\nm=2\r\n");
+}
+
+TEST(IniDocumentEdits, WhatStandsDirectlyBehindASectionThatIsLeftOutStays)
+{
+    Verifies(req::SRS_EDS_004);
+    EXPECT_EQ(IniDocument::Parse("f", "[A]\nk=1\n[B]\nm=2\n").Without({"A"}, {}).Text(), "[B]\nm=2\n");
+    EXPECT_EQ(IniDocument::Parse("f", "[A]\nk=1\n\n[B]\nm=2").Without({"B"}, {}).Text(), "[A]\nk=1\n\n");
+    EXPECT_TRUE(IniDocument::Parse("f", "").Sections().empty());
+}
+
 } // namespace
 } // namespace counterpoint::cia306

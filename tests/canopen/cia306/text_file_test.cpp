@@ -7,12 +7,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <iterator>
 #include <string>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -226,5 +230,101 @@ TEST_F(TextFile, WhetherAPathCanBeWrittenIsKnownBefore)
     EXPECT_EQ(ReadTextFile(Path("a")), "old");
     EXPECT_FALSE(std::filesystem::exists(Path("b"))) << "nothing is left behind";
 }
+TEST_F(TextFile, ASocketIsNoRegularFileEither)
+{
+    Verifies(req::SRS_CLI_006);
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    const std::string path = Path("s");
+    ASSERT_LT(path.size(), sizeof(address.sun_path));
+    std::copy(path.begin(), path.end(), address.sun_path);
+    const int number = ::socket(AF_UNIX, SOCK_STREAM, 0);
+    ASSERT_GE(number, 0);
+    ASSERT_EQ(::bind(number, reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
+    try
+    {
+        WriteTextFile(path, "x");
+        FAIL() << "no refusal";
+    }
+    catch (const InputError& error)
+    {
+        EXPECT_EQ(error.what(), path + ": error: it is no regular file, expected a regular file, or none");
+    }
+    (void)::close(number);
+}
+
+TEST_F(TextFile, AFileOfTheNameInBetweenIsNotTakenAway)
+{
+    Verifies(req::SRS_CLI_006);
+    WriteTextFile(Path("a"), "old");
+    // Given a file that somebody else gave the name which the new one gets before it replaces the old one
+    const std::string between = Path("a") + "." + std::to_string(::getpid());
+    WriteTextFile(between, "of somebody else");
+    try
+    {
+        WriteTextFile(Path("a"), "new");
+        FAIL() << "no refusal";
+    }
+    catch (const InputError& error)
+    {
+        EXPECT_EQ(error.what(),
+                  Path("a") + ": error: it cannot be replaced (File exists), expected a path in a writable folder");
+    }
+    EXPECT_EQ(ReadTextFile(Path("a")), "old");
+    EXPECT_EQ(ReadTextFile(between), "of somebody else");
+}
+
+TEST_F(TextFile, AFileOfTheFolderOneIsInNeedsNoFolder)
+{
+    Verifies(req::SRS_CLI_006);
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(folder_);
+    WriteTextFile("alone", "x");
+    EXPECT_EQ(ReadTextFile("alone"), "x");
+    std::filesystem::current_path(before);
+}
+
+TEST_F(TextFile, AFileThatFailsOrGrowsWhileItIsReadIsRefused)
+{
+    Verifies(req::SRS_EDS_017);
+    // Regular files without a length: one cannot be read from its beginning, the other is longer than any text
+    EXPECT_EQ(RefusalOf("/proc/self/mem"),
+              "/proc/self/mem: error: it cannot be read (Input/output error), expected a readable file");
+    EXPECT_EQ(RefusalOf("/proc/self/pagemap"),
+              "/proc/self/pagemap: error: it has more than 16777216 bytes, expected at most that many");
+}
+
+std::string RefusalOfWriting(const std::string& path, const std::string& text)
+{
+    try
+    {
+        WriteTextFile(path, text);
+    }
+    catch (const InputError& error)
+    {
+        return error.what();
+    }
+    return "";
+}
+
+TEST_F(TextFile, WhereNothingCanBeMadeOrTheRoomEndsTheOldFileStays)
+{
+    Verifies(req::SRS_CLI_006);
+    EXPECT_EQ(RefusalOfWriting("/proc/none", "x"), "/proc/none: error: it cannot be created (No such file or "
+                                                   "directory), expected a path in a writable folder");
+    WriteTextFile(Path("a"), "old");
+    // Given a system that takes no more than ten bytes of a file
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{10U, before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    const std::string refusal = RefusalOfWriting(Path("a"), std::string(100U, 'x'));
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+    (void)std::signal(SIGXFSZ, handler);
+    EXPECT_EQ(refusal, Path("a") + ": error: it cannot be written (File too large), expected a file system with room");
+    EXPECT_EQ(ReadTextFile(Path("a")), "old");
+}
+
 } // namespace
 } // namespace counterpoint::cia306

@@ -283,5 +283,19 @@ TEST(Value, EveryDataTypeHasItsLength)
         ++code;
     }
 }
+TEST(Value, WhatIsNoNumberOfItsTypeThoughItBeginsLikeOne)
+{
+    Verifies(req::SRS_EDS_014);
+    const Case rows[] = {
+        {"$NODEID", kBoolean, false, 0U}, // 5 is above 1.
+        {"$NODEID", kInteger8 + 3U, true, 5U}, {"", kReal32, false, 0U},     {"+", kReal32, false, 0U},
+        {"+1.0", kReal32, true, 0x3F800000U},  {"-0x1", kReal32, false, 0U}, {"0x1", kReal32, true, 1U},
+        {"-1", kTimeOfDay, false, 0U},         {"-0", kTimeOfDay, true, 0U}};
+    ExpectAll(std::begin(rows), std::end(rows));
+    // What a structure holds stays text
+    const DataType structure{"a structure (DEFSTRUCT)", DataKind::kStructure, 0U};
+    EXPECT_EQ(ParseValue("1 2", structure, std::nullopt).value->text, "1 2");
+}
+
 } // namespace
 } // namespace counterpoint::cia306
