@@ -45,15 +45,25 @@ HERE = "verification/mutation"
 PROBE = f"{HERE}/counterpoint_mutation_probe"
 BRIEF = ("--gtest_brief=1", "--gtest_fail_fast")
 CORE_TESTS = ("tests/safety_core/safety_core_tests", BRIEF)
+CONFORMANCE, DIFFERENTIAL = (PROBE, ()), (PROBE, ("differential",))
+THIRD_VOICE = ("verification/third_voice/counterpoint_third_voice", ("--sequences", "1000"))
+
+
+def tests_of(room, *names):
+    return tuple((f"tests/{room}/{room}_{name}_test", BRIEF) for name in names)
+
+
 # Folder of a room, and the programs that judge it with their arguments, the fastest first.
 ROOMS = {
     "comparator": ("safety_core/comparator", ((f"{HERE}/counterpoint_comparator_probe", BRIEF), CORE_TESTS)),
     "kernel": ("safety_core/kernel", (CORE_TESTS, ("tests/safety_core/selftest/selftest_tests", BRIEF))),
     "crosslink": ("safety_core/crosslink", (("tests/safety_core/crosslink/crosslink_tests", BRIEF),)),
     "selftest": ("safety_core/selftest", (("tests/safety_core/selftest/selftest_tests", BRIEF),)),
-    "channel_a": ("channel_a", ((PROBE, ("differential",)), (PROBE, ()), ("tests/channel_a/channel_a_storage_test", BRIEF),
-                                ("tests/channel_a/channel_a_record_test", BRIEF))),
-    "channel_b": ("channel_b", ((PROBE, ("differential",)), (PROBE, ()))),
+    "channel_a": ("channel_a", (DIFFERENTIAL, *tests_of("channel_a", "crc", "cycle", "mapping", "producer", "record", "state", "storage"),
+                                CONFORMANCE, *tests_of("channel_a", "flipped_storage"), THIRD_VOICE)),
+    "channel_b": ("channel_b", (DIFFERENTIAL, *tests_of("channel_b", "acknowledge", "checksum", "confirmation", "direction", "inverse_frame", "reading_back",
+                                                        "record", "shared_object", "signals", "storage"),
+                                CONFORMANCE, *tests_of("channel_b", "flipped_storage"), THIRD_VOICE)),
 }
 FIXTURE = f"{HERE}/fixture/systematic"
 FIXTURES = {"seeing": (FIXTURE, ((f"{HERE}/counterpoint_mutation_seeing", ()),)),
@@ -183,12 +193,16 @@ class Runner:
 
 
 def examine_judges(build, subjects):
-    """What the real sources do not pass cannot judge a mutant. Returns the limits and the digests of the programs."""
+    """What the real sources do not pass, linked as a mutant is, cannot judge one. Returns the limits and the digests of the programs."""
     limits, programs = {}, {}
     for judge in sorted({judge for subject in subjects for judge in subject.judges}):
         program, arguments = judge
-        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-        killed, said = run_program(build.folder / program, arguments, 600)
+        with tempfile.TemporaryDirectory(prefix="mutant-") as folder:
+            linked, text = build.link_mutated(program, {}, pathlib.Path(folder))
+            if linked is None:
+                raise BadInput(f"{program}: does not link as its mutants do:\n{text}")
+            before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+            killed, said = run_program(linked, arguments, 600)
         if killed:
             raise BadInput(f"{program} {' '.join(arguments)}: the sources themselves fail ({said}), expected a pass")
         limits[judge] = LEAST_LIMIT_S + int(10.0 * (resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before))

@@ -75,7 +75,7 @@ SdoAbort ServiceObjects::StoreConsumerTime(const std::uint8_t sub, const std::ui
     const auto node = static_cast<std::uint16_t>((left >> kNodeShift) & 0xFFU);
     if ((abort == SdoAbort::kNone) && (node != 0U))
     {
-        parts_.emergency.Clear(kHeartbeatError, node); // Of a node that was lost: nobody else ends it.
+        parts_.emergency.Clear(kHeartbeatError, node); // Of a node that was lost: nobody else ends it. [SRS_GRD_012]
     }
     return abort;
 }
