@@ -20,6 +20,7 @@ constexpr Word<Target> kTargetWords[] = {
     {"nmt", Target::kNmt},           {"sdo", Target::kSdo},       {"life", Target::kLife},
     {"election", Target::kElection}, {"srdo", Target::kSrdo},     {"other", Target::kOther},
     {"writes", Target::kWrites},     {"slaves", Target::kSlaves}, {"managers", Target::kManagers},
+    {"memory", Target::kMemory},     {"clocks", Target::kClocks},
 };
 constexpr Word<Fault> kFaultWords[] = {
     {"lost", Fault::kLost},
@@ -39,6 +40,11 @@ constexpr Word<Fault> kFaultWords[] = {
     {"killed", Fault::kKilled},
     {"back", Fault::kBack},
     {"off_bus", Fault::kOffBus},
+    {"flip", Fault::kFlip},
+    {"stopped", Fault::kStopped},
+    {"fast", Fault::kFast},
+    {"slow", Fault::kSlow},
+    {"jump", Fault::kJump},
 };
 constexpr Word<Teller> kTellerWords[] = {
     {"nobody", Teller::kNobody},     {"safety_gate", Teller::kSafetyGate},
@@ -46,7 +52,7 @@ constexpr Word<Teller> kTellerWords[] = {
     {"boot_up", Teller::kBootUp},    {"duplicate", Teller::kDuplicate},
     {"election", Teller::kElection}, {"emergency", Teller::kEmergency},
     {"device", Teller::kDevice},     {"controller", Teller::kController},
-    {"command", Teller::kCommand},
+    {"command", Teller::kCommand},   {"exception", Teller::kException},
 };
 static_assert(sizeof(kTargetWords) / sizeof(kTargetWords[0]) == kTargetCount, "a word each");
 static_assert(sizeof(kFaultWords) / sizeof(kFaultWords[0]) == kFaultCount, "a word each");
@@ -206,6 +212,10 @@ bool IsOf(const Target target, const Fault fault) noexcept
         return is_from_to(Fault::kRestarted, Fault::kExchanged);
     case Target::kManagers:
         return is_from_to(Fault::kKilled, Fault::kOffBus);
+    case Target::kMemory:
+        return fault == Fault::kFlip;
+    case Target::kClocks:
+        return is_from_to(Fault::kStopped, Fault::kJump);
     default:
         return is_from_to(Fault::kLost, Fault::kWrongIdentifier);
     }

@@ -2,6 +2,7 @@
 #ifndef VERIFICATION_CAMPAIGN_MANAGED_WATCH_HPP
 #define VERIFICATION_CAMPAIGN_MANAGED_WATCH_HPP
 
+#include "verification/campaign/managed/memory.hpp"
 #include "verification/campaign/managed/stage.hpp"
 
 #include <array>
@@ -39,6 +40,8 @@ enum class Limit : std::uint8_t
     kForeignStart = 2U,  ///< A slave runs by a command that no manager gave to it then.
     kApart = 4U,         ///< Slave and managers do not hear each other any more.
     kGfcBehind = 3U,     ///< 1300h was written behind the start, which is possible in every state.
+    kOwnRule = 5U,       ///< A manager whose memory or clock is wrong broke a rule; every device is as it has to be.
+    kOwnGate = 6U,       ///< Such a manager lets a slave run that holds itself back: 13FEh, or a device fault.
 };
 
 [[nodiscard]] const char* TextOf(Wrong wrong);
@@ -73,6 +76,7 @@ struct Reference
     std::map<host::NodeIndex, std::vector<std::uint64_t>> hashes; ///< Of all frames of a sender up to each.
     std::map<std::string, std::uint32_t> told;                    ///< How often.
     std::set<std::pair<std::size_t, std::uint32_t>> automatic;    ///< Device and slot that open without an acknowledge.
+    std::vector<ManagerMember> memory;                            ///< Of a plan that hits it.
 };
 
 /// A value that a manager got.
@@ -109,6 +113,11 @@ class Watch final : public host::BusFault
     void NoteStored() noexcept
     {
         is_stored_ = true;
+    }
+    /// @brief Memory or clock of a manager is wrong from now on: what counts are the devices. [SRS_CMG_082]
+    void NoteManagerHit() noexcept
+    {
+        is_manager_hit_ = true;
     }
     /// @brief The device has another serial number from now on.
     void NoteExchanged(const Slave& slave) noexcept
@@ -171,7 +180,9 @@ class Watch final : public host::BusFault
     void OnAnswer(const CanFrame& frame, const Slave& slave, Reading& reading, Nanoseconds now) const;
     void OnOwnFrame(const CanFrame& frame, host::NodeIndex sender);
     void OnCommand(const CanFrame& frame, host::NodeIndex sender);
-    void OnStart(const Slave& slave, host::NodeIndex sender);
+    [[nodiscard]] Wrong WrongOfStart(const Slave& slave, host::NodeIndex sender);
+    void TellOf(const Slave& slave, Wrong wrong);
+    [[nodiscard]] bool IsHeldByItself(const Slave& slave);
     void LookAtOutputs(Nanoseconds now);
     void LookAtOutput(const Slave& slave, std::uint32_t slot, Nanoseconds now);
     void LookAtValues(Nanoseconds now);
@@ -185,6 +196,7 @@ class Watch final : public host::BusFault
     const Reference* reference_{nullptr};
     Nanoseconds at_{0};
     bool is_stored_{false};
+    bool is_manager_hit_{false};
     const Slave* exchanged_{nullptr};
     Wrong wrong_{Wrong::kNothing};
     Limit limit_{Limit::kNothing};
