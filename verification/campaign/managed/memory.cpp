@@ -78,7 +78,7 @@ class Lister
 
 void AddSlave(Lister& list, network_plan::LoadedNetwork& net, const AssemblyShape& shape, const std::uint8_t node)
 {
-    const std::string behind = "[" + std::to_string(node) + "]";
+    const std::string behind = " " + std::to_string(node);
     const network_plan::LoadedSlave& slave = *net.Find(node);
     list.Add("expectation" + behind, slave.objects.data(), slave.objects.size() * sizeof(slave.objects[0]));
     list.Add("expectation_count" + behind, slave.safety.count);

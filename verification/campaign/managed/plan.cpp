@@ -148,6 +148,29 @@ void ReadNumbers(const YamlMap& map, Plan& plan)
     }
 }
 
+void ReadMembers(const YamlMap& map, Plan& plan)
+{
+    const std::optional<YamlValue> list = map.Find("members");
+    if (!list)
+    {
+        return;
+    }
+    for (const YamlValue& item : list->Items("a list of members of a manager's memory"))
+    {
+        const std::string name = item.Text("a member as reports name it, or its first word, as gate");
+        if (std::find(plan.members.begin(), plan.members.end(), name) != plan.members.end())
+        {
+            item.Refuse("a member that is there already", "each one once");
+        }
+        plan.members.push_back(name);
+        plan.member_sources.push_back(item.Where());
+    }
+    if (plan.members.empty())
+    {
+        list->Refuse("an empty list", "at least one member");
+    }
+}
+
 /// A kind that none of the parts has would be left aside.
 void RequireEffect(const Plan& plan)
 {
@@ -179,8 +202,8 @@ Plan ReadManagedPlan(const std::string& file)
     const std::string text = runtime::ReadYamlText(file);
     const runtime::YamlNode root = runtime::ParseYaml(file, text);
     const YamlMap map(file, root,
-                      {"title", kNetwork, "profile", "from", "until", "parts", "kinds", "detectors", "known", "reach",
-                       "settle", "stop_within", "masters_within", "seed", "sample", "confidence"});
+                      {"title", kNetwork, "profile", "from", "until", "parts", "members", "kinds", "detectors", "known",
+                       "reach", "settle", "stop_within", "masters_within", "seed", "sample", "confidence"});
     Plan plan;
     plan.file = file;
     plan.digest = HashOf(text);
@@ -194,6 +217,7 @@ Plan ReadManagedPlan(const std::string& file)
     plan.parts = Chosen(map, "parts", kTargetWords, &plan.part_sources);
     plan.kinds = Chosen(map, "kinds", kFaultWords, &plan.kind_sources);
     RequireEffect(plan);
+    ReadMembers(map, plan);
     plan.detectors = map.Find("detectors") ? Chosen(map, "detectors", kTellerWords) : std::vector<Teller>{};
     ReadTimes(map, plan);
     ReadKnown(map, plan);

@@ -112,6 +112,8 @@ struct Plan
     std::vector<runtime::Source> part_sources;
     std::vector<Fault> kinds;
     std::vector<runtime::Source> kind_sources;
+    std::vector<std::string> members; ///< Of the memory of managers, whole names or their first words; empty: all.
+    std::vector<runtime::Source> member_sources;
     std::vector<Teller> detectors;
     std::vector<Known> known;
     Nanoseconds reach{0};

@@ -40,6 +40,18 @@ constexpr std::uint64_t kByteBits = 8U;
     return all;
 }
 
+/// Whether the plan names this member, or its first word.
+[[nodiscard]] bool IsNamed(const std::string& wanted, const std::string& member)
+{
+    return member == wanted || member.rfind(wanted + " ", 0U) == 0U;
+}
+
+[[nodiscard]] bool IsMeant(const std::vector<std::string>& wanted, const std::string& member)
+{
+    return wanted.empty() || std::any_of(wanted.begin(), wanted.end(),
+                                         [&member](const std::string& each) { return IsNamed(each, member); });
+}
+
 /// As the clocks of a device.
 [[nodiscard]] FaultKind KindOf(const Fault fault)
 {
@@ -124,6 +136,17 @@ void Space::TakeObjects()
 /// What is named and hits nothing is refused where it is named.
 void Space::Require() const
 {
+    for (std::size_t index = 0U; index < plan_.members.size(); ++index)
+    {
+        const std::vector<ManagerMember>& all = reference_.memory;
+        const bool is_there = std::any_of(all.begin(), all.end(), [this, index](const ManagerMember& each)
+                                          { return IsNamed(plan_.members[index], each.name); });
+        if (!is_there)
+        {
+            throw runtime::YamlError(plan_.file, plan_.member_sources[index].place,
+                                     "no member of a manager's memory that is hit", "one that reports name, as gate");
+        }
+    }
     for (std::size_t index = 0U; index < plan_.part_sources.size(); ++index)
     {
         const bool hits = std::any_of(strata_.begin(), strata_.end(), [this, index](const Stratum& stratum)
@@ -223,7 +246,8 @@ std::uint64_t Space::FaultsOf(const Target target, const Fault fault, const std:
     }
     if (target == Target::kMemory)
     {
-        return instants * reference_.memory[subject].bytes.size() * kByteBits;
+        const std::uint64_t bits = reference_.memory[subject].bytes.size() * kByteBits;
+        return IsMeant(plan_.members, reference_.memory[subject].name) ? instants * bits : 0U;
     }
     if (target == Target::kClocks)
     {

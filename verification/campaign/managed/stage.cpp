@@ -53,18 +53,23 @@ void Stranger::OnConfirmed(const CanFrame& /*frame*/, const host::BusTime /*at*/
 
 void GuardedManager::Run(const Nanoseconds now)
 {
+    Look(now, [this, now]() { manager_.Run(now); });
+}
+
+void GuardedManager::Look(const Nanoseconds now, const std::function<void()>& look)
+{
     if (!is_guarded_)
     {
-        manager_.Run(now);
+        look();
         return;
     }
     bool has_thrown = false;
     const Return how = Trap::Run(
-        [this, now, &has_thrown]()
+        [&look, &has_thrown]()
         {
             try
             {
-                manager_.Run(now);
+                look();
             }
             catch (const std::exception&)
             {

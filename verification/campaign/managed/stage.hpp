@@ -62,6 +62,8 @@ class GuardedManager final : public simulator::Participant
         return manager_.NextEvent();
     }
     void Run(Nanoseconds now) override;
+    /// @brief Looks at the manager, which may end by that, too.
+    void Look(Nanoseconds now, const std::function<void()>& look);
 
   private:
     simulator::SimulatedManager& manager_;

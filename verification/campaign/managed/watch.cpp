@@ -111,19 +111,10 @@ void Clear(Reading& reading, const Nanoseconds now)
 } // namespace
 
 Watch::Watch(Stage& stage, const Plan& plan)
-    : stage_(stage), plan_(plan), runs_(stage.Slaves().size(), false), started_(stage.Slaves().size(), -kObeyed),
-      other_since_(stage.Slaves().size(), -1), reached_(stage.Slaves().size(), 0), heard_(stage.Slaves().size() + 1U, 0)
+    : stage_(stage), plan_(plan), devices_(stage), runs_(stage.Slaves().size(), false),
+      started_(stage.Slaves().size(), -kObeyed), other_since_(stage.Slaves().size(), -1),
+      reached_(stage.Slaves().size(), 0), heard_(stage.Slaves().size() + 1U, 0)
 {
-    constexpr Nanoseconds kSlack = 20 * kMs;
-    constexpr Nanoseconds kChain = 2; // From a sensor to a controller to an actuator.
-    for (const Slave& slave : stage.Slaves())
-    {
-        for (const runtime::SrdoModel& srdo : stage.World().At(slave.index).Model().Srdos())
-        {
-            phase_ = std::max(phase_, kChain * srdo.times.sct_ms * kMs / 2);
-            age_ = std::max(age_, kChain * (srdo.times.sct_ms + srdo.times.srvt_ms) * kMs + kSlack);
-        }
-    }
     stage.World().Bus().Install(*this);
 }
 
@@ -356,7 +347,7 @@ void Watch::TellOf(const Slave& slave, const Wrong wrong)
     {
         limit_ = (limit_ == Limit::kNothing) ? Limit::kOwnRule : limit_;
     }
-    else if (IsHeldByItself(slave))
+    else if (devices_.IsHeldByItself(slave))
     {
         limit_ = Limit::kOwnGate;
     }
@@ -366,14 +357,12 @@ void Watch::TellOf(const Slave& slave, const Wrong wrong)
     }
 }
 
-/// Its configuration is not declared valid, or its kernel is in the safe state.
-bool Watch::IsHeldByItself(const Slave& slave)
+void Watch::TellIfAny(const Wrong wrong)
 {
-    constexpr ObjectAddress kValid{0x13FEU, 0U};
-    constexpr std::uint32_t kIsValid = 0xA5U;
-    const std::optional<std::uint32_t> valid = stage_.ValueIn(slave, kValid);
-    const DeviceFault fault = stage_.World().At(slave.index).Firmware().Assembly().Core().DeviceState().fault;
-    return !valid || *valid != kIsValid || fault != DeviceFault::kNone;
+    if (wrong != Wrong::kNothing)
+    {
+        Tell(wrong);
+    }
 }
 
 void Watch::Look(const Nanoseconds now)
@@ -390,9 +379,12 @@ void Watch::Look(const Nanoseconds now)
     }
     LookAtStates(now);
     LookAtMasters(now);
-    LookAtOutputs(now);
-    Draw();
-    LookAtValues(now);
+    TellIfAny(devices_.LookAtOutputs(reference_, made_, now));
+    devices_.Draw(picture_, now);
+    if (reference_ != nullptr)
+    {
+        TellIfAny(devices_.LookAtValues(picture_, *reference_, now));
+    }
     if (reference_ == nullptr)
     {
         made_.pictures.push_back(picture_);
@@ -453,16 +445,26 @@ void Watch::LookAtStates(const Nanoseconds now)
     }
 }
 
+std::size_t Watch::ActiveManagers(const Nanoseconds now)
+{
+    std::size_t active = 0U;
+    for (std::size_t index = 0U; index < stage_.Managers().size(); ++index)
+    {
+        const simulator::SimulatedManager& manager = *stage_.Managers()[index];
+        if (!manager.HasSupply() || !stage_.World().Bus().IsOnBus(manager.BusNode()))
+        {
+            continue;
+        }
+        stage_.Guards()[index]->Look(now, [&manager, &active]()
+                                     { active += manager.Station()->Assembly().Core().IsActive() ? 1U : 0U; });
+    }
+    return active;
+}
+
 void Watch::LookAtMasters(const Nanoseconds now)
 {
-    const auto active = std::count_if(stage_.Managers().begin(), stage_.Managers().end(),
-                                      [this](const auto& manager)
-                                      {
-                                          return manager->HasSupply() &&
-                                                 manager->Station()->Assembly().Core().IsActive() &&
-                                                 stage_.World().Bus().IsOnBus(manager->BusNode());
-                                      });
-    if (active < 2)
+    const std::size_t active = ActiveManagers(now);
+    if (active < 2U)
     {
         two_since_ = -1;
     }
