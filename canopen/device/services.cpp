@@ -265,9 +265,13 @@ void Services::OnFrame(const CanFrame& frame, const cia301::Moment& moment) noex
 void Services::OnCycle(const cia301::Moment& moment) noexcept
 {
     consumer.Poll(moment.now);
-    if (guarding.Poll(moment.now) == GuardEvent::kLost)
+    if (guarding.Poll({moment.state, producer.PeriodMs(), moment.now}) == GuardEvent::kLost)
     {
         errors.Raise(CommunicationError::kLifeGuard, 0U);
+    }
+    if (!guarding.IsLost())
+    {
+        errors.Clear(CommunicationError::kLifeGuard, 0U); // Heartbeats, or 100Ch and 100Dh anew: nobody else ends it.
     }
     sync.OnCycle(moment);
     rpdos.OnCycle(moment);

@@ -2,6 +2,7 @@
 #include "runtime/node/application.hpp"
 
 #include "runtime/device/names.hpp"
+#include "runtime/node/number.hpp"
 
 #include <utility>
 
@@ -18,8 +19,8 @@ std::uint8_t NumberOf(const CommunicationIndex index)
 }
 } // namespace
 
-NodeApplication::NodeApplication(const runtime::DeviceModel& model, NodeReport& report)
-    : report_(report), logic_(model, runtime::Half::kBoth)
+NodeApplication::NodeApplication(const runtime::DeviceModel& model, const cia306::Device& file, NodeReport& report)
+    : file_(file), report_(report), logic_(model, runtime::Half::kBoth)
 {
 }
 
@@ -75,15 +76,18 @@ std::string NodeApplication::Values() const
         {
             continue;
         }
-        values += (values.empty() ? "" : " ") + runtime::ObjectText(pair.address) + "=" + std::to_string(pair.normal);
+        values += (values.empty() ? "" : " ") + runtime::ObjectText(pair.address) + "=" +
+                  NumberText(FormOf(file_, pair.address), pair.normal);
     }
     return values;
 }
 
 void NodeApplication::TellValue(const PairValue& pair)
 {
-    report_.Tell(now_ns_, "value " + runtime::ObjectText(pair.address) + " = " + std::to_string(pair.normal), "value",
-                 {{"srdo", pair.srdo}, {"object", runtime::ObjectText(pair.address)}, {"value", pair.normal}});
+    const NumberForm form = FormOf(file_, pair.address);
+    const std::string object = runtime::ObjectText(pair.address);
+    report_.Tell(now_ns_, "value " + object + " = " + NumberText(form, pair.normal), "value",
+                 {{"srdo", pair.srdo}, {"object", object}, {"value", NumberJson(form, pair.normal)}});
 }
 
 // The inputs as they are now, not as they were behind the cycle before. [SRS_NODE_041]
@@ -121,6 +125,7 @@ void NodeApplication::OnGfcNotFollowed() noexcept
 
 void NodeApplication::OnConfigurationInvalid(const CommunicationIndex index) noexcept
 {
+    has_told_invalid_ = true;
     report_.Tell(now_ns_, "configuration of SRDO " + std::to_string(NumberOf(index)) + " does not hold: SRDOs are off",
                  "configuration_invalid", {{"srdo", NumberOf(index)}});
 }

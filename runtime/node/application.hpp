@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 
 namespace counterpoint::runtime
 {
@@ -22,8 +23,8 @@ class NodeApplication final : public Application
     /// Is told of each pair that was released or confirmed.
     using OnPair = std::function<void(std::uint8_t srdo)>;
 
-    /// @brief Both outlive it.
-    NodeApplication(const runtime::DeviceModel& model, NodeReport& report);
+    /// @brief All outlive it; `file` is what the model was made of.
+    NodeApplication(const runtime::DeviceModel& model, const cia306::Device& file, NodeReport& report);
 
     /// @brief Whom to tell of pairs.
     void Tell(OnPair on_pair);
@@ -35,6 +36,11 @@ class NodeApplication final : public Application
     /// @brief Sets an input: the normal object of a producer, as configured or as in the file. False: there is no such
     /// input.
     [[nodiscard]] bool SetInput(const ObjectAddress& object, std::uint64_t value);
+    /// @brief The file that says which types its objects have.
+    [[nodiscard]] const cia306::Device& File() const noexcept
+    {
+        return file_;
+    }
     /// @brief Sets the time of what the kernel tells next.
     void SetNow(std::uint64_t now_ns) noexcept
     {
@@ -49,6 +55,11 @@ class NodeApplication final : public Application
     [[nodiscard]] bool TakeChange() noexcept
     {
         return logic_.TakeChange();
+    }
+    /// @brief Whether the kernel has told since the last call that the configuration does not hold. [SRS_NODE_053]
+    [[nodiscard]] bool TakeInvalid() noexcept
+    {
+        return std::exchange(has_told_invalid_, false);
     }
     /// @brief The values of all pairs: "2200:01=1 ...".
     [[nodiscard]] std::string Values() const;
@@ -65,10 +76,12 @@ class NodeApplication final : public Application
   private:
     void TellValue(const runtime::PairValue& pair);
 
+    const cia306::Device& file_;
     NodeReport& report_;
     OnPair on_pair_;
     runtime::PairLogic logic_;
     std::uint64_t now_ns_{0U};
+    bool has_told_invalid_{false};
 };
 } // namespace counterpoint::runtime
 

@@ -7,7 +7,6 @@
 #include "canopen/cia306/text/input_error.hpp"
 #include "names/safety_core/kernel/start_check.hpp"
 #include "runtime/device/names.hpp"
-#include "safety_core/kernel/limits.hpp"
 
 #include <algorithm>
 #include <string>
@@ -20,8 +19,6 @@ namespace
 constexpr std::uint64_t kPressNs = 200000000U;
 constexpr std::uint64_t kNsPerUs = 1000U;
 constexpr std::uint64_t kPressCycles = 4U;
-constexpr std::uint8_t kSrvtSub = 3U;
-constexpr std::uint8_t kCobIdSub1 = 5U;
 /// Of a device that waits for its node-ID: nobody sees it.
 constexpr std::uint8_t kPlaceholder = 127U;
 
@@ -70,34 +67,6 @@ std::string Milliseconds(const std::uint32_t us)
 {
     return MillisecondsText(Nanoseconds{us} * kNanosecondsPerMicrosecond);
 }
-/// Writes the line about an SRDO: for a consumer the limit of its output, whatever happens on the bus, for a producer
-/// its refresh time. [SRS_NODE_004, SRS_NODE_024]
-void TellSrdo(NodeReport& report, const std::uint64_t at_ns, const DeviceConfig& config, const SrdoModel& srdo)
-{
-    const bool is_consumer = srdo.direction == kDirectionConsumer;
-    const Limit limit = ComputeLimit(config, srdo.times, FaultClass::kBusNextNormal);
-    const bool has_limit = limit.result == Result::kSuccessful;
-    std::string text = "SRDO " + std::to_string(srdo.number);
-    if (is_consumer)
-    {
-        text += " consumer " + IdentifierText(srdo.cob_id_1) +
-                (has_limit ? ", safe within " + Milliseconds(limit.us) + " of the last good normal frame"
-                           : ", without a limit: its times are too long");
-    }
-    else if (srdo.direction == kDirectionProducer)
-    {
-        text += " producer " + IdentifierText(srdo.cob_id_1) + ", every " + std::to_string(srdo.times.sct_ms) + " ms";
-    }
-    else
-    {
-        text += " off";
-    }
-    const nlohmann::ordered_json limit_us = has_limit ? nlohmann::ordered_json(limit.us) : nlohmann::ordered_json();
-    report.Tell(at_ns, text, "srdo",
-                {{"srdo", srdo.number},
-                 {"consumer", is_consumer},
-                 {"limit_us", is_consumer ? limit_us : nlohmann::ordered_json(0U)}});
-}
 
 /// Writes that the digest of the file is not expected, and whether it was right, where the device differs from its
 /// file. [SRS_NODE_042]
@@ -114,26 +83,6 @@ void TellDigest(NodeReport& report, const std::uint64_t at_ns, const cia306::Dev
                 std::string("no device digest is expected: cycle, node-ID or controllers are not those of the file") +
                     (is_right ? "" : ", whose 0x5F04:00 is not its digest"),
                 "no_digest", {{"is_right", is_right}});
-}
-
-/// The SRDO of a slot as the kernel has it now; `of_file` is what the file says of it.
-SrdoModel ConfiguredSrdo(Kernel& kernel, const SrdoModel& of_file)
-{
-    const CommunicationIndex index = CommunicationIndexOf(of_file.number);
-    const ParametersReply parameters = kernel.GetParameters(index);
-    SrdoModel srdo = of_file;
-    srdo.direction = parameters.direction;
-    srdo.times.sct_ms = parameters.refresh_ms;
-    srdo.times.srvt_ms = static_cast<std::uint8_t>(ToValue(kernel.ReadObject({index.value, kSrvtSub}).data));
-    srdo.cob_id_1 = ToValue(kernel.ReadObject({index.value, kCobIdSub1}).data);
-    return srdo;
-}
-
-/// Whether TellSrdo writes the same line for both.
-bool IsSameSrdo(const SrdoModel& one, const SrdoModel& other)
-{
-    const bool are_times = one.times.sct_ms == other.times.sct_ms && one.times.srvt_ms == other.times.srvt_ms;
-    return one.direction == other.direction && one.cob_id_1 == other.cob_id_1 && are_times;
 }
 } // namespace
 
@@ -178,9 +127,9 @@ NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeRepor
       config_(ConfigOf(UseControllers(model_, ports), settings.cycle_us)), time_(host::BitRate::k500k),
       watchdog_(time_), output_(time_, watchdog_, {config_.cycle_us + config_.cycle_tolerance_us}),
       channel_a_(MakeChannel(Letter::kA, RoomOf(config_))), channel_b_(MakeChannel(Letter::kB, RoomOf(config_))),
-      application_(model_, report),
+      application_(model_, file_, report),
       self_test_(settings.has_self_tests ? std::make_unique<NodeSelfTest>(output_) : nullptr),
-      outputs_(model_, output_, report),
+      outputs_(model_, output_, report), srdos_(model_, config_, report),
       assembly_(model_, config_,
                 {channel_a_->Voice(), channel_b_->Voice(), ports, output_, watchdog_, application_,
                  self_test_ ? &self_test_->Part() : nullptr, *this, &file_, nullptr, settings.domain_bytes}),
@@ -253,13 +202,7 @@ void NodeDevice::TellStart(const std::string& buses, const std::uint64_t now_ns)
     {
         report_.Tell(now_ns, "no safety objects: a plain CANopen device", "plain", nlohmann::ordered_json::object());
     }
-    for (const SrdoModel& srdo : model_.Srdos())
-    {
-        if (srdo.direction == kDirectionConsumer || srdo.direction == kDirectionProducer)
-        {
-            TellSrdo(report_, now_ns, config_, srdo);
-        }
-    }
+    srdos_.TellFile(now_ns);
 }
 
 bool NodeDevice::PowerOn(const InstantPair& now, const std::uint64_t now_ns)
@@ -355,6 +298,7 @@ bool NodeDevice::Acknowledge(const std::uint8_t srdo, const std::uint64_t now_ns
 void NodeDevice::TellState(const std::uint64_t now_ns)
 {
     const cia301::NodeState state = assembly_.Device().State();
+    const bool is_told_invalid = application_.TakeInvalid();
     state_ =
         std::exchange(has_reset_, false) ? cia301::NodeState::kInvalid : state_; // Told again, even if it is the same.
     if (state != state_)
@@ -369,7 +313,7 @@ void NodeDevice::TellState(const std::uint64_t now_ns)
         state_ = state;
         if (state == cia301::NodeState::kOperational)
         {
-            FollowConfiguration(now_ns);
+            FollowConfiguration(now_ns, is_told_invalid);
         }
         const std::string name = Name(cia301::KernelState(state));
         report_.Tell(now_ns, "NMT " + name, "nmt", {{"state", name}});
@@ -378,21 +322,13 @@ void NodeDevice::TellState(const std::uint64_t now_ns)
 
 /// Directions, times, identifiers and mappings stay as they are until OPERATIONAL is left; the file, a store or a
 /// commissioner may have given them. [SRS_NODE_019]
-void NodeDevice::FollowConfiguration(const std::uint64_t now_ns)
+void NodeDevice::FollowConfiguration(const std::uint64_t now_ns, const bool is_told_invalid)
 {
     cycles_per_send_ = assembly_.CyclesPerSend();
     cycles_to_send_ = 0U;
     outputs_.Follow(assembly_.Core());
     application_.Follow(assembly_.Core(), model_);
-    for (const SrdoModel& of_file : model_.Srdos())
-    {
-        // What is as in the file was told at the start.
-        const SrdoModel srdo = ConfiguredSrdo(assembly_.Core(), of_file);
-        if (!IsSameSrdo(srdo, of_file))
-        {
-            TellSrdo(report_, now_ns, config_, srdo);
-        }
-    }
+    srdos_.Follow(assembly_.Core(), now_ns, is_told_invalid);
 }
 
 // At once after a change, and every refresh time after the last time. [SRS_NODE_025]

@@ -8,6 +8,7 @@
 #include "runtime/node/output_watch.hpp"
 #include "runtime/node/ports.hpp"
 #include "runtime/node/self_test.hpp"
+#include "runtime/node/srdo_report.hpp"
 #include "runtime/node/transfers.hpp"
 
 #include "hal/host/output.hpp"
@@ -135,7 +136,7 @@ class NodeDevice final : private AssemblyOwner
     void OnEmergency(const cia301::ReceivedEmergency& emergency) noexcept override;
     void TellSelfTest();
     void FurnishSelfTest();
-    void FollowConfiguration(std::uint64_t now_ns);
+    void FollowConfiguration(std::uint64_t now_ns, bool is_told_invalid);
     void SendByApplication();
     void SetTime(std::uint64_t now_ns);
     void TellState(std::uint64_t now_ns);
@@ -154,6 +155,7 @@ class NodeDevice final : private AssemblyOwner
     NodeApplication application_;
     std::unique_ptr<NodeSelfTest> self_test_; ///< Null: none.
     OutputWatch outputs_;
+    SrdoReport srdos_;
     DeviceAssembly assembly_;
     NodeTransfers transfers_;
     std::unique_ptr<NodeStore> store_; ///< Null: none.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -50,12 +51,19 @@ NodeOrder Problem(const std::string& wrong, const std::string& expected)
 NodeOrder ParseSet(const std::vector<std::string>& words)
 {
     const std::optional<ObjectAddress> object = (words.size() == 3U) ? ParseObject(words[1U]) : std::nullopt;
-    const auto value = object ? cia306::ParseTyped(words[2U], std::numeric_limits<std::uint64_t>::max()) : std::nullopt;
-    if (!value)
+    const bool is_negative = object && words[2U].front() == '-';
+    const std::string digits = object ? words[2U].substr(is_negative ? 1U : 0U) : "";
+    const bool is_pattern = digits.rfind("0x", 0U) == 0U || digits.rfind("0X", 0U) == 0U;
+    const auto value = cia306::ParseTyped(digits, std::numeric_limits<std::uint64_t>::max());
+    const bool is_sign_twice = is_negative && value && std::isdigit(static_cast<unsigned char>(digits.front())) == 0;
+    if (!value || is_sign_twice || (is_negative && is_pattern))
     {
         return Problem("'set' with something else than an object and a number", "set 0x2000:01 1");
     }
-    return {OrderKind::kSet, *object, *value, 0U, {}};
+    NodeOrder order{OrderKind::kSet, *object, *value, 0U, {}};
+    order.is_negative = is_negative && *value != 0U;
+    order.is_pattern = is_pattern;
+    return order;
 }
 
 NodeOrder ParseGet(const std::vector<std::string>& words)

@@ -14,7 +14,7 @@ namespace counterpoint::runtime
 enum class OrderKind : std::uint8_t
 {
     kNothing = 0U,     ///< An empty line or a comment.
-    kSet = 1U,         ///< object, value
+    kSet = 1U,         ///< object, value, is_negative, is_pattern
     kGet = 2U,         ///< object
     kAcknowledge = 3U, ///< value: number of the SRDO
     kGfc = 4U,
@@ -38,6 +38,8 @@ struct NodeOrder
     std::uint8_t node{0U};
     std::string problem; ///< What is wrong and what was expected.
     std::uint8_t size_bytes{0U};
+    bool is_negative{false}; ///< The number is minus `value`, which is not 0.
+    bool is_pattern{false};  ///< `value` was written hexadecimal: bits of the object, not a number.
 };
 
 /// @brief Reads 0x2000:01, both parts hexadecimal; nothing for any other text.

@@ -2,6 +2,7 @@
 #include "runtime/node/orders.hpp"
 
 #include "runtime/device/names.hpp"
+#include "runtime/node/number.hpp"
 
 #include <optional>
 #include <utility>
@@ -86,14 +87,17 @@ void NodeOrders::GoOn(NodeDevice& device, const NodeMoment& at)
 /// An input of the application, else an object of the device itself.
 void NodeOrders::Set(const NodeOrder& order, NodeDevice& device, const cia301::Attempt attempt)
 {
-    if (attempt == cia301::Attempt::kFirst && device.App().SetInput(order.object, order.value))
+    const NumberForm form = FormOf(device.App().File(), device.Assembly().Dictionary(), order.object);
+    const NumberBits number = BitsOf(form, order);
+    const bool is_taken = number.abort == cia301::SdoAbort::kNone;
+    if (attempt == cia301::Attempt::kFirst && is_taken && device.App().SetInput(order.object, number.bits))
     {
         return;
     }
     cia301::Dictionary& objects = device.Assembly().Dictionary();
     const cia301::Reading size = objects.SizeOf(order.object);
-    const bool is_cut = size.size_bytes < sizeof(order.value) && (order.value >> (kBitsOfByte * size.size_bytes)) != 0U;
-    cia301::SdoAbort abort = size.abort;
+    const bool is_cut = size.size_bytes < sizeof(number.bits) && (number.bits >> (kBitsOfByte * size.size_bytes)) != 0U;
+    cia301::SdoAbort abort = (size.abort == cia301::SdoAbort::kNone) ? number.abort : size.abort;
     if (abort == cia301::SdoAbort::kNone && is_cut)
     {
         abort = cia301::SdoAbort::kValueHigh;
@@ -101,8 +105,8 @@ void NodeOrders::Set(const NodeOrder& order, NodeDevice& device, const cia301::A
     else if (abort == cia301::SdoAbort::kNone)
     {
         abort = (attempt == cia301::Attempt::kFirst)
-                    ? objects.WriteNumber(order.object, order.value, size.size_bytes)
-                    : objects.WriteNumberAgain(order.object, order.value, size.size_bytes);
+                    ? objects.WriteNumber(order.object, number.bits, size.size_bytes)
+                    : objects.WriteNumberAgain(order.object, number.bits, size.size_bytes);
     }
     if (abort == cia301::SdoAbort::kPending)
     {
@@ -110,18 +114,21 @@ void NodeOrders::Set(const NodeOrder& order, NodeDevice& device, const cia301::A
     }
     if (abort != cia301::SdoAbort::kNone && abort != cia301::SdoAbort::kPending)
     {
-        TellProblem("set: " + ObjectText(order.object) + " = " + std::to_string(order.value) + " refused with " +
-                    SdoAbortText(abort) + ", expected an input or an object of the device, and a value that it takes");
+        TellProblem("set: " + ObjectText(order.object) + " = " + (order.is_negative ? "-" : "") +
+                    std::to_string(order.value) + " refused with " + SdoAbortText(abort) +
+                    ", expected an input or an object of the device, and a value that it takes");
     }
 }
 
 void NodeOrders::TellObject(const ObjectAddress& object, NodeDevice& device)
 {
-    const cia301::NumberReading reading = device.Assembly().Dictionary().ReadNumber(object);
+    cia301::Dictionary& objects = device.Assembly().Dictionary();
+    const cia301::NumberReading reading = objects.ReadNumber(object);
     if (reading.abort == cia301::SdoAbort::kNone)
     {
-        report_.Tell(at_.now_ns, ObjectText(object) + " = " + std::to_string(reading.value), "object",
-                     {{"object", ObjectText(object)}, {"value", reading.value}});
+        const NumberForm form = FormOf(device.App().File(), objects, object);
+        report_.Tell(at_.now_ns, ObjectText(object) + " = " + NumberText(form, reading.value), "object",
+                     {{"object", ObjectText(object)}, {"value", NumberJson(form, reading.value)}});
         return;
     }
     TellProblem("get: " + ObjectText(object) + ": " + SdoAbortText(reading.abort) + ", expected an object of numbers");

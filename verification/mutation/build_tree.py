@@ -69,6 +69,7 @@ class Build:
             own = re.search(r" -o (\S+)", self.compile[source]).group(1)
             place = words.index(own) if own in words else next(i for i, word in enumerate(words) if word.endswith(".o"))
             words[place:place + (own in words)] = [str(objects[source])]
+        words += ["-fuse-ld=gold", "-Wl,-s"]  # Nobody debugs it, and it is linked once.
         done = subprocess.run(words, cwd=self.folder, capture_output=True, text=True, check=False, env=QUIET)
         return (target if done.returncode == 0 else None), done.stderr
 

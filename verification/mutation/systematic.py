@@ -51,9 +51,9 @@ ROOMS = {
     "kernel": ("safety_core/kernel", (CORE_TESTS, ("tests/safety_core/selftest/selftest_tests", BRIEF))),
     "crosslink": ("safety_core/crosslink", (("tests/safety_core/crosslink/crosslink_tests", BRIEF),)),
     "selftest": ("safety_core/selftest", (("tests/safety_core/selftest/selftest_tests", BRIEF),)),
-    "channel_a": ("channel_a", ((PROBE, ()), (PROBE, ("differential",)), ("tests/channel_a/channel_a_storage_test", BRIEF),
+    "channel_a": ("channel_a", ((PROBE, ("differential",)), (PROBE, ()), ("tests/channel_a/channel_a_storage_test", BRIEF),
                                 ("tests/channel_a/channel_a_record_test", BRIEF))),
-    "channel_b": ("channel_b", ((PROBE, ()), (PROBE, ("differential",)))),
+    "channel_b": ("channel_b", ((PROBE, ("differential",)), (PROBE, ()))),
 }
 FIXTURE = f"{HERE}/fixture/systematic"
 FIXTURES = {"seeing": (FIXTURE, ((f"{HERE}/counterpoint_mutation_seeing", ()),)),
@@ -346,27 +346,28 @@ def judged(options, rooms, results_path):
         write_json(options.json, {"rows": [dict(zip(fields, row)) for row in rows], "pass": passes,
                                   "survivors": [f"{mutant.name} {mutant.place}: {mutant.change}" for mutant in survivors]})
     if options.record and passes:
-        write_json(RECORD, record_of(subjects, reasons, made_by(ROOT)))
+        write_json(options.recorded, record_of(subjects, reasons, made_by(ROOT)))
     elif options.record:
-        print(f"{RECORD}: not written, expected a run in which nothing survives without a reason", file=sys.stderr)
+        print(f"{options.recorded}: not written, expected a run in which nothing survives without a reason")
     return survivors, stale
 
 
 def self_test(options):
-    """A suite that checks lets nothing survive; one that calls everything and checks nothing lets something."""
+    """A suite that checks lets nothing survive and is recorded; one that calls everything and checks nothing lets something, which is not."""
     good = True
-    options.file = options.room = options.sample = options.only = options.json = options.record = None
+    options.file = options.room = options.sample = options.only = options.json = None
     for suite, record in (("seeing", None), ("blind", None), ("blind", "other"), ("blind", "same")):
         with tempfile.TemporaryDirectory(prefix="mutants-") as folder:
-            options.changed, options.again = record is not None, 0
+            options.changed, options.record, options.again = record is not None, record is None, 0
             options.recorded = pathlib.Path(folder) / "record.json"
             if record:
                 write_json(options.recorded, fixture_record(record))
             survivors, _ = judged(options, {suite: FIXTURES[suite]}, pathlib.Path(folder) / "results.json")
+            is_written = options.recorded.exists() and not record
         expected = suite == "blind" and record != "same"
-        held = bool(survivors) == expected
+        held = bool(survivors) == expected and is_written == (suite == "seeing")
         print(f"{'pass' if held else 'FAIL'}  fixture {suite}{f', record of the {record} function' if record else ''}: {len(survivors)} mutants survive, "
-              f"expected {'some' if expected else 'none'}")
+              f"expected {'some' if expected else 'none'}; {'recorded' if is_written else 'not recorded'}")
         good = good and held
     return 0 if good else 1
 
@@ -392,7 +393,7 @@ def parsed(arguments):
     parser.add_argument("--changed", action="store_true", help="functions whose text the record does not have; with --sample at most so many mutants")
     parser.add_argument("--again", type=int, default=0, metavar="N", help="with --changed: N mutants of the others too, another draw after each change of a test")
     parser.add_argument("--record", action="store_true", help="with --all: write the record that --changed and the evidence read")
-    parser.add_argument("--recorded", type=pathlib.Path, default=RECORD, help="the record that --changed reads")
+    parser.add_argument("--recorded", type=pathlib.Path, default=RECORD, help="the record that --changed reads and --record writes")
     parser.add_argument("--anew", action="store_true", help="forget all kept verdicts")
     parser.add_argument("--jobs", type=int, default=2, help="mutants at the same time (default 2)")
     parser.add_argument("--json", type=pathlib.Path, help="write score and survivors to this file (--all: build/mutants/score.json)")

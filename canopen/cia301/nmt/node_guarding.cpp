@@ -49,11 +49,17 @@ GuardReply NodeGuarding::OnFrame(const CanFrame& frame, const GuardMoment& momen
     return answer;
 }
 
-GuardEvent NodeGuarding::Poll(const Instant now) noexcept
+GuardEvent NodeGuarding::Poll(const GuardMoment& moment) noexcept
 {
     GuardEvent event = GuardEvent::kNone;
-    silence_us_ += now.us - last_.us;
-    last_ = now;
+    silence_us_ += moment.now.us - last_.us;
+    last_ = moment.now;
+    if (moment.heartbeat_ms != 0U)
+    {
+        // Remote frames have no answer now: a master that stops to ask is not lost.
+        is_guarded_ = false;
+        is_lost_ = false;
+    }
     if (is_guarded_ && (life_us_ > 0U) && (silence_us_ > life_us_))
     {
         event = is_lost_ ? GuardEvent::kNone : GuardEvent::kLost;

@@ -22,7 +22,7 @@ struct GuardReply
     GuardEvent event;
 };
 
-/// Time, NMT state and heartbeat time of the own node when a frame comes.
+/// Time, NMT state and heartbeat time of the own node when a frame comes, or when it looks.
 struct GuardMoment
 {
     NodeState state;
@@ -30,7 +30,8 @@ struct GuardMoment
     Instant now;
 };
 
-/// Node guarding and life guarding as a slave sees them. Poll at least once in 2^30 us. Not reentrant.
+/// Node guarding and life guarding as a slave sees them: both rest while the node sends heartbeats. Poll at least once
+/// in 2^30 us. Not reentrant.
 class NodeGuarding
 {
   public:
@@ -44,8 +45,15 @@ class NodeGuarding
     void Reset() noexcept;
     /// @brief A frame from the bus. [SRS_GRD_001, SRS_GRD_002]
     [[nodiscard]] GuardReply OnFrame(const CanFrame& frame, const GuardMoment& moment) noexcept;
-    /// @brief Whether the master was lost just now. [SRS_GRD_002]
-    [[nodiscard]] GuardEvent Poll(Instant now) noexcept;
+    /// @brief Whether the master was lost just now. With a heartbeat period life guarding ends, and waits for the first
+    /// remote frame without one. [SRS_GRD_002, SRS_GRD_010]
+    [[nodiscard]] GuardEvent Poll(const GuardMoment& moment) noexcept;
+    /// @brief Whether the master is lost: false again where it guards again, and where nobody is guarded any more.
+    /// [SRS_GRD_011]
+    [[nodiscard]] bool IsLost() const noexcept
+    {
+        return is_lost_;
+    }
 
   private:
     NodeId node_;

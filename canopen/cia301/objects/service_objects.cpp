@@ -14,6 +14,8 @@ constexpr std::uint16_t kEmergencyCobId = 0x1014U;
 constexpr std::uint16_t kEmergencyInhibit = 0x1015U;
 constexpr std::uint16_t kConsumerTimes = 0x1016U;
 constexpr std::uint16_t kProducerTime = 0x1017U;
+constexpr std::uint16_t kHeartbeatError = 0x8130U;
+constexpr std::uint32_t kNodeShift = 16U;
 
 } // namespace
 
@@ -68,7 +70,14 @@ SdoAbort ServiceObjects::Store(const ObjectAddress& address, const std::uint32_t
 
 SdoAbort ServiceObjects::StoreConsumerTime(const std::uint8_t sub, const std::uint32_t value) noexcept
 {
-    return IsConfiguring() ? parts_.consumer.Load(sub, value) : parts_.consumer.Write(sub, value);
+    const std::uint32_t left = parts_.consumer.Value(sub);
+    const SdoAbort abort = IsConfiguring() ? parts_.consumer.Load(sub, value) : parts_.consumer.Write(sub, value);
+    const auto node = static_cast<std::uint16_t>((left >> kNodeShift) & 0xFFU);
+    if ((abort == SdoAbort::kNone) && (node != 0U))
+    {
+        parts_.emergency.Clear(kHeartbeatError, node); // Of a node that was lost: nobody else ends it.
+    }
+    return abort;
 }
 
 ObjectValue ServiceObjects::FetchNumber(const ObjectAddress& address) const noexcept

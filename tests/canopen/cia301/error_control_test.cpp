@@ -252,21 +252,57 @@ TEST_F(GuardingTest, AMasterThatFallsSilentIsToldOnceAndItsReturnToo)
 {
     Verifies(req::SRS_GRD_002);
     guarding.SetLifeTime(100U, 3U);
-    EXPECT_EQ(guarding.Poll(Instant{900000U}), GuardEvent::kNone); // not before the first remote frame
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 0U, Instant{900000U}}),
+              GuardEvent::kNone); // not before the first remote frame
     EXPECT_EQ(Ask(NodeState::kOperational, 1000000U), 0x05U);
-    EXPECT_EQ(guarding.Poll(Instant{1300000U}), GuardEvent::kNone);
-    EXPECT_EQ(guarding.Poll(Instant{1300001U}), GuardEvent::kLost);
-    EXPECT_EQ(guarding.Poll(Instant{1900000U}), GuardEvent::kNone);
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 0U, Instant{1300000U}}), GuardEvent::kNone);
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 0U, Instant{1300001U}}), GuardEvent::kLost);
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 0U, Instant{1900000U}}), GuardEvent::kNone);
     EXPECT_EQ(Ask(NodeState::kOperational, 2000000U), 0x85U);
     EXPECT_EQ(event, GuardEvent::kResumed);
-    EXPECT_EQ(guarding.Poll(Instant{2300001U}), GuardEvent::kLost);
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 0U, Instant{2300001U}}), GuardEvent::kLost);
     guarding.SetLifeTime(100U, 0U);
     EXPECT_EQ(Ask(NodeState::kOperational, 3000000U), 0x05U);
     EXPECT_EQ(event, GuardEvent::kNone);
-    EXPECT_EQ(guarding.Poll(Instant{9000000U}), GuardEvent::kNone);
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 0U, Instant{9000000U}}), GuardEvent::kNone);
     guarding.SetLifeTime(0U, 3U);
     EXPECT_EQ(Ask(NodeState::kOperational, 9000000U), 0x85U);
-    EXPECT_EQ(guarding.Poll(Instant{19000000U}), GuardEvent::kNone);
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 0U, Instant{19000000U}}), GuardEvent::kNone);
+}
+
+// Guarded at 1 s with a life time of 300 ms, heartbeat on at 1.1 s
+TEST_F(GuardingTest, HeartbeatsEndLifeGuarding)
+{
+    Verifies(req::SRS_GRD_010);
+    guarding.SetLifeTime(100U, 3U);
+    EXPECT_EQ(Ask(NodeState::kOperational, 1000000U), 0x05U);
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 100U, Instant{1100000U}}), GuardEvent::kNone);
+    EXPECT_EQ(Ask(NodeState::kOperational, 1200000U, 1U, 100U), 0U); // No answer, and nothing begins.
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 100U, Instant{1300001U}}), GuardEvent::kNone);
+    EXPECT_FALSE(guarding.IsLost());
+    // Off again: from the next remote frame on, with the life time from there
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 0U, Instant{9000000U}}), GuardEvent::kNone);
+    EXPECT_EQ(Ask(NodeState::kOperational, 9100000U), 0x85U);
+    EXPECT_EQ(event, GuardEvent::kNone);
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 0U, Instant{9400000U}}), GuardEvent::kNone);
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 0U, Instant{9400001U}}), GuardEvent::kLost);
+}
+
+TEST_F(GuardingTest, AMasterIsNotLostAnyMoreWhereNobodyIsGuarded)
+{
+    Verifies(req::SRS_GRD_011);
+    guarding.SetLifeTime(100U, 3U);
+    EXPECT_EQ(Ask(NodeState::kOperational, 0U), 0x05U);
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 0U, Instant{300001U}}), GuardEvent::kLost);
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 0U, Instant{400000U}}), GuardEvent::kNone);
+    EXPECT_TRUE(guarding.IsLost());
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 100U, Instant{500000U}}), GuardEvent::kNone);
+    EXPECT_FALSE(guarding.IsLost());
+    EXPECT_EQ(Ask(NodeState::kOperational, 600000U), 0x85U);
+    EXPECT_EQ(event, GuardEvent::kNone); // Its end was told when heartbeats began.
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 0U, Instant{900001U}}), GuardEvent::kLost);
+    guarding.SetLifeTime(100U, 0U);
+    EXPECT_FALSE(guarding.IsLost());
 }
 
 TEST_F(GuardingTest, ALifeTimeBeyondTheCounterIsKept)
@@ -278,10 +314,10 @@ TEST_F(GuardingTest, ALifeTimeBeyondTheCounterIsKept)
     for (int second = 0; second < 16711; ++second)
     {
         now_us += 1000000U;
-        ASSERT_EQ(guarding.Poll(Instant{now_us}), GuardEvent::kNone) << second;
+        ASSERT_EQ(guarding.Poll({NodeState::kOperational, 0U, Instant{now_us}}), GuardEvent::kNone) << second;
     }
-    EXPECT_EQ(guarding.Poll(Instant{now_us + 425000U}), GuardEvent::kNone);
-    EXPECT_EQ(guarding.Poll(Instant{now_us + 425001U}), GuardEvent::kLost);
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 0U, Instant{now_us + 425000U}}), GuardEvent::kNone);
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 0U, Instant{now_us + 425001U}}), GuardEvent::kLost);
 }
 
 } // namespace

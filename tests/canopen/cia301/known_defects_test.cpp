@@ -153,7 +153,7 @@ TEST_F(KnownDefects, TheToggleStartsAnewAfterAGuardEvent)
     EXPECT_EQ(guarding.OnFrame(RemoteOf(0x705U), {NodeState::kOperational, 0U, Instant{now_us}}).reply.frame.data[0],
               0x05U);
     now_us += 100001U;
-    EXPECT_EQ(guarding.Poll(Instant{now_us}), GuardEvent::kLost);
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 0U, Instant{now_us}}), GuardEvent::kLost);
     EXPECT_EQ(guarding.OnFrame(RemoteOf(0x705U), {NodeState::kOperational, 0U, Instant{now_us}}).reply.frame.data[0],
               0x85U); // only a reset starts it anew
 }
@@ -167,10 +167,10 @@ TEST_F(KnownDefects, GuardTimesAbove4294SecondsOverflow)
     for (int i = 0; i < 16711; ++i)
     {
         now_us += 1000000U;
-        EXPECT_EQ(guarding.Poll(Instant{now_us}), GuardEvent::kNone);
+        EXPECT_EQ(guarding.Poll({NodeState::kOperational, 0U, Instant{now_us}}), GuardEvent::kNone);
     }
     now_us += 1000000U;
-    EXPECT_EQ(guarding.Poll(Instant{now_us}), GuardEvent::kLost);
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 0U, Instant{now_us}}), GuardEvent::kLost);
 }
 
 TEST_F(KnownDefects, EnteringPreOperationalResetsTheNode)

@@ -71,8 +71,8 @@ TEST_F(ServiceObjectsTest, ValuesAreReadFromTheServicesAndWrittenThere)
     EXPECT_EQ(Read(0x100DU, 0U), (Octets{3U}));
     const CanFrame request{0x705U, FrameKind::kRemote, CanPortId::kFirst, 1U, {}};
     static_cast<void>(guarding.OnFrame(request, GuardMoment{NodeState::kOperational, 0U, Instant{0U}}));
-    EXPECT_EQ(guarding.Poll(Instant{300000U}), GuardEvent::kNone);
-    EXPECT_EQ(guarding.Poll(Instant{300001U}), GuardEvent::kLost);
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 0U, Instant{300000U}}), GuardEvent::kNone);
+    EXPECT_EQ(guarding.Poll({NodeState::kOperational, 0U, Instant{300001U}}), GuardEvent::kLost);
 }
 
 TEST_F(ServiceObjectsTest, TheServicesRefusalsComeBack)

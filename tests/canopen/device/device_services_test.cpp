@@ -135,6 +135,31 @@ TEST_F(DeviceServicesTest, EachLostNodeIsAnErrorOfItsOwn)
     EXPECT_EQ(Upload(0x1001U, 0U) & 0xFFU, 0U);
 }
 
+TEST_F(DeviceServicesTest, ALostNodeThatNobodySupervisesAnyMoreIsNoError)
+{
+    Verifies(req::SRS_GRD_012);
+    Start();
+    EXPECT_EQ(Download(0x1016U, 1U, 0x0005000AU, 4U), 0U); // Node 5, 10 ms.
+    EXPECT_EQ(Download(0x1016U, 2U, 0x0006000AU, 4U), 0U);
+    Frame(0x705U, {5U});
+    Frame(0x706U, {5U});
+    Forget();
+    Cycles(15U);
+    EXPECT_EQ(Emergencies(), (Codes{0x8130U, 0x8130U}));
+    // A refused value changes nothing, another node in its place ends it, and that of node 6 goes on
+    EXPECT_NE(Download(0x1016U, 1U, 0x0006000AU, 4U), 0U);
+    Cycles(2U);
+    EXPECT_TRUE(Emergencies().empty());
+    EXPECT_EQ(Download(0x1016U, 1U, 0x0007000AU, 4U), 0U);
+    Cycles(2U);
+    EXPECT_EQ(Emergencies(), (Codes{0U}));
+    EXPECT_EQ(Upload(0x1001U, 0U) & 0xFFU, 0x11U);
+    EXPECT_EQ(Download(0x1016U, 2U, 0U, 4U), 0U);
+    Cycles(2U);
+    EXPECT_EQ(Emergencies(), (Codes{0U}));
+    EXPECT_EQ(Upload(0x1001U, 0U) & 0xFFU, 0U);
+}
+
 // Eight errors take all places but the last one, and their messages wait.
 TEST_F(DeviceServicesTest, NothingHidesTheDeviceSafeState)
 {
@@ -221,6 +246,59 @@ TEST_F(DeviceServicesTest, ALostMasterIsToldAndItsReturn)
     Remote(0x702U);
     Cycles(2U);
     EXPECT_EQ(Emergencies(), (Codes{0x8130U, 0U}));
+}
+
+// Life time 10 ms, cycle 1 ms
+TEST_F(DeviceServicesTest, AMasterThatTurnsToHeartbeatsIsNotLost)
+{
+    Verifies(req::SRS_GRD_010);
+    Run();
+    EXPECT_EQ(Download(0x100CU, 0U, 5U, 2U), 0U);
+    EXPECT_EQ(Download(0x100DU, 0U, 2U, 1U), 0U);
+    Remote(0x702U);
+    Cycles(2U);
+    EXPECT_EQ(Download(0x1017U, 0U, 5U, 2U), 0U);
+    Forget();
+    Cycles(30U);
+    EXPECT_EQ(device.State(), NodeState::kOperational);
+    EXPECT_TRUE(Emergencies().empty());
+    EXPECT_GE(Sent(0x702U).size(), 5U);
+    EXPECT_FALSE(Sent(0x103U).empty());
+    // Without heartbeats it waits for a remote frame, and then guards again
+    EXPECT_EQ(Download(0x1017U, 0U, 0U, 2U), 0U);
+    Cycles(30U);
+    EXPECT_TRUE(Emergencies().empty());
+    Remote(0x702U);
+    Cycles(15U);
+    EXPECT_EQ(Emergencies(), (Codes{0x8130U}));
+    EXPECT_EQ(device.State(), NodeState::kPreOperational);
+}
+
+TEST_F(DeviceServicesTest, ALostMasterIsNoErrorWhereNobodyIsGuardedAnyMore)
+{
+    Verifies(req::SRS_GRD_011);
+    Start();
+    struct Row
+    {
+        std::uint16_t index;
+        std::uint32_t value;
+        std::uint8_t size;
+    };
+    for (const Row& row : {Row{0x1017U, 5U, 2U}, Row{0x100CU, 0U, 2U}, Row{0x100DU, 3U, 1U}})
+    {
+        EXPECT_EQ(Download(0x1017U, 0U, 0U, 2U), 0U);
+        EXPECT_EQ(Download(0x100CU, 0U, 5U, 2U), 0U);
+        EXPECT_EQ(Download(0x100DU, 0U, 2U, 1U), 0U);
+        Remote(0x702U);
+        Forget();
+        Cycles(15U);
+        EXPECT_EQ(Emergencies(), (Codes{0x8130U})) << row.index;
+        EXPECT_EQ(Upload(0x1001U, 0U) & 0xFFU, 0x11U) << row.index;
+        EXPECT_EQ(Download(row.index, 0U, row.value, row.size), 0U);
+        Cycles(2U);
+        EXPECT_EQ(Emergencies(), (Codes{0U})) << row.index;
+        EXPECT_EQ(Upload(0x1001U, 0U) & 0xFFU, 0U) << row.index;
+    }
 }
 
 TEST_F(DeviceServicesTest, SrdoErrorsAreEmergenciesUntilTheNextGoodPair)

@@ -1,11 +1,14 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/node/latency.hpp"
+#include "runtime/node/number.hpp"
 #include "runtime/node/order.hpp"
 #include "runtime/node/script.hpp"
 #include "runtime/yaml/document.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/node.hpp"
 #include "verification/trace/verifies.hpp"
+
+#include <utility>
 
 namespace counterpoint::tools
 {
@@ -45,7 +48,12 @@ TEST(NodeOrderTest, WhatCannotBeUsedIsToldWithWhatWasExpected)
                                    "set 0x2000 1",
                                    "set 0x20000:01 1",
                                    "set 0x2000:100 1",
-                                   "set 0x2000:01 -1",
+                                   "set 0x2000:01 -",
+                                   "set 0x2000:01 --1",
+                                   "set 0x2000:01 -+1",
+                                   "set 0x2000:01 -01",
+                                   "set 0x2000:01 -0x1",
+                                   "write 5 0x2000:01 -1 2",
                                    "set 0x2000:01 x",
                                    "set 0x2000:01 010",
                                    "set 02000:01 1",
@@ -69,6 +77,45 @@ TEST(NodeOrderTest, WhatCannotBeUsedIsToldWithWhatWasExpected)
         EXPECT_EQ(order.kind, runtime::OrderKind::kProblem) << line;
         EXPECT_NE(order.problem.find(", expected "), std::string::npos) << line;
     }
+}
+
+// INTEGER16: a decimal number is a value, a hexadecimal one its bits, as in files.
+TEST(NodeOrderTest, NumbersOfSignedObjectsAreTakenAndToldSigned)
+{
+    Verifies(req::SRS_NODE_054);
+    using cia301::SdoAbort;
+    const auto bits = [](const char* const number, const runtime::NumberForm& form)
+    {
+        const runtime::NumberBits taken =
+            runtime::BitsOf(form, runtime::ParseOrder(std::string("set 0x2000:01 ") + number));
+        return std::make_pair(taken.abort, taken.bits);
+    };
+    const runtime::NumberForm i16{true, 16U};
+    const runtime::NumberForm i64{true, 64U};
+    const runtime::NumberForm other{};
+    EXPECT_EQ(bits("-7", i16), std::make_pair(SdoAbort::kNone, std::uint64_t{0xFFF9U}));
+    EXPECT_EQ(bits("-0", i16), std::make_pair(SdoAbort::kNone, std::uint64_t{0U}));
+    EXPECT_EQ(bits("-32768", i16), std::make_pair(SdoAbort::kNone, std::uint64_t{0x8000U}));
+    EXPECT_EQ(bits("-32769", i16).first, SdoAbort::kValueLow);
+    EXPECT_EQ(bits("32767", i16), std::make_pair(SdoAbort::kNone, std::uint64_t{0x7FFFU}));
+    EXPECT_EQ(bits("32768", i16).first, SdoAbort::kValueHigh);
+    EXPECT_EQ(bits("0xFFF9", i16), std::make_pair(SdoAbort::kNone, std::uint64_t{0xFFF9U}));
+    EXPECT_EQ(bits("0x10000", i16).first, SdoAbort::kValueHigh);
+    EXPECT_EQ(bits("-9223372036854775808", i64), std::make_pair(SdoAbort::kNone, std::uint64_t{1U} << 63U));
+    EXPECT_EQ(bits("9223372036854775808", i64).first, SdoAbort::kValueHigh);
+    EXPECT_EQ(bits("-1", other).first, SdoAbort::kValueLow);
+    EXPECT_EQ(bits("-0", other), std::make_pair(SdoAbort::kNone, std::uint64_t{0U}));
+    EXPECT_EQ(bits("18446744073709551615", other), std::make_pair(SdoAbort::kNone, ~std::uint64_t{0U}));
+    // What is told; the dictionary has extended the sign, the kernel not
+    EXPECT_EQ(runtime::NumberText(i16, 0xFFF9U), "-7");
+    EXPECT_EQ(runtime::NumberText(i16, 0xFFFFFFFFFFFFFFF9U), "-7");
+    EXPECT_EQ(runtime::NumberText(i16, 0x7FFFU), "32767");
+    EXPECT_EQ(runtime::NumberText(i64, std::uint64_t{1U} << 63U), "-9223372036854775808");
+    EXPECT_EQ(runtime::NumberText(other, 0xFFF9U), "65529");
+    EXPECT_EQ(runtime::NumberJson(i16, 0xFFF9U).dump(), "-7");
+    EXPECT_EQ(runtime::NumberJson(i16, 7U).dump(), "7");
+    EXPECT_EQ(runtime::NumberJson(i64, std::uint64_t{1U} << 63U).dump(), "-9223372036854775808");
+    EXPECT_EQ(runtime::NumberJson(other, ~std::uint64_t{0U}).dump(), "18446744073709551615");
 }
 
 TEST(NodeLatencyTest, TellsHowTimesAreSpread)

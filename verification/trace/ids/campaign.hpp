@@ -57,6 +57,7 @@ inline constexpr RequirementId SRS_CMG_080{"SRS_CMG_080"};
 inline constexpr RequirementId SRS_CMG_081{"SRS_CMG_081"};
 inline constexpr RequirementId SRS_CMG_082{"SRS_CMG_082"};
 inline constexpr RequirementId SRS_CMG_083{"SRS_CMG_083"};
+inline constexpr RequirementId SRS_CMG_120{"SRS_CMG_120"};
 } // namespace counterpoint::req
 
 #endif

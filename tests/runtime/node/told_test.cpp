@@ -1,0 +1,213 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/runtime/node/bench.hpp"
+#include "verification/trace/ids/node.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+// What a node tells of its SRDOs and their values: what was told last has to hold.
+namespace counterpoint::tools::test
+{
+namespace
+{
+/// What was told of SRDOs and configuration, line by line.
+std::vector<std::string> SrdoLines(const std::string& told)
+{
+    std::vector<std::string> lines;
+    std::istringstream text(told);
+    for (std::string line; std::getline(text, line);)
+    {
+        const std::size_t srdo = line.find(" s  SRDO ");
+        const std::size_t place = (srdo == std::string::npos) ? line.find(" s  configuration") : srdo;
+        const bool is_error = line.find("SRDO 1: ") != std::string::npos;
+        if (place != std::string::npos && !is_error)
+        {
+            lines.push_back(line.substr(place + 4U));
+        }
+    }
+    return lines;
+}
+using Lines = std::vector<std::string>;
+
+const char* const kOfTheFile = "SRDO 1 consumer 0x103, safe within 81.5 ms of the last good normal frame";
+
+// Cycle 5 ms and 5 ms late, output 1 ms, SRVT 20 ms; the clocks 0.5 ms apart in each 100 ms that begin.
+TEST(NodeToldTest, TimesThatGoBackToThoseOfTheFileAreToldAgain)
+{
+    Verifies(req::SRS_NODE_052);
+    Bench bench(FileWith("actuator", {{"1301sub2", "500"}, {"13FFsub1", "0"}, {"13FE", "0"}, {"5F04", "0"}}));
+    bench.Change(2U, 500U, 2U);
+    bench.Start(); // As was told at the start
+    bench.Change(2U, 50U, 2U);
+    bench.Start();
+    bench.Change(2U, 500U, 2U);
+    bench.Start();
+    bench.Command(128U);
+    bench.Start(); // Nothing new
+    bench.Change(3U, 10U, 1U);
+    bench.Start();
+    EXPECT_EQ(SrdoLines(bench.Told()),
+              (Lines{"SRDO 1 consumer 0x103, safe within 534 ms of the last good normal frame",
+                     "SRDO 1 consumer 0x103, safe within 81.5 ms of the last good normal frame",
+                     "SRDO 1 consumer 0x103, safe within 534 ms of the last good normal frame",
+                     "SRDO 1 consumer 0x103, safe within 524 ms of the last good normal frame"}));
+}
+
+TEST(NodeToldTest, AnSrdoThatGoesOffAndOnAgainIsToldEachTime)
+{
+    Verifies(req::SRS_NODE_052);
+    Bench bench(FileWith("actuator", {{"5F04", "0"}}));
+    bench.Start();
+    bench.Change(1U, 0U, 1U);
+    bench.Start();
+    bench.Command(128U);
+    bench.Start();
+    bench.Change(1U, 2U, 1U);
+    bench.Start();
+    EXPECT_EQ(SrdoLines(bench.Told()), (Lines{kOfTheFile, "SRDO 1 off", kOfTheFile}));
+}
+
+TEST(NodeToldTest, ARefreshTimeThatGoesBackIsToldAgain)
+{
+    Verifies(req::SRS_NODE_052);
+    Bench bench(FileWith("sensor", {{"5F04", "0"}}), "", runtime::ReportForm::kJson);
+    bench.Start();
+    bench.Change(2U, 50U, 2U);
+    bench.Start();
+    bench.Change(2U, 25U, 2U);
+    bench.Start();
+    bench.Change(1U, 0U, 1U);
+    bench.Start();
+    std::vector<unsigned> refresh_ms;
+    std::istringstream told(bench.Told());
+    for (std::string line; std::getline(told, line);)
+    {
+        const nlohmann::json event = nlohmann::json::parse(line);
+        if (event["event"] == "srdo")
+        {
+            refresh_ms.push_back(event["refresh_ms"].get<unsigned>());
+        }
+    }
+    EXPECT_EQ(refresh_ms, (std::vector<unsigned>{25U, 50U, 25U, 0U}));
+}
+
+// Also where reset and start are carried out in one go: OPERATIONAL before and behind it.
+TEST(NodeToldTest, WhatAResetBringsBackIsTold)
+{
+    Verifies(req::SRS_NODE_052);
+    for (const std::uint8_t reset : {std::uint8_t{129U}, std::uint8_t{130U}})
+    {
+        Bench bench(FileWith("actuator", {{"5F04", "0"}}));
+        for (int round = 0; round < 2; ++round)
+        {
+            bench.Change(2U, 100U, 2U);
+            bench.Start();
+            bench.Receive(0x000U, {reset, bench.Device().Assembly().NodeId()});
+            bench.Start();
+        }
+        const std::string changed = "SRDO 1 consumer 0x103, safe within 132 ms of the last good normal frame";
+        EXPECT_EQ(SrdoLines(bench.Told()), (Lines{kOfTheFile, changed, kOfTheFile, changed, kOfTheFile}));
+    }
+}
+
+TEST(NodeToldTest, WhatAStoreLoadsOrGivesUpIsTold)
+{
+    Verifies(req::SRS_NODE_052);
+    const std::string file = FileWith("actuator", {{"5F04", "0"}});
+    std::ofstream(file, std::ios::app) << "\n[1010]\nObjectType=8\nSubNumber=2\n"
+                                          "[1010sub0]\nDataType=5\nAccessType=ro\nDefaultValue=1\n"
+                                          "[1010sub1]\nDataType=7\nAccessType=rw\n"
+                                          "[1011]\nObjectType=8\nSubNumber=2\n"
+                                          "[1011sub0]\nDataType=5\nAccessType=ro\nDefaultValue=1\n"
+                                          "[1011sub1]\nDataType=7\nAccessType=rw\n";
+    const std::string store = ::testing::TempDir() + "told_limits.store";
+    std::remove(store.c_str());
+    const std::string saved = "SRDO 1 consumer 0x103, safe within 132 ms of the last good normal frame";
+    {
+        Bench bench(file, store);
+        bench.Change(2U, 100U, 2U);
+        bench.Store(0x1010U, 0x65766173U);
+        bench.Start();
+        EXPECT_EQ(SrdoLines(bench.Told()), (Lines{kOfTheFile, saved}));
+    }
+    Bench bench(file, store);
+    bench.Start();
+    bench.Command(128U);
+    bench.Store(0x1011U, 0x64616F6CU);
+    bench.Command(129U);
+    bench.Start();
+    EXPECT_EQ(SrdoLines(bench.Told()), (Lines{kOfTheFile, saved, kOfTheFile}));
+}
+
+// The limit of an SRDO that is off is none that holds, and when it is on again it is news.
+TEST(NodeToldTest, AConfigurationThatDoesNotHoldIsToldInPlaceOfLimits)
+{
+    Verifies(req::SRS_NODE_053);
+    Bench bench(FileWith("actuator", {{"5F04", "0"}}));
+    bench.Start();
+    bench.Change(2U, 1000U, 2U, false);
+    bench.Start();
+    bench.Change(2U, 50U, 2U);
+    bench.Start();
+    EXPECT_EQ(SrdoLines(bench.Told()),
+              (Lines{kOfTheFile, "configuration does not hold, 0x13FE:00 is not 0xA5: SRDOs are off", kOfTheFile}));
+    // A file that was never declared valid
+    Bench other(FileWith("actuator", {{"13FE", "0"}, {"5F04", "0"}}), "", runtime::ReportForm::kJson);
+    other.Start();
+    const std::string told = other.Told();
+    EXPECT_NE(told.find("\"event\":\"configuration_invalid\",\"srdo\":0}"), std::string::npos) << told;
+}
+
+TEST(NodeToldTest, SignedObjectsOfSrdosAreToldWithTheirSign)
+{
+    Verifies(req::SRS_NODE_054);
+    Bench bench(FileOfSigned("actuator", {"2200sub1", "2300sub1"}));
+    bench.Start();
+    for (int cycle = 0; cycle < 6; ++cycle)
+    {
+        bench.Receive(0x103U, {0xF9U, 0xF9U});
+        bench.Receive(0x104U, {0x06U, 0x06U});
+        bench.Cycle();
+        EXPECT_TRUE(cycle != 2 || bench.Device().Acknowledge(1U, bench.NowNs()));
+    }
+    EXPECT_EQ(bench.Device().App().Values(), "0x2200:01=-7 0x2200:02=249");
+    bench.Order("get 0x2200:01");
+    bench.Order("get 0x2200:02");
+    const std::string told = bench.Told();
+    EXPECT_NE(told.find("value 0x2200:01 = -7\n"), std::string::npos) << told;
+    EXPECT_NE(told.find("value 0x2200:02 = 249\n"), std::string::npos) << told;
+    EXPECT_NE(told.find(" s  0x2200:01 = -7\n"), std::string::npos) << told;
+    EXPECT_NE(told.find(" s  0x2200:02 = 249\n"), std::string::npos) << told;
+}
+
+TEST(NodeToldTest, SetTakesWhatGetTells)
+{
+    Verifies(req::SRS_NODE_054);
+    Bench bench(FileOfSigned("sensor", {"2000sub1", "2100sub1"}), "", runtime::ReportForm::kJson);
+    bench.Start();
+    bench.Order("set 0x2000:01 -7");
+    for (int cycle = 0; cycle < 20; ++cycle)
+    {
+        bench.Cycle();
+    }
+    ASSERT_FALSE(bench.SentWith(0x101U).empty());
+    EXPECT_EQ(bench.SentWith(0x101U).back() & 0xFFU, 0xF9U);
+    bench.Order("get 0x2000:01");
+    bench.Order("set 0x2000:01 128");
+    bench.Order("set 0x2000:01 -129");
+    bench.Order("set 0x2000:02 -1");
+    EXPECT_EQ(bench.Device().App().Values(), "0x2000:01=-7 0x2000:02=0");
+    bench.Order("set 0x2000:01 0x80");
+    EXPECT_EQ(bench.Device().App().Values(), "0x2000:01=-128 0x2000:02=0");
+    const std::string told = bench.Told();
+    EXPECT_NE(told.find("\"object\":\"0x2000:01\",\"value\":-7}"), std::string::npos) << told;
+    EXPECT_NE(told.find("set: 0x2000:01 = 128 refused with 0609 0031h"), std::string::npos) << told;
+    EXPECT_NE(told.find("set: 0x2000:01 = -129 refused with 0609 0032h"), std::string::npos) << told;
+    EXPECT_NE(told.find("set: 0x2000:02 = -1 refused with 0609 0032h"), std::string::npos) << told;
+}
+} // namespace
+} // namespace counterpoint::tools::test
