@@ -11,6 +11,7 @@ namespace counterpoint::simulator
 namespace
 {
 constexpr Nanoseconds kManagerCycle = kNanosecondsPerMillisecond;
+constexpr std::int64_t kMillion = 1000000;
 constexpr Nanoseconds kApart = 5; ///< No two managers, and no device, count in step.
 
 std::uint64_t Us(const Nanoseconds time)
@@ -59,8 +60,8 @@ void SimulatedManager::Run(const Nanoseconds now)
     TakeFrames(now);
     if (now >= next_cycle_)
     {
-        next_cycle_ += kManagerCycle;
-        station_->OnCycle(Us(now));
+        next_cycle_ += CycleTime(now);
+        station_->OnCycle(ClockUs(now));
     }
 }
 
@@ -72,19 +73,55 @@ void SimulatedManager::SwitchOn(const Nanoseconds now)
     Start(now);
 }
 
+void SimulatedManager::SwitchOff()
+{
+    if (!HasSupply())
+    {
+        return;
+    }
+    is_killed_ = true;
+    next_cycle_ = kNever;
+    waiting_.clear();
+    bus_.AbortAll(bus_node_);
+    bus_.Disconnect(bus_node_);
+}
+
+/// The time that it is told.
+std::uint64_t SimulatedManager::ClockUs(const Nanoseconds now) noexcept
+{
+    Nanoseconds by = 0;
+    if (now >= clock_.since)
+    {
+        by = clock_.jump + ((now - clock_.since) / kMillion * clock_.rate_ppm) +
+             ((now - clock_.since) % kMillion * clock_.rate_ppm / kMillion);
+    }
+    const std::uint64_t us = Us(now);
+    const std::uint64_t told = static_cast<std::uint64_t>((now + by) / kNanosecondsPerMicrosecond);
+    fast_by_us_ = told - us;
+    return told;
+}
+
+Nanoseconds SimulatedManager::CycleTime(const Nanoseconds now) const noexcept
+{
+    const bool drifts = now >= clock_.since && clock_.rate_ppm > -kMillion;
+    return drifts ? kManagerCycle * kMillion / (kMillion + clock_.rate_ppm) : kManagerCycle;
+}
+
 void SimulatedManager::Start(const Nanoseconds now)
 {
     bus_.Connect(bus_node_);
     next_cycle_ = now + kManagerCycle;
     station_ = std::make_unique<runtime::ManagerStation>(
         net_, [this](const CanFrame& frame) { return Send(frame); },
-        [this](const runtime::ManagerEvent& event)
+        [this](const runtime::ManagerEvent& told)
         {
+            runtime::ManagerEvent event = told;
+            event.at_us -= fast_by_us_; // When it happened, whatever its clock says.
             events_.push_back(event);
             journal_.Note(ManagerEntry{static_cast<Nanoseconds>(event.at_us) * kNanosecondsPerMicrosecond, place_,
                                        event.node, event.kind, event.text, runtime::JsonLine(event)});
         });
-    station_->Begin(Us(now));
+    station_->Begin(ClockUs(now));
 }
 
 bool SimulatedManager::Send(const CanFrame& frame)
@@ -116,7 +153,7 @@ void SimulatedManager::TakeFrames(const Nanoseconds now)
         }
         else
         {
-            station_->OnFrame(heard.frame, Us(now));
+            station_->OnFrame(heard.frame, ClockUs(now));
         }
     }
 }
@@ -154,17 +191,14 @@ void SimulatedManager::Act(const Action& action, const Nanoseconds now)
     {
     case ActionKind::kOrder:
     {
-        const std::string answer = station_->Carry(runtime::ParseManagerOrder(action.order), Us(now));
+        const std::uint64_t us = ClockUs(now);
+        const std::string answer = station_->Carry(runtime::ParseManagerOrder(action.order), us);
         station_->Tell("order", "order " + action.order + ": " + answer, {{"order", action.order}, {"answer", answer}},
-                       Us(now));
+                       us);
         return;
     }
     case ActionKind::kKillManager:
-        is_killed_ = true;
-        next_cycle_ = kNever;
-        waiting_.clear();
-        bus_.AbortAll(bus_node_);
-        bus_.Disconnect(bus_node_);
+        SwitchOff();
         return;
     case ActionKind::kBusOff:
         bus_.ForceBusOff(bus_node_);
@@ -189,8 +223,9 @@ void SimulatedManager::TellController(const cia302::ControllerState state, const
     waiting_.clear();
     if (HasSupply())
     {
-        station_->Tell("bus", std::string("bus ") + word, {{"state", word}}, Us(now));
-        station_->Assembly().OnController(state, runtime::InstantAt(Us(now)));
+        const std::uint64_t us = ClockUs(now);
+        station_->Tell("bus", std::string("bus ") + word, {{"state", word}}, us);
+        station_->Assembly().OnController(state, runtime::InstantAt(us));
     }
 }
 } // namespace counterpoint::simulator

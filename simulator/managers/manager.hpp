@@ -13,6 +13,14 @@
 
 namespace counterpoint::simulator
 {
+/// What is wrong with the clock of a manager from an instant on. [SRS_CMG_081]
+struct ManagerClockFault
+{
+    Nanoseconds since{kNever};
+    std::int64_t rate_ppm{0}; ///< Fast, or slow.
+    Nanoseconds jump{0};
+};
+
 /// One manager of a simulated network, with what happens to it and what it told. It cannot be moved or copied.
 /// [SRS_MGR_012]
 class SimulatedManager final : public Participant, private host::BusListener
@@ -27,6 +35,14 @@ class SimulatedManager final : public Participant, private host::BusListener
     void Plan(const Action& action);
     /// @brief One that was killed is there again, as new.
     void SwitchOn(Nanoseconds now);
+    /// @brief Its program ends; nothing when it does not run.
+    void SwitchOff();
+    /// @brief From an instant that is not over its clock is wrong. An oscillator that is fast or slow is that of its
+    /// cycles, too; one that stands still (-1000000 ppm) or jumps is not.
+    void Disturb(const ManagerClockFault& fault) noexcept
+    {
+        clock_ = fault;
+    }
     /// @brief What the scenario says about it.
     [[nodiscard]] const ManagerSetup& Setup() const noexcept
     {
@@ -47,8 +63,18 @@ class SimulatedManager final : public Participant, private host::BusListener
     {
         return net_;
     }
+    /// @brief The same, whose memory may change.
+    [[nodiscard]] network_plan::LoadedNetwork& NetRoom() noexcept
+    {
+        return net_;
+    }
     /// @brief The manager itself; null: it was not switched on yet.
     [[nodiscard]] const runtime::ManagerStation* Station() const noexcept
+    {
+        return station_.get();
+    }
+    /// @brief The same, whose memory may change.
+    [[nodiscard]] runtime::ManagerStation* Station() noexcept
     {
         return station_.get();
     }
@@ -83,6 +109,8 @@ class SimulatedManager final : public Participant, private host::BusListener
     void Start(Nanoseconds now);
     void Act(const Action& action, Nanoseconds now);
     void TellController(cia302::ControllerState state, const char* word, Nanoseconds now);
+    [[nodiscard]] std::uint64_t ClockUs(Nanoseconds now) noexcept;
+    [[nodiscard]] Nanoseconds CycleTime(Nanoseconds now) const noexcept;
 
     ManagerSetup setup_;
     std::size_t place_;
@@ -100,6 +128,8 @@ class SimulatedManager final : public Participant, private host::BusListener
     Nanoseconds next_cycle_{kNever};
     bool is_killed_{false};
     bool is_off_bus_{false}; ///< Its controller neither sends nor receives.
+    ManagerClockFault clock_{};
+    std::uint64_t fast_by_us_{0U}; ///< Modulo 2^64, of its clock when it was last looked at.
 };
 
 using SimulatedManagers = std::vector<std::unique_ptr<SimulatedManager>>;

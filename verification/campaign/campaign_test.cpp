@@ -329,6 +329,8 @@ TEST_P(PlantedDefects, AreNamedByACampaignThatHoldsWithoutThem)
     Verifies(req::SRS_CMG_043);
     Verifies(req::SRS_CMG_072);
     Verifies(req::SRS_CMG_077);
+    Verifies(req::SRS_CMG_082);
+    Verifies(req::SRS_CMG_083);
     const tools::test::Answer sound = RunOf(COUNTERPOINT_CAMPAIGN);
     EXPECT_EQ(sound.status, 0) << sound.out;
     const tools::test::Answer broken =

@@ -118,6 +118,79 @@ TEST_F(ManagedTest, OneExperimentIsToldStepByStep)
     EXPECT_NE(none.err.find("expected the number of an experiment, 0 to 2"), std::string::npos) << none.err;
 }
 
+TEST_F(ManagedTest, BitsOfAManagersMemoryAreHitByMember)
+{
+    Verifies(req::SRS_CMG_080);
+    Verifies(req::SRS_CMG_082);
+    // Given two members of the manager's memory, while it reads and starts three safety slaves
+    const std::string plan = NetworkPlan("plan.yaml", "until: 60 ms\nparts: [memory]\nmembers: [expectation 33, gate]\n"
+                                                      "sample: 40\n");
+    const tools::test::Answer one = Campaign({plan, "--jobs", "2", "--csv", Path("one.csv")});
+    // Then these are hit and no other one, and none is dangerous
+    EXPECT_EQ(one.status, 0) << one.out << one.err;
+    const std::string whole = cia306::ReadTextFile(Path("one.csv"));
+    EXPECT_NE(whole.find(",memory,flip,\"memory flip manager 127 expectation 33 at "), std::string::npos) << whole;
+    EXPECT_NE(whole.find("flip manager 127 gate at "), std::string::npos) << whole;
+    EXPECT_EQ(whole.find("manager 127 expectation 1 at "), std::string::npos) << whole;
+    // And shards of other processes, whose addresses are others, find the same
+    EXPECT_EQ(Campaign({plan, "--jobs", "1", "--shard", "1/2", "--out", Path("first")}).status, 0);
+    EXPECT_EQ(Campaign({plan, "--jobs", "1", "--shard", "2/2", "--out", Path("second")}).status, 0);
+    EXPECT_EQ(Campaign({"merge", plan, Path("first"), Path("second"), "--csv", Path("merged.csv")}).status, 0);
+    EXPECT_EQ(cia306::ReadTextFile(Path("merged.csv")), whole);
+}
+
+TEST_F(ManagedTest, ProgramOfAManagerThatEndsIsThatManagersEndAlone)
+{
+    Verifies(req::SRS_CMG_080);
+    // Given the role of a manager, which leads to a flying master that is not there
+    const std::string plan = NetworkPlan("plan.yaml", "until: 60 ms\nparts: [memory]\nmembers: [role]\nsample: 120\n"
+                                                      "detectors: [exception]\n");
+    const tools::test::Answer answer = Campaign({plan});
+    // Then some bits end its program, which is told, and nothing is dangerous
+    EXPECT_EQ(answer.status, 0) << answer.out;
+    EXPECT_EQ(answer.out.find("the program ended"), std::string::npos) << answer.out;
+}
+
+TEST_F(ManagedTest, ClockOfAManagerEndangersNobody)
+{
+    Verifies(req::SRS_CMG_081);
+    Verifies(req::SRS_CMG_082);
+    const std::string plan = NetworkPlan("plan.yaml", "from: 20 ms\nuntil: 200 ms\nparts: [clocks]\nsample: 4\n");
+    const tools::test::Answer answer = Campaign({plan, "--json", Path("report.json"), "--csv", Path("rows.csv")});
+    EXPECT_EQ(answer.status, 0) << answer.out;
+    const auto report = nlohmann::json::parse(cia306::ReadTextFile(Path("report.json")));
+    ASSERT_EQ(report.at("strata").size(), 4U);
+    for (const auto& stratum : report.at("strata"))
+    {
+        EXPECT_EQ(stratum.at("injected"), 4U);
+        EXPECT_EQ(stratum.at("silent"), 0U);
+    }
+    // A clock that stands still sends no heartbeat any more, and never goes unnoticed
+    EXPECT_EQ(report.at("strata").at(0).at("kind"), "stopped");
+    EXPECT_EQ(report.at("strata").at(0).at("masked"), 0U);
+    const std::string rows = cia306::ReadTextFile(Path("rows.csv"));
+    EXPECT_NE(rows.find("clocks stopped manager 127 at "), std::string::npos) << rows;
+    EXPECT_NE(rows.find(" ppm\""), std::string::npos) << rows;
+    EXPECT_NE(rows.find(" us\""), std::string::npos) << rows;
+}
+
+TEST_F(ManagedTest, MembersThatAreNotThereAreRefused)
+{
+    Verifies(req::SRS_CMG_080);
+    const auto said = [this](const std::string& more)
+    {
+        const tools::test::Answer answer =
+            Campaign({NetworkPlan("bad.yaml", "until: 60 ms\nparts: [memory]\n" + more)});
+        EXPECT_EQ(answer.status, 2) << answer.out;
+        return answer.err;
+    };
+    EXPECT_NE(said("members: [nobody]\n").find("bad.yaml:5:11: error: no member of a manager's memory that is hit"),
+              std::string::npos);
+    EXPECT_NE(said("members: [gate, gate]\n").find("bad.yaml:5:17: error: a member that is there already"),
+              std::string::npos);
+    EXPECT_NE(said("members: []\n").find("bad.yaml:5:10: error: an empty list"), std::string::npos);
+}
+
 TEST_F(ManagedTest, ConfigurationThatChangesBehindItsReadingIsListed)
 {
     Verifies(req::SRS_CMG_073);

@@ -144,13 +144,22 @@ std::string Runner::WhatIsNotWell(const Sight& sight) const
     return sight.is_missed ? "receivers wait for its frames" : "";
 }
 
+/// At each phase of each cycle, of all memory: by words, whose number is whole because the memory is whole pages.
 void Runner::KeepBits() noexcept
 {
     const std::uint8_t* const bytes = device_.Memory().Bytes();
-    for (std::size_t index = 0U; index < size_; ++index)
+    for (std::size_t index = 0U; index + sizeof(std::uint64_t) <= size_; index += sizeof(std::uint64_t))
     {
-        all_set_[index] = static_cast<std::uint8_t>(all_set_[index] & bytes[index]);
-        ever_set_[index] = static_cast<std::uint8_t>(ever_set_[index] | bytes[index]);
+        std::uint64_t now = 0U;
+        std::uint64_t all = 0U;
+        std::uint64_t ever = 0U;
+        std::memcpy(&now, bytes + index, sizeof(now));
+        std::memcpy(&all, all_set_.data() + index, sizeof(all));
+        std::memcpy(&ever, ever_set_.data() + index, sizeof(ever));
+        all &= now;
+        ever |= now;
+        std::memcpy(all_set_.data() + index, &all, sizeof(all));
+        std::memcpy(ever_set_.data() + index, &ever, sizeof(ever));
     }
 }
 

@@ -54,6 +54,10 @@ struct Session
         {
             digest = (digest ^ hashes.back()) * 0x100000001B3U;
         }
+        for (const ManagerMember& member : reference.memory)
+        {
+            digest = (digest ^ member.bytes.size()) * 0x100000001B3U;
+        }
         return {digest, space.Size(), shard};
     }
 

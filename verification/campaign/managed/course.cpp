@@ -2,6 +2,8 @@
 #include "verification/campaign/managed/course.hpp"
 
 #include "runtime/device/names.hpp"
+#include "verification/campaign/trap.hpp"
+#include "verification/campaign/variants.hpp"
 
 #include <algorithm>
 #include <map>
@@ -11,6 +13,7 @@ namespace counterpoint::campaign::managed
 namespace
 {
 constexpr Nanoseconds kMs = runtime::kNanosecondsPerMillisecond;
+constexpr std::uint32_t kByteBits = 8U;
 
 [[nodiscard]] Nanoseconds TimeOf(const runtime::ManagerEvent& event)
 {
@@ -103,6 +106,10 @@ void Course::AdvanceTo(const Nanoseconds until)
         {
             looked_ = next;
             watch_.Look(next);
+            for (std::size_t index = 0U; memory_ && index < stage_.Managers().size(); ++index)
+            {
+                memory_->Look(index, *stage_.Managers()[index]);
+            }
         }
         if (next == until)
         {
@@ -113,8 +120,13 @@ void Course::AdvanceTo(const Nanoseconds until)
 
 Reference Course::RunWithout()
 {
+    if (std::find(plan_.parts.begin(), plan_.parts.end(), Target::kMemory) != plan_.parts.end())
+    {
+        memory_.emplace();
+    }
     AdvanceTo(stage_.End());
     Reference reference = watch_.TakeReference();
+    reference.memory = memory_ ? memory_->Members() : std::vector<ManagerMember>{};
     for (const Telling& telling : Tellings())
     {
         ++reference.told[telling.key];
@@ -136,6 +148,14 @@ std::vector<Telling> Course::Tellings()
                                         std::to_string(event.node) + " " + DetailsOf(event);
                 tellings.push_back({teller, key, TimeOf(event), event.text.empty() ? event.kind : event.text});
             }
+        }
+    }
+    for (std::size_t index = 0U; index < stage_.Guards().size(); ++index)
+    {
+        if (const Nanoseconds at = stage_.Guards()[index]->EndedAt(); at >= 0)
+        {
+            const std::string who = "manager " + std::to_string(stage_.Managers()[index]->Node());
+            tellings.push_back({Teller::kException, who + " exception", at, "its program ended"});
         }
     }
     for (const simulator::Event& event : stage_.Record().Events())
@@ -170,9 +190,22 @@ std::vector<Telling> Course::News(const Reference& reference, const Nanoseconds 
 
 Outcome Course::Try(const Trial& trial, const Space& space, const Reference& reference)
 {
+    std::optional<Trap> trap;
+    if (IsInManagers(trial.target))
+    {
+        trap.emplace();
+        watch_.NoteManagerHit();
+        for (const auto& guard : stage_.Guards())
+        {
+            guard->Guard();
+        }
+    }
     watch_.Compare(reference, trial.at);
     Inject(trial, space);
-    const Nanoseconds effect = IsOfFrames(trial.target) ? EndOf(trial.hit) : trial.at;
+    // A clock is wrong until the end.
+    const Nanoseconds effect = IsOfFrames(trial.target)            ? EndOf(trial.hit)
+                               : (trial.target == Target::kClocks) ? stage_.End()
+                                                                   : trial.at;
     Nanoseconds differed = effect; // The last ms at which the network was not as without the fault.
     bool is_changed = false;
     while (looked_ + kMs <= stage_.End() && watch_.Found() == Wrong::kNothing)
@@ -242,10 +275,32 @@ void Course::Inject(const Trial& trial, const Space& space)
     {
         InjectIntoSlave(trial, stage_.Slaves().at(trial.subject));
     }
+    else if (trial.target == Target::kMemory)
+    {
+        InjectIntoMemory(trial, space);
+    }
+    else if (trial.target == Target::kClocks)
+    {
+        InjectIntoClock(trial);
+    }
     else
     {
         InjectIntoManager(trial, *stage_.Managers().at(trial.subject));
     }
+}
+
+void Course::InjectIntoMemory(const Trial& trial, const Space& space)
+{
+    const ManagerMember& member = space.Members().at(trial.subject);
+    FlipIn(*stage_.Managers().at(member.manager), member.name, Space::ByteOf(trial, member), trial.variant % kByteBits);
+}
+
+void Course::InjectIntoClock(const Trial& trial)
+{
+    const CounterFault what = Space::ClockFaultOf(trial);
+    stage_.Managers()
+        .at(trial.subject)
+        ->Disturb({trial.at, what.rate_ppm, Nanoseconds{what.jump_us} * runtime::kNanosecondsPerMicrosecond});
 }
 
 void Course::Write(const Trial& trial, const WrittenObject& object)

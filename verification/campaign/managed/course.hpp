@@ -51,13 +51,16 @@ class Course
     void Inject(const Trial& trial, const Space& space);
     void InjectIntoSlave(const Trial& trial, const Slave& slave);
     void InjectIntoManager(const Trial& trial, simulator::SimulatedManager& manager);
+    void InjectIntoMemory(const Trial& trial, const Space& space);
+    void InjectIntoClock(const Trial& trial);
     void Write(const Trial& trial, const WrittenObject& object);
     [[nodiscard]] Outcome Judged(const Trial& trial, const Reference& reference, bool is_changed, bool is_back);
 
     const Plan& plan_;
     Stage stage_;
     Watch watch_;
-    Nanoseconds looked_{-1}; ///< The last ms.
+    std::optional<MemoryWatch> memory_{}; ///< Of the run without fault of a plan that hits memory.
+    Nanoseconds looked_{-1};              ///< The last ms.
     Nanoseconds later_at_{runtime::kNever};
     std::function<void()> later_{};
 };

@@ -20,6 +20,7 @@ constexpr Word<Target> kTargetWords[] = {
     {"nmt", Target::kNmt},           {"sdo", Target::kSdo},       {"life", Target::kLife},
     {"election", Target::kElection}, {"srdo", Target::kSrdo},     {"other", Target::kOther},
     {"writes", Target::kWrites},     {"slaves", Target::kSlaves}, {"managers", Target::kManagers},
+    {"memory", Target::kMemory},     {"clocks", Target::kClocks},
 };
 constexpr Word<Fault> kFaultWords[] = {
     {"lost", Fault::kLost},
@@ -39,6 +40,11 @@ constexpr Word<Fault> kFaultWords[] = {
     {"killed", Fault::kKilled},
     {"back", Fault::kBack},
     {"off_bus", Fault::kOffBus},
+    {"flip", Fault::kFlip},
+    {"stopped", Fault::kStopped},
+    {"fast", Fault::kFast},
+    {"slow", Fault::kSlow},
+    {"jump", Fault::kJump},
 };
 constexpr Word<Teller> kTellerWords[] = {
     {"nobody", Teller::kNobody},     {"safety_gate", Teller::kSafetyGate},
@@ -46,7 +52,7 @@ constexpr Word<Teller> kTellerWords[] = {
     {"boot_up", Teller::kBootUp},    {"duplicate", Teller::kDuplicate},
     {"election", Teller::kElection}, {"emergency", Teller::kEmergency},
     {"device", Teller::kDevice},     {"controller", Teller::kController},
-    {"command", Teller::kCommand},
+    {"command", Teller::kCommand},   {"exception", Teller::kException},
 };
 static_assert(sizeof(kTargetWords) / sizeof(kTargetWords[0]) == kTargetCount, "a word each");
 static_assert(sizeof(kFaultWords) / sizeof(kFaultWords[0]) == kFaultCount, "a word each");
@@ -142,6 +148,29 @@ void ReadNumbers(const YamlMap& map, Plan& plan)
     }
 }
 
+void ReadMembers(const YamlMap& map, Plan& plan)
+{
+    const std::optional<YamlValue> list = map.Find("members");
+    if (!list)
+    {
+        return;
+    }
+    for (const YamlValue& item : list->Items("a list of members of a manager's memory"))
+    {
+        const std::string name = item.Text("a member as reports name it, or its first word, as gate");
+        if (std::find(plan.members.begin(), plan.members.end(), name) != plan.members.end())
+        {
+            item.Refuse("a member that is there already", "each one once");
+        }
+        plan.members.push_back(name);
+        plan.member_sources.push_back(item.Where());
+    }
+    if (plan.members.empty())
+    {
+        list->Refuse("an empty list", "at least one member");
+    }
+}
+
 /// A kind that none of the parts has would be left aside.
 void RequireEffect(const Plan& plan)
 {
@@ -173,8 +202,8 @@ Plan ReadManagedPlan(const std::string& file)
     const std::string text = runtime::ReadYamlText(file);
     const runtime::YamlNode root = runtime::ParseYaml(file, text);
     const YamlMap map(file, root,
-                      {"title", kNetwork, "profile", "from", "until", "parts", "kinds", "detectors", "known", "reach",
-                       "settle", "stop_within", "masters_within", "seed", "sample", "confidence"});
+                      {"title", kNetwork, "profile", "from", "until", "parts", "members", "kinds", "detectors", "known",
+                       "reach", "settle", "stop_within", "masters_within", "seed", "sample", "confidence"});
     Plan plan;
     plan.file = file;
     plan.digest = HashOf(text);
@@ -188,6 +217,7 @@ Plan ReadManagedPlan(const std::string& file)
     plan.parts = Chosen(map, "parts", kTargetWords, &plan.part_sources);
     plan.kinds = Chosen(map, "kinds", kFaultWords, &plan.kind_sources);
     RequireEffect(plan);
+    ReadMembers(map, plan);
     plan.detectors = map.Find("detectors") ? Chosen(map, "detectors", kTellerWords) : std::vector<Teller>{};
     ReadTimes(map, plan);
     ReadKnown(map, plan);
@@ -206,6 +236,10 @@ bool IsOf(const Target target, const Fault fault) noexcept
         return is_from_to(Fault::kRestarted, Fault::kExchanged);
     case Target::kManagers:
         return is_from_to(Fault::kKilled, Fault::kOffBus);
+    case Target::kMemory:
+        return fault == Fault::kFlip;
+    case Target::kClocks:
+        return is_from_to(Fault::kStopped, Fault::kJump);
     default:
         return is_from_to(Fault::kLost, Fault::kWrongIdentifier);
     }

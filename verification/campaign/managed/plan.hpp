@@ -30,8 +30,10 @@ enum class Target : std::uint8_t
     kWrites = 6U,   ///< Objects of a safety configuration.
     kSlaves = 7U,   ///< Whole devices.
     kManagers = 8U, ///< Whole managers.
+    kMemory = 9U,   ///< Of managers. [SRS_CMG_080]
+    kClocks = 10U,  ///< Of managers. [SRS_CMG_081]
 };
-constexpr std::size_t kTargetCount = 9U;
+constexpr std::size_t kTargetCount = 11U;
 
 /// What goes wrong with it. [SRS_CMG_071]
 enum class Fault : std::uint8_t
@@ -53,12 +55,21 @@ enum class Fault : std::uint8_t
     kKilled = 14U,
     kBack = 15U,   ///< Killed, and comes back.
     kOffBus = 16U, ///< Its controller is not on the bus for a time.
+    kFlip = 17U,
+    kStopped = 18U, ///< Stands still.
+    kFast = 19U,
+    kSlow = 20U,
+    kJump = 21U,
 };
-constexpr std::size_t kFaultCount = 17U;
+constexpr std::size_t kFaultCount = 22U;
 
 [[nodiscard]] constexpr bool IsOfFrames(const Target target) noexcept
 {
     return target < Target::kWrites;
+}
+[[nodiscard]] constexpr bool IsInManagers(const Target target) noexcept
+{
+    return target >= Target::kMemory;
 }
 [[nodiscard]] bool IsOf(Target target, Fault fault) noexcept;
 
@@ -83,8 +94,9 @@ enum class Teller : std::uint8_t
     kDevice = 8U,     ///< A device's kernel: a cause of an SRDO, a device fault, an invalid configuration.
     kController = 9U, ///< The manager knows that its bus was away.
     kCommand = 10U,   ///< A command of a manager that it does not give without the fault.
+    kException = 11U, ///< The processor or the system ended the program of a manager.
 };
-constexpr std::size_t kTellerCount = 11U;
+constexpr std::size_t kTellerCount = 12U;
 
 /// A plan for a network, as its file says. [SRS_CMG_070]
 struct Plan
@@ -100,6 +112,8 @@ struct Plan
     std::vector<runtime::Source> part_sources;
     std::vector<Fault> kinds;
     std::vector<runtime::Source> kind_sources;
+    std::vector<std::string> members; ///< Of the memory of managers, whole names or their first words; empty: all.
+    std::vector<runtime::Source> member_sources;
     std::vector<Teller> detectors;
     std::vector<Known> known;
     Nanoseconds reach{0};

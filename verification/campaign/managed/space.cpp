@@ -40,6 +40,34 @@ constexpr std::uint64_t kByteBits = 8U;
     return all;
 }
 
+/// Whether the plan names this member, or its first word.
+[[nodiscard]] bool IsNamed(const std::string& wanted, const std::string& member)
+{
+    return member == wanted || member.rfind(wanted + " ", 0U) == 0U;
+}
+
+[[nodiscard]] bool IsMeant(const std::vector<std::string>& wanted, const std::string& member)
+{
+    return wanted.empty() || std::any_of(wanted.begin(), wanted.end(),
+                                         [&member](const std::string& each) { return IsNamed(each, member); });
+}
+
+/// As the clocks of a device.
+[[nodiscard]] FaultKind KindOf(const Fault fault)
+{
+    switch (fault)
+    {
+    case Fault::kStopped:
+        return FaultKind::kStopped;
+    case Fault::kFast:
+        return FaultKind::kFast;
+    case Fault::kSlow:
+        return FaultKind::kSlow;
+    default:
+        return FaultKind::kJump;
+    }
+}
+
 [[nodiscard]] std::string TimeText(const Nanoseconds time)
 {
     char text[32] = {};
@@ -108,6 +136,17 @@ void Space::TakeObjects()
 /// What is named and hits nothing is refused where it is named.
 void Space::Require() const
 {
+    for (std::size_t index = 0U; index < plan_.members.size(); ++index)
+    {
+        const std::vector<ManagerMember>& all = reference_.memory;
+        const bool is_there = std::any_of(all.begin(), all.end(), [this, index](const ManagerMember& each)
+                                          { return IsNamed(plan_.members[index], each.name); });
+        if (!is_there)
+        {
+            throw runtime::YamlError(plan_.file, plan_.member_sources[index].place,
+                                     "no member of a manager's memory that is hit", "one that reports name, as gate");
+        }
+    }
     for (std::size_t index = 0U; index < plan_.part_sources.size(); ++index)
     {
         const bool hits = std::any_of(strata_.begin(), strata_.end(), [this, index](const Stratum& stratum)
@@ -130,6 +169,21 @@ void Space::Require() const
     }
 }
 
+std::size_t Space::SubjectsOf(const Target target) const
+{
+    switch (target)
+    {
+    case Target::kWrites:
+        return objects_.size();
+    case Target::kSlaves:
+        return stage_.Slaves().size();
+    case Target::kMemory:
+        return reference_.memory.size();
+    default:
+        return stage_.Managers().size();
+    }
+}
+
 Stratum Space::StratumOf(const Target target, const Fault fault) const
 {
     Stratum stratum{target, fault, {}, {}, 0U, 0U};
@@ -140,9 +194,7 @@ Stratum Space::StratumOf(const Target target, const Fault fault) const
     }
     else
     {
-        count = (target == Target::kWrites)   ? objects_.size()
-                : (target == Target::kSlaves) ? stage_.Slaves().size()
-                                              : stage_.Managers().size();
+        count = SubjectsOf(target);
     }
     for (std::size_t subject = 0U; subject < count; ++subject)
     {
@@ -192,6 +244,15 @@ std::uint64_t Space::FaultsOf(const Target target, const Fault fault, const std:
     {
         return instants * objects_[subject].expected.size * kByteBits;
     }
+    if (target == Target::kMemory)
+    {
+        const std::uint64_t bits = reference_.memory[subject].bytes.size() * kByteBits;
+        return IsMeant(plan_.members, reference_.memory[subject].name) ? instants * bits : 0U;
+    }
+    if (target == Target::kClocks)
+    {
+        return instants * campaign::VariantsOf(Part::kCounters, KindOf(fault), 0U, 0U);
+    }
     const bool is_for_a_time = fault == Fault::kRestarted || fault == Fault::kBack || fault == Fault::kOffBus;
     return instants * (is_for_a_time ? kLengths : 1U);
 }
@@ -239,13 +300,32 @@ Nanoseconds Space::AwayOf(const Trial& trial)
     return runtime::kNanosecondsPerMillisecond << trial.variant;
 }
 
+std::uint32_t Space::ByteOf(const Trial& trial, const ManagerMember& member)
+{
+    return member.bytes.at(trial.variant / kByteBits);
+}
+
+CounterFault Space::ClockFaultOf(const Trial& trial)
+{
+    Experiment fault;
+    fault.part = Part::kCounters;
+    fault.kind = KindOf(trial.fault);
+    fault.variant = trial.variant;
+    return CounterFaultOf(fault);
+}
+
 std::string Space::SubjectText(const Trial& trial) const
 {
     if (IsOfFrames(trial.target))
     {
         return FrameText(reference_.frames[trial.subject].frame);
     }
-    if (trial.target == Target::kManagers)
+    if (trial.target == Target::kMemory)
+    {
+        const ManagerMember& member = reference_.memory[trial.subject];
+        return "manager " + std::to_string(stage_.Managers()[member.manager]->Node()) + " " + member.name;
+    }
+    if (trial.target == Target::kManagers || trial.target == Target::kClocks)
     {
         return "manager " + std::to_string(stage_.Managers()[trial.subject]->Node());
     }
@@ -270,6 +350,17 @@ std::string Space::PlaceText(const Trial& trial) const
     if (trial.target == Target::kWrites)
     {
         return text + ", bit " + std::to_string(trial.variant);
+    }
+    if (trial.target == Target::kMemory)
+    {
+        return text + ", bit " + std::to_string(ByteOf(trial, reference_.memory[trial.subject])) + "." +
+               std::to_string(trial.variant % kByteBits);
+    }
+    if (trial.target == Target::kClocks)
+    {
+        const CounterFault what = ClockFaultOf(trial);
+        return text + ((trial.fault == Fault::kJump) ? ", by " + std::to_string(what.jump_us) + " us"
+                                                     : ", by " + std::to_string(what.rate_ppm) + " ppm");
     }
     const bool is_for_a_time =
         trial.fault == Fault::kRestarted || trial.fault == Fault::kBack || trial.fault == Fault::kOffBus;

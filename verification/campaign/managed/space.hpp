@@ -3,6 +3,7 @@
 #define VERIFICATION_CAMPAIGN_MANAGED_SPACE_HPP
 
 #include "verification/campaign/managed/watch.hpp"
+#include "verification/campaign/variants.hpp"
 
 #include <cstdint>
 #include <string>
@@ -69,6 +70,15 @@ class Space
     {
         return objects_;
     }
+    /// @brief Members of the memory of managers.
+    [[nodiscard]] const std::vector<ManagerMember>& Members() const noexcept
+    {
+        return reference_.memory;
+    }
+    /// @brief The byte of the member that is hit.
+    [[nodiscard]] static std::uint32_t ByteOf(const Trial& trial, const ManagerMember& member);
+    /// @brief What happens to the clock.
+    [[nodiscard]] static CounterFault ClockFaultOf(const Trial& trial);
     /// @brief How long a device or manager is away.
     [[nodiscard]] static Nanoseconds AwayOf(const Trial& trial);
     /// @brief What is hit, as "sdo 582#4318100300000100".
@@ -80,6 +90,7 @@ class Space
     void TakeFrames();
     void TakeObjects();
     void Require() const;
+    [[nodiscard]] std::size_t SubjectsOf(Target target) const;
     [[nodiscard]] Stratum StratumOf(Target target, Fault fault) const;
     [[nodiscard]] std::uint64_t FaultsOf(Target target, Fault fault, std::size_t subject) const;
     [[nodiscard]] std::vector<host::NodeIndex> ReceiversOf(std::size_t frame) const;

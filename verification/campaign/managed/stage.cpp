@@ -3,6 +3,7 @@
 
 #include "simulator/scenario/checks.hpp"
 #include "simulator/scenario/reader.hpp"
+#include "verification/campaign/trap.hpp"
 
 #include <algorithm>
 
@@ -50,6 +51,38 @@ void Stranger::OnConfirmed(const CanFrame& /*frame*/, const host::BusTime /*at*/
 {
 }
 
+void GuardedManager::Run(const Nanoseconds now)
+{
+    Look(now, [this, now]() { manager_.Run(now); });
+}
+
+void GuardedManager::Look(const Nanoseconds now, const std::function<void()>& look)
+{
+    if (!is_guarded_)
+    {
+        look();
+        return;
+    }
+    bool has_thrown = false;
+    const Return how = Trap::Run(
+        [&look, &has_thrown]()
+        {
+            try
+            {
+                look();
+            }
+            catch (const std::exception&)
+            {
+                has_thrown = true;
+            }
+        });
+    if (how != Return::kEnded || has_thrown)
+    {
+        manager_.SwitchOff();
+        ended_at_ = (ended_at_ < 0) ? now : ended_at_;
+    }
+}
+
 Stage::Stage(const Plan& plan) : scenario_(Whole(simulator::ReadScenario(plan.scenario, plan.profile)))
 {
     const auto refuse = [&plan](const char* const wrong, const char* const expected)
@@ -77,7 +110,8 @@ void Stage::BuildManagers()
         const std::size_t place = scenario_.nodes.size() + managers_.size();
         managers_.push_back(
             std::make_unique<simulator::SimulatedManager>(setup, scenario_.profile, place, network_->Bus(), journal_));
-        network_->Join(*managers_.back(), managers_.back()->BusNode(), place);
+        guards_.push_back(std::make_unique<GuardedManager>(*managers_.back()));
+        network_->Join(*guards_.back(), managers_.back()->BusNode(), place);
     }
     simulator::RequireOfManagers(scenario_, managers_);
     for (const simulator::Action& action : scenario_.actions)

@@ -39,6 +39,38 @@ class Stranger final : public simulator::Participant, private host::BusListener
     host::NodeIndex node_;
 };
 
+/// A manager whose program may end by a fault of its memory: what a system does with a program that fails. From Guard
+/// on such an end is that of the manager alone. [SRS_CMG_080]
+class GuardedManager final : public simulator::Participant
+{
+  public:
+    explicit GuardedManager(simulator::SimulatedManager& manager) noexcept : manager_(manager)
+    {
+    }
+    /// @brief While a Trap is there.
+    void Guard() noexcept
+    {
+        is_guarded_ = true;
+    }
+    /// @brief When its program ended by an exception; below 0: it did not.
+    [[nodiscard]] Nanoseconds EndedAt() const noexcept
+    {
+        return ended_at_;
+    }
+    [[nodiscard]] Nanoseconds NextEvent() const noexcept override
+    {
+        return manager_.NextEvent();
+    }
+    void Run(Nanoseconds now) override;
+    /// @brief Looks at the manager, which may end by that, too.
+    void Look(Nanoseconds now, const std::function<void()>& look);
+
+  private:
+    simulator::SimulatedManager& manager_;
+    bool is_guarded_{false};
+    Nanoseconds ended_at_{-1};
+};
+
 /// An object of a safety configuration as it has to be.
 struct ExpectedValue
 {
@@ -83,6 +115,11 @@ class Stage
     {
         return managers_;
     }
+    /// @brief In the order of the managers.
+    [[nodiscard]] const std::vector<std::unique_ptr<GuardedManager>>& Guards() const noexcept
+    {
+        return guards_;
+    }
     [[nodiscard]] const std::vector<Slave>& Slaves() const noexcept
     {
         return slaves_;
@@ -116,6 +153,7 @@ class Stage
     simulator::Journal journal_{false};
     std::unique_ptr<simulator::Network> network_;
     simulator::SimulatedManagers managers_;
+    std::vector<std::unique_ptr<GuardedManager>> guards_;
     std::unique_ptr<Stranger> stranger_;
     FrameFault fault_;
     std::vector<Slave> slaves_;

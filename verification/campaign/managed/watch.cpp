@@ -12,7 +12,6 @@ constexpr Nanoseconds kGrace = 3 * kMs;      ///< Three frames and a cycle: what
 constexpr Nanoseconds kObeyed = 20 * kMs;    ///< A command is followed within this.
 constexpr Nanoseconds kLookAtAll = 50 * kMs; ///< Whole configurations are read so often.
 constexpr Nanoseconds kSilence = 1000 * kMs; ///< For so long neither hears the other: the bus is not there.
-constexpr Nanoseconds kCycles = 5 * kMs;     ///< An output follows the state of its device within this.
 constexpr std::uint32_t kLowest7 = 0x7FU;
 constexpr std::uint32_t kAnswers = 0x580U;
 constexpr std::uint32_t kRequests = 0x600U;
@@ -109,38 +108,25 @@ void Clear(Reading& reading, const Nanoseconds now)
     }
     return other;
 }
-
-[[nodiscard]] bool IsAcknowledged(Stage& stage, const Slave& slave, const std::uint32_t slot, const Nanoseconds from,
-                                  const Nanoseconds now)
-{
-    const std::uint8_t number = stage.World().At(slave.index).Model().NumberOf(static_cast<SlotIndex>(slot));
-    const auto& all = stage.Setting().acknowledges;
-    return std::any_of(
-        all.begin(), all.end(), [&slave, number, from, now](const simulator::Acknowledge& each)
-        { return each.node == slave.index && each.srdo == number && each.at <= now && each.at + each.pulse >= from; });
-}
 } // namespace
 
 Watch::Watch(Stage& stage, const Plan& plan)
-    : stage_(stage), plan_(plan), runs_(stage.Slaves().size(), false), started_(stage.Slaves().size(), -kObeyed),
-      other_since_(stage.Slaves().size(), -1), reached_(stage.Slaves().size(), 0), heard_(stage.Slaves().size() + 1U, 0)
+    : stage_(stage), plan_(plan), devices_(stage), runs_(stage.Slaves().size(), false),
+      started_(stage.Slaves().size(), -kObeyed), other_since_(stage.Slaves().size(), -1),
+      reached_(stage.Slaves().size(), 0), heard_(stage.Slaves().size() + 1U, 0)
 {
-    constexpr Nanoseconds kSlack = 20 * kMs;
-    constexpr Nanoseconds kChain = 2; // From a sensor to a controller to an actuator.
-    for (const Slave& slave : stage.Slaves())
-    {
-        for (const runtime::SrdoModel& srdo : stage.World().At(slave.index).Model().Srdos())
-        {
-            phase_ = std::max(phase_, kChain * srdo.times.sct_ms * kMs / 2);
-            age_ = std::max(age_, kChain * (srdo.times.sct_ms + srdo.times.srvt_ms) * kMs + kSlack);
-        }
-    }
     stage.World().Bus().Install(*this);
 }
 
+/// A manager whose memory or clock is wrong is no longer asked for its rules: a safety device is judged as it is.
 void Watch::Tell(const Wrong wrong)
 {
-    if (wrong_ == Wrong::kNothing)
+    const bool is_rule = wrong == Wrong::kStartOfAll || wrong == Wrong::kTwoMasters || wrong == Wrong::kIdentifier;
+    if (is_manager_hit_ && is_rule)
+    {
+        limit_ = (limit_ == Limit::kNothing) ? Limit::kOwnRule : limit_;
+    }
+    else if (wrong_ == Wrong::kNothing)
     {
         wrong_ = wrong;
         found_at_ = stage_.World().Now();
@@ -306,25 +292,26 @@ void Watch::OnCommand(const CanFrame& frame, const host::NodeIndex sender)
         {
             Tell(Wrong::kStartOfAll);
         }
-        else
+        // A start of all is one of each, too, where the devices alone count.
+        if (frame.data[1] != 0U || is_manager_hit_)
         {
-            OnStart(slave, sender);
+            TellOf(slave, WrongOfStart(slave, sender));
         }
     }
 }
 
-/// A safety slave is started by itself.
-void Watch::OnStart(const Slave& slave, const host::NodeIndex sender)
+/// A safety slave is started.
+Wrong Watch::WrongOfStart(const Slave& slave, const host::NodeIndex sender)
 {
     const Nanoseconds now = stage_.World().Now();
     const Reading& reading = readings_[{sender, slave.node_id}];
+    Wrong wrong = Wrong::kNothing;
     for (const ExpectedValue& expected : slave.expected)
     {
         const Answer* const answer = AnswerFor(reading, NumberIn(expected.object), now);
         if (answer == nullptr || !answer->is_right)
         {
-            Tell(Wrong::kUnverified);
-            return;
+            return Wrong::kUnverified;
         }
         const std::optional<std::uint32_t> value = stage_.ValueIn(slave, expected.object);
         if (!value || *value == expected.value)
@@ -337,12 +324,44 @@ void Watch::OnStart(const Slave& slave, const host::NodeIndex sender)
         }
         else if (now - at_ > kGrace)
         {
-            Tell(Wrong::kConfiguration);
+            wrong = Wrong::kConfiguration;
         }
     }
-    if (exchanged_ == &slave && slave.serial != 0U && reading.booted > at_ && now - reading.booted > kGrace)
+    const bool is_other =
+        exchanged_ == &slave && slave.serial != 0U && reading.booted > at_ && now - reading.booted > kGrace;
+    return (wrong == Wrong::kNothing && is_other) ? Wrong::kIdentity : wrong;
+}
+
+/// Of a manager that is hit counts what its slave is.
+void Watch::TellOf(const Slave& slave, const Wrong wrong)
+{
+    if (wrong == Wrong::kNothing)
     {
-        Tell(Wrong::kIdentity);
+        return;
+    }
+    if (!is_manager_hit_)
+    {
+        Tell(wrong);
+    }
+    else if (OtherIn(stage_, slave) == 0U)
+    {
+        limit_ = (limit_ == Limit::kNothing) ? Limit::kOwnRule : limit_;
+    }
+    else if (devices_.IsHeldByItself(slave))
+    {
+        limit_ = Limit::kOwnGate;
+    }
+    else
+    {
+        Tell(wrong);
+    }
+}
+
+void Watch::TellIfAny(const Wrong wrong)
+{
+    if (wrong != Wrong::kNothing)
+    {
+        Tell(wrong);
     }
 }
 
@@ -360,9 +379,12 @@ void Watch::Look(const Nanoseconds now)
     }
     LookAtStates(now);
     LookAtMasters(now);
-    LookAtOutputs(now);
-    Draw();
-    LookAtValues(now);
+    TellIfAny(devices_.LookAtOutputs(reference_, made_, now));
+    devices_.Draw(picture_, now);
+    if (reference_ != nullptr)
+    {
+        TellIfAny(devices_.LookAtValues(picture_, *reference_, now));
+    }
     if (reference_ == nullptr)
     {
         made_.pictures.push_back(picture_);
@@ -418,21 +440,31 @@ void Watch::LookAtStates(const Nanoseconds now)
         }
         else if (now - other_since_[place] > plan_.stop_within && limit_ != Limit::kChangedBehind)
         {
-            Tell(Wrong::kRunsOn);
+            TellOf(slave, Wrong::kRunsOn);
         }
     }
 }
 
+std::size_t Watch::ActiveManagers(const Nanoseconds now)
+{
+    std::size_t active = 0U;
+    for (std::size_t index = 0U; index < stage_.Managers().size(); ++index)
+    {
+        const simulator::SimulatedManager& manager = *stage_.Managers()[index];
+        if (!manager.HasSupply() || !stage_.World().Bus().IsOnBus(manager.BusNode()))
+        {
+            continue;
+        }
+        stage_.Guards()[index]->Look(now, [&manager, &active]()
+                                     { active += manager.Station()->Assembly().Core().IsActive() ? 1U : 0U; });
+    }
+    return active;
+}
+
 void Watch::LookAtMasters(const Nanoseconds now)
 {
-    const auto active = std::count_if(stage_.Managers().begin(), stage_.Managers().end(),
-                                      [this](const auto& manager)
-                                      {
-                                          return manager->HasSupply() &&
-                                                 manager->Station()->Assembly().Core().IsActive() &&
-                                                 stage_.World().Bus().IsOnBus(manager->BusNode());
-                                      });
-    if (active < 2)
+    const std::size_t active = ActiveManagers(now);
+    if (active < 2U)
     {
         two_since_ = -1;
     }
@@ -472,127 +504,5 @@ Reference Watch::TakeReference()
 {
     made_.frames = frames_;
     return std::move(made_);
-}
-
-void Watch::LookAtOutputs(const Nanoseconds now)
-{
-    for (const Slave& slave : stage_.Slaves())
-    {
-        const simulator::Node& node = stage_.World().At(slave.index);
-        for (std::uint32_t slot = 0U; slot < node.Model().Srdos().size(); ++slot)
-        {
-            LookAtOutput(slave, slot, now);
-        }
-    }
-}
-
-void Watch::LookAtOutput(const Slave& slave, const std::uint32_t slot, const Nanoseconds now)
-{
-    const simulator::Node& node = stage_.World().At(slave.index);
-    Output& output = outputs_[{slave.index, static_cast<std::uint8_t>(slot)}];
-    const bool is_open = node.HasSupply() && ((node.Open() >> slot) & 1U) != 0U;
-    const bool may_be = node.State() == cia301::NodeState::kOperational;
-    output.without_leave = (is_open && !may_be) ? output.without_leave + kMs : 0;
-    if (output.without_leave > kCycles)
-    {
-        Tell(Wrong::kNoLeave);
-    }
-    if (!is_open)
-    {
-        output.closed = output.is_open ? now : output.closed;
-    }
-    else if (!output.is_open && !IsAcknowledged(stage_, slave, slot, output.closed - kMs, now))
-    {
-        if (reference_ == nullptr)
-        {
-            made_.automatic.insert({slave.index, slot});
-        }
-        else if (reference_->automatic.count({slave.index, slot}) == 0U)
-        {
-            Tell(Wrong::kNoAcknowledge);
-        }
-    }
-    output.is_open = is_open;
-}
-
-void Watch::Draw()
-{
-    picture_.words.clear();
-    picture_.values.clear();
-    for (const Slave& slave : stage_.Slaves())
-    {
-        simulator::Node& node = stage_.World().At(slave.index);
-        picture_.words.push_back(static_cast<std::uint32_t>(node.State()) |
-                                 (node.HasSupply() ? static_cast<std::uint32_t>(node.Open()) << 8U : 0U));
-        for (const runtime::PairValue& pair : node.App().Logic().Pairs())
-        {
-            if (pair.is_consumer)
-            {
-                const bool is_open = node.HasSupply() && (node.Open() & pair.slot) != 0U;
-                picture_.values.push_back(is_open ? pair.normal : pair.safe);
-            }
-        }
-    }
-    for (const auto& manager : stage_.Managers())
-    {
-        picture_.words.push_back(manager->HasSupply() ? 1U : 0U);
-        if (!manager->HasSupply())
-        {
-            continue;
-        }
-        const cia302::Manager& core = manager->Station()->Assembly().Core();
-        picture_.words.push_back((core.IsActive() ? 1U : 0U) | (static_cast<std::uint32_t>(core.OwnState()) << 1U));
-        for (const auto& slave : manager->Net().Slaves())
-        {
-            const cia302::NodeId id{slave->plan.node};
-            const cia302::NodeStatus status = core.Status(id);
-            picture_.words.push_back(static_cast<std::uint32_t>(core.Table().Record(id).state) |
-                                     (static_cast<std::uint32_t>(core.Gate().State(id)) << 8U) |
-                                     (static_cast<std::uint32_t>(static_cast<std::uint8_t>(status.letter)) << 16U));
-            picture_.words.push_back(static_cast<std::uint32_t>(status.code) | (status.is_started ? 0x10000U : 0U));
-        }
-    }
-}
-
-/// An output that is open has what it has without fault: now, not longer ago than data may be old, or as much sooner as
-/// its producers may send in another phase.
-void Watch::LookAtValues(const Nanoseconds now)
-{
-    if (reference_ == nullptr)
-    {
-        return;
-    }
-    const auto here = static_cast<std::size_t>(now / kMs);
-    const auto age = static_cast<std::size_t>(age_ / kMs);
-    const std::size_t first = (here > age) ? here - age : 0U;
-    const std::size_t last = std::min(here + static_cast<std::size_t>(phase_ / kMs), reference_->pictures.size() - 1U);
-    std::size_t place = 0U;
-    for (const Slave& slave : stage_.Slaves())
-    {
-        simulator::Node& node = stage_.World().At(slave.index);
-        for (const runtime::PairValue& pair : node.App().Logic().Pairs())
-        {
-            if (!pair.is_consumer)
-            {
-                continue;
-            }
-            const std::uint64_t value = picture_.values.at(place);
-            bool is_known = value == pair.safe;
-            for (std::size_t ms = first; ms <= last && !is_known; ++ms)
-            {
-                const std::vector<std::uint64_t>& values = reference_->pictures[ms].values;
-                is_known = place < values.size() && values[place] == value;
-            }
-            const std::vector<Picture>& all = reference_->pictures;
-            const bool is_ever_open =
-                !is_known && std::any_of(all.begin(), all.end(), [place, &pair](const Picture& each)
-                                         { return place < each.values.size() && each.values[place] != pair.safe; });
-            if (is_ever_open) // Else the run without fault says nothing of its data.
-            {
-                Tell(Wrong::kData);
-            }
-            ++place;
-        }
-    }
 }
 } // namespace counterpoint::campaign::managed

@@ -2,7 +2,7 @@
 #ifndef VERIFICATION_CAMPAIGN_MANAGED_WATCH_HPP
 #define VERIFICATION_CAMPAIGN_MANAGED_WATCH_HPP
 
-#include "verification/campaign/managed/stage.hpp"
+#include "verification/campaign/managed/devices.hpp"
 
 #include <array>
 #include <cstdint>
@@ -14,67 +14,6 @@
 
 namespace counterpoint::campaign::managed
 {
-/// What must never happen. Outcome::detail of what is silent. [SRS_CMG_072]
-enum class Wrong : std::uint8_t
-{
-    kNothing = 0U,
-    kStartOfAll = 1U,    ///< A start to node 0, with a safety slave in the network.
-    kUnverified = 2U,    ///< A safety slave is started, and not all of it was read as expected.
-    kConfiguration = 3U, ///< A safety slave is started that was changed before it was read.
-    kIdentity = 4U,      ///< Another device is started.
-    kRunsOn = 5U,        ///< A safety slave with another configuration runs longer than `stop_within`.
-    kTwoMasters = 6U,
-    kNoLeave = 7U,       ///< Output open outside of OPERATIONAL.
-    kNoAcknowledge = 8U, ///< Open again without an acknowledge.
-    kData = 9U,
-    kIdentifier = 10U,
-    kCrash = 11U, ///< The program ended.
-};
-
-/// Limits that documents name. Outcome::detail of what is listed. [SRS_CMG_073]
-enum class Limit : std::uint8_t
-{
-    kNothing = 0U,
-    kChangedBehind = 1U, ///< A safety configuration changed without a message, behind its last reading.
-    kForeignStart = 2U,  ///< A slave runs by a command that no manager gave to it then.
-    kApart = 4U,         ///< Slave and managers do not hear each other any more.
-    kGfcBehind = 3U,     ///< 1300h was written behind the start, which is possible in every state.
-};
-
-[[nodiscard]] const char* TextOf(Wrong wrong);
-[[nodiscard]] const char* TextOf(Limit limit);
-
-/// A frame of the run without fault.
-struct RecordedFrame
-{
-    host::BusTime start{0};
-    CanFrame frame{};
-    host::NodeIndex sender{0U};
-};
-
-/// What is seen of a network each ms.
-struct Picture
-{
-    std::vector<std::uint32_t> words;  ///< States and outputs of the devices, and what the managers know.
-    std::vector<std::uint64_t> values; ///< Of each pair of a consumer.
-
-    [[nodiscard]] bool operator==(const Picture& other) const
-    {
-        return words == other.words && values == other.values;
-    }
-};
-
-/// The run without fault, which all others are compared with.
-struct Reference
-{
-    std::vector<RecordedFrame> frames;
-    std::vector<Picture> pictures; ///< Of each ms.
-    std::map<host::NodeIndex, std::set<std::uint32_t>> identifiers;
-    std::map<host::NodeIndex, std::vector<std::uint64_t>> hashes; ///< Of all frames of a sender up to each.
-    std::map<std::string, std::uint32_t> told;                    ///< How often.
-    std::set<std::pair<std::size_t, std::uint32_t>> automatic;    ///< Device and slot that open without an acknowledge.
-};
-
 /// A value that a manager got.
 struct Answer
 {
@@ -109,6 +48,11 @@ class Watch final : public host::BusFault
     void NoteStored() noexcept
     {
         is_stored_ = true;
+    }
+    /// @brief Memory or clock of a manager is wrong from now on: what counts are the devices. [SRS_CMG_082]
+    void NoteManagerHit() noexcept
+    {
+        is_manager_hit_ = true;
     }
     /// @brief The device has another serial number from now on.
     void NoteExchanged(const Slave& slave) noexcept
@@ -151,12 +95,6 @@ class Watch final : public host::BusFault
     void OnConfirmation(const host::FrameOnBus& sent, host::ReceptionList& receptions) override;
 
   private:
-    struct Output
-    {
-        bool is_open{false};
-        Nanoseconds closed{0};
-        Nanoseconds without_leave{0}; ///< Open outside of OPERATIONAL for so long.
-    };
     /// A frame that comes to a manager later than its end.
     struct Coming
     {
@@ -171,27 +109,27 @@ class Watch final : public host::BusFault
     void OnAnswer(const CanFrame& frame, const Slave& slave, Reading& reading, Nanoseconds now) const;
     void OnOwnFrame(const CanFrame& frame, host::NodeIndex sender);
     void OnCommand(const CanFrame& frame, host::NodeIndex sender);
-    void OnStart(const Slave& slave, host::NodeIndex sender);
-    void LookAtOutputs(Nanoseconds now);
-    void LookAtOutput(const Slave& slave, std::uint32_t slot, Nanoseconds now);
-    void LookAtValues(Nanoseconds now);
+    [[nodiscard]] Wrong WrongOfStart(const Slave& slave, host::NodeIndex sender);
+    void TellOf(const Slave& slave, Wrong wrong);
     void LookAtStates(Nanoseconds now);
     void LookAtMasters(Nanoseconds now);
-    void Draw();
+    [[nodiscard]] std::size_t ActiveManagers(Nanoseconds now);
     void Tell(Wrong wrong);
+    void TellIfAny(Wrong wrong);
 
     Stage& stage_;
     const Plan& plan_;
     const Reference* reference_{nullptr};
     Nanoseconds at_{0};
     bool is_stored_{false};
+    bool is_manager_hit_{false};
     const Slave* exchanged_{nullptr};
     Wrong wrong_{Wrong::kNothing};
     Limit limit_{Limit::kNothing};
     Nanoseconds found_at_{0};
+    Devices devices_;
     Picture picture_{};
     std::map<Key, Reading> readings_{};
-    std::map<Key, Output> outputs_{};      ///< By index of the device and slot.
     std::vector<bool> runs_;               ///< By slave: OPERATIONAL when it was last looked at.
     std::vector<Nanoseconds> started_;     ///< By slave: the last start of a manager that came to an end.
     std::vector<Nanoseconds> other_since_; ///< By slave: runs with another configuration; -1: it does not.
@@ -203,8 +141,6 @@ class Watch final : public host::BusFault
     std::map<host::NodeIndex, std::size_t> counts_{};
     std::vector<RecordedFrame> frames_{};
     Reference made_{};
-    Nanoseconds phase_{0}; ///< Greatest time between two frames of a producer.
-    Nanoseconds age_{0};   ///< Greatest age of data along the longest chain.
 };
 } // namespace counterpoint::campaign::managed
 

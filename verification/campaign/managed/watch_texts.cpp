@@ -18,10 +18,15 @@ constexpr std::array<const char*, 12U> kWrongTexts{
     "output open with data that are too old or nobody's",
     "a frame under a foreign identifier",
     "the program ended"};
-constexpr std::array<const char*, 5U> kLimitTexts{
-    "", "a safety configuration changed without a message, behind its last reading",
-    "a slave runs by a command that no manager gave to it then", "1300h was written by somebody else behind the start",
-    "between a slave with another configuration and the managers, or between these, there is no bus"};
+constexpr std::array<const char*, 7U> kLimitTexts{
+    "",
+    "a safety configuration changed without a message, behind its last reading",
+    "a slave runs by a command that no manager gave to it then",
+    "1300h was written by somebody else behind the start",
+    "between a slave with another configuration and the managers, or between these, there is no bus",
+    "a manager whose memory or clock is wrong broke a rule of its own; each safety slave is as it has to be",
+    "a manager whose memory or clock is wrong lets a safety slave with another configuration run; its own signature "
+    "(13FFh, 13FEh) keeps it from its SRDOs"};
 } // namespace
 
 const char* TextOf(const Wrong wrong)

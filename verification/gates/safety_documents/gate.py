@@ -21,6 +21,7 @@ MANUAL = "docs/safety_manual.md"
 LIMITS = "safety_core/kernel/limits.hpp"
 OTHER_LIMITS = ("cycle", "start", "none")
 CAMPAIGN = "verification/campaign/plan.cpp"
+MANAGED = "verification/campaign/managed/plan.cpp"
 VERIFIES = re.compile(rf"\breq::({UID.pattern})")
 CONFORMANCE = "verification/conformance/"
 CONFORMANCE_TESTS = ("ChannelAConformance.Case", "ChannelBConformance.Case")
@@ -87,6 +88,8 @@ class Names:
         self.limits = set(re.findall(r"\b(k\w+) =", listed.group(0)) if listed else []) - {"kInvalid"} | set(OTHER_LIMITS)
         self.rows = set(ROW.findall(read(root, MANUAL)) + ROW.findall(read(root, FMEA)))
         self.campaign = set(re.findall(r'\{"(\w+)", Part::', read(root, CAMPAIGN)))
+        if (root / MANAGED).is_file():
+            self.campaign |= set(re.findall(r'\{"(\w+)", Target::', read(root, MANAGED)))
         self.programs = {word for name in files(root, "CMakeLists.txt") for word in CTEST.findall(read(root, name))}
         self.verbs = set(re.findall(r"^help_(\w+)\(\)", read(root, "dev"), re.MULTILINE))
 

@@ -53,6 +53,10 @@ inline constexpr RequirementId SRS_CMG_074{"SRS_CMG_074"};
 inline constexpr RequirementId SRS_CMG_075{"SRS_CMG_075"};
 inline constexpr RequirementId SRS_CMG_076{"SRS_CMG_076"};
 inline constexpr RequirementId SRS_CMG_077{"SRS_CMG_077"};
+inline constexpr RequirementId SRS_CMG_080{"SRS_CMG_080"};
+inline constexpr RequirementId SRS_CMG_081{"SRS_CMG_081"};
+inline constexpr RequirementId SRS_CMG_082{"SRS_CMG_082"};
+inline constexpr RequirementId SRS_CMG_083{"SRS_CMG_083"};
 inline constexpr RequirementId SRS_CMG_120{"SRS_CMG_120"};
 } // namespace counterpoint::req
 
