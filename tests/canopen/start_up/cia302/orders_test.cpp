@@ -331,6 +331,26 @@ TEST_F(BootOrdersTest, ABootUpMessageInFrontOfTheQueuedResetEndsNoHold)
     EXPECT_NE(StateOf(5U), NodeState::kOperational);
 }
 
+TEST_F(BootOrdersTest, AStopThatOvertookTheBootUpMessageIsNotUndone)
+{
+    Verifies(req::SRS_BOOT_030);
+    Verifies(req::SRS_BOOT_033);
+    Add(5U, kMust);
+    Begin();
+    Run(100U);
+    EXPECT_EQ(Command(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
+    Run(10U);
+    // When the boot-up message is heard behind the stop that the slave obeyed, as its heartbeat says
+    ToManager(CanFrame{0x705U, FrameKind::kData, CanPortId::kFirst, 1U, {0U}});
+    Run(10U);
+    ToManager(CanFrame{0x705U, FrameKind::kData, CanPortId::kFirst, 1U, {4U}});
+    Run(5000U);
+    // Then it is asked, and not made PRE-OPERATIONAL for that
+    EXPECT_EQ(Sent(), (Lines{"82 00", "01 05", "02 05"}));
+    EXPECT_EQ(StateOf(5U), NodeState::kStopped);
+    EXPECT_EQ(Status(5U), "- 3 not started busy");
+}
+
 TEST_F(BootOrdersTest, ARestartOrALossOfTheSlaveEndsNoHold)
 {
     Verifies(req::SRS_BOOT_033);
