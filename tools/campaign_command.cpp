@@ -17,7 +17,7 @@ namespace
 {
 constexpr const char* kProgram = "counterpoint_campaign";
 
-/// `counterpoint campaign`: hands its command line to the program beside this one. [SRS_CMG_013]
+/// `counterpoint campaign`: hands its command line to the program beside this one. [SRS_CMG_013, SRS_CMG_120]
 class CampaignCommand final : public Command
 {
   public:

@@ -21,7 +21,8 @@ namespace counterpoint::tools
 /// `counterpoint node`: a device on a live bus. [SRS_NODE_001, SRS_NODE_002, SRS_NODE_003, SRS_NODE_004, SRS_NODE_005,
 /// SRS_NODE_006, SRS_NODE_007, SRS_NODE_008, SRS_NODE_009, SRS_NODE_010]
 [[nodiscard]] std::unique_ptr<Command> MakeNodeCommand();
-/// Runs a network manager on a live bus, or compares the network files of several. [SRS_MGR_004, SRS_MGR_009]
+/// Runs a network manager on a live bus, or compares the network files of several. [SRS_MGR_004, SRS_MGR_009,
+/// SRS_MGR_123]
 [[nodiscard]] std::unique_ptr<Command> MakeManagerCommand();
 /// counterpoint bus [NAME=]ADDRESS ... [--listen HOST:PORT] [--seconds N] [--json]
 [[nodiscard]] std::unique_ptr<Command> MakeBusCommand();

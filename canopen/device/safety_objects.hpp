@@ -10,7 +10,7 @@ namespace counterpoint::device
 
 /// The kernel's objects, reached by its facade. The kernel knows no other objects: where an SRDO mapping names an entry
 /// of the own table, the answer becomes not mappable (0604 0041h) instead of unknown (0602 0000h). The kernel is kept
-/// by reference. [SRS_DEV_001, SRS_DEV_017]
+/// by reference. [SRS_DEV_017, SRS_DEV_120]
 class SafetyObjects final : public cia301::ForeignObjects
 {
   public:

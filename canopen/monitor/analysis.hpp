@@ -60,7 +60,7 @@ class Analysis final : private BreachSink
     /// @brief No frame came until `now`: limits that have expired are told.
     void Advance(Time now);
     /// @brief Frames from now until the next call of Take or Advance are not seen: no frame is awaited any more.
-    /// [SRS_MON_018]
+    /// [SRS_MON_120]
     void Interrupt() noexcept;
 
     /// @brief Nothing follows: times without a valid pair that are longer than SCT by now are cycles, too.

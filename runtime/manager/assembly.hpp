@@ -63,8 +63,9 @@ class ManagerAssembly
     /// @brief Whether a slave was started, and the heartbeat that is expected of it has not come since.
     [[nodiscard]] bool IsUnheard(cia302::NodeId node) const noexcept;
     /// @brief Whether a slave runs, its start-up ended without a finding, and it told no fault of the device.
+    /// [SRS_MGR_131, SRS_MGR_132]
     [[nodiscard]] bool IsGood(cia302::NodeId node) const noexcept;
-    /// @brief Whether every mandatory slave is good, or waits for TxPDOs alone.
+    /// @brief Whether every mandatory slave is good, or waits for TxPDOs alone. [SRS_MGR_004]
     [[nodiscard]] bool HasStarted() const noexcept;
     /// @brief Tells the flying master and the EL6751 profile the state of the controller.
     void OnController(cia302::ControllerState state, Instant now) noexcept;

@@ -47,7 +47,7 @@ bool HasAllSub(const std::uint16_t index)
     return index == 0x1F25U || index == 0x1F82U || index == 0x1F83U;
 }
 
-/// An object as a person reads it: with its node, where the sub-index is one.
+/// An object as a person reads it: with its node, where the sub-index is one. [SRS_MGR_141]
 std::string NameOf(const ObjectAddress& object)
 {
     const bool is_of_nodes = std::any_of(std::begin(kArrays), std::end(kArrays),

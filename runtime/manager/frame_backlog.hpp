@@ -12,7 +12,7 @@ namespace counterpoint::runtime
 {
 /// Finds frames that have waited somewhere, on a connection that tells no times of reception: after a silence more
 /// frames come than a bus can carry, or more heartbeats of one node than it can send. Taken as new, they would look
-/// like two devices with one node-ID. [SRS_MGR_004]
+/// like two devices with one node-ID. [SRS_MGR_140]
 class FrameBacklog
 {
   public:

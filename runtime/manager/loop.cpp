@@ -37,7 +37,7 @@ void Catch(const int number)
 
 /// While it lives, SIGINT, SIGTERM and SIGHUP do not end the process by themselves (SIGHUP only where nohup does not
 /// ignore it). SIGPIPE is ignored for good: the reader of the output may end, and the network goes on. One object at a
-/// time. [SRS_MGR_004]
+/// time. [SRS_MGR_120, SRS_MGR_121]
 class CaughtSignals
 {
   public:
@@ -96,7 +96,7 @@ std::uint64_t ManagerLoop::NowUs() const
 }
 
 /// The manager's time never goes back, and never ahead of frames that wait to be read: after a pause of this process
-/// they are as far apart as they were on the bus. [SRS_MGR_004]
+/// they are as far apart as they were on the bus. [SRS_MGR_127]
 std::uint64_t ManagerLoop::StationUs()
 {
     station_us_ = is_behind_ ? station_us_ : std::max(station_us_, NowUs());
@@ -191,7 +191,7 @@ void ManagerLoop::Wait()
     has_typed_ = ready > 0 && places[1].revents != 0;
 }
 
-/// Boot-up messages and emergencies mean the same whenever they came: none of them is told a second time. [SRS_MGR_004]
+/// Boot-up messages and emergencies mean the same whenever they came: none of them is told a second time. [SRS_MGR_128]
 bool ManagerLoop::IsTimeless(const host::LiveFrame& frame)
 {
     const bool is_foreign = !frame.own && !frame.error && !frame.fd;

@@ -32,8 +32,8 @@ struct ManagerLoopSettings
 };
 
 /// Runs a live manager: frames, a cycle each millisecond, and orders, until it is told to stop. A lost connection is
-/// opened again by its bus; a second one would hear this manager as another device. [SRS_MGR_004,
-/// SRS_MGR_005, SRS_MGR_006, SRS_MGR_007]
+/// opened again by its bus; a second one would hear this manager as another device. [SRS_MGR_005,
+/// SRS_MGR_006, SRS_MGR_007, SRS_MGR_120, SRS_MGR_124, SRS_MGR_125, SRS_MGR_126, SRS_MGR_128, SRS_MGR_129]
 class ManagerLoop
 {
   public:

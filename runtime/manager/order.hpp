@@ -43,12 +43,13 @@ struct ManagerOrder
     std::string problem; ///< What is wrong and what was expected.
 };
 
-/// @brief Reads one line: status, start NODE|all, boot NODE, ... A line that is no order gives kProblem. [SRS_MGR_006]
+/// @brief Reads one line: status, start NODE|all, boot NODE, ... A line that is no order gives kProblem.
+/// [SRS_MGR_006, SRS_MGR_134]
 [[nodiscard]] ManagerOrder ParseManagerOrder(const std::string& line);
 /// @brief The help: all orders, a line each.
 [[nodiscard]] std::string ManagerOrderHelp();
 /// @brief Carries out a command, a boot, a writing or a negotiation. Answers "taken", or the reason why not.
-/// [SRS_MGR_006]
+/// [SRS_MGR_135, SRS_MGR_136]
 [[nodiscard]] std::string CarryOut(const ManagerOrder& order, ManagerAssembly& assembly, Instant now);
 } // namespace counterpoint::runtime
 

@@ -19,7 +19,8 @@ constexpr mode_t kOwnerAndGroup = 0660;
 
 /// A Unix socket on which programs send orders, a line each, and read the answers. Nothing blocks: a client that does
 /// not read its answers is disconnected, and a new client takes the place of the one that was silent longest.
-/// Its end removes the socket file that it made, and no other one. [SRS_MGR_006, SRS_MGR_061]
+/// Its end removes the socket file that it made, and no other one. [SRS_MGR_006, SRS_MGR_061,
+/// SRS_MGR_137, SRS_MGR_138]
 class ManagerSocket
 {
   public:

@@ -28,6 +28,8 @@ struct PeerMoment
 ///     kernel.Cycle(...);
 ///     peer.Compose({now, kernel.DeviceState().fault}, frame); wire.Send(frame);
 ///
+/// This CPU has one clock: it stamps frames and messages and is both halves of each InstantPair that the kernel is
+/// given, or moments of two clocks are compared and no pair is sent any more.
 /// Without the call of OnCrossLinkFault the device is as safe, and tells another cause. NMT states and configuration
 /// are given to both CPUs within the discrepancy time. On CPU A the application reads and writes the normal objects, on
 /// CPU B the inverse ones.

@@ -91,6 +91,10 @@ TEST_P(FaultOfAPartOrInput, EndsInTheSafeStateWithinTheLimit)
 constexpr KindCase kPartFaults[] = {
     {"counter A jumps forward", "fault: clock, node: actuator, counter: a, jump: 10 ms, at: 500 ms", "clock_supervisor",
      "  - {that: device_fault, node: actuator, is: clock}\n"},
+    {"counter A jumps back", "fault: clock, node: actuator, counter: a, jump: -10 ms, at: 500 ms", "clock_supervisor",
+     ""},
+    {"counter B jumps forward", "fault: clock, node: actuator, counter: b, jump: 10 ms, at: 500 ms", "clock_supervisor",
+     "  - {that: device_fault, node: actuator, is: clock}\n"},
     {"counter B jumps back", "fault: clock, node: actuator, counter: b, jump: -10 ms, at: 500 ms", "clock_supervisor",
      ""},
     {"both counters jump back", "fault: clock, node: actuator, counter: both, jump: -3 ms, at: 500 ms",

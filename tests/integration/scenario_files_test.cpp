@@ -58,6 +58,50 @@ TEST_P(ShippedScenario, HoldsInEveryExpectation)
     EXPECT_EQ(GetParam() == Examples() + "chain.yaml" ? std::string() : Failures(run), "");
 }
 
+TEST(Expectations, EachKindHoldsOrNotAndTellsWhatWasSeen)
+{
+    Verifies(req::SRS_SIM_030);
+    // Given three pairs that are lost from 500 ms on, and each expectation once as it is and once otherwise
+    const auto run = RunChain(R"(
+faults:
+  - {fault: loss, name: lost, frames: {sender: controller, receiver: actuator, from: 500 ms, count: 6}}
+expect:
+  - {that: released, node: actuator, srdo: 1, at: 499 ms}
+  - {that: released, node: actuator, srdo: 1, at: 560 ms}
+  - {that: safe, node: actuator, srdo: 1, at: 560 ms}
+  - {that: safe, node: actuator, srdo: 1, at: 499 ms}
+  - {that: value, node: actuator, object: 0x2200:01, is: 1, at: 499 ms}
+  - {that: value, node: actuator, object: 0x2200:01, is: 0, at: 499 ms}
+  - {that: cause, node: actuator, srdo: 1, is: sct}
+  - {that: cause, node: actuator, srdo: 1, is: srvt}
+  - {that: device_fault, node: actuator, is: none}
+  - {that: device_fault, node: actuator, is: clock}
+  - {that: detected_by, node: actuator, by: channels}
+  - {that: detected_by, node: actuator, by: comparator}
+  - {that: safe_within, node: actuator, srdo: 1}
+  - {that: no_fault}
+)");
+    std::string told;
+    for (const ExpectationVerdict& verdict : run->Verdicts())
+    {
+        told += std::string(verdict.holds ? "holds " : "FAILS ") + verdict.wanted + ": " + verdict.seen + "\n";
+    }
+    EXPECT_EQ(told, "holds actuator SRDO 1 released at 499 ms: released\n"
+                    "FAILS actuator SRDO 1 released at 560 ms: safe\n"
+                    "holds actuator SRDO 1 safe at 560 ms: safe\n"
+                    "FAILS actuator SRDO 1 safe at 499 ms: released\n"
+                    "holds actuator 0x2200:01 is 1 at 499 ms: 1\n"
+                    "FAILS actuator 0x2200:01 is 0 at 499 ms: 1\n"
+                    "holds actuator SRDO 1 cause sct: sct\n"
+                    "FAILS actuator SRDO 1 cause srvt: sct\n"
+                    "holds actuator device fault none: none\n"
+                    "FAILS actuator device fault clock: none\n"
+                    "holds detected at actuator by channels: channels (sct)\n"
+                    "FAILS detected at actuator by comparator: channels (sct)\n"
+                    "holds actuator SRDO 1 safe within 53 ms after 'lost' (limit: bus): 51.192 ms\n"
+                    "FAILS no fault: actuator sct at 536.807 ms\n");
+}
+
 std::string NameOf(const ::testing::TestParamInfo<std::string>& info)
 {
     const std::string file = std::filesystem::path(info.param).filename().string();

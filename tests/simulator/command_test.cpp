@@ -274,6 +274,15 @@ TEST(DemoCommand, ShowsEveryRunWithItsLimitAndWritesThePage)
     // Then every row is in time, the page is there and is named, and nobody had to wait
     EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
     EXPECT_NE(answer.out.find("30 of 30 runs as expected"), std::string::npos) << answer.out;
+    // Who found it, the cause, limit and time, of the frames on the bus, of a channel and of one that ends itself
+    for (const char* const row :
+         {"Run                                      Limit        Time  Detected by      Cause               Verdict\n",
+          "Loss of three pairs                      53 ms   51.192 ms  channels         sct                 in time\n",
+          "Channel A frozen                          8 ms        1 ms  comparator       disagreement        in time\n",
+          "Channel B hangs                           8 ms      1.5 ms  watchdog         wrong or no answer  in time\n"})
+    {
+        EXPECT_NE(answer.out.find(std::string("\n") + row), std::string::npos) << row << answer.out;
+    }
     EXPECT_NE(answer.out.find("Timing diagrams: " + folder + "/index.html"), std::string::npos) << answer.out;
     EXPECT_TRUE(std::filesystem::exists(folder + "/index.html"));
     EXPECT_LT(seconds, 10.0);

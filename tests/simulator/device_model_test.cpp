@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/device/model.hpp"
 #include "runtime/device/owned_channel.hpp"
+#include "runtime/device/pair_logic.hpp"
 #include "tests/integration/scenario_run.hpp"
 #include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
@@ -82,6 +83,49 @@ TEST(DeviceModel, LeavesDummiesOutOfItsPairs)
     EXPECT_EQ(model.Pairs()[1].first_bit, 26U);
     EXPECT_EQ(model.Pairs()[2].first_bit, 56U);
     EXPECT_EQ(model.Objects()[1].length_bits, 6U);
+}
+
+TEST(PairLogic, AConsumerUsesWhatIsInverseAndOpenAndTheSafeValueElse)
+{
+    Verifies(req::SRS_SIM_006);
+    // Given the controller, which receives 2200h:01 (safe value 0) by SRDO 1
+    const runtime::DeviceModel model(Examples() + "controller.dcf", std::nullopt);
+    runtime::PairLogic logic(model, runtime::Half::kBoth);
+    const runtime::PairValue* const pair = logic.Find({0x2200U, 1U});
+    ASSERT_NE(pair, nullptr);
+    ASSERT_TRUE(pair->is_consumer);
+    const auto taken = [&logic, pair](const std::uint64_t normal, const std::uint64_t inverse, const SrdoMask open)
+    {
+        WriteVariable(pair->normal_place, VariableValue{normal});
+        WriteVariable(pair->inverse_place, VariableValue{inverse});
+        logic.Take(open, [](const runtime::PairValue&) {});
+        return pair->normal;
+    };
+    EXPECT_EQ(taken(0x5AU, 0xA5U, 1U), 0x5AU);
+    // When its output is closed, or only another one is open, then it is not used
+    EXPECT_EQ(taken(0x5AU, 0xA5U, 0U), 0U);
+    EXPECT_EQ(taken(0x5AU, 0xA5U, 2U), 0U);
+    // Nor when one bit of either object is not inverse
+    EXPECT_EQ(taken(0x5AU, 0xA4U, 1U), 0U);
+    EXPECT_EQ(taken(0x5BU, 0xA5U, 1U), 0U);
+    EXPECT_EQ(taken(0x5BU, 0xA4U, 1U), 0x5BU);
+}
+
+TEST(PairLogic, AProducerComputesItsInverseObjectByAnotherPath)
+{
+    Verifies(req::SRS_SIM_006);
+    const runtime::DeviceModel model(Examples() + "sensor.dcf", std::nullopt);
+    runtime::PairLogic logic(model, runtime::Half::kBoth);
+    logic.SetInput({0x2000U, 1U}, 0x15AU);
+    const runtime::PairValue* const pair = logic.Find({0x2000U, 1U});
+    ASSERT_NE(pair, nullptr);
+    EXPECT_EQ(pair->normal, 0x5AU);
+    EXPECT_EQ(pair->inverse, 0xA5U);
+    // A fault of that path is one of the inverse object alone
+    logic.Disturb({0x2000U, 1U}, 0x01U);
+    logic.Write(*pair);
+    EXPECT_EQ(ReadVariable(pair->normal_place).bits, 0x5AU);
+    EXPECT_EQ(ReadVariable(pair->inverse_place).bits, 0xA4U);
 }
 
 TEST(FindConfigBit, NamesTheBitThatHoldsAValueInEitherChannel)

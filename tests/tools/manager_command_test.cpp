@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // The command manager, and networks in simulated time.
 #include "canopen/cia306/text/input_error.hpp"
+#include "hal/host/live/bus.hpp"
+#include "hal/host/live/poll.hpp"
 #include "runtime/manager/order.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
@@ -13,8 +15,16 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <map>
+#include <memory>
 #include <sstream>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <thread>
+#include <unistd.h>
 
 namespace counterpoint::tools
 {
@@ -253,6 +263,77 @@ TEST_F(ManagerCommandTest, WithoutItsSlavesTheManagerEndsWith1)
     EXPECT_GE(count, 3U);
 }
 
+/// What one answers at the socket; "" while nobody listens there.
+std::string AnswerAt(const std::string& path, const std::string& order)
+{
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    std::copy(path.begin(), path.end(), address.sun_path);
+    const host::LiveFile client(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    std::string answer;
+    if (::connect(client.Get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0 &&
+        ::send(client.Get(), order.data(), order.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(order.size()))
+    {
+        char text[4096] = {};
+        const ssize_t count = ::recv(client.Get(), text, sizeof(text), 0);
+        answer.assign(text, static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    }
+    return answer;
+}
+
+TEST_F(ManagerCommandTest, WithItsSlavesTheManagerEndsWith0)
+{
+    Verifies(req::SRS_MGR_004);
+    Verifies(req::SRS_MGR_005);
+    const std::string bus = "udp:239.74.163.91:" + std::to_string(20000 + ::getpid() % 40000);
+    const std::string file = File("net.yaml", "manager: {node: 127}\nslaves: [{node: 5, name: Pump, boot: false}]\n");
+    // Given a mandatory slave that says that it runs, until the manager shows it so, which is then told to quit
+    std::string shown;
+    std::thread person(
+        [this, &bus, &shown]
+        {
+            const std::unique_ptr<host::LiveBus> own = host::OpenLiveBus(bus);
+            host::LiveFrame beat;
+            beat.identifier = 0x705U;
+            beat.length_bytes = 1U;
+            beat.data[0] = 0x05U;
+            for (int turn = 0; turn < 60000 && shown.find("Pump                  operational") == std::string::npos;
+                 ++turn)
+            {
+                static_cast<void>(own->Send(beat));
+                shown = AnswerAt(Path("m.sock"), "status\n");
+                std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            }
+            EXPECT_EQ(AnswerAt(Path("m.sock"), "quit\n"), "taken\n");
+        });
+    const Answer answer = RunCommand(
+        {"manager", "--can", bus, "--network", file, "--no-input", "--socket", Path("m.sock"), "--for", "600"});
+    person.join();
+    EXPECT_EQ(answer.status, 0) << answer.err;
+    EXPECT_NE(answer.out.find("\n5     Pump                  operational      "), std::string::npos) << answer.out;
+    EXPECT_NE(shown.find("\n5     Pump                  operational      "), std::string::npos) << shown;
+}
+
+TEST_F(ManagerCommandTest, ALogThatEndsEarlyIsExitStatus2)
+{
+    Verifies(req::SRS_MGR_124);
+    // Given files of at most 100 bytes
+    const std::string file = File("net.yaml", "manager: {node: 127}\nslaves: [{node: 5, mandatory: false}]\n");
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    const auto on_limit = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit few{100U, before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &few), 0);
+    const Answer answer = RunCommand({"manager", "--can", "udp:239.74.163.91:43191", "--network", file, "--for", "1",
+                                      "--no-input", "--log", Path("log.jsonl")});
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+    static_cast<void>(std::signal(SIGXFSZ, on_limit));
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_EQ(answer.err, Path("log.jsonl") + ": error: the event log could not be written to its end, expected a file "
+                                              "system with room\n");
+    EXPECT_NE(answer.out.find("the event log cannot be written any more\n"), std::string::npos) << answer.out;
+}
+
 TEST_F(ManagerCommandTest, WhatCannotBeUsedEndsWith2)
 {
     Verifies(req::SRS_MGR_004);
@@ -271,7 +352,7 @@ TEST_F(ManagerCommandTest, WhatCannotBeUsedEndsWith2)
 
 TEST_F(ManagerCommandTest, AnOutputWithoutANameIsRefused)
 {
-    Verifies(req::SRS_MGR_004);
+    Verifies(req::SRS_MGR_123);
     for (const char* const option : {"--log", "--html", "--socket"})
     {
         const Answer answer = RunCommand({"manager", "--can", "udp:239.74.163.91:43191", "--network",
@@ -289,7 +370,7 @@ TEST_F(ManagerCommandTest, AnOutputWithoutANameIsRefused)
 
 TEST_F(ManagerCommandTest, ACheckRunsNothingAndTakesNoOptionOfARun)
 {
-    Verifies(req::SRS_MGR_004);
+    Verifies(req::SRS_MGR_009);
     const std::vector<std::string> check{"manager", "--check", NetworkFile("master_2.yaml"),
                                          NetworkFile("master_5.yaml")};
     for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
@@ -329,7 +410,7 @@ TEST_F(ManagerCommandTest, TheHelpTellsTheOrders)
 
 TEST_F(ManagerCommandTest, NoOutputReplacesWhatIsReadOrAnotherOne)
 {
-    Verifies(req::SRS_MGR_004);
+    Verifies(req::SRS_MGR_123);
     // Given a network file, its DCF and a scenario of them
     const std::string dcf_text = cia306::ReadTextFile(NetworkFile("slave.dcf"));
     const std::string dcf = File("k.dcf", dcf_text);
@@ -367,6 +448,8 @@ TEST_F(ManagerCommandTest, NoOutputReplacesWhatIsReadOrAnotherOne)
 TEST_F(ManagerCommandTest, OrdersAreReadStrictly)
 {
     Verifies(req::SRS_MGR_006);
+    Verifies(req::SRS_MGR_134);
+    Verifies(req::SRS_MGR_135);
     EXPECT_EQ(runtime::ParseManagerOrder("start 33").command, cia302::NmtCommand::kStart);
     EXPECT_EQ(runtime::ParseManagerOrder("start 33").node, 33U);
     EXPECT_EQ(runtime::ParseManagerOrder("reset-comm all").node, 0U);

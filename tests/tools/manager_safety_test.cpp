@@ -154,7 +154,7 @@ TEST_F(ManagerSafetyTest, BehindAStopOfAllTheWrittenSlaveWaitsForAnOrder)
 TEST_F(ManagerSafetyTest, NoOrderStartsOrWritesAnotherDevice)
 {
     Verifies(req::SRS_SFS_009);
-    Verifies(req::SRS_MGR_006);
+    Verifies(req::SRS_MGR_136);
     const std::string dcf = cia306::test::SourceFolder() + "/examples/emergency_stop/actuator.dcf";
     for (const char* const profile : {"cia302", "el6751", "plc_designer"})
     {

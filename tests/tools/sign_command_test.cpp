@@ -224,6 +224,7 @@ TEST_F(SignCommandTest, WritesNothingWhenItRefuses)
 {
     Verifies(req::SRS_CLI_005);
     Verifies(req::SRS_CLI_006);
+    Verifies(req::SRS_CLI_120);
     const std::string file =
         File("in.dcf", cia306::test::Changed(cia306::test::ExampleText("sensor"), {{"[13FFsub1]", "[Gone]"}}));
     const Answer answer = RunCommand({"sign", file, "--write", Path("out.dcf")});

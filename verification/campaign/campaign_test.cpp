@@ -1,7 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Plans, samples, shards, reports, and the planted defects that a campaign has to find.
 #include "verification/campaign/campaign_rig.hpp"
-#include "verification/campaign/progress.hpp"
 #include "verification/campaign/statistics.hpp"
 
 #include <csignal>
@@ -564,34 +563,6 @@ TEST_F(PlanTest, PinsAreHitWhereTheyAreTheOutput)
     EXPECT_NE(pins.out.find("found first by: pins 32\n"), std::string::npos) << pins.out;
     // and a device with the gate alone has none
     EXPECT_EQ(Campaign({PlanFile("gate.yaml", "actuator", lines)}).status, 2);
-}
-
-TEST(ProgressTest, TellsPartRateAndTimeLeft)
-{
-    Verifies(req::SRS_CMG_012);
-    // 300 000 of a million after 100 s, of which 100 000 were there before
-    EXPECT_EQ(ProgressText(300000U, 1000000U, 100000U, 100.0),
-              "campaign 30.0 %, 2000 experiments a second, 350 s left");
-    std::ostringstream no_terminal;
-    {
-        Progress progress(no_terminal, 10U, 0U);
-        progress.Show(5U);
-    }
-    EXPECT_EQ(no_terminal.str(), "");
-}
-
-TEST_F(PlanTest, CommandHandsOverToTheProgramBesideIt)
-{
-    Verifies(req::SRS_CMG_013);
-    const std::string plan = PlanFile("plan.yaml", "actuator", kQuick);
-    const auto status_of = [](const std::string& line)
-    { return WEXITSTATUS(std::system((line + " > /dev/null 2>&1").c_str())); };
-    const std::string program = COUNTERPOINT_PROGRAM;
-    EXPECT_EQ(status_of(program + " campaign " + plan + " --jobs 1"), 0);
-    EXPECT_EQ(status_of(program + " campaign " + Path("none.yaml")), 2);
-    // Alone in a folder
-    std::filesystem::copy_file(program, Path("counterpoint"));
-    EXPECT_EQ(status_of(Path("counterpoint") + " campaign " + plan), 2);
 }
 } // namespace
 } // namespace counterpoint::campaign::test

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <iostream>
 #include <unistd.h>
+#include <utility>
 
 namespace counterpoint::campaign
 {
@@ -27,8 +28,8 @@ std::string ProgressText(const std::uint64_t done, const std::uint64_t total, co
     return text;
 }
 
-Progress::Progress(std::ostream& err, const std::uint64_t total, const std::uint64_t at_begin)
-    : err_(err), total_(total), at_begin_(at_begin), start_(std::chrono::steady_clock::now()), last_(start_),
+Progress::Progress(std::ostream& err, const std::uint64_t total, const std::uint64_t at_begin, Clock clock)
+    : err_(err), total_(total), at_begin_(at_begin), clock_(std::move(clock)), start_(clock_()), last_(start_),
       is_terminal_(&err == &std::cerr && isatty(STDERR_FILENO) == 1)
 {
 }
@@ -43,7 +44,7 @@ Progress::~Progress()
 
 void Progress::Show(const std::uint64_t done)
 {
-    const auto now = std::chrono::steady_clock::now();
+    const auto now = clock_();
     if (!is_terminal_ || now - start_ < kPatience || now - last_ < kPause)
     {
         return;

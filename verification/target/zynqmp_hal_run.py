@@ -11,9 +11,10 @@ PROGRAMS = BUILD / "verification/target/zynqmp/hal"
 # Image -> verdicts that it has to tell, and what they show.
 DRIVERS = ("zynqmp_drivers", 120, ("SRS_ZYN_041", "SRS_ZYN_044", "SRS_ZYN_045", "SRS_ZYN_046", "SRS_ZYN_047", "SRS_ZYN_048", "SRS_ZYN_049", "SRS_ZYN_050",
                                    "SRS_ZYN_052", "SRS_ZYN_054", "SRS_ZYN_055", "SRS_ZYN_056", "SRS_ZYN_060", "SRS_ZYN_062", "SRS_ZYN_066", "SRS_ZYN_067"))
-DEVICES = {"sensor": 16, "actuator": 34, "own_device": 19, "own_device_two_controllers": 19}
+DEVICES = {"sensor": 16, "actuator": 34, "standing_time": 10, "own_device": 19, "own_device_two_controllers": 19}
+BOARD_IMAGES = ("sensor", "actuator", "own_device", "own_device_two_controllers")
 DEVICE_IDS = ("SRS_ZYN_067", "SRS_ZYN_068", "SRS_ZYN_069", "SRS_ZYN_070")
-IMAGES = [DRIVERS[0], *(f"zynqmp_emulated_{device}" for device in DEVICES), *(f"zynqmp_{device}" for device in DEVICES)]
+IMAGES = [DRIVERS[0], *(f"zynqmp_emulated_{device}" for device in DEVICES), *(f"zynqmp_{device}" for device in BOARD_IMAGES)]
 # Identifiers of the normal and inverse frames that a device sends, and how many pairs at least.
 SENT = {"sensor": ((0x101, 0x102, 9),), "own_device": ((0x121, 0x122, 4), (0x123, 0x124, 4)),
         "own_device_two_controllers": ((0x121, 0x122, 4), (0x123, 0x124, 4))}

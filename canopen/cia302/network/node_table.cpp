@@ -329,7 +329,8 @@ void NodeTable::HearState(const NodeId node, NodeRecord& record, const std::uint
     }
 }
 
-/// An answer was lost, or the slave does not toggle: either way the bit to come is the other one than this.
+/// Of a node that was asked. An answer was lost, or the slave does not toggle: either way the bit to come is the other
+/// one than this.
 bool NodeTable::TakeToggle(const NodeId node, NodeRecord& record, const bool is_set, const Instant now) noexcept
 {
     const Toggle heard = is_set ? Toggle::kSet : Toggle::kClear;
@@ -339,7 +340,7 @@ bool NodeTable::TakeToggle(const NodeId node, NodeRecord& record, const bool is_
     record.untoggled = has_changed ? std::uint8_t{0U} : record.untoggled;
     record.toggle = is_set ? Toggle::kClear : Toggle::kSet;
     record.is_toggle_wrong = !is_right;
-    record.is_asked = record.is_asked && !is_right;
+    record.is_asked = !is_right;
     if (is_news)
     {
         parts_.listener.OnNodeEvent(node, NodeEvent::kToggleError, now);

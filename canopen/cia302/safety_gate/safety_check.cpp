@@ -32,11 +32,11 @@ bool IsSignature(const ObjectAddress& address) noexcept
     return (address.index == kSignatures) && (address.sub > 0U);
 }
 
-/// An SRDO that is off may have none; 0 is refused where it is written, and read back where it is.
+/// Of a setting. An SRDO that is off may have none; 0 is refused where it is written, and read back where it is.
 bool IsNoIdentifier(const ExpectedObject& object) noexcept
 {
     constexpr std::uint8_t kFirstIdentifierSub = 5U;
-    return IsSettings(object.address) && (object.address.sub >= kFirstIdentifierSub) && (object.value == 0U);
+    return (object.address.sub >= kFirstIdentifierSub) && (object.value == 0U);
 }
 
 std::uint8_t SizeOfSetting(const std::uint8_t sub) noexcept

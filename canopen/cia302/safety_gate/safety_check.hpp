@@ -105,7 +105,7 @@ class SafetyCheck
     /// @brief Whether an SDO of this check is under way; if the check is given up, this SDO has to be cancelled.
     [[nodiscard]] bool HasTransfer() const noexcept
     {
-        return has_begun_ && (state_ == CheckState::kBusy);
+        return has_begun_; // Begin and End reset it.
     }
 
   private:

@@ -29,7 +29,8 @@ struct SafetySlots
 /// Lets a safety slave be started only after all its safety objects were read and found as expected, since it last
 /// booted up, was reset or was lost. A slave for which there is no slot is never let through, nor is one in doubt:
 /// State is kFailed, Finding names object 0000h and kGeneral. Slaves are verified independently of each other. Not
-/// reentrant. [SRS_SFS_001, SRS_SFS_002, SRS_SFS_003, SRS_SFS_004, SRS_SFS_005, SRS_SFS_006, SRS_SFS_007, SRS_SFS_008]
+/// reentrant. [SRS_SFS_001, SRS_SFS_002, SRS_SFS_003, SRS_SFS_004, SRS_SFS_005, SRS_SFS_006, SRS_SFS_007, SRS_SFS_008,
+/// SRS_SFS_120]
 class SafetyGate final : public StartGate
 {
   public:

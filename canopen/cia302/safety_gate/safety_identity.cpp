@@ -48,7 +48,8 @@ IdentityRow IdentityRowOf(const SlaveSetup& slave, const IdentityRule rule, cons
                                                    slave.revision_number, slave.serial_number};
     constexpr std::uint16_t kDeviceType = 0x1000U;
     constexpr std::uint16_t kIdentity = 0x1018U;
-    IdentityRow found{{(row == kTypeRow) ? kDeviceType : kIdentity, row}, 0U, 0U};
+    const std::uint16_t index = (row == kTypeRow) ? kDeviceType : kIdentity;
+    IdentityRow found{{index, row}, 0U, 0U};
     if (row < kIdentityRows)
     {
         found.expected = expected[row];

@@ -29,7 +29,7 @@ struct Number
 [[nodiscard]] std::optional<std::uint64_t> ParseUnsigned(std::string_view text, std::uint64_t max);
 
 /// As ParseUnsigned, of what a person types: decimal, or hexadecimal after 0x. A leading zero is refused, since it is
-/// octal in files and nobody who types it means that. [SRS_MGR_006, SRS_NODE_003]
+/// octal in files and nobody who types it means that. [SRS_MGR_134, SRS_NODE_003]
 [[nodiscard]] std::optional<std::uint64_t> ParseTyped(std::string_view text, std::uint64_t max);
 
 /// A number, or $NODEID and a number in either order. [SRS_EDS_007]

@@ -19,7 +19,8 @@ constexpr std::size_t kMaxFileBytes = 16U * 1024U * 1024U;
 void RequireWritable(const std::string& path);
 
 /// Replaces or creates the file in one step (a new file beside it, then a rename); an existing file keeps its
-/// permissions and its owner, a link stays one, also where nothing is behind it. Throws InputError. [SRS_CLI_035]
+/// permissions and its owner, a link stays one, also where nothing is behind it. Throws InputError.
+/// [SRS_CLI_035, SRS_CLI_120]
 void WriteTextFile(const std::string& path, std::string_view text);
 } // namespace counterpoint::cia306
 

@@ -260,7 +260,8 @@ bool Cia302StartUp::IsMasterOperational() const noexcept
     return master_.IsOperational();
 }
 
-/// It is verified anew and started in the next cycle, unless it boots anew. [SRS_BOOT_014]
+/// It is verified anew and started in the next cycle, unless it boots anew. [SRS_BOOT_014, SRS_NMM_121,
+/// SRS_NMM_122]
 void Cia302StartUp::OnStartDropped(const NodeId node, const Instant /*now*/) noexcept
 {
     BootRecord& record = boot_.Record(node);
@@ -324,7 +325,7 @@ NmtAnswer Cia302StartUp::CommandAll(const NmtCommand command, const BootTime& ti
         answer = parts_.nmt.Request(command, kAllNodes, time.now);
         for (std::uint8_t id = 1U; (answer == NmtAnswer::kTaken) && (id <= kLastNode); ++id)
         {
-            // Who was never there heard nothing of it.
+            // Who was never there heard nothing of it. [SRS_MGR_122]
             BootRecord& record = boot_.Record(NodeId{id});
             record.status.is_started = is_start && record.is_booted;
             record.is_start_owed = false;

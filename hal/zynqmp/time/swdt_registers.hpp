@@ -18,6 +18,7 @@ inline constexpr std::uint32_t kControl = 0x04U; ///< CCR
 inline constexpr std::uint32_t kRestart = 0x08U;
 inline constexpr std::uint32_t kStatus = 0x0CU;
 
+inline constexpr std::uint32_t kHasEnded = 1U << 0U; ///< Of kStatus: WDZ.
 inline constexpr std::uint32_t kOn = 1U << 0U;
 inline constexpr std::uint32_t kResets = 1U << 1U;
 inline constexpr std::uint32_t kModeMask = 0x7U;

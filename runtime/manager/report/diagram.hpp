@@ -65,7 +65,7 @@ class ManagerDiagram
 
 class ManagerStation;
 
-/// @brief Results and diagram as a part of a page; the page has DiagramStyle once.
+/// @brief Results and diagram as a part of a page; the page has DiagramStyle once. [SRS_MGR_139, SRS_MGR_142]
 [[nodiscard]] std::string DiagramSection(const ManagerStation& station);
 /// @brief The style sheet of such parts.
 [[nodiscard]] std::string DiagramStyle();

@@ -29,10 +29,10 @@ struct StatusRow
     bool is_good{false};
 };
 
-/// @brief A row for each slave, by node-ID. [SRS_MGR_005]
+/// @brief A row for each slave, by node-ID. [SRS_MGR_005, SRS_MGR_133]
 [[nodiscard]] std::vector<StatusRow> StatusRows(const ManagerStation& station, std::uint64_t now_us);
 /// @brief Nodes that were heard and are not in the network list: a text such as "not in the network list (A): node 55
-/// operational"; empty when there is none.
+/// operational"; empty when there is none. [SRS_MGR_130]
 [[nodiscard]] std::string UnlistedText(const ManagerStation& station, std::uint64_t now_us);
 /// @brief Manager, slaves and process data as a table of text, with a line end.
 [[nodiscard]] std::string StatusTable(const ManagerStation& station, std::uint64_t now_us);

@@ -407,5 +407,78 @@ TEST(WideNumbers, TypesOf24To56BitsHaveSignAndLimits)
     }
 }
 
+TEST_F(DictionaryTest, TheKernelsIndicesAreNotTheTables)
+{
+    Verifies(req::SRS_OBD_008);
+    Verifies(req::SRS_OBD_001);
+    // Given a table that is not usable, since it has an object of the kernel
+    Entry mine[2] = {entries[1], entries[1]};
+    mine[0].index = 0x1301U;
+    mine[1].index = 0x1400U;
+    EXPECT_FALSE(IsUsable(EntryTable{mine, 2U}));
+    EXPECT_TRUE(IsUsable(EntryTable{&mine[1], 1U}));
+    Dictionary own{EntryTable{mine, 2U}, foreign};
+    // Then the word of the kernel, which has none, still counts; of other indices that of the table
+    EXPECT_EQ(own.Read({0x1301U, 2U}, {room.data(), 16U}).abort, SdoAbort::kObjectUnknown);
+    EXPECT_EQ(own.Read({0x1400U, 2U}, {room.data(), 16U}).abort, SdoAbort::kSubUnknown);
+}
+
+TEST_F(DictionaryTest, AnAccessThatIsNoneGivesNone)
+{
+    Verifies(req::SRS_OBD_003);
+    for (const std::uint8_t access : {std::uint8_t{0U}, std::uint8_t{5U}, std::uint8_t{0xFFU}})
+    {
+        Entry one = entries[2];
+        one.access = static_cast<Access>(access);
+        Dictionary own{EntryTable{&one, 1U}, foreign};
+        own.SetNmtState(NmtState::kPreOperational);
+        EXPECT_EQ(own.Read({0x2000U, 3U}, {room.data(), 16U}).abort, SdoAbort::kUnsupportedAccess);
+        EXPECT_EQ(own.Write({0x2000U, 3U}, {room.data(), 4U}), SdoAbort::kUnsupportedAccess);
+    }
+}
+
+TEST_F(DictionaryTest, NumbersOfEightBytesAndWhatIsLonger)
+{
+    Verifies(req::SRS_OBD_010);
+    std::array<std::uint8_t, 9> bytes{0xFEU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 1U};
+    Entry table[2] = {entries[2], entries[2]};
+    table[0].type = DataType::kInteger64;
+    table[0].size_bytes = 8U;
+    table[0].place = bytes.data();
+    table[1] = table[0];
+    table[1].sub = 4U;
+    table[1].type = DataType::kDomain;
+    table[1].size_bytes = 9U;
+    Dictionary own{EntryTable{table, 2U}, foreign};
+    EXPECT_EQ(own.ReadNumber({0x2000U, 3U}).abort, SdoAbort::kNone);
+    EXPECT_EQ(own.ReadNumber({0x2000U, 3U}).value, 0xFFFF'FFFF'FFFF'FFFEU);
+    EXPECT_EQ(own.ReadNumber({0x2000U, 4U}).abort, SdoAbort::kLengthMismatch);
+}
+
+TEST_F(DictionaryTest, AHookWithoutASecondAnswerOfItsOwnIsAskedAsTheFirstTime)
+{
+    Verifies(req::SRS_OBD_015);
+    hook.answer = SdoAbort::kPending;
+    EXPECT_EQ(dictionary.WriteNumber({0x2007U, 0U}, 7U, 1U), SdoAbort::kPending);
+    hook.answer = SdoAbort::kNone;
+    hook.written.clear();
+    EXPECT_EQ(dictionary.WriteNumberAgain({0x2007U, 0U}, 7U, 1U), SdoAbort::kNone);
+    EXPECT_EQ(hook.written, (std::vector<std::uint8_t>{7U}));
+}
+
+TEST_F(DictionaryTest, AHookHasAnObjectUnlessItKnowsNeitherIndexNorSubIndex)
+{
+    Verifies(req::SRS_OBD_007);
+    const std::pair<SdoAbort, bool> cases[] = {{SdoAbort::kNone, true},
+                                               {SdoAbort::kDeviceState, true},
+                                               {SdoAbort::kSubUnknown, false},
+                                               {SdoAbort::kObjectUnknown, false}};
+    for (const auto& [answer, has_it] : cases)
+    {
+        hook.answer = answer;
+        EXPECT_EQ(HasObject(hook, {0x2007U, 0U}), has_it) << static_cast<std::uint32_t>(answer);
+    }
+}
+
 } // namespace
 } // namespace counterpoint::cia301

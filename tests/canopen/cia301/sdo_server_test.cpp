@@ -224,5 +224,59 @@ TEST_F(SdoServerTest, TheOwnerClosesARunningTransfer)
     EXPECT_TRUE(Plain(server.Close(SdoAbort::kDeviceState)).empty());
 }
 
+TEST_F(SdoServerTest, ABlockSizeOfItsOwnIsAtMostTheGreatestOne)
+{
+    Verifies(req::SRS_SDO_006);
+    const std::pair<std::uint8_t, std::uint8_t> sizes[] = {{std::uint8_t{0U}, std::uint8_t{127U}},
+                                                           {std::uint8_t{1U}, std::uint8_t{1U}},
+                                                           {std::uint8_t{127U}, std::uint8_t{127U}},
+                                                           {std::uint8_t{128U}, std::uint8_t{127U}}};
+    for (const auto& [own, told] : sizes)
+    {
+        SdoServer other{SdoServerParts{dictionary, Room{buffer.data(), 1000U}, 1000U, own}};
+        const SdoFrame request{{0xC6U, 0x03U, 0x21U, 0U, 20U, 0U, 0U, 0U}};
+        const Octets answer = Plain(other.OnFrame(request, 8U, Instant{now_us}));
+        ASSERT_EQ(answer.size(), 8U);
+        EXPECT_EQ(answer[0], 0xA4U);
+        EXPECT_EQ(answer[4], told) << int{own};
+    }
+}
+
+TEST_F(SdoServerTest, WhatIsNotTheEndOfABlockUploadIsNone)
+{
+    Verifies(req::SRS_SDO_012);
+    domain_length = 7U;
+    EXPECT_EQ(Send({0xA4U, 0x03U, 0x21U, 0U, 4U})[0], 0xC6U);
+    EXPECT_EQ(Send({0xA3U})[0], 0x81U);
+    EXPECT_EQ(Send({0xA2U, 1U, 4U})[0], 0xC1U);
+    EXPECT_EQ(Send({0xA2U, 1U, 4U}), AbortOf(0x2103U, 0U, 0x05040001U)); // Acknowledged already.
+}
+
+TEST_F(SdoServerTest, AWriteThatIsDelayedHasToFitTheBuffer)
+{
+    Verifies(req::SRS_SDO_013);
+    class Later final : public WriteHook
+    {
+      public:
+        [[nodiscard]] SdoAbort OnWrite(const ObjectAddress&, const Bytes&) noexcept override
+        {
+            return SdoAbort::kPending;
+        }
+    };
+    Later later{};
+    Entry entry = entries[0];
+    entry.access = Access::kReadWrite;
+    entry.write_hook = &later;
+    Dictionary own{EntryTable{&entry, 1U}, foreign};
+    own.SetNmtState(NmtState::kPreOperational);
+    const SdoFrame request{{0x23U, 0x00U, 0x10U, 0U, 1U, 2U, 3U, 4U}};
+    SdoServer small{SdoServerParts{own, Room{buffer.data(), 3U}, 1000U, 4U}};
+    EXPECT_EQ(Plain(small.OnFrame(request, 8U, Instant{now_us})), AbortOf(0x1000U, 0U, 0x05040005U));
+    EXPECT_FALSE(small.IsBusy());
+    SdoServer fitting{SdoServerParts{own, Room{buffer.data(), 4U}, 1000U, 4U}};
+    EXPECT_TRUE(Plain(fitting.OnFrame(request, 8U, Instant{now_us})).empty());
+    EXPECT_TRUE(fitting.IsBusy());
+}
+
 } // namespace
 } // namespace counterpoint::cia301

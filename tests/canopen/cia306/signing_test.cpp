@@ -77,6 +77,34 @@ TEST(Signing, ACompactSignatureObjectGetsASectionOfValues)
     EXPECT_EQ(Signed(partly), before + "\n[13FFValue]\nNrOfEntries=3\n2=7\n0x1=0x4B2D\n3=0x9880\n");
 }
 
+TEST(Signing, WhatDoesNotReadBackAsItWasSignedIsRefused)
+{
+    Verifies(req::SRS_CLI_006);
+    const std::string example = ExampleText("sensor");
+    const auto refusal = [](const std::string& signed_text, const std::string& written_text) -> std::string
+    {
+        const IniDocument read = IniDocument::Parse("test.dcf", signed_text);
+        const IniDocument written = IniDocument::Parse("test.dcf", written_text);
+        const Device device = ReadDevice(read);
+        try
+        {
+            static_cast<void>(WithSignatures(written, device, device.node_id));
+        }
+        catch (const InputError& error)
+        {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(refusal(example, example), "");
+    // Given that what is written has another refresh time in it than what was signed
+    EXPECT_EQ(refusal(example, Changed(example, {{"ParameterValue=25\n", "ParameterValue=26\n"}})),
+              "test.dcf:331:16: error: 0x13FF:01: the signature is not there when read back, expected 0x5DFB");
+    // Or another discrepancy time, which the digest covers
+    EXPECT_EQ(refusal(example, Changed(example, {{"ParameterValue=5000\n", "ParameterValue=5001\n"}})),
+              "test.dcf:627:16: error: 0x5F04:00: the digest is not there when read back, expected 0xC760E19B");
+}
+
 TEST(Signing, WithoutAPlaceForASignatureItIsRefused)
 {
     Verifies(req::SRS_CLI_005);

@@ -91,7 +91,7 @@ TEST_F(TextFile, ALargeFileIsRefusedBeforeItIsRead)
 
 TEST_F(TextFile, AFileIsReplacedInOneStepAndKeepsItsMode)
 {
-    Verifies(req::SRS_CLI_006);
+    Verifies(req::SRS_CLI_120);
     WriteTextFile(Path("a"), "old");
     std::filesystem::permissions(Path("a"), std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
     std::filesystem::create_symlink(Path("a"), Path("link"));
@@ -188,9 +188,26 @@ TEST_F(TextFile, AProcessThatIsKilledWhileItWritesLeavesNothing)
     EXPECT_EQ(files, 1);
 }
 
+TEST_F(TextFile, WhoReadsWhileAFileIsReplacedGetsAllOfTheOldText)
+{
+    Verifies(req::SRS_CLI_120);
+    WriteTextFile(Path("a"), "old text");
+    std::FILE* const reader = std::fopen(Path("a").c_str(), "r");
+    ASSERT_NE(reader, nullptr);
+    char text[16] = {};
+    ASSERT_EQ(std::fread(text, 1U, 3U, reader), 3U);
+    // When it is replaced while somebody reads it, who asks the system anew behind the first bytes
+    WriteTextFile(Path("a"), "NEW TEXT, WHICH IS LONGER");
+    ASSERT_EQ(std::fseek(reader, 0L, SEEK_SET), 0);
+    const std::size_t count = std::fread(text, 1U, sizeof(text) - 1U, reader);
+    static_cast<void>(std::fclose(reader));
+    EXPECT_EQ(std::string(text, count), "old text");
+    EXPECT_EQ(ReadTextFile(Path("a")), "NEW TEXT, WHICH IS LONGER");
+}
+
 TEST_F(TextFile, WritingToWhatIsNoFileIsRefused)
 {
-    Verifies(req::SRS_CLI_006);
+    Verifies(req::SRS_CLI_120);
     EXPECT_THROW(WriteTextFile(folder_.string(), "x"), InputError);
     EXPECT_THROW(WriteTextFile("/dev/null", "x"), InputError);
     EXPECT_THROW(WriteTextFile(Path("no/such/folder/a"), "x"), InputError);
@@ -199,7 +216,7 @@ TEST_F(TextFile, WritingToWhatIsNoFileIsRefused)
 
 TEST_F(TextFile, WhetherAPathCanBeWrittenIsKnownBefore)
 {
-    Verifies(req::SRS_CLI_006);
+    Verifies(req::SRS_CLI_120);
     EXPECT_THROW(RequireWritable(folder_.string()), InputError);
     EXPECT_THROW(RequireWritable("/dev/null"), InputError);
     EXPECT_THROW(RequireWritable(Path("no/such/folder/a")), InputError);

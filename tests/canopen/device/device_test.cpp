@@ -362,6 +362,30 @@ TEST_F(DeviceTest, OneServerReachesOwnObjectsAndTheKernels)
     EXPECT_EQ(Upload(0x1016U, 3U), 0x06090011U);
 }
 
+TEST_F(DeviceTest, TheServerWritesOwnObjectsAndTheKernels)
+{
+    Verifies(req::SRS_DEV_001);
+    Verifies(req::SRS_DEV_120);
+    Start();
+    EXPECT_EQ(Download(0x1017U, 0U, 5U, 2U), 0U);
+    EXPECT_EQ(Upload(0x1017U, 0U), 5U);
+    // What is written is the kernel's, and what the kernel refuses is refused with its code
+    EXPECT_EQ(Download(0x1300U, 0U, 1U, 1U), 0U);
+    EXPECT_EQ(core.ReadObject(ObjectAddress{0x1300U, 0U}).data.bytes[0], 1U);
+    EXPECT_EQ(Download(0x1300U, 0U, 2U, 1U), 0x06090030U);
+    EXPECT_EQ(Download(0x1301U, 7U, 0U, 1U), 0x06090011U);
+    Command(0x01U);
+    Cycle();
+    EXPECT_EQ(Download(0x13FEU, 0U, 0xA5U, 1U), 0x08000022U);
+    EXPECT_EQ(Download(0x1301U, 2U, 25U, 2U), 0x08000022U);
+    // When the kernel is stopped, then nothing of it is reached any more, and what is the device's own is
+    core.Stop();
+    EXPECT_EQ(Upload(0x1301U, 5U), 0x08000022U);
+    EXPECT_EQ(Upload(0x13FFU, 1U), 0x08000022U);
+    EXPECT_EQ(Upload(0x2000U, 1U), 0x08000022U);
+    EXPECT_EQ(Upload(0x1000U, 0U), 0x11223344U);
+}
+
 TEST_F(DeviceTest, IsUsableWithoutHeap)
 {
     Verifies(req::SRS_DEV_018);

@@ -153,6 +153,30 @@ TEST(GenerateTest, VariablesOfAProducerAreTheApplicationsOwn)
     EXPECT_FALSE(Has(code.header, "released)"));
 }
 
+TEST(GenerateTest, ARealWhoseSafeValueIsNoNumberHasNoCheckedFunction)
+{
+    Verifies(req::SRS_GEN_020);
+    // Given a consumer of REAL32 with the safe value 1.5, and one whose safe value is no number
+    const auto code = [](const std::string& safe_value)
+    {
+        std::string text = cia306::ReadTextFile(cia306::test::SourceFolder() + "/tests/canopen/cia306/data/digest.dcf");
+        for (const char* const section : {"[2200sub1]", "[2300sub1]"})
+        {
+            const std::string type = "DataType=0x0007";
+            text.replace(text.find(type, text.find(section)), type.size(), "DataType=0x0008");
+        }
+        const std::string before = "0xA1B2C3D4";
+        text.replace(text.find(before, text.find("[5F02sub2]")), before.size(), safe_value);
+        return Code(text);
+    };
+    const GeneratedCode number = code("0x3FC00000");
+    EXPECT_TRUE(Has(number.header, "float GetIn1(counterpoint::SrdoMask released) noexcept;"));
+    EXPECT_TRUE(Has(number.source, "? GetIn1Unchecked() : static_cast<float>(0x1.8p+0F);"));
+    const GeneratedCode none = code("0x7FC00000");
+    EXPECT_FALSE(Has(none.header, "GetIn1(counterpoint::SrdoMask released)"));
+    EXPECT_TRUE(Has(none.header, "float GetIn1Unchecked() noexcept;"));
+}
+
 TEST(GenerateTest, SafeValuesAreLiteralsOfTheirTypes)
 {
     Verifies(req::SRS_GEN_020);

@@ -311,7 +311,7 @@ TEST_F(Watch, AProducerMayBeStoppedWithinAPair)
 // it neither, and supervision begins with the next valid pair.
 TEST_F(Watch, WhatWasNotSeenIsNotJudged)
 {
-    Verifies(req::SRS_MON_018);
+    Verifies(req::SRS_MON_120);
     Texts texts;
     Analysis analysis(early, [&texts](const Violation& violation)
                       { texts.push_back(std::to_string(violation.breach.time / kMicrosecond)); });

@@ -124,6 +124,8 @@ class ForeignServer
 // echo behind it is answered and not before, and what is malformed is counted.
 TEST(SocketcandClientTest, ConfirmsByEchoWhereTheServerTellsNoOwnFrames)
 {
+    Verifies(req::SRS_LIVE_003);
+    Verifies(req::SRS_LIVE_051);
     Verifies(req::SRS_LIVE_052);
     ForeignServer server;
     const auto bus = server.Open();
@@ -137,7 +139,10 @@ TEST(SocketcandClientTest, ConfirmsByEchoWhereTheServerTellsNoOwnFrames)
     EXPECT_TRUE(own->own);
     EXPECT_EQ(own->identifier, 0x123U);
     EXPECT_EQ(own->data[0], 7U);
-    EXPECT_TRUE(Wait(*bus)->error);
+    const std::optional<LiveFrame> error = Wait(*bus);
+    ASSERT_TRUE(error);
+    EXPECT_TRUE(error->error);
+    EXPECT_EQ(error->identifier, 0x40U);
     EXPECT_EQ(bus->Health().state, BusState::kBusOff);
     EXPECT_EQ(bus->Health().bus_offs, 1U);
     EXPECT_EQ(bus->Health().malformed, 1U);

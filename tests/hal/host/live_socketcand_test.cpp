@@ -245,6 +245,7 @@ TEST_F(Socketcand, AnswersWhatIsWrong)
 // Given a bus that is not served, and one that cannot be opened, then the server says so and ends the connection.
 TEST_F(Socketcand, RefusesABusThatIsNotThere)
 {
+    Verifies(req::SRS_LIVE_051);
     Verifies(req::SRS_LIVE_053);
     const PlainClient client(server.Port());
     EXPECT_EQ(client.Hear(), "< hi >");

@@ -152,7 +152,9 @@ class ManagerLoopTest : public test::CommandTest
 
 TEST_F(ManagerLoopTest, WhatWaitedDuringAPauseIsNoSecondDevice)
 {
-    Verifies(req::SRS_MGR_004);
+    Verifies(req::SRS_MGR_127);
+    Verifies(req::SRS_MGR_128);
+    Verifies(req::SRS_MGR_140);
     Verifies(req::SRS_MGR_010);
     // Given 300 heartbeats that came each 5 ms while the process was paused, then one device is seen
     EXPECT_EQ(Duplicates(kPeriodNs), 0U);
@@ -167,7 +169,8 @@ TEST_F(ManagerLoopTest, WhatWaitedDuringAPauseIsNoSecondDevice)
 // A device in its safe state tells it once: what else says that it is in it?
 TEST_F(ManagerLoopTest, AnEmergencyThatWaitedIsNotLeftAside)
 {
-    Verifies(req::SRS_MGR_004);
+    Verifies(req::SRS_MGR_128);
+    Verifies(req::SRS_MGR_140);
     Verifies(req::SRS_MGR_025);
     const std::pair<std::uint64_t, const char*> runs[] = {{1000U * kMs, "udp:239.74.163.91:43191"},
                                                           {runtime::kLongestPauseNs, "socketcand:localhost:1/can0"}};
@@ -225,7 +228,7 @@ class DownBus final : public host::LiveBus
 // Given a connection that is lost, then only its bus opens it again: by a second one the manager would hear itself.
 TEST_F(ManagerLoopTest, ALostConnectionIsOpenedByItsBusAlone)
 {
-    Verifies(req::SRS_MGR_004);
+    Verifies(req::SRS_MGR_125);
     const host::RunningServer server("udp:239.74.163.92:43192");
     std::uint32_t others = 0U;
     network_plan::LoadedNetwork net(
@@ -241,7 +244,7 @@ TEST_F(ManagerLoopTest, ALostConnectionIsOpenedByItsBusAlone)
 
 TEST_F(ManagerLoopTest, AHeapIsMoreThanABusCarriesAfterASilence)
 {
-    Verifies(req::SRS_MGR_004);
+    Verifies(req::SRS_MGR_140);
     // Given a full bus of 1 Mbit/s, 21 frames a millisecond, after a silence of 600 ms
     runtime::FrameBacklog full(0U);
     for (std::uint64_t ms = 600U; ms < 3000U; ++ms)
@@ -266,7 +269,7 @@ TEST_F(ManagerLoopTest, AHeapIsMoreThanABusCarriesAfterASilence)
 
 TEST_F(ManagerLoopTest, AHeapIsAlsoMoreHeartbeatsOfANodeThanItCanSend)
 {
-    Verifies(req::SRS_MGR_004);
+    Verifies(req::SRS_MGR_140);
     // Given a server that stalled for 800 ms, and eight heartbeats of node 5 that it then gives at once, or in two
     // parts
     runtime::FrameBacklog at_once(0U);

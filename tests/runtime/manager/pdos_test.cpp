@@ -77,6 +77,23 @@ TEST_F(ManagerPdosTest, OutputsGoOutAndInputsAreTold)
     }
 }
 
+TEST_F(ManagerPdosTest, WaitingForTxPdosIsNoFailureOfTheRun)
+{
+    Verifies(req::SRS_MGR_004);
+    static_cast<void>(File("pdo.dcf", PdoDcf()));
+    Make(PdoNetwork(""));
+    EXPECT_FALSE(station->Assembly().HasStarted());
+    // Given a mandatory slave that runs, and whose TxPDO did not come yet
+    Run(1100U);
+    EXPECT_EQ(runtime::StatusJson(*station, now_us)["slaves"][0]["code"], 23);
+    EXPECT_FALSE(station->Assembly().IsGood(cia302::NodeId{10U}));
+    EXPECT_TRUE(station->Assembly().HasStarted());
+    // When it is stopped, then that is no waiting
+    EXPECT_EQ(Order("stop 10"), "taken");
+    Run(2U);
+    EXPECT_FALSE(station->Assembly().HasStarted());
+}
+
 TEST_F(ManagerPdosTest, InputsAreToldAndShown)
 {
     Verifies(req::SRS_MGR_022);

@@ -95,7 +95,7 @@ TEST_F(ManagerResultsTest, AnAbortIsToldByItsCodeAndInWords)
 
 TEST_F(ManagerResultsTest, ASlaveThatSaysThatItLeftOperationalIsNotGood)
 {
-    Verifies(req::SRS_MGR_005);
+    Verifies(req::SRS_MGR_131);
     for (const char* const profile : {"cia302", "plc_designer"})
     {
         // Given a mandatory slave that was started and is heard as OPERATIONAL
@@ -128,8 +128,8 @@ TEST_F(ManagerResultsTest, ASlaveThatSaysThatItLeftOperationalIsNotGood)
 
 TEST_F(ManagerResultsTest, AtAStandbyWhoRunsIsGoodUnderEachProfile)
 {
-    Verifies(req::SRS_MGR_005);
-    Verifies(req::SRS_MGR_006);
+    Verifies(req::SRS_MGR_132);
+    Verifies(req::SRS_MGR_135);
     for (const std::string profile : {"cia302", "el6751", "plc_designer"})
     {
         // Given a manager that asks for the active master, which answers
@@ -263,7 +263,8 @@ TEST_F(ManagerResultsTest, AStartOfASlaveThatIsRefusedSaysWhatWasFound)
 TEST_F(ManagerResultsTest, ASlaveThatRunsWithAFindingIsNotGoodNorExitStatus0)
 {
     Verifies(req::SRS_MGR_004);
-    Verifies(req::SRS_MGR_005);
+    Verifies(req::SRS_MGR_131);
+    Verifies(req::SRS_MGR_133);
     const std::vector<std::uint8_t> other{0x43U, 0x00U, 0x10U, 0x00U, 0x92U, 0x01U, 0x00U, 0x00U};
     for (const char* const profile : {"cia302", "el6751"})
     {
@@ -297,6 +298,7 @@ TEST_F(ManagerResultsTest, ASlaveThatRunsWithAFindingIsNotGoodNorExitStatus0)
 TEST_F(ManagerResultsTest, AKeptAliveSlaveWithALetterIsNotGood)
 {
     Verifies(req::SRS_MGR_004);
+    Verifies(req::SRS_MGR_131);
     Make("manager: {node: 127}\nslaves: [{node: 6, device_type: 0x191, keep_alive: true, consumer: 300 ms}]\n");
     Run(2U);
     Answer(6U, {0x43U, 0x00U, 0x10U, 0x00U, 0x92U, 0x01U, 0x00U, 0x00U}, 20);
@@ -310,7 +312,7 @@ TEST_F(ManagerResultsTest, AKeptAliveSlaveWithALetterIsNotGood)
 
 TEST_F(ManagerResultsTest, WhoIsNotInTheNetworkListIsNamed)
 {
-    Verifies(req::SRS_MGR_005);
+    Verifies(req::SRS_MGR_130);
     for (const char* const profile : {"cia302", "el6751", "plc_designer"})
     {
         Make("manager: {node: 127, profile: " + std::string(profile) + "}\nslaves: [{node: 6, device_type: 0x191}]\n");
@@ -517,7 +519,7 @@ TEST_F(ManagerResultsTest, TheAgeOfAHeartbeatIsNotThatOfACounterThatCameRound)
 
 TEST_F(ManagerResultsTest, ASafetySlaveThatRunsAndIsNotVerifiedIsNotGood)
 {
-    Verifies(req::SRS_MGR_005);
+    Verifies(req::SRS_MGR_131);
     // Given a safety slave and another one that somebody else has started, and that answer nothing
     Make("manager: {node: 127}\nslaves: [{node: 33, dcf: actuator.dcf, boot: false}, {node: 5, boot: false}]\n");
     for (const std::uint32_t node : {33U, 5U})
@@ -551,7 +553,8 @@ TEST_F(ManagerResultsTest, ANodeThatMayBeTwoDevicesIsNotGood)
 
 TEST_F(ManagerResultsTest, ThePageHasEmergenciesAndFitsAPhone)
 {
-    Verifies(req::SRS_MGR_008);
+    Verifies(req::SRS_MGR_139);
+    Verifies(req::SRS_MGR_142);
     Make("manager: {node: 127}\nslaves: [{node: 5, boot: false}]\n");
     Run(2U);
     Hear(0x85U, {0x30U, 0x81U, 0x11U, 0U, 0U, 0U, 0U, 0U});

@@ -47,7 +47,7 @@ class ManagerSocketTest : public test::CommandTest
 
 TEST_F(ManagerSocketTest, ASocketTakesThePlaceOfALeftSocketOnly)
 {
-    Verifies(req::SRS_MGR_006);
+    Verifies(req::SRS_MGR_137);
     // Given a file of a person
     const std::string file = File("file", "mine");
     EXPECT_THROW(runtime::ManagerSocket socket(file), cia306::InputError);
@@ -138,7 +138,7 @@ TEST_F(ManagerSocketTest, ProgramsSendOrdersByASocket)
 
 TEST_F(ManagerSocketTest, AFewLinesOfEachClientATurn)
 {
-    Verifies(req::SRS_MGR_006);
+    Verifies(req::SRS_MGR_138);
     runtime::ManagerSocket socket(Path("m.sock"));
     const host::LiveFile many = Connect(Path("m.sock"));
     socket.Serve(Echo);
@@ -156,7 +156,7 @@ TEST_F(ManagerSocketTest, AFewLinesOfEachClientATurn)
 
 TEST_F(ManagerSocketTest, WhoIsSilentMakesRoomAndWhoNeverEndsALineIsCut)
 {
-    Verifies(req::SRS_MGR_006);
+    Verifies(req::SRS_MGR_138);
     runtime::ManagerSocket socket(Path("m.sock"));
     std::vector<host::LiveFile> clients;
     for (int client = 0; client < 8; ++client)
@@ -182,9 +182,57 @@ TEST_F(ManagerSocketTest, WhoIsSilentMakesRoomAndWhoNeverEndsALineIsCut)
     EXPECT_EQ(Receive(clients[2]), "cut");
 }
 
+TEST_F(ManagerSocketTest, WhoDoesNotTakeItsAnswersIsCut)
+{
+    Verifies(req::SRS_MGR_138);
+    runtime::ManagerSocket socket(Path("m.sock"));
+    const host::LiveFile deaf = Connect(Path("m.sock"));
+    socket.Serve(Echo);
+    const host::LiveFile one = Connect(Path("m.sock"));
+    socket.Serve(Echo);
+    // Given answers of 100000 bytes that one of two clients never reads
+    const auto much = [](const std::string& line) { return (line == "x") ? "x!" : std::string(100000U, 'a'); };
+    int turns = 0;
+    for (; turns < 1000 && ::send(deaf.Get(), "1\n", 2U, MSG_NOSIGNAL) == 2; ++turns)
+    {
+        socket.Serve(much);
+    }
+    // Then it is cut off as soon as there is no room for one
+    EXPECT_LT(turns, 1000);
+    // And the other one is served
+    Say(one, "x\n");
+    socket.Serve(much);
+    EXPECT_EQ(Receive(one), "x!");
+}
+
+TEST_F(ManagerSocketTest, ALineOf1024BytesIsOneAndOfOneMoreIsNot)
+{
+    Verifies(req::SRS_MGR_138);
+    runtime::ManagerSocket socket(Path("m.sock"));
+    const host::LiveFile longest = Connect(Path("m.sock"));
+    const host::LiveFile longer = Connect(Path("m.sock"));
+    socket.Serve(Echo);
+    socket.Serve(Echo);
+    Say(longest, std::string(1024U, 'a'));
+    Say(longer, std::string(1025U, 'b'));
+    std::size_t length = 0U;
+    const auto count = [&length](const std::string& line)
+    {
+        length = line.size();
+        return std::string("!");
+    };
+    socket.Serve(count);
+    socket.Serve(count);
+    Say(longest, "\n");
+    socket.Serve(count);
+    EXPECT_EQ(length, 1024U);
+    EXPECT_EQ(Receive(longest), "!");
+    EXPECT_EQ(Receive(longer), "cut");
+}
+
 TEST_F(ManagerSocketTest, TheEndOfWhatIsSentEndsItsLastLine)
 {
-    Verifies(req::SRS_MGR_006);
+    Verifies(req::SRS_MGR_138);
     runtime::ManagerSocket socket(Path("m.sock"));
     const host::LiveFile client = Connect(Path("m.sock"));
     // Given a client that sends a line and half of one, and then says that nothing more comes

@@ -409,7 +409,7 @@ TEST_F(ManagerStationTest, ASlaveThatWasToldToStopAndHasNotSpokenOfItIsNotCalled
 
 TEST_F(ManagerStationTest, AStandbyTellsWhoIsToBeAskedToWrite)
 {
-    Verifies(req::SRS_MGR_006);
+    Verifies(req::SRS_MGR_135);
     Make("manager: {node: 127, heartbeat: 200 ms, flying: {start: by_order}}\nslaves: [{node: 33, dcf: "
          "actuator.dcf}]\n");
     Run(2U);
@@ -418,7 +418,7 @@ TEST_F(ManagerStationTest, AStandbyTellsWhoIsToBeAskedToWrite)
 
 TEST_F(ManagerStationTest, ACommandToAllMakesNoAbsentSlaveAStartedOne)
 {
-    Verifies(req::SRS_MGR_004);
+    Verifies(req::SRS_MGR_122);
     for (const char* const profile : {"cia302", "el6751", "plc_designer"})
     {
         // Given a mandatory slave that is not there

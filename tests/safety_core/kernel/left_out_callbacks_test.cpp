@@ -5,6 +5,7 @@
 #include "verification/trace/ids/kernel.hpp"
 
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -50,6 +51,83 @@ class LeftOutCallbacks : public Rig
 
     inline static LeastApplication least{}; // Before the kernel, which is made in the base.
 };
+
+/// Each leaves out one callback that tells of an event, an error, an invalid configuration or the safe state.
+class WithoutEvent : public Application
+{
+  protected:
+    ~WithoutEvent() = default;
+
+  private:
+    void OnSrdoError(CommunicationIndex /*index*/, SrdoCause /*cause*/) noexcept override
+    {
+    }
+    void OnConfigurationInvalid(CommunicationIndex /*index*/) noexcept override
+    {
+    }
+    void OnDeviceFault(const DeviceFaultReport& /*report*/) noexcept override
+    {
+    }
+};
+class WithoutError : public Application
+{
+  protected:
+    ~WithoutError() = default;
+
+  private:
+    void OnSrdoEvent(CommunicationIndex /*index*/) noexcept override
+    {
+    }
+    void OnConfigurationInvalid(CommunicationIndex /*index*/) noexcept override
+    {
+    }
+    void OnDeviceFault(const DeviceFaultReport& /*report*/) noexcept override
+    {
+    }
+};
+class WithoutInvalid : public Application
+{
+  protected:
+    ~WithoutInvalid() = default;
+
+  private:
+    void OnSrdoEvent(CommunicationIndex /*index*/) noexcept override
+    {
+    }
+    void OnSrdoError(CommunicationIndex /*index*/, SrdoCause /*cause*/) noexcept override
+    {
+    }
+    void OnDeviceFault(const DeviceFaultReport& /*report*/) noexcept override
+    {
+    }
+};
+class WithoutFault : public Application
+{
+  protected:
+    ~WithoutFault() = default;
+
+  private:
+    void OnSrdoEvent(CommunicationIndex /*index*/) noexcept override
+    {
+    }
+    void OnSrdoError(CommunicationIndex /*index*/, SrdoCause /*cause*/) noexcept override
+    {
+    }
+    void OnConfigurationInvalid(CommunicationIndex /*index*/) noexcept override
+    {
+    }
+};
+
+TEST(MandatoryCallbacks, NoneOfThemMayBeLeftOut)
+{
+    Verifies(req::SRS_KRN_040);
+    // Given an application that has them and no other, then there is one; without any one of them there is none
+    EXPECT_FALSE(std::is_abstract_v<LeastApplication>);
+    EXPECT_TRUE(std::is_abstract_v<WithoutEvent>);
+    EXPECT_TRUE(std::is_abstract_v<WithoutError>);
+    EXPECT_TRUE(std::is_abstract_v<WithoutInvalid>);
+    EXPECT_TRUE(std::is_abstract_v<WithoutFault>);
+}
 
 // Node-ID 2: the producer of form kProviderCalled is due 1 ms after OPERATIONAL was entered, and asked in each cycle.
 TEST_F(LeftOutCallbacks, ProducerThatIsAskedSendsNothing)

@@ -53,6 +53,7 @@ inline constexpr RequirementId SRS_CMG_074{"SRS_CMG_074"};
 inline constexpr RequirementId SRS_CMG_075{"SRS_CMG_075"};
 inline constexpr RequirementId SRS_CMG_076{"SRS_CMG_076"};
 inline constexpr RequirementId SRS_CMG_077{"SRS_CMG_077"};
+inline constexpr RequirementId SRS_CMG_120{"SRS_CMG_120"};
 } // namespace counterpoint::req
 
 #endif

@@ -35,6 +35,29 @@ inline constexpr RequirementId SRS_MGR_080{"SRS_MGR_080"};
 inline constexpr RequirementId SRS_MGR_081{"SRS_MGR_081"};
 inline constexpr RequirementId SRS_MGR_082{"SRS_MGR_082"};
 inline constexpr RequirementId SRS_MGR_083{"SRS_MGR_083"};
+inline constexpr RequirementId SRS_MGR_120{"SRS_MGR_120"};
+inline constexpr RequirementId SRS_MGR_121{"SRS_MGR_121"};
+inline constexpr RequirementId SRS_MGR_122{"SRS_MGR_122"};
+inline constexpr RequirementId SRS_MGR_123{"SRS_MGR_123"};
+inline constexpr RequirementId SRS_MGR_124{"SRS_MGR_124"};
+inline constexpr RequirementId SRS_MGR_125{"SRS_MGR_125"};
+inline constexpr RequirementId SRS_MGR_126{"SRS_MGR_126"};
+inline constexpr RequirementId SRS_MGR_127{"SRS_MGR_127"};
+inline constexpr RequirementId SRS_MGR_128{"SRS_MGR_128"};
+inline constexpr RequirementId SRS_MGR_129{"SRS_MGR_129"};
+inline constexpr RequirementId SRS_MGR_130{"SRS_MGR_130"};
+inline constexpr RequirementId SRS_MGR_131{"SRS_MGR_131"};
+inline constexpr RequirementId SRS_MGR_132{"SRS_MGR_132"};
+inline constexpr RequirementId SRS_MGR_133{"SRS_MGR_133"};
+inline constexpr RequirementId SRS_MGR_134{"SRS_MGR_134"};
+inline constexpr RequirementId SRS_MGR_135{"SRS_MGR_135"};
+inline constexpr RequirementId SRS_MGR_136{"SRS_MGR_136"};
+inline constexpr RequirementId SRS_MGR_137{"SRS_MGR_137"};
+inline constexpr RequirementId SRS_MGR_138{"SRS_MGR_138"};
+inline constexpr RequirementId SRS_MGR_139{"SRS_MGR_139"};
+inline constexpr RequirementId SRS_MGR_140{"SRS_MGR_140"};
+inline constexpr RequirementId SRS_MGR_141{"SRS_MGR_141"};
+inline constexpr RequirementId SRS_MGR_142{"SRS_MGR_142"};
 inline constexpr RequirementId SRS_NET_001{"SRS_NET_001"};
 inline constexpr RequirementId SRS_NET_002{"SRS_NET_002"};
 inline constexpr RequirementId SRS_NET_003{"SRS_NET_003"};
@@ -52,6 +75,7 @@ inline constexpr RequirementId SRS_SFS_008{"SRS_SFS_008"};
 inline constexpr RequirementId SRS_SFS_009{"SRS_SFS_009"};
 inline constexpr RequirementId SRS_SFS_010{"SRS_SFS_010"};
 inline constexpr RequirementId SRS_SFS_011{"SRS_SFS_011"};
+inline constexpr RequirementId SRS_SFS_120{"SRS_SFS_120"};
 } // namespace counterpoint::req
 
 #endif

@@ -57,6 +57,9 @@ inline constexpr RequirementId SRS_NMM_026{"SRS_NMM_026"};
 inline constexpr RequirementId SRS_NMM_030{"SRS_NMM_030"};
 inline constexpr RequirementId SRS_NMM_031{"SRS_NMM_031"};
 inline constexpr RequirementId SRS_NMM_032{"SRS_NMM_032"};
+inline constexpr RequirementId SRS_NMM_120{"SRS_NMM_120"};
+inline constexpr RequirementId SRS_NMM_121{"SRS_NMM_121"};
+inline constexpr RequirementId SRS_NMM_122{"SRS_NMM_122"};
 } // namespace counterpoint::req
 
 #endif

@@ -21,6 +21,9 @@ inline constexpr RequirementId SRS_ZYN_013{"SRS_ZYN_013"};
 inline constexpr RequirementId SRS_ZYN_014{"SRS_ZYN_014"};
 inline constexpr RequirementId SRS_ZYN_015{"SRS_ZYN_015"};
 inline constexpr RequirementId SRS_ZYN_016{"SRS_ZYN_016"};
+inline constexpr RequirementId SRS_ZYN_200{"SRS_ZYN_200"};
+inline constexpr RequirementId SRS_ZYN_201{"SRS_ZYN_201"};
+inline constexpr RequirementId SRS_ZYN_202{"SRS_ZYN_202"};
 } // namespace counterpoint::req
 
 #endif

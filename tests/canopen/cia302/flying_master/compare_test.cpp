@@ -373,5 +373,84 @@ TEST_F(FlyingCompare, OneNodeIdTwice)
     EXPECT_EQ(findings[0].first_value, 5U);
 }
 
+TEST_F(FlyingCompare, OneNodeIdTwiceIsToldOfThatNodeOnceAndNothingElse)
+{
+    Verifies(req::SRS_FLY_022);
+    // Given a second master with the node-ID of the first one, and a third one that lists neither
+    setups[1].own = NodeId{2U};
+    slaves[1][5].assignment = kInNetwork;
+    slaves[2][2].assignment = 0U;
+    EXPECT_EQ(CompareFlyingMasters(views.data(), 3U, *this), 2U);
+    ASSERT_EQ(findings.size(), 2U);
+    EXPECT_EQ(findings[0].kind, FlyingFindingKind::kUnknown);
+    EXPECT_EQ(findings[0].first, 2U);
+    EXPECT_EQ(findings[0].second, 0U);
+    EXPECT_EQ(findings[1].kind, FlyingFindingKind::kSameNode);
+    EXPECT_EQ(findings[1].first, 1U);
+    EXPECT_EQ(findings[1].first_value, 2U);
+}
+
+TEST_F(FlyingCompare, ASlaveThatOnlyOneHas)
+{
+    Verifies(req::SRS_FLY_022);
+    for (const std::size_t with : {0U, 2U})
+    {
+        slaves[0][96].assignment = (with == 0U) ? kInNetwork : 0U;
+        slaves[1][96].assignment = slaves[0][96].assignment;
+        slaves[2][96].assignment = (with == 0U) ? 0U : kInNetwork;
+        findings.clear();
+        EXPECT_EQ(CompareFlyingMasters(views.data(), 3U, *this), 1U);
+        ASSERT_EQ(findings.size(), 1U);
+        EXPECT_EQ(findings[0].kind, FlyingFindingKind::kMissing);
+        EXPECT_EQ(findings[0].slave.value, 96U);
+        EXPECT_EQ(findings[0].first_value, (with == 0U) ? 1U : 0U);
+        EXPECT_EQ(findings[0].second_value, (with == 0U) ? 0U : 1U);
+    }
+}
+
+TEST_F(FlyingCompare, DataOfAProfileThatTheFirstAloneHas)
+{
+    Verifies(req::SRS_FLY_022);
+    const El6751Slave box{};
+    const PlcSlave plc{};
+    slaves[0][95].el6751 = &box;
+    slaves[1][95].el6751 = &box;
+    slaves[0][95].plc = &plc;
+    slaves[1][95].plc = &plc;
+    EXPECT_EQ(CompareFlyingMasters(views.data(), 3U, *this), 1U);
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_EQ(findings[0].kind, FlyingFindingKind::kProfile);
+    EXPECT_EQ(findings[0].sub, 0U);
+    EXPECT_EQ(findings[0].first_value, 3U);
+    EXPECT_EQ(findings[0].second_value, 0U);
+}
+
+TEST_F(FlyingCompare, FewerPdosAreOneFindingEach)
+{
+    Verifies(req::SRS_FLY_022);
+    const std::array<El6751Pdo, 2> pdos{};
+    El6751Slave two{};
+    two.rx_pdos = pdos.data();
+    two.tx_pdos = pdos.data();
+    two.rx_count = 2U;
+    two.tx_count = 2U;
+    El6751Slave one = two;
+    one.rx_count = 1U;
+    one.tx_count = 1U;
+    slaves[0][95].el6751 = &two;
+    slaves[1][95].el6751 = &two;
+    slaves[2][95].el6751 = &one;
+    EXPECT_EQ(CompareFlyingMasters(views.data(), 3U, *this), 2U);
+    ASSERT_EQ(findings.size(), 2U);
+    for (const FlyingFinding& finding : findings)
+    {
+        EXPECT_EQ(finding.kind, FlyingFindingKind::kProfile);
+        EXPECT_EQ(finding.first_value, 2U);
+        EXPECT_EQ(finding.second_value, 1U);
+    }
+    EXPECT_EQ(findings[0].sub, 17U); // El6751Part::kRxCount
+    EXPECT_EQ(findings[1].sub, 18U);
+}
+
 } // namespace
 } // namespace counterpoint::cia302

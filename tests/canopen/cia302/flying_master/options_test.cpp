@@ -360,6 +360,21 @@ TEST(FlyingObject, WaitingAndSlotRelation)
     times = FlyingMasterTimes{65535U, 65535U, 2U, 65535U, 516U, 65535U};
     EXPECT_TRUE(IsUsable(times));
     EXPECT_EQ(times.WaitingUs(NodeId{127U}), 196'602'000U);
+    times.priority = 3U; // There are three levels.
+    EXPECT_FALSE(IsUsable(times));
+}
+
+TEST(FlyingOptions, OfTwoDeadlinesAtTheSameTimeNoneIsEarlier)
+{
+    Verifies(req::SRS_FLY_031);
+    const FlyingDeadline none{false, Instant{0U}};
+    const FlyingDeadline before{true, Instant{0xFFFF'FFFFU}};
+    const FlyingDeadline behind{true, Instant{0U}};
+    EXPECT_TRUE(IsEarlier(before, behind)); // The counter turned over between them.
+    EXPECT_FALSE(IsEarlier(behind, before));
+    EXPECT_FALSE(IsEarlier(before, before));
+    EXPECT_TRUE(IsEarlier(before, none));
+    EXPECT_FALSE(IsEarlier(none, before));
 }
 
 } // namespace

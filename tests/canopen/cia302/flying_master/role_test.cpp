@@ -288,7 +288,10 @@ TEST(FlyingNegotiation, WhoCouldBeMasterIsAskedAndAnswered)
     EXPECT_EQ(rig.Log(), Lines{});
     rig.RunTo(1U);
     EXPECT_EQ(rig.Log(), Lines{"1 074"});
-    // When it asks itself
+    // When it asks itself, and nobody was found yet
+    EXPECT_TRUE(rig.master.FindCapable());
+    EXPECT_FALSE(rig.master.HasFoundCapable());
+    EXPECT_EQ(rig.Log(), Lines{"1 075"});
     rig.Hear(0x74U);
     EXPECT_TRUE(rig.master.HasFoundCapable());
     EXPECT_TRUE(rig.master.FindCapable());

@@ -2,6 +2,7 @@
 #include "canopen/cia302/network/nmt_master.hpp"
 #include "tests/canopen/cia301/keeping_sink.hpp"
 #include "tests/canopen/start_up/boot_rig.hpp"
+#include "verification/trace/ids/manager.hpp"
 #include "verification/trace/ids/nmt_master.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -26,7 +27,13 @@ class Asker final : public NmtListener
         }
     }
 
+    void OnStartDropped(NodeId node, Instant) noexcept override
+    {
+        dropped.push_back(node.value);
+    }
+
     std::vector<NmtRequest> heard{};
+    std::vector<std::uint8_t> dropped{};
     NmtMaster* master{nullptr};
 };
 
@@ -245,6 +252,7 @@ TEST_F(NmtMasterTest, NoStartOfAllWhileASafetySlaveIsListed)
 TEST_F(NmtMasterTest, NoStartOfASafetySlaveThatWasNotVerified)
 {
     Verifies(req::SRS_NMM_004);
+    Verifies(req::SRS_NMM_120);
     slaves[6].safety = reinterpret_cast<const SafetyExpectation*>(&gate);
     EXPECT_EQ(Ask(NmtCommand::kStart, 6U), NmtAnswer::kNotVerified);
     EXPECT_EQ(Ask(NmtCommand::kStop, 6U), NmtAnswer::kTaken);
@@ -271,6 +279,59 @@ TEST_F(NmtMasterTest, EachNodeOfTheListButOne)
     EXPECT_EQ(sink.frames[1].data[1], 6U);
     EXPECT_EQ(sink.frames[2].data[1], 8U);
     EXPECT_EQ(sink.frames[3].data[1], 9U);
+}
+
+TEST_F(NmtMasterTest, AStartOfASafetySlaveThatWaitedLongerThanTenMillisecondsDoesNotLeave)
+{
+    Verifies(req::SRS_SFS_002);
+    slaves[6].safety = reinterpret_cast<const SafetyExpectation*>(&gate);
+    gate.states[6] = GateState::kOpen;
+    sink.room = 0;
+    EXPECT_EQ(Ask(NmtCommand::kStart, 6U), NmtAnswer::kTaken);
+    After(10'000U);
+    sink.room = 10;
+    After(0U);
+    EXPECT_EQ(sink.Next(), (Bytes2{1U, 6U})); // Not longer.
+    sink.room = 0;
+    EXPECT_EQ(Ask(NmtCommand::kStart, 6U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kStart, 7U), NmtAnswer::kTaken); // No safety slave.
+    After(10'001U);
+    sink.room = 10;
+    After(0U);
+    EXPECT_EQ(sink.Next(), (Bytes2{1U, 7U}));
+    EXPECT_TRUE(sink.frames.empty());
+    EXPECT_EQ(nmt.Dropped(), 1U);
+    EXPECT_EQ(listener.dropped, (std::vector<std::uint8_t>{6U}));
+}
+
+TEST_F(NmtMasterTest, StartsOfOneNodeThatWaitAreTakenBack)
+{
+    Verifies(req::SRS_SFS_006);
+    sink.room = 0;
+    EXPECT_EQ(Ask(NmtCommand::kResetNode, 6U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kStart, 6U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kStart, 7U), NmtAnswer::kTaken);
+    nmt.DropStarts(NodeId{6U});
+    nmt.DropStarts(NodeId{9U});
+    sink.room = 10;
+    After(1U);
+    EXPECT_EQ(sink.Next(), (Bytes2{129U, 6U}));
+    EXPECT_EQ(sink.Next(), (Bytes2{1U, 7U}));
+    EXPECT_TRUE(sink.frames.empty());
+    // Whoever took it back needs not to be told
+    EXPECT_TRUE(listener.dropped.empty());
+}
+
+TEST_F(NmtMasterTest, TheFirstRefusalOfACommandToEachIsItsAnswer)
+{
+    Verifies(req::SRS_NMM_002);
+    nmt.SetActive(false);
+    EXPECT_EQ(nmt.RequestEach(NmtCommand::kStop, NodeId{0U}, Instant{now_us}), NmtAnswer::kNotActive);
+    // One that does not take it keeps no other one from it
+    nmt.SetActive(true);
+    slaves[6].safety = reinterpret_cast<const SafetyExpectation*>(&gate);
+    EXPECT_EQ(nmt.RequestEach(NmtCommand::kStart, NodeId{0U}, Instant{now_us}), NmtAnswer::kNotVerified);
+    EXPECT_EQ(sink.frames.size(), 4U);
 }
 
 } // namespace

@@ -177,5 +177,46 @@ TEST_F(SdoPoolTest, FramesOfNobodyAndTriesOfZero)
     EXPECT_EQ(one.State(NodeId{1U}), TransferState::kFailed);
 }
 
+TEST_F(SdoPoolTest, NobodyElseHasALaneThatChangedHands)
+{
+    Verifies(req::SRS_NMM_030);
+    EXPECT_TRUE(Upload(7U, kType));
+    EXPECT_TRUE(Upload(8U, kType));
+    EXPECT_EQ(pool.State(NodeId{1U}), TransferState::kIdle);
+    EXPECT_EQ(pool.State(NodeId{2U}), TransferState::kIdle);
+    EXPECT_EQ(pool.State(NodeId{0U}), TransferState::kIdle);
+    EXPECT_EQ(pool.State(NodeId{7U}), TransferState::kBusy);
+    EXPECT_EQ(pool.State(NodeId{8U}), TransferState::kBusy);
+    const std::uint8_t number[2] = {1U, 2U};
+    EXPECT_FALSE(pool.Download(NodeId{7U}, kType, Bytes{number, 2U}, SdoMode::kNormal, Now()));
+    EXPECT_FALSE(pool.Download(NodeId{9U}, kType, Bytes{number, 2U}, SdoMode::kNormal, Now()));
+}
+
+TEST_F(SdoPoolTest, ATimeOutThatTheServerTellsIsNoSilence)
+{
+    Verifies(req::SRS_NMM_031);
+    EXPECT_TRUE(Upload(1U, kVendor));
+    Answer(1U, {0x80U, 0x18U, 0x10U, 1U, 0U, 0U, 0x04U, 0x05U}); // 0504 0000h
+    EXPECT_EQ(pool.State(NodeId{1U}), TransferState::kFailed);
+    EXPECT_EQ(pool.Outcome(NodeId{1U}).abort, SdoAbort::kTimeOut);
+    EXPECT_TRUE(pool.Outcome(NodeId{1U}).by_server);
+    EXPECT_EQ(sink.frames.size(), 1U); // Not asked again.
+}
+
+TEST_F(SdoPoolTest, BusyUntilATimeOutBehindTheLastTransfer)
+{
+    Verifies(req::SRS_NMM_030);
+    EXPECT_EQ(pool.TimeOutUs(), 100'000U);
+    EXPECT_FALSE(pool.IsBusy());
+    EXPECT_TRUE(Upload(1U, kVendor));
+    After(1U);
+    EXPECT_TRUE(pool.IsBusy());
+    Answer(1U, {0x43U, 0x18U, 0x10U, 1U, 0x2AU, 0U, 0U, 0U});
+    After(99U);
+    EXPECT_TRUE(pool.IsBusy());
+    After(1U);
+    EXPECT_FALSE(pool.IsBusy());
+}
+
 } // namespace
 } // namespace counterpoint::cia302

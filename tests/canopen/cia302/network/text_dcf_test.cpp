@@ -172,5 +172,20 @@ TEST_F(TextBootTest, TextFirstThenConciseAndAnErrorInTheTextIsJ)
     EXPECT_EQ(slaves[7]->Get(0x2000U, 0U), (Octets{1U, 0U, 0U, 0U}));
 }
 
+TEST(TextDcfTest, SectionsOfNoObjectEmptyLinesAndTabs)
+{
+    Verifies(req::SRS_BOOT_010);
+    const std::string body = "\nDataType=0x0005\nAccessType=rw\nParameterValue=3\n\n";
+    // Neither an index nor a sub-index above those that there are, nor one with something behind
+    const std::string text = "[10000]" + body + "[2000sub100]" + body + "[2000sub1x]" + body + "[2000subx]" + body +
+                             "\t[2000sub1]\t\n\n\tDataType\t=\t0x0005\n\t\nAccessType=rw\nParameterValue=4\t\n";
+    const TextReading reading = ReadTextDcf(BytesOf(text), 0U, NodeId{5U});
+    EXPECT_EQ(reading.state, TextState::kEntry);
+    EXPECT_EQ(reading.object.index, 0x2000U);
+    EXPECT_EQ(reading.object.sub, 1U);
+    EXPECT_EQ(reading.number, 4U);
+    EXPECT_EQ(ReadTextDcf(BytesOf(text), reading.next, NodeId{5U}).state, TextState::kEnd);
+}
+
 } // namespace
 } // namespace counterpoint::cia302

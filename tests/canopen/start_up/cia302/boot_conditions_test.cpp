@@ -357,7 +357,8 @@ TEST_F(BootCornersTest, GateThatIsClosedDuringVerificationIsAskedAgain)
 
 TEST_F(BootCornersTest, StartThatWaitsForTheQueueIsVerifiedAgainIfTheGateCloses)
 {
-    Verifies(req::SRS_NMM_004);
+    Verifies(req::SRS_NMM_120);
+    Verifies(req::SRS_NMM_121);
     Add(5U, kMust);
     Protect(5U);
     gate.cycles = 5;
@@ -382,7 +383,7 @@ TEST_F(BootCornersTest, StartThatWaitsForTheQueueIsVerifiedAgainIfTheGateCloses)
 
 TEST_F(BootCornersTest, AStartThatWasDroppedIsNotMadeUpForWhoWasToldToStop)
 {
-    Verifies(req::SRS_NMM_004);
+    Verifies(req::SRS_NMM_121);
     // Given a safety slave whose start waits behind other commands, for longer than its verification is good
     Add(5U, kMust);
     Protect(5U);
@@ -402,6 +403,65 @@ TEST_F(BootCornersTest, AStartThatWasDroppedIsNotMadeUpForWhoWasToldToStop)
     EXPECT_EQ(slaves[5]->State(), NodeState::kStopped);
     EXPECT_EQ(gate.verifications, verified);
     EXPECT_FALSE(Of(5U).is_started);
+}
+
+TEST_F(BootCornersTest, AStartThatWaitsIsNoneOfASlaveThatBootsAnew)
+{
+    Verifies(req::SRS_NMM_122);
+    // Given a safety slave whose start waits behind other commands
+    Add(5U, kMust);
+    Protect(5U);
+    gate.cycles = 5;
+    Begin();
+    Run(2U);
+    FillQueue(28U);
+    Run(20U);
+    ASSERT_TRUE(Of(5U).is_started);
+    ASSERT_EQ(gate.verifications, 1);
+    const int reads = Count(0x605U);
+    // When it boots anew
+    slaves[5]->Power(Now());
+    Run(500U);
+    // Then that start is dropped, it is asked who it is and verified from the beginning, and started once
+    EXPECT_EQ(nmt.Dropped(), 1U);
+    EXPECT_EQ(Count(0x605U), 2 * reads);
+    EXPECT_EQ(slaves[5]->State(), NodeState::kOperational);
+    const std::vector<std::string> commands = Commands();
+    EXPECT_EQ(std::count_if(commands.begin(), commands.end(),
+                            [](const std::string& command) { return command.find(":01 05") != std::string::npos; }),
+              1);
+}
+
+TEST_F(BootCornersTest, ADroppedStartIsNotMadeUpForWhoBootsAnewMeanwhile)
+{
+    Verifies(req::SRS_NMM_122);
+    // Given a safety slave whose start was dropped, and which is verified for it
+    Add(5U, kMust);
+    Protect(5U);
+    gate.cycles = 40;
+    Begin();
+    Run(2U);
+    FillQueue(100U);
+    for (int i = 0; (i < 300) && (nmt.Dropped() == 0U); ++i)
+    {
+        Run(1U);
+    }
+    ASSERT_EQ(nmt.Dropped(), 1U);
+    Run(5U);
+    ASSERT_EQ(gate.State(NodeId{5U}), GateState::kBusy);
+    ASSERT_EQ(gate.verifications, 2);
+    const int reads = Count(0x605U);
+    // When it boots anew
+    slaves[5]->Power(Now());
+    Run(500U);
+    // Then it is asked who it is, verified and started once, from the beginning
+    EXPECT_EQ(Count(0x605U), 2 * reads);
+    EXPECT_EQ(gate.verifications, 3);
+    EXPECT_EQ(slaves[5]->State(), NodeState::kOperational);
+    const std::vector<std::string> commands = Commands();
+    EXPECT_EQ(std::count_if(commands.begin(), commands.end(),
+                            [](const std::string& command) { return command.find(":01 05") != std::string::npos; }),
+              1);
 }
 
 TEST_F(BootCornersTest, StartOfAllWaitsForTheQueue)
@@ -430,7 +490,12 @@ TEST_F(BootCornersTest, KeptAliveSlaveThatComesBackWithoutBootUpMessageIsNotRese
     Verifies(req::SRS_BOOT_006);
     Add(5U, kMust | kKeepAlive).has_boot_up = false;
     Begin();
-    Run(2500U);
+    // It tells its state at once; then 1 s for its boot-up message
+    Run(1000U);
+    EXPECT_EQ(slaves[5]->State(), NodeState::kPreOperational);
+    Run(100U);
+    EXPECT_EQ(slaves[5]->State(), NodeState::kOperational);
+    Run(1400U);
     EXPECT_EQ(slaves[5]->resets, 2); // Power-on, and once because it did not run.
     EXPECT_EQ(slaves[5]->State(), NodeState::kOperational);
     EXPECT_EQ(Letter(5U), "-");

@@ -321,6 +321,14 @@ TEST_F(BootLettersTest, L_SlaveThatWasOperationalGoesOn)
     setups[5].heartbeat = HeartbeatSetup{150U, 50U, Arming::kFirstHeartbeat};
     Add(6U, kMust | kKeepAlive);
     Add(7U, kMust | kKeepAlive);
+    // And a configuration for each
+    Octets list{};
+    AddEntry(list, 0x2000U, 0U, {0x77U});
+    for (const std::uint8_t node : {std::uint8_t{5U}, std::uint8_t{6U}, std::uint8_t{7U}})
+    {
+        slaves[node]->Put8(0x2000U, 0U, 0x11U);
+        setups[node].concise_dcf = Bytes{list.data(), static_cast<std::uint32_t>(list.size())};
+    }
     PowerAll();
     Run(10U);
     const CanFrame start5{0U, FrameKind::kData, CanPortId::kFirst, 2U, {1U, 5U}};
@@ -336,6 +344,9 @@ TEST_F(BootLettersTest, L_SlaveThatWasOperationalGoesOn)
     EXPECT_EQ(Letter(6U), "L");
     EXPECT_EQ(slaves[5]->resets, 1);
     EXPECT_EQ(slaves[6]->resets, 1);
+    EXPECT_EQ(slaves[5]->Get(0x2000U, 0U), (Octets{0x11U}));
+    EXPECT_EQ(slaves[6]->Get(0x2000U, 0U), (Octets{0x11U}));
+    EXPECT_EQ(slaves[7]->Get(0x2000U, 0U), (Octets{0x77U}));
     EXPECT_EQ(Letter(7U), "-");
     EXPECT_EQ(slaves[7]->resets, 2);
     EXPECT_EQ(slaves[7]->State(), cia301::NodeState::kOperational);

@@ -259,7 +259,7 @@ TEST_P(RoughSlavesTest, AllRunInTheEnd)
     Verifies(req::SRS_BOOT_018);
     Verifies(req::SRS_BOOT_033);
     Verifies(req::SRS_NMM_003);
-    Verifies(req::SRS_NMM_004);
+    Verifies(req::SRS_NMM_121);
     Populate();
     Begin();
     for (int i = 0; i < 100; ++i)

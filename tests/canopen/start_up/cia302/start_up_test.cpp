@@ -188,7 +188,7 @@ TEST_F(StartUpCia302Test, ApplicationStartsTheSlaves)
 
 TEST_F(StartUpCia302Test, StartOfAllStartsNobodyWhoWasNeverThere)
 {
-    Verifies(req::SRS_MGR_004);
+    Verifies(req::SRS_MGR_122);
     Add(5U, kMust);
     setups[6].assignment = kMust;
     Begin();

@@ -2,6 +2,11 @@
 #include "verification/target/zynqmp/two_cpu/board.hpp"
 
 #include "hal/zynqmp/link/shared_link.hpp"
+#include "hal/zynqmp/output/safety_pins.hpp"
+#include "hal/zynqmp/start/memory_map.hpp"
+#include "hal/zynqmp/time/system_watchdog.hpp"
+#include "verification/target/zynqmp/hal/emulated_setup.hpp"
+#include "verification/target/zynqmp/two_cpu/times.hpp"
 
 extern "C"
 {
@@ -16,133 +21,85 @@ namespace counterpoint::two_cpu
 namespace
 {
 
-constexpr std::uint32_t kFirstCan = 0xFF060000U;
-constexpr std::uint32_t kCanBytes = 0x00010000U;
-constexpr std::uint32_t kNanosecondsPerMicrosecond = 1000U;
+/// What this device hears: the sensor's pair and its own.
+constexpr std::uint16_t kIdentifiers[]{0x101U, 0x102U, 0x103U, 0x104U};
+constexpr std::uint32_t kGateBank = 0U;
+constexpr std::uint32_t kConsumerPin = 1U; // The slot of SRDO 1, too.
+constexpr zynqmp::SafetyPinsSetup kPins{kGateBank, {kConsumerPin}, 1U, 1U, hal::GateLimit{kGateUs}};
+constexpr zynqmp::SystemWatchdogSetup kWatchdog{hal::WatchdogWindow{kCycleUs / 8U, (2U * kCycleUs) + kToleranceUs},
+                                                100000U};
 
-std::uint32_t Core() noexcept
+bool IsFirst() noexcept
 {
-    return static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(image_core)) - 1U;
+    return reinterpret_cast<std::uintptr_t>(image_core) == 1U;
 }
 
-volatile std::uint32_t& Can(const std::uint32_t offset) noexcept
+/// The drivers are built in the order of their members.
+struct Drivers
 {
-    return *reinterpret_cast<volatile std::uint32_t*>(kFirstCan + (Core() * kCanBytes) + offset);
-}
-
-std::uint32_t WordOf(const std::uint8_t* const bytes) noexcept
-{
-    return (static_cast<std::uint32_t>(bytes[0]) << 24U) | (static_cast<std::uint32_t>(bytes[1]) << 16U) |
-           (static_cast<std::uint32_t>(bytes[2]) << 8U) | bytes[3];
-}
-
-class OwnPorts final : public hal::CanPorts
-{
-  public:
-    [[nodiscard]] hal::CanGuarantees Guarantees() const noexcept override
-    {
-        return hal::CanGuarantees{hal::Guarantee::kGiven, hal::Guarantee::kGiven, hal::Guarantee::kGiven};
-    }
-    [[nodiscard]] bool Take(CanFrame& frame) noexcept
-    {
-        const bool is_there = taken_ != put_;
-        if (is_there)
-        {
-            frame = sent_[taken_ % kRoom];
-            ++taken_;
-        }
-        return is_there;
-    }
-
-  private:
-    static constexpr std::uint32_t kRoom = 8U;
-
-    [[nodiscard]] hal::TransmitStatus DoTransmit(const CanFrame& frame) noexcept override
-    {
-        if ((put_ - taken_) == kRoom)
-        {
-            return hal::TransmitStatus::kQueueFull;
-        }
-        Can(0x30U) = frame.identifier << 21U;
-        Can(0x34U) = static_cast<std::uint32_t>(frame.length_bytes) << 28U;
-        Can(0x38U) = WordOf(&frame.data[0]);
-        Can(0x3CU) = WordOf(&frame.data[4]);
-        sent_[put_ % kRoom] = frame;
-        ++put_;
-        return hal::TransmitStatus::kAccepted;
-    }
-
-    CanFrame sent_[kRoom]{};
-    std::uint32_t put_{0U};
-    std::uint32_t taken_{0U};
+    zynqmp::Counters counters{};
+    zynqmp::SafetyPins pins{counters, kPins};
+    zynqmp::SystemWatchdog watchdog{counters};
+    zynqmp::Board board{zynqmp::BoardParts{counters, pins, watchdog}};
 };
 
-OwnPorts ports;
-std::uint32_t last_count;
-std::uint32_t rest; // Less than a microsecond, in nanoseconds.
-std::uint32_t microseconds;
+Drivers& Own() noexcept
+{
+    static Drivers drivers;
+    return drivers;
+}
+
+zynqmp::RegisterBase Timer() noexcept
+{
+    return IsFirst() ? zynqmp::ttc::kTtc0 : zynqmp::ttc::kTtc1;
+}
+
+/// Each processor has a timer and a controller of its own. They take turns on the emulator: a processor that is
+/// interrupted between the readings of its two counters finds them further apart than on a board.
+zynqmp::BoardSetup SetupOfThis() noexcept
+{
+    zynqmp::CountersSetup counters = target::kEmulatedCounters;
+    counters.timer = Timer();
+    counters.most_apart_us = kTurnUs;
+    counters.compare_us = kCompareUs;
+    const zynqmp::CanpsSetup can = target::EmulatedCan(IsFirst() ? zynqmp::canps::kCan0 : zynqmp::canps::kCan1,
+                                                       zynqmp::IdentifierList{&kIdentifiers[0], 4U});
+    return zynqmp::BoardSetup{zynqmp::CanPortsSetup{can, can, zynqmp::BusLayout::kOneController}, counters,
+                              zynqmp::FixedRegions()};
+}
 
 } // namespace
 
+zynqmp::Board& OwnBoard() noexcept
+{
+    return Own().board;
+}
+
 bool StartBoard() noexcept
 {
-    const std::uint32_t enable = 5U; // Cycle counter on, from zero.
-    asm volatile("mcr p15, 0, %0, c9, c12, 0" ::"r"(enable));
-    asm volatile("mcr p15, 0, %0, c9, c12, 1" ::"r"(0x80000000U));
-    Can(0x00U) = 1U;
-    Can(0x08U) = 1U;
-    Can(0x0CU) = 0x1C9U;
-    Can(0x04U) = 0U;
-    Can(0x60U) = 0U;
-    Can(0x00U) = 2U;
-    return true;
+    const bool is_planned = Own().watchdog.Plan(kWatchdog) == zynqmp::Outcome::kDone;
+    return is_planned && (OwnBoard().Start(SetupOfThis()).outcome == zynqmp::Outcome::kDone);
 }
 
-Instant Now() noexcept
+std::uint32_t WatchdogPeriodUs() noexcept
 {
-    std::uint32_t count = 0U;
-    asm volatile("mrc p15, 0, %0, c9, c13, 0" : "=r"(count));
-    const std::uint32_t passed = (count - last_count) + rest; // Looked at many times a second.
-    last_count = count;
-    microseconds += passed / kNanosecondsPerMicrosecond;
-    rest = passed % kNanosecondsPerMicrosecond;
-    return Instant{microseconds};
+    return Own().watchdog.PeriodUs();
 }
 
-bool ReceiveFrame(CanFrame& frame) noexcept
+bool IsPinHigh() noexcept
 {
-    if ((Can(0x1CU) & 0x80U) == 0U)
-    {
-        return false;
-    }
-    frame = CanFrame{};
-    frame.identifier = Can(0x50U) >> 21U;
-    frame.length_bytes = static_cast<std::uint8_t>(Can(0x54U) >> 28U);
-    const std::uint32_t words[2] = {Can(0x58U), Can(0x5CU)};
-    for (std::uint32_t byte = 0U; byte < 8U; ++byte)
-    {
-        frame.data[byte] = static_cast<std::uint8_t>(words[byte / 4U] >> (24U - (8U * (byte % 4U))));
-    }
-    frame.kind = FrameKind::kData;
-    frame.port = CanPortId::kFirst;
-    Can(0x24U) = 0x80U;
-    return true;
+    return (zynqmp::Read(zynqmp::gpio::Input(kGateBank)) & kConsumerPin) != 0U;
 }
 
-hal::CanPorts& Ports() noexcept
+void StopTimer() noexcept
 {
-    return ports;
-}
-
-bool TakeSent(CanFrame& frame) noexcept
-{
-    return ports.Take(frame);
+    zynqmp::Write(At(Timer(), zynqmp::ttc::kCounterControl), zynqmp::ttc::kWaveformOff | zynqmp::ttc::kStopped);
 }
 
 hal::CrossLink& Link() noexcept
 {
-    static zynqmp::SharedLink link{(Core() == 0U) ? image_link_0[0] : image_link_1[0],
-                                   (Core() == 0U) ? image_link_1[0] : image_link_0[0]};
+    static zynqmp::SharedLink link{IsFirst() ? image_link_0[0] : image_link_1[0],
+                                   IsFirst() ? image_link_1[0] : image_link_0[0]};
     return link;
 }
 

@@ -12,6 +12,12 @@ constexpr std::uint8_t kNodeId = 2U;
 constexpr std::uint16_t kValue = 0x3AC5U;
 } // namespace
 
+InstantPair OwnClock(const InstantPair& counters) noexcept
+{
+    const Instant own = (OwnRole() == PeerRole::kA) ? counters.a : counters.b;
+    return InstantPair{own, own};
+}
+
 RefreshAnswer ProcessApplication::OnRefresh(const CommunicationIndex /*index*/) noexcept
 {
     for (std::uint32_t byte = 0U; byte < 2U; ++byte)
@@ -41,9 +47,10 @@ void ProcessApplication::OnDeviceFault(const DeviceFaultReport& /*report*/) noex
 }
 
 Core::Core() noexcept
-    : peer{OwnChannel(), watchdog, OwnLink()},
-      kernel{KernelParts{peer.VoiceA(), peer.VoiceB(), Ports(), output, peer.Watchdog(), application}},
-      services_{cia301::NodeId{kNodeId}, (OwnRole() == PeerRole::kA) ? &Ports() : nullptr},
+    : peer{OwnChannel(), OwnBoard().Watchdog(), OwnLink()},
+      kernel{KernelParts{peer.VoiceA(), peer.VoiceB(), OwnBoard().Can(), OwnBoard().Output(), peer.Watchdog(),
+                         application}},
+      services_{cia301::NodeId{kNodeId}, (OwnRole() == PeerRole::kA) ? &OwnBoard().Can() : nullptr},
       device_{device::BareParts{kernel, services_, *this, device::FrameRoom{&frames_[0], 6U}, 2U}}
 {
 }
@@ -132,42 +139,35 @@ device::LoadResult Core::OnResetNode() noexcept
 
 bool Core::PowerOn(const Instant now) noexcept
 {
-    watchdog.timer.Start(hal::WatchdogWindow{kCycleUs / 8U, (2U * kCycleUs) + kToleranceUs},
-                         Instant{now.us - kCycleUs});
     return device_.PowerOn(now) == device::LoadResult::kLoaded;
 }
 
-void Core::OnBus(const CanFrame& frame, const bool is_own, const Instant now) noexcept
+void Core::OnBus(const StampedFrame& frame, const bool is_own, const Instant now) noexcept
 {
-    const StampedFrame stamped{frame, InstantPair{now, now}};
-    if (is_own || peer.IsEcho(frame))
+    if (is_own || peer.IsEcho(frame.frame))
     {
-        device_.OnConfirm(stamped);
+        device_.OnConfirm(frame);
     }
     else
     {
-        device_.OnFrame(stamped);
+        device_.OnFrame(frame);
     }
     device_.Serve(now); // The inverse frame at once, a command too.
 }
 
-void Core::Cycle(const Instant now, hal::LinkFrame& message) noexcept
+void Core::OnLoss() noexcept
 {
-    output.now = now;
-    watchdog.now = now;
-    if (peer.Examine(now) != LinkFinding::kNone)
+    device_.OnLoss();
+}
+
+void Core::Cycle(const InstantPair& now, hal::LinkFrame& message) noexcept
+{
+    if (peer.Examine(now.a) != LinkFinding::kNone)
     {
         kernel.OnCrossLinkFault();
     }
-    device_.Cycle(CycleCall{InstantPair{now, now}, 0U, 0U});
-    peer.Compose(PeerMoment{now, kernel.DeviceState().fault}, message);
-}
-
-bool Core::IsOpen(const Instant now) noexcept
-{
-    watchdog.timer.Examine(now);
-    const SrdoMask open = output.gate.Open(now, hal::GateLimit{kCycleUs + kToleranceUs});
-    return watchdog.timer.IsAlive() && ((open & 1U) != 0U);
+    device_.Cycle(CycleCall{now, 0U, 0U});
+    peer.Compose(PeerMoment{now.a, kernel.DeviceState().fault}, message);
 }
 
 std::uint32_t Core::LimitOfLink() const noexcept

@@ -12,8 +12,8 @@
 extern "C"
 {
     std::uint32_t TargetMain() noexcept;
-    /// What the runner reads of a processor that no longer tells anything: when its output was driven last.
-    volatile std::uint32_t two_cpu_driven;
+    /// What the runner reads of a processor that no longer tells anything: when its watchdog was served last, or later.
+    volatile std::uint32_t two_cpu_served;
 }
 
 namespace counterpoint::two_cpu
@@ -25,7 +25,9 @@ using target::WriteNumber;
 
 constexpr std::uint32_t kOrderCycle = 40U;
 constexpr std::uint32_t kLastCycle = 72U;
-constexpr std::uint32_t kFirstPairUs = 400000U;
+constexpr std::uint32_t kFirstPairUs = 100000U;
+/// What the queue of the port has room for, and a loss.
+constexpr std::uint32_t kMostFrames = 129U;
 
 /// What the runner wants changed.
 struct Order
@@ -62,12 +64,14 @@ class Executive
 
   private:
     void Listen() noexcept;
-    void SendOut() noexcept;
+    InstantPair TakeFrames() noexcept;
+    void Deliver(const zynqmp::QueuedFrame& queued) noexcept;
     void Sense() noexcept;
     void OneCycle() noexcept;
     void Watch() noexcept;
     void ObeyOrder() noexcept;
     void NoteOrder() noexcept;
+    void TellEnd() const noexcept;
     [[nodiscard]] Instant Look() noexcept;
     [[nodiscard]] bool IsDue(const Instant at) noexcept
     {
@@ -86,26 +90,55 @@ class Executive
     bool is_open_{false};
     bool is_noted_{false};
     Instant looked_{0U};
+    std::uint32_t losses_{0U};
 };
 
 Instant Executive::Look() noexcept
 {
-    const Instant now = Now();
+    const Instant now = OwnClock(OwnBoard().Clocks().Now()).a;
     looked_ = now;
     return now;
 }
 
-void Executive::SendOut() noexcept
+void Executive::Deliver(const zynqmp::QueuedFrame& queued) noexcept
 {
-    CanFrame frame{};
-    while (TakeSent(frame)) // At most what Ports took.
+    const bool is_confirmed = queued.kind == zynqmp::QueuedKind::kConfirmed;
+    const StampedFrame frame{queued.frame.frame, OwnClock(queued.frame.stamp)};
+    const std::uint32_t identifier = frame.frame.identifier;
+    if ((!is_confirmed) && (queued.kind != zynqmp::QueuedKind::kReceived))
     {
-        if ((frame.identifier == 0x103U) || (frame.identifier == 0x104U))
-        {
-            ++own_frames_[frame.identifier - 0x103U];
-        }
-        Self().OnBus(frame, true, Look());
+        ++losses_;
+        Self().OnLoss();
+        return;
     }
+    if ((identifier == 0x103U) || (identifier == 0x104U))
+    {
+        std::uint32_t& count = is_confirmed ? own_frames_[identifier - 0x103U] : peer_frames_[identifier - 0x103U];
+        ++count;
+    }
+    // On a bus an answer ends at least this much later than the frame; on the emulator both end at once.
+    for (std::uint32_t turn = 0U; (!is_confirmed) && (turn < kFrameUs) && ((Look().us - frame.stamp.a.us) < kFrameUs);
+         ++turn)
+    {
+        LetOthersRun();
+    }
+    // The sensor's frames leave by the controller of processor 0; to the device they are another node's.
+    const bool is_own = is_confirmed && (identifier >= 0x103U);
+    Self().OnBus(frame, is_own, Look());
+}
+
+/// The moment up to which everything has been delivered: no frame was, or had to be served, after it.
+InstantPair Executive::TakeFrames() noexcept
+{
+    InstantPair now = OwnBoard().Look();
+    zynqmp::QueuedFrame queued = OwnBoard().NextFrame();
+    for (std::uint32_t taken = 0U; (taken < kMostFrames) && (queued.kind != zynqmp::QueuedKind::kNothing); ++taken)
+    {
+        Deliver(queued);
+        now = OwnBoard().Look();
+        queued = OwnBoard().NextFrame();
+    }
+    return now;
 }
 
 void Executive::Listen() noexcept
@@ -114,19 +147,10 @@ void Executive::Listen() noexcept
     {
         Self().peer.OnMessage(message_, Look());
     }
-    CanFrame frame{};
-    if (ReceiveFrame(frame))
-    {
-        if ((frame.identifier == 0x103U) || (frame.identifier == 0x104U))
-        {
-            ++peer_frames_[frame.identifier - 0x103U];
-        }
-        Self().OnBus(frame, false, Look());
-    }
-    SendOut();
+    static_cast<void>(TakeFrames());
 }
 
-/// A pair of the sensor, to the bus and, as a controller does not hear itself, to this processor.
+/// A pair of the sensor, to the bus.
 void Executive::Sense() noexcept
 {
     value_ = (value_ + 0x0101U) & 0xFFFFU;
@@ -140,33 +164,26 @@ void Executive::Sense() noexcept
         frame.length_bytes = 2U;
         frame.data[0] = static_cast<std::uint8_t>(bits);
         frame.data[1] = static_cast<std::uint8_t>(bits >> 8U);
-        CanFrame sent{};
-        if (Ports().Transmit(frame) == hal::TransmitStatus::kAccepted)
-        {
-            static_cast<void>(TakeSent(sent));
-            Self().OnBus(frame, false, Look());
-        }
+        static_cast<void>(OwnBoard().Can().Transmit(frame));
     }
 }
 
 void Executive::OneCycle() noexcept
 {
+    if (OwnBoard().BeginCycle() != zynqmp::BoardFault::kNone)
+    {
+        return; // All is closed, and the watchdog is served no more.
+    }
+    const InstantPair now = OwnClock(TakeFrames());
     // In contact, as a start command of the network would reach both.
     if ((!is_operational_) && Self().peer.Link().IsAlive())
     {
         is_operational_ = true;
-        Self().OnBus(kStartCommand, false, Look());
+        Self().OnBus(StampedFrame{kStartCommand, now}, false, now.a);
     }
-    const Instant now = Look();
     Self().Cycle(now, message_);
-    two_cpu_driven = now.us;
+    two_cpu_served = Look().us;
     static_cast<void>(Link().Send(message_));
-    ++cycles_;
-    if (cycles_ == kOrderCycle)
-    {
-        ObeyOrder();
-    }
-    SendOut();
 }
 
 void Executive::ObeyOrder() noexcept
@@ -180,6 +197,7 @@ void Executive::ObeyOrder() noexcept
     order.is_done = 1U;
     if (order.bits == 0U)
     {
+        StopTimer();
         for (;;)
         {
             asm volatile("wfi"); // A loop that never sleeps would keep the emulator from running the other processor.
@@ -204,8 +222,8 @@ void Executive::Watch() noexcept
     {
         NoteOrder();
     }
+    const bool is_open = IsPinHigh();
     const Instant now = Look();
-    const bool is_open = Self().IsOpen(now);
     if (is_open != is_open_)
     {
         Write(is_open ? "open" : "closed");
@@ -215,37 +233,8 @@ void Executive::Watch() noexcept
     is_open_ = is_open;
 }
 
-std::uint32_t Executive::Run() noexcept
+void Executive::TellEnd() const noexcept
 {
-    if (!StartBoard() || !Self().PowerOn(Look()))
-    {
-        Write("FAILURE: it does not start\n");
-        return 1U;
-    }
-    Write("limits");
-    Tell("link", Self().LimitOfLink());
-    Tell("channel", Self().LimitOf(FaultClass::kChannel));
-    Tell("configuration", Self().LimitOf(FaultClass::kConfiguration));
-    Tell("gate", kCycleUs + kToleranceUs);
-    Write("\n");
-    next_cycle_ = Look();
-    next_pair_ = Instant{next_cycle_.us + kFirstPairUs};
-    while (cycles_ < kLastCycle)
-    {
-        Listen();
-        if (is_a_ && IsDue(next_pair_))
-        {
-            Sense();
-            next_pair_.us += kRefreshUs;
-        }
-        if (IsDue(next_cycle_))
-        {
-            OneCycle();
-            next_cycle_.us += kCycleUs;
-        }
-        Watch();
-        LetOthersRun();
-    }
     const Core& core = Self();
     Write("cpu");
     Tell("open", is_open_ ? 1U : 0U);
@@ -259,7 +248,55 @@ std::uint32_t Executive::Run() noexcept
     Tell("peer104", peer_frames_[1]);
     Tell("taken", core.peer.Link().Counts().taken);
     Tell("corrupt", core.peer.Link().Counts().corrupt);
+    Tell("losses", losses_);
+    Tell("board", static_cast<std::uint32_t>(OwnBoard().Fault()));
     Write("\n");
+}
+
+std::uint32_t Executive::Run() noexcept
+{
+    const bool is_up = StartBoard() && Self().PowerOn(Look());
+    if (!is_up || (OwnBoard().StartWatchdog() != zynqmp::Outcome::kDone))
+    {
+        Write("FAILURE: it does not start, board fault");
+        Tell("board", static_cast<std::uint32_t>(OwnBoard().Fault()));
+        Write("\n");
+        return 1U;
+    }
+    Write("limits");
+    Tell("link", Self().LimitOfLink());
+    Tell("channel", Self().LimitOf(FaultClass::kChannel));
+    Tell("configuration", Self().LimitOf(FaultClass::kConfiguration));
+    Tell("watchdog", WatchdogPeriodUs());
+    Write("\n");
+    // The first answer comes a cycle after the start of the watchdog.
+    next_cycle_ = Instant{Look().us + kCycleUs};
+    next_pair_ = Instant{next_cycle_.us + kFirstPairUs};
+    while (cycles_ < kLastCycle)
+    {
+        Listen();
+        if (is_a_ && IsDue(next_pair_))
+        {
+            Sense();
+            next_pair_.us += kRefreshUs;
+        }
+        if (IsDue(next_cycle_))
+        {
+            OneCycle();
+            next_cycle_.us += kCycleUs;
+            ++cycles_;
+            if (cycles_ == kOrderCycle)
+            {
+                ObeyOrder();
+            }
+        }
+        Watch();
+        // What was sent is confirmed before the other processor can answer.
+        static_cast<void>(OwnBoard().Look());
+        LetOthersRun();
+    }
+    StopTimer();
+    TellEnd();
     return 0U;
 }
 

@@ -1,0 +1,132 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Items of a set as a part gives and takes them one by one, those among them that no store would hand over.
+#include "canopen/cia301/store/stored_parts.hpp"
+#include "tests/canopen/cia301/service_rig.hpp"
+#include "tests/safety_core/kernel/rig.hpp"
+#include "verification/trace/ids/store.hpp"
+
+namespace counterpoint::cia301
+{
+namespace
+{
+
+using StoredEntriesTest = ServiceRig;
+
+TEST_F(StoredEntriesTest, EachEntryIsInTheGroupOfItsIndex)
+{
+    Verifies(req::SRS_STO_011);
+    const std::pair<std::uint16_t, std::uint8_t> groups[] = {
+        {std::uint16_t{0x0FFFU}, std::uint8_t{0U}}, {std::uint16_t{0x1000U}, std::uint8_t{1U}},
+        {std::uint16_t{0x1FFFU}, std::uint8_t{1U}}, {std::uint16_t{0x2000U}, std::uint8_t{4U}},
+        {std::uint16_t{0x5FFFU}, std::uint8_t{4U}}, {std::uint16_t{0x6000U}, std::uint8_t{2U}},
+        {std::uint16_t{0x9FFFU}, std::uint8_t{2U}}, {std::uint16_t{0xA000U}, std::uint8_t{0U}}};
+    std::array<std::uint8_t, 16> room{};
+    for (const auto& [index, group] : groups)
+    {
+        Entry entry = entries[0];
+        entry.index = index;
+        entry.uses = kStored;
+        StoredEntries stored{EntryTable{&entry, 1U}, dictionary, tpdos, rpdos};
+        const StoredItem item = stored.Item(0U, Room{room.data(), 16U});
+        EXPECT_EQ(item.abort, SdoAbort::kNone);
+        EXPECT_EQ(item.group, group) << std::hex << index;
+        EXPECT_EQ(item.size_bytes, 4U);
+        EXPECT_EQ(room[3], 0x11U);
+    }
+}
+
+TEST_F(StoredEntriesTest, AnItemTooShortForAnAddressIsNone)
+{
+    Verifies(req::SRS_STO_007);
+    std::array<Entry, 1> table{entries[0]};
+    table[0].uses = kStored;
+    const EntryTable own{table.data(), 1U};
+    Dictionary own_dictionary{own, foreign};
+    StoredEntries stored{own, own_dictionary, tpdos, rpdos};
+    const std::uint8_t item[4] = {0x00U, 0x21U, 0U, 0x42U};
+    EXPECT_FALSE(stored.LoadItem(Bytes{item, 2U}));
+    EXPECT_FALSE(stored.LoadItem(Bytes{item, 3U})); // No value.
+    EXPECT_EQ(u8[0], 0x11U);
+    EXPECT_TRUE(stored.LoadItem(Bytes{item, 4U}));
+    EXPECT_EQ(u8[0], 0x42U);
+    // Where its groups are lost it keeps what it has
+    stored.Lose(kAllGroups);
+    EXPECT_EQ(u8[0], 0x42U);
+}
+
+TEST_F(StoredEntriesTest, SettingsOfLssLeaveThePdosAsTheyAre)
+{
+    Verifies(req::SRS_STO_007);
+    UseTpdo(254U);
+    Cycle();
+    sink.frames.clear();
+    StoredEntries stored{EntryTable{entries.data(), 10U}, dictionary, tpdos, rpdos};
+    stored.BeginLoad(kLssGroup);
+    EXPECT_TRUE(stored.EndLoad(kLssGroup));
+    Cycle();
+    EXPECT_TRUE(sink.frames.empty()); // Else it would be sent as on becoming valid.
+    stored.BeginLoad(kAllGroups);
+    EXPECT_TRUE(stored.EndLoad(kAllGroups));
+    Cycle();
+    EXPECT_EQ(sink.frames.size(), 1U);
+}
+
+using StoredSafetyItemsTest = Rig;
+
+TEST_F(StoredSafetyItemsTest, WithoutRoomForAnItemNoneIsGiven)
+{
+    Verifies(req::SRS_STO_012);
+    Configure();
+    std::array<std::uint8_t, 64> scratch{};
+    StoredSafety safety{kernel};
+    ASSERT_GT(safety.ItemCount(), 1U);
+    EXPECT_EQ(safety.Item(0U, Room{scratch.data(), 52U}).abort, SdoAbort::kOutOfMemory);
+    EXPECT_EQ(safety.Item(1U, Room{scratch.data(), 52U}).abort, SdoAbort::kOutOfMemory);
+    EXPECT_EQ(safety.Item(0U, Room{scratch.data(), 53U}).abort, SdoAbort::kNone);
+    EXPECT_EQ(safety.Item(1U, Room{scratch.data(), 53U}).abort, SdoAbort::kNone);
+}
+
+TEST_F(StoredSafetyItemsTest, ItemsThatAreNoneOrBeyondTheEndAreRefused)
+{
+    Verifies(req::SRS_STO_007);
+    Configure();
+    StoredSafety safety{kernel};
+    safety.BeginLoad(kAllGroups);
+    // Neither a header nor a value, of the length of each
+    const std::uint8_t other[10] = {2U, 1U, 0U, 0U, 0U, 9U, 9U, 9U, 9U, 0xA5U};
+    EXPECT_FALSE(safety.LoadItem({other, 10U}));
+    EXPECT_FALSE(safety.LoadItem({other, 9U}));
+    // Two values from a place that there is not
+    const std::uint8_t beyond[13] = {1U, 0xFFU, 0xFFU, 0xFFU, 0x7FU, 1U, 0U, 0U, 0U, 2U, 0U, 0U, 0U};
+    EXPECT_FALSE(safety.LoadItem({beyond, 13U}));
+    // Without a header there is nothing to decide: the configuration stays as it is
+    EXPECT_TRUE(safety.EndLoad(kAllGroups));
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    // A place that turns over to the first ones is refused, and what came there is not valid
+    const std::uint8_t over[13] = {1U, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 1U, 0U, 0U, 0U, 2U, 0U, 0U, 0U};
+    EXPECT_FALSE(safety.LoadItem({over, 13U}));
+    EXPECT_EQ(Read(0x13FEU, 0U), 0U);
+}
+
+TEST_F(StoredSafetyItemsTest, AnotherValidityThanThatOfTheFirstItemIsAChange)
+{
+    Verifies(req::SRS_STO_019);
+    Configure();
+    std::array<std::uint8_t, 64> scratch{};
+    StoredSafety safety{kernel};
+    // Before anything was read there is nothing to compare
+    EXPECT_EQ(safety.EndSave(kAllGroups), SdoAbort::kNone);
+    const std::uint32_t count = safety.ItemCount();
+    for (std::uint32_t i = 0U; i < count; ++i)
+    {
+        EXPECT_EQ(safety.Item(i, Room{scratch.data(), 64U}).abort, SdoAbort::kNone);
+    }
+    EXPECT_EQ(safety.EndSave(kAllGroups), SdoAbort::kNone);
+    // When 13FEh alone is another one, the values being the same
+    EXPECT_EQ(Write(0x13FEU, 0U, 0U, 1U), AbortCode::kNone);
+    EXPECT_EQ(safety.EndSave(kAllGroups), SdoAbort::kDeviceState);
+    EXPECT_EQ(safety.EndSave(kApplicationGroup), SdoAbort::kNone); // It is not in there.
+}
+
+} // namespace
+} // namespace counterpoint::cia301

@@ -1,0 +1,414 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// How a run of a live manager ends, what it shows, and what it makes of a bus that is lost, endless or late.
+#include "runtime/manager/loop.hpp"
+#include "runtime/network_files/file.hpp"
+#include "tests/tools/command_run.hpp"
+#include "verification/trace/ids/manager.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <functional>
+#include <memory>
+#include <sstream>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <thread>
+#include <unistd.h>
+
+namespace counterpoint::tools
+{
+namespace
+{
+constexpr std::uint64_t kMs = 1000000U;
+
+/// What the bus of a test gives, and what it was asked.
+struct Script
+{
+    std::function<bool(host::LiveFrame&)> receive{[](host::LiveFrame&) { return false; }};
+    host::BusState state{host::BusState::kActive};
+    std::string name{"udp:239.74.163.91:43191"};
+    std::uint32_t received{0U};
+    std::vector<host::LiveFrame> sent;
+};
+
+class ScriptBus final : public host::LiveBus
+{
+  public:
+    explicit ScriptBus(Script& script) : script_(script)
+    {
+    }
+    [[nodiscard]] host::SendResult Send(const host::LiveFrame& frame) override
+    {
+        script_.sent.push_back(frame);
+        return (script_.state == host::BusState::kActive) ? host::SendResult::kSent : host::SendResult::kDown;
+    }
+    [[nodiscard]] bool Receive(host::LiveFrame& frame) override
+    {
+        const bool is_one = script_.receive(frame);
+        script_.received += is_one ? 1U : 0U;
+        return is_one;
+    }
+    [[nodiscard]] int Descriptor() const override
+    {
+        return -1;
+    }
+    [[nodiscard]] host::BusHealth Health() const override
+    {
+        host::BusHealth health;
+        health.state = script_.state;
+        return health;
+    }
+    [[nodiscard]] std::string Name() const override
+    {
+        return script_.name;
+    }
+    [[nodiscard]] bool Restart() override
+    {
+        return false;
+    }
+
+  private:
+    Script& script_;
+};
+
+host::LiveFrame Heartbeat(const std::uint64_t time_ns, const std::uint8_t state = 0x7FU)
+{
+    host::LiveFrame frame;
+    frame.identifier = 0x705U;
+    frame.length_bytes = 1U;
+    frame.data[0] = state;
+    frame.time_ns = time_ns;
+    return frame;
+}
+
+class ManagerRunTest : public test::CommandTest
+{
+  protected:
+    ManagerRunTest()
+    {
+        settings.log = Path("log.jsonl");
+        settings.for_ns = 2000U * kMs;
+    }
+    ~ManagerRunTest() override
+    {
+        Close();
+    }
+    static host::LiveFile Connect(const std::string& path)
+    {
+        sockaddr_un address{};
+        address.sun_family = AF_UNIX;
+        std::copy(path.begin(), path.end(), address.sun_path);
+        host::LiveFile client(::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK, 0));
+        EXPECT_EQ(::connect(client.Get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
+        return client;
+    }
+    /// These lines wait at the input, which stays open until EndInput.
+    void Type(const std::string& lines)
+    {
+        Close();
+        ASSERT_EQ(::pipe(ends_), 0);
+        ASSERT_EQ(::write(ends_[1], lines.data(), lines.size()), static_cast<ssize_t>(lines.size()));
+        settings.input = ends_[0];
+    }
+    bool Run(runtime::ManagerSocket* const socket = nullptr)
+    {
+        network_plan::LoadedNetwork net(runtime::ReadNetworkFile(
+            File("net.yaml",
+                 "manager: {node: 127}\nslaves: [{node: 5, heartbeat: 5 ms, consumer: 20 ms, arming: immediately}]\n"),
+            0U));
+        std::ostringstream out;
+        runtime::NodeReport report(out, runtime::ReportForm::kText, host::LiveNow());
+        runtime::ManagerLoop loop(net, std::make_unique<ScriptBus>(script), report, socket, settings);
+        const bool has_started = loop.Run();
+        is_log_whole = loop.IsLogWhole();
+        EXPECT_TRUE(report.Finish());
+        shown = out.str();
+        return has_started;
+    }
+    /// The events of this kind in the log.
+    [[nodiscard]] std::vector<nlohmann::json> Told(const std::string& event) const
+    {
+        std::istringstream log(cia306::ReadTextFile(Path("log.jsonl")));
+        std::vector<nlohmann::json> told;
+        for (std::string line; std::getline(log, line);)
+        {
+            told.push_back(nlohmann::json::parse(line));
+        }
+        told.erase(std::remove_if(told.begin(), told.end(), [&](const auto& each) { return each["event"] != event; }),
+                   told.end());
+        return told;
+    }
+    [[nodiscard]] std::string Reason() const
+    {
+        const std::vector<nlohmann::json> told = Told("stopped");
+        return (told.size() == 1U) ? told[0]["reason"].get<std::string>() : "";
+    }
+    /// Nothing is read for `pause_ns`, from the first turn on; then heartbeats each 5 ms of that time wait, the last
+    /// one at its end.
+    void Pause(const std::uint64_t pause_ns, const std::vector<host::LiveFrame>& more = {})
+    {
+        const std::uint64_t begin_ns = host::LiveNow();
+        std::vector<host::LiveFrame> waiting;
+        for (std::uint64_t at_ns = 5U * kMs; at_ns <= pause_ns; at_ns += 5U * kMs)
+        {
+            waiting.push_back(Heartbeat(begin_ns + at_ns));
+        }
+        waiting.insert(waiting.end(), more.begin(), more.end());
+        script.receive = [begin_ns, pause_ns, waiting, next = std::size_t{0U}](host::LiveFrame& frame) mutable
+        {
+            const std::uint64_t now_ns = host::LiveNow();
+            const std::uint64_t end_ns = begin_ns + pause_ns;
+            std::this_thread::sleep_for(std::chrono::nanoseconds((now_ns < end_ns) ? end_ns - now_ns : 0U));
+            const bool is_one = next < waiting.size();
+            frame = is_one ? waiting[next] : frame;
+            next += is_one ? 1U : 0U;
+            return is_one;
+        };
+        settings.for_ns = pause_ns + 15U * kMs;
+    }
+
+    void EndInput()
+    {
+        static_cast<void>(::close(ends_[1]));
+        ends_[1] = -1;
+    }
+
+    Script script;
+    runtime::ManagerLoopSettings settings;
+    std::string shown;
+    bool is_log_whole{false};
+
+  private:
+    void Close()
+    {
+        for (int& end : ends_)
+        {
+            static_cast<void>((end < 0) ? 0 : ::close(end));
+            end = -1;
+        }
+    }
+
+    int ends_[2]{-1, -1};
+};
+
+TEST_F(ManagerRunTest, EndsByEachSignalByQuitAndByItsTime)
+{
+    Verifies(req::SRS_MGR_120);
+    EXPECT_FALSE(Run());
+    EXPECT_EQ(Reason(), "--for");
+    // From here on only what is tried may end it within an hour.
+    settings.for_ns = 3600000U * kMs;
+    for (const int number : {SIGINT, SIGTERM, SIGHUP})
+    {
+        const auto before = std::signal(number, SIG_DFL);
+        int turns = 0;
+        script.receive = [number, turns](host::LiveFrame&) mutable
+        {
+            ++turns;
+            static_cast<void>((turns == 3) ? std::raise(number) : 0);
+            return false;
+        };
+        EXPECT_FALSE(Run());
+        static_cast<void>(std::signal(number, before));
+        EXPECT_EQ(Reason(), "signal") << number;
+    }
+    script.receive = [](host::LiveFrame&) { return false; };
+    Type("quit\n");
+    EXPECT_FALSE(Run());
+    EXPECT_EQ(Reason(), "quit");
+}
+
+TEST_F(ManagerRunTest, WhereSighupIsIgnoredItEndsNothing)
+{
+    Verifies(req::SRS_MGR_120);
+    // Given a program that nohup has started
+    const auto before = std::signal(SIGHUP, SIG_IGN);
+    int turns = 0;
+    script.receive = [&turns](host::LiveFrame&)
+    {
+        ++turns;
+        static_cast<void>((turns == 3) ? std::raise(SIGHUP) : 0);
+        return false;
+    };
+    EXPECT_FALSE(Run());
+    EXPECT_TRUE(std::signal(SIGHUP, before) == SIG_IGN);
+    EXPECT_EQ(Reason(), "--for");
+    EXPECT_GT(turns, 1000);
+}
+
+TEST_F(ManagerRunTest, AFurtherSigtermCutsNothingOff)
+{
+    Verifies(req::SRS_MGR_121);
+    const auto before = std::signal(SIGTERM, SIG_DFL);
+    script.receive = [](host::LiveFrame&)
+    {
+        static_cast<void>(std::raise(SIGTERM));
+        return false;
+    };
+    EXPECT_FALSE(Run());
+    // When the next one comes behind the run, where table and page are written
+    const auto left = std::signal(SIGTERM, SIG_IGN);
+    ASSERT_TRUE(left != SIG_DFL);
+    static_cast<void>(std::signal(SIGTERM, left));
+    static_cast<void>(std::raise(SIGTERM));
+    static_cast<void>(std::signal(SIGTERM, before));
+    EXPECT_EQ(Reason(), "signal");
+    // And behind a run that something else ended it is as it was before
+    script.receive = [](host::LiveFrame&) { return false; };
+    EXPECT_FALSE(Run());
+    EXPECT_TRUE(std::signal(SIGTERM, before) == before);
+}
+
+TEST_F(ManagerRunTest, OfABusThatNeverFallsSilent256FramesComeBeforeAnOrder)
+{
+    Verifies(req::SRS_MGR_126);
+    script.receive = [this](host::LiveFrame& frame)
+    {
+        frame = Heartbeat(host::LiveNow());
+        return script.received < 100000U;
+    };
+    Type("quit\n");
+    EXPECT_FALSE(Run());
+    EXPECT_EQ(Reason(), "quit");
+    EXPECT_EQ(script.received, 256U);
+    // Nor does the cycle wait: the resets of the start-up went out in it
+    EXPECT_TRUE(std::any_of(script.sent.begin(), script.sent.end(), [](const host::LiveFrame& frame)
+                            { return frame.identifier == 0U && frame.data[0] == 0x82U; }));
+}
+
+TEST_F(ManagerRunTest, ABusThatIsLostAndBackIsToldAndHoldsUpNothing)
+{
+    Verifies(req::SRS_MGR_125);
+    runtime::ManagerSocket socket(Path("m.sock"));
+    const host::LiveFile client = Connect(Path("m.sock"));
+    // Given a bus that is down from 500 ms to 1500 ms, and an order at 1000 ms
+    const std::uint64_t begin_ns = host::LiveNow();
+    std::vector<std::size_t> sent_until;
+    script.receive = [this, begin_ns, &client, &sent_until](host::LiveFrame&)
+    {
+        const std::uint64_t ms = (host::LiveNow() - begin_ns) / kMs;
+        script.state = (ms >= 500U && ms < 1500U) ? host::BusState::kDown : host::BusState::kActive;
+        if (ms >= 1000U + 200U * sent_until.size() && sent_until.size() < 2U)
+        {
+            sent_until.push_back(script.sent.size());
+            EXPECT_EQ(::send(client.Get(), "preop 5\n", 8U, MSG_NOSIGNAL), 8);
+        }
+        return false;
+    };
+    EXPECT_FALSE(Run(&socket));
+    const std::vector<nlohmann::json> told = Told("bus");
+    ASSERT_EQ(told.size(), 2U);
+    EXPECT_EQ(told[0]["state"], "down");
+    EXPECT_EQ(told[1]["state"], "active");
+    // Then both orders are carried out while it is down
+    const std::vector<nlohmann::json> orders = Told("order");
+    ASSERT_EQ(orders.size(), 2U);
+    EXPECT_EQ(orders[0]["answer"], "taken");
+    EXPECT_GE(orders[0]["t_us"], 1000000);
+    EXPECT_LT(orders[1]["t_us"], 1210000);
+    // And what they are to send is tried again in each cycle
+    ASSERT_EQ(sent_until.size(), 2U);
+    EXPECT_GE(sent_until[1] - sent_until[0], 190U);
+}
+
+TEST_F(ManagerRunTest, NoSlaveIsLostByAPauseOfNineSeconds)
+{
+    Verifies(req::SRS_MGR_127);
+    // Given a process that stood still, and 1800 heartbeats 5 ms apart, of a slave that is lost after 20 ms
+    Pause(9000U * kMs);
+    EXPECT_FALSE(Run());
+    EXPECT_EQ(script.received, 1800U);
+    EXPECT_EQ(Told("heartbeat_lost").size(), 0U);
+    EXPECT_EQ(Told("duplicate").size(), 0U);
+    EXPECT_EQ(Told("lost_frames").size(), 0U);
+}
+
+TEST_F(ManagerRunTest, BehindALongerPauseWhatWaitedIsLeftAsideAndTold)
+{
+    Verifies(req::SRS_MGR_128);
+    // Given the same and one microsecond more, and among what waited a boot-up message and an emergency of node 6
+    host::LiveFrame boot_up = Heartbeat(host::LiveNow(), 0U);
+    boot_up.identifier = 0x706U;
+    host::LiveFrame emergency = Heartbeat(host::LiveNow());
+    emergency.identifier = 0x86U;
+    emergency.length_bytes = 8U;
+    emergency.data[0] = 0x00U;
+    emergency.data[1] = 0x10U;
+    Pause(9000U * kMs + 1000U, {boot_up, emergency});
+    EXPECT_FALSE(Run());
+    EXPECT_EQ(script.received, 1802U);
+    const std::vector<nlohmann::json> told = Told("lost_frames");
+    ASSERT_EQ(told.size(), 1U);
+    EXPECT_EQ(told[0]["count"], 1802);
+    ASSERT_EQ(Told("boot_up").size(), 1U);
+    EXPECT_EQ(Told("boot_up")[0]["node"], 6);
+    ASSERT_EQ(Told("emergency").size(), 1U);
+    EXPECT_EQ(Told("emergency")[0]["code"], 0x1000);
+}
+
+TEST_F(ManagerRunTest, ALogThatCannotBeWrittenIsToldAndEndsNothing)
+{
+    Verifies(req::SRS_MGR_124);
+    // Given a file system without room
+    settings.log = "/dev/full";
+    EXPECT_FALSE(Run());
+    EXPECT_FALSE(is_log_whole);
+    const std::string told = "the event log cannot be written any more\n";
+    const std::size_t place = shown.find(told);
+    ASSERT_NE(place, std::string::npos) << shown;
+    EXPECT_EQ(shown.find(told, place + 1U), std::string::npos) << shown;
+    // Then the run goes on to its end
+    EXPECT_NE(shown.find("stopped by --for\n", place), std::string::npos) << shown;
+}
+
+TEST_F(ManagerRunTest, OnATerminalTheTableIsRedrawnAboveTheLastAnswer)
+{
+    Verifies(req::SRS_MGR_129);
+    settings.is_screen = true;
+    Type("stop 99\nboot 98\nfly");
+    EXPECT_FALSE(Run());
+    const std::string home = "\x1b[H\x1b[2J";
+    const std::string head = "node  name                  state";
+    const std::string first = "\nnode 99 is not in the network file, expected a slave\n\norder (help): ";
+    const std::string second = "\nnode 98 is not in the network file, expected a slave\n\norder (help): ";
+    // Each drawing begins at the top, with the table
+    std::vector<std::string> drawings;
+    for (std::size_t place = shown.find(home); place != std::string::npos;)
+    {
+        const std::size_t next = shown.find(home, place + 1U);
+        drawings.push_back(shown.substr(place + home.size(), next - place - home.size()));
+        EXPECT_EQ(drawings.back().rfind("manager, node 127: ", 0U), 0U) << drawings.back();
+        EXPECT_NE(drawings.back().find(head), std::string::npos) << drawings.back();
+        place = next;
+    }
+    // At once, at each answer, each 250 ms of 2 s, and at the end
+    ASSERT_GE(drawings.size(), 10U);
+    EXPECT_NE(drawings[0].find(first), std::string::npos) << drawings[0];
+    // And the answer to the second order stays until the end, with what is typed so far
+    EXPECT_EQ(drawings.back().find(first), std::string::npos) << drawings.back();
+    EXPECT_NE(drawings.back().find(second + "fly"), std::string::npos) << drawings.back();
+    // The answer to status is the table
+    Type("stop 99\nstatus\n");
+    EXPECT_FALSE(Run());
+    const std::string last = shown.substr(shown.rfind(home));
+    EXPECT_EQ(last.find(first), std::string::npos) << last;
+    EXPECT_EQ(last.find(head), last.rfind(head)) << last;
+}
+
+TEST_F(ManagerRunTest, TheEndOfTheInputEndsItsLastLine)
+{
+    Verifies(req::SRS_MGR_006);
+    settings.for_ns = 3600000U * kMs;
+    Type("stop 99\nquit");
+    EndInput();
+    EXPECT_FALSE(Run());
+    EXPECT_EQ(Reason(), "quit");
+    ASSERT_EQ(Told("order").size(), 1U);
+    EXPECT_EQ(Told("order")[0]["order"], "stop 99");
+}
+} // namespace
+} // namespace counterpoint::tools
