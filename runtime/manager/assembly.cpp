@@ -145,9 +145,18 @@ std::string ManagerAssembly::Negotiate()
 bool ManagerAssembly::Runs(const cia302::NodeId node) const noexcept
 {
     constexpr auto kOperational = static_cast<std::uint8_t>(cia302::SlaveState::kOperational);
+    const cia302::NodeRecord& record = manager_.Table().Record(node);
     const bool is_running = manager_.Table().RequestValue(node) == kOperational;
-    const bool was_heard = manager_.Table().Record(node).state == cia302::SlaveState::kOperational;
-    return is_running && (was_heard || manager_.Status(node).is_started);
+    const bool is_supervised = record.watch != cia302::Watch::kNone;
+    const bool was_heard = record.state == cia302::SlaveState::kOperational && !(is_supervised && record.is_presumed);
+    return is_running && (was_heard || (!is_supervised && manager_.Status(node).is_started));
+}
+
+bool ManagerAssembly::IsUnheard(const cia302::NodeId node) const noexcept
+{
+    const bool is_supervised = manager_.Table().Record(node).watch != cia302::Watch::kNone;
+    return is_supervised && manager_.Status(node).is_started && !Runs(node) &&
+           manager_.Table().RequestValue(node) == static_cast<std::uint8_t>(cia302::SlaveState::kOperational);
 }
 
 bool ManagerAssembly::HasFault(const cia302::NodeId node) const noexcept

@@ -57,8 +57,11 @@ class ManagerAssembly
     [[nodiscard]] std::string Negotiate();
     /// @brief Lets later negotiations begin by themselves. Call it before the manager's cycle.
     void OnCycle(Instant now);
-    /// @brief Whether a slave is OPERATIONAL by what it said last, where it is listened to, else by what it was told.
+    /// @brief Whether a slave is OPERATIONAL by what it said last, where a heartbeat or guarding answer is expected of
+    /// it or it was heard, else by what it was told. [SRS_MGR_082]
     [[nodiscard]] bool Runs(cia302::NodeId node) const noexcept;
+    /// @brief Whether a slave was started, and the heartbeat that is expected of it has not come since.
+    [[nodiscard]] bool IsUnheard(cia302::NodeId node) const noexcept;
     /// @brief Whether a slave runs, its start-up ended without a finding, and it told no fault of the device.
     /// [SRS_MGR_131, SRS_MGR_132]
     [[nodiscard]] bool IsGood(cia302::NodeId node) const noexcept;

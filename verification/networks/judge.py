@@ -5,6 +5,7 @@ import re
 import subprocess
 
 import frames as wire
+import hold_rule
 import live_rules
 import safety_rules
 import scenario
@@ -52,21 +53,24 @@ def judge(plan, catalogue, frames, document):
     outcome = Outcome(plan)
     world = World(plan, catalogue)
     safety, stops = safety_rules.SafetyRules(world), live_rules.StopRule(world)
+    events = document["managers"][0]["events"]
+    holds = hold_rule.HoldRule(world, events)
     for _, is_frame, _, what in world.steps(frames):
         if is_frame:
             world.now_us = what.t_us
-            safety.before(what, what.is_nmt and world.is_foreign(what))
+            is_foreign = what.is_nmt and world.is_foreign(what)
+            safety.before(what, is_foreign)
+            holds.before(what, is_foreign)
             was_running = {number: node.is_running for number, node in world.nodes.items()}
             world.hear(what)
             stops.after(was_running)
         else:
             world.act(what)
-    events = document["managers"][0]["events"]
     states = states_of(document["expectations"])
     wishes = live_rules.Wishes(plan, events)
-    outcome.violations = safety.found + stops.found + live_rules.rest_violations(world, states, events, wishes)
+    outcome.violations = safety.found + stops.found + holds.found + live_rules.rest_violations(world, states, events, wishes)
     count(outcome, states, wishes.reasons(world), events)
-    outcome.counts.update({"starts of safety slaves": safety.starts, "wrong ones that ran and were stopped": stops.stopped,
+    outcome.counts.update({"orders that hold a slave": holds.taken, "starts of safety slaves": safety.starts, "wrong ones that ran and were stopped": stops.stopped,
                            "frames": len(frames)})
     return outcome
 

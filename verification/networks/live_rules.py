@@ -59,7 +59,8 @@ class Wishes:
                          for node in re.findall(r"\bnode (\d+)", event["answer"])}
         self.now_us = 0
         self.held_us = {}  # When the last command that holds it was given.
-        self.held = dict.fromkeys((slave.node for slave in plan.slaves), False)
+        self.held = dict.fromkeys((slave.node for slave in plan.slaves), False)  # By an order of the manager.
+        self.halted = dict(self.held)  # By anybody's command.
         self.unsure = {slave.node: "" for slave in plan.slaves}
         self.start_up = plan.start_up
         has_events = bool(plan.events)
@@ -83,7 +84,7 @@ class Wishes:
         self.now_us = event["at_us"]
         if kind in ("insert", "reset", "replace") and self.plan.profile == "cia302":
             # A command that waits for the inhibit time may come behind it.
-            self.held[event["node"]] = self.now_us - self.held_us.get(event["node"], -WAITING_US) < WAITING_US
+            self.halted[event["node"]] = self.now_us - self.held_us.get(event["node"], -WAITING_US) < WAITING_US
         elif kind == "duplicate":
             self.unsure[event["node"]] = "suspected duplicate"
         elif kind == "send" and event["identifier"] == wire.NMT:
@@ -115,11 +116,12 @@ class Wishes:
         if whom == 0 and word in HOLDS and self.plan.profile == "cia302":
             self.everybody("the manager itself was commanded")
         for node in self.held:
-            # Somebody else frees nobody whom an order holds; but with cia302 a boot-up message begins the boot anew.
+            # Only orders free whom an order holds; whom somebody else halted, with cia302 a boot that begins anew.
             is_nothing = word not in HOLDS and is_foreign and (word == "start" or self.plan.profile != "cia302")
             is_left_out = not is_foreign and whom == 0 and (self.now_us, node) in self.left_out
             if whom in (0, node) and not is_nothing and not is_left_out:
-                self.held[node] = word in HOLDS
+                self.halted[node] = word in HOLDS
+                self.held[node] = self.held[node] if is_foreign else word in HOLDS
                 if word in HOLDS:
                     self.held_us[node] = self.now_us
 
@@ -131,13 +133,13 @@ class Wishes:
         """Why this slave need not run; empty: it has to."""
         state = world.nodes[node]
         reasons = ((not state.is_there, "absent"), (state.strange(self.plan.profile) is not None, "another device"),
-                   (state.altered_us is not None or state.may_be_altered, "another safety configuration"), (self.held[node], "held"),
+                   (state.altered_us is not None or state.may_be_altered, "another safety configuration"), (self.held[node] or self.halted[node], "held"),
                    (state.is_silent, "without heartbeat"))
         return self.unsure[node] or next((word for holds, word in reasons if holds), "")
 
     def may_stay(self, node):
         """Whether a command, or the manager's error handling, may leave a slave in the middle of its start-up."""
-        return self.held[node] or bool(self.start_up & 0x40)
+        return self.held[node] or self.halted[node] or bool(self.start_up & 0x40)
 
     def reasons(self, world):
         """Node -> why it need not run, empty for those that have to."""

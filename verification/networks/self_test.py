@@ -122,11 +122,35 @@ def left_booting(case):
                                                    "code": 0, "step": "vendor-ID"})
 
 
+def held(case, *orders):
+    """Orders to the relay that were taken, in the middle of its start-up."""
+    t_us = case.frames[case.answers(0x1301, 1)[-1]].t_us
+    case.document["managers"][0]["events"] += [{"t_us": t_us + place, "event": "order", "order": order, "answer": "taken"}
+                                               for place, order in enumerate(orders)]
+
+
+def held_by_stop(case):
+    held(case, f"stop {RELAY}")
+
+
+def held_by_preop_of_all(case):
+    held(case, "preop all")
+
+
+def held_by_1f82(case):
+    held(case, f"start {RELAY}", f"set 0x1F82:{RELAY:02X} 4")
+
+
+def held_and_freed(case):
+    held(case, f"stop {RELAY}", f"boot {RELAY}")
+
+
 FIXTURES = ((start_of_all, "1 start of all"), (unread_mapping, "2 verified"), (unread_signature, "2 verified"),
             (other_value, "2 verified"), (validity_not_last, "2 verified"), (boot_up_behind_it, "2 verified"),
             (stop_behind_it, "2 verified"), (stored_before, "2 verified"), (other_serial, "3 identity"),
             (other_serial_written, "3 identity"), (exchanged_unheard, "3 identity, exchanged unheard"),
-            (runs_altered, "4 stopped"), (does_not_run, "5 runs"), (left_booting, "5 booting"))
+            (runs_altered, "4 stopped"), (does_not_run, "5 runs"), (left_booting, "5 booting"),
+            (held_by_stop, "7 held"), (held_by_preop_of_all, "7 held"), (held_by_1f82, "7 held"), (held_and_freed, None))
 
 
 def tell(name, expected, rules):
@@ -161,5 +185,5 @@ def run(program, folder):
         case = Case(plan, frames, document)
         change(case)
         outcome = judge.judge(case.plan, catalogue, case.frames, case.document)
-        good = tell(change.__name__, {rule}, {violation.rule for violation in outcome.violations}) and good
+        good = tell(change.__name__, {rule} - {None}, {violation.rule for violation in outcome.violations}) and good
     return 0 if program_fixtures(program, catalogue, plan, folder) and good else 1

@@ -14,6 +14,7 @@ constexpr std::uint32_t kRequests = 0x600U;
 constexpr std::uint32_t kErrorControl = 0x700U;
 constexpr std::uint32_t kNodeMask = 0x7FU;
 constexpr std::uint8_t kEmergencyBytes = 8U;
+constexpr std::uint8_t kSdoBytes = 8U;
 constexpr std::uint32_t kUsPerMs = 1000U;
 
 /// The device itself is faulty (hardware, software, modules), as in its safe state, until it takes back all of its
@@ -55,6 +56,7 @@ void NodeWatch::OnFrame(const CanFrame& frame, const Instant now) noexcept
     else if (is_data && (function == kAnswers))
     {
         OnAnswer(node, frame, now);
+        OnTime(node, frame);
     }
     else
     {
@@ -125,6 +127,20 @@ void NodeWatch::OnAnswer(const NodeId node, const CanFrame& frame, const Instant
     }
 }
 
+/// The answer to a write of 1017h, whoever writes: taken, the heartbeats come as configured; refused, as the device
+/// likes. [SRS_MGR_083]
+void NodeWatch::OnTime(const NodeId node, const CanFrame& frame) noexcept
+{
+    constexpr std::uint8_t kTaken = 0x60U;
+    constexpr std::uint8_t kAborted = 0x80U;
+    const bool is_heartbeat_time =
+        (frame.length_bytes == kSdoBytes) && (frame.data[1] == 0x17U) && (frame.data[2] == 0x10U);
+    WatchedNode& watched = nodes_[node.value];
+    const bool is_refused = is_heartbeat_time && (frame.data[0] == kAborted);
+    const bool is_taken = is_heartbeat_time && (frame.data[0] == kTaken);
+    watched.has_own_time = is_refused || (watched.has_own_time && !is_taken);
+}
+
 void NodeWatch::OnEmergency(const NodeId node, const CanFrame& frame, const Instant now) noexcept
 {
     EmergencyRecord& record = nodes_[node.value].emergency;
@@ -189,7 +205,7 @@ void NodeWatch::OnSign(const NodeId node, const std::uint8_t byte, const Instant
     watched.window = is_new ? now : watched.window;
     watched.signs = is_new ? std::uint8_t{1U} : static_cast<std::uint8_t>(watched.signs + 1U);
     watched.signs = (byte == kBootUp) ? std::uint8_t{0U} : watched.signs;
-    const bool is_too_often = (window_us > 0U) && (watched.signs >= kWindowSigns);
+    const bool is_too_often = (window_us > 0U) && !watched.has_own_time && (watched.signs >= kWindowSigns);
     if (is_too_often)
     {
         watched.signs = 0U;

@@ -33,6 +33,7 @@ struct WatchedNode
     Instant window;     ///< Begin of the window in which signs of life are counted.
     std::uint8_t signs; ///< In it.
     bool is_duplicate;  ///< Suspected since the last OnReset.
+    bool has_own_time;  ///< It refused 1017h, and has taken none since: how often it sends heartbeats nobody has set.
 };
 
 /// Is told what concerns the whole network, beside start-up and supervision.
@@ -57,8 +58,8 @@ constexpr std::uint32_t kEmergencyGapUs = 100'000U;
 
 /// Emergency messages, and node-IDs that two devices have. Two devices with one node-ID answer SDOs with each other's
 /// values; they show themselves by heartbeats that come too often: kWindowSigns in kWindowPeriods producer times, where
-/// one device sends eleven, counted anew from each boot-up message; and by second answers, see AnswerWatch. Not
-/// reentrant. [SRS_MGR_010, SRS_MGR_011, SRS_MGR_015]
+/// one device sends eleven, counted anew from each boot-up message, unless it refused that time (1017h); and by second
+/// answers, see AnswerWatch. Not reentrant. [SRS_MGR_010, SRS_MGR_011, SRS_MGR_015, SRS_MGR_083]
 class NodeWatch
 {
   public:
@@ -93,6 +94,7 @@ class NodeWatch
     void OnSign(NodeId node, std::uint8_t byte, Instant now) noexcept;
     void OnReset(const CanFrame& frame) noexcept;
     void OnAnswer(NodeId node, const CanFrame& frame, Instant now) noexcept;
+    void OnTime(NodeId node, const CanFrame& frame) noexcept;
     void Suspect(NodeId node, Instant now) noexcept;
 
     const NetworkSetup& setup_;

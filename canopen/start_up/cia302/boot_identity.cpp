@@ -70,13 +70,15 @@ BootFinding BootIdentity::Work(const BootJob& job) noexcept
 }
 
 /// STOPPED, it has no SDO to be asked by, and may send nothing that tells so, or not yet. One command for each try: a
-/// lane for it may have to be waited for. Who was stopped in the middle of this boot stays so.
+/// lane for it may have to be waited for. Who was stopped in the middle of this boot stays so, and so does who is held
+/// by a stop: a boot-up message behind it does not say whether the slave has obeyed. [SRS_BOOT_030]
 BootFinding BootIdentity::WakeUp(const BootJob& job) noexcept
 {
     const NodeRecord& heard = parts_.table.Record(job.node);
     const bool is_first = (job.record.state == BootState::kTypeFirst);
-    const bool is_held = (!is_first || job.record.is_held) && (heard.asked == SlaveState::kStopped);
-    if (IsStopped(parts_.table, job.node) && !is_held)
+    const bool was_stopped = !is_first && (heard.asked == SlaveState::kStopped);
+    const bool is_held = job.record.is_held && (heard.asked != SlaveState::kPreOperational);
+    if (IsStopped(parts_.table, job.node) && !was_stopped && !is_held)
     {
         static_cast<void>(parts_.nmt.Request(NmtCommand::kPreOperational, job.node, job.time.now));
     }

@@ -60,7 +60,7 @@ struct BootRecord
     bool is_start_wanted; ///< Application or master asked for its start, whatever 1F80h says.
     bool is_unread;       ///< Stopped because it ran and did not answer.
     bool is_start_owed;   ///< The NMT master gave up its start; it is to be verified and started again.
-    bool is_held;         ///< A command holds it since: no start-up starts it before an order, or before it boots anew.
+    bool is_held;         ///< A command holds it since: no start-up starts it before an order.
     bool is_extra;        ///< Configuration or verification alone runs: its end says nothing about the boot.
 
     /// @brief Whether a boot runs, and not configuration or verification alone.

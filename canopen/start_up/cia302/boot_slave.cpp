@@ -45,16 +45,16 @@ BootJob BootSlave::JobOf(const NodeId node, const BootTime& time) noexcept
     return BootJob{node, Record(node), parts_.setup.Slave(node), time};
 }
 
-/// The boot begins from nothing; what ran is given up.
+/// The boot begins from nothing; what ran is given up. What a command holds stays so: only an order ends that, for a
+/// boot-up message does not say whether it is behind the command, and whose reset it follows. [SRS_BOOT_033]
 void BootSlave::Clear(const BootJob& job) noexcept
 {
-    End(job.node);
     const bool is_at_once = (job.setup.heartbeat.arming == Arming::kImmediately);
     const std::uint16_t watched_ms = is_at_once ? job.setup.heartbeat.consumer_ms : std::uint16_t{0U};
     parts_.table.WatchHeartbeat(job.node, watched_ms, Arming::kImmediately, job.time.now); // Others are not watched.
     parts_.gate.Close(job.node);
     parts_.nmt.DropStarts(job.node);
-    job.record = BootRecord{};
+    Forget(job.node);
     job.record.began_us = job.time.clock_us;
     job.record.status.is_busy = true;
 }
@@ -70,10 +70,8 @@ void BootSlave::Ask(const NodeId node, const BootTime& time) noexcept
 void BootSlave::AskAgain(const NodeId node, const BootTime& time) noexcept
 {
     const BootJob job = JobOf(node, time);
-    const bool is_held = job.record.is_held;
     const bool is_start_wanted = job.record.is_start_wanted;
     Clear(job);
-    job.record.is_held = is_held;
     job.record.is_start_wanted = is_start_wanted;
     Go(job, BeginOf(job.setup));
     OnCycle(node, time);
@@ -82,9 +80,7 @@ void BootSlave::AskAgain(const NodeId node, const BootTime& time) noexcept
 void BootSlave::Resume(const NodeId node, const BootTime& time) noexcept
 {
     const BootJob job = JobOf(node, time);
-    const bool is_held = job.record.is_held;
     Clear(job);
-    job.record.is_held = is_held; // Nobody has ordered this start.
     job.record.is_fresh = true;
     job.record.is_resumed = true;
     Go(job, BeginOf(job.setup));
@@ -106,6 +102,11 @@ void BootSlave::Hold(const NodeId node) noexcept
     record.is_start_wanted = false;
     record.is_start_owed = false;
     record.is_unread = false;
+}
+
+void BootSlave::Free(const NodeId node) noexcept
+{
+    Record(node).is_held = false;
 }
 
 void BootSlave::Release(const NodeId node, const BootTime& time) noexcept
@@ -227,6 +228,15 @@ void BootSlave::End(const NodeId node) noexcept
     {
         parts_.gate.Close(node);
     }
+}
+
+void BootSlave::Forget(const NodeId node) noexcept
+{
+    End(node);
+    BootRecord& record = Record(node);
+    const bool is_held = record.is_held;
+    record = BootRecord{};
+    record.is_held = is_held;
 }
 
 /// Nothing runs any more; the gate keeps what it found.

@@ -42,10 +42,10 @@ class BootSlave
     /// @brief Boots now, without waiting for a boot-up message. [SRS_BOOT_004, SRS_BOOT_005, SRS_BOOT_006,
     /// SRS_BOOT_007, SRS_BOOT_008, SRS_BOOT_009, SRS_BOOT_010, SRS_BOOT_011, SRS_BOOT_012, SRS_BOOT_013, SRS_BOOT_014]
     void Ask(NodeId node, const BootTime& time) noexcept;
-    /// @brief As Ask, but what was ordered holds: the start, or none. [SRS_BOOT_018, SRS_BOOT_030]
+    /// @brief As Ask, but a start that was ordered is still wanted. [SRS_BOOT_018]
     void AskAgain(NodeId node, const BootTime& time) noexcept;
     /// @brief As Ask, but what was written to the slave stays: the state check does not reset it, and no defaults are
-    /// restored, and a slave that a command holds is not started. [SRS_SFS_005]
+    /// restored. [SRS_SFS_005]
     void Resume(NodeId node, const BootTime& time) noexcept;
     /// @brief Boots when the boot-up message comes; mandatory slaves and those kept alive also without one, after
     /// kResetUs. [SRS_BOOT_002]
@@ -63,9 +63,11 @@ class BootSlave
     /// @brief A safety slave runs whose boot-up message is waited for: it is supervised and verified, and its boot ends
     /// as that of one that was OPERATIONAL already. [SRS_BOOT_013]
     void TakeOver(NodeId node, const BootTime& time) noexcept;
-    /// @brief A command holds the slave: no start-up starts it before Release or Start, or before it boots anew.
-    /// [SRS_BOOT_030, SRS_BOOT_032]
+    /// @brief A command holds the slave: no start-up starts it before Free, Release or Start. [SRS_BOOT_030,
+    /// SRS_BOOT_033]
     void Hold(NodeId node) noexcept;
+    /// @brief Its boot or its reset was ordered: what is begun behind it may start it. [SRS_BOOT_032]
+    void Free(NodeId node) noexcept;
     /// @brief A start of the slave was ordered and sent.
     void Release(NodeId node, const BootTime& time) noexcept;
     /// @brief Ends whatever runs, and takes the slave for another device until a boot has found the expected one.
@@ -73,6 +75,8 @@ class BootSlave
     void Doubt(NodeId node, const BootTime& time) noexcept;
     /// @brief Ends whatever runs.
     void End(NodeId node) noexcept;
+    /// @brief Ends whatever runs; nothing is known of the slave any more, but whether a command holds it.
+    void Forget(NodeId node) noexcept;
     /// @brief Does what can be done now. Call it once a cycle, and after each frame of the node.
     void OnCycle(NodeId node, const BootTime& time) noexcept;
 

@@ -31,7 +31,6 @@ void Cia302Master::Begin(const NmtCommand reset, const BootTime& time) noexcept
 {
     reset_ = reset;
     const bool is_singly = (reset == NmtCommand::kResetCommunication) && HasKeptAlive();
-    is_held_ = false;
     is_self_due_ = false;
     cursor_ = is_singly ? std::uint8_t{1U} : std::uint8_t{0U};
     Go(MasterEvent::kReset, time.now);
@@ -40,10 +39,24 @@ void Cia302Master::Begin(const NmtCommand reset, const BootTime& time) noexcept
 
 void Cia302Master::End(const Instant now) noexcept
 {
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        boot_.Forget(NodeId{id});
+        parts_.table.Unwatch(NodeId{id});
+        parts_.gate.Close(NodeId{id});
+    }
     is_start_due_ = false;
-    is_held_ = false;
     is_self_due_ = false;
     Go(MasterEvent::kEnd, now);
+}
+
+void Cia302Master::Free() noexcept
+{
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        boot_.Free(NodeId{id});
+    }
+    is_held_ = false;
 }
 
 void Cia302Master::Stop(const Instant now) noexcept
@@ -98,7 +111,6 @@ void Cia302Master::BootAll(const BootTime& time) noexcept
         const NodeId node{id};
         const BootRecord& record = boot_.Record(node);
         const bool is_booting = record.IsBooting(); // An extra alone boots nobody.
-        const bool is_held = record.is_held;
         const bool is_new = parts_.setup.IsListed(node) && !is_booting && !record.is_booted;
         if (is_new && parts_.setup.Slave(node).Has(kKeepAlive))
         {
@@ -111,10 +123,6 @@ void Cia302Master::BootAll(const BootTime& time) noexcept
         else
         {
             // On its way, or no slave.
-        }
-        if (is_new && is_held)
-        {
-            boot_.Hold(node); // Ordered while the resets waited.
         }
         if (is_new && (limit_ms > 0U))
         {

@@ -20,8 +20,12 @@ class Cia302Master
     /// @brief Begins with the resets; no boot runs. `reset`: reset node is sent to all, reset communication leaves out
     /// slaves that are kept alive.
     void Begin(NmtCommand reset, const BootTime& time) noexcept;
-    /// @brief Ends the start-up; nothing is sent any more.
+    /// @brief Ends the start-up: nothing is sent and nobody supervised any more, and nothing known of any slave but who
+    /// is held.
     void End(Instant now) noexcept;
+    /// @brief No command holds the master or a slave any more: a reset of all was ordered, or the role of the manager
+    /// begins or ends. [SRS_BOOT_031, SRS_BOOT_032]
+    void Free() noexcept;
     /// @brief Sends the resets that wait; when all have left, the boots begin. Does nothing in other steps.
     void SendResets(const BootTime& time) noexcept;
     /// @brief Boots all listed slaves that do not boot yet: the resets have left, or the application sent them.

@@ -33,15 +33,9 @@ void Cia302StartUp::Begin(const Instant now) noexcept
 
 void Cia302StartUp::End() noexcept
 {
-    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
-    {
-        boot_.End(NodeId{id});
-        boot_.Record(NodeId{id}) = BootRecord{};
-        parts_.table.Unwatch(NodeId{id});
-        parts_.gate.Close(NodeId{id});
-    }
     reaction_ = Reaction::kNone;
     master_.End(clock_.last);
+    master_.Free();
 }
 
 void Cia302StartUp::OnFrame(const CanFrame& frame, const Instant now) noexcept
@@ -141,14 +135,9 @@ void Cia302StartUp::OnBootUp(const NodeId node, const BootTime& time) noexcept
     const BootRecord& record = boot_.Record(node);
     const bool is_stopped = (master_.Step() == MasterStep::kStopped);
     const bool is_ordered = record.status.is_busy && (!record.is_extra || record.IsAwaitingBootUp());
-    const bool is_kept = record.is_held && (master_.Step() == MasterStep::kReset); // The start-up's own reset.
     if ((master_.Step() != MasterStep::kIdle) && (!is_stopped || is_ordered))
     {
         boot_.OnBootUp(node, time);
-        if (is_kept)
-        {
-            boot_.Hold(node);
-        }
     }
     else if (is_stopped && parts_.setup.IsSafetySlave(node))
     {
@@ -228,7 +217,8 @@ void Cia302StartUp::React(const BootTime& time) noexcept
     }
     else if (reaction_ == Reaction::kResetAll)
     {
-        End();
+        reaction_ = Reaction::kNone;
+        master_.End(time.now); // Who is held stays so: nobody has ordered this reset. [SRS_BOOT_033]
         master_.Begin(NmtCommand::kResetNode, time);
     }
 }
@@ -409,6 +399,7 @@ NmtAnswer Cia302StartUp::CommandNode(const NmtCommand command, const NodeId node
     }
     else if ((answer == NmtAnswer::kTaken) && is_listed && IsReset(command) && (master_.Step() != MasterStep::kIdle))
     {
+        boot_.Free(node);
         boot_.Await(node, time);
     }
     else if ((answer == NmtAnswer::kTaken) && is_listed)
@@ -446,6 +437,7 @@ bool Cia302StartUp::Boot(const NodeId node, const Instant now) noexcept
     const bool is_listed = parts_.setup.IsListed(node) && (master_.Step() != MasterStep::kIdle);
     if (is_listed)
     {
+        boot_.Free(node);
         boot_.Ask(node, time);
     }
     else if (is_node && !parts_.setup.IsListed(node))

@@ -137,7 +137,7 @@ void PlcRelease::Refuse(const NodeId node, const Instant now) noexcept
     slave.signs = parts_.table.Record(node).signs;
     slave.reading.was_checked = false;
     slave.is_stop_due = (parts_.nmt.Request(NmtCommand::kStop, node, now) != NmtAnswer::kTaken);
-    slaves_.Go(node, is_other ? PlcEvent::kOther : PlcEvent::kNone,
+    slaves_.Go(node, is_other ? PlcEvent::kOther : PlcEvent::kHold, // One that ran was stopped: 4. [SRS_PLC_031]
                is_other ? StartUpStep::kDeviceType : StartUpStep::kSafety, now);
     parts_.listener.OnNodeStatus(node, now);
 }

@@ -32,7 +32,7 @@ enum class PlcEvent : std::uint8_t
     kSilence = 7U,    ///< An optional slave did not answer.
     kStarted = 8U,    ///< NMT start was handed over.
     kStartAgain = 9U, ///< It is to be started again: by order, or because a start was given up.
-    kHold = 10U,      ///< A command holds it.
+    kHold = 10U,      ///< A command holds it, or the gate refused it.
     kLost = 11U,      ///< Heartbeat or guarding was lost.
 };
 constexpr std::uint8_t kPlcEvents = 12U;

@@ -54,6 +54,26 @@ std::string FaultText(const std::uint16_t code)
     return "device fault: emergency " + cia306::Hex(code, 4) + ", expected its end or a restart of the device";
 }
 
+/// A slave that was told to start and sends no heartbeat, behind the time in which one is due. Supervision began with
+/// its start, or before; that counter comes round, the age of the last sign does not. [SRS_MGR_082]
+std::string SilenceText(const ManagerStation& station, const NodeId node, const std::uint64_t now_us)
+{
+    constexpr std::uint64_t kLongUs = 600000000U; ///< Longer than any start-up, shorter than the counter.
+    const cia302::NodeRecord& record = station.Assembly().Core().Table().Record(node);
+    const std::uint32_t waited_us = static_cast<std::uint32_t>(now_us) - record.since.us;
+    const std::uint64_t age_us = AgeUs(station, node, now_us);
+    const bool is_over = age_us > record.time_us && (waited_us > record.time_us || age_us > kLongUs);
+    return (station.Assembly().IsUnheard(node) && is_over)
+               ? "no heartbeat since its start, expected one each " + MsText(record.time_us) + " at least"
+               : "";
+}
+
+/// Two findings, of which each may be empty.
+std::string Both(const std::string& first, const std::string& second)
+{
+    return first + (first.empty() || second.empty() ? "" : "; ") + second;
+}
+
 std::string EmergencyText(const cia302::EmergencyRecord& emergency)
 {
     return (emergency.count == 0U) ? "" : cia306::Hex(emergency.code, 4) + " (" + std::to_string(emergency.count) + ")";
@@ -82,7 +102,8 @@ StatusRow RowOf(const ManagerStation& station, const network_plan::LoadedSlave& 
         is_refused ? "safety configuration: " + FindingText(manager.Gate().Finding(node)) : ResultText(profile, status);
     const std::uint16_t fault = is_safety ? manager.Watched().Of(node).fault : std::uint16_t{0U};
     row.finding = manager.Watched().Of(node).is_duplicate ? "two devices with this node-ID?" : row.finding;
-    row.finding = (fault != 0U) ? FaultText(fault) + (row.finding.empty() ? "" : "; " + row.finding) : row.finding;
+    row.finding = Both(SilenceText(station, node, now_us), row.finding);
+    row.finding = Both((fault != 0U) ? FaultText(fault) : "", row.finding);
     row.is_good = assembly.IsGood(node);
     return row;
 }

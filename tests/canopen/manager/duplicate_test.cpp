@@ -2,6 +2,7 @@
 // Two devices with one node-ID and no heartbeat, and single devices that must not be taken for two.
 #include "tests/canopen/manager/rig.hpp"
 #include "verification/trace/ids/manager.hpp"
+#include "verification/trace/ids/start_up_profiles.hpp"
 
 namespace counterpoint::cia302
 {
@@ -115,6 +116,56 @@ TEST_P(DuplicateTest, OneDeviceIsNeverTakenForTwo)
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, DuplicateTest, ::testing::ValuesIn(kProfiles));
+
+TEST_P(DuplicateTest, OneThatRefusesItsHeartbeatTimeIsNoDuplicateByItsOwn)
+{
+    Verifies(req::SRS_MGR_083);
+    // Given a heartbeat time of 1 s that one device refuses, which keeps its own 100 ms
+    const Octets list{1U, 0U, 0U, 0U, 0x17U, 0x10U, 0U, 2U, 0U, 0U, 0U, 0xE8U, 0x03U};
+    FakeSlave& device = Add(5U);
+    device.Put(0x1017U, 0U, {100U, 0U});
+    device.refused[cia301::KeyOf(0x1017U, 0U)] = SdoAbort::kReadOnly;
+    device.heartbeat_ms = 100U;
+    setups.at(5U).heartbeat = HeartbeatSetup{2000U, 1000U, Arming::kFirstHeartbeat};
+    setups.at(5U).concise_dcf = Bytes{list.data(), static_cast<std::uint32_t>(list.size())};
+    MakeSafe(5U);
+    Begin(GetParam());
+    Run(12000U);
+    // Then nothing is concluded of it; PLC Designer, to which an abort is an answer, has started it
+    EXPECT_FALSE(IsSuspected(5U));
+    EXPECT_EQ(Running(5U), (GetParam() == Profile::kPlcDesigner) ? 1 : 0);
+    // When somebody writes the time, and it is taken, but the heartbeats come as before, then they are too many
+    Put(Sdo(0x605U, 0x2BU, 0x1017U, 0U));
+    Put(Sdo(0x585U, 0x60U, 0x1017U, 0U));
+    Run(4000U);
+    EXPECT_EQ(IsSuspected(5U), GetParam() == Profile::kPlcDesigner);
+    EXPECT_EQ(Running(5U), 0);
+}
+
+class RefusedTest : public ManagerRig
+{
+};
+
+TEST_F(RefusedTest, UnderPlcDesignerOneThatRanIsInState4)
+{
+    Verifies(req::SRS_PLC_031);
+    Add(6U);
+    MakeSafe(6U);
+    Begin(Profile::kPlcDesigner);
+    Run(3000U);
+    ASSERT_EQ(Running(6U), 1);
+    ASSERT_EQ(manager->Status(NodeId{6U}).code, 5);
+    // When three questions were answered by two devices, then it is stopped, which is no state 5
+    for (std::uint16_t index = 0x2000U; index < 0x2003U; ++index)
+    {
+        Put(Sdo(0x606U, 0x40U, index, 0U)); // The device aborts it,
+        Put(Sdo(0x586U, 0x43U, index, 0U)); // and another one has it.
+    }
+    Run(100U);
+    EXPECT_EQ(Running(6U), 0);
+    EXPECT_EQ(manager->Status(NodeId{6U}).code, 4);
+    EXPECT_EQ(manager->Status(NodeId{6U}).step, StartUpStep::kSafety);
+}
 
 class SecondAnswerTest : public ManagerRig
 {

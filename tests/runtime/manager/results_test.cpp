@@ -19,17 +19,6 @@ using network_plan::StartProfile;
 class ManagerResultsTest : public test::ManagerRig
 {
   protected:
-    [[nodiscard]] runtime::StatusRow Row(const std::uint8_t node)
-    {
-        for (const runtime::StatusRow& row : runtime::StatusRows(*station, now_us))
-        {
-            if (row.node == node)
-            {
-                return row;
-            }
-        }
-        return {};
-    }
     /// Each of three requests of somebody.
     void AnswerTwice(const std::uint8_t node)
     {

@@ -2,6 +2,7 @@
 #ifndef TESTS_RUNTIME_MANAGER_RIG_HPP
 #define TESTS_RUNTIME_MANAGER_RIG_HPP
 
+#include "runtime/manager/report/status.hpp"
 #include "runtime/manager/station.hpp"
 #include "runtime/network_files/file.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
@@ -136,6 +137,17 @@ class ManagerRig : public CommandTest
             toggle ^= 0x10U;
         }
         return domain;
+    }
+    [[nodiscard]] runtime::StatusRow Row(const std::uint8_t node)
+    {
+        for (const runtime::StatusRow& row : runtime::StatusRows(*station, now_us))
+        {
+            if (row.node == node)
+            {
+                return row;
+            }
+        }
+        return {};
     }
     [[nodiscard]] std::vector<std::string> Commands() const
     {

@@ -33,6 +33,8 @@ inline constexpr RequirementId SRS_MGR_026{"SRS_MGR_026"};
 inline constexpr RequirementId SRS_MGR_061{"SRS_MGR_061"};
 inline constexpr RequirementId SRS_MGR_080{"SRS_MGR_080"};
 inline constexpr RequirementId SRS_MGR_081{"SRS_MGR_081"};
+inline constexpr RequirementId SRS_MGR_082{"SRS_MGR_082"};
+inline constexpr RequirementId SRS_MGR_083{"SRS_MGR_083"};
 inline constexpr RequirementId SRS_MGR_120{"SRS_MGR_120"};
 inline constexpr RequirementId SRS_MGR_121{"SRS_MGR_121"};
 inline constexpr RequirementId SRS_MGR_122{"SRS_MGR_122"};

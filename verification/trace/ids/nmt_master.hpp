@@ -36,6 +36,7 @@ inline constexpr RequirementId SRS_BOOT_026{"SRS_BOOT_026"};
 inline constexpr RequirementId SRS_BOOT_030{"SRS_BOOT_030"};
 inline constexpr RequirementId SRS_BOOT_031{"SRS_BOOT_031"};
 inline constexpr RequirementId SRS_BOOT_032{"SRS_BOOT_032"};
+inline constexpr RequirementId SRS_BOOT_033{"SRS_BOOT_033"};
 inline constexpr RequirementId SRS_NMM_001{"SRS_NMM_001"};
 inline constexpr RequirementId SRS_NMM_002{"SRS_NMM_002"};
 inline constexpr RequirementId SRS_NMM_003{"SRS_NMM_003"};

@@ -82,6 +82,7 @@ inline constexpr RequirementId SRS_PLC_020{"SRS_PLC_020"};
 inline constexpr RequirementId SRS_PLC_021{"SRS_PLC_021"};
 inline constexpr RequirementId SRS_PLC_022{"SRS_PLC_022"};
 inline constexpr RequirementId SRS_PLC_030{"SRS_PLC_030"};
+inline constexpr RequirementId SRS_PLC_031{"SRS_PLC_031"};
 } // namespace counterpoint::req
 
 #endif

@@ -239,7 +239,7 @@ TEST_F(BootOrdersTest, TheStartOfTheMasterWaitsForTheQueue)
 
 TEST_F(BootOrdersTest, AnOrderWhileTheResetsWaitHolds)
 {
-    Verifies(req::SRS_BOOT_032);
+    Verifies(req::SRS_BOOT_033);
     Add(5U, kMust);
     PowerAll();
     Run(10U);
@@ -255,7 +255,7 @@ TEST_F(BootOrdersTest, AnOrderWhileTheResetsWaitHolds)
     EXPECT_NE(StateOf(5U), NodeState::kOperational);
 }
 
-TEST_F(BootOrdersTest, TheHoldEndsWithABootThatBeginsAnew)
+TEST_F(BootOrdersTest, TheHoldEndsWithABootOrAResetByOrder)
 {
     Verifies(req::SRS_BOOT_032);
     Add(5U, kMust);
@@ -280,14 +280,131 @@ TEST_F(BootOrdersTest, TheHoldEndsWithABootThatBeginsAnew)
     Run(100U);
     EXPECT_EQ(Status(5U), "- 17 started");
     hold();
-    slaves[5]->Power(Now()); // It restarts by itself.
+    EXPECT_EQ(Command(NmtCommand::kResetCommunication, 0U), NmtAnswer::kTaken);
+    Run(100U);
+    EXPECT_EQ(Status(5U), "- 17 started");
+    hold();
+    start_up.Begin(Now()); // The manager is the active master anew.
     Run(100U);
     EXPECT_EQ(Status(5U), "- 17 started");
 }
 
+TEST_F(BootOrdersTest, ABootUpMessageEndsNoHoldHoweverLateItIs)
+{
+    Verifies(req::SRS_BOOT_033);
+    for (const std::uint32_t assignment : {kMust, kBoot})
+    {
+        for (const std::uint32_t boot_ms : {300U, 999U, 1000U, 1001U, 1200U, 3000U})
+        {
+            for (const NmtCommand command : {NmtCommand::kStop, NmtCommand::kPreOperational})
+            {
+                // Given a slave that needs so long from its reset on, and hears no command before
+                Add(5U, assignment).boot_ms = boot_ms;
+                Protect(5U);
+                Begin();
+                Run(200U);
+                EXPECT_EQ(Command(command, 5U), NmtAnswer::kTaken);
+                Run(6000U);
+                EXPECT_EQ(Status(5U), kHeld) << boot_ms;
+                EXPECT_EQ(StateOf(5U), NodeState::kPreOperational) << boot_ms;
+                start_up.End();
+            }
+        }
+    }
+}
+
+TEST_F(BootOrdersTest, ABootUpMessageInFrontOfTheQueuedResetEndsNoHold)
+{
+    Verifies(req::SRS_BOOT_033);
+    // Given a slave that was just switched on, and whose reset by order, or by the loss of another one, waits
+    Add(5U, kMust);
+    Begin();
+    Run(100U);
+    ASSERT_EQ(Status(5U), "- 17 started");
+    FillQueue(100U);
+    EXPECT_EQ(Command(NmtCommand::kResetCommunication, 5U), NmtAnswer::kTaken);
+    EXPECT_EQ(Command(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
+    Run(1U);
+    ToManager(CanFrame{0x705U, FrameKind::kData, CanPortId::kFirst, 1U, {0U}});
+    Run(3000U);
+    EXPECT_EQ(Status(5U), kHeld);
+    EXPECT_NE(StateOf(5U), NodeState::kOperational);
+}
+
+TEST_F(BootOrdersTest, AStopThatOvertookTheBootUpMessageIsNotUndone)
+{
+    Verifies(req::SRS_BOOT_030);
+    Verifies(req::SRS_BOOT_033);
+    Add(5U, kMust);
+    Begin();
+    Run(100U);
+    EXPECT_EQ(Command(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
+    Run(10U);
+    // When the boot-up message is heard behind the stop that the slave obeyed, as its heartbeat says
+    ToManager(CanFrame{0x705U, FrameKind::kData, CanPortId::kFirst, 1U, {0U}});
+    Run(10U);
+    ToManager(CanFrame{0x705U, FrameKind::kData, CanPortId::kFirst, 1U, {4U}});
+    Run(5000U);
+    // Then it is asked, and not made PRE-OPERATIONAL for that
+    EXPECT_EQ(Sent(), (Lines{"82 00", "01 05", "02 05"}));
+    EXPECT_EQ(StateOf(5U), NodeState::kStopped);
+    EXPECT_EQ(Status(5U), "- 3 not started busy");
+}
+
+TEST_F(BootOrdersTest, ARestartOrALossOfTheSlaveEndsNoHold)
+{
+    Verifies(req::SRS_BOOT_033);
+    for (const bool is_lost : {false, true})
+    {
+        Add(5U, kMust).heartbeat_ms = 50U;
+        setups[5].heartbeat = HeartbeatSetup{150U, 50U, Arming::kFirstHeartbeat};
+        Begin();
+        Run(200U);
+        EXPECT_EQ(Command(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
+        Run(100U);
+        slaves[5]->Unplug();
+        Run(is_lost ? 300U : 10U);
+        slaves[5]->Power(Now());
+        Run(500U);
+        EXPECT_EQ(StateOf(5U), NodeState::kPreOperational);
+        EXPECT_EQ(Status(5U), kHeld);
+        start_up.End();
+    }
+}
+
+TEST_F(BootOrdersTest, AResetOfAllBecauseOfAnotherSlaveEndsNoHold)
+{
+    Verifies(req::SRS_BOOT_031);
+    Verifies(req::SRS_BOOT_033);
+    // Given two slaves, and that the loss of 6 resets all (1F80h bit 4)
+    for (const bool is_all : {false, true})
+    {
+        setup.start_up = kIsMaster | kResetAllOnError;
+        Add(5U, kMust);
+        Add(6U, kMust).heartbeat_ms = 50U;
+        setups[6].heartbeat = HeartbeatSetup{150U, 50U, Arming::kFirstHeartbeat};
+        Begin();
+        Run(200U);
+        ASSERT_EQ(Step(), MasterStep::kOperational);
+        // When 5 alone, or all, was told to stop, and 6 disappears and comes back
+        EXPECT_EQ(Command(NmtCommand::kStop, is_all ? std::uint8_t{0U} : std::uint8_t{5U}), NmtAnswer::kTaken);
+        Run(100U);
+        slaves[6]->Unplug();
+        Run(300U);
+        slaves[6]->Power(Now());
+        Run(2000U);
+        // Then all were reset, and who was told to stop is not started
+        EXPECT_EQ(StateOf(5U), NodeState::kPreOperational);
+        EXPECT_EQ(Status(5U), kHeld);
+        EXPECT_EQ(StateOf(6U), is_all ? NodeState::kPreOperational : NodeState::kOperational);
+        EXPECT_EQ(Step(), is_all ? MasterStep::kReady : MasterStep::kOperational);
+        start_up.End();
+    }
+}
+
 TEST_F(BootOrdersTest, TheBusThatIsBackAndAWritingLeaveItHeld)
 {
-    Verifies(req::SRS_BOOT_032);
+    Verifies(req::SRS_BOOT_033);
     Add(5U, kMust);
     Protect(5U);
     gate.cycles = 20;

@@ -257,6 +257,7 @@ class RoughSlavesTest : public BootRig, public ::testing::WithParamInterface<std
 TEST_P(RoughSlavesTest, AllRunInTheEnd)
 {
     Verifies(req::SRS_BOOT_018);
+    Verifies(req::SRS_BOOT_033);
     Verifies(req::SRS_NMM_003);
     Verifies(req::SRS_NMM_121);
     Populate();
@@ -279,7 +280,17 @@ TEST_P(RoughSlavesTest, AllRunInTheEnd)
     Run(1000U);
     PowerAll();
     Run(4000U);
-    // Then they run, and so does the master
+    // Then those that an order to stop holds do not run before their boot is ordered
+    for (auto& [node, slave] : slaves)
+    {
+        if (boots.at(node).is_held)
+        {
+            EXPECT_EQ(slave->State(), NodeState::kPreOperational) << "slave " << int{node};
+            EXPECT_TRUE(start_up.Boot(NodeId{node}, Now()));
+        }
+    }
+    Run(2000U);
+    // And the others do, and so does the master
     for (auto& [node, slave] : slaves)
     {
         EXPECT_EQ(slave->State(), NodeState::kOperational) << "slave " << int{node} << " " << Letter(node);

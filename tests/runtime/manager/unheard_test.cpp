@@ -1,0 +1,113 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Slaves that were started and of which the expected heartbeat does not come.
+#include "tests/runtime/manager/rig.hpp"
+#include "verification/trace/ids/manager.hpp"
+#include "verification/trace/verifies.hpp"
+
+namespace counterpoint::tools
+{
+namespace
+{
+const std::vector<std::uint8_t> kType{0x43U, 0x00U, 0x10U, 0x00U, 0x91U, 0x01U, 0x00U, 0x00U};
+const std::string kSilent = "no heartbeat since its start, expected one each 300 ms at least";
+
+class ManagerUnheardTest : public test::ManagerRig
+{
+  protected:
+    /// A mandatory slave 6 that boots up, answers 1000h and is started.
+    void Start(const std::string& profile, const std::string& keys)
+    {
+        Make("manager: {node: 127, profile: " + profile + "}\nslaves: [{node: 6, device_type: 0x191" + keys + "}]\n");
+        Run(1000U);
+        Hear(0x706U, {0U});
+        bool has_started = false;
+        for (int ms = 0; ms < 2000 && !has_started; ++ms)
+        {
+            Answer(6U, kType, 1);
+            has_started = has_started || station->Assembly().Core().Status(cia302::NodeId{6U}).is_started;
+        }
+        ASSERT_TRUE(has_started) << profile;
+        Run(2U);
+    }
+    [[nodiscard]] bool IsGood()
+    {
+        const bool is_good = Row(6U).is_good;
+        EXPECT_EQ(station->Assembly().HasStarted(), is_good);
+        return is_good;
+    }
+};
+
+TEST_F(ManagerUnheardTest, OneThatIsSilentSinceItsStartIsNotGoodUntilItsHeartbeatComes)
+{
+    Verifies(req::SRS_MGR_082);
+    for (const char* const profile : {"el6751", "plc_designer"})
+    {
+        // Given a slave of which a heartbeat is expected, and that sends none: what it was told is not what it is
+        Start(profile, ", consumer: 300 ms");
+        EXPECT_FALSE(IsGood()) << profile;
+        EXPECT_EQ(Row(6U).finding, "") << profile; // It may still come.
+        Run(310U);
+        EXPECT_FALSE(IsGood()) << profile;
+        EXPECT_EQ(Row(6U).finding, kSilent) << profile;
+        EXPECT_EQ(Row(6U).state, "pre-operational") << profile; // As last heard.
+        Run(60000U);
+        EXPECT_FALSE(IsGood()) << profile;
+        EXPECT_EQ(Row(6U).finding, kSilent) << profile;
+        // When it is heard after all
+        Hear(0x706U, {0x05U});
+        Run(2U);
+        EXPECT_TRUE(IsGood()) << profile;
+        EXPECT_EQ(Row(6U).finding, "") << profile;
+    }
+}
+
+TEST_F(ManagerUnheardTest, OneThatWasHeardBeforeItsStartAloneIsNotGood)
+{
+    Verifies(req::SRS_MGR_082);
+    for (const char* const profile : {"el6751", "plc_designer"})
+    {
+        // Given heartbeats until the start, and none behind it
+        Make("manager: {node: 127, profile: " + std::string(profile) +
+             "}\nslaves: [{node: 6, device_type: 0x191, consumer: 300 ms}]\n");
+        Run(1000U);
+        Hear(0x706U, {0U});
+        for (int beat = 0; beat < 7; ++beat)
+        {
+            Answer(6U, kType, 100);
+            if (!station->Assembly().Core().Status(cia302::NodeId{6U}).is_started)
+            {
+                Hear(0x706U, {0x7FU});
+            }
+        }
+        ASSERT_TRUE(station->Assembly().Core().Status(cia302::NodeId{6U}).is_started) << profile;
+        Run(200U);
+        EXPECT_FALSE(IsGood()) << profile;
+        Run(110U);
+        EXPECT_FALSE(IsGood()) << profile;
+        EXPECT_EQ(Row(6U).finding, kSilent) << profile;
+    }
+}
+
+TEST_F(ManagerUnheardTest, AStartBySomebodyElseIsNoHeartbeat)
+{
+    Verifies(req::SRS_MGR_082);
+    Start("plc_designer", ", consumer: 300 ms");
+    Hear(0x000U, {0x01U, 0x06U});
+    Run(310U);
+    EXPECT_FALSE(IsGood());
+    EXPECT_EQ(Row(6U).finding, kSilent);
+}
+
+TEST_F(ManagerUnheardTest, OneOfWhichNoHeartbeatIsExpectedIsGoodByItsStart)
+{
+    Verifies(req::SRS_MGR_082);
+    for (const char* const profile : {"cia302", "el6751", "plc_designer"})
+    {
+        Start(profile, "");
+        Run(60000U);
+        EXPECT_TRUE(IsGood()) << profile;
+        EXPECT_EQ(Row(6U).finding, "") << profile;
+    }
+}
+} // namespace
+} // namespace counterpoint::tools
