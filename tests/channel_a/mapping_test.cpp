@@ -540,40 +540,5 @@ TEST(ChannelAMapping, OfNineBitsIsWrittenAndConfirmedBitByBit)
     EXPECT_EQ(device.channel.Commit(Agreement{kConsumerBit, kConsumerBit}, kConsumerBit), kConsumerBit);
 }
 
-TEST(ChannelAMapping, OfAFullStaticFrameWritesNothingBehindTheChannel)
-{
-    Verifies(req::SRS_CFG_032);
-    const auto fenced = std::make_unique<FencedDevice>();
-    Device& device = fenced->device;
-    std::uint8_t fields[2][8] = {};
-    MappableObject objects[16] = {};
-    std::uint32_t entries[16] = {};
-    for (std::uint8_t place = 0U; place < 8U; ++place)
-    {
-        const std::uint8_t sub = static_cast<std::uint8_t>(place + 1U);
-        objects[place] = {0x2300U, sub, 8U, MapAccess::kConsumer, &fields[0][place]};
-        objects[8U + place] = {0x2301U, sub, 8U, MapAccess::kConsumer, &fields[1][place]};
-        entries[2U * place] = 0x23000008U | (std::uint32_t{sub} << 8U);
-        entries[(2U * place) + 1U] = 0x23010008U | (std::uint32_t{sub} << 8U);
-    }
-    device.config.objects = objects;
-    device.config.object_count = 16U;
-    device.setups[kConsumerSlot].map.entries = entries;
-    device.setups[kConsumerSlot].map.count = 16U;
-    // Given a static mapping of eight objects of a byte, as many as there can be
-    device.Start();
-    device.channel.SetFields(kConsumerSlot, StaticFields{fields[0], fields[1]});
-    ASSERT_EQ(device.Sign(kConsumerSlot).fault, ConfigFault::kNone);
-    static_cast<void>(device.Cycle());
-    device.Pair(8U, 0x11U);
-    ASSERT_EQ(device.Cycle().released, kConsumerBit);
-    device.Commit();
-    // Then each is written, and nothing of what lies behind the channel
-    const std::uint8_t written[8] = {0x11U, 0x12U, 0x13U, 0x14U, 0x15U, 0x16U, 0x17U, 0x18U};
-    EXPECT_EQ(std::memcmp(fields[0], written, sizeof(written)), 0);
-    EXPECT_EQ(device.nmt, NmtState::kOperational);
-    EXPECT_EQ(device.acknowledge, 0U);
-}
-
 } // namespace
 } // namespace counterpoint::channel_a_test
