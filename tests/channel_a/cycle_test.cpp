@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <cstring>
 #include <initializer_list>
 #include <memory>
 
@@ -251,6 +252,62 @@ TEST_F(ChannelACycle, SignalsWaitingPastSctOnce)
         EXPECT_EQ(device.Cycle(60000U).signalled & kConsumerBit, 0U);
         EXPECT_EQ(device.channel.View(kConsumerSlot).signals, 0U);
     }
+}
+
+TEST_F(ChannelACycle, ForgetsAnEdgeThoughTheCounterGoesRound)
+{
+    Verifies(req::SRS_REL_005);
+    Verifies(req::SRS_TIME_001);
+    // Given a consumer of which nothing is to be told any more, and an edge without a pair
+    for (std::uint32_t time = 0U; time < 4U; ++time)
+    {
+        static_cast<void>(device.Cycle(60000U));
+    }
+    device.acknowledge = kConsumerBit;
+    static_cast<void>(device.Cycle());
+    static_cast<void>(device.Cycle());
+    // When the counter has gone round once and a pair comes within the window of the same reading
+    for (std::uint32_t step = 0U; step < 16U; ++step)
+    {
+        static_cast<void>(device.Cycle(0x10000000U));
+    }
+    device.Pair(8U, 0x11U);
+    // Then it is not released
+    EXPECT_EQ(device.Cycle().released, 0U);
+}
+
+TEST_F(ChannelACycle, LeavesNoSlotInAMaskWithOperational)
+{
+    Verifies(req::SRS_CONS_023);
+    constexpr std::size_t kOutcome =
+        sizeof(channel_a::Channel) - sizeof(channel_a::Voice) + offsetof(channel_a::Voice, outcome);
+    static constexpr std::size_t kMasks[] = {offsetof(CycleOutcome, released), offsetof(CycleOutcome, faulted),
+                                             offsetof(CycleOutcome, waiting)};
+    for (const std::size_t mask : kMasks)
+    {
+        // Given two SRDOs that are off in OPERATIONAL, and a mask that is corrupted so that it has both
+        Start();
+        device.Store(kConsumerSlot, ConfigField::kMapCount, 0U);
+        device.Store(kProducerSlot, ConfigField::kMapCount, 0U);
+        static_cast<void>(device.Cycle());
+        SrdoMask both = kConsumerBit | kProducerBit;
+        std::memcpy(&reinterpret_cast<std::uint8_t*>(&device.channel)[kOutcome + mask], &both, sizeof(both));
+        // When OPERATIONAL is left, then no mask has one
+        device.nmt = NmtState::kPreOperational;
+        const CycleOutcome outcome = device.Cycle();
+        EXPECT_EQ(outcome.released | outcome.faulted | outcome.waiting, 0U) << "mask at " << mask;
+    }
+}
+
+TEST_F(ChannelACycle, HasNoLimitWhereItWaitsHoweverLong)
+{
+    Verifies(req::SRS_CONS_022);
+    static_cast<void>(device.Cycle());
+    // Given every bit of the counter set, 1000 + 2147483648 + 2147482647 us after its 0
+    static_cast<void>(device.Cycle(2147483648U));
+    EXPECT_EQ(device.Cycle(2147482647U).waiting, kConsumerBit);
+    EXPECT_EQ(device.clock_us, 0xFFFFFFFFU);
+    EXPECT_EQ(device.channel.View(kConsumerSlot).error_count, 0U);
 }
 
 } // namespace

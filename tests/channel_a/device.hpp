@@ -159,6 +159,18 @@ struct Device
     std::uint32_t clock_us{0U};
 };
 
+/// @brief A consumer that is released and committed, 2 ms after 0.
+inline void Release(Device& device)
+{
+    device.clock_us = 0U;
+    device.nmt = NmtState::kOperational;
+    device.Start();
+    static_cast<void>(device.Cycle());
+    device.Pair(8U, 0x11U);
+    static_cast<void>(device.Cycle());
+    device.Commit();
+}
+
 /// The device with storage of exactly its size, which lies between bytes that nobody may write.
 struct FencedDevice
 {

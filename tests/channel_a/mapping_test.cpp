@@ -397,5 +397,148 @@ TEST(ChannelAMapping, OfASharedObjectIsNamedBeforeTheSignature)
     EXPECT_EQ(device.channel.Validate(1U).fault, ConfigFault::kMapping);
 }
 
+TEST(ChannelAMapping, OfSharedObjectsIsAskedWhateverLengthIsNamed)
+{
+    Verifies(req::SRS_CFG_037);
+    Verifies(req::SRS_CFG_033);
+    static constexpr std::uint32_t kLong[2] = {0x220001A0U, 0x220101A0U};
+    static constexpr std::uint32_t kFirst[2] = {0x22000120U, 0x22010120U};
+    static constexpr std::uint32_t kDummies[2] = {0x00050008U, 0x00050008U};
+    static constexpr std::uint32_t kLongDummies[2] = {0x00050010U, 0x00050010U};
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    device.config.dummies = DummyMapping::kAllowed;
+    // Given an object that a lower slot names with 160 bits, then it is shared
+    EXPECT_EQ(FaultBeside(device, kDirectionConsumer, kLong, kDirectionConsumer, kFirst), ConfigFault::kMapping);
+    // and a dummy that a lower slot names with another length is not
+    EXPECT_EQ(FaultBeside(device, kDirectionConsumer, kLongDummies, kDirectionConsumer, kDummies), ConfigFault::kNone);
+}
+
+TEST(ChannelAMapping, OfAnIndexBehindTheLastDummyIsNone)
+{
+    Verifies(req::SRS_CFG_033);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    device.config.dummies = DummyMapping::kAllowed;
+    device.Start();
+    for (std::uint32_t length = 0U; length < 256U; ++length)
+    {
+        // Given entries of 0008h, when they have any length, then they are no dummies
+        const std::uint32_t entries[4] = {0x22000120U, 0x22010120U, 0x00080000U | length, 0x00080000U | length};
+        device.Map(kConsumerSlot, entries, 4U);
+        EXPECT_EQ(device.Sign(kConsumerSlot).fault, ConfigFault::kMapping) << length << " bits";
+    }
+}
+
+TEST(ChannelAMapping, OfDummiesAloneNeedsNoObjects)
+{
+    Verifies(req::SRS_CFG_033);
+    static constexpr std::uint32_t kDummies[2] = {0x00050008U, 0x00050008U};
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    device.config.dummies = DummyMapping::kAllowed;
+    device.config.objects = nullptr;
+    device.config.object_count = 0U;
+    device.Start();
+    device.Map(kConsumerSlot, kDummies, 2U);
+    EXPECT_EQ(device.Sign(kConsumerSlot).fault, ConfigFault::kNone);
+}
+
+TEST(ChannelAMapping, OfTwoFaultsInOneStepIsFound)
+{
+    Verifies(req::SRS_CFG_030);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    Reach(device);
+    // Given a step that leads to another object, and whose bits begin elsewhere
+    fenced->fence.storage.steps[0].normal = 1U;
+    fenced->fence.storage.steps[0].first_bit = 8U;
+    EXPECT_EQ(device.channel.Recheck(kConsumerSlot).fault, ConfigFault::kTable);
+}
+
+TEST(ChannelAMapping, OfAStepBehindTheLastObjectLeadsNowhere)
+{
+    Verifies(req::SRS_CFG_030);
+    Verifies(req::SRS_REL_002);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    // Given what looks like the first object behind the last one, when a step leads there
+    std::uint8_t behind[4] = {9U, 9U, 9U, 9U};
+    device.config.object_count = 13U;
+    device.objects[13] = device.objects[0];
+    device.objects[13].place = behind;
+    Reach(device);
+    fenced->fence.storage.steps[0].normal = 13U;
+    // Then the recheck finds it, and it is not written
+    EXPECT_EQ(device.channel.Recheck(kConsumerSlot).fault, ConfigFault::kTable);
+    EXPECT_EQ(device.channel.Commit(Agreement{kConsumerBit, kConsumerBit}, 0U), kConsumerBit);
+    EXPECT_EQ(behind[0], 9U);
+}
+
+TEST(ChannelAMapping, OfAStepThatEndsBehindTheFrameIsNotWritten)
+{
+    Verifies(req::SRS_REL_002);
+    Verifies(req::SRS_CONS_024);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    Reach(device);
+    // Given four bytes from byte 5 on, of eight
+    fenced->fence.storage.steps[0].first_bit = 40U;
+    EXPECT_EQ(device.channel.Commit(Agreement{kConsumerBit, kConsumerBit}, 0U), kConsumerBit);
+    const std::uint8_t untouched[4] = {0U, 0U, 0U, 0U};
+    EXPECT_EQ(std::memcmp(device.words[0], untouched, sizeof(untouched)), 0);
+}
+
+// What a second Commit finds of the consumer whose objects hold a pair, after a bit was flipped in each of two bytes.
+SrdoMask FoundAfter(Device& device, std::uint8_t& one, std::uint8_t& other)
+{
+    device.Commit();
+    EXPECT_EQ(device.channel.Answer(1U).mask, kConsumerBit);
+    one = static_cast<std::uint8_t>(one ^ 4U);
+    other = static_cast<std::uint8_t>(other ^ 4U);
+    static_cast<void>(device.Cycle());
+    return device.channel.Commit(Agreement{kConsumerBit, kConsumerBit}, kConsumerBit);
+}
+
+TEST(ChannelAMapping, OfObjectsWithTheSameBitFlippedTwiceIsFound)
+{
+    Verifies(req::SRS_REL_011);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    // Given a pair in two objects, when the same bit flips in two bytes of one, or in a byte of each
+    Reach(device);
+    EXPECT_EQ(FoundAfter(device, device.words[0][0], device.words[0][1]), kConsumerBit);
+    Reach(device);
+    EXPECT_EQ(FoundAfter(device, device.words[0][0], device.words[1][0]), kConsumerBit);
+}
+
+TEST(ChannelAMapping, OfNineBitsIsWrittenAndConfirmedBitByBit)
+{
+    Verifies(req::SRS_REL_002);
+    Verifies(req::SRS_REL_011);
+    Verifies(req::SRS_CFG_036);
+    static constexpr std::uint32_t kNineBits[2] = {0x22200209U, 0x22210209U};
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    // Given an object of nine bits before a byte of another one
+    device.Start();
+    device.Map(kConsumerSlot, kNineBits, 2U);
+    ASSERT_EQ(device.Sign(kConsumerSlot).fault, ConfigFault::kNone);
+    device.bits[1][1] = 0xFFU;
+    device.bits[2][0] = 0xFFU;
+    static_cast<void>(device.Cycle());
+    device.Pair(2U, 0U);
+    ASSERT_EQ(device.Cycle().released, kConsumerBit);
+    device.Commit();
+    // Then the bits above it are 0, and the byte behind it is left alone
+    EXPECT_EQ(device.bits[1][0], 0U);
+    EXPECT_EQ(device.bits[1][1], 1U);
+    EXPECT_EQ(device.bits[2][0], 0xFFU);
+    // and two wrong bits are found
+    device.bits[1][0] = 3U;
+    static_cast<void>(device.Cycle());
+    EXPECT_EQ(device.channel.Commit(Agreement{kConsumerBit, kConsumerBit}, kConsumerBit), kConsumerBit);
+}
+
 } // namespace
 } // namespace counterpoint::channel_a_test

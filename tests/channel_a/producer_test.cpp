@@ -209,5 +209,45 @@ TEST_F(ChannelAProducer, KeepsTheCauseOfAFaultThatTheEdgeCameWith)
     EXPECT_EQ(device.channel.View(kProducerSlot).first_cause, SrdoCause::kNone);
 }
 
+TEST_F(ChannelAProducer, KeepsItsPhaseWhereItStandsAndIsAcknowledgedAtOnce)
+{
+    Verifies(req::SRS_PROD_012);
+    Verifies(req::SRS_REL_005);
+    Device& device = fenced->device;
+    device.setups[kProducerSlot].form = ProducerForm::kProviderCalled;
+    Release(device);
+    static_cast<void>(device.channel.Prepare(kProducerSlot));
+    device.channel.OnTransmitFault(kProducerSlot, TransmitFault{SrdoCause::kTransmitQueue});
+    // Given the first refresh at 1.5 ms, when the phase stands still in the very cycle that sees the edge
+    device.acknowledge = kProducerBit;
+    static_cast<void>(device.Cycle());
+    device.stand = kProducerBit;
+    static_cast<void>(device.Cycle());
+    device.stand = 0U;
+    // Then the next refresh is due 51 ms after the first one
+    EXPECT_EQ(device.Cycle(48000U).due, 0U);
+    EXPECT_EQ(device.Cycle(500U).due, kProducerBit);
+}
+
+TEST_F(ChannelAProducer, HasTheRefreshTimeThatIsStored)
+{
+    Verifies(req::SRS_PROD_002);
+    Verifies(req::SRS_CFG_003);
+    Device& device = fenced->device;
+    device.setups[kProducerSlot].form = ProducerForm::kProviderCalled;
+    Release(device);
+    static_cast<void>(device.channel.Prepare(kProducerSlot));
+    device.channel.OnTransmitFault(kProducerSlot, TransmitFault{SrdoCause::kTransmitQueue});
+    for (std::uint32_t time = 0U; time < 4U; ++time)
+    {
+        static_cast<void>(device.Cycle());
+    }
+    // Given 6 ms of which nothing is to be told, when a refresh time of 10 ms is stored
+    device.Store(kProducerSlot, ConfigField::kSct, 10U);
+    // Then the refresh behind that of 1.5 ms is due at 11.5 ms
+    EXPECT_EQ(device.Cycle(5499U).due, 0U);
+    EXPECT_EQ(device.Cycle(1U).due, kProducerBit);
+}
+
 } // namespace
 } // namespace counterpoint::channel_a_test

@@ -18,17 +18,6 @@ namespace
 
 constexpr std::uint32_t kBitOfInvalid = 1U; // Bit of cause 0.
 
-void Release(Device& device)
-{
-    device.clock_us = 0U;
-    device.nmt = NmtState::kOperational;
-    device.Start();
-    static_cast<void>(device.Cycle());
-    device.Pair(8U, 0x11U);
-    static_cast<void>(device.Cycle());
-    device.Commit();
-}
-
 TEST(ChannelARecord, OfAConsumerThatIsCorruptedIsFaultedUntilRestart)
 {
     Verifies(req::SRS_CONS_024);
@@ -137,6 +126,9 @@ TEST(ChannelARecord, OfAMappingThatIsCorruptedIsFoundByTheRecheck)
     EXPECT_EQ(FoundByRecheck(device, &grants[static_cast<std::size_t>(channel_a::Grant::kLength)], 1U), 8U);
     EXPECT_EQ(FoundByRecheck(device, &grants[static_cast<std::size_t>(channel_a::Grant::kResolved)], 1U), 8U);
     EXPECT_EQ(FoundByRecheck(device, &fenced->fence.storage.steps[0].first_bit, 1U), 8U);
+    std::uint8_t* const beside = record.grants.complements.at;
+    EXPECT_EQ(FoundByRecheck(device, &beside[static_cast<std::size_t>(channel_a::Grant::kLength)], 1U), 8U);
+    EXPECT_EQ(FoundByRecheck(device, &beside[static_cast<std::size_t>(channel_a::Grant::kResolved)], 1U), 8U);
     // and nothing when all is as it was
     EXPECT_EQ(device.channel.Recheck(kConsumerSlot).fault, ConfigFault::kNone);
 }
@@ -257,6 +249,336 @@ TEST(ChannelARecord, OfAStartBeforeIsForgottenByRestart)
         EXPECT_EQ(Trace(fenced->device), first);
         EXPECT_TRUE(fenced->IsIntact());
     }
+}
+
+channel_a::Record& RecordOf(FencedDevice& fenced, SlotIndex slot)
+{
+    return fenced.fence.storage.records[slot];
+}
+
+// Flips a bit of what stands beside a grant.
+void Corrupt(channel_a::Record& record, channel_a::Grant grant)
+{
+    std::uint8_t& beside = record.grants.complements.at[static_cast<std::size_t>(grant)];
+    beside = static_cast<std::uint8_t>(beside ^ 1U);
+}
+
+void SetState(channel_a::Record& record, std::uint8_t state)
+{
+    record.grants.Set(channel_a::Grant::kState, state);
+}
+
+// Both slots as consumers of one object of four bytes: 111h and 112h, 101h and 102h.
+void MakeTwoConsumers(Device& device)
+{
+    device.Store(kProducerSlot, ConfigField::kDirection, kDirectionConsumer);
+    device.Map(kConsumerSlot, &kConsumed[0], 2U);
+    device.Map(kProducerSlot, &kConsumed[2], 2U);
+    ASSERT_EQ(device.Sign(kConsumerSlot).fault, ConfigFault::kNone);
+    ASSERT_EQ(device.Sign(kProducerSlot).fault, ConfigFault::kNone);
+}
+
+void ReleaseTwoConsumers(Device& device)
+{
+    device.Start();
+    MakeTwoConsumers(device);
+    static_cast<void>(device.Cycle());
+    device.Pair(4U, 0x11U);
+    device.Frame(0x101U, 4U, 0x21U);
+    device.Frame(0x102U, 4U, 0x21U, true);
+    ASSERT_EQ(device.Cycle().released, kConsumerBit | kProducerBit);
+    ASSERT_EQ(device.channel.Commit(Agreement{3U, 3U}, 0U), 0U);
+}
+
+TEST(ChannelARecord, OfEveryFlippedGrantIsCorrupted)
+{
+    Verifies(req::SRS_CONS_024);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    for (std::size_t bit = 0U; bit < 64U; ++bit)
+    {
+        // Given a released consumer, when any bit of a grant flips, or of what stands beside it, then it grants nothing
+        Release(device);
+        channel_a::Grants& grants = RecordOf(*fenced, kConsumerSlot).grants;
+        const std::uint8_t flip = static_cast<std::uint8_t>(1U << (bit % 8U));
+        grants.values.at[bit / 8U] = static_cast<std::uint8_t>(grants.values.at[bit / 8U] ^ flip);
+        EXPECT_EQ(device.channel.View(kConsumerSlot).state, SrdoState::kFaulted) << "bit " << bit;
+        grants.values.at[bit / 8U] = static_cast<std::uint8_t>(grants.values.at[bit / 8U] ^ flip);
+        ASSERT_EQ(device.channel.View(kConsumerSlot).state, SrdoState::kReleased) << "bit " << bit;
+        grants.complements.at[bit / 8U] = static_cast<std::uint8_t>(grants.complements.at[bit / 8U] ^ flip);
+        EXPECT_EQ(device.channel.View(kConsumerSlot).state, SrdoState::kFaulted) << "bit " << bit;
+        EXPECT_EQ(device.Cycle().released, 0U) << "bit " << bit;
+    }
+}
+
+TEST(ChannelARecord, OfOneSlotThatIsCorruptedLeavesTheOtherAlone)
+{
+    Verifies(req::SRS_CONS_024);
+    Verifies(req::SRS_CONS_023);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    // Given a released consumer in slot 0 with its second pair, when the record of the producer in slot 1 is corrupted
+    Release(device);
+    device.Pair(8U, 0x21U);
+    Corrupt(RecordOf(*fenced, kProducerSlot), channel_a::Grant::kLength);
+    const CycleOutcome outcome = device.Cycle();
+    // Then slot 1 alone is at fault
+    EXPECT_EQ(outcome.released, kConsumerBit);
+    EXPECT_EQ(outcome.faulted, kProducerBit);
+    EXPECT_EQ(outcome.new_fault, kProducerBit);
+    EXPECT_EQ(outcome.fresh, kConsumerBit);
+    EXPECT_EQ(outcome.ordinal_sum, 2U);
+    EXPECT_EQ(device.channel.View(kConsumerSlot).ordinal, 2U);
+}
+
+TEST(ChannelARecord, OfAConsumerThatIsCorruptedHoldsNothing)
+{
+    Verifies(req::SRS_CONS_024);
+    Verifies(req::SRS_CONS_025);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    for (const channel_a::Grant grant : {channel_a::Grant::kState, channel_a::Grant::kLength})
+    {
+        Release(device);
+        Corrupt(RecordOf(*fenced, kConsumerSlot), grant);
+        if (grant == channel_a::Grant::kState)
+        {
+            EXPECT_EQ(device.channel.Held(kConsumerSlot).holds_pair, 0U) << "before the next cycle";
+        }
+        EXPECT_EQ(device.Cycle().ordinal_sum, 0U);
+        const SrdoView view = device.channel.View(kConsumerSlot);
+        EXPECT_EQ(view.ordinal, 0U);
+        EXPECT_EQ(view.data.low | view.data.high, 0U);
+        EXPECT_EQ(view.holds_pair, 0U);
+        EXPECT_EQ(device.channel.Held(kConsumerSlot).holds_pair, 0U);
+    }
+}
+
+TEST(ChannelARecord, OfAStateThatIsNoneIsCorrupted)
+{
+    Verifies(req::SRS_CONS_024);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    for (const std::uint8_t value : {std::uint8_t{15U}, std::uint8_t{16U}, std::uint8_t{0xFFU}})
+    {
+        // Given a value behind the last state, beside its complement, then nothing is held or released
+        Release(device);
+        SetState(RecordOf(*fenced, kConsumerSlot), value);
+        EXPECT_EQ(device.channel.View(kConsumerSlot).state, SrdoState::kFaulted);
+        EXPECT_EQ(device.channel.Held(kConsumerSlot).holds_pair, 0U);
+        // and it is told when SCT is over
+        const CycleOutcome outcome = device.Cycle(kSctUs);
+        EXPECT_EQ(outcome.released, 0U);
+        EXPECT_EQ(outcome.faulted, kConsumerBit);
+    }
+}
+
+TEST(ChannelARecord, OfAStateThatNothingActiveHasDoesNotEnterOperational)
+{
+    Verifies(req::SRS_CONS_024);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    // Given states of active SRDOs while nothing is active, each beside its complement
+    device.nmt = NmtState::kPreOperational;
+    device.Start();
+    static_cast<void>(device.Cycle());
+    SetState(RecordOf(*fenced, kConsumerSlot), static_cast<std::uint8_t>(channel_a::State::kReleasedHeld));
+    SetState(RecordOf(*fenced, kProducerSlot), static_cast<std::uint8_t>(channel_a::State::kInverseAwaited));
+    // When OPERATIONAL is entered, then neither becomes active
+    device.nmt = NmtState::kOperational;
+    const CycleOutcome outcome = device.Cycle();
+    EXPECT_EQ(outcome.released | outcome.waiting, 0U);
+    EXPECT_EQ(device.channel.View(kConsumerSlot).state, SrdoState::kFaulted);
+    EXPECT_EQ(device.channel.View(kProducerSlot).state, SrdoState::kFaulted);
+    EXPECT_EQ(device.channel.Prepare(kProducerSlot).status, PrepareStatus::kNotProducer);
+}
+
+TEST(ChannelARecord, OfAnSrdoThatIsOffIsCorruptedUntilRestart)
+{
+    Verifies(req::SRS_CONS_024);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    device.nmt = NmtState::kPreOperational;
+    device.Start();
+    static_cast<void>(device.Cycle());
+    // Given a record that is corrupted while nothing is active, then no mask shows it and nobody is told
+    Corrupt(RecordOf(*fenced, kConsumerSlot), channel_a::Grant::kLength);
+    const CycleOutcome outcome = device.Cycle();
+    EXPECT_EQ(outcome.faulted | outcome.new_fault | outcome.signalled, 0U);
+    EXPECT_EQ(device.channel.View(kConsumerSlot).error_count, 0U);
+    // When the bit flips back and the slot is validated, then it stays corrupted
+    Corrupt(RecordOf(*fenced, kConsumerSlot), channel_a::Grant::kLength);
+    EXPECT_EQ(device.channel.View(kConsumerSlot).state, SrdoState::kFaulted);
+    static_cast<void>(device.Sign(kConsumerSlot));
+    EXPECT_EQ(device.channel.View(kConsumerSlot).state, SrdoState::kFaulted);
+    // and does not become active
+    device.nmt = NmtState::kOperational;
+    EXPECT_EQ(device.Cycle().waiting, 0U);
+    EXPECT_EQ(device.channel.View(kConsumerSlot).state, SrdoState::kFaulted);
+}
+
+TEST(ChannelARecord, OfAWrongOrdinalIsForgottenWithOperational)
+{
+    Verifies(req::SRS_CONS_023);
+    Verifies(req::SRS_CONS_025);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    // Given an ordinal of 1 that has become 3
+    Release(device);
+    RecordOf(*fenced, kConsumerSlot).ordinal = 3U;
+    RecordOf(*fenced, kProducerSlot).ordinal = 3U;
+    // When OPERATIONAL is left and entered, then each begins with 0, and so does their sum
+    device.nmt = NmtState::kPreOperational;
+    static_cast<void>(device.Cycle());
+    EXPECT_EQ(device.channel.View(kProducerSlot).ordinal, 0U);
+    device.nmt = NmtState::kOperational;
+    EXPECT_EQ(device.Cycle().ordinal_sum, 0U);
+    EXPECT_EQ(device.channel.View(kConsumerSlot).ordinal, 0U);
+}
+
+TEST(ChannelARecord, OfAConsumerInAnySlotReportsThatOperationalIsLeft)
+{
+    Verifies(req::SRS_CONS_019);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    ReleaseTwoConsumers(device);
+    device.nmt = NmtState::kPreOperational;
+    EXPECT_EQ(device.Cycle().new_fault, kConsumerBit | kProducerBit);
+}
+
+TEST(ChannelARecord, OfAProducerThatBecomesAConsumerHasNoLimitOfBefore)
+{
+    Verifies(req::SRS_CONS_022);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    device.setups[kProducerSlot].form = ProducerForm::kProviderCalled;
+    // Given a producer that was called, which is made a consumer outside OPERATIONAL
+    Release(device);
+    device.nmt = NmtState::kPreOperational;
+    static_cast<void>(device.Cycle());
+    MakeTwoConsumers(device);
+    static_cast<void>(device.Cycle(60000U));
+    // When OPERATIONAL is entered more than SCT after it was left, then it waits
+    device.nmt = NmtState::kOperational;
+    EXPECT_EQ(device.Cycle().waiting, kConsumerBit | kProducerBit);
+    EXPECT_EQ(device.channel.View(kProducerSlot).error_count, 0U);
+}
+
+TEST(ChannelARecord, OfAValidatedConsumerLosesItsOwnPermitAlone)
+{
+    Verifies(req::SRS_REL_002);
+    Verifies(req::SRS_REL_010);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    ReleaseTwoConsumers(device);
+    ASSERT_EQ(device.channel.Answer(1U).mask, kConsumerBit | kProducerBit);
+    // When slot 1 is validated, which writes its safe value, then slot 0 keeps its permit
+    ASSERT_EQ(device.channel.Validate(kProducerSlot).fault, ConfigFault::kNone);
+    EXPECT_EQ(device.channel.Answer(1U).mask, kConsumerBit);
+}
+
+TEST(ChannelARecord, OfAnObjectThatWasOverwrittenNamesItsSlot)
+{
+    Verifies(req::SRS_REL_011);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    ReleaseTwoConsumers(device);
+    device.words[1][0] = 0U;
+    static_cast<void>(device.Cycle());
+    EXPECT_EQ(device.channel.Commit(Agreement{3U, 3U}, 3U), kProducerBit);
+}
+
+TEST(ChannelARecord, OfAPairBehindTheCycleIsWrittenBesideTheOneBefore)
+{
+    Verifies(req::SRS_REL_002);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    device.Start();
+    static_cast<void>(device.Cycle());
+    // Given a pair that was not written yet, when another one comes behind the cycle, then Commit writes it
+    device.Pair(8U, 0x11U);
+    ASSERT_EQ(device.Cycle().released, kConsumerBit);
+    device.Pair(8U, 0x21U);
+    device.Commit();
+    EXPECT_EQ(device.words[0][0], 0x21U);
+    EXPECT_EQ(device.channel.Answer(1U).mask, kConsumerBit);
+}
+
+TEST(ChannelARecord, OfALateFrameIsWatchedThoughNothingElseIsToBeDone)
+{
+    Verifies(req::SRS_TIME_009);
+    const auto fenced = std::make_unique<FencedDevice>();
+    Device& device = fenced->device;
+    device.setups[0].detection = SrvtDetection::kLate;
+    device.Start();
+    static_cast<void>(device.Cycle());
+    // Given a consumer whose waiting past SCT has been told, and a normal frame
+    for (std::uint32_t time = 0U; time < 3U; ++time)
+    {
+        static_cast<void>(device.Cycle(60000U));
+    }
+    const std::uint32_t begin_us = device.clock_us;
+    device.Frame(0x111U, 8U, 0x11U);
+    // When the counter has gone round once
+    for (std::uint32_t step = 0U; step < 16U; ++step)
+    {
+        static_cast<void>(device.Cycle(0x10000000U));
+    }
+    ASSERT_EQ(device.clock_us, begin_us);
+    // Then its inverse frame is late
+    device.Frame(0x112U, 8U, 0x11U, true);
+    EXPECT_EQ(device.channel.View(kConsumerSlot).first_cause, SrdoCause::kSrvt);
+    EXPECT_EQ(device.Cycle().released, 0U);
+}
+
+TEST(ChannelARecord, BehindTheLastSlotIsNobodys)
+{
+    Verifies(req::SRS_CFG_003);
+    Verifies(req::SRS_CONS_024);
+    // Given room for three SRDOs, a device with two, and a third record that awaits 101h
+    const auto storage = std::make_unique<channel_a::StorageFor<3U>>();
+    Device device{storage->Handle()};
+    device.Start();
+    device.Store(kNoSlot, ConfigField::kGfcParameter, 1U);
+    static_cast<void>(device.Cycle());
+    channel_a::Record& behind = storage->records[2];
+    behind = storage->records[kProducerSlot];
+    SetState(behind, static_cast<std::uint8_t>(channel_a::State::kNormalAwaited));
+    behind.frame_since = Instant{device.clock_us};
+    behind.held = channel_a::Bytes{{0U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}};
+    behind.todo = 0x80U;
+    // When a value is stored for it, a GFC concerns every slot, and a corrupted look-up leads to it
+    device.Store(2U, ConfigField::kSct, 7U);
+    device.Frame(0x001U, 0U, 0U);
+    static_cast<void>(device.Cycle());
+    storage->look_up[0x101U % channel_a::kLookUpSize] = 2U;
+    const Confirmation confirmation =
+        device.channel.OnConfirm(Device::FrameOf(0x101U, 8U, 0U, false), Instant{device.clock_us});
+    // Then it is left alone, and confirms nothing
+    EXPECT_EQ(device.channel.View(kConsumerSlot).first_cause, SrdoCause::kGfc);
+    EXPECT_EQ(behind.values.sct_ms, 50U);
+    EXPECT_EQ(behind.todo, 0x80U);
+    EXPECT_EQ(confirmation.step, ConfirmStep::kNone);
+    EXPECT_EQ(confirmation.slot, kNoSlot);
+}
+
+TEST(ChannelARecord, LookUpEndsWithTheLastIdentifier)
+{
+    Verifies(req::SRS_CONS_001);
+    // Given a look-up before a byte that nobody may write, when OPERATIONAL is entered
+    const auto storage = std::make_unique<channel_a::StorageFor<kSlotCount>>();
+    std::uint8_t look_up[channel_a::kLookUpSize + 1U] = {};
+    look_up[channel_a::kLookUpSize] = 0xC3U;
+    channel_a::Storage handle = storage->Handle();
+    handle.look_up = look_up;
+    Device device{handle};
+    device.Start();
+    static_cast<void>(device.Cycle());
+    // Then every identifier has its place, and no other one is written
+    EXPECT_EQ(look_up[0x111U % channel_a::kLookUpSize], kConsumerSlot);
+    EXPECT_EQ(look_up[0x102U % channel_a::kLookUpSize], kProducerSlot);
+    EXPECT_EQ(look_up[channel_a::kLookUpSize - 1U], kNoSlot);
+    EXPECT_EQ(look_up[channel_a::kLookUpSize], 0xC3U);
 }
 
 } // namespace

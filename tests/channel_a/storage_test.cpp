@@ -88,5 +88,29 @@ TEST(ChannelAStorage, OfSlotsThatTheDeviceDoesNotHaveIsLeftAlone)
     EXPECT_EQ(storage.counts[2], 0xC3U);
 }
 
+TEST(ChannelAStorage, HasAsManyEntriesAndStepsAsAreNeeded)
+{
+    Verifies(req::SRS_KRN_020);
+    // Given storage of several sizes, then each pair of entries has a step, and there is one of each at least
+    EXPECT_EQ((channel_a::StorageFor<3U, 2U>::kEntryCount), 6U);
+    EXPECT_EQ((channel_a::StorageFor<3U, 2U>::kStepCount), 3U);
+    EXPECT_EQ((channel_a::StorageFor<64U, 128U>::kEntryCount), 8192U);
+    EXPECT_EQ((channel_a::StorageFor<64U, 128U>::kStepCount), 4096U);
+    EXPECT_EQ((channel_a::StorageFor<2U, 0U>::kEntryCount), 1U);
+    EXPECT_EQ((channel_a::StorageFor<2U, 0U>::kStepCount), 1U);
+}
+
+TEST(ChannelAStorage, HandsOverEachPartFromItsBeginning)
+{
+    Verifies(req::SRS_KRN_020);
+    const auto storage = std::make_unique<channel_a::StorageFor<2U>>();
+    const channel_a::Storage handle = storage->Handle();
+    EXPECT_EQ(handle.records, &storage->records[0]);
+    EXPECT_EQ(handle.counts, &storage->counts[0]);
+    EXPECT_EQ(handle.entries, &storage->entries[0]);
+    EXPECT_EQ(handle.steps, &storage->steps[0]);
+    EXPECT_EQ(handle.look_up, &storage->look_up[0]);
+}
+
 } // namespace
 } // namespace counterpoint
