@@ -242,6 +242,48 @@ TEST(ChannelBRecord, RecheckFindsEveryObjectThatIsNotTheMappedOne)
     EXPECT_GE(written, 1000U);
 }
 
+/// What the check finds once the SRDO, as it is, has the right signature.
+ConfigFault SignedAndRechecked(Rig& rig, SlotIndex slot)
+{
+    rig.Store(slot, ConfigField::kSignature, rig.Voice().Recheck(slot).signature);
+    return rig.Voice().Recheck(slot).fault;
+}
+
+TEST(ChannelBRecord, FlippedEntryOfADummyIsFoundWhateverTheSignature)
+{
+    Verifies(req::SRS_CFG_030);
+    Verifies(req::SRS_CFG_033);
+    const auto rig = std::make_unique<Rig>();
+    rig->Config().dummies = DummyMapping::kAllowed;
+    for (std::uint32_t bit = 0U; bit < 64U; ++bit)
+    {
+        // Given a pair of dummies below a pair of objects, when a bit of a dummy's entry flips and that is signed
+        rig->Start();
+        ASSERT_EQ(rig->Map(0U, {0x00040020U, 0x00040020U, 0x60000120U, 0x60010120U}), ConfigFault::kNone);
+        ASSERT_EQ(SignedAndRechecked(*rig, 0U), ConfigFault::kNone);
+        std::uint8_t& byte = rig->Bytes()[offsetof(RigStorage, entries) + (bit / 8U)];
+        byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8U)));
+        // then it is neither a dummy nor an object
+        EXPECT_EQ(SignedAndRechecked(*rig, 0U), ConfigFault::kTable) << bit;
+    }
+}
+
+TEST(ChannelBRecord, FlippedMapCountIsFoundWhateverTheSignature)
+{
+    Verifies(req::SRS_CFG_030);
+    // Given a map count of 2 before entries that name objects as well, when its lowest bit flips and that is signed
+    const auto rig = std::make_unique<Rig>();
+    rig->Start();
+    rig->Store(0U, ConfigField::kMapCount, 2U);
+    ASSERT_EQ(rig->Validated(0U), ConfigFault::kNone);
+    ASSERT_EQ(SignedAndRechecked(*rig, 0U), ConfigFault::kNone);
+    std::uint8_t& count = rig->Bytes()[offsetof(RigStorage, image) + 12U];
+    ASSERT_EQ(count, 2U);
+    count = 3U;
+    // then the entry that counts in addition has no object
+    EXPECT_EQ(SignedAndRechecked(*rig, 0U), ConfigFault::kTable);
+}
+
 /// Everything that may happen to a device; what the channel answers, one number after the other.
 std::vector<std::uint64_t> Trace(Rig& rig)
 {
