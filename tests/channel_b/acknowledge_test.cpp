@@ -95,6 +95,27 @@ TEST(ChannelBAcknowledge, OneFlippedBitIsNoEdge)
     }
 }
 
+TEST(ChannelBAcknowledge, OneFlippedBitBeforeTheFirstCallIsNoEdge)
+{
+    Verifies(req::SRS_REL_005);
+    Verifies(req::SRS_CONS_024);
+    constexpr std::size_t kBits = 8U * sizeof(channel_b::Acknowledge);
+    for (std::size_t bit = 0U; bit < kBits; ++bit)
+    {
+        // Given a record that followed nothing yet, when a bit of it flips
+        channel_b::Acknowledge acknowledge;
+        std::uint8_t bytes[sizeof(channel_b::Acknowledge)];
+        std::memcpy(bytes, &acknowledge, sizeof(bytes));
+        bytes[bit / 8U] = static_cast<std::uint8_t>(bytes[bit / 8U] ^ (1U << (bit % 8U)));
+        std::memcpy(&acknowledge, bytes, sizeof(bytes));
+        // then inputs that are 1 from the start are no edge
+        for (std::uint32_t call = 0U; call < 4U; ++call)
+        {
+            EXPECT_EQ(acknowledge.Follow(~SrdoMask{0U}), 0U) << bit << " " << call;
+        }
+    }
+}
+
 /// A consumer that holds a pair and waits for its acknowledge.
 void Hold(Rig& rig)
 {

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 
 namespace counterpoint
@@ -124,6 +126,31 @@ TEST(ChannelBDirection, OneThatFitsInARestoredImageWantsValidateToo)
     static_cast<void>(rig->Leave());
     static_cast<void>(rig->Enter());
     EXPECT_EQ(rig->Voice().View(0U).state, SrdoState::kWaiting);
+}
+
+TEST(ChannelBDirection, FlippedBehindTheChecksStaysOff)
+{
+    Verifies(req::SRS_CONS_024);
+    Verifies(req::SRS_CONS_002);
+    // Given a device that is set up, when a bit of a direction flips before OPERATIONAL: it is then neither 1 nor 2
+    using RigStorage = channel_b::StorageFor<kRigSlots, kRigEntries>;
+    const auto rig = std::make_unique<Rig>(ReleasePolicy::kAutomatic);
+    for (SlotIndex slot = 0U; slot < kRigSlots; ++slot)
+    {
+        for (std::uint32_t bit = 0U; bit < 8U; ++bit)
+        {
+            rig->Start();
+            std::uint8_t& direction = rig->Bytes()[offsetof(RigStorage, image) + (std::size_t{slot} * 16U)];
+            ASSERT_EQ(direction, kRigDirections[slot]);
+            direction = static_cast<std::uint8_t>(direction ^ (1U << bit));
+            static_cast<void>(rig->Enter());
+            // then the slot is off and takes no pair
+            EXPECT_EQ(rig->Voice().View(slot).state, SrdoState::kOff) << bit;
+            rig->Pair(slot, 0x5AU);
+            EXPECT_EQ(rig->Cycle().released, 0U) << bit;
+            EXPECT_EQ(rig->Voice().Prepare(slot).status, PrepareStatus::kNotProducer) << bit;
+        }
+    }
 }
 
 } // namespace

@@ -42,6 +42,87 @@ TEST(ChannelBReadingBack, AnEntryThatLeadsNowhereHoldsNothing)
     EXPECT_EQ(rig->Voice().Answer(1U).mask, 0U);
 }
 
+/// Place of the only inverse entry of slot 2, and map count of slot 2.
+constexpr std::size_t kPlaceOfSlot2At = offsetof(RigStorage, places) + (9U * sizeof(std::uint16_t));
+constexpr std::size_t kMapCountOfSlot2At = offsetof(RigStorage, image) + (2U * 16U) + 12U;
+
+TEST(ChannelBReadingBack, WhatIsWrongIsToldOfItsOwnSlot)
+{
+    Verifies(req::SRS_REL_011);
+    Verifies(req::SRS_REL_010);
+    // Given two released consumers, when the place of the second one's object is lost
+    const auto rig = std::make_unique<Rig>(ReleasePolicy::kAutomatic);
+    rig->Start();
+    static_cast<void>(rig->Enter());
+    rig->Pair(0U, 0x1122334455667788U);
+    rig->Pair(2U, 0xFFU);
+    ASSERT_EQ(rig->Cycle().released, 5U);
+    rig->Bytes()[kPlaceOfSlot2At] = 0xFFU;
+    rig->Bytes()[kPlaceOfSlot2At + 1U] = 0xFFU;
+    // then that one is told, and the other one permitted
+    EXPECT_EQ(rig->Voice().Commit(Agreement{5U, 5U}, 0U), 4U);
+    EXPECT_EQ(rig->Voice().Answer(1U).mask, 1U);
+}
+
+TEST(ChannelBReadingBack, EntriesBehindTheCountLeadNowhere)
+{
+    Verifies(req::SRS_REL_011);
+    Verifies(req::SRS_CONS_024);
+    // Given a released consumer of one object, when a bit of its map count flips, which then is above the four entries
+    const auto rig = std::make_unique<Rig>(ReleasePolicy::kAutomatic);
+    rig->Start();
+    static_cast<void>(rig->Enter());
+    rig->Pair(2U, 0x5AU);
+    ASSERT_EQ(rig->Cycle().released, 4U);
+    ASSERT_EQ(rig->Bytes()[kMapCountOfSlot2At], 2U);
+    rig->Bytes()[kMapCountOfSlot2At] = 6U;
+    // then that is found, nothing is permitted, and no object of others is written
+    EXPECT_EQ(rig->Voice().Commit(Agreement{4U, 4U}, 0U), 4U);
+    EXPECT_EQ(rig->Voice().Answer(1U).mask, 0U);
+    EXPECT_EQ(rig->Value(9U), 0x666666A5U);
+    for (const std::size_t other : {0U, 1U, 4U, 5U, 6U, 7U, 8U, 10U, 11U})
+    {
+        EXPECT_EQ(rig->Value(other), 0x66666666U) << other;
+    }
+}
+
+TEST(ChannelBReadingBack, WhatIsWrittenAndExaminedInOneCallIsReadBack)
+{
+    Verifies(req::SRS_REL_011);
+    // Given a released pair of two halves, whose objects have come to lie in one place
+    const auto rig = std::make_unique<Rig>(ReleasePolicy::kAutomatic);
+    rig->Start();
+    static_cast<void>(rig->Enter());
+    rig->Pair(0U, 0x1122334455667788U);
+    ASSERT_EQ(rig->Cycle().released, 1U);
+    rig->Share(2U, 3U);
+    // when the call that writes it is the one in which its turn to be examined comes, then it is found
+    EXPECT_EQ(rig->Voice().Commit(Agreement{1U, 1U}, 1U), 1U);
+    EXPECT_EQ(rig->Voice().Answer(1U).mask, 0U);
+}
+
+TEST(ChannelBReadingBack, ObjectThatIsNotThereIsReadAsZero)
+{
+    Verifies(req::SRS_PROD_005);
+    // Given a producer, when the place of its first inverse object is lost
+    const auto rig = std::make_unique<Rig>();
+    rig->Start();
+    static_cast<void>(rig->Enter());
+    rig->Request();
+    ASSERT_EQ(rig->Cycle().due, 2U);
+    rig->Put(7U, 0x44332211U);
+    constexpr std::size_t kAt = offsetof(RigStorage, places) + (5U * sizeof(std::uint16_t));
+    rig->Bytes()[kAt] = 0xFFU;
+    rig->Bytes()[kAt + 1U] = 0xFFU;
+    // then its bits are inverse to 0, and those of the other object are what they were
+    const PreparedPair pair = rig->Voice().Prepare(1U);
+    static constexpr std::uint8_t kData[8U] = {0xFFU, 0xFFU, 0xFFU, 0xFFU, 0xEEU, 0xDDU, 0xCCU, 0xBBU};
+    for (std::size_t at = 0U; at < 8U; ++at)
+    {
+        EXPECT_EQ(pair.normal.data[at], kData[at]) << at;
+    }
+}
+
 /// One object of 32 bits with 55667788h in the normal frame, beside a dummy of 32 bits.
 void ExpectTheObjectAloneIsLookedAt(const std::vector<std::uint32_t>& entries, std::uint64_t data)
 {
@@ -104,6 +185,32 @@ TEST(ChannelBReadingBack, SafeValueThatIsNotThereAfterSetUpIsToldByTheNextCommit
     ASSERT_EQ(rig->Voice().Validate(0U).fault, ConfigFault::kNone);
     static_cast<void>(rig->Cycle());
     EXPECT_EQ(rig->Voice().Commit(Agreement{0U, 0U}, 0U), 1U);
+}
+
+TEST(ChannelBReadingBack, SafeValueThatIsNotThereIsToldHoweverOftenItWasSetUp)
+{
+    Verifies(req::SRS_REL_012);
+    const auto rig = std::make_unique<Rig>(ReleasePolicy::kAutomatic);
+    rig->Setup(0U).safe_value = kTwoHalves;
+    rig->Share(2U, 3U);
+    rig->Start();
+    // When it is set up again before a Commit, then that tells
+    ASSERT_EQ(rig->Voice().Validate(0U).fault, ConfigFault::kNone);
+    EXPECT_EQ(rig->Voice().Commit(Agreement{0U, 0U}, 0U), 1U);
+}
+
+TEST(ChannelBReadingBack, SafeValueThatIsNotThereIsToldOfItsOwnSlot)
+{
+    Verifies(req::SRS_REL_012);
+    // Given a second consumer whose inverse objects of 8 and 32 bits lie in one place
+    const auto rig = std::make_unique<Rig>(ReleasePolicy::kAutomatic);
+    rig->Setup(2U).safe_value = kTwoHalves;
+    rig->Share(9U, 11U);
+    rig->Start();
+    EXPECT_EQ(rig->Voice().Commit(Agreement{0U, 0U}, 0U), 0U);
+    // when it is set up, then it is the one that is told
+    ASSERT_EQ(rig->Map(2U, {0x62000108U, 0x62010108U, 0x63000120U, 0x63010120U}), ConfigFault::kNone);
+    EXPECT_EQ(rig->Voice().Commit(Agreement{0U, 0U}, 0U), 4U);
 }
 
 TEST(ChannelBReadingBack, SafeValueThatIsThereAfterSetUpIsNotTold)

@@ -110,6 +110,99 @@ TEST(ChannelBRecord, CorruptedWhileSafeStaysSafe)
     EXPECT_GE(told, 8U);
 }
 
+using RigStorage = channel_b::StorageFor<kRigSlots, kRigEntries>;
+
+constexpr std::size_t kHeldAt = offsetof(RigStorage, held) + 2U;
+constexpr std::size_t kGrantedAt = offsetof(RigStorage, granted) + 2U;
+constexpr std::size_t kFirstCauseAt = offsetof(RigStorage, first_cause) + 2U;
+
+/// Slot 2 is the only one of which something is told, and that is what no other fault is.
+void ExpectOnlySlot2Invalid(const Rig& rig, const CycleOutcome& outcome, const SrdoView& view, std::size_t at)
+{
+    EXPECT_EQ(outcome.new_fault, 4U) << at;
+    EXPECT_EQ(outcome.signalled, 4U) << at;
+    EXPECT_EQ(outcome.faulted, 4U) << at;
+    EXPECT_EQ(view.state, SrdoState::kFaulted) << at;
+    EXPECT_EQ(view.signals, 1U) << at; // Bit of kInvalid.
+    EXPECT_EQ(view.holds_pair, 0U) << at;
+    EXPECT_TRUE(rig.AreCanariesAlive()) << at;
+}
+
+TEST(ChannelBRecord, FlippedMarkOfAReleasedConsumerIsToldOfItsOwnSlot)
+{
+    Verifies(req::SRS_CONS_024);
+    const auto rig = std::make_unique<Rig>(ReleasePolicy::kAutomatic);
+    for (const std::size_t at : {kHeldAt, kGrantedAt, kFirstCauseAt})
+    {
+        for (std::uint32_t bit = 0U; bit < 8U; ++bit)
+        {
+            // Given two released consumers, when a bit of a mark or of the cause of the second flips
+            rig->Start();
+            static_cast<void>(rig->Enter());
+            rig->Pair(0U, kData);
+            rig->Pair(2U, 0x5AU);
+            ASSERT_EQ(rig->Cycle().released, 5U);
+            rig->Bytes()[at] = Corrupted(rig->Bytes()[at], bit);
+            const CycleOutcome outcome = rig->Cycle();
+            // then that one is faulted, and the other one stays released
+            ExpectOnlySlot2Invalid(*rig, outcome, rig->Voice().View(2U), at);
+            EXPECT_EQ(outcome.released, 1U) << at << " " << bit;
+            EXPECT_EQ(rig->Voice().View(0U).state, SrdoState::kReleased) << at << " " << bit;
+            EXPECT_EQ(rig->Voice().View(0U).error_count, 0U) << at << " " << bit;
+        }
+    }
+}
+
+TEST(ChannelBRecord, FlippedMarkOfAWaitingConsumerIsToldOfItsOwnSlot)
+{
+    Verifies(req::SRS_CONS_024);
+    const auto rig = std::make_unique<Rig>();
+    for (const std::size_t at : {kHeldAt, kGrantedAt})
+    {
+        for (std::uint32_t bit = 0U; bit < 8U; ++bit)
+        {
+            // Given two consumers that wait for their acknowledge with a pair, when a bit of a mark of the second flips
+            rig->Start();
+            static_cast<void>(rig->Enter());
+            rig->Pair(0U, kData);
+            rig->Pair(2U, 0x5AU);
+            ASSERT_EQ(rig->Cycle().waiting, 5U);
+            rig->Bytes()[at] = Corrupted(rig->Bytes()[at], bit);
+            const CycleOutcome outcome = rig->Cycle();
+            // then that one is faulted, and the other one goes on waiting
+            ExpectOnlySlot2Invalid(*rig, outcome, rig->Voice().View(2U), at);
+            EXPECT_EQ(outcome.waiting, 1U) << at << " " << bit;
+            EXPECT_EQ(rig->Voice().View(0U).error_count, 0U) << at << " " << bit;
+        }
+    }
+}
+
+TEST(ChannelBRecord, CauseOfAProducerIsDefinedForTheConsumerThatFollowsIt)
+{
+    Verifies(req::SRS_CONS_024);
+    // Given a producer whose first cause is a wrong echo
+    const auto rig = std::make_unique<Rig>(ReleasePolicy::kAutomatic);
+    rig->Config().dummies = DummyMapping::kAllowed;
+    rig->Start();
+    static_cast<void>(rig->Enter());
+    rig->Request();
+    ASSERT_EQ(rig->Cycle().due, 2U);
+    CanFrame normal = rig->Voice().Prepare(1U).normal;
+    normal.data[0U] = static_cast<std::uint8_t>(normal.data[0U] ^ 1U);
+    rig->Confirm(normal);
+    ASSERT_EQ(rig->Voice().View(1U).first_cause, SrdoCause::kWrongEcho);
+    static_cast<void>(rig->Leave());
+    // when its slot becomes a consumer, which is released without an acknowledge
+    rig->Store(1U, ConfigField::kDirection, 2U);
+    ASSERT_EQ(rig->Map(1U, {0x63000120U, 0x63010120U, 0x00040020U, 0x00040020U}), ConfigFault::kNone);
+    static_cast<void>(rig->Enter());
+    rig->Pair(1U, kData);
+    // then that cause is no corrupted one
+    EXPECT_EQ(rig->Cycle().released, 2U);
+    EXPECT_EQ(rig->Cycle().released, 2U);
+    EXPECT_EQ(rig->Voice().View(1U).first_cause, SrdoCause::kWrongEcho);
+}
+
 TEST(ChannelBRecord, RecheckFindsEveryObjectThatIsNotTheMappedOne)
 {
     Verifies(req::SRS_CFG_030);
@@ -147,6 +240,48 @@ TEST(ChannelBRecord, RecheckFindsEveryObjectThatIsNotTheMappedOne)
         });
     EXPECT_GE(found, 4U * 16U);
     EXPECT_GE(written, 1000U);
+}
+
+/// What the check finds once the SRDO, as it is, has the right signature.
+ConfigFault SignedAndRechecked(Rig& rig, SlotIndex slot)
+{
+    rig.Store(slot, ConfigField::kSignature, rig.Voice().Recheck(slot).signature);
+    return rig.Voice().Recheck(slot).fault;
+}
+
+TEST(ChannelBRecord, FlippedEntryOfADummyIsFoundWhateverTheSignature)
+{
+    Verifies(req::SRS_CFG_030);
+    Verifies(req::SRS_CFG_033);
+    const auto rig = std::make_unique<Rig>();
+    rig->Config().dummies = DummyMapping::kAllowed;
+    for (std::uint32_t bit = 0U; bit < 64U; ++bit)
+    {
+        // Given a pair of dummies below a pair of objects, when a bit of a dummy's entry flips and that is signed
+        rig->Start();
+        ASSERT_EQ(rig->Map(0U, {0x00040020U, 0x00040020U, 0x60000120U, 0x60010120U}), ConfigFault::kNone);
+        ASSERT_EQ(SignedAndRechecked(*rig, 0U), ConfigFault::kNone);
+        std::uint8_t& byte = rig->Bytes()[offsetof(RigStorage, entries) + (bit / 8U)];
+        byte = static_cast<std::uint8_t>(byte ^ (1U << (bit % 8U)));
+        // then it is neither a dummy nor an object
+        EXPECT_EQ(SignedAndRechecked(*rig, 0U), ConfigFault::kTable) << bit;
+    }
+}
+
+TEST(ChannelBRecord, FlippedMapCountIsFoundWhateverTheSignature)
+{
+    Verifies(req::SRS_CFG_030);
+    // Given a map count of 2 before entries that name objects as well, when its lowest bit flips and that is signed
+    const auto rig = std::make_unique<Rig>();
+    rig->Start();
+    rig->Store(0U, ConfigField::kMapCount, 2U);
+    ASSERT_EQ(rig->Validated(0U), ConfigFault::kNone);
+    ASSERT_EQ(SignedAndRechecked(*rig, 0U), ConfigFault::kNone);
+    std::uint8_t& count = rig->Bytes()[offsetof(RigStorage, image) + 12U];
+    ASSERT_EQ(count, 2U);
+    count = 3U;
+    // then the entry that counts in addition has no object
+    EXPECT_EQ(SignedAndRechecked(*rig, 0U), ConfigFault::kTable);
 }
 
 /// Everything that may happen to a device; what the channel answers, one number after the other.
@@ -262,6 +397,46 @@ ConfigFault StaticOf(Rig& rig, std::uint8_t bits)
     rig.Store(2U, ConfigField::kDirection, 2U);
     rig.Store(2U, ConfigField::kSignature, rig.Voice().Validate(2U).signature);
     return rig.Voice().Validate(2U).fault;
+}
+
+TEST(ChannelBRecord, StaticMappingHasNoEntryBehindItsCount)
+{
+    Verifies(req::SRS_CFG_003);
+    Verifies(req::SRS_CFG_032);
+    // Given a static mapping of two in slot 2, beside dynamic ones of up to four entries
+    static constexpr std::uint32_t kEntries[] = {0x62000108U, 0x62010108U, 0x63000120U, 0x63010120U};
+    const auto rig = std::make_unique<Rig>();
+    rig->Setup(2U).map = StaticMap{kEntries, 2U};
+    rig->Start();
+    const auto load = [&](SlotIndex slot, std::uint8_t sub)
+    { return rig->Voice().Load(ConfigAddress{slot, ConfigField::kMapEntry, sub}).value; };
+    EXPECT_EQ(load(2U, 2U), 0x62010108U);
+    EXPECT_EQ(load(2U, 3U), 0U);
+    EXPECT_EQ(load(2U, 4U), 0U);
+    EXPECT_EQ(load(1U, 4U), 0x61010220U);
+}
+
+TEST(ChannelBRecord, DefaultConnectionSetIsThatOfSrdoOneWhereverItLies)
+{
+    Verifies(req::SRS_CFG_002);
+    // Given a device of node-ID 33 with SRDO 1 in slot 1, when it starts
+    const auto rig = std::make_unique<Rig>();
+    rig->Config().node_id = 33U;
+    rig->Setup(0U).number = 2U;
+    rig->Setup(1U).number = 1U;
+    rig->Voice().Restart(rig->Config());
+    const auto load = [&](SlotIndex slot, ConfigField field)
+    { return rig->Voice().Load(ConfigAddress{slot, field, 0U}).value; };
+    // then that slot has the identifiers and the SCT, and the others none of them
+    EXPECT_EQ(load(1U, ConfigField::kCobId1), 0x141U);
+    EXPECT_EQ(load(1U, ConfigField::kCobId2), 0x142U);
+    EXPECT_EQ(load(1U, ConfigField::kSct), 50U);
+    for (const SlotIndex other : {SlotIndex{0U}, SlotIndex{2U}})
+    {
+        EXPECT_EQ(load(other, ConfigField::kCobId1), 0U);
+        EXPECT_EQ(load(other, ConfigField::kCobId2), 0U);
+        EXPECT_EQ(load(other, ConfigField::kSct), 25U);
+    }
 }
 
 TEST(ChannelBRecord, StaticObjectsAreOfWholeBytes)

@@ -93,6 +93,39 @@ TEST(ChannelBSharedObject, DummiesAreNoObjects)
     EXPECT_EQ(rig->Map(2U, {0x00050008U, 0x00050008U, 0x62000108U, 0x62010108U}), ConfigFault::kNone);
 }
 
+TEST(ChannelBSharedObject, DummyIsNoObjectWhateverAnotherNames)
+{
+    Verifies(req::SRS_CFG_037);
+    Verifies(req::SRS_CFG_033);
+    // Given a lower slot with an entry of a dummy's index that has another length, and is none
+    const auto rig = std::make_unique<Rig>();
+    rig->Config().dummies = DummyMapping::kAllowed;
+    rig->Start();
+    rig->Store(0U, ConfigField::kMapEntry, 0x00050010U, 1U);
+    // then the dummy of the higher slot is still not an object that both name
+    EXPECT_EQ(rig->Map(2U, {0x00050008U, 0x00050008U, 0x62000108U, 0x62010108U}), ConfigFault::kNone);
+}
+
+TEST(ChannelBSharedObject, IndicesBehindTheDataTypesAreNoDummies)
+{
+    Verifies(req::SRS_CFG_033);
+    const auto rig = std::make_unique<Rig>();
+    rig->Config().dummies = DummyMapping::kAllowed;
+    rig->Config().granularity_bits = 1U;
+    rig->Start();
+    EXPECT_EQ(rig->Map(0U, {0x00070020U, 0x00070020U, 0x60000120U, 0x60010120U}), ConfigFault::kNone);
+    // Given entries of every length with an index behind 0007h, then none of them may be mapped
+    for (std::uint32_t index = 8U; index < 0x200U; ++index)
+    {
+        for (std::uint32_t bits = 1U; bits <= 32U; ++bits)
+        {
+            const std::uint32_t entry = (index << 16U) | bits;
+            ASSERT_EQ(rig->Map(0U, {entry, entry, 0x60000120U, 0x60010120U}), ConfigFault::kMapping)
+                << index << " " << bits;
+        }
+    }
+}
+
 TEST(ChannelBSharedObject, StaticMappingsCountAsTheOthers)
 {
     Verifies(req::SRS_CFG_037);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <memory>
 
 namespace counterpoint
@@ -84,6 +85,39 @@ TEST(ChannelBSignals, WaitingPastSctIsSignalledOnce)
     EXPECT_EQ(first, 51U);
     EXPECT_EQ(signals, 1U);
     EXPECT_EQ(rig->Voice().View(0U).error_count, 0U);
+}
+
+TEST(ChannelBSignals, SrvtStaysOverHoweverLateTheInverseFrame)
+{
+    Verifies(req::SRS_TIME_001);
+    Verifies(req::SRS_TIME_006);
+    // Given late detection and a normal frame whose SRVT of 20 ms is over in the last of 25 calls
+    const auto rig = std::make_unique<Rig>(ReleasePolicy::kAutomatic);
+    rig->Setup(0U).detection = SrvtDetection::kLate;
+    rig->Start();
+    static_cast<void>(rig->Enter());
+    rig->Normal(0U, 1U);
+    for (std::uint32_t call = 0U; call < 25U; ++call)
+    {
+        EXPECT_EQ(rig->Cycle().signalled, 0U) << call;
+    }
+    // when its inverse frame comes 2^30 us after the last call, which was at FFFF6982h, and no call in between
+    rig->Voice().OnFrame(Rig::Frame(0x102U, ~std::uint64_t{1U}, 8U), Instant{0x3FFF6982U});
+    // then it is too late
+    EXPECT_EQ(rig->Voice().View(0U).first_cause, SrdoCause::kSrvt);
+    EXPECT_EQ(rig->Voice().View(0U).holds_pair, 0U);
+}
+
+TEST(ChannelBSignals, RefreshIsDueHoweverLateTheCall)
+{
+    Verifies(req::SRS_PROD_001);
+    Verifies(req::SRS_PROD_002);
+    // Given a provider that may send 500 us after OPERATIONAL, when the next call comes 2^32 - 2^27 us after 499 us
+    const auto rig = std::make_unique<Rig>();
+    rig->Setup(1U).form = ProducerForm::kProviderCalled;
+    rig->Start();
+    EXPECT_EQ(rig->Enter().due, 0U);
+    EXPECT_EQ(rig->Cycle(0xF80001F3U).due, 2U);
 }
 
 } // namespace
