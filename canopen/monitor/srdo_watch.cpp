@@ -67,9 +67,10 @@ void SrdoWatch::Begin(const Time now) noexcept
 void SrdoWatch::Stop(const Time now) noexcept
 {
     End(now);
-    has_remainder_ = has_remainder_ || pending_.has_value();
+    has_remainder_ = has_remainder_ || pending_.has_value() || fitting_.has_value();
     overdue_.reset();
     early_.reset();
+    fitting_.reset();
     pending_.reset();
     held_.reset();
 }
@@ -153,18 +154,20 @@ bool SrdoWatch::IsLateInverse(const LogFrame& frame)
     return true;
 }
 
-/// Frames that changed places are one violation, told with the first one: the other one is what is left of the pair.
-bool SrdoWatch::IsExchanged(const LogFrame& normal) noexcept
+/// Frames that changed places are one violation, told with the first one. That the other one is what is left of the
+/// pair, and not the first frame of the next one with the same data, nobody knows before the frame behind it.
+bool SrdoWatch::MayBeExchanged(const LogFrame& normal) noexcept
 {
-    const bool is_rest = early_ && normal.time <= early_->time + setup_.srvt && normal.length == early_->length &&
-                         WrongBit(normal, *early_) < 0;
+    const bool fits = early_ && normal.time <= early_->time + setup_.srvt && normal.length == early_->length &&
+                      WrongBit(normal, *early_) < 0;
     early_.reset();
-    return is_rest;
+    fitting_ = fits ? std::optional<LogFrame>(normal) : std::nullopt;
+    return fits;
 }
 
 void SrdoWatch::TakeNormal(const LogFrame& frame)
 {
-    if (IsExchanged(frame))
+    if (MayBeExchanged(frame))
     {
         return;
     }
@@ -204,8 +207,22 @@ int SrdoWatch::WrongBit(const LogFrame& normal, const LogFrame& inverse) const n
     return -1;
 }
 
+/// An inverse frame within SRVT of the normal frame that may be the rest of an exchanged pair: it began the next one.
+/// [SRS_MON_030]
+bool SrdoWatch::IsOfFitting(const LogFrame& inverse)
+{
+    const bool is_its = fitting_ && inverse.time <= fitting_->time + setup_.srvt;
+    if (is_its)
+    {
+        pending_ = fitting_;
+    }
+    fitting_.reset();
+    return is_its;
+}
+
 void SrdoWatch::TakeInverse(const LogFrame& frame)
 {
+    const bool is_of_fitting = IsOfFitting(frame);
     const bool is_unseen = blind_until_ && frame.time <= *blind_until_;
     const bool is_remainder = (has_remainder_ || is_unseen) && !pending_;
     has_remainder_ = false;
@@ -234,6 +251,8 @@ void SrdoWatch::TakeInverse(const LogFrame& frame)
     const int wrong = WrongBit(*pending_, frame);
     if (wrong >= 0)
     {
+        // If the normal frame was the rest of an exchanged pair after all, this may be the first one of another.
+        early_ = is_of_fitting ? std::optional<LogFrame>(frame) : std::nullopt;
         Report(frame.time, Cause::kNotInverse,
                "bit " + std::to_string(wrong) + ": normal " + DataText(*pending_) + ", inverse " + DataText(frame));
         return;

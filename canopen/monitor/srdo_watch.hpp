@@ -135,7 +135,8 @@ class SrdoWatch
     void TakeInverse(const LogFrame& frame);
     [[nodiscard]] bool IsLateInverse(const LogFrame& frame);
     [[nodiscard]] int WrongBit(const LogFrame& normal, const LogFrame& inverse) const noexcept;
-    [[nodiscard]] bool IsExchanged(const LogFrame& normal) noexcept;
+    [[nodiscard]] bool MayBeExchanged(const LogFrame& normal) noexcept;
+    [[nodiscard]] bool IsOfFitting(const LogFrame& inverse);
 
     std::size_t number_;
     WatchSetup setup_;
@@ -147,6 +148,7 @@ class SrdoWatch
     bool has_remainder_{false};       ///< The inverse frame of a discarded pair may still come.
     std::optional<Time> overdue_;     ///< Normal frame whose inverse frame did not come in time, and may still come.
     std::optional<LogFrame> early_;   ///< Inverse frame told as first, whose normal frame may still come.
+    std::optional<LogFrame> fitting_; ///< A normal frame that fits it: its rest, or the first one of the next pair.
     std::optional<Time> blind_until_; ///< Likewise, because the normal frame was not seen.
     std::size_t pairs_{0U};
     TimeStatistics cycle_;

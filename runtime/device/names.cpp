@@ -3,6 +3,7 @@
 
 #include "canopen/cia306/text/input_error.hpp"
 #include "names/safety_core/kernel/start_check.hpp"
+#include "runtime/device/time_text.hpp"
 
 #include <algorithm>
 
@@ -20,15 +21,10 @@ std::string IdentifierText(const std::uint32_t identifier)
 
 std::string MillisecondsText(const Nanoseconds time)
 {
-    const Nanoseconds microseconds = time / kNanosecondsPerMicrosecond;
-    std::string whole = std::to_string(microseconds / 1000);
-    std::string fraction = std::to_string(1000 + ((microseconds < 0) ? -microseconds : microseconds) % 1000).substr(1U);
-    while (!fraction.empty() && fraction.back() == '0')
-    {
-        fraction.pop_back();
-    }
-    const bool needs_sign = microseconds < 0 && microseconds > -1000;
-    return (needs_sign ? "-" : "") + whole + (fraction.empty() ? "" : "." + fraction) + " ms";
+    std::string number = MillisecondsDigits(time);
+    number.erase(number.find_last_not_of('0') + 1U);
+    number.erase(number.find_last_not_of('.') + 1U);
+    return number + " ms";
 }
 
 std::string NoStartText(const StartResult result)

@@ -74,8 +74,8 @@ struct Event
     std::uint64_t value{0U};
     std::uint64_t other{0U};
     Nanoseconds since{-1};       ///< kOutput: normal frame of the last good pair; see PairTimes.
-    Nanoseconds last_normal{-1}; ///< kOutput: the last one, whatever became of it.
-    Nanoseconds inverse{-1};     ///< kOutput: the first one since the last good pair that made none.
+    Nanoseconds next_normal{-1}; ///< kOutput: the first one behind it, whatever became of it.
+    Nanoseconds inverse{-1};     ///< kOutput: the first one behind it that made no good pair.
 };
 
 /// One frame as it was on the bus, or one that a fault inserted for a single receiver (`sender` kNoNode).

@@ -335,7 +335,7 @@ class Judgement
         const Nanoseconds behind =
             Nanoseconds{LateCycleUs(config) + config.output_time_us} * kNanosecondsPerMicrosecond;
         const bool came =
-            closed.last_normal > closed.since && closed.last_normal - closed.since <= measurement.limit - behind;
+            closed.next_normal > closed.since && closed.next_normal - closed.since <= measurement.limit - behind;
         if (follows && measurement.fault_class == FaultClass::kBus && came)
         {
             Expectation next = expectation;

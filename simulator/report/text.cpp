@@ -2,6 +2,7 @@
 #include "simulator/report/reports.hpp"
 
 #include "runtime/device/objects/optional_services.hpp"
+#include "runtime/device/time_text.hpp"
 #include "simulator/scenario/names.hpp"
 
 #include <array>
@@ -18,13 +19,6 @@ namespace
 ObjectAddress ObjectOf(const std::uint64_t number)
 {
     return {static_cast<std::uint16_t>(number >> 8U), static_cast<std::uint8_t>(number & 0xFFU)};
-}
-
-std::string TimeColumn(const Nanoseconds at)
-{
-    std::array<char, 32U> text{};
-    static_cast<void>(std::snprintf(text.data(), text.size(), "%12.3f ms", static_cast<double>(at) / 1e6));
-    return text.data();
 }
 
 constexpr Word<host::FrameFate> kFateTexts[] = {
@@ -170,7 +164,9 @@ class TimeLine
     void Line(const Nanoseconds at, const std::string& place, const std::string& text)
     {
         constexpr int kPlaceWidth = 12;
-        out_ << TimeColumn(at) << "  " << std::left << std::setw(kPlaceWidth) << place << " " << text << "\n";
+        constexpr std::size_t kTimeWidth = 12U;
+        out_ << runtime::MillisecondsColumn(at, kTimeWidth) << "  " << std::left << std::setw(kPlaceWidth) << place
+             << " " << text << "\n";
     }
 
     void WriteManagersUntil(const Nanoseconds until)

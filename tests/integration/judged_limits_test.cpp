@@ -2,13 +2,10 @@
 //
 // What the simulator tells of limits: by the times and the detection of the device, counted from what the table of
 // limits names, and only where it was this fault that closed the output.
-#include "tests/integration/scenario_run.hpp"
+#include "tests/integration/changed_devices.hpp"
 #include "verification/trace/ids/kernel.hpp"
 #include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
-
-#include "canopen/cia306/file/device_reader.hpp"
-#include "canopen/cia306/safety/signing.hpp"
 
 #include <map>
 #include <sstream>
@@ -19,51 +16,6 @@ namespace counterpoint::simulator
 {
 namespace
 {
-using Values = std::map<std::string, std::string>; ///< ParameterValue by section.
-
-std::string TextOf(const std::string& file)
-{
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-}
-
-/// The DCF of an example with other values, signed anew.
-std::string DeviceWith(const std::string& name, const Values& values)
-{
-    std::istringstream in(TextOf(Examples() + name + ".dcf"));
-    std::string section;
-    std::string text;
-    for (std::string line; std::getline(in, line);)
-    {
-        section = (line.rfind('[', 0U) == 0U) ? line.substr(1U, line.find(']') - 1U) : section;
-        const auto value = values.find(section);
-        const bool is_other = line.rfind("ParameterValue=", 0U) == 0U && value != values.end();
-        text += (is_other ? "ParameterValue=" + value->second : line) + "\n";
-    }
-    const cia306::IniDocument document = cia306::IniDocument::Parse(name, text);
-    const cia306::Device device = cia306::ReadDevice(document);
-    return TextFile(cia306::WithSignatures(document, device, device.node_id).Text(), "." + name + ".dcf");
-}
-
-/// The emergency-stop chain with other values in its devices; `text` is what the scenario adds.
-std::unique_ptr<Run> RunChainOf(const std::map<std::string, Values>& devices, const std::string& text)
-{
-    std::string chain = TextOf(Examples() + "chain.yaml");
-    for (const char* const name : {"sensor", "controller", "actuator"})
-    {
-        const auto values = devices.find(name);
-        const std::string key = "{dcf: " + std::string(name) + ".dcf";
-        const std::string file =
-            (values == devices.end()) ? Examples() + name + ".dcf" : DeviceWith(name, values->second);
-        chain.replace(chain.find(key), key.size(), "{dcf: " + file);
-    }
-    auto run = std::make_unique<Run>(TextFile("extends: " + TextFile(chain) + "\n" + text, ".extended.yaml"),
-                                     std::nullopt, std::nullopt, false);
-    run->Simulate(nullptr);
-    return run;
-}
-
 /// A scenario that extends none, recorded.
 std::unique_ptr<Run> RunOf(const std::string& text)
 {

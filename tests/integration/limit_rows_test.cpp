@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // Which row of the table of limits the simulator takes where the scenario names none.
-#include "tests/integration/scenario_run.hpp"
+#include "tests/integration/changed_devices.hpp"
 #include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -101,6 +101,40 @@ TEST(JudgedLimit, AtAnotherDeviceThanThatOfALinkIsThatOfTheBus)
         EXPECT_EQ(MeasurementOf(*run).fault_class, FaultClass::kBus) << fault;
         EXPECT_EQ(MeasurementOf(*run).limit, 53000 * kUs) << fault;
     }
+}
+
+// Given refresh 10 ms, SCT 15 ms and SRVT 12 ms, and inverse frames that stay away, then the first normal frame behind
+// the last good pair came in time, and what counts is SRVT behind it: the second
+// normal frame, 20 ms behind that pair, is the one that closes.
+TEST(JudgedLimit, HasSrvtInItAsSoonAsTheFirstNormalFrameCame)
+{
+    Verifies(req::SRS_SIM_082);
+    for (const char* const from : {"500 ms", "507 ms", "1203 ms"})
+    {
+        const auto run = RunChainOf(
+            {{"controller", {{"1302sub2", "10"}, {"1302sub3", "5"}}},
+             {"actuator", {{"1301sub2", "15"}, {"1301sub3", "12"}}}},
+            std::string(
+                "duration: 1300 ms\nfaults:\n  - {fault: confirmation, frames: {identifier: 0x103, count: 3, from: ") +
+                from + "}}\nexpect:\n  - {that: safe_within, node: actuator, srdo: 1}\n");
+        EXPECT_EQ(Failures(*run), "") << from;
+        EXPECT_EQ(MeasurementOf(*run).fault_class, FaultClass::kBusNextNormal) << from;
+        EXPECT_EQ(MeasurementOf(*run).limit, 30000 * kUs) << from;
+        EXPECT_GT(MeasurementOf(*run).elapsed, 18000 * kUs) << from;
+    }
+}
+
+// Given normal frames of which the first one behind the last good pair comes too late, then SCT holds alone.
+TEST(JudgedLimit, HasNoSrvtInItWhereTheFirstNormalFrameCameTooLate)
+{
+    Verifies(req::SRS_SIM_082);
+    const auto run = RunChainOf({{"controller", {{"1302sub2", "10"}, {"1302sub3", "5"}}},
+                                 {"actuator", {{"1301sub2", "15"}, {"1301sub3", "12"}}}},
+                                "faults:\n  - {fault: loss, frames: {identifier: [0x103, 0x104], from: 500 ms, "
+                                "count: 2}}\nexpect:\n  - {that: safe_within, node: actuator, srdo: 1}\n");
+    EXPECT_EQ(Failures(*run), "");
+    EXPECT_EQ(MeasurementOf(*run).fault_class, FaultClass::kBus);
+    EXPECT_EQ(MeasurementOf(*run).limit, 18000 * kUs);
 }
 } // namespace
 } // namespace counterpoint::simulator

@@ -1,4 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/device/time_text.hpp"
 #include "simulator/report/reports.hpp"
 #include "tests/integration/scenario_run.hpp"
 #include "verification/trace/ids/simulator.hpp"
@@ -8,6 +9,8 @@
 
 #include <sstream>
 #include <string>
+#include <tuple>
+#include <vector>
 
 namespace counterpoint::simulator
 {
@@ -57,6 +60,36 @@ TEST(Reports, TimeLineShowsWhoSawWhat)
     {
         EXPECT_NE(text.find(line), std::string::npos) << line;
     }
+}
+
+// Given an instant between two microseconds, then every place tells the same one: the one that has passed.
+TEST(Reports, AnInstantHasOneNumber)
+{
+    Verifies(req::SRS_SIM_083);
+    for (const auto& [time, text, column] :
+         std::vector<std::tuple<Nanoseconds, std::string, std::string>>{{562343951, "562.343 ms", "     562.343 ms"},
+                                                                        {999999, "0.999 ms", "       0.999 ms"},
+                                                                        {560000400, "560 ms", "     560.000 ms"},
+                                                                        {-1500000, "-1.5 ms", "      -1.500 ms"},
+                                                                        {-999, "0 ms", "       0.000 ms"},
+                                                                        {-20000, "-0.02 ms", "      -0.020 ms"}})
+    {
+        EXPECT_EQ(MillisecondsText(time), text);
+        EXPECT_EQ(runtime::MillisecondsColumn(time, 12U), column);
+    }
+    EXPECT_EQ(runtime::MillisecondsColumn(1234567890123456, 3U), "1234567890.123 ms");
+    // On the time line, too
+    const auto run = RunChain(kLoss, true);
+    const std::string line = "\n" + TimeLineOf(*run);
+    std::size_t behind_the_half = 0U;
+    for (const Event& event : run->Record().Events())
+    {
+        const bool is_told = event.kind != EventKind::kReception; // That is the frame itself.
+        behind_the_half += (is_told && event.at % 1000 >= 500) ? 1U : 0U;
+        EXPECT_TRUE(!is_told || line.find("\n" + runtime::MillisecondsColumn(event.at, 12U)) != std::string::npos)
+            << event.at;
+    }
+    EXPECT_GE(behind_the_half, 10U);
 }
 
 std::size_t CountOf(const std::string& text, const std::string& part)

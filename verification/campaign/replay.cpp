@@ -2,6 +2,7 @@
 #include "verification/campaign/replay.hpp"
 
 #include "runtime/device/names.hpp"
+#include "runtime/device/time_text.hpp"
 #include "verification/campaign/html.hpp"
 
 #include <algorithm>
@@ -42,9 +43,8 @@ std::string HexText(const std::uint64_t value)
 /// As 576.806 ms, with as many digits in each line.
 std::string TimeText(const Nanoseconds at)
 {
-    char text[32] = {};
-    std::snprintf(text, sizeof(text), "%12.3f ms", static_cast<double>(at) / runtime::kNanosecondsPerMillisecond);
-    return text;
+    constexpr std::size_t kTimeWidth = 12U;
+    return runtime::MillisecondsColumn(at, kTimeWidth);
 }
 
 std::string CauseList(const std::uint32_t signals)

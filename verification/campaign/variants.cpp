@@ -2,6 +2,7 @@
 #include "verification/campaign/variants.hpp"
 
 #include "hal/api/cross_link.hpp"
+#include "runtime/device/time_text.hpp"
 
 #include "verification/campaign/drawn.hpp"
 
@@ -106,9 +107,7 @@ std::string IdentifierText(const RecordedFrame& frame)
 
 std::string FrameText(const RecordedFrame& frame)
 {
-    std::array<char, 32U> text{};
-    std::snprintf(text.data(), text.size(), " at %.3f ms", static_cast<double>(frame.at) / 1e6);
-    return "frame " + IdentifierText(frame) + text.data();
+    return "frame " + IdentifierText(frame) + " at " + runtime::MillisecondsColumn(frame.at, 0U);
 }
 
 std::string BusText(const Experiment& fault, const Recording& recording)

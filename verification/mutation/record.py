@@ -12,7 +12,7 @@ import tree_sitter
 import tree_sitter_cpp
 
 OUTSIDE = "outside of functions"
-VERDICTS = ("killed", "refused", "same", "equivalent")
+VERDICTS = ("killed", "refused", "same", "equivalent", "survived")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -72,15 +72,17 @@ def made_by(root):
 
 
 def record_of(subjects, reasons, made):
-    """Of a run that judged everything. `reasons` has the mutants that no test can see."""
-    files = {}
+    """Of a run that judged everything. `reasons` has the mutants that no test can see; every other survivor is named."""
+    files, survivors = {}, []
     for subject in subjects:
-        counts = collections.defaultdict(collections.Counter)
-        for name, key in keys_of(subject.source, subject.mutants).items():
+        counts, keys = collections.defaultdict(collections.Counter), keys_of(subject.source, subject.mutants)
+        for name, key in keys.items():
             verdict = subject.verdicts[name]
             counts[key]["equivalent" if verdict == "survived" and name in reasons else verdict] += 1
+        survivors += [{"name": mutant.name, "file": subject.file, "function": keys[mutant.name].rsplit(" ", 1)[0], "change": mutant.change}
+                      for mutant in subject.mutants if subject.verdicts[mutant.name] == "survived" and mutant.name not in reasons]
         files[subject.file] = {key: {verdict: count for verdict in VERDICTS if (count := of_key[verdict])} for key, of_key in sorted(counts.items())}
-    return {"made": made, "files": files}
+    return {"made": made, "files": files, "survivors": survivors}
 
 
 def changed_since(record, subjects):
@@ -94,8 +96,9 @@ def changed_since(record, subjects):
     return functions, mutants
 
 
-def drawn_again(count, subjects, left_out, draw):
-    """`count` mutants of the others, another draw for another text `draw`; those that the record says are equivalent too."""
-    others = [mutant for subject in subjects for mutant in subject.mutants if mutant not in left_out[subject.file]]
+def drawn_again(count, record, subjects, left_out, draw):
+    """`count` mutants of the others, another draw for another text `draw`; not those that survive in the record, which names them."""
+    known = {survivor["name"] for survivor in record["survivors"]}
+    others = [mutant for subject in subjects for mutant in subject.mutants if mutant not in left_out[subject.file] and mutant.name not in known]
     others.sort(key=lambda mutant: hashlib.sha256(f"{draw}\0{mutant.name}".encode()).digest())
     return others[:count]

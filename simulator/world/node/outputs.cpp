@@ -62,8 +62,9 @@ void NodeOutputs::NoteOpen(const SrdoMask open)
             const std::uint64_t is_open = (open >> slot) & 1U;
             // What closes is no pair that came since the last cycle: it was not released.
             const Nanoseconds since = (is_open != 0U) ? times.last_good_normal : times.judged_normal;
+            const BehindPair& behind = (is_open != 0U) ? times.behind_good : times.behind_judged;
             place_.journal.Note({place_.Now(), EventKind::kOutput, place_.index, model_.NumberOf(slot), is_open, 0U,
-                                 since, times.last_normal, times.first_wrong_inverse});
+                                 since, behind.next_normal, behind.wrong_inverse});
         }
     }
 }

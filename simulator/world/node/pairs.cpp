@@ -9,6 +9,11 @@ namespace
 {
 constexpr std::uint16_t kCommunicationBase = 0x1300U;
 constexpr std::uint8_t kCobIdSub1 = 5U;
+
+void KeepFirst(Nanoseconds& first, const Nanoseconds now)
+{
+    first = (first < 0) ? now : first;
+}
 } // namespace
 
 NodePairs::NodePairs(const NodePlace& place, const runtime::DeviceModel& model) : place_(place), model_(model)
@@ -70,7 +75,8 @@ void NodePairs::OnFrame(const CanFrame& frame)
     if ((frame.identifier & 1U) != 0U)
     {
         times.pending = place_.Now();
-        times.last_normal = times.pending;
+        KeepFirst(times.behind_good.next_normal, times.pending);
+        KeepFirst(times.behind_judged.next_normal, times.pending);
         times.data = data;
         times.length_bytes = frame.length_bytes;
         place_.Tell(EventKind::kReception, model_.NumberOf(slot), frame.identifier, 0U);
@@ -81,9 +87,16 @@ void NodePairs::OnFrame(const CanFrame& frame)
     const std::uint64_t mask = ~std::uint64_t{0U} >> (64U - 8U * std::max<unsigned>(times.length_bytes, 1U));
     const bool is_good =
         times.pending >= 0 && times.length_bytes == frame.length_bytes && ((normal ^ inverse) & mask) == mask;
-    const Nanoseconds first_wrong = (times.first_wrong_inverse < 0) ? place_.Now() : times.first_wrong_inverse;
-    times.first_wrong_inverse = is_good ? -1 : first_wrong;
-    times.last_good_normal = is_good ? times.pending : times.last_good_normal;
+    if (is_good)
+    {
+        times.last_good_normal = times.pending;
+        times.behind_good = {};
+    }
+    else
+    {
+        KeepFirst(times.behind_good.wrong_inverse, place_.Now());
+        KeepFirst(times.behind_judged.wrong_inverse, place_.Now());
+    }
     times.pending = -1;
     place_.Tell(EventKind::kReception, model_.NumberOf(slot), frame.identifier, is_good ? 1U : 0U);
 }
@@ -92,7 +105,11 @@ void NodePairs::OnCycle()
 {
     for (PairTimes& times : times_)
     {
-        times.judged_normal = times.last_good_normal;
+        if (times.judged_normal != times.last_good_normal)
+        {
+            times.judged_normal = times.last_good_normal;
+            times.behind_judged = times.behind_good;
+        }
     }
 }
 

@@ -13,13 +13,20 @@
 
 namespace counterpoint::simulator
 {
-/// Frames of one SRDO as this node got them: what limits are counted from. [SRS_SIM_031]
+/// What came behind a good pair. Of each the first one, whatever came after it.
+struct BehindPair
+{
+    Nanoseconds next_normal{-1};   ///< Normal frame.
+    Nanoseconds wrong_inverse{-1}; ///< Inverse frame that made no valid pair.
+};
+
+/// Frames of one SRDO as this node got them: what limits are counted from. [SRS_SIM_031, SRS_SIM_082]
 struct PairTimes
 {
-    Nanoseconds last_good_normal{-1};    ///< Normal frame of the last complete valid pair.
-    Nanoseconds judged_normal{-1};       ///< Likewise, of those that a cycle has looked at.
-    Nanoseconds first_wrong_inverse{-1}; ///< Since then: the inverse frame that first made no valid pair.
-    Nanoseconds last_normal{-1};
+    Nanoseconds last_good_normal{-1}; ///< Normal frame of the last complete valid pair.
+    BehindPair behind_good{};         ///< Behind that pair.
+    Nanoseconds judged_normal{-1};    ///< Likewise, of those that a cycle has looked at.
+    BehindPair behind_judged{};       ///< Behind that one.
     Nanoseconds pending{-1};
     Payload data{};
     std::uint8_t length_bytes{0U};

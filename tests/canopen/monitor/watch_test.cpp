@@ -105,6 +105,139 @@ TEST_F(Watch, EachFrameRuleHasItsCause)
     EXPECT_EQ(ViolationsOf(early, Among({remote}, 75000)), (Texts{"50000 remote frame"}));
 }
 
+/// One pair of identifiers with its limits, without files.
+struct Timing
+{
+    Time refresh_us;
+    Time sct_us;
+    Time srvt_us;
+};
+
+struct SeenByWatch final : BreachSink
+{
+    void OnBreach(const std::size_t /*watch*/, const Breach& breach) override
+    {
+        texts.push_back(std::to_string(breach.time / kMicrosecond) + " " + CauseName(breach.cause));
+    }
+    Texts texts;
+};
+
+/// What a watch of 101h and 102h makes of the frames: violations, pairs, greatest cycle.
+struct Watched
+{
+    Texts texts;
+    std::size_t pairs{0U};
+    Time greatest_us{0};
+};
+
+Watched WatchedOf(const Timing& timing, const bool is_late, const Frames& frames)
+{
+    SeenByWatch seen;
+    SrdoWatch watch(0U, {0x101U, 0x102U, 16U, timing.sct_us * kMicrosecond, timing.srvt_us * kMicrosecond, is_late},
+                    seen);
+    for (const LogFrame& frame : frames)
+    {
+        watch.OnFrame(frame);
+    }
+    return {seen.texts, watch.PairCount(), watch.Cycle().greatest / kMicrosecond};
+}
+
+/// Pair by pair, 200 us from normal to inverse frame.
+Frames Sound(const Time refresh_us, const std::size_t pairs, const bool is_changing)
+{
+    Frames frames;
+    for (std::size_t pair = 0U; pair < pairs; ++pair)
+    {
+        const Time us = static_cast<Time>(pair) * refresh_us;
+        const auto value = static_cast<std::uint8_t>(is_changing ? pair : 1U);
+        frames.push_back(Frame(us, 0x101U, {value, 0U}));
+        frames.push_back(Frame(us + 200, 0x102U, {static_cast<std::uint8_t>(0xFFU - value), 0xFFU}));
+    }
+    return frames;
+}
+
+// Given 60 pairs 10 ms apart with the same data and SRVT 20 ms, when the normal frame of pair 20 is lost, then that is
+// one violation, and 59 pairs are left; it was one of every later pair.
+TEST_F(Watch, ALostNormalFrameIsOneViolation)
+{
+    Verifies(req::SRS_MON_030);
+    for (const bool is_late : {false, true})
+    {
+        Frames frames = Sound(10000, 60U, false);
+        frames.erase(frames.begin() + 40);
+        const Watched watched = WatchedOf({10000, 50000, 20000}, is_late, frames);
+        EXPECT_EQ(watched.texts, (Texts{"200200 inverse first"}));
+        EXPECT_EQ(watched.pairs, 59U);
+        EXPECT_EQ(watched.greatest_us, 20000);
+    }
+}
+
+// Given any single frame of a sound recording that is lost, or any single pair whose frames changed places, then the
+// watch tells one violation, and every other pair is one, but the one that the second normal frame discards.
+TEST_F(Watch, AnySingleFaultOfASoundRecordingIsOneViolation)
+{
+    Verifies(req::SRS_MON_030);
+    constexpr std::size_t kPairs = 20U;
+    for (const Timing& timing : {Timing{25000, 50000, 20000}, Timing{10000, 50000, 20000}, Timing{25000, 50000, 30000},
+                                 Timing{20000, 50000, 20000}, Timing{10000, 30000, 10000}, Timing{10000, 15000, 12000},
+                                 Timing{5000, 60000, 50000}, Timing{20000, 25000, 1000}})
+    {
+        for (std::size_t place = 0U; place < 8U * (kPairs - 2U); ++place)
+        {
+            const bool is_late = (place & 1U) != 0U;
+            const bool is_changing = (place & 2U) != 0U;
+            const bool is_inverse = (place & 4U) != 0U;
+            const std::size_t pair = 1U + place / 8U;
+            const auto normal = static_cast<std::ptrdiff_t>(2U * pair);
+            const std::string what = std::to_string(timing.refresh_us) + " " + std::to_string(timing.sct_us) + " " +
+                                     std::to_string(timing.srvt_us) + " place " + std::to_string(place);
+            Frames lost = Sound(timing.refresh_us, kPairs, is_changing);
+            lost.erase(lost.begin() + normal + (is_inverse ? 1 : 0));
+            const Watched of_lost = WatchedOf(timing, is_late, lost);
+            EXPECT_EQ(of_lost.texts.size(), 1U) << what;
+            const bool is_twice = of_lost.texts.front().find("normal twice") != std::string::npos;
+            EXPECT_EQ(of_lost.pairs, kPairs - (is_twice ? 2U : 1U)) << what;
+            EXPECT_TRUE(!is_twice || is_inverse) << what;
+            Frames exchanged = Sound(timing.refresh_us, kPairs, is_changing);
+            std::swap(exchanged.at(2U * pair).identifier, exchanged.at(2U * pair + 1U).identifier);
+            std::swap(exchanged.at(2U * pair).data, exchanged.at(2U * pair + 1U).data);
+            const Watched of_exchanged = WatchedOf(timing, is_late, exchanged);
+            EXPECT_EQ(of_exchanged.texts,
+                      (Texts{std::to_string(static_cast<Time>(pair) * timing.refresh_us) + " inverse first"}))
+                << what;
+            EXPECT_EQ(of_exchanged.pairs, kPairs - 1U) << what;
+            EXPECT_EQ(of_exchanged.greatest_us, 2 * timing.refresh_us) << what;
+        }
+    }
+}
+
+// What follows the normal frame that fits decides: a wrong inverse frame is told by its cause, one beyond SRVT has no
+// normal frame, and one behind a stop is what is left.
+TEST_F(Watch, TheFrameBehindAFittingNormalFrameDecides)
+{
+    Verifies(req::SRS_MON_030);
+    Verifies(req::SRS_MON_005);
+    const LogFrame first = Frame(50200, 0x102U, {0xFEU, 0xFDU});
+    const LogFrame fitting = Frame(60000, 0x101U, {1U, 2U});
+    const Texts one{"50200 inverse first"};
+    EXPECT_EQ(ViolationsOf(early, Among({first, fitting, Frame(80000, 0x102U, {0xFEU, 0xFDU})}, 85000)), one);
+    EXPECT_EQ(ViolationsOf(early, Among({first, fitting, Frame(80001, 0x102U, {0xFEU, 0xFDU})}, 85000)),
+              (Texts{"50200 inverse first", "80001 inverse first"}));
+    EXPECT_EQ(ViolationsOf(early, Among({first, fitting, Frame(60200, 0x102U, {0xFEU, 0xFCU})}, 85000)),
+              (Texts{"50200 inverse first", "60200 not inverse"}));
+    EXPECT_EQ(ViolationsOf(early, Among({first, fitting, Frame(60200, 0x102U, {0xFEU})}, 85000)),
+              (Texts{"50200 inverse first", "60200 wrong length"}));
+    EXPECT_EQ(ViolationsOf(early,
+                           Among({first, fitting, Frame(60100, 0x000U, {2U, 1U}), Frame(60200, 0x102U, {0xFEU, 0xFDU})},
+                                 900000)),
+              one);
+    // Two exchanged pairs with other data are two violations
+    EXPECT_EQ(ViolationsOf(early, Among({first, Frame(50400, 0x101U, {1U, 2U}), Frame(60000, 0x102U, {0xF0U, 0xF0U}),
+                                         Frame(60200, 0x101U, {0x0FU, 0x0FU})},
+                                        70000)),
+              (Texts{"50200 inverse first", "60000 not inverse"}));
+}
+
 /// Greatest cycle of the sensor's SRDO 1, in microseconds, when the recording is over.
 Time GreatestCycleUs(const Network& network, const Frames& frames)
 {

@@ -2,6 +2,7 @@
 #include "verification/campaign/managed/command.hpp"
 
 #include "canopen/cia306/text/text_file.hpp"
+#include "runtime/device/time_text.hpp"
 #include "simulator/scenario/reader.hpp"
 #include "verification/campaign/html.hpp"
 #include "verification/campaign/managed/crew.hpp"
@@ -97,9 +98,8 @@ struct Line
 
 [[nodiscard]] std::string MsOf(const Nanoseconds at)
 {
-    char text[32] = {};
-    std::snprintf(text, sizeof(text), "%11.3f ms  ", static_cast<double>(at) / 1e6);
-    return text;
+    constexpr std::size_t kWidth = 11U;
+    return runtime::MillisecondsColumn(at, kWidth) + "  ";
 }
 
 /// Frames around the fault, and of each sender the first ones that are not those of the run without it.

@@ -2,6 +2,7 @@
 #include "verification/campaign/managed/space.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
+#include "runtime/device/time_text.hpp"
 #include "verification/campaign/drawn.hpp"
 
 #include <algorithm>
@@ -70,10 +71,7 @@ constexpr std::uint64_t kByteBits = 8U;
 
 [[nodiscard]] std::string TimeText(const Nanoseconds time)
 {
-    char text[32] = {};
-    std::snprintf(text, sizeof(text), "%.3f ms",
-                  static_cast<double>(time) / static_cast<double>(runtime::kNanosecondsPerMillisecond));
-    return text;
+    return runtime::MillisecondsColumn(time, 0U);
 }
 } // namespace
 

@@ -22,6 +22,7 @@ inline constexpr RequirementId SRS_CNF_020{"SRS_CNF_020"};
 inline constexpr RequirementId SRS_CNF_021{"SRS_CNF_021"};
 inline constexpr RequirementId SRS_CNF_022{"SRS_CNF_022"};
 inline constexpr RequirementId SRS_CNF_023{"SRS_CNF_023"};
+inline constexpr RequirementId SRS_CNF_024{"SRS_CNF_024"};
 inline constexpr RequirementId SRS_CNF_030{"SRS_CNF_030"};
 } // namespace counterpoint::req
 

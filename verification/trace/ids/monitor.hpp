@@ -29,6 +29,7 @@ inline constexpr RequirementId SRS_MON_019{"SRS_MON_019"};
 inline constexpr RequirementId SRS_MON_020{"SRS_MON_020"};
 inline constexpr RequirementId SRS_MON_021{"SRS_MON_021"};
 inline constexpr RequirementId SRS_MON_025{"SRS_MON_025"};
+inline constexpr RequirementId SRS_MON_030{"SRS_MON_030"};
 inline constexpr RequirementId SRS_MON_040{"SRS_MON_040"};
 inline constexpr RequirementId SRS_MON_041{"SRS_MON_041"};
 inline constexpr RequirementId SRS_MON_042{"SRS_MON_042"};

@@ -87,6 +87,8 @@ inline constexpr RequirementId SRS_SIM_074{"SRS_SIM_074"};
 inline constexpr RequirementId SRS_SIM_075{"SRS_SIM_075"};
 inline constexpr RequirementId SRS_SIM_080{"SRS_SIM_080"};
 inline constexpr RequirementId SRS_SIM_081{"SRS_SIM_081"};
+inline constexpr RequirementId SRS_SIM_082{"SRS_SIM_082"};
+inline constexpr RequirementId SRS_SIM_083{"SRS_SIM_083"};
 } // namespace counterpoint::req
 
 #endif
