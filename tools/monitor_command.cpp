@@ -234,25 +234,10 @@ class MonitorCommand final : public Command
             }
             analysis.Take(frame);
         };
+        monitor::Origin origin;
         if (address_.empty())
         {
-            const std::string bytes = monitor::ReadRecording(file_);
-            const auto source = monitor::OpenRecording(file_, bytes, {interface_});
-            monitor::LogFrame frame;
-            bool is_any = false;
-            while (source->Next(frame))
-            {
-                take(frame);
-                is_any = true;
-            }
-            if (!is_any)
-            {
-                throw InputError(file_, {},
-                                 interface_.empty()
-                                     ? cia306::Problem{"no CAN frame in it", "a recording with at least one"}
-                                     : cia306::Problem{"no frame of interface " + cia306::Quoted(interface_),
-                                                       "--interface with one of the recording"});
-            }
+            origin = ReadFrames(take);
         }
         else
         {
@@ -260,7 +245,29 @@ class MonitorCommand final : public Command
                          {take, [&](const Time now) { analysis.Advance(now); }, [&] { analysis.Interrupt(); }});
         }
         analysis.End();
-        return Conclude({network, analysis, kept, address_.empty() ? file_ : address_}, streams);
+        return Conclude({network, analysis, kept, address_.empty() ? file_ : address_, origin}, streams);
+    }
+
+    /// Hands over every frame of the recording that is of the interface.
+    [[nodiscard]] monitor::Origin ReadFrames(const std::function<void(const LogFrame&)>& take) const
+    {
+        const std::string bytes = monitor::ReadRecording(file_);
+        const auto source = monitor::OpenRecording(file_, bytes, {interface_});
+        LogFrame frame;
+        bool is_any = false;
+        while (source->Next(frame))
+        {
+            take(frame);
+            is_any = true;
+        }
+        if (!is_any)
+        {
+            throw InputError(file_, {},
+                             interface_.empty() ? cia306::Problem{"no CAN frame in it", "a recording with at least one"}
+                                                : cia306::Problem{"no frame of interface " + cia306::Quoted(interface_),
+                                                                  "--interface with one of the recording"});
+        }
+        return source->Seen();
     }
 
     /// In the files, and between them; with --json the second are in the document.
@@ -334,6 +341,12 @@ class MonitorCommand final : public Command
         if (!html_.empty())
         {
             cia306::WriteTextFile(html_, monitor::HtmlReport(report));
+        }
+        if (!report.origin.doubt.empty() && !is_json_)
+        {
+            streams.err << cia306::FormatFinding(report.source,
+                                                 {cia306::Severity::kWarning, {}, "", report.origin.doubt})
+                        << "\n";
         }
         if (is_json_)
         {

@@ -72,8 +72,12 @@ class NewCommand final : public Command
         {
             const cia306::Finding* const cause = CauseIn(findings);
             const cia306::Finding& first = cause == nullptr ? findings.front() : *cause;
+            const bool is_warning = first.severity == cia306::Severity::kWarning;
             cia306::RequireNone(output_,
-                                {{cia306::Severity::kError, {}, first.object, first.text + "; nothing was written"}});
+                                {{cia306::Severity::kError,
+                                  {},
+                                  first.object,
+                                  first.text + (is_warning ? " (a warning of check)" : "") + "; nothing was written"}});
         }
     }
 

@@ -80,7 +80,7 @@ int ByteOf(const std::string_view word) noexcept
 } // namespace
 
 CandumpReader::CandumpReader(std::string file, const std::string_view text, const RecordingOptions& options)
-    : file_(std::move(file)), text_(text), interface_(options.interface)
+    : file_(std::move(file)), text_(text), choice_(options.interface)
 {
     // Written by editors of Windows. Columns count from behind it, as editors do. [SRS_MON_025]
     text_.remove_prefix(text_.substr(0U, kByteOrderMark.size()) == kByteOrderMark ? kByteOrderMark.size() : 0U);
@@ -89,6 +89,11 @@ CandumpReader::CandumpReader(std::string file, const std::string_view text, cons
 std::size_t CandumpReader::Place() const noexcept
 {
     return line_;
+}
+
+Origin CandumpReader::Seen() const
+{
+    return choice_.Seen();
 }
 
 void CandumpReader::Refuse(const std::string_view line, const std::string_view at, const char* const expected) const
@@ -125,11 +130,7 @@ bool CandumpReader::ReadLine(const std::string_view line, LogFrame& frame)
     ReadTime(line, at, frame);
     const bool is_printed = at < line.size() && line[at] == ' ';
     const std::string_view name = is_printed ? ReadPrinted(line, at, frame) : ReadLogged(line, at, frame);
-    if (interface_.empty())
-    {
-        interface_ = std::string(name);
-    }
-    if (name != interface_)
+    if (!choice_.Takes(name, {name}, frame.time))
     {
         return false;
     }

@@ -9,7 +9,11 @@ namespace
 {
 constexpr std::uint32_t kMicrosecondMagic = 0xA1B2C3D4U;
 constexpr std::uint32_t kNanosecondMagic = 0xA1B23C4DU;
-constexpr std::uint32_t kLinkTypeMask = 0x0FFFFFFFU; ///< Above are lengths of check sequences.
+// The number of the link type has bits of another meaning above it: whether a check sequence stands behind each packet,
+// and its length in units of two bytes.
+constexpr std::uint32_t kLinkTypeMask = 0x03FFFFFFU;
+constexpr std::uint32_t kCheckFlag = 0x04000000U;
+constexpr std::uint32_t kCheckLengthShift = 28U;
 constexpr std::size_t kFileHead = 24U;
 constexpr std::size_t kPacketHead = 16U;
 
@@ -37,6 +41,7 @@ constexpr std::size_t kCookedHead = 16U;
 constexpr std::size_t kCookedProtocol = 14U;
 constexpr std::size_t kCooked2Head = 20U;
 constexpr std::size_t kCooked2Protocol = 0U;
+constexpr std::size_t kCooked2Interface = 4U;
 
 /// The packet of CAN_SOCKETCAN that a cooked one holds: the identifier in network order.
 std::string SocketCanOf(std::string_view packet, const bool is_big_endian)
@@ -99,38 +104,55 @@ const char* ReadableLinkTypes() noexcept
     return "227 (CAN_SOCKETCAN), 113 or 276 (Linux cooked)";
 }
 
+std::string DoubtOf(const std::uint32_t link_type)
+{
+    return link_type == kLinkCooked
+               ? "link type 113 (SLL) does not tell interfaces apart: what is judged as one bus may be several"
+               : "";
+}
+
 PacketResult ReadPacketOf(const std::uint32_t link_type, const std::string_view packet, const bool is_big_endian,
                           LogFrame& frame)
 {
     if (link_type == kLinkSocketCan)
     {
-        return {true, ReadSocketCan(packet, frame)};
+        return {true, ReadSocketCan(packet, frame), {}};
     }
     const bool is_second = link_type == kLinkCooked2;
     const std::size_t head = is_second ? kCooked2Head : kCookedHead;
     if (packet.size() < head)
     {
-        return {false, cia306::Problem{"cooked packet of " + std::to_string(packet.size()) + " bytes",
-                                       "at least " + std::to_string(head)}};
+        return {false,
+                cia306::Problem{"cooked packet of " + std::to_string(packet.size()) + " bytes",
+                                "at least " + std::to_string(head)},
+                {}};
     }
     const std::uint16_t protocol = CaptureBytes(packet, true).Number16(is_second ? kCooked2Protocol : kCookedProtocol);
     if (protocol != kProtocolCan && protocol != kProtocolCanFd)
     {
-        return {false, std::nullopt};
+        return {false, std::nullopt, {}};
     }
     const std::string_view rest = packet.substr(head);
-    return {true, ReadSocketCan(rest.size() < 4U ? std::string(rest) : SocketCanOf(rest, is_big_endian), frame)};
+    PacketResult result{
+        true, ReadSocketCan(rest.size() < 4U ? std::string(rest) : SocketCanOf(rest, is_big_endian), frame), {}};
+    if (is_second)
+    {
+        result.interface = CaptureBytes(packet, true).Number32(kCooked2Interface);
+    }
+    return result;
 }
 
-PcapReader::PcapReader(std::string file, const std::string_view bytes)
-    : file_(std::move(file)), bytes_(bytes, bytes.size() >= 4U && IsBigEndian(bytes)), fraction_(kMicrosecond)
+PcapReader::PcapReader(std::string file, const std::string_view bytes, const RecordingOptions& options)
+    : file_(std::move(file)), bytes_(bytes, bytes.size() >= 4U && IsBigEndian(bytes)), fraction_(kMicrosecond),
+      choice_(options.interface)
 {
     if (bytes.size() < kFileHead)
     {
         Refuse({"file of " + std::to_string(bytes.size()) + " bytes", "a pcap header of 24"});
     }
     fraction_ = bytes_.Number32(0U) == kNanosecondMagic ? 1 : kMicrosecond;
-    const std::uint32_t link_type = bytes_.Number32(20U) & kLinkTypeMask;
+    const std::uint32_t link_word = bytes_.Number32(20U);
+    const std::uint32_t link_type = link_word & kLinkTypeMask;
     const std::uint32_t version = bytes_.Number16(4U);
     if (version != 2U)
     {
@@ -141,7 +163,36 @@ PcapReader::PcapReader(std::string file, const std::string_view bytes)
         Refuse({"link type " + std::to_string(link_type), ReadableLinkTypes()});
     }
     link_type_ = link_type;
+    check_bytes_ = (link_word & kCheckFlag) == 0U ? 0U : (link_word >> kCheckLengthShift) * 2U;
     at_ = kFileHead;
+    RequireNames(options.interface);
+}
+
+/// What would be ignored is refused. [SRS_MON_042]
+void PcapReader::RequireNames(const std::string& wanted) const
+{
+    if (wanted.empty())
+    {
+        return;
+    }
+    if (link_type_ != kLinkCooked2)
+    {
+        Refuse({"--interface " + cia306::Quoted(wanted) + " with pcap of link type " + std::to_string(link_type_) +
+                    ", which tells of no frame its interface",
+                "no --interface, or a recording of candump, pcapng or link type 276 (SLL2)"});
+    }
+    if (wanted.find_first_not_of("0123456789") != std::string::npos)
+    {
+        Refuse({"--interface " + cia306::Quoted(wanted) + " with pcap of link type 276 (SLL2), which has no names",
+                "the index of an interface, which is a number"});
+    }
+}
+
+Origin PcapReader::Seen() const
+{
+    Origin origin = choice_.Seen();
+    origin.doubt = DoubtOf(link_type_);
+    return origin;
 }
 
 std::size_t PcapReader::Place() const noexcept
@@ -164,7 +215,14 @@ bool PcapReader::Next(LogFrame& frame)
     return is_frame;
 }
 
-/// Whether it was a frame.
+/// Whether the frame is of the interface that is looked at; all are where nothing tells.
+bool PcapReader::Takes(const PacketResult& result, const LogFrame& frame)
+{
+    const std::string index = result.interface ? std::to_string(*result.interface) : "";
+    return choice_.Takes(index, {index}, frame.time);
+}
+
+/// Whether it was a frame, of the interface that is looked at.
 bool PcapReader::ReadPacket(LogFrame& frame)
 {
     ++packet_;
@@ -185,13 +243,19 @@ bool PcapReader::ReadPacket(LogFrame& frame)
                     std::to_string(original) + " bytes, " + std::to_string(bytes_.Size() - at_) + " are left",
                 "whole packets with a fraction below a second"});
     }
-    const PacketResult result = ReadPacketOf(link_type_, bytes_.Part(at_, captured), bytes_.IsBigEndian(), frame);
+    if (captured < check_bytes_)
+    {
+        Refuse({"packet " + std::to_string(packet_) + " of " + std::to_string(captured) + " bytes",
+                "a check sequence of " + std::to_string(check_bytes_) + " bytes in it, which the file tells of"});
+    }
+    const PacketResult result =
+        ReadPacketOf(link_type_, bytes_.Part(at_, captured - check_bytes_), bytes_.IsBigEndian(), frame);
     if (result.problem)
     {
         Refuse(*result.problem);
     }
     at_ += captured;
-    if (!result.is_frame)
+    if (!result.is_frame || !Takes(result, frame))
     {
         return false;
     }

@@ -33,13 +33,20 @@ std::size_t Padded(const std::size_t count) noexcept
 } // namespace
 
 PcapngReader::PcapngReader(std::string file, const std::string_view bytes, const RecordingOptions& options)
-    : file_(std::move(file)), bytes_(bytes, false), all_(bytes), wanted_(options.interface)
+    : file_(std::move(file)), bytes_(bytes, false), all_(bytes), choice_(options.interface)
 {
 }
 
 std::size_t PcapngReader::Place() const noexcept
 {
     return block_;
+}
+
+Origin PcapngReader::Seen() const
+{
+    Origin origin = choice_.Seen();
+    origin.doubt = doubt_;
+    return origin;
 }
 
 void PcapngReader::Refuse(const cia306::Problem& problem) const
@@ -69,7 +76,7 @@ void PcapngReader::BeginSection()
         Refuse({"version " + std::to_string(bytes_.Number16(at_ + 12U)), "1"});
     }
     interfaces_.clear();
-    chosen_.reset();
+    ++section_;
 }
 
 bool PcapngReader::Next(LogFrame& frame)
@@ -124,6 +131,13 @@ void PcapngReader::ReadInterface(const std::size_t begin, const std::size_t end)
     Interface interface;
     interface.link_type = bytes_.Number16(begin);
     ReadOptions(begin + kInterfaceHead, end, interface);
+    interface.key = interface.name;
+    if (interface.name.empty())
+    {
+        // Nothing tells whether it is one of another section: it counts as another.
+        interface.name = std::to_string(interfaces_.size());
+        interface.key = "interface " + interface.name + " of section " + std::to_string(section_);
+    }
     interfaces_.push_back(interface);
 }
 
@@ -199,6 +213,25 @@ bool PcapngReader::HasReadable() const
                        [](const Interface& interface) { return IsReadable(interface.link_type); });
 }
 
+/// A capture may also have interfaces of other networks, but not as the one that is looked at.
+void PcapngReader::RequireOtherNetwork(const Interface& interface) const
+{
+    const bool is_looked_at = choice_.IsAsked(interface.name) || (choice_.IsOpen() && !HasReadable());
+    if (is_looked_at)
+    {
+        Refuse({"link type " + std::to_string(interface.link_type), ReadableLinkTypes()});
+    }
+}
+
+/// Whether the frame is of the interface that is looked at. One description may be of several: all that Linux has.
+bool PcapngReader::Takes(const Interface& interface, const PacketResult& result, const Time time)
+{
+    const std::string index = result.interface ? "/" + std::to_string(*result.interface) : "";
+    const bool is_taken = choice_.Takes(interface.key + index, {interface.name, interface.name + index}, time);
+    doubt_ = is_taken && doubt_.empty() ? DoubtOf(interface.link_type) : doubt_;
+    return is_taken;
+}
+
 /// Whether the packet is a frame of the interface that is looked at.
 bool PcapngReader::ReadPacket(const std::size_t begin, const std::size_t end, LogFrame& frame)
 {
@@ -217,20 +250,10 @@ bool PcapngReader::ReadPacket(const std::size_t begin, const std::size_t end, Lo
                 "a whole packet of an interface that was described"});
     }
     const Interface& interface = interfaces_[number];
-    // Of a capture that also has interfaces of other networks it is the first one of CAN.
-    const bool is_wanted =
-        wanted_.empty() ? (IsReadable(interface.link_type) || !HasReadable()) : interface.name == wanted_;
-    if (!chosen_ && is_wanted)
-    {
-        chosen_ = number;
-    }
-    if (chosen_ != number)
-    {
-        return false;
-    }
     if (!IsReadable(interface.link_type))
     {
-        Refuse({"link type " + std::to_string(interface.link_type), ReadableLinkTypes()});
+        RequireOtherNetwork(interface);
+        return false;
     }
     const std::uint64_t high = bytes_.Number32(begin + 4U);
     frame = LogFrame{};
@@ -241,7 +264,7 @@ bool PcapngReader::ReadPacket(const std::size_t begin, const std::size_t end, Lo
     {
         Refuse(*result.problem);
     }
-    if (!result.is_frame)
+    if (!result.is_frame || !Takes(interface, result, frame.time))
     {
         return false;
     }

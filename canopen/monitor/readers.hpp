@@ -18,6 +18,7 @@ class CandumpReader final : public FrameSource
     CandumpReader(std::string file, std::string_view text, const RecordingOptions& options);
     [[nodiscard]] bool Next(LogFrame& frame) override;
     [[nodiscard]] std::size_t Place() const noexcept override;
+    [[nodiscard]] Origin Seen() const override;
 
   private:
     /// `at` is the part of the line that is wrong and what follows it.
@@ -32,7 +33,7 @@ class CandumpReader final : public FrameSource
 
     std::string file_;
     std::string_view text_;
-    std::string interface_;
+    InterfaceChoice choice_;
     std::size_t at_{0U};
     std::size_t line_{0U};
     Time last_{0};
@@ -104,12 +105,16 @@ constexpr std::uint32_t kLinkCooked2 = 276U; ///< LINUX_SLL2.
 [[nodiscard]] bool IsReadable(std::uint32_t link_type) noexcept;
 /// @brief "227 (CAN_SOCKETCAN), 113 or 276 (Linux cooked)"
 [[nodiscard]] const char* ReadableLinkTypes() noexcept;
+/// @brief Why frames of several interfaces cannot be told apart, where packets of this link type may be of several and
+/// do not tell of which; empty for all others. [SRS_MON_043]
+[[nodiscard]] std::string DoubtOf(std::uint32_t link_type);
 
 /// What became of a packet.
 struct PacketResult
 {
     bool is_frame{false}; ///< False without a problem: a cooked packet of something else than CAN.
     std::optional<cia306::Problem> problem;
+    std::optional<std::uint32_t> interface; ///< Index, in a packet of LINUX_SLL2.
 };
 
 /// A packet of a readable link type. Cooked packets have the identifier in the byte order of the machine that recorded,
@@ -122,18 +127,23 @@ class PcapReader final : public FrameSource
 {
   public:
     /// @brief `file` is for messages; `bytes` outlive the reader. Throws InputError.
-    PcapReader(std::string file, std::string_view bytes);
+    PcapReader(std::string file, std::string_view bytes, const RecordingOptions& options);
     [[nodiscard]] bool Next(LogFrame& frame) override;
     [[nodiscard]] std::size_t Place() const noexcept override;
+    [[nodiscard]] Origin Seen() const override;
 
   private:
     [[noreturn]] void Refuse(const cia306::Problem& problem) const;
+    void RequireNames(const std::string& wanted) const;
     [[nodiscard]] bool ReadPacket(LogFrame& frame);
+    [[nodiscard]] bool Takes(const PacketResult& result, const LogFrame& frame);
 
     std::string file_;
     CaptureBytes bytes_;
     Time fraction_; ///< Of a second: one microsecond or nanosecond.
+    InterfaceChoice choice_;
     std::uint32_t link_type_{0U};
+    std::size_t check_bytes_{0U}; ///< Of the check sequence behind each packet. [SRS_MON_044]
     std::size_t at_{0U};
     std::size_t packet_{0U};
     Time last_{0};
@@ -147,6 +157,7 @@ class PcapngReader final : public FrameSource
     PcapngReader(std::string file, std::string_view bytes, const RecordingOptions& options);
     [[nodiscard]] bool Next(LogFrame& frame) override;
     [[nodiscard]] std::size_t Place() const noexcept override;
+    [[nodiscard]] Origin Seen() const override;
 
   private:
     struct Interface
@@ -154,7 +165,8 @@ class PcapngReader final : public FrameSource
         std::uint16_t link_type{0U};
         std::uint64_t ticks{1000000U}; ///< A second has so many.
         std::int64_t offset_s{0};      ///< From -kMostSeconds to kMostSeconds.
-        std::string name;
+        std::string name;              ///< Its number in the section, where it has none.
+        std::string key; ///< Not that of an interface with another name, nor of one without a name of another section.
     };
 
     [[noreturn]] void Refuse(const cia306::Problem& problem) const;
@@ -164,13 +176,16 @@ class PcapngReader final : public FrameSource
     [[nodiscard]] bool ReadPacket(std::size_t begin, std::size_t end, LogFrame& frame);
     [[nodiscard]] Time TimeOf(std::uint64_t ticks, const Interface& interface) const;
     [[nodiscard]] bool HasReadable() const;
+    void RequireOtherNetwork(const Interface& interface) const;
+    [[nodiscard]] bool Takes(const Interface& interface, const PacketResult& result, Time time);
 
     std::string file_;
     CaptureBytes bytes_;
     std::string_view all_;
-    std::string wanted_;
-    std::vector<Interface> interfaces_;
-    std::optional<std::size_t> chosen_; ///< Interface whose frames are taken.
+    InterfaceChoice choice_;
+    std::vector<Interface> interfaces_; ///< Of the section.
+    std::string doubt_;
+    std::size_t section_{0U};
     std::size_t at_{0U};
     std::size_t block_{0U};
     Time last_{0};

@@ -3,6 +3,7 @@
 
 #include "canopen/monitor/readers.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -34,6 +35,29 @@ void RefuseCompressed(const std::string& file, const std::string_view magic)
     }
 }
 } // namespace
+
+InterfaceChoice::InterfaceChoice(std::string wanted) : wanted_(std::move(wanted))
+{
+}
+
+bool InterfaceChoice::Takes(const std::string_view key, const std::initializer_list<std::string_view> names,
+                            const Time time)
+{
+    const bool is_candidate = wanted_.empty() || std::find(names.begin(), names.end(), wanted_) != names.end();
+    if (!key_ && is_candidate)
+    {
+        key_ = std::string(key);
+    }
+    const bool is_taken = key_ == key;
+    other_frames_ += is_taken ? 0U : 1U;
+    other_last_ = is_taken ? other_last_ : std::max(other_last_, time);
+    return is_taken;
+}
+
+Origin InterfaceChoice::Seen() const
+{
+    return {key_.value_or(""), other_frames_, other_last_, ""};
+}
 
 std::string ReadRecording(const std::string& path)
 {
@@ -75,7 +99,7 @@ std::unique_ptr<FrameSource> OpenRecording(const std::string& file, const std::s
                          magic == "\x4D\x3C\xB2\xA1";
     if (is_pcap)
     {
-        return std::make_unique<PcapReader>(file, bytes);
+        return std::make_unique<PcapReader>(file, bytes, options);
     }
     return std::make_unique<CandumpReader>(file, bytes, options);
 }

@@ -7,7 +7,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -41,6 +43,44 @@ struct LogFrame
     }
 };
 
+/// Of which bus the frames are that a source gave.
+struct Origin
+{
+    std::string interface;        ///< The one whose frames were given; empty: the recording names none.
+    std::size_t other_frames{0U}; ///< Frames of CAN of other interfaces, which were not given. [SRS_MON_041]
+    Time other_last{0};           ///< The latest time of those.
+    std::string doubt; ///< Why frames of several interfaces may be among those given; empty: no reason. [SRS_MON_043]
+};
+
+/// Chooses one interface of a recording: the one that is asked for, otherwise that of the first frame. [SRS_MON_040]
+class InterfaceChoice
+{
+  public:
+    /// @brief `wanted` is empty where none is asked for.
+    explicit InterfaceChoice(std::string wanted);
+    /// @brief Whether the frame is of the chosen interface; one that is not is counted. `key` differs from that of each
+    /// other interface, `names` are what may be asked for.
+    [[nodiscard]] bool Takes(std::string_view key, std::initializer_list<std::string_view> names, Time time);
+    /// @brief Whether one is asked for, by this name.
+    [[nodiscard]] bool IsAsked(const std::string_view name) const noexcept
+    {
+        return !wanted_.empty() && wanted_ == name;
+    }
+    /// @brief Whether any interface will do, and none is chosen yet.
+    [[nodiscard]] bool IsOpen() const noexcept
+    {
+        return wanted_.empty() && !key_;
+    }
+    /// @brief What was chosen and what was not.
+    [[nodiscard]] Origin Seen() const;
+
+  private:
+    std::string wanted_;
+    std::optional<std::string> key_; ///< Of the chosen one.
+    std::size_t other_frames_{0U};
+    Time other_last_{0};
+};
+
 /// Gives the frames of a recording, one after the other.
 class FrameSource
 {
@@ -54,12 +94,14 @@ class FrameSource
     [[nodiscard]] virtual bool Next(LogFrame& frame) = 0;
     /// @brief Where the last frame stood: line or packet, from 1.
     [[nodiscard]] virtual std::size_t Place() const noexcept = 0;
+    /// @brief Of which interface the frames so far were, and how many of others there were.
+    [[nodiscard]] virtual Origin Seen() const = 0;
 };
 
 /// The content of a regular file of up to 2 GB. Throws InputError.
 [[nodiscard]] std::string ReadRecording(const std::string& path);
 
-/// Which frames are taken: those of the first interface of the recording, or of the one with this name.
+/// Which frames are taken: those of the interface of the first frame, or of the one with this name.
 struct RecordingOptions
 {
     std::string interface;

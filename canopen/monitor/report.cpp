@@ -109,6 +109,13 @@ std::string ViolationText(const Network& network, const Violation& violation)
            IdentifierName(setup.inverse_id) + "): " + violation.breach.details;
 }
 
+std::string OthersText(const Report& report)
+{
+    return std::to_string(report.origin.other_frames) + " frames of other interfaces were not judged, the last at " +
+           SecondsText(report.origin.other_last) + "; judged: " + cia306::Quoted(report.origin.interface) + ", until " +
+           SecondsText(report.analysis.Last());
+}
+
 void WriteSummary(const Report& report, std::ostream& out)
 {
     out << report.analysis.FrameCount() << " frames";
@@ -124,6 +131,10 @@ void WriteSummary(const Report& report, std::ostream& out)
     out << "; " << SecondsText(report.analysis.Last() - report.analysis.First()) << " s; "
         << (is_watched ? std::to_string(report.analysis.ViolationCount()) + " violations" : "no SRDO was watched")
         << "\n";
+    if (report.origin.other_frames != 0U)
+    {
+        out << OthersText(report) << "\n";
+    }
     for (std::size_t number = 0U; number < report.network.Watches().size(); ++number)
     {
         const WatchModel& model = report.network.Watches()[number];
@@ -154,7 +165,12 @@ std::string JsonReport(const Report& report)
     Json answer{{"format", "counterpoint-monitor-1"},
                 {"source", report.source},
                 {"holds", analysis.ViolationCount() == 0U},
+                {"interface", report.origin.interface.empty() ? Json() : Json(report.origin.interface)},
                 {"frames", analysis.FrameCount()},
+                {"other_frames", report.origin.other_frames},
+                {"other_last_s", report.origin.other_frames == 0U ? Json()
+                                                                  : Json(static_cast<double>(report.origin.other_last) /
+                                                                         static_cast<double>(kSecond))},
                 {"first_s", time(first)},
                 {"last_s", time(last)},
                 {"services", Json::object()},
@@ -173,6 +189,11 @@ std::string JsonReport(const Report& report)
                                       {"column", contradiction.finding.place.column},
                                       {"object", contradiction.finding.object},
                                       {"message", contradiction.finding.text}});
+    }
+    if (!report.origin.doubt.empty())
+    {
+        answer["warnings"].push_back(
+            {{"file", report.source}, {"line", 0}, {"column", 0}, {"object", ""}, {"message", report.origin.doubt}});
     }
     for (const Violation& violation : report.violations)
     {

@@ -21,12 +21,16 @@ struct Report
     const Analysis& analysis;
     const std::vector<Violation>& violations;
     std::string source; ///< Name of the file or address of the bus.
+    Origin origin{};    ///< Of a recording.
 };
 
 /// Whose SRDOs a violation is about: "sensor SRDO 1 -> controller SRDO 1".
 [[nodiscard]] std::string Watchers(const Network& network, const Violation& violation);
 /// "12.000345 not inverse: sensor SRDO 1 -> controller SRDO 1 (101h, 102h): DETAILS"
 [[nodiscard]] std::string ViolationText(const Network& network, const Violation& violation);
+/// "30 frames of other interfaces were not judged, the last at 1.476000; judged: 'can0', until 1.101000"; only where
+/// there are such frames. [SRS_MON_041]
+[[nodiscard]] std::string OthersText(const Report& report);
 /// Writes the summary: totals, and a block for each SRDO. [SRS_MON_010]
 void WriteSummary(const Report& report, std::ostream& out);
 /// The whole report as one JSON document.

@@ -117,6 +117,13 @@ std::string ViolationTable(const Report& report)
            "<div class=\"scroll\"><table><tr><th class=\"n\">time [s]</th><th>cause</th><th>SRDO</th><th></th></tr>" +
            rows + "</table></div>";
 }
+/// What was left out, and what may be mixed.
+std::string OriginText(const Report& report)
+{
+    const Origin& origin = report.origin;
+    const std::string others = origin.other_frames == 0U ? "" : "<p>" + cia306::HtmlText(OthersText(report)) + "</p>";
+    return others + (origin.doubt.empty() ? "" : "<p class=\"bad\">" + cia306::HtmlText(origin.doubt) + "</p>");
+}
 } // namespace
 
 std::string HtmlReport(const Report& report)
@@ -135,6 +142,6 @@ std::string HtmlReport(const Report& report)
            SecondsText(analysis.Last() - analysis.First()) + " s: " +
            (count == 0U ? "<span class=\"good\">no violation</span>"
                         : "<span class=\"bad\">" + std::to_string(count) + " violations</span>") +
-           "</p>" + sections + ViolationTable(report) + "</body></html>\n";
+           "</p>" + OriginText(report) + sections + ViolationTable(report) + "</body></html>\n";
 }
 } // namespace counterpoint::monitor

@@ -281,6 +281,66 @@ TEST_F(MonitorCommandTest, BadInputIsOneLine)
     EXPECT_EQ(std::count(other.err.begin(), other.err.end(), '\n'), 1) << other.err;
 }
 
+// Given two interfaces, one of which is silent while the other goes on, then nobody takes the frames of the second for
+// those of the first, and the times of both are told.
+TEST_F(MonitorCommandTest, FramesOfOtherInterfacesAreToldInEveryOutput)
+{
+    Verifies(req::SRS_MON_041);
+    const std::string two = File("two.log", "(1.000000) can0 101#0102\n(1.000200) can0 102#FEFD\n"
+                                            "(1.025000) can1 101#0102\n(1.025200) can1 102#FEFD\n"
+                                            "(1.050000) can1 101#0102\n");
+    const Answer answer = Monitor({two, "--html", Path("page.html")});
+    EXPECT_EQ(answer.status, 0) << answer.err;
+    const std::string told =
+        "3 frames of other interfaces were not judged, the last at 1.050000; judged: 'can0', until 1.000200";
+    EXPECT_EQ(answer.out.rfind("2 frames, 2 SRDO; 0.000200 s; 0 violations\n" + told + "\n", 0U), 0U) << answer.out;
+    EXPECT_NE(cia306::ReadTextFile(Path("page.html"))
+                  .find("<p>3 frames of other interfaces were not judged, the last at 1.050000; judged: "),
+              std::string::npos);
+    const auto document = nlohmann::json::parse(Monitor({two, "--interface", "can1", "--json"}).out);
+    EXPECT_EQ(document["interface"], "can1");
+    EXPECT_EQ(document["frames"], 3);
+    EXPECT_EQ(document["other_frames"], 2);
+    EXPECT_EQ(document["other_last_s"], 1.0002);
+    const auto alone = nlohmann::json::parse(Monitor({Recording(), "--json"}).out);
+    EXPECT_EQ(alone["interface"], "can0");
+    EXPECT_EQ(alone["other_frames"], 0);
+    EXPECT_TRUE(alone["other_last_s"].is_null());
+    EXPECT_EQ(Monitor({Recording()}).out.find("other interfaces"), std::string::npos);
+}
+
+// Given a capture of all interfaces whose packets do not tell of which one they are, then that is a warning everywhere.
+TEST_F(MonitorCommandTest, ACaptureThatDoesNotTellInterfacesApartIsAWarning)
+{
+    Verifies(req::SRS_MON_042);
+    Verifies(req::SRS_MON_043);
+    std::string bytes("\xD4\xC3\xB2\xA1\2\0\4\0\0\0\0\0\0\0\0\0\0\0\4\0\x71\0\0\0", 24U);
+    bytes += std::string("\1\0\0\0\0\0\0\0\x1A\0\0\0\x1A\0\0\0", 16U) + std::string(14U, '\0') +
+             std::string("\0\x0C\1\1\0\0\2\0\0\0\1\2", 12U);
+    const std::string cooked = File("any.pcap", bytes);
+    const std::string doubt =
+        "link type 113 (SLL) does not tell interfaces apart: what is judged as one bus may be several";
+    const Answer answer = Monitor({cooked, "--html", Path("page.html")});
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_EQ(answer.err, cooked + ": warning: " + doubt + "\n");
+    EXPECT_EQ(answer.out.rfind("1 frames, 1 SRDO; ", 0U), 0U) << answer.out;
+    EXPECT_NE(cia306::ReadTextFile(Path("page.html")).find("<p class=\"bad\">" + doubt), std::string::npos);
+    const Answer json = Monitor({cooked, "--json"});
+    EXPECT_EQ(json.err, "");
+    const auto document = nlohmann::json::parse(json.out);
+    EXPECT_TRUE(document["interface"].is_null());
+    ASSERT_EQ(document["warnings"].size(), 1U);
+    EXPECT_EQ(document["warnings"][0]["file"], cooked);
+    EXPECT_EQ(document["warnings"][0]["message"], doubt);
+    // It has no interface that could be asked for
+    const Answer refused = Monitor({cooked, "--interface", "can0"});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_EQ(refused.out, "");
+    EXPECT_EQ(refused.err,
+              cooked + ": error: --interface 'can0' with pcap of link type 113, which tells of no frame its interface, "
+                       "expected no --interface, or a recording of candump, pcapng or link type 276 (SLL2)\n");
+}
+
 TEST_F(MonitorCommandTest, WhatIsNoFileIsRefused)
 {
     Verifies(req::SRS_MON_001);
@@ -335,6 +395,7 @@ TEST_F(MonitorCommandTest, GoesOnWhenALiveBusIsBack)
 TEST_F(MonitorCommandTest, WiresharkShowsSrdoAndGfc)
 {
     Verifies(req::SRS_MON_015);
+    Verifies(req::SRS_MON_045);
     const std::string source = cia306::test::SourceFolder();
     const int status = std::system((source + "/tests/tools/wireshark_test.sh " + source).c_str());
     if (WEXITSTATUS(status) == 77)

@@ -311,7 +311,7 @@ TEST_F(NewCommandTest, WhatCheckWouldFindIsToldAndNothingIsWritten)
     const Answer warned = New("x.dcf", {"--node-id", "5", "--produce", "8", "--refresh", "20"});
     EXPECT_EQ(warned.status, 2);
     EXPECT_EQ(warned.err, Path("x.dcf") + ": error: 0x1301:03: SRVT 20 ms, expected less than the "
-                                          "refresh time of 20 ms; nothing was written\n");
+                                          "refresh time of 20 ms (a warning of check); nothing was written\n");
     const Answer twice = New("x.dcf", {"--node-id", "5", "--produce", "8", "--consume", "8@node5"});
     EXPECT_EQ(twice.status, 2);
     EXPECT_EQ(twice.err, Path("x.dcf") + ": error: 0x1302:05: COB-ID 0x109 is in use by SRDO 1, "

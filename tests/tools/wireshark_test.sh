@@ -1,5 +1,6 @@
 #!/bin/sh
-# wireshark_test.sh SOURCE_FOLDER: what tshark shows of SRDO and GFC with the dissector of tools/wireshark. [SRS_MON_015]
+# wireshark_test.sh SOURCE_FOLDER: what tshark shows of SRDO and GFC with the dissector of tools/wireshark. [SRS_MON_015,
+# SRS_MON_045]
 source=$1
 if ! command -v tshark >/dev/null; then
   echo "tshark is not installed: left out (Debian package tshark)"
@@ -102,6 +103,29 @@ show -2 -r "$source/tests/canopen/monitor/fuzz_seeds/chain.pcapng" -Y "frame.num
 sed -i 's/True/1/g; s/False/0/g' "$folder/found"
 printf '1 1 0 2  1 \n2 1 1 1 1 1 0.136\n' >"$folder/expected"
 expect "Fields of a pair" "$folder/expected"
+
+# Pairs of one interface have nothing to do with those of another, in a capture of all (SLL2): each frame by its microsecond,
+# the index of its interface, the low byte of its identifier and its data, all octal.
+cooked() {
+  printf "\\001\\000\\000\\000\\$1\\000\\000\\000\\044\\000\\000\\000\\044\\000\\000\\000"
+  printf "\\000\\014\\000\\000\\000\\000\\000\\$2\\001\\030\\001\\000\\000\\000\\000\\000\\000\\000\\000\\000"
+  printf "\\$3\\001\\000\\000\\001\\000\\000\\000\\$4\\000\\000\\000\\000\\000\\000\\000"
+}
+{
+  printf '\324\303\262\241\002\000\004\000\000\000\000\000\000\000\000\000\000\000\004\000\024\001\000\000'
+  cooked 000 003 001 001
+  cooked 144 004 001 002
+  cooked 310 003 002 376
+  cooked 372 004 002 376
+} >"$folder/two.pcap"
+cat >"$folder/expected" <<'TEXT'
+1 SRDO 101h normal
+2 SRDO 101h normal
+3 SRDO 102h inverse of frame 1, 0.200 ms
+4 SRDO 102h inverse of frame 2, 0.150 ms [not inverse]
+TEXT
+show -r "$folder/two.pcap" -T fields -E separator=/s -e frame.number -e _ws.col.Info >"$folder/found"
+expect "Two interfaces" "$folder/expected"
 
 # A clean recording of the simulator has no violation, and CANopen keeps its own frames.
 : >"$folder/expected"

@@ -34,10 +34,12 @@ srdo.prefs.pairs = Pref.string("SCT/SRVT of single pairs", "",
 local can_id = Field.new("can.id")
 local can_remote = Field.new("can.flags.rtr")
 local can_fd = Field.new("canfd.flags.brs") -- Every CAN FD frame has this flag, set or not, and no other frame.
+local interface_name = Field.new("frame.interface_name")
+local interface_index = Field.new("sll.ifindex") -- Of a capture of all interfaces (SLL2).
 
 -- What is known about frames, by their number in the capture: filled while the capture is read for the first time.
 local results = {}
--- By number of the pair: the normal frame that waits for its inverse (pending), the time of the last valid pair (last),
+-- By interface and number of the pair: the normal frame that waits for its inverse (pending), the time of the last valid pair (last),
 -- whether nothing was wrong since (held: SCT is judged), whether an inverse frame of a discarded pair may come (remainder).
 local states = {}
 
@@ -136,10 +138,17 @@ local function take_inverse(state, result, frame, srvt)
     end
 end
 
+-- The bus that a frame is of: pairs of two interfaces have nothing to do with each other.
+local function bus_of_frame()
+    local name, index = interface_name(), interface_index()
+    return (name and tostring(name.value) or "") .. "/" .. (index and tostring(index.value) or "")
+end
+
 -- Once for each frame, in the order of the capture.
 local function analyse(number, half, frame)
-    local state = states[number] or {}
-    states[number] = state
+    local key = bus_of_frame() .. "/" .. number
+    local state = states[key] or {}
+    states[key] = state
     local result = { violations = {} }
     results[frame.number] = result
     local sct, srvt = limits(number)

@@ -30,6 +30,12 @@ inline constexpr RequirementId SRS_MON_020{"SRS_MON_020"};
 inline constexpr RequirementId SRS_MON_021{"SRS_MON_021"};
 inline constexpr RequirementId SRS_MON_025{"SRS_MON_025"};
 inline constexpr RequirementId SRS_MON_030{"SRS_MON_030"};
+inline constexpr RequirementId SRS_MON_040{"SRS_MON_040"};
+inline constexpr RequirementId SRS_MON_041{"SRS_MON_041"};
+inline constexpr RequirementId SRS_MON_042{"SRS_MON_042"};
+inline constexpr RequirementId SRS_MON_043{"SRS_MON_043"};
+inline constexpr RequirementId SRS_MON_044{"SRS_MON_044"};
+inline constexpr RequirementId SRS_MON_045{"SRS_MON_045"};
 inline constexpr RequirementId SRS_MON_120{"SRS_MON_120"};
 } // namespace counterpoint::req
 
