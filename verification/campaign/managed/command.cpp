@@ -39,11 +39,19 @@ using tools::Streams;
     return reference;
 }
 
+/// The plan; what is made for it lies in memory that was filled.
+[[nodiscard]] Plan Filled(Plan plan)
+{
+    FillNewMemory();
+    return plan;
+}
+
 /// Everything that a plan needs, from its file on.
 struct Session
 {
     explicit Session(const std::string& file)
-        : plan(ReadManagedPlan(file)), reference(Sound(plan)), course(plan), space(plan, course.World(), reference)
+        : plan(Filled(ReadManagedPlan(file))), reference(Sound(plan)), course(plan),
+          space(plan, course.World(), reference)
     {
     }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <malloc.h>
 
 // The members of a manager are private. A structure with the same members lies in memory alike, so that each of them
 // has a name; that both are of one size is checked when this is compiled.
@@ -136,6 +137,12 @@ void AddManager(Lister& list, const AssemblyShape& shape)
     return word;
 }
 } // namespace
+
+void FillNewMemory()
+{
+    constexpr int kFilled = 0x0F; // No byte of an address, nor its complement.
+    static_cast<void>(::mallopt(M_PERTURB, kFilled));
+}
 
 std::vector<ManagerPlace> PlacesOf(simulator::SimulatedManager& manager)
 {

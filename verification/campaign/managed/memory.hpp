@@ -24,6 +24,10 @@ struct ManagerPlace
 /// never switched on. [SRS_CMG_080]
 [[nodiscard]] std::vector<ManagerPlace> PlacesOf(simulator::SimulatedManager& manager);
 
+/// @brief From here on memory that is given out holds the same bytes in each run: what lies between the members of a
+/// structure would else be what an earlier owner left, an address now and then. [SRS_CMG_082]
+void FillNewMemory();
+
 /// A member of a manager's memory in the run without fault.
 struct ManagerMember
 {
