@@ -39,19 +39,11 @@ using tools::Streams;
     return reference;
 }
 
-/// The plan; what is made for it lies in memory that was filled.
-[[nodiscard]] Plan Filled(Plan plan)
-{
-    FillNewMemory();
-    return plan;
-}
-
 /// Everything that a plan needs, from its file on.
 struct Session
 {
     explicit Session(const std::string& file)
-        : plan(Filled(ReadManagedPlan(file))), reference(Sound(plan)), course(plan),
-          space(plan, course.World(), reference)
+        : plan(ReadManagedPlan(file)), reference(Sound(plan)), course(plan), space(plan, course.World(), reference)
     {
     }
 
@@ -65,7 +57,7 @@ struct Session
         }
         for (const ManagerMember& member : reference.memory)
         {
-            digest = (digest ^ member.bytes.size()) * 0x100000001B3U;
+            digest = (digest ^ member.size_bytes) * 0x100000001B3U;
         }
         return {digest, space.Size(), shard};
     }

@@ -292,7 +292,7 @@ void Course::Inject(const Trial& trial, const Space& space)
 void Course::InjectIntoMemory(const Trial& trial, const Space& space)
 {
     const ManagerMember& member = space.Members().at(trial.subject);
-    FlipIn(*stage_.Managers().at(member.manager), member.name, Space::ByteOf(trial, member), trial.variant % kByteBits);
+    FlipIn(*stage_.Managers().at(member.manager), member.name, Space::ByteOf(trial), trial.variant % kByteBits);
 }
 
 void Course::InjectIntoClock(const Trial& trial)

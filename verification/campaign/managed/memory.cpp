@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <malloc.h>
 
 // The members of a manager are private. A structure with the same members lies in memory alike, so that each of them
 // has a name; that both are of one size is checked when this is compiled.
@@ -138,12 +137,6 @@ void AddManager(Lister& list, const AssemblyShape& shape)
 }
 } // namespace
 
-void FillNewMemory()
-{
-    constexpr int kFilled = 0x0F; // No byte of an address, nor its complement.
-    static_cast<void>(::mallopt(M_PERTURB, kFilled));
-}
-
 std::vector<ManagerPlace> PlacesOf(simulator::SimulatedManager& manager)
 {
     Lister list;
@@ -171,42 +164,20 @@ std::vector<ManagerPlace> PlacesOf(simulator::SimulatedManager& manager)
 void MemoryWatch::Look(const std::size_t index, simulator::SimulatedManager& manager)
 {
     seen_.resize(std::max(seen_.size(), index + 1U));
-    std::vector<Seen>& all = seen_.at(index);
+    std::vector<ManagerMember>& all = seen_.at(index);
     const std::vector<ManagerPlace> places = PlacesOf(manager);
-    for (std::size_t place = 0U; place < places.size(); ++place)
+    for (std::size_t place = all.size(); place < places.size(); ++place)
     {
-        const ManagerPlace& now = places[place];
-        if (place >= all.size())
-        {
-            all.push_back({index, now.name, std::vector<bool>(now.size, false)});
-        }
-        for (std::size_t byte = 0U; byte < now.size; ++byte)
-        {
-            if (IsAddress(WordAround(now.bytes + byte)))
-            {
-                all[place].is_address[byte] = true;
-            }
-        }
+        all.push_back({index, places[place].name, static_cast<std::uint32_t>(places[place].size)});
     }
 }
 
 std::vector<ManagerMember> MemoryWatch::Members() const
 {
     std::vector<ManagerMember> members;
-    for (const std::vector<Seen>& all : seen_)
+    for (const std::vector<ManagerMember>& all : seen_)
     {
-        for (const Seen& seen : all)
-        {
-            ManagerMember member{seen.manager, seen.name, {}};
-            for (std::size_t byte = 0U; byte < seen.is_address.size(); ++byte)
-            {
-                if (!seen.is_address[byte])
-                {
-                    member.bytes.push_back(static_cast<std::uint32_t>(byte));
-                }
-            }
-            members.push_back(std::move(member));
-        }
+        members.insert(members.end(), all.begin(), all.end());
     }
     return members;
 }

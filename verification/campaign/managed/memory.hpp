@@ -24,19 +24,15 @@ struct ManagerPlace
 /// never switched on. [SRS_CMG_080]
 [[nodiscard]] std::vector<ManagerPlace> PlacesOf(simulator::SimulatedManager& manager);
 
-/// @brief From here on memory that is given out holds the same bytes in each run: what lies between the members of a
-/// structure would else be what an earlier owner left, an address now and then. [SRS_CMG_082]
-void FillNewMemory();
-
 /// A member of a manager's memory in the run without fault.
 struct ManagerMember
 {
     std::size_t manager{0U};
     std::string name;
-    std::vector<std::uint32_t> bytes; ///< Those that never are a part of an address of the program.
+    std::uint32_t size_bytes{0U};
 };
 
-/// Learns in the run without fault which bytes are a part of an address. [SRS_CMG_080]
+/// Learns in the run without fault which members there are. [SRS_CMG_080]
 class MemoryWatch
 {
   public:
@@ -45,13 +41,7 @@ class MemoryWatch
     [[nodiscard]] std::vector<ManagerMember> Members() const;
 
   private:
-    struct Seen
-    {
-        std::size_t manager{0U};
-        std::string name;
-        std::vector<bool> is_address; ///< Of each byte.
-    };
-    std::vector<std::vector<Seen>> seen_{}; ///< By manager.
+    std::vector<std::vector<ManagerMember>> seen_{}; ///< By manager.
 };
 
 /// @brief Flips a bit; nothing where the member is not there, or an address lies there now.

@@ -244,7 +244,7 @@ std::uint64_t Space::FaultsOf(const Target target, const Fault fault, const std:
     }
     if (target == Target::kMemory)
     {
-        const std::uint64_t bits = reference_.memory[subject].bytes.size() * kByteBits;
+        const std::uint64_t bits = std::uint64_t{reference_.memory[subject].size_bytes} * kByteBits;
         return IsMeant(plan_.members, reference_.memory[subject].name) ? instants * bits : 0U;
     }
     if (target == Target::kClocks)
@@ -298,9 +298,9 @@ Nanoseconds Space::AwayOf(const Trial& trial)
     return runtime::kNanosecondsPerMillisecond << trial.variant;
 }
 
-std::uint32_t Space::ByteOf(const Trial& trial, const ManagerMember& member)
+std::uint32_t Space::ByteOf(const Trial& trial)
 {
-    return member.bytes.at(trial.variant / kByteBits);
+    return static_cast<std::uint32_t>(trial.variant / kByteBits);
 }
 
 CounterFault Space::ClockFaultOf(const Trial& trial)
@@ -351,8 +351,7 @@ std::string Space::PlaceText(const Trial& trial) const
     }
     if (trial.target == Target::kMemory)
     {
-        return text + ", bit " + std::to_string(ByteOf(trial, reference_.memory[trial.subject])) + "." +
-               std::to_string(trial.variant % kByteBits);
+        return text + ", bit " + std::to_string(ByteOf(trial)) + "." + std::to_string(trial.variant % kByteBits);
     }
     if (trial.target == Target::kClocks)
     {

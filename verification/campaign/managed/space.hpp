@@ -76,7 +76,7 @@ class Space
         return reference_.memory;
     }
     /// @brief The byte of the member that is hit.
-    [[nodiscard]] static std::uint32_t ByteOf(const Trial& trial, const ManagerMember& member);
+    [[nodiscard]] static std::uint32_t ByteOf(const Trial& trial);
     /// @brief What happens to the clock.
     [[nodiscard]] static CounterFault ClockFaultOf(const Trial& trial);
     /// @brief How long a device or manager is away.
