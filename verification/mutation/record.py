@@ -12,7 +12,7 @@ import tree_sitter
 import tree_sitter_cpp
 
 OUTSIDE = "outside of functions"
-VERDICTS = ("killed", "refused", "same", "equivalent", "survived")
+VERDICTS = ("killed", "refused", "same", "equivalent", "survived", "not_judged")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -72,17 +72,18 @@ def made_by(root):
 
 
 def record_of(subjects, reasons, made):
-    """Of a run that judged everything. `reasons` has the mutants that no test can see; every other survivor is named."""
-    files, survivors = {}, []
+    """Of a run over everything. `reasons` has the mutants that no test can see; every other survivor is named, and what was not judged."""
+    files, survivors, not_judged = {}, [], []
     for subject in subjects:
         counts, keys = collections.defaultdict(collections.Counter), keys_of(subject.source, subject.mutants)
         for name, key in keys.items():
-            verdict = subject.verdicts[name]
+            verdict = subject.verdicts.get(name, "not_judged")
             counts[key]["equivalent" if verdict == "survived" and name in reasons else verdict] += 1
         survivors += [{"name": mutant.name, "file": subject.file, "function": keys[mutant.name].rsplit(" ", 1)[0], "change": mutant.change}
-                      for mutant in subject.mutants if subject.verdicts[mutant.name] == "survived" and mutant.name not in reasons]
+                      for mutant in subject.mutants if subject.verdicts.get(mutant.name) == "survived" and mutant.name not in reasons]
+        not_judged += [mutant.name for mutant in subject.mutants if mutant.name not in subject.verdicts]
         files[subject.file] = {key: {verdict: count for verdict in VERDICTS if (count := of_key[verdict])} for key, of_key in sorted(counts.items())}
-    return {"made": made, "files": files, "survivors": survivors}
+    return {"made": made, "files": files, "survivors": survivors, "not_judged": not_judged}
 
 
 def changed_since(record, subjects):
@@ -97,8 +98,8 @@ def changed_since(record, subjects):
 
 
 def drawn_again(count, record, subjects, left_out, draw):
-    """`count` mutants of the others, another draw for another text `draw`; not those that survive in the record, which names them."""
-    known = {survivor["name"] for survivor in record["survivors"]}
+    """`count` mutants of the others, another draw for another text `draw`; not those that survive in the record or were not judged, which it names."""
+    known = {*(survivor["name"] for survivor in record["survivors"]), *record["not_judged"]}
     others = [mutant for subject in subjects for mutant in subject.mutants if mutant not in left_out[subject.file] and mutant.name not in known]
     others.sort(key=lambda mutant: hashlib.sha256(f"{draw}\0{mutant.name}".encode()).digest())
     return others[:count]

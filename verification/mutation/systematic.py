@@ -7,6 +7,7 @@
     ./dev mutants --room kernel --sample 50        the same 50 of the room each time
     ./dev mutants --room kernel --list             names, places and changes; builds and runs nothing
     ./dev mutants --all --record                   and writes record.json, which the evidence shows
+    ./dev mutants --all --record --kept            the record of what a run has judged so far; it names the rest
     ./dev mutants --changed --again 24             functions that changed since the record, and 24 drawn from the others
     ./dev mutants --self-test                      shows that a test suite which checks nothing lets mutants survive
 
@@ -349,6 +350,8 @@ def judged(options, rooms, results_path):
             subject.verdicts.pop(name, None)
     def keep():
         write_json(results_path, {**results, **{subject.file: subject.kept() for subject in subjects}})
+    if options.kept:
+        wanted = {subject.file: [mutant for mutant in wanted[subject.file] if mutant.name in subject.verdicts] for subject in subjects}
     count = run(Runner(build, limits), subjects, wanted, keep, options.jobs)
     reasons = read_reasons(ROOT / HERE / "equivalent.json")
     rows, survivors, stale = show(subjects, wanted, reasons)
@@ -405,6 +408,7 @@ def parsed(arguments):
     parser.add_argument("--changed", action="store_true", help="functions whose text the record does not have; with --sample at most so many mutants")
     parser.add_argument("--again", type=int, default=0, metavar="N", help="with --changed: N mutants of the others too, another draw after each change of a test")
     parser.add_argument("--record", action="store_true", help="with --all: write the record that --changed and the evidence read")
+    parser.add_argument("--kept", action="store_true", help="with --all --record: run nothing more; the record names what was not judged yet")
     parser.add_argument("--recorded", type=pathlib.Path, default=RECORD, help="the record that --changed reads and --record writes")
     parser.add_argument("--anew", action="store_true", help="forget all kept verdicts")
     parser.add_argument("--jobs", type=int, default=2, help="mutants at the same time (default 2)")
@@ -416,6 +420,8 @@ def parsed(arguments):
         parser.error("nothing to do, expected --all, --changed, --room, --file or --self-test")
     if options.record and (not options.all or options.sample or options.only or options.room or options.file or options.changed):
         parser.error("--record: expected --all and no choice of mutants")
+    if options.kept and not options.record:
+        parser.error("--kept: expected --all --record beside it")
     if options.changed and (options.only or options.list):
         parser.error("--changed: chooses the mutants itself, expected neither --only nor --list")
     if options.all and not (options.json or options.sample or options.only or options.changed):

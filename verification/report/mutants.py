@@ -30,4 +30,4 @@ def page_of(root):
     rows = [row_of(root, file, functions) for file, functions in record["files"].items()]
     equivalent = json.loads((root / "verification/mutation/equivalent.json").read_text(encoding="utf-8"))["equivalent"]
     totals = {name: sum(row[name] for row in rows) for name in ("functions", "mutants", *VERDICTS)}
-    return {"made": record["made"], "rows": rows, "totals": totals, "survivors": record["survivors"], "equivalent": sorted(equivalent, key=lambda entry: (entry["file"], entry["change"]))}, []
+    return {"made": record["made"], "rows": rows, "totals": totals, "survivors": record["survivors"], "not_judged": len(record["not_judged"]), "equivalent": sorted(equivalent, key=lambda entry: (entry["file"], entry["change"]))}, []
