@@ -132,16 +132,19 @@ TEST_F(Comparing, SelfTestFindsItsDifferenceWhateverBitsAreSet)
     config.test_interval_us = 1U;
     // Given a voice with all bits of its data set, in cycle 1, with a guard that says nothing
     a.held[0] = HeldPair{Payload{0xFFFFFFFFU, 0xFFFFFFFFU}, 0xFFFFFFFFU, 1U};
-    a.outcome.cycle = 1U;
     a.outcome.guard = GuardView::kInvalid;
-    const Comparison comparison{&a.outcome, &a.outcome, &a, &a, Instant{0U}, 1U, 0xABCDU, HeldPair{}};
-    ComparatorSelfTest test{};
-    test.Restart(config);
-    EXPECT_FALSE(test.TakeTurn(Instant{0U}));
-    for (std::uint32_t number = 0U; number < 15U; ++number)
+    for (const std::uint32_t cycle : {0U, 1U, 0xFFFFFFFFU})
     {
-        EXPECT_TRUE(test.TakeTurn(Instant{1U}));
-        EXPECT_EQ(test.Run(comparator, comparison), DeviceFault::kNone) << number;
+        a.outcome.cycle = cycle;
+        const Comparison comparison{&a.outcome, &a.outcome, &a, &a, Instant{0U}, cycle, 0xABCDU, HeldPair{}};
+        ComparatorSelfTest test{};
+        test.Restart(config);
+        EXPECT_FALSE(test.TakeTurn(Instant{0U}));
+        for (std::uint32_t number = 0U; number < 15U; ++number)
+        {
+            EXPECT_TRUE(test.TakeTurn(Instant{1U}));
+            EXPECT_EQ(test.Run(comparator, comparison), DeviceFault::kNone) << cycle << " " << number;
+        }
     }
 }
 

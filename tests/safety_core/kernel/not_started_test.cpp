@@ -74,6 +74,7 @@ TEST_F(NotStarted, GuardForgetsItsDeviceAndWhatWasDeclared)
     guard.Restart(config);
     ASSERT_EQ(guard.Declare(), Result::kSuccessful);
     ASSERT_TRUE(guard.IsValid());
+    EXPECT_EQ(guard.Valid(), 0xA5U);
     EXPECT_EQ(&guard.Config(), &config);
     // When it starts anew, nothing is declared; when it stops, nor is it, and there is no device
     guard.Restart(config);

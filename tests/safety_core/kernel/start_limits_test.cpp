@@ -119,6 +119,7 @@ TEST_F(StartLimits, ToleranceMayBeAWholeCycleOfAnyLength)
     EXPECT_EQ(with_cycle(100U, 101U), StartResult::kTiming);
     EXPECT_EQ(with_cycle(1000000U, 1000000U), StartResult::kStarted);
     EXPECT_EQ(with_cycle(1000000U, 1000001U), StartResult::kTiming);
+    EXPECT_EQ(with_cycle(1000001U, 0U), StartResult::kTiming);
 }
 
 TEST_F(StartLimits, ObjectsAreAtMostOneThousandTwentyFour)
