@@ -74,7 +74,7 @@ struct Table32
     return table;
 }
 
-/// @brief How many entries are not what the property says; the lowest bit of a byte is the last one in.
+/// @brief 0 when each entry is what the property says; the lowest bit of a byte is the last one in.
 [[nodiscard]] constexpr std::uint32_t WrongEntries(const Table16& table) noexcept
 {
     std::uint32_t wrong = (table.rest[0] ^ std::uint32_t{0U}) | (table.rest[1] ^ kPolynomial16);

@@ -85,5 +85,81 @@ TEST(ChannelACrc, CheckOfTheTablesFindsEverySingleBit)
     }
 }
 
+/// What the property makes of the entries of one bit each: every other one is the sum of those of its bits.
+template <typename Table, typename Rest> Table FromBits(const Rest (&of_bit)[8])
+{
+    Table table{};
+    for (std::size_t byte = 0U; byte < kByteValues; ++byte)
+    {
+        for (std::size_t bit = 0U; bit < 8U; ++bit)
+        {
+            const bool is_set = ((byte >> bit) & 1U) != 0U;
+            table.rest[byte] = static_cast<Rest>(table.rest[byte] ^ (is_set ? of_bit[bit] : Rest{0U}));
+        }
+    }
+    return table;
+}
+
+TEST(ChannelACrc, CheckOfTheTableOfSixteenBitsFindsWhatLooksRightElsewhere)
+{
+    Verifies(req::SRS_CFG_010);
+    const std::uint16_t right[8] = {0x1021U, 0x2042U, 0x4084U, 0x8108U, 0x1231U, 0x2462U, 0x48C4U, 0x9188U};
+    EXPECT_EQ(WrongEntries(FromBits<Table16>(right)), 0U);
+
+    // Another polynomial, 1020h, throughout, and the same bit in the entry of 0
+    std::uint16_t of_bit[8] = {0x1020U};
+    for (std::size_t bit = 1U; bit < 8U; ++bit)
+    {
+        of_bit[bit] = static_cast<std::uint16_t>(Shifted16(of_bit[bit - 1U]));
+    }
+    Table16 table = FromBits<Table16>(of_bit);
+    table.rest[0] = 0x0001U;
+    EXPECT_NE(WrongEntries(table), 0U);
+
+    // Right up to bit 0, and from bit 1 on moved on from 2043h instead of 2042h
+    of_bit[0] = 0x1021U;
+    of_bit[1] = 0x2043U;
+    for (std::size_t bit = 2U; bit < 8U; ++bit)
+    {
+        of_bit[bit] = static_cast<std::uint16_t>(Shifted16(of_bit[bit - 1U]));
+    }
+    EXPECT_NE(WrongEntries(FromBits<Table16>(of_bit)), 0U);
+
+    // The same bit in two neighbours that no other entry rests on
+    table = MakeTable16();
+    table.rest[0x80] ^= 0x0001U;
+    table.rest[0x81] ^= 0x0001U;
+    EXPECT_NE(WrongEntries(table), 0U);
+}
+
+TEST(ChannelACrc, CheckOfTheTableOfThirtyTwoBitsFindsWhatLooksRightElsewhere)
+{
+    Verifies(req::SRS_CFG_034);
+    const std::uint32_t right[8] = {0x77073096U, 0xEE0E612CU, 0x076DC419U, 0x0EDB8832U,
+                                    0x1DB71064U, 0x3B6E20C8U, 0x76DC4190U, 0xEDB88320U};
+    EXPECT_EQ(WrongEntries(FromBits<Table32>(right)), 0U);
+
+    // Another polynomial, EDB88321h, throughout, and the same bit in the entry of 0
+    std::uint32_t of_bit[8] = {0U, 0U, 0U, 0U, 0U, 0U, 0U, 0xEDB88321U};
+    for (std::size_t bit = 7U; bit > 0U; --bit)
+    {
+        of_bit[bit - 1U] = Shifted32(of_bit[bit]);
+    }
+    Table32 table = FromBits<Table32>(of_bit);
+    table.rest[0] = 0x00000001U;
+    EXPECT_NE(WrongEntries(table), 0U);
+
+    // A bit of 01h, and of 81h, which is the sum of 01h and 80h
+    table = MakeTable32();
+    table.rest[0x01] ^= 0x00000001U;
+    table.rest[0x81] ^= 0x00000001U;
+    EXPECT_NE(WrongEntries(table), 0U);
+
+    // The same of 03h
+    table.rest[0x03] ^= 0x00000001U;
+    table.rest[0x83] ^= 0x00000001U;
+    EXPECT_NE(WrongEntries(table), 0U);
+}
+
 } // namespace
 } // namespace counterpoint::channel_a

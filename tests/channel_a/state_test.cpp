@@ -81,6 +81,8 @@ TEST(ChannelAState, CheckOfTheTableFindsWhatMayNotBe)
     EXPECT_EQ(flaws_of(S::kIdle, Event::kPrepared, static_cast<State>(15U)), 0xFFFFFFFFU);
     // Released without a pair, without an event that releases, by a fault; by the events that may
     EXPECT_EQ(flaws_of(S::kWaiting, Event::kRelease, S::kReleasedHeld), 2U);
+    EXPECT_EQ(flaws_of(S::kOff, Event::kRelease, S::kReleasedHeld), 2U);
+    EXPECT_EQ(flaws_of(S::kWaiting, Event::kBecomesConsumer, S::kReleasedHeld), 2U);
     EXPECT_EQ(flaws_of(S::kWaitingHeld, Event::kNormal, S::kReleasedHeld), 1U);
     EXPECT_EQ(flaws_of(S::kReleasedHeld, Event::kFault, S::kReleasedHeld), 1U);
     EXPECT_EQ(flaws_of(S::kReleasedHeld, Event::kInverse, S::kReleasedHeld), 0U);

@@ -231,7 +231,7 @@ SdoAbort Rpdos::Change(Rpdo& pdo, const std::uint8_t sub, const std::uint32_t va
         pdo.settings.inhibit_100us = static_cast<std::uint16_t>(value);
         break;
     default:
-        pdo.settings.event_ms = static_cast<std::uint16_t>(value);
+        WriteDeadline(pdo, static_cast<std::uint16_t>(value));
         break;
     }
     return is_taken ? SdoAbort::kNone : SdoAbort::kValueRange;
@@ -244,8 +244,26 @@ bool Rpdos::WriteCobId(Rpdo& pdo, const std::uint32_t value) noexcept
     {
         pdo.settings.cob_id = value;
         pdo.run = RpdoRun{};
+        ForgetErrors(pdo);
     }
     return is_taken;
+}
+
+void Rpdos::WriteDeadline(Rpdo& pdo, const std::uint16_t event_ms) noexcept
+{
+    pdo.settings.event_ms = event_ms;
+    if (event_ms == 0U)
+    {
+        parts_.errors.Clear(CommunicationError::kRpdoTimeOut, pdo.number);
+    }
+}
+
+/// No reception can end them any more.
+void Rpdos::ForgetErrors(const Rpdo& pdo) noexcept
+{
+    parts_.errors.Clear(CommunicationError::kPdoShort, pdo.number);
+    parts_.errors.Clear(CommunicationError::kPdoLong, pdo.number);
+    parts_.errors.Clear(CommunicationError::kRpdoTimeOut, pdo.number);
 }
 
 SdoAbort Rpdos::StoreMapping(const std::uint16_t number, const std::uint8_t sub, const std::uint32_t value) noexcept

@@ -95,7 +95,8 @@ class Rpdos
     void OnCycle(const Moment& moment) noexcept;
 
     /// @brief 1400h.. and 1600h.. by the number of the RPDO, for their hook; so are the three functions below.
-    /// [SRS_PDO_001, SRS_PDO_002, SRS_PDO_003, SRS_PDO_004, SRS_PDO_005]
+    /// A new COB-ID ends what is told of this PDO, an event time of 0 its deadline. [SRS_PDO_001, SRS_PDO_002,
+    /// SRS_PDO_003, SRS_PDO_004, SRS_PDO_005, SRS_PDO_024]
     [[nodiscard]] ObjectValue FetchSetting(std::uint16_t number, std::uint8_t sub) const noexcept;
     [[nodiscard]] ObjectValue FetchMapping(std::uint16_t number, std::uint8_t sub) const noexcept;
     [[nodiscard]] SdoAbort StoreSetting(std::uint16_t number, std::uint8_t sub, std::uint32_t value) noexcept;
@@ -105,6 +106,8 @@ class Rpdos
     [[nodiscard]] Rpdo* Find(std::uint16_t number) const noexcept;
     [[nodiscard]] SdoAbort Change(Rpdo& pdo, std::uint8_t sub, std::uint32_t value) noexcept;
     [[nodiscard]] bool WriteCobId(Rpdo& pdo, std::uint32_t value) noexcept;
+    void WriteDeadline(Rpdo& pdo, std::uint16_t event_ms) noexcept;
+    void ForgetErrors(const Rpdo& pdo) noexcept;
     void FollowState(const Moment& moment) noexcept;
     void Take(Rpdo& pdo, const CanFrame& frame, Instant now) noexcept;
     void Apply(Rpdo& pdo, Instant now) noexcept;

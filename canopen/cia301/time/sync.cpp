@@ -150,6 +150,10 @@ SdoAbort Sync::WriteCobId(const std::uint32_t value) noexcept
     SdoAbort abort = SdoAbort::kValueRange;
     if (is_usable && (IsConfiguring() || !(is_produced && is_changed)))
     {
+        if (((cob_id_ ^ value) & kStandard) != 0U)
+        {
+            parts_.errors.Clear(CommunicationError::kSyncLength, 0U);
+        }
         cob_id_ = value;
         abort = SdoAbort::kNone;
     }
@@ -170,6 +174,10 @@ SdoAbort Sync::WriteOverflow(const std::uint32_t value) noexcept
     }
     else
     {
+        if ((value == 0U) != (overflow_ == 0U))
+        {
+            parts_.errors.Clear(CommunicationError::kSyncLength, 0U);
+        }
         overflow_ = static_cast<std::uint8_t>(value);
     }
     return abort;

@@ -129,6 +129,47 @@ TEST_F(RpdoTest, WrongLengthsAreToldOnce)
     EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
 }
 
+TEST_F(RpdoTest, TurnedOffEndsTheErrorsOfItsLength)
+{
+    Verifies(req::SRS_PDO_024);
+    UseRpdo(254U);
+    Hear({1U, 2U});
+    EXPECT_EQ(Emergency(), 0x8210U);
+    EXPECT_EQ(WritePdo(0x1400U, 1U, 0x80000205U), SdoAbort::kNone);
+    EXPECT_EQ(Emergency(), 0x0000U);
+    EXPECT_EQ(WritePdo(0x1400U, 1U, 0x205U), SdoAbort::kNone);
+    Hear({3U, 2U, 1U, 0U});
+    EXPECT_EQ(Emergency(), 0x8220U);
+    EXPECT_EQ(WritePdo(0x1400U, 1U, 0x205U), SdoAbort::kNone); // as it was: nothing ends
+    EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
+    EXPECT_EQ(WritePdo(0x1400U, 1U, 0x80000205U), SdoAbort::kNone);
+    EXPECT_EQ(Emergency(), 0x0000U);
+    EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
+}
+
+TEST_F(RpdoTest, TurnedOffOrWithoutADeadlineIsNotLateAnyMore)
+{
+    Verifies(req::SRS_PDO_024);
+    EXPECT_EQ(WritePdo(0x1400U, 5U, 10U), SdoAbort::kNone);
+    UseRpdo(254U);
+    Hear({1U, 2U, 3U});
+    now_us += 10001U;
+    Cycle();
+    EXPECT_EQ(Emergency(), 0x8250U);
+    EXPECT_EQ(WritePdo(0x1400U, 5U, 20U), SdoAbort::kNone); // still late, by any deadline
+    EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
+    EXPECT_EQ(WritePdo(0x1400U, 5U, 0U), SdoAbort::kNone);
+    EXPECT_EQ(Emergency(), 0x0000U);
+    EXPECT_EQ(WritePdo(0x1400U, 5U, 10U), SdoAbort::kNone);
+    Hear({1U, 2U, 3U});
+    now_us += 10001U;
+    Cycle();
+    EXPECT_EQ(Emergency(), 0x8250U);
+    EXPECT_EQ(WritePdo(0x1400U, 1U, 0x80000205U), SdoAbort::kNone);
+    EXPECT_EQ(Emergency(), 0x0000U);
+    EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
+}
+
 // t [ms]    0      10         10.001
 // frame     R                 8250h        event time 10 ms
 TEST_F(RpdoTest, TheDeadlineIsToldAndLeavesTheStateAlone)

@@ -77,6 +77,28 @@ TEST_F(SyncTest, TheProducerIsSilentInStoppedAndBeforePreOperational)
     EXPECT_EQ(sink.frames.size(), 2U);
 }
 
+TEST_F(SyncTest, AnotherIdentifierOrCounterEndsTheErrorOfTheLength)
+{
+    Verifies(req::SRS_SYNC_006);
+    heard.OnFrame(FrameOf(0x80U, {1U}), Now());
+    EXPECT_EQ(Emergency(), 0x8240U);
+    EXPECT_EQ(Set(0x1005U, 0x80U), SdoAbort::kNone); // as it was
+    EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
+    EXPECT_EQ(Set(0x1005U, 0x81U), SdoAbort::kNone);
+    EXPECT_EQ(Emergency(), 0x0000U);
+    heard.OnFrame(FrameOf(0x81U, {1U}), Now());
+    EXPECT_EQ(Emergency(), 0x8240U);
+    EXPECT_EQ(Set(0x1019U, 10U), SdoAbort::kNone);
+    EXPECT_EQ(Emergency(), 0x0000U);
+    heard.OnFrame(FrameOf(0x81U, {}), Now());
+    EXPECT_EQ(Emergency(), 0x8240U);
+    EXPECT_EQ(Set(0x1019U, 20U), SdoAbort::kNone); // a byte as before
+    EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
+    EXPECT_EQ(Set(0x1019U, 0U), SdoAbort::kNone);
+    EXPECT_EQ(Emergency(), 0x0000U);
+    EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
+}
+
 TEST_F(SyncTest, AWrongLengthIsToldOnceAndIsNoSync)
 {
     Verifies(req::SRS_SYNC_002);
