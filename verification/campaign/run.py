@@ -86,13 +86,25 @@ def page(results, planted):
     return text + "</table></div></body></html>\n"
 
 
+def write_record(results):
+    """The record with these results in place of those of the same plans; each tells the commit that it is of."""
+    commit = subprocess.run(["git", "-C", str(ROOT), "rev-parse", "--short=12", "HEAD"], capture_output=True, text=True, check=False).stdout.strip()
+    kept = json.loads(RECORD.read_text(encoding="utf-8"))["plans"] if RECORD.exists() else []
+    plans = {each["plan"]: each for each in kept if (RECORD.parent / f"{each['plan']}.yaml").exists()}
+    plans |= {each["plan"]: {**each, "commit": commit} for each in results}
+    plans = [plans[name] for name in sorted(plans)]
+    record = {"commit": ", ".join(sorted({each["commit"] for each in plans})), "holds": all(each["holds"] for each in plans),
+              "injected": sum(each["injected"] for each in plans), "plans": plans, "planted": []}
+    RECORD.write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("plans", nargs="*", type=pathlib.Path, metavar="PLAN")
     parser.add_argument("--build", type=pathlib.Path, default=ROOT / "build/product")
     parser.add_argument("--jobs", type=int, default=0, help="processes at a time; 0: one for each processor")
     parser.add_argument("--long", action="store_true")
-    parser.add_argument("--record", action="store_true", help=f"write the result of --long to {RECORD.relative_to(ROOT)}")
+    parser.add_argument("--record", action="store_true", help=f"write the result of --long to {RECORD.relative_to(ROOT)}; of PLANs alone, in place of theirs")
     options = parser.parse_args()
     program = options.build / "tools/counterpoint_campaign"
     missing = [str(file) for file in (program, *options.plans) if not file.exists()]
@@ -113,8 +125,7 @@ def main():
     (out / "campaign.json").write_text(json.dumps(record, indent=1) + "\n", encoding="utf-8")
     (out / "index.html").write_text(page(results, planted), encoding="utf-8")
     if options.record:
-        commit = subprocess.run(["git", "-C", str(ROOT), "rev-parse", "--short=12", "HEAD"], capture_output=True, text=True, check=False)
-        RECORD.write_text(json.dumps({"commit": commit.stdout.strip(), **record}, indent=1) + "\n", encoding="utf-8")
+        write_record(results)
     print(f"{len(results)} plans, {record['injected']} faults, {sum(each['found'] for each in planted)} of {len(planted)} planted defects found, "
           f"{time.monotonic() - begun:.0f} s, {(out / 'index.html').relative_to(ROOT)}: {'pass' if holds else 'FAIL'}")
     return 0 if holds else 1
