@@ -116,19 +116,24 @@ TEST(ChannelACrc, CheckOfTheTableOfSixteenBitsFindsWhatLooksRightElsewhere)
     table.rest[0] = 0x0001U;
     EXPECT_NE(WrongEntries(table), 0U);
 
-    // Right up to bit 0, and from bit 1 on moved on from 2043h instead of 2042h
-    of_bit[0] = 0x1021U;
-    of_bit[1] = 0x2043U;
-    for (std::size_t bit = 2U; bit < 8U; ++bit)
+    // Right but for 02h, and everything that follows from it
+    table = MakeTable16();
+    table.rest[0x02] ^= 0x0001U;
+    for (std::size_t byte = 2U; byte < 128U; ++byte)
     {
-        of_bit[bit] = static_cast<std::uint16_t>(Shifted16(of_bit[bit - 1U]));
+        table.rest[2U * byte] = static_cast<std::uint16_t>(Shifted16(table.rest[byte]));
+        table.rest[(2U * byte) + 1U] = static_cast<std::uint16_t>(table.rest[2U * byte] ^ 0x1021U);
     }
-    EXPECT_NE(WrongEntries(FromBits<Table16>(of_bit)), 0U);
+    EXPECT_NE(WrongEntries(table), 0U);
 
     // The same bit in two neighbours that no other entry rests on
     table = MakeTable16();
     table.rest[0x80] ^= 0x0001U;
     table.rest[0x81] ^= 0x0001U;
+    EXPECT_NE(WrongEntries(table), 0U);
+    table = MakeTable16();
+    table.rest[0x81] ^= 0x0001U;
+    table.rest[0x82] ^= 0x0001U;
     EXPECT_NE(WrongEntries(table), 0U);
 }
 
