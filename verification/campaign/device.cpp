@@ -115,7 +115,7 @@ void Device::MakeChannels(const DeviceSetup& setup)
 {
     if (setup.cpu)
     {
-        MakeVoices(*setup.cpu);
+        MakeVoices(setup);
         return;
     }
     const ChannelRoom room{reference_.srdo_count, reference_.map_entries};
@@ -136,8 +136,9 @@ void Device::MakeChannels(const DeviceSetup& setup)
 }
 
 /// One channel, and in the place of the other one what its CPU tells.
-void Device::MakeVoices(const CpuOfTwo& cpu)
+void Device::MakeVoices(const DeviceSetup& setup)
 {
+    const CpuOfTwo& cpu = *setup.cpu;
     const ChannelRoom room{reference_.srdo_count, reference_.map_entries};
     const MadeChannel own = (cpu.link.role == PeerRole::kA) ? MakeChannelA(region_, room) : MakeChannelB(region_, room);
     for (const Place& place : own.places)
@@ -149,6 +150,20 @@ void Device::MakeVoices(const CpuOfTwo& cpu)
     Add(Part::kCrossLink, "cross_link", peer_, sizeof(*peer_));
     a_ = &peer_->VoiceA();
     b_ = &peer_->VoiceB();
+    if (setup.has_call_faults && cpu.link.role == PeerRole::kA)
+    {
+        disturbed_a_ = &region_.Make<DisturbedChannel>(*a_, Part::kCallsOfA, feed_.OfCalls());
+        a_ = disturbed_a_;
+    }
+    else if (setup.has_call_faults)
+    {
+        disturbed_b_ = &region_.Make<DisturbedChannel>(*b_, Part::kCallsOfB, feed_.OfCalls());
+        b_ = disturbed_b_;
+    }
+    else
+    {
+        // Nobody stands in front of it.
+    }
 }
 
 void Device::MakeKernel()
@@ -245,6 +260,16 @@ DeviceFault Device::Fault() const noexcept
     return kernel_->DeviceState().fault;
 }
 
+std::size_t Device::CycleOfCommand(const std::size_t command, const std::size_t) const
+{
+    return recording_.commands[command].cycle;
+}
+
+bool Device::IsFaultTold() const noexcept
+{
+    return application_->device_fault != DeviceFault::kNone;
+}
+
 void Device::Follow(PhaseHook* const hook) noexcept
 {
     hook_ = hook;
@@ -323,7 +348,7 @@ void Device::Deliver(const Nanoseconds at)
             ++ports_->confirmed;
             ports_->now = own.confirmed_at;
             SetTime(own.confirmed_at);
-            feed_.Confirm(own, *kernel_);
+            feed_.Confirm({own.frame, feed_.Stamp(own.confirmed_at)}, *kernel_);
         }
         else
         {

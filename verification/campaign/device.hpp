@@ -118,6 +118,10 @@ class Device
     [[nodiscard]] virtual SrdoMask Open() noexcept;
     /// @brief Why the device, or one of its CPUs, is safe; kNone: it is not.
     [[nodiscard]] virtual DeviceFault Fault() const noexcept;
+    /// @brief The cycle in which a command of the recording is told, to this CPU of two (0 for CPU A).
+    [[nodiscard]] virtual std::size_t CycleOfCommand(std::size_t command, std::size_t cpu) const;
+    /// @brief Whether the application was told that the device is faulty; of two CPUs, by one that counts.
+    [[nodiscard]] virtual bool IsFaultTold() const noexcept;
     /// @brief Whether each CPU has an object of each pair, and nobody both.
     [[nodiscard]] virtual bool HasTwoCpus() const noexcept
     {
@@ -174,7 +178,7 @@ class Device
 
     void CopyTables(const runtime::DeviceModel& model);
     void MakeSurroundings(const Recording& recording, OutputKind output, const DeviceSetup& setup);
-    void MakeVoices(const CpuOfTwo& cpu);
+    void MakeVoices(const DeviceSetup& setup);
     void MakeChannels(const DeviceSetup& setup);
     void AddToSelfTest();
     void MakeKernel();

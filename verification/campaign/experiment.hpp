@@ -18,6 +18,8 @@ struct Bit
     std::uint8_t bit{0U};
 };
 
+constexpr std::size_t kNoCpu = ~std::size_t{0U};
+
 /// One fault: where, when and how.
 struct Experiment
 {
@@ -31,12 +33,19 @@ struct Experiment
     Bit second{};              ///< Of Part::kBothChannels, in channel B.
     std::size_t subject{0U};   ///< What is not memory: the frame, pair, call, step, counter or input.
     std::uint32_t variant{0U}; ///< How much, how long, which: by the kind.
+    std::size_t cpu{kNoCpu};   ///< Of two, the one of which a call, step, command or cycle is hit. [SRS_CMG_130]
 };
 
 /// @brief Whether a part is bits of memory.
 [[nodiscard]] constexpr bool IsMemory(const Part part) noexcept
 {
     return static_cast<std::size_t>(part) < kMemoryPartCount || part == Part::kBothChannels;
+}
+
+/// @brief Whether each of two CPUs has these of its own, and a plan of two tries those of each.
+[[nodiscard]] constexpr bool IsOfEachCpu(const Part part) noexcept
+{
+    return part == Part::kKernelCalls || part == Part::kSteps || part == Part::kCycle || part == Part::kCommands;
 }
 } // namespace counterpoint::campaign
 

@@ -96,8 +96,18 @@ bool Feed::IsUndisturbed(const std::size_t cycle) const
 
 void Feed::BeginCall(const std::size_t cycle, Kernel& kernel)
 {
+    BeginPeriod(cycle, kernel);
+    TellCommands(cycle, kernel);
+}
+
+void Feed::BeginPeriod(const std::size_t cycle, Kernel& kernel)
+{
     calls_->BeginCycle(cycle);
     CatchUp(kernel);
+}
+
+void Feed::TellCommands(const std::size_t cycle, Kernel& kernel)
+{
     commands_.TellUntil(cycle, kernel);
 }
 
@@ -121,7 +131,7 @@ void Feed::Hand(const RecordedFrame& frame, Kernel& kernel)
     }
 }
 
-void Feed::Confirm(const OwnFrame& own, Kernel& kernel)
+void Feed::Confirm(const StampedFrame& own, Kernel& kernel)
 {
     const Turn turn = calls_->Next(Part::kKernelCalls, static_cast<std::uint32_t>(KernelCall::kOnConfirm));
     if (turn == Turn::kDefer)
@@ -131,7 +141,7 @@ void Feed::Confirm(const OwnFrame& own, Kernel& kernel)
     }
     for (int times = TimesOf(turn); times > 0; --times)
     {
-        kernel.OnConfirm({own.frame, course_.Stamp(own.confirmed_at)});
+        kernel.OnConfirm(own);
     }
     if (!calls_->IsLate())
     {
@@ -147,9 +157,9 @@ void Feed::CatchUp(Kernel& kernel)
         handed_.push_back(frame);
         kernel.OnFrame(frame.stamped);
     }
-    for (const OwnFrame& own : held_confirms_)
+    for (const StampedFrame& own : held_confirms_)
     {
-        kernel.OnConfirm({own.frame, course_.Stamp(own.confirmed_at)});
+        kernel.OnConfirm(own);
     }
     held_back_.clear();
     held_confirms_.clear();

@@ -66,13 +66,21 @@ class Feed
     }
     /// @brief What comes before all frames: calls that were late, and commands.
     void BeginCall(std::size_t cycle, Kernel& kernel);
+    /// @brief Of these, calls that were late; from here on calls are those of this cycle.
+    void BeginPeriod(std::size_t cycle, Kernel& kernel);
+    /// @brief Of these, the commands.
+    void TellCommands(std::size_t cycle, Kernel& kernel);
     [[nodiscard]] std::optional<RecordedFrame> FrameUntil(const Nanoseconds at) const
     {
         return course_.FrameUntil(next_frame_, at);
     }
     /// @brief The next frame.
     void Hand(const RecordedFrame& frame, Kernel& kernel);
-    void Confirm(const OwnFrame& own, Kernel& kernel);
+    void Confirm(const StampedFrame& own, Kernel& kernel);
+    [[nodiscard]] InstantPair Stamp(const Nanoseconds at) const
+    {
+        return course_.Stamp(at);
+    }
     /// @brief What the kernel's cycle is called with.
     [[nodiscard]] CycleCall CallOf(std::size_t cycle, Nanoseconds at) const;
     /// @brief The application writes what it senses into the pairs that are produced.
@@ -106,8 +114,8 @@ class Feed
     std::unique_ptr<CallFaults> calls_;
     std::vector<InputBit> inputs_{};
     std::vector<RecordedFrame> handed_{};
-    std::vector<RecordedFrame> held_back_{}; ///< Calls of the kernel that come later,
-    std::vector<OwnFrame> held_confirms_{};  ///< of either kind.
+    std::vector<RecordedFrame> held_back_{};    ///< Calls of the kernel that come later,
+    std::vector<StampedFrame> held_confirms_{}; ///< of either kind.
     const Experiment* fault_{nullptr};
     std::size_t next_frame_{0U};
 };

@@ -111,7 +111,7 @@ void Judge::Arm(const std::size_t cycle, const SrdoMask open, JudgeMemory& memor
     const SrdoMask told = device_.Told().faulted & ~memory.told;
     memory.pressed = level;
     memory.told = device_.Told().faulted;
-    memory.fault_cycles += (device_.Told().device_fault != DeviceFault::kNone) ? 1U : 0U;
+    memory.fault_cycles += device_.IsFaultTold() ? 1U : 0U;
     if (recorded.nmt != NmtState::kOperational)
     {
         memory.armed = 0U;

@@ -71,10 +71,17 @@ Limits LimitsOf(const runtime::DeviceModel& model, const DeviceConfig& config, c
     {
         limits.us[static_cast<std::size_t>(part)] = std::max(of_copy, of_link);
     }
+    for (const Part part : {Part::kKernelCalls, Part::kCallsOfA, Part::kCallsOfB, Part::kSteps, Part::kCycle,
+                            Part::kInputs, Part::kCommands})
+    {
+        limits.us[static_cast<std::size_t>(part)] = std::max(limits.us[static_cast<std::size_t>(part)], of_link);
+    }
+    limits.wrong_channel_us = std::max(limits.wrong_channel_us, of_link);
     limits.us[static_cast<std::size_t>(Part::kLink)] = of_link;
     limits.us[static_cast<std::size_t>(Part::kCpu)] = of_link;
     // A drift shows within an interval in which the clocks are compared.
     limits.drift_us = ComputeLimit(config, LinkTime{link.timeout_us + link.clock_interval_us}).us;
+    limits.us[static_cast<std::size_t>(Part::kCounters)] = limits.drift_us;
     return limits;
 }
 

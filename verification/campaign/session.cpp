@@ -31,7 +31,7 @@ std::unique_ptr<Device> MakeDevice(Region& region, const RecordedScenario& scena
         throw runtime::YamlError(plan.file, plan.device_node.place, "output: pins or self_test: true with two CPUs",
                                  "output: gate and self_test: false");
     }
-    return std::make_unique<TwoCpus>(region, scenario);
+    return std::make_unique<TwoCpus>(region, scenario, SetupOf(plan).has_call_faults);
 }
 
 Limits LimitsFor(const RecordedScenario& scenario, const Device& device)

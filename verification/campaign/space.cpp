@@ -34,7 +34,7 @@ Space::Space(const Plan& plan, const Recording& recording, Device& device, const
     TakeReach(device);
     TakeCycles(plan, recording, horizon);
     TakeFrames();
-    TakeCommands();
+    TakeCommands(device);
     TakeBytes(device);
     for (const Part part : plan.parts)
     {
@@ -66,7 +66,7 @@ Space::Space(const Plan& plan, const Recording& recording, Device& device, const
 void Space::RequireFaults() const
 {
     constexpr const char* kExpected = "one that has something to hit: a frame in these cycles, an input, output: pins; "
-                                      "with two CPUs memory, bus, link, cpu";
+                                      "with two CPUs all but both_channels and pins, with one no link, cpu";
     const auto has_some = [this](const auto& is_it)
     {
         return std::any_of(strata_.begin(), strata_.end(),
@@ -281,16 +281,29 @@ void Space::TakeSubject(Experiment& experiment, std::uint64_t index) const
     }
     if (experiment.part == Part::kCommands && experiment.kind != FaultKind::kInserted)
     {
-        experiment.subject = commands_[index];
-        experiment.cycle = recording_.commands[experiment.subject].cycle;
+        const std::uint64_t command = TakeCpu(experiment, index);
+        experiment.subject = commands_[command];
+        experiment.cycle = told_in_[((experiment.cpu == 1U) ? commands_.size() : 0U) + command];
         return;
     }
     experiment.cycle = cycles_[index % cycles_.size()];
-    experiment.subject = index / cycles_.size();
+    experiment.subject = TakeCpu(experiment, index / cycles_.size());
     if (experiment.part == Part::kSteps)
     {
         experiment.phase = static_cast<Phase>(static_cast<std::size_t>(Phase::kFirstStep) + 1U + experiment.subject);
     }
+}
+
+/// What remains of a subject that each of two CPUs has.
+std::uint64_t Space::TakeCpu(Experiment& experiment, const std::uint64_t subject) const
+{
+    if (!has_two_cpus_ || !IsOfEachCpu(experiment.part))
+    {
+        return subject;
+    }
+    const std::uint64_t of_one = SubjectsOfCpu(experiment.part, experiment.kind);
+    experiment.cpu = subject / of_one;
+    return subject % of_one;
 }
 
 /// A fault that comes later begins where it comes.
@@ -328,6 +341,13 @@ std::uint64_t Space::VariantsOf(const Part part, const FaultKind kind) const
 /// Without cycles, and without variants.
 std::uint64_t Space::SubjectsOf(const Part part, const FaultKind kind) const
 {
+    const bool is_twice = has_two_cpus_ && IsOfEachCpu(part);
+    return (is_twice ? kCpuSubjects : std::size_t{1U}) * SubjectsOfCpu(part, kind);
+}
+
+/// Of one CPU, where each has its own.
+std::uint64_t Space::SubjectsOfCpu(const Part part, const FaultKind kind) const
+{
     if (part == Part::kBus && kind == FaultKind::kCorrupted)
     {
         return frame_bits_.empty() ? 0U : frame_bits_.back();
@@ -354,7 +374,7 @@ std::uint64_t Space::SubjectsOf(const Part part, const FaultKind kind) const
     }
     if (part == Part::kCounters)
     {
-        return kCounterSubjects;
+        return has_two_cpus_ ? kCpuSubjects : kCounterSubjects; // Both at once are two faults of two oscillators.
     }
     if (part == Part::kLink || part == Part::kCpu)
     {
@@ -363,12 +383,11 @@ std::uint64_t Space::SubjectsOf(const Part part, const FaultKind kind) const
     return (part == Part::kInputs) ? input_count_ : 1U;
 }
 
-/// What is tried of a device of two CPUs, and of it alone.
+/// What is tried of a device of two CPUs alone, and of one with one. [SRS_CMG_130]
 bool Space::Has(const Part part) const
 {
     const bool is_of_two = part == Part::kLink || part == Part::kCpu;
-    const bool is_of_one = !IsMemory(part) || part == Part::kBothChannels;
-    return has_two_cpus_ ? (is_of_two || part == Part::kBus || !is_of_one) : !is_of_two;
+    return has_two_cpus_ ? part != Part::kBothChannels : !is_of_two;
 }
 
 std::uint64_t Space::SizeOf(const Part part, const FaultKind kind) const
@@ -393,13 +412,20 @@ std::uint64_t Space::SizeOf(const Part part, const FaultKind kind) const
     return BytesOf(part) * kBitsOfByte * moments;
 }
 
-void Space::TakeCommands()
+void Space::TakeCommands(const Device& device)
 {
     for (std::size_t command = 0U; command < recording_.commands.size(); ++command)
     {
         if (std::binary_search(cycles_.begin(), cycles_.end(), recording_.commands[command].cycle))
         {
             commands_.push_back(command);
+        }
+    }
+    for (std::size_t cpu = 0U; cpu < (has_two_cpus_ ? kCpuSubjects : std::size_t{1U}); ++cpu)
+    {
+        for (const std::size_t command : commands_)
+        {
+            told_in_.push_back(device.CycleOfCommand(command, cpu));
         }
     }
 }

@@ -82,10 +82,12 @@ class Space
     void TakeReach(const Device& device);
     void TakeCycles(const Plan& plan, const Recording& recording, std::size_t horizon);
     void TakeFrames();
-    void TakeCommands();
+    void TakeCommands(const Device& device);
     [[nodiscard]] bool Has(Part part) const;
     [[nodiscard]] std::uint64_t SizeOf(Part part, FaultKind kind) const;
     [[nodiscard]] std::uint64_t SubjectsOf(Part part, FaultKind kind) const;
+    [[nodiscard]] std::uint64_t SubjectsOfCpu(Part part, FaultKind kind) const;
+    [[nodiscard]] std::uint64_t TakeCpu(Experiment& experiment, std::uint64_t subject) const;
     [[nodiscard]] std::uint64_t VariantsOf(Part part, FaultKind kind) const;
     void TakeMemory(Experiment& experiment, std::uint64_t index) const;
     void TakeSubject(Experiment& experiment, std::uint64_t index) const;
@@ -102,7 +104,8 @@ class Space
     std::vector<std::size_t> frames_{};       ///< That come in these cycles.
     std::vector<std::uint64_t> frame_bits_{}; ///< Of their data, each with those before it.
     std::vector<std::size_t> frame_pairs_{};  ///< In Recording::pairs.
-    std::vector<std::size_t> commands_{};     ///< In Recording::commands, of these cycles.
+    std::vector<std::size_t> commands_{};     ///< In Recording::commands, of these cycles;
+    std::vector<std::size_t> told_in_{};      ///< the cycle in which each CPU is told each of them, CPU by CPU.
     std::vector<std::size_t> cycles_{};
     std::vector<Byte> bytes_[kPartCount]{};
     std::vector<Stratum> strata_{};

@@ -3,6 +3,7 @@
 
 #include "verification/campaign/variants.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 namespace counterpoint::campaign
@@ -23,10 +24,10 @@ Phase Beside(const Phase phase, const int distance)
 
 StepFaults::StepFaults(Device& device) : device_(device), size_(device.Memory().Size())
 {
-    for (const Place& place : device.Places())
-    {
-        flow_ = (place.part == Part::kFlowMonitor) ? place : flow_;
-    }
+    const std::vector<Place>& places = device.Places();
+    const auto is_flow = [](const Place& place) { return place.part == Part::kFlowMonitor; };
+    flows_ = {*std::find_if(places.begin(), places.end(), is_flow),
+              *std::find_if(places.rbegin(), places.rend(), is_flow)};
 }
 
 void StepFaults::At(const Experiment& fault, const std::size_t cycle, const Phase phase, const void* const frame)
@@ -66,7 +67,7 @@ void StepFaults::TakeBack(const Experiment& fault, const Phase phase) noexcept
             behind_.assign(bytes, bytes + size_);
             is_kept_ = true;
         }
-        Restore(TakesMark(fault));
+        Restore(fault, TakesMark(fault));
     }
     else
     {
@@ -100,7 +101,7 @@ void StepFaults::RunTwice(const Experiment& fault, const Phase phase, const void
     }
     else if (phase == fault.phase && stage_ == Stage::kWaits)
     {
-        KeepMark();
+        KeepMark(fault);
         step_.Resume();
     }
     else if (phase == fault.phase && stage_ == Stage::kAgain)
@@ -125,14 +126,14 @@ void StepFaults::RunBehindNext(const Experiment& fault, const Phase phase, const
     }
     else if (phase == fault.phase && stage_ == Stage::kWaits)
     {
-        Restore(TakesMark(fault));
+        Restore(fault, TakesMark(fault));
         stage_ = Stage::kPassedBy;
     }
     else if (phase == Beside(fault.phase, 1) && stage_ == Stage::kPassedBy)
     {
         if (next_.Take(frame) == Continuation::Arrival::kFirst)
         {
-            KeepMark();
+            KeepMark(fault);
             step_.Resume();
         }
         stage_ = Stage::kNothing;
@@ -149,7 +150,7 @@ void StepFaults::RunBehindNext(const Experiment& fault, const Phase phase, const
 }
 
 /// The memory before the step, with its mark or all but that.
-void StepFaults::Restore(const bool with_mark) noexcept
+void StepFaults::Restore(const Experiment& fault, const bool with_mark) noexcept
 {
     std::uint8_t* const bytes = device_.Memory().Bytes();
     if (with_mark)
@@ -157,22 +158,30 @@ void StepFaults::Restore(const bool with_mark) noexcept
         std::memcpy(bytes, before_.data(), size_);
         return;
     }
-    const std::size_t end = flow_.offset + flow_.size;
-    std::memcpy(bytes, before_.data(), flow_.offset);
+    const Place& flow = FlowOf(fault);
+    const std::size_t end = flow.offset + flow.size;
+    std::memcpy(bytes, before_.data(), flow.offset);
     std::memcpy(bytes + end, before_.data() + end, size_ - end);
 }
 
-void StepFaults::KeepMark()
+const Place& StepFaults::FlowOf(const Experiment& fault) const noexcept
 {
-    const std::uint8_t* const flow = device_.Memory().Bytes() + flow_.offset;
-    mark_.assign(flow, flow + flow_.size);
+    return (fault.cpu == 1U) ? flows_[1] : flows_[0];
+}
+
+void StepFaults::KeepMark(const Experiment& fault)
+{
+    const Place& flow = FlowOf(fault);
+    const std::uint8_t* const marks = device_.Memory().Bytes() + flow.offset;
+    mark_.assign(marks, marks + flow.size);
 }
 
 void StepFaults::RestoreMark(const Experiment& fault) noexcept
 {
     if (!TakesMark(fault))
     {
-        std::memcpy(device_.Memory().Bytes() + flow_.offset, mark_.data(), flow_.size);
+        const Place& flow = FlowOf(fault);
+        std::memcpy(device_.Memory().Bytes() + flow.offset, mark_.data(), flow.size);
     }
 }
 } // namespace counterpoint::campaign

@@ -5,6 +5,7 @@
 #include "verification/campaign/continuation.hpp"
 #include "verification/campaign/experiment.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -42,13 +43,14 @@ class StepFaults
     void CatchUp() noexcept;
     void RunTwice(const Experiment& fault, Phase phase, const void* frame);
     void RunBehindNext(const Experiment& fault, Phase phase, const void* frame);
-    void Restore(bool with_mark) noexcept;
-    void KeepMark();
+    [[nodiscard]] const Place& FlowOf(const Experiment& fault) const noexcept;
+    void Restore(const Experiment& fault, bool with_mark) noexcept;
+    void KeepMark(const Experiment& fault);
     void RestoreMark(const Experiment& fault) noexcept;
 
     Device& device_;
     std::size_t size_;                   ///< Of its memory.
-    Place flow_{};                       ///< The flow monitor.
+    std::array<Place, 2U> flows_{};      ///< The flow monitor, of each CPU.
     std::vector<std::uint8_t> before_{}; ///< The memory before the step that is disturbed,
     std::vector<std::uint8_t> behind_{}; ///< and behind it, while that waits.
     std::vector<std::uint8_t> mark_{};   ///< The flow monitor's before the step runs again.

@@ -1,8 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/two_cpus.hpp"
 
+#include "verification/campaign/calls.hpp"
 #include "verification/campaign/variants.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace counterpoint::campaign
@@ -11,11 +13,18 @@ namespace
 {
 constexpr std::int64_t kMillion = 1000000;
 
-DeviceSetup FirstSetup(const RecordedScenario& scenario)
+DeviceSetup FirstSetup(const RecordedScenario& scenario, const bool has_call_faults)
 {
     DeviceSetup setup;
+    setup.has_call_faults = has_call_faults;
     setup.cpu = CpuOfTwo{LinkConfigOf(scenario, PeerRole::kA), "cpu_a.", nullptr, nullptr};
     return setup;
+}
+
+/// What one of them is called with, and what it calls.
+bool IsOfOneCpu(const Part part)
+{
+    return IsOfEachCpu(part) || part == Part::kCallsOfA || part == Part::kCallsOfB;
 }
 
 /// So many cycles of CPU A end before the first one of CPU B.
@@ -33,13 +42,14 @@ LinkConfig LinkConfigOf(const RecordedScenario& scenario, const PeerRole role)
     return {role, us(link.timeout), us(link.clock_tolerance), us(link.clock_interval), us(link.stamp_tolerance)};
 }
 
-TwoCpus::TwoCpus(Region& region, const RecordedScenario& scenario)
-    : Device(region, scenario.Model(), scenario.Record(), OutputKind::kGate, FirstSetup(scenario)),
+TwoCpus::TwoCpus(Region& region, const RecordedScenario& scenario, const bool has_call_faults)
+    : Device(region, scenario.Model(), scenario.Record(), OutputKind::kGate, FirstSetup(scenario, has_call_faults)),
       recordings_{&scenario.Record(), &scenario.SecondRecord()},
       second_(region, scenario.SecondModel(), scenario.SecondRecord(), OutputKind::kGate,
-              [this, &scenario]()
+              [this, &scenario, has_call_faults]()
               {
                   DeviceSetup setup;
+                  setup.has_call_faults = has_call_faults;
                   setup.cpu = CpuOfTwo{LinkConfigOf(scenario, PeerRole::kB), "cpu_b.", application_, ports_};
                   return setup;
               }()),
@@ -62,6 +72,7 @@ TwoCpus::TwoCpus(Region& region, const RecordedScenario& scenario)
     flow_->hook = hooks_.data();
     second_.flow_->hook = &hooks_[1];
     RequireTurns();
+    RequireCommands();
     region.Close();
 }
 
@@ -78,6 +89,24 @@ void TwoCpus::RequireTurns() const
                                      std::to_string(cycle) + "; expected: phases farther apart, or less drift");
         }
     }
+}
+
+/// A fault of a command is one of the same command of either CPU.
+void TwoCpus::RequireCommands() const
+{
+    const std::vector<RecordedCommand>& a = recordings_[0]->commands;
+    const std::vector<RecordedCommand>& b = recordings_[1]->commands;
+    const auto is_same = [](const RecordedCommand& left, const RecordedCommand& right)
+    { return left.what.is_gfc == right.what.is_gfc && left.what.nmt == right.what.nmt; };
+    if (!std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same))
+    {
+        throw std::runtime_error("the two CPUs are not told the same commands; expected: those that lie farther apart");
+    }
+}
+
+std::size_t TwoCpus::CycleOfCommand(const std::size_t command, const std::size_t cpu) const
+{
+    return recordings_.at(cpu)->commands[command].cycle + ((cpu == 0U) ? 0U : lead_);
 }
 
 Device& TwoCpus::Cpu(const std::size_t cpu) noexcept
@@ -98,7 +127,8 @@ void TwoCpus::Follow(PhaseHook* const hook) noexcept
 /// Without a fault all phases, of which the runner learns what each bit ever is.
 void TwoCpus::Tell(const std::size_t cpu, const Phase phase) noexcept
 {
-    const bool is_hit = fault_ == nullptr || (IsMemory(fault_->part) && (fault_->offset >= split_) == (cpu == 1U));
+    const bool is_hit = fault_ == nullptr || (IsMemory(fault_->part) && (fault_->offset >= split_) == (cpu == 1U)) ||
+                        (fault_->part == Part::kSteps && fault_->cpu == cpu);
     if (hook_ != nullptr && is_hit)
     {
         hook_->At(phase);
@@ -108,26 +138,49 @@ void TwoCpus::Tell(const std::size_t cpu, const Phase phase) noexcept
 void TwoCpus::Rewind(const std::size_t cycle, const Experiment* const fault, const std::size_t end,
                      const std::uint64_t seed)
 {
+    const std::size_t own = (cycle < lead_) ? 0U : cycle - lead_;
     fault_ = fault;
-    Receives().Rewind(cycle, fault, end, seed);
-    second_.Receives().Rewind((cycle < lead_) ? 0U : cycle - lead_, fault, end, seed);
+    second_fault_ = (fault == nullptr) ? Experiment{} : *fault;
+    second_fault_.cycle -= std::min(second_fault_.cycle, lead_);
+    Receives().Rewind(cycle, FaultOf(0U), end, seed);
+    second_.Receives().Rewind(own, FaultOf(1U), end, seed);
+    feed_.OfCalls().BeginCycle(cycle);
+    second_.feed_.OfCalls().BeginCycle(own);
     counters_ = {recordings_[0]->counters, recordings_[1]->counters};
-    if (fault != nullptr && fault->part == Part::kCpu)
+    if (fault != nullptr && (fault->part == Part::kCpu || fault->part == Part::kCounters))
     {
         since_ = recordings_[0]->cycles[fault->cycle - 1U].at;
         const CounterFault what = CounterFaultOf(*fault);
         if (!IsDead(fault->subject))
         {
-            counters_.at(fault->subject).Disturb(0U, since_, what.rate_ppm, 0);
+            counters_.at(fault->subject).Disturb(0U, since_, what.rate_ppm, what.jump_us);
         }
     }
 }
 
+/// What becomes of what this CPU receives, is called with, and calls.
+const Experiment* TwoCpus::FaultOf(const std::size_t cpu) const noexcept
+{
+    if (fault_ == nullptr || fault_->part == Part::kCounters)
+    {
+        return nullptr; // Instants are stamped here.
+    }
+    const std::size_t of_call = (fault_->part == Part::kCallsOfB) ? 1U : 0U;
+    const std::size_t hit = IsOfEachCpu(fault_->part) ? fault_->cpu : of_call;
+    if (IsOfOneCpu(fault_->part) && hit != cpu)
+    {
+        return nullptr;
+    }
+    const bool counts_by_own = IsOfOneCpu(fault_->part) || fault_->part == Part::kInputs;
+    return (cpu == 1U && counts_by_own) ? &second_fault_ : fault_;
+}
+
 bool TwoCpus::IsUndisturbed(const std::size_t cycle) const
 {
-    if (fault_ != nullptr && (fault_->part == Part::kLink || fault_->part == Part::kCpu))
+    if (fault_ != nullptr &&
+        (fault_->part == Part::kLink || fault_->part == Part::kCpu || fault_->part == Part::kCounters))
     {
-        return false; // The messages are counted: it is never again as it was.
+        return false; // Messages are counted, a clock never goes back: it is not again as it was.
     }
     return Device::IsUndisturbed(cycle) && second_.feed_.IsUndisturbed((cycle < lead_) ? 0U : cycle - lead_);
 }
@@ -151,6 +204,46 @@ Nanoseconds TwoCpus::TimeOf(const std::size_t cpu, const std::size_t cycle) cons
     const bool is_hit = fault_ != nullptr && fault_->part == Part::kCpu && fault_->subject == cpu && at > since_ &&
                         fault_->kind != FaultKind::kStopped;
     return is_hit ? since_ + ((at - since_) * kMillion / (kMillion + CounterFaultOf(*fault_).rate_ppm)) : at;
+}
+
+bool TwoCpus::IsTimeHit(const std::size_t cpu) const noexcept
+{
+    return fault_ != nullptr && fault_->part == Part::kCycle && fault_->cpu == cpu;
+}
+
+/// When its kernel is called next, or a cycle of it ends without a call.
+Nanoseconds TwoCpus::NextCall(const std::size_t cpu) const
+{
+    const std::size_t own = progress_->next.at(cpu);
+    if (!IsTimeHit(cpu) || own >= recordings_.at(cpu)->cycles.size())
+    {
+        return TimeOf(cpu, own);
+    }
+    const Calls calls = Cpu(cpu).feed_.CallsIn(own);
+    const std::size_t called = progress_->called.at(cpu);
+    return (called < calls.count) ? calls.at.at(called) : TimeOf(cpu, own);
+}
+
+/// Whether its kernel is called now. Behind the last call of a cycle comes the next cycle.
+bool TwoCpus::TakeTurn(const std::size_t cpu, const Nanoseconds at)
+{
+    std::size_t& own = progress_->next.at(cpu);
+    std::size_t& called = progress_->called.at(cpu);
+    bool is_call = !IsDead(cpu);
+    bool is_last = true;
+    if (IsTimeHit(cpu))
+    {
+        const Calls calls = Cpu(cpu).feed_.CallsIn(own);
+        is_call = called < calls.count;
+        called += is_call ? 1U : 0U;
+        is_last = called >= calls.count && at >= TimeOf(cpu, own);
+    }
+    if (is_last)
+    {
+        called = 0U;
+        ++own;
+    }
+    return is_call;
 }
 
 /// Each CPU has one counter.
@@ -211,7 +304,7 @@ TwoCpus::Next TwoCpus::NextUntil(const Nanoseconds until) const
     }
     for (std::size_t cpu = 0U; cpu < 2U; ++cpu)
     {
-        take(Event::kCycle, cpu, TimeOf(cpu, progress_->next.at(cpu)));
+        take(Event::kCycle, cpu, NextCall(cpu));
     }
     return next;
 }
@@ -234,9 +327,9 @@ void TwoCpus::Do(const Next& next, const std::size_t cycle)
         for (std::size_t each = 0U; each < 2U; ++each)
         {
             const StampedFrame stamped{own.frame, StampOf(each, own.confirmed_at)};
-            Cpu(each).SetTime(own.confirmed_at);
-            Cpu(each).peer_->IsEcho(own.frame) ? Cpu(each).kernel_->OnConfirm(stamped)
-                                               : Cpu(each).kernel_->OnFrame(stamped);
+            Device& self = Cpu(each);
+            self.SetTime(own.confirmed_at);
+            self.peer_->IsEcho(own.frame) ? self.feed_.Confirm(stamped, *self.kernel_) : self.kernel_->OnFrame(stamped);
             NoteFrame(each);
         }
     }
@@ -266,12 +359,11 @@ void TwoCpus::RunCpu(const std::size_t cpu, const Nanoseconds at, const std::siz
 {
     Device& self = Cpu(cpu);
     const std::size_t own = progress_->next.at(cpu);
-    ++progress_->next.at(cpu);
-    if (IsDead(cpu))
+    if (!TakeTurn(cpu, at))
     {
         return;
     }
-    self.feed_.BeginCall(own, *self.kernel_);
+    self.feed_.TellCommands(own, *self.kernel_);
     if (!progress_->has_come.at(cpu))
     {
         Tell(cpu, Phase::kBetweenFrames);
@@ -292,6 +384,19 @@ void TwoCpus::RunCpu(const std::size_t cpu, const Nanoseconds at, const std::siz
     const bool is_hit =
         fault_ != nullptr && fault_->part == Part::kLink && fault_->subject == cpu && cycle >= fault_->cycle;
     progress_->link.Send(cpu, message, at, is_hit ? fault_ : nullptr, is_hit ? cycle - fault_->cycle : 0U);
+    BeginPeriod(cpu);
+}
+
+/// What was late comes now.
+void TwoCpus::BeginPeriod(const std::size_t cpu)
+{
+    Device& self = Cpu(cpu);
+    DisturbedChannel* const disturbed = (cpu == 0U) ? self.disturbed_a_ : self.disturbed_b_;
+    if (disturbed != nullptr)
+    {
+        disturbed->BeginCycle();
+    }
+    self.feed_.BeginPeriod(progress_->next.at(cpu), *self.kernel_);
 }
 
 /// What a CPU that is hit as a whole does with its own output does not count.
@@ -320,6 +425,13 @@ DeviceFault TwoCpus::Fault() const noexcept
     const bool asks_second =
         first == DeviceFault::kNone || (first == DeviceFault::kCrossLink && second != DeviceFault::kNone);
     return asks_second ? second : first;
+}
+
+/// Of a CPU that is hit as a whole the word does not count either.
+bool TwoCpus::IsFaultTold() const noexcept
+{
+    const bool is_of_cpu = fault_ != nullptr && fault_->part == Part::kCpu;
+    return is_of_cpu ? Fault() != DeviceFault::kNone : Device::IsFaultTold();
 }
 
 bool TwoCpus::IsWatchdogAlive() const noexcept

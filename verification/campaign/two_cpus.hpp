@@ -3,6 +3,7 @@
 #define VERIFICATION_CAMPAIGN_TWO_CPUS_HPP
 
 #include "verification/campaign/device.hpp"
+#include "verification/campaign/experiment.hpp"
 #include "verification/campaign/flat_link.hpp"
 
 #include <array>
@@ -24,7 +25,7 @@ class TwoCpus final : public Device
   public:
     /// @brief As Device; the scenario outlives it. Throws std::runtime_error where the cycles of the CPUs overtake each
     /// other.
-    TwoCpus(Region& region, const RecordedScenario& scenario);
+    TwoCpus(Region& region, const RecordedScenario& scenario, bool has_call_faults = false);
 
     void Cycle(std::size_t cycle) override;
     void Rewind(std::size_t cycle, const Experiment* fault, std::size_t end, std::uint64_t seed) override;
@@ -33,6 +34,8 @@ class TwoCpus final : public Device
     [[nodiscard]] SrdoMask Open() noexcept override;
     [[nodiscard]] DeviceFault Fault() const noexcept override;
     [[nodiscard]] bool IsWatchdogAlive() const noexcept override;
+    [[nodiscard]] std::size_t CycleOfCommand(std::size_t command, std::size_t cpu) const override;
+    [[nodiscard]] bool IsFaultTold() const noexcept override;
     [[nodiscard]] bool HasTwoCpus() const noexcept override
     {
         return true;
@@ -73,12 +76,19 @@ class TwoCpus final : public Device
     /// What changes while they run. In the region.
     struct Progress
     {
-        std::array<std::size_t, 2U> next{}; ///< The cycle of each that comes next, in its own recording.
-        std::array<bool, 2U> has_come{};    ///< A frame, in this cycle of the device.
+        std::array<std::size_t, 2U> next{};   ///< The cycle of each that comes next, in its own recording.
+        std::array<std::size_t, 2U> called{}; ///< So often in this cycle, where a fault is in its time.
+        std::array<bool, 2U> has_come{};      ///< A frame, in this cycle of the device.
         FlatLink link{};
     };
 
     void RequireTurns() const;
+    void RequireCommands() const;
+    [[nodiscard]] const Experiment* FaultOf(std::size_t cpu) const noexcept;
+    [[nodiscard]] bool IsTimeHit(std::size_t cpu) const noexcept;
+    [[nodiscard]] Nanoseconds NextCall(std::size_t cpu) const;
+    [[nodiscard]] bool TakeTurn(std::size_t cpu, Nanoseconds at);
+    void BeginPeriod(std::size_t cpu);
     void Tell(std::size_t cpu, Phase phase) noexcept;
     [[nodiscard]] Next NextUntil(Nanoseconds until) const;
     void Do(const Next& next, std::size_t cycle);
@@ -97,7 +107,8 @@ class TwoCpus final : public Device
     std::array<Counters, 2U> counters_;
     Progress* progress_; ///< In the region.
     const Experiment* fault_{nullptr};
-    Nanoseconds since_{0}; ///< When the fault of a CPU begins.
+    Experiment second_fault_{}; ///< The same, in the cycles of CPU B.
+    Nanoseconds since_{0};      ///< When the fault of a CPU begins.
     std::size_t now_{0U};
     PhaseHook* hook_{nullptr};
     std::array<CpuHook, 2U> hooks_;

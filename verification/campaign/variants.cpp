@@ -282,6 +282,12 @@ void Masquerade(const Recording& recording, const std::uint32_t variant, CanFram
 
 std::string SubjectName(const Experiment& fault, const Recording& recording)
 {
+    if (fault.cpu != kNoCpu)
+    {
+        Experiment of_one = fault;
+        of_one.cpu = kNoCpu;
+        return std::string((fault.cpu == 0U) ? "cpu_a " : "cpu_b ") + SubjectName(of_one, recording);
+    }
     if (fault.part == Part::kBus)
     {
         const bool is_pair = IsOfPair(fault.kind);
@@ -354,7 +360,7 @@ std::string SubjectText(const Experiment& fault, const Recording& recording)
         return name;
     }
     return (fault.kind == FaultKind::kSkipped || fault.kind == FaultKind::kDoubled)
-               ? "cycle " + std::to_string(fault.variant + 1U) + " times"
-               : "cycle by " + OffsetText(fault);
+               ? name + " " + std::to_string(fault.variant + 1U) + " times"
+               : name + " by " + OffsetText(fault);
 }
 } // namespace counterpoint::campaign
