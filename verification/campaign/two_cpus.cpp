@@ -141,7 +141,9 @@ void TwoCpus::Rewind(const std::size_t cycle, const Experiment* const fault, con
     const std::size_t own = (cycle < lead_) ? 0U : cycle - lead_;
     fault_ = fault;
     second_fault_ = (fault == nullptr) ? Experiment{} : *fault;
-    second_fault_.cycle -= std::min(second_fault_.cycle, lead_);
+    // Of its calls those of the period that begins now: of the one before, frames may have come already.
+    const bool is_call = second_fault_.part == Part::kKernelCalls || second_fault_.part == Part::kCallsOfB;
+    second_fault_.cycle = second_fault_.cycle - std::min(second_fault_.cycle, lead_) + (is_call ? 1U : 0U);
     Receives().Rewind(cycle, FaultOf(0U), end, seed);
     second_.Receives().Rewind(own, FaultOf(1U), end, seed);
     feed_.OfCalls().BeginCycle(cycle);

@@ -6,6 +6,10 @@
 
 #include <algorithm>
 #include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace counterpoint::campaign::test
 {
@@ -25,7 +29,7 @@ class TwoCpusTest : public CampaignTest
                                          device + "\n" + more);
     }
     [[nodiscard]] static Outcome Try(Session& session, const Part part, const FaultKind kind, const std::size_t subject,
-                                     const std::uint32_t variant)
+                                     const std::uint32_t variant, const std::size_t cpu = kNoCpu)
     {
         Experiment fault;
         fault.part = part;
@@ -33,7 +37,19 @@ class TwoCpusTest : public CampaignTest
         fault.cycle = 499U;
         fault.subject = subject;
         fault.variant = variant;
+        fault.cpu = cpu;
+        if (part == Part::kSteps)
+        {
+            fault.phase = static_cast<Phase>(static_cast<std::size_t>(Phase::kFirstStep) + 1U + subject);
+        }
         return session.Runs().Run(fault);
+    }
+    /// What was tried, as CSV.
+    [[nodiscard]] std::string Tried(const std::string& more) const
+    {
+        const std::string file = Path("tried.csv");
+        EXPECT_EQ(Campaign({TwoCpuPlan("actuator", more), "--jobs", "1", "--csv", file}).status, 0);
+        return cia306::ReadTextFile(file);
     }
 };
 
@@ -133,11 +149,164 @@ TEST_F(TwoCpusTest, CpuThatStopsOrDriftsIsFoundByTheOtherOneInTime)
     }
 }
 
+// The other one learns of it by its own time of the link, not by a word of the one that is hit.
+TEST_F(TwoCpusTest, WordOfACpuThatIsHitCountsForNothing)
+{
+    Verifies(req::SRS_CMG_132);
+    const Trap trap;
+    Session session(TwoCpuPlan("actuator", kSmall));
+    for (std::size_t cpu = 0U; cpu < 2U; ++cpu)
+    {
+        for (std::uint32_t rate = 0U; rate < 13U; ++rate)
+        {
+            for (const FaultKind kind : {FaultKind::kFast, FaultKind::kSlow})
+            {
+                const Outcome outcome = Try(session, Part::kCpu, kind, cpu, rate);
+                EXPECT_NE(outcome.result, Class::kSilent) << WordOf(kind) << cpu << ", rate " << rate;
+                EXPECT_FALSE(IsLate(outcome)) << WordOf(kind) << cpu << ", rate " << rate;
+            }
+        }
+    }
+}
+
+TEST_F(TwoCpusTest, StepOfOneCpuThatIsDisturbedIsFoundAtOnce)
+{
+    Verifies(req::SRS_CMG_130);
+    const Trap trap;
+    Session session(TwoCpuPlan("actuator", kSmall));
+    for (std::size_t cpu = 0U; cpu < 2U; ++cpu)
+    {
+        for (const FaultKind kind : {FaultKind::kSkipped, FaultKind::kDoubled, FaultKind::kReordered, FaultKind::kLate})
+        {
+            // Step number 3 with its mark
+            const Outcome outcome = Try(session, Part::kSteps, kind, 3U, (kind == FaultKind::kLate) ? 0U : 2U, cpu);
+            EXPECT_EQ(outcome.result, Class::kDetected) << WordOf(kind) << cpu;
+            // What a step that runs twice takes from a channel twice differs before the flow is looked at
+            EXPECT_EQ(outcome.detector, (kind == FaultKind::kDoubled) ? Detector::kComparator : Detector::kFlowMonitor)
+                << WordOf(kind) << cpu << WordOf(outcome.detector);
+            EXPECT_LE(outcome.us, 1000U) << WordOf(kind) << cpu;
+        }
+    }
+}
+
+TEST_F(TwoCpusTest, CycleOfOneCpuThatDoesNotComeIsFoundInTime)
+{
+    Verifies(req::SRS_CMG_130);
+    const Trap trap;
+    Session session(TwoCpuPlan("actuator", kSmall));
+    for (std::size_t cpu = 0U; cpu < 2U; ++cpu)
+    {
+        // Five cycles in a row, one twice, one 0.05 ms late (nobody minds), and one 2 ms late
+        const Outcome skipped = Try(session, Part::kCycle, FaultKind::kSkipped, 0U, 4U, cpu);
+        EXPECT_EQ(skipped.result, Class::kDetected) << cpu;
+        EXPECT_LE(skipped.us, kLinkLimitUs) << cpu;
+        EXPECT_EQ(Try(session, Part::kCycle, FaultKind::kDoubled, 0U, 0U, cpu).result, Class::kDetected) << cpu;
+        EXPECT_EQ(Try(session, Part::kCycle, FaultKind::kLate, 0U, 0U, cpu).result, Class::kMasked) << cpu;
+        const Outcome late = Try(session, Part::kCycle, FaultKind::kLate, 0U, 39U, cpu);
+        EXPECT_EQ(late.result, Class::kDetected) << cpu;
+        EXPECT_LE(late.us, kLinkLimitUs) << cpu;
+    }
+}
+
+// A pair of the controller comes each 25 ms, by its own position among the frames of a cycle: of 25 cycles one has it.
+TEST_F(TwoCpusTest, FrameThatOneCpuDoesNotGetIsFound)
+{
+    Verifies(req::SRS_CMG_130);
+    const std::string tried = Tried("at: [500 ms]\ncycles: 25\nparts: [kernel_calls]\nkinds: [skipped]\nsample: all\n");
+    for (const std::string cpu : {"cpu_a", "cpu_b"})
+    {
+        std::size_t once = 0U;
+        std::size_t always = 0U;
+        std::istringstream lines(tried);
+        for (std::string line; std::getline(lines, line);)
+        {
+            const bool is_found =
+                line.find(cpu + " kernel.OnFrame") != std::string::npos && line.find(",detected,") != std::string::npos;
+            once += (is_found && line.find(" always") == std::string::npos) ? 1U : 0U;
+            always += (is_found && line.find(" always") != std::string::npos) ? 1U : 0U;
+        }
+        EXPECT_EQ(once, 2U) << cpu; // The normal and the inverse frame
+        EXPECT_EQ(always, 50U) << cpu;
+    }
+}
+
+TEST_F(TwoCpusTest, ChannelOfOneCpuThatIsNotCalledIsFound)
+{
+    Verifies(req::SRS_CMG_130);
+    const Trap trap;
+    Session session(TwoCpuPlan("actuator", "at: [500 ms]\nsample: 10\nparts: [a_calls, b_calls]\n"));
+    for (const Part part : {Part::kCallsOfA, Part::kCallsOfB})
+    {
+        // OnCycle left out for ever, with an answer of 0
+        const Outcome outcome = Try(session, part, FaultKind::kSkipped, 4U, 3U);
+        EXPECT_EQ(outcome.result, Class::kDetected) << WordOf(part);
+        EXPECT_FALSE(IsLate(outcome)) << WordOf(part);
+    }
+}
+
+TEST_F(TwoCpusTest, CommandThatOneCpuIsNotToldIsFoundByBoth)
+{
+    Verifies(req::SRS_CMG_130);
+    const Trap trap;
+    Session session(COUNTERPOINT_SOURCE_FOLDER "/examples/campaigns/two_cpus_commands.yaml");
+    const std::vector<RecordedCommand>& commands = session.Scenario().Record().commands;
+    std::size_t stop = 0U;
+    while (commands.at(stop).what.nmt != NmtState::kStopped)
+    {
+        ++stop;
+    }
+    for (std::size_t cpu = 0U; cpu < 2U; ++cpu)
+    {
+        Experiment fault;
+        fault.part = Part::kCommands;
+        fault.kind = FaultKind::kSkipped;
+        fault.subject = stop;
+        fault.cpu = cpu;
+        fault.cycle = session.Parts().device.CycleOfCommand(stop, cpu);
+        // Of one CPU alone it is silent (commands.yaml); here the other one has stopped, and finds its partner at work
+        const Outcome outcome = session.Runs().Run(fault);
+        EXPECT_EQ(outcome.result, Class::kDetected) << cpu;
+        EXPECT_LE(outcome.us, 7000U) << cpu;
+    }
+}
+
+TEST_F(TwoCpusTest, ClockOfOneCpuIsFoundByTheLinkAndInputsAreOfEachPath)
+{
+    Verifies(req::SRS_CMG_131);
+    const Trap trap;
+    Session session(TwoCpuPlan("actuator", kSmall));
+    for (std::size_t cpu = 0U; cpu < 2U; ++cpu)
+    {
+        EXPECT_EQ(Try(session, Part::kCounters, FaultKind::kStopped, cpu, 0U).result, Class::kDetected) << cpu;
+        // 10 %; 100 ppm; by 10 s
+        EXPECT_EQ(Try(session, Part::kCounters, FaultKind::kSlow, cpu, 9U).result, Class::kDetected) << cpu;
+        EXPECT_EQ(Try(session, Part::kCounters, FaultKind::kSlow, cpu, 0U).result, Class::kBenign) << cpu;
+        EXPECT_EQ(Try(session, Part::kCounters, FaultKind::kJump, cpu, 20U).result, Class::kDetected) << cpu;
+    }
+}
+
+TEST_F(TwoCpusTest, WhatEachCpuHasIsTriedOfEach)
+{
+    Verifies(req::SRS_CMG_130);
+    Verifies(req::SRS_CMG_131);
+    const std::string tried =
+        Tried("at: [500 ms]\nparts: [steps, kernel_calls, a_calls, b_calls, cycle, counters, inputs]\n"
+              "reach: 2 ms\nsample: 40\n");
+    for (const char* const text :
+         {"cpu_a step ", "cpu_b step ", "cpu_a kernel.OnFrame call ", "cpu_b kernel.OnConfirm call ",
+          "channel_a.OnCycle call ", "channel_b.OnCycle call ", "cpu_a cycle by ", "cpu_b cycle by ",
+          "cpu_b cycle 1 times", "counter_a", "counter_b", "input 0", "input 1"})
+    {
+        EXPECT_NE(tried.find(text), std::string::npos) << text;
+    }
+    EXPECT_EQ(tried.find("both_counters"), std::string::npos);
+}
+
 TEST_F(TwoCpusTest, ShardsAndOneProcessGiveTheSameBytes)
 {
     Verifies(req::SRS_CMG_008);
     const std::string plan =
-        TwoCpuPlan("actuator", "at: [500 ms]\nparts: [cross_link, link, cpu]\nreach: 5 ms\nsample: 12\n");
+        TwoCpuPlan("actuator", "at: [500 ms]\nparts: [cross_link, link, cpu, steps, cycle]\nreach: 5 ms\nsample: 12\n");
     const std::string one = Path("one.csv");
     ASSERT_LE(Campaign({plan, "--jobs", "1", "--csv", one}).status, 1);
     ASSERT_LE(Campaign({plan, "--jobs", "1", "--shard", "1/3", "--out", Path("1.results")}).status, 1);
@@ -153,10 +322,12 @@ TEST_F(TwoCpusTest, ShardsAndOneProcessGiveTheSameBytes)
 TEST_F(TwoCpusTest, PartsThatTheDeviceDoesNotHaveAreRefused)
 {
     Verifies(req::SRS_CMG_061);
-    const tools::test::Answer steps = Campaign({TwoCpuPlan("actuator", "at: [500 ms]\nparts: [kernel, steps]\n")});
-    EXPECT_EQ(steps.status, 2);
-    EXPECT_NE(steps.err.find("two_cpus.yaml:5:17: error: part 'steps' of which nothing is hit"), std::string::npos)
-        << steps.err;
+    const tools::test::Answer both =
+        Campaign({TwoCpuPlan("actuator", "at: [500 ms]\nparts: [kernel, both_channels]\n")});
+    EXPECT_EQ(both.status, 2);
+    EXPECT_NE(both.err.find("two_cpus.yaml:5:17: error: part 'both_channels' of which nothing is hit"),
+              std::string::npos)
+        << both.err;
     const tools::test::Answer one = Campaign({PlanFile("plan.yaml", "actuator", "at: [500 ms]\nparts: [link]\n")});
     EXPECT_EQ(one.status, 2);
     EXPECT_NE(one.err.find("plan.yaml:5:9: error: part 'link' of which nothing is hit"), std::string::npos) << one.err;

@@ -58,6 +58,9 @@ inline constexpr RequirementId SRS_CMG_081{"SRS_CMG_081"};
 inline constexpr RequirementId SRS_CMG_082{"SRS_CMG_082"};
 inline constexpr RequirementId SRS_CMG_083{"SRS_CMG_083"};
 inline constexpr RequirementId SRS_CMG_120{"SRS_CMG_120"};
+inline constexpr RequirementId SRS_CMG_130{"SRS_CMG_130"};
+inline constexpr RequirementId SRS_CMG_131{"SRS_CMG_131"};
+inline constexpr RequirementId SRS_CMG_132{"SRS_CMG_132"};
 } // namespace counterpoint::req
 
 #endif
