@@ -260,16 +260,6 @@ DeviceFault Device::Fault() const noexcept
     return kernel_->DeviceState().fault;
 }
 
-std::size_t Device::CycleOfCommand(const std::size_t command, const std::size_t) const
-{
-    return recording_.commands[command].cycle;
-}
-
-bool Device::IsFaultTold() const noexcept
-{
-    return application_->device_fault != DeviceFault::kNone;
-}
-
 void Device::Follow(PhaseHook* const hook) noexcept
 {
     hook_ = hook;

@@ -70,6 +70,7 @@ struct Place
 };
 
 class DisturbedChannel;
+class TwoCpus;
 
 /// What a CPU of two needs to know. What it shares with the other one is null for the first of them.
 struct CpuOfTwo
@@ -118,14 +119,10 @@ class Device
     [[nodiscard]] virtual SrdoMask Open() noexcept;
     /// @brief Why the device, or one of its CPUs, is safe; kNone: it is not.
     [[nodiscard]] virtual DeviceFault Fault() const noexcept;
-    /// @brief The cycle in which a command of the recording is told, to this CPU of two (0 for CPU A).
-    [[nodiscard]] virtual std::size_t CycleOfCommand(std::size_t command, std::size_t cpu) const;
-    /// @brief Whether the application was told that the device is faulty; of two CPUs, by one that counts.
-    [[nodiscard]] virtual bool IsFaultTold() const noexcept;
-    /// @brief Whether each CPU has an object of each pair, and nobody both.
-    [[nodiscard]] virtual bool HasTwoCpus() const noexcept
+    /// @brief Null: it has one CPU. Of two each has an object of each pair, and nobody both.
+    [[nodiscard]] virtual const TwoCpus* AsTwoCpus() const noexcept
     {
-        return false;
+        return nullptr;
     }
 
     /// @brief Its memory, member by member.

@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/judge.hpp"
 
+#include "verification/campaign/two_cpus.hpp"
+
 #include "safety_core/kernel/limits.hpp"
 
 #include <algorithm>
@@ -29,6 +31,13 @@ bool KnowsGfc(const runtime::DeviceModel& model)
 std::uint64_t MaskOf(const VariablePlace& place)
 {
     return ~std::uint64_t{0U} >> (kMaxPayloadBits - place.length_bits);
+}
+
+/// Of two CPUs the word of one that is hit as a whole does not count. [SRS_CMG_132]
+bool IsFaultTold(const Device& device)
+{
+    const TwoCpus* const two = device.AsTwoCpus();
+    return (two == nullptr) ? device.Told().device_fault != DeviceFault::kNone : two->IsFaultTold();
 }
 } // namespace
 
@@ -111,7 +120,7 @@ void Judge::Arm(const std::size_t cycle, const SrdoMask open, JudgeMemory& memor
     const SrdoMask told = device_.Told().faulted & ~memory.told;
     memory.pressed = level;
     memory.told = device_.Told().faulted;
-    memory.fault_cycles += device_.IsFaultTold() ? 1U : 0U;
+    memory.fault_cycles += IsFaultTold(device_) ? 1U : 0U;
     if (recorded.nmt != NmtState::kOperational)
     {
         memory.armed = 0U;
@@ -164,7 +173,7 @@ void Judge::LookAtOutput(const Srdo& srdo, const std::size_t cycle, const JudgeM
     std::uint64_t mask = 0U;
     for (const FlatPair& pair : srdo.pairs)
     {
-        if (!device_.HasTwoCpus() && IsInversePair(pair.normal, pair.inverse) != PairView::kInverse)
+        if (device_.AsTwoCpus() == nullptr && IsInversePair(pair.normal, pair.inverse) != PairView::kInverse)
         {
             sight.not_inverse |= bit;
             return; // The application does not use it.
@@ -190,7 +199,7 @@ void Judge::LookAtOutput(const Srdo& srdo, const std::size_t cycle, const JudgeM
                                            discrepancy_);
         };
         const Leave leave = allows(data);
-        const Leave other = device_.HasTwoCpus() ? allows(inverse) : leave;
+        const Leave other = (device_.AsTwoCpus() != nullptr) ? allows(inverse) : leave;
         const bool is_none = leave == Leave::kNone && other == Leave::kNone;
         // What one CPU has wrong stands in series with what the other one has right. [SRS_CMG_064]
         sight.not_inverse |= (!is_none && (leave == Leave::kNone || other == Leave::kNone)) ? bit : SrdoMask{0U};

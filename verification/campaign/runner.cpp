@@ -293,7 +293,8 @@ std::size_t Runner::EndOf(const Experiment& experiment) const
                                                  (device_.Config().cycle_us * runtime::kNanosecondsPerMicrosecond))
                       : 0U;
     const bool lasts = IsMemory(experiment.part) || experiment.part == Part::kCommands; // The next command may tell.
-    const bool is_long = lasts && !device_.HasTwoCpus(); // Two run for no longer than the limit of their part asks.
+    const bool is_long =
+        lasts && device_.AsTwoCpus() == nullptr; // Two run for no longer than the limit of their part asks.
     return experiment.cycle + (is_long ? horizon_ : std::min(horizon_, limit + more + kMoreCycles));
 }
 

@@ -2,6 +2,7 @@
 #include "verification/campaign/space.hpp"
 
 #include "verification/campaign/drawn.hpp"
+#include "verification/campaign/two_cpus.hpp"
 #include "verification/campaign/variants.hpp"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ bool IsAddressOfProgram(const std::uint8_t* const word)
 
 Space::Space(const Plan& plan, const Recording& recording, Device& device, const std::size_t horizon)
     : plan_(plan), recording_(recording), input_count_(device.Receives().Inputs().size()),
-      has_two_cpus_(device.HasTwoCpus())
+      has_two_cpus_(device.AsTwoCpus() != nullptr)
 {
     TakeReach(device);
     TakeCycles(plan, recording, horizon);
@@ -425,7 +426,8 @@ void Space::TakeCommands(const Device& device)
     {
         for (const std::size_t command : commands_)
         {
-            told_in_.push_back(device.CycleOfCommand(command, cpu));
+            told_in_.push_back(has_two_cpus_ ? device.AsTwoCpus()->CycleOfCommand(command, cpu)
+                                             : recording_.commands[command].cycle);
         }
     }
 }

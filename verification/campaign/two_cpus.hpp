@@ -34,12 +34,14 @@ class TwoCpus final : public Device
     [[nodiscard]] SrdoMask Open() noexcept override;
     [[nodiscard]] DeviceFault Fault() const noexcept override;
     [[nodiscard]] bool IsWatchdogAlive() const noexcept override;
-    [[nodiscard]] std::size_t CycleOfCommand(std::size_t command, std::size_t cpu) const override;
-    [[nodiscard]] bool IsFaultTold() const noexcept override;
-    [[nodiscard]] bool HasTwoCpus() const noexcept override
+    [[nodiscard]] const TwoCpus* AsTwoCpus() const noexcept override
     {
-        return true;
+        return this;
     }
+    /// @brief The cycle in which a command of the recording is told to this CPU (0 for CPU A).
+    [[nodiscard]] std::size_t CycleOfCommand(std::size_t command, std::size_t cpu) const;
+    /// @brief Whether the application was told that the device is faulty, by a CPU whose word counts.
+    [[nodiscard]] bool IsFaultTold() const noexcept;
 
   private:
     /// Hands the phases of one CPU on, unless the other one is hit.

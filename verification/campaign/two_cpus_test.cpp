@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // A device of two CPUs: what it is made of, the link between them, and what becomes of its faults.
 #include "verification/campaign/campaign_rig.hpp"
+#include "verification/campaign/two_cpus.hpp"
 
 #include "simulator/journal/journal.hpp"
 
@@ -262,7 +263,7 @@ TEST_F(TwoCpusTest, CommandThatOneCpuIsNotToldIsFoundByBoth)
         fault.kind = FaultKind::kSkipped;
         fault.subject = stop;
         fault.cpu = cpu;
-        fault.cycle = session.Parts().device.CycleOfCommand(stop, cpu);
+        fault.cycle = session.Parts().device.AsTwoCpus()->CycleOfCommand(stop, cpu);
         // Of one CPU alone it is silent (commands.yaml); here the other one has stopped, and finds its partner at work
         const Outcome outcome = session.Runs().Run(fault);
         EXPECT_EQ(outcome.result, Class::kDetected) << cpu;

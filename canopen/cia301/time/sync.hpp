@@ -40,7 +40,7 @@ struct SyncParts
 };
 
 /// SYNC consumer and producer with 1005h, 1006h, 1007h and 1019h, whose hook it is. OnCycle at least once in 2^30 us.
-/// Not reentrant. [SRS_SYNC_005]
+/// Not reentrant. [SRS_SYNC_005, SRS_SYNC_006]
 class Sync final : public NumberHook
 {
   public:
