@@ -82,7 +82,6 @@ void SafetyCheck::Begin(const SafetyOrder& order, const NodeId node) noexcept
     position_ = 0U;
     has_begun_ = false;
     object_ = ObjectAddress{0U, 0U};
-    written_ = object_;
     finding_ = GateFinding{{0U, 0U}, SdoAbort::kNone, 0U, 0U};
     state_ = CheckState::kBusy;
     if (is_task && IsUsable(*order.slave.safety))
@@ -140,13 +139,14 @@ bool SafetyCheck::Reads() const noexcept
            (phase == Phase::kCompareGfc);
 }
 
-/// A second answer to what was written last may be late.
+/// Behind the last writing everything is read back. Of what is read, no answer to a write is its own: a second one to
+/// what was written last cannot be told from somebody else's.
 bool SafetyCheck::IsOwn(const ObjectAddress& written) const noexcept
 {
     constexpr std::uint8_t kFirstRead = 9U; // kCompare
     const bool is_writing = (task_ == SafetyTask::kWrite) && (phase_ < kFirstRead);
-    const bool is_last = (written.index == written_.index) && (written.sub == written_.sub);
-    return is_writing || ((state_ == CheckState::kBusy) && is_last);
+    const bool is_now = (state_ == CheckState::kBusy) && (PhaseNow() == Phase::kSetValid);
+    return is_writing || (is_now && (written.index == kValidFlag.index) && (written.sub == kValidFlag.sub));
 }
 
 bool SafetyCheck::TakesPart(const Phase phase, const ExpectedObject& object) noexcept
@@ -292,7 +292,6 @@ void SafetyCheck::Access(SdoPool& sdo, const Instant now) noexcept
     else
     {
         cia301::ToLittleEndian(target_, buffer_, SizeNow());
-        written_ = object_;
         has_begun_ = sdo.Download(node_, object_, Bytes{buffer_, SizeNow()}, SdoMode::kNormal, now);
     }
 }

@@ -153,9 +153,8 @@ class SafetyCheck
     std::uint8_t phase_{0U};     ///< Of the task.
     std::uint16_t position_{0U}; ///< In the expectation or the identity.
     ObjectAddress object_{0U, 0U};
-    std::uint32_t target_{0U};      ///< Value that is written or expected.
-    ObjectAddress written_{0U, 0U}; ///< By this check, the last one.
-    bool has_begun_{false};         ///< The transfer of `object_`.
+    std::uint32_t target_{0U}; ///< Value that is written or expected.
+    bool has_begun_{false};    ///< The transfer of `object_`.
     std::uint8_t buffer_[4]{};
 };
 

@@ -76,6 +76,7 @@ inline constexpr RequirementId SRS_SFS_009{"SRS_SFS_009"};
 inline constexpr RequirementId SRS_SFS_010{"SRS_SFS_010"};
 inline constexpr RequirementId SRS_SFS_011{"SRS_SFS_011"};
 inline constexpr RequirementId SRS_SFS_120{"SRS_SFS_120"};
+inline constexpr RequirementId SRS_SFS_121{"SRS_SFS_121"};
 } // namespace counterpoint::req
 
 #endif

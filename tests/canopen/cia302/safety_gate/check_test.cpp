@@ -313,9 +313,10 @@ TEST_F(SafetyCheckTest, AnAnswerThatNobodyTookBeforeItsLaneChangedHandsIsAskedFo
     EXPECT_EQ(Indices(reads.begin(), reads.begin() + 3), (Indices{0x13FEU, 0x1001U, 0x13FEU}));
 }
 
-TEST_F(SafetyCheckTest, AnotherSubIndexOfTheObjectWrittenLastIsForeign)
+TEST_F(SafetyCheckTest, EachSubIndexOfTheObjectWrittenLastIsForeign)
 {
     Verifies(req::SRS_SFS_011);
+    Verifies(req::SRS_SFS_121);
     ASSERT_TRUE(gate.Write(kSlave, Now()));
     while (reads.empty() && (writes < 100)) // Then all but 13FEh is written, the signature last.
     {
@@ -323,8 +324,16 @@ TEST_F(SafetyCheckTest, AnotherSubIndexOfTheObjectWrittenLastIsForeign)
         Answer();
     }
     ASSERT_EQ(reads, (Indices{0x1301U}));
-    EXPECT_FALSE(gate.OnWritten(kSlave, ObjectAddress{0x13FFU, 1U}));
-    EXPECT_TRUE(gate.OnWritten(kSlave, ObjectAddress{0x13FFU, 2U}));
+    for (const std::uint8_t sub : {std::uint8_t{1U}, std::uint8_t{2U}})
+    {
+        EXPECT_TRUE(gate.OnWritten(kSlave, ObjectAddress{0x13FFU, sub}));
+        reads.clear();
+        while (reads.empty() && (writes < 300))
+        {
+            Ask();
+            Answer();
+        }
+    }
     Finish();
     EXPECT_EQ(gate.State(kSlave), GateState::kOpen);
     EXPECT_EQ(objects[0x13FE00U].value, 0xA5U);

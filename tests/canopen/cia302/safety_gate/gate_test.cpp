@@ -450,12 +450,41 @@ TEST_F(SafetyWriteTest, AForeignWriteWhileItReadsBackBeginsItAnew)
         Pass(1U);
     }
     const std::size_t before = written.size();
-    EXPECT_FALSE(gate.OnWritten(kSlave, written.back())); // A late second answer.
     EXPECT_TRUE(gate.OnWritten(kSlave, ObjectAddress{0x1301U, 2U}));
     Finish();
     EXPECT_EQ(gate.State(kSlave), GateState::kOpen);
     // All of it again behind the abort of what was being read, and 13FEh := A5h once, at the end
     EXPECT_EQ(written.size(), before + 1U + before + 1U);
+}
+
+// What it wrote last is no exception: behind the reading of it nobody would look again.
+TEST_F(SafetyWriteTest, AForeignWriteOfWhatWasWrittenLastBeginsItAnew)
+{
+    Verifies(req::SRS_SFS_121);
+    for (const ObjectAddress& last : {ObjectAddress{0x13FFU, 3U}, ObjectAddress{0x13FEU, 0U}})
+    {
+        // Given that it has read this object back, and the answer to a write of it by somebody else comes directly
+        // behind
+        int heard = 0;
+        on_answer = [this, &heard, &last](CanFrame& frame)
+        {
+            const auto index = static_cast<std::uint16_t>(frame.data[1] | (frame.data[2] << 8U));
+            const bool is_upload = ((frame.data[0] & 0xE0U) == 0x40U);
+            if (is_upload && (heard == 0) && (index == last.index) && (frame.data[3] == last.sub))
+            {
+                ++heard;
+                EXPECT_TRUE(gate.OnWritten(kSlave, last)) << std::hex << last.index;
+            }
+            return true;
+        };
+        written.clear();
+        // Then all of it is written again: 13FEh is cleared twice and set once or twice; one is the abort of its
+        // reading
+        EXPECT_EQ(Written(), GateState::kOpen);
+        EXPECT_EQ(heard, 1);
+        const auto is_flag = [](const ObjectAddress& each) { return each.index == 0x13FEU; };
+        EXPECT_EQ(std::count_if(written.begin(), written.end(), is_flag), (last.index == 0x13FEU) ? 5 : 3);
+    }
 }
 
 TEST_F(SafetyWriteTest, FixedObjectsAreComparedNotWritten)
