@@ -299,7 +299,8 @@ std::size_t Runner::EndOf(const Experiment& experiment) const
 }
 
 /// A fault may lie still for long: a bit that is stuck at what it is anyway, a word that is not read. The same run
-/// again, to see when the device did something else. What is no memory has happened as soon as a byte differs. What a
+/// again, to see when the device did something else. So may a call whose answer would have been the same. What is else
+/// no memory has happened as soon as a byte differs. What a
 /// test finds that comes again and again has its interval from when the memory is wrong, whatever the device does.
 /// [SRS_CMG_007, SRS_CMG_060]
 std::uint8_t Runner::MarksOf(const Experiment& experiment)
@@ -326,7 +327,9 @@ std::uint8_t Runner::MarksOf(const Experiment& experiment)
         const std::uint32_t silent_us = (seen > experiment.cycle) ? Since(experiment, seen - 1U) : 0U;
         return found.us - std::min(found.us, silent_us) > limits_.Of(experiment);
     };
-    const bool may_lie_still = IsMemory(experiment.part) && !IsOfTest(found, device_.Places()[experiment.place].name);
+    const bool is_call = experiment.part == Part::kCallsOfA || experiment.part == Part::kCallsOfB;
+    const bool may_lie_still =
+        is_call || (IsMemory(experiment.part) && !IsOfTest(found, device_.Places()[experiment.place].name));
     if (is_above(may_lie_still ? signs.effect : signs.memory))
     {
         return kMarkLate;

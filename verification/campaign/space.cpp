@@ -282,9 +282,10 @@ void Space::TakeSubject(Experiment& experiment, std::uint64_t index) const
     }
     if (experiment.part == Part::kCommands && experiment.kind != FaultKind::kInserted)
     {
-        const std::uint64_t command = TakeCpu(experiment, index);
-        experiment.subject = commands_[command];
-        experiment.cycle = told_in_[((experiment.cpu == 1U) ? commands_.size() : 0U) + command];
+        const ToldCommand& told = commands_[index];
+        experiment.subject = told.command;
+        experiment.cpu = told.cpu;
+        experiment.cycle = told.cycle;
         return;
     }
     experiment.cycle = cycles_[index % cycles_.size()];
@@ -342,6 +343,10 @@ std::uint64_t Space::VariantsOf(const Part part, const FaultKind kind) const
 /// Without cycles, and without variants.
 std::uint64_t Space::SubjectsOf(const Part part, const FaultKind kind) const
 {
+    if (part == Part::kCommands && kind != FaultKind::kInserted)
+    {
+        return commands_.size();
+    }
     const bool is_twice = has_two_cpus_ && IsOfEachCpu(part);
     return (is_twice ? kCpuSubjects : std::size_t{1U}) * SubjectsOfCpu(part, kind);
 }
@@ -356,10 +361,6 @@ std::uint64_t Space::SubjectsOfCpu(const Part part, const FaultKind kind) const
     if (part == Part::kBus)
     {
         return IsOfPair(kind) ? frame_pairs_.size() : frames_.size();
-    }
-    if (part == Part::kCommands && kind != FaultKind::kInserted)
-    {
-        return commands_.size();
     }
     if (part == Part::kKernelCalls)
     {
@@ -415,19 +416,17 @@ std::uint64_t Space::SizeOf(const Part part, const FaultKind kind) const
 
 void Space::TakeCommands(const Device& device)
 {
-    for (std::size_t command = 0U; command < recording_.commands.size(); ++command)
-    {
-        if (std::binary_search(cycles_.begin(), cycles_.end(), recording_.commands[command].cycle))
-        {
-            commands_.push_back(command);
-        }
-    }
+    const TwoCpus* const two = device.AsTwoCpus();
     for (std::size_t cpu = 0U; cpu < (has_two_cpus_ ? kCpuSubjects : std::size_t{1U}); ++cpu)
     {
-        for (const std::size_t command : commands_)
+        for (std::size_t command = 0U; command < recording_.commands.size(); ++command)
         {
-            told_in_.push_back(has_two_cpus_ ? device.AsTwoCpus()->CycleOfCommand(command, cpu)
-                                             : recording_.commands[command].cycle);
+            const std::size_t cycle = recording_.commands[command].cycle;
+            const std::optional<std::size_t> told = (two == nullptr) ? cycle : two->CycleOfCommand(command, cpu);
+            if (told && std::binary_search(cycles_.begin(), cycles_.end(), cycle))
+            {
+                commands_.push_back({command, has_two_cpus_ ? cpu : kNoCpu, *told});
+            }
         }
     }
 }

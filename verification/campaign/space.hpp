@@ -72,6 +72,12 @@ class Space
         std::size_t place;
         std::size_t offset;
     };
+    struct ToldCommand
+    {
+        std::size_t command; ///< In Recording::commands.
+        std::size_t cpu;     ///< kNoCpu: there is one.
+        std::size_t cycle;   ///< In which it is told.
+    };
 
     void RequireMembers(const Device& device) const;
     void RequireBytes(const Device& device) const;
@@ -104,8 +110,7 @@ class Space
     std::vector<std::size_t> frames_{};       ///< That come in these cycles.
     std::vector<std::uint64_t> frame_bits_{}; ///< Of their data, each with those before it.
     std::vector<std::size_t> frame_pairs_{};  ///< In Recording::pairs.
-    std::vector<std::size_t> commands_{};     ///< In Recording::commands, of these cycles;
-    std::vector<std::size_t> told_in_{};      ///< the cycle in which each CPU is told each of them, CPU by CPU.
+    std::vector<ToldCommand> commands_{};     ///< Of these cycles, CPU by CPU.
     std::vector<std::size_t> cycles_{};
     std::vector<Byte> bytes_[kPartCount]{};
     std::vector<Stratum> strata_{};

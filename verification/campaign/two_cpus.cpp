@@ -72,7 +72,7 @@ TwoCpus::TwoCpus(Region& region, const RecordedScenario& scenario, const bool ha
     flow_->hook = hooks_.data();
     second_.flow_->hook = &hooks_[1];
     RequireTurns();
-    RequireCommands();
+    MatchCommands();
     region.Close();
 }
 
@@ -91,22 +91,33 @@ void TwoCpus::RequireTurns() const
     }
 }
 
-/// A fault of a command is one of the same command of either CPU.
-void TwoCpus::RequireCommands() const
+/// A fault of a command is told by its number in the recording of CPU A; CPU B is told the same, or some of it.
+void TwoCpus::MatchCommands()
 {
-    const std::vector<RecordedCommand>& a = recordings_[0]->commands;
     const std::vector<RecordedCommand>& b = recordings_[1]->commands;
-    const auto is_same = [](const RecordedCommand& left, const RecordedCommand& right)
-    { return left.what.is_gfc == right.what.is_gfc && left.what.nmt == right.what.nmt; };
-    if (!std::equal(a.begin(), a.end(), b.begin(), b.end(), is_same))
+    std::size_t next = 0U;
+    for (const RecordedCommand& command : recordings_[0]->commands)
     {
-        throw std::runtime_error("the two CPUs are not told the same commands; expected: those that lie farther apart");
+        const bool is_told =
+            next < b.size() && b[next].what.is_gfc == command.what.is_gfc && b[next].what.nmt == command.what.nmt;
+        commands_of_b_.push_back(is_told ? std::optional<std::size_t>(next) : std::nullopt);
+        next += is_told ? 1U : 0U;
+    }
+    if (next != b.size())
+    {
+        throw std::runtime_error("CPU B is told a command in its cycle " + std::to_string(b[next].cycle) +
+                                 " that CPU A is not; expected: commands that lie farther apart");
     }
 }
 
-std::size_t TwoCpus::CycleOfCommand(const std::size_t command, const std::size_t cpu) const
+std::optional<std::size_t> TwoCpus::CycleOfCommand(const std::size_t command, const std::size_t cpu) const
 {
-    return recordings_.at(cpu)->commands[command].cycle + ((cpu == 0U) ? 0U : lead_);
+    if (cpu == 0U)
+    {
+        return recordings_[0]->commands[command].cycle;
+    }
+    const std::optional<std::size_t> own = commands_of_b_[command];
+    return own ? std::optional<std::size_t>(recordings_[1]->commands[*own].cycle + lead_) : std::nullopt;
 }
 
 Device& TwoCpus::Cpu(const std::size_t cpu) noexcept
@@ -144,6 +155,10 @@ void TwoCpus::Rewind(const std::size_t cycle, const Experiment* const fault, con
     // Of its calls those of the period that begins now: of the one before, frames may have come already.
     const bool is_call = second_fault_.part == Part::kKernelCalls || second_fault_.part == Part::kCallsOfB;
     second_fault_.cycle = second_fault_.cycle - std::min(second_fault_.cycle, lead_) + (is_call ? 1U : 0U);
+    if (second_fault_.part == Part::kCommands && second_fault_.kind != FaultKind::kInserted)
+    {
+        second_fault_.subject = commands_of_b_[second_fault_.subject].value_or(0U); // CPU B has its own numbers.
+    }
     Receives().Rewind(cycle, FaultOf(0U), end, seed);
     second_.Receives().Rewind(own, FaultOf(1U), end, seed);
     feed_.OfCalls().BeginCycle(cycle);
@@ -365,7 +380,6 @@ void TwoCpus::RunCpu(const std::size_t cpu, const Nanoseconds at, const std::siz
     {
         return;
     }
-    self.feed_.TellCommands(own, *self.kernel_);
     if (!progress_->has_come.at(cpu))
     {
         Tell(cpu, Phase::kBetweenFrames);
@@ -373,6 +387,7 @@ void TwoCpus::RunCpu(const std::size_t cpu, const Nanoseconds at, const std::siz
     Tell(cpu, Phase::kAfterFrames);
     self.SetTime(at);
     ports_->now = at;
+    self.feed_.TellCommands(own, *self.kernel_);
     CycleCall call = self.feed_.CallOf(own, at);
     call.now = StampOf(cpu, at);
     if (self.peer_->Examine(call.now.a) != LinkFinding::kNone)

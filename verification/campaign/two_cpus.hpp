@@ -9,6 +9,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace counterpoint::campaign
 {
@@ -38,8 +40,9 @@ class TwoCpus final : public Device
     {
         return this;
     }
-    /// @brief The cycle in which a command of the recording is told to this CPU (0 for CPU A).
-    [[nodiscard]] std::size_t CycleOfCommand(std::size_t command, std::size_t cpu) const;
+    /// @brief The cycle in which a command of CPU A's recording is told to this CPU (0 for CPU A); none: it is not, as
+    /// the GFC, which CPU A alone sends.
+    [[nodiscard]] std::optional<std::size_t> CycleOfCommand(std::size_t command, std::size_t cpu) const;
     /// @brief Whether the application was told that the device is faulty, by a CPU whose word counts.
     [[nodiscard]] bool IsFaultTold() const noexcept;
 
@@ -85,7 +88,7 @@ class TwoCpus final : public Device
     };
 
     void RequireTurns() const;
-    void RequireCommands() const;
+    void MatchCommands();
     [[nodiscard]] const Experiment* FaultOf(std::size_t cpu) const noexcept;
     [[nodiscard]] bool IsTimeHit(std::size_t cpu) const noexcept;
     [[nodiscard]] Nanoseconds NextCall(std::size_t cpu) const;
@@ -104,8 +107,9 @@ class TwoCpus final : public Device
 
     const std::array<const Recording*, 2U> recordings_;
     Device second_;
-    std::size_t split_; ///< Where the memory of CPU B begins.
-    std::size_t lead_;  ///< So many cycles CPU A has before CPU B has one.
+    std::vector<std::optional<std::size_t>> commands_of_b_{}; ///< In its recording, by those of CPU A.
+    std::size_t split_;                                       ///< Where the memory of CPU B begins.
+    std::size_t lead_;                                        ///< So many cycles CPU A has before CPU B has one.
     std::array<Counters, 2U> counters_;
     Progress* progress_; ///< In the region.
     const Experiment* fault_{nullptr};

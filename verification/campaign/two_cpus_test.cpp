@@ -263,7 +263,7 @@ TEST_F(TwoCpusTest, CommandThatOneCpuIsNotToldIsFoundByBoth)
         fault.kind = FaultKind::kSkipped;
         fault.subject = stop;
         fault.cpu = cpu;
-        fault.cycle = session.Parts().device.AsTwoCpus()->CycleOfCommand(stop, cpu);
+        fault.cycle = session.Parts().device.AsTwoCpus()->CycleOfCommand(stop, cpu).value_or(0U);
         // Of one CPU alone it is silent (commands.yaml); here the other one has stopped, and finds its partner at work
         const Outcome outcome = session.Runs().Run(fault);
         EXPECT_EQ(outcome.result, Class::kDetected) << cpu;
