@@ -264,6 +264,9 @@ Wrong Judge::LookAtFrame(const OwnFrame& own, const std::size_t cycle, JudgeMemo
         }
         const std::uint64_t all = ~std::uint64_t{0U} >> (kMaxPayloadBits - srdo.bits);
         const std::uint64_t data = NumberIn(normal.frame);
+        // A pair says what was so when its normal frame was sent; how late the inverse one may be is the receivers'
+        // SRVT.
+        const std::size_t sent_in = std::min(cycle, CycleOf(recording_, normal.confirmed_at));
         const bool is_pair = normal.confirmed_at != 0 && normal.frame.length_bytes * 8U == srdo.bits &&
                              own.frame.length_bytes == normal.frame.length_bytes && (data ^ NumberIn(own.frame)) == all;
         normal = OwnFrame{};
@@ -273,7 +276,7 @@ Wrong Judge::LookAtFrame(const OwnFrame& own, const std::size_t cycle, JudgeMemo
             return Wrong::kNothing; // Whoever consumes it finds it wrong.
         }
         memory.pair_at[srdo.slot] = own.confirmed_at;
-        return WereInputs(srdo, data, cycle) ? Wrong::kNothing : Wrong::kSentPair;
+        return WereInputs(srdo, data, sent_in) ? Wrong::kNothing : Wrong::kSentPair;
     }
     if (knows_gfc_ && IsGfc(own.frame)) // A false one makes safe.
     {
