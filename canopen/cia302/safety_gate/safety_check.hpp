@@ -100,7 +100,7 @@ class SafetyCheck
         return finding_;
     }
     /// @brief Whether an answer of the slave that this object was written belongs to this check, or makes no difference
-    /// to it since all is read behind it.
+    /// to it since all is read behind it. [SRS_SFS_121]
     [[nodiscard]] bool IsOwn(const ObjectAddress& written) const noexcept;
     /// @brief Whether an SDO of this check is under way; if the check is given up, this SDO has to be cancelled.
     [[nodiscard]] bool HasTransfer() const noexcept
