@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <memory>
 #include <vector>
 
@@ -58,6 +59,15 @@ TEST(ChannelBStorage, OfADeviceWithoutDynamicEntriesTakesNoneOfItsOwn)
     // Given storage for static mappings alone, then it is smaller by what the entries take
     EXPECT_LT(sizeof(channel_b::StorageFor<8U, 0U>), sizeof(channel_b::StorageFor<8U, 16U>));
     EXPECT_GE(sizeof(channel_b::StorageFor<8U, 16U>) - sizeof(channel_b::StorageFor<8U, 0U>), (8U * 16U * 4U) - 4U);
+}
+
+TEST(ChannelBStorage, OfADeviceWithoutDynamicEntriesHasTheLeastColumnsOfEntries)
+{
+    Verifies(req::SRS_CFG_032);
+    // Given storage for static mappings alone, then its columns of entries have the one element that an array must have
+    using OfStaticMappings = channel_b::StorageFor<8U, 0U>;
+    EXPECT_EQ(sizeof(OfStaticMappings::entries), 4U);
+    EXPECT_EQ(sizeof(OfStaticMappings::places), 2U);
 }
 
 constexpr std::uint8_t kPattern = 0x66U;
@@ -233,6 +243,24 @@ TEST(ChannelBStorage, NoColumnIsWrittenBehindItsLastSlot)
     EXPECT_EQ(device->Load(3U, ConfigField::kSct), 0U);
     // then nothing that belongs to it changes
     ExpectFourthUntouched(*device);
+}
+
+TEST(ChannelBStorage, OfTheDeviceIsWrittenWhollyByRestart)
+{
+    Verifies(req::SRS_CFG_002);
+    // Given storage that is filled with a pattern, when the channel restarts
+    channel_b::StorageFor<1U, 2U> storage{};
+    std::memset(&storage, kPattern, sizeof(storage));
+    channel_b::Channel channel{storage.Handle()};
+    const SrdoSetup setup{};
+    DeviceConfig config{};
+    config.srdos = &setup;
+    config.srdo_count = 1U;
+    config.node_id = 1U;
+    channel.Restart(config);
+    // then 1300h and 13FEh are 0, and there is no byte beside them
+    const std::vector<std::uint8_t> device(std::begin(storage.device), std::end(storage.device));
+    EXPECT_EQ(device, (std::vector<std::uint8_t>{0U, 0U}));
 }
 
 TEST(ChannelBStorage, MapEntriesAreThoseThatThereIsRoomFor)
