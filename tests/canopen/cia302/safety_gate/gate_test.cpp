@@ -487,6 +487,31 @@ TEST_F(SafetyWriteTest, AForeignWriteOfWhatWasWrittenLastBeginsItAnew)
     }
 }
 
+TEST_F(SafetyWriteTest, WhileItDeclaresValidAnAnswerToThatAloneIsItsOwn)
+{
+    Verifies(req::SRS_SFS_011);
+    Verifies(req::SRS_SFS_121);
+    for (const ObjectAddress& other : {ObjectAddress{0x13FEU, 1U}, ObjectAddress{0x13FFU, 3U}})
+    {
+        // Given the answer to 13FEh := A5h, and behind it one to a write of something else
+        int heard = 0;
+        on_answer = [this, &heard, &other](CanFrame& frame)
+        {
+            const bool is_flag = (frame.data[0] == 0x60U) && (frame.data[1] == 0xFEU) && (frame.data[2] == 0x13U);
+            if (is_flag && (heard == 0) && (Has(0x13FEU, 0U) == 0xA5U))
+            {
+                ++heard;
+                EXPECT_FALSE(gate.OnWritten(kSlave, ObjectAddress{0x13FEU, 0U}));
+                EXPECT_TRUE(gate.OnWritten(kSlave, other)) << std::hex << other.index;
+            }
+            return true;
+        };
+        // Then all of it is written again
+        EXPECT_EQ(Written(), GateState::kOpen);
+        EXPECT_EQ(heard, 1);
+    }
+}
+
 TEST_F(SafetyWriteTest, FixedObjectsAreComparedNotWritten)
 {
     Verifies(req::SRS_SFS_005);
