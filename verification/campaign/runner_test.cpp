@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // What becomes of single faults, and what the judge calls wrong.
 #include "verification/campaign/campaign_rig.hpp"
+#include "verification/campaign/variants.hpp"
 
 #include "simulator/journal/journal.hpp"
 
@@ -299,6 +300,41 @@ TEST_F(JudgeTest, LateIsCountedFromWhatTheDeviceDoesAndOfTestsFromTheFirstWrongB
     EXPECT_EQ(by_guard.result, Class::kDetected);
     EXPECT_EQ(by_guard.detector, Detector::kGuard) << WordOf(by_guard.detector);
     EXPECT_TRUE(IsLate(by_guard)) << by_guard.us;
+}
+
+// t [ms]        536        537                550                    553
+// sensor        normal     late call begins   another value sensed   the call comes, inverse: SRVT is 20 ms
+TEST_F(RunnerTest, PairThatALateCallCompletesIsJudgedByItsNormalFrame)
+{
+    Verifies(req::SRS_CMG_005);
+    const Trap trap;
+    Session session(PlanFile("plan.yaml", "sensor", "at: [500 ms]\ncycles: 50\nparts: [cycle]\nreach: 20 ms\n"));
+    Experiment late;
+    late.part = Part::kCycle;
+    late.kind = FaultKind::kLate;
+    late.cycle = 536U;
+    late.variant = 319U; // 16.00 ms
+    EXPECT_EQ(session.Runs().Run(late).result, Class::kDetected);
+}
+
+TEST_F(RunnerTest, CallThatAnswersAsItWouldHaveLiesStill)
+{
+    Verifies(req::SRS_CMG_060);
+    const Trap trap;
+    Session session(PlanFile("plan.yaml", "sensor", "at: [500 ms]\ncycles: 50\nparts: [a_calls]\n"));
+    // Given that the inverse frame is not asked for any more: the one before is the right one until 550 ms
+    Experiment skipped;
+    skipped.part = Part::kCallsOfA;
+    skipped.kind = FaultKind::kSkipped;
+    skipped.cycle = 499U;
+    skipped.subject = static_cast<std::size_t>(ChannelCall::kInverseFrame) * kTurns;
+    skipped.variant = kAlways;
+    // Then it is found with the first one that is not
+    const Outcome outcome = session.Runs().Run(skipped);
+    EXPECT_EQ(outcome.result, Class::kDetected);
+    EXPECT_EQ(outcome.detector, Detector::kComparator);
+    EXPECT_EQ(outcome.us, 62998U);
+    EXPECT_FALSE(IsLate(outcome));
 }
 
 TEST_F(RunnerTest, DeviceThatCannotBeRecordedIsRefusedAtItsName)

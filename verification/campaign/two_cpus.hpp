@@ -27,7 +27,7 @@ class TwoCpus final : public Device
   public:
     /// @brief As Device; the scenario outlives it. Throws std::runtime_error where the cycles of the CPUs overtake each
     /// other.
-    TwoCpus(Region& region, const RecordedScenario& scenario, bool has_call_faults = false);
+    TwoCpus(Region& region, const RecordedScenario& scenario, bool has_call_faults);
 
     void Cycle(std::size_t cycle) override;
     void Rewind(std::size_t cycle, const Experiment* fault, std::size_t end, std::uint64_t seed) override;

@@ -271,6 +271,27 @@ TEST_F(TwoCpusTest, CommandThatOneCpuIsNotToldIsFoundByBoth)
     }
 }
 
+// The sensor sends it at 510 ms; its frame lies between others, in the order of the bus.
+TEST_F(TwoCpusTest, GfcIsACommandOfCpuAAlone)
+{
+    Verifies(req::SRS_CMG_130);
+    const Trap trap;
+    Session session(File("gfc.yaml", "title: A test\nscenario: " COUNTERPOINT_SOURCE_FOLDER
+                                     "/examples/campaigns/two_cpus_sensor_at_work.yaml\ndevice: sensor\nat: [500 ms]\n"
+                                     "cycles: 250\nparts: [commands]\nsample: 10\n"));
+    const TwoCpus& device = *session.Parts().device.AsTwoCpus();
+    const std::vector<RecordedCommand>& commands = session.Scenario().Record().commands;
+    std::size_t gfcs = 0U;
+    for (std::size_t command = 0U; command < commands.size(); ++command)
+    {
+        const bool is_gfc = commands[command].what.is_gfc;
+        gfcs += is_gfc ? 1U : 0U;
+        EXPECT_TRUE(device.CycleOfCommand(command, 0U).has_value()) << command;
+        EXPECT_EQ(device.CycleOfCommand(command, 1U).has_value(), !is_gfc) << command;
+    }
+    EXPECT_EQ(gfcs, 1U);
+}
+
 TEST_F(TwoCpusTest, ClockOfOneCpuIsFoundByTheLinkAndInputsAreOfEachPath)
 {
     Verifies(req::SRS_CMG_131);
