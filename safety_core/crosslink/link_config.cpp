@@ -7,6 +7,7 @@ namespace
 {
 
 constexpr std::uint32_t kLongestIntervalUs = 0x20000000U;
+constexpr std::uint32_t kTimeoutsOfInterval = 4U;
 constexpr std::uint32_t kCyclesOfRoundTrip = 3U;
 constexpr std::uint32_t kCyclesOfDiscrepancy = 2U;
 
@@ -16,8 +17,8 @@ LinkConfigFault CheckLinkConfig(const DeviceConfig& device, const LinkConfig& li
 {
     LinkConfigFault fault = LinkConfigFault::kNone;
     const bool is_tolerance = (link.clock_tolerance_us != 0U) && (link.clock_tolerance_us <= (link.timeout_us / 2U));
-    const bool is_interval =
-        (link.clock_interval_us > link.timeout_us) && (link.clock_interval_us <= kLongestIntervalUs);
+    const bool is_interval = (link.timeout_us <= (link.clock_interval_us / kTimeoutsOfInterval)) &&
+                             (link.clock_interval_us <= kLongestIntervalUs);
     // The last one that is found is the one that is given: in reverse order.
     if (device.discrepancy_us < (kCyclesOfDiscrepancy * device.cycle_us))
     {

@@ -24,8 +24,10 @@ struct LinkConfig
 {
     PeerRole role;
     std::uint32_t timeout_us;         ///< Greatest age of the newest echo. >= 3 cycles.
-    std::uint32_t clock_tolerance_us; ///< Greatest difference of the clocks' progress, jitter of the link included.
-    std::uint32_t clock_interval_us;  ///< After it the clocks are compared from a new reference.
+    std::uint32_t clock_tolerance_us; ///< Greatest difference of the clocks' progress within clock_interval_us; half of
+                                      ///< it, less two time-outs' share, holds the drift and the link's jitter in half
+                                      ///< the interval.
+    std::uint32_t clock_interval_us;  ///< Within it, a time-out and a cycle a drift above the tolerance is found.
     std::uint32_t stamp_tolerance_us; ///< By how much the stamps of one frame on the bus may differ on the two CPUs.
 };
 

@@ -17,6 +17,12 @@ void LinkSupervisor::Restart(const LinkConfig& config) noexcept
 {
     *this = LinkSupervisor{};
     config_ = config;
+    window_us_ = (config.clock_interval_us / 2U) - config.timeout_us;
+    // The share of the tolerance that belongs to a window. One time-out is as good as `timeouts`-th of the interval,
+    // and two of them are no part of a window. CheckLinkConfig has made sure that there are some.
+    const std::uint32_t timeouts = config.clock_interval_us / (config.timeout_us + 1U);
+    const std::uint32_t left_out_us = ((2U * config.clock_tolerance_us) + (timeouts - 1U)) / timeouts;
+    tolerance_us_ = (config.clock_tolerance_us - left_out_us) / 2U;
     state_ = LinkState::kWaiting;
     finding_ = LinkFinding::kNone;
 }
@@ -76,11 +82,11 @@ void LinkSupervisor::CompareClocks(const LinkMessage& message, const Instant rec
 {
     const std::uint32_t own_us = received.us - reference_own_.us;
     const std::uint32_t peer_us = message.stamp.us - reference_peer_.us;
-    if (Apart(own_us, peer_us) > config_.clock_tolerance_us)
+    if (Apart(own_us, peer_us) > tolerance_us_)
     {
         Lose(LinkFinding::kClock);
     }
-    if ((own_us >= config_.clock_interval_us) || (peer_us >= config_.clock_interval_us))
+    if (own_us >= window_us_)
     {
         reference_own_ = received;
         reference_peer_ = message.stamp;

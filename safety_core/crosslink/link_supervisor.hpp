@@ -53,7 +53,11 @@ enum class TakeResult : std::uint8_t
 };
 
 /// Judges intact messages: sequence, freshness by echo, clock, time-out. [SRS_LNK_003, SRS_LNK_004, SRS_LNK_005,
-/// SRS_LNK_006, SRS_LNK_007, SRS_LNK_011]
+/// SRS_LNK_006, SRS_LNK_007, SRS_LNK_011, SRS_LNK_012]
+///
+/// t        |--- window ---|...|--- window ---|...|   A drift that begins in a window may be too little in what is
+/// drift          |------------------------------>|   left of it: it is found in the next one. A window is over with
+///                 clock interval + time-out + cycle  the first message behind it, which may be a time-out away.
 class LinkSupervisor
 {
   public:
@@ -114,11 +118,13 @@ class LinkSupervisor
     /// @brief Whether it answers an own message that was composed within the time-out; before contact, one of this
     /// start.
     [[nodiscard]] bool IsFresh(const LinkMessage& message, Instant received) const noexcept;
-    /// @brief Loses the link where the progress of both clocks since the reference differs by more than the tolerance;
-    /// behind the interval this message is the new reference. [SRS_LNK_007]
+    /// @brief Loses the link where the progress of both clocks since the reference differs by more than the window's
+    /// share of the tolerance; behind the window this message is the new reference. [SRS_LNK_007]
     void CompareClocks(const LinkMessage& message, Instant received) noexcept;
 
     LinkConfig config_{};
+    std::uint32_t window_us_{0U};    ///< Two of them, and the messages that end them, fit into the clock interval.
+    std::uint32_t tolerance_us_{0U}; ///< Within a window.
     LinkCounts counts_{};
     Window composed_{{0U}, {0U}};
     Instant echoed_{0U};      ///< Own stamp that the message taken last echoes.
@@ -129,7 +135,7 @@ class LinkSupervisor
     std::uint32_t composed_sequence_{0U}; ///< Of the own message composed last.
     std::uint32_t composed_count_{0U};    ///< Own messages since the first cycle of this start; of use until contact.
     std::uint32_t has_cycled_{0U};        ///< 1: Examine was called since Restart.
-    Instant reference_own_{0U};           ///< Where the comparison of the clocks began.
+    Instant reference_own_{0U};           ///< Where the window began in which the clocks are compared.
     Instant reference_peer_{0U};
     std::uint8_t heard_{0U};
     LinkState state_{LinkState::kLost};

@@ -46,13 +46,6 @@ FaultClass LimitClassOf(const Scenario& scenario, const Expectation& expectation
     return is_whole ? row : FaultClass::kSharedSource;
 }
 
-// The other CPU of a device with two: A stands before B.
-const NodeSetup& PeerOf(const Scenario& scenario, const NodeIndex node)
-{
-    const bool is_first = scenario.nodes[node].role == runtime::CpuRole::kA;
-    return scenario.nodes[is_first ? node + 1U : node - 1U];
-}
-
 Nanoseconds TimeOf(const Limit& limit)
 {
     return (limit.result == Result::kSuccessful) ? Nanoseconds{limit.us} * kNanosecondsPerMicrosecond : kNoLimit;
@@ -291,25 +284,6 @@ class Judgement
         return verdict;
     }
 
-    /// How long the clock of a peer that runs at another rate takes until the two clocks are further apart than they
-    /// may be: that is where its limit counts from. [SRS_SIM_031]
-    [[nodiscard]] Nanoseconds UntilApart(const Measurement& measurement) const
-    {
-        const FaultSetup& fault = scenario_.faults[measurement.fault];
-        if (measurement.fault_class != FaultClass::kClock || fault.kind != FaultKind(NodeFault::kClock) || fault.jump)
-        {
-            return 0;
-        }
-        const NodeSetup& node = scenario_.nodes[fault.node];
-        if (node.role == runtime::CpuRole::kWhole)
-        {
-            return 0;
-        }
-        const std::int64_t other_ppm = PeerOf(scenario_, fault.node).counter_a.drift_ppm;
-        const std::int64_t apart_ppm = std::abs(std::int64_t{fault.rate_ppm} - other_ppm);
-        return (apart_ppm == 0) ? 0 : (node.link.clock_tolerance * kMillion) / apart_ppm;
-    }
-
     /// What the limit counts from: see semantics 5.
     [[nodiscard]] Nanoseconds ReferenceOf(const Measurement& measurement, const Event& closed) const
     {
@@ -323,7 +297,7 @@ class Judgement
         {
             return closed.inverse;
         }
-        return std::min(closed.at, measurement.effect + UntilApart(measurement));
+        return measurement.effect;
     }
 
     /// A fault of the bus after which the next normal frame still came, while it could be waited for, has the limit of

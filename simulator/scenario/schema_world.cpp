@@ -94,9 +94,11 @@ const std::vector<SectionSpec> kWorldSections{
              {"delay", T::kDuration, "0.1 ms", "200 us", "how long a message takes"},
              {"jitter", T::kDuration, "0 ms", "50 us", "each message takes up to so much longer, drawn from the seed"},
              {"clock_tolerance", T::kLasting, "2 ms", "1 ms",
-              "greatest difference of the clocks' progress; at most half the time-out"},
+              "greatest difference of the clocks' progress in the interval; at most half the time-out; half of it, "
+              "less two "
+              "time-outs' share of the interval, holds drift and jitter of half an interval"},
              {"clock_interval", T::kLasting, "500 ms", "1 s",
-              "after it the clocks are compared from a new reference; above the time-out"},
+              "within it and a time-out a drift above the tolerance is found; at least four time-outs"},
              {"stamp_tolerance", T::kDuration, "0.05 ms", "100 us",
               "by how much the stamps of one frame may differ on the two CPUs; below the time-out"}}),
     Section("counter", "a counter", "One of the two counters of a node.",

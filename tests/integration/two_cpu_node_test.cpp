@@ -252,7 +252,7 @@ TEST_P(BorneByTheLink, ChangesNothing)
 INSTANTIATE_TEST_SUITE_P(
     EachWay, BorneByTheLink,
     ::testing::Values("link_loss, every: 20", "link_loss, sender: b, count: 1", "link_loss, probability_ppm: 10000",
-                      "link_delay, by: 1 ms", "link_delay, by: 3 ms, every: 9",
+                      "link_delay, by: 800 us", "link_delay, by: 3 ms, every: 9",
                       "link_repetition, times: 3, after: 700 us", "link_repetition, times: 50",
                       "link_reordering, every: 2", "link_reordering, sender: a, every: 5",
                       "link_corruption, bits: [64, 65, 900], every: 15", "link_insertion, times: 500, every: 1300 us",

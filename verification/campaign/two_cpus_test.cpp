@@ -141,8 +141,8 @@ TEST_F(TwoCpusTest, CpuThatStopsOrDriftsIsFoundByTheOtherOneInTime)
             EXPECT_EQ(stopped.result, Class::kDetected) << cpu << variant;
             EXPECT_LE(stopped.us, kLinkLimitUs) << cpu << variant;
         }
-        // 10 %
-        const Outcome fast = Try(session, Part::kCpu, FaultKind::kFast, cpu, 9U);
+        // 20 %; a lesser one the CPU that is hit may find first, which counts for nothing.
+        const Outcome fast = Try(session, Part::kCpu, FaultKind::kFast, cpu, 10U);
         EXPECT_EQ(fast.result, Class::kDetected);
         EXPECT_FALSE(IsLate(fast));
         // 100 ppm

@@ -15,7 +15,8 @@ namespace counterpoint
 namespace
 {
 
-constexpr LinkConfig kLink{PeerRole::kA, 40000U, 20000U, 100000U, 100U};
+// Windows of 160 ms; the share of the tolerance is half of 20 ms less two ninths, rounded up: 7777 us.
+constexpr LinkConfig kLink{PeerRole::kA, 40000U, 20000U, 400000U, 100U};
 
 LinkMessage Message(const std::uint32_t sequence, const std::uint32_t stamp_us, const LinkEcho& echo)
 {
@@ -219,14 +220,15 @@ TEST_F(Supervision, SilenceBeyondTheTimeoutLosesTheLink)
     EXPECT_EQ(link.Finding(), LinkFinding::kTimeout);
 }
 
-// Given contact, when the peer's clock falls behind or runs ahead by the tolerance, then nothing; by one more, lost.
+// Given contact, when the peer's clock falls behind or runs ahead by a window's share of the tolerance, then nothing;
+// by one more, lost.
 TEST_F(Supervision, ClockThatStandsIsFound)
 {
     Verifies(req::SRS_LNK_007);
     Contact();
-    EXPECT_EQ(link.Take(Message(51U, 510000U, EchoOf(29000U)), Instant{30000U}), TakeResult::kTaken);
+    EXPECT_EQ(link.Take(Message(51U, 510000U, EchoOf(17000U)), Instant{17777U}), TakeResult::kTaken);
     EXPECT_TRUE(link.IsAlive());
-    EXPECT_EQ(link.Take(Message(52U, 510000U, EchoOf(29000U)), Instant{30001U}), TakeResult::kTaken);
+    EXPECT_EQ(link.Take(Message(52U, 510000U, EchoOf(17000U)), Instant{17778U}), TakeResult::kTaken);
     EXPECT_EQ(link.State(), LinkState::kLost);
     EXPECT_EQ(link.Finding(), LinkFinding::kClock);
 }
@@ -235,22 +237,91 @@ TEST_F(Supervision, ClockThatRunsAwayIsFound)
 {
     Verifies(req::SRS_LNK_007);
     Contact();
-    EXPECT_EQ(link.Take(Message(51U, 530001U, EchoOf(9000U)), Instant{10000U}), TakeResult::kTaken);
+    EXPECT_EQ(link.Take(Message(51U, 517777U, EchoOf(9000U)), Instant{10000U}), TakeResult::kTaken);
+    EXPECT_TRUE(link.IsAlive());
+    EXPECT_EQ(link.Take(Message(52U, 517778U, EchoOf(9000U)), Instant{10000U}), TakeResult::kTaken);
     EXPECT_EQ(link.Finding(), LinkFinding::kClock);
 }
 
-// Given a drift of 15 ms an interval, when the interval is over by either clock, then the comparison begins anew.
-TEST_F(Supervision, ReferenceMovesOnWithEitherClock)
+// Given a drift of 7 ms a window, when the window is over by the own clock, then the comparison begins anew; before, it
+// goes on.
+TEST_F(Supervision, ReferenceMovesOnWithTheOwnClock)
 {
     Verifies(req::SRS_LNK_007);
     Contact();
-    EXPECT_EQ(link.Take(Message(51U, 595000U, EchoOf(110000U)), Instant{110000U}),
-              TakeResult::kTaken); // own 100, peer 85
-    EXPECT_EQ(link.Take(Message(52U, 680000U, EchoOf(210000U)), Instant{210000U}), TakeResult::kTaken);
-    EXPECT_EQ(link.Take(Message(53U, 780000U, EchoOf(295000U)), Instant{295000U}),
-              TakeResult::kTaken); // own 85, peer 100
-    EXPECT_EQ(link.Take(Message(54U, 880000U, EchoOf(380000U)), Instant{380000U}), TakeResult::kTaken);
+    EXPECT_EQ(link.Take(Message(51U, 663000U, EchoOf(170000U)), Instant{170000U}),
+              TakeResult::kTaken); // own 160, peer 153
+    EXPECT_EQ(link.Take(Message(52U, 816000U, EchoOf(330000U)), Instant{330000U}), TakeResult::kTaken);
     EXPECT_TRUE(link.IsAlive());
+    EXPECT_EQ(link.Take(Message(53U, 982999U, EchoOf(489999U)), Instant{489999U}),
+              TakeResult::kTaken); // own 159.999, peer 166.999
+    EXPECT_TRUE(link.IsAlive());
+    EXPECT_EQ(link.Take(Message(54U, 984778U, EchoOf(491000U)), Instant{491000U}),
+              TakeResult::kTaken); // own 161, peer 168.778
+    EXPECT_EQ(link.Finding(), LinkFinding::kClock);
+}
+
+/// A peer whose clock gains `gain` parts in a million from `begin_us` on; messages each `pace_us`.
+struct Drift
+{
+    std::uint32_t interval_us;
+    std::uint32_t pace_us;
+    std::uint32_t gain_ppm;
+    std::uint32_t longest_us; ///< From its begin, whenever in two windows that is, to the message that finds it.
+};
+
+/// When the drift that begins at `begin_us` was found, by the own clock; 0: not within four intervals.
+std::uint32_t FoundAt(const Drift& drift, const std::uint32_t begin_us)
+{
+    LinkSupervisor link{};
+    link.Restart(LinkConfig{PeerRole::kA, 40000U, 20000U, drift.interval_us, 100U});
+    link.Examine(Instant{0U});
+    link.OnCompose(7U);
+    std::uint32_t sequence = 50U;
+    for (std::uint32_t now_us = 0U; now_us < (4U * drift.interval_us); now_us += drift.pace_us)
+    {
+        const std::uint64_t drifting_us = (now_us > begin_us) ? (now_us - begin_us) : 0U;
+        const auto gained_us = static_cast<std::uint32_t>((drifting_us * drift.gain_ppm) / 1000000U);
+        const LinkMessage message = Message(sequence++, 500000U + now_us + gained_us, EchoOf(now_us));
+        EXPECT_EQ(link.Take(message, Instant{now_us}), TakeResult::kTaken);
+        if (!link.IsAlive())
+        {
+            EXPECT_EQ(link.Finding(), LinkFinding::kClock);
+            return now_us;
+        }
+    }
+    return 0U;
+}
+
+// Given a time-out of 40 ms and a tolerance of 20 ms in an interval, when the peer's clock drifts from any instant on
+// by hardly more than that, with messages each 5 ms or as far apart as the time-out and a cycle allow, then it is found
+// within the interval, the time-out and a cycle of 10 ms.
+TEST(DriftOfThePeer, HardlyAboveTheToleranceIsFoundWithinTheIntervalWheneverItBegins)
+{
+    Verifies(req::SRS_LNK_012);
+    for (const Drift& drift : {Drift{400000U, 5000U, 50003U, 315000U}, Drift{400000U, 50000U, 50003U, 355000U},
+                               Drift{160000U, 5000U, 125007U, 56000U}, Drift{160000U, 50000U, 125007U, 76000U},
+                               Drift{1000000U, 50000U, 20002U, 958000U}})
+    {
+        std::uint32_t longest_us = 0U;
+        for (std::uint32_t begin_us = 0U; begin_us <= (2U * drift.interval_us); begin_us += 1000U)
+        {
+            const std::uint32_t found_us = FoundAt(drift, begin_us);
+            ASSERT_NE(found_us, 0U) << drift.interval_us << ' ' << drift.pace_us << ' ' << begin_us;
+            longest_us = std::max(longest_us, found_us - begin_us);
+        }
+        EXPECT_EQ(longest_us, drift.longest_us) << drift.interval_us << ' ' << drift.pace_us;
+        EXPECT_LE(longest_us, drift.interval_us + 40000U + 10000U);
+    }
+}
+
+// Given the same link, when the peer's clock gains a window's share of the tolerance in a window and a message's
+// distance, then it is never lost.
+TEST(DriftOfThePeer, BelowTheShareOfAWindowIsNoFault)
+{
+    Verifies(req::SRS_LNK_012);
+    EXPECT_EQ(FoundAt(Drift{400000U, 5000U, 47000U, 0U}, 3000U), 0U);
+    EXPECT_EQ(FoundAt(Drift{400000U, 50000U, 37000U, 0U}, 3000U), 0U);
 }
 
 // Given all members of a configuration that fits, when one is out of its range, then that one is named.
@@ -263,17 +334,18 @@ TEST(LinkConfiguration, FirstReasonIsNamed)
     const auto check = [&device](PeerRole role, std::uint32_t timeout, std::uint32_t tolerance, std::uint32_t interval,
                                  std::uint32_t stamps)
     { return CheckLinkConfig(device, LinkConfig{role, timeout, tolerance, interval, stamps}); };
-    EXPECT_EQ(check(PeerRole::kA, 30000U, 15000U, 30001U, 29999U), LinkConfigFault::kNone);
+    EXPECT_EQ(check(PeerRole::kA, 30000U, 15000U, 120000U, 29999U), LinkConfigFault::kNone);
     EXPECT_EQ(check(PeerRole::kB, 30000U, 1U, 0x20000000U, 0U), LinkConfigFault::kNone);
-    EXPECT_EQ(check(PeerRole::kInvalid, 30000U, 15000U, 30001U, 0U), LinkConfigFault::kRole);
-    EXPECT_EQ(check(PeerRole::kA, 29999U, 14999U, 30001U, 0U), LinkConfigFault::kTimeout);
-    EXPECT_EQ(check(PeerRole::kA, 30000U, 0U, 30001U, 0U), LinkConfigFault::kClock);
-    EXPECT_EQ(check(PeerRole::kA, 30000U, 15001U, 30001U, 0U), LinkConfigFault::kClock);
-    EXPECT_EQ(check(PeerRole::kA, 30000U, 15000U, 30000U, 0U), LinkConfigFault::kClock);
+    EXPECT_EQ(check(PeerRole::kInvalid, 30000U, 15000U, 120000U, 0U), LinkConfigFault::kRole);
+    EXPECT_EQ(check(PeerRole::kA, 29999U, 14999U, 120000U, 0U), LinkConfigFault::kTimeout);
+    EXPECT_EQ(check(PeerRole::kA, 30000U, 0U, 120000U, 0U), LinkConfigFault::kClock);
+    EXPECT_EQ(check(PeerRole::kA, 30000U, 15001U, 120000U, 0U), LinkConfigFault::kClock);
+    EXPECT_EQ(check(PeerRole::kA, 30000U, 15000U, 119999U, 0U), LinkConfigFault::kClock);
+    EXPECT_EQ(check(PeerRole::kA, 0xFFFFFFFFU, 15000U, 0x20000000U, 0U), LinkConfigFault::kClock);
     EXPECT_EQ(check(PeerRole::kA, 30000U, 15000U, 0x20000001U, 0U), LinkConfigFault::kClock);
-    EXPECT_EQ(check(PeerRole::kA, 30000U, 15000U, 30001U, 30000U), LinkConfigFault::kStampTolerance);
+    EXPECT_EQ(check(PeerRole::kA, 30000U, 15000U, 120000U, 30000U), LinkConfigFault::kStampTolerance);
     device.discrepancy_us = 19999U;
-    EXPECT_EQ(check(PeerRole::kA, 30000U, 15000U, 30001U, 0U), LinkConfigFault::kDiscrepancy);
+    EXPECT_EQ(check(PeerRole::kA, 30000U, 15000U, 120000U, 0U), LinkConfigFault::kDiscrepancy);
 }
 
 // Given an answer for signature and question, when it passes the tap, then the signature comes out, once, and the

@@ -233,7 +233,7 @@ struct Fenced
     DeviceConfig config{};
     OwnVoice own{channel, PeerRole::kA};
     std::array<std::uint8_t, 512> behind_own{};
-    RemoteVoice remote{own, LinkConfig{PeerRole::kA, 40000U, 20000U, 100000U, 100U}};
+    RemoteVoice remote{own, LinkConfig{PeerRole::kA, 40000U, 20000U, 400000U, 100U}};
     std::array<std::uint8_t, 8192> behind_remote{}; // As far as a slot of eight bits can lead.
 
     Fenced()

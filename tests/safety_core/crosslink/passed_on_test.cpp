@@ -158,7 +158,7 @@ TEST(PassedOn, NothingIsToldBeforeTheFirstStart)
     Verifies(req::SRS_TWO_008);
     FakeChannel channel{};
     FakeWatchdog watchdog{};
-    Peer peer{channel, watchdog, LinkConfig{PeerRole::kA, 40000U, 20000U, 100000U, 100U}};
+    Peer peer{channel, watchdog, LinkConfig{PeerRole::kA, 40000U, 20000U, 400000U, 100U}};
     hal::LinkFrame frame{};
     LinkMessage said{};
     peer.Compose(PeerMoment{Instant{0U}, DeviceFault::kNone}, frame);

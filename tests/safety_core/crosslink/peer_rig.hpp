@@ -178,7 +178,7 @@ class PeerRig
 {
   public:
     explicit PeerRig(const PeerRole role)
-        : link{role, 40000U, 20000U, 100000U, 100U}, peer{channel, watchdog, link},
+        : link{role, 40000U, 20000U, 400000U, 100U}, peer{channel, watchdog, link},
           other{(role == PeerRole::kA) ? PeerRole::kB : PeerRole::kA}
     {
         config.srdo_count = 3U;

@@ -258,7 +258,7 @@ TEST(SecondStart, FlowBeforeTheFirstCycleIsNone)
     Verifies(req::SRS_LNK_010);
     FakeChannel channel{};
     FakeWatchdog watchdog{};
-    Peer peer{channel, watchdog, LinkConfig{PeerRole::kA, 40000U, 20000U, 100000U, 100U}};
+    Peer peer{channel, watchdog, LinkConfig{PeerRole::kA, 40000U, 20000U, 400000U, 100U}};
     hal::LinkFrame frame{};
     LinkMessage said{};
     peer.Compose(PeerMoment{Instant{0U}, DeviceFault::kNone}, frame);

@@ -18,6 +18,7 @@ inline constexpr RequirementId SRS_LNK_008{"SRS_LNK_008"};
 inline constexpr RequirementId SRS_LNK_009{"SRS_LNK_009"};
 inline constexpr RequirementId SRS_LNK_010{"SRS_LNK_010"};
 inline constexpr RequirementId SRS_LNK_011{"SRS_LNK_011"};
+inline constexpr RequirementId SRS_LNK_012{"SRS_LNK_012"};
 inline constexpr RequirementId SRS_LNK_020{"SRS_LNK_020"};
 inline constexpr RequirementId SRS_LNK_021{"SRS_LNK_021"};
 inline constexpr RequirementId SRS_LNK_022{"SRS_LNK_022"};
