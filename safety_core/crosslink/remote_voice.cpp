@@ -48,6 +48,7 @@ void RemoteVoice::Restart(const DeviceConfig& /*config*/) noexcept
     previous_ = Instant{0U}; // No difference begins at it: there is no contact in the first OnCycle. [SRS_LNK_011]
     cycle_ = 0U;
     offered_.Restart();
+    normal_ = CanFrame{};
     for (Told& told : told_)
     {
         told.report = SlotReport{};
@@ -321,14 +322,26 @@ PreparedPair RemoteVoice::Prepare(const SlotIndex slot) noexcept
 Confirmation RemoteVoice::OnConfirm(const CanFrame& frame, const Instant /*stamp*/) noexcept
 {
     const SlotIndex slot = own_.Moments().SlotOfFrame(frame);
-    const ConfirmStep step = ((frame.identifier & 1U) != 0U) ? ConfirmStep::kNormal : ConfirmStep::kPair;
+    const bool is_normal = (frame.identifier & 1U) != 0U;
+    normal_ = is_normal ? frame : normal_;
+    const ConfirmStep step = is_normal ? ConfirmStep::kNormal : ConfirmStep::kPair;
     return Confirmation{slot, (slot == kNoSlot) ? ConfirmStep::kNone : step};
 }
 
-// The other CPU compares it when it has it on its own controller.
+// What the leader says of it is its normal frame, as CPU B had it on its own controller.
 CanFrame RemoteVoice::InverseFrame(const SlotIndex slot) const noexcept
 {
-    return own_.InverseFrame(slot);
+    if ((config_.role == PeerRole::kA) || (own_.Moments().SlotOfFrame(normal_) != slot))
+    {
+        return CanFrame{};
+    }
+    CanFrame inverse{normal_.identifier + 1U, FrameKind::kData, own_.Config().inverse_port, normal_.length_bytes, {}};
+    for (std::uint8_t byte = 0U; byte < kMaxPayloadBytes; ++byte)
+    {
+        const std::uint8_t complement = static_cast<std::uint8_t>(0xFFU - normal_.data[byte]); // MISRA D-002
+        inverse.data[byte] = (byte < normal_.length_bytes) ? complement : std::uint8_t{0U};    // MISRA D-002
+    }
+    return inverse;
 }
 
 void RemoteVoice::OnTransmitFault(const SlotIndex slot, const TransmitFault& fault) noexcept

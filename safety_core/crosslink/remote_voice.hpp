@@ -23,7 +23,8 @@ struct Difference
 /// The channel that runs on the other CPU, as far as its messages tell: takes the absent channel's place in the kernel.
 /// It decides nothing. Without contact it shows what the own channel holds, and releases nothing. In contact it shows
 /// what the other CPU told; a pair that both hold has the ordinal of the own channel. [SRS_TWO_003, SRS_TWO_004,
-/// SRS_TWO_005, SRS_TWO_006, SRS_TWO_007, SRS_TWO_008, SRS_TWO_009, SRS_TWO_010, SRS_TWO_011, SRS_TWO_012, SRS_TWO_013]
+/// SRS_TWO_005, SRS_TWO_006, SRS_TWO_007, SRS_TWO_008, SRS_TWO_009, SRS_TWO_010, SRS_TWO_011, SRS_TWO_012, SRS_TWO_013,
+/// SRS_TWO_019]
 class RemoteVoice final : public Channel
 {
   public:
@@ -109,6 +110,7 @@ class RemoteVoice final : public Channel
     Instant previous_{0U}; ///< `now` of the OnCycle before.
     std::uint32_t cycle_{0U};
     OfferedFrames offered_{};
+    CanFrame normal_{};                   ///< The normal frame of an own producer that was on the bus last.
     CheckResult checks_[kMaxSrdoCount]{}; // MISRA D-001
     Told told_[kMaxSrdoCount]{};          // MISRA D-001
 };

@@ -173,7 +173,7 @@ inline LinkMessage Silence()
 
 /// One CPU with a fake channel, and the messages of a peer that the test makes up. Slot 0 is a consumer (101h/102h),
 /// slot 1 a producer (103h/104h), slot 2 off. Cycle 10 ms, discrepancy 50 ms, diagnosis 100 ms, link time-out 40 ms,
-/// clock tolerance 20 ms, interval 100 ms, stamps 0.1 ms. The peer's clock is 1 s ahead of the own one.
+/// clock tolerance 20 ms, interval 400 ms, stamps 0.1 ms. The peer's clock is 1 s ahead of the own one.
 class PeerRig
 {
   public:

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace counterpoint
 {
 namespace
@@ -196,19 +199,52 @@ TEST(RemoteVoiceAlone, ConfirmsByIdentifier)
     EXPECT_EQ(confirmation.step, ConfirmStep::kNone);
 }
 
-// Given a channel with an inverse frame, then both voices have it on CPU B, and neither on CPU A.
+// Given a channel with an inverse frame, then the own voice has it on CPU B, and neither voice on CPU A.
 TEST(RemoteVoiceAlone, InverseFrameIsThatOfCpuB)
 {
     Verifies(req::SRS_TWO_013);
     PeerRig follower{PeerRole::kB};
     follower.channel.prepared.normal = PeerRig::Frame(0x104U);
     EXPECT_EQ(follower.Own().InverseFrame(1U).identifier, 0x104U);
-    EXPECT_EQ(follower.Remote().InverseFrame(1U).identifier, 0x104U);
     PeerRig leader{PeerRole::kA};
     leader.channel.prepared.normal = PeerRig::Frame(0x104U);
+    static_cast<void>(leader.Remote().OnConfirm(PeerRig::Frame(0x103U), Instant{1U}));
     EXPECT_EQ(leader.Own().InverseFrame(1U).kind, FrameKind::kInvalid);
     EXPECT_EQ(leader.Remote().InverseFrame(1U).kind, FrameKind::kInvalid);
     EXPECT_EQ(leader.Own().InverseFrame(1U).identifier, 0U);
+}
+
+// Given CPU B, when the normal frame of slot 1 was on the bus, then the leader's voice has its inverse, for that slot
+// alone, until another frame is there or the voice begins anew.
+TEST(RemoteVoiceAlone, InverseFrameIsThatOfTheNormalFrameOnTheBus)
+{
+    Verifies(req::SRS_TWO_019);
+    PeerRig rig{PeerRole::kB};
+    rig.config.inverse_port = CanPortId::kSecond;
+    EXPECT_EQ(rig.Remote().InverseFrame(1U).kind, FrameKind::kInvalid);
+    CanFrame normal = PeerRig::Frame(0x103U);
+    normal.length_bytes = 3U;
+    const std::uint8_t seen[kMaxPayloadBytes] = {0x00U, 0xFFU, 0x5AU, 0x77U, 0x77U, 0x77U, 0x77U, 0x77U};
+    std::copy(std::begin(seen), std::end(seen), std::begin(normal.data));
+    static_cast<void>(rig.Remote().OnConfirm(normal, Instant{1U}));
+    const CanFrame inverse = rig.Remote().InverseFrame(1U);
+    EXPECT_EQ(inverse.identifier, 0x104U);
+    EXPECT_EQ(inverse.kind, FrameKind::kData);
+    EXPECT_EQ(inverse.port, CanPortId::kSecond);
+    EXPECT_EQ(inverse.length_bytes, 3U);
+    const std::uint8_t expected[kMaxPayloadBytes] = {0xFFU, 0x00U, 0xA5U, 0U, 0U, 0U, 0U, 0U};
+    for (std::size_t byte = 0U; byte < kMaxPayloadBytes; ++byte)
+    {
+        EXPECT_EQ(inverse.data[byte], expected[byte]) << byte;
+    }
+    EXPECT_EQ(rig.Remote().InverseFrame(0U).kind, FrameKind::kInvalid);
+    static_cast<void>(rig.Remote().OnConfirm(inverse, Instant{1U}));
+    EXPECT_EQ(rig.Remote().InverseFrame(1U).identifier, 0x104U);
+    static_cast<void>(rig.Remote().OnConfirm(PeerRig::Frame(0x101U), Instant{1U}));
+    EXPECT_EQ(rig.Remote().InverseFrame(1U).kind, FrameKind::kInvalid);
+    EXPECT_EQ(rig.Remote().InverseFrame(0U).identifier, 0x102U);
+    rig.Remote().Restart(rig.config);
+    EXPECT_EQ(rig.Remote().InverseFrame(0U).kind, FrameKind::kInvalid);
 }
 
 } // namespace

@@ -40,6 +40,7 @@ inline constexpr RequirementId SRS_TWO_015{"SRS_TWO_015"};
 inline constexpr RequirementId SRS_TWO_016{"SRS_TWO_016"};
 inline constexpr RequirementId SRS_TWO_017{"SRS_TWO_017"};
 inline constexpr RequirementId SRS_TWO_018{"SRS_TWO_018"};
+inline constexpr RequirementId SRS_TWO_019{"SRS_TWO_019"};
 } // namespace counterpoint::req
 
 #endif
