@@ -243,6 +243,36 @@ TEST_F(Supervision, ClockThatRunsAwayIsFound)
     EXPECT_EQ(link.Finding(), LinkFinding::kClock);
 }
 
+/// A tolerance, and what of it belongs to a window.
+struct Share
+{
+    std::uint32_t timeout_us;
+    std::uint32_t tolerance_us;
+    std::uint32_t interval_us;
+    std::uint32_t share_us;
+};
+
+// Given a tolerance of 4000 us in 4 times 10 ms: two quarters are left out, and half of the rest is 1000 us. Of 4003 us
+// in 5 times 10 ms two fifths are 1602 us, rounded up, and half of the rest 1200 us.
+TEST(ToleranceOfAWindow, IsHalfOfWhatTwoTimeoutsLeaveRoundedDown)
+{
+    Verifies(req::SRS_LNK_007);
+    for (const Share& share : {Share{9999U, 4000U, 40000U, 1000U}, Share{9999U, 4003U, 50000U, 1200U},
+                               Share{10000U, 4000U, 40000U, 666U}, Share{9999U, 1U, 40000U, 0U}})
+    {
+        LinkSupervisor link{};
+        link.Restart(LinkConfig{PeerRole::kA, share.timeout_us, share.tolerance_us, share.interval_us, 100U});
+        link.Examine(Instant{0U});
+        link.OnCompose(7U);
+        EXPECT_EQ(link.Take(Message(50U, 510000U, EchoOf(8000U)), Instant{10000U}), TakeResult::kTaken);
+        const std::uint32_t still_us = 10000U + share.share_us;
+        EXPECT_EQ(link.Take(Message(51U, 510000U, EchoOf(10000U)), Instant{still_us}), TakeResult::kTaken);
+        EXPECT_TRUE(link.IsAlive()) << share.tolerance_us;
+        EXPECT_EQ(link.Take(Message(52U, 510000U, EchoOf(10000U)), Instant{still_us + 1U}), TakeResult::kTaken);
+        EXPECT_EQ(link.Finding(), LinkFinding::kClock) << share.tolerance_us;
+    }
+}
+
 // Given a drift of 7 ms a window, when the window is over by the own clock, then the comparison begins anew; before, it
 // goes on.
 TEST_F(Supervision, ReferenceMovesOnWithTheOwnClock)
