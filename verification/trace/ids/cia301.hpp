@@ -89,6 +89,7 @@ inline constexpr RequirementId SRS_SDO_016{"SRS_SDO_016"};
 inline constexpr RequirementId SRS_SDO_017{"SRS_SDO_017"};
 inline constexpr RequirementId SRS_SDO_018{"SRS_SDO_018"};
 inline constexpr RequirementId SRS_SDO_019{"SRS_SDO_019"};
+inline constexpr RequirementId SRS_SDO_150{"SRS_SDO_150"};
 } // namespace counterpoint::req
 
 #endif
