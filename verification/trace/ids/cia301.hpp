@@ -17,6 +17,7 @@ inline constexpr RequirementId SRS_EMCY_007{"SRS_EMCY_007"};
 inline constexpr RequirementId SRS_EMCY_008{"SRS_EMCY_008"};
 inline constexpr RequirementId SRS_EMCY_009{"SRS_EMCY_009"};
 inline constexpr RequirementId SRS_EMCY_010{"SRS_EMCY_010"};
+inline constexpr RequirementId SRS_EMCY_150{"SRS_EMCY_150"};
 inline constexpr RequirementId SRS_ERR_001{"SRS_ERR_001"};
 inline constexpr RequirementId SRS_ERR_002{"SRS_ERR_002"};
 inline constexpr RequirementId SRS_ERR_003{"SRS_ERR_003"};
