@@ -106,6 +106,22 @@ void Outbox::TakeConfirmations(const Instant now) noexcept
     }
 }
 
+void Outbox::ForgetPdos(const cia301::Sync& sync) noexcept
+{
+    const std::uint32_t all = count_;
+    count_ = 0U;
+    for (std::uint32_t n = 0U; n < all; ++n)
+    {
+        const std::uint32_t from = (first_ + n) % kAllRoom;
+        const std::uint32_t to = (first_ + count_) % kAllRoom; // Never behind `from`.
+        const bool is_pdo = (owners_[from] == Owner::kProcess) && !sync.Uses(frames_[from].identifier);
+        frames_[to] = frames_[from];
+        owners_[to] = owners_[from];
+        count_ += is_pdo ? 0U : 1U;
+        counts_[static_cast<std::uint32_t>(Owner::kProcess)] -= is_pdo ? 1U : 0U;
+    }
+}
+
 void Outbox::Clear() noexcept
 {
     first_ = 0U;

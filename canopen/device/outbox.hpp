@@ -3,6 +3,7 @@
 #define CANOPEN_DEVICE_OUTBOX_HPP
 
 #include "canopen/cia301/nmt/frame_sink.hpp"
+#include "canopen/cia301/time/sync.hpp"
 
 #include "hal/api/can_ports.hpp"
 #include "safety_core/contract/time.hpp"
@@ -42,6 +43,8 @@ class Outbox final : public cia301::FrameSink
     void OnConfirm() noexcept;
     /// @brief Hands frames over to the controller, as many as it may have. O(kUnconfirmed)
     void Poll(Instant now) noexcept;
+    /// @brief Forgets the PDOs that wait: process data that are no SYNC. O(kRoom) [SRS_DEV_151]
+    void ForgetPdos(const cia301::Sync& sync) noexcept;
     /// @brief Forgets all frames, those that the controller has too.
     void Clear() noexcept;
 

@@ -185,6 +185,7 @@ void Services::OnState(const NmtState left, const NmtState entered) noexcept
     dictionary->SetNmtState(entered);
     if (left == NmtState::kOperational)
     {
+        outbox.ForgetPdos(sync);
         watch->OnOperationalLeft();
     }
 }

@@ -178,51 +178,6 @@ TEST_F(DeviceTest, ResetCommunicationBringsBackStoredValues)
     EXPECT_EQ(Upload(0x1014U, 0U), 0x82U);
 }
 
-// A bus that takes no more than the PDOs of the device: what it has to say of itself leaves all the same.
-TEST_F(DeviceTest, PdosHoldUpNeitherBootUpNorEmergencyNorAnswer)
-{
-    Verifies(req::SRS_DEV_150);
-    Verifies(req::SRS_NMT_002);
-    Run();
-    Forget();
-    const CanFrame pdo{0x182U, FrameKind::kData, CanPortId::kFirst, 0U, {}};
-    const auto fill = [this, &pdo]
-    {
-        while (services.process.Send(pdo))
-        {
-        }
-    };
-    // Given PDOs that take each place as soon as it is free
-    ports.answer = hal::TransmitStatus::kQueueFull;
-    fill();
-    core.DemandSafeState();
-    Frame(0x602U, {0x40U, 0x01U, 0x10U, 0x00U, 0U, 0U, 0U, 0U});
-    Cycles(2U);
-    EXPECT_TRUE(Sent(0x182U).empty());
-    ports.answer = hal::TransmitStatus::kAccepted;
-    for (int cycle = 0; cycle < 20; ++cycle)
-    {
-        fill();
-        Cycle();
-    }
-    EXPECT_EQ(Emergencies(), (std::vector<unsigned>{0x6200U}));
-    ASSERT_EQ(Sent(0x582U).size(), 1U);
-    EXPECT_EQ(Sent(0x582U)[0][0], 0x4FU);
-    // When communication is reset, then the boot-up message comes
-    Forget();
-    ports.answer = hal::TransmitStatus::kQueueFull;
-    fill();
-    Command(130U);
-    Cycles(2U);
-    ports.answer = hal::TransmitStatus::kAccepted;
-    for (int cycle = 0; cycle < 20; ++cycle)
-    {
-        fill();
-        Cycle();
-    }
-    EXPECT_EQ(Sent(0x702U), (std::vector<Octets>{{0U}}));
-}
-
 TEST_F(DeviceTest, AllCommandsOfACycleAreCarriedOutInOrder)
 {
     Verifies(req::SRS_DEV_005);

@@ -34,6 +34,7 @@ inline constexpr RequirementId SRS_DEV_024{"SRS_DEV_024"};
 inline constexpr RequirementId SRS_DEV_025{"SRS_DEV_025"};
 inline constexpr RequirementId SRS_DEV_120{"SRS_DEV_120"};
 inline constexpr RequirementId SRS_DEV_150{"SRS_DEV_150"};
+inline constexpr RequirementId SRS_DEV_151{"SRS_DEV_151"};
 inline constexpr RequirementId SRS_NODE_001{"SRS_NODE_001"};
 inline constexpr RequirementId SRS_NODE_002{"SRS_NODE_002"};
 inline constexpr RequirementId SRS_NODE_003{"SRS_NODE_003"};
