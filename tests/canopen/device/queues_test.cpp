@@ -166,15 +166,16 @@ class OutboxTest : public ::testing::Test
     {
         for (std::uint32_t number = 0U; number < count; ++number)
         {
-            CanFrame frame{};
-            frame.identifier = 0x200U + number;
-            frame.kind = FrameKind::kData;
-            frame.port = CanPortId::kFirst;
-            ASSERT_TRUE(outbox.Send(frame));
+            ASSERT_TRUE(outbox.Send(FrameOf(0x200U + number)));
         }
+    }
+    static CanFrame FrameOf(const std::uint32_t identifier)
+    {
+        return CanFrame{identifier, FrameKind::kData, CanPortId::kFirst, 0U, {}};
     }
     RecordingPorts ports{};
     Outbox outbox{ports};
+    ProcessSink process{outbox};
 };
 
 TEST_F(OutboxTest, TwoFramesAreUnderWayAtMost)
@@ -200,45 +201,36 @@ TEST_F(OutboxTest, TwoFramesAreUnderWayAtMost)
 TEST_F(OutboxTest, ProcessDataLeavePlacesAndOwnMessagesHaveTheirs)
 {
     Verifies(req::SRS_DEV_150);
-    const auto frame_of = [](const std::uint32_t identifier)
-    {
-        CanFrame frame{};
-        frame.identifier = identifier;
-        frame.kind = FrameKind::kData;
-        frame.port = CanPortId::kFirst;
-        return frame;
-    };
-    ProcessSink process{outbox};
     for (int round = 0; round < 3; ++round) // The ring of twenty, at any place.
     {
         ports.sent.clear();
         // Given twelve PDOs, then a thirteenth finds no room, four transfers and no fifth do
         for (std::uint32_t number = 0U; number < 12U; ++number)
         {
-            EXPECT_TRUE(process.Send(frame_of(0x180U + number)));
+            EXPECT_TRUE(process.Send(FrameOf(0x180U + number)));
         }
-        EXPECT_FALSE(process.Send(frame_of(0x18CU)));
+        EXPECT_FALSE(process.Send(FrameOf(0x18CU)));
         for (std::uint32_t number = 0U; number < 4U; ++number)
         {
-            EXPECT_TRUE(outbox.Send(frame_of(0x580U + number)));
+            EXPECT_TRUE(outbox.Send(FrameOf(0x580U + number)));
         }
-        EXPECT_FALSE(outbox.Send(frame_of(0x584U)));
+        EXPECT_FALSE(outbox.Send(FrameOf(0x584U)));
         // Three own messages, and a boot-up message behind them
         for (std::uint32_t number = 0U; number < 3U; ++number)
         {
             EXPECT_TRUE(outbox.HasOwnRoom());
-            EXPECT_TRUE(outbox.SendOwn(frame_of(0x700U + number)));
+            EXPECT_TRUE(outbox.SendOwn(FrameOf(0x700U + number)));
         }
         EXPECT_FALSE(outbox.HasOwnRoom());
-        EXPECT_TRUE(outbox.SendOwn(frame_of(0x703U)));
-        EXPECT_FALSE(outbox.SendOwn(frame_of(0x704U)));
+        EXPECT_TRUE(outbox.SendOwn(FrameOf(0x703U)));
+        EXPECT_FALSE(outbox.SendOwn(FrameOf(0x704U)));
         // When a PDO has gone, then its place is for a PDO or a transfer
         outbox.Poll(Instant{0U});
         ASSERT_EQ(ports.sent.size(), 2U);
-        EXPECT_TRUE(outbox.Send(frame_of(0x584U)));
-        EXPECT_TRUE(process.Send(frame_of(0x18CU)));
-        EXPECT_FALSE(process.Send(frame_of(0x18DU)));
-        EXPECT_FALSE(outbox.Send(frame_of(0x585U)));
+        EXPECT_TRUE(outbox.Send(FrameOf(0x584U)));
+        EXPECT_TRUE(process.Send(FrameOf(0x18CU)));
+        EXPECT_FALSE(process.Send(FrameOf(0x18DU)));
+        EXPECT_FALSE(outbox.Send(FrameOf(0x585U)));
         // And all of them leave in their order
         for (std::uint32_t turn = 0U; turn < 10U; ++turn)
         {
@@ -257,9 +249,13 @@ TEST_F(OutboxTest, ProcessDataLeavePlacesAndOwnMessagesHaveTheirs)
         outbox.OnConfirm();
         outbox.OnConfirm();
     }
-    // Transfers alone have sixteen places; cleared, all are free
+}
+
+TEST_F(OutboxTest, TransfersAloneHaveSixteenPlaces)
+{
+    Verifies(req::SRS_DEV_150);
     Fill(16U);
-    EXPECT_FALSE(process.Send(frame_of(0x180U)));
+    EXPECT_FALSE(process.Send(FrameOf(0x180U)));
     outbox.Clear();
     Fill(16U);
     EXPECT_TRUE(outbox.HasOwnRoom());
