@@ -165,7 +165,7 @@ class BusCommand final : public Command
             return;
         }
         out << counts.accepted << " clients, " << counts.to_bus << " frames to the bus, " << counts.from_bus
-            << " from it, " << counts.malformed << " malformed orders, " << counts.too_slow
+            << " told to clients, " << counts.malformed << " malformed orders, " << counts.too_slow
             << " clients too slow and disconnected\n";
     }
 

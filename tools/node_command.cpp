@@ -115,11 +115,17 @@ class NodeCommand final : public Command
     {
         for (const runtime::LogicRule& rule : script.rules)
         {
-            if (!device.App().AddRule(rule))
+            const runtime::RuleFinding finding = device.App().AddRule(rule);
+            if (finding == runtime::RuleFinding::kNoPair)
             {
                 throw runtime::YamlError(
                     script.file, rule.source.place, "a rule with an object that is no pair of the device",
                     "'set' with a normal object that it sends, 'from' with normal objects of its SRDOs");
+            }
+            if (finding == runtime::RuleFinding::kOtherLength)
+            {
+                throw runtime::YamlError(script.file, rule.source.place, "a rule with objects of different lengths",
+                                         "each object of 'from' as long as that of 'set'");
             }
         }
     }

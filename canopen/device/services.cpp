@@ -92,11 +92,11 @@ std::uint16_t EmergencyPlaces(const std::uint8_t srdo_count, const ServiceRooms&
 }
 
 Services::Services(const cia301::NodeId own_node, const ServiceParts& parts) noexcept
-    : ServiceSet(own_node, &parts.can), supervised(parts.rooms.supervised), outbox(parts.can),
+    : ServiceSet(own_node, &parts.can), supervised(parts.rooms.supervised), outbox(parts.can), process(outbox),
       emergency(parts.emergency), errors(emergency, slave), consumer(supervised, errors), producer(own_node),
       guarding(own_node), objects({emergency, consumer, producer, guarding, supervised.count}),
-      tpdos({outbox, parts.dictionary, parts.rooms.tpdos}),
-      rpdos({errors, parts.dictionary, parts.rooms.rpdos, nullptr}), pdos(tpdos, rpdos), sync({outbox, errors, pdos}),
+      tpdos({process, parts.dictionary, parts.rooms.tpdos}),
+      rpdos({errors, parts.dictionary, parts.rooms.rpdos, nullptr}), pdos(tpdos, rpdos), sync({process, errors, pdos}),
       sdo({parts.dictionary, parts.rooms.sdo_buffer, kSdoTimeOutUs, kSdoBlock}), sdo_port(sdo, outbox, own_node),
       lss(nullptr), further{nullptr, 0U}, watch(nullptr), dictionary(nullptr)
 {
@@ -185,6 +185,7 @@ void Services::OnState(const NmtState left, const NmtState entered) noexcept
     dictionary->SetNmtState(entered);
     if (left == NmtState::kOperational)
     {
+        outbox.ForgetPdos(sync);
         watch->OnOperationalLeft();
     }
 }
@@ -247,7 +248,8 @@ void Services::OnFrame(const CanFrame& frame, const cia301::Moment& moment) noex
         consumer.OnFrame(frame, moment.now);
         const cia301::GuardMoment guard_moment{moment.state, producer.PeriodMs(), moment.now};
         const cia301::GuardReply reply = guarding.OnFrame(frame, guard_moment);
-        Send(reply.reply);
+        // Questions of a master without an end leave places for emergencies, too.
+        Send(outbox.HasOwnRoom() ? reply.reply : cia301::FrameToSend{false, {}});
         if (reply.event == GuardEvent::kResumed)
         {
             errors.Clear(CommunicationError::kLifeGuard, 0U);
@@ -277,7 +279,7 @@ void Services::OnCycle(const cia301::Moment& moment) noexcept
     rpdos.OnCycle(moment);
     tpdos.OnCycle(moment);
     // Both forget what they hand out: only with room.
-    if (outbox.HasRoom())
+    if (outbox.HasOwnRoom())
     {
         const cia301::FrameToSend heartbeat = producer.Poll(moment.state, moment.now);
         // Many that leave at once, when the bus is back, look like those of two devices.
@@ -286,7 +288,7 @@ void Services::OnCycle(const cia301::Moment& moment) noexcept
             Send(heartbeat);
         }
     }
-    if (outbox.HasRoom())
+    if (outbox.HasOwnRoom())
     {
         Send(emergency.Poll(moment.state, moment.now));
     }
@@ -368,7 +370,7 @@ void Services::Send(const cia301::FrameToSend& frame) noexcept
 {
     if (frame.is_present)
     {
-        static_cast<void>(outbox.Send(frame.frame));
+        static_cast<void>(outbox.SendOwn(frame.frame));
     }
 }
 

@@ -56,6 +56,7 @@ struct Services final : public ServiceSet, public cia301::WriteRule
 
     cia301::SupervisedNodes supervised;
     Outbox outbox;
+    ProcessSink process; ///< Of SYNC and PDOs.
     cia301::EmergencyProducer& emergency;
     cia301::CommunicationErrors errors; ///< Hook of 1029h.
     cia301::HeartbeatConsumer consumer;

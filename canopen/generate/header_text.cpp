@@ -133,11 +133,12 @@ constexpr const char* kTables =
     "[[nodiscard]] counterpoint::generated::StoredObjects& Objects() noexcept;\n"
     "/// Writes the safety configuration to a started kernel; the first refusal ends it.\n"
     "[[nodiscard]] counterpoint::generated::ConfigureReply Configure(counterpoint::Kernel& kernel) noexcept;\n"
-    "/// Values of power-on: everything; 1000h to 1FFFh. They are there at the start of the program, too.\n"
+    "/// Values of power-on, for the node-ID of Device: everything; 1000h to 1FFFh. They are there at the start of\n"
+    "/// the program, too.\n"
     "void ResetApplication() noexcept;\n"
     "void ResetCommunication() noexcept;\n"
-    "/// Another node-ID than kNodeId, 1 to 127: for Device and Configure, which follow, and for values with\n"
-    "/// $NODEID, again after each reset. Not while a kernel runs by Device.\n"
+    "/// Another node-ID than kNodeId, 1 to 127: Device, Configure and values with $NODEID follow, these at each\n"
+    "/// reset, too. Not while a kernel runs by Device.\n"
     "void ApplyNodeId(std::uint8_t node_id) noexcept;\n\n";
 } // namespace
 

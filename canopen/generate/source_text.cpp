@@ -115,37 +115,56 @@ constexpr const char* kSetText = "bool SetText(const counterpoint::cia301::Room&
                                  "        room.data[i] = value.data[i];\n    }\n"
                                  "    length = fits ? value.size_bytes : length;\n    return fits;\n}\n\n";
 
-/// One write for each value that has the node-ID in it.
-std::string NodeIdText(const Layout& layout)
+/// A function of the generated file and its call; both empty where there is nothing to do.
+struct NodeIdWrites
 {
+    std::string function;
+    std::string call;
+};
+
+/// One write for each value that has the node-ID in it: those of 1000h to 1FFFh, or all others. [SRS_GEN_150]
+NodeIdWrites WritesOf(const Layout& layout, const bool is_communication)
+{
+    const std::string name = is_communication ? "FollowNodeIdInCommunication" : "FollowNodeIdElsewhere";
     std::string text;
     for (const Element& element : layout.elements)
     {
-        if (element.node_addend && element.IsInMemory())
+        const bool has_formula = element.node_addend && element.IsInMemory();
+        if (has_formula && ((element.offset < layout.communication_bytes) == is_communication))
         {
-            text += (text.empty() ? "" : "\n    ") + std::string("counterpoint::WriteVariable(") + PlaceText(element) +
-                    ", counterpoint::VariableValue{" + UnsignedLiteral(*element.node_addend) + " + number});";
+            text += "\n    counterpoint::WriteVariable(" + PlaceText(element) + ", counterpoint::VariableValue{" +
+                    UnsignedLiteral(*element.node_addend) + " + number});";
         }
     }
-    const std::string describe = "DescribeNode(node_id);";
-    return Function("void ApplyNodeId(const std::uint8_t node_id)",
-                    text.empty() ? describe : describe + "\n    const std::uint64_t number = node_id;\n    " + text);
+    const std::string number = "const std::uint64_t number = device_now->node_id;";
+    return text.empty() ? NodeIdWrites{} : NodeIdWrites{Function("void " + name + "()", number + text), name + "();"};
+}
+
+/// Values of power-on for a node-ID that may be another one than the file's.
+std::string ResetText(const Layout& layout)
+{
+    const std::string all = UnsignedLiteral(layout.stored_bytes) + ", " + UnsignedLiteral(layout.length_count);
+    const std::string communication =
+        UnsignedLiteral(layout.communication_bytes) + ", " + UnsignedLiteral(layout.communication_lengths);
+    const NodeIdWrites of_communication = WritesOf(layout, true);
+    const NodeIdWrites of_others = WritesOf(layout, false);
+    const auto then = [](const NodeIdWrites& writes) { return writes.call.empty() ? "" : "\n    " + writes.call; };
+    const std::string functions = of_communication.function + of_others.function;
+    const std::string follow = then(of_communication) + then(of_others);
+    return (functions.empty() ? "" : "namespace\n{\n\n" + functions + "} // namespace\n\n") +
+           Function("void ResetApplication()", "Restore(" + all + ");" + follow) +
+           Function("void ResetCommunication()", "Restore(" + communication + ");" + then(of_communication)) +
+           Function("void ApplyNodeId(const std::uint8_t node_id)", "DescribeNode(node_id);" + follow);
 }
 
 std::string PublicText(const FileText& file)
 {
-    const Layout& layout = file.layout;
-    const std::string all = UnsignedLiteral(layout.stored_bytes) + ", " + UnsignedLiteral(layout.length_count);
-    const std::string communication =
-        UnsignedLiteral(layout.communication_bytes) + ", " + UnsignedLiteral(layout.communication_lengths);
     return "constexpr counterpoint::cia301::EntryTable kEntryTable{kEntries, kEntryCount};\n"
            "static_assert(counterpoint::cia301::IsUsable(kEntryTable), \"ordered, nothing of the kernel\");\n\n" +
            Function("counterpoint::generated::StoredObjects& Objects()", "return objects;") +
            Function("counterpoint::generated::ConfigureReply Configure(counterpoint::Kernel& kernel)",
                     "return counterpoint::generated::Configure(kernel, kConfiguration, device_now->node_id);") +
-           Function("const counterpoint::DeviceConfig& Device()", "return *device_now;") +
-           Function("void ResetApplication()", "Restore(" + all + ");") +
-           Function("void ResetCommunication()", "Restore(" + communication + ");") + NodeIdText(layout);
+           Function("const counterpoint::DeviceConfig& Device()", "return *device_now;") + ResetText(file.layout);
 }
 } // namespace
 

@@ -21,6 +21,14 @@ enum class LogicOperation : std::uint8_t
     kNot = 4U,
 };
 
+/// Whether a device can follow a rule.
+enum class RuleFinding : std::uint8_t
+{
+    kNone = 0U,        ///< It can.
+    kNoPair = 1U,      ///< An object is no pair of the device, or the target is none of a producer.
+    kOtherLength = 2U, ///< An input has not the length of the target.
+};
+
 /// A rule by which an application computes an object of a producer from objects of consumers.
 struct LogicRule
 {

@@ -134,22 +134,31 @@ const PairValue* PairLogic::Find(const ObjectAddress& normal) const noexcept
     return (place < pairs_.size()) ? &pairs_[place] : nullptr;
 }
 
-bool PairLogic::AddRule(const LogicRule& rule)
+RuleFinding PairLogic::AddRule(const LogicRule& rule)
 {
     Rule known;
     known.target = IndexOf(rule.target);
     known.operation = rule.operation;
-    bool is_known = known.target < pairs_.size() && !pairs_[known.target].is_consumer;
+    const bool has_target = known.target < pairs_.size() && !pairs_[known.target].is_consumer;
+    RuleFinding finding = has_target ? RuleFinding::kNone : RuleFinding::kNoPair;
     for (const ObjectAddress& input : rule.inputs)
     {
-        known.inputs.push_back(IndexOf(input));
-        is_known = is_known && known.inputs.back() < pairs_.size();
+        const std::size_t place = IndexOf(input);
+        known.inputs.push_back(place);
+        if (place >= pairs_.size())
+        {
+            finding = RuleFinding::kNoPair;
+        }
+        else if (finding == RuleFinding::kNone && pairs_[place].mask != pairs_[known.target].mask)
+        {
+            finding = RuleFinding::kOtherLength;
+        }
     }
-    if (is_known)
+    if (finding == RuleFinding::kNone)
     {
         rules_.push_back(known);
     }
-    return is_known;
+    return finding;
 }
 
 void PairLogic::Disturb(const ObjectAddress& normal, const std::uint64_t bits) noexcept

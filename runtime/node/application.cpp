@@ -34,7 +34,7 @@ void NodeApplication::Follow(Kernel& kernel, const runtime::DeviceModel& model)
     logic_.Follow(kernel, model);
 }
 
-bool NodeApplication::AddRule(const LogicRule& rule)
+RuleFinding NodeApplication::AddRule(const LogicRule& rule)
 {
     return logic_.AddRule(rule);
 }

@@ -56,10 +56,24 @@ void CatchSignals()
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGTTIN, SIG_IGN);
 }
+
+/// The device with the node-ID that LSS has saved, if it has: another one would be told of and never be there.
+/// [SRS_NODE_151]
+std::unique_ptr<NodeDevice> FirstDevice(const NodeLoopParts& parts)
+{
+    std::unique_ptr<NodeDevice> device = parts.make(std::nullopt);
+    const std::uint8_t saved = device->Assembly().NodeId(); // 0: none.
+    if (saved != 0U && saved != device->Config().node_id)
+    {
+        device.reset(); // Its store is closed before another one opens the file.
+        device = parts.make(saved);
+    }
+    return device;
+}
 } // namespace
 
 NodeLoop::NodeLoop(const NodeLoopParts& parts)
-    : parts_(parts), device_(parts.make(std::nullopt)), clocks_(device_->Config().cycle_tolerance_us),
+    : parts_(parts), device_(FirstDevice(parts)), clocks_(device_->Config().cycle_tolerance_us),
       orders_(parts.ports, parts.report), script_(parts.script), cycle_ns_(device_->Config().cycle_us * kNsPerUs),
       is_input_open_(parts.input >= 0)
 {

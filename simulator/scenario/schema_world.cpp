@@ -109,7 +109,7 @@ const std::vector<SectionSpec> kWorldSections{
              kNodeKey,
              {"object", T::kObject, kNeeded, "0x2000:01", "the normal object of a producer"},
              {"value", Number(kAny), kNeeded, "1", "its input from then on; fits its bits"}}),
-    Section("logic", "a logic rule", "Normal is computed from normal, inverse from inverse objects.",
+    Section("logic", "a logic rule", "Normal is computed from normal, inverse from inverse objects, all of one length.",
             {kNodeKey,
              {"set", T::kObject, kNeeded, "0x2000:01", "the normal object of a producer"},
              {"op", OneOf<runtime::kOperationWords>(), kNeeded, "and", "copy and not take one object"},

@@ -5,7 +5,7 @@
 
 #include <string>
 
-// What a scenario names has to exist in the DCFs. [SRS_SIM_010, SRS_SIM_056, SRS_SIM_057]
+// What a scenario names has to exist in the DCFs. [SRS_SIM_010, SRS_SIM_056, SRS_SIM_057, SRS_NODE_150]
 namespace counterpoint::simulator
 {
 namespace
@@ -95,6 +95,24 @@ void RequireValue(const World& world, const NodeIndex node, const ObjectAddress&
         throw YamlError(source.file, source.place,
                         "value " + std::to_string(value) + " for object " + ObjectText(object),
                         "a value of " + std::to_string(bits) + " bits");
+    }
+}
+
+/// Inputs as long as the target: of a shorter one the inverse would be too short, a longer one would be cut.
+void RequireLengths(const World& world, const runtime::LogicRule& rule)
+{
+    const runtime::DeviceModel& model = ModelOf(world, rule.node);
+    const auto bits_of = [&model](const ObjectAddress& object)
+    { return std::uint32_t{model.Objects()[model.PairOf(object)->normal].length_bits}; };
+    const std::uint32_t bits = bits_of(rule.target);
+    for (const ObjectAddress& input : rule.inputs)
+    {
+        if (bits_of(input) != bits)
+        {
+            throw YamlError(rule.source.file, rule.source.place,
+                            "object " + ObjectText(input) + " of " + std::to_string(bits_of(input)) + " bits",
+                            "one of " + std::to_string(bits) + " bits, as " + ObjectText(rule.target) + " has");
+        }
     }
 }
 
@@ -267,6 +285,7 @@ void RequireThatEverythingExists(const World& world)
         {
             RequirePair(world, rule.node, input, true, rule.source);
         }
+        RequireLengths(world, rule);
     }
     for (const Acknowledge& acknowledge : world.scenario.acknowledges)
     {

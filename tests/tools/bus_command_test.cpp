@@ -58,8 +58,9 @@ TEST(BusCommandTest, TellsWhereItServesAndEndsBySignals)
         EXPECT_EQ(answer.status, 0) << answer.err;
         const std::string start = kGroup + " is socketcand:127.0.0.1:";
         EXPECT_EQ(answer.out.substr(0U, start.size()), start);
-        EXPECT_NE(answer.out.find("/line\n0 clients, 0 frames to the bus, 0 from it, 0 malformed orders, 0 clients too "
-                                  "slow and disconnected\n"),
+        EXPECT_NE(answer.out.find(
+                      "/line\n0 clients, 0 frames to the bus, 0 told to clients, 0 malformed orders, 0 clients too "
+                      "slow and disconnected\n"),
                   std::string::npos)
             << answer.out;
         EXPECT_EQ(answer.err, "");

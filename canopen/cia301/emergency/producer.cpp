@@ -22,7 +22,8 @@ EmergencyProducer::EmergencyProducer(const NodeId node, const ErrorHistory& hist
 
 EmergencyProducer::EmergencyProducer(const NodeId node, const ErrorHistory& history, const EmergencyRoom& room) noexcept
     : own_active_{}, own_waiting_{}, room_(room), history_(history), cob_id_(0x80U + node.value), inhibit_100us_(0U),
-      active_count_(0U), waiting_count_(0U), history_count_(0U), dropped_(0U), is_inhibited_(false), sent_{0U}
+      active_count_(0U), waiting_count_(0U), history_count_(0U), dropped_(0U), is_inhibited_(false), has_untold_(false),
+      is_end_untold_(false), sent_{0U}
 {
     history_.count = (history_.count > kLongestHistory) ? kLongestHistory : history_.count;
     if (room_.count == 0U)
@@ -38,13 +39,13 @@ void EmergencyProducer::ResetCommunication(const NodeId node) noexcept
     inhibit_100us_ = 0U;
     waiting_count_ = 0U;
     is_inhibited_ = false;
+    has_untold_ = false;
+    is_end_untold_ = false;
     for (std::uint16_t at = 0U; at < active_count_; ++at)
     {
-        const EmergencyError& error = room_.active[at];
-        if (error.urgency == EmergencyUrgency::kUrgent)
-        {
-            Queue(error.code, error);
-        }
+        EmergencyError& error = room_.active[at];
+        error.is_untold = (error.urgency == EmergencyUrgency::kUrgent) && !Queue(error.code, error);
+        has_untold_ = has_untold_ || error.is_untold;
     }
 }
 
@@ -54,10 +55,12 @@ void EmergencyProducer::Raise(const EmergencyError& error) noexcept
     {
         if (active_count_ < RoomFor(error.urgency))
         {
-            room_.active[active_count_] = error;
+            EmergencyError& active = room_.active[active_count_];
+            active = error;
             ++active_count_;
             Remember(error);
-            Queue(error.code, error);
+            active.is_untold = !Queue(error.code, error);
+            has_untold_ = has_untold_ || active.is_untold;
         }
         else if (dropped_ < 0xFFU)
         {
@@ -76,7 +79,8 @@ void EmergencyProducer::Clear(const std::uint16_t code, const std::uint16_t sour
         {
             room_.active[i] = room_.active[i + 1U];
         }
-        Queue(0U, EmergencyError{});
+        is_end_untold_ = !Queue(0U, EmergencyError{}) || is_end_untold_;
+        has_untold_ = has_untold_ || is_end_untold_;
     }
 }
 
@@ -98,10 +102,32 @@ FrameToSend EmergencyProducer::Poll(const NodeState state, const Instant now) no
         {
             room_.waiting[i] = room_.waiting[i + 1U];
         }
+        TellUntold();
         is_inhibited_ = true;
         sent_ = now;
     }
     return message;
+}
+
+/// What found no room, as far as there is some now: one end for all that ended, then what is still active.
+void EmergencyProducer::TellUntold() noexcept
+{
+    const bool had_untold = has_untold_;
+    has_untold_ = false;
+    if (is_end_untold_ && (waiting_count_ < RoomFor(EmergencyUrgency::kUsual)))
+    {
+        is_end_untold_ = !Queue(0U, EmergencyError{});
+    }
+    for (std::uint16_t at = 0U; had_untold && (at < active_count_); ++at)
+    {
+        EmergencyError& error = room_.active[at];
+        if (error.is_untold && (waiting_count_ < RoomFor(error.urgency)))
+        {
+            error.is_untold = !Queue(error.code, error);
+        }
+        has_untold_ = has_untold_ || error.is_untold;
+    }
+    has_untold_ = has_untold_ || is_end_untold_;
 }
 
 std::uint8_t EmergencyProducer::Register() const noexcept
@@ -194,9 +220,11 @@ std::uint16_t EmergencyProducer::Find(const std::uint16_t code, const std::uint1
     return at;
 }
 
-void EmergencyProducer::Queue(const std::uint16_t code, const EmergencyError& error) noexcept
+/// Whether there was room.
+bool EmergencyProducer::Queue(const std::uint16_t code, const EmergencyError& error) noexcept
 {
-    if (waiting_count_ < RoomFor(error.urgency))
+    const bool has_room = waiting_count_ < RoomFor(error.urgency);
+    if (has_room)
     {
         EmergencyMessage& message = room_.waiting[waiting_count_];
         message.bytes[0] = static_cast<std::uint8_t>(code & 0xFFU);
@@ -212,6 +240,7 @@ void EmergencyProducer::Queue(const std::uint16_t code, const EmergencyError& er
     {
         ++dropped_;
     }
+    return has_room;
 }
 
 void EmergencyProducer::Remember(const EmergencyError& error) noexcept

@@ -33,6 +33,7 @@ struct EmergencyError
     std::uint8_t details[5];    ///< Manufacturer's bytes; the first two are in 1003h too.
     std::uint16_t source{0U};   ///< Tells errors of one code apart: a node, a PDO. [SRS_EMCY_007]
     EmergencyUrgency urgency{EmergencyUrgency::kUsual};
+    bool is_untold{false}; ///< For the producer: its message has found no room yet.
 };
 
 /// A message on its way.
@@ -82,8 +83,8 @@ class EmergencyProducer
     {
         return active_count_ > 0U;
     }
-    /// @brief The next emergency message, if one waits and state, 1014h and 1015h allow it to be sent. O(1)
-    /// [SRS_EMCY_003, SRS_EMCY_004, SRS_EMCY_005]
+    /// @brief The next emergency message, if one waits and state, 1014h and 1015h allow it to be sent. O(room)
+    /// [SRS_EMCY_003, SRS_EMCY_004, SRS_EMCY_005, SRS_EMCY_150]
     [[nodiscard]] FrameToSend Poll(NodeState state, Instant now) noexcept;
 
     /// @brief Error register 1001h.
@@ -108,7 +109,8 @@ class EmergencyProducer
   private:
     [[nodiscard]] std::uint16_t RoomFor(EmergencyUrgency urgency) const noexcept;
     [[nodiscard]] std::uint16_t Find(std::uint16_t code, std::uint16_t source) const noexcept;
-    void Queue(std::uint16_t code, const EmergencyError& error) noexcept;
+    [[nodiscard]] bool Queue(std::uint16_t code, const EmergencyError& error) noexcept;
+    void TellUntold() noexcept;
     void Remember(const EmergencyError& error) noexcept;
 
     EmergencyError own_active_[kEmergencyRoom];
@@ -122,6 +124,8 @@ class EmergencyProducer
     std::uint8_t history_count_;
     std::uint8_t dropped_;
     bool is_inhibited_; ///< One was sent at `sent_`.
+    bool has_untold_;   ///< Some active error, or the end of one, has found no room.
+    bool is_end_untold_;
     Instant sent_;
 };
 

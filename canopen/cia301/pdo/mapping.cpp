@@ -12,6 +12,7 @@ namespace
 constexpr std::uint32_t kDummies = 8U;
 constexpr std::uint32_t kBooleanDummy = 1U;
 constexpr std::uint32_t kByteBits = 8U;
+constexpr std::uint32_t kHighResolution = 0x1013U;
 /// Bits of the dummies 0001h to 0007h: BOOLEAN, INTEGER and UNSIGNED of 8, 16 and 32 bits.
 constexpr std::uint8_t kDummyBits[kDummies] = {0U, 1U, 8U, 16U, 32U, 8U, 16U, 32U};
 
@@ -203,6 +204,19 @@ PdoData Pack(const PdoMap& map) noexcept
     PdoData data{};
     ToLittleEndian(word, data.bytes, kPdoBytes);
     return data;
+}
+
+bool IsChanged(const PdoMap& map, const PdoData& before, const PdoData& now) noexcept
+{
+    std::uint64_t changes = FromLittleEndian(before.bytes, kPdoBytes) ^ FromLittleEndian(now.bytes, kPdoBytes);
+    std::uint32_t at = 0U;
+    for (std::uint8_t i = 0U; (i < map.count) && (at < kPdoBits); ++i)
+    {
+        const bool is_time = (map.fields[i].mapping >> 16U) == kHighResolution;
+        changes &= is_time ? ~(MaskOf(BitsOf(map.fields[i])) << at) : ~std::uint64_t{0U};
+        at += BitsOf(map.fields[i]);
+    }
+    return changes != 0U;
 }
 
 void Unpack(const PdoMap& map, const PdoData& data) noexcept

@@ -66,6 +66,8 @@ void ClearMap(PdoMap& map) noexcept;
 /// @brief The present values of the mapped objects as bytes of the frame. A value that cannot be read is sent as 0.
 /// O(count) [SRS_PDO_006]
 [[nodiscard]] PdoData Pack(const PdoMap& map) noexcept;
+/// @brief Whether a mapped value differs that is an event: 1013h goes on by itself and is none. O(count) [SRS_PDO_150]
+[[nodiscard]] bool IsChanged(const PdoMap& map, const PdoData& before, const PdoData& now) noexcept;
 /// @brief Writes the values to their entries; one that is refused stays as it was. O(count) [SRS_PDO_006]
 void Unpack(const PdoMap& map, const PdoData& data) noexcept;
 

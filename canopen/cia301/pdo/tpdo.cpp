@@ -28,16 +28,6 @@ bool IsEventDriven(const Tpdo& pdo) noexcept
     return pdo.settings.type > kSampledByRtr;
 }
 
-bool IsDifferent(const PdoData& left, const PdoData& right) noexcept
-{
-    bool is_different = false;
-    for (std::uint32_t i = 0U; i < kPdoBytes; ++i)
-    {
-        is_different = is_different || (left.bytes[i] != right.bytes[i]);
-    }
-    return is_different;
-}
-
 /// Whether the event time is over. It begins anew in its phase, unless a whole one was missed.
 bool IsTimerOver(Tpdo& pdo, const Instant now) noexcept
 {
@@ -110,7 +100,7 @@ bool Tpdos::IsSyncDue(Tpdo& pdo, const SyncEvent& event, const PdoData& now) con
     bool is_due = false;
     if (pdo.settings.type == 0U)
     {
-        is_due = run.is_requested || ((pdo.trigger == PdoTrigger::kChange) && IsDifferent(now, run.sent));
+        is_due = run.is_requested || ((pdo.trigger == PdoTrigger::kChange) && IsChanged(pdo.map, run.sent, now));
     }
     else if (!IsSynchronous(pdo))
     {
@@ -180,7 +170,7 @@ void Tpdos::RunEvents(Tpdo& pdo, const Moment& moment) noexcept
     if (run.is_requested || (pdo.trigger == PdoTrigger::kChange))
     {
         const PdoData now = Pack(pdo.map);
-        const bool is_changed = (pdo.trigger == PdoTrigger::kChange) && IsDifferent(now, run.sent);
+        const bool is_changed = (pdo.trigger == PdoTrigger::kChange) && IsChanged(pdo.map, run.sent, now);
         run.is_requested = run.is_requested || is_changed;
         if (run.is_requested && !run.is_inhibited)
         {

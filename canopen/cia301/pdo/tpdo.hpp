@@ -13,7 +13,7 @@ namespace counterpoint::cia301
 enum class PdoTrigger : std::uint8_t
 {
     kRequest = 0U, ///< Nothing more.
-    kChange = 1U,  ///< A mapped value differs from what was sent.
+    kChange = 1U,  ///< A mapped value but 1013h differs from what was sent. [SRS_PDO_150]
 };
 
 /// 1800h.. of one PDO.

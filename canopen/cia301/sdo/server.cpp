@@ -249,9 +249,7 @@ SdoAnswer SdoServer::BeginDownload(const SdoFrame& request) noexcept
     }
     else
     {
-        const bool is_stated = (request.bytes[0] & kStated) != 0U;
-        const auto stated = static_cast<std::uint32_t>(FromLittleEndian(&request.bytes[4], 4U));
-        const SdoAbort abort = PrepareDownload(is_stated ? stated : kUnknownLength);
+        const SdoAbort abort = PrepareDownload(request, kStated);
         phase_ = Phase::kSegmentDownload;
         answer = (abort == SdoAbort::kNone) ? Answer(kDownloadDone, 0U) : Abort(abort);
     }
@@ -310,12 +308,15 @@ SdoAnswer SdoServer::AskAgain() noexcept
     return Finish(dictionary_.WriteAgain(target_, Bytes{buffer_.data, position_}), delayed_);
 }
 
-/// Whether a download of the stated length can be taken.
-SdoAbort SdoServer::PrepareDownload(const std::uint32_t stated) noexcept
+/// Whether a download can be taken that states its length where `mark` is set. FFFFFFFFh, which is kUnknownLength, is
+/// refused as one less is: nobody has room for either.
+SdoAbort SdoServer::PrepareDownload(const SdoFrame& request, const std::uint8_t mark) noexcept
 {
-    length_ = stated;
-    SdoAbort abort = dictionary_.MayWrite(target_, stated);
-    if ((abort == SdoAbort::kNone) && (stated != kUnknownLength) && (stated > buffer_.size_bytes))
+    const auto size_bytes = static_cast<std::uint32_t>(FromLittleEndian(&request.bytes[4], 4U));
+    const std::uint32_t stated = (size_bytes == kUnknownLength) ? (kUnknownLength - 1U) : size_bytes;
+    length_ = ((request.bytes[0] & mark) != 0U) ? stated : kUnknownLength;
+    SdoAbort abort = dictionary_.MayWrite(target_, length_);
+    if ((abort == SdoAbort::kNone) && (length_ != kUnknownLength) && (length_ > buffer_.size_bytes))
     {
         abort = SdoAbort::kOutOfMemory;
     }
@@ -424,9 +425,7 @@ SdoAnswer SdoServer::UploadSegment(const SdoFrame& request) noexcept
 
 SdoAnswer SdoServer::BeginBlockDownload(const SdoFrame& request) noexcept
 {
-    const bool is_stated = (request.bytes[0] & kSizeStated) != 0U;
-    const auto stated = static_cast<std::uint32_t>(FromLittleEndian(&request.bytes[4], 4U));
-    const SdoAbort abort = PrepareDownload(is_stated ? stated : kUnknownLength);
+    const SdoAbort abort = PrepareDownload(request, kSizeStated);
     has_crc_ = (request.bytes[0] & kCrcSupport) != 0U;
     block_size_ = own_block_size_;
     phase_ = Phase::kBlockDownload;

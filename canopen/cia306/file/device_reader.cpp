@@ -142,6 +142,7 @@ class DeviceReader
 
     void ReadDeviceInfo();
     void ReadGranularity(const IniSection& section);
+    void WarnOfCompactPdos(const IniSection& section);
     void ReadCommissioning();
     void ReadNodeId(const IniSection& section);
     void ReadDummyUsage();
@@ -165,11 +166,12 @@ void DeviceReader::ReadDeviceInfo()
         return;
     }
     device_.device_info_place = section->place;
-    ReaderOf(*section).WarnOfSlips({"CANopenSafetySupported", "LSS_Supported", "Granularity"});
+    ReaderOf(*section).WarnOfSlips({"CANopenSafetySupported", "LSS_Supported", "Granularity", "CompactPDO"});
     device_.is_safety_supported = ReaderOf(*section).FlagAt("CANopenSafetySupported");
     const IniKey* const lss = ReaderOf(*section).Find("LSS_Supported");
     device_.is_lss_supported = lss != nullptr && ParseUnsigned(lss->Bare(), 1U).value_or(0U) == 1U;
     ReadGranularity(*section);
+    WarnOfCompactPdos(*section);
 }
 
 /// 0 stands for a mapping that cannot be changed and says nothing about lengths.
@@ -189,6 +191,18 @@ void DeviceReader::ReadGranularity(const IniSection& section)
     else if (bits.value_or(1U) != 0U)
     {
         Warn(key->place, "Granularity is " + Quoted(key->value) + ", expected 1, 8, 16, 32 or 64; it is ignored");
+    }
+}
+
+/// PDO parameters that no section describes: with this key NrOfRXPDO and NrOfTXPDO stand for them. [SRS_EDS_150]
+void DeviceReader::WarnOfCompactPdos(const IniSection& section)
+{
+    const IniKey* const key = ReaderOf(section).Find("CompactPDO");
+    const bool is_used = key != nullptr && !key->Bare().empty() && ParseUnsigned(key->Bare(), 0U) != 0U;
+    if (is_used)
+    {
+        Warn(key->place, "CompactPDO is " + Quoted(key->value) +
+                             ", expected 0 and a section for each PDO object; those without one are left out");
     }
 }
 

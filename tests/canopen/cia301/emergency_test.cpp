@@ -158,6 +158,55 @@ TEST_F(EmergencyTest, TheInhibitTimeIsKeptAndTheOrderToo)
     EXPECT_EQ(Poll()[0], 1U);
 }
 
+// Whoever hears all messages knows at their end what is wrong.
+TEST_F(EmergencyTest, WhatFoundNoRoomIsToldBehindTheFullQueue)
+{
+    Verifies(req::SRS_EMCY_150);
+    // Given an error that flickers until eight messages wait, then ends, and another one that comes
+    for (int i = 0; i < 4; ++i)
+    {
+        producer.Raise(voltage);
+        producer.Clear(0x3110U);
+    }
+    producer.Raise(temperature);
+    producer.Raise(voltage);
+    producer.Clear(0x3110U);
+    EXPECT_EQ(producer.Dropped(), 3U);
+    // When all are sent, then the end that found no room follows, and the error that is there
+    for (int i = 0; i < 4; ++i)
+    {
+        EXPECT_EQ(Poll()[1], 0x31U);
+        EXPECT_EQ(Poll(), (Octets{0x00U, 0x00U, 0x00U, 0U, 0U, 0U, 0U, 0U}));
+    }
+    EXPECT_EQ(Poll(), (Octets{0x00U, 0x00U, 0x09U, 0U, 0U, 0U, 0U, 0U}));
+    EXPECT_EQ(Poll(), (Octets{0x10U, 0x42U, 0x09U, 1U, 2U, 3U, 4U, 5U}));
+    EXPECT_TRUE(Poll().empty());
+    // Nothing is told a second time
+    producer.Clear(0x4210U);
+    EXPECT_EQ(Poll(), (Octets{0x00U, 0x00U, 0x00U, 0U, 0U, 0U, 0U, 0U}));
+    EXPECT_TRUE(Poll().empty());
+    EXPECT_EQ(producer.Dropped(), 3U);
+}
+
+TEST_F(EmergencyTest, AResetOfCommunicationForgetsWhatFoundNoRoom)
+{
+    Verifies(req::SRS_EMCY_150);
+    Verifies(req::SRS_EMCY_008);
+    for (int i = 0; i < 4; ++i)
+    {
+        producer.Raise(voltage);
+        producer.Clear(0x3110U);
+    }
+    producer.Raise(voltage);
+    producer.Raise(temperature);
+    producer.Clear(0x3110U);
+    producer.ResetCommunication(NodeId{5U});
+    EXPECT_TRUE(Poll().empty());
+    producer.Raise(voltage);
+    EXPECT_EQ(Poll()[1], 0x31U);
+    EXPECT_TRUE(Poll().empty());
+}
+
 TEST_F(EmergencyTest, MoreErrorsThanRoomAreCounted)
 {
     Verifies(req::SRS_EMCY_004);

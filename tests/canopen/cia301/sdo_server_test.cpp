@@ -112,6 +112,26 @@ TEST_F(SdoServerTest, MoreOrLessThanStatedIsRefused)
     EXPECT_EQ(u64[0], 1U);
 }
 
+// The greatest length that can be stated is not that of a client that states none.
+TEST_F(SdoServerTest, TheGreatestStatedLengthIsRefusedAtOnce)
+{
+    Verifies(req::SRS_SDO_150);
+    entries[4].size_bytes = 0xFFFFFFFEU; // As if the object had room: the buffer has none.
+    EXPECT_EQ(Send({0x21U, 0x03U, 0x21U, 0x00U, 0xFFU, 0xFFU, 0xFFU, 0xFFU}), AbortOf(0x2103U, 0U, 0x05040005U));
+    EXPECT_EQ(Send({0xC6U, 0x03U, 0x21U, 0x00U, 0xFFU, 0xFFU, 0xFFU, 0xFFU}), AbortOf(0x2103U, 0U, 0x05040005U));
+    entries[4].size_bytes = 2000U;
+    EXPECT_EQ(Send({0x21U, 0x03U, 0x21U, 0x00U, 0xFFU, 0xFFU, 0xFFU, 0xFFU}), AbortOf(0x2103U, 0U, 0x06070012U));
+    EXPECT_EQ(Send({0xC6U, 0x03U, 0x21U, 0x00U, 0xFFU, 0xFFU, 0xFFU, 0xFFU}), AbortOf(0x2103U, 0U, 0x06070012U));
+    EXPECT_EQ(Send({0x21U, 0x02U, 0x21U, 0x00U, 0xFFU, 0xFFU, 0xFFU, 0xFFU}), AbortOf(0x2102U, 0U, 0x06070012U));
+    // And what would have been its only segment writes nothing
+    EXPECT_EQ(Send({0x09U, 'a', 'b', 'c'})[0], 0x80U);
+    EXPECT_EQ(domain_length, 0U);
+    // A client that states no length may have the same bytes there
+    EXPECT_EQ(Send({0x20U, 0x03U, 0x21U, 0x00U, 0xFFU, 0xFFU, 0xFFU, 0xFFU})[0], 0x60U);
+    EXPECT_EQ(Send({0x09U, 'a', 'b', 'c'})[0], 0x20U);
+    EXPECT_EQ(domain_length, 3U);
+}
+
 TEST_F(SdoServerTest, SegmentedUploadIsOneReading)
 {
     Verifies(req::SRS_SDO_004);

@@ -157,6 +157,60 @@ TEST_F(TpdoTest, EventsSendAtOnce)
     }
 }
 
+// 1013h in the frame says when the others changed. As an event of its own it would fill the bus.
+TEST_F(TpdoTest, TheTimeThatGoesOnIsNoEvent)
+{
+    Verifies(req::SRS_PDO_150);
+    entries[0] = {0x1013U,
+                  0U,
+                  DataType::kUnsigned32,
+                  Access::kReadWrite,
+                  kInBoth,
+                  kInBoth,
+                  4U,
+                  u32.data(),
+                  nullptr,
+                  nullptr,
+                  nullptr,
+                  nullptr,
+                  kInTpdo};
+    for (const std::uint8_t type : Octets{0U, 254U, 255U})
+    {
+        tpdos.Reset();
+        u32[0] = 0x44U;
+        u16[1] = 0x33U;
+        tpdo_room[0].trigger = PdoTrigger::kChange;
+        EXPECT_EQ(WritePdo(0x1A00U, 1U, 0x21010010U), SdoAbort::kNone);
+        EXPECT_EQ(WritePdo(0x1A00U, 2U, 0x10130020U), SdoAbort::kNone);
+        EXPECT_EQ(WritePdo(0x1A00U, 3U, 0x21030001U), SdoAbort::kNone);
+        EXPECT_EQ(WritePdo(0x1A00U, 0U, 3U), SdoAbort::kNone);
+        EXPECT_EQ(WritePdo(0x1800U, 2U, type), SdoAbort::kNone);
+        EXPECT_EQ(WritePdo(0x1800U, 1U, 0x185U), SdoAbort::kNone);
+        Cycle();
+        Sync0();
+        EXPECT_EQ(Sent(), 1U); // the first values
+        for (int i = 0; i < 10; ++i)
+        {
+            ++u32[0];
+            Cycle();
+            Sync0();
+        }
+        EXPECT_EQ(Sent(), 0U);
+        // A change before and one behind the time are sent with the time of then
+        u16[1] = 0x34U;
+        Cycle();
+        Sync0();
+        EXPECT_EQ(sink.Next(), (Octets{0x22U, 0x34U, 0x4EU, 0x55U, 0x66U, 0x77U, 0x01U}));
+        u32[0] = 0x50U;
+        bit[0] = 0U;
+        Cycle();
+        Sync0();
+        EXPECT_EQ(sink.Next(), (Octets{0x22U, 0x34U, 0x50U, 0x55U, 0x66U, 0x77U, 0x00U}));
+        EXPECT_EQ(Sent(), 0U);
+        bit[0] = 1U;
+    }
+}
+
 TEST_F(TpdoTest, TheEventTimerHasNoDrift)
 {
     Verifies(req::SRS_PDO_012);

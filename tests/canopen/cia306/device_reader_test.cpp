@@ -145,6 +145,24 @@ TEST(DeviceReader, TellsKeysThatAreASlipAwayFromKnownOnes)
                                         "'DeviceComissioning', expected one of CiA 306; it is ignored"}));
 }
 
+TEST(DeviceReader, TellsOfPdosThatNoSectionDescribes)
+{
+    Verifies(req::SRS_EDS_150);
+    for (const std::string value : {"3", "0x1F", "yes"})
+    {
+        EXPECT_EQ(WarningsOf(test::Changed(Text(""), {{"VendorName=x", "CompactPDO=" + value}})),
+                  (std::vector<std::string>{"f:2:12: warning: CompactPDO is '" + value +
+                                            "', expected 0 and a section for each PDO object; those without one are "
+                                            "left out"}));
+    }
+    for (const std::string value : {"0", "0x00", "", "0 ; none"})
+    {
+        const std::vector<std::string> warnings =
+            WarningsOf(test::Changed(Text(""), {{"VendorName=x", "CompactPDO=" + value}}));
+        EXPECT_TRUE(warnings.empty() || warnings[0].find("CompactPDO") == std::string::npos) << warnings[0];
+    }
+}
+
 TEST(DeviceReader, TellsSectionsThatAreASlipAwayFromKnownOnes)
 {
     Verifies(req::SRS_EDS_037);

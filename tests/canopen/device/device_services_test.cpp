@@ -555,13 +555,17 @@ TEST_F(DeviceServicesTest, WithoutRoomHeartbeatAndEmergencyWait)
     EXPECT_EQ(Download(0x1017U, 0U, 1U, 2U), 0U);
     Cycles(3U);
     Forget();
-    // Given an outbox that other frames fill, a controller that has no place, and an error
+    // Given an outbox that other frames fill, own messages too, a controller that has no place, and an error
     ports.answer = hal::TransmitStatus::kQueueFull;
     for (std::uint8_t count = 0U; count < 16U; ++count)
     {
         static_cast<void>(services.outbox.Send(CanFrame{0x5FFU, FrameKind::kData, CanPortId::kFirst, 1U, {count}}));
     }
-    EXPECT_FALSE(services.outbox.HasRoom());
+    EXPECT_FALSE(services.outbox.Send(CanFrame{}));
+    while (services.outbox.HasOwnRoom())
+    {
+        ASSERT_TRUE(services.outbox.SendOwn(CanFrame{0x5FEU, FrameKind::kData, CanPortId::kFirst, 1U, {0U}}));
+    }
     watch.OnSrdoError({0x1302U}, SrdoCause::kSct);
     Cycles(3U);
     EXPECT_TRUE(Emergencies().empty());

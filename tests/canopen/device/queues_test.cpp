@@ -166,22 +166,22 @@ class OutboxTest : public ::testing::Test
     {
         for (std::uint32_t number = 0U; number < count; ++number)
         {
-            CanFrame frame{};
-            frame.identifier = 0x200U + number;
-            frame.kind = FrameKind::kData;
-            frame.port = CanPortId::kFirst;
-            ASSERT_TRUE(outbox.Send(frame));
+            ASSERT_TRUE(outbox.Send(FrameOf(0x200U + number)));
         }
+    }
+    static CanFrame FrameOf(const std::uint32_t identifier)
+    {
+        return CanFrame{identifier, FrameKind::kData, CanPortId::kFirst, 0U, {}};
     }
     RecordingPorts ports{};
     Outbox outbox{ports};
+    ProcessSink process{outbox};
 };
 
 TEST_F(OutboxTest, TwoFramesAreUnderWayAtMost)
 {
     Verifies(req::SRS_DEV_009);
     Fill(16U);
-    EXPECT_FALSE(outbox.HasRoom());
     EXPECT_FALSE(outbox.Send(CanFrame{}));
     outbox.Poll(Instant{0U});
     outbox.Poll(Instant{99999U});
@@ -196,6 +196,69 @@ TEST_F(OutboxTest, TwoFramesAreUnderWayAtMost)
     EXPECT_EQ(ports.sent.size(), 3U);
     outbox.Poll(Instant{101000U});
     EXPECT_EQ(ports.sent.size(), 5U);
+}
+
+TEST_F(OutboxTest, ProcessDataLeavePlacesAndOwnMessagesHaveTheirs)
+{
+    Verifies(req::SRS_DEV_150);
+    for (int round = 0; round < 3; ++round) // The ring of twenty, at any place.
+    {
+        ports.sent.clear();
+        // Given twelve PDOs, then a thirteenth finds no room, four transfers and no fifth do
+        for (std::uint32_t number = 0U; number < 12U; ++number)
+        {
+            EXPECT_TRUE(process.Send(FrameOf(0x180U + number)));
+        }
+        EXPECT_FALSE(process.Send(FrameOf(0x18CU)));
+        for (std::uint32_t number = 0U; number < 4U; ++number)
+        {
+            EXPECT_TRUE(outbox.Send(FrameOf(0x580U + number)));
+        }
+        EXPECT_FALSE(outbox.Send(FrameOf(0x584U)));
+        // Three own messages, and a boot-up message behind them
+        for (std::uint32_t number = 0U; number < 3U; ++number)
+        {
+            EXPECT_TRUE(outbox.HasOwnRoom());
+            EXPECT_TRUE(outbox.SendOwn(FrameOf(0x700U + number)));
+        }
+        EXPECT_FALSE(outbox.HasOwnRoom());
+        EXPECT_TRUE(outbox.SendOwn(FrameOf(0x703U)));
+        EXPECT_FALSE(outbox.SendOwn(FrameOf(0x704U)));
+        // When a PDO has gone, then its place is for a PDO or a transfer
+        outbox.Poll(Instant{0U});
+        ASSERT_EQ(ports.sent.size(), 2U);
+        EXPECT_TRUE(outbox.Send(FrameOf(0x584U)));
+        EXPECT_TRUE(process.Send(FrameOf(0x18CU)));
+        EXPECT_FALSE(process.Send(FrameOf(0x18DU)));
+        EXPECT_FALSE(outbox.Send(FrameOf(0x585U)));
+        // And all of them leave in their order
+        for (std::uint32_t turn = 0U; turn < 10U; ++turn)
+        {
+            outbox.OnConfirm();
+            outbox.OnConfirm();
+            outbox.Poll(Instant{1U});
+        }
+        std::vector<std::uint32_t> left;
+        for (const CanFrame& frame : ports.sent)
+        {
+            left.push_back(frame.identifier);
+        }
+        EXPECT_EQ(left, (std::vector<std::uint32_t>{0x180U, 0x181U, 0x182U, 0x183U, 0x184U, 0x185U, 0x186U, 0x187U,
+                                                    0x188U, 0x189U, 0x18AU, 0x18BU, 0x580U, 0x581U, 0x582U, 0x583U,
+                                                    0x700U, 0x701U, 0x702U, 0x703U, 0x584U, 0x18CU}));
+        outbox.OnConfirm();
+        outbox.OnConfirm();
+    }
+}
+
+TEST_F(OutboxTest, TransfersAloneHaveSixteenPlaces)
+{
+    Verifies(req::SRS_DEV_150);
+    Fill(16U);
+    EXPECT_FALSE(process.Send(FrameOf(0x180U)));
+    outbox.Clear();
+    Fill(16U);
+    EXPECT_TRUE(outbox.HasOwnRoom());
 }
 
 TEST_F(OutboxTest, TellsWhetherTheNewestFrameOfAnIdentifierIsTheSame)

@@ -292,22 +292,31 @@ TEST_P(GeneratedValues, EachResetRestoresItsPartOfOneBlock)
 TEST_P(GeneratedValues, AnotherNodeIdChangesWhatTheFileWritesWithIt)
 {
     Verifies(req::SRS_GEN_016);
+    Verifies(req::SRS_GEN_150);
     const cia306::Device device = cia306::ReadDeviceFile(Case().file);
     GeneratedNode node(Case());
-    // When the node-ID is 77
-    Case().apply_node_id(77U);
-    // Then each element of the table has the value of the file with it
-    for (const auto& [index, object] : device.objects)
+    const auto expect_value = [&node](const std::uint16_t index, const std::uint8_t sub, const cia306::Entry& entry)
     {
-        for (const auto& [sub, entry] : object.entries)
+        const bool has_formula = entry.Configured().text.find("NODEID") != std::string::npos;
+        const bool is_looked_at =
+            index >= 0x1000U && !IsKernels(index) && has_formula && entry.access != cia306::Access::kWriteOnly;
+        if (is_looked_at)
         {
-            const bool has_formula = entry.Configured().text.find("NODEID") != std::string::npos;
-            const bool is_looked_at =
-                index >= 0x1000U && !IsKernels(index) && has_formula && entry.access != cia306::Access::kWriteOnly;
-            if (is_looked_at)
+            EXPECT_EQ(node.Read(index, sub).bytes, Expected(entry, 77U, false).bytes) << cia306::ObjectName(index, sub);
+        }
+    };
+    // When the node-ID is 77, at once and behind each reset
+    Case().apply_node_id(77U);
+    const auto at_once = []() noexcept {};
+    for (void (*const reset)() noexcept : {+at_once, Case().reset_communication, Case().reset})
+    {
+        reset();
+        // Then each element of the table has the value of the file with it
+        for (const auto& [index, object] : device.objects)
+        {
+            for (const auto& [sub, entry] : object.entries)
             {
-                EXPECT_EQ(node.Read(index, sub).bytes, Expected(entry, 77U, false).bytes)
-                    << cia306::ObjectName(index, sub);
+                expect_value(index, sub, entry);
             }
         }
     }

@@ -175,6 +175,7 @@ TEST_F(NodeServicesTest, WithoutANodeIdThereIsOnlyLssAndThenANode)
 {
     Verifies(req::SRS_NODE_015);
     Verifies(req::SRS_LSS_009);
+    Verifies(req::SRS_NODE_151);
     const std::string file = File("none.dcf", Replaced(TextOf(kPlain), "NodeID=5\n", ""));
     const std::string store = Path("lss_store");
     std::remove(store.c_str());
@@ -205,6 +206,27 @@ TEST_F(NodeServicesTest, WithoutANodeIdThereIsOnlyLssAndThenANode)
     NodeProcess again(arguments);
     EXPECT_FALSE(again.WaitFor(Event("nmt", "state", "pre_operational")).event.is_null());
     EXPECT_EQ(Get(again, "0x1014:00"), 0x89);
+    again.Type("quit");
+    EXPECT_EQ(again.End(), 0);
+    // It begins with it, also where the command line gives another one, and tells of no device with another
+    std::vector<std::string> more = arguments;
+    more.insert(more.end(), {"--node-id", "11"});
+    NodeProcess third(more);
+    EXPECT_EQ(third.WaitFor("nmt").event["state"], "pre_operational");
+    third.Type("quit");
+    EXPECT_EQ(third.End(), 0);
+    for (const NodeProcess* const restarted : {&again, &third})
+    {
+        std::vector<int> told;
+        for (const NodeLine& line : restarted->Lines())
+        {
+            if (line.event["event"] == "start")
+            {
+                told.push_back(line.event["node_id"]);
+            }
+        }
+        EXPECT_EQ(told, std::vector<int>{9});
+    }
     std::remove(store.c_str());
 }
 

@@ -17,6 +17,7 @@ inline constexpr RequirementId SRS_EMCY_007{"SRS_EMCY_007"};
 inline constexpr RequirementId SRS_EMCY_008{"SRS_EMCY_008"};
 inline constexpr RequirementId SRS_EMCY_009{"SRS_EMCY_009"};
 inline constexpr RequirementId SRS_EMCY_010{"SRS_EMCY_010"};
+inline constexpr RequirementId SRS_EMCY_150{"SRS_EMCY_150"};
 inline constexpr RequirementId SRS_ERR_001{"SRS_ERR_001"};
 inline constexpr RequirementId SRS_ERR_002{"SRS_ERR_002"};
 inline constexpr RequirementId SRS_ERR_003{"SRS_ERR_003"};
@@ -89,6 +90,7 @@ inline constexpr RequirementId SRS_SDO_016{"SRS_SDO_016"};
 inline constexpr RequirementId SRS_SDO_017{"SRS_SDO_017"};
 inline constexpr RequirementId SRS_SDO_018{"SRS_SDO_018"};
 inline constexpr RequirementId SRS_SDO_019{"SRS_SDO_019"};
+inline constexpr RequirementId SRS_SDO_150{"SRS_SDO_150"};
 } // namespace counterpoint::req
 
 #endif

@@ -33,6 +33,8 @@ inline constexpr RequirementId SRS_DEV_023{"SRS_DEV_023"};
 inline constexpr RequirementId SRS_DEV_024{"SRS_DEV_024"};
 inline constexpr RequirementId SRS_DEV_025{"SRS_DEV_025"};
 inline constexpr RequirementId SRS_DEV_120{"SRS_DEV_120"};
+inline constexpr RequirementId SRS_DEV_150{"SRS_DEV_150"};
+inline constexpr RequirementId SRS_DEV_151{"SRS_DEV_151"};
 inline constexpr RequirementId SRS_NODE_001{"SRS_NODE_001"};
 inline constexpr RequirementId SRS_NODE_002{"SRS_NODE_002"};
 inline constexpr RequirementId SRS_NODE_003{"SRS_NODE_003"};
@@ -71,6 +73,8 @@ inline constexpr RequirementId SRS_NODE_051{"SRS_NODE_051"};
 inline constexpr RequirementId SRS_NODE_052{"SRS_NODE_052"};
 inline constexpr RequirementId SRS_NODE_053{"SRS_NODE_053"};
 inline constexpr RequirementId SRS_NODE_054{"SRS_NODE_054"};
+inline constexpr RequirementId SRS_NODE_150{"SRS_NODE_150"};
+inline constexpr RequirementId SRS_NODE_151{"SRS_NODE_151"};
 } // namespace counterpoint::req
 
 #endif

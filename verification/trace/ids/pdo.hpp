@@ -28,6 +28,7 @@ inline constexpr RequirementId SRS_PDO_021{"SRS_PDO_021"};
 inline constexpr RequirementId SRS_PDO_022{"SRS_PDO_022"};
 inline constexpr RequirementId SRS_PDO_023{"SRS_PDO_023"};
 inline constexpr RequirementId SRS_PDO_024{"SRS_PDO_024"};
+inline constexpr RequirementId SRS_PDO_150{"SRS_PDO_150"};
 inline constexpr RequirementId SRS_SYNC_001{"SRS_SYNC_001"};
 inline constexpr RequirementId SRS_SYNC_002{"SRS_SYNC_002"};
 inline constexpr RequirementId SRS_SYNC_003{"SRS_SYNC_003"};

@@ -1,0 +1,96 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/canopen/device/device_rig.hpp"
+#include "verification/trace/ids/cia301.hpp"
+#include "verification/trace/ids/node.hpp"
+
+namespace counterpoint::device
+{
+namespace
+{
+
+using DeviceQueueTest = DeviceRig;
+
+// A bus that takes no more than the PDOs of the device: what it has to say of itself leaves all the same.
+TEST_F(DeviceQueueTest, PdosHoldUpNeitherBootUpNorEmergencyNorAnswer)
+{
+    Verifies(req::SRS_DEV_150);
+    Verifies(req::SRS_NMT_002);
+    Run();
+    Forget();
+    const CanFrame pdo{0x182U, FrameKind::kData, CanPortId::kFirst, 0U, {}};
+    const auto fill = [this, &pdo]
+    {
+        while (services.process.Send(pdo))
+        {
+        }
+    };
+    // Given PDOs that take each place as soon as it is free
+    ports.answer = hal::TransmitStatus::kQueueFull;
+    fill();
+    core.DemandSafeState();
+    Frame(0x602U, {0x40U, 0x01U, 0x10U, 0x00U, 0U, 0U, 0U, 0U});
+    Cycles(2U);
+    EXPECT_TRUE(Sent(0x182U).empty());
+    ports.answer = hal::TransmitStatus::kAccepted;
+    for (int cycle = 0; cycle < 20; ++cycle)
+    {
+        fill();
+        Cycle();
+    }
+    EXPECT_EQ(Emergencies(), (std::vector<unsigned>{0x6200U}));
+    ASSERT_EQ(Sent(0x582U).size(), 1U);
+    EXPECT_EQ(Sent(0x582U)[0][0], 0x4FU);
+    // When communication is reset, then the boot-up message comes
+    Forget();
+    ports.answer = hal::TransmitStatus::kQueueFull;
+    fill();
+    Command(130U);
+    Cycles(2U);
+    ports.answer = hal::TransmitStatus::kAccepted;
+    for (int cycle = 0; cycle < 20; ++cycle)
+    {
+        fill();
+        Cycle();
+    }
+    EXPECT_EQ(Sent(0x702U), (std::vector<Octets>{{0U}}));
+}
+
+TEST_F(DeviceQueueTest, WhatOperationalLeavesBehindIsNoPdo)
+{
+    Verifies(req::SRS_DEV_151);
+    for (const std::uint8_t command : Octets{128U, 2U})
+    {
+        Run();
+        Forget();
+        // Given PDOs, SYNC and SDO answers by turns that the controller does not take
+        ports.answer = hal::TransmitStatus::kQueueFull;
+        const auto frame_of = [](const std::uint32_t identifier, const std::uint8_t number)
+        { return CanFrame{identifier, FrameKind::kData, CanPortId::kFirst, 1U, {number}}; };
+        for (std::uint8_t number = 0U; number < 4U; ++number)
+        {
+            ASSERT_TRUE(services.process.Send(frame_of(0x182U, number)));
+            ASSERT_TRUE(services.process.Send(frame_of(0x080U, number)));
+            ASSERT_TRUE(services.process.Send(frame_of(0x282U, number)));
+            ASSERT_TRUE(services.outbox.Send(frame_of(0x582U, number)));
+        }
+        // When OPERATIONAL is left, then the PDOs are gone and the others leave in their order
+        Command(command);
+        Cycle();
+        ports.answer = hal::TransmitStatus::kAccepted;
+        Cycles(12U);
+        EXPECT_TRUE(Sent(0x182U).empty());
+        EXPECT_TRUE(Sent(0x282U).empty());
+        EXPECT_EQ(Sent(0x080U), (std::vector<Octets>{{0U}, {1U}, {2U}, {3U}}));
+        EXPECT_EQ(Sent(0x582U), (std::vector<Octets>{{0U}, {1U}, {2U}, {3U}}));
+        // and their places are free again
+        for (std::uint8_t number = 0U; number < 12U; ++number)
+        {
+            EXPECT_TRUE(services.process.Send(frame_of(0x080U, number)));
+        }
+        EXPECT_FALSE(services.process.Send(frame_of(0x080U, 12U)));
+        device.PowerOff();
+    }
+}
+
+} // namespace
+} // namespace counterpoint::device
