@@ -69,8 +69,9 @@ void Production::Produce(KernelContext& context, const SrdoMask start) noexcept
 {
     transmitted_told_ = transmitted_;
     transmitted_ = 0U;
-    SlotSet to_start{start & context.latch.Gate()};
-    while (to_start.mask != 0U)
+    SlotSet to_start{start};
+    // Looked at for each of them: what a producer before it brought to light holds for it too. [SRS_KRN_004]
+    while ((to_start.mask & context.latch.Gate()) != 0U)
     {
         ProduceSlot(context, TakeLowest(to_start));
     }
@@ -81,6 +82,10 @@ void Production::ProduceSlot(KernelContext& context, const SlotIndex slot) noexc
 {
     const bool asks_provider = context.config->srdos[slot].form == ProducerForm::kProviderCalled; // MISRA D-002
     if (asks_provider && (context.parts.application.OnRefresh(IndexOf(*context.config, slot)) != RefreshAnswer::kReady))
+    {
+        return;
+    }
+    if (!context.latch.IsRunning()) // The provider may demand the device safe state. [SRS_KRN_031]
     {
         return;
     }
