@@ -69,11 +69,15 @@ void Production::Produce(KernelContext& context, const SrdoMask start) noexcept
 {
     transmitted_told_ = transmitted_;
     transmitted_ = 0U;
-    SlotSet to_start{start};
-    // Looked at for each of them: what a producer before it brought to light holds for it too. [SRS_KRN_004]
-    while ((to_start.mask & context.latch.Gate()) != 0U)
+    SlotSet to_start{start & context.latch.Gate()};
+    while (to_start.mask != 0U)
     {
-        ProduceSlot(context, TakeLowest(to_start));
+        const SlotIndex slot = TakeLowest(to_start);
+        // Looked at again: what a producer before it brought to light holds for it too. [SRS_KRN_004]
+        if (context.latch.IsRunning())
+        {
+            ProduceSlot(context, slot);
+        }
     }
     FollowGfc(context);
 }
