@@ -335,11 +335,11 @@ StateReply Kernel::GetState(const CommunicationIndex index) const noexcept
     }
     const SrdoView a = context_.parts.channel_a.View(slot);
     const SrdoView b = context_.parts.channel_b.View(slot);
-    // In the device safe state nothing is released, whatever the channels still hold.
-    const bool is_shared = (a.state == b.state) && ((a.state != SrdoState::kReleased) || context_.latch.SaysRunning());
     // Once OPERATIONAL was left nothing is in use; the channels are told in the next cycle. [SRS_KRN_043]
     const bool is_in_use = (context_.guard.Nmt() == NmtState::kOperational) && (!run_.left_operational);
     const SrdoState shared = is_in_use ? a.state : SrdoState::kOff;
+    // In the device safe state nothing is released, whatever the channels still hold.
+    const bool is_shared = (a.state == b.state) && ((shared != SrdoState::kReleased) || context_.latch.SaysRunning());
     const SrdoState state = is_shared ? shared : SrdoState::kFaulted;
     // A demoted channel learned of the fault from the other one, which knows the cause.
     const bool asks_b = (a.first_cause == SrdoCause::kDemoted) || (a.first_cause == SrdoCause::kNone);

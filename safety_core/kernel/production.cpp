@@ -72,7 +72,12 @@ void Production::Produce(KernelContext& context, const SrdoMask start) noexcept
     SlotSet to_start{start & context.latch.Gate()};
     while (to_start.mask != 0U)
     {
-        ProduceSlot(context, TakeLowest(to_start));
+        const SlotIndex slot = TakeLowest(to_start);
+        // Looked at again: what a producer before it brought to light holds for it too. [SRS_KRN_004]
+        if (context.latch.IsRunning())
+        {
+            ProduceSlot(context, slot);
+        }
     }
     FollowGfc(context);
 }
@@ -81,6 +86,10 @@ void Production::ProduceSlot(KernelContext& context, const SlotIndex slot) noexc
 {
     const bool asks_provider = context.config->srdos[slot].form == ProducerForm::kProviderCalled; // MISRA D-002
     if (asks_provider && (context.parts.application.OnRefresh(IndexOf(*context.config, slot)) != RefreshAnswer::kReady))
+    {
+        return;
+    }
+    if (!context.latch.IsRunning()) // The provider may demand the device safe state. [SRS_KRN_031]
     {
         return;
     }

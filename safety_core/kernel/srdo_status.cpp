@@ -23,15 +23,16 @@ void SrdoStatus::OnError(const SlotIndex slot) noexcept
 }
 
 // Bits 5-4 are 11; bits 7-6 are 10 behind an error, and behind an event alone whatever does not say that one was told.
+// Anything else leaves open what is open, and opens nothing.
 void SrdoStatus::Answer(const SlotIndex slot, const StatusByte status) noexcept
 {
-    const std::uint32_t marks = bytes_[slot] & (kOpen | kError);
+    const std::uint32_t marks = bytes_[slot] & (kUnanswered | kOpen | kError);
     const std::uint32_t error = status.value & kStatusError;
     const bool is_error_handled =
         ((marks & kError) != 0U) ? (error == kStatusErrorHandled) : (error != kStatusErrorTold);
     const bool is_answer = ((status.value & kStatusTransfer) == kStatusTransfer) && is_error_handled;
     const std::uint32_t kept = (status.value & kReadable) ^ kStatusReset;
-    bytes_[slot] = static_cast<std::uint8_t>(kept | (is_answer ? 0U : (marks | kUnanswered)));
+    bytes_[slot] = static_cast<std::uint8_t>(kept | (is_answer ? 0U : marks));
 }
 
 SlotIndex SrdoStatus::TakeOverdue() noexcept

@@ -74,6 +74,19 @@ TEST_F(BetweenCycles, NorWhereOperationalIsEnteredAgainBeforeTheCycle)
     EXPECT_EQ(StateOf(0x1303U), SrdoState::kProducer);
 }
 
+// Channels that both still hold a pair say the same, in the device safe state too.
+TEST_F(BetweenCycles, NorInTheDeviceSafeState)
+{
+    Verifies(req::SRS_KRN_043);
+    Release();
+    kernel.DemandSafeState();
+    ASSERT_EQ(StateOf(0x1301U), SrdoState::kFaulted);
+    kernel.SetNmtState(NmtState::kPreOperational);
+    EXPECT_EQ(StateOf(0x1301U), SrdoState::kOff);
+    Cycle();
+    EXPECT_EQ(StateOf(0x1301U), SrdoState::kOff);
+}
+
 TEST_F(BetweenCycles, NorWhateverIsSetSince)
 {
     Verifies(req::SRS_KRN_043);

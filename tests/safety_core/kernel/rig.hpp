@@ -91,6 +91,10 @@ class RecordingApplication final : public Application
     RefreshAnswer OnRefresh(CommunicationIndex index) noexcept override
     {
         refreshed.push_back(index.value);
+        if (on_refresh)
+        {
+            on_refresh();
+        }
         return refresh;
     }
     void OnSrdoEvent(CommunicationIndex index) noexcept override
@@ -130,6 +134,7 @@ class RecordingApplication final : public Application
         flow.emplace_back(count.event, count.count);
     }
 
+    std::function<void()> on_refresh{};
     std::function<void(CommunicationIndex)> on_event{};
     std::function<void(CommunicationIndex)> on_error{};
     RefreshAnswer refresh{RefreshAnswer::kReady};

@@ -378,6 +378,46 @@ TEST_F(Sending, CallbacksMaySendAndDemandTheSafeState)
 }
 
 // Option GFC: on in GfcIsSentOnlyIfSupportedAndOperational and GfcMakesConsumersSafeAndIsTold, off here.
+// cycle   OnRefresh of SRDO 3: DemandSafeState   [its frame]   [SRDO 4]
+TEST_F(Sending, NothingLeavesOnceAProviderDemandedTheSafeState)
+{
+    Verifies(req::SRS_KRN_031);
+    setups[2].form = ProducerForm::kProviderCalled;
+    Configure();
+    MakeProducer(4U, 0x107U);
+    ASSERT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+    kernel.SetNmtState(NmtState::kOperational);
+    Cycle();
+    application.on_refresh = [this]() { kernel.DemandSafeState(); };
+    Cycle();
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kApplication);
+    EXPECT_TRUE(ports.sent.empty());
+    EXPECT_EQ(application.refreshed, (std::vector<std::uint16_t>{0x1303U}));
+}
+
+// cycle   SRDO 3: the channels prepare different frames   SRDO 4: would be due as well
+TEST_F(Sending, NoProducerIsSentBehindADisagreementAboutTheOneBefore)
+{
+    Verifies(req::SRS_KRN_004);
+    setups[1].form = ProducerForm::kApplicationSends;
+    Configure();
+    MakeProducer(4U, 0x107U);
+    ASSERT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+    kernel.SetNmtState(NmtState::kOperational);
+    Cycles(2U);
+    ASSERT_EQ(kernel.Send(CommunicationIndex{0U}), Result::kSuccessful);
+    bool is_first = true;
+    b.on_prepared = [&is_first](PreparedPair& pair)
+    {
+        pair.normal.length_bytes = is_first ? 1U : pair.normal.length_bytes;
+        is_first = false;
+    };
+    Cycle();
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+    EXPECT_EQ(kernel.DeviceState().slot, 1U);
+    EXPECT_TRUE(ports.sent.empty());
+}
+
 TEST_F(Sending, GfcThatIsRemovedIsNoObjectAndIsNeitherSentNorTaken)
 {
     Verifies(req::SRS_KRN_019);

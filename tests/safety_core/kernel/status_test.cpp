@@ -216,6 +216,23 @@ TEST_F(Status, WrongAnswerLeavesTheErrorToAnswer)
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kHandshake);
 }
 
+// What was answered stays so, whatever the application writes then; only an announcement has to be answered.
+TEST_F(Status, WhatIsWrittenBehindTheAnswerOpensNothing)
+{
+    Verifies(req::SRS_KRN_022);
+    handshake = StatusHandshake::kRequired;
+    Operate();
+    Answer(kConsumer, 0x00U);
+    Cycles(2U);
+    ReceiveWrong();
+    Cycle();
+    Answer(kConsumer, 0xB0U);
+    Answer(kConsumer, 0x90U);
+    Cycles(2U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    EXPECT_EQ(StatusOf(kConsumer), 0x90U);
+}
+
 // Behind an event alone whatever does not say that an error was told: none, or an older one that was handled.
 TEST_F(Status, EventNeedsNoAnswerInTheFieldOfErrors)
 {
