@@ -84,6 +84,8 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     x_consumers.Restart();
     x_producers.Clear();
     x_acknowledge = Acknowledge{};
+    x_last_us = 0U;
+    x_total_us = 0U;
     x_cycle = 0U;
     x_activity = Mark::kUnset;
     x_was_called = false;
@@ -297,21 +299,25 @@ void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
     }
 }
 
-/// NMT state and guard come first; then the time that went by is taken from all that runs. [SRS_CONS_002, SRS_CONS_015,
-/// SRS_CONS_023, SRS_REL_005]
+/// Time, NMT state and guard come first; then the time that went by is taken from all that runs. What was taken so far
+/// adds up to the instant of the last call; a flipped bit of either parts them until Restart. [SRS_CHB_190,
+/// SRS_CONS_002, SRS_CONS_015, SRS_CONS_023, SRS_REL_005]
 CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
 {
     CycleOutcome outcome{};
     const bool was_running = IsRunning();
+    const bool is_time_sound = x_total_us == x_last_us;
     const std::uint32_t elapsed_us = input.now.us - x_last_us;
     Tick tick{elapsed_us, x_acknowledge.Follow(input.acknowledge), input.request, input.stand, false, false, false};
     tick.is_late = x_was_called && (elapsed_us > x_settings.LongestCallUs()); // The first call is never late.
     tick.is_overflowed = input.queue != QueueState::kIntact;
     tick.is_gfc = x_has_gfc;
     outcome.guard = ViewGuard(input, x_settings.ConfigurationValid());
-    const bool is_running = (outcome.guard == GuardView::kConfigured) && (input.nmt == NmtState::kOperational);
+    const bool is_wanted = (outcome.guard == GuardView::kConfigured) && (input.nmt == NmtState::kOperational);
+    const bool is_running = is_wanted && is_time_sound;
     x_activity = is_running ? Mark::kRunning : Mark::kUnset;
     x_last_us = input.now.us;
+    x_total_us += elapsed_us;
     x_was_called = true;
     x_has_gfc = false;
     ++x_cycle;

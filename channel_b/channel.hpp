@@ -78,6 +78,7 @@ class Channel final : public counterpoint::Channel
     Acknowledge x_acknowledge;
     std::uint32_t x_last_us{0U};   ///< The `now` of the last OnCycle: every budget and every stamp is relative to it.
                                    ///< [SRS_TIME_002]
+    std::uint32_t x_total_us{0U};  ///< All elapsed times since Restart, one after the other: x_last_us again.
     std::uint32_t x_cycle{0U};     ///< Calls of OnCycle.
     Mark x_activity{Mark::kUnset}; ///< kRunning while SRDOs are active.
     bool x_was_called{false};      ///< OnCycle, since Restart.
