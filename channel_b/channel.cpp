@@ -71,7 +71,7 @@ void AddDevice(Crc32& crc, const DeviceConfig& config, std::uint32_t gfc) noexce
 Channel::Channel(const Storage& storage) noexcept
     : x_admission(storage.admission), x_room(storage.room), x_settings(storage.settings),
       x_mappings(storage.mappings, x_settings, storage.room.map_entries), x_faults(storage.faults),
-      x_consumers(storage.pairs, Parts{x_settings, x_mappings, x_faults}),
+      x_limits(storage.pairs, x_settings), x_consumers(storage.pairs, Parts{x_settings, x_mappings, x_faults}),
       x_producers(storage.pairs, Parts{x_settings, x_mappings, x_faults})
 {
 }
@@ -217,19 +217,21 @@ CheckResult Channel::Validate(SlotIndex slot) noexcept
     if ((fault == ConfigFault::kNone) && (direction != kDirectionOff))
     {
         x_admission.resolved[slot] = Mark::kGood;
+        x_limits.Forget(slot);
         x_consumers.SetUp(slot);
     }
     return Conclude(slot, fault, signature);
 }
 
-/// What the signature finds need not be looked for in the mapping. [SRS_CFG_030]
+/// What the signature finds need not be looked for elsewhere. [SRS_CFG_030, SRS_CHB_191, SRS_CHB_192]
 CheckResult Channel::Recheck(SlotIndex slot) noexcept
 {
     const std::uint16_t signature = SignatureOf(slot);
     ConfigFault fault = CompareSignatures(signature, x_settings.Signature(slot));
     if ((fault == ConfigFault::kNone) && (x_settings.Direction(slot) != kDirectionOff))
     {
-        const bool is_right = (x_admission.resolved[slot] == Mark::kGood) && x_mappings.IsRight(slot);
+        const bool is_mapped = (x_admission.resolved[slot] == Mark::kGood) && x_mappings.IsRight(slot);
+        const bool is_right = is_mapped && x_mappings.IsMeasured(slot) && x_limits.AreRight(slot);
         fault = is_right ? ConfigFault::kNone : ConfigFault::kTable;
     }
     return Conclude(slot, fault, signature);
@@ -257,6 +259,7 @@ void Channel::Admit(SlotIndex slot) noexcept
     {
         return;
     }
+    x_limits.Take(slot);
     // Identifiers were checked by Validate; the remainder keeps a corrupted one within the look-up.
     const std::uint32_t offset = x_settings.NormalIdentifier(slot) - kFirstSrdoIdentifier;
     x_admission.slot_of[offset % kSrdoIdentifierCount] = slot;

@@ -5,6 +5,7 @@
 #include "channel_b/acknowledge.hpp"
 #include "channel_b/consumer.hpp"
 #include "channel_b/faults.hpp"
+#include "channel_b/limits.hpp"
 #include "channel_b/mapping.hpp"
 #include "channel_b/producer.hpp"
 #include "channel_b/settings.hpp"
@@ -73,6 +74,7 @@ class Channel final : public counterpoint::Channel
     Settings x_settings;
     Mappings x_mappings;
     Faults x_faults;
+    Limits x_limits;
     Consumers x_consumers;
     Producers x_producers;
     Acknowledge x_acknowledge;

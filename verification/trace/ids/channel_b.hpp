@@ -8,6 +8,8 @@
 namespace counterpoint::req
 {
 inline constexpr RequirementId SRS_CHB_190{"SRS_CHB_190"};
+inline constexpr RequirementId SRS_CHB_191{"SRS_CHB_191"};
+inline constexpr RequirementId SRS_CHB_192{"SRS_CHB_192"};
 } // namespace counterpoint::req
 
 #endif
