@@ -71,7 +71,7 @@ void AddDevice(Crc32& crc, const DeviceConfig& config, std::uint32_t gfc) noexce
 Channel::Channel(const Storage& storage) noexcept
     : x_admission(storage.admission), x_room(storage.room), x_settings(storage.settings),
       x_mappings(storage.mappings, x_settings, storage.room.map_entries), x_faults(storage.faults),
-      x_consumers(storage.pairs, Parts{x_settings, x_mappings, x_faults}),
+      x_limits(storage.pairs, x_settings), x_consumers(storage.pairs, Parts{x_settings, x_mappings, x_faults}),
       x_producers(storage.pairs, Parts{x_settings, x_mappings, x_faults})
 {
 }
@@ -84,6 +84,8 @@ void Channel::Restart(const DeviceConfig& config) noexcept
     x_consumers.Restart();
     x_producers.Clear();
     x_acknowledge = Acknowledge{};
+    x_last_us = 0U;
+    x_total_us = 0U;
     x_cycle = 0U;
     x_activity = Mark::kUnset;
     x_was_called = false;
@@ -215,19 +217,21 @@ CheckResult Channel::Validate(SlotIndex slot) noexcept
     if ((fault == ConfigFault::kNone) && (direction != kDirectionOff))
     {
         x_admission.resolved[slot] = Mark::kGood;
+        x_limits.Forget(slot);
         x_consumers.SetUp(slot);
     }
     return Conclude(slot, fault, signature);
 }
 
-/// What the signature finds need not be looked for in the mapping. [SRS_CFG_030]
+/// What the signature finds need not be looked for elsewhere. [SRS_CFG_030, SRS_CHB_191, SRS_CHB_192]
 CheckResult Channel::Recheck(SlotIndex slot) noexcept
 {
     const std::uint16_t signature = SignatureOf(slot);
     ConfigFault fault = CompareSignatures(signature, x_settings.Signature(slot));
     if ((fault == ConfigFault::kNone) && (x_settings.Direction(slot) != kDirectionOff))
     {
-        const bool is_right = (x_admission.resolved[slot] == Mark::kGood) && x_mappings.IsRight(slot);
+        const bool is_mapped = (x_admission.resolved[slot] == Mark::kGood) && x_mappings.IsRight(slot);
+        const bool is_right = is_mapped && x_mappings.IsMeasured(slot) && x_limits.AreRight(slot);
         fault = is_right ? ConfigFault::kNone : ConfigFault::kTable;
     }
     return Conclude(slot, fault, signature);
@@ -255,6 +259,7 @@ void Channel::Admit(SlotIndex slot) noexcept
     {
         return;
     }
+    x_limits.Take(slot);
     // Identifiers were checked by Validate; the remainder keeps a corrupted one within the look-up.
     const std::uint32_t offset = x_settings.NormalIdentifier(slot) - kFirstSrdoIdentifier;
     x_admission.slot_of[offset % kSrdoIdentifierCount] = slot;
@@ -297,21 +302,25 @@ void Channel::OnFrame(const CanFrame& frame, Instant stamp) noexcept
     }
 }
 
-/// NMT state and guard come first; then the time that went by is taken from all that runs. [SRS_CONS_002, SRS_CONS_015,
-/// SRS_CONS_023, SRS_REL_005]
+/// Time, NMT state and guard come first; then the time that went by is taken from all that runs. What was taken so far
+/// adds up to the instant of the last call; a flipped bit of either parts them until Restart. [SRS_CHB_190,
+/// SRS_CONS_002, SRS_CONS_015, SRS_CONS_023, SRS_REL_005]
 CycleOutcome Channel::OnCycle(const CycleInput& input) noexcept
 {
     CycleOutcome outcome{};
     const bool was_running = IsRunning();
+    const bool is_time_sound = x_total_us == x_last_us;
     const std::uint32_t elapsed_us = input.now.us - x_last_us;
     Tick tick{elapsed_us, x_acknowledge.Follow(input.acknowledge), input.request, input.stand, false, false, false};
     tick.is_late = x_was_called && (elapsed_us > x_settings.LongestCallUs()); // The first call is never late.
     tick.is_overflowed = input.queue != QueueState::kIntact;
     tick.is_gfc = x_has_gfc;
     outcome.guard = ViewGuard(input, x_settings.ConfigurationValid());
-    const bool is_running = (outcome.guard == GuardView::kConfigured) && (input.nmt == NmtState::kOperational);
+    const bool is_wanted = (outcome.guard == GuardView::kConfigured) && (input.nmt == NmtState::kOperational);
+    const bool is_running = is_wanted && is_time_sound;
     x_activity = is_running ? Mark::kRunning : Mark::kUnset;
     x_last_us = input.now.us;
+    x_total_us += elapsed_us;
     x_was_called = true;
     x_has_gfc = false;
     ++x_cycle;

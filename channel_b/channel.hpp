@@ -5,6 +5,7 @@
 #include "channel_b/acknowledge.hpp"
 #include "channel_b/consumer.hpp"
 #include "channel_b/faults.hpp"
+#include "channel_b/limits.hpp"
 #include "channel_b/mapping.hpp"
 #include "channel_b/producer.hpp"
 #include "channel_b/settings.hpp"
@@ -73,11 +74,13 @@ class Channel final : public counterpoint::Channel
     Settings x_settings;
     Mappings x_mappings;
     Faults x_faults;
+    Limits x_limits;
     Consumers x_consumers;
     Producers x_producers;
     Acknowledge x_acknowledge;
     std::uint32_t x_last_us{0U};   ///< The `now` of the last OnCycle: every budget and every stamp is relative to it.
                                    ///< [SRS_TIME_002]
+    std::uint32_t x_total_us{0U};  ///< All elapsed times since Restart, one after the other: x_last_us again.
     std::uint32_t x_cycle{0U};     ///< Calls of OnCycle.
     Mark x_activity{Mark::kUnset}; ///< kRunning while SRDOs are active.
     bool x_was_called{false};      ///< OnCycle, since Restart.

@@ -69,8 +69,6 @@ void Consumers::Admit(SlotIndex slot) noexcept
     x_pairs.granted[slot] = Mark::kUnset;
     x_pairs.edge[slot] = Mark::kUnset;
     x_pairs.ordinal[slot] = 0U;
-    x_pairs.limit[slot] = x_settings.SctUs(slot);
-    x_pairs.srvt_limit[slot] = x_settings.SrvtUs(slot);
 }
 
 /// [SRS_CONS_019]

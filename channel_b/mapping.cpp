@@ -76,6 +76,17 @@ constexpr std::uint8_t kDummyBits[kLastDummyIndex + 1U] = {0U, 1U, 8U, 16U, 32U,
     return (mapping.count == mapping.declared) && (mapping.count != 0U) && ((mapping.count % 2U) == 0U);
 }
 
+/// How many bits the data of a frame have: those of the normal entries.
+[[nodiscard]] std::uint32_t BitsOf(const Mapping& mapping) noexcept
+{
+    std::uint32_t bits = 0U;
+    for (std::uint32_t index = 0U; index < mapping.count; index += 2U)
+    {
+        bits += LengthOf(mapping.entries[index]);
+    }
+    return bits;
+}
+
 /// How far an object's bits move the others in the word. What fills the word alone has no others; no corrupted entry
 /// shifts by more than the word has.
 [[nodiscard]] std::uint32_t Within(std::uint32_t at) noexcept
@@ -201,7 +212,7 @@ bool Mappings::IsShared(SlotIndex slot) const noexcept
 ConfigFault Mappings::Resolve(SlotIndex slot) noexcept
 {
     const Mapping mapping = Of(slot);
-    std::uint32_t bits = 0U;
+    const std::uint32_t bits = BitsOf(mapping);
     if (!IsCountRight(mapping))
     {
         return ConfigFault::kMapping;
@@ -216,7 +227,6 @@ ConfigFault Mappings::Resolve(SlotIndex slot) noexcept
         {
             return ConfigFault::kMapping;
         }
-        bits += LengthOf(mapping.entries[index]);
     }
     if (!IsRight(slot))
     {
@@ -263,6 +273,13 @@ bool Mappings::IsRight(SlotIndex slot) const noexcept
         }
     }
     return true;
+}
+
+/// [SRS_CHB_191]
+bool Mappings::IsMeasured(SlotIndex slot) const noexcept
+{
+    const std::uint32_t bits = BitsOf(Of(slot));
+    return (MappedBits(slot) == LowBits(bits)) && (LengthBytes(slot) == BytesFor(bits));
 }
 
 /// [SRS_PROD_005, SRS_CFG_036]

@@ -52,6 +52,8 @@ class Mappings
     /// @brief Whether each entry leads to the object that it names, with its length and access, or to none if it is a
     /// dummy; the objects of a static mapping one behind the other from the registered fields on.
     [[nodiscard]] bool IsRight(SlotIndex slot) const noexcept;
+    /// @brief Whether the two below are still those of the entries.
+    [[nodiscard]] bool IsMeasured(SlotIndex slot) const noexcept;
     /// @brief A word of which the mapped bits are set, ...
     [[nodiscard]] std::uint64_t MappedBits(SlotIndex slot) const noexcept
     {

@@ -51,7 +51,6 @@ void Producers::Admit(SlotIndex slot) noexcept
     x_active |= BitOf(slot);
     x_pairs.ordinal[slot] = 0U;
     x_pairs.phase_left[slot] = kFirstTransmissionStepUs * x_settings.Config().node_id;
-    x_pairs.limit[slot] = x_settings.SrvtUs(slot);
     x_pairs.stage[slot] = Stage::kIdle;
 }
 

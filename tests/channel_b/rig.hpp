@@ -269,6 +269,12 @@ class Rig
         return channel_;
     }
 
+    /// @brief Of the last call.
+    [[nodiscard]] std::uint32_t Now() const
+    {
+        return clock_us_;
+    }
+
     DeviceConfig& Config()
     {
         return config_;
