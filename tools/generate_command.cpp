@@ -108,10 +108,8 @@ class GenerateCommand final : public Command
         }
         RequireOwnOrNone(PathOf(generate::kHeaderName));
         RequireOwnOrNone(PathOf(generate::kSourceName));
-        cia306::RequireWritable(PathOf(generate::kHeaderName));
-        cia306::RequireWritable(PathOf(generate::kSourceName));
-        cia306::WriteTextFile(PathOf(generate::kHeaderName), code.header);
-        cia306::WriteTextFile(PathOf(generate::kSourceName), code.source);
+        cia306::WriteTextFiles(
+            {{PathOf(generate::kHeaderName), code.header}, {PathOf(generate::kSourceName), code.source}});
     }
 
     void Print(const generate::GeneratedCode& code, const bool is_refused, const Streams& streams) const

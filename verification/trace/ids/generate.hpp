@@ -28,6 +28,7 @@ inline constexpr RequirementId SRS_GEN_018{"SRS_GEN_018"};
 inline constexpr RequirementId SRS_GEN_019{"SRS_GEN_019"};
 inline constexpr RequirementId SRS_GEN_020{"SRS_GEN_020"};
 inline constexpr RequirementId SRS_GEN_027{"SRS_GEN_027"};
+inline constexpr RequirementId SRS_GEN_170{"SRS_GEN_170"};
 } // namespace counterpoint::req
 
 #endif
