@@ -100,6 +100,7 @@ class GenerateCommand final : public Command
         return folder_.empty() ? std::string(name) : (std::filesystem::path(folder_) / name).string();
     }
 
+    /// Both or none. [SRS_GEN_170]
     void Write(const generate::GeneratedCode& code) const
     {
         if (!folder_.empty())

@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/device/time_text.hpp"
+#include "runtime/yaml/document.hpp"
 #include "simulator/report/reports.hpp"
 #include "tests/integration/scenario_run.hpp"
 #include "verification/trace/ids/simulator.hpp"
@@ -106,6 +107,10 @@ expect:
         levels += (place == std::string::npos) ? "" : line.substr(0U, place) + line.substr(line.size() - 2U) + "\n";
     }
     EXPECT_EQ(levels, "     150.000 ms 1\n     680.000 ms 0\n     800.000 ms 1\n     850.000 ms 0\n");
+    // And one that lasts no time is refused
+    EXPECT_THROW(
+        static_cast<void>(RunChain("acknowledge: [{at: 200 ms, node: actuator, srdo: 1, pulse: 0 ms}]\n", true)),
+        runtime::YamlError);
 }
 
 // Given an instant between two microseconds, then every place tells the same one: the one that has passed.
