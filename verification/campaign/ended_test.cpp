@@ -82,6 +82,7 @@ class EndedTest : public CampaignTest
             const bool is_due = count >= next && left > 0;
             next = is_due ? count + step : next;
             left -= is_due ? 1 : 0;
+            std::this_thread::sleep_for(std::chrono::milliseconds{is_due ? 1 : 0}); // The next fault is being tried.
             return is_due;
         };
     }
