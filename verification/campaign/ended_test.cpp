@@ -21,7 +21,7 @@ namespace counterpoint::campaign::test
 {
 namespace
 {
-constexpr const char* kMixed = "at: [500 ms]\ncycles: 2\nsample: 60\n";
+constexpr const char* kMixed = "at: [500 ms]\ncycles: 2\nsample: 20\n";
 
 /// The process that has no child of its own: it tries the fault. 0: there is none.
 pid_t LeafOf(const pid_t process)
@@ -97,7 +97,7 @@ TEST_F(EndedTest, FaultWhoseProcessIsKilledFromOutsideIsTriedAgain)
     const tools::test::Answer whole = Campaign({plan, "--jobs", "1", "--out", Path("whole")});
     // When the process that tries faults is killed ten times, as a system without memory does
     const int status =
-        Disturbed({plan, "--jobs", "1", "--out", Path("disturbed")}, Path("err"), WhenItGrows("disturbed", 100U));
+        Disturbed({plan, "--jobs", "1", "--out", Path("disturbed")}, Path("err"), WhenItGrows("disturbed", 40U));
     // Then no fault is told as safe by exception for that: the bytes are the same
     EXPECT_EQ(status, whole.status);
     EXPECT_EQ(cia306::ReadTextFile(Path("disturbed")), cia306::ReadTextFile(Path("whole")));
@@ -182,7 +182,7 @@ TEST_F(EndedTest, RoomForAllResultsIsTakenBeforeTheFirstOne)
 TEST_F(EndedTest, FileOfResultsWithoutRoomIsRefused)
 {
     Verifies(req::SRS_CMG_172);
-    // Given room for files of 4096 bytes, and a plan of 2400 experiments
+    // Given room for files of 4096 bytes, and a plan of 800 experiments
     const std::string plan = PlanFile("plan.yaml", "actuator", kMixed);
     const pid_t child = fork();
     if (child == 0)
@@ -199,7 +199,7 @@ TEST_F(EndedTest, FileOfResultsWithoutRoomIsRefused)
     waitpid(child, &status, 0);
     // Then that is told before anything is tried, and the file takes none
     EXPECT_EQ(WEXITSTATUS(status), 2);
-    EXPECT_EQ(cia306::ReadTextFile(Path("err")), Path("results") + ": error: no room for its 19232 bytes (File too "
+    EXPECT_EQ(cia306::ReadTextFile(Path("err")), Path("results") + ": error: no room for its 6432 bytes (File too "
                                                                    "large), expected a file system with room for "
                                                                    "them\n");
     EXPECT_EQ(cia306::ReadTextFile(Path("results")), "");
