@@ -14,7 +14,7 @@ constexpr int kMaxNodeId = 127;
 
 void DeviceOptions::Describe(Options& options)
 {
-    options.Add("FILE", &file, "EDS or DCF file").Required().Type("");
+    options.Add("FILE", &file, "EDS or DCF file").Required().Type("").Check(ProblemOfFileName);
     options.Add("--node-id", &node_id, "Node-ID for $NODEID (default: the one in the file)").Range(1, kMaxNodeId);
     options.Add("--json", &is_json, "Answer as one JSON document");
 }

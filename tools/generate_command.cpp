@@ -100,6 +100,7 @@ class GenerateCommand final : public Command
         return folder_.empty() ? std::string(name) : (std::filesystem::path(folder_) / name).string();
     }
 
+    /// Both or none. [SRS_GEN_170]
     void Write(const generate::GeneratedCode& code) const
     {
         if (!folder_.empty())
@@ -108,10 +109,8 @@ class GenerateCommand final : public Command
         }
         RequireOwnOrNone(PathOf(generate::kHeaderName));
         RequireOwnOrNone(PathOf(generate::kSourceName));
-        cia306::RequireWritable(PathOf(generate::kHeaderName));
-        cia306::RequireWritable(PathOf(generate::kSourceName));
-        cia306::WriteTextFile(PathOf(generate::kHeaderName), code.header);
-        cia306::WriteTextFile(PathOf(generate::kSourceName), code.source);
+        cia306::WriteTextFiles(
+            {{PathOf(generate::kHeaderName), code.header}, {PathOf(generate::kSourceName), code.source}});
     }
 
     void Print(const generate::GeneratedCode& code, const bool is_refused, const Streams& streams) const

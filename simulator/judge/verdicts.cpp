@@ -221,21 +221,20 @@ class Judgement
 
     [[nodiscard]] ExpectationVerdict OfCause(const Expectation& expectation) const
     {
+        std::vector<SrdoCause> causes; // Each once, as they came.
         std::string seen;
-        bool is_there = false;
         for (const Event& event : journal_.Events())
         {
             const bool is_this =
                 event.kind == EventKind::kSignal && IsMeant(expectation, event.node) && event.srdo == expectation.srdo;
-            if (!is_this)
-            {
-                continue;
-            }
             const auto cause = static_cast<SrdoCause>(event.value);
-            is_there = is_there || cause == expectation.cause;
-            const std::string name = Name(cause);
-            seen += (seen.find(name) == std::string::npos) ? (seen.empty() ? "" : ", ") + name : "";
+            if (is_this && std::find(causes.begin(), causes.end(), cause) == causes.end())
+            {
+                causes.push_back(cause);
+                seen += (seen.empty() ? "" : ", ") + std::string(Name(cause));
+            }
         }
+        const bool is_there = std::find(causes.begin(), causes.end(), expectation.cause) != causes.end();
         return {0U,
                 (expectation.cause == SrdoCause::kNone) ? seen.empty() : is_there,
                 Place(expectation) + " cause " + Name(expectation.cause),

@@ -127,6 +127,8 @@ constexpr BadCase kBadCases[] = {
      "3:5: error: clock fault without an effect of its own, expected one of 'stopped: true', 'ppm' and 'jump'"},
     {"acknowledge of a producer", "acknowledge: [{at: 200 ms, node: sensor, srdo: 1, pulse: 50 ms}]\n",
      "2:15: error: SRDO 1 in "},
+    {"acknowledge that nobody presses", "acknowledge: [{at: 200 ms, node: actuator, srdo: 1, pulse: 0 ms}]\n",
+     "2:60: error: '0 ms', expected a time above 0"},
     {"jump of nothing", "faults:\n  - {fault: clock, node: actuator, counter: a, at: 1 ms, jump: 0 ms}\n",
      "3:64: error: '0 ms', expected a time above 0"},
     {"identifier and SRDO", "faults:\n  - {fault: loss, frames: {identifier: 1, srdo: {node: sensor, srdo: 1}}}\n",

@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/device/time_text.hpp"
+#include "runtime/yaml/document.hpp"
 #include "simulator/report/reports.hpp"
 #include "tests/integration/scenario_run.hpp"
 #include "verification/trace/ids/simulator.hpp"
@@ -60,6 +61,56 @@ TEST(Reports, TimeLineShowsWhoSawWhat)
     {
         EXPECT_NE(text.find(line), std::string::npos) << line;
     }
+}
+
+TEST(Reports, VerdictTellsEachCauseThatWasSeen)
+{
+    Verifies(req::SRS_SIM_030);
+    // Given an actuator that waits for its first pair past SCT, and later loses its producer
+    const auto run = RunChain(R"(
+faults:
+  - {fault: loss, name: late, frames: {identifier: [0x103, 0x104], receiver: actuator, until: 120 ms, count: 100}}
+  - {fault: unplugged, node: controller, at: 500 ms}
+expect:
+  - {that: cause, node: actuator, srdo: 1, is: sct}
+)",
+                              true);
+    // Then the second cause is told beside the first one, whose name ends like it
+    EXPECT_NE(TimeLineOf(*run).find("  holds   actuator SRDO 1 cause sct: waiting_past_sct, sct\n"), std::string::npos)
+        << TimeLineOf(*run);
+}
+
+TEST(Reports, AcknowledgeThatSeveralPressEndsWithTheLastOne)
+{
+    Verifies(req::SRS_SIM_170);
+    // Given an input that is pressed from 150 to 200 ms, and by somebody else from 180 to 680 ms
+    const auto run = RunChain(R"(
+acknowledge:
+  - {at: 180 ms, node: actuator, srdo: 1, pulse: 500 ms}
+  - {at: 600 ms, node: actuator, srdo: 1, pulse: 50 ms}
+  - {at: 800 ms, node: actuator, srdo: 1, pulse: 50 ms}
+faults:
+  - {fault: loss, frames: {identifier: 0x104, receiver: actuator, from: 400 ms}}
+expect:
+  - {that: safe, node: actuator, srdo: 1, at: 790 ms}
+  - {that: released, node: actuator, srdo: 1, at: 900 ms}
+)",
+                              true);
+    // Then it is 1 until the last one lets go; a press within that is no edge, and releases nothing
+    const std::string text = TimeLineOf(*run);
+    EXPECT_TRUE(run->Holds()) << text;
+    std::string levels;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+    {
+        const std::size_t place = line.find("  actuator     SRDO 1 acknowledge ");
+        levels += (place == std::string::npos) ? "" : line.substr(0U, place) + line.substr(line.size() - 2U) + "\n";
+    }
+    EXPECT_EQ(levels, "     150.000 ms 1\n     680.000 ms 0\n     800.000 ms 1\n     850.000 ms 0\n");
+    // And one that lasts no time is refused
+    EXPECT_THROW(
+        static_cast<void>(RunChain("acknowledge: [{at: 200 ms, node: actuator, srdo: 1, pulse: 0 ms}]\n", true)),
+        runtime::YamlError);
 }
 
 // Given an instant between two microseconds, then every place tells the same one: the one that has passed.

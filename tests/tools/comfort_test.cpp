@@ -57,6 +57,8 @@ TEST(Slip, NearestCommandAndOptionAreNamed)
     Verifies(req::SRS_EASE_001);
     EXPECT_EQ(RunCommand({"chekc", "a.dcf"}).err.substr(0U, 62U),
               "counterpoint: 'chekc' is no command (did you mean 'check'?); e");
+    EXPECT_EQ(RunCommand({"--verison"}).err.substr(0U, 72U),
+              "counterpoint: '--verison' is no option (did you mean '--version'?); expe");
     EXPECT_EQ(RunCommand({"sign", "a.dcf", "--nodeid", "3"}).err,
               "counterpoint: '--nodeid' is no option (did you mean '--node-id'?); expected a command line as told by "
               "'counterpoint sign --help'\n");

@@ -6,8 +6,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <csignal>
 #include <filesystem>
 #include <string>
+#include <sys/resource.h>
 
 namespace counterpoint::tools
 {
@@ -44,6 +46,32 @@ TEST_F(GenerateCommandTest, WritesTwoFilesIntoANewFolder)
     const std::string header = cia306::ReadTextFile(Path("out/object_dictionary.hpp"));
     EXPECT_NE(header.find("namespace a::sensor\n"), std::string::npos);
     EXPECT_EQ(header.find(cia306::test::SourceFolder()), std::string::npos);
+}
+
+TEST_F(GenerateCommandTest, NeitherFileIsReplacedWhereOneOfThemHasNoRoom)
+{
+    Verifies(req::SRS_GEN_170);
+    // Given the two files of a sensor, and a system that takes no more of a file than its header needs
+    ASSERT_EQ(RunCommand({"generate", Example(), "--output", Path("out"), "--namespace", "sensor"}).status, 0);
+    const std::string header = cia306::ReadTextFile(Path("out/object_dictionary.hpp"));
+    const std::string source = cia306::ReadTextFile(Path("out/object_dictionary.cpp"));
+    ASSERT_LT(header.size() + 1000U, source.size());
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{source.size() - 1U, before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    // When the same is generated under another name
+    const Answer answer = RunCommand({"generate", Example(), "--output", Path("out"), "--namespace", "newer_sensor"});
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+    (void)std::signal(SIGXFSZ, handler);
+    // Then it is refused, and the two that were there still belong together
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_EQ(answer.err, Path("out/object_dictionary.cpp") +
+                              ": error: it cannot be written (File too large), expected a file system with room\n");
+    EXPECT_EQ(cia306::ReadTextFile(Path("out/object_dictionary.hpp")), header);
+    EXPECT_EQ(cia306::ReadTextFile(Path("out/object_dictionary.cpp")), source);
+    EXPECT_EQ(FilesIn("out"), 2U);
 }
 
 TEST_F(GenerateCommandTest, WithoutAFolderItWritesIntoTheWorkingOne)

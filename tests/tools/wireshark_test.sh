@@ -1,6 +1,6 @@
 #!/bin/sh
 # wireshark_test.sh SOURCE_FOLDER: what tshark shows of SRDO and GFC with the dissector of tools/wireshark. [SRS_MON_015,
-# SRS_MON_045]
+# SRS_MON_045, SRS_MON_170]
 source=$1
 if ! command -v tshark >/dev/null; then
   echo "tshark is not installed: left out (Debian package tshark)"
@@ -96,6 +96,27 @@ expect "Expert information" "$folder/expected"
 echo "8 9 11 14 16 22 31" >"$folder/expected"
 show -o srdo.srvt:0 -r "$folder/planted.log" -Y "srdo.expert" -T fields -e frame.number | tr '\n' ' ' | sed 's/ $/\n/' >"$folder/found"
 expect "No limits" "$folder/expected"
+
+# A capture may begin within a pair: no longer than SRVT, and once. SCT is over whatever frame comes behind it.
+cat >"$folder/begun.log" <<'TEXT'
+(1700000001.000000) can0 080#
+(1700000001.020000) can0 102#FEFD
+(1700000001.020001) can0 104#FEFD
+(1700000001.020002) can0 102#FEFD
+(1700000001.025000) can0 101#0102
+(1700000001.025200) can0 102#FEFD
+(1700000001.075001) can0 102#FEFD
+TEXT
+cat >"$folder/expected" <<'TEXT'
+2 SRDO 102h inverse
+3 SRDO 104h inverse [inverse first: no normal frame before it]
+4 SRDO 102h inverse [inverse first: no normal frame before it]
+5 SRDO 101h normal
+6 SRDO 102h inverse of frame 5, 0.200 ms
+7 SRDO 102h inverse [SCT: 50.001 ms since the last valid pair, limit 50 ms] [inverse first: no normal frame before it]
+TEXT
+show -o srdo.sct:50 -r "$folder/begun.log" -Y "srdo" -T fields -E separator=/s -e frame.number -e _ws.col.Info >"$folder/found"
+expect "Begin within a pair" "$folder/expected"
 
 # The fields of a pair, of a capture in pcapng; in the second pass the normal frame knows its inverse.
 show -2 -r "$source/tests/canopen/monitor/fuzz_seeds/chain.pcapng" -Y "frame.number < 3" -T fields -E separator=/s \

@@ -176,15 +176,15 @@ ExitStatus Run(const Entry& entry, const Streams& streams)
     return entry.described.command->Run(streams);
 }
 
-/// The first option on the command line that `command` does not know, with the one that may be meant.
-std::string UnknownOption(const CLI::App& command)
+/// The first option among `words` that `app` does not know, with the one that may be meant.
+std::string UnknownOption(const CLI::App& app, const std::vector<std::string>& words)
 {
     std::vector<std::string> known;
-    for (const CLI::Option* const option : command.get_options())
+    for (const CLI::Option* const option : app.get_options())
     {
         known.push_back(option->get_name());
     }
-    for (const std::string& word : command.remaining())
+    for (const std::string& word : words)
     {
         const std::string name = word.substr(0U, word.find('='));
         if (name.rfind("--", 0U) == 0U && name.size() > 2U)
@@ -199,9 +199,14 @@ std::string UnknownOption(const CLI::App& command)
 std::string WithoutCommand(const CLI::App& app, const std::vector<CommandRow>& table)
 {
     const std::vector<std::string> unknown = app.remaining();
-    return unknown.empty() ? std::string()
-                           : cia306::Quoted(unknown.front()) + " is no command" +
-                                 cia306::DidYouMean(unknown.front(), NamesOf(table));
+    if (unknown.empty())
+    {
+        return "";
+    }
+    const std::string option = UnknownOption(app, {unknown.front()});
+    return option.empty() ? cia306::Quoted(unknown.front()) + " is no command" +
+                                cia306::DidYouMean(unknown.front(), NamesOf(table))
+                          : option;
 }
 
 ExitStatus Usage(const CLI::App& app, const std::vector<CommandRow>& table, const CLI::ParseError& error,
@@ -212,13 +217,15 @@ ExitStatus Usage(const CLI::App& app, const std::vector<CommandRow>& table, cons
         (void)app.exit(error, streams.out, streams.err); // Help and version.
         return ExitStatus::kHolds;
     }
+    const std::vector<CLI::App*> commands = app.get_subcommands();
     std::string help = std::string(kProgram);
-    for (const CLI::App* command : app.get_subcommands())
+    for (const CLI::App* command : commands)
     {
         help += " " + command->get_name();
     }
-    const bool has_command = !app.get_subcommands().empty();
-    std::string wrong = has_command ? UnknownOption(*app.get_subcommands().front()) : WithoutCommand(app, table);
+    const bool has_command = !commands.empty();
+    std::string wrong =
+        has_command ? UnknownOption(*commands.front(), commands.front()->remaining()) : WithoutCommand(app, table);
     if (wrong.empty())
     {
         wrong = OneLine(error.what());

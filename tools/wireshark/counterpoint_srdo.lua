@@ -40,7 +40,8 @@ local interface_index = Field.new("sll.ifindex") -- Of a capture of all interfac
 -- What is known about frames, by their number in the capture: filled while the capture is read for the first time.
 local results = {}
 -- By interface and number of the pair: the normal frame that waits for its inverse (pending), the time of the last valid pair (last),
--- whether nothing was wrong since (held: SCT is judged), whether an inverse frame of a discarded pair may come (remainder).
+-- whether nothing was wrong since (held: SCT is judged), whether an inverse frame of a discarded pair may come (remainder), whether
+-- there was a frame before (is_begun).
 local states = {}
 
 function srdo.init()
@@ -82,14 +83,20 @@ local function note(result, text)
     table.insert(result.violations, text)
 end
 
-local function take_normal(state, result, frame, sct)
-    if state.last then
-        local cycle = frame.time - state.last
-        result.cycle = cycle / 1000
-        if state.held and sct > 0 and cycle > sct * 1000 then
-            note(result, string.format("SCT: %.3f ms since the last valid pair, limit %d ms", cycle / 1000, sct))
-        end
+-- Whatever frame comes behind it: SCT was over before.
+local function judge_sct(state, result, frame, sct)
+    local cycle = state.last and frame.time - state.last or 0
+    if state.held and sct > 0 and cycle > sct * 1000 then
+        note(result, string.format("SCT: %.3f ms since the last valid pair, limit %d ms", cycle / 1000, sct))
     end
+end
+
+local function take_normal(state, result, frame, sct)
+    state.is_begun = true
+    if state.last then
+        result.cycle = (frame.time - state.last) / 1000
+    end
+    judge_sct(state, result, frame, sct)
     if #frame.data == 0 then
         note(result, "length: no data")
         state.pending = nil
@@ -104,11 +111,15 @@ local function take_normal(state, result, frame, sct)
     end
 end
 
-local function take_inverse(state, result, frame, srvt)
+local function take_inverse(state, result, frame, sct, srvt)
     local normal = state.pending
     state.pending = nil
+    -- The capture may begin within a pair.
+    local is_cut = not state.is_begun and frame.since_begin <= srvt * 1000
+    state.is_begun = true
     if not normal then
-        if not state.remainder then
+        judge_sct(state, result, frame, sct)
+        if not state.remainder and not is_cut then
             note(result, "inverse first: no normal frame before it")
         end
         state.remainder = false
@@ -164,7 +175,7 @@ local function analyse(number, half, frame)
     if half == NORMAL then
         take_normal(state, result, frame, sct)
     else
-        take_inverse(state, result, frame, srvt)
+        take_inverse(state, result, frame, sct, srvt)
     end
     state.held = state.held and #result.violations == 0
 end
@@ -194,8 +205,8 @@ function srdo.dissector(buffer, pinfo, root)
     local is_remote = flag ~= nil and flag.value
     if not pinfo.visited then
         analyse(number, half, {
-            number = pinfo.number, time = microseconds(pinfo.abs_ts), data = buffer:raw(),
-            is_remote = is_remote })
+            number = pinfo.number, time = microseconds(pinfo.abs_ts), since_begin = microseconds(pinfo.rel_ts),
+            data = buffer:raw(), is_remote = is_remote })
     end
     local result = results[pinfo.number] or { violations = {} }
     local tree = root:add(srdo, buffer())

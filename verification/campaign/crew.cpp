@@ -1,12 +1,15 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/crew.hpp"
 
+#include "verification/campaign/trap.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <stdexcept>
+#include <string>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -20,6 +23,7 @@ namespace
 constexpr std::uint64_t kPortion = 64U;
 constexpr std::size_t kMostJobs = 1024U;
 constexpr std::chrono::milliseconds kPause{50};
+constexpr std::uint32_t kMostKills = 3U;
 } // namespace
 
 struct Crew::Board
@@ -67,9 +71,10 @@ void Crew::Work(const std::function<void(std::uint64_t)>& progress)
         for (bool is_busy = true; is_busy;)
         {
             std::this_thread::sleep_for(kPause);
-            for (pid_t ended = waitpid(-1, nullptr, WNOHANG); ended > 0; ended = waitpid(-1, nullptr, WNOHANG))
+            int status = 0;
+            for (pid_t ended = waitpid(-1, &status, WNOHANG); ended > 0; ended = waitpid(-1, &status, WNOHANG))
             {
-                Bury(ended);
+                Bury(ended, status);
             }
             is_busy = std::any_of(children_.begin(), children_.end(), [](const pid_t child) { return child > 0; });
             progress(__atomic_load_n(&board_->done, __ATOMIC_RELAXED));
@@ -123,8 +128,9 @@ void Crew::Toil(const std::uint32_t job)
     }
 }
 
-/// A process that ended within an experiment was ended by it: on a device, an exception.
-void Crew::Bury(const pid_t child)
+/// A process that ended within an experiment was ended by it: on a device, an exception. Not so where somebody outside
+/// ended it, as a system without memory does, or a batch system: nobody knows what would have come. [SRS_CMG_170]
+void Crew::Bury(const pid_t child, const int status)
 {
     const auto place = std::find(children_.begin(), children_.end(), child);
     if (place == children_.end())
@@ -134,12 +140,32 @@ void Crew::Bury(const pid_t child)
     const auto job = static_cast<std::uint32_t>(place - children_.begin());
     *place = 0;
     const std::uint64_t current = __atomic_load_n(&board_->current[job], __ATOMIC_ACQUIRE);
-    if (current != 0U)
+    if (current == 0U)
+    {
+        return;
+    }
+    board_->current[job] = 0U;
+    if (IsEndFromOutside(status))
+    {
+        CountKill(current - 1U, status);
+    }
+    else
     {
         results_.Put(current - 1U, Outcome{Class::kSafeOther, Detector::kException, 0U, 0U, runner_.ExceptionUs()});
-        board_->current[job] = 0U;
         __atomic_fetch_add(&board_->done, std::uint64_t{1U}, __ATOMIC_RELAXED);
-        Begin(job);
+    }
+    Begin(job);
+}
+
+/// The experiment is open, and comes again in the next round.
+void Crew::CountKill(const std::uint64_t index, const int status)
+{
+    if (++kills_[index] == kMostKills)
+    {
+        throw std::runtime_error(
+            "experiment " + std::to_string(results_.NumberAt(index)) + ": its process was ended " +
+            std::to_string(kMostKills) + " times from outside (signal " + std::to_string(WTERMSIG(status)) +
+            "), expected that it may run until its end; what was tried stays in the file of --out");
     }
 }
 } // namespace counterpoint::campaign

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <vector>
 
 #include <sys/types.h>
@@ -34,12 +35,14 @@ class Crew
 
     void Begin(std::uint32_t job);
     void Toil(std::uint32_t job);
-    void Bury(pid_t child);
+    void Bury(pid_t child, int status);
+    void CountKill(std::uint64_t index, int status);
 
     Runner& runner_;
     const Space& space_;
     Results& results_;
     std::vector<pid_t> children_;
+    std::map<std::uint64_t, std::uint32_t> kills_; ///< Of an experiment: how often its process was ended from outside.
     Board* board_;
 };
 } // namespace counterpoint::campaign

@@ -4,6 +4,7 @@
 #include "runtime/yaml/document.hpp"
 
 #include <array>
+#include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
@@ -73,50 +74,88 @@ bool IsEqual(const Header& left, const Header& right)
     return std::memcmp(&left, &right, sizeof(Header)) == 0;
 }
 
-[[noreturn]] void Refuse(const std::string& file, const std::string& wrong)
+constexpr const char* kOfThis = "a file of results of this plan, scenario and program";
+
+[[noreturn]] void Refuse(const std::string& file, const std::string& wrong, const std::string& expected = kOfThis)
 {
-    throw runtime::YamlError(file, {}, wrong, "a file of results of this plan, scenario and program");
+    throw runtime::YamlError(file, {}, wrong, expected);
+}
+
+int Open(const std::string& file, const Access access)
+{
+    const bool reads = access == Access::kRead;
+    const int descriptor = open(file.c_str(), (reads ? O_RDONLY : (O_RDWR | O_CREAT)) | O_CLOEXEC, 0644);
+    if (descriptor < 0)
+    {
+        Refuse(file, reads ? "a file that cannot be read" : "a file that cannot be written");
+    }
+    return descriptor;
 }
 } // namespace
 
-Results::Results(const std::string& file, const ResultsOf& of)
+Results::Results(const std::string& file, const ResultsOf& of, const Access access)
     : of_(of), size_((of.total + of.shard.count - of.shard.number) / of.shard.count),
       length_(sizeof(Header) + (size_ * sizeof(Stored)))
 {
     if (file.empty())
     {
-        Map(-1, "memory");
+        Map(-1, "memory", access);
         return;
     }
-    const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
-    if (descriptor < 0)
-    {
-        Refuse(file, "a file that cannot be written");
-    }
+    Take(file, access);
+    RequireWhole(file);
+}
+
+void Results::Take(const std::string& file, const Access access)
+{
+    const int descriptor = Open(file, access);
     struct stat known = {};
     const bool is_known = fstat(descriptor, &known) == 0 && S_ISREG(known.st_mode);
-    const bool is_new = is_known && known.st_size == 0;
-    const bool is_sized = is_known && (is_new || static_cast<std::uint64_t>(known.st_size) == length_);
-    if (!is_sized || ftruncate(descriptor, static_cast<off_t>(length_)) != 0)
+    const bool is_new = is_known && known.st_size == 0 && access == Access::kWrite;
+    if (!is_known || (!is_new && static_cast<std::uint64_t>(known.st_size) != length_))
     {
         close(descriptor);
         Refuse(file, "a file of another size");
     }
-    Map(descriptor, file);
+    if (access == Access::kWrite)
+    {
+        TakeRoom(descriptor, file, is_new);
+    }
+    Map(descriptor, file, access);
     close(descriptor);
     Header header;
     std::memcpy(&header, bytes_, sizeof(header));
-    if (is_new || IsEqual(header, Header{{}, 0U, 0U, 0U, 0U, 0U})) // The process ended right behind the beginning.
+    // Without a header the process ended right behind the beginning.
+    const bool has_none = IsEqual(header, Header{{}, 0U, 0U, 0U, 0U, 0U});
+    if (has_none && access == Access::kWrite)
     {
-        header = HeaderOf(of);
+        header = HeaderOf(of_);
         std::memcpy(bytes_, &header, sizeof(header));
     }
-    if (!IsEqual(header, HeaderOf(of)))
+    if (!IsEqual(header, HeaderOf(of_)))
     {
         munmap(bytes_, length_);
         Refuse(file, "results of another campaign, scenario or shard");
     }
-    RequireWhole(file);
+}
+
+/// All of it before anything is tried: a process that puts an outcome where the file system finds no room is ended, and
+/// nobody could tell that from an end by the fault. [SRS_CMG_172]
+void Results::TakeRoom(const int descriptor, const std::string& file, const bool is_new) const
+{
+    const auto length = static_cast<off_t>(length_);
+    const int error = (ftruncate(descriptor, length) == 0) ? posix_fallocate(descriptor, 0, length) : errno;
+    if (error == 0)
+    {
+        return;
+    }
+    if (is_new)
+    {
+        static_cast<void>(ftruncate(descriptor, 0)); // What was taken of it is given back.
+    }
+    close(descriptor);
+    Refuse(file, "no room for its " + std::to_string(length_) + " bytes (" + std::strerror(error) + ")",
+           "a file system with room for them");
 }
 
 Results::~Results()
@@ -124,10 +163,11 @@ Results::~Results()
     munmap(bytes_, length_);
 }
 
-void Results::Map(const int descriptor, const std::string& file)
+void Results::Map(const int descriptor, const std::string& file, const Access access)
 {
     const int flags = (descriptor < 0) ? (MAP_SHARED | MAP_ANONYMOUS) : MAP_SHARED;
-    void* const place = mmap(nullptr, length_, PROT_READ | PROT_WRITE, flags, descriptor, 0);
+    const int rights = (access == Access::kRead) ? PROT_READ : (PROT_READ | PROT_WRITE);
+    void* const place = mmap(nullptr, length_, rights, flags, descriptor, 0);
     if (place == MAP_FAILED)
     {
         Refuse(file, "no room");
@@ -204,7 +244,7 @@ void Results::Merge(const std::string& file)
     {
         Refuse(file, "results of another campaign or scenario");
     }
-    const Results other(file, other_of);
+    const Results other(file, other_of, Access::kRead);
     for (std::uint64_t index = 0U; index < other.Size(); ++index)
     {
         const Outcome outcome = other.At(index);

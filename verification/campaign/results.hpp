@@ -28,12 +28,20 @@ struct ResultsOf
 /// A file with one outcome an experiment. It is memory that is shared by all processes and kept by the system: what was
 /// written is there whatever becomes of them. Each outcome, and what the file belongs to, has a check of its own.
 /// [SRS_CMG_008]
+/// What is done with a file of results.
+enum class Access : std::uint8_t
+{
+    kWrite, ///< Gone on with, or made.
+    kRead,  ///< Joined: it may be one that nobody may write.
+};
+
 class Results
 {
   public:
     /// @brief Opens or makes the file; without a name the outcomes are kept in memory alone. Throws YamlError for a
-    /// file that is no file of results, a damaged one, or one of something else.
-    Results(const std::string& file, const ResultsOf& of);
+    /// file that is no file of results, a damaged one, or one of something else, and where there is no room for all of
+    /// it. Of one that is opened for reading nothing is put.
+    Results(const std::string& file, const ResultsOf& of, Access access = Access::kWrite);
     ~Results();
     Results(const Results&) = delete;
     Results& operator=(const Results&) = delete;
@@ -59,7 +67,9 @@ class Results
     [[nodiscard]] static ResultsOf Read(const std::string& file);
 
   private:
-    void Map(int descriptor, const std::string& file);
+    void Take(const std::string& file, Access access);
+    void TakeRoom(int descriptor, const std::string& file, bool is_new) const;
+    void Map(int descriptor, const std::string& file, Access access);
     void RequireWhole(const std::string& file);
 
     ResultsOf of_;

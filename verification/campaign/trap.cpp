@@ -1,10 +1,12 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/trap.hpp"
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <initializer_list>
 #include <sys/time.h>
+#include <sys/wait.h>
 
 namespace counterpoint::campaign
 {
@@ -93,5 +95,11 @@ void Trap::Arm() noexcept
 void Trap::Disarm() noexcept
 {
     is_armed = 0;
+}
+
+bool IsEndFromOutside(const int status) noexcept
+{
+    return WIFSIGNALED(status) &&
+           std::find(kExceptions.begin(), kExceptions.end(), WTERMSIG(status)) == kExceptions.end();
 }
 } // namespace counterpoint::campaign

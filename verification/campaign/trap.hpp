@@ -44,6 +44,10 @@ class Trap
     static void Arm() noexcept;
     static void Disarm() noexcept;
 };
+
+/// @brief Whether a process, by its status for waitpid, was ended by a signal that is none of the processor: by a
+/// person, a batch system, or a system that has no memory left.
+[[nodiscard]] bool IsEndFromOutside(int status) noexcept;
 } // namespace counterpoint::campaign
 
 #endif // VERIFICATION_CAMPAIGN_TRAP_HPP

@@ -176,10 +176,10 @@ def main(arguments):
         if options.self_test:
             return self_test(build)
         check_unmutated(build)
+        results = run(build, mutants, options.jobs)
     except BadInput as error:
         print(error, file=sys.stderr)
         return 2
-    results = run(build, mutants, options.jobs)
     show(results)
     killed = sum(1 for result in results if result["killed"])
     errors = sum(1 for result in results if result["error"])

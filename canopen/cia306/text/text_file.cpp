@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <deque>
 #include <fcntl.h>
 #include <filesystem>
 #include <sys/stat.h>
@@ -125,6 +126,20 @@ struct Keeping
     gid_t group;
 };
 
+/// What this program prints would go into the file that is replaced, and be lost with it. [SRS_CLI_170]
+void RequireNoOwnOutput(const std::string& path, const struct stat& status)
+{
+    for (const int own : {STDOUT_FILENO, STDERR_FILENO})
+    {
+        struct stat output{};
+        const bool is_open = ::fstat(own, &output) == 0;
+        if (is_open && output.st_dev == status.st_dev && output.st_ino == status.st_ino)
+        {
+            Refuse(path, "this program prints into it", "another file");
+        }
+    }
+}
+
 Keeping KeepingOf(const std::string& path)
 {
     struct stat status{};
@@ -136,6 +151,7 @@ Keeping KeepingOf(const std::string& path)
     {
         Refuse(path, KindOf(status.st_mode), "a regular file, or none");
     }
+    RequireNoOwnOutput(path, status);
     return {status.st_mode & static_cast<mode_t>(07777), status.st_uid, status.st_gid};
 }
 
@@ -196,6 +212,51 @@ bool Name(const int descriptor, const std::string& target, std::string& temporar
     temporary = (is_named && temporary.empty()) ? name : temporary;
     return is_named;
 }
+
+/// A text that lies whole beside its place, and takes it in one step. One that does not leaves nothing.
+class Replacement
+{
+  public:
+    explicit Replacement(const std::string& path)
+        : path_(path), keeping_(KeepingOf(path)), target_(TargetOf(path)),
+          file_(CreateBeside(path, target_, temporary_))
+    {
+    }
+    ~Replacement()
+    {
+        (void)(temporary_.empty() ? 0 : ::unlink(temporary_.c_str()));
+    }
+    Replacement(const Replacement&) = delete;
+    Replacement& operator=(const Replacement&) = delete;
+
+    void Write(const std::string_view text) const
+    {
+        WriteAll(path_, file_.Number(), text);
+        KeepOwner(path_, file_.Number(), keeping_); // Before the mode, of which a change of the owner takes bits away.
+        Require(::fchmod(file_.Number(), keeping_.mode) == 0 && ::fsync(file_.Number()) == 0);
+    }
+    void TakePlace()
+    {
+        Require(Name(file_.Number(), target_, temporary_) && file_.Close() &&
+                ::rename(temporary_.c_str(), target_.c_str()) == 0);
+        temporary_.clear();
+    }
+
+  private:
+    void Require(const bool is_done) const
+    {
+        if (!is_done)
+        {
+            Refuse(path_, "it cannot be replaced (" + ErrorText() + ")", "a path in a writable folder");
+        }
+    }
+
+    std::string path_;
+    Keeping keeping_;
+    std::string target_;
+    std::string temporary_; ///< Its name beside the target; empty: it has none yet, or no longer.
+    Descriptor file_;
+};
 } // namespace
 
 std::string ReadTextFile(const std::string& path)
@@ -226,26 +287,21 @@ void RequireWritable(const std::string& path)
 
 void WriteTextFile(const std::string& path, const std::string_view text)
 {
-    const Keeping keeping = KeepingOf(path);
-    const std::string target = TargetOf(path);
-    std::string temporary;
-    Descriptor file(CreateBeside(path, target, temporary));
-    try
+    Replacement file(path);
+    file.Write(text);
+    file.TakePlace();
+}
+
+void WriteTextFiles(const std::vector<NamedText>& texts)
+{
+    std::deque<Replacement> files;
+    for (const NamedText& each : texts)
     {
-        WriteAll(path, file.Number(), text);
-        KeepOwner(path, file.Number(), keeping); // Before the mode, of which a change of the owner takes bits away.
-        const bool is_done = ::fchmod(file.Number(), keeping.mode) == 0 && ::fsync(file.Number()) == 0 &&
-                             Name(file.Number(), target, temporary) && file.Close() &&
-                             ::rename(temporary.c_str(), target.c_str()) == 0;
-        if (!is_done)
-        {
-            Refuse(path, "it cannot be replaced (" + ErrorText() + ")", "a path in a writable folder");
-        }
+        files.emplace_back(each.path).Write(each.text);
     }
-    catch (const InputError&)
+    for (Replacement& file : files)
     {
-        (void)(temporary.empty() ? 0 : ::unlink(temporary.c_str()));
-        throw;
+        file.TakePlace();
     }
 }
 } // namespace counterpoint::cia306

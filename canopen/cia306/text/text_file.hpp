@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace counterpoint::cia306
 {
@@ -19,9 +20,18 @@ constexpr std::size_t kMaxFileBytes = 16U * 1024U * 1024U;
 void RequireWritable(const std::string& path);
 
 /// Replaces or creates the file in one step (a new file beside it, then a rename); an existing file keeps its
-/// permissions and its owner, a link stays one, also where nothing is behind it. Throws InputError.
-/// [SRS_CLI_035, SRS_CLI_120]
+/// permissions and its owner, a link stays one, also where nothing is behind it. Refuses the file into which standard
+/// output or standard error of the program go. Throws InputError. [SRS_CLI_035, SRS_CLI_120, SRS_CLI_170]
 void WriteTextFile(const std::string& path, std::string_view text);
+
+struct NamedText
+{
+    std::string path;
+    std::string text;
+};
+
+/// Files that belong together: none takes its place before all of them lie beside theirs. Throws InputError.
+void WriteTextFiles(const std::vector<NamedText>& texts);
 } // namespace counterpoint::cia306
 
 #endif // CANOPEN_CIA306_TEXT_TEXT_FILE_HPP

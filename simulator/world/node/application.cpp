@@ -48,11 +48,19 @@ void NodeApplication::Disturb(const ObjectAddress& object, const std::uint64_t b
     logic_.Disturb(PairAt(object).address, bits);
 }
 
+/// Several may press at once: the input is 0 when the last one lets go. [SRS_SIM_170]
 void NodeApplication::SetAcknowledge(const std::uint8_t srdo, const bool level)
 {
-    const SrdoMask bit = SrdoMask{1U} << model_.SlotOf(srdo).value_or(0U);
-    acknowledge_ = level ? (acknowledge_ | bit) : (acknowledge_ & ~bit);
-    place_.Tell(EventKind::kAcknowledge, srdo, level ? 1U : 0U, 0U);
+    const SlotIndex slot = model_.SlotOf(srdo).value_or(0U);
+    std::uint32_t& presses = presses_.at(slot);
+    const bool was_pressed = presses != 0U;
+    presses = level ? presses + 1U : presses - 1U;
+    const bool is_pressed = presses != 0U;
+    if (is_pressed != was_pressed)
+    {
+        acknowledge_ ^= SrdoMask{1U} << slot;
+        place_.Tell(EventKind::kAcknowledge, srdo, is_pressed ? 1U : 0U, 0U);
+    }
 }
 
 SrdoMask NodeApplication::AcknowledgeFor(const Part part)

@@ -10,6 +10,7 @@
 #include "safety_core/kernel/application.hpp"
 #include "safety_core/kernel/kernel.hpp"
 
+#include <array>
 #include <cstdint>
 
 namespace counterpoint::simulator
@@ -35,7 +36,7 @@ class NodeApplication final : public Application
     void SetInput(const ObjectAddress& object, std::uint64_t value);
     /// @brief From now on the inverse path computes these bits wrong; 0: none.
     void Disturb(const ObjectAddress& object, std::uint64_t bits);
-    /// @brief Somebody presses the acknowledge input of an SRDO, or lets it go.
+    /// @brief Somebody presses the acknowledge input of an SRDO, or lets it go who pressed it before.
     void SetAcknowledge(std::uint8_t srdo, bool level);
     /// @brief The acknowledge inputs as one channel gets them; they may be frozen.
     [[nodiscard]] SrdoMask AcknowledgeFor(Part part);
@@ -79,7 +80,8 @@ class NodeApplication final : public Application
     const runtime::PairLogic::OnValue on_value_;
     const Kernel* kernel_{nullptr};
     SrdoMask acknowledge_{0U};
-    SrdoMask seen_a_{0U}; ///< Acknowledge inputs that the channels got last.
+    std::array<std::uint32_t, kMaxSrdoCount> presses_{}; ///< Of each slot: how many press its acknowledge input.
+    SrdoMask seen_a_{0U};                                ///< Acknowledge inputs that the channels got last.
     SrdoMask seen_b_{0U};
     bool knows_fault_{false};
 };

@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <fcntl.h>
 #include <filesystem>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <sys/resource.h>
@@ -326,5 +328,63 @@ TEST_F(TextFile, WhereNothingCanBeMadeOrTheRoomEndsTheOldFileStays)
     EXPECT_EQ(ReadTextFile(Path("a")), "old");
 }
 
+/// Calls `run` in a process of its own whose descriptor is `file`; what it answers.
+std::string WithOutputTo(const int descriptor, const std::string& file, const std::function<std::string()>& run)
+{
+    int pipe[2] = {-1, -1};
+    EXPECT_EQ(::pipe(pipe), 0);
+    const pid_t child = ::fork();
+    if (child == 0)
+    {
+        const int output = ::open(file.c_str(), O_WRONLY | O_APPEND);
+        const bool is_set = ::dup2(output, descriptor) == descriptor;
+        const std::string answer = is_set ? run() : "no output";
+        (void)!::write(pipe[1], answer.data(), answer.size());
+        ::_exit(0);
+    }
+    ::close(pipe[1]);
+    std::string answer(1000U, '\0');
+    const ssize_t count = ::read(pipe[0], answer.data(), answer.size());
+    answer.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    ::close(pipe[0]);
+    (void)::waitpid(child, nullptr, 0);
+    return answer;
+}
+
+TEST_F(TextFile, AFileIntoWhichTheProgramPrintsIsNotReplaced)
+{
+    Verifies(req::SRS_CLI_170);
+    // Given a log to which standard output or standard error is appended
+    WriteTextFile(Path("log"), "what was there before\n");
+    std::filesystem::create_hard_link(Path("log"), Path("other name"));
+    const auto writing = [](const std::string& path) { return [path]() { return RefusalOfWriting(path, "new"); }; };
+    // When the same file, by whatever name, is to be written, then it is refused and keeps what it has
+    for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO})
+    {
+        for (const std::string& path : {Path("log"), Path("other name"), "/proc/self/fd/" + std::to_string(descriptor)})
+        {
+            EXPECT_EQ(WithOutputTo(descriptor, Path("log"), writing(path)),
+                      path + ": error: this program prints into it, expected another file");
+        }
+    }
+    EXPECT_EQ(WithOutputTo(STDOUT_FILENO, Path("log"),
+                           [this]()
+                           {
+                               try
+                               {
+                                   RequireWritable(Path("log"));
+                               }
+                               catch (const InputError& error)
+                               {
+                                   return std::string(error.what());
+                               }
+                               return std::string("it can be written");
+                           }),
+              Path("log") + ": error: this program prints into it, expected another file");
+    EXPECT_EQ(ReadTextFile(Path("log")), "what was there before\n");
+    // And another file beside it is written
+    EXPECT_EQ(WithOutputTo(STDOUT_FILENO, Path("log"), writing(Path("another"))), "");
+    EXPECT_EQ(ReadTextFile(Path("another")), "new");
+}
 } // namespace
 } // namespace counterpoint::cia306

@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/managed/crew.hpp"
 
+#include "verification/campaign/trap.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -21,6 +23,8 @@ constexpr std::uint64_t kPortion = 16U;
 constexpr std::size_t kMostJobs = 1024U;
 constexpr std::chrono::milliseconds kPause{50};
 constexpr rlim_t kMostSeconds = 120U; ///< Of a processor, for one experiment: it does not end.
+constexpr rlim_t kMoreSeconds = 5U;   ///< Behind them the system would end it as somebody outside does.
+constexpr int kMostTries = 3;
 
 /// The copy of this process, which ends with its parent; 0: this is it.
 [[nodiscard]] pid_t Copy()
@@ -143,20 +147,28 @@ void Crew::Toil()
     }
 }
 
-/// A copy that ends before it has put its outcome was ended by the fault.
+/// A copy that ends before it has put its outcome was ended by the fault. Where it seems to be somebody outside it is
+/// tried again: a fault may make its program so big that the system ends it, each time. [SRS_CMG_171]
 void Crew::TryApart(const std::uint64_t index)
 {
     const Trial trial = space_.At(results_.NumberAt(index));
     course_.AdvanceTo(trial.at);
-    const pid_t child = Copy();
-    if (child == 0)
+    bool is_again = true;
+    for (int attempt = 0; attempt < kMostTries && is_again; ++attempt)
     {
-        const rlimit limit{kMostSeconds, kMostSeconds};
-        setrlimit(RLIMIT_CPU, &limit);
-        results_.Put(index, course_.Try(trial, space_, reference_));
-        _exit(0);
+        const pid_t child = Copy();
+        if (child == 0)
+        {
+            const rlimit limit{kMostSeconds, kMostSeconds + kMoreSeconds};
+            setrlimit(RLIMIT_CPU, &limit);
+            results_.Put(index, course_.Try(trial, space_, reference_));
+            _exit(0);
+        }
+        int status = 0;
+        waitpid(child, &status, 0);
+        const bool is_open = results_.At(index).result == Class::kOpen;
+        is_again = is_open && IsEndFromOutside(status) && WTERMSIG(status) != SIGXCPU;
     }
-    waitpid(child, nullptr, 0);
     if (results_.At(index).result == Class::kOpen)
     {
         Outcome outcome{};

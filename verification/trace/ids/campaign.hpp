@@ -61,6 +61,10 @@ inline constexpr RequirementId SRS_CMG_120{"SRS_CMG_120"};
 inline constexpr RequirementId SRS_CMG_130{"SRS_CMG_130"};
 inline constexpr RequirementId SRS_CMG_131{"SRS_CMG_131"};
 inline constexpr RequirementId SRS_CMG_132{"SRS_CMG_132"};
+inline constexpr RequirementId SRS_CMG_170{"SRS_CMG_170"};
+inline constexpr RequirementId SRS_CMG_171{"SRS_CMG_171"};
+inline constexpr RequirementId SRS_CMG_172{"SRS_CMG_172"};
+inline constexpr RequirementId SRS_CMG_173{"SRS_CMG_173"};
 } // namespace counterpoint::req
 
 #endif

@@ -29,6 +29,7 @@ inline constexpr RequirementId SRS_GEN_019{"SRS_GEN_019"};
 inline constexpr RequirementId SRS_GEN_020{"SRS_GEN_020"};
 inline constexpr RequirementId SRS_GEN_027{"SRS_GEN_027"};
 inline constexpr RequirementId SRS_GEN_150{"SRS_GEN_150"};
+inline constexpr RequirementId SRS_GEN_170{"SRS_GEN_170"};
 } // namespace counterpoint::req
 
 #endif

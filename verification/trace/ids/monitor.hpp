@@ -37,6 +37,7 @@ inline constexpr RequirementId SRS_MON_043{"SRS_MON_043"};
 inline constexpr RequirementId SRS_MON_044{"SRS_MON_044"};
 inline constexpr RequirementId SRS_MON_045{"SRS_MON_045"};
 inline constexpr RequirementId SRS_MON_120{"SRS_MON_120"};
+inline constexpr RequirementId SRS_MON_170{"SRS_MON_170"};
 } // namespace counterpoint::req
 
 #endif

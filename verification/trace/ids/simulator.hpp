@@ -89,6 +89,7 @@ inline constexpr RequirementId SRS_SIM_080{"SRS_SIM_080"};
 inline constexpr RequirementId SRS_SIM_081{"SRS_SIM_081"};
 inline constexpr RequirementId SRS_SIM_082{"SRS_SIM_082"};
 inline constexpr RequirementId SRS_SIM_083{"SRS_SIM_083"};
+inline constexpr RequirementId SRS_SIM_170{"SRS_SIM_170"};
 } // namespace counterpoint::req
 
 #endif

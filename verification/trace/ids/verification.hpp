@@ -90,6 +90,7 @@ inline constexpr RequirementId SRS_VER_170{"SRS_VER_170"};
 inline constexpr RequirementId SRS_VER_171{"SRS_VER_171"};
 inline constexpr RequirementId SRS_VER_172{"SRS_VER_172"};
 inline constexpr RequirementId SRS_VER_173{"SRS_VER_173"};
+inline constexpr RequirementId SRS_VER_174{"SRS_VER_174"};
 } // namespace counterpoint::req
 
 #endif
