@@ -36,8 +36,16 @@ int CreateAlone(const std::string& path)
 bool RenameAlone(const std::string& from, const std::string& to)
 {
     const int claim = CreateAlone(to);
-    const bool is_claimed = (claim >= 0) && (::close(claim) == 0);
-    return is_claimed && (::rename(from.c_str(), to.c_str()) == 0);
+    if (claim < 0)
+    {
+        return false;
+    }
+    const bool is_renamed = (::close(claim) == 0) && (::rename(from.c_str(), to.c_str()) == 0);
+    if (!is_renamed)
+    {
+        static_cast<void>(::unlink(to.c_str())); // What stands under the name is whole, or nothing does.
+    }
+    return is_renamed;
 }
 
 } // namespace

@@ -143,7 +143,7 @@ void AnswerWatch::OnSdo(AskedNode& node, const CanFrame& frame) noexcept
         node.is_answered = true;
         node.is_ended = is_abort || (node.is_short && has_value);
     }
-    else if (is_its && node.is_answered)
+    else if (is_its) // None is open: it was answered before.
     {
         OnSecond(node, is_abort);
     }

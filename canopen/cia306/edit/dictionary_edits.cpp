@@ -154,16 +154,11 @@ std::string DictionaryEdits::PlaceOf(const std::uint16_t index) const
     {
         return LastSectionOf(std::prev(next)->second);
     }
-    std::string place = document_.Sections().front().name;
-    for (const IniSection& section : document_.Sections())
-    {
-        if (section.name == next->second.section)
-        {
-            break;
-        }
-        place = section.name;
-    }
-    return place;
+    // There is a next one: a device has an object.
+    const std::vector<IniSection>& sections = document_.Sections();
+    const auto found = std::find_if(sections.begin(), sections.end(), [&next](const IniSection& section)
+                                    { return section.name == next->second.section; });
+    return (found == sections.begin()) ? found->name : std::prev(found)->name;
 }
 
 void DictionaryEdits::Add(const NewObject& object)

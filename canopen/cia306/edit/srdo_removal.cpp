@@ -33,9 +33,9 @@ void ShortenList(const IniSection& list, const std::set<std::uint16_t>& objects,
             continue;
         }
         places.push_back(&key);
-        const auto index = ParseUnsigned(key.value, kMostIndex);
-        const bool is_removed = index && objects.count(static_cast<std::uint16_t>(*index)) != 0U;
-        if (!is_removed)
+        // A number, as its reader has seen; a comment may stand behind it.
+        const auto index = static_cast<std::uint16_t>(ParseUnsigned(key.Bare(), kMostIndex).value_or(0U));
+        if (objects.count(index) == 0U)
         {
             values.push_back(key.value);
         }

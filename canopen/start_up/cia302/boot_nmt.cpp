@@ -137,20 +137,19 @@ BootFinding BootNmt::AwaitSign(const BootJob& job) const noexcept
 
 BootFinding BootNmt::Verify(const BootJob& job) noexcept
 {
-    const bool is_open = (parts_.gate.State(job.node) == GateState::kOpen);
-    const bool is_skipped = is_open || !parts_.setup.IsSafetySlave(job.node);
-    if (!is_skipped)
+    const bool is_open = (parts_.gate.State(job.node) == GateState::kOpen); // As for each that is no safety slave.
+    if (!is_open)
     {
         parts_.gate.Verify(job.node, job.time.now);
     }
-    return Found(is_skipped ? BootEvent::kSkip : BootEvent::kDone);
+    return Found(is_open ? BootEvent::kSkip : BootEvent::kDone);
 }
 
 BootFinding BootNmt::AwaitGate(const BootJob& job) noexcept
 {
     const GateState state = parts_.gate.State(job.node);
     BootFinding finding = Found(BootEvent::kNone);
-    if ((state == GateState::kOpen) || !parts_.setup.IsSafetySlave(job.node))
+    if (state == GateState::kOpen) // Also when it is a safety slave no more.
     {
         finding = Found(BootEvent::kDone);
     }

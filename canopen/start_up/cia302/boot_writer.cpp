@@ -148,7 +148,7 @@ BootFinding BootWriter::Update(const BootJob& job) noexcept
     else if (state == BootState::kProgramStart)
     {
         finding = Written(transfer_.PutByte(job, kControl, kStartProgram), 'I', BootEvent::kDone);
-        job.record.is_updated = job.record.is_updated || (finding.event == BootEvent::kDone);
+        job.record.is_updated = (finding.event == BootEvent::kDone);
     }
     else if (job.IsOver(kResetUs)) // It started its program without a boot-up message.
     {

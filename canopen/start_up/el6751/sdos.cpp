@@ -158,7 +158,7 @@ void El6751Sdos::Fail(const NodeId node, const std::int16_t code, const Instant 
 {
     El6751Node& slave = slaves_.Of(node);
     slave.phase = Next(slave.phase, El6751Event::kFail);
-    slave.status.is_other = slave.status.is_other || (slave.place.row <= El6751Row::kSerialNumber);
+    slave.status.is_other = (slave.place.row <= El6751Row::kSerialNumber);
     slave.status.has_failed = true;
     slave.cause = code;
     slave.signs = slaves_.SignsBefore(node);

@@ -49,11 +49,10 @@ void PlcRelease::Configured(const NodeId node, const Instant now) noexcept
 }
 
 /// It is to be started with all others, for which somebody else is waited for.
+/// Of a slave that is wanted, which is in state 4 then.
 bool PlcRelease::WaitsForAll(const NodeId node) const noexcept
 {
-    const PlcNode& slave = slaves_.Of(node);
-    const bool is_one = slave.is_wanted && !slave.is_by_hand && (slave.status.code == kPlcConfigured);
-    return is_one && parts_.setup.Has(kStartAllAtOnce) && !has_started_all_;
+    return !slaves_.Of(node).is_by_hand && parts_.setup.Has(kStartAllAtOnce) && !has_started_all_;
 }
 
 /// A safety slave is verified first; a STOPPED one has no SDO and is made PRE-OPERATIONAL before.

@@ -323,8 +323,7 @@ void PlcStartUp::OnSilence(const NodeId node, const Instant now) noexcept
 {
     PlcNode& slave = slaves_.Of(node);
     slave.is_transferring = false;
-    const bool has_failed = (parts_.sdo.State(node) == TransferState::kFailed);
-    slave.status.abort = has_failed ? parts_.sdo.Outcome(node).abort : SdoAbort::kTimeOut;
+    slave.status.abort = parts_.sdo.Outcome(node).abort;
     if ((slave.row == PlcRow::kDeviceType) && slaves_.SetupOf(node).is_optional && !slave.reading.is_unread)
     {
         slave.signs = parts_.table.Record(node).signs;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <arpa/inet.h>
+#include <cctype>
 #include <charconv>
 #include <net/if.h>
 #include <netinet/in.h>
@@ -36,7 +37,7 @@ std::uint32_t NumberOf(const std::string& text, const std::uint32_t greatest)
 bool IsInterfaceName(const std::string& name)
 {
     const auto is_plain = [](const char letter)
-    { return (letter > ' ') && (letter <= '~') && (letter != '/') && (letter != ':'); };
+    { return (std::isgraph(static_cast<unsigned char>(letter)) != 0) && (letter != '/') && (letter != ':'); };
     return !name.empty() && (name.size() < IF_NAMESIZE) && std::all_of(name.begin(), name.end(), is_plain) &&
            (name != ".") && (name != "..");
 }

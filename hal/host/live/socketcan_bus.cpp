@@ -24,9 +24,11 @@ constexpr std::uint64_t kMillisecondNs = 1'000'000U;
 constexpr std::uint64_t kRetryNs = kMillisecondNs;
 constexpr int kReceiveBytes = 4 * 1024 * 1024; // The system gives what it allows.
 
+static_assert(EAGAIN == EWOULDBLOCK, "Linux has one number for both");
+
 bool IsQueueFull(const int failure)
 {
-    return (failure == ENOBUFS) || (failure == EAGAIN) || (failure == EWOULDBLOCK);
+    return (failure == ENOBUFS) || (failure == EAGAIN);
 }
 
 bool IsGone(const int failure)
@@ -293,12 +295,10 @@ void LiveSocketCanBus::CarryOutPolicy()
     }
 }
 
+/// Off the bus nothing waits, so that never both are due.
 void LiveSocketCanBus::PlanWake()
 {
-    const std::uint64_t retry_ns = queue_.empty() ? 0U : retry_at_ns_;
-    const bool has_both = (retry_ns != 0U) && (restart_at_ns_ != 0U);
-    const std::uint64_t wake_ns = has_both ? std::min(retry_ns, restart_at_ns_) : (retry_ns + restart_at_ns_);
-    poll_.WakeAt(wake_ns);
+    poll_.WakeAt(queue_.empty() ? restart_at_ns_ : retry_at_ns_);
 }
 
 void LiveSocketCanBus::Service()
@@ -315,7 +315,7 @@ void LiveSocketCanBus::Service()
 bool LiveSocketCanBus::Receive(LiveFrame& frame)
 {
     Service();
-    while (true)
+    for (;;)
     {
         canfd_frame raw{};
         const LiveArrival arrival = ReadStamped(socket_.Get(), &raw, sizeof(raw));

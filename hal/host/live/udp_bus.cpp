@@ -92,7 +92,6 @@ void LiveUdpBus::Join()
     membership.imr_multiaddr = group.sin_addr;
     membership.imr_address.s_addr = htonl(INADDR_LOOPBACK);
     const int file = socket_.Get();
-    static_cast<void>(::setsockopt(file, SOL_SOCKET, SO_RCVBUF, &kReceiveBytes, sizeof(kReceiveBytes)));
     const bool is_open = (file >= 0) && (::setsockopt(file, SOL_SOCKET, SO_REUSEADDR, &on, sizeof(on)) == 0) &&
                          (::bind(file, reinterpret_cast<const sockaddr*>(&group), sizeof(group)) == 0) &&
                          (::setsockopt(file, IPPROTO_IP, IP_ADD_MEMBERSHIP, &membership, sizeof(membership)) == 0) &&
@@ -104,6 +103,7 @@ void LiveUdpBus::Join()
         throw LiveBusError("bus '" + address_.text + "': " + std::strerror(errno) +
                            ", expected to join the group on the loopback interface");
     }
+    static_cast<void>(::setsockopt(file, SOL_SOCKET, SO_RCVBUF, &kReceiveBytes, sizeof(kReceiveBytes)));
 }
 
 SendResult LiveUdpBus::Send(const LiveFrame& frame)
@@ -199,7 +199,7 @@ bool LiveUdpBus::Unpack(const std::uint8_t* const bytes, const std::size_t count
 bool LiveUdpBus::Receive(LiveFrame& frame)
 {
     SendWaiting();
-    while (true)
+    for (;;)
     {
         // One byte more than the longest frame, so that a longer datagram is seen to be too long.
         std::uint8_t bytes[kDataAt + kLiveDataBytes + 1U]{};

@@ -40,11 +40,6 @@ class ReceptionList
   public:
     static constexpr std::size_t kCapacity = 16U;
 
-    /// @brief Number of receptions.
-    [[nodiscard]] std::size_t Size() const
-    {
-        return size_;
-    }
     /// @brief Whether the node receives nothing.
     [[nodiscard]] bool IsEmpty() const
     {

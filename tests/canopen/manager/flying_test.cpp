@@ -342,5 +342,161 @@ TEST_F(ManagerFlying, ResettingItselfEndsTheRoleAndResettingAllDoesNot)
                             "event 4 1/5", "leads", "5161 705 00"}));
 }
 
+TEST_F(ManagerFlying, WhatIsTwiceSaidIsDoneOnce)
+{
+    Verifies(req::SRS_MGR_002);
+    Use(NegotiationBy::kManager);
+    manager.OnBus(false, Now()); // Before it has begun there is nothing to reset.
+    manager.OnBus(true, Now());
+    manager.Begin(Now());
+    RunTo(3000U);
+    ASSERT_TRUE(manager.IsActive());
+    static_cast<void>(Log());
+    const MasterClaim own{1U, NodeId{5U}};
+    manager.Role().OnFlyingMaster(FlyingEvent::kMasterMode, own, Now());
+    // Told something that ends no role, it is still the master
+    manager.Role().OnFlyingMaster(FlyingEvent::kConfigurationError, own, Now());
+    EXPECT_TRUE(manager.IsActive());
+    EXPECT_EQ(Log(), (Lines{"event 4 1/5", "event 5 1/5"}));
+    // And obeys nobody: whoever commands all, or this device
+    Hear(0U, {0x02U, 5U});
+    Hear(0U, {0x02U, 0U});
+    EXPECT_NE(manager.OwnState(), cia301::NodeState::kStopped);
+}
+
+TEST_F(ManagerFlying, AsSlaveItObeysCommandsAndWatchesItsMaster)
+{
+    Verifies(req::SRS_MGR_002);
+    slaves[3].heartbeat = HeartbeatSetup{200U, 100U, Arming::kImmediately};
+    Use(NegotiationBy::kManager);
+    manager.Begin(Now());
+    RunTo(10U);
+    Hear(0x071U, {0U, 3U}); // A master of a higher priority.
+    RunTo(100U);
+    ASSERT_FALSE(manager.IsActive());
+    static_cast<void>(Log());
+    EXPECT_FALSE(manager.Role().Boot(NodeId{9U}, Now()));
+    EXPECT_FALSE(manager.Role().Resume(NodeId{9U}, Now()));
+    for (const std::uint8_t command : {std::uint8_t{0x80U}, std::uint8_t{0U}, std::uint8_t{0x55U}})
+    {
+        Hear(0U, {command, 5U});
+        EXPECT_EQ(manager.OwnState(), cia301::NodeState::kPreOperational);
+    }
+    Hear(0x706U, {5U}); // A node that was never heard.
+    EXPECT_FALSE(manager.IsActive());
+    // When the master is silent, then it negotiates
+    RunTo(2500U);
+    const Lines log = Log();
+    EXPECT_NE(std::find(log.begin(), log.end(), "leads"), log.end());
+}
+
+TEST_F(ManagerFlying, BegunWhileItNegotiatesItGoesOn)
+{
+    Verifies(req::SRS_FLY_002);
+    Use(NegotiationBy::kManager);
+    manager.Begin(Now());
+    RunTo(600U);
+    ASSERT_EQ(manager.Role().StartNegotiation(Now()), FlyingStart::kNotInitialising);
+    manager.Begin(Now());
+    RunTo(4000U);
+    const Lines log = Log();
+    EXPECT_NE(std::find(log.begin(), log.end(), "leads"), log.end());
+    EXPECT_EQ(std::count_if(log.begin(), log.end(),
+                            [](const std::string& line) { return line.find("refused") != std::string::npos; }),
+              0);
+}
+
+TEST_F(ManagerFlying, WhatIsWrittenToASafetySlaveIsTheConcernOfTheMaster)
+{
+    Verifies(req::SRS_MGR_002);
+    static constexpr ExpectedObject kExpected[]{{{0x1301U, 1U}, 1U, false}};
+    static constexpr SafetyExpectation kExpectation{kExpected, 1U};
+    // Given a manager that knows a safety slave, and is the slave of another one
+    slaves[9].assignment = kInNetwork | kBootSlave;
+    slaves[9].safety = &kExpectation;
+    Manager other{ManagerParts{setup, *this, *this,
+                               ManagerRoom{records.data(),
+                                           watched.data(),
+                                           gates.data(),
+                                           {commands.data(), 8U},
+                                           {safety.data(), 1U},
+                                           lanes.All(),
+                                           SdoTimes{500'000U, 3U}},
+                               1000U}};
+    FlyingMaster its{FlyingMasterParts{setup, times, options, *this, other.Role()}};
+    other.Use(profile);
+    other.Role().Use(its, NegotiationBy::kManager);
+    times.priority = 1U;
+    other.Begin(Now());
+    const auto hear = [this, &other](const std::uint32_t identifier, const std::vector<std::uint8_t>& data)
+    {
+        CanFrame frame{identifier, FrameKind::kData, CanPortId::kFirst, static_cast<std::uint8_t>(data.size()), {}};
+        std::copy(data.begin(), data.end(), frame.data);
+        other.OnFrame(frame, Now());
+        other.OnCycle(Now());
+    };
+    hear(0x071U, {0U, 3U});
+    ASSERT_FALSE(other.IsActive());
+    // When somebody writes its safety configuration, then nothing is presumed of it
+    hear(0x589U, {0x60U, 0x01U, 0x13U, 0x01U, 0U, 0U, 0U, 0U});
+    EXPECT_EQ(other.Gate().State(NodeId{9U}), GateState::kClosed);
+    EXPECT_EQ(other.Table().Record(NodeId{9U}).signs, 0U);
+}
+
+/// Tells nobody what the negotiation does.
+class QuietListener final : public ManagerListener
+{
+  public:
+    void OnNodeEvent(NodeId, NodeEvent, Instant) noexcept override
+    {
+    }
+    void OnNodeStatus(NodeId, Instant) noexcept override
+    {
+    }
+    void OnMasterState(std::int16_t, Instant) noexcept override
+    {
+    }
+    void OnNmtSent(const NmtRequest&, Instant) noexcept override
+    {
+    }
+    void OnGate(NodeId, GateState, Instant) noexcept override
+    {
+    }
+    void OnEmergency(NodeId, const EmergencyRecord&, Instant) noexcept override
+    {
+    }
+    void OnDuplicate(NodeId, Instant) noexcept override
+    {
+    }
+    void OnFlyingMaster(FlyingEvent, const MasterClaim&, Instant) noexcept override
+    {
+    }
+};
+
+TEST_F(ManagerFlying, AListenerNeedNotCareForTheNegotiation)
+{
+    Verifies(req::SRS_FLY_027);
+    QuietListener quiet;
+    Manager other{ManagerParts{setup, *this, quiet,
+                               ManagerRoom{records.data(),
+                                           watched.data(),
+                                           gates.data(),
+                                           {commands.data(), 8U},
+                                           {safety.data(), 1U},
+                                           lanes.All(),
+                                           SdoTimes{500'000U, 3U}},
+                               1000U}};
+    FlyingMaster its{FlyingMasterParts{setup, times, options, *this, other.Role()}};
+    other.Use(profile);
+    other.Role().Use(its, NegotiationBy::kManager);
+    times.priority = 1U;
+    FlyingMasterObject object(times);
+    EXPECT_EQ(object.Write(4U, 1270U), cia301::SdoAbort::kNone); // Slots that cannot work.
+    other.Begin(Now());
+    other.OnCycle(Now());
+    EXPECT_TRUE(other.Role().IsInitialising());
+    EXPECT_FALSE(other.IsActive());
+}
+
 } // namespace
 } // namespace counterpoint::cia302

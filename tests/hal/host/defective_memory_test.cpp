@@ -44,6 +44,16 @@ TEST_F(DefectiveMemoryTest, SoundCellsKeepWhatIsWritten)
     EXPECT_EQ(memory.StackPosition(), 0U);
 }
 
+TEST_F(DefectiveMemoryTest, ItsCellsAreReachedWithoutTheDefectToo)
+{
+    Verifies(req::SRS_STS_015);
+    Break(CellDefect::kStuckAtZero);
+    EXPECT_EQ(Victim(0x8U), 0U);
+    EXPECT_EQ(cells.Exchange(0x1004U, 0xAU), 0U);
+    EXPECT_EQ(cells.Read(0x1004U), 0xAU);
+    EXPECT_EQ(memory.PlaceOf(&cells), 0U); // An array has no place of its own in a memory.
+}
+
 TEST_F(DefectiveMemoryTest, StuckAndHalfStuckCells)
 {
     Verifies(req::SRS_STS_015);

@@ -7,7 +7,11 @@
 #include "verification/trace/ids/live_bus.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <array>
+#include <cstring>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 
 namespace counterpoint::host
 {
@@ -56,6 +60,17 @@ TEST(LiveAddressTest, SaysWhatIsWrong)
     EXPECT_EQ(problem("socketcand:h:65536/c"),
               "bus 'socketcand:h:65536/c': port '65536', expected a number from 1 to 65535");
     EXPECT_EQ(problem("socketcand:h:1x/c"), "bus 'socketcand:h:1x/c': port '1x', expected a number from 1 to 65535");
+    EXPECT_EQ(problem("socketcand:h:/c"), "bus 'socketcand:h:/c': port '', expected a number from 1 to 65535");
+    EXPECT_EQ(
+        problem("socketcand:[::1:5/c"),
+        "bus 'socketcand:[::1:5/c': no host and port in '[::1:5', expected HOST:PORT, an IPv6 address in brackets");
+    for (const std::string text : {".", "..", "a b", "can\xC3\xA4", "socketcan:a:b"})
+    {
+        const std::string interface = text.substr(text.compare(0U, 10U, "socketcan:") == 0 ? 10U : 0U);
+        EXPECT_EQ(problem(text), "bus '" + text + "': interface '" + interface + "'" + name);
+    }
+    EXPECT_EQ(problem("udp:host:5"),
+              "bus 'udp:host:5': group 'host', expected an IPv4 multicast group such as 239.74.163.2");
     EXPECT_EQ(problem("udp:10.0.0.1:5"),
               "bus 'udp:10.0.0.1:5': group '10.0.0.1', expected an IPv4 multicast group such as 239.74.163.2");
     EXPECT_EQ(problem("udp:239.0.0.1:5?rate=1"), "bus 'udp:239.0.0.1:5?rate=1': option 'rate=1', expected bitrate=N");
@@ -90,6 +105,67 @@ TEST(LiveStampTest, AnInterruptedReaderLooksAgain)
     EXPECT_EQ(Quickest({slow, quick, slower}).wall_ns, 900U);
     EXPECT_EQ(Quickest({slower, slow, quick}).wall_ns, 900U);
     EXPECT_EQ(Quickest({slower, slow, slow}).wall_ns, 800U);
+}
+
+/// One message of control, as the system puts it behind what was received.
+template <typename Value> LiveArrival StampedBy(const int level, const int type, const Value& value)
+{
+    alignas(cmsghdr) std::array<std::uint8_t, CMSG_SPACE(sizeof(Value))> control{};
+    cmsghdr head{};
+    head.cmsg_len = CMSG_LEN(sizeof(Value));
+    head.cmsg_level = level;
+    head.cmsg_type = type;
+    std::memcpy(control.data(), &head, sizeof(head));
+    std::memcpy(control.data() + CMSG_LEN(0), &value, sizeof(value));
+    msghdr message{};
+    message.msg_control = control.data();
+    message.msg_controllen = control.size();
+    LiveArrival arrival;
+    arrival.time_ns = 5U;
+    ReadStamps(message, arrival);
+    return arrival;
+}
+
+// Given what a system says beside a frame, then its own count of losses is taken, and what is something else is not.
+TEST(LiveStampTest, TakesWhatItKnowsAndNothingElse)
+{
+    Verifies(req::SRS_LIVE_002);
+    Verifies(req::SRS_LIVE_027);
+    const std::uint32_t number = 7U;
+    EXPECT_EQ(StampedBy(SOL_SOCKET, SO_RXQ_OVFL, number).dropped, 7U);
+    EXPECT_EQ(StampedBy(IPPROTO_IP, SO_RXQ_OVFL, number).dropped, 0U);
+    EXPECT_EQ(StampedBy(SOL_SOCKET, SCM_RIGHTS, number).dropped, 0U);
+    // Without any message of control, the time of reading stays
+    msghdr message{};
+    LiveArrival arrival;
+    arrival.time_ns = 5U;
+    ReadStamps(message, arrival);
+    EXPECT_EQ(arrival.time_ns, 5U);
+    EXPECT_EQ(arrival.dropped, 0U);
+}
+
+TEST(LiveFrameTest, OnlyLengthsOfFlexibleDataRateAreSentWithIt)
+{
+    Verifies(req::SRS_LIVE_015);
+    LiveFrame frame = Live(1U, {});
+    frame.fd = true;
+    for (const std::uint8_t length : std::initializer_list<std::uint8_t>{8U, 12U, 16U, 20U, 24U, 32U, 48U, 64U})
+    {
+        frame.length_bytes = length;
+        EXPECT_TRUE(IsSendable(frame)) << int{length};
+    }
+    for (const std::uint8_t length : std::initializer_list<std::uint8_t>{9U, 13U, 63U, 65U})
+    {
+        frame.length_bytes = length;
+        EXPECT_FALSE(IsSendable(frame)) << int{length};
+    }
+}
+
+TEST(LiveTimeTest, WhatIsOverIsNotWaitedFor)
+{
+    Verifies(req::SRS_LIVE_005);
+    EXPECT_EQ(MillisecondsUntil(LiveNow()), 0);
+    EXPECT_GT(MillisecondsUntil(LiveNow() + 3'000'000'000U), 1'000);
 }
 
 // Given every kind of frame of the kernel, then it is the same after a way through the live form.

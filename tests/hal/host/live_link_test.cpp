@@ -87,6 +87,43 @@ TEST(LiveLinkTest, TakesNothingFromBehindItsEnd)
     EXPECT_FALSE(ReadLinkMessage(wrong.data(), wrong.size()));
 }
 
+TEST(LiveLinkTest, TakesWhatAControllerDoesNotTellForUnknown)
+{
+    Verifies(req::SRS_LIVE_022);
+    const auto read = [](const Bytes& bytes) { return ReadLinkMessage(bytes.data(), bytes.size()); };
+    Bytes bytes = CanLink(3U);
+    // Given a state of another type, then there is none; counters and restart stay
+    bytes[50] = 44U;
+    EXPECT_FALSE(read(bytes)->controller);
+    EXPECT_EQ(read(bytes)->receive_errors, 7U);
+    EXPECT_EQ(read(bytes)->restart_ms, 100U);
+    // Counters of another type
+    bytes = CanLink(3U);
+    bytes[66] = 44U;
+    EXPECT_EQ(read(bytes)->controller, BusState::kBusOff);
+    EXPECT_EQ(read(bytes)->receive_errors, 0U);
+    // A state with too few bytes for one, a restart that would be longer than all of it
+    bytes = CanLink(3U);
+    bytes[48] = 6U;
+    EXPECT_FALSE(read(bytes)->controller);
+    bytes = CanLink(3U);
+    bytes[56] = 200U;
+    EXPECT_EQ(read(bytes)->restart_ms, 0U);
+    EXPECT_EQ(read(bytes)->controller, BusState::kBusOff);
+    // A message that says that it is shorter than what each one has
+    bytes = CanLink(3U);
+    bytes[0] = 31U;
+    EXPECT_FALSE(read(bytes));
+    // An interface that does not run, or has no carrier
+    bytes = CanLink(0U);
+    bytes[24] = 0x01U;
+    EXPECT_TRUE(read(bytes)->is_up);
+    EXPECT_FALSE(read(bytes)->is_carrying);
+    bytes = CanLink(0U);
+    bytes[26] = 0U;
+    EXPECT_FALSE(read(bytes)->is_carrying);
+}
+
 TEST(LiveLinkTest, WritesTheOrders)
 {
     Verifies(req::SRS_LIVE_022);
@@ -124,6 +161,7 @@ TEST(LiveErrorTest, ReadsStateAndCounters)
     EXPECT_EQ(ReadErrorFrame(ErrorFrame(CAN_ERR_CRTL, {0U, CAN_ERR_CRTL_ACTIVE})).state, BusState::kActive);
     EXPECT_EQ(ReadErrorFrame(ErrorFrame(CAN_ERR_CRTL, {0U, CAN_ERR_CRTL_RX_OVERFLOW})).state, std::nullopt);
     EXPECT_EQ(ReadErrorFrame(ErrorFrame(CAN_ERR_PROT, {0U, 0U, CAN_ERR_PROT_ACTIVE})).state, BusState::kActive);
+    EXPECT_EQ(ReadErrorFrame(ErrorFrame(CAN_ERR_PROT, {0U, 0U, CAN_ERR_PROT_STUFF})).state, std::nullopt);
     EXPECT_EQ(ReadErrorFrame(ErrorFrame(CAN_ERR_BUSOFF, {})).state, BusState::kBusOff);
     EXPECT_TRUE(ReadErrorFrame(ErrorFrame(CAN_ERR_BUSOFF, {})).is_bus_off);
     EXPECT_TRUE(ReadErrorFrame(ErrorFrame(CAN_ERR_RESTARTED, {})).is_restart);
@@ -171,6 +209,15 @@ TEST(SocketCanFrameTest, IsTheKernelsForm)
     ASSERT_TRUE(FromSocketCan(error, 16U, back));
     EXPECT_TRUE(back.error && !back.extended && !back.remote);
     EXPECT_EQ(back.identifier, 0x40U);
+    canfd_frame standard{};
+    standard.can_id = 0x4000'0123U;
+    standard.len = 3U;
+    ASSERT_TRUE(FromSocketCan(standard, 16U, back));
+    EXPECT_TRUE(back.remote && !back.extended && !back.fd);
+    EXPECT_EQ(back.identifier, 0x123U);
+    standard.len = 64U;
+    ASSERT_TRUE(FromSocketCan(standard, 72U, back));
+    EXPECT_TRUE(back.fd);
     error.len = 9U;
     EXPECT_FALSE(FromSocketCan(error, 16U, back));
     EXPECT_FALSE(FromSocketCan(error, 15U, back));

@@ -46,6 +46,11 @@ TEST(SocketcandText, ReadsTheProtocol)
     EXPECT_EQ(error.word, SocketcandWord::kErrorFrame);
     EXPECT_TRUE(error.frame.error);
     EXPECT_EQ(error.frame.identifier, 0x40U);
+    const SocketcandMessage single = ReadSocketcand("< frame 123 1.0 1 A 22 >");
+    EXPECT_EQ(single.frame.length_bytes, 3U);
+    EXPECT_EQ(single.frame.data[1], 0x0AU);
+    // Classes beyond those that there are: words
+    EXPECT_EQ(ReadSocketcand("< error 20000000 1.0 >").text, "20000000 1.0");
     EXPECT_EQ(ReadSocketcand("< error unknown command >").text, "unknown command");
     EXPECT_TRUE(ReadSocketcand("< own 123 1.000000 AB >").frame.own);
     EXPECT_TRUE(ReadSocketcand("< ownrtr 123 1.000000 1 >").frame.remote);
@@ -66,6 +71,12 @@ TEST(SocketcandText, SaysWhatIsWrong)
         {"< >", "empty element, expected a word"},
         {"< SEND 1 0 >", "unknown command 'SEND" + known},
         {"< a\x01\x80 >", "unknown command 'a??" + known},
+        {"x hi >",
+         "element without brackets or of more than 256 characters, expected a word and its values in angle brackets"},
+        {"<" + std::string(256U, 'x') + ">",
+         "element without brackets or of more than 256 characters, expected a word and its values in angle brackets"},
+        {"< a\x7F >", "unknown command 'a?" + known},
+        {"< frame 123 1.x 11 >", "frame: time '1.x', expected SECONDS.MICROSECONDS"},
         {"< hi there >", "hi: count of values '1', expected 0"},
         {"< open >", "open: count of values '0', expected 1"},
         {"< open a_name_of_17_char >", "open: bus 'a_name_of_17_char', expected a name of at most 16 characters"},
@@ -158,6 +169,15 @@ TEST(SocketcandStreamTest, IsCutAnywhere)
         texts.insert(texts.end(), rest.begin(), rest.end());
         EXPECT_EQ(texts, expected) << cut;
     }
+}
+
+TEST(SocketcandStreamTest, ShowsWhatIsOutsideWithoutBrackets)
+{
+    Verifies(req::SRS_LIVE_050);
+    SocketcandStream stream;
+    stream.Feed("x>y< ok >", 9U);
+    EXPECT_EQ(AllOf(stream),
+              (std::vector<std::string>{"'x?y' outside of angle brackets, expected an element", "< ok >"}));
 }
 
 // Given an element without an end, then it is refused once when it is too long, and the next element is read.

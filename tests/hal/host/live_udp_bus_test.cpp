@@ -242,6 +242,22 @@ TEST(UdpBusPace, SpreadsFramesOverTime)
     EXPECT_EQ(receiver->Health().state, BusState::kActive);
 }
 
+// Given a bus with a pace, which is one of classical frames, then one with flexible data rate is refused there, and
+// takes no time there when others send it.
+TEST(UdpBusPace, KnowsNoFlexibleDataRate)
+{
+    Verifies(req::SRS_LIVE_013);
+    const auto paced = OpenLiveBus(Group("?bitrate=10000"));
+    const auto free = OpenLiveBus(Group(""));
+    LiveFrame flexible = Live(1U, {});
+    flexible.fd = true;
+    EXPECT_EQ(paced->Send(flexible), SendResult::kRefused);
+    ASSERT_EQ(free->Send(flexible), SendResult::kSent);
+    EXPECT_TRUE(Wait(*paced)->fd);
+    ASSERT_EQ(paced->Send(Live(2U, {})), SendResult::kSent);
+    EXPECT_EQ(paced->Health().waiting, 0U);
+}
+
 // Given a slow bus, when more than 64 frames wait, then the next is refused and nothing of what was taken is lost.
 TEST(UdpBusPace, RefusesWhenItsQueueIsFull)
 {

@@ -355,6 +355,49 @@ TEST(VirtualBus, StatusWaitsOnce)
               (std::vector<std::uint32_t>{0x702U, 0x702U, 0x702U, 0x703U, 0x703U}));
 }
 
+TEST(VirtualBus, AFrameOfAnotherIdentifierOrLengthIsNotTheSameContent)
+{
+    Verifies(req::SRS_BUS_017);
+    // Given node 2 without its cable, whose frames 702h wait once, and another frame with the same byte that waits
+    BusRig rig;
+    rig.bus.WaitOnce(2U, 0x702U);
+    rig.bus.Disconnect(2U);
+    ASSERT_EQ(rig.bus.Submit(2U, MakeFrame(0x703U, {0x05U})), TransmitStatus::kAccepted);
+    ASSERT_EQ(rig.bus.Submit(2U, MakeFrame(0x702U, {0x05U})), TransmitStatus::kAccepted);
+    // When it sends that byte and one more, and then the byte alone again
+    ASSERT_EQ(rig.bus.Submit(2U, MakeFrame(0x702U, {0x05U, 0x00U})), TransmitStatus::kAccepted);
+    ASSERT_EQ(rig.bus.Submit(2U, MakeFrame(0x702U, {0x05U})), TransmitStatus::kAccepted);
+    rig.bus.Connect(2U);
+    rig.RunTo(2 * kMillisecond);
+    // Then only the frame with this byte alone has given up its place
+    std::vector<std::uint8_t> lengths;
+    for (const Heard& heard : rig.listeners[1].received)
+    {
+        lengths.push_back(heard.frame.length_bytes);
+    }
+    EXPECT_EQ(lengths, (std::vector<std::uint8_t>{2U, 1U, 1U}));
+    EXPECT_EQ(Identifiers(rig.listeners[1].received), (std::vector<std::uint32_t>{0x702U, 0x702U, 0x703U}));
+}
+
+TEST(VirtualBus, ANodeThatIsDetachedIsNotToldThatItIsOffTheBus)
+{
+    Verifies(req::SRS_BUS_008);
+    BusRig rig;
+    rig.bus.Detach(2U);
+    rig.bus.ForceBusOff(2U);
+    rig.bus.ForceBusOff(1U);
+    EXPECT_TRUE(rig.listeners[2].bus_off.empty());
+    EXPECT_EQ(rig.listeners[1].bus_off, (std::vector<BusTime>{0}));
+}
+
+TEST(VirtualBus, TellsHowLongABitIs)
+{
+    Verifies(req::SRS_BUS_002);
+    EXPECT_EQ(VirtualBus(BitRate::k10k).BitDuration(), 100'000);
+    EXPECT_EQ(VirtualBus(BitRate::k125k).BitDuration(), 8'000);
+    EXPECT_EQ(VirtualBus(BitRate::k1M).BitDuration(), 1'000);
+}
+
 TEST(VirtualBus, DetachedNodeIsGoneForGood)
 {
     Verifies(req::SRS_BUS_006);

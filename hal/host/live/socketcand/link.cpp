@@ -15,9 +15,11 @@ namespace
 
 constexpr std::size_t kReadBytes = 16U * 1024U;
 
+static_assert(EAGAIN == EWOULDBLOCK, "Linux has one number for both");
+
 bool IsLater(const int failure)
 {
-    return (failure == EAGAIN) || (failure == EWOULDBLOCK) || (failure == EINTR);
+    return (failure == EAGAIN) || (failure == EINTR);
 }
 
 } // namespace

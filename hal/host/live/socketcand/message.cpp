@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
@@ -49,13 +50,14 @@ constexpr std::array<WordName, 14U> kWords{{
     {SocketcandWord::kErrorText, "error", 1U, 64U},
 }};
 
-/// For an answer: what is no printable character, or a bracket, as a question mark; at most 32 characters.
+/// For an answer: what is no printable character, or a closing bracket, as a question mark; at most 32 characters.
+/// There is no opening one in `text`: it would have begun an element.
 std::string Shown(const std::string_view text)
 {
     std::string shown;
     for (const char letter : text.substr(0U, 32U))
     {
-        const bool is_plain = (letter > ' ') && (letter <= '~') && (letter != '<') && (letter != '>');
+        const bool is_plain = (std::isgraph(static_cast<unsigned char>(letter)) != 0) && (letter != '>');
         shown += is_plain ? letter : '?';
     }
     return shown;

@@ -74,7 +74,8 @@ LiveFile SocketcandPeer::BeginConnect() const
     const Place& place = places_.at(chosen_);
     const auto* const address = reinterpret_cast<const sockaddr*>(&place.address);
     LiveFile socket{::socket(address->sa_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)};
-    const bool is_begun = (::connect(socket.Get(), address, place.bytes) == 0) || (errno == EINPROGRESS);
+    const bool is_begun =
+        (socket.Get() >= 0) && ((::connect(socket.Get(), address, place.bytes) == 0) || (errno == EINPROGRESS));
     return is_begun ? std::move(socket) : LiveFile{-1};
 }
 

@@ -30,21 +30,14 @@ std::uint64_t WallMicroseconds(const std::uint64_t monotonic_ns)
     return (wall_ns - (LiveNow() - monotonic_ns)) / 1'000U;
 }
 
+/// Why a frame was not taken by a bus whose queue has room.
 std::string ReasonOf(const SendResult result)
 {
-    switch (result)
+    if (result == SendResult::kBusOff)
     {
-    case SendResult::kBusOff:
         return "bus-off";
-    case SendResult::kDown:
-        return "the bus is down";
-    case SendResult::kInvalid:
-    case SendResult::kSent:
-    case SendResult::kQueueFull:
-    case SendResult::kRefused:
-        break;
     }
-    return "the bus refuses the frame";
+    return (result == SendResult::kDown) ? "the bus is down" : "the bus refuses the frame";
 }
 
 LiveFile Listen(const std::string& host, const std::uint16_t port)
@@ -91,7 +84,7 @@ pollfd SocketcandClient::Connection() const
 
 pollfd SocketcandClient::Bus() const
 {
-    return {bus_ ? bus_->Descriptor() : -1, POLLIN, 0};
+    return {bus_->Descriptor(), POLLIN, 0};
 }
 
 void SocketcandClient::Say(const SocketcandWord word)

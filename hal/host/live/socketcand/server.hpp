@@ -46,7 +46,7 @@ class SocketcandClient
     SocketcandClient(LiveFile socket, const std::vector<ServedBus>& buses, ServerCounts& counts);
     /// @brief What to poll for the connection.
     [[nodiscard]] pollfd Connection() const;
-    /// @brief What to poll for the bus (descriptor -1: no bus is open).
+    /// @brief What to poll for the bus of one that has opened a bus.
     [[nodiscard]] pollfd Bus() const;
     /// @brief Reads, obeys and answers what is there. False: the connection has ended.
     [[nodiscard]] bool Serve();

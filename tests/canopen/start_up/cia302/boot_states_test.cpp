@@ -114,6 +114,7 @@ TEST(BootStates, ValueThatIsNoneIsIdle)
 {
     Verifies(req::SRS_BOOT_024);
     EXPECT_EQ(Next(BootState{0x7FU}, BootEvent::kDone), BootState::kIdle);
+    EXPECT_EQ(Next(BootState::kType, BootEvent{0x7FU}), BootState::kType); // What is no event changes nothing.
     EXPECT_EQ(RowOf(BootState{41U}).state, BootState::kIdle);
     EXPECT_EQ(RowOf(BootState::kStart).step, StartUpStep::kStart);
 }
