@@ -59,7 +59,7 @@ class PairLogic
     [[nodiscard]] const std::vector<PairValue>& Pairs() const noexcept;
     /// @brief The pair of this normal object, if possible one that is mapped; null: there is none.
     [[nodiscard]] const PairValue* Find(const ObjectAddress& normal) const noexcept;
-    /// @brief Adds a rule, if the device can follow it. [SRS_NODE_150]
+    /// @brief Adds a rule, if the device can follow it. [SRS_NODE_160]
     [[nodiscard]] RuleFinding AddRule(const LogicRule& rule);
     /// @brief Sets an input; the object is one of a pair, and the value is cut to its bits.
     void SetInput(const ObjectAddress& normal, std::uint64_t value) noexcept;

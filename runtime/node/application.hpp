@@ -31,7 +31,7 @@ class NodeApplication final : public Application
     /// @brief Takes the pairs as the SRDOs are configured now, whoever configured them. Call it on entering
     /// OPERATIONAL. [SRS_NODE_019]
     void Follow(Kernel& kernel, const runtime::DeviceModel& model);
-    /// @brief Adds a rule, if the device can follow it. [SRS_NODE_150]
+    /// @brief Adds a rule, if the device can follow it. [SRS_NODE_160]
     [[nodiscard]] RuleFinding AddRule(const LogicRule& rule);
     /// @brief Sets an input: the normal object of a producer, as configured or as in the file. False: there is no such
     /// input.

@@ -58,7 +58,7 @@ void CatchSignals()
 }
 
 /// The device with the node-ID that LSS has saved, if it has: another one would be told of and never be there.
-/// [SRS_NODE_151]
+/// [SRS_NODE_161]
 std::unique_ptr<NodeDevice> FirstDevice(const NodeLoopParts& parts)
 {
     std::unique_ptr<NodeDevice> device = parts.make(std::nullopt);

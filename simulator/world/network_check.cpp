@@ -5,7 +5,7 @@
 
 #include <string>
 
-// What a scenario names has to exist in the DCFs. [SRS_SIM_010, SRS_SIM_056, SRS_SIM_057, SRS_NODE_150]
+// What a scenario names has to exist in the DCFs. [SRS_SIM_010, SRS_SIM_056, SRS_SIM_057, SRS_NODE_160]
 namespace counterpoint::simulator
 {
 namespace

@@ -40,7 +40,7 @@ class LogicRuleTest : public test::CommandTest
 
 TEST_F(LogicRuleTest, AnInputOfAnotherLengthThanItsTargetIsRefused)
 {
-    Verifies(req::SRS_NODE_150);
+    Verifies(req::SRS_NODE_160);
     // Shorter and longer ones, alone and behind one that fits
     const std::string shorter = "set: 0x2000:01, op: copy, from: [0x2201:01]";
     const std::string longer = "set: 0x2001:01, op: not, from: [0x2200:01]";

@@ -115,7 +115,7 @@ TEST_F(SdoServerTest, MoreOrLessThanStatedIsRefused)
 // The greatest length that can be stated is not that of a client that states none.
 TEST_F(SdoServerTest, TheGreatestStatedLengthIsRefusedAtOnce)
 {
-    Verifies(req::SRS_SDO_150);
+    Verifies(req::SRS_SDO_160);
     entries[4].size_bytes = 0xFFFFFFFEU; // As if the object had room: the buffer has none.
     EXPECT_EQ(Send({0x21U, 0x03U, 0x21U, 0x00U, 0xFFU, 0xFFU, 0xFFU, 0xFFU}), AbortOf(0x2103U, 0U, 0x05040005U));
     EXPECT_EQ(Send({0xC6U, 0x03U, 0x21U, 0x00U, 0xFFU, 0xFFU, 0xFFU, 0xFFU}), AbortOf(0x2103U, 0U, 0x05040005U));

@@ -175,7 +175,7 @@ TEST_F(NodeServicesTest, WithoutANodeIdThereIsOnlyLssAndThenANode)
 {
     Verifies(req::SRS_NODE_015);
     Verifies(req::SRS_LSS_009);
-    Verifies(req::SRS_NODE_151);
+    Verifies(req::SRS_NODE_161);
     const std::string file = File("none.dcf", Replaced(TextOf(kPlain), "NodeID=5\n", ""));
     const std::string store = Path("lss_store");
     std::remove(store.c_str());
