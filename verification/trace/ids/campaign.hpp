@@ -61,6 +61,16 @@ inline constexpr RequirementId SRS_CMG_120{"SRS_CMG_120"};
 inline constexpr RequirementId SRS_CMG_130{"SRS_CMG_130"};
 inline constexpr RequirementId SRS_CMG_131{"SRS_CMG_131"};
 inline constexpr RequirementId SRS_CMG_132{"SRS_CMG_132"};
+inline constexpr RequirementId SRS_CMG_150{"SRS_CMG_150"};
+inline constexpr RequirementId SRS_CMG_151{"SRS_CMG_151"};
+inline constexpr RequirementId SRS_CMG_152{"SRS_CMG_152"};
+inline constexpr RequirementId SRS_CMG_153{"SRS_CMG_153"};
+inline constexpr RequirementId SRS_CMG_154{"SRS_CMG_154"};
+inline constexpr RequirementId SRS_CMG_155{"SRS_CMG_155"};
+inline constexpr RequirementId SRS_CMG_156{"SRS_CMG_156"};
+inline constexpr RequirementId SRS_CMG_157{"SRS_CMG_157"};
+inline constexpr RequirementId SRS_CMG_158{"SRS_CMG_158"};
+inline constexpr RequirementId SRS_CMG_159{"SRS_CMG_159"};
 } // namespace counterpoint::req
 
 #endif
