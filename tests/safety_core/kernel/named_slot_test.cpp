@@ -133,7 +133,7 @@ TEST_F(NamedSlot, IsDemotedInBothChannels)
 // Three SRDOs: the comparator is told of slots 0 to 2.
 TEST_F(NamedSlot, ThatDoesNotExistIsNotLookedAt)
 {
-    Verifies(req::SRS_CMP_007);
+    Verifies(req::SRS_CMP_150);
     Operate();
     const auto all_fresh = [](CycleOutcome& outcome) { outcome.fresh = ~SrdoMask{0U}; };
     a.on_outcome = all_fresh;
@@ -145,7 +145,7 @@ TEST_F(NamedSlot, ThatDoesNotExistIsNotLookedAt)
 
 TEST_F(NamedSlot, ThatDoesNotExistIsNeitherDemotedNorPreparedNorReported)
 {
-    Verifies(req::SRS_CMP_007);
+    Verifies(req::SRS_CMP_150);
     Operate();
     const int demotions = a.demotions;
     const SrdoMask beyond = ~SrdoMask{7U};
