@@ -81,7 +81,7 @@ std::uint32_t WatchesManagerMs(const LoadedSlave& slave, const cia302::SlaveSetu
 }
 
 /// Each bit of 1F80h that the profile does not follow, and the one that a safety slave takes from it.
-/// [SRS_NET_005] [SRS_NET_006]
+/// [SRS_NET_150] [SRS_NET_006]
 std::vector<std::string> WarningsOfStartUp(const ManagerPlan& manager, const cia302::NetworkSetup& setup)
 {
     constexpr std::uint32_t kBits = 32U;

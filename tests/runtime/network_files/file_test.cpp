@@ -404,6 +404,7 @@ TEST_F(ManagersFileTest, ItWaitsForTheHeartbeatOfANodeForOneTimeAlone)
 TEST_F(NetworkFileTest, OneStartForAllWithASafetySlaveIsWarnedOf)
 {
     Verifies(req::SRS_NET_005);
+    Verifies(req::SRS_NET_150);
     Verifies(req::SRS_NET_006);
     const auto warnings = [this](const std::string& profile)
     {

@@ -141,7 +141,8 @@ TEST_F(NetworkProfileTest, PlcDesignerTakesOptionalAndResetNode)
 
 TEST_F(NetworkProfileTest, AStartOfAllThatSomeSlavesCannotTakeNamesThem)
 {
-    Verifies(req::SRS_PLC_015);
+    Verifies(req::SRS_PLC_150);
+    Verifies(req::SRS_PLC_151);
     // Given slave 5 that waits for its start, 6 of another type and 7, optional and absent
     const std::string io = std::string(COUNTERPOINT_SOURCE_FOLDER) + "/examples/networks/managed_faults/io.dcf";
     static_cast<void>(File("net.yaml", "manager: {node: 127, profile: plc_designer, start_up: 0x9}\nslaves:\n"

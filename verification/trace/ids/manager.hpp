@@ -58,12 +58,23 @@ inline constexpr RequirementId SRS_MGR_139{"SRS_MGR_139"};
 inline constexpr RequirementId SRS_MGR_140{"SRS_MGR_140"};
 inline constexpr RequirementId SRS_MGR_141{"SRS_MGR_141"};
 inline constexpr RequirementId SRS_MGR_142{"SRS_MGR_142"};
+inline constexpr RequirementId SRS_MGR_150{"SRS_MGR_150"};
+inline constexpr RequirementId SRS_MGR_151{"SRS_MGR_151"};
+inline constexpr RequirementId SRS_MGR_152{"SRS_MGR_152"};
+inline constexpr RequirementId SRS_MGR_153{"SRS_MGR_153"};
+inline constexpr RequirementId SRS_MGR_154{"SRS_MGR_154"};
+inline constexpr RequirementId SRS_MGR_155{"SRS_MGR_155"};
+inline constexpr RequirementId SRS_MGR_156{"SRS_MGR_156"};
+inline constexpr RequirementId SRS_MGR_157{"SRS_MGR_157"};
+inline constexpr RequirementId SRS_MGR_158{"SRS_MGR_158"};
+inline constexpr RequirementId SRS_MGR_159{"SRS_MGR_159"};
 inline constexpr RequirementId SRS_NET_001{"SRS_NET_001"};
 inline constexpr RequirementId SRS_NET_002{"SRS_NET_002"};
 inline constexpr RequirementId SRS_NET_003{"SRS_NET_003"};
 inline constexpr RequirementId SRS_NET_004{"SRS_NET_004"};
 inline constexpr RequirementId SRS_NET_005{"SRS_NET_005"};
 inline constexpr RequirementId SRS_NET_006{"SRS_NET_006"};
+inline constexpr RequirementId SRS_NET_150{"SRS_NET_150"};
 inline constexpr RequirementId SRS_SFS_001{"SRS_SFS_001"};
 inline constexpr RequirementId SRS_SFS_002{"SRS_SFS_002"};
 inline constexpr RequirementId SRS_SFS_003{"SRS_SFS_003"};
@@ -77,6 +88,11 @@ inline constexpr RequirementId SRS_SFS_010{"SRS_SFS_010"};
 inline constexpr RequirementId SRS_SFS_011{"SRS_SFS_011"};
 inline constexpr RequirementId SRS_SFS_120{"SRS_SFS_120"};
 inline constexpr RequirementId SRS_SFS_121{"SRS_SFS_121"};
+inline constexpr RequirementId SRS_SFS_150{"SRS_SFS_150"};
+inline constexpr RequirementId SRS_SFS_151{"SRS_SFS_151"};
+inline constexpr RequirementId SRS_SFS_152{"SRS_SFS_152"};
+inline constexpr RequirementId SRS_SFS_153{"SRS_SFS_153"};
+inline constexpr RequirementId SRS_SFS_154{"SRS_SFS_154"};
 } // namespace counterpoint::req
 
 #endif
