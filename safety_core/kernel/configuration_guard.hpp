@@ -83,7 +83,7 @@ class ConfigurationGuard
     {
         return faulty_;
     }
-    /// @brief The device digest of now, by both channels; the cyclic one goes on undisturbed. O(slots) [SRS_KRN_015]
+    /// @brief The device digest of now, by both channels; the cyclic one goes on undisturbed. O(slots) [SRS_KRN_150]
     [[nodiscard]] DigestReply Digest() noexcept;
     /// @brief Sets 13FEh to 0 everywhere.
     void Invalidate() noexcept;

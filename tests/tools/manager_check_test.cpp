@@ -265,7 +265,7 @@ TEST_F(ManagerCheckTest, WhatDoesNotWorkTogetherIsNamed)
 TEST_F(ManagerCheckTest, AnExpectationThatASafetySlaveCannotMeetIsTold)
 {
     Verifies(req::SRS_NET_004);
-    Verifies(req::SRS_NET_006);
+    Verifies(req::SRS_NET_151);
     const std::string dcf = Path("relay.dcf");
     const std::vector<cia306::test::Change> invalid{{"ParameterValue=0xA5", "ParameterValue=0x00"}};
     const std::vector<cia306::test::Change> roomy{
@@ -303,7 +303,7 @@ TEST_F(ManagerCheckTest, AnExpectationThatASafetySlaveCannotMeetIsTold)
 
 TEST_F(ManagerCheckTest, AnEmergencyOfASafetySlaveThatIsNotHeardOrNotKnownIsTold)
 {
-    Verifies(req::SRS_NET_006);
+    Verifies(req::SRS_NET_151);
     const std::string dcf = Path("relay.dcf");
     // What is switched off
     EXPECT_EQ(CheckRelay("", {{"DefaultValue=$NODEID+0x80", "DefaultValue=0x800000A1"}}).err,

@@ -297,6 +297,15 @@ TEST_F(Watch, TheCycleRunsFromValidPairToValidPair)
     // but what it was late before that is
     stopped[8] = Frame(200000, 0x000U, {2U, 1U});
     EXPECT_EQ(GreatestCycleUs(early, stopped), 125000);
+    // The same of the consumer, by a command or as its heartbeat tells
+    for (const LogFrame& end : {Frame(200000, 0x000U, {2U, 2U}), Frame(200000, 0x702U, {4U})})
+    {
+        stopped[8] = end;
+        EXPECT_EQ(GreatestCycleUs(early, stopped), 125000);
+    }
+    // Who has no part in it ends nothing
+    stopped[8] = Frame(200000, 0x000U, {2U, 3U});
+    EXPECT_EQ(GreatestCycleUs(early, stopped), 225000);
 }
 
 TEST_F(Watch, EachSenderOfAGfcHasItsOwnRefreshTimeAndTheGreatestEndsTheWait)

@@ -64,7 +64,7 @@ TEST_F(NetworkProfileTest, APdoWhoseMappingChangesKeepsItsWholeSequence)
 
 TEST_F(NetworkProfileTest, ASynchronousPdoWithoutASyncPeriodIsRefused)
 {
-    Verifies(req::SRS_NET_006);
+    Verifies(req::SRS_NET_152);
     const std::string file =
         File("net.yaml", "manager: {node: 127, profile: el6751}\nslaves:\n  - {node: 4}\n  - {node: 5, dcf: io.dcf}\n");
     try
@@ -333,7 +333,7 @@ TEST_F(NetworkProfileTest, APdoOf29BitsIsRefused)
 
 TEST_F(NetworkProfileTest, ASlaveThatHardlyWaitsForTheManagersHeartbeatIsTold)
 {
-    Verifies(req::SRS_NET_006);
+    Verifies(req::SRS_NET_153);
     const auto warnings = [this](const std::string& manager, const std::string& slave)
     {
         const LoadedNetwork net(runtime::ReadNetworkFile(Net(manager, slave), 0U));

@@ -43,6 +43,7 @@ TEST_F(Configuring, ChannelsThatDifferRefuseTheDeclarationAndTheDevice)
 
 TEST_F(Configuring, ChannelsThatNameDifferentRulesDisagree)
 {
+    Verifies(req::SRS_KRN_015);
     Verifies(req::SRS_CFG_046);
     Configure();
     a.check_fault = ConfigFault::kTiming;
@@ -248,6 +249,7 @@ TEST_F(Configuring, CheckInOperationalIsThatOfSignatureAndResolvedMapping)
     real_a.Store(changed);
     real_b.Store(changed);
     EXPECT_EQ(kernel.CheckConfiguration().result, Result::kSignatureError);
+    EXPECT_EQ(kernel.CheckConfiguration().index.value, 0x1301U);
 }
 
 // Diagnostic interval 30 ms, three SRDOs: six steps, one every 5 cycles, the digest of slot n in step 2n + 1.

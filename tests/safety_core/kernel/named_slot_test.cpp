@@ -72,7 +72,7 @@ TEST_F(NamedSlot, NoneOfAValueOfTheDevice)
 
 TEST_F(NamedSlot, OfACheckThatTheChannelsDoNotShare)
 {
-    Verifies(req::SRS_KRN_015);
+    Verifies(req::SRS_KRN_151);
     Configure();
     b.signature_flip = 1U;
     const SignReply reply = kernel.Sign(CommunicationIndex{0x1303U});
@@ -223,7 +223,8 @@ TEST_F(NamedSlot, IsThatOfTheIndexInEveryCall)
 
 TEST_F(NamedSlot, WhatDoesNotExistHasNoValues)
 {
-    Verifies(req::SRS_KRN_015);
+    Verifies(req::SRS_KRN_151);
+    Verifies(req::SRS_KRN_152);
     Verifies(req::SRS_KRN_021);
     Verifies(req::SRS_KRN_023);
     Configure();
