@@ -191,7 +191,7 @@ void Manager::OnCommandFrame(const CanFrame& frame, const Instant now) noexcept
     }
 }
 
-/// [SRS_SFS_002]
+/// [SRS_SFS_152]
 void Manager::OnStartDropped(const NodeId node, const Instant now) noexcept
 {
     if (StartUp* const profile = role_.Leading())

@@ -68,7 +68,7 @@ class Manager final : public NmtListener, public NodeListener, public NodeWatchL
     void OnCycle(Instant now) noexcept;
     /// @brief The controller went bus-off or is gone, or is back. Another one may be master meanwhile: the role of a
     /// flying master ends, and it negotiates when the bus is there; a manager without a flying master then reads the
-    /// safety slaves as OnLost says. [SRS_FLY_019]
+    /// safety slaves as OnLost says. [SRS_FLY_150]
     void OnBus(bool is_there, Instant now) noexcept;
     /// @brief Frames of the bus were lost, or it was away: safety slaves that run are read again, and a started slave
     /// that says PRE-OPERATIONAL next has booted. O(127) [SRS_SFS_002, SRS_NMM_020]

@@ -49,12 +49,12 @@ class ManagerRole final : public FlyingMasterListener
     void OnFrame(const CanFrame& frame, Instant now) noexcept;
     /// @brief Once a cycle.
     void OnCycle(Instant now) noexcept;
-    /// @brief The controller went bus-off or is gone, or is back. [SRS_FLY_019]
+    /// @brief The controller went bus-off or is gone, or is back. [SRS_FLY_150]
     void OnBus(bool is_there, Instant now) noexcept;
     /// @brief A node, perhaps the active master, is silent.
     void OnHeartbeatLost(NodeId node, Instant now) noexcept;
     /// @brief The active master alone was commanded to reset itself: from the next cycle on it negotiates as any
-    /// other device does after a reset. [SRS_FLY_019]
+    /// other device does after a reset. [SRS_FLY_151]
     void OnOwnReset() noexcept;
     /// @brief The application lets the negotiation begin. kInvalid: there is no flying master. [SRS_FLY_027]
     [[nodiscard]] FlyingStart StartNegotiation(Instant now) noexcept;

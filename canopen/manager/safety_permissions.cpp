@@ -105,7 +105,7 @@ void SafetyPermissions::ReadAnew(const NodeId node) noexcept
 }
 
 /// Somebody else starts safety slaves. What this device has verified and started runs already; all others are taken to
-/// run, whether or not they say so by any error control, and so are read. [SRS_SFS_006]
+/// run, whether or not they say so by any error control, and so are read. [SRS_SFS_006, SRS_SFS_150]
 void SafetyPermissions::OnForeignStart(const NodeId node, const StartUp& profile, const Instant now) noexcept
 {
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
@@ -167,7 +167,7 @@ void SafetyPermissions::OnFrame(const CanFrame& frame, const StartUp* const prof
 }
 
 /// Whatever was on the bus meanwhile: who runs is read again, what is being read from the beginning, and who does not
-/// run any more has booted. [SRS_SFS_002, SRS_NMM_020]
+/// run any more has booted. [SRS_SFS_153, SRS_NMM_020]
 void SafetyPermissions::OnLost(const StartUp* const profile, const Instant now) noexcept
 {
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)

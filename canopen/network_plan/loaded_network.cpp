@@ -34,6 +34,7 @@ std::uint32_t WithBit(const std::uint32_t bits, const std::uint32_t bit, const s
     return is_set ? ((bits & ~bit) | (*is_set ? bit : 0U)) : bits;
 }
 
+/// 1F81h as the keys of a slave have it, given bits kept. [SRS_NET_154]
 std::uint32_t AssignmentOf(const SlavePlan& plan)
 {
     constexpr std::uint32_t kFactorShift = 8U;
@@ -242,6 +243,7 @@ void LoadedNetwork::RequireSense(const LoadedSlave& slave, const SlaveSetup& set
     }
 }
 
+/// Something to compare, and a program and its update only together. [SRS_NET_152]
 void LoadedNetwork::RequireSoftware(const SlavePlan& plan) const
 {
     const SoftwarePlan software = plan.software.value_or(SoftwarePlan{});
@@ -262,7 +264,7 @@ void LoadedNetwork::RequireSoftware(const SlavePlan& plan) const
     }
 }
 
-/// SYNC is sent as soon as any PDO needs it; only the network file knows how often.
+/// SYNC is sent as soon as any PDO needs it; only the network file knows how often. [SRS_NET_152]
 void LoadedNetwork::RequireSync() const
 {
     for (const std::unique_ptr<LoadedSlave>& slave : loaded_)

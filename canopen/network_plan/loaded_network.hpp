@@ -117,7 +117,7 @@ class LoadedNetwork
 void TakeManagerObjects(const cia306::Device& device, NetworkPlan& plan);
 
 /// @brief What a network file asks for without effect, a line each. What cannot work at all is refused by
-/// LoadedNetwork. `network` is complete. [SRS_NET_006]
+/// LoadedNetwork. `network` is complete. [SRS_NET_006, SRS_NET_151, SRS_NET_153]
 [[nodiscard]] std::vector<std::string> WarningsOf(const LoadedNetwork& network);
 } // namespace counterpoint::network_plan
 

@@ -81,7 +81,7 @@ std::uint32_t WatchesManagerMs(const LoadedSlave& slave, const cia302::SlaveSetu
 }
 
 /// Each bit of 1F80h that the profile does not follow, and the one that a safety slave takes from it.
-/// [SRS_NET_005] [SRS_NET_006]
+/// [SRS_NET_150] [SRS_NET_006]
 std::vector<std::string> WarningsOfStartUp(const ManagerPlan& manager, const cia302::NetworkSetup& setup)
 {
     constexpr std::uint32_t kBits = 32U;
@@ -193,7 +193,7 @@ void NetworkWarnings::WarnOfFiles()
     }
 }
 
-/// A slave that waits hardly longer than the period loses the manager on a loaded bus. [SRS_NET_006]
+/// A slave that waits hardly longer than the period loses the manager on a loaded bus. [SRS_NET_153]
 void NetworkWarnings::WarnOfHeartbeat()
 {
     const std::uint32_t period_ms = plan_.manager.heartbeat_ms.value_or(0U);
@@ -261,7 +261,7 @@ void NetworkWarnings::WarnOfGuarding(const SlavePlan& slave, const bool is_el675
     }
 }
 
-/// What the gate expects and the device does not have by itself, or has and the gate does not read.
+/// What the gate expects and the device does not have by itself, or has and the gate does not read. [SRS_NET_151]
 void NetworkWarnings::WarnOfSafety(const LoadedSlave& slave)
 {
     constexpr std::uint32_t kIsOff = 0x80000000U;
@@ -331,7 +331,7 @@ std::string NetworkWarnings::EmergencyPlace(const LoadedSlave& slave) const
                               : cia306::PlaceText(slave.device.file, entry->ValuePlace());
 }
 
-/// Of two slaves with one identifier the first that names it is charged with all of its emergencies.
+/// Of two slaves with one identifier the first that names it is charged with all of its emergencies. [SRS_NET_151]
 void NetworkWarnings::WarnOfEmergencies()
 {
     for (std::size_t place = 0U; place < loaded_.size(); ++place)

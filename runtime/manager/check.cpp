@@ -225,7 +225,7 @@ void TellTogether(const LoadedNetwork& one, const LoadedNetwork& other, std::vec
 
 /// What does not work between these masters although their configurations agree, a line each: a consumer time
 /// that is not longer than the heartbeat of the watched master; standbys that race, or masters that ignore 071h, beside
-/// one that sends 072h each cycle. O(masters^2) [SRS_MGR_009]
+/// one that sends 072h each cycle. O(masters^2) [SRS_MGR_153]
 std::vector<std::string> ProblemsTogether(const std::vector<const LoadedNetwork*>& masters)
 {
     std::vector<std::string> lines;

@@ -14,7 +14,7 @@ namespace counterpoint::runtime
 /// cia302::CompareFlyingMasters, and what only network files say. [SRS_MGR_009]
 [[nodiscard]] std::vector<std::string> DifferencesOf(const std::vector<const network_plan::LoadedNetwork*>& masters);
 /// @brief What a person should know besides: the warnings of each file, a master that is mandatory for another one, and
-/// a master that nobody watches. [SRS_MGR_009]
+/// a master that nobody watches. [SRS_MGR_154]
 [[nodiscard]] std::vector<std::string> WarningsOf(const std::vector<const network_plan::LoadedNetwork*>& masters);
 } // namespace counterpoint::runtime
 

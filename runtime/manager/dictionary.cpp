@@ -163,7 +163,7 @@ void ManagerDictionary::AddArray(const std::uint16_t index, const DataType type,
     }
 }
 
-/// Of its DCF; a manager without one is a device without a profile and a vendor.
+/// Of its DCF; a manager without one is a device without a profile and a vendor. [SRS_MGR_150]
 void ManagerDictionary::AddIdentity()
 {
     constexpr std::uint16_t kIdentity = 0x1018U;

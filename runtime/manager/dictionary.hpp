@@ -18,7 +18,7 @@
 namespace counterpoint::runtime
 {
 /// The manager as a device on the bus: its object dictionary, and the SDO server at its node-ID. It cannot be moved or
-/// copied. [SRS_MGR_020]
+/// copied. [SRS_MGR_020, SRS_MGR_150, SRS_MGR_151]
 class ManagerDictionary
 {
   public:

@@ -26,7 +26,7 @@ struct PdoValue
 };
 
 /// Process data of a network under the EL6751 profile: what the RxPDOs carry, and what the TxPDOs brought.
-/// [SRS_MGR_022]
+/// [SRS_MGR_022, SRS_MGR_158, SRS_MGR_159]
 class ManagerPdos
 {
   public:

@@ -16,7 +16,7 @@
 namespace counterpoint::runtime
 {
 /// A manager with everything that watches it, on whatever bus. Its owner brings frames, time and orders, and gets
-/// frames and events. Times are microseconds since the start. [SRS_MGR_001, SRS_MGR_012]
+/// frames and events. Times are microseconds since the start. [SRS_MGR_001, SRS_MGR_012, SRS_MGR_156]
 class ManagerStation final : private cia301::FrameSink
 {
   public:

@@ -49,7 +49,7 @@ const DeviceModel& UseControllers(DeviceModel& model, NodePorts& ports)
 }
 
 /// The node-ID instead of the file's: what LSS gave, else that of the command line; nothing: the file's holds. A device
-/// that waits for LSS gets a placeholder. [SRS_NODE_015]
+/// that waits for LSS gets a placeholder. [SRS_NODE_015, SRS_NODE_150]
 std::optional<std::uint8_t> NodeIdOf(const NodeSettings& settings, const cia306::Device& file, const bool has_lss)
 {
     const std::optional<std::uint8_t> wanted = settings.lss_node_id ? settings.lss_node_id : settings.node_id;

@@ -19,7 +19,7 @@ namespace counterpoint::runtime
 /// What a loop works with; all outlive it.
 struct NodeLoopParts
 {
-    /// A device with the node-ID that LSS gave, if it gave one. May throw as NodeDevice does.
+    /// A device with the node-ID that LSS gave, if it gave one. May throw as NodeDevice does. [SRS_NODE_151]
     std::function<std::unique_ptr<NodeDevice>(std::optional<std::uint8_t> lss_node_id)> make;
     NodePorts& ports;
     NodeReport& report;

@@ -108,7 +108,7 @@ struct DeviceConfig
     std::uint32_t clock_interval_us;
     /// 0 to 2^30 - 1: from the dropped permit to the safe output; used in computed limits only.
     std::uint32_t output_time_us;
-    std::uint32_t digest; ///< Expected device digest (5F04h); 0: none is expected. [SRS_CFG_050]
+    std::uint32_t digest; ///< Expected device digest (5F04h); 0: none is expected. [SRS_CFG_151]
 };
 
 /// What the storage of a channel has room for. [SRS_KRN_020]

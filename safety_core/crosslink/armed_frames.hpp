@@ -18,7 +18,7 @@ struct Arming
     std::uint32_t limit_us;
 };
 
-/// What the follower has prepared and awaits from the leader: few at a time, each for its SRVT. [SRS_TWO_011,
+/// What the follower has prepared and awaits from the leader: few at a time, each for its SRVT. [SRS_TWO_151,
 /// SRS_TWO_012]
 class ArmedFrames
 {

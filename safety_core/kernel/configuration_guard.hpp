@@ -21,7 +21,7 @@ namespace counterpoint
 /// cycle and has signatures and digests computed anew. The values themselves live in the channels
 /// (ConfigurationCopies); the guard keeps only 13FEh, its diagnosis the digest. Faults that it finds enter the latch at
 /// once. [SRS_CFG_040, SRS_CFG_041, SRS_CFG_042, SRS_CFG_043, SRS_CFG_044, SRS_CFG_045, SRS_CFG_046, SRS_CFG_047,
-/// SRS_CFG_048, SRS_CFG_049, SRS_CFG_050, SRS_CFG_051, SRS_CFG_052, SRS_CFG_053]
+/// SRS_CFG_048, SRS_CFG_049, SRS_CFG_050, SRS_CFG_051, SRS_CFG_052, SRS_CFG_053, SRS_CFG_150, SRS_CFG_151]
 class ConfigurationGuard
 {
   public:
@@ -83,7 +83,7 @@ class ConfigurationGuard
     {
         return faulty_;
     }
-    /// @brief The device digest of now, by both channels; the cyclic one goes on undisturbed. O(slots) [SRS_KRN_015]
+    /// @brief The device digest of now, by both channels; the cyclic one goes on undisturbed. O(slots) [SRS_KRN_150]
     [[nodiscard]] DigestReply Digest() noexcept;
     /// @brief Sets 13FEh to 0 everywhere.
     void Invalidate() noexcept;

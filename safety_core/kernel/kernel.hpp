@@ -137,14 +137,14 @@ class Kernel
     /// it; then the device digest. [SRS_KRN_015]
     [[nodiscard]] CheckReply CheckConfiguration() noexcept;
     /// @brief The device digest as both channels compute it now, whatever is expected: what 5F04h has to hold. O(slots)
-    /// [SRS_KRN_015]
+    /// [SRS_KRN_150]
     [[nodiscard]] DigestReply Digest() noexcept
     {
         return context_.guard.Digest();
     }
-    /// @brief Signature of one SRDO as both channels compute it. [SRS_KRN_015]
+    /// @brief Signature of one SRDO as both channels compute it. [SRS_KRN_151]
     [[nodiscard]] SignReply Sign(CommunicationIndex index) noexcept;
-    /// @brief State of one SRDO. [SRS_KRN_015]
+    /// @brief State of one SRDO. [SRS_KRN_152]
     [[nodiscard]] StateReply GetState(CommunicationIndex index) const noexcept;
     /// @brief Status byte of one SRDO, for callbacks too. [SRS_KRN_021]
     [[nodiscard]] StatusReply GetStatus(CommunicationIndex index) const noexcept;

@@ -64,7 +64,7 @@ class Reporting
         context.parts.application.OnSrdoEvent(IndexOf(*context.config, slot));
     }
     /// @brief Every cause that a channel signals and that was not told within its window, and a GFC. O(signalled)
-    /// [SRS_KRN_032, SRS_CMP_007]
+    /// [SRS_KRN_032, SRS_CMP_150]
     void TellErrors(const KernelContext& context, const SrdoMask signalled, const Instant now) noexcept
     {
         errors_ = 0U;

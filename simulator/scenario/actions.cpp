@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-// The sections `managers` and `events`. [SRS_MGR_012]
+// The sections `managers` and `events`. [SRS_MGR_012, SRS_MGR_155]
 #include "canopen/cia306/text/number.hpp"
 #include "simulator/scenario/names.hpp"
 #include "simulator/scenario/network_names.hpp"

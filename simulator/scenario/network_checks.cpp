@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // What does not fit together in a network with managers, and between a device and its DCF: it would do nothing, or
-// hold whatever happens. What only the network files tell is checked where they are read. [SRS_MGR_012]
+// hold whatever happens. What only the network files tell is checked where they are read. [SRS_MGR_157]
 #include "canopen/cia306/file/device_reader.hpp"
 #include "runtime/device/model.hpp"
 #include "simulator/scenario/checks.hpp"

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-// The words of networks with managers. [SRS_MGR_012]
+// The words of networks with managers. [SRS_MGR_155]
 namespace counterpoint::simulator
 {
 inline constexpr Word<ActionKind> kActionWords[] = {

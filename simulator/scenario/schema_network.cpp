@@ -2,7 +2,7 @@
 #include "simulator/scenario/names.hpp"
 #include "simulator/scenario/network_names.hpp"
 
-// Managers, what happens to them and to devices, and what a manager is asked. [SRS_MGR_012, SRS_SIM_047]
+// Managers, what happens to them and to devices, and what a manager is asked. [SRS_MGR_155, SRS_SIM_047]
 namespace counterpoint::simulator
 {
 namespace

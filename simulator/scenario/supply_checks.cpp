@@ -1,5 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-// When each device of a scenario has a supply, by what the scenario does to it. [SRS_SIM_065, SRS_SIM_066, SRS_MGR_012]
+// When each device of a scenario has a supply, by what the scenario does to it. [SRS_SIM_065, SRS_SIM_066, SRS_MGR_157]
 #include "simulator/scenario/checks.hpp"
 #include "simulator/scenario/names.hpp"
 #include "simulator/scenario/network_names.hpp"

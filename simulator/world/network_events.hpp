@@ -7,7 +7,7 @@
 
 namespace counterpoint::simulator
 {
-/// Plans everything that happens to the devices of a scenario, but for faults. [SRS_SIM_006, SRS_SIM_037, SRS_MGR_012]
+/// Plans everything that happens to the devices of a scenario, but for faults. [SRS_SIM_006, SRS_SIM_037, SRS_MGR_155]
 class NetworkEvents
 {
   public:

@@ -10,7 +10,7 @@
 namespace counterpoint::simulator
 {
 /// Somebody else on the bus who sends one frame, or one after the other: the events emcy_storm, babble and send.
-/// [SRS_MGR_012]
+/// [SRS_MGR_155]
 class Storm final : public Participant, private host::BusListener
 {
   public:

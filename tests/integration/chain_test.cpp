@@ -1,9 +1,11 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/text/text_file.hpp"
 #include "tests/integration/scenario_run.hpp"
 #include "verification/trace/ids/channel.hpp"
 #include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,33 @@ expect:
 )");
     // Then the actuator is safe before, released after, and nothing was wrong
     EXPECT_EQ(Failures(*run), "");
+}
+
+TEST(Chain, IsMadeOfTheSourcesOfTheProductEachCompiledOnce)
+{
+    Verifies(req::SRS_SIM_001);
+    // Given what this build has compiled
+    const std::string compiled = cia306::ReadTextFile(COUNTERPOINT_COMPILE_COMMANDS);
+    std::size_t count = 0U;
+    for (const char* const room :
+         {"safety_core/kernel", "safety_core/comparator", "channel_a", "channel_b", "hal/host/virtual"})
+    {
+        const std::filesystem::path folder = std::filesystem::path{COUNTERPOINT_SOURCE_FOLDER} / room;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator{folder})
+        {
+            if (entry.path().extension() != ".cpp")
+            {
+                continue;
+            }
+            // Then there is one object of each source, which a simulated node cannot but have
+            ++count;
+            const std::string line = "\"file\": \"" + entry.path().string() + "\"";
+            const std::size_t first = compiled.find(line);
+            EXPECT_NE(first, std::string::npos) << line;
+            EXPECT_EQ(compiled.find(line, first + 1U), std::string::npos) << line;
+        }
+    }
+    EXPECT_GE(count, 40U);
 }
 
 TEST(Chain, ConstantAcknowledgeNeverReleases)
@@ -69,6 +98,36 @@ expect:
   - {that: no_fault}
 )");
     // Then both arrive, by both paths, and the pair stays valid
+    EXPECT_EQ(Failures(*run), "");
+}
+
+TEST(Chain, CopyAndNotAreOfTheNormalAndOfTheInverseObject)
+{
+    Verifies(req::SRS_SIM_007);
+    // Given the chain with a copy of button 1 and every bit of button 2 the other way round
+    const auto run = std::make_unique<simulator::Run>(TextFile(R"(
+duration: 500 ms
+nodes:
+  sensor: {dcf: )" + Examples() + R"(sensor.dcf}
+  controller: {dcf: )" + Examples() + R"(controller.dcf}
+  actuator: {dcf: )" + Examples() + R"(actuator.dcf}
+inputs:
+  - {at: 20 ms, node: sensor, object: 0x2000:01, value: 1}
+  - {at: 20 ms, node: sensor, object: 0x2000:02, value: 1}
+logic:
+  - {node: controller, set: 0x2000:01, op: copy, from: [0x2200:01]}
+  - {node: controller, set: 0x2000:02, op: not, from: [0x2200:02]}
+acknowledge:
+  - {at: 150 ms, node: actuator, srdo: 1, pulse: 50 ms}
+expect:
+  - {that: value, node: actuator, object: 0x2200:01, is: 0x01, at: 400 ms}
+  - {that: value, node: actuator, object: 0x2200:02, is: 0xFE, at: 400 ms}
+  - {that: released, node: actuator, srdo: 1, at: 400 ms}
+  - {that: no_fault}
+)"),
+                                                      std::nullopt, std::nullopt, false);
+    run->Simulate(nullptr);
+    // Then both arrive; a pair whose inverse object is not that of its normal one would not
     EXPECT_EQ(Failures(*run), "");
 }
 

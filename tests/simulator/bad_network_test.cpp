@@ -166,7 +166,7 @@ class BadScenarioTest : public test::CommandTest
 
 TEST_F(BadScenarioTest, EachMalformedScenarioHasItsLine)
 {
-    Verifies(req::SRS_MGR_012);
+    Verifies(req::SRS_MGR_157);
     for (const auto& [part, message] : kMalformed)
     {
         ExpectRefused(head_ + part + "\n" + devices_, message);
@@ -175,7 +175,7 @@ TEST_F(BadScenarioTest, EachMalformedScenarioHasItsLine)
 
 TEST_F(BadScenarioTest, WhatDoesNothingOrHoldsWhateverHappensIsRefused)
 {
-    Verifies(req::SRS_MGR_012);
+    Verifies(req::SRS_MGR_157);
     for (const auto& [part, message] : kIdle)
     {
         ExpectRefused(head_ + part + "\n" + devices_, message);
@@ -184,7 +184,7 @@ TEST_F(BadScenarioTest, WhatDoesNothingOrHoldsWhateverHappensIsRefused)
 
 TEST_F(BadScenarioTest, ManagersAndDevices)
 {
-    Verifies(req::SRS_MGR_012);
+    Verifies(req::SRS_MGR_157);
     const std::string two = "title: x\nduration: 2 s\n";
     ExpectRefused(two + "managers: [{network: nobody.yaml}]\n", ":3:22: error: there is no file ");
     ExpectRefused(two + "managers: [{network: .}]\n", ":3:22: error: '" + Path("."));
@@ -217,7 +217,7 @@ TEST_F(BadScenarioTest, ManagersAndDevices)
 
 TEST_F(BadScenarioTest, AnObjectIsTheSameHoweverItIsWritten)
 {
-    Verifies(req::SRS_MGR_012);
+    Verifies(req::SRS_MGR_157);
     // Given a relay with another serial number, and its finding with one digit of the sub-index
     const std::string dcf = cia306::test::SourceFolder() + "/examples/emergency_stop/actuator.dcf";
     const Answer answer = RunCommand({"simulate", "--quiet",
@@ -230,7 +230,7 @@ TEST_F(BadScenarioTest, AnObjectIsTheSameHoweverItIsWritten)
 
 TEST_F(BadScenarioTest, GuardingIsExpectedWhereItCanBe)
 {
-    Verifies(req::SRS_MGR_012);
+    Verifies(req::SRS_MGR_157);
     const std::string base = "title: x\nduration: 100 ms\nmanagers: [{network: guard.yaml}]\n";
     const auto answer = [this, &base](const std::string& slave, const std::string& part)
     {

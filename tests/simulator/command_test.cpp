@@ -2,6 +2,7 @@
 #include "simulator/judge/sweep.hpp"
 #include "tests/integration/scenario_run.hpp"
 #include "tests/tools/command_run.hpp"
+#include "verification/trace/ids/manager.hpp"
 #include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -202,9 +203,15 @@ TEST(SimulateCommand, SeedAndUntilReplaceThoseOfTheScenario)
 TEST(SimulateCommand, ExplainsTheFormat)
 {
     Verifies(req::SRS_SIM_047);
+    Verifies(req::SRS_MGR_155);
     // Given everything, a key, a fault kind, and a name that is none
     const Answer all = RunCommand({"simulate", "--explain"});
     EXPECT_EQ(all.status, 0);
+    for (const char* const word : {"pull", "insert", "reset", "replace", "storm", "duplicate", "babble", "send",
+                                   "bus_off", "no_controller", "kill"})
+    {
+        EXPECT_NE(all.out.find(word), std::string::npos) << word;
+    }
     EXPECT_NE(all.out.find("\n  probability_ppm: number from 1 to 1000000; default 1000000\n"), std::string::npos);
     const Answer key = RunCommand({"simulate", "--explain", "jump"});
     EXPECT_EQ(
@@ -284,7 +291,15 @@ TEST(DemoCommand, ShowsEveryRunWithItsLimitAndWritesThePage)
         EXPECT_NE(answer.out.find(std::string("\n") + row), std::string::npos) << row << answer.out;
     }
     EXPECT_NE(answer.out.find("Timing diagrams: " + folder + "/index.html"), std::string::npos) << answer.out;
-    EXPECT_TRUE(std::filesystem::exists(folder + "/index.html"));
+    const std::string page = Content(folder + "/index.html");
+    const std::string data = "<script type=\"application/json\" id=\"data\">";
+    const std::size_t begin = page.find(data) + data.size();
+    const auto runs = nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin)).at("runs");
+    EXPECT_EQ(runs.size(), 30U);
+    for (const auto& run : runs)
+    {
+        EXPECT_FALSE(run.at("frames").empty()) << run.at("title");
+    }
     EXPECT_LT(seconds, 10.0);
 }
 

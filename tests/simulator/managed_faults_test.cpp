@@ -214,7 +214,7 @@ TEST_F(ManagedFaultsTest, WhatIsOrderedIsNoDetection)
 
 TEST_F(ManagedFaultsTest, OutputOfADeviceThatIsNotThereIsClosed)
 {
-    Verifies(req::SRS_MGR_012);
+    Verifies(req::SRS_MGR_155);
     const Answer answer = Simulate("events: [{at: 3 s, do: pull, node: actuator}]\n"
                                    "expect: [{that: output, node: actuator, is: closed}]\n");
     EXPECT_TRUE(Has(answer.out, "holds   output of node actuator SRDO 1 is closed")) << answer.out << answer.err;

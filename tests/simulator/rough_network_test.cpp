@@ -38,7 +38,7 @@ class RoughNetworkTest : public test::CommandTest
 TEST_F(RoughNetworkTest, PulledResetAndReplacedSlaves)
 {
     Verifies(req::SRS_MGR_003);
-    Verifies(req::SRS_MGR_012);
+    Verifies(req::SRS_MGR_155);
     Verifies(req::SRS_MGR_016);
     Verifies(req::SRS_SFS_002);
     ExpectHoldsInEachProfile("pulled");
@@ -60,7 +60,7 @@ TEST_F(RoughNetworkTest, TwoDevicesOfOneNodeIdWithHeartbeatAndWithout)
     Verifies(req::SRS_MGR_010);
     Verifies(req::SRS_MGR_015);
     Verifies(req::SRS_MGR_016);
-    Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_SFS_151);
     ExpectHoldsInEachProfile("duplicate");
     ExpectHoldsInEachProfile("duplicate_silent");
 }
@@ -95,6 +95,7 @@ TEST_F(RoughNetworkTest, GuardingAnswersThatDoNotToggle)
 TEST_F(RoughNetworkTest, SomebodyElseStartsSafetySlaves)
 {
     Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_150);
     Verifies(req::SRS_BOOT_013);
     Verifies(req::SRS_ELM_049);
     Verifies(req::SRS_PLC_020);

@@ -83,6 +83,7 @@ TEST_F(ManagerCheckTest, MastersThatSuperviseInAnotherWayAreNamed)
 TEST_F(ManagerCheckTest, AllMastersOfANetworkAreCompared)
 {
     Verifies(req::SRS_MGR_009);
+    Verifies(req::SRS_MGR_153);
     const auto network = [this](const std::string& name, const std::string& manager, const std::string& slaves)
     { return File(name, "manager: {heartbeat: 200 ms, " + manager + "}\nslaves: [" + slaves + "]\n"); };
     const std::string two = network("two.yaml", "node: 2, flying: {priority: 0}", "{node: 5}, {node: 9}, {node: 96}");
@@ -218,7 +219,8 @@ TEST_F(ManagerCheckTest, OutputsAndProfilesAreCompared)
 
 TEST_F(ManagerCheckTest, WhatDoesNotWorkTogetherIsNamed)
 {
-    Verifies(req::SRS_MGR_009);
+    Verifies(req::SRS_MGR_153);
+    Verifies(req::SRS_MGR_154);
     const auto network = [this](const std::string& name, const std::string& text, const std::string& slave)
     { return File(name, "manager:\n  heartbeat: 800 ms\n" + text + "slaves:\n  - {" + slave + "}\n  - node: 96\n"); };
     // Given a master that is watched by 600 ms, by 700 ms, or by nobody, though its heartbeat comes each 800 ms
@@ -263,7 +265,7 @@ TEST_F(ManagerCheckTest, WhatDoesNotWorkTogetherIsNamed)
 TEST_F(ManagerCheckTest, AnExpectationThatASafetySlaveCannotMeetIsTold)
 {
     Verifies(req::SRS_NET_004);
-    Verifies(req::SRS_NET_006);
+    Verifies(req::SRS_NET_151);
     const std::string dcf = Path("relay.dcf");
     const std::vector<cia306::test::Change> invalid{{"ParameterValue=0xA5", "ParameterValue=0x00"}};
     const std::vector<cia306::test::Change> roomy{
@@ -301,7 +303,7 @@ TEST_F(ManagerCheckTest, AnExpectationThatASafetySlaveCannotMeetIsTold)
 
 TEST_F(ManagerCheckTest, AnEmergencyOfASafetySlaveThatIsNotHeardOrNotKnownIsTold)
 {
-    Verifies(req::SRS_NET_006);
+    Verifies(req::SRS_NET_151);
     const std::string dcf = Path("relay.dcf");
     // What is switched off
     EXPECT_EQ(CheckRelay("", {{"DefaultValue=$NODEID+0x80", "DefaultValue=0x800000A1"}}).err,

@@ -73,7 +73,7 @@ TEST_F(ManagerCommandTest, ASafetySlaveWithAnotherConfiguration)
 TEST_F(ManagerCommandTest, NoProfileStartsASafetySlaveThatDiffers)
 {
     Verifies(req::SRS_SFS_002);
-    Verifies(req::SRS_MGR_012);
+    Verifies(req::SRS_MGR_155);
     Verifies(req::SRS_SFS_003);
     Verifies(req::SRS_SFS_005);
     ExpectHoldsUnder({"cia302", "el6751", "plc_designer"}, "changed.yaml");
@@ -82,7 +82,7 @@ TEST_F(ManagerCommandTest, NoProfileStartsASafetySlaveThatDiffers)
 TEST_F(ManagerCommandTest, AFlyingMasterDiesAndTheOtherOneTakesOver)
 {
     Verifies(req::SRS_MGR_002);
-    Verifies(req::SRS_FLY_019);
+    Verifies(req::SRS_FLY_150);
     ExpectHoldsUnder({"cia302", "el6751", "plc_designer"}, "flying.yaml");
     ExpectHolds("flying_bus_off.yaml");
     // In the middle of the slave's boot-up, under the other profiles
@@ -114,7 +114,7 @@ TEST_F(ManagerCommandTest, ForeignFramesOfTheNegotiation)
 TEST_F(ManagerCommandTest, TheDemoOfTheReference)
 {
     Verifies(req::SRS_MGR_002);
-    Verifies(req::SRS_MGR_012);
+    Verifies(req::SRS_MGR_155);
     ExpectHolds("demo.yaml");
     ExpectHolds("demo_later.yaml");
     ExpectHolds("demo_fails.yaml");
@@ -131,7 +131,7 @@ TEST_F(ManagerCommandTest, TheDemoOfTheReference)
 
 TEST_F(ManagerCommandTest, TheSameScenarioGivesTheSameEvents)
 {
-    Verifies(req::SRS_MGR_012);
+    Verifies(req::SRS_MGR_156);
     const Answer first = RunCommand({"simulate", NetworkFile("babbling.yaml")});
     const Answer second = RunCommand({"simulate", NetworkFile("babbling.yaml")});
     EXPECT_EQ(first.out, second.out);
@@ -140,7 +140,7 @@ TEST_F(ManagerCommandTest, TheSameScenarioGivesTheSameEvents)
 
 TEST_F(ManagerCommandTest, AnExpectationThatDoesNotHoldEndsWith1)
 {
-    Verifies(req::SRS_MGR_012);
+    Verifies(req::SRS_MGR_155);
     const std::string file =
         File("s.yaml", "title: x\nduration: 1 s\nmanagers: [{network: " + NetworkFile("chain.yaml") +
                            "}]\nexpect:\n  - {that: state, node: 33, is: operational}\n");
@@ -223,9 +223,54 @@ TEST_F(ManagerCommandTest, EachKindOfEventIsAnObjectWithItsTime)
     }
 }
 
+TEST_F(ManagerCommandTest, OneStartOfAllThatIsAskedForIsManyWithASafetySlave)
+{
+    Verifies(req::SRS_NET_005);
+    for (const std::string profile : {"cia302", "plc_designer"})
+    {
+        // Given a network that asks for one start, with a safety slave
+        static_cast<void>(File("net.yaml", "manager: {node: 127, start_up: 0x3, profile: " + profile +
+                                               "}\nslaves:\n  - {node: 33, dcf: " + cia306::test::SourceFolder() +
+                                               "/examples/emergency_stop/actuator.dcf}\n"));
+        const std::string scenario =
+            File("s.yaml", "title: x\nduration: 4 s\nmanagers: [{network: net.yaml}]\nnodes:\n  33: {dcf: " +
+                               cia306::test::SourceFolder() +
+                               "/examples/emergency_stop/actuator.dcf}\nexpect:\n"
+                               "  - {that: device, node: 33, is: operational}\n");
+        const Answer answer = RunCommand({"simulate", "--quiet", "--candump", Path("out.log"), scenario});
+        EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
+        // Then the slave is started by itself, and nothing goes to node 0
+        const std::string frames = cia306::ReadTextFile(Path("out.log"));
+        EXPECT_NE(frames.find(" can0 000#0121\n"), std::string::npos) << profile;
+        EXPECT_EQ(frames.find(" can0 000#0100\n"), std::string::npos) << profile;
+    }
+}
+
+TEST_F(ManagerCommandTest, TheManagerIsOperationalWhenItsProfileHasStartedTheNetwork)
+{
+    Verifies(req::SRS_MGR_152);
+    for (const std::string profile : {"cia302", "el6751", "plc_designer"})
+    {
+        // Given three safety slaves, which are never started by a command to all
+        const Answer answer = RunCommand(
+            {"simulate", "--quiet", "--profile", profile, "--candump", Path("out.log"), NetworkFile("boot.yaml")});
+        ASSERT_EQ(answer.status, 0) << answer.out;
+        const std::string frames = cia306::ReadTextFile(Path("out.log"));
+        EXPECT_EQ(frames.find(" can0 000#0100\n"), std::string::npos) << profile;
+        // Then the heartbeat of manager 127 is that of PRE-OPERATIONAL, and of OPERATIONAL behind the last start
+        const std::size_t before = frames.find(" can0 77F#7F\n");
+        const std::size_t last_start = std::max(
+            {frames.rfind(" can0 000#0101\n"), frames.rfind(" can0 000#0102\n"), frames.rfind(" can0 000#0121\n")});
+        const std::size_t first_operational = frames.find(" can0 77F#05\n");
+        EXPECT_LT(before, last_start) << profile;
+        EXPECT_LT(last_start, first_operational) << profile;
+        EXPECT_NE(first_operational, std::string::npos) << profile;
+        EXPECT_EQ(frames.find(" can0 77F#7F\n", first_operational), std::string::npos) << profile;
+    }
+}
+
 TEST_F(ManagerCommandTest, FramesOfASimulatedNetworkAreWrittenAsCandumpDoes)
 {
-    Verifies(req::SRS_MGR_012);
     Verifies(req::SRS_SIM_042);
     const Answer answer =
         RunCommand({"simulate", "--candump", Path("out.log"), "--json", Path("out.json"), NetworkFile("boot.yaml")});

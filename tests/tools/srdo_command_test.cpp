@@ -2,7 +2,7 @@
 #include "canopen/cia306/file/device_reader.hpp"
 #include "tests/canopen/cia306/check_text.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
-#include "tests/tools/command_run.hpp"
+#include "tests/tools/srdo_rig.hpp"
 #include "verification/trace/ids/new_device.hpp"
 #include "verification/trace/ids/node.hpp"
 #include "verification/trace/verifies.hpp"
@@ -19,116 +19,22 @@ namespace
 using cia306::test::Changed;
 using cia306::test::ExampleText;
 using test::Answer;
+using test::CommunicationText;
+using test::Counted;
+using test::LastText;
+using test::MappingText;
+using test::ObjectsText;
+using test::PlaceText;
 using test::RunCommand;
 
-class SrdoCommandTest : public test::CommandTest
-{
-  protected:
-    /// counterpoint srdo add on a file with this text.
-    [[nodiscard]] Answer Add(const std::string& text, std::vector<std::string> options) const
-    {
-        options.insert(options.begin(), {"srdo", "add", File("d.dcf", text)});
-        return RunCommand(options);
-    }
-    [[nodiscard]] std::string Written() const
-    {
-        return cia306::ReadTextFile(Path("d.dcf"));
-    }
-    [[nodiscard]] cia306::Device Device() const
-    {
-        return cia306::ReadDeviceFile(Path("d.dcf"));
-    }
-    [[nodiscard]] std::string Value(const std::uint16_t index, const std::uint8_t sub) const
-    {
-        const cia306::Device device = Device();
-        const cia306::Entry* const entry = device.Find(index, sub);
-        return entry == nullptr ? "no entry" : entry->Configured().text;
-    }
-};
-
-std::string Var(const std::string& section, const std::string& name, const std::string& type, const std::string& access,
-                const std::string& values)
-{
-    return "[" + section + "]\nParameterName=" + name + "\nObjectType=0x7\nDataType=" + type +
-           "\nAccessType=" + access + "\n" + values + "\n";
-}
-
-std::string Head(const std::string& section, const std::string& name, const std::string& type, const std::string& subs)
-{
-    return "[" + section + "]\nParameterName=" + name + "\nObjectType=" + type + "\nSubNumber=" + subs + "\n\n";
-}
-
-std::string Count(const std::string& section, const std::string& highest)
-{
-    return Var(section, "Highest sub-index supported", "0x0005", "const",
-               "DefaultValue=" + highest + "\nPDOMapping=0\n");
-}
-
-/// What SRDO 2, which receives 8 bits by 111h and 112h, is in the file of the sensor.
-std::string CommunicationText()
-{
-    return Head("1302", "SRDO 2 communication parameter", "0x9", "7") + Count("1302sub0", "6") +
-           Var("1302sub1", "Information direction", "0x0005", "rw",
-               "DefaultValue=0\nParameterValue=2\nPDOMapping=0\nLowLimit=0\nHighLimit=2\n") +
-           Var("1302sub2", "Refresh time or SCT", "0x0006", "rw",
-               "DefaultValue=50\nParameterValue=50\nPDOMapping=0\n") +
-           Var("1302sub3", "SRVT", "0x0005", "rw", "DefaultValue=20\nParameterValue=20\nPDOMapping=0\n") +
-           Var("1302sub4", "Transmission type", "0x0005", "const", "DefaultValue=254\nPDOMapping=0\n") +
-           Var("1302sub5", "COB-ID 1 (normal data)", "0x0007", "rw",
-               "DefaultValue=0x00000000\nParameterValue=0x00000111\nPDOMapping=0\n") +
-           Var("1302sub6", "COB-ID 2 (inverse data)", "0x0007", "rw",
-               "DefaultValue=0x00000000\nParameterValue=0x00000112\nPDOMapping=0\n");
-}
-
-std::string MappingText()
-{
-    return Head("1382", "SRDO 2 mapping parameter", "0x8", "3") +
-           Var("1382sub0", "Number of mapped objects", "0x0005", "rw",
-               "DefaultValue=0\nParameterValue=2\nPDOMapping=0\n") +
-           Var("1382sub1", "Normal data 1", "0x0007", "rw",
-               "DefaultValue=0x00000000\nParameterValue=0x22000108\nPDOMapping=0\n") +
-           Var("1382sub2", "Inverse data 1", "0x0007", "rw",
-               "DefaultValue=0x00000000\nParameterValue=0x23000108\nPDOMapping=0\n");
-}
-
-std::string ObjectsText()
-{
-    return Head("2200", "Received data of SRDO 2", "0x9", "2") + Count("2200sub0", "1") +
-           Var("2200sub1", "Received data 2.1", "0x0005", "rww",
-               "DefaultValue=0\nPDOMapping=0\nSRDOMapping=1\nInvertedSRAD=0x230001\n") +
-           Head("2300", "Received data of SRDO 2, inverse", "0x9", "2") + Count("2300sub0", "1") +
-           Var("2300sub1", "Received data 2.1, inverse", "0x0005", "rww",
-               "DefaultValue=0xFF\nPDOMapping=0\nSRDOMapping=1\n");
-}
-
-/// A place of an array, with its default and its value.
-std::string PlaceText(const std::string& section, const std::string& name, const std::string& type,
-                      const std::string& value, const std::string& parameter)
-{
-    return Var(section, name, type, "rw",
-               "DefaultValue=" + value + "\nParameterValue=" + parameter + "\nPDOMapping=0\n");
-}
-
-/// What stands at the end of the file.
-std::string LastText()
-{
-    return PlaceText("5F05sub2", "SRVT detection of SRDO 2 (0x3C: late)", "0x0005", "0x00", "0x00");
-}
-
-/// The array counts one sub-index more.
-cia306::test::Change Counted(const std::string& section, const std::string& name)
-{
-    const std::string head = "[" + section + "]\nParameterName=" + name + "\nObjectType=0x8\nSubNumber=";
-    const std::string count = "\n\n[" + section +
-                              "sub0]\nParameterName=Highest sub-index supported\nObjectType=0x7\nDataType=0x0005\n"
-                              "AccessType=const\nDefaultValue=";
-    return {head + "2" + count + "1\n", head + "3" + count + "2\n"};
-}
+using SrdoCommandTest = test::SrdoRig;
 
 TEST_F(SrdoCommandTest, AddingChangesNothingButWhatBelongsToTheSrdo)
 {
     Verifies(req::SRS_NEW_010);
     Verifies(req::SRS_NEW_011);
+    Verifies(req::SRS_NEW_151);
+    Verifies(req::SRS_NEW_152);
     // Given the sensor with SRDO 1, a comment and a signature in lower case
     const std::string before =
         Changed(ExampleText("sensor"), {{"[5F00]\n", "; of this maker\n[5F00]\n"}, {"0xB631", "0xb631"}});
@@ -170,7 +76,7 @@ TEST_F(SrdoCommandTest, AddingChangesNothingButWhatBelongsToTheSrdo)
 
 TEST_F(SrdoCommandTest, SrdoHasWhatItsOptionsSay)
 {
-    Verifies(req::SRS_NEW_010);
+    Verifies(req::SRS_NEW_151);
     const Answer answer =
         Add(ExampleText("actuator"), {"--consume", "Gate=16,8@0x121", "--number", "2", "--sct", "80", "--srvt", "30",
                                       "--detection", "late", "--release", "automatic", "--safe-value", "0x00FFFF"});
@@ -187,9 +93,54 @@ TEST_F(SrdoCommandTest, SrdoHasWhatItsOptionsSay)
     EXPECT_EQ(RunCommand({"check", Path("d.dcf")}).out, "");
 }
 
-TEST_F(SrdoCommandTest, PlainDeviceBecomesASafetyDevice)
+TEST_F(SrdoCommandTest, NumberIsTheOneThatIsGivenOrTheFirstFreeOne)
 {
     Verifies(req::SRS_NEW_010);
+    // Given the controller with SRDO 1, which receives objects of 2200h, and SRDO 2, which sends objects of 2000h
+    // and may have gaps between SRDO numbers
+    const std::string gaps =
+        "Gaps between SRDO numbers (0x99: searched)\nObjectType=0x7\nDataType=0x0005\nAccessType=rw\n"
+        "DefaultValue=0x00\nParameterValue=";
+    const std::string file = File("gaps.dcf", Changed(ExampleText("controller"), {{gaps + "0x00", gaps + "0x99"}}));
+    ASSERT_EQ(RunCommand({"sign", file, "--write", file}).status, 0);
+    const std::string controller = cia306::ReadTextFile(file);
+    ASSERT_EQ(Add(controller, {"--consume", "8@0x121"}).err, "");
+    EXPECT_EQ(Value(0x1303U, 1U), "2");
+    EXPECT_EQ(Value(0x1383U, 1U), "0x22010108");
+    EXPECT_EQ(Value(0x1383U, 2U), "0x23010108");
+    // When number 5 is asked for, then 3 and 4 stay free,
+    ASSERT_EQ(Add(controller, {"--produce", "8@0x121", "--number", "5"}).err, "");
+    EXPECT_EQ(Value(0x1305U, 1U), "1");
+    EXPECT_EQ(Value(0x1385U, 1U), "0x20010108");
+    EXPECT_EQ(Value(0x1385U, 2U), "0x21010108");
+    EXPECT_EQ(Value(0x1303U, 1U), "no entry");
+    // and the next one is 3
+    ASSERT_EQ(RunCommand({"srdo", "add", Path("d.dcf"), "--produce", "8@0x131"}).err, "");
+    EXPECT_EQ(Value(0x1303U, 5U), "0x00000131");
+    EXPECT_EQ(Value(0x1383U, 1U), "0x20020108");
+}
+
+TEST_F(SrdoCommandTest, MappingGetsMoreRoomOnlyWhereItNeedsIt)
+{
+    Verifies(req::SRS_NEW_151);
+    // Given a device with room for 4 entries of each SRDO
+    const std::string room = "[5F00subB]\nParameterName=Mapping entries of an SRDO\nObjectType=0x7\nDataType=0x0005\n"
+                             "AccessType=rw\nDefaultValue=16\nParameterValue=";
+    const std::string small =
+        Changed(cia306::test::WithoutDigest(ExampleText("sensor")), {{room + "16\n", room + "4\n"}});
+    // When an SRDO has six entries, then a room of four becomes six,
+    ASSERT_EQ(Add(small, {"--consume", "8,8,8@0x111"}).err, "");
+    EXPECT_EQ(Value(0x5F00U, 0x0BU), "0x06");
+    // when it has four, it stays
+    ASSERT_EQ(Add(small, {"--consume", "8,8@0x111"}).err, "");
+    EXPECT_EQ(Value(0x5F00U, 0x0BU), "4");
+}
+
+TEST_F(SrdoCommandTest, PlainDeviceBecomesASafetyDevice)
+{
+    Verifies(req::SRS_NEW_150);
+    Verifies(req::SRS_NEW_151);
+    Verifies(req::SRS_NEW_152);
     // Given a file without any safety object, with lines that end in CR LF and a list that is not there
     const std::string before = "[FileInfo]\r\nFileName=p.eds\r\n\r\n[DeviceInfo]\r\nVendorName=v\r\n\r\n"
                                "[DeviceComissioning]\r\nNodeID=6\r\n\r\n[MandatoryObjects]\r\nSupportedObjects=1\r\n"
@@ -217,9 +168,23 @@ TEST_F(SrdoCommandTest, PlainDeviceBecomesASafetyDevice)
                               "0x1018, which every device has\n");
 }
 
+TEST_F(SrdoCommandTest, GfcParameterIsNotAddedWhereTheFileSaysWhetherTheGfcIsUsed)
+{
+    Verifies(req::SRS_NEW_150);
+    // Given the sensor without 1300h and without the GFC
+    const std::string gfc = "[5F00subE]\nParameterName=Global fail-safe command (0x5A: present)\nObjectType=0x7\n"
+                            "DataType=0x0005\nAccessType=rw\nDefaultValue=0x5A\nParameterValue=";
+    const std::string without = Changed(cia306::test::WithoutDigest(ExampleText("sensor")),
+                                        {{gfc + "0x5A", gfc + "0x00"}, {"4=0x1300", "4=0x2800"}, {"[1300]", "[2800]"}});
+    ASSERT_EQ(Add(without, {"--consume", "8@0x111"}).err, "");
+    EXPECT_EQ(Value(0x1300U, 0U), "no entry");
+    EXPECT_EQ(Value(0x1302U, 1U), "2");
+}
+
 TEST_F(SrdoCommandTest, DigestComesWithTheNodeIdThatItNeeds)
 {
-    Verifies(req::SRS_NEW_010);
+    Verifies(req::SRS_NEW_150);
+    Verifies(req::SRS_NEW_152);
     // Given a file with SRDO 1 but neither digest nor node-ID, when it gets SRDO 2
     const std::string before = Changed(cia306::test::WithoutDigest(ExampleText("sensor")), {{"NodeID=1\n", ""}});
     EXPECT_EQ(Add(before, {"--consume", "8@0x111"}).err, "");
@@ -441,98 +406,6 @@ TEST_F(SrdoCommandTest, UsageThatDoesNotFitIsRefused)
     EXPECT_EQ(RunCommand({"srdo", "remove", Path("d.dcf"), "--number", "1", "--sct", "9"}).err,
               "counterpoint: --sct does not fit srdo remove, expected srdo add\n");
     EXPECT_EQ(Written(), sensor);
-}
-
-TEST_F(SrdoCommandTest, RemovingIsTheReverseOfAddingButForObjectsAndPlaces)
-{
-    Verifies(req::SRS_NEW_015);
-    // Given the sensor with an SRDO 2 of its own objects that has values of its own
-    const std::string before = Changed(ExampleText("sensor"), {{"[1381]\n", "; mappings\n[1381]\n"}});
-    ASSERT_EQ(Add(before, {"--consume", "8@0x111", "--release", "automatic", "--safe-value", "3"}).err, "");
-    // When it is removed
-    const Answer answer = RunCommand({"srdo", "remove", Path("d.dcf"), "--number", "2"});
-    EXPECT_EQ(answer.err, "");
-    EXPECT_EQ(answer.out, "SRDO 1 sends 0x101 and 0x102, refresh time 25 ms, SRVT 20 ms, signature 0xB631\n"
-                          "  0x2000:01 and 0x2100:01  8 bit  Button 1\n  0x2000:02 and 0x2100:02  8 bit  Button 2\n");
-    // Then its parameters are gone, its objects and places stay, the digest is the one of before.
-    EXPECT_EQ(
-        Written(),
-        Changed(before,
-                {{"SupportedObjects=8\n1=0x2000", "SupportedObjects=10\n1=0x2000"},
-                 {"8=0x5F05\n", "8=0x5F05\n9=0x2200\n10=0x2300\n"},
-                 Counted("13FF", "Safety configuration signature"),
-                 {"[2000]\n", PlaceText("13FFsub2", "Signature of SRDO 2", "0x0006", "0x0000", "0x0000") + "[2000]\n"},
-                 {"[5F00]\n", ObjectsText() + "[5F00]\n"},
-                 Counted("5F01", "Release policy"),
-                 {"[5F02]\n", PlaceText("5F01sub2", "Release policy of SRDO 2", "0x0005", "0x00", "0x00") + "[5F02]\n"},
-                 Counted("5F02", "Safe value"),
-                 {"[5F03]\n",
-                  PlaceText("5F02sub2", "Safe value of SRDO 2", "0x001B", "0x0000000000000000", "0x0000000000000000") +
-                      "[5F03]\n"},
-                 Counted("5F03", "Producer form"),
-                 {"[5F04]\n", PlaceText("5F03sub2", "Producer form of SRDO 2", "0x0005", "0x00", "0x00") + "[5F04]\n"},
-                 Counted("5F05", "SRVT detection")}) +
-            "\n" + LastText().substr(0U, LastText().size() - 1U));
-    EXPECT_EQ(RunCommand({"check", Path("d.dcf")}).out, "");
-}
-
-TEST_F(SrdoCommandTest, RemovingFromTheMiddleMovesTheListUp)
-{
-    Verifies(req::SRS_NEW_015);
-    const std::string before = Changed(ExampleText("controller"), {{"Gaps between SRDO numbers (0x99: searched)\n"
-                                                                    "ObjectType=0x7\nDataType=0x0005\nAccessType=rw\n"
-                                                                    "DefaultValue=0x00\nParameterValue=0x00",
-                                                                    "Gaps between SRDO numbers (0x99: searched)\n"
-                                                                    "ObjectType=0x7\nDataType=0x0005\nAccessType=rw\n"
-                                                                    "DefaultValue=0x00\nParameterValue=0x99"}});
-    const std::string file = File("d.dcf", before);
-    ASSERT_EQ(RunCommand({"sign", file, "--write", file}).status, 0);
-    EXPECT_EQ(RunCommand({"srdo", "remove", file, "--number", "1"}).err, "");
-    const std::string text = Written();
-    EXPECT_NE(text.find("[OptionalObjects]\nSupportedObjects=8\n1=0x1014\n2=0x1015\n3=0x1017\n4=0x1300\n5=0x1302\n"
-                        "6=0x1382\n7=0x13FE\n8=0x13FF\n\n"),
-              std::string::npos);
-    EXPECT_EQ(Device().Find(0x1301U), nullptr);
-    EXPECT_EQ(Device().Find(0x1381U), nullptr);
-    EXPECT_EQ(Value(0x13FFU, 1U), "0x0000");
-    EXPECT_EQ(RunCommand({"check", file}).out, "");
-    // The number is free again.
-    EXPECT_EQ(RunCommand({"srdo", "add", file, "--consume", "8@0x101"}).out.substr(0U, 31U),
-              "SRDO 1 receives 0x101 and 0x102");
-}
-
-TEST_F(SrdoCommandTest, RemovingWhatMustStayIsRefused)
-{
-    Verifies(req::SRS_NEW_012);
-    Verifies(req::SRS_NEW_015);
-    const std::string sensor = ExampleText("sensor");
-    const std::string file = File("d.dcf", sensor);
-    EXPECT_EQ(RunCommand({"srdo", "remove", file, "--number", "2"}).err,
-              file + ": error: there is no SRDO 2, expected one that the file has (srdo list)\n");
-    // The only one: what is left would be no safety device.
-    const Answer last = RunCommand({"srdo", "remove", file, "--number", "1"});
-    EXPECT_EQ(last.status, 2);
-    EXPECT_EQ(last.err,
-              file + ": error: SRDO 1 is the only one, expected another one that stays: a safety device needs one\n");
-    EXPECT_EQ(Written(), sensor);
-}
-
-TEST_F(SrdoCommandTest, RemovingTellsNoWarningOfBefore)
-{
-    Verifies(req::SRS_NEW_016);
-    for (const bool is_json : {false, true})
-    {
-        ASSERT_EQ(Add(ExampleText("sensor"), {"--consume", "8@0x111"}).err, "");
-        static_cast<void>(
-            File("d.dcf", Changed(Written(), {{"CANopenSafetySupported=1\n", "CANopenSafetySupported=0\n"}})));
-        std::vector<std::string> words{"srdo", "remove", Path("d.dcf"), "--number", "2"};
-        words.insert(words.end(), is_json ? 1U : 0U, "--json");
-        const Answer removed = RunCommand(words);
-        EXPECT_EQ(removed.status, 0);
-        EXPECT_EQ(removed.err, "");
-        EXPECT_TRUE(!is_json || nlohmann::json::parse(removed.out).at("warnings").empty()) << removed.out;
-        EXPECT_NE(RunCommand({"check", Path("d.dcf")}).out.find("CANopenSafetySupported"), std::string::npos);
-    }
 }
 
 TEST_F(SrdoCommandTest, WarningsThatTheChangeBringsAreTold)

@@ -18,6 +18,21 @@ ROOM = re.compile(r"^(?:.*/)?lib(\w+)\.a\(|^(.*)\.(?:obj|o)$")
 # A line of the linker's map: section of an object, address, length, object; the name stands alone if it is long.
 PLACED = re.compile(r"^ (\.[\w.$-]+)?\s+0x([0-9a-f]+)\s+0x([0-9a-f]+) (\S+)$")
 RAM_ORIGIN = 0x08000000
+# Rooms whose growth matters: each stands in the image of a device with SRDOs.
+ROOMS = ("channel_a", "channel_b", "safety_core_comparator", "safety_core_kernel", "hal_tms570")
+# A map of a linker with what a room has of code, of constants and of RAM, what is thrown away, and what is not loaded.
+FIXTURE = """Discarded input sections
+ .text.gone     0x00000000       0x40 channel_a/libchannel_a.a(crc.cpp.obj)
+Linker script and memory map
+ .vectors       0x00000000       0x20 start_up.S.obj
+ .text.one      0x00001000       0x10 channel_a/libchannel_a.a(crc.cpp.obj)
+ .rodata.of_a_long_name
+                0x00001010        0x8 channel_a/libchannel_a.a(crc.cpp.obj)
+ .bss.two       0x08000100       0x04 channel_b/libchannel_b.a(channel.cpp.obj)
+ .debug_info    0x00000000      0x100 channel_b/libchannel_b.a(channel.cpp.obj)
+ .note          0x00000000       0x30 channel_b/libchannel_b.a(channel.cpp.obj)
+"""
+IN_FIXTURE = {"objects of the image": {"flash": 32, "ram": 0}, "channel_a": {"flash": 24, "ram": 0}, "channel_b": {"flash": 0, "ram": 4}}
 
 
 # Entry points of an image, the linker's symbols around the stack that each runs on, and what start_up.S pushed before.
@@ -35,10 +50,9 @@ def room_of(name):
     return (match.group(1) or "objects of the image") if match else "other"
 
 
-def bytes_by_room(path):
+def bytes_by_room(text):
     """Room -> bytes of code and constants, bytes of RAM, from the linker's map."""
     rooms = {}
-    text = path.with_name(path.name + ".map").read_text(encoding="utf-8")
     # Sections that the linker threw away come first in the map.
     text = text[text.index("Linker script and memory map"):]
     for line in text.splitlines():
@@ -51,6 +65,17 @@ def bytes_by_room(path):
         row = rooms.setdefault(room_of(match.group(4)), {"flash": 0, "ram": 0})
         row["ram" if address >= RAM_ORIGIN else "flash"] += length
     return rooms
+
+
+def are_rooms_told(rooms):
+    """Whether each room has code, and a map of known bytes is read as it is. [SRS_FW_015]"""
+    missing = [room for room in ROOMS if rooms.get(room, {"flash": 0})["flash"] == 0]
+    for room in missing:
+        print(f"bench.py: no code of room {room} in the image, expected some", file=sys.stderr)
+    read = bytes_by_room(FIXTURE)
+    if read != IN_FIXTURE:
+        print(f"bench.py: rooms of the known map: {read}, expected {IN_FIXTURE}", file=sys.stderr)
+    return not missing and read == IN_FIXTURE
 
 
 def stack_of_channels(build):
@@ -93,7 +118,7 @@ def measure(build):
     stacks, entries = stack_of_channels(build)
     measured = {"fw_flash": symbols["memory_flash_end"], "fw_ram": symbols["memory_ram_end"] - RAM_ORIGIN, "fw_cycle": cost[0],
                 "fw_stack_a": stacks["a"], "fw_stack_b": stacks["b"]}
-    return measured, {"rooms": bytes_by_room(image), "stack": entries, "entry_points": entry_points}
+    return measured, {"rooms": bytes_by_room(image.with_name(image.name + ".map").read_text(encoding="utf-8")), "stack": entries, "entry_points": entry_points}
 
 
 def show(shown):

@@ -397,7 +397,8 @@ TEST_F(ReportTest, ProgramsAreToldClassesTimesMapAndSurvivors)
 
 TEST_F(ReportTest, WrongUntilTheSelfTestFoundItIsToldApartAndDoesNotHold)
 {
-    Verifies(req::SRS_CMG_027);
+    Verifies(req::SRS_CMG_151);
+    Verifies(req::SRS_CMG_152);
     // Given 8 faults, of which number 5 was open with wrong data for 400 ms, the others detected in 1 ms
     const std::string lines =
         "at: [500 ms]\nparts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip]\nself_test: true\n";
@@ -444,6 +445,30 @@ TEST_F(ReportTest, WrongUntilTheSelfTestFoundItIsToldApartAndDoesNotHold)
     EXPECT_NE(told(place + "late, reason: march}\n")[0].find("verdict: does not hold"), std::string::npos);
     EXPECT_NE(told(place + "late, reason: march}\n")[0].find("stale: nothing was found at latch+0.5"),
               std::string::npos);
+}
+
+TEST_F(ReportTest, FaultsThatLayForLongerThanTheLimitAreToldAsLatent)
+{
+    Verifies(req::SRS_CMG_155);
+    // Given 8 faults that were detected, of which two lay for long and did nothing
+    const Session session(
+        PlanFile("plan.yaml", "actuator",
+                 "at: [500 ms]\nparts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip]\n"));
+    Results results("", session.Identity(Shard{}));
+    for (std::uint64_t index = 0U; index < 8U; ++index)
+    {
+        const bool is_latent = index == 2U || index == 5U;
+        results.Put(index,
+                    Outcome{Class::kDetected, Detector::kLatch, 0U, is_latent ? kMarkLatent : std::uint8_t{0U}, 1000U});
+    }
+    const Summary summary = Summarise(session.Parts(), results);
+    // Then each report says so, and the campaign holds
+    const std::string line = "latent: 2 differed elsewhere in memory for longer than the limit, and were found in time "
+                             "behind the first thing that the device did otherwise\n";
+    EXPECT_NE(TextReport(session.Parts(), summary).find(line), std::string::npos);
+    EXPECT_NE(HtmlReport(session.Parts(), summary).find("<p>" + line + "</p>"), std::string::npos);
+    EXPECT_EQ(nlohmann::json::parse(JsonReport(session.Parts(), summary)).at("latent"), 2);
+    EXPECT_TRUE(summary.Holds());
 }
 
 TEST_F(ReportTest, FaultThatIsNoMemoryIsToldByWhatWasHit)

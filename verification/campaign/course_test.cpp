@@ -487,6 +487,7 @@ TEST_F(StuckVerdictTest, IsFoundByTheComparatorsOwnDifferences)
 TEST_F(StuckVerdictTest, MarchFindsTheStuckBitThatNobodyCompares)
 {
     Verifies(req::SRS_CMG_027);
+    Verifies(req::SRS_CMG_151);
     // Given that nobody hears what the comparator finds there
     is_comparator_mute = true;
     const std::string lines = kLines;
@@ -499,9 +500,35 @@ TEST_F(StuckVerdictTest, MarchFindsTheStuckBitThatNobodyCompares)
     EXPECT_EQ(with.late, 0U);
 }
 
+TEST_F(StuckVerdictTest, WhatIsNotClosedWithinTheLimitIsSilent)
+{
+    Verifies(req::SRS_CMG_151);
+    // Given the same bits in a device with self tests, and a limit of 1 ms
+    is_comparator_mute = true;
+    const Trap trap;
+    const Plan plan = ReadPlan(PlanFile("plan.yaml", "actuator", std::string(kLines) + "self_test: true\n"));
+    const RecordedScenario scenario(plan.scenario, runtime::YamlValue(plan.file, plan.device_node));
+    Region region(1U << 20U);
+    Device device(region, scenario.Model(), scenario.Record(), OutputKind::kGate, DeviceSetup{{}, false, true});
+    Judge judge(scenario.Record(), scenario.Model(), device);
+    Limits limits = LimitsOf(scenario.Model(), device.Config());
+    limits.us[static_cast<std::size_t>(Part::kComparator)] = 1000U;
+    const Space space(plan, scenario.Record(), device, HorizonOf(limits, device.Config()));
+    Runner runner(device, judge, scenario.Record(), space, limits);
+    // When each is stuck
+    std::map<Class, int> classes;
+    for (std::uint64_t number = 0U; number < space.Size(); ++number)
+    {
+        ++classes[runner.Run(space.At(number)).result];
+    }
+    // Then the one that lets old data out is silent, although the march would find it later
+    EXPECT_EQ(classes[Class::kSilent], 1);
+    EXPECT_EQ(classes[Class::kExposed], 0);
+}
+
 TEST_F(StuckVerdictTest, TimeLineTellsFromWhenOnTheOutputWasWrongUntilItWasFound)
 {
-    Verifies(req::SRS_CMG_027);
+    Verifies(req::SRS_CMG_151);
     Verifies(req::SRS_CMG_044);
     // Given the same bit in a device with self tests
     is_comparator_mute = true;

@@ -16,7 +16,7 @@
 namespace counterpoint::campaign
 {
 /// Processes that try all experiments of a shard that have no outcome yet. Each has a copy of the device; what a wild
-/// access does in one stays there. [SRS_CMG_008, SRS_CMG_009]
+/// access does in one stays there. [SRS_CMG_008, SRS_CMG_009, SRS_CMG_150]
 class Crew
 {
   public:

@@ -72,6 +72,7 @@ Detector DetectorOf(const DeviceFault fault)
 }
 
 /// Found by what is done within an interval of the configuration. A test that is hit itself may have lost its place.
+/// [SRS_CMG_154]
 bool IsOfTest(const Outcome& found, const std::string& member)
 {
     const bool is_itself = member.find("comparator.self_test") != std::string::npos;
@@ -302,7 +303,7 @@ std::size_t Runner::EndOf(const Experiment& experiment) const
 /// again, to see when the device did something else. So may a call whose answer would have been the same. What is else
 /// no memory has happened as soon as a byte differs. What a
 /// test finds that comes again and again has its interval from when the memory is wrong, whatever the device does.
-/// [SRS_CMG_007, SRS_CMG_060]
+/// [SRS_CMG_007, SRS_CMG_060, SRS_CMG_153, SRS_CMG_154]
 std::uint8_t Runner::MarksOf(const Experiment& experiment)
 {
     const Outcome found = found_;
@@ -496,7 +497,7 @@ void Runner::NoticeClosed(const Experiment& experiment)
     found_.us = Since(experiment, now_);
 }
 
-/// Memory that is wrong may be so until the march meets it: within the limit, where there is one. [SRS_CMG_027]
+/// Memory that is wrong may be so until the march meets it: within the limit, where there is one. [SRS_CMG_151]
 bool Runner::NoticeWrong(const Sight& sight, const Experiment& experiment)
 {
     const bool has_march = device_.SelfTest() != nullptr && IsMemory(experiment.part);

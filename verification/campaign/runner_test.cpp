@@ -134,6 +134,7 @@ TEST_F(RunnerTest, LimitsAreThoseOfTheConfiguration)
 TEST_F(RunnerTest, ExceptionAndEndlessRunAreBroughtBack)
 {
     Verifies(req::SRS_CMG_009);
+    Verifies(req::SRS_CMG_150);
     const Trap trap;
     EXPECT_EQ(Trap::Run([]() { raise(SIGSEGV); }), Return::kException);
     EXPECT_EQ(Trap::Run([]() { raise(SIGILL); }), Return::kException);
@@ -147,6 +148,50 @@ TEST_F(RunnerTest, ExceptionAndEndlessRunAreBroughtBack)
                   }),
               Return::kNever);
     EXPECT_EQ(Trap::Run([]() {}), Return::kEnded);
+}
+
+/// Does in its first cycle what a changed pointer or bound does.
+class Wild final : public CycleWatcher
+{
+  public:
+    explicit Wild(const bool is_endless) : is_endless_(is_endless)
+    {
+    }
+    void OnCycle(const std::size_t /*cycle*/, const Sight& /*sight*/) override
+    {
+        while (is_endless_)
+        {
+        }
+        raise(SIGSEGV);
+    }
+
+  private:
+    volatile bool is_endless_;
+};
+
+TEST_F(RunnerTest, WhatEndsByAnExceptionOrNotAtAllIsSafeByItAndTheNextFaultIsTried)
+{
+    Verifies(req::SRS_CMG_009);
+    Verifies(req::SRS_CMG_150);
+    const Trap trap;
+    Session session(PlanFile("plan.yaml", "actuator", kSmall));
+    const Experiment fault = FaultIn(session, "latch", 0U, 4U);
+    for (const bool is_endless : {false, true})
+    {
+        // When the run ends by a signal of the processor, or does not end, in its first cycle of 1 ms
+        Wild wild(is_endless);
+        session.Runs().Follow(&wild);
+        const Outcome ended = session.Runs().Run(fault);
+        // Then it is safe by that: 999 us are left of the cycle, and one more comes that is as late as it may be
+        EXPECT_EQ(ended.result, Class::kSafeOther);
+        EXPECT_EQ(ended.detector, is_endless ? Detector::kTime : Detector::kException) << WordOf(ended.detector);
+        EXPECT_EQ(ended.us, 2499U);
+        // and the next fault is tried as if nothing had been
+        session.Runs().Follow(nullptr);
+        const Outcome next = session.Runs().Run(fault);
+        EXPECT_EQ(next.result, Class::kDetected);
+        EXPECT_EQ(next.detector, Detector::kLatch);
+    }
 }
 
 /// A device without faults, a cycle at a time, with what the judge says of it.
@@ -262,6 +307,7 @@ TEST_F(JudgeTest, PairThatDoesNotComeAndFrameThatNobodyCanUseAreSeen)
 TEST_F(JudgeTest, LateIsCountedFromWhatTheDeviceDoesAndOfTestsFromTheFirstWrongByte)
 {
     Verifies(req::SRS_CMG_060);
+    Verifies(req::SRS_CMG_154);
     const Trap trap;
     Bench bench(PlanFile("plan.yaml", "actuator", kSmall));
     // Given limits of nothing for the kernel and 5 ms for tables and channel A
@@ -304,6 +350,63 @@ TEST_F(JudgeTest, LateIsCountedFromWhatTheDeviceDoesAndOfTestsFromTheFirstWrongB
 
 // t [ms]        536        537                550                    553
 // sensor        normal     late call begins   another value sensed   the call comes, inverse: SRVT is 20 ms
+TEST_F(JudgeTest, WhatIsNoMemoryIsLateFromTheFirstByteThatDiffers)
+{
+    Verifies(req::SRS_CMG_153);
+    const Trap trap;
+    Bench bench(PlanFile("plan.yaml", "actuator", kSmall));
+    // Given a limit of 5 ms, and counter A faster at each of ten rates: the device does nothing else until it is found
+    Limits limits = LimitsOf(bench.scenario.Model(), bench.device.Config());
+    limits.us[static_cast<std::size_t>(Part::kCounters)] = 5000U;
+    const Space space(bench.plan, bench.scenario.Record(), bench.device, HorizonOf(limits, bench.device.Config()));
+    Runner runner(bench.device, bench.judge, bench.scenario.Record(), space, limits);
+    std::uint64_t late = 0U;
+    for (std::uint32_t variant = 0U; variant < 10U; ++variant)
+    {
+        Experiment fast;
+        fast.part = Part::kCounters;
+        fast.kind = FaultKind::kFast;
+        fast.cycle = 499U;
+        fast.variant = variant;
+        const Outcome outcome = runner.Run(fast);
+        // Then what is found behind the limit is late, and what is found within it is not
+        const bool is_found = outcome.result == Class::kDetected && outcome.detector == Detector::kClocks;
+        EXPECT_EQ(IsLate(outcome), is_found && outcome.us > 6000U) << variant << " " << outcome.us;
+        late += IsLate(outcome) ? 1U : 0U;
+    }
+    EXPECT_GT(late, 0U);
+    EXPECT_LT(late, 10U);
+}
+
+TEST_F(JudgeTest, TestOfTheComparatorThatIsHitItselfIsLateFromWhatTheDeviceDoes)
+{
+    Verifies(req::SRS_CMG_154);
+    const Trap trap;
+    Bench bench(PlanFile("plan.yaml", "actuator", kSmall));
+    Limits limits = LimitsOf(bench.scenario.Model(), bench.device.Config());
+    limits.us[static_cast<std::size_t>(Part::kComparator)] = 5000U;
+    const Space space(bench.plan, bench.scenario.Record(), bench.device, HorizonOf(limits, bench.device.Config()));
+    Runner runner(bench.device, bench.judge, bench.scenario.Record(), space, limits);
+    const std::vector<Place>& places = bench.device.Places();
+    const auto found = std::find_if(places.begin(), places.end(),
+                                    [](const Place& place) { return place.name == "comparator.self_test"; });
+    ASSERT_NE(found, places.end());
+    // Given each bit of the comparator's own test that flips
+    std::uint64_t still = 0U;
+    for (std::size_t bit = 0U; bit < 8U * found->size; ++bit)
+    {
+        const Outcome outcome =
+            runner.Run({found->part, FaultKind::kFlip, static_cast<std::size_t>(found - places.begin()),
+                        found->offset + (bit / 8U), static_cast<std::uint8_t>(bit % 8U), 499U, Phase::kAfterFrames});
+        const bool is_by_test = outcome.result == Class::kDetected && outcome.us > 5000U &&
+                                outcome.detail == static_cast<std::uint8_t>(DeviceFault::kComparator);
+        still += is_by_test ? 1U : 0U;
+        // Then one that the test finds in a later round is not late
+        EXPECT_FALSE(is_by_test && IsLate(outcome)) << bit;
+    }
+    EXPECT_GT(still, 0U);
+}
+
 TEST_F(RunnerTest, PairThatALateCallCompletesIsJudgedByItsNormalFrame)
 {
     Verifies(req::SRS_CMG_005);

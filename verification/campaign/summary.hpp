@@ -93,7 +93,7 @@ struct Summary
 {
     std::vector<Tally> tallies;
     std::vector<Finding> silent;
-    std::vector<Finding> exposed; ///< Silent until the self test found them. [SRS_CMG_027]
+    std::vector<Finding> exposed; ///< Silent until the self test found them. [SRS_CMG_151, SRS_CMG_152]
     std::vector<Finding> late;
     std::uint64_t latent{
         0U}; ///< Found later than the limit behind the first byte that differed, in time behind what it did.
@@ -135,7 +135,7 @@ struct Campaign
 [[nodiscard]] std::vector<std::string> TimeTexts(const std::vector<std::uint32_t>& sorted);
 /// @brief How many are of the listed limit; empty: none. [SRS_CMG_021]
 [[nodiscard]] std::string ListedText(const Summary& summary);
-/// @brief How many lay longer than their limit and did nothing; empty: none. [SRS_CMG_060]
+/// @brief How many lay longer than their limit and did nothing; empty: none. [SRS_CMG_155]
 [[nodiscard]] std::string LatentText(const Summary& summary);
 /// @brief How long it took until what was detected or safe otherwise was so, by powers of two from 1 ms on.
 [[nodiscard]] std::vector<Bin> HistogramOf(const Summary& summary);

@@ -145,8 +145,12 @@ TEST_F(TwoCpusTest, CpuThatStopsOrDriftsIsFoundByTheOtherOneInTime)
         const Outcome fast = Try(session, Part::kCpu, FaultKind::kFast, cpu, 10U);
         EXPECT_EQ(fast.result, Class::kDetected);
         EXPECT_FALSE(IsLate(fast));
+        const Outcome slow = Try(session, Part::kCpu, FaultKind::kSlow, cpu, 9U);
+        EXPECT_EQ(slow.result, Class::kDetected);
+        EXPECT_FALSE(IsLate(slow));
         // 100 ppm
         EXPECT_EQ(Try(session, Part::kCpu, FaultKind::kFast, cpu, 0U).result, Class::kBenign);
+        EXPECT_EQ(Try(session, Part::kCpu, FaultKind::kSlow, cpu, 0U).result, Class::kBenign);
     }
 }
 

@@ -172,7 +172,7 @@ TEST(ElectionBus, SameFramesAtTheSameInstantsAsTheCompleteModel)
 
 TEST(ElectionBus, TwoDifferentClaimsAtOneInstantEndInBusOffOfBoth)
 {
-    Verifies(req::SRS_FLY_019);
+    Verifies(req::SRS_FLY_150);
     // Given two masters that claim in the same instant
     const std::vector<Sending> sendings{{100, 0U, Service(0x71U, 1U, 2U)}, {100, 1U, Service(0x71U, 1U, 3U)}};
     // When both buses carry them

@@ -39,6 +39,9 @@ INJECTOR = ROOT / "build/product/verification/injection/counterpoint_injector"
 FOLDER = ROOT / "build/injection"
 CODE = {"none": 0, "skips": 1, "inversions": 2, "both": 3}
 DRAWN = ("registers", "opcodes", "flash", "memory", "stuck")
+# What the script has to hold: names of its scenes.
+SCENES = {"start", "pair", "acknowledge", "send", "confirm", "GFC", "GFC sent", "SCT expiry", "SRVT expiry", "NMT leave", "reconfiguration",
+          "diagnosis", "level 2"}
 REQUIREMENTS = tuple(f"SRS_VER_{number:03}" for number in (40, 41, 42, 70, 71, 72, 73, 74))
 # Of processor time: so many faults a second, so many seconds for all skips and inversions by two cores.
 LEAST_RATE, MOST_SECONDS, CORES = 300, 300, 2
@@ -242,14 +245,15 @@ def judge(arguments, paths, failures, is_tested):
     is_quick = rate >= LEAST_RATE and processor / CORES <= MOST_SECONDS or arguments.all_memory
     is_run = not failures and total > 0 and total == sum(sum(counts.values()) for counts in summary.classes.values())
     are_told = bool(controls) and all(control[3] == "told" for control in controls)
+    scenes = list(dict.fromkeys(line[1] for line in lines_of(paths[:1], "golden")))
     passed = {"SRS_VER_040": is_run, "SRS_VER_041": is_run and is_tested and not problems, "SRS_VER_042": are_told,
               "SRS_VER_070": is_run and all(summary.classes[name[:-1] if name in ("registers", "opcodes") else name] for name in DRAWN
                                             if getattr(arguments, name)),
-              "SRS_VER_071": is_run, "SRS_VER_072": is_run and not problems and not any(count for fault, count in summary.unsheltered.items() if fault not in results.LASTING), "SRS_VER_073": is_run and are_told and is_quick,
+              "SRS_VER_071": is_run and SCENES <= set(scenes), "SRS_VER_072": is_run and not problems and not any(count for fault, count in summary.unsheltered.items() if fault not in results.LASTING), "SRS_VER_073": is_run and are_told and is_quick,
               "SRS_VER_074": is_run and is_tested}
     options = {"code": arguments.code, "each": arguments.each, "sample": arguments.sample, **{name: getattr(arguments, name) for name in DRAWN}}
     return {"faults": total, "processor_seconds": round(processor, 1), "faults_a_processor_second": rate, "seed": arguments.seed, "options": options,
-            "scenes": list(dict.fromkeys(line[1] for line in lines_of(paths[:1], "golden"))), "steps": sum(1 for _ in lines_of(paths[:1], "golden")),
+            "scenes": scenes, "steps": sum(1 for _ in lines_of(paths[:1], "golden")),
             "table": summary.table(), "times": summary.times(), "silent": summary.silent_kinds, "controls": controls, "survivors": survivors,
             "behind_ideal_gate": sum(summary.unsheltered.values()), "not_called": not_called, "functions": functions, "problems": problems + failures,
             "mechanisms": mechanisms_of_manual(), "requirements": passed}

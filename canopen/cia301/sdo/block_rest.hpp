@@ -34,7 +34,7 @@ class BlockRest
 
 /// The segment that ends a sub-block, once more: an error in the last bit of its end lets a frame come twice. It is
 /// none of what follows, whatever that is. Not for sub-blocks of one segment, where the same frame is the next segment.
-/// [SRS_SDO_006]
+/// [SRS_SDO_151, SRS_SDO_152]
 class DoubledSegment
 {
   public:

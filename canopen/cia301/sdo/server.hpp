@@ -59,8 +59,8 @@ class SdoServer
 
     /// @brief A request of the client. Frames of another length than 8 are ignored. O(length of the object) at the
     /// begin of an upload and the end of a download, else O(block) [SRS_SDO_001, SRS_SDO_002, SRS_SDO_003, SRS_SDO_004,
-    /// SRS_SDO_005, SRS_SDO_006, SRS_SDO_007, SRS_SDO_008, SRS_SDO_009, SRS_SDO_010, SRS_SDO_011, SRS_SDO_012,
-    /// SRS_SDO_013, SRS_SDO_160]
+    /// SRS_SDO_005, SRS_SDO_006, SRS_SDO_150, SRS_SDO_007, SRS_SDO_008, SRS_SDO_009, SRS_SDO_010, SRS_SDO_011,
+    /// SRS_SDO_012, SRS_SDO_013, SRS_SDO_160]
     [[nodiscard]] SdoAnswer OnFrame(const SdoFrame& request, std::uint8_t length_bytes, Instant now) noexcept;
     /// @brief The next segment of a block upload, what a time-out demands, the end of a delayed write, or nothing. O(1)
     /// [SRS_SDO_007, SRS_SDO_010, SRS_SDO_017]

@@ -130,7 +130,7 @@ void NmtMaster::DropStarts(const NodeId node) noexcept
     }
 }
 
-/// A start of a safety slave that waited too long: the slave may have been changed meanwhile. [SRS_SFS_002]
+/// A start of a safety slave that waited too long: the slave may have been changed meanwhile. [SRS_SFS_152]
 bool NmtMaster::IsStale(const NmtRequest& request, const Instant now) const noexcept
 {
     const bool is_start = (request.command == NmtCommand::kStart) && parts_.setup.IsSafetySlave(request.node);

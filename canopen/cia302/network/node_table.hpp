@@ -142,7 +142,7 @@ class NodeTable final : public NmtListener
     void Presume(NodeId node, Instant now) noexcept;
     /// @brief The start of somebody else that comes: it may be behind a reset whose boot-up message still waits, so
     /// that only a heartbeat, a guarding answer or another command ends it, and the node is presumed anew behind a
-    /// boot-up message and, where it was missing, an SDO of it. [SRS_SFS_006]
+    /// boot-up message and, where it was missing, an SDO of it. [SRS_SFS_150]
     void KeepStarted(NodeId node) noexcept;
 
     /// @brief Frames were lost, perhaps those of this node: if its last command was a start, and its next sign says

@@ -411,6 +411,7 @@ SdoAbort NetworkObjects::GuardNode(const NodeId node, const bool is_on) noexcept
     return abort;
 }
 
+/// Of all, those that can be configured are; the answer tells that there was one that cannot. [SRS_NMM_152]
 SdoAbort NetworkObjects::RequestConfiguration(const std::uint8_t sub, const std::uint32_t value) noexcept
 {
     const NodeId node{sub};

@@ -162,7 +162,7 @@ class StartUp
 };
 
 /// @brief Whether a slave can be configured now: it is neither STOPPED, without an SDO to be written by, nor being
-/// started up, nor a safety slave that is another device than the expected one. [SRS_NMM_009]
+/// started up, nor a safety slave that is another device than the expected one. [SRS_NMM_150]
 [[nodiscard]] inline bool IsConfigurable(const StartUpParts& parts, const StartUp& start_up, const NodeId node) noexcept
 {
     const NodeStatus status = start_up.Status(node);

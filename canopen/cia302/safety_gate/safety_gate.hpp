@@ -29,8 +29,8 @@ struct SafetySlots
 /// Lets a safety slave be started only after all its safety objects were read and found as expected, since it last
 /// booted up, was reset or was lost. A slave for which there is no slot is never let through, nor is one in doubt:
 /// State is kFailed, Finding names object 0000h and kGeneral. Slaves are verified independently of each other. Not
-/// reentrant. [SRS_SFS_001, SRS_SFS_002, SRS_SFS_003, SRS_SFS_004, SRS_SFS_005, SRS_SFS_006, SRS_SFS_007, SRS_SFS_008,
-/// SRS_SFS_120]
+/// reentrant. [SRS_SFS_001, SRS_SFS_002, SRS_SFS_154, SRS_SFS_003, SRS_SFS_004, SRS_SFS_005, SRS_SFS_006, SRS_SFS_007,
+/// SRS_SFS_008, SRS_SFS_120]
 class SafetyGate final : public StartGate
 {
   public:
@@ -45,7 +45,7 @@ class SafetyGate final : public StartGate
     /// @brief Writes the whole safety configuration, then as Verify. The slave has to be PRE-OPERATIONAL: it refuses
     /// otherwise. False: no safety slave, in doubt, or no slot. [SRS_SFS_005]
     [[nodiscard]] bool Write(NodeId node, Instant now) noexcept;
-    /// @brief Two devices may have this node-ID: the gate is closed and stays so until Trust. [SRS_SFS_002]
+    /// @brief Two devices may have this node-ID: the gate is closed and stays so until Trust. [SRS_SFS_151]
     void Doubt(NodeId node) noexcept;
     /// @brief The node was reset: it may be verified again.
     void Trust(NodeId node) noexcept;

@@ -17,7 +17,7 @@ namespace counterpoint::cia306
 /// The document with one SRDO more, which is on: its parameters, the objects that it maps where they are new, its
 /// places in 13FFh and 5F01h to 5F05h, lists and counts, the device digest where there is a node-ID; signed, with A5h
 /// in 13FEh. All else is kept byte for byte. Throws InputError where the file cannot have it. Whether the SRDO is right
-/// is for the rules of `check` to say. [SRS_NEW_010, SRS_NEW_011, SRS_NEW_012]
+/// is for the rules of `check` to say. [SRS_NEW_010, SRS_NEW_011, SRS_NEW_012, SRS_NEW_150, SRS_NEW_151, SRS_NEW_152]
 [[nodiscard]] IniDocument WithSrdo(const IniDocument& document, const SrdoPlan& plan,
                                    std::optional<std::uint8_t> node_id);
 

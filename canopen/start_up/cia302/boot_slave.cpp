@@ -149,6 +149,7 @@ void BootSlave::OnBootUp(const NodeId node, const BootTime& time) noexcept
     if (state == BootState::kRestored)
     {
         // Who runs and is reset by its new configuration (1F25h) is supervised, verified and started again.
+        // [SRS_NMM_153]
         job.record.is_extra = job.record.is_extra && !job.record.is_booted;
         job.record.was_operational = false;
     }

@@ -90,7 +90,7 @@ struct El6751Answer
 
 /// @brief The next row that is active under its conditions, or kEnd. O(rows) [SRS_ELM_004, SRS_ELM_005, SRS_ELM_006,
 /// SRS_ELM_007, SRS_ELM_008, SRS_ELM_010, SRS_ELM_011, SRS_ELM_012, SRS_ELM_013, SRS_ELM_014, SRS_ELM_015, SRS_ELM_016,
-/// SRS_ELM_017, SRS_ELM_018, SRS_ELM_019, SRS_ELM_020, SRS_ELM_021, SRS_ELM_022, SRS_ELM_023, SRS_ELM_024]
+/// SRS_ELM_017, SRS_ELM_018, SRS_ELM_019, SRS_ELM_020, SRS_ELM_021, SRS_ELM_022, SRS_ELM_023, SRS_ELM_024, SRS_ELM_151]
 [[nodiscard]] El6751Place NextRow(const El6751Context& context, const El6751Place& place) noexcept;
 /// @brief The SDO of a row, neither kBegin nor kEnd. O(1)
 [[nodiscard]] El6751Access AccessOf(const El6751Context& context, const El6751Place& place) noexcept;

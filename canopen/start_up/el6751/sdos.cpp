@@ -144,7 +144,7 @@ void El6751Sdos::EndTransfer(const NodeId node, const Instant now) noexcept
 }
 
 /// A safety slave that runs and cannot be read is stopped, and asked on in PRE-OPERATIONAL; so is one that says that it
-/// is STOPPED: a command may have come in behind its boot-up message. [SRS_SFS_006, SRS_ELM_003]
+/// is STOPPED: a command may have come in behind its boot-up message. [SRS_SFS_150, SRS_ELM_003]
 void El6751Sdos::StopUnread(const NodeId node, const Instant now) noexcept
 {
     El6751Node& slave = slaves_.Of(node);

@@ -38,6 +38,7 @@ El6751StartUp::El6751StartUp(const El6751Parts& parts) noexcept
 {
 }
 
+/// [SRS_ELM_150]
 void El6751StartUp::Begin(const Instant now) noexcept
 {
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
@@ -150,7 +151,7 @@ void El6751StartUp::OnCycle(const Instant now) noexcept
 }
 
 /// Once, when all run that were started singly. While a safety slave is assigned nothing goes to node 0: this device
-/// alone is OPERATIONAL then. [SRS_ELM_027, SRS_MGR_020]
+/// alone is OPERATIONAL then. [SRS_ELM_027, SRS_MGR_152]
 void El6751StartUp::StartAll(const Instant now) noexcept
 {
     const NodeId whom = parts_.setup.HasSafetySlave() ? parts_.setup.own : kAllNodes;

@@ -44,7 +44,7 @@ class El6751StartUp final : public StartUp
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept override;
     /// @brief The SDOs of the slave again without a reset; a slave that is held by hand stays held.
     [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept override;
-    /// @brief Boot of a slave that IsConfigurable. [SRS_NMM_009]
+    /// @brief Boot of a slave that IsConfigurable. [SRS_NMM_151]
     [[nodiscard]] bool Configure(NodeId node, Instant now) noexcept override;
     [[nodiscard]] NodeStatus Status(NodeId node) const noexcept override;
     [[nodiscard]] std::int16_t MasterState() const noexcept override;

@@ -8,8 +8,8 @@ namespace counterpoint::cia302
 {
 
 /// Leads slaves from state 4 to 5, one by one or all at once. Safety slaves are verified before their start, and when
-/// they run without having been verified. [SRS_PLC_012, SRS_PLC_013, SRS_PLC_014, SRS_PLC_015, SRS_PLC_016,
-/// SRS_PLC_020]
+/// they run without having been verified. [SRS_PLC_012, SRS_PLC_013, SRS_PLC_014, SRS_PLC_015, SRS_PLC_150,
+/// SRS_PLC_151, SRS_PLC_016, SRS_PLC_020]
 class PlcRelease
 {
   public:

@@ -103,7 +103,7 @@ void PlcStartUp::DriveMaster(const Instant now) noexcept
     }
     else if ((master_ == kPlcConfigures) && is_done)
     {
-        // This device too is OPERATIONAL then; that goes to nobody. [SRS_MGR_020]
+        // This device too is OPERATIONAL then; that goes to nobody. [SRS_MGR_152]
         const NodeId own = parts_.setup.own;
         const NmtAnswer answer = parts_.nmt.Request(NmtCommand::kStart, own, now);
         master_ = (answer == NmtAnswer::kTaken) ? kPlcRuns : master_;

@@ -34,7 +34,7 @@ class PlcStartUp final : public StartUp
     /// @brief The slave begins again with state -1, also a slave in state 97. [SRS_PLC_019]
     [[nodiscard]] bool Boot(NodeId node, Instant now) noexcept override;
     [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept override;
-    /// @brief Boot of a slave that IsConfigurable. [SRS_NMM_009]
+    /// @brief Boot of a slave that IsConfigurable. [SRS_NMM_151]
     [[nodiscard]] bool Configure(NodeId node, Instant now) noexcept override;
     [[nodiscard]] NodeStatus Status(NodeId node) const noexcept override;
     [[nodiscard]] std::int16_t MasterState() const noexcept override;

@@ -30,7 +30,7 @@ struct OwnIdentifiers
 [[nodiscard]] bool IsCobId(std::uint16_t index, std::uint8_t sub) noexcept;
 
 /// @brief The objects of services, PDOs left aside, that have the identifier of an earlier one now, with all of these.
-/// A PDO with such an identifier is off. [SRS_NODE_050]
+/// A PDO with such an identifier is off. [SRS_NODE_050, SRS_NODE_153]
 [[nodiscard]] std::vector<SharedIdentifier> SharedIdentifiers(const cia301::EntryTable& table,
                                                               const OwnIdentifiers& own);
 

@@ -59,7 +59,7 @@ struct NodeStoreParts
     device::Services& services;
 };
 
-/// The store of a live node in a file: 1010h, 1011h and the settings of its LSS. [SRS_NODE_011, SRS_NODE_015,
+/// The store of a live node in a file: 1010h, 1011h and the settings of its LSS. [SRS_NODE_011, SRS_NODE_152,
 /// SRS_STO_015]
 class NodeStore
 {

@@ -107,7 +107,7 @@ TEST_F(SdoBlockTest, AWrongCrcWritesNothing)
 // The segment that ends a sub-block, and the last one of all, come twice; then what follows is as if they had not.
 TEST_F(SdoBlockTest, ADoubledEndOfASubBlockIsIgnored)
 {
-    Verifies(req::SRS_SDO_006);
+    Verifies(req::SRS_SDO_151);
     EXPECT_EQ(Send({0xC0U, 0x03U, 0x21U, 0x00U})[0], 0xA4U);
     EXPECT_EQ(SendSegments(1, 4), (Octets{0xA2U, 4U, 4U, 0U, 0U, 0U, 0U, 0U}));
     EXPECT_TRUE(Send({0x04U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}).empty());
@@ -134,7 +134,7 @@ TEST_F(SdoBlockTest, ADoubledEndOfASubBlockIsIgnored)
 // Behind an abort such a frame would be a request: number 40h, as an example, an upload.
 TEST_F(SdoBlockTest, ADoubledEndOfAnAbortedSubBlockIsNoRequest)
 {
-    Verifies(req::SRS_SDO_006);
+    Verifies(req::SRS_SDO_151);
     SdoServer long_blocks{SdoServerParts{dictionary, Room{buffer.data(), 8U}, 1000U, 0x40U}};
     const auto send = [&long_blocks, this](const std::uint8_t head)
     { return long_blocks.OnFrame(SdoFrame{{head, 0x03U, 0x21U, 0U, 1U, 0U, 0U, 0U}}, 8U, Instant{now_us}); };
@@ -153,7 +153,7 @@ TEST_F(SdoBlockTest, ADoubledEndOfAnAbortedSubBlockIsNoRequest)
 // Of sub-blocks of one segment, the same frame again is the next segment.
 TEST_F(SdoBlockTest, EqualSegmentsOfSubBlocksOfOneAreNoDoubles)
 {
-    Verifies(req::SRS_SDO_006);
+    Verifies(req::SRS_SDO_151);
     SdoServer short_blocks{SdoServerParts{dictionary, Room{buffer.data(), 64U}, 1000U, 1U}};
     const auto send = [&short_blocks, this](const std::uint8_t head)
     { return short_blocks.OnFrame(SdoFrame{{head, 0x03U, 0x21U, 0U, 1U, 0U, 0U, 0U}}, 8U, Instant{now_us}); };
@@ -167,7 +167,8 @@ TEST_F(SdoBlockTest, EqualSegmentsOfSubBlocksOfOneAreNoDoubles)
 
 TEST_F(SdoBlockTest, LostSegmentsAreRepeatedAndDoubledOnesIgnored)
 {
-    Verifies(req::SRS_SDO_006);
+    Verifies(req::SRS_SDO_150);
+    Verifies(req::SRS_SDO_151);
     EXPECT_EQ(Send({0xC0U, 0x03U, 0x21U, 0x00U})[0], 0xA4U);
     // Given that segment 3 of 4 is lost and 2 is doubled
     EXPECT_TRUE(SendSegments(1, 2).empty());
@@ -186,7 +187,7 @@ TEST_F(SdoBlockTest, LostSegmentsAreRepeatedAndDoubledOnesIgnored)
 
 TEST_F(SdoBlockTest, SequenceNumbersThatTheBlockDoesNotHaveAreNotReceived)
 {
-    Verifies(req::SRS_SDO_006);
+    Verifies(req::SRS_SDO_152);
     for (const std::uint8_t number : Octets{0x00U, 0x05U, 0x2FU, 0x7FU})
     {
         // Given a block of 4 segments, of which the first one came
@@ -426,7 +427,7 @@ TEST_F(SdoRestTest, ThatEndsWithAPauseAndBeginsWithATimeOutToo)
 // it
 TEST_F(SdoRestTest, ARequestThatIsRepeatedHasAnAnswerBehindAnAbandonedDownload)
 {
-    Verifies(req::SRS_SDO_006);
+    Verifies(req::SRS_SDO_151);
     Verifies(req::SRS_SDO_019);
     const Octets read{0x40U, 0x00U, 0x21U, 0x00U};
     EXPECT_EQ(SendWhole({0xC0U, 0x03U, 0x21U, 0x00U})[0], 0xA4U);

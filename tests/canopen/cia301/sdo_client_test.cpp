@@ -43,6 +43,17 @@ TEST_F(SdoClientTest, ExpeditedUploads)
     EXPECT_EQ(client.Outcome().size_bytes, 2U);
     EXPECT_EQ(got[0], 0x34U);
     EXPECT_EQ(got[1], 0x12U);
+    // A stated length of 1 to 4 bytes
+    const Octets heads{0x4FU, 0x4BU, 0x47U, 0x43U};
+    for (std::size_t count = 1U; count <= 4U; ++count)
+    {
+        std::fill(got.begin(), got.end(), std::uint8_t{0U});
+        EXPECT_TRUE(Upload(0x2105U, SdoMode::kNormal));
+        Answer({heads[count - 1U], 0x05U, 0x21U, 0U, 1U, 2U, 3U, 4U});
+        EXPECT_EQ(client.Outcome().size_bytes, count);
+        EXPECT_EQ(got[count - 1U], count);
+        EXPECT_EQ(got[count], 0U);
+    }
     // Without a stated length the room is the limit
     EXPECT_TRUE(Upload(0x2105U, SdoMode::kNormal, 3U));
     Answer({0x42U, 0x05U, 0x21U, 0U, 1U, 2U, 3U, 4U});

@@ -289,6 +289,39 @@ TEST_F(StoredPartsTest, EntriesComeBackAndPdosWork)
     EXPECT_EQ(Read(objects, 0x1800U, 1U), 0x4C0000000U);
 }
 
+TEST_F(StoredPartsTest, EachSubIndexStoresItsGroupAndKeepsTheOthers)
+{
+    Verifies(req::SRS_STO_003);
+    struct Row
+    {
+        std::uint8_t sub;
+        std::uint64_t communication; ///< Of 1800h:02, of 1 byte.
+        std::uint8_t application;
+        std::uint8_t manufacturer;
+    };
+    for (const Row& row : {Row{1U, 0x100000002U, 2U, 2U}, Row{2U, 0x100000002U, 1U, 1U}, Row{3U, 0x100000001U, 2U, 1U},
+                           Row{4U, 0x100000001U, 1U, 2U}})
+    {
+        // Given all groups stored with 1, then with 2 in the device
+        EXPECT_EQ(WritePdo(0x1800U, 2U, 1U), SdoAbort::kNone);
+        application = {1U};
+        manufacturer = {1U, 0U};
+        table[1].sub = 3U;
+        EXPECT_EQ(Download(kSaveAllRequest), 0U);
+        EXPECT_EQ(WritePdo(0x1800U, 2U, 2U), SdoAbort::kNone);
+        application = {2U};
+        manufacturer = {2U, 0U};
+        // When save is written to one sub-index
+        table[1].sub = (row.sub == 1U) ? std::uint8_t{3U} : row.sub;
+        EXPECT_EQ(Download({0x23U, 0x10U, 0x10U, row.sub, 's', 'a', 'v', 'e'}), 0U);
+        Restart();
+        // Then its group alone is the new one
+        EXPECT_EQ(Read(objects, 0x1800U, 2U), row.communication) << static_cast<int>(row.sub);
+        EXPECT_EQ(application[0], row.application) << static_cast<int>(row.sub);
+        EXPECT_EQ(manufacturer[0], row.manufacturer) << static_cast<int>(row.sub);
+    }
+}
+
 TEST_F(StoredPartsTest, AnEntryThatIsGoneOrRefusesIsCounted)
 {
     Verifies(req::SRS_STO_007);

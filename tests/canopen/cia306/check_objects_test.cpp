@@ -138,6 +138,10 @@ TEST(CheckObjects, NoNodeId)
     const Lines zero = test::FindingsOf(info + object + "[DeviceComissioning]\nNodeID=0\n", {});
     EXPECT_EQ(has(info + object + "[DeviceComissioning]\nNodeID=0\n", {}), 0);
     EXPECT_EQ(zero.back(), "warning: NodeID is '0', expected 1 to 127; the device has no node-ID");
+    // and so is 255
+    EXPECT_EQ(has(info + object + "[DeviceComissioning]\nNodeID=255\n", {}), 0);
+    EXPECT_EQ(test::FindingsOf(info + object + "[DeviceComissioning]\nNodeID=255\n", {}).back(),
+              "warning: NodeID is '255', expected 1 to 127; the device has no node-ID");
 }
 
 TEST(CheckObjects, SignaturesOfGapsAndTheirNumber)

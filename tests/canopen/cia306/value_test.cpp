@@ -53,13 +53,15 @@ TEST(Value, NumbersAreHexadecimalOctalOrDecimal)
 {
     Verifies(req::SRS_EDS_006);
     const Case cases[] = {
-        {"16", kUnsigned8, true, 16U},   {"0x10", kUnsigned8, true, 16U}, {"0X1f", kUnsigned8, true, 31U},
-        {"020", kUnsigned8, true, 16U},  {"0", kUnsigned8, true, 0U},     {"00", kUnsigned8, true, 0U},
-        {"+7", kUnsigned8, true, 7U},    {"08", kUnsigned8, false, 0U},   {"0x", kUnsigned8, false, 0U},
-        {"0xG", kUnsigned8, false, 0U},  {"1 2", kUnsigned8, false, 0U},  {"-1", kUnsigned8, false, 0U},
-        {"ten", kUnsigned8, false, 0U},  {"1.0", kUnsigned8, false, 0U},  {"--1", kInteger8, false, 0U},
-        {"12h", kUnsigned8, false, 0U},  {"0x 1", kUnsigned8, false, 0U}, {"-", kInteger8, false, 0U},
-        {"1e3", kUnsigned32, false, 0U}, {"0x1;", kUnsigned8, false, 0U},
+        {"16", kUnsigned8, true, 16U},     {"0x10", kUnsigned8, true, 16U},   {"0X1f", kUnsigned8, true, 31U},
+        {"020", kUnsigned8, true, 16U},    {"0", kUnsigned8, true, 0U},       {"00", kUnsigned8, true, 0U},
+        {"+7", kUnsigned8, true, 7U},      {"08", kUnsigned8, false, 0U},     {"0x", kUnsigned8, false, 0U},
+        {"0xG", kUnsigned8, false, 0U},    {"1 2", kUnsigned8, false, 0U},    {"-1", kUnsigned8, false, 0U},
+        {"ten", kUnsigned8, false, 0U},    {"1.0", kUnsigned8, false, 0U},    {"--1", kInteger8, false, 0U},
+        {"12h", kUnsigned8, false, 0U},    {"0x 1", kUnsigned8, false, 0U},   {"-", kInteger8, false, 0U},
+        {"1e3", kUnsigned32, false, 0U},   {"0x1;", kUnsigned8, false, 0U},   {"-1", kInteger8, true, 0xFFU},
+        {"+127", kInteger8, true, 127U},   {"-128", kInteger8, true, 0x80U},  {"-020", kInteger8, true, 0xF0U},
+        {"-0x10", kInteger8, true, 0xF0U}, {"0XaB", kUnsigned8, true, 0xABU}, {"0xAb", kUnsigned8, true, 0xABU},
     };
     ExpectAll(std::begin(cases), std::end(cases));
 }

@@ -73,6 +73,20 @@ TEST(GenerateTest, TheNodeIdGoesIntoValuesAndDevice)
     EXPECT_TRUE(Has(Code(text, std::uint8_t{9U}).source, "0x89U, 0x00U, 0x00U, 0x00U, // 1014h:00"));
 }
 
+TEST(GenerateTest, APdoMappableObjectIsAVariableOfTheKernelOnlyWhereAnSrdoMapsIt)
+{
+    Verifies(req::SRS_GEN_009);
+    // Given button 1 without the key SRDOMapping, and another object for PDOs, which no SRDO maps
+    const std::string text =
+        Changed(cia306::test::ExampleText("sensor"),
+                {{"PDOMapping=0\nSRDOMapping=1\nInvertedSRAD=0x210001", "PDOMapping=1\nInvertedSRAD=0x210001"}}) +
+        "\n[2800]\nParameterName=For PDOs\nObjectType=0x7\nDataType=5\nAccessType=ro\nDefaultValue=0\nPDOMapping=1\n";
+    const std::string source = Code(text).source;
+    EXPECT_TRUE(Has(source, "{0x2000U, 0x01U, 8U, counterpoint::MapAccess::kProducer,"));
+    EXPECT_FALSE(Has(source, "{0x2800U, 0x00U, 8U, counterpoint::MapAccess::"));
+    EXPECT_TRUE(Has(source, "{0x2800U, 0x00U, DataType::kUnsigned8"));
+}
+
 TEST(GenerateTest, WhatCannotBeGeneratedIsNamedWithItsLine)
 {
     Verifies(req::SRS_GEN_003);

@@ -52,7 +52,7 @@ TEST_P(DuplicateTest, TwoDevicesWithoutHeartbeatAreFoundByTheirAnswers)
 TEST_P(DuplicateTest, ASafetySlaveThatMayBeTwoIsNotStartedUntilAReset)
 {
     Verifies(req::SRS_MGR_010);
-    Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_SFS_151);
     // Given two devices 5 with the configuration that is expected, both of them
     Add(5U);
     FakeSlave& second = Add(5U);
@@ -403,7 +403,7 @@ TEST_F(SecondAnswerTest, WhatWasLostIsNoQuestionThatWasAnsweredTwice)
 TEST_F(SecondAnswerTest, AResetOfWhomeverEndsTheSuspicion)
 {
     Verifies(req::SRS_MGR_010);
-    Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_SFS_151);
     MakeSafe(6U);
     Begin(Profile::kCia302);
     Run(100U);

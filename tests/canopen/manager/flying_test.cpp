@@ -190,6 +190,7 @@ class ManagerFlying : public ::testing::Test, public cia301::FrameSink, public M
 
 TEST_F(ManagerFlying, NegotiationOnTheApplicationsCallWithWhatItWrote)
 {
+    Verifies(req::SRS_FLY_007);
     Verifies(req::SRS_FLY_027);
     Verifies(req::SRS_FLY_002);
     Use(NegotiationBy::kApplication);
@@ -287,7 +288,7 @@ TEST_F(ManagerFlying, ARaceOrRestartAtAForceEndsTheLeadAtOnce)
 
 TEST_F(ManagerFlying, OffTheBusNoRoleIsKeptAndNoneNegotiatedBeforeItIsBack)
 {
-    Verifies(req::SRS_FLY_019);
+    Verifies(req::SRS_FLY_150);
     Use(NegotiationBy::kManager);
     manager.Begin(Now());
     RunTo(3000U);
@@ -310,7 +311,7 @@ TEST_F(ManagerFlying, OffTheBusNoRoleIsKeptAndNoneNegotiatedBeforeItIsBack)
 
 TEST_F(ManagerFlying, OffTheBusAManagerWithoutAFlyingMasterLeadsOn)
 {
-    Verifies(req::SRS_FLY_019);
+    Verifies(req::SRS_FLY_150);
     manager.Use(profile);
     manager.Begin(Now());
     manager.OnBus(false, Now());
@@ -320,7 +321,7 @@ TEST_F(ManagerFlying, OffTheBusAManagerWithoutAFlyingMasterLeadsOn)
 
 TEST_F(ManagerFlying, ResettingItselfEndsTheRoleAndResettingAllDoesNot)
 {
-    Verifies(req::SRS_FLY_019);
+    Verifies(req::SRS_FLY_151);
     Use(NegotiationBy::kManager);
     manager.Begin(Now());
     RunTo(3000U);

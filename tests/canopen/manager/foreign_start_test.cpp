@@ -72,6 +72,7 @@ class ForeignStartTest : public ManagerRig, public ::testing::WithParamInterface
 TEST_P(ForeignStartTest, OfAnotherDeviceIsFoundAtEachInstantOfItsStartUpAndBehindIt)
 {
     Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_150);
     MakeOther();
     ExpectStopped(30U);
     EXPECT_TRUE(manager->Status(kSlave).is_other);
@@ -80,6 +81,7 @@ TEST_P(ForeignStartTest, OfAnotherDeviceIsFoundAtEachInstantOfItsStartUpAndBehin
 TEST_P(ForeignStartTest, OfAnotherDeviceWhoseBootUpMessageWasLostIsFound)
 {
     Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_150);
     devices[0]->has_boot_up = false;
     MakeOther();
     ExpectStopped(30U);
@@ -89,6 +91,7 @@ TEST_P(ForeignStartTest, OfAnotherDeviceWhoseBootUpMessageWasLostIsFound)
 TEST_P(ForeignStartTest, OfAChangedOneThatTheManagerDoesNotStartIsFoundAtEachInstantOfItsStartUp)
 {
     Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_150);
     // Given one that the application is to start
     setup.start_up |= kApplicationStartsSlaves;
     box.is_started = false;
@@ -99,6 +102,7 @@ TEST_P(ForeignStartTest, OfAChangedOneThatTheManagerDoesNotStartIsFoundAtEachIns
 TEST_P(ForeignStartTest, OfAChangedOneWhoseBootUpMessageWasLostIsFound)
 {
     Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_150);
     setup.start_up |= kApplicationStartsSlaves;
     box.is_started = false;
     devices[0]->has_boot_up = false;
@@ -109,6 +113,7 @@ TEST_P(ForeignStartTest, OfAChangedOneWhoseBootUpMessageWasLostIsFound)
 TEST_P(ForeignStartTest, OfAnotherDeviceBeforeItsBootUpMessageIsFound)
 {
     Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_150);
     MakeOther();
     Begin(GetParam());
     Run(6000U);
@@ -121,6 +126,7 @@ TEST_P(ForeignStartTest, OfAnotherDeviceBeforeItsBootUpMessageIsFound)
 TEST_P(ForeignStartTest, OfAChangedOneThatTheManagerDoesNotStartIsFoundBeforeItsBootUpMessage)
 {
     Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_150);
     setup.start_up |= kApplicationStartsSlaves;
     box.is_started = false;
     devices[0]->Put(0x1301U, 2U, {26U, 0U});

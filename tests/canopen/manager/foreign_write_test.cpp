@@ -243,6 +243,7 @@ TEST_P(ForeignWriteTest, WhatIsNoWriteOfTheConfigurationDisturbsNothing)
 TEST_P(ForeignWriteTest, OfATimeOfASlaveThatSomebodyElseStartedIsFound)
 {
     Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_150);
     Verifies(req::SRS_SFS_011);
     ExpectFoundBehindForeignStart(Write(0x1301U, 2U, 2U, 26U), 0x1301U);
 }
@@ -251,6 +252,7 @@ TEST_P(ForeignWriteTest, OfATimeOfASlaveThatSomebodyElseStartedIsFound)
 TEST_P(ForeignWriteTest, OfTheGfcOfASlaveThatSomebodyElseStartedIsFound)
 {
     Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_150);
     Verifies(req::SRS_SFS_011);
     ExpectFoundBehindForeignStart(Write(0x1300U, 0U, 1U, 0U), 0x1300U);
 }

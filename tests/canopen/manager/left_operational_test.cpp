@@ -48,7 +48,7 @@ class LeftOperationalTest : public ManagerRig, public ::testing::WithParamInterf
 
 TEST_P(LeftOperationalTest, ChangedWhileItsStartWaitsForTheInhibitTimeIsNotStarted)
 {
-    Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_SFS_152);
     // Given 2 s between two commands, and a start that waits behind another command
     setup.inhibit_100us = 20000U;
     Begin(GetParam());
@@ -69,7 +69,7 @@ TEST_P(LeftOperationalTest, ChangedWhileItsStartWaitsForTheInhibitTimeIsNotStart
 
 TEST_P(LeftOperationalTest, UnchangedWhileItsStartWaitsIsReadAgainAndStarted)
 {
-    Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_SFS_152);
     setup.inhibit_100us = 20000U;
     StartAndForget(GetParam());
     EXPECT_EQ(starts.size(), 1U);
@@ -78,6 +78,7 @@ TEST_P(LeftOperationalTest, UnchangedWhileItsStartWaitsIsReadAgainAndStarted)
 TEST_P(LeftOperationalTest, ChangedWhileTheBusWasAwayIsStopped)
 {
     Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_SFS_153);
     StartAndForget(GetParam());
     manager->OnBus(false, Now());
     Change();
@@ -90,6 +91,7 @@ TEST_P(LeftOperationalTest, ChangedWhileTheBusWasAwayIsStopped)
 TEST_P(LeftOperationalTest, WhileFramesWereLostIsReadAgain)
 {
     Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_SFS_153);
     StartAndForget(GetParam());
     // Given that it is as expected, nothing happens to it
     manager->OnLost(Now());
@@ -106,6 +108,7 @@ TEST_P(LeftOperationalTest, WhileFramesWereLostIsReadAgain)
 TEST_P(LeftOperationalTest, StartedBySomebodyElseBeforeItsOwnStartLeftIsRead)
 {
     Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_150);
     setup.inhibit_100us = 20000U;
     Begin(GetParam());
     for (int i = 0; (i < 5000) && (Gate() != GateState::kOpen); ++i)
@@ -210,7 +213,7 @@ TEST_P(LeftOperationalTest, ADeviceThatRestartsOftenIsNotTakenForTwo)
 TEST_P(LeftOperationalTest, ThatMayBeTwoWhileItRunsIsStopped)
 {
     Verifies(req::SRS_MGR_010);
-    Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_SFS_151);
     setups[5].heartbeat.producer_ms = 100U;
     StartAndForget(GetParam());
     // When somebody else's heartbeats say OPERATIONAL too, until it is suspected
@@ -229,6 +232,7 @@ TEST_P(LeftOperationalTest, ThatMayBeTwoWhileItRunsIsStopped)
 TEST_P(LeftOperationalTest, FramesLostWhileItIsReadMakeTheReadingBeginAnew)
 {
     Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_SFS_153);
     StartAndForget(GetParam());
     manager->OnLost(Now());
     Run(1U);
@@ -301,6 +305,7 @@ using LeftInCia302Test = LeftOperationalTest;
 TEST_P(LeftInCia302Test, WhoseLastSignIsOlderThanTheStartOfSomebodyElseIsStopped)
 {
     Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_150);
     Verifies(req::SRS_BOOT_013);
     // Given one that is stopped and changed, and says nothing by itself
     devices[0]->heartbeat_ms = 0U;
@@ -424,6 +429,7 @@ TEST_P(LeftInCia302Test, RunsOnChangedBehindAResetThatItDidNotHearIsStopped)
 {
     Verifies(req::SRS_BOOT_013);
     Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_150);
     // Given an optional one, whose boot-up message is waited for without end
     setups[5].assignment = static_cast<std::uint32_t>(setups[5].assignment & ~kMandatory);
     setups[5].heartbeat = HeartbeatSetup{300U, 100U, Arming::kFirstHeartbeat};

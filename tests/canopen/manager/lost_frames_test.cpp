@@ -100,6 +100,7 @@ TEST_P(LostFramesTest, WhoWasMadePreOperationalByOrderStaysSo)
 TEST_P(LostFramesTest, WhoIsReadAgainAndLeavesAndComesBackChangedIsStopped)
 {
     Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_SFS_153);
     Verifies(req::SRS_SFS_006);
     for (const std::uint32_t pause_ms : {1U, 2U, 10U, 40U, 80U})
     {
@@ -141,7 +142,7 @@ TEST_F(LostFramesTest, WhoWasReplacedMeanwhileIsAskedWhoItIs)
 TEST_F(LostFramesTest, TwoStartsOfOneSlaveThatWaitedTooLongAreMadeUpFor)
 {
     Verifies(req::SRS_BOOT_014);
-    Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_SFS_152);
     BeginWithWaitingStart();
     // When it is ordered once more, so that both are too old in the same cycle
     EXPECT_EQ(Order(NmtCommand::kStart, 5U), NmtAnswer::kTaken);

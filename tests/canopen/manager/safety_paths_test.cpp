@@ -36,6 +36,7 @@ class SafetyPathsTest : public ManagerRig, public ::testing::WithParamInterface<
 TEST_P(SafetyPathsTest, WithoutErrorControlAndStartedBySomebodyElseIsReadAndStopped)
 {
     Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_150);
     BeginChanged();
     // When nothing but the command of somebody else tells that it runs
     Put(Nmt(NmtCommand::kPreOperational, 5U));
@@ -112,6 +113,7 @@ TEST_P(SafetyPathsTest, ASignThatWasUnderWayWhenItWasStoppedKeepsWhatWasFound)
 TEST_P(SafetyPathsTest, CommandedWhileItsStartWaitsIsReadAgainAndStarted)
 {
     Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_SFS_152);
     // Given starts that wait 100 ms behind each other command
     devices[0]->heartbeat_ms = 100U;
     setup.inhibit_100us = 10000U;
@@ -133,6 +135,7 @@ TEST_P(SafetyPathsTest, CommandedWhileItsStartWaitsIsReadAgainAndStarted)
 TEST_P(SafetyPathsTest, CommandedAndChangedWhileItsStartWaitsIsNotLeftRunning)
 {
     Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_SFS_152);
     devices[0]->heartbeat_ms = 100U;
     setup.inhibit_100us = 10000U;
     Begin(GetParam());

@@ -260,6 +260,7 @@ class WaitingForAllTest : public UnaskedDeviceTest, public ::testing::WithParamI
 TEST_P(WaitingForAllTest, StartedBySomebodyElseAndChangedIsStopped)
 {
     Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_150);
     Verifies(req::SRS_PLC_020);
     BeginWaiting();
     ASSERT_EQ(Running(5U), 0);
@@ -269,6 +270,7 @@ TEST_P(WaitingForAllTest, StartedBySomebodyElseAndChangedIsStopped)
 TEST_P(WaitingForAllTest, WithoutHeartbeatStartedBySomebodyElseAndChangedIsStopped)
 {
     Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_150);
     Verifies(req::SRS_PLC_020);
     devices[0]->heartbeat_ms = 0U;
     BeginWaiting();
@@ -278,6 +280,7 @@ TEST_P(WaitingForAllTest, WithoutHeartbeatStartedBySomebodyElseAndChangedIsStopp
 TEST_P(WaitingForAllTest, StartedBySomebodyElseAsItIsToBeRunsOn)
 {
     Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_150);
     Verifies(req::SRS_PLC_020);
     BeginWaiting();
     Put(Nmt(NmtCommand::kStart, 5U));

@@ -297,6 +297,41 @@ TEST_F(Watch, TheCycleRunsFromValidPairToValidPair)
     // but what it was late before that is
     stopped[8] = Frame(200000, 0x000U, {2U, 1U});
     EXPECT_EQ(GreatestCycleUs(early, stopped), 125000);
+    // The same of the consumer, by a command or as its heartbeat tells
+    for (const LogFrame& end : {Frame(200000, 0x000U, {2U, 2U}), Frame(200000, 0x702U, {4U})})
+    {
+        stopped[8] = end;
+        EXPECT_EQ(GreatestCycleUs(early, stopped), 125000);
+    }
+    // Who has no part in it ends nothing
+    stopped[8] = Frame(200000, 0x000U, {2U, 3U});
+    EXPECT_EQ(GreatestCycleUs(early, stopped), 225000);
+}
+
+TEST_F(Watch, EachSenderOfAGfcHasItsOwnRefreshTimeAndTheGreatestEndsTheWait)
+{
+    Verifies(req::SRS_MON_016);
+    // Given a sensor with a refresh time of 40 ms, and the controller, which sends by 103h, with 25 ms
+    std::string text = cia306::test::ExampleText("sensor");
+    const std::size_t value = text.find("ParameterValue=25", text.find("[1301sub2]"));
+    ASSERT_NE(value, std::string::npos);
+    cia306::WriteTextFile(LatePath(), text.replace(value, 17U, "ParameterValue=40"));
+    const Network network({{LatePath(), std::nullopt}, {Example("controller"), std::nullopt}}, std::nullopt);
+    const LogFrame gfc = Frame(40000, 0x001U, {});
+    const auto controller_at = [](const Time us)
+    { return Frames{Frame(us, 0x103U, {0U, 0U}), Frame(us + 200, 0x104U, {0xFFU, 0xFFU})}; };
+    const auto with = [&gfc, &controller_at](const Time controller_us, const Time sensor_us)
+    {
+        Frames frames{gfc};
+        const Frames pair = controller_at(controller_us);
+        frames.insert(frames.end(), pair.begin(), pair.end());
+        return Among(frames, sensor_us);
+    };
+    // Then 25 ms behind it the controller follows, a microsecond later it does not
+    EXPECT_EQ(ViolationsOf(network, with(65000, 80001)), (Texts{"75000 SCT expired"}));
+    EXPECT_EQ(ViolationsOf(network, with(65001, 80001)), (Texts{"75000 SCT expired", "80000 GFC not followed"}));
+    // and the sensor follows 40 ms behind it
+    EXPECT_EQ(ViolationsOf(network, with(65001, 80000)), (Texts{"75000 SCT expired"}));
 }
 
 TEST_F(Watch, AnSrdoFollowsEachGfc)

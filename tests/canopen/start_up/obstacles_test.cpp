@@ -117,7 +117,7 @@ TEST_F(El6751ObstaclesTest, AGateThatClosesBeforeTheStartLeavesIsAskedAgain)
 
 TEST_F(El6751ObstaclesTest, HundredTwentySixSlavesAreServedAtTheSameTime)
 {
-    Verifies(req::SRS_ELM_001);
+    Verifies(req::SRS_ELM_150);
     for (std::uint8_t node = 1U; node < 127U; ++node)
     {
         AddBox(node);

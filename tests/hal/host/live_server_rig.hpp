@@ -10,6 +10,8 @@
 #include <sched.h>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace counterpoint::host
 {
@@ -21,6 +23,9 @@ class RunningServer
     /// Port 0: a free one.
     explicit RunningServer(const std::string& bus, const std::uint16_t port = 0U, const std::string& host = "127.0.0.1")
         : host_{host}, server_{host, port, {{"can0", bus}}}
+    {
+    }
+    explicit RunningServer(std::vector<ServedBus> buses) : host_{"127.0.0.1"}, server_{host_, 0U, std::move(buses)}
     {
     }
     ~RunningServer()

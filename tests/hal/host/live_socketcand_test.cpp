@@ -13,7 +13,9 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <array>
 #include <memory>
+#include <thread>
 #include <vector>
 
 namespace counterpoint::host
@@ -65,6 +67,61 @@ class PlainClient
 
   private:
     int socket_;
+};
+
+/// A server by others, whose bus has an error when the test says so. Whoever opens it first goes again.
+class FailingWire
+{
+  public:
+    FailingWire() : listener_{::socket(AF_INET, SOCK_STREAM, 0)}
+    {
+        sockaddr_in own{};
+        own.sin_family = AF_INET;
+        own.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        socklen_t bytes = sizeof(own);
+        EXPECT_EQ(::bind(listener_, reinterpret_cast<sockaddr*>(&own), sizeof(own)), 0);
+        EXPECT_EQ(::getsockname(listener_, reinterpret_cast<sockaddr*>(&own), &bytes), 0);
+        EXPECT_EQ(::listen(listener_, 2), 0);
+        port_ = ntohs(own.sin_port);
+        thread_ = std::thread{[this]
+                              {
+                                  for (int& connection : connections_)
+                                  {
+                                      connection = ::accept(listener_, nullptr, nullptr);
+                                      Say(connection, "< hi >< ok >< ok >< error unknown command >");
+                                  }
+                              }};
+    }
+    ~FailingWire()
+    {
+        for (const int connection : connections_)
+        {
+            static_cast<void>(::close(connection));
+        }
+        static_cast<void>(::close(listener_));
+    }
+    FailingWire(const FailingWire&) = delete;
+    FailingWire& operator=(const FailingWire&) = delete;
+    [[nodiscard]] std::string Address() const
+    {
+        return "socketcand:127.0.0.1:" + std::to_string(port_) + "/can0";
+    }
+    void Fail() const
+    {
+        thread_.join();
+        Say(connections_[1], "< error 040 1.0 >");
+    }
+
+  private:
+    static void Say(const int connection, const std::string& text)
+    {
+        EXPECT_EQ(::send(connection, text.data(), text.size(), MSG_NOSIGNAL), static_cast<ssize_t>(text.size()));
+    }
+
+    int listener_;
+    std::uint16_t port_{0U};
+    std::array<int, 2> connections_{-1, -1};
+    mutable std::thread thread_;
 };
 
 class Socketcand : public ::testing::Test
@@ -222,6 +279,64 @@ TEST_F(Socketcand, TalksAsTheProtocolSays)
 }
 
 // Given orders that are malformed or not due, then each is answered by a sentence and the connection goes on.
+TEST_F(Socketcand, TakesRemoteFramesAndTellsThem)
+{
+    Verifies(req::SRS_LIVE_053);
+    const auto member = OpenLiveBus(Group(""));
+    const PlainClient client(server.Port());
+    EXPECT_EQ(client.Hear(), "< hi >");
+    client.Say("< open can0 >< rawmode >< sendrtr 123 4 >< echo >");
+    EXPECT_EQ(client.Hear(), "< ok >");
+    EXPECT_EQ(client.Hear(), "< ok >");
+    EXPECT_EQ(client.Hear(), "< echo >");
+    const std::optional<LiveFrame> frame = Wait(*member);
+    ASSERT_TRUE(frame);
+    EXPECT_TRUE(frame->remote);
+    EXPECT_EQ(frame->identifier, 0x123U);
+    EXPECT_EQ(frame->length_bytes, 4U);
+    LiveFrame remote = Live(0x701U, {});
+    remote.remote = true;
+    remote.length_bytes = 1U;
+    ASSERT_EQ(member->Send(remote), SendResult::kSent);
+    const std::string told = client.Hear();
+    EXPECT_EQ(told.substr(0U, 10U), "< rtr 701 ");
+    EXPECT_EQ(told.substr(told.size() - 4U), " 1 >");
+}
+
+// Given a server with two buses, then a client of each hears what is on its own one alone.
+TEST(SocketcandServerTest, OffersSeveralBuses)
+{
+    Verifies(req::SRS_LIVE_053);
+    const std::string second = "udp:239.74.163.11:" + std::to_string(20'000 + (::getpid() % 40'000));
+    const RunningServer server{std::vector<ServedBus>{{"can0", Group("")}, {"can1", second}}};
+    const auto one = OpenLiveBus(server.Address("can0"));
+    const auto two = OpenLiveBus(server.Address("can1"));
+    const auto of_one = OpenLiveBus(Group(""));
+    const auto of_two = OpenLiveBus(second);
+    ASSERT_EQ(of_one->Send(Live(0x11U, {})), SendResult::kSent);
+    ASSERT_EQ(of_two->Send(Live(0x22U, {})), SendResult::kSent);
+    EXPECT_EQ(Wait(*one)->identifier, 0x11U);
+    EXPECT_EQ(Wait(*two)->identifier, 0x22U);
+    LiveFrame none;
+    EXPECT_FALSE(one->Receive(none));
+    EXPECT_FALSE(two->Receive(none));
+}
+
+// Given a bus behind the server on which the wire has an error, then a client in raw mode is told its classes.
+TEST(SocketcandServerTest, TellsErrorClassesInRawMode)
+{
+    Verifies(req::SRS_LIVE_053);
+    const FailingWire wire;
+    const RunningServer server{wire.Address()};
+    const PlainClient client(server.Port());
+    EXPECT_EQ(client.Hear(), "< hi >");
+    client.Say("< open can0 >< rawmode >");
+    EXPECT_EQ(client.Hear(), "< ok >");
+    EXPECT_EQ(client.Hear(), "< ok >");
+    wire.Fail();
+    EXPECT_EQ(client.Hear().substr(0U, 12U), "< error 040 ");
+}
+
 TEST_F(Socketcand, AnswersWhatIsWrong)
 {
     Verifies(req::SRS_LIVE_050);

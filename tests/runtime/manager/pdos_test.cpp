@@ -96,7 +96,8 @@ TEST_F(ManagerPdosTest, WaitingForTxPdosIsNoFailureOfTheRun)
 
 TEST_F(ManagerPdosTest, InputsAreToldAndShown)
 {
-    Verifies(req::SRS_MGR_022);
+    Verifies(req::SRS_MGR_158);
+    Verifies(req::SRS_MGR_159);
     static_cast<void>(File("pdo.dcf", PdoDcf()));
     Make(PdoNetwork(""));
     Run(10U);

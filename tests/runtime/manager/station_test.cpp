@@ -28,6 +28,7 @@ constexpr const char* kNetwork = "manager: {node: 127, heartbeat: 100 ms, inhibi
 TEST_F(ManagerStationTest, AClientReadsTheNetwork)
 {
     Verifies(req::SRS_MGR_020);
+    Verifies(req::SRS_MGR_151);
     Make(kNetwork);
     Run(2U);
     EXPECT_EQ(Read(0x1000U, 0U), 0U);
@@ -97,6 +98,34 @@ TEST_F(ManagerStationTest, ACommandToEachGoesOnWhereTheQueueHeldItUp)
     EXPECT_EQ(stops, (Lines{"2 5", "2 6"}));
 }
 
+TEST_F(ManagerStationTest, EachObjectOfANetworkManagerIsThere)
+{
+    Verifies(req::SRS_MGR_020);
+    Make("manager: {node: 127, heartbeat: 200 ms, sync: 10 ms, flying: {priority: 1}}\n"
+         "slaves: [{node: 6, mandatory: false, device_type: 0x191, vendor_id: 0x2A, product_code: 3, revision: 4, "
+         "serial: 5, date: 0x11, time: 0x22}]\n");
+    Run(6000U); // It has become the active master meanwhile.
+    EXPECT_EQ(Read(0x1001U, 0U), 0U);
+    EXPECT_EQ(Read(0x1006U, 0U), 10000U);
+    EXPECT_EQ(Read(0x1F26U, 6U), 0x11U);
+    EXPECT_EQ(Read(0x1F27U, 6U), 0x22U);
+    EXPECT_EQ(Read(0x1F53U, 6U), 0U);
+    EXPECT_EQ(Read(0x1F54U, 6U), 0U);
+    EXPECT_EQ(Read(0x1F55U, 6U), 0U);
+    EXPECT_EQ(Read(0x1F58U, 6U), 0x08000024U);
+    EXPECT_EQ(Read(0x1F80U, 0U), 0x21U); // A flying master.
+    EXPECT_EQ(Read(0x1F84U, 6U), 0x191U);
+    EXPECT_EQ(Read(0x1F85U, 6U), 0x2AU);
+    EXPECT_EQ(Read(0x1F86U, 6U), 3U);
+    EXPECT_EQ(Read(0x1F87U, 6U), 4U);
+    EXPECT_EQ(Read(0x1F88U, 6U), 5U);
+    EXPECT_EQ(Read(0x1F8AU, 6U), 0U);
+    EXPECT_EQ(Read(0x1F90U, 0U), 6U);
+    EXPECT_EQ(Read(0x1F90U, 3U), 1U);
+    // A manager without a DCF of its own has no names
+    EXPECT_EQ(Read(0x1008U, 0U), 0x06020000U);
+}
+
 TEST_F(ManagerStationTest, ARequestCommandsTheNetwork)
 {
     Verifies(req::SRS_MGR_020);
@@ -124,7 +153,9 @@ TEST_F(ManagerStationTest, ARequestCommandsTheNetwork)
 
 TEST_F(ManagerStationTest, WhoCannotBeConfiguredIsLeftAsItIsUnderEachProfile)
 {
-    Verifies(req::SRS_NMM_009);
+    Verifies(req::SRS_NMM_150);
+    Verifies(req::SRS_NMM_151);
+    Verifies(req::SRS_NMM_152);
     constexpr std::uint32_t kConf = 0x666E6F63U;
     const std::pair<const char*, Lines> runs[] = {
         {"cia302", {"128 6"}}, {"el6751", {"128 6", "130 6"}}, {"plc_designer", {"128 6", "129 6"}}};
@@ -337,9 +368,37 @@ TEST_F(ManagerStationTest, ThereIsNoServerInStopped)
     EXPECT_EQ(Order("get 0x1F80:00"), "0x1F80:00 = 1 (0x1)"); // The application itself always may.
 }
 
+TEST_F(ManagerStationTest, DeviceTypeAndNamesOfItsOwnDcf)
+{
+    Verifies(req::SRS_MGR_150);
+    // Given a DCF of the manager with a device type and three names
+    std::string dcf = cia306::test::Changed(
+        ExampleText("controller"),
+        {{"NodeID=2\n", "NodeID=127\n"},
+         {"DefaultValue=0x00000000\nPDOMapping=0\n\n[1001]", "DefaultValue=0x00000191\nPDOMapping=0\n\n[1001]"}});
+    for (const auto& [section, name] :
+         {std::pair("1008", "Control cabinet"), {"1009", "Rev. 3"}, {"100A", "Release 12"}})
+    {
+        dcf += "\n[" + std::string(section) + "]\nParameterName=A name\nObjectType=0x7\nDataType=0x0009\n" +
+               "AccessType=const\nDefaultValue=" + name + "\nPDOMapping=0\n";
+    }
+    static_cast<void>(File("manager.dcf", dcf));
+    Make("manager: {node: 127, dcf: manager.dcf}\nslaves: [{node: 5}]\n");
+    Run(2U);
+    EXPECT_EQ(Read(0x1000U, 0U), 0x191U);
+    const auto text = [this](const std::uint16_t index)
+    {
+        const std::vector<std::uint8_t> bytes = ReadDomain(index, 0U);
+        return std::string(bytes.begin(), bytes.end());
+    };
+    EXPECT_EQ(text(0x1008U), "Control cabinet");
+    EXPECT_EQ(text(0x1009U), "Rev. 3");
+    EXPECT_EQ(text(0x100AU), "Release 12");
+}
+
 TEST_F(ManagerStationTest, IdentityAndNetworkOfItsOwnDcf)
 {
-    Verifies(req::SRS_MGR_020);
+    Verifies(req::SRS_MGR_150);
     Verifies(req::SRS_NET_004);
     static_cast<void>(File("controller.dcf", ExampleText("controller")));
     Make("manager: {node: 2, dcf: controller.dcf}\nslaves: [{node: 5}]\n");

@@ -195,6 +195,7 @@ TEST_F(BadNetworkTest, EachMalformedYamlHasItsLine)
 {
     Verifies(req::SRS_NET_002);
     Verifies(req::SRS_NET_004);
+    Verifies(req::SRS_NET_152);
     for (const BadFile& bad : kBadYaml)
     {
         ExpectRefused("net.yaml", bad);

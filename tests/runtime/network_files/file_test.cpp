@@ -186,6 +186,7 @@ TEST_F(NetworkFileTest, ATimeOf0NeedsNoUnit)
 TEST_F(NetworkFileTest, YamlSaysMore)
 {
     Verifies(req::SRS_NET_002);
+    Verifies(req::SRS_NET_154);
     const std::string file = File("net.yaml", R"(name: Chain
 manager: {node: 127, start_up: 0x41, boot_time: 5 s, inhibit: 2 ms, sync: 10 ms, sdo_timeout: 300 ms, sdo_tries: 2,
           flying: {priority: 1, level_slot: 2 s, preset: so1114}}
@@ -222,6 +223,7 @@ slaves:
 TEST_F(NetworkFileTest, SoftwareThatIsVerifiedAndUpdated)
 {
     Verifies(req::SRS_NET_002);
+    Verifies(req::SRS_NET_154);
     static_cast<void>(File("program.bin", "abc"));
     const std::string file = File("net.yaml", R"(manager: {node: 127}
 slaves:
@@ -404,6 +406,7 @@ TEST_F(ManagersFileTest, ItWaitsForTheHeartbeatOfANodeForOneTimeAlone)
 TEST_F(NetworkFileTest, OneStartForAllWithASafetySlaveIsWarnedOf)
 {
     Verifies(req::SRS_NET_005);
+    Verifies(req::SRS_NET_150);
     Verifies(req::SRS_NET_006);
     const auto warnings = [this](const std::string& profile)
     {

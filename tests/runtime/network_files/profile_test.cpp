@@ -64,7 +64,7 @@ TEST_F(NetworkProfileTest, APdoWhoseMappingChangesKeepsItsWholeSequence)
 
 TEST_F(NetworkProfileTest, ASynchronousPdoWithoutASyncPeriodIsRefused)
 {
-    Verifies(req::SRS_NET_006);
+    Verifies(req::SRS_NET_152);
     const std::string file =
         File("net.yaml", "manager: {node: 127, profile: el6751}\nslaves:\n  - {node: 4}\n  - {node: 5, dcf: io.dcf}\n");
     try
@@ -141,7 +141,8 @@ TEST_F(NetworkProfileTest, PlcDesignerTakesOptionalAndResetNode)
 
 TEST_F(NetworkProfileTest, AStartOfAllThatSomeSlavesCannotTakeNamesThem)
 {
-    Verifies(req::SRS_PLC_015);
+    Verifies(req::SRS_PLC_150);
+    Verifies(req::SRS_PLC_151);
     // Given slave 5 that waits for its start, 6 of another type and 7, optional and absent
     const std::string io = std::string(COUNTERPOINT_SOURCE_FOLDER) + "/examples/networks/managed_faults/io.dcf";
     static_cast<void>(File("net.yaml", "manager: {node: 127, profile: plc_designer, start_up: 0x9}\nslaves:\n"
@@ -332,7 +333,7 @@ TEST_F(NetworkProfileTest, APdoOf29BitsIsRefused)
 
 TEST_F(NetworkProfileTest, ASlaveThatHardlyWaitsForTheManagersHeartbeatIsTold)
 {
-    Verifies(req::SRS_NET_006);
+    Verifies(req::SRS_NET_153);
     const auto warnings = [this](const std::string& manager, const std::string& slave)
     {
         const LoadedNetwork net(runtime::ReadNetworkFile(Net(manager, slave), 0U));

@@ -91,7 +91,7 @@ TEST_F(IdentifiersTest, TwoServicesWithOneIdentifierAreToldWithTheNamesOfAll)
 
 TEST_F(IdentifiersTest, ARefusedIdentifierIsToldWithWhoseItIs)
 {
-    Verifies(req::SRS_NODE_050);
+    Verifies(req::SRS_NODE_153);
     const auto refused = [](const char* const object, const std::string& expected)
     {
         return std::vector<std::string>{

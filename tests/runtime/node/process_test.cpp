@@ -273,7 +273,10 @@ TEST_F(NodeProcessTest, WhatWasSavedIsThereAfterTheNextStart)
     // Without a store there is nothing to save to
     node = Start(everything);
     node->Type("set 0x1010:01 0x65766173");
-    EXPECT_FALSE(node->WaitFor("problem").event.is_null());
+    EXPECT_EQ(
+        node->WaitFor("problem").event["text"],
+        "set: 0x1010:01 = 1702257011 refused with 0800 0020h, expected an input or an object of the device, and a "
+        "value that it takes");
 }
 
 TEST_F(NodeProcessTest, TheChainRunsByItsScripts)

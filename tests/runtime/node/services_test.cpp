@@ -173,7 +173,9 @@ TEST_F(NodeServicesTest, TimesAndEmergenciesOfOthersAreLines)
 
 TEST_F(NodeServicesTest, WithoutANodeIdThereIsOnlyLssAndThenANode)
 {
-    Verifies(req::SRS_NODE_015);
+    Verifies(req::SRS_NODE_150);
+    Verifies(req::SRS_NODE_151);
+    Verifies(req::SRS_NODE_152);
     Verifies(req::SRS_LSS_009);
     Verifies(req::SRS_NODE_161);
     const std::string file = File("none.dcf", Replaced(TextOf(kPlain), "NodeID=5\n", ""));
@@ -226,6 +228,38 @@ TEST_F(NodeServicesTest, WithoutANodeIdThereIsOnlyLssAndThenANode)
             }
         }
         EXPECT_EQ(told, std::vector<int>{9});
+    }
+    std::remove(store.c_str());
+}
+
+TEST_F(NodeServicesTest, TheStoredNodeIdGoesBeforeThoseOfCommandLineAndFile)
+{
+    Verifies(req::SRS_NODE_015);
+    // Given a file with node-ID 5 that says that the device has LSS
+    const std::string file = File("lss.dcf", Replaced(TextOf(kPlain), "LSS_Supported=0", "LSS_Supported=1"));
+    const std::string store = Path("lss_kept");
+    std::remove(store.c_str());
+    const std::vector<std::string> arguments{"--dcf", file, "--cycle-us", std::to_string(kCycleUs), "--store", store};
+    NodeProcess node(arguments);
+    EXPECT_EQ(node.WaitFor("start").event["node_id"], 5);
+    Other other(OwnBus());
+    // When it gets another one by LSS, which is kept
+    other.Lss({0x04U, 1U});
+    other.Lss({0x11U, 9U});
+    EXPECT_EQ(other.Hear(0x7E4U, 2000), (std::vector<Octets>{{0x11U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}}));
+    other.Lss({0x17U});
+    EXPECT_EQ(other.Hear(0x7E4U, 4000), (std::vector<Octets>{{0x17U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}}));
+    node.Type("quit");
+    EXPECT_EQ(node.End(), 0);
+    // Then it is that one, whatever the file and the command line say
+    std::vector<std::string> with_option = arguments;
+    with_option.insert(with_option.end(), {"--node-id", "6"});
+    for (const std::vector<std::string>& words : {arguments, with_option})
+    {
+        NodeProcess again(words);
+        EXPECT_EQ(again.WaitFor("start").event["node_id"], 9);
+        again.Type("quit");
+        EXPECT_EQ(again.End(), 0);
     }
     std::remove(store.c_str());
 }

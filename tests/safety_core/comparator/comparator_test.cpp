@@ -17,7 +17,7 @@ namespace
 
 TEST_F(Comparing, SlotThatDoesNotExistIsNeverLookedAt)
 {
-    Verifies(req::SRS_CMP_007);
+    Verifies(req::SRS_CMP_150);
     // Given both channels speak of news in slot 5 of four, where one of them would show another pair
     a.outcome.fresh = 0x20U;
     b.outcome.fresh = 0x20U;
@@ -32,7 +32,7 @@ TEST_F(Comparing, SlotThatDoesNotExistIsNeverLookedAt)
 
 TEST_F(Comparing, SlotThatDoesNotExistIsNeitherAgreedNorDemotedNorStarted)
 {
-    Verifies(req::SRS_CMP_007);
+    Verifies(req::SRS_CMP_150);
     // Given both channels release slots 4 to 63 of four, and call them due
     a.outcome.released = ~SrdoMask{0U};
     b.outcome.released = ~SrdoMask{0U};

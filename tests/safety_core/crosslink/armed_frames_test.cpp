@@ -37,7 +37,7 @@ TEST(ArmedFrames, HasRoomForTwo)
 // Given an armed frame with 20 ms, when they are over, then it is given up; what was answered before a word is done.
 TEST(ArmedFrames, GivesUpAfterItsLimit)
 {
-    Verifies(req::SRS_TWO_011);
+    Verifies(req::SRS_TWO_151);
     Verifies(req::SRS_TWO_012);
     ArmedFrames armed{};
     armed.Arm(ArmingOf(4U, 1000U));

@@ -137,6 +137,7 @@ TEST(ManySlots, PermitOfEachQuarterOfTheMask)
 TEST(ManySlots, DueSlotsOfBothHalvesAreRequested)
 {
     Verifies(req::SRS_TWO_011);
+    Verifies(req::SRS_TWO_150);
     WideRig rig{PeerRole::kB};
     rig.Cycle(1000U);
     LinkMessage word = rig.AnswerTo(2000U);

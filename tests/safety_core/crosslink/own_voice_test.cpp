@@ -271,6 +271,8 @@ TEST(OwnVoice, LeaderIsNotLed)
 TEST(OwnVoice, FollowerArmsWhatTheLeaderWants)
 {
     Verifies(req::SRS_TWO_011);
+    Verifies(req::SRS_TWO_150);
+    Verifies(req::SRS_TWO_151);
     Verifies(req::SRS_TWO_012);
     PeerRig rig{PeerRole::kB};
     rig.Cycle(1000U);
@@ -323,7 +325,7 @@ TEST(OwnVoice, FollowerArmsWhatTheLeaderWants)
 // Given CPU B with frames of slots 1 and 2 armed, then the message tells each in a place of its own.
 TEST(OwnVoice, BothArmedFramesAreTold)
 {
-    Verifies(req::SRS_TWO_011);
+    Verifies(req::SRS_TWO_151);
     PeerRig rig{PeerRole::kB};
     rig.Cycle(10000U);
     rig.channel.prepared = PreparedPair{PeerRig::Frame(0x103U), PrepareStatus::kReady};
@@ -348,6 +350,7 @@ TEST(OwnVoice, BothArmedFramesAreTold)
 TEST(OwnVoice, ReasonsToStandAndToRequestDoNotCancelEachOther)
 {
     Verifies(req::SRS_TWO_011);
+    Verifies(req::SRS_TWO_150);
     PeerRig rig{PeerRole::kB};
     rig.channel.prepared = PreparedPair{PeerRig::Frame(0x103U), PrepareStatus::kReady};
     rig.channel.outcome.due = 2U;
@@ -388,6 +391,7 @@ TEST(OwnVoice, RefusedSlotIsWantedAgainBySameMessage)
 TEST(OwnVoice, FollowerWaitsForTheLeader)
 {
     Verifies(req::SRS_TWO_011);
+    Verifies(req::SRS_TWO_150);
     PeerRig rig{PeerRole::kB};
     rig.channel.outcome.due = 2U;
     rig.Cycle(10000U);
@@ -399,7 +403,7 @@ TEST(OwnVoice, FollowerWaitsForTheLeader)
 // Given CPU B, when the channel has nothing to send, then its status is shown and nothing is armed.
 TEST(OwnVoice, FollowerArmsOnlyWhatIsReady)
 {
-    Verifies(req::SRS_TWO_011);
+    Verifies(req::SRS_TWO_151);
     PeerRig rig{PeerRole::kB};
     rig.channel.prepared = PreparedPair{CanFrame{}, PrepareStatus::kNotProducer};
     EXPECT_EQ(rig.Remote().Prepare(1U).status, PrepareStatus::kNotProducer);
@@ -410,7 +414,7 @@ TEST(OwnVoice, FollowerArmsOnlyWhatIsReady)
 // Given a frame armed in the cycle at 30 ms, when its SRVT of 20 ms is over by then, then it is told no more.
 TEST(OwnVoice, FollowerGivesUpWhatNobodyAnswers)
 {
-    Verifies(req::SRS_TWO_011);
+    Verifies(req::SRS_TWO_151);
     PeerRig rig{PeerRole::kB};
     rig.Cycle(30000U);
     rig.channel.prepared = PreparedPair{PeerRig::Frame(0x103U), PrepareStatus::kReady};

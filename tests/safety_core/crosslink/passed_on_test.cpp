@@ -85,7 +85,7 @@ TEST(PassedOn, CallsOfASlotNameIt)
 TEST(PassedOn, PrepareIsOfTheSlotAskedFor)
 {
     Verifies(req::SRS_TWO_010);
-    Verifies(req::SRS_TWO_011);
+    Verifies(req::SRS_TWO_151);
     PeerRig leader{PeerRole::kA};
     static_cast<void>(leader.Own().Prepare(1U));
     EXPECT_EQ(leader.channel.asked, 1U);
@@ -97,7 +97,7 @@ TEST(PassedOn, PrepareIsOfTheSlotAskedFor)
 // Given an SRVT of 5 ms for slot 1 alone, when its frame is armed at 30 ms, then it is awaited for 5 ms.
 TEST(PassedOn, ArmedFrameIsAwaitedForTheSrvtOfItsSlot)
 {
-    Verifies(req::SRS_TWO_011);
+    Verifies(req::SRS_TWO_151);
     PeerRig rig{PeerRole::kB};
     rig.channel.srvt_ms[1] = 5U;
     rig.Cycle(30000U);

@@ -91,6 +91,8 @@ TEST(SecondStart, FaultsAndNewsOfBeforeAreNotTold)
 TEST(SecondStart, FollowerHasNothingArmedOrStanding)
 {
     Verifies(req::SRS_TWO_011);
+    Verifies(req::SRS_TWO_150);
+    Verifies(req::SRS_TWO_151);
     PeerRig rig{PeerRole::kB};
     rig.Cycle(1000U);
     LinkMessage word = rig.AnswerTo(2000U);

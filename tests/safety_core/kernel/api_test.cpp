@@ -15,7 +15,7 @@ class Facade : public Rig
 // 02h 32 00 14 01 01 00 00 02 01 00 00 02 01 10 01 00 22 02 10 01 00 23
 TEST_F(Facade, SignatureIsThatOfBothChannels)
 {
-    Verifies(req::SRS_KRN_015);
+    Verifies(req::SRS_KRN_151);
     Verifies(req::SRS_CFG_010);
     Configure();
     const SignReply reply = kernel.Sign(CommunicationIndex{0x1301U});
@@ -26,7 +26,7 @@ TEST_F(Facade, SignatureIsThatOfBothChannels)
 
 TEST_F(Facade, SignaturesThatDifferAreADisagreement)
 {
-    Verifies(req::SRS_KRN_015);
+    Verifies(req::SRS_KRN_151);
     Configure();
     b.signature_flip = 2U;
     EXPECT_EQ(kernel.Sign(CommunicationIndex{0x1301U}).result, Result::kDeviceFault);
@@ -36,7 +36,7 @@ TEST_F(Facade, SignaturesThatDifferAreADisagreement)
 
 TEST_F(Facade, StateOfEachSrdo)
 {
-    Verifies(req::SRS_KRN_015);
+    Verifies(req::SRS_KRN_152);
     Operate();
     EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1302U}).result, Result::kNotExist);
     EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1301U}).state, SrdoState::kWaiting);
@@ -53,7 +53,7 @@ TEST_F(Facade, StateOfEachSrdo)
 
 TEST_F(Facade, StateThatTheChannelsDoNotShareIsFaulted)
 {
-    Verifies(req::SRS_KRN_015);
+    Verifies(req::SRS_KRN_152);
     Operate();
     ReceivePair();
     Cycle();
@@ -70,7 +70,7 @@ TEST_F(Facade, StateThatTheChannelsDoNotShareIsFaulted)
 
 TEST_F(Facade, CauseIsThatOfTheChannelThatFoundIt)
 {
-    Verifies(req::SRS_KRN_015);
+    Verifies(req::SRS_KRN_152);
     Operate();
     ReceivePair();
     Cycle();
@@ -91,7 +91,7 @@ TEST_F(Facade, CauseIsThatOfTheChannelThatFoundIt)
 
 TEST_F(Facade, NothingIsReleasedInTheDeviceSafeState)
 {
-    Verifies(req::SRS_KRN_015);
+    Verifies(req::SRS_KRN_152);
     Verifies(req::SRS_KRN_031);
     Operate();
     ReceivePair();
@@ -130,6 +130,7 @@ TEST_F(Facade, DemandBeforeStartHasNoEffect)
 TEST_F(Facade, DigestIsToldAndCheckedAsTheConfigurationIs)
 {
     Verifies(req::SRS_KRN_015);
+    Verifies(req::SRS_KRN_150);
     EXPECT_EQ(kernel.Digest().result, Result::kDeviceFault);
     Operate();
     const std::uint32_t digest = real_a.Digest(2U, real_a.Digest(1U, real_a.Digest(0U, DeviceDigest{0U}))).value;
@@ -158,7 +159,7 @@ TEST_F(Facade, DigestIsToldAndCheckedAsTheConfigurationIs)
 // t [cycles]   the digest of the cycles takes ten of them for each slot; it is asked for in every one
 TEST_F(Facade, DigestThatIsAskedForDoesNotDisturbTheCyclicOne)
 {
-    Verifies(req::SRS_KRN_015);
+    Verifies(req::SRS_KRN_150);
     Verifies(req::SRS_CFG_050);
     Operate();
     Cycles(60U);

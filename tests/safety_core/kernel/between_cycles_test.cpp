@@ -118,7 +118,7 @@ TEST_F(BetweenCycles, NorWhateverIsSetSince)
 
 TEST_F(BetweenCycles, ChannelsThatDifferAreStillFaulted)
 {
-    Verifies(req::SRS_KRN_015);
+    Verifies(req::SRS_KRN_152);
     Verifies(req::SRS_KRN_043);
     // Given an inverse frame that channel B alone did not get
     Operate();

@@ -43,6 +43,7 @@ TEST_F(Configuring, ChannelsThatDifferRefuseTheDeclarationAndTheDevice)
 
 TEST_F(Configuring, ChannelsThatNameDifferentRulesDisagree)
 {
+    Verifies(req::SRS_KRN_015);
     Verifies(req::SRS_CFG_046);
     Configure();
     a.check_fault = ConfigFault::kTiming;
@@ -248,6 +249,7 @@ TEST_F(Configuring, CheckInOperationalIsThatOfSignatureAndResolvedMapping)
     real_a.Store(changed);
     real_b.Store(changed);
     EXPECT_EQ(kernel.CheckConfiguration().result, Result::kSignatureError);
+    EXPECT_EQ(kernel.CheckConfiguration().index.value, 0x1301U);
 }
 
 // Diagnostic interval 30 ms, three SRDOs: six steps, one every 5 cycles, the digest of slot n in step 2n + 1.
@@ -293,7 +295,7 @@ TEST_F(Configuring, DigestOfAnUndeclaredConfigurationIsNotCompared)
 
 TEST_F(Configuring, WriteToGfcParameterHasBothChannelsComputeAtOnce)
 {
-    Verifies(req::SRS_CFG_050);
+    Verifies(req::SRS_CFG_150);
     Operate();
     b.digest_slot = 2U;
     b.digest_flip = 1U;
@@ -304,7 +306,7 @@ TEST_F(Configuring, WriteToGfcParameterHasBothChannelsComputeAtOnce)
 
 TEST_F(Configuring, WriteOfAnotherObjectComputesNoDigest)
 {
-    Verifies(req::SRS_CFG_050);
+    Verifies(req::SRS_CFG_150);
     Configure();
     a.digests = 0;
     b.digests = 0;
@@ -328,7 +330,7 @@ TEST_F(Configuring, ValidityIsStoredWithoutASubIndex)
 // t [cycles]   12 digest of slot 0 done     1300h written     30 digest of slot 2 done: not compared
 TEST_F(Configuring, WriteToGfcParameterTakesTheDigestAnew)
 {
-    Verifies(req::SRS_CFG_050);
+    Verifies(req::SRS_CFG_150);
     Operate();
     Cycles(12U);
     // Given channels whose digest changes because of the write
@@ -347,7 +349,7 @@ TEST_F(Configuring, WriteToGfcParameterTakesTheDigestAnew)
 
 TEST_F(Configuring, DeclarationNeedsEqualAndExpectedDigests)
 {
-    Verifies(req::SRS_CFG_050);
+    Verifies(req::SRS_CFG_151);
     Configure();
     ASSERT_EQ(Write(0x13FEU, 0U, 0U, 1U), AbortCode::kNone);
     // Given channels with the digest that the device's description does not name

@@ -216,7 +216,7 @@ TEST_F(StoredConfiguration, ConfigurationThatBreaksARuleIsRefusedWithItsResult)
 TEST_F(StoredConfiguration, AnotherDigestThanExpectedIsRefused)
 {
     Verifies(req::SRS_CFG_052);
-    Verifies(req::SRS_CFG_050);
+    Verifies(req::SRS_CFG_151);
     Configure();
     const Image image = Save();
     config.digest = 0x12345678U;

@@ -72,7 +72,7 @@ TEST_F(NamedSlot, NoneOfAValueOfTheDevice)
 
 TEST_F(NamedSlot, OfACheckThatTheChannelsDoNotShare)
 {
-    Verifies(req::SRS_KRN_015);
+    Verifies(req::SRS_KRN_151);
     Configure();
     b.signature_flip = 1U;
     const SignReply reply = kernel.Sign(CommunicationIndex{0x1303U});
@@ -133,7 +133,7 @@ TEST_F(NamedSlot, IsDemotedInBothChannels)
 // Three SRDOs: the comparator is told of slots 0 to 2.
 TEST_F(NamedSlot, ThatDoesNotExistIsNotLookedAt)
 {
-    Verifies(req::SRS_CMP_007);
+    Verifies(req::SRS_CMP_150);
     Operate();
     const auto all_fresh = [](CycleOutcome& outcome) { outcome.fresh = ~SrdoMask{0U}; };
     a.on_outcome = all_fresh;
@@ -145,7 +145,7 @@ TEST_F(NamedSlot, ThatDoesNotExistIsNotLookedAt)
 
 TEST_F(NamedSlot, ThatDoesNotExistIsNeitherDemotedNorPreparedNorReported)
 {
-    Verifies(req::SRS_CMP_007);
+    Verifies(req::SRS_CMP_150);
     Operate();
     const int demotions = a.demotions;
     const SrdoMask beyond = ~SrdoMask{7U};
@@ -223,7 +223,8 @@ TEST_F(NamedSlot, IsThatOfTheIndexInEveryCall)
 
 TEST_F(NamedSlot, WhatDoesNotExistHasNoValues)
 {
-    Verifies(req::SRS_KRN_015);
+    Verifies(req::SRS_KRN_151);
+    Verifies(req::SRS_KRN_152);
     Verifies(req::SRS_KRN_021);
     Verifies(req::SRS_KRN_023);
     Configure();

@@ -219,6 +219,7 @@ TEST_F(WideChannels, MappingOfTheReferencesTable)
 TEST_F(WideChannels, DigestOfTheDescriptionIsThatOfBothChannels)
 {
     Verifies(req::SRS_CFG_050);
+    Verifies(req::SRS_CFG_151);
     Verifies(req::SRS_CFG_034);
     Configure();
     const std::uint32_t digest = real_a.Digest(2U, real_a.Digest(1U, real_a.Digest(0U, DeviceDigest{0U}))).value;

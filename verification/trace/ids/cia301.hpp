@@ -90,6 +90,9 @@ inline constexpr RequirementId SRS_SDO_016{"SRS_SDO_016"};
 inline constexpr RequirementId SRS_SDO_017{"SRS_SDO_017"};
 inline constexpr RequirementId SRS_SDO_018{"SRS_SDO_018"};
 inline constexpr RequirementId SRS_SDO_019{"SRS_SDO_019"};
+inline constexpr RequirementId SRS_SDO_150{"SRS_SDO_150"};
+inline constexpr RequirementId SRS_SDO_151{"SRS_SDO_151"};
+inline constexpr RequirementId SRS_SDO_152{"SRS_SDO_152"};
 inline constexpr RequirementId SRS_SDO_160{"SRS_SDO_160"};
 } // namespace counterpoint::req
 

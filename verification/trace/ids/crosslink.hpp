@@ -41,6 +41,8 @@ inline constexpr RequirementId SRS_TWO_016{"SRS_TWO_016"};
 inline constexpr RequirementId SRS_TWO_017{"SRS_TWO_017"};
 inline constexpr RequirementId SRS_TWO_018{"SRS_TWO_018"};
 inline constexpr RequirementId SRS_TWO_019{"SRS_TWO_019"};
+inline constexpr RequirementId SRS_TWO_150{"SRS_TWO_150"};
+inline constexpr RequirementId SRS_TWO_151{"SRS_TWO_151"};
 } // namespace counterpoint::req
 
 #endif

@@ -38,6 +38,10 @@ inline constexpr RequirementId SRS_FLY_028{"SRS_FLY_028"};
 inline constexpr RequirementId SRS_FLY_029{"SRS_FLY_029"};
 inline constexpr RequirementId SRS_FLY_030{"SRS_FLY_030"};
 inline constexpr RequirementId SRS_FLY_031{"SRS_FLY_031"};
+inline constexpr RequirementId SRS_FLY_150{"SRS_FLY_150"};
+inline constexpr RequirementId SRS_FLY_151{"SRS_FLY_151"};
+inline constexpr RequirementId SRS_FLY_152{"SRS_FLY_152"};
+inline constexpr RequirementId SRS_FLY_153{"SRS_FLY_153"};
 } // namespace counterpoint::req
 
 #endif

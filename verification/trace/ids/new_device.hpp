@@ -20,6 +20,9 @@ inline constexpr RequirementId SRS_NEW_013{"SRS_NEW_013"};
 inline constexpr RequirementId SRS_NEW_014{"SRS_NEW_014"};
 inline constexpr RequirementId SRS_NEW_015{"SRS_NEW_015"};
 inline constexpr RequirementId SRS_NEW_016{"SRS_NEW_016"};
+inline constexpr RequirementId SRS_NEW_150{"SRS_NEW_150"};
+inline constexpr RequirementId SRS_NEW_151{"SRS_NEW_151"};
+inline constexpr RequirementId SRS_NEW_152{"SRS_NEW_152"};
 } // namespace counterpoint::req
 
 #endif

@@ -60,6 +60,10 @@ inline constexpr RequirementId SRS_NMM_032{"SRS_NMM_032"};
 inline constexpr RequirementId SRS_NMM_120{"SRS_NMM_120"};
 inline constexpr RequirementId SRS_NMM_121{"SRS_NMM_121"};
 inline constexpr RequirementId SRS_NMM_122{"SRS_NMM_122"};
+inline constexpr RequirementId SRS_NMM_150{"SRS_NMM_150"};
+inline constexpr RequirementId SRS_NMM_151{"SRS_NMM_151"};
+inline constexpr RequirementId SRS_NMM_152{"SRS_NMM_152"};
+inline constexpr RequirementId SRS_NMM_153{"SRS_NMM_153"};
 } // namespace counterpoint::req
 
 #endif

@@ -73,6 +73,10 @@ inline constexpr RequirementId SRS_NODE_051{"SRS_NODE_051"};
 inline constexpr RequirementId SRS_NODE_052{"SRS_NODE_052"};
 inline constexpr RequirementId SRS_NODE_053{"SRS_NODE_053"};
 inline constexpr RequirementId SRS_NODE_054{"SRS_NODE_054"};
+inline constexpr RequirementId SRS_NODE_150{"SRS_NODE_150"};
+inline constexpr RequirementId SRS_NODE_151{"SRS_NODE_151"};
+inline constexpr RequirementId SRS_NODE_152{"SRS_NODE_152"};
+inline constexpr RequirementId SRS_NODE_153{"SRS_NODE_153"};
 inline constexpr RequirementId SRS_NODE_160{"SRS_NODE_160"};
 inline constexpr RequirementId SRS_NODE_161{"SRS_NODE_161"};
 } // namespace counterpoint::req

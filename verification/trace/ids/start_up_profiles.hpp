@@ -59,6 +59,8 @@ inline constexpr RequirementId SRS_ELM_050{"SRS_ELM_050"};
 inline constexpr RequirementId SRS_ELM_051{"SRS_ELM_051"};
 inline constexpr RequirementId SRS_ELM_052{"SRS_ELM_052"};
 inline constexpr RequirementId SRS_ELM_060{"SRS_ELM_060"};
+inline constexpr RequirementId SRS_ELM_150{"SRS_ELM_150"};
+inline constexpr RequirementId SRS_ELM_151{"SRS_ELM_151"};
 inline constexpr RequirementId SRS_PLC_001{"SRS_PLC_001"};
 inline constexpr RequirementId SRS_PLC_002{"SRS_PLC_002"};
 inline constexpr RequirementId SRS_PLC_003{"SRS_PLC_003"};
@@ -83,6 +85,8 @@ inline constexpr RequirementId SRS_PLC_021{"SRS_PLC_021"};
 inline constexpr RequirementId SRS_PLC_022{"SRS_PLC_022"};
 inline constexpr RequirementId SRS_PLC_030{"SRS_PLC_030"};
 inline constexpr RequirementId SRS_PLC_031{"SRS_PLC_031"};
+inline constexpr RequirementId SRS_PLC_150{"SRS_PLC_150"};
+inline constexpr RequirementId SRS_PLC_151{"SRS_PLC_151"};
 } // namespace counterpoint::req
 
 #endif

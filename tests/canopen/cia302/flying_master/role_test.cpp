@@ -37,7 +37,7 @@ TEST(FlyingMasterRole, AnswersARaceAtOnceAndAQuestionInItsPlace)
 
 TEST(FlyingMasterRole, CyclicMessageEachCycleTime)
 {
-    Verifies(req::SRS_FLY_011);
+    Verifies(req::SRS_FLY_152);
     FlyingRig rig(5U, 0U, DefaultFlyingMaster());
     EXPECT_EQ(rig.MakeMaster(), 1250U);
     rig.RunTo(9400U);
@@ -74,7 +74,7 @@ TEST(FlyingMasterRole, OfTwoMastersTheWorseOneYields)
 
 TEST(FlyingMasterRole, CommandsOfOthersDoNotStopIt)
 {
-    Verifies(req::SRS_FLY_011);
+    Verifies(req::SRS_FLY_153);
     FlyingRig rig(5U, 0U, DefaultFlyingMaster());
     static_cast<void>(rig.MakeMaster());
     rig.Hear(0U, {0x82U, 0U});

@@ -275,6 +275,7 @@ TEST_F(NetworkObjectsTest, RequestForGuarding)
 
 TEST_F(NetworkObjectsTest, RequestForConfiguration)
 {
+    Verifies(req::SRS_NMM_150);
     Verifies(req::SRS_NMM_009);
     Octets dcf{};
     AddEntry(dcf, 0x1018U, 4U, {1U, 2U, 3U, 4U});
@@ -307,7 +308,8 @@ TEST_F(NetworkObjectsTest, RequestForConfiguration)
 
 TEST_F(NetworkObjectsTest, AnotherDeviceIsNotConfigured)
 {
-    Verifies(req::SRS_NMM_009);
+    Verifies(req::SRS_NMM_150);
+    Verifies(req::SRS_NMM_152);
     Verifies(req::SRS_SFS_009);
     // Given a safety slave 5 that is another device, whose defaults were to be restored
     const SafetyExpectation nothing{nullptr, 0U};

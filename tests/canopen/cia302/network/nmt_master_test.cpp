@@ -283,7 +283,7 @@ TEST_F(NmtMasterTest, EachNodeOfTheListButOne)
 
 TEST_F(NmtMasterTest, AStartOfASafetySlaveThatWaitedLongerThanTenMillisecondsDoesNotLeave)
 {
-    Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_SFS_152);
     slaves[6].safety = reinterpret_cast<const SafetyExpectation*>(&gate);
     gate.states[6] = GateState::kOpen;
     sink.room = 0;
@@ -307,6 +307,7 @@ TEST_F(NmtMasterTest, AStartOfASafetySlaveThatWaitedLongerThanTenMillisecondsDoe
 TEST_F(NmtMasterTest, StartsOfOneNodeThatWaitAreTakenBack)
 {
     Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_150);
     sink.room = 0;
     EXPECT_EQ(Ask(NmtCommand::kResetNode, 6U), NmtAnswer::kTaken);
     EXPECT_EQ(Ask(NmtCommand::kStart, 6U), NmtAnswer::kTaken);

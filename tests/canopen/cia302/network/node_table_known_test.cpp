@@ -69,7 +69,7 @@ TEST_F(NodeTableTest, FramesBesideErrorControlAndSdoSayNothing)
 
 TEST_F(NodeTableTest, WhoIsPresumedIsWhatItWasToldUntilItSpeaks)
 {
-    Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_150);
     table.Presume(NodeId{0U}, Now());
     table.KeepStarted(NodeId{0U});
     table.Presume(NodeId{5U}, Now());
@@ -95,7 +95,7 @@ TEST_F(NodeTableTest, WhoIsPresumedIsWhatItWasToldUntilItSpeaks)
 
 TEST_F(NodeTableTest, WhoWasToldToLeaveHasLeftUntilASecondSignSaysOtherwise)
 {
-    Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_150);
     const NodeId node{5U};
     EXPECT_FALSE(HasLeft(table, node));
     Hear(5U);

@@ -330,7 +330,7 @@ TEST_F(NodeTableTest, AnAnswerEndsMissingUnlessSupervisionSaysSo)
 
 TEST_F(NodeTableTest, AStartOfSomebodyElseOutlastsBootUpMessageAndSilence)
 {
-    Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_150);
     Sent(NmtCommand::kResetCommunication, 0U);
     table.KeepStarted(NodeId{5U});
     Foreign(NmtCommand::kStart, 5U);
@@ -354,7 +354,7 @@ TEST_F(NodeTableTest, AStartOfSomebodyElseOutlastsBootUpMessageAndSilence)
 
 TEST_F(NodeTableTest, ALaterCommandEndsTheStartOfSomebodyElse)
 {
-    Verifies(req::SRS_SFS_006);
+    Verifies(req::SRS_SFS_150);
     const auto is_kept = [this](const auto& command)
     {
         table.KeepStarted(NodeId{5U});

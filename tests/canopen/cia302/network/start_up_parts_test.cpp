@@ -197,7 +197,7 @@ TEST_F(StartUpPartsTest, AGuardTimeWithoutAFactorIsNoGuarding)
 
 TEST_F(StartUpPartsTest, AProfileWithoutARestOfItsOwnBootsAgain)
 {
-    Verifies(req::SRS_NMM_009);
+    Verifies(req::SRS_NMM_151);
     said.OnBusBack(Now());
     said.OnStartDropped(NodeId{5U}, Now());
     EXPECT_EQ(said.booted, Nodes{});
@@ -209,7 +209,7 @@ TEST_F(StartUpPartsTest, AProfileWithoutARestOfItsOwnBootsAgain)
 
 TEST_F(StartUpPartsTest, WhoIsBusyStoppedOrAnotherDeviceIsNotConfigurable)
 {
-    Verifies(req::SRS_NMM_009);
+    Verifies(req::SRS_NMM_150);
     const NodeId node{5U};
     EXPECT_TRUE(IsConfigurable(parts, said, node));
     said.status.is_busy = true;

@@ -220,7 +220,7 @@ TEST_F(SafetyCheckTest, WhatEachProfileComparesOfAnIdentity)
 
 TEST_F(SafetyCheckTest, InDoubtNothingOpensUntilItIsTrustedAgain)
 {
-    Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_SFS_151);
     ASSERT_EQ(Verified(), GateState::kOpen);
     gate.Doubt(kSlave);
     gate.Doubt(NodeId{9U}); // No slot.

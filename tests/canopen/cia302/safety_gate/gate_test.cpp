@@ -267,7 +267,7 @@ TEST_F(SafetyGateTest, WhatWasVerifiedEndsWithTheSlavesRestart)
 
 TEST_F(SafetyGateTest, DamagedMemoryGrantsNothing)
 {
-    Verifies(req::SRS_SFS_002);
+    Verifies(req::SRS_SFS_154);
     ASSERT_EQ(Verified(), GateState::kOpen);
     for (std::uint32_t bit = 0U; bit < 32U; ++bit)
     {

@@ -120,7 +120,7 @@ TEST_F(BootOptionsTest, NothingIsWrittenOfADamagedConciseDcf)
 // Given a running slave, when its configuration alone is asked for and resets it, then it runs again.
 TEST_F(BootOptionsTest, WhoIsResetByItsNewConfigurationIsStartedAgain)
 {
-    Verifies(req::SRS_NMM_009);
+    Verifies(req::SRS_NMM_153);
     FakeSlave& slave = Add(5U, kMust | kRestoreDefaults);
     slave.Put32(0x1011U, 1U, 0U);
     slave.heartbeat_ms = 50U;

@@ -37,6 +37,7 @@ class El6751IdentityTest : public El6751Rig
 TEST_F(El6751IdentityTest, OneResetCommunicationBeforeAnySdoThenEachSlaveForItself)
 {
     Verifies(req::SRS_ELM_001);
+    Verifies(req::SRS_ELM_150);
     // Given two slaves and a node that is not in the network
     AddBox(5U);
     AddBox(6U);

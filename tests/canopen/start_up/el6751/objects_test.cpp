@@ -57,6 +57,34 @@ TEST_F(El6751GuardRowsTest, RowsHeartbeat)
     ExpectSdos({"r 1000:00", "w 1017:00 E8 03", "w 1016:01 FF FF 7F 00", "w 2000:00 01"});
 }
 
+TEST_F(El6751GuardRowsTest, AllRowsComeInTheOrderOfTheText)
+{
+    Verifies(req::SRS_ELM_151);
+    // Given a slave with an identity, a SYNC of 10 ms, a PDO with both times, a guard time and one further SDO
+    setup.sync_period_us = 10000U;
+    setups[5].vendor_id = 1U;
+    setups[5].product_code = 2U;
+    setups[5].revision_number = 3U;
+    setups[5].serial_number = 4U;
+    for (std::uint8_t sub = 1U; sub <= 4U; ++sub)
+    {
+        slaves[5]->Set(0x1018U, sub, sub);
+    }
+    Tx(5U, MakePdo(1U, 0x185U, 1U, 2U, 0x32U, 0x64U));
+    Begin();
+    ExpectSdos({"r 1000:00", "r 1018:01", "r 1018:02", "r 1018:03", "r 1018:04", "w 1006:00 10 27 00 00",
+                "w 1800:01 85 01 00 00", "w 1800:02 01", "w 1800:03 32 00", "w 1800:05 64 00", "w 1017:00 64 00",
+                "w 1016:01 2C 01 7F 00", "w 2000:00 01"});
+    // Where the heartbeat is refused, the rows of guarding follow it; of a refused PDO row the read-back follows that
+    slaves[5]->Behave(0x1017U, 0U, Manner::kAbort);
+    slaves[5]->Behave(0x1800U, 2U, Manner::kAbortWrite);
+    slaves[5]->Set(0x1800U, 2U, 1U, 1U);
+    Again();
+    ExpectSdos({"r 1000:00", "r 1018:01", "r 1018:02", "r 1018:03", "r 1018:04", "w 1006:00 10 27 00 00",
+                "w 1800:01 85 01 00 00", "w 1800:02 01", "r 1800:02", "w 1800:03 32 00", "w 1800:05 64 00",
+                "w 1017:00 64 00", "w 100C:00 64 00", "w 100D:00 03", "w 2000:00 01"});
+}
+
 TEST_F(El6751GuardRowsTest, RowsHeartbeatNeedGuardTimeAndFactor)
 {
     Verifies(req::SRS_ELM_020);

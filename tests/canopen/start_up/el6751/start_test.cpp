@@ -35,6 +35,7 @@ TEST_F(El6751StartTest, RowsStartNodeAndStartAllNodes)
 TEST_F(El6751StartTest, TheTraceOfTheReference)
 {
     Verifies(req::SRS_ELM_001);
+    Verifies(req::SRS_ELM_151);
     Verifies(req::SRS_ELM_002);
     Verifies(req::SRS_ELM_003);
     AddBox(1U);

@@ -156,6 +156,7 @@ TEST_F(PlcConditionsTest, AnAbortOf1000hIsToldBehindAllSdosWhateverIsExpected)
 TEST_F(PlcConditionsTest, AHoldingCommandChangesNoOtherStateThan5)
 {
     Verifies(req::SRS_PLC_015);
+    Verifies(req::SRS_PLC_150);
     // Given slaves in states 98, 99 and 3
     AddPlc(5U);
     slaves[5]->Set(0x1000U, 0U, 0x192U);
@@ -166,6 +167,8 @@ TEST_F(PlcConditionsTest, AHoldingCommandChangesNoOtherStateThan5)
     Begin();
     Run(1200U);
     ASSERT_EQ(Code(6U), 99);
+    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kWrong);
+    EXPECT_EQ(Command(NmtCommand::kStart, 7U), NmtAnswer::kWrong);
     for (const NmtCommand command : {NmtCommand::kStop, NmtCommand::kPreOperational})
     {
         EXPECT_EQ(Command(command, 0U), NmtAnswer::kTaken);
@@ -194,6 +197,7 @@ TEST_F(PlcConditionsTest, AStartByCommandEndsTheHold)
 
 TEST_F(PlcConditionsTest, AStartFromState99BeginsGuardingAnew)
 {
+    Verifies(req::SRS_PLC_150);
     Verifies(req::SRS_PLC_017);
     AddPlc(5U);
     setups[5].assignment |= (100U << 16U) | (3U << 8U);
@@ -374,7 +378,7 @@ TEST_F(PlcCommandTest, CommandsHoldASlaveInState4)
 
 TEST_F(PlcCommandTest, AStartOfAllSaysWhetherSomebodyWasLeftOut)
 {
-    Verifies(req::SRS_PLC_015);
+    Verifies(req::SRS_PLC_151);
     // Given one that waits for its start, one of another type, and an optional one that is absent
     setup.start_up = kIsMaster | kApplicationStartsSlaves;
     AddPlc(5U);
