@@ -64,6 +64,8 @@ inline constexpr RequirementId SRS_NET_003{"SRS_NET_003"};
 inline constexpr RequirementId SRS_NET_004{"SRS_NET_004"};
 inline constexpr RequirementId SRS_NET_005{"SRS_NET_005"};
 inline constexpr RequirementId SRS_NET_006{"SRS_NET_006"};
+inline constexpr RequirementId SRS_NET_060{"SRS_NET_060"};
+inline constexpr RequirementId SRS_NET_061{"SRS_NET_061"};
 inline constexpr RequirementId SRS_SFS_001{"SRS_SFS_001"};
 inline constexpr RequirementId SRS_SFS_002{"SRS_SFS_002"};
 inline constexpr RequirementId SRS_SFS_003{"SRS_SFS_003"};
