@@ -58,6 +58,8 @@ inline constexpr RequirementId SRS_MGR_139{"SRS_MGR_139"};
 inline constexpr RequirementId SRS_MGR_140{"SRS_MGR_140"};
 inline constexpr RequirementId SRS_MGR_141{"SRS_MGR_141"};
 inline constexpr RequirementId SRS_MGR_142{"SRS_MGR_142"};
+inline constexpr RequirementId SRS_MGR_160{"SRS_MGR_160"};
+inline constexpr RequirementId SRS_MGR_161{"SRS_MGR_161"};
 inline constexpr RequirementId SRS_NET_001{"SRS_NET_001"};
 inline constexpr RequirementId SRS_NET_002{"SRS_NET_002"};
 inline constexpr RequirementId SRS_NET_003{"SRS_NET_003"};
