@@ -159,7 +159,8 @@ class ManagerCommand final : public Command
             socket_.empty() ? nullptr
                             : std::make_unique<runtime::ManagerSocket>(socket_, is_for_group_ ? runtime::kOwnerAndGroup
                                                                                               : runtime::kOwnerOnly);
-        runtime::NodeReport report(streams.out, runtime::ReportForm::kText, host::LiveNow(), STDOUT_FILENO);
+        runtime::NodeReport report(streams.out, is_json_ ? runtime::ReportForm::kObjects : runtime::ReportForm::kText,
+                                   host::LiveNow(), STDOUT_FILENO, runtime::kManagerFormat);
         runtime::ManagerLoopSettings settings;
         settings.log = log_;
         settings.for_ns = static_cast<std::uint64_t>(seconds_) * kNsPerSecond;
@@ -170,8 +171,8 @@ class ManagerCommand final : public Command
         const bool has_started = loop.Run();
         const std::uint64_t now_us = loop.NowUs();
         const runtime::ManagerStation& station = loop.Station();
-        report.Print(is_json_ ? runtime::OneLine(runtime::StatusJson(station, now_us))
-                              : runtime::StatusTable(station, now_us));
+        report.PrintLast(is_json_ ? runtime::OneLine(runtime::StatusJson(station, now_us))
+                                  : runtime::StatusTable(station, now_us));
         if (!html_.empty())
         {
             cia306::WriteTextFile(html_, runtime::DiagramPage(station));

@@ -4,19 +4,13 @@
 
 #include "canopen/monitor/network.hpp"
 
-#include "canopen/cia306/text/finding.hpp"
+#include "canopen/cia306/safety/contradictions.hpp"
 
-#include <string>
 #include <vector>
 
 namespace counterpoint::monitor
 {
-/// A place of a file that says another thing than another file of the same bus, or than the rest of its own.
-struct Contradiction
-{
-    std::string file;
-    cia306::Finding finding; ///< A warning.
-};
+using cia306::Contradiction;
 
 /// @brief What the SRDOs of two devices that share an identifier say differently: the pair of identifiers, two
 /// producers, the mapped length, an SCT that is not above the refresh time; and SRDOs that are set up where 13FEh is

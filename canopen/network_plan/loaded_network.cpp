@@ -219,7 +219,7 @@ void LoadedNetwork::RequireSense(const LoadedSlave& slave, const SlaveSetup& set
     const auto ms = [](const std::uint32_t time) { return std::to_string(time) + " ms"; };
     const bool has_half = (setup.GuardTimeMs() == 0U) != (setup.RetryFactor() == 0U);
     const bool asks_half = plan.guard_ms.value_or(0U) > 0U || plan.retry_factor.value_or(0U) > 0U;
-    const std::uint16_t consumer_ms = plan.consumer_ms.value_or(0U);
+    const std::uint16_t consumer_ms = setup.heartbeat.consumer_ms; // The usual one may be cut by 1016h.
     if (has_half && asks_half)
     {
         throw InputError(
@@ -239,7 +239,7 @@ void LoadedNetwork::RequireSense(const LoadedSlave& slave, const SlaveSetup& set
     {
         throw InputError(plan_.file, plan.place,
                          {"write_safety of node " + std::to_string(plan.node) + ", which has no safety configuration",
-                          "a DCF with an SRDO that has a direction"});
+                          "a DCF with an SRDO"});
     }
 }
 

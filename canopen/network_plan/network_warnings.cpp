@@ -2,6 +2,7 @@
 #include "canopen/network_plan/loaded_network.hpp"
 
 #include "canopen/cia302/network/concise_dcf.hpp"
+#include "canopen/cia306/safety/contradictions.hpp"
 #include "canopen/cia306/text/finding.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/network_plan/start_up_bits.hpp"
@@ -138,6 +139,7 @@ class NetworkWarnings
     void WarnOfGuarding(const SlavePlan& slave, bool is_el6751);
     void WarnOfSafety(const LoadedSlave& slave);
     void WarnOfEmergencies();
+    void WarnOfSrdos();
     [[nodiscard]] std::string EmergencyPlace(const LoadedSlave& slave) const;
     [[nodiscard]] std::uint32_t EmergencyOf(const LoadedSlave& slave) const;
     void WarnOfFiles();
@@ -165,6 +167,7 @@ std::vector<std::string> NetworkWarnings::All()
         WarnOfSafety(*slave);
     }
     WarnOfEmergencies();
+    WarnOfSrdos();
     WarnOfUnused();
     WarnOfHeartbeat();
     WarnOfFlying();
@@ -350,6 +353,33 @@ void NetworkWarnings::WarnOfEmergencies()
                                     "): whose emergencies come with it is not known, expected one for each");
             }
         }
+    }
+}
+
+/// A copied DCF sends what another slave sends: each consumer takes both, and no signature of either is wrong. SRDOs
+/// count as on where 13FEh is not A5h, too: anybody may declare them valid. [SRS_NET_060]
+void NetworkWarnings::WarnOfSrdos()
+{
+    std::vector<cia306::SafetyConfiguration> configurations;
+    for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
+    {
+        configurations.push_back(cia306::ExtractSafety(slave->device, slave->plan.node));
+    }
+    std::vector<cia306::SrdoEnd> ends;
+    for (std::size_t place = 0U; place < loaded_.size(); ++place)
+    {
+        const LoadedSlave& slave = *loaded_[place];
+        for (const cia306::SrdoConfiguration& srdo : configurations[place].srdos)
+        {
+            if (srdo.IsOn())
+            {
+                ends.push_back({place, "node " + std::to_string(slave.plan.node), slave.device.file, &srdo});
+            }
+        }
+    }
+    for (const cia306::Contradiction& contradiction : cia306::ContradictionsOf(ends))
+    {
+        warnings_.push_back(cia306::FormatFinding(contradiction.file, contradiction.finding));
     }
 }
 

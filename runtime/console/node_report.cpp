@@ -12,12 +12,12 @@ namespace counterpoint::runtime
 {
 namespace
 {
-constexpr const char* kFormat = "counterpoint-node-1";
 constexpr double kNsPerSecond = 1e9;
 constexpr double kNsPerUs = 1e3;
 constexpr std::size_t kMostWaiting = 65536U;
 constexpr std::size_t kMostImportant = kMostWaiting + 4096U;
-constexpr std::size_t kPieceBytes = 4096U; ///< A pipe that is ready takes so many without waiting.
+constexpr std::size_t kMostBytes = 64U * 1024U * 1024U; ///< Lines are long or short.
+constexpr std::size_t kPieceBytes = 4096U;              ///< A pipe that is ready takes so many without waiting.
 constexpr int kLookMs = 100;
 constexpr int kLooksAtEnd = 20;
 
@@ -27,8 +27,9 @@ bool IsImportant(const std::string& event)
 }
 } // namespace
 
-NodeReport::NodeReport(std::ostream& out, const ReportForm form, const std::uint64_t start_ns, const int file)
-    : out_(out), form_(form), start_ns_(start_ns), file_(file), writer_([this] { Write(); })
+NodeReport::NodeReport(std::ostream& out, const ReportForm form, const std::uint64_t start_ns, const int file,
+                       std::string format)
+    : out_(out), form_(form), format_(std::move(format)), start_ns_(start_ns), file_(file), writer_([this] { Write(); })
 {
 }
 
@@ -50,23 +51,46 @@ void NodeReport::Tell(const std::uint64_t at_ns, const std::string& text, const 
         return;
     }
     nlohmann::ordered_json line{
-        {"format", kFormat}, {"at_us", static_cast<std::uint64_t>(since_ns / kNsPerUs)}, {"event", event}};
+        {"format", format_}, {"at_us", static_cast<std::uint64_t>(since_ns / kNsPerUs)}, {"event", event}};
     line.update(details);
     Put(OneLine(line), room);
 }
 
 void NodeReport::Print(const std::string& lines)
 {
-    if (form_ == ReportForm::kText)
+    if (form_ != ReportForm::kJson)
     {
         Put(lines, kMostWaiting);
     }
+}
+
+void NodeReport::PrintLast(const std::string& lines)
+{
+    if (form_ != ReportForm::kJson)
+    {
+        Put(lines, kMostImportant);
+    }
+}
+
+void NodeReport::PrintScreen(const std::string& screen)
+{
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (is_screen_last_ && is_blocked_)
+        {
+            waiting_bytes_ -= waiting_.back().size();
+            waiting_.pop_back();
+        }
+        is_screen_last_ = Keep(screen, kMostImportant);
+    }
+    wake_.notify_one();
 }
 
 bool NodeReport::Finish()
 {
     {
         const std::lock_guard<std::mutex> lock(mutex_);
+        TellGap();
         is_finished_ = true;
     }
     wake_.notify_one();
@@ -79,26 +103,41 @@ bool NodeReport::Finish()
 
 void NodeReport::Put(std::string line, const std::size_t room)
 {
+    if (!line.empty())
     {
         const std::lock_guard<std::mutex> lock(mutex_);
-        // Of an output that nobody reads the newest lines are left out, not the memory of the machine taken.
-        if (waiting_.size() >= room)
-        {
-            ++left_out_;
-            return;
-        }
-        if (left_out_ > 0U)
-        {
-            const std::string text = std::to_string(left_out_) + " lines left out here: nobody read them";
-            waiting_.push_back(
-                (form_ == ReportForm::kText)
-                    ? text + "\n"
-                    : OneLine({{"format", kFormat}, {"event", "left_out"}, {"count", left_out_}, {"text", text}}));
-            left_out_ = 0U;
-        }
-        waiting_.push_back(std::move(line));
+        static_cast<void>(Keep(std::move(line), room));
     }
     wake_.notify_one();
+}
+
+/// With the lock. Of an output that nobody reads the newest lines are left out, not the memory of the machine taken.
+bool NodeReport::Keep(std::string line, const std::size_t room)
+{
+    const bool has_room = waiting_.size() < room && (waiting_bytes_ < kMostBytes || room == kMostImportant);
+    left_out_ += has_room ? 0U : 1U;
+    if (has_room)
+    {
+        TellGap();
+        waiting_bytes_ += line.size();
+        is_screen_last_ = false;
+        waiting_.push_back(std::move(line));
+    }
+    return has_room;
+}
+
+/// With the lock.
+void NodeReport::TellGap()
+{
+    if (left_out_ > 0U)
+    {
+        const std::string text = std::to_string(left_out_) + " lines left out here: nobody read them";
+        waiting_.push_back(
+            (form_ == ReportForm::kText)
+                ? text + "\n"
+                : OneLine({{"format", format_}, {"event", "left_out"}, {"count", left_out_}, {"text", text}}));
+        left_out_ = 0U;
+    }
 }
 
 void NodeReport::Write()
@@ -108,6 +147,8 @@ void NodeReport::Write()
     {
         wake_.wait(lock, [this] { return is_finished_ || !waiting_.empty(); });
         const std::vector<std::string> lines = std::exchange(waiting_, {});
+        waiting_bytes_ = 0U;
+        is_screen_last_ = false;
         lock.unlock();
         WriteAll(lines);
         lock.lock();
@@ -139,12 +180,14 @@ bool NodeReport::IsReady()
 {
     pollfd place{file_, POLLOUT, 0};
     int looks = 0;
-    bool is_ready = file_ < 0;
+    bool is_ready = file_ < 0 || ::poll(&place, 1U, 0) > 0;
+    is_blocked_ = !is_ready;
     while (!is_ready && looks < kLooksAtEnd)
     {
         is_ready = ::poll(&place, 1U, kLookMs) > 0;
         looks += is_finished_ ? 1 : 0;
     }
+    is_blocked_ = !is_ready;
     is_given_up_ = !is_ready;
     return is_ready;
 }

@@ -57,13 +57,16 @@ std::string NameOf(const ObjectAddress& object)
 }
 
 /// What a person may do about a refusal.
-std::string RemedyOf(const SdoAbort abort)
+std::string RemedyOf(const ObjectAddress& object, const SdoAbort abort)
 {
+    constexpr std::uint16_t kNmt = 0x1F82U;
     std::string remedy = "what the object takes";
     remedy = (abort == SdoAbort::kReadOnly) ? "an object that may change, and not of a safety slave" : remedy;
     remedy = (abort == SdoAbort::kDeviceState) ? "it in another state: docs/manager.md has the rules" : remedy;
     remedy = (abort == SdoAbort::kPending) ? "it later: too many commands wait" : remedy;
-    return (abort == SdoAbort::kValueRange) ? "another value, or another node" : remedy;
+    remedy = (abort == SdoAbort::kValueRange) ? "another value, or another node" : remedy;
+    const bool is_state = abort == SdoAbort::kValueRange && object.index == kNmt;
+    return is_state ? "4, 5, 6 (reset), 7 (reset-comm) or 127 of a node of the network" : remedy;
 }
 
 std::uint32_t SizeOf(const DataType type)
@@ -305,8 +308,8 @@ std::string ManagerDictionary::Set(const ObjectAddress& object, const std::uint6
                " bytes";
     }
     const SdoAbort abort = dictionary_.WriteNumber(object, value, entry->size_bytes);
-    return (abort == SdoAbort::kNone)
-               ? "taken"
-               : name + " = " + std::to_string(value) + ": " + AbortText(abort) + ", expected " + RemedyOf(abort);
+    return (abort == SdoAbort::kNone) ? "taken"
+                                      : name + " = " + std::to_string(value) + ": " + AbortText(abort) + ", expected " +
+                                            RemedyOf(object, abort);
 }
 } // namespace counterpoint::runtime

@@ -114,9 +114,12 @@ void ManagerLoop::OnEvent(const ManagerEvent& event)
     {
         log_ << JsonLine(event) << "\n";
     }
+    const bool is_end = event.kind == "stopped";
+    const auto print = [this, is_end](const std::string& line)
+    { is_end ? report_.PrintLast(line) : report_.Print(line); };
     if (settings_.is_json)
     {
-        report_.Print(JsonLine(event) + "\n");
+        print(JsonLine(event) + "\n");
     }
     else if (!event.text.empty())
     {
@@ -127,7 +130,7 @@ void ManagerLoop::OnEvent(const ManagerEvent& event)
         }
         if (!settings_.is_screen)
         {
-            report_.Print(TextLine(event) + "\n");
+            print(TextLine(event) + "\n");
         }
     }
 }
@@ -173,7 +176,10 @@ bool ManagerLoop::Run()
     station_.Tell("stopped", "stopped by " + reason_, {{"reason", reason_}, {"started", has_started}}, StationUs());
     Draw();
     FlushLog();
-    report_.Print(settings_.is_screen ? "\n" : "");
+    if (settings_.is_screen)
+    {
+        report_.PrintLast("\n");
+    }
     return has_started;
 }
 
@@ -347,7 +353,7 @@ void ManagerLoop::Draw()
             screen += line + "\n";
         }
         screen += answer_.empty() ? "" : "\n" + answer_;
-        report_.Print(screen + "\norder (help): " + typed_);
+        report_.PrintScreen(screen + "\norder (help): " + typed_);
     }
 }
 

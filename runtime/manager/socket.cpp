@@ -2,6 +2,7 @@
 #include "runtime/manager/socket.hpp"
 
 #include "canopen/cia306/text/input_error.hpp"
+#include "hal/host/live/bus.hpp"
 
 #include <algorithm>
 #include <array>
@@ -67,7 +68,8 @@ bool IsServed(const sockaddr_un& address)
 }
 } // namespace
 
-ManagerSocket::ManagerSocket(std::string path, const mode_t mode) : path_(std::move(path)), listener_(-1)
+ManagerSocket::ManagerSocket(std::string path, const mode_t mode, const std::uint64_t patience_ns)
+    : patience_ns_(patience_ns), path_(std::move(path)), listener_(-1)
 {
     const sockaddr_un address = AddressOf(path_);
     int file = Listen(address, mode);
@@ -106,7 +108,8 @@ void ManagerSocket::AddTo(std::vector<pollfd>& places) const
     {
         // What waits is taken with the next cycle, before more is read.
         const bool has_line = client.typed.find('\n') != std::string::npos;
-        places.push_back({client.file.Get(), static_cast<short>(has_line ? 0 : POLLIN), 0});
+        const short input = (has_line || client.is_ended) ? short{0} : short{POLLIN};
+        places.push_back({client.file.Get(), client.unsent.empty() ? input : short{POLLOUT}, 0});
     }
 }
 
@@ -116,25 +119,35 @@ void ManagerSocket::Serve(const std::function<std::string(const std::string&)>& 
     Accept();
     for (Client& client : clients_)
     {
-        std::size_t end = client.typed.find('\n');
-        if (end == std::string::npos)
-        {
-            Read(client);
-            end = client.typed.find('\n');
-        }
-        for (std::size_t lines = 0U; end != std::string::npos && lines < kLinesOfTurn; ++lines)
-        {
-            const std::string line = client.typed.substr(0U, end);
-            client.typed.erase(0U, end + 1U);
-            Reply(client, answer(line));
-            end = client.typed.find('\n');
-        }
-        const bool is_endless = end == std::string::npos && client.typed.size() > kLongestLine;
-        client.is_over = client.is_over || is_endless;
+        Send(client);
+        TakeLines(client, answer);
+        const bool is_done = client.is_ended && client.typed.empty() && client.unsent.empty();
+        client.is_over = client.is_over || is_done;
     }
     clients_.erase(
         std::remove_if(clients_.begin(), clients_.end(), [](const Client& client) { return client.is_over; }),
         clients_.end());
+}
+
+/// A few, and none behind an answer that waits.
+void ManagerSocket::TakeLines(Client& client, const std::function<std::string(const std::string&)>& answer)
+{
+    std::size_t end = client.typed.find('\n');
+    if (end == std::string::npos && client.unsent.empty() && !client.is_ended)
+    {
+        Read(client);
+        end = client.typed.find('\n');
+    }
+    for (std::size_t lines = 0U; end != std::string::npos && client.unsent.empty() && lines < kLinesOfTurn; ++lines)
+    {
+        client.unsent = answer(client.typed.substr(0U, end));
+        client.taken_ns = host::LiveNow();
+        client.typed.erase(0U, end + 1U);
+        Send(client);
+        end = client.typed.find('\n');
+    }
+    const bool is_endless = end == std::string::npos && client.typed.size() > kLongestLine;
+    client.is_over = client.is_over || is_endless;
 }
 
 void ManagerSocket::Accept()
@@ -149,7 +162,7 @@ void ManagerSocket::Accept()
         clients_.erase(std::min_element(clients_.begin(), clients_.end(), [](const Client& left, const Client& right)
                                         { return left.heard < right.heard; }));
     }
-    clients_.push_back({host::LiveFile(file), {}, false, turn_});
+    clients_.push_back({host::LiveFile(file), {}, {}, 0U, false, false, turn_});
 }
 
 void ManagerSocket::Read(Client& client)
@@ -157,15 +170,29 @@ void ManagerSocket::Read(Client& client)
     std::array<char, kLongestLine> bytes{};
     const ssize_t count = ::recv(client.file.Get(), bytes.data(), bytes.size(), 0);
     const bool is_nothing = count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR);
-    client.is_over = count == 0 || (count < 0 && !is_nothing);
+    client.is_ended = count == 0;
+    client.is_over = client.is_over || (count < 0 && !is_nothing);
     client.typed += (count == 0 && !client.typed.empty()) ? "\n" : ""; // Its end ends its last line.
     client.heard = (count > 0) ? turn_ : client.heard;
     client.typed.append(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
 }
 
-void ManagerSocket::Reply(Client& client, const std::string& text)
+/// As much of its answer as it has room for. [SRS_MGR_160]
+void ManagerSocket::Send(Client& client) const
 {
-    const ssize_t sent = ::send(client.file.Get(), text.data(), text.size(), MSG_NOSIGNAL);
-    client.is_over = client.is_over || sent != static_cast<ssize_t>(text.size());
+    if (client.unsent.empty())
+    {
+        return;
+    }
+    const ssize_t sent = ::send(client.file.Get(), client.unsent.data(), client.unsent.size(), MSG_NOSIGNAL);
+    const bool is_full = sent < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR);
+    const std::uint64_t now_ns = host::LiveNow();
+    if (sent > 0)
+    {
+        client.unsent.erase(0U, static_cast<std::size_t>(sent));
+        client.taken_ns = now_ns;
+    }
+    const bool is_deaf = is_full && now_ns - client.taken_ns >= patience_ns_;
+    client.is_over = client.is_over || is_deaf || (sent < 0 && !is_full);
 }
 } // namespace counterpoint::runtime

@@ -142,6 +142,11 @@ std::uint64_t YamlValue::Number(const Range& range) const
         "a number from " + std::to_string(range.lowest) + " to " + std::to_string(range.highest);
     const std::string text = Text(expected);
     const std::optional<std::uint64_t> number = ParseUnsigned(text);
+    const bool may_be_octal = text.size() > 1U && text[0] == '0' && text.find_first_not_of("0123456789") == text.npos;
+    if (may_be_octal)
+    {
+        Refuse(Shown(text), expected + ", without a zero before it: it may be octal"); // [SRS_NET_061]
+    }
     if (!number || *number < range.lowest || *number > range.highest)
     {
         Refuse(Shown(text), expected);

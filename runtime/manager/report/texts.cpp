@@ -149,12 +149,7 @@ std::string ValueText(const ObjectAddress& object, const cia301::SdoAbort abort,
     }
     if (abort != cia301::SdoAbort::kNone)
     {
-        const std::string text = AbortText(abort);
-        const std::string known =
-            monitor::AbortText(static_cast<std::uint32_t>(abort)); // "0602 0000h (no such object)"
-        const std::size_t place = known.find(" (");
-        const bool has_words = place == std::string::npos || text.find(" (") != std::string::npos;
-        return name + ": " + text + (has_words ? "" : known.substr(place));
+        return name + ": " + AbortText(abort);
     }
     return name + " is " + cia306::Hex(read, 1) + ", expected " + cia306::Hex(expected, 1);
 }
@@ -227,7 +222,9 @@ std::string MasterText(const StartProfile profile, const int state)
 std::string AbortText(const cia301::SdoAbort abort)
 {
     const auto code = static_cast<std::uint32_t>(abort);
-    std::string meaning;
+    const std::string known = monitor::AbortText(code); // "0602 0000h (no such object)"
+    const std::size_t place = known.find(" (");
+    std::string meaning = (place == std::string::npos) ? "" : known.substr(place);
     meaning = (abort == cia301::SdoAbort::kTimeOut) ? " (no answer)" : meaning;
     meaning = (abort == cia301::SdoAbort::kLengthMismatch) ? " (another length)" : meaning;
     return cia306::Hex(code, 8) + meaning;

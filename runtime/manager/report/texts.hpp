@@ -49,7 +49,7 @@ inline constexpr Word<network_plan::StartProfile> kProfileWords[] = {
 [[nodiscard]] std::string ResultText(network_plan::StartProfile profile, const cia302::NodeStatus& status);
 /// @brief What letters and codes of all profiles mean, as lines.
 [[nodiscard]] std::string ResultHelp();
-/// @brief An abort code: "0x06020000", and its meaning where the code alone does not tell it.
+/// @brief An abort code with its meaning: "0x06020000 (no such object)". [SRS_MGR_026]
 [[nodiscard]] std::string AbortText(cia301::SdoAbort abort);
 /// @brief The command with this word; kInvalid: there is none.
 [[nodiscard]] cia302::NmtCommand CommandOf(const std::string& word);

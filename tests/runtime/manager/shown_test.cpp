@@ -179,9 +179,13 @@ TEST_F(ManagerShownTest, WhereASubIndexIsANodeIdTheAnswerNamesTheNode)
     Run(2U);
     Hear(0x705U, {0x7FU});
     EXPECT_EQ(Order("get 0x1F82:05"), "0x1F82:05 (node 5) = 127 (0x7F)");
-    EXPECT_EQ(Order("set 0x1F81:21 1"),
-              "0x1F81:21 (node 33) = 1: 0x06010002, expected an object that may change, and not of a safety slave");
+    EXPECT_EQ(Order("set 0x1F81:21 1"), "0x1F81:21 (node 33) = 1: 0x06010002 (read only), expected an object that may "
+                                        "change, and not of a safety slave");
     EXPECT_EQ(Order("set 0x1F82:80 256"), "0x1F82:80 = 256, expected at most 1 bytes");
+    Verifies(req::SRS_MGR_026);
+    Verifies(req::SRS_MGR_135);
+    EXPECT_EQ(Order("set 0x1F82:05 99"), "0x1F82:05 (node 5) = 99: 0x06090030 (value out of range), expected 4, 5, 6 "
+                                         "(reset), 7 (reset-comm) or 127 of a node of the network");
     EXPECT_EQ(Order("get 0x1017:00"), "0x1017:00 = 0 (0x0)");
 }
 

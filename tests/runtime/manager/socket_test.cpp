@@ -205,6 +205,89 @@ TEST_F(ManagerSocketTest, WhoDoesNotTakeItsAnswersIsCut)
     EXPECT_EQ(Receive(one), "x!");
 }
 
+// Given a client that sends ten orders at once, whose answers are longer than a socket takes, then it gets all of them.
+TEST_F(ManagerSocketTest, AnAnswerWaitsForItsClient)
+{
+    Verifies(req::SRS_MGR_160);
+    constexpr std::size_t kLong = 300000U;
+    runtime::ManagerSocket socket(Path("m.sock"));
+    const host::LiveFile client = Connect(Path("m.sock"));
+    int answers = 0;
+    const auto much = [&answers](const std::string& line)
+    {
+        ++answers;
+        return std::string(kLong, line[0]);
+    };
+    Say(client, "0\n1\n2\n3\n4\n5\n6\n7\n8\n9\n");
+    for (int turn = 0; turn < 100; ++turn)
+    {
+        socket.Serve(much);
+    }
+    // The second order waits while the first answer does
+    EXPECT_EQ(answers, 1);
+    std::string all;
+    for (int turn = 0; turn < 100000 && all.size() < 10U * kLong; ++turn)
+    {
+        socket.Serve(much);
+        all += Receive(client);
+    }
+    std::string expected;
+    for (const char order : std::string("0123456789"))
+    {
+        expected += std::string(kLong, order);
+    }
+    EXPECT_TRUE(all == expected) << all.size();
+    EXPECT_EQ(answers, 10);
+}
+
+// Given a client that reads nothing of an answer for as long as it may, then it is cut off within it.
+TEST_F(ManagerSocketTest, WhoTakesNothingOfAnAnswerIsCutInTime)
+{
+    Verifies(req::SRS_MGR_160);
+    const auto much = [](const std::string& line) { return std::string(300000U, line[0]); };
+    const auto rest = [this, &much](runtime::ManagerSocket& socket)
+    {
+        const host::LiveFile deaf = Connect(Path("m.sock"));
+        Say(deaf, "1\n");
+        socket.Serve(much);
+        socket.Serve(much);
+        std::string all;
+        std::string more = Receive(deaf);
+        for (int turn = 0; turn < 10000 && !more.empty() && more != "cut"; ++turn)
+        {
+            all += more;
+            socket.Serve(much);
+            more = Receive(deaf);
+        }
+        return std::pair(all.size(), more);
+    };
+    runtime::ManagerSocket strict(Path("m.sock"), runtime::kOwnerOnly, 0U);
+    const auto cut = rest(strict);
+    EXPECT_LT(cut.first, 300000U);
+    EXPECT_EQ(cut.second, "cut");
+}
+
+// Given a client that says that nothing more comes, then its long answer still does, and then the end.
+TEST_F(ManagerSocketTest, WhoHasSentAllGetsItsAnswerToTheEnd)
+{
+    Verifies(req::SRS_MGR_160);
+    runtime::ManagerSocket socket(Path("m.sock"));
+    const host::LiveFile client = Connect(Path("m.sock"));
+    Say(client, "1");
+    ASSERT_EQ(::shutdown(client.Get(), SHUT_WR), 0);
+    const auto much = [](const std::string& line) { return std::string(300000U, line[0]); };
+    std::string all;
+    std::string more;
+    for (int turn = 0; turn < 10000 && more != "cut"; ++turn)
+    {
+        socket.Serve(much);
+        more = Receive(client);
+        all += (more == "cut") ? "" : more;
+    }
+    EXPECT_EQ(all.size(), 300000U);
+    EXPECT_EQ(more, "cut");
+}
+
 TEST_F(ManagerSocketTest, ALineOf1024BytesIsOneAndOfOneMoreIsNot)
 {
     Verifies(req::SRS_MGR_138);

@@ -233,8 +233,8 @@ TEST_F(ManagerStationTest, WritesObeyRules)
     }
     EXPECT_EQ(Write(0x1F8AU, 33U, 1U, 1U), 0x06010002U);
     EXPECT_EQ(Write(0x1F22U, 33U, 0U, 4U), 0x06010002U);
-    EXPECT_EQ(Order("set 0x1F81:21 0"),
-              "0x1F81:21 (node 33) = 0: 0x06010002, expected an object that may change, and not of a safety slave");
+    EXPECT_EQ(Order("set 0x1F81:21 0"), "0x1F81:21 (node 33) = 0: 0x06010002 (read only), expected an object that may "
+                                        "change, and not of a safety slave");
     // 1F80h: what the device is stays
     EXPECT_EQ(Write(0x1F80U, 0U, 0x21U, 4U), 0x08000022U);
     EXPECT_EQ(Write(0x1F80U, 0U, 0x00U, 4U), 0x08000022U);
@@ -429,7 +429,8 @@ TEST_F(ManagerStationTest, TheNegotiationWaitsForItsOrder)
     EXPECT_TRUE(Ask({0x40U, 0x90U, 0x1FU, 3U, 0U, 0U, 0U, 0U}).empty());
     // Then its objects may be set, in their range
     EXPECT_EQ(Order("set 0x1F90:03 1"), "taken");
-    EXPECT_EQ(Order("set 0x1F90:03 3"), "0x1F90:03 = 3: 0x06090030, expected another value, or another node");
+    EXPECT_EQ(Order("set 0x1F90:03 3"),
+              "0x1F90:03 = 3: 0x06090030 (value out of range), expected another value, or another node");
     EXPECT_EQ(Order("get 0x1F90:03"), "0x1F90:03 = 1 (0x1)");
     EXPECT_EQ(Order("set 0x1F90:04 1270"), "taken");
     EXPECT_EQ(Order("negotiate"),

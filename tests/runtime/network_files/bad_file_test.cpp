@@ -107,6 +107,8 @@ constexpr BadFile kBadYaml[] = {
      ":2:10: error: guard time 0 ms with retry factor 3, expected both above 0, or none"},
     {"manager: {node: 127}\nslaves: [{node: 1, heartbeat: 500 ms, consumer: 500 ms}]\n",
      ":2:10: error: consumer time 500 ms of a heartbeat each 500 ms, expected a longer one"},
+    {"manager: {node: 127}\nslaves: [{node: 1, heartbeat: 65535 ms}]\n",
+     ":2:10: error: consumer time 65535 ms of a heartbeat each 65535 ms, expected a longer one"},
     {"manager: {node: 127}\nslaves: [{node: 1, write_safety: true}]\n",
      ":2:10: error: write_safety of node 1, which has no safety configuration, expected a DCF with an SRDO"},
     {"manager: {node: 127}\nslaves: [{node: 1, software: {update: false}}]\n",
@@ -200,6 +202,67 @@ TEST_F(BadNetworkTest, EachMalformedYamlHasItsLine)
     {
         ExpectRefused("net.yaml", bad);
     }
+}
+
+TEST_F(BadNetworkTest, ANumberThatMayBeOctalIsRefused)
+{
+    Verifies(req::SRS_NET_061);
+    ExpectRefused("net.yaml",
+                  {"manager: {node: 127}\nslaves: [{node: 010}]\n",
+                   ":2:17: error: '010', expected a number from 1 to 127, without a zero before it: it may be "
+                   "octal"});
+    ExpectRefused("net.yaml", {"manager: {node: 127}\nslaves: [{node: 1, serial: 00}]\n",
+                               ":2:28: error: '00', expected a number from 0 to 4294967295, without a zero before it"});
+    // 0 alone and hexadecimal numbers mean one thing
+    EXPECT_EQ(Refusal(File("net.yaml", "manager: {node: 127}\nslaves: [{node: 0x0A, serial: 0}]\n")), "accepted");
+    // The longest heartbeat whose usual consumer time is above it
+    EXPECT_EQ(Refusal(File("net.yaml", "manager: {node: 127}\nslaves: [{node: 1, heartbeat: 65534 ms}]\n")),
+              "accepted");
+}
+
+// Given signed DCFs that each hold by themselves, then what they say differently of one pair of identifiers is told.
+TEST_F(BadNetworkTest, SlavesWhoseSrdosContradictEachOtherAreTold)
+{
+    Verifies(req::SRS_NET_060);
+    const auto warnings = [this](const std::string& slaves)
+    {
+        const std::string path = File("net.yaml", "manager: {node: 127}\nslaves: [" + slaves + "]\n");
+        return network_plan::LoadedNetwork(runtime::ReadNetworkFile(path, 0U)).Warnings();
+    };
+    static_cast<void>(File("controller.dcf", ExampleText("controller")));
+    const std::string chain = "{node: 1, dcf: sensor.dcf}, {node: 2, dcf: controller.dcf}, ";
+    EXPECT_EQ(warnings(chain + "{node: 33, dcf: actuator.dcf}"), (std::vector<std::string>{}));
+    // A copied DCF, signed for its node-ID
+    const std::string copy =
+        File("copy.dcf", Changed(ExampleText("sensor"), {{"NodeID=1\n", "NodeID=3\n"}, {"0x66596575", "0x570CC1BD"}}));
+    EXPECT_EQ(
+        warnings("{node: 1, dcf: sensor.dcf}, {node: 3, dcf: copy.dcf}"),
+        (std::vector<std::string>{copy + ":206:16: warning: 0x1301:01: sends 0x101 and 0x102, which node 1 SRDO 1 "
+                                         "sends, too, expected one producer"}));
+    // One that is not declared valid may be at any time
+    const std::string off =
+        File("copy.dcf", Changed(ExampleText("sensor"), {{"NodeID=1\n", "NodeID=3\n"},
+                                                         {"0x66596575", "0x570CC1BD"},
+                                                         {"ParameterValue=0xA5", "ParameterValue=0x00"}}));
+    const std::vector<std::string> both = warnings("{node: 1, dcf: sensor.dcf}, {node: 3, dcf: copy.dcf}");
+    ASSERT_EQ(both.size(), 2U);
+    EXPECT_EQ(both[1].rfind(off + ":206:16: warning: 0x1301:01: sends 0x101 and 0x102", 0U), 0U) << both[1];
+    // An SCT as long as the refresh time, and fewer bits
+    const std::string late = File(
+        "late.dcf",
+        Changed(ExampleText("actuator"),
+                {{"DefaultValue=50\nParameterValue=50", "DefaultValue=50\nParameterValue=25"}, {"0x9FCB", "0x07D8"}}));
+    EXPECT_EQ(
+        warnings(chain + "{node: 33, dcf: late.dcf}"),
+        (std::vector<std::string>{late + ":215:16: warning: 0x1301:02: SCT 25 ms, while node 2 SRDO 2 has a refresh "
+                                         "time of 25 ms, expected an SCT above it"}));
+    const std::string few =
+        File("few.dcf",
+             Changed(ExampleText("actuator"), {{"ParameterValue=4\n", "ParameterValue=2\n"}, {"0x9FCB", "0xE4D3"}}));
+    EXPECT_EQ(
+        warnings(chain + "{node: 33, dcf: few.dcf}"),
+        (std::vector<std::string>{few + ":264:16: warning: 0x1381:00: 8 bits mapped, while node 2 SRDO 2 maps 16, "
+                                        "expected the same length"}));
 }
 
 TEST_F(BadNetworkTest, AFileThatIsNotThereOrADcfThatIsNone)

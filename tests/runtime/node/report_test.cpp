@@ -1,12 +1,14 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // What a node tells, where nobody reads it.
 #include "runtime/console/node_report.hpp"
+#include "verification/trace/ids/manager.hpp"
 #include "verification/trace/ids/node.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <chrono>
 #include <csignal>
 #include <fstream>
 #include <sstream>
@@ -37,8 +39,10 @@ class NodeReportTest : public ::testing::Test
         std::string text;
         std::array<char, 65536U> bytes{};
         ssize_t count = 1;
-        while (text.find(last) == std::string::npos && count > 0)
+        std::size_t from = 0U;
+        while (text.find(last, from) == std::string::npos && count > 0)
         {
+            from = (text.size() > last.size()) ? text.size() - last.size() : 0U;
             count = ::read(ends_[0], bytes.data(), bytes.size());
             text.append(bytes.data(), static_cast<std::size_t>(count > 0 ? count : 0));
         }
@@ -57,7 +61,7 @@ TEST_F(NodeReportTest, WhatIsLeftOutIsCountedAndAnOutputThatClosedIsTold)
     Verifies(req::SRS_NODE_032);
     NodeReport report(out_, ReportForm::kText, 0U, ends_[1]);
     report.Print("first\n");
-    for (int i = 0; i < 2 * kMany; ++i)
+    for (int i = 0; i < 3 * kMany; ++i)
     {
         report.Print("value\n");
     }
@@ -79,7 +83,7 @@ TEST_F(NodeReportTest, WhatIsLeftOutIsCountedAndAnOutputThatClosedIsTold)
     }
     EXPECT_GT(left_out, 0);
     EXPECT_GE(before_the_gap, 65536);
-    EXPECT_EQ(values + left_out, 2 * kMany);
+    EXPECT_EQ(values + left_out, 3 * kMany);
     EXPECT_NE(text.find("output of SRDO 1 closed"), std::string::npos);
 }
 
@@ -94,6 +98,113 @@ TEST_F(NodeReportTest, TheEndDoesNotWaitForAReaderThatReadsNothing)
     }
     EXPECT_FALSE(report.Finish());
     EXPECT_EQ(ReadTo("\n").substr(0U, 58U), R"({"format":"counterpoint-node-1","at_us":0,"event":"value",)");
+}
+
+// Given objects that nobody reads, then the line that tells of those left out is one of them, and the end is there.
+TEST_F(NodeReportTest, WhatIsLeftOutOfObjectsIsAnObject)
+{
+    Verifies(req::SRS_MGR_161);
+    NodeReport report(out_, ReportForm::kObjects, 0U, ends_[1], "a-manager-1");
+    for (int i = 0; i < 3 * kMany; ++i)
+    {
+        report.Print("{}\n");
+    }
+    report.Print(""); // No line.
+    report.PrintLast("{\"last\": 1}\n");
+    std::string text;
+    std::thread reader([this, &text] { text = ReadTo("\"last\": 1}\n"); });
+    EXPECT_TRUE(report.Finish());
+    reader.join();
+    std::istringstream lines(text);
+    int objects = 0;
+    int left_out = 0;
+    for (std::string line; std::getline(lines, line);)
+    {
+        const std::string gap = R"({"format":"a-manager-1","event":"left_out","count":)";
+        EXPECT_EQ(line.front(), '{');
+        EXPECT_EQ(line.back(), '}');
+        objects += (line == "{}") ? 1 : 0;
+        left_out += (line.rfind(gap, 0U) == 0U) ? std::stoi(line.substr(gap.size())) : 0;
+    }
+    EXPECT_GT(left_out, 0);
+    EXPECT_EQ(objects + left_out, 3 * kMany);
+}
+
+// Given lines left out behind the last one that was kept, then the end tells them.
+TEST_F(NodeReportTest, WhatIsLeftOutAtTheEndIsTold)
+{
+    Verifies(req::SRS_MGR_161);
+    NodeReport report(out_, ReportForm::kText, 0U, ends_[1]);
+    for (int i = 0; i < 3 * kMany; ++i)
+    {
+        report.Print("value\n");
+    }
+    std::string text;
+    std::thread reader([this, &text] { text = ReadTo("no such line"); });
+    EXPECT_TRUE(report.Finish());
+    out_.close();
+    EXPECT_EQ(::close(ends_[1]), 0);
+    ends_[1] = -1;
+    reader.join();
+    std::istringstream lines(text);
+    int values = 0;
+    int left_out = 0;
+    for (std::string line; std::getline(lines, line);)
+    {
+        values += (line == "value") ? 1 : 0;
+        left_out += (line.find(" lines left out here: nobody read them") != std::string::npos) ? std::stoi(line) : 0;
+    }
+    EXPECT_GT(left_out, 0);
+    EXPECT_EQ(values + left_out, 3 * kMany);
+}
+
+// Given long lines that nobody reads, then 64 MiB wait and no more.
+TEST_F(NodeReportTest, LongLinesTakeNoMoreMemoryThanShortOnes)
+{
+    Verifies(req::SRS_NODE_032);
+    NodeReport report(out_, ReportForm::kText, 0U, ends_[1]);
+    const std::string line = std::string(1048575U, 'x') + "\n";
+    for (int i = 0; i < 200; ++i)
+    {
+        report.Print(line);
+    }
+    report.PrintLast("end\n");
+    std::string text;
+    std::thread reader([this, &text] { text = ReadTo("end\n"); });
+    EXPECT_TRUE(report.Finish());
+    reader.join();
+    // What its thread has taken already, and 64 lines that wait
+    EXPECT_GE(text.size(), 64U * line.size());
+    EXPECT_LE(text.size(), 129U * line.size());
+    EXPECT_NE(text.find(" lines left out here: nobody read them\n"), std::string::npos);
+}
+
+// Given screens that nobody takes, then the last one is kept, not all of a night.
+TEST_F(NodeReportTest, OfScreensTheLastOneWaits)
+{
+    Verifies(req::SRS_MGR_161);
+    constexpr int kScreens = 200;
+    NodeReport report(out_, ReportForm::kText, 0U, ends_[1]);
+    report.Print(std::string(200000U, 'x') + "\n"); // More than a pipe takes.
+    for (int i = 0; i <= kScreens; ++i)
+    {
+        report.PrintScreen("screen " + std::to_string(i) + "\n");
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    report.Print("line\n");
+    std::string text;
+    std::thread reader([this, &text] { text = ReadTo("line\n"); });
+    EXPECT_TRUE(report.Finish());
+    reader.join();
+    std::istringstream lines(text);
+    int screens = 0;
+    for (std::string line; std::getline(lines, line);)
+    {
+        screens += (line.rfind("screen ", 0U) == 0U) ? 1 : 0;
+    }
+    // Those of the time until its thread found that nobody reads
+    EXPECT_LT(screens, kScreens / 2);
+    EXPECT_NE(text.find("screen 200\nline\n"), std::string::npos);
 }
 
 // Given a reader that has ended, then the end tells that not everything was written.
