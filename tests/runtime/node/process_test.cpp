@@ -4,9 +4,14 @@
 #include "verification/trace/ids/node.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <array>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <fcntl.h>
 #include <memory>
+#include <sys/wait.h>
+#include <unistd.h>
 
 // Devices of the shipped DCFs as processes of their own, on one bus.
 namespace counterpoint::tools::test
@@ -75,6 +80,27 @@ TEST_F(NodeProcessTest, TwoNodesExchangePairs)
     EXPECT_EQ(sensor->WaitFor("state").event["srdos"][0]["state"], "producer");
     sensor->Type("quit");
     EXPECT_EQ(sensor->End(), 0);
+}
+
+TEST_F(NodeProcessTest, AnOutputThatCannotBeWrittenIsToldByTheExitStatus)
+{
+    Verifies(req::SRS_NODE_032);
+    const auto status = [](const std::string& output)
+    {
+        const std::string words = "echo quit | " + std::string(COUNTERPOINT_PROGRAM) + " node --can " + OwnBus() +
+                                  " --dcf " + kExamples + "emergency_stop/sensor.dcf --cycle-us 10000 > " + output;
+        return WEXITSTATUS(std::system(words.c_str()));
+    };
+    EXPECT_EQ(status("/dev/null"), 0);
+    EXPECT_EQ(status("/dev/full"), 2);
+    // A pipe that is full, and nobody reads it
+    std::array<int, 2U> ends{};
+    ASSERT_EQ(::pipe2(ends.data(), O_NONBLOCK), 0);
+    while (::write(ends[1], "x", 1U) == 1)
+    {
+    }
+    EXPECT_EQ(status("/proc/" + std::to_string(::getpid()) + "/fd/" + std::to_string(ends[1])), 2);
+    EXPECT_EQ(::close(ends[0]) + ::close(ends[1]), 0);
 }
 
 TEST_F(NodeProcessTest, AFloodOfOtherFramesDoesNotDisturbPairs)

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
+#include <poll.h>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -87,6 +88,35 @@ TEST_F(NodeReportTest, WhatIsLeftOutIsCountedAndAnOutputThatClosedIsTold)
     EXPECT_NE(text.find("output of SRDO 1 closed"), std::string::npos);
 }
 
+// Given a writer that waits for its reader and no place left, then 4096 more lines of outputs are kept: 4095, and the
+// one that tells how many are missing before them. Of 5000, 905 are missing behind.
+TEST_F(NodeReportTest, LinesOfOutputsHavePlacesOfTheirOwn)
+{
+    Verifies(req::SRS_NODE_032);
+    NodeReport report(out_, ReportForm::kText, 0U, ends_[1]);
+    for (pollfd room{ends_[1], POLLOUT, 0}; ::poll(&room, 1U, 0) > 0;)
+    {
+        report.Print("value\n");
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(200)); // It has taken what it will take.
+    for (int i = 0; i < 2 * kMany; ++i)
+    {
+        report.Print("value\n");
+    }
+    for (int i = 1; i <= 5000; ++i)
+    {
+        report.Tell(0U, "SRDO " + std::to_string(i) + ".", "output", {{"open", false}});
+    }
+    std::string text = ReadTo("SRDO 4095.\n");
+    std::thread reader([this, &text] { text += ReadTo("end\n"); });
+    report.Print("end\n");
+    EXPECT_TRUE(report.Finish());
+    reader.join();
+    EXPECT_NE(text.find("lines left out here: nobody read them\n  0.000000 s  SRDO 1.\n"), std::string::npos);
+    EXPECT_NE(text.find("SRDO 4095.\n905 lines left out here: nobody read them\nend\n"), std::string::npos)
+        << text.substr(text.size() - 200U);
+}
+
 // Given a reader that reads nothing, then the end does not wait for it.
 TEST_F(NodeReportTest, TheEndDoesNotWaitForAReaderThatReadsNothing)
 {
@@ -96,7 +126,10 @@ TEST_F(NodeReportTest, TheEndDoesNotWaitForAReaderThatReadsNothing)
     {
         report.Tell(0U, "", "value", {{"value", i}});
     }
+    const auto begin = std::chrono::steady_clock::now();
     EXPECT_FALSE(report.Finish());
+    const auto took = std::chrono::steady_clock::now() - begin;
+    EXPECT_GE(took, std::chrono::milliseconds(1900));
     EXPECT_EQ(ReadTo("\n").substr(0U, 58U), R"({"format":"counterpoint-node-1","at_us":0,"event":"value",)");
 }
 
