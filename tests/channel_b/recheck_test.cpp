@@ -105,6 +105,32 @@ TEST(ChannelBRecheck, FindsEachBitOfALimitThatIsNotThatOfTheConfiguration)
     }
 }
 
+TEST(ChannelBRecheck, FindsBothLimitsWrongInTheSameBit)
+{
+    Verifies(req::SRS_CHB_192);
+    const auto rig = std::make_unique<Rig>();
+    rig->Start();
+    static_cast<void>(rig->Enter());
+    for (const Field& field : LimitsOf(0U))
+    {
+        rig->Bytes()[field.at] = static_cast<std::uint8_t>(rig->Bytes()[field.at] ^ 1U);
+    }
+    EXPECT_EQ(rig->Voice().Recheck(0U).fault, ConfigFault::kTable);
+}
+
+TEST(ChannelBRecheck, FindsALimitThatIsWrongBehindASecondEntering)
+{
+    Verifies(req::SRS_CHB_192);
+    // Given OPERATIONAL that is left and entered again with the same configuration
+    const auto rig = std::make_unique<Rig>();
+    rig->Start();
+    static_cast<void>(rig->Enter());
+    static_cast<void>(rig->Leave());
+    static_cast<void>(rig->Enter());
+    // then each bit of a limit is found, as in the first one
+    EXPECT_EQ(Found(*rig, 0U, LimitsOf(0U)[0U]), 32U);
+}
+
 TEST(ChannelBRecheck, ConfigurationOfTheNextOperationalIsNotComparedWithTheLimitsOfThisOne)
 {
     Verifies(req::SRS_CHB_192);
