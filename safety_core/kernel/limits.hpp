@@ -42,8 +42,8 @@ struct SrdoTimes
     SrvtDetection detection{SrvtDetection::kEarly};
 };
 
-/// Greatest age of what the other CPU said; a device with one CPU has none. For a clock of the other CPU that drifts the
-/// link's clock interval is added to it (SRS_LNK_012).
+/// Greatest age of what the other CPU said; a device with one CPU has none. For a clock of the other CPU that drifts
+/// the link's clock interval is added to it (SRS_LNK_012).
 struct LinkTime
 {
     std::uint32_t timeout_us;

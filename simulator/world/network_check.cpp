@@ -21,8 +21,9 @@ std::pair<const char*, const char*> TextOf(const LinkConfigFault fault)
     case LinkConfigFault::kTimeout:
         return {"link time-out", "3 cycles of the device or more"};
     case LinkConfigFault::kClock:
-        return {"clock tolerance or interval of the link",
-                "a tolerance above 0 and up to half the time-out, an interval of four time-outs or more and up to 536 s"};
+        return {
+            "clock tolerance or interval of the link",
+            "a tolerance above 0 and up to half the time-out, an interval of four time-outs or more and up to 536 s"};
     case LinkConfigFault::kStampTolerance:
         return {"stamp tolerance of the link", "less than the time-out"};
     case LinkConfigFault::kDiscrepancy:

@@ -84,7 +84,8 @@ TEST(MappingText, WhatIsNoneIsRefusedWithWhatWasExpected)
                                    "0x6004:01/2100:01",
                                    "a/0x2100:01:00",
                                    "66",
-                                   "ab+c=8", "a{=8"})
+                                   "ab+c=8",
+                                   "a{=8"})
     {
         const std::string shown = (text == "S\xC3\xA4=8") ? "'S\\xC3\\xA4=8'" : "'" + text + "'";
         EXPECT_EQ(ProblemOf(text), shown + kForm) << text;
