@@ -145,7 +145,7 @@ TEST_F(TwoCpusTest, CpuThatStopsOrDriftsIsFoundByTheOtherOneInTime)
         const Outcome fast = Try(session, Part::kCpu, FaultKind::kFast, cpu, 10U);
         EXPECT_EQ(fast.result, Class::kDetected);
         EXPECT_FALSE(IsLate(fast));
-        const Outcome slow = Try(session, Part::kCpu, FaultKind::kSlow, cpu, 9U);
+        const Outcome slow = Try(session, Part::kCpu, FaultKind::kSlow, cpu, 10U);
         EXPECT_EQ(slow.result, Class::kDetected);
         EXPECT_FALSE(IsLate(slow));
         // 100 ppm
