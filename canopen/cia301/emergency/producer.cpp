@@ -22,7 +22,7 @@ EmergencyProducer::EmergencyProducer(const NodeId node, const ErrorHistory& hist
 
 EmergencyProducer::EmergencyProducer(const NodeId node, const ErrorHistory& history, const EmergencyRoom& room) noexcept
     : own_active_{}, own_waiting_{}, room_(room), history_(history), cob_id_(0x80U + node.value), inhibit_100us_(0U),
-      active_count_(0U), waiting_count_(0U), history_count_(0U), dropped_(0U), is_inhibited_(false), has_untold_(false),
+      active_count_(0U), waiting_count_(0U), history_count_(0U), dropped_(0U), is_inhibited_(false),
       is_end_untold_(false), sent_{0U}
 {
     history_.count = (history_.count > kLongestHistory) ? kLongestHistory : history_.count;
@@ -39,13 +39,15 @@ void EmergencyProducer::ResetCommunication(const NodeId node) noexcept
     inhibit_100us_ = 0U;
     waiting_count_ = 0U;
     is_inhibited_ = false;
-    has_untold_ = false;
     is_end_untold_ = false;
     for (std::uint16_t at = 0U; at < active_count_; ++at)
     {
         EmergencyError& error = room_.active[at];
-        error.is_untold = (error.urgency == EmergencyUrgency::kUrgent) && !Queue(error.code, error);
-        has_untold_ = has_untold_ || error.is_untold;
+        error.is_untold = false;
+        if (error.urgency == EmergencyUrgency::kUrgent)
+        {
+            error.is_untold = !Queue(error.code, error); // None waits: there is a place for each.
+        }
     }
 }
 
@@ -60,7 +62,6 @@ void EmergencyProducer::Raise(const EmergencyError& error) noexcept
             ++active_count_;
             Remember(error);
             active.is_untold = !Queue(error.code, error);
-            has_untold_ = has_untold_ || active.is_untold;
         }
         else if (dropped_ < 0xFFU)
         {
@@ -79,8 +80,7 @@ void EmergencyProducer::Clear(const std::uint16_t code, const std::uint16_t sour
         {
             room_.active[i] = room_.active[i + 1U];
         }
-        is_end_untold_ = !Queue(0U, EmergencyError{}) || is_end_untold_;
-        has_untold_ = has_untold_ || is_end_untold_;
+        is_end_untold_ = !Queue(0U, EmergencyError{}); // One that finds room speaks for those before.
     }
 }
 
@@ -112,22 +112,18 @@ FrameToSend EmergencyProducer::Poll(const NodeState state, const Instant now) no
 /// What found no room, as far as there is some now: one end for all that ended, then what is still active.
 void EmergencyProducer::TellUntold() noexcept
 {
-    const bool had_untold = has_untold_;
-    has_untold_ = false;
     if (is_end_untold_ && (waiting_count_ < RoomFor(EmergencyUrgency::kUsual)))
     {
         is_end_untold_ = !Queue(0U, EmergencyError{});
     }
-    for (std::uint16_t at = 0U; had_untold && (at < active_count_); ++at)
+    for (std::uint16_t at = 0U; at < active_count_; ++at)
     {
         EmergencyError& error = room_.active[at];
         if (error.is_untold && (waiting_count_ < RoomFor(error.urgency)))
         {
             error.is_untold = !Queue(error.code, error);
         }
-        has_untold_ = has_untold_ || error.is_untold;
     }
-    has_untold_ = has_untold_ || is_end_untold_;
 }
 
 std::uint8_t EmergencyProducer::Register() const noexcept

@@ -123,9 +123,8 @@ class EmergencyProducer
     std::uint16_t waiting_count_;
     std::uint8_t history_count_;
     std::uint8_t dropped_;
-    bool is_inhibited_; ///< One was sent at `sent_`.
-    bool has_untold_;   ///< Some active error, or the end of one, has found no room.
-    bool is_end_untold_;
+    bool is_inhibited_;  ///< One was sent at `sent_`.
+    bool is_end_untold_; ///< The end of an error has found no room.
     Instant sent_;
 };
 

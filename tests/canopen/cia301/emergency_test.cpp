@@ -188,6 +188,34 @@ TEST_F(EmergencyTest, WhatFoundNoRoomIsToldBehindTheFullQueue)
     EXPECT_EQ(producer.Dropped(), 3U);
 }
 
+// Nine places, the last one for an urgent error.
+TEST_F(EmergencyTest, WhatFoundNoRoomWaitsUntilThereIsSomeForIt)
+{
+    Verifies(req::SRS_EMCY_150);
+    // Given eight messages that wait, two errors and an end that found no room, and an urgent error behind them
+    for (int i = 0; i < 4; ++i)
+    {
+        producer.Raise(voltage);
+        producer.Clear(0x3110U);
+    }
+    producer.Raise(voltage);
+    producer.Clear(0x3110U);
+    producer.Raise(voltage);
+    producer.Raise(temperature);
+    producer.Raise(EmergencyError{0x6100U, 0x80U, {0U, 7U}, 0U, EmergencyUrgency::kUrgent});
+    // When one is sent, then only the place of the urgent error is free again; then one more each time
+    for (int i = 0; i < 4; ++i)
+    {
+        EXPECT_EQ(Poll()[1], 0x31U);
+        EXPECT_EQ(Poll()[1], 0x00U);
+    }
+    EXPECT_EQ(Poll()[1], 0x61U);
+    EXPECT_EQ(Poll()[1], 0x00U);
+    EXPECT_EQ(Poll()[1], 0x31U);
+    EXPECT_EQ(Poll()[1], 0x42U);
+    EXPECT_TRUE(Poll().empty());
+}
+
 TEST_F(EmergencyTest, AResetOfCommunicationForgetsWhatFoundNoRoom)
 {
     Verifies(req::SRS_EMCY_150);

@@ -152,6 +152,8 @@ TEST_F(PdoMapTest, AFieldWithoutAnEntryIsZeroAndNothingIsBehindTheLastBit)
     const PdoMap two{wide.data(), 2U, 2U, 72U};
     EXPECT_EQ(Pack(two).bytes[0], 1U);
     EXPECT_EQ(Pack(two).bytes[7], 8U);
+    EXPECT_FALSE(IsChanged(two, Pack(two), Pack(two)));
+    EXPECT_TRUE(IsChanged(two, Pack(two), PdoData{{9U, 9U, 9U, 9U, 9U, 9U, 9U, 9U}}));
     Unpack(two, PdoData{{9U, 9U, 9U, 9U, 9U, 9U, 9U, 9U}});
     EXPECT_EQ(u64[7], 9U);
     EXPECT_EQ(u8[0], 0x11U);

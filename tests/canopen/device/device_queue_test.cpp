@@ -92,5 +92,27 @@ TEST_F(DeviceQueueTest, WhatOperationalLeavesBehindIsNoPdo)
     }
 }
 
+// Answers of guarding take all own places but one, which is for an emergency.
+TEST_F(DeviceQueueTest, QuestionsOfAMasterLeaveAPlaceForAnEmergency)
+{
+    Verifies(req::SRS_DEV_150);
+    Run();
+    Forget();
+    // Given a controller that takes nothing, and questions without an end
+    ports.answer = hal::TransmitStatus::kQueueFull;
+    for (int question = 0; question < 20; ++question)
+    {
+        Remote(0x702U);
+    }
+    core.DemandSafeState();
+    Cycles(2U);
+    // When it takes them again, then the emergency is among them
+    ports.answer = hal::TransmitStatus::kAccepted;
+    Cycles(20U);
+    ASSERT_FALSE(Emergencies().empty());
+    EXPECT_EQ(Emergencies().front(), 0x6200U);
+    EXPECT_LT(Sent(0x702U).size(), 20U);
+}
+
 } // namespace
 } // namespace counterpoint::device
