@@ -374,7 +374,8 @@ TEST_F(TextFile, AFileIntoWhichTheProgramPrintsIsNotReplaced)
                            }),
               Path("log") + ": error: this program prints into it, expected another file");
     EXPECT_EQ(ReadTextFile(Path("log")), "what was there before\n");
-    // And another file beside it is written
+    // And another file beside it is replaced
+    WriteTextFile(Path("another"), "old");
     EXPECT_EQ(WithOutputTo(STDOUT_FILENO, Path("log"), writing(Path("another"))), "");
     EXPECT_EQ(ReadTextFile(Path("another")), "new");
 }
