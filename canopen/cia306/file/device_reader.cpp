@@ -198,7 +198,7 @@ void DeviceReader::ReadGranularity(const IniSection& section)
 void DeviceReader::WarnOfCompactPdos(const IniSection& section)
 {
     const IniKey* const key = ReaderOf(section).Find("CompactPDO");
-    const bool is_used = key != nullptr && !key->Bare().empty() && ParseUnsigned(key->Bare(), 0U) != 0U;
+    const bool is_used = key != nullptr && ParseUnsigned(key->Bare(), 0U) != 0U;
     if (is_used)
     {
         Warn(key->place, "CompactPDO is " + Quoted(key->value) +

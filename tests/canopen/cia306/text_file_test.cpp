@@ -3,6 +3,7 @@
 
 #include "canopen/cia306/text/input_error.hpp"
 #include "verification/trace/ids/eds.hpp"
+#include "verification/trace/ids/generate.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>
@@ -328,26 +329,17 @@ TEST_F(TextFile, WhereNothingCanBeMadeOrTheRoomEndsTheOldFileStays)
     EXPECT_EQ(ReadTextFile(Path("a")), "old");
 }
 
-/// Calls `run` in a process of its own whose descriptor is `file`; what it answers.
+/// Calls `run` while a descriptor of this process is `file`, or closed where that is empty; what it answers.
 std::string WithOutputTo(const int descriptor, const std::string& file, const std::function<std::string()>& run)
 {
-    int pipe[2] = {-1, -1};
-    EXPECT_EQ(::pipe(pipe), 0);
-    const pid_t child = ::fork();
-    if (child == 0)
-    {
-        const int output = ::open(file.c_str(), O_WRONLY | O_APPEND);
-        const bool is_set = ::dup2(output, descriptor) == descriptor;
-        const std::string answer = is_set ? run() : "no output";
-        (void)!::write(pipe[1], answer.data(), answer.size());
-        ::_exit(0);
-    }
-    ::close(pipe[1]);
-    std::string answer(1000U, '\0');
-    const ssize_t count = ::read(pipe[0], answer.data(), answer.size());
-    answer.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
-    ::close(pipe[0]);
-    (void)::waitpid(child, nullptr, 0);
+    const int before = ::dup(descriptor);
+    EXPECT_GE(before, 0);
+    (void)::close(descriptor);
+    const int output = file.empty() ? -1 : ::open(file.c_str(), O_WRONLY | O_APPEND);
+    const bool is_set = file.empty() || output == descriptor || ::dup2(output, descriptor) == descriptor;
+    const std::string answer = is_set ? run() : "no output";
+    (void)::dup2(before, descriptor);
+    (void)::close(before);
     return answer;
 }
 
@@ -382,9 +374,54 @@ TEST_F(TextFile, AFileIntoWhichTheProgramPrintsIsNotReplaced)
                            }),
               Path("log") + ": error: this program prints into it, expected another file");
     EXPECT_EQ(ReadTextFile(Path("log")), "what was there before\n");
-    // And another file beside it is written
+    // And another file beside it is replaced
+    WriteTextFile(Path("another"), "old");
     EXPECT_EQ(WithOutputTo(STDOUT_FILENO, Path("log"), writing(Path("another"))), "");
     EXPECT_EQ(ReadTextFile(Path("another")), "new");
+}
+
+TEST_F(TextFile, AProgramWithoutOutputReplacesAFile)
+{
+    Verifies(req::SRS_CLI_170);
+    WriteTextFile(Path("a"), "old");
+    for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO})
+    {
+        const std::string text = "new " + std::to_string(descriptor);
+        EXPECT_EQ(WithOutputTo(descriptor, "", [&] { return RefusalOfWriting(Path("a"), text); }), "");
+        EXPECT_EQ(ReadTextFile(Path("a")), text);
+    }
+}
+
+TEST_F(TextFile, AFileThatCannotTakeItsPlaceLeavesNothing)
+{
+    Verifies(req::SRS_CLI_006);
+    // Given a path without a name: the file beside it can be made, and named, but not take its place
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(folder_);
+    const std::string refusal = RefusalOfWriting("", "x");
+    std::filesystem::current_path(before);
+    EXPECT_EQ(refusal,
+              ": error: it cannot be replaced (No such file or directory), expected a path in a writable folder");
+    EXPECT_TRUE(std::filesystem::is_empty(folder_));
+}
+
+TEST_F(TextFile, FilesThatBelongTogetherAreReplacedTogether)
+{
+    Verifies(req::SRS_GEN_170);
+    WriteTextFile(Path("a.h"), "old header");
+    WriteTextFile(Path("a.c"), "old source");
+    std::filesystem::create_directory(Path("folder"));
+    // When the second one cannot be written, then both stay as they were and nothing is there but them
+    EXPECT_THROW(WriteTextFiles({{Path("a.h"), "new header"}, {Path("folder"), "new source"}}), InputError);
+    EXPECT_THROW(WriteTextFiles({{Path("a.h"), "new header"}, {Path("none/a.c"), "new source"}}), InputError);
+    EXPECT_EQ(ReadTextFile(Path("a.h")), "old header");
+    EXPECT_EQ(ReadTextFile(Path("a.c")), "old source");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 3);
+    // When both can, then both are new
+    WriteTextFiles({{Path("a.h"), "new header"}, {Path("a.c"), "new source"}});
+    EXPECT_EQ(ReadTextFile(Path("a.h")), "new header");
+    EXPECT_EQ(ReadTextFile(Path("a.c")), "new source");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 3);
 }
 } // namespace
 } // namespace counterpoint::cia306
