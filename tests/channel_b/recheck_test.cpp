@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,6 +22,9 @@ namespace
 using RigStorage = channel_b::StorageFor<kRigSlots, kRigEntries>;
 
 constexpr std::uint32_t kBitsOfAByte = 8U;
+/// Of slot 2: its first entry, and the signature in its image.
+constexpr std::size_t kNormalDummyAt = offsetof(RigStorage, entries) + (2U * kRigEntries * 4U);
+constexpr std::size_t kSignatureAt = offsetof(RigStorage, image) + (2U * channel_b::kImageBytes) + 14U;
 
 /// Bytes of one field of one slot.
 struct Field
@@ -80,6 +84,25 @@ TEST(ChannelBRecheck, FindsEachBitOfALengthThatIsNotThatOfTheEntries)
             }
         }
     }
+}
+
+TEST(ChannelBRecheck, FindsADummyThatBecameAnotherOneOfMoreBits)
+{
+    Verifies(req::SRS_CHB_191);
+    // Given a mapping of a dummy and an object of 8 bits each
+    const auto rig = std::make_unique<Rig>();
+    rig->Config().dummies = DummyMapping::kAllowed;
+    rig->Start();
+    ASSERT_EQ(rig->Map(2U, {0x00050008U, 0x00050008U, 0x62000108U, 0x62010108U}), ConfigFault::kNone);
+    // when its normal dummy becomes one of 16 bits, which leads to no object either, and the stored signature fits it
+    constexpr std::uint32_t kOther = 0x00060010U;
+    std::memcpy(rig->Bytes() + kNormalDummyAt, &kOther, sizeof(kOther));
+    const CheckResult unsigned_result = rig->Voice().Recheck(2U);
+    ASSERT_EQ(unsigned_result.fault, ConfigFault::kSignature);
+    rig->Bytes()[kSignatureAt] = static_cast<std::uint8_t>(unsigned_result.signature & 0xFFU);
+    rig->Bytes()[kSignatureAt + 1U] = static_cast<std::uint8_t>(unsigned_result.signature >> 8U);
+    // then the length that is kept is no longer that of the normal entries
+    EXPECT_EQ(rig->Voice().Recheck(2U).fault, ConfigFault::kTable);
 }
 
 TEST(ChannelBRecheck, FindsEachBitOfALimitThatIsNotThatOfTheConfiguration)
