@@ -291,7 +291,7 @@ TEST_F(Supervision, ReferenceMovesOnWithTheOwnClock)
     EXPECT_EQ(link.Finding(), LinkFinding::kClock);
 }
 
-/// A peer whose clock gains `gain` parts in a million from `begin_us` on; messages each `pace_us`.
+/// A peer whose clock gains `gain` parts in a million from `begin_us` on; messages each `pace_us`. Whole milliseconds.
 struct Drift
 {
     std::uint32_t interval_us;
@@ -310,8 +310,8 @@ std::uint32_t FoundAt(const Drift& drift, const std::uint32_t begin_us)
     std::uint32_t sequence = 50U;
     for (std::uint32_t now_us = 0U; now_us < (4U * drift.interval_us); now_us += drift.pace_us)
     {
-        const std::uint64_t drifting_us = (now_us > begin_us) ? (now_us - begin_us) : 0U;
-        const auto gained_us = static_cast<std::uint32_t>((drifting_us * drift.gain_ppm) / 1000000U);
+        const std::uint32_t drifting_ms = ((now_us > begin_us) ? (now_us - begin_us) : 0U) / 1000U;
+        const std::uint32_t gained_us = (drifting_ms * drift.gain_ppm) / 1000U;
         const LinkMessage message = Message(sequence++, 500000U + now_us + gained_us, EchoOf(now_us));
         EXPECT_EQ(link.Take(message, Instant{now_us}), TakeResult::kTaken);
         if (!link.IsAlive())

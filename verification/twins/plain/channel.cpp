@@ -38,6 +38,7 @@ const Act kGfcKept{"SRS_CONS_017", "a GFC is kept for the next OnCycle"};
 const Act kGfcOnce{"SRS_CONS_017", "a GFC is raised by one OnCycle"};
 const Number kOne{"SRS_CONS_017", "value of 1300h"};
 const Limit kLateLimit{"SRS_CONS_015", "time of the call"};
+const Both kLateWith{"SRS_CONS_015", "above the limit, and not the first"};
 const Number kLateUs{"SRS_CONS_015", "length of the time of the call"};
 const Act kLateCycle{"SRS_CONS_015", "the cycle counts"};
 const Act kLateTolerance{"SRS_CONS_015", "the tolerance counts"};
@@ -399,8 +400,8 @@ CycleOutcome PlainChannel::OnCycle(const CycleInput& input) noexcept
     const std::uint32_t tolerance_us = kLateTolerance() ? common_.config.cycle_tolerance_us : 0U;
     const std::uint32_t cycle_us = kLateCycle() ? common_.config.cycle_us : 0U;
     const std::uint32_t limit_us = kLateSum(cycle_us, tolerance_us);
-    const bool is_late = kLateLimit(common_.now_us, kPrevious(common_.previous_us), kLateUs(limit_us)) &&
-                         kFirstNever(common_.has_cycled) && kLateOperational(true);
+    const bool is_long = kLateLimit(common_.now_us, kPrevious(common_.previous_us), kLateUs(limit_us));
+    const bool is_late = kLateWith(is_long, kFirstNever(common_.has_cycled)) && kLateOperational(true);
     common_.has_cycled = true;
     for (SlotIndex slot = 0U; slot < common_.config.srdo_count; ++slot)
     {

@@ -39,4 +39,4 @@ server.terminate()
 assert server.wait(20) == 0, "counterpoint bus ends with 0 when asked to"
 counts = server.stdout.read().strip()
 print("note:", counts)
-sys.exit(0 if counts.startswith("1 clients, 50 frames to the bus, 50 from it, 0 malformed") else 1)
+sys.exit(0 if counts.startswith("1 clients, 50 frames to the bus, 50 told to clients, 0 malformed") else 1)
