@@ -10,7 +10,6 @@ namespace counterpoint::simulator
 {
 namespace
 {
-constexpr std::int64_t kMillion = 1000000;
 
 // Whether the fault is one of a device, and another device is judged, which is told of it by the bus alone.
 bool IsElsewhere(const Scenario& scenario, const Expectation& expectation, const FaultClass row)
