@@ -88,7 +88,8 @@ struct CycleOutcome
     SrdoMask waiting;          ///< Consumers in state kWaiting.
     SrdoMask new_fault;        ///< Consumers for which this call reports a fault that occurred since the previous call.
     SrdoMask fresh;            ///< Consumers that hold a pair completed since the previous call.
-    SrdoMask due;              ///< Producers for which Prepare is to be called now.
+    SrdoMask due;              ///< Producers for which Prepare is to be called now. [SRS_PROD_004]
+    SrdoMask refresh;          ///< Producers whose refresh fell due and was not prepared yet. [SRS_PROD_013]
     SrdoMask signalled;        ///< Slots with something in SrdoView::signals.
     std::uint32_t cycle;       ///< Number of OnCycle calls since Restart, modular; the first returns 1.
     std::uint32_t ordinal_sum; ///< Sum of the ordinals of all active consumers, modular.

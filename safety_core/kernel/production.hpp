@@ -13,7 +13,7 @@ namespace counterpoint
 {
 
 /// What the device sends: SRDOs by both channels, and the GFC. [SRS_KRN_004, SRS_KRN_011, SRS_KRN_012, SRS_KRN_013,
-/// SRS_KRN_014, SRS_KRN_017]
+/// SRS_KRN_014, SRS_KRN_017, SRS_KRN_145]
 class Production
 {
   public:
@@ -71,11 +71,15 @@ class Production
     {
         return stand_b_;
     }
-    /// @brief Each channel's refresh runs by its own counter; the one that is ahead waits for the other. [SRS_KRN_017]
-    void Await(const SrdoMask due_a, const SrdoMask due_b) noexcept
+    /// @brief Each channel's refresh runs by its own counter; the one that is ahead waits for the other, and a request
+    /// of the same producer waits with it: where the refresh of one channel alone waits, the other channel's slot does
+    /// not count as due. So a pair always is the refresh of both channels or of none. [SRS_KRN_017, SRS_KRN_145]
+    void Await(CycleOutcome& a, CycleOutcome& b) noexcept
     {
-        stand_a_ = due_a & ~due_b;
-        stand_b_ = due_b & ~due_a;
+        stand_a_ = a.refresh & ~b.refresh;
+        stand_b_ = b.refresh & ~a.refresh;
+        a.due &= ~stand_b_;
+        b.due &= ~stand_a_;
     }
     /// @brief Sends the pairs of producers that both channels call due. O(start)
     void Produce(KernelContext& context, SrdoMask start) noexcept;
@@ -128,7 +132,7 @@ class Production
     Instant now_{};                       ///< By counter A.
     SrdoMask producers_{}; ///< What may be asked for; none outside OPERATIONAL and without a valid configuration.
     SrdoMask requests_{};  ///< Told to the channels by the next cycle, as the two below.
-    SrdoMask stand_a_{};   ///< Producers that only channel A called due.
+    SrdoMask stand_a_{};   ///< Producers whose refresh waits in channel A alone.
     SrdoMask stand_b_{};
 };
 
