@@ -73,7 +73,8 @@ class Production
     }
     /// @brief Each channel's refresh runs by its own counter; the one that is ahead waits for the other, and a request
     /// of the same producer waits with it: where the refresh of one channel alone waits, the other channel's slot does
-    /// not count as due. So a pair always is the refresh of both channels or of none. [SRS_KRN_017, SRS_KRN_145, SRS_KRN_146]
+    /// not count as due. So a pair always is the refresh of both channels or of none. [SRS_KRN_017, SRS_KRN_145,
+    /// SRS_KRN_146]
     void Await(CycleOutcome& a, CycleOutcome& b) noexcept
     {
         stand_a_ = a.refresh & ~b.refresh;
