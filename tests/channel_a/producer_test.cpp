@@ -455,6 +455,25 @@ TEST_F(ChannelAProducer, UsesUpRequestAndRefreshByOnePair)
     EXPECT_EQ(none.due, 0U);
 }
 
+TEST_F(ChannelAProducer, UsesUpTheRefreshOfNoOtherProducer)
+{
+    Verifies(req::SRS_PROD_005);
+    Verifies(req::SRS_PROD_013);
+    Device& device = fenced->device;
+    // Given a second producer that is called, in the other slot
+    device.setups[kConsumerSlot].form = ProducerForm::kProviderCalled;
+    device.setups[kProducerSlot].form = ProducerForm::kProviderCalled;
+    device.Start();
+    device.Configure(kConsumerSlot, kDirectionProducer, 0x111U, kSent);
+    static_cast<void>(device.Cycle());
+    EXPECT_EQ(device.Cycle().refresh, kConsumerBit | kProducerBit);
+    // When one is prepared, then the refresh of the other one goes on waiting
+    Prepare(device);
+    const CycleOutcome outcome = device.Cycle();
+    EXPECT_EQ(outcome.refresh, kConsumerBit);
+    EXPECT_EQ(outcome.due, kConsumerBit);
+}
+
 TEST_F(ChannelAProducer, StandsWhileARefreshWaitsInFlight)
 {
     Verifies(req::SRS_PROD_012);
