@@ -238,21 +238,22 @@ void ExamineRefresh(const Common& common, Record& record) noexcept
     {
         return;
     }
-    if (kMissedMark(to.is_refresh_due))
+    const bool is_missed = kMissedMark(to.is_refresh_due);
+    if (is_missed)
     {
         if (kMissedFault())
         {
             const SrdoCause cause = kMissedCause(kToldMissed(SrdoCause::kRefreshMissed));
             FaultAs(record, cause, kMissedTold(kMissedTold1(cause)));
         }
-        to.is_refresh_due = to.is_refresh_due || (!kSkips());
     }
     else
     {
         to.is_refresh_due = kRefreshDue() && ((!to.is_in_flight) || kWaitsInFlight());
     }
     const std::uint32_t from_us = kExactPhase() ? to.next_us : common.now_us;
-    to.next_us = kPhase() ? kRefreshSum(from_us, kPeriod(kPeriodMs(record.stored.sct_ms))) : to.next_us;
+    const bool goes_on = kPhase() && ((!is_missed) || kSkips());
+    to.next_us = goes_on ? kRefreshSum(from_us, kPeriod(kPeriodMs(record.stored.sct_ms))) : to.next_us;
 }
 
 /// Form kApplicationSends. [SRS_PROD_010]
