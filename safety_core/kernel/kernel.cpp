@@ -137,7 +137,8 @@ void Kernel::OnConfirm(const StampedFrame& frame) noexcept
     clocks_.OnFrame(frame.stamp);
     const Confirmation a = context_.parts.channel_a.OnConfirm(frame.frame, frame.stamp.a);
     const Confirmation b = context_.parts.channel_b.OnConfirm(frame.frame, frame.stamp.b);
-    // At the very limit one channel may have given the pair up already: then the other one will, for want of its frame.
+    Production::OnHalfConfirmed(context_, a, b);
+    Production::OnHalfConfirmed(context_, b, a);
     const std::uint32_t said = CodeOf(a);
     const SlotIndex slot = static_cast<SlotIndex>(said);
     if ((said != CodeOf(b)) || (slot >= context_.config->srdo_count))

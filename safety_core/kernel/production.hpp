@@ -13,7 +13,7 @@ namespace counterpoint
 {
 
 /// What the device sends: SRDOs by both channels, and the GFC. [SRS_KRN_004, SRS_KRN_011, SRS_KRN_012, SRS_KRN_013,
-/// SRS_KRN_014, SRS_KRN_017, SRS_KRN_145]
+/// SRS_KRN_014, SRS_KRN_017, SRS_KRN_145, SRS_KRN_146, SRS_KRN_147]
 class Production
 {
   public:
@@ -73,7 +73,8 @@ class Production
     }
     /// @brief Each channel's refresh runs by its own counter; the one that is ahead waits for the other, and a request
     /// of the same producer waits with it: where the refresh of one channel alone waits, the other channel's slot does
-    /// not count as due. So a pair always is the refresh of both channels or of none. [SRS_KRN_017, SRS_KRN_145]
+    /// not count as due. So a pair always is the refresh of both channels or of none. [SRS_KRN_017, SRS_KRN_145,
+    /// SRS_KRN_146]
     void Await(CycleOutcome& a, CycleOutcome& b) noexcept
     {
         stand_a_ = a.refresh & ~b.refresh;
@@ -91,6 +92,17 @@ class Production
     /// @brief The normal frame of an SRDO was on the bus: its inverse frame follows, if this device may still send
     /// and both channels give the same one. [SRS_KRN_014]
     static void SendInverse(KernelContext& context, SlotIndex slot) noexcept;
+    /// @brief A normal frame that one channel has seen confirmed and the other one has not: at the very limit that one
+    /// had given the pair up. Both give it up; it would be on its way in one channel for another SRVT. [SRS_KRN_147]
+    static void OnHalfConfirmed(const KernelContext& context, const Confirmation& one,
+                                const Confirmation& other) noexcept
+    {
+        const bool is_half = (one.step == ConfirmStep::kNormal) && (other.step == ConfirmStep::kNone);
+        if (is_half && (one.slot < context.config->srdo_count))
+        {
+            GiveUp(context, one.slot, SrdoCause::kNoConfirmation);
+        }
+    }
     /// @brief The pair of an SRDO was sent.
     void OnSent() noexcept
     {
