@@ -387,18 +387,17 @@ void Device::OnConfirm(const Sent& frame, const Time stamp)
 {
     for (Srdo& srdo : srdos_)
     {
-        // Where one channel has given the pair up, or does now, the other one will, for want of its frame.
         const Confirmed by_a = srdo.producers[0].Confirm(frame, stamp);
         const Confirmed by_b = srdo.producers[1].Confirm(frame, drift_.ByB(stamp));
-        if (by_a != by_b)
+        if ((by_a == Confirmed::kNormal) != (by_b == Confirmed::kNormal))
         {
-            continue;
+            Fail(srdo, SrdoCause::kNoConfirmation); // Too late for one channel alone: none for either.
         }
-        if (by_a == Confirmed::kNormal)
+        else if (by_a == Confirmed::kNormal)
         {
             HandOver(srdo, srdo.producers[1].Inverse());
         }
-        else if (by_a == Confirmed::kPair)
+        else if (by_a == Confirmed::kPair && by_b == Confirmed::kPair)
         {
             seen_.events.push_back(srdo.setup->number);
         }
