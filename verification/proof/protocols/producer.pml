@@ -175,7 +175,7 @@ active proctype Producer()
         }
     }
     :: atomic {
-        if :: in_a = NOT_INVERSE :: in_a = OF_A_CONSUMER :: in_a = QUEUE :: in_a = BUS_OFF fi;
+        if :: in_a = NOT_INVERSE :: in_a = OF_A_CONSUMER :: in_a = QUEUE :: in_a = BUS_OFF :: in_a = NO_CONFIRMATION fi;
         d_step { Keep(); Fail(); Observe(); Tell(FAILS); in_a = 0 }
     }
     od

@@ -81,6 +81,7 @@ const Decision kFailCause{"SRS_PROD_009", "a cause of a failed transmission"};
 const Decision kFailQueue{"SRS_PROD_009", "kTransmitQueue"};
 const Decision kFailBusOff{"SRS_PROD_009", "kBusOff"};
 const Decision kFailInverse{"SRS_PROD_009", "kNotInverse"};
+const Decision kFailLate{"SRS_PROD_009", "kNoConfirmation"};
 const Act kGivesUp{"SRS_PROD_009", "a fault gives up the pair"};
 const Act kGivesUpAwaited{"SRS_PROD_009", "a given up pair awaits nothing"};
 const Act kProducerFault{"SRS_PROD_009", "a fault is recorded"};
@@ -485,7 +486,8 @@ CanFrame InverseOf(const Common& common, const Record& record) noexcept
 void FailTransmission(Record& record, SrdoCause cause) noexcept
 {
     const bool is_cause = kFailQueue(cause == SrdoCause::kTransmitQueue) || kFailBusOff(cause == SrdoCause::kBusOff) ||
-                          kFailInverse(cause == SrdoCause::kNotInverse);
+                          kFailInverse(cause == SrdoCause::kNotInverse) ||
+                          kFailLate(cause == SrdoCause::kNoConfirmation);
     if (kFailInFlight(record.transmission.is_in_flight) && kFailCause(is_cause))
     {
         Fault(record, kToldFail(cause));
