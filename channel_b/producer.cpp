@@ -156,12 +156,13 @@ Confirmation Producers::OnConfirm(SlotIndex slot, const CanFrame& frame, std::ui
     return kNothingConfirmed;
 }
 
+/// What the controllers tell of a transmission, and what the other channel found where this one found nothing.
 /// [SRS_PROD_009]
 void Producers::OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept
 {
     const bool is_of_bus = (cause == SrdoCause::kTransmitQueue) || (cause == SrdoCause::kBusOff);
-    const bool is_transmit_fault = is_of_bus || (cause == SrdoCause::kNotInverse);
-    if (is_transmit_fault && IsInFlight(slot))
+    const bool is_of_both = (cause == SrdoCause::kNotInverse) || (cause == SrdoCause::kNoConfirmation);
+    if ((is_of_bus || is_of_both) && IsInFlight(slot))
     {
         Fail(slot, cause);
     }

@@ -165,6 +165,23 @@ TEST(ChannelBRefresh, WaitsForAPairUntilItIsGivenUp)
     ExpectAt(*silent, 50500U, 2U, 2U);
 }
 
+TEST(ChannelBRefresh, WaitsForAPairUntilTheOtherChannelFoundItLate)
+{
+    Verifies(req::SRS_PROD_013);
+    Verifies(req::SRS_PROD_009);
+    // Given a refresh that waits for a pair whose normal frame is confirmed exactly at SRVT of 20 ms
+    const auto rig = Provided();
+    const CanFrame normal = AskedFor(*rig);
+    ExpectAt(*rig, 25500U, 2U, 0U);
+    EXPECT_EQ(rig->Voice().OnConfirm(normal, Instant{kEnteredAt + 40000U}).step, ConfirmStep::kNormal);
+    // when the other channel found that late, then the refresh is due in the next call, as in that channel
+    rig->Voice().OnTransmitFault(1U, TransmitFault{SrdoCause::kNoConfirmation});
+    ExpectToldAt(*rig, 40500U, 2U, 2U, kNoConfirmationBit);
+    Send(*rig);
+    ExpectAt(*rig, 41000U, 0U, 0U);
+    EXPECT_EQ(rig->Voice().View(1U).error_count, 1U);
+}
+
 TEST(ChannelBRefresh, FallsDueInTheCallThatGivesThePairUp)
 {
     Verifies(req::SRS_PROD_013);
