@@ -391,7 +391,11 @@ void Device::OnConfirm(const Sent& frame, const Time stamp)
         const Confirmed by_b = srdo.producers[1].Confirm(frame, drift_.ByB(stamp));
         if ((by_a == Confirmed::kNormal) != (by_b == Confirmed::kNormal))
         {
-            Fail(srdo, SrdoCause::kNoConfirmation); // Too late for one channel alone: none for either.
+            // Too late for one channel alone: none for either.
+            if (flaw_ != Flaw::kHalfConfirmed)
+            {
+                Fail(srdo, SrdoCause::kNoConfirmation);
+            }
         }
         else if (by_a == Confirmed::kNormal)
         {
