@@ -49,6 +49,7 @@ enum class Flaw : std::uint8_t
     kRefreshSkipped,  ///< A refresh that finds a pair on its way is skipped.
     kRequestAlone,    ///< A request does not wait for the refresh of the other channel.
     kNothingStands,   ///< The counter that is ahead does not wait.
+    kHalfConfirmed,   ///< What was confirmed too late for one channel alone stays on its way in the other.
 };
 
 /// What a mapping entry says.

@@ -333,12 +333,6 @@ bool Device::LookAtProducer(Srdo& srdo, const Time now)
     return a.IsDue() && b.IsDue() && !waits;
 }
 
-void Device::Fail(Srdo& srdo, const SrdoCause cause)
-{
-    srdo.producers[0].Fail(cause);
-    srdo.producers[1].Fail(cause);
-}
-
 void Device::Produce(Srdo& srdo, const Time now)
 {
     if (srdo.setup->form == ProducerForm::kProviderCalled)
@@ -361,7 +355,7 @@ void Device::HandOver(Srdo& srdo, const Sent& frame)
     seen_.frames.push_back(frame);
     if (refused_)
     {
-        Fail(srdo, *refused_);
+        srdo.Fail(*refused_);
         refused_.reset();
     }
 }
@@ -391,7 +385,11 @@ void Device::OnConfirm(const Sent& frame, const Time stamp)
         const Confirmed by_b = srdo.producers[1].Confirm(frame, drift_.ByB(stamp));
         if ((by_a == Confirmed::kNormal) != (by_b == Confirmed::kNormal))
         {
-            Fail(srdo, SrdoCause::kNoConfirmation); // Too late for one channel alone: none for either.
+            // Too late for one channel alone: none for either.
+            if (flaw_ != Flaw::kHalfConfirmed)
+            {
+                srdo.Fail(SrdoCause::kNoConfirmation);
+            }
         }
         else if (by_a == Confirmed::kNormal)
         {

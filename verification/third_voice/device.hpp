@@ -73,13 +73,19 @@ class Device
         std::uint32_t written_ordinal{0U};
         bool is_released{false};
         bool has_left{false}; ///< The next cycle tells it.
+
+        /// @brief The pair on its way is over by both channels.
+        void Fail(const SrdoCause cause)
+        {
+            producers[0].Fail(cause);
+            producers[1].Fail(cause);
+        }
     };
 
     [[nodiscard]] ConsumerRules RulesOf(const Srdo& srdo) const;
     [[nodiscard]] ProducerRules SendingOf(const Srdo& srdo) const;
     [[nodiscard]] std::uint64_t ReadSide(const Srdo& srdo, std::size_t side) const;
     [[nodiscard]] bool LookAtProducer(Srdo& srdo, Time now);
-    static void Fail(Srdo& srdo, SrdoCause cause);
     void Produce(Srdo& srdo, Time now);
     void HandOver(Srdo& srdo, const Sent& frame);
     void TellCauses(Srdo& srdo, Time now);
