@@ -66,6 +66,11 @@ bool Producer::IsRefreshWaiting() const
     return is_refresh_waiting_;
 }
 
+bool Producer::HasCauses() const
+{
+    return !causes_.empty();
+}
+
 Time Producer::NextRefresh() const
 {
     return next_;

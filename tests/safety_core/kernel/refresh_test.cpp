@@ -183,6 +183,45 @@ TEST_F(Refresh, ConfirmationAtTheVeryLimitEndsInNoDeviceFault)
     }
 }
 
+// cycle     26 to 50            51 (late by 0.5 ms)        52                         53
+// provider  not ready           ready                      ready                      ready
+// ahead     waits since 26      .                          next one: missed           pair 2
+// behind    waits since 27      next one: missed           .                          pair 2
+// The counter that was ahead in cycle 26 stood, and is the later one in 51.
+TEST_F(Refresh, ThatIsMissedInOneChannelAloneWaitsUntilItIsInBoth)
+{
+    Verifies(req::SRS_KRN_148);
+    Verifies(req::SRS_KRN_145);
+    for (const bool is_a : {false, true})
+    {
+        // Given a refresh that waits in both channels for a provider that is not ready
+        is_a_behind = is_a;
+        OperateWithClocks(100U);
+        ConfirmPair(0U);
+        CyclesBehind(24U);
+        application.refresh = RefreshAnswer::kSkip;
+        CyclesBehind(25U);
+        // When it is ready in the call in which the next refresh falls due by one counter alone
+        application.refresh = RefreshAnswer::kReady;
+        now_us += 1500U;
+        kernel.Cycle(CycleCall{NowBehind(1U), 0U, 0U});
+        EXPECT_EQ(ports.sent.size(), 0U);
+        EXPECT_EQ(CausesOf(0x1303U), std::vector<SrdoCause>{SrdoCause::kRefreshMissed});
+        CycleBehind(1U);
+        EXPECT_EQ(ports.sent.size(), 0U);
+        // Then the pair is sent when both have missed it,
+        CycleBehind(1U);
+        ASSERT_EQ(ports.sent.size(), 1U);
+        ConfirmPair();
+        // and the next one a refresh time later
+        CyclesBehind(23U);
+        EXPECT_EQ(ports.sent.size(), 0U);
+        CyclesBehind(2U);
+        EXPECT_EQ(ports.sent.size(), 1U);
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    }
+}
+
 // Counters that part by 100 ppm for 100 s, and a Send every 50, 73 or 200 ms, each pair confirmed a cycle later
 TEST_F(Refresh, CountersThatDriftApartAndRequestsAreNoDeviceFault)
 {

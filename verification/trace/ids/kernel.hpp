@@ -89,6 +89,7 @@ inline constexpr RequirementId SRS_KRN_044{"SRS_KRN_044"};
 inline constexpr RequirementId SRS_KRN_145{"SRS_KRN_145"};
 inline constexpr RequirementId SRS_KRN_146{"SRS_KRN_146"};
 inline constexpr RequirementId SRS_KRN_147{"SRS_KRN_147"};
+inline constexpr RequirementId SRS_KRN_148{"SRS_KRN_148"};
 inline constexpr RequirementId SRS_KRN_150{"SRS_KRN_150"};
 inline constexpr RequirementId SRS_KRN_151{"SRS_KRN_151"};
 inline constexpr RequirementId SRS_KRN_152{"SRS_KRN_152"};
