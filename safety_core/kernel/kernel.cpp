@@ -196,7 +196,7 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     input.nmt = second_nmt_.Take();
     CycleOutcome outcome_b = context_.parts.channel_b.OnCycle(input);
     context_.parts.flow->Mark(FlowStep::kChannelB, FlowEvidence{outcome_b.cycle, run_.cycle});
-    production_.Await(outcome_a, outcome_b);
+    production_.Await(context_, outcome_a, outcome_b);
 
     decision_.Compare(context_, Comparison{&outcome_a, &outcome_b, &context_.parts.channel_a, &context_.parts.channel_b,
                                            call.now.a, run_.cycle, challenge, HeldPair{}});

@@ -10,6 +10,7 @@ namespace
 {
 
 constexpr std::uint32_t kSignBit = 31U;
+constexpr std::uint32_t kMissedBit = std::uint32_t{1U} << static_cast<std::uint32_t>(SrdoCause::kRefreshMissed);
 
 // The GFC as it has to be on the bus, in the memory of constants: what SendGfc composes is compared with it.
 constexpr PreparedPair kGfcByFirst{{kGfcIdentifier, FrameKind::kData, CanPortId::kFirst, 0U, {}},
@@ -63,6 +64,37 @@ Result Production::WhyNotSent(KernelContext& context, const SlotIndex wanted) no
     }
     const bool is_off = context.guard.Value(wanted, ConfigField::kDirection) == kDirectionOff;
     return is_off ? Result::kInvalid : Result::kRxTxConflict;
+}
+
+// t        k            k+1
+// ahead    next missed  .         by its counter a whole refresh has passed while one waited, and is skipped
+// behind   .            next missed
+// A pair at k would be the refresh that waited in both, and the one at k+1 would then wait in the second alone.
+void Production::Await(const KernelContext& context, CycleOutcome& a, CycleOutcome& b) noexcept
+{
+    stand_a_ = a.refresh & ~b.refresh;
+    stand_b_ = b.refresh & ~a.refresh;
+    a.due &= ~stand_b_;
+    b.due &= ~stand_a_;
+    SlotSet told{a.refresh & b.refresh & (a.signalled | b.signalled)};
+    while (told.mask != 0U)
+    {
+        const SlotIndex slot = TakeLowest(told);
+        const std::uint32_t missed_a = context.parts.channel_a.View(slot).signals & kMissedBit;
+        const std::uint32_t missed_b = context.parts.channel_b.View(slot).signals & kMissedBit;
+        if (missed_a > missed_b)
+        {
+            b.due &= ~OnlySlot(slot).mask;
+        }
+        else if (missed_b > missed_a)
+        {
+            a.due &= ~OnlySlot(slot).mask;
+        }
+        else
+        {
+            // Missed in both, or told for another cause.
+        }
+    }
 }
 
 void Production::Produce(KernelContext& context, const SrdoMask start) noexcept

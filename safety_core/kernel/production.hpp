@@ -72,19 +72,11 @@ class Production
         return stand_b_;
     }
     /// @brief Each channel's refresh runs by its own counter; the one that is ahead waits for the other, and a request
-    /// of the same producer waits with it: where the refresh of one channel alone waits, or one channel alone tells a
-    /// cause of it, the other channel's slot does not count as due. So a pair always is the refresh of both channels or
-    /// of none. [SRS_KRN_017, SRS_KRN_145, SRS_KRN_146, SRS_KRN_148]
-    void Await(CycleOutcome& a, CycleOutcome& b) noexcept
-    {
-        stand_a_ = a.refresh & ~b.refresh;
-        stand_b_ = b.refresh & ~a.refresh;
-        // A refresh that was missed in one channel alone so far: the one that it waited for is not yet that of both.
-        const SrdoMask told_by_a = a.refresh & a.signalled & ~b.signalled;
-        const SrdoMask told_by_b = b.refresh & b.signalled & ~a.signalled;
-        a.due &= ~(stand_b_ | told_by_b);
-        b.due &= ~(stand_a_ | told_by_a);
-    }
+    /// of the same producer waits with it: where the refresh of one channel alone waits, or one channel alone missed
+    /// the next one, the other channel's slot does not count as due. So a pair always is the refresh of both channels
+    /// or of none. O(1), with a cause of a producer O(slots with one) [SRS_KRN_017, SRS_KRN_145, SRS_KRN_146,
+    /// SRS_KRN_148]
+    void Await(const KernelContext& context, CycleOutcome& a, CycleOutcome& b) noexcept;
     /// @brief Sends the pairs of producers that both channels call due. O(start)
     void Produce(KernelContext& context, SrdoMask start) noexcept;
     /// @brief Pairs that were sent between the last two cycles.

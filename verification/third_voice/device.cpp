@@ -318,7 +318,7 @@ std::uint64_t Device::ReadSide(const Srdo& srdo, const std::size_t side) const
 }
 
 /// A pair starts when both channels call it due. Each channel's refresh runs by its own counter; where it waits in one
-/// of them alone, that one stands, and a request of the other one waits for it; so where one alone tells a cause.
+/// of them alone, that one stands, and a request of the other one waits for it; so where one alone missed the next.
 /// [semantics 6]
 bool Device::LookAtProducer(Srdo& srdo, const Time now)
 {
@@ -330,9 +330,8 @@ bool Device::LookAtProducer(Srdo& srdo, const Time now)
     const bool is_alone_b = b.IsRefreshWaiting() && !a.IsRefreshWaiting();
     const bool anything_stands = flaw_ != Flaw::kNothingStands;
     srdo.stands = {is_alone_a && anything_stands, is_alone_b && anything_stands};
-    const bool anything_waits = a.IsRefreshWaiting() || b.IsRefreshWaiting();
-    const bool is_told_by_one = anything_waits && a.HasCauses() != b.HasCauses();
-    const bool waits = ((is_alone_a || is_alone_b) && flaw_ != Flaw::kRequestAlone) || is_told_by_one;
+    const bool is_alone = (is_alone_a || is_alone_b) && flaw_ != Flaw::kRequestAlone;
+    const bool waits = is_alone || a.IsRefreshMissed() != b.IsRefreshMissed();
     return a.IsDue() && b.IsDue() && !waits;
 }
 

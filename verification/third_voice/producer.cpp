@@ -66,9 +66,9 @@ bool Producer::IsRefreshWaiting() const
     return is_refresh_waiting_;
 }
 
-bool Producer::HasCauses() const
+bool Producer::IsRefreshMissed() const
 {
-    return !causes_.empty();
+    return causes_.count(SrdoCause::kRefreshMissed) != 0U;
 }
 
 Time Producer::NextRefresh() const

@@ -62,8 +62,8 @@ class Producer
     [[nodiscard]] Confirmed Confirm(const Sent& frame, Time stamp);
     [[nodiscard]] Sent Normal() const;
     [[nodiscard]] Sent Inverse() const;
-    /// @brief Whether a cause came up since the last call.
-    [[nodiscard]] bool HasCauses() const;
+    /// @brief Whether a refresh was missed since the last call.
+    [[nodiscard]] bool IsRefreshMissed() const;
     /// @brief Causes that came up since the last call.
     [[nodiscard]] std::set<SrdoCause> TakeCauses();
 
