@@ -18,6 +18,19 @@ constexpr PreparedPair kGfcByFirst{{kGfcIdentifier, FrameKind::kData, CanPortId:
 constexpr PreparedPair kGfcBySecond{{kGfcIdentifier, FrameKind::kData, CanPortId::kSecond, 0U, {}},
                                     PrepareStatus::kReady};
 
+// Those of `told` of which this channel signals a missed refresh.
+SrdoMask MissedOf(const Channel& channel, SlotSet told) noexcept
+{
+    SrdoMask missed = 0U;
+    while (told.mask != 0U)
+    {
+        const SlotIndex slot = TakeLowest(told);
+        const bool is_missed = (channel.View(slot).signals & kMissedBit) != 0U;
+        missed |= is_missed ? OnlySlot(slot).mask : SrdoMask{0U};
+    }
+    return missed;
+}
+
 } // namespace
 
 void Production::Begin(const KernelContext& context) noexcept
@@ -67,34 +80,24 @@ Result Production::WhyNotSent(KernelContext& context, const SlotIndex wanted) no
 }
 
 // t        k            k+1
-// ahead    next missed  .         by its counter a whole refresh has passed while one waited, and is skipped
-// behind   .            next missed
+// ahead    next missed  stands    by its counter a whole refresh has passed while one waited, and is skipped
+// behind   not due      missed
 // A pair at k would be the refresh that waited in both, and the one at k+1 would then wait in the second alone.
 void Production::Await(const KernelContext& context, CycleOutcome& a, CycleOutcome& b) noexcept
 {
-    stand_a_ = a.refresh & ~b.refresh;
-    stand_b_ = b.refresh & ~a.refresh;
+    const SrdoMask both = a.refresh & b.refresh;
+    const SrdoMask missed_a = MissedOf(context.parts.channel_a, SlotSet{both & a.signalled});
+    const SrdoMask missed_b = MissedOf(context.parts.channel_b, SlotSet{both & b.signalled});
+    const SrdoMask only_a = missed_a & ~missed_b;
+    const SrdoMask only_b = missed_b & ~missed_a;
+    const SrdoMask begun_a = only_a & ~missed_b_; // What the other one missed before is even now.
+    const SrdoMask begun_b = only_b & ~missed_a_;
+    missed_a_ = ((missed_a_ & ~only_b) | begun_a) & both;
+    missed_b_ = ((missed_b_ & ~only_a) | begun_b) & both;
+    stand_a_ = (a.refresh & ~b.refresh) | missed_a_;
+    stand_b_ = (b.refresh & ~a.refresh) | missed_b_;
     a.due &= ~stand_b_;
     b.due &= ~stand_a_;
-    SlotSet told{a.refresh & b.refresh & (a.signalled | b.signalled)};
-    while (told.mask != 0U)
-    {
-        const SlotIndex slot = TakeLowest(told);
-        const std::uint32_t missed_a = context.parts.channel_a.View(slot).signals & kMissedBit;
-        const std::uint32_t missed_b = context.parts.channel_b.View(slot).signals & kMissedBit;
-        if (missed_a > missed_b)
-        {
-            b.due &= ~OnlySlot(slot).mask;
-        }
-        else if (missed_b > missed_a)
-        {
-            a.due &= ~OnlySlot(slot).mask;
-        }
-        else
-        {
-            // Missed in both, or told for another cause.
-        }
-    }
 }
 
 void Production::Produce(KernelContext& context, const SrdoMask start) noexcept

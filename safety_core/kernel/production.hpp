@@ -71,11 +71,10 @@ class Production
     {
         return stand_b_;
     }
-    /// @brief Each channel's refresh runs by its own counter; the one that is ahead waits for the other, and a request
-    /// of the same producer waits with it: where the refresh of one channel alone waits, or one channel alone missed
-    /// the next one, the other channel's slot does not count as due. So a pair always is the refresh of both channels
-    /// or of none. O(1), with a cause of a producer O(slots with one) [SRS_KRN_017, SRS_KRN_145, SRS_KRN_146,
-    /// SRS_KRN_148]
+    /// @brief Each channel's refresh runs by its own counter. Where it waits in one channel alone, or one channel alone
+    /// missed the next one so far, that channel is ahead: it stands, and the other one's slot does not count as due, so
+    /// that a request of the same producer waits, too. So a pair always is the refresh of both channels or of none.
+    /// O(1), with a cause of a producer O(slots with one) [SRS_KRN_017, SRS_KRN_145, SRS_KRN_146, SRS_KRN_148]
     void Await(const KernelContext& context, CycleOutcome& a, CycleOutcome& b) noexcept;
     /// @brief Sends the pairs of producers that both channels call due. O(start)
     void Produce(KernelContext& context, SrdoMask start) noexcept;
@@ -139,8 +138,10 @@ class Production
     Instant now_{};                       ///< By counter A.
     SrdoMask producers_{}; ///< What may be asked for; none outside OPERATIONAL and without a valid configuration.
     SrdoMask requests_{};  ///< Told to the channels by the next cycle, as the two below.
-    SrdoMask stand_a_{};   ///< Producers whose refresh waits in channel A alone.
+    SrdoMask stand_a_{};   ///< Producers whose refresh channel A has first.
     SrdoMask stand_b_{};
+    SrdoMask missed_a_{}; ///< Producers of which only channel A has missed a refresh so far.
+    SrdoMask missed_b_{};
 };
 
 } // namespace counterpoint

@@ -317,21 +317,19 @@ std::uint64_t Device::ReadSide(const Srdo& srdo, const std::size_t side) const
     return data;
 }
 
-/// A pair starts when both channels call it due. Each channel's refresh runs by its own counter; where it waits in one
-/// of them alone, that one stands, and a request of the other one waits for it; so where one alone missed the next.
-/// [semantics 6]
+/// A pair starts when both channels call it due. Each channel's refresh runs by its own counter; where more of them
+/// fell due by one counter, that one stands, and the pair waits for the other one. [semantics 6]
 bool Device::LookAtProducer(Srdo& srdo, const Time now)
 {
     Producer& a = srdo.producers[0];
     Producer& b = srdo.producers[1];
     a.Look(now, srdo.stands[0]);
     b.Look(drift_.ByB(now), srdo.stands[1]);
-    const bool is_alone_a = a.IsRefreshWaiting() && !b.IsRefreshWaiting();
-    const bool is_alone_b = b.IsRefreshWaiting() && !a.IsRefreshWaiting();
+    const bool is_ahead_a = a.Refreshes() > b.Refreshes();
+    const bool is_ahead_b = b.Refreshes() > a.Refreshes();
     const bool anything_stands = flaw_ != Flaw::kNothingStands;
-    srdo.stands = {is_alone_a && anything_stands, is_alone_b && anything_stands};
-    const bool is_alone = (is_alone_a || is_alone_b) && flaw_ != Flaw::kRequestAlone;
-    const bool waits = is_alone || a.IsRefreshMissed() != b.IsRefreshMissed();
+    srdo.stands = {is_ahead_a && anything_stands, is_ahead_b && anything_stands};
+    const bool waits = (is_ahead_a || is_ahead_b) && flaw_ != Flaw::kRequestAlone;
     return a.IsDue() && b.IsDue() && !waits;
 }
 

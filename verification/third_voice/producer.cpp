@@ -12,6 +12,7 @@ void Producer::EnterOperational(const ProducerRules& rules, const Time now)
     looked_.reset();
     is_requested_ = false;
     is_refresh_waiting_ = false;
+    refreshes_ = 0U;
     flight_.reset();
 }
 
@@ -47,6 +48,7 @@ void Producer::Look(const Time now, const bool is_standing)
     if (rules_.is_called && now >= next_)
     {
         next_ += rules_.refresh_us;
+        ++refreshes_;
         const bool is_skipped = rules_.is_refresh_skipped && flight_;
         if (is_refresh_waiting_ || is_skipped)
         {
@@ -66,9 +68,9 @@ bool Producer::IsRefreshWaiting() const
     return is_refresh_waiting_;
 }
 
-bool Producer::IsRefreshMissed() const
+std::uint64_t Producer::Refreshes() const
 {
-    return causes_.count(SrdoCause::kRefreshMissed) != 0U;
+    return refreshes_;
 }
 
 Time Producer::NextRefresh() const

@@ -62,8 +62,8 @@ class Producer
     [[nodiscard]] Confirmed Confirm(const Sent& frame, Time stamp);
     [[nodiscard]] Sent Normal() const;
     [[nodiscard]] Sent Inverse() const;
-    /// @brief Whether a refresh was missed since the last call.
-    [[nodiscard]] bool IsRefreshMissed() const;
+    /// @brief How many refreshes fell due since OPERATIONAL was entered, missed ones included.
+    [[nodiscard]] std::uint64_t Refreshes() const;
     /// @brief Causes that came up since the last call.
     [[nodiscard]] std::set<SrdoCause> TakeCauses();
 
@@ -76,6 +76,7 @@ class Producer
     Time next_{0}; ///< Refresh; keeps its phase.
     bool is_requested_{false};
     bool is_refresh_waiting_{false};
+    std::uint64_t refreshes_{0U};
     std::optional<Time> looked_;          ///< The call before, since OPERATIONAL was entered.
     std::optional<std::uint64_t> flight_; ///< Normal data of the pair on its way.
     bool is_inverse_awaited_{false};

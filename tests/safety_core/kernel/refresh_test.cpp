@@ -183,11 +183,11 @@ TEST_F(Refresh, ConfirmationAtTheVeryLimitEndsInNoDeviceFault)
     }
 }
 
-// cycle     26 to 50            51 (late by 0.5 ms)        52                         53
-// provider  not ready           ready                      ready                      ready
-// ahead     waits since 26      .                          next one: missed           pair 2
-// behind    waits since 27      next one: missed           .                          pair 2
-// The counter that was ahead in cycle 26 stood, and is the later one in 51.
+// cycle     26 to 50            51 (late by 0.5 ms)        52
+// provider  not ready           ready                      ready
+// A         waits since 26      .                          next one missed, pair 2
+// B         waits since 27      next one missed            stands, pair 2
+// The counter that was ahead in cycle 26 stood, and is the later one in 51 (the other way round where B is ahead).
 TEST_F(Refresh, ThatIsMissedInOneChannelAloneWaitsUntilItIsInBoth)
 {
     Verifies(req::SRS_KRN_148);
@@ -201,24 +201,58 @@ TEST_F(Refresh, ThatIsMissedInOneChannelAloneWaitsUntilItIsInBoth)
         CyclesBehind(24U);
         application.refresh = RefreshAnswer::kSkip;
         CyclesBehind(25U);
+        const int stands_a = a.stands;
+        const int stands_b = b.stands;
         // When it is ready in the call in which the next refresh falls due by one counter alone
         application.refresh = RefreshAnswer::kReady;
         now_us += 1500U;
         kernel.Cycle(CycleCall{NowBehind(1U), 0U, 0U});
+        // Then nothing is sent yet,
         EXPECT_EQ(ports.sent.size(), 0U);
         EXPECT_EQ(CausesOf(0x1303U), std::vector<SrdoCause>{SrdoCause::kRefreshMissed});
+        // the channel that missed it first stands, and the pair is sent when both have missed it,
         CycleBehind(1U);
-        EXPECT_EQ(ports.sent.size(), 0U);
-        // Then the pair is sent when both have missed it,
-        CycleBehind(1U);
+        EXPECT_EQ(a.stands - stands_a, is_a ? 1 : 0);
+        EXPECT_EQ(b.stands - stands_b, is_a ? 0 : 1);
         ASSERT_EQ(ports.sent.size(), 1U);
         ConfirmPair();
         // and the next one a refresh time later
-        CyclesBehind(23U);
+        CyclesBehind(24U);
         EXPECT_EQ(ports.sent.size(), 0U);
-        CyclesBehind(2U);
+        CycleBehind(1U);
         EXPECT_EQ(ports.sent.size(), 1U);
         EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    }
+}
+
+// t         k to k+5, B never misses what A has missed
+// A         next one missed, stands         B is not due: the discrepancy time of 5 ms is over in the sixth comparison
+TEST_F(Refresh, ThatOneChannelNeverMissesIsFound)
+{
+    Verifies(req::SRS_KRN_148);
+    for (const bool is_a : {false, true})
+    {
+        Operate();
+        // Given a refresh that waits in both channels
+        Tap& first = is_a ? a : b;
+        application.refresh = RefreshAnswer::kSkip;
+        Cycles(3U);
+        // When one of them alone signals a missed one
+        first.on_outcome = [](CycleOutcome& outcome) { outcome.signalled |= 2U; };
+        first.on_view = [](SrdoView& view) { view.signals |= 1U << static_cast<std::uint32_t>(SrdoCause::kRefreshMissed); };
+        Cycle();
+        first.on_outcome = nullptr;
+        first.on_view = nullptr;
+        application.refresh = RefreshAnswer::kReady;
+        std::uint32_t cycles = 1U;
+        while ((kernel.DeviceState().fault == DeviceFault::kNone) && (cycles < 20U))
+        {
+            Cycle();
+            ++cycles;
+        }
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kUnmatched);
+        EXPECT_EQ(cycles, 6U);
+        EXPECT_TRUE(ports.sent.empty());
     }
 }
 
