@@ -239,10 +239,10 @@ TEST_F(Refresh, ThatOneChannelNeverMissesIsFound)
         Cycles(3U);
         // When one of them alone signals a missed one
         first.on_outcome = [](CycleOutcome& outcome) { outcome.signalled |= 2U; };
-        first.on_view = [](SrdoView& view) { view.signals |= 1U << static_cast<std::uint32_t>(SrdoCause::kRefreshMissed); };
+        first.more_signals = 1U << static_cast<std::uint32_t>(SrdoCause::kRefreshMissed);
         Cycle();
         first.on_outcome = nullptr;
-        first.on_view = nullptr;
+        first.more_signals = 0U;
         application.refresh = RefreshAnswer::kReady;
         std::uint32_t cycles = 1U;
         while ((kernel.DeviceState().fault == DeviceFault::kNone) && (cycles < 20U))
