@@ -81,6 +81,27 @@ std::uint32_t WatchesManagerMs(const LoadedSlave& slave, const cia302::SlaveSetu
     return time_ms;
 }
 
+/// The life time factor has 8 bits and 1016h has 16: a slave may be lost before the time that was asked for.
+/// [SRS_NET_230]
+std::string ShortenedText(const LoadedSlave& slave, const cia302::SlaveSetup& setup)
+{
+    constexpr std::uint32_t kLongestMs = 0xFFFFU;
+    if (setup.el6751 == nullptr || !setup.el6751->IsWatched())
+    {
+        return "";
+    }
+    const std::uint32_t life_ms = std::uint32_t{setup.el6751->guard_time_ms} * setup.el6751->life_time_factor;
+    const bool is_guarded = slave.plan.guard_ms.has_value() || setup.GuardTimeMs() > 0U;
+    const std::uint32_t asked_ms = is_guarded ? life_ms : setup.heartbeat.consumer_ms;
+    const std::uint32_t watched_ms = std::min(life_ms, kLongestMs);
+    const std::string factors = std::to_string(setup.el6751->guard_time_ms) + " ms x life time factor " +
+                                std::to_string(setup.el6751->life_time_factor);
+    return (watched_ms >= asked_ms) ? ""
+                                    : " is lost after " + std::to_string(watched_ms) + " ms without a heartbeat (" +
+                                          factors + ", 65535 ms at most), and not after " + std::to_string(asked_ms) +
+                                          " ms, expected no longer time than that, or a longer heartbeat";
+}
+
 /// Each bit of 1F80h that the profile does not follow, and the one that a safety slave takes from it.
 /// [SRS_NET_150] [SRS_NET_006]
 std::vector<std::string> WarningsOfStartUp(const ManagerPlan& manager, const cia302::NetworkSetup& setup)
@@ -219,6 +240,11 @@ void NetworkWarnings::WarnOfHeartbeat()
                                 std::to_string(heartbeat.consumer_ms) +
                                 " ms: " + (is_cia302 ? "its start-up ends with letter K" : otherwise) +
                                 ", expected a heartbeat, or consumer: 0 ms");
+        }
+        const std::string shortened = ShortenedText(*slave, setup_.slaves[node]);
+        if (!shortened.empty())
+        {
+            warnings_.push_back(name + shortened);
         }
         const std::string place = name + " watches the manager for " + std::to_string(time_ms) + " ms";
         if (first != 0U && first != setup_.own.value)

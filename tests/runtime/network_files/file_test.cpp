@@ -351,6 +351,38 @@ class ManagersFileTest : public NetworkFileTest
     std::string dcf;
 };
 
+TEST_F(ManagersFileTest, ASyncPeriodThatIsTooShortIsRefusedWhereItStands)
+{
+    Verifies(req::SRS_NET_231);
+    std::string with_sync = dcf + Variable("1006", "0x0007", "1");
+    const std::string last = "=0x1F89";
+    const std::size_t place = with_sync.find(last);
+    const std::size_t begin = with_sync.rfind('\n', place) + 1U;
+    const int number = std::stoi(with_sync.substr(begin, place - begin));
+    with_sync.insert(place + last.size(), "\n" + std::to_string(number + 1) + "=0x1006");
+    const std::string count = "[OptionalObjects]\nSupportedObjects=" + std::to_string(number);
+    with_sync.replace(with_sync.find(count), count.size(),
+                      "[OptionalObjects]\nSupportedObjects=" + std::to_string(number + 1));
+    const std::string text = Refusal(with_sync);
+    const auto line =
+        std::count(with_sync.begin(), with_sync.begin() + static_cast<long>(with_sync.find("[1006]")), '\n');
+    EXPECT_EQ(text.find(Path("manager.dcf") + ":" + std::to_string(line + 6)), 0U) << text;
+    EXPECT_NE(text.find("SYNC period (1006h) of 1 us, expected none, or at least 1000 us"), std::string::npos) << text;
+    // The network file goes before it
+    const std::string file =
+        File("net.yaml", "manager: {node: 2, dcf: manager.dcf, sync: 10 us}\nslaves: [{node: 9}]\n");
+    try
+    {
+        const LoadedNetwork wrong(runtime::ReadNetworkFile(file, 0U));
+        FAIL() << "accepted";
+    }
+    catch (const cia306::InputError& error)
+    {
+        EXPECT_EQ(std::string(error.what()),
+                  file + ":1:10: error: SYNC period (1006h) of 10 us, expected none, or at least 1000 us");
+    }
+}
+
 TEST_F(ManagersFileTest, ItsOwnObjectsGoBeforeDerivedOnes)
 {
     Verifies(req::SRS_NET_003);
