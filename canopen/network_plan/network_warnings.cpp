@@ -1,10 +1,12 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/network_plan/loaded_network.hpp"
 
+#include "canopen/cia301/base/cob_id.hpp"
 #include "canopen/cia302/network/concise_dcf.hpp"
 #include "canopen/cia306/safety/contradictions.hpp"
 #include "canopen/cia306/text/finding.hpp"
 #include "canopen/cia306/text/input_error.hpp"
+#include "canopen/network_plan/concise_maker.hpp"
 #include "canopen/network_plan/start_up_bits.hpp"
 
 #include <algorithm>
@@ -160,6 +162,7 @@ class NetworkWarnings
     void WarnOfGuarding(const SlavePlan& slave, bool is_el6751);
     void WarnOfSafety(const LoadedSlave& slave);
     void WarnOfEmergencies();
+    void WarnOfSyncs();
     void WarnOfSrdos();
     [[nodiscard]] std::string EmergencyPlace(const LoadedSlave& slave) const;
     [[nodiscard]] std::uint32_t EmergencyOf(const LoadedSlave& slave) const;
@@ -188,6 +191,7 @@ std::vector<std::string> NetworkWarnings::All()
         WarnOfSafety(*slave);
     }
     WarnOfEmergencies();
+    WarnOfSyncs();
     WarnOfSrdos();
     WarnOfUnused();
     WarnOfHeartbeat();
@@ -378,6 +382,30 @@ void NetworkWarnings::WarnOfEmergencies()
                                     EmergencyPlace(second) +
                                     "): whose emergencies come with it is not known, expected one for each");
             }
+        }
+    }
+}
+
+/// Whoever produces SYNC sends it as often as it can where the period asks for that: its identifier goes before those
+/// of SRDOs. [SRS_NET_232]
+void NetworkWarnings::WarnOfSyncs()
+{
+    constexpr std::uint16_t kSyncId = 0x1005U;
+    constexpr std::uint16_t kSyncPeriod = 0x1006U;
+    constexpr std::uint64_t kFrameUs = 47U; // Without data and stuff bits, at 1 Mbit/s.
+    for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
+    {
+        const std::uint8_t node = slave->plan.node;
+        const std::uint64_t identifier = NumberOf(slave->device, node, kSyncId, 0U, 0U);
+        const std::uint64_t period_us = NumberOf(slave->device, node, kSyncPeriod, 0U, 0U);
+        const bool is_producer = (identifier & cia301::kCobBit30) != 0U;
+        if (is_producer && period_us > 0U && period_us < 2U * kFrameUs)
+        {
+            warnings_.push_back(
+                cia306::PlaceText(slave->device.file, slave->device.Find(kSyncPeriod, 0U)->ValuePlace()) +
+                ": warning: " + cia306::ObjectName(kSyncPeriod, 0U) + ": SYNC of node " + std::to_string(node) +
+                " each " + std::to_string(period_us) +
+                " us takes the bus (47 us a frame at 1 Mbit/s), expected 0, or a period that leaves room for others");
         }
     }
 }

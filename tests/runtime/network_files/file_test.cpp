@@ -1,10 +1,12 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Network files: what a manager learns from them and from the DCFs they name.
 #include "canopen/network_plan/loaded_network.hpp"
+#include "examples/network_manager/network.hpp"
 #include "runtime/network_files/file.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/manager.hpp"
+#include "verification/trace/ids/target.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <algorithm>
@@ -308,6 +310,37 @@ std::string Variable(const std::string& section, const std::string& type, const 
 std::string Array(const std::string& section, const std::string& count)
 {
     return "\n[" + section + "]\nParameterName=x\nObjectType=0x8\nSubNumber=" + count + "\n";
+}
+
+/// What a person would copy from the example is what the reader makes of the drive's DCF.
+TEST_F(NetworkFileTest, TheTablesOfTheExampleAreThoseOfItsDcf)
+{
+    Verifies(req::SRS_TGT_230);
+    const std::string file =
+        File("net.yaml", "manager: {node: 1}\nslaves: [{node: 33, dcf: " + cia306::test::SourceFolder() +
+                             "/examples/actuator/actuator.dcf}]\n");
+    const LoadedNetwork net(runtime::ReadNetworkFile(file, 0U));
+    const cia302::SlaveSetup& read = net.Setup().Slave(examples::kDrive);
+    const examples::ManagerSettings settings = examples::AloneSettings();
+    const cia302::SlaveSetup& example = settings.setup.Slave(examples::kDrive);
+    ASSERT_EQ(example.safety->count, read.safety->count);
+    for (std::uint16_t place = 0U; place < read.safety->count; ++place)
+    {
+        const cia302::ExpectedObject& is = example.safety->objects[place];
+        const cia302::ExpectedObject& should = read.safety->objects[place];
+        EXPECT_EQ(is.address.index, should.address.index) << place;
+        EXPECT_EQ(is.address.sub, should.address.sub) << place;
+        EXPECT_EQ(is.value, should.value) << place;
+        EXPECT_EQ(is.is_fixed, should.is_fixed) << place;
+    }
+    EXPECT_EQ(example.device_type, read.device_type);
+    EXPECT_EQ(example.vendor_id, read.vendor_id);
+    EXPECT_EQ(example.product_code, read.product_code);
+    EXPECT_EQ(example.revision_number, read.revision_number);
+    EXPECT_EQ(example.serial_number, read.serial_number);
+    EXPECT_EQ(
+        std::vector<std::uint8_t>(example.concise_dcf.data, example.concise_dcf.data + example.concise_dcf.size_bytes),
+        std::vector<std::uint8_t>(read.concise_dcf.data, read.concise_dcf.data + read.concise_dcf.size_bytes));
 }
 
 // A manager's own file with 1F80h, 1F89h, and 1F81h and 1F88h for node 33

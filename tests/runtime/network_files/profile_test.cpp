@@ -414,5 +414,36 @@ TEST_F(NetworkProfileTest, ATimeThatTheEl6751RowsCannotHoldIsTold)
     EXPECT_EQ(warnings("cia302", "    consumer: 60 s\n"), "3:3: warning: sync has no effect with the profile cia302\n");
 }
 
+TEST_F(NetworkProfileTest, ASyncThatTakesTheBusIsTold)
+{
+    Verifies(req::SRS_NET_232);
+    const auto warnings = [this](const std::string& identifier, const std::string& period)
+    {
+        std::string text = kDcf;
+        const std::size_t pdos = text.find("3=0x1400");
+        text.erase(pdos, text.find("[ManufacturerObjects]") - pdos);
+        text.replace(text.find("SupportedObjects=11\n"), 20U, "SupportedObjects=4\n");
+        text.replace(text.find("11=0x1016"), 9U, "3=0x1016\n4=0x1005");
+        text.replace(text.find("ParameterValue=9999"), 19U, "ParameterValue=" + period);
+        static_cast<void>(File("io.dcf", text + "[1005]\nParameterName=SYNC\nDataType=0x0007\nAccessType=rw\n" +
+                                             "ParameterValue=" + identifier + "\n"));
+        const LoadedNetwork net(
+            runtime::ReadNetworkFile(File("net.yaml", "manager: {node: 127}\nslaves: [{node: 5, dcf: io.dcf}]\n"), 0U));
+        std::string all;
+        for (const std::string& warning : net.Warnings())
+        {
+            all += warning.substr(warning.find("io.dcf:")) + "\n";
+        }
+        return all;
+    };
+    EXPECT_EQ(warnings("0x40000080", "1"),
+              "io.dcf:25:16: warning: 0x1006:00: SYNC of node 5 each 1 us takes the bus (47 us a frame at 1 Mbit/s), "
+              "expected 0, or a period that leaves room for others\n");
+    EXPECT_EQ(warnings("0x40000080", "93").find("io.dcf:25:16: warning: 0x1006:00: SYNC of node 5 each 93 us"), 0U);
+    EXPECT_EQ(warnings("0x40000080", "94"), "");
+    EXPECT_EQ(warnings("0x40000080", "0"), "");
+    EXPECT_EQ(warnings("0x80", "1"), ""); // It produces none.
+}
+
 } // namespace
 } // namespace counterpoint::tools

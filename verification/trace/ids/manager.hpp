@@ -86,6 +86,7 @@ inline constexpr RequirementId SRS_NET_153{"SRS_NET_153"};
 inline constexpr RequirementId SRS_NET_154{"SRS_NET_154"};
 inline constexpr RequirementId SRS_NET_230{"SRS_NET_230"};
 inline constexpr RequirementId SRS_NET_231{"SRS_NET_231"};
+inline constexpr RequirementId SRS_NET_232{"SRS_NET_232"};
 inline constexpr RequirementId SRS_SFS_001{"SRS_SFS_001"};
 inline constexpr RequirementId SRS_SFS_002{"SRS_SFS_002"};
 inline constexpr RequirementId SRS_SFS_003{"SRS_SFS_003"};
