@@ -208,7 +208,7 @@ TEST_F(ManagerResultsTest, AFlashThatIsBusyIsToldWhileItsUpdateRuns)
     others[0].read = 2U;
     others[1].object = ObjectAddress{0x1F50U, 1U};
     others[2].step = StartUpStep::kConfigure;
-    others[3].abort = SdoAbort::kTimeOut;
+    others[3].abort = cia301::SdoAbort::kTimeOut;
     others[4].is_busy = false;
     for (const cia302::NodeStatus& other : others)
     {
