@@ -195,6 +195,24 @@ TEST_F(LostFramesTest, AnotherDeviceThatGaveWayWhileTheBusWasAwayIsStarted)
     EXPECT_EQ(Running(5U), 1);
 }
 
+TEST_F(LostFramesTest, WhoseStartByOrderWaitsWhileTheBusIsAwayIsAskedWhoItIs)
+{
+    Verifies(req::SRS_BOOT_018);
+    // Given 2 s between two commands, and a start behind the command that made slave 6 PRE-OPERATIONAL
+    setup.inhibit_100us = 20000U;
+    Begin(Profile::kCia302);
+    Run(20000U);
+    ASSERT_EQ(Running(6U), 1);
+    EXPECT_EQ(Order(NmtCommand::kPreOperational, 6U), NmtAnswer::kTaken);
+    EXPECT_EQ(Order(NmtCommand::kStart, 6U), NmtAnswer::kTaken);
+    manager->OnBus(false, Now());
+    devices[1]->Put32(0x1018U, 4U, 0x4321U);
+    manager->OnBus(true, Now());
+    Run(9000U);
+    EXPECT_EQ(manager->Status(NodeId{6U}).letter, 'O');
+    EXPECT_EQ(Running(6U), 0);
+}
+
 TEST_F(LostFramesTest, WhomSomebodyElseStoppedIsNotStartedWhenTheBusIsBack)
 {
     Verifies(req::SRS_BOOT_018);
