@@ -437,9 +437,9 @@ TEST_F(NetworkProfileTest, ASyncThatTakesTheBusIsTold)
         return all;
     };
     EXPECT_EQ(warnings("0x40000080", "1"),
-              "io.dcf:25:16: warning: 0x1006:00: SYNC of node 5 each 1 us takes the bus (47 us a frame at 1 Mbit/s), "
+              "io.dcf:28:16: warning: 0x1006:00: SYNC of node 5 each 1 us takes the bus (47 us a frame at 1 Mbit/s), "
               "expected 0, or a period that leaves room for others\n");
-    EXPECT_EQ(warnings("0x40000080", "93").find("io.dcf:25:16: warning: 0x1006:00: SYNC of node 5 each 93 us"), 0U);
+    EXPECT_EQ(warnings("0x40000080", "93").find("io.dcf:28:16: warning: 0x1006:00: SYNC of node 5 each 93 us"), 0U);
     EXPECT_EQ(warnings("0x40000080", "94"), "");
     EXPECT_EQ(warnings("0x40000080", "0"), "");
     EXPECT_EQ(warnings("0x80", "1"), ""); // It produces none.
