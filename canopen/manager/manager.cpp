@@ -87,12 +87,16 @@ void Manager::CountHeartbeats(const CanFrame& frame) noexcept
 }
 
 /// What waits for room in the sink has the first place that is free: who sends requests and remote frames would take
-/// each one. [SRS_NMM_230]
+/// each one. [SRS_NMM_230] [SRS_MGR_231]
 void Manager::SendWaiting(const Instant now) noexcept
 {
     if (nmt_.Waiting() > 0U)
     {
         nmt_.OnCycle(now);
+    }
+    if (own_.IsWaiting())
+    {
+        own_.Send(role_.IsInitialising(), now);
     }
 }
 

@@ -215,6 +215,45 @@ TEST_F(ManagerFlying, NegotiationOnTheApplicationsCallWithWhatItWrote)
     EXPECT_EQ(Log(), (Lines{"20300 073", "20400 072", "22450 071 01 05", "event 4 1/5", "leads", "22450 705 00"}));
 }
 
+TEST_F(ManagerFlying, WhatTheActiveMasterOwesLeavesWithTheFirstRoom)
+{
+    Verifies(req::SRS_MGR_231);
+    Use(NegotiationBy::kManager);
+    manager.Begin(Now());
+    RunTo(4000U);
+    ASSERT_TRUE(manager.IsActive());
+    Log();
+    // When somebody asks who is master, and the sink is full
+    refuses = 1'000'000U;
+    Hear(0x073U);
+    RunTo(4010U);
+    EXPECT_EQ(Log(), Lines{});
+    // Then the answer leaves with the next frame, whatever it is, and once
+    refuses = 0U;
+    Hear(0x710U, {0x05U});
+    Hear(0x710U, {0x05U});
+    EXPECT_EQ(Log(), Lines{"4010 071 01 05"});
+    // And so does what it sends again and again, with the heartbeat behind it
+    refuses = 1'000'000U;
+    RunTo(9000U);
+    refuses = 0U;
+    Hear(0x710U, {0x05U});
+    Hear(0x710U, {0x05U});
+    EXPECT_EQ(Log(), (Lines{"9000 076", "9000 705 7F"}));
+    // When it is not the active master any more, nothing is owed
+    refuses = 1'000'000U;
+    Hear(0x073U);
+    RunTo(9010U);
+    Hear(0x071U, {0x00U, 0x02U});
+    refuses = 0U;
+    Hear(0x710U, {0x05U});
+    EXPECT_FALSE(manager.IsActive());
+    for (const std::string& line : Log())
+    {
+        EXPECT_EQ(line.find("071 01"), std::string::npos) << line;
+    }
+}
+
 TEST_F(ManagerFlying, ValuesThatCannotWorkAreToldOnceAndMayBeCorrected)
 {
     Verifies(req::SRS_FLY_027);

@@ -71,6 +71,7 @@ inline constexpr RequirementId SRS_MGR_159{"SRS_MGR_159"};
 inline constexpr RequirementId SRS_MGR_160{"SRS_MGR_160"};
 inline constexpr RequirementId SRS_MGR_161{"SRS_MGR_161"};
 inline constexpr RequirementId SRS_MGR_230{"SRS_MGR_230"};
+inline constexpr RequirementId SRS_MGR_231{"SRS_MGR_231"};
 inline constexpr RequirementId SRS_NET_001{"SRS_NET_001"};
 inline constexpr RequirementId SRS_NET_002{"SRS_NET_002"};
 inline constexpr RequirementId SRS_NET_003{"SRS_NET_003"};
