@@ -226,13 +226,13 @@ TEST_F(ManagerFlying, WhatTheActiveMasterOwesLeavesWithTheFirstRoom)
     // When somebody asks who is master, and the sink is full
     refuses = 1'000'000U;
     Hear(0x073U);
-    RunTo(4010U);
+    RunTo(4100U);
     EXPECT_EQ(Log(), Lines{});
     // Then the answer leaves with the next frame, whatever it is, and once
     refuses = 0U;
     Hear(0x710U, {0x05U});
     Hear(0x710U, {0x05U});
-    EXPECT_EQ(Log(), Lines{"4010 071 01 05"});
+    EXPECT_EQ(Log(), Lines{"4100 071 01 05"});
     // And so does what it sends again and again, with the heartbeat behind it
     refuses = 1'000'000U;
     RunTo(9000U);
@@ -243,7 +243,7 @@ TEST_F(ManagerFlying, WhatTheActiveMasterOwesLeavesWithTheFirstRoom)
     // When it is not the active master any more, nothing is owed
     refuses = 1'000'000U;
     Hear(0x073U);
-    RunTo(9010U);
+    RunTo(9100U);
     Hear(0x071U, {0x00U, 0x02U});
     refuses = 0U;
     Hear(0x710U, {0x05U});
