@@ -87,7 +87,7 @@ void Manager::CountHeartbeats(const CanFrame& frame) noexcept
 }
 
 /// What waits for room in the sink has the first place that is free: who sends requests and remote frames would take
-/// each one. [SRS_NMM_230] [SRS_MGR_231]
+/// each one. [SRS_NMM_230] [SRS_MGR_231] [SRS_ELM_230]
 void Manager::SendWaiting(const Instant now) noexcept
 {
     if (nmt_.Waiting() > 0U)
@@ -97,6 +97,10 @@ void Manager::SendWaiting(const Instant now) noexcept
     if (own_.IsWaiting())
     {
         own_.Send(role_.IsInitialising(), now);
+    }
+    if (StartUp* const profile = role_.Leading())
+    {
+        profile->OnRoom(now);
     }
 }
 

@@ -121,6 +121,8 @@ class StartUp
     virtual void OnFrame(const CanFrame& frame, Instant now) noexcept = 0;
     /// @brief Does what is due for every slave. O(127)
     virtual void OnCycle(Instant now) noexcept = 0;
+    /// @brief Before others use the sink: what OnCycle had to send and found no room for. By itself this does nothing.
+    virtual void OnRoom(Instant now) noexcept;
     /// @brief What the node table told of a node, listed or not.
     virtual void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept = 0;
     /// @brief The NMT master gave up a start that it had taken: the slave is verified again, and then started.
@@ -169,6 +171,10 @@ class StartUp
     const NodeStatus status = start_up.Status(node);
     const bool is_other = parts.setup.IsSafetySlave(node) && status.is_other;
     return !is_other && !status.is_busy && !IsStopped(parts.table, node);
+}
+
+inline void StartUp::OnRoom(const Instant /*now*/) noexcept
+{
 }
 
 inline void StartUp::OnBusBack(const Instant /*now*/) noexcept
