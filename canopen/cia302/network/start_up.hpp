@@ -105,10 +105,10 @@ struct StartUpParts
 };
 
 /// A profile of start-up and supervision. The owner of the parts carries frames and cycles in this order:
-///   OnFrame: table, nmt, sdo, start-up. The table's events come before the frame: on kBootUp and on a loss the owner
-///   calls sdo.OnBootUp (boot-up only) and gate.Close, then OnNodeEvent of the start-up. OnCycle: nmt, table, sdo,
-///   gate, start-up, nmt. A command that waits goes first: the others would take each place of the sink that becomes
-///   free.
+///   OnFrame: table, nmt, sdo, start-up. The table's events come before the frame: on kBootUp and on a loss the
+///   owner calls sdo.OnBootUp (boot-up only) and gate.Close, then OnNodeEvent of the start-up.
+///   OnCycle: nmt, table, sdo, gate, start-up, nmt. A command that waits goes first, and OnRoom before sdo in both:
+///   the others would take each place of the sink that becomes free.
 /// Nothing here waits; each call does a bounded piece of work. Not reentrant.
 class StartUp
 {
