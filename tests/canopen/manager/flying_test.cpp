@@ -278,6 +278,22 @@ TEST_F(ManagerFlying, WhatTheActiveMasterOwesLeavesWithTheFirstRoom)
     }
 }
 
+TEST_F(ManagerFlying, AnActiveMasterWithoutACyclicMessageOwesNothing)
+{
+    Verifies(req::SRS_MGR_231);
+    Use(NegotiationBy::kManager);
+    times.detection_cycle = 0U;
+    manager.Begin(Now());
+    RunTo(4000U);
+    ASSERT_TRUE(manager.IsActive());
+    Log();
+    refuses = 1'000'000U;
+    RunTo(4700U);
+    refuses = 0U;
+    Hear(0x710U, {0x05U});
+    EXPECT_EQ(Log(), Lines{"4700 705 7F"});
+}
+
 TEST_F(ManagerFlying, ValuesThatCannotWorkAreToldOnceAndMayBeCorrected)
 {
     Verifies(req::SRS_FLY_027);

@@ -161,6 +161,21 @@ TEST_F(El6751PdosTest, WhatFoundNoRoomIsSentAgainBetweenTwoCycles)
     EXPECT_EQ(Sent(), (std::vector<std::uint32_t>{}));
 }
 
+TEST_F(El6751PdosTest, WhatFoundNoRoomBesideSyncIsSentBehindIt)
+{
+    Verifies(req::SRS_ELM_230);
+    // Given an RxPDO that does not follow SYNC, and that is due as SYNC is
+    Tx(1U, 0U);
+    Rx(255U, 0U, 0U);
+    El6751Pdos& some = Make(El6751Times{});
+    some.Feed(kNode);
+    sink.room = 0;
+    static_cast<void>(Cycle(some, 0U));
+    sink.room = 2;
+    some.SendAgain(At(100U));
+    EXPECT_EQ(Sent(), (std::vector<std::uint32_t>{0x080U, 0x205U}));
+}
+
 TEST_F(El6751PdosTest, WhatComesBehindTheWindowDoesNotCountForTheNextCycle)
 {
     Verifies(req::SRS_ELM_033);
