@@ -288,10 +288,10 @@ TEST_F(ManagerFlying, AnActiveMasterWithoutACyclicMessageOwesNothing)
     ASSERT_TRUE(manager.IsActive());
     Log();
     refuses = 1'000'000U;
-    RunTo(4700U);
+    RunTo(4800U);
     refuses = 0U;
     Hear(0x710U, {0x05U});
-    EXPECT_EQ(Log(), Lines{"4700 705 7F"});
+    EXPECT_EQ(Log(), Lines{"4800 705 7F"});
 }
 
 TEST_F(ManagerFlying, ValuesThatCannotWorkAreToldOnceAndMayBeCorrected)
