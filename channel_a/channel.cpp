@@ -178,7 +178,8 @@ CanFrame Channel::InverseFrame(const SlotIndex slot) const noexcept
 void Channel::OnTransmitFault(const SlotIndex slot, const TransmitFault& fault) noexcept
 {
     const bool is_of_port = (fault.cause == SrdoCause::kTransmitQueue) || (fault.cause == SrdoCause::kBusOff);
-    if (is_of_port || (fault.cause == SrdoCause::kNotInverse))
+    const bool is_of_channels = (fault.cause == SrdoCause::kNotInverse) || (fault.cause == SrdoCause::kNoConfirmation);
+    if (is_of_port || is_of_channels)
     {
         GiveUp(voice_, slot, fault.cause);
     }

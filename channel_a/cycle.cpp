@@ -93,7 +93,7 @@ void NoteInputs(const Voice& voice, const SrdoMask standing, const SrdoMask edge
     }
 }
 
-// [SRS_PROD_003, SRS_PROD_004]
+// What waits is what is asked for, and the refreshes. [SRS_PROD_003, SRS_PROD_004, SRS_PROD_013]
 void NoteRequests(Voice& voice, const SrdoMask request) noexcept
 {
     if (AgeUs(voice.entered, voice.now) >= voice.first_delay_us)
@@ -102,7 +102,8 @@ void NoteRequests(Voice& voice, const SrdoMask request) noexcept
     }
     voice.origin = voice.may_send ? voice.now : voice.origin;
     voice.wanted = (voice.wanted | request) & voice.producers;
-    voice.outcome.due = voice.may_send ? voice.wanted : 0U;
+    voice.outcome.refresh &= voice.producers;
+    voice.outcome.due = voice.may_send ? (voice.wanted | voice.outcome.refresh) : 0U;
 }
 
 // Signals stay for one cycle: the next one has to look at the slot again. [SRS_CONS_021]

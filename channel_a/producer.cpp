@@ -18,18 +18,17 @@ bool IsFlying(const Record& record) noexcept
     return FactsOf(record).is_flying;
 }
 
-// Due already, or in flight: the refresh that falls due now is skipped. [SRS_PROD_010]
+// The one before still waits: the refresh that falls due now is skipped. [SRS_PROD_010, SRS_PROD_013]
 void Refresh(Voice& voice, const std::size_t slot) noexcept
 {
     Record& record = At(voice, slot);
     record.since.us += SctUs(record); // Exact addition keeps the phase. [SRS_PROD_002]
-    if (IsFlying(record) || (record.refreshed == kYes))
+    if (IsIn(voice.outcome.refresh, slot))
     {
         Report(record, SrdoCause::kRefreshMissed);
         return;
     }
-    record.refreshed = kYes;
-    PutIn(voice.wanted, slot);
+    PutIn(voice.outcome.refresh, slot);
     PutIn(voice.outcome.due, slot);
 }
 
@@ -109,11 +108,11 @@ void ServeProducer(Voice& voice, const std::size_t slot) noexcept
     {
         GiveUp(voice, slot, SrdoCause::kNoConfirmation); // [SRS_PROD_008]
     }
+    ExamineRefresh(voice, slot);
     if (IsFlying(record))
     {
-        TakeOut(voice.outcome.due, slot); // [SRS_PROD_004]
+        TakeOut(voice.outcome.due, slot); // What fell due waits. [SRS_PROD_004, SRS_PROD_013]
     }
-    ExamineRefresh(voice, slot);
     if (record.grants.Is(Grant::kEdge, kYes) && (record.unreported == 0U))
     {
         SetFirstCause(record, SrdoCause::kNone);
@@ -133,13 +132,13 @@ PreparedPair PreparePair(Voice& voice, const std::size_t slot) noexcept
     static_cast<void>(Advance(voice, record, slot, state, Event::kPrepared));
     Demand(record, kInFlight);
     record.held = ReadObjects(voice, slot);
-    record.refreshed = kNo;
     record.frame_since = voice.now;
     if (record.form != ProducerForm::kProviderCalled)
     {
         record.since = voice.origin;
     }
     voice.wanted &= ~BitOf(slot);
+    voice.outcome.refresh &= ~BitOf(slot); // [SRS_PROD_013]
     return PreparedPair{FrameOf(voice, record, kNormalHalf, 0U), PrepareStatus::kReady};
 }
 

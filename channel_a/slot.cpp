@@ -121,6 +121,7 @@ void Break(Voice& voice, const std::size_t slot) noexcept
     Show(voice, slot, IsActive(voice) ? SrdoState::kFaulted : SrdoState::kOff);
     Forget(voice, slot);
     TakeOut(voice.outcome.due, slot);
+    TakeOut(voice.outcome.refresh, slot);
     record.limit_us = kNoLimit;
     record.sent = 0U;
     if (IsActive(voice))
@@ -172,7 +173,6 @@ void LeaveOperational(Voice& voice) noexcept
         record.ordinal = 0U;
         record.sent = 0U;
         record.todo = kLook;
-        record.refreshed = kNo;
     }
     voice.outcome.sct_checked = 0U;
     voice.outcome.is_tx = 0U;

@@ -49,8 +49,7 @@ struct Record
     std::uint8_t spare_bits; ///< Those of the last byte of a frame that are not mapped.
     SrvtDetection detection;
     ProducerForm form;
-    std::uint8_t awaiting;  ///< kYes: waiting past SCT is still to be signalled.
-    std::uint8_t refreshed; ///< kYes: the due mark of a refresh has not been used up.
+    std::uint8_t awaiting; ///< kYes: waiting past SCT is still to be signalled.
     std::uint16_t error_count;
     std::uint32_t ordinal;    ///< Pairs received since the last fault or since OPERATIONAL was entered.
     std::uint32_t sent;       ///< Pairs sent since OPERATIONAL was entered.

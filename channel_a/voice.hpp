@@ -36,7 +36,7 @@ struct Voice
     /// What the next OnCycle returns, kept up to date by every event.
     CycleOutcome outcome;
     SrdoMask producers; ///< Active ones.
-    SrdoMask wanted;    ///< Slots that are asked for or refreshed and were not prepared since.
+    SrdoMask wanted;    ///< Slots that are asked for and were not prepared since.
     SrdoMask unwritten; ///< The held pair was not written yet.
     SrdoMask committed; ///< The objects hold a pair.
     SrdoMask permitted; ///< Slots of the permit, beside those that are not. [SRS_REL_010]

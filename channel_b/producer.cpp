@@ -156,12 +156,13 @@ Confirmation Producers::OnConfirm(SlotIndex slot, const CanFrame& frame, std::ui
     return kNothingConfirmed;
 }
 
+/// What the controllers tell of a transmission, and what the other channel found where this one found nothing.
 /// [SRS_PROD_009]
 void Producers::OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept
 {
     const bool is_of_bus = (cause == SrdoCause::kTransmitQueue) || (cause == SrdoCause::kBusOff);
-    const bool is_transmit_fault = is_of_bus || (cause == SrdoCause::kNotInverse);
-    if (is_transmit_fault && IsInFlight(slot))
+    const bool is_of_both = (cause == SrdoCause::kNotInverse) || (cause == SrdoCause::kNoConfirmation);
+    if ((is_of_bus || is_of_both) && IsInFlight(slot))
     {
         Fail(slot, cause);
     }
@@ -169,13 +170,14 @@ void Producers::OnTransmitFault(SlotIndex slot, SrdoCause cause) noexcept
 
 // ---- the cycle
 
-/// The refresh falls due at exact distances, whenever the calls come. [SRS_PROD_001, SRS_PROD_002, SRS_PROD_010]
+/// The refresh falls due at exact distances, whenever the calls come and whatever is in flight. One that falls due
+/// behind one that waits is skipped. [SRS_PROD_001, SRS_PROD_002, SRS_PROD_010, SRS_PROD_013]
 void Producers::AdvanceProvider(SlotIndex slot) noexcept
 {
     const SrdoMask bit = BitOf(slot);
     x_pairs.phase_left[slot] += x_settings.SctUs(slot);
     x_started |= bit;
-    if (IsInFlight(slot) || HasAny(x_refresh_due, bit))
+    if (HasAny(x_refresh_due, bit))
     {
         x_faults.Record(slot, SrdoCause::kRefreshMissed);
     }
@@ -239,7 +241,8 @@ void Producers::SpendPhase(SlotIndex slot, std::uint32_t elapsed_us) noexcept
     }
 }
 
-/// [SRS_PROD_003, SRS_PROD_004, SRS_PROD_009, SRS_PROD_012]
+/// A refresh is told while it waits, what is due not while a pair is in flight. [SRS_PROD_003, SRS_PROD_004,
+/// SRS_PROD_009, SRS_PROD_012, SRS_PROD_013]
 void Producers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
 {
     if (x_active == 0U)
@@ -271,6 +274,7 @@ void Producers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
     {
         x_faults.Forget(acknowledged.Slot());
     }
+    outcome.refresh = x_refresh_due;
     outcome.due = (x_refresh_due | (x_requested & x_started)) & ~in_flight;
     outcome.is_tx = static_cast<std::uint8_t>(count);
 }

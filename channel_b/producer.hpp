@@ -100,7 +100,7 @@ class Producers
     SrdoMask x_active{0U};
     SrdoMask x_started{0U};     ///< The first transmission is possible.
     SrdoMask x_requested{0U};   ///< The application wants to send.
-    SrdoMask x_refresh_due{0U}; ///< A refresh has fallen due.
+    SrdoMask x_refresh_due{0U}; ///< A refresh fell due and was not prepared yet.
     SrdoMask x_silent{0U};      ///< The phase is that of the application's silence.
 };
 

@@ -63,6 +63,7 @@ void Manager::OnFrame(const CanFrame& frame, const Instant now) noexcept
         watch_.OnFrame(frame, now);
         table_.OnFrame(frame, now);
         permissions_.OnFrame(frame, role_.Leading(), now);
+        SendWaiting(now);
         sdo_.OnFrame(frame, now);
         role_.Profile()->OnFrame(frame, now);
     }
@@ -85,11 +86,30 @@ void Manager::CountHeartbeats(const CanFrame& frame) noexcept
     }
 }
 
+/// What waits for room in the sink has the first place that is free: who sends requests and remote frames would take
+/// each one. [SRS_NMM_230] [SRS_MGR_231] [SRS_ELM_230]
+void Manager::SendWaiting(const Instant now) noexcept
+{
+    if (nmt_.Waiting() > 0U)
+    {
+        nmt_.OnCycle(now);
+    }
+    if (own_.IsWaiting())
+    {
+        own_.Send(role_.IsInitialising(), now);
+    }
+    if (StartUp* const profile = role_.Leading())
+    {
+        profile->OnRoom(now);
+    }
+}
+
 void Manager::OnCycle(const Instant now) noexcept
 {
     if (role_.IsRunning())
     {
         role_.OnCycle(now);
+        SendWaiting(now);
         own_.Send(role_.IsInitialising(), now);
         watch_.OnCycle(now);
         table_.OnCycle(now);

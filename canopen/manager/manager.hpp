@@ -131,6 +131,7 @@ class Manager final : public NmtListener, public NodeListener, public NodeWatchL
   private:
     void OnCommandFrame(const CanFrame& frame, Instant now) noexcept;
     void OnCommand(NmtCommand command, NodeId node) noexcept;
+    void SendWaiting(Instant now) noexcept;
     void CountHeartbeats(const CanFrame& frame) noexcept;
 
     ManagerParts parts_;

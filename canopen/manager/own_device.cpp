@@ -7,7 +7,8 @@ namespace counterpoint::cia302
 using cia301::NodeState;
 
 OwnDevice::OwnDevice(const NodeId own, cia301::FrameSink& sink, const std::uint16_t heartbeat_ms) noexcept
-    : own_(own), sink_(sink), producer_(own), state_(NodeState::kInitialising), owes_boot_up_(false)
+    : own_(own), sink_(sink), producer_(own), state_(NodeState::kInitialising), owes_boot_up_(false),
+      owes_heartbeat_(false), is_waiting_(false)
 {
     producer_.SetPeriod(heartbeat_ms);
 }
@@ -16,6 +17,8 @@ void OwnDevice::Restart() noexcept
 {
     state_ = NodeState::kPreOperational;
     owes_boot_up_ = true;
+    owes_heartbeat_ = false;
+    is_waiting_ = false;
 }
 
 void OwnDevice::Obey(const NmtCommand command) noexcept
@@ -41,19 +44,21 @@ void OwnDevice::Obey(const NmtCommand command) noexcept
     }
 }
 
+/// A heartbeat that found no room leaves late, with the state of then: the sink may be full for many periods, and who
+/// watches this device would lose it. [SRS_MGR_231]
 void OwnDevice::Send(const bool is_initialising, const Instant now) noexcept
 {
     if (!is_initialising && owes_boot_up_)
     {
         owes_boot_up_ = !sink_.Send(cia301::ErrorControlFrame(own_, 0U));
+        is_waiting_ = owes_boot_up_;
     }
     else if (!is_initialising)
     {
         const cia301::FrameToSend heartbeat = producer_.Poll(state_, now);
-        if (heartbeat.is_present)
-        {
-            static_cast<void>(sink_.Send(heartbeat.frame)); // The next one is as good.
-        }
+        owes_heartbeat_ = (owes_heartbeat_ || heartbeat.is_present) && (producer_.PeriodMs() > 0U);
+        owes_heartbeat_ = owes_heartbeat_ && !sink_.Send(cia301::ErrorControlFrame(own_, cia301::StateByte(state_)));
+        is_waiting_ = owes_heartbeat_;
     }
     else
     {

@@ -23,6 +23,12 @@ class OwnDevice
     /// @brief Boot-up message and heartbeat. What the sink does not take comes in a later cycle.
     void Send(bool is_initialising, Instant now) noexcept;
 
+    /// @brief Whether the sink did not take the last frame of Send: call it again as soon as there may be room.
+    [[nodiscard]] bool IsWaiting() const noexcept
+    {
+        return is_waiting_;
+    }
+
     /// @brief NMT state of this device.
     [[nodiscard]] cia301::NodeState State() const noexcept
     {
@@ -39,7 +45,9 @@ class OwnDevice
     cia301::FrameSink& sink_;
     cia301::HeartbeatProducer producer_;
     cia301::NodeState state_;
-    bool owes_boot_up_; ///< The boot-up message has not left.
+    bool owes_boot_up_;   ///< The boot-up message has not left.
+    bool owes_heartbeat_; ///< One that was due has not left.
+    bool is_waiting_;
 };
 
 } // namespace counterpoint::cia302

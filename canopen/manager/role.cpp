@@ -6,7 +6,8 @@ namespace counterpoint::cia302
 
 ManagerRole::ManagerRole(const RoleParts& parts) noexcept
     : parts_(parts), profile_(nullptr), flying_(nullptr), negotiation_(NegotiationBy::kManager), is_running_(false),
-      is_leading_(false), is_to_start_(false), is_refused_(false), is_off_bus_(false), is_to_reset_(false)
+      is_leading_(false), is_to_start_(false), is_refused_(false), is_off_bus_(false), is_to_reset_(false),
+      is_owing_(false)
 {
 }
 
@@ -48,6 +49,7 @@ void ManagerRole::End() noexcept
         parts_.nmt.SetActive(false);
     }
     is_leading_ = false;
+    is_owing_ = false;
     is_running_ = false;
 }
 
@@ -62,6 +64,7 @@ void ManagerRole::Lead(const bool is_leader, const Instant now) noexcept
     else if (!is_leader && is_leading_)
     {
         is_leading_ = false;
+        is_owing_ = false;
         profile_->End();
         parts_.nmt.SetActive(false);
         UnwatchAll();
@@ -88,6 +91,10 @@ void ManagerRole::OnFrame(const CanFrame& frame, const Instant now) noexcept
         flying_->OnFrame(frame, now);
         FollowFlying(now);
     }
+    if (is_owing_)
+    {
+        RunFlying(now);
+    }
 }
 
 void ManagerRole::OnCycle(const Instant now) noexcept
@@ -103,9 +110,19 @@ void ManagerRole::OnCycle(const Instant now) noexcept
     }
     if (flying_ != nullptr)
     {
-        flying_->OnCycle(now);
-        FollowFlying(now);
+        RunFlying(now);
     }
+}
+
+/// What is due still had no room in the sink. Only the active master shares it with requests to slaves, and is asked
+/// again with each frame: who gets no answer takes the master for gone. [SRS_MGR_231]
+void ManagerRole::RunFlying(const Instant now) noexcept
+{
+    constexpr std::uint32_t kHalfRange = 0x80000000U;
+    flying_->OnCycle(now);
+    FollowFlying(now);
+    const FlyingDeadline due = flying_->Next();
+    is_owing_ = is_leading_ && due.is_set && ((now.us - due.at.us) < kHalfRange);
 }
 
 void ManagerRole::OnBus(const bool is_there, const Instant now) noexcept

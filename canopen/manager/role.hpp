@@ -101,6 +101,7 @@ class ManagerRole final : public FlyingMasterListener
   private:
     void Lead(bool is_leader, Instant now) noexcept;
     void FollowFlying(Instant now) noexcept;
+    void RunFlying(Instant now) noexcept;
     void TryNegotiation(Instant now) noexcept;
     void UnwatchAll() noexcept;
 
@@ -114,6 +115,7 @@ class ManagerRole final : public FlyingMasterListener
     bool is_refused_;  ///< The listener was told that the negotiation cannot start.
     bool is_off_bus_;  ///< No negotiation begins.
     bool is_to_reset_; ///< This device was commanded to reset itself.
+    bool is_owing_;    ///< The active master: 071h, or what it sends cyclically, had no room in the sink.
 };
 
 } // namespace counterpoint::cia302

@@ -361,7 +361,11 @@ void LoadedNetwork::FillManager()
     }
     if (setup_.sync_period_us != 0U && setup_.sync_period_us < kLeastSyncUs)
     {
-        throw InputError(plan_.file, manager.place,
+        // The network file goes before the manager's DCF. [SRS_NET_231]
+        constexpr std::uint16_t kSyncPeriod = 0x1006U;
+        const cia306::Entry* const entry = device_.Find(kSyncPeriod, 0U);
+        const bool is_of_dcf = entry != nullptr && manager.places.count("sync") == 0U;
+        throw InputError(is_of_dcf ? device_.file : plan_.file, is_of_dcf ? entry->ValuePlace() : manager.place,
                          {"SYNC period (1006h) of " + std::to_string(setup_.sync_period_us) + " us",
                           "none, or at least " + std::to_string(kLeastSyncUs) + " us"});
     }

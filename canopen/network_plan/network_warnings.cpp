@@ -1,10 +1,12 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/network_plan/loaded_network.hpp"
 
+#include "canopen/cia301/base/cob_id.hpp"
 #include "canopen/cia302/network/concise_dcf.hpp"
 #include "canopen/cia306/safety/contradictions.hpp"
 #include "canopen/cia306/text/finding.hpp"
 #include "canopen/cia306/text/input_error.hpp"
+#include "canopen/network_plan/concise_maker.hpp"
 #include "canopen/network_plan/start_up_bits.hpp"
 
 #include <algorithm>
@@ -81,6 +83,27 @@ std::uint32_t WatchesManagerMs(const LoadedSlave& slave, const cia302::SlaveSetu
     return time_ms;
 }
 
+/// The life time factor has 8 bits and 1016h has 16: a slave may be lost before the time that was asked for.
+/// [SRS_NET_230]
+std::string ShortenedText(const LoadedSlave& slave, const cia302::SlaveSetup& setup)
+{
+    constexpr std::uint32_t kLongestMs = 0xFFFFU;
+    if (setup.el6751 == nullptr || !setup.el6751->IsWatched())
+    {
+        return "";
+    }
+    const std::uint32_t life_ms = std::uint32_t{setup.el6751->guard_time_ms} * setup.el6751->life_time_factor;
+    const bool is_guarded = slave.plan.guard_ms.has_value() || setup.GuardTimeMs() > 0U;
+    const std::uint32_t asked_ms = is_guarded ? life_ms : setup.heartbeat.consumer_ms;
+    const std::uint32_t watched_ms = std::min(life_ms, kLongestMs);
+    const std::string factors = std::to_string(setup.el6751->guard_time_ms) + " ms x life time factor " +
+                                std::to_string(setup.el6751->life_time_factor);
+    return (watched_ms >= asked_ms) ? ""
+                                    : " is lost after " + std::to_string(watched_ms) + " ms without a heartbeat (" +
+                                          factors + ", 65535 ms at most), and not after " + std::to_string(asked_ms) +
+                                          " ms, expected no longer time than that, or a longer heartbeat";
+}
+
 /// Each bit of 1F80h that the profile does not follow, and the one that a safety slave takes from it.
 /// [SRS_NET_150] [SRS_NET_006]
 std::vector<std::string> WarningsOfStartUp(const ManagerPlan& manager, const cia302::NetworkSetup& setup)
@@ -139,6 +162,7 @@ class NetworkWarnings
     void WarnOfGuarding(const SlavePlan& slave, bool is_el6751);
     void WarnOfSafety(const LoadedSlave& slave);
     void WarnOfEmergencies();
+    void WarnOfSyncs();
     void WarnOfSrdos();
     [[nodiscard]] std::string EmergencyPlace(const LoadedSlave& slave) const;
     [[nodiscard]] std::uint32_t EmergencyOf(const LoadedSlave& slave) const;
@@ -167,6 +191,7 @@ std::vector<std::string> NetworkWarnings::All()
         WarnOfSafety(*slave);
     }
     WarnOfEmergencies();
+    WarnOfSyncs();
     WarnOfSrdos();
     WarnOfUnused();
     WarnOfHeartbeat();
@@ -219,6 +244,11 @@ void NetworkWarnings::WarnOfHeartbeat()
                                 std::to_string(heartbeat.consumer_ms) +
                                 " ms: " + (is_cia302 ? "its start-up ends with letter K" : otherwise) +
                                 ", expected a heartbeat, or consumer: 0 ms");
+        }
+        const std::string shortened = ShortenedText(*slave, setup_.slaves[node]);
+        if (!shortened.empty())
+        {
+            warnings_.push_back(name + shortened);
         }
         const std::string place = name + " watches the manager for " + std::to_string(time_ms) + " ms";
         if (first != 0U && first != setup_.own.value)
@@ -352,6 +382,30 @@ void NetworkWarnings::WarnOfEmergencies()
                                     EmergencyPlace(second) +
                                     "): whose emergencies come with it is not known, expected one for each");
             }
+        }
+    }
+}
+
+/// Whoever produces SYNC sends it as often as it can where the period asks for that: its identifier goes before those
+/// of SRDOs. [SRS_NET_232]
+void NetworkWarnings::WarnOfSyncs()
+{
+    constexpr std::uint16_t kSyncId = 0x1005U;
+    constexpr std::uint16_t kSyncPeriod = 0x1006U;
+    constexpr std::uint64_t kFrameUs = 47U; // Without data and stuff bits, at 1 Mbit/s.
+    for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
+    {
+        const std::uint8_t node = slave->plan.node;
+        const std::uint64_t identifier = NumberOf(slave->device, node, kSyncId, 0U, 0U);
+        const std::uint64_t period_us = NumberOf(slave->device, node, kSyncPeriod, 0U, 0U);
+        const bool is_producer = (identifier & cia301::kCobBit30) != 0U;
+        if (is_producer && period_us > 0U && period_us < 2U * kFrameUs)
+        {
+            warnings_.push_back(
+                cia306::PlaceText(slave->device.file, slave->device.Find(kSyncPeriod, 0U)->ValuePlace()) +
+                ": warning: " + cia306::ObjectName(kSyncPeriod, 0U) + ": SYNC of node " + std::to_string(node) +
+                " each " + std::to_string(period_us) +
+                " us takes the bus (47 us a frame at 1 Mbit/s), expected 0, or a period that leaves room for others");
         }
     }
 }

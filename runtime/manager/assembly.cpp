@@ -29,6 +29,28 @@ std::string SlotsOf(const cia302::FlyingMasterTimes& times)
     return "level slot " + std::to_string(times.priority_slot) + " ms with node slot " +
            std::to_string(times.device_slot) + " ms";
 }
+
+/// The network file goes before the manager's DCF. [SRS_NET_231]
+cia306::InputError SlotError(const network_plan::LoadedNetwork& net, const std::string& wrong)
+{
+    constexpr std::uint8_t kLevelSlot = 4U;
+    constexpr std::uint8_t kNodeSlot = 5U;
+    const network_plan::NetworkPlan& plan = net.Plan();
+    const network_plan::KeyPlaces& places = plan.manager.flying->places;
+    const bool is_of_file = places.count("level_slot") + places.count("node_slot") > 0U;
+    std::string file = plan.file;
+    cia306::Place place = plan.manager.place;
+    for (const std::uint8_t sub : {kNodeSlot, kLevelSlot})
+    {
+        const cia306::Entry* const entry = net.Device().Find(cia302::kFlyingMasterIndex, sub);
+        if (!is_of_file && entry != nullptr)
+        {
+            file = net.Device().file;
+            place = entry->ValuePlace();
+        }
+    }
+    return cia306::InputError(file, place, {wrong, kSlots});
+}
 } // namespace
 
 cia302::FlyingMasterTimes FlyingTimesOf(const network_plan::NetworkPlan& plan)
@@ -106,7 +128,7 @@ void ManagerAssembly::MakeFlying(cia301::FrameSink& sink)
     flying_times_ = FlyingTimesOf(net_.Plan());
     if (!cia302::IsUsable(flying_times_))
     {
-        throw cia306::InputError(net_.Plan().file, plan.place, {SlotsOf(flying_times_), kSlots});
+        throw SlotError(net_, SlotsOf(flying_times_));
     }
     flying_options_ = plan.flying->options;
     flying_options_.own_producer_ms = plan.heartbeat_ms.value_or(flying_options_.own_producer_ms);

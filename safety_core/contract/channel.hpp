@@ -88,7 +88,8 @@ struct CycleOutcome
     SrdoMask waiting;          ///< Consumers in state kWaiting.
     SrdoMask new_fault;        ///< Consumers for which this call reports a fault that occurred since the previous call.
     SrdoMask fresh;            ///< Consumers that hold a pair completed since the previous call.
-    SrdoMask due;              ///< Producers for which Prepare is to be called now.
+    SrdoMask due;              ///< Producers for which Prepare is to be called now. [SRS_PROD_004]
+    SrdoMask refresh;          ///< Producers whose refresh fell due and was not prepared yet. [SRS_PROD_013]
     SrdoMask signalled;        ///< Slots with something in SrdoView::signals.
     std::uint32_t cycle;       ///< Number of OnCycle calls since Restart, modular; the first returns 1.
     std::uint32_t ordinal_sum; ///< Sum of the ordinals of all active consumers, modular.
@@ -226,8 +227,9 @@ class Channel
     /// @brief The inverse frame of a pair whose normal frame was confirmed, until the pair is over: A the complement of
     /// what it read, B what it read. Kind kInvalid and all members 0 if there is none. O(payload) [SRS_PROD_006]
     [[nodiscard]] virtual CanFrame InverseFrame(SlotIndex slot) const noexcept = 0;
-    /// @brief The transmission of this slot failed (kTransmitQueue, kBusOff), or the two sides are not inverse
-    /// (kNotInverse): the cause is recorded and the pair is given up. O(1) [SRS_PROD_009]
+    /// @brief The transmission of this slot failed (kTransmitQueue, kBusOff), the two sides are not inverse
+    /// (kNotInverse), or the other channel found the confirmation late (kNoConfirmation): the cause is recorded and the
+    /// pair is given up. O(1) [SRS_PROD_009]
     virtual void OnTransmitFault(SlotIndex slot, const TransmitFault& fault) noexcept = 0;
 
     Channel(const Channel&) = delete;

@@ -116,6 +116,7 @@ CycleOutcome OwnVoice::OnCycle(const CycleInput& input) noexcept
     CycleOutcome shown = outcome_;
     shown.faulted = 0U;
     shown.ordinal_sum = 0U;
+    shown.refresh = 0U; // The follower's schedule stands until the leader's slot is due.
     shown.due = sending_.Show(outcome_.due, input.now);
     if (sending_.IsFollower())
     {

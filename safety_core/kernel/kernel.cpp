@@ -137,7 +137,8 @@ void Kernel::OnConfirm(const StampedFrame& frame) noexcept
     clocks_.OnFrame(frame.stamp);
     const Confirmation a = context_.parts.channel_a.OnConfirm(frame.frame, frame.stamp.a);
     const Confirmation b = context_.parts.channel_b.OnConfirm(frame.frame, frame.stamp.b);
-    // At the very limit one channel may have given the pair up already: then the other one will, for want of its frame.
+    Production::OnHalfConfirmed(context_, a, b);
+    Production::OnHalfConfirmed(context_, b, a);
     const std::uint32_t said = CodeOf(a);
     const SlotIndex slot = static_cast<SlotIndex>(said);
     if ((said != CodeOf(b)) || (slot >= context_.config->srdo_count))
@@ -187,21 +188,21 @@ void Kernel::Cycle(const CycleCall& call) noexcept
 
     const SrdoMask halted = production_.Halted(context_);
     CycleInput input = TakeInput(call, challenge, token, halted);
-    const CycleOutcome outcome_a = context_.parts.channel_a.OnCycle(input);
+    CycleOutcome outcome_a = context_.parts.channel_a.OnCycle(input);
     context_.parts.flow->Mark(FlowStep::kChannelA, FlowEvidence{outcome_a.cycle, run_.cycle});
     input.now = call.now.b;
     input.acknowledge = call.acknowledge_b;
     input.stand = production_.StandOfB() | halted;
     input.nmt = second_nmt_.Take();
-    const CycleOutcome outcome_b = context_.parts.channel_b.OnCycle(input);
+    CycleOutcome outcome_b = context_.parts.channel_b.OnCycle(input);
     context_.parts.flow->Mark(FlowStep::kChannelB, FlowEvidence{outcome_b.cycle, run_.cycle});
+    production_.Await(context_, outcome_a, outcome_b);
 
     decision_.Compare(context_, Comparison{&outcome_a, &outcome_b, &context_.parts.channel_a, &context_.parts.channel_b,
                                            call.now.a, run_.cycle, challenge, HeldPair{}});
     context_.parts.flow->Mark(FlowStep::kComparison, FlowEvidence{decision_.LastVerdict().echo, challenge});
     decision_.Demote(context_);
     context_.parts.flow->Mark(FlowStep::kDemotion, kDone);
-    production_.Await(outcome_a.due, outcome_b.due);
     production_.Produce(context_, decision_.LastVerdict().start);
     context_.parts.flow->Mark(FlowStep::kProduction, kDone);
     const SrdoMask received = decision_.Commit(context_);

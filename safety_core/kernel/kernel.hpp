@@ -129,8 +129,8 @@ class Kernel
         return context_.guard.Write(KeyOf(address), data);
     }
 
-    /// @brief Requests the transmission of one producer, or of all with index 0. Not for kProviderCalled as yet
-    /// (decision 0015). [SRS_KRN_011]
+    /// @brief Requests the transmission of one producer, or of all with index 0, in either form. Made while the refresh
+    /// waits it is one pair with it. [SRS_KRN_011]
     [[nodiscard]] Result Send(CommunicationIndex index) noexcept;
     /// @brief Sends the global fail-safe command; an SRDO of this device must follow. [SRS_KRN_013]
     [[nodiscard]] Result SendGfc() noexcept;

@@ -10,12 +10,26 @@ namespace
 {
 
 constexpr std::uint32_t kSignBit = 31U;
+constexpr std::uint32_t kMissedBit = std::uint32_t{1U} << static_cast<std::uint32_t>(SrdoCause::kRefreshMissed);
 
 // The GFC as it has to be on the bus, in the memory of constants: what SendGfc composes is compared with it.
 constexpr PreparedPair kGfcByFirst{{kGfcIdentifier, FrameKind::kData, CanPortId::kFirst, 0U, {}},
                                    PrepareStatus::kReady};
 constexpr PreparedPair kGfcBySecond{{kGfcIdentifier, FrameKind::kData, CanPortId::kSecond, 0U, {}},
                                     PrepareStatus::kReady};
+
+// Those of `told` of which this channel signals a missed refresh.
+SrdoMask MissedOf(const Channel& channel, SlotSet told) noexcept
+{
+    SrdoMask missed = 0U;
+    while (told.mask != 0U)
+    {
+        const SlotIndex slot = TakeLowest(told);
+        const bool is_missed = (channel.View(slot).signals & kMissedBit) != 0U;
+        missed |= is_missed ? OnlySlot(slot).mask : SrdoMask{0U};
+    }
+    return missed;
+}
 
 } // namespace
 
@@ -63,6 +77,27 @@ Result Production::WhyNotSent(KernelContext& context, const SlotIndex wanted) no
     }
     const bool is_off = context.guard.Value(wanted, ConfigField::kDirection) == kDirectionOff;
     return is_off ? Result::kInvalid : Result::kRxTxConflict;
+}
+
+// t        k            k+1
+// ahead    next missed  stands    by its counter a whole refresh has passed while one waited, and is skipped
+// behind   not due      missed
+// A pair at k would be the refresh that waited in both, and the one at k+1 would then wait in the second alone.
+void Production::Await(const KernelContext& context, CycleOutcome& a, CycleOutcome& b) noexcept
+{
+    const SrdoMask both = a.refresh & b.refresh;
+    const SrdoMask missed_a = MissedOf(context.parts.channel_a, SlotSet{both & a.signalled});
+    const SrdoMask missed_b = MissedOf(context.parts.channel_b, SlotSet{both & b.signalled});
+    const SrdoMask only_a = missed_a & ~missed_b;
+    const SrdoMask only_b = missed_b & ~missed_a;
+    const SrdoMask begun_a = only_a & ~missed_b_; // What the other one missed before is even now.
+    const SrdoMask begun_b = only_b & ~missed_a_;
+    missed_a_ = ((missed_a_ & ~only_b) | begun_a) & both;
+    missed_b_ = ((missed_b_ & ~only_a) | begun_b) & both;
+    stand_a_ = (a.refresh & ~b.refresh) | missed_a_;
+    stand_b_ = (b.refresh & ~a.refresh) | missed_b_;
+    a.due &= ~stand_b_;
+    b.due &= ~stand_a_;
 }
 
 void Production::Produce(KernelContext& context, const SrdoMask start) noexcept

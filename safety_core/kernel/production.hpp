@@ -13,7 +13,7 @@ namespace counterpoint
 {
 
 /// What the device sends: SRDOs by both channels, and the GFC. [SRS_KRN_004, SRS_KRN_011, SRS_KRN_012, SRS_KRN_013,
-/// SRS_KRN_014, SRS_KRN_017]
+/// SRS_KRN_014, SRS_KRN_017, SRS_KRN_145, SRS_KRN_146, SRS_KRN_147, SRS_KRN_148]
 class Production
 {
   public:
@@ -71,12 +71,11 @@ class Production
     {
         return stand_b_;
     }
-    /// @brief Each channel's refresh runs by its own counter; the one that is ahead waits for the other. [SRS_KRN_017]
-    void Await(const SrdoMask due_a, const SrdoMask due_b) noexcept
-    {
-        stand_a_ = due_a & ~due_b;
-        stand_b_ = due_b & ~due_a;
-    }
+    /// @brief Each channel's refresh runs by its own counter. Where it waits in one channel alone, or one channel alone
+    /// missed the next one so far, that channel is ahead: it stands, and the other one's slot does not count as due, so
+    /// that a request of the same producer waits, too. So a pair always is the refresh of both channels or of none.
+    /// O(1), with a cause of a producer O(slots with one) [SRS_KRN_017, SRS_KRN_145, SRS_KRN_146, SRS_KRN_148]
+    void Await(const KernelContext& context, CycleOutcome& a, CycleOutcome& b) noexcept;
     /// @brief Sends the pairs of producers that both channels call due. O(start)
     void Produce(KernelContext& context, SrdoMask start) noexcept;
     /// @brief Pairs that were sent between the last two cycles.
@@ -87,6 +86,17 @@ class Production
     /// @brief The normal frame of an SRDO was on the bus: its inverse frame follows, if this device may still send
     /// and both channels give the same one. [SRS_KRN_014]
     static void SendInverse(KernelContext& context, SlotIndex slot) noexcept;
+    /// @brief A normal frame that one channel has seen confirmed and the other one has not: at the very limit that one
+    /// had given the pair up. Both give it up; it would be on its way in one channel for another SRVT. [SRS_KRN_147]
+    static void OnHalfConfirmed(const KernelContext& context, const Confirmation& one,
+                                const Confirmation& other) noexcept
+    {
+        const bool is_half = (one.step == ConfirmStep::kNormal) && (other.step == ConfirmStep::kNone);
+        if (is_half && (one.slot < context.config->srdo_count))
+        {
+            GiveUp(context, one.slot, SrdoCause::kNoConfirmation);
+        }
+    }
     /// @brief The pair of an SRDO was sent.
     void OnSent() noexcept
     {
@@ -128,8 +138,10 @@ class Production
     Instant now_{};                       ///< By counter A.
     SrdoMask producers_{}; ///< What may be asked for; none outside OPERATIONAL and without a valid configuration.
     SrdoMask requests_{};  ///< Told to the channels by the next cycle, as the two below.
-    SrdoMask stand_a_{};   ///< Producers that only channel A called due.
+    SrdoMask stand_a_{};   ///< Producers whose refresh channel A has first.
     SrdoMask stand_b_{};
+    SrdoMask missed_a_{}; ///< Producers of which only channel A has missed a refresh so far.
+    SrdoMask missed_b_{};
 };
 
 } // namespace counterpoint

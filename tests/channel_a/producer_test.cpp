@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// What channel A takes for the confirmation of a pair, by the stamps of both frames, and what its inverse frame is.
+// What channel A takes for the confirmation of a pair, by the stamps of both frames, what its inverse frame is, and
+// which refresh waits.
 #include "tests/channel_a/device.hpp"
 #include "verification/trace/ids/channel.hpp"
 #include "verification/trace/verifies.hpp"
@@ -247,6 +248,328 @@ TEST_F(ChannelAProducer, HasTheRefreshTimeThatIsStored)
     // Then the refresh behind that of 1.5 ms is due at 11.5 ms
     EXPECT_EQ(device.Cycle(5499U).due, 0U);
     EXPECT_EQ(device.Cycle(1U).due, kProducerBit);
+}
+
+// The call at an instant.
+CycleOutcome CycleAt(Device& device, std::uint32_t instant_us)
+{
+    return device.Cycle(instant_us - device.clock_us);
+}
+
+// A producer that is called, whose first refresh fell due at 1.5 ms; the call at 2 ms.
+CycleOutcome CallAtTwoMilliseconds(Device& device, std::uint32_t refresh_ms)
+{
+    device.setups[kProducerSlot].form = ProducerForm::kProviderCalled;
+    device.clock_us = 0U;
+    device.Start();
+    device.Store(kProducerSlot, ConfigField::kSct, refresh_ms);
+    EXPECT_EQ(device.Sign(kProducerSlot).fault, ConfigFault::kNone);
+    EXPECT_EQ(device.Cycle().refresh, 0U);
+    return device.Cycle();
+}
+
+void Prepare(Device& device)
+{
+    ASSERT_EQ(device.channel.Prepare(kProducerSlot).status, PrepareStatus::kReady);
+}
+
+ConfirmStep Confirm(Device& device, bool is_inverse)
+{
+    const std::uint32_t identifier = is_inverse ? 0x102U : 0x101U;
+    return device.channel.OnConfirm(Device::FrameOf(identifier, 8U, 0U, is_inverse), Instant{device.clock_us}).step;
+}
+
+void SendPair(Device& device)
+{
+    Prepare(device);
+    ASSERT_EQ(Confirm(device, false), ConfirmStep::kNormal);
+    ASSERT_EQ(Confirm(device, true), ConfirmStep::kPair);
+}
+
+// The first refresh is sent; a pair that was asked for is on its way from 51 ms on, when the refresh of 51.5 ms comes.
+void AskBeforeTheRefresh(Device& device)
+{
+    static_cast<void>(CallAtTwoMilliseconds(device, 50U));
+    SendPair(device);
+    device.request = kProducerBit;
+    const CycleOutcome asked = CycleAt(device, 51000U);
+    device.request = 0U;
+    EXPECT_EQ(asked.due, kProducerBit);
+    EXPECT_EQ(asked.refresh, 0U);
+    Prepare(device);
+}
+
+TEST_F(ChannelAProducer, TellsTheRefreshUntilItIsPrepared)
+{
+    Verifies(req::SRS_PROD_013);
+    Verifies(req::SRS_PROD_004);
+    Device& device = fenced->device;
+    // Given a refresh that nobody prepares yet
+    EXPECT_EQ(CallAtTwoMilliseconds(device, 50U).refresh, kProducerBit);
+    const CycleOutcome waiting = CycleAt(device, 3000U);
+    EXPECT_EQ(waiting.refresh, kProducerBit);
+    EXPECT_EQ(waiting.due, kProducerBit);
+    // When its pair is sent, then it waits no more
+    Prepare(device);
+    EXPECT_EQ(CycleAt(device, 4000U).refresh, 0U);
+    ASSERT_EQ(Confirm(device, false), ConfirmStep::kNormal);
+    ASSERT_EQ(Confirm(device, true), ConfirmStep::kPair);
+    // until the next one falls due
+    const CycleOutcome before = CycleAt(device, 51499U);
+    EXPECT_EQ(before.refresh, 0U);
+    EXPECT_EQ(before.due, 0U);
+    const CycleOutcome next = CycleAt(device, 51500U);
+    EXPECT_EQ(next.refresh, kProducerBit);
+    EXPECT_EQ(next.due, kProducerBit);
+}
+
+TEST_F(ChannelAProducer, KeepsARefreshInFlightUntilThePairIsSent)
+{
+    Verifies(req::SRS_PROD_013);
+    Verifies(req::SRS_PROD_004);
+    Verifies(req::SRS_PROD_010);
+    Device& device = fenced->device;
+    AskBeforeTheRefresh(device);
+    EXPECT_EQ(CycleAt(device, 51499U).refresh, 0U);
+    // When the refresh falls due with the normal frame on its way, then it is no fault, and waits
+    const CycleOutcome fallen = CycleAt(device, 51500U);
+    EXPECT_EQ(fallen.refresh, kProducerBit);
+    EXPECT_EQ(fallen.due, 0U);
+    EXPECT_EQ(fallen.signalled, 0U);
+    ASSERT_EQ(Confirm(device, false), ConfirmStep::kNormal);
+    const CycleOutcome waiting = CycleAt(device, 52000U);
+    EXPECT_EQ(waiting.refresh, kProducerBit);
+    EXPECT_EQ(waiting.due, 0U);
+    // and is due once the pair was sent
+    ASSERT_EQ(Confirm(device, true), ConfirmStep::kPair);
+    const CycleOutcome due = CycleAt(device, 53000U);
+    EXPECT_EQ(due.refresh, kProducerBit);
+    EXPECT_EQ(due.due, kProducerBit);
+    SendPair(device);
+    EXPECT_EQ(CycleAt(device, 54000U).due, 0U);
+    // The next one keeps its phase
+    EXPECT_EQ(CycleAt(device, 101499U).due, 0U);
+    EXPECT_EQ(CycleAt(device, 101500U).due, kProducerBit);
+    EXPECT_EQ(device.channel.View(kProducerSlot).error_count, 0U);
+    EXPECT_EQ(device.channel.View(kProducerSlot).ordinal, 3U);
+}
+
+TEST_F(ChannelAProducer, KeepsARefreshInFlightUntilThePairIsGivenUp)
+{
+    Verifies(req::SRS_PROD_013);
+    Verifies(req::SRS_PROD_009);
+    Verifies(req::SRS_PROD_010);
+    Device& device = fenced->device;
+    // By what the kernel says of the transmission
+    AskBeforeTheRefresh(device);
+    EXPECT_EQ(CycleAt(device, 51500U).due, 0U);
+    device.channel.OnTransmitFault(kProducerSlot, TransmitFault{SrdoCause::kBusOff});
+    const CycleOutcome told = CycleAt(device, 52000U);
+    EXPECT_EQ(told.refresh, kProducerBit);
+    EXPECT_EQ(told.due, kProducerBit);
+    // by another echo
+    AskBeforeTheRefresh(device);
+    EXPECT_EQ(CycleAt(device, 51500U).due, 0U);
+    EXPECT_EQ(device.channel.OnConfirm(Device::FrameOf(0x101U, 8U, 1U, false), Instant{51500U}).step,
+              ConfirmStep::kNone);
+    EXPECT_EQ(CycleAt(device, 52000U).due, kProducerBit);
+    // a microsecond after SRVT, not on it
+    AskBeforeTheRefresh(device);
+    EXPECT_EQ(CycleAt(device, 71000U).due, 0U);
+    const CycleOutcome late = CycleAt(device, 71001U);
+    EXPECT_EQ(late.refresh, kProducerBit);
+    EXPECT_EQ(late.due, kProducerBit);
+    // and where the call that gives it up is the one in which the refresh falls due
+    AskBeforeTheRefresh(device);
+    const CycleOutcome both = CycleAt(device, 71001U);
+    EXPECT_EQ(both.refresh, kProducerBit);
+    EXPECT_EQ(both.due, kProducerBit);
+    EXPECT_EQ(device.channel.View(kProducerSlot).first_cause, SrdoCause::kNoConfirmation);
+    EXPECT_EQ(device.channel.View(kProducerSlot).error_count, 1U);
+}
+
+TEST_F(ChannelAProducer, MissesTheRefreshBehindOneThatWaits)
+{
+    Verifies(req::SRS_PROD_010);
+    Verifies(req::SRS_PROD_013);
+    static constexpr std::uint32_t kBitOfMissed = std::uint32_t{1U}
+                                                  << static_cast<std::uint32_t>(SrdoCause::kRefreshMissed);
+    Device& device = fenced->device;
+    // Given a pair that is on its way for longer than the refresh time, from 20 ms on
+    static_cast<void>(CallAtTwoMilliseconds(device, 25U));
+    SendPair(device);
+    device.request = kProducerBit;
+    EXPECT_EQ(CycleAt(device, 20000U).due, kProducerBit);
+    device.request = 0U;
+    Prepare(device);
+    EXPECT_EQ(CycleAt(device, 26500U).refresh, kProducerBit);
+    EXPECT_EQ(CycleAt(device, 40000U).signalled & kProducerBit, 0U);
+    ASSERT_EQ(Confirm(device, false), ConfirmStep::kNormal);
+    EXPECT_EQ(CycleAt(device, 51499U).signalled & kProducerBit, 0U);
+    EXPECT_EQ(device.channel.View(kProducerSlot).error_count, 0U);
+    // When the second refresh falls due, then it is missed, once, and the pair goes on
+    const CycleOutcome missed = CycleAt(device, 51500U);
+    EXPECT_EQ(missed.signalled & kProducerBit, kProducerBit);
+    EXPECT_EQ(missed.refresh, kProducerBit);
+    EXPECT_EQ(missed.due, 0U);
+    EXPECT_EQ(device.channel.View(kProducerSlot).signals, kBitOfMissed);
+    EXPECT_EQ(CycleAt(device, 52000U).signalled & kProducerBit, 0U);
+    EXPECT_EQ(device.channel.View(kProducerSlot).error_count, 1U);
+    ASSERT_EQ(Confirm(device, true), ConfirmStep::kPair);
+    // The one that waits is due until the next one in phase is missed, too
+    EXPECT_EQ(CycleAt(device, 53000U).due, kProducerBit);
+    EXPECT_EQ(CycleAt(device, 76499U).signalled & kProducerBit, 0U);
+    const CycleOutcome next = CycleAt(device, 76500U);
+    EXPECT_EQ(next.signalled & kProducerBit, kProducerBit);
+    EXPECT_EQ(next.due, kProducerBit);
+    EXPECT_EQ(device.channel.View(kProducerSlot).error_count, 2U);
+    // and the one behind that is none of those that were missed
+    SendPair(device);
+    EXPECT_EQ(CycleAt(device, 101499U).refresh, 0U);
+    EXPECT_EQ(CycleAt(device, 101500U).refresh, kProducerBit);
+    EXPECT_EQ(device.channel.View(kProducerSlot).error_count, 2U);
+}
+
+TEST_F(ChannelAProducer, UsesUpRequestAndRefreshByOnePair)
+{
+    Verifies(req::SRS_PROD_005);
+    Verifies(req::SRS_PROD_013);
+    Device& device = fenced->device;
+    // Given a request and a refresh that came while a pair was on its way
+    AskBeforeTheRefresh(device);
+    device.request = kProducerBit;
+    EXPECT_EQ(CycleAt(device, 51500U).due, 0U);
+    device.request = 0U;
+    // A Prepare that has no effect uses up none of them
+    EXPECT_EQ(device.channel.Prepare(kProducerSlot).status, PrepareStatus::kNotProducer);
+    EXPECT_EQ(CycleAt(device, 52000U).refresh, kProducerBit);
+    ASSERT_EQ(Confirm(device, false), ConfirmStep::kNormal);
+    ASSERT_EQ(Confirm(device, true), ConfirmStep::kPair);
+    const CycleOutcome both = CycleAt(device, 53000U);
+    EXPECT_EQ(both.refresh, kProducerBit);
+    EXPECT_EQ(both.due, kProducerBit);
+    // One that is kReady uses up both
+    SendPair(device);
+    const CycleOutcome none = CycleAt(device, 54000U);
+    EXPECT_EQ(none.refresh, 0U);
+    EXPECT_EQ(none.due, 0U);
+}
+
+TEST_F(ChannelAProducer, UsesUpTheRefreshOfNoOtherProducer)
+{
+    Verifies(req::SRS_PROD_005);
+    Verifies(req::SRS_PROD_013);
+    Device& device = fenced->device;
+    // Given a second producer that is called, in the other slot
+    device.setups[kConsumerSlot].form = ProducerForm::kProviderCalled;
+    device.setups[kProducerSlot].form = ProducerForm::kProviderCalled;
+    device.Start();
+    device.Configure(kConsumerSlot, kDirectionProducer, 0x111U, kSent);
+    static_cast<void>(device.Cycle());
+    EXPECT_EQ(device.Cycle().refresh, kConsumerBit | kProducerBit);
+    // When one is prepared, then the refresh of the other one goes on waiting
+    Prepare(device);
+    const CycleOutcome outcome = device.Cycle();
+    EXPECT_EQ(outcome.refresh, kConsumerBit);
+    EXPECT_EQ(outcome.due, kConsumerBit);
+}
+
+TEST_F(ChannelAProducer, StandsWhileARefreshWaitsInFlight)
+{
+    Verifies(req::SRS_PROD_012);
+    Verifies(req::SRS_PROD_013);
+    Device& device = fenced->device;
+    AskBeforeTheRefresh(device);
+    EXPECT_EQ(CycleAt(device, 51500U).refresh, kProducerBit);
+    // When the phase stands for half a millisecond
+    device.stand = kProducerBit;
+    EXPECT_EQ(CycleAt(device, 52000U).refresh, kProducerBit);
+    device.stand = 0U;
+    device.channel.OnTransmitFault(kProducerSlot, TransmitFault{SrdoCause::kBusOff});
+    EXPECT_EQ(CycleAt(device, 53000U).due, kProducerBit);
+    SendPair(device);
+    // Then so much later the next one falls due
+    EXPECT_EQ(CycleAt(device, 101999U).refresh, 0U);
+    EXPECT_EQ(CycleAt(device, 102000U).refresh, kProducerBit);
+}
+
+TEST_F(ChannelAProducer, HasNoRefreshOutsideOperational)
+{
+    Verifies(req::SRS_PROD_013);
+    Verifies(req::SRS_PROD_011);
+    Device& device = fenced->device;
+    // Given a refresh that waits for a pair in flight, then one that is due, when OPERATIONAL is left
+    for (std::uint32_t time = 0U; time < 2U; ++time)
+    {
+        device.nmt = NmtState::kOperational;
+        AskBeforeTheRefresh(device);
+        EXPECT_EQ(CycleAt(device, 51500U).refresh, kProducerBit);
+        if (time == 1U)
+        {
+            device.channel.OnTransmitFault(kProducerSlot, TransmitFault{SrdoCause::kBusOff});
+            EXPECT_EQ(CycleAt(device, 51600U).due, kProducerBit);
+        }
+        device.nmt = NmtState::kPreOperational;
+        const CycleOutcome left = CycleAt(device, 52000U);
+        EXPECT_EQ(left.refresh, 0U);
+        EXPECT_EQ(left.due, 0U);
+        EXPECT_EQ(CycleAt(device, 200000U).refresh, 0U);
+        // Then it starts anew with OPERATIONAL
+        device.nmt = NmtState::kOperational;
+        EXPECT_EQ(CycleAt(device, 300000U).refresh, 0U);
+        EXPECT_EQ(CycleAt(device, 300499U).refresh, 0U);
+        const CycleOutcome first = CycleAt(device, 300500U);
+        EXPECT_EQ(first.refresh, kProducerBit);
+        EXPECT_EQ(first.due, kProducerBit);
+        EXPECT_EQ(first.signalled & kProducerBit, 0U);
+    }
+    // and a configuration that is not valid is left, too
+    device.Store(kNoSlot, ConfigField::kConfigurationValid, 0U);
+    EXPECT_EQ(CycleAt(device, 301000U).refresh, 0U);
+}
+
+TEST_F(ChannelAProducer, HasNoRefreshWhereTheApplicationSends)
+{
+    Verifies(req::SRS_PROD_013);
+    Verifies(req::SRS_PROD_010);
+    Device& device = fenced->device;
+    device.config.cycle_tolerance_us = 500U;
+    device.Start();
+    static_cast<void>(device.Cycle());
+    // Given a request that waits
+    device.request = kProducerBit;
+    const CycleOutcome asked = device.Cycle();
+    device.request = 0U;
+    EXPECT_EQ(asked.due, kProducerBit);
+    EXPECT_EQ(asked.refresh, 0U);
+    SendPair(device);
+    // When nothing is sent for 50 ms and a late cycle, from 2 ms on
+    EXPECT_EQ(CycleAt(device, 53500U).signalled & kProducerBit, 0U);
+    const CycleOutcome silent = CycleAt(device, 53501U);
+    EXPECT_EQ(silent.signalled & kProducerBit, kProducerBit);
+    EXPECT_EQ(device.channel.View(kProducerSlot).first_cause, SrdoCause::kRefreshMissed);
+    // Then no refresh waits
+    EXPECT_EQ(silent.refresh, 0U);
+    EXPECT_EQ(silent.due, 0U);
+    EXPECT_EQ(CycleAt(device, 54000U).refresh, 0U);
+}
+
+TEST_F(ChannelAProducer, HasNoRefreshOnceItsRecordIsCorrupted)
+{
+    Verifies(req::SRS_PROD_013);
+    Verifies(req::SRS_CONS_024);
+    Device& device = fenced->device;
+    ASSERT_EQ(CallAtTwoMilliseconds(device, 50U).refresh, kProducerBit);
+    // When a grant is not beside its complement any more
+    channel_a::Bytes& beside = fenced->fence.storage.records[kProducerSlot].grants.complements;
+    std::uint8_t& length = beside.at[static_cast<std::size_t>(channel_a::Grant::kLength)];
+    length = static_cast<std::uint8_t>(length ^ 1U);
+    // Then the call that finds it has no refresh of it, nor has one after it
+    const CycleOutcome found = CycleAt(device, 3000U);
+    EXPECT_EQ(found.faulted, kProducerBit);
+    EXPECT_EQ(found.refresh, 0U);
+    EXPECT_EQ(found.due, 0U);
+    EXPECT_EQ(CycleAt(device, 60000U).refresh, 0U);
 }
 
 } // namespace

@@ -292,7 +292,7 @@ std::vector<std::uint64_t> Trace(Rig& rig)
     {
         for (const std::uint64_t value :
              {outcome.released, outcome.faulted, outcome.waiting, outcome.new_fault, outcome.fresh, outcome.due,
-              outcome.signalled, std::uint64_t{outcome.cycle}, std::uint64_t{outcome.ordinal_sum},
+              outcome.refresh, outcome.signalled, std::uint64_t{outcome.cycle}, std::uint64_t{outcome.ordinal_sum},
               std::uint64_t{outcome.sct_checked}, std::uint64_t{outcome.is_tx}, std::uint64_t{outcome.is_invalid}})
         {
             trace.push_back(value);

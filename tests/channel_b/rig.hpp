@@ -109,9 +109,10 @@ class Rig
     {
         clock_us_ += elapsed_us;
         const CycleInput input{
-            Instant{clock_us_}, 0x01020304U, 0x02030401U ^ 0xA5A5A5A5U, acknowledge_, request_, 0U, nmt_,
+            Instant{clock_us_}, 0x01020304U, 0x02030401U ^ 0xA5A5A5A5U, acknowledge_, request_, stand_, nmt_,
             QueueState::kIntact};
         request_ = 0U;
+        stand_ = 0U;
         return channel_.OnCycle(input);
     }
 
@@ -182,6 +183,12 @@ class Rig
     void Request()
     {
         request_ = 2U;
+    }
+
+    /// @brief The producer's phase stood until the next call.
+    void Stand()
+    {
+        stand_ = 2U;
     }
 
     void Fill(std::uint8_t value)
@@ -308,6 +315,7 @@ class Rig
     std::uint32_t clock_us_{0U};
     SrdoMask acknowledge_{0U};
     SrdoMask request_{0U};
+    SrdoMask stand_{0U};
     NmtState nmt_{NmtState::kPreOperational};
 };
 

@@ -25,7 +25,7 @@ class AlteredDevice
     }
 
   private:
-    static constexpr std::uint8_t kAlterable = 2U;
+    static constexpr std::uint8_t kAlterable = 3U;
 
     void AlterDevice(Parameter parameter, std::uint32_t value) noexcept;
     void AlterTimes(Parameter parameter, std::uint32_t value) noexcept;

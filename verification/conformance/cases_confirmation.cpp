@@ -112,7 +112,7 @@ constexpr Step kWrongAndLate[] = {
 constexpr Step kTransmitFaults[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), TransmitFault(0U, Cause::kTransmitQueue),
     Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), ReadyPair(0U),
-    TransmitFault(0U, Cause::kNoConfirmation),
+    TransmitFault(0U, Cause::kRefreshMissed),
     TransmitFault(0U, Cause::kNone), TransmitFault(0U, Cause::kInvalid), TransmitFault(0U, static_cast<Cause>(0xFFU)),
     TransmitFault(0U, Cause::kWrongEcho),
     Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), TransmitFault(0U, Cause::kTransmitQueue),
@@ -121,6 +121,16 @@ constexpr Step kTransmitFaults[] = {
     Signals(0U, Bit(Cause::kTransmitQueue)), ReadyPair(0U), ConfirmFirst(0U, 3100U), TransmitFault(0U, Cause::kBusOff),
     Slot(0U, kProducing, Cause::kTransmitQueue, 0U, 2U, 0U), TakeNone(0U), Cycle(4000U),
     Signals(0U, Bit(Cause::kBusOff)),
+};
+
+// The other channel found the confirmation late: the pair is over in this one too, whichever frame is awaited.
+constexpr Step kLateInTheOther[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), TransmitFault(0U, Cause::kNoConfirmation),
+    Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), ReadyPair(0U), ConfirmFirst(0U, 22000U), TransmitFault(0U, Cause::kNoConfirmation),
+    Slot(0U, kProducing, Cause::kNoConfirmation, 0U, 1U, 0U), TakeNone(0U), StrangeSecond(22100U), TransmitFault(0U, Cause::kNoConfirmation),
+    Slot(0U, kProducing, Cause::kNoConfirmation, 0U, 1U, 0U), Cycle(23000U), Signals(0U, Bit(Cause::kNoConfirmation)), ReadyPair(0U),
+    TransmitFault(0U, Cause::kNoConfirmation), Slot(0U, kProducing, Cause::kNoConfirmation, 0U, 2U, 0U), StrangeFirst(23100U), Cycle(24000U),
+    Signals(0U, Bit(Cause::kNoConfirmation)), Cycle(25000U), Signals(0U, 0U),
 };
 
 // An acknowledge edge of an active producer clears its first cause.
@@ -185,6 +195,7 @@ constexpr Case kCases[] = {
     MakeCase("EchoIsExaminedBeforeItsTime", {req::SRS_PROD_007, req::SRS_PROD_008}, kSender, kWrongAndLate),
     MakeCase("ConfirmationLedToAnotherSrdo", {req::SRS_PROD_007}, kSender, kAstray),
     MakeCase("TransmitFaults", {req::SRS_PROD_009}, kSender, kTransmitFaults),
+    MakeCase("ConfirmationLateInTheOtherChannel", {req::SRS_PROD_009}, kSender, kLateInTheOther),
     MakeCase("AcknowledgeOfAProducer", {req::SRS_PROD_009}, kSender, kAcknowledged),
     MakeCase("AcknowledgeOfAProducerThatIsOff", {req::SRS_PROD_009}, kSender, kAcknowledgedWhileOff),
     MakeCase("EveryFaultOfAProducerIsSignalled", {req::SRS_PROD_009, req::SRS_CONS_021}, kSender, kEverySignal),

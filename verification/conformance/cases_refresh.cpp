@@ -80,8 +80,8 @@ constexpr Step kStoodOnEntering[] = {
 // t     2000         26999   27000                 52000
 //       due, unused          missed; still due     missed
 constexpr Step kNotPrepared[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Cycle(26999U), Due(1U), Signals(0U, 0U),
-    Cycle(27000U), Due(1U), Signals(0U, kMissedBit),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Cycle(26999U), Due(1U), Refresh(1U), Signals(0U, 0U),
+    Cycle(27000U), Due(1U), Refresh(1U), Signals(0U, kMissedBit),
     Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(27001U),
     Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(52000U),
     Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 2U, 0U), ReadyPair(0U), ConfirmFirst(0U, 52100U), ConfirmSecond(0U, 52200U),
@@ -89,28 +89,150 @@ constexpr Step kNotPrepared[] = {
     Slot(0U, kProducing, Cause::kRefreshMissed, 1U, 2U, 0U),
 };
 
-// A pair in flight when the refresh falls due: that refresh is skipped, the pair goes on.
+// A pair in flight when the refresh falls due: that refresh waits, and is due behind the pair. The phase stays.
 // t     2000  20000              27000     28000        52000
-//       due   prepared           missed    confirmed    due
+//       due   prepared           waits     due          due
 constexpr Step kInFlight[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Cycle(20000U), Due(1U), ReadyPair(0U), Cycle(27000U), Due(0U),
-    Signals(0U, kMissedBit), ConfirmFirst(0U, 27100U), TakeSecond(0U), ConfirmSecond(0U, 27200U), Cycle(28000U),
-    Due(0U), Slot(0U, kProducing, Cause::kRefreshMissed, 1U, 1U, 0U),
-    Cycle(51999U), Due(0U), Cycle(52000U), Due(1U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Cycle(20000U), Due(1U), ReadyPair(0U), Cycle(26999U), Due(0U), Refresh(0U),
+    Cycle(27000U), Due(0U), Refresh(1U), Signals(0U, 0U), ConfirmFirst(0U, 27100U), TakeSecond(0U), ConfirmSecond(0U, 27200U), Cycle(28000U),
+    Due(1U), Refresh(1U), Signals(0U, 0U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U), ReadyPair(0U), ConfirmFirst(0U, 28100U), ConfirmSecond(0U, 28200U),
+    Cycle(51999U), Due(0U), Refresh(0U), Cycle(52000U), Due(1U), Refresh(1U), Slot(0U, kProducing, kNoCause, 2U, 0U, 0U),
 };
 
-// The refresh is skipped, not the request that waits.
+// Each half of the pair in flight: the refresh that falls due while the inverse frame is awaited waits as well.
+constexpr Step kInFlightWithInverse[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(20000U), ReadyPair(0U), ConfirmFirst(0U, 20100U), TakeSecond(0U), Cycle(27000U), Due(0U),
+    Refresh(1U), TakeSecond(0U), Cycle(28000U), Due(0U), Refresh(1U), ConfirmSecond(0U, 28100U), Cycle(29000U), Due(1U), Refresh(1U), Signals(0U, 0U),
+    Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
+};
+
+// A request that waits beside the refresh is one pair with it.
 constexpr Step kInFlightWithRequest[] = {
-    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Cycle(20000U), ReadyPair(0U), Request(0U),
-    Cycle(27000U), Due(0U), Signals(0U, kMissedBit), ConfirmFirst(0U, 27100U), ConfirmSecond(0U, 27200U),
-    Cycle(28000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 28100U), ConfirmSecond(0U, 28200U), Cycle(51999U), Due(0U),
-    Cycle(52000U), Due(1U), Slot(0U, kProducing, Cause::kRefreshMissed, 2U, 1U, 0U),
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Cycle(20000U), ReadyPair(0U), Request(0U), Cycle(21000U), Due(0U), Refresh(0U),
+    Cycle(27000U), Due(0U), Refresh(1U), Signals(0U, 0U), ConfirmFirst(0U, 27100U), ConfirmSecond(0U, 27200U),
+    Cycle(28000U), Due(1U), Refresh(1U), ReadyPair(0U), ConfirmFirst(0U, 28100U), ConfirmSecond(0U, 28200U), Cycle(29000U), Due(0U), Refresh(0U),
+    Cycle(51999U), Due(0U), Cycle(52000U), Due(1U), Slot(0U, kProducing, kNoCause, 2U, 0U, 0U),
+};
+
+// From the call in which it falls due until Prepare, with each of them between.
+constexpr Step kFromDueToPrepare[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Refresh(0U), Cycle(1999U), Refresh(0U), Cycle(2000U), Due(1U), Refresh(1U), Cycle(2001U), Due(1U),
+    Refresh(1U), Cycle(26999U), Due(1U), Refresh(1U), ReadyPair(0U), Cycle(26999U), Due(0U), Refresh(0U), ConfirmFirst(0U, 26999U),
+    Cycle(26999U), Refresh(0U), ConfirmSecond(0U, 26999U), Cycle(26999U), Due(0U), Refresh(0U), Cycle(27000U), Due(1U), Refresh(1U), Signals(0U, 0U),
+};
+
+// A request is no refresh, neither with a pair in flight nor without; Prepare uses up both.
+constexpr Step kRequestIsNone[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Request(0U), Cycle(1999U), Due(0U), Refresh(0U), Cycle(2000U), Due(1U), Refresh(1U), ReadyPair(0U),
+    Request(0U), Cycle(3000U), Due(0U), Refresh(0U), ConfirmFirst(0U, 3100U), ConfirmSecond(0U, 3200U), Cycle(4000U), Due(1U), Refresh(0U),
+    Cycle(26999U), Due(1U), Refresh(0U), Cycle(27000U), Due(1U), Refresh(1U), ReadyPair(0U), ConfirmFirst(0U, 27100U), ConfirmSecond(0U, 27200U),
+    Cycle(28000U), Due(0U), Refresh(0U), Slot(0U, kProducing, kNoCause, 2U, 0U, 0U),
+};
+
+// A pair that was asked for uses up no refresh that has not fallen due.
+constexpr Step kAskedJustBefore[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), ConfirmFirst(0U, 2100U), ConfirmSecond(0U, 2200U), Request(0U),
+    Cycle(26999U), Due(1U), Refresh(0U), ReadyPair(0U), ConfirmFirst(0U, 26999U), ConfirmSecond(0U, 26999U), Cycle(27000U), Due(1U), Refresh(1U),
+    Slot(0U, kProducing, kNoCause, 2U, 0U, 0U),
+};
+
+// A Prepare that is refused, for a pair in flight, uses up nothing.
+constexpr Step kRefusedPrepare[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(20000U), ReadyPair(0U), Cycle(27000U), Due(0U), Refresh(1U), NotProducing(0U), Cycle(27001U),
+    Due(0U), Refresh(1U), ConfirmFirst(0U, 27100U), NotProducing(0U), ConfirmSecond(0U, 27200U), Cycle(28000U), Due(1U), Refresh(1U), Signals(0U, 0U),
+};
+
+// Behind a pair that was given up, for each cause.
+constexpr Step kBehindGivenUp[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(20000U), ReadyPair(0U), Cycle(27000U), Due(0U), Refresh(1U), TransmitFault(0U, Cause::kBusOff),
+    Cycle(28000U), Due(1U), Refresh(1U), Signals(0U, Bit(Cause::kBusOff)), Slot(0U, kProducing, Cause::kBusOff, 0U, 1U, 0U),
+    ReadyPair(0U), Cycle(52000U), Due(1U), Refresh(1U), Signals(0U, Bit(Cause::kNoConfirmation)), Slot(0U, kProducing, Cause::kBusOff, 0U, 2U, 0U),
+    Cycle(70000U), ReadyPair(0U), Cycle(77000U), Due(0U), Refresh(1U), TransmitFault(0U, Cause::kTransmitQueue), Cycle(78000U), Due(1U), Refresh(1U),
+    Signals(0U, Bit(Cause::kTransmitQueue)), Slot(0U, kProducing, Cause::kBusOff, 0U, 3U, 0U),
+};
+
+// The fault that gives up the pair comes from its echo: another byte, or later than SRVT.
+constexpr Step kBehindWrongEcho[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(20000U), ReadyPair(0U), Cycle(27000U), Due(0U), Refresh(1U),
+    ConfirmNone(0x101U, 2U, 0x3413U, 0U, 27100U), Cycle(28000U), Due(1U), Refresh(1U), Signals(0U, Bit(Cause::kWrongEcho)),
+    Cycle(50000U), ReadyPair(0U), ConfirmFirst(0U, 50100U), Cycle(52000U), Due(0U), Refresh(1U), StrangeSecond(70101U), Cycle(70102U), Due(1U), Refresh(1U),
+    Signals(0U, Bit(Cause::kNoConfirmation)), Slot(0U, kProducing, Cause::kWrongEcho, 0U, 2U, 0U),
+};
+
+// Sides that are not inverse, told only after the refresh fell due.
+constexpr Step kBehindNotInverse[] = {
+    Configure(), kP1, kP2, kI1, Put(0x6211U, 2U, 0U), Cycle(0U), Cycle(20000U), UnequalPair(0U, 0x3412U, 0xFF12U), Cycle(27000U), Due(0U), Refresh(1U),
+    NotInverse(0U), Cycle(28000U), Due(1U), Refresh(1U), Signals(0U, Bit(Cause::kNotInverse)), UnequalPair(0U, 0x3412U, 0xFF12U), NotInverse(0U),
+    Cycle(29000U), Due(0U), Refresh(0U), Cycle(51999U), Due(0U), Refresh(0U), Cycle(52000U), Due(1U), Refresh(1U),
+};
+
+// SRVT of the pair in flight is over in a call behind the one in which the refresh fell due.
+constexpr Step kBehindSilence[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(20000U), ReadyPair(0U), Cycle(27000U), Due(0U), Refresh(1U), Cycle(40000U), Due(0U), Refresh(1U),
+    Signals(0U, 0U), Cycle(40001U), Due(1U), Refresh(1U), Signals(0U, Bit(Cause::kNoConfirmation)), Slot(0U, kProducing, Cause::kNoConfirmation, 0U, 1U, 0U),
+};
+
+// The one that falls due behind the one that waits is missed, with a pair in flight as well; the first one waits on.
+// t     20000     27000   40000      51999  52000    60000      77000
+//       prepared  waits   confirmed         missed   pair; due  due
+constexpr Step kSecondInFlight[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(20000U), ReadyPair(0U), Cycle(27000U), Due(0U), Refresh(1U), Cycle(40000U), ConfirmFirst(0U, 40000U),
+    Cycle(51999U), Due(0U), Refresh(1U), Signals(0U, 0U), Cycle(52000U), Due(0U), Refresh(1U), Signals(0U, kMissedBit),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), TakeSecond(0U), ConfirmSecond(0U, 60000U), Cycle(60000U), Due(1U), Refresh(1U), Signals(0U, 0U),
+    ReadyPair(0U), ConfirmFirst(0U, 60100U), ConfirmSecond(0U, 60200U), Cycle(76999U), Due(0U), Refresh(0U), Cycle(77000U), Due(1U), Refresh(1U),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 2U, 1U, 0U),
+};
+
+// One that waited in flight and is not prepared behind the pair: missed is the next one.
+constexpr Step kSecondBehindThePair[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(20000U), ReadyPair(0U), Cycle(27000U), ConfirmFirst(0U, 27100U), ConfirmSecond(0U, 27200U),
+    Cycle(51999U), Due(1U), Refresh(1U), Signals(0U, 0U), Cycle(52000U), Due(1U), Refresh(1U), Signals(0U, kMissedBit),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 1U, 1U, 0U), ReadyPair(0U), ConfirmFirst(0U, 52100U), ConfirmSecond(0U, 52200U),
+    Cycle(53000U), Due(0U), Refresh(0U), Cycle(76999U), Due(0U), Cycle(77000U), Due(1U), Refresh(1U), Slot(0U, kProducing, Cause::kRefreshMissed, 2U, 1U, 0U),
+};
+
+// Both fall due in late calls with a pair in flight: one is examined in each.
+constexpr Step kLateInFlight[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(26000U), ReadyPair(0U), ConfirmFirst(0U, 46000U), Cycle(53000U), Due(0U), Refresh(1U), Signals(0U, 0U),
+    Cycle(53001U), Due(0U), Refresh(1U), Signals(0U, kMissedBit), Cycle(53002U), Due(0U), Refresh(1U), Signals(0U, 0U), ConfirmSecond(0U, 53100U),
+    Cycle(54000U), Due(1U), Refresh(1U), Slot(0U, kProducing, Cause::kRefreshMissed, 1U, 1U, 0U),
+};
+
+// Leaving OPERATIONAL forgets the refresh that waits, with a pair in flight and without.
+constexpr Step kWaitingLeft[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(20000U), ReadyPair(0U), Cycle(27000U), Refresh(1U), Nmt(NmtState::kPreOperational), Cycle(28000U),
+    Due(0U), Refresh(0U), Nmt(NmtState::kOperational), Cycle(29000U), Due(0U), Refresh(0U), Cycle(30999U), Due(0U), Refresh(0U), Cycle(31000U), Due(1U),
+    Refresh(1U), Nmt(NmtState::kStopped), Cycle(32000U), Due(0U), Refresh(0U), Nmt(NmtState::kOperational), Cycle(33000U), Due(0U), Refresh(0U),
+    Cycle(35000U), Due(1U), Refresh(1U), Signals(0U, 0U), Store(0U, ConfigField::kConfigurationValid, 0U), Cycle(36000U), Due(0U), Refresh(0U),
+};
+
+// Another form has none, whatever is due or silent.
+constexpr Step kOfSender[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Refresh(0U), Cycle(2000U), Due(0U), Refresh(0U), Request(0U), Cycle(3000U), Due(1U), Refresh(0U),
+    ReadyPair(0U), Request(0U), Cycle(4000U), Due(0U), Refresh(0U), ConfirmFirst(0U, 4100U), ConfirmSecond(0U, 4200U), Cycle(5000U), Due(1U), Refresh(0U),
+    ReadyPair(0U), ConfirmFirst(0U, 5100U), ConfirmSecond(0U, 5200U), Cycle(31501U), Due(0U), Refresh(0U), Signals(0U, kMissedBit),
+};
+
+// The slot that sends, of three; a consumer and one that is off have none.
+constexpr Step kOfOthers[] = {
+    Alter(Parameter::kForm, static_cast<std::uint32_t>(ProducerForm::kProviderCalled), 1U), Configure(), kP1, kP2, kI1, kI2, Cycle(0U),
+    Cycle(2000U), Due(2U), Refresh(2U), Stand(0U), Stand(2U), Request(0U), Request(2U), Cycle(3000U), Due(2U),
+    Refresh(2U), ReadyPair(1U), Cycle(4000U), Due(0U), Refresh(0U),
+};
+
+// Standing while it waits moves the next one, with a pair in flight and behind it.
+// t     20000     27000  27600             28000  29000             53599  53600 = 52000 + 600 + 1000
+//       prepared  waits  stood by 600      due    stood by 1000            due
+constexpr Step kStoodWaiting[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(20000U), ReadyPair(0U), Cycle(27000U), Refresh(1U), Stand(0U), Cycle(27600U), Due(0U), Refresh(1U),
+    ConfirmFirst(0U, 27700U), ConfirmSecond(0U, 27800U), Cycle(28000U), Due(1U), Refresh(1U), Stand(0U), Cycle(29000U), Due(1U), Refresh(1U), Signals(0U, 0U),
+    ReadyPair(0U), ConfirmFirst(0U, 29100U), ConfirmSecond(0U, 29200U), Cycle(53599U), Due(0U), Refresh(0U), Cycle(53600U), Due(1U), Refresh(1U),
 };
 
 // No confirmation is examined before the refresh: the pair is given up, so the refresh of the same call takes place.
 constexpr Step kGivenUpFirst[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U),
-    Cycle(27000U), Due(1U), Signals(0U, Bit(Cause::kNoConfirmation)),
+    Cycle(27000U), Due(1U), Refresh(1U), Signals(0U, Bit(Cause::kNoConfirmation)),
     Slot(0U, kProducing, Cause::kNoConfirmation, 0U, 1U, 0U),
 };
 
@@ -252,9 +374,28 @@ constexpr Case kCases[] = {
     MakeCase("PrepareUsesUpRequestAndRefresh", {req::SRS_PROD_005, req::SRS_PROD_004}, kProvider, kBothUsedUp),
     MakeCase("RequestIsNoMissedRefresh", {req::SRS_PROD_010, req::SRS_PROD_003}, kProvider, kRequestThenRefresh),
     MakeCase("RefreshThatNobodyPrepares", {req::SRS_PROD_010, req::SRS_PROD_004}, kProvider, kNotPrepared),
-    MakeCase("RefreshWhileInFlight", {req::SRS_PROD_010, req::SRS_PROD_009}, kProvider, kInFlight),
-    MakeCase("RequestOutlivesASkippedRefresh", {req::SRS_PROD_010, req::SRS_PROD_003}, kProvider,
+    MakeCase("RefreshWhileInFlight", {req::SRS_PROD_013, req::SRS_PROD_004, req::SRS_PROD_010}, kProvider, kInFlight),
+    MakeCase("RefreshWhileTheInverseIsAwaited", {req::SRS_PROD_013, req::SRS_PROD_004}, kProvider,
+             kInFlightWithInverse),
+    MakeCase("RequestAndRefreshBehindThePair", {req::SRS_PROD_013, req::SRS_PROD_003, req::SRS_PROD_005}, kProvider,
              kInFlightWithRequest),
+    MakeCase("RefreshWaitsUntilPrepare", {req::SRS_PROD_013, req::SRS_PROD_002}, kProvider, kFromDueToPrepare),
+    MakeCase("RequestIsNoRefresh", {req::SRS_PROD_013, req::SRS_PROD_003}, kProvider, kRequestIsNone),
+    MakeCase("RequestJustBeforeTheRefresh", {req::SRS_PROD_013, req::SRS_PROD_005}, kProvider, kAskedJustBefore),
+    MakeCase("RefusedPrepareUsesUpNoRefresh", {req::SRS_PROD_013, req::SRS_PROD_005}, kProvider, kRefusedPrepare),
+    MakeCase("RefreshBehindAPairThatIsGivenUp", {req::SRS_PROD_013, req::SRS_PROD_009}, kProvider, kBehindGivenUp),
+    MakeCase("RefreshBehindAWrongOrLateEcho", {req::SRS_PROD_013, req::SRS_PROD_007, req::SRS_PROD_008}, kProvider,
+             kBehindWrongEcho),
+    MakeCase("RefreshBehindSidesNotInverse", {req::SRS_PROD_013, req::SRS_PROD_009}, kProvider, kBehindNotInverse),
+    MakeCase("RefreshBehindNoConfirmation", {req::SRS_PROD_013, req::SRS_PROD_008}, kProvider, kBehindSilence),
+    MakeCase("SecondRefreshInFlightIsMissed", {req::SRS_PROD_010, req::SRS_PROD_013}, kProvider, kSecondInFlight),
+    MakeCase("SecondRefreshBehindThePairIsMissed", {req::SRS_PROD_010, req::SRS_PROD_013}, kProvider,
+             kSecondBehindThePair),
+    MakeCase("OneRefreshACallInFlight", {req::SRS_PROD_010, req::SRS_PROD_013}, kProvider, kLateInFlight),
+    MakeCase("RefreshThatWaitsIsGivenUp", {req::SRS_PROD_011, req::SRS_PROD_013}, kProvider, kWaitingLeft),
+    MakeCase("ApplicationThatSendsHasNoRefresh", {req::SRS_PROD_013}, kSender, kOfSender),
+    MakeCase("RefreshOfTheProducerAlone", {req::SRS_PROD_013, req::SRS_PROD_012}, kMixed, kOfOthers),
+    MakeCase("StoodWhileTheRefreshWaits", {req::SRS_PROD_012, req::SRS_PROD_013}, kProvider, kStoodWaiting),
     MakeCase("ConfirmationIsExaminedBeforeRefresh", {req::SRS_PROD_008, req::SRS_PROD_010}, kProvider, kGivenUpFirst),
     MakeCase("OneRefreshACall", {req::SRS_PROD_010, req::SRS_PROD_002}, kProvider, kLateCalls),
     MakeCase("SilentApplication", {req::SRS_PROD_010, req::SRS_TIME_004, req::SRS_TIME_001}, kSender, kSilent),

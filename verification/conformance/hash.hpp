@@ -33,6 +33,7 @@ class Hash
         AddMask(outcome.new_fault);
         AddMask(outcome.fresh);
         AddMask(outcome.due);
+        AddMask(outcome.refresh);
         AddMask(outcome.signalled);
         Add(outcome.cycle);
         Add(outcome.ordinal_sum);

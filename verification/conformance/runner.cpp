@@ -223,6 +223,7 @@ void Runner::CheckConsistency() noexcept
     SrdoMask faulted = 0U;
     SrdoMask waiting = 0U;
     SrdoMask signalled = 0U;
+    SrdoMask providers = 0U;
     std::uint32_t sum = 0U;
     for (SlotIndex slot = 0U; slot < device_.Config().srdo_count; ++slot)
     {
@@ -232,6 +233,8 @@ void Runner::CheckConsistency() noexcept
         faulted |= (view.state == SrdoState::kFaulted) ? bit : 0U;
         waiting |= (view.state == SrdoState::kWaiting) ? bit : 0U;
         signalled |= (view.signals != 0U) ? bit : 0U;
+        const bool is_called = device_.Config().srdos[slot].form == ProducerForm::kProviderCalled;
+        providers |= (is_called && (view.state == SrdoState::kProducer)) ? bit : 0U;
         sum += (view.state == SrdoState::kProducer) ? 0U : view.ordinal;
         if (view.state == SrdoState::kReleased)
         {
@@ -242,6 +245,7 @@ void Runner::CheckConsistency() noexcept
     judge_.Expect("faulted, by the views", faulted, outcome_.faulted);
     judge_.Expect("waiting, by the views", waiting, outcome_.waiting);
     judge_.Expect("signalled, by the views", signalled, outcome_.signalled);
+    judge_.Expect("refresh of no active producer whose provider is called", 0U, outcome_.refresh & ~providers);
     judge_.Expect("ordinal_sum, by the views", sum, outcome_.ordinal_sum);
     judge_.Expect("released with a new fault", 0U, outcome_.released & outcome_.new_fault);
     judge_.Expect("cycle", cycles_, outcome_.cycle);
@@ -313,9 +317,10 @@ bool Runner::RunOutcomeStep(const Step& step) noexcept
     }
     else if (step.op == Op::kMask)
     {
-        const SrdoMask masks[] = {outcome_.released, outcome_.faulted, outcome_.waiting,  outcome_.new_fault,
-                                  outcome_.fresh,    outcome_.due,     outcome_.signalled};
-        const char* const names[] = {"released", "faulted", "waiting", "new_fault", "fresh", "due", "signalled"};
+        const SrdoMask masks[] = {outcome_.released, outcome_.faulted, outcome_.waiting,   outcome_.new_fault,
+                                  outcome_.fresh,    outcome_.due,     outcome_.signalled, outcome_.refresh};
+        const char* const names[] = {"released", "faulted", "waiting",   "new_fault",
+                                     "fresh",    "due",     "signalled", "refresh"};
         judge_.Expect(names[step.slot], (SrdoMask{step.y} << 32U) | step.x, masks[step.slot]);
     }
     else if (step.op == Op::kCounts)

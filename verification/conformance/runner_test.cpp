@@ -172,6 +172,29 @@ TEST(ConformanceRun, HashSeesWhatNoExpectationNames)
     EXPECT_NE(runner->HashValue(), other->HashValue());
 }
 
+TEST(ConformanceRun, RefreshOfWhatCannotRefreshIsTold)
+{
+    Verifies(req::SRS_CNF_003);
+    // Given a channel that shows a refresh of a consumer, and a case that expects nothing of that mask
+    class Eager final : public Forwarding
+    {
+      public:
+        using Forwarding::Forwarding;
+        [[nodiscard]] CycleOutcome OnCycle(const CycleInput& input) noexcept override
+        {
+            CycleOutcome outcome = Forwarding::OnCycle(input);
+            outcome.refresh |= 1U;
+            return outcome;
+        }
+    };
+    const auto parts = std::make_unique<Parts>();
+    Eager eager{parts->channel};
+    const auto runner = std::make_unique<Runner>(eager, Party::kA, parts->listener);
+    // Then the case fails by its views
+    EXPECT_FALSE(runner->Run(Find("PairIsTakenAndReleased"), 0U));
+    EXPECT_STREQ(parts->listener.first.field, "refresh of no active producer whose provider is called");
+}
+
 TEST(ConformanceRun, NamesTheFailedExpectation)
 {
     Verifies(req::SRS_CNF_003);
@@ -283,7 +306,7 @@ TEST(ConformanceTable, EveryLimitHasItsThreePoints)
         {"acknowledge window", {"AcknowledgeWindowOnTheLimit", "AcknowledgeWindowOver"}},
         {"waiting past SCT", {"WaitingPastSct"}},
         {"first transmission", {"PairIsSent", "FirstTransmissionOfNode127", "FirstTransmissionAfterReentering"}},
-        {"refresh", {"RefreshKeepsItsPhase"}},
+        {"refresh", {"RefreshKeepsItsPhase", "RefreshWaitsUntilPrepare"}},
         {"silence of the application", {"SilentApplication", "SilenceAfterPrepare"}},
         {"confirmation of the normal frame",
          {"NormalFrameIsNotConfirmed", "ConfirmationsOnTheirLimits", "NormalFrameConfirmedTooLate"}},

@@ -73,6 +73,7 @@ enum class MaskName : std::uint8_t
     kFresh,
     kDue,
     kSignalled,
+    kRefresh,
 };
 
 /// Members of DeviceConfig and SrdoSetup.

@@ -120,6 +120,12 @@ constexpr Step Due(SrdoMask mask)
     return Mask(MaskName::kDue, mask);
 }
 
+/// Whose refresh waits.
+constexpr Step Refresh(SrdoMask mask)
+{
+    return Mask(MaskName::kRefresh, mask);
+}
+
 constexpr Step Signalled(SrdoMask mask)
 {
     return Mask(MaskName::kSignalled, mask);

@@ -139,6 +139,7 @@ void Comparison::Outcomes(const CycleOutcome& a, const CycleOutcome& b) noexcept
     Same("new_fault", kNoSlot, a.new_fault, b.new_fault);
     Same("fresh", kNoSlot, a.fresh, b.fresh);
     Same("due", kNoSlot, a.due, b.due);
+    Same("refresh", kNoSlot, a.refresh, b.refresh);
     Same("signalled", kNoSlot, a.signalled, b.signalled);
     Same("cycle", kNoSlot, a.cycle, b.cycle);
     Same("ordinal_sum", kNoSlot, a.ordinal_sum, b.ordinal_sum);

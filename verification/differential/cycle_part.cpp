@@ -161,7 +161,9 @@ void CyclePart::Step() noexcept
         }
     }
     Commit(a);
-    producer_.Serve(a.due);
+    scene_.reached.Add(Item::kRefreshWaits, BitsIn(a.refresh));
+    scene_.reached.Add(Item::kRefreshInFlight, BitsIn(a.refresh & ~a.due));
+    producer_.Serve(a.due, a.refresh);
 }
 
 void CyclePart::Commit(const CycleOutcome& outcome) noexcept

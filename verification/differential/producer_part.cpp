@@ -218,11 +218,26 @@ void ProducerPart::Fail(SlotIndex slot, SrdoCause cause) noexcept
     compare_.Slot(slot);
 }
 
-void ProducerPart::Serve(SrdoMask due) noexcept
+/// As if its refresh waited in this channel alone, since the counters of a device drift: it stands until the next
+/// OnCycle and nothing is prepared, while the application asks or does not.
+bool ProducerPart::IsHeld(SlotIndex slot, SrdoMask refresh) noexcept
+{
+    const SrdoMask bit = SrdoMask{1U} << slot;
+    if (((refresh & bit) == 0U) || (!scene_.random.Chance(250U)))
+    {
+        return false;
+    }
+    scene_.stand |= bit;
+    scene_.request |= scene_.random.Chance(500U) ? bit : 0U;
+    return true;
+}
+
+void ProducerPart::Serve(SrdoMask due, SrdoMask refresh) noexcept
 {
     for (SlotIndex slot = 0U; slot < scene_.device.config_a.srdo_count; ++slot)
     {
-        if ((((due >> slot) & 1U) == 0U) || scene_.random.Chance(120U))
+        const bool is_held = IsHeld(slot, refresh);
+        if ((((due >> slot) & 1U) == 0U) || is_held || scene_.random.Chance(120U))
         {
             continue;
         }

@@ -19,7 +19,7 @@ class ProducerPart
     }
     void Step() noexcept;
     /// @brief What the kernel does for the producers that are due.
-    void Serve(SrdoMask due) noexcept;
+    void Serve(SrdoMask due, SrdoMask refresh) noexcept;
     /// @brief Nothing of this slot is on its way any more.
     void GiveUp(SlotIndex slot) noexcept
     {
@@ -44,6 +44,7 @@ class ProducerPart
     void Fail(SlotIndex slot, SrdoCause cause) noexcept;
     void WriteObjects(SlotIndex slot) noexcept;
     void NoteSent(SlotIndex slot) noexcept;
+    [[nodiscard]] bool IsHeld(SlotIndex slot, SrdoMask refresh) noexcept;
 
     Scene& scene_;
     Comparison& compare_;

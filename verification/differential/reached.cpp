@@ -72,6 +72,8 @@ constexpr const char* kNames[] = {
     "sent pairs, static mapping",
     "sent pairs, > 16 entries",
     "device digests",
+    "refreshes that wait",
+    "refreshes that wait for a pair in flight",
 };
 static_assert((sizeof(kNames) / sizeof(kNames[0])) == kItemCount, "one name an item");
 

@@ -77,6 +77,8 @@ enum class Item : std::uint8_t
     kSentStatic,
     kSentManyEntries,
     kDigest,
+    kRefreshWaits,
+    kRefreshInFlight,
     kCount, ///< Number of the items before.
 };
 

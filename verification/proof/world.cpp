@@ -298,9 +298,10 @@ std::string World::CompareOutcomes(const CycleOutcome& a, const CycleOutcome& b)
 {
     const bool are_equal = (a.released == b.released) && (a.faulted == b.faulted) && (a.waiting == b.waiting) &&
                            (a.new_fault == b.new_fault) && (a.fresh == b.fresh) && (a.due == b.due) &&
-                           (a.signalled == b.signalled) && (a.cycle == b.cycle) && (a.ordinal_sum == b.ordinal_sum) &&
-                           (a.guard == b.guard) && (a.sct_checked == b.sct_checked) && (a.is_tx == b.is_tx) &&
-                           (a.is_invalid == b.is_invalid) && (a.not_operational == b.not_operational);
+                           (a.refresh == b.refresh) && (a.signalled == b.signalled) && (a.cycle == b.cycle) &&
+                           (a.ordinal_sum == b.ordinal_sum) && (a.guard == b.guard) &&
+                           (a.sct_checked == b.sct_checked) && (a.is_tx == b.is_tx) && (a.is_invalid == b.is_invalid) &&
+                           (a.not_operational == b.not_operational);
     return are_equal ? std::string{} : "channels differ in the outcome of a call";
 }
 

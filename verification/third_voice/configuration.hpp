@@ -46,6 +46,10 @@ enum class Flaw : std::uint8_t
     kToldAlways,      ///< A cause has no window.
     kRefreshDrifts,   ///< Each refresh comes a microsecond later.
     kSharedObjects,   ///< Two consumers may map one object.
+    kRefreshSkipped,  ///< A refresh that finds a pair on its way is skipped.
+    kRequestAlone,    ///< A request does not wait for the refresh of the other channel.
+    kNothingStands,   ///< The counter that is ahead does not wait.
+    kHalfConfirmed,   ///< What was confirmed too late for one channel alone stays on its way in the other.
 };
 
 /// What a mapping entry says.

@@ -17,7 +17,8 @@ std::uint64_t MaskOf(const std::uint32_t bits)
 }
 } // namespace
 
-Device::Device(const DeviceConfig& config, const Flaw flaw) : config_(config), flaw_(flaw), configuration_(config, flaw)
+Device::Device(const DeviceConfig& config, const Flaw flaw, const Drift& drift)
+    : config_(config), flaw_(flaw), drift_(drift), configuration_(config, flaw)
 {
     for (std::size_t slot = 0U; slot < config.srdo_count; ++slot)
     {
@@ -93,6 +94,7 @@ ProducerRules Device::SendingOf(const Srdo& srdo) const
     rules.length_bytes = (bits + 7U) / 8U;
     rules.mask = MaskOf(bits);
     rules.is_called = srdo.setup->form == ProducerForm::kProviderCalled;
+    rules.is_refresh_skipped = flaw_ == Flaw::kRefreshSkipped;
     return rules;
 }
 
@@ -123,7 +125,9 @@ void Device::Leave()
         srdo.is_released = false;
         srdo.observers[0].LeaveOperational();
         srdo.observers[1].LeaveOperational();
-        srdo.producer.LeaveOperational();
+        srdo.producers[0].LeaveOperational();
+        srdo.producers[1].LeaveOperational();
+        srdo.stands = {};
     }
     is_running_ = false;
     has_entered_ = false;
@@ -145,7 +149,8 @@ void Device::Enter(const Time now)
         }
         if (is_sound && srdo.objects->direction == kDirectionProducer)
         {
-            srdo.producer.EnterOperational(SendingOf(srdo), now);
+            srdo.producers[0].EnterOperational(SendingOf(srdo), now);
+            srdo.producers[1].EnterOperational(SendingOf(srdo), drift_.ByB(now));
         }
     }
 }
@@ -265,7 +270,7 @@ void Device::Cycle(const Time now, const SrdoMask acknowledge_a, const SrdoMask 
             srdo.observers[1].LookAtWaiting(now);
             Decide(srdo, now);
         }
-        const bool is_due = srdo.producer.IsActive() && srdo.producer.IsDue(now);
+        const bool is_due = srdo.producers[0].IsActive() && LookAtProducer(srdo, now);
         TellCauses(srdo, now);
         if (is_due)
         {
@@ -277,7 +282,8 @@ void Device::Cycle(const Time now, const SrdoMask acknowledge_a, const SrdoMask 
 /// At most once per SCT (or refresh time) and cause. [semantics 2]
 void Device::TellCauses(Srdo& srdo, const Time now)
 {
-    std::set<SrdoCause> causes = srdo.producer.TakeCauses();
+    std::set<SrdoCause> causes = srdo.producers[0].TakeCauses();
+    causes.merge(srdo.producers[1].TakeCauses());
     causes.merge(srdo.observers[0].TakeCauses());
     causes.merge(srdo.observers[1].TakeCauses());
     if (srdo.has_left)
@@ -311,15 +317,35 @@ std::uint64_t Device::ReadSide(const Srdo& srdo, const std::size_t side) const
     return data;
 }
 
+/// A pair starts when both channels call it due. Each channel's refresh runs by its own counter; where more of them
+/// fell due by one counter, that one stands, and the pair waits for the other one. [semantics 6]
+bool Device::LookAtProducer(Srdo& srdo, const Time now)
+{
+    Producer& a = srdo.producers[0];
+    Producer& b = srdo.producers[1];
+    a.Look(now, srdo.stands[0]);
+    b.Look(drift_.ByB(now), srdo.stands[1]);
+    const bool is_ahead_a = a.Refreshes() > b.Refreshes();
+    const bool is_ahead_b = b.Refreshes() > a.Refreshes();
+    const bool anything_stands = flaw_ != Flaw::kNothingStands;
+    srdo.stands = {is_ahead_a && anything_stands, is_ahead_b && anything_stands};
+    const bool waits = (is_ahead_a || is_ahead_b) && flaw_ != Flaw::kRequestAlone;
+    return a.IsDue() && b.IsDue() && !waits;
+}
+
 void Device::Produce(Srdo& srdo, const Time now)
 {
     if (srdo.setup->form == ProducerForm::kProviderCalled)
     {
         seen_.refreshes.push_back(srdo.setup->number);
     }
-    if (srdo.producer.Prepare(ReadSide(srdo, 0U), ReadSide(srdo, 1U), now))
+    const std::uint64_t normal = ReadSide(srdo, 0U);
+    const std::uint64_t inverse = ReadSide(srdo, 1U);
+    const bool is_sound_a = srdo.producers[0].Prepare(normal, inverse, now);
+    const bool is_sound_b = srdo.producers[1].Prepare(normal, inverse, drift_.ByB(now));
+    if (is_sound_a && is_sound_b)
     {
-        HandOver(srdo, srdo.producer.Normal());
+        HandOver(srdo, srdo.producers[0].Normal());
     }
 }
 
@@ -329,7 +355,7 @@ void Device::HandOver(Srdo& srdo, const Sent& frame)
     seen_.frames.push_back(frame);
     if (refused_)
     {
-        srdo.producer.Fail(*refused_);
+        srdo.Fail(*refused_);
         refused_.reset();
     }
 }
@@ -346,19 +372,30 @@ void Device::Put(const Address address, const std::uint64_t value)
 
 void Device::Send(const std::uint8_t number)
 {
-    srdos_[configuration_.SlotOf(number).value()].producer.Request();
+    Srdo& srdo = srdos_[configuration_.SlotOf(number).value()];
+    srdo.producers[0].Request();
+    srdo.producers[1].Request();
 }
 
 void Device::OnConfirm(const Sent& frame, const Time stamp)
 {
     for (Srdo& srdo : srdos_)
     {
-        const Confirmed step = srdo.producer.Confirm(frame, stamp);
-        if (step == Confirmed::kNormal)
+        const Confirmed by_a = srdo.producers[0].Confirm(frame, stamp);
+        const Confirmed by_b = srdo.producers[1].Confirm(frame, drift_.ByB(stamp));
+        if ((by_a == Confirmed::kNormal) != (by_b == Confirmed::kNormal))
         {
-            HandOver(srdo, srdo.producer.Inverse());
+            // Too late for one channel alone: none for either.
+            if (flaw_ != Flaw::kHalfConfirmed)
+            {
+                srdo.Fail(SrdoCause::kNoConfirmation);
+            }
         }
-        else if (step == Confirmed::kPair)
+        else if (by_a == Confirmed::kNormal)
+        {
+            HandOver(srdo, srdo.producers[1].Inverse());
+        }
+        else if (by_a == Confirmed::kPair && by_b == Confirmed::kPair)
         {
             seen_.events.push_back(srdo.setup->number);
         }
@@ -388,6 +425,11 @@ SrdoState Device::StateOf(const std::uint8_t number) const
     }
     const SrdoState a = srdo.observers[0].State();
     return (a == srdo.observers[1].State()) ? a : SrdoState::kFaulted; // While one waits for the other.
+}
+
+Time Device::NextRefresh(const std::uint8_t number) const
+{
+    return srdos_[configuration_.SlotOf(number).value()].producers[0].NextRefresh();
 }
 
 SrdoMask Device::Open() const

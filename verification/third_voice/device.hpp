@@ -4,6 +4,7 @@
 
 #include "verification/third_voice/configuration.hpp"
 #include "verification/third_voice/consumer.hpp"
+#include "verification/third_voice/drift.hpp"
 #include "verification/third_voice/producer.hpp"
 
 #include <array>
@@ -26,12 +27,13 @@ struct Seen
     bool is_configuration_invalid{false};
 };
 
-/// A whole device as docs/semantics.md describes it: configuration, consumers, GFC; one time for both counters.
+/// A whole device as docs/semantics.md describes it: configuration, consumers, GFC, producers. Every time is counter
+/// A's; consumers have one time for both counters.
 class Device
 {
   public:
-    /// @brief `config` outlives it.
-    explicit Device(const DeviceConfig& config, Flaw flaw = Flaw::kNone);
+    /// @brief `config` outlives it. `drift` is counter B's.
+    explicit Device(const DeviceConfig& config, Flaw flaw = Flaw::kNone, const Drift& drift = Drift{});
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
 
@@ -53,6 +55,8 @@ class Device
     [[nodiscard]] const Configuration& Configured() const;
     [[nodiscard]] SrdoState StateOf(std::uint8_t number) const;
     [[nodiscard]] SrdoMask Open() const;
+    /// @brief When the next refresh of a producer falls due in channel A.
+    [[nodiscard]] Time NextRefresh(std::uint8_t number) const;
     [[nodiscard]] Seen TakeSeen();
     /// @brief Whether what the last cycle did is an open question. [Consumer::IsOpen]
     [[nodiscard]] bool IsOpen() const;
@@ -63,16 +67,25 @@ class Device
         const SrdoSetup* setup{nullptr};
         const SrdoObjects* objects{nullptr};
         std::array<Consumer, 2U> observers{};
-        Producer producer{};
+        std::array<Producer, 2U> producers{};
+        std::array<bool, 2U> stands{}; ///< Whose refresh waits alone: it moves on until the next cycle.
         std::map<SrdoCause, Time> told_at{};
         std::uint32_t written_ordinal{0U};
         bool is_released{false};
         bool has_left{false}; ///< The next cycle tells it.
+
+        /// @brief The pair on its way is over by both channels.
+        void Fail(const SrdoCause cause)
+        {
+            producers[0].Fail(cause);
+            producers[1].Fail(cause);
+        }
     };
 
     [[nodiscard]] ConsumerRules RulesOf(const Srdo& srdo) const;
     [[nodiscard]] ProducerRules SendingOf(const Srdo& srdo) const;
     [[nodiscard]] std::uint64_t ReadSide(const Srdo& srdo, std::size_t side) const;
+    [[nodiscard]] bool LookAtProducer(Srdo& srdo, Time now);
     void Produce(Srdo& srdo, Time now);
     void HandOver(Srdo& srdo, const Sent& frame);
     void TellCauses(Srdo& srdo, Time now);
@@ -85,6 +98,7 @@ class Device
 
     const DeviceConfig& config_;
     Flaw flaw_;
+    Drift drift_;
     Configuration configuration_;
     std::vector<Srdo> srdos_; ///< By slot.
     std::map<Address, std::uint64_t> variables_;

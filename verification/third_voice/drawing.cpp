@@ -28,9 +28,37 @@ void AddObjects(Drawing& drawing)
               [](const MappableObject& left, const MappableObject& right)
               { return left.index != right.index ? left.index < right.index : left.sub < right.sub; });
 }
+
+/// What falls due at the instant of a call for one counter comes a call later for the other, and nowhere else.
+void AlignToCalls(Dice& dice, Drawing& drawing)
+{
+    const std::uint32_t cycle_ms = drawing.config.cycle_us / 1000U;
+    if (dice.Chance(80U))
+    {
+        drawing.config.node_id = static_cast<std::uint8_t>(2U * cycle_ms * (1U + dice.Below(12U / cycle_ms)));
+    }
+    for (std::uint32_t& sct : drawing.scts)
+    {
+        sct = dice.Chance(80U) ? cycle_ms * (sct / cycle_ms) : sct;
+    }
+    for (SrdoSetup& setup : drawing.setups)
+    {
+        setup.form = dice.Chance(90U) ? ProducerForm::kProviderCalled : setup.form;
+    }
+}
 } // namespace
 
-Drawing Draw(Dice& dice, const bool is_asked)
+Drift AnyDrift(Dice& dice)
+{
+    if (dice.Chance(40U))
+    {
+        return {0, dice.Pick<Time>({-1, 1}), Time{5000U + dice.Below(60000U)}};
+    }
+    const Time parts = dice.Pick<Time>({1, 10, 50, 100, Time{1U + dice.Below(100U)}});
+    return {dice.Chance(50U) ? parts : -parts, 0, 0};
+}
+
+Drawing Draw(Dice& dice, const bool is_asked, const Pace pace)
 {
     Drawing drawing{};
     DeviceConfig& config = drawing.config;
@@ -66,6 +94,10 @@ Drawing Draw(Dice& dice, const bool is_asked)
     config.clock_tolerance_us = 200U;
     config.clock_interval_us = 100000U;
     config.output_time_us = 1000U;
+    if (pace == Pace::kDrifting)
+    {
+        AlignToCalls(dice, drawing);
+    }
     return drawing;
 }
 } // namespace counterpoint::third_voice

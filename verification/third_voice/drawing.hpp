@@ -4,6 +4,7 @@
 
 #include "safety_core/contract/configuration.hpp"
 #include "verification/third_voice/dice.hpp"
+#include "verification/third_voice/drift.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -20,8 +21,17 @@ struct Drawing
     std::uint32_t window_cycles{0U}; ///< Acknowledge window.
 };
 
+/// How the counters of a sequence run.
+enum class Pace : std::uint8_t
+{
+    kAlike,
+    kDrifting, ///< Producers alone, mostly with refreshes that fall due at the instants of the calls.
+};
+
 /// @brief `is_asked`: discrepancy times above the acknowledge window, too.
-[[nodiscard]] Drawing Draw(Dice& dice, bool is_asked);
+[[nodiscard]] Drawing Draw(Dice& dice, bool is_asked, Pace pace);
+/// @brief Counters that part by 1 to 100 ppm, either way, or by one microsecond once.
+[[nodiscard]] Drift AnyDrift(Dice& dice);
 } // namespace counterpoint::third_voice
 
 #endif

@@ -9,7 +9,10 @@ void Producer::EnterOperational(const ProducerRules& rules, const Time now)
     is_active_ = true;
     first_ = now + rules.delay_us;
     next_ = first_;
+    looked_.reset();
     is_requested_ = false;
+    is_refresh_waiting_ = false;
+    refreshes_ = 0U;
     flight_.reset();
 }
 
@@ -17,6 +20,7 @@ void Producer::LeaveOperational()
 {
     is_active_ = false;
     is_requested_ = false;
+    is_refresh_waiting_ = false;
     flight_.reset();
 }
 
@@ -30,29 +34,55 @@ void Producer::Request()
     is_requested_ = is_active_;
 }
 
-bool Producer::IsDue(const Time now)
+void Producer::Look(const Time now, const bool is_standing)
 {
+    if (is_standing && looked_ && *looked_ >= first_)
+    {
+        next_ += now - *looked_;
+    }
+    looked_ = now;
     if (flight_ && now - since_ > rules_.srvt_us)
     {
         Fail(SrdoCause::kNoConfirmation);
     }
-    bool is_due = is_requested_ && now >= first_ && !flight_;
     if (rules_.is_called && now >= next_)
     {
         next_ += rules_.refresh_us;
-        if (flight_)
+        ++refreshes_;
+        const bool is_skipped = rules_.is_refresh_skipped && flight_;
+        if (is_refresh_waiting_ || is_skipped)
         {
             causes_.insert(SrdoCause::kRefreshMissed);
         }
-        is_due = !flight_;
+        is_refresh_waiting_ = is_refresh_waiting_ || !is_skipped;
     }
-    is_requested_ = is_requested_ && !is_due;
-    return is_due;
+}
+
+bool Producer::IsDue() const
+{
+    return (is_requested_ || is_refresh_waiting_) && looked_ && *looked_ >= first_ && !flight_;
+}
+
+bool Producer::IsRefreshWaiting() const
+{
+    return is_refresh_waiting_;
+}
+
+std::uint64_t Producer::Refreshes() const
+{
+    return refreshes_;
+}
+
+Time Producer::NextRefresh() const
+{
+    return next_;
 }
 
 /// Every bit of the inversion is checked before anything leaves.
 bool Producer::Prepare(const std::uint64_t normal, const std::uint64_t inverse, const Time now)
 {
+    is_requested_ = false;
+    is_refresh_waiting_ = false;
     flight_ = normal & rules_.mask;
     is_inverse_awaited_ = false;
     since_ = now;

@@ -19,8 +19,9 @@ struct ProducerRules
     std::uint32_t cob_id_1{0U};
     std::uint32_t cob_id_2{0U};
     std::size_t length_bytes{0U};
-    std::uint64_t mask{0U}; ///< Mapped bits; above them the normal frame has 0, the inverse one 1.
-    bool is_called{false};  ///< The kernel calls before each refresh; else the application sends.
+    std::uint64_t mask{0U};         ///< Mapped bits; above them the normal frame has 0, the inverse one 1.
+    bool is_called{false};          ///< The kernel calls before each refresh; else the application sends.
+    bool is_refresh_skipped{false}; ///< Flaw: one that falls due while a pair is on its way does not wait.
 };
 
 /// A frame that leaves the device.
@@ -38,7 +39,7 @@ enum class Confirmed : std::uint8_t
     kPair,   ///< The pair is sent.
 };
 
-/// One producer. [semantics 6]
+/// One producer, as one channel sees it. [semantics 6]
 class Producer
 {
   public:
@@ -46,14 +47,23 @@ class Producer
     void LeaveOperational();
     [[nodiscard]] bool IsActive() const;
     void Request();
-    /// @brief Limits and refresh at the instant of a call: whether a pair is to be sent now.
-    [[nodiscard]] bool IsDue(Time now);
+    /// @brief Limits and refresh at the instant of a call. `is_standing`: the refresh moves on by the time since the
+    /// call before.
+    void Look(Time now, bool is_standing);
+    /// @brief Whether a pair is to be sent now.
+    [[nodiscard]] bool IsDue() const;
+    /// @brief Whether a refresh fell due that no pair has used up.
+    [[nodiscard]] bool IsRefreshWaiting() const;
+    /// @brief When the next refresh falls due.
+    [[nodiscard]] Time NextRefresh() const;
     /// @brief Both sides as the application left them: whether the normal frame leaves.
     [[nodiscard]] bool Prepare(std::uint64_t normal, std::uint64_t inverse, Time now);
     void Fail(SrdoCause cause);
     [[nodiscard]] Confirmed Confirm(const Sent& frame, Time stamp);
     [[nodiscard]] Sent Normal() const;
     [[nodiscard]] Sent Inverse() const;
+    /// @brief How many refreshes fell due since OPERATIONAL was entered, missed ones included.
+    [[nodiscard]] std::uint64_t Refreshes() const;
     /// @brief Causes that came up since the last call.
     [[nodiscard]] std::set<SrdoCause> TakeCauses();
 
@@ -65,6 +75,9 @@ class Producer
     Time first_{0};
     Time next_{0}; ///< Refresh; keeps its phase.
     bool is_requested_{false};
+    bool is_refresh_waiting_{false};
+    std::uint64_t refreshes_{0U};
+    std::optional<Time> looked_;          ///< The call before, since OPERATIONAL was entered.
     std::optional<std::uint64_t> flight_; ///< Normal data of the pair on its way.
     bool is_inverse_awaited_{false};
     Time since_{0}; ///< From when on the awaited frame has SRVT.

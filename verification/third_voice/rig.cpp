@@ -53,7 +53,7 @@ std::uint32_t Rig::Read(const Address address)
 InstantPair Rig::At(const Time time) const
 {
     return {Instant{counters_.a + static_cast<std::uint32_t>(time)},
-            Instant{counters_.b + static_cast<std::uint32_t>(time)}};
+            Instant{counters_.b + static_cast<std::uint32_t>(counters_.drift.ByB(time))}};
 }
 
 void Rig::SetNmt(const NmtState state, const Time now)

@@ -24,6 +24,7 @@ struct Counters
 {
     std::uint32_t a;
     std::uint32_t b;
+    Drift drift;
 };
 
 /// The shipped kernel and channels, looked at from in front only.

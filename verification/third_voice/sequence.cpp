@@ -54,8 +54,7 @@ class Sequence
         for (std::uint32_t cycle = 0U; cycle < kCycles && GoesOn(); ++cycle)
         {
             const Time last = now_;
-            const Time due = last + drawing_.config.cycle_us +
-                             (dice_.Chance(10U) ? Time{dice_.Below(drawing_.config.cycle_tolerance_us + 1U)} : 0);
+            const Time due = NextCall();
             Between(last, due);
             RunCycle(due);
             if (GoesOn() && dice_.Chance(3U))
@@ -79,15 +78,31 @@ class Sequence
         return result_.is_equal && !result_.is_undecided;
     }
 
+    /// Later than the cycle now and then. Drifting counters have calls in a row that keeps its phase to some
+    /// microseconds, so that what falls due at one of them is due for one counter and not yet for the other.
+    [[nodiscard]] Time NextCall()
+    {
+        const std::uint32_t tolerance = drawing_.config.cycle_tolerance_us;
+        if (pace_ == Pace::kAlike || dice_.Chance(1U))
+        {
+            row_ = now_ + drawing_.config.cycle_us + (dice_.Chance(10U) ? Time{dice_.Below(tolerance + 1U)} : 0);
+            return row_;
+        }
+        row_ += drawing_.config.cycle_us;
+        return std::max(row_, now_) + (dice_.Chance(30U) ? Time{1U + dice_.Below(dice_.Pick({1U, 3U, 40U}))} : 0);
+    }
+
     void MakeDevice()
     {
+        pace_ = (!is_asked_ && dice_.Chance(30U)) ? Pace::kDrifting : Pace::kAlike;
         speaks_between_ = dice_.Chance(40U);
-        drawing_ = Draw(dice_, is_asked_);
+        drawing_ = Draw(dice_, is_asked_, pace_);
         drawing_.config.srdos = drawing_.setups.data();
         buttons_.Restart(drawing_.config.srdo_count, drawing_.window_cycles);
-        const Counters counters{dice_.Chance(50U) ? 0xFFFE0000U : 1000U, dice_.Chance(50U) ? 0xFFFD0000U : 77U};
+        const Drift drift = (pace_ == Pace::kDrifting) ? AnyDrift(dice_) : Drift{};
+        const Counters counters{dice_.Chance(50U) ? 0xFFFE0000U : 1000U, dice_.Chance(50U) ? 0xFFFD0000U : 77U, drift};
         rig_ = std::make_unique<Rig>(drawing_.config, drawing_.objects, counters);
-        model_ = std::make_unique<Device>(drawing_.config, flaw_);
+        model_ = std::make_unique<Device>(drawing_.config, flaw_, drift);
         Require(rig_->Start() == StartResult::kStarted, "Start is refused", "it started");
         std::vector<SrdoObjects> objects;
         for (std::uint8_t number = 1U; number <= drawing_.config.srdo_count; ++number)
@@ -184,7 +199,8 @@ class Sequence
 
     std::uint32_t AnyDirection()
     {
-        return dice_.Chance(70U) ? kDirectionConsumer : kDirectionProducer;
+        const std::uint32_t consumers = (pace_ == Pace::kDrifting) ? 0U : 70U;
+        return dice_.Chance(consumers) ? kDirectionConsumer : kDirectionProducer;
     }
 
     void ConfigureSrdo(const std::uint8_t number, const std::uint32_t direction)
@@ -267,7 +283,7 @@ class Sequence
         SetNmt(dice_.Chance(50U) ? NmtState::kPreOperational : NmtState::kStopped);
         if (dice_.Chance(40U))
         {
-            RunCycle(now_ + drawing_.config.cycle_us);
+            RunOtherCycle();
         }
         if (nmt_ == NmtState::kStopped)
         {
@@ -279,13 +295,13 @@ class Sequence
             ConfigureSrdo(number, dice_.Chance(10U) ? 0U : AnyDirection());
             if (dice_.Chance(50U))
             {
-                RunCycle(now_ + drawing_.config.cycle_us);
+                RunOtherCycle();
             }
             Sign();
         }
         if (dice_.Chance(30U))
         {
-            RunCycle(now_ + drawing_.config.cycle_us);
+            RunOtherCycle();
         }
         SetNmt(NmtState::kOperational);
     }
@@ -331,12 +347,27 @@ class Sequence
         const Time after = dice_.Chance(80U)
                                ? 1 + Time{dice_.Below(static_cast<std::uint32_t>(std::min<Time>(srvt, 3 * kMs)))}
                                : dice_.Pick({srvt - 1, srvt, srvt + 1, 100 * srvt});
-        Flight flight{frame, now_ + after};
+        Flight flight{frame, now_ + ((pace_ == Pace::kDrifting) ? AfterOf(srvt) : after)};
         if (dice_.Chance(2U))
         {
             flight.frame.data.front() ^= static_cast<std::uint8_t>(1U << dice_.Below(8U));
         }
         flights_.push_back(flight);
+    }
+
+    /// Up to two cycles, often just before or behind a call; the two limits now and then, by either counter.
+    [[nodiscard]] Time AfterOf(const Time srvt)
+    {
+        const std::uint32_t cycle = drawing_.config.cycle_us;
+        if (dice_.Chance(8U))
+        {
+            return dice_.Pick({srvt - 1, srvt, srvt + 1, 100 * srvt});
+        }
+        if (dice_.Chance(30U))
+        {
+            return std::max<Time>(1, row_ + Time{cycle * dice_.Below(3U)} + Time{dice_.Below(5U)} - 2 - now_);
+        }
+        return 1 + Time{dice_.Below(2U * cycle)};
     }
 
     void Confirm(const Sent& frame)
@@ -382,7 +413,9 @@ class Sequence
         }
         for (std::uint8_t number = 1U; number <= drawing_.config.srdo_count; ++number)
         {
-            if (model_->StateOf(number) == SrdoState::kProducer && dice_.Chance(8U))
+            const bool is_near =
+                pace_ == Pace::kDrifting && model_->NextRefresh(number) - now_ < 2 * drawing_.config.cycle_us;
+            if (model_->StateOf(number) == SrdoState::kProducer && dice_.Chance(is_near ? 50U : 8U))
             {
                 static_cast<void>(
                     rig_->Facade().Send(CommunicationIndex{static_cast<std::uint16_t>(0x1300U + number)}));
@@ -474,6 +507,13 @@ class Sequence
         }
     }
 
+    /// Out of the row.
+    void RunOtherCycle()
+    {
+        row_ = now_ + drawing_.config.cycle_us;
+        RunCycle(row_);
+    }
+
     void RunCycle(const Time at)
     {
         if (!GoesOn())
@@ -541,6 +581,8 @@ class Sequence
     bool has_commanded_{false};  ///< NMT, since the last cycle.
     bool speaks_between_{false}; ///< Frames between such a command and the cycle that shows it, too.
     bool is_asked_{false};
+    Pace pace_{Pace::kAlike};
+    Time row_{0}; ///< Of the last call that came in the row.
     NmtState nmt_{NmtState::kInitialising};
     Time now_{5000};
     SequenceResult result_{};

@@ -49,6 +49,10 @@ TEST(ThirdVoice, AModelWithOneBrokenRuleIsTold)
     EXPECT_GT(DifferencesIn(200U, Flaw::kToldAlways), 0U);
     EXPECT_GT(DifferencesIn(200U, Flaw::kRefreshDrifts), 0U);
     EXPECT_GT(DifferencesIn(200U, Flaw::kSharedObjects), 0U);
+    EXPECT_GT(DifferencesIn(200U, Flaw::kRefreshSkipped), 0U);
+    EXPECT_GT(DifferencesIn(200U, Flaw::kRequestAlone), 0U);
+    EXPECT_GT(DifferencesIn(200U, Flaw::kNothingStands), 0U);
+    EXPECT_GT(DifferencesIn(200U, Flaw::kHalfConfirmed), 0U);
 }
 } // namespace
 } // namespace counterpoint::third_voice

@@ -62,6 +62,16 @@ class Book
     std::vector<Rule> rules{};
 };
 
+void AddMask(Book& book, const char* requirement, const std::string& what, SrdoMask CycleOutcome::* field)
+{
+    book.Always(requirement, what + " is always 0", &Rule::outcome, field, SrdoMask{0U});
+    book.Always(requirement, what + " is always full", &Rule::outcome, field, ~SrdoMask{0U});
+    book.Add(requirement, what + " is inverted", &Rule::outcome,
+             [field](CycleOutcome& outcome) { outcome.*field = ~(outcome.*field); });
+    book.Add(requirement, what + " is one slot further", &Rule::outcome,
+             [field](CycleOutcome& outcome) { outcome.*field <<= 1U; });
+}
+
 void AddMasks(Book& book)
 {
     static const std::pair<const char*, SrdoMask CycleOutcome::*> kMasks[] = {
@@ -71,15 +81,11 @@ void AddMasks(Book& book)
         {"signalled", &CycleOutcome::signalled}};
     for (const auto& [name, mask] : kMasks)
     {
-        const auto field = mask;
-        const std::string what = std::string{"mask "} + name;
-        book.Always("SRS_CONS_023", what + " is always 0", &Rule::outcome, field, SrdoMask{0U});
-        book.Always("SRS_CONS_023", what + " is always full", &Rule::outcome, field, ~SrdoMask{0U});
-        book.Add("SRS_CONS_023", what + " is inverted", &Rule::outcome,
-                 [field](CycleOutcome& outcome) { outcome.*field = ~(outcome.*field); });
-        book.Add("SRS_CONS_023", what + " is one slot further", &Rule::outcome,
-                 [field](CycleOutcome& outcome) { outcome.*field <<= 1U; });
+        AddMask(book, "SRS_CONS_023", std::string{"mask "} + name, mask);
     }
+    AddMask(book, "SRS_PROD_013", "mask refresh", &CycleOutcome::refresh);
+    book.Add("SRS_PROD_013", "mask refresh is the mask due", &Rule::outcome,
+             [](CycleOutcome& outcome) { outcome.refresh = outcome.due; });
 }
 
 void AddOutcomes(Book& book)

@@ -54,7 +54,7 @@ class Trace
     void Add(const CycleOutcome& outcome) noexcept
     {
         for (const SrdoMask mask : {outcome.released, outcome.faulted, outcome.waiting, outcome.new_fault,
-                                    outcome.fresh, outcome.due, outcome.signalled})
+                                    outcome.fresh, outcome.due, outcome.refresh, outcome.signalled})
         {
             Add(mask);
         }

@@ -130,6 +130,17 @@ void NmtMaster::DropStarts(const NodeId node) noexcept
     }
 }
 
+bool NmtMaster::HasStart(const NodeId node) const noexcept
+{
+    bool has_one = false;
+    for (std::uint16_t i = 0U; i < waiting_; ++i)
+    {
+        const NmtRequest& request = At(i);
+        has_one = has_one || ((request.command == NmtCommand::kStart) && (request.node.value == node.value));
+    }
+    return has_one;
+}
+
 /// A start of a safety slave that waited too long: the slave may have been changed meanwhile. [SRS_SFS_152]
 bool NmtMaster::IsStale(const NmtRequest& request, const Instant now) const noexcept
 {

@@ -71,6 +71,8 @@ class NmtMaster
     [[nodiscard]] NmtAnswer RequestEach(NmtCommand command, NodeId except, Instant now) noexcept;
     /// @brief The start-up of the node begins again: starts of it that wait are dropped. O(queue)
     void DropStarts(NodeId node) noexcept;
+    /// @brief Whether a start of this node waits. O(queue)
+    [[nodiscard]] bool HasStart(NodeId node) const noexcept;
     /// @brief Sends what is due. Call once a cycle. O(commands that leave) [SRS_NMM_001]
     void OnCycle(Instant now) noexcept;
 

@@ -105,9 +105,10 @@ struct StartUpParts
 };
 
 /// A profile of start-up and supervision. The owner of the parts carries frames and cycles in this order:
-///   OnFrame: table, sdo, start-up. The table's events come before the frame: on kBootUp and on a loss the owner calls
-///   sdo.OnBootUp (boot-up only) and gate.Close, then OnNodeEvent of the start-up.
-///   OnCycle: table, sdo, gate, start-up, nmt.
+///   OnFrame: table, nmt, sdo, start-up. The table's events come before the frame: on kBootUp and on a loss the
+///   owner calls sdo.OnBootUp (boot-up only) and gate.Close, then OnNodeEvent of the start-up.
+///   OnCycle: nmt, table, sdo, gate, start-up, nmt. A command that waits goes first, and OnRoom before sdo in both:
+///   the others would take each place of the sink that becomes free.
 /// Nothing here waits; each call does a bounded piece of work. Not reentrant.
 class StartUp
 {
@@ -120,6 +121,8 @@ class StartUp
     virtual void OnFrame(const CanFrame& frame, Instant now) noexcept = 0;
     /// @brief Does what is due for every slave. O(127)
     virtual void OnCycle(Instant now) noexcept = 0;
+    /// @brief Before others use the sink: what OnCycle had to send and found no room for. By itself this does nothing.
+    virtual void OnRoom(Instant now) noexcept;
     /// @brief What the node table told of a node, listed or not.
     virtual void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept = 0;
     /// @brief The NMT master gave up a start that it had taken: the slave is verified again, and then started.
@@ -168,6 +171,10 @@ class StartUp
     const NodeStatus status = start_up.Status(node);
     const bool is_other = parts.setup.IsSafetySlave(node) && status.is_other;
     return !is_other && !status.is_busy && !IsStopped(parts.table, node);
+}
+
+inline void StartUp::OnRoom(const Instant /*now*/) noexcept
+{
 }
 
 inline void StartUp::OnBusBack(const Instant /*now*/) noexcept

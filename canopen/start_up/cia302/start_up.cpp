@@ -283,7 +283,10 @@ void Cia302StartUp::OnBusBack(const Instant now) noexcept
         const SlaveState asked = parts_.table.Record(node).asked;
         const bool is_to_start = !record.is_extra || record.is_start_wanted;
         const bool is_cut = status.is_busy && is_to_start && !record.IsAwaitingBootUp();
-        const bool is_waiting = record.is_start_owed || (status.is_started && (asked != SlaveState::kOperational));
+        // Reset since, by whomever: its boot-up message may be lost. One that runs all the same was found so (L).
+        const bool is_reset = (asked == SlaveState::kUnknown) && !parts_.table.RunsSurely(node);
+        const bool has_start = is_reset || parts_.nmt.HasStart(node);
+        const bool is_waiting = record.is_start_owed || (status.is_started && has_start);
         const bool has_failed = (status.letter != '\0') && !record.is_booted && (asked != SlaveState::kStopped);
         const bool is_ended = !status.is_busy && (is_waiting || has_failed);
         if (parts_.setup.IsListed(node) && (is_cut || is_ended))

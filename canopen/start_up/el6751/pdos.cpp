@@ -77,7 +77,7 @@ void JudgeCycle(const El6751Pdo& pdo, const std::uint16_t event_ms, El6751PdoRec
 
 El6751Pdos::El6751Pdos(const El6751PdoParts& parts) noexcept
     : parts_(parts), first_{}, duty_{}, window_us_(0U), awaited_(0U), is_sync_sent_(false), is_running_(false),
-      is_window_open_(false), sync_due_{0U}, sync_at_{0U}
+      is_window_open_(false), is_waiting_(false), sync_due_{0U}, sync_at_{0U}
 {
 }
 
@@ -106,6 +106,7 @@ void El6751Pdos::End() noexcept
     is_sync_sent_ = false;
     is_running_ = false;
     is_window_open_ = false;
+    is_waiting_ = false;
     awaited_ = 0U;
     for (Duty& duty : duty_)
     {
@@ -210,6 +211,39 @@ void El6751Pdos::OnSent(const CanFrame& frame) noexcept
 void El6751Pdos::OnCycle(const Instant now) noexcept
 {
     EndWindowIfOver(now);
+    is_waiting_ = false;
+    SendSync(now);
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        if (duty_[id] != Duty::kRest)
+        {
+            CheckTimes(NodeId{id}, now);
+        }
+        if (duty_[id] == Duty::kFeed)
+        {
+            SendTo(NodeId{id}, now);
+        }
+    }
+}
+
+void El6751Pdos::SendAgain(const Instant now) noexcept
+{
+    if (is_waiting_)
+    {
+        is_waiting_ = false;
+        SendSync(now);
+        for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+        {
+            if (duty_[id] == Duty::kFeed)
+            {
+                SendTo(NodeId{id}, now);
+            }
+        }
+    }
+}
+
+void El6751Pdos::SendSync(const Instant now) noexcept
+{
     const std::uint32_t elapsed_us = now.us - sync_due_.us;
     if (is_sync_sent_ && (!is_running_ || (elapsed_us >= parts_.setup.sync_period_us)))
     {
@@ -221,16 +255,9 @@ void El6751Pdos::OnCycle(const Instant now) noexcept
             is_running_ = true;
             OnSync(now);
         }
-    }
-    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
-    {
-        if (duty_[id] != Duty::kRest)
+        else
         {
-            CheckTimes(NodeId{id}, now);
-        }
-        if (duty_[id] == Duty::kFeed)
-        {
-            SendTo(NodeId{id}, now);
+            is_waiting_ = true;
         }
     }
 }
@@ -348,6 +375,7 @@ void El6751Pdos::SendTo(const NodeId node, const Instant now) noexcept
                 frame.data[frame.length_bytes] = ByteOf(pdo, frame.length_bytes);
             }
             record.is_due = !parts_.sink.Send(frame);
+            is_waiting_ = is_waiting_ || record.is_due;
             for (std::uint32_t byte = 0U; (byte < frame.length_bytes) && !record.is_due; ++byte)
             {
                 record.sent[byte] = frame.data[byte];

@@ -73,6 +73,9 @@ class El6751Pdos
     /// SRS_ELM_035, SRS_ELM_036, SRS_ELM_037]
     void OnCycle(Instant now) noexcept;
 
+    /// @brief SYNC and RxPDOs that the sink did not take in the last cycle; nothing else happens. O(PDOs) [SRS_ELM_230]
+    void SendAgain(Instant now) noexcept;
+
     /// @brief NodeState of the slave's first TxPDO that is missing or too short; 0: none is.
     [[nodiscard]] std::int16_t Fault(NodeId node) const noexcept;
     /// @brief Whether every configured TxPDO was received since Await; true without one.
@@ -91,6 +94,7 @@ class El6751Pdos
     [[nodiscard]] El6751PdoRecord& Record(NodeId node, std::uint8_t position) const noexcept;
     [[nodiscard]] std::uint8_t CountTx(NodeId node, bool has_passed) const noexcept;
     void Take(NodeId node, std::uint8_t position, const CanFrame& frame, Instant now) noexcept;
+    void SendSync(Instant now) noexcept;
     void OnSync(Instant now) noexcept;
     void OpenFor(NodeId node) noexcept;
     void EndWindow() noexcept;
@@ -106,6 +110,7 @@ class El6751Pdos
     bool is_sync_sent_;
     bool is_running_; ///< SYNC was sent; `sync_due_` was its time.
     bool is_window_open_;
+    bool is_waiting_; ///< The sink did not take SYNC or an RxPDO.
     Instant sync_due_;
     Instant sync_at_; ///< When it was sent.
 };

@@ -127,6 +127,11 @@ void El6751StartUp::OnSent(const CanFrame& frame) noexcept
     pdos_.OnSent(frame);
 }
 
+void El6751StartUp::OnRoom(const Instant now) noexcept
+{
+    pdos_.SendAgain(now);
+}
+
 void El6751StartUp::OnCycle(const Instant now) noexcept
 {
     const bool is_working = is_active_ && is_usable_ && (controller_ == ControllerState::kRunning);

@@ -36,6 +36,7 @@ class El6751StartUp final : public StartUp
     void End() noexcept override;
     void OnFrame(const CanFrame& frame, Instant now) noexcept override;
     void OnCycle(Instant now) noexcept override;
+    void OnRoom(Instant now) noexcept override;
     void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept override;
     void OnStartDropped(NodeId node, Instant now) noexcept override;
     /// @brief Stop and PRE-OPERATIONAL hold the slave by hand; a start while a start-up runs follows it.

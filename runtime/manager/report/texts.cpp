@@ -129,6 +129,7 @@ constexpr Word<int> kPlcStates[] = {{"reset", -1},
                                     {"optional, absent", 97},
                                     {"device type differs", 98},
                                     {"lost", 99}};
+constexpr const char* kFlashIsBusy = "its flash is busy";
 constexpr const char* kDespite = "started though its start-up failed";
 constexpr Word<int> kMasterSteps[] = {{"idle", 0},  {"resets", 1},      {"boots slaves", 2}, {"halted", 3},
                                       {"ready", 4}, {"operational", 5}, {"stopped", 6}};
@@ -245,7 +246,7 @@ std::string FindingText(const StartProfile profile, const cia302::NodeStatus& st
     const bool is_aborted = status.abort != cia301::SdoAbort::kNone;
     bool is_wrong = status.letter != 0 && status.letter != 'L' && (is_aborted || status.expected != status.read);
     const bool is_refused = status.code == kNotFound || status.code == kSyntax || status.code == kMismatch;
-    is_wrong = is_wrong || IsAskedAgain(status);
+    is_wrong = is_wrong || IsAskedAgain(status) || IsFlashBusy(status);
     is_wrong = (profile == StartProfile::kEl6751) ? is_refused || IsDespite(status) : is_wrong;
     is_wrong = (profile == StartProfile::kPlcDesigner) ? is_aborted || status.code == kWrongType : is_wrong;
     return is_wrong ? ValueText(status.object, status.abort, status.expected, status.read) : "";
@@ -254,6 +255,14 @@ std::string FindingText(const StartProfile profile, const cia302::NodeStatus& st
 bool IsDespite(const cia302::NodeStatus& status) noexcept
 {
     return status.has_failed && status.is_started;
+}
+
+bool IsFlashBusy(const cia302::NodeStatus& status) noexcept
+{
+    constexpr std::uint16_t kFlashStatus = 0x1F57U;
+    const bool is_read = status.object.index == kFlashStatus && status.abort == cia301::SdoAbort::kNone;
+    const bool is_updated = status.is_busy && status.step == StartUpStep::kSoftwareUpdate;
+    return status.letter == 0 && is_updated && is_read && (status.read & 1U) != 0U;
 }
 
 bool IsAskedAgain(const cia302::NodeStatus& status) noexcept
@@ -270,6 +279,7 @@ std::string ResultText(const StartProfile profile, const cia302::NodeStatus& sta
     const std::string code = (status.code == good) ? "" : CodeText(profile, status.code);
     std::string meaning = is_cia302 ? LetterText(status.letter) : code;
     meaning = (is_cia302 && IsAskedAgain(status)) ? "asked again each second" : meaning;
+    meaning = (is_cia302 && IsFlashBusy(status)) ? kFlashIsBusy : meaning;
     meaning = (IsDespite(status) && status.code == good) ? kDespite : meaning;
     const std::string finding = FindingText(profile, status);
     return meaning + (meaning.empty() || finding.empty() ? "" : ": ") + finding;
@@ -281,6 +291,7 @@ std::string StatusText(const StartProfile profile, const cia302::NodeStatus& sta
     const std::string head = (status.letter != 0) ? std::string(1U, status.letter) : code;
     std::string meaning = (status.letter != 0) ? LetterText(status.letter) : CodeText(profile, status.code);
     meaning = (profile == StartProfile::kCia302 && IsAskedAgain(status)) ? "asked again each second" : meaning;
+    meaning = (profile == StartProfile::kCia302 && IsFlashBusy(status)) ? kFlashIsBusy : meaning;
     meaning = (IsDespite(status) && status.code == 0) ? kDespite : meaning;
     const std::string finding = FindingText(profile, status);
     return (head.empty() ? "" : head + ": ") + meaning + (finding.empty() ? "" : " (" + finding + ")");

@@ -42,6 +42,8 @@ inline constexpr Word<network_plan::StartProfile> kProfileWords[] = {
 [[nodiscard]] bool IsDespite(const cia302::NodeStatus& status) noexcept;
 /// @brief Whether a slave under cia302 refused or did not answer 1000h, and is asked again.
 [[nodiscard]] bool IsAskedAgain(const cia302::NodeStatus& status) noexcept;
+/// @brief Whether an update under cia302 waits for the flash of the slave: 1F57h, bit 0. [SRS_MGR_230]
+[[nodiscard]] bool IsFlashBusy(const cia302::NodeStatus& status) noexcept;
 /// @brief Letter or code in words, and the finding: "O: serial number differs (0x1018:04 is 0x21, expected 0x22)";
 /// "operational" where the slave runs without either. [SRS_MGR_026]
 [[nodiscard]] std::string StatusText(network_plan::StartProfile profile, const cia302::NodeStatus& status);

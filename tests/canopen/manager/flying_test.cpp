@@ -4,6 +4,7 @@
 #include "canopen/manager/manager.hpp"
 #include "verification/trace/ids/flying_master.hpp"
 #include "verification/trace/ids/manager.hpp"
+#include "verification/trace/ids/start_up_profiles.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>
@@ -41,6 +42,10 @@ class IdleProfile final : public StartUp
     void OnCycle(const Instant /*now*/) noexcept override
     {
     }
+    void OnRoom(const Instant /*now*/) noexcept override
+    {
+        ++rooms;
+    }
     void OnNodeEvent(const NodeId /*node*/, const NodeEvent /*event*/, const Instant /*now*/) noexcept override
     {
     }
@@ -65,6 +70,8 @@ class IdleProfile final : public StartUp
     {
         return 0;
     }
+
+    int rooms{0}; ///< How often it was offered room in the sink.
 
   private:
     std::vector<std::string>& log_;
@@ -213,6 +220,78 @@ TEST_F(ManagerFlying, NegotiationOnTheApplicationsCallWithWhatItWrote)
     RunTo(22'450U);
     // 20000 + 300 + 100 + 1 x 2000 + 5 x 10
     EXPECT_EQ(Log(), (Lines{"20300 073", "20400 072", "22450 071 01 05", "event 4 1/5", "leads", "22450 705 00"}));
+}
+
+TEST_F(ManagerFlying, RoomInTheSinkIsOfferedToTheProfileThatLeads)
+{
+    Verifies(req::SRS_ELM_230);
+    Use(NegotiationBy::kManager);
+    manager.Begin(Now());
+    RunTo(2000U);
+    Hear(0x710U, {0x05U});
+    EXPECT_EQ(profile.rooms, 0);
+    RunTo(4000U);
+    ASSERT_TRUE(manager.IsActive());
+    const int before = profile.rooms;
+    Hear(0x710U, {0x05U});
+    EXPECT_EQ(profile.rooms, before + 1);
+    RunTo(4001U);
+    EXPECT_EQ(profile.rooms, before + 2);
+}
+
+TEST_F(ManagerFlying, WhatTheActiveMasterOwesLeavesWithTheFirstRoom)
+{
+    Verifies(req::SRS_MGR_231);
+    Use(NegotiationBy::kManager);
+    manager.Begin(Now());
+    RunTo(4000U);
+    ASSERT_TRUE(manager.IsActive());
+    Log();
+    // When somebody asks who is master, and the sink is full
+    refuses = 1'000'000U;
+    Hear(0x073U);
+    RunTo(4100U);
+    EXPECT_EQ(Log(), Lines{});
+    // Then the answer leaves with the next frame, whatever it is, and once
+    refuses = 0U;
+    Hear(0x710U, {0x05U});
+    Hear(0x710U, {0x05U});
+    EXPECT_EQ(Log(), Lines{"4100 071 01 05"});
+    // And so does what it sends again and again, with the heartbeat behind it
+    refuses = 1'000'000U;
+    RunTo(9000U);
+    refuses = 0U;
+    Hear(0x710U, {0x05U});
+    Hear(0x710U, {0x05U});
+    EXPECT_EQ(Log(), (Lines{"9000 076", "9000 705 7F"}));
+    // When it is not the active master any more, nothing is owed
+    refuses = 1'000'000U;
+    Hear(0x073U);
+    RunTo(9100U);
+    Hear(0x071U, {0x00U, 0x02U});
+    refuses = 0U;
+    Hear(0x710U, {0x05U});
+    EXPECT_FALSE(manager.IsActive());
+    for (const std::string& line : Log())
+    {
+        EXPECT_EQ(line.find("071 01"), std::string::npos) << line;
+    }
+}
+
+TEST_F(ManagerFlying, AnActiveMasterWithoutACyclicMessageOwesNothing)
+{
+    Verifies(req::SRS_MGR_231);
+    Use(NegotiationBy::kManager);
+    times.detection_cycle = 0U;
+    manager.Begin(Now());
+    RunTo(4000U);
+    ASSERT_TRUE(manager.IsActive());
+    Log();
+    refuses = 1'000'000U;
+    RunTo(4800U);
+    refuses = 0U;
+    Hear(0x710U, {0x05U});
+    EXPECT_EQ(Log(), Lines{"4800 705 7F"});
 }
 
 TEST_F(ManagerFlying, ValuesThatCannotWorkAreToldOnceAndMayBeCorrected)

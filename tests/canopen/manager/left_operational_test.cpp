@@ -469,6 +469,38 @@ TEST_P(LeftInCia302Test, RunsOnAsItWasBehindAResetThatItDidNotHearIsVerifiedAndS
     EXPECT_EQ(manager->Status(NodeId{5U}).letter, '\0');
 }
 
+TEST_P(LeftInCia302Test, FoundRunningIsNotBootedAnewWhenTheBusIsBack)
+{
+    Verifies(req::SRS_BOOT_018);
+    Verifies(req::SRS_BOOT_230);
+    // Given letter L behind a reset that it did not hear
+    setups[5].assignment = static_cast<std::uint32_t>(setups[5].assignment & ~kMandatory);
+    setups[5].heartbeat = HeartbeatSetup{300U, 100U, Arming::kFirstHeartbeat};
+    StartAndForget(GetParam());
+    devices[0]->is_on = false;
+    Run(3000U);
+    devices[0]->is_on = true;
+    Run(1000U);
+    ASSERT_EQ(manager->Status(NodeId{5U}).letter, 'L');
+    starts.clear();
+    // When the bus was away, it is read and runs on
+    manager->OnBus(false, Now());
+    manager->OnBus(true, Now());
+    Run(1000U);
+    EXPECT_EQ(manager->Status(NodeId{5U}).letter, 'L');
+    EXPECT_EQ(readings, 2);
+    EXPECT_EQ(Running(5U), 1);
+    // When somebody else has stopped it before, it stays so
+    Put(Nmt(NmtCommand::kStop, 5U));
+    Run(10U);
+    manager->OnBus(false, Now());
+    manager->OnBus(true, Now());
+    Run(1000U);
+    EXPECT_EQ(manager->Status(NodeId{5U}).letter, 'L');
+    EXPECT_EQ(devices[0]->State(), cia301::NodeState::kStopped);
+    EXPECT_EQ(starts, (std::vector<std::string>{}));
+}
+
 TEST_P(LeftInCia302Test, SaysPreOperationalWhileItsBootUpIsWaitedForIsNotAsked)
 {
     Verifies(req::SRS_BOOT_002);

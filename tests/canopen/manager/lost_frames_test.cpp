@@ -195,5 +195,64 @@ TEST_F(LostFramesTest, AnotherDeviceThatGaveWayWhileTheBusWasAwayIsStarted)
     EXPECT_EQ(Running(5U), 1);
 }
 
+TEST_F(LostFramesTest, WhoseStartByOrderWaitsWhileTheBusIsAwayIsAskedWhoItIs)
+{
+    Verifies(req::SRS_BOOT_018);
+    // Given 2 s between two commands, and a start behind the command that made slave 6 PRE-OPERATIONAL
+    setup.inhibit_100us = 20000U;
+    Begin(Profile::kCia302);
+    Run(20000U);
+    ASSERT_EQ(Running(6U), 1);
+    EXPECT_EQ(Order(NmtCommand::kPreOperational, 6U), NmtAnswer::kTaken);
+    EXPECT_EQ(Order(NmtCommand::kStart, 6U), NmtAnswer::kTaken);
+    manager->OnBus(false, Now());
+    devices[1]->Put32(0x1018U, 4U, 0x4321U);
+    manager->OnBus(true, Now());
+    Run(9000U);
+    EXPECT_EQ(manager->Status(NodeId{6U}).letter, 'O');
+    EXPECT_EQ(Running(6U), 0);
+}
+
+TEST_F(LostFramesTest, WhomSomebodyElseStoppedIsNotStartedWhenTheBusIsBack)
+{
+    Verifies(req::SRS_BOOT_018);
+    Verifies(req::SRS_BOOT_230);
+    Begin(Profile::kCia302);
+    Run(1000U);
+    ASSERT_EQ(Running(5U) + Running(6U), 2);
+    Put(Nmt(NmtCommand::kStop, 5U));
+    Put(Nmt(NmtCommand::kPreOperational, 6U));
+    Run(300U);
+    manager->OnBus(false, Now());
+    Run(50U);
+    manager->OnBus(true, Now());
+    Run(3000U);
+    EXPECT_EQ(devices[0]->State(), cia301::NodeState::kStopped);
+    EXPECT_EQ(devices[1]->State(), cia301::NodeState::kPreOperational);
+    EXPECT_EQ(starts, (std::vector<std::string>{"6", "5"})); // One start each.
+    // When somebody starts them by order, they run again
+    EXPECT_EQ(Order(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    EXPECT_EQ(Order(NmtCommand::kStart, 6U), NmtAnswer::kTaken);
+    Run(1000U);
+    EXPECT_EQ(Running(5U) + Running(6U), 2);
+}
+
+TEST_F(LostFramesTest, WhomSomebodyElseResetAndWhoseBootUpMessageIsLostWithTheBusIsStartedAgain)
+{
+    Verifies(req::SRS_BOOT_018);
+    Begin(Profile::kCia302);
+    Run(1000U);
+    // Given a reset by somebody else, and a bus that is away before the boot-up messages
+    devices[0]->has_boot_up = false;
+    devices[1]->has_boot_up = false;
+    Put(Nmt(NmtCommand::kResetNode, 0U));
+    Run(1U);
+    manager->OnBus(false, Now());
+    Run(10U);
+    manager->OnBus(true, Now());
+    Run(2000U);
+    EXPECT_EQ(Running(5U) + Running(6U), 2);
+}
+
 } // namespace
 } // namespace counterpoint::cia302

@@ -187,6 +187,36 @@ TEST_F(ManagerResultsTest, AnAbortAndSilenceAt1000hAreToldThoughThereIsNoBootTim
               2);
 }
 
+TEST_F(ManagerResultsTest, AFlashThatIsBusyIsToldWhileItsUpdateRuns)
+{
+    Verifies(req::SRS_MGR_230);
+    cia302::NodeStatus busy{};
+    busy.is_busy = true;
+    busy.step = StartUpStep::kSoftwareUpdate;
+    busy.object = ObjectAddress{0x1F57U, 1U};
+    busy.read = 1U;
+    EXPECT_EQ(runtime::ResultText(StartProfile::kCia302, busy), "its flash is busy: 0x1F57:01 is 0x1, expected 0x0");
+    EXPECT_EQ(runtime::StatusText(StartProfile::kCia302, busy), "its flash is busy (0x1F57:01 is 0x1, expected 0x0)");
+    // A minute later it is letter I
+    cia302::NodeStatus failed = busy;
+    failed.is_busy = false;
+    failed.letter = 'I';
+    EXPECT_EQ(runtime::ResultText(StartProfile::kCia302, failed),
+              "software update failed: 0x1F57:01 is 0x1, expected 0x0");
+    // Ready, with another object, in another step, without an answer, ended: nothing is to be told
+    std::array<cia302::NodeStatus, 5> others{busy, busy, busy, busy, busy};
+    others[0].read = 2U;
+    others[1].object = ObjectAddress{0x1F50U, 1U};
+    others[2].step = StartUpStep::kConfigure;
+    others[3].abort = cia301::SdoAbort::kTimeOut;
+    others[4].is_busy = false;
+    for (const cia302::NodeStatus& other : others)
+    {
+        EXPECT_FALSE(runtime::IsFlashBusy(other));
+        EXPECT_EQ(runtime::FindingText(StartProfile::kCia302, other), "");
+    }
+}
+
 TEST_F(ManagerResultsTest, AnAnswerOfAnotherLengthIsToldAsThatAndNotByNumbers)
 {
     Verifies(req::SRS_MGR_026);

@@ -1,10 +1,12 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Network files: what a manager learns from them and from the DCFs they name.
 #include "canopen/network_plan/loaded_network.hpp"
+#include "examples/network_manager/network.hpp"
 #include "runtime/network_files/file.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/canopen/cia306/folder_of_files.hpp"
 #include "verification/trace/ids/manager.hpp"
+#include "verification/trace/ids/target.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <algorithm>
@@ -310,6 +312,37 @@ std::string Array(const std::string& section, const std::string& count)
     return "\n[" + section + "]\nParameterName=x\nObjectType=0x8\nSubNumber=" + count + "\n";
 }
 
+/// What a person would copy from the example is what the reader makes of the drive's DCF.
+TEST_F(NetworkFileTest, TheTablesOfTheExampleAreThoseOfItsDcf)
+{
+    Verifies(req::SRS_TGT_230);
+    const std::string file =
+        File("net.yaml", "manager: {node: 1}\nslaves: [{node: 33, dcf: " + cia306::test::SourceFolder() +
+                             "/examples/actuator/actuator.dcf}]\n");
+    const LoadedNetwork net(runtime::ReadNetworkFile(file, 0U));
+    const cia302::SlaveSetup& read = net.Setup().Slave(examples::kDrive);
+    const examples::ManagerSettings settings = examples::AloneSettings();
+    const cia302::SlaveSetup& example = settings.setup.Slave(examples::kDrive);
+    ASSERT_EQ(example.safety->count, read.safety->count);
+    for (std::uint16_t place = 0U; place < read.safety->count; ++place)
+    {
+        const cia302::ExpectedObject& is = example.safety->objects[place];
+        const cia302::ExpectedObject& should = read.safety->objects[place];
+        EXPECT_EQ(is.address.index, should.address.index) << place;
+        EXPECT_EQ(is.address.sub, should.address.sub) << place;
+        EXPECT_EQ(is.value, should.value) << place;
+        EXPECT_EQ(is.is_fixed, should.is_fixed) << place;
+    }
+    EXPECT_EQ(example.device_type, read.device_type);
+    EXPECT_EQ(example.vendor_id, read.vendor_id);
+    EXPECT_EQ(example.product_code, read.product_code);
+    EXPECT_EQ(example.revision_number, read.revision_number);
+    EXPECT_EQ(example.serial_number, read.serial_number);
+    EXPECT_EQ(
+        std::vector<std::uint8_t>(example.concise_dcf.data, example.concise_dcf.data + example.concise_dcf.size_bytes),
+        std::vector<std::uint8_t>(read.concise_dcf.data, read.concise_dcf.data + read.concise_dcf.size_bytes));
+}
+
 // A manager's own file with 1F80h, 1F89h, and 1F81h and 1F88h for node 33
 class ManagersFileTest : public NetworkFileTest
 {
@@ -350,6 +383,38 @@ class ManagersFileTest : public NetworkFileTest
 
     std::string dcf;
 };
+
+TEST_F(ManagersFileTest, ASyncPeriodThatIsTooShortIsRefusedWhereItStands)
+{
+    Verifies(req::SRS_NET_231);
+    std::string with_sync = dcf + Variable("1006", "0x0007", "1");
+    const std::string last = "=0x1F89";
+    const std::size_t place = with_sync.find(last);
+    const std::size_t begin = with_sync.rfind('\n', place) + 1U;
+    const int number = std::stoi(with_sync.substr(begin, place - begin));
+    with_sync.insert(place + last.size(), "\n" + std::to_string(number + 1) + "=0x1006");
+    const std::string count = "[OptionalObjects]\nSupportedObjects=" + std::to_string(number);
+    with_sync.replace(with_sync.find(count), count.size(),
+                      "[OptionalObjects]\nSupportedObjects=" + std::to_string(number + 1));
+    const std::string text = Refusal(with_sync);
+    const auto line =
+        std::count(with_sync.begin(), with_sync.begin() + static_cast<long>(with_sync.find("[1006]")), '\n');
+    EXPECT_NE(text.find("/manager.dcf:" + std::to_string(line + 6) + ":16: error: SYNC"), std::string::npos) << text;
+    EXPECT_NE(text.find("SYNC period (1006h) of 1 us, expected none, or at least 1000 us"), std::string::npos) << text;
+    // The network file goes before it
+    const std::string file =
+        File("net.yaml", "manager: {node: 2, dcf: manager.dcf, sync: 10 us}\nslaves: [{node: 9}]\n");
+    try
+    {
+        const LoadedNetwork wrong(runtime::ReadNetworkFile(file, 0U));
+        FAIL() << "accepted";
+    }
+    catch (const cia306::InputError& error)
+    {
+        EXPECT_EQ(std::string(error.what()),
+                  file + ":1:10: error: SYNC period (1006h) of 10 us, expected none, or at least 1000 us");
+    }
+}
 
 TEST_F(ManagersFileTest, ItsOwnObjectsGoBeforeDerivedOnes)
 {

@@ -2,6 +2,7 @@
 // Flying masters in network files: who is one, with which times and which behaviour.
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/network_plan/loaded_network.hpp"
+#include "runtime/manager/station.hpp"
 #include "runtime/network_files/file.hpp"
 #include "runtime/yaml/document.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
@@ -26,8 +27,9 @@ using network_plan::LoadedNetwork;
 class NetworkFlyingTest : public cia306::test::FolderTest
 {
   protected:
-    /// The controller of the example with 1F80h and, of 1F90h, sub-index 1 and 3.
-    void WriteManager(const std::string& start_up, const std::string& level) const
+    /// The controller of the example with 1F80h and, of 1F90h, sub-index 1, 3 and `slot_sub`.
+    void WriteManager(const std::string& start_up, const std::string& level, const std::string& slot_sub = "4",
+                      const std::string& slot = "1500") const
     {
         std::string dcf = ExampleText("controller");
         const std::size_t place = dcf.find("[OptionalObjects]\nSupportedObjects=");
@@ -42,9 +44,9 @@ class NetworkFlyingTest : public cia306::test::FolderTest
             return "\n[" + section + "]\nParameterName=x\nObjectType=0x7\nDataType=" + type +
                    "\nAccessType=rw\nParameterValue=" + value + "\nPDOMapping=0\n";
         };
-        dcf += variable("1F80", "0x0007", start_up) + "\n[1F90]\nParameterName=x\nObjectType=0x8\nSubNumber=3\n" +
+        dcf += variable("1F80", "0x0007", start_up) + "\n[1F90]\nParameterName=x\nObjectType=0x8\nSubNumber=4\n" +
                variable("1F90sub0", "0x0005", "6") + variable("1F90sub1", "0x0006", "150") +
-               variable("1F90sub3", "0x0006", level);
+               variable("1F90sub3", "0x0006", level) + variable("1F90sub" + slot_sub, "0x0006", slot);
         static_cast<void>(File("manager.dcf", dcf));
     }
     [[nodiscard]] std::string Net(const std::string& manager) const
@@ -152,6 +154,45 @@ TEST_F(NetworkFlyingTest, ReservedPriorityInTheDcfIsRefusedWithItsLine)
         EXPECT_NE(text.find("manager.dcf:"), std::string::npos) << text;
         EXPECT_NE(text.find("0x1F90:03: 0x3, expected at most 0x2"), std::string::npos) << text;
     }
+}
+
+TEST_F(NetworkFlyingTest, SlotsThatOverlapAreRefusedWhereTheyStand)
+{
+    Verifies(req::SRS_NET_231);
+    const auto refusal = [](const std::string& file)
+    {
+        LoadedNetwork net(runtime::ReadNetworkFile(file, 0U));
+        std::string text;
+        try
+        {
+            const runtime::ManagerStation station(
+                net, [](const CanFrame&) { return true; }, [](const runtime::ManagerEvent&) {});
+        }
+        catch (const cia306::InputError& error)
+        {
+            text = error.what();
+        }
+        return text;
+    };
+    const auto wrong = [](const std::string& level, const std::string& node)
+    {
+        return ": error: level slot " + level + " ms with node slot " + node +
+               " ms, expected a level slot above 127 node slots, which are above 0";
+    };
+    // In the manager's DCF: 1F90h:04, or :05
+    WriteManager("0x21", "0", "4", "100");
+    const std::string level = refusal(Net("dcf: manager.dcf"));
+    EXPECT_EQ(level.find(Path("manager.dcf") + ":"), 0U) << level;
+    EXPECT_NE(level.find(wrong("100", "10")), std::string::npos) << level;
+    WriteManager("0x21", "0", "5", "12");
+    const std::string node = refusal(Net("dcf: manager.dcf"));
+    EXPECT_EQ(node.find(Path("manager.dcf") + ":"), 0U) << node;
+    EXPECT_NE(node.find(wrong("1500", "12")), std::string::npos) << node;
+    // In the network file, which goes before the DCF
+    EXPECT_EQ(refusal(Net("dcf: manager.dcf, flying: {level_slot: 200 ms}")),
+              Path("net.yaml") + ":1:10" + wrong("200", "12"));
+    EXPECT_EQ(refusal(Net("dcf: manager.dcf, flying: {node_slot: 13 ms}")),
+              Path("net.yaml") + ":1:10" + wrong("1500", "13"));
 }
 
 TEST_F(NetworkFlyingTest, AFlyingMasterWithoutHeartbeatIsWarnedOf)

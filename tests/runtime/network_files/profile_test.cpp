@@ -389,5 +389,71 @@ TEST_F(NetworkProfileTest, ASlaveThatHardlyWaitsForTheManagersHeartbeatIsTold)
     EXPECT_EQ(warnings("  heartbeat: 90 ms\n", ""), "3:3: warning: sync has no effect with the profile cia302\n");
 }
 
+TEST_F(NetworkProfileTest, ATimeThatTheEl6751RowsCannotHoldIsTold)
+{
+    Verifies(req::SRS_NET_230);
+    const auto warnings = [this](const std::string& profile, const std::string& slave)
+    {
+        const LoadedNetwork net(
+            runtime::ReadNetworkFile(Net("  profile: " + profile + "\n  heartbeat: 10 ms\n", slave), 0U));
+        std::string text;
+        for (const std::string& warning : net.Warnings())
+        {
+            text += warning.substr(warning.find(".yaml:") + 6U) + "\n";
+        }
+        return text;
+    };
+    // 60 s of a heartbeat each 100 ms: 600 of them, and the life time factor holds 255
+    EXPECT_EQ(
+        warnings("el6751", "    consumer: 60 s\n"),
+        "8:5: warning: node 5 is lost after 25500 ms without a heartbeat (100 ms x life time factor 255, 65535 ms "
+        "at most), and not after 60000 ms, expected no longer time than that, or a longer heartbeat\n");
+    EXPECT_EQ(warnings("el6751", "    consumer: 25501 ms\n").find("8:5: warning: node 5 is lost after 25500 ms"), 0U);
+    EXPECT_EQ(warnings("el6751", "    consumer: 25500 ms\n"), "");
+    EXPECT_EQ(warnings("el6751", "    heartbeat: 240 ms\n    consumer: 60 s\n"), "");
+    // 1 s x 66: 1016h holds 65535 ms
+    EXPECT_EQ(
+        warnings("el6751", "    guard_time: 1 s\n    retry_factor: 66\n"),
+        "8:5: warning: node 5 is lost after 65535 ms without a heartbeat (1000 ms x life time factor 66, 65535 ms "
+        "at most), and not after 66000 ms, expected no longer time than that, or a longer heartbeat\n");
+    EXPECT_EQ(warnings("el6751", "    guard_time: 1 s\n    retry_factor: 65\n"), "");
+    EXPECT_EQ(warnings("el6751", "    assignment: 0x03E8420D\n").find("8:5: warning: node 5 is lost after 65535 ms"),
+              0U);
+    // Who is not watched by the rows, and another profile
+    EXPECT_EQ(warnings("el6751", "    heartbeat: 0 ms\n    consumer: 0 ms\n"), "");
+    EXPECT_EQ(warnings("cia302", "    consumer: 60 s\n"), "3:3: warning: sync has no effect with the profile cia302\n");
+}
+
+TEST_F(NetworkProfileTest, ASyncThatTakesTheBusIsTold)
+{
+    Verifies(req::SRS_NET_232);
+    const auto warnings = [this](const std::string& identifier, const std::string& period)
+    {
+        std::string text = kDcf;
+        const std::size_t pdos = text.find("3=0x1400");
+        text.erase(pdos, text.find("[ManufacturerObjects]") - pdos);
+        text.replace(text.find("SupportedObjects=11\n"), 20U, "SupportedObjects=4\n");
+        text.replace(text.find("11=0x1016"), 9U, "3=0x1016\n4=0x1005");
+        text.replace(text.find("ParameterValue=9999"), 19U, "ParameterValue=" + period);
+        static_cast<void>(File("io.dcf", text + "[1005]\nParameterName=SYNC\nDataType=0x0007\nAccessType=rw\n" +
+                                             "ParameterValue=" + identifier + "\n"));
+        const LoadedNetwork net(
+            runtime::ReadNetworkFile(File("net.yaml", "manager: {node: 127}\nslaves: [{node: 5, dcf: io.dcf}]\n"), 0U));
+        std::string all;
+        for (const std::string& warning : net.Warnings())
+        {
+            all += warning.substr(warning.find("io.dcf:")) + "\n";
+        }
+        return all;
+    };
+    EXPECT_EQ(warnings("0x40000080", "1"),
+              "io.dcf:28:16: warning: 0x1006:00: SYNC of node 5 each 1 us takes the bus (47 us a frame at 1 Mbit/s), "
+              "expected 0, or a period that leaves room for others\n");
+    EXPECT_EQ(warnings("0x40000080", "93").find("io.dcf:28:16: warning: 0x1006:00: SYNC of node 5 each 93 us"), 0U);
+    EXPECT_EQ(warnings("0x40000080", "94"), "");
+    EXPECT_EQ(warnings("0x40000080", "0"), "");
+    EXPECT_EQ(warnings("0x80", "1"), ""); // It produces none.
+}
+
 } // namespace
 } // namespace counterpoint::tools

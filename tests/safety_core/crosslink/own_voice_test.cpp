@@ -60,10 +60,12 @@ TEST(OwnVoice, LeaderShowsItsCycleWithoutLevels)
     rig.channel.outcome.waiting = 0U;
     rig.channel.outcome.ordinal_sum = 44U;
     rig.channel.outcome.due = 2U;
+    rig.channel.outcome.refresh = 2U;
     rig.channel.outcome.cycle = 8U;
     rig.Cycle(10000U);
     EXPECT_EQ(rig.own.faulted, 0U);
     EXPECT_EQ(rig.own.ordinal_sum, 0U);
+    EXPECT_EQ(rig.own.refresh, 0U);
     EXPECT_EQ(rig.own.due, 2U);
     EXPECT_EQ(rig.own.cycle, 8U);
     EXPECT_EQ(rig.own.sct_checked, 1U);

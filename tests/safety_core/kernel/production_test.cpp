@@ -414,14 +414,14 @@ TEST_F(Production, NoInverseFrameWithoutAValidConfiguration)
 }
 
 // t      k                    k+1                  k+2
-// due    A alone              both                 none
+// waits  A alone              both                 none
 // stand  .                    A                    .
-TEST_F(Production, ChannelThatAloneCallsAProducerDueStandsInTheNextCycle)
+TEST_F(Production, ChannelInWhichAloneTheRefreshWaitsStandsInTheNextCycle)
 {
     Verifies(req::SRS_KRN_017);
     Operate();
-    // Given that B does not call the producer due in one cycle
-    b.on_outcome = [](CycleOutcome& outcome) { outcome.due = 0U; };
+    // Given that the refresh does not wait in B in one cycle
+    b.on_outcome = [](CycleOutcome& outcome) { outcome.refresh = 0U; };
     Cycle();
     EXPECT_EQ(a.stands, 0);
     EXPECT_TRUE(ports.sent.empty());
@@ -446,7 +446,7 @@ TEST_F(Production, ProducerThatStandsForTwoReasonsStands)
     {
         Operate();
         Tap& behind = is_a ? b : a;
-        behind.on_outcome = [](CycleOutcome& outcome) { outcome.due = 0U; };
+        behind.on_outcome = [](CycleOutcome& outcome) { outcome.refresh = 0U; };
         Cycle();
         behind.on_outcome = nullptr;
         kernel.DemandSafeState();

@@ -2,7 +2,7 @@
 
    One producer of form kProviderCalled in a channel, under every sequence of calls: cycles with and without a request, in and out
    of OPERATIONAL, Prepare at any time, confirmations of the right and of wrong frames on the call and a microsecond behind it,
-   transmit faults. Written from SRS_PROD_001 to SRS_PROD_011.
+   transmit faults. Written from SRS_PROD_001 to SRS_PROD_011 and SRS_PROD_013.
 
    Cycle 1 ms, refresh time 2 ms, SRVT 1 ms, node-ID 2 (first transmission 1 ms behind entering OPERATIONAL). */
 
@@ -39,7 +39,7 @@
 bool is_on;
 bool open;    /* the initial delay is over */
 byte phase;   /* cycles to the next refresh */
-bool refresh; /* a refresh is due */
+bool refresh; /* a refresh waits */
 bool request; /* a request waits */
 byte flight;
 byte passed;  /* cycles since the pair's base: the call before Prepare, or that before the confirmation of the normal frame */
@@ -49,20 +49,20 @@ byte offset;  /* us of that confirmation behind its call */
 byte unanswered;
 
 byte in_a, in_b;
-hidden byte k_is_on, k_open, k_phase, k_refresh, k_request, k_flight, k_passed, k_offset, due, faults, cause, ready, step;
+hidden byte k_is_on, k_open, k_phase, k_refresh, k_request, k_flight, k_passed, k_offset, due, waits, faults, cause, ready, step;
 hidden short elapsed;
 
 inline Keep()
 {
     k_is_on = is_on; k_open = open; k_phase = phase; k_refresh = refresh; k_request = request; k_flight = flight; k_passed = passed;
-    k_offset = offset; due = 0; faults = 0; cause = 0; ready = 0; step = 0
+    k_offset = offset; due = 0; waits = 0; faults = 0; cause = 0; ready = 0; step = 0
 }
 
 inline Tell(act)
 {
     printf("T %d %d %d %d %d %d %d %d | %d %d %d | ", k_is_on, k_open, k_phase, k_refresh, k_request, k_flight, k_passed, k_offset, act, in_a, in_b);
     printf("%d %d %d %d %d %d %d %d | ", is_on, open, phase, refresh, request, flight, passed, offset);
-    printf("%d %d %d %d %d %d\n", is_on, due, faults, ready, step, (is_on && (flight == INVERSE)))
+    printf("%d %d %d %d %d %d %d\n", is_on, due, faults, ready, step, (is_on && (flight == INVERSE)), waits)
 }
 
 inline GiveUp()
@@ -92,7 +92,11 @@ inline Cycle()
         if
         :: phase == 0 ->
             phase = REFRESH;
+#ifdef PLANTED_SKIPPED_IN_FLIGHT
             if :: flight != IDLE || refresh -> faults = faults + 1 :: else -> refresh = true fi
+#else
+            if :: refresh -> faults = faults + 1 :: else -> refresh = true fi
+#endif
         :: else -> skip
         fi;
         request = (request || in_b)
@@ -102,6 +106,7 @@ inline Cycle()
 #else
     due = (is_on && open && flight == IDLE && (refresh || request));
 #endif
+    waits = (is_on && refresh);
     if :: flight == IDLE -> unanswered = 0 :: else -> skip fi
 }
 
@@ -143,8 +148,10 @@ inline Observe()
     /* The inverse frame is never awaited without the normal one before it, and a pair is complete by both alone. */
     assert(flight != INVERSE || k_flight == INVERSE || (k_flight == NORMAL && step == 1));
     assert(step != 2 || k_flight == INVERSE);
-    /* A refresh is never lost silently: behind each that falls due there is the mark, or a fault. */
-    assert(!(is_on && k_is_on && k_phase == 1 && phase == REFRESH) || refresh || faults > 0)
+    /* Each refresh that falls due waits, with a pair in flight as well; behind one that waits already it is a fault. */
+    assert(!(is_on && k_is_on && k_phase == 1 && phase == REFRESH) || (refresh && (!k_refresh || faults > 0)));
+    /* It waits until Prepare uses it up, or OPERATIONAL is left. */
+    assert(!k_refresh || refresh || ready == 1 || !is_on)
 }
 
 active proctype Producer()
@@ -168,7 +175,7 @@ active proctype Producer()
         }
     }
     :: atomic {
-        if :: in_a = NOT_INVERSE :: in_a = OF_A_CONSUMER :: in_a = QUEUE :: in_a = BUS_OFF fi;
+        if :: in_a = NOT_INVERSE :: in_a = OF_A_CONSUMER :: in_a = QUEUE :: in_a = BUS_OFF :: in_a = NO_CONFIRMATION fi;
         d_step { Keep(); Fail(); Observe(); Tell(FAILS); in_a = 0 }
     }
     od

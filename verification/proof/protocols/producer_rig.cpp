@@ -40,6 +40,7 @@ constexpr std::size_t kDue = 1U;
 constexpr std::size_t kFaults = 2U;
 constexpr std::size_t kReady = 3U;
 constexpr std::size_t kStep = 4U;
+constexpr std::size_t kWaits = 6U;
 
 /// Both channels with their storage, and the device that they belong to.
 class Pair
@@ -214,7 +215,7 @@ Numbers ShownBy(const Channel& channel)
 {
     const bool is_on = channel.View(0U).state == SrdoState::kProducer;
     const bool awaits_inverse = IsFrame(channel.InverseFrame(0U), kInverseIdentifier, kInverseByte);
-    return {is_on ? 1 : 0, 0, 0, 0, 0, awaits_inverse ? 1 : 0};
+    return {is_on ? 1 : 0, 0, 0, 0, 0, awaits_inverse ? 1 : 0, 0};
 }
 
 } // namespace
@@ -242,11 +243,14 @@ Numbers ProducerRig::Drive(Channel& channel, const Numbers& input) const
     const Instant stamp{now.us + static_cast<std::uint32_t>(input[kSecond])};
     const std::uint32_t errors = channel.View(0U).error_count;
     std::int32_t due = 0;
+    std::int32_t waits = 0;
     std::int32_t ready = 0;
     std::int32_t step = 0;
     if (input[kAct] == kCycled)
     {
-        due = static_cast<std::int32_t>(channel.OnCycle(InputOf(input, now, cycle_)).due);
+        const CycleOutcome outcome = channel.OnCycle(InputOf(input, now, cycle_));
+        due = static_cast<std::int32_t>(outcome.due);
+        waits = static_cast<std::int32_t>(outcome.refresh);
     }
     else if (input[kAct] == kPrepares)
     {
@@ -270,6 +274,7 @@ Numbers ProducerRig::Drive(Channel& channel, const Numbers& input) const
     }
     Numbers shown = ShownBy(channel);
     shown[kDue] = due;
+    shown[kWaits] = waits;
     shown[kFaults] = static_cast<std::int32_t>(channel.View(0U).error_count - errors);
     shown[kReady] = ready;
     shown[kStep] = step;

@@ -139,15 +139,15 @@ TEST(ReplayOfModels, ProducerOfBothChannelsIsDueAfterItsDelay)
 {
     Verifies(req::SRS_VER_131);
     Verifies(req::SRS_VER_132);
-    const Model model = ModelOf("T 0 | 0 1 0 | 1 | 1 0 0 0 0 0\n"
-                                "T 1 | 0 1 0 | 2 | 1 1 0 0 0 0\n"
-                                "T 2 | 1 0 0 | 3 | 1 0 0 1 0 0\n"
-                                "T 3 | 2 0 0 | 4 | 1 0 0 0 1 1\n"
-                                "T 3 | 2 1 0 | 5 | 1 0 1 0 0 0\n"
-                                "T 4 | 3 14 0 | 5 | 1 0 1 0 0 0\n");
+    const Model model = ModelOf("T 0 | 0 1 0 | 1 | 1 0 0 0 0 0 0\n"
+                                "T 1 | 0 1 0 | 2 | 1 1 0 0 0 0 1\n"
+                                "T 2 | 1 0 0 | 3 | 1 0 0 1 0 0 0\n"
+                                "T 3 | 2 0 0 | 4 | 1 0 0 0 1 1 0\n"
+                                "T 3 | 2 1 0 | 5 | 1 0 1 0 0 0 0\n"
+                                "T 4 | 3 14 0 | 5 | 1 0 1 0 0 0 0\n");
     EXPECT_EQ(Replay<ProducerRig>{model}.Run(ProducerRig{}).refused, "");
     const Replayed untold = Replay<ProducerRig>{model}.Run(ProducerRig{ProducerDefect::kForgetsFaults});
-    EXPECT_EQ(untold.refused, "model shows 1 0 1 0 0 0, code shows -1");
+    EXPECT_EQ(untold.refused, "model shows 1 0 1 0 0 0 0, code shows -1");
     EXPECT_EQ(untold.story, (Story{"0 1 0", "0 1 0", "1 0 0", "2 0 0", "3 14 0"}));
 }
 

@@ -64,6 +64,7 @@ inline constexpr RequirementId SRS_PROD_009{"SRS_PROD_009"};
 inline constexpr RequirementId SRS_PROD_010{"SRS_PROD_010"};
 inline constexpr RequirementId SRS_PROD_011{"SRS_PROD_011"};
 inline constexpr RequirementId SRS_PROD_012{"SRS_PROD_012"};
+inline constexpr RequirementId SRS_PROD_013{"SRS_PROD_013"};
 inline constexpr RequirementId SRS_REL_001{"SRS_REL_001"};
 inline constexpr RequirementId SRS_REL_002{"SRS_REL_002"};
 inline constexpr RequirementId SRS_REL_003{"SRS_REL_003"};

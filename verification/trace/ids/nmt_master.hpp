@@ -37,6 +37,7 @@ inline constexpr RequirementId SRS_BOOT_030{"SRS_BOOT_030"};
 inline constexpr RequirementId SRS_BOOT_031{"SRS_BOOT_031"};
 inline constexpr RequirementId SRS_BOOT_032{"SRS_BOOT_032"};
 inline constexpr RequirementId SRS_BOOT_033{"SRS_BOOT_033"};
+inline constexpr RequirementId SRS_BOOT_230{"SRS_BOOT_230"};
 inline constexpr RequirementId SRS_NMM_001{"SRS_NMM_001"};
 inline constexpr RequirementId SRS_NMM_002{"SRS_NMM_002"};
 inline constexpr RequirementId SRS_NMM_003{"SRS_NMM_003"};
@@ -64,6 +65,7 @@ inline constexpr RequirementId SRS_NMM_150{"SRS_NMM_150"};
 inline constexpr RequirementId SRS_NMM_151{"SRS_NMM_151"};
 inline constexpr RequirementId SRS_NMM_152{"SRS_NMM_152"};
 inline constexpr RequirementId SRS_NMM_153{"SRS_NMM_153"};
+inline constexpr RequirementId SRS_NMM_230{"SRS_NMM_230"};
 } // namespace counterpoint::req
 
 #endif

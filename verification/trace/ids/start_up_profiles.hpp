@@ -61,6 +61,7 @@ inline constexpr RequirementId SRS_ELM_052{"SRS_ELM_052"};
 inline constexpr RequirementId SRS_ELM_060{"SRS_ELM_060"};
 inline constexpr RequirementId SRS_ELM_150{"SRS_ELM_150"};
 inline constexpr RequirementId SRS_ELM_151{"SRS_ELM_151"};
+inline constexpr RequirementId SRS_ELM_230{"SRS_ELM_230"};
 inline constexpr RequirementId SRS_PLC_001{"SRS_PLC_001"};
 inline constexpr RequirementId SRS_PLC_002{"SRS_PLC_002"};
 inline constexpr RequirementId SRS_PLC_003{"SRS_PLC_003"};

@@ -35,6 +35,7 @@ inline constexpr RequirementId SRS_TGT_009{"SRS_TGT_009"};
 inline constexpr RequirementId SRS_TGT_010{"SRS_TGT_010"};
 inline constexpr RequirementId SRS_TGT_011{"SRS_TGT_011"};
 inline constexpr RequirementId SRS_TGT_012{"SRS_TGT_012"};
+inline constexpr RequirementId SRS_TGT_230{"SRS_TGT_230"};
 } // namespace counterpoint::req
 
 #endif

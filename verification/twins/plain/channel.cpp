@@ -54,6 +54,7 @@ const Decision kNewFault{"SRS_CONS_023", "in new_fault"};
 const Decision kFresh{"SRS_CONS_023", "in fresh"};
 const Decision kSignalled{"SRS_CONS_021", "in signalled"};
 const Decision kDue{"SRS_PROD_004", "in due"};
+const Decision kInRefresh{"SRS_PROD_013", "in refresh"};
 const Act kFreshOnce{"SRS_CONS_023", "a pair is fresh in one OnCycle"};
 const Act kSignalsGone{"SRS_CONS_021", "signals of the previous OnCycle are gone"};
 const Act kSums{"SRS_CONS_023", "ordinals are summed up"};
@@ -373,6 +374,7 @@ void PlainChannel::Tell(SlotIndex slot, CycleOutcome& outcome) noexcept
     outcome.fresh |= BitOf(slot, kFresh(is_consumer && record.reception.is_fresh));
     outcome.signalled |= BitOf(slot, kSignalled(recorded != 0U));
     outcome.due |= BitOf(slot, kDue(is_producer && IsDue(common_, record)));
+    outcome.refresh |= BitOf(slot, kInRefresh(is_producer && IsRefreshWaiting(record)));
     record.reception.is_fresh = record.reception.is_fresh && (!kFreshOnce());
     if (common_.is_operational)
     {

@@ -81,13 +81,13 @@ const Decision kFailCause{"SRS_PROD_009", "a cause of a failed transmission"};
 const Decision kFailQueue{"SRS_PROD_009", "kTransmitQueue"};
 const Decision kFailBusOff{"SRS_PROD_009", "kBusOff"};
 const Decision kFailInverse{"SRS_PROD_009", "kNotInverse"};
+const Decision kFailLate{"SRS_PROD_009", "kNoConfirmation"};
 const Act kGivesUp{"SRS_PROD_009", "a fault gives up the pair"};
 const Act kGivesUpAwaited{"SRS_PROD_009", "a given up pair awaits nothing"};
 const Act kProducerFault{"SRS_PROD_009", "a fault is recorded"};
 const Act kAcknowledge{"SRS_PROD_009", "an edge sets the first cause to none"};
 const Decision kAcknowledgeFault{"SRS_PROD_009", "no fault in the call of the edge"};
-const Decision kMissedInFlight{"SRS_PROD_010", "a pair is in flight when a refresh falls due"};
-const Decision kMissedMark{"SRS_PROD_010", "the mark of the refresh before is not used up"};
+const Decision kMissedMark{"SRS_PROD_010", "the refresh before still waits"};
 const Act kMissedFault{"SRS_PROD_010", "a missed refresh is a fault"};
 const Act kSkips{"SRS_PROD_010", "a missed refresh is skipped"};
 const Limit kTooRare{"SRS_PROD_010", "time of an application that sends"};
@@ -120,6 +120,14 @@ const Act kStandDelayEqual{"SRS_PROD_012", "the delay over in the previous OnCyc
 const Decision kStandEntered{"SRS_PROD_012", "the slot was active before"};
 const Number kStandTime{"SRS_PROD_012", "time from the previous OnCycle"};
 const Act kStandDifference{"SRS_PROD_012", "the previous OnCycle counts"};
+const Act kWaitsInFlight{"SRS_PROD_013", "a refresh that falls due while a pair is in flight waits"};
+const Act kWaitsBehindPair{"SRS_PROD_013", "a refresh waits until the pair is sent"};
+const Act kWaitsBehindGivenUp{"SRS_PROD_013", "a refresh waits until the pair is given up"};
+const Act kWaitsOn{"SRS_PROD_013", "a refresh waits until Prepare"};
+const Act kShownInFlight{"SRS_PROD_013", "a refresh that waits is shown while a pair is in flight"};
+const Act kShownIdle{"SRS_PROD_013", "a refresh that waits is shown without a pair in flight"};
+const Act kShownForm{"SRS_PROD_013", "a request of the other form is no refresh"};
+const Act kShownRequest{"SRS_PROD_013", "a request of this form is no refresh"};
 
 const Product kSteps{"SRS_PROD_001", "0.5 ms x node-ID"};
 const Sum kFirstSum{"SRS_PROD_001", "entering OPERATIONAL and the initial delay"};
@@ -159,7 +167,6 @@ const Counter kSentUp{"SRS_PROD_007", "number of pairs sent"};
 const Both kAcknowledgeWith{"SRS_PROD_009", "an edge, and no fault in the call"};
 const Both kDueWith{"SRS_PROD_004", "something makes due, and no pair is in flight"};
 const Either kDueBy{"SRS_PROD_004", "a refresh, or a request"};
-const Either kMissedBy{"SRS_PROD_010", "a pair in flight, or a mark not used up"};
 const Both kPreparesBoth{"SRS_PROD_005", "an active producer, and no pair in flight"};
 
 std::uint32_t DelayOf(const Common& common) noexcept
@@ -176,6 +183,7 @@ bool IsReached(std::uint32_t now_us, std::uint32_t from_us, std::uint32_t delay_
 void GiveUpPair(Record& record) noexcept
 {
     record.transmission.is_in_flight = false;
+    record.transmission.is_refresh_due = record.transmission.is_refresh_due && kWaitsBehindGivenUp();
     record.transmission.is_inverse_awaited = record.transmission.is_inverse_awaited && (!kGivesUpAwaited());
 }
 
@@ -231,21 +239,22 @@ void ExamineRefresh(const Common& common, Record& record) noexcept
     {
         return;
     }
-    if (kMissedBy(kMissedInFlight(to.is_in_flight), kMissedMark(to.is_refresh_due)))
+    const bool is_missed = kMissedMark(to.is_refresh_due);
+    if (is_missed)
     {
         if (kMissedFault())
         {
             const SrdoCause cause = kMissedCause(kToldMissed(SrdoCause::kRefreshMissed));
             FaultAs(record, cause, kMissedTold(kMissedTold1(cause)));
         }
-        to.is_refresh_due = to.is_refresh_due || (!kSkips());
     }
     else
     {
-        to.is_refresh_due = kRefreshDue();
+        to.is_refresh_due = kRefreshDue() && ((!to.is_in_flight) || kWaitsInFlight());
     }
     const std::uint32_t from_us = kExactPhase() ? to.next_us : common.now_us;
-    to.next_us = kPhase() ? kRefreshSum(from_us, kPeriod(kPeriodMs(record.stored.sct_ms))) : to.next_us;
+    const bool goes_on = kPhase() && ((!is_missed) || kSkips());
+    to.next_us = goes_on ? kRefreshSum(from_us, kPeriod(kPeriodMs(record.stored.sct_ms))) : to.next_us;
 }
 
 /// Form kApplicationSends. [SRS_PROD_010]
@@ -367,6 +376,16 @@ bool IsDue(const Common& common, const Record& record) noexcept
            IsReached(common.now_us, to.entered_us, DelayOf(common));
 }
 
+bool IsRefreshWaiting(Record& record) noexcept
+{
+    Transmission& to = record.transmission;
+    const bool is_shown = to.is_in_flight ? kShownInFlight() : kShownIdle();
+    const bool is_waiting = to.is_refresh_due && is_shown;
+    to.is_refresh_due = to.is_refresh_due && kWaitsOn();
+    const bool is_provider = record.setup.form == ProducerForm::kProviderCalled;
+    return is_waiting || (to.is_requested && !(is_provider ? kShownRequest() : kShownForm()));
+}
+
 PreparedPair PreparePair(const Common& common, Record& record) noexcept
 {
     Transmission& to = record.transmission;
@@ -438,6 +457,7 @@ ConfirmStep Confirm(Record& record, const CanFrame& frame, std::uint32_t stamp_u
     }
     to.ordinal = kSent(kSentUp(to.ordinal));
     to.is_in_flight = !kPairOver();
+    to.is_refresh_due = to.is_refresh_due && kWaitsBehindPair();
     to.is_inverse_awaited = false;
     return kReplyPair(ConfirmStep::kPair);
 }
@@ -466,7 +486,8 @@ CanFrame InverseOf(const Common& common, const Record& record) noexcept
 void FailTransmission(Record& record, SrdoCause cause) noexcept
 {
     const bool is_cause = kFailQueue(cause == SrdoCause::kTransmitQueue) || kFailBusOff(cause == SrdoCause::kBusOff) ||
-                          kFailInverse(cause == SrdoCause::kNotInverse);
+                          kFailInverse(cause == SrdoCause::kNotInverse) ||
+                          kFailLate(cause == SrdoCause::kNoConfirmation);
     if (kFailInFlight(record.transmission.is_in_flight) && kFailCause(is_cause))
     {
         Fault(record, kToldFail(cause));

@@ -170,6 +170,8 @@ void LeaveProducer(Record& record) noexcept;
 void CycleProducer(const Common& common, Record* records, const CycleInput& input, SlotIndex slot,
                    bool was_active) noexcept;
 [[nodiscard]] bool IsDue(const Common& common, const Record& record) noexcept;
+/// @brief Whether a refresh fell due that Prepare has not used up; asked once in a cycle, behind IsDue.
+[[nodiscard]] bool IsRefreshWaiting(Record& record) noexcept;
 [[nodiscard]] PreparedPair PreparePair(const Common& common, Record& record) noexcept;
 [[nodiscard]] ConfirmStep Confirm(Record& record, const CanFrame& frame, std::uint32_t stamp_us) noexcept;
 [[nodiscard]] CanFrame InverseOf(const Common& common, const Record& record) noexcept;

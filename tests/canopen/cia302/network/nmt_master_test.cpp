@@ -69,6 +69,23 @@ class NmtMasterTest : public ::testing::Test
     NmtMaster nmt{NmtMasterParts{setup, NmtQueueRoom{room.data(), 4U}, sink, table, listener, gate}};
 };
 
+TEST_F(NmtMasterTest, WhoseStartWaitsIsKnown)
+{
+    Verifies(req::SRS_BOOT_230);
+    // Given 1 ms between two commands: the first one leaves, three wait
+    setup.inhibit_100us = 10U;
+    EXPECT_EQ(Ask(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kPreOperational, 6U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kStart, 7U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kPreOperational, 7U), NmtAnswer::kTaken);
+    EXPECT_FALSE(nmt.HasStart(NodeId{5U}));
+    EXPECT_FALSE(nmt.HasStart(NodeId{6U}));
+    EXPECT_TRUE(nmt.HasStart(NodeId{7U}));
+    After(1000U);
+    After(1000U);
+    EXPECT_FALSE(nmt.HasStart(NodeId{7U}));
+}
+
 TEST_F(NmtMasterTest, CommandsLeaveInOrderWithTheInhibitTimeBetween)
 {
     Verifies(req::SRS_NMM_001);

@@ -122,6 +122,60 @@ TEST_F(El6751PdosTest, TheWindowIsTheInputShiftTimeTheEndIncluded)
     EXPECT_EQ(Cycle(some, 40501U), 40);
 }
 
+TEST_F(El6751PdosTest, WhatFoundNoRoomIsSentAgainBetweenTwoCycles)
+{
+    Verifies(req::SRS_ELM_230);
+    Tx(1U, 0U);
+    Rx(1U, 0U, 0U);
+    El6751Pdos& some = Make(El6751Times{});
+    some.Feed(kNode);
+    static_cast<void>(Cycle(some, 0U));
+    EXPECT_EQ(Sent(), (std::vector<std::uint32_t>{0x080U, 0x205U}));
+    // What has left does not leave again
+    some.SendAgain(At(10000U));
+    EXPECT_EQ(Sent(), (std::vector<std::uint32_t>{}));
+    // When SYNC finds no room, and then its RxPDO
+    sink.room = 0;
+    static_cast<void>(Cycle(some, 10000U));
+    some.SendAgain(At(10100U));
+    EXPECT_EQ(Sent(), (std::vector<std::uint32_t>{}));
+    sink.room = 1;
+    some.SendAgain(At(10200U));
+    EXPECT_EQ(Sent(), (std::vector<std::uint32_t>{0x080U}));
+    sink.room = 1;
+    some.SendAgain(At(10300U));
+    EXPECT_EQ(Sent(), (std::vector<std::uint32_t>{0x205U}));
+    sink.room = 10;
+    some.SendAgain(At(10400U));
+    EXPECT_EQ(Sent(), (std::vector<std::uint32_t>{}));
+    // The window began with the SYNC that left; the next one keeps its phase
+    EXPECT_EQ(Receive(some, 10700U), 0);
+    static_cast<void>(Cycle(some, 20000U));
+    EXPECT_EQ(Sent(), (std::vector<std::uint32_t>{0x080U, 0x205U}));
+    // When all ends, nothing waits any more
+    sink.room = 0;
+    static_cast<void>(Cycle(some, 30000U));
+    some.End();
+    sink.room = 10;
+    some.SendAgain(At(30100U));
+    EXPECT_EQ(Sent(), (std::vector<std::uint32_t>{}));
+}
+
+TEST_F(El6751PdosTest, WhatFoundNoRoomBesideSyncIsSentBehindIt)
+{
+    Verifies(req::SRS_ELM_230);
+    // Given an RxPDO that does not follow SYNC, and that is due as SYNC is
+    Tx(1U, 0U);
+    Rx(255U, 0U, 0U);
+    El6751Pdos& some = Make(El6751Times{});
+    some.Feed(kNode);
+    sink.room = 0;
+    static_cast<void>(Cycle(some, 0U));
+    sink.room = 2;
+    some.SendAgain(At(100U));
+    EXPECT_EQ(Sent(), (std::vector<std::uint32_t>{0x080U, 0x205U}));
+}
+
 TEST_F(El6751PdosTest, WhatComesBehindTheWindowDoesNotCountForTheNextCycle)
 {
     Verifies(req::SRS_ELM_033);
