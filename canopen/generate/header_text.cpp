@@ -12,7 +12,7 @@ std::string GuardOf(const std::string& name_space)
     std::string guard;
     for (const char character : name_space)
     {
-        const bool is_small = character >= 'a' && character <= 'z';
+        const bool is_small = character >= 'a'; // A namespace has letters, digits, '_' and ':' alone.
         const bool is_gap = character == ':';
         const bool is_second = is_gap && guard.back() == '_';
         guard +=

@@ -108,8 +108,8 @@ std::string PascalCase(const std::string_view text)
         if (is_part)
         {
             // An acronym is a word: SRDO becomes Srdo. A capital letter after a small one begins a word.
-            const bool is_inside = is_upper && was_upper && !begins;
-            const bool is_small = character >= 'a' && character <= 'z';
+            const bool is_inside = is_upper && was_upper;
+            const bool is_small = character >= 'a'; // Behind the capital letters and the digits.
             const char upper = is_small && begins ? static_cast<char>(character - 'a' + 'A') : character;
             name += is_inside ? static_cast<char>(character - 'A' + 'a') : upper;
         }

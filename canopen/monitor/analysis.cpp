@@ -197,8 +197,9 @@ void Analysis::OnBreach(const std::size_t watch, const Breach& breach)
     const std::uint32_t normal_id = watches_[watch].Setup().normal_id;
     for (Violation& violation : fresh_)
     {
-        const bool is_same = !violation.watches.empty() && violation.breach.time == breach.time &&
-                             violation.breach.cause == breach.cause && violation.breach.details == breach.details &&
+        // That of a GFC, which has no watch, is of another cause.
+        const bool is_same = violation.breach.cause == breach.cause && violation.breach.time == breach.time &&
+                             violation.breach.details == breach.details &&
                              watches_[violation.watches.front()].Setup().normal_id == normal_id;
         if (is_same)
         {

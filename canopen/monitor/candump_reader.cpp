@@ -142,11 +142,11 @@ bool CandumpReader::ReadLine(const std::string_view line, LogFrame& frame)
     return true;
 }
 
-/// A line of candump -l behind its time; the name of the interface.
+/// A line of candump -l behind its time, where no space stands; the name of the interface.
 std::string_view CandumpReader::ReadLogged(const std::string_view line, const std::size_t at, LogFrame& frame) const
 {
     const std::size_t name_end = line.find(' ', at);
-    const bool has_name = name_end != std::string_view::npos && name_end != at && name_end - at <= kMostInterfaceBytes;
+    const bool has_name = name_end != std::string_view::npos && name_end - at <= kMostInterfaceBytes;
     if (!has_name)
     {
         Refuse(line, line.substr(at), kForm);

@@ -45,15 +45,14 @@ std::string WordOf(const NumberRow (&rows)[kCount], const std::uint32_t number, 
     return row == std::end(rows) ? kind + " " + std::to_string(number) : row->second;
 }
 
-/// Bits from `first` on, the lowest first; bits that the frame has not are 0.
+/// Bits from `first` on, the lowest first; the frame has them, checked by the caller.
 std::uint64_t BitsAt(const LogFrame& frame, const std::uint32_t first, const std::uint32_t count)
 {
     std::uint64_t value = 0U;
     for (std::uint32_t bit = 0U; bit < std::min(count, 64U); ++bit)
     {
         const std::uint32_t place = first + bit;
-        const bool is_set =
-            place / kByteBits < frame.length && ((frame.data.at(place / kByteBits) >> (place % kByteBits)) & 1U) != 0U;
+        const bool is_set = ((frame.data.at(place / kByteBits) >> (place % kByteBits)) & 1U) != 0U;
         value |= is_set ? std::uint64_t{1U} << bit : 0U;
     }
     return value;
@@ -191,7 +190,7 @@ std::string Decoder::Other(const LogFrame& frame) const
 {
     if (IsFlyingMaster(frame.identifier))
     {
-        const bool has_node = frame.identifier == kActiveMaster && frame.IsPlain() && frame.length == 2U;
+        const bool has_node = frame.identifier == kActiveMaster && frame.length == 2U;
         return "flying master: " + WordOf(kFlyingMaster, frame.identifier, "") +
                (has_node ? " is " + network_.NameOf(frame.data[1]) + ", priority " + std::to_string(frame.data[0])
                          : "");
@@ -361,7 +360,7 @@ std::string ValueText(const cia306::Entry* const entry, const std::uint64_t valu
         return std::to_string(number);
     }
     const bool is_decimal = kind == cia306::DataKind::kBoolean || kind == cia306::DataKind::kUnsigned;
-    return is_decimal ? std::to_string(value) : cia306::Hex(value, static_cast<int>((bits + 3U) / 4U));
+    return is_decimal ? std::to_string(value) : cia306::Hex(value, static_cast<int>((std::max(bits, 1U) + 3U) / 4U));
 }
 
 std::string Decoder::Sdo(const LogFrame& frame)
@@ -437,8 +436,10 @@ std::string Decoder::SdoBlock(const LogFrame& frame, Transfer& transfer, const b
     const std::uint32_t part = frame.data[0] & 3U;
     // Download: client 6, server 5. Upload: client 5, server 6.
     const bool is_download = is_request ? command == 6U : command == 5U;
-    const bool is_begin = is_download ? (frame.data[0] & 1U) == 0U && (is_request || part == 0U) : part == 0U;
-    const bool is_end = is_download ? (frame.data[0] & 1U) != 0U : part == 1U;
+    // Command 6 has one bit for begin and end, behind it whether a size is stated; command 5 has two bits.
+    const std::uint32_t step = command == 6U ? part & 1U : part;
+    const bool is_begin = step == 0U;
+    const bool is_end = step == 1U;
     if (is_begin)
     {
         transfer = Transfer{};

@@ -66,8 +66,9 @@ std::string ReadRecording(const std::string& path)
     const std::filesystem::file_status status = std::filesystem::status(path, error);
     const bool is_regular = std::filesystem::is_regular_file(status);
     const std::uintmax_t size = is_regular ? std::filesystem::file_size(path, error) : 0U;
-    // Looked at before it is opened: opening a pipe without a writer would wait for one.
-    if (std::filesystem::exists(status) && (!is_regular || error || size > kMostBytes))
+    // A size that cannot be told is the greatest of all. Looked at before it is opened: opening a pipe without a writer
+    // would wait for one.
+    if (std::filesystem::exists(status) && (!is_regular || size > kMostBytes))
     {
         Refuse(path, "it is no regular file of up to 2 GB", kinds);
     }

@@ -35,7 +35,7 @@ constexpr const char* kStyle =
 std::string Bar(const std::size_t bin, const std::size_t count, const std::size_t most)
 {
     const auto scaled = static_cast<int>(static_cast<double>(count) * kChartHeight / static_cast<double>(most));
-    const int height = count == 0U ? 0 : std::max(scaled, 1);
+    const int height = std::max(scaled, 1);
     std::array<char, 200U> text{};
     static_cast<void>(std::snprintf(
         text.data(), text.size(), "<rect%s x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\"><title>%zu</title></rect>",

@@ -224,7 +224,7 @@ void SrdoWatch::TakeInverse(const LogFrame& frame)
 {
     const bool is_of_fitting = IsOfFitting(frame);
     const bool is_unseen = blind_until_ && frame.time <= *blind_until_;
-    const bool is_remainder = (has_remainder_ || is_unseen) && !pending_;
+    const bool is_remainder = has_remainder_ || is_unseen; // Neither beside a normal frame that is pending.
     has_remainder_ = false;
     early_.reset();
     blind_until_.reset();

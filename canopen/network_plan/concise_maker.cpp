@@ -53,7 +53,7 @@ bool IsPdo(const std::uint16_t index)
 
 bool IsPdoMapping(const std::uint16_t index)
 {
-    return index >= kMappingOffset && IsPdo(static_cast<std::uint16_t>(index - kMappingOffset));
+    return IsPdo(static_cast<std::uint16_t>(index - kMappingOffset)); // Below 200h it is FE00h or more: none.
 }
 
 bool IsToBeWritten(const Device& device, const Entry& entry)

@@ -57,10 +57,7 @@ class Maker
     {
         const cia306::Field* const settings[] = {&srdo.direction,         &srdo.sct_ms,   &srdo.srvt_ms,
                                                  &srdo.transmission_type, &srdo.cob_id_1, &srdo.cob_id_2};
-        if (srdo.highest_sub.value)
-        {
-            Add(srdo.CommunicationIndex(), 0U, srdo.highest_sub);
-        }
+        Add(srdo.CommunicationIndex(), 0U, srdo.highest_sub);
         std::uint8_t sub = 1U;
         for (const cia306::Field* const field : settings)
         {
@@ -83,8 +80,7 @@ class Maker
         for (const auto& [sub, entry] : entries)
         {
             const std::uint8_t size = cia302::SizeOf({index, sub});
-            const bool is_meant =
-                sub > 0U && size > 0U && entry.access == cia306::Access::kConstant && !Has(index, sub);
+            const bool is_meant = sub > 0U && entry.access == cia306::Access::kConstant && !Has(index, sub);
             std::vector<cia306::Finding> problems;
             const std::uint16_t type = (size == 2U) ? cia306::kUnsigned16 : cia306::kUnsigned32;
             const cia306::Field field = cia306::ReadField(device_, index, sub, type, node_id, entry.place, problems);
@@ -135,17 +131,17 @@ std::vector<ExpectedObject> MakeExpectation(const Device& device, const std::uin
     {
         return {};
     }
-    RequireRight(device, node_id);
+    RequireRight(device, node_id); // From here on each object of an SRDO is there and has a value.
     Maker maker(device);
     for (const SrdoConfiguration& srdo : safety.srdos)
     {
         maker.AddSrdo(srdo);
     }
-    if (device.Find(kGfc, 0U) != nullptr && safety.gfc.value)
+    if (device.Find(kGfc, 0U) != nullptr)
     {
         maker.Add(kGfc, 0U, safety.gfc);
     }
-    if (device.Find(kSignatures, 0U) != nullptr && safety.signature_count.value)
+    if (device.Find(kSignatures, 0U) != nullptr)
     {
         maker.Add(kSignatures, 0U, safety.signature_count);
     }

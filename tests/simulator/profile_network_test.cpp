@@ -4,6 +4,7 @@
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/manager.hpp"
 #include "verification/trace/ids/simulator.hpp"
+#include "verification/trace/ids/start_up_profiles.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <nlohmann/json.hpp>
@@ -121,6 +122,39 @@ TEST_F(ProfileNetworkTest, AnUnknownProfileIsRefused)
                   ":3:56: error: profile 'cia302', expected a scenario with 'profiles'");
     ExpectRefused(managers + "profiles: cia302\nexpect: [{that: state, node: 33, is: missing, profile: []}]",
                   ":4:56: error: an empty list, expected one profile or more");
+}
+
+using StartOfAllTest = test::CommandTest;
+
+TEST_F(StartOfAllTest, AStartOfAllThatSomeSlavesCannotTakeNamesThem)
+{
+    Verifies(req::SRS_PLC_150);
+    Verifies(req::SRS_PLC_151);
+    // Given slave 5 that waits for its start, 6 of another type and 7, optional and absent
+    const std::string io = cia306::test::SourceFolder() + "/examples/networks/managed_faults/io.dcf";
+    static_cast<void>(File("net.yaml", "manager: {node: 127, profile: plc_designer, start_up: 0x9}\nslaves:\n"
+                                       "  - {node: 5, device_type: 0x30191}\n  - {node: 6, device_type: 0x30192}\n"
+                                       "  - {node: 7, mandatory: false}\n"));
+    const std::string scenario =
+        File("scenario.yaml", "title: Start of all\nduration: 5 s\nmanagers: [{network: net.yaml}]\nnodes:\n"
+                              "  5: {dcf: " +
+                                  io + "}\n  6: {dcf: " + io +
+                                  "}\nevents:\n  - {at: 100 ms, do: order, order: start all}\n"
+                                  "  - {at: 4 s, do: order, order: start all}\n"
+                                  "  - {at: 4500 ms, do: order, order: start 6}\n"
+                                  "expect:\n  - {that: device, node: 5, is: operational}\n");
+    const Answer answer = RunCommand({"simulate", scenario});
+    EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
+    for (const char* const text :
+         {"order start all: not taken by node 5 (2: settles), node 6 (2: settles), node 7 (1: waits for boot-up), "
+          "expected each in state 4, 5 or 99\n",
+          "order start all: taken, but not by node 6 (98: device type differs), node 7 (97: optional, absent), "
+          "expected "
+          "each in state 4, 5 or 99\n",
+          "order start 6: not taken by node 6 (98: device type differs), expected each in state 4, 5 or 99\n"})
+    {
+        EXPECT_NE(answer.out.find(text), std::string::npos) << answer.out;
+    }
 }
 } // namespace
 } // namespace counterpoint::tools

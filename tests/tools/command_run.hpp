@@ -3,15 +3,14 @@
 #define TESTS_TOOLS_COMMAND_RUN_HPP
 
 #include "canopen/cia306/text/text_file.hpp"
+#include "tests/canopen/cia306/folder_of_files.hpp"
 #include "tools/command_line/run.hpp"
 #include "tools/command_table.hpp"
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <sstream>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 /// Commands in process, on files in a folder of their own.
@@ -32,32 +31,7 @@ inline Answer RunCommand(const std::vector<std::string>& arguments)
     return {static_cast<int>(status), out.str(), err.str()};
 }
 
-class CommandTest : public ::testing::Test
-{
-  protected:
-    CommandTest() : folder_(std::filesystem::temp_directory_path() / ("tools_test_" + std::to_string(::getpid())))
-    {
-        std::filesystem::create_directories(folder_);
-    }
-    ~CommandTest() override
-    {
-        std::error_code ignored;
-        std::filesystem::remove_all(folder_, ignored);
-    }
-    [[nodiscard]] std::string Path(const std::string& name) const
-    {
-        return (folder_ / name).string();
-    }
-    /// Path of a new file with this text.
-    [[nodiscard]] std::string File(const std::string& name, const std::string& text) const
-    {
-        cia306::WriteTextFile(Path(name), text);
-        return Path(name);
-    }
-
-  private:
-    std::filesystem::path folder_;
-};
+using CommandTest = cia306::test::FolderTest;
 } // namespace counterpoint::tools::test
 
 #endif // TESTS_TOOLS_COMMAND_RUN_HPP

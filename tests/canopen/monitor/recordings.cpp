@@ -1,10 +1,13 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tests/canopen/monitor/recordings.hpp"
 
+#include "canopen/cia306/text/text_file.hpp"
 #include "canopen/monitor/texts.hpp"
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <unistd.h>
 
 namespace counterpoint::monitor::test
 {
@@ -14,6 +17,25 @@ std::string Padding(const std::size_t count)
 {
     return std::string((4U - count % 4U) % 4U, '\0');
 }
+
+class Folder
+{
+  public:
+    Folder()
+        : path(std::filesystem::temp_directory_path() / ("counterpoint_monitor_test_" + std::to_string(::getpid())))
+    {
+        std::filesystem::create_directories(path);
+    }
+    ~Folder()
+    {
+        std::error_code ignored;
+        std::filesystem::remove_all(path, ignored);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+
+    const std::filesystem::path path;
+};
 } // namespace
 
 std::string SocketCanPacket(const LogFrame& frame)
@@ -152,6 +174,19 @@ std::string CandumpLine(const LogFrame& frame)
     const bool is_wide = frame.is_extended || frame.is_error;
     return head + cia306::Hex(frame.identifier | flags, is_wide ? 8 : 3).substr(2U) + (frame.is_fd ? "##1" : "#") +
            data + "\n";
+}
+
+std::string PathOf(const std::string& name)
+{
+    static const Folder folder;
+    return (folder.path / name).string();
+}
+
+std::string Written(const std::string& name, const std::string& text)
+{
+    const std::string path = PathOf(name);
+    cia306::WriteTextFile(path, text);
+    return path;
 }
 
 std::vector<LogFrame> FramesOf(const std::string& bytes, const std::string& interface)

@@ -53,6 +53,11 @@ class CaptureWriter
 /// One line of candump -l.
 [[nodiscard]] std::string CandumpLine(const LogFrame& frame);
 
+/// Path of a file of this name, in a folder that this process alone has and that is gone with it.
+[[nodiscard]] std::string PathOf(const std::string& name);
+/// Writes a file there; its path.
+[[nodiscard]] std::string Written(const std::string& name, const std::string& text);
+
 /// All frames of a recording. Throws InputError.
 [[nodiscard]] std::vector<LogFrame> FramesOf(const std::string& bytes, const std::string& interface = "");
 /// What the reader says of it; empty where it refuses nothing.

@@ -5,7 +5,7 @@
 #include "runtime/network_files/file.hpp"
 #include "runtime/yaml/document.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
-#include "tests/tools/command_run.hpp"
+#include "tests/canopen/cia306/folder_of_files.hpp"
 #include "verification/trace/ids/manager.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -124,7 +124,7 @@ constexpr BadFile kBadYaml[] = {
     {"manager: {node: 127\n", ":"},
 };
 
-class BadNetworkTest : public test::CommandTest
+class BadNetworkTest : public cia306::test::FolderTest
 {
   protected:
     BadNetworkTest()

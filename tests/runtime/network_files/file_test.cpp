@@ -4,7 +4,7 @@
 #include "examples/network_manager/network.hpp"
 #include "runtime/network_files/file.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
-#include "tests/tools/command_run.hpp"
+#include "tests/canopen/cia306/folder_of_files.hpp"
 #include "verification/trace/ids/manager.hpp"
 #include "verification/trace/ids/target.hpp"
 #include "verification/trace/verifies.hpp"
@@ -39,7 +39,7 @@ std::string Section(const std::string& name, const std::string& type, const std:
 }
 
 /// The three devices of the emergency-stop chain, the controller as manager.
-class NetworkFileTest : public test::CommandTest
+class NetworkFileTest : public cia306::test::FolderTest
 {
   protected:
     NetworkFileTest()

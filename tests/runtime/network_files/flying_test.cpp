@@ -6,7 +6,7 @@
 #include "runtime/network_files/file.hpp"
 #include "runtime/yaml/document.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
-#include "tests/tools/command_run.hpp"
+#include "tests/canopen/cia306/folder_of_files.hpp"
 #include "verification/trace/ids/flying_master.hpp"
 #include "verification/trace/ids/manager.hpp"
 #include "verification/trace/verifies.hpp"
@@ -24,7 +24,7 @@ using cia302::StandbyReaction;
 using cia306::test::ExampleText;
 using network_plan::LoadedNetwork;
 
-class NetworkFlyingTest : public test::CommandTest
+class NetworkFlyingTest : public cia306::test::FolderTest
 {
   protected:
     /// The controller of the example with 1F80h and, of 1F90h, sub-index 1, 3 and `slot_sub`.

@@ -6,7 +6,7 @@
 #include "canopen/cia302/network/concise_dcf.hpp"
 #include "canopen/network_plan/loaded_network.hpp"
 #include "runtime/network_files/file.hpp"
-#include "tests/tools/command_run.hpp"
+#include "tests/canopen/cia306/folder_of_files.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <string>
@@ -98,7 +98,7 @@ inline std::string Pdo(const std::string& index, const std::string& mapping, con
            number(mapping + "sub2", "0x0007", value_key, "0x64010110");
 }
 
-class NetworkProfileTest : public test::CommandTest
+class NetworkProfileTest : public cia306::test::FolderTest
 {
   protected:
     NetworkProfileTest()

@@ -139,37 +139,6 @@ TEST_F(NetworkProfileTest, PlcDesignerTakesOptionalAndResetNode)
     EXPECT_EQ(said.Setup().slaves[5].el6751, nullptr);
 }
 
-TEST_F(NetworkProfileTest, AStartOfAllThatSomeSlavesCannotTakeNamesThem)
-{
-    Verifies(req::SRS_PLC_150);
-    Verifies(req::SRS_PLC_151);
-    // Given slave 5 that waits for its start, 6 of another type and 7, optional and absent
-    const std::string io = std::string(COUNTERPOINT_SOURCE_FOLDER) + "/examples/networks/managed_faults/io.dcf";
-    static_cast<void>(File("net.yaml", "manager: {node: 127, profile: plc_designer, start_up: 0x9}\nslaves:\n"
-                                       "  - {node: 5, device_type: 0x30191}\n  - {node: 6, device_type: 0x30192}\n"
-                                       "  - {node: 7, mandatory: false}\n"));
-    const std::string scenario =
-        File("scenario.yaml", "title: Start of all\nduration: 5 s\nmanagers: [{network: net.yaml}]\nnodes:\n"
-                              "  5: {dcf: " +
-                                  io + "}\n  6: {dcf: " + io +
-                                  "}\nevents:\n  - {at: 100 ms, do: order, order: start all}\n"
-                                  "  - {at: 4 s, do: order, order: start all}\n"
-                                  "  - {at: 4500 ms, do: order, order: start 6}\n"
-                                  "expect:\n  - {that: device, node: 5, is: operational}\n");
-    const test::Answer answer = test::RunCommand({"simulate", scenario});
-    EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
-    for (const char* const text :
-         {"order start all: not taken by node 5 (2: settles), node 6 (2: settles), node 7 (1: waits for boot-up), "
-          "expected each in state 4, 5 or 99\n",
-          "order start all: taken, but not by node 6 (98: device type differs), node 7 (97: optional, absent), "
-          "expected "
-          "each in state 4, 5 or 99\n",
-          "order start 6: not taken by node 6 (98: device type differs), expected each in state 4, 5 or 99\n"})
-    {
-        EXPECT_NE(answer.out.find(text), std::string::npos) << answer.out;
-    }
-}
-
 TEST_F(NetworkProfileTest, WrongOptionsAreRefusedWithTheirLine)
 {
     Verifies(req::SRS_ELM_051);
@@ -233,6 +202,47 @@ TEST_F(NetworkProfileTest, ManualNetworkManagementIsAnOrder)
     {
         EXPECT_EQ(runtime::ParseManagerOrder(wrong).kind, runtime::ManagerOrderKind::kProblem) << wrong;
     }
+}
+
+TEST_F(NetworkProfileTest, OutputsAreWhatRxPdosCarryAtFirst)
+{
+    Verifies(req::SRS_NET_002);
+    Verifies(req::SRS_NET_004);
+    const LoadedNetwork net(
+        runtime::ReadNetworkFile(Net("  profile: el6751\n", "    outputs: [{pdo: 1, data: 01 FF 02}]\n"), 0U));
+    const cia302::El6751Pdo& pdo = net.Setup().slaves[5].el6751->rx_pdos[0];
+    ASSERT_EQ(pdo.length_bytes, 3U);
+    EXPECT_EQ(std::vector<std::uint8_t>(pdo.data_bytes, pdo.data_bytes + 3U),
+              (std::vector<std::uint8_t>{0x01U, 0xFFU, 0x02U}));
+    for (const std::string data : {"1", "01 F", "01 GG", "00 01 02 03 04 05 06 07 08"})
+    {
+        const std::string file = Net("  profile: el6751\n", "    outputs: [{pdo: 1, data: " + data + "}]\n");
+        try
+        {
+            static_cast<void>(runtime::ReadNetworkFile(file, 0U));
+            ADD_FAILURE() << data;
+        }
+        catch (const std::exception& error)
+        {
+            EXPECT_EQ(error.what(), file + ":9:30: error: '" + data +
+                                        "', expected 1 to 8 bytes as hexadecimal digits, such as 01 FF");
+        }
+    }
+}
+
+// The command line, or a scenario, may name another manager and another profile than the file.
+TEST_F(NetworkProfileTest, ManagerAndProfileMayBeChosenBesideTheFile)
+{
+    Verifies(req::SRS_NET_002);
+    const std::string file = Net("  profile: el6751\n", "");
+    const network_plan::NetworkPlan plain = runtime::ReadNetworkFile(file, 0U);
+    EXPECT_EQ(plain.manager.node, std::uint8_t{127U});
+    EXPECT_EQ(plain.manager.profile, network_plan::StartProfile::kEl6751);
+    EXPECT_FALSE(plain.manager.is_profile_chosen);
+    const network_plan::NetworkPlan chosen = runtime::ReadNetworkFile(file, 100U, "plc_designer");
+    EXPECT_EQ(chosen.manager.node, std::uint8_t{100U});
+    EXPECT_EQ(chosen.manager.profile, network_plan::StartProfile::kPlcDesigner);
+    EXPECT_TRUE(chosen.manager.is_profile_chosen);
 }
 
 TEST_F(NetworkProfileTest, WhatNoRowWritesStaysAFurtherObject)

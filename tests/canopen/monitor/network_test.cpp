@@ -1,0 +1,297 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// What the files of a bus say: names, node-IDs, what is active, where they contradict each other.
+#include "canopen/monitor/contradictions.hpp"
+#include "canopen/monitor/decoder.hpp"
+#include "canopen/monitor/report.hpp"
+#include "tests/canopen/cia306/device_text.hpp"
+#include "tests/canopen/monitor/recordings.hpp"
+#include "verification/trace/ids/monitor.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+namespace counterpoint::monitor
+{
+namespace
+{
+using cia306::test::ExampleText;
+using test::Frame;
+using test::ViolationsOf;
+using test::Written;
+using Texts = std::vector<std::string>;
+
+std::string Example(const std::string& name)
+{
+    return cia306::test::SourceFolder() + "/examples/emergency_stop/" + name + ".dcf";
+}
+
+/// The example with its 13FEh as it is before it was declared valid.
+std::string NotValid(const std::string& example, const std::string& value)
+{
+    std::string text = ExampleText(example);
+    const std::size_t place = text.find("ParameterValue=0xA5", text.find("[13FE]"));
+    return text.replace(place, 19U, value.empty() ? "" : "ParameterValue=" + value);
+}
+
+std::string RefusalOf(const std::vector<NodeFile>& files)
+{
+    try
+    {
+        static_cast<void>(Network(files, std::nullopt));
+    }
+    catch (const cia306::InputError& error)
+    {
+        return error.what();
+    }
+    return "";
+}
+
+const std::string kNameless = "[DeviceInfo]\nVendorName=test\n\n[1000]\nParameterName=Type\nObjectType=7\nDataType=7\n"
+                              "AccessType=ro\nDefaultValue=0\n\n";
+
+// A node is named by NodeName in either spelling of the section; without one, or with an empty one, by its file.
+TEST(NameOfANode, IsNodeNameElseThatOfTheFile)
+{
+    Verifies(req::SRS_MON_004);
+    const auto name = [](const std::string& text)
+    { return Network({{Written("network_named.dcf", text), std::uint8_t{7U}}}, std::nullopt).NameOf(7U); };
+    EXPECT_EQ(name(kNameless + "[DeviceComissioning]\nNodeID=7\nNodeName=Door\n"), "Door");
+    EXPECT_EQ(name(kNameless + "[DeviceCommissioning]\nNodeID=7\nNodeName=Gate\n"), "Gate");
+    EXPECT_EQ(name(kNameless + "[DeviceComissioning]\nNodeID=7\nNodeName=\n"), "network_named");
+    EXPECT_EQ(name(kNameless + "[DeviceComissioning]\nNodeID=7\n"), "network_named");
+    EXPECT_EQ(name(kNameless), "network_named");
+}
+
+TEST(NodeIds, AreGivenAndEachOnce)
+{
+    Verifies(req::SRS_MON_004);
+    const std::string path = Written("network_no_id.dcf", kNameless);
+    EXPECT_EQ(RefusalOf({{path, std::nullopt}}),
+              path + ": error: no node-ID, expected NodeID in [DeviceComissioning], or --dcf FILE=NODE_ID");
+    EXPECT_EQ(RefusalOf({{path, std::uint8_t{7U}}}), "");
+    EXPECT_EQ(RefusalOf({{Example("sensor"), std::nullopt}, {path, std::uint8_t{1U}}}),
+              path + ": error: node-ID 1, which " + Example("sensor") +
+                  " has already, expected a node-ID of its own for each file");
+}
+
+// Given PDOs that are off, at 0, or without a value, then their frames are not taken for them.
+TEST(PdosOfAFile, AreThoseThatAreOn)
+{
+    Verifies(req::SRS_MON_004);
+    const auto pdo = [](const std::string& value)
+    {
+        return kNameless +
+               "[1800]\nParameterName=TPDO\nSubNumber=1\nObjectType=9\n\n[1800sub1]\nParameterName=COB-ID\n"
+               "DataType=7\nAccessType=rw\n" +
+               value + "\n\n";
+    };
+    const auto words = [&pdo](const std::string& value)
+    {
+        const Network network({{Written("network_pdo.dcf", pdo(value)), std::uint8_t{7U}}}, std::nullopt);
+        const Analysis analysis(network, [](const Violation&) {});
+        return Decoder(network, analysis).Decode(Frame(0, 0x187U, {}));
+    };
+    EXPECT_EQ(words("DefaultValue=0x187"), "187h [0]  PDO network_pdo TPDO 1: ");
+    EXPECT_EQ(words("DefaultValue=0x80000187"), "187h [0]  other TPDO 1 of network_pdo, by its identifier");
+    EXPECT_EQ(words("DefaultValue=0"), "187h [0]  other TPDO 1 of network_pdo, by its identifier");
+    EXPECT_EQ(words(""), "187h [0]  other TPDO 1 of network_pdo, by its identifier");
+}
+
+// Given a sensor that is not declared valid, then none of its SRDOs is watched, it may send no GFC, and it is told.
+TEST(AConfigurationThatIsNotValid, HasNoActiveSrdo)
+{
+    Verifies(req::SRS_MON_021);
+    for (const std::string value : {"0x00", ""})
+    {
+        const std::string path = Written("network_not_valid.dcf", NotValid("sensor", value));
+        const Network network({{path, std::nullopt}}, std::nullopt);
+        EXPECT_TRUE(network.Watches().empty());
+        // Nobody may have sent the GFC
+        EXPECT_EQ(ViolationsOf(network, {Frame(0, 0x001U, {})}, 1000000), Texts{});
+        const std::vector<Contradiction> found = ContradictionsOf(network);
+        ASSERT_EQ(found.size(), 1U);
+        EXPECT_EQ(found[0].file, path);
+        EXPECT_EQ(found[0].finding.text.rfind("0x00, so that no SRDO of Sensor is active and none is watched, expected "
+                                              "0xA5 where the device was declared valid",
+                                              0U),
+                  0U)
+            << found[0].finding.text;
+        EXPECT_GT(found[0].finding.place.line, 0U);
+        // Its frames have its name all the same
+        const Analysis analysis(network, [](const Violation&) {});
+        Decoder decoder(network, analysis);
+        EXPECT_EQ(decoder.Decode(Frame(0, 0x101U, {1U, 2U})),
+                  "101h [2] 01 02  SRDO normal, of Sensor SRDO 1, which is not active");
+        EXPECT_EQ(decoder.Decode(Frame(0, 0x102U, {1U, 2U})),
+                  "102h [2] 01 02  SRDO inverse, of Sensor SRDO 1, which is not active");
+        EXPECT_EQ(decoder.Decode(Frame(0, 0x103U, {1U, 2U})), "103h [2] 01 02  SRDO normal, of no file");
+    }
+}
+
+// It is told in the document, too; a file whose SRDOs are all off contradicts nobody, nor does one without SRDOs.
+TEST(AConfigurationThatIsNotValid, IsAWarningOfTheDocument)
+{
+    Verifies(req::SRS_MON_020);
+    Verifies(req::SRS_MON_021);
+    const std::string path = Written("network_not_valid.dcf", NotValid("sensor", "0x00"));
+    const Network network({{path, std::nullopt}}, std::nullopt);
+    const Analysis analysis(network, [](const Violation&) {});
+    const std::vector<Violation> none;
+    EXPECT_NE(
+        JsonReport({network, analysis, none, "x.log"}).find("\"message\": \"0x00, so that no SRDO of Sensor is active"),
+        std::string::npos);
+    const Network without({{Written("network_no_srdo.dcf", kNameless), std::uint8_t{7U}}}, std::nullopt);
+    EXPECT_TRUE(ContradictionsOf(without).empty());
+    std::string all_off = NotValid("sensor", "0x00");
+    all_off.replace(all_off.find("ParameterValue=1", all_off.find("[1301sub1]")), 16U, "ParameterValue=0");
+    EXPECT_TRUE(ContradictionsOf(Network({{Written("network_off.dcf", all_off), std::nullopt}}, std::nullopt)).empty());
+}
+
+// A file without 13FEh at all is not valid, either: the place is that of the SRDO.
+TEST(AConfigurationThatIsNotValid, MayHaveNoObjectThatTells)
+{
+    Verifies(req::SRS_MON_021);
+    const std::string text =
+        cia306::test::SrdoFileText({{1, "2", "50", "20", "0x101", "0x102", {"0x20000108", "0x21000108"}}});
+    const Network network({{Written("network_no_13fe.dcf", text), std::uint8_t{7U}}}, std::nullopt);
+    EXPECT_TRUE(network.Watches().empty());
+    const std::vector<Contradiction> found = ContradictionsOf(network);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(
+        found[0].finding.text,
+        "is missing, so that no SRDO of network_no_13fe is active and none is watched, expected 0xA5 where the device "
+        "was declared valid");
+    EXPECT_EQ(found[0].finding.place.line, 4U); // [1301]
+}
+
+// Given two consumers of one pair that map another length, then each tells what it expected.
+TEST(ViolationsOfSeveralSrdos, AreToldEachWhereTheyExpectSomethingElse)
+{
+    Verifies(req::SRS_MON_008);
+    const auto consumer = [](const std::string& name, const std::vector<std::string>& mapping)
+    {
+        return Written(name + ".dcf", cia306::test::SrdoFileText({{1, "2", "50", "20", "0x101", "0x102", mapping}}) +
+                                          cia306::test::VariableText("13FE", "0x0005", "0xA5"));
+    };
+    const Network network({{consumer("network_one", {"0x20000108", "0x21000108"}), std::uint8_t{7U}},
+                           {consumer("network_two", {"0x20000110", "0x21000110"}), std::uint8_t{8U}}},
+                          std::nullopt);
+    std::vector<std::string> texts;
+    Analysis analysis(network, [&](const Violation& violation)
+                      { texts.push_back(Watchers(network, violation) + ": " + violation.breach.details); });
+    analysis.Take(Frame(0, 0x101U, {1U, 2U, 3U}));
+    EXPECT_EQ(texts, (Texts{"nobody here -> network_one SRDO 1: normal frame of 3 bytes, expected 1 byte",
+                            "nobody here -> network_two SRDO 1: normal frame of 3 bytes, expected 2 bytes"}));
+}
+
+// Given a producer with identifiers that no SRDO has, then no frame is taken for its pair, nor for what follows a GFC.
+TEST(IdentifiersThatNoSrdoHas, AreNobodysFrames)
+{
+    Verifies(req::SRS_MON_005);
+    Verifies(req::SRS_MON_016);
+    const auto producer = [](const std::string& first, const std::string& second)
+    {
+        return Network({{Written("network_identifier.dcf",
+                                 cia306::test::VariableText("1300", "0x0005", "1") +
+                                     cia306::test::SrdoFileText(
+                                         {{1, "1", "25", "20", first, second, {"0x20000108", "0x21000108"}}}) +
+                                     cia306::test::VariableText("13FE", "0x0005", "0xA5")),
+                         std::uint8_t{7U}}},
+                       std::nullopt);
+    };
+    EXPECT_EQ(ViolationsOf(producer("0x101", "0x102"), {Frame(0, 0x001U, {})}, 1000000),
+              Texts{"25000 GFC not followed"});
+    EXPECT_EQ(ViolationsOf(producer("0x100", "0x102"), {Frame(0, 0x001U, {})}, 1000000), Texts{});
+    EXPECT_EQ(ViolationsOf(producer("0x181", "0x182"), {Frame(0, 0x001U, {})}, 1000000), Texts{});
+    // 801h is not 001h with a bit above it
+    const Network above = producer("0x801", "0x802");
+    EXPECT_EQ(
+        ViolationsOf(above, {Frame(0, 0x001U, {1U}), Frame(100, 0x801U, {1U}), Frame(200, 0x802U, {1U})}, 1000000),
+        Texts{});
+}
+
+// Given an SRDO that is off in a valid file, then it is not watched.
+TEST(AnSrdoThatIsOff, IsNotWatched)
+{
+    Verifies(req::SRS_MON_005);
+    std::string text = ExampleText("controller");
+    text.replace(text.find("ParameterValue=1", text.find("[1302sub1]")), 16U, "ParameterValue=0");
+    text.replace(text.find("ParameterValue=0xCA45", text.find("[13FFsub2]")), 21U, "ParameterValue=0x0000");
+    const Network network({{Written("network_one_off.dcf", text), std::nullopt}}, std::nullopt);
+    ASSERT_EQ(network.Watches().size(), 1U);
+    EXPECT_EQ(network.Watches()[0].setup.normal_id, 0x101U);
+}
+
+// Given devices that may not send GFC, then one that nothing follows is nobody's.
+TEST(AGfc, IsThatOfADeviceThatMaySendIt)
+{
+    Verifies(req::SRS_MON_016);
+    std::string text = ExampleText("sensor");
+    text.replace(text.find("ParameterValue=1", text.find("[1300]")), 16U, "ParameterValue=0");
+    const Network silent({{Written("network_no_gfc.dcf", text), std::nullopt}}, std::nullopt);
+    EXPECT_EQ(ViolationsOf(silent, {Frame(0, 0x001U, {})}, 1000000), Texts{});
+    const Network may({{Example("sensor"), std::nullopt}}, std::nullopt);
+    EXPECT_EQ(ViolationsOf(may, {Frame(0, 0x001U, {})}, 1000000), Texts{"25000 GFC not followed"});
+}
+
+// Two pairs whose consumers see the same at the same time are two violations; of several limits the earlier one first.
+TEST(ViolationsOfSeveralSrdos, AreToldEachAndInTheirOrder)
+{
+    Verifies(req::SRS_MON_008);
+    std::string text = ExampleText("controller");
+    text.replace(text.find("ParameterValue=50", text.find("[1301sub2]")), 17U, "ParameterValue=60");
+    const Network network(
+        {{Example("sensor"), std::nullopt}, {Example("controller"), std::nullopt}, {Example("actuator"), std::nullopt}},
+        std::nullopt);
+    const std::vector<std::uint8_t> plain{1U, 2U};
+    const std::vector<std::uint8_t> turned{0xFEU, 0xFDU};
+    EXPECT_EQ(ViolationsOf(network,
+                           {Frame(0, 0x101U, plain), Frame(0, 0x102U, turned), Frame(0, 0x103U, plain),
+                            Frame(0, 0x104U, turned)},
+                           200000),
+              (Texts{"50000 SCT expired", "50000 SCT expired"}));
+    EXPECT_EQ(ViolationsOf(network,
+                           {Frame(0, 0x103U, plain), Frame(0, 0x104U, turned), Frame(1000, 0x101U, plain),
+                            Frame(1000, 0x102U, turned)},
+                           200000),
+              (Texts{"50000 SCT expired", "51000 SCT expired"}));
+    // At one time a pair that never was complete, and one that did not come again
+    EXPECT_EQ(
+        ViolationsOf(network, {Frame(0, 0x103U, plain), Frame(0, 0x104U, turned), Frame(30000, 0x101U, plain)}, 200000),
+        (Texts{"50000 SRVT expired", "50000 SCT expired"}));
+    // At one time and for one cause, of other frames
+    EXPECT_EQ(ViolationsOf(network, {Frame(0, 0x101U, plain), Frame(0, 0x103U, plain)}, 200000),
+              (Texts{"20000 SRVT expired", "20000 SRVT expired"}));
+}
+
+TEST(StateOfTheNodes, IsThatOfCommandsAndOfMessagesOfOneByte)
+{
+    Verifies(req::SRS_MON_009);
+    const Network network({{Example("sensor"), std::nullopt}, {Example("controller"), std::nullopt}}, std::nullopt);
+    const auto violations = [&network](const LogFrame& frame)
+    {
+        return ViolationsOf(network, {Frame(0, 0x101U, {1U, 2U}), Frame(100, 0x102U, {0xFEU, 0xFDU}), frame}, 200000)
+            .size();
+    };
+    // It leaves OPERATIONAL
+    for (const std::uint8_t command : {std::uint8_t{2U}, std::uint8_t{128U}, std::uint8_t{129U}, std::uint8_t{130U}})
+    {
+        EXPECT_EQ(violations(Frame(200, 0x000U, {command, 1U})), 0U) << int{command};
+    }
+    EXPECT_EQ(violations(Frame(200, 0x701U, {0U})), 0U);
+    // It does not: the pair is awaited
+    LogFrame remote = Frame(200, 0x000U, {});
+    remote.is_remote = true;
+    remote.length = 2U;
+    EXPECT_EQ(violations(remote), 1U);
+    remote.identifier = 0x701U;
+    remote.length = 1U;
+    EXPECT_EQ(violations(remote), 1U);
+    EXPECT_EQ(violations(Frame(200, 0x000U, {1U, 1U})), 1U);
+    EXPECT_EQ(violations(Frame(200, 0x000U, {3U, 1U})), 1U);
+    EXPECT_EQ(violations(Frame(200, 0x000U, {2U})), 1U);
+    EXPECT_EQ(violations(Frame(200, 0x701U, {0U, 0U})), 1U);
+    EXPECT_EQ(violations(Frame(200, 0x701U, {5U})), 1U);
+}
+} // namespace
+} // namespace counterpoint::monitor

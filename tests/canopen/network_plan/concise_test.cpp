@@ -1,0 +1,105 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Concise DCFs: what is written to a device, and in which order.
+#include "tests/canopen/network_plan/plan_rig.hpp"
+
+namespace counterpoint::network_plan
+{
+namespace
+{
+using test::Entry;
+using test::Number;
+using test::Record;
+using test::TextsOf;
+using Texts = std::vector<std::string>;
+
+Texts ConciseOf(const std::string& text)
+{
+    return TextsOf(MakeConcise(cia306::test::DeviceOf("[DeviceInfo]\nVendorName=test\n\n" + text), 5U));
+}
+
+TEST(Concise, HasWhatCanBeWrittenAndIsConfigured)
+{
+    Verifies(req::SRS_NET_003);
+    EXPECT_EQ(ConciseOf(Entry("2000", 6, "rw", "ParameterValue=0x1234") + Entry("2001", 6, "rw", "DefaultValue=1") +
+                        Entry("2002", 6, "const", "ParameterValue=2") + Entry("2003", 6, "ro", "ParameterValue=3") +
+                        Entry("2004", 6, "wo", "ParameterValue=4") + Entry("2005", 9, "rw", "ParameterValue=AB")),
+              (Texts{"2000:00=34 12", "2004:00=04 00", "2005:00=41 42"}));
+}
+
+TEST(Concise, HasTheConfigurationDateAtItsEnd)
+{
+    Verifies(req::SRS_NET_003);
+    EXPECT_EQ(ConciseOf(Record("1020", 2) + Number("1020sub1", "7") + Number("1005", "0x80") + Number("2000", "1")),
+              (Texts{"1005:00=80 00 00 00", "2000:00=01 00 00 00", "1020:01=07 00 00 00"}));
+}
+
+// 5F00h to 5F05h are the project's own in a safety device alone.
+TEST(Concise, LeavesOutTheSafetyParametersOfASafetyDevice)
+{
+    Verifies(req::SRS_NET_003);
+    const std::string objects = Number("5F00", "1") + Number("5F04", "2") + Number("5F06", "3");
+    const Texts all{"5F00:00=01 00 00 00", "5F04:00=02 00 00 00", "5F06:00=03 00 00 00"};
+    EXPECT_EQ(ConciseOf(objects), all);
+    EXPECT_EQ(TextsOf(MakeConcise(cia306::test::DeviceOf("[DeviceInfo]\nCANopenSafetySupported=0\n\n" + objects), 5U)),
+              all);
+    EXPECT_EQ(TextsOf(MakeConcise(cia306::test::DeviceOf("[DeviceInfo]\nCANopenSafetySupported=1\n\n" + objects), 5U)),
+              Texts{"5F06:00=03 00 00 00"});
+    EXPECT_EQ(ConciseOf(Number("5F04", "2") + Number("5F06", "3")), Texts{"5F06:00=03 00 00 00"});
+}
+
+// Off, parameters, mapping off, mapping, on, whichever of them the file configures.
+TEST(ConcisePdo, IsOffWhileItIsChanged)
+{
+    Verifies(req::SRS_NET_003);
+    const std::string mapping =
+        Record("1A00", 2) + Entry("1A00sub0", 5, "rw", "ParameterValue=1") + Number("1A00sub1", "0x60000108");
+    EXPECT_EQ(ConciseOf(Record("1800", 3) + Number("1800sub1", "0x185") +
+                        Entry("1800sub2", 5, "rw", "ParameterValue=254") + mapping),
+              (Texts{"1800:01=85 01 00 80", "1800:02=FE", "1A00:00=00", "1A00:01=08 01 00 60", "1A00:00=01",
+                     "1800:01=85 01 00 00"}));
+    // The mapping alone is configured: the identifier is the default one
+    EXPECT_EQ(ConciseOf(Record("1800", 2) + Entry("1800sub1", 7, "rw", "DefaultValue=$NODEID+0x180") + mapping),
+              (Texts{"1800:01=85 01 00 80", "1A00:00=00", "1A00:01=08 01 00 60", "1A00:00=01", "1800:01=85 01 00 00"}));
+    // A parameter alone, without a mapping in the file
+    EXPECT_EQ(ConciseOf(Record("1800", 3) + Number("1800sub1", "0x185") + Entry("1800sub2", 5, "rw", "DefaultValue=1")),
+              (Texts{"1800:01=85 01 00 80", "1800:01=85 01 00 00"}));
+    // Nothing is configured
+    EXPECT_EQ(ConciseOf(Record("1800", 2) + Entry("1800sub1", 7, "rw", "DefaultValue=0x185")), Texts{});
+}
+
+TEST(ConcisePdo, WhoseIdentifierCannotChangeStaysOn)
+{
+    Verifies(req::SRS_NET_003);
+    const std::string type = Entry("1800sub2", 5, "rw", "ParameterValue=254");
+    EXPECT_EQ(ConciseOf(Record("1800", 2) + type), Texts{"1800:02=FE"});
+    EXPECT_EQ(ConciseOf(Record("1800", 3) + Entry("1800sub1", 7, "ro", "DefaultValue=0x185") + type),
+              Texts{"1800:02=FE"});
+    EXPECT_EQ(ConciseOf(Record("1800", 3) + Entry("1800sub1", 7, "rw", "") + type), Texts{"1800:02=FE"});
+}
+
+// A mapping whose count cannot be written cannot change; one without a PDO is an object like others.
+TEST(ConcisePdo, WhoseCountCannotBeWrittenKeepsItsMapping)
+{
+    Verifies(req::SRS_NET_003);
+    const std::string field = Number("1A00sub1", "0x60000108");
+    const std::string identifier = Record("1800", 2) + Number("1800sub1", "0x185");
+    const Texts nothing{"1800:01=85 01 00 80", "1800:01=85 01 00 00"};
+    EXPECT_EQ(ConciseOf(identifier + Record("1A00", 2) + Entry("1A00sub0", 5, "const", "DefaultValue=1") + field),
+              nothing);
+    EXPECT_EQ(ConciseOf(identifier + Record("1A00", 1) + field), nothing);
+    EXPECT_EQ(ConciseOf(Record("1A00", 2) + Entry("1A00sub0", 5, "rw", "ParameterValue=1") + field),
+              (Texts{"1A00:00=01", "1A00:01=08 01 00 60"}));
+}
+
+TEST(NumberOfAnEntry, IsTheUsualOneWhereThereIsNone)
+{
+    Verifies(req::SRS_NET_003);
+    const cia306::Device device = cia306::test::DeviceOf(Number("2000", "7") + Entry("2001", 7, "rw", "") +
+                                                         Entry("2002", 7, "rw", "DefaultValue=$NODEID+1"));
+    EXPECT_EQ(NumberOf(device, 5U, 0x2000U, 0U, 9U), 7U);
+    EXPECT_EQ(NumberOf(device, 5U, 0x2001U, 0U, 9U), 9U);
+    EXPECT_EQ(NumberOf(device, 5U, 0x2002U, 0U, 9U), 6U);
+    EXPECT_EQ(NumberOf(device, 5U, 0x2003U, 0U, 9U), 9U);
+}
+} // namespace
+} // namespace counterpoint::network_plan

@@ -1,0 +1,194 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// What a person should know before a network starts.
+#include "tests/canopen/network_plan/plan_rig.hpp"
+
+namespace counterpoint::network_plan
+{
+namespace
+{
+using cia306::test::Changed;
+using cia306::test::ExampleText;
+using test::Entry;
+using test::Number;
+using test::PlanTest;
+using test::Record;
+using Texts = std::vector<std::string>;
+
+const std::string kHead = "[DeviceInfo]\nVendorName=test\n\n";
+
+class NetworkWarningsTest : public PlanTest
+{
+  protected:
+    /// The actuator of the example, node 33, as its file is changed.
+    [[nodiscard]] NetworkPlan Relay(const std::string& text) const
+    {
+        NetworkPlan plan = PlanOf("");
+        plan.slaves.clear();
+        plan.slaves.push_back(SlaveOf(33U, text));
+        return plan;
+    }
+    /// What is told of it behind the name of its file and "LINE:COLUMN: warning: ".
+    [[nodiscard]] Texts ToldOf(const NetworkPlan& plan) const
+    {
+        Texts told;
+        for (const std::string& warning : WarningsOf(plan))
+        {
+            told.push_back(warning.substr(warning.find("warning: ") + 9U));
+        }
+        return told;
+    }
+    [[nodiscard]] static std::string With(const std::string& section, const std::string& from, const std::string& to)
+    {
+        std::string text = ExampleText("actuator");
+        const std::size_t place = text.find(from, text.find("[" + section + "]"));
+        return text.replace(place, from.size(), to);
+    }
+};
+
+TEST_F(NetworkWarningsTest, OneStartForAllIsAskedForWithoutASafetySlave)
+{
+    Verifies(req::SRS_NET_150);
+    NetworkPlan plan = PlanOf("");
+    plan.manager.start_up = 0x3U;
+    EXPECT_EQ(ToldOf(plan), Texts{});
+    plan = Relay(ExampleText("actuator"));
+    plan.manager.start_up = 0x3U;
+    EXPECT_EQ(
+        ToldOf(plan),
+        Texts{"one start for all is asked for (1F80h bit 1), and there is a safety slave: each slave is started by "
+              "itself after its verification"});
+}
+
+TEST_F(NetworkWarningsTest, AConfigurationThatNobodyDeclaresValid)
+{
+    Verifies(req::SRS_NET_151);
+    const std::string text = With("13FE", "ParameterValue=0xA5", "ParameterValue=0x00");
+    NetworkPlan plan = Relay(text);
+    EXPECT_EQ(ToldOf(plan),
+              Texts{"0x13FE:00: 0x00 keeps node 33 from being started until somebody declares its configuration valid, "
+                    "expected 0xA5, or write_safety: true in the network file"});
+    plan.slaves[0].writes_safety = true;
+    EXPECT_EQ(ToldOf(plan), Texts{});
+}
+
+TEST_F(NetworkWarningsTest, EmergenciesThatNobodyHears)
+{
+    Verifies(req::SRS_NET_151);
+    EXPECT_EQ(
+        ToldOf(Relay(With("1014", "$NODEID+0x80", "0x800000A1"))),
+        Texts{"0x1014:00: 0x800000A1 switches off the emergencies of node 33, which counts as good in its safe state, "
+              "expected an identifier without bit 31"});
+    EXPECT_EQ(
+        ToldOf(Relay(With("1014", "$NODEID+0x80", "0x200000A1"))),
+        Texts{"0x1014:00: 0x200000A1: the emergencies of node 33 are not heard, and it counts as good in its safe "
+              "state, expected 0x001 to 0x7FF"});
+    EXPECT_EQ(ToldOf(Relay(With("1014", "$NODEID+0x80", "0x7FF"))), Texts{});
+}
+
+TEST_F(NetworkWarningsTest, RoomForMoreSignaturesThanTheFileHasSrdos)
+{
+    Verifies(req::SRS_NET_151);
+    EXPECT_EQ(ToldOf(Relay(With("13FFsub0", "DefaultValue=1", "DefaultValue=2"))),
+              Texts{"0x13FF:00: room for 2 signatures, and the highest SRDO of the file is 1: what node 33 has in the "
+                    "others is not read, expected them in the file"});
+}
+
+// The identifier of 1014h, else 80h + node-ID; above 7FFh nobody hears either.
+TEST_F(NetworkWarningsTest, EmergenciesOfTwoSlavesWithOneIdentifier)
+{
+    Verifies(req::SRS_NET_151);
+    NetworkPlan plan = PlanOf(kHead + Number("1014", "0x86"));
+    plan.slaves.push_back(SlaveOf(6U, ""));
+    EXPECT_EQ(
+        WarningsOf(plan),
+        Texts{Path("slave5.dcf") +
+              ":9:16: warning: 0x1014:00: 0x086 of node 5 is that of node 6, too (net.yaml:2:1): whose emergencies "
+              "come with it is not known, expected one for each"});
+    plan = PlanOf(kHead + Number("1014", "0x85"));
+    plan.slaves.push_back(SlaveOf(6U, ""));
+    EXPECT_EQ(WarningsOf(plan), Texts{});
+    plan = PlanOf(kHead + Number("1014", "0x20000085"));
+    plan.slaves.push_back(SlaveOf(6U, kHead + Number("1014", "0x20000085")));
+    EXPECT_EQ(WarningsOf(plan), Texts{});
+}
+
+// Who watches the manager, by 1016h of its DCF or by the rows of the EL6751 profile, needs a heartbeat that is short
+// enough.
+TEST_F(NetworkWarningsTest, ASlaveThatWatchesTheManager)
+{
+    Verifies(req::SRS_NET_153);
+    const auto watches = [this](const std::string& entry, const std::uint16_t heartbeat_ms)
+    {
+        NetworkPlan plan = PlanOf(kHead + Record("1016", 2) + entry);
+        plan.manager.heartbeat_ms = heartbeat_ms;
+        return ToldOf(plan);
+    };
+    const std::string manager = Number("1016sub1", "0x007F00C8");
+    EXPECT_EQ(watches(manager, 0U), Texts{"node 5 watches the manager for 200 ms, and the manager sends no heartbeat, "
+                                          "expected one under manager"});
+    EXPECT_EQ(watches(manager, 133U), Texts{});
+    EXPECT_EQ(watches(manager, 134U),
+              Texts{"node 5 watches the manager for 200 ms, whose heartbeat comes every 134 ms, "
+                    "expected at least 201 ms, or a shorter heartbeat under manager"});
+    // Another node, and an entry that is none
+    EXPECT_EQ(watches(Number("1016sub1", "0x000900C8"), 0U), Texts{});
+    EXPECT_EQ(watches(Entry("1016sub1", 6, "rw", "ParameterValue=200"), 0U), Texts{});
+}
+
+TEST_F(NetworkWarningsTest, ASlaveThatWatchesAnotherNodeByTheRowOfTheManager)
+{
+    Verifies(req::SRS_NET_153);
+    const auto told = [this](const std::string& first, const std::string& producer)
+    {
+        NetworkPlan plan = PlanOf(kHead + producer + Record("1016", 2) + Number("1016sub1", first));
+        plan.manager.profile = StartProfile::kEl6751;
+        plan.manager.heartbeat_ms = std::uint16_t{100U};
+        plan.slaves[0].guard_ms = std::uint16_t{200U};
+        plan.slaves[0].retry_factor = std::uint8_t{2U};
+        return ToldOf(plan);
+    };
+    const std::string heartbeat = Entry("1017", 6, "rw", "DefaultValue=0");
+    EXPECT_EQ(told("0x007F00C8", heartbeat), Texts{});
+    EXPECT_EQ(told("0x000900C8", heartbeat), Texts{"node 5 watches node 9 by 1016h:01, where the profile writes the "
+                                                   "manager, expected it at another sub-index"});
+    // Without 1017h it is guarded, and watches nobody
+    EXPECT_EQ(told("0x007F00C8", ""), Texts{});
+}
+
+// Keys of another profile are told, but where a scenario has chosen the profile.
+TEST_F(NetworkWarningsTest, KeysOfAnotherProfile)
+{
+    Verifies(req::SRS_NET_006);
+    NetworkPlan plan = PlanOf("");
+    plan.manager.sync_us = 10000U;
+    EXPECT_EQ(ToldOf(plan), Texts{"sync has no effect with the profile cia302"});
+    plan.manager.is_profile_chosen = true;
+    EXPECT_EQ(ToldOf(plan), Texts{});
+}
+
+// Masters that no file tells more of are watched for the watch time.
+TEST_F(NetworkWarningsTest, AWatchTimeThatIsNotAboveTheHeartbeat)
+{
+    Verifies(req::SRS_NET_006);
+    NetworkPlan plan = PlanOf("");
+    plan.manager.heartbeat_ms = std::uint16_t{60000U};
+    plan.manager.flying = FlyingPlan{};
+    plan.manager.flying->node_slot_ms = std::uint16_t{0U};
+    plan.manager.flying->options.watch = cia302::MasterWatch::kInstalled;
+    plan.manager.flying->options.watch_ms = 200U;
+    const Texts told{
+        "watch_time 200 ms for masters with a heartbeat each 60000 ms as this one: their standbys lose them "
+        "again and again, expected a longer one"};
+    EXPECT_EQ(ToldOf(plan), told);
+    // One of several is enough
+    plan.slaves.push_back(SlaveOf(6U, ""));
+    EXPECT_EQ(ToldOf(plan), told);
+    // A slave with a DCF is no master, nor is one whose heartbeat is awaited
+    plan.slaves = {SlaveOf(5U, kHead + Number("2000", "1"))};
+    EXPECT_EQ(ToldOf(plan), Texts{});
+    plan.slaves = {SlaveOf(5U, "")};
+    plan.slaves[0].consumer_ms = std::uint16_t{100U};
+    EXPECT_EQ(ToldOf(plan), Texts{});
+}
+} // namespace
+} // namespace counterpoint::network_plan
