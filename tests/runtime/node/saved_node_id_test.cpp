@@ -1,6 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/node/device.hpp"
-#include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "tests/tools/echo_bus.hpp"
 #include "verification/trace/ids/node.hpp"
@@ -30,7 +29,7 @@ class SavedNodeIdTest : public tools::test::CommandTest
     [[nodiscard]] NodeSettings SettingsOf(const std::uint8_t node_id) const
     {
         NodeSettings settings;
-        settings.dcf = cia306::test::SourceFolder() + "/tests/runtime/data/everything.dcf";
+        settings.dcf = std::string(COUNTERPOINT_SOURCE) + "/tests/runtime/data/everything.dcf";
         settings.store = Path("node.store");
         settings.cycle_us = 5000U;
         settings.node_id = node_id;
