@@ -155,8 +155,10 @@ TEST_F(StoredSafetyItemsTest, TheConfigurationOfAnotherNodeIdIsRefused)
     items[0].pop_back();
     EXPECT_TRUE(load(safety));
     EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
-    // Where nothing was loaded nothing changes
+    // Where nothing was loaded nothing changes, nor by an item as long as a header that is none
     safety.BeginLoad(kAllGroups);
+    const std::uint8_t other[11] = {2U, 1U, 0U, 0U, 0U, 9U, 9U, 9U, 9U, 0xA5U, 5U};
+    EXPECT_FALSE(safety.LoadItem({other, 11U}));
     EXPECT_TRUE(safety.EndLoad(kAllGroups));
     EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
 }
