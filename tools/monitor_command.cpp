@@ -226,11 +226,20 @@ class MonitorCommand final : public Command
                                        }
                                    });
         monitor::Decoder decoder(network, analysis);
+        std::vector<monitor::FrameText> frames;
         const auto take = [&](const monitor::LogFrame& frame)
         {
             if (shows_frames_ && !is_json_)
             {
                 streams.out << monitor::SecondsText(frame.time) << " " << decoder.Decode(frame) << "\n";
+            }
+            else if (shows_frames_ && frames.size() < monitor::kMostKept)
+            {
+                frames.push_back({frame.time, decoder.Decode(frame)});
+            }
+            else
+            {
+                // Nobody asked for it, or there is no more room.
             }
             analysis.Take(frame);
         };
@@ -245,7 +254,9 @@ class MonitorCommand final : public Command
                          {take, [&](const Time now) { analysis.Advance(now); }, [&] { analysis.Interrupt(); }});
         }
         analysis.End();
-        return Conclude({network, analysis, kept, address_.empty() ? file_ : address_, origin}, streams);
+        return Conclude(
+            {network, analysis, kept, address_.empty() ? file_ : address_, origin, shows_frames_ ? &frames : nullptr},
+            streams);
     }
 
     /// Hands over every frame of the recording that is of the interface.
@@ -356,7 +367,7 @@ class MonitorCommand final : public Command
         {
             monitor::WriteSummary(report, streams.out);
         }
-        return report.analysis.ViolationCount() == 0U ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
+        return monitor::Holds(report) ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
     }
 
     std::string file_;

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <numeric>
 #include <ostream>
 
@@ -84,7 +85,54 @@ Json SrdoJson(const Report& report, const std::size_t number)
     }
     return answer;
 }
+
+Json ViolationJson(const Violation& violation)
+{
+    Json watchers = Json::array();
+    for (const std::size_t watch : violation.watches)
+    {
+        watchers.push_back(watch);
+    }
+    return {{"time_s", static_cast<double>(violation.breach.time) / static_cast<double>(kSecond)},
+            {"cause", CauseName(violation.breach.cause)},
+            {"srdos", watchers},
+            {"details", violation.breach.details}};
+}
+
+Json FramesJson(const std::vector<FrameText>& frames)
+{
+    Json answer = Json::array();
+    for (const FrameText& frame : frames)
+    {
+        answer.push_back(
+            {{"time_s", static_cast<double>(frame.time) / static_cast<double>(kSecond)}, {"text", frame.text}});
+    }
+    return answer;
+}
 } // namespace
+
+std::vector<std::size_t> Silent(const Report& report)
+{
+    const auto& watches = report.analysis.Watches();
+    const bool is_any =
+        std::any_of(watches.begin(), watches.end(), [](const SrdoWatch& watch) { return watch.PairCount() != 0U; });
+    std::vector<std::size_t> silent;
+    for (std::size_t number = 0U; number < watches.size(); ++number)
+    {
+        const WatchModel& model = report.network.Watches()[number];
+        const bool has_both = model.producer && model.consumer;
+        if (watches[number].PairCount() == 0U && (has_both || !is_any))
+        {
+            silent.push_back(number);
+        }
+    }
+    return silent;
+}
+
+bool Holds(const Report& report)
+{
+    return report.analysis.ViolationCount() == 0U && Silent(report).empty();
+}
 
 std::string Watchers(const Network& network, const Violation& violation)
 {
@@ -135,6 +183,7 @@ void WriteSummary(const Report& report, std::ostream& out)
     {
         out << OthersText(report) << "\n";
     }
+    const std::vector<std::size_t> silent = Silent(report);
     for (std::size_t number = 0U; number < report.network.Watches().size(); ++number)
     {
         const WatchModel& model = report.network.Watches()[number];
@@ -153,6 +202,9 @@ void WriteSummary(const Report& report, std::ostream& out)
         out << "\n";
         WriteTimes("cycle", watch.Cycle(), out);
         WriteTimes("SRVT ", watch.Srvt(), out);
+        out << (std::count(silent.begin(), silent.end(), number) == 0
+                    ? ""
+                    : "  no valid pair came, expected at least one\n");
     }
 }
 
@@ -164,7 +216,7 @@ std::string JsonReport(const Report& report)
     { return (analysis.FrameCount() == 0U) ? Json() : Json(static_cast<double>(at) / static_cast<double>(kSecond)); };
     Json answer{{"format", "counterpoint-monitor-1"},
                 {"source", report.source},
-                {"holds", analysis.ViolationCount() == 0U},
+                {"holds", Holds(report)},
                 {"interface", report.origin.interface.empty() ? Json() : Json(report.origin.interface)},
                 {"frames", analysis.FrameCount()},
                 {"other_frames", report.origin.other_frames},
@@ -177,6 +229,7 @@ std::string JsonReport(const Report& report)
                 {"violation_count", analysis.ViolationCount()},
                 {"violations", Json::array()},
                 {"warnings", Json::array()},
+                {"silent", Silent(report)},
                 {"srdos", Json::array()}};
     for (std::size_t service = 0U; service < kServiceCount; ++service)
     {
@@ -197,20 +250,15 @@ std::string JsonReport(const Report& report)
     }
     for (const Violation& violation : report.violations)
     {
-        Json watchers = Json::array();
-        for (const std::size_t watch : violation.watches)
-        {
-            watchers.push_back(watch);
-        }
-        answer["violations"].push_back(
-            {{"time_s", static_cast<double>(violation.breach.time) / static_cast<double>(kSecond)},
-             {"cause", CauseName(violation.breach.cause)},
-             {"srdos", watchers},
-             {"details", violation.breach.details}});
+        answer["violations"].push_back(ViolationJson(violation));
     }
     for (std::size_t number = 0U; number < report.network.Watches().size(); ++number)
     {
         answer["srdos"].push_back(SrdoJson(report, number));
+    }
+    if (report.frames != nullptr)
+    {
+        answer["frame_texts"] = FramesJson(*report.frames);
     }
     return answer.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

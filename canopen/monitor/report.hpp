@@ -11,8 +11,15 @@
 
 namespace counterpoint::monitor
 {
-/// Violations that a report keeps; more are counted.
+/// Violations that a report keeps, and frames in words; more are counted.
 constexpr std::size_t kMostKept = 100000U;
+
+/// A frame in words.
+struct FrameText
+{
+    Time time;
+    std::string text;
+};
 
 /// What all reports are made from.
 struct Report
@@ -20,9 +27,16 @@ struct Report
     const Network& network;
     const Analysis& analysis;
     const std::vector<Violation>& violations;
-    std::string source; ///< Name of the file or address of the bus.
-    Origin origin{};    ///< Of a recording.
+    std::string source;                            ///< Name of the file or address of the bus.
+    Origin origin{};                               ///< Of a recording.
+    const std::vector<FrameText>* frames{nullptr}; ///< For JsonReport; null: nobody asked for them.
 };
+
+/// @brief SRDOs, by their numbers among Network::Watches, that had to come and of which no valid pair did: those of
+/// which the files have both ends; all where no valid pair of any came. [SRS_MON_240]
+[[nodiscard]] std::vector<std::size_t> Silent(const Report& report);
+/// @brief Whether what was asked holds: no violation, and no SRDO that is silent.
+[[nodiscard]] bool Holds(const Report& report);
 
 /// Whose SRDOs a violation is about: "sensor SRDO 1 -> controller SRDO 1".
 [[nodiscard]] std::string Watchers(const Network& network, const Violation& violation);
@@ -33,7 +47,7 @@ struct Report
 [[nodiscard]] std::string OthersText(const Report& report);
 /// Writes the summary: totals, and a block for each SRDO. [SRS_MON_010]
 void WriteSummary(const Report& report, std::ostream& out);
-/// The whole report as one JSON document.
+/// The whole report as one JSON document. [SRS_MON_241]
 [[nodiscard]] std::string JsonReport(const Report& report);
 /// A page that needs no other file. [SRS_MON_011]
 [[nodiscard]] std::string HtmlReport(const Report& report);

@@ -89,11 +89,14 @@ std::string SrdoSection(const Report& report, const std::size_t number)
 {
     const WatchModel& model = report.network.Watches()[number];
     const SrdoWatch& watch = report.analysis.Watches()[number];
+    const std::vector<std::size_t> silent = Silent(report);
+    const bool is_silent = std::count(silent.begin(), silent.end(), number) != 0;
     return "<h2>" + cia306::HtmlText(report.network.NameOf(model)) + "</h2><p>" +
            cia306::Hex(model.setup.normal_id, 3).substr(2U) + "h, " +
            cia306::Hex(model.setup.inverse_id, 3).substr(2U) + "h; " + (model.setup.is_late ? "late" : "early") +
            " detection; " + std::to_string(watch.PairCount()) + " pairs; " + Causes(report.analysis.CountsOf(number)) +
-           "</p><div class=\"charts\">" + Chart("Cycle, normal to normal frame", watch.Cycle()) +
+           "</p>" + (is_silent ? "<p class=\"bad\">no valid pair came</p>" : "") + "<div class=\"charts\">" +
+           Chart("Cycle, normal to normal frame", watch.Cycle()) +
            Chart("SRVT, normal to inverse frame", watch.Srvt()) + "</div>";
 }
 

@@ -134,11 +134,11 @@ NodeDevice::NodeDevice(const NodeSettings& settings, NodePorts& ports, NodeRepor
                 {channel_a_->Voice(), channel_b_->Voice(), ports, output_, watchdog_, application_,
                  self_test_ ? &self_test_->Part() : nullptr, *this, &file_, nullptr, settings.domain_bytes}),
       transfers_(assembly_.Optional(), report),
-      store_(settings.store.empty()
-                 ? nullptr
-                 : std::make_unique<NodeStore>(settings.store,
-                                               NodeStoreParts{assembly_.Core(), assembly_.Objects().Table(),
-                                                              assembly_.Dictionary(), assembly_.Services()})),
+      store_(settings.store.empty() ? nullptr
+                                    : std::make_unique<NodeStore>(
+                                          settings.store, NodeStoreParts{assembly_.Core(), assembly_.Objects().Table(),
+                                                                         assembly_.Objects(), assembly_.Dictionary(),
+                                                                         assembly_.Services()})),
       refusals_(report, model_.File(), settings.refused)
 {
     assembly_.Connect(store_ ? &store_->Hook() : nullptr);

@@ -1,4 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/text/text_file.hpp"
 #include "hal/host/live/bus.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/hal/host/live_server_rig.hpp"
@@ -181,7 +182,7 @@ TEST_F(MonitorCommandTest, FramesInWords)
     Verifies(req::SRS_MON_004);
     const std::string file = File("one.log", "(1.000000) can0 701#05\n");
     const Answer answer = Monitor({file, "--frames"});
-    EXPECT_EQ(answer.status, 0);
+    EXPECT_EQ(answer.status, 1); // No pair of the chain came.
     EXPECT_EQ(
         answer.out.rfind("1.000000 701h [1] 05  error control Sensor is OPERATIONAL\n1 frames, 1 error control", 0U),
         0U)
@@ -227,6 +228,63 @@ TEST_F(MonitorCommandTest, AnswersAsJson)
     EXPECT_EQ(document["srdos"][0]["cycle"]["margin_ms"], 0.0);
     const auto refusal = nlohmann::json::parse(Monitor({File("bad.log", "x\n"), "--json"}).out);
     EXPECT_EQ(refusal["error"]["line"], 1);
+}
+
+// The sensor's pair has both ends in the files, the controller's one: nobody here consumes it.
+TEST_F(MonitorCommandTest, AnSrdoThatNeverCameDoesNotHold)
+{
+    Verifies(req::SRS_MON_240);
+    const std::string pair = "(1.100000) can0 101#0102\n(1.100200) can0 102#FEFD\n";
+    const std::string report = "(1.200000) can0 103#0102\n(1.200200) can0 104#FEFD\n";
+    const std::string silent = "  no valid pair came, expected at least one\n";
+    // Given none of both
+    const std::string none = File("none.log", "(1.000000) can0 701#05\n");
+    const Answer nothing = Monitor({none, "--html", Path("page.html")});
+    EXPECT_EQ(nothing.status, 1);
+    EXPECT_NE(nothing.out.find("; 0 violations\n"), std::string::npos) << nothing.out;
+    EXPECT_NE(nothing.out.find(silent), nothing.out.rfind(silent)) << nothing.out;
+    const std::string page = cia306::ReadTextFile(Path("page.html"));
+    EXPECT_NE(page.find("<p class=\"bad\">no valid pair came</p>"), std::string::npos);
+    const auto document = nlohmann::json::parse(Monitor({none, "--json"}).out);
+    EXPECT_EQ(document["holds"], false);
+    EXPECT_EQ(document["violation_count"], 0);
+    EXPECT_EQ(document["silent"], nlohmann::json::parse("[0, 1]"));
+    // The one without the other end alone
+    const auto other = nlohmann::json::parse(Monitor({File("other.log", report), "--json"}).out);
+    EXPECT_EQ(other["holds"], false);
+    EXPECT_EQ(other["silent"], nlohmann::json::parse("[0]"));
+    // The one that has both
+    const Answer good = Monitor({File("good.log", pair), "--html", Path("page.html")});
+    EXPECT_EQ(good.status, 0) << good.out;
+    EXPECT_EQ(good.out.find(silent), std::string::npos) << good.out;
+    EXPECT_EQ(cia306::ReadTextFile(Path("page.html")).find("no valid pair came"), std::string::npos);
+    const auto holds = nlohmann::json::parse(Monitor({File("good.log", pair), "--json"}).out);
+    EXPECT_EQ(holds["holds"], true);
+    EXPECT_EQ(holds["silent"], nlohmann::json::array());
+    // A producer alone, whose pair came, and one whose pair did not
+    EXPECT_EQ(RunCommand({"monitor", File("good.log", pair), "--dcf", Example("sensor")}).status, 0);
+    EXPECT_EQ(RunCommand({"monitor", File("other.log", report), "--dcf", Example("sensor")}).status, 1);
+}
+
+TEST_F(MonitorCommandTest, FramesInWordsAreInTheDocument)
+{
+    Verifies(req::SRS_MON_241);
+    const std::string file = File("two.log", "(1.000000) can0 701#05\n(1.500000) can0 001#\n");
+    const auto document = nlohmann::json::parse(Monitor({file, "--frames", "--json"}).out);
+    ASSERT_EQ(document["frame_texts"].size(), 2U);
+    EXPECT_EQ(document["frame_texts"][0]["time_s"], 1.0);
+    EXPECT_EQ(document["frame_texts"][0]["text"], "701h [1] 05  error control Sensor is OPERATIONAL");
+    EXPECT_EQ(document["frame_texts"][1]["time_s"], 1.5);
+    EXPECT_FALSE(nlohmann::json::parse(Monitor({file, "--json"}).out).contains("frame_texts"));
+    // Of more than 100 000 the first ones
+    std::string text;
+    for (int frame = 0; frame < 100001; ++frame)
+    {
+        text += "(1.000000) can0 701#05\n";
+    }
+    const auto many = nlohmann::json::parse(RunCommand({"monitor", File("many.log", text), "--frames", "--json"}).out);
+    EXPECT_EQ(many["frames"], 100001);
+    EXPECT_EQ(many["frame_texts"].size(), 100000U);
 }
 
 TEST_F(MonitorCommandTest, WritesAPageThatNeedsNoOtherFile)
@@ -321,7 +379,7 @@ TEST_F(MonitorCommandTest, ACaptureThatDoesNotTellInterfacesApartIsAWarning)
     const std::string doubt =
         "link type 113 (SLL) does not tell interfaces apart: what is judged as one bus may be several";
     const Answer answer = Monitor({cooked, "--html", Path("page.html")});
-    EXPECT_EQ(answer.status, 0);
+    EXPECT_EQ(answer.status, 1); // No pair came.
     EXPECT_EQ(answer.err, cooked + ": warning: " + doubt + "\n");
     EXPECT_EQ(answer.out.rfind("1 frames, 1 SRDO; ", 0U), 0U) << answer.out;
     EXPECT_NE(cia306::ReadTextFile(Path("page.html")).find("<p class=\"bad\">" + doubt), std::string::npos);
@@ -385,7 +443,7 @@ TEST_F(MonitorCommandTest, GoesOnWhenALiveBusIsBack)
     frame.identifier = 0x705U;
     static_cast<void>(host::OpenLiveBus(group)->Send(frame));
     const std::string told = monitor.ReadAll();
-    EXPECT_EQ(monitor.End(), 0) << told;
+    EXPECT_EQ(monitor.End(), 1) << told; // No pair came.
     EXPECT_EQ(cia306::ReadTextFile(Path("errors")), "counterpoint monitor: " + address +
                                                         " went down; nothing is judged until it is back\n" +
                                                         "counterpoint monitor: " + address + " is back\n");
@@ -463,8 +521,9 @@ TEST_F(MonitorCommandTest, ASummaryFollowsASignal)
         is_over = true;
         asking.join();
         static_cast<void>(std::signal(number, SIG_DFL));
-        EXPECT_EQ(answer.status, 0) << answer.err;
+        EXPECT_EQ(answer.status, 1) << answer.err; // No pair came.
         const auto document = nlohmann::json::parse(answer.out);
+        EXPECT_EQ(document["violation_count"], 0);
         EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(500));
         EXPECT_TRUE(document["first_s"].is_null() && document["last_s"].is_null()) << answer.out; // No frame came.
     }

@@ -21,6 +21,7 @@ constexpr std::uint8_t kGroupOf[kHighestSub + 1U] = {0U, kAllGroups, kCommunicat
                                                      kManufacturerGroup};
 constexpr std::uint32_t kValuesInItem = 12U;
 constexpr std::uint32_t kHeaderItemBytes = 10U;
+constexpr std::uint32_t kNodeItemBytes = kHeaderItemBytes + 1U; ///< With the node-ID.
 constexpr std::uint8_t kHeaderItem = 0U;
 constexpr std::uint8_t kValueItem = 1U;
 constexpr std::uint32_t kValueItemHead = 5U;
@@ -58,7 +59,13 @@ std::uint32_t ContinueWith(const std::uint32_t crc, const std::uint32_t value) n
 } // namespace
 
 StoredEntries::StoredEntries(const EntryTable& table, const Dictionary& dictionary, Tpdos& tpdos, Rpdos& rpdos) noexcept
-    : table_(table), dictionary_(dictionary), tpdos_(tpdos), rpdos_(rpdos)
+    : table_(table), dictionary_(dictionary), tpdos_(tpdos), rpdos_(rpdos), defaults_(nullptr)
+{
+}
+
+StoredEntries::StoredEntries(const EntryTable& table, const Dictionary& dictionary, Tpdos& tpdos, Rpdos& rpdos,
+                             const NodeDefaults& defaults) noexcept
+    : table_(table), dictionary_(dictionary), tpdos_(tpdos), rpdos_(rpdos), defaults_(&defaults)
 {
 }
 
@@ -74,7 +81,11 @@ StoredItem StoredEntries::Item(const std::uint32_t number, const Room& room) noe
     if (((entry.uses & kStored) != 0U) && (room.size_bytes > kAddressBytes))
     {
         const Reading reading = ReadEntry(entry, Room{&room.data[kAddressBytes], room.size_bytes - kAddressBytes});
-        item = StoredItem{reading.abort, GroupOfIndex(entry.index), kAddressBytes + reading.size_bytes};
+        const Bytes value{&room.data[kAddressBytes], reading.size_bytes};
+        const bool follows_node =
+            (defaults_ != nullptr) && (reading.abort == SdoAbort::kNone) && defaults_->IsNodeDefault(number, value);
+        const std::uint8_t group = follows_node ? std::uint8_t{0U} : GroupOfIndex(entry.index);
+        item = StoredItem{reading.abort, group, kAddressBytes + reading.size_bytes};
         ToLittleEndian(entry.index, room.data, 2U);
         room.data[2] = entry.sub;
     }
@@ -116,8 +127,14 @@ void StoredEntries::Lose(std::uint8_t) noexcept
 }
 
 StoredSafety::StoredSafety(Kernel& kernel) noexcept
-    : kernel_(kernel), header_{0U, 0U, 0U}, has_header_(false), has_image_(false), given_crc_(0U)
+    : kernel_(kernel), header_{0U, 0U, 0U}, has_header_(false), has_image_(false), given_crc_(0U), node_(nullptr),
+      is_of_node_(true)
 {
+}
+
+StoredSafety::StoredSafety(Kernel& kernel, const NodeId& node) noexcept : StoredSafety(kernel)
+{
+    node_ = &node;
 }
 
 /// The header, then the values. Where there is none to be had, the header alone, which then refuses: a set without it
@@ -142,6 +159,11 @@ StoredItem StoredSafety::Item(const std::uint32_t number, const Room& room) noex
         ToLittleEndian(header_.count, &room.data[1], 4U);
         ToLittleEndian(header_.crc, &room.data[5], 4U);
         room.data[9] = header_.valid;
+        if (node_ != nullptr)
+        {
+            room.data[kHeaderItemBytes] = node_->value;
+            item.size_bytes = kNodeItemBytes;
+        }
         item.abort = has_image_ ? SdoAbort::kNone : SdoAbort::kDeviceState;
     }
     else if (has_room)
@@ -189,15 +211,19 @@ SdoAbort StoredSafety::EndSave(const std::uint8_t groups) noexcept
 void StoredSafety::BeginLoad(std::uint8_t) noexcept
 {
     has_header_ = false;
+    is_of_node_ = true;
 }
 
+/// A header without a node-ID is of a device that has one for ever, or was saved before headers told it.
 bool StoredSafety::LoadItem(const Bytes& item) noexcept
 {
     bool is_loaded = false;
-    if ((item.size_bytes == kHeaderItemBytes) && (item.data[0] == kHeaderItem))
+    const bool has_node = (item.size_bytes == kNodeItemBytes);
+    if (((item.size_bytes == kHeaderItemBytes) || has_node) && (item.data[0] == kHeaderItem))
     {
         header_ = ImageHeader{NumberAt(&item.data[1]), NumberAt(&item.data[5]), item.data[9]};
         has_header_ = true;
+        is_of_node_ = (node_ == nullptr) || (!has_node) || (item.data[kHeaderItemBytes] == node_->value);
         is_loaded = true;
     }
     else if ((item.size_bytes > kValueItemHead) && (item.data[0] == kValueItem))
@@ -214,10 +240,25 @@ bool StoredSafety::LoadItem(const Bytes& item) noexcept
     return is_loaded;
 }
 
-/// The kernel checks what it got, and keeps the power-on configuration if that is not what was saved.
+/// The kernel checks what it got, and keeps the power-on configuration if that is not what was saved. It looks at the
+/// node-ID by its digest alone, and expects none where the node-ID is not that of the file.
 bool StoredSafety::EndLoad(std::uint8_t) noexcept
 {
-    return !has_header_ || (kernel_.Image().Load(header_) == Result::kSuccessful);
+    bool is_used = true;
+    if (has_header_ && is_of_node_)
+    {
+        is_used = (kernel_.Image().Load(header_) == Result::kSuccessful);
+    }
+    else if (has_header_)
+    {
+        static_cast<void>(kernel_.Image().RestoreDefaults());
+        is_used = false;
+    }
+    else
+    {
+        // Nothing was saved of it.
+    }
+    return is_used;
 }
 
 void StoredSafety::Lose(const std::uint8_t groups) noexcept

@@ -3,6 +3,7 @@
 #define CANOPEN_CIA301_STORE_STORED_PARTS_HPP
 
 #include "canopen/cia301/dictionary/number_hook.hpp"
+#include "canopen/cia301/nmt/slave.hpp"
 #include "canopen/cia301/pdo/objects.hpp"
 #include "canopen/cia301/store/parameter_store.hpp"
 
@@ -11,12 +12,31 @@
 namespace counterpoint::cia301
 {
 
+/// Knows which values of a table are those of the node-ID.
+class NodeDefaults
+{
+  public:
+    /// @brief Whether the default of the entry at this place of the table is reckoned from the node-ID ($NODEID in a
+    /// file), and is this value.
+    [[nodiscard]] virtual bool IsNodeDefault(std::uint32_t number, const Bytes& value) const noexcept = 0;
+
+  protected:
+    NodeDefaults() noexcept = default;
+    ~NodeDefaults() noexcept = default;
+    NodeDefaults(const NodeDefaults&) = default;
+    NodeDefaults& operator=(const NodeDefaults&) = default;
+};
+
 /// Stores the entries of a table that have kStored; `dictionary` works on the same table. An item is index, sub-index
 /// and value. While a set is loaded, PDOs may be configured in any order. All kept by reference. [SRS_STO_011]
 class StoredEntries final : public StoredPart
 {
   public:
+    /// @brief Each value is stored as it is: for a device whose node-ID never changes, or without values of it.
     StoredEntries(const EntryTable& table, const Dictionary& dictionary, Tpdos& tpdos, Rpdos& rpdos) noexcept;
+    /// @brief A value that is the default of the node-ID is not stored, so that it follows the node-ID. [SRS_STO_240]
+    StoredEntries(const EntryTable& table, const Dictionary& dictionary, Tpdos& tpdos, Rpdos& rpdos,
+                  const NodeDefaults& defaults) noexcept;
 
     [[nodiscard]] std::uint32_t ItemCount() noexcept override;
     [[nodiscard]] StoredItem Item(std::uint32_t number, const Room& room) noexcept override;
@@ -30,16 +50,20 @@ class StoredEntries final : public StoredPart
     const Dictionary& dictionary_;
     Tpdos& tpdos_;
     Rpdos& rpdos_;
+    const NodeDefaults* defaults_; ///< Null: none is known.
 };
 
 /// The configuration that the kernel owns (1300h to 13FFh), as a part of the communication group. Where the saved one
 /// is lost, or the kernel refuses it, its power-on configuration holds, without A5h in 13FEh. The kernel is kept by
-/// reference. [SRS_STO_012, SRS_STO_014, SRS_STO_017, SRS_STO_019, SRS_STO_021]
+/// reference. [SRS_STO_012, SRS_STO_014, SRS_STO_017, SRS_STO_019, SRS_STO_021, SRS_STO_241]
 class StoredSafety final : public StoredPart
 {
   public:
-    /// @brief The kernel outlives it.
+    /// @brief The kernel outlives it. For a device whose node-ID never changes.
     explicit StoredSafety(Kernel& kernel) noexcept;
+    /// @brief What was saved with another node-ID is refused. `node` is the one that the kernel was started with, and
+    /// may change before a load.
+    StoredSafety(Kernel& kernel, const NodeId& node) noexcept;
 
     [[nodiscard]] std::uint32_t ItemCount() noexcept override;
     [[nodiscard]] StoredItem Item(std::uint32_t number, const Room& room) noexcept override;
@@ -55,6 +79,8 @@ class StoredSafety final : public StoredPart
     bool has_header_;
     bool has_image_;          ///< The kernel gave one to be saved.
     std::uint32_t given_crc_; ///< CRC-32 of the values that a save has been given.
+    const NodeId* node_;      ///< Null: never another one.
+    bool is_of_node_;         ///< The set that is being loaded was saved with this node-ID, or does not tell.
 };
 
 /// Hook of 1010h and 1011h: sub-index 1 all, 2 communication, 3 application, 4 manufacturer. The store is kept by

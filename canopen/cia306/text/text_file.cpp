@@ -140,11 +140,16 @@ void RequireNoOwnOutput(const std::string& path, const struct stat& status)
     }
 }
 
+/// What no file can be named is refused here, before anything is made for it. [SRS_CLI_240]
 Keeping KeepingOf(const std::string& path)
 {
     struct stat status{};
     if (::stat(path.c_str(), &status) != 0)
     {
+        if (errno != ENOENT && errno != ELOOP) // A link in a circle has words of its own.
+        {
+            Refuse(path, "it cannot be created (" + ErrorText() + ")", "a path in a writable folder");
+        }
         return {kNewFileMode, static_cast<uid_t>(-1), static_cast<gid_t>(-1)};
     }
     if (!S_ISREG(status.st_mode))
@@ -177,6 +182,14 @@ std::string FolderOf(const std::string& target)
     return folder.empty() ? "." : folder;
 }
 
+/// Begin of a name beside `target` that leaves room for a number behind it, however long the own one is.
+std::string BesideOf(const std::string& target)
+{
+    constexpr std::size_t most = 200U;
+    const std::filesystem::path path(target);
+    return (path.parent_path() / path.filename().string().substr(0U, most)).string();
+}
+
 /// A new file beside `target`, without a name where the system can do that: a process that is killed leaves nothing.
 /// Else its name is written into `temporary`.
 int CreateBeside(const std::string& path, const std::string& target, std::string& temporary)
@@ -184,7 +197,7 @@ int CreateBeside(const std::string& path, const std::string& target, std::string
     int descriptor = ::open(FolderOf(target).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
     if (descriptor < 0 && (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL))
     {
-        temporary = target + ".XXXXXX";
+        temporary = BesideOf(target) + ".XXXXXX";
         descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
     }
     if (descriptor < 0)
@@ -205,7 +218,7 @@ void KeepOwner(const std::string& path, const int descriptor, const Keeping& kee
 /// Gives a file without a name one beside `target`.
 bool Name(const int descriptor, const std::string& target, std::string& temporary)
 {
-    const std::string name = target + "." + std::to_string(::getpid());
+    const std::string name = BesideOf(target) + "." + std::to_string(::getpid());
     const std::string own = "/proc/self/fd/" + std::to_string(descriptor);
     const bool is_named =
         !temporary.empty() || ::linkat(AT_FDCWD, own.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
@@ -278,6 +291,10 @@ std::string ReadTextFile(const std::string& path)
 
 void RequireWritable(const std::string& path)
 {
+    if (path.empty()) // A file beside it can be made, and not take its place.
+    {
+        Refuse(path, "it has no name", "the name of a file");
+    }
     const Keeping keeping = KeepingOf(path);
     std::string temporary;
     const Descriptor file(CreateBeside(path, TargetOf(path), temporary));

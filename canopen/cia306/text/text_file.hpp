@@ -15,8 +15,8 @@ constexpr std::size_t kMaxFileBytes = 16U * 1024U * 1024U;
 /// file that is larger than kMaxFileBytes. [SRS_EDS_017]
 [[nodiscard]] std::string ReadTextFile(const std::string& path);
 
-/// Throws the InputError that WriteTextFile would throw for this path, and leaves nothing behind. For commands that
-/// write their result only after long work.
+/// Throws InputError where WriteTextFile would for this path, and leaves nothing behind. For commands that
+/// write their result only after long work. [SRS_CLI_240]
 void RequireWritable(const std::string& path);
 
 /// Replaces or creates the file in one step (a new file beside it, then a rename); an existing file keeps its

@@ -8,6 +8,7 @@
 #include "canopen/cia306/safety/device_parameters.hpp"
 #include "canopen/cia306/safety/safety_configuration.hpp"
 #include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/text/number.hpp"
 #include "canopen/cia306/text/utf16.hpp"
 #include "runtime/device/objects/cob_ids.hpp"
 #include "runtime/device/objects/service_length.hpp"
@@ -311,6 +312,8 @@ void DeviceObjects::SetValue(const cia306::Entry& source, const std::uint8_t nod
     stored.value.resize((source.type.bits + 7U) / 8U);
     const std::optional<cia306::Value> value = cia306::UsableValue(file_, source, node_id);
     stored.is_configured = value.has_value();
+    const auto formula = cia306::ParseFormula(source.Configured().text);
+    stored.is_of_node = stored.is_configured && source.type.bits != 0U && formula && formula->has_node_id;
     if (value)
     {
         const std::string& text = value->text;
@@ -430,6 +433,14 @@ void DeviceObjects::Load(const Stored& stored) noexcept
                                  cia306::Hex(static_cast<std::uint32_t>(abort), 8) + ", expected " +
                                  (expected.empty() ? "one of the object's range" : expected)});
     }
+}
+
+/// The table has the order of `stored_`.
+bool DeviceObjects::IsNodeDefault(const std::uint32_t number, const cia301::Bytes& value) const noexcept
+{
+    const Stored& stored = stored_[number];
+    return stored.is_of_node &&
+           std::equal(stored.value.begin(), stored.value.end(), value.data, value.data + value.size_bytes);
 }
 
 const std::vector<cia306::Finding>& DeviceObjects::Refusals() const noexcept

@@ -3,6 +3,7 @@
 #define RUNTIME_DEVICE_OBJECTS_OBJECTS_HPP
 
 #include "canopen/cia301/dictionary/dictionary.hpp"
+#include "canopen/cia301/store/stored_parts.hpp"
 #include "canopen/cia306/file/device.hpp"
 #include "canopen/device/services.hpp"
 #include "runtime/device/objects/hooks.hpp"
@@ -25,7 +26,7 @@ constexpr std::uint32_t kMostDomainBytes = 16U * 1024U * 1024U;
 
 /// The objects of an EDS or DCF that are not the kernel's, as a table for a dictionary. It owns their values, so it
 /// cannot be moved or copied. [SRS_NODE_001]
-class DeviceObjects
+class DeviceObjects final : public cia301::NodeDefaults
 {
   public:
     /// Whether an object is kept by the kernel.
@@ -51,6 +52,8 @@ class DeviceObjects
     void LoadApplication() noexcept;
     /// @brief Sets 1000h to 1FFFh to the values of the file; services get theirs by their hooks.
     void LoadCommunication() noexcept;
+    /// @brief Whether this is the value of an entry that the file writes with $NODEID. [SRS_NODE_240]
+    [[nodiscard]] bool IsNodeDefault(std::uint32_t number, const cia301::Bytes& value) const noexcept override;
     /// @brief Values of the file that a service refused at the last LoadCommunication, and values and limits that their
     /// data type cannot have, which are left out.
     [[nodiscard]] const std::vector<cia306::Finding>& Refusals() const noexcept;
@@ -72,6 +75,7 @@ class DeviceObjects
         cia306::Place type_place; ///< Of its data type.
         std::uint32_t type_bytes{0U};
         bool is_configured{false}; ///< The file gives it.
+        bool is_of_node{false};    ///< The file gives it with $NODEID.
     };
 
     /// The hooks of an object whose value is kept elsewhere.

@@ -97,9 +97,10 @@ void NodeMemory::Work()
 }
 
 NodeStore::NodeStore(const std::string& path, const NodeStoreParts& parts)
-    : path_(path), memory_(path), entries_(parts.table, parts.dictionary, parts.services.tpdos, parts.services.rpdos),
-      loaded_(entries_, parts.dictionary), safety_(parts.kernel), lss_({0U, {0U}}), list_{&loaded_, &safety_, &lss_},
-      scratch_(kLargestItem),
+    : path_(path), memory_(path),
+      entries_(parts.table, parts.dictionary, parts.services.tpdos, parts.services.rpdos, parts.defaults),
+      loaded_(entries_, parts.dictionary), safety_(parts.kernel, parts.services.node), lss_({0U, {0U}}),
+      list_{&loaded_, &safety_, &lss_}, scratch_(kLargestItem),
       store_({memory_, list_.data(), static_cast<std::uint8_t>(list_.size()), {scratch_.data(), kLargestItem}}),
       objects_(store_)
 {
@@ -122,7 +123,8 @@ std::string NodeStore::Load(const std::uint8_t groups) noexcept
     }
     if (report.finding == cia301::StoreFinding::kRefused && report.refused == 0U)
     {
-        return warning + "the saved safety configuration is refused, expected that of this device; 13FEh is not A5h";
+        return warning +
+               "the saved safety configuration is refused, expected that of this device and node-ID; 13FEh is not A5h";
     }
     return (report.refused == 0U)
                ? std::string()

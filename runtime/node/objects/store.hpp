@@ -55,6 +55,7 @@ struct NodeStoreParts
 {
     Kernel& kernel;
     const cia301::EntryTable& table;
+    const cia301::NodeDefaults& defaults; ///< Of the same table.
     cia301::Dictionary& dictionary;
     device::Services& services;
 };

@@ -5,6 +5,8 @@
 #include "tests/safety_core/kernel/rig.hpp"
 #include "verification/trace/ids/store.hpp"
 
+#include <vector>
+
 namespace counterpoint::cia301
 {
 namespace
@@ -71,7 +73,95 @@ TEST_F(StoredEntriesTest, SettingsOfLssLeaveThePdosAsTheyAre)
     EXPECT_EQ(sink.frames.size(), 1U);
 }
 
+/// 11h in the first entry is the default of the node-ID.
+struct FirstIsOfNode final : public NodeDefaults
+{
+    [[nodiscard]] bool IsNodeDefault(const std::uint32_t number, const Bytes& value) const noexcept override
+    {
+        return (number == 0U) && (value.size_bytes == 1U) && (value.data[0] == 0x11U);
+    }
+};
+
+TEST_F(StoredEntriesTest, ADefaultOfTheNodeIdIsNotKept)
+{
+    Verifies(req::SRS_STO_240);
+    // Given two entries with 11h, of which the first one's is that of the node-ID
+    std::array<Entry, 2> table{entries[0], entries[0]};
+    table[0].uses = kStored;
+    table[1].uses = kStored;
+    table[1].index = static_cast<std::uint16_t>(entries[0].index + 1U);
+    const FirstIsOfNode defaults{};
+    std::array<std::uint8_t, 16> room{};
+    const Room out{room.data(), 16U};
+    StoredEntries stored{EntryTable{table.data(), 2U}, dictionary, tpdos, rpdos, defaults};
+    EXPECT_EQ(stored.Item(0U, out).group, 0U);
+    EXPECT_EQ(stored.Item(1U, out).group, kManufacturerGroup);
+    // A value that somebody gave it is kept, and without such knowledge every value is
+    u8[0] = 0x12U;
+    EXPECT_EQ(stored.Item(0U, out).group, kManufacturerGroup);
+    u8[0] = 0x11U;
+    StoredEntries plain{EntryTable{table.data(), 2U}, dictionary, tpdos, rpdos};
+    EXPECT_EQ(plain.Item(0U, out).group, kManufacturerGroup);
+    // One that cannot be read is an error, whatever it is the default of
+    table[0].size_bytes = 2U;
+    const StoredItem unread = stored.Item(0U, Room{room.data(), 4U});
+    EXPECT_NE(unread.abort, SdoAbort::kNone);
+    EXPECT_EQ(unread.group, kManufacturerGroup);
+}
+
 using StoredSafetyItemsTest = Rig;
+
+// Saved with node-ID 5
+TEST_F(StoredSafetyItemsTest, TheConfigurationOfAnotherNodeIdIsRefused)
+{
+    Verifies(req::SRS_STO_241);
+    Configure();
+    std::array<std::uint8_t, 64> scratch{};
+    NodeId node{5U};
+    StoredSafety safety{kernel, node};
+    std::vector<std::vector<std::uint8_t>> items;
+    const std::uint32_t count = safety.ItemCount();
+    for (std::uint32_t i = 0U; i < count; ++i)
+    {
+        const StoredItem item = safety.Item(i, Room{scratch.data(), 64U});
+        items.emplace_back(scratch.begin(), scratch.begin() + item.size_bytes);
+    }
+    ASSERT_EQ(items[0].size(), 11U);
+    EXPECT_EQ(items[0][10], 5U);
+    const auto load = [&items](StoredPart& part)
+    {
+        part.BeginLoad(kAllGroups);
+        for (const std::vector<std::uint8_t>& item : items)
+        {
+            EXPECT_TRUE(part.LoadItem({item.data(), static_cast<std::uint32_t>(item.size())}));
+        }
+        return part.EndLoad(kAllGroups);
+    };
+    EXPECT_TRUE(load(safety));
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    // When the node-ID is another one
+    node.value = 9U;
+    EXPECT_FALSE(load(safety));
+    // Then the power-on configuration holds: SRDO 1 is off
+    EXPECT_EQ(Read(0x13FEU, 0U), 0U);
+    EXPECT_EQ(Read(0x1301U, 1U), 0U);
+    // With the old one it is back
+    node.value = 5U;
+    EXPECT_TRUE(load(safety));
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    // A part that knows no node-ID takes it, and one that knows its own takes a set that tells none
+    StoredSafety plain{kernel};
+    EXPECT_TRUE(load(plain));
+    items[0].pop_back();
+    EXPECT_TRUE(load(safety));
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    // Where nothing was loaded nothing changes, nor by an item as long as a header that is none
+    safety.BeginLoad(kAllGroups);
+    const std::uint8_t other[11] = {2U, 1U, 0U, 0U, 0U, 9U, 9U, 9U, 9U, 0xA5U, 5U};
+    EXPECT_FALSE(safety.LoadItem({other, 11U}));
+    EXPECT_TRUE(safety.EndLoad(kAllGroups));
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+}
 
 TEST_F(StoredSafetyItemsTest, WithoutRoomForAnItemNoneIsGiven)
 {

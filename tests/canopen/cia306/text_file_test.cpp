@@ -233,6 +233,43 @@ TEST_F(TextFile, WhetherAPathCanBeWrittenIsKnownBefore)
     EXPECT_EQ(ReadTextFile(Path("a")), "old");
     EXPECT_FALSE(std::filesystem::exists(Path("b"))) << "nothing is left behind";
 }
+
+// What asks and what writes say the same: of no name, of one of 256 bytes, one longer than the system allows, one
+// below a file.
+TEST_F(TextFile, APathThatNoFileCanHaveIsRefusedBefore)
+{
+    Verifies(req::SRS_CLI_240);
+    WriteTextFile(Path("a"), "old");
+    const auto refusal_of = [](const std::function<void()>& work) -> std::string
+    {
+        try
+        {
+            work();
+        }
+        catch (const InputError& error)
+        {
+            return error.what();
+        }
+        return "";
+    };
+    for (const std::string& path : {Path(std::string(256U, 'n')), Path(std::string(5000U, 'n')), Path("a/b")})
+    {
+        const std::string asked = refusal_of([&path] { RequireWritable(path); });
+        EXPECT_NE(asked, "") << path;
+        EXPECT_EQ(refusal_of([&path] { WriteTextFile(path, "x"); }), asked);
+    }
+    const std::string nameless = refusal_of([] { RequireWritable(""); });
+    EXPECT_EQ(nameless, ": error: it has no name, expected the name of a file");
+    EXPECT_NE(refusal_of([] { WriteTextFile("", "x"); }), "");
+    // The longest name is a name
+    const std::string longest = Path(std::string(255U, 'n'));
+    RequireWritable(longest);
+    WriteTextFile(longest, "x");
+    EXPECT_EQ(ReadTextFile(longest), "x");
+    const auto files = std::distance(std::filesystem::directory_iterator(folder_), {});
+    EXPECT_EQ(files, 2) << "nothing is left behind";
+}
+
 TEST_F(TextFile, ASocketIsNoRegularFileEither)
 {
     Verifies(req::SRS_CLI_006);

@@ -44,6 +44,7 @@ inline constexpr RequirementId SRS_CLI_039{"SRS_CLI_039"};
 inline constexpr RequirementId SRS_CLI_040{"SRS_CLI_040"};
 inline constexpr RequirementId SRS_CLI_120{"SRS_CLI_120"};
 inline constexpr RequirementId SRS_CLI_170{"SRS_CLI_170"};
+inline constexpr RequirementId SRS_CLI_240{"SRS_CLI_240"};
 inline constexpr RequirementId SRS_EDS_001{"SRS_EDS_001"};
 inline constexpr RequirementId SRS_EDS_002{"SRS_EDS_002"};
 inline constexpr RequirementId SRS_EDS_003{"SRS_EDS_003"};

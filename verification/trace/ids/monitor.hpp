@@ -38,6 +38,8 @@ inline constexpr RequirementId SRS_MON_044{"SRS_MON_044"};
 inline constexpr RequirementId SRS_MON_045{"SRS_MON_045"};
 inline constexpr RequirementId SRS_MON_120{"SRS_MON_120"};
 inline constexpr RequirementId SRS_MON_170{"SRS_MON_170"};
+inline constexpr RequirementId SRS_MON_240{"SRS_MON_240"};
+inline constexpr RequirementId SRS_MON_241{"SRS_MON_241"};
 } // namespace counterpoint::req
 
 #endif

@@ -79,6 +79,7 @@ inline constexpr RequirementId SRS_NODE_152{"SRS_NODE_152"};
 inline constexpr RequirementId SRS_NODE_153{"SRS_NODE_153"};
 inline constexpr RequirementId SRS_NODE_160{"SRS_NODE_160"};
 inline constexpr RequirementId SRS_NODE_161{"SRS_NODE_161"};
+inline constexpr RequirementId SRS_NODE_240{"SRS_NODE_240"};
 } // namespace counterpoint::req
 
 #endif

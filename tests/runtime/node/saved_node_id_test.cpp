@@ -1,0 +1,138 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "runtime/node/device.hpp"
+#include "tests/tools/command_run.hpp"
+#include "tests/tools/echo_bus.hpp"
+#include "verification/trace/ids/node.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <thread>
+
+// A node that is saved with one node-ID and starts with another one. The file writes 1014h, 1400h:01 and 1800h:01 with
+// $NODEID.
+namespace counterpoint::runtime
+{
+namespace
+{
+using cia301::SdoAbort;
+
+constexpr std::uint64_t kNsPerMs = 1000000U;
+constexpr std::uint32_t kSave = 0x65766173U;
+
+class SavedNodeIdTest : public tools::test::CommandTest
+{
+  protected:
+    [[nodiscard]] NodeSettings SettingsOf(const std::uint8_t node_id) const
+    {
+        NodeSettings settings;
+        settings.dcf = std::string(COUNTERPOINT_SOURCE) + "/tests/runtime/data/everything.dcf";
+        settings.store = Path("node.store");
+        settings.cycle_us = 5000U;
+        settings.node_id = node_id;
+        settings.has_self_tests = false;
+        return settings;
+    }
+    void Start(const NodeSettings& settings)
+    {
+        device.reset();
+        device = std::make_unique<NodeDevice>(settings, ports, report);
+        now_ns += kNsPerMs;
+        EXPECT_TRUE(device->PowerOn({Instant{0U}, Instant{0U}}, now_ns));
+    }
+    [[nodiscard]] std::uint64_t Read(const ObjectAddress& object)
+    {
+        return device->Assembly().Dictionary().ReadNumber(object).value;
+    }
+    SdoAbort Write(const ObjectAddress& object, const std::uint32_t value, const std::uint8_t size_bytes)
+    {
+        return device->Assembly().Dictionary().WriteNumber(object, value, size_bytes);
+    }
+    void Save()
+    {
+        SdoAbort abort = Write({0x1010U, 1U}, kSave, 4U);
+        for (int i = 0; i < 100000 && abort == SdoAbort::kPending; ++i)
+        {
+            now_ns += kNsPerMs;
+            device->Serve({Instant{0U}, Instant{0U}}, now_ns);
+            std::this_thread::sleep_for(std::chrono::microseconds(10));
+            abort = device->Assembly().Dictionary().WriteNumberAgain({0x1010U, 1U}, kSave, 4U);
+        }
+        ASSERT_EQ(abort, SdoAbort::kNone);
+    }
+    [[nodiscard]] std::string Told()
+    {
+        static_cast<void>(report.Finish());
+        return out.str();
+    }
+
+    std::ostringstream out{};
+    NodeReport report{out, ReportForm::kText, 0U};
+    NodePorts ports{std::make_unique<tools::test::EchoBus>(false, 0U),
+                    std::make_unique<tools::test::EchoBus>(false, 0U)};
+    std::unique_ptr<NodeDevice> device{};
+    std::uint64_t now_ns{kNsPerMs};
+};
+
+TEST_F(SavedNodeIdTest, WhatNobodyChangedFollowsTheNodeId)
+{
+    Verifies(req::SRS_NODE_240);
+    // Given node 5, of which 1017h and the identifier of TPDO 1 were changed, and saved
+    Start(SettingsOf(5U));
+    EXPECT_EQ(Read({0x1014U, 0U}), 0x85U);
+    EXPECT_EQ(Write({0x1017U, 0U}, 777U, 2U), SdoAbort::kNone);
+    EXPECT_EQ(Write({0x1800U, 1U}, 0xC0000185U, 4U), SdoAbort::kNone);
+    EXPECT_EQ(Write({0x1800U, 1U}, 0x400001A5U, 4U), SdoAbort::kNone);
+    Save();
+    // When it becomes node 9, by the command line or by LSS
+    NodeSettings by_lss = SettingsOf(5U);
+    by_lss.has_lss = true;
+    by_lss.lss_node_id = 9U;
+    for (const NodeSettings& settings : {SettingsOf(9U), by_lss})
+    {
+        Start(settings);
+        // Then its emergencies and RPDO 1 are those of node 9
+        EXPECT_EQ(device->Assembly().NodeId(), 9U);
+        EXPECT_EQ(Read({0x1014U, 0U}), 0x89U);
+        EXPECT_EQ(Read({0x1400U, 1U}), 0x209U);
+        // and what somebody changed is as it was saved
+        EXPECT_EQ(Read({0x1017U, 0U}), 777U);
+        EXPECT_EQ(Read({0x1800U, 1U}), 0x400001A5U);
+    }
+    // And saved as node 9 it is node 5 again
+    Save();
+    Start(SettingsOf(5U));
+    EXPECT_EQ(Read({0x1014U, 0U}), 0x85U);
+    EXPECT_EQ(Read({0x1400U, 1U}), 0x205U);
+    EXPECT_EQ(Read({0x1800U, 1U}), 0x400001A5U);
+}
+
+TEST_F(SavedNodeIdTest, TheSavedSafetyConfigurationIsThatOfItsNodeId)
+{
+    Verifies(req::SRS_NODE_240);
+    Start(SettingsOf(5U));
+    EXPECT_EQ(Read({0x13FEU, 0U}), 0xA5U);
+    Save();
+    Start(SettingsOf(5U));
+    EXPECT_EQ(Read({0x13FEU, 0U}), 0xA5U);
+    EXPECT_EQ(Read({0x1301U, 1U}), 2U);
+    // When it becomes node 9
+    Start(SettingsOf(9U));
+    // Then its SRDOs are off, which is told
+    EXPECT_EQ(Read({0x13FEU, 0U}), 0U);
+    EXPECT_EQ(Read({0x1301U, 1U}), 0U);
+    // and as node 5 it is what was saved
+    Start(SettingsOf(5U));
+    EXPECT_EQ(Read({0x13FEU, 0U}), 0xA5U);
+    device.reset();
+    const std::string told = Told();
+    const std::string refused = "the saved safety configuration is refused, expected that of this device and node-ID; "
+                                "13FEh is not A5h";
+    EXPECT_NE(told.find(refused), std::string::npos) << told;
+    EXPECT_EQ(told.find(refused), told.rfind(refused)) << told;
+}
+} // namespace
+} // namespace counterpoint::runtime
