@@ -7,6 +7,11 @@ namespace counterpoint::third_voice
 {
 namespace
 {
+SrdoMask BitOf(const std::ptrdiff_t slot)
+{
+    return SrdoMask{1U} << static_cast<unsigned>(slot);
+}
+
 constexpr Time kUsPerMs = 1000;
 constexpr Time kDelayUs = 500; ///< Of the first transmission, for each node-ID.
 constexpr std::uint32_t kGfcIdentifier = 1U;
@@ -57,11 +62,6 @@ AbortCode Device::Write(const Address address, const std::uint64_t value, const 
         WriteSafe(srdos_[slot]);
     }
     return written.abort;
-}
-
-SrdoMask Device::BitOf(const Srdo& srdo) const
-{
-    return SrdoMask{1U} << static_cast<unsigned>(&srdo - srdos_.data());
 }
 
 ConsumerRules Device::RulesOf(const Srdo& srdo) const
@@ -254,7 +254,7 @@ void Device::Cycle(const Time now, const SrdoMask acknowledge_a, const SrdoMask 
     has_gfc_fault_ = false;
     for (Srdo& srdo : srdos_)
     {
-        const SrdoMask bit = BitOf(srdo);
+        const SrdoMask bit = BitOf(&srdo - srdos_.data());
         srdo.observers[0].LookAtAcknowledge((acknowledge_a & bit) != 0U, now);
         srdo.observers[1].LookAtAcknowledge((acknowledge_b & bit) != 0U, now);
         if (srdo.observers[0].IsActive())
@@ -437,7 +437,7 @@ SrdoMask Device::Open() const
     SrdoMask open = 0U;
     for (const Srdo& srdo : srdos_)
     {
-        open |= srdo.is_released ? BitOf(srdo) : 0U;
+        open |= srdo.is_released ? BitOf(&srdo - srdos_.data()) : 0U;
     }
     return open;
 }

@@ -94,7 +94,6 @@ class Device
     void Enter(Time now);
     void Leave();
     void Decide(Srdo& srdo, Time now);
-    [[nodiscard]] SrdoMask BitOf(const Srdo& srdo) const;
 
     const DeviceConfig& config_;
     Flaw flaw_;

@@ -244,5 +244,24 @@ TEST_F(ManagerShownTest, ThePictureIsAsWideAsItsLongestTextAndScrollsAlone)
     EXPECT_EQ(page.find("overflow-x"), page.rfind("overflow-x"));
     EXPECT_NE(page.find("<figure><figcaption>"), std::string::npos);
 }
+
+TEST_F(ManagerShownTest, ThePageHasEmergenciesAndFitsAPhone)
+{
+    Verifies(req::SRS_MGR_139);
+    Verifies(req::SRS_MGR_142);
+    Make("manager: {node: 127}\nslaves: [{node: 5, boot: false}]\n");
+    Run(2U);
+    Hear(0x85U, {0x30U, 0x81U, 0x11U, 0U, 0U, 0U, 0U, 0U});
+    const std::string page = Page();
+    EXPECT_NE(page.find("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"), std::string::npos);
+    EXPECT_NE(page.find("<th>emergency</th>"), std::string::npos);
+    EXPECT_NE(page.find("<td data-of=\"emergency\">0x8130 (1)</td>"), std::string::npos);
+    EXPECT_NE(page.find("<div class=\"wide\"><table class=\"results\">"), std::string::npos);
+    // Below each other, each with its title.
+    EXPECT_NE(page.find("@media(max-width:600px)"), std::string::npos);
+    EXPECT_NE(page.find(".results td::before{content:attr(data-of)"), std::string::npos);
+    EXPECT_NE(page.find("<td data-of=\"name\">"), std::string::npos);
+    EXPECT_NE(page.find("<td data-of=\"state\" class=\""), std::string::npos);
+}
 } // namespace
 } // namespace counterpoint::tools
