@@ -135,7 +135,7 @@ class Kernel
     /// @brief Sends the global fail-safe command; an SRDO of this device must follow. [SRS_KRN_013]
     [[nodiscard]] Result SendGfc() noexcept;
     /// @brief Checks all SRDOs in both channels: by all rules outside OPERATIONAL, by signature and resolved mapping in
-    /// it; then the device digest. [SRS_KRN_015]
+    /// it; then the device digest. [SRS_KRN_015, SRS_KRN_210, SRS_KRN_211]
     [[nodiscard]] CheckReply CheckConfiguration() noexcept;
     /// @brief The device digest as both channels compute it now, whatever is expected: what 5F04h has to hold. O(slots)
     /// [SRS_KRN_150]

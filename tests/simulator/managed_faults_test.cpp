@@ -113,9 +113,40 @@ TEST_F(ManagedFaultsTest, WhatHappensToDevicesHappensBesideAManager)
     EXPECT_TRUE(Has(answer.out, "holds   output of node actuator SRDO 1 is closed")) << answer.out;
 }
 
+TEST_F(ManagedFaultsTest, ADeviceThatComesBackHasLostItsSupplyAndForgottenAll)
+{
+    Verifies(req::SRS_SIM_211);
+    Verifies(req::SRS_SIM_212);
+    // Given a relay whose output is open, and of which somebody has changed the heartbeat
+    const std::string given = "events:\n  - {at: 2900 ms, do: store, node: actuator, object: 0x1017:00, value: 77}\n";
+    const std::string before = "expect:\n  - {that: released, node: actuator, srdo: 1, at: 2990 ms}\n"
+                               "  - {that: value, node: actuator, object: 0x1017:00, is: 77, at: 2990 ms}\n";
+    for (const char* const events :
+         {"  - {at: 3 s, do: pull, node: actuator}\n  - {at: 3100 ms, do: insert, node: actuator}\n",
+          "  - {at: 3100 ms, do: reset, node: actuator}\n",
+          "  - {at: 3100 ms, do: replace, node: actuator, serial: 77}\n"})
+    {
+        // When it comes back
+        const Answer answer =
+            Simulate(given + events + before +
+                         "  - {that: event, is: boot_up, node: actuator, from: 3100 ms, until: 3200 ms}\n"
+                         "  - {that: safe, node: actuator, srdo: 1, at: 3101 ms}\n"
+                         "  - {that: device, node: actuator, is: operational, at: 3900 ms}\n"
+                         "  - {that: safe, node: actuator, srdo: 1, at: 3990 ms}\n"
+                         "  - {that: value, node: actuator, object: 0x1017:00, is: 100, at: 3150 ms}\n",
+                     {"--quiet"});
+        // Then it has the heartbeat of its file, and its output waits for somebody who acknowledges
+        EXPECT_EQ(answer.status, 0) << events << answer.out << answer.err;
+    }
+    const Answer pulled = Simulate("events:\n  - {at: 3 s, do: pull, node: actuator}\n"
+                                   "expect:\n  - {that: device, node: actuator, is: absent}\n",
+                                   {"--quiet"});
+    EXPECT_EQ(pulled.status, 0) << pulled.out << pulled.err;
+}
+
 TEST_F(ManagedFaultsTest, ADeviceOfTwoCpusIsManaged)
 {
-    Verifies(req::SRS_SIM_060);
+    Verifies(req::SRS_SIM_210);
     Verifies(req::SRS_LNK_011);
     const std::string folder = cia306::test::SourceFolder() + "/examples/";
     const std::string nodes = "title: x\nduration: 3 s\nmanagers: [{network: " + Shipped("network.yaml") +

@@ -51,6 +51,24 @@ TEST_F(Statements, DifferenceBeyondTheDiscrepancyTimeIsShown)
     EXPECT_EQ(After(Statement{GuardView::kConfigured, 1U, 1U, 1U, 1U}, 51001U), GuardView::kInvalid);
 }
 
+// Given two devices that are not operational, of which the peer tells another digest, then it is no difference.
+TEST_F(Statements, DigestIsComparedOnlyWhileBothAreOperational)
+{
+    Verifies(req::SRS_TWO_007);
+    PeerRig rig{PeerRole::kA};
+    rig.channel.outcome.not_operational = 1U;
+    rig.Cycle(1000U);
+    for (std::uint32_t now_us = 10000U; now_us <= 300000U; now_us += 10000U)
+    {
+        LinkMessage word = rig.AnswerTo(now_us - 3000U);
+        word.statement = Statement{GuardView::kConfigured, 1U, 1U, 1U, 1U};
+        word.digest = DeviceDigest{5U};
+        rig.Hear(word, now_us - 1000U);
+        rig.Cycle(now_us);
+        EXPECT_EQ(rig.remote.guard, GuardView::kConfigured) << now_us;
+    }
+}
+
 // Given another digest (the own one is 0 for three cycles, then 321), when it lasts for the diagnostic interval of 100
 // ms, then it is tolerated; longer is a disagreement.
 TEST_F(Statements, DigestBeyondTheDiagnosticIntervalIsShown)

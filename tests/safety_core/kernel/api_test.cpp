@@ -129,7 +129,7 @@ TEST_F(Facade, DemandBeforeStartHasNoEffect)
 
 TEST_F(Facade, DigestIsToldAndCheckedAsTheConfigurationIs)
 {
-    Verifies(req::SRS_KRN_015);
+    Verifies(req::SRS_KRN_211);
     Verifies(req::SRS_KRN_150);
     EXPECT_EQ(kernel.Digest().result, Result::kDeviceFault);
     Operate();

@@ -75,6 +75,11 @@ inline constexpr RequirementId SRS_CMG_170{"SRS_CMG_170"};
 inline constexpr RequirementId SRS_CMG_171{"SRS_CMG_171"};
 inline constexpr RequirementId SRS_CMG_172{"SRS_CMG_172"};
 inline constexpr RequirementId SRS_CMG_173{"SRS_CMG_173"};
+inline constexpr RequirementId SRS_CMG_210{"SRS_CMG_210"};
+inline constexpr RequirementId SRS_CMG_211{"SRS_CMG_211"};
+inline constexpr RequirementId SRS_CMG_212{"SRS_CMG_212"};
+inline constexpr RequirementId SRS_CMG_213{"SRS_CMG_213"};
+inline constexpr RequirementId SRS_CMG_214{"SRS_CMG_214"};
 } // namespace counterpoint::req
 
 #endif

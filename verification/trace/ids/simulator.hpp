@@ -90,6 +90,9 @@ inline constexpr RequirementId SRS_SIM_081{"SRS_SIM_081"};
 inline constexpr RequirementId SRS_SIM_082{"SRS_SIM_082"};
 inline constexpr RequirementId SRS_SIM_083{"SRS_SIM_083"};
 inline constexpr RequirementId SRS_SIM_170{"SRS_SIM_170"};
+inline constexpr RequirementId SRS_SIM_210{"SRS_SIM_210"};
+inline constexpr RequirementId SRS_SIM_211{"SRS_SIM_211"};
+inline constexpr RequirementId SRS_SIM_212{"SRS_SIM_212"};
 } // namespace counterpoint::req
 
 #endif

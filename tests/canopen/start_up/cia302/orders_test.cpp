@@ -207,6 +207,45 @@ TEST_F(BootOrdersTest, AStopOfTheOwnNodeHoldsTheMasterAlone)
     EXPECT_EQ(Step(), MasterStep::kOperational);
 }
 
+TEST_F(BootOrdersTest, WhoBecomesTheActiveMasterIsHeldByNoOrderOfBefore)
+{
+    Verifies(req::SRS_BOOT_031);
+    // Given a master that an order holds
+    Add(5U, kMust).boot_ms = 50U;
+    Begin();
+    Run(20U);
+    EXPECT_EQ(Command(NmtCommand::kPreOperational, 127U), NmtAnswer::kTaken);
+    Run(500U);
+    ASSERT_EQ(Step(), MasterStep::kReady);
+    // When it leads no more, and leads again
+    start_up.End();
+    Begin();
+    Run(500U);
+    // Then it starts itself
+    EXPECT_EQ(Step(), MasterStep::kOperational);
+}
+
+TEST_F(BootOrdersTest, AStopOfOneThatRunsSinceBeforeEndsWithItsLetterAndByHand)
+{
+    Verifies(req::SRS_BOOT_030);
+    // Given a slave that is kept alive and OPERATIONAL
+    Add(5U, kMust | kKeepAlive).heartbeat_ms = 50U;
+    setups[5].heartbeat = HeartbeatSetup{150U, 50U, Arming::kFirstHeartbeat};
+    PowerAll();
+    Run(10U);
+    slaves[5]->OnFrame(CanFrame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {1U, 5U}}, Now());
+    is_begun = true;
+    start_up.Begin(Now());
+    Run(20U);
+    ASSERT_TRUE(Of(5U).is_busy);
+    // When it is told to stop while its start-up runs
+    EXPECT_EQ(Command(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
+    Run(2000U);
+    // Then it is not started
+    EXPECT_EQ(Status(5U), "L 26 not started");
+    EXPECT_EQ(StateOf(5U), NodeState::kStopped);
+}
+
 TEST_F(BootOrdersTest, TheStartOfTheMasterWaitsForTheQueue)
 {
     Verifies(req::SRS_BOOT_015);
