@@ -118,7 +118,7 @@ class Comparator
     /// [SRS_CMP_001, SRS_CMP_002, SRS_CMP_003, SRS_CMP_004, SRS_CMP_005, SRS_CMP_006, SRS_CMP_007, SRS_CMP_008,
     /// SRS_CMP_150]
     [[nodiscard]] Verdict Compare(const Comparison& comparison) noexcept;
-    /// @brief A comparison that counts for nothing: what differs, and since when, stays as it was. [SRS_CMP_009]
+    /// @brief A comparison that counts for nothing: what differs, and since when, stays as it was. [SRS_CMP_212]
     [[nodiscard]] Verdict Try(const Comparison& comparison) const noexcept
     {
         Comparator copy{*this};

@@ -99,7 +99,8 @@ class ConfigurationGuard
     {
         return copies_.Device();
     }
-    /// @brief Fields of an SRDO with a static mapping. [SRS_KRN_024]
+    /// @brief Fields of an SRDO with a static mapping. [SRS_KRN_024, SRS_KRN_217, SRS_KRN_218,
+    /// SRS_KRN_219]
     [[nodiscard]] Result DefineFields(SlotIndex slot, const StaticFields& fields) noexcept;
 
     /// @brief 13FEh as it is.

@@ -127,7 +127,7 @@ void Kernel::OnFrame(const StampedFrame& frame) noexcept
 // t      prepare            normal on the bus         inverse on the bus
 // A      normal frame       confirm, inverse frame    confirm: sent
 // B      compared           confirm, compared         confirm: sent
-// An identifier that was stored since then belongs to the next pair. [SRS_KRN_036]
+// An identifier that was stored since then belongs to the next pair. [SRS_KRN_036, SRS_KRN_220, SRS_KRN_221]
 void Kernel::OnConfirm(const StampedFrame& frame) noexcept
 {
     if (!run_.started)

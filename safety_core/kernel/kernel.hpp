@@ -105,7 +105,7 @@ class Kernel
 
     /// @brief A received frame, in bus order. O(payload) [SRS_KRN_007, SRS_KRN_008]
     void OnFrame(const StampedFrame& frame) noexcept;
-    /// @brief A frame of this device was on the bus, in bus order with the received ones. [SRS_KRN_014]
+    /// @brief A frame of this device was on the bus, in bus order with the received ones. [SRS_KRN_214]
     void OnConfirm(const StampedFrame& frame) noexcept;
     /// @brief Frames were lost between controller and kernel. [SRS_KRN_009]
     void OnOverflow() noexcept

@@ -13,7 +13,7 @@ namespace counterpoint
 {
 
 /// What the device sends: SRDOs by both channels, and the GFC. [SRS_KRN_004, SRS_KRN_011, SRS_KRN_012, SRS_KRN_013,
-/// SRS_KRN_014, SRS_KRN_017]
+/// SRS_KRN_014, SRS_KRN_017, SRS_KRN_213, SRS_KRN_214, SRS_KRN_215, SRS_KRN_216]
 class Production
 {
   public:
@@ -85,7 +85,7 @@ class Production
         return transmitted_told_;
     }
     /// @brief The normal frame of an SRDO was on the bus: its inverse frame follows, if this device may still send
-    /// and both channels give the same one. [SRS_KRN_014]
+    /// and both channels give the same one. [SRS_KRN_214]
     static void SendInverse(KernelContext& context, SlotIndex slot) noexcept;
     /// @brief The pair of an SRDO was sent.
     void OnSent() noexcept

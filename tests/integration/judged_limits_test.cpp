@@ -35,7 +35,7 @@ constexpr Nanoseconds kUs = kNanosecondsPerMicrosecond;
 TEST(JudgedLimit, FollowsTheDetectionOfTheDevice)
 {
     Verifies(req::SRS_SIM_031);
-    Verifies(req::SRS_LIM_001);
+    Verifies(req::SRS_LIM_210);
     const std::string lost =
         "faults:\n  - {fault: loss, frames: {identifier: 0x104, receiver: actuator, from: 500 ms, count: 1000}}\n"
         "expect:\n  - {that: safe_within, node: actuator, srdo: 1}\n";

@@ -401,7 +401,7 @@ TEST_F(Comparing, ProducerThatBothCallDueInTimeIsNoFault)
 // before.
 TEST_F(Comparing, SelfTestWaitsForTheEndOfTheIntervalAndBeginsWithTheSameDifferenceAfterEachRestart)
 {
-    Verifies(req::SRS_CMP_009);
+    Verifies(req::SRS_CMP_211);
     DeviceConfig config{};
     config.cycle_us = 1000U;
     config.cycle_tolerance_us = 500U;
@@ -461,6 +461,7 @@ TEST_F(Comparing, PairThatIsKeptBackWithoutADifferenceIsUnmatchedAfterTheDiscrep
 TEST_F(Comparing, SelfTestDoesNotMindWhatTheChannelsSayAndAFaultOfTheirsStaysTheirs)
 {
     Verifies(req::SRS_CMP_009);
+    Verifies(req::SRS_CMP_212);
     DeviceConfig config{};
     config.test_interval_us = 1U;
     config.srdo_count = 4U;
@@ -483,7 +484,7 @@ TEST_F(Comparing, SelfTestDoesNotMindWhatTheChannelsSayAndAFaultOfTheirsStaysThe
 // t [us]    1000   2000 (seen)   3000, 5000 tried   6000 (limit)   6001
 TEST_F(Comparing, TryCountsForNothing)
 {
-    Verifies(req::SRS_CMP_009);
+    Verifies(req::SRS_CMP_212);
     (void)CompareAt(1000U);
     a.outcome.fresh = 4U;
     a.outcome.ordinal_sum = 10U;
