@@ -10,6 +10,7 @@ namespace counterpoint::tools
 {
 namespace
 {
+using cia306::test::Changed;
 using cia306::test::NetworkFile;
 using test::Answer;
 using test::RunCommand;

@@ -43,7 +43,7 @@ class SafetyGate final : public StartGate
     /// nothing happens. [SRS_SFS_001]
     void Verify(NodeId node, Instant now) noexcept override;
     /// @brief Writes the whole safety configuration, then as Verify. The slave has to be PRE-OPERATIONAL: it refuses
-    /// otherwise. False: no safety slave, in doubt, or no slot. [SRS_SFS_005]
+    /// otherwise. False: no safety slave, in doubt, or no slot. [SRS_SFS_005, SRS_SFS_210, SRS_SFS_211, SRS_SFS_213]
     [[nodiscard]] bool Write(NodeId node, Instant now) noexcept;
     /// @brief Two devices may have this node-ID: the gate is closed and stays so until Trust. [SRS_SFS_151]
     void Doubt(NodeId node) noexcept;

@@ -431,6 +431,7 @@ TEST_F(DeviceFurtherTest, AClientAndASecondServerShareTheBusWithTheFirst)
 TEST_F(DeviceFurtherTest, WorkInPreOperationalAndOperationalAlone)
 {
     Verifies(req::SRS_DEV_210);
+    Verifies(req::SRS_SDC_210);
     Start();
     Configure();
     std::uint8_t day = 1U;
@@ -453,6 +454,10 @@ TEST_F(DeviceFurtherTest, WorkInPreOperationalAndOperationalAlone)
         EXPECT_EQ(code, works ? 0x4210U : 0U) << int{command};
         EXPECT_EQ(Sent(0x6A0U).size(), works ? 1U : 0U) << int{command};
         EXPECT_EQ(Sent(0x605U).size(), works ? 1U : 0U) << int{command};
+        if (!works)
+        {
+            EXPECT_EQ(client.Client().Outcome().abort, cia301::SdoAbort::kDeviceState);
+        }
         Frame(0x585U, {0x43U, 0x00U, 0x10U, 0U, 1U, 2U, 3U, 4U});
         Cycle();
         ++day;

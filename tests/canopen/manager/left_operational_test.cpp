@@ -183,7 +183,7 @@ TEST_P(LeftOperationalTest, ByAStopOfWhichItHasNotSpokenYetIsStartedAgainByOrder
 
 TEST_P(LeftOperationalTest, ByAStopOfWhichItHasNotSpokenYetIsMadePreOperationalToBeWritten)
 {
-    Verifies(req::SRS_SFS_005);
+    Verifies(req::SRS_SFS_212);
     setups[5].heartbeat = HeartbeatSetup{300U, 100U, Arming::kFirstHeartbeat};
     StartAndForget(GetParam());
     EXPECT_FALSE(manager->WriteSafety(NodeId{5U}, Now())); // It is OPERATIONAL.

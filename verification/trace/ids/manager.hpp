@@ -73,6 +73,16 @@ inline constexpr RequirementId SRS_MGR_161{"SRS_MGR_161"};
 inline constexpr RequirementId SRS_MGR_210{"SRS_MGR_210"};
 inline constexpr RequirementId SRS_MGR_211{"SRS_MGR_211"};
 inline constexpr RequirementId SRS_MGR_212{"SRS_MGR_212"};
+inline constexpr RequirementId SRS_MGR_213{"SRS_MGR_213"};
+inline constexpr RequirementId SRS_MGR_214{"SRS_MGR_214"};
+inline constexpr RequirementId SRS_MGR_215{"SRS_MGR_215"};
+inline constexpr RequirementId SRS_MGR_216{"SRS_MGR_216"};
+inline constexpr RequirementId SRS_MGR_217{"SRS_MGR_217"};
+inline constexpr RequirementId SRS_MGR_218{"SRS_MGR_218"};
+inline constexpr RequirementId SRS_MGR_219{"SRS_MGR_219"};
+inline constexpr RequirementId SRS_MGR_220{"SRS_MGR_220"};
+inline constexpr RequirementId SRS_MGR_221{"SRS_MGR_221"};
+inline constexpr RequirementId SRS_MGR_222{"SRS_MGR_222"};
 inline constexpr RequirementId SRS_NET_001{"SRS_NET_001"};
 inline constexpr RequirementId SRS_NET_002{"SRS_NET_002"};
 inline constexpr RequirementId SRS_NET_003{"SRS_NET_003"};
@@ -104,6 +114,11 @@ inline constexpr RequirementId SRS_SFS_151{"SRS_SFS_151"};
 inline constexpr RequirementId SRS_SFS_152{"SRS_SFS_152"};
 inline constexpr RequirementId SRS_SFS_153{"SRS_SFS_153"};
 inline constexpr RequirementId SRS_SFS_154{"SRS_SFS_154"};
+inline constexpr RequirementId SRS_SFS_210{"SRS_SFS_210"};
+inline constexpr RequirementId SRS_SFS_211{"SRS_SFS_211"};
+inline constexpr RequirementId SRS_SFS_212{"SRS_SFS_212"};
+inline constexpr RequirementId SRS_SFS_213{"SRS_SFS_213"};
+inline constexpr RequirementId SRS_SFS_214{"SRS_SFS_214"};
 } // namespace counterpoint::req
 
 #endif
