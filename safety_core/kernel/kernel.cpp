@@ -226,7 +226,7 @@ CycleInput Kernel::TakeInput(const CycleCall& call, const std::uint32_t challeng
     SrdoMask request = halted;
     NmtState nmt = NmtState::kPreOperational;
     // OPERATIONAL that was left and entered again between two cycles was left: the channels see one cycle outside of
-    // it, and what was asked for since then waits for the next one. [SRS_KRN_010, SRS_KRN_011]
+    // it, and what was asked for since then waits for the next one. [SRS_KRN_010, SRS_KRN_222, SRS_KRN_224]
     if (!run_.left_operational)
     {
         nmt = context_.guard.Nmt();

@@ -40,7 +40,7 @@ class Production
         return Result::kSuccessful;
     }
     /// @brief Sends the GFC, composed here and compared with a constant; an SRDO must follow within the shortest
-    /// refresh time. [SRS_KRN_013, SRS_KRN_042]
+    /// refresh time. [SRS_KRN_013, SRS_KRN_042, SRS_KRN_225]
     [[nodiscard]] Result SendGfc(KernelContext& context) noexcept;
 
     /// @brief A cycle begins at this instant of counter A.

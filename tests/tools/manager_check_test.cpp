@@ -346,7 +346,7 @@ TEST_F(ManagerCheckTest, WhatSlavesCannotMeetIsToldWhenTheManagerRunsToo)
     const std::string flag = relay + ":309:16: warning: 0x13FE:00: ";
     // Given a check, and a run that ends before the bus is opened
     for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
-             {"manager", "--check", network},
+             {"manager", "--check", network, File("other.yaml", "manager: {node: 126}\nslaves: [{node: 127}]\n")},
              {"manager", "--can", "udp:239.74.163.91:43191", "--network", network, "--log", ""}})
     {
         const Answer answer = RunCommand(words);

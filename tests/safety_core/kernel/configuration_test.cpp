@@ -121,7 +121,7 @@ TEST_F(Configuring, InvalidConfigurationIsNotRecheckedAndIsNoFault)
 
 TEST_F(Configuring, EnteringOperationalWithABrokenSignatureLeavesSrdosOff)
 {
-    Verifies(req::SRS_KRN_010);
+    Verifies(req::SRS_KRN_223);
     Configure();
     const ConfigItem changed{ConfigAddress{1U, ConfigField::kSrvt, 0U}, 21U};
     real_a.Store(changed);
@@ -141,7 +141,7 @@ TEST_F(Configuring, EnteringOperationalWithABrokenSignatureLeavesSrdosOff)
 // t [cycles]   1 released     (PRE-OPERATIONAL, written, OPERATIONAL)     2 off     3 waiting
 TEST_F(Configuring, LeavingAndEnteringOperationalBetweenTwoCyclesIsSeenAsLeft)
 {
-    Verifies(req::SRS_KRN_010);
+    Verifies(req::SRS_KRN_222);
     Operate();
     ReceivePair();
     Cycle();
@@ -168,7 +168,7 @@ TEST_F(Configuring, LeavingAndEnteringOperationalBetweenTwoCyclesIsSeenAsLeft)
 
 TEST_F(Configuring, OperationalAgainIsNotEnteringIt)
 {
-    Verifies(req::SRS_KRN_010);
+    Verifies(req::SRS_KRN_223);
     Operate();
     real_a.Store(ConfigItem{ConfigAddress{1U, ConfigField::kSrvt, 0U}, 21U});
     kernel.SetNmtState(NmtState::kOperational);
@@ -417,7 +417,7 @@ TEST_F(Configuring, DeclarationNeedsEqualAndExpectedDigests)
 
 TEST_F(Configuring, FirstOfSeveralBrokenSignaturesIsToldOnEnteringOperational)
 {
-    Verifies(req::SRS_KRN_010);
+    Verifies(req::SRS_KRN_223);
     Configure();
     for (const SlotIndex slot : std::initializer_list<SlotIndex>{2U, 1U})
     {
@@ -433,7 +433,7 @@ TEST_F(Configuring, FirstOfSeveralBrokenSignaturesIsToldOnEnteringOperational)
 // Whichever channel finds it: the other one was asked as well, and they differ.
 TEST_F(Configuring, EitherChannelAloneKeepsSrdosOffOnEnteringOperational)
 {
-    Verifies(req::SRS_KRN_010);
+    Verifies(req::SRS_KRN_223);
     for (Tap* const tap : {&a, &b})
     {
         application.invalid.clear();

@@ -287,6 +287,7 @@ TEST_F(SweptLimit, CopyOfOneChannelAndWhatBothRead)
 TEST_F(SweptLimit, LateCyclesDoNotStretchTheWalk)
 {
     Verifies(req::SRS_LIM_002);
+    Verifies(req::SRS_LIM_213);
     constexpr std::uint32_t kDoneUs[] = {10500U, 21000U, 30000U};
     for (const SlotIndex slot : std::initializer_list<SlotIndex>{0U, 1U, 2U})
     {
