@@ -113,7 +113,7 @@ TEST(RemoteVoiceAlone, PermitOfCpuBIsTheOneOfA)
 // own ones.
 TEST(RemoteVoiceAlone, RecheckGivesThePeersResult)
 {
-    Verifies(req::SRS_TWO_008);
+    Verifies(req::SRS_TWO_210);
     PeerRig rig{PeerRole::kA};
     rig.Cycle(1000U);
     EXPECT_EQ(rig.Remote().Recheck(1U).signature, 0x1234U);
@@ -139,7 +139,7 @@ TEST(RemoteVoiceAlone, RecheckGivesThePeersResult)
 // Given the remote voice, then the configuration is the own channel's, and what it is told to keep or do has no effect.
 TEST(RemoteVoiceAlone, ConfigurationIsTheOwnOne)
 {
-    Verifies(req::SRS_TWO_008);
+    Verifies(req::SRS_TWO_211);
     PeerRig rig{PeerRole::kA};
     Channel& remote = rig.Remote();
     remote.Store(ConfigItem{{0U, ConfigField::kSct, 0U}, 25U});
@@ -160,7 +160,8 @@ TEST(RemoteVoiceAlone, ConfigurationIsTheOwnOne)
 // anew.
 TEST(RemoteVoiceAlone, ArmedFrameIsUsedOnce)
 {
-    Verifies(req::SRS_TWO_010);
+    Verifies(req::SRS_TWO_214);
+    Verifies(req::SRS_TWO_215);
     PeerRig rig{PeerRole::kA};
     rig.Cycle(1000U);
     const auto tell = [&rig](std::uint8_t number, std::uint32_t at_us)
@@ -220,7 +221,7 @@ TEST(RemoteVoiceAlone, ConfirmsByIdentifier)
 // Given a channel with an inverse frame, then the own voice has it on CPU B, and neither voice on CPU A.
 TEST(RemoteVoiceAlone, InverseFrameIsThatOfCpuB)
 {
-    Verifies(req::SRS_TWO_013);
+    Verifies(req::SRS_TWO_216);
     PeerRig follower{PeerRole::kB};
     follower.channel.prepared.normal = PeerRig::Frame(0x104U);
     EXPECT_EQ(follower.Own().InverseFrame(1U).identifier, 0x104U);
