@@ -215,7 +215,7 @@ SliceResult RamTest::Slice(const RamPorts& ports) noexcept
     return (differences == 0U) ? result : SliceResult::kFailed;
 }
 
-// March C- and the backgrounds. Every step is done whatever was found. [SRS_STS_010, SRS_STS_214, SRS_STS_215]
+// March C- and the backgrounds. Every step is done whatever was found. [SRS_STS_010]
 std::uint32_t RamTest::TestWindow(const RamWindow& window, hal::MemoryAccess& memory) noexcept
 {
     constexpr std::uint32_t kUpright = 0U;
