@@ -212,7 +212,7 @@ TEST_P(LeftOperationalTest, ADeviceThatRestartsOftenIsNotTakenForTwo)
 
 TEST_P(LeftOperationalTest, ThatMayBeTwoWhileItRunsIsStopped)
 {
-    Verifies(req::SRS_MGR_010);
+    Verifies(req::SRS_MGR_226);
     Verifies(req::SRS_SFS_151);
     setups[5].heartbeat.producer_ms = 100U;
     StartAndForget(GetParam());

@@ -69,7 +69,7 @@ TEST_F(ManagerStationTest, AClientReadsTheNetwork)
 // answered behind the last one.
 TEST_F(ManagerStationTest, ACommandToEachGoesOnWhereTheQueueHeldItUp)
 {
-    Verifies(req::SRS_NMM_006);
+    Verifies(req::SRS_NMM_212);
     Make("manager: {node: 127, heartbeat: 100 ms, inhibit: 100 ms, boot_time: 2 s}\n"
          "slaves:\n"
          "  - {node: 5, boot: false, mandatory: false, vendor_id: 0xABC, consumer: 300 ms}\n"

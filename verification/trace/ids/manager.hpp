@@ -83,6 +83,10 @@ inline constexpr RequirementId SRS_MGR_219{"SRS_MGR_219"};
 inline constexpr RequirementId SRS_MGR_220{"SRS_MGR_220"};
 inline constexpr RequirementId SRS_MGR_221{"SRS_MGR_221"};
 inline constexpr RequirementId SRS_MGR_222{"SRS_MGR_222"};
+inline constexpr RequirementId SRS_MGR_223{"SRS_MGR_223"};
+inline constexpr RequirementId SRS_MGR_224{"SRS_MGR_224"};
+inline constexpr RequirementId SRS_MGR_225{"SRS_MGR_225"};
+inline constexpr RequirementId SRS_MGR_226{"SRS_MGR_226"};
 inline constexpr RequirementId SRS_NET_001{"SRS_NET_001"};
 inline constexpr RequirementId SRS_NET_002{"SRS_NET_002"};
 inline constexpr RequirementId SRS_NET_003{"SRS_NET_003"};
@@ -119,6 +123,13 @@ inline constexpr RequirementId SRS_SFS_211{"SRS_SFS_211"};
 inline constexpr RequirementId SRS_SFS_212{"SRS_SFS_212"};
 inline constexpr RequirementId SRS_SFS_213{"SRS_SFS_213"};
 inline constexpr RequirementId SRS_SFS_214{"SRS_SFS_214"};
+inline constexpr RequirementId SRS_SFS_215{"SRS_SFS_215"};
+inline constexpr RequirementId SRS_SFS_216{"SRS_SFS_216"};
+inline constexpr RequirementId SRS_SFS_217{"SRS_SFS_217"};
+inline constexpr RequirementId SRS_SFS_218{"SRS_SFS_218"};
+inline constexpr RequirementId SRS_SFS_219{"SRS_SFS_219"};
+inline constexpr RequirementId SRS_SFS_220{"SRS_SFS_220"};
+inline constexpr RequirementId SRS_SFS_221{"SRS_SFS_221"};
 } // namespace counterpoint::req
 
 #endif

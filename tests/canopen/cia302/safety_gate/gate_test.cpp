@@ -116,7 +116,7 @@ TEST_F(SafetyGateTest, AChangeWhileItReadsIsFound)
 
 TEST_F(SafetyGateTest, AnotherGfcWhileItReadsIsFound)
 {
-    Verifies(req::SRS_SFS_011);
+    Verifies(req::SRS_SFS_220);
     // Given that 1300h was read already
     gate.Verify(kSlave, Instant{now_us});
     Pass(20U);
@@ -424,7 +424,7 @@ TEST_F(SafetyWriteTest, AnOperationalSlaveTakesNothing)
 
 TEST_F(SafetyWriteTest, AnswersToItsOwnWritesAreNoForeignOnes)
 {
-    Verifies(req::SRS_SFS_011);
+    Verifies(req::SRS_SFS_221);
     int own = 0;
     on_answer = [this, &own](CanFrame& frame)
     {
@@ -490,6 +490,7 @@ TEST_F(SafetyWriteTest, AForeignWriteOfWhatWasWrittenLastBeginsItAnew)
 TEST_F(SafetyWriteTest, WhileItDeclaresValidAnAnswerToThatAloneIsItsOwn)
 {
     Verifies(req::SRS_SFS_011);
+    Verifies(req::SRS_SFS_221);
     Verifies(req::SRS_SFS_121);
     for (const ObjectAddress& other : {ObjectAddress{0x13FEU, 1U}, ObjectAddress{0x13FFU, 3U}})
     {
