@@ -273,7 +273,7 @@ TEST_F(OneReading, WhyTheKernelRefusesAStartIsToldByCheckAndSimulate)
     const Answer simulated = RunCommand(
         {"simulate", File("s.yaml", "title: x\nduration: 1 s\nnodes: {1: {dcf: slow.dcf, self_tests: false}}\n")});
     EXPECT_EQ(simulated.status, 2);
-    EXPECT_EQ(simulated.err, "slow.dcf: error: " + reason +
+    EXPECT_EQ(simulated.err, file + ": error: " + reason +
                                  ", expected SRDOs, objects and times of 0x5F00 within the ranges of DeviceConfig\n");
 }
 
@@ -288,6 +288,12 @@ TEST_F(OneReading, WhatSimulateAndMonitorNeedIsAWarning)
         RunCommand({"simulate", File("s.yaml", "title: x\nduration: 1 s\nnodes: {5: {dcf: plain.dcf}}\n")}).status, 2);
     const std::string log = File("bus.log", "(0.000000) can0 123#\n");
     EXPECT_EQ(RunCommand({"monitor", log, "--dcf", plain}).status, 2);
+    // And that of SRDOs that are not declared valid
+    const std::string invalid =
+        File("invalid.dcf", Changed(ExampleText("sensor"), {{"ParameterValue=0xA5", "ParameterValue=0x00"}}));
+    EXPECT_EQ(RunCommand({"check", invalid}).out,
+              invalid + ":309:16: warning: 0x13FE:00: 0x00: the SRDOs stay off, expected 0xA5 to set them going\n");
+    EXPECT_EQ(RunCommand({"monitor", log, "--dcf", invalid}).status, 2);
 }
 
 TEST_F(OneReading, AValueThatAServiceRefusesIsAWarningAtItsLine)
