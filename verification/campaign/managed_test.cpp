@@ -5,7 +5,9 @@
 #include "canopen/cia306/text/text_file.hpp"
 #include "verification/campaign/managed/memory.hpp"
 #include "verification/campaign/managed/stage.hpp"
+#include "verification/campaign/managed/watch.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -324,6 +326,111 @@ TEST_F(ManagedTest, AFlipChangesItsBitAloneAndNoAddress)
     }
     EXPECT_GT(addresses, 0);
     EXPECT_GT(values, 0);
+}
+
+/// The network of the examples with its judge, and frames of its manager that nobody sent.
+class JudgedNetwork
+{
+  public:
+    explicit JudgedNetwork(const managed::Plan& plan) : stage(plan), watch(stage, plan)
+    {
+    }
+    void RunTo(const std::int64_t ms)
+    {
+        for (; now_ms < ms; ++now_ms)
+        {
+            stage.World().RunUntil((now_ms + 1) * 1'000'000);
+            watch.Look((now_ms + 1) * 1'000'000);
+        }
+    }
+    void Commands(const std::uint8_t command, const std::uint8_t node)
+    {
+        const CanFrame frame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {command, node}};
+        Sends(frame, stage.Managers().front()->BusNode());
+    }
+    void Sends(const CanFrame& frame, const host::NodeIndex sender)
+    {
+        host::ReceptionList nobody;
+        watch.OnConfirmation({frame, sender, stage.World().Now(), 1U}, nobody);
+    }
+    /// Another safeguard cycle time in the relay.
+    void Change()
+    {
+        stage.World().At(Relay().index).Firmware().Store({0x1301U, 2U}, 77U);
+    }
+    [[nodiscard]] const managed::Slave& Relay() const
+    {
+        return *std::find_if(stage.Slaves().begin(), stage.Slaves().end(),
+                             [](const managed::Slave& slave) { return slave.node_id == 33U; });
+    }
+
+    managed::Stage stage;
+    managed::Watch watch;
+    std::int64_t now_ms{0};
+};
+
+TEST_F(ManagedTest, JudgeFindsEachWrongCommand)
+{
+    Verifies(req::SRS_CMG_072);
+    Verifies(req::SRS_CMG_215);
+    Verifies(req::SRS_CMG_216);
+    Verifies(req::SRS_CMG_220);
+    const managed::Plan plan = managed::ReadManagedPlan(NetworkPlan("plan.yaml", "until: 60 ms\n"));
+    // Given a start of all; a start before anything was read
+    JudgedNetwork all(plan);
+    all.RunTo(100);
+    ASSERT_EQ(all.watch.Found(), managed::Wrong::kNothing);
+    all.Commands(1U, 0U);
+    EXPECT_EQ(all.watch.Found(), managed::Wrong::kStartOfAll);
+    JudgedNetwork early(plan);
+    early.RunTo(1);
+    early.Commands(1U, 33U);
+    EXPECT_EQ(early.watch.Found(), managed::Wrong::kUnverified);
+    // Given one that was read, then it may be started again, also within 3 ms behind another command, and no later
+    JudgedNetwork late(plan);
+    late.RunTo(100);
+    late.Commands(1U, 33U);
+    EXPECT_EQ(late.watch.Found(), managed::Wrong::kNothing);
+    late.Commands(0x80U, 33U);
+    late.RunTo(102);
+    late.Commands(1U, 33U);
+    EXPECT_EQ(late.watch.Found(), managed::Wrong::kNothing);
+    late.RunTo(106);
+    late.Commands(1U, 33U);
+    EXPECT_EQ(late.watch.Found(), managed::Wrong::kUnverified);
+    // Given one that has another configuration by then
+    JudgedNetwork changed(plan);
+    changed.RunTo(100);
+    changed.Change();
+    changed.Commands(1U, 33U);
+    EXPECT_EQ(changed.watch.Found(), managed::Wrong::kConfiguration);
+}
+
+TEST_F(ManagedTest, JudgeFindsWhoRunsOnAndForeignIdentifiers)
+{
+    Verifies(req::SRS_CMG_218);
+    Verifies(req::SRS_CMG_219);
+    const managed::Plan plan = managed::ReadManagedPlan(NetworkPlan("plan.yaml", "until: 60 ms\n"));
+    // Given a relay that is changed while it runs
+    JudgedNetwork network(plan);
+    network.RunTo(100);
+    network.Change();
+    const std::int64_t stop_ms = plan.stop_within / 1'000'000;
+    network.RunTo(100 + stop_ms);
+    EXPECT_EQ(network.watch.Found(), managed::Wrong::kNothing);
+    network.RunTo(100 + stop_ms + 101);
+    EXPECT_EQ(network.watch.Found(), managed::Wrong::kRunsOn);
+    // Given a relay that sends what it sends without a fault, and something else
+    JudgedNetwork other(plan);
+    other.RunTo(100);
+    const managed::Reference reference = other.watch.TakeReference();
+    other.watch.Compare(reference, 100'000'000);
+    const CanFrame heartbeat{0x721U, FrameKind::kData, CanPortId::kFirst, 1U, {5U}};
+    other.Sends(heartbeat, other.Relay().bus_node);
+    EXPECT_EQ(other.watch.Found(), managed::Wrong::kNothing);
+    const CanFrame command{0x101U, FrameKind::kData, CanPortId::kFirst, 2U, {0U, 0U}};
+    other.Sends(command, other.Relay().bus_node);
+    EXPECT_EQ(other.watch.Found(), managed::Wrong::kIdentifier);
 }
 
 TEST_F(ManagedTest, ProgramOfAManagerThatEndsIsThatManagersEndAlone)
