@@ -239,11 +239,11 @@ TEST(WideFiles, AStaticMappingIsOneThatNobodyCanWrite)
                      .srdos[1]
                      .is_static);
     // Nor is one whose number of entries can be written
-    const std::string count = "DataType=0x0005\nAccessType=const\nDefaultValue=6\n";
-    EXPECT_FALSE(
-        SafetyOf(test::DeviceOf(test::Changed(text, {{count, "DataType=0x0005\nAccessType=rw\nDefaultValue=6\n"}})))
-            .srdos[1]
-            .is_static);
+    const std::string count = "Number of mapped objects\nObjectType=0x7\nDataType=0x0005\nAccessType=";
+    EXPECT_FALSE(SafetyOf(test::DeviceOf(test::Changed(
+                              text, {{count + "const\nDefaultValue=6\n", count + "rw\nDefaultValue=6\n"}})))
+                     .srdos[1]
+                     .is_static);
 }
 
 TEST(WideFiles, TheDigestIsThatOfAnIndependentComputation)
