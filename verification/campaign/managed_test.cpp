@@ -353,9 +353,11 @@ class JudgedNetwork
         host::ReceptionList nobody;
         watch.OnConfirmation({frame, sender, stage.World().Now(), 1U}, nobody);
     }
-    /// Another safeguard cycle time in the relay.
+    /// Somebody else makes the relay PRE-OPERATIONAL, and changes its safeguard cycle time.
     void Change()
     {
+        stage.Somebody().Send(CanFrame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {0x80U, 33U}});
+        RunTo(now_ms + 3);
         stage.World().At(Relay().index).Firmware().Store({0x1301U, 2U}, 77U);
     }
     [[nodiscard]] const managed::Slave& Relay() const
@@ -411,14 +413,14 @@ TEST_F(ManagedTest, JudgeFindsWhoRunsOnAndForeignIdentifiers)
     Verifies(req::SRS_CMG_218);
     Verifies(req::SRS_CMG_219);
     const managed::Plan plan = managed::ReadManagedPlan(NetworkPlan("plan.yaml", "until: 60 ms\n"));
-    // Given a relay that is changed while it runs
-    JudgedNetwork network(plan);
-    network.RunTo(100);
+    // Given a relay that is changed, and that somebody else starts, looked at each 50 ms
+    JudgedNetwork network(managed::ReadManagedPlan(NetworkPlan("short.yaml", "until: 60 ms\nstop_within: 1 ms\n")));
+    network.RunTo(143);
     network.Change();
-    const std::int64_t stop_ms = plan.stop_within / 1'000'000;
-    network.RunTo(100 + stop_ms);
+    network.stage.Somebody().Send(CanFrame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {1U, 33U}});
+    network.RunTo(199);
     EXPECT_EQ(network.watch.Found(), managed::Wrong::kNothing);
-    network.RunTo(100 + stop_ms + 101);
+    network.RunTo(200);
     EXPECT_EQ(network.watch.Found(), managed::Wrong::kRunsOn);
     // Given a relay that sends what it sends without a fault, and something else
     JudgedNetwork other(plan);

@@ -225,29 +225,6 @@ TEST_F(BootOrdersTest, WhoBecomesTheActiveMasterIsHeldByNoOrderOfBefore)
     EXPECT_EQ(Step(), MasterStep::kOperational);
 }
 
-TEST_F(BootOrdersTest, AStopOfOneThatRunsSinceBeforeEndsWithItsLetterAndByHand)
-{
-    Verifies(req::SRS_BOOT_030);
-    // Given a safety slave that is kept alive and OPERATIONAL, and is verified
-    Add(5U, kMust | kKeepAlive).heartbeat_ms = 50U;
-    setups[5].heartbeat = HeartbeatSetup{150U, 50U, Arming::kFirstHeartbeat};
-    Protect(5U);
-    gate.cycles = 100;
-    PowerAll();
-    Run(10U);
-    slaves[5]->OnFrame(CanFrame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {1U, 5U}}, Now());
-    is_begun = true;
-    start_up.Begin(Now());
-    Run(80U);
-    ASSERT_EQ(gate.verifications, 1);
-    // When it is told to stop meanwhile
-    EXPECT_EQ(Command(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
-    Run(2000U);
-    // Then it is not started
-    EXPECT_EQ(Status(5U), "L 26 not started");
-    EXPECT_EQ(StateOf(5U), NodeState::kStopped);
-}
-
 TEST_F(BootOrdersTest, TheStartOfTheMasterWaitsForTheQueue)
 {
     Verifies(req::SRS_BOOT_015);
