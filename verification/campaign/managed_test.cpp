@@ -413,9 +413,10 @@ TEST_F(ManagedTest, JudgeFindsWhoRunsOnAndForeignIdentifiers)
     Verifies(req::SRS_CMG_218);
     Verifies(req::SRS_CMG_219);
     const managed::Plan plan = managed::ReadManagedPlan(NetworkPlan("plan.yaml", "until: 60 ms\n"));
-    // Given a relay that is changed, and that somebody else starts, looked at each 50 ms
+    // Given a relay that is changed, and that somebody else starts, looked at each 50 ms, and a manager without supply
     JudgedNetwork network(managed::ReadManagedPlan(NetworkPlan("short.yaml", "until: 60 ms\nstop_within: 1 ms\n")));
     network.RunTo(143);
+    network.stage.Managers().front()->SwitchOff();
     network.Change();
     network.stage.Somebody().Send(CanFrame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {1U, 33U}});
     network.RunTo(199);
