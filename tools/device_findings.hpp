@@ -13,7 +13,8 @@
 namespace counterpoint::tools
 {
 /// @brief What `check` finds in a device file, in the order of the lines: its rules and, where these find no error,
-/// what the commands that use the file say of it. `text` is the text that `device` was read from. [SRS_CLI_030]
+/// what the commands that use the file say of it. `text` is the text that `device` was read from. [SRS_CLI_030,
+/// SRS_CLI_210, SRS_CLI_211, SRS_CLI_212]
 [[nodiscard]] std::vector<cia306::Finding> FindingsOf(const cia306::Device& device, const std::string& text,
                                                       const cia306::CheckOptions& options);
 

@@ -70,7 +70,8 @@ struct Services final : public ServiceSet, public cia301::WriteRule
     cia301::SdoServer sdo;
     cia301::SdoServerPort sdo_port; ///< Hook of 1200h.
     cia305::LssSlave* lss;          ///< Null: the node-ID is what it was at the construction. Set before PowerOn.
-    FurtherServices further;        ///< None at first; they send by `outbox`. Set before PowerOn. [SRS_DEV_020]
+    FurtherServices further;        ///< None at first; they send by `outbox`. Set before PowerOn. [SRS_DEV_020,
+                                    ///< SRS_DEV_210, SRS_DEV_211, SRS_DEV_212]
 
     KernelWatch* watch;             ///< Set by Device.
     cia301::Dictionary* dictionary; ///< The dictionary of the whole device; set by Device.

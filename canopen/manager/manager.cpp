@@ -164,7 +164,7 @@ void Manager::OnEmergency(const NodeId node, const EmergencyRecord& emergency, c
     parts_.listener.OnEmergency(node, emergency, now);
 }
 
-/// What a device says that may be two is worth nothing. [SRS_MGR_010]
+/// What a device says that may be two is worth nothing. [SRS_MGR_225, SRS_MGR_226]
 void Manager::OnDuplicate(const NodeId node, const Instant now) noexcept
 {
     gate_.Doubt(node);

@@ -92,7 +92,7 @@ class Manager final : public NmtListener, public NodeListener, public NodeWatchL
 
     /// @brief Writes the safety configuration of a slave by the full procedure and verifies it; one that was stopped is
     /// made PRE-OPERATIONAL before. False: it is not possible now, since the slave is OPERATIONAL, is another device
-    /// than the expected one, or commands for it wait. [SRS_SFS_005]
+    /// than the expected one, or commands for it wait. [SRS_SFS_005, SRS_SFS_212]
     [[nodiscard]] bool WriteSafety(NodeId node, Instant now) noexcept;
 
     /// @brief Whether it commands the network now. [SRS_MGR_002]

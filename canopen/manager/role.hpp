@@ -28,7 +28,8 @@ struct RoleParts
 };
 
 /// Whether this device commands the network: without a flying master from Begin on, with one while the negotiation made
-/// it the active master. The profile is begun and ended by it. [SRS_MGR_002]
+/// it the active master. The profile is begun and ended by it. [SRS_MGR_002, SRS_MGR_210,
+/// SRS_MGR_211, SRS_MGR_212]
 class ManagerRole final : public FlyingMasterListener
 {
   public:

@@ -26,17 +26,17 @@ struct ProfileSlave
 };
 
 /// @brief PDOs that a DCF switches on and maps, ascending; `first` is 1400h or 1800h. Throws cia306::InputError.
-/// [SRS_ELM_051]
+/// [SRS_ELM_051, SRS_ELM_210, SRS_ELM_214]
 [[nodiscard]] std::vector<cia302::El6751Pdo> MakePdos(const cia306::Device& device, std::uint8_t node_id,
                                                       std::uint16_t first);
 
 /// @brief Completes a setup for the profile; those of the others stay as they are. `file` is the network file that
 /// the plan is from. Throws cia306::InputError.
-/// [SRS_ELM_051, SRS_PLC_021]
+/// [SRS_ELM_051, SRS_ELM_215, SRS_PLC_021]
 void FillProfile(const std::string& file, StartProfile profile, const SlavePlan& plan, const cia306::Device& device,
                  ProfileSlave& slave, cia302::SlaveSetup& setup);
 /// @brief EL6751: of the concise DCF, what no row writes. After FillProfile, when the whole network is known: that says
-/// whether SYNC is sent. [SRS_ELM_051]
+/// whether SYNC is sent. [SRS_ELM_212, SRS_ELM_213]
 void LeaveOutRows(const cia306::Device& device, std::uint8_t node_id, const cia302::NetworkSetup& network,
                   ProfileSlave& slave, cia302::SlaveSetup& setup);
 } // namespace counterpoint::network_plan

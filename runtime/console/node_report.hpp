@@ -28,7 +28,8 @@ constexpr const char* kNodeFormat = "counterpoint-node-1";
 
 /// Writes what a node tells, a line each. A thread of its own writes the lines, so that a slow reader does not hold up
 /// the device, nor its end. Of an output that nobody reads lines are left out and counted; what tells of outputs,
-/// faults and the end last. [SRS_NODE_004, SRS_NODE_032]
+/// faults and the end last. [SRS_NODE_004, SRS_NODE_032, SRS_NODE_210, SRS_NODE_211,
+/// SRS_NODE_212]
 class NodeReport
 {
   public:

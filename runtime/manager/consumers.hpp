@@ -10,11 +10,11 @@
 namespace counterpoint::runtime
 {
 /// @brief Whether the start-up of the slave runs and has looked at the slave. It has not while it waits for its boot-up
-/// message or, under cia302, for its first answer. [SRS_MGR_021]
+/// message or, under cia302, for its first answer. [SRS_MGR_215]
 [[nodiscard]] bool IsStartingUp(const ManagerAssembly& assembly, cia302::NodeId node) noexcept;
 
 /// 1016h of the manager: which nodes it supervises by heartbeat, and with which time. At first these are the nodes of
-/// the network file, by node-ID. [SRS_MGR_021]
+/// the network file, by node-ID. [SRS_MGR_221, SRS_MGR_222]
 class ManagerConsumers
 {
   public:

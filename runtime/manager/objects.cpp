@@ -158,7 +158,7 @@ SdoAbort ManagerObjects::MayWrite(const ObjectAddress& address, const std::uint3
 }
 
 /// What the manager knows of a slave. A safety slave stays what its network file says: no write takes it out of the
-/// list that forbids a start of all. [SRS_MGR_021]
+/// list that forbids a start of all. [SRS_MGR_214]
 SdoAbort ManagerObjects::MayChange(const NodeId node) const noexcept
 {
     const bool is_listed = net_.Setup().IsListed(node);

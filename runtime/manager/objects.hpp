@@ -9,7 +9,8 @@
 namespace counterpoint::runtime
 {
 /// The objects by which a manager is seen and commanded, and what may be written while it runs. Hook of 1016h, 1017h,
-/// 102Ah, 1F20h to 1F27h, 1F53h to 1F58h and 1F80h to 1F90h. [SRS_MGR_021]
+/// 102Ah, 1F20h to 1F27h, 1F53h to 1F58h and 1F80h to 1F90h. [SRS_MGR_021, SRS_MGR_213,
+/// SRS_MGR_214, SRS_MGR_215, SRS_MGR_216, SRS_MGR_217, SRS_MGR_218, SRS_MGR_219, SRS_MGR_220]
 class ManagerObjects final : public cia301::ReadHook, public cia301::WriteHook
 {
   public:

@@ -12,7 +12,8 @@ namespace counterpoint
 {
 
 /// Finds a comparator that is blind: by two voices, and two frames, that differ in one bit of one member alone, another
-/// member in each cycle of a round, another bit in each round. [SRS_CMP_009, SRS_CMP_012]
+/// member in each cycle of a round, another bit in each round. [SRS_CMP_009, SRS_CMP_012, SRS_CMP_210,
+/// SRS_CMP_211]
 ///
 /// t    0                     test interval
 ///      |------ wait ------|0 1 2 ... 14|      The first wait counts from the first cycle, each other one from the

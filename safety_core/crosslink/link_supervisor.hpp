@@ -53,7 +53,7 @@ enum class TakeResult : std::uint8_t
 };
 
 /// Judges intact messages: sequence, freshness by echo, clock, time-out. [SRS_LNK_003, SRS_LNK_004, SRS_LNK_005,
-/// SRS_LNK_006, SRS_LNK_007, SRS_LNK_011, SRS_LNK_012]
+/// SRS_LNK_006, SRS_LNK_007, SRS_LNK_011, SRS_LNK_012, SRS_LNK_210]
 ///
 /// t        |--- window ---|...|--- window ---|...|   A drift that begins in a window may be too little in what is
 /// drift          |------------------------------>|   left of it: it is found in the next one. A window is over with
@@ -119,7 +119,8 @@ class LinkSupervisor
     /// start.
     [[nodiscard]] bool IsFresh(const LinkMessage& message, Instant received) const noexcept;
     /// @brief Loses the link where the progress of both clocks since the reference differs by more than the window's
-    /// share of the tolerance; behind the window this message is the new reference. [SRS_LNK_007]
+    /// share of the tolerance; behind the window this message is the new reference. [SRS_LNK_007, SRS_LNK_211,
+    /// SRS_LNK_212]
     void CompareClocks(const LinkMessage& message, Instant received) noexcept;
 
     LinkConfig config_{};

@@ -10,7 +10,7 @@ namespace counterpoint
 {
 
 /// What the follower has armed, as the message taken last tells the leader, and what became of it here.
-/// [SRS_TWO_010, SRS_TWO_012]
+/// [SRS_TWO_214, SRS_TWO_215]
 class OfferedFrames
 {
   public:

@@ -11,7 +11,8 @@ namespace counterpoint
 {
 
 /// What the own channel prepares to send, in step with the other CPU: the leader is due and tells it, the follower
-/// prepares what the leader is due for and arms it. [SRS_TWO_010, SRS_TWO_011, SRS_TWO_012]
+/// prepares what the leader is due for and arms it. [SRS_TWO_010, SRS_TWO_011, SRS_TWO_012, SRS_TWO_212,
+/// SRS_TWO_213]
 class OwnSending
 {
   public:

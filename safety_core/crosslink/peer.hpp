@@ -50,7 +50,7 @@ class Peer
     [[nodiscard]] LinkFinding Examine(Instant now) noexcept;
     /// @brief After each cycle: what the other CPU is to be told. O(bytes)
     void Compose(const PeerMoment& moment, hal::LinkFrame& frame) noexcept;
-    /// @brief Whether a received frame is the other CPU's half of a pair of this device. [SRS_TWO_013]
+    /// @brief Whether a received frame is the other CPU's half of a pair of this device. [SRS_TWO_217]
     [[nodiscard]] bool IsEcho(const CanFrame& frame) const noexcept;
     /// @brief State of the link, why it is lost, and what became of the messages.
     [[nodiscard]] const LinkSupervisor& Link() const noexcept;

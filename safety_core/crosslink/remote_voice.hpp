@@ -24,6 +24,7 @@ struct Difference
 /// It decides nothing. Without contact it shows what the own channel holds, and releases nothing. In contact it shows
 /// what the other CPU told; a pair that both hold has the ordinal of the own channel. [SRS_TWO_003, SRS_TWO_004,
 /// SRS_TWO_005, SRS_TWO_006, SRS_TWO_007, SRS_TWO_008, SRS_TWO_009, SRS_TWO_010, SRS_TWO_011, SRS_TWO_012, SRS_TWO_013,
+/// SRS_TWO_210, SRS_TWO_211, SRS_TWO_216,
 /// SRS_TWO_019, SRS_TWO_150, SRS_TWO_151]
 class RemoteVoice final : public Channel
 {

@@ -57,12 +57,12 @@ class Application
     virtual void OnGfc() noexcept
     {
     }
-    /// @brief An own GFC was not followed by an SRDO in time. [SRS_KRN_013]
+    /// @brief An own GFC was not followed by an SRDO in time. [SRS_KRN_225]
     virtual void OnGfcNotFollowed() noexcept
     {
     }
     /// @brief OPERATIONAL was entered with a configuration that does not hold; SRDOs are off (emergency 6300h).
-    /// [SRS_KRN_010]
+    /// [SRS_KRN_223]
     virtual void OnConfigurationInvalid(CommunicationIndex index) noexcept = 0;
     /// @brief The device safe state was entered. Called once. [SRS_KRN_006]
     virtual void OnDeviceFault(const DeviceFaultReport& report) noexcept = 0;

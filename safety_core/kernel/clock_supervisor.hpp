@@ -12,7 +12,8 @@ namespace counterpoint
 {
 
 /// Supervises the progress of the two counters against each other, the distance of the cycles, and the stamps of the
-/// frames between them. [SRS_CLK_001, SRS_CLK_002, SRS_KRN_008]
+/// frames between them. [SRS_CLK_001, SRS_CLK_002, SRS_CLK_210, SRS_CLK_211, SRS_CLK_212,
+/// SRS_KRN_008]
 ///
 /// t      |--- window ---|--- window ---|      A drift that begins in a window may be too little in what is left of it:
 /// drift       |---------------------->|       it is found in the next one. Two windows, each a late cycle longer than

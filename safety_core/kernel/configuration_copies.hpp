@@ -35,8 +35,8 @@ struct CommonValue
 };
 
 /// The configuration as it lives in both channels. What they keep, find or compute otherwise than each other enters the
-/// latch at once. [SRS_CFG_046, SRS_CFG_047, SRS_CFG_050, SRS_KRN_015,
-/// SRS_KRN_150, SRS_KRN_151]
+/// latch at once. [SRS_CFG_046, SRS_CFG_047, SRS_CFG_050, SRS_KRN_150,
+/// SRS_KRN_151, SRS_KRN_212]
 class ConfigurationCopies
 {
   public:

@@ -12,7 +12,7 @@ namespace counterpoint
 /// The cyclic look at the configuration: signature by signature and slot by slot of the device digest, so that all is
 /// seen within the diagnostic interval. Each step begins by time, in the first cycle in its share of the interval: late
 /// cycles do not add up, and from a step to the same one of the next walk it is the interval and one cycle at the most.
-/// [SRS_CFG_048, SRS_CFG_050, SRS_LIM_002]
+/// [SRS_CFG_048, SRS_CFG_050, SRS_LIM_002, SRS_LIM_213]
 class ConfigurationDiagnosis
 {
   public:

@@ -21,7 +21,8 @@ namespace counterpoint
 /// cycle and has signatures and digests computed anew. The values themselves live in the channels
 /// (ConfigurationCopies); the guard keeps only 13FEh, its diagnosis the digest. Faults that it finds enter the latch at
 /// once. [SRS_CFG_040, SRS_CFG_041, SRS_CFG_042, SRS_CFG_043, SRS_CFG_044, SRS_CFG_045, SRS_CFG_046, SRS_CFG_047,
-/// SRS_CFG_048, SRS_CFG_049, SRS_CFG_050, SRS_CFG_051, SRS_CFG_052, SRS_CFG_053, SRS_CFG_150, SRS_CFG_151]
+/// SRS_CFG_048, SRS_CFG_049, SRS_CFG_050, SRS_CFG_051, SRS_CFG_052, SRS_CFG_053, SRS_CFG_150, SRS_CFG_151, SRS_CFG_218,
+/// SRS_CFG_219]
 class ConfigurationGuard
 {
   public:
@@ -76,7 +77,7 @@ class ConfigurationGuard
         return copies_.Check(slot, depth);
     }
     /// @brief Checks all SRDOs in both channels up to the first that is faulty: the rule that it breaks, or kNone.
-    /// [SRS_KRN_010, SRS_KRN_015]
+    /// [SRS_KRN_015, SRS_KRN_210, SRS_KRN_223]
     [[nodiscard]] ConfigFault CheckAll(CheckDepth depth) noexcept;
     /// @brief The faulty SRDO that the last CheckAll found, if it found one.
     [[nodiscard]] SlotIndex Faulty() const noexcept
@@ -99,7 +100,8 @@ class ConfigurationGuard
     {
         return copies_.Device();
     }
-    /// @brief Fields of an SRDO with a static mapping. [SRS_KRN_024]
+    /// @brief Fields of an SRDO with a static mapping. [SRS_KRN_024, SRS_KRN_217, SRS_KRN_218,
+    /// SRS_KRN_219]
     [[nodiscard]] Result DefineFields(SlotIndex slot, const StaticFields& fields) noexcept;
 
     /// @brief 13FEh as it is.

@@ -10,7 +10,7 @@
 namespace counterpoint
 {
 
-/// What a store keeps beside the items, so that a damaged or foreign configuration is found. [SRS_CFG_051]
+/// What a store keeps beside the items, so that a damaged or foreign configuration is found. [SRS_CFG_215]
 struct ImageHeader
 {
     std::uint32_t count; ///< Items, numbered from 0.
@@ -33,7 +33,8 @@ struct HeaderReply
 /// The stored configuration as a whole, item by item: what a device with a store saves and loads, and the power-on
 /// values. A view on the guard, which keeps it. Loading and restoring takes time for each item (`header.count`) and is
 /// refused in OPERATIONAL; a device that cannot spare it in one cycle does it before the first one. [SRS_CFG_049,
-/// SRS_CFG_051, SRS_CFG_052, SRS_CFG_053]
+/// SRS_CFG_051, SRS_CFG_052, SRS_CFG_053, SRS_CFG_210, SRS_CFG_211, SRS_CFG_212, SRS_CFG_213, SRS_CFG_214, SRS_CFG_216,
+/// SRS_CFG_217]
 class ConfigurationImage
 {
   public:

@@ -35,7 +35,7 @@ struct FlowEvidence
     std::uint32_t expected;
 };
 
-/// The flow monitor as the kernel sees it: FlowMonitor, or what stands in front of one. [SRS_KRN_039]
+/// The flow monitor as the kernel sees it: FlowMonitor, or what stands in front of one. [SRS_KRN_039, SRS_KRN_229]
 class FlowWatch
 {
   public:

@@ -127,7 +127,7 @@ void Kernel::OnFrame(const StampedFrame& frame) noexcept
 // t      prepare            normal on the bus         inverse on the bus
 // A      normal frame       confirm, inverse frame    confirm: sent
 // B      compared           confirm, compared         confirm: sent
-// An identifier that was stored since then belongs to the next pair. [SRS_KRN_036]
+// An identifier that was stored since then belongs to the next pair. [SRS_KRN_036, SRS_KRN_220, SRS_KRN_221]
 void Kernel::OnConfirm(const StampedFrame& frame) noexcept
 {
     if (!run_.started)
@@ -227,7 +227,7 @@ CycleInput Kernel::TakeInput(const CycleCall& call, const std::uint32_t challeng
     SrdoMask request = halted;
     NmtState nmt = NmtState::kPreOperational;
     // OPERATIONAL that was left and entered again between two cycles was left: the channels see one cycle outside of
-    // it, and what was asked for since then waits for the next one. [SRS_KRN_010, SRS_KRN_011]
+    // it, and what was asked for since then waits for the next one. [SRS_KRN_010, SRS_KRN_222, SRS_KRN_224]
     if (!run_.left_operational)
     {
         nmt = context_.guard.Nmt();

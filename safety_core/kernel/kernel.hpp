@@ -105,7 +105,7 @@ class Kernel
 
     /// @brief A received frame, in bus order. O(payload) [SRS_KRN_007, SRS_KRN_008]
     void OnFrame(const StampedFrame& frame) noexcept;
-    /// @brief A frame of this device was on the bus, in bus order with the received ones. [SRS_KRN_014]
+    /// @brief A frame of this device was on the bus, in bus order with the received ones. [SRS_KRN_214]
     void OnConfirm(const StampedFrame& frame) noexcept;
     /// @brief Frames were lost between controller and kernel. [SRS_KRN_009]
     void OnOverflow() noexcept
@@ -135,7 +135,7 @@ class Kernel
     /// @brief Sends the global fail-safe command; an SRDO of this device must follow. [SRS_KRN_013]
     [[nodiscard]] Result SendGfc() noexcept;
     /// @brief Checks all SRDOs in both channels: by all rules outside OPERATIONAL, by signature and resolved mapping in
-    /// it; then the device digest. [SRS_KRN_015]
+    /// it; then the device digest. [SRS_KRN_015, SRS_KRN_210, SRS_KRN_211]
     [[nodiscard]] CheckReply CheckConfiguration() noexcept;
     /// @brief The device digest as both channels compute it now, whatever is expected: what 5F04h has to hold. O(slots)
     /// [SRS_KRN_150]

@@ -17,7 +17,8 @@ namespace counterpoint
     return config.cycle_us + config.cycle_tolerance_us;
 }
 
-/// Classes of faults for which a limit can be computed. [SRS_LIM_001]
+/// Classes of faults for which a limit can be computed. [SRS_LIM_001, SRS_LIM_210,
+/// SRS_LIM_211, SRS_LIM_212]
 enum class FaultClass : std::uint8_t
 {
     kInvalid = 0U,

@@ -13,7 +13,8 @@ namespace counterpoint
 {
 
 /// What the device sends: SRDOs by both channels, and the GFC. [SRS_KRN_004, SRS_KRN_011, SRS_KRN_012, SRS_KRN_013,
-/// SRS_KRN_014, SRS_KRN_017, SRS_KRN_145, SRS_KRN_146, SRS_KRN_147, SRS_KRN_148]
+/// SRS_KRN_014, SRS_KRN_017, SRS_KRN_145, SRS_KRN_146, SRS_KRN_147, SRS_KRN_148, SRS_KRN_213, SRS_KRN_214,
+/// SRS_KRN_215, SRS_KRN_216]
 class Production
 {
   public:
@@ -40,7 +41,7 @@ class Production
         return Result::kSuccessful;
     }
     /// @brief Sends the GFC, composed here and compared with a constant; an SRDO must follow within the shortest
-    /// refresh time. [SRS_KRN_013, SRS_KRN_042]
+    /// refresh time. [SRS_KRN_013, SRS_KRN_042, SRS_KRN_225]
     [[nodiscard]] Result SendGfc(KernelContext& context) noexcept;
 
     /// @brief A cycle begins at this instant of counter A.
@@ -84,7 +85,7 @@ class Production
         return transmitted_told_;
     }
     /// @brief The normal frame of an SRDO was on the bus: its inverse frame follows, if this device may still send
-    /// and both channels give the same one. [SRS_KRN_014]
+    /// and both channels give the same one. [SRS_KRN_214]
     static void SendInverse(KernelContext& context, SlotIndex slot) noexcept;
     /// @brief A normal frame that one channel has seen confirmed and the other one has not: at the very limit that one
     /// had given the pair up. Both give it up; it would be on its way in one channel for another SRVT. [SRS_KRN_147]

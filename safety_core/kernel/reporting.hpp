@@ -28,7 +28,7 @@ enum class StatusHandshake : std::uint8_t
 };
 
 /// What the application is told, and what it answers by the status bytes. [SRS_KRN_006, SRS_KRN_021, SRS_KRN_022,
-/// SRS_KRN_032, SRS_FLOW_004] What every cycle goes through is inline.
+/// SRS_KRN_226, SRS_KRN_032, SRS_FLOW_004] What every cycle goes through is inline.
 class Reporting
 {
   public:

@@ -9,7 +9,7 @@
 namespace counterpoint
 {
 
-/// The status byte of an SRDO as the application reads and writes it. [SRS_KRN_021]
+/// The status byte of an SRDO as the application reads and writes it. [SRS_KRN_021, SRS_KRN_227, SRS_KRN_228]
 struct StatusByte
 {
     std::uint8_t value;

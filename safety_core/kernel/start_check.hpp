@@ -30,7 +30,8 @@ enum class StartResult : std::uint8_t
 };
 
 /// @brief What Start looks at before anything runs: numbers, objects and times of the device, the room that the
-/// channels have, the guarantees of the HAL. O(srdo_count + objects) [SRS_KRN_001]
+/// channels have, the guarantees of the HAL. O(srdo_count + objects) [SRS_KRN_001, SRS_CLK_213,
+/// SRS_CMP_213, SRS_LIM_214]
 [[nodiscard]] StartResult CheckStart(const DeviceConfig& config, const KernelParts& parts) noexcept;
 
 } // namespace counterpoint

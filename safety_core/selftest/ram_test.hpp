@@ -46,7 +46,7 @@ struct RamPorts
 };
 
 /// March test over live memory, some words a call, contents kept. Zero-filled, it fails. [SRS_STS_010, SRS_STS_011,
-/// SRS_STS_012, SRS_STS_013]
+/// SRS_STS_214, SRS_STS_215, SRS_STS_012, SRS_STS_013]
 class RamTest
 {
   public:

@@ -77,7 +77,8 @@ struct SelfTestPorts
 };
 
 /// All self tests of a device: once completely at the start, then in slices, one a cycle, for ever. Zero-filled, it
-/// reports a fault. After a failure it goes on failing until Start. [SRS_STS_060, SRS_STS_061, SRS_STS_062]
+/// reports a fault. After a failure it goes on failing until Start. [SRS_STS_060, SRS_STS_061, SRS_STS_062,
+/// SRS_STS_210, SRS_STS_211, SRS_STS_212, SRS_STS_213]
 class SelfTest final : public SelfTestPart
 {
   public:

@@ -34,7 +34,8 @@ constexpr Nanoseconds kNoLimit{-1};
 /// @brief A limit as people read it: "53 ms" or "none".
 [[nodiscard]] std::string LimitText(Nanoseconds limit);
 
-/// Time from the first effect of a fault to the safe output of one SRDO, and its limit. [SRS_SIM_031]
+/// Time from the first effect of a fault to the safe output of one SRDO, and its limit. [SRS_SIM_031,
+/// SRS_SIM_213, SRS_SIM_217]
 struct Measurement
 {
     std::size_t fault{0U};

@@ -73,7 +73,7 @@ void Network::BuildNodes()
     }
 }
 
-// With managers each device runs its services; of two CPUs the first one does. [SRS_SIM_060]
+// With managers each device runs its services; of two CPUs the first one does. [SRS_SIM_060, SRS_SIM_210]
 void Network::BuildNode(const NodeIndex index, const NodeSetup& setup, Journal& journal, const bool is_tapped)
 {
     const bool has_managers = !world_.scenario.managers.empty();

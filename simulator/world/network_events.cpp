@@ -132,6 +132,8 @@ void NetworkEvents::PlanActions()
     }
 }
 
+/// Whatever happens to a device but a store and an acknowledge is its supply: all that is not in its file is new.
+/// [SRS_SIM_211, SRS_SIM_212]
 void NetworkEvents::Act(const Action& action, Node& node)
 {
     switch (action.kind)

@@ -67,7 +67,7 @@ class NetworkFaults
     std::set<std::size_t> waiting_;                                     ///< Faults that have begun without effect.
 };
 
-/// The row of the table of limits for a fault, where the scenario names none. [SRS_SIM_031]
+/// The row of the table of limits for a fault, where the scenario names none. [SRS_SIM_031, SRS_SIM_215, SRS_SIM_216]
 [[nodiscard]] FaultClass ClassOf(const FaultSetup& fault);
 } // namespace counterpoint::simulator
 

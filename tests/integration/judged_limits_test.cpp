@@ -35,7 +35,7 @@ constexpr Nanoseconds kUs = kNanosecondsPerMicrosecond;
 TEST(JudgedLimit, FollowsTheDetectionOfTheDevice)
 {
     Verifies(req::SRS_SIM_031);
-    Verifies(req::SRS_LIM_001);
+    Verifies(req::SRS_LIM_210);
     const std::string lost =
         "faults:\n  - {fault: loss, frames: {identifier: 0x104, receiver: actuator, from: 500 ms, count: 1000}}\n"
         "expect:\n  - {that: safe_within, node: actuator, srdo: 1}\n";
@@ -55,7 +55,7 @@ TEST(JudgedLimit, FollowsTheDetectionOfTheDevice)
 // closes, and released no more. What counts is the pair before the lost one, 50 ms earlier.
 TEST(JudgedLimit, DoesNotCountFromAPairThatWasNotReleased)
 {
-    Verifies(req::SRS_SIM_031);
+    Verifies(req::SRS_SIM_214);
     const auto run =
         RunChainOf({{"actuator", {{"5F05sub1", "0x3C"}}}},
                    "faults:\n  - {fault: loss, frames: {identifier: 0x104, receiver: actuator, from: 500 ms}}\n"
@@ -69,7 +69,7 @@ TEST(JudgedLimit, DoesNotCountFromAPairThatWasNotReleased)
 
 TEST(JudgedLimit, ThatIsNoneHoldsForNobody)
 {
-    Verifies(req::SRS_SIM_031);
+    Verifies(req::SRS_SIM_217);
     const auto run = RunChainOf({{"actuator", {{"5F00sub6", "99999"}}}},
                                 "faults:\n  - {fault: loss, frames: {receiver: actuator, from: 500 ms, count: 1000}}\n"
                                 "expect:\n  - {that: safe_within, node: actuator, srdo: 1}\n");
@@ -82,7 +82,7 @@ TEST(JudgedLimit, ThatIsNoneHoldsForNobody)
 // side, by identifiers, by receiver, by sender, by all of them.
 TEST(JudgedLimit, OfACorruptedNormalFrameCountsFromTheInverseFrame)
 {
-    Verifies(req::SRS_SIM_031);
+    Verifies(req::SRS_SIM_213);
     const std::string spread =
         "  - {fault: store_and_forward, frames: {identifier: 0x104, receiver: actuator, count: 1000}, by: 4 ms}\n";
     for (const char* const choice :
@@ -113,7 +113,7 @@ TEST(JudgedLimit, OfACorruptedNormalFrameCountsFromTheInverseFrame)
 // last good one; SCT would have been over at 50 ms.
 TEST(JudgedLimit, OfAFaultOfTheBusHasSrvtInItWhereTheNextNormalFrameCame)
 {
-    Verifies(req::SRS_SIM_031);
+    Verifies(req::SRS_SIM_215);
     const Values slow{{"1301sub3", "45"}};
     for (const char* const fault :
          {"fault: loss, frames: {identifier: [0x103, 0x104], receiver: actuator, from: 500 ms, "
@@ -310,7 +310,7 @@ TEST(JudgedLimit, IsKeptForEachOfTwoFaultsThatDelayEachOther)
 // should have come, as one that is late by so much.
 TEST(JudgedLimit, OfAFrameOutOfOrderCountsFromWhereItStaysAway)
 {
-    Verifies(req::SRS_SIM_031);
+    Verifies(req::SRS_SIM_213);
     const auto run_with = [](const char* const detection, const std::string& fault)
     {
         return RunChainOf({{"actuator", {{"5F05sub1", detection}}}},
@@ -332,7 +332,7 @@ TEST(JudgedLimit, OfAFrameOutOfOrderCountsFromWhereItStaysAway)
 // that its pair is late for want of the inverse frame (SRVT 20 ms), not both of them (SCT 25 ms).
 TEST(JudgedLimit, AFrameThatIsHeldBackComesAlthoughTheNextOneIsLost)
 {
-    Verifies(req::SRS_SIM_031);
+    Verifies(req::SRS_SIM_213);
     const std::string held = "  - {name: held, fault: wrong_sequence, frames: {identifier: 0x103, receiver: actuator, "
                              "from: 500 ms}}\n";
     const std::string lost =

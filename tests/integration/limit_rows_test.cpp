@@ -32,7 +32,7 @@ const Measurement& MeasurementOf(const Run& run)
 // that comes with the frame itself is wrong.
 TEST(JudgedLimit, OfALateCopyOfANormalFrameIsThatOfAnInsertion)
 {
-    Verifies(req::SRS_SIM_031);
+    Verifies(req::SRS_SIM_215);
     const auto run_with = [](const char* const after)
     {
         return RunChain(std::string("faults:\n  - {fault: repetition, after: ") + after +
@@ -51,7 +51,7 @@ TEST(JudgedLimit, OfALateCopyOfANormalFrameIsThatOfAnInsertion)
 // The actuator hears of a fault inside the controller by the bus alone: SCT, cycle and output time.
 TEST(JudgedLimit, AtAnotherDeviceIsThatOfTheBus)
 {
-    Verifies(req::SRS_SIM_031);
+    Verifies(req::SRS_SIM_216);
     for (const char* const fault :
          {"{fault: bit_flip, node: controller, part: program, at: 700 ms, offset: 5000, bit: 7}",
           "{fault: frozen, node: controller, part: channel_a, at: 700 ms}",
@@ -91,7 +91,7 @@ acknowledge:
 // So it is where the two CPUs of the controller lose each other: the actuator has no part in their link.
 TEST(JudgedLimit, AtAnotherDeviceThanThatOfALinkIsThatOfTheBus)
 {
-    Verifies(req::SRS_SIM_031);
+    Verifies(req::SRS_SIM_216);
     for (const char* const fault : {"{fault: link_cut, node: controller, at: 500 ms}",
                                     "{fault: clock, node: controller.a, counter: a, ppm: 4400, at: 500 ms}"})
     {

@@ -113,7 +113,7 @@ using StuckBitOfLiveMemory = ::testing::TestWithParam<std::tuple<const char*, co
 TEST_P(StuckBitOfLiveMemory, IsFoundInEachNodeWithinTheLimit)
 {
     Verifies(req::SRS_SIM_053);
-    Verifies(req::SRS_STS_010);
+    Verifies(req::SRS_STS_214);
     const auto [node, part, level] = GetParam();
     const std::string place = std::string("node: ") + node + ", part: " + part + ", level: " + level;
     for (unsigned seed = 1U; seed <= 8U; ++seed)
@@ -161,7 +161,7 @@ TEST(SelfTests, FindAtTheSameTimeWhereverMemoryStands)
 TEST(SelfTests, ChangedProgramIsFoundByTheStartUpTest)
 {
     Verifies(req::SRS_SIM_053);
-    Verifies(req::SRS_STS_060);
+    Verifies(req::SRS_STS_210);
     // Given a bit of the program that flips just before the supply goes; when it comes back
     const auto run = RunChain(R"(
 duration: 2 s
@@ -258,7 +258,7 @@ using FailingSelfTest = ::testing::TestWithParam<std::tuple<const char*, std::pa
 TEST_P(FailingSelfTest, ClosesTheOutputWithinTheLimit)
 {
     Verifies(req::SRS_SIM_054);
-    Verifies(req::SRS_STS_062);
+    Verifies(req::SRS_STS_213);
     const std::string node = std::get<0>(GetParam());
     const auto [kind, by] = std::get<1>(GetParam());
     const auto run = RunChain(std::string("duration: 2 s\nfaults:\n  - {fault: ") + kind +

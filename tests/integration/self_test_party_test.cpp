@@ -95,7 +95,7 @@ using SelfTestParty = ::testing::TestWithParam<FailingSelfTest::Way>;
 
 TEST_P(SelfTestParty, NotCalledOrFrozenClosesTheOutputWithinTheNextCycle)
 {
-    Verifies(req::SRS_STS_062);
+    Verifies(req::SRS_STS_213);
     Verifies(req::SRS_STS_063);
     const auto device = std::make_unique<DeviceWithSelfTest>();
     device->Run();

@@ -242,7 +242,7 @@ TEST_P(BorneByTheLink, ChangesNothing)
 {
     Verifies(req::SRS_SIM_057);
     Verifies(req::SRS_LNK_003);
-    Verifies(req::SRS_LNK_004);
+    Verifies(req::SRS_LNK_210);
     const auto run =
         RunTwoCpus(std::string("duration: 2 s\nfaults:\n  - {node: actuator, at: 500 ms, fault: ") + GetParam() +
                    "}\nexpect:\n  - {that: no_fault}\n  - {that: detected_by, node: actuator, by: nobody}\n"

@@ -52,6 +52,7 @@ TEST_P(BadScenario, IsRefusedByOneLineThatNamesThePlace)
     Verifies(req::SRS_SIM_010);
     Verifies(req::SRS_SIM_012);
     Verifies(req::SRS_SIM_075);
+    Verifies(req::SRS_SIM_020);
     // Given a scenario with one thing wrong in it, from line 2 on
     const std::string file = TextFile("extends: " + Examples() + "chain.yaml\n" + GetParam().text);
     // When it is read and built

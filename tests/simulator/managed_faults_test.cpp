@@ -113,9 +113,45 @@ TEST_F(ManagedFaultsTest, WhatHappensToDevicesHappensBesideAManager)
     EXPECT_TRUE(Has(answer.out, "holds   output of node actuator SRDO 1 is closed")) << answer.out;
 }
 
+TEST_F(ManagedFaultsTest, ADeviceThatComesBackHasLostItsSupplyAndForgottenAll)
+{
+    Verifies(req::SRS_SIM_211);
+    Verifies(req::SRS_SIM_212);
+    // Given a relay whose output was open, that is told to stop, and of which somebody changes the safety configuration
+    const std::string given = "events:\n  - {at: 2910 ms, do: order, order: preop 33}\n"
+                              "  - {at: 2950 ms, do: store, node: actuator, object: 0x1301:02, value: 77}\n";
+    const std::string before = "expect:\n  - {that: released, node: actuator, srdo: 1, at: 2900 ms}\n";
+    for (const char* const events :
+         {"  - {at: 3 s, do: pull, node: actuator}\n  - {at: 3100 ms, do: insert, node: actuator}\n",
+          "  - {at: 3100 ms, do: reset, node: actuator}\n",
+          "  - {at: 3100 ms, do: replace, node: actuator, serial: 33}\n"})
+    {
+        // When it comes back
+        const Answer answer =
+            Simulate(given + events + "  - {at: 3300 ms, do: order, order: start 33}\n" + before +
+                         "  - {that: event, is: boot_up, node: actuator, from: 3100 ms, until: 3200 ms}\n"
+                         "  - {that: safe, node: actuator, srdo: 1, at: 3101 ms}\n"
+                         "  - {that: gate, node: 33, is: open}\n"
+                         "  - {that: device, node: actuator, is: operational, at: 3900 ms}\n"
+                         "  - {that: safe, node: actuator, srdo: 1, at: 3990 ms}\n",
+                     {"--quiet"});
+        // Then it has the configuration of its file, and its output waits for somebody who acknowledges
+        EXPECT_EQ(answer.status, 0) << events << answer.out << answer.err;
+    }
+    // And one that was never away has the other one
+    const Answer kept = Simulate(given + "  - {at: 3100 ms, do: order, order: start 33}\n" + before +
+                                     "  - {that: gate, node: 33, is: differs}\n",
+                                 {"--quiet"});
+    EXPECT_EQ(kept.status, 0) << kept.out << kept.err;
+    const Answer pulled = Simulate("events:\n  - {at: 3 s, do: pull, node: actuator}\n"
+                                   "expect:\n  - {that: device, node: actuator, is: absent}\n",
+                                   {"--quiet"});
+    EXPECT_EQ(pulled.status, 0) << pulled.out << pulled.err;
+}
+
 TEST_F(ManagedFaultsTest, ADeviceOfTwoCpusIsManaged)
 {
-    Verifies(req::SRS_SIM_060);
+    Verifies(req::SRS_SIM_210);
     Verifies(req::SRS_LNK_011);
     const std::string folder = cia306::test::SourceFolder() + "/examples/";
     const std::string nodes = "title: x\nduration: 3 s\nmanagers: [{network: " + Shipped("network.yaml") +

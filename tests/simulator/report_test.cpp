@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 #include <tuple>
@@ -287,6 +288,41 @@ TEST(Reports, PageNeedsNoNetworkAndNothingEndsItsScript)
         ++ends;
     }
     EXPECT_EQ(ends, 2U);
+}
+
+// What the page draws it draws by its script from the run in its data element.
+TEST(Reports, PageHoldsWhatItsDiagramShows)
+{
+    Verifies(req::SRS_SIM_043);
+    const auto run = RunChain(kLoss, true);
+    const std::string page = HtmlReport("a", {run.get()});
+    // Given the data of the page
+    const std::string begin = "<script type=\"application/json\" id=\"data\">";
+    const std::size_t data = page.find(begin);
+    ASSERT_NE(data, std::string::npos);
+    const std::size_t first = data + begin.size();
+    const nlohmann::json json = nlohmann::json::parse(page.substr(first, page.find("</script>", first) - first));
+    const nlohmann::json& shown = json["runs"][0];
+    // Then frames, time limits, and faults with their detection and limit are in it
+    EXPECT_GT(shown["frames"].size(), 100U);
+    EXPECT_EQ(shown["nodes"][2]["srdos"][0]["sct_ms"], 50);
+    EXPECT_EQ(shown["nodes"][2]["srdos"][0]["srvt_ms"], 20);
+    EXPECT_EQ(shown["faults"][1]["name"], "chance");
+    EXPECT_EQ(shown["expectations"][0]["measurement"]["detected_by"], "channels");
+    EXPECT_EQ(shown["expectations"][0]["measurement"]["limit_ns"], 73000000);
+    EXPECT_TRUE(shown["expectations"][0]["measurement"].contains("detected_ns"));
+    // and what both channels, the comparator, the permits and the output were
+    for (const char* const kind : {"view_a", "view_b", "verdict", "permits", "output", "fault"})
+    {
+        EXPECT_TRUE(std::any_of(shown["events"].begin(), shown["events"].end(),
+                                [kind](const nlohmann::json& event) { return event["kind"] == kind; }))
+            << kind;
+    }
+    // and the script has a row for each of them
+    for (const char* const row : {" channel ", " comparator", " permits", " output", "Limit "})
+    {
+        EXPECT_NE(page.find(row), std::string::npos) << row;
+    }
 }
 } // namespace
 } // namespace counterpoint::simulator

@@ -3,6 +3,7 @@
 #include "runtime/node/trial.hpp"
 #include "tests/canopen/cia306/check_text.hpp"
 #include "tests/tools/command_run.hpp"
+#include "verification/trace/ids/comfort.hpp"
 #include "verification/trace/ids/eds.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -201,6 +202,7 @@ TEST_F(OneReading, WhatCheckOnlyWarnsOfIsTakenByAll)
 TEST_F(OneReading, WhatOneRefusesIsAnErrorOfCheck)
 {
     Verifies(req::SRS_CLI_030);
+    Verifies(req::SRS_CLI_210);
     const std::string safety = ExampleText("controller");
     for (const std::string& text :
          {PlainText() + "\n[1300]\nDataType=5\nAccessType=rw\nDefaultValue=0\n",
@@ -254,6 +256,53 @@ TEST_F(OneReading, AnSrdoThatIsOffIsTakenAsTheDeviceTakesIt)
                                                              {"1382sub3", "ParameterValue", "0x20000108"},
                                                              {"1382sub4", "ParameterValue", "0x21000108"}});
     ExpectAllTake(cia306::test::SignedAgain(off, std::nullopt), "off");
+}
+
+TEST_F(OneReading, WhyTheKernelRefusesAStartIsToldByCheckAndSimulate)
+{
+    Verifies(req::SRS_EASE_007);
+    // Given a diagnostic interval of 1 ms
+    const std::string file =
+        File("slow.dcf", cia306::test::WithValues(ExampleText("sensor"), {{"5F00sub4", "ParameterValue", "1"}}));
+    const std::string reason = "the kernel refuses this device: timing (A time outside its range)";
+    // Then who builds the device for a check is told
+    const std::vector<cia306::Finding> told = runtime::TryDevice(cia306::ReadDeviceFile(file), std::nullopt);
+    EXPECT_TRUE(std::any_of(told.begin(), told.end(), [&reason](const cia306::Finding& finding)
+                            { return finding.text == reason && finding.severity == cia306::Severity::kError; }));
+    // and who simulates it
+    const Answer simulated = RunCommand(
+        {"simulate", File("s.yaml", "title: x\nduration: 1 s\nnodes: {1: {dcf: slow.dcf, self_tests: false}}\n")});
+    EXPECT_EQ(simulated.status, 2);
+    EXPECT_EQ(simulated.err, file + ": error: " + reason +
+                                 ", expected SRDOs, objects and times of 0x5F00 within the ranges of DeviceConfig\n");
+}
+
+TEST_F(OneReading, WhatSimulateAndMonitorNeedIsAWarning)
+{
+    Verifies(req::SRS_CLI_212);
+    const std::string plain = File("plain.dcf", PlainText());
+    EXPECT_NE(RunCommand({"check", plain}).out.find(plain + ":16:1: warning: no SRDO, "), std::string::npos);
+    EXPECT_EQ(RunCommand({"check", plain}).status, 0);
+    // Then simulate refuses the file, and so does monitor
+    EXPECT_EQ(
+        RunCommand({"simulate", File("s.yaml", "title: x\nduration: 1 s\nnodes: {5: {dcf: plain.dcf}}\n")}).status, 2);
+    const std::string log = File("bus.log", "(0.000000) can0 123#\n");
+    EXPECT_EQ(RunCommand({"monitor", log, "--dcf", plain}).status, 2);
+    // And that of SRDOs that are not declared valid
+    const std::string invalid =
+        File("invalid.dcf", Changed(ExampleText("sensor"), {{"ParameterValue=0xA5", "ParameterValue=0x00"}}));
+    EXPECT_EQ(RunCommand({"check", invalid}).out,
+              invalid + ":309:16: warning: 0x13FE:00: 0x00: the SRDOs stay off, expected 0xA5 to set them going\n");
+    EXPECT_EQ(RunCommand({"monitor", log, "--dcf", invalid}).status, 2);
+}
+
+TEST_F(OneReading, AValueThatAServiceRefusesIsAWarningAtItsLine)
+{
+    Verifies(req::SRS_CLI_211);
+    const std::string file = File("one.dcf", WithObject("0x0005", "DefaultValue=300\n"));
+    const Answer answer = RunCommand({"check", file});
+    EXPECT_EQ(answer.status, 0) << answer.out;
+    EXPECT_NE(answer.out.find("warning: 0x2FF0:00: "), std::string::npos) << answer.out;
 }
 
 TEST_F(OneReading, NodeTellsWhatItLeavesOut)

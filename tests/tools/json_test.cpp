@@ -145,8 +145,11 @@ TEST_F(JsonAnswer, DemonstrationTellsLimitAndTimeOfEachRun)
     for (const Json& run : document["runs"])
     {
         EXPECT_EQ(run["holds"], true) << run;
+        EXPECT_NE(run["title"], "") << run;
+        EXPECT_NE(run["scenario"].get<std::string>().find(".yaml"), std::string::npos) << run;
         if (run.contains("limit_ns"))
         {
+            EXPECT_TRUE(run.contains("detection_cause")) << run;
             EXPECT_LE(run["elapsed_ns"].get<std::int64_t>(), run["limit_ns"].get<std::int64_t>()) << run;
             EXPECT_NE(run["detected_by"], "") << run;
         }

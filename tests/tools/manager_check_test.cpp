@@ -10,6 +10,7 @@ namespace counterpoint::tools
 {
 namespace
 {
+using cia306::test::Changed;
 using cia306::test::NetworkFile;
 using test::Answer;
 using test::RunCommand;
@@ -188,6 +189,32 @@ TEST_F(ManagerCheckTest, EachKeyIsComparedAndNamedAtItsLine)
     EXPECT_EQ(equal.status, 0) << equal.out;
 }
 
+TEST_F(ManagerCheckTest, EachObjectOfASafetyExpectationIsCompared)
+{
+    Verifies(req::SRS_MGR_009);
+    // Given two masters that know another SCT, and so another signature, of one relay
+    const std::string actuator = cia306::test::ExampleText("actuator");
+    static_cast<void>(File("relay.dcf", actuator));
+    static_cast<void>(File(
+        "late.dcf", Changed(actuator, {{"DefaultValue=50\nParameterValue=50", "DefaultValue=50\nParameterValue=25"},
+                                       {"0x9FCB", "0x07D8"}})));
+    const auto network = [this](const std::string& node, const std::string& other, const std::string& dcf)
+    {
+        return File("net_" + node + ".yaml",
+                    "manager: {node: " + node + ", heartbeat: 200 ms, flying: {priority: 1}}\nslaves: [{node: " +
+                        other + ", boot: false, mandatory: false, consumer: 500 ms}, {node: 33, dcf: " + dcf + "}]\n");
+    };
+    const std::string two = network("2", "5", "relay.dcf");
+    const std::string five = network("5", "2", "late.dcf");
+    const Answer differs = RunCommand({"manager", "--check", two, five});
+    EXPECT_EQ(differs.status, 1) << differs.err;
+    EXPECT_NE(differs.out.find("0x1301:02 of node 33 (safety) is 0x19, expected 0x32"), std::string::npos)
+        << differs.out;
+    EXPECT_NE(differs.out.find("0x13FF:01 of node 33 (safety) is 0x7D8, expected 0x9FCB"), std::string::npos)
+        << differs.out;
+    EXPECT_EQ(differs.out.find("0x1301:03"), std::string::npos) << differs.out;
+}
+
 TEST_F(ManagerCheckTest, OutputsAndProfilesAreCompared)
 {
     Verifies(req::SRS_MGR_009);
@@ -299,6 +326,33 @@ TEST_F(ManagerCheckTest, AnExpectationThatASafetySlaveCannotMeetIsTold)
     EXPECT_EQ(flagless.status, 2);
     EXPECT_NE(flagless.err.find(": error: 0x13FE:00: the configuration valid flag is missing"), std::string::npos)
         << flagless.err;
+}
+
+TEST_F(ManagerCheckTest, WhatSlavesCannotMeetIsToldWhenTheManagerRunsToo)
+{
+    Verifies(req::SRS_NET_060);
+    Verifies(req::SRS_NET_151);
+    const std::string sensor = cia306::test::ExampleText("sensor");
+    const std::string own = File("sensor.dcf", sensor);
+    const std::string copy =
+        File("copy.dcf", Changed(sensor, {{"NodeID=1\n", "NodeID=3\n"}, {"0x66596575", "0x570CC1BD"}}));
+    const std::string relay = File(
+        "relay.dcf", Changed(cia306::test::ExampleText("actuator"), {{"ParameterValue=0xA5", "ParameterValue=0"}}));
+    const std::string network =
+        File("net.yaml", "manager: {node: 127}\nslaves: [{node: 1, dcf: sensor.dcf}, {node: 3, dcf: copy.dcf}, "
+                         "{node: 33, dcf: relay.dcf}]\n");
+    const std::string pair = copy + ":206:16: warning: 0x1301:01: sends 0x101 and 0x102, which node 1 SRDO 1 sends, "
+                                    "too, expected one producer\n";
+    const std::string flag = relay + ":309:16: warning: 0x13FE:00: ";
+    // Given a check, and a run that ends before the bus is opened
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+             {"manager", "--check", network, File("other.yaml", "manager: {node: 126}\nslaves: [{node: 127}]\n")},
+             {"manager", "--can", "udp:239.74.163.91:43191", "--network", network, "--log", ""}})
+    {
+        const Answer answer = RunCommand(words);
+        EXPECT_NE(answer.err.find(pair), std::string::npos) << words[1] << answer.err;
+        EXPECT_NE(answer.err.find(flag), std::string::npos) << words[1] << answer.err;
+    }
 }
 
 TEST_F(ManagerCheckTest, AnEmergencyOfASafetySlaveThatIsNotHeardOrNotKnownIsTold)

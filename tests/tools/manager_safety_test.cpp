@@ -28,6 +28,7 @@ class ManagerSafetyTest : public test::CommandTest
 TEST_F(ManagerSafetyTest, EveryProfileWritesASafetyConfigurationButNotToAnotherDevice)
 {
     Verifies(req::SRS_SFS_005);
+    Verifies(req::SRS_SFS_009);
     const std::string dcf = cia306::test::SourceFolder() + "/examples/emergency_stop/actuator.dcf";
     for (const char* const profile : {"cia302", "el6751", "plc_designer"})
     {
@@ -56,7 +57,7 @@ TEST_F(ManagerSafetyTest, EveryProfileWritesASafetyConfigurationButNotToAnotherD
 
 TEST_F(ManagerSafetyTest, WhatWasWrittenIsNotLostByTheStartUpBehindIt)
 {
-    Verifies(req::SRS_SFS_005);
+    Verifies(req::SRS_SFS_214);
     const std::string dcf = cia306::test::SourceFolder() + "/examples/emergency_stop/actuator.dcf";
     // Given a device that forgets at each reset what was written, and comes with another safeguard cycle time
     const std::string other = Other();
@@ -87,7 +88,7 @@ TEST_F(ManagerSafetyTest, WhatWasWrittenIsNotLostByTheStartUpBehindIt)
 
 TEST_F(ManagerSafetyTest, AWritingThatSomebodyInterruptsIsTakenUpUnlessByAStop)
 {
-    Verifies(req::SRS_SFS_005);
+    Verifies(req::SRS_SFS_213);
     const std::string dcf = cia306::test::SourceFolder() + "/examples/emergency_stop/actuator.dcf";
     const std::string other = Other();
     for (const char* const profile : {"cia302", "el6751", "plc_designer"})
@@ -112,7 +113,7 @@ TEST_F(ManagerSafetyTest, AWritingThatSomebodyInterruptsIsTakenUpUnlessByAStop)
 
 TEST_F(ManagerSafetyTest, AWritingThatTheBootOfAllBreaksOffIsTakenUp)
 {
-    Verifies(req::SRS_SFS_005);
+    Verifies(req::SRS_SFS_213);
     const std::string folder = cia306::test::SourceFolder() + "/examples/emergency_stop/";
     // Given single resets, the last after 0.63 s, for the sake of a slave that is kept alive and is not there
     const std::string network = File("singly.yaml", "manager: {node: 127, inhibit: 5 ms}\nslaves:\n"

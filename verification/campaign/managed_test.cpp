@@ -3,9 +3,17 @@
 #include "verification/campaign/campaign_rig.hpp"
 
 #include "canopen/cia306/text/text_file.hpp"
+#include "verification/campaign/managed/memory.hpp"
+#include "verification/campaign/managed/stage.hpp"
+#include "verification/campaign/managed/watch.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <cstring>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <string>
 
 namespace counterpoint::campaign::test
 {
@@ -52,7 +60,7 @@ TEST_F(ManagedTest, OutcomesAreTheSameForAnyNumberOfProcessesAndShards)
 
 TEST_F(ManagedTest, PlansThatCannotBeUsedAreRefusedAtTheirPlace)
 {
-    Verifies(req::SRS_CMG_070);
+    Verifies(req::SRS_CMG_214);
     Verifies(req::SRS_CMG_159);
     const auto said = [this](const std::string& text)
     {
@@ -64,6 +72,11 @@ TEST_F(ManagedTest, PlansThatCannotBeUsedAreRefusedAtTheirPlace)
     EXPECT_NE(said(head + "at_work.yaml\n")
                   .find("bad.yaml:2:10: error: a scenario without managers, expected one with "
                         "managers"),
+              std::string::npos);
+    static_cast<void>(File("faulty.yaml", "extends: " COUNTERPOINT_SOURCE_FOLDER "/examples/campaigns/managed.yaml\n"
+                                          "faults: [{fault: unplugged, node: sensor, at: 1 s}]\n"));
+    EXPECT_NE(said("title: A test\nnetwork: " + Path("faulty.yaml") + "\n")
+                  .find("bad.yaml:2:10: error: a scenario with faults, expected one without faults of its own"),
               std::string::npos);
     EXPECT_NE(said(head + "nobody.yaml\n").find("bad.yaml:2:10: error: there is no file '"), std::string::npos);
     EXPECT_NE(said(head + "managed.yaml\nuntil: 60 ms\nparts: [sdo, election]\n")
@@ -209,6 +222,7 @@ TEST_F(ManagedTest, WhatIsSilentIsShownWithWhatIsWrongAndStatus1)
 TEST_F(ManagedTest, BitsOfAManagersMemoryAreHitByMember)
 {
     Verifies(req::SRS_CMG_080);
+    Verifies(req::SRS_CMG_211);
     Verifies(req::SRS_CMG_082);
     // Given two members of the manager's memory, while it reads and starts three safety slaves
     const std::string plan = NetworkPlan("plan.yaml", "until: 60 ms\nparts: [memory]\nmembers: [expectation 33, gate]\n"
@@ -227,9 +241,204 @@ TEST_F(ManagedTest, BitsOfAManagersMemoryAreHitByMember)
     EXPECT_EQ(cia306::ReadTextFile(Path("merged.csv")), whole);
 }
 
-TEST_F(ManagedTest, ProgramOfAManagerThatEndsIsThatManagersEndAlone)
+TEST_F(ManagedTest, MembersAreAllThatAManagerDecidesBy)
 {
     Verifies(req::SRS_CMG_080);
+    const auto members = [this](const std::string& scenario)
+    {
+        managed::Stage stage(managed::ReadManagedPlan(File(
+            "plan.yaml", "title: A test\nnetwork: " COUNTERPOINT_SOURCE_FOLDER "/examples/campaigns/" + scenario)));
+        stage.World().RunUntil(20'000'000);
+        std::set<std::string> names;
+        for (const managed::ManagerPlace& place : managed::PlacesOf(*stage.Managers().front()))
+        {
+            EXPECT_GT(place.size, 0U) << place.name;
+            names.insert(place.name);
+        }
+        return names;
+    };
+    // Given a manager of three safety slaves, and one that may be elected
+    const std::set<std::string> all = members("managed.yaml\n");
+    const std::set<std::string> elected = members("flying.yaml\n");
+    // Then expectations, setup, concise DCFs, node table, gate, queue, connections, start-up and election are hit
+    for (const char* const name :
+         {"network", "expectation 1", "expectation 2", "expectation 33", "expectation_count 33", "slave 33",
+          "concise_dcf 33", "record 33", "watched 33", "table", "gate_told 33", "gate", "safety", "commands", "nmt",
+          "lanes", "sdo", "boot 33", "cia302"})
+    {
+        EXPECT_EQ(all.count(name), 1U) << name;
+    }
+    EXPECT_EQ(elected.count("flying"), 1U);
+    EXPECT_EQ(elected.count("flying_times"), 1U);
+}
+
+// The range of the program and its libraries in the memory of this process, as the system tells it.
+bool IsInTheProgram(const std::uint64_t word)
+{
+    std::ifstream ranges("/proc/self/maps");
+    bool is_in = false;
+    for (std::string line; std::getline(ranges, line);)
+    {
+        const std::size_t dash = line.find('-');
+        is_in = is_in || ((line.find(" /") != std::string::npos) && (std::stoull(line, nullptr, 16) <= word) &&
+                          (word < std::stoull(line.substr(dash + 1U), nullptr, 16)));
+    }
+    return is_in;
+}
+
+TEST_F(ManagedTest, AFlipChangesItsBitAloneAndNoAddress)
+{
+    Verifies(req::SRS_CMG_210);
+    managed::Stage stage(managed::ReadManagedPlan(NetworkPlan("plan.yaml", "until: 60 ms\n")));
+    stage.World().RunUntil(20'000'000);
+    simulator::SimulatedManager& manager = *stage.Managers().front();
+    int addresses = 0;
+    int values = 0;
+    // Given each word of the manager's role, which refers to its parts and knows functions of the program
+    for (const managed::ManagerPlace& place : managed::PlacesOf(manager))
+    {
+        for (std::uint32_t byte = 0U; (place.name == "role") && (byte + 8U <= place.size); byte += 8U)
+        {
+            ASSERT_EQ(reinterpret_cast<std::uintptr_t>(place.bytes + byte) % 8U, 0U);
+            std::uint64_t before = 0U;
+            std::memcpy(&before, place.bytes + byte, 8U);
+            // When bit 3 of its first byte is hit
+            managed::FlipIn(manager, "role", byte, 3U);
+            std::uint64_t behind = 0U;
+            std::memcpy(&behind, place.bytes + byte, 8U);
+            // Then an address stays, and of anything else this bit changes
+            if (IsInTheProgram(before))
+            {
+                ++addresses;
+                EXPECT_EQ(behind, before) << byte;
+            }
+            else if ((before >> 40U) == 0U)
+            {
+                ++values;
+                EXPECT_EQ(behind, before ^ 8U) << byte;
+            }
+            else
+            {
+                // On the heap.
+            }
+            std::memcpy(place.bytes + byte, &before, 8U);
+        }
+    }
+    EXPECT_GT(addresses, 0);
+    EXPECT_GT(values, 0);
+}
+
+/// The network of the examples with its judge, and frames of its manager that nobody sent.
+class JudgedNetwork
+{
+  public:
+    explicit JudgedNetwork(const managed::Plan& plan) : stage(plan), watch(stage, plan)
+    {
+    }
+    void RunTo(const std::int64_t ms)
+    {
+        for (; now_ms < ms; ++now_ms)
+        {
+            stage.World().RunUntil((now_ms + 1) * 1'000'000);
+            watch.Look((now_ms + 1) * 1'000'000);
+        }
+    }
+    void Commands(const std::uint8_t command, const std::uint8_t node)
+    {
+        const CanFrame frame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {command, node}};
+        Sends(frame, stage.Managers().front()->BusNode());
+    }
+    void Sends(const CanFrame& frame, const host::NodeIndex sender)
+    {
+        host::ReceptionList nobody;
+        watch.OnConfirmation({frame, sender, stage.World().Now(), 1U}, nobody);
+    }
+    /// Somebody else makes the relay PRE-OPERATIONAL, and changes its safeguard cycle time.
+    void Change()
+    {
+        stage.Somebody().Send(CanFrame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {0x80U, 33U}});
+        RunTo(now_ms + 3);
+        stage.World().At(Relay().index).Firmware().Store({0x1301U, 2U}, 77U);
+    }
+    [[nodiscard]] const managed::Slave& Relay() const
+    {
+        return *std::find_if(stage.Slaves().begin(), stage.Slaves().end(),
+                             [](const managed::Slave& slave) { return slave.node_id == 33U; });
+    }
+
+    managed::Stage stage;
+    managed::Watch watch;
+    std::int64_t now_ms{0};
+};
+
+TEST_F(ManagedTest, JudgeFindsEachWrongCommand)
+{
+    Verifies(req::SRS_CMG_072);
+    Verifies(req::SRS_CMG_215);
+    Verifies(req::SRS_CMG_216);
+    Verifies(req::SRS_CMG_220);
+    const managed::Plan plan = managed::ReadManagedPlan(NetworkPlan("plan.yaml", "until: 60 ms\n"));
+    // Given a start of all; a start before anything was read
+    JudgedNetwork all(plan);
+    all.RunTo(100);
+    ASSERT_EQ(all.watch.Found(), managed::Wrong::kNothing);
+    all.Commands(1U, 0U);
+    EXPECT_EQ(all.watch.Found(), managed::Wrong::kStartOfAll);
+    JudgedNetwork early(plan);
+    early.RunTo(1);
+    early.Commands(1U, 33U);
+    EXPECT_EQ(early.watch.Found(), managed::Wrong::kUnverified);
+    // Given one that was read, then it may be started again, also within 3 ms behind another command, and no later
+    JudgedNetwork late(plan);
+    late.RunTo(100);
+    late.Commands(1U, 33U);
+    EXPECT_EQ(late.watch.Found(), managed::Wrong::kNothing);
+    late.Commands(0x80U, 33U);
+    late.RunTo(102);
+    late.Commands(1U, 33U);
+    EXPECT_EQ(late.watch.Found(), managed::Wrong::kNothing);
+    late.RunTo(106);
+    late.Commands(1U, 33U);
+    EXPECT_EQ(late.watch.Found(), managed::Wrong::kUnverified);
+    // Given one that has another configuration by then
+    JudgedNetwork changed(plan);
+    changed.RunTo(100);
+    changed.Change();
+    changed.Commands(1U, 33U);
+    EXPECT_EQ(changed.watch.Found(), managed::Wrong::kConfiguration);
+}
+
+TEST_F(ManagedTest, JudgeFindsWhoRunsOnAndForeignIdentifiers)
+{
+    Verifies(req::SRS_CMG_218);
+    Verifies(req::SRS_CMG_219);
+    const managed::Plan plan = managed::ReadManagedPlan(NetworkPlan("plan.yaml", "until: 60 ms\n"));
+    // Given a relay that is changed, and that somebody else starts, looked at each 50 ms, and a manager without supply
+    JudgedNetwork network(managed::ReadManagedPlan(NetworkPlan("short.yaml", "until: 60 ms\nstop_within: 1 ms\n")));
+    network.RunTo(143);
+    network.stage.Managers().front()->SwitchOff();
+    network.Change();
+    network.stage.Somebody().Send(CanFrame{0U, FrameKind::kData, CanPortId::kFirst, 2U, {1U, 33U}});
+    network.RunTo(199);
+    EXPECT_EQ(network.watch.Found(), managed::Wrong::kNothing);
+    network.RunTo(200);
+    EXPECT_EQ(network.watch.Found(), managed::Wrong::kRunsOn);
+    // Given a relay that sends what it sends without a fault, and something else
+    JudgedNetwork other(plan);
+    other.RunTo(100);
+    const managed::Reference reference = other.watch.TakeReference();
+    other.watch.Compare(reference, 100'000'000);
+    const CanFrame heartbeat{0x721U, FrameKind::kData, CanPortId::kFirst, 1U, {5U}};
+    other.Sends(heartbeat, other.Relay().bus_node);
+    EXPECT_EQ(other.watch.Found(), managed::Wrong::kNothing);
+    const CanFrame command{0x101U, FrameKind::kData, CanPortId::kFirst, 2U, {0U, 0U}};
+    other.Sends(command, other.Relay().bus_node);
+    EXPECT_EQ(other.watch.Found(), managed::Wrong::kIdentifier);
+}
+
+TEST_F(ManagedTest, ProgramOfAManagerThatEndsIsThatManagersEndAlone)
+{
+    Verifies(req::SRS_CMG_212);
     // Given the role of a manager, which leads to a flying master that is not there
     const std::string plan = NetworkPlan("plan.yaml", "until: 60 ms\nparts: [memory]\nmembers: [role]\nsample: 120\n"
                                                       "detectors: [exception]\n");
@@ -264,7 +473,7 @@ TEST_F(ManagedTest, ClockOfAManagerEndangersNobody)
 
 TEST_F(ManagedTest, MembersThatAreNotThereAreRefused)
 {
-    Verifies(req::SRS_CMG_080);
+    Verifies(req::SRS_CMG_211);
     const auto said = [this](const std::string& more)
     {
         const tools::test::Answer answer =

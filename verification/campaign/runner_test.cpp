@@ -442,11 +442,50 @@ TEST_F(RunnerTest, CallThatAnswersAsItWouldHaveLiesStill)
 
 TEST_F(RunnerTest, DeviceThatCannotBeRecordedIsRefusedAtItsName)
 {
-    Verifies(req::SRS_CMG_002);
+    Verifies(req::SRS_CMG_213);
     const std::string plan = PlanFile("plan.yaml", "controller", kSmall);
     const tools::test::Answer answer = Campaign({plan});
     EXPECT_EQ(answer.status, 2);
     EXPECT_NE(answer.err.find(plan + ":3:9: error: a device with logic"), std::string::npos) << answer.err;
+    static_cast<void>(File("faulty.yaml",
+                           "extends: " COUNTERPOINT_SOURCE_FOLDER "/examples/emergency_stop/chain.yaml\nduration: 2 s\n"
+                           "faults: [{fault: unplugged, node: sensor, at: 1 s}]\n"));
+    const std::string faulty = File("faulty_plan.yaml", "title: A test\nscenario: " + Path("faulty.yaml") +
+                                                            "\ndevice: actuator\n" + std::string(kSmall));
+    const tools::test::Answer scenario = Campaign({faulty});
+    EXPECT_EQ(scenario.status, 2);
+    EXPECT_NE(scenario.err.find(faulty + ":3:9: error: a scenario with faults, managers or actions, expected "),
+              std::string::npos)
+        << scenario.err;
+}
+
+TEST_F(RunnerTest, DeviceWithoutFaultClosesWithTheSimulatedOne)
+{
+    Verifies(req::SRS_CMG_002);
+    // Given the recording of an actuator that is stopped and started by commands
+    Session session(File("plan.yaml", "title: A test\nscenario: " COUNTERPOINT_SOURCE_FOLDER
+                                      "/examples/campaigns/commanded.yaml\ndevice: actuator\n" +
+                                          std::string(kSmall)));
+    // When it has run without a fault, then its output opened and closed where the simulated one did
+    std::vector<Nanoseconds> changed;
+    const auto& cycles = session.Scenario().Record().cycles;
+    for (std::size_t cycle = 1U; cycle < 2000U; ++cycle)
+    {
+        if (session.Runs().OpenWithoutFault(cycle) != session.Runs().OpenWithoutFault(cycle - 1U))
+        {
+            changed.push_back(cycles[cycle].at);
+        }
+    }
+    std::vector<Nanoseconds> simulated;
+    for (const simulator::Event& event : session.Scenario().Simulated().Record().Events())
+    {
+        if (event.kind == simulator::EventKind::kOutput && event.node == session.Scenario().Node())
+        {
+            simulated.push_back(event.at);
+        }
+    }
+    EXPECT_GE(changed.size(), 2U);
+    EXPECT_EQ(changed, simulated);
 }
 } // namespace
 } // namespace counterpoint::campaign::test

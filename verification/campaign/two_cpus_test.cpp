@@ -307,6 +307,8 @@ TEST_F(TwoCpusTest, ClockOfOneCpuIsFoundByTheLinkAndInputsAreOfEachPath)
         // 10 %; 100 ppm; by 10 s
         EXPECT_EQ(Try(session, Part::kCounters, FaultKind::kSlow, cpu, 9U).result, Class::kDetected) << cpu;
         EXPECT_EQ(Try(session, Part::kCounters, FaultKind::kSlow, cpu, 0U).result, Class::kBenign) << cpu;
+        EXPECT_EQ(Try(session, Part::kCounters, FaultKind::kFast, cpu, 9U).result, Class::kDetected) << cpu;
+        EXPECT_EQ(Try(session, Part::kCounters, FaultKind::kFast, cpu, 0U).result, Class::kBenign) << cpu;
         EXPECT_EQ(Try(session, Part::kCounters, FaultKind::kJump, cpu, 20U).result, Class::kDetected) << cpu;
     }
 }

@@ -148,6 +148,15 @@ Plan PlanOf(Options& options)
     return plan;
 }
 
+/// One scene that shows an event that there is not, where run.py asks whether that is found.
+void Misname(std::vector<ScriptStep>& script, Options& options)
+{
+    if (options.count("misnamed") != 0U)
+    {
+        script.at(NumberOf(options["misnamed"])).shown.event = 0xFFFFFFFFU;
+    }
+}
+
 /// Each step of the run with one fault, and its verdict.
 void ShowOne(Campaign& campaign, const std::vector<ScriptStep>& script, Options& options)
 {
@@ -170,22 +179,22 @@ int main(int count, char** arguments)
 {
     if (count < 4)
     {
-        std::fprintf(
-            stderr,
-            "counterpoint_injector IMAGE DESCRIPTION KEY=NUMBER...\n"
-            "code (1 skips, 2 inversions, 3 both), each, sample, registers, opcodes, flash, memory, "
-            "stuck, seed, first, last, shard, shards;\none run: step, fault, instruction, address, number. run.py "
-            "builds what it needs and starts it.\n");
+        std::fprintf(stderr, "counterpoint_injector IMAGE DESCRIPTION KEY=NUMBER...\n"
+                             "code (1 skips, 2 inversions, 3 both), each, sample, registers, opcodes, flash, memory, "
+                             "stuck, seed, first, last, shard, shards, misnamed;\none run: step, fault, instruction, "
+                             "address, number. run.py "
+                             "builds what it needs and starts it.\n");
         return 2;
     }
     try
     {
         const Program program{arguments[1], arguments[2]};
-        const std::vector<ScriptStep> script = MakeScript();
+        Options options = OptionsOf(count, arguments);
+        std::vector<ScriptStep> script = MakeScript();
+        Misname(script, options);
         Machine machine{program};
         Campaign campaign{machine, program, script};
         const Space space{program, campaign.Traces()};
-        Options options = OptionsOf(count, arguments);
         PrintGolden(campaign, script);
         if (options.count("fault") != 0U)
         {

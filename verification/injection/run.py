@@ -42,7 +42,7 @@ DRAWN = ("registers", "opcodes", "flash", "memory", "stuck")
 # What the script has to hold: names of its scenes.
 SCENES = {"start", "pair", "acknowledge", "send", "confirm", "GFC", "GFC sent", "SCT expiry", "SRVT expiry", "NMT leave", "reconfiguration",
           "diagnosis", "level 2"}
-REQUIREMENTS = tuple(f"SRS_VER_{number:03}" for number in (40, 41, 42, 70, 71, 72, 73, 74))
+REQUIREMENTS = tuple(f"SRS_VER_{number:03}" for number in (40, 41, 42, 70, 71, 72, 73, 74, 210, 211))
 # Of processor time: so many faults a second, so many seconds for all skips and inversions by two cores.
 LEAST_RATE, MOST_SECONDS, CORES = 300, 300, 2
 
@@ -199,6 +199,14 @@ def self_test():
     return good
 
 
+def refuses_misnamed():
+    """Whether nothing is run when a step does not show what its scene is called."""
+    told = subprocess.run([str(INJECTOR), f"{IMAGE}.bin", f"{IMAGE}.txt", "misnamed=5"], capture_output=True, text=True, check=False)
+    good = told.returncode == 2 and "step 5 does not show" in told.stderr and told.stdout == ""
+    print(f"{'pass' if good else 'FAIL'}  fixture: a step that does not show what its scene is called")
+    return good
+
+
 def build():
     print("Building the image (build/target) and the injector (build/product) ...", flush=True)
     target_build.build_preset("tms570", ["injected"], ROOT / "build/target")
@@ -230,7 +238,7 @@ def parse():
     return arguments
 
 
-def judge(arguments, paths, failures, is_tested):
+def judge(arguments, paths, failures, is_tested, is_refused):
     """The record of injection.json."""
     summary, (not_called, functions) = summarise(paths)
     is_complete = arguments.code == "both" and arguments.each == arguments.sample == 0 and not arguments.code_of and arguments.steps == (0, 0xFFFFFFFF)
@@ -245,12 +253,14 @@ def judge(arguments, paths, failures, is_tested):
     is_quick = rate >= LEAST_RATE and processor / CORES <= MOST_SECONDS or arguments.all_memory
     is_run = not failures and total > 0 and total == sum(sum(counts.values()) for counts in summary.classes.values())
     are_told = bool(controls) and all(control[3] == "told" for control in controls)
+    never_run = image_description.functions_not_called(IMAGE.with_suffix(".txt"), f"{IMAGE}.elf", {})[0]
     scenes = list(dict.fromkeys(line[1] for line in lines_of(paths[:1], "golden")))
     passed = {"SRS_VER_040": is_run, "SRS_VER_041": is_run and is_tested and not problems, "SRS_VER_042": are_told,
               "SRS_VER_070": is_run and all(summary.classes[name[:-1] if name in ("registers", "opcodes") else name] for name in DRAWN
                                             if getattr(arguments, name)),
               "SRS_VER_071": is_run and SCENES <= set(scenes), "SRS_VER_072": is_run and not problems and not any(count for fault, count in summary.unsheltered.items() if fault not in results.LASTING), "SRS_VER_073": is_run and are_told and is_quick,
-              "SRS_VER_074": is_run and is_tested}
+              "SRS_VER_074": is_run and is_tested, "SRS_VER_210": is_refused,
+              "SRS_VER_211": is_run and len(not_called) < functions and set(not_called) < set(never_run)}
     options = {"code": arguments.code, "each": arguments.each, "sample": arguments.sample, **{name: getattr(arguments, name) for name in DRAWN}}
     return {"faults": total, "processor_seconds": round(processor, 1), "faults_a_processor_second": rate, "seed": arguments.seed, "options": options,
             "scenes": scenes, "steps": sum(1 for _ in lines_of(paths[:1], "golden")),
@@ -265,13 +275,14 @@ def main():
     if not arguments.no_build:
         build()
     image_description.describe(f"{IMAGE}.elf", IMAGE.with_suffix(".txt"), arguments.memory_of, arguments.code_of)
+    is_refused = refuses_misnamed()
     if arguments.show:
         return show(arguments)
     FOLDER.mkdir(parents=True, exist_ok=True)
     begun = time.monotonic()
     paths, failures = run_shards(arguments)
     seconds = time.monotonic() - begun
-    record = judge(arguments, paths, failures, is_tested)
+    record = judge(arguments, paths, failures, is_tested, is_refused)
     table = write_table(record)
     (FOLDER / "injection.json").write_text(json.dumps(record, indent=2) + "\n", encoding="utf-8")
     (FOLDER / "injection.txt").write_text(table, encoding="utf-8")

@@ -20,7 +20,7 @@ SdoConnection DefaultOf(const NodeId server) noexcept
 
 SdoClient::SdoClient(const SdoClientParts& parts) noexcept
     : transfer_(SdoClientLink(parts.sink, DefaultOf(parts.server))), phase_(Phase::kIdle),
-      time_out_us_(parts.time_out_us), block_size_(parts.block_size)
+      time_out_us_(parts.time_out_us), block_size_(parts.block_size), is_held_(false)
 {
     const bool is_size = (block_size_ >= 1U) && (block_size_ <= kMaxBlockSize);
     block_size_ = is_size ? block_size_ : kMaxBlockSize;
@@ -47,7 +47,7 @@ bool SdoClient::Start(const SdoJob& job, const Instant now) noexcept
         phase_ = Phase::kQueued;
         transfer_.Link().SetNow(now);
         transfer_.Link().OnHeard();
-        if (transfer_.Link().Flush())
+        if (!is_held_ && transfer_.Link().Flush())
         {
             Begin();
         }

@@ -39,6 +39,12 @@ class SdoClient
     /// @brief Ends a running transfer with an abort, of which the server is told. Nothing without a transfer.
     /// [SRS_SDC_009]
     void Cancel(SdoAbort reason) noexcept;
+    /// @brief Whether a transfer that is started waits for OnCycle before anything of it leaves; at first it does not.
+    /// [SRS_SDC_210]
+    void Hold(const bool is_held) noexcept
+    {
+        is_held_ = is_held;
+    }
     /// @brief The server restarted (boot-up message): nothing old is under way; a running transfer has failed.
     /// [SRS_SDC_008]
     void OnServerRestart() noexcept;
@@ -83,6 +89,7 @@ class SdoClient
     Phase phase_;
     std::uint32_t time_out_us_;
     std::uint8_t block_size_;
+    bool is_held_;
 };
 
 } // namespace counterpoint::cia301

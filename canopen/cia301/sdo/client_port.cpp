@@ -72,7 +72,9 @@ void SdoClientPort::OnFrame(const CanFrame& frame, const Moment& moment) noexcep
 
 void SdoClientPort::OnCycle(const Moment& moment) noexcept
 {
-    if (!IsAllowed(Service::kSdo, moment.state))
+    const bool is_allowed = IsAllowed(Service::kSdo, moment.state);
+    client_.Hold(!is_allowed);
+    if (!is_allowed)
     {
         client_.Cancel(SdoAbort::kDeviceState);
     }

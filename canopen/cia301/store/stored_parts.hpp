@@ -55,7 +55,8 @@ class StoredEntries final : public StoredPart
 
 /// The configuration that the kernel owns (1300h to 13FFh), as a part of the communication group. Where the saved one
 /// is lost, or the kernel refuses it, its power-on configuration holds, without A5h in 13FEh. The kernel is kept by
-/// reference. [SRS_STO_012, SRS_STO_014, SRS_STO_017, SRS_STO_019, SRS_STO_021, SRS_STO_241]
+/// reference. [SRS_STO_012, SRS_STO_014, SRS_STO_017, SRS_STO_019, SRS_STO_021,
+/// SRS_STO_210, SRS_STO_241]
 class StoredSafety final : public StoredPart
 {
   public:

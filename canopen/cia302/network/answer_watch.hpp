@@ -31,7 +31,7 @@ struct AskedNode
 
 /// Finds two devices behind one node-ID by their answers: a question that both answer is answered twice. Answers that
 /// are equal bit for bit and begin together are one frame on the wire; then nobody can tell them from the answer of one
-/// device. Pure functions over one record. [SRS_MGR_015]
+/// device. Pure functions over one record. [SRS_MGR_015, SRS_MGR_223]
 class AnswerWatch
 {
   public:

@@ -64,6 +64,7 @@ class NmtMaster
     /// @brief Puts a command into the queue, and sends it at once if the inhibit time is over and nothing waits. One
     /// but a start that is the last one waiting for its node is taken and not put there a second time. What is refused,
     /// and why: see NmtAnswer. O(queue) [SRS_NMM_001, SRS_NMM_002, SRS_NMM_003, SRS_NMM_004, SRS_NMM_005,
+    /// SRS_NMM_213, SRS_NMM_214, SRS_NMM_215,
     /// SRS_NMM_120]
     [[nodiscard]] NmtAnswer Request(NmtCommand command, NodeId node, Instant now) noexcept;
     /// @brief The command singly to each node of the network list but `except` (0: nobody) and the own

@@ -59,7 +59,7 @@ constexpr std::uint32_t kEmergencyGapUs = 100'000U;
 /// Emergency messages, and node-IDs that two devices have. Two devices with one node-ID answer SDOs with each other's
 /// values; they show themselves by heartbeats that come too often: kWindowSigns in kWindowPeriods producer times, where
 /// one device sends eleven, counted anew from each boot-up message, unless it refused that time (1017h); and by second
-/// answers, see AnswerWatch. Not reentrant. [SRS_MGR_010, SRS_MGR_011, SRS_MGR_015, SRS_MGR_083]
+/// answers, see AnswerWatch. Not reentrant. [SRS_MGR_010, SRS_MGR_011, SRS_MGR_015, SRS_MGR_083, SRS_MGR_224]
 class NodeWatch
 {
   public:

@@ -20,8 +20,8 @@ struct NetworkObjectParts
 };
 
 /// Hook of the entries 102Ah, 1F25h to 1F27h, 1F53h to 1F55h, 1F80h to 1F8Ah; they need no place. Arrays are numbered
-/// by node-ID; sub 80h of 1F25h, 1F82h and 1F83h is all nodes. [SRS_NMM_006, SRS_NMM_007, SRS_NMM_008, SRS_NMM_009,
-/// SRS_NMM_010]
+/// by node-ID; sub 80h of 1F25h, 1F82h and 1F83h is all nodes. [SRS_NMM_006, SRS_NMM_210, SRS_NMM_211, SRS_NMM_212,
+/// SRS_NMM_007, SRS_NMM_008, SRS_NMM_009, SRS_NMM_010]
 class NetworkObjects final : public cia301::NumberHook
 {
   public:

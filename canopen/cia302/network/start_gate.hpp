@@ -65,7 +65,7 @@ class StartGate
     /// @brief Has meaning with kDiffers and kFailed only.
     [[nodiscard]] virtual GateFinding Finding(NodeId node) const noexcept = 0;
 
-    /// @brief Whether another device than the expected one was found behind this node-ID. [SRS_SFS_010]
+    /// @brief Whether another device than the expected one was found behind this node-ID. [SRS_SFS_217]
     [[nodiscard]] bool IsOther(const NodeId node) const noexcept
     {
         return (State(node) == GateState::kDiffers) && Finding(node).IsOfIdentity();

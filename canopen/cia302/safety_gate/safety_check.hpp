@@ -44,7 +44,7 @@ struct IdentityRow
 
 constexpr std::uint8_t kIdentityRows = 5U;
 
-/// @brief 1000h and 1018h:01 to :04 by `row` 0 to 4, as the rule compares them. [SRS_SFS_010]
+/// @brief 1000h and 1018h:01 to :04 by `row` 0 to 4, as the rule compares them. [SRS_SFS_010, SRS_SFS_215, SRS_SFS_216]
 [[nodiscard]] IdentityRow IdentityRowOf(const SlaveSetup& slave, IdentityRule rule, std::uint8_t row) noexcept;
 
 /// What a check does with the safety configuration of its slave.
@@ -80,7 +80,7 @@ class SafetyCheck
   public:
     SafetyCheck() noexcept = default;
 
-    /// @brief Begins the check from its start. [SRS_SFS_001, SRS_SFS_005, SRS_SFS_010]
+    /// @brief Begins the check from its start. [SRS_SFS_001, SRS_SFS_005, SRS_SFS_010, SRS_SFS_220]
     void Begin(const SafetyOrder& order, NodeId node) noexcept;
     /// @brief Takes what the slave answered and asks for the next object.
     void OnCycle(SdoPool& sdo, Instant now) noexcept;

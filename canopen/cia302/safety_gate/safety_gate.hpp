@@ -37,13 +37,13 @@ class SafetyGate final : public StartGate
     SafetyGate(const NetworkSetup& setup, const SafetySlots& room, SdoPool& sdo) noexcept;
 
     /// @brief From the next verification on this rule says by which objects a slave is recognised; kCia302 at first.
-    /// [SRS_SFS_010]
+    /// [SRS_SFS_010, SRS_SFS_217, SRS_SFS_218]
     void Use(IdentityRule rule) noexcept;
     /// @brief Reads and compares from the beginning; kBusy until that ends. In doubt, or without a slot,
     /// nothing happens. [SRS_SFS_001]
     void Verify(NodeId node, Instant now) noexcept override;
     /// @brief Writes the whole safety configuration, then as Verify. The slave has to be PRE-OPERATIONAL: it refuses
-    /// otherwise. False: no safety slave, in doubt, or no slot. [SRS_SFS_005]
+    /// otherwise. False: no safety slave, in doubt, or no slot. [SRS_SFS_005, SRS_SFS_210, SRS_SFS_211, SRS_SFS_213]
     [[nodiscard]] bool Write(NodeId node, Instant now) noexcept;
     /// @brief Two devices may have this node-ID: the gate is closed and stays so until Trust. [SRS_SFS_151]
     void Doubt(NodeId node) noexcept;
@@ -53,7 +53,7 @@ class SafetyGate final : public StartGate
     /// [SRS_SFS_002]
     void Renew(NodeId node) noexcept;
     /// @brief The slave has answered that an object of its safety configuration was written. True: by somebody else; a
-    /// verification or writing that runs begins again. [SRS_SFS_011]
+    /// verification or writing that runs begins again. [SRS_SFS_011, SRS_SFS_221]
     [[nodiscard]] bool OnWritten(NodeId node, const ObjectAddress& object) noexcept;
     /// @brief The slave has answered that this object will be downloaded to it: of the segments and the end of a block
     /// that follow no answer names it. Without a slot nothing is kept. [SRS_SFS_011]

@@ -45,7 +45,7 @@ class BootSlave
     /// @brief As Ask, but a start that was ordered is still wanted. [SRS_BOOT_018]
     void AskAgain(NodeId node, const BootTime& time) noexcept;
     /// @brief As Ask, but what was written to the slave stays: the state check does not reset it, and no defaults are
-    /// restored. [SRS_SFS_005]
+    /// restored. [SRS_SFS_214]
     void Resume(NodeId node, const BootTime& time) noexcept;
     /// @brief Boots when the boot-up message comes; mandatory slaves and those kept alive also without one, after
     /// kResetUs. [SRS_BOOT_002]

@@ -20,7 +20,7 @@ struct BehindPair
     Nanoseconds wrong_inverse{-1}; ///< Inverse frame that made no valid pair.
 };
 
-/// Frames of one SRDO as this node got them: what limits are counted from. [SRS_SIM_031, SRS_SIM_082]
+/// Frames of one SRDO as this node got them: what limits are counted from. [SRS_SIM_031, SRS_SIM_082, SRS_SIM_214]
 struct PairTimes
 {
     Nanoseconds last_good_normal{-1}; ///< Normal frame of the last complete valid pair.

@@ -169,6 +169,7 @@ TEST_F(SdoBlockTest, LostSegmentsAreRepeatedAndDoubledOnesIgnored)
 {
     Verifies(req::SRS_SDO_150);
     Verifies(req::SRS_SDO_151);
+    Verifies(req::SRS_SDO_006);
     EXPECT_EQ(Send({0xC0U, 0x03U, 0x21U, 0x00U})[0], 0xA4U);
     // Given that segment 3 of 4 is lost and 2 is doubled
     EXPECT_TRUE(SendSegments(1, 2).empty());
@@ -188,6 +189,7 @@ TEST_F(SdoBlockTest, LostSegmentsAreRepeatedAndDoubledOnesIgnored)
 TEST_F(SdoBlockTest, SequenceNumbersThatTheBlockDoesNotHaveAreNotReceived)
 {
     Verifies(req::SRS_SDO_152);
+    Verifies(req::SRS_SDO_006);
     for (const std::uint8_t number : Octets{0x00U, 0x05U, 0x2FU, 0x7FU})
     {
         // Given a block of 4 segments, of which the first one came

@@ -218,6 +218,37 @@ TEST_F(ServiceLoadingTest, OnlyABootUpMessageOfItsServerEndsATransferOfAClient)
     EXPECT_EQ(asks.Client().Outcome().abort, SdoAbort::kNoConnection);
 }
 
+TEST_F(ServiceLoadingTest, AClientSendsNothingWhereTheStateHasNoSdo)
+{
+    Verifies(req::SRS_SDC_210);
+    SdoClientPort asks{SdoClientPortParts{sink, 1U, 1000U, 5U}};
+    std::array<std::uint8_t, 4> room{};
+    const auto ask = [&asks, &room, this]
+    { return asks.Client().StartUpload({0x1000U, 0U}, {room.data(), 4U}, SdoMode::kNormal, Instant{now_us}); };
+    const Moment stopped{NodeState::kStopped, Instant{now_us}};
+    EXPECT_EQ(Write(asks, 0x1281U, 1U, 0x680U), SdoAbort::kNone);
+    EXPECT_EQ(Write(asks, 0x1281U, 2U, 0x6A0U), SdoAbort::kNone);
+    // Given a device that is STOPPED, when a transfer is started, then it ends without a frame
+    asks.OnCycle(stopped);
+    EXPECT_TRUE(ask());
+    asks.OnCycle(stopped);
+    EXPECT_EQ(asks.Client().State(), SdoClientState::kAborted);
+    EXPECT_EQ(asks.Client().Outcome().abort, SdoAbort::kDeviceState);
+    EXPECT_TRUE(sink.frames.empty());
+    // One that is started just before the state has SDO again begins with the cycle that sees it
+    EXPECT_TRUE(ask());
+    EXPECT_TRUE(sink.frames.empty());
+    asks.OnCycle(Now());
+    ASSERT_EQ(sink.frames.size(), 1U);
+    EXPECT_EQ(sink.frames[0].identifier, 0x680U);
+    EXPECT_EQ(sink.frames[0].data[0], 0x40U);
+    asks.Client().Cancel(SdoAbort::kGeneral);
+    // And from then on at once
+    sink.frames.clear();
+    EXPECT_TRUE(ask());
+    EXPECT_EQ(sink.frames.size(), 1U);
+}
+
 TEST(ObjectKindsTest, ObjectsThatADictionaryTreatsInAnotherWay)
 {
     Verifies(req::SRS_OBD_013);

@@ -256,6 +256,7 @@ TEST_F(StoredPartsTest, EntriesComeBackAndPdosWork)
 {
     Verifies(req::SRS_STO_011);
     Verifies(req::SRS_PDO_007);
+    Verifies(req::SRS_STO_004);
     EXPECT_EQ(WritePdo(0x1A00U, 1U, 0x21000008U), SdoAbort::kNone);
     EXPECT_EQ(WritePdo(0x1A00U, 0U, 1U), SdoAbort::kNone);
     EXPECT_EQ(WritePdo(0x1800U, 2U, 1U), SdoAbort::kNone);
@@ -561,7 +562,7 @@ TEST_F(StoredSafetyTest, AfterALostSetTheDeviceDoesNotComeUpWithA5)
 
 TEST_F(StoredSafetyTest, AConfigurationThatTheKernelDoesNotGiveIsNotLeftOutOfASet)
 {
-    Verifies(req::SRS_STO_012);
+    Verifies(req::SRS_STO_210);
     Configure();
     kernel.Stop();
     std::array<std::uint8_t, 64> scratch{};
@@ -569,6 +570,24 @@ TEST_F(StoredSafetyTest, AConfigurationThatTheKernelDoesNotGiveIsNotLeftOutOfASe
     EXPECT_EQ(safety.ItemCount(), 1U);
     EXPECT_EQ(safety.Item(0U, {scratch.data(), 64U}).abort, SdoAbort::kDeviceState);
     EXPECT_EQ(safety.Item(0U, {scratch.data(), 64U}).group, kCommunicationGroup);
+    // When that group is saved, then it is refused; another one is not
+    std::array<std::uint8_t, 64> room{};
+    CutMemory memory{8192U};
+    std::array<StoredPart*, 1> parts{&safety};
+    ParameterStore store{StoreParts{memory, parts.data(), 1U, Room{room.data(), 64U}}};
+    for (const auto& [group, told] :
+         {std::pair(kCommunicationGroup, SdoAbort::kDeviceState), std::pair(kApplicationGroup, SdoAbort::kNone)})
+    {
+        const StoreRequest save{StoreAction::kSave, group};
+        SdoAbort answer = store.Begin(save);
+        for (int i = 0; (i < 3000) && (answer == SdoAbort::kPending); ++i)
+        {
+            store.OnCycle();
+            answer = store.Continue(save);
+        }
+        EXPECT_EQ(answer, told);
+    }
+    EXPECT_EQ(static_cast<std::uint32_t>(SdoAbort::kDeviceState), 0x08000022U);
 }
 
 } // namespace

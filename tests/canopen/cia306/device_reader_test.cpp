@@ -106,11 +106,16 @@ TEST(DeviceReader, ExpandsACompactObject)
 TEST(DeviceReader, ASectionOfItsOwnRefinesACompactSubIndex)
 {
     Verifies(req::SRS_EDS_011);
-    const Device device = DeviceOf(Text("[2000]\nObjectType=8\nDataType=7\nAccessType=rw\nCompactSubObj=2\n"
-                                        "[2000sub2]\nDataType=6\nAccessType=ro\nDefaultValue=9\n"));
+    const Device device =
+        DeviceOf(Text("[2000]\nObjectType=8\nDataType=7\nAccessType=rw\nPDOMapping=1\nCompactSubObj=2\n"
+                      "[2000sub2]\nDataType=6\nAccessType=ro\nDefaultValue=9\n"));
     EXPECT_EQ(device.Find(0x2000U, 1U)->data_type, 0x0007U);
     EXPECT_EQ(device.Find(0x2000U, 2U)->data_type, 0x0006U);
     EXPECT_EQ(device.Find(0x2000U, 2U)->Configured().text, "9");
+    // What has no section has access and mapping flag of the object
+    EXPECT_EQ(device.Find(0x2000U, 1U)->access, Access::kReadWrite);
+    EXPECT_TRUE(device.Find(0x2000U, 1U)->is_pdo_mappable);
+    EXPECT_EQ(device.Find(0x2000U, 2U)->access, Access::kReadOnly);
 }
 
 TEST(DeviceReader, ReadsTheNodeIdOfBothSpellings)

@@ -238,6 +238,12 @@ TEST(WideFiles, AStaticMappingIsOneThatNobodyCanWrite)
     EXPECT_FALSE(SafetyOf(test::DeviceOf(test::Changed(text, {{last, "AccessType=rw\nDefaultValue=0x24100308"}})))
                      .srdos[1]
                      .is_static);
+    // Nor is one whose number of entries can be written
+    const std::string count = "Number of mapped objects\nObjectType=0x7\nDataType=0x0005\nAccessType=";
+    EXPECT_FALSE(SafetyOf(test::DeviceOf(test::Changed(
+                              text, {{count + "const\nDefaultValue=6\n", count + "rw\nDefaultValue=6\n"}})))
+                     .srdos[1]
+                     .is_static);
 }
 
 TEST(WideFiles, TheDigestIsThatOfAnIndependentComputation)

@@ -428,6 +428,85 @@ TEST_F(DeviceFurtherTest, AClientAndASecondServerShareTheBusWithTheFirst)
     EXPECT_EQ(client.Client().Outcome().abort, cia301::SdoAbort::kDeviceState);
 }
 
+TEST_F(DeviceFurtherTest, WorkInPreOperationalAndOperationalAlone)
+{
+    Verifies(req::SRS_DEV_210);
+    Verifies(req::SRS_SDC_210);
+    Start();
+    Configure();
+    std::uint8_t day = 1U;
+    for (const std::uint8_t command : {std::uint8_t{128U}, std::uint8_t{1U}, std::uint8_t{2U}})
+    {
+        const bool works = command != 2U;
+        Command(command);
+        Cycle();
+        Forget();
+        code = 0U;
+        // When a TIME, an emergency, a request and an order to ask come
+        Frame(0x100U, {1U, 0U, 0U, 0U, day, 0U});
+        Frame(0x82U, {0x10U, 0x42U, 9U, 0U, 0U, 0U, 0U, 0U});
+        Frame(0x680U, {0x40U, 0x00U, 0x10U, 0U, 0U, 0U, 0U, 0U});
+        static_cast<void>(
+            client.Client().StartUpload({0x1000U, 0U}, {room.data(), 8U}, cia301::SdoMode::kNormal, Instant{now_us}));
+        Cycle();
+        // Then they are taken, answered and sent, but not in STOPPED
+        EXPECT_EQ(days == day, works) << int{command};
+        EXPECT_EQ(code, works ? 0x4210U : 0U) << int{command};
+        EXPECT_EQ(Sent(0x6A0U).size(), works ? 1U : 0U) << int{command};
+        EXPECT_EQ(Sent(0x605U).size(), works ? 1U : 0U) << int{command};
+        if (!works)
+        {
+            EXPECT_EQ(client.Client().Outcome().abort, cia301::SdoAbort::kDeviceState);
+        }
+        Frame(0x585U, {0x43U, 0x00U, 0x10U, 0U, 1U, 2U, 3U, 4U});
+        Cycle();
+        ++day;
+    }
+}
+
+TEST_F(DeviceFurtherTest, AreAsAtPowerOnAfterAResetOfCommunication)
+{
+    Verifies(req::SRS_DEV_211);
+    Start();
+    Configure();
+    Ask();
+    ASSERT_EQ(Sent(0x605U).size(), 1U);
+    // When the device resets its communication
+    Command(130U);
+    Cycle();
+    Forget();
+    Frame(0x100U, {1U, 0U, 0U, 0U, 0x34U, 0x12U});
+    Frame(0x82U, {0x10U, 0x42U, 9U, 0U, 0U, 0U, 0U, 0U});
+    Frame(0x680U, {0x40U, 0x00U, 0x10U, 0U, 0U, 0U, 0U, 0U});
+    Frame(0x585U, {0x43U, 0x00U, 0x10U, 0U, 1U, 2U, 3U, 4U});
+    Cycle();
+    // Then all four are off, and the transfer that was open is none any more
+    EXPECT_EQ(days, 0U);
+    EXPECT_EQ(code, 0U);
+    EXPECT_TRUE(Sent(0x6A0U).empty());
+    EXPECT_NE(client.Client().State(), SdoClientState::kDone);
+    EXPECT_EQ(room[0], 0U);
+}
+
+TEST_F(DeviceFurtherTest, SendInTheOrderInWhichTheyAreAsked)
+{
+    Verifies(req::SRS_DEV_212);
+    Start();
+    Configure();
+    for (const bool is_second_first : {true, false})
+    {
+        const std::size_t before = ports.sent.size();
+        // When both servers are asked in one cycle
+        Frame(is_second_first ? 0x680U : 0x602U, {0x40U, 0x00U, 0x10U, 0U, 0U, 0U, 0U, 0U});
+        Frame(is_second_first ? 0x602U : 0x680U, {0x40U, 0x00U, 0x10U, 0U, 0U, 0U, 0U, 0U});
+        Cycle();
+        // Then their answers leave in this order
+        ASSERT_EQ(ports.sent.size(), before + 2U);
+        EXPECT_EQ(ports.sent[before].identifier, is_second_first ? 0x6A0U : 0x582U);
+        EXPECT_EQ(ports.sent[before + 1U].identifier, is_second_first ? 0x582U : 0x6A0U);
+    }
+}
+
 TEST_F(DeviceFurtherTest, APlainDeviceMissesNoSafetyConfiguration)
 {
     Verifies(req::SRS_DEV_021);

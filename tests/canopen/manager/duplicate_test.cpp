@@ -51,7 +51,7 @@ TEST_P(DuplicateTest, TwoDevicesWithoutHeartbeatAreFoundByTheirAnswers)
 
 TEST_P(DuplicateTest, ASafetySlaveThatMayBeTwoIsNotStartedUntilAReset)
 {
-    Verifies(req::SRS_MGR_010);
+    Verifies(req::SRS_MGR_226);
     Verifies(req::SRS_SFS_151);
     // Given two devices 5 with the configuration that is expected, both of them
     Add(5U);
@@ -99,7 +99,7 @@ TEST_P(DuplicateTest, WhatASinkDidNotTakeIsSentLater)
 
 TEST_P(DuplicateTest, OneDeviceIsNeverTakenForTwo)
 {
-    Verifies(req::SRS_MGR_015);
+    Verifies(req::SRS_MGR_223);
     // Given one that never boots up by itself, one that answers nothing, a safety slave and one that is reset often
     Add(5U).has_boot_up = false;
     Add(6U).is_sdo_mute = true;
@@ -205,7 +205,7 @@ TEST_F(SecondAnswerTest, ThreeSdoRequestsInARow)
 
 TEST_F(SecondAnswerTest, WhatASingleDeviceSendsIsNoSecondAnswer)
 {
-    Verifies(req::SRS_MGR_015);
+    Verifies(req::SRS_MGR_223);
     Begin(Profile::kCia302);
     for (std::uint16_t i = 0U; i < 10U; ++i)
     {
@@ -319,7 +319,7 @@ TEST_F(SecondAnswerTest, GuardingAnswersOfTwo)
 
 TEST_F(SecondAnswerTest, HeartbeatsOfANodeThatIsAskedByRemoteFramesAreNone)
 {
-    Verifies(req::SRS_MGR_015);
+    Verifies(req::SRS_MGR_223);
     Begin(Profile::kCia302);
     for (int i = 0; i < 50; ++i)
     {
@@ -352,7 +352,7 @@ TEST_F(SecondAnswerTest, TwoBootUpMessagesAfterEachOfThreeResets)
 
 TEST_F(SecondAnswerTest, OneDeviceThatBootsOnceForEachOfTwoResets)
 {
-    Verifies(req::SRS_MGR_015);
+    Verifies(req::SRS_MGR_223);
     Begin(Profile::kCia302);
     const CanFrame reset{0U, FrameKind::kData, CanPortId::kFirst, 2U, {0x82U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}};
     Put(reset);
@@ -383,7 +383,7 @@ TEST_F(SecondAnswerTest, OneDeviceThatBootsOnceForEachOfTwoResets)
 
 TEST_F(SecondAnswerTest, WhatWasLostIsNoQuestionThatWasAnsweredTwice)
 {
-    Verifies(req::SRS_MGR_015);
+    Verifies(req::SRS_MGR_223);
     Begin(Profile::kCia302);
     const CanFrame reset{0U, FrameKind::kData, CanPortId::kFirst, 2U, {0x82U, 5U, 0U, 0U, 0U, 0U, 0U, 0U}};
     // Given a host that is starved: of each second reset, request and remote frame it loses what asked
@@ -402,7 +402,7 @@ TEST_F(SecondAnswerTest, WhatWasLostIsNoQuestionThatWasAnsweredTwice)
 
 TEST_F(SecondAnswerTest, AResetOfWhomeverEndsTheSuspicion)
 {
-    Verifies(req::SRS_MGR_010);
+    Verifies(req::SRS_MGR_226);
     Verifies(req::SRS_SFS_151);
     MakeSafe(6U);
     Begin(Profile::kCia302);
@@ -423,7 +423,7 @@ TEST_F(SecondAnswerTest, AResetOfWhomeverEndsTheSuspicion)
 
 TEST_F(SecondAnswerTest, AnErrorControlMessageWithTheManagersOwnNodeId)
 {
-    Verifies(req::SRS_MGR_010);
+    Verifies(req::SRS_MGR_224);
     Begin(Profile::kCia302);
     for (const std::uint8_t byte : {std::uint8_t{0x00U}, std::uint8_t{0x05U}, std::uint8_t{0x7FU}})
     {
@@ -436,7 +436,7 @@ TEST_F(SecondAnswerTest, AnErrorControlMessageWithTheManagersOwnNodeId)
 
 TEST_F(SecondAnswerTest, AnAnswerWithTheManagersOwnNodeId)
 {
-    Verifies(req::SRS_MGR_010);
+    Verifies(req::SRS_MGR_224);
     Begin(Profile::kCia302);
     Put(Sdo(0x5FFU, 0x43U, 0x1000U, 0U));
     EXPECT_EQ(duplicates, (std::vector<std::uint8_t>{127U}));
@@ -444,7 +444,7 @@ TEST_F(SecondAnswerTest, AnAnswerWithTheManagersOwnNodeId)
 
 TEST_F(SecondAnswerTest, WithoutKnowingWhatItSentTheManagerSuspectsNobody)
 {
-    Verifies(req::SRS_MGR_015);
+    Verifies(req::SRS_MGR_223);
     is_echo_heard = false;
     Add(5U);
     Add(5U).boot_ms = 4U;

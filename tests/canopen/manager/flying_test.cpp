@@ -342,6 +342,7 @@ TEST_F(ManagerFlying, WhoNegotiatesAfterALossIsInitialisingAndBootsUpAgain)
 TEST_F(ManagerFlying, ARaceOrRestartAtAForceEndsTheLeadAtOnce)
 {
     Verifies(req::SRS_MGR_002);
+    Verifies(req::SRS_MGR_212);
     for (const ForceReaction reaction : {ForceReaction::kRace, ForceReaction::kRestart, ForceReaction::kResetAll})
     {
         SCOPED_TRACE(static_cast<int>(reaction));
@@ -447,6 +448,7 @@ TEST_F(ManagerFlying, WhatIsTwiceSaidIsDoneOnce)
 TEST_F(ManagerFlying, AsSlaveItObeysCommandsAndWatchesItsMaster)
 {
     Verifies(req::SRS_MGR_002);
+    Verifies(req::SRS_MGR_210);
     slaves[3].heartbeat = HeartbeatSetup{200U, 100U, Arming::kImmediately};
     Use(NegotiationBy::kManager);
     manager.Begin(Now());
@@ -521,6 +523,55 @@ TEST_F(ManagerFlying, WhatIsWrittenToASafetySlaveIsTheConcernOfTheMaster)
     hear(0x589U, {0x60U, 0x01U, 0x13U, 0x01U, 0U, 0U, 0U, 0U});
     EXPECT_EQ(other.Gate().State(NodeId{9U}), GateState::kClosed);
     EXPECT_EQ(other.Table().Record(NodeId{9U}).signs, 0U);
+}
+
+TEST_F(ManagerFlying, ItWatchesItsMasterByTheConsumerTimeOfTheNetwork)
+{
+    Verifies(req::SRS_MGR_210);
+    // Given a preset that leaves it to the manager, and 200 ms for node 3
+    options.watch = MasterWatch::kApplication;
+    slaves[3].heartbeat = HeartbeatSetup{200U, 100U, Arming::kFirstHeartbeat};
+    Use(NegotiationBy::kManager);
+    manager.Begin(Now());
+    RunTo(10U);
+    Hear(0x071U, {0U, 3U});
+    RunTo(100U);
+    ASSERT_FALSE(manager.IsActive());
+    static_cast<void>(Log());
+    // When its heartbeat comes each 200 ms, then it stays slave
+    for (std::uint32_t ms = 100U; ms <= 1700U; ms += 200U)
+    {
+        RunTo(ms);
+        Hear(0x703U, {5U});
+    }
+    RunTo(2390U);
+    EXPECT_EQ(Log(), Lines{"1012 705 7F"}); // Its own, until it begins anew.
+    // And when the next one does not come until 1900 ms, it asks for a master 500 ms later
+    RunTo(2410U);
+    EXPECT_EQ(Log().size(), 1U);
+    RunTo(6000U);
+    EXPECT_TRUE(manager.IsActive());
+}
+
+TEST_F(ManagerFlying, WithoutAConsumerTimeNobodyWatchesTheMaster)
+{
+    Verifies(req::SRS_MGR_211);
+    // Given a preset that leaves it to the manager, which has no time for node 3
+    options.watch = MasterWatch::kApplication;
+    Use(NegotiationBy::kManager);
+    manager.Begin(Now());
+    RunTo(10U);
+    Hear(0x071U, {0U, 3U});
+    RunTo(100U);
+    ASSERT_FALSE(manager.IsActive());
+    Hear(0x703U, {5U});
+    static_cast<void>(Log());
+    // When it is silent for a minute, then this one stays slave
+    RunTo(60'000U);
+    EXPECT_FALSE(manager.IsActive());
+    const Lines log = Log();
+    EXPECT_TRUE(std::all_of(log.begin(), log.end(),
+                            [](const std::string& line) { return line.find(" 705 7F") != std::string::npos; }));
 }
 
 /// Tells nobody what the negotiation does.

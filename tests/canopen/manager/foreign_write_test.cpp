@@ -128,18 +128,21 @@ class ForeignWriteTest : public ManagerRig, public ::testing::WithParamInterface
 TEST_P(ForeignWriteTest, OfATimeIsFoundAtEachInstantOfTheReadingAndBehindIt)
 {
     Verifies(req::SRS_SFS_011);
+    Verifies(req::SRS_SFS_219);
     ExpectFound(Write(0x1301U, 2U, 2U, 26U), Write(0x1301U, 2U, 2U, 25U), 0x1301U, 24U);
 }
 
 TEST_P(ForeignWriteTest, OfASignatureIsFoundAtEachInstantOfTheReadingAndBehindIt)
 {
     Verifies(req::SRS_SFS_011);
+    Verifies(req::SRS_SFS_219);
     ExpectFound(Write(0x13FFU, 1U, 2U, 0x1235U), Write(0x13FFU, 1U, 2U, 0x1234U), 0x13FFU, 24U);
 }
 
 TEST_P(ForeignWriteTest, OfTheGfcIsFoundAtEachInstantOfTheReading)
 {
     Verifies(req::SRS_SFS_011);
+    Verifies(req::SRS_SFS_220);
     ExpectFound(Write(0x1300U, 0U, 1U, 0U), Write(0x1300U, 0U, 1U, 1U), 0x1300U, 10U);
 }
 
@@ -211,7 +214,7 @@ TEST_P(ForeignWriteTest, OfWhatWasBegunBeforeTheReadingBeginsItAnew)
 
 TEST_P(ForeignWriteTest, WhatIsNoWriteOfTheConfigurationDisturbsNothing)
 {
-    Verifies(req::SRS_SFS_011);
+    Verifies(req::SRS_SFS_221);
     Begin(GetParam());
     RunIntoReading(0U);
     const std::uint32_t whole = Rest();
@@ -244,7 +247,7 @@ TEST_P(ForeignWriteTest, OfATimeOfASlaveThatSomebodyElseStartedIsFound)
 {
     Verifies(req::SRS_SFS_006);
     Verifies(req::SRS_SFS_150);
-    Verifies(req::SRS_SFS_011);
+    Verifies(req::SRS_SFS_219);
     ExpectFoundBehindForeignStart(Write(0x1301U, 2U, 2U, 26U), 0x1301U);
 }
 
@@ -253,13 +256,13 @@ TEST_P(ForeignWriteTest, OfTheGfcOfASlaveThatSomebodyElseStartedIsFound)
 {
     Verifies(req::SRS_SFS_006);
     Verifies(req::SRS_SFS_150);
-    Verifies(req::SRS_SFS_011);
+    Verifies(req::SRS_SFS_219);
     ExpectFoundBehindForeignStart(Write(0x1300U, 0U, 1U, 0U), 0x1300U);
 }
 
 TEST_P(ForeignWriteTest, OfTheGfcOfASlaveThatRunsIsItsRight)
 {
-    Verifies(req::SRS_SFS_011);
+    Verifies(req::SRS_SFS_219);
     Begin(GetParam());
     Run(6000U);
     EXPECT_EQ(Running(5U), 1);

@@ -183,7 +183,7 @@ TEST_P(LeftOperationalTest, ByAStopOfWhichItHasNotSpokenYetIsStartedAgainByOrder
 
 TEST_P(LeftOperationalTest, ByAStopOfWhichItHasNotSpokenYetIsMadePreOperationalToBeWritten)
 {
-    Verifies(req::SRS_SFS_005);
+    Verifies(req::SRS_SFS_212);
     setups[5].heartbeat = HeartbeatSetup{300U, 100U, Arming::kFirstHeartbeat};
     StartAndForget(GetParam());
     EXPECT_FALSE(manager->WriteSafety(NodeId{5U}, Now())); // It is OPERATIONAL.
@@ -212,7 +212,7 @@ TEST_P(LeftOperationalTest, ADeviceThatRestartsOftenIsNotTakenForTwo)
 
 TEST_P(LeftOperationalTest, ThatMayBeTwoWhileItRunsIsStopped)
 {
-    Verifies(req::SRS_MGR_010);
+    Verifies(req::SRS_MGR_226);
     Verifies(req::SRS_SFS_151);
     setups[5].heartbeat.producer_ms = 100U;
     StartAndForget(GetParam());

@@ -98,7 +98,7 @@ TEST_F(ManagerOrdersTest, ItSendsItsHeartbeatAsOften)
 
 TEST_F(ManagerOrdersTest, ASafetyConfigurationIsNotWrittenWhereItCannotBe)
 {
-    Verifies(req::SRS_SFS_005);
+    Verifies(req::SRS_SFS_212);
     // Given a slave in the middle of its start-up, one that is no safety slave, and one that runs
     Add(5U).boot_ms = 300U;
     MakeSafe(5U);

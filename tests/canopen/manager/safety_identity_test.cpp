@@ -21,7 +21,7 @@ struct RowCase
 
 TEST(SafetyIdentityRows, AreThoseOfTheProfile)
 {
-    Verifies(req::SRS_SFS_010);
+    Verifies(req::SRS_SFS_215);
     constexpr std::uint32_t kAll = 0xFFFFFFFFU;
     const RowCase cases[] = {
         {IdentityRule::kCia302, El6751Kind::kBusCoupler, false, {kAll, kAll, kAll, kAll, kAll}},
@@ -111,6 +111,7 @@ class SafetyIdentityTest : public ManagerRig, public ::testing::WithParamInterfa
 TEST_P(SafetyIdentityTest, ReplacedUnheardWhileItIsReadIsNotStarted)
 {
     Verifies(req::SRS_SFS_010);
+    Verifies(req::SRS_SFS_217);
     Begin(GetParam());
     RunUntil(GateState::kBusy);
     // When another one takes its place while frames are lost, its boot-up message among them
@@ -131,6 +132,7 @@ TEST_P(SafetyIdentityTest, ReplacedUnheardWhileItIsReadIsNotStarted)
 TEST_P(SafetyIdentityTest, ReplacedUnheardByOneThatRunsIsStopped)
 {
     Verifies(req::SRS_SFS_010);
+    Verifies(req::SRS_SFS_217);
     Begin(GetParam());
     Run(3000U);
     ASSERT_EQ(Running(5U), 1);
@@ -144,6 +146,7 @@ TEST_P(SafetyIdentityTest, ReplacedUnheardByOneThatRunsIsStopped)
 TEST_P(SafetyIdentityTest, ReplacedUnheardBeforeAnOrderIsNeitherStartedNorWritten)
 {
     Verifies(req::SRS_SFS_010);
+    Verifies(req::SRS_SFS_217);
     Begin(GetParam());
     Run(3000U);
     EXPECT_EQ(Order(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
@@ -165,7 +168,7 @@ TEST_P(SafetyIdentityTest, ReplacedUnheardBeforeAnOrderIsNeitherStartedNorWritte
 
 TEST_P(SafetyIdentityTest, ThatDoesNotAnswerIsNoOtherDevice)
 {
-    Verifies(req::SRS_SFS_010);
+    Verifies(req::SRS_SFS_218);
     Begin(GetParam());
     RunUntil(GateState::kBusy);
     devices[0]->is_sdo_mute = true;
@@ -179,7 +182,7 @@ TEST_P(SafetyIdentityTest, ThatDoesNotAnswerIsNoOtherDevice)
 
 TEST_P(SafetyIdentityTest, IsTheNumberInAnyLengthThatTheStartUpTakes)
 {
-    Verifies(req::SRS_SFS_010);
+    Verifies(req::SRS_SFS_216);
     devices[0]->Put(0x1018U, 4U, {0x34U, 0x12U});
     devices[0]->Put(0x1000U, 0U, {0x91U, 0x01U});
     Begin(GetParam());
@@ -190,7 +193,7 @@ TEST_P(SafetyIdentityTest, IsTheNumberInAnyLengthThatTheStartUpTakes)
 
 TEST_P(SafetyIdentityTest, IsTheLowWordOfTheTypeUnderPlcDesigner)
 {
-    Verifies(req::SRS_SFS_010);
+    Verifies(req::SRS_SFS_215);
     devices[0]->Put32(0x1000U, 0U, 0x000F'0191U);
     Begin(GetParam());
     Run(3000U);
@@ -217,7 +220,7 @@ TEST_F(SafetyIdentityTest, OfOneThatNobodyBootsIsAskedAllTheSame)
 
 TEST_F(SafetyIdentityTest, IsWithoutTheTypeWhereEl6751DoesNotCheckIt)
 {
-    Verifies(req::SRS_SFS_010);
+    Verifies(req::SRS_SFS_215);
     El6751Slave box{};
     box.is_device_type_checked = false;
     setups[5].el6751 = &box;
@@ -230,6 +233,7 @@ TEST_F(SafetyIdentityTest, IsWithoutTheTypeWhereEl6751DoesNotCheckIt)
 TEST_F(SafetyIdentityTest, IsADeviceTypeOf0ToEl6751Too)
 {
     Verifies(req::SRS_SFS_010);
+    Verifies(req::SRS_SFS_215);
     // Given one that is to have device type 0, and has another one
     setups[5].device_type = 0U;
     Begin(Profile::kEl6751);
@@ -262,7 +266,7 @@ class SafetyIdentityLetterTest : public ManagerRig, public ::testing::WithParamI
 
 TEST_P(SafetyIdentityLetterTest, IsThatOfTheObject)
 {
-    Verifies(req::SRS_SFS_010);
+    Verifies(req::SRS_SFS_217);
     // Given cia302 and a slave that runs
     Add(5U).heartbeat_ms = 100U;
     MakeSafe(5U);

@@ -239,6 +239,12 @@ TEST(OutputGate, ClosesOneMicrosecondAfterTheLimit)
     EXPECT_EQ(on.Open(Instant{3000U}, kLimit), kSlots);
     OutputGate outside = OpenGate();
     EXPECT_EQ(outside.Open(Instant{3001U}, kLimit), 0U);
+    // and stays closed though the elapsed time looks short again, until the next right answers
+    EXPECT_EQ(outside.Open(Instant{1500U}, kLimit), 0U);
+    outside.Drive(RightPermits(outside.Challenge() ^ 2U, kSlots), Instant{4000U});
+    EXPECT_EQ(outside.Open(Instant{4000U}, kLimit), 0U);
+    outside.Drive(RightPermits(outside.Challenge(), kSlots), Instant{5000U});
+    EXPECT_EQ(outside.Open(Instant{5000U}, kLimit), kSlots);
 }
 
 TEST(OutputGate, LimitHoldsAcrossTheWrapOfTime)

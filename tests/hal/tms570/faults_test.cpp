@@ -112,6 +112,7 @@ TEST_P(StartFaults, RefusesTheStartAtItsStepAndStaysSafe)
     Verifies(req::SRS_TMS_070);
     Verifies(req::SRS_TMS_003);
     Verifies(req::SRS_TMS_004);
+    Verifies(req::SRS_TMS_047);
     // Given a controller with this fault
     Rig rig;
     Bring(rig, GetParam().fault);

@@ -121,7 +121,7 @@ TEST(TwoCpus, WithoutContactNothingOpens)
 // Given unequal process values on the two CPUs, then no pair leaves, the producer's error is told, and no device fault.
 TEST(TwoCpus, UnequalProcessValuesLeaveNothing)
 {
-    Verifies(req::SRS_TWO_010);
+    Verifies(req::SRS_TWO_214);
     Verifies(req::SRS_TWO_011);
     Device device{QuietSetup()};
     device.RunUntil(1'200'000.0);

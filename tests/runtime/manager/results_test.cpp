@@ -567,7 +567,7 @@ TEST_F(ManagerResultsTest, ASafetySlaveThatRunsAndIsNotVerifiedIsNotGood)
 
 TEST_F(ManagerResultsTest, ANodeThatMayBeTwoDevicesIsNotGood)
 {
-    Verifies(req::SRS_MGR_010);
+    Verifies(req::SRS_MGR_225);
     Make("manager: {node: 127}\nslaves: [{node: 5, boot: false}]\n");
     EndStartUp();
     Hear(0x705U, {0x05U});

@@ -69,7 +69,7 @@ TEST_F(ManagerStationTest, AClientReadsTheNetwork)
 // answered behind the last one.
 TEST_F(ManagerStationTest, ACommandToEachGoesOnWhereTheQueueHeldItUp)
 {
-    Verifies(req::SRS_NMM_006);
+    Verifies(req::SRS_NMM_212);
     Make("manager: {node: 127, heartbeat: 100 ms, inhibit: 100 ms, boot_time: 2 s}\n"
          "slaves:\n"
          "  - {node: 5, boot: false, mandatory: false, vendor_id: 0xABC, consumer: 300 ms}\n"
@@ -202,6 +202,11 @@ TEST_F(ManagerStationTest, WhoCannotBeConfiguredIsLeftAsItIsUnderEachProfile)
 TEST_F(ManagerStationTest, WritesObeyRules)
 {
     Verifies(req::SRS_MGR_021);
+    Verifies(req::SRS_MGR_214);
+    Verifies(req::SRS_MGR_215);
+    Verifies(req::SRS_MGR_216);
+    Verifies(req::SRS_MGR_217);
+    Verifies(req::SRS_MGR_220);
     Make(kNetwork);
     EndStartUp();
     // What the manager knows of a slave that is not being started
@@ -252,7 +257,7 @@ TEST_F(ManagerStationTest, WritesObeyRules)
 
 TEST_F(ManagerStationTest, BitsThatTheProfileDoesNotLookAtStay)
 {
-    Verifies(req::SRS_MGR_021);
+    Verifies(req::SRS_MGR_214);
     const std::string slave = "}\nslaves: [{node: 5}]\n";
     Make("manager: {node: 127, profile: plc_designer" + slave);
     EXPECT_EQ(Write(0x1F80U, 0U, 0x0BU, 4U), 0U); // One start of all, and none by itself.
@@ -268,7 +273,8 @@ TEST_F(ManagerStationTest, BitsThatTheProfileDoesNotLookAtStay)
 
 TEST_F(ManagerStationTest, HeartbeatConsumersAreWrittenAsInAnyDevice)
 {
-    Verifies(req::SRS_MGR_021);
+    Verifies(req::SRS_MGR_221);
+    Verifies(req::SRS_MGR_222);
     Make(kNetwork);
     Run(2U);
     Hear(0x705U, {0x00U});
@@ -341,7 +347,7 @@ TEST_F(ManagerStationTest, TheLastEmergencyOfAStormIsTold)
 
 TEST_F(ManagerStationTest, AConciseDcfIsTakenWholeOrNotAtAll)
 {
-    Verifies(req::SRS_MGR_021);
+    Verifies(req::SRS_MGR_218);
     Make(kNetwork);
     EndStartUp();
     // Given no entries, in one frame; then a damaged count
@@ -355,6 +361,31 @@ TEST_F(ManagerStationTest, AConciseDcfIsTakenWholeOrNotAtAll)
     EXPECT_TRUE(net->ReplaceConcise(5U, {plain, sizeof(plain)}));
     EXPECT_TRUE(cia302::IsConcise(net->Setup().Slave(cia302::NodeId{5U}).concise_dcf));
     EXPECT_FALSE(net->ReplaceConcise(9U, {plain, sizeof(plain)}));
+}
+
+TEST_F(ManagerStationTest, WhatIsWrittenByTheActiveMasterOrBeforeTheNegotiationAlone)
+{
+    Verifies(req::SRS_MGR_213);
+    Verifies(req::SRS_MGR_219);
+    // Given a manager that waits for the start of its negotiation
+    Make("manager: {node: 127, heartbeat: 200 ms, flying: {start: by_order}}\nslaves: [{node: 5, boot: false}]\n");
+    Run(2U);
+    // Then it commands nobody by its objects, and its times may change
+    for (const std::string order : {"set 0x1F82:05 5", "set 0x1F83:05 1", "set 0x1F25:05 0x666E6F63"})
+    {
+        EXPECT_NE(Order(order).find(": 0x08000022 "), std::string::npos) << order << " " << Order(order);
+    }
+    static_cast<void>(Order("set 0x1F90:02 300"));
+    EXPECT_EQ(Order("get 0x1F90:02"), "0x1F90:02 = 300 (0x12C)");
+    // When it negotiates, then they may not
+    static_cast<void>(Order("negotiate"));
+    Run(10U);
+    EXPECT_NE(Order("set 0x1F90:02 400").find(": 0x08000022 "), std::string::npos);
+    EXPECT_EQ(Order("get 0x1F90:02"), "0x1F90:02 = 300 (0x12C)");
+    // And when it leads, it commands
+    Run(30000U);
+    ASSERT_TRUE(station->Assembly().Core().IsActive());
+    EXPECT_EQ(Order("set 0x1F82:05 4").find("0x08000022"), std::string::npos);
 }
 
 TEST_F(ManagerStationTest, ThereIsNoServerInStopped)
@@ -448,7 +479,7 @@ TEST_F(ManagerStationTest, TheNegotiationWaitsForItsOrder)
 
 TEST_F(ManagerStationTest, ASlaveThatIsOperationalIsNotWritten)
 {
-    Verifies(req::SRS_SFS_005);
+    Verifies(req::SRS_SFS_212);
     Make(kNetwork);
     Run(2U);
     Hear(0x721U, {0x05U});
@@ -458,7 +489,7 @@ TEST_F(ManagerStationTest, ASlaveThatIsOperationalIsNotWritten)
 
 TEST_F(ManagerStationTest, ASlaveThatWasToldToStopAndHasNotSpokenOfItIsNotCalledOperational)
 {
-    Verifies(req::SRS_SFS_005);
+    Verifies(req::SRS_SFS_212);
     Make("manager: {node: 127}\nslaves: [{node: 33, dcf: actuator.dcf, arming: immediately}]\n");
     Run(2U);
     Hear(0x721U, {0x05U});

@@ -13,6 +13,8 @@ namespace
 TEST_F(NetworkProfileTest, El6751TakesPdosThatAreOnAndTheTimesOfTheHeartbeat)
 {
     Verifies(req::SRS_ELM_051);
+    Verifies(req::SRS_ELM_210);
+    Verifies(req::SRS_ELM_212);
     const LoadedNetwork net(runtime::ReadNetworkFile(Net("  profile: el6751\n", "    consumer: 250 ms\n"), 0U));
     const cia302::SlaveSetup& setup = net.Setup().slaves[5];
     ASSERT_NE(setup.el6751, nullptr);
@@ -37,7 +39,7 @@ TEST_F(NetworkProfileTest, El6751TakesPdosThatAreOnAndTheTimesOfTheHeartbeat)
 
 TEST_F(NetworkProfileTest, WithoutA1016hTheHeartbeatIsAFurtherObjectAndSupervisedAllTheSame)
 {
-    Verifies(req::SRS_ELM_051);
+    Verifies(req::SRS_ELM_210);
     const std::string text = kDcf;
     const std::size_t begin = text.find("[1016]");
     std::string without = text.substr(0U, begin) + text.substr(text.find("[1017]"));
@@ -53,7 +55,7 @@ TEST_F(NetworkProfileTest, WithoutA1016hTheHeartbeatIsAFurtherObjectAndSupervise
 
 TEST_F(NetworkProfileTest, APdoWhoseMappingChangesKeepsItsWholeSequence)
 {
-    Verifies(req::SRS_ELM_051);
+    Verifies(req::SRS_ELM_212);
     Device("ParameterValue");
     const LoadedNetwork net(runtime::ReadNetworkFile(Net("  profile: el6751\n", ""), 0U));
     const std::vector<std::uint32_t> keys = Keys(net.Setup().slaves[5].concise_dcf);
@@ -82,7 +84,7 @@ TEST_F(NetworkProfileTest, ASynchronousPdoWithoutASyncPeriodIsRefused)
 
 TEST_F(NetworkProfileTest, El6751OptionsOfManagerAndSlave)
 {
-    Verifies(req::SRS_ELM_051);
+    Verifies(req::SRS_ELM_211);
     const LoadedNetwork net(runtime::ReadNetworkFile(
         Net("  profile: el6751\n  el6751: {window: last_rx_pdo, sync_multiplier: 4, input_shift: 300 us}\n",
             "    guard_time: 50 ms\n    retry_factor: 4\n    el6751:\n      kind: bk51x0\n      start: false\n"
@@ -111,7 +113,7 @@ TEST_F(NetworkProfileTest, El6751OptionsOfManagerAndSlave)
 
 TEST_F(NetworkProfileTest, ABusCouplersPdosAreMadeBy5500hAlone)
 {
-    Verifies(req::SRS_ELM_051);
+    Verifies(req::SRS_ELM_212);
     const LoadedNetwork net(runtime::ReadNetworkFile(Net("  profile: el6751\n", "    el6751: {kind: bk51x0}\n"), 0U));
     const std::vector<std::uint32_t> keys = Keys(net.Setup().slaves[5].concise_dcf);
     EXPECT_EQ(keys, (std::vector<std::uint32_t>{0x200000U}));
@@ -141,7 +143,7 @@ TEST_F(NetworkProfileTest, PlcDesignerTakesOptionalAndResetNode)
 
 TEST_F(NetworkProfileTest, WrongOptionsAreRefusedWithTheirLine)
 {
-    Verifies(req::SRS_ELM_051);
+    Verifies(req::SRS_ELM_211);
     Verifies(req::SRS_PLC_021);
     const auto problem = [this](const std::string& manager, const std::string& slave)
     {
@@ -247,7 +249,8 @@ TEST_F(NetworkProfileTest, ManagerAndProfileMayBeChosenBesideTheFile)
 
 TEST_F(NetworkProfileTest, WhatNoRowWritesStaysAFurtherObject)
 {
-    Verifies(req::SRS_ELM_051);
+    Verifies(req::SRS_ELM_212);
+    Verifies(req::SRS_ELM_213);
     // Given a TPDO with an event time of its own that the DCF switches off, and no synchronous PDO
     const auto device = [this](const std::string& event)
     {
@@ -279,7 +282,7 @@ TEST_F(NetworkProfileTest, WhatNoRowWritesStaysAFurtherObject)
 
 TEST_F(NetworkProfileTest, OtherConsumersOfTheSlaveAreKept)
 {
-    Verifies(req::SRS_ELM_051);
+    Verifies(req::SRS_ELM_213);
     // Given consumers 1 to 3 of a device: node 9, node 10 and the manager
     std::string text = kDcf;
     const std::size_t pdos = text.find("3=0x1400");
@@ -308,7 +311,8 @@ TEST_F(NetworkProfileTest, OtherConsumersOfTheSlaveAreKept)
 
 TEST_F(NetworkProfileTest, TheGuardTimeIsThePeriodOfTheHeartbeat)
 {
-    Verifies(req::SRS_ELM_051);
+    Verifies(req::SRS_ELM_210);
+    Verifies(req::SRS_ELM_214);
     // By its own keys or by 1F81h, whatever 1017h of the DCF says
     for (const char* const slave : {"    guard_time: 20 ms\n    retry_factor: 4\n", "    assignment: 0x0014040D\n"})
     {
@@ -322,7 +326,7 @@ TEST_F(NetworkProfileTest, TheGuardTimeIsThePeriodOfTheHeartbeat)
 
 TEST_F(NetworkProfileTest, APdoOf29BitsIsRefused)
 {
-    Verifies(req::SRS_ELM_051);
+    Verifies(req::SRS_ELM_215);
     const std::string dcf = File("io.dcf", kDcf + Pdo("1400", "1600", "$NODEID+0x20000200", "0", "DefaultValue") +
                                                Pdo("1401", "1601", "$NODEID+0x80000300", "0", "DefaultValue") +
                                                Pdo("1800", "1A00", "$NODEID+0xA0000180", "20", "DefaultValue") +

@@ -84,7 +84,8 @@ TEST_F(NodeProcessTest, TwoNodesExchangePairs)
 
 TEST_F(NodeProcessTest, AnOutputThatCannotBeWrittenIsToldByTheExitStatus)
 {
-    Verifies(req::SRS_NODE_032);
+    Verifies(req::SRS_NODE_211);
+    Verifies(req::SRS_NODE_212);
     const auto status = [](const std::string& output)
     {
         const std::string words = "echo quit | " + std::string(COUNTERPOINT_PROGRAM) + " node --can " + OwnBus() +
@@ -214,6 +215,7 @@ TEST_F(NodeProcessTest, AProducerThatIsStoppedStaysSafeWhenItGoesOn)
 {
     Verifies(req::SRS_NODE_006);
     Verifies(req::SRS_NODE_007);
+    Verifies(req::SRS_NODE_005);
     Exchange();
     const std::uint64_t since_ns = NowNs();
     sensor->Signal(SIGSTOP);

@@ -10,6 +10,7 @@
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <fcntl.h>
 #include <fstream>
 #include <poll.h>
 #include <sstream>
@@ -60,6 +61,7 @@ class NodeReportTest : public ::testing::Test
 TEST_F(NodeReportTest, WhatIsLeftOutIsCountedAndAnOutputThatClosedIsTold)
 {
     Verifies(req::SRS_NODE_032);
+    Verifies(req::SRS_NODE_210);
     NodeReport report(out_, ReportForm::kText, 0U, ends_[1]);
     report.Print("first\n");
     for (int i = 0; i < 3 * kMany; ++i)
@@ -92,7 +94,7 @@ TEST_F(NodeReportTest, WhatIsLeftOutIsCountedAndAnOutputThatClosedIsTold)
 // one that tells how many are missing before them. Of 5000, 905 are missing behind.
 TEST_F(NodeReportTest, LinesOfOutputsHavePlacesOfTheirOwn)
 {
-    Verifies(req::SRS_NODE_032);
+    Verifies(req::SRS_NODE_210);
     NodeReport report(out_, ReportForm::kText, 0U, ends_[1]);
     for (pollfd room{ends_[1], POLLOUT, 0}; ::poll(&room, 1U, 0) > 0;)
     {
@@ -118,9 +120,55 @@ TEST_F(NodeReportTest, LinesOfOutputsHavePlacesOfTheirOwn)
 }
 
 // Given a reader that reads nothing, then the end does not wait for it.
-TEST_F(NodeReportTest, TheEndDoesNotWaitForAReaderThatReadsNothing)
+// Given a pipe with room for one piece, whose writer has put half of a first line there and waits, then what is kept is
+// counted exactly.
+TEST_F(NodeReportTest, ExactlyTheFirst65536LinesOr64MiBAreKept)
 {
     Verifies(req::SRS_NODE_032);
+    const std::string piece(4096U, 'x');
+    struct Row
+    {
+        std::string line;
+        int kept;
+        std::string left_out;
+    };
+    for (const Row& row :
+         {Row{"value\n", 65536, "10 lines left out here: nobody read them\nend\n"},
+          Row{std::string(1048575U, 'v') + "\n", 64, "10 lines left out here: nobody read them\nend\n"}})
+    {
+        ASSERT_EQ(::fcntl(ends_[1], F_SETFL, O_NONBLOCK), 0);
+        while (::write(ends_[1], piece.data(), piece.size()) > 0)
+        {
+        }
+        ASSERT_EQ(::fcntl(ends_[1], F_SETFL, 0), 0);
+        std::array<char, 4096U> bytes{};
+        ASSERT_EQ(::read(ends_[0], bytes.data(), bytes.size()), 4096);
+        NodeReport report(out_, ReportForm::kText, 0U, ends_[1]);
+        report.Print(std::string(8191U, 'x') + "\n");
+        for (pollfd room{ends_[1], POLLOUT, 0}; ::poll(&room, 1U, 0) > 0;)
+        {
+            std::this_thread::yield();
+        }
+        for (int i = 0; i < row.kept + 10; ++i)
+        {
+            report.Print(row.line);
+        }
+        report.PrintLast("end\n");
+        std::string text;
+        std::thread reader([this, &text] { text = ReadTo("\nend\n"); });
+        EXPECT_TRUE(report.Finish());
+        reader.join();
+        const std::size_t first = text.find('\n') + 1U;
+        const std::size_t behind = first + (static_cast<std::size_t>(row.kept) * row.line.size());
+        ASSERT_EQ(text.size(), behind + row.left_out.size());
+        EXPECT_EQ(text.substr(behind), row.left_out);
+    }
+}
+
+TEST_F(NodeReportTest, TheEndDoesNotWaitForAReaderThatReadsNothing)
+{
+    Verifies(req::SRS_NODE_211);
+    Verifies(req::SRS_NODE_212);
     NodeReport report(out_, ReportForm::kJson, 0U, ends_[1]);
     for (int i = 0; i < kMany; ++i)
     {
@@ -130,6 +178,7 @@ TEST_F(NodeReportTest, TheEndDoesNotWaitForAReaderThatReadsNothing)
     EXPECT_FALSE(report.Finish());
     const auto took = std::chrono::steady_clock::now() - begin;
     EXPECT_GE(took, std::chrono::milliseconds(1900));
+    EXPECT_LT(took, std::chrono::minutes(2));
     EXPECT_EQ(ReadTo("\n").substr(0U, 58U), R"({"format":"counterpoint-node-1","at_us":0,"event":"value",)");
 }
 
@@ -243,7 +292,8 @@ TEST_F(NodeReportTest, OfScreensTheLastOneWaits)
 // Given a reader that has ended, then the end tells that not everything was written.
 TEST_F(NodeReportTest, AReaderThatHasEndedHoldsUpNobody)
 {
-    Verifies(req::SRS_NODE_032);
+    Verifies(req::SRS_NODE_211);
+    Verifies(req::SRS_NODE_212);
     std::signal(SIGPIPE, SIG_IGN);
     NodeReport report(out_, ReportForm::kText, 0U, ends_[1]);
     ASSERT_EQ(::close(ends_[0]), 0);

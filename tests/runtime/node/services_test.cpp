@@ -4,6 +4,7 @@
 #include "tests/runtime/stepped_time/stepped_time.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/cia301.hpp"
+#include "verification/trace/ids/comfort.hpp"
 #include "verification/trace/ids/lss.hpp"
 #include "verification/trace/ids/node.hpp"
 #include "verification/trace/ids/store.hpp"
@@ -97,6 +98,20 @@ class NodeServicesTest : public CommandTest
         return line.event.contains("value") ? line.event["value"] : line.event["text"];
     }
 };
+
+TEST_F(NodeServicesTest, WhyTheKernelRefusesAStartIsTold)
+{
+    Verifies(req::SRS_EASE_007);
+    // Given a diagnostic interval of 1 ms
+    std::string text = TextOf("emergency_stop/sensor.dcf");
+    const std::size_t object = text.find("[5F00sub4]");
+    text.replace(text.find("ParameterValue=1000", object), 19U, "ParameterValue=1");
+    const std::string file = File("slow.dcf", text);
+    NodeProcess node({"--dcf", file, "--no-self-tests", "--no-input"});
+    EXPECT_EQ(node.WaitFor("no_start").event["text"],
+              "the kernel refuses this device: timing (A time outside its range)");
+    EXPECT_EQ(node.End(), 1);
+}
 
 TEST_F(NodeServicesTest, APlainDeviceRunsWithoutASafetyPart)
 {

@@ -208,6 +208,7 @@ TEST_F(Comparing, FaultSeenByBothDemotesNobody)
 TEST_F(Comparing, FreshEqualPairIsNewlyMatched)
 {
     Verifies(req::SRS_CMP_005);
+    Verifies(req::SRS_CMP_215);
     a.outcome.fresh = 4U;
     b.outcome.fresh = 4U;
     const Verdict verdict = CompareAt(0U);
@@ -222,7 +223,7 @@ TEST_F(Comparing, FreshEqualPairIsNewlyMatched)
 // t [us]   1000   2000 another slot's ordinals differ: slot 2 is looked at, and matches as before
 TEST_F(Comparing, PairThatIsLookedAtBecauseOfAnotherSlotIsNotNewlyMatched)
 {
-    Verifies(req::SRS_CMP_005);
+    Verifies(req::SRS_CMP_215);
     (void)CompareAt(1000U);
     a.outcome.fresh = 2U;
     a.outcome.ordinal_sum = 10U;
@@ -241,7 +242,7 @@ TEST_F(Comparing, PairThatIsLookedAtBecauseOfAnotherSlotIsNotNewlyMatched)
 // A new pair of a slot that is demoted is forgotten: what matches later is not that pair.
 TEST_F(Comparing, NewPairOfADemotedSlotIsNotNewlyMatchedLater)
 {
-    Verifies(req::SRS_CMP_005);
+    Verifies(req::SRS_CMP_215);
     a.outcome.fresh = 4U;
     b.outcome.fresh = 4U;
     b.outcome.new_fault = 4U;
@@ -336,7 +337,7 @@ TEST_F(Comparing, OrdinalsThatMeetWithinTheDiscrepancyTimeAreNoFaultAndTheTimeSt
 
 TEST_F(Comparing, UnequalOrdinalSumsAloneMakeItLookAtEverySlot)
 {
-    Verifies(req::SRS_CMP_005);
+    Verifies(req::SRS_CMP_214);
     Verifies(req::SRS_CMP_007);
     // Given a corrupted ordinal that no channel calls fresh
     b.outcome.ordinal_sum = 13U;
@@ -357,7 +358,7 @@ TEST_F(Comparing, OnlyOneChannelHoldingAPairIsUnmatched)
 // t [us]   1000 pair of slot 2   2000 a pair of slot 1 in one channel: slot 2 is looked at, and matches as before
 TEST_F(Comparing, PairIsNewlyMatchedOnceEvenIfItIsLookedAtInTheNextComparison)
 {
-    Verifies(req::SRS_CMP_005);
+    Verifies(req::SRS_CMP_215);
     a.outcome.fresh = 4U;
     b.outcome.fresh = 4U;
     EXPECT_EQ(CompareAt(1000U).newly_matched, 4U);
@@ -379,7 +380,7 @@ TEST_F(Comparing, ProducerIsStartedWhenBothCallItDue)
 
 TEST_F(Comparing, ProducerThatOneChannelNeverCallsDueIsAFault)
 {
-    Verifies(req::SRS_CMP_008);
+    Verifies(req::SRS_CMP_217);
     b.outcome.due = 1U;
     EXPECT_EQ(CompareAt(0U).fault, DeviceFault::kNone);
     EXPECT_EQ(CompareAt(5000U).fault, DeviceFault::kNone);
@@ -388,7 +389,7 @@ TEST_F(Comparing, ProducerThatOneChannelNeverCallsDueIsAFault)
 
 TEST_F(Comparing, ProducerThatBothCallDueInTimeIsNoFault)
 {
-    Verifies(req::SRS_CMP_008);
+    Verifies(req::SRS_CMP_217);
     a.outcome.due = 1U;
     (void)CompareAt(0U);
     EXPECT_EQ(CompareAt(5000U).fault, DeviceFault::kNone);
@@ -401,7 +402,7 @@ TEST_F(Comparing, ProducerThatBothCallDueInTimeIsNoFault)
 // before.
 TEST_F(Comparing, SelfTestWaitsForTheEndOfTheIntervalAndBeginsWithTheSameDifferenceAfterEachRestart)
 {
-    Verifies(req::SRS_CMP_009);
+    Verifies(req::SRS_CMP_211);
     DeviceConfig config{};
     config.cycle_us = 1000U;
     config.cycle_tolerance_us = 500U;
@@ -461,6 +462,7 @@ TEST_F(Comparing, PairThatIsKeptBackWithoutADifferenceIsUnmatchedAfterTheDiscrep
 TEST_F(Comparing, SelfTestDoesNotMindWhatTheChannelsSayAndAFaultOfTheirsStaysTheirs)
 {
     Verifies(req::SRS_CMP_009);
+    Verifies(req::SRS_CMP_212);
     DeviceConfig config{};
     config.test_interval_us = 1U;
     config.srdo_count = 4U;
@@ -483,7 +485,7 @@ TEST_F(Comparing, SelfTestDoesNotMindWhatTheChannelsSayAndAFaultOfTheirsStaysThe
 // t [us]    1000   2000 (seen)   3000, 5000 tried   6000 (limit)   6001
 TEST_F(Comparing, TryCountsForNothing)
 {
-    Verifies(req::SRS_CMP_009);
+    Verifies(req::SRS_CMP_212);
     (void)CompareAt(1000U);
     a.outcome.fresh = 4U;
     a.outcome.ordinal_sum = 10U;
@@ -514,7 +516,7 @@ TEST_F(Comparing, TryCountsForNothing)
 
 TEST(SlotSet, EverySlotIsTakenFromTheLowestToTheHighest)
 {
-    Verifies(req::SRS_CMP_005);
+    Verifies(req::SRS_CMP_214);
     SlotSet all{0xFFFFFFFFFFFFFFFFU};
     for (SlotIndex slot = 0U; slot < 64U; ++slot)
     {

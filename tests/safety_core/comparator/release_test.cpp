@@ -145,7 +145,7 @@ TEST_P(ComparingOneRelease, EdgeRightBehindADemotionHasAWindowOfItsOwn)
 TEST_P(ComparingOneRelease, PairsThatDifferMeanwhileHaveTheDiscrepancyTimeOfTheirOwn)
 {
     Verifies(req::SRS_CMP_007);
-    Verifies(req::SRS_CMP_008);
+    Verifies(req::SRS_CMP_216);
     comparator.Restart(ComparatorSetup{5000U, 1000000U, 4U});
     (void)CompareAt(0U);
     (void)CompareAt(299000U);

@@ -48,6 +48,7 @@ TEST_F(Comparing, VerdictWithoutAFaultNamesNoSlot)
 TEST_F(Comparing, PairAndReleaseOfOneChannelAloneAreBothSeen)
 {
     Verifies(req::SRS_CMP_005);
+    Verifies(req::SRS_CMP_214);
     Verifies(req::SRS_CMP_007);
     a.outcome.fresh = 4U;
     a.held[2].ordinal = 10U;

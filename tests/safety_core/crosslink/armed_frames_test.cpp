@@ -90,6 +90,7 @@ TEST(ArmedFrames, AnswerIsAsOldAsTheFrameOnTheBus)
 TEST(ArmedFrames, RefusalIsAsOldAsItsMessage)
 {
     Verifies(req::SRS_TWO_012);
+    Verifies(req::SRS_TWO_215);
     ArmedFrames armed{};
     armed.Arm(ArmingOf(4U, 1000U));
     EXPECT_EQ(armed.Refuse(Refusal{1U, SrdoCause::kNotInverse}, Instant{5000U}), 4U);
@@ -102,7 +103,7 @@ TEST(ArmedFrames, RefusalIsAsOldAsItsMessage)
 // Given 255 armings, then numbers never become 0.
 TEST(ArmedFrames, NumbersAreNeverZero)
 {
-    Verifies(req::SRS_TWO_010);
+    Verifies(req::SRS_TWO_214);
     ArmedFrames armed{};
     for (std::uint32_t count = 0U; count < 255U; ++count)
     {

@@ -65,6 +65,47 @@ TEST(LinkMessage, EveryMemberHasItsPlace)
     EXPECT_EQ(std::memcmp(&frame.bytes[166], armed.data(), armed.size()), 0);
 }
 
+// Given a report and an armed frame in each of their places, and a refusal, then they lie one behind the other.
+TEST(LinkMessage, EachReportAndArmedFrameHasItsPlace)
+{
+    Verifies(req::SRS_LNK_001);
+    LinkMessage message = Example();
+    message.refusal = Refusal{0x3AU, SrdoCause::kSct};
+    std::uint8_t slot = 1U;
+    for (SlotReport& report : message.reports)
+    {
+        const std::uint32_t high = 0x10101010U * slot;
+        report = SlotReport{slot,
+                            Holding::kNothing,
+                            SrdoState::kReleased,
+                            SrdoCause::kSct,
+                            0x04030201U + high,
+                            0x08070605U + high,
+                            Payload{0x0C0B0A09U + high, 0x100F0E0DU + high}};
+        ++slot;
+    }
+    message.armed[0].slot = 7U;
+    message.armed[0].number = 8U;
+    message.armed[0].frame = CanFrame{
+        0x1F2E3D4CU, FrameKind::kData, CanPortId::kFirst, 8U, {0xF1U, 0xF2U, 0xF3U, 0xF4U, 0xF5U, 0xF6U, 0xF7U, 0xF8U}};
+    hal::LinkFrame frame{};
+    Encode(message, frame);
+    const std::array<std::uint8_t, 2U> refusal{0x3AU, 0x06U};
+    EXPECT_EQ(std::memcmp(&frame.bytes[42], refusal.data(), refusal.size()), 0);
+    const std::array<std::uint8_t, 80U> reports{
+        0x01U, 0xCCU, 0xB7U, 0x06U, 0x11U, 0x12U, 0x13U, 0x14U, 0x15U, 0x16U, 0x17U, 0x18U, 0x19U, 0x1AU, 0x1BU, 0x1CU,
+        0x1DU, 0x1EU, 0x1FU, 0x20U, 0x02U, 0xCCU, 0xB7U, 0x06U, 0x21U, 0x22U, 0x23U, 0x24U, 0x25U, 0x26U, 0x27U, 0x28U,
+        0x29U, 0x2AU, 0x2BU, 0x2CU, 0x2DU, 0x2EU, 0x2FU, 0x30U, 0x03U, 0xCCU, 0xB7U, 0x06U, 0x31U, 0x32U, 0x33U, 0x34U,
+        0x35U, 0x36U, 0x37U, 0x38U, 0x39U, 0x3AU, 0x3BU, 0x3CU, 0x3DU, 0x3EU, 0x3FU, 0x40U, 0x04U, 0xCCU, 0xB7U, 0x06U,
+        0x41U, 0x42U, 0x43U, 0x44U, 0x45U, 0x46U, 0x47U, 0x48U, 0x49U, 0x4AU, 0x4BU, 0x4CU, 0x4DU, 0x4EU, 0x4FU, 0x50U};
+    EXPECT_EQ(std::memcmp(&frame.bytes[68], reports.data(), reports.size()), 0);
+    const std::array<std::uint8_t, 36U> armed{0x07U, 0x08U, 0x4CU, 0x3DU, 0x2EU, 0x1FU, 0x3CU, 0x01U, 0x08U,
+                                              0xF1U, 0xF2U, 0xF3U, 0xF4U, 0xF5U, 0xF6U, 0xF7U, 0xF8U, 0x00U,
+                                              0x0AU, 0x0BU, 0x03U, 0x01U, 0x00U, 0x00U, 0x3CU, 0x02U, 0x03U,
+                                              0xE1U, 0xE2U, 0xE3U, 0x00U, 0x00U, 0x00U, 0x00U, 0xE8U, 0x00U};
+    EXPECT_EQ(std::memcmp(&frame.bytes[148], armed.data(), armed.size()), 0);
+}
+
 // Given the layout of a zero message, then its CRC-32 is the one of any other program (computed with Python's zlib).
 TEST(LinkMessage, ChecksumIsTheUsualCrc32)
 {

@@ -179,7 +179,7 @@ TEST_F(Supervision, SequenceIsModular)
 // Given contact, when an echo is exactly as old as the time-out, then it is taken; a microsecond more is late.
 TEST_F(Supervision, EchoAtTheTimeoutIsTakenOneMoreIsLate)
 {
-    Verifies(req::SRS_LNK_004);
+    Verifies(req::SRS_LNK_210);
     Contact();
     EXPECT_EQ(link.Take(Message(51U, 511000U, EchoOf(9000U)), Instant{49000U}), TakeResult::kTaken);
     EXPECT_EQ(link.Take(Message(52U, 511000U, EchoOf(9000U)), Instant{49001U}), TakeResult::kDiscarded);
@@ -191,7 +191,7 @@ TEST_F(Supervision, EchoAtTheTimeoutIsTakenOneMoreIsLate)
 // drift of the clocks explains is not.
 TEST_F(Supervision, ImpossibleEchoIsLate)
 {
-    Verifies(req::SRS_LNK_004);
+    Verifies(req::SRS_LNK_210);
     Contact();
     EXPECT_EQ(link.Take(Message(51U, 511000U, EchoOf(12000U)), Instant{11000U}), TakeResult::kDiscarded);
     EXPECT_EQ(link.Take(Message(52U, 511000U, EchoOf(9000U, 2101U)), Instant{11000U}), TakeResult::kDiscarded);
@@ -256,7 +256,7 @@ struct Share
 // in 5 times 10 ms two fifths are 1602 us, rounded up, and half of the rest 1200 us.
 TEST(ToleranceOfAWindow, IsHalfOfWhatTwoTimeoutsLeaveRoundedDown)
 {
-    Verifies(req::SRS_LNK_007);
+    Verifies(req::SRS_LNK_212);
     for (const Share& share : {Share{9999U, 4000U, 40000U, 1000U}, Share{9999U, 4003U, 50000U, 1200U},
                                Share{10000U, 4000U, 40000U, 666U}, Share{9999U, 1U, 40000U, 0U}})
     {
@@ -277,7 +277,7 @@ TEST(ToleranceOfAWindow, IsHalfOfWhatTwoTimeoutsLeaveRoundedDown)
 // goes on.
 TEST_F(Supervision, ReferenceMovesOnWithTheOwnClock)
 {
-    Verifies(req::SRS_LNK_007);
+    Verifies(req::SRS_LNK_211);
     Contact();
     EXPECT_EQ(link.Take(Message(51U, 663000U, EchoOf(170000U)), Instant{170000U}),
               TakeResult::kTaken); // own 160, peer 153

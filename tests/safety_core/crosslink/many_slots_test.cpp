@@ -159,7 +159,7 @@ TEST(ManySlots, DueSlotsOfBothHalvesAreRequested)
 // Given CPU A and armed frames for slots 63 and 0, then each is due and gives its frame; slots that cannot be are not.
 TEST(ManySlots, ArmedFramesOfBothEndsAreUsed)
 {
-    Verifies(req::SRS_TWO_010);
+    Verifies(req::SRS_TWO_214);
     WideRig rig{PeerRole::kA};
     rig.Cycle(1000U);
     LinkMessage word = rig.AnswerTo(2000U);
@@ -195,6 +195,7 @@ TEST(ManySlots, ArmedFramesOfBothEndsAreUsed)
 TEST(ManySlots, FrameOfTheLastIdentifierBelongsToTheLastSlot)
 {
     Verifies(req::SRS_TWO_013);
+    Verifies(req::SRS_TWO_217);
     WideRig rig{PeerRole::kB};
     const auto slot_of = [&rig](const std::uint32_t identifier)
     { return static_cast<std::uint32_t>(rig.Remote().OnConfirm(PeerRig::Frame(identifier), Instant{1U}).slot); };
@@ -270,6 +271,7 @@ struct Fenced
 TEST(ManySlots, CheckOfASlotThatCannotBeIsWrittenNowhere)
 {
     Verifies(req::SRS_TWO_008);
+    Verifies(req::SRS_TWO_210);
     const std::unique_ptr<Fenced> fenced = std::make_unique<Fenced>();
     fenced->channel.outcome.waiting = ~SrdoMask{0U};
     static_cast<void>(fenced->own.OnCycle(CycleInput{}));
@@ -305,6 +307,7 @@ TEST(ManySlots, CheckOfASlotThatCannotBeIsWrittenNowhere)
 TEST(ManySlots, CheckOfTheLastSlotIsKept)
 {
     Verifies(req::SRS_TWO_008);
+    Verifies(req::SRS_TWO_210);
     const std::unique_ptr<Fenced> fenced = std::make_unique<Fenced>();
     static_cast<void>(fenced->own.OnCycle(CycleInput{}));
     LinkMessage word = Silence();

@@ -246,7 +246,7 @@ TEST(OwnVoice, NewestCheckIsTold)
 // Given CPU A with a due producer, when it is prepared, then it is told due before and no longer after.
 TEST(OwnVoice, LeaderTellsWhatIsDueAndNotPrepared)
 {
-    Verifies(req::SRS_TWO_010);
+    Verifies(req::SRS_TWO_213);
     PeerRig rig{PeerRole::kA};
     rig.channel.outcome.due = 2U;
     rig.Cycle(10000U);
@@ -259,13 +259,14 @@ TEST(OwnVoice, LeaderTellsWhatIsDueAndNotPrepared)
 // Given CPU A, when the follower tells slots due, then nothing is requested of the leader.
 TEST(OwnVoice, LeaderIsNotLed)
 {
-    Verifies(req::SRS_TWO_010);
+    Verifies(req::SRS_TWO_212);
     PeerRig rig{PeerRole::kA};
     LinkMessage word = rig.AnswerTo(5000U);
     word.due = 2U;
     rig.Hear(word, 7000U);
     rig.Cycle(10000U);
     EXPECT_EQ(rig.channel.last_input.request, 0U);
+    EXPECT_EQ(rig.channel.last_input.stand, 0U);
 }
 
 // Given CPU B, when the leader tells a slot due, then it is requested, shown due by both voices, and its frame is
@@ -375,7 +376,7 @@ TEST(OwnVoice, ReasonsToStandAndToRequestDoNotCancelEachOther)
 TEST(OwnVoice, RefusedSlotIsWantedAgainBySameMessage)
 {
     Verifies(req::SRS_TWO_011);
-    Verifies(req::SRS_TWO_012);
+    Verifies(req::SRS_TWO_215);
     PeerRig rig{PeerRole::kB};
     rig.Cycle(0x90000000U);
     rig.channel.prepared = PreparedPair{PeerRig::Frame(0x103U), PrepareStatus::kReady};
@@ -429,7 +430,7 @@ TEST(OwnVoice, FollowerGivesUpWhatNobodyAnswers)
 // and it is answered; another number changes nothing.
 TEST(OwnVoice, FollowerGivesUpWhatTheLeaderGaveUp)
 {
-    Verifies(req::SRS_TWO_012);
+    Verifies(req::SRS_TWO_215);
     PeerRig rig{PeerRole::kB};
     rig.Cycle(1000U);
     rig.channel.prepared = PreparedPair{PeerRig::Frame(0x103U), PrepareStatus::kReady};

@@ -37,6 +37,7 @@ TEST(PassedOn, ChecksAreOfTheSlotAskedFor)
 {
     Verifies(req::SRS_TWO_001);
     Verifies(req::SRS_TWO_008);
+    Verifies(req::SRS_TWO_210);
     PeerRig rig{PeerRole::kA};
     for (Channel* const voice : {&rig.Own(), &rig.Remote()})
     {
@@ -70,7 +71,7 @@ TEST(PassedOn, FramesHaveTheirStamps)
 TEST(PassedOn, CallsOfASlotNameIt)
 {
     Verifies(req::SRS_TWO_001);
-    Verifies(req::SRS_TWO_013);
+    Verifies(req::SRS_TWO_216);
     PeerRig rig{PeerRole::kB};
     rig.Own().Demote(1U);
     EXPECT_EQ(rig.channel.demoted, std::vector<SlotIndex>{1U});
@@ -84,7 +85,7 @@ TEST(PassedOn, CallsOfASlotNameIt)
 // Given slot 1, when the leader or the follower prepares it, then the channel prepares slot 1.
 TEST(PassedOn, PrepareIsOfTheSlotAskedFor)
 {
-    Verifies(req::SRS_TWO_010);
+    Verifies(req::SRS_TWO_214);
     Verifies(req::SRS_TWO_151);
     PeerRig leader{PeerRole::kA};
     static_cast<void>(leader.Own().Prepare(1U));

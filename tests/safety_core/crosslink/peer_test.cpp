@@ -158,7 +158,7 @@ TEST(PeerMessages, ReportsNewsFirstThenInTurn)
 // Given received frames, then the halves of own producers' pairs are echoes; consumers' and others' are not.
 TEST(PeerMessages, EchoIsTheOtherHalfOfAnOwnPair)
 {
-    Verifies(req::SRS_TWO_013);
+    Verifies(req::SRS_TWO_217);
     PeerRig rig{PeerRole::kB};
     EXPECT_TRUE(rig.peer.IsEcho(PeerRig::Frame(0x103U)));
     EXPECT_TRUE(rig.peer.IsEcho(PeerRig::Frame(0x104U)));
@@ -170,7 +170,7 @@ TEST(PeerMessages, EchoIsTheOtherHalfOfAnOwnPair)
 // Given an SRDO whose identifier was changed, then frames with the old one are no longer its.
 TEST(PeerMessages, ValidatedIdentifierReplacesTheOldOne)
 {
-    Verifies(req::SRS_TWO_013);
+    Verifies(req::SRS_TWO_217);
     PeerRig rig{PeerRole::kB};
     rig.channel.cob_id_1[1] = 0x107U;
     static_cast<void>(rig.Own().Validate(1U));

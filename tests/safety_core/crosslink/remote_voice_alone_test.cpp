@@ -51,6 +51,24 @@ TEST_F(Statements, DifferenceBeyondTheDiscrepancyTimeIsShown)
     EXPECT_EQ(After(Statement{GuardView::kConfigured, 1U, 1U, 1U, 1U}, 51001U), GuardView::kInvalid);
 }
 
+// Given two devices that are not operational, of which the peer tells another digest, then it is no difference.
+TEST_F(Statements, DigestIsComparedOnlyWhileBothAreOperational)
+{
+    Verifies(req::SRS_TWO_007);
+    PeerRig rig{PeerRole::kA};
+    rig.channel.outcome.not_operational = 1U;
+    rig.Cycle(1000U);
+    for (std::uint32_t now_us = 10000U; now_us <= 300000U; now_us += 10000U)
+    {
+        LinkMessage word = rig.AnswerTo(now_us - 3000U);
+        word.statement = Statement{GuardView::kConfigured, 1U, 1U, 1U, 1U};
+        word.digest = DeviceDigest{5U};
+        rig.Hear(word, now_us - 1000U);
+        rig.Cycle(now_us);
+        EXPECT_EQ(rig.remote.guard, GuardView::kConfigured) << now_us;
+    }
+}
+
 // Given another digest (the own one is 0 for three cycles, then 321), when it lasts for the diagnostic interval of 100
 // ms, then it is tolerated; longer is a disagreement.
 TEST_F(Statements, DigestBeyondTheDiagnosticIntervalIsShown)
@@ -95,7 +113,7 @@ TEST(RemoteVoiceAlone, PermitOfCpuBIsTheOneOfA)
 // own ones.
 TEST(RemoteVoiceAlone, RecheckGivesThePeersResult)
 {
-    Verifies(req::SRS_TWO_008);
+    Verifies(req::SRS_TWO_210);
     PeerRig rig{PeerRole::kA};
     rig.Cycle(1000U);
     EXPECT_EQ(rig.Remote().Recheck(1U).signature, 0x1234U);
@@ -121,7 +139,7 @@ TEST(RemoteVoiceAlone, RecheckGivesThePeersResult)
 // Given the remote voice, then the configuration is the own channel's, and what it is told to keep or do has no effect.
 TEST(RemoteVoiceAlone, ConfigurationIsTheOwnOne)
 {
-    Verifies(req::SRS_TWO_008);
+    Verifies(req::SRS_TWO_211);
     PeerRig rig{PeerRole::kA};
     Channel& remote = rig.Remote();
     remote.Store(ConfigItem{{0U, ConfigField::kSct, 0U}, 25U});
@@ -142,7 +160,8 @@ TEST(RemoteVoiceAlone, ConfigurationIsTheOwnOne)
 // anew.
 TEST(RemoteVoiceAlone, ArmedFrameIsUsedOnce)
 {
-    Verifies(req::SRS_TWO_010);
+    Verifies(req::SRS_TWO_214);
+    Verifies(req::SRS_TWO_215);
     PeerRig rig{PeerRole::kA};
     rig.Cycle(1000U);
     const auto tell = [&rig](std::uint8_t number, std::uint32_t at_us)
@@ -202,7 +221,7 @@ TEST(RemoteVoiceAlone, ConfirmsByIdentifier)
 // Given a channel with an inverse frame, then the own voice has it on CPU B, and neither voice on CPU A.
 TEST(RemoteVoiceAlone, InverseFrameIsThatOfCpuB)
 {
-    Verifies(req::SRS_TWO_013);
+    Verifies(req::SRS_TWO_216);
     PeerRig follower{PeerRole::kB};
     follower.channel.prepared.normal = PeerRig::Frame(0x104U);
     EXPECT_EQ(follower.Own().InverseFrame(1U).identifier, 0x104U);

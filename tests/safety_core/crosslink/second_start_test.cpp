@@ -232,7 +232,7 @@ TEST(SecondStart, WordOfBeforeCountsNoMore)
 // comes to number 7, then the frame is used: what was used before counts no more.
 TEST(SecondStart, NumberUsedBeforeIsANewFrame)
 {
-    Verifies(req::SRS_TWO_010);
+    Verifies(req::SRS_TWO_214);
     PeerRig rig{PeerRole::kA};
     rig.Cycle(1000U);
     const auto tell = [&rig](const std::uint32_t at_us)

@@ -214,7 +214,7 @@ TEST_F(SeveralAtOnce, PermitStaysWhileMatched)
 // Given the peer's check of slot 0 told twice, then it is given; once both CPUs were not operational, the own one.
 TEST_F(SeveralAtOnce, CheckToldTwiceIsGivenWhileOperational)
 {
-    Verifies(req::SRS_TWO_008);
+    Verifies(req::SRS_TWO_210);
     LinkMessage word = rig.AnswerTo(6000U);
     word.check = SlotCheck{0U, {ConfigFault::kSignature, 0x9999U}};
     rig.Hear(word, 8000U);

@@ -129,7 +129,7 @@ TEST_F(Facade, DemandBeforeStartHasNoEffect)
 
 TEST_F(Facade, DigestIsToldAndCheckedAsTheConfigurationIs)
 {
-    Verifies(req::SRS_KRN_015);
+    Verifies(req::SRS_KRN_211);
     Verifies(req::SRS_KRN_150);
     EXPECT_EQ(kernel.Digest().result, Result::kDeviceFault);
     Operate();
@@ -222,6 +222,7 @@ TEST_F(Facade, MappedDummyHasALengthAndNoPlace)
 TEST_F(Facade, StaticFieldsNeedAStaticMappingOutsideOperational)
 {
     Verifies(req::SRS_KRN_024);
+    Verifies(req::SRS_KRN_217);
     Configure();
     const StaticFields fields{rx_normal.data(), rx_inverse.data()};
     EXPECT_EQ(kernel.DefineStaticFields(CommunicationIndex{0x1302U}, fields), Result::kNotExist);
@@ -235,7 +236,7 @@ TEST_F(Facade, StaticFieldsNeedAStaticMappingOutsideOperational)
 
 TEST_F(Facade, StaticFieldsThatAreRefusedAreNotKept)
 {
-    Verifies(req::SRS_KRN_024);
+    Verifies(req::SRS_KRN_219);
     static constexpr std::uint32_t kEntries[] = {0x22000110U, 0x23000110U};
     setups[2].map = StaticMap{kEntries, 2U};
     Configure();
@@ -284,7 +285,7 @@ TEST_F(Facade, StaticFieldsAreCheckedByBothChannels)
 // The reference defines the fields before it writes the direction: SRDO 4 is off.
 TEST_F(Facade, StaticFieldsAreComparedWithTheObjectsWhateverTheDirectionIs)
 {
-    Verifies(req::SRS_KRN_024);
+    Verifies(req::SRS_KRN_218);
     static constexpr std::uint32_t kEntries[] = {0x22000110U, 0x23000110U};
     static constexpr std::uint32_t kUnknown[] = {0x22000110U, 0x23000210U};
     static constexpr std::uint32_t kShorter[] = {0x22000108U, 0x23000108U};
@@ -320,7 +321,7 @@ TEST_F(Facade, StaticFieldsAreComparedWithTheObjectsWhateverTheDirectionIs)
 // Objects of 16 bits one behind the other: four fill a frame, five do not go into one.
 TEST_F(Facade, StaticFieldsAreAsLongAsAFrameAtTheMost)
 {
-    Verifies(req::SRS_KRN_024);
+    Verifies(req::SRS_KRN_218);
     std::array<std::uint8_t, 10> normal{};
     std::array<std::uint8_t, 10> inverse{};
     std::array<MappableObject, 10> own{};

@@ -422,6 +422,7 @@ TEST_F(ComparatorLost, EveryBitIsTurnedRoundWithinThirtyTwoRoundsEveryByteWithin
 TEST_F(ComparatorLost, BlindForOneMemberIsFoundWithinTheTestIntervalWheneverItBegins)
 {
     Verifies(req::SRS_CMP_009);
+    Verifies(req::SRS_CMP_210);
     Verifies(req::SRS_LIM_002);
     for (std::uint32_t phase = 0U; phase < 45U; phase += 5U)
     {
@@ -439,6 +440,7 @@ TEST_F(ComparatorLost, BlindForOneMemberIsFoundWithinTheTestIntervalWheneverItBe
 TEST_F(ComparatorLost, AlwaysGoodIsFoundByTheDeliberateDifferenceWithinTheTestInterval)
 {
     Verifies(req::SRS_CMP_009);
+    Verifies(req::SRS_CMP_210);
     EXPECT_LE(CyclesToSafe(ComparatorCalls::kAlwaysGood), 67U);
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kComparator);
     EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
@@ -447,6 +449,7 @@ TEST_F(ComparatorLost, AlwaysGoodIsFoundByTheDeliberateDifferenceWithinTheTestIn
 TEST_F(ComparatorLost, BlindForDataIsFoundByTheDeliberateDifferenceWithinTheTestInterval)
 {
     Verifies(req::SRS_CMP_009);
+    Verifies(req::SRS_CMP_210);
     EXPECT_LE(CyclesToSafe(ComparatorCalls::kDataUnseen), 67U);
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kComparator);
 }

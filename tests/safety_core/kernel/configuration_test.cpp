@@ -43,7 +43,7 @@ TEST_F(Configuring, ChannelsThatDifferRefuseTheDeclarationAndTheDevice)
 
 TEST_F(Configuring, ChannelsThatNameDifferentRulesDisagree)
 {
-    Verifies(req::SRS_KRN_015);
+    Verifies(req::SRS_KRN_212);
     Verifies(req::SRS_CFG_046);
     Configure();
     a.check_fault = ConfigFault::kTiming;
@@ -121,7 +121,7 @@ TEST_F(Configuring, InvalidConfigurationIsNotRecheckedAndIsNoFault)
 
 TEST_F(Configuring, EnteringOperationalWithABrokenSignatureLeavesSrdosOff)
 {
-    Verifies(req::SRS_KRN_010);
+    Verifies(req::SRS_KRN_223);
     Configure();
     const ConfigItem changed{ConfigAddress{1U, ConfigField::kSrvt, 0U}, 21U};
     real_a.Store(changed);
@@ -141,7 +141,7 @@ TEST_F(Configuring, EnteringOperationalWithABrokenSignatureLeavesSrdosOff)
 // t [cycles]   1 released     (PRE-OPERATIONAL, written, OPERATIONAL)     2 off     3 waiting
 TEST_F(Configuring, LeavingAndEnteringOperationalBetweenTwoCyclesIsSeenAsLeft)
 {
-    Verifies(req::SRS_KRN_010);
+    Verifies(req::SRS_KRN_222);
     Operate();
     ReceivePair();
     Cycle();
@@ -168,7 +168,7 @@ TEST_F(Configuring, LeavingAndEnteringOperationalBetweenTwoCyclesIsSeenAsLeft)
 
 TEST_F(Configuring, OperationalAgainIsNotEnteringIt)
 {
-    Verifies(req::SRS_KRN_010);
+    Verifies(req::SRS_KRN_223);
     Operate();
     real_a.Store(ConfigItem{ConfigAddress{1U, ConfigField::kSrvt, 0U}, 21U});
     kernel.SetNmtState(NmtState::kOperational);
@@ -238,7 +238,7 @@ TEST_F(Configuring, CheckNamesTheFirstBrokenRuleAndItsSrdo)
 // In OPERATIONAL nothing is resolved anew: the signature covers what the rules would find.
 TEST_F(Configuring, CheckInOperationalIsThatOfSignatureAndResolvedMapping)
 {
-    Verifies(req::SRS_KRN_015);
+    Verifies(req::SRS_KRN_210);
     Operate();
     ReceivePair();
     Cycle();
@@ -249,6 +249,50 @@ TEST_F(Configuring, CheckInOperationalIsThatOfSignatureAndResolvedMapping)
     real_a.Store(changed);
     real_b.Store(changed);
     EXPECT_EQ(kernel.CheckConfiguration().result, Result::kSignatureError);
+    EXPECT_EQ(kernel.CheckConfiguration().index.value, 0x1301U);
+}
+
+TEST_F(Configuring, CheckInOperationalLooksAtTheResolvedMappingAndResolvesNothing)
+{
+    Verifies(req::SRS_KRN_210);
+    Operate();
+    a.validated = kNoSlot;
+    b.validated = kNoSlot;
+    // Given a resolved mapping that both channels find changed
+    a.check_fault = ConfigFault::kTable;
+    b.check_fault = ConfigFault::kTable;
+    // When the configuration is checked, then that is told of the first SRDO, and no mapping was resolved anew
+    EXPECT_EQ(kernel.CheckConfiguration().result, Result::kMappingError);
+    EXPECT_EQ(kernel.CheckConfiguration().index.value, 0x1301U);
+    EXPECT_EQ(a.validated, kNoSlot);
+    EXPECT_EQ(b.validated, kNoSlot);
+    // And outside of OPERATIONAL it is
+    kernel.SetNmtState(NmtState::kPreOperational);
+    (void)kernel.CheckConfiguration();
+    EXPECT_EQ(a.validated, 0U);
+    EXPECT_EQ(b.validated, 0U);
+}
+
+TEST_F(Configuring, ChannelsThatNameDifferentRulesInOperationalDisagree)
+{
+    Verifies(req::SRS_KRN_212);
+    Operate();
+    b.check_fault = ConfigFault::kTable;
+    EXPECT_EQ(kernel.CheckConfiguration().result, Result::kDeviceFault);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+}
+
+TEST_F(Configuring, ABrokenRuleIsToldBeforeADigestThatIsNotExpected)
+{
+    Verifies(req::SRS_KRN_211);
+    Configure();
+    config.digest = 0x12345678U;
+    ASSERT_EQ(kernel.CheckConfiguration().result, Result::kInvalidConfiguration);
+    ASSERT_EQ(kernel.CheckConfiguration().index.value, 0U);
+    // When SRVT 50 ms is not below SCT 50 ms, too
+    ASSERT_EQ(Write(0x1301U, 3U, 50U, 1U), AbortCode::kNone);
+    // Then the rule and its SRDO are told
+    EXPECT_EQ(kernel.CheckConfiguration().result, Result::kTimingError);
     EXPECT_EQ(kernel.CheckConfiguration().index.value, 0x1301U);
 }
 
@@ -373,7 +417,7 @@ TEST_F(Configuring, DeclarationNeedsEqualAndExpectedDigests)
 
 TEST_F(Configuring, FirstOfSeveralBrokenSignaturesIsToldOnEnteringOperational)
 {
-    Verifies(req::SRS_KRN_010);
+    Verifies(req::SRS_KRN_223);
     Configure();
     for (const SlotIndex slot : std::initializer_list<SlotIndex>{2U, 1U})
     {
@@ -389,7 +433,7 @@ TEST_F(Configuring, FirstOfSeveralBrokenSignaturesIsToldOnEnteringOperational)
 // Whichever channel finds it: the other one was asked as well, and they differ.
 TEST_F(Configuring, EitherChannelAloneKeepsSrdosOffOnEnteringOperational)
 {
-    Verifies(req::SRS_KRN_010);
+    Verifies(req::SRS_KRN_223);
     for (Tap* const tap : {&a, &b})
     {
         application.invalid.clear();

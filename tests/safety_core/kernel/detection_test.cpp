@@ -176,7 +176,7 @@ TEST_F(Detection, ApplicationCanDemandTheSafeState)
 
 TEST_F(Detection, EachFieldOfTheComparatorsTestIsSeenFromOutside)
 {
-    Verifies(req::SRS_CMP_009);
+    Verifies(req::SRS_CMP_212);
     // Given the comparator tested without a pause, for all fifteen members and more than one round
     config.test_interval_us = 22500U;
     Release();

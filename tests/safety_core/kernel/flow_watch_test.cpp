@@ -177,7 +177,7 @@ class GivenFlowSpoiled : public GivenFlow, public ::testing::WithParamInterface<
 
 TEST_P(GivenFlowSpoiled, IsAWrongAnswerAndADeviceFaultInTheSameCycle)
 {
-    Verifies(req::SRS_KRN_039);
+    Verifies(req::SRS_KRN_229);
     for (std::uint8_t step = 1U; step <= GetParam().last; ++step)
     {
         // Given a released pair

@@ -127,7 +127,7 @@ TEST_F(IdentifierChange, InverseFrameInFlightEndsNoPair)
 // t      101h received    OPERATIONAL left, 105h/106h stored, entered again    102h or 106h received
 TEST_F(IdentifierChange, NormalFrameOfTheOldIdentifierMakesNoPair)
 {
-    Verifies(req::SRS_KRN_036);
+    Verifies(req::SRS_KRN_220);
     for (const Between between : {Between::kNothing, Between::kCycle})
     {
         for (const std::uint32_t identifier : {0x102U, 0x106U})
@@ -177,7 +177,7 @@ TEST_F(IdentifierChange, IdentifierOfAFrameInFlightMayGoToAConsumer)
 // t      GFC handed over     1300h = 0     confirmed    25 ms after it
 TEST_F(IdentifierChange, GfcInFlightHasToBeFollowedThoughItIsSwitchedOff)
 {
-    Verifies(req::SRS_KRN_036);
+    Verifies(req::SRS_KRN_221);
     setups[1].form = ProducerForm::kApplicationSends;
     Operate();
     ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
@@ -196,7 +196,7 @@ TEST_F(IdentifierChange, GfcInFlightHasToBeFollowedThoughItIsSwitchedOff)
 // What counts is 1300h when the frame is given to the kernel.
 TEST_F(IdentifierChange, ReceivedGfcCountsByWhatIsStoredWhenItComes)
 {
-    Verifies(req::SRS_KRN_036);
+    Verifies(req::SRS_KRN_221);
     Operate();
     ReceivePair();
     Cycle();

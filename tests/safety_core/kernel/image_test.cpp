@@ -76,6 +76,7 @@ class StoredConfiguration : public Rig
 TEST_F(StoredConfiguration, ItemsAreInTheOrderOfTheRequirement)
 {
     Verifies(req::SRS_CFG_051);
+    Verifies(req::SRS_CFG_216);
     Configure();
     const Image image = Save();
     EXPECT_EQ(image.header.count, kItems);
@@ -101,7 +102,7 @@ TEST_F(StoredConfiguration, ItemsAreInTheOrderOfTheRequirement)
 
 TEST_F(StoredConfiguration, CrcCoversAddressesValuesAndValidity)
 {
-    Verifies(req::SRS_CFG_051);
+    Verifies(req::SRS_CFG_215);
     Configure();
     const Image image = Save();
     EXPECT_EQ(image.header.crc, image::CrcOf(image::WordsOf(image.items, 0xA5U)));
@@ -110,6 +111,7 @@ TEST_F(StoredConfiguration, CrcCoversAddressesValuesAndValidity)
 TEST_F(StoredConfiguration, SavedConfigurationComesBackAfterPowerOnAndIsValid)
 {
     Verifies(req::SRS_CFG_052);
+    Verifies(req::SRS_CFG_212);
     Configure();
     const Image image = Save();
     Restart();
@@ -130,6 +132,7 @@ TEST_F(StoredConfiguration, SavedConfigurationComesBackAfterPowerOnAndIsValid)
 TEST_F(StoredConfiguration, ConfigurationThatWasNotValidComesBackNotValid)
 {
     Verifies(req::SRS_CFG_052);
+    Verifies(req::SRS_CFG_212);
     Configure();
     ASSERT_EQ(Write(0x13FEU, 0U, 0U, 1U), AbortCode::kNone);
     const Image image = Save();
@@ -142,7 +145,8 @@ TEST_F(StoredConfiguration, ConfigurationThatWasNotValidComesBackNotValid)
 
 TEST_F(StoredConfiguration, EveryChangedItemOrHeaderIsDamaged)
 {
-    Verifies(req::SRS_CFG_052);
+    Verifies(req::SRS_CFG_211);
+    Verifies(req::SRS_CFG_213);
     Configure();
     const Image good = Save();
     for (std::uint32_t number = 0U; number < kItems; ++number)
@@ -165,6 +169,8 @@ TEST_F(StoredConfiguration, EveryChangedItemOrHeaderIsDamaged)
 TEST_F(StoredConfiguration, ValuesWiderThanTheirItemAreRefusedAtOnce)
 {
     Verifies(req::SRS_CFG_052);
+    Verifies(req::SRS_CFG_210);
+    Verifies(req::SRS_CFG_213);
     Configure();
     const Image good = Save();
     EXPECT_EQ(kernel.Image().LoadItem(kDirectionOfFirst, 0x102U), Result::kDamagedImage);
@@ -179,7 +185,8 @@ TEST_F(StoredConfiguration, ValuesWiderThanTheirItemAreRefusedAtOnce)
 
 TEST_F(StoredConfiguration, AnotherNumberOfItemsIsForeign)
 {
-    Verifies(req::SRS_CFG_052);
+    Verifies(req::SRS_CFG_211);
+    Verifies(req::SRS_CFG_213);
     Configure();
     Image image = Save();
     image.header.count = 72U;
@@ -189,7 +196,8 @@ TEST_F(StoredConfiguration, AnotherNumberOfItemsIsForeign)
 
 TEST_F(StoredConfiguration, DeviceWithAnotherNumberOfAnSrdoDoesNotTakeIt)
 {
-    Verifies(req::SRS_CFG_052);
+    Verifies(req::SRS_CFG_211);
+    Verifies(req::SRS_CFG_213);
     Configure();
     const Image image = Save();
     setups[2].number = 5U;
@@ -201,7 +209,8 @@ TEST_F(StoredConfiguration, DeviceWithAnotherNumberOfAnSrdoDoesNotTakeIt)
 // Given a header that fits, the rules decide.
 TEST_F(StoredConfiguration, ConfigurationThatBreaksARuleIsRefusedWithItsResult)
 {
-    Verifies(req::SRS_CFG_052);
+    Verifies(req::SRS_CFG_212);
+    Verifies(req::SRS_CFG_213);
     Configure();
     Image image = Save();
     ASSERT_EQ(Write(0x1301U, 2U, 60U, 2U), AbortCode::kNone); // no longer the signature
@@ -215,7 +224,8 @@ TEST_F(StoredConfiguration, ConfigurationThatBreaksARuleIsRefusedWithItsResult)
 
 TEST_F(StoredConfiguration, AnotherDigestThanExpectedIsRefused)
 {
-    Verifies(req::SRS_CFG_052);
+    Verifies(req::SRS_CFG_212);
+    Verifies(req::SRS_CFG_213);
     Verifies(req::SRS_CFG_151);
     Configure();
     const Image image = Save();
@@ -251,7 +261,7 @@ TEST_F(StoredConfiguration, OneItemThatDiffersIsEnough)
 TEST_F(StoredConfiguration, ImageIsNotLoadedIntoCopiesThatDiffer)
 {
     Verifies(req::SRS_CFG_051);
-    Verifies(req::SRS_CFG_052);
+    Verifies(req::SRS_CFG_211);
     Configure();
     std::vector<std::uint32_t> items = Save().items;
     std::fill(items.begin() + 48, items.begin() + 72, 0U);
@@ -263,7 +273,8 @@ TEST_F(StoredConfiguration, ImageIsNotLoadedIntoCopiesThatDiffer)
 
 TEST_F(StoredConfiguration, HeaderAloneTakesTheValidityBack)
 {
-    Verifies(req::SRS_CFG_052);
+    Verifies(req::SRS_CFG_211);
+    Verifies(req::SRS_CFG_212);
     Configure();
     ASSERT_EQ(Write(0x13FEU, 0U, 0U, 1U), AbortCode::kNone);
     const Image image = Save();
@@ -275,7 +286,7 @@ TEST_F(StoredConfiguration, HeaderAloneTakesTheValidityBack)
 // Items of SRDO 4 begin at 48: the map count is 55, the entries behind it.
 TEST_F(StoredConfiguration, EntriesBehindAStaticMappingReadZero)
 {
-    Verifies(req::SRS_CFG_051);
+    Verifies(req::SRS_CFG_217);
     static constexpr std::uint32_t kEntries[] = {0x22000110U, 0x23000110U};
     setups[2].map = StaticMap{kEntries, 2U};
     Configure();
@@ -308,7 +319,7 @@ TEST_F(StoredConfiguration, StaticMappingIsNeitherLoadedNorRestored)
 
 TEST_F(StoredConfiguration, NothingIsLoadedOrRestoredInOperational)
 {
-    Verifies(req::SRS_CFG_052);
+    Verifies(req::SRS_CFG_214);
     Verifies(req::SRS_CFG_053);
     Operate();
     const Image image = Save();
@@ -347,8 +358,9 @@ TEST_F(StoredConfiguration, DefaultsFollowTheNodeId)
 
 TEST_F(StoredConfiguration, RemovedGfcParameterReadsZeroAndIsNotLoaded)
 {
-    Verifies(req::SRS_CFG_051);
+    Verifies(req::SRS_CFG_217);
     Verifies(req::SRS_CFG_052);
+    Verifies(req::SRS_CFG_211);
     Configure();
     const Image with_gfc = Save();
     config.gfc = GfcUse::kRemoved;

@@ -22,6 +22,8 @@ namespace
 TEST(ComputedLimit, EachClassOfFaultHasTheLimitOfTheTable)
 {
     Verifies(req::SRS_LIM_001);
+    Verifies(req::SRS_LIM_210);
+    Verifies(req::SRS_LIM_211);
     DeviceConfig config{};
     config.cycle_us = 1000U;
     config.cycle_tolerance_us = 500U;
@@ -62,7 +64,7 @@ TEST(ComputedLimit, EachClassOfFaultHasTheLimitOfTheTable)
 
 TEST(ComputedLimit, UnknownClassHasNoLimitAndIsRefused)
 {
-    Verifies(req::SRS_LIM_001);
+    Verifies(req::SRS_LIM_212);
     Verifies(req::SRS_LNK_009);
     DeviceConfig config{};
     config.cycle_us = 1000U;
@@ -285,6 +287,7 @@ TEST_F(SweptLimit, CopyOfOneChannelAndWhatBothRead)
 TEST_F(SweptLimit, LateCyclesDoNotStretchTheWalk)
 {
     Verifies(req::SRS_LIM_002);
+    Verifies(req::SRS_LIM_213);
     constexpr std::uint32_t kDoneUs[] = {10500U, 21000U, 30000U};
     for (const SlotIndex slot : std::initializer_list<SlotIndex>{0U, 1U, 2U})
     {
@@ -338,6 +341,7 @@ TEST_F(SweptLimit, CounterThatDrifts)
 {
     Verifies(req::SRS_LIM_002);
     Verifies(req::SRS_CLK_001);
+    Verifies(req::SRS_CLK_212);
     std::uint32_t longest_us = 0U;
     for (const std::uint32_t gain_us : {3U, 4U, 6U, 30U, 201U})
     {

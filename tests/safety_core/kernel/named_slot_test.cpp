@@ -171,7 +171,7 @@ TEST_F(NamedSlot, ThatDoesNotExistIsNeitherDemotedNorPreparedNorReported)
 
 TEST_F(NamedSlot, IsGivenUpWhereItsInverseFrameIsNotTaken)
 {
-    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_KRN_216);
     Operate();
     Cycle();
     ports.answer = hal::TransmitStatus::kBusOff;

@@ -330,7 +330,7 @@ TEST_F(SafetyObjects, VariableIsKnownByItsWholeAddress)
 // 1300h may have changed since: with an expected digest its refusal leaves what was declared.
 TEST_F(SafetyObjects, ValidOverValidIsADeclarationAnew)
 {
-    Verifies(req::SRS_CFG_042);
+    Verifies(req::SRS_CFG_219);
     Configure();
     const std::uint32_t gfc = Read(0x1300U, 0U);
     config.digest = kernel.Digest().digest;
@@ -344,7 +344,7 @@ TEST_F(SafetyObjects, ValidOverValidIsADeclarationAnew)
 
 TEST_F(SafetyObjects, IdenticalValueIsAcceptedAndClearsNothing)
 {
-    Verifies(req::SRS_CFG_042);
+    Verifies(req::SRS_CFG_218);
     Verifies(req::SRS_CFG_043);
     Configure();
     for (const NmtState state : {NmtState::kInitialising, NmtState::kStopped, NmtState::kPreOperational})

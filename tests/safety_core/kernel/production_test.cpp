@@ -34,7 +34,8 @@ class Production : public Rig
 //                           over         I handed over
 TEST_F(Production, NormalFrameFirstThenInverseAfterItsConfirmation)
 {
-    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_KRN_213);
+    Verifies(req::SRS_KRN_214);
     Verifies(req::SRS_KRN_012);
     Verifies(req::SRS_PROD_006);
     Operate();
@@ -121,7 +122,7 @@ TEST_F(Production, AnyAnswerButReadyPreparesNothingAndIsMissedIfItLasts)
 // bus     N handed over   N confirmed    SRVT expired without an inverse frame
 TEST_F(Production, ChannelsThatHandOutNoFrameAreMissedAsNoConfirmation)
 {
-    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_KRN_214);
     Verifies(req::SRS_PROD_008);
     Operate();
     Cycle();
@@ -269,7 +270,7 @@ TEST_F(Production, PreparedPairsThatDifferInTheirDataAloneAreNotInverse)
 
 TEST_F(Production, FullQueueAndBusOffAreCausesOfTheirOwn)
 {
-    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_KRN_216);
     Operate();
     ports.answer = hal::TransmitStatus::kQueueFull;
     Cycles(2U);
@@ -285,7 +286,7 @@ TEST_F(Production, FullQueueAndBusOffAreCausesOfTheirOwn)
 
 TEST_F(Production, InverseFrameForWhichTheQueueHasNoRoomIsGivenUpInBothChannels)
 {
-    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_KRN_216);
     Operate();
     Cycle();
     ports.answer = hal::TransmitStatus::kQueueFull;
@@ -297,7 +298,7 @@ TEST_F(Production, InverseFrameForWhichTheQueueHasNoRoomIsGivenUpInBothChannels)
 
 TEST_F(Production, ChannelBThatSawNoConfirmationSendsNoInverse)
 {
-    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_KRN_214);
     Verifies(req::SRS_PROD_008);
     Operate();
     b.drop_confirms = true;
@@ -312,7 +313,7 @@ TEST_F(Production, ChannelBThatSawNoConfirmationSendsNoInverse)
 
 TEST_F(Production, NormalFrameThatChannelADidNotSeeConfirmedIsFollowedByNoInverse)
 {
-    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_KRN_214);
     Operate();
     a.drop_confirms = true;
     Cycle();
@@ -323,7 +324,7 @@ TEST_F(Production, NormalFrameThatChannelADidNotSeeConfirmedIsFollowedByNoInvers
 
 TEST_F(Production, InverseFrameIsAskedOfBothChannels)
 {
-    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_KRN_214);
     Operate();
     Cycle();
     ConfirmLast();
@@ -346,7 +347,7 @@ class ProductionInverse : public Production, public ::testing::WithParamInterfac
 
 TEST_P(ProductionInverse, UnequalInverseFramesAreADisagreementAndNothingLeaves)
 {
-    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_KRN_214);
     for (Tap* const tap : {&a, &b})
     {
         ports.sent.clear();
@@ -375,7 +376,7 @@ INSTANTIATE_TEST_SUITE_P(
 // t      normal frame handed over   OPERATIONAL left (and entered again)   normal frame confirmed
 TEST_F(Production, NoInverseFrameOnceOperationalWasLeft)
 {
-    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_KRN_215);
     for (const bool is_entered_again : {false, true})
     {
         ports.sent.clear();
@@ -400,7 +401,7 @@ TEST_F(Production, NoInverseFrameOnceOperationalWasLeft)
 
 TEST_F(Production, NoInverseFrameWithoutAValidConfiguration)
 {
-    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_KRN_215);
     Operate();
     Cycle();
     ASSERT_EQ(ports.sent.size(), 1U);
@@ -458,7 +459,7 @@ TEST_F(Production, ProducerThatStandsForTwoReasonsStands)
 
 TEST_F(Production, StepsThatTheChannelsDoNotShareAreFollowedByNothing)
 {
-    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_KRN_214);
     Operate();
     Cycle();
     b.on_confirmed = [](Confirmation& confirmation) { confirmation.step = ConfirmStep::kPair; };
@@ -468,7 +469,7 @@ TEST_F(Production, StepsThatTheChannelsDoNotShareAreFollowedByNothing)
 
 TEST_F(Production, ConfirmationOfASlotThatDoesNotExistIsFollowedByNothing)
 {
-    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_KRN_214);
     Operate();
     Cycle();
     const auto behind_the_last = [](Confirmation& confirmation) { confirmation = {3U, ConfirmStep::kPair}; };
@@ -480,7 +481,7 @@ TEST_F(Production, ConfirmationOfASlotThatDoesNotExistIsFollowedByNothing)
 
 TEST_F(Production, ConfirmationsOfDifferentSlotsAreFollowedByNothing)
 {
-    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_KRN_214);
     Operate();
     Cycle();
     b.on_confirmed = [](Confirmation& confirmation) { confirmation.slot = 0U; };
@@ -491,7 +492,7 @@ TEST_F(Production, ConfirmationsOfDifferentSlotsAreFollowedByNothing)
 
 TEST_F(Production, ConfirmationThatIsNoStepIsFollowedByNothing)
 {
-    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_KRN_214);
     Operate();
     Cycle();
     const auto no_step = [](Confirmation& confirmation) { confirmation.step = static_cast<ConfirmStep>(0x11U); };
@@ -504,7 +505,7 @@ TEST_F(Production, ConfirmationThatIsNoStepIsFollowedByNothing)
 
 TEST_F(Production, ForeignConfirmationHasNoEffect)
 {
-    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_KRN_214);
     Operate();
     Cycle();
     now_us += 10U;
@@ -516,7 +517,7 @@ TEST_F(Production, ForeignConfirmationHasNoEffect)
 TEST_F(Production, DeviceSafeStateKeepsTheInverseFrameBack)
 {
     Verifies(req::SRS_KRN_004);
-    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_KRN_215);
     Operate();
     Cycle();
     kernel.DemandSafeState();

@@ -178,7 +178,7 @@ TEST_F(NmtCopies, OneThatForgetsThatOperationalWasLeftIsADisagreement)
 // Either mark alone keeps an inverse frame back.
 TEST_F(NmtCopies, OneThatSaysThatOperationalWasLeftKeepsTheInverseFrameBack)
 {
-    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_KRN_215);
     Verifies(req::SRS_KRN_033);
     for (const Mark& mark : Marks())
     {

@@ -175,7 +175,7 @@ TEST_F(SecondStart, ForgetsTheConfiguration)
 
 TEST_F(SecondStart, ForgetsAPairThatWasBeingSent)
 {
-    Verifies(req::SRS_KRN_014);
+    Verifies(req::SRS_KRN_214);
     Verifies(req::SRS_KRN_025);
     // Given a normal frame on its way
     Operate();

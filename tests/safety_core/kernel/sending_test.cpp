@@ -69,6 +69,7 @@ TEST_F(Sending, SendToAllWithoutAProducerDoesNotExist)
 TEST_F(Sending, SendToAllSendsEveryProducerOnce)
 {
     Verifies(req::SRS_KRN_011);
+    Verifies(req::SRS_KRN_224);
     Verifies(req::SRS_PROD_003);
     setups[1].form = ProducerForm::kApplicationSends;
     Configure();
@@ -90,7 +91,7 @@ TEST_F(Sending, SendToAllSendsEveryProducerOnce)
 
 TEST_F(Sending, ApplicationSendsWhenItWants)
 {
-    Verifies(req::SRS_KRN_011);
+    Verifies(req::SRS_KRN_224);
     Verifies(req::SRS_PROD_003);
     setups[1].form = ProducerForm::kApplicationSends;
     Operate();
@@ -112,7 +113,7 @@ TEST_F(Sending, ApplicationSendsWhenItWants)
 // t   request   OPERATIONAL left   entered   request   cycle outside of it   cycle in it ...
 TEST_F(Sending, RequestSinceOperationalWasEnteredAgainIsSentWhateverCyclesSaw)
 {
-    Verifies(req::SRS_KRN_011);
+    Verifies(req::SRS_KRN_224);
     setups[1].form = ProducerForm::kApplicationSends;
     Operate();
     Cycles(3U);
@@ -127,7 +128,7 @@ TEST_F(Sending, RequestSinceOperationalWasEnteredAgainIsSentWhateverCyclesSaw)
 
 TEST_F(Sending, RequestBeforeOperationalWasLeftIsForgotten)
 {
-    Verifies(req::SRS_KRN_011);
+    Verifies(req::SRS_KRN_224);
     setups[1].form = ProducerForm::kApplicationSends;
     Operate();
     Cycles(3U);
@@ -212,7 +213,7 @@ TEST_F(Sending, NothingIsRequestedInTheDeviceSafeState)
 
 TEST_F(Sending, GfcThatIsFollowedByAnSrdoIsComplete)
 {
-    Verifies(req::SRS_KRN_013);
+    Verifies(req::SRS_KRN_225);
     Operate();
     ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
     ASSERT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kSuccessful);
@@ -223,7 +224,7 @@ TEST_F(Sending, GfcThatIsFollowedByAnSrdoIsComplete)
 // t [ms]   10 GFC                      35 (limit)   36
 TEST_F(Sending, GfcWithoutAnSrdoWithinTheShortestRefreshTimeIsAnErrorOnce)
 {
-    Verifies(req::SRS_KRN_013);
+    Verifies(req::SRS_KRN_225);
     setups[1].form = ProducerForm::kApplicationSends;
     Operate();
     ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
@@ -236,7 +237,7 @@ TEST_F(Sending, GfcWithoutAnSrdoWithinTheShortestRefreshTimeIsAnErrorOnce)
 // t [ms]   6 GFC      7 normal frame refused: bus-off      31 (limit)   32
 TEST_F(Sending, FrameThatIsRefusedFollowsNoGfc)
 {
-    Verifies(req::SRS_KRN_013);
+    Verifies(req::SRS_KRN_225);
     setups[1].form = ProducerForm::kApplicationSends;
     Operate();
     ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
@@ -252,7 +253,7 @@ TEST_F(Sending, FrameThatIsRefusedFollowsNoGfc)
 // t [ms]   7 normal frame   7 GFC   7.1 confirmed, inverse frame      32 (limit)   33
 TEST_F(Sending, SecondHalfOfAnOlderPairFollowsNoGfc)
 {
-    Verifies(req::SRS_KRN_013);
+    Verifies(req::SRS_KRN_225);
     setups[1].form = ProducerForm::kApplicationSends;
     Operate();
     ASSERT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kSuccessful);
@@ -272,7 +273,7 @@ TEST_F(Sending, SecondHalfOfAnOlderPairFollowsNoGfc)
 // t [ms]   6 GFC      26 GFC again      31 (limit of the first)   32
 TEST_F(Sending, GfcThatIsSentAgainDoesNotPutTheSrdoOff)
 {
-    Verifies(req::SRS_KRN_013);
+    Verifies(req::SRS_KRN_225);
     setups[1].form = ProducerForm::kApplicationSends;
     Operate();
     ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
@@ -286,7 +287,7 @@ TEST_F(Sending, GfcThatIsSentAgainDoesNotPutTheSrdoOff)
 
 TEST_F(Sending, ShortestRefreshTimeOfSeveralProducersCounts)
 {
-    Verifies(req::SRS_KRN_013);
+    Verifies(req::SRS_KRN_225);
     setups[1].form = ProducerForm::kApplicationSends;
     Configure();
     // Given producers of 50, 25 and 50 ms
@@ -304,7 +305,7 @@ TEST_F(Sending, ShortestRefreshTimeOfSeveralProducersCounts)
 
 TEST_F(Sending, ShortestRefreshTimeIsFoundByOneMillisecondInAnyPlace)
 {
-    Verifies(req::SRS_KRN_013);
+    Verifies(req::SRS_KRN_225);
     setups[1].form = ProducerForm::kApplicationSends;
     struct Times
     {
@@ -332,7 +333,7 @@ TEST_F(Sending, ShortestRefreshTimeIsFoundByOneMillisecondInAnyPlace)
 
 TEST_F(Sending, SecondRequestBeforeTheCycleTakesNothingBack)
 {
-    Verifies(req::SRS_KRN_011);
+    Verifies(req::SRS_KRN_224);
     Operate();
     EXPECT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kSuccessful);
     EXPECT_EQ(kernel.Send(CommunicationIndex{0U}), Result::kSuccessful);
@@ -351,7 +352,7 @@ TEST_F(Sending, SecondRequestBeforeTheCycleTakesNothingBack)
 TEST_F(Sending, CallbacksMaySendAndDemandTheSafeState)
 {
     Verifies(req::SRS_KRN_006);
-    Verifies(req::SRS_KRN_011);
+    Verifies(req::SRS_KRN_224);
     setups[1].form = ProducerForm::kApplicationSends;
     Operate();
     application.on_event = [this](CommunicationIndex)

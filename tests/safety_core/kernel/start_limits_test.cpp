@@ -76,9 +76,9 @@ TEST_F(StartLimits, TwoTimesThatAreTooLongAreRefusedAsOneIs)
 TEST_F(StartLimits, EveryTimeHasItsLeastValue)
 {
     Verifies(req::SRS_KRN_001);
-    Verifies(req::SRS_CLK_001);
-    Verifies(req::SRS_LIM_002);
-    Verifies(req::SRS_CMP_009);
+    Verifies(req::SRS_CLK_213);
+    Verifies(req::SRS_LIM_214);
+    Verifies(req::SRS_CMP_213);
     HasLowerLimit(&DeviceConfig::clock_interval_us, 6000U); // Four late cycles.
     config.clock_tolerance_us = 6000U;
     HasLowerLimit(&DeviceConfig::clock_interval_us, 6001U); // Above the tolerance.

@@ -74,7 +74,7 @@ TEST_F(Status, EveryPatternIsKeptForItsSrdoAlone)
 
 TEST_F(Status, EventAndErrorAreAnnouncedBeforeTheCallback)
 {
-    Verifies(req::SRS_KRN_021);
+    Verifies(req::SRS_KRN_226);
     Verifies(req::SRS_KRN_006);
     handshake = StatusHandshake::kRequired;
     AnswerInCallbacks();
@@ -98,7 +98,7 @@ TEST_F(Status, EventAndErrorAreAnnouncedBeforeTheCallback)
 
 TEST_F(Status, ByteReleasesNothingAndHoldsNothingBack)
 {
-    Verifies(req::SRS_KRN_021);
+    Verifies(req::SRS_KRN_227);
     Operate();
     Answer(kConsumer, 0xFFU);
     Cycle();
@@ -310,7 +310,7 @@ TEST(StatusStorage, WhatIsOverdueStaysSoUntilItIsAnswered)
 
 TEST_F(Status, SecondEventIsAnnouncedAsTheFirstOne)
 {
-    Verifies(req::SRS_KRN_021);
+    Verifies(req::SRS_KRN_226);
     Operate();
     for (std::uint32_t pair = 0U; pair < 2U; ++pair)
     {
@@ -336,7 +336,7 @@ TEST(StatusStorage, LowBitsOfAnAnswerHaveNoMeaning)
 
 TEST(StatusStorage, AllSrdosTakeAtMostSixtyFourBytes)
 {
-    Verifies(req::SRS_KRN_021);
+    Verifies(req::SRS_KRN_228);
     EXPECT_LE(sizeof(SrdoStatus), 64U);
 }
 

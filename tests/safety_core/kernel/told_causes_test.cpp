@@ -176,7 +176,7 @@ constexpr std::uint32_t kSrvtBit = 0x20U;
 TEST_F(Telling, EachCauseHasTheWindowOfItsOwnLastTelling)
 {
     Verifies(req::SRS_KRN_032);
-    Verifies(req::SRS_KRN_021);
+    Verifies(req::SRS_KRN_226);
     using Causes = std::vector<SrdoCause>;
     Operate();
     // The wait for a first pair has been told
@@ -235,7 +235,7 @@ TEST_F(Telling, EachSlotIsToldForItself)
 {
     Verifies(req::SRS_KRN_032);
     Verifies(req::SRS_KRN_006);
-    Verifies(req::SRS_KRN_021);
+    Verifies(req::SRS_KRN_226);
     Operate();
     application.refresh = RefreshAnswer::kSkip;
     CycleWith(a, 0U, kLengthBit);

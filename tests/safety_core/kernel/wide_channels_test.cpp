@@ -124,7 +124,7 @@ TEST_F(WideChannels, StaticMappingIsReadAndReceivedThroughItsFields)
 TEST_F(WideChannels, StaticFieldsElsewhereThanTheObjectsAreAMappingError)
 {
     Verifies(req::SRS_CFG_032);
-    Verifies(req::SRS_KRN_024);
+    Verifies(req::SRS_KRN_218);
     static constexpr std::uint32_t kEntries[] = {0x22000110U, 0x23000110U};
     setups[0].map = StaticMap{kEntries, 2U};
     ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);

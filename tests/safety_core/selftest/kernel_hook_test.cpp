@@ -163,7 +163,7 @@ TEST_F(KernelHook, TestedDeviceWorksThroughManyRounds)
 
 TEST_F(KernelHook, StuckBitInLiveMemoryOfEachPartIsFoundWithinTheInterval)
 {
-    Verifies(req::SRS_STS_010);
+    Verifies(req::SRS_STS_214);
     Verifies(req::SRS_STS_063);
     StuckBitIsFound(&device->storage_a);
     device = std::make_unique<TestedDevice>();
@@ -233,7 +233,7 @@ TEST_F(KernelHook, FlippedTablePointerIsFoundBeforeThePartIsCalled)
 
 TEST_F(KernelHook, SelfTestThatStandsStillIsFoundInTheSameCycle)
 {
-    Verifies(req::SRS_STS_062);
+    Verifies(req::SRS_STS_213);
     device->Run();
     // When it only repeats what it said last
     device->tap.is_frozen = true;
@@ -247,7 +247,7 @@ TEST_F(KernelHook, SelfTestThatStandsStillIsFoundInTheSameCycle)
 
 TEST_F(KernelHook, SelfTestThatLeavesAPartOutIsFoundInTheSameCycle)
 {
-    Verifies(req::SRS_STS_062);
+    Verifies(req::SRS_STS_213);
     device->Run();
     // When it runs twice in a cycle, or says more than it did
     static_cast<void>(device->self_test.OnCycle());
@@ -258,7 +258,7 @@ TEST_F(KernelHook, SelfTestThatLeavesAPartOutIsFoundInTheSameCycle)
 
 TEST_F(KernelHook, RefusedStartUpTestNeverReleases)
 {
-    Verifies(req::SRS_STS_060);
+    Verifies(req::SRS_STS_212);
     Verifies(req::SRS_STS_063);
     // Given a device that ignores the refusal
     device->probed.defective = true;

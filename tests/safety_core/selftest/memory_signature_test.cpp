@@ -165,7 +165,7 @@ TEST_F(MemorySignatureTest, ExpectedValueIsGivenOrTakenOnce)
 
 TEST_F(MemorySignatureTest, WhatCannotBeUsedHasNoSlices)
 {
-    Verifies(req::SRS_STS_060);
+    Verifies(req::SRS_STS_210);
     const auto slices = [this](const hal::MemorySpan& span, const std::uint8_t number, const std::uint16_t words)
     {
         spans[0] = span;

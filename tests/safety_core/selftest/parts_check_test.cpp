@@ -44,7 +44,7 @@ TEST(PartsCheck, EachFlippedBitOfATablePointerIsFound)
 TEST(PartsCheck, WhatCannotBeUsedFails)
 {
     Verifies(req::SRS_STS_040);
-    Verifies(req::SRS_STS_060);
+    Verifies(req::SRS_STS_210);
     host::ArrayMemory memory(0x1000U, 64U);
     std::array<hal::Address, 17> places{};
     for (std::size_t part = 0U; part < places.size(); ++part)

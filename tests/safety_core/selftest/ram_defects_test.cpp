@@ -60,6 +60,7 @@ TEST_F(RamDefects, SoundCellsPass)
 TEST_F(RamDefects, EachStuckOrHalfStuckCell)
 {
     Verifies(req::SRS_STS_010);
+    Verifies(req::SRS_STS_214);
     for (const CellDefect kind :
          {CellDefect::kStuckAtZero, CellDefect::kStuckAtOne, CellDefect::kNoRise, CellDefect::kNoFall})
     {
@@ -75,6 +76,7 @@ TEST_F(RamDefects, EachStuckOrHalfStuckCell)
 TEST_F(RamDefects, EachCouplingWithinASlice)
 {
     Verifies(req::SRS_STS_010);
+    Verifies(req::SRS_STS_214);
     std::uint32_t defects = 0U;
     for (auto number = static_cast<std::uint8_t>(CellDefect::kInvertsOnRise);
          number <= static_cast<std::uint8_t>(CellDefect::kOneWhileOne); ++number)
@@ -123,6 +125,7 @@ TEST_F(RamDefects, EachStuckAddressLine)
 TEST_F(RamDefects, WrongSelectionOfAWord)
 {
     Verifies(req::SRS_STS_010);
+    Verifies(req::SRS_STS_214);
     for (std::uint32_t word = 0U; word < 15U; ++word)
     {
         EXPECT_TRUE(IsFound(Defect{CellDefect::kNoCell, At(word, 0U), At(word, 0U)}, 16U, 5U)) << word;

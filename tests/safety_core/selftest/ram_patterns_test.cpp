@@ -140,7 +140,7 @@ TEST_F(RamPatterns, MarchWritesBackgroundAndInverseUpAndDown)
 // A window of two words has 50 exchanges, the first two of which save what it holds.
 TEST_F(RamPatterns, TwoWrongReadingsDoNotCancelEachOther)
 {
-    Verifies(req::SRS_STS_010);
+    Verifies(req::SRS_STS_214);
     for (std::size_t one = 2U; one < 50U; ++one)
     {
         for (std::size_t other = one + 1U; other < 50U; ++other)

@@ -149,7 +149,7 @@ TEST_F(RamTestTest, InterruptsAreLockedOnceASliceAndSeeNoPattern)
 
 TEST_F(RamTestTest, EffortDoesNotDependOnWhatIsFound)
 {
-    Verifies(req::SRS_STS_010);
+    Verifies(req::SRS_STS_215);
     // Given sound cells and cells with a stuck bit
     host::DefectiveMemory counted(cells);
     const RamPorts counted_ports{counted, lock};
@@ -252,7 +252,7 @@ TEST_F(RamTestTest, LiveStackOfThisThreadIsTestedWithoutHarm)
 
 TEST_F(RamTestTest, WhatCannotBeUsedHasNoSlices)
 {
-    Verifies(req::SRS_STS_060);
+    Verifies(req::SRS_STS_210);
     EXPECT_EQ(SlicesOf({0x1000U, 0U}, 5U), 0U);
     EXPECT_EQ(SlicesOf({0x1000U, 0x0100'0001U}, 5U), 0U);
     EXPECT_EQ(SlicesOf({0x1000U, 0x0100'0000U}, 5U), 4194328U); // 4194304 windows, lines 4 to 2^25

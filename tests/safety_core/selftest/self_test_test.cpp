@@ -64,7 +64,7 @@ TEST_F(SelfTestTest, StartDoesEveryTestOnce)
 
 TEST_F(SelfTestTest, NeverStartedReportsAFaultAndNoSoundParts)
 {
-    Verifies(req::SRS_STS_060);
+    Verifies(req::SRS_STS_212);
     const SelfTestOutcome outcome = device->self_test.OnCycle();
     EXPECT_EQ(outcome.fault, DeviceFault::kSelfTest);
     EXPECT_EQ(outcome.parts, PartsView::kInvalid);
@@ -73,7 +73,7 @@ TEST_F(SelfTestTest, NeverStartedReportsAFaultAndNoSoundParts)
 
 TEST_F(SelfTestTest, SetupThatCannotBeUsedIsRefusedByName)
 {
-    Verifies(req::SRS_STS_060);
+    Verifies(req::SRS_STS_210);
     struct Case
     {
         TestId test;
@@ -102,7 +102,7 @@ TEST_F(SelfTestTest, SetupThatCannotBeUsedIsRefusedByName)
 
 TEST_F(SelfTestTest, SlicesThatDoNotFitIntoTheIntervalAreRefused)
 {
-    Verifies(req::SRS_STS_060);
+    Verifies(req::SRS_STS_211);
     device->setup.interval_cycles = 38U;
     const StartReport report = device->Start();
     EXPECT_EQ(report.answer, StartAnswer::kInterval);
@@ -116,7 +116,7 @@ TEST_F(SelfTestTest, SlicesThatDoNotFitIntoTheIntervalAreRefused)
 
 TEST_F(SelfTestTest, DefectAtTheStartIsRefusedByName)
 {
-    Verifies(req::SRS_STS_060);
+    Verifies(req::SRS_STS_210);
     const auto start = [this](const TestId test)
     {
         const StartReport report = device->Start();
@@ -144,7 +144,7 @@ TEST_F(SelfTestTest, DefectAtTheStartIsRefusedByName)
 
 TEST_F(SelfTestTest, PartThatCannotBeReadTwiceAlikeFailsAtTheStart)
 {
-    Verifies(req::SRS_STS_060);
+    Verifies(req::SRS_STS_210);
     // Given a part whose first word lies in the stack area, which the start fills
     device->parts[1] = device->Place(&device->stack[0]);
     const StartReport report = device->Start();

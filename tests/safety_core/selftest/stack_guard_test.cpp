@@ -86,7 +86,7 @@ TEST_F(StackGuardTest, StackInUseIsFilledUpToAReachBelowItsPosition)
 TEST_F(StackGuardTest, WhatCannotBeUsedFails)
 {
     Verifies(req::SRS_STS_020);
-    Verifies(req::SRS_STS_060);
+    Verifies(req::SRS_STS_210);
     // Given zero-filled memory instead of a started guard
     EXPECT_FALSE(guard.IsUsable());
     EXPECT_EQ(guard.Check(memory), SliceResult::kFailed);

@@ -75,6 +75,18 @@ inline constexpr RequirementId SRS_CMG_170{"SRS_CMG_170"};
 inline constexpr RequirementId SRS_CMG_171{"SRS_CMG_171"};
 inline constexpr RequirementId SRS_CMG_172{"SRS_CMG_172"};
 inline constexpr RequirementId SRS_CMG_173{"SRS_CMG_173"};
+inline constexpr RequirementId SRS_CMG_210{"SRS_CMG_210"};
+inline constexpr RequirementId SRS_CMG_211{"SRS_CMG_211"};
+inline constexpr RequirementId SRS_CMG_212{"SRS_CMG_212"};
+inline constexpr RequirementId SRS_CMG_213{"SRS_CMG_213"};
+inline constexpr RequirementId SRS_CMG_214{"SRS_CMG_214"};
+inline constexpr RequirementId SRS_CMG_215{"SRS_CMG_215"};
+inline constexpr RequirementId SRS_CMG_216{"SRS_CMG_216"};
+inline constexpr RequirementId SRS_CMG_217{"SRS_CMG_217"};
+inline constexpr RequirementId SRS_CMG_218{"SRS_CMG_218"};
+inline constexpr RequirementId SRS_CMG_219{"SRS_CMG_219"};
+inline constexpr RequirementId SRS_CMG_220{"SRS_CMG_220"};
+inline constexpr RequirementId SRS_CMG_221{"SRS_CMG_221"};
 } // namespace counterpoint::req
 
 #endif

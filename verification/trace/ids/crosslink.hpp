@@ -22,6 +22,9 @@ inline constexpr RequirementId SRS_LNK_012{"SRS_LNK_012"};
 inline constexpr RequirementId SRS_LNK_020{"SRS_LNK_020"};
 inline constexpr RequirementId SRS_LNK_021{"SRS_LNK_021"};
 inline constexpr RequirementId SRS_LNK_022{"SRS_LNK_022"};
+inline constexpr RequirementId SRS_LNK_210{"SRS_LNK_210"};
+inline constexpr RequirementId SRS_LNK_211{"SRS_LNK_211"};
+inline constexpr RequirementId SRS_LNK_212{"SRS_LNK_212"};
 inline constexpr RequirementId SRS_TWO_001{"SRS_TWO_001"};
 inline constexpr RequirementId SRS_TWO_002{"SRS_TWO_002"};
 inline constexpr RequirementId SRS_TWO_003{"SRS_TWO_003"};
@@ -43,6 +46,14 @@ inline constexpr RequirementId SRS_TWO_018{"SRS_TWO_018"};
 inline constexpr RequirementId SRS_TWO_019{"SRS_TWO_019"};
 inline constexpr RequirementId SRS_TWO_150{"SRS_TWO_150"};
 inline constexpr RequirementId SRS_TWO_151{"SRS_TWO_151"};
+inline constexpr RequirementId SRS_TWO_210{"SRS_TWO_210"};
+inline constexpr RequirementId SRS_TWO_211{"SRS_TWO_211"};
+inline constexpr RequirementId SRS_TWO_212{"SRS_TWO_212"};
+inline constexpr RequirementId SRS_TWO_213{"SRS_TWO_213"};
+inline constexpr RequirementId SRS_TWO_214{"SRS_TWO_214"};
+inline constexpr RequirementId SRS_TWO_215{"SRS_TWO_215"};
+inline constexpr RequirementId SRS_TWO_216{"SRS_TWO_216"};
+inline constexpr RequirementId SRS_TWO_217{"SRS_TWO_217"};
 } // namespace counterpoint::req
 
 #endif

@@ -65,6 +65,12 @@ inline constexpr RequirementId SRS_NMM_150{"SRS_NMM_150"};
 inline constexpr RequirementId SRS_NMM_151{"SRS_NMM_151"};
 inline constexpr RequirementId SRS_NMM_152{"SRS_NMM_152"};
 inline constexpr RequirementId SRS_NMM_153{"SRS_NMM_153"};
+inline constexpr RequirementId SRS_NMM_210{"SRS_NMM_210"};
+inline constexpr RequirementId SRS_NMM_211{"SRS_NMM_211"};
+inline constexpr RequirementId SRS_NMM_212{"SRS_NMM_212"};
+inline constexpr RequirementId SRS_NMM_213{"SRS_NMM_213"};
+inline constexpr RequirementId SRS_NMM_214{"SRS_NMM_214"};
+inline constexpr RequirementId SRS_NMM_215{"SRS_NMM_215"};
 inline constexpr RequirementId SRS_NMM_230{"SRS_NMM_230"};
 } // namespace counterpoint::req
 

@@ -35,6 +35,9 @@ inline constexpr RequirementId SRS_DEV_025{"SRS_DEV_025"};
 inline constexpr RequirementId SRS_DEV_120{"SRS_DEV_120"};
 inline constexpr RequirementId SRS_DEV_150{"SRS_DEV_150"};
 inline constexpr RequirementId SRS_DEV_151{"SRS_DEV_151"};
+inline constexpr RequirementId SRS_DEV_210{"SRS_DEV_210"};
+inline constexpr RequirementId SRS_DEV_211{"SRS_DEV_211"};
+inline constexpr RequirementId SRS_DEV_212{"SRS_DEV_212"};
 inline constexpr RequirementId SRS_NODE_001{"SRS_NODE_001"};
 inline constexpr RequirementId SRS_NODE_002{"SRS_NODE_002"};
 inline constexpr RequirementId SRS_NODE_003{"SRS_NODE_003"};
@@ -79,6 +82,9 @@ inline constexpr RequirementId SRS_NODE_152{"SRS_NODE_152"};
 inline constexpr RequirementId SRS_NODE_153{"SRS_NODE_153"};
 inline constexpr RequirementId SRS_NODE_160{"SRS_NODE_160"};
 inline constexpr RequirementId SRS_NODE_161{"SRS_NODE_161"};
+inline constexpr RequirementId SRS_NODE_210{"SRS_NODE_210"};
+inline constexpr RequirementId SRS_NODE_211{"SRS_NODE_211"};
+inline constexpr RequirementId SRS_NODE_212{"SRS_NODE_212"};
 inline constexpr RequirementId SRS_NODE_240{"SRS_NODE_240"};
 } // namespace counterpoint::req
 

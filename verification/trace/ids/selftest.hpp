@@ -28,6 +28,12 @@ inline constexpr RequirementId SRS_STS_061{"SRS_STS_061"};
 inline constexpr RequirementId SRS_STS_062{"SRS_STS_062"};
 inline constexpr RequirementId SRS_STS_063{"SRS_STS_063"};
 inline constexpr RequirementId SRS_STS_064{"SRS_STS_064"};
+inline constexpr RequirementId SRS_STS_210{"SRS_STS_210"};
+inline constexpr RequirementId SRS_STS_211{"SRS_STS_211"};
+inline constexpr RequirementId SRS_STS_212{"SRS_STS_212"};
+inline constexpr RequirementId SRS_STS_213{"SRS_STS_213"};
+inline constexpr RequirementId SRS_STS_214{"SRS_STS_214"};
+inline constexpr RequirementId SRS_STS_215{"SRS_STS_215"};
 } // namespace counterpoint::req
 
 #endif

@@ -27,6 +27,7 @@ inline constexpr RequirementId SRS_STO_018{"SRS_STO_018"};
 inline constexpr RequirementId SRS_STO_019{"SRS_STO_019"};
 inline constexpr RequirementId SRS_STO_020{"SRS_STO_020"};
 inline constexpr RequirementId SRS_STO_021{"SRS_STO_021"};
+inline constexpr RequirementId SRS_STO_210{"SRS_STO_210"};
 inline constexpr RequirementId SRS_STO_240{"SRS_STO_240"};
 inline constexpr RequirementId SRS_STO_241{"SRS_STO_241"};
 } // namespace counterpoint::req

@@ -91,6 +91,8 @@ inline constexpr RequirementId SRS_VER_171{"SRS_VER_171"};
 inline constexpr RequirementId SRS_VER_172{"SRS_VER_172"};
 inline constexpr RequirementId SRS_VER_173{"SRS_VER_173"};
 inline constexpr RequirementId SRS_VER_174{"SRS_VER_174"};
+inline constexpr RequirementId SRS_VER_210{"SRS_VER_210"};
+inline constexpr RequirementId SRS_VER_211{"SRS_VER_211"};
 } // namespace counterpoint::req
 
 #endif

@@ -271,6 +271,7 @@ TEST(FlyingVariants, ClaimHeardByAnActiveMaster)
 TEST(FlyingVariants, ClaimAtEachForeignBootUp)
 {
     Verifies(req::SRS_FLY_016);
+    Verifies(req::SRS_FLY_004);
     FlyingMasterOptions options = kDefault;
     EXPECT_EQ(AsMaster(options, 0x708U, {0U}, 1260U), Lines{});
     options.answers_boot_up = true;

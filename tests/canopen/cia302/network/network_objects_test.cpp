@@ -79,6 +79,7 @@ class NetworkObjectsTest : public BootRig
 TEST_F(NetworkObjectsTest, RequestForOneNode)
 {
     Verifies(req::SRS_NMM_006);
+    Verifies(req::SRS_NMM_210);
     EXPECT_EQ(Write(0x1F82U, 5U, 4U), SdoAbort::kNone);
     EXPECT_EQ(Write(0x1F82U, 5U, 127U), SdoAbort::kNone);
     EXPECT_EQ(Write(0x1F82U, 5U, 5U), SdoAbort::kNone);
@@ -114,7 +115,7 @@ TEST_F(NetworkObjectsTest, RequestForOneNode)
 TEST_F(NetworkObjectsTest, AnotherDeviceIsNotStartedAndKeepsNobodyElseFromIt)
 {
     Verifies(req::SRS_SFS_009);
-    Verifies(req::SRS_NMM_006);
+    Verifies(req::SRS_NMM_211);
     // Given a safety slave 5 that is another device
     const SafetyExpectation nothing{nullptr, 0U};
     setups[5].safety = &nothing;
@@ -172,6 +173,7 @@ TEST_F(NetworkObjectsTest, StartOfAllWithASafetySlaveIsOneStartEachAfterVerifica
 TEST_F(NetworkObjectsTest, RequestForAllTakesEachValue)
 {
     Verifies(req::SRS_NMM_006);
+    Verifies(req::SRS_NMM_210);
     const std::pair<std::uint32_t, std::string> values[] = {
         {4U, "02 00"}, {5U, "01 00"}, {127U, "80 00"}, {6U, "81 00"}, {7U, "82 00"}};
     for (const auto& [value, command] : values)
@@ -188,7 +190,7 @@ TEST_F(NetworkObjectsTest, RequestForAllTakesEachValue)
 
 TEST_F(NetworkObjectsTest, AFullQueueDelaysTheAnswer)
 {
-    Verifies(req::SRS_NMM_006);
+    Verifies(req::SRS_NMM_212);
     FillQueue(255U);
     ASSERT_EQ(nmt.Waiting(), 255U);
     EXPECT_EQ(Write(0x1F82U, 0x80U, 0x84U), SdoAbort::kPending); // Room for one.
@@ -205,7 +207,7 @@ TEST_F(NetworkObjectsTest, AFullQueueDelaysTheAnswer)
 // Given a start of each that the full queue holds up behind node 5: a stop of each is no rest of it.
 TEST_F(NetworkObjectsTest, ACommandToEachThatWasGivenUpLeavesNobodyOutOfTheNextOne)
 {
-    Verifies(req::SRS_NMM_006);
+    Verifies(req::SRS_NMM_212);
     FillQueue(254U);
     EXPECT_EQ(Write(0x1F82U, 0x80U, 0x85U), SdoAbort::kPending);
     Run(400U);

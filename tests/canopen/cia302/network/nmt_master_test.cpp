@@ -138,7 +138,7 @@ TEST_F(NmtMasterTest, WithoutInhibitTimeAllLeaveAtOnceAndAFullSinkKeepsThem)
 
 TEST_F(NmtMasterTest, AStopOfOneNodeGoesBeforeWhatWaitsForOthers)
 {
-    Verifies(req::SRS_NMM_001);
+    Verifies(req::SRS_NMM_213);
     using Node = std::pair<NmtCommand, std::uint8_t>;
     const auto stop = NmtCommand::kStop;
     const auto reset = NmtCommand::kResetNode;
@@ -170,7 +170,7 @@ TEST_F(NmtMasterTest, AStopOfOneNodeGoesBeforeWhatWaitsForOthers)
 
 TEST_F(NmtMasterTest, ACommandThatWaitsForItsNodeIsNotPutBehindItself)
 {
-    Verifies(req::SRS_NMM_001);
+    Verifies(req::SRS_NMM_214);
     setup.inhibit_100us = 20U;
     EXPECT_EQ(Ask(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
     EXPECT_EQ(sink.Next(), (Bytes2{128U, 5U}));
@@ -205,7 +205,7 @@ TEST_F(NmtMasterTest, ACommandThatWaitsForItsNodeIsNotPutBehindItself)
 
 TEST_F(NmtMasterTest, ACommandForTheOwnNodeReachesTheListenerOnly)
 {
-    Verifies(req::SRS_NMM_001);
+    Verifies(req::SRS_NMM_215);
     EXPECT_EQ(Ask(NmtCommand::kStart, 127U), NmtAnswer::kTaken);
     EXPECT_TRUE(sink.frames.empty());
     ASSERT_EQ(listener.heard.size(), 1U);

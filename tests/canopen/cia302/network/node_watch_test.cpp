@@ -258,7 +258,7 @@ TEST_F(NodeWatchTest, WithoutATimeOrWithOneThatItRefusedNothingIsTooOften)
 
 TEST_F(NodeWatchTest, NobodyElseHasTheNodeIdOfTheManager)
 {
-    Verifies(req::SRS_MGR_010);
+    Verifies(req::SRS_MGR_224);
     Hear(Sign(5U, 126U));
     EXPECT_TRUE(duplicates.empty());
     Hear(Sign(5U, 127U));
@@ -293,7 +293,7 @@ TEST_F(NodeWatchTest, ThreeQuestionsInARowThatAreAnsweredTwiceAreAnsweredByTwo)
 
 TEST_F(NodeWatchTest, AQuestionThatIsAskedAgainMayBeAnsweredAgain)
 {
-    Verifies(req::SRS_MGR_015);
+    Verifies(req::SRS_MGR_223);
     for (std::uint8_t number = 1U; number < 10U; ++number)
     {
         Ask(number, 0);
@@ -311,7 +311,7 @@ TEST_F(NodeWatchTest, AQuestionThatIsAskedAgainMayBeAnsweredAgain)
 
 TEST_F(NodeWatchTest, WhatBelongsToNoQuestionCountsForNothing)
 {
-    Verifies(req::SRS_MGR_015);
+    Verifies(req::SRS_MGR_223);
     for (int i = 0; i < 10; ++i)
     {
         Hear(Eight(0x585U, {0x43U, 1U, 0x20U, 0U})); // Nobody has asked.
@@ -346,7 +346,7 @@ TEST_F(NodeWatchTest, WhatBelongsToNoQuestionCountsForNothing)
 
 TEST_F(NodeWatchTest, AnAbortBehindAnAnswerIsASecondOneWhereTheTransferHadEnded)
 {
-    Verifies(req::SRS_MGR_015);
+    Verifies(req::SRS_MGR_223);
     const auto abort = [this](const std::uint8_t number) { Hear(Eight(0x585U, {0x80U, number, 0x20U, 0U})); };
     // Given readings in segments, and writings in segments, that are aborted behind their first answer
     for (std::uint8_t number = 1U; number < 6U; ++number)

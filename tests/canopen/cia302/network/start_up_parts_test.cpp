@@ -112,7 +112,7 @@ using Frames = std::vector<std::pair<int, int>>;
 
 TEST_F(StartUpPartsTest, EachAnswerToACommandHasItsAbortCode)
 {
-    Verifies(req::SRS_NMM_006);
+    Verifies(req::SRS_NMM_210);
     const std::pair<NmtAnswer, SdoAbort> cases[] = {{NmtAnswer::kTaken, SdoAbort::kNone},
                                                     {NmtAnswer::kPartly, SdoAbort::kNone},
                                                     {NmtAnswer::kQueueFull, SdoAbort::kPending},
@@ -133,7 +133,7 @@ TEST_F(StartUpPartsTest, EachAnswerToACommandHasItsAbortCode)
 
 TEST_F(StartUpPartsTest, ANodeWhoseStateDoesNotAllowACommandToEachKeepsNoOtherOneFromIt)
 {
-    Verifies(req::SRS_NMM_006);
+    Verifies(req::SRS_NMM_211);
     said.answers[5U] = NmtAnswer::kWrong;
     EXPECT_EQ(Write(0x80U, 0x85U), SdoAbort::kNone);
     EXPECT_EQ(said.asked, (Nodes{5U, 6U, 7U}));
@@ -141,7 +141,8 @@ TEST_F(StartUpPartsTest, ANodeWhoseStateDoesNotAllowACommandToEachKeepsNoOtherOn
 
 TEST_F(StartUpPartsTest, AnotherDeviceIsToldAtTheEndAlsoBehindAFullQueue)
 {
-    Verifies(req::SRS_NMM_006);
+    Verifies(req::SRS_NMM_211);
+    Verifies(req::SRS_NMM_212);
     Verifies(req::SRS_SFS_009);
     said.answers[5U] = NmtAnswer::kOtherDevice;
     said.answers[6U] = NmtAnswer::kQueueFull;
@@ -157,7 +158,7 @@ TEST_F(StartUpPartsTest, AnotherDeviceIsToldAtTheEndAlsoBehindAFullQueue)
 
 TEST_F(StartUpPartsTest, WhoIsNotActiveTellsNobody)
 {
-    Verifies(req::SRS_NMM_006);
+    Verifies(req::SRS_NMM_210);
     said.answers[5U] = NmtAnswer::kNotActive;
     EXPECT_EQ(Write(0x80U, 0x84U), SdoAbort::kDeviceState);
     EXPECT_EQ(said.asked, (Nodes{5U}));
@@ -356,7 +357,7 @@ TEST_F(StartUpPartsTest, WhoRunsAndCannotBeReadIsStoppedThenWoken)
 
 TEST_F(StartUpPartsTest, OnlyAnObjectThatSaysWhoASlaveIsMakesItAnotherDevice)
 {
-    Verifies(req::SRS_SFS_010);
+    Verifies(req::SRS_SFS_217);
     Protect(5U);
     gate.states[5] = GateState::kDiffers;
     const std::pair<std::uint16_t, bool> cases[] = {

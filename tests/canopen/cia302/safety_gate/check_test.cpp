@@ -164,7 +164,7 @@ TEST_F(SafetyCheckTest, BeginsWithWhoTheSlaveIs)
 
 TEST_F(SafetyCheckTest, UnderPlcDesignerTheProfileNumberAloneSaysIt)
 {
-    Verifies(req::SRS_SFS_010);
+    Verifies(req::SRS_SFS_215);
     gate.Use(IdentityRule::kPlcDesigner);
     slaves[2].device_type = 0x0002'0191U;
     slaves[2].vendor_id = 5U;
@@ -178,7 +178,7 @@ TEST_F(SafetyCheckTest, UnderPlcDesignerTheProfileNumberAloneSaysIt)
 
 TEST_F(SafetyCheckTest, WhatEachProfileComparesOfAnIdentity)
 {
-    Verifies(req::SRS_SFS_010);
+    Verifies(req::SRS_SFS_215);
     SlaveSetup slave{};
     const std::uint8_t subs[5] = {0U, 1U, 2U, 3U, 4U};
     const auto masks = [&slave, &subs](const IdentityRule rule)

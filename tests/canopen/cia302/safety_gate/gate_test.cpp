@@ -116,7 +116,7 @@ TEST_F(SafetyGateTest, AChangeWhileItReadsIsFound)
 
 TEST_F(SafetyGateTest, AnotherGfcWhileItReadsIsFound)
 {
-    Verifies(req::SRS_SFS_011);
+    Verifies(req::SRS_SFS_220);
     // Given that 1300h was read already
     gate.Verify(kSlave, Instant{now_us});
     Pass(20U);
@@ -368,7 +368,7 @@ TEST_F(SafetyWriteTest, WritesReadsBackAndDeclaresValid)
 
 TEST_F(SafetyWriteTest, WhatTheSlaveRefusesEndsIt)
 {
-    Verifies(req::SRS_SFS_005);
+    Verifies(req::SRS_SFS_211);
     // Given an expectation with an identifier that no SRDO may have
     for (ExpectedObject& object : expected)
     {
@@ -384,7 +384,7 @@ TEST_F(SafetyWriteTest, WhatTheSlaveRefusesEndsIt)
 
 TEST_F(SafetyWriteTest, WhatDoesNotReadBackIsNotDeclaredValid)
 {
-    Verifies(req::SRS_SFS_005);
+    Verifies(req::SRS_SFS_211);
     // Given a slave that takes 1303h:02 and keeps something else
     on_answer = [](CanFrame& frame)
     {
@@ -400,7 +400,7 @@ TEST_F(SafetyWriteTest, WhatDoesNotReadBackIsNotDeclaredValid)
 
 TEST_F(SafetyWriteTest, AWrongSignatureIsRefusedByTheSlave)
 {
-    Verifies(req::SRS_SFS_005);
+    Verifies(req::SRS_SFS_211);
     for (ExpectedObject& object : expected)
     {
         const bool is_it = (object.address.index == 0x13FFU) && (object.address.sub == 3U);
@@ -413,7 +413,7 @@ TEST_F(SafetyWriteTest, AWrongSignatureIsRefusedByTheSlave)
 
 TEST_F(SafetyWriteTest, AnOperationalSlaveTakesNothing)
 {
-    Verifies(req::SRS_SFS_005);
+    Verifies(req::SRS_SFS_212);
     Command(1U);
     Cycles(2U);
     EXPECT_EQ(Written(), GateState::kFailed);
@@ -424,7 +424,7 @@ TEST_F(SafetyWriteTest, AnOperationalSlaveTakesNothing)
 
 TEST_F(SafetyWriteTest, AnswersToItsOwnWritesAreNoForeignOnes)
 {
-    Verifies(req::SRS_SFS_011);
+    Verifies(req::SRS_SFS_221);
     int own = 0;
     on_answer = [this, &own](CanFrame& frame)
     {
@@ -490,6 +490,7 @@ TEST_F(SafetyWriteTest, AForeignWriteOfWhatWasWrittenLastBeginsItAnew)
 TEST_F(SafetyWriteTest, WhileItDeclaresValidAnAnswerToThatAloneIsItsOwn)
 {
     Verifies(req::SRS_SFS_011);
+    Verifies(req::SRS_SFS_221);
     Verifies(req::SRS_SFS_121);
     for (const ObjectAddress& other : {ObjectAddress{0x13FEU, 1U}, ObjectAddress{0x13FFU, 3U}})
     {
@@ -514,7 +515,7 @@ TEST_F(SafetyWriteTest, WhileItDeclaresValidAnAnswerToThatAloneIsItsOwn)
 
 TEST_F(SafetyWriteTest, FixedObjectsAreComparedNotWritten)
 {
-    Verifies(req::SRS_SFS_005);
+    Verifies(req::SRS_SFS_210);
     for (ExpectedObject& object : expected)
     {
         object.is_fixed = object.is_fixed || (object.address.index == 0x1383U);

@@ -272,6 +272,9 @@ TEST(GenerateTest, OnlyWhatTheChannelsDoNotWriteCanBeWritten)
     EXPECT_TRUE(Has(code.source, "counterpoint::MapAccess::kConsumer"));
     EXPECT_TRUE(Has(code.source, "counterpoint::MapAccess::kProducer"));
     EXPECT_TRUE(Has(code.header, "rww; the channels write it\n[[nodiscard]]"));
+    // Pairs of variables can be compared bit by bit
+    EXPECT_TRUE(Has(code.header, "counterpoint::PairView Compare"));
+    EXPECT_TRUE(Has(code.source, "return counterpoint::IsInversePair("));
 }
 } // namespace
 } // namespace counterpoint::generate

@@ -55,6 +55,12 @@ TEST_F(BootLettersTest, A_NodeThatIsNotListed)
     EXPECT_EQ(Count(0x606U), 0);
     EXPECT_EQ(slaves[6]->State(), cia301::NodeState::kPreOperational);
     EXPECT_FALSE(start_up.Boot(NodeId{6U}, Now()));
+    // Nor does a node that nobody heard, when somebody asks for its start
+    EXPECT_EQ(Letter(7U), "-");
+    EXPECT_FALSE(start_up.Boot(NodeId{7U}, Now()));
+    Run(20U);
+    EXPECT_EQ(Letter(7U), "A");
+    EXPECT_EQ(Count(0x607U), 0);
     // Just not: the same node, listed
     setups[6].assignment = kBoot;
     EXPECT_TRUE(start_up.Boot(NodeId{6U}, Now()));

@@ -135,6 +135,13 @@ TEST_F(BootOptionsTest, WhoIsResetByItsNewConfigurationIsStartedAgain)
     EXPECT_EQ(slave.State(), NodeState::kOperational);
     EXPECT_EQ(Letter(5U), "-");
     EXPECT_TRUE(Of(5U).is_started);
+    // One that an order holds is reset, and not started again
+    EXPECT_EQ(start_up.Command(NmtCommand::kPreOperational, NodeId{5U}, Now()), NmtAnswer::kTaken);
+    EXPECT_TRUE(start_up.Configure(NodeId{5U}, Now()));
+    Run(500U);
+    EXPECT_EQ(slave.resets, 5);
+    EXPECT_EQ(slave.State(), NodeState::kPreOperational);
+    EXPECT_FALSE(Of(5U).is_started);
     // One of another vendor gets its configuration, and nothing else
     setups[5].vendor_id = 0x2BU;
     EXPECT_TRUE(start_up.Boot(NodeId{5U}, Now()));

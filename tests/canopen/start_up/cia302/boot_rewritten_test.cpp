@@ -402,7 +402,7 @@ TEST_F(BootRewrittenTest, AConfigurationThatIsCutWhileItIsWrittenIsRefused)
 
 TEST_F(BootRewrittenTest, AResumedBootRestoresNothing)
 {
-    Verifies(req::SRS_SFS_005);
+    Verifies(req::SRS_SFS_214);
     FakeSlave& slave = Add(5U, kBoot | kRestoreDefaults);
     slave.Put32(0x1011U, 1U, 1U);
     setups[5].restore_sub = 1U;

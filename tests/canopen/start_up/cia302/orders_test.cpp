@@ -207,6 +207,24 @@ TEST_F(BootOrdersTest, AStopOfTheOwnNodeHoldsTheMasterAlone)
     EXPECT_EQ(Step(), MasterStep::kOperational);
 }
 
+TEST_F(BootOrdersTest, WhoBecomesTheActiveMasterIsHeldByNoOrderOfBefore)
+{
+    Verifies(req::SRS_BOOT_031);
+    // Given a master that an order holds
+    Add(5U, kMust).boot_ms = 50U;
+    Begin();
+    Run(20U);
+    EXPECT_EQ(Command(NmtCommand::kPreOperational, 127U), NmtAnswer::kTaken);
+    Run(500U);
+    ASSERT_EQ(Step(), MasterStep::kReady);
+    // When it leads no more, and leads again
+    start_up.End();
+    Begin();
+    Run(500U);
+    // Then it starts itself
+    EXPECT_EQ(Step(), MasterStep::kOperational);
+}
+
 TEST_F(BootOrdersTest, TheStartOfTheMasterWaitsForTheQueue)
 {
     Verifies(req::SRS_BOOT_015);

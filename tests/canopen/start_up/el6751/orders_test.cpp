@@ -122,7 +122,7 @@ TEST_F(El6751OrdersTest, ACommandThatIsNoneIsRefused)
 
 TEST_F(El6751OrdersTest, ResumedOrConfiguredItIsStartedUp)
 {
-    Verifies(req::SRS_SFS_005);
+    Verifies(req::SRS_SFS_214);
     Verifies(req::SRS_NMM_009);
     AddBox(5U);
     Begin();

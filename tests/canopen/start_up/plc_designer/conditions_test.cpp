@@ -424,7 +424,7 @@ TEST_F(PlcCommandTest, AStartOfALostSlaveThatIsNotThereIsLostAgain)
 
 TEST_F(PlcCommandTest, ARequestForAllButTheMasterLeavesOutWhoCannotTakeIt)
 {
-    Verifies(req::SRS_NMM_006);
+    Verifies(req::SRS_NMM_211);
     // Given a slave of another type between two that wait for their start
     setup.start_up = kIsMaster | kApplicationStartsSlaves;
     AddPlc(5U);

@@ -356,7 +356,7 @@ TEST_F(PlcOrdersTest, OneThatRanWhileItWasAskedIsStoppedAndOneThatWasConfiguredI
 
 TEST_F(PlcOrdersTest, AResumedSlaveIsConfiguredWithoutAReset)
 {
-    Verifies(req::SRS_SFS_005);
+    Verifies(req::SRS_SFS_214);
     AddPlc(5U);
     Begin600();
     sent.clear();
