@@ -99,14 +99,15 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
     // its acknowledge, and waits for the other one.
     const SrdoMask faulted_in_one = a.faulted ^ b.faulted;
     const SrdoMask faults = a.faulted | b.faulted | a.new_fault | b.new_fault;
-    verdict.demote = ((a.new_fault ^ b.new_fault) | (faulted_in_one & agreed_)) & slots_;
+    const SrdoMask apart = (a.released ^ b.released) | faulted_in_one;
+    // A release that was agreed and that one of them no longer knows is no skew of acknowledges. [SRS_CMP_250]
+    verdict.demote = ((a.new_fault ^ b.new_fault) | (apart & agreed_)) & slots_;
     agreed_ = a.released & b.released & ~faults & slots_;
     verdict.agreement.agreed = agreed_;
     verdict.start = a.due & b.due & slots_;
 
     const SrdoMask to_compare = slots_ & ~verdict.demote;
     const SrdoMask fresh = a.fresh | b.fresh;
-    const SrdoMask apart = (a.released ^ b.released) | faulted_in_one;
     const SrdoMask known = pairs_.Renew();
     pending_ = apart | (releases_.Renew() & agreed_); // A second release counts within the window only.
     releases_.Open(apart & to_compare);

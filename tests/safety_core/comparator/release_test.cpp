@@ -37,6 +37,35 @@ TEST_F(Comparing, FaultWithoutANewOneInAnAgreedSlotDemotesAtOnce)
     EXPECT_EQ(CompareAt(1000U).demote, 0U);
 }
 
+// t      k-1       k               k+1
+//        agreed    one lost it     demoted: no longer agreed
+TEST_F(Comparing, ReleaseThatOneChannelLostInAnAgreedSlotDemotesAtOnce)
+{
+    Verifies(req::SRS_CMP_250);
+    std::uint32_t now_us = 0U;
+    for (SpokenChannel* const lost : {&a, &b})
+    {
+        // Given slot 2 agreed
+        EXPECT_EQ(CompareAt(now_us).agreement.agreed, 4U);
+        // When one channel alone calls it released no more, and no channel reports a fault
+        lost->outcome.released = 0U;
+        // Then it is demoted in that comparison
+        const Verdict verdict = CompareAt(now_us + 1000U);
+        EXPECT_EQ(verdict.demote, 4U);
+        EXPECT_EQ(verdict.agreement.agreed, 0U);
+        EXPECT_EQ(verdict.fault, DeviceFault::kNone);
+        // What was not agreed in the comparison before has the window
+        EXPECT_EQ(CompareAt(now_us + 2000U).demote, 0U);
+        lost->outcome.released = 4U;
+        now_us += 3000U;
+    }
+    // Both that lose it, as both do when OPERATIONAL is left, are of one mind
+    EXPECT_EQ(CompareAt(now_us).agreement.agreed, 4U);
+    a.outcome.released = 0U;
+    b.outcome.released = 0U;
+    EXPECT_EQ(CompareAt(now_us + 1000U).demote, 0U);
+}
+
 // A's or B's edge alone, behind a fault and before the first release
 class ComparingOneRelease : public Comparing, public ::testing::WithParamInterface<SrdoState>
 {
