@@ -90,6 +90,10 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
     verdict.echo = comparison.challenge;
     verdict.slot = kNoSlot;
     verdict.fault = Overall(comparison);
+    if ((agreed_ & ~slots_) != 0U) // What was agreed exists: a mask of slots that changes is not waited out.
+    {
+        verdict.fault = DeviceFault::kComparator;
+    }
     if (verdict.fault != DeviceFault::kNone)
     {
         return verdict;
@@ -111,12 +115,14 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
     const SrdoMask known = pairs_.Renew();
     pending_ = apart | (releases_.Renew() & agreed_); // A second release counts within the window only.
     releases_.Open(apart & to_compare);
-    SrdoMask to_look = known | pending_ | fresh | (a.due ^ b.due);
+    const SrdoMask due_in_one = a.due ^ b.due;
+    SrdoMask to_look = known | pending_ | fresh;
     if (a.ordinal_sum != b.ordinal_sum)
     {
         to_look = slots_;
     }
-    to_look &= to_compare;
+    // A producer has no pair to demote: a channel that calls it faulted in every cycle hides nothing. [SRS_CMP_008]
+    to_look = (to_look & to_compare) | (due_in_one & slots_);
     fresh_ = (fresh_ | fresh) & to_look;
     for (; to_look != 0U; to_look &= to_look - 1U)
     {

@@ -75,6 +75,7 @@ inline constexpr RequirementId SRS_CMG_170{"SRS_CMG_170"};
 inline constexpr RequirementId SRS_CMG_171{"SRS_CMG_171"};
 inline constexpr RequirementId SRS_CMG_172{"SRS_CMG_172"};
 inline constexpr RequirementId SRS_CMG_173{"SRS_CMG_173"};
+inline constexpr RequirementId SRS_CMG_250{"SRS_CMG_250"};
 } // namespace counterpoint::req
 
 #endif

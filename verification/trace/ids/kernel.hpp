@@ -39,6 +39,7 @@ inline constexpr RequirementId SRS_CMP_011{"SRS_CMP_011"};
 inline constexpr RequirementId SRS_CMP_012{"SRS_CMP_012"};
 inline constexpr RequirementId SRS_CMP_150{"SRS_CMP_150"};
 inline constexpr RequirementId SRS_CMP_250{"SRS_CMP_250"};
+inline constexpr RequirementId SRS_CMP_251{"SRS_CMP_251"};
 inline constexpr RequirementId SRS_FLOW_001{"SRS_FLOW_001"};
 inline constexpr RequirementId SRS_FLOW_002{"SRS_FLOW_002"};
 inline constexpr RequirementId SRS_FLOW_003{"SRS_FLOW_003"};
