@@ -113,7 +113,8 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
     const SrdoMask to_compare = slots_ & ~verdict.demote;
     const SrdoMask fresh = a.fresh | b.fresh;
     const SrdoMask known = pairs_.Renew();
-    pending_ = apart | (releases_.Renew() & agreed_); // A second release counts within the window only.
+    // A second release counts within the window only.
+    pending_ = (apart | (releases_.Renew() & agreed_)) & to_compare;
     releases_.Open(apart & to_compare);
     const SrdoMask due_in_one = a.due ^ b.due;
     SrdoMask to_look = known | pending_ | fresh;
