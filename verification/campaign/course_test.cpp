@@ -46,12 +46,18 @@ struct Counts
     std::uint64_t silent{0U}; ///< But for answers to the gate that are wrong once.
 };
 
+/// Behind which a step's faults stand.
+Phase PhaseOf(const FlowStep step)
+{
+    return static_cast<Phase>(static_cast<std::uint8_t>(Phase::kFirstStep) + static_cast<std::uint8_t>(step) - 1U);
+}
+
 /// What comes to the gate is old or comes twice: it closes for these cycles, and opens again by itself.
 bool IsAnswer(const Experiment& fault)
 {
     const bool is_call = (fault.part == Part::kCallsOfA || fault.part == Part::kCallsOfB) &&
                          fault.subject / kTurns == static_cast<std::size_t>(ChannelCall::kAnswer);
-    return is_call || (fault.kind == FaultKind::kDoubled && fault.phase == Phase::kPermits);
+    return is_call || (fault.kind == FaultKind::kDoubled && fault.phase == PhaseOf(FlowStep::kPermits));
 }
 
 class OutcomeTest : public CampaignTest
@@ -361,8 +367,7 @@ Experiment StepFault(const FaultKind kind, const FlowStep step, const std::uint3
     fault.part = Part::kSteps;
     fault.kind = kind;
     fault.subject = static_cast<std::size_t>(step) - 2U; // The first step has none before it.
-    fault.phase =
-        static_cast<Phase>(static_cast<std::uint8_t>(Phase::kFirstStep) + static_cast<std::uint8_t>(step) - 1U);
+    fault.phase = PhaseOf(step);
     fault.variant = variant;
     fault.cycle = 499U;
     return fault;
