@@ -90,6 +90,10 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
     verdict.echo = comparison.challenge;
     verdict.slot = kNoSlot;
     verdict.fault = Overall(comparison);
+    if ((agreed_ & ~slots_) != 0U) // What was agreed exists: a mask of slots that changes is not waited out.
+    {
+        verdict.fault = DeviceFault::kComparator;
+    }
     if (verdict.fault != DeviceFault::kNone)
     {
         return verdict;
@@ -99,23 +103,27 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
     // its acknowledge, and waits for the other one.
     const SrdoMask faulted_in_one = a.faulted ^ b.faulted;
     const SrdoMask faults = a.faulted | b.faulted | a.new_fault | b.new_fault;
-    verdict.demote = ((a.new_fault ^ b.new_fault) | (faulted_in_one & agreed_)) & slots_;
+    const SrdoMask apart = (a.released ^ b.released) | faulted_in_one;
+    // A release that was agreed and that one of them no longer knows is no skew of acknowledges. [SRS_CMP_250]
+    verdict.demote = ((a.new_fault ^ b.new_fault) | (apart & agreed_)) & slots_;
     agreed_ = a.released & b.released & ~faults & slots_;
     verdict.agreement.agreed = agreed_;
     verdict.start = a.due & b.due & slots_;
 
     const SrdoMask to_compare = slots_ & ~verdict.demote;
     const SrdoMask fresh = a.fresh | b.fresh;
-    const SrdoMask apart = (a.released ^ b.released) | faulted_in_one;
     const SrdoMask known = pairs_.Renew();
-    pending_ = apart | (releases_.Renew() & agreed_); // A second release counts within the window only.
+    // A second release counts within the window only.
+    pending_ = (apart | (releases_.Renew() & agreed_)) & to_compare;
     releases_.Open(apart & to_compare);
-    SrdoMask to_look = known | pending_ | fresh | (a.due ^ b.due);
+    const SrdoMask due_in_one = a.due ^ b.due;
+    SrdoMask to_look = known | pending_ | fresh;
     if (a.ordinal_sum != b.ordinal_sum)
     {
         to_look = slots_;
     }
-    to_look &= to_compare;
+    // A producer has no pair to demote: a channel that calls it faulted in every cycle hides nothing. [SRS_CMP_008]
+    to_look = (to_look & to_compare) | (due_in_one & slots_);
     fresh_ = (fresh_ | fresh) & to_look;
     for (; to_look != 0U; to_look &= to_look - 1U)
     {

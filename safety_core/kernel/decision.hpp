@@ -82,18 +82,27 @@ class Decision
         return received & sound;
     }
     /// @brief The kernel's own permit is computed from the comparator's echo and spoiled by a latch that is not
-    /// running; no branch decides about it. [SRS_KRN_005]
+    /// running; no branch decides about it. What would close an output without anybody being told, and open it again
+    /// when it is right once more, is a device fault. [SRS_KRN_005, SRS_KRN_250]
     void GivePermits(KernelContext& context, const std::uint32_t challenge) const noexcept
     {
+        const Permit permit_a = context.parts.channel_a.Answer(challenge);
+        const Permit permit_b = context.parts.channel_b.Answer(challenge);
+        const SlotSet unlike{(permit_a.mask ^ committed_) | (permit_b.mask ^ committed_)};
+        if (unlike.mask != 0U)
+        {
+            context.latch.Enter(DeviceFault::kDisagreement, LowestOf(unlike));
+        }
+        if (verdict_.echo != challenge)
+        {
+            context.latch.Enter(DeviceFault::kComparator, kNoSlot);
+        }
         const std::uint32_t low = static_cast<std::uint32_t>(committed_);
         const std::uint32_t high = static_cast<std::uint32_t>(committed_ >> kWordBits);
         const std::uint32_t rotated = (high << kPermitRotation) | (high >> (kWordBits - kPermitRotation));
         const std::uint32_t response =
             ((verdict_.echo + context.latch.Spoiler() + low) ^ rotated) * kPermitConstantKernel;
-        // Inside the braces, which are worked off in their order: channel A is asked before channel B.
-        context.parts.output.Drive(hal::PermitSet{context.parts.channel_a.Answer(challenge),
-                                                  context.parts.channel_b.Answer(challenge),
-                                                  Permit{committed_, response}});
+        context.parts.output.Drive(hal::PermitSet{permit_a, permit_b, Permit{committed_, response}});
     }
     /// @brief How often a channel was demoted since Start; stays at 65535. [SRS_CMP_004]
     [[nodiscard]] std::uint16_t Demotions() const noexcept

@@ -126,6 +126,8 @@ void Judge::Arm(const std::size_t cycle, const SrdoMask open, JudgeMemory& memor
         memory.armed = 0U;
         memory.erred = 0U;
         memory.stopped = 0U;
+        memory.opened = 0U;
+        memory.closed = 0U;
         return;
     }
     for (const Srdo& srdo : srdos_)
@@ -150,7 +152,21 @@ void Judge::Arm(const std::size_t cycle, const SrdoMask open, JudgeMemory& memor
             memory.armed |= bit;
             memory.stopped &= ~bit;
         }
+        NoteClosed(srdo, open, edge, memory);
     }
+}
+
+/// Also where nobody told why: who sees the output stop has to know that it does not start by itself. [SRS_CMG_250]
+void Judge::NoteClosed(const Srdo& srdo, const SrdoMask open, const SrdoMask edge, JudgeMemory& memory) const
+{
+    const SrdoMask bit = SrdoMask{1U} << srdo.slot;
+    if (srdo.is_automatic || device_.AsTwoCpus() != nullptr)
+    {
+        return;
+    }
+    memory.closed |= memory.opened & ~open & bit;
+    memory.closed &= ~(edge & bit);
+    memory.opened = (memory.opened & ~bit) | (open & bit);
 }
 
 /// Its objects hold the safe value.
@@ -183,7 +199,7 @@ void Judge::LookAtOutput(const Srdo& srdo, const std::size_t cycle, const JudgeM
         mask |= MaskOf(pair.normal) << pair.first_bit;
     }
     // The permits of the cycle that tells of a device fault may have been given before.
-    if (memory.fault_cycles > 1U)
+    if (memory.fault_cycles > 1U || (memory.closed & bit) != 0U)
     {
         sight.wrong = Wrong::kRestart;
     }

@@ -17,7 +17,7 @@ enum class Wrong : std::uint8_t
     kNothing = 0U,
     kData = 1U,       ///< Open, with data that the bus did not bring, or too old.
     kNoLeave = 2U,    ///< Open outside of OPERATIONAL, or before the first acknowledge.
-    kRestart = 3U,    ///< Open again behind an error without an acknowledge; open or sending behind a device fault.
+    kRestart = 3U,    ///< Open again without an acknowledge; open or sending behind a device fault.
     kIdentifier = 4U, ///< A frame under an identifier that is not the device's.
     kSentPair = 5U,   ///< A complete valid pair on the bus with data that the application did not have.
 };
@@ -29,6 +29,8 @@ struct JudgeMemory
     SrdoMask erred{0U};   ///< An error was told, and nothing has been taken back since.
     SrdoMask stopped{0U}; ///< An error took the released pair back, and no acknowledge has come since.
     SrdoMask told{0U};    ///< Of FlatApplication::faulted.
+    SrdoMask opened{0U};  ///< Open in the cycle before.
+    SrdoMask closed{0U};  ///< Closed since it was open, whoever told of it, and no acknowledge has come since.
     SrdoMask pressed{0U};
     std::uint32_t fault_cycles{0U}; ///< Cycles since a device fault was told.
     std::uint32_t sent{0U};
@@ -80,6 +82,7 @@ class Judge
 
     void Arm(std::size_t cycle, SrdoMask open, JudgeMemory& memory) const;
     [[nodiscard]] static bool IsTakenBack(const Srdo& srdo);
+    void NoteClosed(const Srdo& srdo, SrdoMask open, SrdoMask edge, JudgeMemory& memory) const;
     void TakeFrames(std::size_t cycle, JudgeMemory& memory) const;
     void LookAtOutput(const Srdo& srdo, std::size_t cycle, const JudgeMemory& memory, Sight& sight) const;
     void LookAtFrames(std::size_t cycle, JudgeMemory& memory, Sight& sight) const;

@@ -256,6 +256,27 @@ TEST_F(JudgeTest, OpenOutputNeedsDataOfTheBusAndLeave)
     EXPECT_EQ(bench.judge.Look(399U, memory).wrong, Wrong::kRestart);
 }
 
+TEST_F(JudgeTest, OutputThatWasClosedNeedsAnAcknowledgeWhoeverToldOfIt)
+{
+    Verifies(req::SRS_CMG_250);
+    // Given the actuator before its first release, which was open in the cycle before
+    Bench bench(PlanFile("plan.yaml", "actuator", kSmall));
+    EXPECT_EQ(bench.RunTo(60U).open, 0U);
+    bench.memory.opened = 1U;
+    // When it is closed and nobody is told of an error, then it is known as closed
+    EXPECT_EQ(bench.RunTo(61U).wrong, Wrong::kNothing);
+    EXPECT_EQ(bench.memory.closed, 1U);
+    EXPECT_EQ(bench.memory.erred, 0U);
+    // until the acknowledge behind it
+    EXPECT_EQ(bench.RunTo(400U).open, 1U);
+    EXPECT_EQ(bench.memory.closed, 0U);
+    JudgeMemory memory = bench.memory;
+    EXPECT_EQ(bench.judge.Look(399U, memory).wrong, Wrong::kNothing);
+    // Without one, an open output is a restart.
+    memory.closed = 1U;
+    EXPECT_EQ(bench.judge.Look(399U, memory).wrong, Wrong::kRestart);
+}
+
 TEST_F(JudgeTest, SentFrameNeedsAnIdentifierOfTheDeviceAndDataOfTheApplication)
 {
     Verifies(req::SRS_CMG_005);

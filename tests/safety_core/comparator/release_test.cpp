@@ -4,6 +4,7 @@
 #include "verification/trace/ids/kernel.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
@@ -35,6 +36,81 @@ TEST_F(Comparing, FaultWithoutANewOneInAnAgreedSlotDemotesAtOnce)
     b.outcome.released = 0U;
     b.outcome.faulted = 4U;
     EXPECT_EQ(CompareAt(1000U).demote, 0U);
+}
+
+// t      k-1       k               k+1
+//        agreed    one lost it     demoted: no longer agreed
+TEST_F(Comparing, ReleaseThatOneChannelLostInAnAgreedSlotDemotesAtOnce)
+{
+    Verifies(req::SRS_CMP_250);
+    std::uint32_t now_us = 0U;
+    for (SpokenChannel* const lost : {&a, &b})
+    {
+        // Given slot 2 agreed
+        EXPECT_EQ(CompareAt(now_us).agreement.agreed, 4U);
+        // When one channel alone calls it released no more, and no channel reports a fault
+        lost->outcome.released = 0U;
+        // Then it is demoted in that comparison
+        const Verdict verdict = CompareAt(now_us + 1000U);
+        EXPECT_EQ(verdict.demote, 4U);
+        EXPECT_EQ(verdict.agreement.agreed, 0U);
+        EXPECT_EQ(verdict.fault, DeviceFault::kNone);
+        // What was not agreed in the comparison before has the window
+        EXPECT_EQ(CompareAt(now_us + 2000U).demote, 0U);
+        lost->outcome.released = 4U;
+        now_us += 3000U;
+    }
+    // Both that lose it, as both do when OPERATIONAL is left, are of one mind
+    EXPECT_EQ(CompareAt(now_us).agreement.agreed, 4U);
+    a.outcome.released = 0U;
+    b.outcome.released = 0U;
+    EXPECT_EQ(CompareAt(now_us + 1000U).demote, 0U);
+}
+
+// t      k-1       k                            k+1
+//        agreed    a bit of the comparator's     right again
+//                  memory is wrong
+TEST_F(Comparing, WrongBitOfItsMemoryTakesNoReleaseBackWithoutAWord)
+{
+    Verifies(req::SRS_CMP_251);
+    // Given slot 2 agreed
+    EXPECT_EQ(CompareAt(0U).agreement.agreed, 4U);
+    const Comparator sound{comparator};
+    std::uint32_t lost = 0U;
+    for (std::size_t byte = 0U; byte < sizeof(Comparator); ++byte)
+    {
+        for (std::uint32_t bit = 0U; bit < 8U; ++bit)
+        {
+            // When one bit is wrong for one comparison
+            comparator = sound;
+            unsigned char* const bytes = reinterpret_cast<unsigned char*>(&comparator);
+            bytes[byte] = static_cast<unsigned char>(bytes[byte] ^ (1U << bit));
+            const Verdict verdict = CompareAt(1000U);
+            // Then the slot is agreed all the same, or somebody is told
+            const bool is_told = (verdict.fault != DeviceFault::kNone) || (verdict.demote != 0U);
+            EXPECT_TRUE(((verdict.agreement.agreed & 4U) != 0U) || is_told) << byte << '.' << bit;
+            lost += (verdict.fault == DeviceFault::kComparator) ? 1U : 0U;
+        }
+    }
+    // which is so for the bit of slot 2 in the mask of slots, and for those of the 60 slots that do not exist in the
+    // mask of what was agreed
+    EXPECT_EQ(lost, 61U);
+}
+
+TEST_F(Comparing, ProducerDueInOneChannelIsFoundThoughTheOtherCallsItFaultedInEveryCycle)
+{
+    Verifies(req::SRS_CMP_008);
+    // Given slot 1 due in B alone, and newly faulted in A, from the comparison at 1000 us on
+    (void)CompareAt(0U);
+    a.outcome.new_fault = 2U;
+    b.outcome.due = 2U;
+    EXPECT_EQ(CompareAt(1000U).demote & 2U, 2U);
+    EXPECT_EQ(CompareAt(5000U).fault, DeviceFault::kNone);
+    // When the discrepancy time of 5000 us is over, counted from the comparison before
+    const Verdict verdict = CompareAt(5001U);
+    // Then it is a device fault of that slot
+    EXPECT_EQ(verdict.fault, DeviceFault::kUnmatched);
+    EXPECT_EQ(verdict.slot, 1U);
 }
 
 // A's or B's edge alone, behind a fault and before the first release

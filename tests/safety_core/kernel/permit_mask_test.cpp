@@ -102,5 +102,89 @@ TEST_F(PermitMask, IsEmptyAfterOperationalWasLeft)
     NamesNoSlot();
 }
 
+// t ms  0        1                  2
+//       release  A's or B's permit  right again
+//                names no slot
+TEST_F(PermitMask, OfOneChannelThatLacksASlotIsADeviceFaultAndNoInterruption)
+{
+    Verifies(req::SRS_KRN_250);
+    for (Tap* const wrong : {&a, &b})
+    {
+        Release();
+        // Given a permit without the slot that all of them committed, for one cycle
+        wrong->permit_slots = 1U;
+        Cycle();
+        // Then the device is in its safe state in that cycle
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+        EXPECT_EQ(kernel.DeviceState().slot, 0U);
+        EXPECT_EQ(Open(), 0U);
+        // and stays there when the permit is right again
+        wrong->permit_slots = 0U;
+        ReceivePair();
+        Cycle();
+        EXPECT_EQ(Open(), 0U);
+        kernel.SetNmtState(NmtState::kPreOperational);
+        ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
+    }
+}
+
+TEST_F(PermitMask, OfOneChannelThatNamesAnotherSlotIsADeviceFaultOfThatSlot)
+{
+    Verifies(req::SRS_KRN_250);
+    Operate();
+    a.permit_slots = 4U;
+    Cycle();
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+    EXPECT_EQ(kernel.DeviceState().slot, 2U);
+}
+
+TEST_F(PermitMask, OverAnEchoThatChangedBehindTheComparisonIsADeviceFault)
+{
+    Verifies(req::SRS_KRN_250);
+    Release();
+    // Given one bit of the echo changes when channel B has committed
+    b.on_committed = [this]() { const_cast<Verdict&>(kernel.LastVerdict()).echo ^= 0x100U; };
+    Cycle();
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kComparator);
+    EXPECT_EQ(kernel.DeviceState().slot, 0xFFU);
+    EXPECT_EQ(Open(), 0U);
+    b.on_committed = nullptr;
+    ReceivePair();
+    Cycle();
+    EXPECT_EQ(Open(), 0U);
+}
+
+// t ms  0        1              2
+//       release  one channel    both release again:
+//                does not       no acknowledge came
+TEST_F(PermitMask, IsEmptyUntilAnAcknowledgeBehindAReleaseThatOneChannelLost)
+{
+    Verifies(req::SRS_CMP_250);
+    setups[0].policy = ReleasePolicy::kInterlock;
+    Operate();
+    for (Tap* const wrong : {&a, &b})
+    {
+        ReceivePair();
+        Cycle();
+        Cycle(1U);
+        Cycle(1U);
+        ASSERT_EQ(Open(), 1U);
+        // Given one channel that calls SRDO 1 released no more, and reports no fault, for one cycle
+        wrong->on_outcome = [](CycleOutcome& outcome) { outcome.released = 0U; };
+        Cycle();
+        EXPECT_EQ(Open(), 0U);
+        wrong->on_outcome = nullptr;
+        // Then pairs alone do not open it again
+        for (std::uint32_t cycle = 0U; cycle < 10U; ++cycle)
+        {
+            ReceivePair();
+            Cycle();
+            NamesNoSlot();
+        }
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    }
+    EXPECT_EQ(kernel.DemotionCount(), 2U);
+}
+
 } // namespace
 } // namespace counterpoint

@@ -137,18 +137,32 @@ TEST_F(ReadBack, ASlotIsExaminedWhereItsSignatureIsChecked)
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
 }
 
-// A Commit that is left out gives no permit, though the slot was released before.
-TEST_F(ReadBack, CommitLeftOutClosesTheOutput)
+// A Commit that is left out gives no permit, though the slot was released before, and what was closed by it stays
+// closed.
+TEST_F(ReadBack, CommitLeftOutOfAClosesTheOutputForGood)
 {
     Verifies(req::SRS_REL_010);
+    Verifies(req::SRS_KRN_250);
     Release();
     a.skip_commit = true;
     Cycle();
     EXPECT_EQ(Open(), 0U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
     a.skip_commit = false;
     Cycle();
-    EXPECT_EQ(Open(), 1U);
+    EXPECT_EQ(Open(), 0U);
+}
+
+TEST_F(ReadBack, CommitLeftOutOfBClosesTheOutputForGood)
+{
+    Verifies(req::SRS_REL_010);
+    Verifies(req::SRS_KRN_250);
+    Release();
     b.skip_commit = true;
+    Cycle();
+    EXPECT_EQ(Open(), 0U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+    b.skip_commit = false;
     Cycle();
     EXPECT_EQ(Open(), 0U);
 }

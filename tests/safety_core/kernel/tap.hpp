@@ -134,6 +134,7 @@ class Tap final : public Channel
     {
         Permit permit = real_.Answer(challenge);
         permit.response ^= permit_flip;
+        permit.mask ^= permit_slots;
         return permit;
     }
     PreparedPair Prepare(SlotIndex slot) noexcept override
@@ -189,6 +190,7 @@ class Tap final : public Channel
     std::uint32_t load_flip{0U};
     std::uint32_t data_flip{0U};
     std::uint32_t permit_flip{0U};
+    SrdoMask permit_slots{0U};
     std::uint32_t digest_flip{0U};
     std::uint32_t more_signals{0U};
     StaticFields last_fields{};

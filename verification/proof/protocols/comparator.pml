@@ -1,7 +1,7 @@
 /* Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 
    The comparator with decision and latch of the kernel, over one slot and two channels that may say anything in any cycle.
-   Written from SRS_CMP_002 to SRS_CMP_008, SRS_CMP_011 and semantics 3, 4. Limits: discrepancy time 2 cycles, acknowledge
+   Written from SRS_CMP_002 to SRS_CMP_008, SRS_CMP_011, SRS_CMP_250 and semantics 3, 4. Limits: discrepancy time 2 cycles, acknowledge
    window 3 cycles. Tell prints each transition for the replay in the code; PLANTED_... are defects that have to be found.
    Each state lets in 1731 inputs. */
 
@@ -45,20 +45,24 @@ inline Choose()
     if :: pairs = 0 :: pairs = 1 :: pairs = 2 :: pairs = 3 fi; /* alike; other ordinal; one holds none; other data */
 }
 
-/* SRS_CMP_003, SRS_CMP_004, SRS_CMP_005, SRS_CMP_006, SRS_CMP_007, SRS_CMP_008 */
+/* SRS_CMP_003, SRS_CMP_004, SRS_CMP_005, SRS_CMP_006, SRS_CMP_007, SRS_CMP_008, SRS_CMP_250 */
 inline Judge()
 {
     was_agreed = agreed;
     one_faulted = ((state_a == FAULTED) != (state_b == FAULTED));
+#ifdef PLANTED_ONE_IS_ENOUGH
+    apart = one_faulted; /* What B says of its release is not asked for. */
+#else
     apart = (one_faulted || ((state_a == RELEASED) != (state_b == RELEASED)));
-    demote = ((fault_a != fault_b) || (one_faulted && was_agreed));
+#endif
+    demote = ((fault_a != fault_b) || (apart && was_agreed));
 #ifdef PLANTED_ONE_IS_ENOUGH
     agreed = ((state_a == RELEASED) && (state_b != FAULTED) && !fault_a && !fault_b);
 #else
     agreed = ((state_a == RELEASED) && (state_b == RELEASED) && !fault_a && !fault_b);
 #endif
-    pending = (apart || ((alone > 0) && agreed));
-    look = (!demote && ((differ > 0) || pending || news || (due == 1) || (pairs == 1)));
+    pending = (!demote && (apart || ((alone > 0) && agreed)));
+    look = ((!demote && ((differ > 0) || pending || news || (pairs == 1))) || (due == 1));
     unlike = (look && ((pairs != 0) || (due == 1)));
     fresh = (look && (fresh || news));
     late = false;

@@ -87,6 +87,7 @@ inline constexpr RequirementId SRS_CMG_218{"SRS_CMG_218"};
 inline constexpr RequirementId SRS_CMG_219{"SRS_CMG_219"};
 inline constexpr RequirementId SRS_CMG_220{"SRS_CMG_220"};
 inline constexpr RequirementId SRS_CMG_221{"SRS_CMG_221"};
+inline constexpr RequirementId SRS_CMG_250{"SRS_CMG_250"};
 } // namespace counterpoint::req
 
 #endif
