@@ -270,7 +270,8 @@ void Cia302StartUp::OnStartDropped(const NodeId node, const Instant /*now*/) noe
     record.status.is_started = false;
 }
 
-/// Whom the master asked before may have been replaced since, and it was itself that did not hear the others.
+/// Whom the master asked before may have been replaced since, and it was itself that did not hear the others. Whom
+/// somebody else stopped is left alone. [SRS_BOOT_230]
 void Cia302StartUp::OnBusBack(const Instant now) noexcept
 {
     const BootTime time = clock_.Tick(now);
