@@ -74,7 +74,8 @@ TEST_F(ReportTest, TheSummaryHasPairsCausesTimesAndMargins)
                          "  SRVT   least 0.3 ms, mean 0.4 ms, greatest 0.5 ms, limit 20 ms, margin 19.5 ms\n"
                          "Controller SRDO 2 -> Actuator SRDO 1 (103h, 104h): 0 pairs, 1 violations, 1 not inverse\n"
                          "  cycle  none measured, limit 50 ms\n"
-                         "  SRVT   least 0.2 ms, mean 0.2 ms, greatest 0.2 ms, limit 20 ms, margin 19.8 ms\n");
+                         "  SRVT   least 0.2 ms, mean 0.2 ms, greatest 0.2 ms, limit 20 ms, margin 19.8 ms\n"
+                         "  no valid pair came, expected at least one\n");
 }
 
 TEST_F(ReportTest, TheSummaryTellsWhatWasNotJudged)
