@@ -18,19 +18,6 @@ constexpr PreparedPair kGfcByFirst{{kGfcIdentifier, FrameKind::kData, CanPortId:
 constexpr PreparedPair kGfcBySecond{{kGfcIdentifier, FrameKind::kData, CanPortId::kSecond, 0U, {}},
                                     PrepareStatus::kReady};
 
-// Those of `told` of which this channel signals a missed refresh.
-SrdoMask MissedOf(const Channel& channel, SlotSet told) noexcept
-{
-    SrdoMask missed = 0U;
-    while (told.mask != 0U)
-    {
-        const SlotIndex slot = TakeLowest(told);
-        const bool is_missed = (channel.View(slot).signals & kMissedBit) != 0U;
-        missed |= is_missed ? OnlySlot(slot).mask : SrdoMask{0U};
-    }
-    return missed;
-}
-
 } // namespace
 
 void Production::Begin(const KernelContext& context) noexcept
@@ -77,6 +64,18 @@ Result Production::WhyNotSent(KernelContext& context, const SlotIndex wanted) no
     }
     const bool is_off = context.guard.Value(wanted, ConfigField::kDirection) == kDirectionOff;
     return is_off ? Result::kInvalid : Result::kRxTxConflict;
+}
+
+SrdoMask Production::MissedOf(const Channel& channel, SlotSet told) noexcept
+{
+    SrdoMask missed = 0U;
+    while (told.mask != 0U)
+    {
+        const SlotIndex slot = TakeLowest(told);
+        const bool is_missed = (channel.View(slot).signals & kMissedBit) != 0U;
+        missed |= is_missed ? OnlySlot(slot).mask : SrdoMask{0U};
+    }
+    return missed;
 }
 
 // t        k            k+1

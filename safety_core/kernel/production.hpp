@@ -121,6 +121,8 @@ class Production
   private:
     // Used in one source file alone: `inline` leaves it to the compiler whether they are called or put in place.
     [[nodiscard]] static Result Readiness(KernelContext& context) noexcept;
+    /// @brief Those of `told` of which this channel signals a missed refresh.
+    [[nodiscard]] static SrdoMask MissedOf(const Channel& channel, SlotSet told) noexcept;
     /// @brief Why a request has no effect; `wanted` as in Request.
     [[nodiscard]] static Result WhyNotSent(KernelContext& context, SlotIndex wanted) noexcept;
     /// @brief Asks the provider if there is one, has both channels prepare the pair, and sends the normal frame if both

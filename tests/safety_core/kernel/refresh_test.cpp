@@ -183,6 +183,29 @@ TEST_F(Refresh, ConfirmationAtTheVeryLimitEndsInNoDeviceFault)
     }
 }
 
+// A slot that does not exist is given up nowhere.
+TEST_F(Refresh, HalfAConfirmationOfASlotThatDoesNotExistHasNoEffect)
+{
+    Verifies(req::SRS_KRN_147);
+    for (const bool is_a : {false, true})
+    {
+        OperateWithClocks(100U);
+        Tap& broken = is_a ? a : b;
+        Tap& other = is_a ? b : a;
+        // Given one channel that tells the confirmation of a slot behind the last, and another that tells none
+        broken.on_confirmed = [](Confirmation& confirmation) { confirmation = {3U, ConfirmStep::kNormal}; };
+        other.on_confirmed = [](Confirmation& confirmation) { confirmation = {kNoSlot, ConfirmStep::kNone}; };
+        kernel.OnConfirm(StampedFrame{ports.sent.back(), NowBehind(0U)});
+        broken.on_confirmed = nullptr;
+        other.on_confirmed = nullptr;
+        // Then nothing follows, and nobody has given up a pair
+        EXPECT_EQ(ports.sent.size(), 1U);
+        Cycle();
+        EXPECT_TRUE(CausesOf(0x1303U).empty());
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+    }
+}
+
 // cycle     26 to 50            51 (late by 0.5 ms)        52
 // provider  not ready           ready                      ready
 // A         waits since 26      .                          next one missed, pair 2
