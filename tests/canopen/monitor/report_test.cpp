@@ -78,6 +78,32 @@ TEST_F(ReportTest, TheSummaryHasPairsCausesTimesAndMargins)
                          "  no valid pair came, expected at least one\n");
 }
 
+// Given files of sensor and controller alone, so that the controller's pair has one end in them,
+// when a pair of the sensor comes, then the controller's may stay away; without any pair both are silent.
+TEST_F(ReportTest, AnSrdoWithOneEndInTheFilesMayStaySilentBesideAnother)
+{
+    Verifies(req::SRS_MON_240);
+    const Network part{{{Example("sensor"), std::nullopt}, {Example("controller"), std::nullopt}}, std::nullopt};
+    Analysis of_part{part, [](const Violation& /*violation*/) {}};
+    EXPECT_EQ(Silent(Report{part, of_part, violations, "log", origin}), (std::vector<std::size_t>{0U, 1U}));
+    of_part.Take(Frame(0, 0x101U, {1U, 2U}));
+    of_part.Take(Frame(300, 0x102U, {0xFEU, 0xFDU}));
+    EXPECT_EQ(Silent(Report{part, of_part, violations, "log", origin}), std::vector<std::size_t>{});
+}
+
+// Given frames in words that were asked for, when the document is written, then it has each with its time;
+// and none where nobody asked.
+TEST_F(ReportTest, TheDocumentHasTheFramesInWordsThatWereAskedFor)
+{
+    Verifies(req::SRS_MON_241);
+    const std::vector<FrameText> frames{{kSecond + (kSecond / 2), "NMT start node 5"}};
+    Report report = Whole();
+    EXPECT_FALSE(Has(JsonReport(report), "frame_texts"));
+    report.frames = &frames;
+    EXPECT_TRUE(Has(JsonReport(report), "\"time_s\": 1.5"));
+    EXPECT_TRUE(Has(JsonReport(report), "\"text\": \"NMT start node 5\""));
+}
+
 TEST_F(ReportTest, TheSummaryTellsWhatWasNotJudged)
 {
     Verifies(req::SRS_MON_041);

@@ -106,6 +106,7 @@ const Decision kFirst{"SRS_CONS_008", "an inverse frame has a normal frame befor
 const Act kFirstFault{"SRS_CONS_008", "an inverse frame without a normal frame is a fault"};
 const Act kKeepsPending{"SRS_CONS_006", "a normal frame becomes pending"};
 const Number kPendingStamp{"SRS_CONS_006", "stamp of the pending frame"};
+const Act kPendingData{"SRS_CONS_006", "data of the pending frame"};
 const Decision kInverted{"SRS_CONS_009", "all mapped bits are inverted"};
 const Decision kAbove{"SRS_CONS_009", "bits above the mapped length are 0 and 1"};
 const Decision kAboveNormal{"SRS_CONS_009", "bits above the mapped length of the normal frame are 0"};
@@ -354,7 +355,8 @@ void TakeNormal(Record& record, const CanFrame& frame, std::uint32_t stamp_us) n
     at.is_pending = kKeepsPending();
     at.is_too_old = false;
     at.pending_us = kPendingStamp(stamp_us);
-    std::copy_n(frame.data, LengthOf(record), at.pending.at);
+    std::fill(std::begin(at.pending.at), std::end(at.pending.at), std::uint8_t{0U});
+    std::copy_n(frame.data, kPendingData() ? LengthOf(record) : 0U, at.pending.at);
 }
 
 void TakeInverse(Record& record, std::uint32_t stamp_us) noexcept
