@@ -64,12 +64,12 @@ SrdoMask FollowLevels(Voice& voice, const SrdoMask reading) noexcept
 }
 
 // What comes from outside is noted at the slots it is for: the phase that stood still, of those producers that are
-// called; an edge, which a slot that is off forgets when it is served; and what concerns every slot. [SRS_PROD_012,
-// SRS_REL_005]
+// called; an edge, which a slot that is off forgets when it is served; what is asked for; and what concerns every slot.
+// [SRS_PROD_004, SRS_PROD_012, SRS_REL_005]
 void NoteInputs(const Voice& voice, const SrdoMask standing, const SrdoMask edges) noexcept
 {
     const bool concerns_all = voice.is_late || voice.has_overflow || voice.gfc_pending;
-    if (((standing | edges) == 0U) && !concerns_all)
+    if (((standing | edges | voice.wanted) == 0U) && !concerns_all)
     {
         return;
     }
@@ -86,14 +86,14 @@ void NoteInputs(const Voice& voice, const SrdoMask standing, const SrdoMask edge
             record.edge_since = voice.now;
             Demand(record, kLook);
         }
-        if (concerns_all)
+        if (concerns_all || IsIn(voice.wanted, slot))
         {
             Demand(record, kLook);
         }
     }
 }
 
-// What waits is what is asked for, and the refreshes. [SRS_PROD_003, SRS_PROD_004, SRS_PROD_013]
+// Who is due, and by a refresh, is told by each slot when it is served. [SRS_PROD_003, SRS_PROD_004]
 void NoteRequests(Voice& voice, const SrdoMask request) noexcept
 {
     if (AgeUs(voice.entered, voice.now) >= voice.first_delay_us)
@@ -102,8 +102,8 @@ void NoteRequests(Voice& voice, const SrdoMask request) noexcept
     }
     voice.origin = voice.may_send ? voice.now : voice.origin;
     voice.wanted = (voice.wanted | request) & voice.producers;
-    voice.outcome.refresh &= voice.producers;
-    voice.outcome.due = voice.may_send ? (voice.wanted | voice.outcome.refresh) : 0U;
+    voice.outcome.refresh = 0U;
+    voice.outcome.due = 0U;
 }
 
 // Signals stay for one cycle: the next one has to look at the slot again. [SRS_CONS_021]
@@ -156,7 +156,8 @@ void ServeAll(Voice& voice) noexcept
     const Record* const end = records + voice.count;              // MISRA D-002
     for (const Record* record = records; record != end; ++record) // MISRA D-002
     {
-        if ((record->todo != 0U) || IsExpired(*record, now) || !record->grants.AreWhole())
+        const bool is_told = (record->todo != 0U) || (record->refreshed == kYes);
+        if (is_told || IsExpired(*record, now) || !record->grants.AreWhole())
         {
             Serve(voice, static_cast<std::size_t>(record - records)); // MISRA D-002
         }
@@ -179,8 +180,8 @@ CycleOutcome RunCycle(Voice& voice, const CycleInput& input) noexcept
 
     FollowOperational(voice, input.nmt);
     const SrdoMask standing = voice.may_send ? (input.stand & voice.producers) : 0U;
-    NoteInputs(voice, standing, FollowLevels(voice, input.acknowledge));
     NoteRequests(voice, input.request);
+    NoteInputs(voice, standing, FollowLevels(voice, input.acknowledge));
     ServeAll(voice);
     voice.gfc_pending = false;
 

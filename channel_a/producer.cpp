@@ -19,17 +19,15 @@ bool IsFlying(const Record& record) noexcept
 }
 
 // The one before still waits: the refresh that falls due now is skipped. [SRS_PROD_010, SRS_PROD_013]
-void Refresh(Voice& voice, const std::size_t slot) noexcept
+void Refresh(Record& record) noexcept
 {
-    Record& record = At(voice, slot);
     record.since.us += SctUs(record); // Exact addition keeps the phase. [SRS_PROD_002]
-    if (IsIn(voice.outcome.refresh, slot))
+    if (record.refreshed == kYes)
     {
         Report(record, SrdoCause::kRefreshMissed);
         return;
     }
-    PutIn(voice.outcome.refresh, slot);
-    PutIn(voice.outcome.due, slot);
+    record.refreshed = kYes;
 }
 
 // The limit of a producer is its next refresh.
@@ -44,7 +42,7 @@ void ExamineRefresh(Voice& voice, const std::size_t slot) noexcept
     }
     if (is_called)
     {
-        Refresh(voice, slot);
+        Refresh(record);
     }
     else if (IsIn(voice.wanted, slot))
     {
@@ -54,6 +52,23 @@ void ExamineRefresh(Voice& voice, const std::size_t slot) noexcept
     {
         record.since = voice.now;
         Report(record, SrdoCause::kRefreshMissed);
+    }
+}
+
+// What waits is a refresh, or what is asked for; it goes on waiting while a pair is in flight. [SRS_PROD_004,
+// SRS_PROD_013]
+void TellWhatWaits(Voice& voice, const std::size_t slot) noexcept
+{
+    const Record& record = At(voice, slot);
+    const bool has_refresh = record.refreshed == kYes;
+    if (has_refresh)
+    {
+        PutIn(voice.outcome.refresh, slot);
+    }
+    const bool is_due = voice.may_send && (has_refresh || IsIn(voice.wanted, slot));
+    if (is_due && !IsFlying(record))
+    {
+        PutIn(voice.outcome.due, slot);
     }
 }
 
@@ -109,10 +124,7 @@ void ServeProducer(Voice& voice, const std::size_t slot) noexcept
         GiveUp(voice, slot, SrdoCause::kNoConfirmation); // [SRS_PROD_008]
     }
     ExamineRefresh(voice, slot);
-    if (IsFlying(record))
-    {
-        TakeOut(voice.outcome.due, slot); // What fell due waits. [SRS_PROD_004, SRS_PROD_013]
-    }
+    TellWhatWaits(voice, slot);
     if (record.grants.Is(Grant::kEdge, kYes) && (record.unreported == 0U))
     {
         SetFirstCause(record, SrdoCause::kNone);
@@ -132,13 +144,13 @@ PreparedPair PreparePair(Voice& voice, const std::size_t slot) noexcept
     static_cast<void>(Advance(voice, record, slot, state, Event::kPrepared));
     Demand(record, kInFlight);
     record.held = ReadObjects(voice, slot);
+    record.refreshed = kNo; // [SRS_PROD_013]
     record.frame_since = voice.now;
     if (record.form != ProducerForm::kProviderCalled)
     {
         record.since = voice.origin;
     }
     voice.wanted &= ~BitOf(slot);
-    voice.outcome.refresh &= ~BitOf(slot); // [SRS_PROD_013]
     return PreparedPair{FrameOf(voice, record, kNormalHalf, 0U), PrepareStatus::kReady};
 }
 

@@ -120,8 +120,6 @@ void Break(Voice& voice, const std::size_t slot) noexcept
     static_cast<void>(Advance(voice, record, slot, StateOf(record), Event::kBroke));
     Show(voice, slot, IsActive(voice) ? SrdoState::kFaulted : SrdoState::kOff);
     Forget(voice, slot);
-    TakeOut(voice.outcome.due, slot);
-    TakeOut(voice.outcome.refresh, slot);
     record.limit_us = kNoLimit;
     record.sent = 0U;
     if (IsActive(voice))
@@ -173,6 +171,7 @@ void LeaveOperational(Voice& voice) noexcept
         record.ordinal = 0U;
         record.sent = 0U;
         record.todo = kLook;
+        record.refreshed = kNo;
     }
     voice.outcome.sct_checked = 0U;
     voice.outcome.is_tx = 0U;

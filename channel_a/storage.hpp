@@ -49,7 +49,8 @@ struct Record
     std::uint8_t spare_bits; ///< Those of the last byte of a frame that are not mapped.
     SrvtDetection detection;
     ProducerForm form;
-    std::uint8_t awaiting; ///< kYes: waiting past SCT is still to be signalled.
+    std::uint8_t awaiting;  ///< kYes: waiting past SCT is still to be signalled.
+    std::uint8_t refreshed; ///< kYes: a refresh fell due and was not prepared since. [SRS_PROD_013]
     std::uint16_t error_count;
     std::uint32_t ordinal;    ///< Pairs received since the last fault or since OPERATIONAL was entered.
     std::uint32_t sent;       ///< Pairs sent since OPERATIONAL was entered.

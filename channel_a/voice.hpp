@@ -33,7 +33,7 @@ struct Voice
     std::uint32_t step_us;        ///< Since the OnCycle before.
     std::uint32_t late_after_us;  ///< Since the OnCycle before.
     std::uint32_t first_delay_us; ///< From OPERATIONAL to the first possible transmission.
-    /// What the next OnCycle returns, kept up to date by every event.
+    /// What the next OnCycle returns, kept up to date by every event; `due` and `refresh` are made by each anew.
     CycleOutcome outcome;
     SrdoMask producers; ///< Active ones.
     SrdoMask wanted;    ///< Slots that are asked for and were not prepared since.
