@@ -68,12 +68,14 @@ Result Production::WhyNotSent(KernelContext& context, const SlotIndex wanted) no
 
 SrdoMask Production::MissedOf(const Channel& channel, SlotSet told) noexcept
 {
-    SrdoMask missed = 0U;
+    SrdoMask missed = told.mask;
     while (told.mask != 0U)
     {
         const SlotIndex slot = TakeLowest(told);
-        const bool is_missed = (channel.View(slot).signals & kMissedBit) != 0U;
-        missed |= is_missed ? OnlySlot(slot).mask : SrdoMask{0U};
+        if ((channel.View(slot).signals & kMissedBit) == 0U)
+        {
+            missed &= ~OnlySlot(slot).mask;
+        }
     }
     return missed;
 }

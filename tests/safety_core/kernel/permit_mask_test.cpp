@@ -138,6 +138,17 @@ TEST_F(PermitMask, OfOneChannelThatNamesAnotherSlotIsADeviceFaultOfThatSlot)
     EXPECT_EQ(kernel.DeviceState().slot, 2U);
 }
 
+TEST_F(PermitMask, OfBothChannelsThatLackTheSameSlotIsADeviceFault)
+{
+    Verifies(req::SRS_KRN_250);
+    Release();
+    a.permit_slots = 1U;
+    b.permit_slots = 1U;
+    Cycle();
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+    EXPECT_EQ(kernel.DeviceState().slot, 0U);
+}
+
 TEST_F(PermitMask, OverAnEchoThatChangedBehindTheComparisonIsADeviceFault)
 {
     Verifies(req::SRS_KRN_250);

@@ -200,6 +200,8 @@ TEST_F(Refresh, HalfAConfirmationOfASlotThatDoesNotExistHasNoEffect)
         other.on_confirmed = nullptr;
         // Then nothing follows, and nobody has given up a pair
         EXPECT_EQ(ports.sent.size(), 1U);
+        EXPECT_TRUE(a.transmit_faults.empty());
+        EXPECT_TRUE(b.transmit_faults.empty());
         Cycle();
         EXPECT_TRUE(CausesOf(0x1303U).empty());
         EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
