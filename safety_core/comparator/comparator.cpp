@@ -114,10 +114,10 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
     const SrdoMask fresh = a.fresh | b.fresh;
     const SrdoMask known = pairs_.Renew();
     // A second release counts within the window only.
-    pending_ = (apart | (releases_.Renew() & agreed_)) & to_compare;
+    const SrdoMask pending = (apart | (releases_.Renew() & agreed_)) & to_compare;
     releases_.Open(apart & to_compare);
     const SrdoMask due_in_one = a.due ^ b.due;
-    SrdoMask to_look = known | pending_ | fresh;
+    SrdoMask to_look = known | pending | fresh;
     if (a.ordinal_sum != b.ordinal_sum)
     {
         to_look = slots_;
@@ -127,7 +127,8 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
     fresh_ = (fresh_ | fresh) & to_look;
     for (; to_look != 0U; to_look &= to_look - 1U)
     {
-        Look(comparison, SlotSet{to_look & (0U - to_look)}, verdict);
+        const SlotSet lowest{to_look & (0U - to_look)};
+        Look(comparison, lowest, (pending & lowest.mask) != 0U, verdict);
     }
     verdict.agreement.matched = Matched();
     previous_ = comparison.now;
@@ -139,7 +140,8 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
 //                               channel alone opens nothing: its time counts from k.
 // Nothing is held of a producer: its pair was compared before it left, and a confirmation at the very limit may count
 // in one channel alone.
-void Comparator::Look(const Comparison& comparison, const SlotSet only, Verdict& verdict) noexcept
+void Comparator::Look(const Comparison& comparison, const SlotSet only, const bool is_pending,
+                      Verdict& verdict) noexcept
 {
     const SrdoMask bit = only.mask;
     const SlotIndex slot = LowestOf(only);
@@ -170,7 +172,7 @@ void Comparator::Look(const Comparison& comparison, const SlotSet only, Verdict&
             // The channels have time left to agree.
         }
     }
-    const bool is_late = ((pending_ & bit) != 0U) ? releases_.IsOver(only, comparison.now, comparison.now) : false;
+    const bool is_late = is_pending ? releases_.IsOver(only, comparison.now, comparison.now) : false;
     if (is_late)
     {
         verdict.demote |= bit;

@@ -135,13 +135,12 @@ class Comparator
     [[nodiscard]] static PreparedVerdict ComparePrepared(const PreparedPair& a, const PreparedPair& b) noexcept;
 
   private:
-    /// @brief One slot that may differ: in what it holds, its due mark, its release. Faults and what is demoted go into
-    /// the verdict.
-    void Look(const Comparison& comparison, SlotSet only, Verdict& verdict) noexcept;
+    /// @brief One slot that may differ: in what it holds, its due mark, its release, which is `is_pending` where it is
+    /// one channel's alone, in this comparison or until then. Faults and what is demoted go into the verdict.
+    void Look(const Comparison& comparison, SlotSet only, bool is_pending, Verdict& verdict) noexcept;
 
     Differences pairs_{};    ///< Ordinals, the fact of holding a pair, or due marks differ.
     Differences releases_{}; ///< Released or faulted in one channel alone.
-    SrdoMask pending_{0U};   ///< Released in one channel alone, in this comparison or until then.
     SrdoMask agreed_{0U};    ///< By the comparison before.
     SrdoMask fresh_{0U};     ///< Slots of which a channel has a new pair that was not matched yet.
     SrdoMask slots_{0U};     ///< Those that exist: nothing else is ever looked at.

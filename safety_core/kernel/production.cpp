@@ -91,12 +91,14 @@ void Production::Await(const KernelContext& context, CycleOutcome& a, CycleOutco
     const SrdoMask missed_b = MissedOf(context.parts.channel_b, SlotSet{both & b.signalled});
     const SrdoMask only_a = missed_a & ~missed_b;
     const SrdoMask only_b = missed_b & ~missed_a;
-    const SrdoMask begun_a = only_a & ~missed_b_; // What the other one missed before is even now.
-    const SrdoMask begun_b = only_b & ~missed_a_;
-    missed_a_ = ((missed_a_ & ~only_b) | begun_a) & both;
-    missed_b_ = ((missed_b_ & ~only_a) | begun_b) & both;
-    stand_a_ = (a.refresh & ~b.refresh) | missed_a_;
-    stand_b_ = (b.refresh & ~a.refresh) | missed_b_;
+    // Whoever stood for a missed refresh goes on to, until the other one has missed it, too: then they are even.
+    const SrdoMask begun_a = only_a & ~(missed_ & stand_b_);
+    const SrdoMask begun_b = only_b & ~(missed_ & stand_a_);
+    const SrdoMask ahead_a = ((missed_ & stand_a_ & ~only_b) | begun_a) & both;
+    const SrdoMask ahead_b = ((missed_ & stand_b_ & ~only_a) | begun_b) & both;
+    missed_ = ahead_a | ahead_b;
+    stand_a_ = (a.refresh & ~b.refresh) | ahead_a;
+    stand_b_ = (b.refresh & ~a.refresh) | ahead_b;
     a.due &= ~stand_b_;
     b.due &= ~stand_a_;
 }

@@ -143,8 +143,7 @@ class Production
     SrdoMask requests_{};  ///< Told to the channels by the next cycle, as the two below.
     SrdoMask stand_a_{};   ///< Producers whose refresh channel A has first.
     SrdoMask stand_b_{};
-    SrdoMask missed_a_{}; ///< Producers of which only channel A has missed a refresh so far.
-    SrdoMask missed_b_{};
+    SrdoMask missed_{}; ///< Of those that stand, the ones of which only this channel has missed a refresh so far.
 };
 
 } // namespace counterpoint

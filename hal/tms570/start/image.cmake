@@ -32,7 +32,7 @@ endforeach()
 set(COUNTERPOINT_FIRMWARE_EMULATED flash_length=0x00400000 ram_origin=0x00800000 ram_length=0x00080000
     region_flash_length=0x00400000 region_ram=0x00800000 region_ram_length=0x00080000)
 # Regions of the MPU and stacks; an image with more SRDOs gives greater ones by REGIONS.
-set(COUNTERPOINT_FIRMWARE_REGIONS region_channel_length=0x800 region_core_length=0x800 region_non_safety_length=0x400
+set(COUNTERPOINT_FIRMWARE_REGIONS region_channel_length=0x800 region_core_length=0x400 region_non_safety_length=0x400
     stack_main_length=0xC00 stack_exception_length=0x100 stack_interrupt_length=0x200 stack_non_safety_length=0x200)
 
 function(counterpoint_firmware name)

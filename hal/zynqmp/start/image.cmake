@@ -14,7 +14,7 @@ set(COUNTERPOINT_ZYNQMP_TCM_1 ${COUNTERPOINT_ZYNQMP_TCM_0})
 # The emulator has RAM where a board has TCM, once for both: a part for each processor. 8 MiB of code, 8 MiB of data.
 set(COUNTERPOINT_ZYNQMP_EMULATED_0 code_origin=0x01000000 code_length=0x00800000 ram_origin=0x01800000 ram_length=0x00800000)
 set(COUNTERPOINT_ZYNQMP_EMULATED_1 code_origin=0x02000000 code_length=0x00800000 ram_origin=0x02800000 ram_length=0x00800000)
-set(COUNTERPOINT_ZYNQMP_REGIONS region_channel_length=0x800 region_core_length=0x800 region_non_safety_length=0x400
+set(COUNTERPOINT_ZYNQMP_REGIONS region_channel_length=0x800 region_core_length=0x400 region_non_safety_length=0x400
     stack_main_length=0x2000 stack_exception_length=0x400 stack_interrupt_length=0x400 stack_non_safety_length=0x200)
 
 function(counterpoint_zynqmp_image name)
