@@ -260,13 +260,16 @@ TEST_F(Refresh, ThatOneChannelNeverMissesIsFound)
         Operate();
         // Given a refresh that waits in both channels
         Tap& first = is_a ? a : b;
+        Tap& other = is_a ? b : a;
         application.refresh = RefreshAnswer::kSkip;
         Cycles(3U);
-        // When one of them alone signals a missed one
+        // When one of them alone signals a missed one, and the other one another cause
+        other.on_outcome = [](CycleOutcome& outcome) { outcome.signalled |= 2U; };
         first.on_outcome = [](CycleOutcome& outcome) { outcome.signalled |= 2U; };
         first.more_signals = 1U << static_cast<std::uint32_t>(SrdoCause::kRefreshMissed);
         Cycle();
         first.on_outcome = nullptr;
+        other.on_outcome = nullptr;
         first.more_signals = 0U;
         application.refresh = RefreshAnswer::kReady;
         std::uint32_t cycles = 1U;
