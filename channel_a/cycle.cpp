@@ -5,6 +5,7 @@
 #include "channel_a/consumer.hpp"
 #include "channel_a/producer.hpp"
 #include "channel_a/slot.hpp"
+#include "channel_a/slot_walk.hpp"
 
 #include <cstddef>
 
@@ -64,12 +65,12 @@ SrdoMask FollowLevels(Voice& voice, const SrdoMask reading) noexcept
 }
 
 // What comes from outside is noted at the slots it is for: the phase that stood still, of those producers that are
-// called; an edge, which a slot that is off forgets when it is served; what is asked for; and what concerns every slot.
-// [SRS_PROD_004, SRS_PROD_012, SRS_REL_005]
+// called; an edge, which a slot that is off forgets when it is served; and what concerns every slot. [SRS_PROD_012,
+// SRS_REL_005]
 void NoteInputs(const Voice& voice, const SrdoMask standing, const SrdoMask edges) noexcept
 {
     const bool concerns_all = voice.is_late || voice.has_overflow || voice.gfc_pending;
-    if (((standing | edges | voice.wanted) == 0U) && !concerns_all)
+    if (((standing | edges) == 0U) && !concerns_all)
     {
         return;
     }
@@ -86,14 +87,15 @@ void NoteInputs(const Voice& voice, const SrdoMask standing, const SrdoMask edge
             record.edge_since = voice.now;
             Demand(record, kLook);
         }
-        if (concerns_all || IsIn(voice.wanted, slot))
+        if (concerns_all)
         {
             Demand(record, kLook);
         }
     }
 }
 
-// Who is due, and by a refresh, is told by each slot when it is served. [SRS_PROD_003, SRS_PROD_004]
+// Who is due, and by a refresh, is told by each slot when it is served; so those that are asked for are to be served.
+// [SRS_PROD_003, SRS_PROD_004]
 void NoteRequests(Voice& voice, const SrdoMask request) noexcept
 {
     if (AgeUs(voice.entered, voice.now) >= voice.first_delay_us)
@@ -104,6 +106,10 @@ void NoteRequests(Voice& voice, const SrdoMask request) noexcept
     voice.wanted = (voice.wanted | request) & voice.producers;
     voice.outcome.refresh = 0U;
     voice.outcome.due = 0U;
+    for (SlotWalk walk{voice.wanted & SlotsOf(voice.count)}; walk.IsAtSlot(); walk.GoOn())
+    {
+        Demand(At(voice, walk.Slot()), kLook);
+    }
 }
 
 // Signals stay for one cycle: the next one has to look at the slot again. [SRS_CONS_021]
@@ -156,8 +162,7 @@ void ServeAll(Voice& voice) noexcept
     const Record* const end = records + voice.count;              // MISRA D-002
     for (const Record* record = records; record != end; ++record) // MISRA D-002
     {
-        const bool is_told = (record->todo != 0U) || (record->refreshed == kYes);
-        if (is_told || IsExpired(*record, now) || !record->grants.AreWhole())
+        if ((record->todo != 0U) || IsExpired(*record, now) || !record->grants.AreWhole())
         {
             Serve(voice, static_cast<std::size_t>(record - records)); // MISRA D-002
         }

@@ -59,10 +59,11 @@ void ExamineRefresh(Voice& voice, const std::size_t slot) noexcept
 // SRS_PROD_013]
 void TellWhatWaits(Voice& voice, const std::size_t slot) noexcept
 {
-    const Record& record = At(voice, slot);
+    Record& record = At(voice, slot);
     const bool has_refresh = record.refreshed == kYes;
     if (has_refresh)
     {
+        Demand(record, kLook); // Until it is prepared.
         PutIn(voice.outcome.refresh, slot);
     }
     const bool is_due = voice.may_send && (has_refresh || IsIn(voice.wanted, slot));
