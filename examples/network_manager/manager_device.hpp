@@ -21,8 +21,8 @@ struct ManagerSettings
 /// A network manager as a device has it: start-up after CiA 302-2, supervision, the gate of safety slaves and, with
 /// 1F80h bit 5, a flying master, with all the room that they work in. Goes into static memory; no heap, no clock.
 /// The device's loop: each received frame to Core().OnFrame, each own frame that was on the bus to Core().OnSent, and
-/// once a millisecond Core().OnCycle; what is to be sent comes by the sink. Lost frames to Core().OnLost, and a bus that
-/// goes and comes back to Core().OnBus.
+/// once a millisecond Core().OnCycle; what is to be sent comes by the sink. Lost frames to Core().OnLost, and a bus
+/// that goes and comes back to Core().OnBus.
 class ManagerDevice final
 {
   public:
