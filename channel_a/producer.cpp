@@ -31,7 +31,7 @@ void Refresh(Record& record) noexcept
 }
 
 // The limit of a producer is its next refresh.
-void ExamineRefresh(Voice& voice, const std::size_t slot) noexcept
+void ExamineRefresh(const Voice& voice, const std::size_t slot) noexcept
 {
     Record& record = At(voice, slot);
     const bool is_called = record.form == ProducerForm::kProviderCalled;
