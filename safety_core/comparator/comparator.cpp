@@ -90,7 +90,9 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
     verdict.echo = comparison.challenge;
     verdict.slot = kNoSlot;
     verdict.fault = Overall(comparison);
-    if ((agreed_ & ~slots_) != 0U) // What was agreed exists: a mask of slots that changes is not waited out.
+    const SrdoMask agreed_before = agreed_;
+    agreed_ = 0U;
+    if ((agreed_before & ~slots_) != 0U) // What was agreed exists: a mask of slots that changes is not waited out.
     {
         verdict.fault = DeviceFault::kComparator;
     }
@@ -105,7 +107,7 @@ Verdict Comparator::Compare(const Comparison& comparison) noexcept
     const SrdoMask faults = a.faulted | b.faulted | a.new_fault | b.new_fault;
     const SrdoMask apart = (a.released ^ b.released) | faulted_in_one;
     // A release that was agreed and that one of them no longer knows is no skew of acknowledges. [SRS_CMP_250]
-    verdict.demote = ((a.new_fault ^ b.new_fault) | (apart & agreed_)) & slots_;
+    verdict.demote = ((a.new_fault ^ b.new_fault) | (apart & agreed_before)) & slots_;
     agreed_ = a.released & b.released & ~faults & slots_;
     verdict.agreement.agreed = agreed_;
     verdict.start = a.due & b.due & slots_;

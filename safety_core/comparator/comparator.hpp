@@ -124,6 +124,12 @@ class Comparator
         Comparator copy{*this};
         return copy.Compare(comparison);
     }
+    /// @brief Slots whose release the last Compare found agreed, none of them one that it demotes; none where it found
+    /// what both voices must say alike to be unequal. [SRS_CMP_360]
+    [[nodiscard]] SrdoMask Agreed() const noexcept
+    {
+        return agreed_;
+    }
     /// @brief Slots in which the last Compare left nothing different: what its verdict calls matched, from the
     /// differences themselves. [SRS_CMP_011]
     [[nodiscard]] SrdoMask Matched() const noexcept
@@ -141,7 +147,7 @@ class Comparator
 
     Differences pairs_{};    ///< Ordinals, the fact of holding a pair, or due marks differ.
     Differences releases_{}; ///< Released or faulted in one channel alone.
-    SrdoMask agreed_{0U};    ///< By the comparison before.
+    SrdoMask agreed_{0U};    ///< By the last comparison.
     SrdoMask fresh_{0U};     ///< Slots of which a channel has a new pair that was not matched yet.
     SrdoMask slots_{0U};     ///< Those that exist: nothing else is ever looked at.
     Instant previous_{0U};   ///< `now` of the comparison before.

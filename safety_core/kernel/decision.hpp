@@ -69,12 +69,15 @@ class Decision
     /// @brief Both channels write what is agreed and read it back. Consumers whose new pair was released.
     [[nodiscard]] SrdoMask Commit(KernelContext& context) noexcept
     {
-        const SrdoMask unlike = (verdict_.agreement.matched ^ comparator_.Matched()) & verdict_.agreement.agreed;
-        if (unlike != 0U) // Looked at here, where it is used. [SRS_CMP_011]
+        // Looked at here, where it is used; what is demoted is not agreed. [SRS_CMP_011, SRS_CMP_360, SRS_CMP_361]
+        const SrdoMask unmatched = (verdict_.agreement.matched ^ comparator_.Matched()) | verdict_.demote;
+        const SrdoMask unlike =
+            (unmatched & verdict_.agreement.agreed) | (verdict_.agreement.agreed ^ comparator_.Agreed());
+        if (unlike != 0U)
         {
             context.latch.Enter(DeviceFault::kComparator, kNoSlot);
         }
-        const SrdoMask agreed = verdict_.agreement.agreed & ~verdict_.demote & context.latch.Gate();
+        const SrdoMask agreed = verdict_.agreement.agreed & context.latch.Gate();
         const SrdoMask written = agreed & verdict_.agreement.matched;
         const SrdoMask sound = ~WriteObjects(context, Agreement{agreed, verdict_.agreement.matched});
         const SrdoMask received = written & (verdict_.newly_matched | ~committed_);

@@ -86,6 +86,10 @@ SrdoMask Production::MissedOf(const Channel& channel, SlotSet told) noexcept
 // A pair at k would be the refresh that waited in both, and the one at k+1 would then wait in the second alone.
 void Production::Await(const KernelContext& context, CycleOutcome& a, CycleOutcome& b) noexcept
 {
+    if ((a.refresh | b.refresh | stand_a_ | stand_b_ | missed_) == 0U)
+    {
+        return; // No refresh waits, and nobody stands.
+    }
     const SrdoMask both = a.refresh & b.refresh;
     const SrdoMask missed_a = MissedOf(context.parts.channel_a, SlotSet{both & a.signalled});
     const SrdoMask missed_b = MissedOf(context.parts.channel_b, SlotSet{both & b.signalled});

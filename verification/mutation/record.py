@@ -86,6 +86,22 @@ def record_of(subjects, reasons, made):
     return {"made": made, "files": files, "survivors": survivors, "not_judged": not_judged}
 
 
+def updated(record, fresh):
+    """The record of a whole run with what a run over the functions that changed since has judged: `fresh`, of the same tree. What the record
+    knows of a function whose text is still there stays; each commit that judged functions is named."""
+    files, names = {}, set()
+    for file, functions in fresh["files"].items():
+        known = record["files"].get(file, {})
+        files[file] = {key: known.get(key, counts) for key, counts in functions.items()}
+        names |= {f"{file} {key}" for key in functions if key not in known}
+    # Survivors of unchanged functions were not judged again: fresh names them as not judged.
+    survivors = [entry for entry in record["survivors"] if entry["name"] in fresh["not_judged"]] + fresh["survivors"]
+    not_judged = [name for name in fresh["not_judged"] if name in record["not_judged"]]
+    earlier = [entry for entry in record["made"].get("since", []) if entry["commit"] != fresh["made"]["commit"]]
+    since = [*earlier, {"commit": fresh["made"]["commit"], "date": fresh["made"]["date"], "functions": len(names)}]
+    return {"made": {**record["made"], "since": since if names else record["made"].get("since", [])}, "files": files, "survivors": survivors, "not_judged": not_judged}
+
+
 def changed_since(record, subjects):
     """(functions, mutants) whose text is not in the record: names of mutants by file, and "file: function" of each."""
     functions, mutants = [], {}

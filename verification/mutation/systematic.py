@@ -9,6 +9,7 @@
     ./dev mutants --all --record                   and writes record.json, which the evidence shows
     ./dev mutants --all --record --kept            the record of what a run has judged so far; it names the rest
     ./dev mutants --changed --again 24             functions that changed since the record, and 24 drawn from the others
+    ./dev mutants --changed --record               and puts all of the changed functions into the record, with the commit that judged them
     ./dev mutants --self-test                      shows that a test suite which checks nothing lets mutants survive
 
 A mutant is one change of one operator, constant, condition, statement, argument or returned value (generate.py). Its object is
@@ -39,7 +40,7 @@ import time
 
 from build_tree import BadInput, Build, progress, run_program
 from generate import KINDS, NotRead, mutants_of
-from record import changed_since, drawn_again, made_by, record_of
+from record import changed_since, drawn_again, made_by, record_of, updated
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = "verification/mutation"
@@ -364,7 +365,8 @@ def judged(options, rooms, results_path):
         write_json(options.json, {"rows": [dict(zip(fields, row)) for row in rows], "pass": passes,
                                   "survivors": [f"{mutant.name} {mutant.place}: {mutant.change}" for mutant in survivors]})
     if options.record:
-        write_json(options.recorded, record_of(subjects, reasons, made_by(ROOT)))
+        fresh = record_of(subjects, reasons, made_by(ROOT))
+        write_json(options.recorded, updated(read_json(options.recorded, None), fresh) if options.changed else fresh)
     return survivors, stale
 
 
@@ -372,18 +374,23 @@ def self_test(options):
     """A suite that checks lets nothing survive; one that calls everything and checks nothing lets something, which the record names."""
     good = True
     options.file = options.room = options.sample = options.only = options.json = None
-    for suite, record in (("seeing", None), ("blind", None), ("blind", "other"), ("blind", "same")):
+    for suite, record, is_updated in (("seeing", None, False), ("blind", None, False), ("blind", "other", False), ("blind", "same", False),
+                                      ("blind", "other", True), ("blind", "same", True)):
         with tempfile.TemporaryDirectory(prefix="mutants-") as folder:
-            options.changed, options.record, options.again = record is not None, record is None, 0
+            options.changed, options.record, options.again = record is not None, record is None or is_updated, 0
             options.recorded = pathlib.Path(folder) / "record.json"
             if record:
                 write_json(options.recorded, fixture_record(record))
             survivors, _ = judged(options, {suite: FIXTURES[suite]}, pathlib.Path(folder) / "results.json")
-            named = len(read_json(options.recorded, {})["survivors"])
+            written = read_json(options.recorded, {})
+        named = len(written["survivors"])
         expected = suite == "blind" and record != "same"
-        held = bool(survivors) == expected and (record or named == len(survivors))
-        print(f"{'pass' if held else 'FAIL'}  fixture {suite}{f', record of the {record} function' if record else ''}: {len(survivors)} mutants survive, "
-              f"expected {'some' if expected else 'none'}; the record names {named}")
+        # An update names who judged what has changed, and keeps the rest as it is.
+        of = [entry["functions"] for entry in written["made"].get("since", [])]
+        held = bool(survivors) == expected and (named == len(survivors) or record and not is_updated) and bool(of) == (is_updated and record == "other")
+        held = held and written["made"]["commit"] == ("0" * 40 if record else written["made"]["commit"]) and not written["not_judged"]
+        print(f"{'pass' if held else 'FAIL'}  fixture {suite}{f', record of the {record} function' if record else ''}{', updated' if is_updated else ''}: "
+              f"{len(survivors)} mutants survive, expected {'some' if expected else 'none'}; the record names {named}")
         good = good and held
     return 0 if good else 1
 
@@ -408,7 +415,7 @@ def parsed(arguments):
     parser.add_argument("--list", action="store_true", help="print the mutants, build and run nothing")
     parser.add_argument("--changed", action="store_true", help="functions whose text the record does not have; with --sample at most so many mutants")
     parser.add_argument("--again", type=int, default=0, metavar="N", help="with --changed: N mutants of the others too, another draw after each change of a test")
-    parser.add_argument("--record", action="store_true", help="with --all: write the record that --changed and the evidence read")
+    parser.add_argument("--record", action="store_true", help="with --all: write the record that --changed and the evidence read; with --changed: bring it up to date")
     parser.add_argument("--kept", action="store_true", help="with --all --record: run nothing more; the record names what was not judged yet")
     parser.add_argument("--recorded", type=pathlib.Path, default=RECORD, help="the record that --changed reads and --record writes")
     parser.add_argument("--anew", action="store_true", help="forget all kept verdicts")
@@ -419,9 +426,9 @@ def parsed(arguments):
     options = parser.parse_args(arguments)
     if not (options.all or options.room or options.file or options.self_test or options.changed):
         parser.error("nothing to do, expected --all, --changed, --room, --file or --self-test")
-    if options.record and (not options.all or options.sample or options.only or options.room or options.file or options.changed):
-        parser.error("--record: expected --all and no choice of mutants")
-    if options.kept and not options.record:
+    if options.record and (not (options.all or options.changed) or options.sample or options.only or options.room or options.file):
+        parser.error("--record: expected --all or --changed and no choice of mutants")
+    if options.kept and not (options.record and options.all):
         parser.error("--kept: expected --all --record beside it")
     if options.changed and (options.only or options.list):
         parser.error("--changed: chooses the mutants itself, expected neither --only nor --list")

@@ -181,6 +181,14 @@ extern "C"
         {
             last_verdict.agreement.matched &= ~SrdoMask{1U};
         }
+        if (comparator_calls == ComparatorCalls::kNeverAgreed)
+        {
+            last_verdict.agreement.agreed &= ~SrdoMask{1U};
+        }
+        if (comparator_calls == ComparatorCalls::kDemotesToo)
+        {
+            last_verdict.demote |= SrdoMask{1U};
+        }
         return last_verdict;
     }
 
@@ -305,6 +313,40 @@ TEST_F(ComparatorLost, VerdictThatIsNotWhatTheDifferencesSayIsSafeInTheSameCycle
     EXPECT_EQ(CyclesToSafe(ComparatorCalls::kNeverMatched), 1U);
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kComparator);
     EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
+    EXPECT_EQ(kernel.DeviceState().count, 1U);
+}
+
+// A bit of the verdict that is wrong for this cycle: channels and kernel would close alike, and open again in the next.
+TEST_F(ComparatorLost, AgreedReleaseThatTheVerdictLosesIsSafeInTheSameCycle)
+{
+    Verifies(req::SRS_CMP_360);
+    EXPECT_EQ(CyclesToSafe(ComparatorCalls::kNeverAgreed), 1U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kComparator);
+    EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
+    EXPECT_EQ(kernel.DeviceState().count, 1U);
+}
+
+TEST_F(ComparatorLost, AgreedSlotThatTheVerdictDemotesIsSafeInTheSameCycle)
+{
+    Verifies(req::SRS_CMP_361);
+    EXPECT_EQ(CyclesToSafe(ComparatorCalls::kDemotesToo), 1U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kComparator);
+    EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
+    EXPECT_EQ(kernel.DeviceState().count, 1U);
+}
+
+// What both voices must say in every cycle fails: that alone is told, and counted once.
+TEST_F(ComparatorLost, GuardThatOneChannelCallsStaleOverAnOpenOutputIsOneFault)
+{
+    Verifies(req::SRS_CMP_360);
+    Operate();
+    ReceivePair();
+    Cycle();
+    EXPECT_EQ(Open(), 1U);
+    b.on_outcome = [](CycleOutcome& outcome) { outcome.guard = GuardView::kStale; };
+    Cycle();
+    EXPECT_EQ(Open(), 0U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kGuard);
     EXPECT_EQ(kernel.DeviceState().count, 1U);
 }
 

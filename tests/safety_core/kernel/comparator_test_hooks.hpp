@@ -19,6 +19,8 @@ enum class ComparatorCalls : std::uint8_t
     kDataUnseen = 4U,   ///< Prepared pairs are always called equal.
     kNeverMatched = 5U, ///< Slot 0 is never called matched; everything else is real.
     kFrameChanged = 6U, ///< The first of two frames has another bit, see `changed_bit`.
+    kNeverAgreed = 7U,  ///< Slot 0 is never called agreed; everything else is real.
+    kDemotesToo = 8U,   ///< Slot 0 is demoted besides; everything else is real.
 };
 
 extern ComparatorCalls comparator_calls;

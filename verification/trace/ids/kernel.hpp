@@ -62,6 +62,8 @@ inline constexpr RequirementId SRS_CMP_216{"SRS_CMP_216"};
 inline constexpr RequirementId SRS_CMP_217{"SRS_CMP_217"};
 inline constexpr RequirementId SRS_CMP_250{"SRS_CMP_250"};
 inline constexpr RequirementId SRS_CMP_251{"SRS_CMP_251"};
+inline constexpr RequirementId SRS_CMP_360{"SRS_CMP_360"};
+inline constexpr RequirementId SRS_CMP_361{"SRS_CMP_361"};
 inline constexpr RequirementId SRS_FLOW_001{"SRS_FLOW_001"};
 inline constexpr RequirementId SRS_FLOW_002{"SRS_FLOW_002"};
 inline constexpr RequirementId SRS_FLOW_003{"SRS_FLOW_003"};
