@@ -108,6 +108,7 @@ std::uint16_t CodeOf(const DeviceFault fault) noexcept
     case DeviceFault::kComparator:
     case DeviceFault::kFlow:
     case DeviceFault::kLateCall:
+    case DeviceFault::kOutput:
     case DeviceFault::kNone:
     default:
         break;

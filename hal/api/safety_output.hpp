@@ -31,9 +31,11 @@ enum class ProbeAnswer : std::uint8_t
 class SafetyOutput
 {
   public:
-    /// @brief A new challenge for this cycle; the one before is void. Never 0, never the same twice in a row.
+    /// @brief A new challenge for this cycle; the one before is void. Never the same twice in a row; 0 says that open
+    /// outputs were interrupted, which stay closed until no permits at all arm them. [SRS_HAL_301]
     [[nodiscard]] virtual std::uint32_t Challenge() noexcept = 0;
-    /// @brief The permits that answer the last challenge. Anything wrong closes all outputs at once.
+    /// @brief The permits that answer the last challenge. Anything wrong closes all outputs at once. No permits at all,
+    /// where no challenge is outstanding, arm them. [SRS_HAL_302]
     virtual void Drive(const PermitSet& permits) noexcept = 0;
     /// @brief Judges permits as Drive does, against `challenge`, and does nothing. [SRS_STS_031]
     [[nodiscard]] virtual ProbeAnswer Probe(const PermitSet& /*permits*/, std::uint32_t /*challenge*/) const noexcept

@@ -106,6 +106,12 @@ PermitSet RightPermits(const std::uint32_t challenge, const std::uint32_t slots)
                      Permit{slots, base * kPermitConstantKernel}};
 }
 
+void Arm(const PortUnderTest& port) noexcept
+{
+    port.parts.output->Drive(PermitSet{}); // Answers what may be outstanding.
+    port.parts.output->Drive(PermitSet{});
+}
+
 void Open(const PortUnderTest& port) noexcept
 {
     port.parts.output->Drive(RightPermits(port.parts.output->Challenge(), 1U));

@@ -44,6 +44,8 @@ struct Drained
 
 /// @brief Permits of all three parties that answer the challenge, and open these slots (slots 0 to 31).
 [[nodiscard]] PermitSet RightPermits(std::uint32_t challenge, std::uint32_t slots) noexcept;
+/// @brief Closes and arms the output as the start of a kernel does.
+void Arm(const PortUnderTest& port) noexcept;
 /// @brief Slot 0 by right permits, then a moment for the pin.
 void Open(const PortUnderTest& port) noexcept;
 

@@ -60,6 +60,7 @@ void ChallengesDiffer(const PortUnderTest& port, Check& check) noexcept;
 void ClosedAfterStart(const PortUnderTest& port, Check& check) noexcept;
 void OpensByThreePermits(const PortUnderTest& port, Check& check) noexcept;
 void WrongPermitCloses(const PortUnderTest& port, Check& check) noexcept;
+void InterruptedStaysClosed(const PortUnderTest& port, Check& check) noexcept;
 void ClosesByItself(const PortUnderTest& port, Check& check) noexcept;
 void ClosedOnceTripped(const PortUnderTest& port, Check& check) noexcept;
 void PinsAreReadBack(const PortUnderTest& port, Check& check) noexcept;

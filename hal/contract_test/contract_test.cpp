@@ -57,6 +57,7 @@ constexpr CheckRow kRows[]{
     {"output", "closed after start", ClosedAfterStart},
     {"output", "opens by three right permits", OpensByThreePermits},
     {"output", "a wrong permit closes", WrongPermitCloses},
+    {"output", "interrupted, stays closed", InterruptedStaysClosed},
     {"output", "closes by itself", ClosesByItself},
     {"output", "closed once the watchdog has tripped", ClosedOnceTripped},
     {"cut-off", "pins are read back", PinsAreReadBack},

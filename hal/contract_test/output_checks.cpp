@@ -23,6 +23,17 @@ constexpr const char* kPins = "pins that are high (bit n: slot n)";
     return true;
 }
 
+/// With an output that opens by the next right permits.
+[[nodiscard]] bool BeginArmed(const PortUnderTest& port, Check& check) noexcept
+{
+    const bool is_there = Begin(port, check);
+    if (is_there)
+    {
+        Arm(port);
+    }
+    return is_there;
+}
+
 [[nodiscard]] std::uint32_t Pins(const PortUnderTest& port) noexcept
 {
     return static_cast<std::uint32_t>(port.bench.pins(port.bench.bench) & 0xFFFFFFFFU);
@@ -42,7 +53,7 @@ void DriveCycles(const PortUnderTest& port, const std::uint32_t cycles) noexcept
 
 void ChallengesDiffer(const PortUnderTest& port, Check& check) noexcept
 {
-    if (!Begin(port, check))
+    if (!BeginArmed(port, check))
     {
         return;
     }
@@ -66,7 +77,7 @@ void ClosedAfterStart(const PortUnderTest& port, Check& check) noexcept
 
 void OpensByThreePermits(const PortUnderTest& port, Check& check) noexcept
 {
-    if (!Begin(port, check))
+    if (!BeginArmed(port, check))
     {
         return;
     }
@@ -82,12 +93,13 @@ void OpensByThreePermits(const PortUnderTest& port, Check& check) noexcept
 
 void WrongPermitCloses(const PortUnderTest& port, Check& check) noexcept
 {
-    if (!Begin(port, check))
+    if (!BeginArmed(port, check))
     {
         return;
     }
     for (std::uint32_t wrong = 0U; wrong < 4U; ++wrong)
     {
+        Arm(port);
         DriveCycles(port, 1U);
         check.EqualCode(kPins, 1U, Pins(port));
         const std::uint32_t challenge = port.parts.output->Challenge();
@@ -99,6 +111,7 @@ void WrongPermitCloses(const PortUnderTest& port, Check& check) noexcept
         port.bench.pass(port.bench.bench, kMoment);
         check.EqualCode("pins that are high by a wrong permit", 0U, Pins(port));
     }
+    Arm(port);
     const PermitSet permits = RightPermits(port.parts.output->Challenge(), 1U);
     port.parts.output->Drive(permits);
     port.parts.output->Drive(permits);
@@ -106,9 +119,28 @@ void WrongPermitCloses(const PortUnderTest& port, Check& check) noexcept
     check.EqualCode("pins that are high by permits that were used up", 0U, Pins(port));
 }
 
+void InterruptedStaysClosed(const PortUnderTest& port, Check& check) noexcept
+{
+    if (!BeginArmed(port, check))
+    {
+        return;
+    }
+    DriveCycles(port, 1U);
+    check.EqualCode(kPins, 1U, Pins(port));
+    PermitSet wrong = RightPermits(port.parts.output->Challenge(), 1U);
+    wrong.b.response ^= 1U;
+    port.parts.output->Drive(wrong);
+    DriveCycles(port, kCycles);
+    check.EqualCode("pins that are high by right permits behind a wrong one", 0U, Pins(port));
+    check.Equal("challenge of an interrupted output", 0U, port.parts.output->Challenge());
+    Arm(port);
+    DriveCycles(port, 1U);
+    check.EqualCode("pins that are high once it is armed again", 1U, Pins(port));
+}
+
 void ClosesByItself(const PortUnderTest& port, Check& check) noexcept
 {
-    if (!Begin(port, check))
+    if (!BeginArmed(port, check))
     {
         return;
     }
@@ -138,7 +170,7 @@ void ClosedOnceTripped(const PortUnderTest& port, Check& check) noexcept
         check.NotShown("the port has no watchdog");
         return;
     }
-    if (!Begin(port, check))
+    if (!BeginArmed(port, check))
     {
         return;
     }
@@ -158,7 +190,7 @@ void PinsAreReadBack(const PortUnderTest& port, Check& check) noexcept
         check.NotShown("the bench cannot pull a pin high, or the port has no reading of it");
         return;
     }
-    if (!Begin(port, check))
+    if (!BeginArmed(port, check))
     {
         return;
     }
@@ -180,7 +212,7 @@ void CutOffIsFinal(const PortUnderTest& port, Check& check) noexcept
         check.NotShown("the port has no cut-off");
         return;
     }
-    if (!Begin(port, check))
+    if (!BeginArmed(port, check))
     {
         return;
     }

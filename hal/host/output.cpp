@@ -13,6 +13,8 @@ HostOutput::HostOutput(const VirtualBus& bus, HostWatchdog& watchdog, const hal:
 
 std::uint32_t HostOutput::Challenge() noexcept
 {
+    // It closes by itself in its time, whether somebody looks then or not.
+    static_cast<void>(Open());
     return gate_.Challenge();
 }
 

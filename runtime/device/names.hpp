@@ -53,6 +53,7 @@ inline constexpr Word<DeviceFault> kDeviceFaultWords[] = {
     {"self_test", DeviceFault::kSelfTest},
     {"handshake", DeviceFault::kHandshake},
     {"cross_link", DeviceFault::kCrossLink},
+    {"output", DeviceFault::kOutput},
     {"latch_corrupted", DeviceFault::kInvalid},
 };
 

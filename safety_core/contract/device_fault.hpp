@@ -26,6 +26,7 @@ enum class DeviceFault : std::uint8_t
     kSelfTest = 11U,     ///< A self test found a defect, stands still or was not done.
     kHandshake = 12U,    ///< The application did not answer in time.
     kCrossLink = 13U,    ///< The link to the other CPU is lost or wrong.
+    kOutput = 14U,       ///< The output closed without a decision to close it, and stays closed.
     kNone = 0x5AU,
 };
 

@@ -29,6 +29,16 @@ std::uint32_t MarkOf(const CanFrame& frame) noexcept
     return frame.identifier + 1U;
 }
 
+// The gate closed what was open, not this kernel. In the device safe state it closes by what this kernel spoils, which
+// is told already; and so is a call that is too late. [SRS_KRN_300, SRS_KRN_301]
+void TakeInterruption(SafeStateLatch& latch, const std::uint32_t challenge) noexcept
+{
+    if ((challenge == 0U) && latch.IsRunning())
+    {
+        latch.Enter(DeviceFault::kOutput, kNoSlot);
+    }
+}
+
 // The kernel's own flow monitor where no other one is named. [SRS_KRN_039]
 KernelParts Completed(const KernelParts& given, FlowWatch& own) noexcept
 {
@@ -80,6 +90,9 @@ void Kernel::Stop() noexcept
     context_.latch.Disarm();
     context_.config = &kNoDevice;
     context_.guard.Stop();
+    // The first one closes, and answers a challenge that may be outstanding; the second one arms the gate.
+    // [SRS_KRN_302]
+    context_.parts.output.Drive(hal::PermitSet{});
     context_.parts.output.Drive(hal::PermitSet{});
 }
 
@@ -182,6 +195,7 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     const std::uint32_t challenge = context_.parts.output.Challenge();
 
     context_.latch.Take(clocks_.OnCycle(call.now), kNoSlot);
+    TakeInterruption(context_.latch, challenge);
     context_.parts.flow->Mark(FlowStep::kClocks, FlowEvidence{run_.frames, 0U});
     const std::uint32_t token = context_.guard.Cycle(challenge, call.now.a);
     context_.parts.flow->Mark(FlowStep::kGuard, kDone);

@@ -58,6 +58,8 @@ Party PartyOf(const Event& device_fault)
         return Party::kSelfTest;
     case DeviceFault::kCrossLink:
         return Party::kCrossLink;
+    case DeviceFault::kOutput:
+        return Party::kOutputGate;
     case DeviceFault::kInvalid:
     case DeviceFault::kApplication:
     case DeviceFault::kHandshake:

@@ -25,6 +25,7 @@ TEST(Names, AreTheEnumeratorsInLowerCase)
     EXPECT_STREQ(NameOf(SrdoCause::kSct), "sct");
     EXPECT_STREQ(NameOf(SrdoState::kReleased), "released");
     EXPECT_STREQ(NameOf(DeviceFault::kCrossLink), "cross_link");
+    EXPECT_STREQ(NameOf(DeviceFault::kOutput), "output");
     EXPECT_STREQ(NameOf(cia301::SdoAbort::kNone), "none");
     EXPECT_STREQ(NameOf(hal::ExceptionCause::kDataAccess), "data_access");
 }

@@ -160,7 +160,7 @@ void Judge::Arm(const std::size_t cycle, const SrdoMask open, JudgeMemory& memor
 void Judge::NoteClosed(const Srdo& srdo, const SrdoMask open, const SrdoMask edge, JudgeMemory& memory) const
 {
     const SrdoMask bit = SrdoMask{1U} << srdo.slot;
-    if (srdo.is_automatic || device_.AsTwoCpus() != nullptr)
+    if (srdo.is_automatic)
     {
         return;
     }

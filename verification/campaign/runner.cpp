@@ -62,6 +62,8 @@ Detector DetectorOf(const DeviceFault fault)
         return Detector::kSeal;
     case DeviceFault::kCrossLink:
         return Detector::kCrossLink;
+    case DeviceFault::kOutput:
+        return Detector::kPermits;
     case DeviceFault::kInvalid:
     case DeviceFault::kApplication:
     case DeviceFault::kHandshake:

@@ -82,6 +82,30 @@ TEST_F(TwoCpusTest, OutputsInSeriesOpenWithTheSimulatedOnes)
     EXPECT_LE(later, cycles[opened.front()].at);
 }
 
+TEST_F(TwoCpusTest, OutputThatBothHaveOpenAgainNeedsAnAcknowledge)
+{
+    Verifies(req::SRS_CMG_250);
+    // Given a device that is at work
+    Session session(TwoCpuPlan("actuator", kSmall));
+    const std::size_t cycles = session.Scenario().Record().cycles.size();
+    Device& device = session.Parts().device;
+    Judge judge(session.Scenario().Record(), session.Scenario().Model(), device);
+    JudgeMemory memory{};
+    std::size_t opened = 0U;
+    for (std::size_t cycle = 0U; cycle < cycles && opened == 0U; ++cycle)
+    {
+        device.Cycle(cycle);
+        opened = (judge.Look(cycle, memory).open != 0U) ? cycle : 0U;
+    }
+    ASSERT_NE(opened, 0U);
+    EXPECT_NE(memory.opened, 0U);
+    EXPECT_EQ(memory.closed, 0U);
+    EXPECT_EQ(judge.Look(opened, memory).wrong, Wrong::kNothing);
+    // When it was closed in between, and nobody was told and acknowledged, then that is a restart
+    memory.closed = memory.opened;
+    EXPECT_EQ(judge.Look(opened, memory).wrong, Wrong::kRestart);
+}
+
 TEST_F(TwoCpusTest, EachCpuHasAKernelAChannelAndItsSideOfTheLink)
 {
     Verifies(req::SRS_CMG_061);

@@ -66,6 +66,7 @@ std::uint32_t SafetyPins::Challenge() noexcept
     return gate_.Challenge();
 }
 
+// Pins follow the gate alone, which does not open once it was interrupted. [SRS_TMS_300]
 void SafetyPins::Drive(const hal::PermitSet& permits) noexcept
 {
     const Instant now = clocks_.Now().a;

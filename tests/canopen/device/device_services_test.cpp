@@ -189,7 +189,8 @@ TEST_F(DeviceServicesTest, EachDeviceFaultHasACodeOfTheDeviceNotOfTheBus)
         {DeviceFault::kFrameOrder, 0x6100U},    {DeviceFault::kLateCall, 0x6100U},
         {DeviceFault::kFlow, 0x6100U},          {DeviceFault::kDisagreement, 0x6100U},
         {DeviceFault::kUnmatched, 0x6100U},     {DeviceFault::kGuard, 0x6100U},
-        {DeviceFault::kComparator, 0x6100U},    {DeviceFault::kInvalid, 0x6100U}};
+        {DeviceFault::kComparator, 0x6100U},    {DeviceFault::kInvalid, 0x6100U},
+        {DeviceFault::kOutput, 0x6100U}};
     for (const auto& [fault, code] : codes)
     {
         Forget();

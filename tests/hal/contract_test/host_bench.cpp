@@ -109,6 +109,12 @@ InstantPair HostBench::Now() noexcept
 
 std::uint32_t HostBench::Challenge() noexcept
 {
+    // Armed before each cycle, not by who starts the device.
+    if (Has(Defect::kForgetsInterruption) && (output_->Open() == 0U))
+    {
+        output_->Drive(PermitSet{});
+        output_->Drive(PermitSet{});
+    }
     const std::uint32_t challenge = output_->Challenge();
     return Has(Defect::kChallengeStays) ? 0x12345679U : challenge;
 }

@@ -63,6 +63,7 @@ enum class Defect
     kOpenAfterStart,
     kNeverOpens,
     kOnePermitNotLookedAt,
+    kForgetsInterruption,
     kNeverCloses,
     kClosesLate,
     kOpenAfterTrip,

@@ -20,6 +20,11 @@ class HostOutputTest : public ::testing::Test
   protected:
     static constexpr hal::WatchdogWindow kWindow{800U, 1500U};
 
+    /// As the start of a kernel leaves it.
+    HostOutputTest()
+    {
+        output.Drive(hal::PermitSet{});
+    }
     /// Three right permits for slots 0 and 2; the high word of the mask is 0, so that the formula is one sum and one
     /// product.
     void DriveOpen()
@@ -87,6 +92,7 @@ TEST_F(HostOutputTest, CutOffOfAClosedOutputStaysAsWell)
     EXPECT_EQ(output.Open(), 0U);
     // Another output, as a restart makes it, opens
     HostOutput next{bus, watchdog, hal::GateLimit{2000U}};
+    next.Drive(hal::PermitSet{});
     const std::uint32_t sum = next.Challenge() + 5U;
     next.Drive(hal::PermitSet{{5U, sum * 0x9E37'79B1U}, {5U, sum * 0x85EB'CA77U}, {5U, sum * 0xC2B2'AE3DU}});
     EXPECT_EQ(next.Open(), 5U);
@@ -197,6 +203,27 @@ TEST_F(HostOutputTest, ClosesByItselfAtTheGatesLimit)
     bus.Advance(3'001'000);
     EXPECT_EQ(output.Open(), 0U);
     EXPECT_EQ(output.ClosesAt(), kNever);
+}
+
+// limit 2000 us from the Drive at 1 ms, and nobody looks before the next cycle
+TEST_F(HostOutputTest, ClosingThatNobodySawIsAnInterruption)
+{
+    Verifies(req::SRS_HAL_300);
+    Verifies(req::SRS_HAL_301);
+    watchdog.Start(hal::WatchdogWindow{0U, 10'000U});
+    bus.Advance(kMillisecond);
+    DriveOpen();
+    bus.Advance(3 * kMillisecond);
+    DriveOpen(); // On the limit.
+    EXPECT_EQ(output.Open(), 5U);
+    bus.Advance(5'001'000);
+    EXPECT_EQ(output.Challenge(), 0U);
+    DriveOpen();
+    EXPECT_EQ(output.Open(), 0U);
+    // until it is armed
+    output.Drive(hal::PermitSet{});
+    DriveOpen();
+    EXPECT_EQ(output.Open(), 5U);
 }
 
 } // namespace

@@ -161,6 +161,45 @@ TEST(SafetyPinsTest, ThreeRightPermitsOpenAndEachWrongOneCloses)
         static_cast<void>((wrong == 3) ? output.Challenge() : 0U);
         output.Drive(permits);
         EXPECT_EQ(rig.machine.gio.PinsA(), 0U);
+        rig.Arm();
+    }
+}
+
+TEST(SafetyPinsTest, InterruptedOutputStaysLowUntilItIsArmed)
+{
+    Verifies(req::SRS_TMS_300);
+    for (const bool is_late : {false, true})
+    {
+        Rig rig;
+        ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+        SafetyPins& output = rig.board.Output();
+        output.Drive(Rig::RightPermits(output.Challenge(), 1U));
+        ASSERT_EQ(rig.machine.gio.PinsA(), 1U);
+        // Given a wrong permit, or a look at the pins 1201 us later
+        hal::PermitSet permits = Rig::RightPermits(output.Challenge(), 1U);
+        permits.b.response ^= 1U;
+        rig.machine.Advance(is_late ? 1230U : 0U);
+        if (is_late)
+        {
+            EXPECT_EQ(output.Examine(), Outcome::kDone);
+        }
+        else
+        {
+            output.Drive(permits);
+        }
+        EXPECT_EQ(rig.machine.gio.PinsA(), 0U);
+        // When right permits come, then the challenge is 0 and the pin low
+        for (int cycle = 0; cycle < 5; ++cycle)
+        {
+            const std::uint32_t challenge = output.Challenge();
+            EXPECT_EQ(challenge, 0U);
+            output.Drive(Rig::RightPermits(challenge, 1U));
+            EXPECT_EQ(output.Examine(), Outcome::kDone);
+            EXPECT_EQ(rig.machine.gio.PinsA(), 0U);
+        }
+        rig.Arm();
+        output.Drive(Rig::RightPermits(output.Challenge(), 1U));
+        EXPECT_EQ(rig.machine.gio.PinsA(), 1U);
     }
 }
 
@@ -248,6 +287,7 @@ class FlippedPins
         SafetyPinsSetup setup = rig.setup.pins;
         setup.pins[0U].slots = 3U;
         EXPECT_EQ(pins.Start(setup), Outcome::kDone);
+        pins.Drive(hal::PermitSet{});
     }
     void Drive(const SrdoMask mask)
     {

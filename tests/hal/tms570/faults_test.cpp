@@ -128,6 +128,7 @@ TEST_P(StartFaults, RefusesTheStartAtItsStepAndStaysSafe)
     EXPECT_EQ(rig.board.Can().Guarantees().bus_order, hal::Guarantee::kAbsent);
     // and when the fault is gone, right permits open nothing and no frame is taken all the same
     rig.machine.faults.Clear(GetParam().fault);
+    rig.Arm();
     rig.board.Output().Drive(Rig::RightPermits(rig.board.Output().Challenge(), 1U));
     EXPECT_EQ(rig.machine.gio.PinsA(), 0U);
     EXPECT_EQ(rig.board.Can().Transmit(Frame(kSentNormal, 1U)), hal::TransmitStatus::kRefused);

@@ -59,7 +59,18 @@ class Rig
         {
             report = board.Start(setup);
         }
+        if (report.answer == StartAnswer::kStarted)
+        {
+            Arm();
+        }
         return report;
+    }
+
+    /// @brief What a kernel that starts does to the output.
+    void Arm()
+    {
+        board.Output().Drive(hal::PermitSet{});
+        board.Output().Drive(hal::PermitSet{});
     }
 
     /// @brief What the processor does when a line is up; at most as often as anything could need.

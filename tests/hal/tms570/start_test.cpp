@@ -107,6 +107,7 @@ TEST(Start, RefusedBoardGivesNothing)
     EXPECT_EQ(report.last, StartStep::kRamEcc);
     EXPECT_EQ(report.steps[static_cast<std::uint8_t>(StartStep::kFlashEcc)], StepResult::kInvalid);
     // Then right permits open nothing, no frame is taken, nothing is guaranteed, nERROR is low
+    rig.Arm();
     rig.board.Output().Drive(Rig::RightPermits(rig.board.Output().Challenge(), 1U));
     EXPECT_TRUE(rig.IsSafe());
     EXPECT_EQ(rig.board.Can().Transmit(Frame(kSentNormal, 1U)), hal::TransmitStatus::kRefused);

@@ -145,7 +145,8 @@ void ComparatorRig::Start()
     decision_.Restart(config);
     written_a_ = 0U;
     written_b_ = 0U;
-    gate_.Close();
+    gate_.Drive(hal::PermitSet{}, Instant{0U});
+    gate_.Drive(hal::PermitSet{}, Instant{0U});
 }
 
 Numbers ComparatorRig::Apply(const Numbers& input)

@@ -48,6 +48,10 @@ inline constexpr RequirementId SRS_HAL_034{"SRS_HAL_034"};
 inline constexpr RequirementId SRS_HAL_035{"SRS_HAL_035"};
 inline constexpr RequirementId SRS_HAL_036{"SRS_HAL_036"};
 inline constexpr RequirementId SRS_HAL_037{"SRS_HAL_037"};
+inline constexpr RequirementId SRS_HAL_300{"SRS_HAL_300"};
+inline constexpr RequirementId SRS_HAL_301{"SRS_HAL_301"};
+inline constexpr RequirementId SRS_HAL_302{"SRS_HAL_302"};
+inline constexpr RequirementId SRS_HAL_303{"SRS_HAL_303"};
 } // namespace counterpoint::req
 
 #endif

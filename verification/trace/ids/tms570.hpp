@@ -51,6 +51,7 @@ inline constexpr RequirementId SRS_TMS_060{"SRS_TMS_060"};
 inline constexpr RequirementId SRS_TMS_061{"SRS_TMS_061"};
 inline constexpr RequirementId SRS_TMS_062{"SRS_TMS_062"};
 inline constexpr RequirementId SRS_TMS_070{"SRS_TMS_070"};
+inline constexpr RequirementId SRS_TMS_300{"SRS_TMS_300"};
 } // namespace counterpoint::req
 
 #endif
