@@ -28,7 +28,7 @@ struct Comparison
 struct Verdict
 {
     Agreement agreement;
-    SrdoMask demote;        ///< Slots that the kernel demotes in both channels. [SRS_CMP_004, SRS_CMP_008]
+    SrdoMask demote;        ///< Slots that the kernel demotes in both channels. [SRS_CMP_004, SRS_CMP_008, SRS_CMP_340]
     SrdoMask start;         ///< Producers that both channels call due.
     SrdoMask newly_matched; ///< Consumers whose new pair matched in this cycle.
     std::uint32_t echo;     ///< The challenge of the comparison. [SRS_CMP_001]
@@ -116,7 +116,7 @@ class Comparator
     void Restart(const ComparatorSetup& setup) noexcept;
     /// @brief Compares both voices; call once a cycle. O(1) when nothing is new, else O(slots that need a look).
     /// [SRS_CMP_001, SRS_CMP_002, SRS_CMP_003, SRS_CMP_004, SRS_CMP_005, SRS_CMP_006, SRS_CMP_007, SRS_CMP_008,
-    /// SRS_CMP_150, SRS_CMP_214, SRS_CMP_215, SRS_CMP_216, SRS_CMP_217, SRS_CMP_250, SRS_CMP_251]
+    /// SRS_CMP_150, SRS_CMP_214, SRS_CMP_215, SRS_CMP_216, SRS_CMP_217, SRS_CMP_250, SRS_CMP_251, SRS_CMP_341]
     [[nodiscard]] Verdict Compare(const Comparison& comparison) noexcept;
     /// @brief A comparison that counts for nothing: what differs, and since when, stays as it was. [SRS_CMP_212]
     [[nodiscard]] Verdict Try(const Comparison& comparison) const noexcept

@@ -18,7 +18,7 @@ enum class RefreshAnswer : std::uint8_t
     kSkip = 1U,     ///< No consistent pair now.
 };
 
-/// Events of the logical program flow, delivered once a cycle with their count. [SRS_FLOW_004]
+/// Events of the logical program flow, delivered once a cycle with their count. [SRS_FLOW_004, SRS_FLOW_340]
 enum class FlowEvent : std::uint8_t
 {
     kInvalid = 0U,
@@ -39,7 +39,8 @@ struct FlowCount
 
 /// What the device's application implements; what most devices leave empty has a body here. Called from within
 /// Kernel::Cycle and Kernel::OnConfirm; must return soon (its time counts towards the cycle) and call nothing of the
-/// kernel but its Get functions, SetStatus, Send (for the next cycle), SendGfc and DemandSafeState. [SRS_KRN_006]
+/// kernel but its Get functions, SetStatus, Send (for the next cycle), SendGfc and DemandSafeState. [SRS_KRN_006,
+/// SRS_KRN_340, SRS_KRN_341]
 class Application
 {
   public:
@@ -64,9 +65,9 @@ class Application
     /// @brief OPERATIONAL was entered with a configuration that does not hold; SRDOs are off (emergency 6300h).
     /// [SRS_KRN_223]
     virtual void OnConfigurationInvalid(CommunicationIndex index) noexcept = 0;
-    /// @brief The device safe state was entered. Called once. [SRS_KRN_006]
+    /// @brief The device safe state was entered. Called once. [SRS_KRN_342]
     virtual void OnDeviceFault(const DeviceFaultReport& report) noexcept = 0;
-    /// @brief Only with the option FlowCallback::kOn. [SRS_FLOW_004]
+    /// @brief Only with the option FlowCallback::kOn. [SRS_FLOW_342]
     virtual void OnFlow(const FlowCount& /*count*/) noexcept
     {
     }

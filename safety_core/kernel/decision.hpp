@@ -51,7 +51,7 @@ class Decision
             context.latch.Enter(DeviceFault::kComparator, kNoSlot);
         }
     }
-    /// @brief Both channels are told of slots whose release differed for too long. [SRS_CMP_004]
+    /// @brief Both channels are told of slots whose release differed for too long. [SRS_CMP_340]
     void Demote(const KernelContext& context) noexcept
     {
         SlotSet to_demote{verdict_.demote};
@@ -107,7 +107,7 @@ class Decision
             ((verdict_.echo + context.latch.Spoiler() + low) ^ rotated) * kPermitConstantKernel;
         context.parts.output.Drive(hal::PermitSet{permit_a, permit_b, Permit{committed_, response}});
     }
-    /// @brief How often a channel was demoted since Start; stays at 65535. [SRS_CMP_004]
+    /// @brief How often a channel was demoted since Start; stays at 65535. [SRS_CMP_340]
     [[nodiscard]] std::uint16_t Demotions() const noexcept
     {
         return demotions_;

@@ -119,7 +119,7 @@ class Kernel
     /// SRS_KRN_029]
     void SetNmtState(NmtState state) noexcept;
     /// @brief 1300h to 13FFh and the mappable variables. [SRS_CFG_040, SRS_CFG_041, SRS_CFG_042, SRS_CFG_043,
-    /// SRS_CFG_044, SRS_CFG_045, SRS_CFG_046, SRS_CFG_047]
+    /// SRS_CFG_044, SRS_CFG_045, SRS_CFG_046, SRS_CFG_047, SRS_CFG_340, SRS_CFG_341, SRS_CFG_342]
     [[nodiscard]] ObjectReading ReadObject(const ObjectAddress& address) noexcept
     {
         return context_.guard.Read(KeyOf(address));
@@ -178,7 +178,7 @@ class Kernel
     {
         return context_.latch.Report();
     }
-    /// @brief How often a channel was demoted since Start; stays at 65535. [SRS_CMP_004]
+    /// @brief How often a channel was demoted since Start; stays at 65535. [SRS_CMP_340]
     [[nodiscard]] std::uint16_t DemotionCount() const noexcept
     {
         return decision_.Demotions();

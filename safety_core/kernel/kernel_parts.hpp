@@ -25,7 +25,7 @@ struct KernelParts
     hal::Watchdog& watchdog;
     Application& application;
     SelfTestPart* self_test{nullptr}; ///< Optional. [SRS_STS_063]
-    /// Room for each SRDO of the device, or null: then a cause is told whenever a channel signals it. [SRS_KRN_032]
+    /// Room for each SRDO of the device, or null: then a cause is told whenever a channel signals it. [SRS_KRN_347]
     CauseWindows* windows{nullptr};
     /// Optional: what stands between kernel and its flow monitor, for instance a simulated fault; null: the kernel's
     /// own. [SRS_KRN_039]

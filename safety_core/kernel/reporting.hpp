@@ -13,14 +13,14 @@
 namespace counterpoint
 {
 
-/// Whether OnFlow is called; the flow monitor works with either. [SRS_FLOW_004]
+/// Whether OnFlow is called; the flow monitor works with either. [SRS_FLOW_342]
 enum class FlowCallback : std::uint8_t
 {
     kOff = 0U,
     kOn = 1U,
 };
 
-/// Whether the application must answer in the status byte; the byte signals with either. [SRS_KRN_022]
+/// Whether the application must answer in the status byte; the byte signals with either. [SRS_KRN_344]
 enum class StatusHandshake : std::uint8_t
 {
     kOff = 0U,
@@ -28,7 +28,8 @@ enum class StatusHandshake : std::uint8_t
 };
 
 /// What the application is told, and what it answers by the status bytes. [SRS_KRN_006, SRS_KRN_021, SRS_KRN_022,
-/// SRS_KRN_226, SRS_KRN_032, SRS_FLOW_004] What every cycle goes through is inline.
+/// SRS_KRN_226, SRS_KRN_032, SRS_KRN_340, SRS_KRN_341, SRS_KRN_342, SRS_FLOW_004,
+/// SRS_FLOW_340] What every cycle goes through is inline.
 class Reporting
 {
   public:
@@ -57,14 +58,14 @@ class Reporting
     {
         gfc_seen_ = true;
     }
-    /// @brief A new pair was released, or a pair was sent.
+    /// @brief A new pair was released, or a pair was sent. [SRS_KRN_340]
     void TellEvent(const KernelContext& context, const SlotIndex slot) noexcept
     {
         status_.OnEvent(slot);
         context.parts.application.OnSrdoEvent(IndexOf(*context.config, slot));
     }
     /// @brief Every cause that a channel signals and that was not told within its window, and a GFC. O(signalled)
-    /// [SRS_KRN_032, SRS_CMP_150]
+    /// [SRS_KRN_032, SRS_KRN_341, SRS_KRN_345, SRS_CMP_150]
     void TellErrors(const KernelContext& context, const SrdoMask signalled, const Instant now) noexcept
     {
         errors_ = 0U;
@@ -119,7 +120,7 @@ class Reporting
             context.latch.Enter(DeviceFault::kHandshake, overdue);
         }
     }
-    /// @brief The device safe state, once.
+    /// @brief The device safe state, once. [SRS_KRN_342]
     void TellDevice(KernelContext& context) noexcept
     {
         if ((!context.latch.IsRunning()) && (!fault_told_))
@@ -136,7 +137,7 @@ class Reporting
     void SweepOne(const KernelContext& context, Instant now) noexcept;
     /// @brief Flow events of the cycle.
     void TellCounts(const KernelContext& context, const CycleOutcome& outcome, std::uint8_t transmitted) noexcept;
-    /// @brief One flow event, unless its count is 0.
+    /// @brief One flow event, unless its count is 0. [SRS_FLOW_341]
     static void Deliver(const KernelContext& context, FlowEvent event, std::uint16_t count) noexcept;
 
     FlowCallback flow_callback_{};

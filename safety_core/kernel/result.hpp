@@ -8,7 +8,7 @@ namespace counterpoint
 {
 
 /// Return codes of the calls, named after the reference's. [SRS_KRN_011, SRS_KRN_012, SRS_KRN_013, SRS_KRN_014,
-/// SRS_KRN_015, SRS_KRN_028]
+/// SRS_KRN_015, SRS_KRN_028, SRS_KRN_348]
 enum class Result : std::uint8_t
 {
     kInvalidResult = 0U,

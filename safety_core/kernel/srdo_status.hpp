@@ -35,7 +35,7 @@ class SrdoStatus
     }
     /// @brief The byte becomes kStatusFaulty.
     void OnError(SlotIndex slot) noexcept;
-    /// @brief What the application answers. [SRS_KRN_022]
+    /// @brief What the application answers. [SRS_KRN_343]
     void Answer(SlotIndex slot, StatusByte status) noexcept;
     /// @brief The byte as the application reads it, without the marks.
     [[nodiscard]] StatusByte Get(SlotIndex slot) const noexcept;

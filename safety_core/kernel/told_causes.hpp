@@ -30,7 +30,7 @@ struct CauseWindows
 };
 
 /// When the causes of all SRDOs were told last. Invariant: the bit of a slot with an open window is set in `slots_`.
-/// [SRS_KRN_032]
+/// [SRS_KRN_032, SRS_KRN_346, SRS_KRN_347]
 class ToldCauses
 {
   public:

@@ -16,6 +16,7 @@ namespace
 TEST_F(Comparing, FaultWithoutANewOneInAnAgreedSlotDemotesAtOnce)
 {
     Verifies(req::SRS_CMP_004);
+    Verifies(req::SRS_CMP_341);
     // Given slot 2 agreed, and one channel alone that calls it faulted without a new fault
     std::uint32_t now_us = 0U;
     for (SpokenChannel* const faulty : {&a, &b})
@@ -146,8 +147,8 @@ class ComparingOneRelease : public Comparing, public ::testing::WithParamInterfa
 // t [us]   1000 (seen)   21000 (window)   21001
 TEST_P(ComparingOneRelease, IsDemotedOneMicrosecondAfterTheWindow)
 {
-    Verifies(req::SRS_CMP_004);
     Verifies(req::SRS_CMP_008);
+    Verifies(req::SRS_CMP_341);
     for (std::uint32_t turn = 0U; turn < 2U; ++turn)
     {
         EXPECT_EQ(CompareAt(1000U).demote, 0U);
@@ -204,8 +205,8 @@ TEST_P(ComparingOneRelease, SecondEdgeBehindTheWindowDoesNotRelease)
 // t [us]   1000 (one release)   21001 (both: too late)   22000 (one again)   42000 (window)   42001
 TEST_P(ComparingOneRelease, EdgeRightBehindADemotionHasAWindowOfItsOwn)
 {
-    Verifies(req::SRS_CMP_004);
     Verifies(req::SRS_CMP_008);
+    Verifies(req::SRS_CMP_341);
     (void)CompareAt(1000U);
     Release();
     EXPECT_EQ(CompareAt(21001U).demote, 4U);

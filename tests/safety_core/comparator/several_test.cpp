@@ -30,6 +30,7 @@ TEST_F(Comparing, WhateverNumberOfFaultMarksTakesTheRelease)
 TEST_F(Comparing, NothingIsAgreedBehindARestart)
 {
     Verifies(req::SRS_CMP_004);
+    Verifies(req::SRS_CMP_341);
     // Given B alone calls the first slot faulted without a new fault
     b.outcome.faulted = 1U;
     // When that is the first comparison, then nobody is demoted at once

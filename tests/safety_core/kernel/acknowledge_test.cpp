@@ -82,8 +82,8 @@ class Acknowledging : public Rig
 // B      waiting      released: open
 TEST_F(Acknowledging, EdgesAnywhereInTheWindowReleaseBeforeTheFirstRelease)
 {
-    Verifies(req::SRS_CMP_004);
     Verifies(req::SRS_CMP_008);
+    Verifies(req::SRS_CMP_341);
     for (const std::uint32_t skew : std::initializer_list<std::uint32_t>{0U, 1U, 2U, 7U, 99U, 100U})
     {
         Prepare();
@@ -96,8 +96,8 @@ TEST_F(Acknowledging, EdgesAnywhereInTheWindowReleaseBeforeTheFirstRelease)
 
 TEST_F(Acknowledging, EdgesAnywhereInTheWindowReleaseBehindAFault)
 {
-    Verifies(req::SRS_CMP_004);
     Verifies(req::SRS_CMP_008);
+    Verifies(req::SRS_CMP_341);
     for (const std::uint32_t skew : std::initializer_list<std::uint32_t>{0U, 1U, 2U, 7U, 99U, 100U})
     {
         for (const bool is_a_first : {true, false})
@@ -135,8 +135,8 @@ TEST_F(Acknowledging, EdgeBehindTheWindowReleasesNothing)
 // t [ms]   0 (first edge)   101 (second: too late, both are demoted)   102 (first one again)   150 (second: open)
 TEST_F(Acknowledging, EdgeRightBehindADemotionWaitsForTheOtherChannels)
 {
-    Verifies(req::SRS_CMP_004);
     Verifies(req::SRS_CMP_008);
+    Verifies(req::SRS_CMP_341);
     for (const bool is_a_first : {true, false})
     {
         Prepare();

@@ -93,6 +93,7 @@ TEST_F(Facade, NothingIsReleasedInTheDeviceSafeState)
 {
     Verifies(req::SRS_KRN_152);
     Verifies(req::SRS_KRN_031);
+    Verifies(req::SRS_KRN_342);
     Operate();
     ReceivePair();
     Cycle();

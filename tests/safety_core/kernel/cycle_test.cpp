@@ -18,7 +18,7 @@ TEST_F(Cycling, GoodPairIsReleasedOnBothSidesAndOpensTheOutput)
 {
     Verifies(req::SRS_KRN_002);
     Verifies(req::SRS_KRN_005);
-    Verifies(req::SRS_KRN_006);
+    Verifies(req::SRS_KRN_340);
     Operate();
     // Given the safe value before the first pair
     EXPECT_EQ(NormalOut(), 0x7F01U);
@@ -67,7 +67,7 @@ TEST_F(Cycling, MissingPairTakesTheSafeValueAndTellsTheCauseOnce)
 
 TEST_F(Cycling, EachReleasedPairIsAnEvent)
 {
-    Verifies(req::SRS_KRN_006);
+    Verifies(req::SRS_KRN_340);
     Operate();
     for (std::uint32_t pair = 0U; pair < 3U; ++pair)
     {
@@ -80,8 +80,8 @@ TEST_F(Cycling, EachReleasedPairIsAnEvent)
 
 TEST_F(Cycling, InterlockedReleaseByAcknowledgeIsAnEvent)
 {
-    Verifies(req::SRS_KRN_006);
     Verifies(req::SRS_REL_004);
+    Verifies(req::SRS_KRN_340);
     setups[0].policy = ReleasePolicy::kInterlock;
     Operate();
     ReceivePair();
@@ -99,7 +99,8 @@ TEST_F(Cycling, InterlockedReleaseByAcknowledgeIsAnEvent)
 TEST_F(Cycling, OneChannelsAcknowledgeAloneReleasesNothingAndIsDemoted)
 {
     Verifies(req::SRS_CMP_008);
-    Verifies(req::SRS_CMP_004);
+    Verifies(req::SRS_CMP_340);
+    Verifies(req::SRS_CMP_341);
     config.acknowledge_window_us = 5000U;
     setups[0].policy = ReleasePolicy::kInterlock;
     Operate();
@@ -204,8 +205,8 @@ TEST_F(Cycling, FrameGoesToBothChannelsEachWithItsOwnStamp)
 
 TEST_F(Cycling, GfcMakesConsumersSafeAndIsTold)
 {
-    Verifies(req::SRS_KRN_006);
     Verifies(req::SRS_CONS_017);
+    Verifies(req::SRS_KRN_341);
     Operate();
     ReceivePair();
     Cycle();
@@ -235,7 +236,7 @@ TEST_F(Cycling, GfcMakesConsumersSafeAndIsTold)
 
 TEST_F(Cycling, GfcOutsideOperationalOrWithoutConfigurationIsNotTold)
 {
-    Verifies(req::SRS_KRN_006);
+    Verifies(req::SRS_KRN_341);
     Configure();
     Cycle();
     Receive(0x001U, {}, 100U);
@@ -250,7 +251,7 @@ TEST_F(Cycling, GfcOutsideOperationalOrWithoutConfigurationIsNotTold)
 
 TEST_F(Cycling, GfcCountsByTheStateInWhichItCame)
 {
-    Verifies(req::SRS_KRN_006);
+    Verifies(req::SRS_KRN_341);
     // Given one that came before OPERATIONAL was entered
     Configure();
     Cycle();
@@ -285,6 +286,8 @@ TEST_F(Cycling, LeavingOperationalIsSafeWithItsOwnCause)
 TEST_F(Cycling, FlowEventsHaveTheCountsOfTheCycle)
 {
     Verifies(req::SRS_FLOW_004);
+    Verifies(req::SRS_FLOW_340);
+    Verifies(req::SRS_FLOW_341);
     Configure();
     Cycle();
     // Not OPERATIONAL: exactly one event
@@ -313,7 +316,7 @@ TEST_F(Cycling, FlowEventsHaveTheCountsOfTheCycle)
 // 64 consumers with four causes each: 256 errors in one cycle
 TEST_F(Cycling, FlowEventOfErrorsCountsBeyondAByte)
 {
-    Verifies(req::SRS_FLOW_004);
+    Verifies(req::SRS_FLOW_340);
     std::array<SrdoSetup, 64> many{};
     for (std::uint8_t slot = 0U; slot < 64U; ++slot)
     {
@@ -340,7 +343,7 @@ TEST_F(Cycling, FlowEventOfErrorsCountsBeyondAByte)
 
 TEST_F(Cycling, OptionRemovesTheCallbackAndNotTheMonitor)
 {
-    Verifies(req::SRS_FLOW_004);
+    Verifies(req::SRS_FLOW_342);
     Operate();
     kernel.SetNmtState(NmtState::kPreOperational);
     ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);

@@ -93,6 +93,7 @@ TEST_F(Detection, FaultOfOneChannelMakesTheOtherSafeInTheSameCycle)
 {
     Verifies(req::SRS_CMP_004);
     Verifies(req::SRS_REL_006);
+    Verifies(req::SRS_CMP_340);
     Release();
     b.on_outcome = [](CycleOutcome& outcome)
     {
@@ -114,9 +115,27 @@ TEST_F(Detection, FaultOfOneChannelMakesTheOtherSafeInTheSameCycle)
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
 }
 
+// SRDO 1, which is released, and SRDO 3 in the same verdict.
+TEST_F(Detection, EverySlotOfTheMaskIsDemotedInBothChannelsAndCounted)
+{
+    Verifies(req::SRS_CMP_340);
+    // Given that channel B alone reports slots 0 and 1 as newly faulted
+    Release();
+    b.on_outcome = [](CycleOutcome& outcome) { outcome.new_fault = 3U; };
+    // When that is compared
+    Cycle();
+    // Then each channel was called for each of them, in that cycle, and no more once they agree
+    EXPECT_EQ(a.demotions, 2);
+    EXPECT_EQ(b.demotions, 2);
+    EXPECT_EQ(kernel.DemotionCount(), 2U);
+    b.on_outcome = nullptr;
+    Cycle();
+    EXPECT_EQ(kernel.DemotionCount(), 2U);
+}
+
 TEST_F(Detection, DemotionsAreCountedUpToTheGreatestValue)
 {
-    Verifies(req::SRS_CMP_004);
+    Verifies(req::SRS_CMP_340);
     Operate();
     b.on_outcome = [](CycleOutcome& outcome) { outcome.new_fault = 1U; };
     for (std::uint32_t cycle = 0U; cycle < 65540U; ++cycle)
@@ -192,6 +211,7 @@ TEST_F(Detection, NothingLeavesTheDeviceSafeStateButStart)
 {
     Verifies(req::SRS_KRN_003);
     Verifies(req::SRS_KRN_004);
+    Verifies(req::SRS_KRN_342);
     Release();
     a.skip_cycle = true;
     Cycle();

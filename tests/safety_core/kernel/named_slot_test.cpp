@@ -122,7 +122,7 @@ TEST_F(NamedSlot, NoneOfALateCallOrADemand)
 
 TEST_F(NamedSlot, IsDemotedInBothChannels)
 {
-    Verifies(req::SRS_CMP_004);
+    Verifies(req::SRS_CMP_340);
     Operate();
     a.on_outcome = [](CycleOutcome& outcome) { outcome.new_fault = 4U; };
     Cycle();

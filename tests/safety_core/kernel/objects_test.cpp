@@ -56,7 +56,8 @@ TEST_F(SafetyObjects, ConstantEntriesReadAndRefuseWrites)
 
 TEST_F(SafetyObjects, WhatDoesNotExistIsUnknown)
 {
-    Verifies(req::SRS_CFG_040);
+    Verifies(req::SRS_CFG_340);
+    Verifies(req::SRS_CFG_341);
     Configure();
     for (const std::uint16_t index : std::initializer_list<std::uint16_t>{
              0x12FF, 0x1302, 0x1340, 0x1341, 0x1380, 0x1382, 0x13C0, 0x13C1, 0x13FD, 0x1400, 0x1FFF, 0x2150, 0x2500})
@@ -115,6 +116,7 @@ TEST_F(SafetyObjects, SubIndexZeroIsOneByte)
 TEST_F(SafetyObjects, SrdosAreAsManyAsTheDeviceHas)
 {
     Verifies(req::SRS_CFG_040);
+    Verifies(req::SRS_CFG_340);
     config.srdo_count = 2U;
     ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
     EXPECT_EQ(ReadAbort(0x1303U, 1U), AbortCode::kNone);
@@ -123,7 +125,7 @@ TEST_F(SafetyObjects, SrdosAreAsManyAsTheDeviceHas)
 
 TEST(Dummies, NoLengthMakesOneOfTheIndexBehindThem)
 {
-    Verifies(req::SRS_CFG_045);
+    Verifies(req::SRS_CFG_345);
     for (std::uint32_t length_bits = 0U; length_bits <= 0xFFU; ++length_bits)
     {
         EXPECT_FALSE(IsDummy(0x00080000U | length_bits)) << length_bits;
@@ -133,7 +135,7 @@ TEST(Dummies, NoLengthMakesOneOfTheIndexBehindThem)
 TEST_F(SafetyObjects, MapEntriesOfTheDeviceLimitSubIndexAndCount)
 {
     Verifies(req::SRS_CFG_041);
-    Verifies(req::SRS_CFG_045);
+    Verifies(req::SRS_CFG_347);
     config.map_entries = 6U;
     ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
     EXPECT_EQ(Write(0x1381U, 6U, 0x20000110U, 4U), AbortCode::kNone);
@@ -146,8 +148,8 @@ TEST_F(SafetyObjects, MapEntriesOfTheDeviceLimitSubIndexAndCount)
 // Option dummy mapping: allowed here, refused below.
 TEST_F(SafetyObjects, DummyEntriesAreAdmittedWhereAllowed)
 {
-    Verifies(req::SRS_CFG_045);
     Verifies(req::SRS_CFG_033);
+    Verifies(req::SRS_CFG_345);
     config.dummies = DummyMapping::kAllowed;
     ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
     for (const std::uint32_t entry :
@@ -164,7 +166,7 @@ TEST_F(SafetyObjects, DummyEntriesAreAdmittedWhereAllowed)
 
 TEST_F(SafetyObjects, DummyEntriesAreUnknownWhereRefused)
 {
-    Verifies(req::SRS_CFG_045);
+    Verifies(req::SRS_CFG_345);
     ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
     for (const std::uint32_t entry : {0x00010001U, 0x00050008U, 0x00060010U, 0x00070020U})
     {
@@ -191,7 +193,7 @@ TEST_F(SafetyObjects, StaticMappingCannotBeWritten)
 
 TEST_F(SafetyObjects, SizeMustBeThatOfTheObject)
 {
-    Verifies(req::SRS_CFG_040);
+    Verifies(req::SRS_CFG_342);
     Configure();
     EXPECT_EQ(Write(0x1301U, 2U, 60U, 1U), AbortCode::kLengthMismatch);
     EXPECT_EQ(Write(0x1301U, 2U, 60U, 4U), AbortCode::kLengthMismatch);
@@ -202,6 +204,7 @@ TEST_F(SafetyObjects, SizeMustBeThatOfTheObject)
 TEST_F(SafetyObjects, NoObjectTakesAnotherSize)
 {
     Verifies(req::SRS_CFG_040);
+    Verifies(req::SRS_CFG_342);
     struct Sized
     {
         ObjectAddress address;
@@ -247,8 +250,8 @@ TEST_F(SafetyObjects, ValuesAreLittleEndian)
 
 TEST_F(SafetyObjects, SubIndicesThatDoNotExistAreNotWrittenEither)
 {
-    Verifies(req::SRS_CFG_040);
     Verifies(req::SRS_CFG_041);
+    Verifies(req::SRS_CFG_341);
     Configure();
     for (const ObjectAddress& address :
          {ObjectAddress{0x1300U, 1U}, ObjectAddress{0x1300U, 255U}, ObjectAddress{0x1301U, 7U},
@@ -320,6 +323,7 @@ TEST_F(SafetyObjects, WhatNoStateAcceptsIsToldBeforeOperational)
 TEST_F(SafetyObjects, VariableIsKnownByItsWholeAddress)
 {
     Verifies(req::SRS_CFG_040);
+    Verifies(req::SRS_CFG_340);
     Configure();
     EXPECT_EQ(kernel.ReadObject(ObjectAddress{0x2200U, 1U}).abort, AbortCode::kNone);
     EXPECT_EQ(kernel.ReadObject(ObjectAddress{0x2200U, 0U}).abort, AbortCode::kObjectUnknown);
@@ -384,6 +388,8 @@ TEST_F(SafetyObjects, ChangedValueClearsConfigurationValid)
 TEST_F(SafetyObjects, ValuesOutsideTheirRangeAreRefused)
 {
     Verifies(req::SRS_CFG_044);
+    Verifies(req::SRS_CFG_343);
+    Verifies(req::SRS_CFG_344);
     Configure();
     EXPECT_EQ(Write(0x1301U, 1U, 3U, 1U), AbortCode::kValueRange);
     EXPECT_EQ(Write(0x1301U, 4U, 255U, 1U), AbortCode::kValueRange);
@@ -405,7 +411,8 @@ TEST_F(SafetyObjects, ValuesOutsideTheirRangeAreRefused)
 
 TEST_F(SafetyObjects, SwitchingOnNeedsAFreePairOfIdentifiers)
 {
-    Verifies(req::SRS_CFG_044);
+    Verifies(req::SRS_CFG_343);
+    Verifies(req::SRS_CFG_344);
     Configure();
     // Given SRDO 4 without identifiers
     EXPECT_EQ(Write(0x1304U, 1U, 1U, 1U), AbortCode::kValueRange);
@@ -426,7 +433,8 @@ TEST_F(SafetyObjects, SwitchingOnNeedsAFreePairOfIdentifiers)
 
 TEST_F(SafetyObjects, SecondIdentifierAloneInUseKeepsItOff)
 {
-    Verifies(req::SRS_CFG_044);
+    Verifies(req::SRS_CFG_343);
+    Verifies(req::SRS_CFG_344);
     Configure();
     // Given that SRDO 4 has 105h, 106h, and channels in which another SRDO's COB-ID 1 is 106h
     ASSERT_EQ(Write(0x1304U, 5U, 0x105U, 4U), AbortCode::kNone);
@@ -441,7 +449,8 @@ TEST_F(SafetyObjects, SecondIdentifierAloneInUseKeepsItOff)
 
 TEST_F(SafetyObjects, FirstIdentifierAloneInUseKeepsItOff)
 {
-    Verifies(req::SRS_CFG_044);
+    Verifies(req::SRS_CFG_343);
+    Verifies(req::SRS_CFG_344);
     Configure();
     // Given that SRDO 4 has 105h, 106h, and channels in which another SRDO's COB-ID 2 is 105h
     ASSERT_EQ(Write(0x1304U, 5U, 0x105U, 4U), AbortCode::kNone);
@@ -452,7 +461,7 @@ TEST_F(SafetyObjects, FirstIdentifierAloneInUseKeepsItOff)
 
 TEST_F(SafetyObjects, IdentifierIsInUseByAnSrdoThatIsOn)
 {
-    Verifies(req::SRS_CFG_044);
+    Verifies(req::SRS_CFG_343);
     Configure();
     // Given SRDO 1 is off, then SRDO 3 keeps what it has
     ASSERT_EQ(Write(0x1301U, 1U, 0U, 1U), AbortCode::kNone);
@@ -465,7 +474,7 @@ TEST_F(SafetyObjects, IdentifierIsInUseByAnSrdoThatIsOn)
 
 TEST_F(SafetyObjects, IdentifiersThatAreNoneSwitchNothingOn)
 {
-    Verifies(req::SRS_CFG_044);
+    Verifies(req::SRS_CFG_344);
     Configure();
     // Given channels in which SRDO 4 has 0 and 1
     Corrupt(ConfigAddress{2U, ConfigField::kCobId2, 0U}, 1U);
@@ -474,7 +483,7 @@ TEST_F(SafetyObjects, IdentifiersThatAreNoneSwitchNothingOn)
 
 TEST_F(SafetyObjects, WhateverItsIdentifiersAreAnSrdoCanBeSwitchedOff)
 {
-    Verifies(req::SRS_CFG_044);
+    Verifies(req::SRS_CFG_344);
     Configure();
     Corrupt(ConfigAddress{1U, ConfigField::kCobId2, 0U}, 0x106U);
     EXPECT_EQ(Write(0x1303U, 1U, 0U, 1U), AbortCode::kNone);
@@ -483,7 +492,7 @@ TEST_F(SafetyObjects, WhateverItsIdentifiersAreAnSrdoCanBeSwitchedOff)
 
 TEST_F(SafetyObjects, DirectionCanTurnRound)
 {
-    Verifies(req::SRS_CFG_044);
+    Verifies(req::SRS_CFG_343);
     Configure();
     // Given SRDO 1 as consumer, its own identifiers do not stand in its way as producer
     EXPECT_EQ(Write(0x1301U, 1U, 1U, 1U), AbortCode::kNone);
@@ -496,6 +505,7 @@ TEST_F(SafetyObjects, DirectionCanTurnRound)
 TEST_F(SafetyObjects, MappingIsDeletedFirst)
 {
     Verifies(req::SRS_CFG_045);
+    Verifies(req::SRS_CFG_345);
     Configure();
     // SRDO 1 is on
     EXPECT_EQ(Write(0x1381U, 0U, 0U, 1U), AbortCode::kUnsupportedAccess);
@@ -518,7 +528,9 @@ TEST_F(SafetyObjects, MappingIsDeletedFirst)
 
 TEST_F(SafetyObjects, MappingEntriesMustNameMappableObjects)
 {
-    Verifies(req::SRS_CFG_045);
+    Verifies(req::SRS_CFG_345);
+    Verifies(req::SRS_CFG_346);
+    Verifies(req::SRS_CFG_347);
     Configure();
     EXPECT_EQ(Write(0x1384U, 1U, 0x20000210U, 4U), AbortCode::kObjectUnknown);
     EXPECT_EQ(Write(0x1384U, 1U, 0x24000110U, 4U), AbortCode::kNotMappable);
@@ -531,7 +543,7 @@ TEST_F(SafetyObjects, MappingEntriesMustNameMappableObjects)
 
 TEST_F(SafetyObjects, MapCountMayNotReachMoreThanSixtyFourBitsOnEitherSide)
 {
-    Verifies(req::SRS_CFG_045);
+    Verifies(req::SRS_CFG_347);
     Configure();
     // Given five normal entries of 16 bits and none inverse
     for (const std::uint8_t sub : std::initializer_list<std::uint8_t>{1, 3, 5, 7, 9})

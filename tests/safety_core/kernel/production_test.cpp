@@ -59,8 +59,9 @@ TEST_F(Production, NormalFrameFirstThenInverseAfterItsConfirmation)
 
 TEST_F(Production, SecondPairIsAnEventAndCountedInTheFlow)
 {
-    Verifies(req::SRS_KRN_006);
-    Verifies(req::SRS_FLOW_004);
+    Verifies(req::SRS_KRN_340);
+    Verifies(req::SRS_FLOW_340);
+    Verifies(req::SRS_FLOW_341);
     Operate();
     Cycle();
     ConfirmLast();
@@ -152,6 +153,7 @@ TEST_F(Production, InverseFrameConfirmedWithOtherDataIsNotSent)
 {
     Verifies(req::SRS_KRN_006);
     Verifies(req::SRS_PROD_007);
+    Verifies(req::SRS_KRN_340);
     Operate();
     Cycle();
     ConfirmLast();

@@ -127,7 +127,7 @@ TEST_F(ReturnCode, IllegalCanId)
 
 TEST_F(ReturnCode, NotInOrder)
 {
-    Verifies(req::SRS_KRN_028);
+    Verifies(req::SRS_KRN_348);
     Operate();
     Receive(0x102U, {0xEDU, 0xCBU}, 100U);
     EXPECT_EQ(CausesAfterCycle(), Causes{SrdoCause::kInverseFirst});
@@ -141,7 +141,7 @@ TEST_F(ReturnCode, NotInOrder)
 
 TEST_F(ReturnCode, SctTimeout)
 {
-    Verifies(req::SRS_KRN_028);
+    Verifies(req::SRS_KRN_348);
     Operate();
     ReceivePair();
     Cycles(51U);
@@ -151,7 +151,7 @@ TEST_F(ReturnCode, SctTimeout)
 // Option SRVT before the first reception: early here, late in the tests of late detection.
 TEST_F(ReturnCode, SrvtTimeout)
 {
-    Verifies(req::SRS_KRN_028);
+    Verifies(req::SRS_KRN_348);
     Operate();
     Receive(0x101U, {0x12U, 0x34U}, 100U);
     Cycles(20U);
@@ -161,7 +161,7 @@ TEST_F(ReturnCode, SrvtTimeout)
 
 TEST_F(ReturnCode, CanIdNotValid)
 {
-    Verifies(req::SRS_KRN_028);
+    Verifies(req::SRS_KRN_348);
     Operate();
     now_us += 100U;
     kernel.OnFrame(StampedFrame{CanFrame{0x101U, FrameKind::kData, CanPortId::kSecond, 2U, {0x12U, 0x34U}},
@@ -171,7 +171,7 @@ TEST_F(ReturnCode, CanIdNotValid)
 
 TEST_F(ReturnCode, DlcNotValid)
 {
-    Verifies(req::SRS_KRN_028);
+    Verifies(req::SRS_KRN_348);
     Operate();
     Receive(0x101U, {0x12U}, 100U);
     EXPECT_EQ(CausesAfterCycle(), Causes{SrdoCause::kLength});
@@ -211,7 +211,7 @@ TEST_F(ReturnCode, LengtExceeded)
 
 TEST_F(ReturnCode, DataError)
 {
-    Verifies(req::SRS_KRN_028);
+    Verifies(req::SRS_KRN_348);
     Operate();
     Receive(0x101U, {0x12U, 0x34U}, 100U);
     Receive(0x102U, {0xEDU, 0xCAU}, 100U);
@@ -258,6 +258,14 @@ TEST(SafetyObjectAborts, CodesAreThoseOfTheRequirement)
     Verifies(req::SRS_CFG_046);
     Verifies(req::SRS_CFG_047);
     Verifies(req::SRS_KRN_030);
+    Verifies(req::SRS_CFG_340);
+    Verifies(req::SRS_CFG_341);
+    Verifies(req::SRS_CFG_342);
+    Verifies(req::SRS_CFG_343);
+    Verifies(req::SRS_CFG_344);
+    Verifies(req::SRS_CFG_345);
+    Verifies(req::SRS_CFG_346);
+    Verifies(req::SRS_CFG_347);
     const auto is = [](const AbortCode code, const std::uint32_t value)
     { EXPECT_EQ(static_cast<std::uint32_t>(code), value); };
     is(AbortCode::kUnsupportedAccess, 0x06010000U);

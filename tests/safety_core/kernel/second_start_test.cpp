@@ -82,6 +82,7 @@ TEST_F(SecondStart, ForgetsTheDeviceFaultAndTellsTheNextOne)
 {
     Verifies(req::SRS_KRN_003);
     Verifies(req::SRS_KRN_025);
+    Verifies(req::SRS_KRN_342);
     Operate();
     kernel.DemandSafeState();
     kernel.DemandSafeState();
@@ -197,8 +198,9 @@ TEST_F(SecondStart, ForgetsAPairThatWasBeingSent)
 TEST_F(SecondStart, ForgetsWhatThatFlowAndHandshakeWereAskedFor)
 {
     Verifies(req::SRS_KRN_025);
-    Verifies(req::SRS_FLOW_004);
     Verifies(req::SRS_KRN_022);
+    Verifies(req::SRS_FLOW_342);
+    Verifies(req::SRS_KRN_344);
     // Given a kernel with flow events, and a handshake that the application owes an answer to
     handshake = StatusHandshake::kRequired;
     Operate();

@@ -353,6 +353,7 @@ TEST_F(Sending, CallbacksMaySendAndDemandTheSafeState)
 {
     Verifies(req::SRS_KRN_006);
     Verifies(req::SRS_KRN_224);
+    Verifies(req::SRS_KRN_340);
     setups[1].form = ProducerForm::kApplicationSends;
     Operate();
     application.on_event = [this](CommunicationIndex)

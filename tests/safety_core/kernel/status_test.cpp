@@ -76,6 +76,7 @@ TEST_F(Status, EventAndErrorAreAnnouncedBeforeTheCallback)
 {
     Verifies(req::SRS_KRN_226);
     Verifies(req::SRS_KRN_006);
+    Verifies(req::SRS_KRN_340);
     handshake = StatusHandshake::kRequired;
     AnswerInCallbacks();
     Operate();
@@ -111,7 +112,7 @@ TEST_F(Status, ByteReleasesNothingAndHoldsNothingBack)
 
 TEST_F(Status, WithoutTheOptionNothingFollowsFromSilence)
 {
-    Verifies(req::SRS_KRN_022);
+    Verifies(req::SRS_KRN_344);
     Operate();
     ReceivePair();
     Cycles(20U);
@@ -156,7 +157,7 @@ TEST_F(Status, AnswerBetweenTheCyclesIsInTime)
 
 TEST_F(Status, EventThatIsAnsweredLikeAnErrorAloneIsUnanswered)
 {
-    Verifies(req::SRS_KRN_022);
+    Verifies(req::SRS_KRN_343);
     handshake = StatusHandshake::kRequired;
     Operate();
     ReceivePair();
@@ -168,7 +169,7 @@ TEST_F(Status, EventThatIsAnsweredLikeAnErrorAloneIsUnanswered)
 
 TEST_F(Status, ErrorIsAnsweredWithBothFields)
 {
-    Verifies(req::SRS_KRN_022);
+    Verifies(req::SRS_KRN_343);
     handshake = StatusHandshake::kRequired;
     Operate();
     ReceiveWrong();
@@ -183,7 +184,7 @@ TEST_F(Status, ErrorIsAnsweredWithBothFields)
 // Bits 7-6 behind an error: 10 alone is an answer.
 TEST_F(Status, ErrorIsAnsweredByTenInItsFieldAlone)
 {
-    Verifies(req::SRS_KRN_022);
+    Verifies(req::SRS_KRN_343);
     handshake = StatusHandshake::kRequired;
     const std::array<std::pair<std::uint8_t, DeviceFault>, 4> answers{{{0x30U, DeviceFault::kHandshake},
                                                                        {0x70U, DeviceFault::kHandshake},
@@ -205,7 +206,7 @@ TEST_F(Status, ErrorIsAnsweredByTenInItsFieldAlone)
 // An answer that is no answer does not make the error an event.
 TEST_F(Status, WrongAnswerLeavesTheErrorToAnswer)
 {
-    Verifies(req::SRS_KRN_022);
+    Verifies(req::SRS_KRN_343);
     handshake = StatusHandshake::kRequired;
     Operate();
     ReceiveWrong();
@@ -219,7 +220,7 @@ TEST_F(Status, WrongAnswerLeavesTheErrorToAnswer)
 // What was answered stays so, whatever the application writes then; only an announcement has to be answered.
 TEST_F(Status, WhatIsWrittenBehindTheAnswerOpensNothing)
 {
-    Verifies(req::SRS_KRN_022);
+    Verifies(req::SRS_KRN_343);
     handshake = StatusHandshake::kRequired;
     Operate();
     Answer(kConsumer, 0x00U);
@@ -236,7 +237,7 @@ TEST_F(Status, WhatIsWrittenBehindTheAnswerOpensNothing)
 // Behind an event alone whatever does not say that an error was told: none, or an older one that was handled.
 TEST_F(Status, EventNeedsNoAnswerInTheFieldOfErrors)
 {
-    Verifies(req::SRS_KRN_022);
+    Verifies(req::SRS_KRN_343);
     handshake = StatusHandshake::kRequired;
     Operate();
     for (const std::uint8_t answer : std::initializer_list<std::uint8_t>{0x30U, 0xB0U, 0xF0U})
@@ -256,7 +257,7 @@ TEST_F(Status, EventNeedsNoAnswerInTheFieldOfErrors)
 
 TEST_F(Status, BitFiveMissingIsUnanswered)
 {
-    Verifies(req::SRS_KRN_022);
+    Verifies(req::SRS_KRN_343);
     handshake = StatusHandshake::kRequired;
     Operate();
     ReceiveWrong();
@@ -323,7 +324,7 @@ TEST_F(Status, SecondEventIsAnnouncedAsTheFirstOne)
 // An answer is in bits 7 to 4 alone.
 TEST(StatusStorage, LowBitsOfAnAnswerHaveNoMeaning)
 {
-    Verifies(req::SRS_KRN_022);
+    Verifies(req::SRS_KRN_343);
     for (std::uint8_t low = 0U; low < 16U; ++low)
     {
         SrdoStatus status{};
@@ -358,7 +359,7 @@ TEST(StatusStorage, LowestSlotThatIsOverdueIsNamed)
 // Start that is told nothing of a handshake.
 TEST_F(Status, HandshakeIsOffByDefault)
 {
-    Verifies(req::SRS_KRN_022);
+    Verifies(req::SRS_KRN_344);
     ASSERT_EQ(kernel.Start(config, FlowCallback::kOff), StartResult::kStarted);
     a.on_outcome = [](CycleOutcome& outcome) { outcome.signalled = 1U; };
     a.more_signals = 2U;

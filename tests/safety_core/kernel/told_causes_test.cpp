@@ -28,7 +28,7 @@ struct Room
 
 TEST(ToldCauses, WithoutRoomEverythingIsTold)
 {
-    Verifies(req::SRS_KRN_032);
+    Verifies(req::SRS_KRN_347);
     ToldCauses without_room{};
     without_room.Restart(nullptr, 64U);
     EXPECT_TRUE(without_room.Take(5U, SrdoCause::kLength, At(1000U)));
@@ -108,6 +108,7 @@ TEST(ToldCauses, CauseThatSharesItsPlaceIsTold)
 TEST(ToldCauses, WindowThatIsOverIsClosedBySweeping)
 {
     Verifies(req::SRS_KRN_032);
+    Verifies(req::SRS_KRN_346);
     Room room{};
     ToldCauses& causes = room.causes;
     EXPECT_TRUE(causes.Take(5U, SrdoCause::kLength, At(1000U)));
@@ -177,6 +178,7 @@ TEST_F(Telling, EachCauseHasTheWindowOfItsOwnLastTelling)
 {
     Verifies(req::SRS_KRN_032);
     Verifies(req::SRS_KRN_226);
+    Verifies(req::SRS_KRN_345);
     using Causes = std::vector<SrdoCause>;
     Operate();
     // The wait for a first pair has been told
@@ -275,6 +277,7 @@ TEST_F(Telling, EveryCauseThereIsAndNoOther)
 TEST_F(Telling, WindowDoesNotComeRoundNorSurviveAStart)
 {
     Verifies(req::SRS_KRN_032);
+    Verifies(req::SRS_KRN_346);
     config.cycle_us = 1000000U;
     config.diagnostic_interval_us = 10000000U;
     config.test_interval_us = 20000000U;
@@ -308,6 +311,7 @@ TEST_F(Telling, WhatIsNotToldWantsNoAnswer)
 {
     Verifies(req::SRS_KRN_032);
     Verifies(req::SRS_KRN_022);
+    Verifies(req::SRS_KRN_345);
     handshake = StatusHandshake::kRequired;
     Operate();
     CycleWith(a, 0U, kLengthBit);
