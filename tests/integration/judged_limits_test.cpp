@@ -191,6 +191,7 @@ TEST(JudgedLimit, IsKeptForEachOfTwoFaultsThatCloseTheOutputAlone)
 TEST(Detection, IsNotCreditedToAFaultThatNobodyNoticed)
 {
     Verifies(req::SRS_SIM_073);
+    Verifies(req::SRS_SIM_340);
     const std::string faults =
         "faults:\n  - {fault: delay, name: harmless, by: 200 us, frames: {identifier: 0x104, receiver: actuator, from: "
         "500 ms}}\n  - {fault: loss, name: real, frames: {identifier: 0x104, receiver: actuator, from: 530 ms}}\n";
@@ -232,6 +233,7 @@ TEST(Detection, IsThatOfEachOfSeveralFaults)
 TEST(Detection, TellsEachOfWhatOneCycleNoticed)
 {
     Verifies(req::SRS_SIM_073);
+    Verifies(req::SRS_SIM_340);
     const auto frames = RunChain(
         "faults:\n"
         "  - {fault: corruption, name: one, frames: {identifier: 0x103, receiver: actuator, from: 500 ms}, "
@@ -500,6 +502,7 @@ std::string ConsumerOfTwo()
 TEST(Detection, IsThatOfEachSrdo)
 {
     Verifies(req::SRS_SIM_073);
+    Verifies(req::SRS_SIM_340);
     const std::string consumer = ConsumerOfTwo();
     const std::string devices = "duration: 700 ms\nnodes:\n  sensor: {dcf: " + SensorWith(2U) +
                                 "}\n  consumer: {dcf: " + consumer +

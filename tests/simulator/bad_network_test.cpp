@@ -167,6 +167,7 @@ class BadScenarioTest : public test::CommandTest
 TEST_F(BadScenarioTest, EachMalformedScenarioHasItsLine)
 {
     Verifies(req::SRS_MGR_157);
+    Verifies(req::SRS_MGR_343);
     for (const auto& [part, message] : kMalformed)
     {
         ExpectRefused(head_ + part + "\n" + devices_, message);
@@ -176,6 +177,8 @@ TEST_F(BadScenarioTest, EachMalformedScenarioHasItsLine)
 TEST_F(BadScenarioTest, WhatDoesNothingOrHoldsWhateverHappensIsRefused)
 {
     Verifies(req::SRS_MGR_157);
+    Verifies(req::SRS_MGR_342);
+    Verifies(req::SRS_MGR_343);
     for (const auto& [part, message] : kIdle)
     {
         ExpectRefused(head_ + part + "\n" + devices_, message);
@@ -185,6 +188,8 @@ TEST_F(BadScenarioTest, WhatDoesNothingOrHoldsWhateverHappensIsRefused)
 TEST_F(BadScenarioTest, ManagersAndDevices)
 {
     Verifies(req::SRS_MGR_157);
+    Verifies(req::SRS_MGR_342);
+    Verifies(req::SRS_MGR_343);
     const std::string two = "title: x\nduration: 2 s\n";
     ExpectRefused(two + "managers: [{network: nobody.yaml}]\n", ":3:22: error: there is no file ");
     ExpectRefused(two + "managers: [{network: .}]\n", ":3:22: error: '" + Path("."));
@@ -230,7 +235,7 @@ TEST_F(BadScenarioTest, AnObjectIsTheSameHoweverItIsWritten)
 
 TEST_F(BadScenarioTest, GuardingIsExpectedWhereItCanBe)
 {
-    Verifies(req::SRS_MGR_157);
+    Verifies(req::SRS_MGR_343);
     const std::string base = "title: x\nduration: 100 ms\nmanagers: [{network: guard.yaml}]\n";
     const auto answer = [this, &base](const std::string& slave, const std::string& part)
     {

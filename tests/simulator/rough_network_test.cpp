@@ -99,6 +99,7 @@ TEST_F(RoughNetworkTest, SomebodyElseStartsSafetySlaves)
     Verifies(req::SRS_BOOT_013);
     Verifies(req::SRS_ELM_049);
     Verifies(req::SRS_PLC_020);
+    Verifies(req::SRS_BOOT_340);
     ExpectHoldsInEachProfile("foreign_start");
 }
 
@@ -114,6 +115,7 @@ TEST_F(RoughNetworkTest, AManagerThatComesWhileItsSlavesRun)
     Verifies(req::SRS_BOOT_006);
     Verifies(req::SRS_BOOT_013);
     Verifies(req::SRS_BOOT_014);
+    Verifies(req::SRS_BOOT_340);
     ExpectHolds("kept_alive");
 }
 

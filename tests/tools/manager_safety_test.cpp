@@ -133,7 +133,7 @@ TEST_F(ManagerSafetyTest, AWritingThatTheBootOfAllBreaksOffIsTakenUp)
 
 TEST_F(ManagerSafetyTest, BehindAStopOfAllTheWrittenSlaveWaitsForAnOrder)
 {
-    Verifies(req::SRS_BOOT_017);
+    Verifies(req::SRS_BOOT_343);
     const std::string dcf = cia306::test::SourceFolder() + "/examples/emergency_stop/actuator.dcf";
     for (const bool is_ordered : {false, true})
     {
@@ -156,6 +156,7 @@ TEST_F(ManagerSafetyTest, NoOrderStartsOrWritesAnotherDevice)
 {
     Verifies(req::SRS_SFS_009);
     Verifies(req::SRS_MGR_136);
+    Verifies(req::SRS_SFS_340);
     const std::string dcf = cia306::test::SourceFolder() + "/examples/emergency_stop/actuator.dcf";
     for (const char* const profile : {"cia302", "el6751", "plc_designer"})
     {

@@ -76,6 +76,7 @@ std::string Sensor(const std::string& from, const std::string& to)
 TEST_F(MessagesTest, OfDeviceFiles)
 {
     Verifies(req::SRS_EDS_036);
+    Verifies(req::SRS_EDS_340);
     const std::string device = "[DeviceInfo]\nVendorName=x\n";
     const std::string object = "[1000]\nDataType=7\nAccessType=ro\n";
     const std::string no_info = ":1:1: warning: no section [DeviceInfo], expected one";
@@ -128,6 +129,7 @@ TEST_F(MessagesTest, OfDeviceFiles)
 TEST_F(MessagesTest, DeviceWithoutNodeIdNamesEveryPlaceOfOne)
 {
     Verifies(req::SRS_EDS_036);
+    Verifies(req::SRS_EDS_340);
     const std::string file = File("s.dcf", Sensor("NodeID=1\n", ""));
     const std::string scenario = File("s.yaml", "title: s\nduration: 1 ms\nnodes:\n  s: {dcf: s.dcf}\n");
     EXPECT_EQ(RunCommand({"simulate", scenario}).err,
@@ -138,6 +140,7 @@ TEST_F(MessagesTest, DeviceWithoutNodeIdNamesEveryPlaceOfOne)
 TEST_F(MessagesTest, OfScenariosAndScripts)
 {
     Verifies(req::SRS_EDS_036);
+    Verifies(req::SRS_EDS_340);
     const std::string chain = cia306::test::SourceFolder() + "/examples/emergency_stop/chain.yaml";
     const std::string sensor = cia306::test::SourceFolder() + "/examples/emergency_stop/sensor.dcf";
     ExpectSaid({
@@ -196,6 +199,7 @@ TEST_F(MessagesTest, NameTheOptionThatIsWrong)
 TEST_F(MessagesTest, OfNetworkFilesAndRecordings)
 {
     Verifies(req::SRS_EDS_036);
+    Verifies(req::SRS_EDS_340);
     const std::string sensor = cia306::test::SourceFolder() + "/examples/emergency_stop/sensor.dcf";
     const std::vector<std::string> manager{"manager", "--can", "udp:239.74.163.2:43113", "--network", "FILE"};
     const std::vector<std::string> monitor{"monitor", "FILE", "--dcf", sensor};

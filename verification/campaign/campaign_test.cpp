@@ -244,6 +244,7 @@ TEST_F(ReportTest, SilentAndLateFaultsAreNamedAndTheCampaignDoesNotHold)
 {
     Verifies(req::SRS_CMG_010);
     Verifies(req::SRS_CMG_007);
+    Verifies(req::SRS_CMG_341);
     // Given a campaign of which all was detected in 1 ms, but for number 5, which is silent, and number 7, which is
     // late
     Session session(PlanFile("plan.yaml", "actuator",
@@ -278,7 +279,7 @@ TEST_F(ReportTest, SilentAndLateFaultsAreNamedAndTheCampaignDoesNotHold)
 
 TEST_F(ReportTest, CampaignThatHoldsEndsWithStatus0)
 {
-    Verifies(req::SRS_CMG_010);
+    Verifies(req::SRS_CMG_341);
     const std::string plan = PlanFile("plan.yaml", "actuator", std::string(kQuick) + "detectors: [latch]\n");
     EXPECT_EQ(Campaign({plan}).status, 2); // The latch detects nothing: it is what is hit.
     const tools::test::Answer answer =
@@ -334,6 +335,7 @@ TEST_P(PlantedDefects, AreNamedByACampaignThatHoldsWithoutThem)
     Verifies(req::SRS_CMG_077);
     Verifies(req::SRS_CMG_082);
     Verifies(req::SRS_CMG_083);
+    Verifies(req::SRS_CMG_344);
     const tools::test::Answer sound = RunOf(COUNTERPOINT_CAMPAIGN);
     EXPECT_EQ(sound.status, 0) << sound.out;
     const tools::test::Answer broken =

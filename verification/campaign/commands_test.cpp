@@ -100,6 +100,7 @@ TEST_F(CommandsTest, FaultsAreEachCommandOfTheCyclesInEachWay)
 TEST_F(CommandsTest, StopThatDoesNotComeIsSilentAndAStopThatNobodyGaveIsNoDetection)
 {
     Verifies(req::SRS_CMG_029);
+    Verifies(req::SRS_CMG_342);
     // Given an open output when the stop comes
     const Counts counts = Tried(CommandPlan("actuator", "at: [690 ms]\ncycles: 20\nparts: [commands]\n"));
     // Then it is silent where the stop does not come, comes late, or as OPERATIONAL or GFC; another state closes as it
@@ -113,7 +114,7 @@ TEST_F(CommandsTest, StopThatDoesNotComeIsSilentAndAStopThatNobodyGaveIsNoDetect
 
 TEST_F(CommandsTest, CommandsOfASenderOfTheGfcAreNotDangerous)
 {
-    Verifies(req::SRS_CMG_029);
+    Verifies(req::SRS_CMG_342);
     // Given the sensor, which sends the GFC at 1100 ms
     const Counts counts = Tried(CommandPlan("sensor", "at: [1095 ms]\ncycles: 10\nparts: [commands]\nkinds: [skipped, "
                                                       "doubled, late]\n"));
@@ -136,7 +137,7 @@ TEST_F(CommandsTest, ScenarioThatIsNotThereIsToldAtItsName)
 
 TEST_F(CommandsTest, DeviceThatACommandResetsIsRefused)
 {
-    Verifies(req::SRS_CMG_029);
+    Verifies(req::SRS_CMG_343);
     for (const char* const command : {"reset_node", "reset_communication"})
     {
         const std::string plan = PlanOn("nmt:\n  - {at: 300 ms, node: all, command: " + std::string(command) + "}\n");
@@ -149,7 +150,7 @@ TEST_F(CommandsTest, DeviceThatACommandResetsIsRefused)
 
 TEST_F(CommandsTest, OutputThatIsOpenBehindAGfcIsWrongUntilAnAcknowledge)
 {
-    Verifies(req::SRS_CMG_029);
+    Verifies(req::SRS_CMG_342);
     // Given the judge of the actuator, which gets a GFC in cycle 1100, and which is acknowledged in cycle 1151
     const Plan plan = ReadPlan(CommandPlan("actuator", "at: [500 ms]\n"));
     const RecordedScenario scenario(plan.scenario, runtime::YamlValue(plan.file, plan.device_node));

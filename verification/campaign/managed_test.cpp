@@ -146,6 +146,8 @@ TEST_F(ManagedTest, FaultsOfEachKindAreAsManyAsThereAreWays)
 TEST_F(ManagedTest, WhoToldIsCountedAndWhoDidNotIsIdle)
 {
     Verifies(req::SRS_CMG_074);
+    Verifies(req::SRS_CMG_346);
+    Verifies(req::SRS_CMG_347);
     // Given three safety slaves, each of which restarts, and a teller that has no reason to tell anything
     const std::string plan =
         NetworkPlan("plan.yaml", "from: 200 ms\nuntil: 400 ms\nparts: [slaves]\n"
@@ -224,6 +226,7 @@ TEST_F(ManagedTest, BitsOfAManagersMemoryAreHitByMember)
     Verifies(req::SRS_CMG_080);
     Verifies(req::SRS_CMG_211);
     Verifies(req::SRS_CMG_082);
+    Verifies(req::SRS_CMG_348);
     // Given two members of the manager's memory, while it reads and starts three safety slaves
     const std::string plan = NetworkPlan("plan.yaml", "until: 60 ms\nparts: [memory]\nmembers: [expectation 33, gate]\n"
                                                       "sample: 40\n");

@@ -84,7 +84,7 @@ std::vector<std::map<std::string, std::string>> RowsOf(const std::string& csv)
 
 TEST_F(ResultsTest, RowsOfTheCsvFileHaveAFieldForEachHead)
 {
-    Verifies(req::SRS_CMG_010);
+    Verifies(req::SRS_CMG_340);
     const std::string plan =
         PlanFile("plan.yaml", "actuator",
                  "at: [540 ms]\ncycles: 50\nreach: 3 ms\nparts: [bus]\nkinds: [lost, pair_forged]\nsample: 20\n");
@@ -165,6 +165,7 @@ constexpr const char* kLatch =
 TEST_F(ResultsTest, InjectedAreThoseThatWereTried)
 {
     Verifies(req::SRS_CMG_010);
+    Verifies(req::SRS_CMG_341);
     // Given the first of three shards of 8 flips and 8 intermittent faults: numbers 0, 3, 6 and 9, 12, 15
     const Session session(PlanFile("plan.yaml", "actuator", kLatch));
     ASSERT_EQ(session.Faults().Size(), 16U);

@@ -373,7 +373,7 @@ TEST_F(TwoCpusTest, ShardsAndOneProcessGiveTheSameBytes)
 
 TEST_F(TwoCpusTest, PartsThatTheDeviceDoesNotHaveAreRefused)
 {
-    Verifies(req::SRS_CMG_061);
+    Verifies(req::SRS_CMG_345);
     const tools::test::Answer both =
         Campaign({TwoCpuPlan("actuator", "at: [500 ms]\nparts: [kernel, both_channels]\n")});
     EXPECT_EQ(both.status, 2);

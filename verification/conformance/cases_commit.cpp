@@ -238,11 +238,11 @@ constexpr Step kSixtyFourBitsExamined[] = {
 };
 
 constexpr Case kCases[] = {
-    MakeCase("ValidateWritesTheSafeValue", {req::SRS_REL_002}, kGold, kSafeAtValidate),
-    MakeCase("ValidateWithFaultWritesNothing", {req::SRS_REL_002, req::SRS_CFG_029}, kGold, kUntouchedByFault),
+    MakeCase("ValidateWritesTheSafeValue", {req::SRS_REL_002, req::SRS_REL_340}, kGold, kSafeAtValidate),
+    MakeCase("ValidateWithFaultWritesNothing", {req::SRS_REL_002, req::SRS_REL_340, req::SRS_CFG_029}, kGold, kUntouchedByFault),
     MakeCase("AgreedAndMatchedIsWritten", {req::SRS_REL_002}, kGold, kWritten),
-    MakeCase("NotAgreedIsNotWritten", {req::SRS_REL_002}, kGold, kNotAgreed),
-    MakeCase("NotMatchedIsNotWritten", {req::SRS_REL_002}, kGold, kNotMatched),
+    MakeCase("NotAgreedIsNotWritten", {req::SRS_REL_002, req::SRS_REL_340}, kGold, kNotAgreed),
+    MakeCase("NotMatchedIsNotWritten", {req::SRS_REL_002, req::SRS_REL_340}, kGold, kNotMatched),
     MakeCase("NewerPairNotMatchedLeavesTheOlder", {req::SRS_REL_002, req::SRS_REL_010}, kGold, kNewerNotMatched),
     MakeCase("NoLongerAgreedIsSafe", {req::SRS_REL_002, req::SRS_REL_010}, kGold, kNoLongerAgreed),
     MakeCase("OwnFaultIsSafeThoughAgreed", {req::SRS_REL_002, req::SRS_REL_010, req::SRS_CONS_012}, kGold, kOwnFault),
@@ -254,7 +254,7 @@ constexpr Case kCases[] = {
     MakeCase("SixteenEntriesAreWritten", {req::SRS_REL_002}, kWide, kSixteen),
     MakeCase("SixtyFourBitsAreWritten", {req::SRS_REL_002}, kLong, kSixtyFourBits),
     MakeCase("MixedSizesAreWritten", {req::SRS_REL_002}, kMixedSizes, kSizes),
-    MakeCase("ValidatedAgainIsNotCommitted", {req::SRS_REL_002, req::SRS_REL_010}, kGold, kValidatedAgain),
+    MakeCase("ValidatedAgainIsNotCommitted", {req::SRS_REL_002, req::SRS_REL_340, req::SRS_REL_010}, kGold, kValidatedAgain),
     MakeCase("OverwrittenIsFoundAtOnce", {req::SRS_REL_011, req::SRS_REL_010}, kGold, kOverwritten),
     MakeCase("ChangedLaterIsFoundInItsTurn", {req::SRS_REL_011, req::SRS_REL_010}, kGold, kChangedLater),
     MakeCase("NewerPairNotMatchedIsNotExamined", {req::SRS_REL_011}, kGold, kNewerIsNotExamined),

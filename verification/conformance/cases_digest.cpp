@@ -151,20 +151,20 @@ constexpr Step kSixtyFourSlots[] = {
 
 constexpr Case kCases[] = {
     MakeCase("DigestOfABareDevice", {req::SRS_CFG_034}, kBare, kBase),
-    MakeCase("DigestOfWhatIsStored", {req::SRS_CFG_034, req::SRS_CFG_003}, kBare, kStored),
+    MakeCase("DigestOfWhatIsStored", {req::SRS_CFG_034, req::SRS_CFG_348, req::SRS_CFG_003}, kBare, kStored),
     MakeCase("DigestInEveryState", {req::SRS_CFG_034}, kGold, kEveryState),
     MakeCase("DigestOfIdentityAndUse", {req::SRS_CFG_034}, kBare, kIdentity),
-    MakeCase("DigestOfUndefinedValues", {req::SRS_CFG_034}, kBare, kUndefined),
+    MakeCase("DigestOfUndefinedValues", {req::SRS_CFG_034, req::SRS_CFG_348}, kBare, kUndefined),
     MakeCase("DigestOfTimes", {req::SRS_CFG_034}, kBare, kTimes),
-    MakeCase("DigestOfASetup", {req::SRS_CFG_034}, kBare, kSetup),
-    MakeCase("DigestLeavesOut", {req::SRS_CFG_034}, kBare, kNoPart),
+    MakeCase("DigestOfASetup", {req::SRS_CFG_034, req::SRS_CFG_348}, kBare, kSetup),
+    MakeCase("DigestLeavesOut", {req::SRS_CFG_034, req::SRS_CFG_348}, kBare, kNoPart),
     MakeCase("DigestIsContinued", {req::SRS_CFG_034}, kBareTwo, kChained),
-    MakeCase("DigestOfAMixedDevice", {req::SRS_CFG_034}, kMixed, kMixedDevice),
-    MakeCase("DigestOfAProvider", {req::SRS_CFG_034}, kProviderLast, kProviderDevice),
+    MakeCase("DigestOfAMixedDevice", {req::SRS_CFG_034, req::SRS_CFG_348}, kMixed, kMixedDevice),
+    MakeCase("DigestOfAProvider", {req::SRS_CFG_034, req::SRS_CFG_348}, kProviderLast, kProviderDevice),
     MakeCase("DigestWithDummies", {req::SRS_CFG_034, req::SRS_CFG_033}, kDummies, kDummyDevice),
-    MakeCase("DigestWithLateDetection", {req::SRS_CFG_034, req::SRS_TIME_009}, kTwoLate, kLateDevice),
+    MakeCase("DigestWithLateDetection", {req::SRS_CFG_034, req::SRS_CFG_348, req::SRS_TIME_009}, kTwoLate, kLateDevice),
     MakeCase("DigestWithAStaticMapping", {req::SRS_CFG_034, req::SRS_CFG_032}, kStatic, kStaticDevice),
-    MakeCase("DigestOfSixtyFourSlots", {req::SRS_CFG_034}, kSixtyFour, kSixtyFourSlots),
+    MakeCase("DigestOfSixtyFourSlots", {req::SRS_CFG_034, req::SRS_CFG_348}, kSixtyFour, kSixtyFourSlots),
 };
 // clang-format on
 } // namespace

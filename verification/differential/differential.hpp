@@ -12,7 +12,8 @@
 
 #include <cstdint>
 
-/// Random devices and sequences, fed to both channels and compared after every step. Freestanding. [SRS_CNF_010]
+/// Random devices and sequences, fed to both channels and compared after every step. Freestanding. [SRS_CNF_010,
+/// SRS_CNF_340]
 namespace counterpoint::differential
 {
 

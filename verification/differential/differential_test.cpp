@@ -84,6 +84,7 @@ TEST(DifferentialRun, ChannelsAgreeInEveryStepAndEverythingIsReached)
 {
     Verifies(req::SRS_CNF_010);
     Verifies(req::SRS_CNF_011);
+    Verifies(req::SRS_CNF_340);
     const auto parts = std::make_unique<Parts>();
     const auto run = std::make_unique<Differential>(parts->a, parts->b, parts->listener);
     const DifferentialResult result = RunDifferential(*run, 1U, 0U, kSequences, 1U);

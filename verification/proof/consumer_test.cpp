@@ -28,6 +28,7 @@ Result RunBoth(const char* const domain, const ConsumerSetup& setup, const std::
 TEST(ProofOfConsumer, EverySequenceOfCallsUnderEachPolicy)
 {
     Verifies(req::SRS_VER_118);
+    Verifies(req::SRS_VER_340);
     for (const ConsumerSetup& setup : {kInterlockLate, kAutomaticEarly})
     {
         const Result result = RunExploration({"calls", Sight::kShown, 100U, false}, setup, nullptr, nullptr);
@@ -43,6 +44,7 @@ TEST(ProofOfConsumer, EverySequenceOfCallsUnderEachPolicy)
 TEST(ProofOfConsumer, EverySequenceOfTimesWhileTheCounterWraps)
 {
     Verifies(req::SRS_VER_118);
+    Verifies(req::SRS_VER_340);
     for (const bool is_wrapping : {false, true})
     {
         const Result result =
@@ -56,6 +58,7 @@ TEST(ProofOfConsumer, EverySequenceOfTimesWhileTheCounterWraps)
 TEST(ProofOfConsumer, ByItsBytesToADepth)
 {
     Verifies(req::SRS_VER_118);
+    Verifies(req::SRS_VER_340);
     const Result result = RunExploration({"all", Sight::kBytes, 3U, false}, kInterlockLate, nullptr, nullptr);
     EXPECT_EQ(result.refused, "");
     EXPECT_EQ(result.depth, 3U);

@@ -13,7 +13,7 @@ constexpr std::uint32_t kByteValues = 256U;
 /// Of SRDO 2 behind direction, SCT and SRVT: COB-ID 1 and 2, count, two entries. [SRS_CFG_010]
 constexpr std::uint8_t kRest[] = {0x11U, 1U, 0U, 0U, 0x12U, 1U, 0U, 0U, 2U,         // identifiers and count
                                   1U,    8U, 1U, 0U, 0x22U, 2U, 8U, 1U, 1U, 0x22U}; // entries
-/// Of SRDO 2: number, policy, form, detection, transmission type, safe value. [SRS_CFG_034]
+/// Of SRDO 2: number, policy, form, detection, transmission type, safe value. [SRS_CFG_348]
 constexpr std::uint8_t kDigested[] = {2U,    0x5AU, 0U,    0x3CU, 254U,  0x78U, 0x56U,
                                       0x34U, 0x12U, 0xEFU, 0xCDU, 0xABU, 0x89U};
 } // namespace

@@ -451,7 +451,7 @@ bool Cia302StartUp::Boot(const NodeId node, const Instant now) noexcept
     return is_listed;
 }
 
-/// After a stop of all only orders start a slave. [SRS_BOOT_017]
+/// After a stop of all only orders start a slave. [SRS_BOOT_343]
 bool Cia302StartUp::Resume(const NodeId node, const Instant now) noexcept
 {
     const BootTime time = clock_.Tick(now);

@@ -122,7 +122,7 @@ TEST(IniDocument, WarnsOfOtherComments)
 
 TEST(IniDocument, NamesTheColumnOfSectionKeyAndValue)
 {
-    Verifies(req::SRS_EDS_036);
+    Verifies(req::SRS_EDS_340);
     const IniDocument document = Parse("\xEF\xBB\xBF [A]\n\tKey =\t x y \nlast=\n");
     const IniSection& section = *document.Find("A");
     EXPECT_EQ(section.place.column, 2U); // the byte order mark has none
@@ -201,6 +201,7 @@ TEST(IniDocument, TextOfTwoBytesIsRefusedInBothOrders)
 TEST(IniDocument, PlacesAndControlsInMessages)
 {
     Verifies(req::SRS_EDS_036);
+    Verifies(req::SRS_EDS_340);
     EXPECT_EQ(PlaceText("f", Place{0U, 0U}), "f");
     EXPECT_EQ(PlaceText("f", Place{3U, 0U}), "f:3");
     EXPECT_EQ(PlaceText("f", Place{3U, 7U}), "f:3:7");

@@ -259,7 +259,7 @@ TEST(Value, AProblemNamesTheRange)
 
 TEST(Value, UnicodeStringsAreUtf16)
 {
-    Verifies(req::SRS_GEN_005);
+    Verifies(req::SRS_GEN_340);
     using Octets = std::vector<std::uint8_t>;
     EXPECT_EQ(Utf16Of(""), Octets{});
     EXPECT_EQ(Utf16Of("Az"), (Octets{0x41U, 0U, 0x7AU, 0U}));

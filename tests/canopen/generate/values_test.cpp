@@ -147,6 +147,7 @@ TEST_P(GeneratedValues, TheSdoServerServesWhatTheFileSays)
     Verifies(req::SRS_GEN_009);
     Verifies(req::SRS_GEN_010);
     Verifies(req::SRS_GEN_011);
+    Verifies(req::SRS_GEN_340);
     // Given the node of the generated code, configured as its file says
     const cia306::Device device = cia306::ReadDeviceFile(Case().file);
     const bool has_srdos = HasSrdos(device);

@@ -125,9 +125,10 @@ TEST_P(LeftOperationalTest, StartedBySomebodyElseBeforeItsOwnStartLeftIsRead)
 TEST_P(LeftOperationalTest, BySomebodyElseAndCameBackChangedIsStopped)
 {
     Verifies(req::SRS_SFS_002);
-    Verifies(req::SRS_BOOT_013);
     Verifies(req::SRS_ELM_049);
     Verifies(req::SRS_PLC_020);
+    Verifies(req::SRS_BOOT_340);
+    Verifies(req::SRS_BOOT_342);
     StartAndForget(GetParam());
     Put(Nmt(NmtCommand::kPreOperational, 5U));
     Run(1U);
@@ -141,9 +142,9 @@ TEST_P(LeftOperationalTest, BySomebodyElseAndCameBackChangedIsStopped)
 TEST_P(LeftOperationalTest, BySomebodyElseAndCameBackAsItWasRunsOnVerifiedOnce)
 {
     Verifies(req::SRS_SFS_002);
-    Verifies(req::SRS_BOOT_013);
     Verifies(req::SRS_ELM_049);
     Verifies(req::SRS_PLC_020);
+    Verifies(req::SRS_BOOT_340);
     StartAndForget(GetParam());
     Put(Nmt(NmtCommand::kStop, 0U));
     Run(1U);
@@ -158,7 +159,8 @@ TEST_P(LeftOperationalTest, BySomebodyElseAndCameBackAsItWasRunsOnVerifiedOnce)
 TEST_P(LeftOperationalTest, ByOrderAndWasStartedChangedBySomebodyElseIsStopped)
 {
     Verifies(req::SRS_SFS_002);
-    Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_340);
+    Verifies(req::SRS_BOOT_342);
     StartAndForget(GetParam());
     EXPECT_EQ(Order(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
     Change();
@@ -306,7 +308,8 @@ TEST_P(LeftInCia302Test, WhoseLastSignIsOlderThanTheStartOfSomebodyElseIsStopped
 {
     Verifies(req::SRS_SFS_006);
     Verifies(req::SRS_SFS_150);
-    Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_340);
+    Verifies(req::SRS_BOOT_342);
     // Given one that is stopped and changed, and says nothing by itself
     devices[0]->heartbeat_ms = 0U;
     StartAndForget(GetParam());
@@ -385,7 +388,7 @@ TEST_P(LeftInCia302Test, BootThatEndedInSilenceWhileTheBusWasAwayIsBegunAnew)
 
 TEST_P(LeftInCia302Test, ASignThatWasUnderWayDoesNotMakeItBeRead)
 {
-    Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_340);
     // When it is stopped by order, and a heartbeat of before comes in
     StartAndForget(GetParam());
     EXPECT_EQ(Order(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
@@ -399,7 +402,8 @@ TEST_P(LeftInCia302Test, ASignThatWasUnderWayDoesNotMakeItBeRead)
 
 TEST_P(LeftInCia302Test, VerifiedButNotStartedAndThenStartedChangedBySomebodyElseIsStopped)
 {
-    Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_340);
+    Verifies(req::SRS_BOOT_342);
     setup.start_up |= kApplicationStartsSlaves;
     Begin(GetParam());
     Run(1000U);
@@ -412,7 +416,7 @@ TEST_P(LeftInCia302Test, VerifiedButNotStartedAndThenStartedChangedBySomebodyEls
 
 TEST_P(LeftInCia302Test, VerifiedButNotStartedAndThenStartedAsItWasRunsOnVerifiedAgain)
 {
-    Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_340);
     setup.start_up |= kApplicationStartsSlaves;
     Begin(GetParam());
     Run(1000U);
@@ -427,9 +431,10 @@ TEST_P(LeftInCia302Test, VerifiedButNotStartedAndThenStartedAsItWasRunsOnVerifie
 
 TEST_P(LeftInCia302Test, RunsOnChangedBehindAResetThatItDidNotHearIsStopped)
 {
-    Verifies(req::SRS_BOOT_013);
     Verifies(req::SRS_SFS_006);
     Verifies(req::SRS_SFS_150);
+    Verifies(req::SRS_BOOT_340);
+    Verifies(req::SRS_BOOT_342);
     // Given an optional one, whose boot-up message is waited for without end
     setups[5].assignment = static_cast<std::uint32_t>(setups[5].assignment & ~kMandatory);
     setups[5].heartbeat = HeartbeatSetup{300U, 100U, Arming::kFirstHeartbeat};
@@ -446,7 +451,7 @@ TEST_P(LeftInCia302Test, RunsOnChangedBehindAResetThatItDidNotHearIsStopped)
 
 TEST_P(LeftInCia302Test, RunsOnAsItWasBehindAResetThatItDidNotHearIsVerifiedAndSupervised)
 {
-    Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_340);
     setups[5].assignment = static_cast<std::uint32_t>(setups[5].assignment & ~kMandatory);
     setups[5].heartbeat = HeartbeatSetup{300U, 100U, Arming::kFirstHeartbeat};
     StartAndForget(GetParam());

@@ -171,6 +171,7 @@ TEST_P(SafetyPathsTest, WithAToggleErrorIsReadAgain)
 TEST_P(SafetyPathsTest, OfAnotherDeviceIsNeitherStartedNorWritten)
 {
     Verifies(req::SRS_SFS_009);
+    Verifies(req::SRS_SFS_340);
     // Given another device with the very configuration that is expected, and a second slave as it is to be
     Add(6U);
     devices[0]->Put32(0x1018U, 4U, 0x4321U);
@@ -204,6 +205,7 @@ TEST_P(SafetyPathsTest, OfAnotherDeviceIsNeitherStartedNorWritten)
 TEST_P(SafetyPathsTest, OfAnotherDeviceThatWasFoundChangedStaysAnotherDevice)
 {
     Verifies(req::SRS_SFS_009);
+    Verifies(req::SRS_SFS_340);
     devices[0]->Put32(0x1018U, 4U, 0x4321U);
     devices[0]->Put32(0x1000U, 0U, (GetParam() == Profile::kPlcDesigner) ? 0x192U : 0x191U);
     Begin(GetParam());
@@ -305,7 +307,8 @@ TEST_P(SafetyPathsInCia302Test, ReadWhileResetsLeaveIsBootedAllTheSame)
 
 TEST_P(SafetyPathsInCia302Test, KeptAliveAndTellingNoStateIsReadAndStopped)
 {
-    Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_341);
+    Verifies(req::SRS_BOOT_342);
     // Given one that is kept alive, runs with another configuration, and has no heartbeat though it should
     devices[0]->has_boot_up = false;
     devices[0]->is_self_starting = true;
@@ -321,7 +324,7 @@ TEST_P(SafetyPathsInCia302Test, KeptAliveAndTellingNoStateIsReadAndStopped)
 
 TEST_P(SafetyPathsInCia302Test, StartsItselfAndTellsNoStateIsStopped)
 {
-    Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_342);
     devices[0]->is_self_starting = true;
     Change();
     Begin(GetParam());
@@ -357,8 +360,8 @@ class StoppedByErrorTest : public SafetyPathsTest
 
 TEST_P(StoppedByErrorTest, ReplacedMeanwhileIsNeitherStartedNorWritten)
 {
-    Verifies(req::SRS_BOOT_017);
     Verifies(req::SRS_SFS_009);
+    Verifies(req::SRS_BOOT_343);
     BeginAndLose();
     Run(300U);
     EXPECT_EQ(manager->MasterState(), 6);
@@ -388,7 +391,7 @@ TEST_P(StoppedByErrorTest, ReplacedMeanwhileIsNeitherStartedNorWritten)
 
 TEST_P(StoppedByErrorTest, WrittenBehindItIsNotStartedUpUnasked)
 {
-    Verifies(req::SRS_BOOT_017);
+    Verifies(req::SRS_BOOT_343);
     BeginAndLose();
     Run(300U);
     EXPECT_EQ(manager->MasterState(), 6);
@@ -399,8 +402,8 @@ TEST_P(StoppedByErrorTest, WrittenBehindItIsNotStartedUpUnasked)
 
 TEST_P(StoppedByErrorTest, InTheMiddleOfItsBootIsBootedByOrderAlone)
 {
-    Verifies(req::SRS_BOOT_017);
     Verifies(req::SRS_SFS_009);
+    Verifies(req::SRS_BOOT_343);
     setup.start_up = kIsMaster | kStopAllOnError;
     setups[5].assignment &= ~kMandatory;
     BeginAndLose();

@@ -70,7 +70,7 @@ TEST(LateDetection, TellsTheLimitThatIsOverFirst)
 // Given an inverse frame that comes first, when a normal frame of another length follows, then it is wrong by itself.
 TEST(FramesThatChangedPlaces, AreOfOneLength)
 {
-    Verifies(req::SRS_MON_005);
+    Verifies(req::SRS_MON_340);
     EXPECT_EQ(After(8U, false, {Frame(0, 0x102U, {0xFEU}), Frame(100, 0x101U, {1U})}),
               Texts{"0 inverse first: no normal frame before it"});
     EXPECT_EQ(

@@ -37,7 +37,7 @@ std::string RefusalOf(const std::string& text)
 // A list that names an object that is no SRDO, and has no section, makes no safety slave.
 TEST(Expectation, OfADeviceWithoutSrdosIsEmpty)
 {
-    Verifies(req::SRS_NET_003);
+    Verifies(req::SRS_NET_340);
     const std::string plain = cia306::ReadTextFile(cia306::test::SourceFolder() + "/tests/runtime/data/plain.dcf");
     for (const std::string index : {"0x1028", "0x1300", "0x1341", "0x1406"})
     {
@@ -50,7 +50,7 @@ TEST(Expectation, OfADeviceWithoutSrdosIsEmpty)
 // A signature that is const is expected once; one of another type, or without a value, is not read.
 TEST(Expectation, HasEachConstantOnce)
 {
-    Verifies(req::SRS_NET_003);
+    Verifies(req::SRS_NET_340);
     const std::string text = ExampleText("actuator");
     ASSERT_EQ(ExpectationOf(text).size(), 15U);
     EXPECT_EQ(ExpectationOf(With(text, "13FFsub1", "AccessType=rw", "AccessType=const")).size(), 15U);

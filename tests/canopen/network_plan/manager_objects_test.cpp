@@ -24,7 +24,7 @@ class ManagerObjectsTest : public PlanTest
 
 TEST_F(ManagerObjectsTest, TheNetworkFileGoesBeforeThem)
 {
-    Verifies(req::SRS_NET_003);
+    Verifies(req::SRS_NET_341);
     const cia306::Device device = ManagerOf(Number("1F80", "0x21") + Record("1F81", 2) + Number("1F81sub5", "0x4") +
                                             Record("1016", 2) + Number("1016sub1", "0x000500C8") + Record("1F90", 4) +
                                             Entry("1F90sub3", 6, "rw", "ParameterValue=2"));
@@ -43,7 +43,7 @@ TEST_F(ManagerObjectsTest, TheNetworkFileGoesBeforeThem)
 // Bit 5 of 1F80h asks for a flying master; 1F90h says what the file leaves open.
 TEST_F(ManagerObjectsTest, SayWhetherAndHowItIsAFlyingMaster)
 {
-    Verifies(req::SRS_NET_003);
+    Verifies(req::SRS_NET_341);
     const cia306::Device device =
         ManagerOf(Number("1F80", "0x21") + Record("1F90", 4) + Entry("1F90sub3", 6, "rw", "ParameterValue=2"));
     TakeManagerObjects(device, plan);
@@ -60,7 +60,7 @@ TEST_F(ManagerObjectsTest, SayWhetherAndHowItIsAFlyingMaster)
 // An entry without a value, and one of 1016h that names no node or no time, says nothing.
 TEST_F(ManagerObjectsTest, WithoutAValueSayNothing)
 {
-    Verifies(req::SRS_NET_003);
+    Verifies(req::SRS_NET_341);
     TakeManagerObjects(ManagerOf(Entry("1F89", 7, "rw", "") + Record("1016", 4) + Number("1016sub1", "0x000000C8") +
                                  Number("1016sub2", "0x00000064") + Entry("1016sub3", 7, "rw", "")),
                        plan);
@@ -105,7 +105,7 @@ std::vector<std::uint8_t> ConciseOf(const LoadedNetwork& network)
 // The heartbeat of the network file takes the place of that of the DCF, and stands first where there is none.
 TEST_F(ManagerObjectsTest, TheHeartbeatOfTheFileIsWritten)
 {
-    Verifies(req::SRS_NET_003);
+    Verifies(req::SRS_NET_341);
     const std::string filter = Entry("2000", 5, "rw", "ParameterValue=7");
     const std::string heartbeat = Entry("1017", 6, "rw", "ParameterValue=100");
     plan = PlanOf("[DeviceInfo]\nVendorName=test\n\n" + heartbeat + filter);
@@ -123,7 +123,7 @@ TEST_F(ManagerObjectsTest, TheHeartbeatOfTheFileIsWritten)
 // Given another concise DCF, then a slave gets it, but for one that is damaged or writes the safety configuration.
 TEST_F(ManagerObjectsTest, AConciseDcfIsReplacedByAWholeOne)
 {
-    Verifies(req::SRS_NET_003);
+    Verifies(req::SRS_NET_341);
     plan = PlanOf("[DeviceInfo]\nVendorName=test\n\n" + Entry("2000", 5, "rw", "ParameterValue=7"));
     LoadedNetwork network(plan);
     const std::vector<std::uint8_t> before = ConciseOf(network);

@@ -21,6 +21,7 @@ TEST(ContractTest, HostKeepsTheContract)
 {
     Verifies(req::SRS_HAL_030);
     Verifies(req::SRS_HAL_031);
+    Verifies(req::SRS_HAL_340);
     // Given the host's layer with one controller, then every check holds, and the count says so
     HostBench bench{Defect::kNone};
     const ContractCount count = RunContractTest(bench.Table());
@@ -34,6 +35,7 @@ TEST(ContractTest, HostKeepsTheContract)
 TEST(ContractTest, BothControllersKeepTheContract)
 {
     Verifies(req::SRS_HAL_030);
+    Verifies(req::SRS_HAL_340);
     // Given the inverse data on the second controller, then only the refusal of an absent one cannot be shown
     HostBench bench{Defect::kNone, 2U};
     static_cast<void>(RunContractTest(bench.Table()));
@@ -91,6 +93,7 @@ TEST_P(PlantedDefect, IsNamed)
 {
     Verifies(req::SRS_HAL_032);
     Verifies(req::SRS_HAL_037);
+    Verifies(req::SRS_HAL_341);
     HostBench bench{GetParam().defect};
     const ContractCount count = RunContractTest(bench.Table());
     EXPECT_EQ(NamesOfBroken(bench.Text()), GetParam().broken) << bench.Text();

@@ -184,6 +184,7 @@ contract::PortUnderTest TableOf(Bench& bench)
 TEST(Tms570Contract, DriversKeepIt)
 {
     Verifies(req::SRS_HAL_030);
+    Verifies(req::SRS_HAL_340);
     Bench bench;
     ASSERT_TRUE(bench.is_started);
     static_cast<void>(contract::RunContractTest(TableOf(bench)));

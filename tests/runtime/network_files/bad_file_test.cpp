@@ -166,6 +166,7 @@ TEST_F(BadNetworkTest, EachMalformedCpjHasItsLine)
 {
     Verifies(req::SRS_NET_001);
     Verifies(req::SRS_NET_004);
+    Verifies(req::SRS_NET_342);
     for (const BadFile& bad : kBadCpj)
     {
         ExpectRefused("net.cpj", bad);
@@ -198,6 +199,7 @@ TEST_F(BadNetworkTest, EachMalformedYamlHasItsLine)
     Verifies(req::SRS_NET_002);
     Verifies(req::SRS_NET_004);
     Verifies(req::SRS_NET_152);
+    Verifies(req::SRS_NET_342);
     for (const BadFile& bad : kBadYaml)
     {
         ExpectRefused("net.yaml", bad);

@@ -99,7 +99,7 @@ TEST_F(NetworkFileTest, WhatTheManagerExpectsFollowsFromTheDcf)
 
 TEST_F(NetworkFileTest, TheSafetyExpectationIsTheSignedConfiguration)
 {
-    Verifies(req::SRS_NET_003);
+    Verifies(req::SRS_NET_340);
     const LoadedNetwork net(runtime::ReadNetworkFile(Cpj(), 0U));
     const cia302::SafetyExpectation* const safety = net.Setup().slaves[33].safety;
     ASSERT_NE(safety, nullptr);
@@ -113,7 +113,7 @@ TEST_F(NetworkFileTest, TheSafetyExpectationIsTheSignedConfiguration)
 
 TEST_F(NetworkFileTest, ADeviceWithItsSrdosOffIsASafetySlave)
 {
-    Verifies(req::SRS_NET_003);
+    Verifies(req::SRS_NET_340);
     // Given a sensor whose SRDO is off, which `sign` gives another signature
     const std::string text =
         Changed(ExampleText("sensor"),
@@ -132,7 +132,7 @@ TEST_F(NetworkFileTest, ADeviceWithItsSrdosOffIsASafetySlave)
 
 TEST_F(NetworkFileTest, AnSrdoThatIsOnlyListedIsNoPlainSlave)
 {
-    Verifies(req::SRS_NET_003);
+    Verifies(req::SRS_NET_340);
     // Given a DCF of a plain slave whose list of objects names 1302h, without a section for it
     const std::string plain = cia306::ReadTextFile(cia306::test::SourceFolder() + "/tests/runtime/data/plain.dcf");
     static_cast<void>(
@@ -152,7 +152,7 @@ TEST_F(NetworkFileTest, AnSrdoThatIsOnlyListedIsNoPlainSlave)
 
 TEST_F(NetworkFileTest, WhatIsConstInTheSafetyConfigurationIsExpectedToo)
 {
-    Verifies(req::SRS_NET_003);
+    Verifies(req::SRS_NET_340);
     // Given an actuator with a const entry above the count of its mapping, a const signature of an SRDO that is not
     // there, and one of each that is not const
     const std::string text = Changed(
@@ -418,7 +418,7 @@ TEST_F(ManagersFileTest, ASyncPeriodThatIsTooShortIsRefusedWhereItStands)
 
 TEST_F(ManagersFileTest, ItsOwnObjectsGoBeforeDerivedOnes)
 {
-    Verifies(req::SRS_NET_003);
+    Verifies(req::SRS_NET_341);
     static_cast<void>(File("manager.dcf", dcf));
     const LoadedNetwork net(runtime::ReadNetworkFile(Cpj(), 0U));
     EXPECT_EQ(net.Setup().start_up, 0x11U);
@@ -430,7 +430,8 @@ TEST_F(ManagersFileTest, ItsOwnObjectsGoBeforeDerivedOnes)
 
 TEST_F(ManagersFileTest, ItsBitsAreKnownOnesAndWhoIsInItsNetworkIsInItsList)
 {
-    Verifies(req::SRS_NET_003);
+    Verifies(req::SRS_NET_341);
+    Verifies(req::SRS_NET_342);
     // A manager is an NMT master, and its bits are known ones
     for (const std::string& value : {std::string("0x10"), std::string("0x0"), std::string("0x81")})
     {
@@ -450,7 +451,8 @@ TEST_F(ManagersFileTest, ItsBitsAreKnownOnesAndWhoIsInItsNetworkIsInItsList)
 
 TEST_F(ManagersFileTest, ItWaitsForTheHeartbeatOfANodeForOneTimeAlone)
 {
-    Verifies(req::SRS_NET_003);
+    Verifies(req::SRS_NET_341);
+    Verifies(req::SRS_NET_342);
     const std::string consumers = Changed(dcf, {{"=0x1F88", "=0x1016"},
                                                 {"[1F88]", "[1016]"},
                                                 {"[1F88sub0]", "[1016sub0]"},

@@ -197,7 +197,7 @@ TEST_F(NetworkFlyingTest, SlotsThatOverlapAreRefusedWhereTheyStand)
 
 TEST_F(NetworkFlyingTest, AFlyingMasterWithoutHeartbeatIsWarnedOf)
 {
-    Verifies(req::SRS_FLY_029);
+    Verifies(req::SRS_FLY_340);
     const std::string file = File("net.yaml", "manager: {node: 2, flying: {priority: 1}}\nslaves: [{node: 9}]\n");
     const LoadedNetwork net(runtime::ReadNetworkFile(file, 0U));
     ASSERT_EQ(net.Warnings().size(), 1U);
@@ -208,7 +208,7 @@ TEST_F(NetworkFlyingTest, AFlyingMasterWithoutHeartbeatIsWarnedOf)
 
 TEST_F(NetworkFlyingTest, TimesThatDoNotGoTogetherAreWarnedOfAtTheirLine)
 {
-    Verifies(req::SRS_FLY_029);
+    Verifies(req::SRS_FLY_340);
     const auto warnings = [this](const std::string& flying, const std::string& slave)
     {
         const std::string file = File("net.yaml", "manager:\n  node: 2\n  heartbeat: 500 ms\n  flying:\n" + flying +
@@ -251,7 +251,7 @@ TEST_F(NetworkFlyingTest, TimesThatDoNotGoTogetherAreWarnedOfAtTheirLine)
 
 TEST_F(NetworkFlyingTest, TheUsualWatchTimeIsWarnedOfWhereItCounts)
 {
-    Verifies(req::SRS_FLY_029);
+    Verifies(req::SRS_FLY_340);
     const auto count = [this](const std::string& slave)
     {
         const std::string file =

@@ -210,6 +210,7 @@ TEST_F(NetworkProfileTest, OutputsAreWhatRxPdosCarryAtFirst)
 {
     Verifies(req::SRS_NET_002);
     Verifies(req::SRS_NET_004);
+    Verifies(req::SRS_NET_342);
     const LoadedNetwork net(
         runtime::ReadNetworkFile(Net("  profile: el6751\n", "    outputs: [{pdo: 1, data: 01 FF 02}]\n"), 0U));
     const cia302::El6751Pdo& pdo = net.Setup().slaves[5].el6751->rx_pdos[0];

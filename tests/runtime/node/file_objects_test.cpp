@@ -432,7 +432,7 @@ TEST_F(FileObjectsTest, NoClientGivesAPdoAndAnotherServiceOneIdentifier)
 // The heartbeat runs; what was wrong is that the device was said to do without the value
 TEST_F(FileObjectsTest, AnObjectOfAServiceWithAnotherDataTypeIsToldWithBothLengths)
 {
-    Verifies(req::SRS_NODE_030);
+    Verifies(req::SRS_NODE_340);
     EXPECT_EQ(
         Tried(Element("1017", "7", "rw", "100")),
         std::vector<std::string>{"0x1017:00: data type of 32 bit, expected one of 16 bit, which the device has here"});

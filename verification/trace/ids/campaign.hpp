@@ -88,6 +88,16 @@ inline constexpr RequirementId SRS_CMG_219{"SRS_CMG_219"};
 inline constexpr RequirementId SRS_CMG_220{"SRS_CMG_220"};
 inline constexpr RequirementId SRS_CMG_221{"SRS_CMG_221"};
 inline constexpr RequirementId SRS_CMG_250{"SRS_CMG_250"};
+inline constexpr RequirementId SRS_CMG_340{"SRS_CMG_340"};
+inline constexpr RequirementId SRS_CMG_341{"SRS_CMG_341"};
+inline constexpr RequirementId SRS_CMG_342{"SRS_CMG_342"};
+inline constexpr RequirementId SRS_CMG_343{"SRS_CMG_343"};
+inline constexpr RequirementId SRS_CMG_344{"SRS_CMG_344"};
+inline constexpr RequirementId SRS_CMG_345{"SRS_CMG_345"};
+inline constexpr RequirementId SRS_CMG_346{"SRS_CMG_346"};
+inline constexpr RequirementId SRS_CMG_347{"SRS_CMG_347"};
+inline constexpr RequirementId SRS_CMG_348{"SRS_CMG_348"};
+inline constexpr RequirementId SRS_CMG_349{"SRS_CMG_349"};
 } // namespace counterpoint::req
 
 #endif

@@ -27,6 +27,7 @@ inline constexpr RequirementId SRS_CFG_033{"SRS_CFG_033"};
 inline constexpr RequirementId SRS_CFG_034{"SRS_CFG_034"};
 inline constexpr RequirementId SRS_CFG_036{"SRS_CFG_036"};
 inline constexpr RequirementId SRS_CFG_037{"SRS_CFG_037"};
+inline constexpr RequirementId SRS_CFG_348{"SRS_CFG_348"};
 inline constexpr RequirementId SRS_CONS_001{"SRS_CONS_001"};
 inline constexpr RequirementId SRS_CONS_002{"SRS_CONS_002"};
 inline constexpr RequirementId SRS_CONS_003{"SRS_CONS_003"};
@@ -75,6 +76,8 @@ inline constexpr RequirementId SRS_REL_007{"SRS_REL_007"};
 inline constexpr RequirementId SRS_REL_008{"SRS_REL_008"};
 inline constexpr RequirementId SRS_REL_010{"SRS_REL_010"};
 inline constexpr RequirementId SRS_REL_011{"SRS_REL_011"};
+inline constexpr RequirementId SRS_REL_340{"SRS_REL_340"};
+inline constexpr RequirementId SRS_REL_341{"SRS_REL_341"};
 inline constexpr RequirementId SRS_TIME_001{"SRS_TIME_001"};
 inline constexpr RequirementId SRS_TIME_002{"SRS_TIME_002"};
 inline constexpr RequirementId SRS_TIME_003{"SRS_TIME_003"};
@@ -84,6 +87,8 @@ inline constexpr RequirementId SRS_TIME_006{"SRS_TIME_006"};
 inline constexpr RequirementId SRS_TIME_007{"SRS_TIME_007"};
 inline constexpr RequirementId SRS_TIME_008{"SRS_TIME_008"};
 inline constexpr RequirementId SRS_TIME_009{"SRS_TIME_009"};
+inline constexpr RequirementId SRS_TIME_340{"SRS_TIME_340"};
+inline constexpr RequirementId SRS_TIME_341{"SRS_TIME_341"};
 } // namespace counterpoint::req
 
 #endif

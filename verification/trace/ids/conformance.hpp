@@ -24,6 +24,7 @@ inline constexpr RequirementId SRS_CNF_022{"SRS_CNF_022"};
 inline constexpr RequirementId SRS_CNF_023{"SRS_CNF_023"};
 inline constexpr RequirementId SRS_CNF_024{"SRS_CNF_024"};
 inline constexpr RequirementId SRS_CNF_030{"SRS_CNF_030"};
+inline constexpr RequirementId SRS_CNF_340{"SRS_CNF_340"};
 inline constexpr RequirementId SRS_CNF_360{"SRS_CNF_360"};
 } // namespace counterpoint::req
 

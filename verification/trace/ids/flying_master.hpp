@@ -42,6 +42,7 @@ inline constexpr RequirementId SRS_FLY_150{"SRS_FLY_150"};
 inline constexpr RequirementId SRS_FLY_151{"SRS_FLY_151"};
 inline constexpr RequirementId SRS_FLY_152{"SRS_FLY_152"};
 inline constexpr RequirementId SRS_FLY_153{"SRS_FLY_153"};
+inline constexpr RequirementId SRS_FLY_340{"SRS_FLY_340"};
 } // namespace counterpoint::req
 
 #endif

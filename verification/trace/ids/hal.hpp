@@ -52,6 +52,8 @@ inline constexpr RequirementId SRS_HAL_300{"SRS_HAL_300"};
 inline constexpr RequirementId SRS_HAL_301{"SRS_HAL_301"};
 inline constexpr RequirementId SRS_HAL_302{"SRS_HAL_302"};
 inline constexpr RequirementId SRS_HAL_303{"SRS_HAL_303"};
+inline constexpr RequirementId SRS_HAL_340{"SRS_HAL_340"};
+inline constexpr RequirementId SRS_HAL_341{"SRS_HAL_341"};
 } // namespace counterpoint::req
 
 #endif

@@ -89,6 +89,10 @@ inline constexpr RequirementId SRS_MGR_225{"SRS_MGR_225"};
 inline constexpr RequirementId SRS_MGR_226{"SRS_MGR_226"};
 inline constexpr RequirementId SRS_MGR_230{"SRS_MGR_230"};
 inline constexpr RequirementId SRS_MGR_231{"SRS_MGR_231"};
+inline constexpr RequirementId SRS_MGR_340{"SRS_MGR_340"};
+inline constexpr RequirementId SRS_MGR_341{"SRS_MGR_341"};
+inline constexpr RequirementId SRS_MGR_342{"SRS_MGR_342"};
+inline constexpr RequirementId SRS_MGR_343{"SRS_MGR_343"};
 inline constexpr RequirementId SRS_NET_001{"SRS_NET_001"};
 inline constexpr RequirementId SRS_NET_002{"SRS_NET_002"};
 inline constexpr RequirementId SRS_NET_003{"SRS_NET_003"};
@@ -105,6 +109,9 @@ inline constexpr RequirementId SRS_NET_154{"SRS_NET_154"};
 inline constexpr RequirementId SRS_NET_230{"SRS_NET_230"};
 inline constexpr RequirementId SRS_NET_231{"SRS_NET_231"};
 inline constexpr RequirementId SRS_NET_232{"SRS_NET_232"};
+inline constexpr RequirementId SRS_NET_340{"SRS_NET_340"};
+inline constexpr RequirementId SRS_NET_341{"SRS_NET_341"};
+inline constexpr RequirementId SRS_NET_342{"SRS_NET_342"};
 inline constexpr RequirementId SRS_SFS_001{"SRS_SFS_001"};
 inline constexpr RequirementId SRS_SFS_002{"SRS_SFS_002"};
 inline constexpr RequirementId SRS_SFS_003{"SRS_SFS_003"};
@@ -135,6 +142,7 @@ inline constexpr RequirementId SRS_SFS_218{"SRS_SFS_218"};
 inline constexpr RequirementId SRS_SFS_219{"SRS_SFS_219"};
 inline constexpr RequirementId SRS_SFS_220{"SRS_SFS_220"};
 inline constexpr RequirementId SRS_SFS_221{"SRS_SFS_221"};
+inline constexpr RequirementId SRS_SFS_340{"SRS_SFS_340"};
 } // namespace counterpoint::req
 
 #endif

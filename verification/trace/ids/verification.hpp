@@ -93,6 +93,14 @@ inline constexpr RequirementId SRS_VER_173{"SRS_VER_173"};
 inline constexpr RequirementId SRS_VER_174{"SRS_VER_174"};
 inline constexpr RequirementId SRS_VER_210{"SRS_VER_210"};
 inline constexpr RequirementId SRS_VER_211{"SRS_VER_211"};
+inline constexpr RequirementId SRS_VER_340{"SRS_VER_340"};
+inline constexpr RequirementId SRS_VER_341{"SRS_VER_341"};
+inline constexpr RequirementId SRS_VER_342{"SRS_VER_342"};
+inline constexpr RequirementId SRS_VER_343{"SRS_VER_343"};
+inline constexpr RequirementId SRS_VER_344{"SRS_VER_344"};
+inline constexpr RequirementId SRS_VER_345{"SRS_VER_345"};
+inline constexpr RequirementId SRS_VER_346{"SRS_VER_346"};
+inline constexpr RequirementId SRS_VER_347{"SRS_VER_347"};
 } // namespace counterpoint::req
 
 #endif

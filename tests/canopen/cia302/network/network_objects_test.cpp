@@ -116,6 +116,7 @@ TEST_F(NetworkObjectsTest, AnotherDeviceIsNotStartedAndKeepsNobodyElseFromIt)
 {
     Verifies(req::SRS_SFS_009);
     Verifies(req::SRS_NMM_211);
+    Verifies(req::SRS_SFS_340);
     // Given a safety slave 5 that is another device
     const SafetyExpectation nothing{nullptr, 0U};
     setups[5].safety = &nothing;

@@ -144,6 +144,7 @@ TEST_F(StartUpPartsTest, AnotherDeviceIsToldAtTheEndAlsoBehindAFullQueue)
     Verifies(req::SRS_NMM_211);
     Verifies(req::SRS_NMM_212);
     Verifies(req::SRS_SFS_009);
+    Verifies(req::SRS_SFS_340);
     said.answers[5U] = NmtAnswer::kOtherDevice;
     said.answers[6U] = NmtAnswer::kQueueFull;
     EXPECT_EQ(Write(0x80U, 0x85U), SdoAbort::kPending);

@@ -151,6 +151,8 @@ TEST_F(RealSlaveTest, WithOneOtherNumberStaysPreOperational)
 TEST_F(RealSlaveTest, StartedBySomebodyElseWithAnotherConfigurationIsStopped)
 {
     Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_340);
+    Verifies(req::SRS_BOOT_342);
     Power();
     expected.front().value += 1U;
     start_up.Begin(Instant{now_us});

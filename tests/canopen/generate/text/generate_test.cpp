@@ -206,7 +206,7 @@ TEST(GenerateTest, SafeValuesAreLiteralsOfTheirTypes)
 
 TEST(GenerateTest, WhatHasNoLengthIsLeftOutWithAWarning)
 {
-    Verifies(req::SRS_GEN_005);
+    Verifies(req::SRS_GEN_341);
     const GeneratedCode code = Code("[FileInfo]\n\n" + test::Section("2000", "Odd", 0x999U, "rw", "1") +
                                     test::Section("0040", "Below 1000h", 5U, "rw", "1") +
                                     test::Section("2001", "Kept", 5U, "rw", "9", "LowLimit=10\n"));

@@ -219,8 +219,8 @@ TEST_F(BootCommandsTest, AStartOfAllKnowsWhoIsRefused)
 
 TEST_F(BootCommandsTest, AStopOfAllBreaksOffWhatWasFoundOfASafetySlave)
 {
-    Verifies(req::SRS_BOOT_017);
     Verifies(req::SRS_SFS_009);
+    Verifies(req::SRS_BOOT_343);
     // Given a safety slave in the middle of its boot, and one that is verified by order, when all are stopped
     setup.start_up = kIsMaster | kStopAllOnError;
     Watched(5U, kMust);
@@ -262,7 +262,7 @@ TEST_F(BootCommandsTest, AStopOfAllBreaksOffWhatWasFoundOfASafetySlave)
 
 TEST_F(BootCommandsTest, BehindAStopOfAllABootUpMessageCountsWhereItWasOrdered)
 {
-    Verifies(req::SRS_BOOT_017);
+    Verifies(req::SRS_BOOT_343);
     StopAll();
     start_up.OnBusBack(Now());
     EXPECT_FALSE(start_up.Resume(NodeId{6U}, Now()));

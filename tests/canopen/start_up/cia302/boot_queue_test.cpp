@@ -132,6 +132,7 @@ TEST_F(BootQueueTest, TheStopOfAllWaitsWhateverIsWrittenMeanwhile)
 TEST_F(BootQueueTest, TheStopOfOneThatDiffersWaits)
 {
     Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_342);
     Watched(5U, kMust);
     Protect(5U);
     Begin();

@@ -211,6 +211,7 @@ struct OtherDevice
 TEST_F(BootRewrittenTest, AnotherDeviceThatTheGateFindsHasTheLetterOfItsNumber)
 {
     Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_342);
     const OtherDevice cases[] = {{{0x1000U, 0U}, "C"}, {{0x1018U, 1U}, "D"}, {{0x1018U, 2U}, "M"},
                                  {{0x1018U, 3U}, "N"}, {{0x1018U, 4U}, "O"}, {{0x1018U, 5U}, "J"}};
     for (const OtherDevice& one : cases)
@@ -232,6 +233,7 @@ TEST_F(BootRewrittenTest, AnotherDeviceThatTheGateFindsHasTheLetterOfItsNumber)
 TEST_F(BootRewrittenTest, TwoDevicesBehindOneNodeIdAreStopped)
 {
     Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_342);
     // Given a verification that fails and names no object, and a slave that says PRE-OPERATIONAL
     gate.verdict = GateState::kFailed;
     gate.finding = GateFinding{{0U, 0U}, SdoAbort::kNone, 0U, 0U};
@@ -246,7 +248,7 @@ TEST_F(BootRewrittenTest, TwoDevicesBehindOneNodeIdAreStopped)
 
 TEST_F(BootRewrittenTest, ASafetySlaveThatDidNotHearTheResetIsTakenOver)
 {
-    Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_340);
     // Given an optional safety slave that is not heard behind the reset
     Add(5U, kBoot).has_boot_up = false;
     Protect(5U);
@@ -284,7 +286,7 @@ TEST_F(BootRewrittenTest, ASafetySlaveThatDidNotHearTheResetIsTakenOver)
 
 TEST_F(BootRewrittenTest, ARunningSafetySlaveWhoseBootFailsIsVerified)
 {
-    Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_340);
     // Given a safety slave that is kept alive, runs, and is of another vendor
     FakeSlave& slave = Add(5U, kBoot | kKeepAlive);
     slave.Put32(0x1018U, 1U, 0x2BU);

@@ -390,6 +390,7 @@ using StartUpSafetyTest = StartUpCia302Test;
 TEST_F(StartUpSafetyTest, SafetySlaveWithAnotherConfigurationIsNotStarted)
 {
     Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_342);
     Add(5U, kMust);
     Protect(5U);
     gate.verdict = GateState::kDiffers;
@@ -454,6 +455,8 @@ TEST_F(StartUpSafetyTest, UnfitMandatorySafetySlaveStopsAllWithBit6)
 TEST_F(StartUpSafetyTest, SafetySlaveFoundOperationalIsVerifiedAndStopped)
 {
     Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_340);
+    Verifies(req::SRS_BOOT_342);
     // Given a safety slave that starts by itself, kept alive or not booted at all
     Add(5U, kInNetwork).is_self_starting = true;
     slaves[5]->heartbeat_ms = 20U;
@@ -481,6 +484,8 @@ TEST_F(StartUpSafetyTest, SafetySlaveFoundOperationalIsVerifiedAndStopped)
 TEST_F(StartUpSafetyTest, KeptAliveSafetySlaveIsVerifiedToo)
 {
     Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_341);
+    Verifies(req::SRS_BOOT_342);
     Add(5U, kMust | kKeepAlive);
     Protect(5U);
     PowerAll();
@@ -500,6 +505,8 @@ TEST_F(StartUpSafetyTest, KeptAliveSafetySlaveIsVerifiedToo)
 TEST_F(StartUpSafetyTest, ThatLeftOperationalIsVerifiedWhenSomebodyElseStartsIt)
 {
     Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_340);
+    Verifies(req::SRS_BOOT_342);
     Add(5U, kMust);
     slaves[5]->heartbeat_ms = 20U;
     setups[5].heartbeat = HeartbeatSetup{100U, 20U, Arming::kFirstHeartbeat};
@@ -542,8 +549,8 @@ class KeptAliveSafetyTest : public StartUpSafetyTest
 
 TEST_F(KeptAliveSafetyTest, OfAnotherVendorIsVerifiedThoughItsBootFailed)
 {
-    Verifies(req::SRS_BOOT_013);
     Verifies(req::SRS_BOOT_016);
+    Verifies(req::SRS_BOOT_341);
     Add(5U, kMust | kKeepAlive).Put32(0x1018U, 1U, 0x99U);
     Meet();
     // With the configuration that is expected it is left running, and is of another vendor all the same
@@ -555,7 +562,8 @@ TEST_F(KeptAliveSafetyTest, OfAnotherVendorIsVerifiedThoughItsBootFailed)
 
 TEST_F(KeptAliveSafetyTest, OfAnotherVendorWithAnotherConfigurationIsStopped)
 {
-    Verifies(req::SRS_BOOT_013);
+    Verifies(req::SRS_BOOT_341);
+    Verifies(req::SRS_BOOT_342);
     gate.verdict = GateState::kDiffers;
     Add(5U, kMust | kKeepAlive).Put32(0x1018U, 1U, 0x99U);
     Meet();
