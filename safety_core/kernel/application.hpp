@@ -39,8 +39,7 @@ struct FlowCount
 
 /// What the device's application implements; what most devices leave empty has a body here. Called from within
 /// Kernel::Cycle and Kernel::OnConfirm; must return soon (its time counts towards the cycle) and call nothing of the
-/// kernel but its Get functions, SetStatus, Send (for the next cycle), SendGfc and DemandSafeState. [SRS_KRN_006,
-/// SRS_KRN_340, SRS_KRN_341]
+/// kernel but its Get functions, SetStatus, Send (for the next cycle), SendGfc and DemandSafeState. [SRS_KRN_006]
 class Application
 {
   public:

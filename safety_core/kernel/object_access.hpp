@@ -10,8 +10,7 @@ namespace counterpoint
 {
 
 /// SDO abort codes that the kernel returns; kNone is success. [SRS_CFG_040, SRS_CFG_041, SRS_CFG_042, SRS_CFG_043,
-/// SRS_CFG_044, SRS_CFG_045, SRS_CFG_046, SRS_CFG_047, SRS_CFG_340, SRS_CFG_341, SRS_CFG_342, SRS_CFG_343, SRS_CFG_344,
-/// SRS_CFG_345, SRS_CFG_346, SRS_CFG_347]
+/// SRS_CFG_044, SRS_CFG_045, SRS_CFG_046, SRS_CFG_047, SRS_CFG_340, SRS_CFG_341, SRS_CFG_342]
 enum class AbortCode : std::uint32_t
 {
     kNone = 0U,
@@ -76,8 +75,7 @@ enum class ObjectKind : std::uint8_t
     kFixed = 7U, ///< As kConfiguration, but a part of the program: a static mapping.
 };
 
-/// Where an address leads. What is not stored has the field kInvalid, which reads 0. [SRS_CFG_040, SRS_CFG_041,
-/// SRS_CFG_340, SRS_CFG_341]
+/// Where an address leads. What is not stored has the field kInvalid, which reads 0. [SRS_CFG_040, SRS_CFG_041]
 struct ObjectPlace
 {
     AbortCode refusal; ///< Only with kInvalid.

@@ -28,8 +28,7 @@ enum class StatusHandshake : std::uint8_t
 };
 
 /// What the application is told, and what it answers by the status bytes. [SRS_KRN_006, SRS_KRN_021, SRS_KRN_022,
-/// SRS_KRN_226, SRS_KRN_032, SRS_KRN_340, SRS_KRN_341, SRS_KRN_342, SRS_FLOW_004,
-/// SRS_FLOW_340] What every cycle goes through is inline.
+/// SRS_KRN_226, SRS_KRN_032, SRS_FLOW_004] What every cycle goes through is inline.
 class Reporting
 {
   public:
@@ -99,7 +98,7 @@ class Reporting
             TellEvent(context, TakeLowest(to_report));
         }
     }
-    /// @brief Counts of this cycle, if they are wanted. [SRS_FLOW_004]
+    /// @brief Counts of this cycle, if they are wanted. [SRS_FLOW_004, SRS_FLOW_340]
     void TellFlow(const KernelContext& context, const CycleOutcome& outcome, const std::uint8_t transmitted) noexcept
     {
         if (flow_callback_ == FlowCallback::kOn)
