@@ -32,6 +32,8 @@ inline constexpr RequirementId SRS_GEN_150{"SRS_GEN_150"};
 inline constexpr RequirementId SRS_GEN_170{"SRS_GEN_170"};
 inline constexpr RequirementId SRS_GEN_340{"SRS_GEN_340"};
 inline constexpr RequirementId SRS_GEN_341{"SRS_GEN_341"};
+inline constexpr RequirementId SRS_GEN_342{"SRS_GEN_342"};
+inline constexpr RequirementId SRS_GEN_343{"SRS_GEN_343"};
 } // namespace counterpoint::req
 
 #endif

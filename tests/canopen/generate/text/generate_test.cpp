@@ -266,6 +266,7 @@ TEST(GenerateTest, TheOutputCompilesWithoutAWarning)
 TEST(GenerateTest, OnlyWhatTheChannelsDoNotWriteCanBeWritten)
 {
     Verifies(req::SRS_GEN_013);
+    Verifies(req::SRS_GEN_342);
     const GeneratedCode code = Code(cia306::test::ExampleText("controller"));
     EXPECT_EQ(code.variable_count, 8U);
     EXPECT_EQ(code.srdo_count, 2U);
