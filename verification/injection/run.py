@@ -42,7 +42,7 @@ DRAWN = ("registers", "opcodes", "flash", "memory", "stuck")
 # What the script has to hold: names of its scenes.
 SCENES = {"start", "pair", "acknowledge", "send", "confirm", "GFC", "GFC sent", "SCT expiry", "SRVT expiry", "NMT leave", "reconfiguration",
           "diagnosis", "level 2"}
-REQUIREMENTS = tuple(f"SRS_VER_{number:03}" for number in (40, 41, 42, 70, 71, 72, 73, 74, 210, 211))
+REQUIREMENTS = tuple(f"SRS_VER_{number:03}" for number in (40, 41, 42, 70, 71, 72, 73, 74, 210, 211, 347))
 # Of processor time: so many faults a second, so many seconds for all skips and inversions by two cores.
 LEAST_RATE, MOST_SECONDS, CORES = 300, 300, 2
 
@@ -195,7 +195,22 @@ def self_test():
              judge_survivors([], [reason], manual, True), judge_survivors([], [reason], manual, False), judge_survivors([survivor("F")], [reason], {}, True)]
     bounds = [results.bound(0, 299, 0.95), results.bound(0, 4603, 0.99), results.bound(1, 100, 0.95), results.bound(0, 0)]
     good = [len(problems) for problems in found] == [0, 1, 1, 0, 1] and [round(value, 5) for value in bounds] == [0.00997, 0.001, 0.04656, 1.0]
-    print(f"{'pass' if good else 'FAIL'}  fixture: a survivor without a reason, one without a mechanism, a reason without a survivor; four bounds")
+    paces = [is_fast_enough(*each) for each in ((300, 1), (299, 1), (180000, 600), (180300, 601))]
+    good = good and paces == [True, False, True, False]
+    print(f"{'pass' if good else 'FAIL'}  fixture: a survivor without a reason, one without a mechanism, a reason without a survivor; four bounds; four paces")
+    return good
+
+
+def is_fast_enough(faults, processor_seconds):
+    """Of one core, and of all cores together. [SRS_VER_073]"""
+    return faults >= LEAST_RATE * processor_seconds and processor_seconds / CORES <= MOST_SECONDS
+
+
+def tells_a_mistake():
+    """Whether it is told when what is known of a fault is not what a run anew comes to. [SRS_VER_347]"""
+    told = subprocess.run([str(INJECTOR), f"{IMAGE}.bin", f"{IMAGE}.txt", "code=1", "sample=1", "shards=1", "mistaken=1"], capture_output=True, text=True, check=False)
+    good = "run anew\t1 differ\t\tNOT TOLD" in told.stdout
+    print(f"{'pass' if good else 'FAIL'}  fixture: a verdict that a run anew does not come to")
     return good
 
 
@@ -238,7 +253,7 @@ def parse():
     return arguments
 
 
-def judge(arguments, paths, failures, is_tested, is_refused):
+def judge(arguments, paths, failures, is_tested, is_refused, is_mistake_told):
     """The record of injection.json."""
     summary, (not_called, functions) = summarise(paths)
     is_complete = arguments.code == "both" and arguments.each == arguments.sample == 0 and not arguments.code_of and arguments.steps == (0, 0xFFFFFFFF)
@@ -250,7 +265,7 @@ def judge(arguments, paths, failures, is_tested, is_refused):
     total = sum(int(end[0]) for end in ends)
     processor = sum(float(end[2]) for end in ends)
     rate = round(total / processor) if processor else 0
-    is_quick = rate >= LEAST_RATE and processor / CORES <= MOST_SECONDS or arguments.all_memory
+    is_quick = is_fast_enough(total, processor) or arguments.all_memory
     is_run = not failures and total > 0 and total == sum(sum(counts.values()) for counts in summary.classes.values())
     are_told = bool(controls) and all(control[3] == "told" for control in controls)
     never_run = image_description.functions_not_called(IMAGE.with_suffix(".txt"), f"{IMAGE}.elf", {})[0]
@@ -258,8 +273,8 @@ def judge(arguments, paths, failures, is_tested, is_refused):
     passed = {"SRS_VER_040": is_run, "SRS_VER_041": is_run and is_tested and not problems, "SRS_VER_042": are_told,
               "SRS_VER_070": is_run and all(summary.classes[name[:-1] if name in ("registers", "opcodes") else name] for name in DRAWN
                                             if getattr(arguments, name)),
-              "SRS_VER_071": is_run and SCENES <= set(scenes), "SRS_VER_072": is_run and not problems and not any(count for fault, count in summary.unsheltered.items() if fault not in results.LASTING), "SRS_VER_073": is_run and are_told and is_quick,
-              "SRS_VER_074": is_run and is_tested, "SRS_VER_210": is_refused,
+              "SRS_VER_071": is_run and SCENES <= set(scenes), "SRS_VER_072": is_run and not problems and not any(count for fault, count in summary.unsheltered.items() if fault not in results.LASTING), "SRS_VER_073": is_run and is_tested and is_quick,
+              "SRS_VER_074": is_run and is_tested, "SRS_VER_210": is_refused, "SRS_VER_347": is_run and are_told and is_mistake_told,
               "SRS_VER_211": is_run and len(not_called) < functions and set(not_called) < set(never_run)}
     options = {"code": arguments.code, "each": arguments.each, "sample": arguments.sample, **{name: getattr(arguments, name) for name in DRAWN}}
     return {"faults": total, "processor_seconds": round(processor, 1), "faults_a_processor_second": rate, "seed": arguments.seed, "options": options,
@@ -276,13 +291,14 @@ def main():
         build()
     image_description.describe(f"{IMAGE}.elf", IMAGE.with_suffix(".txt"), arguments.memory_of, arguments.code_of)
     is_refused = refuses_misnamed()
+    is_mistake_told = tells_a_mistake()
     if arguments.show:
         return show(arguments)
     FOLDER.mkdir(parents=True, exist_ok=True)
     begun = time.monotonic()
     paths, failures = run_shards(arguments)
     seconds = time.monotonic() - begun
-    record = judge(arguments, paths, failures, is_tested, is_refused)
+    record = judge(arguments, paths, failures, is_tested, is_refused, is_mistake_told)
     table = write_table(record)
     (FOLDER / "injection.json").write_text(json.dumps(record, indent=2) + "\n", encoding="utf-8")
     (FOLDER / "injection.txt").write_text(table, encoding="utf-8")
