@@ -330,7 +330,6 @@ TEST_P(PlantedDefects, AreNamedByACampaignThatHoldsWithoutThem)
     Verifies(req::SRS_CMG_043);
     Verifies(req::SRS_CMG_072);
     Verifies(req::SRS_CMG_215);
-    Verifies(req::SRS_CMG_217);
     Verifies(req::SRS_CMG_221);
     Verifies(req::SRS_CMG_077);
     Verifies(req::SRS_CMG_082);

@@ -585,15 +585,15 @@ TEST_F(CourseTest, PlanWithoutAFaultIsRefused)
     const tools::test::Answer none = Campaign(
         {PlanFile("none.yaml", "actuator", "at: [500 ms]\nparts: [pins]\nkinds: [flip]\n")}); // The gate has none.
     EXPECT_EQ(none.status, 2);
-    EXPECT_NE(none.err.find("none.yaml:5:9: error: part 'pins' of which nothing is hit"), std::string::npos)
-        << none.err;
+    EXPECT_NE(none.err.find("none.yaml:5:9: error: part 'pins' of which nothing is hit"), std::string::npos);
+    const std::string apart = PlanFile("apart.yaml", "actuator", "at: [500 ms]\nparts: [bus]\nkinds: [flip]\n");
+    EXPECT_NE(Campaign({apart}).err.find("apart.yaml:6:9: error: a kind that none of the parts has"),
+              std::string::npos);
     const tools::test::Answer many =
         Campaign({PlanFile("many.yaml", "actuator", "at: [500 ms]\nparts: [both_channels]\n")});
     EXPECT_EQ(many.status, 2);
     EXPECT_NE(many.err.find("error: more than 100000000 faults"), std::string::npos) << many.err;
-    const tools::test::Answer reach =
-        Campaign({PlanFile("reach.yaml", "actuator", "at: [500 ms]\nparts: [bus]\nreach: 2 s\n")});
-    EXPECT_EQ(reach.status, 2);
+    EXPECT_EQ(Campaign({PlanFile("reach.yaml", "actuator", "at: [500 ms]\nparts: [bus]\nreach: 2 s\n")}).status, 2);
 }
 } // namespace
 } // namespace counterpoint::campaign::test
