@@ -157,6 +157,30 @@ TEST(AlwaysGoodAlone, NeverHappensAsLongAsNothingIsHidden)
     EXPECT_EQ(Failures(*run), "fault 'always_good' happens: never happened\n");
 }
 
+TEST(FaultWithoutEffect, NeverHappensWhereFrameAndCallsAreAsTheyWould)
+{
+    Verifies(req::SRS_SIM_038);
+    // Given a frame that is given the length which it has, one that nobody sends, and a channel that stands still
+    // between two cycles; and beside each what differs
+    struct Row
+    {
+        const char* kind;
+        const char* without;
+        const char* with;
+    };
+    for (const Row& row : {Row{"corruption", "frames: {identifier: 0x104, receiver: actuator, from: 500 ms}, length: 2",
+                               "frames: {identifier: 0x104, receiver: actuator, from: 500 ms}, length: 1"},
+                           Row{"loss", "frames: {identifier: 0x7A0}", "frames: {identifier: 0x104}"},
+                           Row{"frozen", "node: actuator, part: channel_a, at: 500 ms, until: 500100 us",
+                               "node: actuator, part: channel_a, at: 500 ms, until: 502 ms"}})
+    {
+        const std::string fault = std::string("faults:\n  - {fault: ") + row.kind + ", ";
+        EXPECT_EQ(Failures(*RunChain(fault + row.without + "}\n")),
+                  std::string("fault '") + row.kind + "' happens: never happened\n");
+        EXPECT_EQ(Failures(*RunChain(fault + row.with + "}\n")), "") << row.kind;
+    }
+}
+
 TEST(AlwaysGoodFlowMonitor, LeavesASkippedChannelToTheComparator)
 {
     Verifies(req::SRS_SIM_033);

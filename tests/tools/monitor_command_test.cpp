@@ -560,6 +560,8 @@ TEST_F(MonitorCommandTest, SigtermEndsItWhereNobodyReads)
     // When it is told to end
     const auto begun = std::chrono::steady_clock::now();
     ASSERT_EQ(::kill(monitor, SIGTERM), 0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    ASSERT_EQ(::kill(monitor, SIGTERM), 0); // Which changes nothing.
     int status = 0;
     ASSERT_EQ(::waitpid(monitor, &status, 0), monitor);
     const auto took = std::chrono::steady_clock::now() - begun;

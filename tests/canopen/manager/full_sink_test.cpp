@@ -138,6 +138,28 @@ TEST_F(FullSinkTest, AHeartbeatGoesBeforeTheRequestBehindAnAnswerAndBehindAComma
     EXPECT_EQ(sent, (std::vector<std::uint32_t>{0U, kHeartbeat}));
 }
 
+TEST_F(FullSinkTest, OneHeartbeatIsKeptAndTellsTheStateOfWhenItLeaves)
+{
+    Verifies(req::SRS_MGR_231);
+    StartBoth();
+    // Given three periods of 100 ms without room, and a manager that leaves OPERATIONAL behind them
+    manager->Heartbeat().SetPeriod(100U);
+    Run(350U);
+    ASSERT_TRUE(sent.empty());
+    EXPECT_EQ(Order(NmtCommand::kPreOperational, 127U), NmtAnswer::kTaken);
+    // When there is room again
+    is_free = true;
+    Run(1U);
+    // Then one heartbeat leaves, with the state of now, and the next one when it is due
+    EXPECT_EQ(sent, (std::vector<std::uint32_t>{kHeartbeat}));
+    EXPECT_EQ(last.data[0], 0x7FU);
+    is_free = true;
+    Run(30U);
+    EXPECT_EQ(sent.size(), 1U);
+    Run(71U);
+    EXPECT_EQ(sent, (std::vector<std::uint32_t>{kHeartbeat, kHeartbeat}));
+}
+
 TEST_F(FullSinkTest, AHeartbeatThatIsSwitchedOffMeanwhileDoesNotLeave)
 {
     Verifies(req::SRS_MGR_231);

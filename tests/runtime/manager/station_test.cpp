@@ -317,6 +317,8 @@ TEST_F(ManagerStationTest, HeartbeatConsumersAreWrittenAsInAnyDevice)
     // The place of an entry does not matter
     EXPECT_EQ(Write(0x1016U, 127U, (9U << 16U) | 50U, 4U), 0U);
     EXPECT_EQ(Read(0x1016U, 127U), (9U << 16U) | 50U);
+    EXPECT_EQ(Read(0x1016U, 0U), 127U);
+    EXPECT_EQ(Write(0x1016U, 128U, (9U << 16U) | 50U, 4U), 0x06090011U);
 }
 
 TEST_F(ManagerStationTest, TheLastEmergencyOfAStormIsTold)

@@ -92,6 +92,7 @@ TEST(Instants, AreModular)
 TEST_F(Supervision, BeforeContactNothingIsAFault)
 {
     Verifies(req::SRS_LNK_005);
+    Verifies(req::SRS_LNK_210);
     EXPECT_EQ(link.Echo(Instant{5U}).heard, 0U);
     EXPECT_EQ(link.Take(Message(90U, 500U, LinkEcho{}), Instant{10U}), TakeResult::kDiscarded);
     EXPECT_EQ(link.Take(Message(20U, 700U, LinkEcho{}), Instant{30U}), TakeResult::kDiscarded);

@@ -189,6 +189,32 @@ TEST_F(BootCommandsTest, EachBootedSlaveIsStartedWhereNotAllAreBooted)
     EXPECT_EQ(slaves[7]->State(), NodeState::kOperational);
 }
 
+TEST_F(BootCommandsTest, ARunningSafetySlaveThatIsHeldEndsByHandWithL)
+{
+    Verifies(req::SRS_BOOT_030);
+    // Given a safety slave that is kept alive, runs and is verified for 20 ms
+    Running(5U);
+    Protect(5U);
+    gate.cycles = 20;
+    PowerAll();
+    Run(200U);
+    log.clear();
+    begun_ms = ms;
+    is_begun = true;
+    start_up.Begin(Now());
+    Run(15U);
+    ASSERT_TRUE(Of(5U).is_busy);
+    // When it is made PRE-OPERATIONAL meanwhile
+    EXPECT_EQ(Command(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+    Run(2000U);
+    // Then its start-up ends with L at step "by hand", and nobody starts it
+    EXPECT_EQ(Letter(5U), "L");
+    EXPECT_EQ(Of(5U).step, StartUpStep::kManual);
+    EXPECT_FALSE(Of(5U).is_started);
+    EXPECT_EQ(slaves[5]->State(), NodeState::kPreOperational);
+    EXPECT_EQ(Sent().back(), "80 05");
+}
+
 TEST_F(BootCommandsTest, AStartOfAllKnowsWhoIsRefused)
 {
     Verifies(req::SRS_BOOT_023);

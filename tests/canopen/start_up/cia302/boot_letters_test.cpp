@@ -159,6 +159,52 @@ TEST_F(BootLettersTest, CDMNO_EachNumberOfTheIdentity)
     }
 }
 
+// What is told of a slave whose boot failed, and for how long.
+class ToldStatusTest : public BootRig
+{
+  public:
+    void OnNodeStatus(const NodeId node, const Instant /*now*/) noexcept override
+    {
+        changes += (node.value == 10U) ? 1U : 0U;
+    }
+
+    std::uint32_t changes{0U};
+};
+
+TEST_F(ToldStatusTest, IsKeptUntilTheNextBootBeginsAndEachChangeIsTold)
+{
+    Verifies(req::SRS_BOOT_019);
+    // Given a slave that does not give its serial number
+    Add(10U, kBoot).refused[0x101804U] = SdoAbort::kHardware;
+    Begin();
+    Run(20U);
+    const std::uint32_t failed = changes;
+    EXPECT_GT(failed, 0U);
+    // Then letter, step, object, abort code and values stay, and nothing more is told
+    for (const std::uint32_t later_ms : {0U, 1U, 10000U})
+    {
+        Run(later_ms);
+        EXPECT_EQ(Letter(10U), "O") << later_ms;
+        EXPECT_EQ(Of(10U).step, StartUpStep::kSerialNumber) << later_ms;
+        EXPECT_EQ(Of(10U).object.index, 0x1018U) << later_ms;
+        EXPECT_EQ(Of(10U).object.sub, 4U) << later_ms;
+        EXPECT_EQ(Of(10U).abort, SdoAbort::kHardware) << later_ms;
+        EXPECT_EQ(Of(10U).expected, 0x1234U) << later_ms;
+        EXPECT_EQ(Of(10U).read, 0U) << later_ms;
+        EXPECT_EQ(changes, failed) << later_ms;
+    }
+    // When its next boot begins, then nothing of it is left, which is told
+    slaves[10]->refused.clear();
+    EXPECT_TRUE(start_up.Boot(NodeId{10U}, Now()));
+    EXPECT_EQ(Letter(10U), "-");
+    EXPECT_EQ(Of(10U).object.index, 0U);
+    EXPECT_EQ(Of(10U).abort, SdoAbort::kNone);
+    EXPECT_EQ(Of(10U).expected, 0U);
+    EXPECT_GT(changes, failed);
+    Run(100U);
+    EXPECT_EQ(Of(10U).step, StartUpStep::kDone);
+}
+
 TEST_F(BootLettersTest, CDMNO_NumbersThatCannotBeReadAndNumbersThatAreNotCompared)
 {
     Verifies(req::SRS_BOOT_005);

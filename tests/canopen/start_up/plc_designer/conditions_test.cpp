@@ -328,6 +328,35 @@ TEST_F(PlcCommandTest, AHoldLastsBehindTheResetForTheDefaults)
     }
 }
 
+TEST_F(PlcCommandTest, AHoldLastsUntilTheStartTheBootOrTheResetIsOrdered)
+{
+    Verifies(req::SRS_PLC_030);
+    for (const char* const order : {"start", "boot", "reset"})
+    {
+        // Given a slave that is made PRE-OPERATIONAL in the middle of its start-up
+        AddPlc(5U);
+        Begin();
+        Run(100U);
+        EXPECT_EQ(Command(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+        Run(5000U);
+        EXPECT_EQ(Code(5U), 4) << order;
+        EXPECT_FALSE(Of(5U).is_started) << order;
+        // When it is ordered, then it runs
+        if (order[0] == 'b')
+        {
+            EXPECT_TRUE(Do([this] { return plc.Boot(NodeId{5U}, Now()); }));
+        }
+        else
+        {
+            EXPECT_EQ(Command((order[0] == 's') ? NmtCommand::kStart : NmtCommand::kResetNode, 5U), NmtAnswer::kTaken);
+        }
+        Run(3000U);
+        EXPECT_EQ(Code(5U), 5) << order;
+        EXPECT_TRUE(Of(5U).is_started) << order;
+        plc.End();
+    }
+}
+
 TEST_F(PlcCommandTest, AnOptionalSlaveThatWasStoppedIsLeftOutOfTheStartOfAll)
 {
     Verifies(req::SRS_PLC_030);
