@@ -30,6 +30,11 @@ inline constexpr RequirementId SRS_GEN_020{"SRS_GEN_020"};
 inline constexpr RequirementId SRS_GEN_027{"SRS_GEN_027"};
 inline constexpr RequirementId SRS_GEN_150{"SRS_GEN_150"};
 inline constexpr RequirementId SRS_GEN_170{"SRS_GEN_170"};
+inline constexpr RequirementId SRS_GEN_350{"SRS_GEN_350"};
+inline constexpr RequirementId SRS_GEN_351{"SRS_GEN_351"};
+inline constexpr RequirementId SRS_GEN_352{"SRS_GEN_352"};
+inline constexpr RequirementId SRS_GEN_353{"SRS_GEN_353"};
+inline constexpr RequirementId SRS_GEN_354{"SRS_GEN_354"};
 } // namespace counterpoint::req
 
 #endif
