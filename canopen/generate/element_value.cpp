@@ -35,7 +35,7 @@ Limits RangeOf(const cia306::DataType& type)
     return IsSigned(type) ? Limits{~(all / 2U), all / 2U} : Limits{0U, all};
 }
 
-/// Pairs of hexadecimal digits, or nothing.
+/// Pairs of hexadecimal digits, or nothing. [SRS_GEN_354]
 std::optional<std::vector<std::uint8_t>> Octets(std::string digits)
 {
     digits.erase(std::remove(digits.begin(), digits.end(), ' '), digits.end());

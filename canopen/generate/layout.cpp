@@ -31,7 +31,7 @@ bool IsDeviceParameter(const std::uint16_t index)
     return index >= cia306::kDeviceParametersIndex && index <= cia306::kDetectionIndex;
 }
 
-/// Where the value of an entry of the table is kept. [SRS_GEN_006]
+/// Where the value of an entry of the table is kept. [SRS_GEN_006, SRS_GEN_353]
 Home TableHome(const cia306::Entry& entry)
 {
     const bool is_text = entry.type.kind == DataKind::kText;
@@ -180,7 +180,7 @@ Layout LayOut(const cia306::Device& device, const GenerateOptions& options, std:
     Layout layout{SafetyPart(device, options.node_id), {}, {}, {}, 0U, 0U, 0U, 0U, 0U, 0U, 0U, 8U};
     Builder builder({device, options.node_id, warnings}, layout);
     builder.Collect();
-    if (layout.variable_count > kMostVariables)
+    if (layout.variable_count > kMostVariables) // [SRS_GEN_352]
     {
         throw cia306::InputError(
             device.file, {}, {std::to_string(layout.variable_count) + " objects with SRDOMapping=1", "at most 1024"});

@@ -153,20 +153,16 @@ void NameElements(std::vector<Element>& elements)
 
 std::string ProblemOfNamespace(const std::string& name)
 {
-    std::size_t begin = 0U;
-    while (true)
+    std::size_t end = name.find("::");
+    std::string problem = ProblemOfPart(name.substr(0U, end), true);
+    while (problem.empty() && end != std::string::npos)
     {
-        const std::size_t end = name.find("::", begin);
-        const std::string problem = ProblemOfPart(name.substr(begin, end - begin), begin == 0U);
-        const bool is_over = end == std::string::npos || !problem.empty();
-        if (is_over)
-        {
-            return problem.empty() && name == "counterpoint"
-                       ? "'counterpoint' alone is taken, expected counterpoint::name"
-                       : problem;
-        }
-        begin = end + 2U;
+        const std::size_t begin = end + 2U;
+        end = name.find("::", begin);
+        problem = ProblemOfPart(name.substr(begin, end - begin), false);
     }
+    const bool is_alone = problem.empty() && name == "counterpoint";
+    return is_alone ? "'counterpoint' alone is taken, expected counterpoint::name" : problem;
 }
 
 std::string NamespaceOf(const std::string& file)

@@ -124,7 +124,7 @@ std::uint32_t SafetyPart::Digest() const noexcept
 std::optional<Home> SafetyPart::HomeOf(const cia306::Entry& entry) const
 {
     const bool is_mappable = entry.is_srdo_mappable.value_or(entry.is_pdo_mappable && safety_.Maps(entry));
-    const bool has_length = entry.type.bits >= 1U && entry.type.bits <= 64U;
+    const bool has_length = entry.type.bits != 0U; // At most 64.
     if (safety_.srdos.empty() || !is_mappable || !has_length)
     {
         return std::nullopt;
@@ -189,7 +189,7 @@ std::vector<StaticPart> SafetyPart::StaticParts(const std::vector<Element>& elem
         for (const MappingEntry& entry : srdo.mapping)
         {
             const auto place = Find(elements, entry.raw >> 8U);
-            if (!place)
+            if (!place) // [SRS_GEN_351]
             {
                 throw cia306::InputError(device_.file, entry.place,
                                          {"the static mapping names " + cia306::ObjectName(entry.Index(), entry.Sub()),
@@ -237,14 +237,34 @@ std::vector<SafetySetting> SafetyPart::SettingsFor(const cia306::SafetyConfigura
     return settings;
 }
 
+/// The settings of one node-ID become those of another one by a number each: there are as many of them. [SRS_GEN_350]
+void SafetyPart::RequireSameMappings(const cia306::SafetyConfiguration& other) const
+{
+    for (std::size_t place = 0U; place < safety_.srdos.size(); ++place)
+    {
+        const SrdoConfiguration& srdo = safety_.srdos[place];
+        const SrdoConfiguration& of_other = other.srdos[place];
+        if (of_other.entry_count.value != srdo.entry_count.value || of_other.mapping.size() != srdo.mapping.size())
+        {
+            throw cia306::InputError(device_.file, srdo.entry_count.place,
+                                     {"the mapping of SRDO " + std::to_string(srdo.number) +
+                                          " has another number of entries with another node-ID",
+                                      "as many for each node-ID"});
+        }
+    }
+}
+
 /// Formulas are the node-ID and a number: two node-IDs tell which values have one.
 void SafetyPart::FollowNodeId(std::vector<SafetySetting>& settings) const
 {
-    const std::vector<SafetySetting> of_one = SettingsFor(cia306::ExtractSafety(device_, 1U));
-    const std::vector<SafetySetting> of_two = SettingsFor(cia306::ExtractSafety(device_, 2U));
-    const bool is_alike = of_one.size() == settings.size() && of_two.size() == settings.size();
+    const cia306::SafetyConfiguration one = cia306::ExtractSafety(device_, 1U);
+    const cia306::SafetyConfiguration two = cia306::ExtractSafety(device_, 2U);
+    RequireSameMappings(one);
+    RequireSameMappings(two);
+    const std::vector<SafetySetting> of_one = SettingsFor(one);
+    const std::vector<SafetySetting> of_two = SettingsFor(two);
     std::set<std::uint8_t> numbers; // SRDOs of which something depends on the node-ID.
-    for (std::size_t place = 0U; is_alike && place < settings.size(); ++place)
+    for (std::size_t place = 0U; place < settings.size(); ++place)
     {
         if (of_one[place].value != of_two[place].value)
         {
@@ -256,7 +276,7 @@ void SafetyPart::FollowNodeId(std::vector<SafetySetting>& settings) const
     for (std::uint8_t node = 1U; !numbers.empty() && node <= kLastNode; ++node)
     {
         const cia306::SafetyConfiguration other = cia306::ExtractSafety(device_, node);
-        for (std::size_t place = 0U; place < safety_.srdos.size() && place < other.srdos.size(); ++place)
+        for (std::size_t place = 0U; place < safety_.srdos.size(); ++place)
         {
             const SrdoConfiguration& srdo = safety_.srdos[place];
             const bool is_right = srdo.signature.Is(cia306::SignatureOf(srdo));

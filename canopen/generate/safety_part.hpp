@@ -65,6 +65,7 @@ class SafetyPart
 
   private:
     [[nodiscard]] std::vector<SafetySetting> SettingsFor(const cia306::SafetyConfiguration& safety) const;
+    void RequireSameMappings(const cia306::SafetyConfiguration& other) const;
     void FollowNodeId(std::vector<SafetySetting>& settings) const;
 
     const cia306::Device& device_;

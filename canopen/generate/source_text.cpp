@@ -12,25 +12,17 @@ std::string ReadText(const Element& element)
 {
     const cia306::DataType& type = element.entry->type;
     const std::string place = PlaceText(element);
-    switch (type.kind)
+    const std::string bits = "counterpoint::ReadVariable(" + place + ").bits";
+    if (type.kind == DataKind::kBoolean)
     {
-    case DataKind::kBoolean:
-        return "counterpoint::ReadVariable(" + place + ").bits != 0U";
-    case DataKind::kSigned:
-    {
-        const std::string value = "counterpoint::generated::ReadSigned(" + place + ")";
-        return type.bits > 32U ? value : "static_cast<" + CppTypeOf(type) + ">(" + value + ")";
+        return bits + " != 0U";
     }
-    case DataKind::kReal:
+    if (type.kind == DataKind::kReal)
+    {
         return "counterpoint::generated::ReadReal" + std::to_string(type.bits) + "(" + place + ")";
-    case DataKind::kUnsigned:
-    case DataKind::kTime:
-    case DataKind::kText:
-    case DataKind::kStructure:
-    case DataKind::kUnknown:
-        break;
     }
-    const std::string value = "counterpoint::ReadVariable(" + place + ").bits";
+    const bool is_signed = type.kind == DataKind::kSigned;
+    const std::string value = is_signed ? "counterpoint::generated::ReadSigned(" + place + ")" : bits;
     return type.bits > 32U ? value : "static_cast<" + CppTypeOf(type) + ">(" + value + ")";
 }
 
@@ -38,22 +30,16 @@ std::string WriteText(const Element& element)
 {
     const cia306::DataType& type = element.entry->type;
     const std::string place = PlaceText(element);
-    switch (type.kind)
+    if (type.kind == DataKind::kSigned)
     {
-    case DataKind::kBoolean:
-        return "counterpoint::WriteVariable(" + place + ", counterpoint::VariableValue{value ? 1U : 0U})";
-    case DataKind::kSigned:
         return "counterpoint::generated::WriteSigned(" + place + ", value)";
-    case DataKind::kReal:
-        return "counterpoint::generated::WriteReal" + std::to_string(type.bits) + "(" + place + ", value)";
-    case DataKind::kUnsigned:
-    case DataKind::kTime:
-    case DataKind::kText:
-    case DataKind::kStructure:
-    case DataKind::kUnknown:
-        break;
     }
-    return "counterpoint::WriteVariable(" + place + ", counterpoint::VariableValue{value})";
+    if (type.kind == DataKind::kReal)
+    {
+        return "counterpoint::generated::WriteReal" + std::to_string(type.bits) + "(" + place + ", value)";
+    }
+    const std::string bits = type.kind == DataKind::kBoolean ? "value ? 1U : 0U" : "value";
+    return "counterpoint::WriteVariable(" + place + ", counterpoint::VariableValue{" + bits + "})";
 }
 
 std::string Function(const std::string& head, const std::string& body)

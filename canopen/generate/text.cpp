@@ -103,7 +103,7 @@ std::string GetterName(const Element& element)
 
 bool HasCheckedGetter(const Element& element)
 {
-    return element.safe_read && element.inverse && IsNumber(element) && !SafeLiteral(element).empty();
+    return element.safe_read && !SafeLiteral(element).empty();
 }
 
 std::string SafeLiteral(const Element& element)

@@ -11,11 +11,12 @@ namespace counterpoint::runtime
 {
 namespace
 {
-/// The same for every spelling of one path; what cannot be followed is refused where it is opened.
+/// The same for every spelling of one path, and for every link to it, also where nothing is there yet; what cannot be
+/// followed is refused where it is opened.
 std::filesystem::path OneNameOf(const std::string& file)
 {
     std::error_code error;
-    const std::filesystem::path absolute = std::filesystem::absolute(file);
+    const std::filesystem::path absolute = std::filesystem::absolute(cia306::TargetOf(file));
     const std::filesystem::path name = std::filesystem::weakly_canonical(absolute, error);
     return error ? absolute : name;
 }

@@ -16,8 +16,8 @@ constexpr std::chrono::milliseconds kPause{100};
 constexpr int kWidth = 40;
 } // namespace
 
-ProgressBar::ProgressBar(std::ostream& err, std::string title)
-    : err_(err), title_(std::move(title)), start_(std::chrono::steady_clock::now()), last_(start_),
+ProgressBar::ProgressBar(std::ostream& err, std::string title, Clock now)
+    : err_(err), title_(std::move(title)), now_(std::move(now)), start_(now_()), last_(start_),
       is_terminal_(&err == &std::cerr && isatty(STDERR_FILENO) == 1)
 {
 }
@@ -32,7 +32,7 @@ ProgressBar::~ProgressBar()
 
 void ProgressBar::Show(const double part)
 {
-    const std::chrono::steady_clock::time_point now = std::chrono::steady_clock::now();
+    const std::chrono::steady_clock::time_point now = now_();
     const bool is_time = now - start_ >= kPatience && now - last_ >= kPause;
     if (!is_terminal_ || !is_time)
     {

@@ -7,6 +7,7 @@
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -16,10 +17,10 @@ namespace counterpoint::runtime
 {
 namespace
 {
+/// A mark of the library counts from 0; where it has none (-1) the place is none, either.
 Place PlaceOf(const YAML::Mark& mark)
 {
-    return mark.is_null() ? Place{}
-                          : Place{static_cast<std::size_t>(mark.line) + 1U, static_cast<std::size_t>(mark.column) + 1U};
+    return {static_cast<std::size_t>(mark.line) + 1U, static_cast<std::size_t>(mark.column) + 1U};
 }
 
 /// Length of the UTF-8 character at `place`, 0 if there is none or it is a control character other than tab and
@@ -171,8 +172,8 @@ class TreeBuilder : public YAML::EventHandler
     /// The library takes the end of the file for the end of a quoted text.
     void RequireClosed(const YAML::Mark& mark, const Place place) const
     {
-        const auto begin = static_cast<std::size_t>(mark.pos);
-        const char quote = (begin < text_.size()) ? text_[begin] : ' ';
+        const std::size_t begin = std::min(static_cast<std::size_t>(mark.pos), text_.size());
+        const char quote = text_.c_str()[begin];
         if (quote != '"' && quote != '\'')
         {
             return;
@@ -265,7 +266,7 @@ std::string ReadYamlText(const std::string& file)
         throw YamlError(file, {}, "not a regular file", "a scenario");
     }
     const std::uintmax_t size = std::filesystem::file_size(file, error);
-    if (error || size > kMaxYamlBytes)
+    if (size > kMaxYamlBytes) // So is what has no size.
     {
         throw YamlError(file, {}, std::to_string(size) + " bytes", "at most " + std::to_string(kMaxYamlBytes));
     }

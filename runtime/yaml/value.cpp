@@ -46,22 +46,6 @@ std::optional<std::int64_t> ParseDecimal(const std::string_view text, const std:
     return is_negative ? -magnitude : magnitude;
 }
 
-const char* KindName(const YamlKind kind)
-{
-    switch (kind)
-    {
-    case YamlKind::kNull:
-        return "nothing";
-    case YamlKind::kScalar:
-        return "a single value";
-    case YamlKind::kSequence:
-        return "a list";
-    case YamlKind::kMap:
-        return "a map";
-    }
-    return "nothing";
-}
-
 } // namespace
 
 bool IsHexadecimal(const std::string_view text) noexcept
@@ -76,7 +60,12 @@ std::optional<std::uint64_t> ParseUnsigned(const std::string_view text)
 
 std::string WhatIs(const YamlNode& node)
 {
-    return (node.kind == YamlKind::kScalar) ? Shown(node.scalar) : KindName(node.kind);
+    if (node.kind == YamlKind::kScalar)
+    {
+        return Shown(node.scalar);
+    }
+    const char* const list_or_nothing = (node.kind == YamlKind::kSequence) ? "a list" : "nothing";
+    return (node.kind == YamlKind::kMap) ? "a map" : list_or_nothing;
 }
 
 YamlValue::YamlValue(const std::string& file, const YamlNode& node) noexcept : file_(&file), node_(&node)
@@ -231,8 +220,7 @@ ObjectAddress YamlValue::Object() const
     const std::string expected = "an object such as 0x2000:01";
     const std::string text = Text(expected);
     const std::size_t colon = text.find(':');
-    const bool has_form = text.size() > 2U && text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
-    if (!has_form || colon == std::string::npos)
+    if (!IsHexadecimal(text) || colon == std::string::npos)
     {
         Refuse(Shown(text), expected);
     }

@@ -160,22 +160,6 @@ Keeping KeepingOf(const std::string& path)
     return {status.st_mode & static_cast<mode_t>(07777), status.st_uid, status.st_gid};
 }
 
-/// Where the bytes have to go: a symbolic link stays one, and the file behind it is replaced, or made if there is none.
-std::string TargetOf(const std::string& path)
-{
-    std::filesystem::path target(path);
-    std::error_code error;
-    for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(target, error); ++i)
-    {
-        target = target.parent_path() / std::filesystem::read_symlink(target, error);
-    }
-    if (std::filesystem::is_symlink(target, error))
-    {
-        Refuse(path, "it is a link in a circle", "a file, or a link to one");
-    }
-    return target.string();
-}
-
 std::string FolderOf(const std::string& target)
 {
     const std::string folder = std::filesystem::path(target).parent_path().string();
@@ -287,6 +271,21 @@ std::string ReadTextFile(const std::string& path)
     }
     RequireRegularAndSmall(path, status);
     return ReadAll(path, file.Number());
+}
+
+std::string TargetOf(const std::string& path)
+{
+    std::filesystem::path target(path);
+    std::error_code error;
+    for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(target, error); ++i)
+    {
+        target = target.parent_path() / std::filesystem::read_symlink(target, error);
+    }
+    if (std::filesystem::is_symlink(target, error))
+    {
+        Refuse(path, "it is a link in a circle", "a file, or a link to one");
+    }
+    return target.string();
 }
 
 void RequireWritable(const std::string& path)

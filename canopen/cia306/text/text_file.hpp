@@ -15,6 +15,10 @@ constexpr std::size_t kMaxFileBytes = 16U * 1024U * 1024U;
 /// file that is larger than kMaxFileBytes. [SRS_EDS_017]
 [[nodiscard]] std::string ReadTextFile(const std::string& path);
 
+/// Where the bytes of a file go: a symbolic link stays one, and the file behind it is replaced, or made if there is
+/// none. Throws InputError for links in a circle. [SRS_CLI_035]
+[[nodiscard]] std::string TargetOf(const std::string& path);
+
 /// Throws InputError where WriteTextFile would for this path, and leaves nothing behind. For commands that
 /// write their result only after long work. [SRS_CLI_240]
 void RequireWritable(const std::string& path);

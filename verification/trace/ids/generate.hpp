@@ -34,6 +34,11 @@ inline constexpr RequirementId SRS_GEN_340{"SRS_GEN_340"};
 inline constexpr RequirementId SRS_GEN_341{"SRS_GEN_341"};
 inline constexpr RequirementId SRS_GEN_342{"SRS_GEN_342"};
 inline constexpr RequirementId SRS_GEN_343{"SRS_GEN_343"};
+inline constexpr RequirementId SRS_GEN_350{"SRS_GEN_350"};
+inline constexpr RequirementId SRS_GEN_351{"SRS_GEN_351"};
+inline constexpr RequirementId SRS_GEN_352{"SRS_GEN_352"};
+inline constexpr RequirementId SRS_GEN_353{"SRS_GEN_353"};
+inline constexpr RequirementId SRS_GEN_354{"SRS_GEN_354"};
 } // namespace counterpoint::req
 
 #endif

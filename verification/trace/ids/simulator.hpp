@@ -99,6 +99,7 @@ inline constexpr RequirementId SRS_SIM_215{"SRS_SIM_215"};
 inline constexpr RequirementId SRS_SIM_216{"SRS_SIM_216"};
 inline constexpr RequirementId SRS_SIM_217{"SRS_SIM_217"};
 inline constexpr RequirementId SRS_SIM_340{"SRS_SIM_340"};
+inline constexpr RequirementId SRS_SIM_350{"SRS_SIM_350"};
 } // namespace counterpoint::req
 
 #endif

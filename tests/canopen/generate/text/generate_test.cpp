@@ -204,6 +204,16 @@ TEST(GenerateTest, SafeValuesAreLiteralsOfTheirTypes)
     EXPECT_EQ(BitsLiteral({"REAL32", DataKind::kReal, 32U}, 0x7FC00000U), ""); // No number.
 }
 
+TEST(GenerateTest, OnlyNumbersHaveATypeOfTheLanguage)
+{
+    Verifies(req::SRS_GEN_013);
+    using cia306::DataKind;
+    EXPECT_EQ(CppTypeOf({"INTEGER24", DataKind::kSigned, 24U}), "std::int32_t");
+    EXPECT_EQ(CppTypeOf({"VISIBLE_STRING", DataKind::kText, 0U}), "");
+    EXPECT_EQ(CppTypeOf({"a structure (DEFSTRUCT)", DataKind::kStructure, 0U}), "");
+    EXPECT_EQ(CppTypeOf({"unknown", DataKind::kUnknown, 0U}), "");
+}
+
 TEST(GenerateTest, WhatHasNoLengthIsLeftOutWithAWarning)
 {
     Verifies(req::SRS_GEN_341);

@@ -111,6 +111,34 @@ TEST(GeneratedStorage, HasConstantsWithTheNodeId)
     EXPECT_TRUE(Has(code.source, "0x00U, 0x03U, 0x00U, 0x00U, // 2001h:00"));
 }
 
+// A string whose access the file does not tell is taken for ro, and lies with the constants.
+TEST(GeneratedStorage, HasStringsWithoutAnAccessAmongTheConstants)
+{
+    Verifies(req::SRS_GEN_006);
+    const std::string no_access = "[2000]\nParameterName=Word\nObjectType=7\nDataType=9\nDefaultValue=ab\n\n";
+    const GeneratedCode untold = Code(kHead + no_access);
+    EXPECT_EQ(untold.stored_bytes, 0U);
+    EXPECT_EQ(untold.constant_bytes, 2U);
+    EXPECT_TRUE(Has(untold.source, "{0x2000U, 0x00U, DataType::kVisibleString, Access::kReadOnly"));
+    // The near miss: one that can be written has room for 32 bytes
+    const GeneratedCode written = Code(kHead + Entry("2000", 9, "rw", "DefaultValue=ab"));
+    EXPECT_EQ(written.stored_bytes, 32U);
+    EXPECT_EQ(written.constant_bytes, 0U);
+}
+
+// Octets are pairs of digits; a digit that is left over makes it a text.
+TEST(GeneratedStorage, HasOctetsOfPairsOfDigits)
+{
+    Verifies(req::SRS_GEN_354);
+    const auto source = [](const std::string& value)
+    { return Code(kHead + Entry("2000", 10, "const", "DefaultValue=" + value)).source; };
+    EXPECT_TRUE(Has(source("A1B2"), "    0xA1U, 0xB2U, // 2000h:00\n"));
+    EXPECT_TRUE(Has(source("A1 B2"), "    0xA1U, 0xB2U, // 2000h:00\n"));
+    EXPECT_TRUE(Has(source("A1B"), "    0x41U, 0x31U, 0x42U, // 2000h:00\n"));
+    EXPECT_TRUE(Has(source("A1 B"), "    0x41U, 0x31U, 0x20U, 0x42U, // 2000h:00\n"));
+    EXPECT_TRUE(Has(source("A1G2"), "    0x41U, 0x31U, 0x47U, 0x32U, // 2000h:00\n"));
+}
+
 // An object that is NULL is none of the dictionary.
 TEST(GeneratedEntries, AreOfObjectsThatAreThere)
 {

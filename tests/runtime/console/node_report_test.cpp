@@ -9,9 +9,12 @@
 
 #include <array>
 #include <chrono>
+#include <condition_variable>
 #include <csignal>
 #include <fcntl.h>
 #include <fstream>
+#include <mutex>
+#include <ostream>
 #include <poll.h>
 #include <sstream>
 #include <string>
@@ -22,6 +25,46 @@ namespace counterpoint::runtime
 {
 namespace
 {
+/// Takes what is written, and keeps its writer in there until it is opened.
+class HeldBuffer : public std::streambuf
+{
+  public:
+    void AwaitWriter()
+    {
+        std::unique_lock<std::mutex> lock(mutex_);
+        change_.wait(lock, [this] { return is_entered_; });
+    }
+    void Open()
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        is_open_ = true;
+        change_.notify_all();
+    }
+    [[nodiscard]] std::string Text()
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        return text_;
+    }
+
+  protected:
+    std::streamsize xsputn(const char* const bytes, const std::streamsize count) override
+    {
+        std::unique_lock<std::mutex> lock(mutex_);
+        is_entered_ = true;
+        change_.notify_all();
+        change_.wait(lock, [this] { return is_open_; });
+        text_.append(bytes, static_cast<std::size_t>(count));
+        return count;
+    }
+
+  private:
+    std::mutex mutex_;
+    std::condition_variable change_;
+    bool is_entered_{false};
+    bool is_open_{false};
+    std::string text_;
+};
+
 class NodeReportTest : public ::testing::Test
 {
   protected:
@@ -105,9 +148,10 @@ TEST_F(NodeReportTest, LinesOfOutputsHavePlacesOfTheirOwn)
     {
         report.Print("value\n");
     }
-    for (int i = 1; i <= 5000; ++i)
+    const std::array<const char*, 4U> events{"output", "device_fault", "stopped", "stale_frames"};
+    for (std::size_t i = 1U; i <= 5000U; ++i)
     {
-        report.Tell(0U, "SRDO " + std::to_string(i) + ".", "output", {{"open", false}});
+        report.Tell(0U, "SRDO " + std::to_string(i) + ".", events.at(i % 4U), {{"open", false}});
     }
     std::string text = ReadTo("SRDO 4095.\n");
     std::thread reader([this, &text] { text += ReadTo("end\n"); });
@@ -119,7 +163,6 @@ TEST_F(NodeReportTest, LinesOfOutputsHavePlacesOfTheirOwn)
         << text.substr(text.size() - 200U);
 }
 
-// Given a reader that reads nothing, then the end does not wait for it.
 // Given a pipe with room for one piece, whose writer has put half of a first line there and waits, then what is kept is
 // counted exactly.
 TEST_F(NodeReportTest, ExactlyTheFirst65536LinesOr64MiBAreKept)
@@ -165,6 +208,7 @@ TEST_F(NodeReportTest, ExactlyTheFirst65536LinesOr64MiBAreKept)
     }
 }
 
+// Given a reader that reads nothing, then the end does not wait for it.
 TEST_F(NodeReportTest, TheEndDoesNotWaitForAReaderThatReadsNothing)
 {
     Verifies(req::SRS_NODE_211);
@@ -287,6 +331,73 @@ TEST_F(NodeReportTest, OfScreensTheLastOneWaits)
     // Those of the time until its thread found that nobody reads
     EXPECT_LT(screens, kScreens / 2);
     EXPECT_NE(text.find("screen 200\nline\n"), std::string::npos);
+}
+
+// Given a reader that only is slow, then each screen is written.
+TEST(NodeReportOfAFile, HasEachScreenWhileItsReaderReads)
+{
+    Verifies(req::SRS_MGR_161);
+    HeldBuffer buffer;
+    std::ostream out(&buffer);
+    NodeReport report(out, ReportForm::kText, 0U);
+    report.Print("first\n");
+    buffer.AwaitWriter();
+    report.PrintScreen("screen 1\n");
+    report.PrintScreen("screen 2\n");
+    buffer.Open();
+    EXPECT_TRUE(report.Finish());
+    EXPECT_EQ(buffer.Text(), "first\nscreen 1\nscreen 2\n");
+}
+
+TEST(NodeReportOfAFile, TellsTheTimeSinceItsStart)
+{
+    Verifies(req::SRS_NODE_004);
+    std::ostringstream text;
+    {
+        NodeReport report(text, ReportForm::kText, 1000000000U);
+        EXPECT_EQ(report.Form(), ReportForm::kText);
+        report.Tell(2500000000U, "operational", "state", {{"state", 5}});
+        report.Tell(1000000001U, "a", "value", {{"value", 1}});
+        report.Tell(999999999U, "before", "value", {{"value", 2}});
+        report.Print("a line\n");
+        report.PrintLast("a last line\n");
+    }
+    EXPECT_EQ(text.str(), "  1.500000 s  operational\n  0.000000 s  a\n  0.000000 s  before\na line\na last line\n");
+    std::ostringstream objects;
+    {
+        NodeReport report(objects, ReportForm::kJson, 1000000000U);
+        report.Tell(2500000999U, "operational", "state", {{"state", 5}});
+        report.Print("a line\n");
+        report.PrintLast("a last line\n");
+    }
+    EXPECT_EQ(objects.str(), R"({"format":"counterpoint-node-1","at_us":1500000,"event":"state","state":5})"
+                             "\n");
+}
+
+// Given several lines in one go for a reader that has stopped, then the end waits for it once, not once a line.
+TEST_F(NodeReportTest, TheEndWaitsOnceForAllLines)
+{
+    Verifies(req::SRS_NODE_211);
+    Verifies(req::SRS_NODE_212);
+    HeldBuffer buffer;
+    std::ostream out(&buffer);
+    NodeReport report(out, ReportForm::kText, 0U, ends_[1]);
+    report.Print("first\n");
+    buffer.AwaitWriter();
+    const std::string piece(4096U, 'x');
+    ASSERT_EQ(::fcntl(ends_[1], F_SETFL, O_NONBLOCK), 0);
+    while (::write(ends_[1], piece.data(), piece.size()) > 0)
+    {
+    }
+    for (int i = 0; i < 60; ++i)
+    {
+        report.Print(piece + "\n");
+    }
+    buffer.Open();
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_FALSE(report.Finish());
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::minutes(2)); // 60 times two seconds.
+    EXPECT_EQ(buffer.Text(), "first\n");
 }
 
 // Given a reader that has ended, then the end tells that not everything was written.
