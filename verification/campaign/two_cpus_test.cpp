@@ -86,10 +86,12 @@ TEST_F(TwoCpusTest, OutputThatBothHaveOpenAgainNeedsAnAcknowledge)
 {
     Verifies(req::SRS_CMG_250);
     // Given a device that is at work
-    Session session(TwoCpuPlan("actuator", kSmall));
-    const std::size_t cycles = session.Scenario().Record().cycles.size();
-    Device& device = session.Parts().device;
-    Judge judge(session.Scenario().Record(), session.Scenario().Model(), device);
+    const Plan plan = ReadPlan(TwoCpuPlan("actuator", kSmall));
+    const RecordedScenario scenario(plan.scenario, runtime::YamlValue(plan.file, plan.device_node));
+    Region region(1U << 20U);
+    TwoCpus device(region, scenario, false);
+    Judge judge(scenario.Record(), scenario.Model(), device);
+    const std::size_t cycles = scenario.Record().cycles.size();
     JudgeMemory memory{};
     std::size_t opened = 0U;
     for (std::size_t cycle = 0U; cycle < cycles && opened == 0U; ++cycle)
