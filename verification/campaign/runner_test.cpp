@@ -194,6 +194,20 @@ TEST_F(RunnerTest, WhatEndsByAnExceptionOrNotAtAllIsSafeByItAndTheNextFaultIsTri
     }
 }
 
+TEST_F(RunnerTest, DeviceLiesAtOneAddress)
+{
+    Verifies(req::SRS_CMG_001);
+    // Given a plan that is read twice, then the memory of its device lies where it did
+    const std::string plan = PlanFile("plan.yaml", "actuator", kSmall);
+    const auto address = [&plan]()
+    {
+        Session session(plan);
+        return session.Runs().Subject().Memory().Bytes();
+    };
+    const std::uint8_t* const first = address();
+    EXPECT_EQ(address(), first);
+}
+
 /// A device without faults, a cycle at a time, with what the judge says of it.
 class JudgeTest : public CampaignTest
 {

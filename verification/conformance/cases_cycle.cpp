@@ -104,6 +104,12 @@ constexpr Step kGfcEvery[] = {
     Masks(0U, 3U, 0U, 3U, 0U), Slot(0U, kFaulted, Cause::kGfc, 0U, 1U, 0U), Slot(1U, kFaulted, Cause::kGfc, 0U, 1U, 0U),
 };
 
+// Nothing on the first one in this cycle.
+constexpr Step kGfcOnTheSecond[] = {
+    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), On(Gfc(1000U), CanPortId::kSecond),
+    Cycle(2000U), Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kGfc, 0U, 1U, 0U), Signals(0U, Bit(Cause::kGfc)),
+};
+
 constexpr Step kGfcParameterOff[] = {
     Configure(), Cycle(0U), Gfc(1000U), Cycle(2000U), Masks(0U, 0U, 1U, 0U, 0U),
     Store(0U, ConfigField::kGfcParameter, 2U),
@@ -178,6 +184,7 @@ constexpr Case kCases[] = {
     MakeCase("LostFramesConcernNoProducer", {req::SRS_CONS_016}, kMixed, kProducerUntouched),
     MakeCase("GlobalFailsafeCommand", {req::SRS_CONS_017}, kGold, kGfc),
     MakeCase("GlobalFailsafeCommandConcernsEveryConsumer", {req::SRS_CONS_017}, kTwo, kGfcEvery),
+    MakeCase("GlobalFailsafeCommandOnTheSecondController", {req::SRS_CONS_017}, kGold, kGfcOnTheSecond),
     MakeCase("GlobalFailsafeCommandNeeds1300h", {req::SRS_CONS_017}, kGold, kGfcParameterOff),
     MakeCase("NoGlobalFailsafeCommand", {req::SRS_CONS_017}, kGold, kGfcOtherFrames),
     MakeCase("GlobalFailsafeCommandOutsideOperational", {req::SRS_CONS_017, req::SRS_CONS_002}, kGold,
