@@ -75,7 +75,8 @@ class Production
     /// @brief Each channel's refresh runs by its own counter. Where it waits in one channel alone, or one channel alone
     /// missed the next one so far, that channel is ahead: it stands, and the other one's slot does not count as due, so
     /// that a request of the same producer waits, too. So a pair always is the refresh of both channels or of none.
-    /// O(1), with a cause of a producer O(slots with one) [SRS_KRN_017, SRS_KRN_145, SRS_KRN_146, SRS_KRN_148]
+    /// O(1), with a cause of a producer O(slots with one) [SRS_KRN_017, SRS_KRN_145, SRS_KRN_146, SRS_KRN_148,
+    /// SRS_KRN_310]
     void Await(const KernelContext& context, CycleOutcome& a, CycleOutcome& b) noexcept;
     /// @brief Sends the pairs of producers that both channels call due. O(start)
     void Produce(KernelContext& context, SrdoMask start) noexcept;

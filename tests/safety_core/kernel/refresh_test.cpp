@@ -93,6 +93,48 @@ TEST_F(Refresh, RequestWaitsForTheChannelThatIsBehind)
     }
 }
 
+// since pair 1   25 ms            26.5 ms          48.501 ms   50.001 ms        51.499 ms        52 ms
+// ahead          refresh, waits   pair 2, moved    .           .                .                refresh, pair 3
+// behind         .                refresh          .           refresh, waits   stands           waits
+TEST_F(Refresh, TwoLateCyclesOfDiscrepancyHoldWhatStandingMovesThePhases)
+{
+    Verifies(req::SRS_KRN_310);
+    const auto cycle_at = [this](const std::uint32_t instant_us)
+    {
+        now_us = instant_us;
+        kernel.Cycle(CycleCall{NowBehind(1U), 0U, 0U});
+    };
+    for (const bool is_a : {false, true})
+    {
+        // Given calls of which some are as late as allowed, one of them while one channel alone stands
+        is_a_behind = is_a;
+        config.discrepancy_us = 3000U;
+        OperateWithClocks(100U);
+        ConfirmPair(0U);
+        const std::uint32_t first_us = now_us;
+        CyclesBehind(25U);
+        EXPECT_EQ(ports.sent.size(), 0U);
+        cycle_at(first_us + 26500U);
+        ASSERT_EQ(ports.sent.size(), 1U);
+        ConfirmPair();
+        for (std::uint32_t cycle_us = 27500U; cycle_us <= 47500U; cycle_us += 1000U)
+        {
+            cycle_at(first_us + cycle_us);
+        }
+        // When the next refresh of the other one falls due as early, and as late after a call, as it may
+        for (const std::uint32_t cycle_us : std::initializer_list<std::uint32_t>{48501U, 50001U, 51000U, 51499U})
+        {
+            cycle_at(first_us + cycle_us);
+            EXPECT_EQ(ports.sent.size(), 0U) << cycle_us;
+        }
+        // Then they wait for each other without a device fault
+        cycle_at(first_us + 52000U);
+        EXPECT_EQ(ports.sent.size(), 1U);
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+        EXPECT_TRUE(CausesOf(0x1303U).empty());
+    }
+}
+
 // cycle     24           25           26               27               28
 // asked     pair 2
 // ahead     on its way   on its way   refresh waits    waits, stands    pair 2 was confirmed: pair 3

@@ -156,6 +156,7 @@ inline constexpr RequirementId SRS_KRN_250{"SRS_KRN_250"};
 inline constexpr RequirementId SRS_KRN_300{"SRS_KRN_300"};
 inline constexpr RequirementId SRS_KRN_301{"SRS_KRN_301"};
 inline constexpr RequirementId SRS_KRN_302{"SRS_KRN_302"};
+inline constexpr RequirementId SRS_KRN_310{"SRS_KRN_310"};
 inline constexpr RequirementId SRS_KRN_340{"SRS_KRN_340"};
 inline constexpr RequirementId SRS_KRN_341{"SRS_KRN_341"};
 inline constexpr RequirementId SRS_KRN_342{"SRS_KRN_342"};
