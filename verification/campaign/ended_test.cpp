@@ -43,10 +43,10 @@ pid_t LeafOf(const pid_t process)
 class EndedTest : public CampaignTest
 {
   protected:
-    /// Runs a campaign of one process at a time in a process of its own. Whoever tries a fault gets the signal when
-    /// `is_due` says so. The status of the campaign.
+    /// Runs a campaign of one process at a time in a process of its own. Whoever tries a fault is killed when `is_due`
+    /// says so. The status of the campaign.
     [[nodiscard]] static int Disturbed(const std::vector<std::string>& arguments, const std::string& err,
-                                       const std::function<bool()>& is_due, const int signal = SIGKILL)
+                                       const std::function<bool()>& is_due)
     {
         const pid_t campaign = fork();
         if (campaign == 0)
@@ -61,7 +61,7 @@ class EndedTest : public CampaignTest
             const pid_t leaf = is_due() ? LeafOf(campaign) : 0;
             if (leaf > 0)
             {
-                kill(leaf, signal);
+                kill(leaf, SIGKILL);
             }
             std::this_thread::sleep_for(std::chrono::microseconds{20});
         }
@@ -138,21 +138,6 @@ TEST_F(EndedTest, FaultOfANetworkWhoseProcessIsKilledFromOutsideIsTriedAgain)
     // Then none is told as silent for that
     EXPECT_EQ(status, 0);
     EXPECT_EQ(cia306::ReadTextFile(Path("disturbed")), cia306::ReadTextFile(Path("whole")));
-}
-
-TEST_F(EndedTest, FaultOfANetworkThatEndsTheProgramIsSilent)
-{
-    Verifies(req::SRS_CMG_217);
-    const std::string plan =
-        File("plan.yaml", "title: A test\nnetwork: " COUNTERPOINT_SOURCE_FOLDER
-                          "/examples/campaigns/managed.yaml\nuntil: 60 ms\nparts: [sdo]\nkinds: [lost]\nsample: 40\n");
-    // When the processor ends processes that try a fault, as it does with a program that fails
-    static_cast<void>(
-        Disturbed({plan, "--jobs", "1", "--out", Path("results")}, Path("err"), WhenItGrows("results", 3U), SIGSEGV));
-    // Then each of these is told as silent, with its reason, and the campaign does not hold
-    const tools::test::Answer answer = Campaign({plan, "--jobs", "1", "--out", Path("results")});
-    EXPECT_EQ(answer.status, 1) << answer.out;
-    EXPECT_NE(answer.out.find("the program ended"), std::string::npos) << answer.out;
 }
 
 TEST_F(EndedTest, SignalsOfTheProcessorAreNotFromOutside)

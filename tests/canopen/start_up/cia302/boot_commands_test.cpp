@@ -192,18 +192,22 @@ TEST_F(BootCommandsTest, EachBootedSlaveIsStartedWhereNotAllAreBooted)
 TEST_F(BootCommandsTest, ARunningSafetySlaveThatIsHeldEndsByHandWithL)
 {
     Verifies(req::SRS_BOOT_030);
-    // Given a safety slave that is kept alive, runs and is verified for 20 ms
+    // Given a safety slave that is kept alive, runs, tells so each 50 ms, and is verified for 200 ms
     Running(5U);
     Protect(5U);
-    gate.cycles = 20;
+    gate.cycles = 200;
     PowerAll();
     Run(200U);
     log.clear();
     begun_ms = ms;
     is_begun = true;
     start_up.Begin(Now());
-    Run(15U);
+    for (int i = 0; (i < 1000) && (gate.verifications == 0); ++i)
+    {
+        Run(1U);
+    }
     ASSERT_TRUE(Of(5U).is_busy);
+    ASSERT_EQ(gate.verifications, 1);
     // When it is made PRE-OPERATIONAL meanwhile
     EXPECT_EQ(Command(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
     Run(2000U);

@@ -197,7 +197,7 @@ TEST_F(ToldStatusTest, IsKeptUntilTheNextBootBeginsAndEachChangeIsTold)
     slaves[10]->refused.clear();
     EXPECT_TRUE(start_up.Boot(NodeId{10U}, Now()));
     EXPECT_EQ(Letter(10U), "-");
-    EXPECT_EQ(Of(10U).object.index, 0U);
+    EXPECT_EQ(Of(10U).object.index, 0x1000U); // What this boot asks first.
     EXPECT_EQ(Of(10U).abort, SdoAbort::kNone);
     EXPECT_EQ(Of(10U).expected, 0U);
     EXPECT_GT(changes, failed);
