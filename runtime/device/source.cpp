@@ -11,6 +11,8 @@ namespace
 {
 using cia306::InputError;
 
+static_assert(cia306::kMaxMappingEntries == kMaxMapEntries, "what the reader lets through has room");
+
 constexpr std::size_t kMostObjects = 1024U;
 
 std::uint32_t Number(const cia306::Field& field)
@@ -53,12 +55,6 @@ DeviceSource::DeviceSource(const cia306::Device& device, const std::string& file
     {
         cia306::RequireNone(file_, srdo.signature_problems);
         cia306::RequireNone(file_, srdo.other_problems);
-        if (srdo.mapping.size() > kMaxMapEntries)
-        {
-            throw InputError(file_, srdo.entry_count.place,
-                             {std::to_string(srdo.mapping.size()) + " mapping entries",
-                              "at most " + std::to_string(kMaxMapEntries)});
-        }
     }
     cia306::RequireNone(file_, safety_.limits);
     const auto safety_object = cia306::FirstSafetyObject(device_);
@@ -149,8 +145,8 @@ MapAccess DeviceSource::AccessOf(const cia306::Entry& entry) const
 void DeviceSource::AppendVariable(const cia306::Entry& entry, std::vector<SourceVariable>& variables) const
 {
     const bool is_mappable = entry.is_srdo_mappable.value_or(entry.is_pdo_mappable);
-    const std::uint8_t bits = entry.type.bits;
-    const bool has_length = bits >= 1U && bits <= kMaxPayloadBits;
+    const std::uint8_t bits = entry.type.bits; // At most 64.
+    const bool has_length = bits != 0U;
     if (!is_mappable || !has_length)
     {
         return;

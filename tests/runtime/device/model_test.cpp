@@ -2,18 +2,28 @@
 #include "runtime/device/model.hpp"
 #include "runtime/device/owned_channel.hpp"
 #include "runtime/device/pair_logic.hpp"
-#include "tests/integration/scenario_run.hpp"
+#include "tests/canopen/cia306/device_text.hpp"
 #include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
-namespace counterpoint::simulator
+namespace counterpoint::runtime
 {
 namespace
 {
+std::string Example(const std::string& name)
+{
+    return cia306::test::SourceFolder() + "/examples/emergency_stop/" + name;
+}
+
+std::string Data(const std::string& name)
+{
+    return cia306::test::SourceFolder() + "/tests/canopen/cia306/data/" + name;
+}
+
 TEST(DeviceModel, TakesTheControllerFromItsDcf)
 {
     Verifies(req::SRS_SIM_002);
-    const runtime::DeviceModel model(Examples() + "controller.dcf", std::nullopt);
+    const DeviceModel model(Example("controller.dcf"), std::nullopt);
     // SRDOs
     EXPECT_EQ(model.Config().node_id, 2U);
     EXPECT_EQ(model.Config().srdo_count, 2U);
@@ -52,7 +62,7 @@ TEST(DeviceModel, TakesEveryDeviceParameterFromItsDcf)
 {
     Verifies(req::SRS_SIM_002);
     // Given a DCF in which each of 5F00h to 5F05h is another than its default
-    const runtime::DeviceModel model(Examples() + "../../tests/canopen/cia306/data/digest.dcf", std::nullopt);
+    const DeviceModel model(Data("digest.dcf"), std::nullopt);
     const DeviceConfig& config = model.Config();
     EXPECT_EQ(config.granularity_bits, 1U);
     EXPECT_EQ(config.map_entries, 128U);
@@ -76,7 +86,7 @@ TEST(DeviceModel, LeavesDummiesOutOfItsPairs)
 {
     Verifies(req::SRS_SIM_002);
     // Given SRDO 1 with dummies of 1, 8, 16 and 32 bits around objects of 1 and 6 bits
-    const runtime::DeviceModel model(Examples() + "../../tests/canopen/cia306/data/dummies.dcf", std::nullopt);
+    const DeviceModel model(Data("dummies.dcf"), std::nullopt);
     // Then its pairs are the objects, at their place in the data
     ASSERT_EQ(model.Pairs().size(), 3U);
     EXPECT_EQ(model.Pairs()[0].first_bit, 1U);
@@ -89,16 +99,16 @@ TEST(PairLogic, AConsumerUsesWhatIsInverseAndOpenAndTheSafeValueElse)
 {
     Verifies(req::SRS_SIM_006);
     // Given the controller, which receives 2200h:01 (safe value 0) by SRDO 1
-    const runtime::DeviceModel model(Examples() + "controller.dcf", std::nullopt);
-    runtime::PairLogic logic(model, runtime::Half::kBoth);
-    const runtime::PairValue* const pair = logic.Find({0x2200U, 1U});
+    const DeviceModel model(Example("controller.dcf"), std::nullopt);
+    PairLogic logic(model, Half::kBoth);
+    const PairValue* const pair = logic.Find({0x2200U, 1U});
     ASSERT_NE(pair, nullptr);
     ASSERT_TRUE(pair->is_consumer);
     const auto taken = [&logic, pair](const std::uint64_t normal, const std::uint64_t inverse, const SrdoMask open)
     {
         WriteVariable(pair->normal_place, VariableValue{normal});
         WriteVariable(pair->inverse_place, VariableValue{inverse});
-        logic.Take(open, [](const runtime::PairValue&) {});
+        logic.Take(open, [](const PairValue&) {});
         return pair->normal;
     };
     EXPECT_EQ(taken(0x5AU, 0xA5U, 1U), 0x5AU);
@@ -114,10 +124,10 @@ TEST(PairLogic, AConsumerUsesWhatIsInverseAndOpenAndTheSafeValueElse)
 TEST(PairLogic, AProducerComputesItsInverseObjectByAnotherPath)
 {
     Verifies(req::SRS_SIM_006);
-    const runtime::DeviceModel model(Examples() + "sensor.dcf", std::nullopt);
-    runtime::PairLogic logic(model, runtime::Half::kBoth);
+    const DeviceModel model(Example("sensor.dcf"), std::nullopt);
+    PairLogic logic(model, Half::kBoth);
     logic.SetInput({0x2000U, 1U}, 0x15AU);
-    const runtime::PairValue* const pair = logic.Find({0x2000U, 1U});
+    const PairValue* const pair = logic.Find({0x2000U, 1U});
     ASSERT_NE(pair, nullptr);
     EXPECT_EQ(pair->normal, 0x5AU);
     EXPECT_EQ(pair->inverse, 0xA5U);
@@ -131,22 +141,45 @@ TEST(PairLogic, AProducerComputesItsInverseObjectByAnotherPath)
 TEST(FindConfigBit, NamesTheBitThatHoldsAValueInEitherChannel)
 {
     Verifies(req::SRS_SIM_021);
-    const runtime::DeviceModel model(Examples() + "actuator.dcf", std::nullopt);
-    for (const runtime::Letter letter : {runtime::Letter::kA, runtime::Letter::kB})
+    const DeviceModel model(Example("actuator.dcf"), std::nullopt);
+    for (const Letter letter : {Letter::kA, Letter::kB})
     {
         // Given a channel that keeps SCT 50 (32h)
-        const auto host = runtime::MakeChannel(letter, runtime::RoomOf(model.Config()));
+        const auto host = MakeChannel(letter, RoomOf(model.Config()));
         host->Voice().Restart(model.Config());
         const ConfigAddress sct{0U, ConfigField::kSct, 0U};
         host->Voice().Store({sct, 50U});
-        const auto place = runtime::FindConfigBit(letter, model.Config(), sct, 3U);
+        const auto place = FindConfigBit(letter, model.Config(), sct, 3U);
         ASSERT_TRUE(place);
         // When the bit at that place flips
         host->Bytes()[place->offset] = static_cast<std::uint8_t>(host->Bytes()[place->offset] ^ (1U << place->bit));
         // Then SCT is 3Ah
         EXPECT_EQ(host->Voice().Load(sct).value, 0x3AU);
     }
-    EXPECT_FALSE(runtime::FindConfigBit(runtime::Letter::kA, model.Config(), {0U, ConfigField::kSct, 0U}, 20U));
+    EXPECT_FALSE(FindConfigBit(Letter::kA, model.Config(), {0U, ConfigField::kSct, 0U}, 20U));
+}
+
+// Each CPU of two runs the channel of its letter, one alone runs both.
+TEST(OwnedChannel, IsOnItsCpuWithRoomForItsDevice)
+{
+    Verifies(req::SRS_SIM_021);
+    EXPECT_TRUE(HasChannel(CpuRole::kWhole, Letter::kA));
+    EXPECT_TRUE(HasChannel(CpuRole::kWhole, Letter::kB));
+    EXPECT_TRUE(HasChannel(CpuRole::kA, Letter::kA));
+    EXPECT_FALSE(HasChannel(CpuRole::kA, Letter::kB));
+    EXPECT_FALSE(HasChannel(CpuRole::kB, Letter::kA));
+    EXPECT_TRUE(HasChannel(CpuRole::kB, Letter::kB));
+    for (const Letter letter : {Letter::kA, Letter::kB})
+    {
+        // Up to 16 entries have the same room, 17 and more the greatest
+        const std::size_t usual = MakeChannel(letter, {2U, 16U})->Size();
+        const std::size_t wide = MakeChannel(letter, {2U, 17U})->Size();
+        EXPECT_EQ(MakeChannel(letter, {2U, 1U})->Size(), usual);
+        EXPECT_EQ(MakeChannel(letter, {2U, 128U})->Size(), wide);
+        EXPECT_GT(wide, usual);
+        EXPECT_GT(MakeChannel(letter, {3U, 16U})->Size(), usual);
+        EXPECT_GT(MakeChannel(letter, {2U, 16U})->VoiceSize(), 0U);
+    }
 }
 } // namespace
-} // namespace counterpoint::simulator
+} // namespace counterpoint::runtime

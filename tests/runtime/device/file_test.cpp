@@ -1,0 +1,273 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+// Files that can or cannot become a device, and what of them the kernel gets.
+#include "runtime/device/model.hpp"
+#include "tests/canopen/cia306/device_text.hpp"
+#include "tests/canopen/cia306/folder_of_files.hpp"
+#include "verification/trace/ids/node.hpp"
+#include "verification/trace/ids/simulator.hpp"
+#include "verification/trace/verifies.hpp"
+
+#include <gtest/gtest.h>
+
+namespace counterpoint::runtime
+{
+namespace
+{
+using cia306::test::FileText;
+
+/// The text with `to` in place of the first `from` behind the head of a section.
+std::string InSection(std::string text, const std::string& section, const std::string& from, const std::string& to)
+{
+    const std::size_t place = text.find(from, text.find("[" + section + "]\n"));
+    EXPECT_NE(place, std::string::npos) << section << " has no " << from;
+    return place == std::string::npos ? text : text.replace(place, from.size(), to);
+}
+
+constexpr const char* kPlain = "[FileInfo]\n\n[DeviceComissioning]\nNodeID=5\n\n[2000]\nParameterName=Speed\n"
+                               "ObjectType=0x7\nDataType=5\nAccessType=rw\nDefaultValue=7\nPDOMapping=1\n\n";
+
+class DeviceFile : public cia306::test::FolderTest
+{
+  protected:
+    [[nodiscard]] DeviceModel ModelOf(const std::string& text, const SafetyNeed need = SafetyNeed::kRequired) const
+    {
+        return DeviceModel(File("a.dcf", text), std::nullopt, need);
+    }
+
+    /// What is said behind the name of the file; empty where it becomes a device.
+    [[nodiscard]] std::string RefusalOf(const std::string& text, const SafetyNeed need = SafetyNeed::kRequired) const
+    {
+        try
+        {
+            const DeviceModel model(File("a.dcf", text), std::nullopt, need);
+        }
+        catch (const cia306::InputError& error)
+        {
+            return std::string(error.what()).substr(Path("a.dcf").size());
+        }
+        return "";
+    }
+};
+
+TEST_F(DeviceFile, HasANodeIdAndAnSrdo)
+{
+    Verifies(req::SRS_SIM_002);
+    EXPECT_EQ(RefusalOf(FileText("digest")), "");
+    EXPECT_EQ(RefusalOf(InSection(FileText("digest"), "DeviceComissioning", "NodeID=127\n", "")),
+              ": error: no node-ID, expected NodeID in [DeviceComissioning], --node-id, or node_id in the scenario");
+    EXPECT_EQ(RefusalOf(kPlain), ": error: no SRDO, expected objects 0x1301 to 0x1340 with at least one SRDO");
+    // Of a file that has a safety object the line of that is named
+    EXPECT_EQ(RefusalOf(kPlain + cia306::test::VariableText("13FE", "0x0005", "0xA5"), SafetyNeed::kOptional),
+              ":14:1: error: no SRDO, expected objects 0x1301 to 0x1340 with at least one SRDO");
+}
+
+TEST_F(DeviceFile, OfAPlainDeviceHasOneSrdoThatIsOffAndNoVariables)
+{
+    Verifies(req::SRS_NODE_016);
+    const DeviceModel model = ModelOf(kPlain, SafetyNeed::kOptional);
+    EXPECT_TRUE(model.Srdos().empty());
+    EXPECT_TRUE(model.Objects().empty());
+    EXPECT_TRUE(model.Writes().empty());
+    EXPECT_EQ(model.Config().srdo_count, 1U);
+    EXPECT_EQ(model.Config().srdos[0].number, 1U);
+    EXPECT_EQ(model.Config().srdos[0].policy, ReleasePolicy::kInterlock);
+    EXPECT_EQ(model.NumberOf(0U), 0U);
+    EXPECT_FALSE(model.SlotOf(1U).has_value());
+    EXPECT_EQ(model.PairOf({0x2000U, 0U}), nullptr);
+}
+
+TEST_F(DeviceFile, WithServicesGivesTheKernelWhatIsForSrdos)
+{
+    Verifies(req::SRS_NODE_016);
+    // Given an object for PDOs before the variables, and one for SRDOs that none maps behind them
+    std::string text = FileText("digest");
+    text += "\n[2100]\nParameterName=P\nObjectType=0x7\nDataType=5\nAccessType=ro\nDefaultValue=1\nPDOMapping=1\n";
+    text += "\n[2600]\nParameterName=S\nObjectType=0x7\nDataType=5\nAccessType=ro\nDefaultValue=2\nSRDOMapping=1\n";
+    const DeviceModel all = ModelOf(text);
+    ASSERT_EQ(all.Objects().size(), 6U);
+    EXPECT_EQ(all.Objects()[0].index, 0x2100U);
+    const DeviceModel model = ModelOf(text, SafetyNeed::kOptional);
+    ASSERT_EQ(model.Objects().size(), 5U);
+    EXPECT_EQ(model.Objects()[0].index, 0x2200U);
+    EXPECT_EQ(model.Objects()[4].index, 0x2600U);
+    EXPECT_EQ(*model.Objects()[4].place, 2U);
+    ASSERT_EQ(model.Pairs().size(), 2U);
+    EXPECT_EQ(model.Objects()[model.Pairs()[1].normal].index, 0x2400U);
+    EXPECT_EQ(model.Objects()[model.Pairs()[1].inverse].index, 0x2500U);
+    ASSERT_NE(model.PairOf({0x2400U, 1U}), nullptr);
+    EXPECT_EQ(model.PairOf({0x2400U, 1U})->srdo, 5U);
+    EXPECT_EQ(model.PairOf({0x2400U, 2U}), nullptr);
+    EXPECT_EQ(model.PairOf({0x2500U, 1U}), nullptr);
+}
+
+TEST_F(DeviceFile, MapsItsOwnObjects)
+{
+    Verifies(req::SRS_SIM_002);
+    EXPECT_EQ(RefusalOf(InSection(FileText("digest"), "1382sub2", "0x23000120", "0x99990120")),
+              ":237:16: error: the mapping names 0x9999:01, expected an object of the file with SRDOMapping=1 and a "
+              "length of 1 to 64 bits");
+    // A value of one that is mapped has to fit; of one that is not it does not matter
+    const std::string bad = InSection(FileText("digest"), "2200sub1", "SRDOMapping=1", "SRDOMapping=1\nDefaultValue=x");
+    EXPECT_NE(RefusalOf(bad).find("0x2200:01: "), std::string::npos) << RefusalOf(bad);
+    EXPECT_EQ(RefusalOf(FileText("digest") + "\n[2600]\nParameterName=S\nObjectType=0x7\nDataType=5\nAccessType=ro\n"
+                                             "DefaultValue=x\nSRDOMapping=1\n"),
+              "");
+}
+
+TEST_F(DeviceFile, HasAtMost128EntriesInAMapping)
+{
+    Verifies(req::SRS_SIM_002);
+    EXPECT_EQ(RefusalOf(InSection(FileText("digest"), "1382sub0", "ParameterValue=2", "ParameterValue=129")),
+              ":219:16: error: 0x1382:00: 129 mapping entries, expected at most 128");
+}
+
+TEST_F(DeviceFile, HasVariablesThatAreNumbers)
+{
+    Verifies(req::SRS_SIM_002);
+    const DeviceModel model = ModelOf(FileText("digest") + "\n[2600]\nParameterName=Word\nObjectType=0x7\nDataType=9\n"
+                                                           "AccessType=ro\nDefaultValue=x\nSRDOMapping=1\n");
+    EXPECT_EQ(model.Objects().size(), 4U);
+    EXPECT_EQ(model.NumberOf(0U), 2U);
+    EXPECT_EQ(model.NumberOf(1U), 5U);
+    EXPECT_EQ(model.NumberOf(2U), 0U);
+}
+
+// What a file lacks: 1300h is not written, 13FEh as not valid.
+TEST_F(DeviceFile, IsConfiguredWithWhatItHas)
+{
+    Verifies(req::SRS_SIM_002);
+    const DeviceModel whole = ModelOf(FileText("digest"));
+    EXPECT_EQ(whole.Writes()[whole.Writes().size() - 2U].object.index, 0x1300U);
+    EXPECT_EQ(whole.Writes()[whole.Writes().size() - 2U].value, 1U);
+    EXPECT_EQ(whole.Writes().back().value, 0xA5U);
+    std::string text = InSection(FileText("digest"), "1300", "[1300]", "[2F00]");
+    EXPECT_EQ(RefusalOf(text), ":38:3: error: 0x1300: is listed, expected a section that describes it");
+    text = InSection(InSection(text, "OptionalObjects", "0x1300", "0x2F00"), "13FE", "[13FE]", "[2F01]");
+    const DeviceModel less = ModelOf(InSection(text, "OptionalObjects", "0x13FE", "0x2F01"));
+    EXPECT_EQ(less.Writes()[less.Writes().size() - 2U].object.index, 0x1305U);
+    EXPECT_EQ(less.Writes().back().object.index, 0x13FEU);
+    EXPECT_EQ(less.Writes().back().value, 0U);
+}
+
+TEST_F(DeviceFile, HasAtMost1024Variables)
+{
+    Verifies(req::SRS_SIM_002);
+    // Given the 4 variables of the file, and 1020 more
+    std::string text = FileText("digest");
+    for (int number = 0; number < 1020; ++number)
+    {
+        text += "\n[" + cia306::test::HexIndex(0x3000 + number) +
+                "]\nParameterName=V\nObjectType=0x7\nDataType=5\nAccessType=ro\nDefaultValue=0\nSRDOMapping=1\n";
+    }
+    EXPECT_EQ(ModelOf(text).Config().object_count, 1024U);
+    text += "\n[4000]\nParameterName=V\nObjectType=0x7\nDataType=5\nAccessType=ro\nDefaultValue=0\nSRDOMapping=1\n";
+    EXPECT_EQ(RefusalOf(text), ": error: 1025 mappable objects, expected at most 1024");
+}
+
+TEST_F(DeviceFile, GivesVariablesTheDirectionOfTheirAccess)
+{
+    Verifies(req::SRS_SIM_002);
+    const auto access = [this](const std::string& word)
+    {
+        const std::string text = InSection(FileText("digest"), "2400sub1", "AccessType=ro", word);
+        return ModelOf(text).Objects()[2].access;
+    };
+    EXPECT_EQ(access("AccessType=ro"), MapAccess::kProducer);
+    EXPECT_EQ(access("AccessType=rwr"), MapAccess::kProducer);
+    EXPECT_EQ(access("AccessType=const"), MapAccess::kProducer);
+    EXPECT_EQ(access("AccessType=wo"), MapAccess::kConsumer);
+    EXPECT_EQ(access("AccessType=rww"), MapAccess::kConsumer);
+    EXPECT_EQ(access("AccessType=rw"), MapAccess::kProducer); // A producer maps it.
+    EXPECT_EQ(access(""), MapAccess::kNone);
+    const DeviceModel received = ModelOf(InSection(FileText("digest"), "2200sub1", "AccessType=rww", "AccessType=rw"));
+    EXPECT_EQ(received.Objects()[0].access, MapAccess::kConsumer); // A consumer maps it.
+}
+
+TEST_F(DeviceFile, NamesTheControllersOfAHost)
+{
+    Verifies(req::SRS_SIM_036);
+    const auto refusal = [this](const std::string& normal, const std::string& inverse)
+    {
+        std::string text = InSection(FileText("digest"), "5F00subF", "ParameterValue=1", "ParameterValue=" + normal);
+        text = InSection(text, "5F00sub10", "ParameterValue=2", "ParameterValue=" + inverse);
+        return RefusalOf(text);
+    };
+    EXPECT_EQ(refusal("1", "1"), "");
+    EXPECT_EQ(refusal("1", "2"), "");
+    EXPECT_EQ(refusal("2", "2"),
+              ":567:16: error: 0x5F00:0F names another controller, expected 1 for the normal frames, 1 or 2 for the "
+              "inverse frames of a simulated device");
+    EXPECT_EQ(refusal("1", "3"),
+              ":576:16: error: 0x5F00:10 names another controller, expected 1 for the normal frames, 1 or 2 for the "
+              "inverse frames of a simulated device");
+}
+
+TEST_F(DeviceFile, WithASecondControllerIsAnotherDevice)
+{
+    Verifies(req::SRS_SIM_009);
+    Verifies(req::SRS_SIM_036);
+    // Given one controller, and a digest
+    DeviceModel one = ModelOf(InSection(FileText("digest"), "5F00sub10", "ParameterValue=2", "ParameterValue=1"));
+    EXPECT_EQ(one.ControllerCount(), 1U);
+    EXPECT_EQ(one.Config().digest, 0x5F9AFA3DU);
+    one.UseTwoControllers();
+    EXPECT_EQ(one.ControllerCount(), 2U);
+    EXPECT_EQ(one.Config().digest, 0U);
+    // Given two, then nothing changes
+    DeviceModel two = ModelOf(FileText("digest"));
+    two.UseTwoControllers();
+    EXPECT_EQ(two.ControllerCount(), 2U);
+    EXPECT_EQ(two.Config().digest, 0x5F9AFA3DU);
+    // With another node-ID it is another device, too
+    EXPECT_EQ(DeviceModel(File("b.dcf", FileText("digest")), std::uint8_t{9U}).Config().digest, 0U);
+}
+
+TEST_F(DeviceFile, WithAStaticMappingHasItsFieldsInOrder)
+{
+    Verifies(req::SRS_SIM_009);
+    DeviceModel model = ModelOf(FileText("static"));
+    ASSERT_EQ(model.StaticTables().size(), 2U);
+    EXPECT_EQ(model.StaticTables()[0].count, 16U);
+    EXPECT_EQ(model.StaticTables()[0].entries[1], 0x23000108U);
+    EXPECT_EQ(model.FieldsOf(model.StaticTables()[0]).normal, model.Memory().data());
+    EXPECT_EQ(model.FieldsOf(model.StaticTables()[0]).inverse, model.Memory().data() + 8);
+    ASSERT_NE(model.StaticTableOf(3U), nullptr);
+    EXPECT_EQ(model.StaticTableOf(3U)->normal, 16U);
+    EXPECT_EQ(model.StaticTableOf(2U), nullptr);
+    EXPECT_EQ(model.Config().srdos[1].map.count, 6U);
+    // And nobody writes it
+    for (const ConfigurationWrite& write : model.Writes())
+    {
+        EXPECT_FALSE(write.object.index >= 0x1381U && write.object.index <= 0x13C0U) << write.object.index;
+    }
+}
+
+TEST_F(DeviceFile, IsNamedWhereTheKernelRefusesIt)
+{
+    Verifies(req::SRS_SIM_002);
+    const DeviceModel model = ModelOf(FileText("digest"));
+    const std::string end = "), expected a configuration that it accepts; 'counterpoint check' tells more";
+    const auto text = [this, &model](const AbortCode code)
+    {
+        const ConfigurationWrite write{{0x1302U, 2U}, 80U, 2U, {104U, 16U}};
+        return std::string(runtime::RefusalOf(model, write, code).what()).substr(Path("a.dcf").size());
+    };
+    const std::string begin = ":104:16: error: 0x1302:02: the device refuses 0x0050 with abort code ";
+    EXPECT_EQ(text(AbortCode::kValueRange),
+              begin + "0609 0030h (value out of range, or identifiers that are in use or no pair" + end);
+    EXPECT_EQ(text(AbortCode::kNone), begin + "0000 0000h (no error" + end);
+    EXPECT_EQ(text(AbortCode::kUnsupportedAccess), begin + "0601 0000h (mapping in use" + end);
+    EXPECT_EQ(text(AbortCode::kReadOnly), begin + "0601 0002h (read only" + end);
+    EXPECT_EQ(text(AbortCode::kObjectUnknown), begin + "0602 0000h (unknown object" + end);
+    EXPECT_EQ(text(AbortCode::kNotMappable), begin + "0604 0041h (not mappable, or another length" + end);
+    EXPECT_EQ(text(AbortCode::kMapTooLong), begin + "0604 0042h (odd count, or more than 64 bits" + end);
+    EXPECT_EQ(text(AbortCode::kIncompatible),
+              begin + "0604 0043h (the configuration does not hold: signature, timing, identifiers or mapping" + end);
+    EXPECT_EQ(text(AbortCode::kLengthMismatch), begin + "0607 0010h (wrong size" + end);
+    EXPECT_EQ(text(AbortCode::kSubUnknown), begin + "0609 0011h (unknown sub-index" + end);
+    EXPECT_EQ(text(AbortCode::kGeneral), begin + "0800 0000h (the channels differ" + end);
+    EXPECT_EQ(text(AbortCode::kDeviceState), begin + "0800 0022h (not in this state" + end);
+    EXPECT_EQ(text(static_cast<AbortCode>(0x12345678U)), begin + "1234 5678h (unknown abort code" + end);
+}
+} // namespace
+} // namespace counterpoint::runtime
