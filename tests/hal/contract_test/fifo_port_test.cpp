@@ -150,7 +150,7 @@ TEST(FifoPort, KeepsTheContract)
                   "protection: impossible region is refused: not shown: the port has no memory protection",
                   "parameters: programmed bytes are read: not shown: the port has no parameter memory",
                   "parameters: erase touches one bank: not shown: the port has no parameter memory"}));
-    EXPECT_EQ(count.held, 39U);
+    EXPECT_EQ(count.held, 40U);
 }
 
 TEST(FifoPort, OrderOfBothFifosIsThatOfTheirStamps)

@@ -133,7 +133,7 @@ void HostBench::Drive(const PermitSet& permits) noexcept
         judged.b.response = (permits.a.response * inverse) * kPermitConstantB;
     }
     was_driven_ = true;
-    judged.a.response += Has(Defect::kNeverOpens) ? 1U : 0U;
+    judged.a.response += (Has(Defect::kNeverOpens) && (permits.a.mask != 0U)) ? 1U : 0U;
     output_->Drive(judged);
 }
 
