@@ -89,6 +89,8 @@ inline constexpr RequirementId SRS_MGR_225{"SRS_MGR_225"};
 inline constexpr RequirementId SRS_MGR_226{"SRS_MGR_226"};
 inline constexpr RequirementId SRS_MGR_230{"SRS_MGR_230"};
 inline constexpr RequirementId SRS_MGR_231{"SRS_MGR_231"};
+inline constexpr RequirementId SRS_MGR_320{"SRS_MGR_320"};
+inline constexpr RequirementId SRS_MGR_321{"SRS_MGR_321"};
 inline constexpr RequirementId SRS_MGR_340{"SRS_MGR_340"};
 inline constexpr RequirementId SRS_MGR_341{"SRS_MGR_341"};
 inline constexpr RequirementId SRS_MGR_342{"SRS_MGR_342"};
