@@ -91,6 +91,8 @@ inline constexpr RequirementId SRS_MGR_230{"SRS_MGR_230"};
 inline constexpr RequirementId SRS_MGR_231{"SRS_MGR_231"};
 inline constexpr RequirementId SRS_MGR_320{"SRS_MGR_320"};
 inline constexpr RequirementId SRS_MGR_321{"SRS_MGR_321"};
+inline constexpr RequirementId SRS_MGR_322{"SRS_MGR_322"};
+inline constexpr RequirementId SRS_MGR_323{"SRS_MGR_323"};
 inline constexpr RequirementId SRS_MGR_340{"SRS_MGR_340"};
 inline constexpr RequirementId SRS_MGR_341{"SRS_MGR_341"};
 inline constexpr RequirementId SRS_MGR_342{"SRS_MGR_342"};
