@@ -32,6 +32,10 @@ class ManagerListener : public StartUpListener
     /// @brief 1F90h or the own node-ID have values with which no negotiation can begin. Told once; the manager begins
     /// when the values are right.
     virtual void OnNegotiationRefused(FlyingStart reason, Instant now) noexcept;
+    /// @brief The sink may have room, and nothing that goes first waits for it: services of the owner that share the
+    /// sink send what they have waiting, before requests to slaves are sent. With each frame and in each cycle.
+    /// [SRS_MGR_321]
+    virtual void OnRoom(Instant now) noexcept;
 
   protected:
     ManagerListener() noexcept = default;
@@ -41,6 +45,10 @@ class ManagerListener : public StartUpListener
 };
 
 inline void ManagerListener::OnInitialising(const Instant /*now*/) noexcept
+{
+}
+
+inline void ManagerListener::OnRoom(const Instant /*now*/) noexcept
 {
 }
 

@@ -102,6 +102,7 @@ void Manager::SendWaiting(const Instant now) noexcept
     {
         profile->OnRoom(now);
     }
+    parts_.listener.OnRoom(now);
 }
 
 void Manager::OnCycle(const Instant now) noexcept

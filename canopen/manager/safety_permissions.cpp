@@ -11,17 +11,37 @@ namespace
 constexpr std::uint16_t kFirstSafety = 0x1300U;
 constexpr std::uint16_t kLastSafety = 0x13FFU;
 
-/// What an answer says of a download.
+/// What a frame says of a download.
 enum class Download : std::uint8_t
 {
     kNone = 0U,
     kBegun = 1U, ///< It may be written, or is: the answer names the object.
     kRest = 2U,  ///< A segment, or the end of a block: of what was begun last.
+    kAsked = 3U, ///< Somebody else asks for it: the request names the object.
+    kAskedRest = 4U,
 };
+
+/// What a request says of one. This device does not hear its own.
+Download AskedIn(const std::uint8_t head) noexcept
+{
+    constexpr std::uint8_t kCommandBits = 0xE0U;
+    constexpr std::uint8_t kSegment = 0x00U;
+    constexpr std::uint8_t kBegin = 0x20U;
+    constexpr std::uint8_t kBlockBits = 0xE1U;
+    constexpr std::uint8_t kBlockBegin = 0xC0U;
+    constexpr std::uint8_t kBlockEnd = 0xC1U;
+    const auto command = static_cast<std::uint8_t>(head & kCommandBits);
+    const auto block = static_cast<std::uint8_t>(head & kBlockBits);
+    const bool is_begin = (command == kBegin) || (block == kBlockBegin);
+    const bool is_rest = (command == kSegment) || (block == kBlockEnd);
+    const Download rest = is_rest ? Download::kAskedRest : Download::kNone;
+    return is_begin ? Download::kAsked : rest;
+}
 
 Download DownloadIn(const CanFrame& frame) noexcept
 {
     constexpr std::uint32_t kAnswers = 0x580U;
+    constexpr std::uint32_t kRequests = 0x600U;
     constexpr std::uint8_t kSdoBytes = 8U;
     constexpr std::uint8_t kCommandBits = 0xE0U;
     constexpr std::uint8_t kBegin = 0x60U;
@@ -29,12 +49,17 @@ Download DownloadIn(const CanFrame& frame) noexcept
     constexpr std::uint8_t kBlockBits = 0xE3U;
     constexpr std::uint8_t kBlockBegin = 0xA0U;
     constexpr std::uint8_t kBlockEnd = 0xA1U;
-    const bool is_answer = (frame.kind == FrameKind::kData) && (frame.length_bytes == kSdoBytes) &&
-                           ((frame.identifier & ~std::uint32_t{kLastNode}) == kAnswers);
+    const std::uint32_t service = frame.identifier & ~std::uint32_t{kLastNode};
+    const bool is_sdo = (frame.kind == FrameKind::kData) && (frame.length_bytes == kSdoBytes);
+    const bool is_answer = is_sdo && (service == kAnswers);
     const auto command = static_cast<std::uint8_t>(frame.data[0] & kCommandBits);
     const auto block = static_cast<std::uint8_t>(frame.data[0] & kBlockBits);
     Download download = Download::kNone;
-    if (is_answer && ((command == kBegin) || (block == kBlockBegin)))
+    if (is_sdo && (service == kRequests))
+    {
+        download = AskedIn(frame.data[0]);
+    }
+    else if (is_answer && ((command == kBegin) || (block == kBlockBegin)))
     {
         download = Download::kBegun;
     }
@@ -134,7 +159,7 @@ bool SafetyPermissions::HasStarted(const NodeId node, const StartUp& profile) co
 
 /// 1300h may be written in every state, and 1010h and 1011h change what a device has after its reset alone: they count
 /// until the start. A device takes nothing else of 1300h to 13FFh in OPERATIONAL: it had not got the start yet. Who
-/// runs is read again, whoever started it.
+/// runs is read again, whoever started it. A request counts as well, for the start may leave between it and its answer.
 void SafetyPermissions::OnFrame(const CanFrame& frame, const StartUp* const profile, const Instant now) noexcept
 {
     constexpr std::uint16_t kStore = 0x1010U;
@@ -146,7 +171,8 @@ void SafetyPermissions::OnFrame(const CanFrame& frame, const StartUp* const prof
     {
         gate_.NoteDownload(node, named);
     }
-    const ObjectAddress object = gate_.LastDownload(node);
+    const bool is_asked = (download == Download::kAsked) || (download == Download::kAskedRest);
+    const ObjectAddress object = (download == Download::kAsked) ? named : gate_.LastDownload(node);
     const bool is_configuration = (object.index > kFirstSafety) && (object.index <= kLastSafety);
     const bool is_other = (object.index == kFirstSafety) || (object.index == kStore) || (object.index == kRestore);
     const bool is_meant = (download != Download::kNone) && setup_.IsSafetySlave(node) &&
@@ -155,7 +181,9 @@ void SafetyPermissions::OnFrame(const CanFrame& frame, const StartUp* const prof
     {
         const bool is_started = HasStarted(node, *profile);
         const bool is_running = is_started || table_.IsFoundRunning(node);
-        if (!is_started || is_configuration)
+        // Who runs may refuse: its answer tells.
+        const bool is_over = is_asked ? !is_running : (!is_started || is_configuration);
+        if (is_over)
         {
             Close(node);
             if (is_running)

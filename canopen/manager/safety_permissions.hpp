@@ -24,8 +24,9 @@ class SafetyPermissions
     void OnLeave(NodeId node) noexcept;
     /// @brief Somebody else commanded a start while this device leads the network. O(127)
     void OnForeignStart(NodeId node, const StartUp& profile, Instant now) noexcept;
-    /// @brief A frame from the bus, before the SDO pool has it: the answer to a write of the safety configuration by
-    /// somebody else ends what was read. `profile` is null while this device does not lead. [SRS_SFS_011, SRS_SFS_219]
+    /// @brief A frame from the bus, before the SDO pool has it: a write of the safety configuration by somebody else,
+    /// its request and its answer, ends what was read. `profile` is null while this device does not lead. [SRS_SFS_011,
+    /// SRS_SFS_219, SRS_MGR_320]
     void OnFrame(const CanFrame& frame, const StartUp* profile, Instant now) noexcept;
     /// @brief See Manager::OnLost. `profile` is null while this device does not lead. O(127)
     void OnLost(const StartUp* profile, Instant now) noexcept;

@@ -56,9 +56,15 @@ bool IsPdoMapping(const std::uint16_t index)
     return IsPdo(static_cast<std::uint16_t>(index - kMappingOffset)); // Below 200h it is FE00h or more: none.
 }
 
+/// Neither by the device nor by its file.
+bool IsRefused(const Entry& entry)
+{
+    return entry.IsFixed() || entry.is_download_refused;
+}
+
 bool IsToBeWritten(const Device& device, const Entry& entry)
 {
-    return entry.parameter_value.IsSet() && !entry.IsFixed() && !IsLeftOut(device, entry.index);
+    return entry.parameter_value.IsSet() && !IsRefused(entry) && !IsLeftOut(device, entry.index);
 }
 
 bool HasConfigured(const Device& device, const std::uint16_t index)
@@ -130,7 +136,7 @@ class Maker
         {
             return;
         }
-        const bool can_switch = identifier != nullptr && !identifier->IsFixed() && identifier->Configured().IsSet();
+        const bool can_switch = identifier != nullptr && !IsRefused(*identifier) && identifier->Configured().IsSet();
         const std::uint32_t on = can_switch ? NumberOf(device_, node_id_, index, 1U, 0U) : 0U;
         if (can_switch)
         {
@@ -146,7 +152,7 @@ class Maker
     void AddMapping(const std::uint16_t mapping)
     {
         const Entry* const count = device_.Find(mapping, 0U);
-        if (HasConfigured(device_, mapping) && count != nullptr && !count->IsFixed())
+        if (HasConfigured(device_, mapping) && count != nullptr && !IsRefused(*count))
         {
             entries_.push_back({mapping, 0U, LittleEndian(0U, 1U)});
             AddObject(mapping, 1U);

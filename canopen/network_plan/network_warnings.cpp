@@ -163,6 +163,7 @@ class NetworkWarnings
     void WarnOfSafety(const LoadedSlave& slave);
     void WarnOfEmergencies();
     void WarnOfSyncs();
+    void WarnOfDownloads();
     void WarnOfSrdos();
     [[nodiscard]] std::string EmergencyPlace(const LoadedSlave& slave) const;
     [[nodiscard]] std::uint32_t EmergencyOf(const LoadedSlave& slave) const;
@@ -192,6 +193,7 @@ std::vector<std::string> NetworkWarnings::All()
     }
     WarnOfEmergencies();
     WarnOfSyncs();
+    WarnOfDownloads();
     WarnOfSrdos();
     WarnOfUnused();
     WarnOfHeartbeat();
@@ -406,6 +408,28 @@ void NetworkWarnings::WarnOfSyncs()
                 ": warning: " + cia306::ObjectName(kSyncPeriod, 0U) + ": SYNC of node " + std::to_string(node) +
                 " each " + std::to_string(period_us) +
                 " us takes the bus (47 us a frame at 1 Mbit/s), expected 0, or a period that leaves room for others");
+        }
+    }
+}
+
+/// The value of such an object is in a file of its own, which is not read. [SRS_MGR_323]
+void NetworkWarnings::WarnOfDownloads()
+{
+    for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
+    {
+        for (const auto& [index, object] : slave->device.objects)
+        {
+            for (const auto& [sub, entry] : object.entries)
+            {
+                if (entry.download_file.IsSet() && !entry.IsFixed() && !entry.is_download_refused)
+                {
+                    warnings_.push_back(cia306::PlaceText(slave->device.file, entry.download_file.place) +
+                                        ": warning: " + cia306::ObjectName(index, sub) + ": " +
+                                        cia306::Quoted(entry.download_file.text) + " is not written to node " +
+                                        std::to_string(slave->plan.node) +
+                                        ", expected ParameterValue, or a tool that downloads files");
+                }
+            }
         }
     }
 }

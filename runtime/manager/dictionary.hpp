@@ -31,6 +31,11 @@ class ManagerDictionary
     void OnFrame(const CanFrame& frame, Instant now);
     /// @brief Once a cycle: writes that wait for the command queue, and the time-outs of transfers.
     void OnCycle(Instant now);
+    /// @brief The sink may have room: an answer that found none leaves. [SRS_MGR_321]
+    void OnRoom() noexcept
+    {
+        port_.OnRoom();
+    }
     /// @brief The value of an object as text, in whatever NMT state, or why there is none.
     [[nodiscard]] std::string Get(const ObjectAddress& object, Instant now);
     /// @brief Writes an object as the application does. Answers "taken", or the abort code and its meaning.

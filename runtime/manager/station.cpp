@@ -10,6 +10,7 @@ ManagerStation::ManagerStation(network_plan::LoadedNetwork& net, SendFrame send,
       dictionary_(assembly_, net, *this), pdos_(net)
 {
     journal_.Watch(assembly_);
+    journal_.WhenRoom([this](const Instant) { dictionary_.OnRoom(); });
 }
 
 void ManagerStation::Enter(const std::uint64_t now_us)

@@ -39,6 +39,11 @@ class SdoServerPort final : public NumberHook, public BusService
     /// @brief Sends what is to be sent until the sink is full; closes the transfer with 0800 0022h in a state that has
     /// no SDO. At most kMaxBlockSize frames. [SRS_SDO_014, SRS_SDO_016]
     void OnCycle(const Moment& moment) noexcept override;
+    /// @brief The sink may have room: sends the answer that found none, and nothing else.
+    void OnRoom() noexcept
+    {
+        static_cast<void>(Flush());
+    }
 
   private:
     [[nodiscard]] ObjectValue Fetch(const ObjectAddress& address) noexcept override;

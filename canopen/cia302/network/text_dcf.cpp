@@ -22,6 +22,7 @@ struct Section
     Bytes type;
     Bytes access;
     Bytes value;
+    Bytes flags;
 };
 
 struct Number
@@ -216,6 +217,7 @@ void TakeLine(Section& section, const Bytes& line) noexcept
         section.type = Is(key, "datatype", 8U) ? value : section.type;
         section.access = Is(key, "accesstype", 10U) ? value : section.access;
         section.value = Is(key, "parametervalue", 14U) ? value : section.value;
+        section.flags = Is(key, "objflags", 8U) ? value : section.flags;
     }
 }
 
@@ -223,7 +225,10 @@ bool IsWritten(const Section& section) noexcept
 {
     const bool is_writable = Is(section.access, "rw", 2U) || Is(section.access, "rww", 3U) ||
                              Is(section.access, "rwr", 3U) || Is(section.access, "wo", 2U);
-    return section.is_object && is_writable && (section.value.size_bytes > 0U);
+    constexpr std::uint64_t kRefuseWrite = 1U;
+    const Number flags = Constant(section.flags);
+    const bool is_refused = flags.is_right && ((flags.value & kRefuseWrite) != 0U);
+    return section.is_object && is_writable && !is_refused && (section.value.size_bytes > 0U);
 }
 
 TextReading ReadingOf(const Section& section, const NodeId node) noexcept

@@ -71,9 +71,11 @@ struct Entry
     Text low_limit;
     Text high_limit;
     Place place;
-    Place type_place;       ///< Of the value of DataType, else of the section.
-    Place access_place;     ///< Of the value of AccessType, else of the section.
-    std::string section;    ///< Where its values are written.
+    Place type_place;                ///< Of the value of DataType, else of the section.
+    Place access_place;              ///< Of the value of AccessType, else of the section.
+    std::string section;             ///< Where its values are written.
+    bool is_download_refused{false}; ///< ObjFlags, bit 0: who downloads a configuration leaves it alone. [SRS_MGR_322]
+    Text download_file;              ///< DownloadFile: a file that holds its value.
     bool is_compact{false}; ///< Made from CompactSubObj: its parameter value is key "sub" of section [indexValue].
 
     /// ParameterValue where the file has one, else DefaultValue. [SRS_EDS_010]
@@ -94,7 +96,8 @@ struct Object
     std::uint16_t index{0U};
     std::string name;
     ObjectType type{ObjectType::kVar};
-    std::uint16_t data_type{0U}; ///< For a record: index of its DEFSTRUCT; 0 where the file does not tell.
+    std::uint16_t data_type{0U};     ///< For a record: index of its DEFSTRUCT; 0 where the file does not tell.
+    bool is_download_refused{false}; ///< All of its entries are.
     std::map<std::uint8_t, Entry> entries;
     Place place;
     std::string section;

@@ -154,6 +154,21 @@ Access SectionReader::AccessAt(const std::string_view key) const
     Refuse(*found, "ro, wo, rw, rwr, rww or const");
 }
 
+/// A hint for tools: what is no number refuses no file.
+bool SectionReader::IsDownloadRefused() const
+{
+    constexpr std::uint64_t kMost = 0xFFFFFFFFU;
+    constexpr std::uint64_t kRefuseWrite = 1U;
+    const IniKey* const found = Find("ObjFlags");
+    const auto flags = (found == nullptr) ? std::optional<std::uint64_t>(0U) : ParseUnsigned(found->Bare(), kMost);
+    if (!flags)
+    {
+        warnings_->push_back({Severity::kWarning, found->place, "",
+                              "ObjFlags: " + Quoted(found->value) + ", expected a number; it is ignored"});
+    }
+    return (flags.value_or(0U) & kRefuseWrite) != 0U;
+}
+
 void SectionReader::ReadInvertedSrad(Entry& entry) const
 {
     const IniKey* const found = Find("InvertedSRAD");
@@ -217,6 +232,8 @@ Entry SectionReader::ReadEntry(const std::uint16_t index, const std::uint8_t sub
     entry.type_place = PlaceAt("DataType");
     entry.access_place = PlaceAt("AccessType");
     entry.section = section_->name;
+    entry.is_download_refused = IsDownloadRefused();
+    entry.download_file = TextAt("DownloadFile");
     ReadInvertedSrad(entry);
     return entry;
 }

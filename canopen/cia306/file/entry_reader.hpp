@@ -34,6 +34,8 @@ class SectionReader
     [[nodiscard]] ObjectType ObjectTypeAt(std::string_view key) const;
     /// The access right at `key`; kUnknown where the key is missing or empty.
     [[nodiscard]] Access AccessAt(std::string_view key) const;
+    /// Whether ObjFlags say that a download of the configuration leaves it alone (bit 0). [SRS_MGR_322]
+    [[nodiscard]] bool IsDownloadRefused() const;
     /// Everything that says something about the data element.
     [[nodiscard]] Entry ReadEntry(std::uint16_t index, std::uint8_t sub) const;
 

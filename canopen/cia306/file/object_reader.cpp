@@ -103,6 +103,7 @@ void ObjectReader::Warn(const Place place, const std::string& text)
 void ObjectReader::AddEntry(Object& object, Entry entry, const Place place)
 {
     ++entry_count_;
+    entry.is_download_refused = entry.is_download_refused || object.is_download_refused;
     if (entry_count_ > kMaxEntries)
     {
         throw InputError(device_->file, place, {"there is a sub-index more", "at most " + std::to_string(kMaxEntries)});
@@ -126,6 +127,7 @@ void ObjectReader::ReadObject(const IniSection& section, const SectionName& name
     const auto sub_number = reader.NumberAt("SubNumber", kMaxSubNumber).value_or(0U);
     const bool has_subs = sub_number != 0U || object.type == ObjectType::kArray || object.type == ObjectType::kRecord ||
                           object.type == ObjectType::kDefstruct;
+    object.is_download_refused = has_subs && (compact == 0U) && reader.IsDownloadRefused();
     if (compact != 0U)
     {
         AddCompactEntries(section, object, static_cast<std::uint8_t>(compact));

@@ -163,4 +163,12 @@ void ManagerJournal::OnFlyingMaster(const cia302::FlyingEvent event, const cia30
           {"master", claim.node.value}},
          std::to_string(static_cast<unsigned>(event)));
 }
+
+void ManagerJournal::OnRoom(const Instant now) noexcept
+{
+    if (when_room_)
+    {
+        when_room_(now);
+    }
+}
 } // namespace counterpoint::runtime

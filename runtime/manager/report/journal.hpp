@@ -9,7 +9,9 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace counterpoint::runtime
@@ -42,6 +44,11 @@ class ManagerJournal final : public cia302::ManagerListener
     {
         assembly_ = &assembly;
     }
+    /// @brief What is done when the sink of the manager may have room; see cia302::ManagerListener.
+    void WhenRoom(std::function<void(Instant)> action)
+    {
+        when_room_ = std::move(action);
+    }
     /// @brief Sets the time of what is told from now on.
     void SetNow(const std::uint64_t since_start_us) noexcept
     {
@@ -61,6 +68,7 @@ class ManagerJournal final : public cia302::ManagerListener
     void OnEmergency(cia302::NodeId node, const cia302::EmergencyRecord& emergency, Instant now) noexcept override;
     void OnDuplicate(cia302::NodeId node, Instant now) noexcept override;
     void OnFlyingMaster(cia302::FlyingEvent event, const cia302::MasterClaim& claim, Instant now) noexcept override;
+    void OnRoom(Instant now) noexcept override;
 
   private:
     /// What was last told of a slave for people.
@@ -76,6 +84,7 @@ class ManagerJournal final : public cia302::ManagerListener
     std::uint64_t now_us_{0U};
     std::vector<ManagerEvent> events_;
     std::array<Told, cia302::kNodeRoom> told_{};
+    std::function<void(Instant)> when_room_;
 };
 } // namespace counterpoint::runtime
 

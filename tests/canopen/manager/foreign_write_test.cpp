@@ -20,6 +20,14 @@ CanFrame Write(const std::uint16_t index, const std::uint8_t sub, const std::uin
                      static_cast<std::uint8_t>(value & 0xFFU), static_cast<std::uint8_t>(value >> 8U), 0U, 0U}};
 }
 
+/// A request of somebody else to the slave.
+CanFrame Request(const std::uint8_t command, const std::uint16_t index, const std::uint8_t sub)
+{
+    CanFrame frame = Write(index, sub, 1U, 0U);
+    frame.data[0] = command;
+    return frame;
+}
+
 /// The manager hears an answer of the slave to somebody else.
 CanFrame Answer(const std::uint8_t command, const std::uint16_t index, const std::uint8_t sub)
 {
@@ -57,6 +65,13 @@ class ForeignWriteTest : public ManagerRig, public ::testing::WithParamInterface
             Run(1U);
         }
         return cycles;
+    }
+    /// The manager hears a request that the slave has not answered yet.
+    void Ask(const CanFrame& request)
+    {
+        devices.front()->is_sdo_mute = true;
+        Put(request);
+        devices.front()->is_sdo_mute = false;
     }
     [[nodiscard]] std::uint16_t Finding() const
     {
@@ -277,6 +292,97 @@ TEST_P(ForeignWriteTest, OfTheGfcOfASlaveThatRunsIsItsRight)
     EXPECT_EQ(Running(5U), 0);
     EXPECT_EQ(Gate(), GateState::kDiffers);
     EXPECT_EQ(Finding(), 0x1300U);
+}
+
+// Given a start that waits for the inhibit time, then a write that is asked for goes before it.
+TEST_P(ForeignWriteTest, AStartDoesNotLeaveBehindARequest)
+{
+    Verifies(req::SRS_MGR_320);
+    setup.inhibit_100us = 10000U;
+    Begin(GetParam());
+    for (int i = 0; (i < 9000) && !((Gate() == GateState::kOpen) && (manager->ProfileParts().nmt.Waiting() > 0U)); ++i)
+    {
+        Run(1U);
+    }
+    ASSERT_EQ(Gate(), GateState::kOpen);
+    ASSERT_TRUE(starts.empty());
+    Ask(Write(0x1301U, 3U, 1U, 21U));
+    EXPECT_EQ(Gate(), GateState::kClosed);
+    // The device refused it, as far as is known: it is read, and started
+    Run(6000U);
+    EXPECT_EQ(Running(5U), 1);
+}
+
+TEST_P(ForeignWriteTest, ARequestBeginsTheReadingAnew)
+{
+    Verifies(req::SRS_MGR_320);
+    Begin(GetParam());
+    RunIntoReading(0U);
+    const std::uint32_t whole = Rest();
+    // Expedited, in segments, in blocks, with the segment and the end of a block that were begun before
+    const CanFrame requests[] = {Write(0x1301U, 2U, 2U, 26U), Write(0x1300U, 0U, 1U, 0U),  Request(0x21U, 0x13FFU, 1U),
+                                 Request(0x20U, 0x1010U, 1U), Request(0xC6U, 0x1381U, 0U), Request(0x23U, 0x1011U, 4U)};
+    for (const CanFrame& request : requests)
+    {
+        Run(6000U);
+        EXPECT_EQ(Running(5U), 1);
+        EXPECT_TRUE(manager->Role().Boot(NodeId{5U}, Now()));
+        RunIntoReading(8U);
+        Ask(request);
+        EXPECT_GE(Rest(), whole - 1U) << int{request.data[0]};
+    }
+    const CanFrame ends[] = {Request(0x0DU, 0U, 0U), Request(0x1DU, 0U, 0U), Request(0xC1U, 0U, 0U)};
+    for (const CanFrame& end : ends)
+    {
+        Run(6000U);
+        EXPECT_TRUE(manager->Role().Boot(NodeId{5U}, Now()));
+        RunIntoReading(2U);
+        Put(Answer(0x60U, 0x1301U, 2U));
+        RunIntoReading(8U);
+        Ask(end);
+        EXPECT_GE(Rest(), whole - 1U) << int{end.data[0]};
+    }
+}
+
+TEST_P(ForeignWriteTest, ARequestThatWritesNoConfigurationDisturbsNothing)
+{
+    Verifies(req::SRS_MGR_320);
+    Begin(GetParam());
+    RunIntoReading(0U);
+    const std::uint32_t whole = Rest();
+    CanFrame other = Write(0x1301U, 2U, 2U, 26U);
+    other.identifier = 0x606U;
+    CanFrame is_short = Write(0x1301U, 2U, 2U, 26U);
+    is_short.length_bytes = 7U;
+    CanFrame is_long = Write(0x1301U, 2U, 2U, 26U);
+    is_long.kind = FrameKind::kExtended;
+    // A question, an abort, the answer to a block that is read, other objects, another node, no SDO
+    const CanFrame frames[] = {Request(0x40U, 0x1301U, 2U),
+                               Request(0x80U, 0x1301U, 2U),
+                               Request(0xA2U, 0x1301U, 2U),
+                               Request(0x2BU, 0x1017U, 0U),
+                               Request(0x2BU, 0x12FFU, 0U),
+                               Request(0x2BU, 0x1400U, 0U),
+                               other,
+                               is_short,
+                               is_long};
+    for (const CanFrame& frame : frames)
+    {
+        Run(6000U);
+        EXPECT_EQ(Running(5U), 1);
+        EXPECT_TRUE(manager->Role().Boot(NodeId{5U}, Now()));
+        RunIntoReading(8U);
+        Ask(frame);
+        EXPECT_EQ(Rest(), whole - 8U) << int{frame.data[0]};
+    }
+    // Nor does one to a slave that runs: it refuses
+    Run(6000U);
+    EXPECT_EQ(Running(5U), 1);
+    Ask(Write(0x1301U, 2U, 2U, 26U));
+    EXPECT_EQ(Gate(), GateState::kOpen);
+    Run(1000U);
+    EXPECT_EQ(Running(5U), 1);
+    EXPECT_EQ(Gate(), GateState::kOpen);
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, ForeignWriteTest, ::testing::ValuesIn(kProfiles));

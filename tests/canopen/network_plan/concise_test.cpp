@@ -26,6 +26,25 @@ TEST(Concise, HasWhatCanBeWrittenAndIsConfigured)
               (Texts{"2000:00=34 12", "2004:00=04 00", "2005:00=41 42"}));
 }
 
+// Bit 0 of ObjFlags, of an entry or of its object.
+TEST(Concise, LeavesOutWhatADownloadIsNotToWrite)
+{
+    Verifies(req::SRS_MGR_322);
+    EXPECT_EQ(ConciseOf(Entry("2000", 6, "rw", "ParameterValue=1\nObjFlags=1") +
+                        Entry("2001", 6, "rw", "ParameterValue=2\nObjFlags=0x3") +
+                        Entry("2002", 6, "rw", "ParameterValue=3\nObjFlags=2") +
+                        Entry("2003", 6, "rw", "ParameterValue=4\nObjFlags=0") +
+                        Entry("2004", 6, "rw", "ParameterValue=5\nObjFlags=no")),
+              (Texts{"2002:00=03 00", "2003:00=04 00", "2004:00=05 00"}));
+    const std::string entries = Number("2000sub1", "1") + Entry("2000sub2", 7, "rw", "ParameterValue=2\nObjFlags=1");
+    EXPECT_EQ(ConciseOf(Record("2000", 3) + entries), Texts{"2000:01=01 00 00 00"});
+    EXPECT_EQ(ConciseOf("[2000]\nParameterName=x\nObjectType=9\nSubNumber=3\nObjFlags=1\n\n" + entries), Texts{});
+    // A PDO whose identifier is not to be written stays as it is
+    EXPECT_EQ(ConciseOf(Record("1800", 3) + Entry("1800sub1", 7, "rw", "ParameterValue=0x185\nObjFlags=1") +
+                        Entry("1800sub2", 5, "rw", "ParameterValue=254")),
+              Texts{"1800:02=FE"});
+}
+
 TEST(Concise, HasTheConfigurationDateAtItsEnd)
 {
     Verifies(req::SRS_NET_003);

@@ -45,6 +45,21 @@ class NetworkWarningsTest : public PlanTest
     }
 };
 
+TEST_F(NetworkWarningsTest, AFileThatIsNotWrittenIsTold)
+{
+    Verifies(req::SRS_MGR_323);
+    const auto told = [this](const std::string& access, const std::string& keys)
+    { return ToldOf(PlanOf(kHead + Entry("2000", 15, access, keys))); };
+    EXPECT_EQ(
+        told("rw", "DownloadFile=table.bin"),
+        Texts{"0x2000:00: 'table.bin' is not written to node 5, expected ParameterValue, or a tool that downloads "
+              "files"});
+    EXPECT_EQ(told("rw", "DownloadFile="), Texts{});
+    EXPECT_EQ(told("rw", "UploadFile=table.bin"), Texts{});
+    EXPECT_EQ(told("ro", "DownloadFile=table.bin"), Texts{});
+    EXPECT_EQ(told("rw", "DownloadFile=table.bin\nObjFlags=1"), Texts{});
+}
+
 TEST_F(NetworkWarningsTest, OneStartForAllIsAskedForWithoutASafetySlave)
 {
     Verifies(req::SRS_NET_150);

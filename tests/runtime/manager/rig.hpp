@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <memory>
 
 namespace counterpoint::tools::test
@@ -34,8 +35,13 @@ class ManagerRig : public CommandTest
             *net,
             [this](const CanFrame& frame)
             {
-                sent.push_back(frame);
-                return true;
+                const bool is_taken = room > 0U;
+                room -= is_taken ? 1U : 0U;
+                if (is_taken)
+                {
+                    sent.push_back(frame);
+                }
+                return is_taken;
             },
             [this](const runtime::ManagerEvent& event) { events.push_back(event); });
         station->Begin(now_us);
@@ -173,6 +179,7 @@ class ManagerRig : public CommandTest
 
     std::uint64_t now_us{0U};
     std::unique_ptr<network_plan::LoadedNetwork> net;
+    std::size_t room{std::numeric_limits<std::size_t>::max()}; ///< Frames that the bus takes.
     std::vector<CanFrame> sent;
     std::vector<runtime::ManagerEvent> events;
     std::unique_ptr<runtime::ManagerStation> station;

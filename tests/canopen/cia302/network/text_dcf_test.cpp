@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia302/network/text_dcf.hpp"
 #include "tests/canopen/start_up/boot_rig.hpp"
+#include "verification/trace/ids/manager.hpp"
 #include "verification/trace/ids/nmt_master.hpp"
 
 #include <string>
@@ -113,6 +114,17 @@ TEST(TextDcfTest, ObjectsInTheOrderOfTheFileAndOnlyThoseThatAreWritten)
     EXPECT_EQ(third.number, 3U);
     EXPECT_EQ(ReadTextDcf(BytesOf(text), third.next, NodeId{5U}).state, TextState::kEnd);
     EXPECT_EQ(ReadTextDcf(Bytes{nullptr, 0U}, 0U, NodeId{5U}).state, TextState::kEnd);
+}
+
+TEST(TextDcfTest, WhatADownloadIsNotToWriteIsLeftOut)
+{
+    Verifies(req::SRS_MGR_322);
+    const auto state = [](const char* const flags) { return Read("5", std::string("1\nObjFlags=") + flags).state; };
+    EXPECT_EQ(state("1"), TextState::kEnd);
+    EXPECT_EQ(state("0x3"), TextState::kEnd);
+    EXPECT_EQ(state("2"), TextState::kEntry);
+    EXPECT_EQ(state("0"), TextState::kEntry);
+    EXPECT_EQ(state("no"), TextState::kEntry);
 }
 
 TEST(TextDcfTest, EveryBeginOfATextEnds)
