@@ -108,6 +108,7 @@ std::string Opening(const FileText& file)
     return "//" + file.origin + "\n// clang-format off\n#ifndef " + GuardOf(file.name_space) + "\n#define " +
            GuardOf(file.name_space) +
            "\n\n#include \"canopen/cia301/dictionary/dictionary.hpp\"\n#include "
+           "\"canopen/cia301/nmt/slave.hpp\"\n#include \"canopen/cia301/store/node_defaults.hpp\"\n#include "
            "\"canopen/generated/configuration.hpp\"\n"
            "#include \"canopen/generated/stored_objects.hpp\"\n#include \"safety_core/kernel/kernel.hpp\"\n\n"
            "#include <cstdint>\n\nnamespace " +
@@ -129,6 +130,10 @@ constexpr const char* kTables =
     "extern const counterpoint::DeviceConfig kDevice;\n"
     "/// For Kernel::Start: kDevice, or that with the node-ID of ApplyNodeId.\n"
     "[[nodiscard]] const counterpoint::DeviceConfig& Device() noexcept;\n\n"
+    "/// For cia301::StoredSafety: the node-ID of Device().\n"
+    "[[nodiscard]] const counterpoint::cia301::NodeId& NodeNow() noexcept;\n"
+    "/// For cia301::StoredEntries over kEntryTable: which values are those of this node-ID.\n"
+    "[[nodiscard]] const counterpoint::cia301::NodeDefaults& DefaultsOfNode() noexcept;\n\n"
     "/// Hooks of services and application.\n"
     "[[nodiscard]] counterpoint::generated::StoredObjects& Objects() noexcept;\n"
     "/// Writes the safety configuration to a started kernel; the first refusal ends it.\n"

@@ -149,7 +149,8 @@ constexpr const char* kOtherDevice =
     "namespace\n{\n\ncounterpoint::DeviceConfig other_device{};\n"
     "const counterpoint::DeviceConfig* device_now{&kDevice};\n\n"
     "void DescribeNode(const std::uint8_t node_id) noexcept\n{\n"
-    "    other_device = kDevice;\n    other_device.node_id = node_id;\n    other_device.digest = 0U;\n"
+    "    node_now.value = node_id;\n    other_device = kDevice;\n    other_device.node_id = node_id;\n    "
+    "other_device.digest = 0U;\n"
     "    device_now = (node_id == kNodeId) ? &kDevice : &other_device;\n}\n\n} // namespace\n\n";
 
 std::string Port(const std::uint8_t number)

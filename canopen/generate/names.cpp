@@ -32,10 +32,11 @@ constexpr std::array<std::string_view, 99U> kTaken{
     "counterpoint"};
 
 /// What the generated files have besides the elements.
-constexpr std::array<std::string_view, 20U> kOwnNames{
-    "ConstantBytes", "Limits",         "PowerOn",      "Variables", "Setups",    "Settings",     "Fields",
-    "AnyLength",     "ConstantValues", "NodeSettings", "NodeId",    "SrdoCount", "MapEntries",   "LongestObjectBytes",
-    "EntryTable",    "Entries",        "EntryCount",   "Device",    "Objects",   "Configuration"};
+constexpr std::array<std::string_view, 25U> kOwnNames{
+    "ConstantBytes", "Limits",         "PowerOn",      "Variables", "Setups",    "Settings",      "Fields",
+    "AnyLength",     "ConstantValues", "NodeSettings", "NodeId",    "SrdoCount", "MapEntries",    "LongestObjectBytes",
+    "EntryTable",    "Entries",        "EntryCount",   "Device",    "Objects",   "Configuration", "NodeValues",
+    "InBoth",        "InRpdo",         "InTpdo",       "Stored"};
 
 bool IsLetter(const char character)
 {

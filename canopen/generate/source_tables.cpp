@@ -1,4 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/file/saved.hpp"
 #include "canopen/generate/text.hpp"
 
 namespace counterpoint::generate
@@ -90,12 +91,44 @@ std::string Rest(const Element& element, std::size_t& limit_count)
            ", &objects, &objects";
 }
 
-/// Into which PDOs an entry may be mapped; nothing where into none.
-std::string UsesText(const cia306::Entry& entry)
+/// Into which PDOs an entry may be mapped, and whether a save keeps it; nothing where none of it. [SRS_GEN_330]
+std::string UsesText(const Element& element)
 {
-    const std::string sent = entry.IsInTpdo() ? ", kInTpdo" : "";
-    const std::string received = sent.empty() ? ", kInRpdo" : " | kInRpdo";
-    return sent + (entry.IsInRpdo() ? received : "");
+    const cia306::Entry& entry = *element.entry;
+    std::string text;
+    const auto add = [&text](const bool is_used, const char* const word)
+    { text += is_used ? (text.empty() ? ", " : " | ") + std::string(word) : ""; };
+    add(entry.IsInTpdo(), "kInTpdo");
+    add(entry.IsInRpdo(), "kInRpdo");
+    add(cia306::IsSaved(entry) && element.home == Home::kStored, "kStored");
+    return text;
+}
+
+/// What a store has to know of values with $NODEID. [SRS_GEN_331]
+std::string NodeValuesText(const Layout& layout)
+{
+    std::string values;
+    std::size_t number = 0U;
+    std::size_t count = 0U;
+    for (const Element& element : layout.elements)
+    {
+        if (element.IsVariable())
+        {
+            continue;
+        }
+        if (element.node_addend)
+        {
+            values += "    {" + UnsignedLiteral(number) + ", " + UnsignedLiteral(*element.node_addend) + "}, // " +
+                      AddressName(*element.entry) + "\n";
+            ++count;
+        }
+        ++number;
+    }
+    const std::string table =
+        values.empty() ? "" : "constexpr counterpoint::generated::NodeValue kNodeValues[]{\n" + values + "};\n\n";
+    return "counterpoint::cia301::NodeId node_now{kNodeId};\n\n" + table +
+           "constexpr counterpoint::generated::NodeValues node_values{counterpoint::generated::NodeValueTable{" +
+           (values.empty() ? "nullptr" : "kNodeValues") + ", " + UnsignedLiteral(count) + "}, node_now};\n\n";
 }
 
 std::string EntriesText(const Layout& layout)
@@ -115,7 +148,7 @@ std::string EntriesText(const Layout& layout)
         text += "    // " + Describe(element) + "\n    {" + HexLiteral(entry.index, 4) + ", " +
                 HexLiteral(entry.sub, 2) + ", DataType::" + TableTypeOf(entry) + ", Access::" + TableAccessOf(element) +
                 ", kInBoth, kInBoth, " + (is_domain ? "kAnyLength" : UnsignedLiteral(element.size_bytes)) + ", " +
-                Rest(element, limit_count) + UsesText(entry) + "},\n";
+                Rest(element, limit_count) + UsesText(element) + "},\n";
     }
     const std::string domain =
         "// A DOMAIN has no value here, and may have any length.\n"
@@ -126,7 +159,7 @@ std::string EntriesText(const Layout& layout)
            "kEntryCount}};\n\n"
            "using counterpoint::cia301::Access;\nusing counterpoint::cia301::DataType;\n"
            "using counterpoint::cia301::kInBoth;\nusing counterpoint::cia301::kInRpdo;\n"
-           "using counterpoint::cia301::kInTpdo;\n\n"
+           "using counterpoint::cia301::kInTpdo;\nusing counterpoint::cia301::kStored;\n\n"
            "constexpr counterpoint::cia301::Entry kEntries[]{\n" +
            text + "};\n\n";
 }
@@ -134,6 +167,7 @@ std::string EntriesText(const Layout& layout)
 
 std::string TableText(const Layout& layout)
 {
-    return MemoryText(layout) + ConstantsText(layout) + LimitsText(layout) + EntriesText(layout);
+    return MemoryText(layout) + ConstantsText(layout) + LimitsText(layout) + EntriesText(layout) +
+           NodeValuesText(layout);
 }
 } // namespace counterpoint::generate

@@ -150,7 +150,10 @@ std::string PublicText(const FileText& file)
            Function("counterpoint::generated::StoredObjects& Objects()", "return objects;") +
            Function("counterpoint::generated::ConfigureReply Configure(counterpoint::Kernel& kernel)",
                     "return counterpoint::generated::Configure(kernel, kConfiguration, device_now->node_id);") +
-           Function("const counterpoint::DeviceConfig& Device()", "return *device_now;") + ResetText(file.layout);
+           Function("const counterpoint::DeviceConfig& Device()", "return *device_now;") +
+           Function("const counterpoint::cia301::NodeId& NodeNow()", "return node_now;") +
+           Function("const counterpoint::cia301::NodeDefaults& DefaultsOfNode()", "return node_values;") +
+           ResetText(file.layout);
 }
 } // namespace
 
@@ -168,7 +171,8 @@ std::string SourceText(const FileText& file)
         }
     }
     return "//" + file.origin + "\n// clang-format off\n#include \"" + kHeaderName +
-           "\"\n\n#include \"canopen/generated/constant_objects.hpp\"\n#include \"canopen/generated/numbers.hpp\"\n"
+           "\"\n\n#include \"canopen/generated/constant_objects.hpp\"\n#include "
+           "\"canopen/generated/node_values.hpp\"\n#include \"canopen/generated/numbers.hpp\"\n"
            "#include \"safety_core/kernel/variable.hpp\"\n\nnamespace " +
            file.name_space + "\n{\nnamespace\n{\n\n" + TableText(layout) + KernelText(file) + kCopy +
            (has_strings ? kSetText : "") + "} // namespace\n\n" + DeviceText(file) + PublicText(file) + access +

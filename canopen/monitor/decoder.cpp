@@ -69,7 +69,10 @@ std::string Kind(const LogFrame& frame)
 }
 
 constexpr std::uint32_t kRequests = 0x600U;
+constexpr std::uint32_t kSegmentNumber = 0x7FU;
 constexpr std::uint8_t kAbort = 0x80U;
+constexpr std::uint32_t kAbortCommand = 4U;
+constexpr std::uint32_t kLastCommand = 6U;
 constexpr std::uint8_t kLastSegment = 0x80U;
 constexpr std::uint8_t kTimeBytes = 6U;
 constexpr const char* kWrongLength = "INVALID: of wrong length";
@@ -373,24 +376,44 @@ std::string Decoder::Sdo(const LogFrame& frame)
         return name + kWrongLength;
     }
     Transfer& transfer = transfers_.at(node_id);
-    const bool is_abort = frame.data[0] == kAbort;
-    const bool is_segment_of_block = transfer.is_block && transfer.is_upload != is_request && !is_abort;
-    if (is_segment_of_block)
+    if (transfer.is_block && transfer.is_upload != is_request && frame.data[0] != kAbort)
     {
-        transfer.has_last = (frame.data[0] & kLastSegment) != 0U;
-        transfer.is_block = !transfer.has_last;
-        return name + "segment " + std::to_string(frame.data[0] & 0x7FU) + " of a block of " +
-               ObjectText(node_id, transfer.index, transfer.sub);
+        return name + SegmentOfBlock(frame, transfer);
     }
     const std::uint32_t command = frame.data[0] >> 5U;
-    const bool is_block = command >= 5U;
-    if (is_abort)
+    if (command == kAbortCommand)
     {
         transfer.is_block = false;
         return name + "abort " + AbortText(static_cast<std::uint32_t>(BitsAt(frame, 32U, 32U))) + ", " +
                ObjectText(node_id, static_cast<std::uint16_t>(frame.data[1] | (frame.data[2] << 8U)), frame.data[3]);
     }
-    return name + (is_block ? SdoBlock(frame, transfer, is_request) : SdoBegin(frame, transfer, is_request));
+    // The answer to a block write has no fourth part.
+    const bool is_known = command <= kLastCommand && (is_request || (frame.data[0] & 0xE3U) != 0xA3U);
+    if (!is_known)
+    {
+        return name + "INVALID: command " + cia306::Hex(frame.data[0], 2).substr(2U) + "h";
+    }
+    return name +
+           (command > kAbortCommand ? SdoBlock(frame, transfer, is_request) : SdoBegin(frame, transfer, is_request));
+}
+
+/// All bits of the command are the number of the segment, from 1 on, and whether it is the last one. [SRS_MON_330]
+std::string Decoder::SegmentOfBlock(const LogFrame& frame, Transfer& transfer) const
+{
+    const std::uint32_t number = frame.data[0] & kSegmentNumber;
+    transfer.has_last = (frame.data[0] & kLastSegment) != 0U;
+    transfer.last_number = transfer.has_last ? number : 0U;
+    transfer.is_block = !transfer.has_last;
+    return std::string(number == 0U ? "INVALID: " : "") + "segment " + std::to_string(number) + " of a block of " +
+           TransferText(frame, transfer);
+}
+
+/// A recording may begin within a transfer, which names its object at its begin alone. [SRS_MON_331]
+std::string Decoder::TransferText(const LogFrame& frame, const Transfer& transfer) const
+{
+    return transfer.is_known
+               ? ObjectText(static_cast<std::uint8_t>(frame.identifier & kNodes), transfer.index, transfer.sub)
+               : "an object that is not known";
 }
 
 /// Commands 0 to 3: a segment, or the begin of an expedited or segmented transfer.
@@ -403,9 +426,10 @@ std::string Decoder::SdoBegin(const LogFrame& frame, Transfer& transfer, const b
     const bool is_begin = is_request ? command == 1U || command == 2U : command >= 2U;
     if (!is_begin)
     {
-        return "segment of " + ObjectText(node_id, transfer.index, transfer.sub);
+        return "segment of " + TransferText(frame, transfer);
     }
     transfer = Transfer{};
+    transfer.is_known = true;
     transfer.index = static_cast<std::uint16_t>(frame.data[1] | (frame.data[2] << 8U));
     transfer.sub = frame.data[3];
     const bool is_write = is_request ? command == 1U : command == 3U;
@@ -431,7 +455,6 @@ std::string Decoder::SdoBegin(const LogFrame& frame, Transfer& transfer, const b
 
 std::string Decoder::SdoBlock(const LogFrame& frame, Transfer& transfer, const bool is_request) const
 {
-    const auto node_id = static_cast<std::uint8_t>(frame.identifier & kNodes);
     const std::uint32_t command = frame.data[0] >> 5U;
     const std::uint32_t part = frame.data[0] & 3U;
     // Download: client 6, server 5. Upload: client 5, server 6.
@@ -440,19 +463,24 @@ std::string Decoder::SdoBlock(const LogFrame& frame, Transfer& transfer, const b
     const std::uint32_t step = command == 6U ? part & 1U : part;
     const bool is_begin = step == 0U;
     const bool is_end = step == 1U;
+    const bool is_acknowledge = step == 2U;
     if (is_begin)
     {
         transfer = Transfer{};
+        transfer.is_known = true;
         transfer.index = static_cast<std::uint16_t>(frame.data[1] | (frame.data[2] << 8U));
         transfer.sub = frame.data[3];
-        transfer.is_upload = !is_download;
     }
-    // Segments follow the server's answer to a download, the client's start of an upload.
-    const bool goes = is_download ? !is_request && !is_end : is_request && part == 3U;
+    transfer.is_upload = !is_download;
+    // Who has not taken all of a block gets the rest of it once more.
+    const bool is_rest = is_acknowledge && transfer.has_last && frame.data[1] != transfer.last_number;
+    transfer.has_last = transfer.has_last && !is_rest;
+    // Segments follow the server's answer to a download, the client's start of an upload, and each acknowledgement.
+    const bool goes = is_acknowledge || (is_download ? !is_request && !is_end : part == 3U && is_request);
     transfer.is_block = (goes && !transfer.has_last) || (transfer.is_block && !is_end);
-    const std::string kind = is_begin ? "begin of" : (is_end ? "end of" : "acknowledge in");
-    return kind + " a block " + (is_download ? "write of " : "read of ") +
-           ObjectText(node_id, transfer.index, transfer.sub);
+    const std::string kind =
+        is_begin ? "begin of" : (is_end ? "end of" : (is_acknowledge ? "acknowledge in" : "start of"));
+    return kind + " a block " + (is_download ? "write of " : "read of ") + TransferText(frame, transfer);
 }
 
 } // namespace counterpoint::monitor

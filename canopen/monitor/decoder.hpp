@@ -28,9 +28,11 @@ class Decoder
     {
         std::uint16_t index{0U};
         std::uint8_t sub{0U};
-        bool is_block{false};  ///< Segments of a block have a number in place of a command.
-        bool is_upload{false}; ///< Of a block: the server sends the segments.
-        bool has_last{false};  ///< Of a block: its last segment was seen.
+        bool is_known{false};          ///< Its begin was seen.
+        bool is_block{false};          ///< Segments of a block have a number in place of a command.
+        bool is_upload{false};         ///< Of a block: the server sends the segments.
+        bool has_last{false};          ///< Of a block: its last segment was seen.
+        std::uint32_t last_number{0U}; ///< That segment's number.
     };
 
     /// Of a node that is guarded.
@@ -49,6 +51,8 @@ class Decoder
     [[nodiscard]] std::string Sdo(const LogFrame& frame);
     [[nodiscard]] std::string SdoBegin(const LogFrame& frame, Transfer& transfer, bool is_request);
     [[nodiscard]] std::string SdoBlock(const LogFrame& frame, Transfer& transfer, bool is_request) const;
+    [[nodiscard]] std::string SegmentOfBlock(const LogFrame& frame, Transfer& transfer) const;
+    [[nodiscard]] std::string TransferText(const LogFrame& frame, const Transfer& transfer) const;
     [[nodiscard]] std::string ObjectText(std::uint8_t node_id, std::uint16_t index, std::uint8_t sub) const;
     [[nodiscard]] std::string FieldsText(const NodeModel& node, const std::vector<MappedField>& fields,
                                          const LogFrame& frame) const;

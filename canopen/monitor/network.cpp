@@ -24,6 +24,10 @@ constexpr std::uint8_t kMostPdoFields = 64U;
 constexpr std::uint16_t kEmergencyCobId = 0x1014U;
 constexpr std::uint32_t kDefaultEmergency = 0x80U;
 constexpr std::uint32_t kIdentifierMask = 0x7FFU;
+constexpr std::uint64_t kFirstSrdoId = 0x101U;
+constexpr std::uint64_t kLastSrdoId = 0x180U;
+constexpr std::uint8_t kCobId1Sub = 5U;
+constexpr std::uint8_t kCobId2Sub = 6U;
 constexpr std::uint64_t kOffBit = 0x80000000U;
 
 std::string NameIn(const cia306::IniDocument& document, const std::string& path)
@@ -61,6 +65,28 @@ std::uint32_t BitsOf(const std::vector<MappedField>& fields)
         bits += field.bits;
     }
     return bits;
+}
+
+/// Where it is none, what is watched may be frames of another service. [SRS_MON_332]
+void RequireIdentifiers(const std::string& file, const SrdoConfiguration& srdo)
+{
+    const std::uint64_t first = srdo.cob_id_1.value.value_or(0U);
+    const std::uint64_t second = srdo.cob_id_2.value.value_or(0U);
+    const bool is_normal = first >= kFirstSrdoId && first < kLastSrdoId && (first & 1U) != 0U;
+    if (!is_normal)
+    {
+        throw cia306::InputError(file, srdo.cob_id_1.place,
+                                 {cia306::ObjectName(srdo.CommunicationIndex(), kCobId1Sub) + ": COB-ID " +
+                                      cia306::Hex(first, 3) + " of an SRDO that is on",
+                                  "an odd one from 0x101 to 0x17F"});
+    }
+    if (second != first + 1U)
+    {
+        throw cia306::InputError(file, srdo.cob_id_2.place,
+                                 {cia306::ObjectName(srdo.CommunicationIndex(), kCobId2Sub) + ": COB-ID 2 " +
+                                      cia306::Hex(second, 3) + " of an SRDO that is on",
+                                  cia306::Hex(first + 1U, 3) + " (COB-ID 1 + 1)"});
+    }
 }
 
 Time Milliseconds(const cia306::Field& field)
@@ -134,6 +160,10 @@ void Network::AddNode(const NodeFile& file)
     }
     cia306::RequireNone(file.path, node.safety.limits);
     node.active = ActiveOf(node.safety);
+    for (const SrdoConfiguration& srdo : node.active)
+    {
+        RequireIdentifiers(file.path, srdo);
+    }
     std::vector<cia306::Finding> problems;
     node.parameters = cia306::ReadDeviceParameters(node.device, id, problems);
     cia306::RequireNone(file.path, problems);

@@ -26,7 +26,6 @@ constexpr std::uint64_t kLookNs = 250000000U;
 constexpr std::size_t kFramesOfTurn = 256U;
 constexpr std::size_t kFramesOfPause = 1000000U; ///< More than any system keeps.
 constexpr std::size_t kRecentLines = 12U;
-constexpr std::size_t kLongestLine = 1024U;
 
 volatile std::sig_atomic_t caught_signal = 0;
 
@@ -303,9 +302,12 @@ void ManagerLoop::ReadTyped()
         }
         is_too_long_ = false;
     }
-    if (typed_.size() > kLongestLine)
+    if (typed_.size() > kLongestManagerOrder)
     {
-        Show(is_too_long_ ? "" : "a line without end, expected one of at most 1024 bytes\n");
+        if (!is_too_long_)
+        {
+            Reply(typed_); // The rest of it is left aside.
+        }
         typed_.clear();
         is_too_long_ = true;
     }

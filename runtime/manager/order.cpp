@@ -283,6 +283,11 @@ std::string ControlAnswer(const ManagerOrder& order, ManagerAssembly& assembly, 
 
 ManagerOrder ParseManagerOrder(const std::string& line)
 {
+    if (line.size() > kLongestManagerOrder)
+    {
+        return Problem("an order of more than " + std::to_string(kLongestManagerOrder) + " bytes",
+                       "at most so many in one line");
+    }
     std::istringstream stream(line);
     std::vector<std::string> words;
     for (std::string word; stream >> word && word[0] != '#';)

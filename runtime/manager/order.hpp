@@ -4,6 +4,7 @@
 
 #include "runtime/manager/assembly.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -42,6 +43,9 @@ struct ManagerOrder
     std::vector<std::uint8_t> bytes;
     std::string problem; ///< What is wrong and what was expected.
 };
+
+/// A line of more bytes is no order.
+constexpr std::size_t kLongestManagerOrder = 1024U;
 
 /// @brief Reads one line: status, start NODE|all, boot NODE, ... A line that is no order gives kProblem.
 /// [SRS_MGR_006, SRS_MGR_134]

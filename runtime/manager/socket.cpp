@@ -3,6 +3,7 @@
 
 #include "canopen/cia306/text/input_error.hpp"
 #include "hal/host/live/bus.hpp"
+#include "runtime/manager/order.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,7 @@ namespace counterpoint::runtime
 namespace
 {
 constexpr std::size_t kMostClients = 8U;
-constexpr std::size_t kLongestLine = 1024U;
+constexpr std::size_t kReadBytes = 1024U;
 constexpr std::size_t kLinesOfTurn = 4U; ///< Of a client: the network comes in between.
 
 sockaddr_un AddressOf(const std::string& path)
@@ -146,8 +147,15 @@ void ManagerSocket::TakeLines(Client& client, const std::function<std::string(co
         Send(client);
         end = client.typed.find('\n');
     }
-    const bool is_endless = end == std::string::npos && client.typed.size() > kLongestLine;
-    client.is_over = client.is_over || is_endless;
+    const bool is_endless = end == std::string::npos && client.typed.size() > kLongestManagerOrder;
+    if (is_endless && client.unsent.empty())
+    {
+        client.unsent = answer(client.typed); // Which says that it is too long.
+        client.taken_ns = host::LiveNow();
+        client.typed.clear();
+        client.is_ended = true;
+        Send(client);
+    }
 }
 
 void ManagerSocket::Accept()
@@ -167,7 +175,7 @@ void ManagerSocket::Accept()
 
 void ManagerSocket::Read(Client& client)
 {
-    std::array<char, kLongestLine> bytes{};
+    std::array<char, kReadBytes> bytes{};
     const ssize_t count = ::recv(client.file.Get(), bytes.data(), bytes.size(), 0);
     const bool is_nothing = count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR);
     client.is_ended = count == 0;

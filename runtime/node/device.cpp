@@ -310,6 +310,10 @@ void NodeDevice::TellState(const std::uint64_t now_ns)
         {
             report_.Tell(now_ns, line, "store", {{"text", line}});
         }
+        if (is_configured && store_)
+        {
+            srdos_.TellSaved(assembly_.Core(), now_ns);
+        }
         state_ = state;
         if (state == cia301::NodeState::kOperational)
         {

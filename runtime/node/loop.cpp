@@ -344,20 +344,45 @@ void NodeLoop::ReadOrders()
     typed_.append(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     for (std::size_t end = typed_.find('\n'); end != std::string::npos; end = typed_.find('\n'))
     {
-        Carry(ParseOrder(typed_.substr(0U, end)));
+        const std::string line = typed_.substr(0U, end);
         typed_.erase(0U, end + 1U);
+        TakeOrder(line);
+        is_too_long_ = false;
     }
-    const bool is_too_long = typed_.size() > kLongestOrder;
-    if (is_too_long || (!is_input_open_ && !typed_.empty()))
+    if (typed_.size() > kLongestOrder)
     {
-        const std::string text = "an order " +
-                                 (is_too_long ? "of more than " + std::to_string(kLongestOrder) + " characters"
-                                              : cia306::Quoted(typed_) + " without an end of its line") +
-                                 ", expected whole lines; no more are read";
-        Tell(text, "problem", {{"text", text}});
+        TakeOrder(typed_);
         typed_.clear();
-        is_input_open_ = false;
+        is_too_long_ = true;
     }
+    if (!is_input_open_ && !typed_.empty() && !is_too_long_)
+    {
+        TellProblem("an order " + cia306::Quoted(typed_) +
+                    " without an end of its line, expected whole lines; no more are read");
+    }
+}
+
+/// The rest of one that is too long is a part of it. [SRS_NODE_331]
+void NodeLoop::TakeOrder(const std::string& line)
+{
+    if (line.size() <= kLongestOrder && !is_too_long_)
+    {
+        Carry(ParseOrder(line));
+    }
+    else if (!is_too_long_)
+    {
+        TellProblem("an order of more than " + std::to_string(kLongestOrder) +
+                    " characters, expected at most so many in one line; it is left out");
+    }
+    else
+    {
+        // It was told with its beginning.
+    }
+}
+
+void NodeLoop::TellProblem(const std::string& text)
+{
+    Tell(text, "problem", {{"text", text}});
 }
 
 void NodeLoop::Tell(const std::string& text, const std::string& event, const nlohmann::ordered_json& details)

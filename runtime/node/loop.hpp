@@ -56,6 +56,8 @@ class NodeLoop
     void WatchAge();
     void FollowScript();
     void ReadOrders();
+    void TakeOrder(const std::string& line);
+    void TellProblem(const std::string& text);
     void Carry(const NodeOrder& order);
     void Tell(const std::string& text, const std::string& event, const nlohmann::ordered_json& details);
     [[nodiscard]] ExitStatus End();
@@ -80,8 +82,9 @@ class NodeLoop
     host::BusState bus_{host::BusState::kActive};
     InstantPair now_{{0U}, {0U}};
     std::uint64_t now_ns_{0U};
-    std::string typed_;  ///< Begin of a line.
-    std::string reason_; ///< Why it ends; empty: it does not.
+    std::string typed_;       ///< Begin of a line.
+    bool is_too_long_{false}; ///< What is typed until the next line end is the rest of a line that was left out.
+    std::string reason_;      ///< Why it ends; empty: it does not.
     bool is_input_open_;
 };
 } // namespace counterpoint::runtime

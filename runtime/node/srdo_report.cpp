@@ -78,6 +78,23 @@ void SrdoReport::TellFile(const std::uint64_t at_ns)
     }
 }
 
+/// What was refused of a store is told elsewhere, and turns SRDOs off.
+void SrdoReport::TellSaved(Kernel& kernel, const std::uint64_t at_ns)
+{
+    if (IsValid(kernel))
+    {
+        TellConfigured(kernel, at_ns);
+    }
+}
+
+void SrdoReport::TellConfigured(Kernel& kernel, const std::uint64_t at_ns)
+{
+    for (const SrdoModel& of_file : model_.Srdos())
+    {
+        Tell(at_ns, ConfiguredSrdo(kernel, of_file));
+    }
+}
+
 // Compared is what was told, not the file: times that go back to those of the file are news behind others.
 void SrdoReport::Follow(Kernel& kernel, const std::uint64_t at_ns, const bool is_told_invalid)
 {
@@ -87,17 +104,14 @@ void SrdoReport::Follow(Kernel& kernel, const std::uint64_t at_ns, const bool is
         report_.Tell(at_ns, "configuration does not hold, 0x13FE:00 is not 0xA5: SRDOs are off",
                      "configuration_invalid", {{"srdo", 0U}});
     }
+    if (is_valid)
+    {
+        TellConfigured(kernel, at_ns);
+        return;
+    }
     for (std::size_t slot = 0U; slot < told_.size(); ++slot)
     {
-        const SrdoModel& of_file = model_.Srdos()[slot];
-        if (is_valid)
-        {
-            Tell(at_ns, ConfiguredSrdo(kernel, of_file));
-        }
-        else
-        {
-            told_[slot] = OffText(of_file); // The line above, or that of the kernel, has told it.
-        }
+        told_[slot] = OffText(model_.Srdos()[slot]); // The line above, or that of the kernel, has told it.
     }
 }
 

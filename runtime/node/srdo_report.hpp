@@ -25,12 +25,16 @@ class SrdoReport
 
     /// @brief Tells the SRDOs that are on in the file.
     void TellFile(std::uint64_t at_ns);
+    /// @brief A store was loaded behind the file: tells each SRDO that is not as it was told last, of a configuration
+    /// that holds. [SRS_NODE_330]
+    void TellSaved(Kernel& kernel, std::uint64_t at_ns);
     /// @brief OPERATIONAL was entered: tells each SRDO that is not as it was told last. `is_told_invalid`: the kernel
     /// has just told that the configuration does not hold. [SRS_NODE_052, SRS_NODE_053]
     void Follow(Kernel& kernel, std::uint64_t at_ns, bool is_told_invalid);
 
   private:
     [[nodiscard]] bool IsValid(Kernel& kernel) const;
+    void TellConfigured(Kernel& kernel, std::uint64_t at_ns);
     void Tell(std::uint64_t at_ns, const SrdoModel& srdo);
 
     const DeviceModel& model_;

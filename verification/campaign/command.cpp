@@ -158,6 +158,7 @@ class CampaignRun final : public tools::Command
         const Shard shard = ParseShard(order_.shard);
         Session session(order_.files.front());
         Results results(order_.out, session.Identity(shard));
+        TellEmpty(results, order_.out, streams.err);
         const std::uint64_t begun = results.Size() - results.OpenCount();
         const std::uint32_t jobs = (order_.jobs == 0) ? std::max(1U, std::thread::hardware_concurrency())
                                                       : static_cast<std::uint32_t>(order_.jobs);
@@ -194,6 +195,7 @@ class CampaignRun final : public tools::Command
     {
         const Session session(order_.files[1U]);
         Results all(order_.out, session.Identity(Shard{}));
+        TellEmpty(all, order_.out, streams.err);
         for (std::size_t index = 2U; index < order_.files.size(); ++index)
         {
             all.Merge(order_.files[index]);

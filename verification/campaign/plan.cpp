@@ -321,7 +321,7 @@ Plan ReadPlan(const std::string& file)
     Plan plan;
     plan.file = file;
     plan.digest = HashOf(text);
-    plan.title = map.Require("title").Text("a title");
+    plan.title = TitleOf(map);
     const YamlValue scenario = map.Require("scenario");
     plan.scenario = simulator::Beside(file, scenario.Text("the file name of a scenario"));
     simulator::RequireFile(plan.scenario, scenario.Where(), "a scenario");

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
+#include <ostream>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -108,6 +109,8 @@ Results::Results(const std::string& file, const ResultsOf& of, const Access acce
 
 void Results::Take(const std::string& file, const Access access)
 {
+    struct stat before = {};
+    const bool was_there = stat(file.c_str(), &before) == 0;
     const int descriptor = Open(file, access);
     struct stat known = {};
     const bool is_known = fstat(descriptor, &known) == 0 && S_ISREG(known.st_mode);
@@ -129,6 +132,8 @@ void Results::Take(const std::string& file, const Access access)
     const bool has_none = IsEqual(header, Header{{}, 0U, 0U, 0U, 0U, 0U});
     if (has_none && access == Access::kWrite)
     {
+        RequireNothing(file);
+        was_empty_ = was_there;
         header = HeaderOf(of_);
         std::memcpy(bytes_, &header, sizeof(header));
     }
@@ -186,6 +191,19 @@ void Results::RequireWhole(const std::string& file)
         {
             munmap(bytes_, length_);
             Refuse(file, "a damaged outcome of experiment " + std::to_string(NumberAt(index)));
+        }
+    }
+}
+
+/// Outcomes without a header may be those of any plan.
+void Results::RequireNothing(const std::string& file)
+{
+    for (std::size_t place = sizeof(Header); place < length_; ++place)
+    {
+        if (bytes_[place] != 0U)
+        {
+            munmap(bytes_, length_);
+            Refuse(file, "outcomes without what they belong to");
         }
     }
 }
@@ -252,6 +270,14 @@ void Results::Merge(const std::string& file)
         {
             Put(other.NumberAt(index), outcome); // This one holds all of them.
         }
+    }
+}
+
+void TellEmpty(const Results& results, const std::string& file, std::ostream& err)
+{
+    if (results.WasEmpty())
+    {
+        err << file << ": warning: there is nothing in it, expected results to go on with; all experiments are tried\n";
     }
 }
 } // namespace counterpoint::campaign

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iosfwd>
 #include <string>
 
 namespace counterpoint::campaign
@@ -46,6 +47,12 @@ class Results
     Results(const Results&) = delete;
     Results& operator=(const Results&) = delete;
 
+    /// @brief Whether the file was there, with nothing in it: what begins then is no campaign that goes on.
+    /// [SRS_CMG_330]
+    [[nodiscard]] bool WasEmpty() const noexcept
+    {
+        return was_empty_;
+    }
     /// @brief Number of experiments in it.
     [[nodiscard]] std::uint64_t Size() const noexcept
     {
@@ -71,12 +78,16 @@ class Results
     void TakeRoom(int descriptor, const std::string& file, bool is_new) const;
     void Map(int descriptor, const std::string& file, Access access);
     void RequireWhole(const std::string& file);
+    void RequireNothing(const std::string& file);
 
     ResultsOf of_;
     std::uint64_t size_;
     std::uint8_t* bytes_{nullptr};
     std::size_t length_;
+    bool was_empty_{false};
 };
+/// @brief Says where the file was there with nothing in it. [SRS_CMG_330]
+void TellEmpty(const Results& results, const std::string& file, std::ostream& err);
 } // namespace counterpoint::campaign
 
 #endif // VERIFICATION_CAMPAIGN_RESULTS_HPP

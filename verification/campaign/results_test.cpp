@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <sys/wait.h>
 #include <utility>
 
@@ -42,6 +43,60 @@ TEST_F(ResultsTest, FileInWhichABitIsWrongIsRefused)
         const std::string file = File("damaged", damaged);
         EXPECT_THROW(Results(file, of), runtime::YamlError) << bit;
         EXPECT_THROW(all.Merge(file), runtime::YamlError) << bit;
+    }
+}
+
+TEST_F(ResultsTest, AFileWithNothingInItBeginsAndIsTold)
+{
+    Verifies(req::SRS_CMG_330);
+    const ResultsOf of{0x123456789ABCDEF0U, 8U, {2U, 2U}};
+    const auto told = [&of](const std::string& file)
+    {
+        const Results results(file, of);
+        EXPECT_EQ(results.OpenCount(), 4U);
+        std::ostringstream err;
+        TellEmpty(results, "out", err);
+        return err.str();
+    };
+    const std::string warning =
+        "out: warning: there is nothing in it, expected results to go on with; all experiments are tried\n";
+    // Given an empty file, or one of as many zeros as results would be
+    EXPECT_EQ(told(File("empty", "")), warning);
+    EXPECT_EQ(told(File("zeros", std::string(64U, '\0'))), warning);
+    // Then it is a file of results, as one that was not there
+    EXPECT_EQ(told(Path("empty")), "");
+    EXPECT_EQ(told(Path("new")), "");
+    EXPECT_EQ(Results::Read(Path("zeros")).total, 8U);
+}
+
+TEST_F(ResultsTest, OutcomesWithoutAHeaderAreRefused)
+{
+    Verifies(req::SRS_CMG_330);
+    // Given outcomes of some plan, whose header is 0
+    const ResultsOf of{0x123456789ABCDEF0U, 8U, {2U, 2U}};
+    {
+        Results results(Path("whole"), of);
+        results.Put(3U, {Class::kMasked, Detector::kNobody, 0U, 0U, 0U});
+    }
+    std::string text = cia306::ReadTextFile(Path("whole"));
+    ASSERT_EQ(text.size(), 64U);
+    text.replace(0U, 32U, std::string(32U, '\0'));
+    const std::string file = File("headless", text);
+    // Then they are no results of this one, and stay as they are
+    EXPECT_THROW(Results(file, of), runtime::YamlError);
+    EXPECT_EQ(cia306::ReadTextFile(file), text);
+}
+
+TEST_F(ResultsTest, TheTitleOfAReportSaysSomething)
+{
+    Verifies(req::SRS_CMG_004);
+    const std::string rest = "scenario: at_work.yaml\ndevice: actuator\nat: [500 ms]\n";
+    for (const std::string title : {"\"\"", "\"  \""})
+    {
+        const tools::test::Answer answer = Campaign({File("plan.yaml", "title: " + title + "\n" + rest)});
+        EXPECT_EQ(answer.status, 2);
+        EXPECT_NE(answer.err.find(":1:8: error: an empty title, expected what the report is called"), std::string::npos)
+            << answer.err;
     }
 }
 

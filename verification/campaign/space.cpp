@@ -138,6 +138,26 @@ bool Space::IsHit(const Part part) const
                        { return each == part || (is_of_both && each == Part::kBothChannels); });
 }
 
+namespace
+{
+/// A byte behind the last one of a member that there is.
+void RequireByte(const Device& device, const Member& member)
+{
+    const auto is_longer = [&member](const Place& place)
+    { return place.name == member.name && member.byte.value_or(0U) < place.size; };
+    const auto is_of = [&member](const Place& place) { return place.name == member.name; };
+    const auto& places = device.Places();
+    const auto found = std::find_if(places.begin(), places.end(), is_of);
+    if (found != places.end() && std::none_of(places.begin(), places.end(), is_longer))
+    {
+        throw runtime::YamlError(member.source.file, member.source.place,
+                                 "byte " + std::to_string(member.byte.value_or(0U)) + " of member " +
+                                     runtime::Shown(member.name) + ", which has " + std::to_string(found->size),
+                                 member.name + "+0 to " + member.name + "+" + std::to_string(found->size - 1U));
+    }
+}
+} // namespace
+
 /// Members that the device does not have, or of which the plan hits nothing, are refused.
 void Space::RequireMembers(const Device& device) const
 {
@@ -146,6 +166,7 @@ void Space::RequireMembers(const Device& device) const
         const auto has = [&member](const Place& place)
         { return place.name == member.name && member.byte.value_or(0U) < place.size; };
         const auto found = std::find_if(device.Places().begin(), device.Places().end(), has);
+        RequireByte(device, member);
         if (found == device.Places().end())
         {
             throw runtime::YamlError(member.source.file, member.source.place,

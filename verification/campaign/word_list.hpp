@@ -8,11 +8,24 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <string>
 #include <vector>
 
 // Words of a plan: one for a meaning, and the lists of them that choose what is tried.
 namespace counterpoint::campaign
 {
+
+/// The title of a plan, which is the first line of its report.
+[[nodiscard]] inline std::string TitleOf(const runtime::YamlMap& map)
+{
+    const runtime::YamlValue title = map.Require("title");
+    const std::string text = title.Text("a title");
+    if (text.find_first_not_of(' ') == std::string::npos)
+    {
+        title.Refuse("an empty title", "what the report is called");
+    }
+    return text;
+}
 
 /// @brief The word of a meaning; "?" where the table has none.
 template <typename Meaning, std::size_t kCount>

@@ -5,27 +5,13 @@
 #include "canopen/cia301/dictionary/number_hook.hpp"
 #include "canopen/cia301/nmt/slave.hpp"
 #include "canopen/cia301/pdo/objects.hpp"
+#include "canopen/cia301/store/node_defaults.hpp"
 #include "canopen/cia301/store/parameter_store.hpp"
 
 #include "safety_core/kernel/kernel.hpp"
 
 namespace counterpoint::cia301
 {
-
-/// Knows which values of a table are those of the node-ID.
-class NodeDefaults
-{
-  public:
-    /// @brief Whether the default of the entry at this place of the table is reckoned from the node-ID ($NODEID in a
-    /// file), and is this value.
-    [[nodiscard]] virtual bool IsNodeDefault(std::uint32_t number, const Bytes& value) const noexcept = 0;
-
-  protected:
-    NodeDefaults() noexcept = default;
-    ~NodeDefaults() noexcept = default;
-    NodeDefaults(const NodeDefaults&) = default;
-    NodeDefaults& operator=(const NodeDefaults&) = default;
-};
 
 /// Stores the entries of a table that have kStored; `dictionary` works on the same table. An item is index, sub-index
 /// and value. While a set is loaded, PDOs may be configured in any order. All kept by reference. [SRS_STO_011]

@@ -237,6 +237,21 @@ void CheckValid(const CheckContext& context, Findings& findings)
     }
 }
 
+/// A configuration that is declared valid and has nothing to do. [SRS_CLI_330]
+void CheckAnyOn(const SafetyConfiguration& configuration, Findings& findings)
+{
+    const auto& srdos = configuration.srdos;
+    const bool are_off =
+        std::all_of(srdos.begin(), srdos.end(), [](const SrdoConfiguration& srdo) { return srdo.direction.Is(0U); });
+    if (are_off && configuration.configuration_valid.Is(kConfigurationIsValid))
+    {
+        const SrdoConfiguration& first = srdos.front();
+        findings.Warning(first.direction.place, ObjectName(first.CommunicationIndex(), 1U),
+                         "no SRDO is on: the device sends and receives none, and 'counterpoint monitor' watches none",
+                         "1 (producer) or 2 (consumer) in the direction of one");
+    }
+}
+
 void CheckSupport(const Device& device, Findings& findings)
 {
     if (device.is_safety_supported.value_or(false))
@@ -276,5 +291,6 @@ void CheckObjects(const CheckContext& context, Findings& findings)
     CheckGfc(context, findings);
     CheckSignatures(context, findings);
     CheckValid(context, findings);
+    CheckAnyOn(context.configuration, findings);
 }
 } // namespace counterpoint::cia306

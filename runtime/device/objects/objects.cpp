@@ -5,6 +5,7 @@
 #include "canopen/cia301/base/little_endian.hpp"
 #include "canopen/cia301/dictionary/entry_value.hpp"
 #include "canopen/cia301/dictionary/object_kinds.hpp"
+#include "canopen/cia306/file/saved.hpp"
 #include "canopen/cia306/safety/device_parameters.hpp"
 #include "canopen/cia306/safety/safety_configuration.hpp"
 #include "canopen/cia306/text/input_error.hpp"
@@ -68,9 +69,7 @@ DataType TypeOf(const cia306::Entry& entry)
 std::uint8_t UsesOf(const cia306::Entry& entry)
 {
     const unsigned uses = (entry.IsInTpdo() ? cia301::kInTpdo : 0U) | (entry.IsInRpdo() ? cia301::kInRpdo : 0U);
-    const bool is_kept = !entry.IsFixed() && entry.access != cia306::Access::kWriteOnly && entry.index != 0x1003U &&
-                         !cia301::IsStoreObject(entry.index) && !IsFixedAtStart(entry.index);
-    return static_cast<std::uint8_t>(uses | (is_kept ? cia301::kStored : 0U));
+    return static_cast<std::uint8_t>(uses | (cia306::IsSaved(entry) ? cia301::kStored : 0U));
 }
 
 /// Its access right for the dictionary.

@@ -109,7 +109,9 @@ TEST(CheckObjects, NoDigestWhileAnSrdoIsOn)
         (Lines{"warning: 0x5F04:00: is missing" + unbound + "an object of type UNSIGNED32 with the device digest"}));
     // When its SRDO is off, nothing is bound that is in use
     const std::string off = test::SignedAgain(test::WithValues(zero, {{"1301sub1", kValue, "0"}}), std::nullopt);
-    EXPECT_EQ(test::FindingsOf(test::WithValues(off, {{"5F04", kValue, "0"}}), {}), Lines{});
+    EXPECT_EQ(test::FindingsOf(test::WithValues(off, {{"5F04", kValue, "0"}}), {}),
+              Lines{"warning: 0x1301:01: no SRDO is on: the device sends and receives none, and 'counterpoint monitor' "
+                    "watches none, expected 1 (producer) or 2 (consumer) in the direction of one"});
     // What is wrong already is told once
     const std::string other = test::WithValues(sensor, {{"5F04", kValue, "-1"}});
     EXPECT_EQ(test::FindingsOf(other, {}).size(), 2U);
@@ -386,7 +388,9 @@ TEST(CheckMapping, NumberOfEntries)
         {{{"1381sub0", kValue, "3"}},
          {"error: 0x1381:00: 3 mapping entries, expected an even number: one normal and one inverse entry a pair"}},
         {{{"1381sub0", kValue, "0"}}, {"error: 0x1381:00: no mapping entry in an SRDO that is on, expected 2 or more"}},
-        {{{"1381sub0", kValue, "0"}, {"1301sub1", kValue, "0"}}, {}},
+        {{{"1381sub0", kValue, "0"}, {"1301sub1", kValue, "0"}},
+         {"warning: 0x1301:01: no SRDO is on: the device sends and receives none, and 'counterpoint monitor' watches "
+          "none, expected 1 (producer) or 2 (consumer) in the direction of one"}},
         {{{"1381sub0", kValue, "130"}}, {"error: 0x1381:00: 130 mapping entries, expected at most 128"}},
     };
     test::ExpectRows("sensor", rows, {});

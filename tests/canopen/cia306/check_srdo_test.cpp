@@ -94,7 +94,9 @@ TEST(CheckSrdo, IdentifiersInUse)
           {"1302sub6", kValue, "0x102"},
           {"1302sub1", kValue, "0"},
           {"1301sub1", kValue, "0"}},
-         {"warning: 0x1302:05: COB-ID 0x101 is in use by SRDO 1, both are off, expected an identifier of its own",
+         {"warning: 0x1301:01: no SRDO is on: the device sends and receives none, and 'counterpoint monitor' watches "
+          "none, expected 1 (producer) or 2 (consumer) in the direction of one",
+          "warning: 0x1302:05: COB-ID 0x101 is in use by SRDO 1, both are off, expected an identifier of its own",
           "warning: 0x1302:06: COB-ID 0x102 is in use by SRDO 1, both are off, expected an identifier of its own"}},
     };
     test::ExpectRows("controller", rows, {});

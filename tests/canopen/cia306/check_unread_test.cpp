@@ -176,5 +176,22 @@ TEST(CheckUnread, ADefaultOfTheDeviceThatDoesNotFitIsToldOfTheFile)
     }
 }
 
+TEST(CheckSrdosThatAreOff, AValidConfigurationWithoutAnSrdoThatIsOn)
+{
+    Verifies(req::SRS_CLI_330);
+    const std::string none = "warning: 0x1301:01: no SRDO is on: the device sends and receives none, and 'counterpoint "
+                             "monitor' watches none, expected 1 (producer) or 2 (consumer) in the direction of one";
+    // Given a controller with two SRDOs, when both are off
+    const test::Set first{"1301sub1", "ParameterValue", "0"};
+    const test::Set second{"1302sub1", "ParameterValue", "0"};
+    const std::string text = test::ExampleText("controller");
+    const std::string off = test::SignedAgain(test::WithValues(text, {first, second}), std::nullopt);
+    EXPECT_EQ(test::FindingsOf(off, {}), Lines{none});
+    // One that is on does
+    EXPECT_EQ(test::FindingsOf(test::SignedAgain(test::WithValues(text, {first}), std::nullopt), {}), Lines{});
+    // And one that is not declared valid yet has nothing to declare
+    EXPECT_EQ(test::FindingsOf(test::WithValues(off, {{"13FE", "ParameterValue", "0"}}), {}),
+              Lines{"warning: 0x13FE:00: 0x00: the SRDOs stay off, expected 0xA5 to set them going"});
+}
 } // namespace
 } // namespace counterpoint::cia306

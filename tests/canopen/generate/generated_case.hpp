@@ -3,6 +3,8 @@
 #define TESTS_CANOPEN_GENERATE_GENERATED_CASE_HPP
 
 #include "canopen/cia301/dictionary/entry.hpp"
+#include "canopen/cia301/nmt/slave.hpp"
+#include "canopen/cia301/store/node_defaults.hpp"
 #include "canopen/generated/configuration.hpp"
 
 #include <cstdint>
@@ -26,6 +28,8 @@ struct GeneratedCase
     const DeviceConfig& (*device_now)() noexcept {nullptr};
     void (*apply_node_id)(std::uint8_t) noexcept {nullptr};
     std::uint32_t longest_bytes{0U};
+    const cia301::NodeId& (*node_now)() noexcept {nullptr};
+    const cia301::NodeDefaults& (*defaults_of_node)() noexcept {nullptr};
 };
 
 inline std::vector<GeneratedCase>& GeneratedCases()

@@ -74,6 +74,39 @@ TEST(NodeIds, AreGivenAndEachOnce)
                   " has already, expected a node-ID of its own for each file");
 }
 
+// Given a sensor with other identifiers, which is declared valid or not.
+TEST(IdentifiersOfAnActiveSrdo, AreThoseOfSrdos)
+{
+    Verifies(req::SRS_MON_332);
+    const auto refusal = [](const std::string& first, const std::string& second, const std::string& valid)
+    {
+        std::string text = NotValid("sensor", valid);
+        const auto set = [&text](const std::string& section, const std::string& value)
+        {
+            const std::size_t place = text.find("ParameterValue=", text.find("[" + section + "]"));
+            text.replace(place, text.find_first_of("\r\n", place) - place, "ParameterValue=" + value);
+        };
+        set("1301sub5", first);
+        set("1301sub6", second);
+        const std::string told = RefusalOf({{Written("network_cob_ids.dcf", text), std::nullopt}});
+        const std::size_t object = told.find("0x1301");
+        return object == std::string::npos ? told : told.substr(object);
+    };
+    const std::string odd = " of an SRDO that is on, expected an odd one from 0x101 to 0x17F";
+    EXPECT_EQ(refusal("0x101", "0x102", "0xA5"), "");
+    EXPECT_EQ(refusal("0x17F", "0x180", "0xA5"), "");
+    EXPECT_EQ(refusal("0x181", "0x182", "0xA5"), "0x1301:05: COB-ID 0x181" + odd);
+    EXPECT_EQ(refusal("0x0FF", "0x100", "0xA5"), "0x1301:05: COB-ID 0x0FF" + odd);
+    EXPECT_EQ(refusal("0", "1", "0xA5"), "0x1301:05: COB-ID 0x000" + odd);
+    EXPECT_EQ(refusal("0x102", "0x103", "0xA5"), "0x1301:05: COB-ID 0x102" + odd);
+    EXPECT_EQ(refusal("0x80000101", "0x102", "0xA5"), "0x1301:05: COB-ID 0x80000101" + odd);
+    const std::string next = " of an SRDO that is on, expected 0x104 (COB-ID 1 + 1)";
+    EXPECT_EQ(refusal("0x103", "0x106", "0xA5"), "0x1301:06: COB-ID 2 0x106" + next);
+    EXPECT_EQ(refusal("0x103", "0x102", "0xA5"), "0x1301:06: COB-ID 2 0x102" + next);
+    // What is not active is not watched
+    EXPECT_EQ(refusal("0x181", "0x182", "0x00"), "");
+}
+
 // Given PDOs that are off, at 0, or without a value, then their frames are not taken for them.
 TEST(PdosOfAFile, AreThoseThatAreOn)
 {
@@ -184,11 +217,12 @@ TEST(ViolationsOfSeveralSrdos, AreToldEachWhereTheyExpectSomethingElse)
                             "nobody here -> network_two SRDO 1: normal frame of 3 bytes, expected 2 bytes"}));
 }
 
-// Given a producer with identifiers that no SRDO has, then no frame is taken for its pair, nor for what follows a GFC.
+// Given a producer with identifiers that no SRDO has, then no frame can be taken for its pair, nor for what follows a
+// GFC.
 TEST(IdentifiersThatNoSrdoHas, AreNobodysFrames)
 {
-    Verifies(req::SRS_MON_005);
     Verifies(req::SRS_MON_016);
+    Verifies(req::SRS_MON_332);
     const auto producer = [](const std::string& first, const std::string& second)
     {
         return Network({{Written("network_identifier.dcf",
@@ -201,13 +235,9 @@ TEST(IdentifiersThatNoSrdoHas, AreNobodysFrames)
     };
     EXPECT_EQ(ViolationsOf(producer("0x101", "0x102"), {Frame(0, 0x001U, {})}, 1000000),
               Texts{"25000 GFC not followed"});
-    EXPECT_EQ(ViolationsOf(producer("0x100", "0x102"), {Frame(0, 0x001U, {})}, 1000000), Texts{});
-    EXPECT_EQ(ViolationsOf(producer("0x181", "0x182"), {Frame(0, 0x001U, {})}, 1000000), Texts{});
-    // 801h is not 001h with a bit above it
-    const Network above = producer("0x801", "0x802");
-    EXPECT_EQ(
-        ViolationsOf(above, {Frame(0, 0x001U, {1U}), Frame(100, 0x801U, {1U}), Frame(200, 0x802U, {1U})}, 1000000),
-        Texts{});
+    EXPECT_THROW(producer("0x100", "0x102"), cia306::InputError);
+    EXPECT_THROW(producer("0x181", "0x182"), cia306::InputError);
+    EXPECT_THROW(producer("0x801", "0x802"), cia306::InputError); // 801h is not 001h with a bit above it.
 }
 
 // Given an SRDO that is off in a valid file, then it is not watched.

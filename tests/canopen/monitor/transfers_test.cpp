@@ -88,7 +88,7 @@ TEST_F(TransfersTest, ABlockReadIsToldFromBeginToEnd)
     Verifies(req::SRS_MON_004);
     EXPECT_EQ(words(0x601U, {0xA4U, 0x50U, 0x1FU, 1U, 2U, 0U, 0U, 0U}), "Sensor <- begin of a block read of 1F50h:01");
     EXPECT_EQ(words(0x581U, {0xC6U, 0x50U, 0x1FU, 1U, 20U, 0U, 0U, 0U}), "Sensor -> begin of a block read of 1F50h:01");
-    EXPECT_EQ(words(0x601U, {0xA3U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}), "Sensor <- acknowledge in a block read of 1F50h:01");
+    EXPECT_EQ(words(0x601U, {0xA3U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}), "Sensor <- start of a block read of 1F50h:01");
     EXPECT_EQ(words(0x581U, {0x01U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}), "Sensor -> segment 1 of a block of 1F50h:01");
     EXPECT_EQ(words(0x581U, {0x02U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}), "Sensor -> segment 2 of a block of 1F50h:01");
     EXPECT_EQ(words(0x601U, {0xA2U, 2U, 2U, 0U, 0U, 0U, 0U, 0U}), "Sensor <- acknowledge in a block read of 1F50h:01");
@@ -127,6 +127,67 @@ TEST_F(TransfersTest, ABlockWriteMayBeAnsweredAndAborted)
     begin();
     EXPECT_EQ(words(0x581U, {0xA1U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}), "Sensor -> end of a block write of 1F50h:01");
     EXPECT_EQ(words(0x601U, {0x40U, 0x50U, 0x1FU, 1U, 0U, 0U, 0U, 0U}), "Sensor <- read 1F50h:01");
+}
+
+// Given commands that neither side of a transfer has, when they are told, then as such, and the transfer is not lost.
+TEST_F(TransfersTest, ACommandThatThereIsNotIsInvalid)
+{
+    Verifies(req::SRS_MON_330);
+    EXPECT_EQ(words(0x581U, {0x41U, 0x08U, 0x10U, 0U, 9U, 0U, 0U, 0U}), "Sensor -> value 1008h:00, 9 bytes");
+    EXPECT_EQ(words(0x601U, {0xE0U, 0x17U, 0x10U, 0U, 0U, 0U, 0U, 0U}), "Sensor <- INVALID: command E0h");
+    EXPECT_EQ(words(0x601U, {0xFFU, 0x17U, 0x10U, 0U, 0U, 0U, 0U, 0U}), "Sensor <- INVALID: command FFh");
+    EXPECT_EQ(words(0x581U, {0xE1U, 0x17U, 0x10U, 0U, 0U, 0U, 0U, 0U}), "Sensor -> INVALID: command E1h");
+    EXPECT_EQ(words(0x581U, {0xA3U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}), "Sensor -> INVALID: command A3h");
+    EXPECT_EQ(words(0x581U, {0xBFU, 0U, 0U, 0U, 0U, 0U, 0U, 0U}), "Sensor -> INVALID: command BFh");
+    EXPECT_EQ(words(0x601U, {0x60U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}), "Sensor <- segment of 1008h:00");
+}
+
+// The other bits of an abort have no meaning; among the segments of a block 80h alone is one.
+TEST_F(TransfersTest, AnAbortIsOneWhateverItsOtherBitsAre)
+{
+    Verifies(req::SRS_MON_330);
+    EXPECT_EQ(words(0x601U, {0x81U, 0x17U, 0x10U, 0U, 0U, 0U, 4U, 5U}),
+              "Sensor <- abort 0504 0000h (time-out), 1017h:00 Producer heartbeat time [ms]");
+    EXPECT_EQ(words(0x581U, {0x9FU, 0x17U, 0x10U, 0U, 0x30U, 0U, 9U, 6U}),
+              "Sensor -> abort 0609 0030h (value out of range), 1017h:00 Producer heartbeat time [ms]");
+    EXPECT_EQ(words(0x581U, {0xA4U, 0x50U, 0x1FU, 1U, 2U, 0U, 0U, 0U}), "Sensor -> begin of a block write of 1F50h:01");
+    EXPECT_EQ(words(0x601U, {0x81U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}), "Sensor <- segment 1 of a block of 1F50h:01");
+    EXPECT_EQ(words(0x581U, {0xA2U, 1U, 2U, 0U, 0U, 0U, 0U, 0U}), "Sensor -> acknowledge in a block write of 1F50h:01");
+}
+
+// Given a recording that begins within transfers, then their object is not told as 0000h:00.
+TEST_F(TransfersTest, AnObjectWhoseBeginWasNotSeenIsNotKnown)
+{
+    Verifies(req::SRS_MON_331);
+    EXPECT_EQ(words(0x601U, {0x70U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}), "Sensor <- segment of an object that is not known");
+    EXPECT_EQ(words(0x602U, {0xA2U, 2U, 2U, 0U, 0U, 0U, 0U, 0U}),
+              "node 2 <- acknowledge in a block read of an object that is not known");
+    EXPECT_EQ(words(0x582U, {0x81U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}),
+              "node 2 -> segment 1 of a block of an object that is not known");
+    EXPECT_EQ(words(0x583U, {0xC5U, 0x34U, 0x12U, 0U, 0U, 0U, 0U, 0U}),
+              "node 3 -> end of a block read of an object that is not known");
+    // One whose begin is seen is
+    EXPECT_EQ(words(0x602U, {0x40U, 0x01U, 0x20U, 3U, 0U, 0U, 0U, 0U}), "node 2 <- read 2001h:03");
+    EXPECT_EQ(words(0x602U, {0x60U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}), "node 2 <- segment of 2001h:03");
+}
+
+// Given a last block of three segments of which one was lost, when it is acknowledged, then the rest comes once more.
+TEST_F(TransfersTest, WhatIsLeftOfALastBlockIsToldAsSegments)
+{
+    Verifies(req::SRS_MON_331);
+    EXPECT_EQ(words(0x601U, {0xC4U, 0x50U, 0x1FU, 1U, 0U, 0U, 0U, 0U}), "Sensor <- begin of a block write of 1F50h:01");
+    EXPECT_EQ(words(0x581U, {0xA4U, 0x50U, 0x1FU, 1U, 3U, 0U, 0U, 0U}), "Sensor -> begin of a block write of 1F50h:01");
+    EXPECT_EQ(words(0x601U, {0x01U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}), "Sensor <- segment 1 of a block of 1F50h:01");
+    EXPECT_EQ(words(0x601U, {0x83U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}), "Sensor <- segment 3 of a block of 1F50h:01");
+    EXPECT_EQ(words(0x581U, {0xA2U, 1U, 3U, 0U, 0U, 0U, 0U, 0U}), "Sensor -> acknowledge in a block write of 1F50h:01");
+    EXPECT_EQ(words(0x601U, {0x01U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}), "Sensor <- segment 1 of a block of 1F50h:01");
+    EXPECT_EQ(words(0x601U, {0x82U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}), "Sensor <- segment 2 of a block of 1F50h:01");
+    EXPECT_EQ(words(0x581U, {0xA2U, 2U, 3U, 0U, 0U, 0U, 0U, 0U}), "Sensor -> acknowledge in a block write of 1F50h:01");
+    EXPECT_EQ(words(0x601U, {0xC1U, 0x34U, 0x12U, 0U, 0U, 0U, 0U, 0U}), "Sensor <- end of a block write of 1F50h:01");
+    // A segment has a number from 1 on
+    EXPECT_EQ(words(0x581U, {0xA4U, 0x50U, 0x1FU, 1U, 3U, 0U, 0U, 0U}), "Sensor -> begin of a block write of 1F50h:01");
+    EXPECT_EQ(words(0x601U, {0x00U, 1U, 2U, 3U, 4U, 5U, 6U, 7U}),
+              "Sensor <- INVALID: segment 0 of a block of 1F50h:01");
 }
 
 TEST(Values, AreWrittenByTheirType)

@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Server and client of the socketcand protocol, over loopback and a UDP bus.
+#include "hal/host/live/socketcand/link.hpp"
 #include "tests/hal/host/live_rig.hpp"
 #include "tests/hal/host/live_server_rig.hpp"
 #include "verification/trace/ids/live_bus.hpp"
@@ -9,6 +10,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -16,6 +18,7 @@
 #include <array>
 #include <memory>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace counterpoint::host
@@ -423,6 +426,38 @@ TEST(SocketcandServerTest, RefusesAPortInUse)
               "socketcand server at 127.0.0.1 port " + port +
                   ": Address already in use, expected a free port of this "
                   "machine");
+}
+
+// Given a connection on which both ends talk, after which the system acknowledges late, when an end reads, then at
+// once.
+TEST(SocketcandLinkTest, AcknowledgesWhatItReadsAtOnce)
+{
+    Verifies(req::SRS_LIVE_330);
+    const LiveFile listener{::socket(AF_INET, SOCK_STREAM, 0)};
+    sockaddr_in place{};
+    place.sin_family = AF_INET;
+    place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t bytes = sizeof(place);
+    ASSERT_EQ(::bind(listener.Get(), reinterpret_cast<const sockaddr*>(&place), bytes), 0);
+    ASSERT_EQ(::listen(listener.Get(), 1), 0);
+    ASSERT_EQ(::getsockname(listener.Get(), reinterpret_cast<sockaddr*>(&place), &bytes), 0);
+    const PlainClient client{ntohs(place.sin_port)};
+    LiveFile accepted{::accept(listener.Get(), nullptr, nullptr)};
+    const LiveFile watched{::dup(accepted.Get())};
+    SocketcandLink link{std::move(accepted)};
+    for (int turn = 0; turn < 8; ++turn)
+    {
+        client.Say("< echo >");
+        while (!link.Next())
+        {
+            link.Read();
+        }
+        int is_quick = 0;
+        socklen_t length = sizeof(is_quick);
+        ASSERT_EQ(::getsockopt(watched.Get(), IPPROTO_TCP, TCP_QUICKACK, &is_quick, &length), 0);
+        EXPECT_EQ(is_quick, 1) << turn;
+        link.Say(SocketcandWord::kEcho);
+    }
 }
 
 } // namespace

@@ -310,7 +310,11 @@ TEST_F(ManagerSocketTest, ALineOf1024BytesIsOneAndOfOneMoreIsNot)
     socket.Serve(count);
     EXPECT_EQ(length, 1024U);
     EXPECT_EQ(Receive(longest), "!");
+    // The other one is asked about, too, and cut off behind the answer
+    EXPECT_EQ(Receive(longer), "!");
+    socket.Serve(count);
     EXPECT_EQ(Receive(longer), "cut");
+    EXPECT_EQ(length, 1024U);
 }
 
 TEST_F(ManagerSocketTest, TheEndOfWhatIsSentEndsItsLastLine)

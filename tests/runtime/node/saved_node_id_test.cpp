@@ -1,4 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/text/text_file.hpp"
 #include "runtime/node/device.hpp"
 #include "tests/tools/command_run.hpp"
 #include "tests/tools/echo_bus.hpp"
@@ -133,6 +134,41 @@ TEST_F(SavedNodeIdTest, TheSavedSafetyConfigurationIsThatOfItsNodeId)
                                 "13FEh is not A5h";
     EXPECT_NE(told.find(refused), std::string::npos) << told;
     EXPECT_EQ(told.find(refused), told.rfind(refused)) << told;
+}
+
+// Given a consumer that was saved with an SCT of 900 ms and whose file has 400 ms by now.
+TEST_F(SavedNodeIdTest, TheLimitOfASavedConfigurationIsToldBeforeTheDeviceRuns)
+{
+    Verifies(req::SRS_NODE_330);
+    std::string text = cia306::ReadTextFile(SettingsOf(5U).dcf);
+    const auto set = [&text](const std::string& section, const std::string& from, const std::string& to)
+    { text.replace(text.find(from, text.find("[" + section + "]")), from.size(), to); };
+    set("1301sub2", "ParameterValue=400", "ParameterValue=900");
+    set("13FFsub1", "ParameterValue=0x40D9", "ParameterValue=0xE113");
+    cia306::WriteTextFile(Path("longer.dcf"), text);
+    NodeSettings longer = SettingsOf(5U);
+    longer.dcf = Path("longer.dcf");
+    Start(longer);
+    EXPECT_EQ(Read({0x13FEU, 0U}), 0xA5U);
+    Save();
+    // When it starts with its file again
+    device.reset();
+    device = std::make_unique<NodeDevice>(SettingsOf(5U), ports, report);
+    now_ns += kNsPerMs;
+    device->TellStart("a bus", now_ns);
+    EXPECT_TRUE(device->PowerOn({Instant{0U}, Instant{0U}}, now_ns));
+    device->Serve({Instant{0U}, Instant{0U}}, now_ns);
+    EXPECT_EQ(Read({0x1301U, 2U}), 900U);
+    device.reset();
+    // Then the limit that holds is the last one that is told, and the producer is not told again
+    const std::string all = Told();
+    const std::string told = all.substr(all.find(" on a bus, "));
+    const std::size_t of_file = told.find("SRDO 1 consumer 0x101, safe within 433.5 ms of the last good normal frame");
+    const std::size_t saved = told.find("SRDO 1 consumer 0x101, safe within 936 ms of the last good normal frame");
+    EXPECT_LT(of_file, saved) << told;
+    EXPECT_NE(saved, std::string::npos) << told;
+    const std::string producer = "SRDO 2 producer 0x103, every 100 ms";
+    EXPECT_EQ(told.find(producer), told.rfind(producer)) << told;
 }
 } // namespace
 } // namespace counterpoint::runtime

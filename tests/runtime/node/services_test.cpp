@@ -457,11 +457,19 @@ TEST_F(NodeServicesTest, ADamagedStoreNeverBringsAnOlderConfigurationBack)
 // Given an order whose line never ends, then it is not carried out, and the node runs on.
 TEST_F(NodeServicesTest, AnOrderWithoutAnEndIsTold)
 {
-    Verifies(req::SRS_NODE_009);
+    Verifies(req::SRS_NODE_331);
     auto node = StartNode("emergency_stop/sensor.dcf", {});
     node->Type(std::string(5000U, 'x'));
     EXPECT_EQ(node->WaitFor("problem").event["text"],
-              "an order of more than 1024 characters, expected whole lines; no more are read");
+              "an order of more than 1024 characters, expected at most so many in one line; it is left out");
+    // And what stands behind its end is carried out, and one that comes whole is left out likewise
+    node->Type(std::string(1500U, 'x') + "\n" + "get 0x1000:00" + std::string(1012U, ' ') + "\nnmt\n");
+    EXPECT_EQ(node->WaitFor("problem").event["text"],
+              "an order of more than 1024 characters, expected at most so many in one line; it is left out");
+    EXPECT_EQ(node->WaitFor("nmt").event["state"], "pre_operational");
+    // One of 1024 characters is none
+    node->Type("get 0x1000:00" + std::string(1011U, ' ') + "\n");
+    EXPECT_EQ(node->WaitFor("object").event["object"], "0x1000:00");
     node->Signal(SIGTERM);
     EXPECT_EQ(node->End(), 0);
 }

@@ -179,6 +179,7 @@ ExitStatus Try(const CampaignOrder& order, const Shard& shard, const Streams& st
 {
     Session session(order.files.front());
     Results results(order.out, session.Identity(shard));
+    TellEmpty(results, order.out, streams.err);
     const std::uint64_t begun = results.Size() - results.OpenCount();
     const std::uint32_t jobs =
         (order.jobs == 0) ? std::max(1U, std::thread::hardware_concurrency()) : static_cast<std::uint32_t>(order.jobs);
@@ -194,6 +195,7 @@ ExitStatus Merge(const CampaignOrder& order, const Streams& streams)
 {
     const Session session(order.files[1U]);
     Results all(order.out, session.Identity(Shard{}));
+    TellEmpty(all, order.out, streams.err);
     for (std::size_t index = 2U; index < order.files.size(); ++index)
     {
         all.Merge(order.files[index]);

@@ -207,7 +207,7 @@ Plan ReadManagedPlan(const std::string& file)
     Plan plan;
     plan.file = file;
     plan.digest = HashOf(text);
-    plan.title = map.Require("title").Text("a title");
+    plan.title = TitleOf(map);
     const YamlValue network = map.Require(kNetwork);
     const std::filesystem::path scenario = network.Text("the file name of a scenario with managers");
     plan.scenario_source = network.Where();

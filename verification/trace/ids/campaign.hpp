@@ -88,6 +88,7 @@ inline constexpr RequirementId SRS_CMG_219{"SRS_CMG_219"};
 inline constexpr RequirementId SRS_CMG_220{"SRS_CMG_220"};
 inline constexpr RequirementId SRS_CMG_221{"SRS_CMG_221"};
 inline constexpr RequirementId SRS_CMG_250{"SRS_CMG_250"};
+inline constexpr RequirementId SRS_CMG_330{"SRS_CMG_330"};
 inline constexpr RequirementId SRS_CMG_340{"SRS_CMG_340"};
 inline constexpr RequirementId SRS_CMG_341{"SRS_CMG_341"};
 inline constexpr RequirementId SRS_CMG_342{"SRS_CMG_342"};

@@ -30,6 +30,8 @@ inline constexpr RequirementId SRS_GEN_020{"SRS_GEN_020"};
 inline constexpr RequirementId SRS_GEN_027{"SRS_GEN_027"};
 inline constexpr RequirementId SRS_GEN_150{"SRS_GEN_150"};
 inline constexpr RequirementId SRS_GEN_170{"SRS_GEN_170"};
+inline constexpr RequirementId SRS_GEN_330{"SRS_GEN_330"};
+inline constexpr RequirementId SRS_GEN_331{"SRS_GEN_331"};
 inline constexpr RequirementId SRS_GEN_340{"SRS_GEN_340"};
 inline constexpr RequirementId SRS_GEN_341{"SRS_GEN_341"};
 inline constexpr RequirementId SRS_GEN_342{"SRS_GEN_342"};

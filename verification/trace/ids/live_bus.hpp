@@ -38,6 +38,7 @@ inline constexpr RequirementId SRS_LIVE_057{"SRS_LIVE_057"};
 inline constexpr RequirementId SRS_LIVE_058{"SRS_LIVE_058"};
 inline constexpr RequirementId SRS_LIVE_059{"SRS_LIVE_059"};
 inline constexpr RequirementId SRS_LIVE_061{"SRS_LIVE_061"};
+inline constexpr RequirementId SRS_LIVE_330{"SRS_LIVE_330"};
 } // namespace counterpoint::req
 
 #endif

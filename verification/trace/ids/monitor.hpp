@@ -40,6 +40,9 @@ inline constexpr RequirementId SRS_MON_120{"SRS_MON_120"};
 inline constexpr RequirementId SRS_MON_170{"SRS_MON_170"};
 inline constexpr RequirementId SRS_MON_240{"SRS_MON_240"};
 inline constexpr RequirementId SRS_MON_241{"SRS_MON_241"};
+inline constexpr RequirementId SRS_MON_330{"SRS_MON_330"};
+inline constexpr RequirementId SRS_MON_331{"SRS_MON_331"};
+inline constexpr RequirementId SRS_MON_332{"SRS_MON_332"};
 inline constexpr RequirementId SRS_MON_340{"SRS_MON_340"};
 inline constexpr RequirementId SRS_MON_341{"SRS_MON_341"};
 } // namespace counterpoint::req

@@ -86,6 +86,8 @@ inline constexpr RequirementId SRS_NODE_210{"SRS_NODE_210"};
 inline constexpr RequirementId SRS_NODE_211{"SRS_NODE_211"};
 inline constexpr RequirementId SRS_NODE_212{"SRS_NODE_212"};
 inline constexpr RequirementId SRS_NODE_240{"SRS_NODE_240"};
+inline constexpr RequirementId SRS_NODE_330{"SRS_NODE_330"};
+inline constexpr RequirementId SRS_NODE_331{"SRS_NODE_331"};
 inline constexpr RequirementId SRS_NODE_340{"SRS_NODE_340"};
 } // namespace counterpoint::req
 

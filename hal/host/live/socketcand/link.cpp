@@ -67,6 +67,11 @@ void SocketcandLink::Read()
     const ssize_t got = IsLost() ? 0 : ::recv(socket_.Get(), bytes.data(), bytes.size(), MSG_DONTWAIT);
     if (got > 0)
     {
+        // A partner that waits for the acknowledgement of a frame before it sends the next one (Nagle's rule) would get
+        // it 40 ms later otherwise. The system forgets this with what is sent, so that it is said each time.
+        // [SRS_LIVE_330]
+        const int on = 1;
+        static_cast<void>(::setsockopt(socket_.Get(), IPPROTO_TCP, TCP_QUICKACK, &on, sizeof(on)));
         stream_.Feed(bytes.data(), static_cast<std::size_t>(got));
     }
     else if ((got == 0) || !IsLater(errno))

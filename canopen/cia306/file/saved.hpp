@@ -1,0 +1,27 @@
+// Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#ifndef CANOPEN_CIA306_FILE_SAVED_HPP
+#define CANOPEN_CIA306_FILE_SAVED_HPP
+
+#include "canopen/cia306/file/device.hpp"
+
+#include <cstdint>
+
+namespace counterpoint::cia306
+{
+/// Whether a save (1010h) of a device of this file keeps the value: somebody can write it and read it back, and it is
+/// no list of errors (1003h), no command (1010h, 1011h) and no parameter of the program (5F00h to 5F05h).
+/// [SRS_NODE_038, SRS_GEN_330]
+[[nodiscard]] inline bool IsSaved(const Entry& entry) noexcept
+{
+    constexpr std::uint16_t error_field = 0x1003U;
+    constexpr std::uint16_t save = 0x1010U;
+    constexpr std::uint16_t restore = 0x1011U;
+    constexpr std::uint16_t first_parameter = 0x5F00U;
+    constexpr std::uint16_t last_parameter = 0x5F05U;
+    const bool is_own = entry.index == error_field || entry.index == save || entry.index == restore;
+    const bool is_of_program = entry.index >= first_parameter && entry.index <= last_parameter;
+    return !entry.IsFixed() && entry.access != Access::kWriteOnly && !is_own && !is_of_program;
+}
+} // namespace counterpoint::cia306
+
+#endif // CANOPEN_CIA306_FILE_SAVED_HPP
