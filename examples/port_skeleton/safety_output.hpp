@@ -17,9 +17,9 @@ class SafetyOutput final : public counterpoint::hal::SafetyOutput, public counte
     /// @brief CONTRACT. The gate's own: hand it on.
     [[nodiscard]] std::uint32_t Challenge() noexcept override;
     /// @brief CONTRACT. Hand permits and the time of one counter to the gate, then set each pin by OutputGate::Open and
-    /// nothing else: the gate remembers what closed without a decision, and keeps it closed. A pin falls without the program when no right Drive comes within the gate's limit: a watchdog that
-    /// makes it an input, a monostable, a timer output. Read each pin back once a cycle; one that does not follow is a
-    /// fault that cuts off.
+    /// nothing else: the gate remembers what closed without a decision, and keeps it closed. A pin falls without the
+    /// program when no right Drive comes within the gate's limit: a watchdog that makes it an input, a monostable, a
+    /// timer output. Read each pin back once a cycle; one that does not follow is a fault that cuts off.
     void Drive(const counterpoint::hal::PermitSet& permits) noexcept override;
     /// @brief CONTRACT. All pins low by the shortest way, from any exception and any state: no lock, no stack of its
     /// own, no object that the exception may have destroyed; registers are written directly. Nothing opens them again

@@ -590,8 +590,7 @@ TEST_F(PlanTest, PinsAreHitWhereTheyAreTheOutput)
     Verifies(req::SRS_CMG_042);
     const std::string lines = "at: [550 ms]\nparts: [pins]\nkinds: [flip]\nphases: [permits]\nmembers: [pins.live]\n";
     // 32 bits, each of which is found at the pins' next look
-    const tools::test::Answer pins =
-        Campaign({PlanFile("pins.yaml", "actuator", lines + "output: pins\ndetectors: [pins]\n")});
+    const auto pins = Campaign({PlanFile("pins.yaml", "actuator", lines + "output: pins\ndetectors: [pins]\n")});
     EXPECT_EQ(pins.status, 0) << pins.out;
     EXPECT_NE(pins.out.find("found first by: pins 32\n"), std::string::npos) << pins.out;
     // and a device with the gate alone has none
