@@ -385,10 +385,11 @@ TEST_F(DisturbedTest, StepThatRunsTwiceFindsWhatItLeft)
     EXPECT_EQ(channel.detector, Detector::kComparator) << WordOf(channel.detector);
     // and where that is the first cycle of many, the second one is not reached.
     EXPECT_EQ(session.Runs().Run(StepFault(FaultKind::kDoubled, FlowStep::kChannelA, kAlways)).us, channel.us);
-    // When the permits are given twice, the second ones answer no challenge that the gate still has: it closes, and the
-    // next ones open it again without an acknowledge
+    // When the permits are given twice, the second ones answer no challenge that the gate still has: it closes for
+    // good, and the kernel makes a device fault of it
     const Outcome permits = session.Runs().Run(StepFault(FaultKind::kDoubled, FlowStep::kPermits, 0U));
-    EXPECT_EQ(permits.result, Class::kSilent);
+    EXPECT_EQ(permits.result, Class::kDetected);
+    EXPECT_EQ(permits.detector, Detector::kPermits) << WordOf(permits.detector);
     // When the comparison runs twice, it finds the same; its second mark is one too many
     const Experiment comparison = StepFault(FaultKind::kDoubled, FlowStep::kComparison, 0U);
     EXPECT_EQ(session.Runs().Run(comparison).result, Class::kMasked);

@@ -1,7 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // From when the time of a detection counts, and whose word is one.
 #include "verification/campaign/campaign_rig.hpp"
-#include "verification/campaign/two_cpus.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -63,7 +62,7 @@ class LatenessTest : public CampaignTest
     }
 };
 
-// A frame, a call, a message that is missing, and a CPU that stands still, do nothing that is seen outside until SCT,
+// A frame, a message that is missing, and a CPU that stands still, do nothing that is seen outside until SCT,
 // SRVT or the time-out of the link are over: late from the first byte that differs.
 TEST_F(LatenessTest, OfWhatIsNoMemoryCountsFromTheFirstByteThatDiffers)
 {
@@ -75,7 +74,6 @@ TEST_F(LatenessTest, OfWhatIsNoMemoryCountsFromTheFirstByteThatDiffers)
         const char* kind;
     };
     for (const Row& row : {Row{false, "parts: [bus]\nkinds: [lost]\ncycles: 25\nsample: 8\n"},
-                           Row{false, "parts: [kernel_calls]\nkinds: [skipped]\ncycles: 25\nsample: 40\n"},
                            Row{true, "parts: [link]\nkinds: [lost]\nsample: 20\n"},
                            Row{true, "parts: [cpu]\nkinds: [stopped]\nsample: 4\n"}})
     {
@@ -97,64 +95,5 @@ TEST_F(LatenessTest, OfWhatIsNoMemoryCountsFromTheFirstByteThatDiffers)
     }
 }
 
-/// Looks at a device of two CPUs in each cycle: which CPU tells that it has found something.
-class WordOfTheHitCpu final : public CycleWatcher
-{
-  public:
-    explicit WordOfTheHitCpu(Device& device) : device_(device)
-    {
-    }
-    void OnCycle(const std::size_t cycle, const Sight& sight) override
-    {
-        const TwoCpus& two = *device_.AsTwoCpus();
-        const bool has_other_found = two.Fault() != DeviceFault::kNone;
-        if (!has_other_found && (device_.Told().device_fault != DeviceFault::kNone))
-        {
-            // The word of the CPU that is hit: it makes nothing of the other one's output wrong
-            ++words;
-            EXPECT_FALSE(two.IsFaultTold()) << cycle;
-            EXPECT_EQ(sight.wrong, Wrong::kNothing) << cycle;
-        }
-        found = ((found == 0U) && has_other_found) ? cycle : found;
-    }
-
-    std::uint32_t words{0U}; ///< Cycles in which only the CPU that is hit has told of it.
-    std::size_t found{0U};   ///< The cycle in which the other one has found it; 0: none.
-
-  private:
-    Device& device_;
-};
-
-TEST_F(LatenessTest, OfACpuThatIsHitCountsFromWhatTheOtherOneFinds)
-{
-    Verifies(req::SRS_CMG_132);
-    const Trap trap;
-    Session session(PlanOf(true, "sample: 10\n"));
-    std::uint32_t first = 0U;
-    for (std::size_t cpu = 0U; cpu < 2U; ++cpu)
-    {
-        for (std::uint32_t rate = 0U; rate < 13U; ++rate)
-        {
-            // Given a CPU whose clock is fast, which it may find before the other one
-            Experiment fast;
-            fast.part = Part::kCpu;
-            fast.kind = FaultKind::kFast;
-            fast.cycle = kCycle;
-            fast.subject = cpu;
-            fast.variant = rate;
-            WordOfTheHitCpu words(session.Runs().Subject());
-            session.Runs().Follow(&words);
-            const Outcome outcome = session.Runs().Run(fast);
-            session.Runs().Follow(nullptr);
-            // Then it is found when the other one has found it, a cycle of 1 ms before or behind
-            if ((words.words > 0U) && (words.found > 0U) && (outcome.result == Class::kDetected))
-            {
-                ++first;
-                EXPECT_GT(outcome.us + 2000U, (words.found - kCycle) * 1000U) << cpu << ", rate " << rate;
-            }
-        }
-    }
-    EXPECT_GT(first, 0U);
-}
 } // namespace
 } // namespace counterpoint::campaign::test

@@ -175,10 +175,16 @@ TEST_F(ManagerSocketTest, WhoIsSilentMakesRoomAndWhoNeverEndsALineIsCut)
     EXPECT_EQ(Receive(ninth), "9!");
     EXPECT_EQ(Receive(clients[1]), "cut");
     EXPECT_EQ(Receive(clients[0]), "");
-    // When a line has no end, then it ends the connection
+    // When a line has no end, then it is answered, which ends the connection
     Say(clients[2], std::string(2000U, 'x'));
     socket.Serve(Echo);
     socket.Serve(Echo);
+    std::string answer;
+    for (int part = 0; part < 8; ++part)
+    {
+        answer += Receive(clients[2]);
+    }
+    EXPECT_EQ(answer, std::string(2000U, 'x') + "!");
     EXPECT_EQ(Receive(clients[2]), "cut");
 }
 

@@ -240,9 +240,14 @@ TEST(GenerateTest, AnEntryTellsIntoWhichPdosItMayBeMapped)
     }
     text += test::Section("2006", "A", 5U, "rw", "1");
     const std::string source = Code(text).source;
-    const std::vector<std::string> ends{"&objects, kInTpdo | kInRpdo},", "&objects, kInTpdo},",   "&objects, kInRpdo},",
-                                        "&objects, kInTpdo},",           "&constants, kInTpdo},", "&objects, kInRpdo},",
-                                        "&objects, &objects},"};
+    // What can be written and is kept by 1010h has kStored besides
+    const std::vector<std::string> ends{"&objects, kInTpdo | kInRpdo | kStored},",
+                                        "&objects, kInTpdo},",
+                                        "&objects, kInRpdo | kStored},",
+                                        "&objects, kInTpdo | kStored},",
+                                        "&constants, kInTpdo},",
+                                        "&objects, kInRpdo},",
+                                        "&objects, kStored},"};
     for (std::size_t number = 0U; number < ends.size(); ++number)
     {
         const std::size_t row = source.find("{0x200" + std::to_string(number) + "U, 0x00U, DataType");
