@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // From when the time of a detection counts, and whose word is one.
 #include "verification/campaign/campaign_rig.hpp"
+#include "verification/campaign/two_cpus.hpp"
 
 #include <cstdint>
 #include <memory>
