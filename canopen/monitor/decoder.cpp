@@ -476,8 +476,8 @@ std::string Decoder::SdoBlock(const LogFrame& frame, Transfer& transfer, const b
     const bool is_rest = is_acknowledge && transfer.has_last && frame.data[1] != transfer.last_number;
     transfer.has_last = transfer.has_last && !is_rest;
     // Segments follow the server's answer to a download, the client's start of an upload, and each acknowledgement.
-    const bool goes = is_acknowledge || (is_download ? !is_request && !is_end : part == 3U && is_request);
-    transfer.is_block = (goes && !transfer.has_last) || (transfer.is_block && !is_end);
+    const bool goes = is_acknowledge || (!is_end && (is_download ? !is_request : part == 3U));
+    transfer.is_block = goes && !transfer.has_last;
     const std::string kind =
         is_begin ? "begin of" : (is_end ? "end of" : (is_acknowledge ? "acknowledge in" : "start of"));
     return kind + " a block " + (is_download ? "write of " : "read of ") + TransferText(frame, transfer);
