@@ -185,6 +185,10 @@ extern "C"
         {
             last_verdict.agreement.agreed &= ~SrdoMask{1U};
         }
+        if (comparator_calls == ComparatorCalls::kAgreedToo)
+        {
+            last_verdict.agreement.agreed |= SrdoMask{1U};
+        }
         if (comparator_calls == ComparatorCalls::kDemotesToo)
         {
             last_verdict.demote |= SrdoMask{1U};
@@ -333,6 +337,23 @@ TEST_F(ComparatorLost, AgreedSlotThatTheVerdictDemotesIsSafeInTheSameCycle)
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kComparator);
     EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
     EXPECT_EQ(kernel.DeviceState().count, 1U);
+}
+
+// The channels differ, the comparator demotes the slot, and a bit of the verdict calls it agreed all the same.
+TEST_F(ComparatorLost, DemotedSlotThatTheVerdictCallsAgreedIsSafeInTheSameCycle)
+{
+    Verifies(req::SRS_CMP_360);
+    Verifies(req::SRS_CMP_361);
+    Operate();
+    ReceivePair();
+    Cycle();
+    EXPECT_EQ(Open(), 1U);
+    b.on_outcome = [](CycleOutcome& outcome) { outcome.released = 0U; };
+    comparator_calls = ComparatorCalls::kAgreedToo;
+    Cycle();
+    EXPECT_EQ(Open(), 0U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kComparator);
+    EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
 }
 
 // What both voices must say in every cycle fails: that alone is told, and counted once.

@@ -21,6 +21,7 @@ enum class ComparatorCalls : std::uint8_t
     kFrameChanged = 6U, ///< The first of two frames has another bit, see `changed_bit`.
     kNeverAgreed = 7U,  ///< Slot 0 is never called agreed; everything else is real.
     kDemotesToo = 8U,   ///< Slot 0 is demoted besides; everything else is real.
+    kAgreedToo = 9U,    ///< Slot 0 is called agreed besides; everything else is real.
 };
 
 extern ComparatorCalls comparator_calls;
