@@ -124,6 +124,18 @@ TurnedMembers* turned_members = nullptr;
 /// A member for whose difference the comparator is blind, of voices or frames; empty: none.
 std::string_view blind_member{};
 
+/// What the comparison said, as the kernel gets it.
+void Spoil(Verdict& verdict)
+{
+    constexpr SrdoMask kFirstSlot = 1U;
+    const auto is_now = [](const ComparatorCalls calls) { return comparator_calls == calls; };
+    verdict.fault = is_now(ComparatorCalls::kAlwaysGood) ? DeviceFault::kNone : verdict.fault;
+    verdict.agreement.matched &= is_now(ComparatorCalls::kNeverMatched) ? ~kFirstSlot : ~SrdoMask{0U};
+    verdict.agreement.agreed &= is_now(ComparatorCalls::kNeverAgreed) ? ~kFirstSlot : ~SrdoMask{0U};
+    verdict.agreement.agreed |= is_now(ComparatorCalls::kAgreedToo) ? kFirstSlot : SrdoMask{0U};
+    verdict.demote |= is_now(ComparatorCalls::kDemotesToo) ? kFirstSlot : SrdoMask{0U};
+}
+
 } // namespace
 
 extern "C"
@@ -173,26 +185,7 @@ extern "C"
         seen.outcome_b = &voices.b;
         seen.turned = voices.turned;
         last_verdict = __real__ZN12counterpoint10Comparator7CompareERKNS_10ComparisonE(self, seen);
-        if (comparator_calls == ComparatorCalls::kAlwaysGood)
-        {
-            last_verdict.fault = DeviceFault::kNone;
-        }
-        if (comparator_calls == ComparatorCalls::kNeverMatched)
-        {
-            last_verdict.agreement.matched &= ~SrdoMask{1U};
-        }
-        if (comparator_calls == ComparatorCalls::kNeverAgreed)
-        {
-            last_verdict.agreement.agreed &= ~SrdoMask{1U};
-        }
-        if (comparator_calls == ComparatorCalls::kAgreedToo)
-        {
-            last_verdict.agreement.agreed |= SrdoMask{1U};
-        }
-        if (comparator_calls == ComparatorCalls::kDemotesToo)
-        {
-            last_verdict.demote |= SrdoMask{1U};
-        }
+        Spoil(last_verdict);
         return last_verdict;
     }
 
