@@ -14,6 +14,30 @@ endif()
 set(COUNTERPOINT_TEST_OPTIONS "" CACHE STRING "Options of test programs alone, after those of everything")
 # Debug information of rooms that are no part of a device takes a third of their compile time; a preset may ask for less.
 set(COUNTERPOINT_HOST_OPTIONS "" CACHE STRING "Options of rooms without KERNEL alone, after those of everything")
+# Most of the time in which a small file is compiled goes to the headers that it includes. A preset may have so many of them read one after
+# the other as one text; rooms with KERNEL are always compiled file by file. [0: each by itself]
+include(${CMAKE_CURRENT_LIST_DIR}/Alone.cmake)
+set(COUNTERPOINT_TEST_BATCH 0 CACHE STRING "Files of a test program that are compiled at once")
+set(COUNTERPOINT_HOST_BATCH 0 CACHE STRING "Files of a room without KERNEL that are compiled at once")
+function(counterpoint_batch target size)
+  if(size GREATER 1)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${size})
+    get_target_property(sources ${target} SOURCES)
+    foreach(source IN LISTS sources)
+      get_filename_component(path ${source} ABSOLUTE)
+      file(RELATIVE_PATH path ${Counterpoint_SOURCE_DIR} ${path})
+      set(is_alone OFF)
+      foreach(folder IN LISTS COUNTERPOINT_ALONE_FOLDERS)
+        if(path MATCHES "^${folder}/")
+          set(is_alone ON)
+        endif()
+      endforeach()
+      if(is_alone OR path IN_LIST COUNTERPOINT_ALONE)
+        set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+      endif()
+    endforeach()
+  endif()
+endfunction()
 # What a kernel object may not contain: exceptions, RTTI, guards of static locals, calls of a hosted library.
 set(COUNTERPOINT_KERNEL_FLAGS -ffreestanding -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-stack-protector
     -fno-asynchronous-unwind-tables -fno-common -ffunction-sections -fdata-sections)
@@ -48,6 +72,7 @@ function(counterpoint_room target)
     else()
       # std::stable_sort of GCC 12's library uses what it itself marks as deprecated, and Clang tells.
       target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations> ${COUNTERPOINT_HOST_OPTIONS})
+      counterpoint_batch(${target} "${COUNTERPOINT_HOST_BATCH}")
     endif()
     if(ROOM_CLANG AND COUNTERPOINT_CHANNEL_B_COMPILER)
       # The launcher is handed the whole command line of the main compiler and puts Clang in its first place.
