@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -91,9 +92,16 @@ std::size_t CandumpReader::Place() const noexcept
     return line_;
 }
 
+// [SRS_MON_401]
 Origin CandumpReader::Seen() const
 {
-    return choice_.Seen();
+    Origin origin = choice_.Seen();
+    if (is_end_open_)
+    {
+        origin.doubt = "line " + std::to_string(line_) +
+                       " has no end; the recording may have been cut there, and its last frame be longer than told";
+    }
+    return origin;
 }
 
 void CandumpReader::Refuse(const std::string_view line, const std::string_view at, const char* const expected) const
@@ -110,6 +118,7 @@ bool CandumpReader::Next(LogFrame& frame)
         std::string_view line = text_.substr(at_, end - at_);
         at_ = end + 1U;
         ++line_;
+        is_end_open_ = end == text_.size();
         if (!line.empty() && line.back() == '\r')
         {
             line.remove_suffix(1U);

@@ -37,6 +37,7 @@ class CandumpReader final : public FrameSource
     std::size_t at_{0U};
     std::size_t line_{0U};
     Time last_{0};
+    bool is_end_open_{false}; ///< The last line was read, and no line break ended it.
 };
 
 /// Numbers of a capture file in the byte order of the machine that wrote it.

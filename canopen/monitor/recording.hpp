@@ -49,7 +49,9 @@ struct Origin
     std::string interface;        ///< The one whose frames were given; empty: the recording names none.
     std::size_t other_frames{0U}; ///< Frames of CAN of other interfaces, which were not given. [SRS_MON_041]
     Time other_last{0};           ///< The latest time of those.
-    std::string doubt; ///< Why frames of several interfaces may be among those given; empty: no reason. [SRS_MON_043]
+    /// Why the frames given may be others than those of the bus: of several interfaces, or the last one cut; empty: no
+    /// reason. [SRS_MON_043, SRS_MON_401]
+    std::string doubt;
 };
 
 /// Chooses one interface of a recording: the one that is asked for, otherwise that of the first frame. [SRS_MON_040]

@@ -261,5 +261,35 @@ TEST(PcapngInterfaces, OfWhichNothingTellsTheBusAreDoubtedOnce)
     EXPECT_EQ(source->Seen().doubt,
               "link type 113 (SLL) does not tell interfaces apart: what is judged as one bus may be several");
 }
+
+/// What is doubted of a candump file behind its last frame, which has this length and first byte.
+std::string DoubtOfLog(const std::string& text, const std::uint8_t length, const std::uint8_t first)
+{
+    const auto source = OpenRecording("test.log", text, {});
+    LogFrame frame;
+    LogFrame last;
+    while (source->Next(frame))
+    {
+        last = frame;
+    }
+    EXPECT_EQ(last.length, length) << text;
+    EXPECT_EQ(last.data[0], first) << text;
+    return source->Seen().doubt;
+}
+
+// Given a recording that ends within the data of its last frame, then that frame is read as it stands and the line is
+// named; with a line break, of either kind and also before empty lines, nothing is doubted.
+TEST(CandumpEnd, WithoutALineBreakIsDoubted)
+{
+    Verifies(req::SRS_MON_401);
+    const std::string whole = "(1.000000) can0 101#0102\n(1.000200) can0 102#FEFD";
+    EXPECT_EQ(DoubtOfLog(whole + "\n", 2U, 0xFEU), "");
+    EXPECT_EQ(DoubtOfLog(whole + "\r\n", 2U, 0xFEU), "");
+    EXPECT_EQ(DoubtOfLog(whole + "\n\n", 2U, 0xFEU), "");
+    const std::string told =
+        "line 2 has no end; the recording may have been cut there, and its last frame be longer than told";
+    EXPECT_EQ(DoubtOfLog(whole, 2U, 0xFEU), told);
+    EXPECT_EQ(DoubtOfLog(whole.substr(0U, whole.size() - 2U), 1U, 0xFEU), told);
+}
 } // namespace
 } // namespace counterpoint::monitor
