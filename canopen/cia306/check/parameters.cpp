@@ -13,6 +13,7 @@ constexpr std::uint32_t kLongestCycleUs = 1000000U;
 constexpr std::uint64_t kUsPerMs = 1000U;
 constexpr std::uint64_t kClockCycles = 4U;      ///< Cycles that the kernel needs in an interval of the clock tolerance.
 constexpr std::uint64_t kComparatorTests = 15U; ///< Cycles that the kernel needs in a test interval.
+constexpr std::uint64_t kDiscrepancyCycles = 2U; ///< By which the pairs of the channels may be apart without a fault.
 constexpr std::uint8_t kPorts = 2U;
 
 /// Rules of the objects 5F00h to 5F05h.
@@ -64,6 +65,19 @@ class ParameterCheck
                 "controller " + std::to_string(port) + " of the " + frames + " frames", "1 or 2");
     }
 
+    /// The kernel takes less, and a device may go to its safe state when nothing is wrong. [SRS_CLI_400]
+    void WarnDiscrepancy(const std::uint64_t least_us)
+    {
+        if (!context_.configuration.srdos.empty() && own_.discrepancy_us < least_us)
+        {
+            findings_.Warning(
+                PlaceOf(kDeviceParametersIndex, 3U), ObjectName(kDeviceParametersIndex, 3U),
+                "discrepancy time of " + std::to_string(own_.discrepancy_us) + " us",
+                "at least " + std::to_string(least_us) +
+                    " us, 2 cycles with their tolerance, or late cycles may end in the device safe state");
+        }
+    }
+
     void WarnSrdo(const std::uint16_t index, const std::uint8_t number, const std::string& wrong,
                   const std::string& expected)
     {
@@ -106,6 +120,7 @@ void ParameterCheck::CheckTimes()
     Require(own_.clock_tolerance_interval_us >= clock_us, 7U,
             "clock tolerance interval of " + std::to_string(own_.clock_tolerance_interval_us) + " us",
             "at least " + std::to_string(clock_us) + " us, 4 cycles with their tolerance");
+    WarnDiscrepancy(kDiscrepancyCycles * late_us);
 }
 
 void ParameterCheck::CheckForm()

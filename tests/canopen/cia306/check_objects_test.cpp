@@ -233,6 +233,7 @@ TEST(CheckObjects, ValuesOutsideTheirLimits)
 
 TEST(CheckObjects, DeviceParameters)
 {
+    Verifies(req::SRS_CLI_400);
     Verifies(req::SRS_CLI_018);
     const std::string policy =
         " is taken for the restart interlock, expected 0x00 (restart interlock) or 0x5A (automatic)";
@@ -249,6 +250,15 @@ TEST(CheckObjects, DeviceParameters)
          {"error: 0x5F00:01: cycle time 0 us, expected 100 us to 1000000 us",
           "error: 0x5F00:02: cycle tolerance of 500 us, expected at most the cycle time of 0 us"}},
         {{{"5F00sub1", kValue, "100"}, {"5F00sub2", kValue, "100"}}, {}},
+        {{{"5F00sub3", kValue, "2999"}},
+         {"warning: 0x5F00:03: discrepancy time of 2999 us, expected at least 3000 us, 2 cycles with their tolerance, "
+          "or "
+          "late cycles may end in the device safe state"}},
+        {{{"5F00sub3", kValue, "3000"}}, {}},
+        {{{"5F00sub2", kValue, "501"}, {"5F00sub3", kValue, "3001"}},
+         {"warning: 0x5F00:03: discrepancy time of 3001 us, expected at least 3002 us, 2 cycles with their tolerance, "
+          "or "
+          "late cycles may end in the device safe state"}},
         {{{"5F00sub9", kValue, "0x100000000"}},
          {"error: 0x5F00:09: value '0x100000000', expected a number from 0 to 4294967295 (UNSIGNED32)"}},
     };
