@@ -1,4 +1,10 @@
-# What is never compiled at once with other files (counterpoint_batch). Folders: programs link only some files of these rooms, and linker options lead
+# counterpoint_batch(<target> <size>): so many files of the target are compiled at once, as one text.
+#
+# Most of the time in which a small file is compiled goes to the headers that it includes. Rooms with KERNEL are always compiled file by file.
+set(COUNTERPOINT_TEST_BATCH 0 CACHE STRING "Files of a test program that are compiled at once; 0: each by itself")
+set(COUNTERPOINT_HOST_BATCH 0 CACHE STRING "Files of a room without KERNEL that are compiled at once; 0: each by itself")
+
+# What is never compiled at once with other files. Folders: programs link only some files of these rooms, and linker options lead
 # their calls elsewhere; of what is compiled at once they would link all.
 set(COUNTERPOINT_ALONE_FOLDERS runtime/device runtime/node verification/campaign verification/bench verification/target verification/twins verification/two_cpu verification/models)
 # Files with a local name that stands in another file of their target, too, and those that replace operator new. Whoever gives a local name twice is told
@@ -73,3 +79,23 @@ set(COUNTERPOINT_ALONE
   verification/proof/protocols/link_rig.cpp
   verification/proof/protocols/producer_rig.cpp
   verification/proof/world.cpp)
+
+function(counterpoint_batch target size)
+  if(size GREATER 1)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${size})
+    get_target_property(sources ${target} SOURCES)
+    foreach(source IN LISTS sources)
+      get_filename_component(path ${source} ABSOLUTE)
+      file(RELATIVE_PATH path ${Counterpoint_SOURCE_DIR} ${path})
+      set(is_alone OFF)
+      foreach(folder IN LISTS COUNTERPOINT_ALONE_FOLDERS)
+        if(path MATCHES "^${folder}/")
+          set(is_alone ON)
+        endif()
+      endforeach()
+      if(is_alone OR path IN_LIST COUNTERPOINT_ALONE)
+        set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+      endif()
+    endforeach()
+  endif()
+endfunction()
