@@ -1,12 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/monitor/contradictions.hpp"
 
-#include "canopen/cia306/safety/signature.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 
 #include <algorithm>
 #include <cstddef>
-#include <string>
 
 namespace counterpoint::monitor
 {
@@ -31,25 +29,6 @@ void TellInactive(const NodeModel& node, std::vector<Contradiction>& found)
                       what + " that no SRDO of " + node.name +
                           " is active and none is watched, expected 0xA5 where the device was declared valid"}});
 }
-
-/// An SRDO whose signature is that of other parameters: no device takes the file as it is. [SRS_MON_400]
-void TellForeignSignatures(const NodeModel& node, std::vector<Contradiction>& found)
-{
-    for (const SrdoConfiguration& srdo : node.active)
-    {
-        if (!srdo.signature_problems.empty() || !srdo.signature.value || srdo.signature.Is(cia306::SignatureOf(srdo)))
-        {
-            continue;
-        }
-        found.push_back(
-            {node.device.file,
-             {cia306::Severity::kWarning, srdo.signature.place,
-              cia306::ObjectName(cia306::kSignatureIndex, srdo.number),
-              "signature " + cia306::Hex(*srdo.signature.value, 4) + " of SRDO " + std::to_string(srdo.number) +
-                  " of " + node.name + ", expected " + cia306::Hex(cia306::SignatureOf(srdo), 4) +
-                  ": a device refuses this file, so that the one on the bus may have another"}});
-    }
-}
 } // namespace
 
 std::vector<Contradiction> ContradictionsOf(const Network& network)
@@ -64,7 +43,6 @@ std::vector<Contradiction> ContradictionsOf(const Network& network)
             ends.push_back({node, model.name, model.device.file, &srdo});
         }
         TellInactive(model, found);
-        TellForeignSignatures(model, found);
     }
     const std::vector<Contradiction> compared = cia306::ContradictionsOf(ends);
     found.insert(found.end(), compared.begin(), compared.end());

@@ -52,37 +52,6 @@ std::size_t CharacterLength(const std::string& text, const std::size_t place)
 }
 
 /// Builds the tree. The nodes under construction lie on a stack; a finished one is appended to the one below it.
-/// Length of a line up to its last character that is neither blank nor of a comment.
-std::size_t WrittenLength(const std::string& line)
-{
-    char quote = '\0';
-    char before = ' ';
-    std::size_t length = 0U;
-    for (std::size_t at = 0U; at < line.size(); ++at)
-    {
-        const char now = line[at];
-        if (quote == '\0' && now == '#' && (before == ' ' || before == '\t'))
-        {
-            break;
-        }
-        if (now == quote)
-        {
-            quote = '\0';
-        }
-        else if (quote == '\0' && (now == '"' || now == '\''))
-        {
-            quote = now;
-        }
-        else
-        {
-            // Of a text, or of what is not quoted.
-        }
-        length = now == ' ' || now == '\t' ? length : at + 1U;
-        before = now;
-    }
-    return length;
-}
-
 class TreeBuilder : public YAML::EventHandler
 {
   public:
@@ -101,7 +70,7 @@ class TreeBuilder : public YAML::EventHandler
     void OnNull(const YAML::Mark& mark, const YAML::anchor_t anchor) override
     {
         static_cast<void>(anchor);
-        Begin(mark, YamlKind::kNull, "").place = PlaceOfNull(mark);
+        Begin(mark, YamlKind::kNull, "");
         End();
     }
     void OnAlias(const YAML::Mark& mark, const YAML::anchor_t anchor) override
@@ -182,32 +151,6 @@ class TreeBuilder : public YAML::EventHandler
             return;
         }
         stack_.back().items.push_back(std::move(node));
-    }
-
-    /// The library places a value that is not written at what follows it, which may be lines below: it stands behind
-    /// the last character before it that is no comment. [SRS_SIM_400]
-    [[nodiscard]] Place PlaceOfNull(const YAML::Mark& mark) const
-    {
-        const std::size_t begin = std::min(static_cast<std::size_t>(mark.pos), text_.size());
-        Place place = PlaceOf(mark);
-        const std::string word = text_.substr(begin, text_.find_first_of(" ,]}\n", begin) - begin);
-        if (word == "~" || word == "null" || word == "Null" || word == "NULL")
-        {
-            return place;
-        }
-        std::size_t end = begin;
-        while (place.line != 0U)
-        {
-            const std::size_t start = end == 0U ? 0U : text_.rfind('\n', end - 1U) + 1U;
-            const std::size_t written = WrittenLength(text_.substr(start, end - start));
-            if (written != 0U)
-            {
-                return {place.line, written + 1U};
-            }
-            --place.line;
-            end = start == 0U ? 0U : start - 1U;
-        }
-        return PlaceOf(mark);
     }
 
     /// Escapes of quoted text can make what RequireText refused in the file itself.

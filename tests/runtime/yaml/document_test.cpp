@@ -172,42 +172,6 @@ TEST(YamlDocument, HasTextsThatEnd)
     EXPECT_EQ(ParseYaml("a.yaml", "a: 'b\\'\n").items[1].scalar, "b\\");
 }
 
-/// Line and column of the first value that is not written; 0.0: there is none.
-std::string PlaceOfNothing(const YamlNode& node)
-{
-    if (node.kind == YamlKind::kNull)
-    {
-        return std::to_string(node.place.line) + "." + std::to_string(node.place.column);
-    }
-    for (const YamlNode& item : node.items)
-    {
-        const std::string place = PlaceOfNothing(item);
-        if (place != "0.0")
-        {
-            return place;
-        }
-    }
-    return "0.0";
-}
-
-// Given a key or an item of a list without a value, then its place is behind what was written there, and not at what
-// follows lines and comments later; a value that says that it is nothing has its own place.
-TEST(YamlDocument, PlacesAValueThatIsNotWrittenWhereItIsMissing)
-{
-    Verifies(req::SRS_SIM_400);
-    const auto place = [](const std::string& text) { return PlaceOfNothing(ParseYaml("a.yaml", text)); };
-    EXPECT_EQ(place("a:\n"), "1.3");
-    EXPECT_EQ(place("a:\n\n\nb: 1\n"), "1.3");
-    EXPECT_EQ(place("a: # why\n  # and more\nb: 1\n"), "1.3");
-    EXPECT_EQ(place("c: 1\n'a # b': \t# why\nnull_b: 1\n"), "2.9");
-    EXPECT_EQ(place("a:\n  -\n  - 2\n"), "2.4");
-    EXPECT_EQ(place("a:\n  - 1\n  -\n"), "3.4");
-    EXPECT_EQ(place("a: {b: , c: 1}\n"), "1.7");
-    EXPECT_EQ(place("a: 1\nb:\n  ~\n"), "3.3");
-    EXPECT_EQ(place("b: null\n"), "1.4");
-    EXPECT_EQ(place("a: 1\n"), "0.0");
-}
-
 TEST(YamlDocument, IsShownPrintableAndShort)
 {
     Verifies(req::SRS_SIM_010);
