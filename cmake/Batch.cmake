@@ -1,6 +1,7 @@
 # counterpoint_batch(<target> <size>): so many files of the target are compiled at once, as one text.
 #
 # Most of the time in which a small file is compiled goes to the headers that it includes. Rooms with KERNEL are always compiled file by file.
+# The preset clang compiles every file by itself: what only compiles behind another one is seen there.
 set(COUNTERPOINT_TEST_BATCH 0 CACHE STRING "Files of a test program that are compiled at once; 0: each by itself")
 set(COUNTERPOINT_HOST_BATCH 0 CACHE STRING "Files of a room without KERNEL that are compiled at once; 0: each by itself")
 
@@ -81,21 +82,17 @@ set(COUNTERPOINT_ALONE
   verification/proof/world.cpp)
 
 function(counterpoint_batch target size)
-  if(size GREATER 1)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${size})
-    get_target_property(sources ${target} SOURCES)
-    foreach(source IN LISTS sources)
-      get_filename_component(path ${source} ABSOLUTE)
-      file(RELATIVE_PATH path ${Counterpoint_SOURCE_DIR} ${path})
-      set(is_alone OFF)
-      foreach(folder IN LISTS COUNTERPOINT_ALONE_FOLDERS)
-        if(path MATCHES "^${folder}/")
-          set(is_alone ON)
-        endif()
-      endforeach()
-      if(is_alone OR path IN_LIST COUNTERPOINT_ALONE)
-        set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-      endif()
-    endforeach()
+  if(size LESS 2)
+    return()
   endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${size})
+  list(JOIN COUNTERPOINT_ALONE_FOLDERS "|" folders)
+  get_target_property(sources ${target} SOURCES)
+  foreach(source IN LISTS sources)
+    get_filename_component(path ${source} ABSOLUTE)
+    file(RELATIVE_PATH path ${Counterpoint_SOURCE_DIR} ${path})
+    if(path MATCHES "^(${folders})/" OR path IN_LIST COUNTERPOINT_ALONE)
+      set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    endif()
+  endforeach()
 endfunction()

@@ -43,7 +43,7 @@ DRAWN = ("registers", "opcodes", "flash", "memory", "stuck")
 SCENES = {"start", "pair", "acknowledge", "send", "confirm", "GFC", "GFC sent", "SCT expiry", "SRVT expiry", "NMT leave", "reconfiguration",
           "diagnosis", "level 2"}
 REQUIREMENTS = tuple(f"SRS_VER_{number:03}" for number in (40, 41, 42, 70, 71, 72, 73, 74, 210, 211, 347))
-# Of processor time: so many faults a second, so many seconds for all skips and inversions by two cores.
+# So many faults a second of processor time.
 LEAST_RATE = 300
 
 
