@@ -363,8 +363,7 @@ void ForgetErrors(const Recording& recording, const std::size_t cycle, FlatAppli
     const bool is_pressed = (now.call.acknowledge_a & ~before.acknowledge_a) != 0U;
     if (is_pressed || now.nmt != NmtState::kOperational)
     {
-        application.faulted = 0U;
-        application.first_cause = SrdoCause::kNone;
+        application.ForgetErrors();
     }
 }
 
@@ -381,7 +380,7 @@ std::uint8_t WhoSaid(const Device& device, const SrdoCause cause) noexcept
 
 SrdoCause FirstCauseOf(const Device& device) noexcept
 {
-    const SrdoCause told = device.Told().first_cause;
+    const SrdoCause told = device.Application().Now().first_cause;
     for (SlotIndex slot = 0U; slot < device.Config().srdo_count; ++slot)
     {
         const SrdoView a = device.Voice(0U).View(slot);

@@ -147,7 +147,7 @@ class Device
     {
         return region_;
     }
-    [[nodiscard]] const FlatApplication& Told() const noexcept
+    [[nodiscard]] const FlatApplication& Application() const noexcept
     {
         return *application_;
     }

@@ -37,7 +37,7 @@ std::uint64_t MaskOf(const VariablePlace& place)
 bool IsFaultTold(const Device& device)
 {
     const TwoCpus* const two = device.AsTwoCpus();
-    return (two == nullptr) ? device.Told().device_fault != DeviceFault::kNone : two->IsFaultTold();
+    return (two == nullptr) ? device.Application().Now().device_fault != DeviceFault::kNone : two->IsFaultTold();
 }
 } // namespace
 
@@ -117,9 +117,10 @@ void Judge::Arm(const std::size_t cycle, const SrdoMask open, JudgeMemory& memor
     const RecordedCycle& recorded = recording_.cycles[cycle];
     const SrdoMask level = recorded.call.acknowledge_a & recorded.call.acknowledge_b;
     const SrdoMask edge = level & ~memory.pressed;
-    const SrdoMask told = device_.Told().faulted & ~memory.told;
+    const SrdoMask faulted = device_.Application().Now().faulted;
+    const SrdoMask told = faulted & ~memory.told;
     memory.pressed = level;
-    memory.told = device_.Told().faulted;
+    memory.told = faulted;
     memory.fault_cycles += IsFaultTold(device_) ? 1U : 0U;
     if (recorded.nmt != NmtState::kOperational)
     {

@@ -28,7 +28,7 @@ struct JudgeMemory
     SrdoMask armed{0U};   ///< An acknowledge came since OPERATIONAL was entered, or since an error closed the output.
     SrdoMask erred{0U};   ///< An error was told, and nothing has been taken back since.
     SrdoMask stopped{0U}; ///< An error took the released pair back, and no acknowledge has come since.
-    SrdoMask told{0U};    ///< Of FlatApplication::faulted.
+    SrdoMask told{0U};    ///< Of Told::faulted.
     SrdoMask opened{0U};  ///< Open in the cycle before.
     SrdoMask closed{0U};  ///< Closed since it was open, whoever told of it, and no acknowledge has come since.
     SrdoMask pressed{0U};

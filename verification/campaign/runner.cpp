@@ -99,7 +99,7 @@ Runner::Runner(Device& device, Judge& judge, const Recording& recording, const S
         std::fill_n(owner_.begin() + static_cast<std::ptrdiff_t>(place.offset), place.size,
                     static_cast<std::uint8_t>(place.part));
     }
-    TakeWhatIsTold();
+    TakeWhatIsRead();
     const std::size_t end = space.LastCycle() + horizon_ + 1U;
     device_.Follow(this);
     JudgeMemory memory;
@@ -358,22 +358,24 @@ bool Runner::DoesOtherwise(const Sight& sight) const
                           sight.is_missed != was.is_missed;
     const std::uint8_t* const is = device_.Memory().Bytes();
     const std::uint8_t* const without = kept_.data() + ((now_ + 1U - first_) * size_);
-    return is_output || is_frame ||
-           std::any_of(told_.begin(), told_.end(), [is, without](const Stretch& each)
+    ToldCopies was_told{};
+    std::memcpy(was_told.data(), without + device_.Memory().OffsetOf(&device_.Application().copies), sizeof(was_told));
+    const bool is_told = !(device_.Application().Now() == MajorityOf(was_told));
+    return is_output || is_frame || is_told ||
+           std::any_of(read_.begin(), read_.end(), [is, without](const Stretch& each)
                        { return std::memcmp(is + each.offset, without + each.offset, each.size) != 0; });
 }
 
 /// Producers' variables are what the application senses.
-void Runner::TakeWhatIsTold()
+void Runner::TakeWhatIsRead()
 {
-    told_.push_back({device_.Memory().OffsetOf(&device_.Told()), sizeof(FlatApplication)});
     for (const FlatPair& pair : device_.Pairs())
     {
         for (const VariablePlace& place : {pair.normal, pair.inverse})
         {
             if (pair.is_consumer)
             {
-                told_.push_back({device_.Memory().OffsetOf(place.place), BytesOf(place)});
+                read_.push_back({device_.Memory().OffsetOf(place.place), BytesOf(place)});
             }
         }
     }
@@ -538,7 +540,7 @@ Outcome Runner::Blame() const
     {
         outcome.detector = Detector::kWatchdog;
     }
-    else if (device_.Told().faulted != 0U)
+    else if (device_.Application().Now().faulted != 0U)
     {
         outcome.detector = Detector::kChannels;
         const SrdoCause cause = FirstCauseOf(device_);

@@ -90,7 +90,7 @@ class Runner final : private PhaseHook
     };
 
     void At(Phase phase) noexcept override;
-    void TakeWhatIsTold();
+    void TakeWhatIsRead();
     [[nodiscard]] bool IsNeverOtherwise(const Experiment& experiment) const;
     void Begin(const Experiment& experiment);
     void Watch(const Experiment& experiment);
@@ -124,7 +124,7 @@ class Runner final : private PhaseHook
     std::vector<std::uint8_t> kept_{};     ///< One after the other.
     std::vector<JudgeMemory> memories_{};  ///< Before each cycle.
     std::vector<Sight> sights_{};          ///< Behind each cycle.
-    std::vector<Stretch> told_{};          ///< What the application is told, and what it is given.
+    std::vector<Stretch> read_{};          ///< What the application is given of the objects.
     std::vector<std::uint8_t> all_set_{};  ///< Bits that are 1 at each phase of each kept cycle.
     std::vector<std::uint8_t> ever_set_{}; ///< Bits that are 1 at one of them.
     std::vector<std::uint8_t> owner_;      ///< The part of each byte.

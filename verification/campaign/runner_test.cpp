@@ -291,6 +291,41 @@ TEST_F(JudgeTest, OutputThatWasClosedNeedsAnAcknowledgeWhoeverToldOfIt)
     EXPECT_EQ(bench.judge.Look(399U, memory).wrong, Wrong::kRestart);
 }
 
+TEST_F(JudgeTest, WriteIntoTheApplicationsMemoryTellsNoFault)
+{
+    Verifies(req::SRS_CMG_410);
+    // Given the sensor at work, whose application was told nothing
+    Bench bench(PlanFile("plan.yaml", "sensor", kSmall));
+    EXPECT_EQ(bench.RunTo(400U).wrong, Wrong::kNothing);
+    auto& application = const_cast<FlatApplication&>(bench.device.Application());
+    // Of the next 60 cycles, in which two pairs are sent
+    const auto is_wrong = [&bench](const Wrong wrong)
+    {
+        bool is_seen = false;
+        for (std::size_t end = bench.next + 60U; bench.next < end;)
+        {
+            is_seen = (bench.RunTo(bench.next + 1U).wrong == wrong) || is_seen;
+        }
+        return is_seen;
+    };
+    for (std::size_t copy = 0U; copy < 3U; ++copy)
+    {
+        // When somebody writes a device fault and an error of SRDO 1 over one of its copies
+        application.copies.at(copy).device_fault = DeviceFault::kOutput;
+        application.copies.at(copy).faulted = 1U;
+        // then nothing was told, and the frames that are sent are right
+        EXPECT_EQ(application.Now().device_fault, DeviceFault::kNone) << copy;
+        EXPECT_FALSE(is_wrong(Wrong::kRestart)) << copy;
+        EXPECT_EQ(bench.memory.fault_cycles, 0U) << copy;
+        EXPECT_EQ(bench.memory.told, 0U) << copy;
+        application.copies.at(copy) = Told{};
+    }
+    // When the kernel tells one, then the next pair is one behind a device fault.
+    application.OnDeviceFault({DeviceFault::kOutput, 0U, 1U});
+    EXPECT_TRUE(is_wrong(Wrong::kRestart));
+    EXPECT_NE(bench.memory.fault_cycles, 0U);
+}
+
 TEST_F(JudgeTest, SentFrameNeedsAnIdentifierOfTheDeviceAndDataOfTheApplication)
 {
     Verifies(req::SRS_CMG_005);

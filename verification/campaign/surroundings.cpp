@@ -59,8 +59,10 @@ void FlatApplication::OnSrdoError(const CommunicationIndex index, const SrdoCaus
     {
         return;
     }
-    first_cause = (faulted == 0U) ? cause : first_cause;
-    faulted |= SrdoMask{1U} << ((index.value - kFirstSrdo) % kMaxSrdoCount);
+    Told told = Now();
+    told.first_cause = (told.faulted == 0U) ? cause : told.first_cause;
+    told.faulted |= SrdoMask{1U} << ((index.value - kFirstSrdo) % kMaxSrdoCount);
+    Keep(told);
 }
 
 void FlatApplication::OnConfigurationInvalid(const CommunicationIndex index) noexcept
@@ -70,6 +72,32 @@ void FlatApplication::OnConfigurationInvalid(const CommunicationIndex index) noe
 
 void FlatApplication::OnDeviceFault(const DeviceFaultReport& report) noexcept
 {
-    device_fault = report.fault;
+    Told told = Now();
+    told.device_fault = report.fault;
+    Keep(told);
+}
+
+void FlatApplication::ForgetErrors() noexcept
+{
+    Told told = Now();
+    told.faulted = 0U;
+    told.first_cause = SrdoCause::kNone;
+    Keep(told);
+}
+
+void FlatApplication::Keep(const Told& told) noexcept
+{
+    copies.fill(told);
+}
+
+bool operator==(const Told& left, const Told& right) noexcept
+{
+    return left.faulted == right.faulted && left.first_cause == right.first_cause &&
+           left.device_fault == right.device_fault;
+}
+
+Told MajorityOf(const ToldCopies& copies) noexcept
+{
+    return (copies[0] == copies[1]) ? copies[0] : copies[2];
 }
 } // namespace counterpoint::campaign

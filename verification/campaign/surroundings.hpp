@@ -153,7 +153,21 @@ class FlatOutput : public hal::SafetyOutput
     bool is_live{true}; ///< False: it has cut itself off, and nobody calls the kernel any more.
 };
 
-/// What the application is told, slot by slot. It has its producers' values always ready.
+/// What an application was told by the kernel.
+struct Told
+{
+    SrdoMask faulted{0U}; ///< By number of the SRDO, less 1: a cause was told, kWaitingPastSct excepted.
+    SrdoCause first_cause{SrdoCause::kNone}; ///< Of them.
+    DeviceFault device_fault{DeviceFault::kNone};
+};
+[[nodiscard]] bool operator==(const Told& left, const Told& right) noexcept;
+
+/// The same three times: the judge believes what the kernel told, not what a channel with a wrong address wrote over
+/// one of them. [SRS_CMG_410]
+using ToldCopies = std::array<Told, 3U>;
+[[nodiscard]] Told MajorityOf(const ToldCopies& copies) noexcept;
+
+/// Notes what it is told, slot by slot. It has its producers' values always ready.
 class FlatApplication final : public Application
 {
   public:
@@ -163,9 +177,18 @@ class FlatApplication final : public Application
     void OnConfigurationInvalid(CommunicationIndex index) noexcept override;
     void OnDeviceFault(const DeviceFaultReport& report) noexcept override;
 
-    SrdoMask faulted{0U}; ///< By number of the SRDO, less 1: a cause was told, kWaitingPastSct excepted.
-    SrdoCause first_cause{SrdoCause::kNone}; ///< Of them.
-    DeviceFault device_fault{DeviceFault::kNone};
+    /// @brief What it was told. [SRS_CMG_410]
+    [[nodiscard]] Told Now() const noexcept
+    {
+        return MajorityOf(copies);
+    }
+    /// @brief As if it had been told nothing of SRDOs.
+    void ForgetErrors() noexcept;
+
+    ToldCopies copies{};
+
+  private:
+    void Keep(const Told& told) noexcept;
 };
 } // namespace counterpoint::campaign
 

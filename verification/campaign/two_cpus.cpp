@@ -448,7 +448,7 @@ DeviceFault TwoCpus::Fault() const noexcept
 bool TwoCpus::IsFaultTold() const noexcept
 {
     const bool is_of_cpu = fault_ != nullptr && fault_->part == Part::kCpu;
-    return is_of_cpu ? Fault() != DeviceFault::kNone : application_->device_fault != DeviceFault::kNone;
+    return is_of_cpu ? Fault() != DeviceFault::kNone : application_->Now().device_fault != DeviceFault::kNone;
 }
 
 bool TwoCpus::IsWatchdogAlive() const noexcept

@@ -99,6 +99,7 @@ inline constexpr RequirementId SRS_CMG_346{"SRS_CMG_346"};
 inline constexpr RequirementId SRS_CMG_347{"SRS_CMG_347"};
 inline constexpr RequirementId SRS_CMG_348{"SRS_CMG_348"};
 inline constexpr RequirementId SRS_CMG_349{"SRS_CMG_349"};
+inline constexpr RequirementId SRS_CMG_410{"SRS_CMG_410"};
 } // namespace counterpoint::req
 
 #endif
