@@ -1,10 +1,13 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/monitor/contradictions.hpp"
 
+#include "canopen/cia306/safety/signature.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <string>
 
 namespace counterpoint::monitor
 {
@@ -29,6 +32,27 @@ void TellInactive(const NodeModel& node, std::vector<Contradiction>& found)
                       what + " that no SRDO of " + node.name +
                           " is active and none is watched, expected 0xA5 where the device was declared valid"}});
 }
+
+/// An SRDO whose signature is that of other parameters: no device takes the file as it is. The network has refused
+/// files whose signature cannot be computed; one without a signature says nothing that could contradict. [SRS_MON_400]
+void TellForeignSignatures(const NodeModel& node, std::vector<Contradiction>& found)
+{
+    for (const SrdoConfiguration& srdo : node.active)
+    {
+        const std::uint16_t computed = cia306::SignatureOf(srdo);
+        if (!srdo.signature.value || srdo.signature.Is(computed))
+        {
+            continue;
+        }
+        found.push_back(
+            {node.device.file,
+             {cia306::Severity::kWarning, srdo.signature.place,
+              cia306::ObjectName(cia306::kSignatureIndex, srdo.number),
+              "signature " + cia306::Hex(*srdo.signature.value, 4) + " of SRDO " + std::to_string(srdo.number) +
+                  " of " + node.name + ", expected " + cia306::Hex(computed, 4) +
+                  ": a device refuses this file, so that the one on the bus may have another"}});
+    }
+}
 } // namespace
 
 std::vector<Contradiction> ContradictionsOf(const Network& network)
@@ -43,6 +67,7 @@ std::vector<Contradiction> ContradictionsOf(const Network& network)
             ends.push_back({node, model.name, model.device.file, &srdo});
         }
         TellInactive(model, found);
+        TellForeignSignatures(model, found);
     }
     const std::vector<Contradiction> compared = cia306::ContradictionsOf(ends);
     found.insert(found.end(), compared.begin(), compared.end());

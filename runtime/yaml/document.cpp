@@ -8,9 +8,11 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 
 namespace counterpoint::runtime
@@ -70,7 +72,7 @@ class TreeBuilder : public YAML::EventHandler
     void OnNull(const YAML::Mark& mark, const YAML::anchor_t anchor) override
     {
         static_cast<void>(anchor);
-        Begin(mark, YamlKind::kNull, "");
+        Begin(mark, YamlKind::kNull, "").place = SaysNothing(mark) ? PlaceOf(mark) : PlaceOfMissing(mark);
         End();
     }
     void OnAlias(const YAML::Mark& mark, const YAML::anchor_t anchor) override
@@ -86,7 +88,7 @@ class TreeBuilder : public YAML::EventHandler
         node.scalar = value;
         RequirePrintable(value, node.place);
         node.is_quoted = tag == "!";
-        RequireClosed(mark, node.place);
+        Read(mark, EndOfScalar(mark, value, node.place));
         End();
     }
     void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, const YAML::anchor_t anchor,
@@ -95,6 +97,7 @@ class TreeBuilder : public YAML::EventHandler
         static_cast<void>(anchor);
         static_cast<void>(style);
         Begin(mark, YamlKind::kSequence, tag);
+        Read(mark, OffsetOf(mark));
     }
     void OnSequenceEnd() override
     {
@@ -106,6 +109,7 @@ class TreeBuilder : public YAML::EventHandler
         static_cast<void>(anchor);
         static_cast<void>(style);
         Begin(mark, YamlKind::kMap, tag);
+        Read(mark, OffsetOf(mark));
     }
     void OnMapEnd() override
     {
@@ -169,24 +173,79 @@ class TreeBuilder : public YAML::EventHandler
         }
     }
 
-    /// The library takes the end of the file for the end of a quoted text.
-    void RequireClosed(const YAML::Mark& mark, const Place place) const
+    [[nodiscard]] std::size_t OffsetOf(const YAML::Mark& mark) const
     {
-        const std::size_t begin = std::min(static_cast<std::size_t>(mark.pos), text_.size());
+        return std::min(static_cast<std::size_t>(mark.pos), text_.size());
+    }
+
+    /// What begins at `mark` was read up to `end`.
+    void Read(const YAML::Mark& mark, const std::size_t end)
+    {
+        written_ = end;
+        line_begin_ = OffsetOf(mark) - static_cast<std::size_t>(mark.column);
+    }
+
+    /// Where a text ends; one of several lines without quotes may be longer than told. The library takes the end of the
+    /// file for the end of a quoted text.
+    [[nodiscard]] std::size_t EndOfScalar(const YAML::Mark& mark, const std::string& value, const Place place) const
+    {
+        const std::size_t begin = OffsetOf(mark);
         const char quote = text_.c_str()[begin];
         if (quote != '"' && quote != '\'')
         {
-            return;
+            return begin + value.size();
         }
         std::size_t at = begin + 1U;
-        while (at < text_.size() && text_[at] != quote)
+        while (at < text_.size())
         {
-            at += (quote == '"' && text_[at] == '\\') ? 2U : 1U;
+            const bool is_escape = text_[at] == '\\' && quote == '"';
+            const bool is_double = quote == '\'' && text_.compare(at, 2U, "''") == 0;
+            if (!is_escape && !is_double && text_[at] == quote)
+            {
+                return at + 1U;
+            }
+            at += (is_escape || is_double) ? 2U : 1U;
         }
-        if (at >= text_.size())
+        throw YamlError(file_, place, "quoted text without an end", std::string("a closing ") + quote);
+    }
+
+    /// Whether the value is there and says that it is none. What is missing has the place of what follows it.
+    [[nodiscard]] bool SaysNothing(const YAML::Mark& mark) const
+    {
+        static constexpr std::array<std::string_view, 4U> kNothing{"~", "null", "Null", "NULL"};
+        const std::string_view rest = std::string_view(text_).substr(OffsetOf(mark));
+        const std::string_view word = rest.substr(0U, rest.find_first_of(" \t,]}\n"));
+        return std::find(kNothing.begin(), kNothing.end(), word) != kNothing.end();
+    }
+
+    /// The library places a value that is not written at what follows it, which may be lines below, or at its key: it
+    /// is missing behind the last character before that which is no comment. [SRS_SIM_400]
+    [[nodiscard]] Place PlaceOfMissing(const YAML::Mark& mark)
+    {
+        std::size_t line = PlaceOf(mark).line;
+        std::size_t line_begin = line_begin_;
+        bool is_comment = false;
+        for (std::size_t at = written_; at < OffsetOf(mark); ++at)
         {
-            throw YamlError(file_, place, "quoted text without an end", std::string("a closing ") + quote);
+            const char now = text_[at];
+            is_comment = now == '#' || (is_comment && now != '\n');
+            if (now == '\n')
+            {
+                line_begin = at + 1U;
+                --line;
+            }
+            else if (!is_comment && now != ' ' && now != '\t')
+            {
+                written_ = at + 1U;
+                line_begin_ = line_begin;
+                line = PlaceOf(mark).line;
+            }
+            else
+            {
+                // Nothing is written here.
+            }
         }
+        return {line, written_ - line_begin_ + 1U};
     }
 
     const std::string& file_;
@@ -194,6 +253,8 @@ class TreeBuilder : public YAML::EventHandler
     std::vector<YamlNode> stack_;
     YamlNode root_;
     std::size_t count_{0U};
+    std::size_t written_{0U};    ///< Where what was read last ends, or a place in it.
+    std::size_t line_begin_{0U}; ///< Where the line of that begins.
 };
 
 void RequireText(const std::string& file, const std::string& text)

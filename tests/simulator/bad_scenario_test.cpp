@@ -107,7 +107,7 @@ constexpr BadCase kBadCases[] = {
     {"missing key", "inputs:\n  - {at: 1 ms, node: sensor, value: 1}\n", "3:5: error: an input without key 'object'"},
     {"list for map", "nodes:\n  - sensor\n", "3:3: error: a list, expected a map with the keys of nodes"},
     {"map for list", "inputs: {at: 1 ms}\n", "2:9: error: a map, expected a list"},
-    {"nothing for list", "faults:\n", "3:1: error: nothing, expected a list"},
+    {"nothing for list", "faults:\n", "2:8: error: nothing, expected a list"},
     {"node twice", "nodes:\n  sensor: {dcf: sensor.dcf}\n", "3:3: error: node 'sensor' twice"},
     {"node without DCF", "nodes:\n  more: {phase: 1 ms}\n", "3:9: error: a node without key 'dcf'"},
     {"corruption of nothing", "faults:\n  - {fault: corruption, frames: {identifier: 1}}\n",

@@ -89,6 +89,7 @@ TEST_F(MonitorCommandTest, TellsViolationsAndASummary)
 // and with an SCT as short as the refresh time. The chain itself has nothing to tell.
 TEST_F(MonitorCommandTest, TellsWhereFilesContradictEachOther)
 {
+    Verifies(req::SRS_MON_400);
     Verifies(req::SRS_MON_020);
     using cia306::test::ExampleText;
     const std::string sensor = Example("sensor");
@@ -121,14 +122,20 @@ TEST_F(MonitorCommandTest, TellsWhereFilesContradictEachOther)
                   .find(": warning: 0x1301:02: SCT 25 ms, while Sensor SRDO 1 has a refresh time of 25 ms, expected an "
                         "SCT above it\n"),
               std::string::npos);
-    EXPECT_EQ(told(changed("1301sub2", "26"), {}), "");
+    // An SCT above it contradicts nobody; only the signature, which was made of 50 ms, is told with its line.
+    // [SRS_MON_400]
+    EXPECT_EQ(told(changed("1301sub2", "26"), {}),
+              at + ":453:16: warning: 0x13FF:01: signature 0xE3BF of SRDO 1 of Controller, expected 0x9066: a device "
+                   "refuses this file, so that the one on the bus may have another\n");
     EXPECT_NE(told(changed("1381sub0", "2"), {})
                   .find(": warning: 0x1381:00: 8 bits mapped, while Sensor SRDO 1 maps 16, expected the same length\n"),
               std::string::npos);
     const auto document = nlohmann::json::parse(told(changed("1301sub2", "10"), {"--json"}));
-    ASSERT_EQ(document["warnings"].size(), 1U);
-    EXPECT_EQ(document["warnings"][0]["object"], "0x1301:02");
+    ASSERT_EQ(document["warnings"].size(), 2U);
+    EXPECT_EQ(document["warnings"][0]["object"], "0x13FF:01");
     EXPECT_EQ(document["warnings"][0]["file"], at);
+    EXPECT_EQ(document["warnings"][1]["object"], "0x1301:02");
+    EXPECT_EQ(document["warnings"][1]["file"], at);
 }
 
 // The controller's configuration is not valid: nobody consumes the sensor's pair, and nobody here sends 103h.

@@ -50,7 +50,8 @@ SdoAbort CodeOf(const SdoFrame& answer) noexcept
 SdoClientTransfer::SdoClientTransfer(const SdoClientLink& link) noexcept
     : link_(link), job_{{0U, 0U}, SdoMode::kInvalid, false, {nullptr, 0U}, {nullptr, 0U}, 0U}, phase_(Phase::kIdle),
       state_(SdoClientState::kIdle), outcome_{SdoAbort::kNone, false, 0U}, length_(0U), position_(0U), crc_bytes_(0U),
-      crc_(0U), toggle_(0U), sequence_(0U), block_size_(0U), has_crc_(false), has_last_(false), is_repeated_(false)
+      crc_(0U), toggle_(0U), sequence_(0U), block_size_(0U), first_(0U), is_begun_(false), has_crc_(false),
+      has_last_(false), is_repeated_(false)
 {
 }
 
@@ -63,6 +64,7 @@ void SdoClientTransfer::Take(const SdoJob& job) noexcept
     crc_ = 0U;
     toggle_ = 0U;
     sequence_ = 0U;
+    is_begun_ = false;
     has_last_ = false;
     is_repeated_ = false;
     state_ = SdoClientState::kBusy;
@@ -119,6 +121,8 @@ void SdoClientTransfer::OnAnswer(const SdoFrame& answer) noexcept
     case Phase::kBlockUploadBegin:
         if (IsFor(answer, job_.target))
         {
+            first_ = answer.bytes[0];
+            is_begun_ = true;
             OnFirst(answer);
         }
         break;
@@ -129,7 +133,11 @@ void SdoClientTransfer::OnAnswer(const SdoFrame& answer) noexcept
     case Phase::kBlockDownloadEnd:
     case Phase::kBlockUpload:
     case Phase::kBlockUploadEnd:
-        OnRest(answer);
+        if (!IsFirstAgain(answer))
+        {
+            is_begun_ = false;
+            OnRest(answer);
+        }
         break;
     case Phase::kIdle:
     default:
@@ -164,7 +172,14 @@ void SdoClientTransfer::OnFirst(const SdoFrame& answer) noexcept
     }
 }
 
-/// Answers come in order: after the first one, every frame belongs to this transfer.
+/// A server that kept the request of before its restart answers it behind its boot-up message, and the one that came
+/// since as well. The transfer is the one that the last request began, whichever answer was the first. [SRS_SDC_450]
+bool SdoClientTransfer::IsFirstAgain(const SdoFrame& answer) const noexcept
+{
+    return is_begun_ && (answer.bytes[0] == first_) && IsFor(answer, job_.target);
+}
+
+/// Answers come in order: after the first one, which may come twice, every frame belongs to this transfer.
 void SdoClientTransfer::OnRest(const SdoFrame& answer) noexcept
 {
     const std::uint8_t head = answer.bytes[0];

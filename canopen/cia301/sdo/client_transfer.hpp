@@ -108,6 +108,7 @@ class SdoClientTransfer
     void BeginDownload() noexcept;
     void Finish() noexcept;
     void OnFirst(const SdoFrame& answer) noexcept;
+    [[nodiscard]] bool IsFirstAgain(const SdoFrame& answer) const noexcept;
     void OnRest(const SdoFrame& answer) noexcept;
 
     void SendSegment() noexcept;
@@ -136,6 +137,8 @@ class SdoClientTransfer
     std::uint8_t toggle_;   ///< 0 or 10h.
     std::uint8_t sequence_; ///< Last segment of the sub-block.
     std::uint8_t block_size_;
+    std::uint8_t first_; ///< Command of the first answer.
+    bool is_begun_;      ///< Nothing came since the first answer.
     bool has_crc_;
     bool has_last_;    ///< The last segment went, or came in order.
     bool is_repeated_; ///< The half time-out of this sub-block was used.

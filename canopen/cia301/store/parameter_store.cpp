@@ -139,12 +139,13 @@ void ParameterStore::LoadItems(const std::uint8_t groups, LoadReport& report) no
     ItemHead head = current_.HeadAt(place);
     while (head.is_present)
     {
-        const bool is_fit = (head.part < parts_.part_count) && (head.size_bytes <= parts_.scratch.size_bytes);
         const Room room{parts_.scratch.data, head.size_bytes};
         if ((head.group & groups) != 0U)
         {
-            const bool is_loaded = is_fit && current_.Read(place + kItemHeadBytes, room) &&
-                                   parts_.parts[head.part]->LoadItem(Bytes{room.data, room.size_bytes});
+            const bool is_read =
+                (head.size_bytes <= parts_.scratch.size_bytes) && current_.Read(place + kItemHeadBytes, room);
+            const Bytes item{room.data, is_read ? room.size_bytes : 0U}; // The part knows of one that it does not get.
+            const bool is_loaded = (head.part < parts_.part_count) && parts_.parts[head.part]->LoadItem(item);
             report.loaded += is_loaded ? 1U : 0U;
             report.refused += is_loaded ? 0U : 1U;
         }

@@ -43,7 +43,8 @@ class StoredPart
     }
     /// @brief Items of these groups are about to be loaded; nothing else is loaded before EndLoad.
     virtual void BeginLoad(std::uint8_t groups) noexcept = 0;
-    /// @brief Takes a stored item. False: this device has no use for it any more.
+    /// @brief Takes a stored item; one that cannot be read, or is longer than the scratch room, comes without bytes.
+    /// False: this device has no use for it any more.
     virtual bool LoadItem(const Bytes& item) noexcept = 0;
     /// @brief All items of these groups were loaded. False: together they are nothing that this device can use.
     virtual bool EndLoad(std::uint8_t groups) noexcept = 0;

@@ -127,8 +127,8 @@ void StoredEntries::Lose(std::uint8_t) noexcept
 }
 
 StoredSafety::StoredSafety(Kernel& kernel) noexcept
-    : kernel_(kernel), header_{0U, 0U, 0U}, has_header_(false), has_image_(false), given_crc_(0U), node_(nullptr),
-      is_of_node_(true)
+    : kernel_(kernel), header_{0U, 0U, 0U}, has_header_(false), has_refused_(false), has_image_(false), given_crc_(0U),
+      node_(nullptr), is_of_node_(true)
 {
 }
 
@@ -211,11 +211,19 @@ SdoAbort StoredSafety::EndSave(const std::uint8_t groups) noexcept
 void StoredSafety::BeginLoad(std::uint8_t) noexcept
 {
     has_header_ = false;
+    has_refused_ = false;
     is_of_node_ = true;
 }
 
-/// A header without a node-ID is of a device that has one for ever, or was saved before headers told it.
 bool StoredSafety::LoadItem(const Bytes& item) noexcept
+{
+    const bool is_loaded = TakeItem(item);
+    has_refused_ = has_refused_ || !is_loaded;
+    return is_loaded;
+}
+
+/// A header without a node-ID is of a device that has one for ever, or was saved before headers told it.
+bool StoredSafety::TakeItem(const Bytes& item) noexcept
 {
     bool is_loaded = false;
     const bool has_node = (item.size_bytes == kNodeItemBytes);
@@ -241,18 +249,19 @@ bool StoredSafety::LoadItem(const Bytes& item) noexcept
 }
 
 /// The kernel checks what it got, and keeps the power-on configuration if that is not what was saved. It looks at the
-/// node-ID by its digest alone, and expects none where the node-ID is not that of the file.
+/// node-ID by its digest alone, and expects none where the node-ID is not that of the file. An object whose item is
+/// refused keeps its value, so that a damaged set may end as what its header tells: it is damaged all the same.
 bool StoredSafety::EndLoad(std::uint8_t) noexcept
 {
-    bool is_used = true;
-    if (has_header_ && is_of_node_)
+    const bool is_whole = !has_refused_ && is_of_node_;
+    bool is_used = is_whole;
+    if (!is_whole)
     {
-        is_used = (kernel_.Image().Load(header_) == Result::kSuccessful);
+        static_cast<void>(kernel_.Image().RestoreDefaults());
     }
     else if (has_header_)
     {
-        static_cast<void>(kernel_.Image().RestoreDefaults());
-        is_used = false;
+        is_used = (kernel_.Image().Load(header_) == Result::kSuccessful);
     }
     else
     {

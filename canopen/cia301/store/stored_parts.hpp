@@ -40,9 +40,9 @@ class StoredEntries final : public StoredPart
 };
 
 /// The configuration that the kernel owns (1300h to 13FFh), as a part of the communication group. Where the saved one
-/// is lost, or the kernel refuses it, its power-on configuration holds, without A5h in 13FEh. The kernel is kept by
-/// reference. [SRS_STO_012, SRS_STO_014, SRS_STO_017, SRS_STO_019, SRS_STO_021,
-/// SRS_STO_210, SRS_STO_241]
+/// is lost, or the kernel refuses it or an item of it, its power-on configuration holds, without A5h in 13FEh. The
+/// kernel is kept by reference. [SRS_STO_012, SRS_STO_014, SRS_STO_017, SRS_STO_019, SRS_STO_021, SRS_STO_210,
+/// SRS_STO_241, SRS_STO_450]
 class StoredSafety final : public StoredPart
 {
   public:
@@ -61,9 +61,12 @@ class StoredSafety final : public StoredPart
     void Lose(std::uint8_t groups) noexcept override;
 
   private:
+    [[nodiscard]] bool TakeItem(const Bytes& item) noexcept;
+
     Kernel& kernel_;
     ImageHeader header_; ///< Of the set that is being saved or loaded.
     bool has_header_;
+    bool has_refused_;        ///< An item of the set that is being loaded.
     bool has_image_;          ///< The kernel gave one to be saved.
     std::uint32_t given_crc_; ///< CRC-32 of the values that a save has been given.
     const NodeId* node_;      ///< Null: never another one.

@@ -121,15 +121,16 @@ std::string NodeStore::Load(const std::uint8_t groups) noexcept
         return warning +
                "the last save has not ended; what was saved before it holds, without any the values of the DCF";
     }
-    if (report.finding == cia301::StoreFinding::kRefused && report.refused == 0U)
+    const bool is_refused = report.finding == cia301::StoreFinding::kRefused;
+    if (report.refused == 0U)
     {
-        return warning +
-               "the saved safety configuration is refused, expected that of this device and node-ID; 13FEh is not A5h";
+        return is_refused ? warning + "the saved safety configuration is refused, expected that of this device and "
+                                      "node-ID; 13FEh is not A5h"
+                          : std::string();
     }
-    return (report.refused == 0U)
-               ? std::string()
-               : warning + std::to_string(report.refused) + " of " + std::to_string(report.loaded + report.refused) +
-                     " saved values are refused" + loaded_.TakeRefused() + ", expected those of this device";
+    return warning + std::to_string(report.refused) + " of " + std::to_string(report.loaded + report.refused) +
+           " saved values are refused" + loaded_.TakeRefused() + ", expected those of this device" +
+           (is_refused ? "; so is the saved safety configuration, and 13FEh is not A5h" : "");
 }
 
 std::vector<std::string> NodeStore::NotTaken() const

@@ -243,7 +243,9 @@ TEST_F(StoreMarksTest, AMemoryThatIsReadNoMoreLoadsNothingAndIsTold)
         ASSERT_TRUE(store.Mount());
         failing.reads = 0;
         failing.fails_from = fails_from;
+        part.unread = 0U;
         const LoadReport got = store.Load(kAllGroups);
+        EXPECT_EQ(part.unread, got.refused) << fails_from;
         EXPECT_GE(got.loaded, before) << fails_from;
         EXPECT_LE(got.loaded + got.refused, 6U) << fails_from;
         before = got.loaded;
@@ -260,9 +262,12 @@ TEST_F(StoreMarksTest, AnItemThatIsLongerThanTheScratchRoomIsRefused)
     // Given a device whose room is smaller than that of the one that saved
     ParameterStore store{StoreParts{memory, parts.data(), 1U, Room{scratch.data(), 40U}}};
     ASSERT_TRUE(store.Mount());
+    part.unread = 0U;
     const LoadReport got = store.Load(kAllGroups);
     EXPECT_EQ(got.loaded, 5U);
     EXPECT_EQ(got.refused, 1U);
+    // Its part knows that there was one
+    EXPECT_EQ(part.unread, 1U);
 }
 
 TEST_F(StoreMarksTest, AnOldSetThatCannotBeReadIsNotCopied)

@@ -48,6 +48,11 @@ class ListPart final : public StoredPart
     }
     bool LoadItem(const Bytes& item) noexcept override
     {
+        if (item.size_bytes == 0U)
+        {
+            ++unread;
+            return false;
+        }
         values[item.data[0]] = Octets(&item.data[1], &item.data[item.size_bytes]);
         return item.data[0] != 99U;
     }
@@ -65,6 +70,7 @@ class ListPart final : public StoredPart
     Values defaults{};
     SdoAbort abort{SdoAbort::kNone};
     int loads{0};
+    std::uint32_t unread{0U}; ///< Items that came without bytes.
     std::uint8_t lost{0U};
     bool is_useless{false};
 };

@@ -67,10 +67,90 @@ TEST_F(SdoClientAnswersTest, AWrongCommandWithinATransferEndsIt)
             Answer(answer);
         }
         EXPECT_EQ(Result(), 0xFFFFFFFFU) << i;
-        Answer({0x60U, 0x03U, 0x21U});
+        Answer({0xE0U, 0x03U, 0x21U});
         EXPECT_EQ(Result(), 0x05040001U) << i;
         EXPECT_EQ(requests.frames.back().data[0], 0x80U) << i;
         client.OnServerRestart();
+    }
+}
+
+/// A transfer of several frames: its first answer, and the answer behind it.
+struct Begun
+{
+    bool is_upload;
+    SdoMode mode;
+    Octets first;
+    Octets next;
+};
+
+const Octets kFirstSegment{0x00U, 1U, 2U, 3U, 4U, 5U, 6U, 7U};
+const Begun kBegun[] = {{true, SdoMode::kNormal, {0x41U, 0x03U, 0x21U, 0U, 9U}, kFirstSegment},
+                        {false, SdoMode::kNormal, {0x60U, 0x03U, 0x21U}, {0x20U}},
+                        {false, SdoMode::kBlock, {0xA4U, 0x03U, 0x21U, 0U, 1U}, {0xA2U, 1U, 1U}}};
+
+class SdoClientBegunTest : public SdoClientRig
+{
+  public:
+    /// Up to the first answer.
+    void Begin(const Begun& transfer)
+    {
+        client.OnServerRestart();
+        EXPECT_TRUE(transfer.is_upload ? Upload(0x2103U, transfer.mode)
+                                       : Download(0x2103U, Octets(8U, 1U), transfer.mode));
+        Answer(transfer.first);
+        requests.frames.clear();
+    }
+};
+
+// Given a first answer that comes again, and once more, then the transfer goes on as if it had come once.
+TEST_F(SdoClientBegunTest, AFirstAnswerThatComesAgainIsIgnored)
+{
+    Verifies(req::SRS_SDC_450);
+    for (const Begun& one : kBegun)
+    {
+        Begin(one);
+        Answer(one.first);
+        Answer(one.first);
+        EXPECT_EQ(Result(), 0xFFFFFFFFU) << int{one.first[0]};
+        EXPECT_TRUE(requests.frames.empty()) << int{one.first[0]};
+        Answer(one.next);
+        EXPECT_EQ(Result(), 0xFFFFFFFFU) << int{one.first[0]};
+        EXPECT_FALSE(requests.frames.empty()) << int{one.first[0]};
+        // Behind a further frame it is a wrong command
+        Answer(one.first);
+        EXPECT_EQ(Result(), 0x05040001U) << int{one.first[0]};
+    }
+    // The value is that of the segments
+    Begin(kBegun[0]);
+    for (const Octets& answer : {kBegun[0].first, kFirstSegment, Octets{0x1BU, 8U, 9U}})
+    {
+        Answer(answer);
+    }
+    EXPECT_EQ(Result(), 0U);
+    EXPECT_EQ(client.Outcome().size_bytes, 9U);
+    EXPECT_EQ(got[8], 9U);
+}
+
+TEST_F(SdoClientBegunTest, OneOfAnotherObjectOrCommandEndsTheTransfer)
+{
+    Verifies(req::SRS_SDC_450);
+    for (const Begun& one : kBegun)
+    {
+        Begin(one);
+        Octets other = one.first;
+        other[1] = 0x04U;
+        Answer(other);
+        EXPECT_EQ(Result(), 0x05040001U) << int{one.first[0]};
+        Begin(one);
+        other = one.first;
+        other[0] = 0xE0U;
+        Answer(other);
+        EXPECT_EQ(Result(), 0x05040001U) << int{one.first[0]};
+        // An abort of the server ends it by its code
+        Begin(one);
+        Answer({0x80U, 0x03U, 0x21U, 0U, 0U, 0U, 0x02U, 0x06U});
+        EXPECT_EQ(Result(), 0x06020000U) << int{one.first[0]};
+        EXPECT_TRUE(client.Outcome().by_server);
     }
 }
 

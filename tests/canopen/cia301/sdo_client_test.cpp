@@ -146,7 +146,7 @@ TEST_F(SdoClientTest, WrongTogglesAndLengthsEndATransfer)
     requests.frames.clear();
     EXPECT_TRUE(Download(0x2103U, Octets(20U, 1U), SdoMode::kNormal));
     Answer({0x60U, 0x03U, 0x21U});
-    Answer({0x60U, 0x03U, 0x21U}); // no answer to a segment
+    Answer({0x60U, 0x03U, 0x22U}); // no answer to a segment, nor the first one again
     EXPECT_EQ(Result(), 0x05040001U);
     static_cast<void>(requests.Next());
     static_cast<void>(requests.Next());

@@ -155,12 +155,75 @@ TEST_F(StoredSafetyItemsTest, TheConfigurationOfAnotherNodeIdIsRefused)
     items[0].pop_back();
     EXPECT_TRUE(load(safety));
     EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
-    // Where nothing was loaded nothing changes, nor by an item as long as a header that is none
+    // Where nothing was loaded nothing changes
+    safety.BeginLoad(kAllGroups);
+    EXPECT_TRUE(safety.EndLoad(kAllGroups));
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+}
+
+// Given a kernel that holds what was saved, so that the header fits it whatever was refused of the set.
+TEST_F(StoredSafetyItemsTest, ASetOfWhichAnItemIsRefusedIsRefused)
+{
+    Verifies(req::SRS_STO_450);
+    using Item = std::vector<std::uint8_t>;
+    std::array<std::uint8_t, 64> scratch{};
+    Configure();
+    StoredSafety safety{kernel};
+    std::vector<Item> items;
+    const std::uint32_t count = safety.ItemCount();
+    for (std::uint32_t i = 0U; i < count; ++i)
+    {
+        const StoredItem item = safety.Item(i, Room{scratch.data(), 64U});
+        items.emplace_back(scratch.begin(), scratch.begin() + item.size_bytes);
+    }
+    Item wide = items[1];
+    wide[10] = 1U; // The second value is a direction, one byte and three zeros.
+    const Item beyond{1U, 0xFFU, 0xFFU, 0xFFU, 0x7FU, 1U, 0U, 0U, 0U};
+    const Item unknown{2U, 1U, 0U, 0U, 0U, 9U, 9U, 9U, 9U, 0xA5U, 5U}; // As long as a header.
+    for (const Item& bad : {wide, beyond, unknown, Item{}})
+    {
+        for (const std::size_t place : {std::size_t{0U}, std::size_t{1U}, items.size()})
+        {
+            // When it comes in front of the rest, behind the header, or last
+            safety.BeginLoad(kAllGroups);
+            for (std::size_t i = 0U; i <= items.size(); ++i)
+            {
+                if (i == place)
+                {
+                    EXPECT_FALSE(safety.LoadItem({bad.data(), static_cast<std::uint32_t>(bad.size())}));
+                }
+                if (i < items.size())
+                {
+                    EXPECT_TRUE(safety.LoadItem({items[i].data(), static_cast<std::uint32_t>(items[i].size())}));
+                }
+            }
+            // Then the power-on configuration holds: SRDO 1 is off
+            EXPECT_FALSE(safety.EndLoad(kAllGroups)) << bad.size() << ", " << place;
+            EXPECT_EQ(Read(0x13FEU, 0U), 0U) << bad.size() << ", " << place;
+            EXPECT_EQ(Read(0x1301U, 1U), 0U) << bad.size() << ", " << place;
+            // The next load knows nothing of it
+            safety.BeginLoad(kAllGroups);
+            for (const Item& item : items)
+            {
+                EXPECT_TRUE(safety.LoadItem({item.data(), static_cast<std::uint32_t>(item.size())}));
+            }
+            EXPECT_TRUE(safety.EndLoad(kAllGroups));
+            EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+        }
+    }
+}
+
+// Given values that are refused and no header, then nobody knows what was saved.
+TEST_F(StoredSafetyItemsTest, ARefusedItemWithoutAHeaderLeavesNoValidConfiguration)
+{
+    Verifies(req::SRS_STO_450);
+    Configure();
+    StoredSafety safety{kernel};
     safety.BeginLoad(kAllGroups);
     const std::uint8_t other[11] = {2U, 1U, 0U, 0U, 0U, 9U, 9U, 9U, 9U, 0xA5U, 5U};
     EXPECT_FALSE(safety.LoadItem({other, 11U}));
-    EXPECT_TRUE(safety.EndLoad(kAllGroups));
-    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    EXPECT_FALSE(safety.EndLoad(kAllGroups));
+    EXPECT_EQ(Read(0x13FEU, 0U), 0U);
 }
 
 TEST_F(StoredSafetyItemsTest, WithoutRoomForAnItemNoneIsGiven)
@@ -189,8 +252,6 @@ TEST_F(StoredSafetyItemsTest, ItemsThatAreNoneOrBeyondTheEndAreRefused)
     // Two values from a place that there is not
     const std::uint8_t beyond[13] = {1U, 0xFFU, 0xFFU, 0xFFU, 0x7FU, 1U, 0U, 0U, 0U, 2U, 0U, 0U, 0U};
     EXPECT_FALSE(safety.LoadItem({beyond, 13U}));
-    // Without a header there is nothing to decide: the configuration stays as it is
-    EXPECT_TRUE(safety.EndLoad(kAllGroups));
     EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
     // A place that turns over to the first ones is refused, and what came there is not valid
     const std::uint8_t over[13] = {1U, 0xFFU, 0xFFU, 0xFFU, 0xFFU, 1U, 0U, 0U, 0U, 2U, 0U, 0U, 0U};

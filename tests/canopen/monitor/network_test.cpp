@@ -197,6 +197,70 @@ TEST(AConfigurationThatIsNotValid, MayHaveNoObjectThatTells)
     EXPECT_EQ(found[0].finding.place.line, 4U); // [1301]
 }
 
+/// The example with another ParameterValue of an object.
+std::string WithValue(const std::string& example, const std::string& section, const std::string& value)
+{
+    std::string text = ExampleText(example);
+    const std::size_t place = text.find("ParameterValue=", text.find("[" + section + "]"));
+    return text.replace(place, text.find_first_of("\r\n", place) - place, value);
+}
+
+/// Object and text of each finding of one file.
+Texts ContradictionsOfText(const std::string& text)
+{
+    const Network network({{Written("network_signature.dcf", text), std::uint8_t{7U}}}, std::nullopt);
+    Texts texts;
+    for (const Contradiction& found : ContradictionsOf(network))
+    {
+        EXPECT_EQ(found.finding.severity, cia306::Severity::kWarning);
+        EXPECT_GT(found.finding.place.line, 0U);
+        texts.push_back(found.finding.object + ": " + found.finding.text);
+    }
+    return texts;
+}
+
+// Given a controller with two SRDOs, then each whose signature is that of other parameters is told, and no other.
+TEST(SignatureOfOtherParameters, IsAWarningOfEachSrdoThatHasOne)
+{
+    Verifies(req::SRS_MON_400);
+    const std::string why = ": a device refuses this file, so that the one on the bus may have another";
+    EXPECT_EQ(ContradictionsOfText(ExampleText("controller")), Texts{});
+    EXPECT_EQ(ContradictionsOfText(WithValue("controller", "13FFsub2", "ParameterValue=0x1234")),
+              Texts{"0x13FF:02: signature 0x1234 of SRDO 2 of Controller, expected 0xCA45" + why});
+    EXPECT_EQ(ContradictionsOfText(WithValue("controller", "1301sub2", "ParameterValue=26")),
+              Texts{"0x13FF:01: signature 0xE3BF of SRDO 1 of Controller, expected 0x9066" + why});
+}
+
+// Given a file without a signature, without 13FFh, or with an SRDO that is off or not active, then nothing is told of a
+// signature: no signature is none of other parameters, and what is not watched is judged by nothing.
+TEST(SignatureOfOtherParameters, IsNotThatOfASrdoWithoutOneOrNotActive)
+{
+    Verifies(req::SRS_MON_400);
+    const std::vector<cia306::test::SrdoText> srdos{
+        {1, "2", "50", "20", "0x101", "0x102", {"0x20000108", "0x21000108"}}};
+    const std::string valid = cia306::test::VariableText("13FE", "0x0005", "0xA5");
+    const std::string with = cia306::test::SrdoFileText(srdos);
+    // The file of this test has a signature of 0
+    EXPECT_EQ(ContradictionsOfText(with + valid).size(), 1U);
+    EXPECT_EQ(ContradictionsOfText(with.substr(0U, with.find("[13FFsub1]")) + valid), Texts{});
+    EXPECT_EQ(ContradictionsOfText(with.substr(0U, with.find("[13FF]")) + valid), Texts{});
+    std::string off = WithValue("controller", "13FFsub2", "ParameterValue=0x1234");
+    off.replace(off.find("ParameterValue=1", off.find("[1302sub1]")), 16U, "ParameterValue=0");
+    EXPECT_EQ(ContradictionsOfText(off), Texts{});
+    std::string wrong = NotValid("sensor", "0x00");
+    wrong.replace(wrong.find("ParameterValue=", wrong.find("[13FFsub1]")), 21U, "ParameterValue=0x1234");
+    ASSERT_EQ(ContradictionsOfText(wrong).size(), 1U);
+    EXPECT_EQ(ContradictionsOfText(wrong)[0].rfind("0x13FE:00: ", 0U), 0U);
+}
+
+// Given a file whose signature cannot be computed, then it is refused, before anything is compared.
+TEST(SignatureOfOtherParameters, IsNotAskedOfAFileThatHasNoSum)
+{
+    Verifies(req::SRS_MON_400);
+    const std::string path = Written("network_no_sum.dcf", WithValue("controller", "1301sub2", "ParameterValue=x"));
+    EXPECT_NE(RefusalOf({{path, std::nullopt}}).find("0x1301:02: "), std::string::npos);
+}
+
 // Given two consumers of one pair that map another length, then each tells what it expected.
 TEST(ViolationsOfSeveralSrdos, AreToldEachWhereTheyExpectSomethingElse)
 {

@@ -1,7 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tests/canopen/start_up/bus_slave.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <utility>
 
 namespace counterpoint::cia302
 {
@@ -68,6 +70,7 @@ void BusSlave::Restart(const std::uint32_t now_us)
     heartbeat_us = 0U;
     boots_at_us_ = now_us + boot_us;
     pending_.clear();
+    segment_ = 0U;
 }
 
 void BusSlave::Put(const std::uint32_t identifier, const std::uint8_t length)
@@ -92,6 +95,15 @@ void BusSlave::OnCycle(const std::uint32_t now_us)
         }
         state = kPreOperational;
         beats_at_us_ = now_us;
+    }
+    if (is_on && (state != kInitialising) && ((now_us - boots_at_us_ - kept_us) < 0x80000000U))
+    {
+        const std::vector<CanFrame> kept = std::move(kept_);
+        kept_.clear();
+        for (const CanFrame& frame : kept)
+        {
+            OnSdo(frame);
+        }
     }
     if (is_on && (state != kInitialising) && (heartbeat_us != 0U) && ((now_us - beats_at_us_) >= heartbeat_us))
     {
@@ -150,6 +162,11 @@ void BusSlave::OnFrame(const CanFrame& frame, const std::uint32_t now_us)
         reply.data[0] = static_cast<std::uint8_t>(state | toggle_);
         toggle_ = is_toggle_stuck ? toggle_ : static_cast<std::uint8_t>(toggle_ ^ 0x80U);
         static_cast<void>(bus_.Send(reply));
+    }
+    else if (is_data && (frame.identifier == (0x600U + node)) && keeps_requests &&
+             ((state == kInitialising) || !kept_.empty()))
+    {
+        kept_.push_back(frame);
     }
     else if (is_data && (frame.identifier == (0x600U + node)) && (state != kInitialising) && (state != kStopped))
     {
@@ -240,6 +257,10 @@ void BusSlave::OnSdo(const CanFrame& frame)
         const auto size = is_read ? std::uint8_t{0U} : static_cast<std::uint8_t>(4U - ((frame.data[0] >> 2U) & 3U));
         log.push_back(Text(is_read ? 'r' : 'w', frame, size));
     }
+    if ((kind == 0x60U) && answers_segments)
+    {
+        OnSegment();
+    }
     if ((manner == Manner::kSilent) || ((kind != 0x40U) && !is_write && (kind != 0U)))
     {
         return; // Also aborts of the client.
@@ -254,9 +275,11 @@ void BusSlave::OnSdo(const CanFrame& frame)
         const auto size = static_cast<std::uint8_t>((found == values_.end()) ? 0U : found->second.size);
         const auto told = static_cast<std::uint8_t>((manner == Manner::kShort) ? (size - 1U) : size);
         const auto command = static_cast<std::uint8_t>(0x43U | ((4U - told) << 2U));
-        const bool is_long = (manner == Manner::kGibberish);
+        const bool is_long = (manner == Manner::kGibberish) || (manner == Manner::kSegments);
+        const std::uint32_t length = (manner == Manner::kSegments) ? told : 100U;
+        segment_ = (manner == Manner::kSegments) ? key : segment_;
         Answer((size == 0U) ? 0x80U : (is_long ? 0x41U : command), frame,
-               (size == 0U) ? kUnknown : (is_long ? 100U : found->second.value));
+               (size == 0U) ? kUnknown : (is_long ? length : found->second.value));
     }
     else if (is_write)
     {
@@ -270,6 +293,24 @@ void BusSlave::OnSdo(const CanFrame& frame)
     {
         Answer(static_cast<std::uint8_t>(0x20U | (frame.data[0] & 0x10U)), CanFrame{}, 0U); // A segment.
     }
+}
+
+/// The one segment of a value that is read so; who knows of no transfer says so, and names no object.
+void BusSlave::OnSegment()
+{
+    const auto found = values_.find(segment_);
+    CanFrame answer{0x580U + node, FrameKind::kData, CanPortId::kFirst, 8U, {0x80U, 0U, 0U, 0U, 1U, 0U, 4U, 5U}};
+    if (found != values_.end())
+    {
+        answer.data[0] = static_cast<std::uint8_t>(((7U - found->second.size) << 1U) | 1U);
+        for (std::uint32_t i = 0U; i < 4U; ++i)
+        {
+            answer.data[1U + i] = static_cast<std::uint8_t>((found->second.value >> (8U * i)) & 0xFFU);
+        }
+        std::fill(answer.data + 5U, answer.data + 8U, std::uint8_t{0U});
+    }
+    segment_ = 0U;
+    static_cast<void>(bus_.Send(answer));
 }
 
 } // namespace counterpoint::cia302

@@ -21,6 +21,7 @@ enum class Manner : std::uint8_t
     kShort = 3U,      ///< Reads: one byte too few.
     kGibberish = 4U,  ///< Reads: a segmented answer that is longer than anybody wants.
     kAbortWrite = 5U, ///< Writes are aborted, reads are good.
+    kSegments = 6U,   ///< Reads are answered in a segment, as those of long values.
 };
 
 /// A TxPDO as the slave really sends it.
@@ -58,6 +59,9 @@ class BusSlave
     bool is_toggle_stuck{false};
     bool answers_guard{true};
     bool is_deaf_to_start{false}; ///< Ignores NMT start.
+    bool answers_segments{true};  ///< False: the read of a value in segments stands still behind its first answer.
+    bool keeps_requests{false};   ///< SDO requests that come while it boots wait in its controller.
+    std::uint32_t kept_us{0U};    ///< From the boot-up message until it has time for what waits there.
     std::uint8_t state{0U};       ///< As in the heartbeat.
     std::uint32_t boot_us{2000U}; ///< From reset to boot-up message.
     std::uint32_t heartbeat_us{0U};
@@ -81,6 +85,7 @@ class BusSlave
     void Obey(const CanFrame& frame, std::uint32_t now_us);
     void OnSync(std::uint32_t now_us);
     void OnSdo(const CanFrame& frame);
+    void OnSegment();
     void Answer(std::uint8_t command, const CanFrame& frame, std::uint32_t value);
     void Put(std::uint32_t identifier, std::uint8_t length);
 
@@ -88,6 +93,8 @@ class BusSlave
     std::map<std::uint32_t, Value> values_{};
     std::map<std::uint32_t, Manner> manners_{};
     std::vector<Pending> pending_{};
+    std::vector<CanFrame> kept_{};
+    std::uint32_t segment_{0U}; ///< Object that is read in a segment; 0: none.
     std::uint32_t boots_at_us_{0U};
     std::uint32_t beats_at_us_{0U};
     std::uint8_t toggle_{0U};

@@ -136,6 +136,24 @@ TEST_F(SavedNodeIdTest, TheSavedSafetyConfigurationIsThatOfItsNodeId)
     EXPECT_EQ(told.find(refused), told.rfind(refused)) << told;
 }
 
+// Given what another device saved, then a line tells that the safety configuration is refused, also beside the values.
+TEST_F(SavedNodeIdTest, TheSafetyConfigurationOfAnotherDeviceIsToldBesideItsValues)
+{
+    Verifies(req::SRS_NODE_450);
+    Start(SettingsOf(5U));
+    Save();
+    NodeSettings other = SettingsOf(5U);
+    other.dcf = std::string(COUNTERPOINT_SOURCE) + "/examples/emergency_stop/sensor.dcf";
+    Start(other);
+    EXPECT_EQ(Read({0x13FEU, 0U}), 0U);
+    device.reset();
+    const std::string told = Told();
+    EXPECT_NE(told.find(" saved values are refused ("), std::string::npos) << told;
+    EXPECT_NE(told.find(", expected those of this device; so is the saved safety configuration, and 13FEh is not A5h"),
+              std::string::npos)
+        << told;
+}
+
 // Given a consumer that was saved with an SCT of 900 ms and whose file has 400 ms by now.
 TEST_F(SavedNodeIdTest, TheLimitOfASavedConfigurationIsToldBeforeTheDeviceRuns)
 {

@@ -170,6 +170,81 @@ TEST(YamlDocument, HasTextsThatEnd)
     EXPECT_EQ(RefusalOfText("a: \"b\\\"\n"), "a.yaml:1:4: error: quoted text without an end, expected a closing \"");
     EXPECT_EQ(ParseYaml("a.yaml", "a: \"b\\\"\"\n").items[1].scalar, "b\"");
     EXPECT_EQ(ParseYaml("a.yaml", "a: 'b\\'\n").items[1].scalar, "b\\");
+    // Two apostrophes are one of the text
+    EXPECT_EQ(ParseYaml("a.yaml", "a: 'b''c'\n").items[1].scalar, "b'c");
+    EXPECT_EQ(RefusalOfText("a: 'b''\n"), "a.yaml:1:4: error: quoted text without an end, expected a closing '");
+}
+
+/// Line and column of each value that is nothing.
+std::string PlacesOfNothing(const YamlNode& node)
+{
+    std::string places;
+    if (node.kind == YamlKind::kNull)
+    {
+        places = std::to_string(node.place.line) + "." + std::to_string(node.place.column) + " ";
+    }
+    for (const YamlNode& item : node.items)
+    {
+        places += PlacesOfNothing(item);
+    }
+    return places;
+}
+
+std::string PlacesOfNothing(const std::string& text)
+{
+    return PlacesOfNothing(ParseYaml("a.yaml", text));
+}
+
+// Given a key, or an item of a list, without a value, then its place is behind what was written there, and not at what
+// follows empty lines and comments later.
+TEST(YamlDocument, PlacesAValueThatIsNotWrittenWhereItIsMissing)
+{
+    Verifies(req::SRS_SIM_400);
+    EXPECT_EQ(PlacesOfNothing("a:"), "1.3 ");
+    EXPECT_EQ(PlacesOfNothing("a:\n"), "1.3 ");
+    EXPECT_EQ(PlacesOfNothing("a:\n\n\nb: 1\n"), "1.3 ");
+    EXPECT_EQ(PlacesOfNothing("a: # why: 'x'\n  # and - more\nb: 1\n"), "1.3 ");
+    EXPECT_EQ(PlacesOfNothing("c: 1\na:\t# why\nb: 1\n"), "2.3 ");
+    EXPECT_EQ(PlacesOfNothing("a:\nb:\n\nc:\n"), "1.3 2.3 4.3 ");
+    EXPECT_EQ(PlacesOfNothing("a:\n  -\n  - 2\n"), "2.4 ");
+    EXPECT_EQ(PlacesOfNothing("a:\n  - 1\n  - # none\n"), "3.4 ");
+    EXPECT_EQ(PlacesOfNothing("-\n-\n# none\n-\n"), "1.2 2.2 4.2 ");
+    EXPECT_EQ(PlacesOfNothing("- {a: 1}\n- [2]\n-\n\n"), "3.2 ");
+    EXPECT_EQ(PlacesOfNothing("a: {b: , c: 1}\n"), "1.7 ");
+    EXPECT_EQ(PlacesOfNothing("a: {b:\n     , c: 1}\n"), "1.7 ");
+    EXPECT_EQ(PlacesOfNothing("a: {bb, c: 1}\n"), "1.7 ");
+    EXPECT_EQ(PlacesOfNothing("---\n# none\n"), "1.4 ");
+    EXPECT_EQ(PlacesOfNothing("a: 1\n"), "");
+}
+
+// What looks like a comment, a quoted text, or like a word for nothing, and is part of a key or of what stands before
+// it, is none.
+TEST(YamlDocument, PlacesAMissingValueBehindAnyKey)
+{
+    Verifies(req::SRS_SIM_400);
+    EXPECT_EQ(PlacesOfNothing("a#b:\n\nc: 1\n"), "1.5 ");
+    EXPECT_EQ(PlacesOfNothing("\"a\":\n\nc: 1\n"), "1.5 ");
+    EXPECT_EQ(PlacesOfNothing("'a # b': \t# why\nc: 1\n"), "1.9 ");
+    EXPECT_EQ(PlacesOfNothing("'a''s # b':\n\n"), "1.12 ");
+    EXPECT_EQ(PlacesOfNothing("\"a\\\" # b\": # why\n"), "1.11 ");
+    EXPECT_EQ(PlacesOfNothing("don't: # isn't\n\nc: 1\n"), "1.7 ");
+    EXPECT_EQ(PlacesOfNothing("a: |\n  # text\n  more\nb:\n\nc: 1\n"), "4.3 ");
+    EXPECT_EQ(PlacesOfNothing("- one\n  two\n- # three\n"), "3.2 ");
+    EXPECT_EQ(PlacesOfNothing("a:\n\nnull_b: 1\n"), "1.3 ");
+    EXPECT_EQ(PlacesOfNothing("a:\n\nNull: 1\n").substr(0U, 4U), "1.3 ");
+}
+
+// A value that says that it is nothing stands where it is written.
+TEST(YamlDocument, PlacesAWordForNothingWhereItStands)
+{
+    Verifies(req::SRS_SIM_400);
+    EXPECT_EQ(PlacesOfNothing("a: 1\nb:\n  ~\n"), "3.3 ");
+    EXPECT_EQ(PlacesOfNothing("b: null\n"), "1.4 ");
+    EXPECT_EQ(PlacesOfNothing("b: Null # why\n"), "1.4 ");
+    EXPECT_EQ(PlacesOfNothing("b: NULL"), "1.4 ");
+    EXPECT_EQ(PlacesOfNothing("[null, ~, NULL]\n"), "1.2 1.8 1.11 ");
+    EXPECT_EQ(PlacesOfNothing("{a: null}\n"), "1.5 ");
+    EXPECT_EQ(PlacesOfNothing("- null\n-\n"), "1.3 2.2 ");
 }
 
 TEST(YamlDocument, IsShownPrintableAndShort)

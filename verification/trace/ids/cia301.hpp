@@ -73,6 +73,7 @@ inline constexpr RequirementId SRS_SDC_010{"SRS_SDC_010"};
 inline constexpr RequirementId SRS_SDC_011{"SRS_SDC_011"};
 inline constexpr RequirementId SRS_SDC_012{"SRS_SDC_012"};
 inline constexpr RequirementId SRS_SDC_210{"SRS_SDC_210"};
+inline constexpr RequirementId SRS_SDC_450{"SRS_SDC_450"};
 inline constexpr RequirementId SRS_SDO_001{"SRS_SDO_001"};
 inline constexpr RequirementId SRS_SDO_002{"SRS_SDO_002"};
 inline constexpr RequirementId SRS_SDO_003{"SRS_SDO_003"};

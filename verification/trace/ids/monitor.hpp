@@ -45,6 +45,7 @@ inline constexpr RequirementId SRS_MON_331{"SRS_MON_331"};
 inline constexpr RequirementId SRS_MON_332{"SRS_MON_332"};
 inline constexpr RequirementId SRS_MON_340{"SRS_MON_340"};
 inline constexpr RequirementId SRS_MON_341{"SRS_MON_341"};
+inline constexpr RequirementId SRS_MON_400{"SRS_MON_400"};
 inline constexpr RequirementId SRS_MON_401{"SRS_MON_401"};
 } // namespace counterpoint::req
 

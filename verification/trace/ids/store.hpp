@@ -30,6 +30,7 @@ inline constexpr RequirementId SRS_STO_021{"SRS_STO_021"};
 inline constexpr RequirementId SRS_STO_210{"SRS_STO_210"};
 inline constexpr RequirementId SRS_STO_240{"SRS_STO_240"};
 inline constexpr RequirementId SRS_STO_241{"SRS_STO_241"};
+inline constexpr RequirementId SRS_STO_450{"SRS_STO_450"};
 } // namespace counterpoint::req
 
 #endif

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // From NMT start to running: the rows of the EL6751 text behind the SDOs, and the manager's own controller.
 #include "tests/canopen/start_up/el6751/rig.hpp"
+#include "verification/trace/ids/cia301.hpp"
 #include "verification/trace/ids/start_up_profiles.hpp"
 
 namespace counterpoint::cia302
@@ -68,6 +69,54 @@ TEST_F(El6751StartTest, TheTraceOfTheReference)
     EXPECT_EQ(std::vector<Octets>(frames.begin(), frames.begin() + 3), begin);
     EXPECT_EQ(std::vector<Octets>(frames.end() - 8, frames.end()), end);
     EXPECT_EQ(told[1], (Log{"8", "2", "8", "23"}));
+}
+
+/// Given a slave that says 1000h in segments, and restarts when the read of it has begun, then the boot-up message
+/// begins its start-up again at the first row, and nothing of the read before is told.
+TEST_F(El6751StartTest, ARestartWithinAReadInSegmentsBeginsAtTheFirstRow)
+{
+    Verifies(req::SRS_ELM_002);
+    BusSlave& slave = AddBox(5U);
+    slave.Behave(0x1000U, 0U, Manner::kSegments);
+    slave.answers_segments = false;
+    Begin();
+    Run(20U);
+    EXPECT_EQ(Sdos(5U), Log{"r 1000:00"});
+    EXPECT_EQ(Code(5U), 8);
+    slave.answers_segments = true;
+    slave.Power(Now().us);
+    Run(40U);
+    EXPECT_EQ(Sdos(5U), (Log{"r 1000:00", "r 1000:00"}));
+    EXPECT_EQ(told[5], (Log{"8", "0"}));
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kNone);
+}
+
+/// Given a slave that keeps the request for 1000h that comes while it boots, and answers it behind its boot-up message,
+/// as well as the one that this message leads to, then its start-up goes on with either answer and fails by neither.
+TEST_F(El6751StartTest, ARequestOfBeforeTheBootUpMessageMayBeAnsweredBehindIt)
+{
+    Verifies(req::SRS_SDC_450);
+    Verifies(req::SRS_ELM_002);
+    for (const Manner manner : {Manner::kGood, Manner::kSegments})
+    {
+        for (std::uint32_t kept_us = 0U; kept_us < 6000U; kept_us += 500U)
+        {
+            const auto node = static_cast<std::uint8_t>(5U + slaves.size());
+            BusSlave& slave = AddBox(node);
+            slave.Behave(0x1000U, 0U, manner);
+            slave.keeps_requests = true;
+            slave.boot_us = 20000U;
+            slave.kept_us = kept_us;
+        }
+    }
+    Begin();
+    Run(100U);
+    for (const auto& [node, slave] : slaves)
+    {
+        EXPECT_EQ(told[node], (Log{"8", "0"})) << int{node} << ", " << slave->kept_us << " us";
+        EXPECT_EQ(Sdos(node), (Log{"r 1000:00", "r 1000:00"})) << int{node};
+        EXPECT_EQ(Of(node).abort, SdoAbort::kNone) << int{node};
+    }
 }
 
 TEST_F(El6751StartTest, StartAllWaitsForTheLastSlave)
