@@ -41,6 +41,25 @@ TEST_F(DeviceTest, StartsItselfWhere1F80Says)
     EXPECT_EQ(Sent(0x702U), (std::vector<Octets>{{0U}}));
 }
 
+TEST_F(DeviceTest, StartsItselfOnlyWithBits0And2Of1F80Clear)
+{
+    Verifies(req::SRS_DEV_002);
+    for (std::uint32_t value = 0U; value < 8U; ++value)
+    {
+        // Given each value of the three lowest bits, when the supply comes, then it waits where bit 0 or bit 2 is set
+        start_up[0] = static_cast<std::uint8_t>(value);
+        Start();
+        const bool is_free = value == 0U || value == 2U;
+        EXPECT_EQ(device.State(), is_free ? NodeState::kOperational : NodeState::kPreOperational) << value;
+        device.PowerOff();
+    }
+    // Given no 1F80h, then it waits
+    entries[10].index = 0x1F7FU;
+    start_up[0] = 0U;
+    Start();
+    EXPECT_EQ(device.State(), NodeState::kPreOperational);
+}
+
 TEST_F(DeviceTest, WithoutAKernelItSaysNothing)
 {
     Verifies(req::SRS_DEV_002);
