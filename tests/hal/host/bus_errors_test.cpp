@@ -37,6 +37,7 @@ class HitAt final : public BusFault
 TEST(BusErrors, HitFrameEndsWithAnErrorFrameAndIsSentAgain)
 {
     Verifies(req::SRS_BUS_007);
+    Verifies(req::SRS_BUS_010);
     // Given a disturbance in bit 20 of the first attempt
     BusRig rig;
     HitAt fault(20U, 1U);
