@@ -349,6 +349,33 @@ TEST_F(DeviceTest, TheInverseFrameFollowsItsConfirmationBetweenTwoCycles)
     EXPECT_TRUE(CausesOf(0x1303U).empty());
 }
 
+TEST_F(DeviceTest, FramesOfAnSrdoThatIsOffFindNoPlaceInTheSafetyQueue)
+{
+    Verifies(req::SRS_DEV_007);
+    for (const std::uint8_t direction : {std::uint8_t{0U}, std::uint8_t{1U}})
+    {
+        // Given a queue of 8 frames, and SRDO 3 off, or a producer
+        Start();
+        EXPECT_EQ(Store(0x1303U, 1U, direction, 1U), AbortCode::kNone);
+        const SignReply reply = core.Sign(CommunicationIndex{0x1303U});
+        EXPECT_EQ(Store(0x13FFU, 3U, reply.signature, 2U), AbortCode::kNone);
+        EXPECT_EQ(Store(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+        Command(1U);
+        Cycles(2U);
+        // When somebody sends its identifiers ten times before a pair of SRDO 1
+        for (int count = 0; count < 10; ++count)
+        {
+            Frame(0x103U, {1U, 2U});
+            Frame(0x104U, {0xFEU, 0xFDU});
+        }
+        Pair();
+        Cycle();
+        // Then they take its place only where SRDO 3 is on
+        EXPECT_EQ(NormalOut() == 0x3412U, direction == 0U);
+        device.PowerOff();
+    }
+}
+
 TEST_F(DeviceTest, NothingIsLeftAfterTheSupplyWasOff)
 {
     Verifies(req::SRS_DEV_023);
