@@ -186,6 +186,7 @@ TEST(Colours, NobodyGetsThemWhoWantsOrKnowsNone)
     EXPECT_EQ(plain.find('\033'), std::string::npos);
     EXPECT_EQ(OnTerminal("NO_COLOR= TERM=dumb " + command).find('\033'), std::string::npos);
     EXPECT_EQ(OnTerminal("NO_COLOR= TERM= " + command).find('\033'), std::string::npos);
+    EXPECT_EQ(OnTerminal("NO_COLOR= env -u TERM " + command).find('\033'), std::string::npos);
 }
 
 TEST(Colours, OutputThatCannotBeWrittenIsStillTold)
