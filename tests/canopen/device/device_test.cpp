@@ -420,6 +420,7 @@ TEST_F(DeviceTest, TheServerWritesOwnObjectsAndTheKernels)
     EXPECT_EQ(core.ReadObject(ObjectAddress{0x1300U, 0U}).data.bytes[0], 1U);
     EXPECT_EQ(Download(0x1300U, 0U, 2U, 1U), 0x06090030U);
     EXPECT_EQ(Download(0x1301U, 7U, 0U, 1U), 0x06090011U);
+    EXPECT_EQ(Download(0x2000U, 1U, 0x3412U, 2U), 0x06010002U); // A safety variable is the channels'.
     Command(0x01U);
     Cycle();
     EXPECT_EQ(Download(0x13FEU, 0U, 0xA5U, 1U), 0x08000022U);
