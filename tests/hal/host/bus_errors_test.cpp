@@ -343,6 +343,7 @@ TEST(BusErrors, EarlierOfHitAndCollisionCounts)
 {
     Verifies(req::SRS_BUS_004);
     Verifies(req::SRS_BUS_007);
+    Verifies(req::SRS_BUS_013);
     // Given frames that collide in bit 22 and a disturbance in bit 5, then in bit 30
     for (const std::uint16_t hit : {std::uint16_t{5U}, std::uint16_t{30U}})
     {
