@@ -4,9 +4,11 @@
 #include "tools/command_line/described.hpp"
 #include "tools/command_line/painter.hpp"
 #include "verification/trace/ids/comfort.hpp"
+#include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -148,8 +150,44 @@ std::string OnTerminal(const std::string& command)
     return text;
 }
 
+/// Whether a program writes these words to a terminal; it is ended then.
+bool IsShownOnTerminal(const std::string& command, const std::string& words)
+{
+    int terminal = -1;
+    const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
+    if (child == 0)
+    {
+        ::execl("/bin/sh", "sh", "-c", ("exec " + command).c_str(), nullptr);
+        ::_exit(127);
+    }
+    std::string text;
+    char letter = 0;
+    while (child > 0 && text.find(words) == std::string::npos && ::read(terminal, &letter, 1U) == 1)
+    {
+        text += letter;
+    }
+    static_cast<void>(::kill(child, SIGKILL));
+    static_cast<void>(::waitpid(child, nullptr, 0));
+    static_cast<void>(::close(terminal));
+    return text.find(words) != std::string::npos;
+}
+
 const std::string kProgramFile = COUNTERPOINT_PROGRAM;
 const std::string kColours = "TERM=xterm NO_COLOR= ";
+
+TEST(Progress, OfASimulationAndOfASweepIsShown)
+{
+    Verifies(req::SRS_SIM_350);
+    // Given a simulation of eleven days, and a sweep of 20000 runs: each takes far longer than two seconds
+    const std::string command =
+        kProgramFile + " simulate " + cia306::test::SourceFolder() + "/examples/emergency_stop/chain.yaml --quiet ";
+    EXPECT_TRUE(IsShownOnTerminal(command + "--until '1000000 s'",
+                                  "simulating [........................................] 0 %"));
+    EXPECT_TRUE(
+        IsShownOnTerminal(command + "--sweep seed=0:19999:1", "sweeping [...................................."));
+    // Where its error output is no terminal, nothing is
+    EXPECT_FALSE(IsShownOnTerminal("timeout -s KILL 4 " + command + "--until '1000000 s' 2>&1 | cat", "simulating"));
+}
 
 TEST(Colours, WordsStandAlone)
 {
@@ -186,6 +224,7 @@ TEST(Colours, NobodyGetsThemWhoWantsOrKnowsNone)
     EXPECT_EQ(plain.find('\033'), std::string::npos);
     EXPECT_EQ(OnTerminal("NO_COLOR= TERM=dumb " + command).find('\033'), std::string::npos);
     EXPECT_EQ(OnTerminal("NO_COLOR= TERM= " + command).find('\033'), std::string::npos);
+    EXPECT_EQ(OnTerminal("NO_COLOR= env -u TERM " + command).find('\033'), std::string::npos);
 }
 
 TEST(Colours, OutputThatCannotBeWrittenIsStillTold)

@@ -247,8 +247,7 @@ TEST_F(ReportTest, SilentAndLateFaultsAreNamedAndTheCampaignDoesNotHold)
     Verifies(req::SRS_CMG_010);
     Verifies(req::SRS_CMG_007);
     Verifies(req::SRS_CMG_341);
-    // Given a campaign of which all was detected in 1 ms, but for number 5, which is silent, and number 7, which is
-    // late
+    // Given a campaign of which all was detected in 1 ms, but number 5, which is silent, and number 7, which is late
     Session session(PlanFile("plan.yaml", "actuator",
                              "at: [500 ms]\nparts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip]\n"));
     ASSERT_EQ(session.Faults().Size(), 8U);
@@ -336,6 +335,7 @@ TEST_P(PlantedDefects, AreNamedByACampaignThatHoldsWithoutThem)
     Verifies(req::SRS_CMG_077);
     Verifies(req::SRS_CMG_082);
     Verifies(req::SRS_CMG_083);
+    Verifies(req::SRS_CMG_342);
     Verifies(req::SRS_CMG_344);
     const tools::test::Answer sound = RunOf(COUNTERPOINT_CAMPAIGN);
     EXPECT_EQ(sound.status, 0) << sound.out;

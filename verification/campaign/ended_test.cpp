@@ -23,15 +23,22 @@ namespace
 {
 constexpr const char* kMixed = "at: [500 ms]\ncycles: 2\nsample: 20\n";
 
+/// Its first one. 0: there is none.
+pid_t ChildOf(const pid_t process)
+{
+    std::ifstream children("/proc/" + std::to_string(process) + "/task/" + std::to_string(process) + "/children");
+    pid_t child = 0;
+    children >> child;
+    return child;
+}
+
 /// The process that has no child of its own: it tries the fault. 0: there is none.
 pid_t LeafOf(const pid_t process)
 {
     pid_t leaf = process;
     for (pid_t child = process; child > 0; leaf = child)
     {
-        std::ifstream children("/proc/" + std::to_string(leaf) + "/task/" + std::to_string(leaf) + "/children");
-        child = 0;
-        children >> child;
+        child = ChildOf(leaf);
         if (child <= 0)
         {
             break;
@@ -62,6 +69,31 @@ class EndedTest : public CampaignTest
             if (leaf > 0)
             {
                 kill(leaf, SIGKILL);
+            }
+            std::this_thread::sleep_for(std::chrono::microseconds{20});
+        }
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    /// Runs a campaign as Disturbed does; of those who try a fault, up to `most` are ended as by an error of their own
+    /// program. The status of the campaign.
+    [[nodiscard]] static int Broken(const std::vector<std::string>& arguments, const std::string& out, int most)
+    {
+        const pid_t campaign = fork();
+        if (campaign == 0)
+        {
+            const tools::test::Answer answer = Campaign(arguments);
+            std::ofstream(out) << answer.out;
+            _exit(answer.status);
+        }
+        int status = 0;
+        while (waitpid(campaign, &status, WNOHANG) == 0)
+        {
+            const pid_t worker = ChildOf(campaign);
+            const pid_t trial = (worker > 0 && most > 0) ? ChildOf(worker) : 0;
+            if (trial > 0)
+            {
+                kill(trial, SIGSEGV);
+                --most;
             }
             std::this_thread::sleep_for(std::chrono::microseconds{20});
         }
@@ -138,6 +170,23 @@ TEST_F(EndedTest, FaultOfANetworkWhoseProcessIsKilledFromOutsideIsTriedAgain)
     // Then none is told as silent for that
     EXPECT_EQ(status, 0);
     EXPECT_EQ(cia306::ReadTextFile(Path("disturbed")), cia306::ReadTextFile(Path("whole")));
+}
+
+TEST_F(EndedTest, ProgramOfANetworkThatEndsByTheFaultIsWrong)
+{
+    Verifies(req::SRS_CMG_217);
+    // Given forty lost frames that are found, as above, and up to twenty of which the program ends by an access of its
+    // own to memory that it does not have
+    const std::string plan =
+        File("plan.yaml", "title: A test\nnetwork: " COUNTERPOINT_SOURCE_FOLDER
+                          "/examples/campaigns/managed.yaml\nuntil: 60 ms\nparts: [sdo]\nkinds: [lost]\nsample: 40\n");
+    const int status = Broken({plan, "--jobs", "1", "--csv", Path("rows.csv")}, Path("out"), 20);
+    // Then that is silent, with its reason
+    EXPECT_EQ(status, 1);
+    const std::string out = cia306::ReadTextFile(Path("out"));
+    EXPECT_NE(out.find("silent: experiment "), std::string::npos) << out;
+    EXPECT_NE(out.find("the program ended"), std::string::npos) << out;
+    EXPECT_NE(cia306::ReadTextFile(Path("rows.csv")).find(",silent,"), std::string::npos);
 }
 
 TEST_F(EndedTest, SignalsOfTheProcessorAreNotFromOutside)

@@ -109,6 +109,25 @@ TEST_F(JudgedNetworkTest, JudgeFindsEachWrongCommand)
     EXPECT_EQ(changed.watch.Found(), managed::Wrong::kConfiguration);
 }
 
+TEST_F(JudgedNetworkTest, ConfigurationThatIsAnotherOneOnlyBehindItsReadingIsNoWrongStart)
+{
+    Verifies(req::SRS_CMG_216);
+    const managed::Plan plan = managed::ReadManagedPlan(NetworkPlan("plan.yaml", "until: 60 ms\n"));
+    JudgedNetwork sound(plan);
+    sound.RunTo(200);
+    const managed::Reference reference = sound.watch.TakeReference();
+    // Given a relay that was read, and a fault at 100 ms that changes it without a message
+    JudgedNetwork network(plan);
+    network.RunTo(100);
+    network.watch.Compare(reference, 100'000'000);
+    network.watch.NoteStored();
+    network.Change();
+    // When it is started, then no manager could know, and it is listed
+    network.Commands(1U, 33U);
+    EXPECT_EQ(network.watch.Found(), managed::Wrong::kNothing);
+    EXPECT_EQ(network.watch.Listed(), managed::Limit::kChangedBehind);
+}
+
 TEST_F(JudgedNetworkTest, JudgeFindsWhoRunsOnAndForeignIdentifiers)
 {
     Verifies(req::SRS_CMG_218);

@@ -49,6 +49,11 @@ TEST_F(ManagedTest, OutcomesAreTheSameForAnyNumberOfProcessesAndShards)
     // Then their outcomes are the same bytes
     EXPECT_EQ(Campaign({"merge", plan, Path("first"), Path("second"), "--csv", Path("merged.csv")}).status, 0);
     EXPECT_EQ(cia306::ReadTextFile(Path("merged.csv")), whole);
+    // And another seed draws others
+    const std::string other =
+        NetworkPlan("other.yaml", "until: 60 ms\nparts: [sdo]\nkinds: [lost]\nsample: 6\nseed: 2\n");
+    static_cast<void>(Campaign({other, "--jobs", "1", "--csv", Path("other.csv")}));
+    EXPECT_NE(cia306::ReadTextFile(Path("other.csv")), whole);
     // And a file in which some are missing is gone on with
     std::string results = cia306::ReadTextFile(Path("first"));
     ASSERT_EQ(results.size(), 56U);

@@ -217,6 +217,53 @@ TEST_F(ResultsTest, WhereNothingWasFoundNoTimeIsTold)
 constexpr const char* kLatch =
     "at: [500 ms]\nparts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip, intermittent]\n";
 
+/// What became of number 5 of eight flips, lines of the plan, and what the report of it says.
+struct Reported
+{
+    Outcome fifth;
+    std::string lines;
+    int status;
+    std::string told;
+};
+
+TEST_F(ResultsTest, ExitStatus1TellsEachOfFiveThingsByItself)
+{
+    Verifies(req::SRS_CMG_341);
+    const Reported rows[] = {
+        {{Class::kDetected, Detector::kLatch, 0U, 0U, 1000U}, "", 0, "verdict: holds"},
+        {{Class::kSilent, Detector::kNobody, 1U, 0U, 2000U}, "", 1, "silent: experiment 5: latch+0.5"},
+        {{Class::kExposed, Detector::kSelfTest, 0U, 0U, 2000U}, "", 1, "exposed: experiment 5: latch+0.5"},
+        {{Class::kDetected, Detector::kLatch, 0U, kMarkLate, 1009000U}, "", 1, "late: experiment 5: latch+0.5"},
+        {{Class::kOpen, Detector::kNobody, 0U, 0U, 0U}, "", 1, "verdict: does not hold"},
+        {{Class::kDetected, Detector::kLatch, 0U, 0U, 1000U},
+         "detectors: [clocks]\n",
+         1,
+         "idle: clocks found nothing"}};
+    int number = 0;
+    for (const Reported& row : rows)
+    {
+        // Given a file of outcomes, of which all but number 5 were detected in time
+        const std::string plan = PlanFile(
+            "plan.yaml", "actuator",
+            "at: [500 ms]\nparts: [latch]\nmembers: [latch+0]\nphases: [permits]\nkinds: [flip]\n" + row.lines);
+        const std::string file = Path("results" + std::to_string(number));
+        ++number;
+        {
+            const Session session(plan);
+            Results results(file, session.Identity(Shard{}));
+            for (std::uint64_t index = 0U; index < 8U; ++index)
+            {
+                results.Put(index, Outcome{Class::kDetected, Detector::kLatch, 0U, 0U, 1000U});
+            }
+            results.Put(5U, row.fifth);
+        }
+        // When it is reported, then the exit status and a line say what is so
+        const tools::test::Answer answer = Campaign({"merge", plan, file});
+        EXPECT_EQ(answer.status, row.status) << row.told << "\n" << answer.out << answer.err;
+        EXPECT_NE(answer.out.find(row.told), std::string::npos) << row.told << "\n" << answer.out;
+    }
+}
+
 TEST_F(ResultsTest, InjectedAreThoseThatWereTried)
 {
     Verifies(req::SRS_CMG_010);

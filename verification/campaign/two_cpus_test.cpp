@@ -200,6 +200,51 @@ TEST_F(TwoCpusTest, WordOfACpuThatIsHitCountsForNothing)
     }
 }
 
+// There are cycles in which the CPU that is slow has told the application of a fault, and the other one has found none.
+TEST_F(TwoCpusTest, OutputOfTheOtherCpuIsNotWrongForAWordOfTheOneThatIsHit)
+{
+    Verifies(req::SRS_CMG_132);
+    const Plan plan = ReadPlan(TwoCpuPlan("actuator", kSmall));
+    const RecordedScenario scenario(plan.scenario, runtime::YamlValue(plan.file, plan.device_node));
+    std::size_t alone = 0U;
+    for (std::size_t cpu = 0U; cpu < 2U; ++cpu)
+    {
+        for (std::uint32_t rate = 0U; rate < 13U; ++rate)
+        {
+            Region region(1U << 20U);
+            TwoCpus device(region, scenario, false);
+            Judge judge(scenario.Record(), scenario.Model(), device);
+            JudgeMemory memory{};
+            // Given a device at work, when one CPU is slow from 500 ms on
+            Experiment fault;
+            fault.part = Part::kCpu;
+            fault.kind = FaultKind::kSlow;
+            fault.cycle = 499U;
+            fault.subject = cpu;
+            fault.variant = rate;
+            for (std::size_t cycle = 0U; cycle < 560U; ++cycle)
+            {
+                if (cycle == fault.cycle)
+                {
+                    device.Rewind(cycle, &fault, 600U, 1U);
+                }
+                device.Cycle(cycle);
+                const Sight sight = judge.Look(cycle, memory);
+                // Then what it alone tells is no finding, and the other one's output, open as before, is not wrong
+                if (cycle > fault.cycle && device.Told().device_fault != DeviceFault::kNone &&
+                    device.Fault() == DeviceFault::kNone)
+                {
+                    EXPECT_FALSE(device.IsFaultTold()) << cpu << rate << " " << cycle;
+                    EXPECT_EQ(memory.fault_cycles, 0U) << cpu << rate << " " << cycle;
+                    EXPECT_EQ(sight.wrong, Wrong::kNothing) << cpu << rate << " " << cycle;
+                    alone += (sight.open != 0U) ? 1U : 0U;
+                }
+            }
+        }
+    }
+    EXPECT_GT(alone, 0U);
+}
+
 TEST_F(TwoCpusTest, StepOfOneCpuThatIsDisturbedIsFoundAtOnce)
 {
     Verifies(req::SRS_CMG_130);
@@ -393,6 +438,37 @@ TEST_F(TwoCpusTest, PartsThatTheDeviceDoesNotHaveAreRefused)
     EXPECT_NE(march.err.find("two_cpus.yaml:3:9: error: output: pins or self_test: true with two CPUs"),
               std::string::npos)
         << march.err;
+}
+
+TEST_F(TwoCpusTest, LinkWithJitterAndCyclesThatOvertakeEachOtherAreRefused)
+{
+    Verifies(req::SRS_CMG_345);
+    // Given the scenario of the examples, with one thing changed
+    const auto refusal = [this](const std::string& from, const std::string& to)
+    {
+        const std::string examples = COUNTERPOINT_SOURCE_FOLDER "/examples/";
+        std::string text = cia306::ReadTextFile(examples + "campaigns/two_cpus_at_work.yaml");
+        text.replace(text.find(from), from.size(), to);
+        for (std::size_t at = text.find("../"); at != std::string::npos; at = text.find("../"))
+        {
+            text.replace(at, 3U, examples);
+        }
+        static_cast<void>(File("scenario.yaml", text));
+        const tools::test::Answer answer = Campaign(
+            {File("plan.yaml", std::string("title: A test\nscenario: scenario.yaml\ndevice: actuator\n") + kSmall)});
+        EXPECT_EQ(answer.status, 2) << answer.out;
+        return answer.err;
+    };
+    EXPECT_NE(refusal("delay: 200 us}", "delay: 200 us, jitter: 50 us}")
+                  .find("plan.yaml:3:9: error: one CPU of two, or a cross link with jitter, expected the device of "
+                        "both, and a link with a delay alone"),
+              std::string::npos);
+    // Given cycles of CPU B that are 0.05 % shorter, and 480 us before those of CPU A: after a second they are behind
+    const std::string overtakes = refusal("ppm: -20, start_us: 4294900000", "ppm: 500, start_us: 4294900000");
+    EXPECT_NE(overtakes.find("counterpoint campaign: error: the cycles of the two CPUs overtake each other in cycle "),
+              std::string::npos)
+        << overtakes;
+    EXPECT_NE(overtakes.find("; expected: phases farther apart, or less drift\n"), std::string::npos) << overtakes;
 }
 } // namespace
 } // namespace counterpoint::campaign::test

@@ -60,6 +60,71 @@ class Forgetful final : public conformance::Forwarding
     std::uint32_t calls_{0U};
 };
 
+/// What a channel does otherwise than the other one.
+enum class Slip
+{
+    kNone,
+    kDigest,
+    kOutcome,
+    kPrepared,
+    kInverseOfTheSecondCall,
+    kOwnObject,
+    kForeignObject,
+    kByteBehind,
+};
+
+/// Channel B with one slip; those of memory are made behind each commit.
+class Slipping final : public conformance::Forwarding
+{
+  public:
+    Slipping(Channel& inner, const Slip slip) noexcept : Forwarding(inner), slip_(slip)
+    {
+    }
+    void Meet(Memory& memory) noexcept
+    {
+        memory_ = &memory;
+    }
+    [[nodiscard]] DeviceDigest Digest(SlotIndex slot, DeviceDigest before) const noexcept override
+    {
+        DeviceDigest digest = Forwarding::Digest(slot, before);
+        digest.value ^= (slip_ == Slip::kDigest) ? 1U : 0U;
+        return digest;
+    }
+    [[nodiscard]] CycleOutcome OnCycle(const CycleInput& input) noexcept override
+    {
+        CycleOutcome outcome = Forwarding::OnCycle(input);
+        outcome.fresh ^= (slip_ == Slip::kOutcome) ? 1U : 0U;
+        return outcome;
+    }
+    [[nodiscard]] PreparedPair Prepare(SlotIndex slot) noexcept override
+    {
+        PreparedPair pair = Forwarding::Prepare(slot);
+        pair.normal.data[0] ^= (slip_ == Slip::kPrepared && pair.status == PrepareStatus::kReady) ? 1U : 0U;
+        return pair;
+    }
+    [[nodiscard]] CanFrame InverseFrame(SlotIndex slot) const noexcept override
+    {
+        CanFrame frame = Forwarding::InverseFrame(slot);
+        ++asked_;
+        const bool is_second = (asked_ % 2U) == 0U && frame.kind == FrameKind::kData;
+        frame.data[0] ^= (slip_ == Slip::kInverseOfTheSecondCall && is_second) ? 1U : 0U;
+        return frame;
+    }
+    [[nodiscard]] SrdoMask Commit(const Agreement& agreement, SrdoMask examine) noexcept override
+    {
+        const SrdoMask found = Forwarding::Commit(agreement, examine);
+        memory_->bytes[Memory::kInverseAt] ^= (slip_ == Slip::kOwnObject) ? 1U : 0U;
+        memory_->bytes[0U] ^= (slip_ == Slip::kForeignObject) ? 1U : 0U;
+        memory_->bytes[Memory::kSlotBytes - 1U] ^= (slip_ == Slip::kByteBehind) ? 1U : 0U;
+        return found;
+    }
+
+  private:
+    Slip slip_;
+    Memory* memory_{nullptr};
+    mutable std::uint32_t asked_{0U};
+};
+
 /// Rejects every frame: equal to another one that does, but nothing is ever released.
 class Deaf final : public conformance::Forwarding
 {
@@ -131,6 +196,40 @@ TEST(DifferentialRun, FindsARareDifferenceAndRepeatsItBySeedAndNumber)
     run->Tell(true);
     static_cast<void>(run->RunSequence(3U, parts->listener.last.sequence));
     EXPECT_GE(parts->listener.steps.size(), parts->listener.last.step);
+}
+
+TEST(DifferentialRun, FindsEachKindOfDifferenceByItsName)
+{
+    Verifies(req::SRS_CNF_010);
+    struct Row
+    {
+        Slip slip;
+        const char* field;
+    };
+    constexpr Row kRows[] = {{Slip::kDigest, "digest"},
+                             {Slip::kOutcome, "fresh"},
+                             {Slip::kPrepared, "data of the frame"},
+                             {Slip::kInverseOfTheSecondCall, "data of the frame"},
+                             {Slip::kOwnObject, "object of A, complement of B's"},
+                             {Slip::kForeignObject, "normal object in B's memory"},
+                             {Slip::kByteBehind, "byte behind the objects in B's memory"}};
+    for (const Row& row : kRows)
+    {
+        // Given a channel with one slip, when sequences are fed, then the first difference is that
+        const auto parts = std::make_unique<Parts>();
+        Slipping slipping{parts->b, row.slip};
+        const auto run = std::make_unique<Differential>(parts->a, slipping, parts->listener);
+        slipping.Meet(run->Driven().memory_b);
+        EXPECT_EQ(RunDifferential(*run, 1U, 0U, kSequences, 1U).failures, 1U) << row.field;
+        ASSERT_EQ(parts->listener.count, 1U) << row.field;
+        EXPECT_STREQ(parts->listener.last.field, row.field);
+    }
+    // and the same channel without one agrees
+    const auto parts = std::make_unique<Parts>();
+    Slipping none{parts->b, Slip::kNone};
+    const auto run = std::make_unique<Differential>(parts->a, none, parts->listener);
+    none.Meet(run->Driven().memory_b);
+    EXPECT_EQ(RunDifferential(*run, 1U, 0U, 300U, 1U).failures, 0U);
 }
 
 TEST(DifferentialRun, EqualChannelsThatRejectEverythingDoNotPass)

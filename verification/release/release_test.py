@@ -150,6 +150,15 @@ class Refused(unittest.TestCase):
         self.changed("identity.json", target_digest="12" * 32)
         self.refused("sensor_be32.elf does not tell 'counterpoint 1.2.3 (commit ")
 
+    def test_program_and_image_of_another_commit(self):
+        """Everything else is of this one: the text in the file alone tells another."""
+        for name, value in (("package/bin/counterpoint", HOST), ("images/sensor_be32.elf", TARGET)):
+            with self.subTest(name), tempfile.TemporaryDirectory(prefix="release_") as scratch:
+                self.root = pathlib.Path(scratch)
+                write(committed(self.root) / "build/evidence/data" / name, f"counterpoint 1.2.3 (commit 000000000000, objects {value[:16]})\0")
+                commit = git(self.root, "rev-parse", "HEAD")[:12]
+                self.refused(f"{pathlib.Path(name).name} does not tell 'counterpoint 1.2.3 (commit {commit}, objects {value[:16]})'\n")
+
     def test_no_image(self):
         (committed(self.root) / "build/evidence/data/images/sensor_be32.elf").unlink()
         self.refused("no image for silicon")
@@ -168,12 +177,14 @@ class Refused(unittest.TestCase):
 
     def test_draft_is_packed_and_says_why_it_is_none(self):
         self.changed("verdict.json", gaps=["gate size: 1 findings"])
+        write(self.root / "LICENSE", "another licence\n")
         done = release(self.root, "--draft")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertTrue(archive_of(self.root).name.endswith("-draft.tar.gz"))
         with tarfile.open(archive_of(self.root)) as archive:
             told = next(member for member in archive.getmembers() if member.name.endswith("-draft/DRAFT"))
-            self.assertEqual(archive.extractfile(told).read(), b"gap of the evidence: gate size: 1 findings\n")
+            self.assertEqual(archive.extractfile(told).read(),
+                             b"1 files are not those of the commit, the first: M LICENSE\ngap of the evidence: gate size: 1 findings\n")
 
     def test_without_evidence_nothing_is_packed(self):
         (committed(self.root) / "build/evidence/data/identity.json").unlink()

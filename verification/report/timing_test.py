@@ -59,13 +59,23 @@ class Timing(unittest.TestCase):
         self.assertEqual(page["loops"], [{"path": "channel_a/loops.cpp", "line": 4, "function": "Go", "head": "for (unsigned at = 0U; at < kMany; ++at)", "bound": "kMany", "number": 12}])
 
     def test_nothing_was_measured(self):
-        self.page()
-        (self.root / "build/bench/bench.json").unlink()
-        self.assertEqual(timing.page_of(self.root, self.root / "data")[1], ["timing: nothing was measured"])
+        for record in ("build/bench/bench.json", "build/target/target.json"):
+            with self.subTest(record):
+                self.page()
+                (self.root / record).unlink()
+                self.assertEqual(timing.page_of(self.root, self.root / "data")[1], ["timing: nothing was measured"])
+
+    def test_no_scenario_was_measured(self):
+        self.run_record["firmware_cycles"] = {}
+        self.expect("timing: the dearest cycle is of no scenario, expected own_device_worst, which is built to be it")
 
     def test_other_objects(self):
         self.identity["digest"] = "12" * 32
         self.expect("timing: the bench, host, measured objects abababababababab, expected 1212121212121212")
+
+    def test_bench_of_other_objects_on_the_target(self):
+        self.bench["digest"]["target"] = "12" * 32
+        self.expect("timing: the bench, target, measured objects 1212121212121212, expected cdcdcdcdcdcdcdcd")
 
     def test_run_of_other_objects(self):
         self.run_record["digest"] = "12" * 32
@@ -84,8 +94,11 @@ class Timing(unittest.TestCase):
         self.expect("timing: quiet used 3001 bytes of stack, expected at most 3000")
 
     def test_broken_budget(self):
-        self.bench["rows"][0].update(measured=8001, kept=False, verdict="BROKEN")
-        self.expect("timing: dearest cycle: 8001 instructions, must be at most 8000")
+        """Each that is one of time or stack on the target; another one is none of this page."""
+        for name in ("fixed", "fw_cycle", "fw_stack_a", "fw_stack_b", "fixed_target", "load", "services"):
+            with self.subTest(name):
+                self.bench["rows"][0].update(id=name, measured=8001, kept=False, verdict="BROKEN")
+                self.expect("timing: dearest cycle: 8001 instructions, must be at most 8000")
 
     def test_known_gap_is_none_of_this_page(self):
         self.bench["rows"][0].update(measured=8001, kept=False, verdict="KNOWN GAP", known=True)

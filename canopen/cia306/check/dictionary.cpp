@@ -10,6 +10,7 @@ namespace
 constexpr std::array<std::uint16_t, 3U> kMandatory{0x1000U, 0x1001U, 0x1018U};
 constexpr std::uint16_t kFirstOwn = 0x2000U;
 constexpr std::uint8_t kStructureSub = 0xFFU; ///< Describes the structure of an object; counts for nothing.
+constexpr std::uint8_t kLastSub = 6U;         ///< Of 1301h to 1340h.
 constexpr std::uint8_t kTransmissionSub = 4U; ///< Of 1301h to 1340h: a constant of the kernel, whatever the file says.
 
 /// Whether the kernel lets a client write this one, whatever the file says of it. Mappings have a rule of their own:
@@ -18,10 +19,10 @@ bool IsWrittenByKernel(const Entry& entry)
 {
     const bool is_communication =
         entry.index >= kFirstCommunicationIndex && entry.index < kFirstCommunicationIndex + kMaxSrdos;
-    const bool is_parameter = is_communication && entry.sub != 0U && entry.sub != kTransmissionSub;
-    const bool is_signature = entry.index == kSignatureIndex && entry.sub != 0U;
+    const bool is_written = entry.sub != 0U && entry.sub <= kLastSub && entry.sub != kTransmissionSub;
+    const bool is_signature = entry.index == kSignatureIndex && entry.sub != 0U && entry.sub <= kMaxSrdos;
     const bool is_flag = entry.index == kGfcIndex || entry.index == kConfigurationValidIndex;
-    return is_flag || is_parameter || is_signature;
+    return is_flag || (is_communication && is_written) || is_signature;
 }
 
 std::uint8_t HighestSub(const Object& object)

@@ -66,6 +66,54 @@ TEST_F(CommunicationErrorsTest, BusOffIsToldWhenItIsOver)
     EXPECT_EQ(emergency.Register(), 0U);
 }
 
+TEST_F(CommunicationErrorsTest, EachBehaviourIsThatOfEachSource)
+{
+    Verifies(req::SRS_ERR_002);
+    constexpr NodeState kAfter[] = {NodeState::kPreOperational, NodeState::kOperational, NodeState::kStopped};
+    for (std::uint8_t behaviour = 0U; behaviour <= 2U; ++behaviour)
+    {
+        // Given 1029h:01, when bus-off, lost guarding or a lost heartbeat comes, then it is left for that state
+        EXPECT_EQ(Write(errors, 0x1029U, 1U, behaviour), SdoAbort::kNone);
+        for (const CommunicationError error :
+             {CommunicationError::kBusOff, CommunicationError::kLifeGuard, CommunicationError::kHeartbeat})
+        {
+            Command(1U);
+            errors.Raise(error, 7U);
+            EXPECT_EQ(slave.State(), kAfter[behaviour]) << int{behaviour} << static_cast<int>(error);
+            errors.Clear(error, 7U);
+        }
+        // Given one of 1029h:02 to 06, and all others otherwise, when an error of its class comes, then that one counts
+        for (std::uint8_t error_class = 2U; error_class <= 6U; ++error_class)
+        {
+            for (std::uint8_t sub = 1U; sub <= 6U; ++sub)
+            {
+                const std::uint32_t next = (behaviour + 1U) % 3U;
+                EXPECT_EQ(Write(errors, 0x1029U, sub, (sub == error_class) ? behaviour : next), SdoAbort::kNone);
+            }
+            Command(1U);
+            errors.OnDeviceError(error_class);
+            EXPECT_EQ(slave.State(), kAfter[behaviour]) << int{behaviour} << int{error_class};
+        }
+    }
+}
+
+TEST_F(CommunicationErrorsTest, NoOtherBehaviourIsTakenAndNoOtherStateIsLeft)
+{
+    Verifies(req::SRS_ERR_002);
+    for (std::uint8_t sub = 1U; sub <= 6U; ++sub)
+    {
+        for (const std::uint32_t value : {3U, 4U, 0x80U, 0xFFU})
+        {
+            EXPECT_EQ(Write(errors, 0x1029U, sub, value), SdoAbort::kValueRange) << int{sub} << " " << value;
+        }
+        EXPECT_EQ(Read(errors, 0x1029U, sub), 0x100000000U);
+    }
+    // Given a device in STOPPED, then it is not PRE-OPERATIONAL by an error
+    Command(2U);
+    errors.Raise(CommunicationError::kHeartbeat, 7U);
+    EXPECT_EQ(slave.State(), NodeState::kStopped);
+}
+
 TEST_F(CommunicationErrorsTest, TheBehaviourIsChosenByTheClass)
 {
     Verifies(req::SRS_ERR_002);

@@ -216,6 +216,36 @@ TEST_F(SdoServerPortTest, TheServersObjectShowsItsIdentifiers)
     EXPECT_TRUE(answers.frames.empty()); // 605h is another's now
 }
 
+TEST_F(SdoServerPortTest, DataFramesOfItsIdentifierAreAnsweredInTwoStates)
+{
+    Verifies(req::SRS_SDO_016);
+    const CanFrame request{0x605U, FrameKind::kData, CanPortId::kFirst, 8U, {0x40U, 0x05U, 0x21U}};
+    const auto answered = [this](const CanFrame& frame, const NodeState state)
+    {
+        answers.frames.clear();
+        port.OnFrame(frame, {state, Instant{now_us}});
+        return answers.frames.size();
+    };
+    for (const NodeState state : {NodeState::kPreOperational, NodeState::kOperational})
+    {
+        // Given PRE-OPERATIONAL or OPERATIONAL, then the answer is on 580h + node-ID
+        ASSERT_EQ(answered(request, state), 1U);
+        EXPECT_EQ(answers.frames.front().identifier, 0x585U);
+        EXPECT_EQ(answers.frames.front().kind, FrameKind::kData);
+        // And neither a remote frame nor the identifiers beside it are answered
+        CanFrame other = request;
+        other.kind = FrameKind::kRemote;
+        EXPECT_EQ(answered(other, state), 0U);
+        for (const std::uint32_t identifier : {0x604U, 0x606U, 0x585U})
+        {
+            other = request;
+            other.identifier = identifier;
+            EXPECT_EQ(answered(other, state), 0U) << identifier;
+        }
+    }
+    EXPECT_EQ(answered(request, NodeState::kInitialising), 0U);
+}
+
 TEST_F(SdoServerPortTest, AnOpenTransferEndsWithTheState)
 {
     Verifies(req::SRS_SDO_014);

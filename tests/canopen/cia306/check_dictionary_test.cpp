@@ -93,5 +93,33 @@ TEST(CheckObjects, AccessRightsThatTheKernelDoesNotFollow)
     };
     test::ExpectRows("sensor", rows, {});
 }
+
+// The first and the last SRDO and signature, and what lies beside them.
+TEST(CheckObjects, AccessRightsOfTheLastSrdoAsOfTheFirst)
+{
+    Verifies(req::SRS_CLI_040);
+    const auto told = [](const std::string& index, const std::string& sub)
+    {
+        const std::string element = "]\nDataType=5\nAccessType=const\nDefaultValue=0\n";
+        const std::string text = "[" + index + "]\nObjectType=9\nSubNumber=2\n[" + index + "sub0" + element + "[" +
+                                 index + "sub" + sub + element;
+        return ToldOf(text, "the device lets clients read and write it all the same").size();
+    };
+    for (const std::string index : {"1301", "1302", "133F", "1340"})
+    {
+        for (const std::string sub : {"1", "2", "3", "5", "6"})
+        {
+            EXPECT_EQ(told(index, sub), 1U) << index << ":" << sub;
+        }
+        EXPECT_EQ(told(index, "4"), 0U) << index;
+        EXPECT_EQ(told(index, "7"), 0U) << index;
+    }
+    for (const std::string sub : {"1", "2", "3F", "40"})
+    {
+        EXPECT_EQ(told("13FF", sub), 1U) << sub;
+    }
+    EXPECT_EQ(told("13FF", "41"), 0U);
+    EXPECT_EQ(told("1341", "1"), 0U);
+}
 } // namespace
 } // namespace counterpoint::cia306

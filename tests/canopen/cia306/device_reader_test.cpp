@@ -57,6 +57,14 @@ TEST(DeviceReader, ReadsAVariableWithEverything)
     EXPECT_EQ(entry->inverted_srad, 0x21000AU);
     EXPECT_EQ(entry->inverted_srad_place.line, 22U);
     EXPECT_EQ(entry->place.line, 11U);
+    // and of a sub-index
+    const Device record =
+        DeviceOf(Text("[2000]\nObjectType=0x8\nSubNumber=2\n[2000sub0]\nDataType=5\nAccessType=ro\n"
+                      "[2000sub1]\nDataType=5\nAccessType=ro\nSRDOMapping=1\nInvertedSRAD=0x210002\n"));
+    EXPECT_EQ(record.Find(0x2000U, 1U)->is_srdo_mappable, true);
+    EXPECT_EQ(record.Find(0x2000U, 1U)->inverted_srad, 0x210002U);
+    EXPECT_EQ(record.Find(0x2000U, 0U)->is_srdo_mappable, std::nullopt);
+    EXPECT_EQ(record.Find(0x2000U, 0U)->inverted_srad, std::nullopt);
 }
 
 TEST(DeviceReader, ReadsSubIndicesAsHexadecimal)
@@ -183,6 +191,10 @@ TEST(DeviceReader, NodeId255And0MeanNone)
 {
     Verifies(req::SRS_EDS_009);
     EXPECT_EQ(DeviceOf(Text("[DeviceComissioning]\nNodeID=255\n")).node_id, std::nullopt);
+    EXPECT_EQ(
+        WarningsOf(Text("[DeviceComissioning]\nNodeID=255\n")),
+        std::vector<std::string>{"f:12:8: warning: NodeID is '255', expected 1 to 127; the device has no node-ID"});
+    EXPECT_EQ(DeviceOf(Text("[DeviceComissioning]\nNodeID=0\n")).node_id, std::nullopt);
     EXPECT_EQ(WarningsOf(Text("[DeviceComissioning]\nNodeID=0\n")),
               std::vector<std::string>{"f:12:8: warning: NodeID is '0', expected 1 to 127; the device has no node-ID"});
 }

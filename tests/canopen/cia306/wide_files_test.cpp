@@ -346,7 +346,7 @@ std::vector<std::string> DeviceFiles(const std::filesystem::path& folder)
     std::vector<std::string> files;
     if (std::filesystem::is_directory(folder))
     {
-        for (const auto& entry : std::filesystem::directory_iterator(folder))
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
         {
             const std::string kind = entry.path().extension().string();
             const bool is_device_file = kind == ".eds" || kind == ".dcf";
@@ -362,7 +362,12 @@ std::vector<std::string> DeviceFiles(const std::filesystem::path& folder)
 
 std::vector<std::string> AllDeviceFiles()
 {
-    std::vector<std::string> files = DeviceFiles(test::SourceFolder() + "/tests/canopen/cia306/data");
+    std::vector<std::string> files = DeviceFiles(test::SourceFolder() + "/examples");
+    for (const char* const folder : {"/tests/canopen/cia306/data", "/tests/runtime", "/tests/simulator"})
+    {
+        const std::vector<std::string> more = DeviceFiles(test::SourceFolder() + folder);
+        files.insert(files.end(), more.begin(), more.end());
+    }
     const char* const folder = std::getenv("COUNTERPOINT_DEVICE_FOLDER");
     const std::vector<std::string> real = (folder == nullptr) ? std::vector<std::string>{} : DeviceFiles(folder);
     std::cout << (real.empty() ? "no COUNTERPOINT_DEVICE_FOLDER with real files: only look-alikes are read\n"
@@ -377,7 +382,7 @@ TEST(RealFiles, EveryOneIsReadAndWrittenBackByteByByte)
     Verifies(req::SRS_EDS_026);
     Verifies(req::SRS_EDS_004);
     const std::vector<std::string> files = AllDeviceFiles();
-    EXPECT_GE(files.size(), 4U);
+    EXPECT_GE(files.size(), 22U);
     for (const std::string& file : files)
     {
         const std::string text = ReadTextFile(file);
@@ -407,6 +412,24 @@ TEST(RealFiles, EveryOneIsReadAndWrittenBackByteByByte)
             << file;
         EXPECT_NE(device.Find(0x1000U, 0U), nullptr) << file;
     }
+}
+
+TEST(RealFiles, ThoseOfTheFolderThatIsNamedAreAmongThem)
+{
+    Verifies(req::SRS_EDS_026);
+    const char* const before = std::getenv("COUNTERPOINT_DEVICE_FOLDER");
+    const std::string kept = (before == nullptr) ? "" : before;
+    const std::string named = test::SourceFolder() + "/tests/canopen/cia306/fuzz_seeds";
+    ASSERT_EQ(::setenv("COUNTERPOINT_DEVICE_FOLDER", named.c_str(), 1), 0);
+    const std::vector<std::string> with = AllDeviceFiles();
+    ASSERT_EQ(::unsetenv("COUNTERPOINT_DEVICE_FOLDER"), 0);
+    const std::vector<std::string> without = AllDeviceFiles();
+    if (before != nullptr)
+    {
+        ASSERT_EQ(::setenv("COUNTERPOINT_DEVICE_FOLDER", kept.c_str(), 1), 0);
+    }
+    ASSERT_EQ(with.size(), without.size() + 2U);
+    EXPECT_EQ(with.back().rfind(named, 0U), 0U);
 }
 
 TEST(RealFiles, ALookAlikeWithEverythingUnusualIsReadAsMeant)

@@ -114,5 +114,40 @@ TEST_F(DeviceQueueTest, QuestionsOfAMasterLeaveAPlaceForAnEmergency)
     EXPECT_LT(Sent(0x702U).size(), 20U);
 }
 
+TEST_F(DeviceQueueTest, OneHeartbeatOfAStateWaits)
+{
+    Verifies(req::SRS_DEV_024);
+    Run();
+    EXPECT_EQ(Download(0x1017U, 0U, 20U, 2U), 0U);
+    Cycles(5U);
+    Forget();
+    // Given a controller that takes nothing while five heartbeats are due, and five more in another state
+    ports.answer = hal::TransmitStatus::kQueueFull;
+    Cycles(100U);
+    Command(128U);
+    Cycles(100U);
+    // Then one of each state leaves
+    ports.answer = hal::TransmitStatus::kAccepted;
+    Cycles(4U);
+    EXPECT_EQ(Sent(0x702U), (std::vector<Octets>{{5U}, {127U}}));
+}
+
+TEST_F(DeviceQueueTest, SafetyFramesReachTheKernelInTheirOrder)
+{
+    Verifies(req::SRS_DEV_006);
+    Run();
+    Pair();
+    Cycle();
+    ASSERT_EQ(core.GetState({0x1301U}).state, SrdoState::kReleased);
+    // When a GFC comes, and the inverse frame before the normal one
+    Frame(0x001U, {});
+    Frame(0x102U, {0xEDU, 0xCBU});
+    Frame(0x101U, {0x12U, 0x34U});
+    Cycle();
+    // Then the kernel has both of this cycle, and the pair in the order of the bus
+    EXPECT_EQ(application.gfcs, 1);
+    EXPECT_EQ(CausesOf(0x1301U), (std::vector<SrdoCause>{SrdoCause::kInverseFirst, SrdoCause::kGfc}));
+    EXPECT_EQ(core.GetState({0x1301U}).state, SrdoState::kFaulted);
+}
 } // namespace
 } // namespace counterpoint::device

@@ -85,14 +85,19 @@ TEST_F(DeviceServicesTest, AnOpenTransferIsAbortedByStop)
 {
     Verifies(req::SRS_DEV_011);
     Start();
-    Frame(0x602U, {0x21U, 0x00U, 0x25U, 0U, 4U, 0U, 0U, 0U});
-    device.Serve(Instant{now_us});
-    ConfirmAll();
-    Forget();
-    Command(2U);
-    Cycle();
-    ASSERT_EQ(Sent(0x582U).size(), 1U);
-    EXPECT_EQ(Sent(0x582U)[0], (Octets{0x80U, 0x00U, 0x25U, 0U, 0x22U, 0x00U, 0x00U, 0x08U}));
+    for (const std::uint8_t command : {std::uint8_t{128U}, std::uint8_t{1U}})
+    {
+        Command(command);
+        Cycle();
+        Frame(0x602U, {0x21U, 0x00U, 0x25U, 0U, 4U, 0U, 0U, 0U});
+        device.Serve(Instant{now_us});
+        ConfirmAll();
+        Forget();
+        Command(2U);
+        Cycle();
+        ASSERT_EQ(Sent(0x582U).size(), 1U) << int{command};
+        EXPECT_EQ(Sent(0x582U)[0], (Octets{0x80U, 0x00U, 0x25U, 0U, 0x22U, 0x00U, 0x00U, 0x08U}));
+    }
 }
 
 TEST_F(DeviceServicesTest, AResetEndsATransferWithoutAWord)
@@ -247,6 +252,13 @@ TEST_F(DeviceServicesTest, ALostMasterIsToldAndItsReturn)
     Remote(0x702U);
     Cycles(2U);
     EXPECT_EQ(Emergencies(), (Codes{0x8130U, 0U}));
+    // In OPERATIONAL the reaction of 1029h:01 follows
+    Command(1U);
+    Remote(0x702U);
+    Cycles(2U);
+    EXPECT_EQ(device.State(), NodeState::kOperational);
+    Cycles(15U);
+    EXPECT_EQ(device.State(), NodeState::kPreOperational);
 }
 
 // Life time 10 ms, cycle 1 ms

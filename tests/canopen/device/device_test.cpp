@@ -41,6 +41,25 @@ TEST_F(DeviceTest, StartsItselfWhere1F80Says)
     EXPECT_EQ(Sent(0x702U), (std::vector<Octets>{{0U}}));
 }
 
+TEST_F(DeviceTest, StartsItselfOnlyWithBits0And2Of1F80Clear)
+{
+    Verifies(req::SRS_DEV_002);
+    for (std::uint32_t value = 0U; value < 8U; ++value)
+    {
+        // Given each value of the three lowest bits, when the supply comes, then it waits where bit 0 or bit 2 is set
+        start_up[0] = static_cast<std::uint8_t>(value);
+        Start();
+        const bool is_free = value == 0U || value == 2U;
+        EXPECT_EQ(device.State(), is_free ? NodeState::kOperational : NodeState::kPreOperational) << value;
+        device.PowerOff();
+    }
+    // Given no 1F80h, then it waits
+    entries[10].index = 0x1F7FU;
+    start_up[0] = 0U;
+    Start();
+    EXPECT_EQ(device.State(), NodeState::kPreOperational);
+}
+
 TEST_F(DeviceTest, WithoutAKernelItSaysNothing)
 {
     Verifies(req::SRS_DEV_002);
@@ -330,6 +349,33 @@ TEST_F(DeviceTest, TheInverseFrameFollowsItsConfirmationBetweenTwoCycles)
     EXPECT_TRUE(CausesOf(0x1303U).empty());
 }
 
+TEST_F(DeviceTest, FramesOfAnSrdoThatIsOffFindNoPlaceInTheSafetyQueue)
+{
+    Verifies(req::SRS_DEV_007);
+    for (const std::uint8_t direction : {std::uint8_t{0U}, std::uint8_t{1U}})
+    {
+        // Given a queue of 8 frames, and SRDO 3 off, or a producer
+        Start();
+        EXPECT_EQ(Store(0x1303U, 1U, direction, 1U), AbortCode::kNone);
+        const SignReply reply = core.Sign(CommunicationIndex{0x1303U});
+        EXPECT_EQ(Store(0x13FFU, 3U, reply.signature, 2U), AbortCode::kNone);
+        EXPECT_EQ(Store(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+        Command(1U);
+        Cycles(2U);
+        // When somebody sends its identifiers ten times before a pair of SRDO 1
+        for (int count = 0; count < 10; ++count)
+        {
+            Frame(0x103U, {1U, 2U});
+            Frame(0x104U, {0xFEU, 0xFDU});
+        }
+        Pair();
+        Cycle();
+        // Then they take its place only where SRDO 3 is on
+        EXPECT_EQ(NormalOut() == 0x3412U, direction == 0U);
+        device.PowerOff();
+    }
+}
+
 TEST_F(DeviceTest, NothingIsLeftAfterTheSupplyWasOff)
 {
     Verifies(req::SRS_DEV_023);
@@ -374,6 +420,7 @@ TEST_F(DeviceTest, TheServerWritesOwnObjectsAndTheKernels)
     EXPECT_EQ(core.ReadObject(ObjectAddress{0x1300U, 0U}).data.bytes[0], 1U);
     EXPECT_EQ(Download(0x1300U, 0U, 2U, 1U), 0x06090030U);
     EXPECT_EQ(Download(0x1301U, 7U, 0U, 1U), 0x06090011U);
+    EXPECT_EQ(Download(0x2000U, 1U, 0x3412U, 2U), 0x06010002U); // A safety variable is the channels'.
     Command(0x01U);
     Cycle();
     EXPECT_EQ(Download(0x13FEU, 0U, 0xA5U, 1U), 0x08000022U);

@@ -86,6 +86,7 @@ TEST_F(TransfersTest, AValueWithoutAStatedLengthIsOfFourBytes)
 TEST_F(TransfersTest, ABlockReadIsToldFromBeginToEnd)
 {
     Verifies(req::SRS_MON_004);
+    Verifies(req::SRS_MON_331);
     EXPECT_EQ(words(0x601U, {0xA4U, 0x50U, 0x1FU, 1U, 2U, 0U, 0U, 0U}), "Sensor <- begin of a block read of 1F50h:01");
     EXPECT_EQ(words(0x581U, {0xC6U, 0x50U, 0x1FU, 1U, 20U, 0U, 0U, 0U}), "Sensor -> begin of a block read of 1F50h:01");
     EXPECT_EQ(words(0x601U, {0xA3U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}), "Sensor <- start of a block read of 1F50h:01");

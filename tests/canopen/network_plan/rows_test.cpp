@@ -112,6 +112,7 @@ TEST_F(RowsTest, WriteTheSupervision)
 TEST_F(RowsTest, HaveTheOutputsOfTheFile)
 {
     Verifies(req::SRS_NET_004);
+    Verifies(req::SRS_NET_342);
     const std::string dcf = Pdo("1400", "1600", "0x205") + Pdo("1401", "1601", "0x305");
     NetworkPlan plan = El6751(dcf);
     plan.slaves[0].outputs = {{{7U, 3U}, 2U, {0xA5U}}};

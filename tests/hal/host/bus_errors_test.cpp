@@ -37,6 +37,7 @@ class HitAt final : public BusFault
 TEST(BusErrors, HitFrameEndsWithAnErrorFrameAndIsSentAgain)
 {
     Verifies(req::SRS_BUS_007);
+    Verifies(req::SRS_BUS_010);
     // Given a disturbance in bit 20 of the first attempt
     BusRig rig;
     HitAt fault(20U, 1U);
@@ -342,6 +343,7 @@ TEST(BusErrors, EarlierOfHitAndCollisionCounts)
 {
     Verifies(req::SRS_BUS_004);
     Verifies(req::SRS_BUS_007);
+    Verifies(req::SRS_BUS_013);
     // Given frames that collide in bit 22 and a disturbance in bit 5, then in bit 30
     for (const std::uint16_t hit : {std::uint16_t{5U}, std::uint16_t{30U}})
     {

@@ -201,6 +201,12 @@ TEST(BusSteps, ObserverIsToldBeforeTheReceivers)
     EXPECT_EQ(early.last.bits, 56U);
     EXPECT_EQ(early.last.receivers, 2U);
     EXPECT_EQ(early.last.fate, FrameFate::kComplete);
+    // and what was in it
+    ASSERT_EQ(rig.bus.Submit(1U, MakeFrame(0x123U, {0xA5U, 0x5AU})), TransmitStatus::kAccepted);
+    rig.bus.Advance(3 * kMillisecond, &early);
+    EXPECT_EQ(early.last.sent.frame.identifier, 0x123U);
+    EXPECT_EQ(early.last.sent.frame.data[0], 0xA5U);
+    EXPECT_EQ(early.last.sent.frame.data[1], 0x5AU);
 }
 
 TEST(BusSteps, SameCallsGiveTheSameResultsHoweverTimeIsCutUp)

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace counterpoint::host
@@ -51,6 +52,46 @@ TEST(VirtualBus, FrameIsReceivedAndConfirmedAtTheEndOfItsEof)
     EXPECT_EQ(rig.listeners[1].confirmed[0].at, 57'000);
     EXPECT_TRUE(rig.listeners[1].received.empty());
     EXPECT_TRUE(rig.listeners[0].confirmed.empty());
+}
+
+TEST(VirtualBus, ReceiversHearItInTheOrderOfTheirAttachmentAndThenTheSender)
+{
+    Verifies(req::SRS_BUS_006);
+    // Given nodes that write their names into one list
+    class Named final : public BusListener
+    {
+      public:
+        Named(std::string& list, const char name) : list_(list), name_(name)
+        {
+        }
+        void OnReceived(const CanFrame& /*frame*/, const BusTime /*at*/) override
+        {
+            list_ += name_;
+        }
+        void OnConfirmed(const CanFrame& /*frame*/, const BusTime /*at*/) override
+        {
+            list_ += '!';
+        }
+        void OnBusOff(const BusTime /*at*/) override
+        {
+        }
+
+      private:
+        std::string& list_;
+        char name_;
+    };
+    VirtualBus bus(BitRate::k1M);
+    std::string list{};
+    Named nodes[]{{list, 'c'}, {list, 'a'}, {list, 'd'}, {list, 'b'}};
+    for (Named& node : nodes)
+    {
+        static_cast<void>(bus.Attach(node, NodeSetup{CanPortId::kFirst, 4U}));
+    }
+    // When the second one sends
+    ASSERT_EQ(bus.Submit(1U, MakeFrame(0x101U, {})), TransmitStatus::kAccepted);
+    bus.Advance(kMillisecond);
+    // Then the others hear it as they were attached, and it is confirmed behind them
+    EXPECT_EQ(list, "cdb!");
 }
 
 TEST(VirtualBus, ContentArrivesUnchangedWithTheReceiversPort)

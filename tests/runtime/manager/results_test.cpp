@@ -579,6 +579,22 @@ TEST_F(ManagerResultsTest, ANodeThatMayBeTwoDevicesIsNotGood)
     EXPECT_EQ(Row(5U).finding, "two devices with this node-ID?");
     EXPECT_FALSE(Row(5U).is_good);
     EXPECT_FALSE(station->Assembly().HasStarted());
+    EXPECT_EQ(Row(5U).state, "operational");
+    EXPECT_EQ(station->Assembly().Core().OwnState(), cia301::NodeState::kOperational);
+    // Given one that is heard eighteen times in ten of its producer times of 100 ms, first at the end of its start-up,
+    // then it is so, too
+    Make("manager: {node: 127}\nslaves: [{node: 5, boot: false, heartbeat: 100 ms}]\n");
+    EndStartUp();
+    for (int beat = 0; beat < 17; ++beat)
+    {
+        EXPECT_NE(Row(5U).finding, "two devices with this node-ID?") << beat;
+        Hear(0x705U, {0x05U});
+        Run(50U);
+    }
+    EXPECT_EQ(Row(5U).finding, "two devices with this node-ID?");
+    EXPECT_FALSE(Row(5U).is_good);
+    EXPECT_EQ(Row(5U).state, "operational");
+    EXPECT_EQ(station->Assembly().Core().OwnState(), cia301::NodeState::kOperational);
 }
 } // namespace
 } // namespace counterpoint::tools

@@ -186,6 +186,8 @@ TEST_F(ManagerShownTest, WhereASubIndexIsANodeIdTheAnswerNamesTheNode)
     Verifies(req::SRS_MGR_135);
     EXPECT_EQ(Order("set 0x1F82:05 99"), "0x1F82:05 (node 5) = 99: 0x06090030 (value out of range), expected 4, 5, 6 "
                                          "(reset), 7 (reset-comm) or 127 of a node of the network");
+    EXPECT_EQ(Order("get 0x1F25:05"),
+              "0x1F25:05 (node 5): 0x06010001 (write only), expected an object that can be read now");
     EXPECT_EQ(Order("get 0x1017:00"), "0x1017:00 = 0 (0x0)");
 }
 

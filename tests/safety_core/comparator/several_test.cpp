@@ -77,6 +77,41 @@ TEST_F(Comparing, UnequalDataOfANewPairAreSeenWhateverElseDiffers)
     EXPECT_EQ(CompareAt(0U).fault, DeviceFault::kDisagreement);
 }
 
+TEST_F(Comparing, EqualPairMatchesOnlyWithEqualDataReleaseAndFault)
+{
+    Verifies(req::SRS_CMP_005);
+    // Given both channels with a new pair of one ordinal and one content, then it is matched
+    a.outcome.fresh = 4U;
+    b.outcome.fresh = 4U;
+    EXPECT_EQ(CompareAt(0U).agreement.matched & 4U, 4U);
+    for (SpokenChannel* const other : {&a, &b})
+    {
+        // When the first or the last bit of the data differs under that ordinal, then not
+        for (std::uint32_t* const half : {&other->held[2].data.low, &other->held[2].data.high})
+        {
+            for (const std::uint32_t bit : {1U, 0x80000000U})
+            {
+                comparator.Restart(ComparatorSetup{5000U, 20000U, 4U});
+                *half ^= bit;
+                EXPECT_EQ(CompareAt(0U).agreement.matched & 4U, 0U) << bit;
+                *half ^= bit;
+            }
+        }
+        // nor when the release differs, or the fault
+        comparator.Restart(ComparatorSetup{5000U, 20000U, 4U});
+        other->outcome.released = 0U;
+        EXPECT_EQ(CompareAt(0U).agreement.matched & 4U, 0U);
+        other->outcome.released = 4U;
+        comparator.Restart(ComparatorSetup{5000U, 20000U, 4U});
+        other->outcome.faulted = 4U;
+        EXPECT_EQ(CompareAt(0U).agreement.matched & 4U, 0U);
+        other->outcome.faulted = 0U;
+    }
+    // And when nothing differs any more, then it is again
+    comparator.Restart(ComparatorSetup{5000U, 20000U, 4U});
+    EXPECT_EQ(CompareAt(0U).agreement.matched & 4U, 4U);
+}
+
 TEST_F(Comparing, DifferencesOfTheSameBitsDoNotCancelEachOther)
 {
     Verifies(req::SRS_CMP_007);

@@ -396,6 +396,7 @@ TEST_F(SafetyObjects, ValuesOutsideTheirRangeAreRefused)
     EXPECT_EQ(Write(0x1300U, 0U, 2U, 1U), AbortCode::kValueRange);
     // COB-IDs of an SRDO that is on, then of one that is off
     EXPECT_EQ(Write(0x1301U, 5U, 0x105U, 4U), AbortCode::kValueRange);
+    EXPECT_EQ(Write(0x1301U, 6U, 0x106U, 4U), AbortCode::kValueRange);
     for (const std::uint32_t value : {0x100U, 0xFFU, 0x106U, 0x181U, 0x80000105U, 0x103U, 0x101U})
     {
         EXPECT_EQ(Write(0x1304U, 5U, value, 4U), AbortCode::kValueRange) << std::hex << value;
@@ -416,6 +417,7 @@ TEST_F(SafetyObjects, SwitchingOnNeedsAFreePairOfIdentifiers)
     Configure();
     // Given SRDO 4 without identifiers
     EXPECT_EQ(Write(0x1304U, 1U, 1U, 1U), AbortCode::kValueRange);
+    EXPECT_EQ(Write(0x1304U, 1U, 2U, 1U), AbortCode::kValueRange);
     // with the first one changed after the second
     ASSERT_EQ(Write(0x1304U, 5U, 0x105U, 4U), AbortCode::kNone);
     ASSERT_EQ(Write(0x1304U, 6U, 0x106U, 4U), AbortCode::kNone);

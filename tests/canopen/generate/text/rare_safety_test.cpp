@@ -207,6 +207,28 @@ TEST(AnotherNodeId, LeavesDeviceParametersAsTheyAre)
     EXPECT_TRUE(Has(source, "    0xD4U, 0xC3U, 0xB2U, 0xA1U, 0x00U, 0x00U, 0x00U, 0x00U, // 5F02h:02\n"));
     EXPECT_TRUE(Has(source, "{0xA1B2C3D4U, 0x00000000U}"));
     EXPECT_FALSE(Has(source, "FollowNodeId"));
+    // Given a value of each of 5F00h to 5F05h for node 1, then each is that constant
+    struct Row
+    {
+        const char* section;
+        const char* from;
+        const char* to;
+        const char* constant;
+    };
+    const Row rows[] = {{"5F00sub1", "=2000", "=$NODEID+1999", "    0xD0U, 0x07U, 0x00U, 0x00U, // 5F00h:01\n"},
+                        {"5F01sub2", "0x5A", "$NODEID+0x59", "    0x5AU, // 5F01h:02\n"},
+                        {"5F02sub2", "0xA1B2C3D4", "$NODEID+0xA1B2C3D3",
+                         "    0xD4U, 0xC3U, 0xB2U, 0xA1U, 0x00U, 0x00U, 0x00U, 0x00U, // 5F02h:02\n"},
+                        {"5F03sub5", "=0x1", "=$NODEID", "    0x01U, // 5F03h:05\n"},
+                        {"5F04", "0x5F9AFA3D", "$NODEID+0x5F9AFA3C", "    0x3DU, 0xFAU, 0x9AU, 0x5FU, // 5F04h:00\n"},
+                        {"5F05sub2", "0x3C", "$NODEID+0x3B", "    0x3CU, // 5F05h:02\n"}};
+    const std::string of_node_1 = InSection(FileText("digest"), "DeviceComissioning", "NodeID=127", "NodeID=1");
+    for (const Row& row : rows)
+    {
+        const std::string each = Code(InSection(of_node_1, row.section, row.from, row.to)).source;
+        EXPECT_TRUE(Has(each, row.constant)) << row.section;
+        EXPECT_FALSE(Has(each, "FollowNodeId")) << row.section;
+    }
 }
 } // namespace
 } // namespace counterpoint::generate

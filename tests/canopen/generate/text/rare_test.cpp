@@ -64,6 +64,7 @@ TEST(GeneratedText, HasAGuardOfItsNamespace)
 TEST(GeneratedLimits, HoldTheFirstValue)
 {
     Verifies(req::SRS_GEN_006);
+    Verifies(req::SRS_GEN_340);
     const std::string text = kHead + Entry("2000", 6, "rw", "LowLimit=5\nHighLimit=9") +
                              Entry("2001", 3, "rw", "LowLimit=-9\nHighLimit=-5") +
                              Entry("2002", 6, "rw", "HighLimit=9");
@@ -84,6 +85,49 @@ TEST(GeneratedLimits, HoldTheFirstValue)
     }
 }
 
+// A limit that is missing is the end of the range of the type; what is no whole number of bytes has the room of one.
+TEST(GeneratedLimits, AreThoseOfTheTypeWhereTheFileHasNone)
+{
+    Verifies(req::SRS_GEN_005);
+    Verifies(req::SRS_GEN_340);
+    const auto limits = [](const int type, const std::string& keys)
+    {
+        const std::string source = Code(kHead + Entry("2000", type, "rw", keys)).source;
+        const std::string head = "kLimits[]{\n    ";
+        const std::size_t place = source.find(head);
+        return (place == std::string::npos)
+                   ? ""
+                   : source.substr(place + head.size(), source.find('\n', place + head.size()) - place - head.size());
+    };
+    // Given UNSIGNED16, INTEGER8 and INTEGER64 with one limit
+    EXPECT_EQ(limits(6, "LowLimit=5"), "{0x5U, 0xFFFFU}, // 2000h:00");
+    EXPECT_EQ(limits(6, "HighLimit=9"), "{0x0U, 0x9U}, // 2000h:00");
+    EXPECT_EQ(limits(2, "HighLimit=-5"), "{0xFFFFFFFFFFFFFF80ULL, 0xFFFFFFFFFFFFFFFBULL}, // 2000h:00");
+    EXPECT_EQ(limits(2, "LowLimit=-5"), "{0xFFFFFFFFFFFFFFFBULL, 0x7FU}, // 2000h:00");
+    EXPECT_EQ(limits(21, "LowLimit=1"), "{0x1U, 0x7FFFFFFFFFFFFFFFULL}, // 2000h:00");
+    // Given no limit, then whole bytes have none, and BIT1 and BIT7 have those of their bits
+    EXPECT_EQ(limits(6, ""), "");
+    EXPECT_EQ(limits(22, ""), "");
+    EXPECT_EQ(limits(55, ""), "");
+    EXPECT_EQ(limits(48, ""), "{0x0U, 0x1U}, // 2000h:00");
+    EXPECT_EQ(limits(54, ""), "{0x0U, 0x7FU}, // 2000h:00");
+    // Given elements without a value and without limits that forbid 0, then they begin with it
+    EXPECT_TRUE(
+        Has(Code(kHead + Entry("2000", 3, "rw", "LowLimit=-9\nHighLimit=9")).source, "0x00U, 0x00U, // 2000h:00"));
+    EXPECT_TRUE(Has(Code(kHead + Entry("2000", 6, "rw", "")).source, "0x00U, 0x00U, // 2000h:00"));
+}
+
+// The text of the file is UTF-8.
+TEST(GeneratedStorage, HasUnicodeStringsAsUtf16)
+{
+    Verifies(req::SRS_GEN_340);
+    EXPECT_TRUE(Has(Code(kHead + Entry("2000", 11, "const",
+                                       "DefaultValue=\xE2\x82\xAC"
+                                       "1"))
+                        .source,
+                    "    0xACU, 0x20U, 0x31U, 0x00U, // 2000h:00\n"));
+}
+
 TEST(GeneratedStorage, MayBeEmpty)
 {
     Verifies(req::SRS_GEN_006);
@@ -100,6 +144,7 @@ TEST(GeneratedStorage, MayBeEmpty)
 // A constant that follows from the node-ID changes with it, and is no constant of the program.
 TEST(GeneratedStorage, HasConstantsWithTheNodeId)
 {
+    Verifies(req::SRS_GEN_016);
     Verifies(req::SRS_GEN_150);
     const std::string text = kHead + "[DeviceComissioning]\nNodeID=5\n\n" +
                              Entry("2000", 7, "const", "DefaultValue=$NODEID+0x200") +

@@ -307,6 +307,33 @@ TEST_F(BootOrdersTest, TheHoldEndsWithABootOrAResetByOrder)
     EXPECT_EQ(Status(5U), "- 17 started");
 }
 
+TEST_F(BootOrdersTest, TheHoldEndsWithAStartThatIsTaken)
+{
+    Verifies(req::SRS_BOOT_032);
+    for (const std::uint8_t node : {std::uint8_t{5U}, std::uint8_t{0U}})
+    {
+        // Given a slave that an order holds, and a start of it, alone or with all, for which the queue has no room
+        Add(5U, kMust).boot_ms = 50U;
+        Begin();
+        Run(20U);
+        EXPECT_EQ(Command(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+        Run(500U);
+        ASSERT_EQ(Status(5U), kHeld);
+        FillQueue();
+        EXPECT_EQ(Command(NmtCommand::kStart, node), NmtAnswer::kQueueFull);
+        Run(1000U);
+        // Then it is held on
+        EXPECT_EQ(Status(5U), kHeld) << int{node};
+        EXPECT_EQ(StateOf(5U), NodeState::kPreOperational);
+        // When it is taken, then it runs
+        EXPECT_EQ(Command(NmtCommand::kStart, node), NmtAnswer::kTaken);
+        Run(50U);
+        EXPECT_EQ(Status(5U), "- 17 started") << int{node};
+        EXPECT_EQ(StateOf(5U), NodeState::kOperational);
+        start_up.End();
+    }
+}
+
 TEST_F(BootOrdersTest, ABootUpMessageEndsNoHoldHoweverLateItIs)
 {
     Verifies(req::SRS_BOOT_033);
