@@ -130,10 +130,12 @@ void Spoil(Verdict& verdict)
     constexpr SrdoMask kFirstSlot = 1U;
     const auto is_now = [](const ComparatorCalls calls) { return comparator_calls == calls; };
     verdict.fault = is_now(ComparatorCalls::kAlwaysGood) ? DeviceFault::kNone : verdict.fault;
-    verdict.agreement.matched &= is_now(ComparatorCalls::kNeverMatched) ? ~kFirstSlot : ~SrdoMask{0U};
+    const bool is_unmatched = is_now(ComparatorCalls::kNeverMatched) || is_now(ComparatorCalls::kDemotesUnmatched);
+    verdict.agreement.matched &= is_unmatched ? ~kFirstSlot : ~SrdoMask{0U};
     verdict.agreement.agreed &= is_now(ComparatorCalls::kNeverAgreed) ? ~kFirstSlot : ~SrdoMask{0U};
     verdict.agreement.agreed |= is_now(ComparatorCalls::kAgreedToo) ? kFirstSlot : SrdoMask{0U};
-    verdict.demote |= is_now(ComparatorCalls::kDemotesToo) ? kFirstSlot : SrdoMask{0U};
+    const bool is_demoted = is_now(ComparatorCalls::kDemotesToo) || is_now(ComparatorCalls::kDemotesUnmatched);
+    verdict.demote |= is_demoted ? kFirstSlot : SrdoMask{0U};
 }
 
 } // namespace
@@ -327,6 +329,16 @@ TEST_F(ComparatorLost, AgreedSlotThatTheVerdictDemotesIsSafeInTheSameCycle)
 {
     Verifies(req::SRS_CMP_361);
     EXPECT_EQ(CyclesToSafe(ComparatorCalls::kDemotesToo), 1U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kComparator);
+    EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
+    EXPECT_EQ(kernel.DeviceState().count, 1U);
+}
+
+// Two bits that are wrong do not make a right one.
+TEST_F(ComparatorLost, AgreedSlotThatTheVerdictDemotesAndCallsUnmatchedIsSafeInTheSameCycle)
+{
+    Verifies(req::SRS_CMP_361);
+    EXPECT_EQ(CyclesToSafe(ComparatorCalls::kDemotesUnmatched), 1U);
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kComparator);
     EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
     EXPECT_EQ(kernel.DeviceState().count, 1U);

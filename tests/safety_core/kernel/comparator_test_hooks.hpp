@@ -13,15 +13,16 @@ namespace counterpoint
 enum class ComparatorCalls : std::uint8_t
 {
     kReal = 0U,
-    kNotCalled = 1U,    ///< Nothing comes back but zeros.
-    kFrozen = 2U,       ///< The last verdict comes back.
-    kAlwaysGood = 3U,   ///< No fault ever; everything else is real.
-    kDataUnseen = 4U,   ///< Prepared pairs are always called equal.
-    kNeverMatched = 5U, ///< Slot 0 is never called matched; everything else is real.
-    kFrameChanged = 6U, ///< The first of two frames has another bit, see `changed_bit`.
-    kNeverAgreed = 7U,  ///< Slot 0 is never called agreed; everything else is real.
-    kDemotesToo = 8U,   ///< Slot 0 is demoted besides; everything else is real.
-    kAgreedToo = 9U,    ///< Slot 0 is called agreed besides; everything else is real.
+    kNotCalled = 1U,         ///< Nothing comes back but zeros.
+    kFrozen = 2U,            ///< The last verdict comes back.
+    kAlwaysGood = 3U,        ///< No fault ever; everything else is real.
+    kDataUnseen = 4U,        ///< Prepared pairs are always called equal.
+    kNeverMatched = 5U,      ///< Slot 0 is never called matched; everything else is real.
+    kFrameChanged = 6U,      ///< The first of two frames has another bit, see `changed_bit`.
+    kNeverAgreed = 7U,       ///< Slot 0 is never called agreed; everything else is real.
+    kDemotesToo = 8U,        ///< Slot 0 is demoted besides; everything else is real.
+    kAgreedToo = 9U,         ///< Slot 0 is called agreed besides; everything else is real.
+    kDemotesUnmatched = 10U, ///< Slot 0 is demoted, and called unmatched, besides; everything else is real.
 };
 
 extern ComparatorCalls comparator_calls;
