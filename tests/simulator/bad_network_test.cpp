@@ -220,6 +220,27 @@ TEST_F(BadScenarioTest, ManagersAndDevices)
                   ":4:10: error: the gate of a network, which has no safety configuration, expected a safety slave");
 }
 
+TEST_F(BadScenarioTest, WhoComesAtTheEndAndASerialNumberWithoutItsObject)
+{
+    Verifies(req::SRS_MGR_157);
+    Verifies(req::SRS_MGR_342);
+    // Given a run of 2 s, then a manager or a device that comes at its end never does
+    ExpectRefused("title: x\nduration: 2 s\nmanagers: [{network: net.yaml, at: 2 s}]\n" + devices_,
+                  ":3:12: error: manager at 2000 ms, not before the end of the run, expected a time below 2000 ms\n");
+    const std::string folder = cia306::test::SourceFolder() + "/examples/emergency_stop/";
+    ExpectRefused(head_ + "nodes:\n  33: {phase: 2 s, dcf: " + folder + "actuator.dcf}\n",
+                  ":5:25: error: node '33' at 2000 ms, not before the end of the run, expected a time below 2000 ms\n");
+    // Given a sensor whose file has no serial number, then another one is none of its
+    std::string text = cia306::ReadTextFile(folder + "sensor.dcf");
+    const std::size_t serial = text.find("[1018sub4]");
+    text.erase(serial, text.find("\n[", serial) + 1U - serial);
+    text.replace(text.find("SubNumber=5"), 11U, "SubNumber=4");
+    static_cast<void>(File("no_serial.dcf", text));
+    const std::string event = "events: [{at: 0 s, do: replace, node: 5, serial: 9}]\n";
+    ExpectRefused(head_ + event + "nodes: {5: {dcf: no_serial.dcf}}\n",
+                  ":4:10: error: object 0x1018:04 of device 5, which its DCF does not have, expected an object of ");
+}
+
 TEST_F(BadScenarioTest, AnObjectIsTheSameHoweverItIsWritten)
 {
     Verifies(req::SRS_MGR_157);

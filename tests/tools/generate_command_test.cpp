@@ -176,10 +176,50 @@ TEST_F(GenerateCommandTest, BadInputIsOneLineAndNoFile)
                                "expected --node-id, or NodeID in [DeviceComissioning]\n");
     EXPECT_FALSE(std::filesystem::exists(Path("out")));
     EXPECT_EQ(RunCommand({"generate", formula, "--output", Path("out"), "--node-id", "3"}).status, 0);
-    EXPECT_EQ(RunCommand({"generate", Example(), "--namespace", "class"}).status, 2);
-    EXPECT_EQ(RunCommand({"generate", Example(), "--output", Path("no/such")}).status, 2);
+    const Answer taken = RunCommand({"generate", Example(), "--namespace", "class", "--output", Path("none")});
+    EXPECT_EQ(taken.status, 2);
+    EXPECT_EQ(taken.err.find("counterpoint: --namespace: 'class' is taken, expected another name of a namespace"), 0U);
+    EXPECT_FALSE(std::filesystem::exists(Path("none")));
+    const Answer deep = RunCommand({"generate", Example(), "--output", Path("no/such")});
+    EXPECT_EQ(deep.status, 2);
+    EXPECT_EQ(deep.err, Path("no/such") + ": error: it is no folder and cannot be made (No such file or directory), "
+                                          "expected a folder, or a name in one\n");
     EXPECT_EQ(RunCommand({"generate", Example(), "--output", Example()}).status, 2);
-    EXPECT_EQ(RunCommand({"generate", Path("none.dcf")}).status, 2);
+    const Answer unread = RunCommand({"generate", Path("none.dcf"), "--output", Path("none")});
+    EXPECT_EQ(unread.status, 2);
+    EXPECT_EQ(unread.err, Path("none.dcf") + ": error: it cannot be opened (No such file or directory), expected a "
+                                             "readable EDS or DCF file\n");
+    EXPECT_FALSE(std::filesystem::exists(Path("none")));
+}
+
+TEST_F(GenerateCommandTest, AValueOfASafetyObjectThatCannotBeStoredIsRefusedWithForceToo)
+{
+    Verifies(req::SRS_GEN_003);
+    const auto generated = [this](const std::string& from, const std::string& to, const bool is_forced)
+    {
+        const std::string file = File("value.dcf", Changed(ExampleText("sensor"), {{from, to}}));
+        std::vector<std::string> words{"generate", file, "--output", Path("none")};
+        if (is_forced)
+        {
+            words.emplace_back("--force");
+        }
+        return RunCommand(words);
+    };
+    // Given an SCT of more than 16 bits
+    const Answer answer = generated("ParameterValue=25\n", "ParameterValue=70000\n", true);
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_EQ(answer.err, Path("value.dcf") + ":215:16: error: 0x1301:02: value '70000', expected a number from 0 to "
+                                              "65535 (UNSIGNED16)\n");
+    EXPECT_FALSE(std::filesystem::exists(Path("none")));
+    // One of an object that an SRDO maps is an error of the check
+    const Answer mapped = generated("DefaultValue=0x00\nPDOMapping=0\nSRDOMapping=1\nInvertedSRAD=0x210001",
+                                    "DefaultValue=300\nPDOMapping=0\nSRDOMapping=1\nInvertedSRAD=0x210001", false);
+    EXPECT_EQ(mapped.status, 1);
+    EXPECT_NE(mapped.err.find(
+                  "value.dcf:352:14: error: 0x2000:01: value '300', expected a number from 0 to 255 (UNSIGNED8)\n"),
+              std::string::npos)
+        << mapped.err;
+    EXPECT_FALSE(std::filesystem::exists(Path("none")));
 }
 
 // Given files of the names of the output that somebody else made, the input among them, then none is touched; an older
@@ -211,9 +251,11 @@ TEST_F(GenerateCommandTest, AnswersAsJson)
     EXPECT_EQ(answer.status, 0);
     const auto document = nlohmann::json::parse(answer.out);
     EXPECT_EQ(document["holds"], true);
-    EXPECT_EQ(document["written"].size(), 2U);
+    EXPECT_EQ(document["written"],
+              nlohmann::json::array({Path("out/object_dictionary.hpp"), Path("out/object_dictionary.cpp")}));
     EXPECT_EQ(document["entries"], 38);
     EXPECT_EQ(document["variables"], 4);
+    EXPECT_EQ(document["srdos"], 1);
     EXPECT_EQ(document["memory_bytes"], 33);
     EXPECT_EQ(document["findings"].size(), 0U);
     const std::string bad =

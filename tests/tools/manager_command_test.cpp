@@ -505,6 +505,11 @@ TEST_F(ManagerCommandTest, OrdersAreReadStrictly)
     EXPECT_EQ(runtime::ParseManagerOrder("stop").problem, "stop: no node, expected a node-ID from 1 to 127, or all");
     EXPECT_EQ(runtime::ParseManagerOrder("stop 128").problem, "stop: '128', expected a node-ID from 1 to 127, or all");
     EXPECT_EQ(runtime::ParseManagerOrder("stop 010").problem, "stop: '010', expected a node-ID from 1 to 127, or all");
+    for (const char* const number : {"1.5", "-1", "1e1", "5x", "0x", "0x80", "0"})
+    {
+        EXPECT_EQ(runtime::ParseManagerOrder(std::string("stop ") + number).problem,
+                  std::string("stop: '") + number + "', expected a node-ID from 1 to 127, or all");
+    }
     EXPECT_EQ(runtime::ParseManagerOrder("stop 0x0A").node, 10U);
     EXPECT_EQ(runtime::ParseManagerOrder("fly").problem,
               "order 'fly', expected status, start, stop, preop, reset, reset-comm, "

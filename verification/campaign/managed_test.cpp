@@ -28,6 +28,18 @@ class ManagedTest : public CampaignTest
         return File(name,
                     "title: A test\nnetwork: " COUNTERPOINT_SOURCE_FOLDER "/examples/campaigns/managed.yaml\n" + more);
     }
+    /// That what stands in "first" and "second" is refused as results of `plan`, and kept.
+    void ExpectOthersAreRefused(const std::string& plan) const
+    {
+        const std::string before = cia306::ReadTextFile(Path("first"));
+        const tools::test::Answer on = Campaign({plan, "--jobs", "1", "--shard", "1/2", "--out", Path("first")});
+        EXPECT_EQ(on.status, 2);
+        EXPECT_EQ(on.err.find(Path("first") + ": error: results of another campaign, scenario or shard"), 0U) << on.err;
+        const tools::test::Answer joined = Campaign({"merge", plan, Path("first"), Path("second")});
+        EXPECT_EQ(joined.status, 2);
+        EXPECT_NE(joined.err.find("results of another campaign or scenario"), std::string::npos) << joined.err;
+        EXPECT_EQ(cia306::ReadTextFile(Path("first")), before);
+    }
 };
 
 TEST_F(ManagedTest, OutcomesAreTheSameForAnyNumberOfProcessesAndShards)
@@ -54,6 +66,8 @@ TEST_F(ManagedTest, OutcomesAreTheSameForAnyNumberOfProcessesAndShards)
         NetworkPlan("other.yaml", "until: 60 ms\nparts: [sdo]\nkinds: [lost]\nsample: 6\nseed: 2\n");
     static_cast<void>(Campaign({other, "--jobs", "1", "--csv", Path("other.csv")}));
     EXPECT_NE(cia306::ReadTextFile(Path("other.csv")), whole);
+    // whose results are not those of this plan, for one that goes on and for one that joins
+    ExpectOthersAreRefused(other);
     // And a file in which some are missing is gone on with
     std::string results = cia306::ReadTextFile(Path("first"));
     ASSERT_EQ(results.size(), 56U);
@@ -157,7 +171,8 @@ TEST_F(ManagedTest, WhoToldIsCountedAndWhoDidNotIsIdle)
     const std::string plan =
         NetworkPlan("plan.yaml", "from: 200 ms\nuntil: 400 ms\nparts: [slaves]\n"
                                  "kinds: [restarted]\nsample: 6\ndetectors: [boot_up, election]\n");
-    const tools::test::Answer answer = Campaign({plan, "--json", Path("report.json"), "--html", Path("page.html")});
+    const tools::test::Answer answer =
+        Campaign({plan, "--json", Path("report.json"), "--html", Path("page.html"), "--csv", Path("report.csv")});
     // Then the campaign does not hold, for this reason alone
     EXPECT_EQ(answer.status, 1) << answer.out;
     EXPECT_NE(answer.out.find("\nidle: election told nothing; the plan expects it to\n"), std::string::npos);
@@ -170,6 +185,38 @@ TEST_F(ManagedTest, WhoToldIsCountedAndWhoDidNotIsIdle)
     EXPECT_EQ(report.at("strata").at(0).at("detected"), 6U);
     EXPECT_EQ(report.at("strata").at(0).at("silent"), 0U);
     EXPECT_NE(cia306::ReadTextFile(Path("page.html")).find("Told first by"), std::string::npos);
+    // and each form has part, kind and outcomes, with the bound of none of six at 99 %: 1 - 0.01 ^ (1 / 6)
+    EXPECT_EQ(report.at("strata").at(0).at("part"), "slaves");
+    EXPECT_EQ(report.at("strata").at(0).at("kind"), "restarted");
+    EXPECT_EQ(report.at("confidence_percent"), 99U);
+    EXPECT_NEAR(report.at("strata").at(0).at("silent_at_most").get<double>(), 0.53584, 0.000005);
+    EXPECT_NE(answer.out.find("\nslaves            restarted "), std::string::npos) << answer.out;
+    EXPECT_NE(answer.out.find(" 53.5841 % "), std::string::npos) << answer.out;
+    const std::string page = cia306::ReadTextFile(Path("page.html"));
+    EXPECT_NE(page.find("<td>slaves</td><td>restarted</td>"), std::string::npos);
+    EXPECT_NE(page.find("53.5841 %"), std::string::npos);
+    const std::string rows = cia306::ReadTextFile(Path("report.csv"));
+    EXPECT_NE(rows.find(",slaves,restarted,"), std::string::npos) << rows;
+    EXPECT_NE(rows.find(",detected,boot_up,"), std::string::npos) << rows;
+}
+
+TEST_F(ManagedTest, AKnownPlaceAtWhichNothingIsFoundIsTold)
+{
+    Verifies(req::SRS_CMG_347);
+    for (const bool are_all_tried : {true, false})
+    {
+        // Given a place that is called known, and faults that are all told; when all of them are tried, or some
+        const std::string plan = NetworkPlan(
+            "plan.yaml", std::string("from: 200 ms\nuntil: 200100 us\nparts: [slaves]\nkinds: [pulled]\n") +
+                             (are_all_tried ? "" : "sample: 3\n") + "known: [{place: slave, reason: a test}]\n");
+        const tools::test::Answer answer = Campaign({plan});
+        // Then the campaign does not hold where all were
+        EXPECT_EQ(answer.status, are_all_tried ? 1 : 0) << answer.out << answer.err;
+        EXPECT_EQ(answer.out.find("\nstale: nothing was found at slave, which the plan calls known\n") !=
+                      std::string::npos,
+                  are_all_tried)
+            << answer.out;
+    }
 }
 
 TEST_F(ManagedTest, OneExperimentIsToldStepByStep)

@@ -149,5 +149,50 @@ TEST_F(DeviceQueueTest, SafetyFramesReachTheKernelInTheirOrder)
     EXPECT_EQ(CausesOf(0x1301U), (std::vector<SrdoCause>{SrdoCause::kInverseFirst, SrdoCause::kGfc}));
     EXPECT_EQ(core.GetState({0x1301U}).state, SrdoState::kFaulted);
 }
+
+/// A value that is taken when the store has ended.
+class StoreHook final : public cia301::WriteHook
+{
+  public:
+    explicit StoreHook(const bool& is_storing) : is_storing_(is_storing)
+    {
+    }
+    cia301::SdoAbort OnWrite(const ObjectAddress& /*address*/, const cia301::Bytes& /*value*/) noexcept override
+    {
+        return is_storing_ ? cia301::SdoAbort::kPending : cia301::SdoAbort::kNone;
+    }
+
+  private:
+    const bool& is_storing_;
+};
+
+TEST_F(DeviceQueueTest, ATransferThatWaitsForAStoreHasNoAnswerBehindAReset)
+{
+    Verifies(req::SRS_DEV_025);
+    StoreHook hook{is_storing};
+    for (const std::uint8_t command : Octets{129U, 130U, 0U})
+    {
+        Start();
+        entries[11].write_hook = &hook;
+        Forget();
+        // Given a download that waits for a store
+        is_storing = true;
+        Frame(0x602U, {0x23U, 0x00U, 0x25U, 0U, 1U, 2U, 3U, 4U});
+        Cycles(3U);
+        EXPECT_TRUE(Sent(0x582U).empty());
+        // When the device is reset, or not, and the store ends
+        if (command != 0U)
+        {
+            Command(command);
+        }
+        Cycles(3U);
+        is_storing = false;
+        Cycles(3U);
+        // Then it is answered in the device that was not reset alone
+        EXPECT_EQ(Sent(0x582U).size(), (command == 0U) ? 1U : 0U) << int{command};
+        EXPECT_EQ(device.State(), NodeState::kPreOperational) << int{command};
+        device.PowerOff();
+    }
+}
 } // namespace
 } // namespace counterpoint::device

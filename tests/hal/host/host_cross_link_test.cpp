@@ -11,6 +11,7 @@
 #include <array>
 #include <stdexcept>
 #include <string>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace counterpoint::host
@@ -207,6 +208,40 @@ TEST_F(Wire, OvertakesAndIsCut)
 
 // Given two ends on the loopback interface, then frames pass in both directions; a port that is taken is refused by
 // number.
+TEST(UdpWire, CarriesBetweenTwoProcesses)
+{
+    Verifies(req::SRS_LNK_022);
+    const auto base = static_cast<std::uint16_t>(30000 + ((getpid() % 10000) * 2));
+    UdpCrossLink first{UdpPorts{base, static_cast<std::uint16_t>(base + 1U)}};
+    // When another process sends, and answers what it hears
+    const pid_t other = ::fork();
+    ASSERT_NE(other, -1);
+    hal::LinkFrame frame{};
+    hal::LinkStatus status = hal::LinkStatus::kNothing;
+    const auto wait = [&frame, &status](UdpCrossLink& link)
+    {
+        for (int attempt = 0; (attempt < 10'000) && (status != hal::LinkStatus::kDone); ++attempt)
+        {
+            status = link.Receive(frame);
+            usleep(1000);
+        }
+    };
+    if (other == 0)
+    {
+        UdpCrossLink second{UdpPorts{static_cast<std::uint16_t>(base + 1U), base}};
+        static_cast<void>(second.Send(Frame(9U)));
+        wait(second);
+        ::_exit((frame.bytes[0] == 5U) ? 0 : 1);
+    }
+    wait(first);
+    EXPECT_EQ(frame.bytes[0], 9U);
+    EXPECT_EQ(first.Send(Frame(5U)), hal::LinkStatus::kDone);
+    // Then each has what the other one sent
+    int end = -1;
+    ASSERT_EQ(::waitpid(other, &end, 0), other);
+    EXPECT_EQ(end, 0);
+}
+
 TEST(UdpWire, CarriesBetweenPorts)
 {
     Verifies(req::SRS_LNK_022);

@@ -7,6 +7,8 @@
 #include "verification/trace/ids/nmt_master.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <array>
+
 namespace counterpoint::tools
 {
 namespace
@@ -225,24 +227,11 @@ TEST_F(ManagerStationTest, WritesObeyRules)
     EXPECT_EQ(Write(0x1F81U, 5U, 0U, 4U), 0x08000022U);
     EXPECT_EQ(Write(0x1F81U, 9U, 1U, 4U), 0x08000022U); // Nobody joins,
     EXPECT_EQ(Write(0x1F88U, 6U, 6U, 4U), 0U);          // or is changed while it is started, but who is awaited is.
-    for (const std::uint16_t index : std::initializer_list<std::uint16_t>{0x1F26U, 0x1F27U, 0x1F53U, 0x1F54U, 0x1F55U,
-                                                                          0x1F84U, 0x1F85U, 0x1F86U, 0x1F87U})
-    {
-        EXPECT_EQ(Write(index, 6U, 0U, 4U), 0U) << index;
-    }
     Hear(0x706U, {0x00U});
     EXPECT_EQ(Write(0x1F88U, 6U, 7U, 4U), 0U);
     Hear(0x586U, {0x43U, 0x00U, 0x10U, 0x00U, 0U, 0U, 0U, 0U});
-    // None of them is changed while the start-up runs, nor of a node that is no slave
-    for (const std::uint16_t index :
-         std::initializer_list<std::uint16_t>{0x1F22U, 0x1F26U, 0x1F27U, 0x1F53U, 0x1F54U, 0x1F55U, 0x1F81U, 0x1F84U,
-                                              0x1F85U, 0x1F86U, 0x1F87U, 0x1F88U})
-    {
-        EXPECT_EQ(Write(index, 6U, 1U, 4U), 0x08000022U) << index;
-        EXPECT_EQ(Write(index, 9U, 1U, 4U), 0x08000022U) << index;
-    }
-    EXPECT_EQ(Write(0x1F8AU, 6U, 1U, 1U), 0x08000022U);
-    EXPECT_EQ(Write(0x1F8AU, 9U, 1U, 1U), 0x08000022U);
+    EXPECT_EQ(Write(0x1F88U, 6U, 8U, 4U), 0x08000022U);
+    EXPECT_EQ(Write(0x1F22U, 6U, 0U, 4U), 0x08000022U);
     // A safety slave stays what it is
     for (const std::uint16_t index :
          std::initializer_list<std::uint16_t>{0x1F26U, 0x1F27U, 0x1F81U, 0x1F84U, 0x1F85U, 0x1F86U, 0x1F87U, 0x1F88U})
@@ -266,6 +255,32 @@ TEST_F(ManagerStationTest, WritesObeyRules)
     sent.clear();
     Run(50U);
     EXPECT_EQ(Count(0x77FU), 5U);
+}
+
+TEST_F(ManagerStationTest, EachObjectOfASlaveIsWrittenWhileItIsAwaitedAndNotWhileItsStartUpRuns)
+{
+    Verifies(req::SRS_MGR_215);
+    constexpr std::array<std::uint16_t, 12> kObjects{0x1F22U, 0x1F26U, 0x1F27U, 0x1F53U, 0x1F54U, 0x1F55U,
+                                                     0x1F81U, 0x1F84U, 0x1F85U, 0x1F86U, 0x1F87U, 0x1F88U};
+    Make(kNetwork);
+    EndStartUp();
+    // Given slave 6, whose boot-up message is awaited
+    for (const std::uint16_t index : kObjects)
+    {
+        const bool is_number = index != 0x1F22U && index != 0x1F81U;
+        const std::uint32_t value = (index == 0x1F88U) ? 7U : 0U; // A serial number that is asked for.
+        EXPECT_EQ(is_number ? Write(index, 6U, value, 4U) : 0U, 0U) << index;
+    }
+    // When its first answer comes, then none of them is changed, nor of node 9, which is no slave
+    Hear(0x706U, {0x00U});
+    Hear(0x586U, {0x43U, 0x00U, 0x10U, 0x00U, 0U, 0U, 0U, 0U});
+    for (const std::uint16_t index : kObjects)
+    {
+        EXPECT_EQ(Write(index, 6U, 1U, 4U), 0x08000022U) << index;
+        EXPECT_EQ(Write(index, 9U, 1U, 4U), 0x08000022U) << index;
+    }
+    EXPECT_EQ(Write(0x1F8AU, 6U, 1U, 1U), 0x08000022U);
+    EXPECT_EQ(Write(0x1F8AU, 9U, 1U, 1U), 0x08000022U);
 }
 
 TEST_F(ManagerStationTest, BitsThatTheProfileDoesNotLookAtStay)

@@ -289,8 +289,17 @@ TEST(GenerateTest, OnlyWhatTheChannelsDoNotWriteCanBeWritten)
     EXPECT_TRUE(Has(code.source, "counterpoint::MapAccess::kProducer"));
     EXPECT_TRUE(Has(code.header, "rww; the channels write it\n[[nodiscard]]"));
     // Pairs of variables can be compared bit by bit
-    EXPECT_TRUE(Has(code.header, "counterpoint::PairView Compare"));
-    EXPECT_TRUE(Has(code.source, "return counterpoint::IsInversePair("));
+    const auto count_of = [](const std::string& text, const std::string& part)
+    {
+        std::size_t count = 0U;
+        for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1U))
+        {
+            ++count;
+        }
+        return count;
+    };
+    EXPECT_EQ(count_of(code.header, "counterpoint::PairView Compare"), 4U);
+    EXPECT_EQ(count_of(code.source, "return counterpoint::IsInversePair("), 4U);
 }
 } // namespace
 } // namespace counterpoint::generate

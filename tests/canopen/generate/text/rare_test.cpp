@@ -165,6 +165,10 @@ TEST(GeneratedStorage, HasStringsWithoutAnAccessAmongTheConstants)
     EXPECT_EQ(untold.stored_bytes, 0U);
     EXPECT_EQ(untold.constant_bytes, 2U);
     EXPECT_TRUE(Has(untold.source, "{0x2000U, 0x00U, DataType::kVisibleString, Access::kReadOnly"));
+    // and those that are read only
+    const GeneratedCode told = Code(kHead + Entry("2000", 9, "ro", "DefaultValue=ab"));
+    EXPECT_EQ(told.stored_bytes, 0U);
+    EXPECT_EQ(told.constant_bytes, 2U);
     // The near miss: one that can be written has room for 32 bytes
     const GeneratedCode written = Code(kHead + Entry("2000", 9, "rw", "DefaultValue=ab"));
     EXPECT_EQ(written.stored_bytes, 32U);

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // What start-up has to leave behind, and an exception of the kind that the argument names. The same program for each
-// processor; after a reset it tells the exception before. [SRS_ZYN_003, SRS_ZYN_005, SRS_ZYN_006]
+// processor; after a reset it tells the exception before. [SRS_ZYN_003, SRS_ZYN_005, SRS_ZYN_006, SRS_ZYN_069]
 #include "hal/zynqmp/start/exceptions.hpp"
 #include "hal/zynqmp/start/memory_map.hpp"
 #include "verification/target/target.hpp"
@@ -82,6 +82,12 @@ void WriteAs(const counterpoint::hal::MemoryOwner owner, volatile std::uint32_t&
     mpu.Enter(counterpoint::hal::MemoryOwner::kKernel);
 }
 
+/// A supervisor call of user mode from elsewhere than where unprivileged code comes back. [SRS_ZYN_069]
+void CallOfItsOwn() noexcept
+{
+    asm volatile("svc #0");
+}
+
 void Raise(const char kind) noexcept
 {
     using counterpoint::hal::MemoryOwner;
@@ -92,6 +98,9 @@ void Raise(const char kind) noexcept
         break;
     case 's':
         asm volatile("svc #1");
+        break;
+    case 'v':
+        RunUnprivileged(CallOfItsOwn, stack_non_safety_top);
         break;
     case 'd':
         *reinterpret_cast<volatile std::uint32_t*>(0x70000000U) = 1U; // Nothing answers there.
