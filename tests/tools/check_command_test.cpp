@@ -384,5 +384,23 @@ TEST_F(OneReading, TheSecondControllerMayHaveTheNormalFrames)
         ExpectAllTake(cia306::test::SignedAgain(text, std::nullopt), "inverse frames on " + inverse);
     }
 }
+
+TEST_F(OneReading, TheFlagStandsBesideAnErrorOfTheTrial)
+{
+    Verifies(req::SRS_CLI_491);
+    // Given two variables with more objects than the kernel takes, 1025
+    std::string text = ExampleText("sensor");
+    for (int number = 0; number < 1025; ++number)
+    {
+        const std::string index = cia306::Hex(0x3000U + static_cast<unsigned>(number), 4).substr(2U);
+        text += "\n[" + index + "]\nDataType=5\nAccessType=ro\nPDOMapping=0\nSRDOMapping=1\n";
+    }
+    const std::string out = RunCommand({"check", File("many.dcf", text)}).out;
+    EXPECT_NE(out.find("error: 1029 mappable objects, expected at most 1024\n"), std::string::npos)
+        << out.substr(0, 300);
+    EXPECT_NE(out.find("error: 0x13FE:00: 0xA5 marks a configuration with errors as valid, expected 0x00 until all of "
+                       "them are repaired\n"),
+              std::string::npos);
+}
 } // namespace
 } // namespace counterpoint::tools
