@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia306/text/text_file.hpp"
 #include "hal/host/live/bus.hpp"
+#include "tests/canopen/cia306/check_text.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/hal/host/live_server_rig.hpp"
 #include "tests/runtime/stepped_time/stepped_process.hpp"
@@ -121,7 +122,7 @@ TEST_F(MonitorCommandTest, TellsWhereFilesContradictEachOther)
                   .find(": warning: 0x1301:02: SCT 25 ms, while Sensor SRDO 1 has a refresh time of 25 ms, expected an "
                         "SCT above it\n"),
               std::string::npos);
-    EXPECT_EQ(told(changed("1301sub2", "26"), {}), "");
+    EXPECT_EQ(told(cia306::test::SignedAgain(changed("1301sub2", "26"), 90U), {}), "");
     EXPECT_NE(told(changed("1381sub0", "2"), {})
                   .find(": warning: 0x1381:00: 8 bits mapped, while Sensor SRDO 1 maps 16, expected the same length\n"),
               std::string::npos);
