@@ -230,9 +230,10 @@ void CheckValid(const CheckContext& context, Findings& findings)
         const std::optional<Finding> finding = ValidInSpiteOfErrors(context.configuration);
         findings.Add(finding ? std::vector<Finding>{*finding} : std::vector<Finding>{});
     }
-    else if (valid.value && !valid.Is(kConfigurationIsValid))
+    else if (!valid.Is(kConfigurationIsValid)) // One without a value is an error.
     {
-        findings.Warning(valid.place, name, Hex(*valid.value, 2) + ": the SRDOs stay off", "0xA5 to set them going");
+        findings.Warning(valid.place, name, Hex(valid.value.value_or(0U), 2) + ": the SRDOs stay off",
+                         "0xA5 to set them going");
     }
 }
 
