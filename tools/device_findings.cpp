@@ -82,6 +82,13 @@ std::vector<cia306::Finding> FindingsOf(const cia306::Device& device, const std:
     if (ErrorsIn(findings) == 0U)
     {
         AddOthers(findings, TryCommands(device, text, options.node_id));
+        const cia306::SafetyConfiguration safety =
+            cia306::ExtractSafety(device, options.node_id ? options.node_id : device.node_id);
+        const std::optional<cia306::Finding> valid = cia306::ValidInSpiteOfErrors(safety);
+        if (ErrorsIn(findings) != 0U && valid) // [SRS_CLI_491]
+        {
+            AddOthers(findings, {*valid});
+        }
     }
     return findings;
 }

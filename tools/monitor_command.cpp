@@ -1,4 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/safety/digest.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/text_file.hpp"
 #include "canopen/monitor/contradictions.hpp"
@@ -10,6 +11,7 @@
 #include "runtime/console/json_text.hpp"
 #include "tools/command_line/end_signals.hpp"
 #include "tools/command_table.hpp"
+#include "tools/device_findings.hpp"
 #include "tools/device_options.hpp"
 #include "tools/file_warnings.hpp"
 
@@ -144,6 +146,32 @@ void WatchLiveBus(const std::string& address, const int seconds, const Streams& 
     if (const std::uint32_t lost = bus->Health().lost_frames; lost != 0U)
     {
         streams.err << "counterpoint monitor: " << lost << " frames were lost on this machine\n";
+    }
+}
+
+/// What `check` finds in a file of which something is watched: a device may not be as it is described there. A device
+/// with another node-ID than the file's expects no digest. [SRS_MON_490]
+void TellErrors(const monitor::NodeModel& node, std::ostream& err)
+{
+    const std::string& file = node.device.file;
+    std::vector<cia306::Finding> findings = FindingsOf(node.device, cia306::ReadTextFile(file), {node.id, {}});
+    if (node.device.node_id && *node.device.node_id != node.id)
+    {
+        findings.erase(std::remove_if(findings.begin(), findings.end(), [](const cia306::Finding& finding)
+                                      { return finding.object == cia306::DigestName(); }),
+                       findings.end());
+    }
+    const std::size_t errors = ErrorsIn(findings);
+    const cia306::Finding* const first = CauseIn(findings);
+    const std::string valid = cia306::ObjectName(cia306::kConfigurationValidIndex, 0U);
+    if (first != nullptr && first->object != valid)
+    {
+        const std::string count = errors == 1U ? "1 error" : std::to_string(errors) + " errors";
+        err << cia306::FormatFinding(file,
+                                     {cia306::Severity::kWarning, first->place, first->object,
+                                      "'counterpoint check' finds " + count + " in this file, of which a device " +
+                                          "may make something else; the first: " + first->text})
+            << "\n";
     }
 }
 
@@ -285,6 +313,13 @@ class MonitorCommand final : public Command
     void TellStrange(const monitor::Network& network, const Streams& streams) const
     {
         TellFileWarnings(Files(), streams.err);
+        for (const monitor::NodeModel& node : network.Nodes())
+        {
+            if (!node.active.empty())
+            {
+                TellErrors(node, streams.err);
+            }
+        }
         if (is_json_)
         {
             return;

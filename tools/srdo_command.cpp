@@ -15,6 +15,7 @@
 #include <iterator>
 #include <ostream>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace counterpoint::tools
@@ -117,10 +118,22 @@ class SrdoCommand final : public Command
         }
     }
 
+    /// What cannot be read is told; `check` judges it. [SRS_NEW_490]
     [[nodiscard]] ExitStatus List(const Streams& streams) const
     {
         const cia306::Device device = cia306::ReadDeviceFile(device_options_.file);
-        Print(device, device.warnings, streams);
+        std::vector<cia306::Finding> warnings = device.warnings;
+        const auto safety = cia306::ExtractSafety(device, device_options_.NodeId(device));
+        for (const cia306::SrdoConfiguration& srdo : safety.srdos)
+        {
+            warnings.insert(warnings.end(), srdo.signature_problems.begin(), srdo.signature_problems.end());
+            warnings.insert(warnings.end(), srdo.other_problems.begin(), srdo.other_problems.end());
+        }
+        for (cia306::Finding& warning : warnings)
+        {
+            warning.severity = cia306::Severity::kWarning;
+        }
+        Print(device, cia306::SortedByLine(std::move(warnings)), streams);
         return ExitStatus::kHolds;
     }
 

@@ -62,9 +62,14 @@ void PrintPairs(const cia306::Device& device, const SrdoConfiguration& srdo, std
     }
 }
 
+/// "?": it is missing, or none that there is.
 const char* DirectionOf(const SrdoConfiguration& srdo)
 {
-    return srdo.IsProducer() ? "sends" : (srdo.IsConsumer() ? "receives" : "off");
+    if (srdo.IsOn())
+    {
+        return srdo.IsProducer() ? "sends" : "receives";
+    }
+    return srdo.direction.Is(0U) ? "off" : "?";
 }
 } // namespace
 
@@ -95,14 +100,16 @@ nlohmann::ordered_json SrdosToJson(const cia306::Device& device, const cia306::S
                                {"inverse", !entry.IsNormal()},
                                {"name", TitleOf(device, entry)}});
         }
-        rows.push_back({{"srdo", srdo.number},
-                        {"direction", DirectionOf(srdo)},
-                        {"cob_id_1", number(srdo.cob_id_1)},
-                        {"cob_id_2", number(srdo.cob_id_2)},
-                        {"sct_ms", number(srdo.sct_ms)},
-                        {"srvt_ms", number(srdo.srvt_ms)},
-                        {"signature", number(srdo.signature)},
-                        {"mapping", mapping}});
+        const bool is_known = srdo.IsOn() || srdo.direction.Is(0U);
+        rows.push_back(
+            {{"srdo", srdo.number},
+             {"direction", is_known ? nlohmann::ordered_json(DirectionOf(srdo)) : nlohmann::ordered_json(nullptr)},
+             {"cob_id_1", number(srdo.cob_id_1)},
+             {"cob_id_2", number(srdo.cob_id_2)},
+             {"sct_ms", number(srdo.sct_ms)},
+             {"srvt_ms", number(srdo.srvt_ms)},
+             {"signature", number(srdo.signature)},
+             {"mapping", mapping}});
     }
     return rows;
 }

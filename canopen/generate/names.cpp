@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <regex>
 #include <set>
 
 namespace counterpoint::generate
@@ -14,22 +15,22 @@ namespace counterpoint::generate
 namespace
 {
 /// Words of the language, and names that are not free (std), or that compilers take for numbers (linux, unix).
-constexpr std::array<std::string_view, 99U> kTaken{
-    "alignas",     "alignof",  "and",       "and_eq",    "asm",          "auto",          "bitand",
-    "bitor",       "bool",     "break",     "case",      "catch",        "char",          "char16_t",
-    "char32_t",    "class",    "compl",     "const",     "constexpr",    "const_cast",    "continue",
-    "decltype",    "default",  "delete",    "do",        "double",       "dynamic_cast",  "else",
-    "enum",        "explicit", "export",    "extern",    "false",        "float",         "for",
-    "friend",      "goto",     "if",        "inline",    "int",          "long",          "mutable",
-    "namespace",   "new",      "noexcept",  "not",       "not_eq",       "nullptr",       "operator",
-    "or",          "or_eq",    "private",   "protected", "public",       "register",      "reinterpret_cast",
-    "return",      "short",    "signed",    "sizeof",    "static",       "static_assert", "static_cast",
-    "struct",      "switch",   "template",  "this",      "thread_local", "throw",         "true",
-    "try",         "typedef",  "typeid",    "typename",  "union",        "unsigned",      "using",
-    "virtual",     "void",     "volatile",  "wchar_t",   "while",        "xor",           "xor_eq",
-    "char8_t",     "concept",  "consteval", "constinit", "co_await",     "co_return",     "co_yield",
-    "requires",    "std",      "linux",     "unix",      "i386",         "main",          "arm",
-    "counterpoint"};
+constexpr std::array<std::string_view, 104U> kTaken{
+    "alignas",      "alignof",  "and",       "and_eq",    "asm",          "auto",          "bitand",
+    "bitor",        "bool",     "break",     "case",      "catch",        "char",          "char16_t",
+    "char32_t",     "class",    "compl",     "const",     "constexpr",    "const_cast",    "continue",
+    "decltype",     "default",  "delete",    "do",        "double",       "dynamic_cast",  "else",
+    "enum",         "explicit", "export",    "extern",    "false",        "float",         "for",
+    "friend",       "goto",     "if",        "inline",    "int",          "long",          "mutable",
+    "namespace",    "new",      "noexcept",  "not",       "not_eq",       "nullptr",       "operator",
+    "or",           "or_eq",    "private",   "protected", "public",       "register",      "reinterpret_cast",
+    "return",       "short",    "signed",    "sizeof",    "static",       "static_assert", "static_cast",
+    "struct",       "switch",   "template",  "this",      "thread_local", "throw",         "true",
+    "try",          "typedef",  "typeid",    "typename",  "union",        "unsigned",      "using",
+    "virtual",      "void",     "volatile",  "wchar_t",   "while",        "xor",           "xor_eq",
+    "char8_t",      "concept",  "consteval", "constinit", "co_await",     "co_return",     "co_yield",
+    "requires",     "std",      "linux",     "unix",      "i386",         "main",          "arm",
+    "counterpoint", "size_t",   "ptrdiff_t", "nullptr_t", "max_align_t",  "wint_t"};
 
 /// What the generated files have besides the elements.
 constexpr std::array<std::string_view, 25U> kOwnNames{
@@ -37,6 +38,10 @@ constexpr std::array<std::string_view, 25U> kOwnNames{
     "AnyLength",     "ConstantValues", "NodeSettings", "NodeId",    "SrdoCount", "MapEntries",    "LongestObjectBytes",
     "EntryTable",    "Entries",        "EntryCount",   "Device",    "Objects",   "Configuration", "NodeValues",
     "InBoth",        "InRpdo",         "InTpdo",       "Stored"};
+
+/// Namespaces that have names of their own in what the generated code includes.
+constexpr std::array<std::string_view, 3U> kOurWholes{"counterpoint", "counterpoint::cia301",
+                                                      "counterpoint::generated"};
 
 bool IsLetter(const char character)
 {
@@ -48,9 +53,19 @@ bool IsDigit(const char character)
     return character >= '0' && character <= '9';
 }
 
-bool IsTaken(const std::string_view word)
+/// Types and macros of <cstdint>, and what keeps a header of the generated code from being read twice. [SRS_GEN_490]
+bool IsOfHeaders(const std::string& word)
 {
-    return std::find(kTaken.begin(), kTaken.end(), word) != kTaken.end();
+    const std::regex names("u?int((_least|_fast)?(8|16|32|64)|max|ptr)_t|"
+                           "U?INT((_LEAST|_FAST)?(8|16|32|64)|MAX|PTR)_(MAX|MIN|WIDTH|C)|"
+                           "(PTRDIFF|SIG_ATOMIC|SIZE|WCHAR|WINT)_(MAX|MIN|WIDTH)|"
+                           "(CANOPEN|HAL|SAFETY_CORE)_[A-Z0-9_]+_HPP");
+    return std::regex_match(word, names);
+}
+
+bool IsTaken(const std::string& word)
+{
+    return std::find(kTaken.begin(), kTaken.end(), word) != kTaken.end() || IsOfHeaders(word);
 }
 
 bool IsNumbered(const std::string& name, const std::string& word)
@@ -94,6 +109,16 @@ std::string ProblemOfPart(const std::string& part, const bool is_first)
     }
     const bool is_root = is_first && part == "counterpoint";
     return IsTaken(part) && !is_root ? cia306::Quoted(part) + " is taken, expected another name of a namespace" : "";
+}
+
+/// Classes, constants and functions of counterpoint begin with a capital letter, or with k and one; its namespaces have
+/// none.
+std::string ProblemOfOurs(const std::string& part)
+{
+    const bool has_capital =
+        std::any_of(part.begin(), part.end(), [](const char letter) { return letter >= 'A' && letter <= 'Z'; });
+    return has_capital ? cia306::Quoted(part) + " may be a name of counterpoint, expected small letters, digits and _"
+                       : "";
 }
 } // namespace
 
@@ -156,14 +181,18 @@ std::string ProblemOfNamespace(const std::string& name)
 {
     std::size_t end = name.find("::");
     std::string problem = ProblemOfPart(name.substr(0U, end), true);
+    const bool is_ours = name.rfind("counterpoint::", 0U) == 0U;
     while (problem.empty() && end != std::string::npos)
     {
         const std::size_t begin = end + 2U;
         end = name.find("::", begin);
-        problem = ProblemOfPart(name.substr(begin, end - begin), false);
+        const std::string part = name.substr(begin, end - begin);
+        problem = ProblemOfPart(part, false);
+        problem = problem.empty() && is_ours ? ProblemOfOurs(part) : problem;
     }
-    const bool is_alone = problem.empty() && name == "counterpoint";
-    return is_alone ? "'counterpoint' alone is taken, expected counterpoint::name" : problem;
+    const bool is_whole = std::find(kOurWholes.begin(), kOurWholes.end(), name) != kOurWholes.end();
+    return problem.empty() && is_whole ? cia306::Quoted(name) + " alone is taken, expected " + name + "::name"
+                                       : problem;
 }
 
 std::string NamespaceOf(const std::string& file)

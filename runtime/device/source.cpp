@@ -14,6 +14,11 @@ using cia306::InputError;
 static_assert(cia306::kMaxMappingEntries == kMaxMapEntries, "what the reader lets through has room");
 
 constexpr std::size_t kMostObjects = 1024U;
+constexpr std::uint32_t kShortestCycleUs = 100U;
+constexpr std::uint32_t kLongestCycleUs = 1000000U;
+constexpr std::uint8_t kCycleSub = 1U;
+constexpr std::uint8_t kToleranceSub = 2U;
+constexpr std::uint8_t kPorts = 2U;
 
 std::uint32_t Number(const cia306::Field& field)
 {
@@ -310,17 +315,43 @@ std::vector<ConfigurationWrite> DeviceSource::Writes() const
     return writes;
 }
 
+void DeviceSource::Refuse(const std::uint8_t sub, const cia306::Problem& problem) const
+{
+    const cia306::Entry* const entry = device_.Find(cia306::kDeviceParametersIndex, sub);
+    const std::string name = cia306::ObjectName(cia306::kDeviceParametersIndex, sub);
+    throw InputError(file_, entry == nullptr ? cia306::Place{} : entry->ValuePlace(),
+                     {name + ": " + problem.wrong, problem.expected});
+}
+
+/// Much is counted in cycles before the kernel sees them. [SRS_NODE_490]
+void DeviceSource::RequireCycle() const
+{
+    const std::uint32_t cycle_us = parameters_.cycle_us;
+    if (cycle_us < kShortestCycleUs || cycle_us > kLongestCycleUs)
+    {
+        Refuse(kCycleSub, {"cycle time " + std::to_string(cycle_us) + " us", "100 us to 1000000 us"});
+    }
+    if (parameters_.cycle_tolerance_us > cycle_us)
+    {
+        Refuse(kToleranceSub, {"cycle tolerance of " + std::to_string(parameters_.cycle_tolerance_us) + " us",
+                               "at most the cycle time of " + std::to_string(cycle_us) + " us"});
+    }
+}
+
+void DeviceSource::RequirePort(const std::uint8_t sub, const std::uint8_t port) const
+{
+    if (port == 0U || port > kPorts)
+    {
+        Refuse(sub, {"controller " + std::to_string(port), "1 or 2"});
+    }
+}
+
 DeviceConfig DeviceSource::Config() const
 {
-    const bool has_two_ports = parameters_.inverse_port == 2U;
-    const bool has_ports = parameters_.normal_port == 1U && (has_two_ports || parameters_.inverse_port == 1U);
-    if (!has_ports)
-    {
-        const std::uint8_t sub = parameters_.normal_port == 1U ? cia306::kInversePortSub : cia306::kNormalPortSub;
-        throw InputError(file_, device_.Find(cia306::kDeviceParametersIndex, sub)->ValuePlace(),
-                         {cia306::ObjectName(cia306::kDeviceParametersIndex, sub) + " names another controller",
-                          "1 for the normal frames, 1 or 2 for the inverse frames of a simulated device"});
-    }
+    RequireCycle();
+    RequirePort(cia306::kNormalPortSub, parameters_.normal_port);
+    RequirePort(cia306::kInversePortSub, parameters_.inverse_port);
+    const bool has_two_ports = parameters_.normal_port != parameters_.inverse_port;
     const bool has_dummies = parameters_.dummy_mapping == cia306::kDummiesAllowed;
     const bool has_gaps = parameters_.number_gaps == cia306::kGapsSearched;
     const bool has_gfc = parameters_.gfc_use == cia306::kGfcPresent;
@@ -342,8 +373,9 @@ DeviceConfig DeviceSource::Config() const
     config.clock_tolerance_us = parameters_.clock_tolerance_us;
     config.clock_interval_us = parameters_.clock_tolerance_interval_us;
     config.output_time_us = parameters_.output_us;
-    // With another node-ID it is another device.
-    config.digest = (node_id_ == device_.node_id) ? parameters_.digest : 0U;
+    // With another node-ID or other controllers it is another device. [SRS_SIM_490]
+    const bool is_same = node_id_ == device_.node_id && parameters_.normal_port == 1U;
+    config.digest = is_same ? parameters_.digest : 0U;
     return config;
 }
 } // namespace counterpoint::runtime

@@ -51,10 +51,14 @@ class DeviceSource
     [[nodiscard]] std::vector<StaticMapping> StaticMappings() const;
     /// @brief The values that a configuring master writes, without those of static mappings.
     [[nodiscard]] std::vector<ConfigurationWrite> Writes() const;
-    /// @brief The description for the kernel, without pointers and counts.
+    /// @brief The description for the kernel, without pointers and counts. The controller of the normal frames is the
+    /// first one whatever number the file gives it. [SRS_SIM_490]
     [[nodiscard]] DeviceConfig Config() const;
 
   private:
+    [[noreturn]] void Refuse(std::uint8_t sub, const cia306::Problem& problem) const;
+    void RequireCycle() const;
+    void RequirePort(std::uint8_t sub, std::uint8_t port) const;
     [[nodiscard]] MapAccess AccessOf(const cia306::Entry& entry) const;
     [[nodiscard]] std::size_t IndexOf(const cia306::MappingEntry& entry,
                                       const std::vector<SourceVariable>& variables) const;

@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/device/time_text.hpp"
 
+#include "runtime/device/names.hpp"
+
 #include <algorithm>
 
 namespace counterpoint::runtime
@@ -17,5 +19,10 @@ std::string MillisecondsColumn(const Nanoseconds time, const std::size_t width)
 {
     const std::string number = MillisecondsDigits(time);
     return std::string(width - std::min(width, number.size()), ' ') + number + " ms";
+}
+
+std::string ExactText(const Nanoseconds time)
+{
+    return (time % kNanosecondsPerMicrosecond == 0) ? MillisecondsText(time) : std::to_string(time) + " ns";
 }
 } // namespace counterpoint::runtime

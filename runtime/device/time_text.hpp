@@ -14,6 +14,9 @@ namespace counterpoint::runtime
 [[nodiscard]] std::string MillisecondsDigits(Nanoseconds time);
 /// @brief The same with its unit for a column that is so wide before the unit.
 [[nodiscard]] std::string MillisecondsColumn(Nanoseconds time, std::size_t width);
+/// @brief A time of a file, to tell what is wrong with it: in milliseconds, one that is no whole number of microseconds
+/// in nanoseconds. [SRS_SIM_491]
+[[nodiscard]] std::string ExactText(Nanoseconds time);
 } // namespace counterpoint::runtime
 
 #endif // RUNTIME_DEVICE_TIME_TEXT_HPP

@@ -42,8 +42,8 @@ const DeviceModel& UseControllers(DeviceModel& model, NodePorts& ports)
     }
     else if (model.ControllerCount() != 1U)
     {
-        throw cia306::InputError(model.File(), {},
-                                 {"a device with two controllers, 0x5F00:10 = 2", "--can2 for the second one"});
+        throw cia306::InputError(
+            model.File(), {}, {"a device with two controllers (0x5F00:0F and 0x5F00:10)", "--can2 for the second one"});
     }
     return model;
 }

@@ -4,6 +4,8 @@
 #include "simulator/scenario/names.hpp"
 #include "simulator/scenario/network_names.hpp"
 
+#include "runtime/device/time_text.hpp"
+
 #include <algorithm>
 
 namespace counterpoint::simulator
@@ -99,8 +101,8 @@ void RequireWithinTheRun(const Scenario& scenario, const Expectation& expectatio
     if (HasTime(expectation) && expectation.at > scenario.duration)
     {
         throw YamlError(expectation.source.file, expectation.source.place,
-                        "expectation at " + MillisecondsText(expectation.at) + ", after the end of the run",
-                        "a time up to " + MillisecondsText(scenario.duration));
+                        "expectation at " + runtime::ExactText(expectation.at) + ", after the end of the run",
+                        "a time up to " + runtime::ExactText(scenario.duration));
     }
 }
 
@@ -169,8 +171,8 @@ void RequireHappening(const Scenario& scenario)
             continue; // Of the extended scenario, which may be longer: told after the run.
         }
         throw YamlError(first.source.file, first.source.place,
-                        first.what + " at " + MillisecondsText(first.at) + ", not before the end of the run",
-                        "a time below " + MillisecondsText(scenario.duration));
+                        first.what + " at " + runtime::ExactText(first.at) + ", not before the end of the run",
+                        "a time below " + runtime::ExactText(scenario.duration));
     }
     for (const FaultSetup& fault : scenario.faults)
     {

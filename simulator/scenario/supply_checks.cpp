@@ -4,6 +4,8 @@
 #include "simulator/scenario/names.hpp"
 #include "simulator/scenario/network_names.hpp"
 
+#include "runtime/device/time_text.hpp"
+
 #include <algorithm>
 
 namespace counterpoint::simulator
@@ -151,7 +153,7 @@ class DeviceLife
         }
         if (cycle_ends_ != kNever)
         {
-            Refuse(step, " during its power cycle", "a time from " + MillisecondsText(cycle_ends_) + " on");
+            Refuse(step, " during its power cycle", "a time from " + runtime::ExactText(cycle_ends_) + " on");
         }
         if (step.action != ActionKind::kReplace && is_there_ == needs_absence)
         {
@@ -188,7 +190,7 @@ void RequireSupply(const Scenario& scenario)
         if (unheard.source.file == scenario.file) // Of the extended scenario: told after the run.
         {
             throw YamlError(unheard.source.file, unheard.source.place,
-                            unheard.what + " at " + MillisecondsText(unheard.at) + ", which has no supply then",
+                            unheard.what + " at " + runtime::ExactText(unheard.at) + ", which has no supply then",
                             "a time at which it has one");
         }
     }

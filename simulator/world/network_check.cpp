@@ -3,6 +3,8 @@
 
 #include "simulator/scenario/names.hpp"
 
+#include "runtime/device/time_text.hpp"
+
 #include <string>
 
 // What a scenario names has to exist in the DCFs. [SRS_SIM_010, SRS_SIM_056, SRS_SIM_057, SRS_NODE_160]
@@ -230,7 +232,7 @@ void RequireLinks(const World& world)
             if (time > kLongestLinkTime)
             {
                 throw YamlError(setup.source.file, setup.source.place,
-                                "a time of the link of " + MillisecondsText(time),
+                                "a time of the link of " + runtime::ExactText(time),
                                 "at most " + MillisecondsText(kLongestLinkTime));
             }
         }

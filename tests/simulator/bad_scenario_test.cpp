@@ -53,6 +53,7 @@ TEST_P(BadScenario, IsRefusedByOneLineThatNamesThePlace)
     Verifies(req::SRS_SIM_012);
     Verifies(req::SRS_SIM_075);
     Verifies(req::SRS_SIM_020);
+    Verifies(req::SRS_SIM_491);
     // Given a scenario with one thing wrong in it, from line 2 on
     const std::string file = TextFile("extends: " + Examples() + "chain.yaml\n" + GetParam().text);
     // When it is read and built
@@ -181,6 +182,9 @@ constexpr BadCase kBadCases[] = {
      "3:5: error: fault 'bus_off' that comes and goes 499500 times, expected at most 100000"},
     {"input after the end", "inputs:\n  - {at: 1000 ms, node: sensor, object: 0x2000:01, value: 0}\n",
      "3:5: error: input at 1000 ms, not before the end of the run, expected a time below 1000 ms"},
+    {"input after a short end",
+     "duration: 0.0000001 s\ninputs:\n  - {at: 100 ms, node: sensor, object: 0x2000:01, value: 0}\n",
+     "4:5: error: input at 100 ms, not before the end of the run, expected a time below 100 ns"},
     {"fault after the end", "faults:\n  - {fault: loss, frames: {from: 2 s}}\n",
      "3:5: error: fault 'loss' at 2000 ms, not before the end of the run, expected a time below 1000 ms"},
     {"power cycle after the end", "power:\n  - {at: 1000 ms, node: sensor, off: 1 ms}\n",

@@ -1,10 +1,13 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/text_file.hpp"
 #include "runtime/node/trial.hpp"
 #include "tests/canopen/cia306/check_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/comfort.hpp"
 #include "verification/trace/ids/eds.hpp"
+#include "verification/trace/ids/node.hpp"
+#include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <nlohmann/json.hpp>
@@ -334,6 +337,70 @@ TEST_F(OneReading, ASuffixIsToldAndAValueOfTheStructureHasNone)
               std::string::npos);
     const std::string bad = File("bad.dcf", WithObject("0x0007UL", ""));
     EXPECT_EQ(RunCommand({"check", bad}).status, 2);
+}
+
+TEST_F(OneReading, AGranularityOrACycleThatIsNoneEndsNoCommand)
+{
+    Verifies(req::SRS_CLI_490);
+    Verifies(req::SRS_NODE_490);
+    // Given a granularity of 0
+    const std::string file =
+        File("g0.dcf", cia306::test::WithValues(ExampleText("sensor"), {{"5F00subA", "ParameterValue", "0"}}));
+    const std::string told = "error: 0x5F00:0A: granularity of 0 bit, expected 1, 8, 16, 32 or 64 bit\n";
+    const auto tells = [&told](const std::vector<std::string>& words, const int status)
+    {
+        const Answer answer = RunCommand(words);
+        EXPECT_EQ(answer.status, status) << words[0];
+        EXPECT_NE((answer.out + answer.err).find(told), std::string::npos) << answer.out << answer.err;
+    };
+    tells({"check", file}, 1);
+    tells({"generate", file, "--output", Path("code")}, 1);
+    tells({"srdo", "add", file, "--produce", "8", "--refresh", "25", "--srvt", "20"}, 2);
+    tells({"srdo", "remove", file, "--number", "1"}, 2);
+    EXPECT_EQ(RunCommand({"sign", file}).status, 0);
+    // Given a cycle time of 0, then simulate names it
+    const std::string cycle =
+        File("c0.dcf", cia306::test::WithValues(ExampleText("sensor"), {{"5F00sub1", "ParameterValue", "0"},
+                                                                        {"5F00sub2", "ParameterValue", "0"}}));
+    const Answer simulated =
+        RunCommand({"simulate", File("s.yaml", "title: x\nduration: 1 s\nnodes: {1: {dcf: c0.dcf}}\n")});
+    EXPECT_EQ(simulated.status, 2);
+    EXPECT_NE(simulated.err.find("error: 0x5F00:01: cycle time 0 us, expected 100 us to 1000000 us\n"),
+              std::string::npos)
+        << simulated.err;
+    // and who builds the device for node
+    EXPECT_FALSE(runtime::TryDevice(cia306::ReadDeviceFile(cycle), std::nullopt).empty());
+}
+
+TEST_F(OneReading, TheSecondControllerMayHaveTheNormalFrames)
+{
+    Verifies(req::SRS_SIM_490);
+    Verifies(req::SRS_CLI_030);
+    // Given normal frames on the second controller, inverse ones there too or on the first
+    for (const std::string inverse : {"1", "2"})
+    {
+        const std::string text = cia306::test::WithValues(
+            ExampleText("sensor"), {{"5F00subF", "ParameterValue", "2"}, {"5F00sub10", "ParameterValue", inverse}});
+        ExpectAllTake(cia306::test::SignedAgain(text, std::nullopt), "inverse frames on " + inverse);
+    }
+}
+
+TEST_F(OneReading, TheFlagStandsBesideAnErrorOfTheTrial)
+{
+    Verifies(req::SRS_CLI_491);
+    // Given two variables with more objects than the kernel takes, 1025
+    std::string text = ExampleText("sensor");
+    for (int number = 0; number < 1025; ++number)
+    {
+        const std::string index = cia306::Hex(0x3000U + static_cast<unsigned>(number), 4).substr(2U);
+        text += "\n[" + index + "]\nDataType=5\nAccessType=ro\nPDOMapping=0\nSRDOMapping=1\n";
+    }
+    const std::string out = RunCommand({"check", File("many.dcf", text)}).out;
+    EXPECT_NE(out.find("error: 1029 mappable objects, expected at most 1024\n"), std::string::npos)
+        << out.substr(0, 300);
+    EXPECT_NE(out.find("error: 0x13FE:00: 0xA5 marks a configuration with errors as valid, expected 0x00 until all of "
+                       "them are repaired\n"),
+              std::string::npos);
 }
 } // namespace
 } // namespace counterpoint::tools

@@ -101,6 +101,23 @@ TEST(CommandLine, VersionIsThatOfTheProjectWithCommitAndDigestOfTheObjects)
     EXPECT_TRUE(std::regex_match(answer.out, line)) << answer.out;
 }
 
+TEST(CommandLine, VersionStandsAlone)
+{
+    Verifies(req::SRS_CLI_492);
+    for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+             {"--version", "x"}, {"--version", "--nothing"}, {"--version", "check"}, {"x", "--version"}})
+    {
+        const Answer answer = RunCommand(words);
+        EXPECT_EQ(answer.status, 2) << words[0] << " " << words[1];
+        EXPECT_EQ(answer.out, "") << words[0] << " " << words[1];
+        EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+    }
+    EXPECT_EQ(
+        RunCommand({"--version", "x"}).err,
+        "counterpoint: 'x' beside --version; expected --version alone, or a command line as told by 'counterpoint "
+        "--help'\n");
+}
+
 TEST(CommandLine, TextOfTheUserIsShownWithoutControlBytes)
 {
     Verifies(req::SRS_EDS_019);

@@ -1,8 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // What is strange in a DCF is told by each command that reads it, not by those alone that are asked for it.
+#include "tests/canopen/cia306/check_text.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/eds.hpp"
+#include "verification/trace/ids/monitor.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <nlohmann/json.hpp>
@@ -133,6 +135,32 @@ TEST_F(Limits, EachCommandTellsAnotherIntegerOutsideThem)
         EXPECT_NE(all.find(warning), std::string::npos) << arguments.front() << ": " << all;
     }
     EXPECT_EQ(RunCommand({"check", dcf}).status, 0);
+}
+
+// Given a file in which check finds errors, when monitor watches an SRDO of it, then it says so once, and judges it.
+TEST_F(FileWarnings, MonitorTellsWhatCheckFinds)
+{
+    Verifies(req::SRS_MON_490);
+    using cia306::test::SignedAgain;
+    using cia306::test::WithValues;
+    const std::string log = File("bus.log", "(1.000000) can0 101#0102\n(1.000200) can0 102#FEFD\n");
+    const auto told = [this, &log](const std::string& text, const std::string& node)
+    {
+        const Answer answer = RunCommand({"monitor", log, "--dcf", File("s.dcf", text) + node});
+        EXPECT_EQ(answer.status, 0) << answer.err;
+        return answer.err;
+    };
+    const std::string sensor = cia306::test::ExampleText("sensor");
+    const std::string finds = "of which a device may make something else; the first: ";
+    EXPECT_EQ(told(SignedAgain(WithValues(sensor, {{"5F00subA", "ParameterValue", "0"}}), std::nullopt), ""),
+              Path("s.dcf") + ":498:16: warning: 0x5F00:0A: 'counterpoint check' finds 2 errors in this file, " +
+                  finds + "granularity of 0 bit, expected 1, 8, 16, 32 or 64 bit\n");
+    // 13FEh only repeats that there are errors
+    EXPECT_NE(told(WithValues(sensor, {{"13FFsub1", "ParameterValue", "0xB632"}}), "").find("signature 0xB632"),
+              std::string::npos);
+    // None where check finds none, and none of the digest of another node-ID
+    EXPECT_EQ(told(sensor, ""), "");
+    EXPECT_EQ(told(sensor, "=90"), "");
 }
 } // namespace
 } // namespace counterpoint::tools

@@ -469,5 +469,43 @@ TEST_F(SrdoCommandTest, ListTellsTheSrdosOfAFile)
     EXPECT_EQ(document.at("srdos").at(0).at("mapping").at(3).dump(),
               R"({"bits":8,"inverse":true,"name":"Button 2, inverse","object":"0x2100:02"})");
 }
+
+TEST_F(SrdoCommandTest, ListTellsWhatCannotBeRead)
+{
+    Verifies(req::SRS_NEW_490);
+    // Given a sensor with an SCT of -50, and without its direction
+    const std::string sct =
+        File("sct.dcf", cia306::test::WithValues(ExampleText("sensor"), {{"1301sub2", "ParameterValue", "-50"}}));
+    const Answer answer = RunCommand({"srdo", "list", sct});
+    EXPECT_EQ(answer.status, 0);
+    EXPECT_NE(answer.out.find("refresh time ? ms"), std::string::npos) << answer.out;
+    EXPECT_NE(answer.err.find(": warning: 0x1301:02: value '-50', expected a number from 0 to 65535 (UNSIGNED16)"),
+              std::string::npos)
+        << answer.err;
+    EXPECT_EQ(answer.err.rfind(sct + ":", 0U), 0U) << answer.err;
+    const auto json = nlohmann::json::parse(RunCommand({"srdo", "list", "--json", sct}).out);
+    EXPECT_TRUE(json["srdos"][0]["sct_ms"].is_null());
+    EXPECT_EQ(json["warnings"][0]["object"], "0x1301:02");
+    EXPECT_EQ(json["warnings"][0]["severity"], "warning");
+    // When the direction is missing, then nobody takes the SRDO for one that is off
+    const std::string none = File("none.dcf", Changed(ExampleText("sensor"), {{"[1301sub1]", "[Gone]"}}));
+    const Answer direction = RunCommand({"srdo", "list", none});
+    EXPECT_EQ(direction.out.rfind("SRDO 1 ? ", 0U), 0U) << direction.out;
+    EXPECT_NE(direction.err.find(": warning: 0x1301:01: is missing, expected an object of type UNSIGNED8\n"),
+              std::string::npos)
+        << direction.err;
+    EXPECT_TRUE(
+        nlohmann::json::parse(RunCommand({"srdo", "list", "--json", none}).out)["srdos"][0]["direction"].is_null());
+    // and one of 0 is off, one of 3 none that there is
+    const auto of = [this](const std::string& value)
+    {
+        return RunCommand({"srdo", "list",
+                           File("d.dcf", cia306::test::WithValues(ExampleText("sensor"),
+                                                                  {{"1301sub1", "ParameterValue", value}}))})
+            .out;
+    };
+    EXPECT_EQ(of("0").rfind("SRDO 1 off ", 0U), 0U) << of("0");
+    EXPECT_EQ(of("3").rfind("SRDO 1 ? ", 0U), 0U) << of("3");
+}
 } // namespace
 } // namespace counterpoint::tools

@@ -209,6 +209,17 @@ std::string WithoutCommand(const CLI::App& app, const std::vector<CommandRow>& t
                           : option;
 }
 
+/// What is wrong with a command line that asks for the version: more stands in it. [SRS_CLI_492]
+std::string BesideVersion(const CLI::ParseError& error, const std::vector<std::string>& arguments)
+{
+    const bool is_version = dynamic_cast<const CLI::CallForVersion*>(&error) != nullptr;
+    const auto other = std::find_if(arguments.begin(), arguments.end(),
+                                    [](const std::string& argument) { return argument != "--version"; });
+    return is_version && other != arguments.end()
+               ? cia306::Quoted(*other) + " beside --version; expected --version alone, or "
+               : "";
+}
+
 ExitStatus Usage(const CLI::App& app, const std::vector<CommandRow>& table, const CLI::ParseError& error,
                  const Streams& streams)
 {
@@ -262,7 +273,12 @@ ExitStatus RunCommandLine(const std::vector<std::string>& arguments, const std::
     }
     catch (const CLI::ParseError& error)
     {
-        return Usage(app, table, error, streams);
+        const std::string beside = BesideVersion(error, arguments);
+        if (beside.empty())
+        {
+            return Usage(app, table, error, streams);
+        }
+        streams.err << kProgram << ": " << beside << "a command line as told by 'counterpoint --help'\n";
     }
     catch (const cia306::InputError& error)
     {

@@ -281,8 +281,9 @@ void CheckMappedObject(const CheckContext& context, const SrdoConfiguration& srd
                        Findings& findings)
 {
     const std::string name = EntryName(srdo, entry);
-    const bool is_multiple = entry.Bits() != 0U && entry.Bits() % context.granularity_bits == 0U;
-    if (!is_multiple)
+    // One that there is not is told where it stands: it divides nothing. [SRS_CLI_490]
+    const bool is_known = IsGranularity(context.granularity_bits);
+    if (is_known && (entry.Bits() == 0U || entry.Bits() % context.granularity_bits != 0U))
     {
         findings.Tell(
             WhenOn(srdo), entry.place, name,

@@ -225,15 +225,15 @@ void CheckValid(const CheckContext& context, Findings& findings)
                        "an object of type UNSIGNED8");
         return;
     }
-    const bool is_valid = valid.Is(kConfigurationIsValid);
-    if (is_valid && findings.HasError())
+    if (findings.HasError())
     {
-        findings.Error(valid.place, name, "0xA5 marks a configuration with errors as valid",
-                       "0x00 until all of them are repaired");
+        const std::optional<Finding> finding = ValidInSpiteOfErrors(context.configuration);
+        findings.Add(finding ? std::vector<Finding>{*finding} : std::vector<Finding>{});
     }
-    if (valid.value && !is_valid && !findings.HasError())
+    else if (!valid.Is(kConfigurationIsValid)) // One without a value is an error.
     {
-        findings.Warning(valid.place, name, Hex(*valid.value, 2) + ": the SRDOs stay off", "0xA5 to set them going");
+        findings.Warning(valid.place, name, Hex(valid.value.value_or(0U), 2) + ": the SRDOs stay off",
+                         "0xA5 to set them going");
     }
 }
 
@@ -262,6 +262,17 @@ void CheckSupport(const Device& device, Findings& findings)
                      "CANopenSafetySupported=1");
 }
 } // namespace
+
+std::optional<Finding> ValidInSpiteOfErrors(const SafetyConfiguration& configuration)
+{
+    const Field& valid = configuration.configuration_valid;
+    if (!valid.Is(kConfigurationIsValid))
+    {
+        return std::nullopt;
+    }
+    return Finding{Severity::kError, valid.place, ObjectName(kConfigurationValidIndex, 0U),
+                   "0xA5 marks a configuration with errors as valid, expected 0x00 until all of them are repaired"};
+}
 
 void CheckObjects(const CheckContext& context, Findings& findings)
 {

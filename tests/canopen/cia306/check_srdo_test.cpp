@@ -440,7 +440,6 @@ TEST(CheckParameters, Form)
     Verifies(req::SRS_CLI_018);
     const auto find = [](const std::string& section, const std::string& value)
     { return Find(test::ExampleText("actuator"), {{section, kValue, value}}); };
-    EXPECT_EQ(find("5F00subA", "4").back(), "error: 0x5F00:0A: granularity of 4 bit, expected 1, 8, 16, 32 or 64 bit");
     EXPECT_EQ(find("5F00subA", "1"), Lines{});
     EXPECT_EQ(find("5F00subB", "17"),
               Lines{"error: 0x5F00:0B: room for 17 mapping entries, expected an even number from 0 to 128"});
@@ -464,6 +463,26 @@ TEST(CheckParameters, Form)
     EXPECT_EQ(find("5F05sub1", "0x3C"), Lines{});
     EXPECT_EQ(find("5F05sub1", "0x100").at(0),
               "error: 0x5F05:01: value '0x100', expected a number from 0 to 255 (UNSIGNED8)");
+}
+
+TEST(CheckParameters, AGranularityThatIsNone)
+{
+    Verifies(req::SRS_CLI_490);
+    Verifies(req::SRS_CLI_018);
+    // When 5F00h:0A has a value that is none, then it alone is told, and no length is compared with it
+    for (const std::string value : {"0", "2", "4", "7", "128", "255"})
+    {
+        EXPECT_EQ(Find(test::ExampleText("actuator"), {{"5F00subA", kValue, value}}),
+                  Lines{"error: 0x5F00:0A: granularity of " + value + " bit, expected 1, 8, 16, 32 or 64 bit"});
+    }
+    // and with 13FEh = A5h that flag
+    EXPECT_EQ(
+        test::FindingsOf(
+            test::SignedAgain(test::WithValues(test::ExampleText("sensor"), {{"5F00subA", kValue, "0"}}), std::nullopt),
+            {}),
+        (Lines{"error: 0x13FE:00: 0xA5 marks a configuration with errors as valid, expected 0x00 until all of them "
+               "are repaired",
+               "error: 0x5F00:0A: granularity of 0 bit, expected 1, 8, 16, 32 or 64 bit"}));
 }
 
 TEST(CheckParameters, GapsBetweenSrdoNumbers)

@@ -194,12 +194,58 @@ TEST_F(DeviceFile, NamesTheControllersOfAHost)
     };
     EXPECT_EQ(refusal("1", "1"), "");
     EXPECT_EQ(refusal("1", "2"), "");
-    EXPECT_EQ(refusal("2", "2"),
-              ":567:16: error: 0x5F00:0F names another controller, expected 1 for the normal frames, 1 or 2 for the "
-              "inverse frames of a simulated device");
-    EXPECT_EQ(refusal("1", "3"),
-              ":576:16: error: 0x5F00:10 names another controller, expected 1 for the normal frames, 1 or 2 for the "
-              "inverse frames of a simulated device");
+    EXPECT_EQ(refusal("2", "2"), "");
+    EXPECT_EQ(refusal("2", "1"), "");
+    EXPECT_EQ(refusal("1", "3"), ":576:16: error: 0x5F00:10: controller 3, expected 1 or 2");
+    EXPECT_EQ(refusal("1", "0"), ":576:16: error: 0x5F00:10: controller 0, expected 1 or 2");
+    EXPECT_EQ(refusal("3", "1"), ":567:16: error: 0x5F00:0F: controller 3, expected 1 or 2");
+}
+
+TEST_F(DeviceFile, HasItsNormalFramesOnTheFirstControllerOfAHost)
+{
+    Verifies(req::SRS_SIM_490);
+    const auto model = [this](const std::string& normal, const std::string& inverse)
+    {
+        std::string text = InSection(FileText("digest"), "5F00subF", "ParameterValue=1", "ParameterValue=" + normal);
+        return ModelOf(InSection(text, "5F00sub10", "ParameterValue=2", "ParameterValue=" + inverse));
+    };
+    // Given a file with the normal frames on controller 2 and the inverse ones on 1
+    const DeviceModel turned = model("2", "1");
+    EXPECT_EQ(turned.Config().normal_port, CanPortId::kFirst);
+    EXPECT_EQ(turned.Config().inverse_port, CanPortId::kSecond);
+    EXPECT_EQ(turned.ControllerCount(), 2U);
+    EXPECT_EQ(turned.Config().digest, 0U);
+    // and one with all of them on controller 2
+    const DeviceModel second = model("2", "2");
+    EXPECT_EQ(second.Config().normal_port, CanPortId::kFirst);
+    EXPECT_EQ(second.Config().inverse_port, CanPortId::kFirst);
+    EXPECT_EQ(second.ControllerCount(), 1U);
+    EXPECT_EQ(second.Config().digest, 0U);
+    // With those of a host the digest of the file is expected
+    EXPECT_EQ(model("1", "2").Config().digest, 0x5F9AFA3DU);
+    EXPECT_EQ(model("1", "2").Config().inverse_port, CanPortId::kSecond);
+}
+
+TEST_F(DeviceFile, HasACycleThatIsOne)
+{
+    Verifies(req::SRS_NODE_490);
+    const auto refusal = [this](const std::string& cycle, const std::string& tolerance)
+    {
+        std::string text = InSection(FileText("digest"), "5F00sub1", "=2000\n", "=" + cycle + "\n");
+        text = InSection(text, "5F00sub2", "=750\n", "=" + tolerance + "\n");
+        const std::string told = RefusalOf(text);
+        const std::size_t place = told.find("error: ");
+        return place == std::string::npos ? told : told.substr(place);
+    };
+    EXPECT_EQ(refusal("100", "100"), "");
+    EXPECT_EQ(refusal("1000000", "0"), "");
+    EXPECT_EQ(refusal("0", "0"), "error: 0x5F00:01: cycle time 0 us, expected 100 us to 1000000 us");
+    EXPECT_EQ(refusal("99", "0"), "error: 0x5F00:01: cycle time 99 us, expected 100 us to 1000000 us");
+    EXPECT_EQ(refusal("1000001", "0"), "error: 0x5F00:01: cycle time 1000001 us, expected 100 us to 1000000 us");
+    EXPECT_EQ(refusal("100", "101"),
+              "error: 0x5F00:02: cycle tolerance of 101 us, expected at most the cycle time of 100 us");
+    EXPECT_EQ(refusal("100", "4294967196"),
+              "error: 0x5F00:02: cycle tolerance of 4294967196 us, expected at most the cycle time of 100 us");
 }
 
 TEST_F(DeviceFile, WithASecondControllerIsAnotherDevice)

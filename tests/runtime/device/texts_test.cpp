@@ -31,6 +31,16 @@ TEST(TimeTexts, TellTheMicrosecondsThatHavePassedInFull)
     EXPECT_EQ(MillisecondsColumn(12345999, 5U), "12.345 ms");
 }
 
+TEST(TimeTexts, TellATimeThatIsRefusedAsItIs)
+{
+    Verifies(req::SRS_SIM_491);
+    EXPECT_EQ(ExactText(100), "100 ns");
+    EXPECT_EQ(ExactText(100000000), "100 ms");
+    EXPECT_EQ(ExactText(100000001), "100000001 ns");
+    EXPECT_EQ(ExactText(1000), "0.001 ms");
+    EXPECT_EQ(ExactText(0), "0 ms");
+}
+
 TEST(NameTexts, AreThoseOfFilesAndOutputs)
 {
     Verifies(req::SRS_SIM_040);

@@ -50,6 +50,57 @@ TEST(Names, NamespacesAreChecked)
     }
 }
 
+TEST(Names, ANamespaceIsNoNameOfWhatTheCodeIncludes)
+{
+    Verifies(req::SRS_GEN_490);
+    // Types and macros of <cstdint>, guards of headers, names of counterpoint
+    for (const char* name : {"uint8_t",
+                             "int64_t",
+                             "int_least16_t",
+                             "uint_fast32_t",
+                             "uintmax_t",
+                             "intptr_t",
+                             "size_t",
+                             "ptrdiff_t",
+                             "UINT8_MAX",
+                             "INT8_MAX",
+                             "INT64_MIN",
+                             "UINT_LEAST16_MAX",
+                             "INT_FAST8_MIN",
+                             "UINT32_C",
+                             "INTMAX_C",
+                             "UINTPTR_MAX",
+                             "INT16_WIDTH",
+                             "SIZE_MAX",
+                             "PTRDIFF_MIN",
+                             "WCHAR_MAX",
+                             "SIG_ATOMIC_MIN",
+                             "WINT_MAX",
+                             "a::UINT8_MAX",
+                             "SAFETY_CORE_KERNEL_KERNEL_HPP",
+                             "counterpoint::Kernel",
+                             "counterpoint::x::kMost",
+                             "counterpoint::cia301",
+                             "counterpoint::generated"})
+    {
+        EXPECT_NE(ProblemOfNamespace(name), "") << name;
+    }
+    EXPECT_EQ(ProblemOfNamespace("uint8_t"), "'uint8_t' is taken, expected another name of a namespace");
+    EXPECT_EQ(ProblemOfNamespace("counterpoint::Kernel"),
+              "'Kernel' may be a name of counterpoint, expected small letters, digits and _");
+    EXPECT_EQ(ProblemOfNamespace("counterpoint::generated"),
+              "'counterpoint::generated' alone is taken, expected counterpoint::generated::name");
+    // Near misses
+    for (const char* name : {"uint8", "int9_t", "integer_t", "UINT8", "INT_MAXIMUM", "SENSOR_MAX", "DOOR_HPP", "Kernel",
+                             "counterpoint::generated::door", "counterpoint::cia301x"})
+    {
+        EXPECT_EQ(ProblemOfNamespace(name), "") << name;
+    }
+    // A file with such a name gives another one
+    EXPECT_EQ(NamespaceOf("uint8_t.dcf"), "device_uint8_t");
+    EXPECT_EQ(ProblemOfNamespace("device_uint8_t"), "");
+}
+
 TEST(Names, ANamespaceComesFromTheFile)
 {
     Verifies(req::SRS_GEN_012);
