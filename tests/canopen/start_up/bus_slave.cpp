@@ -240,6 +240,10 @@ void BusSlave::OnSdo(const CanFrame& frame)
         const auto size = is_read ? std::uint8_t{0U} : static_cast<std::uint8_t>(4U - ((frame.data[0] >> 2U) & 3U));
         log.push_back(Text(is_read ? 'r' : 'w', frame, size));
     }
+    if ((kind == 0x60U) && has_no_segment_)
+    {
+        Answer(0xE0U, CanFrame{}, 0U);
+    }
     if ((manner == Manner::kSilent) || ((kind != 0x40U) && !is_write && (kind != 0U)))
     {
         return; // Also aborts of the client.
@@ -254,9 +258,12 @@ void BusSlave::OnSdo(const CanFrame& frame)
         const auto size = static_cast<std::uint8_t>((found == values_.end()) ? 0U : found->second.size);
         const auto told = static_cast<std::uint8_t>((manner == Manner::kShort) ? (size - 1U) : size);
         const auto command = static_cast<std::uint8_t>(0x43U | ((4U - told) << 2U));
-        const bool is_long = (manner == Manner::kGibberish);
-        Answer((size == 0U) ? 0x80U : (is_long ? 0x41U : command), frame,
-               (size == 0U) ? kUnknown : (is_long ? 100U : found->second.value));
+        const bool is_long = (manner == Manner::kLong);
+        has_no_segment_ = (manner == Manner::kNoSegment);
+        const std::uint32_t length = is_long ? 100U : 4U;
+        const bool is_segmented = is_long || has_no_segment_;
+        Answer((size == 0U) ? 0x80U : (is_segmented ? 0x41U : command), frame,
+               (size == 0U) ? kUnknown : (is_segmented ? length : found->second.value));
     }
     else if (is_write)
     {

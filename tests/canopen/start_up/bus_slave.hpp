@@ -19,8 +19,9 @@ enum class Manner : std::uint8_t
     kAbort = 1U,      ///< 0602 0000h.
     kSilent = 2U,     ///< No answer.
     kShort = 3U,      ///< Reads: one byte too few.
-    kGibberish = 4U,  ///< Reads: a segmented answer that is longer than anybody wants.
+    kLong = 4U,       ///< Reads: a segmented answer that is longer than anybody wants.
     kAbortWrite = 5U, ///< Writes are aborted, reads are good.
+    kNoSegment = 6U,  ///< Reads: a segmented answer, with something else in place of the segment.
 };
 
 /// A TxPDO as the slave really sends it.
@@ -91,6 +92,7 @@ class BusSlave
     std::uint32_t boots_at_us_{0U};
     std::uint32_t beats_at_us_{0U};
     std::uint8_t toggle_{0U};
+    bool has_no_segment_{false}; ///< What is being read; see kNoSegment.
 };
 
 } // namespace counterpoint::cia302
