@@ -100,6 +100,7 @@ inline constexpr RequirementId SRS_SIM_216{"SRS_SIM_216"};
 inline constexpr RequirementId SRS_SIM_217{"SRS_SIM_217"};
 inline constexpr RequirementId SRS_SIM_340{"SRS_SIM_340"};
 inline constexpr RequirementId SRS_SIM_350{"SRS_SIM_350"};
+inline constexpr RequirementId SRS_SIM_480{"SRS_SIM_480"};
 } // namespace counterpoint::req
 
 #endif
