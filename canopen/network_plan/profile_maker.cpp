@@ -81,7 +81,7 @@ bool IsSwitchedOff(const Device& device, const std::uint8_t node_id, const std::
     return is_off;
 }
 
-/// Communication parameters of the PDO at this place of the dictionary that the rows write.
+/// Communication parameters of the PDO at this place of the dictionary that the rows write, and its mapping.
 bool IsRowOfPdo(const std::vector<El6751Pdo>& pdos, const std::uint16_t first, const cia302::ConciseReading& entry)
 {
     constexpr std::uint8_t kEvent = 5U;
@@ -90,7 +90,8 @@ bool IsRowOfPdo(const std::vector<El6751Pdo>& pdos, const std::uint16_t first, c
     bool is_row = false;
     for (const El6751Pdo& pdo : pdos)
     {
-        is_row = is_row || (is_parameter && entry.object.index == first + pdo.number - 1U);
+        const std::uint32_t index = first + pdo.number - 1U;
+        is_row = is_row || (is_parameter && entry.object.index == index) || entry.object.index == index + kPdoNumbers;
     }
     return is_row;
 }
@@ -114,7 +115,21 @@ bool IsRowOfSlave(const El6751Slave& slave, const cia302::ConciseReading& entry,
     return (is_guarding && slave.IsWatched()) || (is_sync && cia302::NeedsSync(network));
 }
 
+/// Whether the DCF gives the object another value than the device has by itself, as far as the DCF knows that one.
+bool IsChanged(const Device& device, const std::uint8_t node_id, const Entry& entry)
+{
+    bool is_changed = entry.parameter_value.IsSet();
+    if (is_changed && entry.default_value.IsSet())
+    {
+        Entry usual = entry;
+        usual.parameter_value = {};
+        is_changed = BytesOf(device, usual, node_id) != BytesOf(device, entry, node_id);
+    }
+    return is_changed;
+}
+
 /// PDOs whose whole sequence is kept: those whose mapping changes, and those with a time that is switched off.
+/// [SRS_NET_480]
 std::set<std::uint16_t> WholePdos(const Device& device, const std::uint8_t node_id, const cia302::Bytes& concise)
 {
     constexpr std::uint8_t kInhibit = 3U;
@@ -124,7 +139,9 @@ std::set<std::uint16_t> WholePdos(const Device& device, const std::uint8_t node_
     for (; entry.state == cia302::ConciseState::kEntry; entry = cia302::ReadConcise(concise, entry.next))
     {
         const std::uint16_t index = entry.object.index;
-        whole.insert(static_cast<std::uint16_t>(index - kPdoNumbers));
+        const auto pdo = static_cast<std::uint16_t>(index - kPdoNumbers);
+        const bool is_mapped = IsPdoParameter(pdo) && IsChanged(device, node_id, *device.Find(index, entry.object.sub));
+        whole.insert(is_mapped ? pdo : std::uint16_t{0U});
         const bool is_off = IsPdoParameter(index) && (IsSwitchedOff(device, node_id, index, kInhibit) ||
                                                       IsSwitchedOff(device, node_id, index, kEvent));
         whole.insert(is_off ? index : std::uint16_t{0U});
@@ -132,7 +149,8 @@ std::set<std::uint16_t> WholePdos(const Device& device, const std::uint8_t node_
     return whole;
 }
 
-/// What the rows write is left out, but for the PDOs of WholePdos. A bus coupler makes its PDOs by 5500h.
+/// What the rows write, and mappings that stay as they are, is left out, but for the PDOs of WholePdos. A bus coupler
+/// makes its PDOs by 5500h.
 std::vector<std::uint8_t> FurtherObjects(const ProfileSlave& slave, const cia302::Bytes& concise,
                                          const std::set<std::uint16_t>& whole, const NetworkSetup& network)
 {
@@ -142,10 +160,12 @@ std::vector<std::uint8_t> FurtherObjects(const ProfileSlave& slave, const cia302
     entry = cia302::ReadConcise(concise, {0U, 0U});
     for (; entry.state == cia302::ConciseState::kEntry; entry = cia302::ReadConcise(concise, entry.next))
     {
-        const bool is_made = is_coupler && IsPdoParameter(entry.object.index);
-        const bool is_pdo_row =
-            whole.count(entry.object.index) == 0U &&
-            (is_made || IsRowOfPdo(slave.rx_pdos, kFirstRxPdo, entry) || IsRowOfPdo(slave.tx_pdos, kFirstTxPdo, entry));
+        const std::uint16_t index = entry.object.index;
+        const auto mapped = static_cast<std::uint16_t>(index - kPdoNumbers);
+        const std::uint16_t pdo = IsPdoParameter(mapped) ? mapped : index;
+        const bool is_made = is_coupler && IsPdoParameter(pdo);
+        const bool is_pdo_row = whole.count(pdo) == 0U && (is_made || IsRowOfPdo(slave.rx_pdos, kFirstRxPdo, entry) ||
+                                                           IsRowOfPdo(slave.tx_pdos, kFirstTxPdo, entry));
         if (!is_pdo_row && !IsRowOfSlave(slave.el6751, entry, network))
         {
             kept.push_back({entry.object.index, entry.object.sub,

@@ -62,6 +62,7 @@ enum class EventKind : std::uint8_t
     kTime = 28U,        ///< The device heard a time. value: ms of the day; other: days since 1 January 1984.
     kEmergency = 29U,   ///< The device heard one. value: node << 24 | register << 16 | code; other: the 5 bytes behind.
     kNewNodeId = 30U,   ///< LSS gave one, and communication was reset: the device is silent. value: the node-ID.
+    kStore = 31U,       ///< Somebody writes into the device. value; other: abort code << 32 | index << 8 | sub.
 };
 
 /// One event of a run.

@@ -458,6 +458,16 @@ std::string LimitText(const Nanoseconds limit)
     return (limit == kNoLimit) ? "none" : MillisecondsText(limit);
 }
 
+std::string StoreText(const Event& event)
+{
+    constexpr std::uint32_t kNotInThisState = 0x08000022U;
+    const ObjectAddress object{static_cast<std::uint16_t>(event.other >> 8U), static_cast<std::uint8_t>(event.other)};
+    const auto abort = static_cast<std::uint32_t>(event.other >> 32U);
+    const std::string why = (abort == kNotInThisState) ? " (not in the present state)" : "";
+    const std::string refused = ": refused, " + runtime::AbortText(static_cast<AbortCode>(abort)) + why;
+    return ObjectText(object) + " = " + std::to_string(event.value) + ((abort == 0U) ? "" : refused);
+}
+
 std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& journal, Network& network,
                                       const std::vector<std::string>& found)
 {
@@ -476,6 +486,15 @@ std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& j
         {
             const std::string wanted = "fault " + runtime::Shown(scenario.faults[index].name) + " happens";
             verdicts.push_back({kOfItself, false, wanted, "never happened", {}});
+        }
+    }
+    for (const Event& event : journal.Events())
+    {
+        if (event.kind == EventKind::kStore && (event.other >> 32U) != 0U)
+        {
+            const std::string& name = scenario.nodes[event.node].name;
+            const std::string wanted = "store into " + name + " at " + MillisecondsText(event.at) + " is taken";
+            verdicts.push_back({kOfItself, false, wanted, StoreText(event), {}});
         }
     }
     return verdicts;

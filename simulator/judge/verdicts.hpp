@@ -65,8 +65,11 @@ struct Measurement
     }
 };
 
-/// In place of an expectation's number: the one that every scenario has unwritten, that each fault which is not
-/// optional has an effect. [SRS_SIM_015]
+/// @brief What somebody stores, as people read it: "0x1301:02 = 99", with the abort code of a device that refuses it.
+[[nodiscard]] std::string StoreText(const Event& event);
+
+/// In place of an expectation's number: those that every scenario has unwritten, that each fault which is not optional
+/// has an effect, and that each store is taken. [SRS_SIM_015, SRS_SIM_480]
 constexpr std::size_t kOfItself = static_cast<std::size_t>(-1);
 
 /// Whether an expectation holds, what it wanted, and what was seen.

@@ -43,6 +43,7 @@ constexpr Word<EventKind> kEventWords[] = {
     {"time", EventKind::kTime},
     {"emergency", EventKind::kEmergency},
     {"new_node_id", EventKind::kNewNodeId},
+    {"store", EventKind::kStore},
 };
 
 constexpr Word<host::FrameFate> kFateWords[] = {
@@ -148,6 +149,12 @@ void AddDetails(const Run& run, const Event& event, Json& json)
         json["object"] =
             ObjectText({static_cast<std::uint16_t>(event.other >> 8U), static_cast<std::uint8_t>(event.other & 0xFFU)});
         json["value"] = event.value;
+        return;
+    case EventKind::kStore:
+        json["object"] =
+            ObjectText({static_cast<std::uint16_t>(event.other >> 8U), static_cast<std::uint8_t>(event.other)});
+        json["value"] = event.value;
+        json["abort"] = event.other >> 32U;
         return;
     case EventKind::kReception:
         json["identifier"] = event.value;

@@ -384,6 +384,8 @@ std::string EventText(const Run& run, const Event& event)
         return "hears " + runtime::TextOf(EmergencyOf(event));
     case EventKind::kNewNodeId:
         return "SILENT: LSS gave node-ID " + std::to_string(event.value);
+    case EventKind::kStore:
+        return "somebody stores " + StoreText(event);
     default:
         return InsideText(run, event);
     }

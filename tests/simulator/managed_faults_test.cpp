@@ -149,6 +149,32 @@ TEST_F(ManagedFaultsTest, ADeviceThatComesBackHasLostItsSupplyAndForgottenAll)
     EXPECT_EQ(pulled.status, 0) << pulled.out << pulled.err;
 }
 
+TEST_F(ManagedFaultsTest, AStoreThatTheDeviceRefusesIsToldAndDoesNotHold)
+{
+    Verifies(req::SRS_SIM_480);
+    const std::string store = "{do: store, node: actuator, object: 0x1301:02, value: 77, at: ";
+    const std::string expect = "expect: [{that: device, node: actuator, is: operational}]\n";
+    // Given a relay that is OPERATIONAL, when somebody changes its safety configuration
+    const Answer refused = Simulate("events: [" + store + "3 s}]\n" + expect);
+    // Then it is told that the relay refuses that, and the scenario does not hold
+    EXPECT_EQ(refused.status, 1) << refused.err;
+    const std::string what = "0x1301:02 = 77: refused, 0800 0022h (not in the present state)";
+    EXPECT_TRUE(Has(refused.out, "somebody stores " + what)) << refused.out;
+    EXPECT_TRUE(Has(refused.out, "FAILED  store into actuator at 3000 ms is taken: " + what)) << refused.out;
+    EXPECT_TRUE(Has(refused.out, "4 of 5 expectations hold")) << refused.out;
+    // And one that is taken is told too
+    const Answer taken = Simulate("events: [{do: order, order: preop 33, at: 2900 ms},\n  " + store + "3 s}]\n" +
+                                  "expect: [{that: device, node: actuator, is: pre-operational}]\n");
+    EXPECT_EQ(taken.status, 0) << taken.out << taken.err;
+    EXPECT_TRUE(Has(taken.out, "somebody stores 0x1301:02 = 77\n")) << taken.out;
+    EXPECT_TRUE(Has(taken.out, "4 of 4 expectations hold")) << taken.out;
+    // And so is the one that a device cannot take that stands still
+    const Answer still =
+        Simulate("faults: [{fault: standstill, node: actuator, at: 2 s}]\nevents: [" + store + "3 s}]\n");
+    EXPECT_EQ(still.status, 1) << still.err;
+    EXPECT_TRUE(Has(still.out, "is taken: 0x1301:02 = 77: refused, 0800 0000h")) << still.out;
+}
+
 TEST_F(ManagedFaultsTest, ADeviceOfTwoCpusIsManaged)
 {
     Verifies(req::SRS_SIM_210);

@@ -174,6 +174,7 @@ void FlyingMaster::React(const FlyingReaction reaction, const CanFrame& frame, c
         }
         break;
     case FlyingReaction::kRestart:
+        is_first_pass_ = false;
         Enter(FlyingInput::kRestart, now, times_.delay * kUsPerMs);
         break;
     case FlyingReaction::kResetAll:
@@ -419,6 +420,7 @@ void FlyingMaster::Force(const MasterClaim& claim, const FlyingEvent event, cons
     {
         constexpr std::uint8_t kGreatest = 255U;
         restarts_ = static_cast<std::uint8_t>((restarts_ < kGreatest) ? (restarts_ + 1U) : kGreatest);
+        is_first_pass_ = false; // Nor is the one that follows, though nobody resets this device. [SRS_FLY_480]
         Enter(FlyingInput::kForce, now, 0U);
         tells_force_ = event == FlyingEvent::kForceNegotiation;
         RunNegotiation(now);

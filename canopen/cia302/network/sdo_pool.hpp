@@ -25,6 +25,12 @@ enum class TransferState : std::uint8_t
     kFailed = 3U, ///< Aborted by the server, or no answer to any of the tries: see Outcome.
 };
 
+/// @brief Whether the slave answered a read, with more bytes than there was room for. [SRS_BOOT_480, SRS_PLC_480]
+[[nodiscard]] constexpr bool IsTooLong(const SdoOutcome& outcome) noexcept
+{
+    return (outcome.abort == SdoAbort::kOutOfMemory) && !outcome.by_server;
+}
+
 /// One SDO client and the transfer that it was given.
 struct SdoLane
 {

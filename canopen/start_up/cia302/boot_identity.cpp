@@ -88,9 +88,22 @@ BootFinding BootIdentity::WakeUp(const BootJob& job) noexcept
 BootFinding BootIdentity::ReadDeviceType(const BootJob& job) noexcept
 {
     const Got got = transfer_.Fetch(job, kDeviceTypeObject);
-    const bool is_expected = (job.setup.device_type == 0U) || (job.record.status.read == job.setup.device_type);
+    const bool is_too_long = (got == Got::kRefused) && IsTooLong(parts_.sdo.Outcome(job.node));
+    const bool is_compared = (job.setup.device_type != 0U);
+    const bool is_wrong = is_too_long || ((got == Got::kDone) && (job.record.status.read != job.setup.device_type));
     BootFinding finding = Found(BootEvent::kNone);
-    if (got == Got::kRefused)
+    if (is_compared && is_wrong)
+    {
+        job.record.status.expected = job.setup.device_type;
+        job.record.status.abort = is_too_long ? SdoAbort::kLengthMismatch : SdoAbort::kNone;
+        finding = Failed('C');
+    }
+    else if ((got == Got::kDone) || is_too_long)
+    {
+        job.record.status.abort = SdoAbort::kNone;
+        finding = Found(BootEvent::kDone);
+    }
+    else if (got == Got::kRefused)
     {
         const bool is_ours = job.record.is_unread && (parts_.table.Record(job.node).asked == SlaveState::kStopped);
         reader_.StopUnread(job.record.is_unread, job.node, is_ours, job.time.now);
@@ -102,14 +115,9 @@ BootFinding BootIdentity::ReadDeviceType(const BootJob& job) noexcept
         parts_.listener.OnNodeStatus(job.node, job.time.now); // There may be no letter, ever.
         finding = Found(BootEvent::kElse);
     }
-    else if ((got == Got::kDone) && !is_expected)
+    else
     {
-        job.record.status.expected = job.setup.device_type;
-        finding = Failed('C');
-    }
-    else if (got == Got::kDone)
-    {
-        finding = Found(BootEvent::kDone);
+        // It is waited for.
     }
     return finding;
 }
@@ -129,11 +137,13 @@ BootFinding BootIdentity::Compare(const BootJob& job) noexcept
     const Number number = NumberOf(job.record.state, job.setup);
     const bool is_asked = (number.expected != 0U);
     const Got got = is_asked ? transfer_.Fetch(job, ObjectAddress{kIdentityIndex, number.sub}) : Got::kDone;
+    const bool is_too_long = is_asked && (got == Got::kRefused) && IsTooLong(parts_.sdo.Outcome(job.node));
     const bool is_wrong = is_asked && (got == Got::kDone) && (job.record.status.read != number.expected);
     const bool is_failed = (got == Got::kRefused) || is_wrong;
     if (is_failed)
     {
         job.record.status.expected = number.expected;
+        job.record.status.abort = is_too_long ? SdoAbort::kLengthMismatch : job.record.status.abort;
     }
     const BootEvent event = (got == Got::kDone) ? BootEvent::kDone : BootEvent::kNone;
     return is_failed ? Failed(number.letter) : Found(event);

@@ -170,20 +170,17 @@ void El6751Pdos::Take(const NodeId node, const std::uint8_t position, const CanF
 {
     const El6751Pdo& pdo = El6751PdoOf(El6751SlaveOf(parts_.setup, node), position);
     El6751PdoRecord& record = Record(node, position);
-    if (frame.length_bytes < pdo.length_bytes)
-    {
-        record.fault = kTooShort;
-    }
-    else
-    {
-        // One that always comes too late is always missing in its cycle.
-        const bool is_late = IsCyclic(pdo) && !is_window_open_ && (record.fault != kTooShort);
-        record.has_passed = true;
-        record.is_in_cycle = is_window_open_;
-        record.age = 0U;
-        record.last = now;
-        record.fault = is_late ? record.fault : std::int16_t{0};
-    }
+    // One that always comes too late is always missing in its cycle; one that is too short is there. [SRS_ELM_480]
+    const bool is_late = IsCyclic(pdo) && !is_window_open_;
+    const bool is_missing = (record.fault != 0) && (record.fault != kTooShort);
+    const bool is_short = (frame.length_bytes < pdo.length_bytes);
+    const std::int16_t fault = is_short ? kTooShort : std::int16_t{0};
+    record.has_come = true;
+    record.has_passed = record.has_passed || !is_short;
+    record.is_in_cycle = is_window_open_;
+    record.age = 0U;
+    record.last = now;
+    record.fault = (is_late && is_missing) ? record.fault : fault;
 }
 
 void El6751Pdos::OnSent(const CanFrame& frame) noexcept
@@ -320,7 +317,7 @@ void El6751Pdos::EndWindow() noexcept
         {
             const El6751Pdo& pdo = El6751PdoOf(slave, i);
             El6751PdoRecord& record = Record(NodeId{id}, i);
-            if (record.has_passed && IsCyclic(pdo))
+            if (record.has_come && IsCyclic(pdo))
             {
                 JudgeCycle(pdo, El6751EventOf(slave, pdo), record);
             }
@@ -340,7 +337,7 @@ void El6751Pdos::CheckTimes(const NodeId node, const Instant now) noexcept
         El6751PdoRecord& record = Record(node, i);
         const std::uint32_t silence_us = now.us - record.last.us;
         const std::uint32_t event_us = kUsPerMs * El6751EventOf(slave, pdo);
-        const bool is_timed = record.has_passed && (event_us != 0U);
+        const bool is_timed = (record.has_come || record.has_passed) && (event_us != 0U);
         if ((i >= slave.rx_count) && is_timed && (pdo.type >= kFirstEventType) && (silence_us > (2U * event_us)))
         {
             record.fault = kMissing;

@@ -13,6 +13,7 @@ namespace counterpoint::cia302
 /// What is known of one configured PDO. Zero-filled at first.
 struct El6751PdoRecord
 {
+    bool has_come;     ///< TxPDO: since the start, even too short; it is supervised from then on.
     bool has_passed;   ///< TxPDO: received since the start. RxPDO: sent.
     bool is_in_cycle;  ///< TxPDO: received in the window of this SYNC cycle.
     bool is_due;       ///< RxPDO: to be sent.

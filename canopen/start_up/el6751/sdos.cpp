@@ -134,9 +134,10 @@ void El6751Sdos::EndTransfer(const NodeId node, const Instant now) noexcept
         case El6751Verdict::kSyntax:
         case El6751Verdict::kInvalid:
         default:
-            // Not aborted: another length. The numbers would not say what is wrong.
-            slave.status.abort =
-                (slave.status.abort == SdoAbort::kNone) ? SdoAbort::kLengthMismatch : slave.status.abort;
+            // Not aborted by anybody: another length. The numbers would not say what is wrong.
+            slave.status.abort = ((slave.status.abort == SdoAbort::kNone) || IsTooLong(answer.outcome))
+                                     ? SdoAbort::kLengthMismatch
+                                     : slave.status.abort;
             Fail(node, kNodeSyntax, now);
             break;
         }

@@ -225,7 +225,7 @@ void PlcStartUp::DriveSdos(const NodeId node, const Instant now) noexcept
     else
     {
         const SdoOutcome outcome = parts_.sdo.Outcome(node);
-        const bool is_answer = (state == TransferState::kDone) || outcome.by_server;
+        const bool is_answer = (state == TransferState::kDone) || outcome.by_server || IsTooLong(outcome);
         if (is_answer)
         {
             OnAnswer(node, now);
@@ -277,14 +277,15 @@ void PlcStartUp::Ask(const NodeId node, const Instant now) noexcept
     }
 }
 
-/// A confirmation or an abort. [SRS_PLC_007]
+/// A confirmation, an abort, or a device type that is too long to be one. [SRS_PLC_007, SRS_PLC_480]
 void PlcStartUp::OnAnswer(const NodeId node, const Instant now) noexcept
 {
     PlcNode& slave = slaves_.Of(node);
     const SdoOutcome outcome = parts_.sdo.Outcome(node);
     const std::uint32_t expected = parts_.setup.Slave(node).device_type;
+    const SdoAbort compared = (expected != 0U) ? SdoAbort::kLengthMismatch : SdoAbort::kNone;
     slave.is_transferring = false;
-    slave.status.abort = outcome.abort;
+    slave.status.abort = IsTooLong(outcome) ? compared : outcome.abort;
     parts_.listener.OnNodeStatus(node, now);
     if (slave.row == PlcRow::kDeviceType)
     {
@@ -293,8 +294,8 @@ void PlcStartUp::OnAnswer(const NodeId node, const Instant now) noexcept
         const bool is_equal = (read & kProfileMask) == (expected & kProfileMask);
         slave.status.read = read;
         slave.status.expected = expected;
-        slave.type_abort = outcome.abort;
-        slave.is_type_wrong = (outcome.abort != SdoAbort::kNone) || ((expected != 0U) && !is_equal);
+        slave.type_abort = slave.status.abort;
+        slave.is_type_wrong = (slave.type_abort != SdoAbort::kNone) || ((expected != 0U) && !is_equal);
         const bool is_reset = slaves_.SetupOf(node).is_reset && !slave.was_reset;
         slave.row = is_reset ? PlcRow::kRestore : PlcRow::kList;
         slaves_.Go(node, PlcEvent::kNone, is_reset ? StartUpStep::kRestore : StartUpStep::kUserObjects, now);

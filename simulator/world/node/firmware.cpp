@@ -222,15 +222,19 @@ void NodeFirmware::SendGfc()
 
 void NodeFirmware::Store(const ObjectAddress& object, const std::uint32_t value)
 {
+    constexpr std::uint32_t kObjectBits = 32U;
+    cia301::SdoAbort abort = cia301::SdoAbort::kGeneral;
     if (processor_.IsRunning() && inside_.place.HasServices())
     {
         processor_.Run(
-            [this, &object, value]()
+            [this, &object, &abort, value]()
             {
                 const cia301::Reading size = assembly_.Dictionary().SizeOf(object);
-                static_cast<void>(assembly_.Dictionary().WriteNumber(object, value, size.size_bytes));
+                abort = assembly_.Dictionary().WriteNumber(object, value, size.size_bytes);
             });
     }
+    const std::uint64_t number = (std::uint64_t{object.index} << kByteBits) | object.sub;
+    inside_.place.Note(EventKind::kStore, 0U, value, (static_cast<std::uint64_t>(abort) << kObjectBits) | number);
 }
 
 // At once after a change, and every refresh time after the last time. CPU B follows CPU A. [SRS_SIM_069]

@@ -55,7 +55,8 @@ class NodeFirmware final : public host::FrameSink, private runtime::AssemblyOwne
     /// @brief An NMT command that no frame of the bus carried.
     void Obey(cia301::NmtCommand command);
     void SendGfc();
-    /// @brief Somebody writes into it, by no message of the bus. Of a node with services.
+    /// @brief Somebody writes into it, by no message of the bus; the journal tells whether it took the value. Of a node
+    /// with services.
     void Store(const ObjectAddress& object, std::uint32_t value);
     /// @brief Another device of its kind stands here from the next reset on. Of a node with services.
     void SetSerial(std::uint32_t serial) noexcept

@@ -93,6 +93,34 @@ TEST_F(RowsTest, LeaveAPdoWhoseTimeIsSwitchedOffToTheConciseDcf)
     EXPECT_EQ(keys("3", "const", "DefaultValue=5\nParameterValue=0"), Texts{});
 }
 
+// Given a mapping that the device has by itself, then it is no change of it, though the DCF says it once more.
+TEST_F(RowsTest, LeaveOutAMappingThatTheDeviceHasByItself)
+{
+    Verifies(req::SRS_NET_480);
+    const auto keys = [this](const std::string& cob_id, const std::string& count, const std::string& mapped,
+                             const cia302::El6751Kind kind = cia302::El6751Kind::kGeneral)
+    {
+        NetworkPlan plan =
+            El6751(Record("1800", 6) + Number("1800sub1", cob_id) + Entry("1800sub2", 5, "rw", "ParameterValue=254") +
+                   Record("1A00", 2) + Entry("1A00sub0", 5, "rw", count) + Entry("1A00sub1", 7, "rw", mapped));
+        plan.slaves[0].el6751 = cia302::El6751Slave{};
+        plan.slaves[0].el6751->kind = kind;
+        return KeysOf(LoadedNetwork(plan));
+    };
+    const Texts whole{"1800:01", "1800:02", "1A00:00", "1A00:01", "1A00:00", "1800:01"};
+    const std::string one = "DefaultValue=1\nParameterValue=1";
+    const std::string same = "DefaultValue=0x60000108\nParameterValue=0x60000108";
+    EXPECT_EQ(keys("0x185", one, same), Texts{});
+    EXPECT_EQ(keys("0x185", "DefaultValue=1", same), Texts{});
+    EXPECT_EQ(keys("0x185", one, same, cia302::El6751Kind::kBusCoupler), Texts{});
+    // Another object, another count, or nobody knows what the device has by itself
+    EXPECT_EQ(keys("0x185", one, "DefaultValue=0x60000208\nParameterValue=0x60000108"), whole);
+    EXPECT_EQ(keys("0x185", "DefaultValue=2\nParameterValue=1", same), whole);
+    EXPECT_EQ(keys("0x185", one, "ParameterValue=0x60000108"), whole);
+    // A PDO that is off has no rows: all of it is written
+    EXPECT_EQ(keys("0x80000185", one, same), whole);
+}
+
 // Guarding, heartbeat and the first consumer are rows where the slave is watched; another consumer is not.
 TEST_F(RowsTest, WriteTheSupervision)
 {

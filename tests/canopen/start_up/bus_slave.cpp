@@ -257,7 +257,11 @@ void BusSlave::OnSdo(const CanFrame& frame)
         const auto size = is_read ? std::uint8_t{0U} : static_cast<std::uint8_t>(4U - ((frame.data[0] >> 2U) & 3U));
         log.push_back(Text(is_read ? 'r' : 'w', frame, size));
     }
-    if ((kind == 0x60U) && answers_segments)
+    if ((kind == 0x60U) && has_no_segment_)
+    {
+        Answer(0xE0U, CanFrame{}, 0U);
+    }
+    else if ((kind == 0x60U) && answers_segments)
     {
         OnSegment();
     }
@@ -275,11 +279,13 @@ void BusSlave::OnSdo(const CanFrame& frame)
         const auto size = static_cast<std::uint8_t>((found == values_.end()) ? 0U : found->second.size);
         const auto told = static_cast<std::uint8_t>((manner == Manner::kShort) ? (size - 1U) : size);
         const auto command = static_cast<std::uint8_t>(0x43U | ((4U - told) << 2U));
-        const bool is_long = (manner == Manner::kGibberish) || (manner == Manner::kSegments);
-        const std::uint32_t length = (manner == Manner::kSegments) ? told : 100U;
+        has_no_segment_ = (manner == Manner::kNoSegment);
+        const bool is_long = (manner == Manner::kLong);
+        const bool is_segmented = is_long || has_no_segment_ || (manner == Manner::kSegments);
+        const std::uint32_t length = is_long ? 100U : (has_no_segment_ ? 4U : told);
         segment_ = (manner == Manner::kSegments) ? key : segment_;
-        Answer((size == 0U) ? 0x80U : (is_long ? 0x41U : command), frame,
-               (size == 0U) ? kUnknown : (is_long ? length : found->second.value));
+        Answer((size == 0U) ? 0x80U : (is_segmented ? 0x41U : command), frame,
+               (size == 0U) ? kUnknown : (is_segmented ? length : found->second.value));
     }
     else if (is_write)
     {

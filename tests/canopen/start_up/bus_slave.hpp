@@ -19,9 +19,10 @@ enum class Manner : std::uint8_t
     kAbort = 1U,      ///< 0602 0000h.
     kSilent = 2U,     ///< No answer.
     kShort = 3U,      ///< Reads: one byte too few.
-    kGibberish = 4U,  ///< Reads: a segmented answer that is longer than anybody wants.
+    kLong = 4U,       ///< Reads: a segmented answer that is longer than anybody wants.
     kAbortWrite = 5U, ///< Writes are aborted, reads are good.
     kSegments = 6U,   ///< Reads are answered in a segment, as those of long values.
+    kNoSegment = 7U,  ///< Reads: a segmented answer, with something else in place of the segment.
 };
 
 /// A TxPDO as the slave really sends it.
@@ -98,6 +99,7 @@ class BusSlave
     std::uint32_t boots_at_us_{0U};
     std::uint32_t beats_at_us_{0U};
     std::uint8_t toggle_{0U};
+    bool has_no_segment_{false}; ///< What is being read; see kNoSegment.
 };
 
 } // namespace counterpoint::cia302

@@ -43,6 +43,7 @@ inline constexpr RequirementId SRS_FLY_151{"SRS_FLY_151"};
 inline constexpr RequirementId SRS_FLY_152{"SRS_FLY_152"};
 inline constexpr RequirementId SRS_FLY_153{"SRS_FLY_153"};
 inline constexpr RequirementId SRS_FLY_340{"SRS_FLY_340"};
+inline constexpr RequirementId SRS_FLY_480{"SRS_FLY_480"};
 } // namespace counterpoint::req
 
 #endif

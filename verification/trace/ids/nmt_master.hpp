@@ -42,6 +42,7 @@ inline constexpr RequirementId SRS_BOOT_340{"SRS_BOOT_340"};
 inline constexpr RequirementId SRS_BOOT_341{"SRS_BOOT_341"};
 inline constexpr RequirementId SRS_BOOT_342{"SRS_BOOT_342"};
 inline constexpr RequirementId SRS_BOOT_343{"SRS_BOOT_343"};
+inline constexpr RequirementId SRS_BOOT_480{"SRS_BOOT_480"};
 inline constexpr RequirementId SRS_NMM_001{"SRS_NMM_001"};
 inline constexpr RequirementId SRS_NMM_002{"SRS_NMM_002"};
 inline constexpr RequirementId SRS_NMM_003{"SRS_NMM_003"};

@@ -101,6 +101,7 @@ inline constexpr RequirementId SRS_SIM_217{"SRS_SIM_217"};
 inline constexpr RequirementId SRS_SIM_340{"SRS_SIM_340"};
 inline constexpr RequirementId SRS_SIM_350{"SRS_SIM_350"};
 inline constexpr RequirementId SRS_SIM_400{"SRS_SIM_400"};
+inline constexpr RequirementId SRS_SIM_480{"SRS_SIM_480"};
 inline constexpr RequirementId SRS_SIM_490{"SRS_SIM_490"};
 inline constexpr RequirementId SRS_SIM_491{"SRS_SIM_491"};
 } // namespace counterpoint::req

@@ -68,6 +68,7 @@ inline constexpr RequirementId SRS_ELM_213{"SRS_ELM_213"};
 inline constexpr RequirementId SRS_ELM_214{"SRS_ELM_214"};
 inline constexpr RequirementId SRS_ELM_215{"SRS_ELM_215"};
 inline constexpr RequirementId SRS_ELM_230{"SRS_ELM_230"};
+inline constexpr RequirementId SRS_ELM_480{"SRS_ELM_480"};
 inline constexpr RequirementId SRS_PLC_001{"SRS_PLC_001"};
 inline constexpr RequirementId SRS_PLC_002{"SRS_PLC_002"};
 inline constexpr RequirementId SRS_PLC_003{"SRS_PLC_003"};
@@ -94,6 +95,7 @@ inline constexpr RequirementId SRS_PLC_030{"SRS_PLC_030"};
 inline constexpr RequirementId SRS_PLC_031{"SRS_PLC_031"};
 inline constexpr RequirementId SRS_PLC_150{"SRS_PLC_150"};
 inline constexpr RequirementId SRS_PLC_151{"SRS_PLC_151"};
+inline constexpr RequirementId SRS_PLC_480{"SRS_PLC_480"};
 } // namespace counterpoint::req
 
 #endif

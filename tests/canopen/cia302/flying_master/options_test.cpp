@@ -85,6 +85,37 @@ TEST(FlyingVariants, WithRestartEverybodyWhoNegotiatesRestarts)
     }
 }
 
+TEST(FlyingVariants, WhoForcedTheNegotiationIsNoMoreInItsFirstPass)
+{
+    Verifies(req::SRS_FLY_480);
+    FlyingMasterOptions options = kDefault;
+    options.on_force = ForceReaction::kRestart;
+    // Given a device that was just switched on, and a worse master that begins again without a reset
+    FlyingRig rig(5U, 0U, options);
+    rig.Start();
+    rig.RunTo(540U);
+    rig.Hear(0x71U, {1U, 7U});
+    // When nobody answers in the pass behind its 076h, then it races and resets nobody
+    rig.RunTo(1200U);
+    EXPECT_EQ(rig.Log(),
+              (Lines{"500 073", "540 076", "540 force", "1040 073", "1140 072", "1190 071 00 05", "1190 master 0/5"}));
+}
+
+TEST(FlyingVariants, WithRestartA076hOfAnotherEndsTheFirstPass)
+{
+    Verifies(req::SRS_FLY_480);
+    FlyingMasterOptions options = kDefault;
+    options.on_force = ForceReaction::kRestart;
+    // Given a device that was just switched on, when it hears 076h while it negotiates
+    FlyingRig rig(5U, 0U, options);
+    rig.Start();
+    rig.RunTo(400U);
+    rig.Hear(0x76U);
+    // Then it begins again, and races in that pass
+    rig.RunTo(1060U);
+    EXPECT_EQ(rig.Log(), (Lines{"900 073", "1000 072", "1050 071 00 05", "1050 master 0/5"}));
+}
+
 TEST(FlyingVariants, EqualLevel)
 {
     Verifies(req::SRS_FLY_016);

@@ -121,6 +121,37 @@ TEST_F(BootLettersTest, MandatorySlaveIsWaitedForWithoutEndIfThereIsNoBootTime)
     EXPECT_EQ(Step(), MasterStep::kBooting);
 }
 
+TEST_F(BootLettersTest, AnIdentityThatIsTooLongIsThatOfAnotherDevice)
+{
+    Verifies(req::SRS_BOOT_480);
+    // Given slaves with a device type of 8 bytes that begins with the right number, of one of which none is expected
+    Add(5U, kBoot).Put(0x1000U, 0U, {0x91U, 1U, 0U, 0U, 0U, 0U, 0U, 0U});
+    Add(6U, kBoot).Put(0x1000U, 0U, {0x91U, 1U, 0U, 0U, 0U, 0U, 0U, 0U});
+    setups[6].device_type = 0U;
+    // And one with such a serial number
+    Add(7U, kBoot).Put(0x1018U, 4U, {0x34U, 0x12U, 0U, 0U, 0U, 0U, 0U, 0U});
+    // And one that refuses to be read with the code of a client without room
+    Add(8U, kBoot).refused[0x100000U] = SdoAbort::kOutOfMemory;
+    // When they are booted
+    Begin();
+    Run(100U);
+    // Then each of the first three is another device, told by the length, but the one whose type nobody compares
+    const std::vector<std::string> letters{"C", "-", "O"};
+    for (std::uint8_t node = 5U; node <= 7U; ++node)
+    {
+        const bool is_good = (node == 6U);
+        EXPECT_EQ(Letter(node), letters[node - 5U]) << int{node};
+        EXPECT_EQ(Of(node).abort, is_good ? SdoAbort::kNone : SdoAbort::kLengthMismatch) << int{node};
+        EXPECT_EQ(Of(node).is_started, is_good) << int{node};
+        EXPECT_FALSE(Of(node).is_busy) << int{node};
+    }
+    EXPECT_EQ(Of(5U).expected, 0x191U);
+    EXPECT_EQ(Of(7U).expected, 0x1234U);
+    EXPECT_EQ(Letter(8U), "-");
+    EXPECT_EQ(Of(8U).abort, SdoAbort::kOutOfMemory);
+    EXPECT_TRUE(Of(8U).is_busy);
+}
+
 struct IdentityCase
 {
     std::uint16_t index;

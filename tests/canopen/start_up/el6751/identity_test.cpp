@@ -208,10 +208,11 @@ TEST_F(El6751IdentityTest, RowDeviceTypeAbortedOrOfWrongLengthIsASyntaxError)
     Run(20U);
     EXPECT_EQ(Code(5U), 4);
     EXPECT_EQ(Of(5U).abort, SdoAbort::kLengthMismatch);
-    slaves[5]->Behave(0x1000U, 0U, Manner::kGibberish);
+    slaves[5]->Behave(0x1000U, 0U, Manner::kLong);
     slaves[5]->Power(Now().us);
     Run(20U);
     EXPECT_EQ(Code(5U), 4);
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kLengthMismatch);
     EXPECT_EQ(Nmt(), (Log{"0:82 00"}));
 }
 

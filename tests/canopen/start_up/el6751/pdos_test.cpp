@@ -114,7 +114,7 @@ TEST_F(El6751PdosTest, TheWindowIsTheInputShiftTimeTheEndIncluded)
     EXPECT_EQ(Cycle(some, 20500U), 0);
     // When it comes 1 us late, it was missing, though it came
     some.OnFrame(Frame(0x185U, 3U), At(20501U)); // (too short: it does not hide the fault)
-    EXPECT_EQ(some.Fault(kNode), 20);
+    EXPECT_EQ(some.Fault(kNode), 40);
     some.Await(kNode);
     EXPECT_EQ(Cycle(some, 30000U), 0);
     EXPECT_EQ(Receive(some, 30100U), 0);
@@ -351,6 +351,66 @@ TEST_F(El6751PdosTest, TooShortIsAnErrorAndLongerIsNone)
     some.OnFrame(remote, At(2U));
     some.OnFrame(Frame(0x186U, 1U), At(3U));
     EXPECT_EQ(some.Fault(kNode), 0);
+}
+
+TEST_F(El6751PdosTest, TooShortEachTimeStaysTooShortUntilARightOneOrNoneComes)
+{
+    Verifies(req::SRS_ELM_480);
+    for (const bool was_right : {true, false})
+    {
+        // Given a TxPDO with an event time of 100 ms that comes each 200 ms, at first right or never so
+        Tx(255U, 100U);
+        El6751Pdos& some = Make(El6751Times{});
+        some.OnFrame(Frame(0x185U, was_right ? 4U : 3U), At(0U));
+        // When it is too short from then on
+        for (std::uint32_t ms = 1U; ms <= 2000U; ++ms)
+        {
+            if ((ms % 200U) == 0U)
+            {
+                some.OnFrame(Frame(0x185U, 3U), At(1000U * ms));
+            }
+            const bool is_right = was_right && (ms < 200U);
+            EXPECT_EQ(Cycle(some, 1000U * ms), is_right ? 0 : 20) << ms;
+        }
+        // Then it is missing once none came for longer than 200 ms, and too short when the next one is
+        EXPECT_EQ(Cycle(some, 2200000U), 20);
+        EXPECT_EQ(Cycle(some, 2200001U), 22);
+        some.OnFrame(Frame(0x185U, 3U), At(2300000U));
+        EXPECT_EQ(some.Fault(kNode), 20);
+        EXPECT_EQ(some.HasAll(kNode), was_right);
+        EXPECT_EQ(Receive(some, 2400000U), 0);
+        EXPECT_TRUE(some.HasAll(kNode));
+    }
+}
+
+TEST_F(El6751PdosTest, TooShortInEachSyncCycleIsThereUnlessItComesBehindTheWindow)
+{
+    Verifies(req::SRS_ELM_480);
+    Tx(1U, 0U);
+    El6751Pdos& some = Make(El6751Times{});
+    EXPECT_EQ(SyncCycle(some, 0U, true), 0);
+    // When it comes too short within the window of each cycle, then that is what it is
+    for (std::uint32_t n = 1U; n <= 5U; ++n)
+    {
+        EXPECT_EQ(Cycle(some, 10000U * n), (n == 1U) ? 0 : 20);
+        some.OnFrame(Frame(0x185U, 3U), At((10000U * n) + 500U));
+        EXPECT_EQ(Cycle(some, (10000U * n) + 9000U), 20);
+    }
+    // When it comes behind it, it is missing in its cycle
+    EXPECT_EQ(Cycle(some, 60000U), 20);
+    EXPECT_EQ(Cycle(some, 60501U), 40);
+    for (std::uint32_t n = 6U; n <= 9U; ++n)
+    {
+        some.OnFrame(Frame(0x185U, 3U), At((10000U * n) + 600U));
+        EXPECT_EQ(some.Fault(kNode), 40);
+        EXPECT_EQ(Cycle(some, (10000U * n) + 10000U), 40);
+        EXPECT_EQ(Cycle(some, (10000U * n) + 10501U), 40);
+    }
+    // And in time again: too short, then right
+    EXPECT_EQ(Cycle(some, 110000U), 40);
+    some.OnFrame(Frame(0x185U, 3U), At(110200U));
+    EXPECT_EQ(Cycle(some, 119000U), 20);
+    EXPECT_EQ(SyncCycle(some, 12U, true), 0);
 }
 
 TEST_F(El6751PdosTest, RxPdosOfTypeNFollowEveryNthSync)

@@ -113,11 +113,11 @@ TEST_F(PlcBootTest, DeviceTypeIsAskedForEveryHalfSecondUntilAnyAnswer)
     EXPECT_EQ(Code(5U), 3);
     EXPECT_EQ(Of(5U).abort, SdoAbort::kTimeOut);
     // What answers with something that is no device type is asked as often, and not told to be silent
-    slaves[5]->Behave(0x1000U, 0U, Manner::kGibberish);
+    slaves[5]->Behave(0x1000U, 0U, Manner::kNoSegment);
     Run(1000U);
     EXPECT_EQ(slaves[5]->log.size(), 8U);
     EXPECT_EQ(Code(5U), 3);
-    EXPECT_EQ(Of(5U).abort, SdoAbort::kOutOfMemory);
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kCommand);
     // With a boot-up message its silence is over
     slaves[5]->Behave(0x1000U, 0U, Manner::kGood);
     slaves[5]->Power(Now().us);
@@ -126,6 +126,37 @@ TEST_F(PlcBootTest, DeviceTypeIsAskedForEveryHalfSecondUntilAnyAnswer)
     EXPECT_EQ(Of(5U).abort, SdoAbort::kNone);
     Run(510U);
     EXPECT_EQ(Code(5U), 5);
+}
+
+TEST_F(PlcBootTest, ADeviceTypeThatIsTooLongIsAnAnswerOfAnotherDevice)
+{
+    Verifies(req::SRS_PLC_480);
+    // Given a mandatory and an optional slave that answer 1000h with 100 bytes
+    for (const std::uint8_t node : Octets{5U, 6U})
+    {
+        AddPlc(node);
+        plc_slaves[node].is_optional = (node == 6U);
+        setups.at(node).device_type = 0x191U;
+        slaves[node]->Behave(0x1000U, 0U, Manner::kLong);
+    }
+    // And one of which no device type is expected
+    AddPlc(9U);
+    setups[9].device_type = 0U;
+    slaves[9]->Behave(0x1000U, 0U, Manner::kLong);
+    // When they are asked
+    Begin();
+    Run(1600U);
+    // Then both are told as another device, by the length, and nobody is waited for or asked again
+    for (const std::uint8_t node : Octets{5U, 6U})
+    {
+        EXPECT_EQ(told[node], (Log{"-1", "1", "2", "3", "98"})) << int{node};
+        EXPECT_EQ(Of(node).object.index, 0x1000U);
+        EXPECT_EQ(Of(node).abort, SdoAbort::kLengthMismatch);
+        EXPECT_EQ(slaves[node]->log, (Log{"nmt 81", "r 1000:00"}));
+    }
+    EXPECT_EQ(Code(9U), 5);
+    EXPECT_EQ(Of(9U).abort, SdoAbort::kNone);
+    EXPECT_EQ(plc.MasterState(), 5);
 }
 
 TEST_F(PlcBootTest, AllSdosInTheirOrderOneACycleAndTheSlavesAtTheSameTime)
