@@ -89,6 +89,7 @@ inline constexpr RequirementId SRS_NODE_240{"SRS_NODE_240"};
 inline constexpr RequirementId SRS_NODE_330{"SRS_NODE_330"};
 inline constexpr RequirementId SRS_NODE_331{"SRS_NODE_331"};
 inline constexpr RequirementId SRS_NODE_340{"SRS_NODE_340"};
+inline constexpr RequirementId SRS_NODE_470{"SRS_NODE_470"};
 } // namespace counterpoint::req
 
 #endif
