@@ -119,10 +119,26 @@ void ManagerRole::OnCycle(const Instant now) noexcept
 void ManagerRole::RunFlying(const Instant now) noexcept
 {
     constexpr std::uint32_t kHalfRange = 0x80000000U;
+    const bool was_slave = (flying_->State() == FlyingState::kSlave);
+    const NodeId master = flying_->Master().node;
     flying_->OnCycle(now);
+    if (was_slave && (flying_->State() != FlyingState::kSlave))
+    {
+        TellLost(master, now);
+    }
     FollowFlying(now);
     const FlyingDeadline due = flying_->Next();
     is_owing_ = is_leading_ && due.is_set && ((now.us - due.at.us) < kHalfRange);
+}
+
+/// The flying master misses its master. Where the node table waits for its heartbeat, too, that tells it. [SRS_MGR_473]
+void ManagerRole::TellLost(const NodeId master, const Instant now) noexcept
+{
+    if (!parts_.table.Record(master).is_running)
+    {
+        parts_.table.SetMissing(master);
+        parts_.listener.OnNodeEvent(master, NodeEvent::kHeartbeatLost, now);
+    }
 }
 
 void ManagerRole::OnBus(const bool is_there, const Instant now) noexcept

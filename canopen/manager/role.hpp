@@ -103,6 +103,7 @@ class ManagerRole final : public FlyingMasterListener
     void Lead(bool is_leader, Instant now) noexcept;
     void FollowFlying(Instant now) noexcept;
     void RunFlying(Instant now) noexcept;
+    void TellLost(NodeId master, Instant now) noexcept;
     void TryNegotiation(Instant now) noexcept;
     void UnwatchAll() noexcept;
 

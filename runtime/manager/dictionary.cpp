@@ -69,6 +69,28 @@ std::string RemedyOf(const ObjectAddress& object, const SdoAbort abort)
     return is_state ? "4, 5, 6 (reset), 7 (reset-comm) or 127 of a node of the network" : remedy;
 }
 
+/// Why a slave of the network does not take a command that 1F82h knows: its state does not allow it. Empty: another
+/// reason. [SRS_MGR_474]
+std::string StateReason(const ManagerAssembly& assembly, const ObjectAddress& object, const std::uint64_t value)
+{
+    constexpr std::uint16_t kNmt = 0x1F82U;
+    constexpr std::uint64_t kCommands[] = {4U, 5U, 6U, 7U, 127U};
+    const bool is_known = std::find(std::begin(kCommands), std::end(kCommands), value) != std::end(kCommands);
+    const cia302::NodeId node{object.sub};
+    std::string reason;
+    if (object.index == kNmt && is_known && object.sub == kAllSub)
+    {
+        reason = ", expected slaves in a state that allows it";
+    }
+    else if (object.index == kNmt && is_known && assembly.Net().Setup().IsListed(node))
+    {
+        reason = ", node " + std::to_string(node.value) + " is in " +
+                 StatusText(assembly.Net().Plan().manager.profile, assembly.Core().Status(node)) +
+                 ", expected a state that allows it";
+    }
+    return reason;
+}
+
 std::uint32_t SizeOf(const DataType type)
 {
     std::uint32_t size_bytes = 4U;
@@ -308,8 +330,9 @@ std::string ManagerDictionary::Set(const ObjectAddress& object, const std::uint6
                " bytes";
     }
     const SdoAbort abort = dictionary_.WriteNumber(object, value, entry->size_bytes);
+    const std::string state = (abort == SdoAbort::kValueRange) ? StateReason(assembly_, object, value) : "";
     return (abort == SdoAbort::kNone) ? "taken"
-                                      : name + " = " + std::to_string(value) + ": " + AbortText(abort) + ", expected " +
-                                            RemedyOf(object, abort);
+                                      : name + " = " + std::to_string(value) + ": " + AbortText(abort) +
+                                            (state.empty() ? ", expected " + RemedyOf(object, abort) : state);
 }
 } // namespace counterpoint::runtime

@@ -158,7 +158,8 @@ bool ManagerLoop::Run()
         }
         if (socket_ != nullptr)
         {
-            socket_->Serve([this](const std::string& line) { return Answer(line); });
+            socket_->Serve([this](const std::string& line) { return Answer(line); },
+                           [this](const std::string& line) { return AnswerCut(line); });
         }
         if (now_ns >= next_look_ns_)
         {
@@ -291,7 +292,6 @@ void ManagerLoop::ReadTyped()
     const ssize_t count = ::read(settings_.input, bytes.data(), bytes.size());
     settings_.input = (count > 0) ? settings_.input : -1;
     typed_.append(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
-    typed_ += (settings_.input < 0 && !typed_.empty()) ? "\n" : ""; // The end of the input ends its last line.
     for (std::size_t end = typed_.find('\n'); end != std::string::npos; end = typed_.find('\n'))
     {
         const std::string line = typed_.substr(0U, end);
@@ -310,6 +310,12 @@ void ManagerLoop::ReadTyped()
         }
         typed_.clear();
         is_too_long_ = true;
+    }
+    if (settings_.input < 0 && !typed_.empty() && !is_too_long_)
+    {
+        const std::string answer = AnswerCut(typed_);
+        typed_.clear();
+        Show(answer);
     }
 }
 
@@ -386,6 +392,20 @@ std::string ManagerLoop::Answer(const std::string& line)
         station_.Tell("order", "order " + line + ": " + result, {{"order", line}, {"answer", result}}, StationUs());
         answer = result + "\n";
     }
+    return Formed(answer);
+}
+
+/// It may be the beginning of another one: stop 1 of stop 10. [SRS_MGR_471]
+std::string ManagerLoop::AnswerCut(const std::string& line)
+{
+    const std::string result =
+        "order " + cia306::Quoted(line) + " without an end of its line, expected whole lines; it is not carried out";
+    station_.Tell("order", result, {{"order", line}, {"answer", result}}, StationUs());
+    return Formed(result + "\n");
+}
+
+std::string ManagerLoop::Formed(const std::string& answer) const
+{
     return (settings_.is_json && !answer.empty() && answer[0] != '{')
                ? OneLine(
                      {{"format", kManagerFormat}, {"event", "answer"}, {"text", answer.substr(0U, answer.size() - 1U)}})

@@ -71,6 +71,8 @@ class ManagerLoop
     void FlushLog();
     void Draw();
     [[nodiscard]] std::string Answer(const std::string& line);
+    [[nodiscard]] std::string AnswerCut(const std::string& line);
+    [[nodiscard]] std::string Formed(const std::string& answer) const;
 
     std::unique_ptr<host::LiveBus> bus_;
     std::string address_;

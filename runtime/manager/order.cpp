@@ -210,6 +210,12 @@ std::string LeftOut(const ManagerOrder& order, const ManagerAssembly& assembly, 
     return left_out;
 }
 
+/// What is expected of whom a start leaves out.
+std::string ExpectedOf(const bool is_by_state)
+{
+    return is_by_state ? ", expected each in state 4, 5 or 99" : ", expected that one, and boot NODE";
+}
+
 /// Behind the answer to a start: slaves of which nothing is heard. It went to them, too, and nobody can say that they
 /// took it. [SRS_MGR_080]
 std::string NotHeard(const ManagerOrder& order, const ManagerAssembly& assembly)
@@ -235,26 +241,54 @@ std::string NotHeard(const ManagerOrder& order, const ManagerAssembly& assembly)
     return named.empty() ? named : "; nothing is heard of, so perhaps not started: " + named;
 }
 
+/// Safety slaves that are not started because their node-ID may be that of two devices; 0: of all. [SRS_MGR_472]
+std::string Doubted(const std::uint8_t whom, const ManagerAssembly& assembly)
+{
+    std::string named;
+    for (const auto& slave : assembly.Net().Slaves())
+    {
+        const cia302::NodeId node{slave->plan.node};
+        const bool is_meant = whom == 0U || whom == node.value;
+        const bool is_doubted =
+            assembly.Net().Setup().IsSafetySlave(node) && assembly.Core().Watched().Of(node).is_duplicate;
+        if (is_meant && is_doubted && assembly.Core().IsActive())
+        {
+            named += "node " + std::to_string(node.value) + ": two devices seem to have this node-ID, ";
+        }
+    }
+    return named.empty() ? named : named + "expected one and a reset";
+}
+
+/// The answer to a start of several that was taken, but not by all.
+std::string PartlyTaken(const std::string& left_out, const bool is_by_state)
+{
+    return (is_by_state ? "taken, but not by " : "taken but for ") + left_out + ExpectedOf(is_by_state);
+}
+
 /// What became of a command, and who did not take a start.
 std::string AnswerTo(const ManagerOrder& order, ManagerAssembly& assembly, const Instant now)
 {
     using cia302::NmtAnswer;
+    const bool is_start = order.command == cia302::NmtCommand::kStart;
+    const std::string doubted = is_start ? Doubted(order.node, assembly) : "";
+    if (order.node != 0U && !doubted.empty())
+    {
+        return "not taken by " + doubted;
+    }
     // The start may take away what was found.
     const std::string despite = DespiteWhat(order, assembly);
     const std::string not_heard = NotHeard(order, assembly);
     const NmtAnswer answer = assembly.Core().Role().Command(order.command, cia302::NodeId{order.node}, now);
     const bool is_plc = assembly.Net().Plan().manager.profile == network_plan::StartProfile::kPlcDesigner;
-    const bool is_start = order.command == cia302::NmtCommand::kStart;
     const bool is_partly = answer == NmtAnswer::kPartly || (order.node == 0U && answer == NmtAnswer::kOtherDevice);
     const bool is_refused = is_plc && answer == NmtAnswer::kWrong;
     const bool is_by_state = is_plc && answer != NmtAnswer::kOtherDevice;
     const std::string left_out = (is_start && (is_partly || is_refused)) ? LeftOut(order, assembly, is_by_state) : "";
-    const std::string some = is_by_state ? "taken, but not by " : "taken but for ";
-    const std::string expected =
-        is_by_state ? ", expected each in state 4, 5 or 99" : ", expected that one, and boot NODE";
-    const std::string text =
-        left_out.empty() ? WordOf(answer) : (is_partly ? some : "not taken by ") + left_out + expected;
-    return text + ((answer == NmtAnswer::kTaken || is_partly) ? despite + not_heard : "");
+    const std::string not_started = doubted.empty() ? "" : "; not started: " + doubted;
+    const std::string refused = "not taken by " + left_out + ExpectedOf(is_by_state);
+    const std::string named = is_partly ? PartlyTaken(left_out, is_by_state) : refused;
+    const std::string text = left_out.empty() ? WordOf(answer) : named;
+    return text + ((answer == NmtAnswer::kTaken || is_partly) ? despite + not_heard + not_started : "");
 }
 
 /// The table of the manual network management has a row for each state and pair.
@@ -410,6 +444,25 @@ std::string NotOurs(const ManagerAssembly& assembly, const cia302::NodeId node)
     return answer;
 }
 } // namespace
+
+std::string AnswerToSet(const ManagerOrder& order, const ManagerAssembly& assembly, const std::string& answer)
+{
+    constexpr std::uint16_t kNmt = 0x1F82U;
+    constexpr std::uint8_t kAllSub = 0x80U;
+    constexpr std::uint64_t kStart = 5U;
+    constexpr std::uint64_t kStartOfEach = 0x85U;
+    const bool is_start = order.value == kStart || order.value == kStartOfEach;
+    if (order.object.index != kNmt || !is_start || answer != "taken")
+    {
+        return answer;
+    }
+    const bool is_all = order.object.sub == kAllSub;
+    const bool is_plc = assembly.Net().Plan().manager.profile == network_plan::StartProfile::kPlcDesigner;
+    const std::string left_out = is_all ? LeftOut(ManagerOrder{}, assembly, is_plc) : "";
+    const std::string doubted = Doubted(is_all ? std::uint8_t{0U} : order.object.sub, assembly);
+    return (left_out.empty() ? answer : PartlyTaken(left_out, is_plc)) +
+           (doubted.empty() ? "" : "; not started: " + doubted);
+}
 
 std::string CarryOut(const ManagerOrder& order, ManagerAssembly& assembly, const Instant now)
 {

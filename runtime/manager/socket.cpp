@@ -114,7 +114,8 @@ void ManagerSocket::AddTo(std::vector<pollfd>& places) const
     }
 }
 
-void ManagerSocket::Serve(const std::function<std::string(const std::string&)>& answer)
+void ManagerSocket::Serve(const std::function<std::string(const std::string&)>& answer,
+                          const std::function<std::string(const std::string&)>& cut)
 {
     ++turn_;
     Accept();
@@ -122,6 +123,7 @@ void ManagerSocket::Serve(const std::function<std::string(const std::string&)>& 
     {
         Send(client);
         TakeLines(client, answer);
+        TakeRest(client, cut);
         const bool is_done = client.is_ended && client.typed.empty() && client.unsent.empty();
         client.is_over = client.is_over || is_done;
     }
@@ -158,6 +160,19 @@ void ManagerSocket::TakeLines(Client& client, const std::function<std::string(co
     }
 }
 
+/// Behind its last whole line. [SRS_MGR_471]
+void ManagerSocket::TakeRest(Client& client, const std::function<std::string(const std::string&)>& cut) const
+{
+    const bool is_cut = client.is_ended && !client.typed.empty() && client.typed.find('\n') == std::string::npos;
+    if (is_cut && client.unsent.empty())
+    {
+        client.unsent = cut ? cut(client.typed) : "";
+        client.taken_ns = host::LiveNow();
+        client.typed.clear();
+        Send(client);
+    }
+}
+
 void ManagerSocket::Accept()
 {
     const int file = ::accept4(listener_.Get(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
@@ -180,7 +195,6 @@ void ManagerSocket::Read(Client& client)
     const bool is_nothing = count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR);
     client.is_ended = count == 0;
     client.is_over = client.is_over || (count < 0 && !is_nothing);
-    client.typed += (count == 0 && !client.typed.empty()) ? "\n" : ""; // Its end ends its last line.
     client.heard = (count > 0) ? turn_ : client.heard;
     client.typed.append(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
 }

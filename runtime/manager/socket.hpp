@@ -23,7 +23,7 @@ constexpr std::uint64_t kAnswerPatienceNs = 2'000'000'000U;
 /// A Unix socket on which programs send orders, a line each, and read the answers. Nothing blocks: of a client whose
 /// answer waits no further line is taken, one that takes nothing of it for long is disconnected, and a new client takes
 /// the place of the one that was silent longest. Its end removes the socket file that it made, and no other one.
-/// [SRS_MGR_006, SRS_MGR_061, SRS_MGR_137, SRS_MGR_138, SRS_MGR_160]
+/// [SRS_MGR_006, SRS_MGR_061, SRS_MGR_137, SRS_MGR_138, SRS_MGR_160, SRS_MGR_471]
 class ManagerSocket
 {
   public:
@@ -36,8 +36,10 @@ class ManagerSocket
 
     /// @brief Adds the descriptors to wait for.
     void AddTo(std::vector<pollfd>& places) const;
-    /// @brief Takes new clients, and of each client a few whole lines; `answer` gives the answer to a line.
-    void Serve(const std::function<std::string(const std::string&)>& answer);
+    /// @brief Takes new clients, and of each client a few whole lines; `answer` gives the answer to a line, `cut` that
+    /// to a line that the end of what a client sends has cut.
+    void Serve(const std::function<std::string(const std::string&)>& answer,
+               const std::function<std::string(const std::string&)>& cut = {});
 
   private:
     struct Client
@@ -54,6 +56,7 @@ class ManagerSocket
     void Accept();
     void Read(Client& client);
     void TakeLines(Client& client, const std::function<std::string(const std::string&)>& answer);
+    void TakeRest(Client& client, const std::function<std::string(const std::string&)>& cut) const;
     void Send(Client& client) const;
 
     std::uint64_t patience_ns_;

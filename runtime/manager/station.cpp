@@ -89,7 +89,7 @@ std::string ManagerStation::Carry(const ManagerOrder& order, const std::uint64_t
     }
     else if (order.kind == ManagerOrderKind::kSet)
     {
-        answer = dictionary_.Set(order.object, order.value, now);
+        answer = AnswerToSet(order, assembly_, dictionary_.Set(order.object, order.value, now));
     }
     else if (order.kind == ManagerOrderKind::kOutput)
     {

@@ -57,6 +57,16 @@ std::optional<std::uint8_t> NodeIdOf(const NodeSettings& settings, const cia306:
     return is_waiting ? std::optional(kPlaceholder) : wanted;
 }
 
+/// The node-ID that LSS took away, now; 0: none. `had` is the one with which the device was on the bus. [SRS_NODE_470]
+std::uint8_t LostNodeId(std::uint8_t& had, const cia301::NodeState state, const std::uint8_t node_id)
+{
+    const bool is_on_bus = cia301::StateByte(state) != 0U;
+    const bool is_lost = !is_on_bus && had != 0U && node_id == 0U;
+    const std::uint8_t before = had;
+    had = (is_on_bus || is_lost) ? node_id : had;
+    return is_lost ? before : std::uint8_t{0U};
+}
+
 KeepLss KeeperOf(NodeStore* const store)
 {
     return (store == nullptr) ? KeepLss{} : [store](const cia305::LssSettings& settings)
@@ -301,6 +311,11 @@ void NodeDevice::TellState(const std::uint64_t now_ns)
     const bool is_told_invalid = application_.TakeInvalid();
     state_ =
         std::exchange(has_reset_, false) ? cia301::NodeState::kInvalid : state_; // Told again, even if it is the same.
+    if (const std::uint8_t lost = LostNodeId(node_id_, state, assembly_.NodeId()); lost != 0U)
+    {
+        report_.Tell(now_ns, "LSS took node-ID " + std::to_string(lost) + " away: node without a node-ID", "lss",
+                     {{"node_id", 0}});
+    }
     if (state != state_)
     {
         const bool is_configured = state_ == cia301::NodeState::kInvalid && cia301::StateByte(state) != 0U;

@@ -166,6 +166,7 @@ class NodeDevice final : private AssemblyOwner
     std::uint64_t now_ns_{0U}; ///< Of what is told next.
     std::array<std::uint64_t, kMaxSrdoCount> pressed_until_ns_{};
     cia301::NodeState state_{cia301::NodeState::kInvalid};
+    std::uint8_t node_id_{0U}; ///< With which it was on the bus; 0: none.
     bool has_restarted_{false};
     bool has_reset_{false}; ///< States and values count as not told yet.
     bool has_told_test_{false};

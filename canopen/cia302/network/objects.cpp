@@ -335,14 +335,15 @@ SdoAbort NetworkObjects::RequestNmt(const std::uint8_t sub, const std::uint32_t 
 
 /// A full queue is waited for: the write is asked again, and goes on where it stopped. One node whose state does not
 /// allow the command keeps no other one from it, nor does another device than the expected one, which is told at the
-/// end.
+/// end. Whom a start of all leaves out is left out here, too. [SRS_BOOT_470]
 SdoAbort NetworkObjects::RequestEach(const NmtCommand command) noexcept
 {
     SdoAbort abort = SdoAbort::kNone;
     while ((abort == SdoAbort::kNone) && (next_ <= kLastNode))
     {
         const NodeId node{next_};
-        if (parts_.setup.IsListed(node) && (next_ != requester_.value))
+        const bool is_left_out = (command == NmtCommand::kStart) && parts_.start_up.IsLeftOut(node);
+        if (parts_.setup.IsListed(node) && (next_ != requester_.value) && !is_left_out)
         {
             const NmtAnswer answer = parts_.start_up.Command(command, node, now_);
             const bool is_other = (answer == NmtAnswer::kOtherDevice);

@@ -146,6 +146,11 @@ class StartUp
     /// the slave is not IsConfigurable.
     [[nodiscard]] virtual bool Configure(NodeId node, Instant now) noexcept = 0;
 
+    /// @brief Whether a start of several slaves leaves this one out: only a start of its own starts it. By itself none.
+    [[nodiscard]] virtual bool IsLeftOut(const NodeId /*node*/) const noexcept
+    {
+        return false;
+    }
     /// @brief What makes a slave the expected device under this profile.
     [[nodiscard]] virtual IdentityRule Identity() const noexcept
     {

@@ -59,6 +59,7 @@ BootFinding BootNmt::AwaitBootUp(const BootJob& job) noexcept
     }
     else
     {
+        job.record.status.ForgetObject(); // No SDO is unanswered. [SRS_BOOT_471]
         job.record.status.abort = SdoAbort::kTimeOut;
         finding = Failed('J');
     }

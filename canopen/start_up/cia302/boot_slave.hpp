@@ -80,6 +80,9 @@ class BootSlave
     /// @brief Does what can be done now. Call it once a cycle, and after each frame of the node.
     void OnCycle(NodeId node, const BootTime& time) noexcept;
 
+    /// @brief A slave whose boot ended with an error, and that nobody started all the same: a start of several leaves
+    /// it out. No safety slave: that is asked and read again before its start. [SRS_BOOT_470]
+    [[nodiscard]] bool IsRefused(NodeId node) const noexcept;
     /// @brief Record of a slave; `node` is 1 to 127, checked by the caller.
     [[nodiscard]] BootRecord& Record(NodeId node) noexcept;
     /// @brief The same, to look at.

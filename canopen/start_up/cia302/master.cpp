@@ -221,11 +221,23 @@ bool Cia302Master::IsAnyHeld() const noexcept
     return is_any;
 }
 
-/// With one start for all if that hits booted slaves only, none that must be verified, and none that a command holds.
+bool Cia302Master::IsAnyRefused() const noexcept
+{
+    bool is_any = false;
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        is_any = is_any || boot_.IsRefused(NodeId{id});
+    }
+    return is_any;
+}
+
+/// With one start for all if that hits booted slaves only, none that must be verified, none that a command holds, and
+/// none that was refused, which may be one that is not booted.
 void Cia302Master::StartSlaves(const BootTime& time) noexcept
 {
     is_start_due_ = false;
-    const bool is_together = !parts_.setup.HasSafetySlave() && IsEach(kInNetwork | kBootSlave, true) && !IsAnyHeld();
+    const bool is_known = !IsAnyHeld() && !IsAnyRefused();
+    const bool is_together = !parts_.setup.HasSafetySlave() && IsEach(kInNetwork | kBootSlave, true) && is_known;
     const bool is_sent =
         is_together && (parts_.nmt.Request(NmtCommand::kStart, kAllNodes, time.now) == NmtAnswer::kTaken);
     is_start_due_ = is_together && !is_sent;

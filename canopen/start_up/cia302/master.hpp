@@ -51,6 +51,8 @@ class Cia302Master
     }
     /// @brief Whether the master is OPERATIONAL.
     [[nodiscard]] bool IsOperational() const noexcept;
+    /// @brief Whether a start of several leaves somebody out: IsRefused of BootSlave.
+    [[nodiscard]] bool IsAnyRefused() const noexcept;
 
   private:
     void Go(MasterEvent event, Instant now) noexcept;

@@ -320,7 +320,7 @@ NmtAnswer Cia302StartUp::CommandAll(const NmtCommand command, const BootTime& ti
 {
     const bool is_start = (command == NmtCommand::kStart);
     NmtAnswer answer = NmtAnswer::kTaken;
-    if (is_start && (parts_.setup.HasSafetySlave() || IsAnyRefused()))
+    if (is_start && (parts_.setup.HasSafetySlave() || master_.IsAnyRefused()))
     {
         answer = StartEach(time);
     }
@@ -349,25 +349,9 @@ NmtAnswer Cia302StartUp::CommandAll(const NmtCommand command, const BootTime& ti
     return answer;
 }
 
-/// A slave whose boot ended with an error, and that nobody started all the same. A safety slave is asked and read again
-/// before its start.
-bool Cia302StartUp::IsRefused(const NodeId node) const noexcept
+bool Cia302StartUp::IsLeftOut(const NodeId node) const noexcept
 {
-    const BootRecord& record = boot_.Record(node);
-    const char letter = record.status.letter;
-    const bool is_error = (letter != '\0') && (letter != 'L') && (letter != 'A');
-    const bool is_ended = !record.is_booted && !record.status.is_busy && !record.status.is_started;
-    return parts_.setup.IsListed(node) && !parts_.setup.IsSafetySlave(node) && is_error && is_ended;
-}
-
-bool Cia302StartUp::IsAnyRefused() const noexcept
-{
-    bool is_any = false;
-    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
-    {
-        is_any = is_any || IsRefused(NodeId{id});
-    }
-    return is_any;
+    return boot_.IsRefused(node);
 }
 
 /// Whoever is refused keeps nobody else from being started.
@@ -378,7 +362,7 @@ NmtAnswer Cia302StartUp::StartEach(const BootTime& time) noexcept
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
         const bool is_meant = parts_.setup.IsListed(NodeId{id}) && (answer == NmtAnswer::kTaken);
-        const bool is_refused = is_meant && IsRefused(NodeId{id});
+        const bool is_refused = is_meant && boot_.IsRefused(NodeId{id});
         const bool is_asked = is_meant && !is_refused;
         const NmtAnswer one = is_asked ? CommandNode(NmtCommand::kStart, NodeId{id}, time) : NmtAnswer::kTaken;
         refusal = (is_refused && (refusal == NmtAnswer::kTaken)) ? NmtAnswer::kPartly : refusal;

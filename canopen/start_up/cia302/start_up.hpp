@@ -32,6 +32,8 @@ class Cia302StartUp final : public StartUp, private BootListener
     /// @brief Writes the configuration alone. False: not listed, not IsConfigurable, or no start-up runs. [SRS_NMM_009]
     [[nodiscard]] bool Configure(NodeId node, Instant now) noexcept override;
 
+    /// @brief Whether its boot ended with an error, and nobody started it since. [SRS_BOOT_470]
+    [[nodiscard]] bool IsLeftOut(NodeId node) const noexcept override;
     [[nodiscard]] NodeStatus Status(NodeId node) const noexcept override;
     [[nodiscard]] std::int16_t MasterState() const noexcept override;
 
@@ -56,8 +58,6 @@ class Cia302StartUp final : public StartUp, private BootListener
     void OnForeign(NodeId node, Instant now) noexcept;
     void OnState(NodeId node, NodeEvent event, const BootTime& time) noexcept;
     [[nodiscard]] NmtAnswer CommandAll(NmtCommand command, const BootTime& time) noexcept;
-    [[nodiscard]] bool IsRefused(NodeId node) const noexcept;
-    [[nodiscard]] bool IsAnyRefused() const noexcept;
     [[nodiscard]] NmtAnswer StartEach(const BootTime& time) noexcept;
     [[nodiscard]] NmtAnswer CommandNode(NmtCommand command, NodeId node, const BootTime& time) noexcept;
     void Keep(NmtCommand command, NodeId node, const BootTime& time) noexcept;

@@ -22,6 +22,26 @@ void PlcRelease::Begin() noexcept
     has_started_all_ = false;
 }
 
+/// The first abort stays, whatever was answered behind it. [SRS_PLC_470]
+void PlcRelease::TellRefused(PlcNode& slave) noexcept
+{
+    constexpr ObjectAddress kRestoreEntry{0x1011U, 1U};
+    if (slave.restore_abort != SdoAbort::kNone)
+    {
+        slave.status.object = kRestoreEntry;
+        slave.status.abort = slave.restore_abort;
+    }
+    else if (slave.list_abort != SdoAbort::kNone)
+    {
+        slave.status.object = slave.refused;
+        slave.status.abort = slave.list_abort;
+    }
+    else
+    {
+        // All was confirmed.
+    }
+}
+
 void PlcRelease::Configured(const NodeId node, const Instant now) noexcept
 {
     PlcNode& slave = slaves_.Of(node);
@@ -43,6 +63,7 @@ void PlcRelease::Configured(const NodeId node, const Instant now) noexcept
     }
     else
     {
+        TellRefused(slave);
         parts_.table.WatchAsSetUp(node, now);
         slaves_.Go(node, PlcEvent::kAnswered, StartUpStep::kManual, now);
     }

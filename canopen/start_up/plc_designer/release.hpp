@@ -38,6 +38,7 @@ class PlcRelease
     [[nodiscard]] bool RunsUnread(NodeId node) const noexcept;
 
   private:
+    static void TellRefused(PlcNode& slave) noexcept;
     [[nodiscard]] bool WaitsForAll(NodeId node) const noexcept;
     void Want(NodeId node) noexcept;
     void Refuse(NodeId node, Instant now) noexcept;

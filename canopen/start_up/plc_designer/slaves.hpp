@@ -30,11 +30,14 @@ struct PlcNode
     bool is_listed;
     bool is_transferring;
     bool is_type_wrong;
-    SdoAbort type_abort; ///< Of 1000h.
-    bool was_reset;      ///< After 1011h:01, since Begin.
-    bool is_held;        ///< Held by a command: it is not started again by itself.
-    bool is_wanted;      ///< To be started.
-    bool is_by_hand;     ///< Its start was ordered: no other slave is waited for.
+    SdoAbort type_abort;    ///< Of 1000h.
+    SdoAbort restore_abort; ///< Of 1011h:01, since Begin.
+    ObjectAddress refused;  ///< First SDO of the list that was aborted; 0000h: none.
+    SdoAbort list_abort;    ///< Of that one.
+    bool was_reset;         ///< After 1011h:01, since Begin.
+    bool is_held;           ///< Held by a command: it is not started again by itself.
+    bool is_wanted;         ///< To be started.
+    bool is_by_hand;        ///< Its start was ordered: no other slave is waited for.
     SafetyReading reading;
     bool ran_unread;  ///< Was OPERATIONAL since its SDOs were answered last, and not read.
     bool is_stop_due; ///< It is to be stopped: the gate refused it, or it cannot be read.

@@ -131,6 +131,7 @@ void PlcStartUp::BeginReset(const NodeId node, const Instant now) noexcept
     PlcNode& slave = slaves_.Of(node);
     const bool was_reset = slave.was_reset;
     const bool has_sdos = slave.has_sdos;
+    const SdoAbort restore_abort = slave.restore_abort;
     const NodeStatus before = slave.status;
     parts_.sdo.Cancel(node, SdoAbort::kGeneral);
     parts_.gate.Close(node);
@@ -139,6 +140,7 @@ void PlcStartUp::BeginReset(const NodeId node, const Instant now) noexcept
     slave.is_listed = true;
     slave.was_reset = was_reset;
     slave.has_sdos = has_sdos;
+    slave.restore_abort = restore_abort;
     slave.status.code = before.code;
     slaves_.Go(node, PlcEvent::kBegin, StartUpStep::kReset, now);
 }
@@ -152,6 +154,8 @@ void PlcStartUp::Settle(const NodeId node, const Instant now) noexcept
     parts_.table.Unwatch(node);
     slave.row = PlcRow::kDeviceType;
     slave.place = ConcisePosition{0U, 0U};
+    slave.refused = ObjectAddress{0U, 0U};
+    slave.list_abort = SdoAbort::kNone;
     slave.is_transferring = false;
     slave.is_type_wrong = false;
     slave.is_wanted = false;
@@ -304,11 +308,17 @@ void PlcStartUp::OnAnswer(const NodeId node, const Instant now) noexcept
     {
         const bool is_held = slave.is_held;
         slave.was_reset = true;
+        slave.restore_abort = outcome.abort;
         BeginReset(node, now);
         slave.is_held = is_held; // This reset is the start-up's own. [SRS_PLC_030]
     }
     else
     {
+        if ((outcome.abort != SdoAbort::kNone) && (slave.list_abort == SdoAbort::kNone))
+        {
+            slave.refused = slave.status.object;
+            slave.list_abort = outcome.abort;
+        }
         slave.place = ReadConcise(parts_.setup.Slave(node).concise_dcf, slave.place).next;
     }
     const Bytes& list = parts_.setup.Slave(node).concise_dcf;

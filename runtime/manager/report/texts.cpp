@@ -249,6 +249,10 @@ std::string FindingText(const StartProfile profile, const cia302::NodeStatus& st
     is_wrong = is_wrong || IsAskedAgain(status) || IsFlashBusy(status);
     is_wrong = (profile == StartProfile::kEl6751) ? is_refused || IsDespite(status) : is_wrong;
     is_wrong = (profile == StartProfile::kPlcDesigner) ? is_aborted || status.code == kWrongType : is_wrong;
+    if (is_wrong && status.object.index == 0U && status.abort == cia301::SdoAbort::kTimeOut)
+    {
+        return WordOf(status.step) + ": no boot-up message came, expected one"; // [SRS_BOOT_471]
+    }
     return is_wrong ? ValueText(status.object, status.abort, status.expected, status.read) : "";
 }
 

@@ -130,8 +130,11 @@ class ManagerFlying : public ::testing::Test, public cia301::FrameSink, public M
         }
         return is_taken;
     }
-    void OnNodeEvent(const NodeId /*node*/, const NodeEvent /*event*/, const Instant /*now*/) noexcept override
+    void OnNodeEvent(const NodeId node, const NodeEvent event, const Instant /*now*/) noexcept override
     {
+        lost += (event == NodeEvent::kHeartbeatLost)
+                    ? std::to_string(now_ms) + " node " + std::to_string(node.value) + "; "
+                    : "";
     }
     void OnNodeStatus(const NodeId /*node*/, const Instant /*now*/) noexcept override
     {
@@ -167,6 +170,7 @@ class ManagerFlying : public ::testing::Test, public cia301::FrameSink, public M
     }
 
     std::vector<std::string> log_{};
+    std::string lost{}; ///< Whose heartbeat, and when.
     std::uint32_t now_ms{0U};
     std::uint32_t refuses{0U};
     std::array<SlaveSetup, kNodeRoom> slaves{};

@@ -61,6 +61,39 @@ TEST_F(ManagerFlying, WithoutAConsumerTimeNobodyWatchesTheMaster)
                             [](const std::string& line) { return line.find(" 705 7F") != std::string::npos; }));
 }
 
+TEST_F(ManagerFlying, TheLossOfAMasterThatNobodyElseWatchesIsToldOnce)
+{
+    Verifies(req::SRS_MGR_473);
+    // Given a master that is in no network list, watched by the flying master alone, for 1500 ms
+    Use(NegotiationBy::kManager);
+    manager.Begin(Now());
+    RunTo(10U);
+    Hear(0x071U, {0U, 3U});
+    RunTo(100U);
+    ASSERT_FALSE(manager.IsActive());
+    // When it is silent since its claim
+    RunTo(10U + 1500U - 1U);
+    EXPECT_EQ(lost, "");
+    RunTo(10'000U);
+    EXPECT_EQ(lost, "1510 node 3; ");
+    EXPECT_EQ(manager.Table().Record(NodeId{3U}).state, SlaveState::kMissing);
+    EXPECT_TRUE(manager.IsActive());
+}
+
+TEST_F(ManagerFlying, TheLossOfAMasterWithAConsumerTimeIsToldOnce)
+{
+    Verifies(req::SRS_MGR_473);
+    // Given a consumer time of 200 ms for the master, from its claim on
+    slaves[3].heartbeat = HeartbeatSetup{200U, 100U, Arming::kImmediately};
+    Use(NegotiationBy::kManager);
+    manager.Begin(Now());
+    RunTo(10U);
+    Hear(0x071U, {0U, 3U});
+    RunTo(10'000U);
+    EXPECT_EQ(lost, "211 node 3; ");
+    EXPECT_TRUE(manager.IsActive());
+}
+
 /// Tells nobody what the negotiation does.
 class QuietListener final : public ManagerListener
 {

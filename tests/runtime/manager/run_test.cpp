@@ -399,16 +399,26 @@ TEST_F(ManagerRunTest, OnATerminalTheTableIsRedrawnAboveTheLastAnswer)
     EXPECT_EQ(last.find(head), last.rfind(head)) << last;
 }
 
-TEST_F(ManagerRunTest, TheEndOfTheInputEndsItsLastLine)
+TEST_F(ManagerRunTest, AnOrderThatTheEndOfTheInputCutsIsToldAndNotCarriedOut)
 {
-    Verifies(req::SRS_MGR_006);
+    Verifies(req::SRS_MGR_471);
+    const std::string answer = "order 'qui' without an end of its line, expected whole lines; it is not carried out";
+    settings.for_ns = 500U * kMs;
+    Type("stop 99\nqui");
+    EndInput();
+    EXPECT_FALSE(Run());
+    EXPECT_EQ(Reason(), "--for");
+    ASSERT_EQ(Told("order").size(), 2U);
+    EXPECT_EQ(Told("order")[0]["order"], "stop 99");
+    EXPECT_EQ(Told("order")[1]["order"], "qui");
+    EXPECT_EQ(Told("order")[1]["answer"], answer);
+    EXPECT_NE(shown.find("\n" + answer + "\n"), std::string::npos) << shown;
+    // And whole, it is an order
     settings.for_ns = 3600000U * kMs;
-    Type("stop 99\nquit");
+    Type("stop 99\nquit\n");
     EndInput();
     EXPECT_FALSE(Run());
     EXPECT_EQ(Reason(), "quit");
-    ASSERT_EQ(Told("order").size(), 1U);
-    EXPECT_EQ(Told("order")[0]["order"], "stop 99");
 }
 } // namespace
 } // namespace counterpoint::tools

@@ -280,7 +280,7 @@ TEST_F(ManagerSocketTest, WhoHasSentAllGetsItsAnswerToTheEnd)
     Verifies(req::SRS_MGR_160);
     runtime::ManagerSocket socket(Path("m.sock"));
     const host::LiveFile client = Connect(Path("m.sock"));
-    Say(client, "1");
+    Say(client, "1\n");
     ASSERT_EQ(::shutdown(client.Get(), SHUT_WR), 0);
     const auto much = [](const std::string& line) { return std::string(300000U, line[0]); };
     std::string all;
@@ -324,21 +324,38 @@ TEST_F(ManagerSocketTest, ALineOf1024BytesIsOneAndOfOneMoreIsNot)
     EXPECT_EQ(length, 1024U);
 }
 
-TEST_F(ManagerSocketTest, TheEndOfWhatIsSentEndsItsLastLine)
+TEST_F(ManagerSocketTest, ALineThatTheEndOfWhatIsSentCutsIsNoOrder)
 {
-    Verifies(req::SRS_MGR_138);
+    Verifies(req::SRS_MGR_471);
     runtime::ManagerSocket socket(Path("m.sock"));
     const host::LiveFile client = Connect(Path("m.sock"));
     // Given a client that sends a line and half of one, and then says that nothing more comes
     Say(client, "one\ntwo");
     ASSERT_EQ(::shutdown(client.Get(), SHUT_WR), 0);
+    std::vector<std::string> cuts;
+    const auto cut = [&cuts](const std::string& line)
+    {
+        cuts.push_back(line);
+        return line + "?";
+    };
     for (int turn = 0; turn < 4; ++turn)
     {
-        socket.Serve(Echo);
+        socket.Serve(Echo, cut);
     }
-    // Then both are answered
-    EXPECT_EQ(Receive(client), "one!two!");
+    // Then the first one is an order, and the other one is answered as what it is, once
+    EXPECT_EQ(Receive(client), "one!two?");
     EXPECT_EQ(Receive(client), "cut");
+    EXPECT_EQ(cuts, (std::vector<std::string>{"two"}));
+    // Also of a client that is gone
+    {
+        const host::LiveFile gone = Connect(Path("m.sock"));
+        Say(gone, "stop 1");
+    }
+    for (int turn = 0; turn < 4; ++turn)
+    {
+        socket.Serve(Echo, cut);
+    }
+    EXPECT_EQ(cuts, (std::vector<std::string>{"two", "stop 1"}));
 }
 } // namespace
 } // namespace counterpoint::tools

@@ -42,6 +42,8 @@ inline constexpr RequirementId SRS_BOOT_340{"SRS_BOOT_340"};
 inline constexpr RequirementId SRS_BOOT_341{"SRS_BOOT_341"};
 inline constexpr RequirementId SRS_BOOT_342{"SRS_BOOT_342"};
 inline constexpr RequirementId SRS_BOOT_343{"SRS_BOOT_343"};
+inline constexpr RequirementId SRS_BOOT_470{"SRS_BOOT_470"};
+inline constexpr RequirementId SRS_BOOT_471{"SRS_BOOT_471"};
 inline constexpr RequirementId SRS_BOOT_480{"SRS_BOOT_480"};
 inline constexpr RequirementId SRS_NMM_001{"SRS_NMM_001"};
 inline constexpr RequirementId SRS_NMM_002{"SRS_NMM_002"};

@@ -90,6 +90,7 @@ inline constexpr RequirementId SRS_NODE_330{"SRS_NODE_330"};
 inline constexpr RequirementId SRS_NODE_331{"SRS_NODE_331"};
 inline constexpr RequirementId SRS_NODE_340{"SRS_NODE_340"};
 inline constexpr RequirementId SRS_NODE_450{"SRS_NODE_450"};
+inline constexpr RequirementId SRS_NODE_470{"SRS_NODE_470"};
 inline constexpr RequirementId SRS_NODE_490{"SRS_NODE_490"};
 } // namespace counterpoint::req
 

@@ -95,6 +95,7 @@ inline constexpr RequirementId SRS_PLC_030{"SRS_PLC_030"};
 inline constexpr RequirementId SRS_PLC_031{"SRS_PLC_031"};
 inline constexpr RequirementId SRS_PLC_150{"SRS_PLC_150"};
 inline constexpr RequirementId SRS_PLC_151{"SRS_PLC_151"};
+inline constexpr RequirementId SRS_PLC_470{"SRS_PLC_470"};
 inline constexpr RequirementId SRS_PLC_480{"SRS_PLC_480"};
 } // namespace counterpoint::req
 

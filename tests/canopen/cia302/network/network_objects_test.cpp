@@ -157,6 +157,34 @@ TEST_F(NetworkObjectsTest, RequestForAll)
     EXPECT_EQ(Count(0U), 6); // Three resets; the boot-up messages came, and the slaves were started again.
 }
 
+TEST_F(NetworkObjectsTest, AStartOfEachLeavesOutWhoAStartOfAllLeavesOut)
+{
+    Verifies(req::SRS_BOOT_470);
+    // Given slave 6, of which another serial number is expected than it has: letter O
+    setups[6].serial_number = 0x9999U;
+    EXPECT_TRUE(start_up.Boot(NodeId{6U}, Now()));
+    Run(50U);
+    ASSERT_EQ(Letter(6U), "O");
+    log.clear();
+    // When each is started, then the other ones are
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 0x85U), SdoAbort::kNone);
+    EXPECT_EQ(Told(), (Lines{"01 05", "01 07"}));
+    EXPECT_FALSE(Of(6U).is_started);
+    // And so they are by the start of all behind it
+    log.clear();
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 5U), SdoAbort::kNone);
+    EXPECT_EQ(Told(), (Lines{"01 05", "01 07"}));
+    // What is no start goes to it, too; so does a start of its own
+    log.clear();
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 0x84U), SdoAbort::kNone);
+    EXPECT_EQ(Write(0x1F82U, 6U, 5U), SdoAbort::kNone);
+    EXPECT_EQ(Told(), (Lines{"02 05", "02 06", "02 07", "01 06"}));
+    // Started so, it is one of them
+    log.clear();
+    EXPECT_EQ(Write(0x1F82U, 0x80U, 0x85U), SdoAbort::kNone);
+    EXPECT_EQ(Told(), (Lines{"01 05", "01 06", "01 07"}));
+}
+
 TEST_F(NetworkObjectsTest, StartOfAllWithASafetySlaveIsOneStartEachAfterVerification)
 {
     Verifies(req::SRS_NMM_003);

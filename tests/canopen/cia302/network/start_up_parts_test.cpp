@@ -134,6 +134,7 @@ TEST_F(StartUpPartsTest, EachAnswerToACommandHasItsAbortCode)
 TEST_F(StartUpPartsTest, ANodeWhoseStateDoesNotAllowACommandToEachKeepsNoOtherOneFromIt)
 {
     Verifies(req::SRS_NMM_211);
+    EXPECT_FALSE(said.IsLeftOut(NodeId{5U})); // By itself a profile leaves out nobody.
     said.answers[5U] = NmtAnswer::kWrong;
     EXPECT_EQ(Write(0x80U, 0x85U), SdoAbort::kNone);
     EXPECT_EQ(said.asked, (Nodes{5U, 6U, 7U}));

@@ -247,6 +247,26 @@ TEST_F(BootCommandsTest, AStartOfAllKnowsWhoIsRefused)
     EXPECT_EQ(Sent(), (Lines{"01 00"}));
 }
 
+TEST_F(BootCommandsTest, AStartOfAllAtOnceLeavesOutWhoIsNotBootedAndRefused)
+{
+    Verifies(req::SRS_BOOT_470);
+    // Given slave 5, which is booted, and 6, which is supervised only and sends no heartbeat: letter K
+    setup.start_up = kIsMaster | kStartAllAtOnce | kApplicationStartsSelf;
+    Add(5U, kBoot);
+    Add(6U, kInNetwork);
+    setups[6].heartbeat = HeartbeatSetup{200U, 0U, Arming::kImmediately};
+    BeginLate();
+    Run(300U);
+    ASSERT_EQ(Letter(5U) + Letter(6U), "-K");
+    log.clear();
+    // When the master is started, and with it all at once
+    EXPECT_EQ(Command(NmtCommand::kStart, 127U), NmtAnswer::kTaken);
+    Run(10U);
+    // Then no start of all goes to that one
+    EXPECT_EQ(Sent(), (Lines{"01 05"}));
+    EXPECT_EQ(slaves[6]->State(), NodeState::kPreOperational);
+}
+
 TEST_F(BootCommandsTest, AStopOfAllBreaksOffWhatWasFoundOfASafetySlave)
 {
     Verifies(req::SRS_SFS_009);

@@ -375,6 +375,11 @@ TEST_F(BootLettersTest, J_NoBootUpMessageAfterRestoring)
     Run(3U);
     EXPECT_EQ(Letter(5U), "J");
     EXPECT_EQ(Of(5U).step, StartUpStep::kRestore);
+    // And no SDO of it was unanswered
+    Verifies(req::SRS_BOOT_471);
+    EXPECT_EQ(Of(5U).object.index, 0U);
+    EXPECT_EQ(Of(5U).object.sub, 0U);
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kTimeOut);
 }
 
 TEST_F(BootLettersTest, K_NoHeartbeatAtTheStartOfErrorControl)

@@ -359,5 +359,59 @@ TEST_F(PlcBootTest, ResetNodesGoesOnAfterAnAbortOf1011hToo)
     EXPECT_EQ(Code(5U), 5);
 }
 
+TEST_F(PlcBootTest, AnAbortOf1011hIsToldAsLongAsItIsNotWrittenAgain)
+{
+    Verifies(req::SRS_PLC_470);
+    // Given a slave that refuses to restore its defaults, and takes its SDO
+    AddPlc(5U);
+    plc_slaves[5].is_reset = true;
+    User(5U, 0x2000U, 0U, {1U});
+    slaves[5]->Behave(0x1011U, 1U, Manner::kAbort);
+    Begin();
+    Run(1100U);
+    ASSERT_EQ(Code(5U), 5);
+    EXPECT_EQ(Of(5U).object.index, 0x1011U);
+    EXPECT_EQ(Of(5U).object.sub, 1U);
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kObjectUnknown);
+    // Also with its next start-up, which does not write it
+    EXPECT_TRUE(Do([this] { return plc.Boot(NodeId{5U}, Now()); }));
+    Run(600U);
+    ASSERT_EQ(Code(5U), 5);
+    EXPECT_EQ(Of(5U).object.index, 0x1011U);
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kObjectUnknown);
+    // Until everything begins anew
+    slaves[5]->Behave(0x1011U, 1U, Manner::kGood);
+    Begin();
+    Run(1100U);
+    ASSERT_EQ(Code(5U), 5);
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kNone);
+}
+
+TEST_F(PlcBootTest, TheFirstAbortIsToldWhateverIsAnsweredBehindIt)
+{
+    Verifies(req::SRS_PLC_470);
+    // Given a slave that refuses the first and the second of three SDOs
+    AddPlc(5U);
+    User(5U, 0x2000U, 3U, {1U});
+    User(5U, 0x2001U, 0U, {2U});
+    User(5U, 0x2002U, 0U, {3U});
+    slaves[5]->Behave(0x2000U, 3U, Manner::kAbort);
+    slaves[5]->Behave(0x2001U, 0U, Manner::kAbort);
+    Begin();
+    Run(600U);
+    ASSERT_EQ(Code(5U), 5);
+    EXPECT_EQ(Of(5U).object.index, 0x2000U);
+    EXPECT_EQ(Of(5U).object.sub, 3U);
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kObjectUnknown);
+    // When it takes them in its next start-up
+    slaves[5]->Behave(0x2000U, 3U, Manner::kGood);
+    slaves[5]->Behave(0x2001U, 0U, Manner::kGood);
+    slaves[5]->Power(Now().us);
+    Run(600U);
+    ASSERT_EQ(Code(5U), 5);
+    EXPECT_EQ(Of(5U).object.index, 0x2002U);
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kNone);
+}
+
 } // namespace
 } // namespace counterpoint::cia302
