@@ -231,7 +231,7 @@ TEST_F(TwoCpusTest, OutputOfTheOtherCpuIsNotWrongForAWordOfTheOneThatIsHit)
                 device.Cycle(cycle);
                 const Sight sight = judge.Look(cycle, memory);
                 // Then what it alone tells is no finding, and the other one's output, open as before, is not wrong
-                if (cycle > fault.cycle && device.Told().device_fault != DeviceFault::kNone &&
+                if (cycle > fault.cycle && device.Application().Now().device_fault != DeviceFault::kNone &&
                     device.Fault() == DeviceFault::kNone)
                 {
                     EXPECT_FALSE(device.IsFaultTold()) << cpu << rate << " " << cycle;
