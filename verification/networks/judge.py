@@ -44,8 +44,9 @@ def simulate(program, path, folder):
 
 
 def states_of(verdicts):
-    """Node -> the device's own state at the end, out of what was expected of it and found."""
-    return {int(WANTED.search(verdict["wanted"]).group(1)): verdict["seen"] for verdict in verdicts}
+    """Node -> the device's own state at the end, out of what was expected of it and found; a store that was refused tells no state."""
+    wanted = [(WANTED.search(verdict["wanted"]), verdict["seen"]) for verdict in verdicts]
+    return {int(match.group(1)): seen for match, seen in wanted if match}
 
 
 def judge(plan, catalogue, frames, document):
