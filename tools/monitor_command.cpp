@@ -1,4 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/check/check.hpp"
 #include "canopen/cia306/safety/digest.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/text_file.hpp"
@@ -149,12 +150,13 @@ void WatchLiveBus(const std::string& address, const int seconds, const Streams& 
     }
 }
 
-/// What `check` finds in a file of which something is watched: a device may not be as it is described there. A device
-/// with another node-ID than the file's expects no digest. [SRS_MON_490]
+/// What `check` finds by its rules in a file of which something is watched: a device may not be as it is described
+/// there. No device is tried, as `check` itself does behind its rules: that is no work of a monitor. A device with
+/// another node-ID than the file's expects no digest. [SRS_MON_490]
 void TellErrors(const monitor::NodeModel& node, std::ostream& err)
 {
     const std::string& file = node.device.file;
-    std::vector<cia306::Finding> findings = FindingsOf(node.device, cia306::ReadTextFile(file), {node.id, {}});
+    std::vector<cia306::Finding> findings = cia306::CheckDevice(node.device, {node.id, {}});
     if (node.device.node_id && *node.device.node_id != node.id)
     {
         findings.erase(std::remove_if(findings.begin(), findings.end(), [](const cia306::Finding& finding)
