@@ -81,7 +81,7 @@ inline Yield(i)
 #else
     :: restarts[i] >= MOST_RESTARTS -> Follow(i)
 #endif
-    :: else -> restarts[i] = restarts[i] + 1; Send(i, FORCE); Enter(i, WAIT, DELAY)
+    :: else -> restarts[i] = restarts[i] + 1; first[i] = false; Send(i, FORCE); Enter(i, WAIT, DELAY)
     fi
 }
 
