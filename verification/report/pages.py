@@ -26,7 +26,6 @@ from matrix import UID, repository_matrix  # noqa: E402
 from records import METRICS as ROOM_METRICS, Coverage  # noqa: E402
 from interfaces import page_of as interfaces_page  # noqa: E402
 from system_level import SystemLevel, references  # noqa: E402
-from mutants import page_of as mutants_page  # noqa: E402
 from timing import page_of as timing_page  # noqa: E402
 from walk_files import page_of  # noqa: E402
 
@@ -37,6 +36,12 @@ PLAN_ROW = re.compile(r"^\| ((?:D )?\d+\.\d+\.\d+) \| (\w+) \| (\w+) \| (.*) \|$
 
 def read_json(path, default):
     return json.loads(path.read_text()) if path.exists() else default
+
+
+def mutants_page(root):
+    """Imported here: what reads the sources is needed for this page alone."""
+    from mutants import page_of as of_mutants
+    return of_mutants(root)
 
 
 def gates(data):
