@@ -28,17 +28,17 @@ class ManagedTest : public CampaignTest
         return File(name,
                     "title: A test\nnetwork: " COUNTERPOINT_SOURCE_FOLDER "/examples/campaigns/managed.yaml\n" + more);
     }
-    /// That what stands in "first" and "second" is refused as results of `plan`, and kept.
-    void ExpectOthersAreRefused(const std::string& plan) const
+    /// That what stands in `first` and `second` is refused as results of `plan`, and kept.
+    void ExpectOthersAreRefused(const std::string& plan, const std::string& first, const std::string& second) const
     {
-        const std::string before = cia306::ReadTextFile(Path("first"));
-        const tools::test::Answer on = Campaign({plan, "--jobs", "1", "--shard", "1/2", "--out", Path("first")});
+        const std::string before = cia306::ReadTextFile(Path(first));
+        const tools::test::Answer on = Campaign({plan, "--jobs", "1", "--shard", "1/2", "--out", Path(first)});
         EXPECT_EQ(on.status, 2);
-        EXPECT_EQ(on.err.find(Path("first") + ": error: results of another campaign, scenario or shard"), 0U) << on.err;
-        const tools::test::Answer joined = Campaign({"merge", plan, Path("first"), Path("second")});
+        EXPECT_EQ(on.err.find(Path(first) + ": error: results of another campaign, scenario or shard"), 0U) << on.err;
+        const tools::test::Answer joined = Campaign({"merge", plan, Path(first), Path(second)});
         EXPECT_EQ(joined.status, 2);
         EXPECT_NE(joined.err.find("results of another campaign or scenario"), std::string::npos) << joined.err;
-        EXPECT_EQ(cia306::ReadTextFile(Path("first")), before);
+        EXPECT_EQ(cia306::ReadTextFile(Path(first)), before);
     }
 };
 
@@ -67,7 +67,21 @@ TEST_F(ManagedTest, OutcomesAreTheSameForAnyNumberOfProcessesAndShards)
     static_cast<void>(Campaign({other, "--jobs", "1", "--csv", Path("other.csv")}));
     EXPECT_NE(cia306::ReadTextFile(Path("other.csv")), whole);
     // whose results are not those of this plan, for one that goes on and for one that joins
-    ExpectOthersAreRefused(other);
+    ExpectOthersAreRefused(other, "first", "second");
+    // nor those of another run without fault: the same plan, whose scenario is another one now
+    const std::string of_a_copy =
+        File("copy_plan.yaml", "title: A test\nnetwork: " + Path("copy.yaml") +
+                                   "\nuntil: 60 ms\nparts: [sdo]\nkinds: [lost]\nsample: 6\n");
+    const std::string extends = "extends: " COUNTERPOINT_SOURCE_FOLDER "/examples/campaigns/managed.yaml\n";
+    static_cast<void>(File("copy.yaml", extends));
+    for (const char* const shard : {"1/2", "2/2"})
+    {
+        const std::string out = Path((shard[0] == '1') ? "first_of_copy" : "second_of_copy");
+        EXPECT_EQ(Campaign({of_a_copy, "--jobs", "1", "--shard", shard, "--out", out}).status, 0);
+    }
+    static_cast<void>(
+        File("copy.yaml", extends + "inputs: [{at: 21 ms, node: sensor, object: 0x2000:01, value: 0}]\n"));
+    ExpectOthersAreRefused(of_a_copy, "first_of_copy", "second_of_copy");
     // And a file in which some are missing is gone on with
     std::string results = cia306::ReadTextFile(Path("first"));
     ASSERT_EQ(results.size(), 56U);

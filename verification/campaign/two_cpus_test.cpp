@@ -2,10 +2,12 @@
 // A device of two CPUs: what it is made of, the link between them, and what becomes of its faults.
 #include "verification/campaign/campaign_rig.hpp"
 #include "verification/campaign/two_cpus.hpp"
+#include "verification/campaign/variants.hpp"
 
 #include "simulator/journal/journal.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <set>
 #include <sstream>
 #include <string>
@@ -184,6 +186,10 @@ TEST_F(TwoCpusTest, CpuThatStopsOrDriftsIsFoundByTheOtherOneInTime)
 TEST_F(TwoCpusTest, WordOfACpuThatIsHitCountsForNothing)
 {
     Verifies(req::SRS_CMG_132);
+    Verifies(req::SRS_CMG_063);
+    // 100 ppm to 90 %
+    constexpr std::int64_t kPpm[] = {100,   200,   500,    1000,   2000,   5000,  10000,
+                                     20000, 50000, 100000, 200000, 500000, 900000};
     const Trap trap;
     Session session(TwoCpuPlan("actuator", kSmall));
     for (std::size_t cpu = 0U; cpu < 2U; ++cpu)
@@ -192,6 +198,12 @@ TEST_F(TwoCpusTest, WordOfACpuThatIsHitCountsForNothing)
         {
             for (const FaultKind kind : {FaultKind::kFast, FaultKind::kSlow})
             {
+                Experiment drift;
+                drift.part = Part::kCpu;
+                drift.kind = kind;
+                drift.subject = cpu;
+                drift.variant = rate;
+                EXPECT_EQ(std::abs(CounterFaultOf(drift).rate_ppm), kPpm[rate]);
                 const Outcome outcome = Try(session, Part::kCpu, kind, cpu, rate);
                 EXPECT_NE(outcome.result, Class::kSilent) << WordOf(kind) << cpu << ", rate " << rate;
                 EXPECT_FALSE(IsLate(outcome)) << WordOf(kind) << cpu << ", rate " << rate;
@@ -204,6 +216,7 @@ TEST_F(TwoCpusTest, WordOfACpuThatIsHitCountsForNothing)
 TEST_F(TwoCpusTest, OutputOfTheOtherCpuIsNotWrongForAWordOfTheOneThatIsHit)
 {
     Verifies(req::SRS_CMG_132);
+    Verifies(req::SRS_CMG_063);
     const Plan plan = ReadPlan(TwoCpuPlan("actuator", kSmall));
     const RecordedScenario scenario(plan.scenario, runtime::YamlValue(plan.file, plan.device_node));
     std::size_t alone = 0U;

@@ -20,6 +20,8 @@ TEST_F(PdoMappingTest, ObjectsOfEachPdoAreThereAndNoOthers)
     EXPECT_EQ(Read(objects, 0x1400U, 5U), 0x200000000U);
     EXPECT_EQ(Read(objects, 0x1600U, 0U), 0x100000000U);
     EXPECT_EQ(Read(objects, 0x1600U, 4U), 0x400000000U);
+    EXPECT_EQ(Read(objects, 0x15FFU, 1U), 0x480000000U); // 512
+    EXPECT_EQ(Read(objects, 0x17FFU, 1U), 0x400000000U);
     EXPECT_EQ(Read(objects, 0x1800U, 0U), 0x100000006U);
     EXPECT_EQ(Read(objects, 0x19FFU, 1U), 0x4C0000000U); // 512
     EXPECT_EQ(Read(objects, 0x1800U, 2U), 0x1000000FEU);
@@ -29,8 +31,8 @@ TEST_F(PdoMappingTest, ObjectsOfEachPdoAreThereAndNoOthers)
     EXPECT_EQ(Read(objects, 0x1A00U, 0U), 0x100000000U);
     EXPECT_EQ(Read(objects, 0x1A00U, 64U), 0x400000000U);
     EXPECT_EQ(abort, SdoAbort::kNone);
-    const ObjectAddress missing_subs[] = {{0x1400U, 4U}, {0x1400U, 6U},  {0x1600U, 5U}, {0x1800U, 4U},
-                                          {0x1800U, 7U}, {0x1A00U, 65U}, {0x1BFFU, 2U}};
+    const ObjectAddress missing_subs[] = {{0x1400U, 4U},  {0x1400U, 6U}, {0x1600U, 5U}, {0x1800U, 4U}, {0x1800U, 7U},
+                                          {0x1A00U, 65U}, {0x1BFFU, 2U}, {0x15FFU, 4U}, {0x17FFU, 2U}};
     for (const ObjectAddress& address : missing_subs)
     {
         static_cast<void>(Read(objects, address.index, address.sub));

@@ -172,9 +172,10 @@ class ServiceRig : public ::testing::Test, public RpdoListener
     std::array<PdoField, 1> small_fields{};
     std::array<Tpdo, 2> tpdo_room{{{1U, PdoTrigger::kRequest, {tpdo_fields.data(), 64U}},
                                    {512U, PdoTrigger::kRequest, {small_fields.data(), 1U}}}};
-    std::array<Rpdo, 1> rpdo_room{{{1U, {rpdo_fields.data(), 4U}}}};
+    std::array<PdoField, 1> last_rpdo_fields{};
+    std::array<Rpdo, 2> rpdo_room{{{1U, {rpdo_fields.data(), 4U}}, {512U, {last_rpdo_fields.data(), 1U}}}};
     Tpdos tpdos{TpdoParts{sink, dictionary, TpdoTable{tpdo_room.data(), 2U}}};
-    Rpdos rpdos{RpdoParts{errors, dictionary, RpdoTable{rpdo_room.data(), 1U}, this}};
+    Rpdos rpdos{RpdoParts{errors, dictionary, RpdoTable{rpdo_room.data(), 2U}, this}};
     PdoObjects objects{tpdos, rpdos};
     Sync sync{SyncParts{sink, errors, objects}};
 };

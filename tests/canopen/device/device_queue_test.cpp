@@ -62,10 +62,12 @@ TEST_F(DeviceQueueTest, WhatOperationalLeavesBehindIsNoPdo)
     {
         Run();
         Forget();
-        // Given PDOs, SYNC and SDO answers by turns that the controller does not take
-        ports.answer = hal::TransmitStatus::kQueueFull;
+        // Given a PDO that the controller has, and PDOs, SYNC and SDO answers by turns that it does not take
         const auto frame_of = [](const std::uint32_t identifier, const std::uint8_t number)
         { return CanFrame{identifier, FrameKind::kData, CanPortId::kFirst, 1U, {number}}; };
+        ASSERT_TRUE(services.process.Send(frame_of(0x182U, 9U)));
+        Cycle();
+        ports.answer = hal::TransmitStatus::kQueueFull;
         for (std::uint8_t number = 0U; number < 4U; ++number)
         {
             ASSERT_TRUE(services.process.Send(frame_of(0x182U, number)));
@@ -73,15 +75,17 @@ TEST_F(DeviceQueueTest, WhatOperationalLeavesBehindIsNoPdo)
             ASSERT_TRUE(services.process.Send(frame_of(0x282U, number)));
             ASSERT_TRUE(services.outbox.Send(frame_of(0x582U, number)));
         }
-        // When OPERATIONAL is left, then the PDOs are gone and the others leave in their order
+        // When OPERATIONAL is left, then the PDOs are gone but the controller's, and the others leave in their order
         Command(command);
         Cycle();
         ports.answer = hal::TransmitStatus::kAccepted;
         Cycles(12U);
-        EXPECT_TRUE(Sent(0x182U).empty());
+        EXPECT_EQ(Sent(0x182U), (std::vector<Octets>{{9U}}));
         EXPECT_TRUE(Sent(0x282U).empty());
         EXPECT_EQ(Sent(0x080U), (std::vector<Octets>{{0U}, {1U}, {2U}, {3U}}));
         EXPECT_EQ(Sent(0x582U), (std::vector<Octets>{{0U}, {1U}, {2U}, {3U}}));
+        EXPECT_EQ(IdentifiersSent(),
+                  (std::vector<std::uint32_t>{0x182U, 0x080U, 0x582U, 0x080U, 0x582U, 0x080U, 0x582U, 0x080U, 0x582U}));
         // and their places are free again
         for (std::uint8_t number = 0U; number < 12U; ++number)
         {

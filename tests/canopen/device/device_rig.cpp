@@ -202,6 +202,21 @@ std::vector<Octets> DeviceRig::Sent(const std::uint32_t identifier) const
     return found;
 }
 
+std::vector<std::uint32_t> DeviceRig::IdentifiersSent() const
+{
+    std::vector<std::uint32_t> found{};
+    for (std::size_t place = forgotten; place < ports.sent.size(); ++place)
+    {
+        const std::uint32_t identifier = ports.sent[place].identifier;
+        const bool is_srdo = identifier > 0x100U && identifier <= 0x180U;
+        if (!is_srdo && (identifier & 0x780U) != 0x700U)
+        {
+            found.push_back(identifier);
+        }
+    }
+    return found;
+}
+
 void DeviceRig::Forget()
 {
     forgotten = ports.sent.size();

@@ -46,6 +46,8 @@ class DeviceRig : public Rig, public Owner
     void ConfirmAll();
     /// What was sent with this identifier since the last Forget.
     std::vector<Octets> Sent(std::uint32_t identifier) const;
+    /// In which order, but SRDOs, heartbeats and boot-ups.
+    std::vector<std::uint32_t> IdentifiersSent() const;
     void Forget();
     /// One expedited write; the abort code, 0 for none.
     std::uint32_t Download(std::uint16_t index, std::uint8_t sub, std::uint32_t value, std::uint8_t size);

@@ -16,10 +16,11 @@ namespace counterpoint::tools::test
 namespace
 {
 
-/// An example of the emergency stop without the ParameterValues of these sections.
-std::string FileWithout(const std::string& example, const std::set<std::string>& sections)
+/// An example of the emergency stop without the ParameterValues of these sections, and with other ones.
+std::string FileWithout(const std::string& example, const std::set<std::string>& sections,
+                        const std::map<std::string, std::string>& values = {})
 {
-    std::ifstream file(std::string(COUNTERPOINT_SOURCE) + "/examples/emergency_stop/" + example + ".dcf");
+    std::ifstream file(FileWith(example, values));
     std::string section;
     std::ostringstream text;
     for (std::string line; std::getline(file, line);)
@@ -106,6 +107,32 @@ TEST(NodeConfiguredTest, AConsumerThatWasConfiguredOverSdoShowsItsOutputs)
                   std::string::npos)
             << told;
     }
+}
+
+// SCT 50 ms: without a pair the consumer holds what 5F02h says, whether its mapping is of the file or not.
+TEST(NodeConfiguredTest, AConsumerThatWasConfiguredOverSdoTakesItsSafeValues)
+{
+    Verifies(req::SRS_NODE_019);
+    // Given safe values 3 and 4 in a file that has nothing else of SRDO 1
+    const std::string file = FileWithout("actuator", kAllOfSrdo1, {{"5F02sub1", "0x0403"}, {"5F04", "0"}});
+    Bench bench(file);
+    runtime::NodeDevice& device = bench.Device();
+    bench.Configure(2U, 50U, 0x103U, {0x22000108U, 0x23000108U, 0x22000208U, 0x23000208U}, 0x9FCBU);
+    bench.Start();
+    for (int cycle = 0; cycle < 6; ++cycle)
+    {
+        bench.Receive(0x103U, {1U, 2U});
+        bench.Receive(0x104U, {0xFEU, 0xFDU});
+        bench.Cycle();
+        EXPECT_TRUE(cycle != 2 || device.Acknowledge(1U, bench.NowNs()));
+    }
+    EXPECT_EQ(device.App().Values(), "0x2200:01=1 0x2200:02=2");
+    // When pairs stop, then 20 cycles of 5 ms later the objects hold the safe values
+    for (int cycle = 0; cycle < 20; ++cycle)
+    {
+        bench.Cycle();
+    }
+    EXPECT_EQ(device.App().Values(), "0x2200:01=3 0x2200:02=4");
 }
 
 // A change is sent at once, with the new value, wherever in the refresh time it comes; the next pair is a refresh

@@ -219,6 +219,18 @@ TEST_F(NodeServicesTest, WithoutANodeIdThereIsOnlyLssAndThenANode)
     EXPECT_EQ(Get(node, "0x1014:00"), 0x89);
     node.Type("quit");
     EXPECT_EQ(node.End(), 0);
+    // with all self tests: they cover what they covered at the first start
+    std::vector<std::string> covered;
+    for (const NodeLine& line : node.Lines())
+    {
+        if (line.event["event"] == "self_tests")
+        {
+            covered.push_back(line.event["covered"]);
+        }
+    }
+    ASSERT_EQ(covered.size(), 2U);
+    EXPECT_EQ(covered[1], covered[0]);
+    EXPECT_NE(covered[1], "none");
     // The next start has it from the store
     NodeProcess again(arguments);
     EXPECT_FALSE(again.WaitFor(Event("nmt", "state", "pre_operational")).event.is_null());
