@@ -20,7 +20,7 @@ namespace counterpoint::campaign
 {
 namespace
 {
-constexpr std::uint64_t kPortion = 64U;
+constexpr std::uint64_t kPortion = 256U;
 constexpr std::size_t kMostJobs = 1024U;
 constexpr std::chrono::milliseconds kPause{50};
 constexpr std::uint32_t kMostKills = 3U;
@@ -28,9 +28,18 @@ constexpr std::uint32_t kMostKills = 3U;
 
 struct Crew::Board
 {
+    /// Indices of experiments; none where both are equal.
+    struct Range
+    {
+        std::uint64_t begin;
+        std::uint64_t end;
+    };
+
     std::uint64_t next;
     std::uint64_t done;
     std::array<std::uint64_t, kMostJobs> current; ///< Of each process: index of the running experiment, plus 1.
+    std::array<Range, kMostJobs> portion;         ///< Of each: what it tries now, and has not put.
+    std::array<Range, kMostJobs> alone;           ///< Of each: what is tried by one process an experiment.
 };
 
 Crew::Crew(Runner& runner, const Space& space, Results& results, const std::uint32_t jobs)
@@ -60,7 +69,8 @@ Crew::~Crew()
 
 void Crew::Work(const std::function<void(std::uint64_t)>& progress)
 {
-    // What a process had taken when it died is left for the next round.
+    RequireSameAgain();
+    // What a process had taken when it was killed is left for the next round.
     while (results_.OpenCount() != 0U)
     {
         board_->next = 0U;
@@ -79,6 +89,16 @@ void Crew::Work(const std::function<void(std::uint64_t)>& progress)
             is_busy = std::any_of(children_.begin(), children_.end(), [](const pid_t child) { return child > 0; });
             progress(__atomic_load_n(&board_->done, __ATOMIC_RELAXED));
         }
+    }
+}
+
+/// Where it is not, no outcome means anything. [SRS_CMG_500]
+void Crew::RequireSameAgain()
+{
+    const Trap trap;
+    if (!runner_.IsSound())
+    {
+        throw NotWell("the run without fault does not come out the same when it is run again");
     }
 }
 
@@ -106,6 +126,12 @@ void Crew::Begin(const std::uint32_t job)
 void Crew::Toil(const std::uint32_t job)
 {
     const Trap trap;
+    if (board_->alone[job].begin != board_->alone[job].end)
+    {
+        const std::uint64_t index = board_->alone[job].begin;
+        Put(index, Try(job, index));
+        return;
+    }
     for (;;)
     {
         const std::uint64_t begin = __atomic_fetch_add(&board_->next, kPortion, __ATOMIC_RELAXED);
@@ -114,22 +140,59 @@ void Crew::Toil(const std::uint32_t job)
         {
             return;
         }
-        for (std::uint64_t index = begin; index < end; ++index)
+        board_->portion[job] = {begin, end};
+        if (!TryPortion(job, begin, end))
         {
-            if (results_.At(index).result != Class::kOpen)
-            {
-                continue;
-            }
-            __atomic_store_n(&board_->current[job], index + 1U, __ATOMIC_RELEASE);
-            results_.Put(index, runner_.Run(space_.At(results_.NumberAt(index))));
-            __atomic_store_n(&board_->current[job], std::uint64_t{0U}, __ATOMIC_RELEASE);
-            __atomic_fetch_add(&board_->done, std::uint64_t{1U}, __ATOMIC_RELAXED);
+            return;
         }
+        board_->portion[job] = {};
     }
 }
 
-/// A process that ended within an experiment was ended by it: on a device, an exception. Not so where somebody outside
-/// ended it, as a system without memory does, or a batch system: nobody knows what would have come. [SRS_CMG_170]
+/// Nothing is put before the process has turned out to be sound: an experiment before may have spoilt it. [SRS_CMG_500]
+bool Crew::TryPortion(const std::uint32_t job, const std::uint64_t begin, const std::uint64_t end)
+{
+    std::array<Outcome, kPortion> outcomes{};
+    for (std::uint64_t index = NextOpen(begin, end); index < end; index = NextOpen(index + 1U, end))
+    {
+        outcomes.at(index - begin) = Try(job, index);
+    }
+    if (!runner_.IsSound())
+    {
+        return false;
+    }
+    for (std::uint64_t index = NextOpen(begin, end); index < end; index = NextOpen(index + 1U, end))
+    {
+        Put(index, outcomes.at(index - begin));
+    }
+    return true;
+}
+
+Outcome Crew::Try(const std::uint32_t job, const std::uint64_t index)
+{
+    __atomic_store_n(&board_->current[job], index + 1U, __ATOMIC_RELEASE);
+    const Outcome outcome = runner_.Run(space_.At(results_.NumberAt(index)));
+    __atomic_store_n(&board_->current[job], std::uint64_t{0U}, __ATOMIC_RELEASE);
+    return outcome;
+}
+
+void Crew::Put(const std::uint64_t index, const Outcome& outcome)
+{
+    results_.Put(index, outcome);
+    __atomic_fetch_add(&board_->done, std::uint64_t{1U}, __ATOMIC_RELAXED);
+}
+
+/// The first one from `begin` on that has no outcome, or `end`.
+std::uint64_t Crew::NextOpen(const std::uint64_t begin, const std::uint64_t end) const
+{
+    std::uint64_t index = begin;
+    while (index < end && results_.At(index).result != Class::kOpen)
+    {
+        ++index;
+    }
+    return index;
+}
+
 void Crew::Bury(const pid_t child, const int status)
 {
     const auto place = std::find(children_.begin(), children_.end(), child);
@@ -140,24 +203,45 @@ void Crew::Bury(const pid_t child, const int status)
     const auto job = static_cast<std::uint32_t>(place - children_.begin());
     *place = 0;
     const std::uint64_t current = __atomic_load_n(&board_->current[job], __ATOMIC_ACQUIRE);
-    if (current == 0U)
-    {
-        return;
-    }
-    board_->current[job] = 0U;
-    if (IsEndFromOutside(status))
+    const bool was_alone = board_->alone[job].begin != board_->alone[job].end;
+    if (current != 0U && IsEndFromOutside(status))
     {
         CountKill(current - 1U, status);
     }
+    else if (current != 0U && was_alone)
+    {
+        // It was ended by its experiment: on a device, an exception.
+        Put(current - 1U, Outcome{Class::kSafeOther, Detector::kException, 0U, 0U, runner_.ExceptionUs()});
+    }
     else
     {
-        results_.Put(current - 1U, Outcome{Class::kSafeOther, Detector::kException, 0U, 0U, runner_.ExceptionUs()});
-        __atomic_fetch_add(&board_->done, std::uint64_t{1U}, __ATOMIC_RELAXED);
+        // It put what it tried, or its portion is tried one by one.
     }
-    Begin(job);
+    if (HasMore(job, status))
+    {
+        Begin(job);
+    }
 }
 
-/// The experiment is open, and comes again in the next round.
+/// What a process leaves that was ended from outside is open, as nobody knows what would have come: the next round has
+/// it. A portion behind which a process ended otherwise, or was not sound, is tried by one process an experiment.
+/// [SRS_CMG_170, SRS_CMG_500]
+bool Crew::HasMore(const std::uint32_t job, const int status)
+{
+    Board::Range& portion = board_->portion[job];
+    Board::Range& alone = board_->alone[job];
+    const bool is_from_outside = IsEndFromOutside(status);
+    const bool has_left = portion.begin != portion.end;
+    if (has_left && !is_from_outside)
+    {
+        alone = portion;
+    }
+    portion = {};
+    alone.begin = NextOpen(alone.begin, alone.end);
+    return is_from_outside || has_left || alone.begin != alone.end;
+}
+
+/// The experiment is open, and comes again: at once where it is tried alone, else in the next round.
 void Crew::CountKill(const std::uint64_t index, const int status)
 {
     if (++kills_[index] == kMostKills)

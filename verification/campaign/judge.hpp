@@ -52,6 +52,13 @@ struct Sight
     bool is_missed{false};    ///< Who consumes what the device sends has waited longer than SCT.
     bool is_bad_frame{false}; ///< A frame was sent that nobody can use, or with data that the application did not have.
     bool is_overdue{false};   ///< No pair was complete within refresh time and a cycle as late as it may be.
+
+    bool operator==(const Sight& other) const noexcept
+    {
+        return wrong == other.wrong && open == other.open && listed == other.listed &&
+               not_inverse == other.not_inverse && is_missed == other.is_missed && is_bad_frame == other.is_bad_frame &&
+               is_overdue == other.is_overdue;
+    }
 };
 
 /// Decides from bus, inputs and output alone what the device may do: neither the kernel's nor the channels' opinion is

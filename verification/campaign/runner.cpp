@@ -121,6 +121,7 @@ Runner::Runner(Device& device, Judge& judge, const Recording& recording, const S
         }
     }
     kept_.insert(kept_.end(), device_.Memory().Bytes(), device_.Memory().Bytes() + size_);
+    is_kept_ = true;
 }
 
 /// In words; empty: it is as it must be.
@@ -170,7 +171,7 @@ void Runner::At(const Phase phase) noexcept
 {
     if (fault_ == nullptr)
     {
-        if (now_ >= first_)
+        if (now_ >= first_ && !is_kept_)
         {
             KeepBits();
         }
@@ -265,13 +266,32 @@ Outcome Runner::Run(const Experiment& experiment)
     return found_;
 }
 
+bool Runner::IsSound()
+{
+    is_sound_ = true;
+    Rewind(first_);
+    device_.Rewind(first_, nullptr, first_, seed_);
+    return Trap::Run([this]() { CompareWithoutFault(); }) == Return::kEnded && is_sound_;
+}
+
+void Runner::CompareWithoutFault()
+{
+    JudgeMemory memory = memories_[first_];
+    for (; is_sound_ && now_ < sights_.size(); ++now_)
+    {
+        RunCycle();
+        const Sight sight = judge_.Look(now_, memory);
+        is_sound_ = IsAsWithoutFault(now_ + 1U) && sight == sights_[now_];
+        if (watcher_ != nullptr)
+        {
+            watcher_->OnCycle(now_, sight);
+        }
+    }
+}
+
 void Runner::Begin(const Experiment& experiment)
 {
     Rewind(experiment.cycle);
-    if (device_.SelfTest() != nullptr)
-    {
-        device_.SelfTest()->Release();
-    }
     fault_ = &experiment;
     steps_.Begin();
     is_obeyed_ = false;
@@ -282,6 +302,10 @@ void Runner::Begin(const Experiment& experiment)
 void Runner::Rewind(const std::size_t cycle)
 {
     std::memcpy(device_.Memory().Bytes(), kept_.data() + ((cycle - first_) * size_), size_);
+    if (device_.SelfTest() != nullptr)
+    {
+        device_.SelfTest()->Release();
+    }
     now_ = cycle;
 }
 

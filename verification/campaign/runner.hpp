@@ -52,7 +52,11 @@ class Runner final : private PhaseHook
 
     /// @brief Tries one fault. A Trap has to be there.
     [[nodiscard]] Outcome Run(const Experiment& experiment);
-    /// @brief Who is told of each cycle; null: nobody.
+    /// @brief Whether the run without fault is still what it was, in each cycle that is kept: whether no experiment has
+    /// left anything behind outside of the memory that is brought back. Takes as long as one of the longest
+    /// experiments. A Trap has to be there. [SRS_CMG_500]
+    [[nodiscard]] bool IsSound();
+    /// @brief Who is told of each cycle, of the run of IsSound, too; null: nobody.
     void Follow(CycleWatcher* const watcher) noexcept
     {
         watcher_ = watcher;
@@ -109,6 +113,7 @@ class Runner final : private PhaseHook
     [[nodiscard]] std::uint32_t Since(const Experiment& experiment, std::size_t cycle) const;
     void KeepBits() noexcept;
     void ForceBit(Phase phase) noexcept;
+    void CompareWithoutFault();
     void RunCycle();
     [[nodiscard]] std::size_t EndOf(const Experiment& experiment) const;
 
@@ -133,6 +138,8 @@ class Runner final : private PhaseHook
     bool is_obeyed_{false};            ///< The output closed because a command of the fault said so.
     bool is_exposed_{false};           ///< Wrong so far, and may yet be found in time.
     const Experiment* fault_{nullptr}; ///< Null: the run without fault.
+    bool is_kept_{false};              ///< The run without fault is over, and kept.
+    bool is_sound_{true};              ///< Outlives a run that is brought back.
     std::size_t now_{0U};              ///< The running cycle.
     Outcome found_{};                  ///< Of the running experiment; outlives a run that is brought back.
 };
