@@ -140,7 +140,7 @@ void Results::Take(const std::string& file, const Access access)
     if (!IsEqual(header, HeaderOf(of_)))
     {
         munmap(bytes_, length_);
-        Refuse(file, "results of another campaign, scenario or shard");
+        Refuse(file, "results of another campaign, scenario, shard or program");
     }
 }
 
@@ -255,12 +255,22 @@ ResultsOf Results::Read(const std::string& file)
     return {header.digest, header.total, {header.number, header.count}};
 }
 
+std::uint64_t OfProgram(const std::uint64_t digest, const char* const program) noexcept
+{
+    std::uint64_t hash = digest;
+    for (const char* character = program; *character != '\0'; ++character)
+    {
+        hash = (hash ^ static_cast<std::uint8_t>(*character)) * 0x100000001B3U;
+    }
+    return hash;
+}
+
 void Results::Merge(const std::string& file)
 {
     const ResultsOf other_of = Read(file);
     if (other_of.digest != of_.digest || other_of.total != of_.total)
     {
-        Refuse(file, "results of another campaign or scenario");
+        Refuse(file, "results of another campaign, scenario or program");
     }
     const Results other(file, other_of, Access::kRead);
     for (std::uint64_t index = 0U; index < other.Size(); ++index)

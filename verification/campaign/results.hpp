@@ -21,7 +21,7 @@ struct Shard
 /// What a file of results belongs to.
 struct ResultsOf
 {
-    std::uint64_t digest{0U}; ///< Of plan and recording.
+    std::uint64_t digest{0U}; ///< Of plan, recording and program.
     std::uint64_t total{0U};  ///< Experiments of the whole campaign.
     Shard shard{};
 };
@@ -86,6 +86,9 @@ class Results
     std::size_t length_;
     bool was_empty_{false};
 };
+/// @brief The digest of a campaign, and of the program that tries it, by its version, commit and objects: what another
+/// one found says nothing of this one's. [SRS_CMG_501]
+[[nodiscard]] std::uint64_t OfProgram(std::uint64_t digest, const char* program) noexcept;
 /// @brief Says where the file was there with nothing in it. [SRS_CMG_330]
 void TellEmpty(const Results& results, const std::string& file, std::ostream& err);
 } // namespace counterpoint::campaign

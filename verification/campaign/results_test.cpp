@@ -2,10 +2,16 @@
 // What a campaign writes: the file of results, and the rows of the CSV file.
 #include "verification/campaign/campaign_rig.hpp"
 
+#include "canopen/cia306/text/text_file.hpp"
+#include "version/version.hpp"
+
 #include <algorithm>
+#include <cstdlib>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <utility>
 
@@ -44,6 +50,54 @@ TEST_F(ResultsTest, FileInWhichABitIsWrongIsRefused)
         EXPECT_THROW(Results(file, of), runtime::YamlError) << bit;
         EXPECT_THROW(all.Merge(file), runtime::YamlError) << bit;
     }
+}
+
+TEST_F(ResultsTest, FileOfAnotherProgramIsRefused)
+{
+    Verifies(req::SRS_CMG_501);
+    // Given results of a plan, and the same program with other objects
+    const std::string plan = PlanFile("plan.yaml", "actuator", "at: [500 ms]\nparts: [latch]\nsample: 1\n");
+    EXPECT_EQ(Campaign({plan, "--jobs", "1", "--out", Path("first")}).status, 0);
+    const std::string before = cia306::ReadTextFile(Path("first"));
+    std::ostringstream content;
+    content << std::ifstream(COUNTERPOINT_CAMPAIGN, std::ios::binary).rdbuf();
+    std::string program = content.str();
+    const std::string version = CounterpointVersion;
+    const std::size_t place = program.find(version);
+    ASSERT_NE(place, std::string::npos);
+    char& digit = program[place + version.size() - 2U];
+    digit = (digit == '0') ? '1' : '0';
+    const std::string other = File("other", program);
+    ASSERT_EQ(chmod(other.c_str(), S_IRUSR | S_IXUSR), 0);
+    // When it goes on with them, or joins them, then they are refused and kept
+    const auto said = [this, &other](const std::string& arguments)
+    {
+        const std::string command = other + " campaign " + arguments + " > /dev/null 2> " + Path("err");
+        const int status = std::system(command.c_str());
+        EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 2) << arguments;
+        return cia306::ReadTextFile(Path("err"));
+    };
+    EXPECT_EQ(said(plan + " --jobs 1 --out " + Path("first")),
+              Path("first") +
+                  ": error: results of another campaign, scenario, shard or program, expected a file of results "
+                  "of this plan, scenario and program\n");
+    EXPECT_EQ(said("merge " + plan + " " + Path("first")),
+              Path("first") +
+                  ": error: results of another campaign, scenario or program, expected a file of results of this "
+                  "plan, scenario and program\n");
+    EXPECT_EQ(cia306::ReadTextFile(Path("first")), before);
+}
+
+// Another commit, and other objects.
+TEST_F(ResultsTest, DigestIsOfTheWholeVersion)
+{
+    Verifies(req::SRS_CMG_501);
+    const std::uint64_t here = OfProgram(1U, "counterpoint 0.1.0 (commit 0123456789ab, objects 0123456789abcdef)");
+    EXPECT_EQ(here, OfProgram(1U, "counterpoint 0.1.0 (commit 0123456789ab, objects 0123456789abcdef)"));
+    EXPECT_NE(here, OfProgram(2U, "counterpoint 0.1.0 (commit 0123456789ab, objects 0123456789abcdef)"));
+    EXPECT_NE(here, OfProgram(1U, "counterpoint 0.2.0 (commit 0123456789ab, objects 0123456789abcdef)"));
+    EXPECT_NE(here, OfProgram(1U, "counterpoint 0.1.0 (commit 1123456789ab, objects 0123456789abcdef)"));
+    EXPECT_NE(here, OfProgram(1U, "counterpoint 0.1.0 (commit 0123456789ab, objects 1123456789abcdef)"));
 }
 
 TEST_F(ResultsTest, AFileWithNothingInItBeginsAndIsTold)

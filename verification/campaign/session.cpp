@@ -2,6 +2,7 @@
 #include "verification/campaign/session.hpp"
 
 #include "verification/campaign/two_cpus.hpp"
+#include "version/version.hpp"
 
 #include <algorithm>
 
@@ -53,7 +54,7 @@ Session::Session(const std::string& plan_file)
 {
 }
 
-/// Of the text of the plan, of what the device receives and of how it lies in memory.
+/// Of the text of the plan, of what the device receives, of how it lies in memory, and of the program.
 ResultsOf Session::Identity(const Shard& shard) const
 {
     std::uint64_t digest = plan_.digest;
@@ -80,6 +81,6 @@ ResultsOf Session::Identity(const Shard& shard) const
         add(place.offset);
         add(place.size);
     }
-    return {digest, space_.Size(), shard};
+    return {OfProgram(digest, CounterpointVersion), space_.Size(), shard};
 }
 } // namespace counterpoint::campaign

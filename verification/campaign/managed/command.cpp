@@ -9,6 +9,7 @@
 #include "verification/campaign/managed/report.hpp"
 #include "verification/campaign/progress.hpp"
 #include "verification/campaign/runner.hpp"
+#include "version/version.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -47,7 +48,7 @@ struct Session
     {
     }
 
-    /// Of the text of the plan, and of what is on the bus without fault.
+    /// Of the text of the plan, of what is on the bus without fault, and of the program.
     [[nodiscard]] ResultsOf Identity(const Shard& shard) const
     {
         std::uint64_t digest = plan.digest;
@@ -59,7 +60,7 @@ struct Session
         {
             digest = (digest ^ member.size_bytes) * 0x100000001B3U;
         }
-        return {digest, space.Size(), shard};
+        return {OfProgram(digest, CounterpointVersion), space.Size(), shard};
     }
 
     Plan plan;
