@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/node/orders.hpp"
 
+#include "canopen/cia306/file/saved.hpp"
 #include "runtime/device/names.hpp"
 #include "runtime/node/number.hpp"
 
@@ -12,6 +13,21 @@ namespace counterpoint::runtime
 namespace
 {
 constexpr std::uint32_t kBitsOfByte = 8U;
+
+/// As the device's own application, but for the state: a person saves and restores where a client may. [SRS_NODE_530]
+cia301::SdoAbort WriteObject(DeviceAssembly& assembly, const ObjectAddress& object, const std::uint64_t bits,
+                             const cia301::Attempt attempt)
+{
+    cia301::Dictionary& objects = assembly.Dictionary();
+    const std::uint32_t size_bytes = objects.SizeOf(object).size_bytes;
+    if (attempt == cia301::Attempt::kAgain)
+    {
+        return objects.WriteNumberAgain(object, bits, size_bytes);
+    }
+    const bool is_operational = assembly.Device().State() == cia301::NodeState::kOperational;
+    return is_operational && cia306::IsStoreCommand(object.index) ? cia301::SdoAbort::kDeviceState
+                                                                  : objects.WriteNumber(object, bits, size_bytes);
+}
 } // namespace
 
 NodeOrders::NodeOrders(NodePorts& ports, NodeReport& report) : ports_(ports), report_(report)
@@ -94,8 +110,7 @@ void NodeOrders::Set(const NodeOrder& order, NodeDevice& device, const cia301::A
     {
         return;
     }
-    cia301::Dictionary& objects = device.Assembly().Dictionary();
-    const cia301::Reading size = objects.SizeOf(order.object);
+    const cia301::Reading size = device.Assembly().Dictionary().SizeOf(order.object);
     const bool is_cut = size.size_bytes < sizeof(number.bits) && (number.bits >> (kBitsOfByte * size.size_bytes)) != 0U;
     cia301::SdoAbort abort = (size.abort == cia301::SdoAbort::kNone) ? number.abort : size.abort;
     if (abort == cia301::SdoAbort::kNone && is_cut)
@@ -104,9 +119,7 @@ void NodeOrders::Set(const NodeOrder& order, NodeDevice& device, const cia301::A
     }
     else if (abort == cia301::SdoAbort::kNone)
     {
-        abort = (attempt == cia301::Attempt::kFirst)
-                    ? objects.WriteNumber(order.object, number.bits, size.size_bytes)
-                    : objects.WriteNumberAgain(order.object, number.bits, size.size_bytes);
+        abort = WriteObject(device.Assembly(), order.object, number.bits, attempt);
     }
     if (abort == cia301::SdoAbort::kPending)
     {
