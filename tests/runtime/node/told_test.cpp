@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 // What a node tells of its SRDOs and their values: what was told last has to hold.
@@ -208,6 +209,52 @@ TEST(NodeToldTest, SetTakesWhatGetTells)
     EXPECT_NE(told.find("set: 0x2000:01 = 128 refused with 0609 0031h"), std::string::npos) << told;
     EXPECT_NE(told.find("set: 0x2000:01 = -129 refused with 0609 0032h"), std::string::npos) << told;
     EXPECT_NE(told.find("set: 0x2000:02 = -1 refused with 0609 0032h"), std::string::npos) << told;
+}
+
+/// What an order is refused with; empty: it was taken.
+std::string RefusalOf(const std::string& file, const std::string& order)
+{
+    Bench bench(std::string(COUNTERPOINT_SOURCE) + "/tests/" + file);
+    bench.Order(order);
+    const std::string told = bench.Told();
+    const std::size_t place = told.find(" refused with ");
+    return place == std::string::npos ? "" : told.substr(place + 14U, 10U);
+}
+
+// SRDO 2 sends 2100h: a BOOLEAN, one of 3 bits, an UNSIGNED8. None of them is read only, whatever is wrong.
+TEST(NodeToldTest, AnInputAboveItsBitsIsTooHigh)
+{
+    Verifies(req::SRS_NODE_531);
+    const std::string bits = "canopen/cia306/data/bits.dcf";
+    const std::vector<std::pair<const char*, const char*>> inputs{{"0x2100:01 1", ""},
+                                                                  {"0x2100:01 2", "0609 0030h"},
+                                                                  {"0x2100:01 -1", "0609 0030h"},
+                                                                  {"0x2100:01 256", "0609 0030h"},
+                                                                  {"0x2100:02 7", ""},
+                                                                  {"0x2100:02 8", "0609 0031h"},
+                                                                  {"0x2100:02 255", "0609 0031h"},
+                                                                  {"0x2100:02 256", "0609 0031h"},
+                                                                  {"0x2100:02 -1", "0609 0032h"},
+                                                                  {"0x2100:03 255", ""},
+                                                                  {"0x2100:03 256", "0609 0031h"},
+                                                                  // What an SRDO receives is nobody's to set.
+                                                                  {"0x6020:01 1", "0601 0002h"}};
+    for (const auto& [set, refusal] : inputs)
+    {
+        EXPECT_EQ(RefusalOf(bits, std::string("set ") + set), refusal) << set;
+    }
+    // An object of the device itself
+    for (const char* const value : {"2", "-1", "256"})
+    {
+        EXPECT_EQ(RefusalOf("runtime/data/everything.dcf", std::string("set 0x4001:00 ") + value), "0609 0030h")
+            << value;
+    }
+    EXPECT_EQ(RefusalOf("runtime/data/everything.dcf", "set 0x4001:00 1"), "");
+    // An input that was refused stays as it was
+    Bench bench(std::string(COUNTERPOINT_SOURCE) + "/tests/" + bits);
+    bench.Order("set 0x2100:02 5");
+    bench.Order("set 0x2100:02 8");
+    EXPECT_NE(bench.Device().App().Values().find("0x2100:02=5 "), std::string::npos) << bench.Device().App().Values();
 }
 } // namespace
 } // namespace counterpoint::tools::test
