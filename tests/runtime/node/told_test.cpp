@@ -32,6 +32,17 @@ std::vector<std::string> SrdoLines(const std::string& told)
     }
     return lines;
 }
+/// The file with 1010h and 1011h.
+std::string WithStoreObjects(const std::string& file)
+{
+    std::ofstream(file, std::ios::app) << "\n[1010]\nObjectType=8\nSubNumber=2\n"
+                                          "[1010sub0]\nDataType=5\nAccessType=ro\nDefaultValue=1\n"
+                                          "[1010sub1]\nDataType=7\nAccessType=rw\n"
+                                          "[1011]\nObjectType=8\nSubNumber=2\n"
+                                          "[1011sub0]\nDataType=5\nAccessType=ro\nDefaultValue=1\n"
+                                          "[1011sub1]\nDataType=7\nAccessType=rw\n";
+    return file;
+}
 using Lines = std::vector<std::string>;
 
 const char* const kOfTheFile = "SRDO 1 consumer 0x103, safe within 81.5 ms of the last good normal frame";
@@ -118,13 +129,7 @@ TEST(NodeToldTest, WhatAResetBringsBackIsTold)
 TEST(NodeToldTest, WhatAStoreLoadsOrGivesUpIsTold)
 {
     Verifies(req::SRS_NODE_052);
-    const std::string file = FileWith("actuator", {{"5F04", "0"}});
-    std::ofstream(file, std::ios::app) << "\n[1010]\nObjectType=8\nSubNumber=2\n"
-                                          "[1010sub0]\nDataType=5\nAccessType=ro\nDefaultValue=1\n"
-                                          "[1010sub1]\nDataType=7\nAccessType=rw\n"
-                                          "[1011]\nObjectType=8\nSubNumber=2\n"
-                                          "[1011sub0]\nDataType=5\nAccessType=ro\nDefaultValue=1\n"
-                                          "[1011sub1]\nDataType=7\nAccessType=rw\n";
+    const std::string file = WithStoreObjects(FileWith("actuator", {{"5F04", "0"}}));
     const std::string store = ::testing::TempDir() + "told_limits.store";
     std::remove(store.c_str());
     const std::string saved = "SRDO 1 consumer 0x103, safe within 132 ms of the last good normal frame";
@@ -142,6 +147,44 @@ TEST(NodeToldTest, WhatAStoreLoadsOrGivesUpIsTold)
     bench.Command(129U);
     bench.Start();
     EXPECT_EQ(SrdoLines(bench.Told()), (Lines{kOfTheFile, saved, kOfTheFile}));
+}
+
+// What was saved as node 33 is refused as a whole by node 9: no limit of the file holds until it is given up.
+TEST(NodeToldTest, AConfigurationOfAStoreThatIsRefusedTakesTheLimitsOfTheFileBack)
+{
+    Verifies(req::SRS_NODE_532);
+    const std::string file = WithStoreObjects(FileWith("actuator", {{"5F04", "0"}}));
+    const std::string store = ::testing::TempDir() + "told_refused.store";
+    std::remove(store.c_str());
+    {
+        Bench bench(file, store);
+        bench.Store(0x1010U, 0x65766173U);
+        EXPECT_EQ(SrdoLines(bench.Told()), (Lines{kOfTheFile}));
+    }
+    std::ifstream whole(file);
+    std::ostringstream text;
+    for (std::string line; std::getline(whole, line);)
+    {
+        text << (line == "NodeID=33" ? "NodeID=9" : line) << "\n";
+    }
+    whole.close();
+    std::ofstream(file) << text.str();
+    Bench bench(file, store);
+    EXPECT_EQ(bench.Device().Assembly().NodeId(), 9U);
+    bench.Start();
+    bench.Command(128U);
+    bench.Command(129U); // Off as before: nothing is told.
+    bench.Store(0x1011U, 0x64616F6CU);
+    bench.Command(129U);
+    bench.Start();
+    const std::string told = bench.Told();
+    EXPECT_EQ(SrdoLines(told),
+              (Lines{kOfTheFile, "SRDO 1 off", "configuration does not hold, 0x13FE:00 is not 0xA5: SRDOs are off",
+                     kOfTheFile}));
+    const std::size_t refused = told.find("the saved safety configuration is refused");
+    EXPECT_LT(refused, told.find("SRDO 1 off")) << told;
+    EXPECT_LT(told.find("SRDO 1 off"), told.find("NMT pre_operational")) << told;
+    std::remove(store.c_str());
 }
 
 // The limit of an SRDO that is off is none that holds, and when it is on again it is news.
