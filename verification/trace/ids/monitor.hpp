@@ -49,6 +49,7 @@ inline constexpr RequirementId SRS_MON_400{"SRS_MON_400"};
 inline constexpr RequirementId SRS_MON_401{"SRS_MON_401"};
 inline constexpr RequirementId SRS_MON_490{"SRS_MON_490"};
 inline constexpr RequirementId SRS_MON_530{"SRS_MON_530"};
+inline constexpr RequirementId SRS_MON_531{"SRS_MON_531"};
 } // namespace counterpoint::req
 
 #endif
