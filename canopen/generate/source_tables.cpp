@@ -91,6 +91,12 @@ std::string Rest(const Element& element, std::size_t& limit_count)
            ", &objects, &objects";
 }
 
+/// Where the bus may write an entry. [SRS_STO_008]
+std::string StatesText(const std::uint16_t index)
+{
+    return cia306::IsStoreCommand(index) ? "kInPreOperational" : "kInBoth";
+}
+
 /// Into which PDOs an entry may be mapped, and whether a save keeps it; nothing where none of it. [SRS_GEN_330]
 std::string UsesText(const Element& element)
 {
@@ -147,8 +153,9 @@ std::string EntriesText(const Layout& layout)
         has_domain = has_domain || is_domain;
         text += "    // " + Describe(element) + "\n    {" + HexLiteral(entry.index, 4) + ", " +
                 HexLiteral(entry.sub, 2) + ", DataType::" + TableTypeOf(entry) + ", Access::" + TableAccessOf(element) +
-                ", kInBoth, kInBoth, " + (is_domain ? "kAnyLength" : UnsignedLiteral(element.size_bytes)) + ", " +
-                Rest(element, limit_count) + UsesText(element) + "},\n";
+                ", kInBoth, " + StatesText(entry.index) + ", " +
+                (is_domain ? "kAnyLength" : UnsignedLiteral(element.size_bytes)) + ", " + Rest(element, limit_count) +
+                UsesText(element) + "},\n";
     }
     const std::string domain =
         "// A DOMAIN has no value here, and may have any length.\n"
@@ -158,7 +165,8 @@ std::string EntriesText(const Layout& layout)
            "counterpoint::generated::StoredObjects objects{counterpoint::cia301::EntryTable{kEntries, "
            "kEntryCount}};\n\n"
            "using counterpoint::cia301::Access;\nusing counterpoint::cia301::DataType;\n"
-           "using counterpoint::cia301::kInBoth;\nusing counterpoint::cia301::kInRpdo;\n"
+           "using counterpoint::cia301::kInBoth;\nusing counterpoint::cia301::kInPreOperational;\n"
+           "using counterpoint::cia301::kInRpdo;\n"
            "using counterpoint::cia301::kInTpdo;\nusing counterpoint::cia301::kStored;\n\n"
            "constexpr counterpoint::cia301::Entry kEntries[]{\n" +
            text + "};\n\n";

@@ -164,6 +164,7 @@ std::string Decoder::Decode(const LogFrame& frame)
     case Service::kTime:
         return name + (frame.length == kTimeBytes ? "" : kWrongLength);
     case Service::kLss:
+        return name + (frame.length == kClassicalBytes ? "" : kWrongLength);
     case Service::kForeign:
         break;
     case Service::kOther:
@@ -193,10 +194,7 @@ std::string Decoder::Other(const LogFrame& frame) const
 {
     if (IsFlyingMaster(frame.identifier))
     {
-        const bool has_node = frame.identifier == kActiveMaster && frame.length == 2U;
-        return "flying master: " + WordOf(kFlyingMaster, frame.identifier, "") +
-               (has_node ? " is " + network_.NameOf(frame.data[1]) + ", priority " + std::to_string(frame.data[0])
-                         : "");
+        return "flying master: " + FlyingMaster(frame);
     }
     for (const PredefinedPdo& pdo : kPredefinedPdos)
     {
@@ -208,6 +206,20 @@ std::string Decoder::Other(const LogFrame& frame) const
         }
     }
     return "";
+}
+
+/// What no flying master obeys is marked. [SRS_MON_531]
+std::string Decoder::FlyingMaster(const LogFrame& frame) const
+{
+    const bool has_node = frame.identifier == kActiveMaster;
+    if (frame.length != (has_node ? 2U : 0U))
+    {
+        return kWrongLength;
+    }
+    const std::string word = WordOf(kFlyingMaster, frame.identifier, "");
+    const bool is_node = !has_node || (frame.data[1] >= 1U && frame.data[1] <= kNodes);
+    return (is_node ? "" : "INVALID: ") + word +
+           (has_node ? " is " + network_.NameOf(frame.data[1]) + ", priority " + std::to_string(frame.data[0]) : "");
 }
 
 std::string Decoder::Emergency(const LogFrame& frame) const

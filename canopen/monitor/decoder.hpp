@@ -45,6 +45,7 @@ class Decoder
     [[nodiscard]] std::string Emergency(const LogFrame& frame) const;
     [[nodiscard]] std::string Nmt(const LogFrame& frame) const;
     [[nodiscard]] std::string Other(const LogFrame& frame) const;
+    [[nodiscard]] std::string FlyingMaster(const LogFrame& frame) const;
     [[nodiscard]] std::string ErrorControl(const LogFrame& frame);
     [[nodiscard]] std::string Pdo(const LogFrame& frame) const;
     [[nodiscard]] std::string Srdo(const LogFrame& frame) const;

@@ -56,7 +56,7 @@ std::string SocketCanOf(std::string_view packet, const bool is_big_endian)
 }
 } // namespace
 
-std::optional<cia306::Problem> ReadSocketCan(const std::string_view packet, LogFrame& frame)
+std::optional<cia306::Problem> ReadSocketCan(const std::string_view packet, const bool is_of_fd, LogFrame& frame)
 {
     if (packet.size() < kFrameHead)
     {
@@ -68,7 +68,8 @@ std::optional<cia306::Problem> ReadSocketCan(const std::string_view packet, LogF
     frame.is_error = (word & kErrorFlag) != 0U;
     frame.is_extended = (word & kExtendedFlag) != 0U && !frame.is_error;
     frame.is_remote = (word & kRemoteFlag) != 0U && !frame.is_error;
-    frame.is_fd = (flags & kFdFlag) != 0U || length > kClassicalBytes || packet.size() == kFdPacket;
+    const bool is_long = length > kClassicalBytes || packet.size() == kFdPacket;
+    frame.is_fd = is_of_fd || is_long || (flags & kFdFlag) != 0U;
     frame.identifier = word & kExtendedMask;
     const bool is_wide = frame.is_extended || frame.is_error;
     if (!is_wide && frame.identifier > kStandardMask)
@@ -116,7 +117,7 @@ PacketResult ReadPacketOf(const std::uint32_t link_type, const std::string_view 
 {
     if (link_type == kLinkSocketCan)
     {
-        return {true, ReadSocketCan(packet, frame), {}};
+        return {true, ReadSocketCan(packet, false, frame), {}};
     }
     const bool is_second = link_type == kLinkCooked2;
     const std::size_t head = is_second ? kCooked2Head : kCookedHead;
@@ -133,8 +134,8 @@ PacketResult ReadPacketOf(const std::uint32_t link_type, const std::string_view 
         return {false, std::nullopt, {}};
     }
     const std::string_view rest = packet.substr(head);
-    PacketResult result{
-        true, ReadSocketCan(rest.size() < 4U ? std::string(rest) : SocketCanOf(rest, is_big_endian), frame), {}};
+    const std::string bytes = rest.size() < 4U ? std::string(rest) : SocketCanOf(rest, is_big_endian);
+    PacketResult result{true, ReadSocketCan(bytes, protocol == kProtocolCanFd, frame), {}};
     if (is_second)
     {
         result.interface = CaptureBytes(packet, true).Number32(kCooked2Interface);

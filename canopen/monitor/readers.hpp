@@ -95,8 +95,9 @@ class CaptureBytes
     bool is_big_endian_;
 };
 
-/// Reads a packet of link type CAN_SOCKETCAN. Nothing: it became a frame; else what is wrong with it.
-[[nodiscard]] std::optional<cia306::Problem> ReadSocketCan(std::string_view packet, LogFrame& frame);
+/// Reads a packet of link type CAN_SOCKETCAN; `is_of_fd`: what stands around it tells that its frame is one of CAN FD,
+/// whatever the packet itself tells. Nothing: it became a frame; else what is wrong with it. [SRS_MON_003, SRS_MON_530]
+[[nodiscard]] std::optional<cia306::Problem> ReadSocketCan(std::string_view packet, bool is_of_fd, LogFrame& frame);
 
 constexpr std::uint32_t kLinkSocketCan = 227U;
 constexpr std::uint32_t kLinkCooked = 113U;  ///< LINUX_SLL: a capture of the interface "any".

@@ -39,15 +39,22 @@ RuleFinding NodeApplication::AddRule(const LogicRule& rule)
     return logic_.AddRule(rule);
 }
 
-bool NodeApplication::SetInput(const ObjectAddress& object, const std::uint64_t value)
+std::optional<std::uint64_t> NodeApplication::HighestInput(const ObjectAddress& object) const
 {
     const PairValue* const pair = logic_.Find(object);
-    const bool is_input = pair != nullptr && pair->is_mapped && !pair->is_consumer && value <= pair->mask;
-    if (is_input)
+    const bool is_input = pair != nullptr && pair->is_mapped && !pair->is_consumer;
+    return is_input ? std::optional(pair->mask) : std::nullopt;
+}
+
+bool NodeApplication::SetInput(const ObjectAddress& object, const std::uint64_t value)
+{
+    const std::optional<std::uint64_t> highest = HighestInput(object);
+    const bool is_taken = highest && value <= *highest;
+    if (is_taken)
     {
         logic_.SetInput(object, value);
     }
-    return is_input;
+    return is_taken;
 }
 
 void NodeApplication::Run(const SrdoMask open)

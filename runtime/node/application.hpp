@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -33,6 +34,8 @@ class NodeApplication final : public Application
     void Follow(Kernel& kernel, const runtime::DeviceModel& model);
     /// @brief Adds a rule, if the device can follow it. [SRS_NODE_160]
     [[nodiscard]] RuleFinding AddRule(const LogicRule& rule);
+    /// @brief The highest pattern of bits that an input takes; nothing: there is no such input. [SRS_NODE_531]
+    [[nodiscard]] std::optional<std::uint64_t> HighestInput(const ObjectAddress& object) const;
     /// @brief Sets an input: the normal object of a producer, as configured or as in the file. False: there is no such
     /// input.
     [[nodiscard]] bool SetInput(const ObjectAddress& object, std::uint64_t value);

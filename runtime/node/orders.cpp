@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/node/orders.hpp"
 
+#include "canopen/cia306/file/saved.hpp"
 #include "runtime/device/names.hpp"
 #include "runtime/node/number.hpp"
 
@@ -12,6 +13,30 @@ namespace counterpoint::runtime
 namespace
 {
 constexpr std::uint32_t kBitsOfByte = 8U;
+
+/// As the device's own application, but for the state: a person saves and restores where a client may. [SRS_NODE_530]
+cia301::SdoAbort WriteObject(DeviceAssembly& assembly, const ObjectAddress& object, const std::uint64_t bits,
+                             const cia301::Attempt attempt)
+{
+    cia301::Dictionary& objects = assembly.Dictionary();
+    const std::uint32_t size_bytes = objects.SizeOf(object).size_bytes;
+    if (attempt == cia301::Attempt::kAgain)
+    {
+        return objects.WriteNumberAgain(object, bits, size_bytes);
+    }
+    const bool is_operational = assembly.Device().State() == cia301::NodeState::kOperational;
+    return is_operational && cia306::IsStoreCommand(object.index) ? cia301::SdoAbort::kDeviceState
+                                                                  : objects.WriteNumber(object, bits, size_bytes);
+}
+
+/// A BOOLEAN has one word for each value that is none of its two. [SRS_NODE_531]
+cia301::SdoAbort OfType(const cia301::SdoAbort abort, const cia306::Device& file, const ObjectAddress& object)
+{
+    const cia306::Entry* const entry = file.Find(object.index, object.sub);
+    const bool is_boolean = entry != nullptr && entry->type.kind == cia306::DataKind::kBoolean;
+    const bool is_outside = abort == cia301::SdoAbort::kValueHigh || abort == cia301::SdoAbort::kValueLow;
+    return is_boolean && is_outside ? cia301::SdoAbort::kValueRange : abort;
+}
 } // namespace
 
 NodeOrders::NodeOrders(NodePorts& ports, NodeReport& report) : ports_(ports), report_(report)
@@ -87,27 +112,21 @@ void NodeOrders::GoOn(NodeDevice& device, const NodeMoment& at)
 /// An input of the application, else an object of the device itself.
 void NodeOrders::Set(const NodeOrder& order, NodeDevice& device, const cia301::Attempt attempt)
 {
-    const NumberForm form = FormOf(device.App().File(), device.Assembly().Dictionary(), order.object);
-    const NumberBits number = BitsOf(form, order);
-    const bool is_taken = number.abort == cia301::SdoAbort::kNone;
-    if (attempt == cia301::Attempt::kFirst && is_taken && device.App().SetInput(order.object, number.bits))
-    {
-        return;
-    }
-    cia301::Dictionary& objects = device.Assembly().Dictionary();
-    const cia301::Reading size = objects.SizeOf(order.object);
+    const cia306::Device& file = device.App().File();
+    const NumberBits number = BitsOf(FormOf(file, device.Assembly().Dictionary(), order.object), order);
+    const cia301::Reading size = device.Assembly().Dictionary().SizeOf(order.object);
+    const std::optional<std::uint64_t> highest = device.App().HighestInput(order.object);
     const bool is_cut = size.size_bytes < sizeof(number.bits) && (number.bits >> (kBitsOfByte * size.size_bytes)) != 0U;
     cia301::SdoAbort abort = (size.abort == cia301::SdoAbort::kNone) ? number.abort : size.abort;
-    if (abort == cia301::SdoAbort::kNone && is_cut)
+    if (abort == cia301::SdoAbort::kNone && (is_cut || number.bits > highest.value_or(number.bits)))
     {
         abort = cia301::SdoAbort::kValueHigh;
     }
-    else if (abort == cia301::SdoAbort::kNone)
+    if (abort == cia301::SdoAbort::kNone && !device.App().SetInput(order.object, number.bits))
     {
-        abort = (attempt == cia301::Attempt::kFirst)
-                    ? objects.WriteNumber(order.object, number.bits, size.size_bytes)
-                    : objects.WriteNumberAgain(order.object, number.bits, size.size_bytes);
+        abort = WriteObject(device.Assembly(), order.object, number.bits, attempt);
     }
+    abort = OfType(abort, file, order.object);
     if (abort == cia301::SdoAbort::kPending)
     {
         pending_ = order;

@@ -78,12 +78,18 @@ void SrdoReport::TellFile(const std::uint64_t at_ns)
     }
 }
 
-/// What was refused of a store is told elsewhere, and turns SRDOs off.
+/// Why a store was refused is told elsewhere; what was told of the file does not hold then.
 void SrdoReport::TellSaved(Kernel& kernel, const std::uint64_t at_ns)
 {
     if (IsValid(kernel))
     {
         TellConfigured(kernel, at_ns);
+        return;
+    }
+    for (SrdoModel srdo : model_.Srdos())
+    {
+        srdo.direction = kDirectionOff;
+        Tell(at_ns, srdo);
     }
 }
 

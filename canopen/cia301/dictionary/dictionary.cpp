@@ -73,7 +73,8 @@ SdoAbort Dictionary::Put(const ObjectAddress& address, const Bytes& value, const
     }
     else
     {
-        abort = WriteRight(*entry);
+        // What was taken goes on to its end in whatever state that comes. [SRS_OBD_530]
+        abort = (attempt == Attempt::kAgain) ? SdoAbort::kNone : WriteRight(*entry);
         if (abort == SdoAbort::kNone)
         {
             abort = WriteEntry(*entry, value, attempt);

@@ -254,7 +254,7 @@ void DeviceObjects::Append(const cia306::Object& object, const cia306::Entry& so
     entry.type = TypeOf(source);
     entry.access = AccessOf(source);
     entry.readable_in = cia301::kInBoth;
-    entry.writable_in = cia301::kInBoth;
+    entry.writable_in = cia306::IsStoreCommand(source.index) ? cia301::kInPreOperational : cia301::kInBoth;
     entry.uses = UsesOf(source);
     entry.size_bytes = static_cast<std::uint32_t>((source.type.bits + 7U) / 8U);
     SetRoom(entry, source);

@@ -466,6 +466,19 @@ TEST_F(DictionaryTest, AHookWithoutASecondAnswerOfItsOwnIsAskedAsTheFirstTime)
     EXPECT_EQ(hook.written, (std::vector<std::uint8_t>{7U}));
 }
 
+TEST_F(DictionaryTest, TheEndOfADelayedWriteIsToldInWhateverStateItComes)
+{
+    Verifies(req::SRS_OBD_530);
+    hook.answer = SdoAbort::kPending;
+    const std::uint8_t value = 1U;
+    EXPECT_EQ(dictionary.Write({0x2008U, 0U}, {&value, 1U}), SdoAbort::kPending);
+    dictionary.SetNmtState(NmtState::kOperational);
+    EXPECT_EQ(dictionary.WriteAgain({0x2008U, 0U}, {&value, 1U}), SdoAbort::kPending);
+    hook.answer = SdoAbort::kNone;
+    EXPECT_EQ(dictionary.WriteAgain({0x2008U, 0U}, {&value, 1U}), SdoAbort::kNone);
+    EXPECT_EQ(dictionary.Write({0x2008U, 0U}, {&value, 1U}), SdoAbort::kDeviceState);
+}
+
 TEST_F(DictionaryTest, AHookHasAnObjectUnlessItKnowsNeitherIndexNorSubIndex)
 {
     Verifies(req::SRS_OBD_007);

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia306/file/saved.hpp"
 #include "verification/trace/ids/generate.hpp"
+#include "verification/trace/ids/store.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>
@@ -41,6 +42,18 @@ TEST(Saved, IsNoListOfErrorsNoCommandAndNoParameterOfTheProgram)
     for (const std::uint16_t index : kBeside)
     {
         EXPECT_TRUE(IsKept(index, Access::kReadWrite)) << index;
+    }
+}
+
+TEST(Saved, TwoObjectsAreCommandsOfAStore)
+{
+    Verifies(req::SRS_STO_008);
+    constexpr std::uint16_t kBeside[] = {0x100FU, 0x1012U, 0x1110U, 0x0010U};
+    EXPECT_TRUE(IsStoreCommand(0x1010U));
+    EXPECT_TRUE(IsStoreCommand(0x1011U));
+    for (const std::uint16_t index : kBeside)
+    {
+        EXPECT_FALSE(IsStoreCommand(index)) << index;
     }
 }
 

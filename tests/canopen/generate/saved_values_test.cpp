@@ -5,6 +5,7 @@
 #include "tests/canopen/cia301/service_rig.hpp"
 #include "tests/canopen/generate/generated_case.hpp"
 #include "verification/trace/ids/generate.hpp"
+#include "verification/trace/ids/store.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>
@@ -83,6 +84,35 @@ TEST_F(SavedValues, WhatCanBeWrittenAndReadIsMarkedForASave)
         }
     }
     EXPECT_GE(saved, 100U);
+}
+
+TEST_F(SavedValues, TheBusCommandsASaveInPreOperationalAlone)
+{
+    Verifies(req::SRS_STO_008);
+    for (const GeneratedCase& generated : GeneratedCases())
+    {
+        for (std::uint32_t place = 0U; place < generated.table->count; ++place)
+        {
+            const cia301::Entry& entry = generated.table->entries[place];
+            const bool is_command = entry.index == 0x1010U || entry.index == 0x1011U;
+            EXPECT_EQ(entry.writable_in, is_command ? 1U : 3U) << generated.name << std::hex << " " << entry.index;
+            EXPECT_EQ(entry.readable_in, 3U) << generated.name << std::hex << " " << entry.index;
+        }
+    }
+    // Given a file with both, when the device is OPERATIONAL
+    cia301::Dictionary table{*CaseOf("everything").table, foreign};
+    table.SetNmtState(NmtState::kOperational);
+    std::array<std::uint8_t, 4U> value{};
+    for (const ObjectAddress object : {ObjectAddress{0x1010U, 1U}, ObjectAddress{0x1011U, 1U}})
+    {
+        EXPECT_EQ(table.MayWrite(object, 4U), cia301::SdoAbort::kDeviceState);
+        EXPECT_EQ(table.Write(object, Bytes{value.data(), 4U}), cia301::SdoAbort::kDeviceState);
+        EXPECT_EQ(table.Read(object, Room{value.data(), 4U}).abort, cia301::SdoAbort::kNone);
+    }
+    EXPECT_EQ(table.MayWrite({0x1017U, 0U}, 2U), cia301::SdoAbort::kNone);
+    table.SetNmtState(NmtState::kPreOperational);
+    EXPECT_EQ(table.MayWrite({0x1010U, 1U}, 4U), cia301::SdoAbort::kNone);
+    EXPECT_EQ(table.MayWrite({0x1011U, 1U}, 4U), cia301::SdoAbort::kNone);
 }
 
 // Given 1800h:01 = $NODEID+384 and 1801h:01 = 640 + $NODEID.

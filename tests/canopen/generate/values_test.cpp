@@ -41,10 +41,16 @@ bool IsKernels(const std::uint16_t index)
     return index >= 0x1300U && index <= 0x13FFU;
 }
 
-/// Octet strings stand in a file as pairs of hexadecimal digits, or as they are; the Unicode strings here are ASCII.
+/// Octet strings stand in a file as pairs of hexadecimal digits, with or without spaces, or as they are; the Unicode
+/// strings here are ASCII.
 std::vector<std::uint8_t> TextBytes(const cia306::Entry& entry)
 {
-    const std::string& text = entry.Configured().text;
+    std::string text = entry.Configured().text;
+    std::string digits = text;
+    digits.erase(std::remove(digits.begin(), digits.end(), ' '), digits.end());
+    const bool is_octets =
+        entry.data_type == 0x000AU && digits.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
+    text = is_octets ? digits : text;
     const bool is_hex = entry.data_type == 0x000AU && text.size() % 2U == 0U &&
                         text.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
     std::vector<std::uint8_t> bytes;

@@ -146,6 +146,43 @@ TEST(DecoderWithoutFiles, NamesWhatIdentifiersSayByThemselves)
     EXPECT_EQ(words(0x102U, {1U}), "102h [1] 01  SRDO inverse, of no file");
 }
 
+TEST(DecoderWithoutFiles, MarksWhatNoFlyingMasterObeys)
+{
+    Verifies(req::SRS_MON_531);
+    const Network network{{}, std::nullopt};
+    const Analysis analysis{network, [](const Violation&) {}};
+    Decoder decoder{network, analysis};
+    const auto words = [&decoder](const std::uint32_t identifier, const std::vector<std::uint8_t>& data)
+    {
+        const std::string text = decoder.Decode(Frame(0, identifier, data));
+        return text.substr(text.find("master: ") + 8U);
+    };
+    const std::string wrong = "INVALID: of wrong length";
+    EXPECT_EQ(words(0x071U, {}), wrong);
+    EXPECT_EQ(words(0x071U, {1U}), wrong);
+    EXPECT_EQ(words(0x071U, {1U, 2U, 3U}), wrong);
+    EXPECT_EQ(words(0x071U, {1U, 0U}), "INVALID: active NMT master is node 0, priority 1");
+    EXPECT_EQ(words(0x071U, {1U, 1U}), "active NMT master is node 1, priority 1");
+    EXPECT_EQ(words(0x071U, {255U, 127U}), "active NMT master is node 127, priority 255");
+    EXPECT_EQ(words(0x071U, {1U, 128U}), "INVALID: active NMT master is node 128, priority 1");
+    EXPECT_EQ(words(0x071U, {1U, 255U}), "INVALID: active NMT master is node 255, priority 1");
+    for (std::uint32_t identifier = 0x072U; identifier <= 0x076U; ++identifier)
+    {
+        EXPECT_EQ(words(identifier, {0U}), wrong) << identifier;
+        EXPECT_EQ(words(identifier, {1U, 2U}), wrong) << identifier;
+        EXPECT_EQ(words(identifier, {}).find("INVALID"), std::string::npos) << identifier;
+    }
+}
+
+TEST_F(DecoderTest, LssFramesHaveEightBytes)
+{
+    Verifies(req::SRS_MON_019);
+    EXPECT_EQ(Words(0x7E4U, {4U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}), "7E4h [8] 04 00 00 00 00 00 00 00  LSS ");
+    EXPECT_EQ(Words(0x7E5U, {4U, 0U, 0U, 0U, 0U, 0U, 0U}),
+              "7E5h [7] 04 00 00 00 00 00 00  LSS INVALID: of wrong length");
+    EXPECT_EQ(Words(0x7E4U, {}), "7E4h [0]  LSS INVALID: of wrong length");
+}
+
 TEST_F(DecoderTest, Emergencies)
 {
     Verifies(req::SRS_MON_004);

@@ -16,6 +16,7 @@ namespace
 {
 using test::ByteOrder;
 using test::CaptureWriter;
+using test::CookedPcapOf;
 using test::Frame;
 using test::FramesOf;
 using test::PcapngBlock;
@@ -123,6 +124,31 @@ std::string PcapWith(const std::uint32_t link_type, const std::string& packet)
     writer.Number(packet.size(), 4U);
     writer.Number(packet.size(), 4U);
     return writer.text + packet;
+}
+
+// A frame of 2 bytes whose packet is cut behind them: only the protocol tells, with and without the flag.
+TEST(CapturedPackets, OfTheProtocolOfCanFdAreNoClassicalFrames)
+{
+    Verifies(req::SRS_MON_530);
+    constexpr std::size_t kFlags = 5U;
+    for (const bool is_second : {false, true})
+    {
+        for (const ByteOrder order : {ByteOrder::kLittle, ByteOrder::kBig})
+        {
+            LogFrame frame = Frame(0, 0x101U, {1U, 2U});
+            EXPECT_FALSE(FramesOf(CookedPcapOf({frame}, order, is_second)).at(0).is_fd);
+            EXPECT_TRUE(FramesOf(CookedPcapOf({frame}, order, is_second)).at(0).IsPlain());
+            frame.is_fd = true;
+            std::string text = CookedPcapOf({frame}, order, is_second);
+            EXPECT_TRUE(FramesOf(text).at(0).is_fd);
+            char& flags = text[text.size() - SocketCanPacket(frame).size() + kFlags];
+            ASSERT_EQ(flags, 4);
+            flags = 0;
+            EXPECT_TRUE(FramesOf(text).at(0).is_fd);
+            EXPECT_FALSE(FramesOf(text).at(0).IsPlain());
+            EXPECT_EQ(FramesOf(text).at(0).length, 2U);
+        }
+    }
 }
 
 // The packet of a CAN FD frame has 72 bytes, whatever its flags tell; a classical one has 16 at most.

@@ -298,7 +298,7 @@ TEST_F(MappingsTest, FramesOfOtherKindsAndIdentifiersAreToldAsSuch)
     EXPECT_EQ(words(error), "00000004h [1] 00  error frame ");
     EXPECT_EQ(words(Frame(0, 0x800U, {})), "800h [0]  ");
     EXPECT_EQ(words(Frame(0, 0x070U, {})), "070h [0]  other ");
-    EXPECT_EQ(words(Frame(0, 0x071U, {1U})), "071h [1] 01  other flying master: active NMT master");
+    EXPECT_EQ(words(Frame(0, 0x071U, {1U})), "071h [1] 01  other flying master: INVALID: of wrong length");
 }
 } // namespace
 } // namespace counterpoint::monitor

@@ -151,6 +151,11 @@ class Bench
     void Store(const std::uint16_t index, const std::uint32_t word)
     {
         static_cast<void>(Download(index, 1U, word, 4U)); // Answered at its end.
+        AwaitStore();
+    }
+    /// Cycles until the store is at rest, and one for its answer.
+    void AwaitStore()
+    {
         for (int wait = 0; wait < 60000 && device_->IsSaving(); ++wait)
         {
             std::this_thread::sleep_for(std::chrono::milliseconds(1)); // A thread writes the file.
@@ -196,6 +201,19 @@ class Bench
             }
         }
         return data;
+    }
+    /// All that the default SDO server has sent.
+    std::vector<host::LiveFrame> SdoAnswers() const
+    {
+        std::vector<host::LiveFrame> answers;
+        for (const host::LiveFrame& frame : services_->Sent())
+        {
+            if (frame.identifier == 0x580U + device_->Assembly().NodeId())
+            {
+                answers.push_back(frame);
+            }
+        }
+        return answers;
     }
     std::uint64_t NowNs() const
     {

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 // What a node tells of its SRDOs and their values: what was told last has to hold.
@@ -30,6 +31,17 @@ std::vector<std::string> SrdoLines(const std::string& told)
         }
     }
     return lines;
+}
+/// The file with 1010h and 1011h.
+std::string WithStoreObjects(const std::string& file)
+{
+    std::ofstream(file, std::ios::app) << "\n[1010]\nObjectType=8\nSubNumber=2\n"
+                                          "[1010sub0]\nDataType=5\nAccessType=ro\nDefaultValue=1\n"
+                                          "[1010sub1]\nDataType=7\nAccessType=rw\n"
+                                          "[1011]\nObjectType=8\nSubNumber=2\n"
+                                          "[1011sub0]\nDataType=5\nAccessType=ro\nDefaultValue=1\n"
+                                          "[1011sub1]\nDataType=7\nAccessType=rw\n";
+    return file;
 }
 using Lines = std::vector<std::string>;
 
@@ -117,13 +129,7 @@ TEST(NodeToldTest, WhatAResetBringsBackIsTold)
 TEST(NodeToldTest, WhatAStoreLoadsOrGivesUpIsTold)
 {
     Verifies(req::SRS_NODE_052);
-    const std::string file = FileWith("actuator", {{"5F04", "0"}});
-    std::ofstream(file, std::ios::app) << "\n[1010]\nObjectType=8\nSubNumber=2\n"
-                                          "[1010sub0]\nDataType=5\nAccessType=ro\nDefaultValue=1\n"
-                                          "[1010sub1]\nDataType=7\nAccessType=rw\n"
-                                          "[1011]\nObjectType=8\nSubNumber=2\n"
-                                          "[1011sub0]\nDataType=5\nAccessType=ro\nDefaultValue=1\n"
-                                          "[1011sub1]\nDataType=7\nAccessType=rw\n";
+    const std::string file = WithStoreObjects(FileWith("actuator", {{"5F04", "0"}}));
     const std::string store = ::testing::TempDir() + "told_limits.store";
     std::remove(store.c_str());
     const std::string saved = "SRDO 1 consumer 0x103, safe within 132 ms of the last good normal frame";
@@ -141,6 +147,44 @@ TEST(NodeToldTest, WhatAStoreLoadsOrGivesUpIsTold)
     bench.Command(129U);
     bench.Start();
     EXPECT_EQ(SrdoLines(bench.Told()), (Lines{kOfTheFile, saved, kOfTheFile}));
+}
+
+// What was saved as node 33 is refused as a whole by node 9: no limit of the file holds until it is given up.
+TEST(NodeToldTest, AConfigurationOfAStoreThatIsRefusedTakesTheLimitsOfTheFileBack)
+{
+    Verifies(req::SRS_NODE_532);
+    const std::string file = WithStoreObjects(FileWith("actuator", {{"5F04", "0"}}));
+    const std::string store = ::testing::TempDir() + "told_refused.store";
+    std::remove(store.c_str());
+    {
+        Bench bench(file, store);
+        bench.Store(0x1010U, 0x65766173U);
+        EXPECT_EQ(SrdoLines(bench.Told()), (Lines{kOfTheFile}));
+    }
+    std::ifstream whole(file);
+    std::ostringstream text;
+    for (std::string line; std::getline(whole, line);)
+    {
+        text << (line == "NodeID=33" ? "NodeID=9" : line) << "\n";
+    }
+    whole.close();
+    std::ofstream(file) << text.str();
+    Bench bench(file, store);
+    EXPECT_EQ(bench.Device().Assembly().NodeId(), 9U);
+    bench.Start();
+    bench.Command(128U);
+    bench.Command(129U); // Off as before: nothing is told.
+    bench.Store(0x1011U, 0x64616F6CU);
+    bench.Command(129U);
+    bench.Start();
+    const std::string told = bench.Told();
+    EXPECT_EQ(SrdoLines(told),
+              (Lines{kOfTheFile, "SRDO 1 off", "configuration does not hold, 0x13FE:00 is not 0xA5: SRDOs are off",
+                     kOfTheFile}));
+    const std::size_t refused = told.find("the saved safety configuration is refused");
+    EXPECT_LT(refused, told.find("SRDO 1 off")) << told;
+    EXPECT_LT(told.find("SRDO 1 off"), told.find("NMT pre_operational")) << told;
+    std::remove(store.c_str());
 }
 
 // The limit of an SRDO that is off is none that holds, and when it is on again it is news.
@@ -208,6 +252,52 @@ TEST(NodeToldTest, SetTakesWhatGetTells)
     EXPECT_NE(told.find("set: 0x2000:01 = 128 refused with 0609 0031h"), std::string::npos) << told;
     EXPECT_NE(told.find("set: 0x2000:01 = -129 refused with 0609 0032h"), std::string::npos) << told;
     EXPECT_NE(told.find("set: 0x2000:02 = -1 refused with 0609 0032h"), std::string::npos) << told;
+}
+
+/// What an order is refused with; empty: it was taken.
+std::string RefusalOf(const std::string& file, const std::string& order)
+{
+    Bench bench(std::string(COUNTERPOINT_SOURCE) + "/tests/" + file);
+    bench.Order(order);
+    const std::string told = bench.Told();
+    const std::size_t place = told.find(" refused with ");
+    return place == std::string::npos ? "" : told.substr(place + 14U, 10U);
+}
+
+// SRDO 2 sends 2100h: a BOOLEAN, one of 3 bits, an UNSIGNED8. None of them is read only, whatever is wrong.
+TEST(NodeToldTest, AnInputAboveItsBitsIsTooHigh)
+{
+    Verifies(req::SRS_NODE_531);
+    const std::string bits = "canopen/cia306/data/bits.dcf";
+    const std::vector<std::pair<const char*, const char*>> inputs{{"0x2100:01 1", ""},
+                                                                  {"0x2100:01 2", "0609 0030h"},
+                                                                  {"0x2100:01 -1", "0609 0030h"},
+                                                                  {"0x2100:01 256", "0609 0030h"},
+                                                                  {"0x2100:02 7", ""},
+                                                                  {"0x2100:02 8", "0609 0031h"},
+                                                                  {"0x2100:02 255", "0609 0031h"},
+                                                                  {"0x2100:02 256", "0609 0031h"},
+                                                                  {"0x2100:02 -1", "0609 0032h"},
+                                                                  {"0x2100:03 255", ""},
+                                                                  {"0x2100:03 256", "0609 0031h"},
+                                                                  // What an SRDO receives is nobody's to set.
+                                                                  {"0x6020:01 1", "0601 0002h"}};
+    for (const auto& [set, refusal] : inputs)
+    {
+        EXPECT_EQ(RefusalOf(bits, std::string("set ") + set), refusal) << set;
+    }
+    // An object of the device itself
+    for (const char* const value : {"2", "-1", "256"})
+    {
+        EXPECT_EQ(RefusalOf("runtime/data/everything.dcf", std::string("set 0x4001:00 ") + value), "0609 0030h")
+            << value;
+    }
+    EXPECT_EQ(RefusalOf("runtime/data/everything.dcf", "set 0x4001:00 1"), "");
+    // An input that was refused stays as it was
+    Bench bench(std::string(COUNTERPOINT_SOURCE) + "/tests/" + bits);
+    bench.Order("set 0x2100:02 5");
+    bench.Order("set 0x2100:02 8");
+    EXPECT_NE(bench.Device().App().Values().find("0x2100:02=5 "), std::string::npos) << bench.Device().App().Values();
 }
 } // namespace
 } // namespace counterpoint::tools::test

@@ -60,6 +60,7 @@ inline constexpr RequirementId SRS_OBD_015{"SRS_OBD_015"};
 inline constexpr RequirementId SRS_OBD_016{"SRS_OBD_016"};
 inline constexpr RequirementId SRS_OBD_017{"SRS_OBD_017"};
 inline constexpr RequirementId SRS_OBD_340{"SRS_OBD_340"};
+inline constexpr RequirementId SRS_OBD_530{"SRS_OBD_530"};
 inline constexpr RequirementId SRS_SDC_001{"SRS_SDC_001"};
 inline constexpr RequirementId SRS_SDC_002{"SRS_SDC_002"};
 inline constexpr RequirementId SRS_SDC_003{"SRS_SDC_003"};

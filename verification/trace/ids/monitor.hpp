@@ -48,6 +48,8 @@ inline constexpr RequirementId SRS_MON_341{"SRS_MON_341"};
 inline constexpr RequirementId SRS_MON_400{"SRS_MON_400"};
 inline constexpr RequirementId SRS_MON_401{"SRS_MON_401"};
 inline constexpr RequirementId SRS_MON_490{"SRS_MON_490"};
+inline constexpr RequirementId SRS_MON_530{"SRS_MON_530"};
+inline constexpr RequirementId SRS_MON_531{"SRS_MON_531"};
 } // namespace counterpoint::req
 
 #endif
