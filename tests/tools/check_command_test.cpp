@@ -306,6 +306,16 @@ TEST_F(OneReading, AValueThatAServiceRefusesIsAWarningAtItsLine)
     const Answer answer = RunCommand({"check", file});
     EXPECT_EQ(answer.status, 0) << answer.out;
     EXPECT_NE(answer.out.find("warning: 0x2FF0:00: "), std::string::npos) << answer.out;
+    // And where a service refuses what its data type has room for: 241 for 1019h
+    const std::string sync =
+        File("sync.dcf", PlainText() + "\n[1019]\nParameterName=x\nObjectType=0x7\nDataType=0x0005\nAccessType=rw\n"
+                                       "DefaultValue=241\nPDOMapping=0\n");
+    const Answer of_sync = RunCommand({"check", sync});
+    EXPECT_EQ(of_sync.status, 0) << of_sync.out;
+    EXPECT_NE(of_sync.out.find(sync + ":568:14: warning: 0x1019:00: the device refuses this value with abort code "
+                                      "0x06090030, expected one of the object's range\n"),
+              std::string::npos)
+        << of_sync.out;
 }
 
 TEST_F(OneReading, NodeTellsWhatItLeavesOut)

@@ -111,6 +111,8 @@ TEST(CommandLine, VersionStandsAlone)
         EXPECT_EQ(answer.status, 2) << words[0] << " " << words[1];
         EXPECT_EQ(answer.out, "") << words[0] << " " << words[1];
         EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+        const std::string& word = (words[0] == "--version") ? words[1] : words[0];
+        EXPECT_NE(answer.err.find("'" + word + "'"), std::string::npos) << answer.err;
     }
     EXPECT_EQ(
         RunCommand({"--version", "x"}).err,

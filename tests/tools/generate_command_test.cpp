@@ -234,6 +234,7 @@ TEST_F(GenerateCommandTest, ReplacesNothingButItsOwn)
     EXPECT_EQ(own.err, input + ": error: it is there and was not made by 'counterpoint generate', expected another "
                                "--output, or that you remove it\n");
     EXPECT_EQ(cia306::ReadTextFile(input), device);
+    EXPECT_FALSE(std::filesystem::exists(Path("object_dictionary.cpp")));
     static_cast<void>(File("object_dictionary.hpp", ""));
     const std::string source = File("object_dictionary.cpp", "int main() {}\n");
     EXPECT_EQ(RunCommand({"generate", Example(), "--output", Path(""), "--force"}).status, 2);
@@ -241,7 +242,12 @@ TEST_F(GenerateCommandTest, ReplacesNothingButItsOwn)
     EXPECT_EQ(cia306::ReadTextFile(source), "int main() {}\n");
     static_cast<void>(File("object_dictionary.cpp", ""));
     EXPECT_EQ(RunCommand({"generate", Example(), "--output", Path("")}).status, 0);
+    const std::string made = cia306::ReadTextFile(source);
+    EXPECT_NE(made, "");
+    // What it made is replaced, whatever else stands in it
+    static_cast<void>(File("object_dictionary.cpp", made + "// an older version\n"));
     EXPECT_EQ(RunCommand({"generate", Example(), "--output", Path("")}).status, 0);
+    EXPECT_EQ(cia306::ReadTextFile(source), made);
 }
 
 TEST_F(GenerateCommandTest, AnswersAsJson)

@@ -3,6 +3,7 @@
 #include "canopen/cia306/text/text_file.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
+#include "verification/trace/ids/eds.hpp"
 #include "verification/trace/ids/manager.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -41,6 +42,7 @@ class ManagerCheckTest : public test::CommandTest
 TEST_F(ManagerCheckTest, EqualMastersPassOthersAreNamed)
 {
     Verifies(req::SRS_MGR_009);
+    Verifies(req::SRS_EDS_036);
     const Answer equal = RunCommand({"manager", "--check", NetworkFile("master_2.yaml"), NetworkFile("master_5.yaml")});
     EXPECT_EQ(equal.status, 0) << equal.out;
     EXPECT_EQ(equal.out, "");

@@ -176,6 +176,11 @@ TEST_F(MonitorCommandTest, WatchesNoSrdoOfAConfigurationThatIsNotValid)
                                      "watch, which is on and has 0xA5 in 13FEh, or --frames\n"),
               std::string::npos)
         << none.err;
+    // But with --frames they are shown, as of nobody who is active
+    const Answer shown = RunCommand({"monitor", log, "--frames", "--dcf", sensor, controller});
+    EXPECT_EQ(shown.status, 0) << shown.err;
+    EXPECT_NE(shown.out.find("101h [2] 01 02  SRDO normal, of Sensor SRDO 1, which is not active\n"), std::string::npos)
+        << shown.out;
     const auto document =
         nlohmann::json::parse(RunCommand({"monitor", log, "--json", "--dcf", Example("sensor"), controller}).out);
     ASSERT_EQ(document["warnings"].size(), 1U);

@@ -186,6 +186,7 @@ TEST_F(SignCommandTest, VerbosePrintsTheBytesFieldByField)
 TEST_F(SignCommandTest, TakesTheNodeIdFromTheCommandLineElseFromTheFile)
 {
     Verifies(req::SRS_CLI_007);
+    Verifies(req::SRS_EDS_008);
     const std::string text = cia306::test::SrdoFileText({FormulaSrdo()});
     const std::string without = File("without.dcf", text);
     const std::string with = File("with.dcf", text + "[DeviceComissioning]\nNodeID=1\n");

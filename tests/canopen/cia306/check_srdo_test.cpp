@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -121,6 +122,12 @@ TEST(CheckSrdo, OfAnSrdoThatIsOffWhatTheDeviceTakesIsAWarning)
          {"error: 0x1382:00: 3 mapping entries, expected an even number: one normal and one inverse entry a pair"}},
     };
     test::ExpectRows("controller", rows, {});
+    // Given a granularity that the lengths of SRDO 1, which is on, and of SRDO 2, which is off, are no multiples of
+    const std::string wrong = ": length of 8 bit, expected a multiple of 16 bit (granularity)";
+    EXPECT_EQ(test::FindingsOfChange("controller", {{off, {"5F00subA", kValue, "16"}}, {}}, {}),
+              (Lines{"error: 0x1381:01" + wrong, "error: 0x1381:02" + wrong, "error: 0x1381:03" + wrong,
+                     "error: 0x1381:04" + wrong, "warning: 0x1382:01" + wrong, "warning: 0x1382:02" + wrong,
+                     "warning: 0x1382:03" + wrong, "warning: 0x1382:04" + wrong}));
 }
 
 TEST(CheckSrdo, AnObjectIsReceivedByOneSrdoAlone)
@@ -248,6 +255,25 @@ TEST(CheckSrdo, AnSrdoThatIsOffHasNoTimingRule)
     test::ExpectRows("controller", rows, {});
 }
 
+TEST(CheckSrdo, CommunicationParametersAloneAndNoGfcParameter)
+{
+    Verifies(req::SRS_CLI_017);
+    // Given a consumer without mapping parameters, in a file without 1300h and without 5F00h, which would tell of GFC
+    std::string text = test::SrdoFileText({{1, "2", "50", "20", "0x101", "0x102", {"0x20000108", "0x21000108"}}});
+    for (std::size_t at = text.find("[1381"); at != std::string::npos; at = text.find("[1381"))
+    {
+        text.replace(at, 5U, "[2FF1");
+    }
+    const Lines found = test::FindingsOf(text, {});
+    for (const std::string line :
+         {"error: 0x1381: SRDO 1 has no mapping parameters, expected a section [1381]",
+          "warning: 0x1300: the GFC parameter is missing, expected an object of type UNSIGNED8",
+          "warning: [DeviceInfo] does not announce CANopen Safety, expected CANopenSafetySupported=1"})
+    {
+        EXPECT_EQ(std::count(found.begin(), found.end(), line), 1) << line;
+    }
+}
+
 TEST(CheckSrdo, DefaultCobIdsOfTheFirstSrdo)
 {
     Verifies(req::SRS_CLI_017);
@@ -318,6 +344,20 @@ TEST(CheckStatic, EntriesOfBothKindsAreAWarning)
     // Those that sub-index 0 does not count are not asked
     EXPECT_EQ(Find(test::FileText("static"), {{"1383sub0", "DefaultValue", "4"}, {"1383sub6", "AccessType", "rw"}}),
               Lines{});
+}
+
+TEST(CheckStatic, OfAnSrdoThatIsOffLengthsAreAWarning)
+{
+    Verifies(req::SRS_CLI_031);
+    // Given a static mapping of one bit
+    EXPECT_EQ(Find(test::FileText("static"), {{"DeviceInfo", "Granularity", "1"},
+                                              {"1303sub1", kValue, "0"},
+                                              {"2400sub3", "DataType", "1"},
+                                              {"2410sub3", "DataType", "1"},
+                                              {"1383sub5", "DefaultValue", "0x24000301"},
+                                              {"1383sub6", "DefaultValue", "0x24100301"}}),
+              (Lines{"warning: 0x1383:05: length of 1 bit in a static mapping, expected a multiple of 8 bit",
+                     "warning: 0x1383:06: length of 1 bit in a static mapping, expected a multiple of 8 bit"}));
 }
 
 TEST(CheckStatic, LengthsAreWholeBytesAndThereIsNoDummy)

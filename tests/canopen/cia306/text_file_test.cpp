@@ -350,6 +350,7 @@ std::string RefusalOfWriting(const std::string& path, const std::string& text)
 TEST_F(TextFile, WhereNothingCanBeMadeOrTheRoomEndsTheOldFileStays)
 {
     Verifies(req::SRS_CLI_006);
+    Verifies(req::SRS_CLI_120);
     EXPECT_EQ(RefusalOfWriting("/proc/none", "x"), "/proc/none: error: it cannot be created (No such file or "
                                                    "directory), expected a path in a writable folder");
     WriteTextFile(Path("a"), "old");
@@ -364,6 +365,7 @@ TEST_F(TextFile, WhereNothingCanBeMadeOrTheRoomEndsTheOldFileStays)
     (void)std::signal(SIGXFSZ, handler);
     EXPECT_EQ(refusal, Path("a") + ": error: it cannot be written (File too large), expected a file system with room");
     EXPECT_EQ(ReadTextFile(Path("a")), "old");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
 }
 
 /// Calls `run` while a descriptor of this process is `file`, or closed where that is empty; what it answers.
@@ -432,6 +434,7 @@ TEST_F(TextFile, AProgramWithoutOutputReplacesAFile)
 TEST_F(TextFile, AFileThatCannotTakeItsPlaceLeavesNothing)
 {
     Verifies(req::SRS_CLI_006);
+    Verifies(req::SRS_CLI_120);
     // Given a path without a name: the file beside it can be made, and named, but not take its place
     const std::filesystem::path before = std::filesystem::current_path();
     std::filesystem::current_path(folder_);

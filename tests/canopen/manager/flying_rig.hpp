@@ -42,6 +42,10 @@ class IdleProfile final : public StartUp
     void OnRoom(const Instant /*now*/) noexcept override
     {
         ++rooms;
+        if (tells_room)
+        {
+            log_.emplace_back("room");
+        }
     }
     void OnNodeEvent(const NodeId /*node*/, const NodeEvent /*event*/, const Instant /*now*/) noexcept override
     {
@@ -68,7 +72,8 @@ class IdleProfile final : public StartUp
         return 0;
     }
 
-    int rooms{0}; ///< How often it was offered room in the sink.
+    int rooms{0};           ///< How often it was offered room in the sink.
+    bool tells_room{false}; ///< And writes that down.
 
   private:
     std::vector<std::string>& log_;

@@ -4,6 +4,7 @@
 #include "tests/canopen/manager/flying_rig.hpp"
 #include "verification/trace/ids/flying_master.hpp"
 #include "verification/trace/ids/manager.hpp"
+#include "verification/trace/ids/nmt_master.hpp"
 #include "verification/trace/ids/start_up_profiles.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -54,6 +55,33 @@ TEST_F(ManagerFlying, RoomInTheSinkIsOfferedToTheProfileThatLeads)
     EXPECT_EQ(profile.rooms, before + 1);
     RunTo(4001U);
     EXPECT_EQ(profile.rooms, before + 2);
+}
+
+TEST_F(ManagerFlying, ACommandThatWaitsHasTheRoomBeforeThePdosOfTheProfile)
+{
+    Verifies(req::SRS_NMM_230);
+    slaves[16].assignment = 1U;
+    Use(NegotiationBy::kManager);
+    manager.Begin(Now());
+    RunTo(4000U);
+    ASSERT_TRUE(manager.IsActive());
+    // Given a full sink, and a command that waits
+    refuses = 1'000'000U;
+    EXPECT_EQ(manager.ProfileParts().nmt.Request(NmtCommand::kStop, NodeId{16U}, Now()), NmtAnswer::kTaken);
+    RunTo(4010U);
+    Log();
+    profile.tells_room = true;
+    // When there is room: with a frame, and with a cycle
+    refuses = 0U;
+    Hear(0x710U, {0x05U});
+    EXPECT_EQ(Log(), (Lines{"4010 000 02 10", "room"}));
+    refuses = 1'000'000U;
+    EXPECT_EQ(manager.ProfileParts().nmt.Request(NmtCommand::kStop, NodeId{16U}, Now()), NmtAnswer::kTaken);
+    RunTo(4020U);
+    Log();
+    refuses = 0U;
+    RunTo(4021U);
+    EXPECT_EQ(Log(), (Lines{"4021 000 02 10", "room"}));
 }
 
 TEST_F(ManagerFlying, WhatTheActiveMasterOwesLeavesWithTheFirstRoom)

@@ -121,6 +121,7 @@ TEST_F(FullSinkTest, AHeartbeatThatFoundNoRoomGoesBeforeARequest)
 TEST_F(FullSinkTest, AHeartbeatGoesBeforeTheRequestBehindAnAnswerAndBehindACommand)
 {
     Verifies(req::SRS_MGR_231);
+    Verifies(req::SRS_NMM_230);
     StartBoth();
     is_free = true;
     EXPECT_TRUE(manager->Role().Boot(NodeId{6U}, Now()));

@@ -152,7 +152,7 @@ TEST_F(NetworkWarningsTest, ASlaveThatWatchesTheManager)
 
 TEST_F(NetworkWarningsTest, ASlaveThatWatchesAnotherNodeByTheRowOfTheManager)
 {
-    Verifies(req::SRS_NET_153);
+    Verifies(req::SRS_NET_510);
     const auto told = [this](const std::string& first, const std::string& producer)
     {
         NetworkPlan plan = PlanOf(kHead + producer + Record("1016", 2) + Number("1016sub1", first));

@@ -12,7 +12,7 @@ constexpr std::uint32_t kStartUs = 0xFFFF'0000U; // 65 ms before the counter wra
 
 } // namespace
 
-BootRig::BootRig()
+BootRig::BootRig(const SdoTimes& sdo_times) : lanes{*this, sdo_times}, sdo{lanes.All(), sdo_times}
 {
     nmt.SetActive(true);
 }

@@ -84,7 +84,7 @@ class BootRig : public ::testing::Test,
         CanFrame frame;
     };
 
-    BootRig();
+    explicit BootRig(const SdoTimes& sdo_times = SdoTimes{100'000U, 3U});
 
     bool Send(const CanFrame& frame) noexcept override;
     void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept override;
@@ -136,8 +136,8 @@ class BootRig : public ::testing::Test,
     FakeGate gate{setup};
     NodeTable table{NodeTableParts{nodes.data(), setup, *this, *this}};
     NmtMaster nmt{NmtMasterParts{setup, NmtQueueRoom{queue.data(), 256U}, *this, table, *this, gate}};
-    SdoLanes<127> lanes{*this, SdoTimes{100'000U, 3U}};
-    SdoPool sdo{lanes.All(), SdoTimes{100'000U, 3U}};
+    SdoLanes<127> lanes;
+    SdoPool sdo;
     Cia302StartUp start_up{StartUpParts{setup, table, nmt, sdo, gate, *this, *this}, boots.data()};
 };
 

@@ -249,6 +249,15 @@ TEST(OutputGate, ClosesOneMicrosecondAfterTheLimit)
     EXPECT_EQ(outside.Open(Instant{3001U}, kLimit), 0U);
     // and stays closed though the elapsed time looks short again
     EXPECT_EQ(outside.Open(Instant{1500U}, kLimit), 0U);
+    // It is interrupted: there is no challenge, and right permits open nothing; the other two go on
+    EXPECT_EQ(outside.Challenge(), 0U);
+    outside.Drive(RightPermits(0x1235U, kSlots), Instant{3100U});
+    EXPECT_EQ(outside.Open(Instant{3101U}, kLimit), 0U);
+    for (OutputGate* const gate : {&inside, &on})
+    {
+        gate->Drive(RightPermits(gate->Challenge(), kSlots), Instant{3100U});
+        EXPECT_EQ(gate->Open(Instant{3101U}, kLimit), kSlots);
+    }
 }
 
 TEST(OutputGate, LimitHoldsAcrossTheWrapOfTime)

@@ -196,6 +196,10 @@ TransmitStatus HostBench::DoTransmit(const CanFrame& frame) noexcept
     {
         std::swap(on_bus.data[0], on_bus.data[4]); // Words swapped, and turned back in what is confirmed.
     }
+    if (Has(Defect::kOtherLengthOnTheBus) && (on_bus.length_bytes == 8U))
+    {
+        on_bus.length_bytes = 7U; // And confirmed as if it had been 8.
+    }
     const TransmitStatus status = can_.Transmit(on_bus);
     handed_over_ = clocks_.Now();
     last_taken_ = (status == TransmitStatus::kAccepted) ? on_bus : last_taken_;
@@ -232,6 +236,14 @@ void HostBench::Take(PortEvent event)
     if (Has(Defect::kOtherOnTheBus) && is_confirmation)
     {
         std::swap(frame.data[0], frame.data[4]);
+    }
+    if (Has(Defect::kOtherLengthOnTheBus) && is_confirmation && (frame.length_bytes == 7U))
+    {
+        frame.length_bytes = 8U;
+    }
+    if (Has(Defect::kOwnMissingWhenLate) && is_confirmation && was_late_)
+    {
+        return;
     }
     if (Has(Defect::kStampedAtRequest) && is_confirmation)
     {
@@ -287,10 +299,15 @@ void HostBench::Reorder()
 bool HostBench::PeerSend(const CanFrame& frame)
 {
     CanFrame sent = frame;
+    // As a controller takes it whose filter and driver do not look at the length of the identifier.
     if (Has(Defect::kFirstBitsAsData) && (frame.kind == FrameKind::kExtended))
     {
-        // As a controller takes it whose filter and driver do not look at the length of the identifier.
         sent.identifier = frame.identifier >> 18U;
+        sent.kind = FrameKind::kData;
+    }
+    if (Has(Defect::kLastBitsAsData) && (frame.kind == FrameKind::kExtended))
+    {
+        sent.identifier = frame.identifier & 0x7FFU;
         sent.kind = FrameKind::kData;
     }
     return bus_.Submit(peer_node_, sent) == TransmitStatus::kAccepted;

@@ -407,12 +407,16 @@ TEST(SocketcandServerTest, DisconnectsWhoDoesNotRead)
     client.Say("< open can0 >< rawmode >");
     const std::uint64_t start_ns = LiveNow();
     LiveFrame own;
+    std::uint64_t frames = 0U;
     while ((server.Counts().too_slow == 0U) && (LiveNow() - start_ns < 600'000'000'000U))
     {
         static_cast<void>(member->Send(Live(0x100U, {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U})));
         static_cast<void>(member->Receive(own));
+        ++frames;
     }
     EXPECT_EQ(server.Counts().too_slow, 1U);
+    // "< frame 100 SECONDS.MICROSECONDS 0102030405060708 >" and less than 50 bytes of text behind them: not before
+    EXPECT_GE(frames * 64U, 1024U * 1024U);
     EXPECT_TRUE(OpenLiveBus(server.Address("can0")));
 }
 

@@ -242,6 +242,29 @@ TEST(UdpBusPace, SpreadsFramesOverTime)
     EXPECT_EQ(receiver->Health().state, BusState::kActive);
 }
 
+// Given ten frames of somebody who keeps no pace, when they were seen, then an own one waits as long as they would
+// take.
+TEST(UdpBusPace, WaitsForTheFramesOfOthersToo)
+{
+    Verifies(req::SRS_LIVE_013);
+    const auto paced = OpenLiveBus(Group("?bitrate=125000"));
+    const auto free = OpenLiveBus(Group(""));
+    const std::uint64_t start_ns = LiveNow();
+    for (std::uint8_t n = 0U; n < 10U; ++n)
+    {
+        ASSERT_EQ(free->Send(Live(0x155U, {0x55U, 0x55U, 0x55U, 0x55U, 0x55U, 0x55U, 0x55U, n})), SendResult::kSent);
+    }
+    for (std::uint8_t n = 0U; n < 10U; ++n)
+    {
+        ASSERT_TRUE(Wait(*paced));
+    }
+    ASSERT_EQ(paced->Send(Live(0x156U, {})), SendResult::kSent);
+    const std::optional<LiveFrame> own = Wait(*paced);
+    ASSERT_TRUE(own);
+    EXPECT_TRUE(own->own);
+    EXPECT_GE(own->time_ns - start_ns, 10U * 888'000U);
+}
+
 // Given a bus with a pace, which is one of classical frames, then one with flexible data rate is refused there, and
 // takes no time there when others send it.
 TEST(UdpBusPace, KnowsNoFlexibleDataRate)

@@ -213,6 +213,12 @@ TEST_F(CanPortsTest, BusOffWithdrawsRefusesAndComesBackASetNumberOfTimes)
     // Then it stays off
     EXPECT_FALSE(rig.machine.dcan1.IsOnBus());
     EXPECT_EQ(rig.board.Can().Transmit(Frame(kSentNormal, 1U)), hal::TransmitStatus::kBusOff);
+    // until the board is started again
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    rig.machine.dcan1.Recover();
+    EXPECT_EQ(rig.Cycle(), BoardFault::kNone);
+    EXPECT_TRUE(rig.machine.dcan1.IsOnBus());
+    EXPECT_EQ(rig.board.Can().Transmit(Frame(kSentNormal, 1U)), hal::TransmitStatus::kAccepted);
 }
 
 TEST_F(CanPortsTest, BusOffAgainOnTheWayBackBeginsThePauseAnew)
@@ -227,7 +233,12 @@ TEST_F(CanPortsTest, BusOffAgainOnTheWayBackBeginsThePauseAnew)
     EXPECT_EQ(rig.board.Can().Controller(CanPortId::kFirst).Returns(), 1U);
     // When it is in bus-off again before it was seen on the bus
     rig.machine.dcan1.GoBusOff();
-    for (int cycle = 0; cycle < 5; ++cycle)
+    for (int cycle = 0; cycle < 3; ++cycle)
+    {
+        EXPECT_EQ(rig.Cycle(), BoardFault::kNone);
+        EXPECT_EQ(rig.board.Can().Controller(CanPortId::kFirst).Returns(), 1U) << cycle;
+    }
+    for (int cycle = 0; cycle < 2; ++cycle)
     {
         EXPECT_EQ(rig.Cycle(), BoardFault::kNone);
     }

@@ -33,8 +33,18 @@ TEST(EsmTest, EveryChannelHasANameAndAReaction)
     EXPECT_EQ(recorded, (std::set<std::uint32_t>{6U, 26U, 28U, 35U}));
     for (std::uint32_t channel = 0U; channel < 32U; ++channel)
     {
+        EXPECT_FALSE(std::string{kEsmGroup2[channel].name}.empty());
+        EXPECT_FALSE(std::string{kEsmGroup3[channel].name}.empty());
         EXPECT_EQ(kEsmGroup2[channel].reaction, EsmReaction::kSafeState);
         EXPECT_EQ(kEsmGroup3[channel].reaction, EsmReaction::kHardwareState);
+    }
+    EXPECT_EQ(sizeof(kEsmGroup1) / sizeof(kEsmGroup1[0]), 64U);
+    EXPECT_EQ(sizeof(kEsmGroup2) / sizeof(kEsmGroup2[0]), 32U);
+    EXPECT_EQ(sizeof(kEsmGroup3) / sizeof(kEsmGroup3[0]), 32U);
+    // and none that is reserved is taken lightly
+    for (const std::uint32_t channel : recorded)
+    {
+        EXPECT_STRNE(kEsmGroup1[channel].name, "reserved") << channel;
     }
 }
 

@@ -279,6 +279,25 @@ TEST_F(SafetyGateTest, DamagedMemoryGrantsNothing)
     EXPECT_FALSE(gate.MayStart(kSlave));
     slots[0].permit = 0xFFFFFFFFU;
     EXPECT_FALSE(gate.MayStart(kSlave));
+    // A whole record of zeros, and one of which the node-ID or the check is another
+    ASSERT_EQ(Verified(), GateState::kOpen);
+    const SafetySlot whole = slots[0];
+    slots[0] = SafetySlot{};
+    EXPECT_FALSE(gate.MayStart(kSlave));
+    for (std::uint32_t bit = 0U; bit < 8U; ++bit)
+    {
+        slots[0] = whole;
+        slots[0].node.value = static_cast<std::uint8_t>(slots[0].node.value ^ (1U << bit));
+        EXPECT_FALSE(gate.MayStart(kSlave)) << bit;
+    }
+    slots[0] = whole;
+    slots[0].check = SafetyCheck{};
+    EXPECT_FALSE(gate.MayStart(kSlave));
+    slots[0] = whole;
+    slots[0].is_doubted = true;
+    EXPECT_FALSE(gate.MayStart(kSlave));
+    slots[0] = whole;
+    EXPECT_TRUE(gate.MayStart(kSlave));
 }
 
 TEST_F(SafetyGateTest, OthersMayAlwaysStartASlaveWithoutRoomNever)

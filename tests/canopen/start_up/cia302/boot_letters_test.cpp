@@ -202,6 +202,34 @@ class ToldStatusTest : public BootRig
     std::uint32_t changes{0U};
 };
 
+TEST_F(ToldStatusTest, EachTryAtTheDeviceTypeIsTold)
+{
+    Verifies(req::SRS_BOOT_004);
+    // Given a slave that is silent: asked three times for 100 ms from 1 ms on, and again 1 s after each silence
+    Add(10U, kMust).is_sdo_mute = true;
+    Begin();
+    Run(290U);
+    for (int tries = 0; tries < 3; ++tries)
+    {
+        const std::uint32_t before = changes;
+        Run(20U);
+        EXPECT_GT(changes, before) << tries;
+        EXPECT_EQ(Of(10U).abort, SdoAbort::kTimeOut);
+        const std::uint32_t told = changes;
+        Run(900U);
+        EXPECT_EQ(changes, told) << tries;
+        Run(380U);
+    }
+    // And of one that refuses it each second
+    slaves[10]->is_sdo_mute = false;
+    slaves[10]->refused[0x100000U] = SdoAbort::kHardware;
+    Run(1500U);
+    const std::uint32_t before = changes;
+    Run(3000U);
+    EXPECT_GE(changes, before + 3U);
+    EXPECT_EQ(Of(10U).abort, SdoAbort::kHardware);
+}
+
 TEST_F(ToldStatusTest, IsKeptUntilTheNextBootBeginsAndEachChangeIsTold)
 {
     Verifies(req::SRS_BOOT_019);

@@ -101,6 +101,7 @@ TEST_F(BootOrdersTest, APreOperationalInAnyStepHolds)
 TEST_F(BootOrdersTest, AStopWhileItIsAskedWhoItIsIsNotUndone)
 {
     Verifies(req::SRS_BOOT_030);
+    Verifies(req::SRS_BOOT_004);
     // Given one that is told to stop before it is asked at all: its boot-up message is not heard
     Add(5U, kMust).has_boot_up = false;
     Begin();

@@ -311,6 +311,12 @@ TEST_P(El6751IdentityRowTest, AWrongLengthEndsTheStartUpWithASyntaxError)
     slaves[5]->Behave(0x1018U, GetParam().sub, Manner::kShort);
     Begin();
     ExpectEnd(4, 0x1018U, GetParam().sub);
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kLengthMismatch);
+    slaves[5]->Behave(0x1018U, GetParam().sub, Manner::kLong);
+    slaves[5]->Power(Now().us);
+    Run(20U);
+    EXPECT_EQ(Code(5U), 4);
+    EXPECT_EQ(Of(5U).abort, SdoAbort::kLengthMismatch);
 }
 
 TEST_P(El6751IdentityRowTest, SilenceAfterTheFirstAnswerIsNotASlaveThatWasNotFound)

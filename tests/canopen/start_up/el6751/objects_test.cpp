@@ -349,11 +349,16 @@ TEST_F(El6751RowsTest, ABusCouplerHas5500hAndTypesOfItsFirstTwoPdosAndOneTimeFor
                 "w 1400:05 20 00", "w 1401:02 FF", "w 1401:03 10 00", "w 1401:05 20 00", "w 1402:03 10 00",
                 "w 1402:05 20 00", "w 1801:02 FF", "w 1801:03 10 00", "w 1801:05 20 00", "w 1802:03 10 00",
                 "w 1802:05 20 00"});
-    // A general slave has no 5500h
+    // A general slave has no 5500h, and the times of the PDOs themselves
     boxes[5].kind = El6751Kind::kGeneral;
     Again();
     Run(50U);
-    EXPECT_EQ(Sdos(5U)[1], "w 1400:01 05 02 00 00");
+    ExpectSdos({"r 1000:00",       "w 1400:01 05 02 00 00", "w 1400:02 FF", "w 1400:03 09 00",
+                "w 1400:05 09 00", "w 1401:01 05 03 00 00", "w 1401:02 FF", "w 1401:03 09 00",
+                "w 1401:05 09 00", "w 1402:01 05 04 00 00", "w 1402:02 FF", "w 1402:03 09 00",
+                "w 1402:05 09 00", "w 1801:01 85 02 00 00", "w 1801:02 FF", "w 1801:03 09 00",
+                "w 1801:05 09 00", "w 1802:01 85 03 00 00", "w 1802:02 FF", "w 1802:03 09 00",
+                "w 1802:05 09 00"});
 }
 
 TEST_F(El6751RowsTest, A5500hThatIsAbortedEndsTheStartUp)
