@@ -25,8 +25,8 @@ class SrdoReport
 
     /// @brief Tells the SRDOs that are on in the file.
     void TellFile(std::uint64_t at_ns);
-    /// @brief A store was loaded behind the file: tells each SRDO that is not as it was told last, of a configuration
-    /// that holds. [SRS_NODE_330]
+    /// @brief A store was loaded behind the file: tells each SRDO that is not as it was told last, and that it is off
+    /// where the configuration does not hold. [SRS_NODE_330, SRS_NODE_532]
     void TellSaved(Kernel& kernel, std::uint64_t at_ns);
     /// @brief OPERATIONAL was entered: tells each SRDO that is not as it was told last. `is_told_invalid`: the kernel
     /// has just told that the configuration does not hold. [SRS_NODE_052, SRS_NODE_053]
