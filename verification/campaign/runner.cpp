@@ -82,24 +82,18 @@ bool IsOfTest(const Outcome& found, const std::string& member)
            (found.detector == Detector::kComparator && !is_itself &&
             found.detail == static_cast<std::uint8_t>(DeviceFault::kComparator));
 }
-
-std::size_t BytesOf(const VariablePlace& place)
-{
-    return (place.length_bits + 7U) / 8U;
-}
 } // namespace
 
 Runner::Runner(Device& device, Judge& judge, const Recording& recording, const Space& space, const Limits& limits)
     : device_(device), judge_(judge), recording_(recording), limits_(limits), seed_(space.Seed()),
       horizon_(HorizonOf(limits, device.Config())), first_(space.Cycles().front()), size_(device.Memory().Size()),
-      all_set_(size_, 0xFFU), ever_set_(size_, 0U), owner_(size_, kNoPart), steps_(device)
+      read_(WhatIsRead(device)), all_set_(size_, 0xFFU), ever_set_(size_, 0U), owner_(size_, kNoPart), steps_(device)
 {
     for (const Place& place : device.Places())
     {
         std::fill_n(owner_.begin() + static_cast<std::ptrdiff_t>(place.offset), place.size,
                     static_cast<std::uint8_t>(place.part));
     }
-    TakeWhatIsRead();
     const std::size_t end = space.LastCycle() + horizon_ + 1U;
     device_.Follow(this);
     JudgeMemory memory;
@@ -271,22 +265,22 @@ bool Runner::IsSound()
     is_sound_ = true;
     Rewind(first_);
     device_.Rewind(first_, nullptr, first_, seed_);
-    return Trap::Run([this]() { CompareWithoutFault(); }) == Return::kEnded && is_sound_;
-}
-
-void Runner::CompareWithoutFault()
-{
-    JudgeMemory memory = memories_[first_];
-    for (; is_sound_ && now_ < sights_.size(); ++now_)
-    {
-        RunCycle();
-        const Sight sight = judge_.Look(now_, memory);
-        is_sound_ = IsAsWithoutFault(now_ + 1U) && sight == sights_[now_];
-        if (watcher_ != nullptr)
+    const Return back = Trap::Run(
+        [this]()
         {
-            watcher_->OnCycle(now_, sight);
-        }
-    }
+            JudgeMemory memory = memories_[first_];
+            for (; is_sound_ && now_ < sights_.size(); ++now_)
+            {
+                RunCycle();
+                const Sight sight = judge_.Look(now_, memory);
+                is_sound_ = IsAsWithoutFault(now_ + 1U) && sight == sights_[now_];
+                if (watcher_ != nullptr)
+                {
+                    watcher_->OnCycle(now_, sight);
+                }
+            }
+        });
+    return back == Return::kEnded && is_sound_;
 }
 
 void Runner::Begin(const Experiment& experiment)
@@ -388,21 +382,6 @@ bool Runner::DoesOtherwise(const Sight& sight) const
     return is_output || is_frame || is_told ||
            std::any_of(read_.begin(), read_.end(), [is, without](const Stretch& each)
                        { return std::memcmp(is + each.offset, without + each.offset, each.size) != 0; });
-}
-
-/// Producers' variables are what the application senses.
-void Runner::TakeWhatIsRead()
-{
-    for (const FlatPair& pair : device_.Pairs())
-    {
-        for (const VariablePlace& place : {pair.normal, pair.inverse})
-        {
-            if (pair.is_consumer)
-            {
-                read_.push_back({device_.Memory().OffsetOf(place.place), BytesOf(place)});
-            }
-        }
-    }
 }
 
 bool Runner::HasSpread(const Experiment& experiment) const

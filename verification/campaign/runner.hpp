@@ -9,6 +9,7 @@
 #include "verification/campaign/plan.hpp"
 #include "verification/campaign/space.hpp"
 #include "verification/campaign/steps.hpp"
+#include "verification/campaign/stretches.hpp"
 #include "verification/campaign/trap.hpp"
 
 #include <array>
@@ -86,15 +87,8 @@ class Runner final : private PhaseHook
         std::size_t spread{0U}; ///< in a byte outside of the part that is hit,
         std::size_t effect{0U}; ///< in what the device does.
     };
-    /// Bytes of the device that its application reads.
-    struct Stretch
-    {
-        std::size_t offset{0U};
-        std::size_t size{0U};
-    };
 
     void At(Phase phase) noexcept override;
-    void TakeWhatIsRead();
     [[nodiscard]] bool IsNeverOtherwise(const Experiment& experiment) const;
     void Begin(const Experiment& experiment);
     void Watch(const Experiment& experiment);
@@ -113,7 +107,6 @@ class Runner final : private PhaseHook
     [[nodiscard]] std::uint32_t Since(const Experiment& experiment, std::size_t cycle) const;
     void KeepBits() noexcept;
     void ForceBit(Phase phase) noexcept;
-    void CompareWithoutFault();
     void RunCycle();
     [[nodiscard]] std::size_t EndOf(const Experiment& experiment) const;
 
@@ -129,7 +122,7 @@ class Runner final : private PhaseHook
     std::vector<std::uint8_t> kept_{};     ///< One after the other.
     std::vector<JudgeMemory> memories_{};  ///< Before each cycle.
     std::vector<Sight> sights_{};          ///< Behind each cycle.
-    std::vector<Stretch> read_{};          ///< What the application is given of the objects.
+    std::vector<Stretch> read_;            ///< By the application.
     std::vector<std::uint8_t> all_set_{};  ///< Bits that are 1 at each phase of each kept cycle.
     std::vector<std::uint8_t> ever_set_{}; ///< Bits that are 1 at one of them.
     std::vector<std::uint8_t> owner_;      ///< The part of each byte.

@@ -186,6 +186,22 @@ TEST_F(NodeServicesTest, TimesAndEmergenciesOfOthersAreLines)
     EXPECT_GE(Get(*five, "0x1013:00").get<std::uint32_t>() - before, 20000U - 2U * kCycleUs);
 }
 
+/// Behind a node-ID by LSS: the self tests cover what they covered at the first start.
+void ExpectAllSelfTestsTwice(const NodeProcess& node)
+{
+    std::vector<std::string> covered;
+    for (const NodeLine& line : node.Lines())
+    {
+        if (line.event["event"] == "self_tests")
+        {
+            covered.push_back(line.event["covered"]);
+        }
+    }
+    ASSERT_EQ(covered.size(), 2U);
+    EXPECT_EQ(covered[1], covered[0]);
+    EXPECT_NE(covered[1], "none");
+}
+
 TEST_F(NodeServicesTest, WithoutANodeIdThereIsOnlyLssAndThenANode)
 {
     Verifies(req::SRS_NODE_150);
@@ -219,18 +235,7 @@ TEST_F(NodeServicesTest, WithoutANodeIdThereIsOnlyLssAndThenANode)
     EXPECT_EQ(Get(node, "0x1014:00"), 0x89);
     node.Type("quit");
     EXPECT_EQ(node.End(), 0);
-    // with all self tests: they cover what they covered at the first start
-    std::vector<std::string> covered;
-    for (const NodeLine& line : node.Lines())
-    {
-        if (line.event["event"] == "self_tests")
-        {
-            covered.push_back(line.event["covered"]);
-        }
-    }
-    ASSERT_EQ(covered.size(), 2U);
-    EXPECT_EQ(covered[1], covered[0]);
-    EXPECT_NE(covered[1], "none");
+    ExpectAllSelfTestsTwice(node);
     // The next start has it from the store
     NodeProcess again(arguments);
     EXPECT_FALSE(again.WaitFor(Event("nmt", "state", "pre_operational")).event.is_null());
@@ -256,7 +261,6 @@ TEST_F(NodeServicesTest, WithoutANodeIdThereIsOnlyLssAndThenANode)
         }
         EXPECT_EQ(told, std::vector<int>{9});
     }
-    std::remove(store.c_str());
 }
 
 TEST_F(NodeServicesTest, TheStoredNodeIdGoesBeforeThoseOfCommandLineAndFile)
