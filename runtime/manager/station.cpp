@@ -2,6 +2,7 @@
 #include "runtime/manager/station.hpp"
 
 #include "runtime/manager/report/texts.hpp"
+#include "runtime/manager/start_answer.hpp"
 
 #include <utility>
 
@@ -91,7 +92,8 @@ std::string ManagerStation::Carry(const ManagerOrder& order, const std::uint64_t
     }
     else if (order.kind == ManagerOrderKind::kSet)
     {
-        answer = AnswerToSet(order, assembly_, dictionary_.Set(order.object, order.value, now));
+        const StartOutlook outlook = OutlookOf(order, assembly_); // Before: a start may change what was found.
+        answer = AnswerToSet(outlook, assembly_, dictionary_.Set(order.object, order.value, now));
     }
     else if (order.kind == ManagerOrderKind::kOutput)
     {
