@@ -105,6 +105,7 @@ inline constexpr RequirementId SRS_MGR_474{"SRS_MGR_474"};
 inline constexpr RequirementId SRS_MGR_520{"SRS_MGR_520"};
 inline constexpr RequirementId SRS_MGR_521{"SRS_MGR_521"};
 inline constexpr RequirementId SRS_MGR_522{"SRS_MGR_522"};
+inline constexpr RequirementId SRS_MGR_523{"SRS_MGR_523"};
 inline constexpr RequirementId SRS_NET_001{"SRS_NET_001"};
 inline constexpr RequirementId SRS_NET_002{"SRS_NET_002"};
 inline constexpr RequirementId SRS_NET_003{"SRS_NET_003"};

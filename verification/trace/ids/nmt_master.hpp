@@ -81,6 +81,7 @@ inline constexpr RequirementId SRS_NMM_214{"SRS_NMM_214"};
 inline constexpr RequirementId SRS_NMM_215{"SRS_NMM_215"};
 inline constexpr RequirementId SRS_NMM_230{"SRS_NMM_230"};
 inline constexpr RequirementId SRS_NMM_520{"SRS_NMM_520"};
+inline constexpr RequirementId SRS_NMM_521{"SRS_NMM_521"};
 } // namespace counterpoint::req
 
 #endif
