@@ -53,7 +53,7 @@ class Manager final : public NmtListener, public NodeListener, public NodeWatchL
 
     /// @brief The device starts: boot-up message, then the start-up of the network, or the negotiation first.
     void Begin(Instant now) noexcept;
-    /// @brief From now on it sends no command and takes part in no negotiation.
+    /// @brief From now on it sends no command, none that waits either, and takes part in no negotiation.
     void End() noexcept;
     /// @brief A frame from the bus; frames of this device itself must not come back.
     void OnFrame(const CanFrame& frame, Instant now) noexcept;

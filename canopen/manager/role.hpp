@@ -68,6 +68,17 @@ class ManagerRole final : public FlyingMasterListener
     /// @brief Start-up of one slave without a reset: see StartUp::Resume. False as Boot.
     [[nodiscard]] bool Resume(NodeId node, Instant now) noexcept;
 
+    /// @brief Sends the commands that wait, whatever the inhibit time. For an owner that ends the device in an orderly
+    /// way and cannot wait for them any longer. [SRS_NMM_520]
+    void Finish(const Instant now) noexcept
+    {
+        parts_.nmt.Finish(now);
+    }
+    /// @brief The commands that wait, to look at.
+    [[nodiscard]] const NmtMaster& Commands() const noexcept
+    {
+        return parts_.nmt;
+    }
     /// @brief Whether it is between Begin, with a profile, and End.
     [[nodiscard]] bool IsRunning() const noexcept
     {

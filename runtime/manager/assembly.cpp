@@ -171,7 +171,8 @@ bool ManagerAssembly::Runs(const cia302::NodeId node) const noexcept
     const bool is_running = manager_.Table().RequestValue(node) == kOperational;
     const bool is_supervised = record.watch != cia302::Watch::kNone;
     const bool was_heard = record.state == cia302::SlaveState::kOperational && !(is_supervised && record.is_presumed);
-    return is_running && (was_heard || (!is_supervised && manager_.Status(node).is_started));
+    const bool is_by_order = !is_supervised && manager_.Status(node).is_started;
+    return is_running && (was_heard || (is_by_order && !cia302::DeniesStart(manager_.Table(), node)));
 }
 
 bool ManagerAssembly::IsUnheard(const cia302::NodeId node) const noexcept

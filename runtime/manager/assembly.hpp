@@ -46,6 +46,11 @@ class ManagerAssembly
     {
         return *profile_;
     }
+    /// @brief The same, to look at.
+    [[nodiscard]] const cia302::StartUp& Profile() const noexcept
+    {
+        return *profile_;
+    }
     /// @brief 1F90h of a flying master; a change counts from the next start of a negotiation on.
     [[nodiscard]] cia302::FlyingMasterTimes& FlyingTimes() noexcept
     {

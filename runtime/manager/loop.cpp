@@ -23,6 +23,7 @@ namespace
 constexpr std::uint64_t kNsPerUs = 1000U;
 constexpr std::uint64_t kCycleNs = 1000000U;
 constexpr std::uint64_t kLookNs = 250000000U;
+constexpr std::uint64_t kLastTriesNs = 100000000U; ///< For room in the sink, behind kLongestEndNs.
 constexpr std::size_t kFramesOfTurn = 256U;
 constexpr std::size_t kFramesOfPause = 1000000U; ///< More than any system keeps.
 constexpr std::size_t kRecentLines = 12U;
@@ -142,37 +143,12 @@ bool ManagerLoop::Run()
     backlog_ = FrameBacklog(start_ns_);
     next_cycle_ns_ = start_ns_ + kCycleNs;
     station_.Begin(0U);
-    while (reason_.empty())
+    while (reason_.empty() || !HasEnded())
     {
-        Wait();
-        Receive();
-        if (has_typed_)
-        {
-            ReadTyped();
-        }
-        const std::uint64_t now_ns = host::LiveNow();
-        if (now_ns >= next_cycle_ns_)
-        {
-            station_.OnCycle(StationUs());
-            next_cycle_ns_ = now_ns + kCycleNs;
-        }
-        if (socket_ != nullptr)
-        {
-            socket_->Serve([this](const std::string& line) { return Answer(line); },
-                           [this](const std::string& line) { return AnswerCut(line); });
-        }
-        if (now_ns >= next_look_ns_)
-        {
-            next_look_ns_ = now_ns + kLookNs;
-            WatchBus();
-            Draw();
-            FlushLog();
-        }
-        const bool is_time_over = settings_.for_ns != 0U && now_ns - start_ns_ >= settings_.for_ns;
-        reason_ = is_time_over ? "--for" : reason_;
-        reason_ = (caught_signal != 0) ? "signal" : reason_;
+        Turn();
     }
     const bool has_started = station_.Assembly().HasStarted();
+    TellUnsent();
     station_.Tell("stopped", "stopped by " + reason_, {{"reason", reason_}, {"started", has_started}}, StationUs());
     Draw();
     FlushLog();
@@ -181,6 +157,75 @@ bool ManagerLoop::Run()
         report_.PrintLast("\n");
     }
     return has_started;
+}
+
+void ManagerLoop::Turn()
+{
+    Wait();
+    Receive();
+    if (has_typed_)
+    {
+        ReadTyped();
+    }
+    const std::uint64_t now_ns = host::LiveNow();
+    if (now_ns >= next_cycle_ns_)
+    {
+        station_.OnCycle(StationUs());
+        next_cycle_ns_ = now_ns + kCycleNs;
+    }
+    if (socket_ != nullptr)
+    {
+        socket_->Serve([this](const std::string& line) { return Answer(line); },
+                       [this](const std::string& line) { return AnswerCut(line); });
+    }
+    if (now_ns >= next_look_ns_)
+    {
+        next_look_ns_ = now_ns + kLookNs;
+        WatchBus();
+        Draw();
+        FlushLog();
+    }
+    const bool is_time_over = settings_.for_ns != 0U && now_ns - start_ns_ >= settings_.for_ns;
+    const bool is_ending = !reason_.empty(); // What ends it first is told.
+    reason_ = (!is_ending && is_time_over) ? "--for" : reason_;
+    reason_ = (!is_ending && caught_signal != 0) ? "signal" : reason_;
+}
+
+/// A stop that was taken and waits for the inhibit time must not stay here: with N slaves N times that time. The
+/// manager works on meanwhile, as always, but for orders. Where that takes longer than an end may take, what waits
+/// goes at once: a slave may lose a command that comes too soon, and would never get one that stays here. Without a bus
+/// there is nothing to wait for. [SRS_MGR_520]
+bool ManagerLoop::HasEnded()
+{
+    const std::uint64_t now_ns = host::LiveNow();
+    end_ns_ = (end_ns_ == 0U) ? now_ns + kLongestEndNs : end_ns_;
+    if (now_ns >= end_ns_)
+    {
+        station_.Finish(StationUs());
+    }
+    const host::BusHealth health = bus_->Health();
+    const bool is_waiting = station_.Assembly().Core().Role().Commands().Waiting() > 0U || health.waiting > 0U;
+    const bool is_away = health.state == host::BusState::kDown || health.state == host::BusState::kBusOff;
+    return !is_waiting || is_away || now_ns >= end_ns_ + kLastTriesNs;
+}
+
+/// What has not left is lost: who ordered it has to know. [SRS_MGR_520]
+void ManagerLoop::TellUnsent()
+{
+    const std::vector<std::string> commands = station_.Unsent();
+    const std::uint32_t frames = bus_->Health().waiting;
+    if (commands.empty() && frames == 0U)
+    {
+        return;
+    }
+    std::string text;
+    for (const std::string& command : commands)
+    {
+        text += (text.empty() ? ": " : ", ") + command;
+    }
+    const std::string waiting = (frames == 0U) ? "" : "; " + std::to_string(frames) + " frames wait in this host";
+    station_.Tell("unsent", std::to_string(commands.size()) + " NMT commands have not left" + text + waiting,
+                  {{"count", commands.size()}, {"commands", commands}, {"frames", frames}}, StationUs());
 }
 
 void ManagerLoop::Wait()
@@ -369,7 +414,14 @@ std::string ManagerLoop::Answer(const std::string& line)
 {
     const ManagerOrder order = ParseManagerOrder(line);
     std::string answer;
-    if (order.kind == ManagerOrderKind::kStatus)
+    if (!reason_.empty() && order.kind != ManagerOrderKind::kNothing)
+    {
+        // Who reads the log finds the quit before it. [SRS_MGR_521]
+        const std::string result = "not carried out: the manager ends";
+        station_.Tell("order", "order " + line + ": " + result, {{"order", line}, {"answer", result}}, StationUs());
+        answer = result + "\n";
+    }
+    else if (order.kind == ManagerOrderKind::kStatus)
     {
         answer = settings_.is_json ? OneLine(StatusJson(station_, StationUs())) : StatusTable(station_, StationUs());
     }

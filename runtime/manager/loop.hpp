@@ -20,6 +20,10 @@ namespace counterpoint::runtime
 /// last ten seconds.
 constexpr std::uint64_t kLongestPauseNs = 9000000000U;
 
+/// So long, at most, commands that wait for the inhibit time hold up the end of a run; then they go at once. Less than
+/// any system waits between SIGTERM and SIGKILL.
+constexpr std::uint64_t kLongestEndNs = 2000000000U;
+
 /// What the command line says about a run.
 struct ManagerLoopSettings
 {
@@ -41,7 +45,8 @@ class ManagerLoop
     ManagerLoop(network_plan::LoadedNetwork& net, std::unique_ptr<host::LiveBus> bus, NodeReport& report,
                 ManagerSocket* socket, ManagerLoopSettings settings);
 
-    /// @brief Runs until `quit`, SIGTERM, SIGINT or the end of its time. True: every mandatory slave was good then.
+    /// @brief Runs until `quit`, SIGTERM, SIGINT or the end of its time, and until the commands that wait then have
+    /// left. True: every mandatory slave was good then. [SRS_MGR_520, SRS_MGR_521]
     [[nodiscard]] bool Run();
     /// @brief Whether every event is in the log; true without a log.
     [[nodiscard]] bool IsLogWhole() const noexcept
@@ -57,6 +62,9 @@ class ManagerLoop
     [[nodiscard]] std::uint64_t NowUs() const;
 
   private:
+    void Turn();
+    [[nodiscard]] bool HasEnded();
+    void TellUnsent();
     [[nodiscard]] bool SendFrame(const CanFrame& frame);
     void OnEvent(const ManagerEvent& event);
     void Wait();
@@ -95,7 +103,8 @@ class ManagerLoop
     std::string answer_;      ///< To what was typed last, on a terminal.
     bool is_too_long_{false}; ///< What is typed until the next line end is the rest of a line that was refused.
     bool is_log_whole_{true};
-    std::string reason_; ///< Why it ends; empty: it does not.
+    std::string reason_;       ///< Why it ends; empty: it does not.
+    std::uint64_t end_ns_{0U}; ///< When commands that wait are sent at once; 0: it does not end yet.
     ManagerStation station_;
 };
 } // namespace counterpoint::runtime

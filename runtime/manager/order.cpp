@@ -5,6 +5,7 @@
 #include "canopen/cia306/text/number.hpp"
 #include "runtime/manager/pdos.hpp"
 #include "runtime/manager/report/texts.hpp"
+#include "runtime/manager/start_answer.hpp"
 #include "runtime/node/order.hpp"
 
 #include <limits>
@@ -132,163 +133,24 @@ ManagerOrder OutputOf(const std::vector<std::string>& words)
     return order;
 }
 
-/// Whether this slave does not take the order, behind it.
-bool IsLeftOut(const ManagerAssembly& assembly, const std::uint8_t node)
-{
-    const cia302::NodeStatus status = assembly.Core().Status(cia302::NodeId{node});
-    const bool is_safety = assembly.Net().Setup().IsSafetySlave(cia302::NodeId{node});
-    const bool is_error = status.letter != 0 && status.letter != 'L' && !status.is_started && !status.is_busy;
-    // A safety slave that can be asked is asked again.
-    bool is_left_out = is_safety ? status.is_other : is_error;
-    switch (assembly.Net().Plan().manager.profile)
-    {
-    case network_plan::StartProfile::kPlcDesigner:
-        is_left_out = status.code != cia302::kPlcConfigured && status.code != cia302::kPlcStarted;
-        break;
-    case network_plan::StartProfile::kEl6751:
-        is_left_out = is_safety && status.is_other;
-        break;
-    case network_plan::StartProfile::kCia302:
-    default:
-        break;
-    }
-    return is_left_out;
-}
-
-/// Whether the start-up of this slave, which is no safety slave, found something wrong: only an order starts it.
-bool IsRefused(const ManagerAssembly& assembly, const std::uint8_t node)
-{
-    constexpr std::int16_t kSdoFailed = 4;
-    constexpr std::int16_t kValueDiffers = 5;
-    const cia302::NodeStatus status = assembly.Core().Status(cia302::NodeId{node});
-    const bool is_el6751 = assembly.Net().Plan().manager.profile == network_plan::StartProfile::kEl6751;
-    const bool is_wrong = is_el6751 ? (status.code == kSdoFailed || status.code == kValueDiffers)
-                                    : (status.letter != 0 && status.letter != 'L');
-    return is_wrong && !status.is_busy && !assembly.Net().Setup().IsSafetySlave(cia302::NodeId{node});
-}
-
-/// Behind the answer to a start: who takes it though something is wrong with it.
-std::string DespiteWhat(const ManagerOrder& order, const ManagerAssembly& assembly)
-{
-    const network_plan::StartProfile profile = assembly.Net().Plan().manager.profile;
-    const bool is_meant = order.command == cia302::NmtCommand::kStart &&
-                          (order.node != 0U || profile == network_plan::StartProfile::kEl6751);
-    std::string named;
-    for (const auto& slave : assembly.Net().Slaves())
-    {
-        const std::uint8_t node = slave->plan.node;
-        if (is_meant && (order.node == 0U || order.node == node) && IsRefused(assembly, node))
-        {
-            named += (named.empty() ? "node " : ", node ") + std::to_string(node) + ": " +
-                     StatusText(profile, assembly.Core().Status(cia302::NodeId{node}));
-        }
-    }
-    return named.empty() ? named : "; started all the same: " + named;
-}
-
-/// Each slave that does not take the order, and why.
-std::string LeftOut(const ManagerOrder& order, const ManagerAssembly& assembly, const bool is_by_state)
-{
-    const network_plan::StartProfile profile = assembly.Net().Plan().manager.profile;
-    std::string left_out;
-    for (const auto& slave : assembly.Net().Slaves())
-    {
-        const cia302::NodeId node{slave->plan.node};
-        const cia302::NodeStatus status = assembly.Core().Status(node);
-        const std::string number = (left_out.empty() ? "node " : ", node ") + std::to_string(node.value);
-        std::string reason = StatusText(profile, status);
-        if (assembly.Net().Setup().IsSafetySlave(node) && status.is_other)
-        {
-            reason = "not known to be the expected device" + (reason.empty() ? "" : " (" + reason + ")");
-        }
-        const std::string code = std::to_string(status.code) + ": " + CodeText(profile, status.code);
-        if ((order.node == 0U || order.node == node.value) && IsLeftOut(assembly, node.value))
-        {
-            left_out += number + (is_by_state ? " (" + code + ")" : ": " + reason);
-        }
-    }
-    return left_out;
-}
-
-/// What is expected of whom a start leaves out.
-std::string ExpectedOf(const bool is_by_state)
-{
-    return is_by_state ? ", expected each in state 4, 5 or 99" : ", expected that one, and boot NODE";
-}
-
-/// Behind the answer to a start: slaves of which nothing is heard. It went to them, too, and nobody can say that they
-/// took it. [SRS_MGR_080]
-std::string NotHeard(const ManagerOrder& order, const ManagerAssembly& assembly)
-{
-    using cia302::SlaveState;
-    const network_plan::StartProfile profile = assembly.Net().Plan().manager.profile;
-    std::string named;
-    for (const auto& slave : assembly.Net().Slaves())
-    {
-        const cia302::NodeId node{slave->plan.node};
-        const SlaveState state = assembly.Core().Table().Record(node).state;
-        const cia302::NodeStatus status = assembly.Core().Status(node);
-        const bool is_silent = state == SlaveState::kMissing || state == SlaveState::kUnknown;
-        const bool is_meant =
-            order.command == cia302::NmtCommand::kStart && (order.node == 0U || order.node == node.value);
-        if (is_meant && is_silent && !status.is_started && !IsLeftOut(assembly, node.value))
-        {
-            const std::string reason = StatusText(profile, status);
-            named += (named.empty() ? "node " : ", node ") + std::to_string(node.value) + ": " +
-                     (reason.empty() ? WordOf(status.step) : reason);
-        }
-    }
-    return named.empty() ? named : "; nothing is heard of, so perhaps not started: " + named;
-}
-
-/// Safety slaves that are not started because their node-ID may be that of two devices; 0: of all. [SRS_MGR_472]
-std::string Doubted(const std::uint8_t whom, const ManagerAssembly& assembly)
-{
-    std::string named;
-    for (const auto& slave : assembly.Net().Slaves())
-    {
-        const cia302::NodeId node{slave->plan.node};
-        const bool is_meant = whom == 0U || whom == node.value;
-        const bool is_doubted =
-            assembly.Net().Setup().IsSafetySlave(node) && assembly.Core().Watched().Of(node).is_duplicate;
-        if (is_meant && is_doubted && assembly.Core().IsActive())
-        {
-            named += "node " + std::to_string(node.value) + ": two devices seem to have this node-ID, ";
-        }
-    }
-    return named.empty() ? named : named + "expected one and a reset";
-}
-
-/// The answer to a start of several that was taken, but not by all.
-std::string PartlyTaken(const std::string& left_out, const bool is_by_state)
-{
-    return (is_by_state ? "taken, but not by " : "taken but for ") + left_out + ExpectedOf(is_by_state);
-}
-
 /// What became of a command, and who did not take a start.
 std::string AnswerTo(const ManagerOrder& order, ManagerAssembly& assembly, const Instant now)
 {
     using cia302::NmtAnswer;
-    const bool is_start = order.command == cia302::NmtCommand::kStart;
-    const std::string doubted = is_start ? Doubted(order.node, assembly) : "";
-    if (order.node != 0U && !doubted.empty())
+    const StartOutlook outlook = OutlookOf(order, assembly);
+    if (order.node != 0U && !outlook.doubted.empty())
     {
-        return "not taken by " + doubted;
+        return "not taken by " + outlook.doubted;
     }
-    // The start may take away what was found.
-    const std::string despite = DespiteWhat(order, assembly);
-    const std::string not_heard = NotHeard(order, assembly);
     const NmtAnswer answer = assembly.Core().Role().Command(order.command, cia302::NodeId{order.node}, now);
     const bool is_plc = assembly.Net().Plan().manager.profile == network_plan::StartProfile::kPlcDesigner;
     const bool is_partly = answer == NmtAnswer::kPartly || (order.node == 0U && answer == NmtAnswer::kOtherDevice);
     const bool is_refused = is_plc && answer == NmtAnswer::kWrong;
     const bool is_by_state = is_plc && answer != NmtAnswer::kOtherDevice;
-    const std::string left_out = (is_start && (is_partly || is_refused)) ? LeftOut(order, assembly, is_by_state) : "";
-    const std::string not_started = doubted.empty() ? "" : "; not started: " + doubted;
-    const std::string refused = "not taken by " + left_out + ExpectedOf(is_by_state);
-    const std::string named = is_partly ? PartlyTaken(left_out, is_by_state) : refused;
-    const std::string text = left_out.empty() ? WordOf(answer) : named;
-    return text + ((answer == NmtAnswer::kTaken || is_partly) ? despite + not_heard + not_started : "");
+    const bool is_named = (is_partly || is_refused) && !outlook.left_out.empty();
+    const std::string named = is_partly ? PartlyTaken(outlook, is_by_state) : NotTaken(outlook, is_by_state);
+    const std::string text = is_named ? named : WordOf(answer);
+    return text + ((answer == NmtAnswer::kTaken || is_partly) ? BehindTaken(outlook, assembly) : "");
 }
 
 /// The table of the manual network management has a row for each state and pair.
@@ -444,25 +306,6 @@ std::string NotOurs(const ManagerAssembly& assembly, const cia302::NodeId node)
     return answer;
 }
 } // namespace
-
-std::string AnswerToSet(const ManagerOrder& order, const ManagerAssembly& assembly, const std::string& answer)
-{
-    constexpr std::uint16_t kNmt = 0x1F82U;
-    constexpr std::uint8_t kAllSub = 0x80U;
-    constexpr std::uint64_t kStart = 5U;
-    constexpr std::uint64_t kStartOfEach = 0x85U;
-    const bool is_start = order.value == kStart || order.value == kStartOfEach;
-    if (order.object.index != kNmt || !is_start || answer != "taken")
-    {
-        return answer;
-    }
-    const bool is_all = order.object.sub == kAllSub;
-    const bool is_plc = assembly.Net().Plan().manager.profile == network_plan::StartProfile::kPlcDesigner;
-    const std::string left_out = is_all ? LeftOut(ManagerOrder{}, assembly, is_plc) : "";
-    const std::string doubted = Doubted(is_all ? std::uint8_t{0U} : order.object.sub, assembly);
-    return (left_out.empty() ? answer : PartlyTaken(left_out, is_plc)) +
-           (doubted.empty() ? "" : "; not started: " + doubted);
-}
 
 std::string CarryOut(const ManagerOrder& order, ManagerAssembly& assembly, const Instant now)
 {

@@ -47,10 +47,6 @@ struct ManagerOrder
 /// A line of more bytes is no order.
 constexpr std::size_t kLongestManagerOrder = 1024U;
 
-/// @brief The answer to a set that the objects of the manager have answered: 1F82h starts slaves as an order does, and
-/// who is left out, and who is not started, is named behind it. [SRS_MGR_470, SRS_MGR_472]
-[[nodiscard]] std::string AnswerToSet(const ManagerOrder& order, const ManagerAssembly& assembly,
-                                      const std::string& answer);
 /// @brief Reads one line: status, start NODE|all, boot NODE, ... A line that is no order gives kProblem.
 /// [SRS_MGR_006, SRS_MGR_134]
 [[nodiscard]] ManagerOrder ParseManagerOrder(const std::string& line);

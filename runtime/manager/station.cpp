@@ -1,6 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/manager/station.hpp"
 
+#include "runtime/manager/report/texts.hpp"
+#include "runtime/manager/start_answer.hpp"
+
 #include <utility>
 
 namespace counterpoint::runtime
@@ -89,7 +92,8 @@ std::string ManagerStation::Carry(const ManagerOrder& order, const std::uint64_t
     }
     else if (order.kind == ManagerOrderKind::kSet)
     {
-        answer = AnswerToSet(order, assembly_, dictionary_.Set(order.object, order.value, now));
+        const StartOutlook outlook = OutlookOf(order, assembly_); // Before: a start may change what was found.
+        answer = AnswerToSet(outlook, assembly_, dictionary_.Set(order.object, order.value, now));
     }
     else if (order.kind == ManagerOrderKind::kOutput)
     {
@@ -101,6 +105,30 @@ std::string ManagerStation::Carry(const ManagerOrder& order, const std::uint64_t
     }
     Leave();
     return answer;
+}
+
+void ManagerStation::Finish(const std::uint64_t now_us)
+{
+    Enter(now_us);
+    assembly_.Core().Role().Finish(InstantAt(now_us));
+    Leave();
+}
+
+std::vector<std::string> ManagerStation::Unsent() const
+{
+    const cia302::NmtMaster& commands = assembly_.Core().Role().Commands();
+    std::vector<std::string> unsent;
+    for (std::uint16_t place = 0U; place < commands.Waiting(); ++place)
+    {
+        const cia302::NmtRequest request = commands.WaitingAt(place);
+        const bool is_all = request.node.value == cia302::kAllNodes.value;
+        if (request.command != cia302::NmtCommand::kInvalid)
+        {
+            unsent.push_back(WordOf(request.command) +
+                             (is_all ? " all" : " node " + std::to_string(request.node.value)));
+        }
+    }
+    return unsent;
 }
 
 void ManagerStation::Tell(const std::string& kind, const std::string& text, const nlohmann::ordered_json& details,

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace counterpoint::runtime
 {
@@ -34,6 +35,10 @@ class ManagerStation final : private cia301::FrameSink
     void OnCycle(std::uint64_t now_us);
     /// @brief Carries out an order. Answers its result; empty for orders that the owner itself carries out.
     [[nodiscard]] std::string Carry(const ManagerOrder& order, std::uint64_t now_us);
+    /// @brief The run ends: commands that wait are sent now, whatever the inhibit time. [SRS_NMM_520]
+    void Finish(std::uint64_t now_us);
+    /// @brief The commands that wait: "stop node 5", "reset all". [SRS_MGR_520]
+    [[nodiscard]] std::vector<std::string> Unsent() const;
     /// @brief Adds an event of the bus or of a person.
     void Tell(const std::string& kind, const std::string& text, const nlohmann::ordered_json& details,
               std::uint64_t now_us);

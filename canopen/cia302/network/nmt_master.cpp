@@ -13,7 +13,7 @@ constexpr std::uint32_t kFreshUs = 10000U; ///< What was verified before a start
 
 NmtMaster::NmtMaster(const NmtMasterParts& parts) noexcept
     : parts_(parts), first_(0U), waiting_(0U), dropped_(0U), last_{0U}, has_sent_(false), is_sending_(false),
-      is_active_(false)
+      is_active_(false), is_hurried_(false)
 {
 }
 
@@ -148,6 +148,14 @@ bool NmtMaster::IsStale(const NmtRequest& request, const Instant now) const noex
     return is_start && ((now.us - request.since.us) > kFreshUs);
 }
 
+/// A command that comes too soon behind another one is better than none.
+void NmtMaster::Finish(const Instant now) noexcept
+{
+    is_hurried_ = true;
+    OnCycle(now);
+    is_hurried_ = false;
+}
+
 /// In order: what waits for the inhibit time or for room in the sink keeps all behind it waiting.
 void NmtMaster::OnCycle(const Instant now) noexcept
 {
@@ -188,7 +196,7 @@ bool NmtMaster::Emit(const NmtRequest& request, const Instant now) noexcept
 {
     const bool is_broadcast = (request.node.value == kAllNodes.value); // A master without node-ID has this one too.
     bool has_left = !is_broadcast && (request.node.value == parts_.setup.own.value);
-    const bool is_inhibited = has_sent_ && (parts_.setup.inhibit_100us > 0U);
+    const bool is_inhibited = has_sent_ && !is_hurried_ && (parts_.setup.inhibit_100us > 0U);
     if (!has_left && !is_inhibited)
     {
         const CanFrame frame{0U,

@@ -77,10 +77,20 @@ class NmtMaster
     /// @brief Sends what is due. Call once a cycle. O(commands that leave) [SRS_NMM_001]
     void OnCycle(Instant now) noexcept;
 
+    /// @brief The device ends: all that waits is sent now, whatever the inhibit time. What the sink does not take waits
+    /// on. O(queue) [SRS_NMM_520]
+    void Finish(Instant now) noexcept;
+
     /// @brief How many commands wait.
     [[nodiscard]] std::uint16_t Waiting() const noexcept
     {
         return waiting_;
+    }
+    /// @brief One of those that wait, from 0 on in the order in which they are to leave; kInvalid: a start that was
+    /// given up.
+    [[nodiscard]] NmtRequest WaitingAt(const std::uint16_t place) const noexcept
+    {
+        return At(place);
     }
     /// @brief How many starts were taken and not sent, because the gate closed or the node began anew.
     [[nodiscard]] std::uint32_t Dropped() const noexcept
@@ -104,6 +114,7 @@ class NmtMaster
     bool has_sent_;
     bool is_sending_; ///< A listener that asks for more is served by the running OnCycle.
     bool is_active_;
+    bool is_hurried_; ///< Finish runs.
 };
 
 } // namespace counterpoint::cia302

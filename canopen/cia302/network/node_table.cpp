@@ -209,6 +209,7 @@ void NodeTable::HearCommand(const NmtCommand command, const NodeId node) noexcep
         record.runs = (is_hit && !is_start) ? std::uint8_t{0U} : record.runs;
         record.is_kept_started = record.is_kept_started && (!is_hit || is_start);
         record.asked = is_hit ? AskedBy(command) : record.asked;
+        record.denials = is_hit ? std::uint8_t{0U} : record.denials;
         record.state = (is_hit && record.is_presumed) ? record.asked : record.state;
     }
 }
@@ -288,6 +289,7 @@ void NodeTable::HearBootUp(const NodeId node, NodeRecord& record, const Toggle n
     record.state = SlaveState::kPreOperational;
     record.has_booted = true;
     record.asked = SlaveState::kUnknown;
+    record.denials = 0U;
     record.runs = 0U;
     record.toggle = next;
     record.is_toggle_wrong = false;
@@ -314,6 +316,9 @@ void NodeTable::HearState(const NodeId node, NodeRecord& record, const std::uint
     record.state = state;
     const std::uint8_t more = (record.runs < kRunsSurely) ? static_cast<std::uint8_t>(record.runs + 1U) : kRunsSurely;
     record.runs = (state == SlaveState::kOperational) ? more : std::uint8_t{0U};
+    const bool is_denial = (record.asked != SlaveState::kUnknown) && (state != record.asked);
+    const bool is_more = is_denial && (record.denials < kRunsSurely);
+    record.denials = is_denial ? static_cast<std::uint8_t>(record.denials + (is_more ? 1U : 0U)) : std::uint8_t{0U};
     if (is_right)
     {
         const bool is_first = (record.watch != Watch::kNone) && !record.has_begun;
@@ -365,6 +370,7 @@ void NodeTable::OnNmtSent(const NmtRequest& request, const Instant now) noexcept
 void NodeTable::Command(NodeRecord& record, const NmtCommand command, const Instant now) noexcept
 {
     record.asked = AskedBy(command);
+    record.denials = 0U;
     record.is_kept_started = false;
     record.state = record.is_presumed ? record.asked : record.state;
     record.runs = (command == NmtCommand::kStart) ? record.runs : std::uint8_t{0U};

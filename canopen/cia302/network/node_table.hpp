@@ -85,6 +85,8 @@ struct NodeRecord
     std::uint8_t signs;   ///< Counts heartbeats, guarding answers and boot-up messages, modulo 256.
     std::uint8_t beats;   ///< Counts heartbeats and guarding answers, modulo 256.
     std::uint8_t runs;    ///< OPERATIONAL signs in a row since the last NMT command but a start, up to kRunsSurely.
+    std::uint8_t denials; ///< Heartbeats and guarding answers in a row, since the last NMT command, of whomever, that
+                          ///< say another state than it asked for, up to kRunsSurely.
     Instant last_sign;    ///< Only with `was_seen`.
 
     Watch watch;           ///< What supervises it.
@@ -196,6 +198,14 @@ class NodeTable final : public NmtListener
     const SlaveState asked = table.Record(node).asked;
     const bool is_told = (asked == SlaveState::kStopped) || (asked == SlaveState::kPreOperational);
     return is_told && !table.RunsSurely(node);
+}
+
+/// @brief Whether the node was started by the last command that it heard, and says all the same that it is not
+/// OPERATIONAL. One sign may have been under way when the command came, two in a row were not. [SRS_NMM_521]
+[[nodiscard]] inline bool DeniesStart(const NodeTable& table, const NodeId node) noexcept
+{
+    const NodeRecord& record = table.Record(node);
+    return (record.asked == SlaveState::kOperational) && (record.denials >= kRunsSurely);
 }
 
 /// @brief Whether the node is STOPPED, and has no SDO: it says so, or was told so last and has not spoken of it yet.

@@ -63,6 +63,12 @@ struct BootRecord
     bool is_held;         ///< A command holds it since: no start-up starts it before an order.
     bool is_extra;        ///< Configuration or verification alone runs: its end says nothing about the boot.
 
+    /// @brief Whether the boot ended with an error.
+    [[nodiscard]] bool HasFailed() const noexcept
+    {
+        const bool is_error = (status.letter != '\0') && (status.letter != 'L') && (status.letter != 'A');
+        return is_error && !is_booted;
+    }
     /// @brief Whether a boot runs, and not configuration or verification alone.
     [[nodiscard]] bool IsBooting() const noexcept
     {

@@ -43,10 +43,8 @@ const BootRecord& BootSlave::Record(const NodeId node) const noexcept
 bool BootSlave::IsRefused(const NodeId node) const noexcept
 {
     const BootRecord& record = Record(node);
-    const char letter = record.status.letter;
-    const bool is_error = (letter != '\0') && (letter != 'L') && (letter != 'A');
-    const bool is_ended = !record.is_booted && !record.status.is_busy && !record.status.is_started;
-    return parts_.setup.IsListed(node) && !parts_.setup.IsSafetySlave(node) && is_error && is_ended;
+    const bool is_ended = record.HasFailed() && !record.status.is_busy && !record.status.is_started;
+    return parts_.setup.IsListed(node) && !parts_.setup.IsSafetySlave(node) && is_ended;
 }
 
 BootJob BootSlave::JobOf(const NodeId node, const BootTime& time) noexcept

@@ -14,6 +14,23 @@ bool IsReset(const NmtCommand command) noexcept
     return (command == NmtCommand::kResetNode) || (command == NmtCommand::kResetCommunication);
 }
 
+/// A command that takes nodes out of OPERATIONAL.
+bool IsLeave(const CanFrame& frame) noexcept
+{
+    constexpr std::uint8_t kCommandBytes = 2U;
+    const auto command = static_cast<NmtCommand>(frame.data[0]);
+    const bool is_command =
+        (frame.identifier == 0U) && (frame.kind == FrameKind::kData) && (frame.length_bytes == kCommandBytes);
+    return is_command && IsNmtCommand(command) && (command != NmtCommand::kStart);
+}
+
+/// Signs that a slave is OPERATIONAL no more: a boot-up message, its loss, another state.
+bool ShowsThatItLeft(const NodeEvent event, const SlaveState state) noexcept
+{
+    const bool is_gone = (event == NodeEvent::kBootUp) || (state == SlaveState::kMissing);
+    return is_gone || (state == SlaveState::kStopped) || (state == SlaveState::kPreOperational);
+}
+
 } // namespace
 
 Cia302StartUp::Cia302StartUp(const StartUpParts& parts, BootRecord* const records) noexcept
@@ -53,6 +70,23 @@ void Cia302StartUp::OnFrame(const CanFrame& frame, const Instant now) noexcept
     {
         VerifyAgain(node, time);
     }
+    for (std::uint8_t id = 1U; IsLeave(frame) && (id <= kLastNode); ++id)
+    {
+        // Of somebody else. A slave without heartbeat and guarding gives no other sign.
+        if ((frame.data[1] == kAllNodes.value) || (frame.data[1] == id))
+        {
+            NoteLeft(NodeId{id});
+        }
+    }
+}
+
+/// It is OPERATIONAL no more, or was told to be: one whose boot ended with an error counts as not started since. No
+/// safety slave: that is verified before each start. [SRS_BOOT_520]
+void Cia302StartUp::NoteLeft(const NodeId node) noexcept
+{
+    BootRecord& record = boot_.Record(node);
+    const bool is_refused = record.HasFailed() && !parts_.setup.IsSafetySlave(node);
+    record.status.is_started = record.status.is_started && !is_refused;
 }
 
 /// It runs, but its gate was closed since it was started: it may have left OPERATIONAL and come back between two signs,
@@ -111,6 +145,10 @@ void Cia302StartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const 
     const bool is_boot_up = (event == NodeEvent::kBootUp);
     const bool is_lost = (event == NodeEvent::kHeartbeatLost) || (event == NodeEvent::kGuardLost);
     const bool is_state = (event == NodeEvent::kStarted) || (event == NodeEvent::kChanged);
+    if (ShowsThatItLeft(event, parts_.table.Record(node).state))
+    {
+        NoteLeft(node);
+    }
     if (is_active && !is_listed && (is_boot_up || (event == NodeEvent::kUnexpected)))
     {
         OnForeign(node, now);
@@ -329,9 +367,10 @@ NmtAnswer Cia302StartUp::CommandAll(const NmtCommand command, const BootTime& ti
         answer = parts_.nmt.Request(command, kAllNodes, time.now);
         for (std::uint8_t id = 1U; (answer == NmtAnswer::kTaken) && (id <= kLastNode); ++id)
         {
-            // Who was never there heard nothing of it. [SRS_MGR_122]
+            // Who was never there heard nothing of it. [SRS_MGR_122] Who failed runs by a start of its own.
             BootRecord& record = boot_.Record(NodeId{id});
-            record.status.is_started = is_start && record.is_booted;
+            const bool is_despite = record.status.is_started && record.HasFailed();
+            record.status.is_started = is_start && (record.is_booted || is_despite);
             record.is_start_owed = false;
             Keep(command, NodeId{id}, time);
         }

@@ -32,7 +32,8 @@ class Cia302StartUp final : public StartUp, private BootListener
     /// @brief Writes the configuration alone. False: not listed, not IsConfigurable, or no start-up runs. [SRS_NMM_009]
     [[nodiscard]] bool Configure(NodeId node, Instant now) noexcept override;
 
-    /// @brief Whether its boot ended with an error, and nobody started it since. [SRS_BOOT_470]
+    /// @brief Whether its boot ended with an error, and no start of its own started it since it was OPERATIONAL last.
+    /// [SRS_BOOT_470, SRS_BOOT_520]
     [[nodiscard]] bool IsLeftOut(NodeId node) const noexcept override;
     [[nodiscard]] NodeStatus Status(NodeId node) const noexcept override;
     [[nodiscard]] std::int16_t MasterState() const noexcept override;
@@ -50,6 +51,7 @@ class Cia302StartUp final : public StartUp, private BootListener
     void OnBootFailed(NodeId node, const BootTime& time) noexcept override;
     [[nodiscard]] bool IsMasterOperational() const noexcept override;
 
+    void NoteLeft(NodeId node) noexcept;
     void VerifyAgain(NodeId node, const BootTime& time) noexcept;
     void React(const BootTime& time) noexcept;
     void EndBoots(const BootTime& time) noexcept;

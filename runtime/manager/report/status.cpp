@@ -49,6 +49,12 @@ std::string ResultOf(const network_plan::StartProfile profile, const cia302::Nod
     return (profile == network_plan::StartProfile::kCia302) ? letter : std::to_string(status.code);
 }
 
+/// As in all texts of the manager.
+std::string UpperOf(const cia302::SlaveState state)
+{
+    return (state == cia302::SlaveState::kStopped) ? "STOPPED" : "PRE-OPERATIONAL";
+}
+
 std::string FaultText(const std::uint16_t code)
 {
     return "device fault: emergency " + cia306::Hex(code, 4) + ", expected its end or a restart of the device";
@@ -66,6 +72,32 @@ std::string SilenceText(const ManagerStation& station, const NodeId node, const 
     return (station.Assembly().IsUnheard(node) && is_over)
                ? "no heartbeat since its start, expected one each " + MsText(record.time_us) + " at least"
                : "";
+}
+
+/// A slave that was started, and is not OPERATIONAL by what it says, or by what somebody else told it last. NodeState
+/// of el6751 says that by itself. [SRS_MGR_523]
+std::string NotRunningText(const ManagerAssembly& assembly, const NodeId node)
+{
+    using cia302::SlaveState;
+    const cia302::NodeTable& table = assembly.Core().Table();
+    const cia302::NodeRecord& record = table.Record(node);
+    const cia302::NodeStatus status = assembly.Core().Status(node);
+    const bool is_el6751 = assembly.Net().Plan().manager.profile == network_plan::StartProfile::kEl6751;
+    const cia302::NmtMaster& commands = assembly.Core().Role().Commands();
+    const bool is_under_way = status.is_busy || commands.HasStart(node) || commands.HasStart(cia302::kAllNodes);
+    const bool is_started = status.is_started && !is_under_way && !(is_el6751 && status.code != 0);
+    const bool is_other = record.state == SlaveState::kPreOperational || record.state == SlaveState::kStopped;
+    const bool is_said = is_other && !record.is_presumed && record.asked != SlaveState::kOperational;
+    std::string text;
+    if (is_started && (is_said || cia302::DeniesStart(table, node)))
+    {
+        text = "started, but says " + UpperOf(record.state);
+    }
+    else if (is_started && cia302::HasLeft(table, node))
+    {
+        text = "started, but told by somebody else to be " + UpperOf(record.asked);
+    }
+    return text;
 }
 
 /// Two findings, of which each may be empty.
@@ -102,6 +134,7 @@ StatusRow RowOf(const ManagerStation& station, const network_plan::LoadedSlave& 
         is_refused ? "safety configuration: " + FindingText(manager.Gate().Finding(node)) : ResultText(profile, status);
     const std::uint16_t fault = is_safety ? manager.Watched().Of(node).fault : std::uint16_t{0U};
     row.finding = manager.Watched().Of(node).is_duplicate ? "two devices with this node-ID?" : row.finding;
+    row.finding = Both(NotRunningText(assembly, node), row.finding);
     row.finding = Both(SilenceText(station, node, now_us), row.finding);
     row.finding = Both((fault != 0U) ? FaultText(fault) : "", row.finding);
     row.is_good = assembly.IsGood(node);

@@ -131,10 +131,23 @@ constexpr Word<int> kPlcStates[] = {{"reset", -1},
                                     {"lost", 99}};
 constexpr const char* kFlashIsBusy = "its flash is busy";
 constexpr const char* kDespite = "started though its start-up failed";
+constexpr const char* kFailed = "its start-up failed";
 constexpr Word<int> kMasterSteps[] = {{"idle", 0},  {"resets", 1},      {"boots slaves", 2}, {"halted", 3},
                                       {"ready", 4}, {"operational", 5}, {"stopped", 6}};
 constexpr Word<int> kEl6751Masters[] = {
     {"ended", 0}, {"starts slaves", 1}, {"all started", 2}, {"no bus", 3}, {"too many PDOs", 4}};
+
+/// What is wrong with a slave of el6751 stays wrong, whatever it was told since: its NodeState says that alone.
+/// [SRS_ELM_520]
+std::string WithFailure(const std::string& meaning, const cia302::NodeStatus& status, const bool is_good)
+{
+    constexpr int kSyntax = 4;
+    constexpr int kMismatch = 5;
+    const bool is_said = !status.has_failed || status.code == kSyntax || status.code == kMismatch;
+    const std::string failure = IsDespite(status) ? kDespite : kFailed;
+    const std::string both = is_good ? failure : meaning + ", " + failure;
+    return is_said ? meaning : both;
+}
 
 std::string ValueText(const ObjectAddress& object, const cia301::SdoAbort abort, const std::uint64_t expected,
                       const std::uint64_t read)
@@ -247,7 +260,7 @@ std::string FindingText(const StartProfile profile, const cia302::NodeStatus& st
     bool is_wrong = status.letter != 0 && status.letter != 'L' && (is_aborted || status.expected != status.read);
     const bool is_refused = status.code == kNotFound || status.code == kSyntax || status.code == kMismatch;
     is_wrong = is_wrong || IsAskedAgain(status) || IsFlashBusy(status);
-    is_wrong = (profile == StartProfile::kEl6751) ? is_refused || IsDespite(status) : is_wrong;
+    is_wrong = (profile == StartProfile::kEl6751) ? is_refused || status.has_failed : is_wrong;
     is_wrong = (profile == StartProfile::kPlcDesigner) ? is_aborted || status.code == kWrongType : is_wrong;
     if (is_wrong && status.object.index == 0U && status.abort == cia301::SdoAbort::kTimeOut)
     {
@@ -284,7 +297,7 @@ std::string ResultText(const StartProfile profile, const cia302::NodeStatus& sta
     std::string meaning = is_cia302 ? LetterText(status.letter) : code;
     meaning = (is_cia302 && IsAskedAgain(status)) ? "asked again each second" : meaning;
     meaning = (is_cia302 && IsFlashBusy(status)) ? kFlashIsBusy : meaning;
-    meaning = (IsDespite(status) && status.code == good) ? kDespite : meaning;
+    meaning = WithFailure(meaning, status, status.code == good);
     const std::string finding = FindingText(profile, status);
     return meaning + (meaning.empty() || finding.empty() ? "" : ": ") + finding;
 }
@@ -296,7 +309,7 @@ std::string StatusText(const StartProfile profile, const cia302::NodeStatus& sta
     std::string meaning = (status.letter != 0) ? LetterText(status.letter) : CodeText(profile, status.code);
     meaning = (profile == StartProfile::kCia302 && IsAskedAgain(status)) ? "asked again each second" : meaning;
     meaning = (profile == StartProfile::kCia302 && IsFlashBusy(status)) ? kFlashIsBusy : meaning;
-    meaning = (IsDespite(status) && status.code == 0) ? kDespite : meaning;
+    meaning = WithFailure(meaning, status, status.code == 0);
     const std::string finding = FindingText(profile, status);
     return (head.empty() ? "" : head + ": ") + meaning + (finding.empty() ? "" : " (" + finding + ")");
 }

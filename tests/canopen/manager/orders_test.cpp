@@ -43,6 +43,23 @@ class ManagerOrdersTest : public ManagerRig
     int losses{0};
 };
 
+TEST_F(ManagerOrdersTest, AnOwnerThatEndsItLetsCommandsLeaveThatWait)
+{
+    Verifies(req::SRS_NMM_520);
+    setup.inhibit_100us = 1000U; // 100 ms
+    Add(5U);
+    Add(6U);
+    Begin(Profile::kCia302);
+    Run(500U);
+    EXPECT_EQ(Order(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
+    EXPECT_EQ(Order(NmtCommand::kStop, 6U), NmtAnswer::kTaken);
+    ASSERT_EQ(manager->Role().Commands().Waiting(), 1U);
+    ASSERT_EQ(stops, 1);
+    manager->Role().Finish(Now());
+    EXPECT_EQ(manager->Role().Commands().Waiting(), 0U);
+    EXPECT_EQ(stops, 2);
+}
+
 TEST_F(ManagerOrdersTest, WithoutAProfileNothingBegins)
 {
     Verifies(req::SRS_MGR_001);

@@ -50,7 +50,7 @@ TEST_F(ManagerAnswersTest, AStartOfEachBy1F82hLeavesOutWhoWasRefusedAndSaysSo)
     Verifies(req::SRS_MGR_470);
     MakeRefused("cia302");
     // When each is started by the order, then by a client of the manager
-    EXPECT_EQ(Order("set 0x1F82:80 0x85"), kRefused);
+    EXPECT_EQ(Order("set 0x1F82:80 0x85"), kRefused + "; nothing is heard of, so perhaps not started: node 7: reset");
     Run(5U);
     EXPECT_EQ(Commands(), (Lines{"1 7"}));
     EXPECT_EQ(Write(0x1F82U, 0x80U, 0x85U, 1U), 0U);
@@ -63,8 +63,65 @@ TEST_F(ManagerAnswersTest, AStartOfEachBy1F82hLeavesOutWhoWasRefusedAndSaysSo)
     EXPECT_EQ(Commands(), (Lines{"1 7", "1 7"}));
     // What starts nobody, or one alone, has nobody to leave out
     EXPECT_EQ(Order("set 0x1F82:80 0x84"), "taken");
-    EXPECT_EQ(Order("set 0x1F82:06 5"), "taken");
+    EXPECT_EQ(Order("set 0x1F82:06 5"), "taken; started all the same: node 6: C: device type differs (0x1000:00 is "
+                                        "0x192, expected 0x191)");
     EXPECT_EQ(Order("set 0x1F80:00 1"), "taken");
+}
+
+TEST_F(ManagerAnswersTest, WhoLeftOperationalIsLeftOutAgainByEachStartOfAll)
+{
+    Verifies(req::SRS_MGR_522);
+    Verifies(req::SRS_BOOT_520);
+    for (const char* const start : {"start all", "set 0x1F82:80 5", "set 0x1F82:80 0x85"})
+    {
+        // Given a refused slave that a start of its own has started, and slave 7, which was started, too
+        MakeRefused("cia302");
+        Hear(0x707U, {0x7FU});
+        EXPECT_EQ(Order("start 7"), "taken");
+        EXPECT_EQ(Order("start 6"), "taken; started all the same: node 6: C: device type differs (0x1000:00 is 0x192, "
+                                    "expected 0x191)");
+        Hear(0x706U, {0x05U});
+        // When all are started while it runs, then there is nothing to be told
+        EXPECT_EQ(Order(start), "taken") << start;
+        // When somebody else puts it to PRE-OPERATIONAL, then it is left out, and named
+        Hear(0U, {0x80U, 6U});
+        Hear(0x706U, {0x7FU});
+        sent.clear();
+        EXPECT_EQ(Order(start), kRefused) << start;
+        Run(5U);
+        EXPECT_EQ(Commands(), (Lines{"1 7"})) << start;
+    }
+}
+
+TEST_F(ManagerAnswersTest, EachStartUnderEl6751SaysWhatItStarts)
+{
+    Verifies(req::SRS_MGR_522);
+    Verifies(req::SRS_ELM_520);
+    const std::string differs = "0x1000:00 is 0x192, expected 0x191";
+    const std::string despite = "taken; started all the same: node 6: ";
+    const std::string silent = "; nothing is heard of, so perhaps not started: node 7: 8: starts up";
+    for (const std::string start : {"start 6", "start all", "set 0x1F82:06 5", "set 0x1F82:80 5", "set 0x1F82:80 0x85"})
+    {
+        const std::string more = (start == "start 6" || start == "set 0x1F82:06 5") ? "" : silent;
+        // Given another device, of which a start says so
+        MakeRefused("el6751");
+        EXPECT_EQ(Order(start), despite + "5: SDO value differs (" + differs + ")" + more) << start;
+        // When it is stopped, then the table still says what it is, and so does its start
+        MakeRefused("el6751");
+        EXPECT_EQ(Order("stop 6"), "taken");
+        EXPECT_EQ(Row(6U).finding, "deactivated, its start-up failed: " + differs);
+        EXPECT_EQ(Order(start), despite + "1: deactivated, its start-up failed (" + differs + ")" + more) << start;
+        Run(2U);
+        EXPECT_EQ(Row(6U).finding, "started though its start-up failed: " + differs);
+        // When it runs, then there is nothing to be told
+        EXPECT_EQ(Order("start 6"), "taken") << start;
+        EXPECT_EQ(Order("preop 6"), "taken");
+        EXPECT_EQ(Row(6U).finding, "pre-operational, its start-up failed: " + differs);
+        EXPECT_EQ(Order("start 6"), despite + "12: pre-operational, its start-up failed (" + differs + ")") << start;
+        // When it boots anew, and is asked again before it is started, nothing is known of it
+        EXPECT_EQ(Order("reset 6"), "taken");
+        EXPECT_EQ(Order("start 6").rfind("taken; nothing is heard of", 0U), 0U) << Order("start 6");
+    }
 }
 
 TEST_F(ManagerAnswersTest, AStartBy1F82hThatTheStateForbidsNamesTheState)
@@ -117,7 +174,8 @@ TEST_F(ManagerAnswersTest, AStartOfASafetySlaveThatMayBeTwoDevicesSaysThatItIsNo
     AnswerTwice(33U);
     AnswerTwice(6U);
     EXPECT_EQ(Order("set 0x1F82:21 5"), "taken; not started: " + doubted);
-    EXPECT_EQ(Order("set 0x1F82:80 0x85"), "taken; not started: " + doubted);
+    EXPECT_EQ(Order("set 0x1F82:80 0x85"),
+              "taken; nothing is heard of, so perhaps not started: node 6: reset; not started: " + doubted);
     // A slave that is no safety slave is started all the same
     EXPECT_EQ(Order("start 6").rfind("taken", 0U), 0U);
     // And so is it, verified, behind its reset

@@ -4,6 +4,7 @@
 #include "runtime/network_files/file.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/manager.hpp"
+#include "verification/trace/ids/nmt_master.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <nlohmann/json.hpp>
@@ -32,6 +33,9 @@ struct Script
     host::BusState state{host::BusState::kActive};
     std::string name{"udp:239.74.163.91:43191"};
     std::uint32_t received{0U};
+    std::uint8_t refused{0U};    ///< NMT command that finds no room; 0: none.
+    std::uint32_t turns{0U};     ///< How often it was asked how it is.
+    std::uint32_t waits_for{0U}; ///< So many turns long a frame waits in this host.
     std::vector<host::LiveFrame> sent;
 };
 
@@ -43,6 +47,11 @@ class ScriptBus final : public host::LiveBus
     }
     [[nodiscard]] host::SendResult Send(const host::LiveFrame& frame) override
     {
+        const bool is_full = script_.refused != 0U && frame.identifier == 0U && frame.data[0] == script_.refused;
+        if (is_full)
+        {
+            return host::SendResult::kQueueFull;
+        }
         script_.sent.push_back(frame);
         return (script_.state == host::BusState::kActive) ? host::SendResult::kSent : host::SendResult::kDown;
     }
@@ -60,6 +69,8 @@ class ScriptBus final : public host::LiveBus
     {
         host::BusHealth health;
         health.state = script_.state;
+        ++script_.turns;
+        health.waiting = (script_.turns <= script_.waits_for) ? 1U : 0U;
         return health;
     }
     [[nodiscard]] std::string Name() const override
@@ -116,10 +127,7 @@ class ManagerRunTest : public test::CommandTest
     }
     bool Run(runtime::ManagerSocket* const socket = nullptr)
     {
-        network_plan::LoadedNetwork net(runtime::ReadNetworkFile(
-            File("net.yaml",
-                 "manager: {node: 127}\nslaves: [{node: 5, heartbeat: 5 ms, consumer: 20 ms, arming: immediately}]\n"),
-            0U));
+        network_plan::LoadedNetwork net(runtime::ReadNetworkFile(File("net.yaml", network), 0U));
         std::ostringstream out;
         runtime::NodeReport report(out, runtime::ReportForm::kText, host::LiveNow());
         runtime::ManagerLoop loop(net, std::make_unique<ScriptBus>(script), report, socket, settings);
@@ -177,8 +185,24 @@ class ManagerRunTest : public test::CommandTest
         ends_[1] = -1;
     }
 
+    /// Command and node of each NMT command that the bus took.
+    [[nodiscard]] std::vector<std::string> Commands() const
+    {
+        std::vector<std::string> commands;
+        for (const host::LiveFrame& frame : script.sent)
+        {
+            if (frame.identifier == 0U)
+            {
+                commands.push_back(std::to_string(frame.data[0]) + " " + std::to_string(frame.data[1]));
+            }
+        }
+        return commands;
+    }
+
     Script script;
     runtime::ManagerLoopSettings settings;
+    std::string network{
+        "manager: {node: 127}\nslaves: [{node: 5, heartbeat: 5 ms, consumer: 20 ms, arming: immediately}]\n"};
     std::string shown;
     bool is_log_whole{false};
 
@@ -419,6 +443,141 @@ TEST_F(ManagerRunTest, AnOrderThatTheEndOfTheInputCutsIsToldAndNotCarriedOut)
     EndInput();
     EXPECT_FALSE(Run());
     EXPECT_EQ(Reason(), "quit");
+}
+
+const std::string kSix = "slaves: [{node: 50}, {node: 51}, {node: 52}, {node: 53}, {node: 54}, {node: 55}]\n";
+const std::vector<std::string> kSixStops{"130 0", "2 50", "2 51", "2 52", "2 53", "2 54", "2 55"};
+
+TEST_F(ManagerRunTest, WhatWaitsForTheInhibitTimeLeavesBeforeTheEnd)
+{
+    Verifies(req::SRS_MGR_520);
+    Verifies(req::SRS_NMM_001);
+    for (const char* const profile : {"cia302", "el6751", "plc_designer"})
+    {
+        // Given six stops that were taken one behind the other, and the end right behind them
+        network = "manager: {node: 127, inhibit: 20 ms, profile: " + std::string(profile) + "}\n" + kSix;
+        settings.for_ns = 3600000U * kMs;
+        script = Script{};
+        Type("stop 50\nstop 51\nstop 52\nstop 53\nstop 54\nstop 55\nquit\n");
+        EXPECT_FALSE(Run());
+        EXPECT_EQ(Reason(), "quit");
+        // Then all of them leave
+        std::vector<std::string> stops = Commands();
+        stops.erase(
+            std::remove_if(stops.begin(), stops.end(), [](const auto& each) { return each.rfind("2 ", 0U) != 0U; }),
+            stops.end());
+        EXPECT_EQ(stops, std::vector<std::string>(kSixStops.begin() + 1, kSixStops.end())) << profile;
+        EXPECT_TRUE(Told("unsent").empty()) << profile;
+    }
+}
+
+TEST_F(ManagerRunTest, WhateverEndsARunCommandsLeaveBeforeIt)
+{
+    Verifies(req::SRS_MGR_520);
+    network = "manager: {node: 127, inhibit: 20 ms, profile: el6751}\n" + kSix;
+    for (const int number : {SIGINT, SIGTERM, SIGHUP, 0})
+    {
+        settings.for_ns = (number == 0) ? 1U : 3600000U * kMs;
+        const auto before = (number == 0) ? SIG_DFL : std::signal(number, SIG_DFL);
+        script = Script{};
+        script.receive = [number](host::LiveFrame&)
+        {
+            static_cast<void>((number == 0) ? 0 : std::raise(number));
+            return false;
+        };
+        Type("stop all\n");
+        EXPECT_FALSE(Run());
+        static_cast<void>((number == 0) ? SIG_DFL : std::signal(number, before));
+        EXPECT_EQ(Reason(), (number == 0) ? "--for" : "signal");
+        EXPECT_EQ(Commands(), kSixStops) << number;
+    }
+}
+
+TEST_F(ManagerRunTest, TheEndIsBoundedWhateverTheInhibitTime)
+{
+    Verifies(req::SRS_MGR_520);
+    // Given 6 s between two commands, then what waits goes without them
+    network = "manager: {node: 127, inhibit: 6 s, profile: el6751}\n" + kSix;
+    settings.for_ns = 3600000U * kMs;
+    Type("stop all\nquit\n");
+    EXPECT_FALSE(Run());
+    EXPECT_EQ(Commands(), kSixStops);
+    ASSERT_EQ(Told("stopped").size(), 1U);
+    EXPECT_GE(Told("stopped")[0]["t_us"].get<std::uint64_t>(), 2000000U);
+    EXPECT_TRUE(Told("unsent").empty());
+}
+
+TEST_F(ManagerRunTest, CommandsThatDoNotLeaveAreTold)
+{
+    Verifies(req::SRS_MGR_520);
+    network = "manager: {node: 127, inhibit: 20 ms, profile: el6751}\nslaves: [{node: 50}, {node: 51}]\n";
+    settings.for_ns = 3600000U * kMs;
+    // Given a controller that has no room for stops
+    script.refused = 2U;
+    Type("stop all\nquit\n");
+    EXPECT_FALSE(Run());
+    EXPECT_EQ(Commands(), (std::vector<std::string>{"130 0"}));
+    ASSERT_EQ(Told("unsent").size(), 1U);
+    EXPECT_EQ(Told("unsent")[0]["count"], 2);
+    EXPECT_EQ(Told("unsent")[0]["commands"], nlohmann::json({"stop node 50", "stop node 51"}));
+    EXPECT_EQ(Told("unsent")[0]["frames"], 0);
+    EXPECT_EQ(Told("unsent")[0]["text"], "2 NMT commands have not left: stop node 50, stop node 51");
+    // Or a bus that is down, or bus-off, which is not waited for
+    for (const host::BusState state : {host::BusState::kDown, host::BusState::kBusOff})
+    {
+        script = Script{};
+        script.state = state;
+        Type("stop 50\nquit\n");
+        EXPECT_FALSE(Run());
+        ASSERT_EQ(Told("unsent").size(), 1U);
+        EXPECT_EQ(Told("unsent")[0]["commands"], nlohmann::json({"reset-comm all", "stop node 50"}));
+    }
+}
+
+TEST_F(ManagerRunTest, FramesThatWaitInThisHostAreHandedOverBeforeTheEnd)
+{
+    Verifies(req::SRS_MGR_520);
+    settings.for_ns = 3600000U * kMs;
+    script.waits_for = 20U;
+    Type("quit\n");
+    EXPECT_FALSE(Run());
+    EXPECT_EQ(script.turns, 22U); // And once more for what is told.
+    EXPECT_TRUE(Told("unsent").empty());
+    // Or told
+    script = Script{};
+    script.state = host::BusState::kDown;
+    script.waits_for = 1000U;
+    Type("quit\n");
+    EXPECT_FALSE(Run());
+    ASSERT_EQ(Told("unsent").size(), 1U);
+    EXPECT_EQ(Told("unsent")[0]["frames"], 1);
+}
+
+TEST_F(ManagerRunTest, NothingIsCarriedOutBehindQuit)
+{
+    Verifies(req::SRS_MGR_521);
+    const std::string answer = "not carried out: the manager ends";
+    settings.for_ns = 3600000U * kMs;
+    network = "manager: {node: 127}\nslaves: [{node: 50}]\n";
+    Type("stop 50\nquit\nstart 50\n\nstatus\n");
+    EXPECT_FALSE(Run());
+    EXPECT_EQ(Commands(), (std::vector<std::string>{"130 0", "2 50"}));
+    ASSERT_EQ(Told("order").size(), 3U);
+    EXPECT_EQ(Told("order")[1]["order"], "start 50");
+    EXPECT_EQ(Told("order")[1]["answer"], answer);
+    EXPECT_EQ(Told("order")[2]["order"], "status");
+    EXPECT_NE(shown.find("\n" + answer + "\n"), std::string::npos) << shown;
+    // By the socket alike
+    script = Script{};
+    runtime::ManagerSocket socket(Path("m.sock"));
+    const host::LiveFile client = Connect(Path("m.sock"));
+    const std::string lines = "stop 50\nquit\nstart 50\n";
+    ASSERT_EQ(::send(client.Get(), lines.data(), lines.size(), 0), static_cast<ssize_t>(lines.size()));
+    settings.input = -1;
+    EXPECT_FALSE(Run(&socket));
+    EXPECT_EQ(Commands(), (std::vector<std::string>{"130 0", "2 50"}));
+    ASSERT_EQ(Told("order").size(), 2U);
+    EXPECT_EQ(Told("order")[1]["answer"], answer);
 }
 } // namespace
 } // namespace counterpoint::tools

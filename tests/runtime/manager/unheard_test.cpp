@@ -88,6 +88,72 @@ TEST_F(ManagerUnheardTest, OneThatWasHeardBeforeItsStartAloneIsNotGood)
     }
 }
 
+TEST_F(ManagerUnheardTest, OneThatDoesNotFollowItsStartSaysSo)
+{
+    Verifies(req::SRS_MGR_523);
+    for (const char* const profile : {"cia302", "plc_designer"})
+    {
+        Start(profile, "");
+        // One heartbeat may have been under way
+        Hear(0x706U, {0x7FU});
+        Run(2U);
+        EXPECT_EQ(Row(6U).finding, "") << profile;
+        Hear(0x706U, {0x7FU});
+        Run(2U);
+        EXPECT_FALSE(IsGood()) << profile;
+        EXPECT_EQ(Row(6U).finding, "started, but says PRE-OPERATIONAL") << profile;
+        const auto table = runtime::StatusJson(*station, now_us);
+        EXPECT_EQ(table["slaves"][0]["finding"], "started, but says PRE-OPERATIONAL") << profile;
+        Hear(0x706U, {0x04U});
+        Run(2U);
+        EXPECT_EQ(Row(6U).finding, "started, but says STOPPED") << profile;
+        // When it runs after all
+        Hear(0x706U, {0x05U});
+        Run(2U);
+        EXPECT_TRUE(IsGood()) << profile;
+        EXPECT_EQ(Row(6U).finding, "") << profile;
+        // When somebody else puts it elsewhere, then that is told before it speaks, and then what it says
+        Hear(0x000U, {0x02U, 0x06U});
+        EXPECT_FALSE(IsGood()) << profile;
+        EXPECT_EQ(Row(6U).finding, "started, but told by somebody else to be STOPPED") << profile;
+        Hear(0x000U, {0x80U, 0x06U});
+        EXPECT_EQ(Row(6U).finding, "started, but told by somebody else to be PRE-OPERATIONAL") << profile;
+        Hear(0x706U, {0x7FU});
+        Run(2U);
+        EXPECT_EQ(Row(6U).finding, "started, but says PRE-OPERATIONAL") << profile;
+        // What this manager tells it is no finding
+        EXPECT_EQ(Order("stop 6"), "taken") << profile;
+        Hear(0x706U, {0x04U});
+        EXPECT_EQ(Row(6U).finding.find("started"), std::string::npos) << Row(6U).finding;
+    }
+    // NodeState says it under el6751
+    Start("el6751", "");
+    Run(1100U);
+    Hear(0x706U, {0x7FU});
+    Run(2U);
+    Hear(0x706U, {0x7FU});
+    Run(2U);
+    EXPECT_EQ(Row(6U).finding, "pre-operational");
+}
+
+TEST_F(ManagerUnheardTest, AStartThatWaitsIsNoFinding)
+{
+    Verifies(req::SRS_MGR_523);
+    // Given a slave that was made PRE-OPERATIONAL, and whose start waits for the inhibit time
+    Make("manager: {node: 127, inhibit: 50 ms}\nslaves: [{node: 6, boot: false}]\n");
+    Run(200U);
+    Hear(0x706U, {0U});
+    EXPECT_EQ(Order("preop 6"), "taken");
+    EXPECT_EQ(Order("start 6").rfind("taken", 0U), 0U);
+    Hear(0x706U, {0x7FU});
+    EXPECT_EQ(Row(6U).finding, "");
+    Run(60U);
+    Hear(0x706U, {0x7FU});
+    EXPECT_EQ(Row(6U).finding, "");
+    Hear(0x706U, {0x7FU});
+    EXPECT_EQ(Row(6U).finding, "started, but says PRE-OPERATIONAL");
+}
+
 TEST_F(ManagerUnheardTest, AStartBySomebodyElseIsNoHeartbeat)
 {
     Verifies(req::SRS_MGR_082);

@@ -109,6 +109,41 @@ TEST_F(NmtMasterTest, CommandsLeaveInOrderWithTheInhibitTimeBetween)
     EXPECT_EQ(table.heard[1].node.value, 6U);
 }
 
+TEST_F(NmtMasterTest, AtTheEndOfTheDeviceAllThatWaitsLeavesAtOnceInOrder)
+{
+    Verifies(req::SRS_NMM_520);
+    setup.inhibit_100us = 20U; // 2 ms
+    EXPECT_EQ(Ask(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kPreOperational, 6U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kStart, 7U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kResetNode, 0U), NmtAnswer::kTaken);
+    nmt.DropStarts(NodeId{7U});
+    // Given one that has left, and three that wait, of which a start was given up
+    ASSERT_EQ(nmt.Waiting(), 3U);
+    EXPECT_EQ(nmt.WaitingAt(0U).command, NmtCommand::kPreOperational);
+    EXPECT_EQ(nmt.WaitingAt(0U).node.value, 6U);
+    EXPECT_EQ(nmt.WaitingAt(1U).command, NmtCommand::kInvalid);
+    EXPECT_EQ(nmt.WaitingAt(2U).node.value, 0U);
+    // When there is no room, then they wait on
+    sink.room = 0;
+    nmt.Finish(Instant{now_us});
+    EXPECT_EQ(nmt.Waiting(), 3U);
+    // And with room they leave, though the inhibit time is not over
+    sink.room = 8;
+    nmt.Finish(Instant{now_us});
+    EXPECT_EQ(nmt.Waiting(), 0U);
+    ASSERT_EQ(sink.frames.size(), 3U);
+    EXPECT_EQ(sink.frames[1].data[0], 0x80U);
+    EXPECT_EQ(sink.frames[1].data[1], 6U);
+    EXPECT_EQ(sink.frames[2].data[0], 0x81U);
+    EXPECT_EQ(sink.frames[2].data[1], 0U);
+    // Behind it the inhibit time counts as before
+    EXPECT_EQ(Ask(NmtCommand::kStop, 8U), NmtAnswer::kTaken);
+    EXPECT_EQ(nmt.Waiting(), 1U);
+    After(2000U);
+    EXPECT_EQ(nmt.Waiting(), 0U);
+}
+
 TEST_F(NmtMasterTest, WithoutInhibitTimeAllLeaveAtOnceAndAFullSinkKeepsThem)
 {
     Verifies(req::SRS_NMM_001);

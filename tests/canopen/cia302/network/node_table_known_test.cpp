@@ -48,6 +48,48 @@ TEST_F(NodeTableTest, PreOperationalBehindLostFramesIsABootUp)
     EXPECT_EQ(table.Record(NodeId{5U}).asked, SlaveState::kUnknown);
 }
 
+TEST_F(NodeTableTest, TwoSignsBehindAStartDenyIt)
+{
+    Verifies(req::SRS_NMM_521);
+    // Behind no command at all, or its boot-up message, nothing is denied
+    Hear(0x7FU);
+    Hear(0x7FU);
+    EXPECT_FALSE(DeniesStart(table, NodeId{5U}));
+    EXPECT_FALSE(DeniesStart(table, NodeId{0U}));
+    // One sign may have been under way, two were not, and three are no more
+    Sent(NmtCommand::kStart, 5U);
+    Hear(0x7FU);
+    EXPECT_FALSE(DeniesStart(table, NodeId{5U}));
+    Hear(4U);
+    EXPECT_TRUE(DeniesStart(table, NodeId{5U}));
+    Hear(4U);
+    EXPECT_TRUE(DeniesStart(table, NodeId{5U}));
+    // Until it says that it runs
+    Hear(5U);
+    EXPECT_FALSE(DeniesStart(table, NodeId{5U}));
+    Hear(0x7FU);
+    EXPECT_FALSE(DeniesStart(table, NodeId{5U}));
+    // A further command counts from the beginning, whoever sent it; one for another node does not
+    Foreign(NmtCommand::kStart, 5U);
+    Hear(0x7FU);
+    EXPECT_FALSE(DeniesStart(table, NodeId{5U}));
+    Foreign(NmtCommand::kStart, 6U);
+    Hear(0x7FU);
+    EXPECT_TRUE(DeniesStart(table, NodeId{5U}));
+    // Who denies a stop denies no start
+    Foreign(NmtCommand::kStop, 0U);
+    Hear(0x7FU);
+    Hear(0x7FU);
+    EXPECT_FALSE(DeniesStart(table, NodeId{5U}));
+    // Nor does who has booted since
+    Sent(NmtCommand::kStart, 5U);
+    Hear(0x7FU);
+    Hear(0x7FU);
+    EXPECT_TRUE(DeniesStart(table, NodeId{5U}));
+    Hear(0U);
+    EXPECT_FALSE(DeniesStart(table, NodeId{5U}));
+}
+
 TEST_F(NodeTableTest, FramesBesideErrorControlAndSdoSayNothing)
 {
     Verifies(req::SRS_NMM_020);
