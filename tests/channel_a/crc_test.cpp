@@ -1,13 +1,15 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// The tables of both checksums, and that their check while compiling finds a wrong one.
+// The tables of both checksums, that their check while compiling finds a wrong one, and what the digest is made of.
 #include "channel_a/crc.hpp"
+#include "tests/channel_a/device.hpp"
 #include "verification/trace/ids/channel.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <memory>
 
 namespace counterpoint::channel_a
 {
@@ -164,6 +166,42 @@ TEST(ChannelACrc, CheckOfTheTableOfThirtyTwoBitsFindsWhatLooksRightElsewhere)
     table.rest[0x03] ^= 0x00000001U;
     table.rest[0x83] ^= 0x00000001U;
     EXPECT_NE(WrongEntries(table), 0U);
+}
+
+// What was changed in the description behind the channel's back is no change of what the channel works by.
+TEST(ChannelADigest, IsThatOfTheOwnCopies)
+{
+    Verifies(req::SRS_CFG_348);
+    using channel_a_test::Device;
+    const auto fenced = std::make_unique<channel_a_test::FencedDevice>();
+    Device& device = fenced->device;
+    device.Start();
+    const DeviceDigest first = device.channel.Digest(0U, DeviceDigest{0U});
+    const DeviceDigest second = device.channel.Digest(1U, DeviceDigest{0U});
+    const auto expect_same = [&device, &first, &second](const char* const what)
+    {
+        EXPECT_EQ(device.channel.Digest(0U, DeviceDigest{0U}).value, first.value) << what;
+        EXPECT_EQ(device.channel.Digest(1U, DeviceDigest{0U}).value, second.value) << what;
+    };
+    // When policy, form, detection and safe value of both slots and the controllers are others
+    for (SrdoSetup& setup : device.setups)
+    {
+        setup.policy = ReleasePolicy::kInterlock;
+        expect_same("policy");
+        setup.form = ProducerForm::kProviderCalled;
+        expect_same("form");
+        setup.detection = SrvtDetection::kLate;
+        expect_same("detection");
+        setup.safe_value = Payload{0x12345678U, 0x9ABCDEF0U};
+        expect_same("safe value");
+    }
+    device.config.normal_port = CanPortId::kSecond;
+    device.config.inverse_port = CanPortId::kSecond;
+    expect_same("controllers");
+    // Then the digest is another one only when the channel starts with them
+    device.Start();
+    EXPECT_NE(device.channel.Digest(0U, DeviceDigest{0U}).value, first.value);
+    EXPECT_NE(device.channel.Digest(1U, DeviceDigest{0U}).value, second.value);
 }
 
 } // namespace

@@ -1,10 +1,12 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
 // Which row of the table of limits the simulator takes where the scenario names none.
+#include "simulator/world/node/pairs.hpp"
 #include "tests/integration/changed_devices.hpp"
 #include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -135,6 +137,43 @@ TEST(JudgedLimit, HasNoSrvtInItWhereTheFirstNormalFrameCameTooLate)
     EXPECT_EQ(Failures(*run), "");
     EXPECT_EQ(MeasurementOf(*run).fault_class, FaultClass::kBus);
     EXPECT_EQ(MeasurementOf(*run).limit, 18000 * kUs);
+}
+
+TEST(NodePairs, OfWhatCameBehindTheGoodPairTheFirstCounts)
+{
+    Verifies(req::SRS_SIM_082);
+    host::VirtualBus bus(host::BitRate{500000U});
+    Journal journal(false);
+    const NodePlace place{0U, bus, journal, false, nullptr};
+    const runtime::DeviceModel model(Examples() + "actuator.dcf", std::nullopt);
+    NodePairs pairs(place, model);
+    const auto get = [&](const std::int64_t ms, const std::uint32_t identifier, const std::uint8_t first)
+    {
+        bus.Advance(ms * kNanosecondsPerMillisecond);
+        pairs.OnFrame(CanFrame{identifier, FrameKind::kData, CanPortId::kFirst, 2U, {first, 0x00U}});
+    };
+    // Given a good pair
+    bus.Advance(10 * kNanosecondsPerMillisecond);
+    pairs.OnFrame(CanFrame{0x103U, FrameKind::kData, CanPortId::kFirst, 2U, {0x01U, 0xFFU}});
+    get(11, 0x104U, 0xFEU);
+    pairs.OnCycle();
+    EXPECT_EQ(pairs.TimesOf(0U).judged_normal, 10 * kNanosecondsPerMillisecond);
+    EXPECT_EQ(pairs.TimesOf(0U).behind_judged.next_normal, -1);
+    EXPECT_EQ(pairs.TimesOf(0U).behind_judged.wrong_inverse, -1);
+    // When two pairs come behind it that are not inverse, and cycles between them
+    for (const std::int64_t ms : {20, 30})
+    {
+        get(ms, 0x103U, 0x01U);
+        get(ms + 1, 0x104U, 0x01U);
+        pairs.OnCycle();
+        // Then the first normal and the first wrong inverse frame are what counts
+        const PairTimes& times = pairs.TimesOf(0U);
+        EXPECT_EQ(times.last_good_normal, 10 * kNanosecondsPerMillisecond) << ms;
+        EXPECT_EQ(times.behind_good.next_normal, 20 * kNanosecondsPerMillisecond) << ms;
+        EXPECT_EQ(times.behind_good.wrong_inverse, 21 * kNanosecondsPerMillisecond) << ms;
+        EXPECT_EQ(times.behind_judged.next_normal, 20 * kNanosecondsPerMillisecond) << ms;
+        EXPECT_EQ(times.behind_judged.wrong_inverse, 21 * kNanosecondsPerMillisecond) << ms;
+    }
 }
 } // namespace
 } // namespace counterpoint::simulator

@@ -57,6 +57,22 @@ TEST(SimulateCommand, EndsWithZeroOneOrTwo)
     EXPECT_EQ(until.err.substr(0U, 32U), "--until: error: '20', expected a");
 }
 
+TEST(SimulateCommand, TellsOfDroppedCopiesOnStandardError)
+{
+    Verifies(req::SRS_SIM_017);
+    const std::string frames = ", frames: {identifier: 0x103, receiver: actuator, from: 500 ms}}\n";
+    const std::string file = simulator::TextFile(
+        "extends: " + simulator::Examples() + "chain.yaml\nfaults:\n" + "  - {fault: repetition, name: one, times: 15" +
+        frames + "  - {fault: repetition, name: two, times: 4, optional: true" + frames);
+    const Answer answer = RunCommand({"simulate", "--quiet", file});
+    EXPECT_EQ(answer.err.rfind(file + ":4:5: warning: 4 copies of 'two' dropped, expected at most 16 receptions of one "
+                                      "frame\n",
+                               0U),
+              0U)
+        << answer.err;
+    EXPECT_EQ(answer.out.find("dropped"), std::string::npos) << answer.out;
+}
+
 TEST(SimulateCommand, WritesAllReportsAndSaysWhereItCannot)
 {
     Verifies(req::SRS_SIM_041);

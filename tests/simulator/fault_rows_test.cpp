@@ -74,5 +74,40 @@ TEST(FaultKinds, EachHasItsKeysReadAndItsPlaceInTheDocument)
     }
     EXPECT_EQ(kinds, 40U);
 }
+
+TEST(FaultKinds, EachThatLastsComesAndGoes)
+{
+    Verifies(req::SRS_SIM_028);
+    std::size_t lasting = 0U;
+    std::size_t of_frames = 0U;
+    for (const FaultSection& row : kFaultSections)
+    {
+        std::set<std::string> keys;
+        for (const KeySpec* const key : KeysOf(SectionNamed(row.name)))
+        {
+            keys.insert(key->key);
+        }
+        const std::size_t pattern = keys.count("on") + keys.count("off");
+        if (row.kind && keys.count("until") != 0U)
+        {
+            ++lasting;
+            EXPECT_EQ(pattern, 2U) << row.name;
+        }
+        else if (row.kind)
+        {
+            // What does not last, and frames, which are chosen by a map of their own
+            EXPECT_EQ(pattern, 0U) << row.name;
+            of_frames += keys.count("frames");
+        }
+    }
+    EXPECT_EQ(lasting, 20U);
+    EXPECT_EQ(of_frames, 12U);
+    std::set<std::string> chosen;
+    for (const KeySpec* const key : KeysOf(SectionNamed("frames")))
+    {
+        chosen.insert(key->key);
+    }
+    EXPECT_EQ(chosen.count("until") + chosen.count("on") + chosen.count("off"), 3U);
+}
 } // namespace
 } // namespace counterpoint::simulator

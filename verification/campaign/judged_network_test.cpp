@@ -3,12 +3,15 @@
 #include "verification/campaign/campaign_rig.hpp"
 
 #include "canopen/cia306/text/text_file.hpp"
+#include "verification/campaign/managed/memory.hpp"
+#include "verification/campaign/managed/space.hpp"
 #include "verification/campaign/managed/stage.hpp"
 #include "verification/campaign/managed/watch.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <set>
 #include <string>
 #include <sys/wait.h>
 #include <utility>
@@ -275,6 +278,39 @@ TEST_F(JudgedNetworkTest, OutputThatOpensAgainWithoutAnAcknowledgeIsWrong)
     network.RunTo(660);
     ASSERT_NE(relay.Open(), 0U);
     EXPECT_EQ(network.watch.Found(), managed::Wrong::kNoAcknowledge);
+}
+
+TEST_F(JudgedNetworkTest, EachBitOfAMemberIsFlippedAtEachStepOfTheGrid)
+{
+    Verifies(req::SRS_CMG_080);
+    // Given half a millisecond in steps of 50 us, and one member
+    const managed::Plan plan = managed::ReadManagedPlan(
+        NetworkPlan("plan.yaml", "from: 20 ms\nuntil: 20500 us\nparts: [memory]\nmembers: [gate]\n"));
+    JudgedNetwork sound(plan);
+    sound.RunTo(21);
+    managed::Reference reference = sound.watch.TakeReference();
+    managed::MemoryWatch memory;
+    memory.Look(0U, *sound.stage.Managers().front());
+    reference.memory = memory.Members();
+    const auto gate = std::find_if(reference.memory.begin(), reference.memory.end(),
+                                   [](const managed::ManagerMember& member) { return member.name == "gate"; });
+    ASSERT_NE(gate, reference.memory.end());
+    ASSERT_GT(gate->size_bytes, 0U);
+    const managed::Space space(plan, sound.stage, reference);
+    // Then each of its bits is flipped at each of these ten moments, and nothing twice
+    std::set<std::pair<std::int64_t, std::uint32_t>> flips;
+    for (std::uint64_t number = 0U; number < space.Size(); ++number)
+    {
+        const managed::Trial trial = space.At(number);
+        EXPECT_EQ(trial.target, managed::Target::kMemory);
+        EXPECT_EQ((trial.at - 20'000'000) % 50'000, 0);
+        flips.insert({trial.at, (8U * managed::Space::ByteOf(trial)) + (trial.variant % 8U)});
+    }
+    EXPECT_EQ(space.Size(), 10U * 8U * gate->size_bytes);
+    EXPECT_EQ(flips.size(), 10U * 8U * gate->size_bytes);
+    EXPECT_EQ(flips.begin()->first, 20'000'000);
+    EXPECT_EQ(flips.rbegin()->first, 20'450'000);
+    EXPECT_EQ(flips.rbegin()->second, (8U * gate->size_bytes) - 1U);
 }
 
 TEST_F(JudgedNetworkTest, DataThatTheRunWithoutFaultHasNotHadAreWrong)

@@ -110,6 +110,89 @@ TEST_F(TwoCpusTest, OutputThatBothHaveOpenAgainNeedsAnAcknowledge)
     EXPECT_EQ(judge.Look(opened, memory).wrong, Wrong::kRestart);
 }
 
+TEST_F(TwoCpusTest, OutputsInSeriesAreWrongWhereBothAre)
+{
+    Verifies(req::SRS_CMG_064);
+    // Given a device that is at work
+    const Plan plan = ReadPlan(TwoCpuPlan("actuator", kSmall));
+    const RecordedScenario scenario(plan.scenario, runtime::YamlValue(plan.file, plan.device_node));
+    Region region(1U << 20U);
+    TwoCpus device(region, scenario, false);
+    Judge judge(scenario.Record(), scenario.Model(), device);
+    JudgeMemory memory{};
+    std::size_t opened = 0U;
+    for (std::size_t cycle = 0U; cycle < scenario.Record().cycles.size() && opened == 0U; ++cycle)
+    {
+        device.Cycle(cycle);
+        opened = (judge.Look(cycle, memory).open != 0U) ? cycle : 0U;
+    }
+    ASSERT_NE(opened, 0U);
+    ASSERT_FALSE(device.Pairs().empty());
+    std::uint8_t& of_a = *device.Pairs().front().normal.place;
+    std::uint8_t& of_b = *device.Pairs().front().inverse.place;
+    EXPECT_EQ(judge.Look(opened, memory).not_inverse, 0U);
+    // When one CPU has data that no pair allows, and the other one has the right ones, then it is not silent
+    for (std::uint8_t* const one : {&of_a, &of_b})
+    {
+        *one ^= 0x40U;
+        const Sight sight = judge.Look(opened, memory);
+        EXPECT_EQ(sight.wrong, Wrong::kNothing);
+        EXPECT_EQ(sight.not_inverse, 1U);
+        *one ^= 0x40U;
+    }
+    // When both let it pass, then it is
+    of_a ^= 0x40U;
+    of_b ^= 0x40U;
+    EXPECT_EQ(judge.Look(opened, memory).wrong, Wrong::kData);
+}
+
+TEST_F(TwoCpusTest, DataThatOneCpuHasWrongAreSafeByTheOtherOne)
+{
+    Verifies(req::SRS_CMG_064);
+    const Trap trap;
+    Session session(TwoCpuPlan("actuator", kSmall));
+    for (const char* const member : {"cpu_a.variables", "cpu_b.variables"})
+    {
+        // Each CPU has variables of both sides, of which it uses its own alone
+        std::size_t safe = 0U;
+        for (std::size_t byte = 0U; byte < 4U; ++byte)
+        {
+            const Outcome outcome = session.Runs().Run(FaultIn(session, member, byte, 4U));
+            EXPECT_NE(outcome.result, Class::kSilent) << member << byte;
+            const bool is_safe = outcome.result == Class::kSafeOther;
+            EXPECT_TRUE(!is_safe || outcome.detector == Detector::kPairCheck) << member << WordOf(outcome.detector);
+            safe += is_safe ? 1U : 0U;
+        }
+        EXPECT_EQ(safe, 2U) << member;
+    }
+}
+
+// Cycle of 1.5 ms at the latest, output of 1 ms, a drift of 0.5 ms in each begun interval of 100 ms; two passes of 1 s
+// for a copy of either channel. Of the link time-out of 10 ms and clock interval of 500 ms: 510 + 1.5 + 1 + 6 x 0.5 ms.
+TEST_F(TwoCpusTest, LimitsAreThoseOfOneCpuOfACopyAndOfTheLink)
+{
+    Verifies(req::SRS_CMG_064);
+    const Limits of_one = Session(PlanFile("one.yaml", "actuator", kSmall)).Parts().limits;
+    const Limits of_two = Session(TwoCpuPlan("actuator", kSmall)).Parts().limits;
+    const auto of = [](const Limits& limits, const Part part) { return limits.us[static_cast<std::size_t>(part)]; };
+    for (const Part part : {Part::kChannelA, Part::kChannelB, Part::kTables})
+    {
+        EXPECT_EQ(of(of_two, part), 2013000U) << WordOf(part);
+    }
+    for (const Part part : {Part::kKernel, Part::kVariables, Part::kCallsOfA, Part::kSteps, Part::kBus})
+    {
+        EXPECT_GT(of(of_one, part), kLinkLimitUs) << WordOf(part);
+        EXPECT_EQ(of(of_two, part), of(of_one, part)) << WordOf(part);
+    }
+    EXPECT_EQ(of_two.Of(Part::kLink, FaultKind::kLost), kLinkLimitUs);
+    EXPECT_EQ(of_two.Of(Part::kCpu, FaultKind::kStopped), kLinkLimitUs);
+    EXPECT_EQ(of_two.Of(Part::kCpu, FaultKind::kFast), 515500U);
+    EXPECT_EQ(of_two.Of(Part::kCpu, FaultKind::kSlow), 515500U);
+    EXPECT_EQ(of(of_two, Part::kCounters), 515500U);
+    EXPECT_EQ(of(of_one, Part::kCommands), 1008000U);
+    EXPECT_EQ(of(of_two, Part::kCommands), 1008000U);
+}
+
 TEST_F(TwoCpusTest, EachCpuHasAKernelAChannelAndItsSideOfTheLink)
 {
     Verifies(req::SRS_CMG_061);

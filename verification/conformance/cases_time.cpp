@@ -172,7 +172,7 @@ constexpr Case kCases[] = {
     MakeCase("TieOfBothLimits", {req::SRS_TIME_008, req::SRS_TIME_004}, kGold, kTie),
     MakeCase("SctAtTheFrameThenSrvt", {req::SRS_TIME_008, req::SRS_TIME_003}, kGold, kSctThenSrvt),
     MakeCase("SctAtTheFrameThenSrvtInOneCall", {req::SRS_TIME_008, req::SRS_CONS_018}, kGold, kSctThenSrvtInOne),
-    MakeCase("SctRunsFromTheNormalFrame", {req::SRS_TIME_005}, kGold, kFromNormal),
+    MakeCase("SctRunsFromTheNormalFrame", {req::SRS_TIME_005, req::SRS_CONS_010}, kGold, kFromNormal),
     MakeCase("HalfAPairDoesNotRestartSct", {req::SRS_TIME_005, req::SRS_TIME_007}, kGold, kHalfPair),
     MakeCase("PairSeenLateIsJudgedByItsStamps", {req::SRS_TIME_003, req::SRS_TIME_002}, kGold, kSeenLate),
     MakeCase("PairSeenTooLateIsOver", {req::SRS_TIME_003, req::SRS_CONS_014}, kGold, kSeenTooLate),

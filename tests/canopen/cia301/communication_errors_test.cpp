@@ -43,6 +43,8 @@ TEST_F(CommunicationErrorsTest, CodeAndBehaviourOfEachError)
         EXPECT_EQ(emergency.Register(), 0x11U);
         EXPECT_EQ(Emergency(), one.code);
         EXPECT_EQ(source, 0x42U);
+        EXPECT_EQ(source_high, 0x01U);
+        EXPECT_EQ(error_register, 0x11U);
         EXPECT_EQ(slave.State(), one.leaves ? NodeState::kPreOperational : NodeState::kOperational) << one.code;
         errors.Clear(one.error, 0x0142U);
         EXPECT_EQ(Emergency(), 0x0000U);
@@ -60,8 +62,11 @@ TEST_F(CommunicationErrorsTest, BusOffIsToldWhenItIsOver)
     errors.Raise(CommunicationError::kBusOff, 0U);
     EXPECT_EQ(slave.State(), NodeState::kPreOperational);
     EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
-    errors.Clear(CommunicationError::kBusOff, 0U);
+    errors.Clear(CommunicationError::kBusOff, 0x0201U);
     EXPECT_EQ(Emergency(), 0x8140U);
+    EXPECT_EQ(error_register, 0x11U);
+    EXPECT_EQ(source, 0x01U);
+    EXPECT_EQ(source_high, 0x02U);
     EXPECT_EQ(Emergency(), 0x0000U);
     EXPECT_EQ(emergency.Register(), 0U);
 }
@@ -200,6 +205,10 @@ TEST_F(CommunicationErrorsTest, EmergenciesOfChosenNodesAreHeard)
     }
     EXPECT_EQ(Write(consumer, 0x1028U, 3U, 0x00000181U), SdoAbort::kNone);
     EXPECT_EQ(Write(consumer, 0x1028U, 3U, 0x80000181U), SdoAbort::kNone);
+    for (const std::uint32_t taken : {0x000U, 0x001U, 0x07FU, 0x101U, 0x180U, 0x581U, 0x601U, 0x701U, 0x7FFU})
+    {
+        EXPECT_EQ(Write(consumer, 0x1028U, 3U, taken), SdoAbort::kValueRange) << taken;
+    }
     EXPECT_EQ(Write(consumer, 0x1028U, 3U, 0x80000101U), SdoAbort::kValueRange);
     EXPECT_EQ(Write(consumer, 0x1028U, 0U, 1U), SdoAbort::kReadOnly);
     EXPECT_EQ(Write(consumer, 0x1028U, 4U, 0x84U), SdoAbort::kSubUnknown);
@@ -213,9 +222,16 @@ TEST_F(CommunicationErrorsTest, EmergenciesOfChosenNodesAreHeard)
     consumer.OnFrame(FrameOf(0x82U, {0x30U, 0x81U, 0x11U, 1U, 2U, 3U, 4U}), Now());
     consumer.OnFrame(FrameOf(0x83U, {0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}), Now());
     consumer.OnFrame(RemoteOf(0x82U), Now());
-    Command(2U);
-    consumer.OnFrame(FrameOf(0x82U, {0x30U, 0x81U, 0x11U, 1U, 2U, 3U, 4U, 5U}), Now());
     EXPECT_EQ(heard.size(), 1U);
+    // In OPERATIONAL until now; in PRE-OPERATIONAL as well, in STOPPED not
+    const CanFrame error = FrameOf(0x82U, {0x30U, 0x81U, 0x11U, 1U, 2U, 3U, 4U, 5U});
+    EXPECT_EQ(slave.State(), NodeState::kOperational);
+    Command(128U);
+    consumer.OnFrame(error, Now());
+    EXPECT_EQ(heard.size(), 2U);
+    Command(2U);
+    consumer.OnFrame(error, Now());
+    EXPECT_EQ(heard.size(), 2U);
     consumer.ResetCommunication(NodeId{5U});
     EXPECT_EQ(Read(consumer, 0x1028U, 2U), 0x480000000U);
 }

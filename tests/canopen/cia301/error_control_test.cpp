@@ -223,6 +223,8 @@ class GuardingTest : public ::testing::Test
         const GuardReply answer = guarding.OnFrame(request, GuardMoment{state, heartbeat_ms, Instant{now_us}});
         event = answer.event;
         EXPECT_TRUE(!answer.reply.is_present || (answer.reply.frame.identifier == 0x705U));
+        EXPECT_TRUE(!answer.reply.is_present || (answer.reply.frame.kind == FrameKind::kData));
+        EXPECT_TRUE(!answer.reply.is_present || (answer.reply.frame.length_bytes == 1U));
         return answer.reply.is_present ? answer.reply.frame.data[0] : std::uint8_t{0U};
     }
 

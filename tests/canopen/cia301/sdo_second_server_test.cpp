@@ -90,6 +90,12 @@ TEST_F(SdoSecondServerTest, TheServerIsOffUntilBothIdentifiersAreValid)
     EXPECT_TRUE(answers.frames.empty());
     more.OnFrame(frame, Now());
     EXPECT_EQ(answers.frames.at(0U).identifier, 0x6A0U);
+    // The last one is that of 127Fh
+    SdoServerPort last{server, answers, SdoServerNumber{127U}};
+    EXPECT_EQ(Write(last, 0x127FU, 1U, 0x682U), SdoAbort::kNone);
+    EXPECT_EQ(Write(last, 0x127FU, 2U, 0x6A2U), SdoAbort::kNone);
+    EXPECT_EQ(Write(last, 0x1201U, 1U, 0x682U), SdoAbort::kObjectUnknown);
+    EXPECT_TRUE(last.Wants(0x682U));
     // Reset communication: off again
     more.ResetCommunication(NodeId{5U});
     EXPECT_FALSE(more.Wants(0x680U));

@@ -122,13 +122,17 @@ class ServiceRig : public ::testing::Test, public RpdoListener
     {
         const FrameToSend sent = emergency.Poll(NodeState::kOperational, Instant{now_us});
         source = sent.frame.data[3];
+        source_high = sent.frame.data[4];
+        error_register = sent.frame.data[2];
         return sent.is_present ? (sent.frame.data[0] | (static_cast<std::uint32_t>(sent.frame.data[1]) << 8U))
                                : 0xFFFFFFFFU;
     }
 
     std::uint32_t now_us{0xFFFFFF00U}; // The counter wraps in every test that lets time pass.
     SdoAbort abort{SdoAbort::kNone};
-    std::uint8_t source{0U};
+    std::uint8_t source{0U}; ///< Of the last emergency message, low byte; then its high byte.
+    std::uint8_t source_high{0U};
+    std::uint8_t error_register{0U};      ///< 1001h in that message.
     std::vector<std::uint16_t> written{}; ///< Numbers of RPDOs.
     std::array<std::uint8_t, 1> u8{0x11U};
     std::array<std::uint8_t, 2> u16{0x22U, 0x33U};

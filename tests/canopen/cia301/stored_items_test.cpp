@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Items of a set as a part gives and takes them one by one, those among them that no store would hand over.
 #include "canopen/cia301/store/stored_parts.hpp"
+#include "tests/canopen/cia301/cut_memory.hpp"
 #include "tests/canopen/cia301/service_rig.hpp"
 #include "tests/safety_core/kernel/rig.hpp"
 #include "verification/trace/ids/store.hpp"
@@ -159,6 +160,30 @@ TEST_F(StoredSafetyItemsTest, TheConfigurationOfAnotherNodeIdIsRefused)
     safety.BeginLoad(kAllGroups);
     EXPECT_TRUE(safety.EndLoad(kAllGroups));
     EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+}
+
+TEST_F(StoredSafetyItemsTest, TheReportOfALoadTellsOfAnotherNodeId)
+{
+    Verifies(req::SRS_STO_241);
+    Configure();
+    std::array<std::uint8_t, 64> scratch{};
+    CutMemory memory{8192U};
+    NodeId node{5U};
+    StoredSafety safety{kernel, node};
+    std::array<StoredPart*, 1> parts{&safety};
+    ParameterStore store{StoreParts{memory, parts.data(), 1U, Room{scratch.data(), 64U}}};
+    const StoreRequest save{StoreAction::kSave, kAllGroups};
+    EXPECT_EQ(store.Begin(save), SdoAbort::kPending);
+    for (int i = 0; (i < 3000) && store.IsBusy(); ++i)
+    {
+        store.OnCycle();
+    }
+    EXPECT_EQ(store.Continue(save), SdoAbort::kNone);
+    EXPECT_EQ(store.Load(kCommunicationGroup).finding, StoreFinding::kSound);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
+    node.value = 9U;
+    EXPECT_EQ(store.Load(kCommunicationGroup).finding, StoreFinding::kRefused);
+    EXPECT_EQ(Read(0x13FEU, 0U), 0U);
 }
 
 // Given a kernel that holds what was saved, so that the header fits it whatever was refused of the set.

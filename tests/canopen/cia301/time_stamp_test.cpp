@@ -42,6 +42,14 @@ TEST_F(TimeStampTest, ATimeIsHeardWhereItIsConsumed)
     stamp.OnFrame(FrameOf(0x101U, {1U, 2U, 3U, 4U, 5U, 6U}), Now());
     stamp.OnFrame(RemoteOf(0x100U), Now());
     EXPECT_EQ(count, 1);
+    // In OPERATIONAL until now; in PRE-OPERATIONAL as well, in STOPPED not
+    EXPECT_EQ(slave.State(), NodeState::kOperational);
+    Command(128U);
+    stamp.OnFrame(time, Now());
+    EXPECT_EQ(count, 2);
+    Command(2U);
+    stamp.OnFrame(time, Now());
+    EXPECT_EQ(count, 2);
 }
 
 TEST_F(TimeStampTest, ATimeIsSentWhereItIsProduced)

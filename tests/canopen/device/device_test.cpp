@@ -2,6 +2,7 @@
 #include "tests/canopen/device/device_rig.hpp"
 #include "tests/hal/host/allocations.hpp"
 #include "verification/trace/ids/cia301.hpp"
+#include "verification/trace/ids/lss.hpp"
 #include "verification/trace/ids/node.hpp"
 
 namespace counterpoint::device
@@ -500,6 +501,7 @@ class DeviceLssTest : public DeviceRig, public cia305::LssDevice
 TEST_F(DeviceLssTest, WithoutANodeIdThereIsOnlyLss)
 {
     Verifies(req::SRS_DEV_019);
+    Verifies(req::SRS_LSS_009);
     Start();
     Command(1U, 0U);
     Remote(0x702U);
@@ -511,6 +513,7 @@ TEST_F(DeviceLssTest, WithoutANodeIdThereIsOnlyLss)
     // When somebody looks for devices without a node-ID, it answers
     Lss({0x4CU});
     EXPECT_EQ(Sent(0x7E4U), (std::vector<Octets>{{0x50U, 0U, 0U, 0U, 0U, 0U, 0U, 0U}}));
+    EXPECT_EQ(ports.sent.size(), 1U);
     // When it gets one and is let go, it boots with it
     Lss({0x04U, 1U});
     Lss({0x11U, 5U});

@@ -3,6 +3,7 @@
 #include "safety_core/comparator/slot_mask.hpp"
 #include "tests/safety_core/comparator/rig.hpp"
 #include "verification/trace/ids/channel.hpp"
+#include "verification/trace/ids/crosslink.hpp"
 #include "verification/trace/ids/kernel.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -101,6 +102,7 @@ TEST_F(Comparing, EqualVoicesAgree)
 TEST_F(Comparing, EachUnequalFieldOfTheWholeIsADisagreementAndAgreesToNothing)
 {
     Verifies(req::SRS_CMP_002);
+    Verifies(req::SRS_TWO_007);
     const auto differs = [this](std::uint8_t& field)
     {
         field = static_cast<std::uint8_t>(field ^ 1U);
@@ -115,6 +117,9 @@ TEST_F(Comparing, EachUnequalFieldOfTheWholeIsADisagreementAndAgreesToNothing)
     differs(a.outcome.is_invalid);
     differs(b.outcome.not_operational);
     b.outcome.guard = GuardView::kUnconfigured;
+    EXPECT_EQ(CompareAt(0U).fault, DeviceFault::kDisagreement);
+    // What a peer shows whose statement differs for too long
+    b.outcome.guard = GuardView::kInvalid;
     EXPECT_EQ(CompareAt(0U).fault, DeviceFault::kDisagreement);
 }
 

@@ -119,6 +119,28 @@ TEST(LinkMessage, ChecksumIsTheUsualCrc32)
 }
 
 // Given a laid out message, when it is read back, then every member is as it was.
+TEST(LinkMessage, UnusedBytesAreZeroWhateverStoodThere)
+{
+    Verifies(req::SRS_LNK_001);
+    // Given room that holds an older message, when one without refusal, reports and armed frames is laid out in it
+    hal::LinkFrame frame{};
+    std::memset(frame.bytes, 0xEE, sizeof(frame.bytes));
+    LinkMessage message = Example();
+    for (SlotReport& report : message.reports)
+    {
+        report = SlotReport{};
+    }
+    message.armed[1] = ArmedFrame{};
+    Encode(message, frame);
+    EXPECT_EQ(frame.length, 188U);
+    EXPECT_EQ(frame.bytes[42], 0U);
+    EXPECT_EQ(frame.bytes[43], 0U);
+    for (std::size_t place = 68U; place < 184U; ++place)
+    {
+        EXPECT_EQ(frame.bytes[place], 0U) << place;
+    }
+}
+
 TEST(LinkMessage, IsReadBackAsItWas)
 {
     Verifies(req::SRS_LNK_001);

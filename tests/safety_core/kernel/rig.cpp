@@ -6,10 +6,10 @@
 namespace counterpoint
 {
 
-Rig::Rig(SelfTestPart* const self_test, FlowWatch* const flow, Application* const other)
+Rig::Rig(SelfTestPart* const self_test, FlowWatch* const flow, Application* const other, const bool has_windows)
     : real_a{storage_a.Handle()}, real_b{storage_b.Handle()}, a{real_a}, b{real_b},
       kernel{KernelParts{a, b, ports, output, watchdog, (other == nullptr) ? application : *other, self_test,
-                         &windows[0], flow}}
+                         has_windows ? &windows[0] : nullptr, flow}}
 {
     objects = {MappableObject{0x2000U, 1U, 16U, MapAccess::kProducer, tx_normal.data()},
                MappableObject{0x2100U, 1U, 16U, MapAccess::kProducer, tx_inverse.data()},

@@ -157,7 +157,8 @@ class Rig : public ::testing::Test
 {
   public:
     /// `other` is the kernel's application instead of `application`.
-    explicit Rig(SelfTestPart* self_test = nullptr, FlowWatch* flow = nullptr, Application* other = nullptr);
+    explicit Rig(SelfTestPart* self_test = nullptr, FlowWatch* flow = nullptr, Application* other = nullptr,
+                 bool has_windows = true);
 
     /// Writes and declares the configuration above; every write must be accepted.
     void Configure();

@@ -158,6 +158,9 @@ TEST(ToldCauses, EverySlotHasItsTurn)
 class Telling : public Rig
 {
   protected:
+    explicit Telling(const bool has_windows = true) : Rig(nullptr, nullptr, nullptr, has_windows)
+    {
+    }
     /// One channel signals these causes of a slot in this cycle.
     void CycleWith(Tap& tap, const SlotIndex slot, const std::uint32_t signals)
     {
@@ -207,6 +210,31 @@ TEST_F(Telling, EachCauseHasTheWindowOfItsOwnLastTelling)
     EXPECT_EQ(CausesOf(0x1301U).size(), 3U);
     CycleWith(a, 0U, kSrvtBit);
     EXPECT_EQ(CausesOf(0x1301U).size(), 4U);
+}
+
+/// A kernel that is given no windows.
+class TellingWithoutRoom : public Telling
+{
+  protected:
+    TellingWithoutRoom() : Telling(false)
+    {
+    }
+};
+
+// Where there is room, each is told once within its window.
+TEST_F(TellingWithoutRoom, EachCauseIsToldWheneverAChannelSignalsIt)
+{
+    Verifies(req::SRS_KRN_347);
+    Operate();
+    Cycles(52U);
+    application.errors.clear();
+    for (std::size_t cycle = 1U; cycle <= 5U; ++cycle)
+    {
+        CycleWith(((cycle % 2U) == 0U) ? b : a, 0U, kLengthBit);
+        EXPECT_EQ(CausesOf(0x1301U), std::vector<SrdoCause>(cycle, SrdoCause::kLength));
+        ASSERT_EQ(kernel.SetStatus(CommunicationIndex{0x1301U}, StatusByte{0xB0U}), Result::kSuccessful);
+    }
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
 }
 
 TEST_F(Telling, ProducersWindowIsItsRefreshTime)

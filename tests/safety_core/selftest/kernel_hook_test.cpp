@@ -7,7 +7,9 @@
 #include "tests/safety_core/selftest/device.hpp"
 #include "verification/trace/ids/selftest.hpp"
 
+#include <array>
 #include <cstdint>
+#include <vector>
 
 namespace counterpoint
 {
@@ -142,6 +144,38 @@ class KernelHook : public ::testing::Test
         EXPECT_EQ(device->Open(), 0U);
     }
 
+    /// Words of the self test that count one further in a cycle.
+    static std::vector<std::size_t> CountersOf(TestedDevice& some)
+    {
+        const hal::Address first = some.cells.PlaceOf(&some.self_test);
+        const auto read = [&some, first](const std::size_t word)
+        { return some.cells.Read(first + static_cast<hal::Address>(4U * word)); };
+        std::array<std::uint32_t, sizeof(SelfTest) / 4U> before{};
+        for (std::size_t word = 0U; word < before.size(); ++word)
+        {
+            before[word] = read(word);
+        }
+        std::array<bool, sizeof(SelfTest) / 4U> counts{};
+        counts.fill(true);
+        for (std::uint32_t cycle = 1U; cycle <= 3U; ++cycle)
+        {
+            some.Cycle();
+            for (std::size_t word = 0U; word < before.size(); ++word)
+            {
+                counts[word] = counts[word] && (read(word) == (before[word] + cycle));
+            }
+        }
+        std::vector<std::size_t> counters;
+        for (std::size_t word = 0U; word < before.size(); ++word)
+        {
+            if (counts[word])
+            {
+                counters.push_back(word);
+            }
+        }
+        return counters;
+    }
+
     std::unique_ptr<TestedDevice> device{std::make_unique<TestedDevice>()};
 };
 
@@ -234,6 +268,7 @@ TEST_F(KernelHook, FlippedTablePointerIsFoundBeforeThePartIsCalled)
 TEST_F(KernelHook, SelfTestThatStandsStillIsFoundInTheSameCycle)
 {
     Verifies(req::SRS_STS_213);
+    Verifies(req::SRS_STS_062);
     device->Run();
     // When it only repeats what it said last
     device->tap.is_frozen = true;
@@ -245,15 +280,38 @@ TEST_F(KernelHook, SelfTestThatStandsStillIsFoundInTheSameCycle)
     EXPECT_EQ(device->Open(), 0U);
 }
 
-TEST_F(KernelHook, SelfTestThatLeavesAPartOutIsFoundInTheSameCycle)
+TEST_F(KernelHook, SelfTestThatRunsTwiceIsFoundInTheSameCycle)
 {
     Verifies(req::SRS_STS_213);
+    Verifies(req::SRS_STS_062);
     device->Run();
     // When it runs twice in a cycle, or says more than it did
     static_cast<void>(device->self_test.OnCycle());
     device->Cycle();
     EXPECT_EQ(device->kernel.DeviceState().fault, DeviceFault::kFlow);
     EXPECT_FALSE(device->WatchdogAlive());
+}
+
+TEST_F(KernelHook, SelfTestThatLeavesAPartOutIsFoundInTheSameCycle)
+{
+    Verifies(req::SRS_STS_213);
+    // Given the words that count the work done on parts, stack and program; the last one is the place in the round
+    device->Run();
+    std::vector<std::size_t> counters = CountersOf(*device);
+    ASSERT_EQ(counters.size(), 4U);
+    counters.pop_back();
+    for (const std::size_t word : counters)
+    {
+        // When the work of one of them was not done in a cycle
+        device = std::make_unique<TestedDevice>();
+        device->Run();
+        const hal::Address place = device->cells.PlaceOf(&device->self_test) + static_cast<hal::Address>(4U * word);
+        device->cells.Write(place, device->cells.Read(place) - 1U);
+        device->Cycle();
+        // Then the flow is wrong in that cycle, and so was the watchdog's answer
+        EXPECT_EQ(device->kernel.DeviceState().fault, DeviceFault::kFlow) << word;
+        EXPECT_FALSE(device->WatchdogAlive()) << word;
+    }
 }
 
 TEST_F(KernelHook, RefusedStartUpTestNeverReleases)
@@ -263,6 +321,10 @@ TEST_F(KernelHook, RefusedStartUpTestNeverReleases)
     // Given a device that ignores the refusal
     device->probed.defective = true;
     EXPECT_EQ(device->self_test.Start(device->setup).answer, StartAnswer::kFailed);
+    for (std::uint32_t cycle = 0U; cycle < 100U; ++cycle)
+    {
+        EXPECT_EQ(device->self_test.OnCycle().fault, DeviceFault::kSelfTest) << cycle;
+    }
     device->Operate();
     device->ReceivePair();
     device->Cycle();
