@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia306/file/device_reader.hpp"
 #include "runtime/node/trial.hpp"
-#include "tests/tools/command_run.hpp"
+#include "tests/canopen/cia306/folder_of_files.hpp"
 #include "verification/trace/ids/node.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -30,7 +30,7 @@ std::string Record(const std::string& section)
 const std::string kHead = "[DeviceInfo]\nVendorName=test\n[DeviceComissioning]\nNodeID=5\n" +
                           Element("1000", "7", "ro", "0") + Element("1001", "5", "ro", "0");
 
-class IdentifiersTest : public tools::test::CommandTest
+class IdentifiersTest : public cia306::test::FolderTest
 {
   protected:
     /// What the device says of a file with these objects, each with its object.

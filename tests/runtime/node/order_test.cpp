@@ -4,7 +4,7 @@
 #include "runtime/node/order.hpp"
 #include "runtime/node/script.hpp"
 #include "runtime/yaml/document.hpp"
-#include "tests/tools/command_run.hpp"
+#include "tests/canopen/cia306/folder_of_files.hpp"
 #include "verification/trace/ids/node.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -137,7 +137,7 @@ TEST(NodeLatencyTest, TellsHowTimesAreSpread)
     EXPECT_NE(latency.Text().find("greatest 5000000"), std::string::npos);
 }
 
-class NodeScriptTest : public test::CommandTest
+class NodeScriptTest : public cia306::test::FolderTest
 {
   protected:
     std::string Refusal(const std::string& text)
@@ -189,44 +189,5 @@ TEST_F(NodeScriptTest, WhatCannotBeUsedIsRefusedWithItsPlace)
     EXPECT_EQ(Refusal("steps: [{at: 1 s, do: ''}]"),
               file + ":1:23: error: no order, expected an order such as set 0x2000:01 1");
 }
-
-using NodeCommandTest = test::CommandTest;
-
-TEST_F(NodeCommandTest, BadInputIsOneLineAndStatus2)
-{
-    Verifies(req::SRS_NODE_009);
-    const std::string sensor = std::string(COUNTERPOINT_SOURCE) + "/examples/emergency_stop/sensor.dcf";
-    std::string text = cia306::ReadTextFile(sensor);
-    text.erase(text.find("NodeID="), std::string("NodeID=1\n").size());
-    const std::string unnamed = File("unnamed.dcf", text);
-    const std::string bus = "udp:239.74.163.2:43117";
-    const std::vector<std::vector<std::string>> calls{
-        {"--dcf", sensor},
-        {"--can", bus},
-        {"--can", "udp:1.2.3.4:5", "--dcf", sensor},
-        {"--can", "no_such_can7", "--dcf", sensor},
-        {"--can", bus, "--dcf", Path("missing.dcf")},
-        {"--can", bus, "--dcf", unnamed},
-        {"--can", bus, "--can2", "", "--dcf", sensor},
-        {"--can", "udp:\n\x1B[31m", "--dcf", sensor},
-        {"--can", bus, "--dcf", sensor, "--node-id", "128"},
-        {"--can", bus, "--dcf", sensor, "--cycle-us", "99"},
-        {"--can", bus, "--dcf", sensor, "--cycle-us", "25001"},
-        {"--can", bus, "--dcf", sensor, "--script", Path("missing.yaml")},
-        {"--can", bus, "--dcf", sensor, "--script",
-         File("rule.yaml", "logic: [{set: 0x2200:01, op: copy, from: [0x2000:01]}]")},
-    };
-    for (const std::vector<std::string>& call : calls)
-    {
-        std::vector<std::string> words{"node", "--no-input"};
-        words.insert(words.end(), call.begin(), call.end());
-        const test::Answer answer = test::RunCommand(words);
-        EXPECT_EQ(answer.status, 2) << call.back();
-        EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
-        EXPECT_NE(answer.err.find("expected"), std::string::npos) << answer.err;
-        EXPECT_EQ(answer.out, "");
-    }
-}
-
 } // namespace
 } // namespace counterpoint::tools
