@@ -81,7 +81,7 @@ TEST_F(IdentifiersTest, TwoServicesWithOneIdentifierAreToldWithTheNamesOfAll)
     EXPECT_EQ(Tried(sync + time + emergency), both);
     // What is off has no identifier, and a list of all devices has this one, too
     for (const std::string& free :
-         {sync + element("1014", "0x80000240"), sync + element("1012", "0x240"),
+         {sync + element("1014", "0x80"), sync + element("1014", "0x80000240"), sync + element("1012", "0x240"),
           Record("1028") + element("1028sub1", "0x85") + element("1014", "0x85"),
           Record("1028") + element("1028sub1", "0x85"), sync + pair("1201", "0x80000240", "0x80000240")})
     {
