@@ -42,12 +42,12 @@ std::uint64_t NodeLatency::Percentile(const unsigned percent) const
     return greatest_us_;
 }
 
-/// Counts of 0 to 1 us, 2 to 3, 4 to 7 and so on, up to the greatest.
+/// Counts of 0 to 1 us, 2 to 3, 4 to 7 and so on, up to the greatest; there is at least one.
 std::vector<std::uint64_t> NodeLatency::Doubling() const
 {
     std::vector<std::uint64_t> bins;
     std::size_t from = 0U;
-    for (std::size_t to = 2U; count_ != 0U && from <= std::min<std::uint64_t>(greatest_us_, kFinestUs); to *= 2U)
+    for (std::size_t to = 2U; from <= std::min<std::uint64_t>(greatest_us_, kFinestUs); to *= 2U)
     {
         std::uint64_t sum = 0U;
         for (std::size_t us = from; us < std::min(to, counts_.size()); ++us)

@@ -35,9 +35,10 @@ SAFETY_ROOMS = ("safety_core/contract", "safety_core/comparator", "safety_core/k
 # Run beyond these for the rooms that gaps.json lists as measured; they never count for a safety room.
 FURTHER_FOLDERS = ("tests/canopen/cia301", "tests/canopen/cia302", "tests/canopen/cia305", "tests/canopen/cia306", "tests/canopen/device",
                    "tests/canopen/start_up", "tests/canopen/manager", "tests/canopen/monitor", "tests/canopen/network_plan",
-                   "tests/canopen/generate/text", "tests/runtime/console", "tests/runtime/network_files", "tests/runtime/yaml")
+                   "tests/canopen/generate/text", "tests/runtime/console", "tests/runtime/device", "tests/runtime/network_files",
+                   "tests/runtime/node", "tests/runtime/yaml")
 TIMEOUT_S = 1800
-Test = collections.namedtuple("Test", "name command directory cost")
+Test = collections.namedtuple("Test", "name command directory cost environment")
 
 
 class CannotMeasure(Exception):
@@ -65,7 +66,8 @@ def google_tests(build, folders=TEST_FOLDERS):
             if b"gtest_output" not in program.read():
                 continue
         properties = {item["name"]: item["value"] for item in test["properties"]}
-        commands.append(Test(test["name"], command, properties.get("WORKING_DIRECTORY", str(build)), properties.get("COST", 0)))
+        environment = dict(pair.split("=", 1) for pair in properties.get("ENVIRONMENT", []))
+        commands.append(Test(test["name"], command, properties.get("WORKING_DIRECTORY", str(build)), properties.get("COST", 0), environment))
     if not commands:
         raise CannotMeasure(f"{build}: ctest lists no GoogleTest program, expected the tests to be built there")
     return commands
@@ -79,8 +81,8 @@ def run_tests(commands, out, jobs):
         folder.mkdir(parents=True)
 
     def one(test):
-        name, command, directory, _ = test
-        environment = dict(os.environ, LLVM_PROFILE_FILE=str(profiles / f"{name}-%p.profraw"),
+        name, command, directory, _, of_test = test
+        environment = dict(os.environ, **of_test, LLVM_PROFILE_FILE=str(profiles / f"{name}-%p.profraw"),
                            GTEST_OUTPUT=f"xml:{results / name}.xml")
         done = subprocess.run(command, cwd=directory, env=environment, capture_output=True, text=True, check=False,
                               stdin=subprocess.DEVNULL, timeout=TIMEOUT_S)

@@ -90,7 +90,7 @@ std::vector<std::string> OwnersBefore(const cia301::EntryTable& table, const std
         const cia301::Entry& each = table.entries[other];
         // 1028h may be a list of all devices, this one among them.
         const bool may_share = each.index == kEmergency && entry.index == kSources;
-        const bool is_on = !may_share && !IsPdo(each.index) && HasCobId(each);
+        const bool is_on = !may_share && HasCobId(each); // None of them is a PDO: those are behind all others.
         if (is_on && (NumberNow(each) & cia301::kCobIdentifier) == identifier)
         {
             owners.push_back(cia306::ObjectName(each.index, each.sub));

@@ -497,7 +497,7 @@ void DeviceObjects::AddShared(std::vector<cia306::Finding>& findings,
     }
 }
 
-/// Why a service has not this value.
+/// Why a service has not this value; Connect has named the services.
 std::string DeviceObjects::ReasonOf(const cia301::Entry& entry, const std::vector<std::uint8_t>& value) const
 {
     constexpr std::uint32_t kByteBits = 8U;
@@ -507,7 +507,7 @@ std::string DeviceObjects::ReasonOf(const cia301::Entry& entry, const std::vecto
     {
         const std::uint64_t cob_id = cia301::FromLittleEndian(value.data(), static_cast<std::uint32_t>(value.size()));
         const auto identifier = static_cast<std::uint32_t>(cob_id & cia301::kCobIdentifier);
-        const bool is_taken = services_ != nullptr && cia301::IsConfigurable(identifier) &&
+        const bool is_taken = cia301::IsConfigurable(identifier) &&
                               !services_->Allows({entry.index, entry.sub}, static_cast<std::uint32_t>(cob_id));
         const std::string expected = ExpectedIdentifier(cob_id);
         return is_taken ? "the device has turned this PDO off, expected another identifier than " +

@@ -244,6 +244,12 @@ TEST_F(DeviceFile, HasACycleThatIsOne)
     EXPECT_EQ(refusal("1000001", "0"), "error: 0x5F00:01: cycle time 1000001 us, expected 100 us to 1000000 us");
     EXPECT_EQ(refusal("100", "101"),
               "error: 0x5F00:02: cycle tolerance of 101 us, expected at most the cycle time of 100 us");
+    // Of a value that the file leaves out the whole file is named
+    std::string text = InSection(FileText("digest"), "5F00sub1", "=2000\n", "=100\n");
+    const std::size_t tolerance = text.find("[5F00sub2]");
+    text.erase(tolerance, text.find("[5F00sub3]") - tolerance);
+    EXPECT_EQ(RefusalOf(text),
+              ": error: 0x5F00:02: cycle tolerance of 500 us, expected at most the cycle time of 100 us");
     EXPECT_EQ(refusal("100", "4294967196"),
               "error: 0x5F00:02: cycle tolerance of 4294967196 us, expected at most the cycle time of 100 us");
 }

@@ -138,6 +138,17 @@ TEST(PairLogic, AProducerComputesItsInverseObjectByAnotherPath)
     EXPECT_EQ(ReadVariable(pair->inverse_place).bits, 0xA4U);
 }
 
+// Faults of memory change what the kernel is given, in place.
+TEST(DeviceModel, LetsFaultsReachWhatTheKernelIsGiven)
+{
+    Verifies(req::SRS_SIM_021);
+    DeviceModel model(Example("controller.dcf"), std::nullopt);
+    model.ObjectTable()[0].length_bits = 7U;
+    EXPECT_EQ(model.Config().objects[0].length_bits, 7U);
+    model.SetupTable()[1].safe_value.low = 0x55U;
+    EXPECT_EQ(model.Config().srdos[1].safe_value.low, 0x55U);
+}
+
 TEST(FindConfigBit, NamesTheBitThatHoldsAValueInEitherChannel)
 {
     Verifies(req::SRS_SIM_021);

@@ -2,8 +2,8 @@
 // The executive of a live manager on a bus of this test.
 #include "runtime/manager/loop.hpp"
 #include "runtime/network_files/file.hpp"
+#include "tests/canopen/cia306/folder_of_files.hpp"
 #include "tests/hal/host/live_server_rig.hpp"
-#include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/manager.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -113,7 +113,7 @@ std::vector<host::LiveFrame> Frames(const std::size_t count, const std::uint32_t
     return std::vector<host::LiveFrame>(count, frame);
 }
 
-class ManagerLoopTest : public test::CommandTest
+class ManagerLoopTest : public cia306::test::FolderTest
 {
   protected:
     /// What the log says of `event`, from a run on heartbeats that came `apart_ns` from each other.

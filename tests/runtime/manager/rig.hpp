@@ -6,7 +6,7 @@
 #include "runtime/manager/station.hpp"
 #include "runtime/network_files/file.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
-#include "tests/tools/command_run.hpp"
+#include "tests/canopen/cia306/folder_of_files.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -21,7 +21,7 @@ constexpr std::uint32_t kRequests = 0x67FU;
 constexpr std::uint32_t kAnswers = 0x5FFU;
 
 /// Manager 127 on a bus of which the test is the other side.
-class ManagerRig : public CommandTest
+class ManagerRig : public cia306::test::FolderTest
 {
   protected:
     ManagerRig()

@@ -2,7 +2,7 @@
 // How a run of a live manager ends, what it shows, and what it makes of a bus that is lost, endless or late.
 #include "runtime/manager/loop.hpp"
 #include "runtime/network_files/file.hpp"
-#include "tests/tools/command_run.hpp"
+#include "tests/canopen/cia306/folder_of_files.hpp"
 #include "verification/trace/ids/manager.hpp"
 #include "verification/trace/ids/nmt_master.hpp"
 #include "verification/trace/verifies.hpp"
@@ -96,7 +96,7 @@ host::LiveFrame Heartbeat(const std::uint64_t time_ns, const std::uint8_t state 
     return frame;
 }
 
-class ManagerRunTest : public test::CommandTest
+class ManagerRunTest : public cia306::test::FolderTest
 {
   protected:
     ManagerRunTest()

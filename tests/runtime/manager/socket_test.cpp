@@ -2,7 +2,7 @@
 // The socket of the manager: who sends what, and who keeps nobody waiting.
 #include "canopen/cia306/text/input_error.hpp"
 #include "runtime/manager/socket.hpp"
-#include "tests/tools/command_run.hpp"
+#include "tests/canopen/cia306/folder_of_files.hpp"
 #include "verification/trace/ids/manager.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -16,7 +16,7 @@ namespace counterpoint::tools
 {
 namespace
 {
-class ManagerSocketTest : public test::CommandTest
+class ManagerSocketTest : public cia306::test::FolderTest
 {
   protected:
     static host::LiveFile Connect(const std::string& path)

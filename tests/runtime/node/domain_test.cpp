@@ -2,12 +2,12 @@
 #include "canopen/cia301/dictionary/no_objects.hpp"
 #include "canopen/cia306/file/device_reader.hpp"
 #include "runtime/device/objects/objects.hpp"
-#include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/node.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <gtest/gtest.h>
+
 #include <cstdint>
-#include <string>
 
 // How much a client may write into a DOMAIN.
 namespace counterpoint::runtime
@@ -51,20 +51,6 @@ TEST(DomainRoom, ALongerWriteIsRefused)
     const std::uint8_t bytes[5] = {1U, 2U, 3U, 4U, 5U};
     EXPECT_EQ(dictionary.Write({0x3000U, 0U}, {bytes, 4U}), cia301::SdoAbort::kNone);
     EXPECT_EQ(dictionary.Write({0x3000U, 0U}, {bytes, 5U}), cia301::SdoAbort::kTooLong);
-}
-
-TEST(DomainRoom, IsAnOptionWithARange)
-{
-    Verifies(req::SRS_NODE_040);
-    for (const char* const bytes : {"0", "16777217", "-1", "8k"})
-    {
-        const auto answer = tools::test::RunCommand(
-            {"node", "--can", "udp:239.74.163.2:43113", "--dcf", "none.dcf", "--domain-bytes", bytes});
-        EXPECT_EQ(answer.status, 2) << bytes;
-        EXPECT_NE(answer.err.find("--domain-bytes"), std::string::npos) << answer.err;
-    }
-    const std::string help = tools::test::RunCommand({"node", "--help"}).out;
-    EXPECT_NE(help.find("--domain-bytes INT:INT in [1 - 16777216]=8192"), std::string::npos) << help;
 }
 } // namespace
 } // namespace counterpoint::runtime

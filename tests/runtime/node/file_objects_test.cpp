@@ -2,7 +2,7 @@
 #include "canopen/cia306/file/device_reader.hpp"
 #include "runtime/node/device.hpp"
 #include "runtime/node/trial.hpp"
-#include "tests/tools/command_run.hpp"
+#include "tests/canopen/cia306/folder_of_files.hpp"
 #include "tests/tools/echo_bus.hpp"
 #include "verification/trace/ids/node.hpp"
 #include "verification/trace/ids/pdo.hpp"
@@ -47,7 +47,7 @@ const std::string kHead = "[DeviceInfo]\nVendorName=test\n[DeviceComissioning]\n
                           Element("1000", "7", "ro", "0") + Element("1001", "5", "ro", "") +
                           "[2000]\nDataType=5\nAccessType=rw\nDefaultValue=17\nPDOMapping=1\n";
 
-class FileObjectsTest : public tools::test::CommandTest
+class FileObjectsTest : public cia306::test::FolderTest
 {
   protected:
     /// A node of this file, switched on: PRE-OPERATIONAL.

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia306/file/device_reader.hpp"
 #include "runtime/node/trial.hpp"
-#include "tests/tools/command_run.hpp"
+#include "tests/canopen/cia306/folder_of_files.hpp"
 #include "verification/trace/ids/node.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -30,7 +30,7 @@ std::string Record(const std::string& section)
 const std::string kHead = "[DeviceInfo]\nVendorName=test\n[DeviceComissioning]\nNodeID=5\n" +
                           Element("1000", "7", "ro", "0") + Element("1001", "5", "ro", "0");
 
-class IdentifiersTest : public tools::test::CommandTest
+class IdentifiersTest : public cia306::test::FolderTest
 {
   protected:
     /// What the device says of a file with these objects, each with its object.
@@ -81,7 +81,7 @@ TEST_F(IdentifiersTest, TwoServicesWithOneIdentifierAreToldWithTheNamesOfAll)
     EXPECT_EQ(Tried(sync + time + emergency), both);
     // What is off has no identifier, and a list of all devices has this one, too
     for (const std::string& free :
-         {sync + element("1014", "0x80000240"), sync + element("1012", "0x240"),
+         {sync + element("1014", "0x80"), sync + element("1014", "0x80000240"), sync + element("1012", "0x240"),
           Record("1028") + element("1028sub1", "0x85") + element("1014", "0x85"),
           Record("1028") + element("1028sub1", "0x85"), sync + pair("1201", "0x80000240", "0x80000240")})
     {

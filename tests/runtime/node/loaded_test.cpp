@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia306/text/text_file.hpp"
 #include "runtime/node/device.hpp"
-#include "tests/tools/command_run.hpp"
+#include "tests/canopen/cia306/folder_of_files.hpp"
 #include "tests/tools/echo_bus.hpp"
 #include "verification/trace/ids/cia301.hpp"
 #include "verification/trace/ids/node.hpp"
@@ -80,7 +80,7 @@ const std::vector<Row> kFile{
     {{0x1280U, 1U}, 0x00000606U, 4U}, {{0x1280U, 2U}, 0x00000586U, 4U}, {{0x1280U, 3U}, 6U, 1U},
 };
 
-class LoadedTest : public tools::test::CommandTest
+class LoadedTest : public cia306::test::FolderTest
 {
   protected:
     /// A node of the file, switched on.

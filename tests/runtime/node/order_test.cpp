@@ -4,7 +4,7 @@
 #include "runtime/node/order.hpp"
 #include "runtime/node/script.hpp"
 #include "runtime/yaml/document.hpp"
-#include "tests/tools/command_run.hpp"
+#include "tests/canopen/cia306/folder_of_files.hpp"
 #include "verification/trace/ids/node.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -37,6 +37,14 @@ TEST(NodeOrderTest, OrdersAreRead)
     EXPECT_EQ(command.value, 128U);
     EXPECT_EQ(command.node, 127U);
     EXPECT_EQ(runtime::ParseOrder("nmt start").node, 0U);
+    const runtime::NodeOrder read = runtime::ParseOrder("read 127 0x1018:01");
+    EXPECT_EQ(read.kind, runtime::OrderKind::kRead);
+    EXPECT_EQ(read.node, 127U);
+    EXPECT_EQ(read.object.index, 0x1018U);
+    const runtime::NodeOrder write = runtime::ParseOrder("write 5 0x2000:01 255 1");
+    EXPECT_EQ(write.kind, runtime::OrderKind::kWrite);
+    EXPECT_EQ(write.value, 255U);
+    EXPECT_EQ(write.size_bytes, 1U);
 }
 
 TEST(NodeOrderTest, WhatCannotBeUsedIsToldWithWhatWasExpected)
@@ -55,6 +63,7 @@ TEST(NodeOrderTest, WhatCannotBeUsedIsToldWithWhatWasExpected)
                                    "set 0x2000:01 -0x1",
                                    "write 5 0x2000:01 -1 2",
                                    "set 0x2000:01 x",
+                                   "set 0x2000:01 -0X1",
                                    "set 0x2000:01 010",
                                    "set 02000:01 1",
                                    "ack 010",
@@ -70,6 +79,19 @@ TEST(NodeOrderTest, WhatCannotBeUsedIsToldWithWhatWasExpected)
                                    "nmt start 128",
                                    "nmt start all",
                                    "nmt start 1 2",
+                                   "read",
+                                   "read 5",
+                                   "read 0 0x2000:01",
+                                   "read 128 0x2000:01",
+                                   "read x 0x2000:01",
+                                   "read 5 2000:01",
+                                   "read 5 0x2000:01 1",
+                                   "write 5 0x2000:01 1",
+                                   "write 5 0x2000:01 1 x",
+                                   "write 5 0x2000:01 1 0",
+                                   "write 5 0x2000:01 1 9",
+                                   "write 5 0x2000:01 256 1",
+                                   "write 0 0x2000:01 1 1",
                                    "gfc now",
                                    "go"})
     {
@@ -137,7 +159,7 @@ TEST(NodeLatencyTest, TellsHowTimesAreSpread)
     EXPECT_NE(latency.Text().find("greatest 5000000"), std::string::npos);
 }
 
-class NodeScriptTest : public test::CommandTest
+class NodeScriptTest : public cia306::test::FolderTest
 {
   protected:
     std::string Refusal(const std::string& text)
@@ -163,6 +185,10 @@ TEST_F(NodeScriptTest, StepsAndRulesAreRead)
                                                     "  - {at: 1.5 s, do: set 0x2000:01 1, every: 20 ms}\n"));
     ASSERT_EQ(script.rules.size(), 1U);
     EXPECT_EQ(script.rules[0].operation, runtime::LogicOperation::kNot);
+    const runtime::NodeScript more =
+        runtime::ReadNodeScript(File("more.yaml", "logic: [{set: 0x2000:01, op: or, from: [0x2200:01, 0x2200:02]}]\n"));
+    ASSERT_EQ(more.rules.size(), 1U);
+    EXPECT_EQ(more.rules[0].inputs.size(), 2U);
     ASSERT_EQ(script.steps.size(), 1U);
     EXPECT_EQ(script.steps[0].at_ns, 1500000000U);
     EXPECT_EQ(script.steps[0].every_ns, 20000000U);
@@ -186,47 +212,19 @@ TEST_F(NodeScriptTest, WhatCannotBeUsedIsRefusedWithItsPlace)
               file + ":1:19: error: key 'at' twice, expected each key once");
     EXPECT_EQ(Refusal("steps: []\nsteps: []"), file + ":2:1: error: key 'steps' twice, expected each key once");
     EXPECT_EQ(Refusal("title: [1]"), file + ":1:8: error: a list, expected a title");
+    try
+    {
+        static_cast<void>(runtime::ReadNodeScript(Path("missing.yaml")));
+        ADD_FAILURE() << "expected a refusal";
+    }
+    catch (const runtime::YamlError& error)
+    {
+        EXPECT_EQ(error.what(), Path("missing.yaml") + ": error: no such file, expected a script of orders");
+    }
+    // A name that no file can have is one that cannot be read
+    EXPECT_ANY_THROW(static_cast<void>(runtime::ReadNodeScript(Path(std::string(300U, 'x')))));
     EXPECT_EQ(Refusal("steps: [{at: 1 s, do: ''}]"),
               file + ":1:23: error: no order, expected an order such as set 0x2000:01 1");
 }
-
-using NodeCommandTest = test::CommandTest;
-
-TEST_F(NodeCommandTest, BadInputIsOneLineAndStatus2)
-{
-    Verifies(req::SRS_NODE_009);
-    const std::string sensor = std::string(COUNTERPOINT_SOURCE) + "/examples/emergency_stop/sensor.dcf";
-    std::string text = cia306::ReadTextFile(sensor);
-    text.erase(text.find("NodeID="), std::string("NodeID=1\n").size());
-    const std::string unnamed = File("unnamed.dcf", text);
-    const std::string bus = "udp:239.74.163.2:43117";
-    const std::vector<std::vector<std::string>> calls{
-        {"--dcf", sensor},
-        {"--can", bus},
-        {"--can", "udp:1.2.3.4:5", "--dcf", sensor},
-        {"--can", "no_such_can7", "--dcf", sensor},
-        {"--can", bus, "--dcf", Path("missing.dcf")},
-        {"--can", bus, "--dcf", unnamed},
-        {"--can", bus, "--can2", "", "--dcf", sensor},
-        {"--can", "udp:\n\x1B[31m", "--dcf", sensor},
-        {"--can", bus, "--dcf", sensor, "--node-id", "128"},
-        {"--can", bus, "--dcf", sensor, "--cycle-us", "99"},
-        {"--can", bus, "--dcf", sensor, "--cycle-us", "25001"},
-        {"--can", bus, "--dcf", sensor, "--script", Path("missing.yaml")},
-        {"--can", bus, "--dcf", sensor, "--script",
-         File("rule.yaml", "logic: [{set: 0x2200:01, op: copy, from: [0x2000:01]}]")},
-    };
-    for (const std::vector<std::string>& call : calls)
-    {
-        std::vector<std::string> words{"node", "--no-input"};
-        words.insert(words.end(), call.begin(), call.end());
-        const test::Answer answer = test::RunCommand(words);
-        EXPECT_EQ(answer.status, 2) << call.back();
-        EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
-        EXPECT_NE(answer.err.find("expected"), std::string::npos) << answer.err;
-        EXPECT_EQ(answer.out, "");
-    }
-}
-
 } // namespace
 } // namespace counterpoint::tools

@@ -1,7 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia306/text/text_file.hpp"
 #include "runtime/node/device.hpp"
-#include "tests/tools/command_run.hpp"
+#include "tests/canopen/cia306/folder_of_files.hpp"
 #include "tests/tools/echo_bus.hpp"
 #include "verification/trace/ids/node.hpp"
 #include "verification/trace/verifies.hpp"
@@ -24,7 +24,7 @@ using cia301::SdoAbort;
 constexpr std::uint64_t kNsPerMs = 1000000U;
 constexpr std::uint32_t kSave = 0x65766173U;
 
-class SavedNodeIdTest : public tools::test::CommandTest
+class SavedNodeIdTest : public cia306::test::FolderTest
 {
   protected:
     [[nodiscard]] NodeSettings SettingsOf(const std::uint8_t node_id) const

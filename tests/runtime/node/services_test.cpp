@@ -1,8 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/host/live/bus.hpp"
+#include "tests/canopen/cia306/folder_of_files.hpp"
 #include "tests/runtime/node/process.hpp"
 #include "tests/runtime/stepped_time/stepped_time.hpp"
-#include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/cia301.hpp"
 #include "verification/trace/ids/comfort.hpp"
 #include "verification/trace/ids/lss.hpp"
@@ -86,7 +86,7 @@ class Other
     std::unique_ptr<host::LiveBus> bus_;
 };
 
-class NodeServicesTest : public CommandTest
+class NodeServicesTest : public cia306::test::FolderTest
 {
   protected:
     /// What 'get' says: the value, or the text of the problem.
@@ -489,34 +489,5 @@ TEST_F(NodeServicesTest, AnOrderWithoutAnEndIsTold)
     node->Signal(SIGTERM);
     EXPECT_EQ(node->End(), 0);
 }
-
-TEST_F(NodeServicesTest, AFileWithTwoControllersNeedsBoth)
-{
-    Verifies(req::SRS_NODE_014);
-    Verifies(req::SRS_NODE_017);
-    const std::string bus = "udp:239.74.163.2:43119";
-    const std::string mpdo = File("mpdo.dcf", Replaced(TextOf(kPlain),
-                                                       "ParameterName=Number of entries\n"
-                                                       "ObjectType=0x7\nDataType=0x0005\n"
-                                                       "AccessType=rw\nDefaultValue=1",
-                                                       "ParameterName=Number of entries\nObjectType=0x7\n"
-                                                       "DataType=0x0005\nAccessType=rw\nDefaultValue=254"));
-    const Answer refused = RunCommand({"node", "--no-input", "--can", bus, "--dcf", mpdo});
-    EXPECT_EQ(refused.status, 2);
-    EXPECT_NE(refused.err.find("0x1A00:00 = 254, a multiplexed PDO, which is not built, expected"), std::string::npos)
-        << refused.err;
-    std::string two = TextOf("emergency_stop/sensor.dcf");
-    const std::size_t port = two.find("ParameterValue=", two.find("[5F00sub10]"));
-    two.replace(port, two.find('\n', port) - port, "ParameterValue=2");
-    const std::string quit = File("quit.yaml", "steps: [{at: 0 s, do: quit}]");
-    const Answer one =
-        RunCommand({"node", "--no-input", "--can", bus, "--script", quit, "--dcf", File("two.dcf", two)});
-    EXPECT_EQ(one.status, 2);
-    EXPECT_NE(one.err.find("expected --can2 for the second one"), std::string::npos) << one.err;
-    const Answer none = RunCommand({"node", "--no-input", "--can", bus, "--can2", "no_such_can7", "--dcf",
-                                    std::string(COUNTERPOINT_SOURCE) + "/examples/" + kPlain});
-    EXPECT_EQ(none.status, 2);
-}
-
 } // namespace
 } // namespace counterpoint::tools::test
