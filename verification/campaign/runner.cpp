@@ -380,7 +380,7 @@ bool Runner::DoesOtherwise(const Sight& sight) const
     std::memcpy(was_told.data(), without + device_.Memory().OffsetOf(&device_.Application().copies), sizeof(was_told));
     const bool is_told = !(device_.Application().Now() == MajorityOf(was_told));
     return is_output || is_frame || is_told ||
-           std::any_of(read_.begin(), read_.end(), [is, without](const Stretch& each)
+           std::any_of(read_.begin(), read_.end(), [is, without](const ReadBytes& each)
                        { return std::memcmp(is + each.offset, without + each.offset, each.size) != 0; });
 }
 

@@ -7,9 +7,9 @@
 #include "verification/campaign/limits.hpp"
 #include "verification/campaign/outcome.hpp"
 #include "verification/campaign/plan.hpp"
+#include "verification/campaign/read_bytes.hpp"
 #include "verification/campaign/space.hpp"
 #include "verification/campaign/steps.hpp"
-#include "verification/campaign/stretches.hpp"
 #include "verification/campaign/trap.hpp"
 
 #include <array>
@@ -122,7 +122,7 @@ class Runner final : private PhaseHook
     std::vector<std::uint8_t> kept_{};     ///< One after the other.
     std::vector<JudgeMemory> memories_{};  ///< Before each cycle.
     std::vector<Sight> sights_{};          ///< Behind each cycle.
-    std::vector<Stretch> read_;            ///< By the application.
+    std::vector<ReadBytes> read_;          ///< By the application.
     std::vector<std::uint8_t> all_set_{};  ///< Bits that are 1 at each phase of each kept cycle.
     std::vector<std::uint8_t> ever_set_{}; ///< Bits that are 1 at one of them.
     std::vector<std::uint8_t> owner_;      ///< The part of each byte.

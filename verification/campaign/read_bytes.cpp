@@ -1,11 +1,11 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
-#include "verification/campaign/stretches.hpp"
+#include "verification/campaign/read_bytes.hpp"
 
 namespace counterpoint::campaign
 {
-std::vector<Stretch> WhatIsRead(Device& device)
+std::vector<ReadBytes> WhatIsRead(Device& device)
 {
-    std::vector<Stretch> read;
+    std::vector<ReadBytes> read;
     for (const FlatPair& pair : device.Pairs())
     {
         for (const VariablePlace& place : {pair.normal, pair.inverse})
