@@ -362,10 +362,15 @@ void NodeLoop::ReadOrders()
     }
 }
 
-/// The rest of one that is too long is a part of it. [SRS_NODE_331]
+/// The rest of one that is too long is a part of it. [SRS_NODE_331, SRS_NODE_500]
 void NodeLoop::TakeOrder(const std::string& line)
 {
-    if (line.size() <= kLongestOrder && !is_too_long_)
+    if (!reason_.empty())
+    {
+        TellProblem("an order " + cia306::Quoted(line.substr(0U, kLongestOrder)) +
+                    " behind the end of the node, expected none there; it is not carried out");
+    }
+    else if (line.size() <= kLongestOrder && !is_too_long_)
     {
         Carry(ParseOrder(line));
     }

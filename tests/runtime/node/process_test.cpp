@@ -54,6 +54,29 @@ class NodeProcessTest : public ::testing::Test
     std::unique_ptr<NodeProcess> controller;
 };
 
+TEST_F(NodeProcessTest, NothingIsCarriedOutBehindQuit)
+{
+    Verifies(req::SRS_NODE_500);
+    // When lines come in with quit
+    sensor = Start("emergency_stop/sensor.dcf");
+    sensor->Type("quit\nget 0x1000:00\nnonsense");
+    EXPECT_EQ(sensor->End(), 0);
+    // Then each is told, and none is carried out
+    std::vector<std::string> told;
+    for (const NodeLine& line : sensor->Lines())
+    {
+        EXPECT_NE(line.event["event"], "object");
+        if (line.event["event"] == "problem")
+        {
+            told.push_back(line.event["text"]);
+        }
+    }
+    EXPECT_EQ(told,
+              (std::vector<std::string>{
+                  "an order 'get 0x1000:00' behind the end of the node, expected none there; it is not carried out",
+                  "an order 'nonsense' behind the end of the node, expected none there; it is not carried out"}));
+}
+
 TEST_F(NodeProcessTest, TwoNodesExchangePairs)
 {
     Verifies(req::SRS_NODE_001);

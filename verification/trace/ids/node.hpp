@@ -92,6 +92,7 @@ inline constexpr RequirementId SRS_NODE_340{"SRS_NODE_340"};
 inline constexpr RequirementId SRS_NODE_450{"SRS_NODE_450"};
 inline constexpr RequirementId SRS_NODE_470{"SRS_NODE_470"};
 inline constexpr RequirementId SRS_NODE_490{"SRS_NODE_490"};
+inline constexpr RequirementId SRS_NODE_500{"SRS_NODE_500"};
 inline constexpr RequirementId SRS_NODE_530{"SRS_NODE_530"};
 inline constexpr RequirementId SRS_NODE_531{"SRS_NODE_531"};
 inline constexpr RequirementId SRS_NODE_532{"SRS_NODE_532"};
