@@ -34,7 +34,8 @@ class ManagedTest : public CampaignTest
         const std::string before = cia306::ReadTextFile(Path(first));
         const tools::test::Answer on = Campaign({plan, "--jobs", "1", "--shard", "1/2", "--out", Path(first)});
         EXPECT_EQ(on.status, 2);
-        EXPECT_EQ(on.err.find(Path(first) + ": error: results of another campaign, scenario, shard or program"), 0U) << on.err;
+        EXPECT_EQ(on.err.find(Path(first) + ": error: results of another campaign, scenario, shard or program"), 0U)
+            << on.err;
         const tools::test::Answer joined = Campaign({"merge", plan, Path(first), Path(second)});
         EXPECT_EQ(joined.status, 2);
         EXPECT_NE(joined.err.find("results of another campaign, scenario or program"), std::string::npos) << joined.err;
