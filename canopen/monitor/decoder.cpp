@@ -165,12 +165,11 @@ std::string Decoder::Decode(const LogFrame& frame)
         return name + (frame.length == kTimeBytes ? "" : kWrongLength);
     case Service::kLss:
         return name + (frame.length == kClassicalBytes ? "" : kWrongLength);
-    case Service::kForeign:
-        break;
+    case Service::kForeign: // It was told above.
     case Service::kOther:
-        return name + Other(frame);
+        break;
     }
-    return name;
+    return name + Other(frame);
 }
 
 /// A command that no device obeys is marked. [SRS_MON_019]

@@ -43,7 +43,7 @@ const BootRecord& BootSlave::Record(const NodeId node) const noexcept
 bool BootSlave::IsRefused(const NodeId node) const noexcept
 {
     const BootRecord& record = Record(node);
-    const bool is_ended = record.HasFailed() && !record.status.is_busy && !record.status.is_started;
+    const bool is_ended = !record.status.is_busy && !record.status.is_started && record.HasFailed();
     return parts_.setup.IsListed(node) && !parts_.setup.IsSafetySlave(node) && is_ended;
 }
 

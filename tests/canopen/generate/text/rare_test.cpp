@@ -5,6 +5,7 @@
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/canopen/generate/random_device.hpp"
 #include "verification/trace/ids/generate.hpp"
+#include "verification/trace/ids/store.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>
@@ -49,6 +50,22 @@ TEST(GeneratedText, NamesTheFileWithoutItsFolder)
     const std::string text = kHead + Entry("2000", 5, "rw", "DefaultValue=1");
     const cia306::Device device = cia306::ReadDevice(cia306::IniDocument::Parse("/some/where/a.dcf", text));
     EXPECT_TRUE(Has(Generate(device, text, {"a", std::nullopt}).header, "` from a.dcf (CRC-32 0x"));
+}
+
+// SRS_STO_008: a bus stores and restores in PRE-OPERATIONAL alone, and writes all else in both states.
+TEST(GeneratedText, LetsTheBusStoreInPreOperationalAlone)
+{
+    Verifies(req::SRS_STO_008);
+    const auto row = [](const std::string& index)
+    {
+        const std::string source = Code(kHead + Entry(index, 7, "rw", "DefaultValue=1")).source;
+        const std::size_t begin = source.find("{0x" + index + "U");
+        return (begin == std::string::npos) ? "none" : source.substr(begin, source.find('}', begin) - begin);
+    };
+    EXPECT_TRUE(Has(row("1010"), ", kInPreOperational,")) << row("1010");
+    EXPECT_TRUE(Has(row("1011"), ", kInPreOperational,")) << row("1011");
+    EXPECT_FALSE(Has(row("2000"), "kInPreOperational")) << row("2000");
+    EXPECT_TRUE(Has(row("2000"), ", kInBoth,")) << row("2000");
 }
 
 // The guard has the whole name of the namespace in capital letters, a gap as one of '_'.
