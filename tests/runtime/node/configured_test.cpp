@@ -54,7 +54,7 @@ TEST(NodeConfiguredTest, AProducerThatWasConfiguredOverSdoSendsItsInputs)
         ASSERT_TRUE(device.App().SetInput({0x2000U, 1U}, 0x12U));
         ASSERT_TRUE(device.App().SetInput({0x2000U, 2U}, 0x34U));
         EXPECT_FALSE(device.App().SetInput({0x2000U, 2U}, 0x100U)); // Above its 8 bits.
-        for (int cycle = 0; cycle < 41; ++cycle) // 205 ms
+        for (int cycle = 0; cycle < 41; ++cycle)                    // 205 ms
         {
             bench.Cycle();
         }
