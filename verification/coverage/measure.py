@@ -94,9 +94,9 @@ def run_tests(commands, out, jobs):
         return [name for name in pool.map(one, sorted(commands, key=lambda test: -test.cost)) if name]
 
 
-def compile_again(build, root, out):
+def compile_again(build, root, out, jobs):
     """Compiles every file of the safety rooms with its own command, for the warnings alone."""
-    log = []
+    wanted = []
     for entry in json.loads((build / "compile_commands.json").read_text()):
         path = pathlib.Path(os.path.realpath(entry["file"]))
         if not path.is_relative_to(root):
@@ -106,9 +106,16 @@ def compile_again(build, root, out):
             continue
         words = shlex.split(entry["command"])
         words[words.index("-o") + 1] = os.devnull
-        done = subprocess.run(words, cwd=entry["directory"], capture_output=True, text=True, check=False)
-        log.append(f"{'COMPILED' if done.returncode == 0 else 'FAILED'} {name}\n{done.stderr}")
-    (out / "compile.log").write_text("".join(log))
+        wanted.append((name, words, entry["directory"]))
+
+    def one(file):
+        name, words, directory = file
+        done = subprocess.run(words, cwd=directory, capture_output=True, text=True, check=False)
+        return f"{'COMPILED' if done.returncode == 0 else 'FAILED'} {name}\n{done.stderr}"
+
+    with concurrent.futures.ThreadPoolExecutor(max_workers=jobs) as pool:
+        (out / "compile.log").write_text("".join(pool.map(one, wanted)))
+
 
 def without_place(html, root):
     """The pages of llvm-cov name their place and time: without them they are the same wherever and whenever they were made. [SRS_VER_141]"""
@@ -142,22 +149,36 @@ def sources(build, root, rooms):
     return ["-sources", *places] if places else []
 
 
-def export(commands, further, build, root, out, html):
+def export(commands, further, build, root, out, html, jobs):
     """OUT/export.json: the safety rooms by their own tests, the further rooms by all."""
     safety = merge(commands, out, "merged")
     of_safety = sources(build, root, SAFETY_ROOMS)
-    result = json.loads(run(["llvm-cov-19", "export", *safety, *of_safety]))
     of_further = sources(build, root, measured_rooms(root))
-    if of_further:
+
+    def export_further():
         every = merge(commands + further, out, "further")
-        result["data"][0]["files"] += json.loads(run(["llvm-cov-19", "export", *every, *of_further]))["data"][0]["files"]
-    (out / "export.json").write_text(json.dumps(result))
-    shutil.rmtree(out / "profiles")
-    if html:
+        return json.loads(run(["llvm-cov-19", "export", *every, *of_further]))["data"][0]["files"]
+
+    def export_safety():
+        return json.loads(run(["llvm-cov-19", "export", *safety, *of_safety]))
+
+    def show_safety():
         shutil.rmtree(html, ignore_errors=True)
         run(["llvm-cov-19", "show", *safety, "--show-mcdc", "--show-mcdc-summary",
              "--show-branches=count", "--format=html", f"-output-dir={html}", "--project-title=Counterpoint safety rooms", *of_safety])
         without_place(html, root)
+
+    with concurrent.futures.ThreadPoolExecutor(max_workers=jobs) as pool:
+        files = pool.submit(export_further) if of_further else None
+        whole = pool.submit(export_safety)
+        shown = pool.submit(show_safety) if html else None
+        result = whole.result()
+        if files:
+            result["data"][0]["files"] += files.result()
+        if shown:
+            shown.result()
+    (out / "export.json").write_text(json.dumps(result))
+    shutil.rmtree(out / "profiles")
 
 
 def main():
@@ -175,8 +196,8 @@ def main():
         commands = google_tests(build, ("",) if options.all_tests else TEST_FOLDERS)
         further = [] if options.all_tests else google_tests(build, FURTHER_FOLDERS)
         failed = run_tests(commands + further, out, options.jobs)
-        compile_again(build, options.root.resolve(), out)
-        export(commands, further, build, options.root.resolve(), out, options.html.resolve() if options.html else None)
+        compile_again(build, options.root.resolve(), out, options.jobs)
+        export(commands, further, build, options.root.resolve(), out, options.html.resolve() if options.html else None, options.jobs)
     except CannotMeasure as problem:
         print(problem, file=sys.stderr)
         return 2
