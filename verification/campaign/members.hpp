@@ -8,8 +8,8 @@
 #include <iterator>
 #include <type_traits>
 
-/// What is kept in the region, member by member. Bytes between members hold whatever the stack held there, so that memory
-/// which is compared would differ though nothing of the device does. [SRS_CMG_540]
+/// What is kept in the region, member by member. Bytes between members hold whatever the stack held there, so that
+/// memory which is compared would differ though nothing of the device does. [SRS_CMG_540]
 namespace counterpoint::campaign
 {
 /// A type with such bytes needs a function of its own.
