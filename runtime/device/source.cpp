@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/device/source.hpp"
 
+#include "canopen/cia306/check/sides.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 
 #include <algorithm>
@@ -229,6 +230,8 @@ std::vector<VariablePair> DeviceSource::Pairs() const
             }
             bit += normal.Bits();
         }
+        // Nobody behind here knows the sides of an object: the kernel's table has none. [SRS_NODE_550]
+        cia306::RequireNone(file_, cia306::WrongSides(device_, srdo));
     }
     return pairs;
 }

@@ -45,7 +45,7 @@ class DeviceSource
     [[nodiscard]] std::vector<SrdoSetup> Setups() const;
     /// @brief The mappable variables, ascending.
     [[nodiscard]] std::vector<SourceVariable> Variables() const;
-    /// @brief The mapped pairs of them.
+    /// @brief The mapped pairs of them, normal data on the normal side. [SRS_NODE_550]
     [[nodiscard]] std::vector<VariablePair> Pairs() const;
     /// @brief The static mappings.
     [[nodiscard]] std::vector<StaticMapping> StaticMappings() const;

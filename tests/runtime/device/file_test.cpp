@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Files that can or cannot become a device, and what of them the kernel gets.
+#include "canopen/cia306/text/text_file.hpp"
 #include "runtime/device/model.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/canopen/cia306/folder_of_files.hpp"
@@ -252,6 +253,36 @@ TEST_F(DeviceFile, HasACycleThatIsOne)
               ": error: 0x5F00:02: cycle tolerance of 500 us, expected at most the cycle time of 100 us");
     EXPECT_EQ(refusal("100", "4294967196"),
               "error: 0x5F00:02: cycle tolerance of 4294967196 us, expected at most the cycle time of 100 us");
+}
+
+TEST_F(DeviceFile, HasNormalDataOnTheNormalSide)
+{
+    Verifies(req::SRS_NODE_550);
+    const std::string file =
+        cia306::ReadTextFile(cia306::test::SourceFolder() + "/examples/emergency_stop/controller.dcf");
+    const auto with = [&file](const std::string& first, const std::string& second)
+    {
+        const std::string text = InSection(file, "1381sub1", "=0x22000108\n", "=" + first + "\n");
+        return InSection(text, "1381sub2", "=0x23000108\n", "=" + second + "\n");
+    };
+    ASSERT_EQ(RefusalOf(file), "");
+    // Exchanged: the inverse value would be the one that counts, and the pair would hold
+    const std::string exchanged = with("0x23000108", "0x22000108");
+    EXPECT_EQ(RefusalOf(exchanged), ":345:16: error: 0x1381:01: normal entry 0x2300:01 is the InvertedSRAD of "
+                                    "0x2200:01 (line 550), expected normal data here and 0x2300:01 behind it");
+    EXPECT_EQ(RefusalOf(exchanged, SafetyNeed::kOptional), RefusalOf(exchanged));
+    // Normal data as the inverse of others, and the inverse of others
+    const std::string other = ", expected 0x2300:01, the InvertedSRAD of 0x2200:01 (line 550)";
+    EXPECT_EQ(RefusalOf(with("0x22000108", "0x22000208")),
+              ":354:16: error: 0x1381:02: inverse entry 0x2200:02" + other);
+    EXPECT_EQ(RefusalOf(with("0x22000108", "0x23000208")),
+              ":354:16: error: 0x1381:02: inverse entry 0x2300:02" + other);
+    const std::string unnamed = InSection(with("0x22000108", "0x22000208"), "2200sub1", "InvertedSRAD=0x230001\n", "");
+    EXPECT_EQ(RefusalOf(unnamed), ":354:16: error: 0x1381:02: inverse entry 0x2200:02 has an InvertedSRAD of its own "
+                                  "(line 559), as normal data has, expected inverse data of 0x2200:01");
+    // What is off has no value; what the file does not tell, nobody knows
+    EXPECT_EQ(RefusalOf(InSection(exchanged, "1301sub1", "ParameterValue=2\n", "ParameterValue=0\n")), "");
+    EXPECT_EQ(RefusalOf(InSection(exchanged, "2200sub1", "InvertedSRAD=0x230001\n", "")), "");
 }
 
 TEST_F(DeviceFile, WithASecondControllerIsAnotherDevice)
