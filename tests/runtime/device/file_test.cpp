@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace counterpoint::runtime
 {
 namespace
@@ -283,6 +285,34 @@ TEST_F(DeviceFile, HasNormalDataOnTheNormalSide)
     // What is off has no value; what the file does not tell, nobody knows
     EXPECT_EQ(RefusalOf(InSection(exchanged, "1301sub1", "ParameterValue=2\n", "ParameterValue=0\n")), "");
     EXPECT_EQ(RefusalOf(InSection(exchanged, "2200sub1", "InvertedSRAD=0x230001\n", "")), "");
+}
+
+// Node 33 has COB-IDs 103h and 104h, node 35 105h and 106h
+TEST_F(DeviceFile, HasTheSignaturesOfItsNodeId)
+{
+    Verifies(req::SRS_NODE_551);
+    const std::string file =
+        cia306::ReadTextFile(cia306::test::SourceFolder() + "/examples/emergency_stop/actuator.dcf");
+    std::string follows = InSection(file, "1301sub5", "ParameterValue=0x00000103", "ParameterValue=$NODEID+0xE2");
+    follows = InSection(follows, "1301sub6", "ParameterValue=0x00000104", "ParameterValue=$NODEID+0xE3");
+    const auto signature_of = [this](const std::string& text, const std::optional<std::uint8_t> node_id)
+    {
+        const DeviceModel model(File("a.dcf", text), node_id);
+        const auto& writes = model.Writes();
+        const auto found = std::find_if(writes.begin(), writes.end(), [](const ConfigurationWrite& write)
+                                        { return write.object.index == 0x13FFU && write.object.sub == 1U; });
+        return found == writes.end() ? 0U : found->value;
+    };
+    EXPECT_EQ(signature_of(follows, std::nullopt), 0x9FCBU);
+    EXPECT_EQ(signature_of(follows, 33U), 0x9FCBU);
+    EXPECT_EQ(signature_of(follows, 35U), 0x16B5U);
+    EXPECT_EQ(signature_of(file, 35U), 0x9FCBU);
+    // A wrong one stays wrong, as one that nobody can compute or whose node-ID the file does not tell
+    const std::string wrong = InSection(follows, "13FFsub1", "0x9FCB", "0x9FCC");
+    EXPECT_EQ(signature_of(wrong, 35U), 0x9FCCU);
+    EXPECT_EQ(signature_of(InSection(follows, "1301sub2", "ParameterValue=50", "ParameterValue=$NODEID+65503"), 32U),
+              0x9FCBU);
+    EXPECT_EQ(signature_of(InSection(follows, "DeviceComissioning", "NodeID=33\n", ""), 35U), 0x9FCBU);
 }
 
 TEST_F(DeviceFile, WithASecondControllerIsAnotherDevice)
