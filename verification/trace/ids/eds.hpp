@@ -54,6 +54,7 @@ inline constexpr RequirementId SRS_CLI_400{"SRS_CLI_400"};
 inline constexpr RequirementId SRS_CLI_490{"SRS_CLI_490"};
 inline constexpr RequirementId SRS_CLI_491{"SRS_CLI_491"};
 inline constexpr RequirementId SRS_CLI_492{"SRS_CLI_492"};
+inline constexpr RequirementId SRS_CLI_550{"SRS_CLI_550"};
 inline constexpr RequirementId SRS_EDS_001{"SRS_EDS_001"};
 inline constexpr RequirementId SRS_EDS_002{"SRS_EDS_002"};
 inline constexpr RequirementId SRS_EDS_003{"SRS_EDS_003"};
