@@ -13,7 +13,6 @@ namespace counterpoint::campaign::test
 {
 namespace
 {
-/// Quick, and found at once.
 constexpr const char* kSmall = "at: [500 ms]\ncycles: 2\nparts: [flow_monitor]\nkinds: [flip]\n";
 constexpr const char* kQuick = "at: [500 ms]\ncycles: 2\nparts: [latch, flow_monitor, clocks]\nkinds: [flip]\n";
 /// Most of them end in the first cycles, some go on until the end.

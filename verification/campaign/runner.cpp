@@ -36,11 +36,6 @@ bool IsOver(const Experiment& fault, const std::size_t cycle)
            (fault.kind == FaultKind::kIntermittent && cycle >= fault.cycle + (kStrikes - 1U) * kStrikeDistance);
 }
 
-bool IsStuck(const FaultKind kind)
-{
-    return kind == FaultKind::kStuckAt0 || kind == FaultKind::kStuckAt1;
-}
-
 Detector DetectorOf(const DeviceFault fault)
 {
     switch (fault)
