@@ -356,10 +356,8 @@ StateReply Kernel::GetState(const CommunicationIndex index) const noexcept
     // In the device safe state nothing is released, whatever the channels still hold.
     const bool is_shared = (a.state == b.state) && ((shared != SrdoState::kReleased) || context_.latch.SaysRunning());
     const SrdoState state = is_shared ? shared : SrdoState::kFaulted;
-    // A demoted channel learned of the fault from the other one, which knows the cause.
-    const bool asks_b = (a.first_cause == SrdoCause::kDemoted) || (a.first_cause == SrdoCause::kNone);
     const std::uint16_t error_count = (a.error_count > b.error_count) ? a.error_count : b.error_count;
-    return StateReply{Result::kSuccessful, state, asks_b ? b.first_cause : a.first_cause, error_count};
+    return StateReply{Result::kSuccessful, state, FirstCauseOf(a, b), error_count};
 }
 
 StatusReply Kernel::GetStatus(const CommunicationIndex index) const noexcept

@@ -47,7 +47,7 @@ struct StateReply
     Result result;
     SrdoState state;       ///< kFaulted where the channels differ; kReleased neither in the device safe state nor once
                            ///< OPERATIONAL was left, where it is kOff.
-    SrdoCause first_cause; ///< As channel A has it, or channel B where A has none or was demoted.
+    SrdoCause first_cause; ///< As channel A has it, or channel B where A has none or was demoted; told first.
     std::uint16_t error_count; ///< The greater one of both.
 };
 

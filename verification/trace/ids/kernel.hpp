@@ -166,6 +166,7 @@ inline constexpr RequirementId SRS_KRN_345{"SRS_KRN_345"};
 inline constexpr RequirementId SRS_KRN_346{"SRS_KRN_346"};
 inline constexpr RequirementId SRS_KRN_347{"SRS_KRN_347"};
 inline constexpr RequirementId SRS_KRN_348{"SRS_KRN_348"};
+inline constexpr RequirementId SRS_KRN_570{"SRS_KRN_570"};
 inline constexpr RequirementId SRS_KRN_575{"SRS_KRN_575"};
 inline constexpr RequirementId SRS_LIM_001{"SRS_LIM_001"};
 inline constexpr RequirementId SRS_LIM_002{"SRS_LIM_002"};
