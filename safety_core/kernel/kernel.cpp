@@ -50,6 +50,13 @@ KernelParts Completed(const KernelParts& given, FlowWatch& own) noexcept
     return parts;
 }
 
+// [SRS_KRN_572]
+bool AreOptions(const FlowCallback flow, const StatusHandshake handshake) noexcept
+{
+    const bool is_flow = (flow == FlowCallback::kOff) || (flow == FlowCallback::kOn);
+    return is_flow && ((handshake == StatusHandshake::kOff) || (handshake == StatusHandshake::kRequired));
+}
+
 } // namespace
 
 Kernel::Kernel(const KernelParts& parts) noexcept : context_{Completed(parts, flow_)}
@@ -63,6 +70,10 @@ StartResult Kernel::Start(const DeviceConfig& config, const FlowCallback flow, c
     if (result != StartResult::kStarted)
     {
         return result;
+    }
+    if (!AreOptions(flow, handshake))
+    {
+        return StartResult::kOptions;
     }
     context_.config = &config;
     context_.parts.channel_a.Restart(config);

@@ -96,7 +96,8 @@ class Kernel
   public:
     explicit Kernel(const KernelParts& parts) noexcept;
 
-    /// @brief Power-on. `config` is kept by reference and checked here. O(srdo_count + objects) [SRS_KRN_001]
+    /// @brief Power-on. `config` is kept by reference and checked here. O(srdo_count + objects) [SRS_KRN_001,
+    /// SRS_KRN_572]
     [[nodiscard]] StartResult Start(const DeviceConfig& config, FlowCallback flow,
                                     StatusHandshake handshake = StatusHandshake::kOff) noexcept;
     /// @brief The kernel is no longer used: permits are withdrawn, objects of consumers take the safe value, everything

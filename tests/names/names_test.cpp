@@ -36,7 +36,8 @@ TEST(Names, MeaningIsTheCommentOfTheEnumerator)
     EXPECT_STREQ(MeaningOf(StartResult::kPorts), "Not kFirst or kSecond.");
     EXPECT_STREQ(
         MeaningOf(StartResult::kObjects), // Of two lines.
-        "Out of order, a length not 1 to 64, no place, more than 1024, or 0001h to 0007h beside dummy entries.");
+        "Out of order, a length not 1 to 64, an access that there is not, no place, no table, more than 1024, at 1300h to "
+        "13FFh, or at 0001h to 0007h beside dummy entries.");
     EXPECT_STREQ(MeaningOf(StartResult::kStarted), "");
     EXPECT_STREQ(MeaningOf(DeviceFault::kCrossLink), "The link to the other CPU is lost or wrong.");
 }
