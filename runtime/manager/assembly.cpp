@@ -199,7 +199,8 @@ bool ManagerAssembly::IsGood(const cia302::NodeId node) const noexcept
     is_good = (profile == StartProfile::kEl6751) ? status.code == kNoError && !status.has_failed : is_good;
     // Who does not lead has begun no start-up, and so found nothing.
     const int wanted = manager_.IsActive() ? cia302::kPlcStarted : cia302::kPlcOutside;
-    is_good = (profile == StartProfile::kPlcDesigner) ? status.code == wanted : is_good;
+    const bool has_aborted = status.abort != cia301::SdoAbort::kNone; // Configured all the same. [SRS_PLC_585]
+    is_good = (profile == StartProfile::kPlcDesigner) ? status.code == wanted && !has_aborted : is_good;
     return is_good && Runs(node) && !HasFault(node);
 }
 

@@ -100,6 +100,9 @@ inline constexpr RequirementId SRS_PLC_150{"SRS_PLC_150"};
 inline constexpr RequirementId SRS_PLC_151{"SRS_PLC_151"};
 inline constexpr RequirementId SRS_PLC_470{"SRS_PLC_470"};
 inline constexpr RequirementId SRS_PLC_480{"SRS_PLC_480"};
+inline constexpr RequirementId SRS_PLC_585{"SRS_PLC_585"};
+inline constexpr RequirementId SRS_PLC_586{"SRS_PLC_586"};
+inline constexpr RequirementId SRS_PLC_587{"SRS_PLC_587"};
 } // namespace counterpoint::req
 
 #endif
