@@ -204,9 +204,15 @@ bool ManagerAssembly::IsGood(const cia302::NodeId node) const noexcept
     return is_good && Runs(node) && !HasFault(node);
 }
 
+bool ManagerAssembly::HasDouble() const noexcept
+{
+    const bool is_halted = flying_ != nullptr && flying_->State() == cia302::FlyingState::kHalted;
+    return is_halted || manager_.Watched().Of(net_.Setup().own).is_duplicate;
+}
+
 bool ManagerAssembly::HasStarted() const noexcept
 {
-    bool has_started = true;
+    bool has_started = !HasDouble();
     for (const auto& slave : net_.Slaves())
     {
         const cia302::NodeId node{slave->plan.node};
