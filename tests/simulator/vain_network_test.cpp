@@ -119,8 +119,9 @@ TEST_F(VainNetworkTest, AManagerThatWasKilledIsAskedNothingMore)
     }
     for (const std::string that : {"event", "no_event"})
     {
-        ExpectRefused("fly.yaml", killed + "expect: [{that: " + that + ", is: heartbeat_lost, from: 1 s}]",
-                      ":5:10: error: a window that begins when manager 9 was killed already, expected 'from' below 1000 ms\n");
+        ExpectRefused(
+            "fly.yaml", killed + "expect: [{that: " + that + ", is: heartbeat_lost, from: 1 s}]",
+            ":5:10: error: a window that begins when manager 9 was killed already, expected 'from' below 1000 ms\n");
     }
     // What it knew until then, and what it had told
     ExpectTaken("fly.yaml", killed + "expect: [{that: letter, node: 33, is: none, at: 1 s}, {that: no_event, is: "
