@@ -125,12 +125,12 @@ void RequireWithinTheRun(const Scenario& scenario, const Expectation& expectatio
 void RequireThere(const Scenario& scenario, const Expectation& expectation)
 {
     const Nanoseconds phase = IsOfDeviceAt(expectation) ? scenario.nodes[expectation.node].phase : -1;
-    if (IsOfDeviceAt(expectation) && expectation.at <= phase)
+    if (IsOfDeviceAt(expectation) && expectation.at < phase)
     {
         throw YamlError(expectation.source.file, expectation.source.place,
                         "expectation at " + runtime::ExactText(expectation.at) + ", before node " +
                             runtime::Shown(scenario.nodes[expectation.node].name) + " comes",
-                        "a time after " + runtime::ExactText(phase));
+                        "a time from " + runtime::ExactText(phase) + " on");
     }
 }
 

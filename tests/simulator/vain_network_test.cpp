@@ -89,13 +89,13 @@ TEST_F(VainNetworkTest, ADeviceIsLookedAtWhenItIsThere)
     Verifies(req::SRS_SIM_586);
     // Given device 2, which comes at 500 ms
     const std::string state = "expect: [{that: device, node: 2, is: ";
-    ExpectRefused("net.yaml", state + "absent, at: 500 ms}]",
-                  ":4:10: error: expectation at 500 ms, before node '2' comes, expected a time after 500 ms\n");
-    ExpectTaken("net.yaml", state + "pre-operational, at: 600 ms}]");
+    ExpectRefused("net.yaml", state + "absent, at: 499 ms}]",
+                  ":4:10: error: expectation at 499 ms, before node '2' comes, expected a time from 500 ms on\n");
+    ExpectTaken("net.yaml", state + "pre-operational, at: 500 ms}]");
     ExpectTaken("net.yaml", state + "pre-operational}]");
     const std::string output = "expect: [{that: output, node: 2, is: closed, at: ";
     ExpectRefused("net.yaml", output + "100 ms}]", ":4:10: error: expectation at 100 ms, before node '2' comes");
-    ExpectTaken("net.yaml", output + "501 ms}]");
+    ExpectTaken("net.yaml", output + "500 ms}]");
     for (const std::string that :
          {"{that: safe, node: 2, srdo: 1, at: 200 ms}", "{that: released, node: 2, srdo: 1, at: 0}",
           "{that: value, node: 2, object: 0x2200:01, is: 0, at: 1 ms}"})
