@@ -97,6 +97,7 @@ inline constexpr RequirementId SRS_EDS_039{"SRS_EDS_039"};
 inline constexpr RequirementId SRS_EDS_045{"SRS_EDS_045"};
 inline constexpr RequirementId SRS_EDS_150{"SRS_EDS_150"};
 inline constexpr RequirementId SRS_EDS_340{"SRS_EDS_340"};
+inline constexpr RequirementId SRS_EDS_555{"SRS_EDS_555"};
 } // namespace counterpoint::req
 
 #endif
