@@ -106,6 +106,8 @@ inline constexpr RequirementId SRS_MGR_520{"SRS_MGR_520"};
 inline constexpr RequirementId SRS_MGR_521{"SRS_MGR_521"};
 inline constexpr RequirementId SRS_MGR_522{"SRS_MGR_522"};
 inline constexpr RequirementId SRS_MGR_523{"SRS_MGR_523"};
+inline constexpr RequirementId SRS_MGR_580{"SRS_MGR_580"};
+inline constexpr RequirementId SRS_MGR_581{"SRS_MGR_581"};
 inline constexpr RequirementId SRS_MGR_585{"SRS_MGR_585"};
 inline constexpr RequirementId SRS_MGR_586{"SRS_MGR_586"};
 inline constexpr RequirementId SRS_MGR_587{"SRS_MGR_587"};
