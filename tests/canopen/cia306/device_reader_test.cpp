@@ -229,11 +229,12 @@ TEST(DeviceReader, NoSrdoMapsAnObjectOfTheKernel)
             const Entry& entry = *device.Find(static_cast<std::uint16_t>(index), 0U);
             // Then one of 1300h to 13FFh is not, and a warning says so
             EXPECT_EQ(entry.is_srdo_mappable.value_or(entry.is_pdo_mappable), is_mappable && !is_of_kernel) << text;
-            EXPECT_EQ(WarningsOf(text), (is_of_kernel && is_mappable)
-                                            ? std::vector<std::string>{"f:11:1: warning: 0x" + name.str() +
-                                                                       ":00: it is mappable by SRDOMapping or PDOMapping, "
-                                                                       "expected 0 for 0x1300 to 0x13FF; no SRDO can map it"}
-                                            : std::vector<std::string>{});
+            EXPECT_EQ(WarningsOf(text),
+                      (is_of_kernel && is_mappable)
+                          ? std::vector<std::string>{"f:11:1: warning: 0x" + name.str() +
+                                                     ":00: it is mappable by SRDOMapping or PDOMapping, "
+                                                     "expected 0 for 0x1300 to 0x13FF; no SRDO can map it"}
+                          : std::vector<std::string>{});
         }
     }
 }
