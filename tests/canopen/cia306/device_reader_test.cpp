@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <sstream>
 #include <string>
@@ -219,7 +220,7 @@ TEST(DeviceReader, NoSrdoMapsAnObjectOfTheKernel)
          {std::pair(0x12FFU, false), {0x1300U, true}, {0x13FFU, true}, {0x1400U, false}})
     {
         std::ostringstream name;
-        name << std::hex << index;
+        name << std::hex << std::uppercase << index;
         for (const auto& [keys, is_mappable] :
              {std::pair("SRDOMapping=1\n", true), {"PDOMapping=1\n", true}, {"SRDOMapping=0\nPDOMapping=1\n", false}})
         {
@@ -229,12 +230,12 @@ TEST(DeviceReader, NoSrdoMapsAnObjectOfTheKernel)
             const Entry& entry = *device.Find(static_cast<std::uint16_t>(index), 0U);
             // Then one of 1300h to 13FFh is not, and a warning says so
             EXPECT_EQ(entry.is_srdo_mappable.value_or(entry.is_pdo_mappable), is_mappable && !is_of_kernel) << text;
-            EXPECT_EQ(WarningsOf(text),
-                      (is_of_kernel && is_mappable)
-                          ? std::vector<std::string>{"f:11:1: warning: 0x" + name.str() +
-                                                     ":00: it is mappable by SRDOMapping or PDOMapping, "
-                                                     "expected 0 for 0x1300 to 0x13FF; no SRDO can map it"}
-                          : std::vector<std::string>{});
+            const std::vector<std::string> warnings = WarningsOf(text);
+            const std::string told = "f:11:1: warning: 0x" + name.str() +
+                                     ":00: it is mappable by SRDOMapping or PDOMapping, expected 0 for 0x1300 to "
+                                     "0x13FF; no SRDO can map it";
+            EXPECT_EQ(std::count(warnings.begin(), warnings.end(), told), (is_of_kernel && is_mappable) ? 1 : 0)
+                << text;
         }
     }
 }
