@@ -4,6 +4,7 @@
 
 #include "safety_core/contract/channel.hpp"
 
+#include <initializer_list>
 #include <cstddef>
 #include <cstdint>
 
