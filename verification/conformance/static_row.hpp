@@ -4,9 +4,9 @@
 
 #include "safety_core/contract/channel.hpp"
 
-#include <initializer_list>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 
 namespace counterpoint::conformance
 {
