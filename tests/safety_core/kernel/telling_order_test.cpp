@@ -133,6 +133,25 @@ TEST_F(TellingOrder, FirstCauseIsThatOfTheChannelThatFoundIt)
     EXPECT_EQ(TakeCauses(), (Causes{SrdoCause::kSrvt, SrdoCause::kInverseFirst}));
 }
 
+// 18 is the last cause there is; what a channel has beyond is none.
+TEST_F(TellingOrder, FirstCauseMayHaveTheLastNumber)
+{
+    Verifies(req::SRS_KRN_570);
+    Operate();
+    a.first_cause = SrdoCause::kWaitingPastSct;
+    CycleWith(a, 0x00040020U);
+    EXPECT_EQ(TakeCauses(), (Causes{SrdoCause::kWaitingPastSct, SrdoCause::kSrvt}));
+}
+
+TEST_F(TellingOrder, FirstCauseThatIsNoneIsNotTold)
+{
+    Verifies(req::SRS_KRN_570);
+    Operate();
+    a.first_cause = static_cast<SrdoCause>(19U);
+    CycleWith(a, 0x00080020U);
+    EXPECT_EQ(TakeCauses(), Causes{SrdoCause::kSrvt});
+}
+
 // t [ms]   0 SRVT, told   within its window: SRVT and Length
 TEST_F(TellingOrder, FirstCauseWithinItsWindowIsNotToldAgain)
 {
