@@ -4,6 +4,8 @@
 #include "tests/safety_core/kernel/rig.hpp"
 #include "verification/trace/ids/kernel.hpp"
 
+#include <algorithm>
+
 namespace counterpoint
 {
 namespace
@@ -150,6 +152,46 @@ TEST_F(TellingOrder, FirstCauseThatIsNoneIsNotTold)
     a.first_cause = static_cast<SrdoCause>(19U);
     CycleWith(a, 0x00080020U);
     EXPECT_EQ(TakeCauses(), Causes{SrdoCause::kSrvt});
+}
+
+TEST_F(TellingOrder, FirstCauseBeyondEveryMaskIsNone)
+{
+    Verifies(req::SRS_KRN_570);
+    Operate();
+    a.first_cause = static_cast<SrdoCause>(33U);
+    CycleWith(a, 0x22U);
+    EXPECT_EQ(TakeCauses(), (Causes{SrdoCause::kLength, SrdoCause::kSrvt}));
+}
+
+TEST_F(TellingOrder, FirstCauseIsThatOfChannelAWhereBothHaveOne)
+{
+    Verifies(req::SRS_KRN_570);
+    Operate();
+    a.first_cause = SrdoCause::kSct;
+    b.first_cause = SrdoCause::kSrvt;
+    CycleWith(a, 0x60U);
+    EXPECT_EQ(TakeCauses(), (Causes{SrdoCause::kSct, SrdoCause::kSrvt}));
+}
+
+// t [ms]   200 Length, told   210 Length, within SCT   261 Length, behind it
+TEST_F(TellingOrder, WindowBeginsWhenACauseIsTold)
+{
+    Verifies(req::SRS_KRN_032);
+    Operate();
+    const auto lengths = [this]()
+    {
+        const Causes causes = TakeCauses();
+        return std::count(causes.begin(), causes.end(), SrdoCause::kLength);
+    };
+    Cycles(200U);
+    CycleWith(a, 0x02U);
+    EXPECT_EQ(lengths(), 1);
+    Cycles(9U);
+    CycleWith(a, 0x02U);
+    EXPECT_EQ(lengths(), 0);
+    Cycles(50U);
+    CycleWith(a, 0x02U);
+    EXPECT_EQ(lengths(), 1);
 }
 
 // t [ms]   0 SRVT, told   within its window: SRVT and Length
