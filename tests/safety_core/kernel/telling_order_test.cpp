@@ -183,15 +183,20 @@ TEST_F(TellingOrder, WindowBeginsWhenACauseIsTold)
         const Causes causes = TakeCauses();
         return std::count(causes.begin(), causes.end(), SrdoCause::kLength);
     };
-    Cycles(200U);
-    CycleWith(a, 0x02U);
-    EXPECT_EQ(lengths(), 1);
-    Cycles(9U);
-    CycleWith(a, 0x02U);
-    EXPECT_EQ(lengths(), 0);
-    Cycles(50U);
-    CycleWith(a, 0x02U);
-    EXPECT_EQ(lengths(), 1);
+    // Given that it is the first cause, and that it is another one
+    for (const SrdoCause first : {SrdoCause::kLength, SrdoCause::kSct})
+    {
+        a.first_cause = first;
+        Cycles(200U);
+        CycleWith(a, 0x02U);
+        EXPECT_EQ(lengths(), 1);
+        Cycles(9U);
+        CycleWith(a, 0x02U);
+        EXPECT_EQ(lengths(), 0);
+        Cycles(50U);
+        CycleWith(a, 0x02U);
+        EXPECT_EQ(lengths(), 1);
+    }
 }
 
 // t [ms]   0 SRVT, told   within its window: SRVT and Length
