@@ -50,7 +50,7 @@ class SimulateCommand final : public Command
         options.Add("--seed", &seed_, "Instead of the scenario's seed: 0 to 2^64 - 1").Type("N");
         options.Add("--profile", &profile_, "Start-up profile of the managers: one of the scenario's 'profiles'")
             .Words(Profiles())
-            .Check([](const std::string& /*text*/) { return std::string(); }); // The scenario says which.
+            .Check(ProblemOfAnyText); // The scenario says which.
         options.Add("--until", &until_, "Instead of the scenario's duration, with its unit: 500ms, 20s");
         options.Add("--frames", &frames_, "Show every frame on the time line");
         options.Add("--quiet", &quiet_, "No time line; only what was expected and did not come").Excludes("--frames");

@@ -5,8 +5,10 @@
 #include "verification/trace/verifies.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <regex>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace counterpoint::tools
@@ -51,6 +53,38 @@ TEST(CommandLine, BadUsageIsOneLineThatSaysWhatIsExpected)
         EXPECT_NE(answer.err.find("expected"), std::string::npos) << answer.err;
         EXPECT_NE(answer.err.find("--help"), std::string::npos) << answer.err;
     }
+}
+
+/// What a variable of a shell that is not set leaves of `--replay "$NUMBER"`.
+TEST(CommandLine, AnEmptyValueIsRefusedByEachOptionThatTakesAText)
+{
+    Verifies(req::SRS_CLI_020);
+    std::size_t asked = 0U;
+    for (const CommandRow& row : CommandTable())
+    {
+        const std::unique_ptr<Command> command = row.make();
+        Options options;
+        command->Describe(options);
+        for (const Option& option : options.All())
+        {
+            const std::string name = option.name.substr(option.name.rfind(',') + 1U);
+            const bool is_text = std::holds_alternative<std::string*>(option.target) ||
+                                 std::holds_alternative<std::vector<std::string>*>(option.target);
+            if (name.rfind("--", 0U) != 0U || !is_text)
+            {
+                continue;
+            }
+            ++asked;
+            const Answer answer = RunCommand({row.name, name, ""});
+            EXPECT_EQ(answer.status, 2) << row.name << " " << name;
+            EXPECT_NE(answer.err.find(name + ": "), std::string::npos) << answer.err;
+            EXPECT_NE(answer.err.find("expected"), std::string::npos) << answer.err;
+        }
+    }
+    EXPECT_GT(asked, 50U);
+    EXPECT_EQ(RunCommand({"campaign", "plan.yaml", "--replay", ""}).err,
+              "counterpoint: --replay: an empty value, expected a text; expected a command line as told by "
+              "'counterpoint campaign --help'\n");
 }
 
 TEST(CommandLine, AFractionIsToldToBeNone)

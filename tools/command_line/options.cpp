@@ -15,6 +15,11 @@ std::string ProblemOfAddress(const std::string& text)
     return text.empty() ? "an empty address, expected a bus such as can0" : std::string();
 }
 
+std::string ProblemOfAnyText(const std::string& text)
+{
+    return text.empty() ? "an empty value, expected a text" : std::string();
+}
+
 bool Options::IsGiven(const std::string& name) const
 {
     return std::any_of(options_.begin(), options_.end(),

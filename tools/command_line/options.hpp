@@ -21,6 +21,9 @@ using Problem = std::string (*)(const std::string& text);
 /// The address of a bus is wrong when it is empty. [SRS_CLI_020]
 [[nodiscard]] std::string ProblemOfAddress(const std::string& text);
 
+/// Any other text is wrong when it is empty; of options that name no other check. [SRS_CLI_020]
+[[nodiscard]] std::string ProblemOfAnyText(const std::string& text);
+
 /// How many values an option takes.
 struct ValueCount
 {

@@ -86,9 +86,12 @@ CLI::Option* Add(CLI::App& app, const Option& option)
 
 void AddChecks(CLI::Option& added, const Option& option)
 {
-    if (option.problem != nullptr)
+    const bool is_text = std::holds_alternative<std::string*>(option.target) ||
+                         std::holds_alternative<std::vector<std::string>*>(option.target);
+    const Problem problem = (option.problem == nullptr && is_text) ? &ProblemOfAnyText : option.problem;
+    if (problem != nullptr)
     {
-        added.check(CLI::Validator(option.problem, ""));
+        added.check(CLI::Validator(problem, ""));
     }
     if (option.range)
     {

@@ -92,6 +92,14 @@ class ToldServer
         }
         heard_.erase(0U, at + 4U);
     }
+    /// What the client has said until now is taken.
+    void Read() const
+    {
+        char text[4096];
+        while (::recv(connection_, text, sizeof(text), MSG_DONTWAIT) > 0)
+        {
+        }
+    }
     void Close()
     {
         if (connection_ >= 0)
@@ -233,6 +241,47 @@ TEST(SocketcandGapTest, AnAnswerToNoQuestionLeadsToANewConnection)
     EXPECT_EQ(bus->Health().absences, 1U);
     LiveFrame frame;
     EXPECT_FALSE(bus->Receive(frame));
+}
+
+// Given a server that gives no echo, then 4096 frames wait for theirs and 64 in the queue; with an echo one more goes.
+TEST(SocketcandGapTest, FramesWithoutEchoWaitInTheQueueInTheEnd)
+{
+    Verifies(req::SRS_LIVE_660);
+    ToldServer server;
+    const auto bus = server.Open();
+    LiveFrame frame;
+    frame.identifier = 0x181U;
+    frame.length_bytes = 1U;
+    // Each look reads what the connection holds: the server is not what they wait for
+    const auto send = [&]
+    {
+        server.Read();
+        return bus->Send(frame);
+    };
+    for (int sent = 0; sent < 4096; ++sent)
+    {
+        ASSERT_EQ(send(), SendResult::kSent) << sent;
+        while (bus->Health().waiting != 0U)
+        {
+            server.Read();
+            LiveFrame none;
+            ASSERT_FALSE(bus->Receive(none));
+        }
+    }
+    for (int waiting = 0; waiting < 64; ++waiting)
+    {
+        ASSERT_EQ(send(), SendResult::kSent) << waiting;
+    }
+    EXPECT_EQ(bus->Health().waiting, 64U);
+    EXPECT_EQ(send(), SendResult::kQueueFull);
+    ASSERT_TRUE(server.Say("< echo >"));
+    const std::optional<LiveFrame> own = Wait(*bus);
+    ASSERT_TRUE(own);
+    EXPECT_TRUE(own->own);
+    EXPECT_EQ(own->identifier, 0x181U);
+    EXPECT_EQ(send(), SendResult::kSent);
+    EXPECT_EQ(bus->Health().waiting, 64U);
+    EXPECT_EQ(send(), SendResult::kQueueFull);
 }
 
 // Given a server that sends frames again and again, and no answer to the last order, then the client gives up in its

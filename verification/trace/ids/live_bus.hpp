@@ -44,6 +44,7 @@ inline constexpr RequirementId SRS_LIVE_581{"SRS_LIVE_581"};
 inline constexpr RequirementId SRS_LIVE_582{"SRS_LIVE_582"};
 inline constexpr RequirementId SRS_LIVE_583{"SRS_LIVE_583"};
 inline constexpr RequirementId SRS_LIVE_584{"SRS_LIVE_584"};
+inline constexpr RequirementId SRS_LIVE_660{"SRS_LIVE_660"};
 } // namespace counterpoint::req
 
 #endif

@@ -16,6 +16,8 @@ constexpr std::uint64_t kPatienceNs = 3'000U * kMillisecondNs;
 constexpr std::uint64_t kRetryNs = kMillisecondNs;
 /// What may wait as text before frames wait as frames.
 constexpr std::size_t kTextBytes = 4096U;
+/// Frames whose echo may be awaited: more than a bus of 1 Mbit/s carries within the delay of any usable connection.
+constexpr std::size_t kUnconfirmedFrames = 4096U;
 /// Least distance of two questions about the age of frames.
 constexpr std::uint64_t kQuestionNs = kQuestionMs * kMillisecondNs;
 
@@ -159,7 +161,9 @@ void LiveSocketcandBus::Hand(const LiveFrame& frame)
 void LiveSocketcandBus::SendWaiting()
 {
     link_.Flush();
-    while (!queue_.empty() && (link_.WaitingBytes() < kTextBytes) && !link_.IsLost())
+    const auto may_hand = [this]
+    { return (link_.WaitingBytes() < kTextBytes) && (unconfirmed_.size() < kUnconfirmedFrames) && !link_.IsLost(); };
+    while (!queue_.empty() && may_hand())
     {
         Hand(queue_.front());
         queue_.pop_front();
