@@ -82,7 +82,7 @@ set(COUNTERPOINT_SHARE ${CMAKE_INSTALL_DATADIR}/counterpoint)
 install(DIRECTORY ${Counterpoint_SOURCE_DIR}/examples DESTINATION ${COUNTERPOINT_SHARE} COMPONENT tool
         FILES_MATCHING PATTERN "*.yaml" PATTERN "*.dcf" PATTERN "examples/README.md" PATTERN firmware EXCLUDE PATTERN host EXCLUDE
         PATTERN common EXCLUDE PATTERN controller EXCLUDE PATTERN generated_actuator EXCLUDE PATTERN network_manager EXCLUDE)
-foreach(project first_device port_skeleton port_fifo rtos_task)
+foreach(project first_device whole_device port_skeleton port_fifo rtos_task)
   install(DIRECTORY ${Counterpoint_SOURCE_DIR}/examples/${project} DESTINATION ${COUNTERPOINT_SHARE}/examples COMPONENT tool)
 endforeach()
 install(FILES ${Counterpoint_SOURCE_DIR}/LICENSE ${Counterpoint_SOURCE_DIR}/CHANGELOG.md DESTINATION ${COUNTERPOINT_SHARE} COMPONENT tool)

@@ -42,6 +42,7 @@ inline constexpr RequirementId SRS_GEN_352{"SRS_GEN_352"};
 inline constexpr RequirementId SRS_GEN_353{"SRS_GEN_353"};
 inline constexpr RequirementId SRS_GEN_354{"SRS_GEN_354"};
 inline constexpr RequirementId SRS_GEN_490{"SRS_GEN_490"};
+inline constexpr RequirementId SRS_GEN_660{"SRS_GEN_660"};
 } // namespace counterpoint::req
 
 #endif
