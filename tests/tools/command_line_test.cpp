@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "tests/tools/command_run.hpp"
+#include "tools/command_line/options.hpp"
 #include "tools/command_table.hpp"
 #include "verification/trace/ids/eds.hpp"
 #include "verification/trace/verifies.hpp"
@@ -77,7 +78,7 @@ TEST(CommandLine, AnEmptyValueIsRefusedByEachOptionThatTakesAText)
             ++asked;
             const Answer answer = RunCommand({row.name, name, ""});
             EXPECT_EQ(answer.status, 2) << row.name << " " << name;
-            EXPECT_NE(answer.err.find(name + ": "), std::string::npos) << answer.err;
+            EXPECT_NE(answer.err.find(": " + name), std::string::npos) << answer.err;
             EXPECT_NE(answer.err.find("expected"), std::string::npos) << answer.err;
         }
     }

@@ -14,7 +14,7 @@ void DescribeCampaign(Options& options, CampaignOrder& order)
     options
         .Add("--replay", &order.replay,
              "Number of one experiment, as report and CSV have it: its time line, with --html as a page")
-        .Check(&ProblemOfFileName);
+        .Type("N");
     options
         .Add("--out", &order.out, "File of results: what is in it is not tried again; with merge: where all results go")
         .Check(&ProblemOfFileName)
