@@ -140,14 +140,14 @@ class SignCommand final : public Command
         return output_.empty() ? options_.file : output_;
     }
 
-    /// What check warns of in that file; its errors are told as one warning, and only of a copy: in a file that is yet
-    /// to be signed the signatures are wrong. [SRS_CLI_037]
+    /// What check warns of in that file; its errors are told as one warning. In a file that is yet to be signed the
+    /// signatures are wrong: what is counted are those that stay when they are right. [SRS_CLI_037]
     [[nodiscard]] std::vector<cia306::Finding> Warnings(const std::optional<std::uint8_t> node_id) const
     {
         const std::string text = cia306::ReadTextFile(Result());
         const cia306::Device device = cia306::ReadDevice(cia306::IniDocument::Parse(Result(), text));
         std::vector<cia306::Finding> findings = FindingsOf(device, text, {node_id, std::nullopt});
-        const std::size_t errors = ErrorsIn(findings);
+        const std::size_t errors = output_.empty() ? ErrorsOnceSigned(text, device, node_id) : ErrorsIn(findings);
         findings.erase(std::remove_if(findings.begin(), findings.end(), [](const cia306::Finding& finding)
                                       { return finding.severity == cia306::Severity::kError; }),
                        findings.end());
@@ -157,7 +157,7 @@ class SignCommand final : public Command
                                 "NodeID is " + std::to_string(*device.node_id) + ", expected " +
                                     std::to_string(*node_id) + ", the node-ID that the file is signed for"});
         }
-        if (errors != 0U && !output_.empty())
+        if (errors != 0U)
         {
             findings.push_back({cia306::Severity::kWarning,
                                 {},
@@ -165,6 +165,21 @@ class SignCommand final : public Command
                                 "check finds errors: " + std::to_string(errors) + ", expected none"});
         }
         return findings;
+    }
+
+    /// A file that has no place for its signatures is refused by --write in words of its own.
+    [[nodiscard]] static std::size_t ErrorsOnceSigned(const std::string& text, const cia306::Device& device,
+                                                      const std::optional<std::uint8_t> node_id)
+    {
+        try
+        {
+            const auto document = cia306::IniDocument::Parse(device.file, text);
+            return ErrorsIn(FindingsBeforeWriting(cia306::WithSignatures(document, device, node_id).Text(), node_id));
+        }
+        catch (const cia306::InputError&)
+        {
+            return 0U;
+        }
     }
 
     [[nodiscard]] static bool IsOfAnotherNode(const cia306::Device& device, const std::optional<std::uint8_t> node_id)

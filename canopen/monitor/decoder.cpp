@@ -45,6 +45,13 @@ std::string WordOf(const NumberRow (&rows)[kCount], const std::uint32_t number, 
     return row == std::end(rows) ? kind + " " + std::to_string(number) : row->second;
 }
 
+/// Whether one of the rows has the number.
+template <std::size_t kCount> bool Knows(const NumberRow (&rows)[kCount], const std::uint32_t number)
+{
+    return std::any_of(std::begin(rows), std::end(rows),
+                       [number](const NumberRow& each) { return each.first == number; });
+}
+
 /// Bits from `first` on, the lowest first; the frame has them, checked by the caller.
 std::uint64_t BitsAt(const LogFrame& frame, const std::uint32_t first, const std::uint32_t count)
 {
@@ -257,6 +264,7 @@ std::string Decoder::ErrorControl(const LogFrame& frame)
     const bool is_same = is_answer && guarding.toggle == toggle;
     guarding.toggle = is_answer ? std::optional(toggle) : (is_boot_up ? std::nullopt : guarding.toggle);
     return (is_answer ? "guarding answer, " : "") + name + (is_boot_up ? " " : " is ") +
+           (Knows(kStates, frame.data[0] & 0x7FU) ? "" : "INVALID: ") +
            WordOf(kStates, frame.data[0] & 0x7FU, "state") +
            (is_answer || toggle != 0U ? ", toggle " + std::to_string(toggle) : "") +
            (is_same ? ", INVALID: not alternated" : "");

@@ -93,7 +93,7 @@ bool TakeNodeKey(const IniDocument& document, const IniKey& key, std::map<std::u
     }
     if (name.rfind("node", 0U) != 0U || end == kPrefix)
     {
-        return IsOneOf(name, {"netname", "netrefd", "nodes", "edsbasename"});
+        return IsOneOf(name, {"netname", "netrefd", "nodes"});
     }
     const std::string digits = name.substr(kPrefix, end - kPrefix);
     const bool is_id =

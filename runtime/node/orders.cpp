@@ -38,6 +38,12 @@ cia301::SdoAbort OfType(const cia301::SdoAbort abort, const cia306::Device& file
     const bool is_outside = abort == cia301::SdoAbort::kValueHigh || abort == cia301::SdoAbort::kValueLow;
     return is_boolean && is_outside ? cia301::SdoAbort::kValueRange : abort;
 }
+/// Whether the device produces that SRDO at present: nobody waits for an acknowledge of it. [SRS_NODE_660]
+bool IsSent(const std::uint64_t number, NodeDevice& device)
+{
+    const auto index = static_cast<std::uint16_t>(0x1300U + number);
+    return device.Assembly().Core().ReadObject({index, 1U}).data.bytes[0] == kDirectionProducer;
+}
 } // namespace
 
 NodeOrders::NodeOrders(NodePorts& ports, NodeReport& report) : ports_(ports), report_(report)
@@ -59,6 +65,11 @@ bool NodeOrders::Carry(const NodeOrder& order, NodeDevice& device, const NodeMom
         if (!device.Acknowledge(static_cast<std::uint8_t>(order.value), at_.now_ns))
         {
             TellProblem("ack: no SRDO " + std::to_string(order.value) + ", expected one of this device",
+                        "no such SRDO");
+        }
+        else if (IsSent(order.value, device))
+        {
+            TellProblem("ack: SRDO " + std::to_string(order.value) + " is sent, expected one that is received",
                         "no such SRDO");
         }
         break;

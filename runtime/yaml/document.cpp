@@ -316,7 +316,7 @@ std::string ReadYamlText(const std::string& file)
     const std::filesystem::file_status status = std::filesystem::status(file, error);
     if (status.type() == std::filesystem::file_type::not_found)
     {
-        throw YamlError(file, {}, "no such file", "a scenario");
+        throw YamlError(file, {}, "no such file", "a YAML file");
     }
     if (status.type() == std::filesystem::file_type::none)
     {
@@ -324,7 +324,7 @@ std::string ReadYamlText(const std::string& file)
     }
     if (!std::filesystem::is_regular_file(status))
     {
-        throw YamlError(file, {}, "not a regular file", "a scenario");
+        throw YamlError(file, {}, "not a regular file", "a YAML file");
     }
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     if (size > kMaxYamlBytes) // So is what has no size.
@@ -352,7 +352,7 @@ YamlNode ParseYaml(const std::string& file, const std::string& text)
         YAML::Parser parser(stream);
         if (!parser.HandleNextDocument(builder))
         {
-            throw YamlError(file, {1, 1}, "no document", "a map with the keys of a scenario");
+            throw YamlError(file, {1, 1}, "no document", "a map of keys and values");
         }
         YamlNode root = builder.Take();
         if (parser.HandleNextDocument(builder))

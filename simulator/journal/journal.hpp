@@ -34,7 +34,7 @@ enum class EventKind : std::uint8_t
     kNmt = 1U,         ///< value: NmtState.
     kInput = 2U,       ///< value: the new value; other: index << 8 | sub.
     kAcknowledge = 3U, ///< value: level.
-    kGfc = 4U,         ///< value: 1 sent, 0 refused.
+    kGfc = 4U,         ///< value: 1 sent, 0 refused; other: the kernel's Result.
     kPowerOn = 5U,
     kFault = 6U, ///< A fault had its first effect. value: index in Scenario::faults.
     kFrameChanged =

@@ -458,6 +458,28 @@ std::string LimitText(const Nanoseconds limit)
     return (limit == kNoLimit) ? "none" : MillisecondsText(limit);
 }
 
+/// Refused by a device that is well: nothing of the scenario shows what it was to do. [SRS_SIM_660]
+bool IsVainGfc(const Event& event)
+{
+    return event.kind == EventKind::kGfc && event.value == 0U &&
+           event.other != static_cast<std::uint64_t>(Result::kDeviceFault);
+}
+
+std::string GfcText(const Event& event)
+{
+    switch (static_cast<Result>(event.other))
+    {
+    case Result::kGfcUnsupported:
+        return "refused: 1300h is 0";
+    case Result::kNmtError:
+        return "refused: not OPERATIONAL";
+    case Result::kInvalidConfiguration:
+        return "refused: 13FEh is not A5h";
+    default:
+        return "refused";
+    }
+}
+
 std::string StoreText(const Event& event)
 {
     constexpr std::uint32_t kNotInThisState = 0x08000022U;
@@ -495,6 +517,12 @@ std::vector<ExpectationVerdict> Judge(const Scenario& scenario, const Journal& j
             const std::string& name = scenario.nodes[event.node].name;
             const std::string wanted = "store into " + name + " at " + MillisecondsText(event.at) + " is taken";
             verdicts.push_back({kOfItself, false, wanted, StoreText(event), {}});
+        }
+        else if (IsVainGfc(event))
+        {
+            const std::string& name = scenario.nodes[event.node].name;
+            const std::string wanted = "GFC of " + name + " at " + MillisecondsText(event.at) + " is sent";
+            verdicts.push_back({kOfItself, false, wanted, GfcText(event), {}});
         }
     }
     return verdicts;

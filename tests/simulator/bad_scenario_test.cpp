@@ -303,11 +303,11 @@ faults:
 TEST(BadScenarioFile, MissingFolderEmptyOrTooLargeIsRefused)
 {
     Verifies(req::SRS_SIM_010);
-    EXPECT_EQ(Refusal("/nonexistent/x.yaml"), "/nonexistent/x.yaml: error: no such file, expected a scenario");
-    EXPECT_EQ(Refusal(Examples()), Examples() + ": error: not a regular file, expected a scenario");
-    EXPECT_EQ(Refusal("/dev/zero"), "/dev/zero: error: not a regular file, expected a scenario");
+    EXPECT_EQ(Refusal("/nonexistent/x.yaml"), "/nonexistent/x.yaml: error: no such file, expected a YAML file");
+    EXPECT_EQ(Refusal(Examples()), Examples() + ": error: not a regular file, expected a YAML file");
+    EXPECT_EQ(Refusal("/dev/zero"), "/dev/zero: error: not a regular file, expected a YAML file");
     const std::string empty = TextFile("");
-    EXPECT_EQ(Refusal(empty), empty + ":1:1: error: no document, expected a map with the keys of a scenario");
+    EXPECT_EQ(Refusal(empty), empty + ":1:1: error: no document, expected a map of keys and values");
     const std::string large = TextFile(std::string(1048577U, '#'));
     EXPECT_EQ(Refusal(large), large + ": error: 1048577 bytes, expected at most 1048576");
     const std::string nothing = TextFile("title: x\n");
@@ -441,7 +441,7 @@ TEST(ImpossibleFault, NodeIsNotCalledBus)
 TEST(ScenarioFileName, IsShownInOnePrintableLineWithTheReason)
 {
     Verifies(req::SRS_SIM_010);
-    EXPECT_EQ(Refusal("no\nsuch\x1B.yaml"), "no\\x0Asuch\\x1B.yaml: error: no such file, expected a scenario");
+    EXPECT_EQ(Refusal("no\nsuch\x1B.yaml"), "no\\x0Asuch\\x1B.yaml: error: no such file, expected a YAML file");
     const std::string loop = ::testing::TempDir() + "counterpoint_loop.yaml";
     std::filesystem::remove(loop);
     std::filesystem::create_symlink(loop, loop);

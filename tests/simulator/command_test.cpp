@@ -48,7 +48,7 @@ TEST(SimulateCommand, EndsWithZeroOneOrTwo)
     // Bad input: one line
     const Answer lost = RunCommand({"simulate", "/nonexistent.yaml"});
     EXPECT_EQ(lost.status, 2);
-    EXPECT_EQ(lost.err, "/nonexistent.yaml: error: no such file, expected a scenario\n");
+    EXPECT_EQ(lost.err, "/nonexistent.yaml: error: no such file, expected a YAML file\n");
     EXPECT_EQ(lost.out, "");
     EXPECT_EQ(RunCommand({"simulate"}).status, 2);
     EXPECT_EQ(RunCommand({"simulate", failing, "--seed", "x"}).status, 2);

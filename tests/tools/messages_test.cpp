@@ -213,7 +213,7 @@ TEST_F(MessagesTest, OfNetworkFilesAndRecordings)
          ":1:10: error: a network without slaves, expected at least one"},
         {manager, "a.yaml", "manager: {node: 0}\nslaves: [{node: 1}]\n",
          ":1:17: error: '0', expected a number from 1 to 127"},
-        {manager, "a.yaml", "", ":1:1: error: no document, expected a map with the keys of a scenario"},
+        {manager, "a.yaml", "", ":1:1: error: no document, expected a map of keys and values"},
         {monitor, "a.log", "(1.000000) can0 101#1\n",
          ":1:21: error: line '(1.000000) can0 101#1', expected 0 to 8 bytes of two hexadecimal digits"},
         {monitor, "a.log", "\n(1.000000) can0 1xx#1\n",

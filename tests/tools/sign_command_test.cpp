@@ -135,8 +135,16 @@ TEST_F(SignCommandTest, TellsThatCheckFindsErrors)
     const Answer answer = RunCommand({"sign", file, "--write", Path("out.dcf")});
     EXPECT_EQ(answer.status, 0);
     EXPECT_EQ(answer.err, Path("out.dcf") + ": warning: check finds errors: 2, expected none\n");
-    // A file that is yet to be signed is wrong in its signatures
-    EXPECT_EQ(RunCommand({"sign", file}).err, "");
+    // Without a copy it is the same: what counts is what stays when the signatures are right
+    EXPECT_EQ(RunCommand({"sign", file}).err, file + ": warning: check finds errors: 2, expected none\n");
+    const auto document = nlohmann::json::parse(RunCommand({"sign", file, "--json"}).out);
+    ASSERT_EQ(document["warnings"].size(), 1U);
+    EXPECT_EQ(document["warnings"][0]["message"], "check finds errors: 2, expected none");
+    // And a file whose signatures alone are wrong has none
+    const std::string unsigned_file =
+        File("unsigned.dcf",
+             cia306::test::WithValues(cia306::test::ExampleText("sensor"), {{"13FFsub1", "ParameterValue", "0x0001"}}));
+    EXPECT_EQ(RunCommand({"sign", unsigned_file}).err, "");
 }
 
 TEST_F(SignCommandTest, TellsThatTheCopyIsForAnotherNode)

@@ -40,6 +40,10 @@ void NodeInsight::TellStates(const Part part, const Channel& channel, Voice& voi
     for (SlotIndex slot = 0U; slot < model_.Config().srdo_count; ++slot)
     {
         const SrdoState state = channel.View(slot).state;
+        if (model_.NumberOf(slot) == 0U)
+        {
+            continue; // The place of a device without SRDOs.
+        }
         if (state != voice.states.at(slot))
         {
             voice.states.at(slot) = state;
@@ -71,6 +75,10 @@ void NodeInsight::TellCauses(const Part part, const Channel& channel, const Cycl
 
 void NodeInsight::TellVerdict(const Verdict& verdict)
 {
+    if (model_.NumberOf(0U) == 0U)
+    {
+        return; // A device without SRDOs.
+    }
     const SrdoMask slots = ~SrdoMask{0U} >> (kMaxSrdoCount - model_.Config().srdo_count);
     const SrdoMask agreed = verdict.agreement.agreed & slots;
     const SrdoMask matched = verdict.agreement.matched & slots;

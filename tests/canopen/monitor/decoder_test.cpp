@@ -101,6 +101,8 @@ TEST_F(DecoderTest, LengthsThatNobodyObeysAreMarked)
     EXPECT_EQ(Words(0x601U, {0x40U, 0x17U, 0x10U, 0U}), "601h [4] 40 17 10 00  SDO Sensor <- INVALID: of wrong length");
     EXPECT_EQ(Words(0x701U, {5U, 5U}), "701h [2] 05 05  error control Sensor INVALID: of wrong length");
     EXPECT_EQ(Words(0x001U, {0U}), "001h [1] 00  GFC INVALID: with data");
+    EXPECT_EQ(Words(0x709U, {6U}), "709h [1] 06  error control node 9 is INVALID: state 6");
+    EXPECT_EQ(Words(0x709U, {0x86U}), "709h [1] 86  error control node 9 is INVALID: state 6, toggle 1");
 }
 
 TEST_F(DecoderTest, GuardingHasItsToggleBit)

@@ -62,6 +62,10 @@ TEST_F(CpjTest, AKeyOfANodeHasItsNumberWithoutAZeroBeforeIt)
     const NetworkPlan plan = ReadCpj(Cpj(name + "Node5=x\n", ""), 127U);
     EXPECT_EQ(plan.warnings, Texts{Path("net.cpj") + ":5:1: warning: key 'Node5' is ignored, expected NetName, Nodes, "
                                                      "NodeNPresent, NodeNName or NodeNDCFName"});
+    // So is the folder of other people's EDS files: names are those of files beside this one
+    const NetworkPlan base = ReadCpj(Cpj(name + "EDSBaseName=eds\n", ""), 127U);
+    EXPECT_EQ(base.warnings, Texts{Path("net.cpj") + ":5:1: warning: key 'EDSBaseName' is ignored, expected NetName, "
+                                                     "Nodes, NodeNPresent, NodeNName or NodeNDCFName"});
 }
 
 TEST_F(CpjTest, ANodeIsNamedByItsNumberWhereItsNameIsEmpty)

@@ -106,6 +106,20 @@ TEST_F(NodeOrdersTest, TheTimeOfDayIsSentWhereTheFileSaysSo)
     ExpectTold(sensor, refused);
 }
 
+TEST_F(NodeOrdersTest, AnAcknowledgeOfWhatIsSentIsTold)
+{
+    Verifies(req::SRS_NODE_660);
+    Bench sensor(FileWith("sensor", {{"5F04", "0"}}));
+    sensor.Start();
+    sensor.Order("ack 1");
+    ExpectTold(sensor, "ack: SRDO 1 is sent, expected one that is received");
+    // And one of what is received is not
+    Bench actuator(FileWith("actuator", {{"5F04", "0"}}));
+    actuator.Start();
+    actuator.Order("ack 1");
+    EXPECT_EQ(actuator.Told().find("ack:"), std::string::npos);
+}
+
 TEST_F(NodeOrdersTest, HelpAndTheStateWithAnOpenOutputAreTold)
 {
     Verifies(req::SRS_NODE_003);

@@ -88,10 +88,10 @@ TEST_F(YamlFile, IsARegularOneOfAtMostAMebibyte)
 {
     Verifies(req::SRS_SIM_010);
     EXPECT_EQ(RefusalOf([] { return ReadYamlText("/no/such/file.yaml"); }),
-              "/no/such/file.yaml: error: no such file, expected a scenario");
+              "/no/such/file.yaml: error: no such file, expected a YAML file");
     const std::string folder = std::filesystem::path(With("")).parent_path().string();
     EXPECT_EQ(RefusalOf([&folder] { return ReadYamlText(folder); }),
-              folder + ": error: not a regular file, expected a scenario");
+              folder + ": error: not a regular file, expected a YAML file");
     // A name of which no system has a file
     const std::string name = folder + "/" + std::string(300U, 'a');
     EXPECT_EQ(RefusalOf([&name] { return ReadYamlText(name); }),
@@ -123,7 +123,7 @@ TEST(YamlDocument, HasNodesWithTheirPlaces)
 TEST(YamlDocument, IsOneWithoutAliasesAndTags)
 {
     Verifies(req::SRS_SIM_010);
-    EXPECT_EQ(RefusalOfText(""), "a.yaml:1:1: error: no document, expected a map with the keys of a scenario");
+    EXPECT_EQ(RefusalOfText(""), "a.yaml:1:1: error: no document, expected a map of keys and values");
     EXPECT_EQ(RefusalOfText("a: 1\n---\nb: 2\n"), "a.yaml:3:1: error: a second document, expected one document");
     EXPECT_EQ(RefusalOfText("a: &x 1\nb: *x\n"),
               "a.yaml:2:4: error: alias, expected the value itself; aliases are not allowed");

@@ -101,6 +101,7 @@ inline constexpr RequirementId SRS_NODE_551{"SRS_NODE_551"};
 inline constexpr RequirementId SRS_NODE_552{"SRS_NODE_552"};
 inline constexpr RequirementId SRS_NODE_580{"SRS_NODE_580"};
 inline constexpr RequirementId SRS_NODE_581{"SRS_NODE_581"};
+inline constexpr RequirementId SRS_NODE_660{"SRS_NODE_660"};
 } // namespace counterpoint::req
 
 #endif

@@ -106,6 +106,8 @@ inline constexpr RequirementId SRS_SIM_490{"SRS_SIM_490"};
 inline constexpr RequirementId SRS_SIM_491{"SRS_SIM_491"};
 inline constexpr RequirementId SRS_SIM_585{"SRS_SIM_585"};
 inline constexpr RequirementId SRS_SIM_586{"SRS_SIM_586"};
+inline constexpr RequirementId SRS_SIM_660{"SRS_SIM_660"};
+inline constexpr RequirementId SRS_SIM_661{"SRS_SIM_661"};
 } // namespace counterpoint::req
 
 #endif

@@ -17,6 +17,7 @@ constexpr std::uint64_t kRetryNs = kMillisecondNs;
 /// What may wait as text before frames wait as frames.
 constexpr std::size_t kTextBytes = 4096U;
 /// Frames whose echo may be awaited: more than a bus of 1 Mbit/s carries within the delay of any usable connection.
+/// [SRS_LIVE_660]
 constexpr std::size_t kUnconfirmedFrames = 4096U;
 /// Least distance of two questions about the age of frames.
 constexpr std::uint64_t kQuestionNs = kQuestionMs * kMillisecondNs;
