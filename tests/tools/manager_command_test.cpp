@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -330,6 +331,7 @@ TEST_F(ManagerCommandTest, WithItsSlavesTheManagerEndsWith0)
 {
     Verifies(req::SRS_MGR_004);
     Verifies(req::SRS_MGR_005);
+    Verifies(req::SRS_MGR_061);
     const std::string bus = "udp:239.74.163.91:" + std::to_string(20000 + ::getpid() % 40000);
     const std::string file = File("net.yaml", "manager: {node: 127}\nslaves: [{node: 5, name: Pump, boot: false}]\n");
     // Given a mandatory slave that says that it runs, until the manager shows it so, which is then told to quit
@@ -349,10 +351,11 @@ TEST_F(ManagerCommandTest, WithItsSlavesTheManagerEndsWith0)
                 shown = AnswerAt(Path("m.sock"), "status\n");
                 std::this_thread::sleep_for(std::chrono::milliseconds(2));
             }
+            EXPECT_EQ(std::filesystem::status(Path("m.sock")).permissions(), std::filesystem::perms{0660});
             EXPECT_EQ(AnswerAt(Path("m.sock"), "quit\n"), "taken\n");
         });
-    const Answer answer = RunCommand(
-        {"manager", "--can", bus, "--network", file, "--no-input", "--socket", Path("m.sock"), "--for", "600"});
+    const Answer answer = RunCommand({"manager", "--can", bus, "--network", file, "--no-input", "--socket",
+                                      Path("m.sock"), "--socket-group", "--for", "600"});
     person.join();
     EXPECT_EQ(answer.status, 0) << answer.err;
     EXPECT_NE(answer.out.find("\n5     Pump                  operational      "), std::string::npos) << answer.out;

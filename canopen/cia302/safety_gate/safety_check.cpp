@@ -33,6 +33,7 @@ bool IsSignature(const ObjectAddress& address) noexcept
 }
 
 /// Of a setting. An SRDO that is off may have none; 0 is refused where it is written, and read back where it is.
+/// [SRS_SFS_620]
 bool IsNoIdentifier(const ExpectedObject& object) noexcept
 {
     constexpr std::uint8_t kFirstIdentifierSub = 5U;

@@ -227,6 +227,33 @@ TEST_P(SafetyPathsTest, OfAnotherDeviceThatWasFoundChangedStaysAnotherDevice)
     EXPECT_EQ(manager->Status(NodeId{5U}).letter, (GetParam() == Profile::kCia302) ? 'O' : '\0');
 }
 
+TEST_P(SafetyPathsTest, ThatRefusesToSayWhoItIsIsNeitherStartedNorWritten)
+{
+    Verifies(req::SRS_SFS_009);
+    // Given one with the very configuration that is expected, which aborts what its profile compares
+    const bool is_plc = (GetParam() == Profile::kPlcDesigner);
+    devices[0]->refused[cia301::KeyOf(is_plc ? 0x1000U : 0x1018U, is_plc ? 0U : 4U)] = SdoAbort::kHardware;
+    Begin(GetParam());
+    Run(6000U);
+    const NodeStatus status = manager->Status(NodeId{5U});
+    EXPECT_EQ(status.letter, (GetParam() == Profile::kCia302) ? 'O' : '\0');
+    EXPECT_EQ(status.code, (GetParam() == Profile::kEl6751) ? 4 : status.code);
+    EXPECT_EQ(status.code, is_plc ? 98 : status.code);
+    EXPECT_TRUE(status.is_other);
+    EXPECT_EQ(Order(NmtCommand::kStart, 5U), NmtAnswer::kOtherDevice);
+    EXPECT_EQ(Order(NmtCommand::kStart, 0U), NmtAnswer::kOtherDevice);
+    EXPECT_FALSE(manager->WriteSafety(NodeId{5U}, Now()));
+    Run(1000U);
+    EXPECT_EQ(starts, (std::vector<std::string>{}));
+    EXPECT_EQ(devices[0]->writes, (std::vector<std::uint32_t>{}));
+    // When it says it, then its next start-up starts it
+    devices[0]->refused.clear();
+    EXPECT_EQ(Order(NmtCommand::kResetNode, 5U), NmtAnswer::kTaken);
+    Run(6000U);
+    EXPECT_FALSE(manager->Status(NodeId{5U}).is_other);
+    EXPECT_EQ(Running(5U), 1);
+}
+
 // The answer to each request of the gate is there before the next cycle: what it reads or writes next would leave then.
 TEST_P(SafetyPathsTest, WhoIsNotTheActiveMasterAnyMoreReadsAndWritesNoFurther)
 {
@@ -331,6 +358,30 @@ TEST_P(SafetyPathsInCia302Test, StartsItselfAndTellsNoStateIsStopped)
     Run(1000U);
     EXPECT_EQ(devices[0]->State(), cia301::NodeState::kStopped);
     EXPECT_EQ(Gate(), GateState::kDiffers);
+}
+
+TEST_P(SafetyPathsInCia302Test, ThatDoesNotAnswerWithinTheBootTimeIsNeitherStartedNorWritten)
+{
+    Verifies(req::SRS_SFS_009);
+    // Given one that is silent until the boot time is over, and answers then
+    setup.boot_time_ms = 1000U;
+    setups[5].assignment |= kMandatory;
+    devices[0]->is_sdo_mute = true;
+    Begin(GetParam());
+    Run(4000U);
+    devices[0]->is_sdo_mute = false;
+    EXPECT_EQ(manager->Status(NodeId{5U}).letter, 'B');
+    EXPECT_TRUE(manager->Status(NodeId{5U}).is_other);
+    EXPECT_EQ(Order(NmtCommand::kStart, 5U), NmtAnswer::kOtherDevice);
+    EXPECT_FALSE(manager->WriteSafety(NodeId{5U}, Now()));
+    Run(1000U);
+    EXPECT_EQ(starts, (std::vector<std::string>{}));
+    EXPECT_EQ(devices[0]->writes, (std::vector<std::uint32_t>{}));
+    // When its boot is ordered
+    EXPECT_TRUE(manager->Role().Boot(NodeId{5U}, Now()));
+    Run(1000U);
+    EXPECT_FALSE(manager->Status(NodeId{5U}).is_other);
+    EXPECT_EQ(Running(5U), 1);
 }
 
 /// Given a slave 6 whose loss stops all, and 5 that runs.

@@ -68,6 +68,25 @@ TEST_F(CpjTest, AKeyOfANodeHasItsNumberWithoutAZeroBeforeIt)
                                                      "Nodes, NodeNPresent, NodeNName or NodeNDCFName"});
 }
 
+// Relative to the folder of the network file; node 127 is the last one.
+TEST_F(CpjTest, ADcfNameMayHaveFoldersAfterEitherFashion)
+{
+    Verifies(req::SRS_NET_001);
+    std::filesystem::create_directory(Path("devices"));
+    static_cast<void>(File("devices/last.dcf", "[DeviceInfo]\nVendorName=test\n"));
+    for (const std::string name : {"devices/last.dcf", "devices\\last.dcf", ".\\devices/last.dcf"})
+    {
+        const NetworkPlan plan =
+            ReadCpj(File("net.cpj", "[Topology]\nNodes=1\nNode127Present=1\nNode127DCFName=" + name + "\n"), 1U);
+        ASSERT_EQ(plan.slaves.size(), 1U) << name;
+        EXPECT_EQ(plan.slaves[0].node, 127U) << name;
+        EXPECT_EQ(std::filesystem::canonical(plan.slaves[0].dcf), std::filesystem::canonical(Path("devices/last.dcf")))
+            << name;
+    }
+    // And no other folder
+    EXPECT_NE(Refusal("Node5DCFName=devices/five.dcf\n").find(":4:14: error: "), std::string::npos);
+}
+
 TEST_F(CpjTest, ANodeIsNamedByItsNumberWhereItsNameIsEmpty)
 {
     Verifies(req::SRS_NET_001);

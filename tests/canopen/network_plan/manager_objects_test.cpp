@@ -40,6 +40,56 @@ TEST_F(ManagerObjectsTest, TheNetworkFileGoesBeforeThem)
     EXPECT_EQ(plan.slaves[0].consumer_ms, std::uint16_t{77U});
 }
 
+TEST_F(ManagerObjectsTest, EachOfThemGoesBeforeWhatIsDerived)
+{
+    Verifies(req::SRS_NET_341);
+    // Given a slave whose own DCF says other numbers
+    plan = PlanOf("[DeviceInfo]\nVendorName=test\n\n" + Number("1000", "0x191") + Record("1018", 5) +
+                  Number("1018sub1", "1") + Number("1018sub2", "2") + Number("1018sub3", "3") +
+                  Number("1018sub4", "4") + Record("1020", 3) + Number("1020sub1", "5") + Number("1020sub2", "6") +
+                  Entry("1017", 6, "rw", "ParameterValue=100"));
+    {
+        const LoadedNetwork network(plan);
+        const cia302::SlaveSetup& derived = network.Setup().slaves[5];
+        EXPECT_EQ(derived.assignment, 0x0DU);
+        EXPECT_EQ(derived.device_type, 0x191U);
+        EXPECT_EQ(derived.vendor_id, 1U);
+        EXPECT_EQ(derived.serial_number, 4U);
+        EXPECT_EQ(derived.configuration_date, 5U);
+        EXPECT_EQ(derived.configuration_time, 6U);
+        EXPECT_EQ(derived.heartbeat.consumer_ms, 200U);
+    }
+    std::string text = Number("1F80", "0x45") + Number("1F89", "7000") + Entry("102A", 6, "rw", "ParameterValue=30") +
+                       Number("1006", "20000") + Entry("1017", 6, "rw", "ParameterValue=250") + Record("1016", 2) +
+                       Number("1016sub1", "0x000501F4") + Record("1F8A", 2) +
+                       Entry("1F8Asub5", 5, "rw", "ParameterValue=1");
+    std::uint32_t value = 0x05U;
+    for (const char* const index : {"1F81", "1F84", "1F85", "1F86", "1F87", "1F88", "1F26", "1F27"})
+    {
+        text += Record(index, 2) + Number(std::string(index) + "sub5", cia306::Hex(value, 2));
+        value += 0x10U;
+    }
+    TakeManagerObjects(ManagerOf(text), plan);
+    const LoadedNetwork network(plan);
+    const cia302::NetworkSetup& setup = network.Setup();
+    EXPECT_EQ(setup.start_up, 0x45U);
+    EXPECT_EQ(setup.boot_time_ms, 7000U);
+    EXPECT_EQ(setup.inhibit_100us, 30U);
+    EXPECT_EQ(setup.sync_period_us, 20000U);
+    EXPECT_EQ(network.Plan().manager.heartbeat_ms, std::uint16_t{250U});
+    const cia302::SlaveSetup& slave = setup.slaves[5];
+    EXPECT_EQ(slave.assignment, 0x05U);
+    EXPECT_EQ(slave.device_type, 0x15U);
+    EXPECT_EQ(slave.vendor_id, 0x25U);
+    EXPECT_EQ(slave.product_code, 0x35U);
+    EXPECT_EQ(slave.revision_number, 0x45U);
+    EXPECT_EQ(slave.serial_number, 0x55U);
+    EXPECT_EQ(slave.configuration_date, 0x65U);
+    EXPECT_EQ(slave.configuration_time, 0x75U);
+    EXPECT_EQ(slave.restore_sub, 1U);
+    EXPECT_EQ(slave.heartbeat.consumer_ms, 500U);
+}
+
 // Bit 5 of 1F80h asks for a flying master; 1F90h says what the file leaves open.
 TEST_F(ManagerObjectsTest, SayWhetherAndHowItIsAFlyingMaster)
 {

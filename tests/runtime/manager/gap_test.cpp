@@ -30,7 +30,8 @@ struct GapBus
     std::uint64_t next_sign_ms{0U};
     std::uint8_t state{0U}; ///< What slave 5 says: each 10 ms; first that it boots up.
     std::vector<std::uint8_t> commands;
-    std::deque<host::LiveFrame> answers; ///< Of its SDO server, which has 0 everywhere and takes everything.
+    std::vector<std::uint32_t> elections; ///< Identifiers of the services of a flying master.
+    std::deque<host::LiveFrame> answers;  ///< Of its SDO server, which has 0 everywhere and takes everything.
 
     [[nodiscard]] std::uint64_t Ms() const
     {
@@ -52,6 +53,10 @@ class BusWithGap final : public host::LiveBus
             bus_.commands.push_back(command);
             bus_.state = (command == 1U) ? 5U : bus_.state;
             bus_.state = (command == 0x82U) ? 0U : bus_.state;
+        }
+        if (frame.identifier >= 0x071U && frame.identifier <= 0x076U)
+        {
+            bus_.elections.push_back(frame.identifier);
         }
         if (frame.identifier == 0x605U)
         {
@@ -202,6 +207,26 @@ TEST_F(ManagerGapTest, AProfileDoesWhatItDoesAtEachBusOff)
     bus.health = [](const std::uint64_t ms, host::BusHealth& health) { WasOff(1000U, ms, health); };
     Run();
     EXPECT_GT(Resets(), resets);
+}
+
+// Given a flying master that leads, then it leads no more at the absence, and asks for a master before it leads again.
+TEST_F(ManagerGapTest, AFlyingMasterDoesWhatItDoesAtEachBusOff)
+{
+    Verifies(req::SRS_MGR_580);
+    manager = ", heartbeat: 200 ms, flying: {priority: 0, delay: 10 ms, timeout: 10 ms, level_slot: 1271 ms}";
+    const auto questions = [this]
+    {
+        return std::count_if(bus.elections.begin(), bus.elections.end(),
+                             [](const std::uint32_t identifier) { return identifier == 0x073U; });
+    };
+    Run();
+    const auto quiet = questions();
+    ASSERT_GE(quiet, 1);
+    ASSERT_EQ(bus.elections.back(), 0x071U);
+    bus = GapBus{};
+    bus.health = [](const std::uint64_t ms, host::BusHealth& health) { WasOff(2500U, ms, health); };
+    Run();
+    EXPECT_EQ(questions(), quiet + 1);
 }
 
 // Given a slave that was started, and whose boot-up message came in the moment in which the bus was away, then it is

@@ -267,6 +267,30 @@ TEST_F(ManagerLoopTest, AHeapIsMoreThanABusCarriesAfterASilence)
     EXPECT_FALSE(runtime::FrameBacklog(0U).Has(Frames(300U), 400U * kMs));
 }
 
+TEST_F(ManagerLoopTest, AHeapHasItsLimits)
+{
+    Verifies(req::SRS_MGR_140);
+    // Given a silence of 500 ms, or one that is longer
+    EXPECT_FALSE(runtime::FrameBacklog(0U).Has(Frames(300U), 500U * kMs));
+    EXPECT_TRUE(runtime::FrameBacklog(0U).Has(Frames(300U), 500U * kMs + 1U));
+    // Given 42 frames of 47 us, which are 1974 us, and 43, which are 2021
+    EXPECT_FALSE(runtime::FrameBacklog(0U).Has(Frames(42U), 600U * kMs));
+    EXPECT_TRUE(runtime::FrameBacklog(0U).Has(Frames(43U), 600U * kMs));
+    // Given two heartbeats of one node, 1 ms each, and three
+    EXPECT_FALSE(runtime::FrameBacklog(0U).Has(Frames(2U, 0x705U), 600U * kMs));
+    EXPECT_TRUE(runtime::FrameBacklog(0U).Has(Frames(3U, 0x705U), 600U * kMs));
+    // Given 300 frames within 1 s behind the end of the silence at 600 ms, and at its end
+    for (const std::uint64_t ms : {1599U, 1600U})
+    {
+        runtime::FrameBacklog backlog(0U);
+        for (const std::uint64_t before : {std::uint64_t{600U}, std::uint64_t{1000U}, std::uint64_t{1400U}, ms - 1U})
+        {
+            EXPECT_FALSE(backlog.Has(Frames((before == ms - 1U) ? 0U : 1U), before * kMs));
+        }
+        EXPECT_EQ(backlog.Has(Frames(300U), ms * kMs), ms == 1599U) << ms;
+    }
+}
+
 TEST_F(ManagerLoopTest, AHeapIsAlsoMoreHeartbeatsOfANodeThanItCanSend)
 {
     Verifies(req::SRS_MGR_140);

@@ -61,6 +61,10 @@ TEST_F(ManagerOwnDoubleTest, SoDoesAManagerOfEachProfileUntilItIsReset)
         EXPECT_EQ(Order("reset 127"), "taken") << profile;
         Run(5U);
         EXPECT_TRUE(IsAlone()) << profile;
+        // So does an answer of an SDO server with its node-ID
+        Hear(0x5FFU, {0x43U, 0x00U, 0x10U, 0x00U, 0x91U, 0x01U, 0x00U, 0x00U});
+        Run(5U);
+        EXPECT_FALSE(IsAlone()) << profile;
     }
 }
 } // namespace

@@ -123,6 +123,7 @@ TEST_F(ManagerPdosTest, InputsAreToldAndShown)
     EXPECT_NE(table.find("10    TxPDO 1     32                        101 ms\n"), std::string::npos) << table;
     const auto json = runtime::StatusJson(*station, now_us);
     EXPECT_EQ(json["event"], "table");
+    EXPECT_EQ(json["pdos"][0]["data"], "00 00");
     EXPECT_EQ(json["pdos"][1]["data"], "32");
     // A frame that is too short is no value
     Hear(0x18AU, {});

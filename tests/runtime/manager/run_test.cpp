@@ -522,6 +522,10 @@ TEST_F(ManagerRunTest, CommandsThatDoNotLeaveAreTold)
     EXPECT_EQ(Told("unsent")[0]["commands"], nlohmann::json({"stop node 50", "stop node 51"}));
     EXPECT_EQ(Told("unsent")[0]["frames"], 0);
     EXPECT_EQ(Told("unsent")[0]["text"], "2 NMT commands have not left: stop node 50, stop node 51");
+    // 2 s, and 0.1 s more
+    ASSERT_EQ(Told("stopped").size(), 1U);
+    EXPECT_GE(Told("stopped")[0]["t_us"].get<std::uint64_t>(), 2100000U);
+    EXPECT_LT(Told("stopped")[0]["t_us"].get<std::uint64_t>(), 2110000U);
     // Or a bus that is down, or bus-off, which is not waited for
     for (const host::BusState state : {host::BusState::kDown, host::BusState::kBusOff})
     {

@@ -223,6 +223,7 @@ TEST_F(ManagerStationTest, WritesObeyRules)
     EXPECT_EQ(Write(0x1F83U, 5U, 1U, 1U), 0U);
     EXPECT_EQ(Read(0x1F83U, 5U), 1U);
     EXPECT_EQ(Write(0x1F81U, 5U, 0x00000301U, 4U), 0x06090030U);
+    EXPECT_EQ(Write(0x1F81U, 5U, 0x00640001U, 4U), 0x06090030U);
     EXPECT_EQ(Write(0x1F81U, 5U, 0x00640303U, 4U), 0x06090030U);
     EXPECT_EQ(Write(0x1F81U, 5U, 0U, 4U), 0x08000022U);
     EXPECT_EQ(Write(0x1F81U, 9U, 1U, 4U), 0x08000022U); // Nobody joins,
@@ -233,8 +234,8 @@ TEST_F(ManagerStationTest, WritesObeyRules)
     EXPECT_EQ(Write(0x1F88U, 6U, 8U, 4U), 0x08000022U);
     EXPECT_EQ(Write(0x1F22U, 6U, 0U, 4U), 0x08000022U);
     // A safety slave stays what it is
-    for (const std::uint16_t index :
-         std::initializer_list<std::uint16_t>{0x1F26U, 0x1F27U, 0x1F81U, 0x1F84U, 0x1F85U, 0x1F86U, 0x1F87U, 0x1F88U})
+    for (const std::uint16_t index : std::initializer_list<std::uint16_t>{
+             0x1F26U, 0x1F27U, 0x1F53U, 0x1F54U, 0x1F55U, 0x1F81U, 0x1F84U, 0x1F85U, 0x1F86U, 0x1F87U, 0x1F88U})
     {
         EXPECT_EQ(Write(index, 33U, 0U, 4U), 0x06010002U) << index;
     }

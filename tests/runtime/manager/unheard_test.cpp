@@ -154,6 +154,56 @@ TEST_F(ManagerUnheardTest, AStartThatWaitsIsNoFinding)
     EXPECT_EQ(Row(6U).finding, "started, but says PRE-OPERATIONAL");
 }
 
+TEST_F(ManagerUnheardTest, AConsumerTimeIsHowLongItsStateIsKnownWhereItIsLonger)
+{
+    Verifies(req::SRS_MGR_081);
+    // Given a standby, which supervises no slave: one with a consumer time of 3 s, and one of 300 ms
+    Make("manager: {node: 127, heartbeat: 100 ms, flying: {priority: 1}}\nslaves: [{node: 6, consumer: 3 s}, {node: "
+         "7, consumer: 300 ms}, {node: 5, boot: false, mandatory: false, consumer: 500 ms}]\n");
+    sent.clear();
+    for (int ms = 0; ms < 5000 && Count(0x073U) == 0U; ++ms)
+    {
+        Run(1U);
+    }
+    Hear(0x071U, {0U, 5U});
+    Run(2U);
+    ASSERT_FALSE(station->Assembly().Core().IsActive());
+    Hear(0x706U, {0x05U});
+    Hear(0x707U, {0x05U});
+    const auto states = [this](const std::uint64_t ms)
+    {
+        for (std::uint64_t i = 0U; i < ms; ++i)
+        {
+            Hear(0x705U, {0x05U}); // The master is there.
+            Run(1U);
+        }
+        return Row(6U).state + " " + Row(7U).state;
+    };
+    EXPECT_EQ(states(1000U), "operational operational");
+    EXPECT_EQ(states(1U), "operational unknown");
+    EXPECT_EQ(states(1999U), "operational unknown");
+    EXPECT_EQ(states(1U), "unknown unknown");
+}
+
+TEST_F(ManagerUnheardTest, WhoIsMissingStaysSoAndWhoIsAskedIsWhatItSaid)
+{
+    Verifies(req::SRS_MGR_081);
+    // Given a mandatory slave that was never there, and whose start-up has ended
+    Make("manager: {node: 127, boot_time: 1 s}\nslaves: [{node: 6, device_type: 0x191}]\n");
+    Run(10000U);
+    ASSERT_EQ(Row(6U).result, "B");
+    EXPECT_EQ(Row(6U).state, "missing");
+    Run(60000U);
+    EXPECT_EQ(Row(6U).state, "missing");
+    // And one that boots up and is asked for 5 s, which is its start-up
+    Make("manager: {node: 127, sdo_timeout: 5 s, sdo_tries: 1}\nslaves: [{node: 6, device_type: 0x191}]\n");
+    Run(2U);
+    Hear(0x706U, {0U});
+    Run(4000U);
+    ASSERT_EQ(Row(6U).step, "device type");
+    EXPECT_EQ(Row(6U).state, "pre-operational");
+}
+
 TEST_F(ManagerUnheardTest, AStartBySomebodyElseIsNoHeartbeat)
 {
     Verifies(req::SRS_MGR_082);

@@ -83,6 +83,8 @@ TEST_F(NetworkFileTest, WhatTheManagerExpectsFollowsFromTheDcf)
     const cia302::SlaveSetup& relay = net.Setup().slaves[33];
     // In the network, booted, mandatory
     EXPECT_EQ(relay.assignment, 0x0DU);
+    EXPECT_EQ(relay.device_type, 0U);
+    EXPECT_EQ(relay.vendor_id, 0U);
     EXPECT_EQ(relay.product_code, 3U);
     EXPECT_EQ(relay.revision_number, 0x00010000U);
     EXPECT_EQ(relay.serial_number, 33U);
@@ -95,6 +97,28 @@ TEST_F(NetworkFileTest, WhatTheManagerExpectsFollowsFromTheDcf)
     ASSERT_EQ(relay.concise_dcf.size_bytes, 13U);
     const std::vector<std::uint8_t> bytes(relay.concise_dcf.data, relay.concise_dcf.data + 13U);
     EXPECT_EQ(bytes, (std::vector<std::uint8_t>{1U, 0U, 0U, 0U, 0x17U, 0x10U, 0U, 2U, 0U, 0U, 0U, 100U, 0U}));
+}
+
+TEST_F(NetworkFileTest, TypeVendorAndDateOfTheDcfAreExpectedToo)
+{
+    Verifies(req::SRS_NET_003);
+    std::string text = ExampleText("actuator");
+    for (const auto& [section, value] : {std::pair("[1000]", "0x00020191"), {"[1018sub1]", "0x2A"}})
+    {
+        const std::string none = "DefaultValue=0x00000000";
+        text.replace(text.find(none, text.find(section)), none.size(), "DefaultValue=" + std::string(value));
+    }
+    static_cast<void>(
+        File("dated.dcf", text + "\n[1020]\nParameterName=Verify configuration\nObjectType=0x8\nSubNumber=3\n\n" +
+                              Section("1020sub0", "0x0005", "ro", "2") + Section("1020sub1", "0x0007", "rw", "9131") +
+                              Section("1020sub2", "0x0007", "rw", "43200000")));
+    const LoadedNetwork net(
+        runtime::ReadNetworkFile(File("net.yaml", "manager: {node: 127}\nslaves: [{node: 33, dcf: dated.dcf}]\n"), 0U));
+    const cia302::SlaveSetup& slave = net.Setup().slaves[33];
+    EXPECT_EQ(slave.device_type, 0x00020191U);
+    EXPECT_EQ(slave.vendor_id, 0x2AU);
+    EXPECT_EQ(slave.configuration_date, 9131U);
+    EXPECT_EQ(slave.configuration_time, 43200000U);
 }
 
 TEST_F(NetworkFileTest, TheSafetyExpectationIsTheSignedConfiguration)

@@ -164,6 +164,7 @@ inline constexpr RequirementId SRS_SFS_219{"SRS_SFS_219"};
 inline constexpr RequirementId SRS_SFS_220{"SRS_SFS_220"};
 inline constexpr RequirementId SRS_SFS_221{"SRS_SFS_221"};
 inline constexpr RequirementId SRS_SFS_340{"SRS_SFS_340"};
+inline constexpr RequirementId SRS_SFS_620{"SRS_SFS_620"};
 } // namespace counterpoint::req
 
 #endif

@@ -217,6 +217,20 @@ TEST_F(NetworkObjectsTest, RequestForAllTakesEachValue)
     }
 }
 
+TEST_F(NetworkObjectsTest, RequestForEachTakesEachValue)
+{
+    Verifies(req::SRS_NMM_006);
+    const std::pair<std::uint32_t, std::string> values[] = {{0x84U, "02"}, {0x8FU, "80"}, {0xFFU, "80"},
+                                                            {0x85U, "01"}, {0x86U, "81"}, {0x87U, "82"}};
+    for (const auto& [value, command] : values)
+    {
+        log.clear();
+        EXPECT_EQ(Write(0x1F82U, 0x80U, value), SdoAbort::kNone) << value;
+        EXPECT_EQ(Told(), (Lines{command + " 05", command + " 06", command + " 07"})) << value;
+    }
+    EXPECT_TRUE(own.empty()); // The master is none of them.
+}
+
 TEST_F(NetworkObjectsTest, AFullQueueDelaysTheAnswer)
 {
     Verifies(req::SRS_NMM_212);

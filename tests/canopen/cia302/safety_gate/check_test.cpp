@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace counterpoint::cia302
@@ -87,6 +88,7 @@ class SafetyCheckTest : public ::testing::Test
                 {
                     held.value |= std::uint32_t{request.data[4U + i]} << (8U * i);
                 }
+                written.emplace_back((index << 8U) | request.data[3], held.value);
                 answer.data[0] = 0x60U;
             }
             pool.OnFrame(answer, Now());
@@ -122,6 +124,7 @@ class SafetyCheckTest : public ::testing::Test
     std::map<std::uint32_t, Held> objects{};
     std::vector<std::uint32_t> reads{};
     int writes{0};
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> written{}; ///< Index and sub-index, value.
     KeepingSink sink{};
     std::array<SlaveSetup, kNodeRoom> slaves{};
     NetworkSetup setup{NodeId{1U}, 1U, 0U, 0U, 0U, Listed(slaves).data()};
@@ -337,6 +340,156 @@ TEST_F(SafetyCheckTest, EachSubIndexOfTheObjectWrittenLastIsForeign)
     Finish();
     EXPECT_EQ(gate.State(kSlave), GateState::kOpen);
     EXPECT_EQ(objects[0x13FE00U].value, 0xA5U);
+}
+
+TEST_F(SafetyCheckTest, WhatIsFixedBesideTheConfigurationIsReadToo)
+{
+    Verifies(req::SRS_SFS_001);
+    // Given a mapping entry above the count, and the signature of an SRDO that is not there, both fixed
+    std::vector<ExpectedObject> list(kLeast, kLeast + 8);
+    list.insert(list.begin() + 7, ExpectedObject{{0x1381U, 9U}, 0x2000'0108U, true});
+    list.push_back(ExpectedObject{{0x13FFU, 7U}, 0x0102U, true});
+    const SafetyExpectation more{list.data(), 10U};
+    slaves[2].safety = &more;
+    Put(0x1381U, 9U, 0x2000'0108U, 4U);
+    Put(0x13FFU, 7U, 0x0102U, 2U);
+    EXPECT_EQ(Verified(), GateState::kOpen);
+    EXPECT_EQ(reads, (Indices{0x13FEU, 0x1301U, 0x1301U, 0x1301U, 0x1301U, 0x1301U, 0x1301U, 0x1381U, 0x1381U, 0x13FFU,
+                              0x13FFU, 0x13FEU}));
+    // When one of them is another one, then it is named
+    Put(0x1381U, 9U, 0x2000'0110U, 4U);
+    EXPECT_EQ(Verified(), GateState::kDiffers);
+    EXPECT_EQ(gate.Finding(kSlave).object.index, 0x1381U);
+    EXPECT_EQ(gate.Finding(kSlave).object.sub, 9U);
+    Put(0x1381U, 9U, 0x2000'0108U, 4U);
+    Put(0x13FFU, 7U, 0x0103U, 2U);
+    EXPECT_EQ(Verified(), GateState::kDiffers);
+    EXPECT_EQ(gate.Finding(kSlave).object.index, 0x13FFU);
+    EXPECT_EQ(gate.Finding(kSlave).object.sub, 7U);
+}
+
+/// SRDO 1, which sends two entries, and SRDO 2, which is off and has neither identifiers nor a mapping.
+class SafetyWritingTest : public SafetyCheckTest
+{
+  public:
+    SafetyWritingTest()
+    {
+        slaves[2].safety = &expectation;
+        for (const ExpectedObject& object : list)
+        {
+            Put(object.address.index, object.address.sub, object.value, SizeOf(object.address));
+        }
+    }
+
+    const std::vector<ExpectedObject> list{
+        {{0x1300U, 0U}, 1U, false},           {{0x1301U, 1U}, 1U, false},   {{0x1301U, 2U}, 50U, false},
+        {{0x1301U, 3U}, 20U, false},          {{0x1301U, 4U}, 254U, false}, {{0x1301U, 5U}, 0x101U, false},
+        {{0x1301U, 6U}, 0x102U, false},       {{0x1302U, 1U}, 0U, false},   {{0x1302U, 2U}, 25U, false},
+        {{0x1302U, 3U}, 10U, false},          {{0x1302U, 4U}, 254U, false}, {{0x1302U, 5U}, 0U, false},
+        {{0x1302U, 6U}, 0U, false},           {{0x1381U, 0U}, 2U, false},   {{0x1381U, 1U}, 0x2200'0108U, false},
+        {{0x1381U, 2U}, 0x2300'0108U, false}, {{0x1382U, 0U}, 0U, false},   {{0x13FFU, 1U}, 0x1234U, false},
+        {{0x13FFU, 2U}, 0x5678U, false}};
+    const SafetyExpectation expectation{list.data(), 19U};
+};
+
+TEST_F(SafetyWritingTest, EachStepIsDoneForEachSrdoBeforeTheNext)
+{
+    Verifies(req::SRS_SFS_005);
+    Verifies(req::SRS_SFS_620);
+    ASSERT_TRUE(gate.Write(kSlave, Now()));
+    Finish();
+    EXPECT_EQ(gate.State(kSlave), GateState::kOpen);
+    using Written = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+    const Written expected{{0x13FE00U, 0U},
+                           // Off
+                           {0x130101U, 0U},
+                           {0x130201U, 0U},
+                           // Times, transmission type and, where there are any, identifiers
+                           {0x130102U, 50U},
+                           {0x130103U, 20U},
+                           {0x130104U, 254U},
+                           {0x130105U, 0x101U},
+                           {0x130106U, 0x102U},
+                           {0x130202U, 25U},
+                           {0x130203U, 10U},
+                           {0x130204U, 254U},
+                           // Mappings: none, their entries, their counts
+                           {0x138100U, 0U},
+                           {0x138200U, 0U},
+                           {0x138101U, 0x2200'0108U},
+                           {0x138102U, 0x2300'0108U},
+                           {0x138100U, 2U},
+                           // On, 1300h, signatures
+                           {0x130101U, 1U},
+                           {0x130000U, 1U},
+                           {0x13FF01U, 0x1234U},
+                           {0x13FF02U, 0x5678U},
+                           {0x13FE00U, 0xA5U}};
+    EXPECT_EQ(written, expected);
+    // Behind the signatures all 19 objects are read, behind 13FEh := A5h 1300h and 13FEh
+    ASSERT_EQ(reads.size(), 21U);
+    EXPECT_EQ(Indices(reads.begin() + 18, reads.end()), (Indices{0x13FFU, 0x1300U, 0x13FEU}));
+}
+
+TEST_F(SafetyWritingTest, AnIdentifierThatIsToBeNoneIsCompared)
+{
+    Verifies(req::SRS_SFS_620);
+    Put(0x1302U, 5U, 0x103U, 4U);
+    ASSERT_TRUE(gate.Write(kSlave, Now()));
+    Finish();
+    EXPECT_EQ(gate.State(kSlave), GateState::kDiffers);
+    EXPECT_EQ(gate.Finding(kSlave).object.index, 0x1302U);
+    EXPECT_EQ(gate.Finding(kSlave).object.sub, 5U);
+    EXPECT_EQ(gate.Finding(kSlave).read, 0x103U);
+    EXPECT_EQ(objects[0x13FE00U].value, 0U);
+}
+
+TEST_F(SafetyWritingTest, AStaticMappingIsComparedWhileTheRestIsWritten)
+{
+    Verifies(req::SRS_SFS_210);
+    std::vector<ExpectedObject> fixed = list;
+    for (ExpectedObject& object : fixed)
+    {
+        object.is_fixed = (object.address.index == 0x1381U);
+    }
+    const SafetyExpectation of_program{fixed.data(), 19U};
+    slaves[2].safety = &of_program;
+    Put(0x1381U, 2U, 0x2400'0108U, 4U);
+    ASSERT_TRUE(gate.Write(kSlave, Now()));
+    Finish();
+    EXPECT_EQ(gate.State(kSlave), GateState::kDiffers);
+    EXPECT_EQ(gate.Finding(kSlave).object.index, 0x1381U);
+    EXPECT_EQ(gate.Finding(kSlave).object.sub, 2U);
+    EXPECT_EQ(gate.Finding(kSlave).expected, 0x2300'0108U);
+    EXPECT_EQ(gate.Finding(kSlave).read, 0x2400'0108U);
+    EXPECT_EQ(objects[0x13FE00U].value, 0U);
+    // Written is all but its three objects: 13FEh, both directions, 5 and 3 settings, a count of 0, a direction, 1300h and
+    // two signatures
+    EXPECT_EQ(written.size(), 16U);
+}
+
+TEST_F(SafetyWritingTest, WhatDiffersBehindTheDeclarationOpensNothing)
+{
+    Verifies(req::SRS_SFS_211);
+    Verifies(req::SRS_SFS_220);
+    for (const std::uint32_t object : {0x130000U, 0x13FE00U})
+    {
+        // Given a slave that has just been declared valid, when 1300h or 13FEh of it is another one
+        ASSERT_TRUE(gate.Write(kSlave, Now()));
+        objects[0x13FE00U].value = 0U;
+        while ((objects[0x13FE00U].value != 0xA5U) && (writes < 100))
+        {
+            Ask();
+            Answer();
+        }
+        ASSERT_EQ(objects[0x13FE00U].value, 0xA5U);
+        objects[object].value = 0U;
+        Finish();
+        EXPECT_EQ(gate.State(kSlave), GateState::kDiffers) << std::hex << object;
+        EXPECT_EQ(gate.Finding(kSlave).object.index, object >> 8U);
+        EXPECT_FALSE(gate.MayStart(kSlave));
+        objects[object].value = 1U;
+    }
 }
 
 TEST_F(SafetyCheckTest, ACheckThatWasNotBegunOrHasNoTaskIsNone)

@@ -428,6 +428,7 @@ TEST_F(SafetyWriteTest, AWrongSignatureIsRefusedByTheSlave)
     EXPECT_EQ(Written(), GateState::kFailed);
     EXPECT_EQ(gate.Finding(kSlave).object.index, 0x13FEU);
     EXPECT_EQ(gate.Finding(kSlave).abort, SdoAbort::kIncompatible);
+    EXPECT_EQ(Has(0x13FEU, 0U), 0U);
 }
 
 TEST_F(SafetyWriteTest, AnOperationalSlaveTakesNothing)

@@ -94,10 +94,17 @@ TEST_F(BootConditionsTest, G_TheTimeOfTheSoftwareAloneIsEnoughToCompare)
         Add(node, kBoot | kVerifySoftware).Put32(0x1F52U, 2U, (node == 5U) ? 200U : 201U);
         setups[node].software.time = 200U;
     }
+    // Or its date
+    for (const std::uint8_t node : {std::uint8_t{7U}, std::uint8_t{8U}})
+    {
+        Add(node, kBoot | kVerifySoftware).Put32(0x1F52U, 1U, (node == 7U) ? 100U : 101U);
+        setups[node].software.date = 100U;
+    }
     Begin();
     Run(20U);
-    EXPECT_EQ(Letter(5U), "-");
-    EXPECT_EQ(Letter(6U), "H");
+    EXPECT_EQ(Letter(5U) + Letter(7U), "--");
+    EXPECT_EQ(Letter(6U) + Letter(8U), "HH");
+    EXPECT_EQ(Of(8U).object.sub, 1U);
 }
 
 TEST_F(BootConditionsTest, I_NoValidProgramIsRightAfterClearingAndPollingEndsAfterOneMinute)

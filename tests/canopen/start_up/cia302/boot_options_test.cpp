@@ -57,6 +57,19 @@ TEST_F(BootOptionsTest, WhoIsSupervisedFromItsBootUpIsLostWhileItBoots)
     EXPECT_TRUE(Has("1202:5 4"));
 }
 
+// Given safety slaves that are listed and not to be booted, then they are verified all the same, and not started.
+TEST_F(BootOptionsTest, ASafetySlaveThatIsNotToBeBootedIsVerified)
+{
+    Verifies(req::SRS_BOOT_012);
+    Add(5U, kInNetwork);
+    Protect(5U);
+    Begin();
+    Run(2000U);
+    EXPECT_EQ(gate.verifications, 1);
+    EXPECT_EQ(Commands(), (std::vector<std::string>{"0:82 00"}));
+    EXPECT_EQ(slaves[5]->State(), NodeState::kPreOperational);
+}
+
 // Given four slaves that are reset by their restored defaults, when the inhibit time lets the last reset leave after
 // 1.6 s, then none of them fails: the time of its boot-up message begins with its reset.
 TEST_F(BootOptionsTest, ResetsThatWaitForTheInhibitTimeTakeNothingFromTheBootUpTime)

@@ -322,7 +322,9 @@ TEST_F(StartUpCia302Test, MandatorySlaveWithoutBootUpMessageIsAskedAfterASecond)
     Begin();
     Run(999U);
     EXPECT_EQ(Count(0x605U), 0);
+    EXPECT_EQ(table.RequestValue(NodeId{6U}), 0U); // Unknown,
     Run(10U);
+    EXPECT_EQ(table.RequestValue(NodeId{6U}), 1U); // and from now on missing.
     EXPECT_EQ(StateOf(5U), NodeState::kOperational);
     Run(5000U);
     EXPECT_EQ(StateOf(6U), NodeState::kPreOperational); // An optional one is waited for.
