@@ -522,6 +522,9 @@ TEST_F(ManagerRunTest, CommandsThatDoNotLeaveAreTold)
     EXPECT_EQ(Told("unsent")[0]["commands"], nlohmann::json({"stop node 50", "stop node 51"}));
     EXPECT_EQ(Told("unsent")[0]["frames"], 0);
     EXPECT_EQ(Told("unsent")[0]["text"], "2 NMT commands have not left: stop node 50, stop node 51");
+    // They were waited for, and tried for 0.1 s more
+    ASSERT_EQ(Told("stopped").size(), 1U);
+    EXPECT_GE(Told("stopped")[0]["t_us"].get<std::uint64_t>(), 2100000U);
     // Or a bus that is down, or bus-off, which is not waited for
     for (const host::BusState state : {host::BusState::kDown, host::BusState::kBusOff})
     {
@@ -531,6 +534,7 @@ TEST_F(ManagerRunTest, CommandsThatDoNotLeaveAreTold)
         EXPECT_FALSE(Run());
         ASSERT_EQ(Told("unsent").size(), 1U);
         EXPECT_EQ(Told("unsent")[0]["commands"], nlohmann::json({"reset-comm all", "stop node 50"}));
+        EXPECT_LT(script.turns, 100U); // 2 s have many more turns.
     }
 }
 
@@ -556,6 +560,7 @@ TEST_F(ManagerRunTest, FramesThatWaitInThisHostAreHandedOverBeforeTheEnd)
 TEST_F(ManagerRunTest, NothingIsCarriedOutBehindQuit)
 {
     Verifies(req::SRS_MGR_521);
+    Verifies(req::SRS_MGR_520);
     const std::string answer = "not carried out: the manager ends";
     settings.for_ns = 3600000U * kMs;
     network = "manager: {node: 127}\nslaves: [{node: 50}]\n";
