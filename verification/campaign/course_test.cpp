@@ -184,11 +184,6 @@ TEST(Course, CallsOfTheCycleMoveInTime)
     EXPECT_EQ(told(FaultKind::kEarly, 1U), "1100 2000 3100 4100 ");
     EXPECT_EQ(told(FaultKind::kLate, 1U), "1100 2200 3100 4100 ");
     EXPECT_EQ(told(FaultKind::kLate, 20U), "1100 3150 4100 "); // The one that was due at 3.1 ms did not come.
-    // One to five in a row, twice in one way, and up to the reach of 2 ms
-    EXPECT_EQ(VariantsOf(Part::kCycle, FaultKind::kSkipped, 40U, 2U), 5U);
-    EXPECT_EQ(VariantsOf(Part::kCycle, FaultKind::kDoubled, 40U, 2U), 1U);
-    EXPECT_EQ(VariantsOf(Part::kCycle, FaultKind::kLate, 40U, 2U), 40U);
-    EXPECT_EQ(VariantsOf(Part::kCycle, FaultKind::kEarly, 40U, 2U), 40U);
 }
 
 TEST(Course, CountersStopRunAndJumpEachAndBoth)

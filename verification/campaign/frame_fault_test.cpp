@@ -152,10 +152,11 @@ class ServicesOfFramesTest : public CampaignTest
 TEST_F(ServicesOfFramesTest, AreThoseOfTheirIdentifiers)
 {
     Verifies(req::SRS_CMG_071);
-    // Given the start of a network whose managers negotiate, and what it sends then
-    const managed::Plan plan =
-        managed::ReadManagedPlan(File("plan.yaml", "title: A test\nnetwork: " COUNTERPOINT_SOURCE_FOLDER
-                                                   "/examples/campaigns/flying.yaml\nuntil: 1500 ms\nkinds: [lost]\n"));
+    // Given the start of a network whose managers negotiate, what it sends then, and a GFC
+    static_cast<void>(File("gfc.yaml", "extends: " COUNTERPOINT_SOURCE_FOLDER "/examples/campaigns/flying.yaml\n"
+                                       "gfc: [{at: 1450 ms, node: sensor}]\n"));
+    const managed::Plan plan = managed::ReadManagedPlan(
+        File("plan.yaml", "title: A test\nnetwork: gfc.yaml\nfrom: 100 ms\nuntil: 1500 ms\nkinds: [lost]\n"));
     managed::Stage stage(plan);
     managed::Watch watch(stage, plan);
     stage.World().RunUntil(1'600'000'000);
@@ -166,8 +167,10 @@ TEST_F(ServicesOfFramesTest, AreThoseOfTheirIdentifiers)
         {Target::kElection, [](const std::uint32_t id) { return id >= 0x71U && id <= 0x76U; }},
         {Target::kSdo, [](const std::uint32_t id) { return id >= 0x581U && id <= 0x67FU; }},
         {Target::kLife, [](const std::uint32_t id) { return id >= 0x701U && id <= 0x77FU; }},
-        {Target::kSrdo, [](const std::uint32_t id) { return id >= 0x101U && id <= 0x180U; }}};
-    // When each frame is hit, then it is one of its service, and none of those is one of the others
+        {Target::kSrdo, [](const std::uint32_t id) { return id >= 0x101U && id <= 0x180U; }},
+        {Target::kOther, [](const std::uint32_t id) { return id == 1U; }}};
+    // When each frame is hit, then it is one of its service, none of those is one of the others, and it is sent between
+    // the two instants
     std::map<Target, std::uint64_t> count;
     for (std::uint64_t number = 0U; number < space.Size(); ++number)
     {
@@ -178,7 +181,11 @@ TEST_F(ServicesOfFramesTest, AreThoseOfTheirIdentifiers)
             ASSERT_EQ(is_one(trial.hit.frame.identifier), target == trial.target)
                 << std::hex << trial.hit.frame.identifier;
         }
+        ASSERT_TRUE(trial.hit.start >= 100'000'000 && trial.hit.start < 1'500'000'000) << trial.hit.start;
     }
+    EXPECT_GT(reference.frames.size(), 0U);
+    EXPECT_LT(reference.frames.front().start, 100'000'000);
+    EXPECT_GE(reference.frames.back().start, 1'500'000'000);
     for (const auto& [target, is_one] : services)
     {
         EXPECT_GT(count[target], 0U) << static_cast<int>(target);

@@ -517,16 +517,20 @@ TEST_F(RunnerTest, DeviceThatCannotBeRecordedIsRefusedAtItsName)
     const tools::test::Answer answer = Campaign({plan});
     EXPECT_EQ(answer.status, 2);
     EXPECT_NE(answer.err.find(plan + ":3:9: error: a device with logic"), std::string::npos) << answer.err;
-    static_cast<void>(File("faulty.yaml",
-                           "extends: " COUNTERPOINT_SOURCE_FOLDER "/examples/emergency_stop/chain.yaml\nduration: 2 s\n"
-                           "faults: [{fault: unplugged, node: sensor, at: 1 s}]\n"));
-    const std::string faulty = File("faulty_plan.yaml", "title: A test\nscenario: " + Path("faulty.yaml") +
-                                                            "\ndevice: actuator\n" + std::string(kSmall));
-    const tools::test::Answer scenario = Campaign({faulty});
-    EXPECT_EQ(scenario.status, 2);
-    EXPECT_NE(scenario.err.find(faulty + ":3:9: error: a scenario with faults, managers or actions, expected "),
-              std::string::npos)
-        << scenario.err;
+    for (const char* const more :
+         {"faults: [{fault: unplugged, node: sensor, at: 1 s}]\n", "power: [{node: sensor, at: 1 s, off: 100 ms}]\n"})
+    {
+        static_cast<void>(File("faulty.yaml", "extends: " COUNTERPOINT_SOURCE_FOLDER
+                                              "/examples/emergency_stop/chain.yaml\nduration: 2 s\n" +
+                                                  std::string(more)));
+        const std::string faulty = File("faulty_plan.yaml", "title: A test\nscenario: " + Path("faulty.yaml") +
+                                                                "\ndevice: actuator\n" + std::string(kSmall));
+        const tools::test::Answer scenario = Campaign({faulty});
+        EXPECT_EQ(scenario.status, 2);
+        EXPECT_NE(scenario.err.find(faulty + ":3:9: error: a scenario with faults, managers or actions, expected "),
+                  std::string::npos)
+            << more << scenario.err;
+    }
 }
 
 TEST_F(RunnerTest, DeviceWithoutFaultClosesWithTheSimulatedOne)
