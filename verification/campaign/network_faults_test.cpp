@@ -78,5 +78,34 @@ TEST_F(NetworkFaultsTest, ConfigurationIsWrittenBySomebodyElse)
                 {"    282.150 ms  FAULT: writes foreign node 33 0x1301:05 at 282.150 ms, bit 17\n",
                  "  node 33 sends 5A1#8001130522000008  (not then without the fault)\n"});
 }
+
+TEST_F(NetworkFaultsTest, WhoTellsOfAFaultIsNamedAndWhoDidSoFirst)
+{
+    Verifies(req::SRS_CMG_074);
+    // Given a device without supply: its consumers, the manager's error control and its start-up tell
+    ExpectLines(ToldOf("slaves", "pulled"),
+                {"  told by device: device 2: SRDO 1: sct\n", "  told by emergency: manager 127: emergency 0x8250, ",
+                 "  told by error_control: manager 127: heartbeat lost\n",
+                 "  told by command: manager 127: NMT reset\n",
+                 "  told by status: manager 127: asked again each second (0x1000:00: 0x05040000 (no answer))\n",
+                 "\noutcome: detected, told by device, after 47.660 ms\n"});
+    ExpectLines(ToldOf("slaves", "exchanged"), {"\noutcome: detected, told by boot_up, after 0.360 ms\n"});
+    ExpectLines(ToldOf("managers", "off_bus"), {"\noutcome: detected, told by controller, after 0.000 ms\n"});
+    // Bit 7 of a signature at 21.800 ms, before the manager verifies it
+    const tools::test::Answer gate =
+        Campaign({NetworkPlan("gate.yaml", "from: 20 ms\nuntil: 25 ms\nsample: 20\nparts: [writes]\nkinds: [stored]\n"),
+                  "--replay", "14"});
+    ExpectLines(gate.out, {"FAULT: writes stored node 2 0x13FF:02 at 21.800 ms, bit 7\n",
+                           "\noutcome: detected, told by safety_gate, after 29.200 ms\n"});
+    // A manager that ends, whose place another one takes
+    const tools::test::Answer election =
+        Campaign({NetworkPlan("election.yaml",
+                              "from: 2500 ms\nuntil: 2500100 us\nsample: 4\nparts: [managers]\nkinds: [killed]\n",
+                              "flying.yaml"),
+                  "--replay", "0"});
+    ExpectLines(election.out, {"  told by error_control: manager 121: heartbeat lost\n",
+                               "  told by election: manager 121: flying master: master mode (priority 1, node 121)\n",
+                               "\noutcome: detected, told by error_control, after 214.000 ms\n"});
+}
 } // namespace
 } // namespace counterpoint::campaign::test
