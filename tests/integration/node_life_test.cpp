@@ -3,6 +3,7 @@
 #include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace counterpoint::simulator
@@ -216,6 +217,38 @@ TEST(CutOff, IsToldWithItsPlace)
         file + ":3:5: warning: input at 600 ms does not happen, expected a time before the end of the run at 100 ms");
     EXPECT_NE(run.Findings()[1U].find("chain.yaml:24:5: warning: acknowledge at 150 ms does not happen"),
               std::string::npos);
+}
+
+TEST(CutOff, IsToldOfEachThingThatHappensNoMore)
+{
+    Verifies(req::SRS_SIM_016);
+    // Given a scenario of 1 s with one of each at 900 ms, and one that extends it and ends after 500 ms
+    const std::string longer = TextFile("duration: 1 s\nnodes:\n  sensor: {dcf: " + Examples() +
+                                            "sensor.dcf}\n  actuator: {dcf: " + Examples() + R"(actuator.dcf}
+inputs: [{at: 900 ms, node: sensor, object: 0x2000:01, value: 1}]
+acknowledge: [{at: 900 ms, node: actuator, srdo: 1}]
+nmt: [{at: 900 ms, node: actuator, command: stop}]
+power: [{at: 900 ms, node: actuator, off: 10 ms}]
+gfc: [{at: 900 ms, node: sensor}]
+faults: [{fault: unplugged, name: gone, node: sensor, at: 900 ms}]
+)",
+                                        ".longer.yaml");
+    simulator::Run run(TextFile("extends: " + longer + "\nduration: 500 ms\n"), std::nullopt, std::nullopt, false);
+    run.Simulate(nullptr);
+    // Then each is told with its place, and nothing is refused
+    std::string told;
+    for (const std::string& finding : run.Findings())
+    {
+        EXPECT_EQ(finding.rfind(longer + ":", 0U), 0U) << finding;
+        told += finding.substr(std::min(finding.size(), longer.size())) + "\n";
+    }
+    for (const char* const line :
+         {":5:10: warning: input at 900 ms does not happen", ":6:15: warning: acknowledge at 900 ms does not happen",
+          ":7:7: warning: NMT event at 900 ms does not happen", ":8:9: warning: power cycle at 900 ms does not happen",
+          ":9:7: warning: GFC event at 900 ms does not happen", ":10:10: warning: fault 'gone' at 900 ms does not happen"})
+    {
+        EXPECT_NE(told.find(line), std::string::npos) << line << "\n" << told;
+    }
 }
 } // namespace
 } // namespace counterpoint::simulator

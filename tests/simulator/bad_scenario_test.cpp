@@ -51,6 +51,7 @@ TEST_P(BadScenario, IsRefusedByOneLineThatNamesThePlace)
 {
     Verifies(req::SRS_SIM_010);
     Verifies(req::SRS_SIM_012);
+    Verifies(req::SRS_SIM_016);
     Verifies(req::SRS_SIM_075);
     Verifies(req::SRS_SIM_020);
     Verifies(req::SRS_SIM_491);
@@ -187,6 +188,12 @@ constexpr BadCase kBadCases[] = {
      "4:5: error: input at 100 ms, not before the end of the run, expected a time below 100 ns"},
     {"fault after the end", "faults:\n  - {fault: loss, frames: {from: 2 s}}\n",
      "3:5: error: fault 'loss' at 2000 ms, not before the end of the run, expected a time below 1000 ms"},
+    {"acknowledge after the end", "acknowledge:\n  - {at: 1000 ms, node: actuator, srdo: 1}\n",
+     "3:5: error: acknowledge at 1000 ms, not before the end of the run, expected a time below 1000 ms"},
+    {"NMT command after the end", "nmt:\n  - {at: 1000 ms, node: actuator, command: stop}\n",
+     "3:5: error: NMT event at 1000 ms, not before the end of the run, expected a time below 1000 ms"},
+    {"GFC after the end", "gfc:\n  - {at: 1000 ms, node: sensor}\n",
+     "3:5: error: GFC event at 1000 ms, not before the end of the run, expected a time below 1000 ms"},
     {"power cycle after the end", "power:\n  - {at: 1000 ms, node: sensor, off: 1 ms}\n",
      "3:5: error: power cycle at 1000 ms, not before the end of the run"},
     {"until before at", "faults:\n  - {fault: frozen, node: actuator, part: guard, at: 5 ms, until: 5 ms}\n",

@@ -414,23 +414,29 @@ TEST_F(ManagedServicesTest, ADeviceHearsAnotherOneAndAnswersAtItsSecondServer)
 {
     Verifies(req::SRS_SIM_061);
     using cia306::test::VariableText;
-    // Given a plain device that consumes TIME and emergencies of node 33, and has a second SDO server
+    // Given a plain device that consumes TIME and emergencies of node 33, and has a second SDO server and an SDO client
     const std::string more =
         VariableText("1012", "0x0007", "0x80000100") + "[1028]\nParameterName=e\nObjectType=0x8\nSubNumber=2\n\n" +
         VariableText("1028sub0", "0x0005", "33") + VariableText("1028sub21", "0x0007", "0xA1") +
         "[1201]\nParameterName=s\nObjectType=0x9\nSubNumber=3\n\n" + VariableText("1201sub0", "0x0005", "2") +
-        VariableText("1201sub1", "0x0007", "0x685") + VariableText("1201sub2", "0x0007", "0x6A5");
-    // When the relay loses its controller, a time comes, and somebody reads 1000h at that server
+        VariableText("1201sub1", "0x0007", "0x685") + VariableText("1201sub2", "0x0007", "0x6A5") +
+        "[1280]\nParameterName=c\nObjectType=0x9\nSubNumber=4\n\n" + VariableText("1280sub0", "0x0005", "3") +
+        VariableText("1280sub1", "0x0007", "0x606") + VariableText("1280sub2", "0x0007", "0x586") +
+        VariableText("1280sub3", "0x0005", "6");
+    // When the relay loses its controller, a time comes, and somebody reads 1000h at that server, and writes 1280h:01
     const Answer answer = Simulate(cia306::test::ExampleText("controller"), Plain() + "\n" + more,
                                    "events:\n"
                                    "  - {at: 3200 ms, do: send, identifier: 0x100, data: 40 E2 01 00 10 27}\n"
                                    "  - {at: 3300 ms, do: send, identifier: 0x685, data: 40 00 10 00 00 00 00 00}\n"
+                                   "  - {at: 3400 ms, do: send, identifier: 0x685, data: 23 80 12 01 07 06 00 00}\n"
                                    "power: [{at: 3 s, node: controller, off: 500 ms}]\n");
     // Then the plain device hears of both and answers
     EXPECT_TRUE(Has(answer.out, "plain        hears emergency of node 33: 0x8250, register 0x11, 01 06 00 00 00"))
         << answer.out << answer.err;
     EXPECT_TRUE(Has(answer.out, "plain        hears time 123456 ms of day 10000")) << answer.out;
     EXPECT_TRUE(Has(answer.out, "frame 0x6A5 [8] 43 00 10 00 91 01 03 00  from plain")) << answer.out;
+    // and its client, of which 1280h tells, takes no other COB-ID while its own are valid
+    EXPECT_TRUE(Has(answer.out, "frame 0x6A5 [8] 80 80 12 01 30 00 09 06  from plain")) << answer.out;
 }
 
 TEST_F(ManagedServicesTest, ADeviceWithAnotherNodeIdIsSilentUntilItsSupplyReturns)

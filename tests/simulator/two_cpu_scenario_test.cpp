@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <ostream>
 #include <set>
+#include <sstream>
 #include <string>
 
 namespace counterpoint::simulator
@@ -141,6 +142,15 @@ expect:
         first = text;
         const std::string page = HtmlReport("Two CPUs", {&run});
         EXPECT_NE(page.find("link to the other CPU"), std::string::npos);
+        std::ostringstream out;
+        WriteTimeLine(run, FrameLines::kAll, out);
+        for (const char* const line :
+             {"  actuator.a   link to the other CPU alive\n", "  actuator.b   link to the other CPU alive\n",
+              "  actuator.a   link to the other CPU lost", "  actuator.b   link to the other CPU lost",
+              "  actuator.a   message of the other CPU: gone\n"})
+        {
+            EXPECT_NE(out.str().find(line), std::string::npos) << line << out.str();
+        }
     }
     const nlohmann::json json = nlohmann::json::parse(first);
     EXPECT_EQ(json["nodes"][2]["name"], "actuator.a");

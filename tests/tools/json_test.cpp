@@ -142,6 +142,7 @@ TEST_F(JsonAnswer, DemonstrationTellsLimitAndTimeOfEachRun)
     EXPECT_EQ(document["holds"], true);
     EXPECT_EQ(document["page"], Path("page.html"));
     ASSERT_FALSE(document["runs"].empty());
+    std::size_t judged = 0U;
     for (const Json& run : document["runs"])
     {
         EXPECT_EQ(run["holds"], true) << run;
@@ -149,11 +150,14 @@ TEST_F(JsonAnswer, DemonstrationTellsLimitAndTimeOfEachRun)
         EXPECT_NE(run["scenario"].get<std::string>().find(".yaml"), std::string::npos) << run;
         if (run.contains("limit_ns"))
         {
+            ++judged;
             EXPECT_TRUE(run.contains("detection_cause")) << run;
             EXPECT_LE(run["elapsed_ns"].get<std::int64_t>(), run["limit_ns"].get<std::int64_t>()) << run;
             EXPECT_NE(run["detected_by"], "") << run;
         }
     }
+    // Of each but the one without a fault
+    EXPECT_EQ(judged, document["runs"].size() - 1U);
 }
 
 TEST_F(JsonAnswer, EachLineOfNodeAndManagerHasItsFormat)

@@ -14,6 +14,12 @@
 
 namespace counterpoint::campaign::test
 {
+/// Behind which a step's faults stand.
+inline Phase PhaseOf(const FlowStep step)
+{
+    return static_cast<Phase>(static_cast<std::uint8_t>(Phase::kFirstStep) + static_cast<std::uint8_t>(step) - 1U);
+}
+
 /// Plans in a folder of their own, on the scenario of the examples.
 class CampaignTest : public tools::test::CommandTest
 {

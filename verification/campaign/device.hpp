@@ -49,7 +49,7 @@ enum class Part : std::uint8_t
     kCallsOfB = 15U,
     kSteps = 16U,        ///< Of the flow.
     kCounters = 17U,     ///< [SRS_CMG_023]
-    kCycle = 18U,        ///< When it is called.
+    kCycle = 18U,        ///< When it is called. [SRS_CMG_561]
     kBothChannels = 19U, ///< A bit in each. [SRS_CMG_024]
     kInputs = 20U,       ///< What the application senses with two paths. [SRS_CMG_025]
     kCommands = 21U,     ///< What the application tells the kernel: NMT states, GFC. [SRS_CMG_029]

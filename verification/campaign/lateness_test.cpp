@@ -3,9 +3,11 @@
 #include "verification/campaign/campaign_rig.hpp"
 #include "verification/campaign/two_cpus.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <tuple>
 
 namespace counterpoint::campaign::test
 {
@@ -95,6 +97,31 @@ TEST_F(LatenessTest, OfWhatIsNoMemoryCountsFromTheFirstByteThatDiffers)
         EXPECT_GT(late, 0U) << row.kind;
     }
 }
-
+// A write into variables is found by the pair check, one into an address by the processor.
+TEST_F(LatenessTest, WhatOthersMakeSafeHasNoLimit)
+{
+    Verifies(req::SRS_CMG_007);
+    const Trap trap;
+    Rig rig(PlanOf(false, "sample: 10\n"));
+    // Given limits of nothing
+    rig.limits.us.fill(0U);
+    Runner runner(*rig.device, rig.judge, rig.scenario.Record(), rig.space, rig.limits);
+    const std::vector<Place>& places = rig.device->Places();
+    for (const auto& [member, byte, detector] : {std::tuple("variables", 0U, Detector::kPairCheck),
+                                                 {"kernel.config", 5U, Detector::kException},
+                                                 {"latch", 0U, Detector::kLatch}})
+    {
+        const auto found = std::find_if(places.begin(), places.end(), [name = std::string(member)](const Place& place)
+                                        { return place.name == name; });
+        ASSERT_NE(found, places.end());
+        const Outcome outcome =
+            runner.Run({found->part, FaultKind::kFlip, static_cast<std::size_t>(found - places.begin()),
+                        found->offset + byte, 4U, kCycle, Phase::kAfterFrames});
+        // Then what the kernel detects is late, and what others make safe is not
+        EXPECT_EQ(outcome.detector, detector) << member;
+        EXPECT_GT(outcome.us, 0U) << member;
+        EXPECT_EQ(IsLate(outcome), detector == Detector::kLatch) << member;
+    }
+}
 } // namespace
 } // namespace counterpoint::campaign::test

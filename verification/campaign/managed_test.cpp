@@ -311,6 +311,24 @@ TEST_F(ManagedTest, BitsOfAManagersMemoryAreHitByMember)
     EXPECT_EQ(cia306::ReadTextFile(Path("merged.csv")), whole);
 }
 
+TEST_F(ManagedTest, FirstWordOfAMemberNamesAllThatHaveIt)
+{
+    Verifies(req::SRS_CMG_211);
+    // Given each bit of 50 us, of one expectation, and of all
+    const auto faults = [this](const std::string& members)
+    {
+        const std::string plan = NetworkPlan("plan.yaml", "from: 20 ms\nuntil: 20050 us\nparts: [memory]\nsample: 1\n"
+                                                          "members: [" +
+                                                              members + "]\n");
+        static_cast<void>(Campaign({plan, "--json", Path("report.json")}));
+        const auto report = nlohmann::json::parse(cia306::ReadTextFile(Path("report.json")));
+        return report.at("strata").at(0).at("faults").get<std::uint64_t>();
+    };
+    const std::uint64_t of_each = faults("expectation 1") + faults("expectation 2") + faults("expectation 33");
+    EXPECT_GT(of_each, 0U);
+    EXPECT_EQ(faults("expectation"), of_each); // Not those of expectation_count.
+}
+
 TEST_F(ManagedTest, MembersAreAllThatAManagerDecidesBy)
 {
     Verifies(req::SRS_CMG_080);
@@ -419,11 +437,15 @@ TEST_F(ManagedTest, ClockOfAManagerEndangersNobody)
     EXPECT_EQ(answer.status, 0) << answer.out;
     const auto report = nlohmann::json::parse(cia306::ReadTextFile(Path("report.json")));
     ASSERT_EQ(report.at("strata").size(), 4U);
+    // 3600 steps of 50 us: stands still, 13 rates faster and slower, 20 times both ways
+    std::vector<std::uint64_t> faults;
     for (const auto& stratum : report.at("strata"))
     {
+        faults.push_back(stratum.at("faults").get<std::uint64_t>());
         EXPECT_EQ(stratum.at("injected"), 4U);
         EXPECT_EQ(stratum.at("silent"), 0U);
     }
+    EXPECT_EQ(faults, (std::vector<std::uint64_t>{3600U, 3600U * 13U, 3600U * 13U, 3600U * 40U}));
     // A clock that stands still sends no heartbeat any more, and never goes unnoticed
     EXPECT_EQ(report.at("strata").at(0).at("kind"), "stopped");
     EXPECT_EQ(report.at("strata").at(0).at("masked"), 0U);

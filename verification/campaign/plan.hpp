@@ -35,7 +35,7 @@ enum class FaultKind : std::uint8_t
     kPairRepeated = 12U, ///< Of a complete pair: comes again, later. [SRS_CMG_021]
     kPairDelayed = 13U,
     kPairForged = 14U, ///< A valid one with drawn data, later.
-    kSkipped = 15U,    ///< Of a call, a step or a cycle. [SRS_CMG_022]
+    kSkipped = 15U,    ///< Of a call, a step or a cycle. [SRS_CMG_022, SRS_CMG_560, SRS_CMG_561]
     kDoubled = 16U,
     kReordered = 17U, ///< Comes behind the next one.
     kLate = 18U,      ///< Of a call: comes with the next cycle. Of a step: behind the next one. Of a cycle: by a time.

@@ -9,9 +9,11 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace counterpoint::campaign::test
 {
@@ -48,6 +50,31 @@ TEST(Planted, EachListedDefectIsAProgram)
           "srvt_check_gone_in_b", "permit_not_tied_to_the_challenge", "used_unprotected", "output_held"})
     {
         EXPECT_EQ(programs.count(name), 1U) << name;
+        EXPECT_TRUE(std::filesystem::exists(COUNTERPOINT_PLANTED "/counterpoint_campaign_" + std::string(name)));
+    }
+}
+
+TEST(Planted, EachDefectOfStateLinkManagerAndSlaveIsAProgramThatIsExpectedToBeFound)
+{
+    Verifies(req::SRS_CMG_344);
+    Verifies(req::SRS_CMG_077);
+    Verifies(req::SRS_CMG_083);
+    std::map<std::string, std::string> programs;
+    const nlohmann::json table = Table("expected.json");
+    for (const auto& row : table.at("defects"))
+    {
+        programs[row.at("program").get<std::string>()] = row.at("plan").get<std::string>();
+    }
+    for (const auto& [name, plan] : {std::pair("stop_not_taken", "stop.yaml"),
+                                     {"gfc_not_taken", "gfc.yaml"},
+                                     {"nmt_of_one", "nmt.yaml"},
+                                     {"link_age_not_checked", "link_age.yaml"},
+                                     {"signatures_not_compared", "managed_signatures.yaml"},
+                                     {"gate_stays_open", "managed_restart.yaml"},
+                                     {"start_of_all", "managed_restart.yaml"},
+                                     {"signature_of_a_slave_not_checked", "managed_written.yaml"}})
+    {
+        EXPECT_EQ(programs[name], plan) << name;
         EXPECT_TRUE(std::filesystem::exists(COUNTERPOINT_PLANTED "/counterpoint_campaign_" + std::string(name)));
     }
 }

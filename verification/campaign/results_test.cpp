@@ -352,6 +352,65 @@ TEST_F(ResultsTest, InjectedAreThoseThatWereTried)
     EXPECT_EQ(part.at("open"), 5U);
 }
 
+TEST_F(ResultsTest, EachClassIsCountedAndTheBoundIsOfThoseThatHadAnEffect)
+{
+    Verifies(req::SRS_CMG_010);
+    // Given a fault of each class, and two that were detected
+    const Session session(PlanFile("plan.yaml", "actuator", kLatch));
+    Results results("", session.Identity(Shard{}));
+    const Outcome outcomes[] = {{Class::kMasked, Detector::kNobody, 0U, 0U, 0U},
+                                {Class::kBenign, Detector::kNobody, 0U, 0U, 0U},
+                                {Class::kDetected, Detector::kLatch, 0U, 0U, 1000U},
+                                {Class::kDetected, Detector::kGuard, 0U, 0U, 3000U},
+                                {Class::kSafeOther, Detector::kException, 0U, 0U, 2000U},
+                                {Class::kListed, Detector::kNobody, 0U, 0U, 0U},
+                                {Class::kSilent, Detector::kNobody, 1U, 0U, 0U},
+                                {Class::kExposed, Detector::kSelfTest, 0U, 0U, 400000U}};
+    std::uint64_t number = 0U;
+    for (const Outcome& outcome : outcomes)
+    {
+        results.Put(number, outcome);
+        ++number;
+    }
+    const Summary summary = Summarise(session.Parts(), results);
+    // Then of the 5 that had an effect 1 is silent, whose share p is at most that of (1 - p)^5 + 5 p (1 - p)^4 = 1 %,
+    // and the times are those of what was detected or safe by others
+    const auto stratum = nlohmann::json::parse(JsonReport(session.Parts(), summary)).at("strata").at(0);
+    for (const auto& [key, count] : {std::pair("injected", 8U),
+                                     {"masked", 1U},
+                                     {"benign", 1U},
+                                     {"effective", 5U},
+                                     {"detected", 2U},
+                                     {"safe_other", 1U},
+                                     {"listed", 1U},
+                                     {"exposed", 1U},
+                                     {"silent", 1U},
+                                     {"median_us", 2000U},
+                                     {"p999_us", 3000U},
+                                     {"worst_us", 3000U},
+                                     {"limit_us", 1008000U}})
+    {
+        EXPECT_EQ(stratum.at(key), count) << key;
+    }
+    EXPECT_NEAR(stratum.at("silent_at_most").get<double>(), 0.777928, 0.000005);
+    EXPECT_EQ(stratum.at("found_by").dump(), "{\"exception\":1,\"guard\":1,\"latch\":1}");
+    const std::string text = TextReport(session.Parts(), summary);
+    for (const char* const row :
+         {"latch         flip                    8          1          1          5          2          1          1"
+          "          1          1  77.7928 %\n",
+          "latch         flip                2.000      3.000      3.000   1008.000          0\n",
+          "found first by: guard 1 latch 1 exception 1\n"})
+    {
+        EXPECT_NE(text.find(row), std::string::npos) << row << text;
+    }
+    const std::string page = HtmlReport(session.Parts(), summary);
+    EXPECT_NE(
+        page.find("<td>latch</td><td>flip</td><td>5</td><td>1</td><td>77.7928 %</td><td>1</td><td>2</td><td>1</td>"
+                  "<td>1</td><td>8</td><td>1</td><td>1</td><td>8</td>"),
+        std::string::npos)
+        << page;
+}
+
 TEST_F(ResultsTest, PartAndKindAreTwoWords)
 {
     Verifies(req::SRS_CMG_010);

@@ -6,6 +6,7 @@
 #include "simulator/journal/journal.hpp"
 
 #include <csignal>
+#include <utility>
 
 namespace counterpoint::campaign::test
 {
@@ -517,16 +518,20 @@ TEST_F(RunnerTest, DeviceThatCannotBeRecordedIsRefusedAtItsName)
     const tools::test::Answer answer = Campaign({plan});
     EXPECT_EQ(answer.status, 2);
     EXPECT_NE(answer.err.find(plan + ":3:9: error: a device with logic"), std::string::npos) << answer.err;
-    static_cast<void>(File("faulty.yaml",
-                           "extends: " COUNTERPOINT_SOURCE_FOLDER "/examples/emergency_stop/chain.yaml\nduration: 2 s\n"
-                           "faults: [{fault: unplugged, node: sensor, at: 1 s}]\n"));
-    const std::string faulty = File("faulty_plan.yaml", "title: A test\nscenario: " + Path("faulty.yaml") +
-                                                            "\ndevice: actuator\n" + std::string(kSmall));
-    const tools::test::Answer scenario = Campaign({faulty});
-    EXPECT_EQ(scenario.status, 2);
-    EXPECT_NE(scenario.err.find(faulty + ":3:9: error: a scenario with faults, managers or actions, expected "),
-              std::string::npos)
-        << scenario.err;
+    const std::string chain =
+        "extends: " COUNTERPOINT_SOURCE_FOLDER "/examples/emergency_stop/chain.yaml\nduration: 4 s\n";
+    for (const auto& [more, message] :
+         {std::pair("faults: [{fault: unplugged, node: sensor, at: 1 s}]\n",
+                    "a scenario with faults, managers or actions, expected "),
+          {"power: [{node: actuator, at: 1 s, off: 100 ms}]\n", "a device with logic or power cycles, expected "}})
+    {
+        const std::string faulty =
+            File("faulty_plan.yaml", "title: A test\nscenario: " + File("faulty.yaml", chain + more) +
+                                         "\ndevice: actuator\n" + std::string(kSmall));
+        const tools::test::Answer told = Campaign({faulty});
+        EXPECT_EQ(told.status, 2);
+        EXPECT_NE(told.err.find(faulty + ":3:9: error: " + message), std::string::npos) << told.err;
+    }
 }
 
 TEST_F(RunnerTest, DeviceWithoutFaultClosesWithTheSimulatedOne)

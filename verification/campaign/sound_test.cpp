@@ -4,6 +4,8 @@
 #include "verification/campaign/crew.hpp"
 #include "verification/campaign/replay.hpp"
 
+#include "canopen/cia306/text/text_file.hpp"
+
 #include <algorithm>
 #include <csignal>
 #include <sys/wait.h>
@@ -159,6 +161,34 @@ TEST_F(SoundTest, ReplayTellsTheOutcomeOfTheCampaignWhateverItLooksAt)
     }
     EXPECT_GT(exceptions, 5U);
     EXPECT_GT(blind, 0U);
+}
+
+// Frame 101h at 511.247 ms and all of the bus behind it are lost: SCT of channels A and B runs out at 536.807 ms.
+TEST_F(SoundTest, ReplayTellsWhatEachPartySeesAndWhatIsReleased)
+{
+    Verifies(req::SRS_CMG_044);
+    const std::string plan =
+        PlanFile("plan.yaml", "actuator", "at: [500 ms]\ncycles: 25\nparts: [bus]\nkinds: [lost]\n");
+    const tools::test::Answer answer = Campaign({plan, "--replay", "5", "--html", Path("page.html")});
+    EXPECT_EQ(answer.status, 0) << answer.err;
+    // Then the fault is told, members that differ, each channel, the output and the variables, and the outcome
+    for (const char* const line :
+         {"     511.807 ms  fault      frame 101h at 511.247 ms variant 5, lost, at before_frames of cycle 510\n",
+          "     511.807 ms  memory     differs now: channel_a.records, ",
+          "     536.807 ms  channel A  slot 0 reports sct\n", "     536.807 ms  channel B  slot 0 reports sct\n",
+          "     536.807 ms  channel B  slot 0 faulted\n", "     536.807 ms  output     SAFE\n",
+          "     536.807 ms  variable   0x2200:01 = 0x0\n", "outcome: detected, by channels, sct, after 25.999 ms\n"})
+    {
+        EXPECT_NE(answer.out.find(line), std::string::npos) << line << answer.out;
+    }
+    // and the page has them too, with the output with and without the fault, and fetches nothing
+    const std::string page = cia306::ReadTextFile(Path("page.html"));
+    for (const char* const text : {"<td>channel A</td><td>slot 0 reports sct</td>", ">without fault</text>",
+                                   ">output open</text>", "<td>variable</td><td>0x2200:01 = 0x0</td>"})
+    {
+        EXPECT_NE(page.find(text), std::string::npos) << text << page;
+    }
+    EXPECT_EQ(page.find("http"), std::string::npos);
 }
 
 // Bits of an address that channel B keeps, stuck at 1, led the march through the memory of the program.

@@ -13,7 +13,7 @@
 namespace counterpoint::campaign
 {
 /// Steps of the flow that are left out, run twice, behind the next one, or whose work comes behind the next one.
-/// [SRS_CMG_022, SRS_CMG_028]
+/// [SRS_CMG_028, SRS_CMG_560]
 class StepFaults
 {
   public:

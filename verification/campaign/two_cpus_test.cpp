@@ -227,11 +227,13 @@ TEST_F(TwoCpusTest, LinkThatIsLostIsFoundInTimeAndSingleMessagesDisturbNobody)
         EXPECT_EQ(lost.detector, Detector::kCrossLink) << WordOf(lost.detector);
         EXPECT_GT(lost.us, 9000U);
         EXPECT_LE(lost.us, kLinkLimitUs);
-        // When one is, or a bit of it, or it comes again 1 ms later, or behind the next one, nothing is done
+        // When one is, or a bit of it, or it comes again 1 ms later, 50 us late, or behind the next one, nothing is
+        // done
         for (const auto& [kind, variant] :
              std::vector<std::pair<FaultKind, std::uint32_t>>{{FaultKind::kLost, 0U},
                                                               {FaultKind::kCorrupted, 100U},
                                                               {FaultKind::kRepeated, 19U},
+                                                              {FaultKind::kDelayed, 0U},
                                                               {FaultKind::kWrongOrder, 0U}})
         {
             EXPECT_EQ(Try(session, Part::kLink, kind, way, variant).result, Class::kBenign) << WordOf(kind);

@@ -2,6 +2,7 @@
 #include "hal/host/can_ports.hpp"
 #include "tests/hal/host/bus_rig.hpp"
 #include "verification/trace/ids/hal.hpp"
+#include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>
@@ -56,6 +57,7 @@ struct Device
 TEST(HostCanPorts, EachDeviceStampsWithItsOwnTwoClocksAtTheEndOfTheFrame)
 {
     Verifies(req::SRS_HAL_011);
+    Verifies(req::SRS_SIM_004);
     // Given a sender and a receiver with different clocks at 1 Mbit/s
     VirtualBus bus(BitRate::k1M);
     Device sender(bus, InstantPair{Instant{0U}, Instant{1'000U}});

@@ -7,6 +7,8 @@
 #include "verification/trace/ids/start_up_profiles.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <algorithm>
+
 namespace counterpoint::tools
 {
 namespace
@@ -110,6 +112,10 @@ TEST_F(ManagerAnswersTest, EachStartUnderEl6751SaysWhatItStarts)
         MakeRefused("el6751");
         EXPECT_EQ(Order("stop 6"), "taken");
         EXPECT_EQ(Row(6U).finding, "deactivated, its start-up failed: " + differs);
+        Run(2U);
+        EXPECT_TRUE(std::any_of(
+            events.begin(), events.end(), [&differs](const runtime::ManagerEvent& event)
+            { return event.text.find("1: deactivated, its start-up failed (" + differs) != std::string::npos; }));
         EXPECT_EQ(Order(start), despite + "1: deactivated, its start-up failed (" + differs + ")" + more) << start;
         Run(2U);
         EXPECT_EQ(Row(6U).finding, "started though its start-up failed: " + differs);

@@ -111,6 +111,31 @@ TEST_F(NetworkProfileTest, El6751OptionsOfManagerAndSlave)
     EXPECT_EQ(net.Plan().manager.el6751->input_shift_us, 300U);
 }
 
+// The defaults of the EL6751's property pages.
+TEST_F(NetworkProfileTest, El6751OptionsThatNobodyNamesAreThoseOfTheText)
+{
+    Verifies(req::SRS_ELM_211);
+    const LoadedNetwork net(runtime::ReadNetworkFile(Net("  profile: el6751\n", ""), 0U));
+    const cia302::El6751Slave& slave = *net.Setup().slaves[5].el6751;
+    EXPECT_EQ(slave.kind, cia302::El6751Kind::kGeneral);
+    EXPECT_TRUE(slave.is_started);
+    EXPECT_TRUE(slave.is_device_type_checked);
+    EXPECT_TRUE(slave.is_sync_period_written);
+    EXPECT_TRUE(slave.is_cob_id_written);
+    EXPECT_TRUE(slave.is_type_written);
+    EXPECT_FALSE(slave.is_restarted_without_pdos);
+    EXPECT_FALSE(slave.is_consumer_literal);
+    EXPECT_EQ(slave.node_reaction, cia302::El6751NodeReaction::kStop);
+    EXPECT_EQ(slave.restart, cia302::El6751Restart::kAutomatic);
+    EXPECT_EQ(slave.network_reaction, cia302::El6751NetworkReaction::kNone);
+    EXPECT_EQ(slave.coupler_pdos, 0U);
+    EXPECT_EQ(slave.coupler_inhibit_100us, 0U);
+    EXPECT_EQ(slave.coupler_event_ms, 0U);
+    EXPECT_EQ(net.Plan().manager.el6751->window, cia302::El6751Window::kInputShift);
+    EXPECT_EQ(net.Plan().manager.el6751->sync_multiplier, 1U);
+    EXPECT_EQ(net.Plan().manager.el6751->input_shift_us, 500U);
+}
+
 TEST_F(NetworkProfileTest, ABusCouplersPdosAreMadeBy5500hAlone)
 {
     Verifies(req::SRS_ELM_212);

@@ -104,6 +104,8 @@ inline constexpr RequirementId SRS_CMG_500{"SRS_CMG_500"};
 inline constexpr RequirementId SRS_CMG_501{"SRS_CMG_501"};
 inline constexpr RequirementId SRS_CMG_540{"SRS_CMG_540"};
 inline constexpr RequirementId SRS_CMG_541{"SRS_CMG_541"};
+inline constexpr RequirementId SRS_CMG_560{"SRS_CMG_560"};
+inline constexpr RequirementId SRS_CMG_561{"SRS_CMG_561"};
 } // namespace counterpoint::req
 
 #endif

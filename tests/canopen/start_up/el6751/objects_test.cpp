@@ -85,6 +85,19 @@ TEST_F(El6751GuardRowsTest, AllRowsComeInTheOrderOfTheText)
                 "w 1017:00 64 00", "w 100C:00 64 00", "w 100D:00 03", "w 2000:00 01"});
 }
 
+TEST_F(El6751GuardRowsTest, RowsOfABusCouplerHave5500hBetweenSyncAndItsPdos)
+{
+    Verifies(req::SRS_ELM_151);
+    setup.sync_period_us = 10000U;
+    boxes[5].kind = El6751Kind::kBusCoupler;
+    boxes[5].coupler_pdos = 0x00000001U;
+    boxes[5].coupler_inhibit_100us = 0x10U;
+    Tx(5U, MakePdo(1U, 0x185U, 1U, 2U, 0U, 0U));
+    Begin();
+    ExpectSdos({"r 1000:00", "r 1018:01", "r 1018:02", "w 1006:00 10 27 00 00", "w 5500:00 01 00 00 00", "w 1800:02 01",
+                "w 1800:03 10 00", "w 1017:00 64 00", "w 1016:01 2C 01 7F 00", "w 2000:00 01"});
+}
+
 TEST_F(El6751GuardRowsTest, RowsHeartbeatNeedGuardTimeAndFactor)
 {
     Verifies(req::SRS_ELM_020);

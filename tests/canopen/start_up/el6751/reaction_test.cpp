@@ -349,8 +349,11 @@ TEST_F(El6751ReactionTest, ARestartOfARunningSlaveIsAnErrorIfOnlyAHandMayRestart
     EXPECT_EQ(Code(5U), 1);
     EXPECT_EQ(el.Cause(NodeId{5U}), 12);
     EXPECT_EQ(Commands(), (Log{"02 05"}));
+    // The hand's start begins with the start-up that it lost
+    slaves[5]->log.clear();
     EXPECT_EQ(Control(5U, 5U, 1U), NmtAnswer::kTaken);
     Run(50U);
+    EXPECT_EQ(Sdos(5U), (Log{"r 1000:00", "w 1017:00 64 00", "w 1016:01 2C 01 7F 00"}));
     EXPECT_EQ(Code(5U), 0);
 }
 

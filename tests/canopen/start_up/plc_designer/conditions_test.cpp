@@ -147,6 +147,7 @@ TEST_F(PlcConditionsTest, AnAbortOf1000hIsToldBehindAllSdosWhateverIsExpected)
     for (const std::uint8_t node : {std::uint8_t{5U}, std::uint8_t{6U}})
     {
         EXPECT_EQ(Code(node), 98) << int{node};
+        EXPECT_EQ(slaves[node]->log, (Log{"nmt 81", "r 1000:00", "w 2000:00 01"})) << int{node};
         EXPECT_EQ(Of(node).object.index, 0x1000U) << int{node};
         EXPECT_EQ(Of(node).abort, SdoAbort::kObjectUnknown) << int{node};
         EXPECT_FALSE(Of(node).is_started) << int{node};
