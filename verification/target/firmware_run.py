@@ -14,10 +14,11 @@ DEVICES = ("sensor", "actuator", "own_device")
 COST_LINE = re.compile(r"^cost greatest=(\d+) cycles=(\d+) stack=(\d+)\n", re.MULTILINE)
 RECORD = re.compile(r"exception cause=(\d+) accessed=([0-9a-f]{8}) place=([0-9a-f]{8}) count=1 outputs=closed")
 # Who does it to whom, by the numbers of trap/device.cpp, and in whose code it then is: a channel by its own commit.
-VICTIMS = ["region_channel_a", "region_channel_b", "region_core", "region_non_safety", "stack_main_bottom", "flash_core_start", None]
+VICTIMS = ["region_channel_a", "region_channel_b", "region_core", "region_non_safety", "stack_main_bottom", "flash_core_start", None,
+           "_ZN12counterpoint8firmware12_GLOBAL__N_14pinsE"]  # The last one is of the safe rest.
 DATA_ACCESS, INSTRUCTION, PROGRAM = 1, 3, 5
 MISDEEDS = [("channel A", 1, "flash_channel_a", (1, 2, 5)), ("channel B", 2, "flash_channel_b", (0, 2, 5)), ("the core", 3, None, (0, 1, 5)),
-            ("non-safety code", 4, None, (0, 1, 2, 4, 5, 6))]
+            ("non-safety code", 4, None, (0, 1, 2, 4, 5, 6, 7))]
 WRONG_STEPS = [("an undefined instruction", 5, INSTRUCTION), ("a foreign supervisor call", 6, PROGRAM), ("a jump into data", 7, DATA_ACCESS)]
 # A pair and an acknowledge release the drive; then the misdeed, then a pair with another value for the channels to write.
 TRAP_SCENARIO = """5000 nmt operational

@@ -56,6 +56,12 @@ STACK_ENTRIES = ["counterpoint::" + name for name in (
     "ConfigurationGuard::Read(", "ConfigurationGuard::Write(", "SafeStateLatch::Enter(", "SafeStateLatch::Report(")]
 
 
+IMAGES_RUN = ("selftest/selftest", "conformance/conformance", "bench/bench", "manager/manager", "firmware/trap/trap",
+              *(f"firmware/{device}" for device in firmware_run.DEVICES))
+# What no image of the big-endian processor holds: compiled with instrumentation it runs there with the tests. [SRS_FW_010]
+IN_NO_IMAGE = ("safety_core/crosslink/", "safety_core/kernel/configuration_image.cpp", "safety_core/kernel/limits.cpp")
+
+
 class Report:
     """The checks in their order, and which requirements they show."""
 
@@ -100,10 +106,28 @@ def vectors_of(image):
 def check_vectors(report):
     """What runs on the emulator starts, and takes exceptions, by the object that is in the images for silicon."""
     silicon = vectors_of(IMAGES / "firmware/own_device_be32.elf")
-    images = ["selftest/selftest", "conformance/conformance", "bench/bench", "manager/manager", "firmware/trap/trap", *(f"firmware/{device}" for device in firmware_run.DEVICES)]
-    others = [name for name in images if vectors_of(IMAGES / f"{name}.elf") != silicon]
+    others = [name for name in IMAGES_RUN if vectors_of(IMAGES / f"{name}.elf") != silicon]
     report.add(len(silicon) == 1 and not others, "vectors, start-up and entries of exceptions of every image", ", ".join(others) or
-               f"{pathlib.Path(next(iter(silicon), 'none')).name} in {len(images) + 1} images", "SRS_TGT_009", "SRS_FW_005")
+               f"{pathlib.Path(next(iter(silicon), 'none')).name} in {len(IMAGES_RUN) + 1} images", "SRS_TGT_009", "SRS_FW_005")
+
+
+def in_no_image(build, maps):
+    """Objects of core and channels that stand in none of the linker's maps."""
+    return [f"{room}/{name}" for room, archive in objects.archives(build) for name, _ in objects.members(archive)
+            if not any(f"{archive.relative_to(build)}({name})" in text for text in maps)]
+
+
+def check_linked(report, count):
+    """The objects of the digest are those that the linker took for the images that run."""
+    maps = [(IMAGES / f"{name}.elf.map").read_text(encoding="utf-8") for name in IMAGES_RUN]
+    missing = in_no_image(TARGET, maps)
+    lost = [name for name in missing if not name.startswith(IN_NO_IMAGE)]
+    report.add(not lost, "objects of core and channels in the images that run", ", ".join(lost) or f"{count - len(missing)} of {count}; {len(missing)} in none: "
+               f"cross link and {len([name for name in missing if not name.startswith(IN_NO_IMAGE[0])])} of the kernel", "SRS_TGT_005")
+    others = [text.replace("channel_b/libchannel_b.a", "elsewhere/libchannel_b.a") for text in maps]
+    told = [name for name in in_no_image(TARGET, others) if name.startswith("channel_b/")]
+    report.add(len(told) == len([name for room, archive in objects.archives(TARGET) if room == "channel_b" for name in objects.members(archive)]),
+               "an image with other objects of a channel is told", f"{len(told)} objects", "SRS_TGT_005")
 
 
 def is_same(ours, theirs):
@@ -241,6 +265,7 @@ def main():
     check_selftest(report)
     check_vectors(report)
     digest, count = check_objects(report)
+    check_linked(report, count)
     outcomes = check_same_outcomes(report)
     manager_run.check(report, IMAGES / "manager", PRODUCT / "verification/target/manager")
     costs = firmware_run.check(report, IMAGES / "firmware", PRODUCT / "verification/target/firmware")

@@ -60,6 +60,7 @@ std::uint8_t* Victim() noexcept
         stack_main_bottom,
         flash_core_start,
         reinterpret_cast<std::uint8_t*>(std::uintptr_t{0xFFFFFF5CU}), // A register of the system module.
+        reinterpret_cast<std::uint8_t*>(&pins),                       // Safe rest.
     };
     constexpr std::uint32_t kCount = sizeof(kVictims) / sizeof(kVictims[0]);
     return kVictims[(pins >> kWhatShift) % kCount];
