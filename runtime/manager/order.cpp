@@ -147,7 +147,7 @@ std::string AnswerTo(const ManagerOrder& order, ManagerAssembly& assembly, const
     const bool is_partly = answer == NmtAnswer::kPartly || (order.node == 0U && answer == NmtAnswer::kOtherDevice);
     const bool is_refused = is_plc && answer == NmtAnswer::kWrong;
     const bool is_by_state = is_plc && answer != NmtAnswer::kOtherDevice;
-    const bool is_named = (is_partly || is_refused) && !outlook.left_out.empty();
+    const bool is_named = (is_partly || is_refused) && !outlook.left_out.empty(); // There may be no slaves.
     const std::string named = is_partly ? PartlyTaken(outlook, is_by_state) : NotTaken(outlook, is_by_state);
     const std::string text = is_named ? named : WordOf(answer);
     return text + ((answer == NmtAnswer::kTaken || is_partly) ? BehindTaken(outlook, assembly) : "");
@@ -311,7 +311,7 @@ std::string CarryOut(const ManagerOrder& order, ManagerAssembly& assembly, const
 {
     const cia302::NodeId node{order.node};
     const bool is_listed = assembly.Net().Setup().IsListed(node);
-    std::string answer = "taken";
+    std::string answer;
     if (order.kind == ManagerOrderKind::kCommand)
     {
         const bool is_known = order.node == 0U || is_listed || order.node == assembly.Net().Setup().own.value;
@@ -323,7 +323,7 @@ std::string CarryOut(const ManagerOrder& order, ManagerAssembly& assembly, const
     }
     else if (order.kind == ManagerOrderKind::kBoot)
     {
-        answer = assembly.Core().Role().Boot(node, now) ? answer : NotOurs(assembly, node);
+        answer = assembly.Core().Role().Boot(node, now) ? "taken" : NotOurs(assembly, node);
     }
     else if (order.kind == ManagerOrderKind::kNegotiate)
     {
@@ -332,6 +332,10 @@ std::string CarryOut(const ManagerOrder& order, ManagerAssembly& assembly, const
     else if (order.kind == ManagerOrderKind::kWriteSafety)
     {
         answer = WriteSafety(assembly, node, now);
+    }
+    else
+    {
+        // Of the owner. [SRS_MGR_540]
     }
     return answer;
 }
