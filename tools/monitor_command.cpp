@@ -8,19 +8,17 @@
 #include "canopen/monitor/recording.hpp"
 #include "canopen/monitor/report.hpp"
 #include "canopen/monitor/texts.hpp"
-#include "hal/host/live/bus.hpp"
 #include "runtime/console/json_text.hpp"
-#include "tools/command_line/end_signals.hpp"
 #include "tools/command_table.hpp"
 #include "tools/device_findings.hpp"
 #include "tools/device_options.hpp"
 #include "tools/file_warnings.hpp"
+#include "tools/live_watch.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <ostream>
-#include <poll.h>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -55,99 +53,6 @@ monitor::NodeFile NodeFileOf(const std::string& text)
 std::string ProblemOfInterface(const std::string& text)
 {
     return text.empty() ? "an empty name, expected an interface of the recording" : std::string();
-}
-
-constexpr int kPollMs = 10; ///< An expired limit is told so late at most.
-/// A frame may be stamped before the poll that found none: so old a time has no frame to come.
-constexpr Time kSettled = 20 * monitor::kMillisecond;
-
-LogFrame FrameOf(const host::LiveFrame& live)
-{
-    LogFrame frame;
-    frame.time = static_cast<Time>(live.time_ns);
-    frame.identifier = live.identifier;
-    frame.length = live.length_bytes;
-    frame.is_extended = live.extended;
-    frame.is_remote = live.remote;
-    frame.is_fd = live.fd;
-    frame.is_error = live.error;
-    std::copy(std::begin(live.data), std::end(live.data), frame.data.begin());
-    return frame;
-}
-/// Told once each time.
-bool TellState(const std::string& address, const bool was_down, const host::BusState state, const Streams& streams)
-{
-    const bool is_down = state == host::BusState::kDown;
-    if (is_down != was_down)
-    {
-        streams.err << "counterpoint monitor: " << cia306::Printable(address)
-                    << (is_down ? " went down; nothing is judged until it is back" : " is back") << "\n";
-        streams.err.flush();
-    }
-    return is_down;
-}
-
-std::unique_ptr<host::LiveBus> Open(const std::string& address)
-{
-    try
-    {
-        return host::OpenLiveBus(address);
-    }
-    catch (const host::LiveBusError& error)
-    {
-        throw cia306::InputError(address, {}, {error.what(), ""});
-    }
-}
-
-/// What WatchLiveBus calls: each is set.
-struct LiveWatcher
-{
-    std::function<void(const monitor::LogFrame&)> take;
-    std::function<void(monitor::Time)> advance; ///< No frame came until then.
-    std::function<void()> interrupt;            ///< The bus is down: what is on it is not seen.
-};
-
-/// Hands over every frame of the bus, and the time where none comes, until Ctrl-C or `seconds` have passed (0: no end),
-/// also when the bus goes down and comes back. Throws InputError for an address that cannot be opened. [SRS_MON_001,
-/// SRS_MON_018]
-void WatchLiveBus(const std::string& address, const int seconds, const Streams& streams, const LiveWatcher& watcher)
-{
-    const std::unique_ptr<host::LiveBus> bus = Open(address);
-    const EndSignals signals;
-    const Time begin = static_cast<Time>(host::LiveNow());
-    Time last = begin;
-    bool is_down = false;
-    bool is_over = false;
-    while (!is_over)
-    {
-        pollfd descriptor{bus->Descriptor(), POLLIN, 0};
-        static_cast<void>(::poll(&descriptor, 1U, kPollMs));
-        host::LiveFrame live;
-        while (bus->Receive(live))
-        {
-            LogFrame frame = FrameOf(live);
-            frame.time = std::max(frame.time, last); // Stamps of two threads of the system may change places.
-            last = frame.time;
-            watcher.take(frame);
-        }
-        const Time now = static_cast<Time>(host::LiveNow());
-        is_down = TellState(address, is_down, bus->Health().state, streams);
-        if (is_down)
-        {
-            watcher.interrupt();
-        }
-        else
-        {
-            last = std::max(last, now - kSettled);
-            watcher.advance(last);
-        }
-        streams.out.flush();
-        is_over = signals.IsAsked() || (seconds != 0 && now - begin >= seconds * monitor::kSecond);
-    }
-    if (const std::uint32_t lost = bus->Health().lost_frames; lost != 0U)
-    {
-        streams.err << "counterpoint monitor: " << lost << " frames were lost on this machine\n";
-    }
 }
 
 /// What `check` finds by its rules in a file of which something is watched: a device may not be as it is described
@@ -273,20 +178,20 @@ class MonitorCommand final : public Command
             }
             analysis.Take(frame);
         };
-        monitor::Origin origin;
+        monitor::Report report{network, analysis, kept, address_.empty() ? file_ : address_};
+        report.frames = shows_frames_ ? &frames : nullptr;
         if (address_.empty())
         {
-            origin = ReadFrames(take);
+            report.origin = ReadFrames(take);
         }
         else
         {
-            WatchLiveBus(address_, seconds_, streams,
-                         {take, [&](const Time now) { analysis.Advance(now); }, [&] { analysis.Interrupt(); }});
+            LiveWatch watch(address_, streams,
+                            {take, [&](const Time now) { analysis.Advance(now); }, [&] { analysis.Interrupt(); }});
+            report.missed = watch.Run(seconds_);
         }
         analysis.End();
-        return Conclude(
-            {network, analysis, kept, address_.empty() ? file_ : address_, origin, shows_frames_ ? &frames : nullptr},
-            streams);
+        return Conclude(report, streams);
     }
 
     /// Hands over every frame of the recording that is of the interface.
@@ -403,6 +308,10 @@ class MonitorCommand final : public Command
         else
         {
             monitor::WriteSummary(report, streams.out);
+        }
+        if (monitor::HasMissed(report))
+        {
+            return ExitStatus::kBadInput; // As a recording with a line that cannot be read.
         }
         return monitor::Holds(report) ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
     }

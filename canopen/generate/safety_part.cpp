@@ -279,10 +279,10 @@ void SafetyPart::FollowNodeId(std::vector<SafetySetting>& settings) const
         for (std::size_t place = 0U; place < safety_.srdos.size(); ++place)
         {
             const SrdoConfiguration& srdo = safety_.srdos[place];
-            const bool is_right = srdo.signature.Is(cia306::SignatureOf(srdo));
-            if (numbers.count(srdo.number) != 0U && is_right)
+            const auto signature = cia306::SignatureWithNode(srdo, other.srdos[place]);
+            if (numbers.count(srdo.number) != 0U && signature)
             {
-                SignatureSetting(settings, srdo.number).signatures.push_back(cia306::SignatureOf(other.srdos[place]));
+                SignatureSetting(settings, srdo.number).signatures.push_back(*signature);
             }
         }
     }

@@ -129,9 +129,14 @@ std::vector<std::size_t> Silent(const Report& report)
     return silent;
 }
 
+bool HasMissed(const Report& report)
+{
+    return report.missed.malformed != 0U || report.missed.lost_frames != 0U;
+}
+
 bool Holds(const Report& report)
 {
-    return report.analysis.ViolationCount() == 0U && Silent(report).empty();
+    return report.analysis.ViolationCount() == 0U && Silent(report).empty() && !HasMissed(report);
 }
 
 std::string Watchers(const Network& network, const Violation& violation)
@@ -164,6 +169,12 @@ std::string OthersText(const Report& report)
            SecondsText(report.analysis.Last());
 }
 
+std::string MissedText(const Report& report)
+{
+    return std::to_string(report.missed.malformed) + " malformed elements and " +
+           std::to_string(report.missed.lost_frames) + " lost frames: what was in them was not judged";
+}
+
 void WriteSummary(const Report& report, std::ostream& out)
 {
     out << report.analysis.FrameCount() << " frames";
@@ -182,6 +193,10 @@ void WriteSummary(const Report& report, std::ostream& out)
     if (report.origin.other_frames != 0U)
     {
         out << OthersText(report) << "\n";
+    }
+    if (HasMissed(report))
+    {
+        out << MissedText(report) << "\n";
     }
     const std::vector<std::size_t> silent = Silent(report);
     for (std::size_t number = 0U; number < report.network.Watches().size(); ++number)
@@ -226,6 +241,9 @@ std::string JsonReport(const Report& report)
                 {"first_s", time(first)},
                 {"last_s", time(last)},
                 {"services", Json::object()},
+                {"malformed", report.missed.malformed},
+                {"lost_frames", report.missed.lost_frames},
+                {"absences", report.missed.absences},
                 {"violation_count", analysis.ViolationCount()},
                 {"violations", Json::array()},
                 {"warnings", Json::array()},

@@ -125,7 +125,9 @@ std::string OriginText(const Report& report)
 {
     const Origin& origin = report.origin;
     const std::string others = origin.other_frames == 0U ? "" : "<p>" + cia306::HtmlText(OthersText(report)) + "</p>";
-    return others + (origin.doubt.empty() ? "" : "<p class=\"bad\">" + cia306::HtmlText(origin.doubt) + "</p>");
+    const std::string missed = HasMissed(report) ? "<p class=\"bad\">" + MissedText(report) + "</p>" : "";
+    return others + missed +
+           (origin.doubt.empty() ? "" : "<p class=\"bad\">" + cia306::HtmlText(origin.doubt) + "</p>");
 }
 } // namespace
 

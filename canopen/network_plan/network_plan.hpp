@@ -98,6 +98,7 @@ struct SlavePlan
     std::optional<std::uint32_t> date;
     std::optional<std::uint32_t> time;
     std::optional<cia302::El6751Slave> el6751; ///< Options alone: PDOs and times follow from the rest.
+    std::optional<std::uint32_t> coupler_pdos; ///< 5500h of a bus coupler; else as its DCF says.
     std::optional<cia302::PlcSlave> plc;
     std::vector<OutputPlan> outputs; ///< Of the EL6751 profile.
     bool is_configured{true};        ///< Gets the concise DCF that its DCF makes.

@@ -7,6 +7,7 @@
 #include "canopen/cia306/text/finding.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/network_plan/concise_maker.hpp"
+#include "canopen/network_plan/profile_maker.hpp"
 #include "canopen/network_plan/start_up_bits.hpp"
 
 #include <algorithm>
@@ -161,6 +162,7 @@ class NetworkWarnings
     void WarnOfUnused();
     void WarnOfGuarding(const SlavePlan& slave, bool is_el6751);
     void WarnOfSafety(const LoadedSlave& slave);
+    void WarnOfCoupler(const LoadedSlave& slave);
     void WarnOfEmergencies();
     void WarnOfSyncs();
     void WarnOfDownloads();
@@ -190,6 +192,7 @@ std::vector<std::string> NetworkWarnings::All()
     for (const std::unique_ptr<LoadedSlave>& slave : loaded_)
     {
         WarnOfSafety(*slave);
+        WarnOfCoupler(*slave);
     }
     WarnOfEmergencies();
     WarnOfSyncs();
@@ -293,6 +296,16 @@ void NetworkWarnings::WarnOfGuarding(const SlavePlan& slave, const bool is_el675
     else
     {
         // Guarded, or not asked for.
+    }
+}
+
+void NetworkWarnings::WarnOfCoupler(const LoadedSlave& slave)
+{
+    const bool is_el6751 = plan_.manager.profile == StartProfile::kEl6751;
+    const std::string text = is_el6751 ? WarningOfCoupler(slave.plan, slave.device) : "";
+    if (!text.empty())
+    {
+        warnings_.push_back(cia306::PlaceText(plan_.file, slave.plan.place) + ": warning: " + text);
     }
 }
 

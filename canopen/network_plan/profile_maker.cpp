@@ -29,6 +29,7 @@ constexpr std::uint32_t kBitsOfByte = 8U;
 constexpr std::uint32_t kLengthMask = 0xFFU; ///< Of a mapping entry.
 constexpr std::uint32_t kMostPdos = 255U;    ///< Both directions together.
 constexpr std::uint8_t kEventDriven = 255U;
+constexpr std::uint16_t kCouplerPdos = 0x5500U;
 
 std::uint32_t MappedBits(const Device& device, const std::uint8_t node_id, const std::uint16_t mapping)
 {
@@ -103,6 +104,18 @@ bool IsPdoParameter(const std::uint16_t index)
            (index >= kFirstTxPdo && index < kFirstTxPdo + kPdoNumbers);
 }
 
+bool IsCoupler(const El6751Slave& slave)
+{
+    return slave.kind == cia302::El6751Kind::kBusCoupler;
+}
+
+/// 5500h as its DCF says, unless the network file does. Of another device it is any object. [SRS_ELM_585]
+std::uint32_t CouplerPdosOf(const SlavePlan& plan, const Device& device, const El6751Slave& slave)
+{
+    const std::uint32_t usual = IsCoupler(slave) ? NumberOf(device, plan.node, kCouplerPdos, 0U, 0U) : 0U;
+    return plan.coupler_pdos.value_or(usual);
+}
+
 /// Of 1016h the row writes the first consumer, which is the manager; the manager a second time would be refused.
 bool IsRowOfSlave(const El6751Slave& slave, const cia302::ConciseReading& entry, const NetworkSetup& network)
 {
@@ -112,7 +125,8 @@ bool IsRowOfSlave(const El6751Slave& slave, const cia302::ConciseReading& entry,
         index == 0x1016U && (entry.object.sub <= 1U || (has_node && entry.value.data[2] == network.own.value));
     const bool is_guarding = is_manager || index == 0x1017U || index == 0x100CU || index == 0x100DU;
     const bool is_sync = index == 0x1006U && slave.is_sync_period_written;
-    return (is_guarding && slave.IsWatched()) || (is_sync && cia302::NeedsSync(network));
+    const bool is_coupler_row = index == kCouplerPdos && entry.object.sub == 0U && IsCoupler(slave);
+    return is_coupler_row || (is_guarding && slave.IsWatched()) || (is_sync && cia302::NeedsSync(network));
 }
 
 /// Whether the DCF gives the object another value than the device has by itself, as far as the DCF knows that one.
@@ -156,7 +170,7 @@ std::vector<std::uint8_t> FurtherObjects(const ProfileSlave& slave, const cia302
 {
     std::vector<ConciseEntry> kept;
     cia302::ConciseReading entry{};
-    const bool is_coupler = slave.el6751.kind == cia302::El6751Kind::kBusCoupler;
+    const bool is_coupler = IsCoupler(slave.el6751);
     entry = cia302::ReadConcise(concise, {0U, 0U});
     for (; entry.state == cia302::ConciseState::kEntry; entry = cia302::ReadConcise(concise, entry.next))
     {
@@ -212,6 +226,7 @@ void FillEl6751(const std::string& file, const SlavePlan& plan, const Device& de
                 SlaveSetup& setup)
 {
     slave.el6751 = plan.el6751.value_or(El6751Slave{});
+    slave.el6751.coupler_pdos = CouplerPdosOf(plan, device, slave.el6751);
     slave.rx_pdos = MakePdos(device, plan.node, kFirstRxPdo);
     slave.tx_pdos = MakePdos(device, plan.node, kFirstTxPdo);
     if (slave.rx_pdos.size() + slave.tx_pdos.size() > kMostPdos)
@@ -267,6 +282,19 @@ void LeaveOutRows(const Device& device, const std::uint8_t node_id, const Networ
     const std::set<std::uint16_t> whole = WholePdos(device, node_id, setup.concise_dcf);
     slave.concise = FurtherObjects(slave, setup.concise_dcf, whole, network);
     setup.concise_dcf = cia302::Bytes{slave.concise.data(), static_cast<std::uint32_t>(slave.concise.size())};
+}
+
+std::string WarningOfCoupler(const SlavePlan& plan, const Device& device)
+{
+    const Entry* const entry = device.Find(kCouplerPdos, 0U);
+    const bool is_coupler = plan.el6751.has_value() && IsCoupler(*plan.el6751);
+    const bool is_twice = is_coupler && plan.coupler_pdos && entry != nullptr && entry->parameter_value.IsSet();
+    const std::uint32_t other = is_twice ? NumberOf(device, plan.node, kCouplerPdos, 0U, 0U) : 0U;
+    const bool is_other = is_twice && other != *plan.coupler_pdos;
+    return is_other ? cia306::ObjectName(kCouplerPdos, 0U) + " of node " + std::to_string(plan.node) + " is " +
+                          cia306::Hex(other, 1) + " in its DCF: " + cia306::Hex(*plan.coupler_pdos, 1) +
+                          " of coupler_pdos is written, expected one of the two"
+                    : "";
 }
 
 void FillProfile(const std::string& file, const StartProfile profile, const SlavePlan& plan, const Device& device,

@@ -39,6 +39,9 @@ void FillProfile(const std::string& file, StartProfile profile, const SlavePlan&
 /// whether SYNC is sent. [SRS_ELM_212, SRS_ELM_213]
 void LeaveOutRows(const cia306::Device& device, std::uint8_t node_id, const cia302::NetworkSetup& network,
                   ProfileSlave& slave, cia302::SlaveSetup& setup);
+/// @brief That a bus coupler has another 5500h in its DCF than in the network file, which counts; else empty.
+/// [SRS_ELM_586]
+[[nodiscard]] std::string WarningOfCoupler(const SlavePlan& plan, const cia306::Device& device);
 } // namespace counterpoint::network_plan
 
 #endif // CANOPEN_NETWORK_PLAN_PROFILE_MAKER_HPP

@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/device/source.hpp"
 
+#include "canopen/cia306/check/sides.hpp"
+#include "canopen/cia306/safety/signature.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 
 #include <algorithm>
@@ -72,6 +74,26 @@ DeviceSource::DeviceSource(const cia306::Device& device, const std::string& file
     std::vector<cia306::Finding> problems;
     parameters_ = cia306::ReadDeviceParameters(device_, node_id_, problems);
     cia306::RequireNone(file_, problems);
+    FollowNodeId();
+}
+
+/// Values with $NODEID have followed it; the signatures of the file are those of its own. [SRS_NODE_551]
+void DeviceSource::FollowNodeId()
+{
+    if (!device_.node_id || device_.node_id == node_id_)
+    {
+        return;
+    }
+    const cia306::SafetyConfiguration own = cia306::ExtractSafety(device_, device_.node_id);
+    for (std::size_t place = 0U; place < safety_.srdos.size(); ++place)
+    {
+        cia306::SrdoConfiguration& srdo = safety_.srdos[place];
+        const auto signature = cia306::SignatureWithNode(own.srdos[place], srdo);
+        if (signature)
+        {
+            srdo.signature.value = *signature;
+        }
+    }
 }
 
 std::vector<SrdoModel> DeviceSource::Srdos() const
@@ -229,6 +251,8 @@ std::vector<VariablePair> DeviceSource::Pairs() const
             }
             bit += normal.Bits();
         }
+        // Nobody behind here knows the sides of an object: the kernel's table has none. [SRS_NODE_550]
+        cia306::RequireNone(file_, cia306::WrongSides(device_, srdo));
     }
     return pairs;
 }

@@ -45,7 +45,7 @@ class DeviceSource
     [[nodiscard]] std::vector<SrdoSetup> Setups() const;
     /// @brief The mappable variables, ascending.
     [[nodiscard]] std::vector<SourceVariable> Variables() const;
-    /// @brief The mapped pairs of them.
+    /// @brief The mapped pairs of them, normal data on the normal side. [SRS_NODE_550]
     [[nodiscard]] std::vector<VariablePair> Pairs() const;
     /// @brief The static mappings.
     [[nodiscard]] std::vector<StaticMapping> StaticMappings() const;
@@ -57,6 +57,7 @@ class DeviceSource
 
   private:
     [[noreturn]] void Refuse(std::uint8_t sub, const cia306::Problem& problem) const;
+    void FollowNodeId();
     void RequireCycle() const;
     void RequirePort(std::uint8_t sub, std::uint8_t port) const;
     [[nodiscard]] MapAccess AccessOf(const cia306::Entry& entry) const;

@@ -199,13 +199,20 @@ bool ManagerAssembly::IsGood(const cia302::NodeId node) const noexcept
     is_good = (profile == StartProfile::kEl6751) ? status.code == kNoError && !status.has_failed : is_good;
     // Who does not lead has begun no start-up, and so found nothing.
     const int wanted = manager_.IsActive() ? cia302::kPlcStarted : cia302::kPlcOutside;
-    is_good = (profile == StartProfile::kPlcDesigner) ? status.code == wanted : is_good;
+    const bool has_aborted = status.abort != cia301::SdoAbort::kNone; // Configured all the same. [SRS_PLC_585]
+    is_good = (profile == StartProfile::kPlcDesigner) ? status.code == wanted && !has_aborted : is_good;
     return is_good && Runs(node) && !HasFault(node);
+}
+
+bool ManagerAssembly::HasDouble() const noexcept
+{
+    const bool is_halted = flying_ != nullptr && flying_->State() == cia302::FlyingState::kHalted;
+    return is_halted || manager_.Watched().Of(net_.Setup().own).is_duplicate;
 }
 
 bool ManagerAssembly::HasStarted() const noexcept
 {
-    bool has_started = true;
+    bool has_started = !HasDouble();
     for (const auto& slave : net_.Slaves())
     {
         const cia302::NodeId node{slave->plan.node};

@@ -70,7 +70,11 @@ class ManagerAssembly
     /// @brief Whether a slave runs, its start-up ended without a finding, and it told no fault of the device.
     /// [SRS_MGR_131, SRS_MGR_132]
     [[nodiscard]] bool IsGood(cia302::NodeId node) const noexcept;
-    /// @brief Whether every mandatory slave is good, or waits for TxPDOs alone. [SRS_MGR_004]
+    /// @brief Whether another device was heard with the node-ID of this manager, since the last reset of it.
+    /// [SRS_MGR_588]
+    [[nodiscard]] bool HasDouble() const noexcept;
+    /// @brief Whether every mandatory slave is good, or waits for TxPDOs alone, and this manager is the only one of its
+    /// node-ID. [SRS_MGR_004, SRS_MGR_588]
     [[nodiscard]] bool HasStarted() const noexcept;
     /// @brief Tells the flying master and the EL6751 profile the state of the controller.
     void OnController(cia302::ControllerState state, Instant now) noexcept;

@@ -311,14 +311,19 @@ std::string ManagerDictionary::Get(const ObjectAddress& object, const Instant no
                       : std::to_string(reading.size_bytes) + " bytes");
 }
 
+bool ManagerDictionary::CanSet(const ObjectAddress& object) const noexcept
+{
+    const cia301::Entry* const entry = dictionary_.Find(object);
+    return entry != nullptr && cia301::IsNumber(entry->type) &&
+           (entry->access == Access::kReadWrite || entry->access == Access::kWriteOnly);
+}
+
 std::string ManagerDictionary::Set(const ObjectAddress& object, const std::uint64_t value, const Instant now)
 {
     static_cast<void>(Begin(now));
     const cia301::Entry* const entry = dictionary_.Find(object);
     const std::string name = NameOf(object);
-    const bool is_writable = entry != nullptr && cia301::IsNumber(entry->type) &&
-                             (entry->access == Access::kReadWrite || entry->access == Access::kWriteOnly);
-    if (!is_writable)
+    if (!CanSet(object))
     {
         return "no number " + name + " that can be written, expected one of the manager";
     }

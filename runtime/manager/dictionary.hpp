@@ -38,6 +38,8 @@ class ManagerDictionary
     }
     /// @brief The value of an object as text, in whatever NMT state, or why there is none.
     [[nodiscard]] std::string Get(const ObjectAddress& object, Instant now);
+    /// @brief Whether it has such a number and lets somebody write it.
+    [[nodiscard]] bool CanSet(const ObjectAddress& object) const noexcept;
     /// @brief Writes an object as the application does. Answers "taken", or the abort code and its meaning.
     [[nodiscard]] std::string Set(const ObjectAddress& object, std::uint64_t value, Instant now);
 

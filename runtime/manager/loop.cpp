@@ -205,8 +205,7 @@ bool ManagerLoop::HasEnded()
     }
     const host::BusHealth health = bus_->Health();
     const bool is_waiting = station_.Assembly().Core().Role().Commands().Waiting() > 0U || health.waiting > 0U;
-    const bool is_away = health.state == host::BusState::kDown || health.state == host::BusState::kBusOff;
-    return !is_waiting || is_away || now_ns >= end_ns_ + kLastTriesNs;
+    return !is_waiting || host::IsAway(health.state) || now_ns >= end_ns_ + kLastTriesNs;
 }
 
 /// What has not left is lost: who ordered it has to know. [SRS_MGR_520]
@@ -308,26 +307,54 @@ void ManagerLoop::TakeFrame(const host::LiveFrame& frame)
     }
 }
 
+/// An absence that is over already is one all the same: what was on the bus meanwhile nobody heard. [SRS_MGR_580]
 void ManagerLoop::WatchBus()
 {
     const host::BusHealth health = bus_->Health();
+    const bool was_away = health.absences != absences_ && !host::IsAway(bus_state_);
+    absences_ = health.absences;
+    if (was_away && !host::IsAway(health.state))
+    {
+        EnterBus(health.absence);
+    }
     if (health.state != bus_state_)
     {
-        bus_state_ = health.state;
-        const char* const word = NameOf(kBusWords, bus_state_, "down");
-        station_.Tell("bus", std::string("bus ") + word, {{"state", word}}, StationUs());
-        cia302::ControllerState state = cia302::ControllerState::kRunning;
-        state = (bus_state_ == host::BusState::kBusOff) ? cia302::ControllerState::kBusOff : state;
-        state = (bus_state_ == host::BusState::kDown) ? cia302::ControllerState::kAbsent : state;
-        station_.Assembly().OnController(state, InstantAt(StationUs()));
+        EnterBus(health.state);
     }
-    if (health.lost_frames > lost_)
+    WatchLosses(health);
+}
+
+void ManagerLoop::EnterBus(const host::BusState state)
+{
+    bus_state_ = state;
+    const char* const word = NameOf(kBusWords, bus_state_, "down");
+    station_.Tell("bus", std::string("bus ") + word, {{"state", word}}, StationUs());
+    cia302::ControllerState controller = cia302::ControllerState::kRunning;
+    controller = (bus_state_ == host::BusState::kBusOff) ? cia302::ControllerState::kBusOff : controller;
+    controller = (bus_state_ == host::BusState::kDown) ? cia302::ControllerState::kAbsent : controller;
+    station_.Assembly().OnController(controller, InstantAt(StationUs()));
+}
+
+/// What could not be read may have been a frame. [SRS_MGR_581]
+void ManagerLoop::WatchLosses(const host::BusHealth& health)
+{
+    const bool has_lost = health.lost_frames > lost_;
+    if (has_lost)
     {
         const std::uint32_t count = health.lost_frames - lost_;
         station_.Tell("lost_frames", std::to_string(count) + " frames lost between bus and manager", {{"count", count}},
                       StationUs());
-        station_.Assembly().Core().OnLost(InstantAt(StationUs()));
         lost_ = health.lost_frames;
+    }
+    if (malformed_.Learn(health.malformed) || has_lost)
+    {
+        station_.Assembly().Core().OnLost(InstantAt(StationUs()));
+    }
+    if (const std::uint32_t count = malformed_.Due(host::LiveNow()))
+    {
+        const std::string problem = bus_->Problem();
+        station_.Tell("malformed", MalformedText(count, problem), {{"count", count}, {"problem", problem}},
+                      StationUs());
     }
 }
 

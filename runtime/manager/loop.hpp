@@ -4,6 +4,7 @@
 
 #include "hal/host/live/bus.hpp"
 #include "runtime/console/node_report.hpp"
+#include "runtime/console/told_count.hpp"
 #include "runtime/manager/frame_backlog.hpp"
 #include "runtime/manager/socket.hpp"
 #include "runtime/manager/station.hpp"
@@ -37,7 +38,8 @@ struct ManagerLoopSettings
 
 /// Runs a live manager: frames, a cycle each millisecond, and orders, until it is told to stop. A lost connection is
 /// opened again by its bus; a second one would hear this manager as another device. [SRS_MGR_005,
-/// SRS_MGR_006, SRS_MGR_007, SRS_MGR_120, SRS_MGR_124, SRS_MGR_125, SRS_MGR_126, SRS_MGR_128, SRS_MGR_129]
+/// SRS_MGR_006, SRS_MGR_007, SRS_MGR_120, SRS_MGR_124, SRS_MGR_125, SRS_MGR_126, SRS_MGR_128, SRS_MGR_129,
+/// SRS_MGR_580, SRS_MGR_581]
 class ManagerLoop
 {
   public:
@@ -73,6 +75,8 @@ class ManagerLoop
     void TakeFrame(const host::LiveFrame& frame);
     [[nodiscard]] std::uint64_t StationUs();
     void WatchBus();
+    void WatchLosses(const host::BusHealth& health);
+    void EnterBus(host::BusState state);
     void ReadTyped();
     void Reply(const std::string& line);
     void Show(const std::string& answer);
@@ -97,7 +101,9 @@ class ManagerLoop
     bool is_behind_{false};        ///< More frames wait: time is that of the last one.
     bool has_typed_{false};
     host::BusState bus_state_{host::BusState::kActive};
+    std::uint32_t absences_{0U};
     std::uint32_t lost_{0U};
+    ToldCount malformed_{};
     std::deque<std::string> recent_; ///< Lines under the table.
     std::string typed_;
     std::string answer_;      ///< To what was typed last, on a terminal.

@@ -56,12 +56,23 @@ bool IsLeftOut(const ManagerAssembly& assembly, const NodeId node)
 }
 
 /// Whether something is wrong with this slave, which is no safety slave, that its start-up found and an order does not
-/// ask for. [SRS_ELM_520]
+/// ask for. [SRS_ELM_520, SRS_PLC_587]
 bool IsRefused(const ManagerAssembly& assembly, const NodeId node)
 {
     const cia302::NodeStatus status = assembly.Core().Status(node);
-    const bool is_el6751 = ProfileOf(assembly) == StartProfile::kEl6751;
-    const bool is_wrong = is_el6751 ? status.has_failed : (status.letter != 0 && status.letter != 'L');
+    bool is_wrong = status.letter != 0 && status.letter != 'L';
+    switch (ProfileOf(assembly))
+    {
+    case StartProfile::kEl6751:
+        is_wrong = status.has_failed;
+        break;
+    case StartProfile::kPlcDesigner:
+        is_wrong = status.abort != cia301::SdoAbort::kNone && !IsLeftOut(assembly, node);
+        break;
+    case StartProfile::kCia302:
+    default:
+        break;
+    }
     return is_wrong && !assembly.Net().Setup().IsSafetySlave(node);
 }
 

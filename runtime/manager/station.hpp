@@ -35,6 +35,11 @@ class ManagerStation final : private cia301::FrameSink
     void OnCycle(std::uint64_t now_us);
     /// @brief Carries out an order. Answers its result; empty for orders that the owner itself carries out.
     [[nodiscard]] std::string Carry(const ManagerOrder& order, std::uint64_t now_us);
+    /// @brief Whether this object of the manager is a number that somebody may write, now or at another time.
+    [[nodiscard]] bool CanSet(const ObjectAddress& object) const noexcept
+    {
+        return dictionary_.CanSet(object);
+    }
     /// @brief The run ends: commands that wait are sent now, whatever the inhibit time. [SRS_NMM_520]
     void Finish(std::uint64_t now_us);
     /// @brief The commands that wait: "stop node 5", "reset all". [SRS_MGR_520]

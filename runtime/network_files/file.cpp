@@ -140,7 +140,10 @@ SlavePlan ReadSlave(const std::string& file, const YamlValue& value)
     ReadAssignment(map, plan);
     ReadExpectations(map, plan);
     TakePart(file, map, "software", plan.software, ReadSoftware);
-    TakePart(file, map, "el6751", plan.el6751, ReadEl6751Slave);
+    if (const auto options = map.Find("el6751"))
+    {
+        ReadEl6751Slave(file, *options, plan);
+    }
     if (const auto options = map.Find("plc_designer"))
     {
         plan.plc = ReadPlcSlave(file, *options, plan.is_mandatory.value_or(true));

@@ -25,7 +25,7 @@ constexpr Word<cia302::El6751Window> kWindowWords[] = {{"input_shift", cia302::E
                                                        {"last_rx_pdo", cia302::El6751Window::kLastRxPdo}};
 } // namespace
 
-El6751Slave ReadEl6751Slave(const std::string& file, const YamlValue& value)
+void ReadEl6751Slave(const std::string& file, const YamlValue& value, network_plan::SlavePlan& plan)
 {
     const YamlMap map(file, value.Node(),
                       {"kind", "check_device_type", "write_sync_period", "write_cob_ids", "write_types", "start",
@@ -45,10 +45,10 @@ El6751Slave ReadEl6751Slave(const std::string& file, const YamlValue& value)
     TakeWord(map, "reaction", slave.node_reaction, kReactionWords);
     TakeWord(map, "restart", slave.restart, kRestartWords);
     TakeWord(map, "network_reaction", slave.network_reaction, kNetworkWords);
-    TakeNumber(map, "coupler_pdos", slave.coupler_pdos, 0U);
+    TakeNumber(map, "coupler_pdos", plan.coupler_pdos, 0U);
     TakeTime(map, "coupler_inhibit", slave.coupler_inhibit_100us, kHundredUs, "tenths of a millisecond", kWrong);
     TakeTime(map, "coupler_event", slave.coupler_event_ms, kNanosecondsPerMillisecond, "milliseconds", kWrong);
-    return slave;
+    plan.el6751 = slave;
 }
 
 cia302::El6751Times ReadEl6751Times(const std::string& file, const YamlValue& value)

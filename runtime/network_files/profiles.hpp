@@ -15,7 +15,7 @@ namespace counterpoint::runtime
 /// @brief Reads the map `flying` of a network file. Throws runtime::YamlError. [SRS_FLY_029]
 [[nodiscard]] network_plan::FlyingPlan ReadFlying(const std::string& file, const YamlValue& value);
 /// @brief Reads the options of a slave under `el6751` of a network file. Throws runtime::YamlError. [SRS_ELM_211]
-[[nodiscard]] cia302::El6751Slave ReadEl6751Slave(const std::string& file, const runtime::YamlValue& value);
+void ReadEl6751Slave(const std::string& file, const runtime::YamlValue& value, network_plan::SlavePlan& plan);
 /// @brief Reads the options of the manager under `el6751`. Throws runtime::YamlError. [SRS_ELM_211]
 [[nodiscard]] cia302::El6751Times ReadEl6751Times(const std::string& file, const runtime::YamlValue& value);
 /// @brief Reads the list `outputs` of a slave: what RxPDOs carry. Throws runtime::YamlError. [SRS_MGR_022]

@@ -273,23 +273,17 @@ void NodeLoop::TellConnection()
 /// Each consumer is made safe, whatever comes next on the connection. Told at once, then once a second.
 void NodeLoop::WatchAge()
 {
-    const std::uint32_t stale = parts_.ports.StaleFrames();
-    if (stale != stale_)
+    if (stale_.Learn(parts_.ports.StaleFrames()))
     {
-        stale_ = stale;
         device_->Assembly().Device().OnLoss();
     }
-    const bool is_due = told_stale_ns_ == 0U || now_ns_ - told_stale_ns_ >= kNsPerSecond;
-    if (stale_ != told_stale_ && is_due)
+    if (const std::uint32_t count = stale_.Due(now_ns_))
     {
-        const std::uint32_t count = stale_ - told_stale_;
         Tell(std::to_string(count) +
                  " SRDO frames left aside: the connection to the server may have held them for more "
                  "than " +
                  std::to_string(kOldestSrdoMs) + " ms",
              "stale_frames", {{"count", count}});
-        told_stale_ = stale_;
-        told_stale_ns_ = now_ns_;
     }
 }
 
@@ -309,16 +303,43 @@ void NodeLoop::WatchBus()
         lost_ = lost;
         device_->Assembly().Device().OnLoss();
     }
+    WatchMalformed();
+    WatchState();
+}
+
+/// An absence that is over already is one all the same. [SRS_NODE_580]
+void NodeLoop::WatchState()
+{
+    const host::BusState absence = parts_.ports.TakeAbsence();
     const host::BusState state = parts_.ports.State();
-    const std::string word = NameOf(kBusWords, state);
+    if (absence != host::BusState::kInvalid && !host::IsAway(bus_) && !host::IsAway(state))
+    {
+        EnterBus(absence);
+    }
     if (state != bus_ && state != host::BusState::kInvalid)
     {
-        bus_ = state;
-        Tell("bus " + word, "bus", {{"state", word}});
-        device::BusCondition condition = device::BusCondition::kActive;
-        condition = (state == host::BusState::kPassive) ? device::BusCondition::kPassive : condition;
-        const bool is_off = state == host::BusState::kBusOff || state == host::BusState::kDown;
-        device_->Assembly().Device().OnBus(is_off ? device::BusCondition::kOff : condition);
+        EnterBus(state);
+    }
+}
+
+void NodeLoop::EnterBus(const host::BusState state)
+{
+    const std::string word = NameOf(kBusWords, state);
+    bus_ = state;
+    Tell("bus " + word, "bus", {{"state", word}});
+    device::BusCondition condition = device::BusCondition::kActive;
+    condition = (state == host::BusState::kPassive) ? device::BusCondition::kPassive : condition;
+    device_->Assembly().Device().OnBus(host::IsAway(state) ? device::BusCondition::kOff : condition);
+}
+
+/// A frame that was among them is missed by the kernel itself. [SRS_NODE_581]
+void NodeLoop::WatchMalformed()
+{
+    static_cast<void>(malformed_.Learn(parts_.ports.Malformed()));
+    if (const std::uint32_t count = malformed_.Due(now_ns_))
+    {
+        const std::string problem = parts_.ports.Problem();
+        Tell(MalformedText(count, problem), "malformed", {{"count", count}, {"problem", problem}});
     }
 }
 

@@ -3,6 +3,7 @@
 #define RUNTIME_NODE_LOOP_HPP
 
 #include "runtime/console/streams.hpp"
+#include "runtime/console/told_count.hpp"
 #include "runtime/node/clocks.hpp"
 #include "runtime/node/orders.hpp"
 #include "runtime/node/script.hpp"
@@ -28,7 +29,7 @@ struct NodeLoopParts
 };
 
 /// Runs a live node: cycles at their times, frames and orders between them, until it is told to stop. [SRS_NODE_003,
-/// SRS_NODE_005, SRS_NODE_006, SRS_NODE_031]
+/// SRS_NODE_005, SRS_NODE_006, SRS_NODE_031, SRS_NODE_580, SRS_NODE_581]
 class NodeLoop
 {
   public:
@@ -53,6 +54,9 @@ class NodeLoop
     void RunCycle();
     void TellConnection();
     void WatchBus();
+    void WatchState();
+    void EnterBus(host::BusState state);
+    void WatchMalformed();
     void WatchAge();
     void FollowScript();
     void ReadOrders();
@@ -76,9 +80,8 @@ class NodeLoop
     std::uint64_t latest_cycle_ns_{0U}; ///< Greatest distance of a cycle from its time.
     std::uint32_t lost_{0U};
     bool has_connection_{false}; ///< A bus is that of a server.
-    std::uint32_t stale_{0U};
-    std::uint32_t told_stale_{0U};
-    std::uint64_t told_stale_ns_{0U};
+    ToldCount stale_{};
+    ToldCount malformed_{};
     host::BusState bus_{host::BusState::kActive};
     InstantPair now_{{0U}, {0U}};
     std::uint64_t now_ns_{0U};

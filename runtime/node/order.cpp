@@ -197,7 +197,7 @@ NodeOrder ParseOrder(const std::string& line)
 std::string OrderHelp()
 {
     return "  set 0x2000:01 1      value of an input, or of another object of the device\n"
-           "  get 0x1018:01        value of an object\n"
+           "  get 0x1018:01        value of an object, as its data type has it\n"
            "  ack 1                press the acknowledge button of SRDO 1\n"
            "  gfc                  send the global fail-safe command\n"
            "  nmt                  state of the node\n"

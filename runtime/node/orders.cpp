@@ -4,6 +4,7 @@
 #include "canopen/cia306/file/saved.hpp"
 #include "runtime/device/names.hpp"
 #include "runtime/node/number.hpp"
+#include "runtime/node/object_value.hpp"
 
 #include <optional>
 #include <utility>
@@ -141,16 +142,16 @@ void NodeOrders::Set(const NodeOrder& order, NodeDevice& device, const cia301::A
 
 void NodeOrders::TellObject(const ObjectAddress& object, NodeDevice& device)
 {
-    cia301::Dictionary& objects = device.Assembly().Dictionary();
-    const cia301::NumberReading reading = objects.ReadNumber(object);
-    if (reading.abort == cia301::SdoAbort::kNone)
+    const ObjectValue value = ValueOf(device.App().File(), device.Assembly().Dictionary(), object);
+    if (value.abort == cia301::SdoAbort::kNone)
     {
-        const NumberForm form = FormOf(device.App().File(), objects, object);
-        report_.Tell(at_.now_ns, ObjectText(object) + " = " + NumberText(form, reading.value), "object",
-                     {{"object", ObjectText(object)}, {"value", NumberJson(form, reading.value)}});
+        nlohmann::ordered_json details{{"object", ObjectText(object)}};
+        details.update(value.details);
+        report_.Tell(at_.now_ns, ObjectText(object) + " = " + value.text, "object", details);
         return;
     }
-    TellProblem("get: " + ObjectText(object) + ": " + SdoAbortText(reading.abort) + ", expected an object of numbers");
+    TellProblem("get: " + ObjectText(object) + ": " + SdoAbortText(value.abort) +
+                ", expected an object of the device that has a value");
 }
 
 /// To this node as if it had come from the bus, to another as a master would.

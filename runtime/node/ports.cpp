@@ -17,7 +17,7 @@ constexpr std::uint32_t kBlockOf128 = 0x780U;
 
 host::LiveOptions OptionsOfServices()
 {
-    return {host::RestartPolicy::kTimed, kRestartAfterMs, host::kReconnectAfterMs, {}, 0U};
+    return {host::RestartPolicy::kTimed, kRestartAfterMs, host::kReconnectAfterMs, {}, 0U, host::kAnswerMs};
 }
 
 /// Nothing old is released, however the frames came. [SRS_NODE_031]
@@ -82,6 +82,40 @@ std::uint32_t NodePorts::LostFrames() const
 std::uint32_t NodePorts::StaleFrames() const
 {
     return safety_->Health().stale_frames + (inverse_ ? inverse_->Health().stale_frames : 0U);
+}
+
+/// Null at the last place: there is no second controller.
+std::array<host::LiveBus*, 3U> NodePorts::Buses() const noexcept
+{
+    return {safety_.get(), services_.get(), inverse_.get()};
+}
+
+std::uint32_t NodePorts::Malformed() const
+{
+    return safety_->Health().malformed + services_->Health().malformed + (inverse_ ? inverse_->Health().malformed : 0U);
+}
+
+std::string NodePorts::Problem() const
+{
+    std::string problem;
+    for (const host::LiveBus* const bus : Buses())
+    {
+        problem = (problem.empty() && bus != nullptr) ? bus->Problem() : problem;
+    }
+    return problem;
+}
+
+host::BusState NodePorts::TakeAbsence()
+{
+    host::BusState absence = host::BusState::kInvalid;
+    const std::array<host::LiveBus*, 3U> buses = Buses();
+    for (std::size_t place = 0U; place < buses.size(); ++place)
+    {
+        const host::BusHealth health = (buses[place] == nullptr) ? host::BusHealth{} : buses[place]->Health();
+        absence = (health.absences != absences_[place]) ? health.absence : absence;
+        absences_[place] = health.absences;
+    }
+    return absence;
 }
 
 host::BusState NodePorts::State() const

@@ -6,6 +6,8 @@
 #include "hal/host/live/bus.hpp"
 #include "runtime/yaml/value.hpp"
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -53,6 +55,13 @@ class NodePorts final : public hal::CanPorts
     [[nodiscard]] std::uint32_t LostFrames() const;
     /// @brief Number of SRDOs that were left aside because nobody knows how old they are.
     [[nodiscard]] std::uint32_t StaleFrames() const;
+    /// @brief Number of elements of all connections that were none.
+    [[nodiscard]] std::uint32_t Malformed() const;
+    /// @brief What was wrong with the last of those, of one connection.
+    [[nodiscard]] std::string Problem() const;
+    /// @brief What the last absence of a connection was, if there was one since the last call; else kInvalid.
+    /// [SRS_NODE_580]
+    [[nodiscard]] host::BusState TakeAbsence();
     /// @brief The worst state of all connections.
     [[nodiscard]] host::BusState State() const;
     /// @brief From now on SRDOs are refused, because the process ends.
@@ -62,12 +71,14 @@ class NodePorts final : public hal::CanPorts
     }
 
   private:
+    [[nodiscard]] std::array<host::LiveBus*, 3U> Buses() const noexcept;
     [[nodiscard]] hal::TransmitStatus DoTransmit(const CanFrame& frame) noexcept override;
 
     std::unique_ptr<host::LiveBus> safety_;
     std::unique_ptr<host::LiveBus> services_;
     std::unique_ptr<host::LiveBus> inverse_;
     bool has_ended_{false};
+    std::array<std::uint32_t, 3U> absences_{}; ///< By connection, as they were taken last.
 };
 } // namespace counterpoint::runtime
 

@@ -34,7 +34,7 @@ struct MappableObject
 struct StaticMap
 {
     const std::uint32_t* entries; ///< As 138xh sub 1 onward; null: the mapping of this SRDO is dynamic.
-    std::uint8_t count;           ///< As 138xh sub 0.
+    std::uint8_t count;           ///< As 138xh sub 0: at most 128; 0 without entries.
 };
 
 /// The two fields of an SRDO with a static mapping: its normal and its inverse objects, each without a gap, in the
@@ -79,11 +79,13 @@ enum class GfcUse : std::uint8_t
 };
 
 /// Fixed description of a device. Its owner keeps it unchanged while the kernel uses it. Kernel::Start checks the
-/// ranges and refuses everything else. All times are in microseconds.
+/// ranges and refuses everything else, values that an enumeration does not have included. All times are in
+/// microseconds.
 struct DeviceConfig
 {
-    const SrdoSetup* srdos;
-    const MappableObject* objects; ///< Ascending by (index, sub), no duplicates; not 0001h to 0007h beside dummies.
+    const SrdoSetup* srdos;        ///< Never null.
+    const MappableObject* objects; ///< Ascending by (index, sub), no duplicates; not 1300h to 13FFh, nor 0001h to 0007h
+                                   ///< beside dummies; null only where there are none.
     std::uint16_t object_count;    ///< 0 to 1024.
     std::uint8_t srdo_count;       ///< 1 to 64.
     std::uint8_t node_id;          ///< 1 to 127.

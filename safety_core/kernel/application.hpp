@@ -51,7 +51,9 @@ class Application
     }
     /// @brief Consumer: a new pair was released into the objects. Producer: its pair is on the bus, confirmed.
     virtual void OnSrdoEvent(CommunicationIndex index) noexcept = 0;
-    /// @brief A cause was signalled for this SRDO (kWaitingPastSct included, which is no error).
+    /// @brief A cause was signalled for this SRDO (kWaitingPastSct included, which is no error). Of several in one
+    /// cycle the first cause of Kernel::GetState comes first, if it is among them; the others by number, which tells of
+    /// no order in time. [SRS_KRN_570]
     virtual void OnSrdoError(CommunicationIndex index, SrdoCause cause) noexcept = 0;
     /// @brief A GFC was accepted; the consumers are safe already.
     virtual void OnGfc() noexcept

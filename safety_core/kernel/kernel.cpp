@@ -50,6 +50,13 @@ KernelParts Completed(const KernelParts& given, FlowWatch& own) noexcept
     return parts;
 }
 
+// [SRS_KRN_572]
+bool AreOptions(const FlowCallback flow, const StatusHandshake handshake) noexcept
+{
+    const bool is_flow = (flow == FlowCallback::kOff) || (flow == FlowCallback::kOn);
+    return is_flow && ((handshake == StatusHandshake::kOff) || (handshake == StatusHandshake::kRequired));
+}
+
 } // namespace
 
 Kernel::Kernel(const KernelParts& parts) noexcept : context_{Completed(parts, flow_)}
@@ -63,6 +70,10 @@ StartResult Kernel::Start(const DeviceConfig& config, const FlowCallback flow, c
     if (result != StartResult::kStarted)
     {
         return result;
+    }
+    if (!AreOptions(flow, handshake))
+    {
+        return StartResult::kOptions;
     }
     context_.config = &config;
     context_.parts.channel_a.Restart(config);
@@ -356,10 +367,8 @@ StateReply Kernel::GetState(const CommunicationIndex index) const noexcept
     // In the device safe state nothing is released, whatever the channels still hold.
     const bool is_shared = (a.state == b.state) && ((shared != SrdoState::kReleased) || context_.latch.SaysRunning());
     const SrdoState state = is_shared ? shared : SrdoState::kFaulted;
-    // A demoted channel learned of the fault from the other one, which knows the cause.
-    const bool asks_b = (a.first_cause == SrdoCause::kDemoted) || (a.first_cause == SrdoCause::kNone);
     const std::uint16_t error_count = (a.error_count > b.error_count) ? a.error_count : b.error_count;
-    return StateReply{Result::kSuccessful, state, asks_b ? b.first_cause : a.first_cause, error_count};
+    return StateReply{Result::kSuccessful, state, FirstCauseOf(a, b), error_count};
 }
 
 StatusReply Kernel::GetStatus(const CommunicationIndex index) const noexcept

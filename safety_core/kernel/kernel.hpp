@@ -47,7 +47,7 @@ struct StateReply
     Result result;
     SrdoState state;       ///< kFaulted where the channels differ; kReleased neither in the device safe state nor once
                            ///< OPERATIONAL was left, where it is kOff.
-    SrdoCause first_cause; ///< As channel A has it, or channel B where A has none or was demoted.
+    SrdoCause first_cause; ///< As channel A has it, or channel B where A has none or was demoted; told first.
     std::uint16_t error_count; ///< The greater one of both.
 };
 
@@ -96,7 +96,8 @@ class Kernel
   public:
     explicit Kernel(const KernelParts& parts) noexcept;
 
-    /// @brief Power-on. `config` is kept by reference and checked here. O(srdo_count + objects) [SRS_KRN_001]
+    /// @brief Power-on. `config` is kept by reference and checked here. O(srdo_count + objects) [SRS_KRN_001,
+    /// SRS_KRN_572]
     [[nodiscard]] StartResult Start(const DeviceConfig& config, FlowCallback flow,
                                     StatusHandshake handshake = StatusHandshake::kOff) noexcept;
     /// @brief The kernel is no longer used: permits are withdrawn, objects of consumers take the safe value, everything

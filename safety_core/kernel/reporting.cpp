@@ -7,6 +7,7 @@ namespace
 {
 
 constexpr std::uint32_t kLastCause = static_cast<std::uint32_t>(SrdoCause::kWaitingPastSct);
+constexpr std::uint32_t kEveryCause = ((1U << kLastCause) - 1U) << 1U;
 
 // SCT, or the refresh time of a producer.
 ToldWindow WindowOf(const KernelContext& context, const SlotIndex slot, const Instant now) noexcept
@@ -14,7 +15,20 @@ ToldWindow WindowOf(const KernelContext& context, const SlotIndex slot, const In
     return ToldWindow{now, context.guard.Value(slot, ConfigField::kSct) * kMicrosecondsPerMillisecond};
 }
 
+// The number of a cause that can be signalled; 0 for kNone and what is no cause.
+std::uint32_t NumberOf(const SrdoCause cause) noexcept
+{
+    const std::uint32_t number = static_cast<std::uint32_t>(cause);
+    return (number <= kLastCause) ? number : 0U;
+}
+
 } // namespace
+
+SrdoCause FirstCauseOf(const SrdoView& a, const SrdoView& b) noexcept
+{
+    const bool asks_b = (a.first_cause == SrdoCause::kDemoted) || (a.first_cause == SrdoCause::kNone);
+    return asks_b ? b.first_cause : a.first_cause;
+}
 
 void Reporting::SweepOne(const KernelContext& context, const Instant now) noexcept
 {
@@ -27,20 +41,35 @@ void Reporting::SweepOne(const KernelContext& context, const Instant now) noexce
 
 void Reporting::TellSlot(const KernelContext& context, const SlotIndex slot, const Instant now) noexcept
 {
-    const std::uint32_t signals =
-        context.parts.channel_a.View(slot).signals | context.parts.channel_b.View(slot).signals;
+    const SrdoView a = context.parts.channel_a.View(slot);
+    const SrdoView b = context.parts.channel_b.View(slot);
     const ToldWindow window = WindowOf(context, slot, now);
-    for (std::uint32_t number = 1U; number <= kLastCause; ++number)
+    const std::uint32_t signals = (a.signals | b.signals) & kEveryCause;
+    const std::uint32_t first = NumberOf(FirstCauseOf(a, b));
+    const std::uint32_t others = signals & ~(1U << first);
+    if (others != signals)
     {
-        const SrdoCause cause = static_cast<SrdoCause>(number);
-        const bool is_signalled = ((signals >> number) & 1U) != 0U;
-        const bool is_told = is_signalled ? told_.Take(slot, cause, window) : false;
-        if (is_told)
+        TellCause(context, slot, static_cast<SrdoCause>(first), window);
+    }
+    std::uint32_t number = 0U;
+    for (std::uint32_t rest = others; rest != 0U; rest >>= 1U)
+    {
+        if ((rest & 1U) != 0U)
         {
-            ++errors_;
-            status_.OnError(slot);
-            context.parts.application.OnSrdoError(IndexOf(*context.config, slot), cause);
+            TellCause(context, slot, static_cast<SrdoCause>(number), window);
         }
+        ++number;
+    }
+}
+
+void Reporting::TellCause(const KernelContext& context, const SlotIndex slot, const SrdoCause cause,
+                          const ToldWindow& window) noexcept
+{
+    if (told_.Take(slot, cause, window))
+    {
+        ++errors_;
+        status_.OnError(slot);
+        context.parts.application.OnSrdoError(IndexOf(*context.config, slot), cause);
     }
 }
 

@@ -27,6 +27,10 @@ enum class StatusHandshake : std::uint8_t
     kRequired = 0x69U,
 };
 
+/// @brief First cause of an SRDO by what its channels say: as A has it, or B where A has none or was demoted: a demoted
+/// channel learned of the fault from the other one, which knows the cause. [SRS_KRN_152]
+[[nodiscard]] SrdoCause FirstCauseOf(const SrdoView& a, const SrdoView& b) noexcept;
+
 /// What the application is told, and what it answers by the status bytes. [SRS_KRN_006, SRS_KRN_021, SRS_KRN_022,
 /// SRS_KRN_226, SRS_KRN_032, SRS_FLOW_004] What every cycle goes through is inline.
 class Reporting
@@ -63,8 +67,9 @@ class Reporting
         status_.OnEvent(slot);
         context.parts.application.OnSrdoEvent(IndexOf(*context.config, slot));
     }
-    /// @brief Every cause that a channel signals and that was not told within its window, and a GFC. O(signalled)
-    /// [SRS_KRN_032, SRS_KRN_341, SRS_KRN_345, SRS_CMP_150]
+    /// @brief Every cause that a channel signals and that was not told within its window, and a GFC. Of one SRDO the
+    /// first cause is told first where it is signalled, then the others by number: signals have no order of their own.
+    /// O(signalled) [SRS_KRN_032, SRS_KRN_341, SRS_KRN_345, SRS_KRN_570, SRS_CMP_150]
     void TellErrors(const KernelContext& context, const SrdoMask signalled, const Instant now) noexcept
     {
         errors_ = 0U;
@@ -130,8 +135,11 @@ class Reporting
     }
 
   private:
-    /// @brief Causes of one slot that either channel signals and that were not told within their window.
+    /// @brief Causes of one slot that either channel signals and that were not told within their window, the first
+    /// cause before the others.
     void TellSlot(const KernelContext& context, SlotIndex slot, Instant now) noexcept;
+    /// @brief One of them, unless it was told within its window.
+    void TellCause(const KernelContext& context, SlotIndex slot, SrdoCause cause, const ToldWindow& window) noexcept;
     /// @brief One slot a cycle: forgets windows that are over, before the counter comes round.
     void SweepOne(const KernelContext& context, Instant now) noexcept;
     /// @brief Flow events of the cycle.

@@ -17,6 +17,14 @@ constexpr std::uint32_t kLongestCycleUs = 1000000U;
 constexpr std::uint32_t kLongestTimeUs = 0x3FFFFFFFU; // Differences of instants stay valid with room to spare.
 constexpr std::uint32_t kGranularities = 1U | 8U | 16U | 32U | 64U;
 
+// The values of options that are not 0.
+constexpr std::uint8_t kAutomatic = static_cast<std::uint8_t>(ReleasePolicy::kAutomatic);
+constexpr std::uint8_t kProvider = static_cast<std::uint8_t>(ProducerForm::kProviderCalled);
+constexpr std::uint8_t kLate = static_cast<std::uint8_t>(SrvtDetection::kLate);
+constexpr std::uint8_t kDummies = static_cast<std::uint8_t>(DummyMapping::kAllowed);
+constexpr std::uint8_t kGaps = static_cast<std::uint8_t>(NumberGaps::kSearched);
+constexpr std::uint8_t kGfc = static_cast<std::uint8_t>(GfcUse::kPresent);
+
 // A guarantee that is missing has its result at the same place of the same order.
 constexpr std::uint32_t kFirstMissing = static_cast<std::uint32_t>(hal::MissingGuarantee::kBusOrder);
 constexpr std::uint32_t kFirstGuarantee = static_cast<std::uint32_t>(StartResult::kBusOrder);
@@ -35,10 +43,24 @@ bool IsPort(const CanPortId port) noexcept
     return (port == CanPortId::kFirst) || (port == CanPortId::kSecond);
 }
 
+// [SRS_KRN_572]
+bool IsAccess(const MapAccess access) noexcept
+{
+    return (access == MapAccess::kNone) || (access == MapAccess::kProducer) || (access == MapAccess::kConsumer);
+}
+
+// The kernel's own range, 1300h to 13FFh. [SRS_KRN_573]
+bool IsKernels(const MappableObject& object) noexcept
+{
+    constexpr std::uint32_t kArea = 0x13U;
+    return (static_cast<std::uint32_t>(object.index) >> 8U) == kArea;
+}
+
 bool IsObject(const MappableObject& object) noexcept
 {
     // 0 - 1 is the greatest value.
-    return ((object.length_bits - 1U) < kMaxPayloadBits) && (object.place != nullptr);
+    const bool has_place = ((object.length_bits - 1U) < kMaxPayloadBits) && (object.place != nullptr);
+    return has_place && IsAccess(object.access) && (!IsKernels(object));
 }
 
 // An entry of a mapping that names a data type is a dummy where dummies are allowed, never an object.
@@ -72,10 +94,42 @@ std::uint32_t OrderOf(const MappableObject& object) noexcept
     return (static_cast<std::uint32_t>(object.index) << 8U) | object.sub;
 }
 
+// [SRS_KRN_574]
+bool IsMap(const StaticMap& map) noexcept
+{
+    return (map.count == 0U) || ((map.entries != nullptr) && (map.count <= kMaxMapEntries));
+}
+
+// Of the two values of each option one is 0. [SRS_KRN_572]
+bool IsOption(const std::uint8_t value, const std::uint8_t other) noexcept
+{
+    return (value == 0U) || (value == other);
+}
+
+bool IsSetup(const SrdoSetup& setup) noexcept
+{
+    const bool is_policy = IsOption(static_cast<std::uint8_t>(setup.policy), kAutomatic);
+    const bool is_form = IsOption(static_cast<std::uint8_t>(setup.form), kProvider);
+    const bool is_detection = IsOption(static_cast<std::uint8_t>(setup.detection), kLate);
+    return is_policy && is_form && is_detection && IsMap(setup.map);
+}
+
+bool AreOptions(const DeviceConfig& config) noexcept
+{
+    const bool are_dummies = IsOption(static_cast<std::uint8_t>(config.dummies), kDummies);
+    const bool are_gaps = IsOption(static_cast<std::uint8_t>(config.gaps), kGaps);
+    bool are_options = are_dummies && are_gaps && IsOption(static_cast<std::uint8_t>(config.gfc), kGfc);
+    for (SlotIndex slot = 0U; slot < config.srdo_count; ++slot)
+    {
+        are_options = are_options && IsSetup(config.srdos[slot]); // MISRA D-002
+    }
+    return are_options;
+}
+
 StartResult CheckNumbers(const DeviceConfig& config) noexcept
 {
     // 0 - 1 is the greatest value.
-    if ((config.srdo_count - 1U) >= kMaxSrdoCount)
+    if (((config.srdo_count - 1U) >= kMaxSrdoCount) || (config.srdos == nullptr))
     {
         return StartResult::kSrdoCount;
     }
@@ -91,13 +145,17 @@ StartResult CheckNumbers(const DeviceConfig& config) noexcept
     {
         return StartResult::kGranularity;
     }
-    const bool are_ports = IsPort(config.normal_port) && IsPort(config.inverse_port);
-    return are_ports ? StartResult::kStarted : StartResult::kPorts;
+    if ((!IsPort(config.normal_port)) || (!IsPort(config.inverse_port)))
+    {
+        return StartResult::kPorts;
+    }
+    return AreOptions(config) ? StartResult::kStarted : StartResult::kOptions;
 }
 
 StartResult CheckObjects(const DeviceConfig& config) noexcept
 {
-    if (config.object_count > kMostObjects)
+    const bool has_table = (config.objects != nullptr) || (config.object_count == 0U); // [SRS_KRN_571]
+    if ((!has_table) || (config.object_count > kMostObjects))
     {
         return StartResult::kObjects;
     }

@@ -9,15 +9,23 @@ namespace
 constexpr std::uint32_t kBitsPerByte = 8U;
 constexpr std::uint32_t kByte = 0xFFU;
 
+constexpr std::uint32_t kMostBits = 64U;
+
+// [SRS_KRN_575]
+std::uint32_t BitsOf(const VariablePlace& variable) noexcept
+{
+    return (variable.length_bits < kMostBits) ? variable.length_bits : kMostBits;
+}
+
 std::uint32_t BytesOf(const VariablePlace& variable) noexcept
 {
-    return (variable.length_bits + (kBitsPerByte - 1U)) / kBitsPerByte;
+    return (BitsOf(variable) + (kBitsPerByte - 1U)) / kBitsPerByte;
 }
 
 // The bits of the last byte that belong to a variable.
 std::uint32_t LastByteOf(const VariablePlace& variable) noexcept
 {
-    return kByte >> ((0U - variable.length_bits) % kBitsPerByte);
+    return kByte >> ((0U - BitsOf(variable)) % kBitsPerByte);
 }
 
 } // namespace
@@ -37,18 +45,20 @@ VariableValue ReadVariable(const VariablePlace& variable) noexcept
 void WriteVariable(const VariablePlace& variable, const VariableValue& value) noexcept
 {
     VariableValue rest = value;
-    const std::uint32_t last = BytesOf(variable) - 1U;
-    for (std::uint32_t byte = 0U; byte < last; ++byte)
+    const std::uint32_t bytes = BytesOf(variable);
+    for (std::uint32_t byte = 0U; byte < bytes; ++byte)
     {
-        variable.place[byte] = static_cast<std::uint8_t>(rest.bits & kByte); // MISRA D-002
+        const std::uint32_t kept = ((byte + 1U) < bytes) ? kByte : LastByteOf(variable);
+        variable.place[byte] = static_cast<std::uint8_t>(rest.bits & kept); // MISRA D-002
         rest.bits >>= kBitsPerByte;
     }
-    variable.place[last] = static_cast<std::uint8_t>(rest.bits & LastByteOf(variable)); // MISRA D-002
 }
 
 PairView IsInversePair(const VariablePlace& normal, const VariablePlace& inverse) noexcept
 {
-    bool is_inverse = normal.length_bits == inverse.length_bits;
+    // 0 - 1 is the greatest value.
+    const bool is_length = (normal.length_bits - 1U) < kMostBits;
+    bool is_inverse = is_length && (normal.length_bits == inverse.length_bits);
     std::uint32_t kept = LastByteOf(normal);
     for (std::uint32_t byte = BytesOf(normal); is_inverse && (byte != 0U); --byte)
     {

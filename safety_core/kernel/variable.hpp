@@ -12,7 +12,7 @@ namespace counterpoint
 struct VariablePlace
 {
     std::uint8_t* place;
-    std::uint8_t length_bits; ///< 1 to 64.
+    std::uint8_t length_bits; ///< 1 to 64. More counts as 64, but is no pair; 0 is no variable.
 };
 
 /// Up to 64 bits of a variable, native.
@@ -28,12 +28,13 @@ enum class PairView : std::uint8_t
     kInverse = 0x96U,
 };
 
-/// @brief Value of a variable on a processor of either byte order. O(bytes)
+/// @brief Value of a variable on a processor of either byte order; of at most 64 bits, 0 of none. O(bytes)
+/// [SRS_KRN_575]
 [[nodiscard]] VariableValue ReadVariable(const VariablePlace& variable) noexcept;
-/// @brief Writes the low length_bits of a value. O(bytes)
+/// @brief Writes the low length_bits of a value: at most 8 bytes, nothing with length 0. O(bytes) [SRS_KRN_575]
 void WriteVariable(const VariablePlace& variable, const VariableValue& value) noexcept;
-/// @brief Whether each of the bits of `inverse` is the inverse of that of `normal`; lengths must be equal.
-/// [SRS_KRN_016]
+/// @brief Whether each of the bits of `inverse` is the inverse of that of `normal`; lengths must be equal, and 1 to 64.
+/// [SRS_KRN_016, SRS_KRN_575]
 [[nodiscard]] PairView IsInversePair(const VariablePlace& normal, const VariablePlace& inverse) noexcept;
 
 } // namespace counterpoint

@@ -2,6 +2,7 @@
 // What a network scenario asks of its managers, against their network files: it would do nothing, or hold whatever
 // happens.
 #include "canopen/cia306/text/number.hpp"
+#include "runtime/device/time_text.hpp"
 #include "runtime/manager/order.hpp"
 #include "runtime/manager/report/texts.hpp"
 #include "simulator/managers/manager.hpp"
@@ -64,9 +65,34 @@ class Check
             Refuse(expectation.source, "a time before manager " + std::to_string(manager.Node()) + " comes",
                    "a later one");
         }
+        BeforeItsEnd(expectation, manager);
         OfProfile(expectation, manager);
         OfSafety(expectation, manager);
         OfGuarding(expectation, manager);
+    }
+
+    /// A manager that was killed tells nothing any more, and what it knew last stays. What the election told it until
+    /// then can be asked for later, too. [SRS_MGR_585]
+    void BeforeItsEnd(const Expectation& expectation, const SimulatedManager& manager) const
+    {
+        Nanoseconds killed = kNever;
+        for (const Action& action : scenario_.actions)
+        {
+            const bool is_kill = action.kind == ActionKind::kKillManager;
+            killed = (is_kill && action.node_id == manager.Node()) ? std::min(killed, action.at) : killed;
+        }
+        const std::string name = "manager " + std::to_string(manager.Node());
+        if (IsOfEvents(expectation.kind) && expectation.from >= killed)
+        {
+            Refuse(expectation.source, "a window that begins when " + name + " was killed already",
+                   "'from' below " + runtime::ExactText(killed));
+        }
+        if (!IsOfEvents(expectation.kind) && expectation.kind != Expected::kFlying && expectation.at > killed)
+        {
+            Refuse(expectation.source,
+                   "a time after " + name + " was killed (without 'at' it is the end of the scenario)",
+                   "one up to " + runtime::ExactText(killed));
+        }
     }
 
     void OfProfile(const Expectation& expectation, const SimulatedManager& manager) const
@@ -221,11 +247,15 @@ class Check
                        parsed.problem.substr(comma + expected.size()));
             }
             const bool is_idle = parsed.kind == Kind::kNothing || parsed.kind == Kind::kStatus ||
-                                 parsed.kind == Kind::kHelp || parsed.kind == Kind::kQuit;
+                                 parsed.kind == Kind::kGet || parsed.kind == Kind::kHelp || parsed.kind == Kind::kQuit;
             if (action.kind == ActionKind::kOrder && is_idle)
             {
                 Refuse(action.order_source, "order " + runtime::Shown(action.order) + ", which does nothing here",
                        "an order such as start 33");
+            }
+            if (action.kind == ActionKind::kOrder)
+            {
+                RequirePossible(action, parsed, ManagerOf(managers_, action.node_id, action.source));
             }
         }
     }

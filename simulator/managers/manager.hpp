@@ -137,6 +137,9 @@ using SimulatedManagers = std::vector<std::unique_ptr<SimulatedManager>>;
 /// @brief Refuses what a scenario asks of its managers without effect, or what holds whatever happens, by their network
 /// files. Throws YamlError. [SRS_MGR_012]
 void RequireOfManagers(const Scenario& scenario, const SimulatedManagers& managers);
+/// @brief Refuses an order that this manager can never carry out, whatever happens, by its network file. Throws
+/// YamlError. [SRS_MGR_587]
+void RequirePossible(const Action& action, const runtime::ManagerOrder& order, SimulatedManager& manager);
 /// @brief The manager with this node-ID; 0: the first one. Throws YamlError if there is none.
 [[nodiscard]] SimulatedManager& ManagerOf(const SimulatedManagers& managers, std::uint8_t node_id,
                                           const Source& source);

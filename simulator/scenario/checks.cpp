@@ -72,6 +72,14 @@ bool HasTime(const Expectation& expectation)
            expectation.kind == ExpectationKind::kValue || (IsOfNetwork(expectation.kind) && expectation.at != kNever);
 }
 
+/// Whether it is about what a device shows at an instant.
+bool IsOfDeviceAt(const Expectation& expectation)
+{
+    const bool is_network =
+        expectation.kind == ExpectationKind::kDevice || expectation.kind == ExpectationKind::kOutput;
+    return HasTime(expectation) && (!IsOfNetwork(expectation.kind) || is_network);
+}
+
 bool HasFault(const Expectation& expectation)
 {
     return expectation.kind == ExpectationKind::kDetectedBy || expectation.kind == ExpectationKind::kSafeWithin;
@@ -96,6 +104,7 @@ void RequireFewSwitches(const Scenario& scenario, const FaultSetup& fault)
     }
 }
 
+/// [SRS_SIM_585]
 void RequireWithinTheRun(const Scenario& scenario, const Expectation& expectation)
 {
     if (HasTime(expectation) && expectation.at > scenario.duration)
@@ -103,6 +112,25 @@ void RequireWithinTheRun(const Scenario& scenario, const Expectation& expectatio
         throw YamlError(expectation.source.file, expectation.source.place,
                         "expectation at " + runtime::ExactText(expectation.at) + ", after the end of the run",
                         "a time up to " + runtime::ExactText(scenario.duration));
+    }
+    if (IsOfEvents(expectation.kind) && expectation.from >= scenario.duration)
+    {
+        throw YamlError(expectation.source.file, expectation.source.place,
+                        "a window from " + runtime::ExactText(expectation.from) + ", not before the end of the run",
+                        "'from' below " + runtime::ExactText(scenario.duration));
+    }
+}
+
+/// What a device shows before it has a supply is the same whatever happens. [SRS_SIM_586]
+void RequireThere(const Scenario& scenario, const Expectation& expectation)
+{
+    const Nanoseconds phase = IsOfDeviceAt(expectation) ? scenario.nodes[expectation.node].phase : -1;
+    if (IsOfDeviceAt(expectation) && expectation.at < phase)
+    {
+        throw YamlError(expectation.source.file, expectation.source.place,
+                        "expectation at " + runtime::ExactText(expectation.at) + ", before node " +
+                            runtime::Shown(scenario.nodes[expectation.node].name) + " comes",
+                        "a time from " + runtime::ExactText(phase) + " on");
     }
 }
 
@@ -188,6 +216,7 @@ void RequirePossible(const Scenario& scenario)
     for (const Expectation& expectation : scenario.expectations)
     {
         RequireWithinTheRun(scenario, expectation);
+        RequireThere(scenario, expectation);
         RequireOneFault(scenario, expectation);
     }
 }

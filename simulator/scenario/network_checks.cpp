@@ -107,12 +107,16 @@ class DeviceCheck
     NodeIndex node_;
 };
 
+/// [SRS_MGR_586]
 void RequireSpan(const Scenario& scenario, const Action& action)
 {
+    constexpr Nanoseconds kOnce = 1; // No key can say so little.
     const bool is_bus = action.kind == ActionKind::kBusOff || action.kind == ActionKind::kNoController;
-    if ((IsStorm(action.kind) || is_bus) && action.until < action.at)
+    const bool is_single = action.kind == ActionKind::kSend && action.every == kOnce;
+    if ((IsStorm(action.kind) || is_bus) && !is_single && action.until <= action.at)
     {
-        Refuse(action.source, "an end before the beginning", "a time after 'at' behind 'until'");
+        Refuse(action.source, (action.until < action.at) ? "an end before the beginning" : "an end at the beginning",
+               "a time after 'at' behind 'until'");
     }
     if (is_bus && action.until > scenario.duration)
     {

@@ -2,6 +2,7 @@
 //
 // What channel A resolves when a mapping is validated, and what it still knows of the mapping before.
 #include "tests/channel_a/device.hpp"
+#include "verification/conformance/static_row.hpp"
 #include "verification/trace/ids/channel.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -217,6 +218,24 @@ TEST(ChannelAMapping, OfEightStaticBytesIsWrittenAndReadBack)
     // and the object behind them is none of the mapping
     bytes.normal[8] = 0x19U;
     EXPECT_EQ(device.channel.Commit(kAgreed, kConsumerBit), 0U);
+}
+
+TEST(ChannelAMapping, OfMoreThan128StaticEntriesIsRefusedByTheirNumber)
+{
+    Verifies(req::SRS_CFG_026);
+    Verifies(req::SRS_CFG_020);
+    // Given objects of 8 bits one behind the other, registered, of which eight fill a frame
+    conformance::StaticRow row;
+    const auto storage = std::make_unique<channel_a::StorageFor<kMaxSrdoCount, kMaxMapEntries>>();
+    channel_a::Channel channel{storage->Handle()};
+    EXPECT_EQ(row.Validated(channel, 16U).fault, ConfigFault::kNone);
+    // When 128 of them are mapped, then the number is none to find fault with, but the length
+    const CheckResult most = row.Validated(channel, 128U);
+    EXPECT_EQ(most.fault, ConfigFault::kLengthExceeded);
+    // and two more are found before the length, and signed as 128
+    const CheckResult more = row.Validated(channel, 130U);
+    EXPECT_EQ(more.fault, ConfigFault::kMapping);
+    EXPECT_EQ(more.signature, most.signature);
 }
 
 TEST(ChannelAMapping, OfStaticObjectsThatGrewIsUsedAsFarAsAFrameGoes)

@@ -1,7 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// Channel B alone: objects that SRDOs of lower slots name too. Slots 0 and 2 are consumers, 1 is a producer.
+// Channel B alone: objects that SRDOs of lower slots name too, and how many one may name. Slots 0 and 2 are consumers,
+// 1 is a producer.
 #include "tests/channel_b/rig.hpp"
+#include "verification/conformance/static_row.hpp"
 #include "verification/trace/ids/channel.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -144,6 +146,24 @@ TEST(ChannelBSharedObject, StaticMappingsCountAsTheOthers)
     rig->Voice().SetFields(0U, rig->FreeFields());
     EXPECT_EQ(rig->Validated(0U), ConfigFault::kNone);
     EXPECT_EQ(rig->Map(2U, {0x60000120U, 0x63010120U}), ConfigFault::kMapping);
+}
+
+TEST(ChannelBStaticMapping, OfMoreThan128EntriesIsRefusedByTheirNumber)
+{
+    Verifies(req::SRS_CFG_026);
+    Verifies(req::SRS_CFG_020);
+    // Given objects of 8 bits one behind the other, registered, of which eight fill a frame
+    conformance::StaticRow row;
+    const auto storage = std::make_unique<channel_b::StorageFor<kMaxSrdoCount, kMaxMapEntries>>();
+    channel_b::Channel channel{storage->Handle()};
+    EXPECT_EQ(row.Validated(channel, 16U).fault, ConfigFault::kNone);
+    // When 128 of them are mapped, then the number is none to find fault with, but the length
+    const CheckResult most = row.Validated(channel, 128U);
+    EXPECT_EQ(most.fault, ConfigFault::kLengthExceeded);
+    // and two more are found before the length, and signed as 128
+    const CheckResult more = row.Validated(channel, 130U);
+    EXPECT_EQ(more.fault, ConfigFault::kMapping);
+    EXPECT_EQ(more.signature, most.signature);
 }
 
 } // namespace

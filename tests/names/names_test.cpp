@@ -34,9 +34,10 @@ TEST(Names, MeaningIsTheCommentOfTheEnumerator)
 {
     Verifies(req::SRS_EASE_006);
     EXPECT_STREQ(MeaningOf(StartResult::kPorts), "Not kFirst or kSecond.");
-    EXPECT_STREQ(
-        MeaningOf(StartResult::kObjects), // Of two lines.
-        "Out of order, a length not 1 to 64, no place, more than 1024, or 0001h to 0007h beside dummy entries.");
+    EXPECT_STREQ(MeaningOf(StartResult::kObjects), // Of two lines.
+                 "Out of order, a length not 1 to 64, an access that there is not, no place, no table, more than 1024, "
+                 "at 1300h to "
+                 "13FFh, or at 0001h to 0007h beside dummy entries.");
     EXPECT_STREQ(MeaningOf(StartResult::kStarted), "");
     EXPECT_STREQ(MeaningOf(DeviceFault::kCrossLink), "The link to the other CPU is lost or wrong.");
 }
@@ -65,7 +66,7 @@ TEST(NoStart, ReasonIsToldInWords)
 {
     Verifies(req::SRS_EASE_007);
     EXPECT_EQ(runtime::NoStartText(StartResult::kSrdoCount),
-              "the kernel refuses this device: srdo count (Not 1 to 64)");
+              "the kernel refuses this device: srdo count (Not 1 to 64, or no setups)");
     EXPECT_EQ(runtime::NoStartText(StartResult::kStamps),
               "the kernel refuses this device: stamps (The HAL does not guarantee stamps)");
     EXPECT_EQ(runtime::NoStartText(StartResult::kInvalid), "the kernel refuses this device: invalid");

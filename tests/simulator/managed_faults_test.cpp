@@ -358,8 +358,15 @@ TEST_F(ManagedFaultsTest, EveryOptionWorks)
     EXPECT_EQ(first, Simulate(chance, {"--seed", "1"}).out);
     EXPECT_NE(first, Simulate(chance, {"--seed", "5"}).out);
     // --until ends the run and tells what it cut off
-    const Answer cut = RunCommand({"simulate", "--quiet", "--until", "2950ms", memory});
+    const std::string flip = "faults: [{fault: bit_flip, name: SCT of channel A wrong, node: actuator, part: "
+                             "channel_a, at: 3 s, config: {srdo: 1, field: sct}, bit: 4}]\n";
+    const Answer cut = Simulate(flip, {"--quiet", "--until", "2950ms"});
+    EXPECT_EQ(cut.status, 1) << cut.out;
     EXPECT_TRUE(Has(cut.err, "'SCT of channel A wrong' at 3000 ms does not happen")) << cut.err;
+    // Unless a window of events would begin behind that
+    const Answer behind = RunCommand({"simulate", "--quiet", "--until", "2950ms", memory});
+    EXPECT_EQ(behind.status, 2);
+    EXPECT_TRUE(Has(behind.err, "a window from 3000 ms, not before the end of the run")) << behind.err;
     // --frames shows frames of devices and of the manager
     const Answer frames = RunCommand({"simulate", "--frames", "--until", "3 s", Shipped("base.yaml")});
     EXPECT_TRUE(Has(frames.out, "frame 0x705 [1] 00  from plain")) << frames.out;

@@ -43,6 +43,7 @@ TEST_F(CheckCommandTest, TheExamplesPassSilently)
 TEST_F(CheckCommandTest, PrintsEveryFindingAndEndsWith1WhenOneIsAnError)
 {
     Verifies(req::SRS_CLI_009);
+    Verifies(req::SRS_CLI_001);
     const std::string file =
         File("bad.dcf", Changed(ExampleText("sensor"), {{"ParameterValue=0xB631", "ParameterValue=0xB632"},
                                                         {"CANopenSafetySupported=1\n", "CANopenSafetySupported=0\n"}}));
@@ -63,6 +64,7 @@ TEST_F(CheckCommandTest, PrintsEveryFindingAndEndsWith1WhenOneIsAnError)
 TEST_F(CheckCommandTest, EndsWith0WhenThereAreOnlyWarnings)
 {
     Verifies(req::SRS_CLI_009);
+    Verifies(req::SRS_CLI_001);
     const std::string file =
         File("w.dcf", Changed(ExampleText("sensor"), {{"CANopenSafetySupported=1\n", "CANopenSafetySupported=0\n"}}));
     const Answer answer = RunCommand({"check", file});

@@ -19,6 +19,7 @@ using test::RunCommand;
 TEST(CommandLine, BadUsageIsOneLineThatSaysWhatIsExpected)
 {
     Verifies(req::SRS_CLI_020);
+    Verifies(req::SRS_CLI_001);
     const std::vector<std::vector<std::string>> lines = {
         {},
         {"frobnicate"},

@@ -2,6 +2,7 @@
 #ifndef VERIFICATION_CAMPAIGN_CALLS_HPP
 #define VERIFICATION_CAMPAIGN_CALLS_HPP
 
+#include "verification/campaign/members.hpp"
 #include "verification/campaign/variants.hpp"
 #include "verification/conformance/forwarding.hpp"
 
@@ -146,7 +147,7 @@ class DisturbedChannel final : public conformance::Forwarding
         {
             static_cast<void>(work());
         }
-        last = work();
+        KeepMembers(last, work());
         if (!faults_.IsLate())
         {
             Catch();

@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/device.hpp"
 
+#include "safety_core/kernel/reporting.hpp"
+
 #include "runtime/device/assembly.hpp"
 #include "verification/campaign/calls.hpp"
 #include "verification/campaign/channels.hpp"
@@ -385,9 +387,7 @@ SrdoCause FirstCauseOf(const Device& device) noexcept
     {
         const SrdoView a = device.Voice(0U).View(slot);
         const SrdoView b = device.Voice(1U).View(slot);
-        // A demoted channel learned of the fault from the other one, which knows the cause.
-        const bool asks_b = a.first_cause == SrdoCause::kDemoted || a.first_cause == SrdoCause::kNone;
-        const SrdoCause first = asks_b ? b.first_cause : a.first_cause;
+        const SrdoCause first = FirstCauseOf(a, b);
         const std::uint32_t signals = a.signals | b.signals;
         if (Signals(signals, told) && Signals(signals, first))
         {

@@ -42,6 +42,12 @@ struct Experiment
     return static_cast<std::size_t>(part) < kMemoryPartCount || part == Part::kBothChannels;
 }
 
+/// @brief Whether a bit of memory is forced again at each phase.
+[[nodiscard]] constexpr bool IsStuck(const FaultKind kind) noexcept
+{
+    return kind == FaultKind::kStuckAt0 || kind == FaultKind::kStuckAt1;
+}
+
 /// @brief Whether each of two CPUs has these of its own, and a plan of two tries those of each.
 [[nodiscard]] constexpr bool IsOfEachCpu(const Part part) noexcept
 {

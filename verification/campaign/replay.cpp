@@ -72,10 +72,15 @@ Replay::Replay(Session& session, const std::uint64_t number)
                       WordOf(experiment_.phase) + " of cycle " + std::to_string(experiment_.cycle));
     runner.Rewind(experiment_.cycle);
     last_ = See(runner.OpenWithoutFault(experiment_.cycle - 1U));
-    runner.Follow(this);
     {
         const Trap trap;
-        found_ = runner.Run(experiment_);
+        found_ = runner.Run(experiment_); // Nobody looks on: what is hit may be what is looked at.
+        runner.Follow(this);
+        const Outcome seen = runner.Run(experiment_);
+        if (seen.result != found_.result || seen.us != found_.us)
+        {
+            Tell("replay", "sees no more of it: what is hit is what it looks at");
+        }
     }
     runner.Follow(nullptr);
 }

@@ -36,11 +36,6 @@ bool IsOver(const Experiment& fault, const std::size_t cycle)
            (fault.kind == FaultKind::kIntermittent && cycle >= fault.cycle + (kStrikes - 1U) * kStrikeDistance);
 }
 
-bool IsStuck(const FaultKind kind)
-{
-    return kind == FaultKind::kStuckAt0 || kind == FaultKind::kStuckAt1;
-}
-
 Detector DetectorOf(const DeviceFault fault)
 {
     switch (fault)
@@ -577,9 +572,21 @@ bool Runner::HasGivenUp() const
     return device_.Fault() != DeviceFault::kNone || !device_.IsOutputLive();
 }
 
+/// What differs mostly goes on to: that byte is looked at first.
 bool Runner::IsAsWithoutFault(const std::size_t cycle) const
 {
-    return std::memcmp(device_.Memory().Bytes(), kept_.data() + ((cycle - first_) * size_), size_) == 0;
+    const std::uint8_t* const is = device_.Memory().Bytes();
+    const std::uint8_t* const was = kept_.data() + ((cycle - first_) * size_);
+    if (is[differs_at_] != was[differs_at_])
+    {
+        return false;
+    }
+    if (std::memcmp(is, was, size_) == 0)
+    {
+        return true;
+    }
+    differs_at_ = static_cast<std::size_t>(std::mismatch(is, is + size_, was).first - is);
+    return false;
 }
 
 /// A fault before the cycle may have come as early as behind the cycle before.

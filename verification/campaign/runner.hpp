@@ -127,14 +127,15 @@ class Runner final : private PhaseHook
     std::vector<std::uint8_t> ever_set_{}; ///< Bits that are 1 at one of them.
     std::vector<std::uint8_t> owner_;      ///< The part of each byte.
     StepFaults steps_;
-    const void* frame_{nullptr};       ///< Of the function that runs a cycle.
-    bool is_obeyed_{false};            ///< The output closed because a command of the fault said so.
-    bool is_exposed_{false};           ///< Wrong so far, and may yet be found in time.
-    const Experiment* fault_{nullptr}; ///< Null: the run without fault.
-    bool is_kept_{false};              ///< The run without fault is over, and kept.
-    bool is_sound_{true};              ///< Outlives a run that is brought back.
-    std::size_t now_{0U};              ///< The running cycle.
-    Outcome found_{};                  ///< Of the running experiment; outlives a run that is brought back.
+    const void* frame_{nullptr};         ///< Of the function that runs a cycle.
+    bool is_obeyed_{false};              ///< The output closed because a command of the fault said so.
+    bool is_exposed_{false};             ///< Wrong so far, and may yet be found in time.
+    const Experiment* fault_{nullptr};   ///< Null: the run without fault.
+    bool is_kept_{false};                ///< The run without fault is over, and kept.
+    bool is_sound_{true};                ///< Outlives a run that is brought back.
+    std::size_t now_{0U};                ///< The running cycle.
+    mutable std::size_t differs_at_{0U}; ///< Where memory was not as without fault when it was last compared.
+    Outcome found_{};                    ///< Of the running experiment; outlives a run that is brought back.
 };
 } // namespace counterpoint::campaign
 

@@ -2,6 +2,7 @@
 // What an experiment leaves behind outside of the memory that is brought back spoils no other one.
 #include "verification/campaign/campaign_rig.hpp"
 #include "verification/campaign/crew.hpp"
+#include "verification/campaign/replay.hpp"
 
 #include <algorithm>
 #include <csignal>
@@ -88,6 +89,27 @@ TEST_F(SoundTest, ProcessIsSoundUntilItsRunWithoutFaultIsAnotherOne)
     EXPECT_TRUE(session.Runs().IsSound());
 }
 
+// Three bytes behind the last member of an answer were kept of the stack: campaigns over calls of a sensor ended before
+// their first fault.
+TEST_F(SoundTest, ProcessIsSoundBeforeAnyFaultWhateverIsHit)
+{
+    Verifies(req::SRS_CMG_540);
+    for (const char* const device : {"actuator", "sensor"})
+    {
+        for (const char* const parts :
+             {"a_calls", "b_calls", "kernel_calls", "steps", "a_calls, b_calls, kernel_calls, steps, cycle",
+              "channel_a, channel_b", "bus", "clocks, inputs"})
+        {
+            // Given a plan of such parts
+            const Trap trap;
+            Session session(
+                PlanFile("plan.yaml", device, "at: [500 ms]\ncycles: 50\nparts: [" + std::string(parts) + "]\n"));
+            // When its device runs again without a fault, then it does the same
+            EXPECT_TRUE(session.Runs().IsSound()) << device << ", " << parts;
+        }
+    }
+}
+
 TEST_F(SoundTest, WhatAnExperimentLeavesBehindSpoilsNoOtherOne)
 {
     Verifies(req::SRS_CMG_500);
@@ -108,6 +130,35 @@ TEST_F(SoundTest, WhatAnExperimentLeavesBehindSpoilsNoOtherOne)
         // Then the outcomes are the same
         EXPECT_TRUE(AreEqual(OutcomesOf(results), OutcomesOf(whole))) << jobs;
     }
+}
+
+// A look at a channel whose address was wrong ended the run earlier than the fault did.
+TEST_F(SoundTest, ReplayTellsTheOutcomeOfTheCampaignWhateverItLooksAt)
+{
+    Verifies(req::SRS_CMG_541);
+    // Given bits of addresses that a replay follows, some of which end in an exception
+    Session session(PlanFile("plan.yaml", "actuator",
+                             "at: [500 ms]\ncycles: 25\nparts: [channel_a]\nmembers: [channel_a.object]\n"
+                             "kinds: [flip, intermittent]\nsample: 60\nseed: 9\n"));
+    std::size_t exceptions = 0U;
+    std::size_t blind = 0U;
+    for (std::uint64_t number = 0U; number < session.Faults().Size(); ++number)
+    {
+        const Outcome outcome = [&session, number]()
+        {
+            const Trap trap;
+            return session.Runs().Run(session.Faults().At(number));
+        }();
+        // When each is replayed
+        const Replay replay(session, number);
+        // Then it has the same outcome
+        EXPECT_TRUE(AreEqual({replay.Found()}, {outcome})) << number;
+        exceptions += (outcome.detector == Detector::kException) ? 1U : 0U;
+        blind +=
+            (replay.Text().find("sees no more of it: what is hit is what it looks at") != std::string::npos) ? 1U : 0U;
+    }
+    EXPECT_GT(exceptions, 5U);
+    EXPECT_GT(blind, 0U);
 }
 
 // Bits of an address that channel B keeps, stuck at 1, led the march through the memory of the program.

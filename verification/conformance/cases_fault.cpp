@@ -44,6 +44,18 @@ constexpr Step kPendingStays[] = {
     Inverse(3500U), Slot(0U, kFaulted, Cause::kInverseFirst, 1U, 1U, 1U), Cycle(4000U), Masks(1U, 0U, 0U, 0U, 1U),
 };
 
+// With a lock, and an edge that is complete in the very call that tells of the fault: neither the pair of before nor the
+// one behind the fault is released by it, nor is the edge kept.
+// t     0  100  800 (1)  900        950  980  1000 (1: edge)  2000 N I  3000        5000 (edge)
+//                        I (fault)  N    I    faulted                   faulted     released
+constexpr Step kWithEdge[] = {
+    Configure(), Cycle(0U), Cycle(100U), Acknowledge(1U), Cycle(800U), Inverse(900U), Normal(950U), Inverse(980U),
+    Slot(0U, kFaulted, Cause::kInverseFirst, 1U, 1U, 1U),
+    Cycle(1000U), Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kInverseFirst, 0U, 1U, 0U), OrdinalSum(0U),
+    Normal(2000U), Inverse(2500U), Cycle(3000U), Masks(0U, 1U, 0U, 0U, 1U), Acknowledge(0U), Cycle(4000U),
+    Cycle(4100U), Acknowledge(1U), Cycle(4900U), Masks(0U, 1U, 0U, 0U, 0U), Cycle(5000U), Masks(1U, 0U, 0U, 0U, 0U),
+};
+
 constexpr Step kReportedOnce[] = {
     Configure(), Cycle(0U), Inverse(1000U), Cycle(2000U), Masks(0U, 1U, 0U, 1U, 0U), Cycle(3000U),
     Masks(0U, 1U, 0U, 0U, 0U),
@@ -125,6 +137,8 @@ constexpr Case kCases[] = {
     MakeCase("CycleThatReportsAFaultReleasesNothing", {req::SRS_CONS_013, req::SRS_CONS_020}, kGold, kReportingCycle),
     MakeCase("FaultBetweenTwoPairsOfOneCycle", {req::SRS_CONS_013}, kGold, kFaultBetweenPairs),
     MakeCase("PendingFrameSurvivesTheReport", {req::SRS_CONS_013}, kGold, kPendingStays),
+    MakeCase("CycleThatReportsAFaultReleasesNothingByAnEdge", {req::SRS_CONS_013, req::SRS_REL_005}, kGoldLocked,
+             kWithEdge),
     MakeCase("FaultIsReportedOnce", {req::SRS_CONS_013, req::SRS_CONS_023}, kGold, kReportedOnce),
     MakeCase("FirstCauseIsKept", {req::SRS_CONS_020, req::SRS_CONS_018}, kGold, kFirstCause),
     MakeCase("ErrorCountStaysAt65535", {req::SRS_CONS_020}, kGold, kCountStays),

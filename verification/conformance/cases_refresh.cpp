@@ -2,6 +2,7 @@
 //
 // Refresh: phase, missed refresh, both forms. First transmission at 2 ms, refresh 25 ms. Times in microseconds.
 #include "verification/conformance/gold.hpp"
+#include "verification/conformance/stores.hpp"
 #include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
@@ -75,6 +76,20 @@ constexpr Step kStoodOnEntering[] = {
     Cycle(3000U), Due(0U), Nmt(NmtState::kOperational), Stand(0U), Cycle(4000U), Stand(0U), Cycle(5999U), Due(0U),
     Stand(0U), Cycle(6000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 6100U), ConfirmSecond(0U, 6200U), Cycle(30999U), Due(0U),
     Cycle(31000U), Due(1U),
+};
+
+// Two that are called, slot 2 a second one of the same objects: the one that did not stand keeps its phase.
+// t     2000           3000             27000         28000
+//       both due       slot 1 stood     slot 2 due    slot 1 due
+constexpr Step kStoodOfTwo[] = {
+    Alter(Parameter::kForm, static_cast<std::uint32_t>(ProducerForm::kProviderCalled), 1U),
+    Alter(Parameter::kForm, static_cast<std::uint32_t>(ProducerForm::kProviderCalled), 2U), Configure(),
+    Sct(2U, 25U), Srvt(2U, 20U), CobId1(2U, 0x103U), CobId2(2U, 0x104U), Entry(2U, 1U, 0x62100108U), Entry(2U, 2U, 0x62110108U),
+    Entry(2U, 3U, 0x62100208U), Entry(2U, 4U, 0x62110208U), MapCount(2U, 4U), Direction(2U, 1U), Signature(2U, 0x8EC1U),
+    Validate(2U, ConfigFault::kNone, 0x8EC1U), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(6U), Stand(1U), Cycle(3000U), Due(6U),
+    ReadyPair(1U), ConfirmFirst(1U, 3100U), ConfirmSecond(1U, 3200U), Ready(2U, CanPortId::kFirst, 0x103U, 2U, 0x3412U),
+    ConfirmNormal(2U, 0x103U, 2U, 0x3412U, 0U, 3300U), ConfirmPair(2U, 0x104U, 2U, 0xCBEDU, 0U, 3400U),
+    Cycle(26999U), Due(0U), Cycle(27000U), Due(4U), Cycle(27999U), Due(4U), Cycle(28000U), Due(6U),
 };
 
 // t     2000         26999   27000                 52000
@@ -368,6 +383,7 @@ constexpr Case kCases[] = {
     MakeCase("RefreshKeepsItsPhase", {req::SRS_PROD_002, req::SRS_TIME_001}, kProvider, kPhase),
     MakeCase("StoodRefreshMovesOn", {req::SRS_PROD_012}, kProvider, kStood),
     MakeCase("StoodInOneCallAlone", {req::SRS_PROD_012}, kProvider, kStoodOnce),
+    MakeCase("StoodSlotAlone", {req::SRS_PROD_012}, kMixed, kStoodOfTwo),
     MakeCase("StoodUntilTheFirstTransmission", {req::SRS_PROD_012}, kProvider, kStoodTooEarly),
     MakeCase("StoodInTheEnteringCall", {req::SRS_PROD_012}, kProvider, kStoodOnEntering),
     MakeCase("RequestLeavesThePhase", {req::SRS_PROD_003, req::SRS_PROD_002}, kProvider, kRequestKeepsPhase),

@@ -132,7 +132,12 @@ def collect_coverage(progress, jobs):
     line_coverage.record(ROOT, DATA)
 
 
-def collect_gcov(progress, jobs):
+def collect_gcov(progress, jobs, wanted):
+    """A second view by another compiler; without it no page shows figures of an older run."""
+    for old in (DATA / "gcov", EVIDENCE / "coverage_gcov"):
+        shutil.rmtree(old, ignore_errors=True)
+    if not wanted:
+        return
     build(progress, "gcov", jobs, TEST_FOLDERS)
     progress.run("Measuring lines and branches (GCC 12, gcovr)", "gcovr",
                  [sys.executable, "verification/coverage/measure_gcov.py", "build/gcov", DATA / "gcov", "--jobs", str(jobs),
@@ -154,9 +159,9 @@ def collect_commands(progress, jobs):
         started[name] = time.time()
         return progress.run(f"Running {commands[name]}", f"evidence-{name}", ["bash", "-c", commands[name]], may_fail=True, beside=beside)
 
-    statuses = {name: run(name, False) for name in commands if name not in single}
     with concurrent.futures.ThreadPoolExecutor(max_workers=jobs) as pool:
-        statuses.update(zip(single, pool.map(lambda name: run(name, True), single)))
+        statuses = dict(zip(single, pool.map(lambda name: run(name, True), single)))
+    statuses.update((name, run(name, False)) for name in commands if name not in single)
     results = {name: {"command": command, "status": statuses[name], "started": started[name]} for name, command in commands.items()}
     (DATA / "commands.json").write_text(json.dumps(results, indent=1))
 
@@ -205,6 +210,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--quick", action="store_true", help="use the data of the last run, repeat only gates and pages")
+    parser.add_argument("--gcc", action="store_true", help="measure lines and branches of the safety rooms with GCC 12 and gcovr, too")
     parser.add_argument("--pdf", action="store_true", help="print the lists into build/evidence/evidence.pdf, too")
     options = parser.parse_args()
     progress = Progress()
@@ -214,7 +220,7 @@ def main():
             build(progress, "product", options.jobs)
             collect_tests(progress, options.jobs)
             collect_coverage(progress, options.jobs)
-            collect_gcov(progress, options.jobs)
+            collect_gcov(progress, options.jobs, options.gcc)
             collect_objects(progress)
             collect_commands(progress, options.jobs)
             collect_identity()

@@ -19,6 +19,7 @@ HOLDS = ("variables with an initial value", "variables without one are zero", "c
 # Argument of the program -> cause of the exception (hal::ExceptionCause) and where the access was, by the linker's symbol.
 EXCEPTIONS = {"u": (3, None), "s": (5, None), "v": (5, None), "x": (1, "region_core"), "c": (1, "region_channel_a"), "a": (1, "region_channel_b"),
               "b": (1, "region_core"), "f": (1, "code")}
+TOLD = r"^outputs closed\nFAILURE: exception (\d+) accessed 0x([0-9a-f]{8}) at 0x([0-9a-f]{8})\n"
 TCM = ((0x00000000, 0x00010000), (0x00020000, 0x00030000))
 
 
@@ -96,9 +97,9 @@ def started(text):
 
 def exception_of(text, cause, accessed, code):
     """What is wrong with the exception that a program told at its end; None: nothing."""
-    found = re.search(r"FAILURE: exception (\d+) accessed 0x([0-9a-f]{8}) at 0x([0-9a-f]{8})\n", text)
+    found = re.search(TOLD, text, re.MULTILINE)
     if not found:
-        return "no exception"
+        return "no exception, or one that did not close the outputs"
     if int(found.group(1)) != cause:
         return f"cause {found.group(1)}, expected {cause}"
     where = int(found.group(2), 16)
@@ -120,9 +121,16 @@ def accessed_by(symbols, name):
     return (symbols[name], symbols[name] + length)
 
 
+def same_record(first, second, cause):
+    """Whether what is told after the reset is the exception of before: cause, accessed address, place, and that it was the only one."""
+    told = re.search(TOLD, first, re.MULTILINE)
+    return told is not None and second.startswith(f"record cause={cause} count=1 accessed={told.group(2)} at={told.group(3)}\n")
+
+
 def run_start(images, argument):
-    """Problems of one run of the start program on as many processors as images: exception, then a reset, and the record."""
-    cause, name = EXCEPTIONS[argument]
+    """Problems of one run of the start program on as many processors as images: exception, then a reset, and the record. An argument
+    with the number of a processor is for that one alone: the other one goes on, and has no record."""
+    cause, name = EXCEPTIONS[argument[0]]
     problems = []
     with zynqmp_machine.Machine(images, argument) as machine:
         machine.start()
@@ -132,12 +140,16 @@ def run_start(images, argument):
         for core, image in enumerate(images):
             text = machine.wait_for(core, "end=", times=2) or machine.text[core]
             symbols = addresses(image)
+            if argument[1:] not in ("", str(core)):
+                first, _, second = text.partition("end=0\n")
+                undisturbed = started(first) and "outputs closed" not in text and second.startswith("record cause=0 count=0 ")
+                problems += [] if undisturbed else [f"{image.name} '{argument}': disturbed by the other processor's exception"]
+                continue
             first, _, second = text.partition("end=1\n")
             code = (symbols["image_code_start"], symbols["memory_code_end"])
             wrong = exception_of(first, cause, accessed_by(symbols, name), code)
-            record = f"record cause={cause} count=1 "
-            if not wrong and not (started(first) and second.startswith(record)):
-                wrong = f"no '{record}' after the reset"
+            if not wrong and not (started(first) and same_record(first, second, cause)):
+                wrong = "another record after the reset, or none"
             problems += [f"{image.name} '{argument}': {wrong}"] if wrong else []
     return problems
 
@@ -152,14 +164,22 @@ def check_start(report):
     problems = [problem for argument in EXCEPTIONS for problem in run_start(both, argument)]
     report.add(not problems, "each exception on both processors at once: cause, place, and the record after a reset",
                "; ".join(problems) or f"{len(EXCEPTIONS)} kinds on 2 processors", "SRS_ZYN_005", "SRS_ZYN_006", "SRS_ZYN_007", "SRS_ZYN_069")
+    problems = [problem for core in "01" for argument in "uxc" for problem in run_start(both, argument + core)]
+    report.add(not problems, "an exception of one processor: the other one goes on and has no record", "; ".join(problems) or "3 kinds on each of 2 processors",
+               "SRS_ZYN_005")
     problems = run_start([PROGRAMS / "zynqmp_start_tcm.elf"], "c")
     report.add(not problems, "an image with the layout of a board starts and takes its exceptions at 0", "; ".join(problems) or "as the others",
                "SRS_ZYN_003", "SRS_ZYN_004", "SRS_ZYN_005")
-    good = "FAILURE: exception 1 accessed 0x00000040 at 0x00000020\n"
-    wrong = [good.replace("exception 1", "exception 3"), good.replace("0x00000040", "0x00000080"), good.replace("0x00000020", "0x00000100"), ""]
+    good = "outputs closed\nFAILURE: exception 1 accessed 0x00000040 at 0x00000020\n"
+    wrong = [good.replace("exception 1", "exception 3"), good.replace("0x00000040", "0x00000080"), good.replace("0x00000020", "0x00000100"),
+             good.replace("outputs closed\n", ""), ""]
     refused = sum(exception_of(text, 1, (0x40, 0x80), (0, 0x100)) is not None for text in wrong) + (not started("holds constructors ran\n"))
-    report.add(refused == 5 and exception_of(good, 1, (0x40, 0x80), (0, 0x100)) is None,
-               "another cause, access or place, or a start that is not whole, is refused", f"{refused} of 5", "SRS_ZYN_003", "SRS_ZYN_005")
+    kept = "record cause=1 count=1 accessed=00000040 at=00000020\n"
+    others = [kept.replace("cause=1", "cause=3"), kept.replace("count=1", "count=2"), kept.replace("40", "44"), kept.replace("20", "24"), ""]
+    refused += sum(not same_record(good, other, 1) for other in others)
+    report.add(refused == 11 and exception_of(good, 1, (0x40, 0x80), (0, 0x100)) is None and same_record(good, kept, 1),
+               "another cause, access, place or record, outputs that stay open, or a start that is not whole, is refused", f"{refused} of 11",
+               "SRS_ZYN_003", "SRS_ZYN_005")
 
 
 def layout_problems(sections, symbols):

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia306/check/rules.hpp"
 
+#include "canopen/cia306/check/sides.hpp"
 #include "canopen/cia306/file/data_type.hpp"
 
 #include <map>
@@ -153,48 +154,8 @@ void CheckTotals(const SrdoConfiguration& srdo, Findings& findings)
     }
 }
 
-/// Objects that the InvertedSRAD of another one names and that have none themselves: inverse data, and whose.
-std::map<std::uint32_t, const Entry*> InverseObjects(const Device& device)
-{
-    std::map<std::uint32_t, const Entry*> inverses;
-    for (const auto& [index, object] : device.objects)
-    {
-        for (const auto& [sub, entry] : object.entries)
-        {
-            const std::uint32_t srad = entry.inverted_srad.value_or(0U);
-            const Entry* const inverse =
-                device.Find(static_cast<std::uint16_t>(srad >> 8U), static_cast<std::uint8_t>(srad & 0xFFU));
-            if (entry.inverted_srad && inverse != nullptr && !inverse->inverted_srad)
-            {
-                inverses.emplace(srad, &entry);
-            }
-        }
-    }
-    return inverses;
-}
-
-/// Inverse data in the place of normal data: the application would get the inverse of what was sent.
-void CheckNormals(const CheckContext& context, const SrdoConfiguration& srdo, Findings& findings)
-{
-    const std::map<std::uint32_t, const Entry*> inverses = InverseObjects(context.device);
-    for (const MappingEntry& entry : srdo.mapping)
-    {
-        const auto found = inverses.find(entry.raw >> 8U);
-        if (!entry.IsNormal() || found == inverses.end())
-        {
-            continue;
-        }
-        const Entry& normal = *found->second;
-        const std::string name = ObjectName(normal.index, normal.sub);
-        findings.Tell(WhenOn(srdo), entry.place, EntryName(srdo, entry),
-                      {"normal entry " + MappedName(entry) + " is the InvertedSRAD of " + name + " (line " +
-                           std::to_string(normal.inverted_srad_place.line) + ")",
-                       "normal data here and " + MappedName(entry) + " behind it"});
-    }
-}
-
 /// Normal data at an odd sub-index, its inverse at the next.
-void CheckPairs(const CheckContext& context, const SrdoConfiguration& srdo, Findings& findings)
+void CheckPairs(const SrdoConfiguration& srdo, Findings& findings)
 {
     for (std::size_t place = 1U; place < srdo.mapping.size(); ++place)
     {
@@ -216,19 +177,6 @@ void CheckPairs(const CheckContext& context, const SrdoConfiguration& srdo, Find
         {
             findings.Error(inverse.place, name, "dummy object on one side of the pair only",
                            "normal and inverse data to be stored both or not at all");
-        }
-        const Entry* const object = context.device.Find(normal.Index(), normal.Sub());
-        const bool has_other_inverse =
-            object != nullptr && object->inverted_srad && *object->inverted_srad != (inverse.raw >> 8U);
-        if (has_other_inverse)
-        {
-            const std::uint32_t srad = *object->inverted_srad;
-            const std::string own =
-                ObjectName(static_cast<std::uint16_t>(srad >> 8U), static_cast<std::uint8_t>(srad & 0xFFU));
-            findings.Tell(WhenOn(srdo), inverse.place, name,
-                          {"inverse entry " + MappedName(inverse),
-                           own + ", the InvertedSRAD of " + MappedName(normal) + " (line " +
-                               std::to_string(object->inverted_srad_place.line) + ")"});
         }
     }
 }
@@ -313,8 +261,8 @@ void CheckMapping(const CheckContext& context, const SrdoConfiguration& srdo, Fi
         CheckMappedValue(context, entry, findings);
     }
     CheckTotals(srdo, findings);
-    CheckNormals(context, srdo, findings);
-    CheckPairs(context, srdo, findings);
+    findings.Add(WrongSides(context.device, srdo));
+    CheckPairs(srdo, findings);
     CheckSides(srdo, findings);
 }
 

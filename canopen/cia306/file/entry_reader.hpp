@@ -47,6 +47,7 @@ class SectionReader
 
   private:
     void ReadInvertedSrad(Entry& entry) const;
+    void LeaveOutOfSrdos(Entry& entry) const;
 
     const std::string* file_;
     const IniSection* section_;

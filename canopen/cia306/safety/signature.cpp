@@ -95,6 +95,12 @@ std::uint16_t SignatureOf(const SrdoConfiguration& srdo)
     return SignatureOf(CanonicalBytes(srdo));
 }
 
+std::optional<std::uint16_t> SignatureWithNode(const SrdoConfiguration& of_file, const SrdoConfiguration& of_node)
+{
+    const bool is_right = of_file.signature_problems.empty() && of_file.signature.Is(SignatureOf(of_file));
+    return is_right ? std::optional(SignatureOf(of_node)) : std::nullopt;
+}
+
 std::string HexBytes(const std::vector<std::uint8_t>& bytes)
 {
     std::string text;

@@ -5,6 +5,7 @@
 #include "canopen/cia306/safety/safety_configuration.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,11 @@ struct SignedField
 [[nodiscard]] std::uint16_t SignatureOf(const std::vector<std::uint8_t>& bytes);
 /// The signature of an SRDO, which must have no signature problems.
 [[nodiscard]] std::uint16_t SignatureOf(const SrdoConfiguration& srdo);
+/// The signature of an SRDO with another node-ID than that of its file, of which `of_file` and `of_node` are the
+/// readings; nothing where the file's own is not that of its parameters: nobody agreed to them. [SRS_GEN_016,
+/// SRS_NODE_551]
+[[nodiscard]] std::optional<std::uint16_t> SignatureWithNode(const SrdoConfiguration& of_file,
+                                                             const SrdoConfiguration& of_node);
 
 /// "02 32 00"
 [[nodiscard]] std::string HexBytes(const std::vector<std::uint8_t>& bytes);

@@ -99,6 +99,11 @@ void PlcRelease::Drive(const NodeId node, const Instant now) noexcept
         {
             slave.is_wanted = false;
             slave.status.is_started = true;
+            if (is_safety)
+            {
+                slave.status.ForgetObject(); // It is verified now: what stays is what its start-up found. [SRS_PLC_586]
+                TellRefused(slave);
+            }
             slaves_.Go(node, PlcEvent::kStarted, StartUpStep::kRunning, now);
         }
         else

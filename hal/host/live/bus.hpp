@@ -20,6 +20,8 @@ constexpr std::uint8_t kClassicalDataBytes = 8U;
 constexpr std::size_t kLiveQueueFrames = 64U;
 constexpr std::uint32_t kReconnectAfterMs = 500U;
 constexpr std::uint32_t kQuestionMs = 20U; ///< See LiveOptions::oldest_ms.
+/// Longer than a connection stands still that goes on by itself.
+constexpr std::uint32_t kAnswerMs = 5000U;
 
 /// One frame of a bus in real time. Bytes behind `length_bytes` have no meaning; a remote frame has no data.
 struct LiveFrame
@@ -66,7 +68,7 @@ struct BusHealth
     std::uint32_t bus_offs{0U};
     std::uint32_t restarts{0U};
     std::uint32_t error_frames{0U};
-    std::uint32_t lost_frames{0U};    ///< Received by the system, dropped because nobody took them.
+    std::uint32_t lost_frames{0U};    ///< Received by system or controller, dropped because nobody took them.
     std::uint32_t malformed{0U};      ///< Received, but no frame.
     std::uint32_t dropped_frames{0U}; ///< Accepted by Send, thrown away at bus-off or interface down.
     std::uint32_t waiting{0U};        ///< Accepted by Send, not yet taken by the system.
@@ -74,7 +76,16 @@ struct BusHealth
     std::uint32_t stale_frames{0U};   ///< Received, but perhaps older than LiveOptions::oldest_ms.
     /// Restarts by policy that the system refused: no rights, or it restarts by itself.
     std::uint32_t refused_restarts{0U};
+    /// How often the bus went away (bus-off or down), also where it was back before anybody looked at `state`.
+    std::uint32_t absences{0U};
+    BusState absence{BusState::kInvalid}; ///< What the last of them was.
 };
+
+/// @brief Whether a bus in that state carries nothing.
+[[nodiscard]] constexpr bool IsAway(const BusState state)
+{
+    return (state == BusState::kBusOff) || (state == BusState::kDown);
+}
 
 /// What happens after bus-off.
 enum class RestartPolicy : std::uint8_t
@@ -104,6 +115,8 @@ struct LiveOptions
     /// A frame of others that a connection may have held for longer is left aside and counted; 0: none is. Of use where
     /// frames have the time of their reading: call Receive every kQuestionMs, also when the descriptor is quiet.
     std::uint32_t oldest_ms{0U};
+    /// With `oldest_ms`: a connection whose server owes an answer for so long counts as lost.
+    std::uint32_t answer_ms{kAnswerMs};
 };
 
 /// Says in one sentence what could not be opened, and why.
@@ -134,6 +147,11 @@ class LiveBus
     [[nodiscard]] virtual int Descriptor() const = 0;
     /// @brief State and counts.
     [[nodiscard]] virtual BusHealth Health() const = 0;
+    /// @brief What was wrong with the last of Health().malformed, as a sentence; empty: nothing is known of it.
+    [[nodiscard]] virtual std::string Problem() const
+    {
+        return {};
+    }
     /// @brief The address by which the bus was opened.
     [[nodiscard]] virtual std::string Name() const = 0;
     /// @brief Leaves bus-off now. False: this bus cannot, or not at present.

@@ -73,6 +73,7 @@ ErrorNews ReadErrorFrame(const LiveFrame& frame)
     if (has(CAN_ERR_CRTL))
     {
         news.state = ControllerState(frame.data[1]);
+        news.is_overflow = (frame.data[1] & CAN_ERR_CRTL_RX_OVERFLOW) != 0;
     }
     if (has(CAN_ERR_PROT) && ((frame.data[2] & CAN_ERR_PROT_ACTIVE) != 0))
     {

@@ -15,7 +15,8 @@ struct ErrorNews
 {
     std::optional<BusState> state; ///< Empty: says nothing of it.
     bool is_bus_off{false};
-    bool is_restart{false}; ///< The controller was started again after bus-off.
+    bool is_restart{false};  ///< The controller was started again after bus-off.
+    bool is_overflow{false}; ///< The controller lost a received frame.
     bool has_counters{false};
     std::uint8_t transmit_errors{0U};
     std::uint8_t receive_errors{0U};

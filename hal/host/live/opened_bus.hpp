@@ -27,6 +27,10 @@ class OpenedBus : public LiveBus
         health.waiting = static_cast<std::uint32_t>(queue_.size());
         return health;
     }
+    [[nodiscard]] std::string Problem() const final
+    {
+        return problem_;
+    }
     [[nodiscard]] std::string Name() const final
     {
         return address_.text;
@@ -42,6 +46,29 @@ class OpenedBus : public LiveBus
     {
         health_.state = state;
     }
+    /// The state from now on. [SRS_LIVE_580]
+    void SetState(const BusState state)
+    {
+        if (IsAway(state) && !IsAway(health_.state))
+        {
+            ++health_.absences;
+        }
+        health_.absence = IsAway(state) ? state : health_.absence;
+        health_.state = state;
+    }
+    /// It was bus-off, whatever its state is now: unless that is still so, nobody saw it.
+    void NoteBusOff()
+    {
+        const BusState state = health_.state;
+        SetState(IsAway(state) ? state : BusState::kBusOff);
+        health_.state = state;
+    }
+    /// Something came that is no frame. [SRS_LIVE_583]
+    void NoteMalformed(const std::string& problem)
+    {
+        ++health_.malformed;
+        problem_ = problem;
+    }
     [[nodiscard]] bool IsFull() const
     {
         return queue_.size() >= kLiveQueueFrames;
@@ -51,7 +78,8 @@ class OpenedBus : public LiveBus
     LiveOptions options_;
     LivePoll poll_{};
     std::deque<LiveFrame> queue_{};
-    BusHealth health_{}; ///< But for what waits.
+    BusHealth health_{};    ///< But for what waits.
+    std::string problem_{}; ///< Of the last that was no frame.
 };
 } // namespace counterpoint::host
 

@@ -181,7 +181,7 @@ void LiveSocketCanBus::Enter(const BusState state)
     {
         return;
     }
-    health_.state = state;
+    SetState(state);
     const bool is_off = state == BusState::kBusOff;
     if (is_off || (state == BusState::kDown))
     {
@@ -198,9 +198,15 @@ void LiveSocketCanBus::Learn(const LiveFrame& frame)
     ++health_.error_frames;
     health_.bus_offs += news.is_bus_off ? 1U : 0U;
     health_.restarts += news.is_restart ? 1U : 0U;
+    health_.lost_frames += news.is_overflow ? 1U : 0U; // At least one. [SRS_LIVE_584]
     if (has_controller_)
     {
+        const bool was_away = IsAway(health_.state);
         Look();
+        if (news.is_bus_off && !was_away)
+        {
+            NoteBusOff(); // What the kernel says may be of after the restart.
+        }
         return;
     }
     if (news.has_counters)
@@ -329,10 +335,12 @@ bool LiveSocketCanBus::Receive(LiveFrame& frame)
             PlanWake();
             return false;
         }
-        health_.lost_frames = std::max(health_.lost_frames, arrival.dropped);
+        health_.lost_frames += (arrival.dropped > dropped_) ? (arrival.dropped - dropped_) : 0U;
+        dropped_ = std::max(dropped_, arrival.dropped);
         if (!FromSocketCan(raw, static_cast<std::size_t>(arrival.count), frame))
         {
-            ++health_.malformed;
+            NoteMalformed("a reading of " + std::to_string(arrival.count) +
+                          " bytes that is no frame of CAN, expected one of 0 to 8 or 64 bytes");
             continue;
         }
         const bool has_stamp = arrival.hardware_ns != 0U;

@@ -58,6 +58,7 @@ class LiveSocketCanBus final : public OpenedBus
     int index_{0};
     bool has_controller_{false};      ///< Linux tells its state; else only error frames do.
     bool is_carrying_{false};         ///< Else the kernel takes frames and throws them away without a word.
+    std::uint32_t dropped_{0U};       ///< By the system, as it told last.
     std::uint64_t restart_at_ns_{0U}; ///< 0: no restart is due.
     std::uint64_t retry_at_ns_{0U};   ///< When to offer what waits to the system again.
 };

@@ -211,7 +211,7 @@ bool LiveUdpBus::Receive(LiveFrame& frame)
         health_.lost_frames = std::max(health_.lost_frames, arrival.dropped);
         if (!Unpack(bytes, static_cast<std::size_t>(arrival.count), frame))
         {
-            ++health_.malformed;
+            NoteMalformed("a datagram of " + std::to_string(arrival.count) + " bytes, expected a frame of this bus");
             continue;
         }
         frame.time_ns = arrival.time_ns;

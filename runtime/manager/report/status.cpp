@@ -208,8 +208,9 @@ std::string ManagerLine(const ManagerAssembly& assembly)
     {
         role += " (that is node " + std::to_string(manager.Role().Flying()->Master().node.value) + ")";
     }
+    const std::string twice = assembly.HasDouble() ? "; another device has its node-ID, expected one and a reset" : "";
     return "manager, node " + std::to_string(assembly.Net().Setup().own.value) + ": " + WordOf(manager.OwnState()) +
-           ", " + role + ", profile " + WordOf(profile) + ", " + MasterText(profile, manager.MasterState());
+           ", " + role + ", profile " + WordOf(profile) + ", " + MasterText(profile, manager.MasterState()) + twice;
 }
 
 /// Who looks at a value wants to know how old it is.
@@ -301,6 +302,7 @@ nlohmann::ordered_json StatusJson(const ManagerStation& station, const std::uint
             {"manager", assembly.Net().Setup().own.value},
             {"state", WordOf(manager.OwnState())},
             {"active", manager.IsActive()},
+            {"duplicate", assembly.HasDouble()},
             {"profile", WordOf(assembly.Net().Plan().manager.profile)},
             {"master_state", manager.MasterState()},
             {"slaves", slaves},

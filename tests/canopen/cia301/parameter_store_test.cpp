@@ -382,6 +382,19 @@ TEST_F(ParameterStoreTest, FailuresAreToldAndLeaveTheOldSet)
     EXPECT_FALSE(memory.is_misused);
 }
 
+TEST_F(ParameterStoreTest, AFailureOfForgettingIsToldAndLeavesTheOldSet)
+{
+    Verifies(req::SRS_STO_005);
+    EXPECT_EQ(Save(SetOf(1U)), SdoAbort::kNone);
+    const StoreRequest forget{StoreAction::kForget, kAllGroups};
+    memory.is_failed = true;
+    EXPECT_EQ(Started(*this).Finish(forget), SdoAbort::kHardware);
+    memory.is_failed = false;
+    EXPECT_EQ(LoadNow(), SetOf(1U));
+    EXPECT_EQ(Started(*this).Finish(forget), SdoAbort::kNone);
+    EXPECT_EQ(LoadNow(), Values{});
+}
+
 TEST_F(ParameterStoreTest, OneRequestAtATimeAndAnAnswerThatNobodyFetchesIsForgotten)
 {
     Verifies(req::SRS_STO_005);

@@ -4,7 +4,6 @@
 #include "canopen/cia301/store/stored_parts.hpp"
 #include "tests/canopen/cia301/cut_memory.hpp"
 #include "tests/canopen/cia301/service_rig.hpp"
-#include "tests/safety_core/kernel/rig.hpp"
 #include "verification/trace/ids/cia301.hpp"
 #include "verification/trace/ids/pdo.hpp"
 #include "verification/trace/ids/store.hpp"
@@ -146,6 +145,39 @@ TEST_F(StoredPartsTest, SaveIsAnsweredWhenItIsDoneAndDoesNotTimeOut)
     EXPECT_EQ(Download({0x80U, 0x10U, 0x10U, 1U}, 3), 0xFFFFFFFFU);
     EXPECT_FALSE(server.IsBusy());
     EXPECT_TRUE(store.IsBusy());
+}
+
+TEST_F(StoredPartsTest, FailuresAreAnsweredWithTheirCodes)
+{
+    Verifies(req::SRS_STO_005);
+    const Octets load_all{0x23U, 0x11U, 0x10U, 1U, 'l', 'o', 'a', 'd'};
+    ASSERT_EQ(Download(kSaveAllRequest), 0U);
+    // Given a memory that fails, for a save and for a load of the defaults
+    memory.is_failed = true;
+    manufacturer = {0xEEU, 0xEEU};
+    EXPECT_EQ(Download(kSaveAllRequest), 0x06060000U);
+    EXPECT_EQ(Download(load_all), 0x06060000U);
+    memory.is_failed = false;
+    // or a request while another one is running, whose client has given up
+    EXPECT_EQ(Download(kSaveAllRequest, 3), 0xFFFFFFFFU);
+    EXPECT_EQ(Download({0x80U, 0x10U, 0x10U, 1U}, 0), 0xFFFFFFFFU);
+    EXPECT_EQ(Download(load_all, 1), 0x08000021U);
+    while (store.IsBusy())
+    {
+        store.OnCycle();
+    }
+    // or one that is too small for the set
+    CutMemory small{64U};
+    ParameterStore none{StoreParts{small, parts.data(), 1U, Room{scratch.data(), 64U}}};
+    EXPECT_FALSE(none.Mount()); // There is no set yet.
+    const StoreRequest save_all{StoreAction::kSave, kAllGroups};
+    SdoAbort answer = none.Begin(save_all);
+    for (int i = 0; (i < 300) && (answer == SdoAbort::kPending); ++i)
+    {
+        none.OnCycle();
+        answer = none.Continue(save_all);
+    }
+    EXPECT_EQ(static_cast<std::uint32_t>(answer), 0x08000020U);
 }
 
 // t [cycles]   0 save of 1      moment: its client gives up or not, at once or now; write of 2, save      end
@@ -369,225 +401,6 @@ TEST_F(StoredPartsTest, APartThatIsGoneIsCounted)
     ParameterStore empty{StoreParts{memory, parts.data(), 0U, Room{scratch.data(), 64U}}};
     EXPECT_TRUE(empty.Mount());
     EXPECT_EQ(empty.Load(kAllGroups).refused, 6U);
-}
-
-using StoredSafetyTest = Rig;
-
-TEST_F(StoredSafetyTest, TheKernelsConfigurationComesBackValid)
-{
-    Verifies(req::SRS_STO_012);
-    // Given a kernel with a valid configuration that is stored
-    Configure();
-    std::array<std::uint8_t, 64> scratch{};
-    CutMemory memory{8192U};
-    StoredSafety safety{kernel};
-    std::array<StoredPart*, 1> parts{&safety};
-    ParameterStore store{StoreParts{memory, parts.data(), 1U, Room{scratch.data(), 64U}}};
-    EXPECT_EQ(store.Begin({StoreAction::kSave, kAllGroups}), SdoAbort::kPending);
-    for (int i = 0; (i < 3000) && store.IsBusy(); ++i)
-    {
-        store.OnCycle();
-    }
-    EXPECT_EQ(store.Continue({StoreAction::kSave, kAllGroups}), SdoAbort::kNone);
-    // When it is changed, and loaded again
-    EXPECT_EQ(kernel.Image().RestoreDefaults(), Result::kSuccessful);
-    EXPECT_NE(Read(0x13FEU, 0U), 0xA5U);
-    const LoadReport report = store.Load(kCommunicationGroup);
-    // Then the kernel declares it valid
-    EXPECT_EQ(report.refused, 0U);
-    EXPECT_GT(report.loaded, 3U);
-    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
-    // A set of another device leaves the power-on configuration
-    const std::uint8_t foreign[10] = {0U, 1U, 0U, 0U, 0U, 9U, 9U, 9U, 9U, 0xA5U};
-    safety.BeginLoad(kAllGroups);
-    EXPECT_TRUE(safety.LoadItem({foreign, 10U}));
-    EXPECT_FALSE(safety.LoadItem({foreign, 4U}));
-    EXPECT_FALSE(safety.EndLoad(kAllGroups));
-    EXPECT_NE(Read(0x13FEU, 0U), 0xA5U);
-}
-
-// t [cycles]   0 save of SCT 50 ms     moment: 60 ms, signed, A5h     end
-TEST_F(StoredSafetyTest, ASaveWithinWhichTheConfigurationChangesIsRefused)
-{
-    Verifies(req::SRS_STO_019);
-    Verifies(req::SRS_STO_005);
-    Configure();
-    std::array<std::uint8_t, 64> scratch{};
-    CutMemory memory{8192U};
-    StoredSafety safety{kernel};
-    std::array<StoredPart*, 1> parts{&safety};
-    ParameterStore store{StoreParts{memory, parts.data(), 1U, Room{scratch.data(), 64U}}};
-    const auto write = [this](const std::uint32_t sct_ms)
-    {
-        EXPECT_EQ(Write(0x1301U, 2U, sct_ms, 2U), AbortCode::kNone);
-        const SignReply reply = kernel.Sign(CommunicationIndex{0x1301U});
-        EXPECT_EQ(Write(0x13FFU, 1U, reply.signature, 2U), AbortCode::kNone);
-        EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
-    };
-    std::uint32_t saved_ms = 0U;
-    int refused = 0;
-    int changes = 0;
-    for (int moment = 0; moment < 3000; ++moment)
-    {
-        SCOPED_TRACE(moment);
-        const std::uint32_t before_ms = 50U + static_cast<std::uint32_t>(moment % 2);
-        write(before_ms);
-        EXPECT_EQ(store.Begin({StoreAction::kSave, kAllGroups}), SdoAbort::kPending);
-        bool is_changed = false;
-        for (int i = 0; (i < 3000) && store.IsBusy(); ++i)
-        {
-            if (i == moment)
-            {
-                write(60U);
-                is_changed = true;
-            }
-            store.OnCycle();
-        }
-        const SdoAbort answer = store.Continue({StoreAction::kSave, kAllGroups});
-        const std::uint32_t last_ms = saved_ms;
-        // Then an answer of success means a set that loads, and a refusal leaves the one before
-        EXPECT_TRUE((answer == SdoAbort::kNone) || (answer == SdoAbort::kDeviceState));
-        EXPECT_EQ(kernel.Image().RestoreDefaults(), Result::kSuccessful);
-        const LoadReport report = store.Load(kCommunicationGroup);
-        EXPECT_NE(report.finding, StoreFinding::kRefused);
-        EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
-        saved_ms = Read(0x1301U, 2U);
-        EXPECT_TRUE((answer == SdoAbort::kNone) ? ((saved_ms == before_ms) || (is_changed && (saved_ms == 60U)))
-                                                : (saved_ms == last_ms));
-        refused += (answer == SdoAbort::kNone) ? 0 : 1;
-        if (!is_changed)
-        {
-            break; // Every moment of a save was tried.
-        }
-        ++changes;
-    }
-    EXPECT_GT(refused, 3);
-    EXPECT_GT(changes, refused);
-}
-
-// 50 ms, 60 ms while the values are read, and 50 ms again: neither the first nor the last look sees it.
-TEST_F(StoredSafetyTest, AChangeThatIsTakenBackBeforeTheEndIsFound)
-{
-    Verifies(req::SRS_STO_019);
-    Configure();
-    std::array<std::uint8_t, 64> scratch{};
-    const Room room{scratch.data(), 64U};
-    StoredSafety safety{kernel};
-    const std::uint32_t items = safety.ItemCount();
-    for (std::uint32_t i = 0U; i < items; ++i)
-    {
-        const std::uint32_t sct_ms = (i == 1U) ? 60U : 50U;
-        EXPECT_EQ(Write(0x1301U, 2U, sct_ms, 2U), AbortCode::kNone);
-        EXPECT_EQ(safety.Item(i, room).abort, SdoAbort::kNone);
-    }
-    EXPECT_EQ(Write(0x1301U, 2U, 50U, 2U), AbortCode::kNone);
-    const SignReply reply = kernel.Sign(CommunicationIndex{0x1301U});
-    EXPECT_EQ(Write(0x13FFU, 1U, reply.signature, 2U), AbortCode::kNone);
-    EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
-    EXPECT_EQ(safety.EndSave(kAllGroups), SdoAbort::kDeviceState);
-    // A save of other groups does not mind
-    EXPECT_EQ(safety.EndSave(kApplicationGroup), SdoAbort::kNone);
-}
-
-// 1300h may be written while 13FEh is A5h, and stays in force; with 5F04h the next start would refuse it.
-TEST_F(StoredSafetyTest, AConfigurationThatTheNextStartWouldRefuseIsNotSaved)
-{
-    Verifies(req::SRS_STO_021);
-    Configure();
-    config.digest = kernel.Digest().digest;
-    std::array<std::uint8_t, 64> scratch{};
-    CutMemory memory{8192U};
-    StoredSafety safety{kernel};
-    std::array<StoredPart*, 1> parts{&safety};
-    ParameterStore store{StoreParts{memory, parts.data(), 1U, Room{scratch.data(), 64U}}};
-    const auto save = [&store]
-    {
-        EXPECT_EQ(store.Begin({StoreAction::kSave, kAllGroups}), SdoAbort::kPending);
-        for (int i = 0; (i < 3000) && store.IsBusy(); ++i)
-        {
-            store.OnCycle();
-        }
-        return store.Continue({StoreAction::kSave, kAllGroups});
-    };
-    EXPECT_EQ(save(), SdoAbort::kNone);
-    const std::uint32_t gfc = Read(0x1300U, 0U);
-    EXPECT_EQ(Write(0x1300U, 0U, 1U - gfc, 1U), AbortCode::kNone);
-    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
-    // Then it is refused, and the set before is still there
-    EXPECT_EQ(save(), SdoAbort::kDeviceState);
-    EXPECT_EQ(kernel.Image().RestoreDefaults(), Result::kSuccessful);
-    EXPECT_NE(store.Load(kCommunicationGroup).finding, StoreFinding::kRefused);
-    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
-    EXPECT_EQ(Read(0x1300U, 0U), gfc);
-    // One that is not valid is nothing that a start could refuse, and without an expected digest there is nothing to be
-    EXPECT_EQ(Write(0x1300U, 0U, 1U - gfc, 1U), AbortCode::kNone);
-    EXPECT_EQ(Write(0x13FEU, 0U, 0U, 1U), AbortCode::kNone);
-    EXPECT_EQ(save(), SdoAbort::kNone);
-    config.digest = 0U;
-    EXPECT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
-    EXPECT_EQ(save(), SdoAbort::kNone);
-    EXPECT_NE(store.Load(kCommunicationGroup).finding, StoreFinding::kRefused);
-    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
-    EXPECT_EQ(Read(0x1300U, 0U), 1U - gfc);
-}
-
-TEST_F(StoredSafetyTest, AfterALostSetTheDeviceDoesNotComeUpWithA5)
-{
-    Verifies(req::SRS_STO_014);
-    // Given a valid configuration that was saved twice
-    Configure();
-    std::array<std::uint8_t, 64> scratch{};
-    CutMemory memory{8192U};
-    StoredSafety safety{kernel};
-    std::array<StoredPart*, 1> parts{&safety};
-    ParameterStore store{StoreParts{memory, parts.data(), 1U, Room{scratch.data(), 64U}}};
-    for (int save = 0; save < 2; ++save)
-    {
-        EXPECT_EQ(store.Begin({StoreAction::kSave, kAllGroups}), SdoAbort::kPending);
-        for (int i = 0; (i < 3000) && store.IsBusy(); ++i)
-        {
-            store.OnCycle();
-        }
-        EXPECT_EQ(store.Continue({StoreAction::kSave, kAllGroups}), SdoAbort::kNone);
-    }
-    // When a bit of the newer set changes, and the defaults of the device are valid
-    memory.banks[1][77] ^= 0x20U;
-    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
-    // Then another group is loaded as ever, and with the communication group 13FEh is withdrawn
-    EXPECT_EQ(store.Load(kApplicationGroup).finding, StoreFinding::kLost);
-    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
-    EXPECT_EQ(store.Load(kCommunicationGroup).finding, StoreFinding::kLost);
-    EXPECT_EQ(Read(0x13FEU, 0U), 0U);
-}
-
-TEST_F(StoredSafetyTest, AConfigurationThatTheKernelDoesNotGiveIsNotLeftOutOfASet)
-{
-    Verifies(req::SRS_STO_210);
-    Configure();
-    kernel.Stop();
-    std::array<std::uint8_t, 64> scratch{};
-    StoredSafety safety{kernel};
-    EXPECT_EQ(safety.ItemCount(), 1U);
-    EXPECT_EQ(safety.Item(0U, {scratch.data(), 64U}).abort, SdoAbort::kDeviceState);
-    EXPECT_EQ(safety.Item(0U, {scratch.data(), 64U}).group, kCommunicationGroup);
-    // When that group is saved, then it is refused; another one is not
-    std::array<std::uint8_t, 64> room{};
-    CutMemory memory{8192U};
-    std::array<StoredPart*, 1> parts{&safety};
-    ParameterStore store{StoreParts{memory, parts.data(), 1U, Room{room.data(), 64U}}};
-    for (const auto& [group, told] :
-         {std::pair(kCommunicationGroup, SdoAbort::kDeviceState), std::pair(kApplicationGroup, SdoAbort::kNone)})
-    {
-        const StoreRequest save{StoreAction::kSave, group};
-        SdoAbort answer = store.Begin(save);
-        for (int i = 0; (i < 3000) && (answer == SdoAbort::kPending); ++i)
-        {
-            store.OnCycle();
-            answer = store.Continue(save);
-        }
-        EXPECT_EQ(answer, told);
-    }
-    EXPECT_EQ(static_cast<std::uint32_t>(SdoAbort::kDeviceState), 0x08000022U);
 }
 
 } // namespace

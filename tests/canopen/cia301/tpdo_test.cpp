@@ -40,6 +40,34 @@ TEST_F(TpdoTest, OnlyInOperational)
     EXPECT_EQ(Sent(), 0U);
 }
 
+TEST_F(TpdoTest, WhatFoundNoRoomIsForgottenOutsideOfOperational)
+{
+    Verifies(req::SRS_PDO_008);
+    for (const std::uint8_t command : {std::uint8_t{128U}, std::uint8_t{2U}})
+    {
+        UseTpdo(1U);
+        Cycle();
+        EXPECT_EQ(Sent(), 0U);
+        // Given a PDO of a SYNC that waits for room
+        sink.room = 0;
+        Sync0();
+        Cycle();
+        EXPECT_EQ(Sent(), 0U);
+        // When OPERATIONAL is left and entered again, then it does not come
+        Command(command);
+        Cycle();
+        Command(1U);
+        sink.room = 1000000;
+        Cycle();
+        EXPECT_EQ(Sent(), 0U);
+        // but with the next SYNC
+        Sync0();
+        EXPECT_EQ(Sent(), 1U);
+        EXPECT_EQ(WritePdo(0x1800U, 1U, 0x80000185U), SdoAbort::kNone);
+        EXPECT_EQ(WritePdo(0x1A00U, 0U, 0U), SdoAbort::kNone);
+    }
+}
+
 TEST_F(TpdoTest, CyclicPdosFollowEachNthSync)
 {
     Verifies(req::SRS_PDO_010);

@@ -502,7 +502,9 @@ TEST(CheckMapping, NormalAndInverseAreDifferentObjectsOfEqualLength)
          {"error: 0x1381:02: object 0x2000:01 is normal and inverse data of SRDO 1, expected another object than in "
           "sub-index 1"}},
         {{{"1381sub4", kValue, "0x20000108"}, {"2000sub2", "InvertedSRAD", ""}},
-         {"error: 0x1381:04: object 0x2000:01 is normal and inverse data of SRDO 1, expected another object than in "
+         {"error: 0x1381:04: inverse entry 0x2000:01 has an InvertedSRAD of its own (line 355), as normal data has, "
+          "expected inverse data of 0x2000:02",
+          "error: 0x1381:04: object 0x2000:01 is normal and inverse data of SRDO 1, expected another object than in "
           "sub-index 1"}},
         {{{"1381sub3", kValue, "0x20000108"}, {"2000sub1", "InvertedSRAD", ""}},
          {"error: 0x1381:03: object 0x2000:01 is mapped twice, expected another object than in sub-index 1"}},

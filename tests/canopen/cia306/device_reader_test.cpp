@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -209,6 +211,33 @@ TEST(DeviceReader, ReadsDummyUsageAndTheSafetyFlag)
     const std::string no = test::Changed(Text(""), {{"VendorName=x", "CANopenSafetySupported=0x0"}});
     EXPECT_EQ(DeviceOf(yes).is_safety_supported, true);
     EXPECT_EQ(DeviceOf(no).is_safety_supported, false);
+}
+
+TEST(DeviceReader, NoSrdoMapsAnObjectOfTheKernel)
+{
+    Verifies(req::SRS_EDS_555);
+    for (const auto& [index, is_of_kernel] :
+         {std::pair(0x12FFU, false), {0x1300U, true}, {0x13FFU, true}, {0x1400U, false}})
+    {
+        std::ostringstream name;
+        name << std::hex << std::uppercase << index;
+        for (const auto& [keys, is_mappable] :
+             {std::pair("SRDOMapping=1\n", true), {"PDOMapping=1\n", true}, {"SRDOMapping=0\nPDOMapping=1\n", false}})
+        {
+            // Given an object that is mappable or not
+            const std::string text = Text("[" + name.str() + "]\nParameterName=x\nDataType=5\nAccessType=rw\n" + keys);
+            const Device device = DeviceOf(text);
+            const Entry& entry = *device.Find(static_cast<std::uint16_t>(index), 0U);
+            // Then one of 1300h to 13FFh is not, and a warning says so
+            EXPECT_EQ(entry.is_srdo_mappable.value_or(entry.is_pdo_mappable), is_mappable && !is_of_kernel) << text;
+            const std::vector<std::string> warnings = WarningsOf(text);
+            const std::string told = "f:11:1: warning: 0x" + name.str() +
+                                     ":00: it is mappable by SRDOMapping or PDOMapping, expected 0 for 0x1300 to "
+                                     "0x13FF; no SRDO can map it";
+            EXPECT_EQ(std::count(warnings.begin(), warnings.end(), told), (is_of_kernel && is_mappable) ? 1 : 0)
+                << text;
+        }
+    }
 }
 
 TEST(DeviceReader, ReadsInvertedSradWithoutPrefixAsHexadecimalAndWarns)

@@ -229,7 +229,7 @@ TEST_F(DeviceBareTest, AnApplicationThatIsRefusedIsNoDevice)
     // Then the reason is kept, with its words, and nothing is sent
     EXPECT_EQ(refused.Started(), StartResult::kSrdoCount);
     EXPECT_STREQ(NameOf(refused.Started()), "srdo_count");
-    EXPECT_STREQ(MeaningOf(refused.Started()), "Not 1 to 64.");
+    EXPECT_STREQ(MeaningOf(refused.Started()), "Not 1 to 64, or no setups.");
     EXPECT_TRUE(ports.sent.empty());
 }
 

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // What a manager expects of the safety configuration of a slave.
 #include "tests/canopen/network_plan/plan_rig.hpp"
+#include "verification/trace/ids/node.hpp"
 
 namespace counterpoint::network_plan
 {
@@ -58,6 +59,17 @@ TEST(Expectation, HasEachConstantOnce)
     EXPECT_EQ(ExpectationOf(text + "\n" + Entry("13FFsub7", 5, "const", "DefaultValue=1")).size(), 15U);
     EXPECT_EQ(ExpectationOf(text + "\n" + Entry("13FFsub7", 6, "const", "")).size(), 15U);
     EXPECT_EQ(ExpectationOf(text + "\n" + Entry("1381sub11", 7, "const", "DefaultValue=0x20000108")).size(), 16U);
+}
+
+// A slave with the sides of a pair exchanged is none that anybody may expect.
+TEST(Expectation, HasNormalDataOnTheNormalSide)
+{
+    Verifies(req::SRS_NODE_550);
+    const std::string text = With(ExampleText("actuator"), "1381sub1", "=0x22000108", "=0x23000108");
+    const std::string refusal = RefusalOf(With(text, "1381sub2", "=0x23000108", "=0x22000108"));
+    EXPECT_NE(refusal.find("error: 0x1381:01: normal entry 0x2300:01 is the InvertedSRAD of 0x2200:01"),
+              std::string::npos)
+        << refusal;
 }
 
 // What is not there, has no value or has no such sub-index is no expectation: the file is refused.

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <vector>
 
 namespace counterpoint::hal
 {
@@ -273,6 +274,7 @@ TEST_F(InterruptedGate, WordThatComesBackDoesNotArm)
     Verifies(req::SRS_HAL_303);
     ASSERT_EQ(Cycle(), 5U);
     const OutputGate open = gate;
+    std::uint32_t interrupting = 0U;
     for (std::size_t bit = 0U; bit < (sizeof(OutputGate) * 8U); ++bit)
     {
         gate = WithFlippedBit(open, bit);
@@ -282,8 +284,41 @@ TEST_F(InterruptedGate, WordThatComesBackDoesNotArm)
             // The bit is as it was once the gate has looked
             gate = WithFlippedBit(gate, bit);
             EXPECT_EQ(gate.Challenge(), 0U) << "bit " << bit;
+            ++interrupting;
         }
     }
+    // The 32 bits of each copy of what it is armed by, at the least
+    EXPECT_GE(interrupting, 64U);
+}
+
+// A pattern whose two copies are complements of each other as well, but is not the one.
+TEST_F(InterruptedGate, IsOneWhoseBothCopiesHaveTheSameBitWrong)
+{
+    Verifies(req::SRS_HAL_303);
+    // Given an armed gate that is closed, and the bits by which alone it is interrupted: those of its two copies
+    ASSERT_EQ(Cycle(0U), 0U);
+    const OutputGate armed = gate;
+    std::vector<std::size_t> bits;
+    for (std::size_t bit = 0U; bit < (sizeof(OutputGate) * 8U); ++bit)
+    {
+        gate = WithFlippedBit(armed, bit);
+        if (gate.Challenge() == 0U)
+        {
+            bits.push_back(bit);
+        }
+    }
+    ASSERT_EQ(bits.size(), 64U);
+    // When any two of them are wrong, then it is interrupted
+    std::uint32_t interrupted = 0U;
+    for (std::size_t first = 0U; first < bits.size(); ++first)
+    {
+        for (std::size_t second = first + 1U; second < bits.size(); ++second)
+        {
+            gate = WithFlippedBit(WithFlippedBit(armed, bits[first]), bits[second]);
+            interrupted += (gate.Challenge() == 0U) ? 1U : 0U;
+        }
+    }
+    EXPECT_EQ(interrupted, 2016U); // 64 * 63 / 2
 }
 
 } // namespace

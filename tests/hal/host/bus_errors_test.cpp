@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <vector>
 
 namespace counterpoint::host
 {
@@ -320,6 +321,35 @@ TEST(BusErrors, NodesThatTakeTurnsSendOneAfterTheOther)
     EXPECT_EQ(rig.recorder.records[0].fate, FrameFate::kComplete);
     EXPECT_EQ(rig.bus.TransmitErrors(0U), 0U);
     EXPECT_EQ(rig.bus.TransmitErrors(1U), 0U);
+}
+
+TEST(BusErrors, ThreeNodesThatTakeTurnsSendInTheOrderOfTheirAttachment)
+{
+    Verifies(req::SRS_BUS_015);
+    // Given one identifier with different data in three nodes, handed over in another order
+    BusRig rig;
+    rig.bus.TakeTurns();
+    ASSERT_EQ(rig.bus.Submit(2U, MakeFrame(0x101U, {0x03U})), TransmitStatus::kAccepted);
+    ASSERT_EQ(rig.bus.Submit(0U, MakeFrame(0x101U, {0x01U})), TransmitStatus::kAccepted);
+    ASSERT_EQ(rig.bus.Submit(1U, MakeFrame(0x101U, {0x02U})), TransmitStatus::kAccepted);
+    rig.RunTo(kMillisecond);
+    // When two of them have another identifier each
+    ASSERT_EQ(rig.bus.Submit(0U, MakeFrame(0x101U, {0x05U})), TransmitStatus::kAccepted);
+    ASSERT_EQ(rig.bus.Submit(2U, MakeFrame(0x100U, {0x04U})), TransmitStatus::kAccepted);
+    rig.RunTo(2 * kMillisecond);
+    // Then those alike follow as they were attached, and else the lower identifier wins
+    ASSERT_EQ(rig.recorder.records.size(), 5U);
+    std::vector<std::uint32_t> order;
+    for (const auto& record : rig.recorder.records)
+    {
+        EXPECT_EQ(record.fate, FrameFate::kComplete);
+        order.push_back(record.sent.frame.data[0]);
+    }
+    EXPECT_EQ(order, (std::vector<std::uint32_t>{1U, 2U, 3U, 4U, 5U}));
+    for (NodeIndex node = 0U; node < 3U; ++node)
+    {
+        EXPECT_EQ(rig.bus.TransmitErrors(node), 0U);
+    }
 }
 
 TEST(BusErrors, TwoNodesWithTheSameFrameBothGetTheirConfirmation)

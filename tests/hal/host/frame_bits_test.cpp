@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace counterpoint::host
@@ -50,6 +51,11 @@ TEST(FrameBits, OneByteOfZeros)
     EXPECT_EQ(bits.stuffable, 42U);
     EXPECT_EQ(bits.stuff, 4U);
     EXPECT_EQ(bits.OnWire(), 56U);
+}
+
+CanFrame Of(const FrameKind kind, const std::uint32_t identifier, const std::uint8_t length)
+{
+    return CanFrame{identifier, kind, CanPortId::kFirst, length, {0x55U}};
 }
 
 struct LengthCase
@@ -210,6 +216,63 @@ TEST(FrameBits, FieldsAreDrawnInTheirOrder)
     const std::vector<std::uint8_t> expected{0, 0, 0, 1,       0, 0, 0, 0, 0, 1 /*s*/, 0, 0, 1, 0, 0,
                                              0, 0, 0, 1 /*s*/, 0, 1, 0, 1, 0, 1,       0, 1, 0, 1};
     EXPECT_TRUE(std::equal(expected.begin(), expected.end(), image.level.begin()));
+}
+
+/// The same division, of remote frames and of those with 29 bits; a remote frame has no data, whatever its length says.
+TEST(FrameBits, LengthsOfTheOtherKindsAreThoseOfASeparateLongDivision)
+{
+    Verifies(req::SRS_BUS_001);
+    struct KindCase
+    {
+        FrameKind kind;
+        std::uint32_t identifier;
+        std::uint8_t length;
+        std::uint16_t crc;
+        std::uint16_t stuff;
+        std::uint16_t with_intermission;
+    };
+    for (const KindCase& worked : {KindCase{FrameKind::kRemote, 0x101U, 8U, 0x1DDBU, 2U, 49U},
+                                   KindCase{FrameKind::kRemote, 0x7FFU, 0U, 0x54EAU, 3U, 50U},
+                                   KindCase{FrameKind::kExtended, 0x12345678U, 1U, 0x5DFDU, 2U, 77U},
+                                   KindCase{FrameKind::kExtended, 0x40000U, 0U, 0x7449U, 7U, 74U},
+                                   KindCase{FrameKind::kExtendedRemote, 0U, 0U, 0x35D5U, 6U, 73U},
+                                   KindCase{FrameKind::kExtendedRemote, 0x12345678U, 8U, 0x6B55U, 0U, 67U}})
+    {
+        // When the frame is measured, then CRC, stuff bits and length are as worked out
+        const FrameBits bits = MeasureFrame(Of(worked.kind, worked.identifier, worked.length));
+        EXPECT_EQ(bits.crc, worked.crc) << worked.identifier;
+        EXPECT_EQ(bits.stuff, worked.stuff) << worked.identifier;
+        EXPECT_EQ(bits.WithIntermission(), worked.with_intermission) << worked.identifier;
+    }
+}
+
+// 101h:      SOF 0 | 00100000001 | RTR 1 IDE 0 r0 0 | DLC 1000
+// 12345678h: SOF 0 | 10010001101 | SRR 1 IDE 1 | 000101011001111000 | RTR, r1 0, r0 0 | DLC | data
+TEST(FrameBits, FieldsOfTheOtherKindsAreDrawnInTheirOrder)
+{
+    Verifies(req::SRS_BUS_001);
+    const auto begins = [](const CanFrame& frame, const std::string& expected)
+    {
+        const WireImage image = DrawFrame(frame);
+        std::string drawn;
+        for (std::size_t place = 0U; place < expected.size(); ++place)
+        {
+            drawn += (image.level[place] == 0U) ? '0' : '1';
+        }
+        EXPECT_EQ(drawn, expected) << frame.identifier;
+    };
+    // When frames of the other kinds are drawn, then their headers are these, with their stuff bits
+    begins(Of(FrameKind::kRemote, 0x101U, 8U), "0001000001" // The last one is a stuff bit.
+                                               "0011001000");
+    begins(Of(FrameKind::kExtended, 0x12345678U, 1U), "0100100011011"
+                                                      "1000101011001111000"
+                                                      "001" // RTR, r1 and a stuff bit.
+                                                      "00001"
+                                                      "01010101");
+    begins(Of(FrameKind::kExtendedRemote, 0x12345678U, 8U), "0100100011011"
+                                                            "1000101011001111000"
+                                                            "100"
+                                                            "1000");
 }
 
 TEST(FrameBits, OnlyClassicalFramesAreCarried)

@@ -23,10 +23,12 @@ class Sink final : public FrameSink
     void OnFrame(const StampedFrame& frame) override
     {
         frames.push_back(frame);
+        order.push_back(frame.frame.identifier);
     }
     void OnConfirm(const StampedFrame& frame) override
     {
         confirmed.push_back(frame);
+        order.push_back(frame.frame.identifier);
     }
     void OnOverflow() override
     {
@@ -35,6 +37,7 @@ class Sink final : public FrameSink
 
     std::vector<StampedFrame> frames{};
     std::vector<StampedFrame> confirmed{};
+    std::vector<std::uint32_t> order{}; ///< Identifiers of both, as they came.
     int overflows{0};
 };
 
@@ -61,8 +64,11 @@ TEST(HostCanPorts, EachDeviceStampsWithItsOwnTwoClocksAtTheEndOfTheFrame)
     static_cast<void>(receiver.ports.ConnectPort(CanPortId::kFirst, bus, 4U));
     // When the frame of 50 bits is sent at 0
     ASSERT_EQ(sender.ports.Transmit(MakeFrame(0U, {})), TransmitStatus::kAccepted);
-    bus.Advance(kMillisecond);
-    // Then both have it with their stamps of 50 us later
+    bus.Advance((50 * kMicrosecond) - 1);
+    EXPECT_TRUE(sender.sink.order.empty());
+    EXPECT_TRUE(receiver.sink.order.empty());
+    bus.Advance(50 * kMicrosecond);
+    // Then both have it at that instant, with their stamps of 50 us later
     ASSERT_EQ(sender.sink.confirmed.size(), 1U);
     EXPECT_EQ(sender.sink.confirmed[0].stamp.a.us, 50U);
     EXPECT_EQ(sender.sink.confirmed[0].stamp.b.us, 1'050U);
@@ -143,6 +149,32 @@ TEST(HostCanPorts, TwoControllersOnOneBusHearInBusOrder)
     ASSERT_EQ(sender.sink.confirmed.size(), 2U);
     EXPECT_EQ(sender.sink.confirmed[0].frame.port, CanPortId::kFirst);
     EXPECT_EQ(sender.sink.confirmed[1].frame.port, CanPortId::kSecond);
+}
+
+// Identifiers in the order in which they win: 101h of the other one, 102h and 103h own ones, 104h of the other one.
+TEST(HostCanPorts, ReceivedAndConfirmedFramesOfBothControllersComeInBusOrder)
+{
+    Verifies(req::SRS_HAL_011);
+    // Given two devices with two controllers each on one bus, and own and foreign frames that take turns on it
+    VirtualBus bus(BitRate::k1M);
+    Device other(bus, InstantPair{Instant{0U}, Instant{0U}});
+    Device device(bus, InstantPair{Instant{0U}, Instant{0U}});
+    static_cast<void>(other.ports.ConnectPort(CanPortId::kFirst, bus, 4U));
+    const NodeIndex first = device.ports.ConnectPort(CanPortId::kFirst, bus, 4U);
+    const NodeIndex second = device.ports.ConnectPort(CanPortId::kSecond, bus, 4U);
+    bus.AcceptNone(first);
+    bus.AcceptRange(first, 0x101U, 0x101U);
+    bus.AcceptNone(second);
+    bus.AcceptRange(second, 0x104U, 0x104U);
+    CanFrame own_second = MakeFrame(0x103U, {});
+    own_second.port = CanPortId::kSecond;
+    ASSERT_EQ(device.ports.Transmit(own_second), TransmitStatus::kAccepted);
+    ASSERT_EQ(device.ports.Transmit(MakeFrame(0x102U, {})), TransmitStatus::kAccepted);
+    ASSERT_EQ(other.ports.Transmit(MakeFrame(0x101U, {})), TransmitStatus::kAccepted);
+    ASSERT_EQ(other.ports.Transmit(MakeFrame(0x104U, {})), TransmitStatus::kAccepted);
+    // When all have been on the bus, then that is the order, whichever controller and whoever sent
+    bus.Advance(kMillisecond);
+    EXPECT_EQ(device.sink.order, (std::vector<std::uint32_t>{0x101U, 0x102U, 0x103U, 0x104U}));
 }
 
 TEST(HostCanPorts, WrongWiringIsAnErrorOfTheCaller)

@@ -485,6 +485,66 @@ TEST_F(SocketCanBus, LearnsFromErrorFramesWhereThereIsNoController)
     EXPECT_EQ(bus->Health().error_frames, 4U);
 }
 
+TEST_F(SocketCanBus, CountsAnAbsenceThatIsOverWhenTheKernelIsAsked)
+{
+    Verifies(req::SRS_LIVE_580);
+    const auto bus = Open();
+    kernel.Arrive(ErrorFrame(CAN_ERR_BUSOFF, {}));
+    Serve(*bus);
+    EXPECT_EQ(bus->Health().state, BusState::kActive);
+    EXPECT_EQ(bus->Health().absences, 1U);
+    EXPECT_EQ(bus->Health().absence, BusState::kBusOff);
+    // One that the kernel tells of as well, before its error frame or behind it, counts once
+    can0().state = std::uint8_t{3U};
+    kernel.Arrive(ErrorFrame(CAN_ERR_BUSOFF, {}));
+    Serve(*bus);
+    EXPECT_EQ(bus->Health().state, BusState::kBusOff);
+    EXPECT_EQ(bus->Health().absences, 2U);
+    kernel.Arrive(ErrorFrame(CAN_ERR_BUSOFF, {}));
+    can0().state = std::uint8_t{0U};
+    Serve(*bus);
+    EXPECT_EQ(bus->Health().state, BusState::kActive);
+    EXPECT_EQ(bus->Health().absences, 2U);
+    // Its restart is the end of one, and another error is none
+    kernel.Arrive(ErrorFrame(CAN_ERR_RESTARTED, {}));
+    Serve(*bus);
+    EXPECT_EQ(bus->Health().absences, 2U);
+    // An interface that goes down and up
+    Change(*bus, [](auto& interface) { interface.is_up = false; });
+    Change(*bus, [](auto& interface) { interface.is_up = true; });
+    EXPECT_EQ(bus->Health().state, BusState::kActive);
+    EXPECT_EQ(bus->Health().absences, 3U);
+    EXPECT_EQ(bus->Health().absence, BusState::kDown);
+}
+
+TEST_F(SocketCanBus, CountsAnOverflowOfTheControllerAsALostFrame)
+{
+    Verifies(req::SRS_LIVE_584);
+    const auto bus = Open();
+    kernel.dropped = 12U;
+    kernel.Arrive(ErrorFrame(CAN_ERR_CRTL, {0U, CAN_ERR_CRTL_RX_OVERFLOW}));
+    Serve(*bus);
+    EXPECT_EQ(bus->Health().lost_frames, 13U);
+    // What is lost on the way out is told to nobody
+    kernel.Arrive(ErrorFrame(CAN_ERR_CRTL, {0U, CAN_ERR_CRTL_TX_OVERFLOW}));
+    kernel.dropped = 14U;
+    kernel.Arrive(0x1U);
+    Serve(*bus);
+    EXPECT_EQ(bus->Health().lost_frames, 15U);
+}
+
+TEST_F(SocketCanBus, SaysWhatIsNoFrame)
+{
+    Verifies(req::SRS_LIVE_583);
+    const auto bus = Open();
+    EXPECT_EQ(bus->Problem(), "");
+    canfd_frame odd{};
+    odd.len = 9U;
+    kernel.Arrive(odd);
+    Serve(*bus);
+    EXPECT_EQ(bus->Problem(), "a reading of 16 bytes that is no frame of CAN, expected one of 0 to 8 or 64 bytes");
+}
+
 TEST(LiveLinkSystemTest, SaysThatTheKernelTellsNothingOfInterfaces)
 {
     Verifies(req::SRS_LIVE_020);

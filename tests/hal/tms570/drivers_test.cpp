@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace counterpoint::tms570
 {
@@ -106,10 +107,69 @@ TEST_P(WrongAnswer, ResetsForEveryBit)
 INSTANTIATE_TEST_SUITE_P(Bits, WrongAnswer,
                          ::testing::Values(1U, 0x8000U, 0x00010000U, 0x80000000U, 0x00010001U, 0xFFFFFFFFU));
 
+TEST(WatchdogTest, EachSingleBitOfAnAnswerIsAWrongKey)
+{
+    Verifies(req::SRS_TMS_023);
+    for (std::uint32_t bit = 0U; bit < 32U; ++bit)
+    {
+        // Given an answer in its window that is right but for one bit, then the controller is reset
+        Rig rig;
+        ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+        ASSERT_EQ(rig.board.StartWatchdog(), Outcome::kDone);
+        rig.machine.Advance(1000U);
+        hal::WatchdogAnswer answer = RightAnswer(rig.board.Watchdog().Question());
+        answer.value ^= std::uint32_t{1U} << bit;
+        rig.board.Watchdog().Answer(answer);
+        EXPECT_TRUE(rig.machine.rti.HasBitten()) << "bit " << bit;
+    }
+}
+
+// The keys are E51Ah and A35Ch. By how much an answer is above the right one is in both, half by half.
+TEST_F(WatchdogRuns, KeysAreComputedFromTheAnswerWhateverItIs)
+{
+    Verifies(req::SRS_TMS_023);
+    struct Keys
+    {
+        std::uint32_t above;
+        std::uint32_t first;
+        std::uint32_t second;
+    };
+    for (const Keys& keys : {Keys{0U, 0xE51AU, 0xA35CU}, Keys{1U, 0xE51BU, 0xA35CU}, Keys{0x10000U, 0xE51AU, 0xA35DU},
+                             Keys{0xFFFFFFFFU, 0xE519U, 0xA35BU}})
+    {
+        // Given an answer that is so much above the right one
+        rig.machine.Advance(1000U);
+        hal::WatchdogAnswer answer = RightAnswer(rig.board.Watchdog().Question());
+        answer.value += keys.above;
+        std::vector<std::uint32_t> written;
+        rig.machine.SetSurroundings([&] { written.push_back(rig.machine.rti.LastKey()); });
+        rig.board.Watchdog().Answer(answer);
+        rig.machine.SetSurroundings({});
+        // Then two keys are written, whether it is right or wrong
+        EXPECT_EQ(written, (std::vector<std::uint32_t>{keys.first, keys.second})) << keys.above;
+    }
+}
+
+TEST_F(WatchdogRuns, IsSetUpToResetAndStaysOn)
+{
+    Verifies(req::SRS_TMS_022);
+    // Given a watchdog that was started for 500 us to 1500 us: preload 13, the upper half of 1433 us, reaction reset
+    EXPECT_EQ(rig.machine.Read(0xFFFFFC94U), 13U);
+    EXPECT_EQ(rig.machine.Read(0xFFFFFCA4U), 0x5U);
+    EXPECT_EQ(rig.machine.Read(0xFFFFFCA8U), 0x50U);
+    EXPECT_EQ(rig.machine.Read(0xFFFFFC90U), 0xA98559DAU);
+    // When somebody turns it off by the key that is for that, then it is on all the same, and bites
+    rig.machine.Write(0xFFFFFC90U, 0x5312ACEDU);
+    EXPECT_EQ(rig.machine.Read(0xFFFFFC90U), 0xA98559DAU);
+    rig.machine.Advance(1440U);
+    EXPECT_TRUE(rig.machine.rti.HasBitten());
+}
+
 TEST(WatchdogTest, LostWriteRefusesTheStart)
 {
     Verifies(req::SRS_TMS_022);
-    for (const model::Fault fault : {model::Fault::kWatchdogNotEnabled, model::Fault::kWatchdogPeriodLost})
+    for (const model::Fault fault : {model::Fault::kWatchdogNotEnabled, model::Fault::kWatchdogPeriodLost,
+                                     model::Fault::kWatchdogReactionLost, model::Fault::kWatchdogWindowLost})
     {
         // Given a watchdog that does not keep what is written
         Rig rig;

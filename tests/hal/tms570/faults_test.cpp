@@ -108,7 +108,9 @@ TEST_P(StartFaults, RefusesTheStartAtItsStepAndStaysSafe)
     Verifies(req::SRS_TMS_045);
     Verifies(req::SRS_TMS_048);
     Verifies(req::SRS_TMS_049);
+    Verifies(req::SRS_TMS_050);
     Verifies(req::SRS_TMS_060);
+    Verifies(req::SRS_TMS_061);
     Verifies(req::SRS_TMS_070);
     Verifies(req::SRS_TMS_003);
     Verifies(req::SRS_TMS_004);
@@ -125,7 +127,10 @@ TEST_P(StartFaults, RefusesTheStartAtItsStepAndStaysSafe)
     EXPECT_EQ(rig.machine.gio.PinsA(), (GetParam().fault == Fault::kPinStuckHighAtStart) ? 1U : 0U);
     EXPECT_FALSE(rig.machine.esm.IsPinHigh());
     EXPECT_FALSE(rig.machine.dcan1.IsOnBus());
-    EXPECT_EQ(rig.board.Can().Guarantees().bus_order, hal::Guarantee::kAbsent);
+    const hal::CanGuarantees guarantees = rig.board.Can().Guarantees();
+    EXPECT_EQ(guarantees.bus_order, hal::Guarantee::kAbsent);
+    EXPECT_EQ(guarantees.stamps, hal::Guarantee::kAbsent);
+    EXPECT_EQ(guarantees.confirmations, hal::Guarantee::kAbsent);
     // and when the fault is gone, right permits open nothing and no frame is taken all the same
     rig.machine.faults.Clear(GetParam().fault);
     rig.Arm();
@@ -264,6 +269,51 @@ TEST_P(RunFaults, AreToldInTimeAndCutOff)
 INSTANTIATE_TEST_SUITE_P(All, RunFaults, ::testing::ValuesIn(kRunFaults),
                          [](const auto& row) { return NameOf(row.param.fault); });
 
+/// The faults of a controller, and why it is off the bus then.
+struct ControllerFault
+{
+    Fault fault;
+    CanFault why;
+};
+
+using ControllerFaults = ::testing::TestWithParam<ControllerFault>;
+
+TEST_P(ControllerFaults, KeepItOffTheBusUntilARestart)
+{
+    Verifies(req::SRS_TMS_019);
+    // Given a board in operation with an open output
+    Rig rig;
+    ASSERT_EQ(rig.Start().answer, StartAnswer::kStarted);
+    ASSERT_EQ(rig.Cycle(), BoardFault::kNone);
+    ASSERT_EQ(rig.Cycle(), BoardFault::kNone);
+    ASSERT_EQ(rig.machine.gio.PinsA(), 1U);
+    ASSERT_TRUE(rig.machine.dcan1.IsOnBus());
+    // When its controller has the fault, then the device is safe within one cycle, and it is off the bus and refuses
+    rig.machine.faults.Set(GetParam().fault);
+    Provoke(rig, GetParam().fault);
+    EXPECT_NE(rig.Cycle(), BoardFault::kNone);
+    EXPECT_EQ(rig.board.Can().Controller(CanPortId::kFirst).Fault(), GetParam().why);
+    EXPECT_TRUE(rig.IsSafe());
+    EXPECT_EQ(rig.board.Can().Transmit(Frame(kSentNormal, 1U)), hal::TransmitStatus::kRefused);
+    // and that stays so where the fault goes again
+    rig.machine.faults.Clear(GetParam().fault);
+    for (int cycle = 0; cycle < 20; ++cycle)
+    {
+        EXPECT_NE(rig.Cycle(), BoardFault::kNone);
+        EXPECT_FALSE(rig.machine.dcan1.IsOnBus());
+        EXPECT_EQ(rig.board.Can().Transmit(Frame(kSentNormal, 1U)), hal::TransmitStatus::kRefused);
+    }
+    EXPECT_EQ(rig.board.Can().Controller(CanPortId::kFirst).Fault(), GetParam().why);
+    EXPECT_TRUE(rig.IsSafe());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ControllerFaults,
+                         ::testing::Values(ControllerFault{Fault::kDcanParityError, CanFault::kParity},
+                                           ControllerFault{Fault::kDcanWrongReadBack, CanFault::kReadBack},
+                                           ControllerFault{Fault::kDcanBusyForEver, CanFault::kBusy},
+                                           ControllerFault{Fault::kDcanControlChanged, CanFault::kRegisters}),
+                         [](const auto& row) { return NameOf(row.param.fault); });
+
 /// Faults whose reaction is not a board's: tests of their own, by these names; DeviceOnModels is in
 /// tests/integration/tms570.
 constexpr Fault kOwnTests[] = {
@@ -273,10 +323,10 @@ constexpr Fault kOwnTests[] = {
     Fault::kCounterAStops,      // DeviceOnModels.StoppedCounterIsADeviceFault
     Fault::kCounterBFast,       // DeviceOnModels.FastCounterIsADeviceFault
     Fault::kWatchdogNotEnabled, // WatchdogTest.LostWriteRefusesTheStart
-    Fault::kWatchdogPeriodLost,
+    Fault::kWatchdogPeriodLost, Fault::kWatchdogReactionLost,  Fault::kWatchdogWindowLost,
     Fault::kPinStaysOutput,  // SafetyPinsTest.CutOffThatIsNotReadBackIsToldByTheErrorPin
     Fault::kVimOneBitUnseen, // VimEcc, in vim_ecc_test.cpp
-    Fault::kVimTwoBitsUnseen,   Fault::kVimTwoBitsTakenForOne, Fault::kVimOneBitError, Fault::kVimTwoBitError,
+    Fault::kVimTwoBitsUnseen,   Fault::kVimTwoBitsTakenForOne, Fault::kVimOneBitError,     Fault::kVimTwoBitError,
 };
 
 TEST(FaultTable, HasARowAndATestForEveryFault)

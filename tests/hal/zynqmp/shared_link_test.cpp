@@ -183,6 +183,7 @@ TEST_F(SharedLinkTest, BeginsOnMemoryThatNobodyWrote)
 // it do.
 TEST_F(SharedLinkTest, GoesOnBehindAChangedNumber)
 {
+    Verifies(req::SRS_ZYN_010); // Four of two thousand million are looked at.
     Verifies(req::SRS_ZYN_012);
     Send(a, 1U);
     EXPECT_EQ(Received(b), 7);

@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Files that can or cannot become a device, and what of them the kernel gets.
+#include "canopen/cia306/text/text_file.hpp"
 #include "runtime/device/model.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/canopen/cia306/folder_of_files.hpp"
@@ -8,6 +9,8 @@
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace counterpoint::runtime
 {
@@ -252,6 +255,64 @@ TEST_F(DeviceFile, HasACycleThatIsOne)
               ": error: 0x5F00:02: cycle tolerance of 500 us, expected at most the cycle time of 100 us");
     EXPECT_EQ(refusal("100", "4294967196"),
               "error: 0x5F00:02: cycle tolerance of 4294967196 us, expected at most the cycle time of 100 us");
+}
+
+TEST_F(DeviceFile, HasNormalDataOnTheNormalSide)
+{
+    Verifies(req::SRS_NODE_550);
+    const std::string file =
+        cia306::ReadTextFile(cia306::test::SourceFolder() + "/examples/emergency_stop/controller.dcf");
+    const auto with = [&file](const std::string& first, const std::string& second)
+    {
+        const std::string text = InSection(file, "1381sub1", "=0x22000108\n", "=" + first + "\n");
+        return InSection(text, "1381sub2", "=0x23000108\n", "=" + second + "\n");
+    };
+    ASSERT_EQ(RefusalOf(file), "");
+    // Exchanged: the inverse value would be the one that counts, and the pair would hold
+    const std::string exchanged = with("0x23000108", "0x22000108");
+    EXPECT_EQ(RefusalOf(exchanged), ":345:16: error: 0x1381:01: normal entry 0x2300:01 is the InvertedSRAD of "
+                                    "0x2200:01 (line 550), expected normal data here and 0x2300:01 behind it");
+    EXPECT_EQ(RefusalOf(exchanged, SafetyNeed::kOptional), RefusalOf(exchanged));
+    // Normal data as the inverse of others, and the inverse of others
+    const std::string other = ", expected 0x2300:01, the InvertedSRAD of 0x2200:01 (line 550)";
+    EXPECT_EQ(RefusalOf(with("0x22000108", "0x22000208")),
+              ":354:16: error: 0x1381:02: inverse entry 0x2200:02" + other);
+    EXPECT_EQ(RefusalOf(with("0x22000108", "0x23000208")),
+              ":354:16: error: 0x1381:02: inverse entry 0x2300:02" + other);
+    const std::string unnamed = InSection(with("0x22000108", "0x22000208"), "2200sub1", "InvertedSRAD=0x230001\n", "");
+    EXPECT_EQ(RefusalOf(unnamed), ":354:16: error: 0x1381:02: inverse entry 0x2200:02 has an InvertedSRAD of its own "
+                                  "(line 559), as normal data has, expected inverse data of 0x2200:01");
+    // What is off has no value; what the file does not tell, nobody knows
+    EXPECT_EQ(RefusalOf(InSection(exchanged, "1301sub1", "ParameterValue=2\n", "ParameterValue=0\n")), "");
+    EXPECT_EQ(RefusalOf(InSection(exchanged, "2200sub1", "InvertedSRAD=0x230001\n", "")), "");
+}
+
+// Node 33 has COB-IDs 103h and 104h, node 35 105h and 106h
+TEST_F(DeviceFile, HasTheSignaturesOfItsNodeId)
+{
+    Verifies(req::SRS_NODE_551);
+    const std::string file =
+        cia306::ReadTextFile(cia306::test::SourceFolder() + "/examples/emergency_stop/actuator.dcf");
+    std::string follows = InSection(file, "1301sub5", "ParameterValue=0x00000103", "ParameterValue=$NODEID+0xE2");
+    follows = InSection(follows, "1301sub6", "ParameterValue=0x00000104", "ParameterValue=$NODEID+0xE3");
+    const auto signature_of = [this](const std::string& text, const std::optional<std::uint8_t> node_id)
+    {
+        const DeviceModel model(File("a.dcf", text), node_id);
+        const auto& writes = model.Writes();
+        const auto found = std::find_if(writes.begin(), writes.end(), [](const ConfigurationWrite& write)
+                                        { return write.object.index == 0x13FFU && write.object.sub == 1U; });
+        return found == writes.end() ? 0U : found->value;
+    };
+    EXPECT_EQ(signature_of(follows, std::nullopt), 0x9FCBU);
+    EXPECT_EQ(signature_of(follows, 33U), 0x9FCBU);
+    EXPECT_EQ(signature_of(follows, 35U), 0x16B5U);
+    EXPECT_EQ(signature_of(file, 35U), 0x9FCBU);
+    // A wrong one stays wrong, as one that nobody can compute or whose node-ID the file does not tell
+    const std::string wrong = InSection(follows, "13FFsub1", "0x9FCB", "0x9FCC");
+    EXPECT_EQ(signature_of(wrong, 35U), 0x9FCCU);
+    EXPECT_EQ(signature_of(InSection(follows, "1301sub2", "ParameterValue=50", "ParameterValue=$NODEID+65503"), 32U),
+              0x9FCBU);
+    EXPECT_EQ(signature_of(InSection(follows, "DeviceComissioning", "NodeID=33\n", ""), 35U), 0x9FCBU);
 }
 
 TEST_F(DeviceFile, WithASecondControllerIsAnotherDevice)

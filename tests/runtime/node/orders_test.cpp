@@ -174,6 +174,44 @@ TEST_F(NodeOrdersTest, NumbersOfEightBytesAndOfNoServiceAreSetAndTold)
     ExpectTold(bench, "0x2002:00 = 1\n");
 }
 
+TEST_F(NodeOrdersTest, AnObjectIsToldByItsDataType)
+{
+    Verifies(req::SRS_NODE_552);
+    using cia306::test::VariableText;
+    const std::string bytes_of_300 = "0" + std::string(599U, '1');
+    const std::string text = "[DeviceInfo]\nVendorName=t\n[DeviceComissioning]\nNodeID=5\n" +
+                             VariableText("2000", "0x8", "1.5") + VariableText("2001", "0x11", "-0.1") +
+                             VariableText("2002", "0x9", "winch one") + VariableText("2003", "0xA", "DE AD BE EF") +
+                             VariableText("2004", "0xA", "010203040506070809") + VariableText("2005", "0xA", "") +
+                             VariableText("2006", "0xB",
+                                          "\xC3\xBC\xE2\x82\xAC\xF0\x9D\x84\x9E"
+                                          "A") +
+                             VariableText("2007", "0xA", bytes_of_300) +
+                             VariableText("2008", "0x9", std::string(257U, 'x')) + VariableText("2009", "0x8", "0") +
+                             VariableText("200A", "0xF", "0102");
+    Bench bench(File("a.dcf", text));
+    bench.Order("set 0x2009:00 0x7F800000");
+    for (const char* const object :
+         {"2000", "2001", "2002", "2003", "2004", "2005", "2006", "2007", "2008", "2009", "200A", "3333"})
+    {
+        bench.Order(std::string("get 0x") + object + ":00");
+    }
+    ExpectTold(bench, "0x2000:00 = 1.5\n");
+    ExpectTold(bench, "0x2001:00 = -0.1\n");
+    ExpectTold(bench, "0x2002:00 = 'winch one'\n");
+    ExpectTold(bench, "0x2003:00 = 4 bytes: DE AD BE EF\n");
+    ExpectTold(bench, "0x2004:00 = 9 bytes: 01 02 03 04 05 06 07 08 09\n");
+    ExpectTold(bench, "0x2005:00 = 0 bytes\n");
+    ExpectTold(bench, "0x2006:00 = '\xC3\xBC\xE2\x82\xAC\xF0\x9D\x84\x9E"
+                      "A'\n");
+    ExpectTold(bench, "0x2007:00 = 300 bytes: 01 11 ");
+    ExpectTold(bench, " 11 11 and more\n");
+    ExpectTold(bench, "0x2008:00 = '" + std::string(256U, 'x') + "' and more, 257 bytes\n");
+    ExpectTold(bench, "0x2009:00 = inf\n");
+    ExpectTold(bench, "0x200A:00 = 4 bytes: 30 31 30 32\n");
+    ExpectTold(bench, "get: 0x3333:00: 0602 0000h");
+}
+
 TEST_F(NodeOrdersTest, AnApplicationThatSendsDoesSoInOperationalAlone)
 {
     Verifies(req::SRS_NODE_025);

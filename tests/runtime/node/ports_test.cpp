@@ -97,6 +97,47 @@ TEST(NodePortsTest, AtItsEndANodeSendsNoSrdoAnyMore)
     EXPECT_TRUE(one.safety->sent.empty());
 }
 
+/// One connection with that health, and what it says of the last that was no frame.
+std::unique_ptr<TroubledBus> BusWith(const host::BusHealth& health, const std::string& problem = "")
+{
+    auto bus = std::make_unique<TroubledBus>([health] { return health; });
+    bus->problem = problem;
+    return bus;
+}
+
+// Given two controllers, then an absence of whichever connection is taken once, and the last one's is what it was.
+TEST(NodePortsTest, AnAbsenceOfEachConnectionIsTakenOnce)
+{
+    Verifies(req::SRS_NODE_580);
+    host::BusHealth quiet;
+    host::BusHealth off;
+    off.absences = 2U;
+    off.absence = host::BusState::kBusOff;
+    host::BusHealth down;
+    down.absences = 1U;
+    down.absence = host::BusState::kDown;
+    runtime::NodePorts one(BusWith(quiet), BusWith(off));
+    EXPECT_EQ(one.TakeAbsence(), host::BusState::kBusOff);
+    EXPECT_EQ(one.TakeAbsence(), host::BusState::kInvalid);
+    runtime::NodePorts two(BusWith(off), BusWith(quiet), BusWith(down));
+    EXPECT_EQ(two.TakeAbsence(), host::BusState::kDown);
+    EXPECT_EQ(two.TakeAbsence(), host::BusState::kInvalid);
+}
+
+TEST(NodePortsTest, WhatIsNoFrameCountsOnEachConnection)
+{
+    Verifies(req::SRS_NODE_581);
+    host::BusHealth three;
+    three.malformed = 3U;
+    runtime::NodePorts one(BusWith(three), BusWith(three, "first"));
+    EXPECT_EQ(one.Malformed(), 6U);
+    EXPECT_EQ(one.Problem(), "first");
+    runtime::NodePorts two(BusWith(three), BusWith(three), BusWith(three, "second"));
+    EXPECT_EQ(two.Malformed(), 9U);
+    EXPECT_EQ(two.Problem(), "second");
+    EXPECT_EQ(runtime::NodePorts(BusWith(three, "a"), BusWith(three, "b")).Problem(), "a");
+}
+
 TEST(NodePortsTest, AStateThatNoBusTellsIsNone)
 {
     Verifies(req::SRS_NODE_020);

@@ -53,6 +53,10 @@ class TroubledBus final : public host::LiveBus
         health.state = host::BusState::kActive;
         return condition_ ? condition_() : health;
     }
+    std::string Problem() const override
+    {
+        return problem.empty() ? LiveBus::Problem() : problem;
+    }
     std::string Name() const override
     {
         return "troubled";
@@ -63,6 +67,7 @@ class TroubledBus final : public host::LiveBus
     }
 
     host::SendResult answer{host::SendResult::kSent};
+    std::string problem{}; ///< Empty: as a bus that knows nothing of it.
     std::vector<host::LiveFrame> sent{};
 
   private:

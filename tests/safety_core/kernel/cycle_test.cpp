@@ -200,7 +200,7 @@ TEST_F(Cycling, FrameGoesToBothChannelsEachWithItsOwnStamp)
     const StateReply reply = kernel.GetState(CommunicationIndex{0x1301U});
     EXPECT_EQ(reply.state, SrdoState::kFaulted);
     EXPECT_EQ(reply.first_cause, SrdoCause::kSrvt);
-    EXPECT_EQ(CausesOf(0x1301U), (std::vector<SrdoCause>{SrdoCause::kInverseFirst, SrdoCause::kSrvt}));
+    EXPECT_EQ(CausesOf(0x1301U), (std::vector<SrdoCause>{SrdoCause::kSrvt, SrdoCause::kInverseFirst}));
 }
 
 TEST_F(Cycling, GfcMakesConsumersSafeAndIsTold)

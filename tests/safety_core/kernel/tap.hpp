@@ -105,6 +105,7 @@ class Tap final : public Channel
         last_viewed = slot;
         SrdoView view = real_.View(slot);
         view.signals |= ((signals_slot == kNoSlot) || (slot == signals_slot)) ? more_signals : 0U;
+        view.first_cause = (first_cause == SrdoCause::kNone) ? view.first_cause : first_cause;
         return view;
     }
     void Demote(SlotIndex slot) noexcept override
@@ -193,6 +194,7 @@ class Tap final : public Channel
     SrdoMask permit_slots{0U};
     std::uint32_t digest_flip{0U};
     std::uint32_t more_signals{0U};
+    SrdoCause first_cause{SrdoCause::kNone}; ///< In each view; kNone: what the channel has.
     StaticFields last_fields{};
     ConfigItem last_stored{};
     CycleInput last_input{};

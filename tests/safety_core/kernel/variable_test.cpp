@@ -5,6 +5,7 @@
 #include "verification/trace/verifies.hpp"
 
 #include <cstdint>
+#include <initializer_list>
 
 namespace counterpoint
 {
@@ -95,6 +96,60 @@ TEST(Variable, PairOfEachLengthIsInverseInItsBitsAlone)
                 << static_cast<int>(length) << " " << flipped;
         }
     }
+}
+
+// Length 255: 32 bytes would be its due.
+TEST(Variable, LengthAboveSixtyFourCountsAsSixtyFour)
+{
+    Verifies(req::SRS_KRN_575);
+    for (const std::uint8_t length : std::initializer_list<std::uint8_t>{64, 65, 71, 72, 128, 255})
+    {
+        // Given bytes behind the 8 of the variable
+        std::uint8_t bytes[40];
+        for (std::uint8_t& byte : bytes)
+        {
+            byte = 0xEEU;
+        }
+        WriteVariable(VariablePlace{bytes, length}, VariableValue{0x8123456789ABCDEFU});
+        // Then they are as they were
+        EXPECT_EQ(bytes[0], 0xEFU);
+        EXPECT_EQ(bytes[7], 0x81U);
+        for (std::uint32_t byte = 8U; byte < 40U; ++byte)
+        {
+            EXPECT_EQ(bytes[byte], 0xEEU) << static_cast<int>(length) << " " << byte;
+        }
+        EXPECT_EQ(ReadVariable(VariablePlace{bytes, length}).bits, 0x8123456789ABCDEFU) << static_cast<int>(length);
+    }
+}
+
+TEST(Variable, LengthOfNothingTouchesNothing)
+{
+    Verifies(req::SRS_KRN_575);
+    std::uint8_t byte = 0xEEU;
+    EXPECT_EQ(ReadVariable(VariablePlace{&byte, 0U}).bits, 0U);
+    EXPECT_EQ(ReadVariable(VariablePlace{nullptr, 0U}).bits, 0U);
+    WriteVariable(VariablePlace{&byte, 0U}, VariableValue{0x12U});
+    WriteVariable(VariablePlace{nullptr, 0U}, VariableValue{0x12U});
+    EXPECT_EQ(byte, 0xEEU);
+}
+
+TEST(Variable, PairOfALengthThatThereIsNotIsNotInverse)
+{
+    Verifies(req::SRS_KRN_575);
+    std::uint8_t normal[32];
+    std::uint8_t inverse[32];
+    for (std::uint32_t byte = 0U; byte < 32U; ++byte)
+    {
+        normal[byte] = 0x5AU;
+        inverse[byte] = 0xA5U;
+    }
+    const auto view = [&normal, &inverse](const std::uint8_t length)
+    { return IsInversePair(VariablePlace{normal, length}, VariablePlace{inverse, length}); };
+    EXPECT_EQ(view(1U), PairView::kInverse);
+    EXPECT_EQ(view(64U), PairView::kInverse);
+    EXPECT_EQ(view(0U), PairView::kNotInverse);
+    EXPECT_EQ(view(65U), PairView::kNotInverse);
+    EXPECT_EQ(view(255U), PairView::kNotInverse);
 }
 
 } // namespace

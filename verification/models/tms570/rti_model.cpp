@@ -133,6 +133,7 @@ void RtiModel::Write(const std::uint32_t offset, const std::uint32_t value)
         counters_[1] = Counter{0U, value};
         break;
     case kWatchdogKey:
+        last_key_ = value;
         TakeKey(value);
         break;
     case kWatchdogControl:
@@ -145,6 +146,12 @@ void RtiModel::Write(const std::uint32_t offset, const std::uint32_t value)
         break;
     case kWatchdogPreload:
         Kept(offset) = Has(Fault::kWatchdogPeriodLost) ? kMostPreload : value;
+        break;
+    case kWatchdogReaction:
+        Kept(offset) = Has(Fault::kWatchdogReactionLost) ? kReactionInterrupt : value;
+        break;
+    case kWatchdogWindow:
+        Kept(offset) = Has(Fault::kWatchdogWindowLost) ? kWindowFull : value;
         break;
     default:
         Kept(offset) = value;

@@ -20,6 +20,11 @@ class RtiModel final : public Peripheral
         return has_bitten_;
     }
     [[nodiscard]] bool IsWatching();
+    /// @brief What was written last to serve the watchdog.
+    [[nodiscard]] std::uint32_t LastKey() const
+    {
+        return last_key_;
+    }
 
     [[nodiscard]] std::uint32_t Read(std::uint32_t offset) override;
     void Write(std::uint32_t offset, std::uint32_t value) override;
@@ -42,6 +47,7 @@ class RtiModel final : public Peripheral
     std::uint64_t rest_{0U};
     Counter counters_[2]{};
     std::uint64_t watched_cycles_{0U};
+    std::uint32_t last_key_{0U};
     bool first_key_seen_{false};
     bool has_bitten_{false};
 };

@@ -71,6 +71,8 @@ extern "C" void FirmwareFastInterrupt() noexcept
     counterpoint::target::Exit(1U);
 }
 
+/// These programs have no output: it tells that it was asked.
 extern "C" void HardwareCutOff() noexcept
 {
+    counterpoint::target::Write("outputs closed\n");
 }

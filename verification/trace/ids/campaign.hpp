@@ -102,6 +102,8 @@ inline constexpr RequirementId SRS_CMG_349{"SRS_CMG_349"};
 inline constexpr RequirementId SRS_CMG_410{"SRS_CMG_410"};
 inline constexpr RequirementId SRS_CMG_500{"SRS_CMG_500"};
 inline constexpr RequirementId SRS_CMG_501{"SRS_CMG_501"};
+inline constexpr RequirementId SRS_CMG_540{"SRS_CMG_540"};
+inline constexpr RequirementId SRS_CMG_541{"SRS_CMG_541"};
 } // namespace counterpoint::req
 
 #endif

@@ -54,6 +54,7 @@ inline constexpr RequirementId SRS_CLI_400{"SRS_CLI_400"};
 inline constexpr RequirementId SRS_CLI_490{"SRS_CLI_490"};
 inline constexpr RequirementId SRS_CLI_491{"SRS_CLI_491"};
 inline constexpr RequirementId SRS_CLI_492{"SRS_CLI_492"};
+inline constexpr RequirementId SRS_CLI_550{"SRS_CLI_550"};
 inline constexpr RequirementId SRS_EDS_001{"SRS_EDS_001"};
 inline constexpr RequirementId SRS_EDS_002{"SRS_EDS_002"};
 inline constexpr RequirementId SRS_EDS_003{"SRS_EDS_003"};
@@ -96,6 +97,7 @@ inline constexpr RequirementId SRS_EDS_039{"SRS_EDS_039"};
 inline constexpr RequirementId SRS_EDS_045{"SRS_EDS_045"};
 inline constexpr RequirementId SRS_EDS_150{"SRS_EDS_150"};
 inline constexpr RequirementId SRS_EDS_340{"SRS_EDS_340"};
+inline constexpr RequirementId SRS_EDS_555{"SRS_EDS_555"};
 } // namespace counterpoint::req
 
 #endif

@@ -54,6 +54,7 @@ inline constexpr RequirementId SRS_HAL_302{"SRS_HAL_302"};
 inline constexpr RequirementId SRS_HAL_303{"SRS_HAL_303"};
 inline constexpr RequirementId SRS_HAL_340{"SRS_HAL_340"};
 inline constexpr RequirementId SRS_HAL_341{"SRS_HAL_341"};
+inline constexpr RequirementId SRS_HAL_560{"SRS_HAL_560"};
 } // namespace counterpoint::req
 
 #endif

@@ -39,6 +39,11 @@ inline constexpr RequirementId SRS_LIVE_058{"SRS_LIVE_058"};
 inline constexpr RequirementId SRS_LIVE_059{"SRS_LIVE_059"};
 inline constexpr RequirementId SRS_LIVE_061{"SRS_LIVE_061"};
 inline constexpr RequirementId SRS_LIVE_330{"SRS_LIVE_330"};
+inline constexpr RequirementId SRS_LIVE_580{"SRS_LIVE_580"};
+inline constexpr RequirementId SRS_LIVE_581{"SRS_LIVE_581"};
+inline constexpr RequirementId SRS_LIVE_582{"SRS_LIVE_582"};
+inline constexpr RequirementId SRS_LIVE_583{"SRS_LIVE_583"};
+inline constexpr RequirementId SRS_LIVE_584{"SRS_LIVE_584"};
 } // namespace counterpoint::req
 
 #endif

@@ -50,6 +50,8 @@ inline constexpr RequirementId SRS_MON_401{"SRS_MON_401"};
 inline constexpr RequirementId SRS_MON_490{"SRS_MON_490"};
 inline constexpr RequirementId SRS_MON_530{"SRS_MON_530"};
 inline constexpr RequirementId SRS_MON_531{"SRS_MON_531"};
+inline constexpr RequirementId SRS_MON_580{"SRS_MON_580"};
+inline constexpr RequirementId SRS_MON_581{"SRS_MON_581"};
 } // namespace counterpoint::req
 
 #endif

@@ -96,6 +96,11 @@ inline constexpr RequirementId SRS_NODE_500{"SRS_NODE_500"};
 inline constexpr RequirementId SRS_NODE_530{"SRS_NODE_530"};
 inline constexpr RequirementId SRS_NODE_531{"SRS_NODE_531"};
 inline constexpr RequirementId SRS_NODE_532{"SRS_NODE_532"};
+inline constexpr RequirementId SRS_NODE_550{"SRS_NODE_550"};
+inline constexpr RequirementId SRS_NODE_551{"SRS_NODE_551"};
+inline constexpr RequirementId SRS_NODE_552{"SRS_NODE_552"};
+inline constexpr RequirementId SRS_NODE_580{"SRS_NODE_580"};
+inline constexpr RequirementId SRS_NODE_581{"SRS_NODE_581"};
 } // namespace counterpoint::req
 
 #endif

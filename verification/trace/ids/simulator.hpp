@@ -104,6 +104,8 @@ inline constexpr RequirementId SRS_SIM_400{"SRS_SIM_400"};
 inline constexpr RequirementId SRS_SIM_480{"SRS_SIM_480"};
 inline constexpr RequirementId SRS_SIM_490{"SRS_SIM_490"};
 inline constexpr RequirementId SRS_SIM_491{"SRS_SIM_491"};
+inline constexpr RequirementId SRS_SIM_585{"SRS_SIM_585"};
+inline constexpr RequirementId SRS_SIM_586{"SRS_SIM_586"};
 } // namespace counterpoint::req
 
 #endif

@@ -70,6 +70,8 @@ inline constexpr RequirementId SRS_ELM_215{"SRS_ELM_215"};
 inline constexpr RequirementId SRS_ELM_230{"SRS_ELM_230"};
 inline constexpr RequirementId SRS_ELM_480{"SRS_ELM_480"};
 inline constexpr RequirementId SRS_ELM_520{"SRS_ELM_520"};
+inline constexpr RequirementId SRS_ELM_585{"SRS_ELM_585"};
+inline constexpr RequirementId SRS_ELM_586{"SRS_ELM_586"};
 inline constexpr RequirementId SRS_PLC_001{"SRS_PLC_001"};
 inline constexpr RequirementId SRS_PLC_002{"SRS_PLC_002"};
 inline constexpr RequirementId SRS_PLC_003{"SRS_PLC_003"};
@@ -98,6 +100,9 @@ inline constexpr RequirementId SRS_PLC_150{"SRS_PLC_150"};
 inline constexpr RequirementId SRS_PLC_151{"SRS_PLC_151"};
 inline constexpr RequirementId SRS_PLC_470{"SRS_PLC_470"};
 inline constexpr RequirementId SRS_PLC_480{"SRS_PLC_480"};
+inline constexpr RequirementId SRS_PLC_585{"SRS_PLC_585"};
+inline constexpr RequirementId SRS_PLC_586{"SRS_PLC_586"};
+inline constexpr RequirementId SRS_PLC_587{"SRS_PLC_587"};
 } // namespace counterpoint::req
 
 #endif

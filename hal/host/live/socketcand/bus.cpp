@@ -42,9 +42,10 @@ void LiveSocketcandBus::Refuse(const std::string& what) const
     throw LiveBusError("bus '" + address_.text + "': " + what);
 }
 
+/// By its time alone, whatever the server sends meanwhile. [SRS_LIVE_582]
 void LiveSocketcandBus::Greet()
 {
-    greeting_.GoOn(link_);
+    bool has_heard = false;
     while (!greeting_.IsOver())
     {
         if (!greeting_.Problem().empty())
@@ -55,10 +56,16 @@ void LiveSocketcandBus::Greet()
         {
             Refuse("the server ended the connection, expected its answer");
         }
-        pollfd wait{link_.Descriptor(), POLLIN, 0};
-        if (::poll(&wait, 1U, MillisecondsUntil(give_up_at_ns_)) <= 0)
+        if (LiveNow() >= give_up_at_ns_)
         {
-            Refuse("the server said nothing for 3 s, expected the socketcand protocol");
+            const std::string told =
+                has_heard ? ("did not " + greeting_.Awaited() + " within 3 s") : "said nothing for 3 s";
+            Refuse("the server " + told + ", expected the socketcand protocol");
+        }
+        pollfd wait{link_.Descriptor(), POLLIN, 0};
+        if (::poll(&wait, 1U, MillisecondsUntil(give_up_at_ns_)) > 0)
+        {
+            has_heard = true;
         }
         link_.Read();
         greeting_.GoOn(link_);
@@ -68,7 +75,7 @@ void LiveSocketcandBus::Greet()
 void LiveSocketcandBus::Begin()
 {
     is_lost_ = false;
-    health_.state = BusState::kActive;
+    SetState(BusState::kActive);
     is_asking_ = false;
     asked_ns_ = give_up_at_ns_ - kPatienceNs; // The greeting is the first question.
     answered_ns_ = asked_ns_;
@@ -186,6 +193,16 @@ void LiveSocketcandBus::TakeAnswer()
     answered_ns_ = asked_ns_;
 }
 
+/// Answers do not name their question: on this connection the next one could be that of any. [SRS_LIVE_581]
+void LiveSocketcandBus::GiveUpOverdue()
+{
+    const std::uint64_t patience_ns = options_.answer_ms * kMillisecondNs;
+    if (is_asking_ && ((LiveNow() - asked_ns_) >= patience_ns))
+    {
+        link_.Close();
+    }
+}
+
 /// The server's answers come in the order of its frames: a frame is no older than the last question with an answer.
 bool LiveSocketcandBus::IsStale(const LiveFrame& frame)
 {
@@ -200,7 +217,7 @@ void LiveSocketcandBus::NoteLoss()
     if (link_.IsLost() && !is_lost_)
     {
         is_lost_ = true;
-        health_.state = BusState::kDown;
+        SetState(BusState::kDown);
         health_.dropped_frames += static_cast<std::uint32_t>(queue_.size());
         queue_.clear();
         unconfirmed_.clear();
@@ -238,6 +255,7 @@ bool LiveSocketcandBus::Receive(LiveFrame& frame)
         }
         if (!message && has_read)
         {
+            GiveUpOverdue();
             NoteLoss();
             return false;
         }
@@ -253,7 +271,14 @@ bool LiveSocketcandBus::Receive(LiveFrame& frame)
 /// Whether the message gives a frame.
 bool LiveSocketcandBus::Take(const SocketcandMessage& message, LiveFrame& frame)
 {
-    const bool is_echo = (message.word == SocketcandWord::kEcho) && !unconfirmed_.empty();
+    const bool is_answer = message.word == SocketcandWord::kEcho;
+    const bool is_echo = is_answer && !unconfirmed_.empty();
+    if (is_answer && !is_echo && (options_.oldest_ms != 0U))
+    {
+        link_.Close(); // The answer to a later question could not be told from it. [SRS_LIVE_581]
+        NoteLoss();
+        return false;
+    }
     const bool is_frame = message.frame.error || (message.word == SocketcandWord::kFrame) ||
                           (message.word == SocketcandWord::kRemote) || (message.word == SocketcandWord::kOwnFrame) ||
                           (message.word == SocketcandWord::kOwnRemote);
@@ -275,18 +300,30 @@ bool LiveSocketcandBus::Take(const SocketcandMessage& message, LiveFrame& frame)
     }
     else
     {
-        health_.malformed += message.problem.empty() ? 0U : 1U;
+        if (!message.problem.empty())
+        {
+            NoteMalformed(message.problem);
+        }
         LearnText(message.text);
         return false;
     }
     frame.time_ns = LiveNow();
+    Learn(frame);
+    return true;
+}
+
+void LiveSocketcandBus::Learn(const LiveFrame& frame)
+{
     const ErrorNews news = ReadErrorFrame(frame);
     health_.error_frames += frame.error ? 1U : 0U;
     health_.bus_offs += news.is_bus_off ? 1U : 0U;
     health_.restarts += news.is_restart ? 1U : 0U;
+    if (news.is_restart)
+    {
+        NoteBusOff(); // Which nobody may have told.
+    }
     // A frame that came is a bus that works, whatever was said before.
-    health_.state = frame.error ? news.state.value_or(health_.state) : BusState::kActive;
-    return true;
+    SetState(frame.error ? news.state.value_or(health_.state) : BusState::kActive);
 }
 
 /// Our server tells in words what became of a frame that it could not send.
@@ -299,11 +336,11 @@ void LiveSocketcandBus::LearnText(const std::string& text)
     ++health_.dropped_frames;
     if (text.find("bus-off") != std::string::npos)
     {
-        health_.state = BusState::kBusOff;
+        SetState(BusState::kBusOff);
     }
     else if (text.find("down") != std::string::npos)
     {
-        health_.state = BusState::kDown;
+        SetState(BusState::kDown);
     }
 }
 

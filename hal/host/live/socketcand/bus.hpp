@@ -17,8 +17,9 @@ namespace counterpoint::host
 /// A bus that a socketcand server offers: ours, or one by others. Frames have the time of their reading, because the
 /// server's clock is not ours. With a server by others, own means that the server took the frame, not that it was on
 /// the bus. A lost connection is opened again by the policy of the options. With LiveOptions::oldest_ms it asks the
-/// server for an echo again and again: what comes behind an answer is younger than its question. [SRS_LIVE_051]
-/// [SRS_LIVE_052] [SRS_LIVE_055] [SRS_LIVE_058] [SRS_LIVE_059]
+/// server for an echo again and again: what comes behind an answer is younger than its question, and an answer that
+/// does not come ends the connection. [SRS_LIVE_051] [SRS_LIVE_052] [SRS_LIVE_055] [SRS_LIVE_058] [SRS_LIVE_059]
+/// [SRS_LIVE_581]
 class LiveSocketcandBus final : public OpenedBus
 {
   public:
@@ -41,6 +42,8 @@ class LiveSocketcandBus final : public OpenedBus
     [[nodiscard]] bool IsStale(const LiveFrame& frame);
     void Ask();
     void TakeAnswer();
+    void GiveUpOverdue();
+    void Learn(const LiveFrame& frame);
     void LearnText(const std::string& text);
 
     std::uint64_t give_up_at_ns_; ///< On the connection that is being opened.

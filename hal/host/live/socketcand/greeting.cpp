@@ -1,11 +1,23 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "hal/host/live/socketcand/greeting.hpp"
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <utility>
 
 namespace counterpoint::host
 {
+namespace
+{
+
+/// More than a bus of 1 Mbit/s carries within the greeting: 3 s with 47 us for the shortest frame are 63829.
+constexpr std::size_t kMostEarly = 65535U;
+
+/// By step.
+constexpr std::array<const char*, 5U> kAwaited{"say hi", "answer open", "answer rawmode", "answer ownmode", ""};
+
+} // namespace
 
 SocketcandGreeting::SocketcandGreeting(std::string bus) : bus_{std::move(bus)}
 {
@@ -22,6 +34,11 @@ void SocketcandGreeting::GoOn(SocketcandLink& link)
         }
         Take(*message, link);
     }
+}
+
+std::string SocketcandGreeting::Awaited() const
+{
+    return kAwaited.at(static_cast<std::size_t>(step_));
 }
 
 bool SocketcandGreeting::IsOver() const
@@ -56,6 +73,12 @@ void SocketcandGreeting::Take(const SocketcandMessage& message, SocketcandLink& 
 void SocketcandGreeting::TakeOwnMode(const SocketcandMessage& message)
 {
     const bool is_answer = (message.word == SocketcandWord::kOk) || (message.word == SocketcandWord::kErrorText);
+    if (!is_answer && (early_.size() == kMostEarly))
+    {
+        problem_ = "the server did not " + Awaited() + ", but sent " + std::to_string(kMostEarly + 1U) +
+                   " messages of the bus, more than one carries in 3 s";
+        return;
+    }
     if (!is_answer)
     {
         early_.push_back(message);

@@ -12,7 +12,7 @@ namespace counterpoint::host
 {
 
 /// What a client says to its server before frames come: open, rawmode, ownmode. Each call takes the answers that are
-/// there; nothing waits. [SRS_LIVE_051, SRS_LIVE_052]
+/// there; nothing waits. [SRS_LIVE_051, SRS_LIVE_052, SRS_LIVE_582]
 class SocketcandGreeting
 {
   public:
@@ -28,12 +28,14 @@ class SocketcandGreeting
     {
         return problem_;
     }
+    /// @brief What the server has to do next: "answer ownmode"; only before it is over.
+    [[nodiscard]] std::string Awaited() const;
     /// @brief Whether the server tells own frames.
     [[nodiscard]] bool HasOwn() const
     {
         return has_own_;
     }
-    /// @brief Messages of the bus that came before the last answer.
+    /// @brief Messages of the bus that came before the last answer; a bounded number.
     [[nodiscard]] std::deque<SocketcandMessage>& Early()
     {
         return early_;

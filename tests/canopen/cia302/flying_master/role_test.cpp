@@ -318,6 +318,31 @@ TEST(FlyingNegotiation, BusOffEndsEveryRoleWithoutAFrame)
     EXPECT_EQ(rig.Log(), (Lines{"1750 073", "1850 072"}));
 }
 
+// t [ms]  0      700  749         750        1F90h:02 = 700 ms, 1F90h:01 = 50 ms
+//         Start  073  071 or not  82 00
+TEST(FlyingNegotiation, DelayAndWaitForTheActiveMasterAreThoseOfItsObjects)
+{
+    Verifies(req::SRS_FLY_003);
+    for (const bool is_answered : {false, true})
+    {
+        FlyingRig rig(5U, 1U, DefaultFlyingMaster());
+        rig.times.delay = 700U;
+        rig.times.timeout = 50U;
+        rig.Start();
+        rig.RunTo(699U);
+        EXPECT_EQ(rig.Log(), Lines{});
+        rig.RunTo(749U);
+        EXPECT_EQ(rig.Log(), Lines{"700 073"});
+        if (is_answered)
+        {
+            rig.Hear(0x71U, {0U, 9U});
+        }
+        rig.RunTo(750U);
+        EXPECT_EQ(rig.Log(), is_answered ? Lines{"749 slave of 0/9"}
+                                         : (Lines{"750 000 82 00", "750 power-on reset", "750 initialising"}));
+    }
+}
+
 TEST(FlyingNegotiation, NextTellsWhenSomethingIsDue)
 {
     Verifies(req::SRS_FLY_003);

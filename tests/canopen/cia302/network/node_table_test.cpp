@@ -394,6 +394,14 @@ TEST_F(NodeTableTest, SupervisionAsSetUpPrefersHeartbeat)
     table.WatchAsSetUp(NodeId{5U}, Now());
     EXPECT_EQ(records[5].watch, Watch::kHeartbeat);
     EXPECT_EQ(records[5].time_us, 250000U);
+    // With one of both times of 1F81h alone there is no guarding
+    slaves[5].heartbeat = HeartbeatSetup{};
+    for (const std::uint32_t times : {std::uint32_t{3U} << 8U, std::uint32_t{100U} << 16U})
+    {
+        slaves[5].assignment = kInNetwork | times;
+        table.WatchAsSetUp(NodeId{5U}, Now());
+        EXPECT_EQ(records[5].watch, Watch::kNone) << times;
+    }
     slaves[5] = SlaveSetup{};
     table.WatchAsSetUp(NodeId{5U}, Now());
     EXPECT_EQ(records[5].watch, Watch::kNone);

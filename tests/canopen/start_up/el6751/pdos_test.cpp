@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -426,6 +427,32 @@ TEST_F(El6751PdosTest, RxPdosOfTypeNFollowEveryNthSync)
         course += (Sent().size() == 2U) ? 'X' : '.';
     }
     EXPECT_EQ(course, "X.X..X..X."); // at once, then with the third SYNC, the sixth, the ninth
+}
+
+// At once, then with the 240th SYNC and the 480th; the first one is number 0 here.
+TEST_F(El6751PdosTest, TheHighestTypeThatCountsSyncsIs240)
+{
+    Verifies(req::SRS_ELM_031);
+    for (const std::uint8_t type : {std::uint8_t{240U}, std::uint8_t{241U}})
+    {
+        Rx(type, 0U, 0U);
+        El6751Pdos& some = Make(El6751Times{});
+        some.Feed(kNode);
+        std::vector<std::uint32_t> with_pdo{};
+        for (std::uint32_t n = 0U; n <= 480U; ++n)
+        {
+            // A change that those of 1 to 240 do not mind
+            data[0] = static_cast<std::uint8_t>(data[0] + ((n == 7U) ? 1U : 0U));
+            static_cast<void>(Cycle(some, 10000U * n));
+            const std::vector<std::uint32_t> frames = Sent();
+            if (std::count(frames.begin(), frames.end(), 0x205U) == 1)
+            {
+                with_pdo.push_back(n);
+            }
+        }
+        EXPECT_EQ(with_pdo,
+                  (type == 240U) ? (std::vector<std::uint32_t>{0U, 239U, 479U}) : (std::vector<std::uint32_t>{0U, 7U}));
+    }
 }
 
 TEST_F(El6751PdosTest, RxPdosOfTypeZeroFollowASyncAfterAChange)

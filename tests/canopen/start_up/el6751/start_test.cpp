@@ -31,6 +31,28 @@ TEST_F(El6751StartTest, RowsStartNodeAndStartAllNodes)
     EXPECT_EQ(Nmt().back(), "23:01 05");
 }
 
+TEST_F(El6751StartTest, StartFollowsTheLastSdo)
+{
+    Verifies(req::SRS_ELM_026);
+    // Given a slave whose last SDO, one of the user's, is answered late
+    AddBox(5U);
+    User(5U, 0x2000U, 0U, {1U});
+    slaves[5]->Behave(0x2000U, 0U, Manner::kSilent);
+    Begin();
+    Run(1000U);
+    EXPECT_EQ(Nmt(), (Log{"0:82 00"}));
+    ASSERT_FALSE(sent.empty());
+    EXPECT_EQ(sent.back().frame.identifier, 0x605U);
+    EXPECT_EQ(sent.back().frame.data[2], 0x20U);
+    // When it is answered, then the slave is started, and no SDO comes behind
+    CanFrame answer{0x585U, FrameKind::kData, CanPortId::kFirst, 8U, {0x60U, 0x00U, 0x20U}};
+    Put(answer.identifier, Octets(answer.data, answer.data + 8U));
+    Run(20U);
+    EXPECT_EQ(sent.back().frame.identifier, 0x000U);
+    EXPECT_EQ(Nmt().size(), 3U);
+    EXPECT_EQ(Nmt()[1].substr(Nmt()[1].find(':') + 1U), "01 05");
+}
+
 /// The trace of an FC5101 in the fact sheet: its own time-out, then the boot-up message of slave 1 begins it all again.
 /// Two of its frames differ here: the abort names its object, and no answer needs a mark after a boot-up message.
 TEST_F(El6751StartTest, TheTraceOfTheReference)

@@ -1,13 +1,15 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// What start-up has to leave behind, and an exception of the kind that the argument names. The same program for each
-// processor; after a reset it tells the exception before. [SRS_ZYN_003, SRS_ZYN_005, SRS_ZYN_006, SRS_ZYN_069]
+// What start-up has to leave behind, and an exception of the kind that the argument names: on each processor, or on
+// that alone whose number stands behind it. The same program for each; after a reset it tells the exception before.
+// [SRS_ZYN_003, SRS_ZYN_005, SRS_ZYN_006, SRS_ZYN_069]
 #include "hal/zynqmp/start/exceptions.hpp"
 #include "hal/zynqmp/start/memory_map.hpp"
 #include "verification/target/target.hpp"
 
 extern "C"
 {
+    extern const std::uint8_t image_core[]; // Its address is the number of the processor, plus 1.
     std::uint32_t TargetMain() noexcept;
 }
 
@@ -71,6 +73,8 @@ void TellRecord() noexcept
     WriteNumber(record.count);
     Write(" accessed=");
     WriteHex(record.address_low);
+    Write(" at=");
+    WriteHex(record.address_high);
     Write("\n");
 }
 
@@ -86,6 +90,13 @@ void WriteAs(const counterpoint::hal::MemoryOwner owner, volatile std::uint32_t&
 void CallOfItsOwn() noexcept
 {
     asm volatile("svc #0");
+}
+
+/// Whether this processor is named, or none.
+bool IsMeant(const char number) noexcept
+{
+    const auto own = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(image_core)) - 1U;
+    return (number == '\0') || (static_cast<std::uint32_t>(number - '0') == own);
 }
 
 void Raise(const char kind) noexcept
@@ -142,6 +153,10 @@ extern "C" std::uint32_t TargetMain() noexcept
     WriteAs(MemoryOwner::kKernel, of_core);
     of_nobody = 7U;
     Tell("each party writes what is its own", ((of_channel_a + of_channel_b) + (of_core + of_nobody)) == 28U);
-    Raise(counterpoint::target::Argument()[0]);
+    const char* const argument = counterpoint::target::Argument();
+    if ((argument[0] != '\0') && IsMeant(argument[1]))
+    {
+        Raise(argument[0]);
+    }
     return 0U;
 }
