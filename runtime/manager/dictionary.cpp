@@ -334,10 +334,10 @@ std::string ManagerDictionary::Set(const ObjectAddress& object, const std::uint6
                " bytes";
     }
     const SdoAbort abort = dictionary_.WriteNumber(object, value, entry->size_bytes);
+    // No other answer of the active master to a command is this one.
     if (abort == SdoAbort::kDeviceState && object.index == kNmtIndex && assembly_.Core().IsActive())
     {
-        return WordOf(
-            cia302::NmtAnswer::kOtherDevice); // No other answer of the active master to a command is this one.
+        return WordOf(cia302::NmtAnswer::kOtherDevice);
     }
     const std::string state = (abort == SdoAbort::kValueRange) ? StateReason(assembly_, object, value) : "";
     return (abort == SdoAbort::kNone) ? "taken"

@@ -147,7 +147,7 @@ std::string AnswerTo(const ManagerOrder& order, ManagerAssembly& assembly, const
     const bool is_partly = answer == NmtAnswer::kPartly || (order.node == 0U && answer == NmtAnswer::kOtherDevice);
     const bool is_refused = is_plc && answer == NmtAnswer::kWrong;
     const bool is_by_state = is_plc && answer != NmtAnswer::kOtherDevice;
-    const bool is_named = (is_partly || is_refused) && !outlook.left_out.empty(); // There may be no slaves.
+    const bool is_named = (is_partly || is_refused) && !outlook.left_out.empty();
     const std::string named = is_partly ? PartlyTaken(outlook, is_by_state) : NotTaken(outlook, is_by_state);
     const std::string text = is_named ? named : WordOf(answer);
     return text + ((answer == NmtAnswer::kTaken || is_partly) ? BehindTaken(outlook, assembly) : "");

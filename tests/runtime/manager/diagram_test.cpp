@@ -187,7 +187,7 @@ TEST_F(ManagerPageTest, RequestsWithoutAnswerAndRowsThatAreLeftOutAreOnThePage)
     std::string page = runtime::DiagramPage(*station);
     EXPECT_NE(page.find("<title>Boot-up of &lt;Plant&gt;</title>"), std::string::npos);
     // An answer is told with its time, silence as that
-    EXPECT_NE(page.find(">read 0x1000:00: 0x191 (3000 us)</text>"), std::string::npos) << page;
+    EXPECT_NE(page.find(">read 0x1000:00: 0x191 (4000 us)</text>"), std::string::npos) << page;
     EXPECT_NE(page.find(">read 0x1000:00: no answer</text>"), std::string::npos);
     // What is longer than the way to the lane of node 7 begins at the manager
     const std::regex abort("x=\"182\" y=\"[0-9]+\">abort 0x1000:00 0x05040000 \\(no answer\\)</text>");

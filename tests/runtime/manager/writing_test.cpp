@@ -36,6 +36,7 @@ class ManagerWritingTest : public test::ManagerRig, private cia301::FrameSink
         slave->Put(0x1017U, 0U, {0U, 0U});
         slave->Put8(kValid, 0U, 0xA5U);
         slave->heartbeat_ms = 100U;
+        slave->is_period_kept = true; // Many heartbeats in a row are those of two devices.
         for (const cia302::ExpectedObject& object : net->Find(33U)->objects)
         {
             cia302::Octets bytes;
@@ -202,10 +203,16 @@ TEST_F(ManagerWritingTest, WhatIsTakenForRunningBehindLostFramesIsNotHeardToRun)
     EXPECT_FALSE(station->Assembly().Runs(node));
     Live(500);
     EXPECT_TRUE(station->Assembly().Runs(node));
-    // And when somebody else commands it before that
-    station->Assembly().Core().OnLost(Instant{static_cast<std::uint32_t>(now_us)});
-    Hear(0U, {0x80U, 33U});
-    EXPECT_EQ(Row(33U).finding, "started, but told by somebody else to be PRE-OPERATIONAL");
+    // And when somebody else commands it before that, then this is told, and not that it has said so itself
+    for (const std::string profile : {"el6751", "plc_designer"})
+    {
+        MakeBoth(", profile: " + profile);
+        Live(6000);
+        ASSERT_TRUE(station->Assembly().Runs(node)) << profile;
+        station->Assembly().Core().OnLost(Instant{static_cast<std::uint32_t>(now_us)});
+        Hear(0U, {0x80U, 33U});
+        EXPECT_EQ(Row(33U).finding, "started, but told by somebody else to be PRE-OPERATIONAL") << profile;
+    }
 }
 
 TEST_F(ManagerWritingTest, BehindAStopOfAllItIsWrittenAndWaitsForAnOrder)
