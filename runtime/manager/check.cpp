@@ -165,14 +165,14 @@ std::string PlaceOf(const LoadedNetwork& net, const CheckedKey& key)
 {
     const network_plan::ManagerPlan& manager = net.Plan().manager;
     const LoadedSlave* const slave = net.Find(key.node);
-    const bool is_slave = key.node != 0U && slave != nullptr;
+    const bool is_slave = slave != nullptr; // What is told of a slave stands in a file that has it.
     const network_plan::KeyPlaces& places = is_slave ? slave->plan.places : manager.places;
     cia306::Place place = is_slave ? slave->plan.place : manager.place;
     const bool has_key = !key.key.empty();
     place = has_key ? network_plan::PlaceOf(places, "dcf", place) : place;
     place = has_key ? network_plan::PlaceOf(places, key.key, place) : place;
     const bool is_of_flying = std::find(kOfFlying.begin(), kOfFlying.end(), key.key) != kOfFlying.end();
-    if (!is_slave && is_of_flying && manager.flying)
+    if (is_of_flying && manager.flying)
     {
         place = network_plan::PlaceOf(places, "flying", place);
         place = network_plan::PlaceOf(manager.flying->places, key.key, place);
@@ -390,16 +390,14 @@ class Differences final : public cia302::FlyingFindingListener
     }
     void TellContent(const FlyingFinding& finding)
     {
-        const LoadedSlave* const one = first_->Find(finding.slave.value);
-        const LoadedSlave* const other = second_->Find(finding.slave.value);
-        const auto size = [&finding](const LoadedNetwork* const net, const LoadedSlave* const slave)
+        const auto size = [&finding](const LoadedNetwork* const net)
         {
-            const std::size_t concise = net->Setup().Slave(finding.slave).concise_dcf.size_bytes;
-            const std::size_t program = (slave == nullptr) ? 0U : slave->program.size();
-            return std::to_string((finding.index == kProgram) ? program : concise) + " bytes";
+            const cia302::SlaveSetup& slave = net->Setup().Slave(finding.slave);
+            const cia302::Bytes& bytes = (finding.index == kProgram) ? slave.software.program : slave.concise_dcf;
+            return std::to_string(bytes.size_bytes) + " bytes";
         };
-        Tell(KeyOf(finding), cia306::ObjectName(finding.index, finding.sub), size(first_, one),
-             size(second_, other) + " with other contents");
+        Tell(KeyOf(finding), cia306::ObjectName(finding.index, finding.sub), size(first_),
+             size(second_) + " with other contents");
     }
     [[nodiscard]] static std::string NameOf(const FlyingFinding& finding)
     {

@@ -22,6 +22,7 @@ constexpr std::uint32_t kConciseRoom = 65536U; ///< Of a concise DCF that a clie
 constexpr std::uint32_t kSdoTimeOutUs = 1000000U;
 constexpr std::uint8_t kSdoBlock = 127U;
 constexpr std::uint8_t kAllSub = 0x80U;
+constexpr std::uint16_t kNmtIndex = 0x1F82U;
 
 /// An array by node-ID.
 struct Array
@@ -59,13 +60,12 @@ std::string NameOf(const ObjectAddress& object)
 /// What a person may do about a refusal.
 std::string RemedyOf(const ObjectAddress& object, const SdoAbort abort)
 {
-    constexpr std::uint16_t kNmt = 0x1F82U;
     std::string remedy = "what the object takes";
     remedy = (abort == SdoAbort::kReadOnly) ? "an object that may change, and not of a safety slave" : remedy;
     remedy = (abort == SdoAbort::kDeviceState) ? "it in another state: docs/manager.md has the rules" : remedy;
     remedy = (abort == SdoAbort::kPending) ? "it later: too many commands wait" : remedy;
     remedy = (abort == SdoAbort::kValueRange) ? "another value, or another node" : remedy;
-    const bool is_state = abort == SdoAbort::kValueRange && object.index == kNmt;
+    const bool is_state = abort == SdoAbort::kValueRange && object.index == kNmtIndex;
     return is_state ? "4, 5, 6 (reset), 7 (reset-comm) or 127 of a node of the network" : remedy;
 }
 
@@ -73,16 +73,15 @@ std::string RemedyOf(const ObjectAddress& object, const SdoAbort abort)
 /// reason. [SRS_MGR_474]
 std::string StateReason(const ManagerAssembly& assembly, const ObjectAddress& object, const std::uint64_t value)
 {
-    constexpr std::uint16_t kNmt = 0x1F82U;
     constexpr std::uint64_t kCommands[] = {4U, 5U, 6U, 7U, 127U};
     const bool is_known = std::find(std::begin(kCommands), std::end(kCommands), value) != std::end(kCommands);
     const cia302::NodeId node{object.sub};
     std::string reason;
-    if (object.index == kNmt && is_known && object.sub == kAllSub)
+    if (object.index == kNmtIndex && is_known && object.sub == kAllSub)
     {
         reason = ", expected slaves in a state that allows it";
     }
-    else if (object.index == kNmt && is_known && assembly.Net().Setup().IsListed(node))
+    else if (object.index == kNmtIndex && is_known && assembly.Net().Setup().IsListed(node))
     {
         reason = ", node " + std::to_string(node.value) + " is in " +
                  StatusText(assembly.Net().Plan().manager.profile, assembly.Core().Status(node)) +
@@ -335,6 +334,11 @@ std::string ManagerDictionary::Set(const ObjectAddress& object, const std::uint6
                " bytes";
     }
     const SdoAbort abort = dictionary_.WriteNumber(object, value, entry->size_bytes);
+    // No other answer of the active master to a command is this one.
+    if (abort == SdoAbort::kDeviceState && object.index == kNmtIndex && assembly_.Core().IsActive())
+    {
+        return WordOf(cia302::NmtAnswer::kOtherDevice);
+    }
     const std::string state = (abort == SdoAbort::kValueRange) ? StateReason(assembly_, object, value) : "";
     return (abort == SdoAbort::kNone) ? "taken"
                                       : name + " = " + std::to_string(value) + ": " + AbortText(abort) +

@@ -289,6 +289,7 @@ void ManagerLoop::Receive()
     }
 }
 
+/// [SRS_MGR_543]
 void ManagerLoop::TakeFrame(const host::LiveFrame& frame)
 {
     if (frame.error || frame.fd)
@@ -335,7 +336,7 @@ void ManagerLoop::EnterBus(const host::BusState state)
     station_.Assembly().OnController(controller, InstantAt(StationUs()));
 }
 
-/// What could not be read may have been a frame. [SRS_MGR_581]
+/// What could not be read may have been a frame, as what the system has dropped. [SRS_MGR_541, SRS_MGR_581]
 void ManagerLoop::WatchLosses(const host::BusHealth& health)
 {
     const bool has_lost = health.lost_frames > lost_;
@@ -358,6 +359,7 @@ void ManagerLoop::WatchLosses(const host::BusHealth& health)
     }
 }
 
+/// [SRS_MGR_542]
 void ManagerLoop::ReadTyped()
 {
     std::array<char, 4096U> bytes{};

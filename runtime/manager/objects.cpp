@@ -5,6 +5,7 @@
 #include "canopen/network_plan/start_up_bits.hpp"
 
 #include <algorithm>
+#include <string>
 
 namespace counterpoint::runtime
 {
@@ -45,6 +46,17 @@ cia301::Reading Number(const std::uint32_t value, const std::uint32_t size_bytes
     }
     return reading;
 }
+
+cia301::Reading Text(const std::string& text, const cia301::Room& room)
+{
+    cia301::Reading reading{SdoAbort::kOutOfMemory, static_cast<std::uint32_t>(text.size())};
+    if (text.size() <= room.size_bytes)
+    {
+        std::copy(text.begin(), text.end(), room.data);
+        reading.abort = SdoAbort::kNone;
+    }
+    return reading;
+}
 } // namespace
 
 ManagerObjects::ManagerObjects(ManagerAssembly& assembly, network_plan::LoadedNetwork& net)
@@ -62,7 +74,7 @@ void ManagerObjects::SetNow(const Instant now) noexcept
 
 cia301::Reading ManagerObjects::OnRead(const ObjectAddress& address, const cia301::Room& room) noexcept
 {
-    if (IsDomain(address.index) && address.sub != 0U)
+    if (IsDomain(address.index))
     {
         return ReadDomain(address, room);
     }
@@ -78,7 +90,7 @@ cia301::Reading ManagerObjects::OnRead(const ObjectAddress& address, const cia30
     {
         return Number(cia301::StateByte(assembly_.Core().OwnState()), 1U, room); // Nobody hears itself.
     }
-    if (address.index == kFormat && address.sub != 0U)
+    if (address.index == kFormat)
     {
         return Number(0U, 1U, room); // Text, not compressed.
     }
@@ -89,13 +101,9 @@ cia301::Reading ManagerObjects::OnRead(const ObjectAddress& address, const cia30
 /// What is not there is no empty domain.
 cia301::Reading ManagerObjects::ReadDomain(const ObjectAddress& address, const cia301::Room& room) noexcept
 {
-    cia301::Reading reading = domains_.OnRead(address, room);
     const network_plan::LoadedSlave* const slave = net_.Find(address.sub);
-    if (address.index == kDcf && slave != nullptr && slave->dcf_text.size() <= room.size_bytes)
-    {
-        std::copy(slave->dcf_text.begin(), slave->dcf_text.end(), room.data);
-        reading.size_bytes = static_cast<std::uint32_t>(slave->dcf_text.size());
-    }
+    const bool is_dcf = address.index == kDcf && slave != nullptr;
+    cia301::Reading reading = is_dcf ? Text(slave->dcf_text, room) : domains_.OnRead(address, room);
     const bool is_empty = reading.abort == SdoAbort::kNone && reading.size_bytes == 0U;
     reading.abort = is_empty ? SdoAbort::kNoData : reading.abort;
     return reading;
@@ -113,8 +121,7 @@ SdoAbort ManagerObjects::OnWrite(const ObjectAddress& address, const cia301::Byt
 /// Only a command is delayed (1F82h).
 SdoAbort ManagerObjects::OnWriteAgain(const ObjectAddress& address, const cia301::Bytes& value) noexcept
 {
-    const bool is_command = address.index == kNmt && assembly_.Core().IsActive();
-    return is_command ? objects_.OnWriteAgain(address, value) : OnWrite(address, value);
+    return assembly_.Core().IsActive() ? objects_.OnWriteAgain(address, value) : OnWrite(address, value);
 }
 
 SdoAbort ManagerObjects::MayWrite(const ObjectAddress& address, const std::uint32_t value) const noexcept

@@ -311,7 +311,7 @@ std::string CarryOut(const ManagerOrder& order, ManagerAssembly& assembly, const
 {
     const cia302::NodeId node{order.node};
     const bool is_listed = assembly.Net().Setup().IsListed(node);
-    std::string answer = "taken";
+    std::string answer;
     if (order.kind == ManagerOrderKind::kCommand)
     {
         const bool is_known = order.node == 0U || is_listed || order.node == assembly.Net().Setup().own.value;
@@ -323,7 +323,7 @@ std::string CarryOut(const ManagerOrder& order, ManagerAssembly& assembly, const
     }
     else if (order.kind == ManagerOrderKind::kBoot)
     {
-        answer = assembly.Core().Role().Boot(node, now) ? answer : NotOurs(assembly, node);
+        answer = assembly.Core().Role().Boot(node, now) ? "taken" : NotOurs(assembly, node);
     }
     else if (order.kind == ManagerOrderKind::kNegotiate)
     {
@@ -332,6 +332,10 @@ std::string CarryOut(const ManagerOrder& order, ManagerAssembly& assembly, const
     else if (order.kind == ManagerOrderKind::kWriteSafety)
     {
         answer = WriteSafety(assembly, node, now);
+    }
+    else
+    {
+        // Of the owner. [SRS_MGR_540]
     }
     return answer;
 }

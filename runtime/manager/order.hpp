@@ -52,8 +52,8 @@ constexpr std::size_t kLongestManagerOrder = 1024U;
 [[nodiscard]] ManagerOrder ParseManagerOrder(const std::string& line);
 /// @brief The help: all orders, a line each.
 [[nodiscard]] std::string ManagerOrderHelp();
-/// @brief Carries out a command, a boot, a writing or a negotiation. Answers "taken", or the reason why not.
-/// [SRS_MGR_135, SRS_MGR_136]
+/// @brief Carries out a command, a boot, a writing or a negotiation. Answers "taken", or the reason why not; empty for
+/// what the owner itself carries out. [SRS_MGR_135, SRS_MGR_136, SRS_MGR_540]
 [[nodiscard]] std::string CarryOut(const ManagerOrder& order, ManagerAssembly& assembly, Instant now);
 } // namespace counterpoint::runtime
 

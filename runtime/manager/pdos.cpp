@@ -142,7 +142,7 @@ std::optional<std::vector<std::uint8_t>> BytesFrom(const std::string& text)
         const auto byte = (place == std::string::npos || place + 1U >= text.size())
                               ? std::nullopt
                               : cia306::ParseUnsigned("0x" + text.substr(place, 2U), 0xFFU);
-        if (!byte || text[place + 1U] == ' ')
+        if (!byte) // Nor with a space for its second digit.
         {
             return std::nullopt;
         }

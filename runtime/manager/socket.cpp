@@ -22,6 +22,8 @@ namespace
 constexpr std::size_t kMostClients = 8U;
 constexpr std::size_t kReadBytes = 1024U;
 constexpr std::size_t kLinesOfTurn = 4U; ///< Of a client: the network comes in between.
+static_assert(EAGAIN == EWOULDBLOCK, "Linux has one number for both");
+static_assert(kReadBytes <= kLongestManagerOrder, "what a reading has behind a line end is never an endless line");
 
 sockaddr_un AddressOf(const std::string& path)
 {
@@ -124,7 +126,7 @@ void ManagerSocket::Serve(const std::function<std::string(const std::string&)>& 
         Send(client);
         TakeLines(client, answer);
         TakeRest(client, cut);
-        const bool is_done = client.is_ended && client.typed.empty() && client.unsent.empty();
+        const bool is_done = client.is_ended && client.unsent.empty();
         client.is_over = client.is_over || is_done;
     }
     clients_.erase(
@@ -149,8 +151,9 @@ void ManagerSocket::TakeLines(Client& client, const std::function<std::string(co
         Send(client);
         end = client.typed.find('\n');
     }
+    // So much comes by a reading of this turn alone, which no answer held up.
     const bool is_endless = end == std::string::npos && client.typed.size() > kLongestManagerOrder;
-    if (is_endless && client.unsent.empty())
+    if (is_endless)
     {
         client.unsent = answer(client.typed); // Which says that it is too long.
         client.taken_ns = host::LiveNow();
@@ -160,11 +163,10 @@ void ManagerSocket::TakeLines(Client& client, const std::function<std::string(co
     }
 }
 
-/// Behind its last whole line. [SRS_MGR_471]
+/// Behind its last whole line: the end is read only when no line and no answer waits. [SRS_MGR_471]
 void ManagerSocket::TakeRest(Client& client, const std::function<std::string(const std::string&)>& cut) const
 {
-    const bool is_cut = client.is_ended && !client.typed.empty() && client.typed.find('\n') == std::string::npos;
-    if (is_cut && client.unsent.empty())
+    if (client.is_ended && !client.typed.empty())
     {
         client.unsent = cut ? cut(client.typed) : "";
         client.taken_ns = host::LiveNow();
@@ -192,9 +194,9 @@ void ManagerSocket::Read(Client& client)
 {
     std::array<char, kReadBytes> bytes{};
     const ssize_t count = ::recv(client.file.Get(), bytes.data(), bytes.size(), 0);
-    const bool is_nothing = count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR);
+    const bool is_nothing = count < 0 && errno == EAGAIN; // What does not wait is not interrupted.
     client.is_ended = count == 0;
-    client.is_over = client.is_over || (count < 0 && !is_nothing);
+    client.is_over = count < 0 && !is_nothing;
     client.heard = (count > 0) ? turn_ : client.heard;
     client.typed.append(bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
 }
@@ -207,7 +209,7 @@ void ManagerSocket::Send(Client& client) const
         return;
     }
     const ssize_t sent = ::send(client.file.Get(), client.unsent.data(), client.unsent.size(), MSG_NOSIGNAL);
-    const bool is_full = sent < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR);
+    const bool is_full = sent < 0 && errno == EAGAIN;
     const std::uint64_t now_ns = host::LiveNow();
     if (sent > 0)
     {
@@ -215,6 +217,6 @@ void ManagerSocket::Send(Client& client) const
         client.taken_ns = now_ns;
     }
     const bool is_deaf = is_full && now_ns - client.taken_ns >= patience_ns_;
-    client.is_over = client.is_over || is_deaf || (sent < 0 && !is_full);
+    client.is_over = is_deaf || (sent < 0 && !is_full);
 }
 } // namespace counterpoint::runtime

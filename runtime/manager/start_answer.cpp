@@ -222,8 +222,10 @@ std::string BehindTaken(const StartOutlook& outlook, const ManagerAssembly& asse
 std::string AnswerToSet(const StartOutlook& outlook, const ManagerAssembly& assembly, const std::string& answer)
 {
     const bool is_plc = assembly.Net().Plan().manager.profile == network_plan::StartProfile::kPlcDesigner;
-    const bool is_partly = outlook.is_all && !outlook.left_out.empty();
-    const std::string text = is_partly ? PartlyTaken(outlook, is_plc) : answer;
-    return (answer == "taken") ? text + BehindTaken(outlook, assembly) : answer;
+    const bool is_other = answer == WordOf(cia302::NmtAnswer::kOtherDevice); // The others were started. [SRS_MGR_544]
+    const bool is_done = answer == "taken" || (outlook.is_all && is_other);
+    const bool is_partly = is_done && outlook.is_all && !outlook.left_out.empty();
+    const std::string text = is_partly ? PartlyTaken(outlook, is_plc && !is_other) : answer;
+    return is_done ? text + BehindTaken(outlook, assembly) : answer;
 }
 } // namespace counterpoint::runtime

@@ -38,7 +38,7 @@ struct StartOutlook
 /// @brief What follows the answer to a start that was taken, by all or by some.
 [[nodiscard]] std::string BehindTaken(const StartOutlook& outlook, const ManagerAssembly& assembly);
 /// @brief The answer to a set that the objects of the manager have answered: 1F82h starts slaves as an order does.
-/// [SRS_MGR_470, SRS_MGR_472]
+/// [SRS_MGR_470, SRS_MGR_472, SRS_MGR_544]
 [[nodiscard]] std::string AnswerToSet(const StartOutlook& outlook, const ManagerAssembly& assembly,
                                       const std::string& answer);
 } // namespace counterpoint::runtime

@@ -3,7 +3,6 @@
 #include "canopen/cia306/text/input_error.hpp"
 #include "hal/host/live/bus.hpp"
 #include "hal/host/live/poll.hpp"
-#include "runtime/manager/order.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/comfort.hpp"
@@ -491,32 +490,6 @@ TEST_F(ManagerCommandTest, NoOutputReplacesWhatIsReadOrAnotherOne)
     EXPECT_EQ(cia306::ReadTextFile(net), net_text);
     EXPECT_EQ(cia306::ReadTextFile(dcf), dcf_text);
     EXPECT_EQ(cia306::ReadTextFile(scenario), text);
-}
-
-TEST_F(ManagerCommandTest, OrdersAreReadStrictly)
-{
-    Verifies(req::SRS_MGR_006);
-    Verifies(req::SRS_MGR_134);
-    Verifies(req::SRS_MGR_135);
-    EXPECT_EQ(runtime::ParseManagerOrder("start 33").command, cia302::NmtCommand::kStart);
-    EXPECT_EQ(runtime::ParseManagerOrder("start 33").node, 33U);
-    EXPECT_EQ(runtime::ParseManagerOrder("reset-comm all").node, 0U);
-    EXPECT_EQ(runtime::ParseManagerOrder("boot 5").kind, runtime::ManagerOrderKind::kBoot);
-    EXPECT_EQ(runtime::ParseManagerOrder("write-safety 5 # now").kind, runtime::ManagerOrderKind::kWriteSafety);
-    EXPECT_EQ(runtime::ParseManagerOrder("  ").kind, runtime::ManagerOrderKind::kNothing);
-    EXPECT_EQ(runtime::ParseManagerOrder("boot all").problem, "boot: 'all', expected a node-ID from 1 to 127");
-    EXPECT_EQ(runtime::ParseManagerOrder("stop").problem, "stop: no node, expected a node-ID from 1 to 127, or all");
-    EXPECT_EQ(runtime::ParseManagerOrder("stop 128").problem, "stop: '128', expected a node-ID from 1 to 127, or all");
-    EXPECT_EQ(runtime::ParseManagerOrder("stop 010").problem, "stop: '010', expected a node-ID from 1 to 127, or all");
-    for (const char* const number : {"1.5", "-1", "1e1", "5x", "0x", "0x80", "0"})
-    {
-        EXPECT_EQ(runtime::ParseManagerOrder(std::string("stop ") + number).problem,
-                  std::string("stop: '") + number + "', expected a node-ID from 1 to 127, or all");
-    }
-    EXPECT_EQ(runtime::ParseManagerOrder("stop 0x0A").node, 10U);
-    EXPECT_EQ(runtime::ParseManagerOrder("fly").problem,
-              "order 'fly', expected status, start, stop, preop, reset, reset-comm, "
-              "boot, write-safety, control, output, get, set, negotiate, help or quit");
 }
 } // namespace
 } // namespace counterpoint::tools

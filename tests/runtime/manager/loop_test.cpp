@@ -4,6 +4,7 @@
 #include "runtime/network_files/file.hpp"
 #include "tests/canopen/cia306/folder_of_files.hpp"
 #include "tests/hal/host/live_server_rig.hpp"
+#include "tests/runtime/manager/run_rig.hpp"
 #include "verification/trace/ids/manager.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -21,7 +22,8 @@ namespace counterpoint::tools
 {
 namespace
 {
-constexpr std::uint64_t kMs = 1000000U;
+using test::kMs;
+
 constexpr std::size_t kFrames = 300U; ///< More than the loop takes in a turn.
 constexpr std::uint64_t kPeriodNs = 5U * kMs;
 constexpr std::uint64_t kPauseNs = kFrames * kPeriodNs;
@@ -317,6 +319,30 @@ TEST_F(ManagerLoopTest, AHeapIsAlsoMoreHeartbeatsOfANodeThanItCanSend)
     EXPECT_FALSE(others.Has(Frames(8U, 0x185U), 800U * kMs));
     runtime::FrameBacklog boot_ups(0U);
     EXPECT_FALSE(boot_ups.Has(Frames(8U, 0x705U, 0U), 800U * kMs));
+}
+
+TEST_F(ManagerLoopTest, ABootUpMessageIsOneByteOfSomebodyElse)
+{
+    Verifies(req::SRS_MGR_128);
+    const host::LiveFrame boot_up = Frames(1U, 0x705U, 0U).front();
+    EXPECT_TRUE(runtime::IsBootUp(boot_up));
+    std::vector<host::LiveFrame> others(8U, boot_up);
+    others[0].own = true;
+    others[1].error = true;
+    others[2].remote = true;
+    others[3].extended = true;
+    others[4].identifier = 0x700U;
+    others[5].identifier = 0x780U;
+    others[6].length_bytes = 2U;
+    others[7].data[0] = 5U;
+    for (std::size_t place = 0U; place < others.size(); ++place)
+    {
+        EXPECT_FALSE(runtime::IsBootUp(others[place])) << place;
+    }
+    others[4].identifier = 0x701U;
+    others[5].identifier = 0x77FU;
+    EXPECT_TRUE(runtime::IsBootUp(others[4]));
+    EXPECT_TRUE(runtime::IsBootUp(others[5]));
 }
 } // namespace
 } // namespace counterpoint::tools

@@ -5,6 +5,8 @@
 #include "verification/trace/ids/manager.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <algorithm>
+
 namespace counterpoint::tools
 {
 namespace
@@ -159,6 +161,70 @@ TEST_F(ManagerPdosTest, OutputsThatNobodySendsAreRefused)
     EXPECT_EQ(problem(PdoNetwork(",\n     outputs: [{pdo: 1, data: 01 02}]", "cia302")),
               file + ":4:16: error: outputs of node 10 with another profile, expected the profile el6751, which sends "
                      "RxPDOs");
+}
+
+TEST_F(ManagerPdosTest, AValueThatComesAgainIsNoNews)
+{
+    Verifies(req::SRS_MGR_159);
+    static_cast<void>(File("pdo.dcf", PdoDcf()));
+    Make(PdoNetwork(""));
+    Run(10U);
+    Hear(0x18AU, {0x07U});
+    Run(200U);
+    Hear(0x18AU, {0x07U});
+    CanFrame remote{0x18AU, FrameKind::kRemote, CanPortId::kFirst, 1U, {}};
+    station->OnFrame(remote, now_us);
+    Run(200U);
+    EXPECT_EQ(std::count_if(events.begin(), events.end(), [](const auto& event) { return event.kind == "pdo"; }), 1);
+    EXPECT_EQ(station->Pdos().Values()[1].bytes, (std::vector<std::uint8_t>{0x07U}));
+    // Though its age is that of the last one
+    EXPECT_NE(runtime::StatusTable(*station, now_us).find("10    TxPDO 1     07                        200 ms\n"),
+              std::string::npos)
+        << runtime::StatusTable(*station, now_us);
+}
+
+TEST_F(ManagerPdosTest, WhoWaitsForTxPdosAndDoesNotRunOrMayBeTwoHasNotStarted)
+{
+    Verifies(req::SRS_MGR_004);
+    static_cast<void>(File("pdo.dcf", PdoDcf()));
+    const auto code = [this] { return runtime::StatusJson(*station, now_us)["slaves"][0]["code"]; };
+    // Given a slave that waits for its TxPDO, and says twice that it is PRE-OPERATIONAL
+    Make(PdoNetwork(""));
+    Run(1100U);
+    ASSERT_EQ(code(), 23);
+    EXPECT_TRUE(station->Assembly().HasStarted());
+    Hear(0x70AU, {0x7FU});
+    EXPECT_TRUE(station->Assembly().HasStarted()); // One may have been under way when it was started.
+    Hear(0x70AU, {0x7FU});
+    ASSERT_EQ(code(), 23);
+    EXPECT_FALSE(station->Assembly().HasStarted());
+    // And one that may be two devices
+    Make(PdoNetwork(""));
+    Run(1100U);
+    for (const std::uint8_t sub : {std::uint8_t{1U}, std::uint8_t{2U}, std::uint8_t{3U}})
+    {
+        Hear(0x60AU, {0x40U, 0x18U, 0x10U, sub, 0U, 0U, 0U, 0U});
+        Hear(0x58AU, {0x43U, 0x18U, 0x10U, sub, 1U, 0U, 0U, 0U});
+        Hear(0x58AU, {0x43U, 0x18U, 0x10U, sub, 2U, 0U, 0U, 0U});
+    }
+    ASSERT_EQ(code(), 23);
+    EXPECT_FALSE(station->Assembly().HasStarted());
+}
+
+TEST_F(ManagerPdosTest, WhoseStartUpFailedHasNotStartedThoughItWaitsForTxPdosAlone)
+{
+    Verifies(req::SRS_MGR_004);
+    // Given another device, which was started by an order
+    static_cast<void>(File("pdo.dcf", PdoDcf()));
+    Make("manager: {node: 127, profile: el6751}\nslaves:\n  - {node: 10, dcf: pdo.dcf, configure: false, device_type: "
+         "0x191, el6751: {write_cob_ids: false, write_types: false}}\n");
+    Run(10U);
+    Hear(0x70AU, {0U});
+    Answer(10U, {0x43U, 0x00U, 0x10U, 0x00U, 0x92U, 0x01U, 0x00U, 0x00U}, 600);
+    EXPECT_EQ(Order("start 10").rfind("taken; started all the same", 0U), 0U);
+    Run(1100U);
+    EXPECT_EQ(runtime::StatusJson(*station, now_us)["slaves"][0]["code"], 23);
+    EXPECT_FALSE(station->Assembly().HasStarted());
 }
 } // namespace
 } // namespace counterpoint::tools

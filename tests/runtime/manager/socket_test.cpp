@@ -8,9 +8,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <poll.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
+#include <unistd.h>
 
 namespace counterpoint::tools
 {
@@ -356,6 +359,162 @@ TEST_F(ManagerSocketTest, ALineThatTheEndOfWhatIsSentCutsIsNoOrder)
         socket.Serve(Echo, cut);
     }
     EXPECT_EQ(cuts, (std::vector<std::string>{"two", "stop 1"}));
+}
+
+TEST_F(ManagerSocketTest, WhereNoSocketCanBeMadeTheReasonIsTold)
+{
+    Verifies(req::SRS_MGR_137);
+    const auto problem = [](const std::string& path)
+    {
+        try
+        {
+            const runtime::ManagerSocket socket(path);
+        }
+        catch (const cia306::InputError& error)
+        {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const std::string expected = "expected a path in a folder that can be written, that nobody serves";
+    EXPECT_EQ(problem(Path("none/m.sock")),
+              Path("none/m.sock") + ": error: no socket can be made here (No such file or directory), " + expected);
+    // A name that is none
+    EXPECT_EQ(problem(""), ": error: no socket can be made here (No such file or directory), " + expected);
+    // A name as long as an address can hold it, and one byte more
+    const std::string longest = Path(std::string(107U - Path("").size(), 'x'));
+    EXPECT_EQ(problem(longest), "");
+    EXPECT_EQ(problem(longest + "x"), longest + "x: error: a socket name of 108 bytes, expected less than 108");
+    // A process that may have no further descriptor
+    rlimit before{};
+    ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+    const int next = ::dup(0);
+    ASSERT_GE(next, 0);
+    ASSERT_EQ(::close(next), 0);
+    const rlimit none{static_cast<rlim_t>(next), before.rlim_max};
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &none), 0);
+    const std::string full = problem(Path("m.sock"));
+    ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
+    EXPECT_EQ(full, Path("m.sock") + ": error: no socket can be made here (Too many open files), " + expected);
+    EXPECT_EQ(problem(Path("m.sock")), "");
+}
+
+// An address of zeros is a name, too, and no file that could be looked at or replaced.
+TEST_F(ManagerSocketTest, ANameWithoutAFileIsNotReplaced)
+{
+    Verifies(req::SRS_MGR_137);
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    const host::LiveFile there(::socket(AF_UNIX, SOCK_STREAM, 0));
+    static_cast<void>(::bind(there.Get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)));
+    EXPECT_THROW(runtime::ManagerSocket socket(""), cia306::InputError);
+}
+
+TEST_F(ManagerSocketTest, TheEndRemovesNothingThatItDidNotMake)
+{
+    Verifies(req::SRS_MGR_061);
+    namespace fs = std::filesystem;
+    const std::string path = Path("link/status");
+    fs::create_directory(Path("real"));
+    fs::create_directory_symlink(Path("real"), Path("link"));
+    {
+        const runtime::ManagerSocket socket(path);
+        EXPECT_TRUE(fs::is_socket(Path("real/status")));
+        // Given a folder of another file system in the place of its own, with a file of this name
+        fs::remove(Path("link"));
+        fs::create_directory_symlink("/proc/self", Path("link"));
+    }
+    EXPECT_TRUE(fs::is_socket(Path("real/status")));
+    // Or nothing at all
+    {
+        const runtime::ManagerSocket socket(Path("m.sock"));
+        fs::remove(Path("m.sock"));
+    }
+    EXPECT_FALSE(fs::exists(Path("m.sock")));
+}
+
+TEST_F(ManagerSocketTest, WhatIsWaitedForIsWhatAClientMayDo)
+{
+    Verifies(req::SRS_MGR_138);
+    Verifies(req::SRS_MGR_160);
+    runtime::ManagerSocket socket(Path("m.sock"));
+    const auto events = [&socket]
+    {
+        std::vector<pollfd> places;
+        socket.AddTo(places);
+        std::vector<int> waited;
+        for (const pollfd& place : places)
+        {
+            waited.push_back(place.events);
+        }
+        return waited;
+    };
+    EXPECT_EQ(events(), (std::vector<int>{POLLIN}));
+    const host::LiveFile client = Connect(Path("m.sock"));
+    socket.Serve(Echo);
+    EXPECT_EQ(events(), (std::vector<int>{POLLIN, POLLIN}));
+    // Lines that wait for the next turn: nothing more is read
+    Say(client, "0\n1\n2\n3\n4\n");
+    socket.Serve(Echo);
+    EXPECT_EQ(events(), (std::vector<int>{POLLIN, 0}));
+    socket.Serve(Echo);
+    EXPECT_EQ(events(), (std::vector<int>{POLLIN, POLLIN}));
+    EXPECT_EQ(Receive(client), "0!1!2!3!4!");
+    // An answer that waits: room for more of it, also behind the last thing that the client says
+    Say(client, "5\nrest");
+    ASSERT_EQ(::shutdown(client.Get(), SHUT_WR), 0);
+    const auto much = [](const std::string& /*line*/) { return std::string(300000U, 'a'); };
+    socket.Serve(much, much);
+    EXPECT_EQ(events(), (std::vector<int>{POLLIN, POLLOUT}));
+    std::size_t size = 0U;
+    for (int turn = 0; turn < 10000 && size < 300000U; ++turn)
+    {
+        size += Receive(client).size();
+        socket.Serve(much, much);
+    }
+    EXPECT_EQ(events(), (std::vector<int>{POLLIN, POLLOUT}));
+    // And the end behind it
+    std::string more;
+    for (int turn = 0; turn < 10000 && more != "cut"; ++turn)
+    {
+        more = Receive(client);
+        size += (more == "cut") ? 0U : more.size();
+        socket.Serve(much, much);
+    }
+    EXPECT_EQ(size, 600000U);
+    EXPECT_EQ(events(), (std::vector<int>{POLLIN}));
+}
+
+TEST_F(ManagerSocketTest, WhoGoesBeforeItsAnswerIsGone)
+{
+    Verifies(req::SRS_MGR_138);
+    runtime::ManagerSocket socket(Path("m.sock"));
+    std::vector<pollfd> places;
+    // Given a client that asks and is gone before it is answered
+    {
+        const host::LiveFile hasty = Connect(Path("m.sock"));
+        Say(hasty, "1\n");
+    }
+    socket.Serve(Echo);
+    socket.AddTo(places);
+    EXPECT_EQ(places.size(), 1U);
+    // And one that goes without having read its answer
+    {
+        const host::LiveFile rude = Connect(Path("m.sock"));
+        Say(rude, "1\n");
+        socket.Serve(Echo);
+    }
+    socket.Serve(Echo);
+    places.clear();
+    socket.AddTo(places);
+    EXPECT_EQ(places.size(), 1U);
+    // Then a line that is cut off is answered by nothing where nobody has an answer to it
+    const host::LiveFile cut = Connect(Path("m.sock"));
+    Say(cut, "sto");
+    ASSERT_EQ(::shutdown(cut.Get(), SHUT_WR), 0);
+    socket.Serve(Echo);
+    socket.Serve(Echo);
+    EXPECT_EQ(Receive(cut), "cut");
 }
 } // namespace
 } // namespace counterpoint::tools
