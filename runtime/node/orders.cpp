@@ -62,16 +62,7 @@ bool NodeOrders::Carry(const NodeOrder& order, NodeDevice& device, const NodeMom
         TellObject(order.object, device);
         break;
     case OrderKind::kAcknowledge:
-        if (!device.Acknowledge(static_cast<std::uint8_t>(order.value), at_.now_ns))
-        {
-            TellProblem("ack: no SRDO " + std::to_string(order.value) + ", expected one of this device",
-                        "no such SRDO");
-        }
-        else if (IsSent(order.value, device))
-        {
-            TellProblem("ack: SRDO " + std::to_string(order.value) + " is sent, expected one that is received",
-                        "no such SRDO");
-        }
+        Acknowledge(order, device);
         break;
     case OrderKind::kGfc:
         if (device.Assembly().Core().SendGfc() != Result::kSuccessful)
@@ -110,6 +101,19 @@ bool NodeOrders::Carry(const NodeOrder& order, NodeDevice& device, const NodeMom
         break;
     }
     return order.kind != OrderKind::kQuit;
+}
+
+void NodeOrders::Acknowledge(const NodeOrder& order, NodeDevice& device)
+{
+    const std::string number = std::to_string(order.value);
+    if (!device.Acknowledge(static_cast<std::uint8_t>(order.value), at_.now_ns))
+    {
+        TellProblem("ack: no SRDO " + number + ", expected one of this device", "no such SRDO");
+    }
+    else if (IsSent(order.value, device))
+    {
+        TellProblem("ack: SRDO " + number + " is sent, expected one that is received", "no such SRDO");
+    }
 }
 
 void NodeOrders::GoOn(NodeDevice& device, const NodeMoment& at)

@@ -32,6 +32,7 @@ class NodeOrders
     void GoOn(NodeDevice& device, const NodeMoment& at);
 
   private:
+    void Acknowledge(const NodeOrder& order, NodeDevice& device);
     void Set(const NodeOrder& order, NodeDevice& device, cia301::Attempt attempt);
     void TellObject(const ObjectAddress& object, NodeDevice& device);
     void SendCommand(const NodeOrder& order, NodeDevice& device);

@@ -42,7 +42,7 @@ void NodeInsight::TellStates(const Part part, const Channel& channel, Voice& voi
         const SrdoState state = channel.View(slot).state;
         if (model_.NumberOf(slot) == 0U)
         {
-            continue; // The place of a device without SRDOs.
+            continue; // The place of a device without SRDOs. [SRS_SIM_661]
         }
         if (state != voice.states.at(slot))
         {
