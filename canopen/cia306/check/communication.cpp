@@ -94,7 +94,7 @@ void CheckCobIds(const SrdoConfiguration& srdo, Findings& findings)
     }
 }
 
-void CheckConsumerTimes(const SrdoConfiguration& srdo, Findings& findings)
+void CheckConsumerTimes(const CheckContext& context, const SrdoConfiguration& srdo, Findings& findings)
 {
     const std::uint64_t sct = *srdo.sct_ms.value;
     const std::uint64_t srvt = *srdo.srvt_ms.value;
@@ -107,6 +107,17 @@ void CheckConsumerTimes(const SrdoConfiguration& srdo, Findings& findings)
     {
         findings.Error(srdo.srvt_ms.place, ObjectName(srdo.CommunicationIndex(), 3U), "SRVT " + Decimal(srvt) + " ms",
                        "less than the SCT of " + Decimal(sct) + " ms");
+        return;
+    }
+    // [SRS_EDS_660]
+    const std::uint64_t late_us = std::uint64_t{context.parameters.cycle_us} + context.parameters.cycle_tolerance_us;
+    if (sct * kMicrosecondsPerMillisecond < late_us)
+    {
+        findings.Warning(srdo.sct_ms.place, ObjectName(srdo.CommunicationIndex(), 2U),
+                         "SCT " + Decimal(sct) +
+                             " ms: it may expire between two calls, and is then told behind another "
+                             "error, too",
+                         "at least a cycle with its tolerance, " + Decimal(late_us) + " us");
     }
 }
 
@@ -179,7 +190,7 @@ void CheckCommunication(const CheckContext& context, const SrdoConfiguration& sr
     const bool has_times = srdo.sct_ms.value && srdo.srvt_ms.value;
     if (has_times && srdo.IsConsumer())
     {
-        CheckConsumerTimes(srdo, findings);
+        CheckConsumerTimes(context, srdo, findings);
     }
     if (has_times && srdo.IsProducer())
     {
