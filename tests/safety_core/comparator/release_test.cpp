@@ -100,7 +100,7 @@ TEST_F(Comparing, WrongBitOfItsMemoryTakesNoReleaseBackWithoutAWord)
 
 TEST_F(Comparing, ProducerDueInOneChannelIsFoundThoughTheOtherCallsItFaultedInEveryCycle)
 {
-    Verifies(req::SRS_CMP_008);
+    Verifies(req::SRS_CMP_217);
     // Given slot 1 due in B alone, and newly faulted in A, from the comparison at 1000 us on
     (void)CompareAt(0U);
     a.outcome.new_fault = 2U;

@@ -6,6 +6,7 @@
 #include "verification/trace/verifies.hpp"
 
 #include <cstdint>
+#include <initializer_list>
 
 namespace counterpoint
 {
@@ -144,6 +145,89 @@ TEST_F(Comparing, ReleaseThatIsGoneIsNoReleaseThatIsLate)
     a.outcome.fresh = 4U;
     b.outcome.fresh = 4U;
     EXPECT_EQ(CompareAt(30000U).demote, 0U);
+}
+
+// t [us]   0: A alone releases   30000, behind the window: both report a new fault, and both have a new pair
+TEST_F(Comparing, NewFaultOfBothIsNoReleaseThatIsLate)
+{
+    Verifies(req::SRS_CMP_008);
+    b.outcome.released = 0U;
+    EXPECT_EQ(CompareAt(0U).demote, 0U);
+    for (SpokenChannel* const channel : {&a, &b})
+    {
+        channel->outcome.released = 0U;
+        channel->outcome.faulted = 4U;
+        channel->outcome.new_fault = 4U;
+        channel->outcome.fresh = 4U;
+    }
+    EXPECT_EQ(CompareAt(30000U).demote, 0U);
+}
+
+// t [us]   1000 (seen)   21000 (window)   21001
+TEST_F(Comparing, FaultOfOneAloneIsDemotedBehindTheWindowThoughNobodyReleases)
+{
+    Verifies(req::SRS_CMP_008);
+    Verifies(req::SRS_CMP_341);
+    for (SpokenChannel* const faulty : {&a, &b})
+    {
+        comparator.Restart(ComparatorSetup{5000U, 20000U, 4U});
+        for (SpokenChannel* const channel : {&a, &b})
+        {
+            channel->outcome.released = 0U;
+            channel->outcome.faulted = (channel == faulty) ? 4U : 0U;
+            channel->outcome.waiting = (channel == faulty) ? 0U : 4U;
+        }
+        EXPECT_EQ(CompareAt(1000U).demote, 0U);
+        EXPECT_EQ(CompareAt(21000U).demote, 0U);
+        EXPECT_EQ(CompareAt(21001U).demote, 4U);
+    }
+}
+
+TEST_F(Comparing, EachReasonAloneHasASlotExamined)
+{
+    Verifies(req::SRS_CMP_214);
+    // Given other data under one ordinal, equal sums and nothing new, then nobody looks at them
+    b.held[2].data.low ^= 1U;
+    EXPECT_EQ(CompareAt(0U).fault, DeviceFault::kNone);
+    const auto is_seen = [this]()
+    {
+        comparator.Restart(ComparatorSetup{5000U, 20000U, 4U});
+        return CompareAt(0U).fault == DeviceFault::kDisagreement;
+    };
+    EXPECT_FALSE(is_seen());
+    for (SpokenChannel* const channel : {&a, &b})
+    {
+        const CycleOutcome usual = channel->outcome;
+        // When one channel alone calls the slot new, released, faulted or due, or has another sum, then they are seen
+        channel->outcome.fresh = 4U;
+        EXPECT_TRUE(is_seen());
+        channel->outcome = usual;
+        channel->outcome.released = 0U;
+        EXPECT_TRUE(is_seen());
+        channel->outcome = usual;
+        channel->outcome.faulted = 4U;
+        EXPECT_TRUE(is_seen());
+        channel->outcome = usual;
+        channel->outcome.due = 4U;
+        EXPECT_TRUE(is_seen());
+        channel->outcome = usual;
+        channel->outcome.ordinal_sum = 10U;
+        EXPECT_TRUE(is_seen());
+        channel->outcome = usual;
+    }
+}
+
+// t [us]   0: a pair of A alone   1000: B's ordinal is the same, with other data, and nothing is new
+TEST_F(Comparing, SlotThatDoesNotMatchIsExaminedAgain)
+{
+    Verifies(req::SRS_CMP_214);
+    a.outcome.fresh = 4U;
+    a.held[2].ordinal = 10U;
+    EXPECT_EQ(CompareAt(0U).fault, DeviceFault::kNone);
+    a.outcome.fresh = 0U;
+    b.held[2].ordinal = 10U;
+    b.held[2].data.high ^= 1U;
+    EXPECT_EQ(CompareAt(1000U).fault, DeviceFault::kDisagreement);
 }
 
 // t [us]   0   1000 slot 1 differs (counts from 0)   4000 slot 2 too (counts from 1000)   5001: slot 1 is too late
