@@ -275,6 +275,7 @@ class ComparatorLost : public Rig
         ReceivePair();
         Cycle();
         EXPECT_EQ(Open(), 1U);
+        EXPECT_TRUE(WatchdogAlive());
         comparator_calls = calls;
         std::uint32_t cycles = 0U;
         while ((Open() != 0U) && (cycles < 100U))
@@ -303,6 +304,7 @@ TEST_F(ComparatorLost, FrozenAtItsLastVerdictIsSafeInTheSameCycle)
     EXPECT_EQ(CyclesToSafe(ComparatorCalls::kFrozen), 1U);
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kComparator);
     EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
+    EXPECT_FALSE(WatchdogAlive()); // The flow signature has the echo in it.
 }
 
 // The outcome of a comparison that is not stored, or a bit of it that is stuck: pairs come, and none would be written.

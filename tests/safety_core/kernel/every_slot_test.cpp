@@ -6,7 +6,10 @@
 #include "verification/trace/ids/kernel.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <initializer_list>
 #include <memory>
+#include <utility>
 
 namespace counterpoint
 {
@@ -229,6 +232,22 @@ TEST(EverySlot, DeviceOfSixtyFourConsumersStaysWithinItsStorage)
     Verifies(req::SRS_KRN_001);
     Verifies(req::SRS_KRN_020);
     LivesWithinItsStorage<64U>(0xFFFFFFFFFFFFFFFFU);
+}
+
+// Given pairs of three consumers before one cycle, then its flow event counts three.
+TEST(EverySlot, FlowEventCountsThePairsReleasedInOneCycle)
+{
+    Verifies(req::SRS_FLOW_340);
+    const std::unique_ptr<Device<33U>> device = std::make_unique<Device<33U>>();
+    device->Operate();
+    for (const std::uint32_t slot : {0U, 16U, 32U})
+    {
+        device->ReceivePair(slot);
+    }
+    device->application.flow.clear();
+    device->Cycle();
+    ASSERT_FALSE(device->application.flow.empty());
+    EXPECT_EQ(device->application.flow.back(), std::make_pair(FlowEvent::kSrdoReceived, std::uint16_t{3U}));
 }
 
 // Given one released slot at a time, then the three permits are those of the slot: its mask, and the answers of channel

@@ -124,6 +124,7 @@ TEST_F(GivenFlow, StepsTakeEffectInTheirOrder)
 TEST_F(GivenFlow, IsGivenWhatEachStepProducedAndWhatItMust)
 {
     Verifies(req::SRS_FLOW_001);
+    Verifies(req::SRS_CMP_001);
     // Given cycle 2 with cycle numbers of the channels, and one SRDO more in B's counts, that are not right
     Operate();
     a.on_outcome = [](CycleOutcome& outcome) { outcome.cycle = 7U; };

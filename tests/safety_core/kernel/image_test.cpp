@@ -106,6 +106,9 @@ TEST_F(StoredConfiguration, CrcCoversAddressesValuesAndValidity)
     Configure();
     const Image image = Save();
     EXPECT_EQ(image.header.crc, image::CrcOf(image::WordsOf(image.items, 0xA5U)));
+    // Given the power-on values of node-ID 2, then it is that of any other CRC-32 (computed with Python's zlib)
+    Restart();
+    EXPECT_EQ(Save().header.crc, 0x54B2E91FU);
 }
 
 TEST_F(StoredConfiguration, SavedConfigurationComesBackAfterPowerOnAndIsValid)

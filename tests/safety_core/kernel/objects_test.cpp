@@ -382,11 +382,13 @@ TEST_F(SafetyObjects, ChangedValueClearsConfigurationValid)
     clears(0x1301U, 3U, 10U, 1U);
     clears(0x13FFU, 1U, 0U, 2U);
     clears(0x1384U, 1U, 0x22000110U, 4U);
+    clears(0x1384U, 0U, 2U, 1U);
     clears(0x1304U, 5U, 0x105U, 4U);
 }
 
 TEST_F(SafetyObjects, ValuesOutsideTheirRangeAreRefused)
 {
+    Verifies(req::SRS_CFG_043);
     Verifies(req::SRS_CFG_044);
     Verifies(req::SRS_CFG_343);
     Verifies(req::SRS_CFG_344);
@@ -397,12 +399,13 @@ TEST_F(SafetyObjects, ValuesOutsideTheirRangeAreRefused)
     // COB-IDs of an SRDO that is on, then of one that is off
     EXPECT_EQ(Write(0x1301U, 5U, 0x105U, 4U), AbortCode::kValueRange);
     EXPECT_EQ(Write(0x1301U, 6U, 0x106U, 4U), AbortCode::kValueRange);
-    for (const std::uint32_t value : {0x100U, 0xFFU, 0x106U, 0x181U, 0x80000105U, 0x103U, 0x101U})
+    for (const std::uint32_t value : {0x100U, 0xFFU, 0x106U, 0x181U, 0x905U, 0x80000105U, 0x103U, 0x101U})
     {
         EXPECT_EQ(Write(0x1304U, 5U, value, 4U), AbortCode::kValueRange) << std::hex << value;
     }
+    EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U); // Nothing was accepted.
     EXPECT_EQ(Write(0x1304U, 5U, 0x17FU, 4U), AbortCode::kNone);
-    for (const std::uint32_t value : {0x17FU, 0x17EU, 0x181U, 0x182U, 0x102U})
+    for (const std::uint32_t value : {0x17FU, 0x17EU, 0x181U, 0x182U, 0x102U, 0x980U, 0x80000180U})
     {
         EXPECT_EQ(Write(0x1304U, 6U, value, 4U), AbortCode::kValueRange) << std::hex << value;
     }

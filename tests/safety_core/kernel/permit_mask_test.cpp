@@ -4,6 +4,8 @@
 #include "tests/safety_core/kernel/rig.hpp"
 #include "verification/trace/ids/kernel.hpp"
 
+#include <cstdint>
+
 namespace counterpoint
 {
 namespace
@@ -102,6 +104,25 @@ TEST_F(PermitMask, IsEmptyAfterOperationalWasLeft)
     NamesNoSlot();
 }
 
+// t ms  0   1
+//           both release: A with its second pair, B with its first
+TEST_F(PermitMask, IsEmptyForAnAgreedReleaseOfWhichNoPairWasWritten)
+{
+    Verifies(req::SRS_KRN_005);
+    Operate();
+    ReceivePair();
+    b.drop_frames = true;
+    ReceivePair();
+    b.drop_frames = false;
+    Cycle();
+    EXPECT_EQ(kernel.LastVerdict().agreement.agreed, 1U);
+    EXPECT_EQ(kernel.LastVerdict().agreement.matched & 1U, 0U);
+    NamesNoSlot();
+    EXPECT_EQ(NormalOut(), 0x7F01U);
+    EXPECT_TRUE(application.events.empty());
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+}
+
 // t ms  0        1                  2
 //       release  A's or B's permit  right again
 //                names no slot
@@ -152,6 +173,8 @@ TEST_F(PermitMask, OfBothChannelsThatLackTheSameSlotIsADeviceFault)
 TEST_F(PermitMask, OverAnEchoThatChangedBehindTheComparisonIsADeviceFault)
 {
     Verifies(req::SRS_KRN_250);
+    Verifies(req::SRS_KRN_005);
+    Verifies(req::SRS_CMP_001);
     Release();
     // Given one bit of the echo changes when channel B has committed
     b.on_committed = [this]() { const_cast<Verdict&>(kernel.LastVerdict()).echo ^= 0x100U; };
@@ -159,6 +182,10 @@ TEST_F(PermitMask, OverAnEchoThatChangedBehindTheComparisonIsADeviceFault)
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kComparator);
     EXPECT_EQ(kernel.DeviceState().slot, 0xFFU);
     EXPECT_EQ(Open(), 0U);
+    // And the permit is that of the changed echo: what spoils it, FFFFFFFFh, and mask 1 make 0
+    const std::uint32_t echo = kernel.LastVerdict().echo;
+    EXPECT_EQ(output.last.kernel.mask, 1U);
+    EXPECT_EQ(output.last.kernel.response, static_cast<std::uint32_t>(echo * 0xC2B2AE3DU));
     b.on_committed = nullptr;
     ReceivePair();
     Cycle();

@@ -128,7 +128,12 @@ TEST_F(ReadBack, ASlotIsExaminedWhereItsSignatureIsChecked)
     Operate();
     a.keep_examined = true;
     b.keep_examined = true;
-    Cycles(60U);
+    for (std::uint32_t cycle = 0U; cycle < 60U; ++cycle)
+    {
+        a.rechecked = kNoSlot;
+        Cycle();
+        EXPECT_EQ(a.examined.back(), (a.rechecked == kNoSlot) ? SrdoMask{0U} : (SrdoMask{1U} << a.rechecked)) << cycle;
+    }
     std::vector<SrdoMask> named = a.examined;
     named.erase(std::remove(named.begin(), named.end(), SrdoMask{0U}), named.end());
     std::sort(named.begin(), named.end());

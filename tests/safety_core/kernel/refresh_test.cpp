@@ -370,7 +370,7 @@ TEST_F(Refresh, CountersThatDriftApartAndRequestsAreNoDeviceFault)
 TEST_F(Refresh, ThatOneChannelNeverHasIsFoundWhateverIsAskedFor)
 {
     Verifies(req::SRS_KRN_146);
-    Verifies(req::SRS_CMP_008);
+    Verifies(req::SRS_CMP_217);
     for (const bool is_a : {false, true})
     {
         Operate();

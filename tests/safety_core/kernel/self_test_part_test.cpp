@@ -6,6 +6,9 @@
 #include "verification/trace/ids/kernel.hpp"
 #include "verification/trace/ids/selftest.hpp"
 
+#include <cstdint>
+#include <functional>
+
 namespace counterpoint
 {
 namespace
@@ -18,8 +21,14 @@ class SaidSelfTest final : public SelfTestPart
     SelfTestOutcome OnCycle() noexcept override
     {
         ++outcome.progress;
+        if (on_cycle)
+        {
+            on_cycle();
+        }
         return outcome;
     }
+
+    std::function<void()> on_cycle{};
 
     SelfTestOutcome outcome{0U, DeviceFault::kNone, PartsView::kSound};
 };
@@ -62,6 +71,36 @@ TEST_F(SelfTestSaid, PartsThatAreNotSoundAreAFaultWhateverElseIsSaid)
         EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kSelfTest);
         EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
     }
+}
+
+TEST_F(SelfTestSaid, IsCalledBeforeAnyPartButTheBeginningOfTheFlow)
+{
+    Verifies(req::SRS_STS_063);
+    Operate();
+    ReceivePair();
+    std::uint32_t channels = 0U;
+    const auto count = [&channels](CycleOutcome&) { ++channels; };
+    a.on_outcome = count;
+    b.on_outcome = count;
+    std::uint32_t calls = 0U;
+    // When its turn comes, then the cycle has begun, and nobody was asked, told or driven
+    said.on_cycle = [this, &calls, &channels]()
+    {
+        ++calls;
+        EXPECT_EQ(flow.begun, 2U);
+        EXPECT_TRUE(flow.steps.empty());
+        EXPECT_EQ(channels, 0U);
+        EXPECT_EQ(output.last.kernel.mask, 0U);
+        EXPECT_TRUE(application.events.empty());
+        EXPECT_TRUE(ports.sent.empty());
+    };
+    Cycle();
+    said.on_cycle = nullptr;
+    EXPECT_EQ(calls, 1U);
+    EXPECT_EQ(channels, 2U);
+    EXPECT_EQ(output.last.kernel.mask, 1U);
+    EXPECT_EQ(application.events.size(), 1U);
+    EXPECT_EQ(ports.sent.size(), 1U);
 }
 
 TEST_F(SelfTestSaid, ProgressIsTheEvidenceOfItsStep)

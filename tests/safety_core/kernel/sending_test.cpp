@@ -5,6 +5,10 @@
 #include "verification/trace/ids/channel.hpp"
 #include "verification/trace/ids/kernel.hpp"
 
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
 namespace counterpoint
 {
 namespace
@@ -87,6 +91,31 @@ TEST_F(Sending, SendToAllSendsEveryProducerOnce)
     EXPECT_EQ(ports.sent[2].identifier, 0x107U);
     Cycles(3U);
     EXPECT_EQ(ports.sent.size(), 3U);
+}
+
+TEST_F(Sending, FlowEventCountsThePairsSentBetweenTwoCycles)
+{
+    Verifies(req::SRS_FLOW_340);
+    setups[1].form = ProducerForm::kApplicationSends;
+    Configure();
+    MakeProducer(1U, 0x101U);
+    MakeProducer(4U, 0x107U);
+    ASSERT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+    kernel.SetNmtState(NmtState::kOperational);
+    Cycles(2U);
+    ASSERT_EQ(kernel.Send(CommunicationIndex{0U}), Result::kSuccessful);
+    Cycle();
+    // Given three normal frames, when they and the inverse frames that follow them are confirmed
+    for (std::size_t number = 0U; number < 6U; ++number)
+    {
+        ASSERT_GT(ports.sent.size(), number);
+        now_us += 10U;
+        const CanFrame frame = ports.sent[number];
+        kernel.OnConfirm(StampedFrame{frame, InstantPair{{now_us}, {now_us}}});
+    }
+    application.flow.clear();
+    Cycle();
+    EXPECT_EQ(application.flow.back(), std::make_pair(FlowEvent::kSrdoTransmitted, std::uint16_t{3U}));
 }
 
 TEST_F(Sending, ApplicationSendsWhenItWants)
@@ -232,6 +261,22 @@ TEST_F(Sending, GfcWithoutAnSrdoWithinTheShortestRefreshTimeIsAnErrorOnce)
     EXPECT_EQ(application.gfcs_not_followed, 0);
     Cycles(25U);
     EXPECT_EQ(application.gfcs_not_followed, 1);
+}
+
+// t [ms]   6 GFC      31 (limit)   32 normal frame
+TEST_F(Sending, FrameOfTheFirstCycleBehindTheRefreshTimeStillFollowsTheGfc)
+{
+    Verifies(req::SRS_KRN_225);
+    setups[1].form = ProducerForm::kApplicationSends;
+    Operate();
+    ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
+    Cycles(25U);
+    ASSERT_EQ(kernel.Send(CommunicationIndex{0x1303U}), Result::kSuccessful);
+    Cycle();
+    ASSERT_EQ(ports.sent.size(), 2U);
+    EXPECT_EQ(ports.sent[1].identifier, 0x103U);
+    Cycles(60U);
+    EXPECT_EQ(application.gfcs_not_followed, 0);
 }
 
 // t [ms]   6 GFC      7 normal frame refused: bus-off      31 (limit)   32

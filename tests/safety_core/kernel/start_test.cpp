@@ -104,8 +104,11 @@ TEST_F(Starting, NodeIdIsOneToOneHundredTwentySeven)
     EXPECT_EQ(Start(), StartResult::kNodeId);
     config.node_id = 128U;
     EXPECT_EQ(Start(), StartResult::kNodeId);
-    config.node_id = 127U;
-    EXPECT_EQ(Start(), StartResult::kStarted);
+    for (const std::uint8_t node : std::initializer_list<std::uint8_t>{1, 127})
+    {
+        config.node_id = node;
+        EXPECT_EQ(Start(), StartResult::kStarted) << static_cast<int>(node);
+    }
 }
 
 TEST_F(Starting, GranularityIsOneEightSixteenThirtyTwoOrSixtyFour)

@@ -64,6 +64,7 @@ class Tap final : public Channel
     }
     CheckResult Recheck(SlotIndex slot) noexcept override
     {
+        rechecked = slot;
         return Alter(real_.Recheck(slot));
     }
     void OnFrame(const CanFrame& frame, Instant stamp) noexcept override
@@ -203,6 +204,7 @@ class Tap final : public Channel
     SlotIndex signals_slot{kNoSlot};      ///< Likewise.
     SlotIndex fields_slot{kNoSlot};       ///< By the last SetFields.
     SlotIndex validated{kNoSlot};         ///< By the last Validate.
+    SlotIndex rechecked{kNoSlot};         ///< By the last Recheck.
     SlotIndex demoted{kNoSlot};           ///< By the last Demote.
     mutable SlotIndex last_held{kNoSlot}; ///< Of which the last pair was asked for.
     mutable SlotIndex last_viewed{kNoSlot};
