@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <utility>
 #include <vector>
 
@@ -23,7 +24,7 @@ class LoggedMemory final : public hal::MemoryAccess
   public:
     [[nodiscard]] std::uint32_t Read(const hal::Address place) const noexcept override
     {
-        return cells[(place - first) / 4U];
+        return cells[(place - first) / 4U] ^ ((place == misread) ? 1U : 0U);
     }
     void Write(const hal::Address place, const std::uint32_t value) noexcept override
     {
@@ -66,6 +67,7 @@ class LoggedMemory final : public hal::MemoryAccess
     std::array<std::uint32_t, 64> cells{};
     std::vector<std::pair<hal::Address, std::uint32_t>> log{};
     std::array<std::size_t, 2> wrong{SIZE_MAX, SIZE_MAX}; ///< By their number in the log.
+    hal::Address misread{0U};                             ///< Where Read gives a wrong bit 0.
 };
 
 class RamPatterns : public ::testing::Test
@@ -150,6 +152,22 @@ TEST_F(RamPatterns, TwoWrongReadingsDoNotCancelEachOther)
             EXPECT_EQ(test.Slice(ports), SliceResult::kFailed) << one << ' ' << other;
         }
     }
+}
+
+// What was put back is read, and nothing else is.
+TEST_F(RamPatterns, WordThatIsNotReadBackAsItWasFails)
+{
+    Verifies(req::SRS_STS_010);
+    Verifies(req::SRS_STS_214);
+    for (const hal::Address place : {hal::Address{0x1000U}, hal::Address{0x1004U}})
+    {
+        Restart({0x1000U, 2U}, 2U);
+        memory.misread = place;
+        EXPECT_EQ(test.Slice(ports), SliceResult::kFailed) << place;
+    }
+    Restart({0x1000U, 2U}, 2U);
+    memory.misread = 0x1008U;
+    EXPECT_EQ(test.Slice(ports), SliceResult::kContinues);
 }
 
 // A span that begins at 100Ch: words 0Ch 10h 14h 18h 1Ch 20h 24h. Windows of four share a word; line 4 leads from 10h,

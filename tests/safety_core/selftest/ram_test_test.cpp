@@ -137,6 +137,7 @@ TEST_F(RamTestTest, InterruptsAreLockedOnceASliceAndSeeNoPattern)
         ++moments;
         EXPECT_TRUE(IsAsItWas());
     };
+    memory.lock = &lock;
     // When a pass is done, then interrupts were locked once a slice
     for (std::uint32_t slice = 0U; slice < 8U; ++slice)
     {
@@ -145,6 +146,9 @@ TEST_F(RamTestTest, InterruptsAreLockedOnceASliceAndSeeNoPattern)
         EXPECT_FALSE(lock.is_locked);
     }
     EXPECT_EQ(moments, 16U);
+    // and from the first word that was saved to the last one that was read back
+    EXPECT_GT(memory.accesses, 0U);
+    EXPECT_EQ(memory.unlocked, 0U);
 }
 
 TEST_F(RamTestTest, EffortDoesNotDependOnWhatIsFound)

@@ -133,6 +133,8 @@ TEST_F(SelfTestTest, DefectAtTheStartIsRefusedByName)
     start(TestId::kPermits);
     device->memory.Break(StuckAt(device->Place(&device->ram[40])));
     start(TestId::kRam);
+    // The gate is as defective as before: that was found too
+    EXPECT_EQ(device->Start().states[5], TestState::kFailed);
     device->memory.Break(host::Defect{});
     device->setup.constants.source = SignatureSource::kInvalid;
     start(TestId::kConstants);

@@ -51,14 +51,17 @@ class PlacedMemory final : public hal::MemoryAccess
     }
     [[nodiscard]] std::uint32_t Read(const hal::Address place) const noexcept override
     {
+        Note();
         return cells_.Read(place);
     }
     void Write(const hal::Address place, const std::uint32_t value) noexcept override
     {
+        Note();
         cells_.Write(place, value);
     }
     [[nodiscard]] std::uint32_t Exchange(const hal::Address place, const std::uint32_t value) noexcept override
     {
+        Note();
         return cells_.Exchange(place, value);
     }
     [[nodiscard]] hal::Address StackPosition() const noexcept override
@@ -71,8 +74,20 @@ class PlacedMemory final : public hal::MemoryAccess
     }
 
     hal::Address stack_position;
+    const WatchedLock* lock{nullptr};   ///< Under which each access should be; null: does not matter.
+    mutable std::uint32_t accesses{0U}; ///< With such a lock.
+    mutable std::uint32_t unlocked{0U}; ///< Of them, those while it was not locked.
 
   private:
+    void Note() const noexcept
+    {
+        if (lock != nullptr)
+        {
+            ++accesses;
+            unlocked += lock->is_locked ? 0U : 1U;
+        }
+    }
+
     hal::MemoryAccess& cells_;
 };
 
