@@ -118,7 +118,6 @@ TEST(LinkMessage, ChecksumIsTheUsualCrc32)
     EXPECT_EQ(frame.bytes[187], 0xA5U);
 }
 
-// Given a laid out message, when it is read back, then every member is as it was.
 TEST(LinkMessage, UnusedBytesAreZeroWhateverStoodThere)
 {
     Verifies(req::SRS_LNK_001);
@@ -141,6 +140,7 @@ TEST(LinkMessage, UnusedBytesAreZeroWhateverStoodThere)
     }
 }
 
+// Given a laid out message, when it is read back, then every member is as it was.
 TEST(LinkMessage, IsReadBackAsItWas)
 {
     Verifies(req::SRS_LNK_001);

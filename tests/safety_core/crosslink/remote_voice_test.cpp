@@ -134,6 +134,32 @@ TEST_F(RemoteVoice_, OwnDiscardIsNoDifference)
     EXPECT_EQ(rig.Remote().Held(0U).ordinal, 0U);
 }
 
+// Given a pair at 8.0 ms here and a discard at 10.0 ms, when the other one's discard, or its pair, may have been at
+// that very instant, then there is no difference; a microsecond apart there is.
+TEST_F(RemoteVoice_, DiscardAtTheInstantOfThePairIsNoDifference)
+{
+    Verifies(req::SRS_TWO_004);
+    const auto nothing = [](const std::uint32_t age_us, const std::uint32_t ordinal)
+    {
+        SlotReport report = NothingReport(age_us);
+        report.ordinal = ordinal; // Else it would be the report of before.
+        return report;
+    };
+    Tell(nothing(4102U, 1U)); // slack 102: not after 8000
+    EXPECT_EQ(rig.Remote().Held(0U).holds_pair, 1U);
+    EXPECT_EQ(rig.Remote().Held(0U).ordinal, 3U);
+    Tell(nothing(4103U, 2U));
+    EXPECT_EQ(rig.Remote().Held(0U).holds_pair, 0U);
+    EXPECT_EQ(rig.Remote().Held(0U).ordinal, ~3U);
+    rig.Own().Demote(0U); // as of 10.0 ms
+    rig.channel.held[0] = kNoPair;
+    Tell(PairReport(900U, 3U)); // slack 100: from 10000
+    EXPECT_EQ(rig.Remote().Held(0U).holds_pair, 0U);
+    Tell(PairReport(899U, 4U));
+    EXPECT_EQ(rig.Remote().Held(0U).holds_pair, 1U);
+    EXPECT_EQ(rig.Remote().Held(0U).ordinal, ~0U);
+}
+
 // Given a report of the same pair again, then the slot is fresh once; with a narrower window of a pair that is not
 // known yet, or with other data, again.
 TEST_F(RemoteVoice_, RepeatedReportIsFreshOnce)
@@ -254,6 +280,9 @@ TEST_F(RemoteVoice_, PermitFollowsTheCommittedSlots)
     EXPECT_EQ(rig.Remote().Commit(Agreement{1U, 1U}, 0U), 0U);
     EXPECT_EQ(rig.Remote().Answer(100U).mask, 1U);
     EXPECT_EQ(rig.Remote().Answer(100U).response, 101U * 0x85EBCA77U);
+    // What it did not release it does not permit, whatever is agreed
+    EXPECT_EQ(rig.Remote().Commit(Agreement{5U, 5U}, 0U), 0U);
+    EXPECT_EQ(rig.Remote().Answer(100U).mask, 1U);
     EXPECT_EQ(rig.Remote().Commit(Agreement{1U, 0U}, 0U), 0U);
     EXPECT_EQ(rig.Remote().Answer(100U).mask, 1U);
     EXPECT_EQ(rig.Remote().Commit(Agreement{0U, 1U}, 0U), 0U);
