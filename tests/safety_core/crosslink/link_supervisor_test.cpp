@@ -181,11 +181,16 @@ TEST_F(Supervision, SequenceIsModular)
 TEST_F(Supervision, EchoAtTheTimeoutIsTakenOneMoreIsLate)
 {
     Verifies(req::SRS_LNK_210);
+    Verifies(req::SRS_LNK_003);
     Contact();
     EXPECT_EQ(link.Take(Message(51U, 511000U, EchoOf(9000U)), Instant{49000U}), TakeResult::kTaken);
     EXPECT_EQ(link.Take(Message(52U, 511000U, EchoOf(9000U)), Instant{49001U}), TakeResult::kDiscarded);
     EXPECT_EQ(link.Counts().late, 1U);
     EXPECT_EQ(link.Echo(Instant{49001U}).sequence, 52U);
+    // What was late was heard: the same number again is a repeated one, however fresh
+    EXPECT_EQ(link.Take(Message(52U, 511000U, EchoOf(49000U)), Instant{49500U}), TakeResult::kDiscarded);
+    EXPECT_EQ(link.Counts().repeated, 1U);
+    EXPECT_EQ(link.Counts().late, 1U);
 }
 
 // Given contact, when an echo lies in the future, or was held for longer than there was time, then it is late; what the

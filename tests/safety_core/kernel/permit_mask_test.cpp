@@ -157,6 +157,14 @@ TEST_F(PermitMask, OfOneChannelThatNamesAnotherSlotIsADeviceFaultOfThatSlot)
     Cycle();
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
     EXPECT_EQ(kernel.DeviceState().slot, 2U);
+    // Of several, by whichever channel, the lowest one
+    a.permit_slots = 0U;
+    Operate();
+    a.permit_slots = 4U;
+    b.permit_slots = 2U;
+    Cycle();
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+    EXPECT_EQ(kernel.DeviceState().slot, 1U);
 }
 
 TEST_F(PermitMask, OfBothChannelsThatLackTheSameSlotIsADeviceFault)
