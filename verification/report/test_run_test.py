@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Whatever changes behind a run of the tests makes them run again: a program, the tree, the commit, the list of tests."""
+"""Whatever changes behind a run of the tests makes them run again: a program, the tree, the commit, the list of tests. Where results come from is told."""
 import json
 import pathlib
 import subprocess
@@ -7,6 +7,7 @@ import tempfile
 import unittest
 from unittest import mock
 
+import make_evidence
 import test_run
 
 
@@ -89,6 +90,36 @@ class TestRun(unittest.TestCase):
     def test_no_results(self):
         (self.build / "results/run/ctest.xml").unlink()
         self.expect(False)
+
+
+class Told(unittest.TestCase):
+    """What the evidence holds of where its results come from."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="test_run_")
+        self.addCleanup(folder.cleanup)
+        self.data = pathlib.Path(folder.name) / "data"
+        self.results = pathlib.Path(folder.name) / "results"
+        (self.results / "run").mkdir(parents=True)
+        self.earlier = self.results / "run/ctest.xml"
+        self.earlier.write_text('<testsuite><testcase name="earlier" status="run"/></testsuite>')
+
+    def collected(self, passed_run):
+        """Origin and names of the results, where `passed_run` is the folder of an earlier run or None."""
+        progress = mock.Mock()
+        progress.run.side_effect = lambda *_, **__: (self.data / "ctest.xml").write_text('<testsuite><testcase name="own" status="run"/></testsuite>')
+        listing = mock.Mock(stdout='{"tests": []}')
+        with mock.patch.object(make_evidence, "DATA", self.data), mock.patch.object(test_run, "passed_run", lambda *_: passed_run), \
+                mock.patch.object(make_evidence.subprocess, "run", return_value=listing), mock.patch("builtins.print"):
+            make_evidence.collect_tests(progress, 1)
+        origin = json.loads((self.data / "test_run.json").read_text())["origin"]
+        return origin, [entry["name"] for entry in json.loads((self.data / "ctest.json").read_text())]
+
+    def test_earlier_run(self):
+        self.assertEqual(self.collected(self.results), ("a run of ./dev test: same commit, files, tests and programs", ["earlier"]))
+
+    def test_own_run(self):
+        self.assertEqual(self.collected(None), ("a run by ./dev verify itself", ["own"]))
 
 
 if __name__ == "__main__":
