@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# clean_root.sh FOLDER: a Debian 12 with a C++ compiler, CMake, make, pkg-config and Python, and nothing else; from where this machine has
+# clean_root.sh FOLDER: a Debian 12 with a C++ compiler, CMake, make, Ninja, pkg-config and Python, and nothing else; from where this machine has
 # its packages. What is there already and was made of the same list stays.
 set -euo pipefail
 folder=$1
-packages=g++-12,make,cmake,pkg-config,python3,python3-venv
+packages=g++-12,make,ninja-build,cmake,pkg-config,python3,python3-venv
 if [ "$(cat "$folder/etc/counterpoint_clean_root" 2>/dev/null)" = "$packages" ]; then
     echo "$folder: is there"
     exit 0

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # fixture_tree.sh MADE: the least that can be handed out in each way: a program that prints "output off", and a library of nothing.
 # Variables that a case sets: LIBRARY, TOOL (names of the packages), DOC (folder of the library's licence), SHARED (a file that
-# both packages have), SUBPROJECT, PKG_FLAGS, CONAN (what their programs print, the flags, what the recipe prints).
+# both packages have), SUBPROJECT, PKG_FLAGS, CONAN (what their programs print, the flags, what the recipe prints), MORE (what else the
+# project that takes the sources makes), BY_SUBDIRECTORY (what its program prints where it takes them by add_subdirectory).
 set -euo pipefail
 made=$1
 tree=$made/tree
 library=${LIBRARY:-libcounterpoint-dev}
 tool=${TOOL:-counterpoint}
-mkdir -p "$tree/docs" "$tree/examples/first_device" "$tree/tests/integration/subproject" "$made/data/debian"
+mkdir -p "$tree/docs" "$tree/examples/first_device" "$tree/tests/integration/subproject/first_device" "$made/data/debian"
 touch "$made/data/this_machine"
 echo 'project(Counterpoint VERSION 0.1.0)' >"$tree/CMakeLists.txt"
 printf '<!-- output: build/first_device -->\n```\noutput off\n```\n' >"$tree/docs/user_guide.md"
@@ -17,12 +18,19 @@ cmake_minimum_required(VERSION 3.25)
 project(FirstDevice LANGUAGES CXX)
 add_executable(first_device main.cpp)
 TEXT
-cat >"$tree/tests/integration/subproject/CMakeLists.txt" <<TEXT
-cmake_minimum_required(VERSION 3.25)
-project(Fetched LANGUAGES CXX)
-file(WRITE \${CMAKE_BINARY_DIR}/main.cpp "#include <cstdio>\nint main() { std::puts(\"${SUBPROJECT:-output off}\"); }\n")
-add_executable(first_device \${CMAKE_BINARY_DIR}/main.cpp)
-set_target_properties(first_device PROPERTIES RUNTIME_OUTPUT_DIRECTORY \${CMAKE_BINARY_DIR}/first_device)
+printf 'cmake_minimum_required(VERSION 3.25)\nproject(Fetched LANGUAGES CXX)\nadd_subdirectory(first_device)\n' \
+    >"$tree/tests/integration/subproject/CMakeLists.txt"
+cat >"$tree/tests/integration/subproject/first_device/CMakeLists.txt" <<TEXT
+set(SAYS "${SUBPROJECT:-output off}")
+if(COUNTERPOINT_WAY STREQUAL "add_subdirectory")
+  set(SAYS "${BY_SUBDIRECTORY:-${SUBPROJECT:-output off}}")
+endif()
+file(WRITE \${CMAKE_CURRENT_BINARY_DIR}/main.cpp "#include <cstdio>\nint main() { std::puts(\"\${SAYS}\"); }\n")
+file(WRITE \${CMAKE_CURRENT_BINARY_DIR}/used.cpp "int used();\nint used() { return 1; }\n")
+add_library(used STATIC \${CMAKE_CURRENT_BINARY_DIR}/used.cpp)
+add_executable(first_device \${CMAKE_CURRENT_BINARY_DIR}/main.cpp)
+target_link_libraries(first_device PRIVATE used)
+${MORE:-}
 TEXT
 cat >"$tree/conanfile.py" <<TEXT
 from conan import ConanFile

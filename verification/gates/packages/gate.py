@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
-"""What is handed out in other ways than as an installed folder: as sources of another project (FetchContent), as Debian packages with and without
-CMake (pkg-config), by Conan. In each way examples/first_device is built and prints what the user's guide says. The Debian packages
+"""What is handed out in other ways than as an installed folder: as sources of another project (by FetchContent and by add_subdirectory), as
+Debian packages with and without CMake (pkg-config), by Conan. In each way examples/first_device is built and prints what the user's guide says. The Debian packages
 are those in DATA/debian, made by cpack; Conan is that of requirements.txt.
+
+As sources, only first_device and the libraries that it links may be built, and no compiler may be told -Werror.
 
 All of it runs in a copy of DATA/clean_root, a Debian 12 that has a compiler and CMake and nothing of what developers install here, so that
 what a package does not name is missed; the Debian packages are installed there by apt, with what they depend on. Fixtures, whose packages
 are empty, have a file DATA/this_machine instead and run on the machine itself."""
+import json
 import os
 import pathlib
 import re
@@ -23,6 +26,9 @@ GUIDE = "docs/user_guide.md"
 PACKAGES = ("libcounterpoint-dev", "counterpoint")
 SHOWN = re.compile(r"^<!-- output: build/first_device -->\n```\w*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 COMPILER = "g++-12"
+MAKEFILES = "Unix Makefiles"
+WAYS = {"FetchContent": MAKEFILES, "add_subdirectory": "Ninja"}  # Each way, and the generator it is tried with.
+LIBRARY = re.compile(r"\blib\w+\.a\b")
 
 
 class Fails(Exception):
@@ -54,8 +60,8 @@ class Machine:
             raise Fails(f"{pathlib.Path(str(command[0])).name} {command[1] if len(command) > 1 else ''} fails: " + " | ".join(lines))
         return done.stdout
 
-    def cmake(self, source, folder, *options):
-        self.run("cmake", "-G", "Unix Makefiles", "-S", source, "-B", folder, f"-DCMAKE_CXX_COMPILER={COMPILER}", *options)
+    def cmake(self, source, folder, *options, generator=MAKEFILES):
+        self.run("cmake", "-G", generator, "-S", source, "-B", folder, f"-DCMAKE_CXX_COMPILER={COMPILER}", *options)
         self.run("cmake", "--build", folder, "--parallel", "2")
 
 
@@ -64,10 +70,36 @@ def compare(findings, way, shown, printed):
         findings.append(f"{way}: first_device prints '{printed.strip()}', expected '{shown.strip()}' as in {GUIDE}")
 
 
+def link_of(folder):
+    """What first_device is linked of, as the generator has written it."""
+    words = folder / "first_device/CMakeFiles/first_device.dir/link.txt"
+    if words.is_file():
+        return words.read_text()
+    rule = re.search(r"^build first_device/first_device: .*\n(?:  .*\n)*", (folder / "build.ninja").read_text(), re.MULTILINE)
+    return rule[0] if rule else ""
+
+
+def check_built(findings, way, folder):
+    """Programs and libraries that are there, outside CMake's own folders, and the options of the compiler."""
+    linked = set(LIBRARY.findall(link_of(folder)))
+    files = [path for path in sorted(folder.rglob("*")) if path.is_file() and not path.is_symlink() and "CMakeFiles" not in path.parts]
+    for path in files:
+        is_more = path.name not in linked if path.suffix == ".a" else os.access(path, os.X_OK) and path.name != "first_device"
+        if is_more:
+            findings.append(f"{way}: builds {path.relative_to(folder)}, expected first_device and what it links")
+    strict = [entry for entry in json.loads((folder / "compile_commands.json").read_text()) if "-Werror" in entry["command"].split()]
+    if strict:
+        findings.append(f"{way}: {len(strict)} files, {pathlib.Path(strict[0]['file']).name} first, are compiled with -Werror, expected none")
+
+
 def check_sources(findings, root, _, shown, machine):
-    """As a part of another project, with the tools of every system: Makefiles, one compiler."""
-    machine.cmake(root / PROJECT, machine.work / "sources", f"-DCOUNTERPOINT_TREE={root}")
-    compare(findings, "as sources", shown, machine.run(machine.work / "sources/first_device/first_device"))
+    """As a part of another project, with one compiler."""
+    for way, generator in WAYS.items():
+        folder = machine.work / way
+        machine.cmake(root / PROJECT, folder, f"-DCOUNTERPOINT_TREE={root}", f"-DCOUNTERPOINT_WAY={way}", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
+                      generator=generator)
+        compare(findings, f"as sources by {way}", shown, machine.run(folder / "first_device/first_device"))
+        check_built(findings, f"as sources by {way}", folder)
 
 
 def unpack(findings, archives, system):
