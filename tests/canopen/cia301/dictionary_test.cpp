@@ -237,6 +237,8 @@ TEST_F(DictionaryTest, LengthsAreKept)
     EXPECT_EQ(text_length, 2U);
     EXPECT_EQ(Write(0x2006U, 0U, {'1', '2', '3'}), SdoAbort::kNone);
     EXPECT_EQ(Read(0x2006U, 0U).size_bytes, 3U);
+    EXPECT_EQ(Write(0x2006U, 0U, {'1', '2', '3', '4', '5', '6', '7', '8'}), SdoAbort::kNone);
+    EXPECT_EQ(Read(0x2006U, 0U).size_bytes, 8U);
     EXPECT_EQ(Write(0x2006U, 0U, {}), SdoAbort::kNone);
     EXPECT_EQ(Read(0x2006U, 0U).size_bytes, 0U);
 }
@@ -255,6 +257,7 @@ TEST_F(DictionaryTest, LimitsAreKept)
     EXPECT_EQ(Write(0x2003U, 0U, {10U, 0U}), SdoAbort::kNone);
     EXPECT_EQ(Write(0x2003U, 0U, {9U, 0U}), SdoAbort::kValueLow);
     EXPECT_EQ(Write(0x2004U, 0U, {15U, 0U}), SdoAbort::kLimitsContradict);
+    EXPECT_EQ(u16, (std::array<std::uint8_t, 2>{10U, 0U}));
     EXPECT_EQ(Write(0x2005U, 0U, {1U}), SdoAbort::kNone);
     EXPECT_EQ(Write(0x2005U, 0U, {2U}), SdoAbort::kValueRange);
     EXPECT_EQ(flag[0], 1U);
@@ -295,6 +298,22 @@ TEST_F(DictionaryTest, HooksTakePart)
     EXPECT_EQ(Write(0x200AU, 0U, {1U}), SdoAbort::kGeneral);
 }
 
+TEST_F(DictionaryTest, AHookIsNotAskedForWhatIsRefusedWithoutIt)
+{
+    Verifies(req::SRS_OBD_007);
+    // Given hooks of an entry with limits, of one that is read only, and of one with a state
+    entries[5].write_hook = &hook;
+    entries[1].write_hook = &hook;
+    EXPECT_EQ(Write(0x2003U, 0U, {21U, 0U}), SdoAbort::kValueHigh);
+    EXPECT_EQ(Write(0x2000U, 0U, {1U}), SdoAbort::kReadOnly);
+    dictionary.SetNmtState(NmtState::kOperational);
+    EXPECT_EQ(Write(0x2008U, 0U, {1U}), SdoAbort::kDeviceState);
+    EXPECT_TRUE(hook.written.empty());
+    // When nothing speaks against the value, then it is
+    EXPECT_EQ(Write(0x2003U, 0U, {20U, 0U}), SdoAbort::kNone);
+    EXPECT_EQ(hook.written, (std::vector<std::uint8_t>{20U, 0U}));
+}
+
 TEST_F(DictionaryTest, TheKernelsObjectsAreReachedThroughItsFacade)
 {
     Verifies(req::SRS_OBD_008);
@@ -315,6 +334,9 @@ TEST_F(DictionaryTest, TheKernelsObjectsAreReachedThroughItsFacade)
     foreign.writes = 0;
     EXPECT_EQ(Write(0x1300U, 0U, {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U}), SdoAbort::kLengthMismatch);
     EXPECT_EQ(foreign.writes, 0);
+    // and eight do
+    EXPECT_EQ(Write(0x1300U, 0U, {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U}), SdoAbort::kDeviceState);
+    EXPECT_EQ(foreign.writes, 1);
 }
 
 TEST_F(DictionaryTest, TheReadersRoomIsKept)
@@ -362,6 +384,14 @@ TEST_F(DictionaryTest, AWriteIsJudgedBeforehand)
     EXPECT_EQ(dictionary.MayWrite({0x1300U, 0U}, 1U), SdoAbort::kNone);
     EXPECT_EQ(dictionary.MayWrite({0x1300U, 0U}, kUnknownLength), SdoAbort::kNone);
     EXPECT_EQ(dictionary.MayWrite({0x1300U, 0U}, 9U), SdoAbort::kLengthMismatch);
+    EXPECT_EQ(dictionary.MayWrite({0x2009U, 0U}, 1U), SdoAbort::kUnsupportedAccess);
+    EXPECT_EQ(dictionary.MayWrite({0x2001U, 0U}, 4U), SdoAbort::kNone);
+    EXPECT_EQ(dictionary.MayWrite({0x200BU, 0U}, 1U), SdoAbort::kDeviceState);
+    EXPECT_EQ(dictionary.MayWrite({0x200BU, 0U}, kUnknownLength), SdoAbort::kDeviceState);
+    // An entry with a length of its own
+    EXPECT_EQ(dictionary.MayWrite({0x2006U, 0U}, 1U), SdoAbort::kNone);
+    EXPECT_EQ(dictionary.MayWrite({0x2006U, 0U}, 8U), SdoAbort::kNone);
+    EXPECT_EQ(dictionary.MayWrite({0x2006U, 0U}, 9U), SdoAbort::kTooLong);
     EXPECT_EQ(u32[0], 0x44U);
     EXPECT_EQ(foreign.writes, 0);
 }

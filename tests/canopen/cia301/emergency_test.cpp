@@ -129,6 +129,9 @@ TEST_F(EmergencyTest, TheCobIdIsChecked)
     EXPECT_EQ(producer.WriteCobId(0x90U), SdoAbort::kNone);
     EXPECT_EQ(Poll().size(), 8U);
     EXPECT_EQ(identifier, 0x90U);
+    // Together with turning it off it may be another one
+    EXPECT_EQ(producer.WriteCobId(0x80000091U), SdoAbort::kNone);
+    EXPECT_EQ(producer.CobId(), 0x80000091U);
 }
 
 TEST_F(EmergencyTest, TheInhibitTimeIsKeptAndTheOrderToo)

@@ -95,6 +95,9 @@ TEST_F(ConsumerTest, ConsumerTimesAreChecked)
     EXPECT_EQ(consumer.Write(3U, 0x00800064U), SdoAbort::kNone); // node 128 is off
     EXPECT_EQ(consumer.Write(2U, 0x00800064U), SdoAbort::kNone);
     EXPECT_EQ(consumer.Write(2U, 0x01080064U), SdoAbort::kValueRange);
+    EXPECT_EQ(consumer.Write(2U, 0x80080064U), SdoAbort::kValueRange);
+    EXPECT_EQ(consumer.Write(2U, 0x007F0064U), SdoAbort::kNone); // node 127 is on
+    EXPECT_EQ(consumer.Write(3U, 0x007F0032U), SdoAbort::kIncompatible);
     EXPECT_EQ(consumer.Write(0U, 0U), SdoAbort::kSubUnknown);
     EXPECT_EQ(consumer.Write(4U, 0U), SdoAbort::kSubUnknown);
     EXPECT_EQ(consumer.Value(0U), 0U);
@@ -198,8 +201,12 @@ TEST_F(ConsumerTest, WhatIsNoHeartbeatChangesNothing)
     frame.length_bytes = 2U;
     consumer.OnFrame(frame, Instant{0U});
     frame.length_bytes = 1U;
-    frame.kind = FrameKind::kRemote;
-    consumer.OnFrame(frame, Instant{0U});
+    for (const FrameKind kind : {FrameKind::kInvalid, FrameKind::kRemote, FrameKind::kExtended,
+                                 FrameKind::kExtendedRemote, FrameKind::kFlexibleDataRate})
+    {
+        frame.kind = kind;
+        consumer.OnFrame(frame, Instant{0U});
+    }
     consumer.OnFrame(Beat(9U, 5U), Instant{0U});
     for (std::uint32_t state = 0U; state < 256U; ++state)
     {

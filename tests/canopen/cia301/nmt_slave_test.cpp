@@ -65,6 +65,7 @@ TEST_F(NmtSlaveTest, PowerOnPassesTheSubStatesAndSendsOneBootUp)
 TEST_F(NmtSlaveTest, TheFiveCommandsInEachState)
 {
     Verifies(req::SRS_NMT_003);
+    Verifies(req::SRS_NMT_002);
     for (const NodeState state : kRunning)
     {
         for (const std::uint8_t node : {std::uint8_t{0U}, std::uint8_t{5U}})
@@ -72,15 +73,21 @@ TEST_F(NmtSlaveTest, TheFiveCommandsInEachState)
             NmtSlave slave = In(state);
             slave.OnFrame(Command(1U, node));
             EXPECT_EQ(slave.State(), NodeState::kOperational);
+            EXPECT_FALSE(slave.Advance().is_present); // INITIALISATION was not left: no boot-up message.
             slave = In(state);
             slave.OnFrame(Command(2U, node));
             EXPECT_EQ(slave.State(), NodeState::kStopped);
+            EXPECT_FALSE(slave.Advance().is_present);
             slave = In(state);
             slave.OnFrame(Command(128U, node));
             EXPECT_EQ(slave.State(), NodeState::kPreOperational);
+            EXPECT_FALSE(slave.Advance().is_present);
             slave = In(state);
             slave.OnFrame(Command(129U, node));
             EXPECT_EQ(slave.State(), NodeState::kResetApplication);
+            EXPECT_FALSE(slave.Advance().is_present);
+            EXPECT_EQ(slave.State(), NodeState::kResetCommunication);
+            EXPECT_TRUE(slave.Advance().is_present);
             slave = In(state);
             slave.OnFrame(Command(130U, node));
             EXPECT_EQ(slave.State(), NodeState::kResetCommunication);
@@ -131,14 +138,16 @@ TEST_F(NmtSlaveTest, WhatIsNoCommandChangesNothing)
     EXPECT_EQ(slave.State(), NodeState::kPreOperational);
     // In INITIALISATION nothing is obeyed
     NmtSlave fresh{NodeId{5U}, StartUp{false, 0U}};
-    fresh.OnFrame(Command(1U, 5U));
-    EXPECT_EQ(fresh.State(), NodeState::kInitialising);
-    static_cast<void>(fresh.Advance());
-    fresh.OnFrame(Command(1U, 5U));
-    EXPECT_EQ(fresh.State(), NodeState::kResetApplication);
-    static_cast<void>(fresh.Advance());
-    fresh.OnFrame(Command(1U, 5U));
-    EXPECT_EQ(fresh.State(), NodeState::kResetCommunication);
+    for (const NodeState state :
+         {NodeState::kInitialising, NodeState::kResetApplication, NodeState::kResetCommunication})
+    {
+        for (const std::uint8_t command : std::array<std::uint8_t, 5>{1U, 2U, 128U, 129U, 130U})
+        {
+            fresh.OnFrame(Command(command, 5U));
+            EXPECT_EQ(fresh.State(), state) << int{command};
+        }
+        static_cast<void>(fresh.Advance());
+    }
 }
 
 TEST_F(NmtSlaveTest, ASelfStartingSlaveBecomesOperational)
@@ -165,7 +174,12 @@ TEST_F(NmtSlaveTest, TheDeviceLeavesOperationalByItselfAndNothingElse)
     for (std::uint8_t to = 0U; to <= 7U; ++to)
     {
         NmtSlave slave = In(NodeState::kOperational);
-        EXPECT_EQ(slave.Leave(static_cast<NodeState>(to)), (to == 4U) || (to == 6U));
+        const bool may_leave = (to == 4U) || (to == 6U);
+        EXPECT_EQ(slave.Leave(static_cast<NodeState>(to)), may_leave);
+        EXPECT_EQ(slave.State(), may_leave ? static_cast<NodeState>(to) : NodeState::kOperational);
+        NmtSlave fresh{NodeId{5U}, StartUp{false, 0U}};
+        EXPECT_FALSE(fresh.Leave(static_cast<NodeState>(to)));
+        EXPECT_EQ(fresh.State(), NodeState::kInitialising);
         for (const NodeState from : {NodeState::kPreOperational, NodeState::kStopped})
         {
             NmtSlave other = In(from);

@@ -137,6 +137,43 @@ TEST_F(PdoMapTest, TheEndOfALoadingThatHasNotBegunChangesNothing)
     EXPECT_EQ(CobId(0x1400U), 0x205U);
 }
 
+TEST_F(PdoMapTest, ValuesPassTheHooksOfTheirEntries)
+{
+    Verifies(req::SRS_PDO_006);
+    class Hook final : public ReadHook, public WriteHook
+    {
+      public:
+        Reading OnRead(const ObjectAddress& address, const Room& room) noexcept override
+        {
+            asked = address.index;
+            room.data[0] = 0x5AU;
+            return Reading{SdoAbort::kNone, 1U};
+        }
+        SdoAbort OnWrite(const ObjectAddress&, const Bytes& value) noexcept override
+        {
+            written.push_back(value.data[0]);
+            return (value.data[0] == 0x66U) ? SdoAbort::kHardware : SdoAbort::kNone;
+        }
+        std::uint16_t asked{0U};
+        Octets written{};
+    };
+    Hook hook{};
+    entries[0].read_hook = &hook;
+    entries[0].write_hook = &hook;
+    UseTpdo(254U);
+    UseRpdo(254U);
+    Cycle();
+    EXPECT_EQ(sink.Next(), (Octets{0x5AU, 0x22U, 0x33U}));
+    EXPECT_EQ(hook.asked, 0x2100U);
+    Hear({0x65U, 1U, 2U});
+    EXPECT_EQ(u8[0], 0x65U);
+    // A value that the hook refuses leaves its entry as it was, and the other one is taken
+    Hear({0x66U, 3U, 4U});
+    EXPECT_EQ(hook.written, (Octets{0x65U, 0x66U}));
+    EXPECT_EQ(u8[0], 0x65U);
+    EXPECT_EQ(u16, (std::array<std::uint8_t, 2>{3U, 4U}));
+}
+
 TEST_F(PdoMapTest, AFieldWithoutAnEntryIsZeroAndNothingIsBehindTheLastBit)
 {
     Verifies(req::SRS_PDO_006);

@@ -265,6 +265,8 @@ TEST_F(PdoMappingTest, DefaultsComeInAnyOrderAndAreCheckedAtTheEnd)
     EXPECT_EQ(Read(objects, 0x1A00U, 0U), 0x100000001U);
     EXPECT_EQ(Read(objects, 0x19FFU, 1U), 0x480000285U); // its object is gone
     EXPECT_EQ(Read(objects, 0x1BFFU, 0U), 0x100000000U);
+    EXPECT_EQ(Read(objects, 0x1BFFU, 1U), 0x400000000U);
+    EXPECT_EQ(WritePdo(0x1BFFU, 0U, 1U), SdoAbort::kObjectUnknown);
     Sync0();
     EXPECT_EQ(sink.Next(), (Octets{0x11U}));
 }

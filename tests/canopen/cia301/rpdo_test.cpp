@@ -123,8 +123,16 @@ TEST_F(RpdoTest, WrongLengthsAreToldOnce)
     EXPECT_EQ(u8[0], 3U);
     EXPECT_EQ(Emergency(), 0x0000U);
     EXPECT_EQ(Emergency(), 0x8220U);
+    Hear({5U, 2U, 1U, 0U, 0U});
+    EXPECT_EQ(u8[0], 5U);
+    EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
+    // One that is too short is no right one either
+    Hear({6U});
+    EXPECT_EQ(Emergency(), 0x8210U);
+    EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
     Hear({4U, 2U, 1U});
     EXPECT_EQ(u8[0], 4U);
+    EXPECT_EQ(Emergency(), 0x0000U);
     EXPECT_EQ(Emergency(), 0x0000U);
     EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
 }

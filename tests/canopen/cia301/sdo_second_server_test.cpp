@@ -267,6 +267,38 @@ TEST_F(SdoServerPortTest, AnOpenTransferEndsWithTheState)
     EXPECT_TRUE(answers.frames.empty());
 }
 
+TEST_F(SdoServerPortTest, TheRestOfASubBlockIsNoRequestHoweverLongTheStateHadNoSdo)
+{
+    Verifies(req::SRS_SDO_019);
+    // Given a download of which one segment of four came, and a stop, by the state or by a reset
+    for (const bool is_reset : {false, true})
+    {
+        Ask({0xC0U, 0x03U, 0x21U});
+        EXPECT_EQ(answers.Next()[0], 0xA4U);
+        Ask({0x01U});
+        if (is_reset)
+        {
+            port.ResetCommunication(NodeId{5U});
+        }
+        for (int i = 0; i < 3; ++i)
+        {
+            port.OnCycle({NodeState::kStopped, Instant{now_us}});
+            now_us += 10000U; // Ten times the time-out.
+        }
+        answers.frames.clear();
+        // When SDO is allowed again, then what is left of the sub-block has no answer
+        port.OnCycle(Now());
+        Ask({0x02U});
+        Ask({0x03U});
+        EXPECT_TRUE(answers.frames.empty()) << is_reset;
+        // half the time-out later it has
+        now_us += 500U;
+        port.OnCycle(Now());
+        Ask({0x03U});
+        EXPECT_EQ(answers.Next(), AbortOf(0U, 0U, 0x05040001U)) << is_reset;
+    }
+}
+
 TEST_F(SdoServerPortTest, WhatTheSinkDoesNotTakeIsSentLaterInOrder)
 {
     Verifies(req::SRS_SDO_016);

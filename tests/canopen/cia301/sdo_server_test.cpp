@@ -86,6 +86,29 @@ TEST_F(SdoServerTest, SegmentedDownloadIsWrittenOnceAtItsEnd)
     EXPECT_FALSE(server.IsBusy());
 }
 
+TEST_F(SdoServerTest, ASegmentedDownloadAsksItsHookOnce)
+{
+    Verifies(req::SRS_SDO_003);
+    class Counting final : public WriteHook
+    {
+      public:
+        [[nodiscard]] SdoAbort OnWrite(const ObjectAddress&, const Bytes& value) noexcept override
+        {
+            lengths.push_back(value.size_bytes);
+            return SdoAbort::kNone;
+        }
+        std::vector<std::uint32_t> lengths{};
+    };
+    Counting counting{};
+    entries[4].write_hook = &counting;
+    EXPECT_EQ(Send({0x21U, 0x03U, 0x21U, 0x00U, 15U})[0], 0x60U);
+    EXPECT_EQ(Send({0x00U})[0], 0x20U);
+    EXPECT_EQ(Send({0x10U})[0], 0x30U);
+    EXPECT_TRUE(counting.lengths.empty());
+    EXPECT_EQ(Send({0x0DU})[0], 0x20U); // One byte, and the last segment.
+    EXPECT_EQ(counting.lengths, (std::vector<std::uint32_t>{15U}));
+}
+
 TEST_F(SdoServerTest, SegmentedDownloadWithoutLengthAndOfNothing)
 {
     Verifies(req::SRS_SDO_003);
@@ -143,6 +166,10 @@ TEST_F(SdoServerTest, SegmentedUploadIsOneReading)
     // Nothing, and exactly two segments
     EXPECT_EQ(Send({0x40U, 0x03U, 0x21U, 0x00U}), (Octets{0x41U, 0x03U, 0x21U, 0x00U, 0U, 0U, 0U, 0U}));
     EXPECT_EQ(Send({0x60U}), (Octets{0x0FU, 0U, 0U, 0U, 0U, 0U, 0U, 0U}));
+    // One byte more than a frame takes
+    domain_length = 5U;
+    EXPECT_EQ(Send({0x40U, 0x03U, 0x21U, 0x00U}), (Octets{0x41U, 0x03U, 0x21U, 0x00U, 5U, 0U, 0U, 0U}));
+    EXPECT_EQ(Send({0x60U}), (Octets{0x05U, 0U, 1U, 2U, 3U, 4U, 0U, 0U}));
     domain_length = 14U;
     EXPECT_EQ(Send({0x40U, 0x03U, 0x21U, 0x00U})[4], 14U);
     EXPECT_EQ(Send({0x60U})[0], 0x00U);
@@ -178,6 +205,33 @@ TEST_F(SdoServerTest, ASilentClientTimesOutOverTheWrapOfTheCounter)
     EXPECT_EQ(Poll(), AbortOf(0x2102U, 0U, 0x05040000U));
     EXPECT_TRUE(Poll().empty());
     EXPECT_FALSE(server.IsBusy());
+}
+
+TEST_F(SdoServerTest, ASilentClientTimesOutInEveryPhase)
+{
+    Verifies(req::SRS_SDO_010);
+    // Given a transfer that waits for a segment, for its end, for the start of its blocks, for their acknowledgement,
+    // for the end behind that
+    domain_length = 7U;
+    for (const std::vector<Octets>& requests :
+         {std::vector<Octets>{{0x20U, 0x03U, 0x21U}}, std::vector<Octets>{{0x20U, 0x03U, 0x21U}, {0x00U}},
+          std::vector<Octets>{{0xC0U, 0x03U, 0x21U}}, std::vector<Octets>{{0xC0U, 0x03U, 0x21U}, {0x81U}},
+          std::vector<Octets>{{0xA0U, 0x03U, 0x21U, 0U, 4U}},
+          std::vector<Octets>{{0xA0U, 0x03U, 0x21U, 0U, 4U}, {0xA3U}},
+          std::vector<Octets>{{0xA0U, 0x03U, 0x21U, 0U, 4U}, {0xA3U}, {0xA2U, 1U, 4U}}})
+    {
+        for (const Octets& request : requests)
+        {
+            now_us += 999U; // Each of them begins the time anew.
+            EXPECT_EQ(Send(request).size(), 8U);
+        }
+        now_us += 999U;
+        EXPECT_TRUE(Poll().empty());
+        EXPECT_TRUE(server.IsBusy());
+        now_us += 1U;
+        EXPECT_EQ(Poll(), AbortOf(0x2103U, 0U, 0x05040000U)) << int{requests.back()[0]};
+        EXPECT_FALSE(server.IsBusy());
+    }
 }
 
 TEST_F(SdoServerTest, AnAbortOfTheClientEndsEveryTransferWithoutAnswer)

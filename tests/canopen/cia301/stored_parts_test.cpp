@@ -355,6 +355,36 @@ TEST_F(StoredPartsTest, EachSubIndexStoresItsGroupAndKeepsTheOthers)
     }
 }
 
+TEST_F(StoredPartsTest, EachSubIndexForgetsItsGroupAndKeepsTheOthers)
+{
+    Verifies(req::SRS_STO_004);
+    struct Row
+    {
+        std::uint8_t sub;
+        std::uint64_t communication; ///< Of 1800h:02, of 1 byte.
+        std::uint8_t application;
+        std::uint8_t manufacturer;
+    };
+    for (const Row& row : {Row{1U, 0x1000000FEU, 0U, 0U}, Row{2U, 0x1000000FEU, 1U, 1U}, Row{3U, 0x100000001U, 0U, 1U},
+                           Row{4U, 0x100000001U, 1U, 0U}})
+    {
+        // Given all groups stored with 1
+        EXPECT_EQ(WritePdo(0x1800U, 2U, 1U), SdoAbort::kNone);
+        application = {1U};
+        manufacturer = {1U, 0U};
+        EXPECT_EQ(Download(kSaveAllRequest), 0U);
+        // When load is written to one sub-index
+        table[3].sub = (row.sub == 1U) ? std::uint8_t{4U} : row.sub;
+        EXPECT_EQ(Download({0x23U, 0x11U, 0x10U, row.sub, 'l', 'o', 'a', 'd'}), 0U);
+        EXPECT_EQ(application[0], 1U);
+        Restart();
+        // Then its group alone has its defaults
+        EXPECT_EQ(Read(objects, 0x1800U, 2U), row.communication) << static_cast<int>(row.sub);
+        EXPECT_EQ(application[0], row.application) << static_cast<int>(row.sub);
+        EXPECT_EQ(manufacturer[0], row.manufacturer) << static_cast<int>(row.sub);
+    }
+}
+
 TEST_F(StoredPartsTest, AnEntryThatIsGoneOrRefusesIsCounted)
 {
     Verifies(req::SRS_STO_007);

@@ -200,6 +200,24 @@ TEST_F(SyncTest, TheCounterBeginsAtOneAndOverflows)
     Command(128U);
     heard.OnCycle(Now());
     EXPECT_EQ(counters.back(), 1U);
+    // A start of the node goes on with it
+    Command(1U);
+    now_us += 1000U;
+    heard.OnCycle(Now());
+    EXPECT_EQ(counters.back(), 2U);
+    // A production that starts anew begins at 1, whatever ended it
+    for (const std::uint16_t index : {std::uint16_t{0x1005U}, std::uint16_t{0x1006U}})
+    {
+        EXPECT_EQ(Set(index, (index == 0x1005U) ? 0x00000080U : 0U), SdoAbort::kNone);
+        now_us += 1000U;
+        heard.OnCycle(Now());
+        EXPECT_EQ(Set(index, (index == 0x1005U) ? 0x40000080U : 1000U), SdoAbort::kNone);
+        heard.OnCycle(Now());
+        EXPECT_EQ(counters.back(), 1U) << index;
+        now_us += 1000U;
+        heard.OnCycle(Now());
+        EXPECT_EQ(counters.back(), 2U) << index;
+    }
 }
 
 TEST_F(SyncTest, ObjectsAreChecked)

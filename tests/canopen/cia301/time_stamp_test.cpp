@@ -63,8 +63,11 @@ TEST_F(TimeStampTest, ATimeIsSentWhereItIsProduced)
     sink.room = 0;
     EXPECT_FALSE(stamp.Send({1U, 1U}, Now()));
     sink.room = 9;
-    Command(1U); // OPERATIONAL
     EXPECT_TRUE(sink.frames.empty());
+    // In OPERATIONAL until now; in PRE-OPERATIONAL as well, in STOPPED not
+    EXPECT_EQ(slave.State(), NodeState::kOperational);
+    Command(128U);
+    EXPECT_EQ(slave.State(), NodeState::kPreOperational);
     EXPECT_TRUE(stamp.Send({2U, 0U}, Now()));
     EXPECT_EQ(sink.Next(), (Octets{2U, 0U, 0U, 0U, 0U, 0U}));
     Command(2U);
@@ -87,6 +90,9 @@ TEST_F(TimeStampTest, TheObjectIsChecked)
     EXPECT_EQ(Set(0xC00000FFU), SdoAbort::kNone);
     EXPECT_EQ(Set(0x00000100U), SdoAbort::kNone);
     EXPECT_EQ(Set(0x40000100U), SdoAbort::kNone);
+    EXPECT_EQ(Set(0x400000FFU), SdoAbort::kValueRange);
+    EXPECT_EQ(Set(0x800000FFU), SdoAbort::kValueRange); // The other role is one, too.
+    EXPECT_EQ(Read(stamp, 0x1012U, 0U), 0x440000100U);
     stamp.ResetCommunication(NodeId{5U});
     EXPECT_EQ(Read(stamp, 0x1012U, 0U), 0x400000100U);
 }

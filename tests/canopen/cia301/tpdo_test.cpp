@@ -151,6 +151,15 @@ TEST_F(TpdoTest, AcyclicPdosWaitForSync)
     EXPECT_EQ(sink.Next(), (Octets{0x56U, 0x22U, 0x33U}));
     Sync0();
     EXPECT_EQ(Sent(), 0U);
+    // The event time is none of its events
+    EXPECT_EQ(WritePdo(0x1800U, 5U, 10U), SdoAbort::kNone);
+    for (int i = 0; i < 5; ++i)
+    {
+        now_us += 10000U;
+        Cycle();
+        Sync0();
+    }
+    EXPECT_EQ(Sent(), 0U);
 }
 
 TEST_F(TpdoTest, EventsSendAtOnce)
@@ -295,6 +304,23 @@ TEST_F(TpdoTest, TheInhibitTimeIsKept)
     EXPECT_EQ(sink.Next(), (Octets{0x13U, 0x22U, 0x33U}));
     Cycle();
     EXPECT_EQ(Sent(), 0U);
+    // An answer to a remote frame waits for nothing, and is a transmission that the next event keeps away from
+    now_us += 4000U;
+    tpdos.OnFrame(RemoteOf(0x185U), Now());
+    EXPECT_EQ(Sent(), 1U);
+    u8[0] = 0x14U;
+    now_us += 4999U;
+    Cycle();
+    EXPECT_EQ(Sent(), 0U);
+    now_us += 1U;
+    Cycle();
+    EXPECT_EQ(sink.Next(), (Octets{0x14U, 0x22U, 0x33U}));
+    // OPERATIONAL begins anew
+    Command(128U);
+    Cycle();
+    Command(1U);
+    Cycle();
+    EXPECT_EQ(Sent(), 1U);
 }
 
 TEST_F(TpdoTest, ARemoteFrameOfAnyLengthIsAnsweredAsTheTypeSays)
