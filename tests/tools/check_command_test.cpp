@@ -140,7 +140,12 @@ TEST_F(CheckCommandTest, AnswersAsJson)
     EXPECT_EQ(document["findings"][1]["object"], "0x13FF:01");
     EXPECT_EQ(document["findings"][1]["message"],
               "signature 0x0001 of SRDO 1, expected 0xB631, computed from its parameters");
-    EXPECT_EQ(nlohmann::json::parse(RunCommand({"check", "--json", Path("none.dcf")}).out)["error"]["line"], 0);
+    const auto refusal = nlohmann::json::parse(RunCommand({"check", "--json", Path("none.dcf")}).out)["error"];
+    EXPECT_EQ(refusal["file"], Path("none.dcf"));
+    EXPECT_EQ(refusal["line"], 0);
+    EXPECT_EQ(refusal["column"], 0);
+    EXPECT_EQ(refusal["message"],
+              "it cannot be opened (No such file or directory), expected a readable EDS or DCF file");
 }
 /// Statuses of check and generate, and whether node would run with all SRDOs, for a changed file.
 struct Taken

@@ -327,6 +327,7 @@ TEST_F(SignCommandTest, RefusesAsJsonToo)
     EXPECT_EQ(answer.status, 2);
     const auto document = nlohmann::json::parse(answer.out);
     EXPECT_EQ(document["error"]["line"], 2);
+    EXPECT_EQ(document["error"]["column"], 10);
     EXPECT_EQ(document["error"]["message"], "'DataType' is '\\xE4', expected a number from 0 to 65535");
     EXPECT_EQ(answer.err, file + ":2:10: error: 'DataType' is '\\xE4', expected a number from 0 to 65535\n");
 }

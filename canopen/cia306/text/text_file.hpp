@@ -20,7 +20,7 @@ constexpr std::size_t kMaxFileBytes = 16U * 1024U * 1024U;
 [[nodiscard]] std::string TargetOf(const std::string& path);
 
 /// Throws InputError where WriteTextFile would for this path, and leaves nothing behind. For commands that
-/// write their result only after long work. [SRS_CLI_240]
+/// write their result only after long work. [SRS_CLI_240, SRS_CLI_650]
 void RequireWritable(const std::string& path);
 
 /// Replaces or creates the file in one step (a new file beside it, then a rename); an existing file keeps its

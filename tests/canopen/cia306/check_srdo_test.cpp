@@ -145,12 +145,16 @@ TEST(CheckSrdo, AnObjectIsReceivedByOneSrdoAlone)
                                      {"1381sub0", kValue, "2"},
                                      {"1381sub1", kValue, "0x20000108"},
                                      {"1381sub2", kValue, "0x21000108"}};
+    const std::vector<Set> both_dummies{{"1302sub1", kValue, "2"},          {"1382sub0", kValue, "2"},
+                                        {"1382sub1", kValue, "0x00050008"}, {"1382sub2", kValue, "0x00050008"},
+                                        {"1381sub3", kValue, "0x00050008"}, {"1381sub4", kValue, "0x00050008"}};
     const std::string shared_normal = "error: 0x1382:01: object 0x2200:01 is in the mapping of SRDO 1 too, and one of "
                                       "the two receives, expected an object of its own";
     const std::string shared_inverse = "error: 0x1382:02: object 0x2300:01 is in the mapping of SRDO 1 too, and one of "
                                        "the two receives, expected an object of its own";
-    test::ExpectRows("controller", {{both_received, {shared_normal, shared_inverse}}, {one_off, {}}, {both_sent, {}}},
-                     {});
+    test::ExpectRows(
+        "controller",
+        {{both_received, {shared_normal, shared_inverse}}, {one_off, {}}, {both_sent, {}}, {both_dummies, {}}}, {});
     const std::vector<std::string> found = test::FindingsOfChange("controller", {received_and_sent, {}}, {});
     EXPECT_EQ(found.at(1), shared_normal);
     EXPECT_EQ(found.at(3), shared_inverse);

@@ -69,6 +69,21 @@ TEST(DeviceReader, ReadsAVariableWithEverything)
     EXPECT_EQ(record.Find(0x2000U, 0U)->inverted_srad, std::nullopt);
 }
 
+TEST(DeviceReader, ReadsTheLowestAndTheHighestIndex)
+{
+    Verifies(req::SRS_EDS_001);
+    const Device device = DeviceOf(Text("[0000]\nObjectType=7\nDataType=5\nAccessType=ro\nDefaultValue=1\n"
+                                        "[FFFF]\nObjectType=7\nDataType=6\nAccessType=rw\nLowLimit=2\n"
+                                        "ParameterValue=3\n"));
+    ASSERT_NE(device.Find(0x0000U, 0U), nullptr);
+    EXPECT_EQ(device.Find(0x0000U, 0U)->default_value.text, "1");
+    ASSERT_NE(device.Find(0xFFFFU), nullptr);
+    EXPECT_EQ(device.Find(0xFFFFU)->type, ObjectType::kVar);
+    ASSERT_NE(device.Find(0xFFFFU, 0U), nullptr);
+    EXPECT_EQ(device.Find(0xFFFFU, 0U)->low_limit.place.line, 20U);
+    EXPECT_EQ(device.Find(0xFFFFU, 0U)->parameter_value.place.line, 21U);
+}
+
 TEST(DeviceReader, ReadsSubIndicesAsHexadecimal)
 {
     Verifies(req::SRS_EDS_001);

@@ -101,6 +101,22 @@ TEST(DeviceTypes, ATypeOfTheFileHasALengthOnlyAsDeftype)
     EXPECT_EQ(bits("0x5", "SubNumber=1\n[0060sub1]\nParameterName=y\n" + value + "12\n"), 0);
 }
 
+TEST(DeviceTypes, BitsOfOneToEightHaveTheirLength)
+{
+    Verifies(req::SRS_EDS_027);
+    const auto bits = [](const std::string& type)
+    {
+        const Device device =
+            DeviceOf(FileOf("[2000]\nParameterName=x\nObjectType=0x7\nDataType=" + type + "\nAccessType=rw\n"));
+        return int{device.Find(0x2000U, 0U)->type.bits};
+    };
+    // BIT1 and BIT8, and what is beside them
+    EXPECT_EQ(bits("0x002F"), 0);
+    EXPECT_EQ(bits("0x0030"), 1);
+    EXPECT_EQ(bits("0x0037"), 8);
+    EXPECT_EQ(bits("0x0038"), 0);
+}
+
 TEST(DeviceTypes, ValuesWithoutAnOrderHaveNoLimits)
 {
     Verifies(req::SRS_EDS_027);

@@ -157,6 +157,8 @@ TEST(Malformed, TooManySubIndicesAreRefused)
         text += "[" + test::HexIndex(index) + "]\nDataType=7\nCompactSubObj=254\n";
     }
     EXPECT_EQ(RefusalOf(text), "test.dcf:2353:1: error: there is a sub-index more, expected at most 200000");
+    // 784 of them, with 255 sub-indices each, are 199920
+    EXPECT_EQ(RefusalOf(text.substr(0U, text.find("[2310]"))), "");
 }
 
 TEST(Malformed, EveryTruncationOfAnExampleIsReadOrRefusedByOneLine)

@@ -214,7 +214,7 @@ TEST_F(TextFile, WhoReadsWhileAFileIsReplacedGetsAllOfTheOldText)
 
 TEST_F(TextFile, WritingToWhatIsNoFileIsRefused)
 {
-    Verifies(req::SRS_CLI_120);
+    Verifies(req::SRS_CLI_650);
     EXPECT_THROW(WriteTextFile(folder_.string(), "x"), InputError);
     EXPECT_THROW(WriteTextFile("/dev/null", "x"), InputError);
     EXPECT_THROW(WriteTextFile(Path("no/such/folder/a"), "x"), InputError);
@@ -223,7 +223,7 @@ TEST_F(TextFile, WritingToWhatIsNoFileIsRefused)
 
 TEST_F(TextFile, WhetherAPathCanBeWrittenIsKnownBefore)
 {
-    Verifies(req::SRS_CLI_120);
+    Verifies(req::SRS_CLI_650);
     EXPECT_THROW(RequireWritable(folder_.string()), InputError);
     EXPECT_THROW(RequireWritable("/dev/null"), InputError);
     EXPECT_THROW(RequireWritable(Path("no/such/folder/a")), InputError);
@@ -272,7 +272,7 @@ TEST_F(TextFile, APathThatNoFileCanHaveIsRefusedBefore)
 
 TEST_F(TextFile, ASocketIsNoRegularFileEither)
 {
-    Verifies(req::SRS_CLI_006);
+    Verifies(req::SRS_CLI_650);
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
     const std::string path = Path("s");
@@ -295,7 +295,7 @@ TEST_F(TextFile, ASocketIsNoRegularFileEither)
 
 TEST_F(TextFile, AFileOfTheNameInBetweenIsNotTakenAway)
 {
-    Verifies(req::SRS_CLI_006);
+    Verifies(req::SRS_CLI_120);
     WriteTextFile(Path("a"), "old");
     // Given a file that somebody else gave the name which the new one gets before it replaces the old one
     const std::string between = Path("a") + "." + std::to_string(::getpid());
@@ -316,7 +316,7 @@ TEST_F(TextFile, AFileOfTheNameInBetweenIsNotTakenAway)
 
 TEST_F(TextFile, AFileOfTheFolderOneIsInNeedsNoFolder)
 {
-    Verifies(req::SRS_CLI_006);
+    Verifies(req::SRS_CLI_120);
     const std::filesystem::path before = std::filesystem::current_path();
     std::filesystem::current_path(folder_);
     WriteTextFile("alone", "x");
@@ -347,9 +347,22 @@ std::string RefusalOfWriting(const std::string& path, const std::string& text)
     return "";
 }
 
+TEST_F(TextFile, WhatIsNoRegularFileIsRefusedByOneLineAndStays)
+{
+    Verifies(req::SRS_CLI_650);
+    const std::string none = "expected a regular file, or none";
+    ASSERT_EQ(::mkfifo(Path("pipe").c_str(), 0600), 0);
+    EXPECT_EQ(RefusalOfWriting(folder_.string(), "x"), folder_.string() + ": error: it is a directory, " + none);
+    EXPECT_EQ(RefusalOfWriting("/dev/null", "x"), "/dev/null: error: it is a device, " + none);
+    EXPECT_EQ(RefusalOfWriting(Path("pipe"), "x"), Path("pipe") + ": error: it is a pipe, " + none);
+    EXPECT_TRUE(std::filesystem::is_fifo(Path("pipe")));
+    EXPECT_EQ(RefusalOfWriting(Path("no/a"), "x"),
+              Path("no/a") + ": error: it cannot be created (No such file or directory), expected a path in a "
+                             "writable folder");
+}
+
 TEST_F(TextFile, WhereNothingCanBeMadeOrTheRoomEndsTheOldFileStays)
 {
-    Verifies(req::SRS_CLI_006);
     Verifies(req::SRS_CLI_120);
     EXPECT_EQ(RefusalOfWriting("/proc/none", "x"), "/proc/none: error: it cannot be created (No such file or "
                                                    "directory), expected a path in a writable folder");
@@ -433,7 +446,6 @@ TEST_F(TextFile, AProgramWithoutOutputReplacesAFile)
 
 TEST_F(TextFile, AFileThatCannotTakeItsPlaceLeavesNothing)
 {
-    Verifies(req::SRS_CLI_006);
     Verifies(req::SRS_CLI_120);
     // Given a path without a name: the file beside it can be made, and named, but not take its place
     const std::filesystem::path before = std::filesystem::current_path();

@@ -44,5 +44,26 @@ TEST(ScaledCounterTest, DoesNotDrift)
     }
 }
 
+TEST(ScaledCounterTest, OneOfFewerBitsRollsOverWithoutADrift)
+{
+    Verifies(req::SRS_ZYN_055);
+    const Case cases[]{
+        {{1000001U, 16U}, 2258626150U},  // 200 000 times 2^15 counts: 6 553 593 446.4 us
+        {{33333333U, 24U}, 3087008247U}, // 200 000 times 2^23 counts: 50 331 648 503.3 us, of which 1 ppb is 50 us
+    };
+    for (const Case& each : cases)
+    {
+        const std::uint32_t half = 1U << (each.rate.bits - 1U);
+        ScaledCounter counter{};
+        counter.Start(each.rate, 0U);
+        Instant now{0U};
+        for (std::uint32_t step = 1U; step <= 200000U; ++step)
+        {
+            now = counter.Take(((step % 2U) == 0U) ? 0U : half);
+        }
+        EXPECT_LE(each.expected_us - now.us, 1U) << each.rate.hertz << " Hz: " << now.us;
+    }
+}
+
 } // namespace
 } // namespace counterpoint::zynqmp
