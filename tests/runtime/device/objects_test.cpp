@@ -8,6 +8,7 @@
 #include "runtime/device/objects/service_length.hpp"
 #include "runtime/device/objects/service_objects.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
+#include "verification/trace/ids/eds.hpp"
 #include "verification/trace/ids/node.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -184,10 +185,22 @@ TEST(DeviceObjectsTest, HaveTheirHighestSubIndexAsACountWhateverItsLimits)
 TEST(DeviceObjectsTest, LeaveOutALimitThatTheirTypeCannotHave)
 {
     Verifies(req::SRS_NODE_045);
+    Verifies(req::SRS_EDS_032);
     Objects objects(Variable("2000", "5", "LowLimit=2\nHighLimit=256\n"));
     EXPECT_EQ(objects.Refusals(), (std::vector<std::string>{"0x2000:00: limit: value '256' is left out, expected a "
                                                             "number from 0 to 255 (UNSIGNED8)"}));
     EXPECT_EQ(objects.Write({0x2000U, 0U}, {1U}), SdoAbort::kValueLow);
+    EXPECT_EQ(objects.Write({0x2000U, 0U}, {255U}), SdoAbort::kNone);
+}
+
+TEST(DeviceObjectsTest, BeginWithZeroForAValueThatTheirTypeCannotHave)
+{
+    Verifies(req::SRS_EDS_032);
+    Objects objects(Variable("2000", "5", "DefaultValue=256\n"));
+    EXPECT_EQ(objects.Refusals(),
+              (std::vector<std::string>{"0x2000:00: value '256' is left out, expected a number from 0 "
+                                        "to 255 (UNSIGNED8)"}));
+    EXPECT_EQ(objects.Read({0x2000U, 0U}), Octets{0U});
     EXPECT_EQ(objects.Write({0x2000U, 0U}, {255U}), SdoAbort::kNone);
 }
 

@@ -4,6 +4,7 @@
 #include "canopen/generate/names.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/canopen/generate/random_device.hpp"
+#include "verification/trace/ids/eds.hpp"
 #include "verification/trace/ids/generate.hpp"
 #include "verification/trace/ids/store.hpp"
 #include "verification/trace/verifies.hpp"
@@ -132,6 +133,17 @@ TEST(GeneratedLimits, AreThoseOfTheTypeWhereTheFileHasNone)
     EXPECT_TRUE(
         Has(Code(kHead + Entry("2000", 3, "rw", "LowLimit=-9\nHighLimit=9")).source, "0x00U, 0x00U, // 2000h:00"));
     EXPECT_TRUE(Has(Code(kHead + Entry("2000", 6, "rw", "")).source, "0x00U, 0x00U, // 2000h:00"));
+}
+
+// A value or limit that its type cannot have is as if the file did not give it.
+TEST(GeneratedLimits, AndValuesThatTheTypeCannotHaveAreLeftOut)
+{
+    Verifies(req::SRS_EDS_032);
+    const GeneratedCode code = Code(kHead + Entry("2000", 5, "rw", "HighLimit=256\nDefaultValue=256"));
+    EXPECT_TRUE(Has(code.source, "0x00U, // 2000h:00")) << code.source;
+    EXPECT_FALSE(Has(code.source, "kLimits[]{\n    {"));
+    EXPECT_TRUE(
+        Has(Code(kHead + Entry("2000", 5, "rw", "HighLimit=254\nDefaultValue=256")).source, "kLimits[]{\n    {"));
 }
 
 // The text of the file is UTF-8.
