@@ -463,8 +463,8 @@ TEST_F(SafetyWritingTest, AStaticMappingIsComparedWhileTheRestIsWritten)
     EXPECT_EQ(gate.Finding(kSlave).expected, 0x2300'0108U);
     EXPECT_EQ(gate.Finding(kSlave).read, 0x2400'0108U);
     EXPECT_EQ(objects[0x13FE00U].value, 0U);
-    // Written is all but its three objects: 13FEh, both directions, 5 and 3 settings, a count of 0, a direction, 1300h and
-    // two signatures
+    // Written is all but its three objects: 13FEh, both directions, 5 and 3 settings, a count of 0, a direction, 1300h
+    // and two signatures
     EXPECT_EQ(written.size(), 16U);
 }
 
