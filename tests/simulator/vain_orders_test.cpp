@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // What a scenario asks of devices that do not do it, or have nothing of it.
-#include "tests/canopen/cia306/device_text.hpp"
+#include "tests/canopen/cia306/check_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"

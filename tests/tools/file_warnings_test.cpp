@@ -161,6 +161,9 @@ TEST_F(FileWarnings, MonitorTellsWhatCheckFinds)
     // None where check finds none, and none of the digest of another node-ID
     EXPECT_EQ(told(sensor, ""), "");
     EXPECT_EQ(told(sensor, "=90"), "");
+    const std::string other_digest = WithValues(sensor, {{"5F04", "ParameterValue", "0x00000001"}});
+    EXPECT_NE(told(other_digest, "").find("the first: device digest 0x00000001"), std::string::npos);
+    EXPECT_EQ(told(other_digest, "=90"), "");
 }
 } // namespace
 } // namespace counterpoint::tools

@@ -10,6 +10,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 namespace counterpoint::tools
@@ -112,6 +113,11 @@ TEST_F(JsonAnswer, EachDocumentHasItsFormatAndEachFieldIsDescribed)
     EXPECT_EQ(UntoldIn(RunCommand({"srdo", "list", device_, "--json"}).out, "counterpoint-srdo-1", false), "");
     EXPECT_EQ(UntoldIn(RunCommand({"srdo", "add", device_, "--consume", "8@0x111", "--json", "-o", Path("b.dcf")}).out,
                        "counterpoint-srdo-1", false),
+              "");
+    EXPECT_EQ(UntoldIn(RunCommand({"bus", "udp:239.74.163.12:" + std::to_string(20'000 + (::getpid() % 40'000)),
+                                   "--listen", "127.0.0.1:0", "--seconds", "1", "--json"})
+                           .out,
+                       "counterpoint-bus-1", true),
               "");
 }
 

@@ -131,6 +131,12 @@ TEST_F(MonitorCommandTest, TellsWhereFilesContradictEachOther)
               std::string::npos);
     // and nothing where it is signed again.
     EXPECT_EQ(told(cia306::test::SignedAgain(changed("1301sub2", "26"), 90U), {}), "");
+    // The status is that of the violations: none
+    const std::string good = File("good.log", "(1.000000) can0 101#0102\n(1.000200) can0 102#FEFD\n");
+    const Answer clean =
+        RunCommand({"monitor", good, "--dcf", sensor, File("other.dcf", changed("1301sub2", "25")) + "=90"});
+    EXPECT_EQ(clean.status, 0) << clean.out;
+    EXPECT_NE(clean.err.find(": warning: 0x1301:02: SCT 25 ms"), std::string::npos) << clean.err;
     EXPECT_NE(told(changed("1381sub0", "2"), {})
                   .find(": warning: 0x1381:00: 8 bits mapped, while Sensor SRDO 1 maps 16, expected the same length\n"),
               std::string::npos);

@@ -96,6 +96,20 @@ TEST_F(SrdoRemoveTest, RemovingWhatMustStayIsRefused)
     EXPECT_EQ(Written(), sensor);
 }
 
+// An SRDO that stays and whose signature is wrong is not signed in passing.
+TEST_F(SrdoRemoveTest, RemovingBesideAnErrorIsRefused)
+{
+    Verifies(req::SRS_NEW_012);
+    Verifies(req::SRS_NEW_015);
+    ASSERT_EQ(Add(ExampleText("sensor"), {"--consume", "8@0x111"}).err, "");
+    const std::string wrong = Changed(Written(), {{"ParameterValue=0xB631", "ParameterValue=0xB632"}});
+    static_cast<void>(File("d.dcf", wrong));
+    const Answer answer = RunCommand({"srdo", "remove", Path("d.dcf"), "--number", "2"});
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_NE(answer.err.find(": error: "), std::string::npos) << answer.err;
+    EXPECT_EQ(Written(), wrong);
+}
+
 TEST_F(SrdoRemoveTest, RemovingTellsNoWarningOfBefore)
 {
     Verifies(req::SRS_NEW_016);

@@ -8,6 +8,8 @@ namespace counterpoint::device
 namespace
 {
 
+using cia301::NodeState;
+
 using DeviceQueueTest = DeviceRig;
 
 // A bus that takes no more than the PDOs of the device: what it has to say of itself leaves all the same.
@@ -169,6 +171,26 @@ class StoreHook final : public cia301::WriteHook
   private:
     const bool& is_storing_;
 };
+
+TEST_F(DeviceQueueTest, BusOffHasTheReactionOf1029h)
+{
+    Verifies(req::SRS_DEV_016);
+    struct Row
+    {
+        std::uint8_t reaction;
+        NodeState state;
+    };
+    for (const Row& row :
+         {Row{0U, NodeState::kPreOperational}, Row{1U, NodeState::kOperational}, Row{2U, NodeState::kStopped}})
+    {
+        Run();
+        EXPECT_EQ(Download(0x1029U, 1U, row.reaction, 1U), 0U);
+        device.OnBus(BusCondition::kOff);
+        Cycles(2U);
+        EXPECT_EQ(device.State(), row.state) << int{row.reaction};
+        device.PowerOff();
+    }
+}
 
 TEST_F(DeviceQueueTest, ATransferThatWaitsForAStoreHasNoAnswerBehindAReset)
 {

@@ -110,6 +110,8 @@ TEST_F(DeviceTest, ResetNodeLeadsOutOfTheSafeStateResetCommunicationDoesNot)
     EXPECT_EQ(core.DeviceState().fault, DeviceFault::kNone);
     EXPECT_EQ(Upload(0x1001U, 0U) & 0xFFU, 0U);
     EXPECT_EQ(node_resets, 2);
+    EXPECT_EQ(communication_resets, 3);
+    EXPECT_EQ(Sent(0x702U), (std::vector<Octets>{{0U}}));
 }
 
 TEST_F(DeviceTest, TheSafeStateIsToldAgainBehindTheBootUpOfAResetOfCommunication)
@@ -385,6 +387,7 @@ TEST_F(DeviceTest, NothingIsLeftAfterTheSupplyWasOff)
     Frame(0x602U, {0x40U, 0x00U, 0x10U, 0U, 0U, 0U, 0U, 0U});
     Command(0x02U);
     Pair();
+    ASSERT_TRUE(services.outbox.Send(CanFrame{0x5FFU, FrameKind::kData, CanPortId::kFirst, 0U, {}}));
     Forget();
     // When its supply goes and comes
     device.PowerOff();
@@ -396,6 +399,7 @@ TEST_F(DeviceTest, NothingIsLeftAfterTheSupplyWasOff)
     EXPECT_EQ(node_resets, 2);
     EXPECT_EQ(Sent(0x702U), (std::vector<Octets>{{0x00U}}));
     EXPECT_TRUE(Sent(0x582U).empty());
+    EXPECT_TRUE(Sent(0x5FFU).empty());
 }
 
 TEST_F(DeviceTest, OneServerReachesOwnObjectsAndTheKernels)

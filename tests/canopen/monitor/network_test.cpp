@@ -373,6 +373,13 @@ TEST(StateOfTheNodes, IsThatOfCommandsAndOfMessagesOfOneByte)
         EXPECT_EQ(violations(Frame(200, 0x000U, {command, 1U})), 0U) << int{command};
     }
     EXPECT_EQ(violations(Frame(200, 0x701U, {0U})), 0U);
+    // and with the next valid pair, SCT 50 ms behind it, it is watched again
+    EXPECT_EQ(
+        ViolationsOf(network,
+                     {Frame(0, 0x101U, {1U, 2U}), Frame(100, 0x102U, {0xFEU, 0xFDU}), Frame(200, 0x000U, {2U, 1U}),
+                      Frame(900000, 0x101U, {1U, 2U}), Frame(900100, 0x102U, {0xFEU, 0xFDU})},
+                     1000000),
+        Texts{"950000 SCT expired"});
     // It does not: the pair is awaited
     LogFrame remote = Frame(200, 0x000U, {});
     remote.is_remote = true;

@@ -130,7 +130,10 @@ TEST(Readers, FormsOfCandump)
     Verifies(req::SRS_MON_002);
     EXPECT_EQ(FramesOf("(1.000002) vcan0 101#12 R\n")[0].time, kSecond + 2 * kMicrosecond);
     EXPECT_EQ(FramesOf("(1.000000002) vcan0 101#12 T\r\n")[0].time, kSecond + 2);
-    EXPECT_EQ(FramesOf("(0.000000) can0 7FF#1122334455667788_B\n")[0].length, 8U);
+    for (const char code : {'9', 'B', 'F'})
+    {
+        EXPECT_EQ(FramesOf(std::string("(0.000000) can0 7FF#1122334455667788_") + code + "\n")[0].length, 8U);
+    }
     EXPECT_EQ(FramesOf("(0.000000) can0 123#R\n\n(0.000000) can0 123#r8")[1].length, 8U);
     EXPECT_EQ(FramesOf("(0.000000) can0 123##0\n")[0].is_fd, true);
     EXPECT_EQ(FramesOf("").size(), 0U);
@@ -221,6 +224,8 @@ TEST(Readers, AMalformedLineIsNamed)
                              "(1.000000) can0 101#11 X",
                              "(1.000000) can0 101#11 R ",
                              "(1.000000) can0 101#1122334455667788_8",
+                             "(1.000000) can0 101#1122334455667788_G",
+                             "(1.000000) can0 101#11223344556677_9",
                              "(-1.000000) can0 101#",
                              "(1.00000a) can0 101#"})
     {
@@ -267,8 +272,12 @@ TEST(Readers, ACaptureThatContradictsItselfIsNamed)
     EXPECT_EQ(RefusalOf(PcapOf({frames[1], frames[0]}, ByteOrder::kBig, false)),
               "test.log:2: error: packet 2 is before the one before it, expected times that do not go back");
     const std::string head = PcapngOf({}, ByteOrder::kLittle, 6U);
-    EXPECT_EQ(RefusalOf(head + PcapngBlock(3U, std::string(20U, 'x'), ByteOrder::kLittle)),
-              "test.log:4: error: block 4: a packet of type 3, expected enhanced packets, which have a time");
+    for (const std::uint32_t type : {2U, 3U}) // Obsolete and simple
+    {
+        EXPECT_EQ(RefusalOf(head + PcapngBlock(type, std::string(20U, 'x'), ByteOrder::kLittle)),
+                  "test.log:4: error: block 4: a packet of type " + std::to_string(type) +
+                      ", expected enhanced packets, which have a time");
+    }
     EXPECT_NE(
         RefusalOf(head + PcapngBlock(6U, std::string(16U, '\0'), ByteOrder::kLittle)).find("a packet of 16 bytes"),
         std::string::npos);

@@ -220,6 +220,60 @@ std::string PacketOf(const std::uint32_t interface, const std::uint32_t captured
     return PcapngBlock(6U, body.text + packet, kOrder);
 }
 
+/// A recording of one frame at so many ticks; `options` of its interface, if_tsresol among them or not.
+std::string TickedPcapng(const std::string& options, const std::uint64_t ticks)
+{
+    CaptureWriter interface(kOrder);
+    interface.Number(227U, 2U);
+    interface.Number(0U, 6U);
+    CaptureWriter packet(kOrder);
+    packet.Number(0U, 4U);
+    packet.Number(ticks >> 32U, 4U);
+    packet.Number(ticks & 0xFFFFFFFFU, 4U);
+    const std::string bytes = SocketCanPacket(Frame(0, 0x101U, {}));
+    packet.Number(bytes.size(), 4U);
+    packet.Number(bytes.size(), 4U);
+    const std::string section = PcapngOf({}, kOrder, 6U).substr(0U, 28U);
+    return section + PcapngBlock(1U, interface.text + options, kOrder) + PcapngBlock(6U, packet.text + bytes, kOrder);
+}
+
+std::string Resolution(const std::uint8_t value)
+{
+    return std::string("\x09\0\x01\0", 4U) + static_cast<char>(value) + std::string(3U, '\0');
+}
+
+// Powers of ten and, with the highest bit, of two; without the option microseconds.
+TEST(PcapngTimes, HaveTheResolutionOfTheirInterface)
+{
+    Verifies(req::SRS_MON_003);
+    struct Row
+    {
+        std::string options;
+        std::uint64_t ticks;
+        Time time;
+    };
+    for (const Row& row :
+         {Row{"", 1500000U, 1500 * kMillisecond}, Row{Resolution(0U), 7U, 7 * kSecond},
+          Row{Resolution(3U), 1500U, 1500 * kMillisecond}, Row{Resolution(6U), 1500000U, 1500 * kMillisecond},
+          Row{Resolution(12U), 1500000000000U, 1500 * kMillisecond},
+          Row{Resolution(18U), 1500000000000000000U, 1500 * kMillisecond}, Row{Resolution(0x80U), 7U, 7 * kSecond},
+          Row{Resolution(0x8AU), 1536U, 1500 * kMillisecond},
+          Row{Resolution(0xBEU), std::uint64_t{3U} << 61U, 1500 * kMillisecond}})
+    {
+        const std::vector<LogFrame> frames = FramesOf(TickedPcapng(row.options, row.ticks));
+        ASSERT_EQ(frames.size(), 1U);
+        EXPECT_EQ(frames[0].time, row.time) << row.ticks;
+    }
+    EXPECT_EQ(RefusalOf(TickedPcapng(Resolution(19U), 0U)),
+              "test.log:2: error: block 2: a time resolution of 19, expected at most 10^-18 or 2^-62 seconds");
+    EXPECT_EQ(RefusalOf(TickedPcapng(Resolution(0xBFU), 0U)),
+              "test.log:2: error: block 2: a time resolution of 191, expected at most 10^-18 or 2^-62 seconds");
+    // The last time that is one
+    EXPECT_EQ(FramesOf(TickedPcapng(Resolution(0U), 4000000000U))[0].time, 4000000000 * kSecond);
+    EXPECT_EQ(RefusalOf(TickedPcapng(Resolution(0U), 4000000001U)),
+              "test.log:3: error: block 3: a time of 4000000001 seconds, expected at most 4 000 000 000");
+}
+
 TEST(PcapngBlocks, ThatAreShorterThanTheyTellAreNamed)
 {
     Verifies(req::SRS_MON_003);

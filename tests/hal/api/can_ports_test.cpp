@@ -57,7 +57,8 @@ TEST(CanPorts, FrameThatMayBeSentReachesThePortUnchanged)
 TEST(CanPorts, AnswerOfThePortIsPassedOn)
 {
     Verifies(req::SRS_HAL_001);
-    for (const TransmitStatus answer : {TransmitStatus::kAccepted, TransmitStatus::kQueueFull, TransmitStatus::kBusOff})
+    for (const TransmitStatus answer :
+         {TransmitStatus::kAccepted, TransmitStatus::kQueueFull, TransmitStatus::kBusOff, TransmitStatus::kRefused})
     {
         // Given a port that answers so
         RecordingPorts ports(answer);

@@ -242,6 +242,7 @@ OutputGate WithFlippedBit(const OutputGate& gate, const std::size_t bit)
 // Each bit, flipped while slots are open, and while the gate is interrupted.
 TEST_F(InterruptedGate, NoBitThatClosesIsForgottenAndNoneArms)
 {
+    Verifies(req::SRS_HAL_300);
     Verifies(req::SRS_HAL_303);
     ASSERT_EQ(Cycle(), 5U);
     const OutputGate open = gate;

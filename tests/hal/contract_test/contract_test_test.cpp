@@ -77,6 +77,66 @@ TEST(ContractTest, TableWithoutWhatIsNeededIsBroken)
               "expected 1, got 0\n0 held, 1 broken, 0 not shown\n");
 }
 
+/// What a port is called for, and what was written before.
+class WatchedPort final : public Clocks
+{
+  public:
+    [[nodiscard]] PortUnderTest Table()
+    {
+        inner_ = bench.Table();
+        PortUnderTest port = inner_;
+        port.parts.clocks = this;
+        port.bench = PortBench{};
+        port.bench.bench = this;
+        port.bench.write = [](void* self, const char* text) { Of(self).inner_.bench.write(&Of(self).bench, text); };
+        port.bench.next = [](void* self) { return Of(self).Called().next(&Of(self).bench); };
+        port.bench.pass = [](void* self, const std::uint32_t us) { Of(self).Called().pass(&Of(self).bench, us); };
+        port.bench.restart = [](void* self) { Of(self).Called().restart(&Of(self).bench); };
+        port.bench.peer_send = [](void* self, const CanFrame& frame)
+        { return Of(self).Called().peer_send(&Of(self).bench, frame); };
+        port.bench.pins = [](void* self) { return Of(self).Called().pins(&Of(self).bench); };
+        return port;
+    }
+    [[nodiscard]] InstantPair Now() noexcept override
+    {
+        static_cast<void>(Called());
+        return bench.Now();
+    }
+
+    HostBench bench{Defect::kNone};
+    std::uint32_t calls{0U};
+    std::set<std::string> unannounced{}; ///< What was written last where no check was begun.
+
+  private:
+    [[nodiscard]] static WatchedPort& Of(void* const self)
+    {
+        return *static_cast<WatchedPort*>(self);
+    }
+    /// A begun line ends with the colon behind its name, or with what it has found so far.
+    [[nodiscard]] const PortBench& Called()
+    {
+        ++calls;
+        const std::string& text = bench.Text();
+        if (text.empty() || (text.back() == '\n'))
+        {
+            static_cast<void>(unannounced.insert(text));
+        }
+        return inner_.bench;
+    }
+
+    PortUnderTest inner_{};
+};
+
+TEST(ContractTest, EachCallIsBehindTheNameOfItsCheck)
+{
+    Verifies(req::SRS_HAL_031);
+    WatchedPort port;
+    static_cast<void>(RunContractTest(port.Table()));
+    EXPECT_GT(port.calls, 1000U);
+    EXPECT_EQ(port.unannounced, std::set<std::string>{});
+    EXPECT_EQ(LinesWith(port.bench.Text(), ": broken: "), std::vector<std::string>{});
+}
+
 /// A defect and the checks that must name it, no others.
 struct DefectRow
 {

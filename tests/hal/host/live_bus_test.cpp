@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstring>
+#include <ctime>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -142,6 +143,31 @@ TEST(LiveStampTest, TakesWhatItKnowsAndNothingElse)
     ReadStamps(message, arrival);
     EXPECT_EQ(arrival.time_ns, 5U);
     EXPECT_EQ(arrival.dropped, 0U);
+}
+
+// Given what the kernel says of a frame that came 2 s ago by the wall clock, then that is its time by the monotonic
+// one.
+TEST(LiveStampTest, TakesTheStampOfTheKernel)
+{
+    Verifies(req::SRS_LIVE_002);
+    constexpr std::uint64_t kSecondNs = 1'000'000'000U;
+    const auto seconds_ago = [](const std::time_t seconds)
+    {
+        timespec wall{};
+        EXPECT_EQ(::clock_gettime(CLOCK_REALTIME, &wall), 0);
+        wall.tv_sec -= seconds;
+        return wall;
+    };
+    bool is_quick = false;
+    while (!is_quick) // A reading that was interrupted tells nothing.
+    {
+        const std::uint64_t before_ns = LiveNow();
+        const timespec stamp = seconds_ago(2);
+        const std::uint64_t time_ns = StampedBy(SOL_SOCKET, SO_TIMESTAMPNS, stamp).time_ns;
+        is_quick = (LiveNow() - before_ns) < (kSecondNs / 10U);
+        EXPECT_TRUE(!is_quick || (time_ns >= before_ns - (2U * kSecondNs) - (kSecondNs / 10U)));
+        EXPECT_TRUE(!is_quick || (time_ns <= before_ns - (2U * kSecondNs) + (kSecondNs / 10U)));
+    }
 }
 
 TEST(LiveFrameTest, OnlyLengthsOfFlexibleDataRateAreSentWithIt)

@@ -100,6 +100,20 @@ class ToldServer
         {
         }
     }
+    /// Whether the client asks for another echo in that time; it gives no frame meanwhile.
+    [[nodiscard]] bool HearsEcho(LiveBus& bus, const std::uint64_t duration_ns)
+    {
+        const std::uint64_t start_ns = LiveNow();
+        while (LiveNow() - start_ns < duration_ns)
+        {
+            LiveFrame frame;
+            EXPECT_FALSE(bus.Receive(frame));
+        }
+        char text[256];
+        const ssize_t length = ::recv(connection_, text, sizeof(text), MSG_DONTWAIT);
+        heard_.append(text, (length > 0) ? static_cast<std::size_t>(length) : 0U);
+        return heard_.find("echo") != std::string::npos;
+    }
     void Close()
     {
         if (connection_ >= 0)
@@ -227,6 +241,38 @@ TEST(SocketcandGapTest, WhileAnAnswerIsAwaitedFramesStayAside)
     }
     EXPECT_EQ(bus->Health().state, BusState::kActive);
     EXPECT_EQ(bus->Health().absences, 0U);
+    // An error frame passes
+    ASSERT_TRUE(server.Say("< error 008 1.0 >"));
+    const std::optional<LiveFrame> error = Wait(*bus);
+    ASSERT_TRUE(error);
+    EXPECT_TRUE(error->error);
+    EXPECT_EQ(bus->Health().stale_frames, 1U);
+}
+
+// Given a server that answers each question at once, then five of them take four times 20 ms; one without an answer is
+// the only one, and without a greatest age none is asked.
+TEST(SocketcandGapTest, OneQuestionAtATimeIsAskedEvery20Ms)
+{
+    Verifies(req::SRS_LIVE_059);
+    ToldServer server;
+    const auto bus = server.Open(OptionsThatAsk(kAnHourMs, kAnHourMs));
+    ASSERT_NO_FATAL_FAILURE(server.AwaitEcho(*bus));
+    const std::uint64_t start_ns = LiveNow();
+    for (int question = 0; question < 4; ++question)
+    {
+        ASSERT_TRUE(server.Say("< echo >"));
+        ASSERT_NO_FATAL_FAILURE(server.AwaitEcho(*bus));
+    }
+    EXPECT_GE(LiveNow() - start_ns, 4U * 20'000'000U);
+    EXPECT_FALSE(server.HearsEcho(*bus, 100'000'000U));
+    ToldServer other;
+    LiveOptions without;
+    const auto silent = other.Open(without);
+    EXPECT_FALSE(other.HearsEcho(*silent, 100'000'000U));
+    // What holds where nothing else is said
+    EXPECT_EQ(without.oldest_ms, 0U);
+    EXPECT_EQ(without.reconnect_after_ms, 500U);
+    EXPECT_EQ(without.answer_ms, 5000U);
 }
 
 // Given two answers to one question, then the connection is a lost one: the second could count for a later question.

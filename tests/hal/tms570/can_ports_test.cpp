@@ -160,8 +160,14 @@ TEST_F(CanPortsTest, SentFrameIsConfirmedAfterItWasOnTheBus)
     EXPECT_EQ(on_bus->data[1], 0x34U);
     // Then the object is busy until its confirmation was taken, which comes with its data
     EXPECT_EQ(rig.board.Can().Transmit(Frame(kSentNormal, 0x13U)), hal::TransmitStatus::kQueueFull);
+    rig.machine.Advance(250U);
+    const InstantPair interrupted = rig.board.Clocks().Now();
     rig.TakeInterrupts();
+    rig.machine.Advance(100U);
     const QueuedFrame confirmed = rig.board.NextFrame();
+    // and with the stamps of the interrupt, 250 us after the frame was handed over and 100 us before it is taken
+    EXPECT_LE(confirmed.frame.stamp.a.us - interrupted.a.us, 8U);
+    EXPECT_LE(confirmed.frame.stamp.b.us - interrupted.b.us, 8U);
     EXPECT_EQ(confirmed.kind, QueuedKind::kConfirmed);
     EXPECT_EQ(confirmed.frame.frame.identifier, 0x101U);
     EXPECT_EQ(confirmed.frame.frame.data[1], 0x34U);

@@ -186,7 +186,15 @@ TEST_F(AssemblyTest, WithoutServicesFollowsNmtAndSendsItsSrdosAlone)
     EXPECT_EQ(&sensor.assembly.Told(), &sensor.application);
     sensor.Command(1U);
     EXPECT_EQ(sensor.assembly.Device().State(), NodeState::kOperational);
-    EXPECT_TRUE(sensor.Sent(0x701U).empty() || sensor.Sent(0x701U) == std::vector<Octets>{{0U}});
+    // Then nothing leaves but its boot-up message and its SRDO, each 25 ms
+    for (int cycle = 0; cycle < 100; ++cycle)
+    {
+        sensor.Cycle();
+    }
+    EXPECT_EQ(sensor.Sent(0x701U), std::vector<Octets>{{0U}});
+    EXPECT_GE(sensor.Sent(0x101U).size(), 2U);
+    EXPECT_EQ(sensor.Sent(0x101U).size(), sensor.Sent(0x102U).size());
+    EXPECT_EQ(sensor.all.size(), 1U + 2U * sensor.Sent(0x101U).size());
     sensor.Command(130U);
     EXPECT_EQ(sensor.owner.resets, 2);
     sensor.Command(129U);
@@ -446,6 +454,39 @@ TEST_F(AssemblyTest, SaysNothingOfAnIdentifierThatWasSaved)
     { return device.assembly.Objects().NotTaken([is_replaced](const ObjectAddress&) { return is_replaced; }).size(); };
     EXPECT_EQ(told(false), 1U);
     EXPECT_EQ(told(true), 0U);
+}
+
+// What builds a device and says nothing of a DOMAIN is check, simulate and a scenario: it has 8192 bytes, and the
+// server room for all of them.
+TEST_F(AssemblyTest, HasADomainOf8192Bytes)
+{
+    Verifies(req::SRS_NODE_040);
+    Built device(File("a.dcf", kNodeFive + "[3000]\nParameterName=d\nObjectType=2\nAccessType=rw\n"));
+    ASSERT_EQ(device.PowerOn(), device::LoadResult::kLoaded);
+    const auto answer = [&device]
+    {
+        const std::vector<Octets> answers = device.Sent(0x585U);
+        return answers.empty() ? Octets{} : answers.back();
+    };
+    // When 1170 segments of 7 bytes come without a stated length, then two bytes more are taken, three are too many
+    for (const std::uint8_t rest : {std::uint8_t{2U}, std::uint8_t{3U}})
+    {
+        device.Receive(0x605U, {0x20U, 0x00U, 0x30U, 0U, 0U, 0U, 0U, 0U});
+        device.Cycle();
+        std::uint8_t toggle = 0U;
+        for (int segment = 0; segment < 1170; ++segment)
+        {
+            device.Receive(0x605U, {toggle, 1U, 2U, 3U, 4U, 5U, 6U, 7U});
+            device.Cycle();
+            toggle ^= 0x10U;
+        }
+        ASSERT_EQ(answer()[0], 0x30U);
+        const auto last = static_cast<std::uint8_t>(toggle | ((7U - rest) << 1U) | 1U);
+        device.Receive(0x605U, {last, 1U, 2U, 3U, 0U, 0U, 0U, 0U});
+        device.Cycle();
+        EXPECT_EQ(answer(), (rest == 2U) ? (Octets{0x20U, 0U, 0U, 0U, 0U, 0U, 0U, 0U})
+                                         : (Octets{0x80U, 0x00U, 0x30U, 0x00U, 0x05U, 0x00U, 0x04U, 0x05U}));
+    }
 }
 
 TEST(OptionalServiceTexts, SayWhatCame)

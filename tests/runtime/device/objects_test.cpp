@@ -255,6 +255,16 @@ TEST(DeviceObjectsTest, OfAMultiplexedPdoAreRefused)
     EXPECT_EQ(fields("DefaultValue=256\n"), 1U); // No value of its type.
     EXPECT_THROW(Objects{text("DefaultValue=254\n")}, cia306::InputError);
     EXPECT_THROW(Objects{text("DefaultValue=255\n")}, cia306::InputError);
+    // And of one that is received
+    const auto received = [](const std::string& count)
+    {
+        return "[1400]\nParameterName=x\nObjectType=9\n" + Variable("1400sub1", "7") +
+               "[1600]\nParameterName=x\nObjectType=9\n" + Variable("1600sub0", "5", "DefaultValue=" + count + "\n") +
+               Variable("1600sub1", "7");
+    };
+    EXPECT_EQ(Objects(received("253")).objects.Rooms().rpdos.count, 1U);
+    EXPECT_THROW(Objects{received("254")}, cia306::InputError);
+    EXPECT_THROW(Objects{received("255")}, cia306::InputError);
 }
 
 TEST(DeviceObjectsTest, OfTheStartTakeTheirOwnValueAlone)

@@ -14,6 +14,7 @@
 #include <initializer_list>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <string>
@@ -63,12 +64,14 @@ class Bench
 {
   public:
     explicit Bench(const std::string& file, const std::string& store = "",
-                   const runtime::ReportForm form = runtime::ReportForm::kText)
+                   const runtime::ReportForm form = runtime::ReportForm::kText,
+                   const std::optional<std::uint8_t> node_id = std::nullopt)
         : report_(out_, form, 0U)
     {
         runtime::NodeSettings settings;
         settings.dcf = file;
         settings.store = store;
+        settings.node_id = node_id;
         settings.cycle_us = 5000U;
         settings.has_self_tests = false;
         auto safety = std::make_unique<EchoBus>(false, 0U);

@@ -78,6 +78,29 @@ TEST_F(NodeCommandTest, AFileWithTwoControllersNeedsBoth)
     EXPECT_EQ(none.status, 2);
 }
 
+// The intervals of the file are counted in its own cycles, whatever the cycle of the command line.
+TEST_F(NodeCommandTest, ACycleOfTheFileThatIsNoneIsRefusedBesideOneOfTheCommandLine)
+{
+    Verifies(req::SRS_NODE_490);
+    for (const auto& [section, value] : {std::pair("[5F00sub1]", "0"), std::pair("[5F00sub2]", "1001")})
+    {
+        std::string text = cia306::test::ExampleText("sensor");
+        const std::size_t place = text.find("ParameterValue=", text.find(section));
+        text.replace(place, text.find('\n', place) - place, std::string("ParameterValue=") + value);
+        const std::string file = File("cycle.dcf", text);
+        const test::Answer answer = test::RunCommand(
+            {"node", "--no-input", "--can", "udp:239.74.163.2:43119", "--dcf", file, "--cycle-us", "5000"});
+        EXPECT_EQ(answer.status, 2);
+        EXPECT_EQ(answer.err.find(file + ":"), 0U) << answer.err;
+        EXPECT_NE(answer.err.find((value == std::string("0"))
+                                      ? "error: 0x5F00:01: cycle time 0 us, expected 100 us to 1000000 us"
+                                      : "error: 0x5F00:02: cycle tolerance of 1001 us, expected at most the cycle "
+                                        "time of 1000 us"),
+                  std::string::npos)
+            << answer.err;
+    }
+}
+
 TEST(NodeDomainOption, HasARange)
 {
     Verifies(req::SRS_NODE_040);

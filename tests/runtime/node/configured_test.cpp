@@ -232,6 +232,13 @@ TEST(NodeConfiguredTest, ADigestThatIsNotExpectedIsTold)
     // None in the file, or the cycle of the file
     EXPECT_EQ(told({{"5F04", "0"}}).find(line), std::string::npos);
     EXPECT_EQ(told({{"5F00sub1", "5000"}}).find(line), std::string::npos);
+    // With the cycle of the file, another node-ID
+    const std::string file = FileWith("actuator", {{"5F00sub1", "5000"}});
+    for (const auto& [node_id, is_told] : {std::pair(33, false), std::pair(34, true)})
+    {
+        Bench bench(file, "", runtime::ReportForm::kText, static_cast<std::uint8_t>(node_id));
+        EXPECT_EQ(bench.Told().find(line) != std::string::npos, is_told) << node_id;
+    }
 }
 
 TEST(NodeConfiguredTest, AnSrdoThatWasSwitchedOffOverSdoHasNoInputs)

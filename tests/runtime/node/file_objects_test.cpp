@@ -88,15 +88,16 @@ class FileObjectsTest : public cia306::test::FolderTest
             static_cast<std::uint8_t>((value >> 16U) & 0xFFU), static_cast<std::uint8_t>(value >> 24U)};
         return device->Assembly().Dictionary().Write(object, {bytes, size_bytes});
     }
-    void Save()
+    /// Or, with 1011h, restores.
+    void Save(const ObjectAddress& object = {0x1010U, 1U}, const std::uint32_t word = 0x65766173U)
     {
-        SdoAbort abort = Write({0x1010U, 1U}, 0x65766173U, 4U);
+        SdoAbort abort = Write(object, word, 4U);
         for (int i = 0; i < 100000 && abort == SdoAbort::kPending; ++i)
         {
             now_ns += kNsPerMs;
             device->Serve({Instant{0U}, Instant{0U}}, now_ns);
             std::this_thread::sleep_for(std::chrono::microseconds(10));
-            abort = device->Assembly().Dictionary().WriteNumberAgain({0x1010U, 1U}, 0x65766173U, 4U);
+            abort = device->Assembly().Dictionary().WriteNumberAgain(object, word, 4U);
         }
         ASSERT_EQ(abort, SdoAbort::kNone);
     }
@@ -526,11 +527,11 @@ TEST_F(FileObjectsTest, ABooleanOfAnSrdoIsOneBit)
 TEST_F(FileObjectsTest, ANumberWithoutValueBeginsWithTheLimitNextToZero)
 {
     Verifies(req::SRS_NODE_045);
-    const std::string objects = Record("1010") + Element("1010sub0", "5", "const", "1") +
-                                Element("1010sub1", "7", "rw", "1") + Element("2001", "6", "rw", "") +
-                                "LowLimit=50\nHighLimit=200\n" + Element("2002", "3", "rw", "") +
-                                "LowLimit=-300\nHighLimit=-2\n" + Element("2003", "3", "rw", "") +
-                                "LowLimit=-5\nHighLimit=5\n" + Element("2004", "6", "rw", "60") + "LowLimit=50\n";
+    const std::string objects =
+        Record("1010") + Element("1010sub0", "5", "const", "1") + Element("1010sub1", "7", "rw", "1") + Record("1011") +
+        Element("1011sub1", "7", "rw", "1") + Element("2001", "6", "rw", "") + "LowLimit=50\nHighLimit=200\n" +
+        Element("2002", "3", "rw", "") + "LowLimit=-300\nHighLimit=-2\n" + Element("2003", "3", "rw", "") +
+        "LowLimit=-5\nHighLimit=5\n" + Element("2004", "6", "rw", "60") + "LowLimit=50\n";
     Start(objects, Path("node.store"));
     EXPECT_EQ(Read({0x2001U, 0U}), 50U);
     EXPECT_EQ(Read({0x2002U, 0U}), 0xFFFEU);
@@ -545,6 +546,12 @@ TEST_F(FileObjectsTest, ANumberWithoutValueBeginsWithTheLimitNextToZero)
     Start(objects, Path("node.store"));
     EXPECT_EQ(Read({0x2001U, 0U}), 50U);
     EXPECT_EQ(Read({0x2002U, 0U}), 0xFFFEU);
+    // Also behind a restore
+    EXPECT_EQ(Write({0x2001U, 0U}, 60U, 2U), SdoAbort::kNone);
+    Save();
+    Save({0x1011U, 1U}, 0x64616F6CU);
+    Start(objects, Path("node.store"));
+    EXPECT_EQ(Read({0x2001U, 0U}), 50U);
     EXPECT_EQ(Told().find("warning"), std::string::npos) << out.str();
 }
 

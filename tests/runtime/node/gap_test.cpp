@@ -147,10 +147,11 @@ TEST_F(NodeGapTest, WhatCouldNotBeReadIsToldAtMostOnceASecond)
         health.malformed += (clock.Ms() >= 700U) ? 4U : 0U;
         return health;
     };
-    const std::string told = Run(std::make_unique<TroubledBus>(), std::make_unique<TroubledBus>(condition));
-    EXPECT_EQ(LinesWith(told, {"malformed"}),
-              "malformed elements of the bus left out; malformed elements of the bus left out; ")
-        << told;
+    auto services = std::make_unique<TroubledBus>(condition);
+    services->problem = "a frame without an end";
+    const std::string told = Run(std::make_unique<TroubledBus>(), std::move(services));
+    const std::string line = "malformed elements of the bus left out, the last: a frame without an end; ";
+    EXPECT_EQ(LinesWith(told, {"malformed"}), line + line) << told;
     EXPECT_NE(told.find("3 malformed elements"), std::string::npos) << told;
     EXPECT_NE(told.find("4 malformed elements"), std::string::npos) << told;
 }

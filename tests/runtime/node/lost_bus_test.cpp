@@ -48,6 +48,10 @@ TEST(NodeLostBusTest, ALostServerThatComesBackOpensNothing)
     EXPECT_FALSE(actuator->Tells(Event("output", "open", true), kQuietMs));
     server = std::make_unique<host::RunningServer>(OwnBus(), port);
     EXPECT_FALSE(actuator->WaitFor(Event("bus", "state", "active")).event.is_null());
+    const auto is_down = Event("bus", "state", "down");
+    const auto& told = actuator->Lines();
+    EXPECT_TRUE(
+        std::any_of(told.begin(), told.end(), [&is_down](const NodeLine& line) { return is_down(line.event); }));
     actuator->Type("nmt start");
     EXPECT_FALSE(actuator->Tells(Event("output", "open", true), kQuietMs));
     actuator->Type("state");

@@ -318,12 +318,16 @@ TEST_F(NodeOrdersTest, WhatTheKernelTellsIsALine)
     other.OnGfc();
     other.OnGfcNotFollowed();
     other.OnConfigurationInvalid(CommunicationIndex{0x1302U});
+    other.OnSrdoError(CommunicationIndex{0x1302U}, SrdoCause::kSct);
+    other.OnDeviceFault({DeviceFault::kApplication, 0U, 1U});
     EXPECT_TRUE(other.TakeInvalid());
     EXPECT_FALSE(other.TakeInvalid());
     static_cast<void>(next.Finish());
     EXPECT_EQ(out.str(), "  0.000000 s  global fail-safe command received\n"
                          "  0.000000 s  no SRDO followed the own global fail-safe command\n"
-                         "  0.000000 s  configuration of SRDO 2 does not hold: SRDOs are off\n");
+                         "  0.000000 s  configuration of SRDO 2 does not hold: SRDOs are off\n"
+                         "  0.000000 s  SRDO 2: sct\n"
+                         "  0.000000 s  device safe state: application\n");
     // And it follows rules
     runtime::LogicRule rule;
     rule.target = {0x2000U, 1U};

@@ -298,6 +298,7 @@ class StampedBus final : public host::LiveBus
 TEST(NodeLoopTest, FramesOfTwoControllersAreTakenInTheOrderOfTheirStamps)
 {
     Verifies(req::SRS_NODE_014);
+    Verifies(req::SRS_NODE_005);
     const SignalsAsBefore signals;
     std::deque<host::LiveFrame> normal;
     std::deque<host::LiveFrame> inverse;
@@ -321,7 +322,34 @@ TEST(NodeLoopTest, FramesOfTwoControllersAreTakenInTheOrderOfTheirStamps)
     const std::string told = out.str();
     const std::size_t open = told.find("output of SRDO 1 open");
     ASSERT_NE(open, std::string::npos) << told;
-    EXPECT_EQ(told.find("output of SRDO 1 closed", open), told.rfind("output of SRDO 1 closed")) << told;
+    // And it closes once, before the node says that it has ended
+    const std::size_t closed = told.find("output of SRDO 1 closed", open);
+    ASSERT_NE(closed, std::string::npos) << told;
+    EXPECT_EQ(closed, told.rfind("output of SRDO 1 closed")) << told;
+    EXPECT_LT(closed, told.find("stopped by quit")) << told;
+}
+
+// Given a frame with a stamp 300 us before that of the frame before it, then that is told at the end.
+TEST(NodeLoopTest, AStampBehindAnotherOneIsToldAtTheEnd)
+{
+    Verifies(req::SRS_NODE_002);
+    const SignalsAsBefore signals;
+    const std::uint64_t later_ns = host::LiveNow() + 200U * kNsPerMs;
+    const std::deque<host::LiveFrame> frames{FrameOf(0x103U, {1U, 2U}, later_ns),
+                                             FrameOf(0x103U, {1U, 2U}, later_ns - 300U * kNsPerUs)};
+    std::ostringstream out;
+    runtime::NodeReport report{out, runtime::ReportForm::kText, host::LiveNow()};
+    runtime::NodePorts ports{std::make_unique<StampedBus>(frames), std::make_unique<EchoBus>(false, 0U)};
+    runtime::NodeScript script;
+    script.steps = {Step(500U, 0U, "quit")};
+    const auto make = [&ports, &report](const std::optional<std::uint8_t> /*lss_node_id*/)
+    { return std::make_unique<runtime::NodeDevice>(SettingsOf(20000U), ports, report); };
+    runtime::NodeLoop loop{{make, ports, report, script, -1}};
+    EXPECT_EQ(loop.Run(), runtime::ExitStatus::kHolds);
+    ASSERT_TRUE(report.Finish());
+    const std::string told = out.str();
+    EXPECT_NE(told.find("; frames stamped behind another: "), std::string::npos) << told;
+    EXPECT_EQ(told.find("stamped behind another: 0,"), std::string::npos) << told;
 }
 } // namespace
 } // namespace counterpoint::tools::test

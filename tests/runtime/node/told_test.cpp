@@ -107,6 +107,30 @@ TEST(NodeToldTest, ARefreshTimeThatGoesBackIsToldAgain)
     EXPECT_EQ(refresh_ms, (std::vector<unsigned>{25U, 50U, 25U, 0U}));
 }
 
+// The limit is the same, the partner another one.
+TEST(NodeToldTest, AnotherIdentifierIsTold)
+{
+    Verifies(req::SRS_NODE_052);
+    Bench bench(FileWith("actuator", {{"5F04", "0"}}));
+    bench.Start();
+    bench.Change(1U, 0U, 1U, false);
+    EXPECT_EQ(bench.Download(0x1301U, 5U, 0x105U, 4U), 0U);
+    EXPECT_EQ(bench.Download(0x1301U, 6U, 0x106U, 4U), 0U);
+    bench.Change(1U, 2U, 1U);
+    bench.Start();
+    EXPECT_EQ(SrdoLines(bench.Told()),
+              (Lines{kOfTheFile, "SRDO 1 consumer 0x105, safe within 81.5 ms of the last good normal frame"}));
+    // A producer likewise
+    Bench sensor(FileWith("sensor", {{"5F04", "0"}}));
+    sensor.Change(1U, 0U, 1U, false);
+    EXPECT_EQ(sensor.Download(0x1301U, 5U, 0x105U, 4U), 0U);
+    EXPECT_EQ(sensor.Download(0x1301U, 6U, 0x106U, 4U), 0U);
+    sensor.Change(1U, 1U, 1U);
+    sensor.Start();
+    EXPECT_EQ(SrdoLines(sensor.Told()),
+              (Lines{"SRDO 1 producer 0x101, every 25 ms", "SRDO 1 producer 0x105, every 25 ms"}));
+}
+
 // Also where reset and start are carried out in one go: OPERATIONAL before and behind it.
 TEST(NodeToldTest, WhatAResetBringsBackIsTold)
 {
@@ -147,6 +171,30 @@ TEST(NodeToldTest, WhatAStoreLoadsOrGivesUpIsTold)
     bench.Command(129U);
     bench.Start();
     EXPECT_EQ(SrdoLines(bench.Told()), (Lines{kOfTheFile, saved, kOfTheFile}));
+}
+
+// Saved with an SCT of 100 ms, then 50 ms as in the file, which is not saved.
+TEST(NodeToldTest, WhatAResetLoadsIsToldBeforeTheDeviceMayRun)
+{
+    Verifies(req::SRS_NODE_330);
+    for (const std::uint8_t reset : {std::uint8_t{129U}, std::uint8_t{130U}})
+    {
+        const std::string store = ::testing::TempDir() + "told_reset.store";
+        std::remove(store.c_str());
+        Bench bench(WithStoreObjects(FileWith("actuator", {{"5F04", "0"}})), store);
+        bench.Change(2U, 100U, 2U);
+        bench.Store(0x1010U, 0x65766173U);
+        bench.Change(2U, 50U, 2U);
+        bench.Start();
+        // When it is reset, then the saved limit is told, and the device is PRE-OPERATIONAL behind that
+        bench.Command(reset);
+        const std::string told = bench.Told();
+        const std::string saved = "SRDO 1 consumer 0x103, safe within 132 ms of the last good normal frame";
+        EXPECT_EQ(SrdoLines(told), (Lines{kOfTheFile, saved}));
+        EXPECT_GT(told.find(saved), told.find("NMT operational")) << told;
+        EXPECT_LT(told.find(saved), told.rfind("NMT pre_operational")) << told;
+        std::remove(store.c_str());
+    }
 }
 
 // What was saved as node 33 is refused as a whole by node 9: no limit of the file holds until it is given up.
@@ -209,15 +257,24 @@ TEST(NodeToldTest, AConfigurationThatDoesNotHoldIsToldInPlaceOfLimits)
 TEST(NodeToldTest, SignedObjectsOfSrdosAreToldWithTheirSign)
 {
     Verifies(req::SRS_NODE_054);
-    Bench bench(FileOfSigned("actuator", {"2200sub1", "2300sub1"}));
-    bench.Start();
-    for (int cycle = 0; cycle < 6; ++cycle)
+    const auto receive = [](Bench& bench)
     {
-        bench.Receive(0x103U, {0xF9U, 0xF9U});
-        bench.Receive(0x104U, {0x06U, 0x06U});
-        bench.Cycle();
-        EXPECT_TRUE(cycle != 2 || bench.Device().Acknowledge(1U, bench.NowNs()));
-    }
+        bench.Start();
+        for (int cycle = 0; cycle < 6; ++cycle)
+        {
+            bench.Receive(0x103U, {0xF9U, 0xF9U});
+            bench.Receive(0x104U, {0x06U, 0x06U});
+            bench.Cycle();
+            EXPECT_TRUE(cycle != 2 || bench.Device().Acknowledge(1U, bench.NowNs()));
+        }
+    };
+    const std::string file = FileOfSigned("actuator", {"2200sub1", "2300sub1"});
+    Bench as_json(file, "", runtime::ReportForm::kJson);
+    receive(as_json);
+    const std::string objects = as_json.Told();
+    EXPECT_NE(objects.find("\"object\":\"0x2200:01\",\"value\":-7}"), std::string::npos) << objects;
+    Bench bench(file);
+    receive(bench);
     EXPECT_EQ(bench.Device().App().Values(), "0x2200:01=-7 0x2200:02=249");
     bench.Order("get 0x2200:01");
     bench.Order("get 0x2200:02");
@@ -247,7 +304,9 @@ TEST(NodeToldTest, SetTakesWhatGetTells)
     EXPECT_EQ(bench.Device().App().Values(), "0x2000:01=-7 0x2000:02=0");
     bench.Order("set 0x2000:01 0x80");
     EXPECT_EQ(bench.Device().App().Values(), "0x2000:01=-128 0x2000:02=0");
+    bench.Order("state");
     const std::string told = bench.Told();
+    EXPECT_NE(told.find("\"values\":\"0x2000:01=-128 0x2000:02=0\"}"), std::string::npos) << told;
     EXPECT_NE(told.find("\"object\":\"0x2000:01\",\"value\":-7}"), std::string::npos) << told;
     EXPECT_NE(told.find("set: 0x2000:01 = 128 refused with 0609 0031h"), std::string::npos) << told;
     EXPECT_NE(told.find("set: 0x2000:01 = -129 refused with 0609 0032h"), std::string::npos) << told;

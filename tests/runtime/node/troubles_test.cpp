@@ -152,6 +152,7 @@ TEST_F(NodeTroublesTest, EachStateOfTheBusAndEachLossIsToldOnce)
 TEST_F(NodeTroublesTest, AStepThatTakesLongerThanACycleIsFollowedByTheCycleAtOnce)
 {
     Verifies(req::SRS_NODE_005);
+    Verifies(req::SRS_NODE_007);
     const std::uint64_t begin_ns = host::LiveNow();
     bool was_slow = false;
     const auto slow_once = [begin_ns, &was_slow]
@@ -166,6 +167,7 @@ TEST_F(NodeTroublesTest, AStepThatTakesLongerThanACycleIsFollowedByTheCycleAtOnc
     };
     const std::string told = Run(std::make_unique<TroubledBus>(), std::make_unique<TroubledBus>(slow_once), 1000U);
     EXPECT_NE(told.find("stopped by quit: outputs closed, production ended"), std::string::npos) << told;
+    EXPECT_NE(told.find("greatest delay of a cycle "), std::string::npos) << told;
     EXPECT_EQ(told.find("greatest delay of a cycle 0 us"), std::string::npos) << told;
 }
 

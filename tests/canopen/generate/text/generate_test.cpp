@@ -255,6 +255,7 @@ TEST(GenerateTest, AnEntryTellsIntoWhichPdosItMayBeMapped)
         EXPECT_NE(source.substr(row, source.find('\n', row) - row).find(ends[number]), std::string::npos)
             << source.substr(row, source.find('\n', row) - row);
     }
+    EXPECT_TRUE(Has(source, "\nstatic_assert(counterpoint::cia301::IsUsable(kEntryTable)"));
 }
 
 TEST(GenerateTest, TheOutputCompilesWithoutAWarning)
