@@ -18,13 +18,14 @@ constexpr std::size_t kCycle = 499U;
 class LatenessTest : public CampaignTest
 {
   protected:
-    /// A device of one or two CPUs for which each limit is 5 ms.
+    /// A device of one or two CPUs for which each limit is the same.
     struct Rig
     {
-        explicit Rig(const std::string& plan_file)
+        explicit Rig(const std::string& plan_file, const std::uint32_t limit_us = 5000U)
             : plan(ReadPlan(plan_file)), scenario(plan.scenario, runtime::YamlValue(plan.file, plan.device_node)),
               region(1U << 20U), device(MakeDevice()), judge(scenario.Record(), scenario.Model(), *device),
-              limits(ShortLimits()), space(plan, scenario.Record(), *device, HorizonOf(limits, device->Config())),
+              limits(LimitsOfAll(limit_us)),
+              space(plan, scenario.Record(), *device, HorizonOf(limits, device->Config())),
               runner(*device, judge, scenario.Record(), space, limits)
         {
         }
@@ -36,13 +37,13 @@ class LatenessTest : public CampaignTest
             }
             return std::make_unique<Device>(region, scenario.Model(), scenario.Record(), OutputKind::kGate);
         }
-        [[nodiscard]] static Limits ShortLimits()
+        [[nodiscard]] static Limits LimitsOfAll(const std::uint32_t us)
         {
             Limits limits;
-            limits.us.fill(5000U);
-            limits.wrong_frame_us = 5000U;
-            limits.wrong_channel_us = 5000U;
-            limits.drift_us = 5000U;
+            limits.us.fill(us);
+            limits.wrong_frame_us = us;
+            limits.wrong_channel_us = us;
+            limits.drift_us = us;
             return limits;
         }
 
@@ -102,10 +103,8 @@ TEST_F(LatenessTest, WhatOthersMakeSafeHasNoLimit)
 {
     Verifies(req::SRS_CMG_007);
     const Trap trap;
-    Rig rig(PlanOf(false, "sample: 10\n"));
     // Given limits of nothing
-    rig.limits.us.fill(0U);
-    Runner runner(*rig.device, rig.judge, rig.scenario.Record(), rig.space, rig.limits);
+    Rig rig(PlanOf(false, "sample: 10\n"), 0U);
     const std::vector<Place>& places = rig.device->Places();
     for (const auto& [member, byte, detector] : {std::tuple("variables", 0U, Detector::kPairCheck),
                                                  {"kernel.config", 5U, Detector::kException},
@@ -115,8 +114,8 @@ TEST_F(LatenessTest, WhatOthersMakeSafeHasNoLimit)
                                         { return place.name == name; });
         ASSERT_NE(found, places.end());
         const Outcome outcome =
-            runner.Run({found->part, FaultKind::kFlip, static_cast<std::size_t>(found - places.begin()),
-                        found->offset + byte, 4U, kCycle, Phase::kAfterFrames});
+            rig.runner.Run({found->part, FaultKind::kFlip, static_cast<std::size_t>(found - places.begin()),
+                            found->offset + byte, 4U, kCycle, Phase::kAfterFrames});
         // Then what the kernel detects is late, and what others make safe is not
         EXPECT_EQ(outcome.detector, detector) << member;
         EXPECT_GT(outcome.us, 0U) << member;

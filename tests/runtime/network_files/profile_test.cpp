@@ -131,9 +131,10 @@ TEST_F(NetworkProfileTest, El6751OptionsThatNobodyNamesAreThoseOfTheText)
     EXPECT_EQ(slave.coupler_pdos, 0U);
     EXPECT_EQ(slave.coupler_inhibit_100us, 0U);
     EXPECT_EQ(slave.coupler_event_ms, 0U);
-    EXPECT_EQ(net.Plan().manager.el6751->window, cia302::El6751Window::kInputShift);
-    EXPECT_EQ(net.Plan().manager.el6751->sync_multiplier, 1U);
-    EXPECT_EQ(net.Plan().manager.el6751->input_shift_us, 500U);
+    const cia302::El6751Times times = net.Plan().manager.el6751.value_or(cia302::El6751Times{});
+    EXPECT_EQ(times.window, cia302::El6751Window::kInputShift);
+    EXPECT_EQ(times.sync_multiplier, 1U);
+    EXPECT_EQ(times.input_shift_us, 500U);
 }
 
 TEST_F(NetworkProfileTest, ABusCouplersPdosAreMadeBy5500hAlone)
