@@ -24,8 +24,9 @@ ManagerOrder StartIn(const ManagerOrder& order)
     constexpr std::uint64_t kStart = 5U;
     constexpr std::uint64_t kStartOfEach = 0x85U;
     const bool is_command = order.kind == ManagerOrderKind::kCommand && order.command == cia302::NmtCommand::kStart;
-    const bool is_set = order.kind == ManagerOrderKind::kSet && order.object.index == kNmt &&
-                        (order.value == kStart || order.value == kStartOfEach);
+    const bool is_of_each = order.value == kStartOfEach && order.object.sub == kAllSub;
+    const bool is_set =
+        order.kind == ManagerOrderKind::kSet && order.object.index == kNmt && (order.value == kStart || is_of_each);
     ManagerOrder start;
     start.command = (is_command || is_set) ? cia302::NmtCommand::kStart : cia302::NmtCommand::kInvalid;
     start.node = is_command ? order.node : order.object.sub;
@@ -224,6 +225,10 @@ std::string AnswerToSet(const StartOutlook& outlook, const ManagerAssembly& asse
     const bool is_plc = assembly.Net().Plan().manager.profile == network_plan::StartProfile::kPlcDesigner;
     const bool is_partly = outlook.is_all && !outlook.left_out.empty();
     const std::string text = is_partly ? PartlyTaken(outlook, is_plc) : answer;
+    if (!outlook.is_all && !outlook.doubted.empty())
+    {
+        return "not taken by " + outlook.doubted;
+    }
     return (answer == "taken") ? text + BehindTaken(outlook, assembly) : answer;
 }
 } // namespace counterpoint::runtime
