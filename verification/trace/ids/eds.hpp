@@ -98,6 +98,7 @@ inline constexpr RequirementId SRS_EDS_045{"SRS_EDS_045"};
 inline constexpr RequirementId SRS_EDS_150{"SRS_EDS_150"};
 inline constexpr RequirementId SRS_EDS_340{"SRS_EDS_340"};
 inline constexpr RequirementId SRS_EDS_555{"SRS_EDS_555"};
+inline constexpr RequirementId SRS_EDS_670{"SRS_EDS_670"};
 } // namespace counterpoint::req
 
 #endif

@@ -134,6 +134,8 @@ inline constexpr RequirementId SRS_NET_341{"SRS_NET_341"};
 inline constexpr RequirementId SRS_NET_342{"SRS_NET_342"};
 inline constexpr RequirementId SRS_NET_480{"SRS_NET_480"};
 inline constexpr RequirementId SRS_NET_510{"SRS_NET_510"};
+inline constexpr RequirementId SRS_NET_671{"SRS_NET_671"};
+inline constexpr RequirementId SRS_NET_672{"SRS_NET_672"};
 inline constexpr RequirementId SRS_SFS_001{"SRS_SFS_001"};
 inline constexpr RequirementId SRS_SFS_002{"SRS_SFS_002"};
 inline constexpr RequirementId SRS_SFS_003{"SRS_SFS_003"};
