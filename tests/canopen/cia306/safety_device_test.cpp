@@ -12,14 +12,14 @@ namespace
 {
 std::string VariableOf(const std::string& section, const std::string& type, const std::string& value)
 {
-    return "[" + section + "]\nParameterName=x\nObjectType=7\nDataType=" + type + "\nAccessType=rw\nParameterValue=" +
-           value + "\nPDOMapping=0\n\n";
+    return "[" + section + "]\nParameterName=x\nObjectType=7\nDataType=" + type +
+           "\nAccessType=rw\nParameterValue=" + value + "\nPDOMapping=0\n\n";
 }
 
 /// Each of them otherwise than a safety device has it: no array, another type, a value out of its range.
 const std::string kOfSomebody = VariableOf("5F00", "6", "70") + VariableOf("5F01", "9", "pump") +
-                                VariableOf("5F02", "5", "7") + VariableOf("5F03", "8", "1.5") + VariableOf("5F04", "7", "9") +
-                                VariableOf("5F05", "5", "300");
+                                VariableOf("5F02", "5", "7") + VariableOf("5F03", "8", "1.5") +
+                                VariableOf("5F04", "7", "9") + VariableOf("5F05", "5", "300");
 
 /// What check, or the reader, tells of them.
 std::vector<std::string> ToldOfParameters(const std::string& text)
@@ -42,7 +42,8 @@ TEST(SafetyDevice, IsOneByItsObjectsItsListsOrItsWord)
     const std::string list = "[OptionalObjects]\nSupportedObjects=1\n1=";
     EXPECT_FALSE(test::DeviceOf(plain + kOfSomebody).IsSafetyObject(0x5F00U));
     EXPECT_FALSE(test::DeviceOf("[DeviceInfo]\nCANopenSafetySupported=0\n\n" + kOfSomebody).IsSafetyObject(0x5F02U));
-    EXPECT_FALSE(test::DeviceOf(plain + VariableOf("12FF", "5", "1") + VariableOf("1400", "5", "1")).IsSafetyObject(0x5F02U));
+    EXPECT_FALSE(
+        test::DeviceOf(plain + VariableOf("12FF", "5", "1") + VariableOf("1400", "5", "1")).IsSafetyObject(0x5F02U));
     EXPECT_FALSE(test::DeviceOf(plain + list + "0x1400\n\n" + kOfSomebody).IsSafetyObject(0x5F02U));
     const std::string of_safety[] = {
         "[DeviceInfo]\nCANopenSafetySupported=1\n\n" + kOfSomebody,
@@ -72,12 +73,14 @@ TEST(SafetyDevice, ObjectsOfAMakerAreCheckedAsAnyOthers)
     const std::string plain = "[DeviceInfo]\nVendorName=x\n\n[ManufacturerObjects]\nSupportedObjects=7\n1=0x5F00\n"
                               "2=0x5F01\n3=0x5F02\n4=0x5F03\n5=0x5F04\n6=0x5F05\n7=0x5F06\n\n";
     const std::string six = plain + kOfSomebody + VariableOf("5F06", "5", "1");
-    EXPECT_EQ(ToldOfParameters(six), (std::vector<std::string>{
-                               "warning: 0x5F05:00: ParameterValue: value '300', expected a number from 0 to 255 "
-                               "(UNSIGNED8)"}));
+    EXPECT_EQ(
+        ToldOfParameters(six),
+        (std::vector<std::string>{"warning: 0x5F05:00: ParameterValue: value '300', expected a number from 0 to 255 "
+                                  "(UNSIGNED8)"}));
     // One that is only listed is a warning, as of any object
-    EXPECT_EQ(ToldOfParameters(plain + kOfSomebody.substr(0U, kOfSomebody.find("[5F05]")) + VariableOf("5F06", "5", "1")),
-              (std::vector<std::string>{"warning: 0x5F05: is listed, expected a section that describes it"}));
+    EXPECT_EQ(
+        ToldOfParameters(plain + kOfSomebody.substr(0U, kOfSomebody.find("[5F05]")) + VariableOf("5F06", "5", "1")),
+        (std::vector<std::string>{"warning: 0x5F05: is listed, expected a section that describes it"}));
     const Device device = test::DeviceOf(six);
     EXPECT_FALSE(device.Find(0x5F02U, 0U)->is_safety);
     EXPECT_TRUE(IsSaved(*device.Find(0x5F02U, 0U)));
@@ -99,7 +102,8 @@ TEST(SafetyDevice, NoParameterIsReadFromAnotherDevice)
                   .cycle_us,
               2000U);
     EXPECT_TRUE(problems.empty());
-    static_cast<void>(ReadDeviceParameters(test::DeviceOf("[DeviceInfo]\nVendorName=x\n\n" + kOfSomebody), 5U, problems));
+    static_cast<void>(
+        ReadDeviceParameters(test::DeviceOf("[DeviceInfo]\nVendorName=x\n\n" + kOfSomebody), 5U, problems));
     EXPECT_TRUE(problems.empty());
 }
 } // namespace

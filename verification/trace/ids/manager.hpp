@@ -134,6 +134,7 @@ inline constexpr RequirementId SRS_NET_341{"SRS_NET_341"};
 inline constexpr RequirementId SRS_NET_342{"SRS_NET_342"};
 inline constexpr RequirementId SRS_NET_480{"SRS_NET_480"};
 inline constexpr RequirementId SRS_NET_510{"SRS_NET_510"};
+inline constexpr RequirementId SRS_NET_670{"SRS_NET_670"};
 inline constexpr RequirementId SRS_NET_671{"SRS_NET_671"};
 inline constexpr RequirementId SRS_NET_672{"SRS_NET_672"};
 inline constexpr RequirementId SRS_SFS_001{"SRS_SFS_001"};
@@ -167,6 +168,8 @@ inline constexpr RequirementId SRS_SFS_219{"SRS_SFS_219"};
 inline constexpr RequirementId SRS_SFS_220{"SRS_SFS_220"};
 inline constexpr RequirementId SRS_SFS_221{"SRS_SFS_221"};
 inline constexpr RequirementId SRS_SFS_340{"SRS_SFS_340"};
+inline constexpr RequirementId SRS_SFS_670{"SRS_SFS_670"};
+inline constexpr RequirementId SRS_SFS_671{"SRS_SFS_671"};
 } // namespace counterpoint::req
 
 #endif
