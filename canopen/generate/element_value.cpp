@@ -1,10 +1,9 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/generate/element.hpp"
 
+#include "canopen/cia306/file/string_value.hpp"
 #include "canopen/cia306/safety/signature.hpp"
 #include "canopen/cia306/text/input_error.hpp"
-#include "canopen/cia306/text/number.hpp"
-#include "canopen/cia306/text/utf16.hpp"
 
 #include <algorithm>
 
@@ -14,8 +13,6 @@ namespace
 {
 using cia306::DataKind;
 
-constexpr std::uint16_t kOctetString = 0x000AU;
-constexpr std::uint16_t kUnicodeString = 0x000BU;
 constexpr std::uint32_t kLeastTextRoom = 32U; ///< Of a string that can be written: a file tells no room.
 
 bool IsSigned(const cia306::DataType& type)
@@ -35,38 +32,10 @@ Limits RangeOf(const cia306::DataType& type)
     return IsSigned(type) ? Limits{~(all / 2U), all / 2U} : Limits{0U, all};
 }
 
-/// Pairs of hexadecimal digits, or nothing. [SRS_GEN_354]
-std::optional<std::vector<std::uint8_t>> Octets(std::string digits)
-{
-    digits.erase(std::remove(digits.begin(), digits.end(), ' '), digits.end());
-    std::vector<std::uint8_t> octets;
-    for (std::size_t place = 0U; place < digits.size(); place += 2U)
-    {
-        const auto octet = cia306::ParseDigits(digits.substr(place, 2U), 16);
-        if (!octet || place + 1U == digits.size())
-        {
-            return std::nullopt;
-        }
-        octets.push_back(static_cast<std::uint8_t>(*octet));
-    }
-    return octets;
-}
-
-std::vector<std::uint8_t> BytesOfText(const cia306::Entry& entry)
-{
-    const std::string& text = entry.Configured().text;
-    if (entry.data_type == kUnicodeString)
-    {
-        return cia306::Utf16Of(text);
-    }
-    const auto octets = entry.data_type == kOctetString ? Octets(text) : std::nullopt;
-    return octets.value_or(std::vector<std::uint8_t>(text.begin(), text.end()));
-}
-
 void ReadText(Element& element)
 {
     element.is_text = true;
-    element.value = BytesOfText(*element.entry);
+    element.value = cia306::BytesOfText(element.entry->data_type, element.entry->Configured().text);
     const auto length = static_cast<std::uint32_t>(element.value.size());
     element.size_bytes = element.home == Home::kConstant ? length : std::max(length, kLeastTextRoom);
 }

@@ -26,9 +26,10 @@ bool IsKernels(const std::uint16_t index)
     return index >= kFirstSafety && index <= kLastSafety;
 }
 
-bool IsDeviceParameter(const std::uint16_t index)
+/// 5F00h to 5F05h of a safety device.
+bool IsDeviceParameter(const cia306::Entry& entry)
 {
-    return index >= cia306::kDeviceParametersIndex && index <= cia306::kDetectionIndex;
+    return entry.is_safety && entry.index >= cia306::kDeviceParametersIndex;
 }
 
 /// Where the value of an entry of the table is kept. [SRS_GEN_006, SRS_GEN_353]
@@ -39,7 +40,7 @@ Home TableHome(const cia306::Entry& entry)
     // With the node-ID a constant changes, too.
     const auto formula = cia306::ParseFormula(entry.Configured().text);
     const bool is_constant = entry.access == cia306::Access::kConstant && !(formula && formula->has_node_id);
-    const bool is_fixed = is_constant || IsDeviceParameter(entry.index) ||
+    const bool is_fixed = is_constant || IsDeviceParameter(entry) ||
                           (is_text && (entry.IsFixed() || entry.access == cia306::Access::kUnknown));
     if (is_domain)
     {

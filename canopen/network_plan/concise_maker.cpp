@@ -1,8 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/network_plan/concise_maker.hpp"
 
+#include "canopen/cia306/file/string_value.hpp"
 #include "canopen/cia306/safety/signature.hpp"
 
+#include <optional>
 #include <string>
 
 namespace counterpoint::network_plan
@@ -26,20 +28,17 @@ struct IndexRange
     std::uint16_t last;
 };
 
-/// What is no configuration: commands (store, restore, programs, network management), the safety configuration with a
-/// procedure of its own.
-constexpr IndexRange kLeftOut[] = {
-    {0x1010U, 0x1011U}, {0x1300U, 0x13FFU}, {0x1F50U, 0x1F5FU}, {0x1F80U, 0x1F91U}, {0x5F00U, 0x5F05U}};
+/// What is no configuration: commands (store, restore, programs, network management).
+constexpr IndexRange kLeftOut[] = {{0x1010U, 0x1011U}, {0x1F50U, 0x1F5FU}, {0x1F80U, 0x1F91U}};
 
-bool IsLeftOut(const Device& device, const std::uint16_t index)
+/// The safety configuration has a procedure of its own, and 5F00h to 5F05h of a safety device are a part of its
+/// program.
+bool IsLeftOut(const Entry& entry)
 {
-    constexpr std::uint16_t kDeviceParameters = 0x5F00U;
-    bool is_left_out = index < kFirstObject;
+    bool is_left_out = entry.index < kFirstObject || entry.is_safety;
     for (const IndexRange& range : kLeftOut)
     {
-        const bool applies = range.first != kDeviceParameters || device.Find(kDeviceParameters) == nullptr ||
-                             device.is_safety_supported.value_or(false);
-        is_left_out = is_left_out || (applies && index >= range.first && index <= range.last);
+        is_left_out = is_left_out || (entry.index >= range.first && entry.index <= range.last);
     }
     return is_left_out;
 }
@@ -62,12 +61,19 @@ bool IsRefused(const Entry& entry)
     return entry.IsFixed() || entry.is_download_refused;
 }
 
-bool IsToBeWritten(const Device& device, const Entry& entry)
+/// A value that does not fit its type is none, as for the device itself. [SRS_EDS_032]
+bool HasValue(const Device& device, const Entry& entry, const std::uint8_t node_id)
 {
-    return entry.parameter_value.IsSet() && !IsRefused(entry) && !IsLeftOut(device, entry.index);
+    return cia306::UsableValue(device.file, entry, node_id).has_value();
 }
 
-bool HasConfigured(const Device& device, const std::uint16_t index)
+bool IsToBeWritten(const Device& device, const Entry& entry, const std::uint8_t node_id)
+{
+    const bool is_meant = entry.parameter_value.IsSet() && !IsRefused(entry) && !IsLeftOut(entry);
+    return is_meant && HasValue(device, entry, node_id);
+}
+
+bool HasConfigured(const Device& device, const std::uint16_t index, const std::uint8_t node_id)
 {
     const Object* const object = device.Find(index);
     bool has_one = false;
@@ -75,7 +81,7 @@ bool HasConfigured(const Device& device, const std::uint16_t index)
     {
         for (const auto& [sub, entry] : object->entries)
         {
-            has_one = has_one || IsToBeWritten(device, entry);
+            has_one = has_one || IsToBeWritten(device, entry, node_id);
         }
     }
     return has_one;
@@ -121,7 +127,7 @@ class Maker
         {
             for (const auto& [sub, entry] : object->entries)
             {
-                if (sub >= from && IsToBeWritten(device_, entry))
+                if (sub >= from && IsToBeWritten(device_, entry, node_id_))
                 {
                     Add(entry);
                 }
@@ -132,11 +138,12 @@ class Maker
     {
         const auto mapping = static_cast<std::uint16_t>(index + kMappingOffset);
         const Entry* const identifier = device_.Find(index, 1U);
-        if (!HasConfigured(device_, index) && !HasConfigured(device_, mapping))
+        if (!HasConfigured(device_, index, node_id_) && !HasConfigured(device_, mapping, node_id_))
         {
             return;
         }
-        const bool can_switch = identifier != nullptr && !IsRefused(*identifier) && identifier->Configured().IsSet();
+        const bool can_switch =
+            identifier != nullptr && !IsRefused(*identifier) && HasValue(device_, *identifier, node_id_);
         const std::uint32_t on = can_switch ? NumberOf(device_, node_id_, index, 1U, 0U) : 0U;
         if (can_switch)
         {
@@ -152,7 +159,9 @@ class Maker
     void AddMapping(const std::uint16_t mapping)
     {
         const Entry* const count = device_.Find(mapping, 0U);
-        if (HasConfigured(device_, mapping) && count != nullptr && !IsRefused(*count))
+        const bool is_counted = count != nullptr && !IsRefused(*count) &&
+                                (!count->Configured().IsSet() || HasValue(device_, *count, node_id_));
+        if (is_counted && HasConfigured(device_, mapping, node_id_))
         {
             entries_.push_back({mapping, 0U, LittleEndian(0U, 1U)});
             AddObject(mapping, 1U);
@@ -170,16 +179,16 @@ std::vector<std::uint8_t> BytesOf(const Device& device, const Entry& entry, cons
 {
     const cia306::Value value = cia306::RequiredValue(device.file, entry, node_id);
     const std::uint32_t size = (entry.type.bits + kBitsOfByte - 1U) / kBitsOfByte;
-    return (size > 0U) ? LittleEndian(value.bits, size)
-                       : std::vector<std::uint8_t>(value.text.begin(), value.text.end());
+    return (size > 0U) ? LittleEndian(value.bits, size) : cia306::BytesOfText(entry.data_type, value.text);
 }
 
 std::uint32_t NumberOf(const Device& device, const std::uint8_t node_id, const std::uint16_t index,
                        const std::uint8_t sub, const std::uint32_t usual)
 {
     const Entry* const entry = device.Find(index, sub);
-    const bool has_value = entry != nullptr && entry->Configured().IsSet();
-    return has_value ? static_cast<std::uint32_t>(cia306::RequiredValue(device.file, *entry, node_id).bits) : usual;
+    const std::optional<cia306::Value> value =
+        (entry == nullptr) ? std::nullopt : cia306::UsableValue(device.file, *entry, node_id);
+    return value ? static_cast<std::uint32_t>(value->bits) : usual;
 }
 
 std::vector<ConciseEntry> MakeConcise(const Device& device, const std::uint8_t node_id)

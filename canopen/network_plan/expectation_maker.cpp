@@ -3,11 +3,13 @@
 
 #include "canopen/cia306/check/check.hpp"
 #include "canopen/cia306/file/data_type.hpp"
+#include "canopen/cia306/safety/device_parameters.hpp"
 #include "canopen/cia306/safety/safety_configuration.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 namespace counterpoint::network_plan
 {
@@ -50,8 +52,7 @@ class Maker
 
     void Add(const std::uint16_t index, const std::uint8_t sub, const cia306::Field& field)
     {
-        const auto value = static_cast<std::uint32_t>(field.value.value_or(0U));
-        list_.push_back({{index, sub}, value, IsFixed(device_, index, sub)});
+        list_.push_back({{index, sub}, field.value.value_or(0U), IsFixed(device_, index, sub)});
     }
     void AddSrdo(const SrdoConfiguration& srdo)
     {
@@ -90,6 +91,28 @@ class Maker
             }
         }
     }
+    /// What 13FFh does not cover: the digest over all of it, or what the file has of an SRDO. [SRS_NET_670]
+    void AddParameters(const std::uint8_t node_id)
+    {
+        constexpr std::uint16_t kOfSrdos[] = {cia306::kReleasePolicyIndex, cia306::kSafeValueIndex,
+                                              cia306::kDetectionIndex};
+        const std::uint64_t digest = ValueOf(cia306::kDigestIndex, 0U, node_id).value_or(0U);
+        if (digest != 0U)
+        {
+            list_.push_back({{cia306::kDigestIndex, 0U}, digest, true});
+            return;
+        }
+        for (const std::uint16_t index : kOfSrdos)
+        {
+            for (std::uint8_t number = 1U; number <= cia306::kMaxSrdos; ++number)
+            {
+                if (const std::optional<std::uint64_t> value = ValueOf(index, number, node_id))
+                {
+                    list_.push_back({{index, number}, *value, true});
+                }
+            }
+        }
+    }
     std::vector<ExpectedObject> Sorted()
     {
         std::sort(list_.begin(), list_.end(), [](const ExpectedObject& left, const ExpectedObject& right)
@@ -98,6 +121,15 @@ class Maker
     }
 
   private:
+    /// Of a file that RequireRight let pass.
+    [[nodiscard]] std::optional<std::uint64_t> ValueOf(const std::uint16_t index, const std::uint8_t sub,
+                                                       const std::uint8_t node_id) const
+    {
+        const cia306::Entry* const entry = device_.Find(index, sub);
+        const cia306::ValueResult result =
+            (entry == nullptr) ? cia306::ValueResult{} : cia306::ConfiguredValue(*entry, node_id);
+        return result.value ? std::optional<std::uint64_t>(result.value->bits) : std::nullopt;
+    }
     [[nodiscard]] bool Has(const std::uint16_t index, const std::uint8_t sub) const
     {
         return std::any_of(list_.begin(), list_.end(), [=](const ExpectedObject& object)
@@ -150,6 +182,7 @@ std::vector<ExpectedObject> MakeExpectation(const Device& device, const std::uin
         maker.AddConstants(index, node_id);
     }
     maker.AddConstants(kSignatures, node_id);
+    maker.AddParameters(node_id);
     return maker.Sorted();
 }
 } // namespace counterpoint::network_plan

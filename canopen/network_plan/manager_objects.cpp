@@ -133,11 +133,9 @@ class Taker
     [[nodiscard]] std::optional<std::uint64_t> NumberAt(const std::uint16_t index, const std::uint8_t sub) const
     {
         const Entry* const entry = device_.Find(index, sub);
-        if (entry == nullptr || !entry->Configured().IsSet())
-        {
-            return std::nullopt;
-        }
-        return cia306::RequiredValue(device_.file, *entry, plan_.manager.node).bits;
+        const std::optional<cia306::Value> value =
+            (entry == nullptr) ? std::nullopt : cia306::UsableValue(device_.file, *entry, plan_.manager.node);
+        return value ? std::optional<std::uint64_t>(value->bits) : std::nullopt;
     }
     /// 1016h: node-ID and time stand in the value, whatever the sub-index.
     void TakeConsumers()

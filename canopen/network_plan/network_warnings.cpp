@@ -320,7 +320,7 @@ void NetworkWarnings::WarnOfSafety(const LoadedSlave& slave)
     for (const cia302::ExpectedObject& object : slave.objects)
     {
         const bool is_signature = object.address.index == kSignatures;
-        count = (is_signature && object.address.sub == 0U) ? object.value : count;
+        count = (is_signature && object.address.sub == 0U) ? static_cast<std::uint32_t>(object.value) : count;
         highest = is_signature ? object.address.sub : highest; // Ascending.
     }
     const std::string node = "node " + std::to_string(slave.plan.node);

@@ -8,6 +8,7 @@
 #include "canopen/cia306/text/input_error.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 namespace counterpoint::network_plan
@@ -75,9 +76,10 @@ bool IsSwitchedOff(const Device& device, const std::uint8_t node_id, const std::
     {
         Entry usual = *entry;
         usual.parameter_value = {};
-        const std::vector<std::uint8_t> bytes = BytesOf(device, usual, node_id);
-        const bool has_one = std::any_of(bytes.begin(), bytes.end(), [](const std::uint8_t byte) { return byte > 0U; });
-        is_off = has_one && NumberOf(device, node_id, index, sub, 0U) == 0U;
+        const std::optional<cia306::Value> by_itself = cia306::UsableValue(device.file, usual, node_id);
+        const std::optional<cia306::Value> value = cia306::UsableValue(device.file, *entry, node_id);
+        const bool has_one = by_itself && by_itself->bits > 0U;
+        is_off = has_one && value && value->bits == 0U;
     }
     return is_off;
 }
@@ -137,7 +139,9 @@ bool IsChanged(const Device& device, const std::uint8_t node_id, const Entry& en
     {
         Entry usual = entry;
         usual.parameter_value = {};
-        is_changed = BytesOf(device, usual, node_id) != BytesOf(device, entry, node_id);
+        const bool has_both = cia306::UsableValue(device.file, usual, node_id).has_value() &&
+                              cia306::UsableValue(device.file, entry, node_id).has_value();
+        is_changed = !has_both || BytesOf(device, usual, node_id) != BytesOf(device, entry, node_id);
     }
     return is_changed;
 }

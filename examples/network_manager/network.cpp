@@ -13,13 +13,14 @@ namespace
 using cia302::ExpectedObject;
 using cia302::SlaveSetup;
 
-// 1300h to 13FFh of examples/actuator/actuator.dcf.
+// 1300h to 13FFh of examples/actuator/actuator.dcf, and its device digest, which no manager writes.
 constexpr ExpectedObject kDriveObjects[]{
     {{0x1300U, 0U}, 1U, false},          {{0x1301U, 0U}, 6U, true},           {{0x1301U, 1U}, 2U, false},
     {{0x1301U, 2U}, 50U, false},         {{0x1301U, 3U}, 20U, false},         {{0x1301U, 4U}, 254U, true},
     {{0x1301U, 5U}, 0x103U, false},      {{0x1301U, 6U}, 0x104U, false},      {{0x1381U, 0U}, 4U, false},
     {{0x1381U, 1U}, 0x22000108U, false}, {{0x1381U, 2U}, 0x23000108U, false}, {{0x1381U, 3U}, 0x22000208U, false},
     {{0x1381U, 4U}, 0x23000208U, false}, {{0x13FFU, 0U}, 1U, true},           {{0x13FFU, 1U}, 0x9FCBU, false},
+    {{0x5F04U, 0U}, 0xBEE7CE1CU, true},
 };
 constexpr cia302::SafetyExpectation kDriveSafety{
     kDriveObjects, static_cast<std::uint16_t>(sizeof(kDriveObjects) / sizeof(kDriveObjects[0]))};

@@ -80,6 +80,11 @@ class ManagerAssembly
     void OnController(cia302::ControllerState state, Instant now) noexcept;
     /// @brief A frame of this manager was on the bus.
     void OnSent(const CanFrame& frame) noexcept;
+    /// @brief The state from which Control goes on; kUnknown under another profile than EL6751. [SRS_ELM_670]
+    [[nodiscard]] cia302::SlaveState ControlState(cia302::NodeId node) const noexcept
+    {
+        return (el6751_ != nullptr) ? el6751_->ControlState(node) : cia302::SlaveState::kUnknown;
+    }
     /// @brief Manual network management of the EL6751 profile; kWrong under another profile. [SRS_ELM_046]
     [[nodiscard]] cia302::NmtAnswer Control(cia302::NodeId node, std::uint16_t ads_state, std::uint16_t device_state,
                                             Instant now) noexcept;

@@ -194,7 +194,9 @@ void ManagerDictionary::AddIdentity()
     const auto own = [this](const std::uint16_t index, const std::uint8_t sub)
     {
         const cia306::Entry* const entry = net_.Device().Find(index, sub);
-        const bool is_there = entry != nullptr && entry->Configured().IsSet();
+        const bool is_there =
+            entry != nullptr &&
+            cia306::UsableValue(net_.Device().file, *entry, net_.Setup().own.value).has_value(); // [SRS_EDS_032]
         return is_there ? network_plan::BytesOf(net_.Device(), *entry, net_.Setup().own.value)
                         : std::vector<std::uint8_t>{};
     };

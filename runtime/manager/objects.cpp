@@ -135,8 +135,9 @@ SdoAbort ManagerObjects::MayWrite(const ObjectAddress& address, const std::uint3
     case kInhibit:
     case kBootTime:
         return SdoAbort::kNone;
-    case kConfigure:
     case kNmt:
+        return unless(!assembly_.Core().IsActive() || IsDoubtedStart(address.sub, value), SdoAbort::kDeviceState);
+    case kConfigure:
     case kGuarding:
         return unless(!assembly_.Core().IsActive(), SdoAbort::kDeviceState);
     case kStartUp:
@@ -162,6 +163,15 @@ SdoAbort ManagerObjects::MayWrite(const ObjectAddress& address, const std::uint3
     default:
         return MayChange(NodeId{address.sub});
     }
+}
+
+/// A start of one safety slave whose node-ID may be that of two devices: it would be made PRE-OPERATIONAL, and stopped.
+/// [SRS_MGR_670]
+bool ManagerObjects::IsDoubtedStart(const std::uint8_t sub, const std::uint32_t value) const noexcept
+{
+    constexpr std::uint32_t kStart = 5U;
+    const bool is_safety = net_.Setup().IsSafetySlave(NodeId{sub});
+    return is_safety && value == kStart && assembly_.Core().Watched().Of(NodeId{sub}).is_duplicate;
 }
 
 /// What the manager knows of a slave. A safety slave stays what its network file says: no write takes it out of the

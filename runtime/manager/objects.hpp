@@ -28,6 +28,7 @@ class ManagerObjects final : public cia301::ReadHook, public cia301::WriteHook
   private:
     [[nodiscard]] cia301::Reading ReadDomain(const ObjectAddress& address, const cia301::Room& room) noexcept;
     [[nodiscard]] cia301::SdoAbort MayWrite(const ObjectAddress& address, std::uint32_t value) const noexcept;
+    [[nodiscard]] bool IsDoubtedStart(std::uint8_t sub, std::uint32_t value) const noexcept;
     [[nodiscard]] cia301::SdoAbort MayChange(cia302::NodeId node) const noexcept;
     [[nodiscard]] cia301::SdoAbort StoreAssignment(const ObjectAddress& address, const cia301::Bytes& value) noexcept;
     [[nodiscard]] cia301::SdoAbort Store(const ObjectAddress& address, const cia301::Bytes& value) noexcept;

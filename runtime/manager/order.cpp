@@ -168,7 +168,7 @@ std::string ControlAnswer(const ManagerOrder& order, ManagerAssembly& assembly, 
     else if (answer == cia302::NmtAnswer::kWrong)
     {
         text = "control " + pair + " is no command for node " + std::to_string(order.node) + ", which is " +
-               WordOf(assembly.Core().Table().Record(node).state) + " with NodeState " +
+               WordOf(assembly.ControlState(node)) + " with NodeState " +
                StatusText(profile, assembly.Core().Status(node)) +
                ", expected no start-up that runs, and 5/0 or 6/0 while OPERATIONAL, 5/1 or 6/0 while PRE-OPERATIONAL, "
                "5/1, 5/2 or 5/3 while STOPPED";

@@ -24,8 +24,9 @@ ManagerOrder StartIn(const ManagerOrder& order)
     constexpr std::uint64_t kStart = 5U;
     constexpr std::uint64_t kStartOfEach = 0x85U;
     const bool is_command = order.kind == ManagerOrderKind::kCommand && order.command == cia302::NmtCommand::kStart;
-    const bool is_set = order.kind == ManagerOrderKind::kSet && order.object.index == kNmt &&
-                        (order.value == kStart || order.value == kStartOfEach);
+    const bool is_of_each = order.value == kStartOfEach && order.object.sub == kAllSub;
+    const bool is_set =
+        order.kind == ManagerOrderKind::kSet && order.object.index == kNmt && (order.value == kStart || is_of_each);
     ManagerOrder start;
     start.command = (is_command || is_set) ? cia302::NmtCommand::kStart : cia302::NmtCommand::kInvalid;
     start.node = is_command ? order.node : order.object.sub;
@@ -222,6 +223,10 @@ std::string BehindTaken(const StartOutlook& outlook, const ManagerAssembly& asse
 std::string AnswerToSet(const StartOutlook& outlook, const ManagerAssembly& assembly, const std::string& answer)
 {
     const bool is_plc = assembly.Net().Plan().manager.profile == network_plan::StartProfile::kPlcDesigner;
+    if (!outlook.is_all && !outlook.doubted.empty())
+    {
+        return "not taken by " + outlook.doubted;
+    }
     const bool is_other = answer == WordOf(cia302::NmtAnswer::kOtherDevice); // The others were started. [SRS_MGR_544]
     const bool is_done = answer == "taken" || (outlook.is_all && is_other);
     const bool is_partly = is_done && outlook.is_all && !outlook.left_out.empty();

@@ -43,8 +43,8 @@ struct Pair
 {
     std::uint16_t index;
     std::uint8_t sub;
-    std::uint32_t first;
-    std::uint32_t second;
+    std::uint64_t first;
+    std::uint64_t second;
 };
 
 /// Two masters that are compared, and where findings go.

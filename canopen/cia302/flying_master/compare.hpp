@@ -75,8 +75,8 @@ struct FlyingFinding
     NodeId slave;
     std::uint16_t index;
     std::uint8_t sub;
-    std::uint32_t first_value;
-    std::uint32_t second_value;
+    std::uint64_t first_value;
+    std::uint64_t second_value;
 };
 
 /// Is told of each finding.

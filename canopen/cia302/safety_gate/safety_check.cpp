@@ -15,6 +15,10 @@ constexpr std::uint16_t kFirstMapping = 0x1381U;
 constexpr std::uint16_t kLastMapping = 0x13C0U;
 constexpr std::uint16_t kSignatures = 0x13FFU;
 constexpr std::uint8_t kDirectionSub = 1U;
+constexpr std::uint16_t kReleasePolicy = 0x5F01U;
+constexpr std::uint16_t kSafeValue = 0x5F02U;
+constexpr std::uint16_t kDigest = 0x5F04U;
+constexpr std::uint16_t kDetection = 0x5F05U;
 constexpr ObjectAddress kValidFlag{0x13FEU, 0U};
 
 bool IsSettings(const ObjectAddress& address) noexcept
@@ -46,6 +50,30 @@ std::uint8_t SizeOfSetting(const std::uint8_t sub) noexcept
     return (sub <= kCommunicationSubs) ? kSizes[sub] : 0U;
 }
 
+/// Of what 13FFh does not cover: one object for all of it, or one of each SRDO.
+std::uint8_t SizeOfParameter(const ObjectAddress& address) noexcept
+{
+    const bool is_of_srdo = (address.sub > 0U) && (address.sub <= kMaxSrdoCount);
+    std::uint8_t size = 0U;
+    if (address.index == kDigest)
+    {
+        size = (address.sub == 0U) ? 4U : 0U;
+    }
+    else if (address.index == kSafeValue)
+    {
+        size = is_of_srdo ? 8U : 0U;
+    }
+    else if ((address.index == kReleasePolicy) || (address.index == kDetection))
+    {
+        size = is_of_srdo ? 1U : 0U;
+    }
+    else
+    {
+        // No such object.
+    }
+    return size;
+}
+
 } // namespace
 
 std::uint8_t SizeOf(const ObjectAddress& address) noexcept
@@ -65,9 +93,13 @@ std::uint8_t SizeOf(const ObjectAddress& address) noexcept
         size = (address.sub == 0U) ? 1U : 2U;
         size = (address.sub > kMaxSrdoCount) ? 0U : size;
     }
+    else if (address.index == kGfc)
+    {
+        size = (address.sub == 0U) ? 1U : 0U;
+    }
     else
     {
-        size = ((address.index == kGfc) && (address.sub == 0U)) ? 1U : 0U;
+        size = SizeOfParameter(address);
     }
     return size;
 }
@@ -196,7 +228,7 @@ bool SafetyCheck::TakesPart(const Phase phase, const ExpectedObject& object) noe
     return takes_part && (is_read || !object.is_fixed);
 }
 
-std::uint32_t SafetyCheck::ValueIn(const Phase phase, const ExpectedObject& object) noexcept
+std::uint64_t SafetyCheck::ValueIn(const Phase phase, const ExpectedObject& object) noexcept
 {
     const bool is_zero = (phase == Phase::kSwitchOff) || (phase == Phase::kMapClear);
     return is_zero ? 0U : object.value;
@@ -239,7 +271,7 @@ void SafetyCheck::Seek() noexcept
         {
             is_found = (position_ == 0U);
             object_ = kValidFlag;
-            target_ = (phase == Phase::kClearValid) ? 0U : std::uint32_t{kConfigurationValidValue};
+            target_ = (phase == Phase::kClearValid) ? 0U : std::uint64_t{kConfigurationValidValue};
         }
         else if (position_ < CountIn(phase))
         {
@@ -288,7 +320,9 @@ void SafetyCheck::Access(SdoPool& sdo, const Instant now) noexcept
 {
     if (Reads())
     {
-        has_begun_ = sdo.Upload(node_, object_, Room{buffer_, sizeof(buffer_)}, SdoMode::kNormal, now);
+        constexpr std::uint32_t kUsualRoom = 4U;
+        const std::uint32_t room = (SizeNow() > kUsualRoom) ? sizeof(buffer_) : kUsualRoom;
+        has_begun_ = sdo.Upload(node_, object_, Room{buffer_, room}, SdoMode::kNormal, now);
     }
     else
     {

@@ -15,14 +15,15 @@ namespace counterpoint::cia302
 struct ExpectedObject
 {
     ObjectAddress address;
-    std::uint32_t value;
+    std::uint64_t value;
     bool is_fixed; ///< A part of the slave's program: compared, never written.
 };
 
 /// The safety configuration that a slave has to have: 1300h (where the slave has it), sub-index 0 (where it is told)
 /// and 1 to 6 of each 1301h to 1340h, sub-index 0 to count of each 1381h to 13C0h, sub-index 0 (where it is told) and n
-/// of 13FFh, and what else of 1381h to 13C0h and 13FFh is fixed. Strictly ascending by index and sub-index. 13FEh is
-/// not in it: it has to be A5h. [SRS_SFS_001]
+/// of 13FFh, what else of 1381h to 13C0h and 13FFh is fixed, and of what 13FFh does not cover 5F04h (the device digest)
+/// or n of 5F01h, 5F02h and 5F05h, fixed. Strictly ascending by index and sub-index. 13FEh is not in it: it has to be
+/// A5h. [SRS_SFS_001, SRS_SFS_670]
 struct SafetyExpectation
 {
     const ExpectedObject* objects; ///< Kept by whoever made it.
@@ -131,7 +132,7 @@ class SafetyCheck
 
     [[nodiscard]] static bool IsValidFlag(Phase phase) noexcept;
     [[nodiscard]] static bool TakesPart(Phase phase, const ExpectedObject& object) noexcept;
-    [[nodiscard]] static std::uint32_t ValueIn(Phase phase, const ExpectedObject& object) noexcept;
+    [[nodiscard]] static std::uint64_t ValueIn(Phase phase, const ExpectedObject& object) noexcept;
     [[nodiscard]] Phase PhaseNow() const noexcept;
     [[nodiscard]] bool Reads() const noexcept;
     [[nodiscard]] bool Take(Phase phase) noexcept;
@@ -153,9 +154,9 @@ class SafetyCheck
     std::uint8_t phase_{0U};     ///< Of the task.
     std::uint16_t position_{0U}; ///< In the expectation or the identity.
     ObjectAddress object_{0U, 0U};
-    std::uint32_t target_{0U}; ///< Value that is written or expected.
+    std::uint64_t target_{0U}; ///< Value that is written or expected.
     bool has_begun_{false};    ///< The transfer of `object_`.
-    std::uint8_t buffer_[4]{};
+    std::uint8_t buffer_[8]{};
 };
 
 } // namespace counterpoint::cia302

@@ -10,7 +10,7 @@ namespace
 constexpr std::uint16_t kGfc = 0x1300U;
 constexpr std::uint16_t kFirstSettings = 0x1301U;
 constexpr std::uint16_t kFirstMapping = 0x1381U;
-constexpr std::uint16_t kSignatures = 0x13FFU;
+constexpr std::uint16_t kSignatures = 0x13FFU; ///< Behind it stands what it does not cover.
 
 /// How many parts of each SRDO were met.
 struct Parts
@@ -32,12 +32,23 @@ bool IsAscending(const SafetyExpectation& expectation) noexcept
     return is_ascending;
 }
 
-/// Whether the value fits its object.
+/// 0: the size of none.
+std::uint64_t GreatestOf(const std::uint8_t size) noexcept
+{
+    std::uint64_t greatest = 0U;
+    greatest = (size == 1U) ? 0xFFU : greatest;
+    greatest = (size == 2U) ? 0xFFFFU : greatest;
+    greatest = (size == 4U) ? 0xFFFFFFFFU : greatest;
+    greatest = (size == 8U) ? ~std::uint64_t{0U} : greatest;
+    return greatest;
+}
+
+/// Whether the value fits its object, and nobody would write what is a part of a program.
 bool Fits(const ExpectedObject& object) noexcept
 {
-    constexpr std::uint32_t kBitsOfByte = 8U;
     const std::uint8_t size = SizeOf(object.address);
-    return (size == sizeof(object.value)) || ((size > 0U) && ((object.value >> (size * kBitsOfByte)) == 0U));
+    const bool is_parameter = (object.address.index > kSignatures);
+    return (size > 0U) && (object.value <= GreatestOf(size)) && (!is_parameter || object.is_fixed);
 }
 
 std::uint8_t Increment(const std::uint8_t count) noexcept
@@ -50,7 +61,11 @@ void Count(Parts& parts, const ExpectedObject& object) noexcept
 {
     const std::uint16_t index = object.address.index;
     const std::uint8_t sub = object.address.sub;
-    if (index == kSignatures)
+    if (index > kSignatures)
+    {
+        // A parameter belongs to no SRDO.
+    }
+    else if (index == kSignatures)
     {
         parts.signatures[sub] = true;
     }
@@ -88,7 +103,7 @@ bool AreEntriesCounted(const SafetyExpectation& expectation) noexcept
 {
     bool are_counted = true;
     std::uint16_t mapping = 0U;
-    std::uint32_t count = 0U;
+    std::uint64_t count = 0U;
     for (std::uint16_t i = 0U; i < expectation.count; ++i)
     {
         const ExpectedObject& object = expectation.objects[i];

@@ -134,7 +134,7 @@ void CheckEntries(const CheckContext& context, Findings& findings)
     {
         for (const auto& [sub, entry] : object.entries)
         {
-            if (IsSafetyObject(index))
+            if (entry.is_safety)
             {
                 CheckValue(context, entry, findings);
             }

@@ -31,6 +31,21 @@ Place Entry::ValuePlace() const noexcept
     return configured.IsSet() ? configured.place : place;
 }
 
+bool Device::IsSafetyObject(const std::uint16_t index) const
+{
+    constexpr std::uint16_t kFirst = 0x1300U;
+    constexpr std::uint16_t kLast = 0x13FFU;
+    constexpr std::uint16_t kFirstParameter = 0x5F00U;
+    constexpr std::uint16_t kLastParameter = 0x5F05U;
+    const bool is_parameter = index >= kFirstParameter && index <= kLastParameter;
+    const auto object = objects.lower_bound(kFirst);
+    const auto listed = missing.lower_bound(kFirst);
+    const bool has_object = object != objects.end() && object->first <= kLast;
+    const bool is_listed = listed != missing.end() && listed->first <= kLast;
+    const bool is_safety_device = has_object || is_listed || is_safety_supported.value_or(false);
+    return (index >= kFirst && index <= kLast) || (is_parameter && is_safety_device);
+}
+
 const Object* Device::Find(const std::uint16_t index) const
 {
     const auto found = objects.find(index);

@@ -75,6 +75,7 @@ struct Entry
     Place access_place;              ///< Of the value of AccessType, else of the section.
     std::string section;             ///< Where its values are written.
     bool is_download_refused{false}; ///< ObjFlags, bit 0: who downloads a configuration leaves it alone. [SRS_MGR_322]
+    bool is_safety{false};           ///< A safety object of this device. [SRS_EDS_670]
     Text download_file;              ///< DownloadFile: a file that holds its value.
     bool is_compact{false}; ///< Made from CompactSubObj: its parameter value is key "sub" of section [indexValue].
 
@@ -122,6 +123,11 @@ struct Device
     std::map<std::uint16_t, Place> missing; ///< Objects that a list names and no section describes; where it does.
     std::vector<Finding> warnings;          ///< In the order of the lines.
 
+    /// Whether this is an object of CANopen Safety, whose values the check of the safety configuration judges and not
+    /// the reader: 1300h to 13FFh, and of a safety device 5F00h to 5F05h (docs/device_objects.md). A device without any
+    /// of the former, also without one that is only listed, and without CANopenSafetySupported is none: there the
+    /// latter are objects of its maker. [SRS_EDS_670]
+    [[nodiscard]] bool IsSafetyObject(std::uint16_t index) const;
     /// The object with this index; null: the file has none.
     [[nodiscard]] const Object* Find(std::uint16_t index) const;
     /// The entry at this index and sub-index; null: the file has none.

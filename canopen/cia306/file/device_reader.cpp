@@ -119,6 +119,7 @@ class DeviceReader
         ReadLists();
         WarnOfSections();
         ResolveTypes(device_);
+        WarnOfMissing();
         FinishEntries();
         device_.warnings = WithoutRepeated(SortedByLine(std::move(device_.warnings)));
         return std::move(device_);
@@ -149,7 +150,7 @@ class DeviceReader
     void ReadLists();
     void WarnOfSections();
     void ReadList(const IniSection& section, std::map<std::uint16_t, Place>& listed);
-    void AddMissing(Place place, std::uint16_t index);
+    void WarnOfMissing();
     void FinishEntries();
     void WarnOfSubNumber(const Object& object);
 
@@ -331,7 +332,7 @@ void DeviceReader::ReadList(const IniSection& section, std::map<std::uint16_t, P
         ++found;
         if (device_.Find(static_cast<std::uint16_t>(*index)) == nullptr)
         {
-            AddMissing(key.place, static_cast<std::uint16_t>(*index));
+            device_.missing.emplace(static_cast<std::uint16_t>(*index), key.place);
         }
         const auto [first, is_new] = listed.emplace(static_cast<std::uint16_t>(*index), key.place);
         if (!is_new)
@@ -368,22 +369,27 @@ void DeviceReader::WarnOfSections()
     }
 }
 
-void DeviceReader::AddMissing(const Place place, const std::uint16_t index)
+/// What all lists and sections say tells which objects are safety objects.
+void DeviceReader::WarnOfMissing()
 {
-    device_.missing.emplace(index, place);
-    if (!IsSafetyObject(index))
+    for (const auto& [index, place] : device_.missing)
     {
-        Warn(place, index, "is listed, expected a section that describes it");
+        if (!device_.IsSafetyObject(index))
+        {
+            Warn(place, index, "is listed, expected a section that describes it");
+        }
     }
 }
 
 void DeviceReader::FinishEntries()
 {
-    for (const auto& [index, object] : device_.objects)
+    for (auto& [index, object] : device_.objects)
     {
+        const bool is_safety = device_.IsSafetyObject(index);
         WarnOfSubNumber(object);
-        for (const auto& [sub, entry] : object.entries)
+        for (auto& [sub, entry] : object.entries)
         {
+            entry.is_safety = is_safety;
             // All sub-indices of a compact object share what is said once.
             const bool is_repeated = entry.is_compact && sub > 1U && !entry.parameter_value.IsSet();
             if (!is_repeated)

@@ -251,13 +251,6 @@ void SectionReader::LeaveOutOfSrdos(Entry& entry) const
     }
 }
 
-bool IsSafetyObject(const std::uint16_t index) noexcept
-{
-    const bool is_communication = index >= 0x1300U && index <= 0x13FFU;
-    const bool is_parameter = index >= 0x5F00U && index <= 0x5F05U;
-    return is_communication || is_parameter;
-}
-
 void LeaveOutComments(Entry& entry, std::vector<Finding>& warnings)
 {
     const bool may_hold_any = entry.type.kind == DataKind::kText || entry.type.kind == DataKind::kUnknown ||
@@ -301,7 +294,7 @@ void WarnOfEntry(const Entry& entry, std::vector<Finding>& warnings)
     for (const auto& [value, key] : values)
     {
         WarnOfSuffix(entry, *value, key, warnings);
-        if (!IsSafetyObject(entry.index))
+        if (!entry.is_safety)
         {
             WarnOfValue(entry, *value, key, warnings);
         }

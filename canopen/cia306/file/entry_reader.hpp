@@ -54,9 +54,6 @@ class SectionReader
     std::vector<Finding>* warnings_;
 };
 
-/// Whether the values of this object are judged by the check of the safety configuration, not by the reader.
-[[nodiscard]] bool IsSafetyObject(std::uint16_t index) noexcept;
-
 /// Takes comments behind the values and limits away and tells them, unless the type is one of text or not known: there
 /// '#' and ';' belong to the value. [SRS_EDS_035]
 void LeaveOutComments(Entry& entry, std::vector<Finding>& warnings);

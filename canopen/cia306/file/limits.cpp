@@ -92,7 +92,7 @@ void WarnOfLimits(const Entry& entry, const std::optional<std::uint8_t> node_id,
                                 Quoted(entry.high_limit.text) + " of line " +
                                 std::to_string(entry.high_limit.place.line)});
     }
-    else if (is_integer && !IsSafetyObject(entry.index))
+    else if (is_integer && !entry.is_safety)
     {
         TellOutside(Severity::kWarning, entry, ordered, warnings);
     }
@@ -105,7 +105,7 @@ std::vector<Finding> LimitProblems(const Device& device, const std::optional<std
     {
         for (const auto& [sub, entry] : object.entries)
         {
-            const bool is_meant = IsSafetyObject(index) && entry.type.kind == DataKind::kUnsigned;
+            const bool is_meant = entry.is_safety && entry.type.kind == DataKind::kUnsigned;
             const Ordered ordered = is_meant ? OrderedOf(entry, node_id) : Ordered{};
             if (ordered.value)
             {

@@ -48,7 +48,7 @@ class ParameterReader
     void Read(const std::uint16_t index, const std::uint8_t sub, const std::uint16_t data_type, Number& number)
     {
         const Entry* const entry = device_.Find(index, sub);
-        const bool has_value = entry != nullptr && entry->Configured().IsSet();
+        const bool has_value = entry != nullptr && entry->is_safety && entry->Configured().IsSet();
         if (!has_value)
         {
             return;

@@ -74,8 +74,8 @@ struct DeviceParameters
     }
 };
 
-/// Reads 5F00h to 5F05h. Objects that the file does not have keep their default; for one that cannot be used a finding
-/// is added to `problems`.
+/// Reads 5F00h to 5F05h of a safety device (Device::IsSafetyObject). Objects that the file does not have keep their
+/// default; for one that cannot be used a finding is added to `problems`.
 [[nodiscard]] DeviceParameters ReadDeviceParameters(const Device& device, std::optional<std::uint8_t> node_id,
                                                     std::vector<Finding>& problems);
 } // namespace counterpoint::cia306

@@ -184,7 +184,7 @@ SafetyConfiguration ExtractSafety(const Device& device, const std::optional<std:
     }
     for (const auto& [index, place] : device.missing)
     {
-        if (IsSafetyObject(index))
+        if (device.IsSafetyObject(index))
         {
             AddError(configuration.missing, place, Hex(index, 4), {"is listed", "a section that describes it"});
         }

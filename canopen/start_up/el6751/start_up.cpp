@@ -243,19 +243,23 @@ void El6751StartUp::OnController(const ControllerState state, const Instant now)
     }
 }
 
+SlaveState El6751StartUp::ControlState(const NodeId node) const noexcept
+{
+    // A deactivated slave was stopped, whatever became of it.
+    const bool is_stopped = (slaves_.Of(node).phase == El6751Phase::kDeactivated);
+    return is_stopped ? SlaveState::kStopped : static_cast<SlaveState>(parts_.table.RequestValue(node));
+}
+
 NmtAnswer El6751StartUp::Control(const NodeId node, const std::uint16_t ads_state, const std::uint16_t device_state,
                                  const Instant now) noexcept
 {
     const bool is_free = !slaves_.IsBusy(node) && (slaves_.Of(node).phase != El6751Phase::kOutside);
-    // A deactivated slave was stopped, whatever became of it.
-    const bool is_stopped = (slaves_.Of(node).phase == El6751Phase::kDeactivated);
-    const auto stopped = static_cast<std::uint8_t>(SlaveState::kStopped);
-    const std::uint8_t state = is_stopped ? stopped : parts_.table.RequestValue(node);
+    const SlaveState state = ControlState(node);
     NmtCommand command = NmtCommand::kInvalid;
     for (const ControlRow& row : kControlRows)
     {
         const bool is_asked = (row.ads_state == ads_state) && (row.device_state == device_state);
-        const bool is_from = (state == static_cast<std::uint8_t>(row.from));
+        const bool is_from = (state == row.from);
         command = (is_free && is_asked && is_from) ? row.command : command;
     }
     const NmtAnswer answer = is_active_ ? CommandOne(command, node, now) : NmtAnswer::kNotActive;

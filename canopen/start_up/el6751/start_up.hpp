@@ -62,6 +62,8 @@ class El6751StartUp final : public StartUp
     /// transition from the slave's state, or its start-up runs. [SRS_ELM_046, SRS_ELM_047]
     [[nodiscard]] NmtAnswer Control(NodeId node, std::uint16_t ads_state, std::uint16_t device_state,
                                     Instant now) noexcept;
+    /// @brief The state from which Control goes on: what 1F82h reads; STOPPED of a slave that is deactivated.
+    [[nodiscard]] SlaveState ControlState(NodeId node) const noexcept;
     /// @brief NodeState of the slave's last error since Begin; 0: none.
     [[nodiscard]] std::int16_t Cause(NodeId node) const noexcept;
 

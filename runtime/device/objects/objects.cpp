@@ -6,11 +6,11 @@
 #include "canopen/cia301/dictionary/entry_value.hpp"
 #include "canopen/cia301/dictionary/object_kinds.hpp"
 #include "canopen/cia306/file/saved.hpp"
+#include "canopen/cia306/file/string_value.hpp"
 #include "canopen/cia306/safety/device_parameters.hpp"
 #include "canopen/cia306/safety/safety_configuration.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/number.hpp"
-#include "canopen/cia306/text/utf16.hpp"
 #include "runtime/device/objects/cob_ids.hpp"
 #include "runtime/device/objects/service_length.hpp"
 #include "runtime/device/objects/service_objects.hpp"
@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace counterpoint::runtime
 {
@@ -29,8 +28,6 @@ using cia301::SdoAbort;
 
 /// What a string that can be written has room for, at least.
 constexpr std::size_t kTextRoom = 256U;
-constexpr std::uint16_t kOctetString = 0x000AU;
-constexpr std::uint16_t kUnicodeString = 0x000BU;
 constexpr std::uint16_t kHighResolution = 0x1013U;
 constexpr std::uint16_t kConsumerTimes = 0x1016U;
 constexpr std::uint16_t kDefaultServer = 0x1200U;
@@ -45,12 +42,11 @@ constexpr std::uint16_t kLastTpdoMap = 0x1BFFU;
 constexpr std::uint8_t kPdoEntries = 64U;
 /// 254: source address mode of a multiplexed PDO; 255: destination address mode.
 constexpr std::uint64_t kSourceMode = 254U;
-constexpr std::uint16_t kLastFixed = 0x5F05U;
 
-/// Whether this is one of 5F00h to 5F05h, which the kernel takes at its start.
-bool IsFixedAtStart(const std::uint16_t index)
+/// Whether this is one of 5F00h to 5F05h of a safety device, which the kernel takes at its start.
+bool IsFixedAtStart(const cia306::Entry& entry)
 {
-    return index >= cia306::kDeviceParametersIndex && index <= kLastFixed;
+    return entry.is_safety && entry.index >= cia306::kDeviceParametersIndex;
 }
 /// Its data type for the dictionary. Types have the numbers of CiA 301 there, too; BIT1 to BIT8 become small
 /// numbers.
@@ -91,32 +87,6 @@ cia301::Access AccessOf(const cia306::Entry& entry)
         break;
     }
     return cia301::Access::kInvalid;
-}
-
-/// The bytes of an octet string: "0A 1B" or "0A1B" are two bytes, any other text is its own bytes.
-std::vector<std::uint8_t> OctetsOf(const std::string& text)
-{
-    std::string digits;
-    for (const char letter : text)
-    {
-        if (std::isspace(static_cast<unsigned char>(letter)) == 0)
-        {
-            digits += letter;
-        }
-    }
-    const bool is_hexadecimal =
-        !digits.empty() && digits.size() % 2U == 0U &&
-        std::all_of(digits.begin(), digits.end(), [](const unsigned char c) { return std::isxdigit(c) != 0; });
-    std::vector<std::uint8_t> octets;
-    if (!is_hexadecimal)
-    {
-        octets.assign(text.begin(), text.end());
-    }
-    for (std::size_t place = 0U; is_hexadecimal && place < digits.size(); place += 2U)
-    {
-        octets.push_back(static_cast<std::uint8_t>(std::stoul(digits.substr(place, 2U), nullptr, 16)));
-    }
-    return octets;
 }
 
 /// The hook of an object whose value a service keeps; null: none does.
@@ -259,7 +229,7 @@ void DeviceObjects::Append(const cia306::Object& object, const cia306::Entry& so
     entry.size_bytes = static_cast<std::uint32_t>((source.type.bits + 7U) / 8U);
     SetRoom(entry, source);
     stored.type_bytes = entry.size_bytes;
-    entry.write_hook = IsFixedAtStart(source.index) ? &fixed_ : nullptr;
+    entry.write_hook = IsFixedAtStart(source) ? &fixed_ : nullptr;
     SetLimits(entry, source, node_id);
     entries_.push_back(entry);
 }
@@ -315,22 +285,13 @@ void DeviceObjects::SetValue(const cia306::Entry& source, const std::uint8_t nod
     stored.is_of_node = stored.is_configured && source.type.bits != 0U && formula && formula->has_node_id;
     if (value)
     {
-        const std::string& text = value->text;
         if (source.type.bits != 0U)
         {
             cia301::ToLittleEndian(value->bits, stored.value.data(), static_cast<std::uint32_t>(stored.value.size()));
         }
-        else if (source.data_type == kOctetString)
-        {
-            stored.value = OctetsOf(text);
-        }
-        else if (source.data_type == kUnicodeString)
-        {
-            stored.value = cia306::Utf16Of(text);
-        }
         else
         {
-            stored.value.assign(text.begin(), text.end());
+            stored.value = cia306::BytesOfText(source.data_type, value->text);
         }
     }
     else if (source.Configured().IsSet())

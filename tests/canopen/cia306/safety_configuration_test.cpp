@@ -281,7 +281,7 @@ TEST(DeviceParameters, OneThatCannotBeUsedKeepsItsDefaultAndIsReported)
     Verifies(req::SRS_EDS_023);
     std::vector<Finding> problems;
     const Device device = DeviceOf("[5F00]\nObjectType=9\nSubNumber=1\n[5F00sub1]\nDataType=7\nAccessType=rw\n"
-                                   "DefaultValue=fast\n");
+                                   "DefaultValue=fast\n[DeviceInfo]\nCANopenSafetySupported=1\n");
     EXPECT_EQ(ReadDeviceParameters(device, std::nullopt, problems).cycle_us, 1000U);
     EXPECT_EQ(Formatted(problems),
               std::vector<std::string>{"f:7:14: error: 0x5F00:01: value 'fast', expected a number from 0 to 4294967295 "

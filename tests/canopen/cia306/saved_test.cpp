@@ -18,6 +18,7 @@ bool IsKept(const std::uint16_t index, const Access access)
     Entry entry;
     entry.index = index;
     entry.access = access;
+    entry.is_safety = index >= 0x5F00U && index <= 0x5F05U;
     return IsSaved(entry);
 }
 

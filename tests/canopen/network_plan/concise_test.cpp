@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Concise DCFs: what is written to a device, and in which order.
 #include "tests/canopen/network_plan/plan_rig.hpp"
+#include "verification/trace/ids/eds.hpp"
 
 namespace counterpoint::network_plan
 {
@@ -55,7 +56,7 @@ TEST(Concise, HasTheConfigurationDateAtItsEnd)
 // 5F00h to 5F05h are the project's own in a safety device alone.
 TEST(Concise, LeavesOutTheSafetyParametersOfASafetyDevice)
 {
-    Verifies(req::SRS_NET_003);
+    Verifies(req::SRS_NET_672);
     const std::string objects = Number("5F00", "1") + Number("5F04", "2") + Number("5F06", "3");
     const Texts all{"5F00:00=01 00 00 00", "5F04:00=02 00 00 00", "5F06:00=03 00 00 00"};
     EXPECT_EQ(ConciseOf(objects), all);
@@ -63,7 +64,45 @@ TEST(Concise, LeavesOutTheSafetyParametersOfASafetyDevice)
               all);
     EXPECT_EQ(TextsOf(MakeConcise(cia306::test::DeviceOf("[DeviceInfo]\nCANopenSafetySupported=1\n\n" + objects), 5U)),
               Texts{"5F06:00=03 00 00 00"});
-    EXPECT_EQ(ConciseOf(Number("5F04", "2") + Number("5F06", "3")), Texts{"5F06:00=03 00 00 00"});
+    // Of another maker with one of them alone
+    EXPECT_EQ(ConciseOf(Number("5F04", "2") + Number("5F06", "3")),
+              (Texts{"5F04:00=02 00 00 00", "5F06:00=03 00 00 00"}));
+    // A safety device that does not say so, whose objects are there or only listed
+    EXPECT_EQ(ConciseOf(Number("1300", "1") + objects), Texts{"5F06:00=03 00 00 00"});
+    EXPECT_EQ(ConciseOf("[OptionalObjects]\nSupportedObjects=1\n1=0x1301\n\n" + objects), Texts{"5F06:00=03 00 00 00"});
+}
+
+// As `node` and `generate` take them from the same file.
+TEST(Concise, HasStringsAsTheyAreOnTheBus)
+{
+    Verifies(req::SRS_NET_671);
+    EXPECT_EQ(ConciseOf(Entry("2000", 10, "rw", "ParameterValue=DEADBEEF01") +
+                        Entry("2001", 10, "rw", "ParameterValue=de AD\tbe ef") +
+                        Entry("2002", 10, "rw", "ParameterValue=ABC") + Entry("2003", 10, "rw", "ParameterValue=XY") +
+                        Entry("2004", 11, "rw", "ParameterValue=G\xC3\xB6") +
+                        Entry("2005", 9, "rw", "ParameterValue=G\xC3\xB6")),
+              (Texts{"2000:00=DE AD BE EF 01", "2001:00=DE AD BE EF", "2002:00=41 42 43", "2003:00=58 59",
+                     "2004:00=47 00 F6 00", "2005:00=47 C3 B6"}));
+}
+
+// What the reader warns of, and check, node and generate leave out, too.
+TEST(Concise, LeavesOutAValueThatItsTypeCannotHave)
+{
+    Verifies(req::SRS_EDS_032);
+    EXPECT_EQ(ConciseOf(Entry("2000", 6, "rw", "ParameterValue=70000") + Entry("2001", 6, "rw", "ParameterValue=7") +
+                        Entry("2002", 3, "rw", "DefaultValue=1\nParameterValue=-32769") +
+                        Entry("2003", 6, "rw", "ParameterValue=0xFFFF")),
+              (Texts{"2001:00=07 00", "2003:00=FF FF"}));
+    // Of a PDO: its parameter, its identifier, its count
+    const std::string identifier = Record("1800", 3) + Number("1800sub1", "0x185");
+    EXPECT_EQ(ConciseOf(identifier + Entry("1800sub2", 5, "rw", "ParameterValue=256")),
+              (Texts{"1800:01=85 01 00 80", "1800:01=85 01 00 00"}));
+    EXPECT_EQ(ConciseOf(Record("1800", 3) + Number("1800sub1", "0x100000000") +
+                        Entry("1800sub2", 5, "rw", "ParameterValue=254")),
+              Texts{"1800:02=FE"});
+    EXPECT_EQ(ConciseOf(identifier + Record("1A00", 2) + Entry("1A00sub0", 5, "rw", "ParameterValue=300") +
+                        Number("1A00sub1", "0x60000108")),
+              (Texts{"1800:01=85 01 00 80", "1800:01=85 01 00 00"}));
 }
 
 // Off, parameters, mapping off, mapping, on, whichever of them the file configures.
@@ -119,6 +158,7 @@ TEST(NumberOfAnEntry, IsTheUsualOneWhereThereIsNone)
     EXPECT_EQ(NumberOf(device, 5U, 0x2001U, 0U, 9U), 9U);
     EXPECT_EQ(NumberOf(device, 5U, 0x2002U, 0U, 9U), 6U);
     EXPECT_EQ(NumberOf(device, 5U, 0x2003U, 0U, 9U), 9U);
+    EXPECT_EQ(NumberOf(cia306::test::DeviceOf(Number("2000", "0x100000000")), 5U, 0x2000U, 0U, 9U), 9U);
 }
 } // namespace
 } // namespace counterpoint::network_plan

@@ -53,12 +53,12 @@ TEST(Expectation, HasEachConstantOnce)
 {
     Verifies(req::SRS_NET_340);
     const std::string text = ExampleText("actuator");
-    ASSERT_EQ(ExpectationOf(text).size(), 15U);
-    EXPECT_EQ(ExpectationOf(With(text, "13FFsub1", "AccessType=rw", "AccessType=const")).size(), 15U);
-    EXPECT_EQ(ExpectationOf(text + "\n" + Entry("13FFsub40", 6, "const", "DefaultValue=1")).size(), 16U);
-    EXPECT_EQ(ExpectationOf(text + "\n" + Entry("13FFsub7", 5, "const", "DefaultValue=1")).size(), 15U);
-    EXPECT_EQ(ExpectationOf(text + "\n" + Entry("13FFsub7", 6, "const", "")).size(), 15U);
-    EXPECT_EQ(ExpectationOf(text + "\n" + Entry("1381sub11", 7, "const", "DefaultValue=0x20000108")).size(), 16U);
+    ASSERT_EQ(ExpectationOf(text).size(), 16U);
+    EXPECT_EQ(ExpectationOf(With(text, "13FFsub1", "AccessType=rw", "AccessType=const")).size(), 16U);
+    EXPECT_EQ(ExpectationOf(text + "\n" + Entry("13FFsub40", 6, "const", "DefaultValue=1")).size(), 17U);
+    EXPECT_EQ(ExpectationOf(text + "\n" + Entry("13FFsub7", 5, "const", "DefaultValue=1")).size(), 16U);
+    EXPECT_EQ(ExpectationOf(text + "\n" + Entry("13FFsub7", 6, "const", "")).size(), 16U);
+    EXPECT_EQ(ExpectationOf(text + "\n" + Entry("1381sub11", 7, "const", "DefaultValue=0x20000108")).size(), 17U);
 }
 
 // A slave with the sides of a pair exchanged is none that anybody may expect.

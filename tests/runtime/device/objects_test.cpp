@@ -270,11 +270,18 @@ TEST(DeviceObjectsTest, OfAMultiplexedPdoAreRefused)
 TEST(DeviceObjectsTest, OfTheStartTakeTheirOwnValueAlone)
 {
     Verifies(req::SRS_NODE_001);
-    Objects objects("[5F00]\nParameterName=x\nObjectType=9\n" + Variable("5F00sub0", "5", "DefaultValue=1\n") +
-                    Variable("5F00sub1", "7", "DefaultValue=1000\n"));
+    const std::string times = "[5F00]\nParameterName=x\nObjectType=9\n" +
+                              Variable("5F00sub0", "5", "DefaultValue=1\n") +
+                              Variable("5F00sub1", "7", "DefaultValue=1000\n");
+    Objects objects("[DeviceInfo]\nCANopenSafetySupported=1\n\n" + times);
     EXPECT_EQ(objects.Write({0x5F00U, 1U}, {0xE8U, 0x03U, 0U, 0U}), SdoAbort::kNone);
     EXPECT_EQ(objects.Write({0x5F00U, 1U}, {0xE9U, 0x03U, 0U, 0U}), SdoAbort::kLocalControl);
     EXPECT_EQ(objects.Read({0x5F00U, 1U}), (Octets{0xE8U, 0x03U, 0U, 0U}));
+    // Of another device it is an object as others
+    Verifies(req::SRS_EDS_670);
+    Objects others(times);
+    EXPECT_EQ(others.Write({0x5F00U, 1U}, {0xE9U, 0x03U, 0U, 0U}), SdoAbort::kNone);
+    EXPECT_EQ(others.Read({0x5F00U, 1U}), (Octets{0xE9U, 0x03U, 0U, 0U}));
 }
 
 /// A service that answers a reading in one way.

@@ -167,6 +167,7 @@ TEST_F(ManagerAnswersTest, AStartOfASafetySlaveThatMayBeTwoDevicesSaysThatItIsNo
         sent.clear();
         // When its start is ordered, then nothing is sent, and the answer says why
         EXPECT_EQ(Order("start 33"), "not taken by " + doubted) << profile;
+        EXPECT_EQ(Order("set 0x1F82:21 5"), "not taken by " + doubted) << profile;
         Run(5U);
         EXPECT_EQ(Commands(), (Lines{})) << profile;
         // With all others, or by 1F82h, it is named
@@ -179,7 +180,8 @@ TEST_F(ManagerAnswersTest, AStartOfASafetySlaveThatMayBeTwoDevicesSaysThatItIsNo
     Run(10U);
     AnswerTwice(33U);
     AnswerTwice(6U);
-    EXPECT_EQ(Order("set 0x1F82:21 5"), "taken; not started: " + doubted);
+    EXPECT_EQ(Order("set 0x1F82:21 5"), "not taken by " + doubted);
+    EXPECT_EQ(Order("set 0x1F82:21 0x85").find("taken"), std::string::npos); // Of all alone.
     EXPECT_EQ(Order("set 0x1F82:80 0x85"),
               "taken; nothing is heard of, so perhaps not started: node 6: reset; not started: " + doubted);
     // A slave that is no safety slave is started all the same

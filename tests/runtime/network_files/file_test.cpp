@@ -28,7 +28,7 @@ std::uint32_t ValueOf(const cia302::SafetyExpectation& safety, const std::uint16
     const auto* const end = safety.objects + safety.count;
     const auto* const found = std::find_if(safety.objects, end, [=](const cia302::ExpectedObject& object)
                                            { return object.address.index == index && object.address.sub == sub; });
-    return (found == end) ? kNoValue : found->value;
+    return (found == end) ? kNoValue : static_cast<std::uint32_t>(found->value);
 }
 
 std::string Section(const std::string& name, const std::string& type, const std::string& access,

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/managed/space.hpp"
 
+#include "canopen/cia301/dictionary/entry.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "runtime/device/time_text.hpp"
 #include "verification/campaign/drawn.hpp"
@@ -126,7 +127,10 @@ void Space::TakeObjects()
     {
         for (const ExpectedValue& expected : stage_.Slaves()[slave].expected)
         {
-            objects_.push_back({slave, expected});
+            if (expected.object.index <= cia301::kLastKernelIndex) // Behind it: a part of the program.
+            {
+                objects_.push_back({slave, expected});
+            }
         }
     }
 }

@@ -140,7 +140,9 @@ void Stage::BuildSlaves()
             for (std::uint16_t object = 0U; object < setup.safety->count; ++object)
             {
                 const cia302::ExpectedObject& each = setup.safety->objects[object];
-                slave.expected.push_back({each.address, each.value, cia302::SizeOf(each.address)});
+                // Of 8 bytes (5F02h) are none: a file with a digest has 5F04h instead.
+                slave.expected.push_back(
+                    {each.address, static_cast<std::uint32_t>(each.value), cia302::SizeOf(each.address)});
             }
             slave.expected.push_back({kValid, kValidValue, 1U});
             slave.serial = setup.serial_number;

@@ -10,6 +10,7 @@ namespace
 
 constexpr cia301::NodeId kNode{33U};
 constexpr std::uint32_t kSerial = 33U;
+constexpr std::uint32_t kDigest = 0xBEE7CE1CU; ///< That the kernel of the drive expects.
 
 InstantPair Both(const Instant now) noexcept
 {
@@ -89,6 +90,8 @@ void DriveNode::FillTable() noexcept
         const ObjectAddress at{0x1018U, static_cast<std::uint8_t>(number + 1U)};
         entries_[6U + number] = Constant(at, DataType::kUnsigned32, {identity_[number], 4U});
     }
+    cia301::ToLittleEndian(kDigest, digest_, 4U);
+    entries_[10] = Constant({0x5F04U, 0U}, DataType::kUnsigned32, {digest_, 4U});
 }
 
 device::LoadResult DriveNode::OnResetNode() noexcept

@@ -47,7 +47,7 @@ class DriveNode final : public WireNode, private device::Owner
     [[nodiscard]] bool ChangeSct() noexcept;
     void FillTable() noexcept;
 
-    static constexpr std::uint32_t kEntries = 10U;
+    static constexpr std::uint32_t kEntries = 11U;
     static constexpr std::uint8_t kHistory = 8U;
 
     DriveDifference difference_;
@@ -67,6 +67,7 @@ class DriveNode final : public WireNode, private device::Owner
     Kernel kernel_;
     std::uint8_t identity_[5U][4U]{}; ///< 1018h:01 to :04, and 1000h.
     std::uint8_t identity_count_{4U};
+    std::uint8_t digest_[4U]{}; ///< 5F04h
     cia301::Entry entries_[kEntries]{};
     device::SafetyObjects objects_;
     cia301::Dictionary dictionary_;

@@ -117,6 +117,7 @@ inline constexpr RequirementId SRS_MGR_585{"SRS_MGR_585"};
 inline constexpr RequirementId SRS_MGR_586{"SRS_MGR_586"};
 inline constexpr RequirementId SRS_MGR_587{"SRS_MGR_587"};
 inline constexpr RequirementId SRS_MGR_588{"SRS_MGR_588"};
+inline constexpr RequirementId SRS_MGR_670{"SRS_MGR_670"};
 inline constexpr RequirementId SRS_NET_001{"SRS_NET_001"};
 inline constexpr RequirementId SRS_NET_002{"SRS_NET_002"};
 inline constexpr RequirementId SRS_NET_003{"SRS_NET_003"};
@@ -138,6 +139,9 @@ inline constexpr RequirementId SRS_NET_341{"SRS_NET_341"};
 inline constexpr RequirementId SRS_NET_342{"SRS_NET_342"};
 inline constexpr RequirementId SRS_NET_480{"SRS_NET_480"};
 inline constexpr RequirementId SRS_NET_510{"SRS_NET_510"};
+inline constexpr RequirementId SRS_NET_670{"SRS_NET_670"};
+inline constexpr RequirementId SRS_NET_671{"SRS_NET_671"};
+inline constexpr RequirementId SRS_NET_672{"SRS_NET_672"};
 inline constexpr RequirementId SRS_SFS_001{"SRS_SFS_001"};
 inline constexpr RequirementId SRS_SFS_002{"SRS_SFS_002"};
 inline constexpr RequirementId SRS_SFS_003{"SRS_SFS_003"};
@@ -170,6 +174,8 @@ inline constexpr RequirementId SRS_SFS_220{"SRS_SFS_220"};
 inline constexpr RequirementId SRS_SFS_221{"SRS_SFS_221"};
 inline constexpr RequirementId SRS_SFS_340{"SRS_SFS_340"};
 inline constexpr RequirementId SRS_SFS_620{"SRS_SFS_620"};
+inline constexpr RequirementId SRS_SFS_670{"SRS_SFS_670"};
+inline constexpr RequirementId SRS_SFS_671{"SRS_SFS_671"};
 } // namespace counterpoint::req
 
 #endif

@@ -44,7 +44,8 @@ class SafetyCheckTest : public ::testing::Test
         Put(0x13FEU, 0U, 0xA5U, 1U);
         for (const ExpectedObject& object : kLeast)
         {
-            Put(object.address.index, object.address.sub, object.value, SizeOf(object.address));
+            Put(object.address.index, object.address.sub, static_cast<std::uint32_t>(object.value),
+                SizeOf(object.address));
         }
     }
     void Put(const std::uint32_t index, const std::uint8_t sub, const std::uint32_t value, const std::uint8_t size)

@@ -60,9 +60,9 @@ class ParallelGateTest : public ::testing::Test
         }
         return all;
     }
-    [[nodiscard]] static std::uint32_t ValueOf(const ObjectAddress& object) noexcept
+    [[nodiscard]] static std::uint64_t ValueOf(const ObjectAddress& object) noexcept
     {
-        std::uint32_t value = 0xA5U; // 13FEh
+        std::uint64_t value = 0xA5U; // 13FEh
         for (const ExpectedObject& each : kObjects)
         {
             const bool is_it = (each.address.index == object.index) && (each.address.sub == object.sub);

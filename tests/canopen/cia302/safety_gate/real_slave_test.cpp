@@ -121,7 +121,7 @@ TEST_F(RealSlaveTest, WithOneOtherNumberStaysPreOperational)
     const auto sct = std::find_if(expected.begin(), expected.end(), [](const ExpectedObject& object)
                                   { return (object.address.index == 0x1301U) && (object.address.sub == 2U); });
     ASSERT_NE(sct, expected.end());
-    const std::uint32_t had = sct->value;
+    const std::uint64_t had = sct->value;
     sct->value += 1U;
     start_up.Begin(Instant{now_us});
     Live(400U);
