@@ -209,10 +209,12 @@ SdoAbort FakeSlave::OnWrite(const ObjectAddress& address, const cia301::Bytes& v
     if (abort == SdoAbort::kNone)
     {
         values_[KeyAt(address)] = Octets(value.data, value.data + value.size_bytes);
-        heartbeat_ms = (KeyAt(address) == cia301::KeyOf(0x1017U, 0U))
-                           ? static_cast<std::uint16_t>(value.data[0] | (value.data[1] << 8U))
-                           : heartbeat_ms;
-        heartbeat_.SetPeriod(heartbeat_ms);
+        const bool is_period = KeyAt(address) == cia301::KeyOf(0x1017U, 0U);
+        heartbeat_ms = is_period ? static_cast<std::uint16_t>(value.data[0] | (value.data[1] << 8U)) : heartbeat_ms;
+        if (is_period || !is_period_kept)
+        {
+            heartbeat_.SetPeriod(heartbeat_ms);
+        }
     }
     return abort;
 }

@@ -51,6 +51,7 @@ class FakeSlave final : public cia301::ReadHook, public cia301::WriteHook
     bool is_toggle_stuck{false};                   ///< Guarding answers always with toggle 0.
     std::uint32_t boot_ms{1U};                     ///< From reset to boot-up message.
     std::uint16_t heartbeat_ms{0U};                ///< From the reset on.
+    bool is_period_kept{false};                    ///< A write of another object does not begin it anew.
     std::map<std::uint32_t, SdoAbort> refused{};   ///< By key; writes and reads.
     std::map<std::uint32_t, Octets> after_reset{}; ///< Values that objects take at the next reset.
     std::vector<std::uint32_t> writes{};           ///< Keys in order.

@@ -190,6 +190,49 @@ TEST_F(ManagerStateTest, AConsumerTimeCountsAtOnceForASlaveThatWasStarted)
     EXPECT_EQ(Told("heartbeat_lost"), (Lines{"heartbeat lost"}));
 }
 
+TEST_F(ManagerStateTest, AConsumerTimeOfASlaveThatWasNotStartedCountsFromItsStartUpOn)
+{
+    Verifies(req::SRS_MGR_222);
+    Make("manager: {node: 127}\nslaves: [{node: 5, boot: false, mandatory: false}]\n");
+    EndStartUp();
+    EXPECT_EQ(Write(0x1016U, 1U, (5U << 16U) | 300U, 4U), 0U);
+    Hear(0x705U, {0x7FU});
+    Run(1000U);
+    EXPECT_EQ(Told("heartbeat_lost"), Lines{});
+    EXPECT_EQ(Order("boot 5"), "taken");
+    Run(2U);
+    Hear(0x705U, {0x7FU});
+    Run(290U);
+    EXPECT_EQ(Told("heartbeat_lost"), Lines{});
+    Run(20U);
+    EXPECT_EQ(Told("heartbeat_lost"), (Lines{"heartbeat lost"}));
+}
+
+TEST_F(ManagerStateTest, AnEntryThatGoesToAnotherNodeLeavesTheOneBefore)
+{
+    Verifies(req::SRS_MGR_222);
+    // Given a slave that was not started yet, and whose entry goes to a node that is none
+    Make("manager: {node: 127}\nslaves: [{node: 5, boot: false, mandatory: false, consumer: 300 ms}]\n");
+    EndStartUp();
+    EXPECT_EQ(Write(0x1016U, 1U, (9U << 16U) | 300U, 4U), 0U);
+    EXPECT_EQ(Read(0x1016U, 1U), (9U << 16U) | 300U);
+    EXPECT_EQ(net->Setup().Slave(cia302::NodeId{5U}).heartbeat.consumer_ms, 0U);
+    events.clear();
+    // When neither sends another heartbeat, then the one is lost, and nobody waits for the other one
+    Hear(0x705U, {0x7FU});
+    Hear(0x709U, {0x7FU});
+    Run(400U);
+    std::vector<int> lost;
+    for (const runtime::ManagerEvent& event : events)
+    {
+        if (event.kind == "heartbeat_lost")
+        {
+            lost.push_back(event.node);
+        }
+    }
+    EXPECT_EQ(lost, (std::vector<int>{9}));
+}
+
 TEST_F(ManagerStateTest, WhoIsAwaitedMayBeChangedAndWhoIsAskedMayNot)
 {
     Verifies(req::SRS_MGR_215);
