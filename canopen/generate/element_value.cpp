@@ -4,6 +4,7 @@
 #include "canopen/cia306/file/string_value.hpp"
 #include "canopen/cia306/safety/signature.hpp"
 #include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/text/number.hpp"
 
 #include <algorithm>
 
