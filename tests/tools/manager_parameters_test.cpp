@@ -53,8 +53,8 @@ class ManagerParametersTest : public test::CommandTest
 
 const std::string kStarted = "  - {that: gate, node: 33, is: open, at: 2900 ms}\n"
                              "  - {that: device, node: 33, is: operational, at: 2900 ms}\n";
-const std::string kRefused = "  - {that: gate, node: 33, is: differs, at: 2900 ms}\n"
-                             "  - {that: no_event, node: 33, is: gate}\n";
+const std::string kRefused = "  - {that: gate, node: 33, is: differs, at: 2900 ms}\n";
+const std::string kStart = "node 33: NMT start\n";
 
 TEST_F(ManagerParametersTest, ADeviceWithAnotherReleasePolicyIsNotStartedUnderAnyProfile)
 {
@@ -63,8 +63,10 @@ TEST_F(ManagerParametersTest, ADeviceWithAnotherReleasePolicyIsNotStartedUnderAn
     {
         const Answer right = Run(profile, "right.dcf", "right.dcf", kStarted);
         EXPECT_EQ(right.status, 0) << profile << "\n" << right.out << right.err;
+        EXPECT_NE(right.out.find(kStart), std::string::npos) << right.out;
         const Answer other = Run(profile, "right.dcf", "automatic.dcf", kRefused);
         EXPECT_EQ(other.status, 0) << profile << "\n" << other.out << other.err;
+        EXPECT_EQ(other.out.find(kStart), std::string::npos) << other.out;
         EXPECT_NE(other.out.find("0x5F04:00 is 0xD22348DA, expected 0x46FFAB7"), std::string::npos) << other.out;
     }
 }

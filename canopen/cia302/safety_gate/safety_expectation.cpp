@@ -43,7 +43,7 @@ std::uint64_t GreatestOf(const std::uint8_t size) noexcept
     return greatest;
 }
 
-/// Whether the value fits its object, and nobody would write what is a part of a program.
+/// Whether the value fits its object, and nobody would write what is a part of a program. [SRS_SFS_671]
 bool Fits(const ExpectedObject& object) noexcept
 {
     const std::uint8_t size = SizeOf(object.address);

@@ -19,7 +19,7 @@ bool IsBlank(const char letter)
     return letter == ' ' || letter == '\t';
 }
 
-/// Pairs of hexadecimal digits, or nothing.
+/// Pairs of hexadecimal digits, one at least, or nothing.
 std::optional<std::vector<std::uint8_t>> OctetsOf(std::string digits)
 {
     digits.erase(std::remove_if(digits.begin(), digits.end(), IsBlank), digits.end());
@@ -33,7 +33,7 @@ std::optional<std::vector<std::uint8_t>> OctetsOf(std::string digits)
         }
         octets.push_back(static_cast<std::uint8_t>(*octet));
     }
-    return octets;
+    return octets.empty() ? std::nullopt : std::optional(octets);
 }
 } // namespace
 
