@@ -245,7 +245,8 @@ faults: [{fault: unplugged, name: gone, node: sensor, at: 900 ms}]
     for (const char* const line :
          {":5:10: warning: input at 900 ms does not happen", ":6:15: warning: acknowledge at 900 ms does not happen",
           ":7:7: warning: NMT event at 900 ms does not happen", ":8:9: warning: power cycle at 900 ms does not happen",
-          ":9:7: warning: GFC event at 900 ms does not happen", ":10:10: warning: fault 'gone' at 900 ms does not happen"})
+          ":9:7: warning: GFC event at 900 ms does not happen",
+          ":10:10: warning: fault 'gone' at 900 ms does not happen"})
     {
         EXPECT_NE(told.find(line), std::string::npos) << line << "\n" << told;
     }

@@ -34,8 +34,9 @@ class ManagerParametersTest : public test::CommandTest
         static_cast<void>(File("automatic_zero.dcf", Having(automatic, "5F04", "0x046FFAB7", "0")));
         const std::string kept = Having(dcf_, "5F02sub1", "ParameterValue=0x0000000000000000", "ParameterValue=0x7FFF");
         static_cast<void>(File("kept_zero.dcf", Having(kept, "5F04", "0x046FFAB7", "0")));
-        static_cast<void>(File("late_zero.dcf", Having(Having(dcf_, "5F05sub1", "ParameterValue=0x00", "ParameterValue=0x3C"),
-                                                     "5F04", "0x046FFAB7", "0")));
+        static_cast<void>(
+            File("late_zero.dcf", Having(Having(dcf_, "5F05sub1", "ParameterValue=0x00", "ParameterValue=0x3C"), "5F04",
+                                         "0x046FFAB7", "0")));
     }
     /// A run of the device of one file under a manager that expects another one.
     Answer Run(const std::string& profile, const std::string& expected, const std::string& device,
@@ -43,9 +44,9 @@ class ManagerParametersTest : public test::CommandTest
     {
         const std::string network = File("net.yaml", "manager: {node: 127, heartbeat: 100 ms, profile: " + profile +
                                                          "}\nslaves: [{node: 33, dcf: " + expected + "}]\n");
-        return RunCommand({"simulate", File("s.yaml", "title: x\nduration: 3 s\nmanagers: [{network: " + network +
-                                                          "}]\nnodes: {33: {dcf: " + device + "}}\nexpect:\n" +
-                                                          expectations)});
+        return RunCommand(
+            {"simulate", File("s.yaml", "title: x\nduration: 3 s\nmanagers: [{network: " + network +
+                                            "}]\nnodes: {33: {dcf: " + device + "}}\nexpect:\n" + expectations)});
     }
 
     std::string dcf_;
@@ -117,9 +118,9 @@ TEST_F(ManagerParametersTest, AFileThatCheckTakesWithAWarningIsTakenHereToo)
     static_cast<void>(File("odd.dcf", plain + "\n[2F00]\nParameterName=x\nObjectType=7\nDataType=6\nAccessType=rw\n"
                                               "DefaultValue=7\nParameterValue=70000\nPDOMapping=0\n"));
     const std::string network = File("odd.yaml", "manager: {node: 127}\nslaves: [{node: 5, dcf: odd.dcf}]\n");
-    const Answer answer =
-        RunCommand({"simulate", "--quiet", File("odd_run.yaml", "title: x\nduration: 1 s\nmanagers: [{network: " +
-                                                                    network + "}]\nnodes: {5: {dcf: odd.dcf}}\n")});
+    const Answer answer = RunCommand({"simulate", "--quiet",
+                                      File("odd_run.yaml", "title: x\nduration: 1 s\nmanagers: [{network: " + network +
+                                                               "}]\nnodes: {5: {dcf: odd.dcf}}\n")});
     EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
     EXPECT_EQ(answer.err.find("error"), std::string::npos) << answer.err;
 }

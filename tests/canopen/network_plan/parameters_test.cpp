@@ -32,7 +32,8 @@ std::vector<std::string> BehindSignatures(const std::string& text)
         {
             EXPECT_TRUE(object.is_fixed) << object.address.index;
             told.push_back(cia306::Hex(object.address.index, 4).substr(2U) + ":" +
-                           cia306::Hex(object.address.sub, 2).substr(2U) + "=" + cia306::Hex(object.value, 1).substr(2U));
+                           cia306::Hex(object.address.sub, 2).substr(2U) + "=" +
+                           cia306::Hex(object.value, 1).substr(2U));
         }
     }
     const cia302::SafetyExpectation expectation{objects.data(), static_cast<std::uint16_t>(objects.size())};

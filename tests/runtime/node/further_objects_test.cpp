@@ -59,14 +59,14 @@ TEST_F(FurtherObjectsTest, AConstantHasTheValueOfTheFileAndTakesNone)
 {
     Verifies(req::SRS_NODE_037);
     const std::vector<Number> numbers{
-        {"1006", "7", {0x1006U, 0U}, 10000U, 4U},          {"1007", "7", {0x1007U, 0U}, 5000U, 4U},
-        {"100C", "6", {0x100CU, 0U}, 100U, 2U},            {"100D", "5", {0x100DU, 0U}, 3U, 1U},
-        {"1012", "7", {0x1012U, 0U}, 0x80000100U, 4U},     {"1019", "5", {0x1019U, 0U}, 8U, 1U},
-        {"1028sub0", "5", {0x1028U, 0U}, 1U, 1U},          {"1028sub1", "7", {0x1028U, 1U}, 0x81U, 4U},
-        {"1201sub0", "5", {0x1201U, 0U}, 3U, 1U},          {"1201sub1", "7", {0x1201U, 1U}, 0x690U, 4U},
-        {"1201sub2", "7", {0x1201U, 2U}, 0x691U, 4U},      {"1201sub3", "5", {0x1201U, 3U}, 9U, 1U},
-        {"1280sub0", "5", {0x1280U, 0U}, 3U, 1U},          {"1280sub1", "7", {0x1280U, 1U}, 0x606U, 4U},
-        {"1280sub2", "7", {0x1280U, 2U}, 0x586U, 4U},      {"1280sub3", "5", {0x1280U, 3U}, 6U, 1U}};
+        {"1006", "7", {0x1006U, 0U}, 10000U, 4U},      {"1007", "7", {0x1007U, 0U}, 5000U, 4U},
+        {"100C", "6", {0x100CU, 0U}, 100U, 2U},        {"100D", "5", {0x100DU, 0U}, 3U, 1U},
+        {"1012", "7", {0x1012U, 0U}, 0x80000100U, 4U}, {"1019", "5", {0x1019U, 0U}, 8U, 1U},
+        {"1028sub0", "5", {0x1028U, 0U}, 1U, 1U},      {"1028sub1", "7", {0x1028U, 1U}, 0x81U, 4U},
+        {"1201sub0", "5", {0x1201U, 0U}, 3U, 1U},      {"1201sub1", "7", {0x1201U, 1U}, 0x690U, 4U},
+        {"1201sub2", "7", {0x1201U, 2U}, 0x691U, 4U},  {"1201sub3", "5", {0x1201U, 3U}, 9U, 1U},
+        {"1280sub0", "5", {0x1280U, 0U}, 3U, 1U},      {"1280sub1", "7", {0x1280U, 1U}, 0x606U, 4U},
+        {"1280sub2", "7", {0x1280U, 2U}, 0x586U, 4U},  {"1280sub3", "5", {0x1280U, 3U}, 6U, 1U}};
     for (const char* const access : {"const", "ro"})
     {
         std::string text = kHead + Record("1028") + Record("1201") + Record("1280");
@@ -97,15 +97,15 @@ TEST_F(FurtherObjectsTest, AConstantHasTheValueOfTheFileAndTakesNone)
 TEST_F(FurtherObjectsTest, SubIndicesAreThoseOfTheFile)
 {
     Verifies(req::SRS_NODE_038);
-    Bench bench(File("node.dcf",
-                     kHead + Record("1010") + Element("1010sub1", "7", "rw", "1") + Record("1011") +
-                         Element("1011sub1", "7", "rw", "1") + Element("1011sub5", "7", "rw", "1") + Record("1028") +
-                         Element("1028sub0", "5", "rw", "2") + Element("1028sub1", "7", "rw", "0x81") +
-                         Element("1028sub2", "7", "rw", "0x82") + Record("1200") + Element("1200sub1", "7", "ro", "") +
-                         Record("1201") + Element("1201sub0", "5", "ro", "") + Element("1201sub1", "7", "rw", "0x690") +
-                         Element("1201sub2", "7", "rw", "0x691") + Record("1280") +
-                         Element("1280sub0", "5", "const", "3") + Element("1280sub1", "7", "rw", "0x606") +
-                         Element("1280sub2", "7", "rw", "0x586") + Element("1280sub3", "5", "rw", "6")),
+    Bench bench(File("node.dcf", kHead + Record("1010") + Element("1010sub1", "7", "rw", "1") + Record("1011") +
+                                     Element("1011sub1", "7", "rw", "1") + Element("1011sub5", "7", "rw", "1") +
+                                     Record("1028") + Element("1028sub0", "5", "rw", "2") +
+                                     Element("1028sub1", "7", "rw", "0x81") + Element("1028sub2", "7", "rw", "0x82") +
+                                     Record("1200") + Element("1200sub1", "7", "ro", "") + Record("1201") +
+                                     Element("1201sub0", "5", "ro", "") + Element("1201sub1", "7", "rw", "0x690") +
+                                     Element("1201sub2", "7", "rw", "0x691") + Record("1280") +
+                                     Element("1280sub0", "5", "const", "3") + Element("1280sub1", "7", "rw", "0x606") +
+                                     Element("1280sub2", "7", "rw", "0x586") + Element("1280sub3", "5", "rw", "6")),
                 Path("node.store"));
     EXPECT_EQ(Read(bench, {0x1028U, 0U}), 2U);
     EXPECT_EQ(Read(bench, {0x1201U, 0U}), 2U);

@@ -378,7 +378,8 @@ class SafetyWritingTest : public SafetyCheckTest
         slaves[2].safety = &expectation;
         for (const ExpectedObject& object : list)
         {
-            Put(object.address.index, object.address.sub, static_cast<std::uint32_t>(object.value), SizeOf(object.address));
+            Put(object.address.index, object.address.sub, static_cast<std::uint32_t>(object.value),
+                SizeOf(object.address));
         }
     }
 

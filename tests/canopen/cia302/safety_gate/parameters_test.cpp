@@ -11,8 +11,8 @@ namespace
 {
 
 constexpr NodeId kOfParameters{2U};
-constexpr std::uint8_t kFourBytes = 0x43U;  ///< Expedited, 4 bytes.
-constexpr std::uint8_t kOneByte = 0x4FU; ///< Expedited, 1 byte.
+constexpr std::uint8_t kFourBytes = 0x43U; ///< Expedited, 4 bytes.
+constexpr std::uint8_t kOneByte = 0x4FU;   ///< Expedited, 1 byte.
 
 class ParameterTest : public GateRig
 {
@@ -143,9 +143,8 @@ TEST_F(ParameterTest, TheDeviceDigestIsReadBehindTheSignatures)
 TEST_F(ParameterTest, OfAnSrdoPolicySafeValueAndDetectionAreComparedInTheirLengths)
 {
     Verifies(req::SRS_SFS_670);
-    ExpectAlso({{{0x5F01U, 1U}, 0x00U, true},
-                {{0x5F02U, 1U}, 0x8000000000000102U, true},
-                {{0x5F05U, 1U}, 0x3CU, true}});
+    ExpectAlso(
+        {{{0x5F01U, 1U}, 0x00U, true}, {{0x5F02U, 1U}, 0x8000000000000102U, true}, {{0x5F05U, 1U}, 0x3CU, true}});
     const std::vector<std::uint8_t> safe{0x02U, 0x01U, 0U, 0U, 0U, 0U, 0U, 0x80U};
     Tell(0x5F01U, 1U, {0x00U});
     Tell(0x5F02U, 1U, safe);
@@ -198,22 +197,22 @@ TEST_F(ParameterTest, WhatAnExpectationMayHoldOfThem)
         bool is_usable;
     };
     const Case cases[] = {
-        {{{0x5F00U, 1U}, 0U, true}, 0U, false},           {{{0x5F01U, 0U}, 0U, true}, 0U, false},
-        {{{0x5F01U, 1U}, 0xFFU, true}, 1U, true},         {{{0x5F01U, 1U}, 0x100U, true}, 1U, false},
-        {{{0x5F01U, 64U}, 0U, true}, 1U, true},           {{{0x5F01U, 65U}, 0U, true}, 0U, false},
-        {{{0x5F02U, 1U}, ~0ULL, true}, 8U, true},         {{{0x5F02U, 0U}, 0U, true}, 0U, false},
-        {{{0x5F02U, 65U}, 0U, true}, 0U, false},          {{{0x5F03U, 1U}, 0U, true}, 0U, false},
-        {{{0x5F04U, 0U}, 0xFFFFFFFFU, true}, 4U, true},   {{{0x5F04U, 0U}, 0x100000000U, true}, 4U, false},
-        {{{0x5F04U, 0U}, 1U, false}, 4U, false},          {{{0x5F04U, 1U}, 1U, true}, 0U, false},
-        {{{0x5F05U, 64U}, 0x3CU, true}, 1U, true},        {{{0x5F05U, 1U}, 0x3CU, false}, 1U, false},
-        {{{0x5F06U, 0U}, 0U, true}, 0U, false},           {{{0x1400U, 1U}, 0U, true}, 0U, false},
+        {{{0x5F00U, 1U}, 0U, true}, 0U, false},         {{{0x5F01U, 0U}, 0U, true}, 0U, false},
+        {{{0x5F01U, 1U}, 0xFFU, true}, 1U, true},       {{{0x5F01U, 1U}, 0x100U, true}, 1U, false},
+        {{{0x5F01U, 64U}, 0U, true}, 1U, true},         {{{0x5F01U, 65U}, 0U, true}, 0U, false},
+        {{{0x5F02U, 1U}, ~0ULL, true}, 8U, true},       {{{0x5F02U, 0U}, 0U, true}, 0U, false},
+        {{{0x5F02U, 65U}, 0U, true}, 0U, false},        {{{0x5F03U, 1U}, 0U, true}, 0U, false},
+        {{{0x5F04U, 0U}, 0xFFFFFFFFU, true}, 4U, true}, {{{0x5F04U, 0U}, 0x100000000U, true}, 4U, false},
+        {{{0x5F04U, 0U}, 1U, false}, 4U, false},        {{{0x5F04U, 1U}, 1U, true}, 0U, false},
+        {{{0x5F05U, 64U}, 0x3CU, true}, 1U, true},      {{{0x5F05U, 1U}, 0x3CU, false}, 1U, false},
+        {{{0x5F06U, 0U}, 0U, true}, 0U, false},         {{{0x1400U, 1U}, 0U, true}, 0U, false},
     };
     for (const Case& one : cases)
     {
         EXPECT_EQ(SizeOf(one.object.address), one.size) << std::hex << one.object.address.index;
         ExpectAlso({one.object});
-        EXPECT_EQ(IsUsable(expectation), one.is_usable) << std::hex << one.object.address.index << ':'
-                                                        << int{one.object.address.sub} << '=' << one.object.value;
+        EXPECT_EQ(IsUsable(expectation), one.is_usable)
+            << std::hex << one.object.address.index << ':' << int{one.object.address.sub} << '=' << one.object.value;
     }
     // It makes no SRDO
     Expect({ExpectedObject{{0x5F04U, 0U}, 1U, true}});
