@@ -50,9 +50,13 @@ class ManagerCommand final : public Command
         options.Add("--for", &seconds_, "End after so many seconds (default: quit, SIGINT, SIGTERM or SIGHUP)")
             .Type("SECONDS")
             .Range(1, kLongestSeconds);
-        options.Add("--log", &log_, "Event log, one JSON object a line").Type("FILE");
-        options.Add("--html", &html_, "Page with the boot-up sequence diagram, written at the end").Type("FILE");
-        options.Add("--socket", &socket_, "Unix socket on which programs send orders, a line each").Type("PATH");
+        options.Add("--log", &log_, "Event log, one JSON object a line").Type("FILE").Check(ProblemOfFileName);
+        options.Add("--html", &html_, "Page with the boot-up sequence diagram, written at the end")
+            .Type("FILE")
+            .Check(ProblemOfFileName);
+        options.Add("--socket", &socket_, "Unix socket on which programs send orders, a line each")
+            .Type("PATH")
+            .Check(ProblemOfFileName);
         options.Add("--socket-group", &is_for_group_,
                     "The socket is for the group of its owner, too (default: for its owner alone)");
         options.Add("--json", &is_json_, "Events and answers as one JSON object a line");
@@ -131,13 +135,6 @@ class ManagerCommand final : public Command
         {
             files.Read(slave->plan.dcf);
             files.Read(slave->plan.software ? slave->plan.software->program : "");
-        }
-        for (const auto& [option, file] : {std::pair("--log", log_), {"--html", html_}, {"--socket", socket_}})
-        {
-            if (file.empty() && options_->IsGiven(option))
-            {
-                throw runtime::YamlError(option, {}, "empty file name", "the name of a file");
-            }
         }
         files.Write("--log", log_);
         files.Write("--html", html_);

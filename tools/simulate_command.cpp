@@ -44,9 +44,9 @@ class SimulateCommand final : public Command
     void Describe(Options& options) override
     {
         options.Add("SCENARIO", &scenario_, "Scenario file (YAML); --explain tells the format");
-        options.Add("--html", &html_, "Write a page with the timing diagram");
-        options.Add("--json", &json_, "Write recording, measurements and verdicts as JSON");
-        options.Add("--candump", &candump_, "Write the frames of the bus as candump -l does");
+        options.Add("--html", &html_, "Write a page with the timing diagram").Check(ProblemOfFileName);
+        options.Add("--json", &json_, "Write recording, measurements and verdicts as JSON").Check(ProblemOfFileName);
+        options.Add("--candump", &candump_, "Write the frames of the bus as candump -l does").Check(ProblemOfFileName);
         options.Add("--seed", &seed_, "Instead of the scenario's seed: 0 to 2^64 - 1").Type("N");
         options.Add("--profile", &profile_, "Start-up profile of the managers: one of the scenario's 'profiles'")
             .Words(Profiles())
@@ -190,7 +190,6 @@ class SimulateCommand final : public Command
             files.Read(file);
             ReadNetwork(file, files);
         }
-        RequireNames();
         for (const auto& [option, file] : {std::pair("--html", html_), {"--json", json_}, {"--candump", candump_}})
         {
             files.Write(option, file);
@@ -215,21 +214,6 @@ class SimulateCommand final : public Command
         }
         catch (const cia306::InputError&)
         {
-        }
-    }
-
-    void RequireNames() const
-    {
-        if (profile_.empty() && options_->IsGiven("--profile"))
-        {
-            throw runtime::YamlError("--profile", {}, "empty name", "one of the scenario's 'profiles'");
-        }
-        for (const auto& [option, file] : {std::pair("--html", html_), {"--json", json_}, {"--candump", candump_}})
-        {
-            if (file.empty() && options_->IsGiven(option))
-            {
-                throw runtime::YamlError(option, {}, "empty file name", "the name of a file");
-            }
         }
     }
 

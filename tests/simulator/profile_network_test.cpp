@@ -106,7 +106,9 @@ TEST_F(ProfileNetworkTest, AnUnknownProfileIsRefused)
     };
     EXPECT_EQ(refusal(Scenario(), "plc_designer"),
               "--profile: error: 'plc_designer', expected one of cia302, el6751\n");
-    EXPECT_EQ(refusal(Scenario(), ""), "--profile: error: empty name, expected one of the scenario's 'profiles'\n");
+    EXPECT_EQ(refusal(Scenario(), ""),
+              "counterpoint: --profile: an empty value, expected a text; expected a command line "
+              "as told by 'counterpoint simulate --help'\n");
     EXPECT_EQ(refusal(cia306::test::SourceFolder() + "/examples/emergency_stop/00_no_fault.yaml", "cia302"),
               "--profile: error: 'cia302', expected a scenario with 'profiles'\n");
     const std::string managers = "managers: [{network: net.yaml}]\n";

@@ -33,16 +33,21 @@ const std::string kReleased = "expect: [{that: released, node: actuator, srdo: 1
 TEST_F(VainOrdersTest, AGfcThatTheDeviceRefusesDoesNotHold)
 {
     Verifies(req::SRS_SIM_660);
-    const std::string quiet = File(
-        "quiet.dcf", cia306::test::WithValues(cia306::test::ExampleText("sensor"), {{"1300", "ParameterValue", "0"}}));
+    const std::string quiet =
+        File("quiet.dcf", cia306::test::WithValues(cia306::test::ExampleText("sensor"),
+                                                   {{"1300", "ParameterValue", "0"}, {"5F04", "ParameterValue", "0"}}));
     const Answer off =
-        Simulate("nodes: {sensor: {dcf: " + quiet + "}}\ngfc: [{at: 300 ms, node: sensor}]\n" + kReleased);
+        RunCommand({"simulate", "--quiet",
+                    File("off.yaml", "title: Off\nbitrate: 500000\nduration: 400 ms\nnodes: {sensor: {dcf: " + quiet +
+                                         "}}\ngfc: [{at: 300 ms, node: sensor}]\n" + "expect: [{that: no_fault}]\n")});
     EXPECT_EQ(off.status, 1) << off.out << off.err;
     EXPECT_NE(off.out.find("FAILED  GFC of sensor at 300 ms is sent: refused: 1300h is 0"), std::string::npos)
         << off.out;
-    const Answer early = Simulate("gfc: [{at: 2 ms, node: sensor}]\n" + kReleased);
+    const Answer early = Simulate("nmt: [{at: 290 ms, node: sensor, command: enter_pre_operational}]\n"
+                                  "gfc: [{at: 300 ms, node: sensor}]\n" +
+                                  kReleased);
     EXPECT_EQ(early.status, 1) << early.out << early.err;
-    EXPECT_NE(early.out.find("FAILED  GFC of sensor at 2 ms is sent: refused: not OPERATIONAL"), std::string::npos)
+    EXPECT_NE(early.out.find("FAILED  GFC of sensor at 300 ms is sent: refused: not OPERATIONAL"), std::string::npos)
         << early.out;
     // And one that is sent fails nothing
     const Answer sent = Simulate("gfc: [{at: 300 ms, node: sensor}]\n" + kReleased);
@@ -59,12 +64,15 @@ TEST_F(VainOrdersTest, ADeviceWithoutSrdosHasNoLineOfThem)
 {
     Verifies(req::SRS_SIM_661);
     const std::string plain = cia306::test::SourceFolder() + "/tests/runtime/data/plain.dcf";
-    const Answer answer =
-        RunCommand({"simulate", File("plain.yaml", "title: Plain\nduration: 50 ms\nnodes: {plain: {dcf: " + plain +
-                                                       "}}\nexpect: [{that: no_fault}]\n")});
+    static_cast<void>(File("net.yaml", "manager: {node: 127}\nslaves: [{node: 5, dcf: " + plain + "}]\n"));
+    const Answer answer = RunCommand(
+        {"simulate", File("plain.yaml",
+                          "title: Plain\nduration: 300 ms\nmanagers: [{network: net.yaml}]\nnodes: {5: {dcf: " + plain +
+                              "}}\nexpect: [{that: device, node: 5, is: operational}]\n")});
+    EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
     EXPECT_EQ(answer.out.find("SRDO"), std::string::npos) << answer.out;
     EXPECT_EQ(answer.out.find("comparator"), std::string::npos) << answer.out;
-    EXPECT_NE(answer.out.find("boot-up"), std::string::npos) << answer.out << answer.err;
+    EXPECT_NE(answer.out.find("boot up"), std::string::npos) << answer.out << answer.err;
 }
 
 } // namespace

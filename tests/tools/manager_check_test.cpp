@@ -120,7 +120,7 @@ TEST_F(ManagerCheckTest, WhatSlavesCannotMeetIsToldWhenTheManagerRunsToo)
     // Given a check, and a run that ends before the bus is opened
     for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
              {"manager", "--check", network, File("other.yaml", "manager: {node: 126}\nslaves: [{node: 127}]\n")},
-             {"manager", "--can", "udp:239.74.163.91:43191", "--network", network, "--log", ""}})
+             {"manager", "--can", "udp:239.74.163.91:43191", "--network", network, "--log", network}})
     {
         const Answer answer = RunCommand(words);
         EXPECT_NE(answer.err.find(pair), std::string::npos) << words[1] << answer.err;

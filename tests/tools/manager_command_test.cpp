@@ -400,18 +400,20 @@ TEST_F(ManagerCommandTest, WhatCannotBeUsedEndsWith2)
 TEST_F(ManagerCommandTest, AnOutputWithoutANameIsRefused)
 {
     Verifies(req::SRS_MGR_123);
+    const std::string empty = ": an empty name, expected the name of a file; expected a command line as told by "
+                              "'counterpoint ";
     for (const char* const option : {"--log", "--html", "--socket"})
     {
         const Answer answer = RunCommand({"manager", "--can", "udp:239.74.163.91:43191", "--network",
                                           NetworkFile("chain.yaml"), "--for", "1", "--no-input", option, ""});
         EXPECT_EQ(answer.status, 2) << option;
-        EXPECT_EQ(answer.err, std::string(option) + ": error: empty file name, expected the name of a file\n");
+        EXPECT_EQ(answer.err, "counterpoint: " + std::string(option) + empty + "manager --help'\n");
     }
     for (const char* const option : {"--html", "--json", "--candump"})
     {
         const Answer answer = RunCommand({"simulate", "--quiet", NetworkFile("boot.yaml"), option, ""});
         EXPECT_EQ(answer.status, 2) << option;
-        EXPECT_EQ(answer.err, std::string(option) + ": error: empty file name, expected the name of a file\n");
+        EXPECT_EQ(answer.err, "counterpoint: " + std::string(option) + empty + "simulate --help'\n");
     }
 }
 

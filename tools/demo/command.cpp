@@ -102,8 +102,10 @@ class DemoCommand final : public Command
   public:
     void Describe(Options& options) override
     {
-        options.Add("--html", &html_, "Page with all timing diagrams; a folder gets index.html").ShowDefault();
-        options.Add("--scenarios", &scenarios_, "Folder of the scenarios NN_name.yaml");
+        options.Add("--html", &html_, "Page with all timing diagrams; a folder gets index.html")
+            .ShowDefault()
+            .Check(ProblemOfFileName);
+        options.Add("--scenarios", &scenarios_, "Folder of the scenarios NN_name.yaml").Check(ProblemOfFileName);
         options.Add("--list", &list_, "List the scenarios and end").Excludes("--html");
         options.Add("--json", &json_, "Print one JSON document instead of the table").Excludes("--list");
         options_ = &options;
@@ -111,25 +113,12 @@ class DemoCommand final : public Command
 
     [[nodiscard]] ExitStatus Run(const Streams& streams) override
     {
-        RequireNames();
         const std::vector<std::string> files =
             ListScenarios(scenarios_.empty() ? FindScenarios() : std::vector<fs::path>{scenarios_});
         return list_ ? List(files, streams) : Demonstrate(files, streams);
     }
 
   private:
-    void RequireNames() const
-    {
-        if (html_.empty())
-        {
-            throw runtime::YamlError("--html", {}, "empty file name", "the name of a file or folder");
-        }
-        if (scenarios_.empty() && options_->IsGiven("--scenarios"))
-        {
-            throw runtime::YamlError("--scenarios", {}, "empty file name", "the name of a folder");
-        }
-    }
-
     [[nodiscard]] static ExitStatus List(const std::vector<std::string>& files, const Streams& streams)
     {
         for (const std::string& file : files)

@@ -217,7 +217,7 @@ void NodeFirmware::SendGfc()
     {
         processor_.RunSound([this, &result]() { result = assembly_.Core().SendGfc(); });
     }
-    inside_.place.Tell(EventKind::kGfc, 0U, (result == Result::kSuccessful) ? 1U : 0U,
+    inside_.place.Note(EventKind::kGfc, 0U, (result == Result::kSuccessful) ? 1U : 0U,
                        static_cast<std::uint64_t>(result));
 }
 

@@ -460,7 +460,7 @@ TEST(CheckParameters, Times)
     const auto find = [](const std::vector<Set>& values) { return Find(test::ExampleText("controller"), values); };
     EXPECT_EQ(find({{"5F00sub1", kValue, "99"}, {"5F00sub2", kValue, "0"}}),
               Lines{"error: 0x5F00:01: cycle time 99 us, expected 100 us to 1000000 us"});
-    EXPECT_EQ(find({{"5F00sub1", kValue, "1000001"}, {"1302sub2", kValue, "1001"}}),
+    EXPECT_EQ(find({{"5F00sub1", kValue, "1000001"}, {"1301sub2", kValue, "1001"}, {"1302sub2", kValue, "1001"}}),
               Lines{"error: 0x5F00:01: cycle time 1000001 us, expected 100 us to 1000000 us"});
     EXPECT_EQ(find({{"5F00sub2", kValue, "1000"}}), Lines{});
     EXPECT_EQ(find({{"5F00sub2", kValue, "1001"}}),

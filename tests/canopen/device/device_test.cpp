@@ -111,7 +111,6 @@ TEST_F(DeviceTest, ResetNodeLeadsOutOfTheSafeStateResetCommunicationDoesNot)
     EXPECT_EQ(Upload(0x1001U, 0U) & 0xFFU, 0U);
     EXPECT_EQ(node_resets, 2);
     EXPECT_EQ(communication_resets, 3);
-    EXPECT_EQ(Sent(0x702U), (std::vector<Octets>{{0U}}));
 }
 
 TEST_F(DeviceTest, TheSafeStateIsToldAgainBehindTheBootUpOfAResetOfCommunication)

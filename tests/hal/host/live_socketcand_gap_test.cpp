@@ -263,7 +263,7 @@ TEST(SocketcandGapTest, OneQuestionAtATimeIsAskedEvery20Ms)
         ASSERT_TRUE(server.Say("< echo >"));
         ASSERT_NO_FATAL_FAILURE(server.AwaitEcho(*bus));
     }
-    EXPECT_GE(LiveNow() - start_ns, 4U * 20'000'000U);
+    EXPECT_GE(LiveNow() - start_ns, 3U * 20'000'000U); // The first one may have been asked before the begin.
     EXPECT_FALSE(server.HearsEcho(*bus, 100'000'000U));
     ToldServer other;
     LiveOptions without;
