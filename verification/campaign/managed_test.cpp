@@ -165,7 +165,7 @@ TEST_F(ManagedTest, FaultsOfEachKindAreAsManyAsThereAreWays)
          })
     {
         const std::string plan =
-            NetworkPlan("plan.yaml", "from: 282 ms\nuntil: 282200 us\nreach: 10 ms\nsample: 1\nparts: [" +
+            NetworkPlan("plan.yaml", "from: 283 ms\nuntil: 283200 us\nreach: 10 ms\nsample: 1\nparts: [" +
                                          std::string(each.part) + "]\nkinds: [" + each.kind + "]\n");
         const tools::test::Answer answer = Campaign({plan, "--json", Path("report.json")});
         EXPECT_EQ(answer.err, "") << each.kind;
@@ -242,9 +242,9 @@ TEST_F(ManagedTest, OneExperimentIsToldStepByStep)
     const tools::test::Answer answer = Campaign({plan, "--replay", "1", "--html", Path("page.html")});
     EXPECT_EQ(answer.status, 0) << answer.err;
     for (const char* const line : {"    225.950 ms  FAULT: slaves restarted node 2 at 225.950 ms, for 128.000 ms\n",
-                                   "    254.810 ms  told by device: device 2: SRDO 1: sct\n",
-                                   "    391.000 ms  manager 127 sends 000#0102  (not then without the fault)\n",
-                                   "\noutcome: detected, told by device, after 28.860 ms\n"})
+                                   "    256.810 ms  told by device: device 2: SRDO 1: sct\n",
+                                   "    392.000 ms  manager 127 sends 000#0102  (not then without the fault)\n",
+                                   "\noutcome: detected, told by device, after 30.860 ms\n"})
     {
         EXPECT_NE(answer.out.find(line), std::string::npos) << line << answer.out;
     }
@@ -263,8 +263,8 @@ TEST_F(ManagedTest, FramesAroundAFaultOfAFrameAreShown)
     EXPECT_EQ(answer.status, 0) << answer.err;
     // Then the pair that is hit is there, as it is without the fault, and what the manager sends later is not
     EXPECT_NE(
-        answer.out.find("    282.124 ms  node 1 sends 101#0101\n    282.124 ms  FAULT: srdo lost 101#0101 at "
-                        "282.124 ms, all of the bus from then on, manager 127 alone\n    282.258 ms  node 1 sends "
+        answer.out.find("    283.124 ms  node 1 sends 101#0101\n    283.124 ms  FAULT: srdo lost 101#0101 at "
+                        "283.124 ms, all of the bus from then on, manager 127 alone\n    283.258 ms  node 1 sends "
                         "102#FEFE\n"),
         std::string::npos)
         << answer.out;
@@ -475,8 +475,8 @@ TEST_F(ManagedTest, MembersThatAreNotThereAreRefused)
 TEST_F(ManagedTest, ConfigurationThatChangesBehindItsReadingIsListed)
 {
     Verifies(req::SRS_CMG_073);
-    // Given objects that change without a message shortly before their device is started, at 30 ms
-    const std::string plan = NetworkPlan("plan.yaml", "from: 48 ms\nuntil: 53 ms\nparts: [writes]\nkinds: [stored]\n"
+    // Given objects that change without a message shortly before their device is started, at 55 ms
+    const std::string plan = NetworkPlan("plan.yaml", "from: 50 ms\nuntil: 55 ms\nparts: [writes]\nkinds: [stored]\n"
                                                       "sample: 300\n");
     const tools::test::Answer answer = Campaign({plan});
     EXPECT_EQ(answer.status, 0) << answer.out;
