@@ -26,13 +26,8 @@ bool IsKernels(const std::uint16_t index)
     return index >= kFirstSafety && index <= kLastSafety;
 }
 
-/// 5F00h to 5F05h of a safety device.
-bool IsDeviceParameter(const cia306::Entry& entry)
-{
-    return entry.is_safety && entry.index >= cia306::kDeviceParametersIndex;
-}
-
-/// Where the value of an entry of the table is kept. [SRS_GEN_006, SRS_GEN_353]
+/// Where the value of an entry of the table is kept, which has of the safety objects 5F00h to 5F05h alone.
+/// [SRS_GEN_006, SRS_GEN_353]
 Home TableHome(const cia306::Entry& entry)
 {
     const bool is_text = entry.type.kind == DataKind::kText;
@@ -40,8 +35,8 @@ Home TableHome(const cia306::Entry& entry)
     // With the node-ID a constant changes, too.
     const auto formula = cia306::ParseFormula(entry.Configured().text);
     const bool is_constant = entry.access == cia306::Access::kConstant && !(formula && formula->has_node_id);
-    const bool is_fixed = is_constant || IsDeviceParameter(entry) ||
-                          (is_text && (entry.IsFixed() || entry.access == cia306::Access::kUnknown));
+    const bool is_fixed =
+        is_constant || entry.is_safety || (is_text && (entry.IsFixed() || entry.access == cia306::Access::kUnknown));
     if (is_domain)
     {
         return Home::kNowhere;

@@ -131,7 +131,8 @@ bool IsRowOfSlave(const El6751Slave& slave, const cia302::ConciseReading& entry,
     return is_coupler_row || (is_guarding && slave.IsWatched()) || (is_sync && cia302::NeedsSync(network));
 }
 
-/// Whether the DCF gives the object another value than the device has by itself, as far as the DCF knows that one.
+/// Whether the DCF gives the object, which has a value of the concise DCF, another one than the device has by itself,
+/// as far as the DCF knows that.
 bool IsChanged(const Device& device, const std::uint8_t node_id, const Entry& entry)
 {
     bool is_changed = entry.parameter_value.IsSet();
@@ -139,9 +140,8 @@ bool IsChanged(const Device& device, const std::uint8_t node_id, const Entry& en
     {
         Entry usual = entry;
         usual.parameter_value = {};
-        const bool has_both = cia306::UsableValue(device.file, usual, node_id).has_value() &&
-                              cia306::UsableValue(device.file, entry, node_id).has_value();
-        is_changed = !has_both || BytesOf(device, usual, node_id) != BytesOf(device, entry, node_id);
+        const bool is_known = cia306::UsableValue(device.file, usual, node_id).has_value();
+        is_changed = !is_known || BytesOf(device, usual, node_id) != BytesOf(device, entry, node_id);
     }
     return is_changed;
 }

@@ -16,16 +16,14 @@ namespace counterpoint::cia306
 }
 
 /// Whether a save (1010h) of a device of this file keeps the value: somebody can write it and read it back, and it is
-/// no list of errors (1003h), no command (1010h, 1011h) and no parameter of the program (5F00h to 5F05h of a
-/// safety device).
+/// no list of errors (1003h), no command (1010h, 1011h) and no safety object: those of 1300h to 13FFh the kernel keeps,
+/// 5F00h to 5F05h are parameters of the program.
 /// [SRS_NODE_038, SRS_GEN_330]
 [[nodiscard]] inline bool IsSaved(const Entry& entry) noexcept
 {
     constexpr std::uint16_t error_field = 0x1003U;
-    constexpr std::uint16_t first_parameter = 0x5F00U;
     const bool is_own = entry.index == error_field || IsStoreCommand(entry.index);
-    const bool is_of_program = entry.is_safety && entry.index >= first_parameter;
-    return !entry.IsFixed() && entry.access != Access::kWriteOnly && !is_own && !is_of_program;
+    return !entry.IsFixed() && entry.access != Access::kWriteOnly && !is_own && !entry.is_safety;
 }
 } // namespace counterpoint::cia306
 

@@ -43,11 +43,6 @@ constexpr std::uint8_t kPdoEntries = 64U;
 /// 254: source address mode of a multiplexed PDO; 255: destination address mode.
 constexpr std::uint64_t kSourceMode = 254U;
 
-/// Whether this is one of 5F00h to 5F05h of a safety device, which the kernel takes at its start.
-bool IsFixedAtStart(const cia306::Entry& entry)
-{
-    return entry.is_safety && entry.index >= cia306::kDeviceParametersIndex;
-}
 /// Its data type for the dictionary. Types have the numbers of CiA 301 there, too; BIT1 to BIT8 become small
 /// numbers.
 DataType TypeOf(const cia306::Entry& entry)
@@ -229,7 +224,8 @@ void DeviceObjects::Append(const cia306::Object& object, const cia306::Entry& so
     entry.size_bytes = static_cast<std::uint32_t>((source.type.bits + 7U) / 8U);
     SetRoom(entry, source);
     stored.type_bytes = entry.size_bytes;
-    entry.write_hook = IsFixedAtStart(source) ? &fixed_ : nullptr;
+    // Of the safety objects 5F00h to 5F05h alone are in this table; the kernel takes them at its start.
+    entry.write_hook = source.is_safety ? &fixed_ : nullptr;
     SetLimits(entry, source, node_id);
     entries_.push_back(entry);
 }

@@ -1,5 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // Concise DCFs: what is written to a device, and in which order.
+#include "canopen/cia306/text/input_error.hpp"
 #include "tests/canopen/network_plan/plan_rig.hpp"
 #include "verification/trace/ids/eds.hpp"
 
@@ -25,6 +26,18 @@ TEST(Concise, HasWhatCanBeWrittenAndIsConfigured)
                         Entry("2002", 6, "const", "ParameterValue=2") + Entry("2003", 6, "ro", "ParameterValue=3") +
                         Entry("2004", 6, "wo", "ParameterValue=4") + Entry("2005", 9, "rw", "ParameterValue=AB")),
               (Texts{"2000:00=34 12", "2004:00=04 00", "2005:00=41 42"}));
+}
+
+// Store, restore, programs, network management; and what is no object but a type.
+TEST(Concise, LeavesOutCommandsAndTypes)
+{
+    Verifies(req::SRS_NET_003);
+    EXPECT_EQ(ConciseOf(Number("0005", "1") + Number("100F", "1") + Number("1010", "2") + Number("1011", "3") +
+                        Number("1012", "4") + Number("1F4F", "5") + Number("1F50", "6") + Number("1F5F", "7") +
+                        Number("1F60", "8") + Number("1F7F", "9") + Number("1F80", "10") + Number("1F91", "11") +
+                        Number("1F92", "12")),
+              (Texts{"100F:00=01 00 00 00", "1012:00=04 00 00 00", "1F4F:00=05 00 00 00", "1F60:00=08 00 00 00",
+                     "1F7F:00=09 00 00 00", "1F92:00=0C 00 00 00"}));
 }
 
 // Bit 0 of ObjFlags, of an entry or of its object.
@@ -133,6 +146,25 @@ TEST(ConcisePdo, WhoseIdentifierCannotChangeStaysOn)
     EXPECT_EQ(ConciseOf(Record("1800", 3) + Entry("1800sub1", 7, "ro", "DefaultValue=0x185") + type),
               Texts{"1800:02=FE"});
     EXPECT_EQ(ConciseOf(Record("1800", 3) + Entry("1800sub1", 7, "rw", "") + type), Texts{"1800:02=FE"});
+}
+
+// Given a mapping whose count has no value, then nobody knows what is to be written, and the file is refused there.
+TEST(ConcisePdo, WhoseCountHasNoValueIsRefused)
+{
+    Verifies(req::SRS_NET_003);
+    const std::string text = Record("1800", 2) + Number("1800sub1", "0x185") + Record("1A00", 2) +
+                             Entry("1A00sub0", 5, "rw", "") + Number("1A00sub1", "0x60000108");
+    try
+    {
+        static_cast<void>(ConciseOf(text));
+        ADD_FAILURE() << "taken";
+    }
+    catch (const cia306::InputError& problem)
+    {
+        EXPECT_NE(std::string(problem.what()).find("0x1A00:00: no value, expected a ParameterValue or DefaultValue"),
+                  std::string::npos)
+            << problem.what();
+    }
 }
 
 // A mapping whose count cannot be written cannot change; one without a PDO is an object like others.

@@ -91,6 +91,9 @@ TEST_F(RowsTest, LeaveAPdoWhoseTimeIsSwitchedOffToTheConciseDcf)
     EXPECT_EQ(keys("3", "rw", "ParameterValue=0"), Texts{});
     EXPECT_EQ(keys("3", "rw", "DefaultValue=5"), Texts{});
     EXPECT_EQ(keys("3", "const", "DefaultValue=5\nParameterValue=0"), Texts{});
+    // Nor has it a time of its own, or gets one, that 16 bits cannot have
+    EXPECT_EQ(keys("3", "rw", "DefaultValue=70000\nParameterValue=0"), Texts{});
+    EXPECT_EQ(keys("3", "rw", "DefaultValue=5\nParameterValue=70000"), Texts{});
 }
 
 // Given a mapping that the device has by itself, then it is no change of it, though the DCF says it once more.
@@ -117,6 +120,7 @@ TEST_F(RowsTest, LeaveOutAMappingThatTheDeviceHasByItself)
     EXPECT_EQ(keys("0x185", one, "DefaultValue=0x60000208\nParameterValue=0x60000108"), whole);
     EXPECT_EQ(keys("0x185", "DefaultValue=2\nParameterValue=1", same), whole);
     EXPECT_EQ(keys("0x185", one, "ParameterValue=0x60000108"), whole);
+    EXPECT_EQ(keys("0x185", "DefaultValue=300\nParameterValue=1", same), whole);
     // A PDO that is off has no rows: all of it is written
     EXPECT_EQ(keys("0x80000185", one, same), whole);
 }

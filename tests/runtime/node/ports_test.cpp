@@ -136,6 +136,7 @@ TEST(NodePortsTest, WhatIsNoFrameCountsOnEachConnection)
     EXPECT_EQ(two.Malformed(), 9U);
     EXPECT_EQ(two.Problem(), "second");
     EXPECT_EQ(runtime::NodePorts(BusWith(three, "a"), BusWith(three, "b")).Problem(), "a");
+    EXPECT_EQ(runtime::NodePorts(BusWith(three), BusWith(three)).Problem(), "");
 }
 
 TEST(NodePortsTest, AStateThatNoBusTellsIsNone)
