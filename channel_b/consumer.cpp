@@ -142,7 +142,8 @@ void Consumers::Demote(SlotIndex slot) noexcept
 }
 
 /// The limit that is over at an instant so long after the last OnCycle. With early detection a pending normal frame has
-/// answered SCT. [SRS_TIME_003, SRS_TIME_004, SRS_TIME_005, SRS_TIME_006, SRS_TIME_007]
+/// answered SCT. A pair behind a fault that is not told yet has none: nobody waits for it. [SRS_CONS_013, SRS_TIME_003,
+/// SRS_TIME_004, SRS_TIME_005, SRS_TIME_006, SRS_TIME_007]
 SrdoCause Consumers::ExpiredAt(SlotIndex slot, std::uint32_t since_call_us) const noexcept
 {
     const bool is_pending = HasAny(x_pending, BitOf(slot));
@@ -151,7 +152,8 @@ SrdoCause Consumers::ExpiredAt(SlotIndex slot, std::uint32_t since_call_us) cons
         const bool is_over = IsOver(x_pairs.srvt_left[slot], x_pairs.srvt_limit[slot], since_call_us);
         return is_over ? SrdoCause::kSrvt : SrdoCause::kNone;
     }
-    if (IsHeld(slot) && IsOver(x_pairs.left[slot], x_pairs.limit[slot], since_call_us))
+    const bool is_awaited = IsHeld(slot) && (!HasAny(x_faults.Unreported(), BitOf(slot)));
+    if (is_awaited && IsOver(x_pairs.left[slot], x_pairs.limit[slot], since_call_us))
     {
         return SrdoCause::kSct;
     }
