@@ -188,7 +188,7 @@ void Producers::AdvanceProvider(SlotIndex slot) noexcept
 }
 
 /// Silence counts from the instant of the first possible transmission, not from the call that sees it. A request that
-/// waits is no silence. [SRS_PROD_001, SRS_PROD_010]
+/// waits is no silence; that of this call is not among them yet. [SRS_PROD_001, SRS_PROD_010]
 void Producers::AdvanceApplication(SlotIndex slot) noexcept
 {
     const SrdoMask bit = BitOf(slot);
@@ -224,7 +224,7 @@ void Producers::SpendConfirmation(SlotIndex slot, std::uint32_t elapsed_us) noex
     }
 }
 
-/// [SRS_PROD_010, SRS_PROD_012]
+/// [SRS_PROD_010]
 void Producers::SpendPhase(SlotIndex slot, std::uint32_t elapsed_us) noexcept
 {
     x_pairs.phase_left[slot] -= elapsed_us;
@@ -241,8 +241,9 @@ void Producers::SpendPhase(SlotIndex slot, std::uint32_t elapsed_us) noexcept
     }
 }
 
-/// A refresh is told while it waits, what is due not while a pair is in flight. [SRS_PROD_003, SRS_PROD_004,
-/// SRS_PROD_009, SRS_PROD_012, SRS_PROD_013]
+/// A refresh is told while it waits, what is due not while a pair is in flight. A phase that stands is left as it is,
+/// so that it moves on by this call's time. The requests of this call count behind the silence. [SRS_PROD_003,
+/// SRS_PROD_004, SRS_PROD_009, SRS_PROD_012, SRS_PROD_013]
 void Producers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
 {
     if (x_active == 0U)
@@ -252,7 +253,6 @@ void Producers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
     const SrdoMask standing = tick.stand & x_started;
     SrdoMask in_flight = 0U;
     std::uint32_t count = 0U;
-    x_requested |= tick.requests & x_active;
     SlotWalk walk{x_active};
     while (walk.Next())
     {
@@ -261,8 +261,10 @@ void Producers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
         {
             SpendConfirmation(slot, tick.elapsed_us);
         }
-        const bool is_standing = HasAny(standing, BitOf(slot)) && IsProvider(slot);
-        SpendPhase(slot, is_standing ? 0U : tick.elapsed_us);
+        if (!HasAny(standing, BitOf(slot)))
+        {
+            SpendPhase(slot, tick.elapsed_us);
+        }
         if (x_pairs.stage[slot] != Stage::kIdle)
         {
             in_flight |= BitOf(slot);
@@ -274,6 +276,7 @@ void Producers::Serve(const Tick& tick, CycleOutcome& outcome) noexcept
     {
         x_faults.Forget(acknowledged.Slot());
     }
+    x_requested |= tick.requests & x_active;
     outcome.refresh = x_refresh_due;
     outcome.due = (x_refresh_due | (x_requested & x_started)) & ~in_flight;
     outcome.is_tx = static_cast<std::uint8_t>(count);

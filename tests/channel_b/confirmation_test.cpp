@@ -22,12 +22,13 @@ constexpr std::uint32_t kExactlySrvt = 0x00002710U;
 constexpr std::uint32_t kPastSrvt = 0x00002711U;
 constexpr std::uint32_t kNoConfirmationBit = 1U << static_cast<std::uint32_t>(SrdoCause::kNoConfirmation);
 
-/// The normal frame of a producer, prepared 10 ms before the counter wraps.
+/// The normal frame of a producer, prepared 10 ms before the counter wraps. It was asked for in time, before the
+/// refresh time was over.
 CanFrame Prepared(Rig& rig)
 {
     rig.Start();
-    static_cast<void>(rig.Enter());
     rig.Request();
+    static_cast<void>(rig.Enter());
     EXPECT_EQ(rig.Cycle(0xD120U).due, 2U);
     return rig.Voice().Prepare(1U).normal;
 }

@@ -395,5 +395,155 @@ TEST(ChannelBRefresh, IsToldOfEachProducerByItself)
     ExpectAt(*rig, 26500U, 2U, 2U);
 }
 
+TEST(ChannelBRefresh, RequestOfTheCallThatFindsItMissedIsLate)
+{
+    Verifies(req::SRS_PROD_010);
+    // Given an application that may be silent for 26500 us, until 27000, when it asks in the first call behind that
+    const auto rig = Producing(ProducerForm::kApplicationSends, 25U);
+    ExpectAt(*rig, 500U, 0U, 0U);
+    rig->Request();
+    // then the refresh is missed, and due,
+    ExpectToldAt(*rig, 27001U, 0U, 2U, kMissedBit);
+    EXPECT_EQ(rig->Voice().View(1U).error_count, 1U);
+    // and the time counts anew from that call
+    Send(*rig);
+    ExpectAt(*rig, 53501U, 0U, 0U);
+    ExpectToldAt(*rig, 53502U, 0U, 0U, kMissedBit);
+    // also where the first call that may send is the one
+    const auto first = Producing(ProducerForm::kApplicationSends, 25U);
+    first->Request();
+    ExpectToldAt(*first, 27001U, 0U, 2U, kMissedBit);
+}
+
+TEST(ChannelBRefresh, RequestOfAnEarlierCallIsInTime)
+{
+    Verifies(req::SRS_PROD_010);
+    for (const std::uint32_t asked_us : {499U, 27000U})
+    {
+        // Given a request in the last call before one may send, or in the last in which the silence is in time
+        const auto rig = Producing(ProducerForm::kApplicationSends, 25U);
+        rig->Request();
+        ExpectAt(*rig, asked_us, 0U, (asked_us == 499U) ? 0U : 2U);
+        // then nothing is missed while it waits, whether it is made once more or not
+        rig->Request();
+        ExpectAt(*rig, 27001U, 0U, 2U);
+        ExpectAt(*rig, 27002U, 0U, 2U);
+        ExpectAt(*rig, 90000U, 0U, 2U);
+        EXPECT_EQ(rig->Voice().View(1U).error_count, 0U);
+    }
+}
+
+TEST(ChannelBRefresh, RequestThatIsLateAndWaitsForAPairIsToldOnce)
+{
+    Verifies(req::SRS_PROD_010);
+    for (const bool is_asked : {true, false})
+    {
+        // Given an application that may be silent for 6500 us, and a pair in flight since 500
+        const auto rig = Producing(ProducerForm::kApplicationSends, 5U);
+        rig->Request();
+        ExpectAt(*rig, 500U, 0U, 2U);
+        const CanFrame normal = Prepared(*rig);
+        ExpectAt(*rig, 7000U, 0U, 0U);
+        // when the call that finds it silent brings a request, then that is told
+        if (is_asked)
+        {
+            rig->Request();
+        }
+        ExpectToldAt(*rig, 7001U, 0U, 0U, kMissedBit);
+        ExpectAt(*rig, 13501U, 0U, 0U);
+        // and the request, which goes on waiting, is no silence; without one there is
+        EXPECT_EQ(At(*rig, 13502U).signalled & 2U, is_asked ? 0U : 2U);
+        ExpectAt(*rig, 20000U, 0U, 0U);
+        EXPECT_EQ(rig->Voice().View(1U).error_count, is_asked ? 1U : 2U);
+        ConfirmBoth(*rig, normal);
+        EXPECT_EQ(At(*rig, 20500U).due, is_asked ? 2U : 0U);
+    }
+}
+
+TEST(ChannelBRefresh, SilenceOfTheApplicationMovesOnByTheTimeItStood)
+{
+    Verifies(req::SRS_PROD_012);
+    Verifies(req::SRS_PROD_010);
+    // 500 one may send | 27000 the silence is just in time | 28000 stood for 1000 us: until 28000
+    const auto rig = Producing(ProducerForm::kApplicationSends, 25U);
+    ExpectAt(*rig, 500U, 0U, 0U);
+    ExpectAt(*rig, 27000U, 0U, 0U);
+    rig->Stand();
+    ExpectAt(*rig, 28000U, 0U, 0U);
+    ExpectToldAt(*rig, 28001U, 0U, 0U, kMissedBit);
+    // It is until 54501 now. When it stands for as long as 71999 us, then nothing is missed, and a request is due
+    rig->Stand();
+    rig->Request();
+    ExpectAt(*rig, 100000U, 0U, 2U);
+    Send(*rig);
+    // and what runs behind the pair is not moved
+    ExpectAt(*rig, 126500U, 0U, 0U);
+    ExpectToldAt(*rig, 126501U, 0U, 0U, kMissedBit);
+}
+
+TEST(ChannelBRefresh, SilenceOfTheApplicationDoesNotStandBeforeOneMaySend)
+{
+    Verifies(req::SRS_PROD_012);
+    // Given a call before which the initial delay was not over, when it stands, then it is silent from 500 on
+    const auto rig = Producing(ProducerForm::kApplicationSends, 25U);
+    rig->Stand();
+    ExpectAt(*rig, 499U, 0U, 0U);
+    rig->Stand();
+    ExpectAt(*rig, 600U, 0U, 0U);
+    ExpectAt(*rig, 27000U, 0U, 0U);
+    ExpectToldAt(*rig, 27001U, 0U, 0U, kMissedBit);
+    // nor does it stand in the call that makes it active again
+    EXPECT_EQ(rig->Leave().is_tx, 0U);
+    rig->Stand();
+    EXPECT_EQ(rig->Enter().is_tx, 1U);
+    EXPECT_EQ(rig->Cycle(27000U).signalled & 2U, 0U);
+    EXPECT_EQ(rig->Cycle(1U).signalled & 2U, 2U);
+}
+
+TEST(ChannelBRefresh, IsNotExaminedWhileItStandsHoweverFarBehind)
+{
+    Verifies(req::SRS_PROD_012);
+    Verifies(req::SRS_PROD_013);
+    // Given a refresh each 5 ms and no call from 500 to 20500, which examines that of 5500; that of 10500 is next
+    const auto rig = Provided(5U);
+    ExpectAt(*rig, 500U, 2U, 2U);
+    Send(*rig);
+    ExpectAt(*rig, 20500U, 2U, 2U);
+    Send(*rig);
+    // when it stands for 1000 us, then that does not fall due but in the next call
+    rig->Stand();
+    ExpectAt(*rig, 21500U, 0U, 0U);
+    ExpectAt(*rig, 22500U, 2U, 2U);
+    // when it stands while that one waits, then it goes on waiting, and the next one is not missed but in the next call
+    rig->Stand();
+    ExpectAt(*rig, 23500U, 2U, 2U);
+    ExpectToldAt(*rig, 24500U, 2U, 2U, kMissedBit);
+    // 24500: 17500 was missed | 24600: 22500 is missed | 27500, which is 25500 moved on twice
+    ExpectToldAt(*rig, 24600U, 2U, 2U, kMissedBit);
+    Send(*rig);
+    ExpectAt(*rig, 27499U, 0U, 0U);
+    ExpectAt(*rig, 27500U, 2U, 2U);
+    EXPECT_EQ(rig->Voice().View(1U).error_count, 2U);
+}
+
+TEST(ChannelBRefresh, StandsWithoutTheConfirmation)
+{
+    Verifies(req::SRS_PROD_012);
+    Verifies(req::SRS_PROD_008);
+    for (const ProducerForm form : {ProducerForm::kProviderCalled, ProducerForm::kApplicationSends})
+    {
+        // Given a pair in flight since 500, when its slot stands in the call behind SRVT of 20 ms
+        const auto rig = Producing(form, 25U);
+        rig->Request();
+        EXPECT_EQ(At(*rig, 500U).due, 2U);
+        static_cast<void>(Prepared(*rig));
+        rig->Stand();
+        ExpectAt(*rig, 20500U, 0U, 0U);
+        rig->Stand();
+        // then the confirmation is missing
+        ExpectToldAt(*rig, 20501U, 0U, 0U, kNoConfirmationBit);
+    }
+}
+
 } // namespace
 } // namespace counterpoint
