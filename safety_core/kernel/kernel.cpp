@@ -198,7 +198,7 @@ void Kernel::Cycle(const CycleCall& call) noexcept
         return;
     }
     ++run_.cycle;
-    production_.OnCycle(call.now.a);
+    production_.OnCycle(call.now.a, context_.config->cycle_us);
     if (ExamineSelf() != PartsView::kSound)
     {
         return; // No permit, no answer to the watchdog: the outputs close, and nobody can be called to be told.
@@ -211,13 +211,12 @@ void Kernel::Cycle(const CycleCall& call) noexcept
     const std::uint32_t token = context_.guard.Cycle(challenge, call.now.a);
     context_.parts.flow->Mark(FlowStep::kGuard, kDone);
 
-    const SrdoMask halted = production_.Halted(context_);
-    CycleInput input = TakeInput(call, challenge, token, halted);
+    CycleInput input = TakeInput(call, challenge, token);
     CycleOutcome outcome_a = context_.parts.channel_a.OnCycle(input);
     context_.parts.flow->Mark(FlowStep::kChannelA, FlowEvidence{outcome_a.cycle, run_.cycle});
     input.now = call.now.b;
     input.acknowledge = call.acknowledge_b;
-    input.stand = production_.StandOfB() | halted;
+    input.stand = production_.StandOfB() | production_.Halted(context_);
     input.nmt = second_nmt_.Take();
     CycleOutcome outcome_b = context_.parts.channel_b.OnCycle(input);
     context_.parts.flow->Mark(FlowStep::kChannelB, FlowEvidence{outcome_b.cycle, run_.cycle});
@@ -246,23 +245,22 @@ void Kernel::Cycle(const CycleCall& call) noexcept
 }
 
 // What channel A is given.
-CycleInput Kernel::TakeInput(const CycleCall& call, const std::uint32_t challenge, const std::uint32_t token,
-                             const SrdoMask halted) noexcept
+CycleInput Kernel::TakeInput(const CycleCall& call, const std::uint32_t challenge, const std::uint32_t token) noexcept
 {
-    SrdoMask request = halted;
+    SrdoMask request = 0U;
     NmtState nmt = NmtState::kPreOperational;
     // OPERATIONAL that was left and entered again between two cycles was left: the channels see one cycle outside of
     // it, and what was asked for since then waits for the next one. [SRS_KRN_010, SRS_KRN_222, SRS_KRN_224]
     if (!run_.left_operational)
     {
         nmt = context_.guard.Nmt();
-        request |= production_.TakeRequests();
+        request = production_.TakeRequests();
     }
     run_.left_operational = false;
     const QueueState queue = run_.queue;
     run_.queue = QueueState::kIntact;
-    return CycleInput{call.now.a, challenge, token, call.acknowledge_a, request, production_.StandOfA() | halted,
-                      nmt,        queue};
+    const SrdoMask stand = production_.StandOfA() | production_.Halted(context_);
+    return CycleInput{call.now.a, challenge, token, call.acknowledge_a, request, stand, nmt, queue};
 }
 
 void Kernel::SetNmtState(const NmtState state) noexcept

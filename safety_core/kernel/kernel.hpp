@@ -198,8 +198,8 @@ class Kernel
     }
     // What is used in one place alone is inline: the compiler then decides whether it needs a call of its own.
     [[nodiscard]] inline PartsView ExamineSelf() noexcept;
-    [[nodiscard]] inline CycleInput TakeInput(const CycleCall& call, std::uint32_t challenge, std::uint32_t token,
-                                              SrdoMask halted) noexcept;
+    [[nodiscard]] inline CycleInput TakeInput(const CycleCall& call, std::uint32_t challenge,
+                                              std::uint32_t token) noexcept;
 
     KernelRun run_{};
     SecondNmt second_nmt_{};

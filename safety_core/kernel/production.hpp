@@ -44,9 +44,15 @@ class Production
     /// refresh time. [SRS_KRN_013, SRS_KRN_042, SRS_KRN_225]
     [[nodiscard]] Result SendGfc(KernelContext& context) noexcept;
 
-    /// @brief A cycle begins at this instant of counter A.
-    void OnCycle(const Instant now) noexcept
+    /// @brief A cycle begins at this instant of counter A. A GFC that was sent before the first one counts from where a
+    /// cycle before that would have been. [SRS_KRN_225]
+    void OnCycle(const Instant now, const std::uint32_t cycle_us) noexcept
     {
+        if (!has_now_)
+        {
+            has_now_ = true;
+            gfc_until_.us += now.us - cycle_us;
+        }
         now_ = now;
     }
     /// @brief All producers in the device safe state, in which nothing is sent; else none. The channels then let their
@@ -137,6 +143,7 @@ class Production
     std::uint8_t transmitted_{};
     std::uint8_t transmitted_told_{};
     bool gfc_open_{};
+    bool has_now_{}; ///< There was a cycle since the start.
     std::uint32_t shortest_refresh_us_{}; ///< Of the producers; 0 without one.
     Instant gfc_until_{};                 ///< When an SRDO must have followed the GFC.
     Instant now_{};                       ///< By counter A.

@@ -50,11 +50,11 @@ constexpr Step kT6[] = {
     Inverse(2200U), Cycle(3000U), Masks(1U, 0U, 0U, 0U, 1U),
 };
 
-// A pair that comes 100 ms too late and waits for a call 200 ms late.
+// A pair that comes 100 ms too late, and a call 200 ms late: the limit of the first pair is told; the one behind has none.
 constexpr Step kT7[] = {
     Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Normal(151000U), Inverse(152000U),
     Cycle(203000U), Masks(0U, 1U, 0U, 1U, 0U),
-    Slot(0U, kFaulted, Cause::kSct, 0U, 2U, 0U), Signals(0U, Bit(Cause::kSct)),
+    Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U), Signals(0U, Bit(Cause::kSct)),
 };
 
 // An inverse frame 45 ms after the normal frame, both seen by one late call.

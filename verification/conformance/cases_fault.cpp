@@ -37,6 +37,19 @@ constexpr Step kFaultBetweenPairs[] = {
     Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kInverseFirst, 0U, 1U, 0U),
 };
 
+// A pair behind a fault has no SCT, however long the next call or frame is in coming.
+// t     1000       2000  2500  (52000 SCT)  52001
+//       I (fault)  N     I                  cycle: the fault alone
+constexpr Step kNoSctBehind[] = {
+    Configure(), Cycle(0U), Inverse(1000U), Normal(2000U), Inverse(2500U), Cycle(52001U), Masks(0U, 1U, 0U, 1U, 0U),
+    Slot(0U, kFaulted, Cause::kInverseFirst, 0U, 1U, 0U), Signals(0U, Bit(Cause::kInverseFirst)),
+    Inverse(53000U), Normal(54000U), Inverse(54500U), OtherNormal(104001U), OtherInverse(104500U), Cycle(105000U),
+    Slot(0U, kFaulted, Cause::kInverseFirst, 0U, 2U, 0U), Signals(0U, Bit(Cause::kInverseFirst)),
+    // The next pair has one again.
+    Normal(106000U), Inverse(106500U), Cycle(107000U), Masks(1U, 0U, 0U, 0U, 1U), Cycle(156000U), Masks(1U, 0U, 0U, 0U, 0U),
+    Cycle(156001U), Masks(0U, 1U, 0U, 1U, 0U), Signals(0U, Bit(Cause::kSct)),
+};
+
 // t     1000       2000  3000                      3500  4000
 //       I (fault)  N     cycle: N stays pending    I     released
 constexpr Step kPendingStays[] = {
@@ -136,6 +149,8 @@ constexpr Case kCases[] = {
     MakeCase("FaultDiscardsHeldPair", {req::SRS_CONS_012, req::SRS_CONS_013}, kGold, kDiscards),
     MakeCase("CycleThatReportsAFaultReleasesNothing", {req::SRS_CONS_013, req::SRS_CONS_020}, kGold, kReportingCycle),
     MakeCase("FaultBetweenTwoPairsOfOneCycle", {req::SRS_CONS_013}, kGold, kFaultBetweenPairs),
+    MakeCase("PairBehindAFaultHasNoSct", {req::SRS_CONS_013, req::SRS_CONS_014, req::SRS_CONS_003}, kGold,
+             kNoSctBehind),
     MakeCase("PendingFrameSurvivesTheReport", {req::SRS_CONS_013}, kGold, kPendingStays),
     MakeCase("CycleThatReportsAFaultReleasesNothingByAnEdge", {req::SRS_CONS_013, req::SRS_REL_005}, kGoldLocked,
              kWithEdge),

@@ -306,13 +306,24 @@ constexpr Step kSilentAfterGivingUp[] = {
 
 // A request that waits is no silence, even if nobody prepares it.
 constexpr Step kRequestWaits[] = {
-    Configure(), Cycle(0U), Cycle(2000U), Request(0U), Cycle(28501U), Due(1U), Signals(0U, 0U),
-    Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
+    Configure(), Cycle(0U), Cycle(2000U), Request(0U), Cycle(28500U), Due(1U), Signals(0U, 0U), Cycle(28501U), Due(1U),
+    Signals(0U, 0U), Cycle(55002U), Signals(0U, 0U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
+};
+
+// One that comes with the call that finds the time over comes too late: sent, and an error. It waits then like any.
+// t     2000   28501             28502    55002    60000     60001 prepared   86501 (on)   86502
+//       first  request: missed   waits    waits    request
+constexpr Step kRequestTooLate[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Request(0U), Cycle(28501U), Due(1U), Signals(0U, kMissedBit),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Cycle(28502U), Due(1U), Signals(0U, 0U), Cycle(55002U), Due(1U),
+    Signals(0U, 0U), Request(0U), Cycle(60000U), Due(1U), Signals(0U, 0U), Cycle(60001U), ReadyPair(0U), ConfirmFirst(0U, 60100U),
+    TakeSecond(0U), ConfirmSecond(0U, 60200U), Cycle(86501U), Due(0U), Signals(0U, 0U), Request(0U), Cycle(86502U), Due(1U),
+    Signals(0U, kMissedBit), ReadyPair(0U), Slot(0U, kProducing, Cause::kRefreshMissed, 1U, 2U, 0U),
 };
 
 // However long the request waits, a whole round of the counter included: silence counts from the pair prepared then.
 constexpr Step kRequestWaitsARound[] = {
-    Configure(), Cycle(0U), Cycle(2000U), Request(0U), Cycle(0x40000000U), Cycle(0x80000000U),
+    Configure(), Cycle(0U), Cycle(2000U), Request(0U), Cycle(3000U), Cycle(0x40000000U), Cycle(0x80000000U),
     Cycle(0xC0000000U), Cycle(3000U), Signals(0U, 0U), UnequalPair(0U, 0x6666U, 0x9999U),
     NotInverse(0U), Cycle(3001U), Signals(0U, Bit(Cause::kNotInverse)), Cycle(29500U), Signals(0U, 0U),
     Cycle(29501U), Signals(0U, kMissedBit), Slot(0U, kProducing, Cause::kNotInverse, 0U, 2U, 0U),
@@ -365,11 +376,30 @@ constexpr Step kStoodAndLeft[] = {
     Cycle(30999U), Due(0U), Cycle(31000U), Due(1U),
 };
 
-// Another form has no phase: silence is found at the same moment.
+// The time of an application stands as well, and is not examined meanwhile.
+// t     2000   10000          28501               55000 (on: 2000 + 26501 + 26500 = 55001)   55002
+//       first  stood 8000     stood 18501: 28503
 constexpr Step kStoodSender[] = {
-    Configure(), Cycle(0U), Cycle(2000U), Stand(0U), Cycle(10000U), Stand(0U), Cycle(28500U), Signals(0U, 0U),
-    Cycle(28501U), Signals(0U, kMissedBit),
+    Configure(), Cycle(0U), Cycle(2000U), Stand(0U), Cycle(10000U), Stand(0U), Cycle(28501U), Signals(0U, 0U),
+    Cycle(55001U), Signals(0U, 0U), Cycle(55002U), Signals(0U, kMissedBit), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U),
 };
+
+// It is not moved on in the call that enters OPERATIONAL, nor before the first possible transmission.
+constexpr Step kStoodSenderTooEarly[] = {
+    Configure(), Nmt(NmtState::kPreOperational), Cycle(0U), Nmt(NmtState::kOperational), Stand(0U), Cycle(1000U),
+    Stand(0U), Cycle(2500U), Stand(0U), Cycle(4000U), Cycle(29500U), Signals(0U, 0U), Cycle(29501U), Signals(0U, kMissedBit),
+};
+
+// However far behind the refresh is: the call in which the slot stands examines none, with one that waits and without.
+// t     2000       80000 (27000 waits)   80100 stood        80101 (52100)   80201 stood   80202 (77200)   80203
+//       due, used                        nothing falls due  due again       not missed    missed
+constexpr Step kStoodFarBehind[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 2100U), ConfirmSecond(0U, 2200U),
+    Cycle(80000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 80001U), ConfirmSecond(0U, 80002U), Stand(0U), Cycle(80100U), Due(0U), Refresh(0U),
+    Cycle(80101U), Due(1U), Refresh(1U), Signals(0U, 0U), Stand(0U), Cycle(80201U), Due(1U), Refresh(1U), Signals(0U, 0U), Cycle(80202U), Due(1U),
+    Refresh(1U), Signals(0U, kMissedBit), Cycle(80203U), Signals(0U, 0U), Slot(0U, kProducing, Cause::kRefreshMissed, 1U, 1U, 0U),
+};
+
 
 // A consumer and one that is off have nothing that stands.
 constexpr Step kStoodOthers[] = {
@@ -423,13 +453,16 @@ constexpr Case kCases[] = {
     MakeCase("SilenceAfterAnEarlyPrepare", {req::SRS_PROD_010, req::SRS_PROD_001}, kSender, kPreparedEarly),
     MakeCase("SilenceAfterAPairThatWasGivenUp", {req::SRS_PROD_010, req::SRS_PROD_005}, kSender, kSilentAfterGivingUp),
     MakeCase("RequestThatWaitsIsNoSilence", {req::SRS_PROD_010, req::SRS_PROD_003}, kSender, kRequestWaits),
+    MakeCase("RequestBehindTheTimeIsTooLate", {req::SRS_PROD_010, req::SRS_PROD_003}, kSender, kRequestTooLate),
     MakeCase("StoodRefreshMoves", {req::SRS_PROD_012, req::SRS_PROD_002, req::SRS_TIME_001}, kProvider,
              kStoodInTwoCycles),
     MakeCase("StoodWhileInFlight", {req::SRS_PROD_012}, kProvider, kStoodInFlight),
     MakeCase("StoodInTheCallInWhichItIsDue", {req::SRS_PROD_012}, kProvider, kStoodAtTheLast),
     MakeCase("StoodBeforeTheFirstTransmission", {req::SRS_PROD_012, req::SRS_PROD_001}, kProvider, kStoodAllAlong),
     MakeCase("StoodBeforeLeavingOperational", {req::SRS_PROD_012, req::SRS_PROD_011}, kProvider, kStoodAndLeft),
-    MakeCase("StoodApplicationIsSilentAllTheSame", {req::SRS_PROD_012}, kSender, kStoodSender),
+    MakeCase("StoodApplicationHasItsTimeMovedOn", {req::SRS_PROD_012, req::SRS_PROD_010}, kSender, kStoodSender),
+    MakeCase("StoodApplicationBeforeItsTimeRuns", {req::SRS_PROD_012, req::SRS_PROD_010}, kSender, kStoodSenderTooEarly),
+    MakeCase("StoodSlotIsNotExamined", {req::SRS_PROD_012, req::SRS_PROD_010}, kProvider, kStoodFarBehind),
     MakeCase("StoodConsumerIsNone", {req::SRS_PROD_012}, kMixed, kStoodOthers),
     MakeCase("ProviderIsNeverSilent", {req::SRS_PROD_010, req::SRS_PROD_002}, kProvider, kOtherForm),
 };

@@ -183,7 +183,32 @@ TEST_F(Sending, NoRefreshIsMissedInTheDeviceSafeState)
         EXPECT_EQ(reply.error_count, 0U);
         EXPECT_EQ(reply.first_cause, SrdoCause::kNone);
         EXPECT_TRUE(ports.sent.empty());
-        EXPECT_EQ(a.requests & ~SrdoMask{2U}, 0U);
+        EXPECT_EQ(a.requests, 0U);
+    }
+}
+
+// t [ms]   safe state   OPERATIONAL   80 (three refreshes behind)   160   240
+TEST_F(Sending, NoRefreshIsMissedInTheDeviceSafeStateHoweverFarApartTheCyclesAre)
+{
+    Verifies(req::SRS_KRN_004);
+    Verifies(req::SRS_PROD_012);
+    for (const ProducerForm form : {ProducerForm::kApplicationSends, ProducerForm::kProviderCalled})
+    {
+        setups[1].form = form;
+        Configure();
+        Cycle();
+        // Given the device safe state, when OPERATIONAL is entered, with a refresh time of 25 ms and cycles of 80 ms
+        kernel.DemandSafeState();
+        kernel.SetNmtState(NmtState::kOperational);
+        for (std::uint32_t cycle = 0U; cycle < 20U; ++cycle)
+        {
+            now_us += 79000U;
+            Cycle();
+        }
+        // Then nothing is told, and nothing is sent
+        EXPECT_TRUE(CausesOf(0x1303U).empty());
+        EXPECT_EQ(kernel.GetState(CommunicationIndex{0x1303U}).error_count, 0U);
+        EXPECT_TRUE(ports.sent.empty());
     }
 }
 
@@ -328,6 +353,26 @@ TEST_F(Sending, GfcThatIsSentAgainDoesNotPutTheSrdoOff)
     EXPECT_EQ(application.gfcs_not_followed, 0);
     Cycle();
     EXPECT_EQ(application.gfcs_not_followed, 1);
+}
+
+// t [ms]   Start, GFC   first cycle   + 24 (limit)   + 25
+TEST_F(Sending, GfcBeforeTheFirstCycleCountsFromOneCycleTimeBeforeIt)
+{
+    Verifies(req::SRS_KRN_225);
+    setups[1].form = ProducerForm::kApplicationSends;
+    for (const std::uint32_t before_us : {0U, 7000U, 0x80000000U - 8U, 0xFFFFFC18U - 728U})
+    {
+        SCOPED_TRACE(before_us);
+        Configure();
+        kernel.SetNmtState(NmtState::kOperational);
+        ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
+        application.gfcs_not_followed = 0;
+        now_us = before_us;
+        Cycles(25U);
+        EXPECT_EQ(application.gfcs_not_followed, 0);
+        Cycle();
+        EXPECT_EQ(application.gfcs_not_followed, 1);
+    }
 }
 
 TEST_F(Sending, ShortestRefreshTimeOfSeveralProducersCounts)

@@ -100,7 +100,8 @@ const Act kTooRareTakesCycle{"SRS_PROD_010", "the time holds the cycle"};
 const Act kTooRareTakesTolerance{"SRS_PROD_010", "the time holds the tolerance"};
 const Sum kTooRareSum{"SRS_PROD_010", "refresh time, and cycle and tolerance"};
 const Sum kTooRareCallSum{"SRS_PROD_010", "cycle and tolerance"};
-const Decision kTooRareRequest{"SRS_PROD_010", "a request waits"};
+const Decision kTooRareRequest{"SRS_PROD_010", "a request waits from before"};
+const Act kTooRareLate{"SRS_PROD_010", "a request of this very call does not wait from before"};
 const Decision kTooRareForm{"SRS_PROD_010", "the application sends"};
 const Act kTooRareFault{"SRS_PROD_010", "an application that sends too rarely is a fault"};
 const Act kTooRareAnew{"SRS_PROD_010", "the time counts anew after the fault"};
@@ -114,7 +115,9 @@ const Act kLeavesOrdinal{"SRS_PROD_011", "the number of pairs sent is 0"};
 const Act kLeavesState{"SRS_PROD_011", "the state is off"};
 const Act kEntersState{"SRS_CONS_025", "the state is kProducer"};
 const Act kStands{"SRS_PROD_012", "the refresh is moved on"};
-const Decision kStandForm{"SRS_PROD_012", "the form of a slot that stands"};
+const Act kStandsApplication{"SRS_PROD_012", "the time of an application that sends is moved on"};
+const Act kStandsUnexamined{"SRS_PROD_012", "a refresh that stands is not examined"};
+const Act kStandsUnexaminedApplication{"SRS_PROD_012", "an application whose time stands is not examined"};
 const Decision kStandDelay{"SRS_PROD_012", "the delay was over at the previous OnCycle"};
 const Act kStandDelayEqual{"SRS_PROD_012", "the delay over in the previous OnCycle itself counts"};
 const Decision kStandEntered{"SRS_PROD_012", "the slot was active before"};
@@ -258,7 +261,7 @@ void ExamineRefresh(const Common& common, Record& record) noexcept
 }
 
 /// Form kApplicationSends. [SRS_PROD_010]
-void ExamineApplication(const Common& common, Record& record) noexcept
+void ExamineApplication(const Common& common, Record& record, bool was_requested) noexcept
 {
     Transmission& to = record.transmission;
     const std::uint32_t cycle_us = kTooRareTakesCycle() ? kTooRareCycle(common.config.cycle_us) : 0U;
@@ -266,8 +269,8 @@ void ExamineApplication(const Common& common, Record& record) noexcept
         kTooRareTakesTolerance() ? kTooRareTolerance(common.config.cycle_tolerance_us) : 0U;
     const std::uint32_t refresh_us = kTooRareMs(kTooRareSct(record.stored.sct_ms));
     const std::uint32_t limit_us = kTooRareSum(refresh_us, kTooRareCallSum(cycle_us, tolerance_us));
-    if (kTooRare(common.now_us, to.base_us, kTooRareUs(limit_us)) && (!kTooRareRequest(to.is_requested)) &&
-        kTooRareFault())
+    const bool waits = was_requested || (to.is_requested && (!kTooRareLate()));
+    if (kTooRare(common.now_us, to.base_us, kTooRareUs(limit_us)) && (!kTooRareRequest(waits)) && kTooRareFault())
     {
         const SrdoCause cause = kMissedCause(kToldRare(SrdoCause::kRefreshMissed));
         FaultAs(record, cause, kMissedTold(kMissedTold2(cause)));
@@ -329,11 +332,14 @@ void CycleProducer(const Common& common, Record* records, const CycleInput& inpu
     const std::uint32_t elapsed_before = common.previous_us - to.entered_us;
     const std::uint32_t delay_us = DelayOf(common);
     const bool was_over = kStandDelayEqual() ? (elapsed_before >= delay_us) : (elapsed_before > delay_us);
-    if (is_standing && kStandForm(is_provider) && kStandEntered(was_active) && kStandDelay(was_over) && kStands())
+    const bool stands = is_standing && kStandEntered(was_active) && kStandDelay(was_over);
+    if (stands)
     {
         const std::uint32_t then_us = kStandDifference() ? common.previous_us : 0U;
-        to.next_us += kStandTime(common.now_us - then_us);
+        to.next_us += kStands() ? kStandTime(common.now_us - then_us) : 0U;
+        to.base_us += kStandsApplication() ? kStandTime(common.now_us - then_us) : 0U;
     }
+    const bool was_requested = to.is_requested;
     const bool is_requested = ((input.request >> slot) & 1U) != 0U;
     to.is_requested = to.is_requested || (is_requested && kRequests());
     const bool is_first = kBeforeRefresh();
@@ -343,13 +349,13 @@ void CycleProducer(const Common& common, Record* records, const CycleInput& inpu
     }
     if (IsReached(common.now_us, to.entered_us, delay_us))
     {
-        if (is_provider)
+        if (is_provider && (!(stands && kStandsUnexamined())))
         {
             ExamineRefresh(common, record);
         }
-        if (kTooRareForm(!is_provider))
+        if (kTooRareForm(!is_provider) && (!(stands && kStandsUnexaminedApplication())))
         {
-            ExamineApplication(common, record);
+            ExamineApplication(common, record, was_requested);
         }
     }
     if (!is_first)
