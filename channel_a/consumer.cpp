@@ -28,15 +28,20 @@ void TakeCommand(Voice& voice, const CanFrame& frame) noexcept
     }
 }
 
-// The limit that runs, if it has expired: with late detection it is always SCT. [SRS_CONS_014, SRS_TIME_003,
-// SRS_TIME_005, SRS_TIME_006, SRS_TIME_007, SRS_TIME_009]
+// The limit that runs, if it has expired: with late detection it is always SCT. A fault that is not told yet came
+// before the held pair, and SCT of such a pair never runs. [SRS_CONS_013, SRS_CONS_014, SRS_TIME_003, SRS_TIME_005,
+// SRS_TIME_006, SRS_TIME_007, SRS_TIME_009]
 SrdoCause ExpiredLimit(const Record& record, const bool has_pending, const Instant when) noexcept
 {
     if (!IsExpired(record, when))
     {
         return SrdoCause::kNone;
     }
-    return (has_pending && (record.detection != SrvtDetection::kLate)) ? SrdoCause::kSrvt : SrdoCause::kSct;
+    if (has_pending && (record.detection != SrvtDetection::kLate))
+    {
+        return SrdoCause::kSrvt;
+    }
+    return (record.unreported == 0U) ? SrdoCause::kSct : SrdoCause::kNone;
 }
 
 // With late detection SRVT counts for an inverse frame alone; where SCT has expired as well, that which did so longer

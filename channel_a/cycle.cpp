@@ -64,23 +64,18 @@ SrdoMask FollowLevels(Voice& voice, const SrdoMask reading) noexcept
     return low & both_high;
 }
 
-// What comes from outside is noted at the slots it is for: the phase that stood still, of those producers that are
-// called; an edge, which a slot that is off forgets when it is served; and what concerns every slot. [SRS_PROD_012,
-// SRS_REL_005]
-void NoteInputs(const Voice& voice, const SrdoMask standing, const SrdoMask edges) noexcept
+// What comes from outside is noted at the slots it is for: an edge, which a slot that is off forgets when it is served,
+// and what concerns every slot. [SRS_REL_005]
+void NoteInputs(const Voice& voice, const SrdoMask edges) noexcept
 {
     const bool concerns_all = voice.is_late || voice.has_overflow || voice.gfc_pending;
-    if (((standing | edges) == 0U) && !concerns_all)
+    if ((edges == 0U) && !concerns_all)
     {
         return;
     }
     for (std::size_t slot = 0U; slot < voice.count; ++slot)
     {
         Record& record = At(voice, slot);
-        if (IsIn(standing, slot) && (record.form == ProducerForm::kProviderCalled))
-        {
-            record.since.us += voice.step_us;
-        }
         if (IsIn(edges, slot))
         {
             record.grants.Set(Grant::kEdge, kYes);
@@ -94,22 +89,26 @@ void NoteInputs(const Voice& voice, const SrdoMask standing, const SrdoMask edge
     }
 }
 
-// Who is due, and by a refresh, is told by each slot when it is served; so those that are asked for are to be served.
-// [SRS_PROD_003, SRS_PROD_004]
-void NoteRequests(Voice& voice, const SrdoMask request) noexcept
+// Who is due, and by a refresh, is told by each slot when it is served; so those that were asked for, are it now, or
+// stand, are to be served. None stands whose initial delay was not over in the call before. [SRS_PROD_003,
+// SRS_PROD_004, SRS_PROD_012]
+Asked NoteAsked(Voice& voice, const CycleInput& input) noexcept
 {
+    const SrdoMask standing = voice.may_send ? (input.stand & voice.producers) : 0U;
+    const Asked asked{input.request & voice.producers, standing};
     if (AgeUs(voice.entered, voice.now) >= voice.first_delay_us)
     {
         voice.may_send = true; // Kept: the difference wraps after 71 minutes.
     }
     voice.origin = voice.may_send ? voice.now : voice.origin;
-    voice.wanted = (voice.wanted | request) & voice.producers;
     voice.outcome.refresh = 0U;
     voice.outcome.due = 0U;
-    for (SlotWalk walk{voice.wanted & SlotsOf(voice.count)}; walk.IsAtSlot(); walk.GoOn())
+    const SrdoMask concerned = voice.wanted | asked.requested | asked.standing;
+    for (SlotWalk walk{concerned & SlotsOf(voice.count)}; walk.IsAtSlot(); walk.GoOn())
     {
         Demand(At(voice, walk.Slot()), kLook);
     }
+    return asked;
 }
 
 // Signals stay for one cycle: the next one has to look at the slot again. [SRS_CONS_021]
@@ -125,7 +124,7 @@ void Signal(Voice& voice, const std::size_t slot, const std::uint32_t extra) noe
     }
 }
 
-void Serve(Voice& voice, const std::size_t slot) noexcept
+void Serve(Voice& voice, const std::size_t slot, const Asked& asked) noexcept
 {
     Record& record = At(voice, slot);
     record.todo = static_cast<std::uint8_t>(record.todo & ~kLook);
@@ -141,7 +140,7 @@ void Serve(Voice& voice, const std::size_t slot) noexcept
     }
     else if (role == Role::kProducer)
     {
-        ServeProducer(voice, slot);
+        ServeProducer(voice, slot, asked);
     }
     else
     {
@@ -155,7 +154,7 @@ void Serve(Voice& voice, const std::size_t slot) noexcept
 }
 
 // What is passed over has no limit that expired, is intact, and has nothing to tell, to wait for or to release.
-void ServeAll(Voice& voice) noexcept
+void ServeAll(Voice& voice, const Asked& asked) noexcept
 {
     const Instant now = voice.now;
     const Record* const records = voice.storage.records;
@@ -164,7 +163,7 @@ void ServeAll(Voice& voice) noexcept
     {
         if ((record->todo != 0U) || IsExpired(*record, now) || !record->grants.AreWhole())
         {
-            Serve(voice, static_cast<std::size_t>(record - records)); // MISRA D-002
+            Serve(voice, static_cast<std::size_t>(record - records), asked); // MISRA D-002
         }
     }
 }
@@ -184,10 +183,9 @@ CycleOutcome RunCycle(Voice& voice, const CycleInput& input) noexcept
     SetPermitted(voice, 0U); // Until Commit.
 
     FollowOperational(voice, input.nmt);
-    const SrdoMask standing = voice.may_send ? (input.stand & voice.producers) : 0U;
-    NoteRequests(voice, input.request);
-    NoteInputs(voice, standing, FollowLevels(voice, input.acknowledge));
-    ServeAll(voice);
+    const Asked asked = NoteAsked(voice, input);
+    NoteInputs(voice, FollowLevels(voice, input.acknowledge));
+    ServeAll(voice, asked);
     voice.gfc_pending = false;
 
     const CycleOutcome result = outcome;

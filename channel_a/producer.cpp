@@ -30,12 +30,17 @@ void Refresh(Record& record) noexcept
     record.refreshed = kYes;
 }
 
-// The limit of a producer is its next refresh.
-void ExamineRefresh(const Voice& voice, const std::size_t slot) noexcept
+// The limit of a producer is its next refresh; where that stands it moves on and is not examined. [SRS_PROD_012]
+void ExamineRefresh(const Voice& voice, const std::size_t slot, const bool stands) noexcept
 {
     Record& record = At(voice, slot);
     const bool is_called = record.form == ProducerForm::kProviderCalled;
     record.limit_us = SctUs(record) + (is_called ? 0U : voice.late_after_us);
+    if (stands)
+    {
+        record.since.us += voice.step_us;
+        return;
+    }
     if (!voice.may_send || !IsExpired(record, voice.now))
     {
         return;
@@ -117,14 +122,16 @@ void GiveUp(Voice& voice, const std::size_t slot, const SrdoCause cause) noexcep
     }
 }
 
-void ServeProducer(Voice& voice, const std::size_t slot) noexcept
+// The refresh is examined beside what waited before this call: a request of this one hides no fault. [SRS_PROD_010]
+void ServeProducer(Voice& voice, const std::size_t slot, const Asked& asked) noexcept
 {
     Record& record = At(voice, slot);
     if (AgeUs(record.frame_since, voice.now) > SrvtUs(record))
     {
         GiveUp(voice, slot, SrdoCause::kNoConfirmation); // [SRS_PROD_008]
     }
-    ExamineRefresh(voice, slot);
+    ExamineRefresh(voice, slot, IsIn(asked.standing, slot));
+    voice.wanted |= asked.requested & BitOf(slot);
     TellWhatWaits(voice, slot);
     if (record.grants.Is(Grant::kEdge, kYes) && (record.unreported == 0U))
     {

@@ -5,6 +5,7 @@
 #include "channel_a/voice.hpp"
 #include "safety_core/contract/can_frame.hpp"
 #include "safety_core/contract/channel.hpp"
+#include "safety_core/contract/srdo.hpp"
 #include "safety_core/contract/time.hpp"
 
 #include <cstddef>
@@ -13,8 +14,15 @@
 namespace counterpoint::channel_a
 {
 
-/// @brief A producer in a cycle: confirmation, refresh, acknowledge.
-void ServeProducer(Voice& voice, std::size_t slot) noexcept;
+/// Active producers of which the OnCycle that runs says something.
+struct Asked
+{
+    SrdoMask requested; ///< [SRS_PROD_003]
+    SrdoMask standing;  ///< [SRS_PROD_012]
+};
+
+/// @brief A producer in a cycle: confirmation, refresh, request, acknowledge.
+void ServeProducer(Voice& voice, std::size_t slot, const Asked& asked) noexcept;
 [[nodiscard]] PreparedPair PreparePair(Voice& voice, std::size_t slot) noexcept;
 /// @brief The inverse of what was read while its confirmation is awaited, else an empty frame. [SRS_PROD_006]
 [[nodiscard]] CanFrame InverseOf(const Voice& voice, std::size_t slot) noexcept;

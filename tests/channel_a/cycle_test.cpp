@@ -1,6 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 //
-// What channel A makes of the acknowledge inputs, cycle by cycle, and what it signals.
+// What channel A makes of the acknowledge inputs, cycle by cycle, what it signals, and which limits it examines.
 #include "tests/channel_a/device.hpp"
 #include "verification/trace/ids/channel.hpp"
 #include "verification/trace/verifies.hpp"
@@ -308,6 +308,135 @@ TEST_F(ChannelACycle, HasNoLimitWhereItWaitsHoweverLong)
     EXPECT_EQ(device.Cycle(2147482647U).waiting, kConsumerBit);
     EXPECT_EQ(device.clock_us, 0xFFFFFFFFU);
     EXPECT_EQ(device.channel.View(kConsumerSlot).error_count, 0U);
+}
+
+// An inverse frame without a normal one, then a pair, both behind the call at 1 ms.
+void CompleteBehindAFault(Device& device)
+{
+    static_cast<void>(device.Cycle());
+    device.Frame(0x112U, 8U, 0x11U, true);
+    device.Pair(8U, 0x21U);
+}
+
+std::uint32_t BitOf(SrdoCause cause)
+{
+    return std::uint32_t{1U} << static_cast<std::uint32_t>(cause);
+}
+
+// t       1000              61000                    61000    62000       111000     111001
+//         fault, a pair     the fault alone is told  a pair   released    in time    SCT
+TEST_F(ChannelACycle, HasNoSctForAPairBehindAFault)
+{
+    Verifies(req::SRS_CONS_013);
+    Verifies(req::SRS_CONS_014);
+    device.setups[0].policy = ReleasePolicy::kAutomatic;
+    Start();
+    // Given a pair behind a fault, which counts
+    CompleteBehindAFault(device);
+    EXPECT_EQ(device.channel.Held(kConsumerSlot).ordinal, 1U);
+    // When the call that tells the fault comes later than SCT
+    const CycleOutcome told = device.Cycle(60000U);
+    // Then that is the only cause, and the pair is gone
+    EXPECT_EQ(told.new_fault, kConsumerBit);
+    EXPECT_EQ(told.faulted, kConsumerBit);
+    EXPECT_EQ(told.ordinal_sum, 0U);
+    EXPECT_EQ(device.channel.View(kConsumerSlot).signals, BitOf(SrdoCause::kInverseFirst));
+    EXPECT_EQ(device.channel.View(kConsumerSlot).error_count, 1U);
+    EXPECT_EQ(device.channel.Held(kConsumerSlot).holds_pair, 0U);
+    // and of the next pair SCT runs
+    device.Pair(8U, 0x31U);
+    EXPECT_EQ(device.Cycle().released, kConsumerBit);
+    EXPECT_EQ(device.Cycle(49000U).released, kConsumerBit);
+    EXPECT_EQ(device.Cycle(1U).new_fault, kConsumerBit);
+    EXPECT_EQ(device.channel.View(kConsumerSlot).signals, BitOf(SrdoCause::kSct));
+}
+
+// t       1000              61000                      62000              62000
+//         fault, a pair     normal frame, no limit     fault is told      its inverse frame
+TEST_F(ChannelACycle, HasNoSctAtAFrameForAPairBehindAFault)
+{
+    Verifies(req::SRS_CONS_013);
+    Verifies(req::SRS_CONS_003);
+    device.setups[0].policy = ReleasePolicy::kAutomatic;
+    Start();
+    CompleteBehindAFault(device);
+    // When the next normal frame comes later than SCT, before the call that tells the fault
+    device.clock_us = 61000U;
+    device.Frame(0x111U, 8U, 0x31U);
+    EXPECT_EQ(device.channel.View(kConsumerSlot).error_count, 1U);
+    EXPECT_EQ(device.channel.Held(kConsumerSlot).ordinal, 1U);
+    // Then the fault alone is told, and the frame stays pending
+    EXPECT_EQ(device.Cycle().new_fault, kConsumerBit);
+    EXPECT_EQ(device.channel.View(kConsumerSlot).signals, BitOf(SrdoCause::kInverseFirst));
+    device.Frame(0x112U, 8U, 0x31U, true);
+    EXPECT_EQ(device.channel.Held(kConsumerSlot).ordinal, 1U);
+    EXPECT_EQ(device.Cycle().released, kConsumerBit);
+    EXPECT_EQ(device.channel.View(kConsumerSlot).error_count, 1U);
+}
+
+TEST_F(ChannelACycle, HasSrvtForAFrameBehindAFault)
+{
+    Verifies(req::SRS_CONS_014);
+    Verifies(req::SRS_CONS_013);
+    // Given a fault, a pair and half of the next one, in calls that are SRVT apart, then a microsecond more
+    for (const std::uint32_t elapsed_us : {20000U, 20001U})
+    {
+        Start();
+        CompleteBehindAFault(device);
+        device.Frame(0x111U, 8U, 0x31U);
+        EXPECT_EQ(device.Cycle(elapsed_us).new_fault, kConsumerBit);
+        EXPECT_EQ(device.channel.View(kConsumerSlot).error_count, (elapsed_us == 20000U) ? 1U : 2U);
+    }
+    EXPECT_EQ(device.channel.View(kConsumerSlot).signals, BitOf(SrdoCause::kInverseFirst) | BitOf(SrdoCause::kSrvt));
+}
+
+// t       1000                                 61000                     61000
+//         fault, a pair, half of the next      the fault alone is told   inverse frame: later than SRVT
+TEST_F(ChannelACycle, HasNoSctBehindAFaultWithLateDetection)
+{
+    Verifies(req::SRS_CONS_013);
+    Verifies(req::SRS_TIME_009);
+    device.setups[0].detection = SrvtDetection::kLate;
+    Start();
+    CompleteBehindAFault(device);
+    device.Frame(0x111U, 8U, 0x31U);
+    // When the call comes later than SCT of the pair, then it discards no pending frame
+    EXPECT_EQ(device.Cycle(60000U).new_fault, kConsumerBit);
+    EXPECT_EQ(device.channel.View(kConsumerSlot).signals, BitOf(SrdoCause::kInverseFirst));
+    EXPECT_EQ(device.channel.View(kConsumerSlot).error_count, 1U);
+    device.Frame(0x112U, 8U, 0x31U, true);
+    EXPECT_EQ(device.Cycle().new_fault, kConsumerBit);
+    EXPECT_EQ(device.channel.View(kConsumerSlot).signals, BitOf(SrdoCause::kSrvt) | BitOf(SrdoCause::kInverseFirst));
+}
+
+TEST_F(ChannelACycle, TellsALateCallBesideAPairBehindAFault)
+{
+    Verifies(req::SRS_CONS_015);
+    Verifies(req::SRS_CONS_013);
+    device.config.cycle_tolerance_us = 500U;
+    Start();
+    CompleteBehindAFault(device);
+    // Where no limit runs, none has expired in a late call
+    EXPECT_EQ(device.Cycle(60000U).new_fault, kConsumerBit);
+    EXPECT_EQ(device.channel.View(kConsumerSlot).signals,
+              BitOf(SrdoCause::kInverseFirst) | BitOf(SrdoCause::kLateCall));
+}
+
+TEST_F(ChannelACycle, ServesAtSctThoughAFlippedBitSaysThatAFaultCameBefore)
+{
+    Verifies(req::SRS_CONS_014);
+    Verifies(req::SRS_CONS_024);
+    device.setups[0].policy = ReleasePolicy::kAutomatic;
+    for (std::uint32_t bit = 0U; bit < 32U; ++bit)
+    {
+        // Given a released pair of 1 ms and a bit of what is not told yet that flips, when the next pair comes at 2 ms
+        Release(device);
+        ASSERT_EQ(device.channel.View(kConsumerSlot).state, SrdoState::kReleased) << "bit " << bit;
+        fenced->fence.storage.records[kConsumerSlot].unreported = std::uint32_t{1U} << bit;
+        device.Pair(8U, 0x21U);
+        // Then the consumer is safe when SCT of that is over
+        EXPECT_EQ(device.Cycle(50001U).released, 0U) << "bit " << bit;
+    }
 }
 
 } // namespace
