@@ -397,7 +397,7 @@ constexpr Step kStoodFarBehind[] = {
     Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 2100U), ConfirmSecond(0U, 2200U),
     Cycle(80000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 80001U), ConfirmSecond(0U, 80002U), Stand(0U), Cycle(80100U), Due(0U), Refresh(0U),
     Cycle(80101U), Due(1U), Refresh(1U), Signals(0U, 0U), Stand(0U), Cycle(80201U), Due(1U), Refresh(1U), Signals(0U, 0U), Cycle(80202U), Due(1U),
-    Refresh(1U), Signals(0U, kMissedBit), Cycle(80203U), Signals(0U, 0U), Slot(0U, kProducing, Cause::kRefreshMissed, 1U, 1U, 0U),
+    Refresh(1U), Signals(0U, kMissedBit), Cycle(80203U), Signals(0U, 0U), Slot(0U, kProducing, Cause::kRefreshMissed, 2U, 1U, 0U),
 };
 
 

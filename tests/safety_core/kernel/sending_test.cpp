@@ -187,23 +187,30 @@ TEST_F(Sending, NoRefreshIsMissedInTheDeviceSafeState)
     }
 }
 
-// t [ms]   safe state   OPERATIONAL   80 (three refreshes behind)   160   240
-TEST_F(Sending, NoRefreshIsMissedInTheDeviceSafeStateHoweverFarApartTheCyclesAre)
+// t [us]   safe state, OPERATIONAL   0   999   1000 (first possible)   2499 (falls due; the next one is over)   3999 ...
+TEST_F(Sending, NoRefreshIsMissedInTheDeviceSafeStateHoweverTheCyclesLie)
 {
     Verifies(req::SRS_KRN_004);
     Verifies(req::SRS_PROD_012);
     for (const ProducerForm form : {ProducerForm::kApplicationSends, ProducerForm::kProviderCalled})
     {
         setups[1].form = form;
+        // Given a refresh time of 1 ms, and cycles of 1 ms with a tolerance of 0.5 ms
         Configure();
-        Cycle();
-        // Given the device safe state, when OPERATIONAL is entered, with a refresh time of 25 ms and cycles of 80 ms
+        ASSERT_EQ(Write(0x1303U, 1U, 0U, 1U), AbortCode::kNone);
+        ASSERT_EQ(Write(0x1303U, 2U, 1U, 2U), AbortCode::kNone);
+        ASSERT_EQ(Write(0x1303U, 1U, 1U, 1U), AbortCode::kNone);
+        const SignReply signature = kernel.Sign(CommunicationIndex{0x1303U});
+        ASSERT_EQ(Write(0x13FFU, 3U, signature.signature, 2U), AbortCode::kNone);
+        ASSERT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+        // When OPERATIONAL is entered in the device safe state
         kernel.DemandSafeState();
         kernel.SetNmtState(NmtState::kOperational);
+        Cycle();
         for (std::uint32_t cycle = 0U; cycle < 20U; ++cycle)
         {
-            now_us += 79000U;
-            Cycle();
+            now_us += (cycle == 0U) ? 999U : 1500U;
+            kernel.Cycle(CycleCall{InstantPair{{now_us}, {now_us}}, 0U, 0U});
         }
         // Then nothing is told, and nothing is sent
         EXPECT_TRUE(CausesOf(0x1303U).empty());
