@@ -128,6 +128,7 @@ const Decision kUnlessExpired{"SRS_CONS_015", "a limit has expired in this call"
 const Act kOverflow{"SRS_CONS_016", "a queue overflow is a fault"};
 const Act kGfc{"SRS_CONS_017", "a GFC is a fault"};
 const Act kDiscardsAll{"SRS_CONS_013", "the cycle that reports a fault discards pair and ordinal"};
+const Decision kBehindFault{"SRS_CONS_013", "a pair is behind a fault"};
 const Act kNoSctAtFrame{"SRS_CONS_013", "at a frame a pair behind a fault has no SCT"};
 const Act kNoSctInCycle{"SRS_CONS_013", "in the cycle a pair behind a fault has no SCT"};
 const Act kDiscards{"SRS_CONS_013", "the cycle that reports a fault discards a pair held since"};
@@ -205,7 +206,7 @@ bool IsSctOver(const Record& record, std::uint32_t now_us, bool is_frame) noexce
     const bool is_held = is_frame ? kHeldAtFrame(at.is_held) : kHeldInCycle(at.is_held);
     // Both say the same unless one of them is broken.
     const bool plain = (now_us - at.held_us) > (static_cast<std::uint32_t>(record.stored.sct_ms) * 1000U);
-    const bool is_behind = record.has_fault && (is_frame ? kNoSctAtFrame() : kNoSctInCycle());
+    const bool is_behind = kBehindFault(record.has_fault) && (is_frame ? kNoSctAtFrame() : kNoSctInCycle());
     return is_held && (!is_behind) && ((is_over != plain) ? is_over : is_any_over);
 }
 

@@ -28,6 +28,7 @@ const Act kPhase{"SRS_PROD_002", "the refresh goes on"};
 const Act kExactPhase{"SRS_PROD_002", "exact addition, whatever the jitter"};
 const Act kFirstRefresh{"SRS_PROD_002", "the first refresh is at the initial delay"};
 const Act kRequests{"SRS_PROD_003", "a request counts"};
+const Either kRequestsTogether{"SRS_PROD_003", "a request of this call, or one that waits"};
 const Decision kDueRequest{"SRS_PROD_003", "a request makes due"};
 const Decision kDueInFlight{"SRS_PROD_004", "no pair is in flight"};
 const Decision kDueRefresh{"SRS_PROD_004", "a refresh makes due until Prepare"};
@@ -115,6 +116,7 @@ const Act kLeavesOrdinal{"SRS_PROD_011", "the number of pairs sent is 0"};
 const Act kLeavesState{"SRS_PROD_011", "the state is off"};
 const Act kEntersState{"SRS_CONS_025", "the state is kProducer"};
 const Act kStands{"SRS_PROD_012", "the refresh is moved on"};
+const Place kStandingSlot{"SRS_PROD_012", "slot that is asked whether it stands"};
 const Act kStandsApplication{"SRS_PROD_012", "the time of an application that sends is moved on"};
 const Act kStandsUnexamined{"SRS_PROD_012", "a refresh that stands is not examined"};
 const Act kStandsUnexaminedApplication{"SRS_PROD_012", "an application whose time stands is not examined"};
@@ -328,7 +330,9 @@ void CycleProducer(const Common& common, Record* records, const CycleInput& inpu
     Record& record = records[slot];
     Transmission& to = record.transmission;
     const bool is_provider = kProvider(record.setup.form == ProducerForm::kProviderCalled);
-    const bool is_standing = ((input.stand >> slot) & 1U) != 0U;
+    const SlotIndex asked = kStandingSlot(slot);
+    const bool is_asked = records[asked].is_active && IsProducer(records[asked]);
+    const bool is_standing = is_asked && (((input.stand >> asked) & 1U) != 0U);
     const std::uint32_t elapsed_before = common.previous_us - to.entered_us;
     const std::uint32_t delay_us = DelayOf(common);
     const bool was_over = kStandDelayEqual() ? (elapsed_before >= delay_us) : (elapsed_before > delay_us);
@@ -341,7 +345,7 @@ void CycleProducer(const Common& common, Record* records, const CycleInput& inpu
     }
     const bool was_requested = to.is_requested;
     const bool is_requested = ((input.request >> slot) & 1U) != 0U;
-    to.is_requested = to.is_requested || (is_requested && kRequests());
+    to.is_requested = kRequestsTogether(to.is_requested, is_requested && kRequests());
     const bool is_first = kBeforeRefresh();
     if (is_first)
     {
