@@ -50,6 +50,8 @@ enum class Flaw : std::uint8_t
     kRequestAlone,    ///< A request does not wait for the refresh of the other channel.
     kNothingStands,   ///< The counter that is ahead does not wait.
     kHalfConfirmed,   ///< What was confirmed too late for one channel alone stays on its way in the other.
+    kBehindFault,     ///< A pair behind a fault that is not told yet starts SCT.
+    kMissesStanding,  ///< A refresh that stands is examined.
 };
 
 /// What a mapping entry says.

@@ -79,6 +79,7 @@ ConsumerRules Device::RulesOf(const Srdo& srdo) const
     rules.is_automatic = srdo.setup->policy == ReleasePolicy::kAutomatic;
     rules.acknowledge_window_us = config_.acknowledge_window_us;
     rules.is_one_reading_enough = flaw_ == Flaw::kEdgeAtOnce;
+    rules.counts_behind_fault = flaw_ == Flaw::kBehindFault;
     return rules;
 }
 
@@ -95,6 +96,7 @@ ProducerRules Device::SendingOf(const Srdo& srdo) const
     rules.mask = MaskOf(bits);
     rules.is_called = srdo.setup->form == ProducerForm::kProviderCalled;
     rules.is_refresh_skipped = flaw_ == Flaw::kRefreshSkipped;
+    rules.misses_standing = flaw_ == Flaw::kMissesStanding;
     return rules;
 }
 

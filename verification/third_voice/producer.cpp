@@ -36,6 +36,7 @@ void Producer::Request()
 
 void Producer::Look(const Time now, const bool is_standing)
 {
+    const bool is_examined = !is_standing || rules_.misses_standing;
     if (is_standing && looked_ && *looked_ >= first_)
     {
         next_ += now - *looked_;
@@ -45,7 +46,7 @@ void Producer::Look(const Time now, const bool is_standing)
     {
         Fail(SrdoCause::kNoConfirmation);
     }
-    if (rules_.is_called && now >= next_)
+    if (rules_.is_called && is_examined && now >= next_)
     {
         next_ += rules_.refresh_us;
         ++refreshes_;

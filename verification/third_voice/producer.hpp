@@ -22,6 +22,7 @@ struct ProducerRules
     std::uint64_t mask{0U};         ///< Mapped bits; above them the normal frame has 0, the inverse one 1.
     bool is_called{false};          ///< The kernel calls before each refresh; else the application sends.
     bool is_refresh_skipped{false}; ///< Flaw: one that falls due while a pair is on its way does not wait.
+    bool misses_standing{false};    ///< Flaw: one that stands is examined.
 };
 
 /// A frame that leaves the device.
@@ -48,7 +49,7 @@ class Producer
     [[nodiscard]] bool IsActive() const;
     void Request();
     /// @brief Limits and refresh at the instant of a call. `is_standing`: the refresh moves on by the time since the
-    /// call before.
+    /// call before, and is not examined.
     void Look(Time now, bool is_standing);
     /// @brief Whether a pair is to be sent now.
     [[nodiscard]] bool IsDue() const;
