@@ -52,6 +52,8 @@ enum class Flaw : std::uint8_t
     kHalfConfirmed,   ///< What was confirmed too late for one channel alone stays on its way in the other.
     kBehindFault,     ///< A pair behind a fault that is not told yet starts SCT.
     kMissesStanding,  ///< A refresh that stands is examined.
+    kLateIsInTime,    ///< A request that comes in the call that finds it late is in time.
+    kSilenceShorter,  ///< Silence of an application has no late cycle's grace.
 };
 
 /// What a mapping entry says.

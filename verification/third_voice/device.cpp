@@ -97,6 +97,8 @@ ProducerRules Device::SendingOf(const Srdo& srdo) const
     rules.is_called = srdo.setup->form == ProducerForm::kProviderCalled;
     rules.is_refresh_skipped = flaw_ == Flaw::kRefreshSkipped;
     rules.misses_standing = flaw_ == Flaw::kMissesStanding;
+    rules.any_request_will_do = flaw_ == Flaw::kLateIsInTime;
+    rules.late_cycle_us = Time{config_.cycle_us} + ((flaw_ == Flaw::kSilenceShorter) ? 0 : config_.cycle_tolerance_us);
     return rules;
 }
 

@@ -438,12 +438,12 @@ class Sequence
         result_.releases += static_cast<std::uint32_t>(expected.events.size());
         result_.faults += static_cast<std::uint32_t>(expected.signals.size());
         const Sparing sparing{!is_asked_ && speaks_between_, !is_asked_ && !model_->Configured().IsValid()};
-        const std::string right = TextOf(expected, drawing_.setups, sparing);
+        const std::string right = TextOf(expected, sparing);
         if (!right.empty())
         {
             Tell("expected:" + right);
         }
-        const std::string told = TextOf(found, drawing_.setups, sparing);
+        const std::string told = TextOf(found, sparing);
         Require(told == right, "told behind " + behind + ":" + told, right);
         for (const Sent& frame : expected.frames)
         {
