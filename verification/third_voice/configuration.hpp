@@ -54,6 +54,9 @@ enum class Flaw : std::uint8_t
     kMissesStanding,  ///< A refresh that stands is examined.
     kLateIsInTime,    ///< A request that comes in the call that finds it late is in time.
     kSilenceShorter,  ///< Silence of an application has no late cycle's grace.
+    kGfcPutOff,       ///< A GFC that is sent again begins its time anew.
+    kGfcFromCycle,    ///< Behind a start the time of a GFC begins with the first cycle, not one cycle time before.
+    kGfcFollowed,     ///< A frame that the controller did not take follows a GFC.
 };
 
 /// What a mapping entry says.

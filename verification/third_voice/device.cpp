@@ -46,6 +46,8 @@ void Device::Start(const std::vector<SrdoObjects>& objects, const std::uint32_t 
     }
     configuration_.SetGfcParameter(gfc_parameter);
     configuration_.Start();
+    called_.reset();
+    has_sent_gfc_ = false;
     nmt_ = NmtState::kInitialising;
     is_running_ = false;
 }
@@ -281,6 +283,8 @@ void Device::Cycle(const Time now, const SrdoMask acknowledge_a, const SrdoMask 
             Produce(srdo, now);
         }
     }
+    LookAtGfc(now);
+    called_ = now;
 }
 
 /// At most once per SCT (or refresh time) and cause. [semantics 2]
@@ -349,7 +353,55 @@ void Device::Produce(Srdo& srdo, const Time now)
     const bool is_sound_b = srdo.producers[1].Prepare(normal, inverse, drift_.ByB(now));
     if (is_sound_a && is_sound_b)
     {
+        const bool is_taken = !refused_;
         HandOver(srdo, srdo.producers[0].Normal());
+        has_sent_gfc_ = has_sent_gfc_ && !is_taken && flaw_ != Flaw::kGfcFollowed;
+    }
+}
+
+/// Of the producers, 0 without one.
+Time Device::ShortestRefresh() const
+{
+    Time shortest = 0;
+    for (const Srdo& srdo : srdos_)
+    {
+        const Time refresh = kUsPerMs * srdo.objects->sct_ms;
+        const bool is_shorter = shortest == 0 || refresh < shortest;
+        if (srdo.objects->direction == kDirectionProducer && is_shorter)
+        {
+            shortest = refresh;
+        }
+    }
+    return shortest;
+}
+
+bool Device::SendGfc()
+{
+    if (nmt_ != NmtState::kOperational || !configuration_.IsGfcOn())
+    {
+        return false;
+    }
+    seen_.frames.push_back({kGfcIdentifier, {}});
+    if (!has_sent_gfc_ || flaw_ == Flaw::kGfcPutOff) // One that is sent again does not put the first one off.
+    {
+        follow_us_ = ShortestRefresh();
+        gfc_at_ = called_;
+    }
+    has_sent_gfc_ = true;
+    return true;
+}
+
+/// Behind the normal frames of this cycle.
+void Device::LookAtGfc(const Time now)
+{
+    if (has_sent_gfc_ && !gfc_at_)
+    {
+        gfc_at_ = now - ((flaw_ == Flaw::kGfcFromCycle) ? 0 : Time{config_.cycle_us});
+    }
+    if (has_sent_gfc_ && now - *gfc_at_ > follow_us_)
+    {
+        has_sent_gfc_ = false;
+        ++seen_.unfollowed;
     }
 }
 

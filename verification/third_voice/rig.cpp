@@ -148,6 +148,7 @@ void Rig::OnGfc() noexcept
 
 void Rig::OnGfcNotFollowed() noexcept
 {
+    ++seen_.unfollowed;
 }
 
 void Rig::OnConfigurationInvalid(CommunicationIndex /*index*/) noexcept

@@ -381,6 +381,11 @@ class Sequence
         const std::optional<SrdoCause> cause =
             dice_.Chance(3U) ? std::optional{dice_.Pick({SrdoCause::kTransmitQueue, SrdoCause::kBusOff})}
                              : std::nullopt;
+        Refuse(cause);
+    }
+
+    void Refuse(const std::optional<SrdoCause> cause)
+    {
         rig_->RefuseNext(cause);
         model_->RefuseNext(cause);
         has_refused_ = cause.has_value();
@@ -421,6 +426,20 @@ class Sequence
         }
     }
 
+    /// Often two in a row, and behind a start before the first cycle.
+    void SendGfc()
+    {
+        const bool is_first = result_.steps < 2U;
+        if (nmt_ != NmtState::kOperational || !model_->Configured().IsValid() || !dice_.Chance(is_first ? 20U : 3U))
+        {
+            return;
+        }
+        Refuse(std::nullopt);
+        const bool is_sent = rig_->Facade().SendGfc() == Result::kSuccessful;
+        Tell("send GFC");
+        Compare("sent GFC", is_sent, model_->SendGfc());
+    }
+
     void Speak(Talker& talker)
     {
         const CanFrame frame = talker.Speak(ObjectsOf(talker.number), dice_);
@@ -447,7 +466,8 @@ class Sequence
         Require(told == right, "told behind " + behind + ":" + told, right);
         for (const Sent& frame : expected.frames)
         {
-            if (result_.is_equal && (!has_refused_ || &frame != &expected.frames.front()))
+            const bool is_srdo = !frame.data.empty();
+            if (is_srdo && result_.is_equal && (!has_refused_ || &frame != &expected.frames.front()))
             {
                 Launch(frame);
             }
@@ -470,6 +490,7 @@ class Sequence
         now_ = at;
         const Readings readings = buttons_.Next(dice_);
         Apply();
+        SendGfc();
         Refuse();
         std::ostringstream text;
         text << "cycle, acknowledge " << readings.a << " " << readings.b;
