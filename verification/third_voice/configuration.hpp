@@ -56,6 +56,9 @@ enum class Flaw : std::uint8_t
     kSilenceShorter,  ///< Silence of an application has no late cycle's grace.
     kGfcPutOff,       ///< A GFC that is sent again begins its time anew.
     kGfcFromCycle,    ///< Behind a start the time of a GFC begins with the first cycle, not one cycle time before.
+    kMissedInLevel2,  ///< In level 2 a refresh is missed.
+    kSentInLevel2,    ///< In level 2 the inverse frame follows its normal frame.
+    kKeepsInLevel2,   ///< In level 2 the objects keep what was released.
     kGfcFollowed,     ///< A frame that the controller did not take follows a GFC.
 };
 

@@ -225,7 +225,15 @@ void Device::Decide(Srdo& srdo, const Time now)
     const bool is_first = flaw_ == Flaw::kOneEdgeIsEnough;
     const bool is_given = (a.State() == SrdoState::kReleased && b.State() == SrdoState::kReleased) ||
                           (is_first && (a.State() == SrdoState::kReleased || b.State() == SrdoState::kReleased));
-    if (is_given && a.Ordinal() == b.Ordinal() && a.Data() == b.Data())
+    if (is_level_2_)
+    {
+        srdo.is_released = false;
+        if (flaw_ != Flaw::kKeepsInLevel2)
+        {
+            WriteSafe(srdo);
+        }
+    }
+    else if (is_given && a.Ordinal() == b.Ordinal() && a.Data() == b.Data())
     {
         if (!srdo.is_released || srdo.written_ordinal != a.Ordinal())
         {
@@ -283,6 +291,8 @@ void Device::Cycle(const Time now, const SrdoMask acknowledge_a, const SrdoMask 
             Produce(srdo, now);
         }
     }
+    seen_.faults += (is_level_2_ && !has_told_level_2_) ? 1 : 0;
+    has_told_level_2_ = is_level_2_;
     LookAtGfc(now);
     called_ = now;
 }
@@ -331,6 +341,12 @@ bool Device::LookAtProducer(Srdo& srdo, const Time now)
 {
     Producer& a = srdo.producers[0];
     Producer& b = srdo.producers[1];
+    if (is_level_2_ && flaw_ != Flaw::kMissedInLevel2)
+    {
+        a.LookHalted(now);
+        b.LookHalted(drift_.ByB(now));
+        return false;
+    }
     a.Look(now, srdo.stands[0]);
     b.Look(drift_.ByB(now), srdo.stands[1]);
     const bool is_ahead_a = a.Refreshes() > b.Refreshes();
@@ -338,7 +354,7 @@ bool Device::LookAtProducer(Srdo& srdo, const Time now)
     const bool anything_stands = flaw_ != Flaw::kNothingStands;
     srdo.stands = {is_ahead_a && anything_stands, is_ahead_b && anything_stands};
     const bool waits = (is_ahead_a || is_ahead_b) && flaw_ != Flaw::kRequestAlone;
-    return a.IsDue() && b.IsDue() && !waits;
+    return a.IsDue() && b.IsDue() && !waits && !is_level_2_;
 }
 
 void Device::Produce(Srdo& srdo, const Time now)
@@ -377,7 +393,7 @@ Time Device::ShortestRefresh() const
 
 bool Device::SendGfc()
 {
-    if (nmt_ != NmtState::kOperational || !configuration_.IsGfcOn())
+    if (nmt_ != NmtState::kOperational || !configuration_.IsGfcOn() || is_level_2_)
     {
         return false;
     }
@@ -389,6 +405,16 @@ bool Device::SendGfc()
     }
     has_sent_gfc_ = true;
     return true;
+}
+
+void Device::DemandSafeState()
+{
+    is_level_2_ = true;
+}
+
+bool Device::IsInLevel2() const
+{
+    return is_level_2_;
 }
 
 /// Behind the normal frames of this cycle.
@@ -428,6 +454,10 @@ void Device::Put(const Address address, const std::uint64_t value)
 
 void Device::Send(const std::uint8_t number)
 {
+    if (is_level_2_)
+    {
+        return;
+    }
     Srdo& srdo = srdos_[configuration_.SlotOf(number).value()];
     srdo.producers[0].Request();
     srdo.producers[1].Request();
@@ -447,7 +477,7 @@ void Device::OnConfirm(const Sent& frame, const Time stamp)
                 srdo.Fail(SrdoCause::kNoConfirmation);
             }
         }
-        else if (by_a == Confirmed::kNormal)
+        else if (by_a == Confirmed::kNormal && (!is_level_2_ || flaw_ == Flaw::kSentInLevel2))
         {
             HandOver(srdo, srdo.producers[1].Inverse());
         }

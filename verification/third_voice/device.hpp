@@ -25,6 +25,7 @@ struct Seen
     std::vector<Sent> frames;                                ///< What left.
     int gfcs{0};
     int unfollowed{0}; ///< Own GFCs that no SRDO followed.
+    int faults{0};     ///< Of the device.
     bool is_configuration_invalid{false};
 };
 
@@ -49,6 +50,8 @@ class Device
     void Send(std::uint8_t number);
     /// @brief Whether it leaves.
     [[nodiscard]] bool SendGfc();
+    /// @brief Level 2, for ever. The next cycle closes everything and tells it.
+    void DemandSafeState();
     /// @brief Of the next frame that leaves: what the controller says.
     void RefuseNext(std::optional<SrdoCause> cause);
     void OnConfirm(const Sent& frame, Time stamp);
@@ -57,6 +60,7 @@ class Device
     [[nodiscard]] std::uint64_t Variable(Address address) const;
     [[nodiscard]] const Configuration& Configured() const;
     [[nodiscard]] SrdoState StateOf(std::uint8_t number) const;
+    [[nodiscard]] bool IsInLevel2() const;
     [[nodiscard]] SrdoMask Open() const;
     /// @brief When the next refresh of a producer falls due in channel A.
     [[nodiscard]] Time NextRefresh(std::uint8_t number) const;
@@ -114,6 +118,8 @@ class Device
     bool is_running_{false};           ///< OPERATIONAL with a valid configuration.
     std::optional<SrdoCause> refused_; ///< What becomes of the next frame that leaves.
     bool is_open_{false};
+    bool is_level_2_{false};
+    bool has_told_level_2_{false};
     std::optional<Time> called_; ///< The last cycle since the start.
     bool has_sent_gfc_{false};   ///< And no normal frame since.
     Time follow_us_{0};          ///< For how long one may follow, and

@@ -45,10 +45,7 @@ void Producer::Look(const Time now, const bool is_standing)
         next_ += now - *looked_;
     }
     looked_ = now;
-    if (flight_ && now - since_ > rules_.srvt_us)
-    {
-        Fail(SrdoCause::kNoConfirmation);
-    }
+    LookAtFlight(now);
     if (rules_.is_called && is_examined && now >= next_)
     {
         next_ += rules_.refresh_us;
@@ -66,6 +63,19 @@ void Producer::Look(const Time now, const bool is_standing)
     }
     is_requested_ = is_requested_ || is_asked_;
     is_asked_ = false;
+}
+
+void Producer::LookHalted(const Time now)
+{
+    LookAtFlight(now);
+}
+
+void Producer::LookAtFlight(const Time now)
+{
+    if (flight_ && now - since_ > rules_.srvt_us)
+    {
+        Fail(SrdoCause::kNoConfirmation);
+    }
 }
 
 /// A pair that comes later than the refresh time and a late cycle is an error, also where it comes with the very call

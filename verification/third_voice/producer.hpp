@@ -54,6 +54,8 @@ class Producer
     /// @brief Limits and refresh at the instant of a call. `is_standing`: the refresh moves on by the time since the
     /// call before, and is not examined.
     void Look(Time now, bool is_standing);
+    /// @brief The same in level 2: nothing falls due or is missed.
+    void LookHalted(Time now);
     /// @brief Whether a pair is to be sent now.
     [[nodiscard]] bool IsDue() const;
     /// @brief Whether a refresh fell due that no pair has used up.
@@ -72,6 +74,7 @@ class Producer
     [[nodiscard]] std::set<SrdoCause> TakeCauses();
 
   private:
+    void LookAtFlight(Time now);
     void LookAtSilence(Time now);
     [[nodiscard]] Sent FrameOf(std::uint32_t identifier, std::uint64_t data) const;
 

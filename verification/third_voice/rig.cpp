@@ -158,6 +158,7 @@ void Rig::OnConfigurationInvalid(CommunicationIndex /*index*/) noexcept
 
 void Rig::OnDeviceFault(const DeviceFaultReport& /*report*/) noexcept
 {
+    ++seen_.faults;
 }
 
 void Rig::OnFlow(const FlowCount& /*count*/) noexcept

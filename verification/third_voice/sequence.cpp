@@ -22,6 +22,7 @@ namespace
 constexpr Time kMs = 1000;
 constexpr std::size_t kStoryLines = 90U;
 constexpr std::uint32_t kCycles = 300U;
+constexpr std::uint32_t kCyclesInLevel2 = 40U;
 
 /// A frame of the device that is going to be on the bus.
 struct Flight
@@ -41,9 +42,15 @@ class Sequence
     SequenceResult Run()
     {
         MakeDevice();
+        const std::uint32_t demanded =
+            dice_.Chance(20U) ? dice_.Below(kCycles) : kCycles; // The last phase, mostly none.
         Configure();
-        for (std::uint32_t cycle = 0U; cycle < kCycles && GoesOn(); ++cycle)
+        for (std::uint32_t cycle = 0U; cycle < std::min(kCycles, demanded + kCyclesInLevel2) && GoesOn(); ++cycle)
         {
+            if (cycle == demanded)
+            {
+                DemandSafeState();
+            }
             const Time last = now_;
             const Time due = NextCall();
             Between(last, due);
@@ -276,6 +283,11 @@ class Sequence
     /// Leaves OPERATIONAL, changes something, comes back; with a cycle in between or without.
     void Reconfigure()
     {
+        if (model_->IsInLevel2())
+        {
+            EnterAgain();
+            return;
+        }
         SetNmt(dice_.Chance(50U) ? NmtState::kPreOperational : NmtState::kStopped);
         if (dice_.Chance(40U))
         {
@@ -426,6 +438,29 @@ class Sequence
         }
     }
 
+    /// As a rule with pairs on their way and released ones; often with OPERATIONAL left, and entered again behind it.
+    void DemandSafeState()
+    {
+        Tell("safe state demanded");
+        rig_->Facade().DemandSafeState();
+        model_->DemandSafeState();
+        CompareState("demand");
+        if (dice_.Chance(50U))
+        {
+            EnterAgain();
+        }
+    }
+
+    void EnterAgain()
+    {
+        SetNmt(NmtState::kPreOperational);
+        if (dice_.Chance(70U))
+        {
+            RunOtherCycle();
+        }
+        SetNmt(NmtState::kOperational);
+    }
+
     /// Often two in a row, and behind a start before the first cycle.
     void SendGfc()
     {
@@ -504,7 +539,7 @@ class Sequence
             return;
         }
         Compare("device fault", static_cast<unsigned>(rig_->Facade().DeviceState().fault),
-                static_cast<unsigned>(DeviceFault::kNone));
+                static_cast<unsigned>(model_->IsInLevel2() ? DeviceFault::kApplication : DeviceFault::kNone));
         CompareState("cycle");
         Compare("open outputs", rig_->Open(now_), model_->Open());
         CompareTold("cycle");
@@ -524,9 +559,16 @@ class Sequence
                 Compare(name.str(), found, expected);
             }
         }
-        for (std::uint8_t number = 1U; behind == "cycle" && number <= drawing_.config.srdo_count; ++number)
+        const bool is_asked = behind == "cycle" || model_->IsInLevel2();
+        for (std::uint8_t number = 1U; is_asked && number <= drawing_.config.srdo_count; ++number)
         {
             const SrdoState found = rig_->StateOf(number);
+            if (model_->IsInLevel2())
+            {
+                Require(found != SrdoState::kReleased, "SRDO " + std::to_string(number) + " is released",
+                        "not in level 2");
+                continue;
+            }
             const SrdoState expected = model_->StateOf(number);
             if (found != expected)
             {

@@ -39,6 +39,7 @@ std::string TextOf(Seen seen, const Sparing& sparing)
         }
         text << std::dec;
     }
+    text << ((seen.faults > 0) ? " device fault" : "");
     text << ((seen.unfollowed > 0) ? " GFC not followed" : "");
     text << ((seen.gfcs > 0 && !sparing.gfc) ? " GFC" : "")
          << (seen.is_configuration_invalid ? " configuration invalid" : "");
