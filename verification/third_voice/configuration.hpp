@@ -50,6 +50,16 @@ enum class Flaw : std::uint8_t
     kRequestAlone,    ///< A request does not wait for the refresh of the other channel.
     kNothingStands,   ///< The counter that is ahead does not wait.
     kHalfConfirmed,   ///< What was confirmed too late for one channel alone stays on its way in the other.
+    kBehindFault,     ///< A pair behind a fault that is not told yet starts SCT.
+    kMissesStanding,  ///< A refresh that stands is examined.
+    kLateIsInTime,    ///< A request that comes in the call that finds it late is in time.
+    kSilenceShorter,  ///< Silence of an application has no late cycle's grace.
+    kGfcPutOff,       ///< A GFC that is sent again begins its time anew.
+    kGfcFromCycle,    ///< Behind a start the time of a GFC begins with the first cycle, not one cycle time before.
+    kMissedInLevel2,  ///< In level 2 a refresh is missed.
+    kSentInLevel2,    ///< In level 2 the inverse frame follows its normal frame.
+    kKeepsInLevel2,   ///< In level 2 the objects keep what was released.
+    kGfcFollowed,     ///< A frame that the controller did not take follows a GFC.
 };
 
 /// What a mapping entry says.

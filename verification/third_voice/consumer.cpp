@@ -153,13 +153,19 @@ void Consumer::OnInverse(const Bytes& data, const Time stamp)
         Fail(SrdoCause::kNotInverse);
         return;
     }
-    Complete(*pending_);
+    Complete();
 }
 
-void Consumer::Complete(const Half& half)
+/// Behind a fault that no cycle has told yet a pair neither counts nor starts SCT. [semantics 2]
+void Consumer::Complete()
 {
-    held_ = half;
+    const Half half = *pending_;
     pending_.reset();
+    if (has_new_fault_ && !rules_.counts_behind_fault)
+    {
+        return;
+    }
+    held_ = half;
     has_seen_pair_ = true;
     ++ordinal_;
 }
@@ -266,10 +272,9 @@ std::set<SrdoCause> Consumer::TakeCauses()
     return taken;
 }
 
-/// A pair that was completed behind a fault, but before the cycle that tells of it, is not used.
 void Consumer::EndCycle()
 {
-    if (has_new_fault_)
+    if (has_new_fault_) // Not released, whatever was counted.
     {
         held_.reset();
     }

@@ -30,6 +30,7 @@ struct ConsumerRules
     bool is_automatic{false};
     Time acknowledge_window_us{0};
     bool is_one_reading_enough{false}; ///< A broken rule: a level counts at once.
+    bool counts_behind_fault{false};   ///< A broken rule: a pair behind a fault that is not told yet starts SCT.
 };
 
 /// One reading of the acknowledge input: a level counts when two readings in a row agree. [semantics 3]
@@ -95,7 +96,7 @@ class Consumer
     [[nodiscard]] bool IsAlone() const;
     [[nodiscard]] bool HasRightLength(const Bytes& data) const;
     void LookAtExpired(Time stamp, bool is_inverse);
-    void Complete(const Half& half);
+    void Complete();
 
     ConsumerRules rules_{};
     bool is_active_{false};

@@ -46,6 +46,8 @@ void Device::Start(const std::vector<SrdoObjects>& objects, const std::uint32_t 
     }
     configuration_.SetGfcParameter(gfc_parameter);
     configuration_.Start();
+    called_.reset();
+    has_sent_gfc_ = false;
     nmt_ = NmtState::kInitialising;
     is_running_ = false;
 }
@@ -79,6 +81,7 @@ ConsumerRules Device::RulesOf(const Srdo& srdo) const
     rules.is_automatic = srdo.setup->policy == ReleasePolicy::kAutomatic;
     rules.acknowledge_window_us = config_.acknowledge_window_us;
     rules.is_one_reading_enough = flaw_ == Flaw::kEdgeAtOnce;
+    rules.counts_behind_fault = flaw_ == Flaw::kBehindFault;
     return rules;
 }
 
@@ -95,6 +98,9 @@ ProducerRules Device::SendingOf(const Srdo& srdo) const
     rules.mask = MaskOf(bits);
     rules.is_called = srdo.setup->form == ProducerForm::kProviderCalled;
     rules.is_refresh_skipped = flaw_ == Flaw::kRefreshSkipped;
+    rules.misses_standing = flaw_ == Flaw::kMissesStanding;
+    rules.any_request_will_do = flaw_ == Flaw::kLateIsInTime;
+    rules.late_cycle_us = Time{config_.cycle_us} + ((flaw_ == Flaw::kSilenceShorter) ? 0 : config_.cycle_tolerance_us);
     return rules;
 }
 
@@ -219,7 +225,15 @@ void Device::Decide(Srdo& srdo, const Time now)
     const bool is_first = flaw_ == Flaw::kOneEdgeIsEnough;
     const bool is_given = (a.State() == SrdoState::kReleased && b.State() == SrdoState::kReleased) ||
                           (is_first && (a.State() == SrdoState::kReleased || b.State() == SrdoState::kReleased));
-    if (is_given && a.Ordinal() == b.Ordinal() && a.Data() == b.Data())
+    if (is_level_2_)
+    {
+        srdo.is_released = false;
+        if (flaw_ != Flaw::kKeepsInLevel2)
+        {
+            WriteSafe(srdo);
+        }
+    }
+    else if (is_given && a.Ordinal() == b.Ordinal() && a.Data() == b.Data())
     {
         if (!srdo.is_released || srdo.written_ordinal != a.Ordinal())
         {
@@ -277,6 +291,10 @@ void Device::Cycle(const Time now, const SrdoMask acknowledge_a, const SrdoMask 
             Produce(srdo, now);
         }
     }
+    seen_.faults += (is_level_2_ && !has_told_level_2_) ? 1 : 0;
+    has_told_level_2_ = is_level_2_;
+    LookAtGfc(now);
+    called_ = now;
 }
 
 /// At most once per SCT (or refresh time) and cause. [semantics 2]
@@ -323,6 +341,12 @@ bool Device::LookAtProducer(Srdo& srdo, const Time now)
 {
     Producer& a = srdo.producers[0];
     Producer& b = srdo.producers[1];
+    if (is_level_2_ && flaw_ != Flaw::kMissedInLevel2)
+    {
+        a.LookHalted(now);
+        b.LookHalted(drift_.ByB(now));
+        return false;
+    }
     a.Look(now, srdo.stands[0]);
     b.Look(drift_.ByB(now), srdo.stands[1]);
     const bool is_ahead_a = a.Refreshes() > b.Refreshes();
@@ -330,7 +354,7 @@ bool Device::LookAtProducer(Srdo& srdo, const Time now)
     const bool anything_stands = flaw_ != Flaw::kNothingStands;
     srdo.stands = {is_ahead_a && anything_stands, is_ahead_b && anything_stands};
     const bool waits = (is_ahead_a || is_ahead_b) && flaw_ != Flaw::kRequestAlone;
-    return a.IsDue() && b.IsDue() && !waits;
+    return a.IsDue() && b.IsDue() && !waits && !is_level_2_;
 }
 
 void Device::Produce(Srdo& srdo, const Time now)
@@ -345,7 +369,65 @@ void Device::Produce(Srdo& srdo, const Time now)
     const bool is_sound_b = srdo.producers[1].Prepare(normal, inverse, drift_.ByB(now));
     if (is_sound_a && is_sound_b)
     {
+        const bool is_taken = !refused_;
         HandOver(srdo, srdo.producers[0].Normal());
+        has_sent_gfc_ = has_sent_gfc_ && !is_taken && flaw_ != Flaw::kGfcFollowed;
+    }
+}
+
+/// Of the producers, 0 without one.
+Time Device::ShortestRefresh() const
+{
+    Time shortest = 0;
+    for (const Srdo& srdo : srdos_)
+    {
+        const Time refresh = kUsPerMs * srdo.objects->sct_ms;
+        const bool is_shorter = shortest == 0 || refresh < shortest;
+        if (srdo.objects->direction == kDirectionProducer && is_shorter)
+        {
+            shortest = refresh;
+        }
+    }
+    return shortest;
+}
+
+bool Device::SendGfc()
+{
+    if (nmt_ != NmtState::kOperational || !configuration_.IsGfcOn() || is_level_2_)
+    {
+        return false;
+    }
+    seen_.frames.push_back({kGfcIdentifier, {}});
+    if (!has_sent_gfc_ || flaw_ == Flaw::kGfcPutOff) // One that is sent again does not put the first one off.
+    {
+        follow_us_ = ShortestRefresh();
+        gfc_at_ = called_;
+    }
+    has_sent_gfc_ = true;
+    return true;
+}
+
+void Device::DemandSafeState()
+{
+    is_level_2_ = true;
+}
+
+bool Device::IsInLevel2() const
+{
+    return is_level_2_;
+}
+
+/// Behind the normal frames of this cycle.
+void Device::LookAtGfc(const Time now)
+{
+    if (has_sent_gfc_ && !gfc_at_)
+    {
+        gfc_at_ = now - ((flaw_ == Flaw::kGfcFromCycle) ? 0 : Time{config_.cycle_us});
+    }
+    if (has_sent_gfc_ && now - *gfc_at_ > follow_us_)
+    {
+        has_sent_gfc_ = false;
+        ++seen_.unfollowed;
     }
 }
 
@@ -372,6 +454,10 @@ void Device::Put(const Address address, const std::uint64_t value)
 
 void Device::Send(const std::uint8_t number)
 {
+    if (is_level_2_)
+    {
+        return;
+    }
     Srdo& srdo = srdos_[configuration_.SlotOf(number).value()];
     srdo.producers[0].Request();
     srdo.producers[1].Request();
@@ -391,7 +477,7 @@ void Device::OnConfirm(const Sent& frame, const Time stamp)
                 srdo.Fail(SrdoCause::kNoConfirmation);
             }
         }
-        else if (by_a == Confirmed::kNormal)
+        else if (by_a == Confirmed::kNormal && (!is_level_2_ || flaw_ == Flaw::kSentInLevel2))
         {
             HandOver(srdo, srdo.producers[1].Inverse());
         }

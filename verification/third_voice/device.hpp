@@ -24,6 +24,8 @@ struct Seen
     std::vector<std::uint8_t> refreshes;                     ///< Numbers of SRDOs whose provider was called.
     std::vector<Sent> frames;                                ///< What left.
     int gfcs{0};
+    int unfollowed{0}; ///< Own GFCs that no SRDO followed.
+    int faults{0};     ///< Of the device.
     bool is_configuration_invalid{false};
 };
 
@@ -46,6 +48,10 @@ class Device
     /// @brief The application writes an object of a producer.
     void Put(Address address, std::uint64_t value);
     void Send(std::uint8_t number);
+    /// @brief Whether it leaves.
+    [[nodiscard]] bool SendGfc();
+    /// @brief Level 2, for ever. The next cycle closes everything and tells it.
+    void DemandSafeState();
     /// @brief Of the next frame that leaves: what the controller says.
     void RefuseNext(std::optional<SrdoCause> cause);
     void OnConfirm(const Sent& frame, Time stamp);
@@ -54,6 +60,7 @@ class Device
     [[nodiscard]] std::uint64_t Variable(Address address) const;
     [[nodiscard]] const Configuration& Configured() const;
     [[nodiscard]] SrdoState StateOf(std::uint8_t number) const;
+    [[nodiscard]] bool IsInLevel2() const;
     [[nodiscard]] SrdoMask Open() const;
     /// @brief When the next refresh of a producer falls due in channel A.
     [[nodiscard]] Time NextRefresh(std::uint8_t number) const;
@@ -88,6 +95,8 @@ class Device
     [[nodiscard]] bool LookAtProducer(Srdo& srdo, Time now);
     void Produce(Srdo& srdo, Time now);
     void HandOver(Srdo& srdo, const Sent& frame);
+    [[nodiscard]] Time ShortestRefresh() const;
+    void LookAtGfc(Time now);
     void TellCauses(Srdo& srdo, Time now);
     void WriteSafe(const Srdo& srdo);
     void WriteData(const Srdo& srdo, std::uint64_t normal);
@@ -109,6 +118,12 @@ class Device
     bool is_running_{false};           ///< OPERATIONAL with a valid configuration.
     std::optional<SrdoCause> refused_; ///< What becomes of the next frame that leaves.
     bool is_open_{false};
+    bool is_level_2_{false};
+    bool has_told_level_2_{false};
+    std::optional<Time> called_; ///< The last cycle since the start.
+    bool has_sent_gfc_{false};   ///< And no normal frame since.
+    Time follow_us_{0};          ///< For how long one may follow, and
+    std::optional<Time> gfc_at_; ///< from when on: not known yet before the first cycle.
     Seen seen_{};
 };
 } // namespace counterpoint::third_voice

@@ -29,6 +29,22 @@ void AddObjects(Drawing& drawing)
               { return left.index != right.index ? left.index < right.index : left.sub < right.sub; });
 }
 
+/// At the edge of what half an interval with half of the tolerance leaves, less a late cycle's share.
+constexpr std::uint32_t kMostPartsPerMillion = 1700U;
+
+/// Limits between the cycle time and a late cycle: more than one of them runs out between two calls.
+void MakeDense(Dice& dice, Drawing& drawing)
+{
+    const DeviceConfig& config = drawing.config;
+    const std::uint32_t least = config.cycle_us / 1000U;
+    const std::uint32_t most = (config.cycle_us + config.cycle_tolerance_us) / 1000U;
+    drawing.is_dense = true;
+    for (std::uint32_t& sct : drawing.scts)
+    {
+        sct = std::max<std::uint32_t>(2U, least + dice.Below(most - least + 1U));
+    }
+}
+
 /// What falls due at the instant of a call for one counter comes a call later for the other, and nowhere else.
 void AlignToCalls(Dice& dice, Drawing& drawing)
 {
@@ -39,7 +55,7 @@ void AlignToCalls(Dice& dice, Drawing& drawing)
     }
     for (std::uint32_t& sct : drawing.scts)
     {
-        sct = dice.Chance(80U) ? cycle_ms * (sct / cycle_ms) : sct;
+        sct = (dice.Chance(80U) && !drawing.is_dense) ? cycle_ms * (sct / cycle_ms) : sct;
     }
     for (SrdoSetup& setup : drawing.setups)
     {
@@ -48,8 +64,13 @@ void AlignToCalls(Dice& dice, Drawing& drawing)
 }
 } // namespace
 
-Drift AnyDrift(Dice& dice)
+Drift AnyDrift(Dice& dice, const Drawing& drawing)
 {
+    if (drawing.is_dense && dice.Chance(70U))
+    {
+        const Time most = Time{200U + dice.Below(kMostPartsPerMillion - 200U)};
+        return {dice.Chance(50U) ? most : -most, 0, 0};
+    }
     if (dice.Chance(40U))
     {
         return {0, dice.Pick<Time>({-1, 1}), Time{5000U + dice.Below(60000U)}};
@@ -84,7 +105,8 @@ Drawing Draw(Dice& dice, const bool is_asked, const Pace pace)
     config.gfc = GfcUse::kPresent;
     config.normal_port = CanPortId::kFirst;
     config.inverse_port = CanPortId::kFirst;
-    config.cycle_us = dice.Pick({1000U, 2000U, 5000U});
+    const bool is_dense = dice.Chance(20U);
+    config.cycle_us = is_dense ? dice.Pick({2000U, 5000U}) : dice.Pick({1000U, 2000U, 5000U});
     config.cycle_tolerance_us = config.cycle_us / 2U;
     drawing.window_cycles = dice.Pick({5U, 10U, 40U});
     config.discrepancy_us = dice.Pick<std::uint32_t>({5U, is_asked ? 20U : drawing.window_cycles}) * config.cycle_us;
@@ -94,6 +116,10 @@ Drawing Draw(Dice& dice, const bool is_asked, const Pace pace)
     config.clock_tolerance_us = 200U;
     config.clock_interval_us = 100000U;
     config.output_time_us = 1000U;
+    if (is_dense)
+    {
+        MakeDense(dice, drawing);
+    }
     if (pace == Pace::kDrifting)
     {
         AlignToCalls(dice, drawing);

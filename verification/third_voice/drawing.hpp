@@ -19,6 +19,7 @@ struct Drawing
     std::vector<MappableObject> objects;
     DeviceConfig config{};
     std::uint32_t window_cycles{0U}; ///< Acknowledge window.
+    bool is_dense{false};            ///< SCT and refresh times that a late cycle exceeds.
 };
 
 /// How the counters of a sequence run.
@@ -30,8 +31,9 @@ enum class Pace : std::uint8_t
 
 /// @brief `is_asked`: discrepancy times above the acknowledge window, too.
 [[nodiscard]] Drawing Draw(Dice& dice, bool is_asked, Pace pace);
-/// @brief Counters that part by 1 to 100 ppm, either way, or by one microsecond once.
-[[nodiscard]] Drift AnyDrift(Dice& dice);
+/// @brief Counters that part by 1 to 100 ppm, either way, or by one microsecond once; for a dense drawing often by as
+/// much as the kernel's supervision bears.
+[[nodiscard]] Drift AnyDrift(Dice& dice, const Drawing& drawing);
 } // namespace counterpoint::third_voice
 
 #endif

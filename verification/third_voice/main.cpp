@@ -20,6 +20,8 @@ int main(const int count, char** const words)
     app.add_option("--show", shown, "How many differences are told with what came before them");
     bool is_asked = false;
     app.add_flag("--questions", is_asked, "Asks what the README calls open, too: differences are expected there");
+    std::uint32_t flaw = 0U;
+    app.add_option("--flaw", flaw, "Breaks one rule of the model, by its number in configuration.hpp");
     CLI11_PARSE(app, count, words);
     std::uint64_t differences = 0U;
     std::uint64_t undecided = 0U;
@@ -27,7 +29,7 @@ int main(const int count, char** const words)
     for (std::uint64_t number = 0U; number < sequences; ++number)
     {
         const SequenceResult result =
-            RunSequence(seed + number, Flaw::kNone, is_asked ? Questions::kAsked : Questions::kSpared);
+            RunSequence(seed + number, static_cast<Flaw>(flaw), is_asked ? Questions::kAsked : Questions::kSpared);
         undecided += result.is_undecided ? 1U : 0U;
         sum.steps += result.steps;
         sum.releases += result.releases;
@@ -40,7 +42,7 @@ int main(const int count, char** const words)
             {
                 std::cout << result.story;
             }
-            if (differences <= 50U)
+            if (differences <= 5000U)
             {
                 std::cout << "seed " << seed + number << ": " << result.difference << "\n";
             }

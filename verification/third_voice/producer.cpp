@@ -9,7 +9,9 @@ void Producer::EnterOperational(const ProducerRules& rules, const Time now)
     is_active_ = true;
     first_ = now + rules.delay_us;
     next_ = first_;
+    silent_since_ = first_;
     looked_.reset();
+    is_asked_ = false;
     is_requested_ = false;
     is_refresh_waiting_ = false;
     refreshes_ = 0U;
@@ -19,6 +21,7 @@ void Producer::EnterOperational(const ProducerRules& rules, const Time now)
 void Producer::LeaveOperational()
 {
     is_active_ = false;
+    is_asked_ = false;
     is_requested_ = false;
     is_refresh_waiting_ = false;
     flight_.reset();
@@ -31,21 +34,19 @@ bool Producer::IsActive() const
 
 void Producer::Request()
 {
-    is_requested_ = is_active_;
+    is_asked_ = is_active_;
 }
 
 void Producer::Look(const Time now, const bool is_standing)
 {
+    const bool is_examined = !is_standing || rules_.misses_standing;
     if (is_standing && looked_ && *looked_ >= first_)
     {
         next_ += now - *looked_;
     }
     looked_ = now;
-    if (flight_ && now - since_ > rules_.srvt_us)
-    {
-        Fail(SrdoCause::kNoConfirmation);
-    }
-    if (rules_.is_called && now >= next_)
+    LookAtFlight(now);
+    if (rules_.is_called && is_examined && now >= next_)
     {
         next_ += rules_.refresh_us;
         ++refreshes_;
@@ -55,6 +56,37 @@ void Producer::Look(const Time now, const bool is_standing)
             causes_.insert(SrdoCause::kRefreshMissed);
         }
         is_refresh_waiting_ = is_refresh_waiting_ || !is_skipped;
+    }
+    if (!rules_.is_called)
+    {
+        LookAtSilence(now);
+    }
+    is_requested_ = is_requested_ || is_asked_;
+    is_asked_ = false;
+}
+
+void Producer::LookHalted(const Time now)
+{
+    LookAtFlight(now);
+}
+
+void Producer::LookAtFlight(const Time now)
+{
+    if (flight_ && now - since_ > rules_.srvt_us)
+    {
+        Fail(SrdoCause::kNoConfirmation);
+    }
+}
+
+/// A pair that comes later than the refresh time and a late cycle is an error, also where it comes with the very call
+/// that finds it; not where it was asked for before, and waits. [semantics 6]
+void Producer::LookAtSilence(const Time now)
+{
+    const bool is_awaited = is_requested_ || (is_asked_ && rules_.any_request_will_do);
+    if (!is_awaited && now - silent_since_ > rules_.refresh_us + rules_.late_cycle_us)
+    {
+        silent_since_ = now;
+        causes_.insert(SrdoCause::kRefreshMissed);
     }
 }
 
@@ -83,6 +115,7 @@ bool Producer::Prepare(const std::uint64_t normal, const std::uint64_t inverse, 
 {
     is_requested_ = false;
     is_refresh_waiting_ = false;
+    silent_since_ = now;
     flight_ = normal & rules_.mask;
     is_inverse_awaited_ = false;
     since_ = now;

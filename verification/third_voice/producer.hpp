@@ -15,13 +15,16 @@ struct ProducerRules
 {
     Time delay_us{0}; ///< From entering OPERATIONAL to the first transmission.
     Time refresh_us{0};
+    Time late_cycle_us{0}; ///< A cycle with its tolerance.
     Time srvt_us{0};
     std::uint32_t cob_id_1{0U};
     std::uint32_t cob_id_2{0U};
     std::size_t length_bytes{0U};
-    std::uint64_t mask{0U};         ///< Mapped bits; above them the normal frame has 0, the inverse one 1.
-    bool is_called{false};          ///< The kernel calls before each refresh; else the application sends.
-    bool is_refresh_skipped{false}; ///< Flaw: one that falls due while a pair is on its way does not wait.
+    std::uint64_t mask{0U};          ///< Mapped bits; above them the normal frame has 0, the inverse one 1.
+    bool is_called{false};           ///< The kernel calls before each refresh; else the application sends.
+    bool is_refresh_skipped{false};  ///< Flaw: one that falls due while a pair is on its way does not wait.
+    bool misses_standing{false};     ///< Flaw: one that stands is examined.
+    bool any_request_will_do{false}; ///< Flaw: one that comes late, with the call itself, is none.
 };
 
 /// A frame that leaves the device.
@@ -46,10 +49,13 @@ class Producer
     void EnterOperational(const ProducerRules& rules, Time now);
     void LeaveOperational();
     [[nodiscard]] bool IsActive() const;
+    /// @brief Comes with the next call.
     void Request();
     /// @brief Limits and refresh at the instant of a call. `is_standing`: the refresh moves on by the time since the
-    /// call before.
+    /// call before, and is not examined.
     void Look(Time now, bool is_standing);
+    /// @brief The same in level 2: nothing falls due or is missed.
+    void LookHalted(Time now);
     /// @brief Whether a pair is to be sent now.
     [[nodiscard]] bool IsDue() const;
     /// @brief Whether a refresh fell due that no pair has used up.
@@ -68,13 +74,17 @@ class Producer
     [[nodiscard]] std::set<SrdoCause> TakeCauses();
 
   private:
+    void LookAtFlight(Time now);
+    void LookAtSilence(Time now);
     [[nodiscard]] Sent FrameOf(std::uint32_t identifier, std::uint64_t data) const;
 
     ProducerRules rules_{};
     bool is_active_{false};
     Time first_{0};
-    Time next_{0}; ///< Refresh; keeps its phase.
-    bool is_requested_{false};
+    Time next_{0};             ///< Refresh; keeps its phase.
+    bool is_asked_{false};     ///< Since the last call.
+    bool is_requested_{false}; ///< With a call.
+    Time silent_since_{0};     ///< Where the application sends: the call that prepared, or told of a late pair.
     bool is_refresh_waiting_{false};
     std::uint64_t refreshes_{0U};
     std::optional<Time> looked_;          ///< The call before, since OPERATIONAL was entered.

@@ -148,6 +148,7 @@ void Rig::OnGfc() noexcept
 
 void Rig::OnGfcNotFollowed() noexcept
 {
+    ++seen_.unfollowed;
 }
 
 void Rig::OnConfigurationInvalid(CommunicationIndex /*index*/) noexcept
@@ -157,6 +158,7 @@ void Rig::OnConfigurationInvalid(CommunicationIndex /*index*/) noexcept
 
 void Rig::OnDeviceFault(const DeviceFaultReport& /*report*/) noexcept
 {
+    ++seen_.faults;
 }
 
 void Rig::OnFlow(const FlowCount& /*count*/) noexcept

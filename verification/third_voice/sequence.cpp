@@ -6,6 +6,7 @@
 #include "verification/third_voice/dice.hpp"
 #include "verification/third_voice/drawing.hpp"
 #include "verification/third_voice/rig.hpp"
+#include "verification/third_voice/talker.hpp"
 #include "verification/third_voice/told.hpp"
 
 #include <algorithm>
@@ -21,16 +22,7 @@ namespace
 constexpr Time kMs = 1000;
 constexpr std::size_t kStoryLines = 90U;
 constexpr std::uint32_t kCycles = 300U;
-
-/// Somebody who sends the pairs of one SRDO, mostly well.
-struct Talker
-{
-    std::uint8_t number{0U};
-    Time next{0};
-    bool is_inverse{false};
-    std::uint64_t data{0U};
-    Time normal_at{0};
-};
+constexpr std::uint32_t kCyclesInLevel2 = 40U;
 
 /// A frame of the device that is going to be on the bus.
 struct Flight
@@ -50,9 +42,15 @@ class Sequence
     SequenceResult Run()
     {
         MakeDevice();
+        const std::uint32_t demanded =
+            dice_.Chance(20U) ? dice_.Below(kCycles) : kCycles; // The last phase, mostly none.
         Configure();
-        for (std::uint32_t cycle = 0U; cycle < kCycles && GoesOn(); ++cycle)
+        for (std::uint32_t cycle = 0U; cycle < std::min(kCycles, demanded + kCyclesInLevel2) && GoesOn(); ++cycle)
         {
+            if (cycle == demanded)
+            {
+                DemandSafeState();
+            }
             const Time last = now_;
             const Time due = NextCall();
             Between(last, due);
@@ -83,13 +81,18 @@ class Sequence
     [[nodiscard]] Time NextCall()
     {
         const std::uint32_t tolerance = drawing_.config.cycle_tolerance_us;
+        const bool is_late = drawing_.is_dense && dice_.Chance(50U);
+        const Time late = is_late ? Time{dice_.Below(tolerance - tolerance / 100U)} : 0; // By either counter.
         if (pace_ == Pace::kAlike || dice_.Chance(1U))
         {
-            row_ = now_ + drawing_.config.cycle_us + (dice_.Chance(10U) ? Time{dice_.Below(tolerance + 1U)} : 0);
+            row_ = now_ + drawing_.config.cycle_us;
+            row_ += is_late ? late : (dice_.Chance(10U) ? Time{dice_.Below(tolerance + 1U)} : 0);
             return row_;
         }
         row_ += drawing_.config.cycle_us;
-        return std::max(row_, now_) + (dice_.Chance(30U) ? Time{1U + dice_.Below(dice_.Pick({1U, 3U, 40U}))} : 0);
+        return std::max(row_, now_) + (is_late             ? late
+                                       : dice_.Chance(30U) ? Time{1U + dice_.Below(dice_.Pick({1U, 3U, 40U}))}
+                                                           : 0);
     }
 
     void MakeDevice()
@@ -99,7 +102,7 @@ class Sequence
         drawing_ = Draw(dice_, is_asked_, pace_);
         drawing_.config.srdos = drawing_.setups.data();
         buttons_.Restart(drawing_.config.srdo_count, drawing_.window_cycles);
-        const Drift drift = (pace_ == Pace::kDrifting) ? AnyDrift(dice_) : Drift{};
+        const Drift drift = (pace_ == Pace::kDrifting) ? AnyDrift(dice_, drawing_) : Drift{};
         const Counters counters{dice_.Chance(50U) ? 0xFFFE0000U : 1000U, dice_.Chance(50U) ? 0xFFFD0000U : 77U, drift};
         rig_ = std::make_unique<Rig>(drawing_.config, drawing_.objects, counters);
         model_ = std::make_unique<Device>(drawing_.config, flaw_, drift);
@@ -211,7 +214,7 @@ class Sequence
         Write(mapping, 0U, 0U, 1U);
         const std::uint32_t sct = drawing_.scts[number - 1U]; // The window of a told cause goes with it.
         Write(communication, 2U, sct, 2U);
-        Write(communication, 3U, 2U + dice_.Below(sct - 3U), 1U);
+        Write(communication, 3U, (sct > 3U) ? 2U + dice_.Below(sct - 3U) : 1U, 1U);
         Write(communication, 5U, 0xFFU + 2U * number, 4U);
         Write(communication, 6U, 0x100U + 2U * number, 4U);
         const bool is_strange = dice_.Chance(2U);
@@ -270,7 +273,7 @@ class Sequence
             {
                 if (ObjectsOf(number).direction == kDirectionConsumer)
                 {
-                    talkers_.push_back({number, now_ + 1 + dice_.Below(20U * 1000U), false, 0U, now_});
+                    talkers_.push_back({number, now_ + 1 + dice_.Below(20U * 1000U), now_, drawing_.is_dense});
                 }
             }
         }
@@ -280,6 +283,11 @@ class Sequence
     /// Leaves OPERATIONAL, changes something, comes back; with a cycle in between or without.
     void Reconfigure()
     {
+        if (model_->IsInLevel2())
+        {
+            EnterAgain();
+            return;
+        }
         SetNmt(dice_.Chance(50U) ? NmtState::kPreOperational : NmtState::kStopped);
         if (dice_.Chance(40U))
         {
@@ -385,6 +393,11 @@ class Sequence
         const std::optional<SrdoCause> cause =
             dice_.Chance(3U) ? std::optional{dice_.Pick({SrdoCause::kTransmitQueue, SrdoCause::kBusOff})}
                              : std::nullopt;
+        Refuse(cause);
+    }
+
+    void Refuse(const std::optional<SrdoCause> cause)
+    {
         rig_->RefuseNext(cause);
         model_->RefuseNext(cause);
         has_refused_ = cause.has_value();
@@ -425,63 +438,51 @@ class Sequence
         }
     }
 
+    /// As a rule with pairs on their way and released ones; often with OPERATIONAL left, and entered again behind it.
+    void DemandSafeState()
+    {
+        Tell("safe state demanded");
+        rig_->Facade().DemandSafeState();
+        model_->DemandSafeState();
+        CompareState("demand");
+        if (dice_.Chance(50U))
+        {
+            EnterAgain();
+        }
+    }
+
+    void EnterAgain()
+    {
+        SetNmt(NmtState::kPreOperational);
+        if (dice_.Chance(70U))
+        {
+            RunOtherCycle();
+        }
+        SetNmt(NmtState::kOperational);
+    }
+
+    /// Often two in a row, and behind a start before the first cycle.
+    void SendGfc()
+    {
+        const bool is_first = result_.steps < 2U;
+        if (nmt_ != NmtState::kOperational || !model_->Configured().IsValid() || !dice_.Chance(is_first ? 20U : 3U))
+        {
+            return;
+        }
+        Refuse(std::nullopt);
+        const bool is_sent = rig_->Facade().SendGfc() == Result::kSuccessful;
+        Tell("send GFC");
+        Compare("sent GFC", is_sent, model_->SendGfc());
+    }
+
     void Speak(Talker& talker)
     {
-        const SrdoObjects& objects = ObjectsOf(talker.number);
-        std::uint32_t bits = 0U;
-        for (std::uint32_t entry = 0U; entry < objects.count; entry += 2U)
-        {
-            bits += objects.entries[entry] & 0xFFU;
-        }
-        std::size_t length = bits / 8U;
-        const Time sct = kMs * objects.sct_ms;
-        const Time srvt = kMs * objects.srvt_ms;
-        if (!talker.is_inverse)
-        {
-            talker.data = dice_.Next();
-        }
-        std::uint64_t word = talker.is_inverse ? ~talker.data : talker.data;
-        const bool is_wrong = dice_.Chance(3U);
-        length = (is_wrong && dice_.Chance(50U)) ? (length + 1U) % 9U : length;
-        word ^= is_wrong ? (std::uint64_t{1U} << dice_.Below(std::max<std::uint32_t>(bits, 1U))) : 0U;
-        CanFrame frame{talker.is_inverse ? objects.cob_id_2 : objects.cob_id_1,
-                       FrameKind::kData,
-                       CanPortId::kFirst,
-                       static_cast<std::uint8_t>(length),
-                       {}};
-        if (dice_.Chance(1U))
-        {
-            frame.kind = dice_.Pick({FrameKind::kRemote, FrameKind::kExtended, FrameKind::kFlexibleDataRate});
-        }
-        if (dice_.Chance(1U))
-        {
-            frame.identifier = 1U;
-            frame.length_bytes = static_cast<std::uint8_t>(dice_.Chance(80U) ? 0U : 1U);
-        }
-        for (std::size_t byte = 0U; byte < frame.length_bytes; ++byte)
-        {
-            frame.data[byte] = static_cast<std::uint8_t>(word >> (8U * byte));
-        }
-        Tell("frame " + std::to_string(frame.identifier) + (is_wrong ? " wrong" : "") + " length " +
+        const CanFrame frame = talker.Speak(ObjectsOf(talker.number), dice_);
+        Tell("frame " + std::to_string(frame.identifier) + (talker.is_wrong ? " wrong" : "") + " length " +
              std::to_string(frame.length_bytes) + ((frame.kind == FrameKind::kData) ? "" : " no data frame"));
         rig_->OnFrame(frame, now_);
         model_->OnFrame(frame, now_);
-        const bool slips = dice_.Chance(6U); // Leaves the alternation.
-        if (!talker.is_inverse)
-        {
-            talker.normal_at = now_;
-            talker.next = now_ + (dice_.Chance(75U)
-                                      ? 1 + Time{dice_.Below(static_cast<std::uint32_t>(srvt))}
-                                      : dice_.Pick({srvt - 1, srvt, srvt + 1, srvt + 1 + Time{dice_.Below(5000U)}}));
-        }
-        else
-        {
-            talker.next = std::max(
-                now_ + 1,
-                talker.normal_at + (dice_.Chance(75U) ? sct / 4 + Time{dice_.Below(static_cast<std::uint32_t>(sct / 2))}
-                                                      : dice_.Pick({sct - 1, sct, sct + 1, 2 * sct})));
-        }
-        talker.is_inverse = (talker.is_inverse == slips);
+        talker.Plan(ObjectsOf(talker.number), now_, dice_);
     }
 
     void CompareTold(const std::string& behind)
@@ -491,16 +492,17 @@ class Sequence
         result_.releases += static_cast<std::uint32_t>(expected.events.size());
         result_.faults += static_cast<std::uint32_t>(expected.signals.size());
         const Sparing sparing{!is_asked_ && speaks_between_, !is_asked_ && !model_->Configured().IsValid()};
-        const std::string right = TextOf(expected, drawing_.setups, sparing);
+        const std::string right = TextOf(expected, sparing);
         if (!right.empty())
         {
             Tell("expected:" + right);
         }
-        const std::string told = TextOf(found, drawing_.setups, sparing);
+        const std::string told = TextOf(found, sparing);
         Require(told == right, "told behind " + behind + ":" + told, right);
         for (const Sent& frame : expected.frames)
         {
-            if (result_.is_equal && (!has_refused_ || &frame != &expected.frames.front()))
+            const bool is_srdo = !frame.data.empty();
+            if (is_srdo && result_.is_equal && (!has_refused_ || &frame != &expected.frames.front()))
             {
                 Launch(frame);
             }
@@ -523,6 +525,7 @@ class Sequence
         now_ = at;
         const Readings readings = buttons_.Next(dice_);
         Apply();
+        SendGfc();
         Refuse();
         std::ostringstream text;
         text << "cycle, acknowledge " << readings.a << " " << readings.b;
@@ -536,7 +539,7 @@ class Sequence
             return;
         }
         Compare("device fault", static_cast<unsigned>(rig_->Facade().DeviceState().fault),
-                static_cast<unsigned>(DeviceFault::kNone));
+                static_cast<unsigned>(model_->IsInLevel2() ? DeviceFault::kApplication : DeviceFault::kNone));
         CompareState("cycle");
         Compare("open outputs", rig_->Open(now_), model_->Open());
         CompareTold("cycle");
@@ -556,9 +559,16 @@ class Sequence
                 Compare(name.str(), found, expected);
             }
         }
-        for (std::uint8_t number = 1U; behind == "cycle" && number <= drawing_.config.srdo_count; ++number)
+        const bool is_asked = behind == "cycle" || model_->IsInLevel2();
+        for (std::uint8_t number = 1U; is_asked && number <= drawing_.config.srdo_count; ++number)
         {
             const SrdoState found = rig_->StateOf(number);
+            if (model_->IsInLevel2())
+            {
+                Require(found != SrdoState::kReleased, "SRDO " + std::to_string(number) + " is released",
+                        "not in level 2");
+                continue;
+            }
             const SrdoState expected = model_->StateOf(number);
             if (found != expected)
             {

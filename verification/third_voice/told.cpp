@@ -6,8 +6,8 @@
 
 namespace counterpoint::third_voice
 {
-/// In an order of its own; without the silence of an application, for which the semantics give no time.
-std::string TextOf(Seen seen, const std::vector<SrdoSetup>& setups, const Sparing& sparing)
+/// In an order of its own.
+std::string TextOf(Seen seen, const Sparing& sparing)
 {
     std::sort(seen.signals.begin(), seen.signals.end());
     std::sort(seen.events.begin(), seen.events.end());
@@ -17,9 +17,7 @@ std::string TextOf(Seen seen, const std::vector<SrdoSetup>& setups, const Sparin
     for (const auto& [number, cause] : seen.signals)
     {
         const bool is_between = sparing.frame_causes && cause <= SrdoCause::kSct;
-        const bool is_silence =
-            cause == SrdoCause::kRefreshMissed && setups[number - 1U].form == ProducerForm::kApplicationSends;
-        if (!is_silence && !is_between)
+        if (!is_between)
         {
             text << " cause " << static_cast<unsigned>(cause) << " of " << +number;
         }
@@ -41,6 +39,8 @@ std::string TextOf(Seen seen, const std::vector<SrdoSetup>& setups, const Sparin
         }
         text << std::dec;
     }
+    text << ((seen.faults > 0) ? " device fault" : "");
+    text << ((seen.unfollowed > 0) ? " GFC not followed" : "");
     text << ((seen.gfcs > 0 && !sparing.gfc) ? " GFC" : "")
          << (seen.is_configuration_invalid ? " configuration invalid" : "");
     return text.str();

@@ -2,11 +2,9 @@
 #ifndef VERIFICATION_THIRD_VOICE_TOLD_HPP
 #define VERIFICATION_THIRD_VOICE_TOLD_HPP
 
-#include "safety_core/contract/configuration.hpp"
 #include "verification/third_voice/device.hpp"
 
 #include <string>
-#include <vector>
 
 namespace counterpoint::third_voice
 {
@@ -17,7 +15,7 @@ struct Sparing
     bool gfc;          ///< While no SRDO is on.
 };
 
-[[nodiscard]] std::string TextOf(Seen seen, const std::vector<SrdoSetup>& setups, const Sparing& sparing);
+[[nodiscard]] std::string TextOf(Seen seen, const Sparing& sparing);
 } // namespace counterpoint::third_voice
 
 #endif
