@@ -67,6 +67,11 @@ void Producer::Look(const Time now, const bool is_standing)
 
 void Producer::LookHalted(const Time now)
 {
+    if (rules_.misses_halted)
+    {
+        Look(now, false);
+        return;
+    }
     LookAtFlight(now);
 }
 

@@ -24,6 +24,7 @@ struct ProducerRules
     bool is_called{false};           ///< The kernel calls before each refresh; else the application sends.
     bool is_refresh_skipped{false};  ///< Flaw: one that falls due while a pair is on its way does not wait.
     bool misses_standing{false};     ///< Flaw: one that stands is examined.
+    bool misses_halted{false};       ///< Flaw: in level 2 the refresh is examined.
     bool any_request_will_do{false}; ///< Flaw: one that comes late, with the call itself, is none.
 };
 
