@@ -522,6 +522,20 @@ Time Device::NextRefresh(const std::uint8_t number) const
     return srdos_[configuration_.SlotOf(number).value()].producers[0].NextRefresh();
 }
 
+std::optional<Time> Device::SilenceEndsBetween(const Time first, const Time last) const
+{
+    for (const Srdo& srdo : srdos_)
+    {
+        const Time until = srdo.producers[0].SilentUntil();
+        const bool is_sent = srdo.setup->form == ProducerForm::kApplicationSends && srdo.producers[0].IsActive();
+        if (is_sent && until >= first && until <= last)
+        {
+            return until;
+        }
+    }
+    return std::nullopt;
+}
+
 SrdoMask Device::Open() const
 {
     SrdoMask open = 0U;

@@ -63,6 +63,8 @@ class Producer
     [[nodiscard]] bool IsRefreshWaiting() const;
     /// @brief When the next refresh falls due.
     [[nodiscard]] Time NextRefresh() const;
+    /// @brief The last instant at which a pair of an application that sends is not late.
+    [[nodiscard]] Time SilentUntil() const;
     /// @brief Both sides as the application left them: whether the normal frame leaves.
     [[nodiscard]] bool Prepare(std::uint64_t normal, std::uint64_t inverse, Time now);
     void Fail(SrdoCause cause);

@@ -86,6 +86,12 @@ class Sequence
         if (pace_ == Pace::kAlike || dice_.Chance(1U))
         {
             row_ = now_ + drawing_.config.cycle_us;
+            const std::optional<Time> edge = model_->SilenceEndsBetween(row_, row_ + tolerance - 1);
+            if (edge && pace_ == Pace::kAlike && dice_.Chance(30U))
+            {
+                row_ = *edge + (dice_.Chance(50U) ? 1 : 0);
+                return row_;
+            }
             row_ += is_late ? late : (dice_.Chance(10U) ? Time{dice_.Below(tolerance + 1U)} : 0);
             return row_;
         }
