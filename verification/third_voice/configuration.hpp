@@ -53,10 +53,13 @@ enum class Flaw : std::uint8_t
     kBehindFault,     ///< A pair behind a fault that is not told yet starts SCT.
     kMissesStanding,  ///< A refresh that stands is examined.
     kLateIsInTime,    ///< A request that comes in the call that finds it late is in time.
-    kSilenceShorter,  ///< Silence of an application has no late cycle's grace.
+    kSilenceShorter,  ///< Silence of an application has a cycle's grace without its tolerance.
+    kSilenceLonger,   ///< It is a microsecond longer.
     kGfcPutOff,       ///< A GFC that is sent again begins its time anew.
+    kGfcAtOnce,       ///< It is over in the first cycle.
     kGfcFromCycle,    ///< Behind a start the time of a GFC begins with the first cycle, not one cycle time before.
     kMissedInLevel2,  ///< In level 2 a refresh is missed.
+    kEntersInLevel2,  ///< It is where OPERATIONAL was entered in level 2.
     kSentInLevel2,    ///< In level 2 the inverse frame follows its normal frame.
     kKeepsInLevel2,   ///< In level 2 the objects keep what was released.
     kGfcFollowed,     ///< A frame that the controller did not take follows a GFC.

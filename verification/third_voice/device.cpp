@@ -101,6 +101,9 @@ ProducerRules Device::SendingOf(const Srdo& srdo) const
     rules.misses_standing = flaw_ == Flaw::kMissesStanding;
     rules.any_request_will_do = flaw_ == Flaw::kLateIsInTime;
     rules.late_cycle_us = Time{config_.cycle_us} + ((flaw_ == Flaw::kSilenceShorter) ? 0 : config_.cycle_tolerance_us);
+    rules.late_cycle_us += (flaw_ == Flaw::kSilenceLonger) ? 1 : 0;
+    rules.misses_halted =
+        flaw_ == Flaw::kMissedInLevel2 || (flaw_ == Flaw::kEntersInLevel2 && is_level_2_); // As OPERATIONAL is entered.
     return rules;
 }
 
@@ -341,7 +344,7 @@ bool Device::LookAtProducer(Srdo& srdo, const Time now)
 {
     Producer& a = srdo.producers[0];
     Producer& b = srdo.producers[1];
-    if (is_level_2_ && flaw_ != Flaw::kMissedInLevel2)
+    if (is_level_2_)
     {
         a.LookHalted(now);
         b.LookHalted(drift_.ByB(now));
@@ -354,7 +357,7 @@ bool Device::LookAtProducer(Srdo& srdo, const Time now)
     const bool anything_stands = flaw_ != Flaw::kNothingStands;
     srdo.stands = {is_ahead_a && anything_stands, is_ahead_b && anything_stands};
     const bool waits = (is_ahead_a || is_ahead_b) && flaw_ != Flaw::kRequestAlone;
-    return a.IsDue() && b.IsDue() && !waits && !is_level_2_;
+    return a.IsDue() && b.IsDue() && !waits;
 }
 
 void Device::Produce(Srdo& srdo, const Time now)
@@ -423,6 +426,7 @@ void Device::LookAtGfc(const Time now)
     if (has_sent_gfc_ && !gfc_at_)
     {
         gfc_at_ = now - ((flaw_ == Flaw::kGfcFromCycle) ? 0 : Time{config_.cycle_us});
+        follow_us_ = (flaw_ == Flaw::kGfcAtOnce) ? 0 : follow_us_;
     }
     if (has_sent_gfc_ && now - *gfc_at_ > follow_us_)
     {
@@ -516,6 +520,20 @@ SrdoState Device::StateOf(const std::uint8_t number) const
 Time Device::NextRefresh(const std::uint8_t number) const
 {
     return srdos_[configuration_.SlotOf(number).value()].producers[0].NextRefresh();
+}
+
+std::optional<Time> Device::SilenceEndsBetween(const Time first, const Time last) const
+{
+    for (const Srdo& srdo : srdos_)
+    {
+        const Time until = srdo.producers[0].SilentUntil();
+        const bool is_sent = srdo.setup->form == ProducerForm::kApplicationSends && srdo.producers[0].IsActive();
+        if (is_sent && until >= first && until <= last)
+        {
+            return until;
+        }
+    }
+    return std::nullopt;
 }
 
 SrdoMask Device::Open() const

@@ -64,6 +64,8 @@ class Device
     [[nodiscard]] SrdoMask Open() const;
     /// @brief When the next refresh of a producer falls due in channel A.
     [[nodiscard]] Time NextRefresh(std::uint8_t number) const;
+    /// @brief When an application that sends gets too late, if it is from `first` to `last`.
+    [[nodiscard]] std::optional<Time> SilenceEndsBetween(Time first, Time last) const;
     [[nodiscard]] Seen TakeSeen();
     /// @brief Whether what the last cycle did is an open question. [Consumer::IsOpen]
     [[nodiscard]] bool IsOpen() const;

@@ -42,7 +42,7 @@ int main(const int count, char** const words)
             {
                 std::cout << result.story;
             }
-            if (differences <= 5000U)
+            if (differences <= 50U)
             {
                 std::cout << "seed " << seed + number << ": " << result.difference << "\n";
             }

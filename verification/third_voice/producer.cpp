@@ -67,6 +67,11 @@ void Producer::Look(const Time now, const bool is_standing)
 
 void Producer::LookHalted(const Time now)
 {
+    if (rules_.misses_halted)
+    {
+        Look(now, false);
+        return;
+    }
     LookAtFlight(now);
 }
 
@@ -83,7 +88,7 @@ void Producer::LookAtFlight(const Time now)
 void Producer::LookAtSilence(const Time now)
 {
     const bool is_awaited = is_requested_ || (is_asked_ && rules_.any_request_will_do);
-    if (!is_awaited && now - silent_since_ > rules_.refresh_us + rules_.late_cycle_us)
+    if (!is_awaited && now > SilentUntil())
     {
         silent_since_ = now;
         causes_.insert(SrdoCause::kRefreshMissed);
@@ -108,6 +113,11 @@ std::uint64_t Producer::Refreshes() const
 Time Producer::NextRefresh() const
 {
     return next_;
+}
+
+Time Producer::SilentUntil() const
+{
+    return silent_since_ + rules_.refresh_us + rules_.late_cycle_us;
 }
 
 /// Every bit of the inversion is checked before anything leaves.

@@ -24,6 +24,7 @@ struct ProducerRules
     bool is_called{false};           ///< The kernel calls before each refresh; else the application sends.
     bool is_refresh_skipped{false};  ///< Flaw: one that falls due while a pair is on its way does not wait.
     bool misses_standing{false};     ///< Flaw: one that stands is examined.
+    bool misses_halted{false};       ///< Flaw: in level 2 the refresh is examined.
     bool any_request_will_do{false}; ///< Flaw: one that comes late, with the call itself, is none.
 };
 
@@ -62,6 +63,8 @@ class Producer
     [[nodiscard]] bool IsRefreshWaiting() const;
     /// @brief When the next refresh falls due.
     [[nodiscard]] Time NextRefresh() const;
+    /// @brief The last instant at which a pair of an application that sends is not late.
+    [[nodiscard]] Time SilentUntil() const;
     /// @brief Both sides as the application left them: whether the normal frame leaves.
     [[nodiscard]] bool Prepare(std::uint64_t normal, std::uint64_t inverse, Time now);
     void Fail(SrdoCause cause);

@@ -50,6 +50,26 @@ std::uint32_t Rig::Read(const Address address)
     return ToValue(kernel_.ReadObject(ObjectAddress{address.first, address.second}).data);
 }
 
+SrdoObjects Rig::ReadObjects(const std::uint8_t number)
+{
+    const auto communication = static_cast<std::uint16_t>(0x1300U + number);
+    const auto mapping = static_cast<std::uint16_t>(0x1380U + number);
+    SrdoObjects objects;
+    objects.direction = Read({communication, 1U});
+    objects.sct_ms = Read({communication, 2U});
+    objects.srvt_ms = Read({communication, 3U});
+    objects.transmission_type = Read({communication, 4U});
+    objects.cob_id_1 = Read({communication, 5U});
+    objects.cob_id_2 = Read({communication, 6U});
+    objects.count = Read({mapping, 0U});
+    for (std::uint8_t sub = 1U; sub <= kEntries; ++sub)
+    {
+        objects.entries.push_back(Read({mapping, sub}));
+    }
+    objects.signature = Read({0x13FFU, number});
+    return objects;
+}
+
 InstantPair Rig::At(const Time time) const
 {
     return {Instant{counters_.a + static_cast<std::uint32_t>(time)},

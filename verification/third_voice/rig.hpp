@@ -40,6 +40,7 @@ class Rig final : private Application, private hal::CanPorts, private hal::Safet
     [[nodiscard]] StartResult Start();
     [[nodiscard]] AbortCode Write(Address address, std::uint64_t value, std::size_t size);
     [[nodiscard]] std::uint32_t Read(Address address);
+    [[nodiscard]] SrdoObjects ReadObjects(std::uint8_t number);
     void SetNmt(NmtState state, Time now);
     void OnFrame(const CanFrame& frame, Time stamp);
     void Cycle(Time now, SrdoMask acknowledge_a, SrdoMask acknowledge_b);

@@ -42,8 +42,8 @@ class Sequence
     SequenceResult Run()
     {
         MakeDevice();
-        const std::uint32_t demanded =
-            dice_.Chance(20U) ? dice_.Below(kCycles) : kCycles; // The last phase, mostly none.
+        const bool is_demanded = dice_.Chance(drawing_.is_dense ? 40U : 15U);
+        const std::uint32_t demanded = is_demanded ? dice_.Below(kCycles) : kCycles; // The last phase of a sequence.
         Configure();
         for (std::uint32_t cycle = 0U; cycle < std::min(kCycles, demanded + kCyclesInLevel2) && GoesOn(); ++cycle)
         {
@@ -86,6 +86,12 @@ class Sequence
         if (pace_ == Pace::kAlike || dice_.Chance(1U))
         {
             row_ = now_ + drawing_.config.cycle_us;
+            const std::optional<Time> edge = model_->SilenceEndsBetween(row_, row_ + tolerance - 1);
+            if (edge && pace_ == Pace::kAlike && dice_.Chance(30U))
+            {
+                row_ = *edge + (dice_.Chance(50U) ? 1 : 0);
+                return row_;
+            }
             row_ += is_late ? late : (dice_.Chance(10U) ? Time{dice_.Below(tolerance + 1U)} : 0);
             return row_;
         }
@@ -110,7 +116,7 @@ class Sequence
         std::vector<SrdoObjects> objects;
         for (std::uint8_t number = 1U; number <= drawing_.config.srdo_count; ++number)
         {
-            objects.push_back(ReadObjects(number));
+            objects.push_back(rig_->ReadObjects(number));
         }
         model_->Start(objects, rig_->Read({0x1300U, 0U}));
     }
@@ -118,26 +124,6 @@ class Sequence
     [[nodiscard]] const SrdoObjects& ObjectsOf(const std::uint8_t number) const
     {
         return model_->Configured().Objects(number - 1U);
-    }
-
-    SrdoObjects ReadObjects(const std::uint8_t number)
-    {
-        const auto communication = static_cast<std::uint16_t>(0x1300U + number);
-        const auto mapping = static_cast<std::uint16_t>(0x1380U + number);
-        SrdoObjects objects;
-        objects.direction = rig_->Read({communication, 1U});
-        objects.sct_ms = rig_->Read({communication, 2U});
-        objects.srvt_ms = rig_->Read({communication, 3U});
-        objects.transmission_type = rig_->Read({communication, 4U});
-        objects.cob_id_1 = rig_->Read({communication, 5U});
-        objects.cob_id_2 = rig_->Read({communication, 6U});
-        objects.count = rig_->Read({mapping, 0U});
-        for (std::uint8_t sub = 1U; sub <= Rig::kEntries; ++sub)
-        {
-            objects.entries.push_back(rig_->Read({mapping, sub}));
-        }
-        objects.signature = rig_->Read({0x13FFU, number});
-        return objects;
     }
 
     void Tell(const std::string& line)

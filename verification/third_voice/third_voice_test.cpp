@@ -9,6 +9,8 @@ namespace counterpoint::third_voice
 {
 namespace
 {
+constexpr std::uint64_t kSequences = 10000U;
+
 std::uint32_t DifferencesIn(const std::uint64_t sequences, const Flaw flaw)
 {
     std::uint32_t differences = 0U;
@@ -19,12 +21,23 @@ std::uint32_t DifferencesIn(const std::uint64_t sequences, const Flaw flaw)
     return differences;
 }
 
+/// Within the sequences of the comparison.
+bool IsTold(const Flaw flaw)
+{
+    bool is_told = false;
+    for (std::uint64_t seed = 1U; seed <= kSequences && !is_told; ++seed)
+    {
+        is_told = !RunSequence(seed, flaw).is_equal;
+    }
+    return is_told;
+}
+
 TEST(ThirdVoice, KernelAndChannelsDoWhatTheSemanticsSay)
 {
     Verifies(req::SRS_VER_032);
     std::uint32_t releases = 0U;
     std::uint32_t faults = 0U;
-    for (std::uint64_t seed = 1U; seed <= 10000U; ++seed)
+    for (std::uint64_t seed = 1U; seed <= kSequences; ++seed)
     {
         const SequenceResult result = RunSequence(seed);
         ASSERT_TRUE(result.is_equal) << result.story << "seed " << seed << ": " << result.difference;
@@ -53,6 +66,24 @@ TEST(ThirdVoice, AModelWithOneBrokenRuleIsTold)
     EXPECT_GT(DifferencesIn(200U, Flaw::kRequestAlone), 0U);
     EXPECT_GT(DifferencesIn(200U, Flaw::kNothingStands), 0U);
     EXPECT_GT(DifferencesIn(200U, Flaw::kHalfConfirmed), 0U);
+}
+
+TEST(ThirdVoice, ARarerRuleThatIsBrokenIsTold)
+{
+    Verifies(req::SRS_VER_032);
+    EXPECT_TRUE(IsTold(Flaw::kBehindFault));
+    EXPECT_TRUE(IsTold(Flaw::kMissesStanding));
+    EXPECT_TRUE(IsTold(Flaw::kLateIsInTime));
+    EXPECT_TRUE(IsTold(Flaw::kSilenceShorter));
+    EXPECT_TRUE(IsTold(Flaw::kSilenceLonger));
+    EXPECT_TRUE(IsTold(Flaw::kGfcPutOff));
+    EXPECT_TRUE(IsTold(Flaw::kGfcFromCycle));
+    EXPECT_TRUE(IsTold(Flaw::kGfcAtOnce));
+    EXPECT_TRUE(IsTold(Flaw::kGfcFollowed));
+    EXPECT_TRUE(IsTold(Flaw::kMissedInLevel2));
+    EXPECT_TRUE(IsTold(Flaw::kEntersInLevel2));
+    EXPECT_TRUE(IsTold(Flaw::kSentInLevel2));
+    EXPECT_TRUE(IsTold(Flaw::kKeepsInLevel2));
 }
 } // namespace
 } // namespace counterpoint::third_voice
