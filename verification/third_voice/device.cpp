@@ -212,6 +212,28 @@ void Device::WriteSafe(const Srdo& srdo)
     WriteData(srdo, (std::uint64_t{safe.high} << 32U) | safe.low);
 }
 
+/// Both observers have the pair; in level 2 that opens nothing, and the objects are safe. [semantics 4]
+void Device::Release(Srdo& srdo)
+{
+    const Consumer& a = srdo.observers[0];
+    if (is_level_2_)
+    {
+        srdo.is_released = false;
+        if (flaw_ != Flaw::kKeepsInLevel2)
+        {
+            WriteSafe(srdo);
+        }
+        return;
+    }
+    if (!srdo.is_released || srdo.written_ordinal != a.Ordinal())
+    {
+        seen_.events.push_back(srdo.setup->number);
+    }
+    srdo.is_released = true;
+    srdo.written_ordinal = a.Ordinal();
+    WriteData(srdo, a.Data());
+}
+
 void Device::Decide(Srdo& srdo, const Time now)
 {
     Consumer& a = srdo.observers[0];
@@ -228,25 +250,11 @@ void Device::Decide(Srdo& srdo, const Time now)
     const bool is_first = flaw_ == Flaw::kOneEdgeIsEnough;
     const bool is_given = (a.State() == SrdoState::kReleased && b.State() == SrdoState::kReleased) ||
                           (is_first && (a.State() == SrdoState::kReleased || b.State() == SrdoState::kReleased));
-    if (is_level_2_)
+    if (is_given && a.Ordinal() == b.Ordinal() && a.Data() == b.Data())
     {
-        srdo.is_released = false;
-        if (flaw_ != Flaw::kKeepsInLevel2)
-        {
-            WriteSafe(srdo);
-        }
-    }
-    else if (is_given && a.Ordinal() == b.Ordinal() && a.Data() == b.Data())
-    {
-        if (!srdo.is_released || srdo.written_ordinal != a.Ordinal())
-        {
-            seen_.events.push_back(srdo.setup->number);
-        }
         a.Settle();
         b.Settle();
-        srdo.is_released = true;
-        srdo.written_ordinal = a.Ordinal();
-        WriteData(srdo, a.Data());
+        Release(srdo);
     }
     else
     {

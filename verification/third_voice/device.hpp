@@ -104,6 +104,7 @@ class Device
     void WriteData(const Srdo& srdo, std::uint64_t normal);
     void Enter(Time now);
     void Leave();
+    void Release(Srdo& srdo);
     void Decide(Srdo& srdo, Time now);
 
     const DeviceConfig& config_;
