@@ -115,8 +115,7 @@ void CheckConsumerTimes(const CheckContext& context, const SrdoConfiguration& sr
     {
         findings.Warning(srdo.sct_ms.place, ObjectName(srdo.CommunicationIndex(), 2U),
                          "SCT " + Decimal(sct) +
-                             " ms: it may expire between two calls, and is then told behind another "
-                             "error, too",
+                             " ms: it may expire between two calls, and is found by the later one",
                          "at least a cycle with its tolerance, " + Decimal(late_us) + " us");
     }
 }

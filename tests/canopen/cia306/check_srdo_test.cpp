@@ -192,7 +192,7 @@ TEST(CheckSrdo, AnSctBelowALateCycleIsWarnedOf)
     const std::vector<CheckRow> rows = {
         // Cycle 1501 us, tolerance 500 us: 1 us more than the SCT of 2 ms
         {{{"1301sub2", kValue, "2"}, {"1301sub3", kValue, "1"}, {"5F00sub1", kValue, "1501"}},
-         {"warning: 0x1301:02: SCT 2 ms: it may expire between two calls, and is then told behind another error, too, "
+         {"warning: 0x1301:02: SCT 2 ms: it may expire between two calls, and is found by the later one, "
           "expected at least a cycle with its tolerance, 2001 us"}},
         // The limit itself
         {{{"1301sub2", kValue, "2"}, {"1301sub3", kValue, "1"}, {"5F00sub1", kValue, "1500"}}, {}},
