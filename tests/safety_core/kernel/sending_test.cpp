@@ -369,7 +369,6 @@ TEST_F(Sending, GfcBeforeTheFirstCycleCountsFromOneCycleTimeBeforeIt)
     setups[1].form = ProducerForm::kApplicationSends;
     for (const std::uint32_t before_us : {0U, 7000U, 0x80000000U - 8U, 0xFFFFFC18U - 728U})
     {
-        SCOPED_TRACE(before_us);
         Configure();
         kernel.SetNmtState(NmtState::kOperational);
         ASSERT_EQ(kernel.SendGfc(), Result::kSuccessful);
