@@ -32,15 +32,11 @@ bool IsAscending(const SafetyExpectation& expectation) noexcept
     return is_ascending;
 }
 
-/// 0: the size of none.
-std::uint64_t GreatestOf(const std::uint8_t size) noexcept
+/// Of 1 to 8 bytes.
+std::uint64_t GreatestOf(const std::uint8_t size_bytes) noexcept
 {
-    std::uint64_t greatest = 0U;
-    greatest = (size == 1U) ? 0xFFU : greatest;
-    greatest = (size == 2U) ? 0xFFFFU : greatest;
-    greatest = (size == 4U) ? 0xFFFFFFFFU : greatest;
-    greatest = (size == 8U) ? ~std::uint64_t{0U} : greatest;
-    return greatest;
+    constexpr std::uint32_t kByteBits = 8U;
+    return ~std::uint64_t{0U} >> (kByteBits * (sizeof(std::uint64_t) - size_bytes));
 }
 
 /// Whether the value fits its object, and nobody would write what is a part of a program. [SRS_SFS_671]
