@@ -217,6 +217,19 @@ constexpr Step kRound[] = {
     Normal(500U), Inverse(600U), Cycle(2000U), Masks(0U, 0U, 1U, 0U, 1U),
 };
 
+// The fault of one slot takes no edge of the other.
+constexpr Step kFaultOfAnother[] = {
+    Configure(), Cycle(0U), Cycle(50U), Normal(100U), Inverse(200U), Frame(0x103U, 4U, 1U, 0U, 300U),
+    Frame(0x104U, 4U, 0xFFFFFFFEU, 0U, 400U), Acknowledge(3U), Cycle(900U), Masks(0U, 0U, 3U, 0U, 3U), Inverse(950U),
+    Cycle(1000U), Masks(2U, 1U, 0U, 1U, 0U), Normal(1100U), Inverse(1200U), Cycle(2000U), Masks(2U, 1U, 0U, 0U, 1U),
+};
+
+// The edge is complete in the call that leaves OPERATIONAL: the slot is not active in it.
+constexpr Step kWithLeaving[] = {
+    Configure(), Cycle(0U), Cycle(100U), Acknowledge(1U), Cycle(900U), Nmt(NmtState::kStopped), Cycle(1000U),
+    Nmt(NmtState::kOperational), Cycle(2000U), Normal(2100U), Inverse(2200U), Cycle(3000U), Masks(0U, 0U, 1U, 0U, 1U),
+};
+
 constexpr Case kCases[] = {
     MakeCase("LevelBeforeTheFirstCallIsOne", {req::SRS_REL_005}, kGoldLocked, kFirstLevel),
     MakeCase("BitBeforeTheFirstCallIsOne", {req::SRS_REL_005}, kGoldLocked, kFirstBit),
@@ -248,6 +261,8 @@ constexpr Case kCases[] = {
     MakeCase("ReadingsOfTwoSlotsDoNotAddUp", {req::SRS_REL_005}, kTwoLocked, kInTurn),
     MakeCase("AcknowledgeOfOthersIsNone", {req::SRS_REL_005}, kGoldLocked, kOtherBits),
     MakeCase("EdgeAfterARoundOfTheCounter", {req::SRS_REL_005, req::SRS_REL_341, req::SRS_TIME_001}, kGoldLocked, kRound),
+    MakeCase("FaultOfAnotherSlotLeavesTheEdge", {req::SRS_REL_341}, kTwoLocked, kFaultOfAnother),
+    MakeCase("EdgeInTheCallThatLeavesOperational", {req::SRS_REL_341, req::SRS_CONS_019}, kGoldLocked, kWithLeaving),
 };
 // clang-format on
 } // namespace

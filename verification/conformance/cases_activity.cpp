@@ -141,6 +141,14 @@ constexpr Step kCycleNumbers[] = {
     Cycle(0U), Cycle(1000U), Cycle(2000U), Configure(), Cycle(3000U), Cycle(4000U), Restart(), Cycle(5000U),
 };
 
+// A pair that was completed just before is not fresh any more, now or later.
+constexpr Step kLeaveWithAPair[] = {
+    Configure(), Cycle(0U), Normal(100U), Inverse(200U), Nmt(NmtState::kStopped), Cycle(1000U),
+    Masks(0U, 0U, 0U, 1U, 0U), Slot(0U, kOff, Cause::kNotOperational, 0U, 1U, 0U), Data(0U, 0U),
+    Nmt(NmtState::kOperational), Cycle(2000U), Masks(0U, 0U, 1U, 0U, 0U),
+    Slot(0U, kWaiting, Cause::kNotOperational, 0U, 1U, 0U),
+};
+
 constexpr Case kCases[] = {
     MakeCase("FramesBeforeOperationalAreIgnored", {req::SRS_CONS_002, req::SRS_REL_001}, kGold, kBefore),
     MakeCase("OnlyOperationalActivates", {req::SRS_CONS_002, req::SRS_CONS_023}, kGold, kStates),
@@ -160,6 +168,8 @@ constexpr Case kCases[] = {
     MakeCase("DirectionOffIsNeverActive", {req::SRS_CONS_023, req::SRS_CONS_019, req::SRS_PROD_011}, kMixed,
              kDirectionOff),
     MakeCase("CyclesAreNumbered", {req::SRS_CONS_023}, kGold, kCycleNumbers),
+    MakeCase("LeavingWithAFreshPair", {req::SRS_CONS_023, req::SRS_CONS_019, req::SRS_CONS_025}, kGold,
+             kLeaveWithAPair),
 };
 // clang-format on
 } // namespace

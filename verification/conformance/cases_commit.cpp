@@ -237,6 +237,36 @@ constexpr Step kSixtyFourBitsExamined[] = {
     Cycle(1300U), Examine(1U, 0U), Commit(1U, 1U),
 };
 
+// What was written once is not written again: agreed anew, the same pair stays away.
+constexpr Step kAgreedAgain[] = {
+    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), Commit(1U, 1U), Cycle(3000U), Commit(0U, 1U),
+    Cycle(4000U), Commit(1U, 1U), NormalObject(0x6010U, 1U, 0xA5U), InverseObject(0x6011U, 1U, 0x5AU),
+    Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U),
+};
+
+// Written and examined in one call.
+constexpr Step kOverwrittenAndExamined[] = {
+    Share(0x6010U, 1U, 0x6010U, 2U), Share(0x6011U, 1U, 0x6011U, 2U), Configure(), Cycle(0U), Normal(1000U),
+    Inverse(1500U), Cycle(2000U), Examine(1U, 1U), Commit(1U, 1U), Answer(0x12345678U, 0U, 0xF6D680F8U, 0x7AB6E1C8U),
+};
+
+// The object of the second slot changes: found where that slot is examined, and told of it alone.
+constexpr Step kOneOfTwoExamined[] = {
+    Configure(), Cycle(0U), Normal(1000U), Inverse(1001U), Frame(0x103U, 4U, 0xDDCCBBAAU, 0U, 1002U),
+    Frame(0x104U, 4U, 0x22334455U, 0U, 1003U), Cycle(2000U), Commit(3U, 3U), Put(0x6200U, 1U, 0xDDCCBBABU),
+    Put(0x6201U, 1U, 0x22334454U), Cycle(3000U), Examine(1U, 0U), Commit(3U, 3U),
+    Answer(0xDEADBEEFU, 3U, 0x775F6752U, 0x9D94B67EU), Cycle(4000U), Examine(3U, 2U), Commit(3U, 3U),
+    Answer(0xDEADBEEFU, 1U, 0x3AF073F0U, 0x91BD2190U),
+};
+
+// The held pair is what counts, even if it came behind the cycle.
+constexpr Step kBehindTheCycle[] = {
+    Configure(), Cycle(0U), Normal(1000U), Inverse(1500U), Cycle(2000U), OtherNormal(2100U), OtherInverse(2200U),
+    Commit(1U, 1U), NormalObject(0x6010U, 1U, 0x56U), NormalObject(0x6010U, 2U, 0x78U),
+    InverseObject(0x6011U, 1U, 0xA9U), InverseObject(0x6011U, 2U, 0x87U),
+    Answer(0x12345678U, 1U, 0x950DFAA9U, 0x00A2AC3FU),
+};
+
 constexpr Case kCases[] = {
     MakeCase("ValidateWritesTheSafeValue", {req::SRS_REL_002, req::SRS_REL_340}, kGold, kSafeAtValidate),
     MakeCase("ValidateWithFaultWritesNothing", {req::SRS_REL_002, req::SRS_REL_340, req::SRS_CFG_029}, kGold, kUntouchedByFault),
@@ -256,13 +286,18 @@ constexpr Case kCases[] = {
     MakeCase("MixedSizesAreWritten", {req::SRS_REL_002}, kMixedSizes, kSizes),
     MakeCase("ValidatedAgainIsNotCommitted", {req::SRS_REL_002, req::SRS_REL_340, req::SRS_REL_010}, kGold, kValidatedAgain),
     MakeCase("OverwrittenIsFoundAtOnce", {req::SRS_REL_011, req::SRS_REL_010}, kGold, kOverwritten),
-    MakeCase("ChangedLaterIsFoundInItsTurn", {req::SRS_REL_011, req::SRS_REL_010}, kGold, kChangedLater),
+    MakeCase("ChangedLaterIsFoundInItsTurn", {req::SRS_REL_011, req::SRS_REL_010, req::SRS_REL_002}, kGold, kChangedLater),
     MakeCase("NewerPairNotMatchedIsNotExamined", {req::SRS_REL_011}, kGold, kNewerIsNotExamined),
     MakeCase("OthersAreNotExamined", {req::SRS_REL_011}, kGold, kNotExamined),
     MakeCase("NoCommitNoPermit", {req::SRS_REL_010}, kGold, kLeftOut),
     MakeCase("SixteenEntriesAreExamined", {req::SRS_REL_011}, kWide, kSixteenExamined),
     MakeCase("SixtyFourBitsAreExamined", {req::SRS_REL_011}, kLong, kSixtyFourBitsExamined),
     MakeCase("NothingIsWrittenForOthers", {req::SRS_REL_002, req::SRS_REL_010}, kMixed, kNoConsumer),
+    MakeCase("AgreedAgainIsNotWrittenAgain", {req::SRS_REL_002, req::SRS_REL_340, req::SRS_REL_010}, kGold,
+             kAgreedAgain),
+    MakeCase("OverwrittenIsFoundWhileExamined", {req::SRS_REL_011, req::SRS_REL_010}, kGold, kOverwrittenAndExamined),
+    MakeCase("EachSlotIsExaminedForItself", {req::SRS_REL_011, req::SRS_REL_010}, kTwo, kOneOfTwoExamined),
+    MakeCase("PairBehindTheCycleIsWritten", {req::SRS_REL_002}, kGold, kBehindTheCycle),
 };
 // clang-format on
 } // namespace

@@ -169,6 +169,57 @@ constexpr Step kOrderFrameFirst[] = {
     Slot(0U, kFaulted, Cause::kInverseFirst, 0U, 2U, 0U),
 };
 
+// Cycle 10 ms, tolerance 5 ms, two consumers. The limit of one is no excuse for the other.
+// t     1000/2000    20000/21000   25000      40000   55001 (late)       70002 (late)
+//       pair of 0    pair of 1     released           0: SCT, 1: late    both late
+constexpr Step kLateOfEach[] = {
+    Alter(Parameter::kCycle, 10000U), Alter(Parameter::kCycleTolerance, 5000U), Configure(), Cycle(0U), Normal(1000U),
+    Inverse(2000U), Cycle(10000U), Frame(0x103U, 4U, 0xDDCCBBAAU, 0U, 20000U),
+    Frame(0x104U, 4U, 0x22334455U, 0U, 21000U), Cycle(25000U), Masks(3U, 0U, 0U, 0U, 2U), Cycle(40000U),
+    Masks(3U, 0U, 0U, 0U, 0U), Cycle(55001U), Masks(0U, 3U, 0U, 3U, 0U), Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U),
+    Signals(0U, Bit(Cause::kSct)), Slot(1U, kFaulted, Cause::kLateCall, 0U, 1U, 0U), Signals(1U, Bit(Cause::kLateCall)),
+    Cycle(70002U), Masks(0U, 3U, 0U, 3U, 0U), Signals(0U, Bit(Cause::kLateCall)), Signals(1U, Bit(Cause::kLateCall)),
+};
+
+// A call that enters OPERATIONAL finds what any other one finds: the consumer is active in it.
+constexpr Step kLateAndEntering[] = {
+    Configure(), Nmt(NmtState::kPreOperational), Cycle(0U), Nmt(NmtState::kOperational), Cycle(15001U),
+    Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kLateCall, 0U, 1U, 0U), Signals(0U, Bit(Cause::kLateCall)),
+};
+
+constexpr Step kOverflowAndEntering[] = {
+    Configure(), Nmt(NmtState::kPreOperational), Cycle(0U), Nmt(NmtState::kOperational),
+    Queue(QueueState::kOverflowed), Cycle(1000U), Masks(0U, 1U, 0U, 1U, 0U),
+    Slot(0U, kFaulted, Cause::kQueueOverflow, 0U, 1U, 0U), Signals(0U, Bit(Cause::kQueueOverflow)),
+};
+
+// Nothing happens at the frame; the cycle takes a pending normal frame, too.
+constexpr Step kGfcPending[] = {
+    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), Normal(1000U), Gfc(1500U),
+    Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U), Cycle(2000U), Slot(0U, kFaulted, Cause::kGfc, 0U, 1U, 0U),
+    Inverse(3000U), Slot(0U, kFaulted, Cause::kGfc, 0U, 2U, 0U), Cycle(4000U), Signals(0U, Bit(Cause::kInverseFirst)),
+};
+
+// 1300h changes between the frame and the cycle: it counts as it was when the frame came.
+constexpr Step kGfcParameterThen[] = {
+    Configure(), Cycle(0U), Gfc(1000U), Store(0U, ConfigField::kGfcParameter, kGfcOn), Cycle(2000U),
+    Masks(0U, 0U, 1U, 0U, 0U), Gfc(3000U), Store(0U, ConfigField::kGfcParameter, 0U), Cycle(4000U),
+    Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kGfc, 0U, 1U, 0U),
+};
+
+constexpr Step kGfcNoProducer[] = {
+    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), Gfc(1000U), Cycle(2000U),
+    Masks(0U, 1U, 0U, 1U, 0U), Signalled(1U), Slot(1U, kProducing, kNoCause, 0U, 0U, 0U),
+    Slot(2U, kOff, kNoCause, 0U, 0U, 0U),
+};
+
+constexpr Step kOrderWithSct[] = {
+    Store(0U, ConfigField::kGfcParameter, kGfcOn), Configure(), Cycle(0U), Normal(1000U), Inverse(2000U),
+    Cycle(10000U), Cycle(25000U), Cycle(40000U), Masks(1U, 0U, 0U, 0U, 0U), Gfc(41000U),
+    Queue(QueueState::kOverflowed), Cycle(55001U), Slot(0U, kFaulted, Cause::kSct, 0U, 3U, 0U),
+    Signals(0U, Bit(Cause::kSct) | Bit(Cause::kQueueOverflow) | Bit(Cause::kGfc)),
+};
+
 constexpr Case kCases[] = {
     MakeCase("LateCall", {req::SRS_CONS_015, req::SRS_TIME_004, req::SRS_TIME_001}, kGoldPrompt, kLate),
     MakeCase("LateCallDiscardsThePair", {req::SRS_CONS_015, req::SRS_CONS_012}, kGoldPrompt, kLateDiscards),
@@ -194,6 +245,15 @@ constexpr Case kCases[] = {
     MakeCase("OrderOfCausesWithoutALimit", {req::SRS_CONS_018, req::SRS_CONS_020}, kGoldPrompt, kOrderWithoutLimit),
     MakeCase("LostFramesBeforeGlobalFailsafeCommand", {req::SRS_CONS_018}, kGoldPrompt, kOrderOverflowGfc),
     MakeCase("FaultOfAFrameBeforeGlobalFailsafeCommand", {req::SRS_CONS_018}, kGoldPrompt, kOrderFrameFirst),
+    MakeCase("LateCallOfEachConsumer", {req::SRS_CONS_015, req::SRS_CONS_018}, kTwo, kLateOfEach),
+    MakeCase("LateCallThatEntersOperational", {req::SRS_CONS_015, req::SRS_CONS_002}, kGoldPrompt, kLateAndEntering),
+    MakeCase("LostFramesInTheCallThatEntersOperational", {req::SRS_CONS_016, req::SRS_CONS_002}, kGold,
+             kOverflowAndEntering),
+    MakeCase("GlobalFailsafeCommandDiscardsThePendingFrame", {req::SRS_CONS_017, req::SRS_CONS_012}, kGold,
+             kGfcPending),
+    MakeCase("GlobalFailsafeCommandCountsBy1300hOfItsTime", {req::SRS_CONS_017}, kGold, kGfcParameterThen),
+    MakeCase("GlobalFailsafeCommandConcernsNoProducer", {req::SRS_CONS_017}, kMixed, kGfcNoProducer),
+    MakeCase("OrderOfCausesWithSct", {req::SRS_CONS_018, req::SRS_CONS_020}, kGoldPrompt, kOrderWithSct),
 };
 // clang-format on
 } // namespace

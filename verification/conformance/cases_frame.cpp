@@ -92,7 +92,8 @@ constexpr Step kNormalLength[] = {
     Frame(0x111U, 9U, 0x3412U, 0U, 1004U), Slot(0U, kFaulted, Cause::kLength, 0U, 5U, 0U),
     Frame(0x111U, 255U, 0x3412U, 0U, 1005U), Slot(0U, kFaulted, Cause::kLength, 0U, 6U, 0U),
     Cycle(2000U), Masks(0U, 1U, 0U, 1U, 0U), Signals(0U, Bit(Cause::kLength)),
-    Normal(3000U), Inverse(3001U), Cycle(4000U), Masks(1U, 0U, 0U, 0U, 1U),
+    Normal(3000U), Inverse(3001U), Cycle(4000U), Masks(1U, 0U, 0U, 0U, 1U), Frame(0x111U, 1U, 0x12U, 0U, 5000U),
+    Slot(0U, kFaulted, Cause::kLength, 0U, 7U, 0U),
 };
 
 constexpr Step kInverseLength[] = {
@@ -242,6 +243,24 @@ constexpr Step kNormalAfterSrvt[] = {
     Cycle(24000U), Masks(1U, 0U, 0U, 0U, 1U),
 };
 
+// SRVT, then SCT, each before the controller of the frame.
+constexpr Step kLimitBeforeController[] = {
+    Configure(), Cycle(0U), Normal(1000U), On(Inverse(21001U), CanPortId::kSecond),
+    Slot(0U, kFaulted, Cause::kSrvt, 0U, 2U, 0U), Cycle(22000U), Signals(0U, Bit(Cause::kSrvt) | Bit(Cause::kIdentifier)),
+    Normal(23000U), Inverse(23500U), Cycle(24000U), Masks(1U, 0U, 0U, 0U, 1U),
+    On(OtherNormal(73001U), CanPortId::kSecond), Slot(0U, kFaulted, Cause::kSrvt, 0U, 4U, 0U), Cycle(74000U),
+    Signals(0U, Bit(Cause::kSct) | Bit(Cause::kIdentifier)),
+};
+
+// The other way round: normal frames on the second controller, inverse ones on the first.
+constexpr Step kSwappedControllers[] = {
+    Alter(Parameter::kNormalPort, static_cast<std::uint32_t>(CanPortId::kSecond)), Configure(), Cycle(0U),
+    On(Normal(1000U), CanPortId::kSecond), Inverse(2000U), Cycle(3000U), Masks(1U, 0U, 0U, 0U, 1U), Normal(4000U),
+    Slot(0U, kFaulted, Cause::kIdentifier, 0U, 1U, 0U), Cycle(5000U), On(Normal(6000U), CanPortId::kSecond),
+    On(Inverse(6500U), CanPortId::kSecond), Slot(0U, kFaulted, Cause::kIdentifier, 0U, 2U, 0U), Cycle(7000U),
+    Signals(0U, Bit(Cause::kIdentifier)),
+};
+
 constexpr Case kCases[] = {
     MakeCase("PairIsTakenAndReleased", {req::SRS_CONS_006, req::SRS_CONS_010, req::SRS_CONS_001, req::SRS_REL_003,
              req::SRS_CONS_023}, kGold, kPair),
@@ -253,7 +272,7 @@ constexpr Case kCases[] = {
     MakeCase("InverseFrameOnOtherController", {req::SRS_CONS_004, req::SRS_CONS_012}, kGold, kInverseOnSecond),
     MakeCase("FrameOnUnknownController", {req::SRS_CONS_004}, kGold, kNoController),
     MakeCase("HalvesOnTwoControllers", {req::SRS_CONS_004}, kGoldPorts, kTwoControllers),
-    MakeCase("LengthOfNormalFrame", {req::SRS_CONS_005}, kGold, kNormalLength),
+    MakeCase("LengthOfNormalFrame", {req::SRS_CONS_005, req::SRS_CONS_012}, kGold, kNormalLength),
     MakeCase("LengthOfInverseFrame", {req::SRS_CONS_005}, kGold, kInverseLength),
     MakeCase("LengthOfEightBytes", {req::SRS_CONS_005}, kWide, kFullLength),
     MakeCase("BytesBehindTheLengthMeanNothing", {req::SRS_CONS_009, req::SRS_CONS_010}, kGold, kBytesBehind),
@@ -272,6 +291,8 @@ constexpr Case kCases[] = {
              kLimitBeforeOrder),
     MakeCase("LimitIsCheckedBeforeLength", {req::SRS_CONS_011, req::SRS_CONS_003}, kGold, kLimitBeforeLength),
     MakeCase("NormalFrameAfterSrvtStartsTheNextPair", {req::SRS_CONS_012, req::SRS_CONS_003}, kGold, kNormalAfterSrvt),
+    MakeCase("LimitIsCheckedBeforeController", {req::SRS_CONS_011, req::SRS_CONS_003}, kGold, kLimitBeforeController),
+    MakeCase("NormalFramesOnTheSecondController", {req::SRS_CONS_004}, kGold, kSwappedControllers),
 };
 // clang-format on
 } // namespace

@@ -237,6 +237,29 @@ constexpr Step kNeitherIsEarly[] = {
     Masks(0U, 1U, 0U, 1U, 0U), Slot(0U, kFaulted, Cause::kSrvt, 0U, 1U, 0U),
 };
 
+// A normal frame examines SCT where nothing is pending, too.
+// t     1000  2000  3000      51000 (SCT)  51001       52000  53000  54000     102001   103000
+//       N     I     released  N            cycle: SCT  N      I      released  N: SCT   I
+constexpr Step kSctAtLoneNormal[] = {
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Normal(51000U),
+    Slot(0U, kReleased, kNoCause, 1U, 0U, 1U), Cycle(51001U), Slot(0U, kFaulted, Cause::kSct, 0U, 1U, 0U),
+    Normal(52000U), Inverse(53000U), Cycle(54000U), Masks(1U, 0U, 0U, 0U, 1U), Normal(102001U),
+    Slot(0U, kFaulted, Cause::kSct, 0U, 2U, 0U), Inverse(103000U), Slot(0U, kFaulted, Cause::kSct, 1U, 2U, 1U),
+    Cycle(104000U), Masks(0U, 1U, 0U, 1U, 0U), Signals(0U, Bit(Cause::kSct)),
+};
+
+// A pair behind a fault has no SCT, neither at a frame nor in the cycle; what is pending behind it stays.
+// t     1000       2000  2500  40000  (52000 SCT)  52001  53000
+//       I (fault)  N     I     N                   I      cycle: the fault alone
+constexpr Step kNoSctBehind[] = {
+    Configure(), Cycle(0U), Inverse(1000U), Normal(2000U), Inverse(2500U), Normal(40000U), Inverse(52001U),
+    Slot(0U, kFaulted, Cause::kInverseFirst, 2U, 1U, 1U), Cycle(53000U), Masks(0U, 1U, 0U, 1U, 0U),
+    Slot(0U, kFaulted, Cause::kInverseFirst, 0U, 1U, 0U), Signals(0U, Bit(Cause::kInverseFirst)),
+    Inverse(54000U), Normal(55000U), Inverse(55500U), Normal(104000U), Cycle(105001U), Masks(0U, 1U, 0U, 1U, 0U),
+    Slot(0U, kFaulted, Cause::kInverseFirst, 0U, 2U, 0U), Signals(0U, Bit(Cause::kInverseFirst)), Inverse(124000U),
+    Slot(0U, kFaulted, Cause::kInverseFirst, 1U, 2U, 1U), Cycle(125000U), Masks(1U, 0U, 0U, 0U, 1U),
+};
+
 constexpr Case kCases[] = {
     MakeCase("LateSrvtInside", {req::SRS_TIME_009, req::SRS_TIME_340, req::SRS_TIME_006}, kGoldLate, kInside),
     MakeCase("LateSrvtOnTheLimit", {req::SRS_TIME_009, req::SRS_TIME_340, req::SRS_TIME_004}, kGoldLate, kOn),
@@ -244,8 +267,8 @@ constexpr Case kCases[] = {
              kBehind),
     MakeCase("LateSrvtIsNoAffairOfTheCycle", {req::SRS_TIME_009, req::SRS_CONS_014, req::SRS_CONS_022}, kGoldLate,
              kNoCycleFindsIt),
-    MakeCase("LateSctInTheCycleWithAPendingFrame", {req::SRS_TIME_009, req::SRS_CONS_014, req::SRS_CONS_012},
-             kGoldLate, kSctInCycle),
+    MakeCase("LateSctInTheCycleWithAPendingFrame", {req::SRS_TIME_009, req::SRS_CONS_014, req::SRS_CONS_012,
+             req::SRS_TIME_005}, kGoldLate, kSctInCycle),
     MakeCase("LateSctInsideAtInverseFrame", {req::SRS_TIME_009, req::SRS_TIME_340, req::SRS_CONS_003}, kGoldLate, kSctInsideAtInverse),
     MakeCase("LateSctOnTheLimitAtInverseFrame", {req::SRS_TIME_009, req::SRS_TIME_340, req::SRS_TIME_004}, kGoldLate, kSctOnAtInverse),
     MakeCase("LateSctBehindAtInverseFrame", {req::SRS_TIME_009, req::SRS_TIME_340, req::SRS_CONS_003}, kGoldLate, kSctBehindAtInverse),
@@ -280,6 +303,10 @@ constexpr Case kCases[] = {
              kMixedDetection),
     MakeCase("LateSctRunsFromTheNormalFrame", {req::SRS_TIME_009, req::SRS_TIME_005}, kGoldLate, kFromNormal),
     MakeCase("DetectionThatIsNeitherIsEarly", {req::SRS_TIME_007}, kGoldNoLate, kNeitherIsEarly),
+    MakeCase("LateSctAtALoneNormalFrame", {req::SRS_TIME_009, req::SRS_CONS_003, req::SRS_TIME_004}, kGoldLate,
+             kSctAtLoneNormal),
+    MakeCase("LatePairBehindAFaultHasNoSct", {req::SRS_CONS_013, req::SRS_TIME_009, req::SRS_TIME_340}, kGoldLate,
+             kNoSctBehind),
 };
 // clang-format on
 } // namespace

@@ -71,6 +71,11 @@ constexpr Step kAstray[] = {
     Slot(0U, kFaulted, Cause::kIdentifier, 0U, 2U, 0U),
 };
 
+constexpr Step kInverseAstray[] = {
+    Configure(), Cycle(0U), CobId2(0U, 0x114U), Inverse(1000U), Slot(0U, kFaulted, Cause::kIdentifier, 0U, 1U, 0U),
+    Cycle(2000U), Signals(0U, Bit(Cause::kIdentifier)),
+};
+
 constexpr Case kCases[] = {
     MakeCase("RecheckHoldsInEveryState", {req::SRS_CFG_030}, kGold, kHolds),
     MakeCase("RecheckFindsAChangedSignature", {req::SRS_CFG_030, req::SRS_CONS_002}, kGold, kSignatureChanged),
@@ -80,6 +85,7 @@ constexpr Case kCases[] = {
     MakeCase("RecheckAfterAFaultOfValidate", {req::SRS_CFG_030, req::SRS_CFG_029}, kGold, kAfterFault),
     MakeCase("RecheckWithoutATable", {req::SRS_CFG_030}, kMixed, kOffHasNoTable),
     MakeCase("FrameLedToAnotherSrdo", {req::SRS_CONS_004}, kGold, kAstray),
+    MakeCase("InverseFrameLedToAnotherSrdo", {req::SRS_CONS_004}, kGold, kInverseAstray),
 };
 // clang-format on
 } // namespace

@@ -125,6 +125,15 @@ constexpr Step kDemoteOne[] = {
     Masks(1U, 2U, 0U, 0U, 0U), OrdinalSum(1U),
 };
 
+// Neither does 0, nor a value that is one bit away from kAutomatic.
+constexpr Step kPolicyZero[] = {
+    Alter(Parameter::kPolicy, 0U), Configure(), Cycle(0U), Cycle(500U), Normal(1000U), Inverse(1500U), Cycle(2000U),
+    Masks(0U, 0U, 1U, 0U, 1U), Cycle(3000U), Masks(0U, 0U, 1U, 0U, 0U), Acknowledge(1U), Cycle(3900U),
+    Masks(0U, 0U, 1U, 0U, 0U), Cycle(4000U), Masks(1U, 0U, 0U, 0U, 0U),
+    Alter(Parameter::kPolicy, static_cast<std::uint32_t>(ReleasePolicy::kAutomatic) ^ 0x80U), Configure(), Cycle(0U),
+    Normal(1000U), Inverse(1500U), Cycle(2000U), Masks(0U, 0U, 1U, 0U, 1U), Cycle(3000U), Masks(0U, 0U, 1U, 0U, 0U),
+};
+
 constexpr Case kCases[] = {
     MakeCase("AutomaticReleasesTheNextPair", {req::SRS_REL_003, req::SRS_REL_001}, kGold, kAutomatic),
     MakeCase("InterlockNeedsAnAcknowledge", {req::SRS_REL_004, req::SRS_REL_001, req::SRS_REL_007}, kGoldLocked,
@@ -142,6 +151,7 @@ constexpr Case kCases[] = {
     MakeCase("DemoteBetweenTheTwoReadings", {req::SRS_REL_006, req::SRS_REL_005}, kGoldLocked, kDemoteBetween),
     MakeCase("DemoteOfWhatIsNoActiveConsumer", {req::SRS_REL_006}, kMixed, kDemoteOff),
     MakeCase("DemoteOfOneSlot", {req::SRS_REL_006}, kTwo, kDemoteOne),
+    MakeCase("PolicyOfZeroIsTheInterlock", {req::SRS_REL_004}, kGold, kPolicyZero),
 };
 // clang-format on
 } // namespace

@@ -111,6 +111,27 @@ constexpr Step kPastSctRound[] = {
     Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
 };
 
+// A fault that the same call tells ends the waiting before it: lost frames, SRVT of half a pair, a frame.
+constexpr Step kFaultOfTheCallEnds[] = {
+    Configure(), Cycle(0U), Queue(QueueState::kOverflowed), Cycle(50001U), Signals(0U, Bit(Cause::kQueueOverflow)),
+    Restart(), Configure(), Cycle(60000U), Normal(90001U), Cycle(110002U), Signals(0U, Bit(Cause::kSrvt)),
+    Restart(), Configure(), Cycle(120000U), Inverse(121000U), Cycle(170001U), Signals(0U, kOrderBit),
+};
+
+// A pair and a fault from before OPERATIONAL was left do not count.
+constexpr Step kPastSctAfterAPair[] = {
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Inverse(4000U), Cycle(5000U),
+    Nmt(NmtState::kStopped), Cycle(6000U), Nmt(NmtState::kOperational), Cycle(7000U), Masks(0U, 0U, 1U, 0U, 0U),
+    Cycle(57000U), Signals(0U, 0U), Cycle(57001U), Signals(0U, kPastSctBit),
+};
+
+// OPERATIONAL is entered with the call that sees both: NMT state and valid configuration.
+constexpr Step kPastSctFromBoth[] = {
+    Configure(), Store(0U, ConfigField::kConfigurationValid, 0U), Cycle(0U),
+    Store(0U, ConfigField::kConfigurationValid, 0xA5U), Cycle(2000U), Masks(0U, 0U, 1U, 0U, 0U), Cycle(52000U),
+    Signals(0U, 0U), Cycle(52001U), Signals(0U, kPastSctBit),
+};
+
 constexpr Case kCases[] = {
     MakeCase("EveryFaultIsSignalled", {req::SRS_CONS_021}, kGold, kEvery),
     MakeCase("OtherCausesAreSignalledBesides", {req::SRS_CONS_021}, kGold, kOtherCause),
@@ -126,6 +147,10 @@ constexpr Case kCases[] = {
     MakeCase("NotWaitingAfterAFault", {req::SRS_CONS_022}, kGold, kFaultEnds),
     MakeCase("NotWaitingAfterDemote", {req::SRS_CONS_022, req::SRS_REL_006}, kGold, kDemoteEnds),
     MakeCase("WaitingPastSctAfterARoundOfTheCounter", {req::SRS_CONS_022, req::SRS_TIME_001}, kGold, kPastSctRound),
+    MakeCase("NotWaitingInTheCallThatTellsAFault", {req::SRS_CONS_022}, kGold, kFaultOfTheCallEnds),
+    MakeCase("WaitingPastSctAfterAPairOfBefore", {req::SRS_CONS_022, req::SRS_CONS_019}, kGold, kPastSctAfterAPair),
+    MakeCase("WaitingPastSctFromTheValidConfiguration", {req::SRS_CONS_022, req::SRS_CONS_002}, kGold,
+             kPastSctFromBoth),
 };
 // clang-format on
 } // namespace

@@ -156,6 +156,26 @@ constexpr Step kShortestLimits[] = {
     Frame(0x10AU, 1U, 0xF0U, 0U, 4001U), Cycle(4002U), Slot(0U, kFaulted, Cause::kSct, 0U, 3U, 0U),
 };
 
+// Both are over at a frame: the pending frame answered SCT (over at 51000), so it is SRVT (over at 60000).
+constexpr Step kBothOverAtInverse[] = {
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Normal(40000U), Inverse(60001U),
+    Slot(0U, kFaulted, Cause::kSrvt, 0U, 2U, 0U), Cycle(61000U), Masks(0U, 1U, 0U, 1U, 0U),
+    Signals(0U, Bit(Cause::kSrvt) | Bit(Cause::kInverseFirst)),
+};
+
+constexpr Step kBothOverAtNormal[] = {
+    Configure(), Cycle(0U), Normal(1000U), Inverse(2000U), Cycle(3000U), Normal(40000U), OtherNormal(60001U),
+    Slot(0U, kFaulted, Cause::kSrvt, 0U, 1U, 0U), OtherInverse(61000U), Slot(0U, kFaulted, Cause::kSrvt, 1U, 1U, 1U),
+    Cycle(62000U), Masks(0U, 1U, 0U, 1U, 0U), Signals(0U, Bit(Cause::kSrvt)),
+};
+
+// The counter wraps between the halves (at 30000, with the second origin).
+constexpr Step kSrvtAcrossTheWrap[] = {
+    Configure(), Cycle(0U), Normal(15000U), Inverse(35000U), Slot(0U, kWaiting, kNoCause, 1U, 0U, 1U), Cycle(36000U),
+    Masks(1U, 0U, 0U, 0U, 1U),
+    Restart(), Configure(), Cycle(0U), Normal(15000U), Inverse(35001U), Slot(0U, kFaulted, Cause::kSrvt, 0U, 2U, 0U),
+};
+
 constexpr Case kCases[] = {
     MakeCase("SctInsideAtNormalFrame", {req::SRS_TIME_003, req::SRS_TIME_005}, kGold, kSctInsideAtFrame),
     MakeCase("SctOnTheLimitAtNormalFrame", {req::SRS_TIME_004, req::SRS_TIME_005, req::SRS_CONS_003, req::SRS_TIME_001},
@@ -178,6 +198,12 @@ constexpr Case kCases[] = {
     MakeCase("PairSeenTooLateIsOver", {req::SRS_TIME_003, req::SRS_CONS_014}, kGold, kSeenTooLate),
     MakeCase("LongestLimits", {req::SRS_TIME_004, req::SRS_TIME_001}, kLong, kLongest),
     MakeCase("ShortestLimits", {req::SRS_TIME_004, req::SRS_TIME_006}, kShortest, kShortestLimits),
+    MakeCase("BothLimitsOverAtAnInverseFrame", {req::SRS_TIME_008, req::SRS_TIME_007, req::SRS_CONS_003}, kGold,
+             kBothOverAtInverse),
+    MakeCase("BothLimitsOverAtANormalFrame", {req::SRS_TIME_008, req::SRS_TIME_007, req::SRS_CONS_012}, kGold,
+             kBothOverAtNormal),
+    MakeCase("SrvtAcrossTheWrapOfTheCounter", {req::SRS_TIME_001, req::SRS_TIME_004, req::SRS_TIME_006}, kGold,
+             kSrvtAcrossTheWrap),
 };
 // clang-format on
 } // namespace
