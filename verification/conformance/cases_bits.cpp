@@ -158,6 +158,14 @@ constexpr Step kSplit[] = {
     InverseObject(0x6303U, 31U, 0x1F6E5D4CU),
 };
 
+// A safe value with every bit above the mapped length set: none of them is written, nor looked for.
+constexpr Step kSafeAbove[] = {
+    Alter(Parameter::kSafeLow, 0xFFFFFFFDU), Alter(Parameter::kSafeHigh, 0xFFFFFFFFU), Configure(), NormalObject(0x6302U, 3U, 0x05U),
+    InverseObject(0x6303U, 3U, 0x02U), Cycle(0U), Data(0U, 0U), Normal3(0x03U, 1000U), Inverse3(0xFCU, 2000U), Data(0U, 0x03U),
+    Cycle(3000U), Commit(1U, 1U), NormalObject(0x6302U, 3U, 0x03U), Cycle(4000U), Commit(0U, 0U), NormalObject(0x6302U, 3U, 0x05U),
+    InverseObject(0x6303U, 3U, 0x02U),
+};
+
 constexpr Case kCases[] = {
     MakeCase("BitsAreExamined", {req::SRS_REL_011}, kBits3, kThreeExamined),
     MakeCase("BitsOfThreeBitObjects", {req::SRS_CFG_036, req::SRS_REL_002, req::SRS_CONS_009}, kBits3, kThree),
@@ -171,6 +179,7 @@ constexpr Case kCases[] = {
     MakeCase("SixtyFourBitsNotInverted", {req::SRS_CONS_009, req::SRS_CONS_005}, kBits64, kSixtyFourNotInverse),
     MakeCase("BitsOfSixtyThree", {req::SRS_CFG_036, req::SRS_CONS_009}, kBits63, kSixtyThree),
     MakeCase("BitsAcrossTheBorderOfTheWords", {req::SRS_CFG_036, req::SRS_REL_002}, kBitsSplit, kSplit),
+    MakeCase("SafeValueAboveTheMappedLength", {req::SRS_CFG_036, req::SRS_REL_002, req::SRS_REL_340}, kBits3, kSafeAbove),
 };
 // clang-format on
 } // namespace

@@ -2,6 +2,7 @@
 //
 // Confirmation of what was sent, and the faults of a producer. SRVT 20 ms, refresh 25 ms. Times in microseconds.
 #include "verification/conformance/gold.hpp"
+#include "verification/conformance/stores.hpp"
 #include "verification/trace/ids/channel.hpp"
 
 namespace counterpoint::conformance
@@ -22,8 +23,14 @@ constexpr Step kStrangers[] = {
     ConfirmNone(0x80000101U, 2U, 0x3412U, 0U, 2005U), ConfirmNone(0x7FFU, 2U, 0x3412U, 0U, 2006U),
     OfKind(StrangeFirst(2007U), FrameKind::kRemote),
     OfKind(StrangeFirst(2008U), FrameKind::kExtended),
+    OfKind(ConfirmNone(0x101U, 2U, 0U, 0U, 2009U), FrameKind::kExtendedRemote),
+    OfKind(ConfirmNone(0x101U, 8U, 0U, 0U, 2010U), FrameKind::kFlexibleDataRate),
+    OfKind(StrangeFirst(2011U), FrameKind::kInvalid),
     Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), ConfirmFirst(0U, 2100U),
-    StrangeFirst(2101U), TakeSecond(0U), ConfirmSecond(0U, 2200U),
+    StrangeFirst(2101U), OfKind(StrangeSecond(2102U), FrameKind::kRemote),
+    OfKind(StrangeSecond(2103U), FrameKind::kExtended), OfKind(ConfirmNone(0x102U, 2U, 0U, 0U, 2104U), FrameKind::kExtendedRemote),
+    OfKind(ConfirmNone(0x102U, 8U, 0U, 0U, 2105U), FrameKind::kFlexibleDataRate), OfKind(StrangeSecond(2106U), FrameKind::kInvalid),
+    Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), TakeSecond(0U), ConfirmSecond(0U, 2200U),
     StrangeSecond(2201U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
 };
 
@@ -176,6 +183,108 @@ constexpr Step kAstray[] = {
     Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
 };
 
+// Full frames: one wrong bit in each byte of the normal frame, then of the inverse one.
+constexpr Step kLongReady = Ready(0U, CanPortId::kFirst, 0x101U, 8U, 0x44332211U, 0x88776655U);
+constexpr Step kLongFirst = ConfirmNormal(0U, 0x101U, 8U, 0x44332211U, 0x88776655U, 2100U);
+
+constexpr Step WrongFirst(std::uint32_t low, std::uint32_t high)
+{
+    return ConfirmNone(0x101U, 8U, 0x44332211U ^ low, 0x88776655U ^ high, 2100U);
+}
+
+constexpr Step WrongSecond(std::uint32_t low, std::uint32_t high)
+{
+    return ConfirmNone(0x102U, 8U, 0xBBCCDDEEU ^ low, 0x778899AAU ^ high, 2200U);
+}
+
+constexpr Step Wrong(std::uint32_t errors)
+{
+    return Slot(0U, kProducing, Cause::kWrongEcho, 0U, errors, 0U);
+}
+
+constexpr Step kEveryByte[] = {
+    Configure(), Put(0x6400U, 8U, 0x44332211U, 0x88776655U), Put(0x6401U, 8U, 0xBBCCDDEEU, 0x778899AAU), Cycle(0U), Cycle(2000U),
+    kLongReady, WrongFirst(0x00000001U, 0U), Wrong(1U), kLongReady, WrongFirst(0x00008000U, 0U), Wrong(2U),
+    kLongReady, WrongFirst(0x00020000U, 0U), Wrong(3U), kLongReady, WrongFirst(0x40000000U, 0U), Wrong(4U),
+    kLongReady, WrongFirst(0U, 0x00000004U), Wrong(5U), kLongReady, WrongFirst(0U, 0x00002000U), Wrong(6U),
+    kLongReady, WrongFirst(0U, 0x00080000U), Wrong(7U), kLongReady, WrongFirst(0U, 0x80000000U), Wrong(8U),
+    kLongReady, kLongFirst, WrongSecond(0x00000080U, 0U), Wrong(9U), kLongReady, kLongFirst, WrongSecond(0x00000100U, 0U), Wrong(10U),
+    kLongReady, kLongFirst, WrongSecond(0x00400000U, 0U), Wrong(11U), kLongReady, kLongFirst, WrongSecond(0x02000000U, 0U), Wrong(12U),
+    kLongReady, kLongFirst, WrongSecond(0U, 0x00000020U), Wrong(13U), kLongReady, kLongFirst, WrongSecond(0U, 0x00000400U), Wrong(14U),
+    kLongReady, kLongFirst, WrongSecond(0U, 0x00100000U), Wrong(15U), kLongReady, kLongFirst, WrongSecond(0U, 0x01000000U), Wrong(16U),
+    kLongReady, kLongFirst, ConfirmPair(0U, 0x102U, 8U, 0xBBCCDDEEU, 0x778899AAU, 2200U),
+    Slot(0U, kProducing, Cause::kWrongEcho, 1U, 16U, 0U),
+};
+
+// Wherever it was on the bus: each half by the other controller than the one that it is sent by.
+constexpr Step kEitherController[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), On(ConfirmFirst(0U, 2100U), CanPortId::kSecond),
+    TakeInverse(0U, CanPortId::kSecond, 0x102U, 2U, 0xCBEDU), ConfirmSecond(0U, 2200U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U),
+    ReadyPair(0U), On(ConfirmNone(0x101U, 2U, 0x3413U, 0U, 2300U), CanPortId::kSecond), Slot(0U, kProducing, Cause::kWrongEcho, 1U, 1U, 0U),
+};
+
+// SRVT 0 ms: within the microsecond.
+constexpr Step kNoSrvt[] = {
+    StoreAll(), Srvt(0U, 0U), Signature(0U, 0x4739U), Validate(0U, ConfigFault::kNone, 0x4739U),
+    Store(0U, ConfigField::kConfigurationValid, 0xA5U), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), ConfirmFirst(0U, 2000U),
+    TakeSecond(0U), ConfirmSecond(0U, 2000U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U), ReadyPair(0U), StrangeFirst(2001U),
+    Slot(0U, kProducing, Cause::kNoConfirmation, 1U, 1U, 0U), ReadyPair(0U), ConfirmFirst(0U, 2000U), StrangeSecond(2001U),
+    Slot(0U, kProducing, Cause::kNoConfirmation, 1U, 2U, 0U), Cycle(2002U), ReadyPair(0U), Cycle(2002U), Signals(0U, 0U), Cycle(2003U),
+    Signals(0U, Bit(Cause::kNoConfirmation)), Slot(0U, kProducing, Cause::kNoConfirmation, 1U, 3U, 0U),
+};
+
+// SRVT 1 ms, on the limit and behind it, by stamps.
+constexpr Step kOneMillisecond[] = {
+    StoreAll(), Srvt(0U, 1U), Signature(0U, 0x4E26U), Validate(0U, ConfigFault::kNone, 0x4E26U),
+    Store(0U, ConfigField::kConfigurationValid, 0xA5U), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), ConfirmFirst(0U, 3000U),
+    ConfirmSecond(0U, 4000U), Slot(0U, kProducing, kNoCause, 1U, 0U, 0U), ReadyPair(0U), StrangeFirst(3001U),
+    Slot(0U, kProducing, Cause::kNoConfirmation, 1U, 1U, 0U), ReadyPair(0U), ConfirmFirst(0U, 2500U), StrangeSecond(3501U),
+    Slot(0U, kProducing, Cause::kNoConfirmation, 1U, 2U, 0U),
+};
+
+// The longest SRVT, 255 ms, beside a refresh time of one second.
+// t     2000      257000 (on)   512000 (on)          767000   767001
+//       prepared  N confirmed   I confirmed; again   cycle    cycle: no confirmation
+constexpr Step kLongestSrvt[] = {
+    StoreAll(), Sct(0U, 1000U), Srvt(0U, 255U), Signature(0U, 0xD9C0U), Validate(0U, ConfigFault::kNone, 0xD9C0U),
+    Store(0U, ConfigField::kConfigurationValid, 0xA5U), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Cycle(257000U),
+    Signals(0U, 0U), ConfirmFirst(0U, 257000U), Cycle(512000U), Signals(0U, 0U), TakeSecond(0U), ConfirmSecond(0U, 512000U),
+    Slot(0U, kProducing, kNoCause, 1U, 0U, 0U), ReadyPair(0U), Cycle(767000U), Signals(0U, 0U), Cycle(767001U),
+    Signals(0U, Bit(Cause::kNoConfirmation)), Slot(0U, kProducing, Cause::kNoConfirmation, 1U, 1U, 0U),
+};
+
+// Two pairs at once, their halves interleaved: each slot has its own, and its own fault.
+constexpr Step kTwoInFlight[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Ready(3U, CanPortId::kFirst, 0x107U, 2U, 0x3412U),
+    Ready(8U, CanPortId::kFirst, 0x111U, 2U, 0x3412U), ConfirmNormal(8U, 0x111U, 2U, 0x3412U, 0U, 2100U), TakeNone(3U),
+    TakeInverse(8U, CanPortId::kFirst, 0x112U, 2U, 0xCBEDU), ConfirmNone(0x108U, 2U, 0xCBEDU, 0U, 2150U), TakeNone(3U),
+    ConfirmNormal(3U, 0x107U, 2U, 0x3412U, 0U, 2200U), TakeInverse(3U, CanPortId::kFirst, 0x108U, 2U, 0xCBEDU),
+    ConfirmPair(8U, 0x112U, 2U, 0xCBEDU, 0U, 2300U), TakeNone(8U), TakeInverse(3U, CanPortId::kFirst, 0x108U, 2U, 0xCBEDU),
+    Slot(8U, kProducing, kNoCause, 1U, 0U, 0U), Slot(3U, kProducing, kNoCause, 0U, 0U, 0U),
+    ConfirmPair(3U, 0x108U, 2U, 0xCBEDU, 0U, 2400U), Slot(3U, kProducing, kNoCause, 1U, 0U, 0U),
+    Ready(3U, CanPortId::kFirst, 0x107U, 2U, 0x3412U), Ready(8U, CanPortId::kFirst, 0x111U, 2U, 0x3412U),
+    TransmitFault(3U, Cause::kBusOff), ConfirmNone(0x107U, 2U, 0x3412U, 0U, 2500U), ConfirmNormal(8U, 0x111U, 2U, 0x3412U, 0U, 2600U),
+    Cycle(3000U), Signalled(8U), Slot(3U, kProducing, Cause::kBusOff, 1U, 1U, 0U), Slot(8U, kProducing, kNoCause, 1U, 0U, 0U),
+};
+
+// An edge in the call that reports a fault is forgotten: one told before the call, and one that the call finds. An edge
+// of a producer without a cause does not wait for one. SRVT 1 ms.
+// t     4000            9000     14000       15000           18001                     19000
+//       edge, bus-off   clears   edge alone  full queue      edge, no confirmation     nothing
+constexpr Step kEdgeWithFault[] = {
+    StoreAll(), Srvt(0U, 1U), Signature(0U, 0x4E26U), Validate(0U, ConfigFault::kNone, 0x4E26U),
+    Store(0U, ConfigField::kConfigurationValid, 0xA5U), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Acknowledge(1U),
+    Cycle(3000U), TransmitFault(0U, Cause::kBusOff), Cycle(4000U),
+    Signals(0U, Bit(Cause::kBusOff)), Slot(0U, kProducing, Cause::kBusOff, 0U, 1U, 0U), Cycle(5000U),
+    Slot(0U, kProducing, Cause::kBusOff, 0U, 1U, 0U), Acknowledge(0U), Cycle(6000U), Cycle(7000U), Acknowledge(1U), Cycle(8000U),
+    Slot(0U, kProducing, Cause::kBusOff, 0U, 1U, 0U), Cycle(9000U), Slot(0U, kProducing, kNoCause, 0U, 1U, 0U),
+    Acknowledge(0U), Cycle(11000U), Cycle(12000U), Acknowledge(1U), Cycle(13000U), Cycle(14000U), ReadyPair(0U),
+    TransmitFault(0U, Cause::kTransmitQueue), Cycle(15000U), Slot(0U, kProducing, Cause::kTransmitQueue, 0U, 2U, 0U),
+    Acknowledge(0U), Cycle(16000U), Cycle(17000U), ReadyPair(0U), Acknowledge(1U), Cycle(18000U), Cycle(18001U),
+    Signals(0U, Bit(Cause::kNoConfirmation)), Slot(0U, kProducing, Cause::kTransmitQueue, 0U, 3U, 0U), Cycle(19000U),
+    Slot(0U, kProducing, Cause::kTransmitQueue, 0U, 3U, 0U),
+};
+
 constexpr Case kCases[] = {
     MakeCase("ConfirmationOfOtherFrames", {req::SRS_PROD_007}, kSender, kStrangers),
     MakeCase("EchoWithOtherData", {req::SRS_PROD_007, req::SRS_PROD_009, req::SRS_PROD_006}, kSender, kWrongData),
@@ -199,6 +308,13 @@ constexpr Case kCases[] = {
     MakeCase("AcknowledgeOfAProducer", {req::SRS_PROD_009}, kSender, kAcknowledged),
     MakeCase("AcknowledgeOfAProducerThatIsOff", {req::SRS_PROD_009}, kSender, kAcknowledgedWhileOff),
     MakeCase("EveryFaultOfAProducerIsSignalled", {req::SRS_PROD_009, req::SRS_CONS_021}, kSender, kEverySignal),
+    MakeCase("EchoWithAnotherBitInEachByte", {req::SRS_PROD_007, req::SRS_PROD_006}, kLongSender, kEveryByte),
+    MakeCase("EchoOnEitherController", {req::SRS_PROD_007}, kSenderPorts, kEitherController),
+    MakeCase("ConfirmationWithoutSrvt", {req::SRS_PROD_008, req::SRS_TIME_004}, kSender, kNoSrvt),
+    MakeCase("ConfirmationWithSrvtOfOneMillisecond", {req::SRS_PROD_008, req::SRS_TIME_004}, kSender, kOneMillisecond),
+    MakeCase("ConfirmationWithTheLongestSrvt", {req::SRS_PROD_008, req::SRS_TIME_004}, kSender, kLongestSrvt),
+    MakeCase("TwoPairsInFlight", {req::SRS_PROD_007, req::SRS_PROD_006, req::SRS_PROD_009}, kSenders, kTwoInFlight),
+    MakeCase("AcknowledgeInTheCallOfAProducersFault", {req::SRS_PROD_009, req::SRS_REL_341}, kSender, kEdgeWithFault),
 };
 // clang-format on
 } // namespace

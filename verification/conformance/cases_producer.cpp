@@ -278,6 +278,41 @@ constexpr Step kOddObject[] = {
     ConfirmNone(0x102U, 8U, 0xBBCCDDEEU, 0x8899AAU, 2200U), Slot(0U, kProducing, Cause::kWrongEcho, 0U, 1U, 0U),
 };
 
+// Requests while a pair is in flight are one, and wait for a wrong echo as well.
+constexpr Step kRequestsInFlight[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Request(0U), Cycle(3000U), Due(0U), Request(0U),
+    Cycle(4000U), Due(0U), ConfirmFirst(0U, 4100U), ConfirmSecond(0U, 4200U), Cycle(5000U), Due(1U), ReadyPair(0U),
+    ConfirmFirst(0U, 5100U), ConfirmSecond(0U, 5200U), Cycle(6000U), Due(0U), ReadyPair(0U), Request(0U), Cycle(7000U), Due(0U),
+    ConfirmNone(0x101U, 2U, 0x3413U, 0U, 7100U), Cycle(8000U), Due(1U), Slot(0U, kProducing, Cause::kWrongEcho, 2U, 1U, 0U),
+};
+
+// Slots that are not there neither send nor stand.
+constexpr Step kNoSuchSlot[] = {
+    Configure(), Cycle(0U), Cycle(2000U), Request(1U), Request(31U), Request(32U), Request(63U), Stand(1U), Stand(31U), Stand(32U),
+    Stand(63U), Cycle(3000U), Due(0U), Refresh(0U), Signalled(0U), Cycle(4000U), Due(0U), Cycle(28500U),
+    Signals(0U, 0U), Cycle(28501U), Signals(0U, Bit(Cause::kRefreshMissed)), Signalled(1U),
+};
+
+// What is asked of a producer leaves a consumer alone: its pair, a pending normal frame, its cause.
+constexpr Step kConsumerStays[] = {
+    Configure(), Cycle(0U), Normal(100U), Inverse(200U), Cycle(2000U), Masks(1U, 0U, 0U, 0U, 1U), Normal(2100U), NotProducing(0U),
+    TakeNone(0U), ConfirmNone(0x111U, 2U, 0x3412U, 0U, 2110U), ConfirmNone(0x112U, 2U, 0xCBEDU, 0U, 2120U),
+    ConfirmNone(0x111U, 1U, 0U, 0U, 2130U), TransmitFault(0U, Cause::kTransmitQueue), TransmitFault(0U, Cause::kBusOff),
+    NotInverse(0U), TransmitFault(0U, Cause::kNoConfirmation), TransmitFault(0U, Cause::kWrongEcho),
+    Slot(0U, kReleased, kNoCause, 1U, 0U, 1U), Data(0U, 0x3412U), Inverse(2200U), Slot(0U, kReleased, kNoCause, 2U, 0U, 1U),
+    NotProducing(0U), TakeNone(0U), Data(0U, 0x3412U), Request(0U), Stand(0U), Cycle(3000U), Due(0U), Refresh(0U),
+    Masks(1U, 0U, 0U, 0U, 1U), Signalled(0U), Slot(0U, kReleased, kNoCause, 2U, 0U, 1U),
+};
+
+// A request that waits is given up with OPERATIONAL: for the first transmission, then for a pair in flight.
+constexpr Step kWaitingRequestLeft[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Request(0U), Cycle(1000U), Due(0U), Nmt(NmtState::kPreOperational), Cycle(1500U),
+    Nmt(NmtState::kOperational), Cycle(2000U), Cycle(4000U), Due(0U), ReadyPair(0U), Request(0U), Cycle(5000U), Due(0U),
+    Nmt(NmtState::kStopped), Cycle(6000U), Due(0U), TransmitFault(0U, Cause::kBusOff), Slot(0U, kOff, kNoCause, 0U, 0U, 0U),
+    Nmt(NmtState::kOperational), Cycle(7000U), NotInverse(0U), Cycle(9000U), Due(0U), Signalled(0U),
+    Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
+};
+
 constexpr Case kCases[] = {
     MakeCase("PairIsSent", {req::SRS_PROD_005, req::SRS_PROD_006, req::SRS_PROD_007, req::SRS_CONS_025}, kSender,
              kSend),
@@ -319,6 +354,11 @@ constexpr Case kCases[] = {
     MakeCase("SixtyFourBitsArePrepared", {req::SRS_PROD_005}, kLongSender, kLongObject),
     MakeCase("SevenBytesAreSent", {req::SRS_PROD_005, req::SRS_PROD_006, req::SRS_PROD_007}, kOddSender, kOddObject),
     MakeCase("DueMarkIsGivenUp", {req::SRS_PROD_011, req::SRS_PROD_004}, kSender, kDueGivenUp),
+    MakeCase("RequestsInFlightDoNotAddUp", {req::SRS_PROD_003, req::SRS_PROD_007}, kSender, kRequestsInFlight),
+    MakeCase("SlotsThatAreNotThere", {req::SRS_PROD_003, req::SRS_PROD_012, req::SRS_PROD_013}, kSender, kNoSuchSlot),
+    MakeCase("ConsumerIsLeftAlone", {req::SRS_PROD_005, req::SRS_PROD_006, req::SRS_PROD_007, req::SRS_PROD_009, req::SRS_PROD_012},
+             kMixed, kConsumerStays),
+    MakeCase("RequestThatWaitsIsGivenUp", {req::SRS_PROD_011, req::SRS_PROD_003, req::SRS_PROD_009}, kSender, kWaitingRequestLeft),
 };
 // clang-format on
 } // namespace

@@ -76,6 +76,17 @@ constexpr Step kInverseAstray[] = {
     Cycle(2000U), Signals(0U, Bit(Cause::kIdentifier)),
 };
 
+// Of a producer: it goes on sending, and is off from the next entering on, until its signature is found right.
+constexpr Step kOfAProducer[] = {
+    Configure(), Put(0x6210U, 1U, 0x12U), Put(0x6210U, 2U, 0x34U), Put(0x6211U, 1U, 0xEDU), Put(0x6211U, 2U, 0xCBU), Cycle(0U),
+    Cycle(2000U), Recheck(0U, kSound, 0xF2B5U), ReadyPair(0U), Signature(0U, 0xF2B4U), Recheck(0U, ConfigFault::kSignature, 0xF2B5U),
+    ConfirmFirst(0U, 2100U), TakeSecond(0U), ConfirmSecond(0U, 2200U), Request(0U), Cycle(3000U), Due(1U), Counts(0U, 1U, 0U, 0U),
+    Slot(0U, kProducing, kNoCause, 1U, 0U, 0U), Nmt(NmtState::kPreOperational), Cycle(4000U), Nmt(NmtState::kOperational),
+    Cycle(5000U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Counts(0U, 0U, 1U, 0U), NotProducing(0U), Signature(0U, 0xF2B5U),
+    Recheck(0U, kSound, 0xF2B5U), Cycle(6000U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Nmt(NmtState::kPreOperational), Cycle(7000U),
+    Nmt(NmtState::kOperational), Cycle(8000U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
+};
+
 constexpr Case kCases[] = {
     MakeCase("RecheckHoldsInEveryState", {req::SRS_CFG_030}, kGold, kHolds),
     MakeCase("RecheckFindsAChangedSignature", {req::SRS_CFG_030, req::SRS_CONS_002}, kGold, kSignatureChanged),
@@ -86,6 +97,7 @@ constexpr Case kCases[] = {
     MakeCase("RecheckWithoutATable", {req::SRS_CFG_030}, kMixed, kOffHasNoTable),
     MakeCase("FrameLedToAnotherSrdo", {req::SRS_CONS_004}, kGold, kAstray),
     MakeCase("InverseFrameLedToAnotherSrdo", {req::SRS_CONS_004}, kGold, kInverseAstray),
+    MakeCase("RecheckOfAProducer", {req::SRS_CFG_030, req::SRS_CONS_002}, kSender, kOfAProducer),
 };
 // clang-format on
 } // namespace

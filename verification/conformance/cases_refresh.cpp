@@ -409,6 +409,87 @@ constexpr Step kStoodOthers[] = {
     Slot(2U, kOff, kNoCause, 0U, 0U, 0U),
 };
 
+// Refresh every millisecond, which is the cycle, and every 65535 ms.
+constexpr Step kShortestRefresh[] = {
+    StoreAll(), Sct(0U, 1U), Signature(0U, 0xDC02U), Validate(0U, ConfigFault::kNone, 0xDC02U), Store(0U, ConfigField::kConfigurationValid, 0xA5U),
+    kP1, kP2, kI1, kI2, Cycle(0U), Cycle(1999U), Due(0U), Cycle(2000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 2100U), ConfirmSecond(0U, 2200U),
+    Cycle(2999U), Due(0U), Cycle(3000U), Due(1U), Refresh(1U), ReadyPair(0U), ConfirmFirst(0U, 3100U), ConfirmSecond(0U, 3200U), Cycle(3999U), Due(0U),
+    Cycle(4000U), Due(1U), Cycle(4999U), Signals(0U, 0U), Cycle(5000U), Signals(0U, kMissedBit), Slot(0U, kProducing, Cause::kRefreshMissed, 2U, 1U, 0U),
+};
+
+constexpr Step kLongestRefresh[] = {
+    StoreAll(), Sct(0U, 65535U), Signature(0U, 0x7408U), Validate(0U, ConfigFault::kNone, 0x7408U), Store(0U, ConfigField::kConfigurationValid, 0xA5U),
+    kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 2100U), ConfirmSecond(0U, 2200U), Cycle(65536999U), Due(0U),
+    Cycle(65537000U), Due(1U), ReadyPair(0U), ConfirmFirst(0U, 65537100U), ConfirmSecond(0U, 65537200U), Cycle(131071999U), Due(0U), Cycle(131072000U),
+    Due(1U), Slot(0U, kProducing, kNoCause, 2U, 0U, 0U),
+};
+
+// Refresh time, cycle and tolerance each count: 100000 + 3000 + 700 after 2000, then 100000 + 3000; 65535000 + 1000 + 500.
+constexpr Step kSilentByEach[] = {
+    Alter(Parameter::kCycle, 3000U), Alter(Parameter::kCycleTolerance, 700U), StoreAll(), Sct(0U, 100U), Signature(0U, 0x4AA1U),
+    Validate(0U, ConfigFault::kNone, 0x4AA1U), Store(0U, ConfigField::kConfigurationValid, 0xA5U), Cycle(0U), Cycle(105700U), Signals(0U, 0U),
+    Cycle(105701U), Signals(0U, kMissedBit),
+    Alter(Parameter::kCycleTolerance, 0U), StoreAll(), Sct(0U, 100U), Signature(0U, 0x4AA1U), Validate(0U, ConfigFault::kNone, 0x4AA1U),
+    Store(0U, ConfigField::kConfigurationValid, 0xA5U), Cycle(0U), Cycle(105000U), Signals(0U, 0U), Cycle(105001U), Signals(0U, kMissedBit),
+    Restart(), StoreAll(), Sct(0U, 65535U), Signature(0U, 0x7408U), Validate(0U, ConfigFault::kNone, 0x7408U),
+    Store(0U, ConfigField::kConfigurationValid, 0xA5U), Cycle(0U), Cycle(65538500U), Signals(0U, 0U), Cycle(65538501U), Signals(0U, kMissedBit),
+};
+
+// A form that is neither is that of an application that sends.
+constexpr Step kNeitherForm[] = {
+    Alter(Parameter::kForm, 2U), Configure(), Cycle(0U), Cycle(2000U), Due(0U), Refresh(0U), Cycle(28500U), Due(0U), Signals(0U, 0U), Cycle(28501U),
+    Due(0U), Refresh(0U), Signals(0U, kMissedBit), Alter(Parameter::kForm, 0xFFU), Configure(), Cycle(0U), Cycle(2000U), Due(0U), Refresh(0U),
+};
+
+// Both limits over in one call: no confirmation is the first cause. The application sends, then the provider is called.
+// t     2000       28501
+//       prepared   both
+constexpr Step kNoConfirmationAndSilence[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), Cycle(28501U), Due(0U), Signals(0U, Bit(Cause::kNoConfirmation) | kMissedBit),
+    Slot(0U, kProducing, Cause::kNoConfirmation, 0U, 2U, 0U), StrangeFirst(28502U), TakeNone(0U),
+};
+
+// t     26000      27000   52000
+//       prepared   waits   both; due
+constexpr Step kNoConfirmationAndMissed[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), Due(1U), Cycle(26000U), ReadyPair(0U), Cycle(27000U), Due(0U), Refresh(1U), Cycle(52000U),
+    Due(1U), Refresh(1U), Signals(0U, Bit(Cause::kNoConfirmation) | kMissedBit), Slot(0U, kProducing, Cause::kNoConfirmation, 0U, 2U, 0U),
+};
+
+// Silence with a pair in flight: the pair stays. A Prepare that is refused ends no silence.
+// t     2000       21000         28500     28501    28600         55001   55002
+//       prepared   N confirmed   refused   missed   I confirmed   on      missed
+constexpr Step kSilentInFlight[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), ConfirmFirst(0U, 21000U), Cycle(28500U), Signals(0U, 0U), NotProducing(0U),
+    Cycle(28501U), Signals(0U, kMissedBit), Data(0U, 0x3412U), TakeSecond(0U), ConfirmSecond(0U, 28600U),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 1U, 1U, 0U), Cycle(55001U), Signals(0U, 0U), Cycle(55002U), Signals(0U, kMissedBit),
+};
+
+// A request that waits for the pair in flight is no silence; it counts from the pair prepared for it.
+// t     2000       21000         22000     28501   30000         31000      57500   57501
+//       prepared   N confirmed   request   waits   I confirmed   prepared   on      missed
+constexpr Step kRequestInFlight[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), ConfirmFirst(0U, 21000U), Request(0U), Cycle(22000U), Due(0U), Cycle(28501U),
+    Due(0U), Signals(0U, 0U), ConfirmSecond(0U, 30000U), Cycle(31000U), Due(1U), Signals(0U, 0U), ReadyPair(0U), ConfirmFirst(0U, 31100U),
+    ConfirmSecond(0U, 31200U), Cycle(57500U), Signals(0U, 0U), Cycle(57501U), Signals(0U, kMissedBit), Slot(0U, kProducing, Cause::kRefreshMissed, 2U, 1U, 0U),
+};
+
+// Who stands has no refresh examined; a request and the confirmation are.
+constexpr Step kStoodAndAsked[] = {
+    Configure(), kP1, kP2, kI1, kI2, Cycle(0U), Cycle(2000U), ReadyPair(0U), ConfirmFirst(0U, 2100U), ConfirmSecond(0U, 2200U), Cycle(26500U), Stand(0U),
+    Request(0U), Cycle(27000U), Due(1U), Refresh(0U), ReadyPair(0U), Cycle(27499U), Refresh(0U), Cycle(27500U), Due(0U), Refresh(1U), Stand(0U), Cycle(47000U),
+    Due(0U), Signals(0U, 0U), Stand(0U), Cycle(47001U), Due(1U), Refresh(1U), Signals(0U, Bit(Cause::kNoConfirmation)),
+};
+
+// A refresh missed in each call: the count ends at 65535.
+constexpr Step kCountStays[] = {
+    StoreAll(), Sct(0U, 1U), Signature(0U, 0xDC02U), Validate(0U, ConfigFault::kNone, 0xDC02U), Store(0U, ConfigField::kConfigurationValid, 0xA5U),
+    Cycle(0U), Cycle(2000U), Cycle(3000U), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 1U, 0U), Repeat(65532U, 1000U),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 65533U, 0U), Cycle(65536000U), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 65534U, 0U),
+    Cycle(65537000U), Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 65535U, 0U), Cycle(65538000U), Signals(0U, kMissedBit),
+    Slot(0U, kProducing, Cause::kRefreshMissed, 0U, 65535U, 0U),
+};
+
 constexpr Case kCases[] = {
     MakeCase("RefreshKeepsItsPhase", {req::SRS_PROD_002, req::SRS_TIME_001}, kProvider, kPhase),
     MakeCase("StoodRefreshMovesOn", {req::SRS_PROD_012}, kProvider, kStood),
@@ -465,6 +546,19 @@ constexpr Case kCases[] = {
     MakeCase("StoodSlotIsNotExamined", {req::SRS_PROD_012, req::SRS_PROD_010}, kProvider, kStoodFarBehind),
     MakeCase("StoodConsumerIsNone", {req::SRS_PROD_012}, kMixed, kStoodOthers),
     MakeCase("ProviderIsNeverSilent", {req::SRS_PROD_010, req::SRS_PROD_002}, kProvider, kOtherForm),
+    MakeCase("ShortestRefreshTime", {req::SRS_PROD_002, req::SRS_PROD_010}, kProvider, kShortestRefresh),
+    MakeCase("LongestRefreshTime", {req::SRS_PROD_002}, kProvider, kLongestRefresh),
+    MakeCase("SilenceByEachOfItsTimes", {req::SRS_PROD_010, req::SRS_TIME_004}, kSender, kSilentByEach),
+    MakeCase("FormThatIsNeither", {req::SRS_PROD_010, req::SRS_PROD_002, req::SRS_PROD_013}, kSender, kNeitherForm),
+    MakeCase("ConfirmationIsExaminedBeforeSilence", {req::SRS_PROD_008, req::SRS_PROD_010, req::SRS_PROD_009}, kSender,
+             kNoConfirmationAndSilence),
+    MakeCase("NoConfirmationBeforeTheMissedRefresh", {req::SRS_PROD_008, req::SRS_PROD_010, req::SRS_PROD_009}, kProvider,
+             kNoConfirmationAndMissed),
+    MakeCase("SilenceWithAPairInFlight", {req::SRS_PROD_010, req::SRS_PROD_009, req::SRS_PROD_005}, kSender, kSilentInFlight),
+    MakeCase("RequestInFlightIsNoSilence", {req::SRS_PROD_010, req::SRS_PROD_003}, kSender, kRequestInFlight),
+    MakeCase("StoodWithARequestAndWithoutConfirmation", {req::SRS_PROD_012, req::SRS_PROD_003, req::SRS_PROD_008}, kProvider,
+             kStoodAndAsked),
+    MakeCase("ErrorCountOfAProducerStaysAt65535", {req::SRS_PROD_009, req::SRS_CONS_020}, kProvider, kCountStays),
 };
 // clang-format on
 } // namespace

@@ -140,6 +140,13 @@ constexpr Step kOrder[] = {
     Signature(0U, 0x4370U), Validate(0U, kSound, 0x4370U),
 };
 
+// Equal in all 32 bits: with a reserved bit it is another value, which has its own fault.
+constexpr Step kInUseReserved[] = {
+    StoreAll(), CobId1(1U, 0x80000111U), CobId2(1U, 0x7FFU), Validate(0U, kSound, 0x4370U), CobId1(1U, 0x7FFU),
+    CobId2(1U, 0x20000112U), Validate(0U, kSound, 0x4370U), CobId2(1U, 0x00000912U), Validate(0U, kSound, 0x4370U),
+    CobId2(1U, 0x112U), Validate(0U, ConfigFault::kIdentifierInUse, 0x4370U),
+};
+
 constexpr Case kCases[] = {
     MakeCase("RuleDirection", {req::SRS_CFG_021, req::SRS_CFG_020}, kGold, kDirection),
     MakeCase("RuleTransmissionType", {req::SRS_CFG_022, req::SRS_CFG_020}, kGold, kType),
@@ -155,6 +162,7 @@ constexpr Case kCases[] = {
     MakeCase("DirectionOffIsCheckedBySignatureAlone", {req::SRS_CFG_020, req::SRS_CFG_029, req::SRS_CFG_030}, kGold,
              kOffOnlySignature),
     MakeCase("OrderOfTheRules", {req::SRS_CFG_020}, kTwo, kOrder),
+    MakeCase("RuleIdentifierInUseReservedBits", {req::SRS_CFG_024}, kTwo, kInUseReserved),
 };
 // clang-format on
 } // namespace

@@ -164,6 +164,20 @@ constexpr Step kSends[] = {
     Recheck(0U, kSound, 0xF2B5U), Load(0U, ConfigField::kMapEntry, 0x62100108U, 1U),
 };
 
+// Rules that only the entries break: one pair of 8 and 16 bits, one object on both sides, a coarser granularity.
+constexpr Step kUnequalPair[] = {
+    StoreAll(), Validate(0U, kBadMap, 0x7301U),
+};
+
+constexpr Step kSameObject[] = {
+    StoreAll(), Validate(0U, kBadMap, 0x4D8FU),
+};
+
+constexpr Step kCoarse[] = {
+    Alter(Parameter::kGranularity, 16U), StoreAll(), Validate(0U, kBadMap, 0x4370U), Alter(Parameter::kGranularity, 8U), StoreAll(),
+    Validate(0U, kSound, 0x4370U), Alter(Parameter::kGranularity, 1U), StoreAll(), Validate(0U, kSound, 0x4370U),
+};
+
 constexpr Case kCases[] = {
     MakeCase("StaticMapping", {req::SRS_CFG_032, req::SRS_CFG_010, req::SRS_REL_002, req::SRS_CFG_030}, kStatic,
              kStaticGold),
@@ -186,6 +200,9 @@ constexpr Case kCases[] = {
     MakeCase("StaticMappingTooLong", {req::SRS_CFG_028, req::SRS_CFG_032}, kStaticLong, kLong),
     MakeCase("StaticBesideADynamicMapping", {req::SRS_CFG_032, req::SRS_CFG_003}, kStaticTwo, kBeside),
     MakeCase("StaticMappingOfAProducer", {req::SRS_CFG_032, req::SRS_PROD_005}, kStaticSender, kSends),
+    MakeCase("StaticMappingOfUnequalPairs", {req::SRS_CFG_032, req::SRS_CFG_027}, kStaticUneven, kUnequalPair),
+    MakeCase("StaticMappingOfOneObjectTwice", {req::SRS_CFG_032, req::SRS_CFG_027}, kStaticSame, kSameObject),
+    MakeCase("StaticMappingAndGranularity", {req::SRS_CFG_032, req::SRS_CFG_027}, kStatic, kCoarse),
 };
 // clang-format on
 } // namespace

@@ -211,6 +211,11 @@ constexpr Step kUnresolvedByEntry[] = {
     Validate(0U, kSound, 0x4370U), Nmt(NmtState::kOperational), Cycle(2000U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
 };
 
+constexpr Step kUnresolvedBehindCount[] = {
+    Configure(), Entry(0U, 16U, 0U), Recheck(0U, ConfigFault::kTable, 0x4370U), Cycle(0U), Slot(0U, kOff, kNoCause, 0U, 0U, 0U),
+    Validate(0U, kSound, 0x4370U),
+};
+
 constexpr Step kUnresolvedByDirection[] = {
     Configure(), Direction(0U, 2U), Recheck(0U, ConfigFault::kTable, 0x4370U), Cycle(0U),
     Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Counts(0U, 0U, 1U, 0U), Nmt(NmtState::kStopped), Cycle(1000U),
@@ -237,6 +242,41 @@ constexpr Step kStoreNowhereStays[] = {
     Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U),
 };
 
+// Restart forgets whatever was stored, of the last entry as of the first.
+constexpr Step kAfterRestart[] = {
+    Configure(), Type(0U, 253U), Entry(0U, 16U, 0x12345678U), Store(0U, ConfigField::kGfcParameter, 1U), Restart(),
+    Load(0U, ConfigField::kDirection, 0U), Load(0U, ConfigField::kSct, 50U), Load(0U, ConfigField::kSrvt, 20U),
+    Load(0U, ConfigField::kTransmissionType, 254U), Load(0U, ConfigField::kCobId1, 0x14FU), Load(0U, ConfigField::kCobId2, 0x150U),
+    Load(0U, ConfigField::kMapCount, 0U), Load(0U, ConfigField::kMapEntry, 0U, 1U), Load(0U, ConfigField::kMapEntry, 0U, 2U),
+    Load(0U, ConfigField::kMapEntry, 0U, 3U), Load(0U, ConfigField::kMapEntry, 0U, 4U), Load(0U, ConfigField::kMapEntry, 0U, 16U),
+    Load(0U, ConfigField::kSignature, 0U), Load(0U, ConfigField::kGfcParameter, 0U), Load(0U, ConfigField::kConfigurationValid, 0U),
+};
+
+// 1300h and 13FEh belong to the device: their slot has no meaning.
+constexpr Step kOfTheDevice[] = {
+    Store(2U, ConfigField::kGfcParameter, 1U), Load(0U, ConfigField::kGfcParameter, 1U), Load(255U, ConfigField::kGfcParameter, 1U),
+    Store(255U, ConfigField::kGfcParameter, 0U), Load(1U, ConfigField::kGfcParameter, 0U),
+    Store(255U, ConfigField::kConfigurationValid, 0xA5U), Load(0U, ConfigField::kConfigurationValid, 0xA5U),
+    Load(64U, ConfigField::kConfigurationValid, 0xA5U), Store(2U, ConfigField::kConfigurationValid, 0U),
+    Load(0U, ConfigField::kConfigurationValid, 0U),
+};
+
+// Stored while active: active until OPERATIONAL is left, and not again before a Validate.
+constexpr Step kWhileActive[] = {
+    Configure(), Cycle(0U), Sct(0U, 50U), Cycle(1000U), Slot(0U, kWaiting, kNoCause, 0U, 0U, 0U), Counts(1U, 0U, 0U, 0U),
+    Nmt(NmtState::kStopped), Cycle(2000U), Nmt(NmtState::kOperational), Cycle(3000U),
+    Slot(0U, kOff, Cause::kNotOperational, 0U, 1U, 0U), Counts(0U, 0U, 1U, 0U), Nmt(NmtState::kStopped), Cycle(4000U),
+    Validate(0U, kSound, 0x4370U), Nmt(NmtState::kOperational), Cycle(5000U), Slot(0U, kWaiting, Cause::kNotOperational, 0U, 1U, 0U),
+};
+
+constexpr Step kProducerWhileActive[] = {
+    Configure(), Cycle(0U), Srvt(0U, 20U), Cycle(1000U), Slot(0U, kProducing, kNoCause, 0U, 0U, 0U), Counts(0U, 1U, 0U, 0U),
+    Nmt(NmtState::kStopped), Cycle(2000U), Nmt(NmtState::kOperational), Request(0U), Cycle(3000U),
+    Slot(0U, kOff, kNoCause, 0U, 0U, 0U), Counts(0U, 0U, 1U, 0U), Cycle(9000U), Due(0U), NotProducing(0U),
+    Nmt(NmtState::kStopped), Cycle(10000U), Validate(0U, kSound, 0xF2B5U), Nmt(NmtState::kOperational), Cycle(11000U),
+    Slot(0U, kProducing, kNoCause, 0U, 0U, 0U),
+};
+
 constexpr Case kCases[] = {
     MakeCase("DefaultsOfNode1", {req::SRS_CFG_002}, kNode1, kDefaults1),
     MakeCase("DefaultsOfNode32", {req::SRS_CFG_002}, kNode32, kDefaults32),
@@ -255,10 +295,15 @@ constexpr Case kCases[] = {
     MakeCase("StoreUnresolvesType", {req::SRS_CFG_003, req::SRS_CFG_030}, kGold, kUnresolvedByType),
     MakeCase("StoreUnresolvesCount", {req::SRS_CFG_003, req::SRS_CFG_030}, kGold, kUnresolvedByCount),
     MakeCase("StoreUnresolvesEntry", {req::SRS_CFG_003, req::SRS_CFG_030}, kGold, kUnresolvedByEntry),
+    MakeCase("StoreUnresolvesBehindTheCount", {req::SRS_CFG_003, req::SRS_CFG_030}, kGold, kUnresolvedBehindCount),
     MakeCase("StoreUnresolvesDirection", {req::SRS_CFG_003, req::SRS_CFG_030}, kGold, kUnresolvedByDirection),
     MakeCase("SignatureIsStoredWithoutUnresolving", {req::SRS_CFG_003, req::SRS_CFG_030}, kGold, kStillResolved),
     MakeCase("StoreOfOneSlotLeavesTheOther", {req::SRS_CFG_003, req::SRS_CFG_030}, kTwo, kOtherSlotStays),
     MakeCase("StoreWithoutAnAddressLeavesEverything", {req::SRS_CFG_003}, kGold, kStoreNowhereStays),
+    MakeCase("RestartForgetsWhatWasStored", {req::SRS_CFG_002}, kGold, kAfterRestart),
+    MakeCase("ObjectsOfTheDeviceHaveNoSlot", {req::SRS_CFG_003}, kBareTwo, kOfTheDevice),
+    MakeCase("StoreWhileActive", {req::SRS_CFG_003, req::SRS_CONS_002}, kGold, kWhileActive),
+    MakeCase("StoreWhileProducing", {req::SRS_CFG_003, req::SRS_CONS_002}, kSender, kProducerWhileActive),
 };
 // clang-format on
 } // namespace

@@ -119,6 +119,8 @@ extern const Device kStaticEmpty;  ///< No entry.
 extern const Device kStaticOdd;    ///< Three entries.
 extern const Device kStaticLarge;  ///< 130 entries of one bit.
 extern const Device kStaticLong;   ///< 6300h, 6301h:01 to 04: 80 bits.
+extern const Device kStaticUneven; ///< 6300h:01 (8 bits) and 6301h:02 (16).
+extern const Device kStaticSame;   ///< 6010h:01 on both sides, and both fields there.
 extern const Device kStaticTwo;    ///< Slot 0 static gold, slot 1 dynamic, 6200h, 6201h:01; room for 16 entries.
 extern const Device kStaticAbove;  ///< The other way round.
 extern const Device kStaticTwins;  ///< Twice static gold, the second with 103h/104h.

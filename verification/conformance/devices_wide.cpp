@@ -91,6 +91,8 @@ constexpr std::uint32_t kSizesMap[] = {0x63000108U, 0x63010108U, 0x63000210U, 0x
                                        0x63000318U, 0x63010318U, 0x63000420U, 0x63010420U};
 constexpr std::uint32_t kGapMap[] = {0x63000108U, 0x63010108U, 0x63000318U, 0x63010318U};
 constexpr std::uint32_t kFirstMap[] = {0x66310108U, 0x66330108U, 0x66310208U, 0x66330308U};
+constexpr std::uint32_t kUnequalMap[] = {0x63000108U, 0x63010210U};
+constexpr std::uint32_t kSameMap[] = {0x60100108U, 0x60100108U};
 constexpr std::uint32_t kTurnedMap[] = {0x66310208U, 0x66330208U, 0x66310108U, 0x66330108U};
 constexpr std::uint32_t kFourBitsMap[] = {0x63020404U, 0x63030404U};
 constexpr std::uint32_t kStaticDummyMap[] = {0x60100108U, 0x60110108U, 0x00050008U, 0x00050008U};
@@ -107,6 +109,8 @@ constexpr SrdoSetup kStaticEmptySetups[] = {Fixed(Safe(0U, 0U), kGoldMap, 0U)};
 constexpr SrdoSetup kStaticOddSetups[] = {Fixed(Safe(0U, 0U), kGoldMap, 3U)};
 constexpr SrdoSetup kStaticLargeSetups[] = {Fixed(Safe(0U, 0U), kBits64Map.entries, kLargeCount)};
 constexpr SrdoSetup kStaticLongSetups[] = {Fixed(Safe(0U, 0U), kSizesMap, 8U)};
+constexpr SrdoSetup kStaticUnevenSetups[] = {Fixed(Safe(0U, 0U), kUnequalMap, 2U)};
+constexpr SrdoSetup kStaticSameSetups[] = {Fixed(Safe(0U, 0U), kSameMap, 2U)};
 constexpr SrdoSetup kStaticTwoSetups[] = {Fixed(Safe(0xC3A5U, 0U), kGoldMap, 4U),
                                           Consumer(3U, ReleasePolicy::kAutomatic, kWordSafe)};
 constexpr SrdoSetup kGoldAbove = Fixed(Consumer(3U, ReleasePolicy::kAutomatic, kGoldSafe), kGoldMap, 4U);
@@ -136,6 +140,8 @@ constexpr SrdoValues kStaticEmptyValues = StaticValues(0x251CU, At(0x6010U, 1U),
 constexpr SrdoValues kStaticOddValues = StaticValues(0x4325U, At(0x6010U, 1U), At(0x6011U, 1U));
 constexpr SrdoValues kStaticLargeValues = StaticValues(0xA6CFU, At(0x6304U, 1U), At(0x6305U, 1U));
 constexpr SrdoValues kStaticLongValues = StaticValues(0x5C6AU, At(0x6300U, 1U), At(0x6301U, 1U));
+constexpr SrdoValues kStaticUnevenValues = StaticValues(0x7301U, At(0x6300U, 1U), At(0x6301U, 2U));
+constexpr SrdoValues kStaticSameValues = StaticValues(0x4D8FU, At(0x6010U, 1U), At(0x6010U, 1U));
 constexpr SrdoValues kStaticTwoValues[] = {kStaticValues, kWordValues};
 constexpr SrdoValues kStaticAboveValues[] = {kWordValues, kStaticValues};
 constexpr SrdoValues kTwinValues{2U, 50U, 20U, 0x103U, 0x104U, 0U, nullptr, 0xDB4FU, At(0x6010U, 1U), At(0x6011U, 1U)};
@@ -194,6 +200,8 @@ const Device kStaticEmpty{NoEntries(Config(kStaticEmptySetups)), &kStaticEmptyVa
 const Device kStaticOdd{NoEntries(Config(kStaticOddSetups)), &kStaticOddValues};
 const Device kStaticLarge{NoEntries(Grained(Config(kStaticLargeSetups))), &kStaticLargeValues};
 const Device kStaticLong{NoEntries(Config(kStaticLongSetups)), &kStaticLongValues};
+const Device kStaticUneven{NoEntries(Config(kStaticUnevenSetups)), &kStaticUnevenValues};
+const Device kStaticSame{NoEntries(Config(kStaticSameSetups)), &kStaticSameValues};
 const Device kStaticTwo{Config(kStaticTwoSetups), kStaticTwoValues};
 const Device kStaticAbove{Config(kStaticAboveSetups), kStaticAboveValues};
 const Device kStaticTwins{Config(kStaticTwinsSetups), kStaticTwinsValues};

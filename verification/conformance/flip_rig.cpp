@@ -174,6 +174,10 @@ void FlipRig::Cycle(std::uint32_t elapsed_us)
 void FlipRig::LookAtOutputs(const Permit& a, const Permit& b)
 {
     is_granted_ = false;
+    if (!IsFenced())
+    {
+        complaint_ = "a byte beside the storage of a channel was written";
+    }
     const bool is_permitted = (a.mask == b.mask) && ((a.mask & 1U) != 0U) && (!is_device_safe_);
     if (!is_permitted)
     {
@@ -190,6 +194,19 @@ void FlipRig::LookAtOutputs(const Permit& a, const Permit& b)
         complaint_ = "granted data " + std::to_string(normal) + ", last valid pair " + std::to_string(last_.data) +
                      ", age " + std::to_string(clock_us_ - last_.normal_us) + " us";
     }
+}
+
+bool FlipRig::IsFenced() const
+{
+    std::uint32_t written = 0U;
+    for (const Fence* const fence : {&before_a_, &behind_a_, &behind_b_})
+    {
+        for (const std::uint8_t byte : fence->bytes)
+        {
+            written |= byte;
+        }
+    }
+    return written == 0U;
 }
 
 /// The consumer's objects of one side where their bits lie in the data; the bits of a dummy are 0.

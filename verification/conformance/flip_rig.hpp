@@ -97,12 +97,19 @@ class FlipRig
     [[nodiscard]] bool IsGranted() const;
 
   private:
+    /// Bytes beside a storage, which nobody writes.
+    struct Fence
+    {
+        std::uint8_t bytes[32]{};
+    };
+
     void Store(SlotIndex slot, ConfigField field, std::uint8_t sub, std::uint32_t value);
     void ConfigureAll(Channel& channel);
     [[nodiscard]] std::uint32_t ReadSide(bool is_inverse) const;
     void CompareDigests();
     [[nodiscard]] bool IsLegitimate(std::uint32_t granted) const;
     void LookAtOutputs(const Permit& a, const Permit& b);
+    [[nodiscard]] bool IsFenced() const;
     void Feed(std::uint32_t identifier, std::uint32_t data);
     void Confirm(const CanFrame& frame);
 
@@ -110,8 +117,11 @@ class FlipRig
     SrdoSetup setups_[kRigSlots]{};
     DeviceConfig config_{};
     Dictionary dictionary_{};
+    Fence before_a_{};
     channel_a::StorageFor<kRigSlots> storage_a_{};
+    Fence behind_a_{};
     channel_b::StorageFor<kRigSlots> storage_b_{};
+    Fence behind_b_{};
     channel_a::Channel a_;
     channel_b::Channel b_;
     Comparator comparator_{};

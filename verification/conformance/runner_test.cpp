@@ -5,6 +5,7 @@
 #include "verification/conformance/flip_rig.hpp"
 #include "verification/conformance/forwarding.hpp"
 #include "verification/conformance/runner.hpp"
+#include "verification/conformance/twisting.hpp"
 #include "verification/trace/ids/conformance.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -13,6 +14,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace counterpoint::conformance
@@ -30,10 +32,12 @@ class Listener final : public Reporter
         {
             first = failure;
         }
+        cases.insert({failure.case_name, failure.origin});
     }
 
     Failure first{};
     std::uint32_t count{0U};
+    std::set<std::pair<std::string, std::uint32_t>> cases{};
 };
 
 /// Takes one microsecond more than SCT and SRVT allow: it shows every stamp of a frame to be a microsecond earlier.
@@ -58,6 +62,19 @@ class Unwrapped final : public Forwarding
     void OnFrame(const CanFrame& frame, Instant stamp) noexcept override
     {
         Forwarding::OnFrame(frame, Instant{(stamp.us < 0x10000000U) ? (stamp.us + 7U) : stamp.us});
+    }
+};
+
+/// Treats time beyond half the range of the counter as a later one.
+class Halved final : public Forwarding
+{
+  public:
+    using Forwarding::Forwarding;
+
+    void OnFrame(const CanFrame& frame, Instant stamp) noexcept override
+    {
+        const bool is_beyond = (stamp.us >= 0x80000000U) && (stamp.us < 0x90000000U);
+        Forwarding::OnFrame(frame, Instant{stamp.us + (is_beyond ? 7U : 0U)});
     }
 };
 
@@ -172,6 +189,31 @@ TEST(ConformanceRun, HashSeesWhatNoExpectationNames)
     EXPECT_NE(runner->HashValue(), other->HashValue());
 }
 
+std::uint32_t HashBehind(std::uint32_t place)
+{
+    const auto parts = std::make_unique<Parts>();
+    Twisting twisting{parts->channel, place};
+    const auto runner = std::make_unique<Runner>(twisting, Party::kA, parts->listener);
+    for (const char* const name :
+         {"DefaultsOfNode1", "DigestOfABareDevice", "RuleDirection", "StaticMapping", "NumbersWithGaps", "PairIsSent"})
+    {
+        static_cast<void>(runner->Run(Find(name), 0U));
+    }
+    return runner->HashValue();
+}
+
+TEST(ConformanceRun, HashSeesEachNumberThatTheChannelReturns)
+{
+    Verifies(req::SRS_CNF_002);
+    // Given cases with every call, when one number of all that the channel returns is another one, so is the hash
+    const std::uint32_t sound = HashBehind(Twisting::kPlaces);
+    for (std::uint32_t place = 0U; place < Twisting::kPlaces; ++place)
+    {
+        EXPECT_NE(HashBehind(place), sound) << place;
+    }
+    EXPECT_EQ(HashBehind(Twisting::kPlaces), sound);
+}
+
 TEST(ConformanceRun, RefreshOfWhatCannotRefreshIsTold)
 {
     Verifies(req::SRS_CNF_003);
@@ -221,6 +263,7 @@ TEST(ConformanceRun, OneCaseIsOneFailure)
     const RunResult result = RunConformance(*runner);
     EXPECT_GT(result.failures, 0U);
     EXPECT_LT(result.failures, parts->listener.count);
+    EXPECT_EQ(result.failures, parts->listener.cases.size());
 }
 
 TEST(ConformanceRun, OriginsFindTimeThatDoesNotWrap)
@@ -234,6 +277,20 @@ TEST(ConformanceRun, OriginsFindTimeThatDoesNotWrap)
     const Case& on_limit = Find("SctOnTheLimitAtNormalFrame");
     EXPECT_TRUE(runner->Run(on_limit, kOrigins[2]));
     EXPECT_FALSE(runner->Run(on_limit, kOrigins[1]));
+}
+
+TEST(ConformanceRun, OriginsFindTimeThatChangesAtHalfTheRange)
+{
+    Verifies(req::SRS_CNF_004);
+    // Given a channel that sees stamps otherwise beyond half the range of the counter
+    const auto parts = std::make_unique<Parts>();
+    Halved halved{parts->channel};
+    const auto runner = std::make_unique<Runner>(halved, Party::kA, parts->listener);
+    // Then the same case passes where all stamps are alike, the wrap included, and fails across the half
+    const Case& on_limit = Find("SctOnTheLimitAtNormalFrame");
+    EXPECT_TRUE(runner->Run(on_limit, kOrigins[0]));
+    EXPECT_TRUE(runner->Run(on_limit, kOrigins[1]));
+    EXPECT_FALSE(runner->Run(on_limit, kOrigins[2]));
 }
 
 TEST(ConformanceTable, NamesAreUniqueAndEveryCaseNamesARequirement)
@@ -307,14 +364,17 @@ TEST(ConformanceTable, EveryLimitHasItsThreePoints)
         {"waiting past SCT", {"WaitingPastSct"}},
         {"first transmission", {"PairIsSent", "FirstTransmissionOfNode127", "FirstTransmissionAfterReentering"}},
         {"refresh", {"RefreshKeepsItsPhase", "RefreshWaitsUntilPrepare"}},
-        {"silence of the application", {"SilentApplication", "SilenceAfterPrepare"}},
+        {"shortest and longest refresh time", {"ShortestRefreshTime", "LongestRefreshTime"}},
+        {"silence of the application", {"SilentApplication", "SilenceAfterPrepare", "SilenceByEachOfItsTimes"}},
+        {"shortest and longest SRVT of a producer",
+         {"ConfirmationWithoutSrvt", "ConfirmationWithSrvtOfOneMillisecond", "ConfirmationWithTheLongestSrvt"}},
         {"confirmation of the normal frame",
          {"NormalFrameIsNotConfirmed", "ConfirmationsOnTheirLimits", "NormalFrameConfirmedTooLate"}},
         {"confirmation of the inverse frame",
          {"InverseFrameIsNotConfirmed", "InverseFrameConfirmedOnTheLimit", "InverseFrameConfirmedTooLate"}},
         {"length of a frame", {"LengthOfNormalFrame", "LengthOfInverseFrame", "LengthOfEightBytes"}},
         {"identifier of a frame", {"OtherIdentifiersNeverCount"}},
-        {"error count", {"ErrorCountStaysAt65535"}},
+        {"error count", {"ErrorCountStaysAt65535", "ErrorCountOfAProducerStaysAt65535"}},
         {"number of SRDOs", {"SixtyFourPairsAtOnce", "FirstAndLastOfSixtyFour", "AddressesThatDoNotExist"}},
         {"direction", {"RuleDirection"}},
         {"transmission type", {"RuleTransmissionType"}},
@@ -398,6 +458,33 @@ TEST(FlipRig, ComplainsAboutDataThatNobodySent)
     rig.Cycle(1000U);
     EXPECT_FALSE(rig.IsGranted());
     EXPECT_TRUE(rig.Complaints().empty());
+    // When both are handed a valid pair of which the rig knows nothing, then it is granted, and the rig complains
+    for (const Party party : {Party::kA, Party::kB})
+    {
+        const CanFrame normal{0x111U, FrameKind::kData, CanPortId::kFirst, 2U, {0x44U, 0x44U}};
+        const CanFrame inverse{0x112U, FrameKind::kData, CanPortId::kFirst, 2U, {0xBBU, 0xBBU}};
+        rig.Of(party).OnFrame(normal, Instant{5000U});
+        rig.Of(party).OnFrame(inverse, Instant{5001U});
+    }
+    rig.Cycle(1000U);
+    EXPECT_TRUE(rig.IsGranted());
+    EXPECT_FALSE(rig.Complaints().empty());
+}
+
+TEST(FlipRig, ComplainsAboutAByteBesideAStorage)
+{
+    Verifies(req::SRS_CNF_030);
+    for (const Party party : {Party::kA, Party::kB})
+    {
+        // Given the byte behind the storage of a channel, when it is written
+        FlipRig rig{ReleasePolicy::kAutomatic};
+        rig.Start();
+        EXPECT_TRUE(rig.Complaints().empty()) << rig.Complaints();
+        rig.Bytes(party)[FlipRig::ByteCount(party)] = 1U;
+        // Then the next cycle tells it
+        rig.Cycle(1000U);
+        EXPECT_FALSE(rig.Complaints().empty());
+    }
 }
 
 } // namespace
