@@ -394,5 +394,58 @@ TEST(StateOfTheNodes, IsThatOfCommandsAndOfMessagesOfOneByte)
     EXPECT_EQ(violations(Frame(200, 0x701U, {0U, 0U})), 1U);
     EXPECT_EQ(violations(Frame(200, 0x701U, {5U})), 1U);
 }
+
+// Given a chain whose producer falls silent behind an error control frame that is marked INVALID, then that frame has
+// stopped nothing: SCT is told. It was taken for the end of OPERATIONAL, and the silence was told by nobody.
+TEST(StateOfTheNodes, IsNotThatOfAFrameThatIsInvalid)
+{
+    Verifies(req::SRS_MON_009);
+    Verifies(req::SRS_MON_710);
+    const Network network({{Example("sensor"), std::nullopt}, {Example("controller"), std::nullopt}}, std::nullopt);
+    const std::vector<LogFrame> pair{Frame(0, 0x101U, {1U, 2U}), Frame(100, 0x102U, {0xFEU, 0xFDU})};
+    const auto violations = [&network, &pair](const std::vector<LogFrame>& behind)
+    {
+        std::vector<LogFrame> frames = pair;
+        frames.insert(frames.end(), behind.begin(), behind.end());
+        return ViolationsOf(network, frames, 200000);
+    };
+    const Texts told{"50000 SCT expired"};
+    for (const std::uint8_t byte : std::vector<std::uint8_t>{3U, 1U, 6U, 126U, 0x80U, 0x83U})
+    {
+        EXPECT_EQ(violations({Frame(200, 0x701U, {byte})}), told) << int{byte};
+    }
+    for (const std::uint8_t byte : std::vector<std::uint8_t>{0U, 4U, 127U, 0x84U, 0xFFU})
+    {
+        EXPECT_EQ(violations({Frame(200, 0x701U, {byte})}), Texts{}) << int{byte};
+    }
+    // A guarding answer whose toggle bit did not alternate tells nothing, one that did tells its state
+    LogFrame request = Frame(200, 0x701U, {});
+    request.is_remote = true;
+    request.length = 1U;
+    const LogFrame running = Frame(200, 0x701U, {0x85U});
+    EXPECT_EQ(violations({request, running, request, Frame(300, 0x701U, {0x84U})}), told);
+    EXPECT_EQ(violations({request, running, request, Frame(300, 0x701U, {0x04U})}), Texts{});
+    // A boot-up is no answer, and begins the toggle bit anew; what nobody asked for is a heartbeat
+    EXPECT_EQ(violations({request, running, request, Frame(300, 0x701U, {0U}), pair[0], pair[1], request,
+                          Frame(400, 0x701U, {0x84U})}),
+              Texts{});
+    EXPECT_EQ(violations({request, running, Frame(300, 0x701U, {0x84U})}), Texts{});
+    // A frame of another length does not answer, and the answer is still due
+    EXPECT_EQ(violations({request, running, request, Frame(250, 0x701U, {4U, 4U}), Frame(300, 0x701U, {0x84U})}), told);
+    // What was before a time that was not seen tells nothing of toggle bits
+    Texts texts;
+    Analysis analysis(network,
+                      [&texts](const Violation& violation) { texts.push_back(CauseName(violation.breach.cause)); });
+    analysis.Take(request);
+    analysis.Take(running);
+    analysis.Interrupt();
+    for (const LogFrame& frame :
+         {Frame(1000, 0x101U, {1U, 2U}), Frame(1100, 0x102U, {0xFEU, 0xFDU}), request, Frame(1300, 0x701U, {0x84U})})
+    {
+        analysis.Take(frame);
+    }
+    analysis.Advance(200 * kMillisecond);
+    EXPECT_EQ(texts, Texts{});
+}
 } // namespace
 } // namespace counterpoint::monitor
