@@ -328,6 +328,26 @@ TEST(AGfc, IsThatOfADeviceThatMaySendIt)
     EXPECT_EQ(ViolationsOf(may, {Frame(0, 0x001U, {})}, 1000000), Texts{"25000 GFC not followed"});
 }
 
+// Given frames with the stamp of the GFC, then only a normal frame of a sender follows it; the inverse frame of the pair
+// before it, and a frame of 101h to 180h that nobody sends, counted too.
+TEST(AGfc, IsFollowedByNoOtherFrameOfItsInstant)
+{
+    Verifies(req::SRS_MON_016);
+    const Network may({{Example("sensor"), std::nullopt}}, std::nullopt);
+    const LogFrame gfc = Frame(100, 0x001U, {});
+    const Texts told{"25100 GFC not followed"};
+    for (const Time us : {100, 101})
+    {
+        EXPECT_EQ(ViolationsOf(may, {Frame(0, 0x101U, {1U, 2U}), gfc, Frame(us, 0x102U, {0xFEU, 0xFDU})}, 40000), told);
+        EXPECT_EQ(ViolationsOf(may, {gfc, Frame(us, 0x17FU, {0U})}, 40000), told);
+        EXPECT_EQ(ViolationsOf(may, {gfc, Frame(us, 0x180U, {0U})}, 40000), told);
+        EXPECT_EQ(ViolationsOf(may, {gfc, Frame(us, 0x101U, {1U, 2U}), Frame(us, 0x102U, {0xFEU, 0xFDU})}, 40000),
+                  Texts{});
+    }
+    // The pair before the GFC does not follow it, whatever its stamp is
+    EXPECT_EQ(ViolationsOf(may, {Frame(100, 0x101U, {1U, 2U}), Frame(100, 0x102U, {0xFEU, 0xFDU}), gfc}, 40000), told);
+}
+
 // Two pairs whose consumers see the same at the same time are two violations; of several limits the earlier one first.
 TEST(ViolationsOfSeveralSrdos, AreToldEachAndInTheirOrder)
 {
