@@ -127,7 +127,27 @@ TEST(PdosOfAFile, AreThoseThatAreOn)
     EXPECT_EQ(words("DefaultValue=0x187"), "187h [0]  PDO network_pdo TPDO 1: ");
     EXPECT_EQ(words("DefaultValue=0x80000187"), "187h [0]  other TPDO 1 of network_pdo, by its identifier");
     EXPECT_EQ(words("DefaultValue=0"), "187h [0]  other TPDO 1 of network_pdo, by its identifier");
+    EXPECT_EQ(words("DefaultValue=0x40000187"), "187h [0]  PDO network_pdo TPDO 1: ");
+    EXPECT_EQ(words("DefaultValue=0x20000187"), "187h [0]  other TPDO 1 of network_pdo, by its identifier");
     EXPECT_EQ(words(""), "187h [0]  other TPDO 1 of network_pdo, by its identifier");
+}
+
+// Given a PDO with an identifier of NMT or error control, then these frames are what they are.
+TEST(PdosOfAFile, HaveNoIdentifierOfAnotherService)
+{
+    Verifies(req::SRS_MON_711);
+    const std::string pdo = "\n[1800]\nParameterName=TPDO\nSubNumber=1\nObjectType=9\n\n[1800sub1]\n"
+                            "ParameterName=COB-ID\nDataType=7\nAccessType=rw\nDefaultValue=";
+    for (const std::string value : {"0x40000000", "0x701", "0x40000701"})
+    {
+        const std::string path = Written("network_pdo.dcf", kNameless + pdo + value + "\n");
+        const Network network({{path, std::uint8_t{1U}}}, std::nullopt);
+        EXPECT_TRUE(network.Pdos().empty()) << value;
+        const Analysis analysis(network, [](const Violation&) {});
+        Decoder decoder(network, analysis);
+        EXPECT_EQ(decoder.Decode(Frame(0, 0x000U, {1U, 0U})), "000h [2] 01 00  NMT start, all nodes") << value;
+        EXPECT_EQ(decoder.Decode(Frame(0, 0x701U, {5U})), "701h [1] 05  error control network_pdo is OPERATIONAL");
+    }
 }
 
 // Given a sensor that is not declared valid, then none of its SRDOs is watched, it may send no GFC, and it is told.
@@ -328,8 +348,8 @@ TEST(AGfc, IsThatOfADeviceThatMaySendIt)
     EXPECT_EQ(ViolationsOf(may, {Frame(0, 0x001U, {})}, 1000000), Texts{"25000 GFC not followed"});
 }
 
-// Given frames with the stamp of the GFC, then only a normal frame of a sender follows it; the inverse frame of the pair
-// before it, and a frame of 101h to 180h that nobody sends, counted too.
+// Given frames with the stamp of the GFC, then only a normal frame of a sender follows it; the inverse frame of the
+// pair before it, and a frame of 101h to 180h that nobody sends, counted too.
 TEST(AGfc, IsFollowedByNoOtherFrameOfItsInstant)
 {
     Verifies(req::SRS_MON_016);
@@ -346,6 +366,46 @@ TEST(AGfc, IsFollowedByNoOtherFrameOfItsInstant)
     }
     // The pair before the GFC does not follow it, whatever its stamp is
     EXPECT_EQ(ViolationsOf(may, {Frame(100, 0x101U, {1U, 2U}), Frame(100, 0x102U, {0xFEU, 0xFDU}), gfc}, 40000), told);
+}
+
+/// A sensor with another COB-ID of emergencies.
+std::string WithEmergency(const std::string& value)
+{
+    std::string text = ExampleText("sensor");
+    const std::size_t place = text.find("DefaultValue=", text.find("[1014]"));
+    return text.replace(place, text.find_first_of("\r\n", place) - place, "DefaultValue=" + value);
+}
+
+// Given a COB-ID of emergencies that no device takes, then NMT commands are what they are, and stop the supervision;
+// they were taken for emergencies. Emergencies are those of the default.
+TEST(IdentifiersThatNoEmergencyHas, LeaveFramesToTheirService)
+{
+    Verifies(req::SRS_MON_711);
+    for (const std::string value : {"0", "0x80000000", "0x80000081", "0x07F", "0x101", "0x180", "0x581", "0x67F",
+                                    "0x6E0", "0x701", "0x7FF", "0x20000090", "0x40000090", "0x800"})
+    {
+        const Network network({{Written("network_emergency.dcf", WithEmergency(value)), std::nullopt},
+                               {Example("controller"), std::nullopt}},
+                              std::nullopt);
+        EXPECT_EQ(
+            ViolationsOf(network,
+                         {Frame(0, 0x101U, {1U, 2U}), Frame(100, 0x102U, {0xFEU, 0xFDU}), Frame(200, 0x000U, {2U, 0U})},
+                         200000),
+            Texts{})
+            << value;
+        const Analysis analysis(network, [](const Violation&) {});
+        Decoder decoder(network, analysis);
+        EXPECT_EQ(decoder.Decode(Frame(0, 0x000U, {1U, 0U})), "000h [2] 01 00  NMT start, all nodes") << value;
+        EXPECT_EQ(decoder.Decode(Frame(0, 0x701U, {5U})), "701h [1] 05  error control Sensor is OPERATIONAL") << value;
+        EXPECT_EQ(decoder.Decode(Frame(0, 0x081U, {0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U})),
+                  "081h [8] 00 00 00 00 00 00 00 00  EMCY Sensor no error, register 00h")
+            << value;
+    }
+    for (const std::string value : {"0x090", "0x181", "0x580", "0x600", "0x680", "0x6DF", "0x700"})
+    {
+        const Network network({{Written("network_emergency.dcf", WithEmergency(value)), std::nullopt}}, std::nullopt);
+        EXPECT_EQ(network.Nodes().front().emergency_id, std::stoul(value, nullptr, 16)) << value;
+    }
 }
 
 // Two pairs whose consumers see the same at the same time are two violations; of several limits the earlier one first.
