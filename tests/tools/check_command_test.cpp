@@ -271,10 +271,10 @@ TEST_F(OneReading, AnSrdoThatIsOffIsTakenAsTheDeviceTakesIt)
 TEST_F(OneReading, WhyTheKernelRefusesAStartIsToldByCheckAndSimulate)
 {
     Verifies(req::SRS_EASE_007);
-    // Given a diagnostic interval of 1 ms
+    // Given a granularity that there is not
     const std::string file =
-        File("slow.dcf", cia306::test::WithValues(ExampleText("sensor"), {{"5F00sub4", "ParameterValue", "1"}}));
-    const std::string reason = "the kernel refuses this device: timing (A time outside its range)";
+        File("slow.dcf", cia306::test::WithValues(ExampleText("sensor"), {{"5F00subA", "ParameterValue", "3"}}));
+    const std::string reason = "the kernel refuses this device: granularity (Not 1, 8, 16, 32 or 64)";
     // Then who builds the device for a check is told
     const std::vector<cia306::Finding> told = runtime::TryDevice(cia306::ReadDeviceFile(file), std::nullopt);
     EXPECT_TRUE(std::any_of(told.begin(), told.end(), [&reason](const cia306::Finding& finding)
