@@ -81,5 +81,20 @@ TEST_F(VainKeysTest, AStartThatAShorterRunDoesNotReachIsTold)
     ExpectTaken("", "power:\n  - {at: 60 ms, node: sensor, off: 10 ms, start_after: 10 ms}\n", until,
                 told("8:5: warning: power cycle at 60 ms"));
 }
+// Of two rules, or a rule and an input, of one object the last one won without a word.
+TEST_F(VainKeysTest, AnObjectHasOneWriter)
+{
+    Verifies(req::SRS_SIM_711);
+    const std::string rule = "logic:\n  - {node: controller, set: 0x2000:01, op: copy, from: [0x2200:01]}\n";
+    const std::string wrong = "object 0x2000:01 of node 'controller', which the rule at " + Path("s.yaml") +
+                              ":8:5 sets, expected one writer of "
+                              "each object";
+    ExpectRefused("", rule + "  - {node: controller, set: 0x2000:01, op: not, from: [0x2200:02]}\n",
+                  ":9:5: error: a rule for " + wrong);
+    ExpectRefused("", rule + "inputs:\n  - {at: 1 ms, node: controller, object: 0x2000:01, value: 3}\n",
+                  ":10:5: error: an input of " + wrong);
+    ExpectTaken("", rule + "  - {node: controller, set: 0x2000:02, op: not, from: [0x2200:02]}\n" +
+                        "inputs:\n  - {at: 1 ms, node: sensor, object: 0x2000:01, value: 3}\n");
+}
 } // namespace
 } // namespace counterpoint::tools
