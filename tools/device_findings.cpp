@@ -7,6 +7,7 @@
 #include "canopen/cia306/text/text_file.hpp"
 #include "canopen/generate/generate.hpp"
 #include "runtime/node/trial.hpp"
+#include "simulator/world/trial.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -42,6 +43,13 @@ std::vector<cia306::Finding> TryCommands(const cia306::Device& device, const std
     std::vector<cia306::Finding> findings = runtime::TryDevice(device, node_id);
     const std::vector<cia306::Finding> generated = TryGenerate(device, text, node_id.value_or(kAnyNode));
     findings.insert(findings.end(), generated.begin(), generated.end());
+    const bool has_id = node_id || device.node_id;
+    const std::optional<cia306::Finding> simulated =
+        simulator::TrySelfTests(device.file, has_id ? node_id : std::optional(kAnyNode));
+    if (simulated)
+    {
+        AddOthers(findings, {*simulated}); // One of a live device stands there already, where it has the same place.
+    }
     return findings;
 }
 

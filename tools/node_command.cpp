@@ -120,7 +120,7 @@ class NodeCommand final : public Command
             {
                 throw runtime::YamlError(
                     script.file, rule.source.place, "a rule with an object that is no pair of the device",
-                    "'set' with a normal object that it sends, 'from' with normal objects of its SRDOs");
+                    "'set' with a normal object that it sends, 'from' with normal objects that it receives");
             }
             if (finding == runtime::RuleFinding::kOtherLength)
             {

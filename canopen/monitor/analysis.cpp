@@ -21,13 +21,11 @@ constexpr std::uint32_t kNodes = 0x7FU;
 constexpr std::uint32_t kLssFirst = 0x7E4U;
 constexpr std::uint32_t kLssLast = 0x7E5U;
 
-constexpr std::uint8_t kStart = 1U;
 constexpr std::uint8_t kStop = 2U;
 constexpr std::uint8_t kPreOperational = 128U;
 constexpr std::uint8_t kResetNode = 129U;
 constexpr std::uint8_t kResetCommunication = 130U;
 constexpr std::uint8_t kStateOperational = 5U;
-constexpr std::uint8_t kStateMask = 0x7FU; ///< Bit 7 is the toggle of guarding.
 
 bool IsIn(const std::uint32_t identifier, const std::uint32_t base)
 {
@@ -177,6 +175,7 @@ void Analysis::Interrupt() noexcept
 {
     is_blind_ = true;
     gfc_.Stop();
+    error_control_ = {}; // Whether a toggle bit alternates is not known any more.
     for (SrdoWatch& watch : watches_)
     {
         watch.Stop(last_);
@@ -226,36 +225,32 @@ void Analysis::Tell()
     fresh_.clear();
 }
 
-/// Commands, boot-up, heartbeat and guarding tell who is OPERATIONAL. [SRS_MON_009]
+/// Commands, boot-up, heartbeat and guarding tell who leaves OPERATIONAL; supervision begins with the next valid pair.
+/// [SRS_MON_009]
 void Analysis::FollowNodes(const LogFrame& frame)
 {
-    if (!frame.IsPlain())
+    if (frame.identifier != kNmt)
     {
-        return;
+        const ErrorControlFrame told = error_control_.Take(frame);
+        if (told.TellsState() && told.state != kStateOperational)
+        {
+            StopNode(told.node_id);
+        }
     }
-    if (frame.identifier == kNmt && frame.length == 2U)
+    else if (frame.IsPlain() && frame.length == 2U)
     {
         const std::uint8_t command = frame.data[0];
         const bool leaves =
             command == kStop || command == kPreOperational || command == kResetNode || command == kResetCommunication;
-        if (leaves || command == kStart)
+        if (leaves)
         {
-            SetOperational(frame.data[1], !leaves);
+            StopNode(frame.data[1]);
         }
-    }
-    else if (frame.identifier != kNmt && frame.length == 1U)
-    {
-        SetOperational(static_cast<std::uint8_t>(frame.identifier & kNodes),
-                       (frame.data[0] & kStateMask) == kStateOperational);
     }
 }
 
-void Analysis::SetOperational(const std::uint8_t node_id, const bool is_operational)
+void Analysis::StopNode(const std::uint8_t node_id)
 {
-    if (is_operational)
-    {
-        return; // Supervision begins with the first valid pair.
-    }
     for (std::size_t number = 0U; number < watches_.size(); ++number)
     {
         const WatchModel& watch = network_.Watches()[number];

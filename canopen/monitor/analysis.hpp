@@ -2,6 +2,7 @@
 #ifndef CANOPEN_MONITOR_ANALYSIS_HPP
 #define CANOPEN_MONITOR_ANALYSIS_HPP
 
+#include "canopen/monitor/error_control.hpp"
 #include "canopen/monitor/gfc_watch.hpp"
 #include "canopen/monitor/network.hpp"
 #include "canopen/monitor/srdo_watch.hpp"
@@ -46,7 +47,7 @@ constexpr std::size_t kServiceCount = 12U;
 [[nodiscard]] const char* ServiceName(Service service) noexcept;
 
 /// Supervises all SRDOs of a network, and GFC. [SRS_MON_005, SRS_MON_006, SRS_MON_007, SRS_MON_008, SRS_MON_009,
-/// SRS_MON_010, SRS_MON_016]
+/// SRS_MON_010, SRS_MON_016, SRS_MON_710]
 class Analysis final : private BreachSink
 {
   public:
@@ -113,12 +114,13 @@ class Analysis final : private BreachSink
     void Tell();
     void Open(Time now);
     void FollowNodes(const LogFrame& frame);
-    void SetOperational(std::uint8_t node_id, bool is_operational);
+    void StopNode(std::uint8_t node_id);
 
     const Network& network_;
     Listener listener_;
     std::deque<SrdoWatch> watches_;
     GfcWatch gfc_;
+    ErrorControl error_control_;
     std::array<std::vector<std::size_t>, kIdentifiers> watches_of_;
     std::array<Service, kIdentifiers> services_;
     std::vector<std::array<std::size_t, kCauseCount>> counts_;

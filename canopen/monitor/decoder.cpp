@@ -45,13 +45,6 @@ std::string WordOf(const NumberRow (&rows)[kCount], const std::uint32_t number, 
     return row == std::end(rows) ? kind + " " + std::to_string(number) : row->second;
 }
 
-/// Whether one of the rows has the number.
-template <std::size_t kCount> bool Knows(const NumberRow (&rows)[kCount], const std::uint32_t number)
-{
-    return std::any_of(std::begin(rows), std::end(rows),
-                       [number](const NumberRow& each) { return each.first == number; });
-}
-
 /// Bits from `first` on, the lowest first; the frame has them, checked by the caller.
 std::uint64_t BitsAt(const LogFrame& frame, const std::uint32_t first, const std::uint32_t count)
 {
@@ -159,7 +152,7 @@ std::string Decoder::Decode(const LogFrame& frame)
     case Service::kEmergency:
         return name + Emergency(frame);
     case Service::kErrorControl:
-        return name + ErrorControl(frame);
+        return name + ErrorControlText(frame);
     case Service::kPdo:
         return name + Pdo(frame);
     case Service::kSrdo:
@@ -244,30 +237,24 @@ std::string Decoder::Emergency(const LogFrame& frame) const
            cia306::Hex(frame.data[2], 2).substr(2U) + "h";
 }
 
-/// What follows a guarding request is its answer; its bit 7 alternates. In a heartbeat it is 0.
-std::string Decoder::ErrorControl(const LogFrame& frame)
+std::string Decoder::ErrorControlText(const LogFrame& frame)
 {
-    const std::string name = network_.NameOf(static_cast<std::uint8_t>(frame.identifier & kNodes));
-    Guarding& guarding = guarding_.at(frame.identifier & kNodes);
-    if (frame.is_remote)
+    const ErrorControlFrame told = error_control_.Take(frame);
+    const std::string name = network_.NameOf(told.node_id);
+    if (told.is_request)
     {
-        guarding.is_asked = true;
         return "guarding request, " + name;
     }
-    if (frame.length != 1U)
+    if (!told.has_length)
     {
         return name + " " + kWrongLength;
     }
-    const bool is_boot_up = frame.data[0] == 0U;
-    const bool is_answer = std::exchange(guarding.is_asked, false) && !is_boot_up;
-    const auto toggle = static_cast<std::uint8_t>(frame.data[0] >> 7U);
-    const bool is_same = is_answer && guarding.toggle == toggle;
-    guarding.toggle = is_answer ? std::optional(toggle) : (is_boot_up ? std::nullopt : guarding.toggle);
-    return (is_answer ? "guarding answer, " : "") + name + (is_boot_up ? " " : " is ") +
-           (Knows(kStates, frame.data[0] & 0x7FU) ? "" : "INVALID: ") +
-           WordOf(kStates, frame.data[0] & 0x7FU, "state") +
-           (is_answer || toggle != 0U ? ", toggle " + std::to_string(toggle) : "") +
-           (is_same ? ", INVALID: not alternated" : "");
+    const std::string state =
+        told.is_state ? WordOf(kStates, told.state, "state") : "state " + std::to_string(told.state);
+    return (told.is_answer ? "guarding answer, " : "") + name + (told.is_boot_up ? " " : " is ") +
+           (told.is_state ? "" : "INVALID: ") + state +
+           (told.is_answer || told.toggle != 0U ? ", toggle " + std::to_string(told.toggle) : "") +
+           (told.is_alternated ? "" : ", INVALID: not alternated");
 }
 
 std::string Decoder::Pdo(const LogFrame& frame) const

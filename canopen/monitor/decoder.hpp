@@ -3,11 +3,11 @@
 #define CANOPEN_MONITOR_DECODER_HPP
 
 #include "canopen/monitor/analysis.hpp"
+#include "canopen/monitor/error_control.hpp"
 #include "canopen/monitor/network.hpp"
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 
 namespace counterpoint::monitor
@@ -35,18 +35,11 @@ class Decoder
         std::uint32_t last_number{0U}; ///< That segment's number.
     };
 
-    /// Of a node that is guarded.
-    struct Guarding
-    {
-        bool is_asked{false}; ///< Its answer is due.
-        std::optional<std::uint8_t> toggle{};
-    };
-
     [[nodiscard]] std::string Emergency(const LogFrame& frame) const;
     [[nodiscard]] std::string Nmt(const LogFrame& frame) const;
     [[nodiscard]] std::string Other(const LogFrame& frame) const;
     [[nodiscard]] std::string FlyingMaster(const LogFrame& frame) const;
-    [[nodiscard]] std::string ErrorControl(const LogFrame& frame);
+    [[nodiscard]] std::string ErrorControlText(const LogFrame& frame);
     [[nodiscard]] std::string Pdo(const LogFrame& frame) const;
     [[nodiscard]] std::string Srdo(const LogFrame& frame) const;
     [[nodiscard]] std::string Sdo(const LogFrame& frame);
@@ -61,7 +54,7 @@ class Decoder
     const Network& network_;
     const Analysis& analysis_;
     std::array<Transfer, 128U> transfers_{};
-    std::array<Guarding, 128U> guarding_{};
+    ErrorControl error_control_;
 };
 
 /// A value as the data type of its entry writes it; hexadecimal where there is none.

@@ -48,7 +48,8 @@ void GfcWatch::OnFrame(const LogFrame& frame) noexcept
         open_ = frame.time; // A second one changes nothing: the first is still to be followed.
     }
     const std::uint32_t place = frame.identifier - kFirstSrdo;
-    if (open_ && place < kSrdoIdentifiers && frame.time - *open_ <= limits_[place])
+    const bool is_of_sender = place < kSrdoIdentifiers && limits_[place] != 0;
+    if (open_ && is_of_sender && frame.time - *open_ <= limits_[place])
     {
         open_.reset();
     }

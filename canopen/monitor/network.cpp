@@ -29,6 +29,23 @@ constexpr std::uint64_t kLastSrdoId = 0x180U;
 constexpr std::uint8_t kCobId1Sub = 5U;
 constexpr std::uint8_t kCobId2Sub = 6U;
 constexpr std::uint64_t kOffBit = 0x80000000U;
+constexpr std::uint64_t kPdoBit = 0x40000000U; ///< Of a PDO: no remote request. Of emergencies it is reserved.
+
+/// CiA 301: identifiers that no COB-ID may give to another service.
+constexpr std::uint64_t kRestricted[][2] = {{0x000U, 0x07FU}, {0x101U, 0x180U}, {0x581U, 0x5FFU},
+                                            {0x601U, 0x67FU}, {0x6E0U, 0x6FFU}, {0x701U, 0x7FFU}};
+
+/// Whether a service runs with this COB-ID: on, of 11 bits, and of no other service. Its frames would be taken for
+/// those of NMT, or of error control, otherwise. [SRS_MON_711]
+bool IsInUse(const std::uint64_t cob_id)
+{
+    bool is_free = cob_id <= kIdentifierMask;
+    for (const auto& range : kRestricted)
+    {
+        is_free = is_free && (cob_id < range[0] || cob_id > range[1]);
+    }
+    return is_free;
+}
 
 std::string NameIn(const cia306::IniDocument& document, const std::string& path)
 {
@@ -167,8 +184,8 @@ void Network::AddNode(const NodeFile& file)
     std::vector<cia306::Finding> problems;
     node.parameters = cia306::ReadDeviceParameters(node.device, id, problems);
     cia306::RequireNone(file.path, problems);
-    const auto emergency = Number(node, kEmergencyCobId, 0U);
-    node.emergency_id = static_cast<std::uint32_t>(emergency.value_or(kDefaultEmergency + *id)) & kIdentifierMask;
+    const std::uint64_t emergency = Number(node, kEmergencyCobId, 0U).value_or(0U);
+    node.emergency_id = IsInUse(emergency) ? static_cast<std::uint32_t>(emergency) : kDefaultEmergency + *id;
     nodes_.push_back(std::move(node));
 }
 
@@ -198,13 +215,12 @@ void Network::AddPdo(const std::size_t node, const std::uint16_t communication, 
                      PdoModel pdo)
 {
     const NodeModel& owner = nodes_[node];
-    const auto cob_id = Number(owner, communication, 1U);
-    const bool is_on = cob_id && (*cob_id & kOffBit) == 0U && *cob_id != 0U;
-    if (!is_on)
+    const std::uint64_t cob_id = Number(owner, communication, 1U).value_or(kOffBit) & ~kPdoBit;
+    if (!IsInUse(cob_id))
     {
         return;
     }
-    pdo.identifier = static_cast<std::uint32_t>(*cob_id) & kIdentifierMask;
+    pdo.identifier = static_cast<std::uint32_t>(cob_id);
     const std::uint64_t count = std::min<std::uint64_t>(Number(owner, mapping, 0U).value_or(0U), kMostPdoFields);
     for (std::uint64_t place = 1U; place <= count; ++place)
     {

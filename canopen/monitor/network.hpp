@@ -39,7 +39,7 @@ struct NodeModel
 {
     std::string name; ///< NodeName, else the name of the file.
     std::uint8_t id{0U};
-    std::uint32_t emergency_id{0U};
+    std::uint32_t emergency_id{0U}; ///< 80h + node-ID where the file has none that a device takes.
     cia306::Device device;
     cia306::SafetyConfiguration safety;
     std::vector<cia306::SrdoConfiguration> active; ///< Those of `safety` that are on; none while 13FEh is not A5h.

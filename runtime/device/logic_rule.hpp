@@ -25,9 +25,15 @@ enum class LogicOperation : std::uint8_t
 enum class RuleFinding : std::uint8_t
 {
     kNone = 0U,        ///< It can.
-    kNoPair = 1U,      ///< An object is no pair of the device, or the target is none of a producer.
+    kNoPair = 1U,      ///< The target is no pair that the device sends, or an input none that it receives.
     kOtherLength = 2U, ///< An input has not the length of the target.
 };
+
+/// Whether two addresses are one object.
+[[nodiscard]] inline bool IsSame(const ObjectAddress& one, const ObjectAddress& other) noexcept
+{
+    return one.index == other.index && one.sub == other.sub;
+}
 
 /// A rule by which an application computes an object of a producer from objects of consumers.
 struct LogicRule

@@ -14,6 +14,8 @@ namespace counterpoint::runtime
 {
 namespace
 {
+constexpr std::uint8_t kIntervalSub = 4U;
+
 const char* MeaningOf(const AbortCode code)
 {
     switch (code)
@@ -70,6 +72,8 @@ DeviceModel::DeviceModel(const std::string& file, const std::optional<std::uint8
     {
         KeepSafetyObjects(device);
     }
+    const cia306::Entry* const interval = device.Find(cia306::kDeviceParametersIndex, kIntervalSub);
+    interval_place_ = interval == nullptr ? cia306::Place{} : interval->ValuePlace();
     config_ = source.Config();
     config_.srdos = setups_.data();
     config_.objects = objects_.data();

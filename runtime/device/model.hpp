@@ -104,6 +104,11 @@ class DeviceModel
     [[nodiscard]] const std::vector<StaticTable>& StaticTables() const noexcept;
     /// @brief Where the variables of this static mapping lie. [SRS_SIM_009]
     [[nodiscard]] StaticFields FieldsOf(const StaticTable& table) noexcept;
+    /// @brief Where the file has its diagnostic interval (5F00h:04); line 0: it has none.
+    [[nodiscard]] cia306::Place IntervalPlace() const noexcept
+    {
+        return interval_place_;
+    }
     /// @brief The values that a configuring master writes, in its order.
     [[nodiscard]] const std::vector<ConfigurationWrite>& Writes() const noexcept;
 
@@ -149,6 +154,7 @@ class DeviceModel
     std::vector<ObjectAddress> addresses_; ///< Of the objects, and numbers of the setups: for people, whatever flips.
     std::vector<std::uint8_t> numbers_;
     std::vector<ConfigurationWrite> writes_;
+    cia306::Place interval_place_{};
     DeviceConfig config_{};
 };
 

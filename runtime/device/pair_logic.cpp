@@ -145,7 +145,7 @@ RuleFinding PairLogic::AddRule(const LogicRule& rule)
     {
         const std::size_t place = IndexOf(input);
         known.inputs.push_back(place);
-        if (place >= pairs_.size())
+        if (place >= pairs_.size() || !pairs_[place].is_consumer)
         {
             finding = RuleFinding::kNoPair;
         }
@@ -159,6 +159,12 @@ RuleFinding PairLogic::AddRule(const LogicRule& rule)
         rules_.push_back(known);
     }
     return finding;
+}
+
+bool PairLogic::IsComputed(const ObjectAddress& normal) const noexcept
+{
+    const std::size_t place = IndexOf(normal);
+    return std::any_of(rules_.begin(), rules_.end(), [place](const Rule& rule) { return rule.target == place; });
 }
 
 void PairLogic::Disturb(const ObjectAddress& normal, const std::uint64_t bits) noexcept

@@ -61,6 +61,8 @@ class PairLogic
     [[nodiscard]] const PairValue* Find(const ObjectAddress& normal) const noexcept;
     /// @brief Adds a rule, if the device can follow it. [SRS_NODE_160]
     [[nodiscard]] RuleFinding AddRule(const LogicRule& rule);
+    /// @brief Whether a rule computes this object, so that an input of it would not last. [SRS_NODE_710]
+    [[nodiscard]] bool IsComputed(const ObjectAddress& normal) const noexcept;
     /// @brief Sets an input; the object is one of a pair, and the value is cut to its bits.
     void SetInput(const ObjectAddress& normal, std::uint64_t value) noexcept;
     /// @brief From now on the inverse path of that pair computes these bits wrongly; 0: none.

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/device/source.hpp"
 
+#include "canopen/cia306/check/rules.hpp"
 #include "canopen/cia306/check/sides.hpp"
 #include "canopen/cia306/safety/signature.hpp"
 #include "canopen/cia306/text/input_error.hpp"
@@ -16,10 +17,6 @@ using cia306::InputError;
 static_assert(cia306::kMaxMappingEntries == kMaxMapEntries, "what the reader lets through has room");
 
 constexpr std::size_t kMostObjects = 1024U;
-constexpr std::uint32_t kShortestCycleUs = 100U;
-constexpr std::uint32_t kLongestCycleUs = 1000000U;
-constexpr std::uint8_t kCycleSub = 1U;
-constexpr std::uint8_t kToleranceSub = 2U;
 constexpr std::uint8_t kPorts = 2U;
 
 std::uint32_t Number(const cia306::Field& field)
@@ -347,18 +344,17 @@ void DeviceSource::Refuse(const std::uint8_t sub, const cia306::Problem& problem
                      {name + ": " + problem.wrong, problem.expected});
 }
 
-/// Much is counted in cycles before the kernel sees them. [SRS_NODE_490]
-void DeviceSource::RequireCycle() const
+/// Much is counted in cycles before the kernel sees them, and it names no place. [SRS_NODE_490, SRS_NODE_711]
+void DeviceSource::RequireTimes() const
 {
-    const std::uint32_t cycle_us = parameters_.cycle_us;
-    if (cycle_us < kShortestCycleUs || cycle_us > kLongestCycleUs)
+    cia306::Findings findings;
+    cia306::CheckTimes({device_, safety_, parameters_, node_id_, parameters_.granularity_bits}, findings);
+    for (const cia306::Finding& finding : findings.Sorted())
     {
-        Refuse(kCycleSub, {"cycle time " + std::to_string(cycle_us) + " us", "100 us to 1000000 us"});
-    }
-    if (parameters_.cycle_tolerance_us > cycle_us)
-    {
-        Refuse(kToleranceSub, {"cycle tolerance of " + std::to_string(parameters_.cycle_tolerance_us) + " us",
-                               "at most the cycle time of " + std::to_string(cycle_us) + " us"});
+        if (finding.severity == cia306::Severity::kError)
+        {
+            throw InputError(file_, finding.place, {finding.object + ": " + finding.text, ""});
+        }
     }
 }
 
@@ -372,7 +368,7 @@ void DeviceSource::RequirePort(const std::uint8_t sub, const std::uint8_t port) 
 
 DeviceConfig DeviceSource::Config() const
 {
-    RequireCycle();
+    RequireTimes();
     RequirePort(cia306::kNormalPortSub, parameters_.normal_port);
     RequirePort(cia306::kInversePortSub, parameters_.inverse_port);
     const bool has_two_ports = parameters_.normal_port != parameters_.inverse_port;

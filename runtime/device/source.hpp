@@ -58,7 +58,7 @@ class DeviceSource
   private:
     [[noreturn]] void Refuse(std::uint8_t sub, const cia306::Problem& problem) const;
     void FollowNodeId();
-    void RequireCycle() const;
+    void RequireTimes() const;
     void RequirePort(std::uint8_t sub, std::uint8_t port) const;
     [[nodiscard]] MapAccess AccessOf(const cia306::Entry& entry) const;
     [[nodiscard]] std::size_t IndexOf(const cia306::MappingEntry& entry,

@@ -34,6 +34,11 @@ class NodeApplication final : public Application
     void Follow(Kernel& kernel, const runtime::DeviceModel& model);
     /// @brief Adds a rule, if the device can follow it. [SRS_NODE_160]
     [[nodiscard]] RuleFinding AddRule(const LogicRule& rule);
+    /// @brief Whether a rule computes this object. [SRS_NODE_710]
+    [[nodiscard]] bool IsComputed(const ObjectAddress& object) const noexcept
+    {
+        return logic_.IsComputed(object);
+    }
     /// @brief The highest pattern of bits that an input takes; nothing: there is no such input. [SRS_NODE_531]
     [[nodiscard]] std::optional<std::uint64_t> HighestInput(const ObjectAddress& object) const;
     /// @brief Sets an input: the normal object of a producer, as configured or as in the file. False: there is no such

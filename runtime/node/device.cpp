@@ -178,7 +178,7 @@ void NodeDevice::FurnishSelfTest()
     if (!self_test_->Settle(cycles))
     {
         throw cia306::InputError(
-            model_.File(), {},
+            model_.File(), model_.IntervalPlace(),
             {"the self tests do not fit into the diagnostic interval of " + std::to_string(cycles) + " cycles",
              "a longer one (0x5F00:04), or --no-self-tests"});
     }

@@ -88,9 +88,13 @@ NodeOrder ParseCommand(const std::vector<std::string>& words)
                                    [&words](const CommandWord& each) { return words[1U] == each.text; });
     const std::string expected = "nmt start, stop, pre-operational, reset-node or reset-communication, for another "
                                  "node with its node-ID, 1 to 127";
-    if (word == kCommandWords.end() || words.size() > 3U)
+    if (word == kCommandWords.end())
     {
         return Problem(cia306::Quoted(words[1U]) + " is no NMT command", expected);
+    }
+    if (words.size() > 3U)
+    {
+        return Problem(cia306::Quoted(words[3U]) + " behind the node-ID of an NMT command", expected);
     }
     std::uint8_t node = 0U;
     if (words.size() == 3U)

@@ -128,6 +128,12 @@ void NodeOrders::GoOn(NodeDevice& device, const NodeMoment& at)
 /// An input of the application, else an object of the device itself.
 void NodeOrders::Set(const NodeOrder& order, NodeDevice& device, const cia301::Attempt attempt)
 {
+    if (device.App().IsComputed(order.object))
+    {
+        TellProblem("set: " + ObjectText(order.object) +
+                    " is what a rule of the script computes, expected an object that no rule sets");
+        return;
+    }
     const cia306::Device& file = device.App().File();
     const NumberBits number = BitsOf(FormOf(file, device.Assembly().Dictionary(), order.object), order);
     const cia301::Reading size = device.Assembly().Dictionary().SizeOf(order.object);

@@ -7,6 +7,7 @@
 #include "runtime/yaml/document.hpp"
 #include "runtime/yaml/value.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <initializer_list>
 #include <optional>
@@ -38,6 +39,25 @@ LogicRule ReadRule(const std::string& file, const YamlValue& value)
     return rule;
 }
 
+/// The rule that sets this object; null: none does.
+const LogicRule* RuleOf(const std::vector<LogicRule>& rules, const ObjectAddress& object)
+{
+    const auto rule = std::find_if(rules.begin(), rules.end(),
+                                   [&object](const LogicRule& each) { return IsSame(each.target, object); });
+    return rule == rules.end() ? nullptr : &*rule;
+}
+
+/// Of two who write an object the last one would win without a word. [SRS_NODE_710]
+void RequireNoRule(const std::vector<LogicRule>& rules, const ObjectAddress& object, const YamlValue& writer)
+{
+    if (const LogicRule* const rule = RuleOf(rules, object); rule != nullptr)
+    {
+        writer.Refuse(ObjectText(object) + ", which the rule at " +
+                          cia306::PlaceText(rule->source.file, rule->source.place) + " sets",
+                      "one writer of each object");
+    }
+}
+
 ScriptStep ReadStep(const std::string& file, const YamlValue& value)
 {
     const YamlMap map(file, value.Node(), {"at", "do", "every"});
@@ -60,6 +80,28 @@ ScriptStep ReadStep(const std::string& file, const YamlValue& value)
     }
     return step;
 }
+
+/// A step behind the end of the run is never done. [SRS_NODE_712]
+void RequireBeforeQuit(const std::vector<ScriptStep>& steps, const std::vector<YamlValue>& values)
+{
+    std::size_t quit = steps.size();
+    for (std::size_t step = 0U; step < steps.size(); ++step)
+    {
+        const bool is_quit = steps[step].order.kind == OrderKind::kQuit;
+        if (is_quit && (quit == steps.size() || steps[step].at_ns < steps[quit].at_ns))
+        {
+            quit = step;
+        }
+    }
+    for (std::size_t step = 0U; step < steps.size() && quit < steps.size(); ++step)
+    {
+        const bool is_later = steps[step].at_ns > steps[quit].at_ns;
+        if (is_later || (step > quit && steps[step].at_ns == steps[quit].at_ns))
+        {
+            values[step].Refuse("a step behind 'quit', which is never done", "one before it");
+        }
+    }
+}
 } // namespace
 
 NodeScript ReadNodeScript(const std::string& file)
@@ -81,15 +123,23 @@ NodeScript ReadNodeScript(const std::string& file)
     {
         for (const YamlValue& rule : logic->Items("a list of rules"))
         {
-            script.rules.push_back(ReadRule(script.file, rule));
+            const LogicRule read = ReadRule(script.file, rule);
+            RequireNoRule(script.rules, read.target, rule);
+            script.rules.push_back(read);
         }
     }
     if (const std::optional<YamlValue> steps = map.Find("steps"))
     {
-        for (const YamlValue& step : steps->Items("a list of steps"))
+        const std::vector<YamlValue> values = steps->Items("a list of steps");
+        for (const YamlValue& step : values)
         {
             script.steps.push_back(ReadStep(script.file, step));
+            if (script.steps.back().order.kind == OrderKind::kSet)
+            {
+                RequireNoRule(script.rules, script.steps.back().order.object, step);
+            }
         }
+        RequireBeforeQuit(script.steps, values);
     }
     return script;
 }

@@ -150,6 +150,35 @@ void RequireOneFault(const Scenario& scenario, const Expectation& expectation)
                         "a name of its own for each");
     }
 }
+
+/// Who enters OPERATIONAL at a time that the file names (`start_at`, `start_after`), where what leads to it comes
+/// before `end`. [SRS_SIM_710]
+std::vector<Happening> StartsOf(const Scenario& scenario, const Nanoseconds end)
+{
+    std::vector<Happening> starts;
+    for (const NodeSetup& node : scenario.nodes)
+    {
+        if (node.names_start && node.phase < end)
+        {
+            starts.push_back({node.start_at, node.source, "start of node " + runtime::Shown(node.name)});
+        }
+    }
+    for (const NmtEvent& event : scenario.nmt)
+    {
+        if (event.start_after != kNever && event.at < end)
+        {
+            starts.push_back({event.at + event.start_after, event.source, "start after an NMT event"});
+        }
+    }
+    for (const PowerCycle& cycle : scenario.power)
+    {
+        if (cycle.start_after != kNever && cycle.at < end)
+        {
+            starts.push_back({cycle.at + cycle.off + cycle.start_after, cycle.source, "start after a power cycle"});
+        }
+    }
+    return starts;
+}
 } // namespace
 
 std::vector<Happening> HappeningsFrom(const Scenario& scenario, const Nanoseconds end)
@@ -177,6 +206,10 @@ std::vector<Happening> HappeningsFrom(const Scenario& scenario, const Nanosecond
     for (const NodeSetup& node : scenario.nodes)
     {
         add(node.phase, node.source, "node " + runtime::Shown(node.name));
+    }
+    for (const Happening& start : StartsOf(scenario, end))
+    {
+        add(start.at, start.source, start.what);
     }
     add_all(scenario.managers, "manager");
     for (const Action& action : scenario.actions)

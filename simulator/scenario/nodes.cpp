@@ -98,7 +98,7 @@ std::vector<NodeSetup> ReadNode(const YamlValue& name, const YamlValue& value)
     fields.Into("serial", node.serial);
     node.self_tests = fields.Require("self_tests").Choice(kYesWords);
     node.start_at = kNever;
-    fields.Into("start_at", node.start_at);
+    node.names_start = fields.Into("start_at", node.start_at);
     node.device = node.name;
     std::vector<NodeSetup> cpus{node};
     if (fields.Require("structure").Choice(kStructureWords))

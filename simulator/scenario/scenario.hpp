@@ -54,6 +54,7 @@ struct NodeSetup
     std::optional<std::uint32_t> serial; ///< 1018h:04 instead of the DCF's.
     Nanoseconds phase{0};                ///< Power-on; its cycles follow.
     Nanoseconds start_at{0};             ///< Enters OPERATIONAL; kNever: when a manager says so.
+    bool names_start{false};             ///< `start_at` stands in the file.
     CounterSetup counter_a;
     CounterSetup counter_b;
     bool self_tests{true};

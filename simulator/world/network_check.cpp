@@ -119,6 +119,32 @@ void RequireLengths(const World& world, const runtime::LogicRule& rule)
     }
 }
 
+/// Of two who write an object the last one would win without a word. [SRS_SIM_711]
+void RequireOneWriter(const Scenario& scenario, const runtime::LogicRule& rule)
+{
+    const auto refuse = [&scenario, &rule](const char* const what, const Source& source)
+    {
+        throw YamlError(source.file, source.place,
+                        what + ObjectText(rule.target) + " of node " + runtime::Shown(scenario.nodes[rule.node].name) +
+                            ", which the rule at " + cia306::PlaceText(rule.source.file, rule.source.place) + " sets",
+                        "one writer of each object");
+    };
+    for (const runtime::LogicRule& other : scenario.logic)
+    {
+        if (&other > &rule && other.node == rule.node && runtime::IsSame(other.target, rule.target))
+        {
+            refuse("a rule for object ", other.source);
+        }
+    }
+    for (const Stimulus& stimulus : scenario.stimuli)
+    {
+        if (stimulus.node == rule.node && runtime::IsSame(stimulus.object, rule.target))
+        {
+            refuse("an input of object ", stimulus.source);
+        }
+    }
+}
+
 void RequireNodeIds(const World& world)
 {
     for (NodeIndex node = 1U; node < world.scenario.nodes.size(); ++node)
@@ -289,6 +315,7 @@ void RequireThatEverythingExists(const World& world)
             RequirePair(world, rule.node, input, true, rule.source);
         }
         RequireLengths(world, rule);
+        RequireOneWriter(world.scenario, rule);
     }
     for (const Acknowledge& acknowledge : world.scenario.acknowledges)
     {

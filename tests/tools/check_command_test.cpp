@@ -2,6 +2,7 @@
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/text_file.hpp"
 #include "runtime/node/trial.hpp"
+#include "simulator/world/trial.hpp"
 #include "tests/canopen/cia306/check_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/comfort.hpp"
@@ -271,10 +272,10 @@ TEST_F(OneReading, AnSrdoThatIsOffIsTakenAsTheDeviceTakesIt)
 TEST_F(OneReading, WhyTheKernelRefusesAStartIsToldByCheckAndSimulate)
 {
     Verifies(req::SRS_EASE_007);
-    // Given a diagnostic interval of 1 ms
+    // Given a granularity that there is not
     const std::string file =
-        File("slow.dcf", cia306::test::WithValues(ExampleText("sensor"), {{"5F00sub4", "ParameterValue", "1"}}));
-    const std::string reason = "the kernel refuses this device: timing (A time outside its range)";
+        File("slow.dcf", cia306::test::WithValues(ExampleText("sensor"), {{"5F00subA", "ParameterValue", "3"}}));
+    const std::string reason = "the kernel refuses this device: granularity (Not 1, 8, 16, 32 or 64)";
     // Then who builds the device for a check is told
     const std::vector<cia306::Finding> told = runtime::TryDevice(cia306::ReadDeviceFile(file), std::nullopt);
     EXPECT_TRUE(std::any_of(told.begin(), told.end(), [&reason](const cia306::Finding& finding)
@@ -285,6 +286,40 @@ TEST_F(OneReading, WhyTheKernelRefusesAStartIsToldByCheckAndSimulate)
     EXPECT_EQ(simulated.status, 2);
     EXPECT_EQ(simulated.err, file + ": error: " + reason +
                                  ", expected SRDOs, objects and times of 0x5F00 within the ranges of DeviceConfig\n");
+}
+
+// check was content with a file that simulate refused.
+TEST_F(OneReading, AnIntervalTooShortForTheSelfTestsOfSimulateIsAWarning)
+{
+    Verifies(req::SRS_CLI_710);
+    const auto file = [this](const std::string& interval_ms)
+    {
+        return File("interval" + interval_ms + ".dcf",
+                    cia306::test::SignedAgain(
+                        cia306::test::WithValues(ExampleText("sensor"), {{"5F00sub4", "ParameterValue", interval_ms}}),
+                        std::nullopt));
+    };
+    // Given 60 ms, which are 40 cycles that are each as late as allowed
+    const std::string misfit = "the self tests do not fit into the diagnostic interval of 40 cycles, expected a longer "
+                               "one (0x5F00:04), or ";
+    const auto told = simulator::TrySelfTests(file("60"), std::nullopt);
+    ASSERT_TRUE(told);
+    EXPECT_EQ(told->text, "simulated, " + misfit + "'self_tests: false' for this node");
+    EXPECT_EQ(told->severity, cia306::Severity::kWarning);
+    const std::string place = cia306::PlaceText(file("60"), told->place);
+    const Answer checked = RunCommand({"check", file("60")});
+    EXPECT_EQ(checked.status, 0) << checked.out;
+    EXPECT_EQ(checked.out.rfind(place + ": warning: ", 0U), 0U) << checked.out;
+    EXPECT_NE(checked.out.find(misfit), std::string::npos) << checked.out;
+    EXPECT_EQ(std::count(checked.out.begin(), checked.out.end(), '\n'), 1) << checked.out; // Of both programs one.
+    const std::string scenario = "title: x\nduration: 10 ms\nnodes: {1: {dcf: interval60.dcf}}\n";
+    const Answer simulated = RunCommand({"simulate", File("s.yaml", scenario)});
+    EXPECT_EQ(simulated.status, 2);
+    EXPECT_EQ(simulated.err, place + ": error: " + misfit + "'self_tests: false' for this node\n");
+    // A usual one, and a file that cannot be simulated for another reason, are no such warning
+    EXPECT_FALSE(simulator::TrySelfTests(file("1000"), std::nullopt));
+    EXPECT_FALSE(simulator::TrySelfTests(File("plain.dcf", PlainText()), std::nullopt));
+    EXPECT_FALSE(simulator::TrySelfTests(Path("missing.dcf"), std::nullopt));
 }
 
 TEST_F(OneReading, WhatSimulateAndMonitorNeedIsAWarning)

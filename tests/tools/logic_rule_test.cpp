@@ -65,5 +65,15 @@ TEST_F(LogicRuleTest, AnInputOfAnotherLengthThanItsTargetIsRefused)
     EXPECT_EQ(Simulate("set: 0x2001:01, op: or, from: [0x2201:01]").status, 0);
 }
 
+TEST_F(LogicRuleTest, WhatTheDeviceSendsIsNoInput)
+{
+    Verifies(req::SRS_NODE_710);
+    const std::string sent = "set: 0x2000:01, op: copy, from: [0x2000:01]";
+    EXPECT_EQ(Node(sent).status, 2);
+    EXPECT_EQ(Node(sent).err, Path("node.yaml") + ":2:5: error: a rule with an object that is no pair of the device, "
+                                                  "expected 'set' with a normal object that it sends, 'from' with "
+                                                  "normal objects that it receives\n");
+    EXPECT_EQ(Simulate(sent).status, 2);
+}
 } // namespace
 } // namespace counterpoint::tools

@@ -222,6 +222,11 @@ void WarnOfNoDigest(const CheckContext& context, const DigestRecord& record, Fin
 }
 } // namespace
 
+void CheckTimes(const CheckContext& context, Findings& findings)
+{
+    ParameterCheck(context, findings).CheckTimes();
+}
+
 void CheckParameters(const CheckContext& context, Findings& findings)
 {
     ParameterCheck check(context, findings);

@@ -119,6 +119,9 @@ void CheckStaticMapping(const CheckContext& context, const SrdoConfiguration& sr
 /// Whether 5F04h is the digest that follows from the file. [SRS_CLI_022]
 void CheckDigest(const CheckContext& context, Findings& findings);
 
+/// Whether the times of 5F00h are such that a kernel starts with them. [SRS_CLI_018]
+void CheckTimes(const CheckContext& context, Findings& findings);
+
 /// Whether 5F00h to 5F03h and 5F05h have values that a device can use. [SRS_CLI_018]
 void CheckParameters(const CheckContext& context, Findings& findings);
 } // namespace counterpoint::cia306

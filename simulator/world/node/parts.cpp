@@ -1,7 +1,6 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "simulator/world/node/parts.hpp"
 
-#include "canopen/cia306/text/input_error.hpp"
 #include "safety_core/kernel/limits.hpp"
 
 #include <string>
@@ -34,8 +33,8 @@ NodeParts::NodeParts(const NodeInside& inside, runtime::DeviceAssembly& assembly
     const std::uint32_t cycles = config.diagnostic_interval_us / LateCycleUs(config);
     if (!inside.self_test->Settle(cycles))
     {
-        throw cia306::InputError(
-            inside.model.File(), {},
+        throw SelfTestMisfit(
+            inside.model.File(), inside.model.IntervalPlace(),
             {"the self tests do not fit into the diagnostic interval of " + std::to_string(cycles) + " cycles",
              "a longer one (0x5F00:04), or 'self_tests: false' for this node"});
     }

@@ -2,6 +2,7 @@
 #ifndef SIMULATOR_WORLD_NODE_PARTS_HPP
 #define SIMULATOR_WORLD_NODE_PARTS_HPP
 
+#include "canopen/cia306/text/input_error.hpp"
 #include "runtime/device/assembly.hpp"
 #include "simulator/faults/memory_places.hpp"
 #include "simulator/world/node/inside.hpp"
@@ -11,6 +12,13 @@
 
 namespace counterpoint::simulator
 {
+/// The self tests do not fit into the diagnostic interval of a device. [SRS_SIM_052]
+class SelfTestMisfit final : public cia306::InputError
+{
+  public:
+    using InputError::InputError;
+};
+
 /// The memory of a node's parts: what its self tests watch, and where bits flip and stick. [SRS_SIM_052, SRS_SIM_053,
 /// SRS_SIM_055]
 class NodeParts

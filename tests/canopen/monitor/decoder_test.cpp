@@ -103,6 +103,8 @@ TEST_F(DecoderTest, LengthsThatNobodyObeysAreMarked)
     EXPECT_EQ(Words(0x001U, {0U}), "001h [1] 00  GFC INVALID: with data");
     EXPECT_EQ(Words(0x709U, {6U}), "709h [1] 06  error control node 9 is INVALID: state 6");
     EXPECT_EQ(Words(0x709U, {0x86U}), "709h [1] 86  error control node 9 is INVALID: state 6, toggle 1");
+    // A boot-up has no toggle bit
+    EXPECT_EQ(Words(0x709U, {0x80U}), "709h [1] 80  error control node 9 is INVALID: state 0, toggle 1");
 }
 
 TEST_F(DecoderTest, GuardingHasItsToggleBit)

@@ -127,7 +127,27 @@ TEST(PdosOfAFile, AreThoseThatAreOn)
     EXPECT_EQ(words("DefaultValue=0x187"), "187h [0]  PDO network_pdo TPDO 1: ");
     EXPECT_EQ(words("DefaultValue=0x80000187"), "187h [0]  other TPDO 1 of network_pdo, by its identifier");
     EXPECT_EQ(words("DefaultValue=0"), "187h [0]  other TPDO 1 of network_pdo, by its identifier");
+    EXPECT_EQ(words("DefaultValue=0x40000187"), "187h [0]  PDO network_pdo TPDO 1: ");
+    EXPECT_EQ(words("DefaultValue=0x20000187"), "187h [0]  other TPDO 1 of network_pdo, by its identifier");
     EXPECT_EQ(words(""), "187h [0]  other TPDO 1 of network_pdo, by its identifier");
+}
+
+// Given a PDO with an identifier of NMT or error control, then these frames are what they are.
+TEST(PdosOfAFile, HaveNoIdentifierOfAnotherService)
+{
+    Verifies(req::SRS_MON_711);
+    const std::string pdo = "\n[1800]\nParameterName=TPDO\nSubNumber=1\nObjectType=9\n\n[1800sub1]\n"
+                            "ParameterName=COB-ID\nDataType=7\nAccessType=rw\nDefaultValue=";
+    for (const std::string value : {"0x40000000", "0x701", "0x40000701"})
+    {
+        const std::string path = Written("network_pdo.dcf", kNameless + pdo + value + "\n");
+        const Network network({{path, std::uint8_t{1U}}}, std::nullopt);
+        EXPECT_TRUE(network.Pdos().empty()) << value;
+        const Analysis analysis(network, [](const Violation&) {});
+        Decoder decoder(network, analysis);
+        EXPECT_EQ(decoder.Decode(Frame(0, 0x000U, {1U, 0U})), "000h [2] 01 00  NMT start, all nodes") << value;
+        EXPECT_EQ(decoder.Decode(Frame(0, 0x701U, {5U})), "701h [1] 05  error control network_pdo is OPERATIONAL");
+    }
 }
 
 // Given a sensor that is not declared valid, then none of its SRDOs is watched, it may send no GFC, and it is told.
@@ -328,6 +348,66 @@ TEST(AGfc, IsThatOfADeviceThatMaySendIt)
     EXPECT_EQ(ViolationsOf(may, {Frame(0, 0x001U, {})}, 1000000), Texts{"25000 GFC not followed"});
 }
 
+// Given frames with the stamp of the GFC, then only a normal frame of a sender follows it; the inverse frame of the
+// pair before it, and a frame of 101h to 180h that nobody sends, counted too.
+TEST(AGfc, IsFollowedByNoOtherFrameOfItsInstant)
+{
+    Verifies(req::SRS_MON_016);
+    const Network may({{Example("sensor"), std::nullopt}}, std::nullopt);
+    const LogFrame gfc = Frame(100, 0x001U, {});
+    const Texts told{"25100 GFC not followed"};
+    for (const Time us : {100, 101})
+    {
+        EXPECT_EQ(ViolationsOf(may, {Frame(0, 0x101U, {1U, 2U}), gfc, Frame(us, 0x102U, {0xFEU, 0xFDU})}, 40000), told);
+        EXPECT_EQ(ViolationsOf(may, {gfc, Frame(us, 0x17FU, {0U})}, 40000), told);
+        EXPECT_EQ(ViolationsOf(may, {gfc, Frame(us, 0x180U, {0U})}, 40000), told);
+        EXPECT_EQ(ViolationsOf(may, {gfc, Frame(us, 0x101U, {1U, 2U}), Frame(us, 0x102U, {0xFEU, 0xFDU})}, 40000),
+                  Texts{});
+    }
+    // The pair before the GFC does not follow it, whatever its stamp is
+    EXPECT_EQ(ViolationsOf(may, {Frame(100, 0x101U, {1U, 2U}), Frame(100, 0x102U, {0xFEU, 0xFDU}), gfc}, 40000), told);
+}
+
+/// A sensor with another COB-ID of emergencies.
+std::string WithEmergency(const std::string& value)
+{
+    std::string text = ExampleText("sensor");
+    const std::size_t place = text.find("DefaultValue=", text.find("[1014]"));
+    return text.replace(place, text.find_first_of("\r\n", place) - place, "DefaultValue=" + value);
+}
+
+// Given a COB-ID of emergencies that no device takes, then NMT commands are what they are, and stop the supervision;
+// they were taken for emergencies. Emergencies are those of the default.
+TEST(IdentifiersThatNoEmergencyHas, LeaveFramesToTheirService)
+{
+    Verifies(req::SRS_MON_711);
+    for (const std::string value : {"0", "0x80000000", "0x80000081", "0x07F", "0x101", "0x180", "0x581", "0x67F",
+                                    "0x6E0", "0x701", "0x7FF", "0x20000090", "0x40000090", "0x800"})
+    {
+        const Network network({{Written("network_emergency.dcf", WithEmergency(value)), std::nullopt},
+                               {Example("controller"), std::nullopt}},
+                              std::nullopt);
+        EXPECT_EQ(
+            ViolationsOf(network,
+                         {Frame(0, 0x101U, {1U, 2U}), Frame(100, 0x102U, {0xFEU, 0xFDU}), Frame(200, 0x000U, {2U, 0U})},
+                         200000),
+            Texts{})
+            << value;
+        const Analysis analysis(network, [](const Violation&) {});
+        Decoder decoder(network, analysis);
+        EXPECT_EQ(decoder.Decode(Frame(0, 0x000U, {1U, 0U})), "000h [2] 01 00  NMT start, all nodes") << value;
+        EXPECT_EQ(decoder.Decode(Frame(0, 0x701U, {5U})), "701h [1] 05  error control Sensor is OPERATIONAL") << value;
+        EXPECT_EQ(decoder.Decode(Frame(0, 0x081U, {0U, 0U, 0U, 0U, 0U, 0U, 0U, 0U})),
+                  "081h [8] 00 00 00 00 00 00 00 00  EMCY Sensor no error, register 00h")
+            << value;
+    }
+    for (const std::string value : {"0x090", "0x181", "0x580", "0x600", "0x680", "0x6DF", "0x700"})
+    {
+        const Network network({{Written("network_emergency.dcf", WithEmergency(value)), std::nullopt}}, std::nullopt);
+        EXPECT_EQ(network.Nodes().front().emergency_id, std::stoul(value, nullptr, 16)) << value;
+    }
+}
+
 // Two pairs whose consumers see the same at the same time are two violations; of several limits the earlier one first.
 TEST(ViolationsOfSeveralSrdos, AreToldEachAndInTheirOrder)
 {
@@ -393,6 +473,59 @@ TEST(StateOfTheNodes, IsThatOfCommandsAndOfMessagesOfOneByte)
     EXPECT_EQ(violations(Frame(200, 0x000U, {2U})), 1U);
     EXPECT_EQ(violations(Frame(200, 0x701U, {0U, 0U})), 1U);
     EXPECT_EQ(violations(Frame(200, 0x701U, {5U})), 1U);
+}
+
+// Given a chain whose producer falls silent behind an error control frame that is marked INVALID, then that frame has
+// stopped nothing: SCT is told. It was taken for the end of OPERATIONAL, and the silence was told by nobody.
+TEST(StateOfTheNodes, IsNotThatOfAFrameThatIsInvalid)
+{
+    Verifies(req::SRS_MON_009);
+    Verifies(req::SRS_MON_710);
+    const Network network({{Example("sensor"), std::nullopt}, {Example("controller"), std::nullopt}}, std::nullopt);
+    const std::vector<LogFrame> pair{Frame(0, 0x101U, {1U, 2U}), Frame(100, 0x102U, {0xFEU, 0xFDU})};
+    const auto violations = [&network, &pair](const std::vector<LogFrame>& behind)
+    {
+        std::vector<LogFrame> frames = pair;
+        frames.insert(frames.end(), behind.begin(), behind.end());
+        return ViolationsOf(network, frames, 200000);
+    };
+    const Texts told{"50000 SCT expired"};
+    for (const std::uint8_t byte : std::vector<std::uint8_t>{3U, 1U, 6U, 126U, 0x80U, 0x83U})
+    {
+        EXPECT_EQ(violations({Frame(200, 0x701U, {byte})}), told) << int{byte};
+    }
+    for (const std::uint8_t byte : std::vector<std::uint8_t>{0U, 4U, 127U, 0x84U, 0xFFU})
+    {
+        EXPECT_EQ(violations({Frame(200, 0x701U, {byte})}), Texts{}) << int{byte};
+    }
+    // A guarding answer whose toggle bit did not alternate tells nothing, one that did tells its state
+    LogFrame request = Frame(200, 0x701U, {});
+    request.is_remote = true;
+    request.length = 1U;
+    const LogFrame running = Frame(200, 0x701U, {0x85U});
+    EXPECT_EQ(violations({request, running, request, Frame(300, 0x701U, {0x84U})}), told);
+    EXPECT_EQ(violations({request, running, request, Frame(300, 0x701U, {0x04U})}), Texts{});
+    // A boot-up is no answer, and begins the toggle bit anew; what nobody asked for is a heartbeat
+    EXPECT_EQ(violations({request, running, request, Frame(300, 0x701U, {0U}), pair[0], pair[1], request,
+                          Frame(400, 0x701U, {0x84U})}),
+              Texts{});
+    EXPECT_EQ(violations({request, running, Frame(300, 0x701U, {0x84U})}), Texts{});
+    // A frame of another length does not answer, and the answer is still due
+    EXPECT_EQ(violations({request, running, request, Frame(250, 0x701U, {4U, 4U}), Frame(300, 0x701U, {0x84U})}), told);
+    // What was before a time that was not seen tells nothing of toggle bits
+    Texts texts;
+    Analysis analysis(network,
+                      [&texts](const Violation& violation) { texts.push_back(CauseName(violation.breach.cause)); });
+    analysis.Take(request);
+    analysis.Take(running);
+    analysis.Interrupt();
+    for (const LogFrame& frame :
+         {Frame(1000, 0x101U, {1U, 2U}), Frame(1100, 0x102U, {0xFEU, 0xFDU}), request, Frame(1300, 0x701U, {0x84U})})
+    {
+        analysis.Take(frame);
+    }
+    analysis.Advance(200 * kMillisecond);
+    EXPECT_EQ(texts, Texts{});
 }
 } // namespace
 } // namespace counterpoint::monitor

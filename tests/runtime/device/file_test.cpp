@@ -232,9 +232,14 @@ TEST_F(DeviceFile, HasItsNormalFramesOnTheFirstControllerOfAHost)
 TEST_F(DeviceFile, HasACycleThatIsOne)
 {
     Verifies(req::SRS_NODE_490);
+    Verifies(req::SRS_NODE_711);
     const auto refusal = [this](const std::string& cycle, const std::string& tolerance)
     {
+        // Intervals that are long enough for a cycle of a second
         std::string text = InSection(FileText("digest"), "5F00sub1", "=2000\n", "=" + cycle + "\n");
+        text = InSection(text, "5F00sub4", "=1234\n", "=4000\n");
+        text = InSection(text, "5F00sub5", "=321\n", "=15000\n");
+        text = InSection(text, "5F00sub7", "=123456\n", "=4000000\n");
         text = InSection(text, "5F00sub2", "=750\n", "=" + tolerance + "\n");
         const std::string told = RefusalOf(text);
         const std::size_t place = told.find("error: ");
@@ -247,12 +252,12 @@ TEST_F(DeviceFile, HasACycleThatIsOne)
     EXPECT_EQ(refusal("1000001", "0"), "error: 0x5F00:01: cycle time 1000001 us, expected 100 us to 1000000 us");
     EXPECT_EQ(refusal("100", "101"),
               "error: 0x5F00:02: cycle tolerance of 101 us, expected at most the cycle time of 100 us");
-    // Of a value that the file leaves out the whole file is named
+    // Of a value that the file leaves out its beginning is named, as check does
     std::string text = InSection(FileText("digest"), "5F00sub1", "=2000\n", "=100\n");
     const std::size_t tolerance = text.find("[5F00sub2]");
     text.erase(tolerance, text.find("[5F00sub3]") - tolerance);
     EXPECT_EQ(RefusalOf(text),
-              ": error: 0x5F00:02: cycle tolerance of 500 us, expected at most the cycle time of 100 us");
+              ":1:1: error: 0x5F00:02: cycle tolerance of 500 us, expected at most the cycle time of 100 us");
     EXPECT_EQ(refusal("100", "4294967196"),
               "error: 0x5F00:02: cycle tolerance of 4294967196 us, expected at most the cycle time of 100 us");
 }

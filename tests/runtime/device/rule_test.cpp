@@ -99,7 +99,14 @@ TEST_F(Controller, RefusesRulesThatItCannotFollow)
     EXPECT_EQ(logic.AddRule(Rule(none, LogicOperation::kCopy, {input})), RuleFinding::kNoPair);
     EXPECT_EQ(logic.AddRule(Rule(input, LogicOperation::kCopy, {input})), RuleFinding::kNoPair);
     EXPECT_EQ(logic.AddRule(Rule(target, LogicOperation::kCopy, {none})), RuleFinding::kNoPair);
+    // What it sends itself is no input
+    EXPECT_EQ(logic.AddRule(Rule(target, LogicOperation::kCopy, {{0x2000U, 2U}})), RuleFinding::kNoPair);
+    EXPECT_EQ(logic.AddRule(Rule(target, LogicOperation::kOr, {input, {0x2000U, 2U}})), RuleFinding::kNoPair);
+    EXPECT_FALSE(logic.IsComputed(target));
     EXPECT_EQ(logic.AddRule(Rule(target, LogicOperation::kCopy, {input})), RuleFinding::kNone);
+    EXPECT_TRUE(logic.IsComputed(target));
+    EXPECT_FALSE(logic.IsComputed({0x2000U, 2U}));
+    EXPECT_FALSE(logic.IsComputed(none));
     EXPECT_EQ(logic.Find(none), nullptr);
     // An input of 32 bits for a target of 64
     const DeviceModel digest(cia306::test::SourceFolder() + "/tests/canopen/cia306/data/digest.dcf", std::nullopt);

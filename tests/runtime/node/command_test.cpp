@@ -1,4 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/canopen/cia306/check_text.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/node.hpp"
@@ -48,6 +49,48 @@ TEST_F(NodeCommandTest, BadInputIsOneLineAndStatus2)
         EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
         EXPECT_NE(answer.err.find("expected"), std::string::npos) << answer.err;
         EXPECT_EQ(answer.out, "");
+    }
+}
+
+// Given a time with which no kernel starts, then the file is refused before anything else, as check tells it; node told
+// of its start, and the bus had a device that never came.
+TEST_F(NodeCommandTest, ATimeThatTheKernelRefusesIsBadInput)
+{
+    Verifies(req::SRS_NODE_009);
+    Verifies(req::SRS_NODE_711);
+    const std::string sensor = cia306::test::ExampleText("sensor");
+    struct Row
+    {
+        const char* section;
+        const char* value;
+        const char* wrong;
+    };
+    for (const Row& row :
+         {Row{"5F00sub7", "5999",
+              "0x5F00:07: clock tolerance interval of 5999 us, expected at least 6000 us, 4 cycles with their "
+              "tolerance"},
+          Row{"5F00sub5", "22",
+              "0x5F00:05: test interval of 22 ms, expected at least 22500 us, 15 cycles with their tolerance"},
+          Row{"5F00sub4", "2",
+              "0x5F00:04: diagnostic interval of 2 ms, expected at least 3000 us, 2 cycles with their tolerance for "
+              "each SRDO"}})
+    {
+        std::string text = cia306::test::WithValues(sensor, {{row.section, "ParameterValue", row.value}});
+        const std::size_t place = text.find("ParameterValue=", text.find("[" + std::string(row.section) + "]"));
+        const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(place), '\n') + 1;
+        const std::string file = File("time.dcf", text);
+        const std::string told = file + ":" + std::to_string(line) + ":16: error: " + row.wrong + "\n";
+        const test::Answer node = test::RunCommand(
+            {"node", "--no-input", "--no-self-tests", "--can", "udp:239.74.163.2:43117", "--dcf", file});
+        EXPECT_EQ(node.status, 2);
+        EXPECT_EQ(node.err, told);
+        EXPECT_EQ(node.out, "");
+        const test::Answer simulated = test::RunCommand(
+            {"simulate",
+             File("s.yaml", "title: x\nduration: 10 ms\nnodes: {1: {dcf: time.dcf, self_tests: false}}\n")});
+        EXPECT_EQ(simulated.status, 2);
+        EXPECT_EQ(simulated.err, told);
+        EXPECT_NE(test::RunCommand({"check", file}).out.find(told), std::string::npos) << row.section;
     }
 }
 

@@ -99,6 +99,11 @@ TEST(NodeOrderTest, WhatCannotBeUsedIsToldWithWhatWasExpected)
         EXPECT_EQ(order.kind, runtime::OrderKind::kProblem) << line;
         EXPECT_NE(order.problem.find(", expected "), std::string::npos) << line;
     }
+    // What is too much is named, not what is right
+    EXPECT_EQ(
+        runtime::ParseOrder("nmt start 5 5").problem.find("'5' behind the node-ID of an NMT command, expected nmt "),
+        0U);
+    EXPECT_EQ(runtime::ParseOrder("nmt go 5 5").problem.find("'go' is no NMT command, expected "), 0U);
 }
 
 // INTEGER16: a decimal number is a value, a hexadecimal one its bits, as in files.
@@ -182,7 +187,7 @@ TEST_F(NodeScriptTest, StepsAndRulesAreRead)
     const runtime::NodeScript script =
         runtime::ReadNodeScript(File("script.yaml", "logic: [{set: 0x2000:01, op: not, from: [0x2200:01]}]\n"
                                                     "steps:\n"
-                                                    "  - {at: 1.5 s, do: set 0x2000:01 1, every: 20 ms}\n"));
+                                                    "  - {at: 1.5 s, do: set 0x2000:02 1, every: 20 ms}\n"));
     ASSERT_EQ(script.rules.size(), 1U);
     EXPECT_EQ(script.rules[0].operation, runtime::LogicOperation::kNot);
     const runtime::NodeScript more =
@@ -193,6 +198,24 @@ TEST_F(NodeScriptTest, StepsAndRulesAreRead)
     EXPECT_EQ(script.steps[0].at_ns, 1500000000U);
     EXPECT_EQ(script.steps[0].every_ns, 20000000U);
     EXPECT_EQ(script.steps[0].order.kind, runtime::OrderKind::kSet);
+}
+
+// Of two who write an object the last one won without a word.
+TEST_F(NodeScriptTest, AnObjectHasOneWriter)
+{
+    Verifies(req::SRS_NODE_710);
+    const std::string file = Path("script.yaml");
+    const std::string rule = "{set: 0x2000:01, op: copy, from: [0x2200:01]}";
+    const std::string wrong =
+        "error: 0x2000:01, which the rule at " + file + ":2:5 sets, expected one writer of each object";
+    EXPECT_EQ(Refusal("logic:\n  - " + rule + "\n  - {set: 0x2000:01, op: not, from: [0x2200:02]}\n"),
+              file + ":3:5: " + wrong);
+    EXPECT_EQ(Refusal("logic:\n  - " + rule + "\nsteps:\n  - {at: 1 s, do: set 0x2000:01 7}\n"),
+              file + ":4:5: " + wrong);
+    EXPECT_EQ(Refusal("logic:\n  - " + rule + "\n  - {set: 0x2000:02, op: not, from: [0x2200:02]}\n" +
+                      "  - {set: 0x2001:01, op: not, from: [0x2200:02]}\n" +
+                      "steps: [{at: 1 s, do: set 0x2002:01 7}, {at: 1 s, do: get 0x2000:01}]\n"),
+              "accepted");
 }
 
 TEST_F(NodeScriptTest, WhatCannotBeUsedIsRefusedWithItsPlace)
@@ -221,6 +244,14 @@ TEST_F(NodeScriptTest, WhatCannotBeUsedIsRefusedWithItsPlace)
     {
         EXPECT_EQ(error.what(), Path("missing.yaml") + ": error: no such file, expected a script of orders");
     }
+    // A step behind the end, also one of the same time; one before it, in whatever order, is none
+    const std::string behind = "error: a step behind 'quit', which is never done, expected one before it";
+    EXPECT_EQ(Refusal("steps:\n  - {at: 3 s, do: quit}\n  - {at: 4 s, do: state}"), file + ":3:5: " + behind);
+    EXPECT_EQ(Refusal("steps:\n  - {at: 3 s, do: quit}\n  - {at: 3 s, do: state}"), file + ":3:5: " + behind);
+    EXPECT_EQ(Refusal("steps:\n  - {at: 3 s, do: quit}\n  - {at: 2 s, do: quit}"), file + ":2:5: " + behind);
+    EXPECT_EQ(Refusal("steps:\n  - {at: 1 s, do: quit}\n  - {at: 2 s, do: quit}"), file + ":3:5: " + behind);
+    EXPECT_EQ(Refusal("steps: [{at: 3 s, do: state}, {at: 3 s, do: quit}, {at: 1 s, do: nmt, every: 1 s}]"),
+              "accepted");
     // A name that no file can have is one that cannot be read
     EXPECT_ANY_THROW(static_cast<void>(runtime::ReadNodeScript(Path(std::string(300U, 'x')))));
     EXPECT_EQ(Refusal("steps: [{at: 1 s, do: ''}]"),

@@ -56,6 +56,21 @@ TEST_F(NodeOrdersTest, AReadIsToldWithWhatTheServerAnswers)
     ExpectTold(bench, "read node 6 0x2001:00 = 10 bytes: 01 02 03 04 05 06 07 08 09 0A");
 }
 
+// Given a rule for 2000h:01, then an input of it, which would last for no cycle, is refused; one beside it is taken.
+TEST_F(NodeOrdersTest, AnInputThatARuleComputesIsRefused)
+{
+    Verifies(req::SRS_NODE_710);
+    Bench bench(std::string(COUNTERPOINT_SOURCE) + "/examples/emergency_stop/controller.dcf");
+    runtime::LogicRule rule;
+    rule.target = {0x2000U, 1U};
+    rule.inputs = {{0x2200U, 1U}};
+    ASSERT_EQ(bench.Device().App().AddRule(rule), runtime::RuleFinding::kNone);
+    bench.Order("set 0x2000:01 7");
+    ExpectTold(bench, "set: 0x2000:01 is what a rule of the script computes, expected an object that no rule sets");
+    bench.Order("set 0x2000:02 9");
+    EXPECT_NE(bench.Device().App().Values().find("0x2000:02=9"), std::string::npos) << bench.Device().App().Values();
+}
+
 TEST_F(NodeOrdersTest, AWriteIsToldWithItsEnd)
 {
     Verifies(req::SRS_NODE_012);

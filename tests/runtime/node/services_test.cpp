@@ -102,14 +102,14 @@ class NodeServicesTest : public cia306::test::FolderTest
 TEST_F(NodeServicesTest, WhyTheKernelRefusesAStartIsTold)
 {
     Verifies(req::SRS_EASE_007);
-    // Given a diagnostic interval of 1 ms
+    // Given a granularity that there is not
     std::string text = TextOf("emergency_stop/sensor.dcf");
-    const std::size_t object = text.find("[5F00sub4]");
-    text.replace(text.find("ParameterValue=1000", object), 19U, "ParameterValue=1");
+    const std::size_t object = text.find("[5F00subA]");
+    text.replace(text.find("ParameterValue=8", object), 16U, "ParameterValue=3");
     const std::string file = File("slow.dcf", text);
     NodeProcess node({"--dcf", file, "--no-self-tests", "--no-input"});
     EXPECT_EQ(node.WaitFor("no_start").event["text"],
-              "the kernel refuses this device: timing (A time outside its range)");
+              "the kernel refuses this device: granularity (Not 1, 8, 16, 32 or 64)");
     EXPECT_EQ(node.End(), 1);
 }
 

@@ -52,6 +52,8 @@ inline constexpr RequirementId SRS_MON_530{"SRS_MON_530"};
 inline constexpr RequirementId SRS_MON_531{"SRS_MON_531"};
 inline constexpr RequirementId SRS_MON_580{"SRS_MON_580"};
 inline constexpr RequirementId SRS_MON_581{"SRS_MON_581"};
+inline constexpr RequirementId SRS_MON_710{"SRS_MON_710"};
+inline constexpr RequirementId SRS_MON_711{"SRS_MON_711"};
 } // namespace counterpoint::req
 
 #endif

@@ -102,6 +102,9 @@ inline constexpr RequirementId SRS_NODE_552{"SRS_NODE_552"};
 inline constexpr RequirementId SRS_NODE_580{"SRS_NODE_580"};
 inline constexpr RequirementId SRS_NODE_581{"SRS_NODE_581"};
 inline constexpr RequirementId SRS_NODE_660{"SRS_NODE_660"};
+inline constexpr RequirementId SRS_NODE_710{"SRS_NODE_710"};
+inline constexpr RequirementId SRS_NODE_711{"SRS_NODE_711"};
+inline constexpr RequirementId SRS_NODE_712{"SRS_NODE_712"};
 } // namespace counterpoint::req
 
 #endif

@@ -108,6 +108,8 @@ inline constexpr RequirementId SRS_SIM_585{"SRS_SIM_585"};
 inline constexpr RequirementId SRS_SIM_586{"SRS_SIM_586"};
 inline constexpr RequirementId SRS_SIM_660{"SRS_SIM_660"};
 inline constexpr RequirementId SRS_SIM_661{"SRS_SIM_661"};
+inline constexpr RequirementId SRS_SIM_710{"SRS_SIM_710"};
+inline constexpr RequirementId SRS_SIM_711{"SRS_SIM_711"};
 } // namespace counterpoint::req
 
 #endif
