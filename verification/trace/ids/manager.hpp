@@ -144,6 +144,8 @@ inline constexpr RequirementId SRS_NET_670{"SRS_NET_670"};
 inline constexpr RequirementId SRS_NET_671{"SRS_NET_671"};
 inline constexpr RequirementId SRS_NET_672{"SRS_NET_672"};
 inline constexpr RequirementId SRS_NET_750{"SRS_NET_750"};
+inline constexpr RequirementId SRS_NET_751{"SRS_NET_751"};
+inline constexpr RequirementId SRS_NET_752{"SRS_NET_752"};
 inline constexpr RequirementId SRS_SFS_001{"SRS_SFS_001"};
 inline constexpr RequirementId SRS_SFS_002{"SRS_SFS_002"};
 inline constexpr RequirementId SRS_SFS_003{"SRS_SFS_003"};
