@@ -218,6 +218,27 @@ void TakeManager(NetworkPlan& plan, const SlavePlan& node)
     plan.manager.place = node.place;
     plan.manager.dcf = node.dcf;
 }
+
+/// Both are asked: another one on the command line would make the file's manager a slave, and a slave that it names the
+/// manager, which nobody verifies any more. A slave with its node-ID is found with the rest. [SRS_NET_750]
+void RequireManager(NetworkPlan& plan, const std::uint8_t manager)
+{
+    if (!plan.manager.node && manager == 0U)
+    {
+        throw InputError(
+            plan.file, plan.manager.place,
+            {"no node is the manager", "CANopenManager=1 in [DeviceComissioning] of one DCF, or the option --node-id"});
+    }
+    if (plan.manager.node && manager != 0U && manager != *plan.manager.node)
+    {
+        const std::string node = std::to_string(*plan.manager.node);
+        throw InputError(plan.file, plan.manager.place,
+                         {"node " + node + " is the manager by CANopenManager=1, and another node-ID is asked for, " +
+                              std::to_string(manager),
+                          "node-ID " + node + ", or CANopenManager=0"});
+    }
+    plan.manager.node = plan.manager.node.value_or(manager);
+}
 } // namespace
 
 std::string BesideFile(const std::string& network_file, const std::string& name)
@@ -281,21 +302,12 @@ NetworkPlan ReadCpj(const std::string& path, const std::uint8_t manager)
         {
             ++present;
             const SlavePlan slave = PlanOf(document, id, node);
-            const bool is_manager = (manager != 0U) ? (manager == slave.node) : IsManager(slave.dcf);
-            is_manager ? TakeManager(plan, slave) : plan.slaves.push_back(slave);
+            IsManager(slave.dcf) ? TakeManager(plan, slave) : plan.slaves.push_back(slave);
         }
     }
     RequireCount(document, topology, present);
     plan.manager.place = plan.manager.place.IsWhole() ? topology.place : plan.manager.place;
-    if (!plan.manager.node && manager != 0U)
-    {
-        plan.manager.node = manager;
-    }
-    if (!plan.manager.node)
-    {
-        Refuse(document, topology.place, "no node is the manager",
-               "CANopenManager=1 in [DeviceComissioning] of one DCF, or the option --node-id");
-    }
+    RequireManager(plan, manager);
     return plan;
 }
 } // namespace counterpoint::network_plan

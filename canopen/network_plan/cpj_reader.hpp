@@ -9,7 +9,7 @@
 namespace counterpoint::network_plan
 {
 /// @brief Reads a CPJ file (CiA 306-3). The node whose DCF says CANopenManager=1 is the manager, `manager` (0: none
-/// given) where no DCF does. Throws cia306::InputError. [SRS_NET_001]
+/// given), which is none of its nodes, where no DCF does. Throws cia306::InputError. [SRS_NET_001, SRS_NET_750]
 [[nodiscard]] NetworkPlan ReadCpj(const std::string& path, std::uint8_t manager);
 
 /// @brief A file named in a network file, seen from where we are. Backslashes count as slashes.

@@ -8,6 +8,7 @@
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/network_plan/concise_maker.hpp"
 #include "canopen/network_plan/profile_maker.hpp"
+#include "canopen/network_plan/row_times.hpp"
 #include "canopen/network_plan/start_up_bits.hpp"
 
 #include <algorithm>
@@ -67,10 +68,9 @@ std::uint32_t WatchesManagerMs(const LoadedSlave& slave, const cia302::SlaveSetu
     constexpr std::uint32_t kNodeShift = 16U;
     const bool has_producer = slave.device.objects.empty() || slave.device.Find(0x1017U, 0U) != nullptr;
     std::uint32_t time_ms = 0U;
-    if (setup.el6751 != nullptr && setup.el6751->IsWatched())
+    if (HasRows(setup))
     {
-        const std::uint32_t life_ms = std::uint32_t{setup.el6751->guard_time_ms} * setup.el6751->life_time_factor;
-        time_ms = has_producer ? std::min(life_ms, kLongestMs) : 0U;
+        time_ms = has_producer ? RowTimesOf(setup).watched_ms : 0U;
     }
     else
     {
@@ -82,27 +82,6 @@ std::uint32_t WatchesManagerMs(const LoadedSlave& slave, const cia302::SlaveSetu
         }
     }
     return time_ms;
-}
-
-/// The life time factor has 8 bits and 1016h has 16: a slave may be lost before the time that was asked for.
-/// [SRS_NET_230]
-std::string ShortenedText(const LoadedSlave& slave, const cia302::SlaveSetup& setup)
-{
-    constexpr std::uint32_t kLongestMs = 0xFFFFU;
-    if (setup.el6751 == nullptr || !setup.el6751->IsWatched())
-    {
-        return "";
-    }
-    const std::uint32_t life_ms = std::uint32_t{setup.el6751->guard_time_ms} * setup.el6751->life_time_factor;
-    const bool is_guarded = slave.plan.guard_ms.has_value() || setup.GuardTimeMs() > 0U;
-    const std::uint32_t asked_ms = is_guarded ? life_ms : setup.heartbeat.consumer_ms;
-    const std::uint32_t watched_ms = std::min(life_ms, kLongestMs);
-    const std::string factors = std::to_string(setup.el6751->guard_time_ms) + " ms x life time factor " +
-                                std::to_string(setup.el6751->life_time_factor);
-    return (watched_ms >= asked_ms) ? ""
-                                    : " is lost after " + std::to_string(watched_ms) + " ms without a heartbeat (" +
-                                          factors + ", 65535 ms at most), and not after " + std::to_string(asked_ms) +
-                                          " ms, expected no longer time than that, or a longer heartbeat";
 }
 
 /// Each bit of 1F80h that the profile does not follow, and the one that a safety slave takes from it.
@@ -250,10 +229,10 @@ void NetworkWarnings::WarnOfHeartbeat()
                                 " ms: " + (is_cia302 ? "its start-up ends with letter K" : otherwise) +
                                 ", expected a heartbeat, or consumer: 0 ms");
         }
-        const std::string shortened = ShortenedText(*slave, setup_.slaves[node]);
-        if (!shortened.empty())
+        const std::string other = OtherTimeText(slave->plan, setup_.slaves[node]);
+        if (!other.empty())
         {
-            warnings_.push_back(name + shortened);
+            warnings_.push_back(name + other);
         }
         const std::string place = name + " watches the manager for " + std::to_string(time_ms) + " ms";
         if (first != 0U && first != setup_.own.value)
@@ -508,6 +487,11 @@ void NetworkWarnings::WarnOfUnused()
         warn(slave.place, {"boot", !slave.is_booted.value_or(true), is_cia302});
         warn(slave.place, {"restore", slave.is_restored.value_or(false), is_cia302});
         warn(slave.place, {"software", slave.software.has_value(), is_cia302});
+        warn(slave.place, {"date", slave.date.value_or(0U) != 0U, is_cia302});
+        warn(slave.place, {"time", slave.time.value_or(0U) != 0U, is_cia302});
+        // Of another flying master it says when its silence counts.
+        const bool is_armed = !HasRows(setup_.slaves[slave.node]) || manager.flying.has_value();
+        warn(slave.place, {"arming", slave.arming.has_value(), is_armed});
         warn(slave.place, {"vendor_id", slave.vendor_id.value_or(0U) != 0U, !is_plc});
         warn(slave.place, {"product_code", slave.product_code.value_or(0U) != 0U, !is_plc});
         warn(slave.place, {"revision", slave.revision.value_or(0U) != 0U, !is_plc});
@@ -517,6 +501,10 @@ void NetworkWarnings::WarnOfUnused()
             tell(slave.place, "bit 1 of assignment, which is reserved,");
         }
         WarnOfGuarding(slave, is_el6751);
+        for (const std::string& text : UnusedBesideRows(slave, setup_.slaves[slave.node]))
+        {
+            warnings_.push_back(cia306::PlaceText(plan_.file, slave.place) + ": warning: " + text);
+        }
     }
 }
 

@@ -190,12 +190,18 @@ bool ManagerAssembly::HasFault(const cia302::NodeId node) const noexcept
     return watched.is_duplicate || (net_.Setup().IsSafetySlave(node) && (watched.fault != 0U || is_unverified));
 }
 
+bool ManagerAssembly::HasUnendedBoot(const cia302::NodeId node) const noexcept
+{
+    const bool is_booted = cia302_ != nullptr && net_.Setup().Slave(node).Has(cia302::kBootSlave); // Else supervised.
+    return is_booted && manager_.IsActive() && !cia302_->HasEnded(node);
+}
+
 bool ManagerAssembly::IsGood(const cia302::NodeId node) const noexcept
 {
     constexpr int kNoError = 0; // NodeState.
     const cia302::NodeStatus status = manager_.Status(node);
     const StartProfile profile = net_.Plan().manager.profile;
-    bool is_good = status.letter == 0 || status.letter == 'L';
+    bool is_good = (status.letter == 0 || status.letter == 'L') && !HasUnendedBoot(node);
     is_good = (profile == StartProfile::kEl6751) ? status.code == kNoError && !status.has_failed : is_good;
     // Who does not lead has begun no start-up, and so found nothing.
     const int wanted = manager_.IsActive() ? cia302::kPlcStarted : cia302::kPlcOutside;

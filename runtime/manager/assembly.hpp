@@ -70,6 +70,10 @@ class ManagerAssembly
     /// @brief Whether a slave runs, its start-up ended without a finding, and it told no fault of the device.
     /// [SRS_MGR_131, SRS_MGR_132]
     [[nodiscard]] bool IsGood(cia302::NodeId node) const noexcept;
+    /// @brief Whether the profile is CiA 302-2, this manager leads, and boots the slave (1F81h bit 2), whose boot
+    /// has not ended.
+    /// [SRS_MGR_750]
+    [[nodiscard]] bool HasUnendedBoot(cia302::NodeId node) const noexcept;
     /// @brief Whether another device was heard with the node-ID of this manager, since the last reset of it.
     /// [SRS_MGR_588]
     [[nodiscard]] bool HasDouble() const noexcept;

@@ -159,6 +159,10 @@ void BootSlave::OnBootUp(const NodeId node, const BootTime& time) noexcept
         // [SRS_NMM_153]
         job.record.is_extra = job.record.is_extra && !job.record.is_booted;
         job.record.was_operational = false;
+        if (!job.record.is_extra)
+        {
+            job.record.has_ended = false;
+        }
     }
     Go(job, is_in_boot ? BootEvent::kBootUp : BeginOf(job.setup));
     OnCycle(node, time);
@@ -223,6 +227,7 @@ void BootSlave::Doubt(const NodeId node, const BootTime& time) noexcept
     End(node);
     parts_.gate.Close(node);
     record.is_booted = false;
+    record.has_ended = false;
     record.status.is_started = false;
     record.status.is_other = true;
     parts_.listener.OnNodeStatus(node, time.now);
@@ -309,6 +314,10 @@ void BootSlave::Fail(const BootJob& job, const char letter) noexcept
     job.record.identity = IsOfIdentity(letter) ? letter : job.record.identity;
     job.record.status.is_other = job.record.status.is_other || IsOfIdentity(letter);
     job.record.is_booted = was_booted;
+    if (!is_extra)
+    {
+        job.record.has_ended = true;
+    }
     Rest(job.node, BootEvent::kFailed);
     if (!was_booted)
     {
@@ -326,6 +335,10 @@ void BootSlave::Finish(const BootJob& job) noexcept
     const bool is_boot = !job.record.is_extra;
     const char before = job.record.status.letter;
     job.record.is_booted = job.record.is_booted || is_boot;
+    if (is_boot)
+    {
+        job.record.has_ended = true;
+    }
     job.record.updates = is_boot ? std::uint8_t{0U} : job.record.updates;
     // An extra does not heal what it did not do: a slave of another vendor that runs is still one.
     const bool is_repaired = is_boot || (before == 'J') || (before == 'L') || (before == '\0');

@@ -49,6 +49,24 @@ TEST_F(CpjTest, TheManagerIsWhoseDcfSaysSo)
     EXPECT_EQ(Refusal(name, "", 0U), none);
 }
 
+// The option --node-id names no other one than the file.
+TEST_F(CpjTest, AnotherManagerThanThatOfTheFileIsRefused)
+{
+    Verifies(req::SRS_NET_750);
+    const std::string name = "Node5DCFName=five.dcf\n";
+    const std::string says_so = "[DeviceComissioning]\nCANopenManager=1\n";
+    EXPECT_EQ(Refusal(name, says_so, 6U),
+              ":4:14: error: node 5 is the manager by CANopenManager=1, and another node-ID is asked for, 6, expected "
+              "node-ID 5, or CANopenManager=0");
+    const NetworkPlan same = ReadCpj(Cpj(name, says_so), 5U);
+    EXPECT_EQ(same.manager.node, std::uint8_t{5U});
+    EXPECT_EQ(same.manager.dcf, Path("five.dcf"));
+    EXPECT_TRUE(same.slaves.empty());
+    // A slave stays one, whoever the manager is said to be
+    EXPECT_EQ(ReadCpj(Cpj(name, ""), 5U).slaves.size(), 1U);
+    EXPECT_EQ(ReadCpj(Cpj(name, ""), 6U).manager.node, std::uint8_t{6U});
+}
+
 TEST_F(CpjTest, AKeyOfANodeHasItsNumberWithoutAZeroBeforeIt)
 {
     Verifies(req::SRS_NET_001);

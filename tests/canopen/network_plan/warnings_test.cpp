@@ -2,6 +2,8 @@
 // What a person should know before a network starts.
 #include "tests/canopen/network_plan/plan_rig.hpp"
 
+#include <optional>
+
 namespace counterpoint::network_plan
 {
 namespace
@@ -204,6 +206,121 @@ TEST_F(NetworkWarningsTest, AWatchTimeThatIsNotAboveTheHeartbeat)
     plan.slaves = {SlaveOf(5U, "")};
     plan.slaves[0].consumer_ms = std::uint16_t{100U};
     EXPECT_EQ(ToldOf(plan), Texts{});
+}
+
+class RowTimesTest : public NetworkWarningsTest
+{
+  protected:
+    /// Of node 5 without a DCF, as it is supervised under the profile.
+    [[nodiscard]] Texts Told(const StartProfile profile, const SlavePlan& supervised) const
+    {
+        NetworkPlan plan = PlanOf("");
+        plan.manager.profile = profile;
+        plan.manager.heartbeat_ms = std::uint16_t{10U};
+        const SlavePlan one = plan.slaves[0];
+        plan.slaves[0] = supervised;
+        plan.slaves[0].node = one.node;
+        plan.slaves[0].place = one.place;
+        return ToldOf(plan);
+    }
+    [[nodiscard]] static SlavePlan Times(const std::optional<std::uint16_t> heartbeat,
+                                         const std::optional<std::uint16_t> consumer, const bool is_guarded = false)
+    {
+        SlavePlan slave;
+        slave.heartbeat_ms = heartbeat;
+        slave.consumer_ms = consumer;
+        slave.guard_ms = is_guarded ? std::optional<std::uint16_t>(100U) : std::nullopt;
+        slave.retry_factor = is_guarded ? std::optional<std::uint8_t>(3U) : std::nullopt;
+        return slave;
+    }
+};
+
+// The rows count heartbeats: 400 ms of one each 300 ms are two of them.
+TEST_F(RowTimesTest, ASlaveThatIsLostLaterThanAskedForIsTold)
+{
+    Verifies(req::SRS_NET_751);
+    const auto told = [this](const std::uint16_t heartbeat, const std::uint16_t consumer)
+    { return Told(StartProfile::kEl6751, Times(heartbeat, consumer)); };
+    EXPECT_EQ(told(300U, 400U), Texts{"node 5 is lost after 600 ms without a heartbeat (300 ms x life time factor 2, "
+                                      "65535 ms at most), and not after 400 ms, expected a multiple of its heartbeat"});
+    EXPECT_EQ(told(100U, 301U), Texts{"node 5 is lost after 400 ms without a heartbeat (100 ms x life time factor 4, "
+                                      "65535 ms at most), and not after 301 ms, expected a multiple of its heartbeat"});
+    EXPECT_EQ(told(100U, 300U), Texts{});
+    // The usual time is twice the heartbeat
+    EXPECT_EQ(Told(StartProfile::kEl6751, Times(std::uint16_t{300U}, std::nullopt)), Texts{});
+    // Another profile has the time as it is
+    EXPECT_EQ(Told(StartProfile::kCia302, Times(std::uint16_t{300U}, std::uint16_t{400U})), Texts{});
+    EXPECT_EQ(Told(StartProfile::kPlcDesigner, Times(std::uint16_t{300U}, std::uint16_t{400U})), Texts{});
+}
+
+TEST_F(RowTimesTest, HeartbeatAndConsumerBesideAGuardTimeAreTold)
+{
+    Verifies(req::SRS_NET_006);
+    Verifies(req::SRS_NET_752);
+    const auto told = [this](const std::optional<std::uint16_t> heartbeat, const std::optional<std::uint16_t> consumer)
+    { return Told(StartProfile::kEl6751, Times(heartbeat, consumer, true)); };
+    const std::string consumer = "consumer has no effect with the profile el6751: node 5 is lost after 300 ms without "
+                                 "a heartbeat (100 ms x life time factor 3, 65535 ms at most), expected that time, or "
+                                 "none";
+    const std::string heartbeat = "heartbeat has no effect beside guard_time with the profile el6751: node 5 is told "
+                                  "to send one each 100 ms, expected that, or none";
+    EXPECT_EQ(told(std::nullopt, std::uint16_t{2000U}), Texts{consumer});
+    EXPECT_EQ(told(std::nullopt, std::uint16_t{0U}), Texts{consumer});
+    EXPECT_EQ(told(std::uint16_t{500U}, std::nullopt), Texts{heartbeat});
+    EXPECT_EQ(told(std::uint16_t{500U}, std::uint16_t{2000U}), (Texts{heartbeat, consumer}));
+    EXPECT_EQ(told(std::uint16_t{0U}, std::uint16_t{2000U}), (Texts{heartbeat, consumer}));
+    // What says the same
+    EXPECT_EQ(told(std::uint16_t{100U}, std::uint16_t{300U}), Texts{});
+    EXPECT_EQ(told(std::nullopt, std::nullopt), Texts{});
+    // No supervision is asked for, and the rows have one
+    EXPECT_EQ(Told(StartProfile::kEl6751, Times(std::uint16_t{100U}, std::uint16_t{0U})),
+              Texts{"consumer has no effect with the profile el6751: node 5 is lost after 100 ms without a heartbeat "
+                    "(100 ms x life time factor 1, 65535 ms at most), expected that time, or none"});
+    // No rows: the heartbeat is supervised as it is told
+    EXPECT_EQ(Told(StartProfile::kEl6751, Times(std::nullopt, std::uint16_t{400U})), Texts{});
+}
+
+TEST_F(RowTimesTest, WhenSilenceCountsIsNoMatterOfTheRows)
+{
+    Verifies(req::SRS_NET_006);
+    const Texts told{"arming has no effect with the profile el6751"};
+    for (const cia302::Arming arming :
+         {cia302::Arming::kFirstHeartbeat, cia302::Arming::kBootUp, cia302::Arming::kImmediately})
+    {
+        SlavePlan slave = Times(std::uint16_t{100U}, std::uint16_t{400U});
+        slave.arming = arming;
+        EXPECT_EQ(Told(StartProfile::kEl6751, slave), told);
+        EXPECT_EQ(Told(StartProfile::kCia302, slave), Texts{});
+        EXPECT_EQ(Told(StartProfile::kPlcDesigner, slave), Texts{});
+        // Without rows it counts
+        slave.heartbeat_ms = std::nullopt;
+        EXPECT_EQ(Told(StartProfile::kEl6751, slave), Texts{});
+    }
+    // So it does for a slave that may lead the network
+    NetworkPlan plan = PlanOf("");
+    plan.manager.profile = StartProfile::kEl6751;
+    plan.manager.heartbeat_ms = std::uint16_t{10U};
+    plan.slaves[0].heartbeat_ms = std::uint16_t{100U};
+    plan.slaves[0].arming = cia302::Arming::kImmediately;
+    EXPECT_EQ(ToldOf(plan), told);
+    plan.manager.flying = FlyingPlan{};
+    EXPECT_EQ(ToldOf(plan), Texts{});
+}
+
+TEST_F(RowTimesTest, DateAndTimeOfAProfileThatDoesNotReadThem)
+{
+    Verifies(req::SRS_NET_006);
+    SlavePlan slave;
+    slave.date = 5U;
+    slave.time = 7U;
+    EXPECT_EQ(Told(StartProfile::kCia302, slave), Texts{});
+    EXPECT_EQ(Told(StartProfile::kEl6751, slave),
+              (Texts{"date has no effect with the profile el6751", "time has no effect with the profile el6751"}));
+    EXPECT_EQ(Told(StartProfile::kPlcDesigner, slave), (Texts{"date has no effect with the profile plc_designer",
+                                                              "time has no effect with the profile plc_designer"}));
+    slave.date = 0U;
+    slave.time = 0U;
+    EXPECT_EQ(Told(StartProfile::kEl6751, slave), Texts{});
 }
 } // namespace
 } // namespace counterpoint::network_plan

@@ -4,6 +4,8 @@
 #include "verification/trace/ids/manager.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <utility>
+
 namespace counterpoint::tools
 {
 namespace
@@ -28,6 +30,26 @@ class ManagerUnheardTest : public test::ManagerRig
         }
         ASSERT_TRUE(has_started) << profile;
         Run(2U);
+    }
+    /// Slave 6 has 1000h alone.
+    void AnswerEach(const int ms)
+    {
+        sent.clear();
+        for (int i = 0; i < ms; ++i)
+        {
+            Run(1U);
+            const std::vector<CanFrame> asked = std::exchange(sent, {});
+            for (const CanFrame& frame : asked)
+            {
+                const bool is_type = std::equal(&frame.data[1], &frame.data[4], &kType[1]);
+                if (frame.identifier == 0x606U && frame.data[0] == 0x40U)
+                {
+                    Hear(0x586U, is_type ? kType
+                                         : std::vector<std::uint8_t>{0x80U, frame.data[1], frame.data[2], frame.data[3],
+                                                                     0U, 0U, 2U, 6U});
+                }
+            }
+        }
     }
     [[nodiscard]] bool IsGood()
     {
@@ -224,6 +246,66 @@ TEST_F(ManagerUnheardTest, OneOfWhichNoHeartbeatIsExpectedIsGoodByItsStart)
         EXPECT_TRUE(IsGood()) << profile;
         EXPECT_EQ(Row(6U).finding, "") << profile;
     }
+}
+
+// Its heartbeat says OPERATIONAL, and it answers no SDO: nobody knows which device it is.
+TEST_F(ManagerUnheardTest, OneWhoseStartUpHasNoEndIsNotGood)
+{
+    Verifies(req::SRS_MGR_131);
+    Verifies(req::SRS_MGR_750);
+    for (const char* const keys : {"", ", keep_alive: true", ", mandatory: true, arming: immediately"})
+    {
+        // Given one that is asked again and again, for nothing ends that without a boot time
+        Make("manager: {node: 127}\nslaves: [{node: 6, device_type: 0x191, consumer: 300 ms" + std::string(keys) +
+             "}]\n");
+        for (int beat = 0; beat < 60; ++beat)
+        {
+            Hear(0x706U, {0x05U});
+            Run(200U);
+        }
+        EXPECT_EQ(Row(6U).state, "operational") << keys;
+        EXPECT_EQ(Row(6U).step, "device type") << keys;
+        EXPECT_FALSE(IsGood()) << keys;
+        // Also when somebody starts it
+        EXPECT_EQ(Order("start 6"), "taken") << keys;
+        Hear(0x706U, {0x05U});
+        Run(2U);
+        EXPECT_FALSE(IsGood()) << keys;
+        // When it answers, then its start-up ends
+        for (int beat = 0; beat < 20; ++beat)
+        {
+            Hear(0x706U, {0x05U});
+            AnswerEach(200);
+        }
+        Run(2U);
+        EXPECT_EQ(Row(6U).step, "done") << keys << Row(6U).finding;
+        EXPECT_TRUE(IsGood()) << keys;
+    }
+}
+
+// A stop of all by error handling gives up what runs; somebody starts the slave behind it.
+TEST_F(ManagerUnheardTest, OneWhoseStartUpWasGivenUpIsNotGood)
+{
+    Verifies(req::SRS_MGR_750);
+    Make("manager: {node: 127, start_up: 0x41}\nslaves: [{node: 6, consumer: 300 ms, device_type: 0x191}, {node: 7, "
+         "consumer: 300 ms}]\n");
+    Run(10U);
+    Hear(0x707U, {0U});
+    for (int beat = 0; beat < 20; ++beat)
+    {
+        Answer(7U, kType, 20);
+        Hear(0x707U, {0x7FU});
+    }
+    ASSERT_EQ(Row(7U).step, "done");
+    Hear(0x706U, {0U});
+    Run(400U);
+    ASSERT_EQ(station->Assembly().Core().MasterState(), 6); // All stopped.
+    EXPECT_EQ(Order("start 6"), "taken");
+    Hear(0x706U, {0x05U});
+    Run(5U);
+    EXPECT_EQ(Row(6U).state, "operational");
+    EXPECT_EQ(Row(6U).result, "");
+    EXPECT_FALSE(Row(6U).is_good);
 }
 } // namespace
 } // namespace counterpoint::tools

@@ -135,11 +135,11 @@ class BadNetworkTest : public cia306::test::FolderTest
             File("manager.dcf", Changed(ExampleText("controller"), {{"CANopenManager=0", "CANopenManager=1"}})));
     }
     /// The one line that a person reads.
-    static std::string Refusal(const std::string& path)
+    static std::string Refusal(const std::string& path, const std::uint8_t manager = 0U)
     {
         try
         {
-            const network_plan::LoadedNetwork net(runtime::ReadNetworkFile(path, 0U));
+            const network_plan::LoadedNetwork net(runtime::ReadNetworkFile(path, manager));
         }
         catch (const cia306::InputError& error)
         {
@@ -171,6 +171,27 @@ TEST_F(BadNetworkTest, EachMalformedCpjHasItsLine)
     {
         ExpectRefused("net.cpj", bad);
     }
+}
+
+// Before, that slave was left out in a CPJ, and no longer verified before its start.
+TEST_F(BadNetworkTest, ASlaveWithTheNodeIdOfTheCommandLineIsRefused)
+{
+    Verifies(req::SRS_NET_342);
+    Verifies(req::SRS_NET_750);
+    const std::string two = "[Topology]\nNodes=2\nNode1Present=1\nNode1DCFName=sensor.dcf\nNode33Present=1\n"
+                            "Node33DCFName=actuator.dcf\n";
+    const std::string cpj = File("net.cpj", two);
+    EXPECT_EQ(Refusal(cpj, 33U), cpj + ":6:15: error: node 33 is the manager and a slave, expected different node-IDs");
+    EXPECT_EQ(Refusal(cpj, 100U), "accepted");
+    const std::string yaml = File("net.yaml", "manager: {node: 127}\nslaves: [{node: 33, dcf: actuator.dcf}]\n");
+    EXPECT_EQ(Refusal(yaml, 33U),
+              yaml + ":2:10: error: node 33 is the manager and a slave, expected different node-IDs");
+    // With a manager in the file no slave takes its place
+    const std::string three = File("net.cpj", "[Topology]\nNodes=3\nNode2Present=1\nNode2DCFName=manager.dcf\n" +
+                                                  two.substr(two.find("Node1")));
+    EXPECT_EQ(Refusal(three, 33U), three + ":4:14: error: node 2 is the manager by CANopenManager=1, and another "
+                                           "node-ID is asked for, 33, expected node-ID 2, or CANopenManager=0");
+    EXPECT_EQ(Refusal(three, 2U), "accepted");
 }
 
 TEST_F(BadNetworkTest, WhatACpjSaysBesideItsFormatIsTold)

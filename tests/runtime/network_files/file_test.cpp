@@ -70,10 +70,6 @@ TEST_F(NetworkFileTest, ACpjNamesManagerAndSlaves)
     EXPECT_EQ(plan.slaves[0].name, "Stop button");
     EXPECT_EQ(plan.slaves[1].node, 33U);
     EXPECT_EQ(plan.slaves[1].name, "Relay");
-    // When the command says who manages, the file's manager is a slave like the others
-    const NetworkPlan other = runtime::ReadNetworkFile(Cpj(), 100U);
-    EXPECT_EQ(other.manager.node, std::uint8_t{100U});
-    EXPECT_EQ(other.slaves.size(), 3U);
 }
 
 TEST_F(NetworkFileTest, WhatTheManagerExpectsFollowsFromTheDcf)
