@@ -247,6 +247,24 @@ TEST_F(SrdoCommandTest, ObjectOfTheFileGoesWithItsInverseObject)
     EXPECT_EQ(RunCommand({"check", Path("d.dcf")}).out, "");
 }
 
+TEST_F(SrdoCommandTest, InverseDataIsNotSentAsData)
+{
+    Verifies(req::SRS_NEW_730);
+    const std::string sensor = ExampleText("sensor");
+    for (const std::string option : {"--produce", "--consume"})
+    {
+        for (const std::string mapping : {"0x2100:02@0x113", "0x2100:02/0x2000:02@0x113"})
+        {
+            const Answer answer = Add(sensor, {option, mapping});
+            EXPECT_EQ(answer.status, 2) << mapping;
+            EXPECT_EQ(answer.err, Path("d.dcf") +
+                                      ":365:14: error: 0x2100:02 is the InvertedSRAD of 0x2000:02, expected "
+                                      "normal data, such as 0x2000:02\n");
+            EXPECT_EQ(Written(), sensor);
+        }
+    }
+}
+
 // A pair that is not inverse from the start on is never sent, whatever the application does not touch
 TEST_F(SrdoCommandTest, NewInverseObjectBeginsWithTheInverseValue)
 {

@@ -522,33 +522,6 @@ TEST(CheckMapping, NormalAndInverseAreDifferentObjectsOfEqualLength)
     test::ExpectRows("sensor", rows, {});
 }
 
-// Signature and inversion are right of all of them
-TEST(CheckMapping, InverseDataStandsNotInThePlaceOfNormalData)
-{
-    Verifies(req::SRS_CLI_014);
-    const std::string first = "error: 0x1381:01: normal entry 0x2100:01 is the InvertedSRAD of 0x2000:01 (line 355), "
-                              "expected normal data here and 0x2100:01 behind it";
-    const std::vector<CheckRow> rows = {
-        {{{"1381sub1", kValue, "0x21000108"}, {"1381sub2", kValue, "0x20000108"}}, {first}},
-        {{{"1381sub1", kValue, "0x21000108"}, {"1381sub2", kValue, "0x21000208"}, {"1381sub0", kValue, "2"}}, {first}},
-        // Without an InvertedSRAD nobody knows; each the inverse of the other is both.
-        {{{"1381sub1", kValue, "0x21000108"}, {"1381sub2", kValue, "0x20000108"}, {"2000sub1", "InvertedSRAD", ""}},
-         {}},
-        {{{"1381sub1", kValue, "0x21000108"},
-          {"1381sub2", kValue, "0x20000108"},
-          {"2100sub1", "InvertedSRAD", "0x200001"}},
-         {}},
-    };
-    test::ExpectRows("sensor", rows, {});
-    const test::Set off{"1302sub1", kValue, "0"};
-    test::ExpectRows(
-        "controller",
-        {{{off, {"1382sub1", kValue, "0x21000108"}, {"1382sub2", kValue, "0x20000108"}},
-          {"warning: 0x1382:01: normal entry 0x2100:01 is the InvertedSRAD of 0x2000:01 (line 486), expected "
-           "normal data here and 0x2100:01 behind it"}}},
-        {});
-}
-
 TEST(CheckMapping, InvertedSradNamesAnotherObjectOfTheSameType)
 {
     Verifies(req::SRS_CLI_014);
@@ -559,7 +532,9 @@ TEST(CheckMapping, InvertedSradNamesAnotherObjectOfTheSameType)
          {"error: 0x5F00:01: InvertedSRAD 0x7777:01 names an unknown object, expected an object that the file "
           "describes"}},
         {{{"5F00sub1", "InvertedSRAD", "0x200001"}},
-         {"error: 0x5F00:01: InvertedSRAD 0x2000:01 is of UNSIGNED8, expected the same data type, UNSIGNED32"}},
+         {"error: 0x1381:01: normal entry 0x2000:01 is the InvertedSRAD of 0x5F00:01 (line 417) and has one itself "
+          "(line 355), expected one of the two",
+          "error: 0x5F00:01: InvertedSRAD 0x2000:01 is of UNSIGNED8, expected the same data type, UNSIGNED32"}},
         {{{"5F00sub1", "InvertedSRAD", "0x5F0002"}, {"5F00sub2", "InvertedSRAD", "0x5F0001"}}, {}},
     };
     test::ExpectRows("sensor", rows, {});

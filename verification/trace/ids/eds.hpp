@@ -56,6 +56,7 @@ inline constexpr RequirementId SRS_CLI_491{"SRS_CLI_491"};
 inline constexpr RequirementId SRS_CLI_492{"SRS_CLI_492"};
 inline constexpr RequirementId SRS_CLI_550{"SRS_CLI_550"};
 inline constexpr RequirementId SRS_CLI_650{"SRS_CLI_650"};
+inline constexpr RequirementId SRS_CLI_730{"SRS_CLI_730"};
 inline constexpr RequirementId SRS_EDS_001{"SRS_EDS_001"};
 inline constexpr RequirementId SRS_EDS_002{"SRS_EDS_002"};
 inline constexpr RequirementId SRS_EDS_003{"SRS_EDS_003"};
