@@ -287,6 +287,28 @@ TEST_F(OneReading, WhyTheKernelRefusesAStartIsToldByCheckAndSimulate)
                                  ", expected SRDOs, objects and times of 0x5F00 within the ranges of DeviceConfig\n");
 }
 
+TEST_F(OneReading, ASafetyParameterIsNoVariableOfAnySrdoOrRpdo)
+{
+    Verifies(req::SRS_EDS_730);
+    // Given 5F01h:01 in the mapping of an SRDO
+    const std::string mapped = cia306::test::SignedAgain(
+        cia306::test::WithValues(ExampleText("sensor"), {{"1381sub1", "ParameterValue", "0x5F010108"},
+                                                         {"5F01sub1", "PDOMapping", "1"},
+                                                         {"2000sub1", "InvertedSRAD", ""}}),
+        std::nullopt);
+    const Taken by_srdo = TakenWith(mapped);
+    EXPECT_EQ(by_srdo.check, 1);
+    EXPECT_EQ(by_srdo.generate, 1);
+    EXPECT_FALSE(by_srdo.node);
+    // and 5F00h:03 in that of an RPDO
+    std::string text = cia306::ReadTextFile(cia306::test::SourceFolder() + "/tests/runtime/data/everything.dcf");
+    text =
+        cia306::test::WithValues(text, {{"1600sub1", "DefaultValue", "0x5F000320"}, {"5F00sub3", "PDOMapping", "1"}});
+    const Answer answer = RunCommand({"check", File("rpdo.dcf", text)});
+    EXPECT_NE(answer.out.find("warning: 0x1600:01: "), std::string::npos) << answer.out;
+    EXPECT_NE(answer.out.find("warning: 0x5F00:03: it is mappable"), std::string::npos) << answer.out;
+}
+
 TEST_F(OneReading, WhatSimulateAndMonitorNeedIsAWarning)
 {
     Verifies(req::SRS_CLI_212);

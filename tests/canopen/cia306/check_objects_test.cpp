@@ -473,8 +473,8 @@ TEST(CheckMapping, WhatAnEntryNames)
         {{{"2000sub1", "DataType", "0x000F"}, {"2000sub1", "InvertedSRAD", ""}},
          {"error: 0x1381:01: mapped object 0x2000:01 is of DOMAIN, expected a data type with a fixed length"}},
         {{{"1381sub1", kValue, "0x13810108"}},
-         {"error: 0x1381:01: mapped object 0x1381:01 is not mappable (line 267), expected SRDOMapping=1, or "
-          "PDOMapping=1 where there is no SRDOMapping",
+         {"error: 0x1381:01: mapped object 0x1381:01 is not mappable (line 267), expected an object of the "
+          "application, not of the safety functions",
           "error: 0x1381:01: length of 8 bit, expected 32 bit, the length of 0x1381:01 (UNSIGNED32)"}},
     };
     test::ExpectRows("sensor", rows, {});

@@ -111,6 +111,20 @@ TEST(CheckSides, AnObjectIsOnOneSideInAllSrdos)
     }
 }
 
+TEST(CheckSides, ASafetyParameterIsNoVariable)
+{
+    Verifies(req::SRS_EDS_730);
+    const std::vector<CheckRow> rows = {
+        {{{"5F01sub1", "SRDOMapping", "1"}, {"1381sub1", kWritten, "0x5F010108"}, {"1381sub0", kWritten, "2"}},
+         {"error: 0x1381:01: mapped object 0x5F01:01 is not mappable (line 568), expected an object of the "
+          "application, "
+          "not of the safety functions",
+          "warning: 0x5F01:01: it is mappable by SRDOMapping or PDOMapping, expected 0 for 0x5F00 to 0x5F05; no SRDO "
+          "can map it"}},
+    };
+    test::ExpectRows("sensor", rows, {});
+}
+
 // An entry that cannot be read is no part of a pair
 TEST(CheckSides, APairHasTwoEntries)
 {

@@ -102,6 +102,7 @@ inline constexpr RequirementId SRS_EDS_340{"SRS_EDS_340"};
 inline constexpr RequirementId SRS_EDS_555{"SRS_EDS_555"};
 inline constexpr RequirementId SRS_EDS_660{"SRS_EDS_660"};
 inline constexpr RequirementId SRS_EDS_670{"SRS_EDS_670"};
+inline constexpr RequirementId SRS_EDS_730{"SRS_EDS_730"};
 } // namespace counterpoint::req
 
 #endif
