@@ -107,6 +107,17 @@ void AddOthers(std::vector<cia306::Finding>& findings, const std::vector<cia306:
     findings = cia306::SortedByLine(std::move(findings));
 }
 
+std::optional<cia306::Finding> SignedForAnother(const cia306::Device& device, const std::optional<std::uint8_t> node_id)
+{
+    if (!device.node_id || !node_id || *device.node_id == *node_id)
+    {
+        return std::nullopt;
+    }
+    return cia306::Finding{cia306::Severity::kWarning, device.commissioning_place, "",
+                           "NodeID is " + std::to_string(*device.node_id) + ", expected " + std::to_string(*node_id) +
+                               ", the node-ID that the file is signed for"};
+}
+
 std::size_t ErrorsIn(const std::vector<cia306::Finding>& findings)
 {
     return static_cast<std::size_t>(std::count_if(findings.begin(), findings.end(), [](const cia306::Finding& finding)
