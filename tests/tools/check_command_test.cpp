@@ -309,6 +309,28 @@ TEST_F(OneReading, ASafetyParameterIsNoVariableOfAnySrdoOrRpdo)
     EXPECT_NE(answer.out.find("warning: 0x5F00:03: it is mappable"), std::string::npos) << answer.out;
 }
 
+TEST_F(OneReading, AToleranceThatLeavesNoLimitIsAWarning)
+{
+    Verifies(req::SRS_CLI_731);
+    const auto told = [this](const std::string& tolerance, const std::string& interval)
+    {
+        const std::string text = cia306::test::SignedAgain(
+            cia306::test::WithValues(ExampleText("sensor"), {{"5F00sub6", "ParameterValue", tolerance},
+                                                             {"5F00sub7", "ParameterValue", interval}}),
+            std::nullopt);
+        const Answer answer = RunCommand({"check", File("d.dcf", text)});
+        EXPECT_EQ(answer.status, 0) << answer.out;
+        return answer.out;
+    };
+    EXPECT_EQ(told("500", "100000"), "");
+    // Given 5999 us in 6000 us, then 1.0015 s of the self tests are 1001501 intervals, and more than 2^32 us
+    EXPECT_EQ(told("5999", "6000"),
+              Path("d.dcf") + ":462:16: warning: 0x5F00:06: no limit can be computed for some faults with a clock "
+                              "tolerance of 5999 us in 6000 us (0x5F00:07), expected a smaller one, or shorter "
+                              "intervals in 0x5F00:04 and 0x5F00:05\n");
+    EXPECT_EQ(told("3000", "6000"), "");
+}
+
 TEST_F(OneReading, WhatSimulateAndMonitorNeedIsAWarning)
 {
     Verifies(req::SRS_CLI_212);

@@ -52,6 +52,7 @@ inline constexpr RequirementId SRS_MON_530{"SRS_MON_530"};
 inline constexpr RequirementId SRS_MON_531{"SRS_MON_531"};
 inline constexpr RequirementId SRS_MON_580{"SRS_MON_580"};
 inline constexpr RequirementId SRS_MON_581{"SRS_MON_581"};
+inline constexpr RequirementId SRS_MON_730{"SRS_MON_730"};
 } // namespace counterpoint::req
 
 #endif
