@@ -2,11 +2,14 @@
 #include "tools/device_findings.hpp"
 
 #include "canopen/cia306/file/device_reader.hpp"
+#include "canopen/cia306/safety/device_parameters.hpp"
 #include "canopen/cia306/safety/safety_configuration.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/text_file.hpp"
 #include "canopen/generate/generate.hpp"
+#include "runtime/device/model.hpp"
 #include "runtime/node/trial.hpp"
+#include "safety_core/kernel/limits.hpp"
 #include "simulator/world/trial.hpp"
 
 #include <algorithm>
@@ -53,6 +56,35 @@ std::vector<cia306::Finding> TryCommands(const cia306::Device& device, const std
     return findings;
 }
 
+/// A device of which nobody can say when it is safe behind a fault. A lost cross link has a time of its own.
+/// [SRS_CLI_731]
+std::vector<cia306::Finding> TryLimits(const cia306::Device& device, const std::optional<std::uint8_t> node_id)
+{
+    const runtime::DeviceModel model(device.file, node_id.value_or(device.node_id.value_or(kAnyNode)),
+                                     runtime::SafetyNeed::kOptional);
+    const DeviceConfig& config = model.Config();
+    bool are_all = true;
+    for (const runtime::SrdoModel& srdo : model.Srdos())
+    {
+        for (const FaultClass fault :
+             {FaultClass::kBus, FaultClass::kBusNextNormal, FaultClass::kWrongFrame, FaultClass::kChannel,
+              FaultClass::kConfiguration, FaultClass::kSupervisor, FaultClass::kClock, FaultClass::kSharedSource})
+        {
+            are_all = are_all && ComputeLimit(config, srdo.times, fault).result == Result::kSuccessful;
+        }
+    }
+    if (are_all)
+    {
+        return {};
+    }
+    const cia306::Entry* const entry = device.Find(cia306::kDeviceParametersIndex, 6U);
+    return {{cia306::Severity::kWarning, entry == nullptr ? cia306::Place{} : entry->ValuePlace(),
+             cia306::ObjectName(cia306::kDeviceParametersIndex, 6U),
+             "no limit can be computed for some faults with a clock tolerance of " +
+                 std::to_string(config.clock_tolerance_us) + " us in " + std::to_string(config.clock_interval_us) +
+                 " us (0x5F00:07), expected a smaller one, or shorter intervals in 0x5F00:04 and 0x5F00:05"}};
+}
+
 /// A folder for this process alone, which ends with the object.
 class TemporaryFolder
 {
@@ -90,6 +122,10 @@ std::vector<cia306::Finding> FindingsOf(const cia306::Device& device, const std:
     if (ErrorsIn(findings) == 0U)
     {
         AddOthers(findings, TryCommands(device, text, options.node_id));
+        if (ErrorsIn(findings) == 0U)
+        {
+            AddOthers(findings, TryLimits(device, options.node_id));
+        }
         const cia306::SafetyConfiguration safety =
             cia306::ExtractSafety(device, options.node_id ? options.node_id : device.node_id);
         const std::optional<cia306::Finding> valid = cia306::ValidInSpiteOfErrors(safety);
@@ -113,6 +149,17 @@ void AddOthers(std::vector<cia306::Finding>& findings, const std::vector<cia306:
         }
     }
     findings = cia306::SortedByLine(std::move(findings));
+}
+
+std::optional<cia306::Finding> SignedForAnother(const cia306::Device& device, const std::optional<std::uint8_t> node_id)
+{
+    if (!device.node_id || !node_id || *device.node_id == *node_id)
+    {
+        return std::nullopt;
+    }
+    return cia306::Finding{cia306::Severity::kWarning, device.commissioning_place, "",
+                           "NodeID is " + std::to_string(*device.node_id) + ", expected " + std::to_string(*node_id) +
+                               ", the node-ID that the file is signed for"};
 }
 
 std::size_t ErrorsIn(const std::vector<cia306::Finding>& findings)

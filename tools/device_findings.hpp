@@ -21,6 +21,11 @@ namespace counterpoint::tools
 /// @brief Adds to findings in the order of their lines those of other lines and objects, and errors.
 void AddOthers(std::vector<cia306::Finding>& findings, const std::vector<cia306::Finding>& others);
 
+/// @brief The warning of a written file with another NodeID than the one that it is signed for; nothing where one of
+/// them is not told. [SRS_CLI_037, SRS_NEW_731]
+[[nodiscard]] std::optional<cia306::Finding> SignedForAnother(const cia306::Device& device,
+                                                              std::optional<std::uint8_t> node_id);
+
 /// Number of errors among the findings.
 [[nodiscard]] std::size_t ErrorsIn(const std::vector<cia306::Finding>& findings);
 

@@ -2,6 +2,7 @@
 #include "canopen/cia306/check/check.hpp"
 #include "canopen/cia306/safety/digest.hpp"
 #include "canopen/cia306/text/input_error.hpp"
+#include "canopen/cia306/text/number.hpp"
 #include "canopen/cia306/text/text_file.hpp"
 #include "canopen/monitor/contradictions.hpp"
 #include "canopen/monitor/decoder.hpp"
@@ -31,21 +32,30 @@ using cia306::InputError;
 using monitor::LogFrame;
 using monitor::Time;
 
-/// "sensor.dcf=5": a file and the node-ID that it has on this bus.
+/// What stands behind the file for a node-ID: up to three digits, or two hexadecimal ones behind 0x.
+bool IsNodeNumber(const std::string& text)
+{
+    const bool is_hexadecimal = text.size() > 2U && text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
+    const std::string digits = is_hexadecimal ? text.substr(2U) : text;
+    const std::size_t most = is_hexadecimal ? 2U : 3U;
+    const char* const known = is_hexadecimal ? "0123456789abcdefABCDEF" : "0123456789";
+    return !digits.empty() && digits.size() <= most && digits.find_first_not_of(known) == std::string::npos;
+}
+
+/// "sensor.dcf=5": a file and the node-ID that it has on this bus. [SRS_MON_730]
 monitor::NodeFile NodeFileOf(const std::string& text)
 {
     const std::size_t mark = text.find_last_of('=');
     const std::string number = mark == std::string::npos ? "" : text.substr(mark + 1U);
-    const bool is_number =
-        !number.empty() && number.size() <= 3U && number.find_first_not_of("0123456789") == std::string::npos;
-    if (!is_number)
+    if (!IsNodeNumber(number))
     {
         return {text, std::nullopt};
     }
-    const int id = std::stoi(number);
-    if (id < 1 || id > 127)
+    const std::uint64_t id = cia306::ParseTyped(number, 127U).value_or(0U);
+    if (id == 0U)
     {
-        throw InputError(text.substr(0U, mark), {}, {"node-ID " + number + " in --dcf", "1 to 127"});
+        throw InputError(text.substr(0U, mark), {},
+                         {"node-ID " + number + " in --dcf", "1 to 127, decimal or hexadecimal after 0x"});
     }
     return {text.substr(0U, mark), static_cast<std::uint8_t>(id)};
 }

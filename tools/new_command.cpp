@@ -27,8 +27,9 @@ class NewCommand final : public Command
         options.Add("--force", &is_forced_, "Replace FILE where it is there already");
         options.Footer(
             "MAPPING is LENGTH, COUNTxLENGTH or NAME=LENGTH, several with commas between them, and @COB-ID.\n"
-            "LENGTH is 8, 16, 24, 32, 40, 48, 56 or 64 bits, signed after an i. @node5 is what node 5 sends by "
-            "default.\nExamples: 8, 2x8,i16, Speed=i16,Position=i32@0x109\n"
+            "LENGTH is 8, 16, 24, 32, 40, 48, 56 or 64 bits, signed after an i. @node5 is the default COB-ID of "
+            "node 5:\nnodes 1 to 32 send theirs, 33 to 64 receive it.\nExamples: 8, 2x8,i16, "
+            "Speed=i16,Position=i32@0x109\n"
             "At a terminal it asks for what no option says.");
     }
 

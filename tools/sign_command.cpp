@@ -151,11 +151,10 @@ class SignCommand final : public Command
         findings.erase(std::remove_if(findings.begin(), findings.end(), [](const cia306::Finding& finding)
                                       { return finding.severity == cia306::Severity::kError; }),
                        findings.end());
-        if (IsOfAnotherNode(device, node_id) && !output_.empty())
+        const std::optional<cia306::Finding> another = SignedForAnother(device, node_id);
+        if (another && !output_.empty())
         {
-            findings.push_back({cia306::Severity::kWarning, device.commissioning_place, "",
-                                "NodeID is " + std::to_string(*device.node_id) + ", expected " +
-                                    std::to_string(*node_id) + ", the node-ID that the file is signed for"});
+            findings.push_back(*another);
         }
         if (errors != 0U)
         {
@@ -180,11 +179,6 @@ class SignCommand final : public Command
         {
             return 0U;
         }
-    }
-
-    [[nodiscard]] static bool IsOfAnotherNode(const cia306::Device& device, const std::optional<std::uint8_t> node_id)
-    {
-        return device.node_id && node_id && *device.node_id != *node_id;
     }
 
     [[nodiscard]] nlohmann::ordered_json Answer(const cia306::SafetyConfiguration& configuration,

@@ -154,7 +154,14 @@ class SrdoCommand final : public Command
         const std::vector<cia306::Finding> after = FindingsBeforeWriting(changed.Text(), node_id);
         RequireNoErrorAfter(after);
         cia306::WriteTextFile(Result(), changed.Text());
-        Print(cia306::ReadDevice(changed), Brought(before, after), streams);
+        std::vector<cia306::Finding> warnings = Brought(before, after);
+        const cia306::Device written = cia306::ReadDevice(changed);
+        const std::optional<cia306::Finding> another = SignedForAnother(written, node_id);
+        if (another)
+        {
+            warnings.push_back(*another);
+        }
+        Print(written, warnings, streams);
         return ExitStatus::kHolds;
     }
 

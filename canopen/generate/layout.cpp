@@ -174,6 +174,8 @@ class Builder
 Layout LayOut(const cia306::Device& device, const GenerateOptions& options, std::vector<cia306::Finding>& warnings)
 {
     Layout layout{SafetyPart(device, options.node_id), {}, {}, {}, 0U, 0U, 0U, 0U, 0U, 0U, 0U, 8U};
+    const std::vector<cia306::Finding> too_great = layout.safety.ValuesTooGreat();
+    warnings.insert(warnings.end(), too_great.begin(), too_great.end());
     Builder builder({device, options.node_id, warnings}, layout);
     builder.Collect();
     if (layout.variable_count > kMostVariables) // [SRS_GEN_352]

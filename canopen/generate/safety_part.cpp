@@ -5,6 +5,7 @@
 #include "canopen/cia306/text/input_error.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace counterpoint::generate
@@ -15,6 +16,7 @@ using cia306::MappingEntry;
 using cia306::SrdoConfiguration;
 
 constexpr std::uint8_t kLastNode = 127U;
+constexpr std::uint16_t kNoSignature = 0U;
 constexpr std::uint32_t kPayloadBits = 64U;
 
 struct ObjectPlace
@@ -254,6 +256,44 @@ void SafetyPart::RequireSameMappings(const cia306::SafetyConfiguration& other) c
     }
 }
 
+/// A sum that is too great for one node-ID is so for each that follows.
+std::vector<cia306::Finding> SafetyPart::ValuesTooGreat() const
+{
+    if (safety_.srdos.empty() || ProblemsWith(kLastNode).empty())
+    {
+        return {};
+    }
+    std::map<std::string, std::uint8_t> first; // Of each object.
+    for (std::uint8_t node = 1U; node <= kLastNode; ++node)
+    {
+        for (const cia306::Finding& problem : ProblemsWith(node))
+        {
+            first.emplace(problem.object, node);
+        }
+    }
+    std::vector<cia306::Finding> findings = ProblemsWith(kLastNode);
+    for (cia306::Finding& finding : findings)
+    {
+        finding.severity = cia306::Severity::kWarning;
+        finding.text = "no value with node-IDs " + std::to_string(first.at(finding.object)) + " to " +
+                       std::to_string(kLastNode) + ", expected a sum that its type holds; Configure refuses them";
+    }
+    return findings;
+}
+
+/// What cannot be read with this node-ID; nothing with that of the file.
+std::vector<cia306::Finding> SafetyPart::ProblemsWith(const std::uint8_t node_id) const
+{
+    const cia306::SafetyConfiguration safety = cia306::ExtractSafety(device_, node_id);
+    std::vector<cia306::Finding> problems = safety.problems;
+    for (const SrdoConfiguration& srdo : safety.srdos)
+    {
+        problems.insert(problems.end(), srdo.signature_problems.begin(), srdo.signature_problems.end());
+        problems.insert(problems.end(), srdo.other_problems.begin(), srdo.other_problems.end());
+    }
+    return problems;
+}
+
 /// Formulas are the node-ID and a number: two node-IDs tell which values have one.
 void SafetyPart::FollowNodeId(std::vector<SafetySetting>& settings) const
 {
@@ -282,7 +322,9 @@ void SafetyPart::FollowNodeId(std::vector<SafetySetting>& settings) const
             const auto signature = cia306::SignatureWithNode(srdo, other.srdos[place]);
             if (numbers.count(srdo.number) != 0U && signature)
             {
-                SignatureSetting(settings, srdo.number).signatures.push_back(*signature);
+                // Of values that the node-ID does not have there is none, and nobody comes to write it.
+                const bool has_values = other.srdos[place].signature_problems.empty();
+                SignatureSetting(settings, srdo.number).signatures.push_back(has_values ? *signature : kNoSignature);
             }
         }
     }

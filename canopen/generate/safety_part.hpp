@@ -63,8 +63,12 @@ class SafetyPart
     /// @brief In the order in which the kernel takes them, without those of static mappings. [SRS_GEN_011, SRS_GEN_016]
     [[nodiscard]] std::vector<SafetySetting> Settings() const;
 
+    /// @brief Values with $NODEID that some node-IDs give more than their type holds. [SRS_GEN_730]
+    [[nodiscard]] std::vector<cia306::Finding> ValuesTooGreat() const;
+
   private:
     [[nodiscard]] std::vector<SafetySetting> SettingsFor(const cia306::SafetyConfiguration& safety) const;
+    [[nodiscard]] std::vector<cia306::Finding> ProblemsWith(std::uint8_t node_id) const;
     void RequireSameMappings(const cia306::SafetyConfiguration& other) const;
     void FollowNodeId(std::vector<SafetySetting>& settings) const;
 

@@ -9,9 +9,9 @@ namespace
 
 constexpr std::uint8_t kLastNode = 127U;
 
-std::uint32_t ValueFor(const NodeSetting& setting, const std::uint8_t node_id) noexcept
+std::uint64_t ValueFor(const NodeSetting& setting, const std::uint8_t node_id) noexcept
 {
-    std::uint32_t value = setting.addend + node_id;
+    std::uint64_t value = std::uint64_t{setting.addend} + node_id;
     if (setting.signatures != nullptr)
     {
         const bool is_node = (node_id >= 1U) && (node_id <= kLastNode);
@@ -36,7 +36,7 @@ ConfigureReply Configure(Kernel& kernel, const Configuration& configuration, con
     for (std::uint16_t i = 0U; (i < configuration.setting_count) && (reply.abort == AbortCode::kNone); ++i)
     {
         const Setting& setting = configuration.settings[i];
-        std::uint32_t value = setting.value;
+        std::uint64_t value = setting.value;
         if ((node_setting < configuration.node_setting_count) &&
             (configuration.node_settings[node_setting].setting == i))
         {
@@ -49,7 +49,10 @@ ConfigureReply Configure(Kernel& kernel, const Configuration& configuration, con
         {
             data.bytes[byte] = static_cast<std::uint8_t>((value >> (8U * byte)) & 0xFFU);
         }
-        reply = ConfigureReply{kernel.WriteObject(setting.object, data), setting.object};
+        // A number that is cut would be another one than the file has for this node-ID. [SRS_GEN_730]
+        const bool is_whole = (value >> (8U * setting.size_bytes)) == 0U;
+        reply = ConfigureReply{is_whole ? kernel.WriteObject(setting.object, data) : AbortCode::kValueRange,
+                               setting.object};
     }
     return reply;
 }

@@ -51,8 +51,9 @@ struct ConfigureReply
     ObjectAddress object;
 };
 
-/// @brief Registers the fields, then writes the settings for a node-ID of 1 to 127. For a started kernel outside
-/// OPERATIONAL. O(settings) [SRS_GEN_011, SRS_GEN_016]
+/// @brief Registers the fields, then writes the settings for a node-ID of 1 to 127, to the first that is refused; one
+/// that its object cannot hold with this node-ID is, by kValueRange. For a started kernel outside OPERATIONAL.
+/// O(settings) [SRS_GEN_011, SRS_GEN_016, SRS_GEN_730]
 [[nodiscard]] ConfigureReply Configure(Kernel& kernel, const Configuration& configuration,
                                        std::uint8_t node_id) noexcept;
 

@@ -251,6 +251,7 @@ std::vector<VariablePair> DeviceSource::Pairs() const
         // Nobody behind here knows the sides of an object: the kernel's table has none. [SRS_NODE_550]
         cia306::RequireNone(file_, cia306::WrongSides(device_, srdo));
     }
+    cia306::RequireNone(file_, cia306::ExchangedSides(safety_));
     return pairs;
 }
 

@@ -322,6 +322,50 @@ TEST_F(OneReading, AnIntervalTooShortForTheSelfTestsOfSimulateIsAWarning)
     EXPECT_FALSE(simulator::TrySelfTests(Path("missing.dcf"), std::nullopt));
 }
 
+TEST_F(OneReading, ASafetyParameterIsNoVariableOfAnySrdoOrRpdo)
+{
+    Verifies(req::SRS_EDS_730);
+    // Given 5F01h:01 in the mapping of an SRDO
+    const std::string mapped = cia306::test::SignedAgain(
+        cia306::test::WithValues(ExampleText("sensor"), {{"1381sub1", "ParameterValue", "0x5F010108"},
+                                                         {"5F01sub1", "PDOMapping", "1"},
+                                                         {"2000sub1", "InvertedSRAD", ""}}),
+        std::nullopt);
+    const Taken by_srdo = TakenWith(mapped);
+    EXPECT_EQ(by_srdo.check, 1);
+    EXPECT_EQ(by_srdo.generate, 1);
+    EXPECT_FALSE(by_srdo.node);
+    // and 5F00h:03 in that of an RPDO
+    std::string text = cia306::ReadTextFile(cia306::test::SourceFolder() + "/tests/runtime/data/everything.dcf");
+    text =
+        cia306::test::WithValues(text, {{"1600sub1", "DefaultValue", "0x5F000320"}, {"5F00sub3", "PDOMapping", "1"}});
+    const Answer answer = RunCommand({"check", File("rpdo.dcf", text)});
+    EXPECT_NE(answer.out.find("warning: 0x1600:01: "), std::string::npos) << answer.out;
+    EXPECT_NE(answer.out.find("warning: 0x5F00:03: it is mappable"), std::string::npos) << answer.out;
+}
+
+TEST_F(OneReading, AToleranceThatLeavesNoLimitIsAWarning)
+{
+    Verifies(req::SRS_CLI_731);
+    const auto told = [this](const std::string& tolerance, const std::string& interval)
+    {
+        const std::string text = cia306::test::SignedAgain(
+            cia306::test::WithValues(ExampleText("sensor"), {{"5F00sub6", "ParameterValue", tolerance},
+                                                             {"5F00sub7", "ParameterValue", interval}}),
+            std::nullopt);
+        const Answer answer = RunCommand({"check", File("d.dcf", text)});
+        EXPECT_EQ(answer.status, 0) << answer.out;
+        return answer.out;
+    };
+    EXPECT_EQ(told("500", "100000"), "");
+    // Given 5999 us in 6000 us, then 1.0015 s of the self tests are 1001501 intervals, and more than 2^32 us
+    EXPECT_EQ(told("5999", "6000"),
+              Path("d.dcf") + ":462:16: warning: 0x5F00:06: no limit can be computed for some faults with a clock "
+                              "tolerance of 5999 us in 6000 us (0x5F00:07), expected a smaller one, or shorter "
+                              "intervals in 0x5F00:04 and 0x5F00:05\n");
+    EXPECT_EQ(told("3000", "6000"), "");
+}
+
 TEST_F(OneReading, WhatSimulateAndMonitorNeedIsAWarning)
 {
     Verifies(req::SRS_CLI_212);

@@ -4,6 +4,7 @@
 #include "tools/command_line/described.hpp"
 #include "tools/command_line/painter.hpp"
 #include "verification/trace/ids/comfort.hpp"
+#include "verification/trace/ids/eds.hpp"
 #include "verification/trace/ids/simulator.hpp"
 #include "verification/trace/verifies.hpp"
 
@@ -70,6 +71,21 @@ TEST(Slip, NearestCommandAndOptionAreNamed)
     EXPECT_EQ(RunCommand({"check", "a.dcf", "--verbose"}).err,
               "counterpoint: '--verbose' is no option; expected a command line as told by 'counterpoint check "
               "--help'\n");
+}
+
+TEST(Slip, AWordWithOneHyphenIsNamed)
+{
+    Verifies(req::SRS_CLI_732);
+    EXPECT_EQ(
+        RunCommand({"check", "-x.dcf"}).err,
+        "counterpoint: '-x.dcf' is no option (a file of this name is './-x.dcf'); expected a command line as told "
+        "by 'counterpoint check --help'\n");
+    EXPECT_EQ(RunCommand({"check", "a.dcf", "-x"}).err,
+              "counterpoint: '-x' is no option (a file of this name is './-x'); expected a command line as told by "
+              "'counterpoint check --help'\n");
+    EXPECT_EQ(RunCommand({"check", "a.dcf", "-"}).err,
+              "counterpoint: The following argument was not expected: -; expected a command line as told by "
+              "'counterpoint check --help'\n");
 }
 
 class SlipInAFile : public CommandTest

@@ -1,8 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "tools/command_line/options.hpp"
 #include "tools/command_table.hpp"
 #include "verification/trace/ids/eds.hpp"
+#include "verification/trace/ids/monitor.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <algorithm>
@@ -162,6 +164,37 @@ TEST(CommandLine, TextOfTheUserIsShownWithoutControlBytes)
     const Answer answer = RunCommand({"sign", "none\n\x1B[31m.dcf"});
     EXPECT_EQ(answer.status, 2);
     EXPECT_EQ(answer.err.rfind("none\\x0A\\x1B[31m.dcf: error: ", 0U), 0U) << answer.err;
+}
+
+using NodeIdOfAFile = test::CommandTest;
+
+TEST_F(NodeIdOfAFile, IsReadAsThatOfTheOption)
+{
+    Verifies(req::SRS_MON_730);
+    const std::string examples = cia306::test::SourceFolder() + "/examples/emergency_stop/";
+    const std::string sensor = examples + "sensor.dcf";
+    const std::string recording =
+        File("bus.log", "(10.000000) can0 101#0102\n(10.000200) can0 102#FEFD\n(10.025000) can0 101#0102\n");
+    const auto with = [&](const std::string& number)
+    { return RunCommand({"monitor", recording, "--dcf", sensor + number, examples + "controller.dcf"}); };
+    for (const std::string number : {"=1", "=0x1", "=0X01"})
+    {
+        EXPECT_EQ(with(number).out, with("").out) << number;
+        EXPECT_EQ(with(number).err, with("").err) << number;
+    }
+    EXPECT_NE(with("=0x2").out, with("").out);
+    for (const std::string number : {"010", "041", "00", "0", "128", "0x80", "0x0", "009"})
+    {
+        const Answer answer = with("=" + number);
+        EXPECT_EQ(answer.status, 2) << number;
+        EXPECT_EQ(answer.err, sensor + ": error: node-ID " + number +
+                                  " in --dcf, expected 1 to 127, decimal or hexadecimal after 0x\n");
+    }
+    // What is no number is the name of a file
+    for (const std::string name : {"=x", "=0x", "=0xg", "=0x001", "=1000", "=+5"})
+    {
+        EXPECT_NE(with(name).err.find("it cannot be opened"), std::string::npos) << name;
+    }
 }
 } // namespace
 } // namespace counterpoint::tools

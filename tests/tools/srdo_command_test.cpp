@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -245,6 +247,44 @@ TEST_F(SrdoCommandTest, ObjectOfTheFileGoesWithItsInverseObject)
     EXPECT_EQ(Device().Find(0x2001U, 0U)->name, "Speed, inverse");
     EXPECT_EQ(Value(0x2001U, 0U), "-1");
     EXPECT_EQ(RunCommand({"check", Path("d.dcf")}).out, "");
+}
+
+TEST_F(SrdoCommandTest, InverseDataIsNotSentAsData)
+{
+    Verifies(req::SRS_NEW_730);
+    const std::string sensor = ExampleText("sensor");
+    for (const std::string option : {"--produce", "--consume"})
+    {
+        for (const std::string mapping : {"0x2100:02@0x113", "0x2100:02/0x2000:02@0x113"})
+        {
+            const Answer answer = Add(sensor, {option, mapping});
+            EXPECT_EQ(answer.status, 2) << mapping;
+            EXPECT_EQ(answer.err, Path("d.dcf") +
+                                      ":365:14: error: 0x2100:02 is the InvertedSRAD of 0x2000:02, expected "
+                                      "normal data, such as 0x2000:02\n");
+            EXPECT_EQ(Written(), sensor);
+        }
+    }
+}
+
+TEST_F(SrdoCommandTest, AnotherNodeThanThatOfTheFileIsTold)
+{
+    Verifies(req::SRS_NEW_731);
+    // Given a file of node 1 without a digest, which would be that of node 1
+    const std::string plain = cia306::test::WithoutDigest(ExampleText("sensor"));
+    const std::string told = ": warning: NodeID is 1, expected 9, the node-ID that the file is signed for\n";
+    const Answer added = Add(plain, {"--produce", "8@0x113", "--node-id", "9"});
+    EXPECT_EQ(added.status, 0);
+    EXPECT_NE(added.err.find(told), std::string::npos) << added.err;
+    const Answer removed = RunCommand({"srdo", "remove", Path("d.dcf"), "--number", "2", "--node-id", "9", "--json"});
+    EXPECT_EQ(removed.status, 0);
+    const auto warnings = nlohmann::json::parse(removed.out)["warnings"];
+    EXPECT_TRUE(std::any_of(
+        warnings.begin(), warnings.end(), [](const nlohmann::json& warning)
+        { return warning["message"] == "NodeID is 1, expected 9, the node-ID that the file is signed for"; }));
+    // With that of the file, and to look at it, nothing is told
+    EXPECT_EQ(Add(plain, {"--produce", "8@0x113", "--node-id", "1"}).err, "");
+    EXPECT_EQ(RunCommand({"srdo", "list", Path("d.dcf"), "--node-id", "9"}).err, "");
 }
 
 // A pair that is not inverse from the start on is never sent, whatever the application does not touch

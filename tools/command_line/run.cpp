@@ -179,7 +179,7 @@ ExitStatus Run(const Entry& entry, const Streams& streams)
     return entry.described.command->Run(streams);
 }
 
-/// The first option among `words` that `app` does not know, with the one that may be meant.
+/// The first option among `words` that `app` does not know, with the one that may be meant. [SRS_EASE_001, SRS_CLI_732]
 std::string UnknownOption(const CLI::App& app, const std::vector<std::string>& words)
 {
     std::vector<std::string> known;
@@ -193,6 +193,10 @@ std::string UnknownOption(const CLI::App& app, const std::vector<std::string>& w
         if (name.rfind("--", 0U) == 0U && name.size() > 2U)
         {
             return cia306::Quoted(name) + " is no option" + cia306::DidYouMean(name, known);
+        }
+        if (word.size() > 1U && word[0] == '-' && word[1] != '-')
+        {
+            return cia306::Quoted(word) + " is no option (a file of this name is " + cia306::Quoted("./" + word) + ")";
         }
     }
     return "";

@@ -2,6 +2,7 @@
 #include "canopen/cia306/check/check.hpp"
 
 #include "canopen/cia306/check/rules.hpp"
+#include "canopen/cia306/check/sides.hpp"
 
 namespace counterpoint::cia306
 {
@@ -50,6 +51,7 @@ std::vector<Finding> CheckDevice(const Device& device, const CheckOptions& optio
     CheckKernelAccess(device, findings);
     CheckIdentifiers(configuration, findings);
     CheckShared(configuration, findings);
+    findings.Add(ExchangedSides(configuration));
     CheckParameters(context, findings);
     CheckDigest(context, findings);
     CheckObjects(context, findings);

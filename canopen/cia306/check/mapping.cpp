@@ -88,7 +88,8 @@ void CheckObject(const SrdoConfiguration& srdo, const MappingEntry& entry, const
     if (!IsMappable(object))
     {
         findings.Error(entry.place, name, mapped + " is not mappable (line " + std::to_string(object.place.line) + ")",
-                       "SRDOMapping=1, or PDOMapping=1 where there is no SRDOMapping");
+                       object.is_safety ? "an object of the application, not of the safety functions"
+                                        : "SRDOMapping=1, or PDOMapping=1 where there is no SRDOMapping");
     }
     const bool is_wrong_access = !srdo.direction.Is(0U) && !IsAccessRight(object.access, srdo.IsConsumer());
     if (is_wrong_access)

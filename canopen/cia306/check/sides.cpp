@@ -5,6 +5,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 
 namespace counterpoint::cia306
 {
@@ -25,26 +26,6 @@ std::string LineOf(const Entry& object)
     return " (line " + std::to_string(object.inverted_srad_place.line) + ")";
 }
 
-/// Objects that the InvertedSRAD of another one names and that have none themselves: inverse data, and whose.
-std::map<std::uint32_t, const Entry*> InverseObjects(const Device& device)
-{
-    std::map<std::uint32_t, const Entry*> inverses;
-    for (const auto& [index, object] : device.objects)
-    {
-        for (const auto& [sub, entry] : object.entries)
-        {
-            const std::uint32_t srad = entry.inverted_srad.value_or(0U);
-            const Entry* const inverse =
-                device.Find(static_cast<std::uint16_t>(srad >> 8U), static_cast<std::uint8_t>(srad & 0xFFU));
-            if (entry.inverted_srad && inverse != nullptr && !inverse->inverted_srad)
-            {
-                inverses.emplace(srad, &entry);
-            }
-        }
-    }
-    return inverses;
-}
-
 class Sides
 {
   public:
@@ -61,9 +42,12 @@ class Sides
         {
             const Entry& normal = *found->second;
             const std::string name = NameOf(AddressOf(entry));
-            Tell(entry, {"normal entry " + name + " is the InvertedSRAD of " + ObjectName(normal.index, normal.sub) +
-                             LineOf(normal),
-                         "normal data here and " + name + " behind it"});
+            const std::string told = "normal entry " + name + " is the InvertedSRAD of " +
+                                     ObjectName(normal.index, normal.sub) + LineOf(normal);
+            const Entry* const object = device_.Find(entry.Index(), entry.Sub());
+            const bool has_own = object != nullptr && object->inverted_srad;
+            Tell(entry, has_own ? Problem{told + " and has one itself" + LineOf(*object), "one of the two"}
+                                : Problem{told, "normal data here and " + name + " behind it"});
         }
     }
 
@@ -111,6 +95,23 @@ class Sides
 };
 } // namespace
 
+std::map<std::uint32_t, const Entry*> InverseObjects(const Device& device)
+{
+    std::map<std::uint32_t, const Entry*> inverses;
+    for (const auto& [index, object] : device.objects)
+    {
+        for (const auto& [sub, entry] : object.entries)
+        {
+            const std::uint32_t own = (std::uint32_t{index} << 8U) | sub;
+            if (entry.inverted_srad.value_or(own) != own)
+            {
+                inverses.emplace(*entry.inverted_srad, &entry);
+            }
+        }
+    }
+    return inverses;
+}
+
 std::vector<Finding> WrongSides(const Device& device, const SrdoConfiguration& srdo)
 {
     Sides sides(device, srdo);
@@ -129,5 +130,32 @@ std::vector<Finding> WrongSides(const Device& device, const SrdoConfiguration& s
         }
     }
     return sides.Found();
+}
+
+std::vector<Finding> ExchangedSides(const SafetyConfiguration& configuration)
+{
+    std::map<std::pair<std::uint32_t, bool>, const SrdoConfiguration*> users;
+    std::vector<Finding> found;
+    for (const SrdoConfiguration& srdo : configuration.srdos)
+    {
+        for (const MappingEntry& entry : srdo.mapping)
+        {
+            if (!srdo.IsOn() || entry.IsDummy())
+            {
+                continue;
+            }
+            const bool is_normal = entry.IsNormal();
+            users.emplace(std::pair(AddressOf(entry), is_normal), &srdo);
+            const auto other = users.find({AddressOf(entry), !is_normal});
+            if (other != users.end() && other->second != &srdo)
+            {
+                found.push_back({Severity::kError, entry.place, ObjectName(srdo.MappingIndex(), entry.sub),
+                                 (is_normal ? "normal entry " : "inverse entry ") + NameOf(AddressOf(entry)) + " is " +
+                                     (is_normal ? "inverse" : "normal") + " data of SRDO " +
+                                     std::to_string(other->second->number) + ", expected an object of one side"});
+            }
+        }
+    }
+    return found;
 }
 } // namespace counterpoint::cia306

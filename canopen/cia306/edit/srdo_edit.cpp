@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "canopen/cia306/edit/srdo_edit.hpp"
 
+#include "canopen/cia306/check/sides.hpp"
 #include "canopen/cia306/edit/dictionary_edits.hpp"
 #include "canopen/cia306/edit/mapping_text.hpp"
 #include "canopen/cia306/file/device_reader.hpp"
@@ -10,6 +11,7 @@
 #include "canopen/cia306/safety/signing.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,6 +60,7 @@ class SrdoBuilder
 
   private:
     void RequireFree() const;
+    void RequireNormal(const Entry& entry) const;
     void MapPairs();
     void MapPresent(const PlannedPair& pair);
     void AddMapping(const ObjectPlace& normal, const ObjectPlace& inverse, std::uint8_t bits);
@@ -142,6 +145,29 @@ void SrdoBuilder::AddMapping(const ObjectPlace& normal, const ObjectPlace& inver
     }
 }
 
+/// Inverse data would be signed as data, and taken for it; so would a safety object, of a device that has none before
+/// this SRDO, too. [SRS_NEW_730]
+void SrdoBuilder::RequireNormal(const Entry& entry) const
+{
+    const bool is_of_kernel = entry.index >= kGfcIndex && entry.index <= kSignatureIndex;
+    const bool is_parameter = entry.index >= kDeviceParametersIndex && entry.index <= kDetectionIndex;
+    if (is_of_kernel || is_parameter)
+    {
+        throw InputError(
+            device_.file, entry.place,
+            {ObjectName(entry.index, entry.sub) + " is a safety object of the device", "an object of the application"});
+    }
+    const std::map<std::uint32_t, const Entry*> inverses = InverseObjects(device_);
+    const auto found = inverses.find((std::uint32_t{entry.index} << 8U) | entry.sub);
+    if (found != inverses.end())
+    {
+        const std::string name = ObjectName(found->second->index, found->second->sub);
+        throw InputError(
+            device_.file, found->second->inverted_srad_place,
+            {ObjectName(entry.index, entry.sub) + " is the InvertedSRAD of " + name, "normal data, such as " + name});
+    }
+}
+
 void SrdoBuilder::MapPresent(const PlannedPair& pair)
 {
     const Entry* const normal = device_.Find(pair.normal->index, pair.normal->sub);
@@ -151,6 +177,7 @@ void SrdoBuilder::MapPresent(const PlannedPair& pair)
                          {Name(*pair.normal) + " is not in the file",
                           "an object that it describes, or a length such as 8 for a new one"});
     }
+    RequireNormal(*normal);
     if (normal->type.bits == 0U)
     {
         throw InputError(device_.file, normal->place,

@@ -22,7 +22,7 @@ bool Entry::IsInTpdo() const noexcept
 
 bool Entry::IsInRpdo() const noexcept
 {
-    return is_pdo_mappable && !IsFixed() && access != Access::kReadWriteInput;
+    return is_pdo_mappable && !is_safety && !IsFixed() && access != Access::kReadWriteInput;
 }
 
 Place Entry::ValuePlace() const noexcept

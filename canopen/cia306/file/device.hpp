@@ -85,7 +85,7 @@ struct Entry
     [[nodiscard]] bool IsFixed() const noexcept;
     /// Whether a PDO may send it: PDOMapping=1, and it is no output.
     [[nodiscard]] bool IsInTpdo() const noexcept;
-    /// Whether a PDO may receive it: PDOMapping=1, and it is no input.
+    /// Whether a PDO may receive it: PDOMapping=1, and it is no input and no safety object. [SRS_EDS_730]
     [[nodiscard]] bool IsInRpdo() const noexcept;
     /// Place of the configured value, else of the section.
     [[nodiscard]] Place ValuePlace() const noexcept;

@@ -390,6 +390,7 @@ void DeviceReader::FinishEntries()
         for (auto& [sub, entry] : object.entries)
         {
             entry.is_safety = is_safety;
+            LeaveOutOfSrdos(entry, device_.warnings);
             // All sub-indices of a compact object share what is said once.
             const bool is_repeated = entry.is_compact && sub > 1U && !entry.parameter_value.IsSet();
             if (!is_repeated)

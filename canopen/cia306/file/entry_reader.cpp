@@ -235,19 +235,22 @@ Entry SectionReader::ReadEntry(const std::uint16_t index, const std::uint8_t sub
     entry.is_download_refused = IsDownloadRefused();
     entry.download_file = TextAt("DownloadFile");
     ReadInvertedSrad(entry);
-    LeaveOutOfSrdos(entry);
     return entry;
 }
 
-/// The kernel's own objects are no variables of an application. [SRS_EDS_555]
-void SectionReader::LeaveOutOfSrdos(Entry& entry) const
+void LeaveOutOfSrdos(Entry& entry, std::vector<Finding>& warnings)
 {
-    const bool is_of_kernel = entry.index >= 0x1300U && entry.index <= 0x13FFU;
-    if (is_of_kernel && entry.is_srdo_mappable.value_or(entry.is_pdo_mappable))
+    if (!entry.is_safety || !entry.is_srdo_mappable.value_or(entry.is_pdo_mappable))
     {
-        Warn(*warnings_, entry.place, entry,
-             "it is mappable by SRDOMapping or PDOMapping, expected 0 for 0x1300 to 0x13FF; no SRDO can map it");
-        entry.is_srdo_mappable = false;
+        return;
+    }
+    entry.is_srdo_mappable = false;
+    // All sub-indices of a compact object share what is said once.
+    if (!entry.is_compact || entry.sub == 1U)
+    {
+        const std::string range = entry.index <= 0x13FFU ? "0x1300 to 0x13FF" : "0x5F00 to 0x5F05";
+        Warn(warnings, entry.place, entry,
+             "it is mappable by SRDOMapping or PDOMapping, expected 0 for " + range + "; no SRDO can map it");
     }
 }
 

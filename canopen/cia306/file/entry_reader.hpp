@@ -47,7 +47,6 @@ class SectionReader
 
   private:
     void ReadInvertedSrad(Entry& entry) const;
-    void LeaveOutOfSrdos(Entry& entry) const;
 
     const std::string* file_;
     const IniSection* section_;
@@ -57,6 +56,10 @@ class SectionReader
 /// Takes comments behind the values and limits away and tells them, unless the type is one of text or not known: there
 /// '#' and ';' belong to the value. [SRS_EDS_035]
 void LeaveOutComments(Entry& entry, std::vector<Finding>& warnings);
+
+/// A safety object of the device is no variable of its application: where the file lets it be mapped by an SRDO, it is
+/// taken as one that cannot, and that is told. [SRS_EDS_555, SRS_EDS_730]
+void LeaveOutOfSrdos(Entry& entry, std::vector<Finding>& warnings);
 
 /// Warns of what files in use often have wrong: no type, no access, values that do not fit.
 void WarnOfEntry(const Entry& entry, std::vector<Finding>& warnings);

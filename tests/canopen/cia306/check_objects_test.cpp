@@ -473,8 +473,8 @@ TEST(CheckMapping, WhatAnEntryNames)
         {{{"2000sub1", "DataType", "0x000F"}, {"2000sub1", "InvertedSRAD", ""}},
          {"error: 0x1381:01: mapped object 0x2000:01 is of DOMAIN, expected a data type with a fixed length"}},
         {{{"1381sub1", kValue, "0x13810108"}},
-         {"error: 0x1381:01: mapped object 0x1381:01 is not mappable (line 267), expected SRDOMapping=1, or "
-          "PDOMapping=1 where there is no SRDOMapping",
+         {"error: 0x1381:01: mapped object 0x1381:01 is not mappable (line 267), expected an object of the "
+          "application, not of the safety functions",
           "error: 0x1381:01: length of 8 bit, expected 32 bit, the length of 0x1381:01 (UNSIGNED32)"}},
     };
     test::ExpectRows("sensor", rows, {});
@@ -522,33 +522,6 @@ TEST(CheckMapping, NormalAndInverseAreDifferentObjectsOfEqualLength)
     test::ExpectRows("sensor", rows, {});
 }
 
-// Signature and inversion are right of all of them
-TEST(CheckMapping, InverseDataStandsNotInThePlaceOfNormalData)
-{
-    Verifies(req::SRS_CLI_014);
-    const std::string first = "error: 0x1381:01: normal entry 0x2100:01 is the InvertedSRAD of 0x2000:01 (line 355), "
-                              "expected normal data here and 0x2100:01 behind it";
-    const std::vector<CheckRow> rows = {
-        {{{"1381sub1", kValue, "0x21000108"}, {"1381sub2", kValue, "0x20000108"}}, {first}},
-        {{{"1381sub1", kValue, "0x21000108"}, {"1381sub2", kValue, "0x21000208"}, {"1381sub0", kValue, "2"}}, {first}},
-        // Without an InvertedSRAD nobody knows; each the inverse of the other is both.
-        {{{"1381sub1", kValue, "0x21000108"}, {"1381sub2", kValue, "0x20000108"}, {"2000sub1", "InvertedSRAD", ""}},
-         {}},
-        {{{"1381sub1", kValue, "0x21000108"},
-          {"1381sub2", kValue, "0x20000108"},
-          {"2100sub1", "InvertedSRAD", "0x200001"}},
-         {}},
-    };
-    test::ExpectRows("sensor", rows, {});
-    const test::Set off{"1302sub1", kValue, "0"};
-    test::ExpectRows(
-        "controller",
-        {{{off, {"1382sub1", kValue, "0x21000108"}, {"1382sub2", kValue, "0x20000108"}},
-          {"warning: 0x1382:01: normal entry 0x2100:01 is the InvertedSRAD of 0x2000:01 (line 486), expected "
-           "normal data here and 0x2100:01 behind it"}}},
-        {});
-}
-
 TEST(CheckMapping, InvertedSradNamesAnotherObjectOfTheSameType)
 {
     Verifies(req::SRS_CLI_014);
@@ -559,7 +532,9 @@ TEST(CheckMapping, InvertedSradNamesAnotherObjectOfTheSameType)
          {"error: 0x5F00:01: InvertedSRAD 0x7777:01 names an unknown object, expected an object that the file "
           "describes"}},
         {{{"5F00sub1", "InvertedSRAD", "0x200001"}},
-         {"error: 0x5F00:01: InvertedSRAD 0x2000:01 is of UNSIGNED8, expected the same data type, UNSIGNED32"}},
+         {"error: 0x1381:01: normal entry 0x2000:01 is the InvertedSRAD of 0x5F00:01 (line 417) and has one itself "
+          "(line 355), expected one of the two",
+          "error: 0x5F00:01: InvertedSRAD 0x2000:01 is of UNSIGNED8, expected the same data type, UNSIGNED32"}},
         {{{"5F00sub1", "InvertedSRAD", "0x5F0002"}, {"5F00sub2", "InvertedSRAD", "0x5F0001"}}, {}},
     };
     test::ExpectRows("sensor", rows, {});

@@ -255,6 +255,46 @@ TEST(DeviceReader, NoSrdoMapsAnObjectOfTheKernel)
     }
 }
 
+TEST(DeviceReader, NoSrdoAndNoRpdoMapsASafetyParameter)
+{
+    Verifies(req::SRS_EDS_730);
+    for (const auto& [index, is_parameter] :
+         {std::pair("5EFF", false), {"5F00", true}, {"5F02", true}, {"5F05", true}, {"5F06", false}})
+    {
+        for (const std::string support : {"0", "1"})
+        {
+            for (const std::string keys : {"SRDOMapping=1\nPDOMapping=1\n", "PDOMapping=1\n"})
+            {
+                // Given an object that is mappable, of a device with CANopen Safety and of one without
+                const std::string text = test::Changed(
+                    Text("[" + std::string(index) + "]\nParameterName=x\nDataType=5\nAccessType=rw\n" + keys),
+                    {{"VendorName=x\n", "VendorName=x\nCANopenSafetySupported=" + support + "\n"}});
+                const Device device = DeviceOf(text);
+                const Entry& entry = *device.Find(static_cast<std::uint16_t>(std::stoul(index, nullptr, 16)), 0U);
+                const bool is_left_out = is_parameter && support == "1";
+                // Then a safety parameter is none, a warning says so, and a TPDO may send it all the same
+                EXPECT_EQ(entry.is_srdo_mappable.value_or(entry.is_pdo_mappable), !is_left_out) << text;
+                EXPECT_EQ(entry.IsInRpdo(), !is_left_out) << text;
+                EXPECT_TRUE(entry.IsInTpdo()) << text;
+                const std::vector<std::string> warnings = WarningsOf(text);
+                const std::string told = "f:12:1: warning: 0x" + std::string(index) +
+                                         ":00: it is mappable by SRDOMapping or PDOMapping, expected 0 for 0x5F00 to "
+                                         "0x5F05; no SRDO can map it";
+                EXPECT_EQ(std::count(warnings.begin(), warnings.end(), told), is_left_out ? 1 : 0) << text;
+            }
+        }
+    }
+    // Of a compact object it is told once
+    const std::string compact = Text("[5F02]\nParameterName=x\nObjectType=8\nDataType=0x001B\nAccessType=rw\n"
+                                     "CompactSubObj=3\nPDOMapping=1\n[1300]\nParameterName=x\nDataType=5\n"
+                                     "AccessType=rw\nPDOMapping=0\n");
+    const std::vector<std::string> warnings = WarningsOf(compact);
+    EXPECT_EQ(std::count_if(warnings.begin(), warnings.end(), [](const std::string& warning)
+                            { return warning.find("no SRDO can map it") != std::string::npos; }),
+              1);
+    EXPECT_EQ(DeviceOf(compact).Find(0x5F02U, 3U)->is_srdo_mappable, false);
+}
+
 TEST(DeviceReader, ReadsInvertedSradWithoutPrefixAsHexadecimalAndWarns)
 {
     Verifies(req::SRS_EDS_013);

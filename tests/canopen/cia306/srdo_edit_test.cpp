@@ -216,6 +216,47 @@ TEST(SrdoEdit, ObjectsOfTheFileGoWithTheirInverse)
     EXPECT_EQ(ValueOf(again, 0x1383U, 2U), "0x22010010");
 }
 
+TEST(SrdoEdit, InverseDataIsNoNormalData)
+{
+    Verifies(req::SRS_NEW_730);
+    // Given 2100h:01, sent as the inverse of 2000h:01
+    const IniDocument document = NewDevice("device.dcf", PlanOf({"8"}, {}));
+    ASSERT_EQ(KeyOf(document, "2000sub1", "InvertedSRAD"), "0x210001");
+    for (const bool is_producer : {true, false})
+    {
+        for (const std::string mapping : {"0x2100:01", "0x2100:01/0x2000:01", "8,0x2100:01"})
+        {
+            EXPECT_EQ(RefusalOfAdding(document, SrdoOf(2U, is_producer, mapping)),
+                      "0x2100:01 is the InvertedSRAD of 0x2000:01, expected normal data, such as 0x2000:01")
+                << mapping;
+        }
+        EXPECT_EQ(RefusalOfAdding(document, SrdoOf(2U, is_producer, "0x2000:01")), "");
+    }
+}
+
+TEST(SrdoEdit, ASafetyObjectIsNoData)
+{
+    Verifies(req::SRS_NEW_730);
+    const IniDocument document = NewDevice("device.dcf", PlanOf({"8"}, {}));
+    for (const std::string object : {"0x1300:00", "0x13FF:01", "0x5F00:01", "0x5F04:00", "0x5F05:01"})
+    {
+        EXPECT_EQ(RefusalOfAdding(document, SrdoOf(2U, true, object)),
+                  object + " is a safety object of the device, expected an object of the application");
+        EXPECT_EQ(RefusalOfAdding(document, SrdoOf(2U, false, object + "/0x2100:01")),
+                  object + " is a safety object of the device, expected an object of the application");
+    }
+    // Of a device that is going to have one, too
+    const IniDocument plain = Parsed(PlainText() + test::VariableText("5F04", "0x0007", "0"));
+    EXPECT_EQ(RefusalOfAdding(plain, SrdoOf(1U, true, "0x5F04:00")),
+              "0x5F04:00 is a safety object of the device, expected an object of the application");
+    EXPECT_EQ(
+        RefusalOfAdding(Parsed(PlainText() + test::VariableText("5F06", "0x0007", "0")), SrdoOf(1U, true, "0x5F06:00")),
+        "");
+    EXPECT_EQ(
+        RefusalOfAdding(Parsed(PlainText() + test::VariableText("12FF", "0x0007", "0")), SrdoOf(1U, true, "0x12FF:00")),
+        "");
+}
+
 TEST(SrdoEdit, WhatCannotBeMappedIsRefused)
 {
     Verifies(req::SRS_NEW_012);

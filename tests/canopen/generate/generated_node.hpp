@@ -49,6 +49,13 @@ class GeneratedNode
         return generated_.configure(kernel_);
     }
 
+    /// With settings that are not those of the file.
+    [[nodiscard]] generated::ConfigureReply ConfigureWith(const generated::Configuration& configuration,
+                                                          const std::uint8_t node_id)
+    {
+        return generated::Configure(kernel_, configuration, node_id);
+    }
+
     /// Reads as a client does: expedited, or segment by segment.
     [[nodiscard]] Upload Read(const std::uint16_t index, const std::uint8_t sub)
     {

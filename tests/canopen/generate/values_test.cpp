@@ -363,6 +363,40 @@ TEST_P(GeneratedValues, AnotherNodeIdReachesKernelAndSignatures)
     EXPECT_EQ(&Case().device_now(), Case().device);
 }
 
+const GeneratedCase& CaseNamed(const std::string& name)
+{
+    const std::vector<GeneratedCase>& cases = GeneratedCases();
+    return *std::find_if(cases.begin(), cases.end(), [&name](const GeneratedCase& one) { return one.name == name; });
+}
+
+TEST(GeneratedConfiguration, RefusesANodeIdForWhichAValueIsTooGreat)
+{
+    Verifies(req::SRS_GEN_730);
+    // Given the SRVT of SRDO 1 as the node-ID and 200, and its COB-ID 1 as the node-ID and FFFFFFF0h
+    const generated::Setting settings[] = {
+        {{0x1301U, 1U}, 1U, 0U}, {{0x1301U, 3U}, 1U, 205U}, {{0x13FFU, 1U}, 2U, 0x1234U}, {{0x13FEU, 0U}, 1U, 0xA5U}};
+    const generated::NodeSetting node_settings[] = {{1U, 200U, nullptr}};
+    const generated::Setting long_settings[] = {{{0x1301U, 1U}, 1U, 0U}, {{0x1301U, 5U}, 4U, 0xFFFFFFF5U}};
+    const generated::NodeSetting long_node_settings[] = {{1U, 0xFFFFFFF0U, nullptr}};
+    const generated::Configuration configuration{settings, nullptr, node_settings, 4U, 1U, 0U, 5U};
+    const generated::Configuration long_one{long_settings, nullptr, long_node_settings, 2U, 1U, 0U, 5U};
+    GeneratedNode node(CaseNamed("chain_sensor"));
+    ASSERT_EQ(node.Start(), StartResult::kStarted);
+    // Then 255 is written, and the kernel has the last word about the signature
+    const generated::ConfigureReply fits = node.ConfigureWith(configuration, 55U);
+    EXPECT_EQ(fits.object.index, 0x13FEU);
+    EXPECT_EQ(node.Read(0x1301U, 3U).bytes, NumberBytes(255U, 8U));
+    // but not 256 as 0, nor anything behind it
+    const generated::ConfigureReply reply = node.ConfigureWith(configuration, 56U);
+    EXPECT_EQ(reply.abort, AbortCode::kValueRange);
+    EXPECT_EQ(reply.object.index, 0x1301U);
+    EXPECT_EQ(reply.object.sub, 3U);
+    EXPECT_EQ(node.Read(0x1301U, 3U).bytes, NumberBytes(255U, 8U));
+    // Of 32 bits, too: node 15 gives FFFFFFFFh, which is no identifier to the kernel when the SRDO is on
+    EXPECT_EQ(node.ConfigureWith(long_one, 16U).abort, AbortCode::kValueRange);
+    EXPECT_EQ(node.ConfigureWith(long_one, 16U).object.sub, 5U);
+}
+
 std::vector<std::size_t> Places()
 {
     std::vector<std::size_t> places;

@@ -290,6 +290,13 @@ TEST_F(DeviceFile, HasNormalDataOnTheNormalSide)
     // What is off has no value; what the file does not tell, nobody knows
     EXPECT_EQ(RefusalOf(InSection(exchanged, "1301sub1", "ParameterValue=2\n", "ParameterValue=0\n")), "");
     EXPECT_EQ(RefusalOf(InSection(exchanged, "2200sub1", "InvertedSRAD=0x230001\n", "")), "");
+    // Normal data of one SRDO and inverse data of another
+    std::string both = InSection(file, "2200sub1", "InvertedSRAD=0x230001\n", "");
+    both = InSection(both, "1382sub1", "=0x20000108\n", "=0x23000108\n");
+    both = InSection(both, "1382sub2", "=0x21000108\n", "=0x22000108\n");
+    EXPECT_EQ(RefusalOf(InSection(both, "2000sub1", "InvertedSRAD=0x210001\n", "")),
+              ":395:16: error: 0x1382:01: normal entry 0x2300:01 is inverse data of SRDO 1, expected an object of one "
+              "side");
 }
 
 // Node 33 has COB-IDs 103h and 104h, node 35 105h and 106h

@@ -57,6 +57,9 @@ inline constexpr RequirementId SRS_CLI_492{"SRS_CLI_492"};
 inline constexpr RequirementId SRS_CLI_550{"SRS_CLI_550"};
 inline constexpr RequirementId SRS_CLI_650{"SRS_CLI_650"};
 inline constexpr RequirementId SRS_CLI_710{"SRS_CLI_710"};
+inline constexpr RequirementId SRS_CLI_730{"SRS_CLI_730"};
+inline constexpr RequirementId SRS_CLI_731{"SRS_CLI_731"};
+inline constexpr RequirementId SRS_CLI_732{"SRS_CLI_732"};
 inline constexpr RequirementId SRS_EDS_001{"SRS_EDS_001"};
 inline constexpr RequirementId SRS_EDS_002{"SRS_EDS_002"};
 inline constexpr RequirementId SRS_EDS_003{"SRS_EDS_003"};
@@ -102,6 +105,7 @@ inline constexpr RequirementId SRS_EDS_340{"SRS_EDS_340"};
 inline constexpr RequirementId SRS_EDS_555{"SRS_EDS_555"};
 inline constexpr RequirementId SRS_EDS_660{"SRS_EDS_660"};
 inline constexpr RequirementId SRS_EDS_670{"SRS_EDS_670"};
+inline constexpr RequirementId SRS_EDS_730{"SRS_EDS_730"};
 } // namespace counterpoint::req
 
 #endif

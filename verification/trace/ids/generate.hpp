@@ -43,6 +43,7 @@ inline constexpr RequirementId SRS_GEN_353{"SRS_GEN_353"};
 inline constexpr RequirementId SRS_GEN_354{"SRS_GEN_354"};
 inline constexpr RequirementId SRS_GEN_490{"SRS_GEN_490"};
 inline constexpr RequirementId SRS_GEN_660{"SRS_GEN_660"};
+inline constexpr RequirementId SRS_GEN_730{"SRS_GEN_730"};
 } // namespace counterpoint::req
 
 #endif

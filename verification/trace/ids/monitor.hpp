@@ -54,6 +54,7 @@ inline constexpr RequirementId SRS_MON_580{"SRS_MON_580"};
 inline constexpr RequirementId SRS_MON_581{"SRS_MON_581"};
 inline constexpr RequirementId SRS_MON_710{"SRS_MON_710"};
 inline constexpr RequirementId SRS_MON_711{"SRS_MON_711"};
+inline constexpr RequirementId SRS_MON_730{"SRS_MON_730"};
 } // namespace counterpoint::req
 
 #endif

@@ -24,6 +24,8 @@ inline constexpr RequirementId SRS_NEW_150{"SRS_NEW_150"};
 inline constexpr RequirementId SRS_NEW_151{"SRS_NEW_151"};
 inline constexpr RequirementId SRS_NEW_152{"SRS_NEW_152"};
 inline constexpr RequirementId SRS_NEW_490{"SRS_NEW_490"};
+inline constexpr RequirementId SRS_NEW_730{"SRS_NEW_730"};
+inline constexpr RequirementId SRS_NEW_731{"SRS_NEW_731"};
 } // namespace counterpoint::req
 
 #endif

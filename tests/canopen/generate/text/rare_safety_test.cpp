@@ -2,6 +2,9 @@
 // Safety configurations that few files have: mappings of what is not there, SRDOs that are off, values with the
 // node-ID.
 #include "canopen/generate/generate.hpp"
+
+#include "canopen/cia306/file/device_reader.hpp"
+#include "canopen/cia306/safety/signing.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "verification/trace/ids/generate.hpp"
 #include "verification/trace/verifies.hpp"
@@ -180,6 +183,41 @@ TEST(AnotherNodeId, HasSignaturesOfTheSrdosThatFollowIt)
     EXPECT_FALSE(Has(wrong, "kSignatures3"));
     EXPECT_TRUE(Has(wrong, "0x00000172U, nullptr},\n"));
     EXPECT_TRUE(Has(wrong, "0x00000173U, nullptr},\n"));
+}
+
+TEST(AnotherNodeId, MayHaveNoValue)
+{
+    Verifies(req::SRS_GEN_730);
+    const auto warnings = [](const std::string& text)
+    {
+        std::vector<std::string> lines;
+        for (const cia306::Finding& finding : Code(text).warnings)
+        {
+            lines.push_back(cia306::FormatFinding("f", finding));
+        }
+        return lines;
+    };
+    const auto with = [](const std::string& section, const std::string& from, const std::string& to)
+    { return InSection(FileText("static"), section, "ParameterValue=" + from, "ParameterValue=" + to); };
+    const std::string end = ", expected a sum that its type holds; Configure refuses them";
+    // Given an SRVT of 8 bits and an SCT of 16, then from the node-ID on at which the sum is too great
+    EXPECT_EQ(warnings(with("1303sub3", "20", "$NODEID+200")),
+              (std::vector<std::string>{"f:173:16: warning: 0x1303:03: no value with node-IDs 56 to 127" + end}));
+    EXPECT_EQ(warnings(with("1301sub2", "50", "$NODEID+65409")),
+              (std::vector<std::string>{"f:98:16: warning: 0x1301:02: no value with node-IDs 127 to 127" + end}));
+    // One that fits with each says nothing, and 1300h has its place, too
+    EXPECT_EQ(warnings(with("1301sub2", "50", "$NODEID+65408")), std::vector<std::string>{});
+    EXPECT_EQ(warnings(with("1300", "1", "$NODEID+240")),
+              (std::vector<std::string>{"f:67:16: warning: 0x1300:00: no value with node-IDs 16 to 127" + end}));
+    EXPECT_EQ(warnings(FileText("static")), std::vector<std::string>{});
+    // Then the signature for such a node-ID is none
+    const auto document = cia306::IniDocument::Parse("f", with("1303sub3", "20", "$NODEID+129"));
+    const std::string source =
+        Code(cia306::WithSignatures(document, cia306::ReadDevice(document), std::uint8_t{7U}).Text()).source;
+    const std::string table = source.substr(source.find("kSignatures3[]{"));
+    const std::string nodes = table.substr(0U, table.find("};"));
+    EXPECT_EQ(nodes.substr(nodes.size() - 10U), " 0x0000U,\n");
+    EXPECT_EQ(nodes.find("0x0000U"), nodes.size() - 9U);
 }
 
 TEST(AnotherNodeId, HasTheSameMappings)
