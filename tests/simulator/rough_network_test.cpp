@@ -103,6 +103,13 @@ TEST_F(RoughNetworkTest, SomebodyElseStartsSafetySlaves)
     ExpectHoldsInEachProfile("foreign_start");
 }
 
+TEST_F(RoughNetworkTest, ARefusedSafetySlaveIsStoppedWhileManyCommandsWait)
+{
+    Verifies(req::SRS_NMM_770);
+    Verifies(req::SRS_MGR_340);
+    ExpectHoldsInEachProfile("crowded");
+}
+
 TEST_F(RoughNetworkTest, AManagerWithoutBus)
 {
     Verifies(req::SRS_ELM_044);

@@ -6,6 +6,7 @@ PROFILES = ("cia302", "el6751", "plc_designer")
 MANAGER = 127
 MS = 1000
 SECOND = 1000000
+INHIBITS = ("5 ms", "20 ms", "50 ms", "100 ms")
 BITRATES = (125000, 250000, 500000, 1000000)
 # What is written into a safety slave by nobody on the bus; never what the DCF has.
 STORES = (((0x1301, 2), 77), ((0x1301, 3), 19), ((0x13FE, 0), 0), ((0x13FF, 1), 1))
@@ -267,8 +268,9 @@ def draw(seed, number, rest_us):
         plan.manager["el6751"] = {"input_shift": "8 ms"}
     if profile == "cia302" and rng.random() < 0.5:
         plan.manager["boot_time"] = f"{rng.choice((500, 2000, 5000))} ms"
-    if rng.random() < 0.2:
-        plan.manager["inhibit"] = "5 ms"
+    chance = rng.random()
+    if chance < 0.2:
+        plan.manager["inhibit"] = INHIBITS[int(chance * 5 * len(INHIBITS))]
     draw_slaves(rng, plan)
     drawer = Drawer(rng, plan)
     for at_us in draw_times(rng, rng.randrange(0, 9)):

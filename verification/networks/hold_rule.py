@@ -7,7 +7,7 @@ from safety_rules import Violation
 
 FREES = ("start", "boot", "reset", "reset-comm", "control")
 LEFT_OUT = re.compile(r"\bnode (\d+)")
-UNHEARD = "; nothing is heard of"  # Behind it are slaves that took the order.
+TAKEN_TOO = re.compile("; (started all the same|nothing is heard of)")  # Behind them are slaves that took the order.
 
 
 def meant(order):
@@ -46,7 +46,7 @@ class HoldRule:
 
     def _take(self, order):
         word, whom = meant(order["order"])
-        out = {int(node) for node in LEFT_OUT.findall(order["answer"].split(UNHEARD)[0])}
+        out = {int(node) for node in LEFT_OUT.findall(TAKEN_TOO.split(order["answer"])[0])}
         for node in self.world.nodes:
             if whom not in (0, node) or whom == 0 and node in out:
                 continue

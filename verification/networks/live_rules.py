@@ -12,7 +12,7 @@ STATE_WORDS = {4: "stop", 5: "start", 6: "reset", 7: "reset-comm", 127: "preop"}
 HOLDS = ("stop", "preop")
 # Options of the EL6751 profile with which a slave, or all, stay stopped until somebody starts them.
 BY_HAND = {"restart", "reaction", "network_reaction"}
-WAITING_US = 50000  # Longer than any command waits in the manager's queue.
+WAITING_US = 50000  # Longer than any command waits in the manager's queue without an inhibit time.
 BOOTING_STEPS = ("reset", "device type", "vendor-ID", "product code", "revision", "serial number", "state check",
                  "configuration date", "restore", "configure", "error control", "safety")
 BOOTING_CODES = {"el6751": (8,), "plc_designer": (1, 2, 3)}
@@ -58,6 +58,7 @@ class Wishes:
         self.left_out = {(event["t_us"], int(node)) for event in events if event["event"] == "order"
                          for node in re.findall(r"\bnode (\d+)", event["answer"])}
         self.now_us = 0
+        self.waiting_us = WAITING_US + bounds.queue_us(plan)
         self.held_us = {}  # When the last command that holds it was given.
         self.held = dict.fromkeys((slave.node for slave in plan.slaves), False)  # By an order of the manager.
         self.halted = dict(self.held)  # By anybody's command.
@@ -84,7 +85,7 @@ class Wishes:
         self.now_us = event["at_us"]
         if kind in ("insert", "reset", "replace") and self.plan.profile == "cia302":
             # A command that waits for the inhibit time may come behind it.
-            self.halted[event["node"]] = self.now_us - self.held_us.get(event["node"], -WAITING_US) < WAITING_US
+            self.halted[event["node"]] = self.now_us - self.held_us.get(event["node"], -self.waiting_us) < self.waiting_us
         elif kind == "duplicate":
             self.unsure[event["node"]] = "suspected duplicate"
         elif kind == "send" and event["identifier"] == wire.NMT:

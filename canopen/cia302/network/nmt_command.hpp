@@ -20,7 +20,8 @@ struct NmtRequest
 {
     NmtCommand command;
     NodeId node;
-    Instant since{0U}; ///< When it was asked for.
+    Instant since{0U};   ///< When it was asked for.
+    bool is_halt{false}; ///< Stop of a safety slave that is refused: NmtMaster::Halt.
 };
 
 /// Is told of each command when it leaves; for the own node no frame leaves and the listener alone acts.

@@ -51,7 +51,8 @@ NmtRequest& NmtMaster::At(const std::uint16_t place) const noexcept
     return parts_.room.requests[(std::uint32_t{first_} + place) % parts_.room.count];
 }
 
-/// As the last one for its node: behind it nothing would change. A start counts from its order on: IsStale.
+/// As the last one for its node: behind it nothing would change. A start counts from its order on, and the stop of a
+/// refused slave may be dropped: IsStale.
 bool NmtMaster::IsWaiting(const NmtRequest& request) const noexcept
 {
     bool is_waiting = false;
@@ -60,7 +61,8 @@ bool NmtMaster::IsWaiting(const NmtRequest& request) const noexcept
         const NmtRequest& other = At(i);
         const bool is_same = (other.node.value == request.node.value);
         const bool is_all = (other.node.value == kAllNodes.value) || (request.node.value == kAllNodes.value);
-        is_waiting = (is_same || is_all) ? (is_same && (other.command == request.command)) : is_waiting;
+        const bool is_alike = is_same && (other.command == request.command) && !other.is_halt;
+        is_waiting = (is_same || is_all) ? is_alike : is_waiting;
     }
     return is_waiting && (request.command != NmtCommand::kStart);
 }
@@ -98,12 +100,85 @@ NmtAnswer NmtMaster::Request(const NmtCommand command, const NodeId node, const 
     else if (is_new)
     {
         Put(request);
-        if (!is_sending_)
-        {
-            OnCycle(now);
-        }
+        SendUnlessSending(now);
+    }
+    else
+    {
+        // Refused, or it waits already.
     }
     return answer;
+}
+
+/// One that waits already keeps its place.
+NmtAnswer NmtMaster::Halt(const NodeId node, const Instant now) noexcept
+{
+    const NmtRequest request{NmtCommand::kStop, node, now, true};
+    NmtAnswer answer = Check(request);
+    const bool is_new = (answer == NmtAnswer::kTaken) && !IsHalting(node);
+    if (is_new && (waiting_ >= parts_.room.count))
+    {
+        answer = NmtAnswer::kQueueFull;
+    }
+    else if (is_new)
+    {
+        Supersede(node);
+        PutFirst(request);
+        SendUnlessSending(now);
+    }
+    else
+    {
+        // Refused, or it waits already.
+    }
+    return answer;
+}
+
+void NmtMaster::SendUnlessSending(const Instant now) noexcept
+{
+    if (!is_sending_)
+    {
+        OnCycle(now);
+    }
+}
+
+bool NmtMaster::IsHalting(const NodeId node) const noexcept
+{
+    bool is_halting = false;
+    for (std::uint16_t i = 0U; i < waiting_; ++i)
+    {
+        const NmtRequest& request = At(i);
+        is_halting = is_halting || (request.is_halt && (request.node.value == node.value));
+    }
+    return is_halting;
+}
+
+/// What waits for the node would undo its stop. A reset does not: its start-up begins anew behind it, and what was
+/// asked for later is for the time behind it. Nor does the stop of an order, which leaves whatever becomes of this one.
+void NmtMaster::Supersede(const NodeId node) noexcept
+{
+    bool is_before = true;
+    for (std::uint16_t i = 0U; i < waiting_; ++i)
+    {
+        NmtRequest& request = At(i);
+        const bool is_it = (request.node.value == node.value);
+        const bool is_reset =
+            (request.command == NmtCommand::kResetNode) || (request.command == NmtCommand::kResetCommunication);
+        is_before = is_before && !(is_it && is_reset);
+        const bool is_undone = is_it && is_before && (request.command != NmtCommand::kStop);
+        request.command = is_undone ? NmtCommand::kInvalid : request.command; // Falls out when its turn comes.
+    }
+}
+
+/// Behind other stops of refused slaves alone: each of them runs as long as its stop waits.
+void NmtMaster::PutFirst(const NmtRequest& request) noexcept
+{
+    std::uint16_t place = waiting_;
+    while ((place > 0U) && !At(static_cast<std::uint16_t>(place - 1U)).is_halt)
+    {
+        At(place) = At(static_cast<std::uint16_t>(place - 1U));
+        --place;
+    }
+    At(place) = request;
+    ++waiting_;
 }
 
 NmtAnswer NmtMaster::RequestEach(const NmtCommand command, const NodeId except, const Instant now) noexcept
@@ -130,6 +205,19 @@ void NmtMaster::DropStarts(const NodeId node) noexcept
     }
 }
 
+bool NmtMaster::IsLeaving(const NodeId node) const noexcept
+{
+    bool is_leaving = false;
+    for (std::uint16_t i = 0U; i < waiting_; ++i)
+    {
+        const NmtRequest& request = At(i);
+        const bool is_meant = (request.node.value == node.value) || (request.node.value == kAllNodes.value);
+        const bool is_end = (request.command != NmtCommand::kStart) && (request.command != NmtCommand::kInvalid);
+        is_leaving = is_leaving || (is_meant && is_end);
+    }
+    return is_leaving;
+}
+
 bool NmtMaster::HasStart(const NodeId node) const noexcept
 {
     bool has_one = false;
@@ -141,11 +229,14 @@ bool NmtMaster::HasStart(const NodeId node) const noexcept
     return has_one;
 }
 
-/// A start of a safety slave that waited too long: the slave may have been changed meanwhile. [SRS_SFS_152]
+/// A start of a safety slave that waited too long: the slave may have been changed meanwhile. [SRS_SFS_152] The stop of
+/// a refused one that was verified meanwhile. [SRS_NMM_771]
 bool NmtMaster::IsStale(const NmtRequest& request, const Instant now) const noexcept
 {
-    const bool is_start = (request.command == NmtCommand::kStart) && parts_.setup.IsSafetySlave(request.node);
-    return is_start && ((now.us - request.since.us) > kFreshUs);
+    const bool is_start = (request.command == NmtCommand::kStart);
+    const bool is_late = (now.us - request.since.us) > kFreshUs;
+    const bool is_stale = request.is_halt ? parts_.gate.MayStart(request.node) : (is_start && is_late);
+    return is_stale && parts_.setup.IsSafetySlave(request.node);
 }
 
 /// A command that comes too soon behind another one is better than none.

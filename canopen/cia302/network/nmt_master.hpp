@@ -45,8 +45,8 @@ struct NmtMasterParts
 };
 
 /// Sends the NMT commands of the device; no other part sends one. It sends them in order, but a stop of one node before
-/// what waits for others, with 102Ah between two of them. The start of a safety slave is checked when it is asked for,
-/// and again when it leaves. Not reentrant.
+/// what waits for others, and that of a refused safety slave before all, with 102Ah between two of them. The start of a
+/// safety slave is checked when it is asked for, and again when it leaves. Not reentrant.
 class NmtMaster
 {
   public:
@@ -67,6 +67,10 @@ class NmtMaster
     /// SRS_NMM_213, SRS_NMM_214, SRS_NMM_215,
     /// SRS_NMM_120]
     [[nodiscard]] NmtAnswer Request(NmtCommand command, NodeId node, Instant now) noexcept;
+    /// @brief Stops a safety slave that runs and is refused: before all that waits but other such stops. A start
+    /// and PRE-OPERATIONAL of it that wait are superseded and do not leave, but what follows a reset of it does. If the
+    /// node is verified before it leaves, it is dropped. Refused as Request. O(queue) [SRS_NMM_770, SRS_NMM_771]
+    [[nodiscard]] NmtAnswer Halt(NodeId node, Instant now) noexcept;
     /// @brief The command singly to each node of the network list but `except` (0: nobody) and the own
     /// node: kTaken, or the first refusal, while the others are asked for. O(127)
     [[nodiscard]] NmtAnswer RequestEach(NmtCommand command, NodeId except, Instant now) noexcept;
@@ -74,6 +78,8 @@ class NmtMaster
     void DropStarts(NodeId node) noexcept;
     /// @brief Whether a start of this node waits. O(queue)
     [[nodiscard]] bool HasStart(NodeId node) const noexcept;
+    /// @brief Whether a command waits for this node or for all that takes it out of OPERATIONAL. O(queue)
+    [[nodiscard]] bool IsLeaving(NodeId node) const noexcept;
     /// @brief Sends what is due. Call once a cycle. O(commands that leave) [SRS_NMM_001]
     void OnCycle(Instant now) noexcept;
 
@@ -86,13 +92,14 @@ class NmtMaster
     {
         return waiting_;
     }
-    /// @brief One of those that wait, from 0 on in the order in which they are to leave; kInvalid: a start that was
+    /// @brief One of those that wait, from 0 on in the order in which they are to leave; kInvalid: one that was
     /// given up.
     [[nodiscard]] NmtRequest WaitingAt(const std::uint16_t place) const noexcept
     {
         return At(place);
     }
-    /// @brief How many starts were taken and not sent, because the gate closed or the node began anew.
+    /// @brief How many commands were taken and not sent: starts, because the gate closed or the node began anew, and
+    /// what the stop of a refused slave supersedes, or its verification.
     [[nodiscard]] std::uint32_t Dropped() const noexcept
     {
         return dropped_;
@@ -103,6 +110,10 @@ class NmtMaster
     [[nodiscard]] NmtRequest& At(std::uint16_t place) const noexcept;
     [[nodiscard]] bool IsWaiting(const NmtRequest& request) const noexcept;
     void Put(const NmtRequest& request) noexcept;
+    void PutFirst(const NmtRequest& request) noexcept;
+    void Supersede(NodeId node) noexcept;
+    void SendUnlessSending(Instant now) noexcept;
+    [[nodiscard]] bool IsHalting(NodeId node) const noexcept;
     [[nodiscard]] bool IsStale(const NmtRequest& request, Instant now) const noexcept;
     [[nodiscard]] bool Emit(const NmtRequest& request, Instant now) noexcept;
 

@@ -75,8 +75,8 @@ void SafetyReader::StopUnread(bool& is_unread, const NodeId node, const bool is_
     const bool is_running = parts_.setup.IsSafetySlave(node) && parts_.table.RunsSurely(node);
     if (is_to_wake || is_running)
     {
-        const NmtCommand command = is_running ? NmtCommand::kStop : NmtCommand::kPreOperational;
-        const NmtAnswer answer = parts_.nmt.Request(command, node, now);
+        const NmtAnswer answer =
+            is_running ? parts_.nmt.Halt(node, now) : parts_.nmt.Request(NmtCommand::kPreOperational, node, now);
         is_unread = (answer == NmtAnswer::kTaken) ? is_running : is_unread;
     }
 }

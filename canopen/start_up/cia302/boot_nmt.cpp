@@ -175,8 +175,7 @@ BootFinding BootNmt::Refuse(const BootJob& job) noexcept
     const NodeRecord& heard = parts_.table.Record(job.node);
     const bool is_running =
         is_doubted || job.record.was_operational || (heard.state == SlaveState::kOperational) || (heard.beats == 0U);
-    const bool is_done =
-        !is_running || (parts_.nmt.Request(NmtCommand::kStop, job.node, job.time.now) == NmtAnswer::kTaken);
+    const bool is_done = !is_running || (parts_.nmt.Halt(job.node, job.time.now) == NmtAnswer::kTaken);
     BootFinding finding = Found(BootEvent::kNone);
     if (is_done)
     {

@@ -166,7 +166,9 @@ void El6751Operation::DriveStart(const NodeId node, const Instant now) noexcept
             slave.phase = Next(slave.phase, El6751Event::kVerify);
         }
     }
-    if (slave.is_requested && (parts_.table.Record(node).asked == SlaveState::kOperational))
+    // What it was asked for may be of before: its start has left when none waits.
+    const bool has_left = slave.is_requested && !parts_.nmt.HasStart(node);
+    if (has_left && (parts_.table.Record(node).asked == SlaveState::kOperational))
     {
         Run(node, now);
     }
@@ -359,7 +361,9 @@ void El6751Operation::Stop(const NodeId node, const El6751Event event, const Ins
 void El6751Operation::SendStop(const NodeId node, const Instant now) noexcept
 {
     El6751Node& slave = slaves_.Of(node);
-    if (parts_.nmt.Request(NmtCommand::kStop, node, now) == NmtAnswer::kTaken)
+    const bool is_safety = slaves_.IsSafety(node);
+    const NmtAnswer answer = is_safety ? parts_.nmt.Halt(node, now) : parts_.nmt.Request(NmtCommand::kStop, node, now);
+    if (answer == NmtAnswer::kTaken)
     {
         slave.phase = Next(slave.phase, El6751Event::kStopped);
         slave.signs = parts_.table.Record(node).signs;

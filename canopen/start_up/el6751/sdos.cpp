@@ -60,7 +60,9 @@ bool El6751Sdos::Drive(const NodeId node, const Instant now) noexcept
     {
         EndTransfer(node, now);
     }
-    const bool is_free = (slave.phase == El6751Phase::kRows) && !slave.is_transferring;
+    // The commands before it, its reset too, have to leave first: they would break it off. [SRS_ELM_770]
+    const bool is_early = !slave.has_answered && parts_.nmt.IsLeaving(node);
+    const bool is_free = (slave.phase == El6751Phase::kRows) && !slave.is_transferring && !is_early;
     const bool is_over = is_free && (slave.place.row == El6751Row::kEnd);
     if (is_free && !is_over)
     {

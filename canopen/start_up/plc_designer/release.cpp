@@ -161,7 +161,7 @@ void PlcRelease::Refuse(const NodeId node, const Instant now) noexcept
     slave.status.is_started = false;
     slave.signs = parts_.table.Record(node).signs;
     slave.reading.was_checked = false;
-    slave.is_stop_due = (parts_.nmt.Request(NmtCommand::kStop, node, now) != NmtAnswer::kTaken);
+    slave.is_stop_due = (parts_.nmt.Halt(node, now) != NmtAnswer::kTaken);
     slaves_.Go(node, is_other ? PlcEvent::kOther : PlcEvent::kHold, // One that ran was stopped: 4. [SRS_PLC_031]
                is_other ? StartUpStep::kDeviceType : StartUpStep::kSafety, now);
     parts_.listener.OnNodeStatus(node, now);

@@ -172,7 +172,7 @@ void PlcStartUp::Drive(const NodeId node, const Instant now) noexcept
     const std::uint32_t elapsed_us = now.us - slave.since.us;
     if (slave.is_stop_due)
     {
-        slave.is_stop_due = (parts_.nmt.Request(NmtCommand::kStop, node, now) != NmtAnswer::kTaken);
+        slave.is_stop_due = (parts_.nmt.Halt(node, now) != NmtAnswer::kTaken);
     }
     slave.ran_unread = slave.ran_unread || release_.RunsUnread(node);
     switch (slave.status.code)

@@ -46,6 +46,7 @@ inline constexpr RequirementId SRS_BOOT_470{"SRS_BOOT_470"};
 inline constexpr RequirementId SRS_BOOT_471{"SRS_BOOT_471"};
 inline constexpr RequirementId SRS_BOOT_480{"SRS_BOOT_480"};
 inline constexpr RequirementId SRS_BOOT_520{"SRS_BOOT_520"};
+inline constexpr RequirementId SRS_BOOT_770{"SRS_BOOT_770"};
 inline constexpr RequirementId SRS_NMM_001{"SRS_NMM_001"};
 inline constexpr RequirementId SRS_NMM_002{"SRS_NMM_002"};
 inline constexpr RequirementId SRS_NMM_003{"SRS_NMM_003"};
@@ -82,6 +83,8 @@ inline constexpr RequirementId SRS_NMM_215{"SRS_NMM_215"};
 inline constexpr RequirementId SRS_NMM_230{"SRS_NMM_230"};
 inline constexpr RequirementId SRS_NMM_520{"SRS_NMM_520"};
 inline constexpr RequirementId SRS_NMM_521{"SRS_NMM_521"};
+inline constexpr RequirementId SRS_NMM_770{"SRS_NMM_770"};
+inline constexpr RequirementId SRS_NMM_771{"SRS_NMM_771"};
 } // namespace counterpoint::req
 
 #endif

@@ -73,6 +73,8 @@ inline constexpr RequirementId SRS_ELM_520{"SRS_ELM_520"};
 inline constexpr RequirementId SRS_ELM_585{"SRS_ELM_585"};
 inline constexpr RequirementId SRS_ELM_586{"SRS_ELM_586"};
 inline constexpr RequirementId SRS_ELM_670{"SRS_ELM_670"};
+inline constexpr RequirementId SRS_ELM_770{"SRS_ELM_770"};
+inline constexpr RequirementId SRS_ELM_771{"SRS_ELM_771"};
 inline constexpr RequirementId SRS_PLC_001{"SRS_PLC_001"};
 inline constexpr RequirementId SRS_PLC_002{"SRS_PLC_002"};
 inline constexpr RequirementId SRS_PLC_003{"SRS_PLC_003"};

@@ -203,6 +203,113 @@ TEST_F(NmtMasterTest, AStopOfOneNodeGoesBeforeWhatWaitsForOthers)
     }
 }
 
+TEST_F(NmtMasterTest, TheStopOfARefusedSlaveGoesBeforeAllButOtherSuchStops)
+{
+    Verifies(req::SRS_NMM_770);
+    using Node = std::pair<NmtCommand, std::uint8_t>;
+    const auto stop = NmtCommand::kStop;
+    const auto reset = NmtCommand::kResetNode;
+    const auto asleep = NmtCommand::kPreOperational;
+    const auto anew = NmtCommand::kResetCommunication;
+    const std::pair<std::vector<Node>, std::vector<Bytes2>> runs[] = {
+        // Before stops that an order asked for, and before what waits for all
+        {{{reset, 6U}, {stop, 7U}}, {{2U, 8U}, {2U, 9U}, {2U, 7U}, {129U, 6U}}},
+        {{{asleep, 0U}, {reset, 7U}}, {{2U, 8U}, {2U, 9U}, {128U, 0U}, {129U, 7U}}},
+        // Instead of what it supersedes; the stop of an order is asked for in its own right
+        {{{asleep, 8U}, {NmtCommand::kStart, 9U}}, {{2U, 8U}, {2U, 9U}}},
+        {{{asleep, 8U}, {stop, 8U}}, {{2U, 8U}, {2U, 9U}, {2U, 8U}}},
+        // But from a reset of the node on it is for the time behind it
+        {{{reset, 8U}, {asleep, 8U}}, {{2U, 8U}, {2U, 9U}, {129U, 8U}, {128U, 8U}}},
+        {{{anew, 9U}, {NmtCommand::kStart, 9U}}, {{2U, 8U}, {2U, 9U}, {130U, 9U}, {1U, 9U}}}};
+    setup.inhibit_100us = 20U;
+    for (const auto& [asked, left] : runs)
+    {
+        EXPECT_EQ(Ask(reset, 5U), NmtAnswer::kTaken);
+        for (const auto& [command, node] : asked)
+        {
+            EXPECT_EQ(Ask(command, node), NmtAnswer::kTaken);
+        }
+        for (const NodeId node : {NodeId{8U}, NodeId{9U}, NodeId{8U}}) // Asked for again it keeps its place.
+        {
+            EXPECT_EQ(nmt.Halt(node, Instant{now_us}), NmtAnswer::kTaken);
+        }
+        while (nmt.Waiting() > 0U)
+        {
+            After(2000U);
+        }
+        ASSERT_EQ(sink.frames.size(), left.size() + 1U);
+        EXPECT_EQ(sink.Next(), (Bytes2{129U, 5U}));
+        for (const Bytes2& frame : left)
+        {
+            EXPECT_EQ(sink.Next(), frame);
+        }
+        After(2000U);
+    }
+    EXPECT_EQ(nmt.Dropped(), 3U);
+    EXPECT_TRUE(listener.dropped.empty()); // Whoever stops a slave does not start it again.
+}
+
+TEST_F(NmtMasterTest, TheStopOfARefusedSlaveIsRefusedAsAnyCommand)
+{
+    Verifies(req::SRS_NMM_770);
+    // Given an asker that has it sent by the running cycle
+    listener.master = &nmt;
+    EXPECT_EQ(nmt.Halt(NodeId{8U}, Instant{now_us}), NmtAnswer::kTaken);
+    EXPECT_EQ(sink.frames.size(), 2U);
+    listener.master = nullptr;
+    // No room, and no master
+    sink.room = 0;
+    for (std::uint8_t node = 5U; node <= 8U; ++node)
+    {
+        EXPECT_EQ(Ask(NmtCommand::kResetNode, node), NmtAnswer::kTaken);
+    }
+    EXPECT_EQ(nmt.Halt(NodeId{8U}, Instant{now_us}), NmtAnswer::kQueueFull);
+    nmt.SetActive(false);
+    EXPECT_EQ(nmt.Halt(NodeId{8U}, Instant{now_us}), NmtAnswer::kNotActive);
+}
+
+TEST_F(NmtMasterTest, TheStopOfARefusedSlaveThatIsVerifiedSinceDoesNotLeave)
+{
+    Verifies(req::SRS_NMM_771);
+    slaves[6].safety = reinterpret_cast<const SafetyExpectation*>(&gate);
+    sink.room = 0;
+    EXPECT_EQ(nmt.Halt(NodeId{6U}, Instant{now_us}), NmtAnswer::kTaken);
+    EXPECT_EQ(nmt.Halt(NodeId{7U}, Instant{now_us}), NmtAnswer::kTaken); // No safety slave.
+    EXPECT_EQ(Ask(NmtCommand::kPreOperational, 6U), NmtAnswer::kTaken);
+    gate.states[6] = GateState::kOpen;
+    sink.room = 10;
+    After(1U);
+    EXPECT_EQ(sink.Next(), (Bytes2{2U, 7U}));
+    EXPECT_EQ(sink.Next(), (Bytes2{128U, 6U}));
+    // And the stop that an order asks for while it waits is not the same
+    gate.Close(NodeId{6U});
+    sink.room = 0;
+    EXPECT_EQ(nmt.Halt(NodeId{6U}, Instant{now_us}), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kStop, 6U), NmtAnswer::kTaken);
+    gate.states[6] = GateState::kOpen;
+    sink.room = 10;
+    After(1U);
+    ASSERT_EQ(sink.frames.size(), 1U);
+    EXPECT_EQ(sink.Next(), (Bytes2{2U, 6U}));
+}
+
+TEST_F(NmtMasterTest, WhoIsAboutToLeaveOperationalIsKnown)
+{
+    Verifies(req::SRS_BOOT_770);
+    setup.inhibit_100us = 20U;
+    EXPECT_EQ(Ask(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kStart, 6U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kStart, 7U), NmtAnswer::kTaken);
+    EXPECT_EQ(Ask(NmtCommand::kStop, 7U), NmtAnswer::kTaken);
+    nmt.DropStarts(NodeId{6U});
+    // Neither one whose command has left, nor one that is started or given up, nor another one
+    EXPECT_FALSE(nmt.IsLeaving(NodeId{5U}));
+    EXPECT_FALSE(nmt.IsLeaving(NodeId{6U}));
+    EXPECT_TRUE(nmt.IsLeaving(NodeId{7U}));
+    EXPECT_EQ(Ask(NmtCommand::kPreOperational, 0U), NmtAnswer::kTaken);
+    EXPECT_TRUE(nmt.IsLeaving(NodeId{9U}));
+}
+
 TEST_F(NmtMasterTest, ACommandThatWaitsForItsNodeIsNotPutBehindItself)
 {
     Verifies(req::SRS_NMM_214);

@@ -284,6 +284,33 @@ TEST_F(BootRewrittenTest, ASafetySlaveThatDidNotHearTheResetIsTakenOver)
     EXPECT_EQ(gate.verifications, 1);
 }
 
+TEST_F(BootRewrittenTest, ARunningSafetySlaveIsReadWhileCommandsForOthersWait)
+{
+    Verifies(req::SRS_BOOT_770);
+    // Given an optional safety slave that is not heard behind the reset, and commands that wait
+    Add(5U, kBoot).has_boot_up = false;
+    Protect(5U);
+    setups[5].heartbeat = kWatched;
+    Begin();
+    Run(1100U);
+    FillQueue(250U);
+    // When it turns out to run, then it is read before they have left
+    for (int i = 0; i < 3; ++i)
+    {
+        ToManager(cia301::ErrorControlFrame(NodeId{5U}, 5U));
+        Run(20U);
+    }
+    EXPECT_GT(nmt.Waiting(), 100U);
+    EXPECT_EQ(gate.verifications, 1);
+    EXPECT_EQ(Letter(5U), "L");
+    // But not while its own command waits, which takes it out of OPERATIONAL
+    EXPECT_EQ(nmt.Request(NmtCommand::kPreOperational, NodeId{5U}, Now()), NmtAnswer::kTaken);
+    gate.Close(NodeId{5U});
+    Run(20U);
+    EXPECT_GT(nmt.Waiting(), 100U);
+    EXPECT_EQ(gate.verifications, 1);
+}
+
 TEST_F(BootRewrittenTest, ARunningSafetySlaveWhoseBootFailsIsVerified)
 {
     Verifies(req::SRS_BOOT_340);

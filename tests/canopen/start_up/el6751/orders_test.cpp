@@ -254,6 +254,71 @@ TEST_F(El6751OrdersTest, AFaultStopsAlsoWhoseStartWaits)
     EXPECT_EQ(slaves[6]->state, 4U);
 }
 
+TEST_F(El6751OrdersTest, AStartUpBeginsWhenTheCommandsBeforeItHaveLeft)
+{
+    Verifies(req::SRS_ELM_770);
+    // Given two slaves whose reactions wait for the inhibit time
+    AddBox(5U);
+    AddBox(6U);
+    Begin();
+    Run(50U);
+    ASSERT_EQ(Code(6U), 0);
+    setup.inhibit_100us = 500U;
+    sent.clear();
+    Event(5U, NodeEvent::kHeartbeatLost);
+    Event(6U, NodeEvent::kHeartbeatLost);
+    const std::size_t asked = Sdos(6U).size();
+    Run(145U); // "02 05", "02 06" and "82 05" have left.
+    EXPECT_EQ(Sdos(6U).size(), asked);
+    EXPECT_NE(Code(6U), 0);
+    // Then nothing of them is left behind the start
+    Run(2000U);
+    EXPECT_GT(Sdos(6U).size(), asked);
+    EXPECT_EQ(Commands(), (Log{"02 05", "02 06", "82 05", "82 06", "01 05", "01 06"}));
+    EXPECT_EQ(Code(5U), 0);
+    EXPECT_EQ(Code(6U), 0);
+}
+
+TEST_F(El6751OrdersTest, AResetThatWaitsIsNoRestartOfItsOwn)
+{
+    Verifies(req::SRS_ELM_770);
+    // Given slaves that a hand restarts, which are reset by order while one waits for the other
+    for (const std::uint8_t node : {std::uint8_t{5U}, std::uint8_t{6U}, std::uint8_t{7U}})
+    {
+        AddBox(node);
+        boxes[node].restart = El6751Restart::kByHand;
+    }
+    Begin();
+    Run(50U);
+    setup.inhibit_100us = 400U;
+    EXPECT_EQ(Command(NmtCommand::kResetNode, 0U), NmtAnswer::kTaken);
+    Run(1000U);
+    for (const std::uint8_t node : {std::uint8_t{5U}, std::uint8_t{6U}, std::uint8_t{7U}})
+    {
+        EXPECT_EQ(Code(node), 0);
+        EXPECT_EQ(slaves[node]->state, 5U);
+    }
+}
+
+TEST_F(El6751OrdersTest, OneWhoseStartWaitsDoesNotRunYet)
+{
+    Verifies(req::SRS_ELM_771);
+    // Given a slave that ran, whose PRE-OPERATIONAL and start wait
+    AddBox(5U);
+    Begin();
+    Run(50U);
+    ASSERT_EQ(Code(5U), 0);
+    setup.inhibit_100us = 500U;
+    static_cast<void>(nmt.Request(NmtCommand::kResetNode, NodeId{99U}, Now()));
+    EXPECT_EQ(Command(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    Run(40U);
+    EXPECT_EQ(Code(5U), 8);
+    Run(150U);
+    EXPECT_EQ(Code(5U), 0);
+    EXPECT_EQ(slaves[5]->state, 5U);
+}
+
 TEST_F(El6751OrdersTest, ARunningSafetySlaveIsVerifiedAgainWhereItsGateIsNotOpen)
 {
     Verifies(req::SRS_ELM_049);
