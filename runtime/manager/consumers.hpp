@@ -23,7 +23,8 @@ class ManagerConsumers
 
     /// @brief `sub` is 1 to 127, checked by the caller: node-ID in bits 16 to 23, time in ms; 0: nobody.
     [[nodiscard]] std::uint32_t Value(std::uint8_t sub) const noexcept;
-    /// @brief Writes an entry. It counts at once if the node is watched or was started, else from its next start-up on.
+    /// @brief Writes an entry. It counts at once if the node is watched, started or no slave, else from its next
+    /// start-up on.
     /// Refused are a node in two entries, reserved bits, the own node, a safety slave, and a slave that is starting up.
     [[nodiscard]] cia301::SdoAbort Write(std::uint8_t sub, std::uint32_t value, Instant now) noexcept;
 

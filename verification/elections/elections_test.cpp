@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <fstream>
 
 namespace counterpoint::elections
@@ -40,6 +41,18 @@ TEST_P(Elections, ThreeMastersOfAllPrioritiesAndOffsets)
     Verifies(req::SRS_FLY_023);
     // 27 priorities x 121 offsets, undisturbed.
     ExpectGood(Combinations(GetParam(), 3U, OffsetsOfTheText(), Losses::kNone), 3267U);
+}
+
+TEST_P(Elections, AFrameThatOneReceiverOfThreeOrFourMisses)
+{
+    Verifies(req::SRS_FLY_023);
+    // 27 priorities x 4 offsets and 81 x 1, and each frame lost for all and for each of the masters.
+    const Tally of_three = Combinations(GetParam(), 3U, {0, 10 * kMs}, Losses::kForEachToo);
+    ExpectGood(of_three, 1000U);
+    EXPECT_GT(of_three.with_loss, 900U);
+    const Tally of_four = Combinations(GetParam(), 4U, {0}, Losses::kForEachToo);
+    ExpectGood(of_four, 1000U);
+    EXPECT_GT(of_four.with_loss, 900U);
 }
 
 TEST_P(Elections, SplitAndJoinedBusOfTwoAndThree)
@@ -197,6 +210,72 @@ TEST_P(Elections, ALimitThatIsNotKeptIsAFailure)
     // Then it has failed, and the failure names the masters
     EXPECT_EQ(tally.failures, 1U);
     EXPECT_NE(tally.first_failure.find("1/1/0 2/1/0"), std::string::npos);
+}
+
+TEST_P(Elections, WhoeverDoesNotKnowTheMasterOrComesLateIsAFailure)
+{
+    Verifies(req::SRS_FLY_023);
+    // Given a master, and a second one that is switched on 100 ms before the limit of 20 s
+    World world(PlanOf(GetParam()));
+    std::vector<MasterPlan> masters = MastersOf({1U, 1U}, {0, (20 * kSecond) - (100 * kMs)});
+    world.Begin(masters, Loss{});
+    Tally unknown{};
+    static_cast<void>(Judge(world, Trial{masters, Loss{}, 0, 20 * kSecond, kMs, kSecond, 0}, unknown));
+    // Then there is one active master, and the other one does not know it
+    EXPECT_EQ(unknown.failures, 1U);
+    EXPECT_NE(unknown.first_failure.find("active 1, not agreed; "), std::string::npos) << unknown.first_failure;
+    // Given one that comes behind the limit, then there is no rest
+    masters[1].power_on = (20 * kSecond) + kMs;
+    world.Begin(masters, Loss{});
+    Tally restless{};
+    static_cast<void>(Judge(world, Trial{masters, Loss{}, 0, 20 * kSecond, 10 * kSecond, kSecond, 0}, restless));
+    EXPECT_EQ(restless.failures, 1U);
+    EXPECT_NE(restless.first_failure.find("active 1, agreed; rest after 20"), std::string::npos)
+        << restless.first_failure;
+}
+
+TEST_P(Elections, TwoMastersForTooLongAreAFailure)
+{
+    Verifies(req::SRS_FLY_023);
+    Verifies(req::SRS_FLY_024);
+    // Given two masters on a bus that was split
+    const std::vector<MasterPlan> masters = MastersOf({1U, 1U}, {0, 0});
+    for (const bool is_enough : {false, true})
+    {
+        World world(PlanOf(GetParam()));
+        world.Begin(masters, Loss{});
+        world.Run(9 * kSecond);
+        world.Split({0U, 1U});
+        world.Run(18 * kSecond);
+        world.Forget();
+        world.Join();
+        // When 1 ms is the limit for both of them, or 10 s
+        const Time two = is_enough ? 10 * kSecond : kMs;
+        Tally tally{};
+        static_cast<void>(Judge(world, Trial{masters, Loss{}, 18 * kSecond, 20 * kSecond, kSecond, two, 0}, tally));
+        EXPECT_EQ(tally.failures, is_enough ? 0U : 1U) << tally.first_failure;
+        EXPECT_GT(tally.longest_two, kMs);
+    }
+}
+
+TEST(ElectionsClocks, AreUpTo200PpmSlowOrFastAndTurnOverWithin20Seconds)
+{
+    Verifies(req::SRS_FLY_023);
+    Time least = 0;
+    Time greatest = 0;
+    for (std::uint64_t seed = 0U; seed < 2000U; ++seed)
+    {
+        std::vector<MasterPlan> masters = MastersOf({0U, 1U}, {0, 0});
+        GiveClocks(masters, seed);
+        for (const MasterPlan& plan : masters)
+        {
+            least = std::min(least, plan.clock_ppm);
+            greatest = std::max(greatest, plan.clock_ppm);
+            EXPECT_GT(plan.clock_begin, 0xFFFF'FFFFU - 20'000'000U);
+        }
+    }
+    EXPECT_EQ(least, -200);
+    EXPECT_EQ(greatest, 200);
 }
 
 /// Master 1 of level 2 waits 3010 ms, master 2 of level 1 with another 1F90h:04 waits 6020 ms: the worse one is first.

@@ -12,6 +12,7 @@ import json
 import pathlib
 import subprocess
 import sys
+import xml.etree.ElementTree as ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 RECORD = "run/state.json"  # In the folder of the results; with it run/ctest.xml.
@@ -59,6 +60,8 @@ def passed_run(root, build):
     results = build / "results"
     record = results / RECORD
     if not record.exists() or not (record.parent / "ctest.xml").exists():
+        return None
+    if any(case.get("status") == "fail" for case in ElementTree.parse(record.parent / "ctest.xml").iter("testcase")):
         return None
     then, now = json.loads(record.read_text()), state(root, build)
     # Programs that the tests themselves have made since were no part of the run.

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Whatever changes behind a run of the tests makes them run again: a program, the tree, the commit, the list of tests. Where results come from is told."""
+"""Whatever changes behind a run of the tests makes them run again: a program, the tree, the commit, the list of tests; so does one that failed. Where results come from is told."""
 import json
 import pathlib
 import subprocess
@@ -32,7 +32,8 @@ class TestRun(unittest.TestCase):
         self.addCleanup(listing.stop)
         run = self.build / "results/run"
         run.mkdir(parents=True)
-        (run / "ctest.xml").write_text("<testsuite/>")
+        self.report = run / "ctest.xml"
+        self.report.write_text('<testsuite><testcase name="some_test" status="run"/><testcase name="left_out" status="notrun"/></testsuite>')
         (run / "state.json").write_text(json.dumps(test_run.state(self.root, self.build)))
 
     def git(self, *words):
@@ -88,7 +89,11 @@ class TestRun(unittest.TestCase):
         self.expect(False)
 
     def test_no_results(self):
-        (self.build / "results/run/ctest.xml").unlink()
+        self.report.unlink()
+        self.expect(False)
+
+    def test_failed_run(self):
+        self.report.write_text('<testsuite><testcase name="some_test" status="fail"/></testsuite>')
         self.expect(False)
 
 

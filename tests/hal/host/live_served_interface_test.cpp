@@ -9,6 +9,7 @@
 #include "verification/trace/ids/live_bus.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <algorithm>
 #include <arpa/inet.h>
 #include <cerrno>
 #include <gtest/gtest.h>
@@ -350,8 +351,11 @@ TEST(SocketcandPeerSystemTest, SaysWhatKeepsItFromConnecting)
     SayingServer server{kGreeting};
     {
         const FailingCall poll{SystemCall::kPoll, EINTR, 0, 1};
+        const PollWatch watch;
         const std::string problem = OpeningProblem(server.address);
         EXPECT_EQ(problem.substr(0U, problem.find(',')), "Connection timed out");
+        ASSERT_EQ(watch.Waits().size(), 1U);
+        EXPECT_LE(watch.Waits().front(), 3001); // The millisecond that has begun counts.
     }
 }
 
@@ -379,6 +383,32 @@ TEST(SocketcandGreetingSystemTest, SaysHowTheServerAnswers)
     }
     SayingServer server{""};
     EXPECT_EQ(OpeningProblem(server.address), "the server ended the connection, expected its answer");
+}
+
+// A wait ends at 3 s of the call, however often the server answered: what is left of them is waited for.
+TEST(SocketcandGreetingSystemTest, GivesConnectionAndAllAnswersThreeSecondsTogether)
+{
+    Verifies(req::SRS_LIVE_051);
+    // Given a server that answers twice, 200 ms behind each other, and then no more
+    SayingServer server{"< hi >"};
+    std::thread later{[&server]
+                      {
+                          server.Settle();
+                          for (int answer = 0; answer < 2; ++answer)
+                          {
+                              static_cast<void>(::poll(nullptr, 0U, 200));
+                              server.Say("< ok >");
+                          }
+                      }};
+    const PollWatch watch;
+    const std::string problem = OpeningProblem(server.address);
+    later.join();
+    EXPECT_EQ(problem, "the server did not answer ownmode within 3 s, expected the socketcand protocol");
+    const std::vector<int>& waits = watch.Waits();
+    ASSERT_FALSE(waits.empty());
+    EXPECT_LE(*std::max_element(waits.begin(), waits.end()), 3001);
+    // For the connection, hi and two answers longer than what is left behind the second one
+    EXPECT_LE(std::count_if(waits.begin(), waits.end(), [](const int wait) { return wait > 2601; }), 4);
 }
 
 /// Receives until nothing comes, so often that what was said is heard; at most minutes.

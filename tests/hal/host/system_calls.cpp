@@ -26,6 +26,7 @@ struct Plan
 
 std::array<Plan, kSystemCalls> plans{};
 SystemModel* model = nullptr;
+thread_local std::vector<int>* waits = nullptr;
 
 Plan& PlanOf(const SystemCall call)
 {
@@ -71,6 +72,16 @@ FailingCall::FailingCall(const SystemCall call, const int failure, const int pas
 FailingCall::~FailingCall()
 {
     PlanOf(call_) = Plan{0, 0, 0};
+}
+
+PollWatch::PollWatch()
+{
+    waits = &waits_;
+}
+
+PollWatch::~PollWatch()
+{
+    waits = nullptr;
 }
 
 SystemModel::SystemModel()
@@ -212,6 +223,10 @@ int RealPoll(pollfd* files, nfds_t count, int milliseconds) __asm__("__real_poll
 int WrapPoll(pollfd* files, nfds_t count, int milliseconds) __asm__("__wrap_poll");
 int WrapPoll(pollfd* const files, const nfds_t count, const int milliseconds)
 {
+    if (waits != nullptr)
+    {
+        waits->push_back(milliseconds);
+    }
     return Fails(SystemCall::kPoll) ? -1 : RealPoll(files, count, milliseconds);
 }
 

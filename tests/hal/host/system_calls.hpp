@@ -7,6 +7,7 @@
 #include <optional>
 #include <sys/socket.h>
 #include <sys/types.h>
+#include <vector>
 
 namespace counterpoint::host
 {
@@ -51,6 +52,23 @@ class FailingCall
 
   private:
     SystemCall call_;
+};
+
+/// While it lives: how long each call of poll by this thread may wait, in ms. One at a time.
+class PollWatch
+{
+  public:
+    PollWatch();
+    ~PollWatch();
+    PollWatch(const PollWatch&) = delete;
+    PollWatch& operator=(const PollWatch&) = delete;
+    [[nodiscard]] const std::vector<int>& Waits() const
+    {
+        return waits_;
+    }
+
+  private:
+    std::vector<int> waits_{};
 };
 
 /// Answers calls in the place of the system while it lives; one at a time. Empty: that call is none of its own. A

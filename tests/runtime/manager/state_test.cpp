@@ -208,6 +208,42 @@ TEST_F(ManagerStateTest, AConsumerTimeOfASlaveThatWasNotStartedCountsFromItsStar
     EXPECT_EQ(Told("heartbeat_lost"), (Lines{"heartbeat lost"}));
 }
 
+TEST_F(ManagerStateTest, AConsumerTimeCountsAtOnceForASlaveThatIsWatchedAndWasNeverStarted)
+{
+    Verifies(req::SRS_MGR_222);
+    Make("manager: {node: 127}\nslaves: [{node: 5, boot: false, mandatory: false, consumer: 300 ms}]\n");
+    EndStartUp();
+    ASSERT_FALSE(station->Assembly().Core().Status(cia302::NodeId{5U}).is_started);
+    EXPECT_EQ(Write(0x1016U, 1U, (5U << 16U) | 600U, 4U), 0U);
+    Hear(0x705U, {0x7FU});
+    Run(590U);
+    EXPECT_EQ(Told("heartbeat_lost"), Lines{});
+    Run(20U);
+    EXPECT_EQ(Told("heartbeat_lost"), (Lines{"heartbeat lost"}));
+}
+
+TEST_F(ManagerStateTest, AConsumerTimeOfASlaveThatWasHeldSinceItsStartCountsFromItsStartUpOn)
+{
+    Verifies(req::SRS_MGR_222);
+    // Given a slave without a consumer time that was started, and is not any more
+    Make("manager: {node: 127}\nslaves: [{node: 5, boot: false, mandatory: false}]\n");
+    EndStartUp();
+    EXPECT_EQ(Order("start 5"), "taken");
+    Run(100U);
+    EXPECT_EQ(Order("preop 5"), "taken");
+    Run(100U);
+    EXPECT_EQ(Write(0x1016U, 1U, (5U << 16U) | 300U, 4U), 0U);
+    Hear(0x705U, {0x7FU});
+    Run(1000U);
+    EXPECT_EQ(Told("heartbeat_lost"), Lines{});
+    // When it is started up
+    EXPECT_EQ(Order("boot 5"), "taken");
+    Run(2U);
+    Hear(0x705U, {0x7FU});
+    Run(310U);
+    EXPECT_EQ(Told("heartbeat_lost"), (Lines{"heartbeat lost"}));
+}
+
 TEST_F(ManagerStateTest, AnEntryThatGoesToAnotherNodeLeavesTheOneBefore)
 {
     Verifies(req::SRS_MGR_222);

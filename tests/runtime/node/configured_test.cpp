@@ -239,6 +239,33 @@ TEST(NodeConfiguredTest, ADigestThatIsNotExpectedIsTold)
         Bench bench(file, "", runtime::ReportForm::kText, static_cast<std::uint8_t>(node_id));
         EXPECT_EQ(bench.Told().find(line) != std::string::npos, is_told) << node_id;
     }
+    // With cycle and node-ID of the file, another number of controllers
+    for (const bool has_second : {false, true})
+    {
+        std::ostringstream out;
+        runtime::NodeReport report{out, runtime::ReportForm::kText, 0U};
+        runtime::NodePorts ports{std::make_unique<EchoBus>(false, 0U), std::make_unique<EchoBus>(false, 0U),
+                                 has_second ? std::make_unique<EchoBus>(false, 0U) : nullptr};
+        runtime::NodeSettings settings;
+        settings.dcf = file;
+        settings.has_self_tests = false;
+        runtime::NodeDevice device{settings, ports, report};
+        device.TellStart("udp:1", 0U);
+        static_cast<void>(report.Finish());
+        EXPECT_EQ(out.str().find(line) != std::string::npos, has_second) << out.str();
+    }
+}
+
+TEST(NodeConfiguredTest, ADigestThatIsNotExpectedRefusesNothing)
+{
+    Verifies(req::SRS_NODE_042);
+    // Given a wrong digest in a file of the cycle of the bench, and in one of another cycle
+    for (const bool is_other : {false, true})
+    {
+        Bench bench(FileWith("actuator", {{"5F00sub1", is_other ? "1000" : "5000"}, {"5F04", "0x1"}}));
+        const ObjectReading valid = bench.Device().Assembly().Core().ReadObject({0x13FEU, 0U});
+        EXPECT_EQ(ToValue(valid.data), is_other ? 0xA5U : 0U) << bench.Told();
+    }
 }
 
 TEST(NodeConfiguredTest, AnSrdoThatWasSwitchedOffOverSdoHasNoInputs)

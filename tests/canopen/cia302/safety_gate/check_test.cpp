@@ -72,7 +72,13 @@ class SafetyCheckTest : public ::testing::Test
             Held& held = objects[(index << 8U) | request.data[3]];
             CanFrame answer{request.identifier - 0x80U, FrameKind::kData, CanPortId::kFirst, 8U, {}};
             std::copy(request.data, request.data + 4, answer.data);
-            if (request.data[0] == 0x40U)
+            if (requests == aborted) // 0800 0022h, not in this state.
+            {
+                answer.data[0] = 0x80U;
+                answer.data[4] = 0x22U;
+                answer.data[7] = 0x08U;
+            }
+            else if (request.data[0] == 0x40U)
             {
                 reads.push_back(index);
                 answer.data[0] = static_cast<std::uint8_t>(0x43U | ((4U - held.size) << 2U));
@@ -92,6 +98,7 @@ class SafetyCheckTest : public ::testing::Test
                 written.emplace_back((index << 8U) | request.data[3], held.value);
                 answer.data[0] = 0x60U;
             }
+            ++requests;
             pool.OnFrame(answer, Now());
         }
         sink.frames.clear();
@@ -124,6 +131,8 @@ class SafetyCheckTest : public ::testing::Test
     std::uint32_t now_us{0xFFFF'FF00U};
     std::map<std::uint32_t, Held> objects{};
     std::vector<std::uint32_t> reads{};
+    int requests{0};
+    int aborted{-1}; ///< The request that is answered by an abort.
     int writes{0};
     std::vector<std::pair<std::uint32_t, std::uint32_t>> written{}; ///< Index and sub-index, value.
     KeepingSink sink{};
@@ -491,6 +500,55 @@ TEST_F(SafetyWritingTest, WhatDiffersBehindTheDeclarationOpensNothing)
         EXPECT_EQ(gate.Finding(kSlave).object.index, object >> 8U);
         EXPECT_FALSE(gate.MayStart(kSlave));
         objects[object].value = 1U;
+    }
+}
+
+// 13FEh := 0, 19 further writes, 19 objects read back, 13FEh := A5h, 1300h and 13FEh read again
+TEST_F(SafetyWritingTest, AnAbortOfAnyRequestEndsItWithoutPermissionToStart)
+{
+    Verifies(req::SRS_SFS_211);
+    for (aborted = 0; aborted < 42; ++aborted)
+    {
+        requests = 0;
+        written.clear();
+        Put(0x13FEU, 0U, 0xA5U, 1U);
+        ASSERT_TRUE(gate.Write(kSlave, Now()));
+        Finish();
+        EXPECT_EQ(gate.State(kSlave), GateState::kFailed) << aborted;
+        EXPECT_EQ(gate.Finding(kSlave).abort, SdoAbort::kDeviceState) << aborted;
+        EXPECT_FALSE(gate.MayStart(kSlave)) << aborted;
+        const bool is_valid = (aborted == 0) || (aborted > 39); // As it was, or declared.
+        EXPECT_EQ(objects[0x13FE00U].value, is_valid ? 0xA5U : 0U) << aborted;
+        EXPECT_EQ(written.empty(), aborted == 0) << aborted;
+        Ask();
+        Answer();
+        EXPECT_EQ(requests, aborted + 1); // Nothing more is asked.
+    }
+}
+
+TEST_F(SafetyWritingTest, ADifferenceInAnyObjectEndsItBeforeTheDeclaration)
+{
+    Verifies(req::SRS_SFS_211);
+    for (const ExpectedObject& object : list)
+    {
+        // Given a slave that has another value than was written when reading back begins
+        ASSERT_TRUE(gate.Write(kSlave, Now()));
+        writes = 0;
+        while (writes < 20)
+        {
+            Ask();
+            Answer();
+        }
+        Held& held = objects[(std::uint32_t{object.address.index} << 8U) | object.address.sub];
+        held.value ^= 1U;
+        Finish();
+        EXPECT_EQ(gate.State(kSlave), GateState::kDiffers) << std::hex << object.address.index;
+        EXPECT_EQ(gate.Finding(kSlave).object.index, object.address.index);
+        EXPECT_EQ(gate.Finding(kSlave).object.sub, object.address.sub);
+        EXPECT_FALSE(gate.MayStart(kSlave));
+        EXPECT_EQ(objects[0x13FE00U].value, 0U);
+        EXPECT_EQ(writes, 20);
+        held.value ^= 1U; // An identifier of 0 is not written.
     }
 }
 
