@@ -148,6 +148,11 @@ class ManagerCommand final : public Command
                         << " is missing, expected --can ADDRESS --network FILE, or --check FILE...\n";
             return ExitStatus::kBadInput;
         }
+        if (is_for_group_ && socket_.empty())
+        {
+            throw runtime::YamlError("--socket-group", {}, "without --socket, whose rights it tells",
+                                     "--socket PATH with it, or neither");
+        }
         network_plan::LoadedNetwork net(runtime::ReadNetworkFile(network_, NodeId()));
         runtime::PrintLines(net.Warnings(), streams.err);
         RequireFiles(net);

@@ -286,6 +286,17 @@ void NetworkWarnings::WarnOfCoupler(const LoadedSlave& slave)
     {
         warnings_.push_back(cia306::PlaceText(plan_.file, slave.plan.place) + ": warning: " + text);
     }
+    const cia302::El6751Slave options = slave.plan.el6751.value_or(cia302::El6751Slave{});
+    const bool is_general = is_el6751 && options.kind == cia302::El6751Kind::kGeneral;
+    const bool has_key = slave.plan.coupler_pdos.value_or(0U) > 0U || options.coupler_inhibit_100us > 0U ||
+                         options.coupler_event_ms > 0U;
+    if (is_general && has_key)
+    {
+        warnings_.push_back(cia306::PlaceText(plan_.file, slave.plan.place) + ": warning: node " +
+                            std::to_string(slave.plan.node) +
+                            " is no bus coupler: coupler_pdos, coupler_inhibit and coupler_event have no effect, "
+                            "expected kind: bk51x0, or none of them");
+    }
 }
 
 /// What the gate expects and the device does not have by itself, or has and the gate does not read. [SRS_NET_151]

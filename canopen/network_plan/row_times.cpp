@@ -66,12 +66,13 @@ std::vector<std::string> UnusedBesideRows(const SlavePlan& slave, const cia302::
         if (slave.heartbeat_ms.value_or(guard_ms) != guard_ms)
         {
             texts.push_back("heartbeat has no effect beside guard_time with the profile el6751: " + node +
-                            " is told to send one each " + std::to_string(guard_ms) + " ms, expected that, or none");
+                            " is told to send one each " + std::to_string(guard_ms) +
+                            " ms, expected that, or no such key");
         }
         if (is_instead && consumer_ms != watched_ms)
         {
             texts.push_back("consumer has no effect with the profile el6751: " + node + LostText(setup) +
-                            ", expected that time, or none");
+                            ", expected that time, or no such key");
         }
     }
     return texts;

@@ -193,7 +193,7 @@ bool ManagerAssembly::HasFault(const cia302::NodeId node) const noexcept
 bool ManagerAssembly::HasUnendedBoot(const cia302::NodeId node) const noexcept
 {
     const bool is_booted = cia302_ != nullptr && net_.Setup().Slave(node).Has(cia302::kBootSlave); // Else supervised.
-    return is_booted && manager_.IsActive() && !cia302_->HasEnded(node);
+    return is_booted && manager_.IsActive() && !manager_.Status(node).has_ended;
 }
 
 bool ManagerAssembly::IsGood(const cia302::NodeId node) const noexcept

@@ -1,13 +1,14 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "simulator/report/reports.hpp"
 
+#include "canopen/cia306/text/column.hpp"
 #include "runtime/device/objects/optional_services.hpp"
 #include "runtime/device/time_text.hpp"
 #include "simulator/scenario/names.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
-#include <iomanip>
 #include <map>
 #include <ostream>
 #include <set>
@@ -163,10 +164,11 @@ class TimeLine
 
     void Line(const Nanoseconds at, const std::string& place, const std::string& text)
     {
-        constexpr int kPlaceWidth = 12;
+        constexpr std::size_t kPlaceWidth = 12U;
         constexpr std::size_t kTimeWidth = 12U;
-        out_ << runtime::MillisecondsColumn(at, kTimeWidth) << "  " << std::left << std::setw(kPlaceWidth) << place
-             << " " << text << "\n";
+        const std::size_t room = kPlaceWidth - std::min(kPlaceWidth, cia306::CharactersOf(place));
+        out_ << runtime::MillisecondsColumn(at, kTimeWidth) << "  " << place << std::string(room, ' ') << " " << text
+             << "\n";
     }
 
     void WriteManagersUntil(const Nanoseconds until)

@@ -417,6 +417,16 @@ TEST_F(ManagerCommandTest, AnOutputWithoutANameIsRefused)
     }
 }
 
+TEST_F(ManagerCommandTest, ASocketForAGroupWithoutASocketIsRefused)
+{
+    Verifies(req::SRS_MGR_752);
+    const Answer answer = RunCommand({"manager", "--can", "udp:239.74.163.91:43191", "--network",
+                                      NetworkFile("chain.yaml"), "--for", "1", "--no-input", "--socket-group"});
+    EXPECT_EQ(answer.status, 2);
+    EXPECT_EQ(answer.err, "--socket-group: error: without --socket, whose rights it tells, expected --socket PATH with "
+                          "it, or neither\n");
+}
+
 TEST_F(ManagerCommandTest, ACheckRunsNothingAndTakesNoOptionOfARun)
 {
     Verifies(req::SRS_MGR_009);

@@ -57,7 +57,6 @@ struct BootRecord
     bool is_updated;      ///< Software was downloaded in this boot.
     bool was_operational; ///< The state check found it OPERATIONAL: letter L.
     bool is_booted;       ///< The last boot ended without letter, or with L.
-    bool has_ended;       ///< The last boot came to its end, with or without a letter.
     bool is_start_wanted; ///< Application or master asked for its start, whatever 1F80h says.
     bool is_unread;       ///< Stopped because it ran and did not answer.
     bool is_start_owed;   ///< The NMT master gave up its start; it is to be verified and started again.

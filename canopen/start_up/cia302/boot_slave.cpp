@@ -161,7 +161,7 @@ void BootSlave::OnBootUp(const NodeId node, const BootTime& time) noexcept
         job.record.was_operational = false;
         if (!job.record.is_extra)
         {
-            job.record.has_ended = false;
+            job.record.status.has_ended = false;
         }
     }
     Go(job, is_in_boot ? BootEvent::kBootUp : BeginOf(job.setup));
@@ -227,7 +227,7 @@ void BootSlave::Doubt(const NodeId node, const BootTime& time) noexcept
     End(node);
     parts_.gate.Close(node);
     record.is_booted = false;
-    record.has_ended = false;
+    record.status.has_ended = false;
     record.status.is_started = false;
     record.status.is_other = true;
     parts_.listener.OnNodeStatus(node, time.now);
@@ -316,7 +316,7 @@ void BootSlave::Fail(const BootJob& job, const char letter) noexcept
     job.record.is_booted = was_booted;
     if (!is_extra)
     {
-        job.record.has_ended = true;
+        job.record.status.has_ended = true;
     }
     Rest(job.node, BootEvent::kFailed);
     if (!was_booted)
@@ -337,7 +337,7 @@ void BootSlave::Finish(const BootJob& job) noexcept
     job.record.is_booted = job.record.is_booted || is_boot;
     if (is_boot)
     {
-        job.record.has_ended = true;
+        job.record.status.has_ended = true;
     }
     job.record.updates = is_boot ? std::uint8_t{0U} : job.record.updates;
     // An extra does not heal what it did not do: a slave of another vendor that runs is still one.

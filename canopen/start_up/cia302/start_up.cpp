@@ -504,11 +504,6 @@ NodeStatus Cia302StartUp::Status(const NodeId node) const noexcept
     return boot_.Record(node).status;
 }
 
-bool Cia302StartUp::HasEnded(const NodeId node) const noexcept
-{
-    return boot_.Record(node).has_ended;
-}
-
 std::int16_t Cia302StartUp::MasterState() const noexcept
 {
     return static_cast<std::int16_t>(master_.Step());

@@ -37,9 +37,6 @@ class Cia302StartUp final : public StartUp, private BootListener
     [[nodiscard]] bool IsLeftOut(NodeId node) const noexcept override;
     [[nodiscard]] NodeStatus Status(NodeId node) const noexcept override;
     [[nodiscard]] std::int16_t MasterState() const noexcept override;
-    /// @brief Whether the last boot of this slave came to its end, with or without a letter: none runs, and none was
-    /// given up. [SRS_MGR_750]
-    [[nodiscard]] bool HasEnded(NodeId node) const noexcept;
 
   private:
     /// Error handling that has not left yet.

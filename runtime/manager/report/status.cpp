@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "runtime/manager/report/status.hpp"
 
+#include "canopen/cia306/text/column.hpp"
 #include "canopen/cia306/text/input_error.hpp"
 #include "runtime/manager/report/journal.hpp"
 #include "runtime/manager/report/texts.hpp"
@@ -157,10 +158,10 @@ std::vector<NodeId> UnlistedNodes(const ManagerAssembly& assembly)
     return nodes;
 }
 
+/// And two spaces to the next one.
 std::string Column(const std::string& text, const std::size_t width)
 {
-    const std::string shown = cia306::Printable(text.substr(0U, width));
-    return shown + std::string(width - std::min(width, shown.size()) + 2U, ' ');
+    return cia306::Column(text, width) + "  ";
 }
 
 std::string Line(const std::array<std::string, 9U>& cells)

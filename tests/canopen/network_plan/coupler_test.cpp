@@ -82,9 +82,11 @@ TEST_F(CouplerTest, IsNoOtherDevice)
     EXPECT_EQ(WrittenTo(plan), (Texts{"0x00000000", "5500:00"}));
     plan.slaves[0].coupler_pdos = 7U;
     EXPECT_EQ(WrittenTo(plan), (Texts{"0x00000007", "5500:00"}));
-    EXPECT_EQ(WarningsOf(plan), Texts{});
+    const Texts told{"net.yaml:2:1: warning: node 5 is no bus coupler: coupler_pdos, coupler_inhibit and coupler_event "
+                     "have no effect, expected kind: bk51x0, or none of them"};
+    EXPECT_EQ(WarningsOf(plan), told);
     plan.slaves[0].el6751.reset();
-    EXPECT_EQ(WarningsOf(plan), Texts{});
+    EXPECT_EQ(WarningsOf(plan), told);
 }
 
 TEST_F(CouplerTest, IsToldWithTwoValues)

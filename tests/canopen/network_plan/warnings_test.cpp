@@ -259,11 +259,12 @@ TEST_F(RowTimesTest, HeartbeatAndConsumerBesideAGuardTimeAreTold)
     Verifies(req::SRS_NET_752);
     const auto told = [this](const std::optional<std::uint16_t> heartbeat, const std::optional<std::uint16_t> consumer)
     { return Told(StartProfile::kEl6751, Times(heartbeat, consumer, true)); };
-    const std::string consumer = "consumer has no effect with the profile el6751: node 5 is lost after 300 ms without "
-                                 "a heartbeat (100 ms x life time factor 3, 65535 ms at most), expected that time, or "
-                                 "none";
+    const std::string consumer =
+        "consumer has no effect with the profile el6751: node 5 is lost after 300 ms without "
+        "a heartbeat (100 ms x life time factor 3, 65535 ms at most), expected that time, or no "
+        "such key";
     const std::string heartbeat = "heartbeat has no effect beside guard_time with the profile el6751: node 5 is told "
-                                  "to send one each 100 ms, expected that, or none";
+                                  "to send one each 100 ms, expected that, or no such key";
     EXPECT_EQ(told(std::nullopt, std::uint16_t{2000U}), Texts{consumer});
     EXPECT_EQ(told(std::nullopt, std::uint16_t{0U}), Texts{consumer});
     EXPECT_EQ(told(std::uint16_t{500U}, std::nullopt), Texts{heartbeat});
@@ -275,7 +276,7 @@ TEST_F(RowTimesTest, HeartbeatAndConsumerBesideAGuardTimeAreTold)
     // No supervision is asked for, and the rows have one
     EXPECT_EQ(Told(StartProfile::kEl6751, Times(std::uint16_t{100U}, std::uint16_t{0U})),
               Texts{"consumer has no effect with the profile el6751: node 5 is lost after 100 ms without a heartbeat "
-                    "(100 ms x life time factor 1, 65535 ms at most), expected that time, or none"});
+                    "(100 ms x life time factor 1, 65535 ms at most), expected that time, or no such key"});
     // No rows: the heartbeat is supervised as it is told
     EXPECT_EQ(Told(StartProfile::kEl6751, Times(std::nullopt, std::uint16_t{400U})), Texts{});
 }
@@ -321,6 +322,28 @@ TEST_F(RowTimesTest, DateAndTimeOfAProfileThatDoesNotReadThem)
     slave.date = 0U;
     slave.time = 0U;
     EXPECT_EQ(Told(StartProfile::kEl6751, slave), Texts{});
+}
+
+TEST_F(RowTimesTest, KeysOfABusCouplerAtAnotherDevice)
+{
+    Verifies(req::SRS_NET_006);
+    const Texts told{"node 5 is no bus coupler: coupler_pdos, coupler_inhibit and coupler_event have no effect, "
+                     "expected kind: bk51x0, or none of them"};
+    SlavePlan slave;
+    slave.coupler_pdos = 0U;
+    EXPECT_EQ(Told(StartProfile::kEl6751, slave), Texts{});
+    slave.coupler_pdos = 2U;
+    EXPECT_EQ(Told(StartProfile::kEl6751, slave), told);
+    slave = SlavePlan{};
+    slave.el6751 = cia302::El6751Slave{};
+    slave.el6751->coupler_inhibit_100us = 1U;
+    EXPECT_EQ(Told(StartProfile::kEl6751, slave), told);
+    EXPECT_EQ(Told(StartProfile::kCia302, slave), Texts{"el6751 has no effect with the profile cia302"});
+    slave.el6751->kind = cia302::El6751Kind::kBusCoupler;
+    EXPECT_EQ(Told(StartProfile::kEl6751, slave), Texts{});
+    slave.el6751 = cia302::El6751Slave{};
+    slave.el6751->coupler_event_ms = 1U;
+    EXPECT_EQ(Told(StartProfile::kEl6751, slave), told);
 }
 } // namespace
 } // namespace counterpoint::network_plan

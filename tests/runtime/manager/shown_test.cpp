@@ -93,6 +93,18 @@ TEST_F(ManagerShownTest, EachSlaveHasItsRowInTableAndJson)
     EXPECT_NE(other.find("\n6     Pump                  pre-operational  5       "), std::string::npos) << other;
 }
 
+TEST_F(ManagerShownTest, ALongNameIsCutAtACharacterAndTheColumnsStayInLine)
+{
+    Verifies(req::SRS_MGR_751);
+    Make("manager: {node: 127}\nslaves: [{node: 5, name: F\xC3\xB6rderbandantrieb der gro\xC3\x9F"
+         "en Halle, device_type: 0x191},\n  {node: 6, name: \xE6\x97\xA5\xE6\x9C\xAC, device_type: 0x191}]\n");
+    Run(2U);
+    const std::string table = runtime::StatusTable(*station, now_us);
+    EXPECT_NE(table.find("\n5     F\xC3\xB6rderbandantrieb de  unknown "), std::string::npos) << table;
+    EXPECT_NE(table.find("\n6     \xE6\x97\xA5\xE6\x9C\xAC" + std::string(18U, ' ') + "  unknown "), std::string::npos)
+        << table;
+}
+
 TEST_F(ManagerShownTest, PageAndJsonTellWhoIsGood)
 {
     Verifies(req::SRS_MGR_131);
