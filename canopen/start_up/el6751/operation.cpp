@@ -166,9 +166,8 @@ void El6751Operation::DriveStart(const NodeId node, const Instant now) noexcept
             slave.phase = Next(slave.phase, El6751Event::kVerify);
         }
     }
-    // What it was asked for may be of before: its start has left when none waits.
-    const bool has_left = slave.is_requested && !parts_.nmt.HasStart(node);
-    if (has_left && (parts_.table.Record(node).asked == SlaveState::kOperational))
+    // By the queue: what it was asked for last may be of before, or of somebody else since.
+    if (slave.is_requested && !parts_.nmt.HasStart(node))
     {
         Run(node, now);
     }

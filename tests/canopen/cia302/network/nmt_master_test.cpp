@@ -308,6 +308,7 @@ TEST_F(NmtMasterTest, WhoIsAboutToLeaveOperationalIsKnown)
     EXPECT_TRUE(nmt.IsLeaving(NodeId{7U}));
     EXPECT_EQ(Ask(NmtCommand::kPreOperational, 0U), NmtAnswer::kTaken);
     EXPECT_TRUE(nmt.IsLeaving(NodeId{9U}));
+    EXPECT_TRUE(nmt.IsLeaving(NodeId{7U}));
 }
 
 TEST_F(NmtMasterTest, ACommandThatWaitsForItsNodeIsNotPutBehindItself)

@@ -319,6 +319,22 @@ TEST_F(El6751OrdersTest, OneWhoseStartWaitsDoesNotRunYet)
     EXPECT_EQ(slaves[5]->state, 5U);
 }
 
+TEST_F(El6751OrdersTest, ACommandOfSomebodyElseRightBehindAStartHidesItNot)
+{
+    Verifies(req::SRS_ELM_771);
+    AddBox(5U);
+    boxes[5].node_reaction = El6751NodeReaction::kNone;
+    setup.inhibit_100us = 500U;
+    Begin();
+    EXPECT_LT(RunUntil([this] { return Of(5U).step == StartUpStep::kStart; }, 200U), 200U);
+    // When its start leaves and another master's command is heard before anything is done
+    setup.inhibit_100us = 0U;
+    nmt.OnCycle(Now());
+    Put(0x000U, {0x80U, 5U});
+    Run(5U);
+    EXPECT_EQ(Code(5U), 0);
+}
+
 TEST_F(El6751OrdersTest, ARunningSafetySlaveIsVerifiedAgainWhereItsGateIsNotOpen)
 {
     Verifies(req::SRS_ELM_049);
