@@ -260,6 +260,34 @@ TEST(SimulateCommand, ExplainsTheFormat)
     EXPECT_EQ(document.substr(place + begin.size()), reference.out);
 }
 
+TEST(SimulateCommand, ExplainsEachEventAndEachExpectationOfNetworks)
+{
+    Verifies(req::SRS_MGR_155);
+    const std::vector<std::pair<std::string, std::string>> all{
+        {"events.pull", "The device disappears."},
+        {"events.insert", "A device that was pulled comes back."},
+        {"events.reset", "Its supply blinks; nobody commanded it."},
+        {"events.replace", "Another device of its kind takes its place, also that of a pulled one."},
+        {"events.duplicate", "A second device with its node-ID comes."},
+        {"events.emcy_storm", "Emergency messages, one after the other."},
+        {"events.babble", "A defective device sends frames of eight zeros."},
+        {"events.send", "A frame of somebody else."},
+        {"events.bus_off", "The controller of a manager is bus-off."},
+        {"events.no_controller", "The controller of a manager does not start."},
+        {"events.kill_manager", "It loses its supply for good."},
+        {"state", "The state of a node as the manager knows it."},
+        {"device", "The state of a device as it is."},
+        {"letter", "How the start-up of a slave ended; profile cia302."},
+        {"code", "The code of a slave; profiles el6751 and plc_designer."},
+        {"gate", "The verification of a safety slave."},
+        {"output", "The output of an SRDO that the device consumes."}};
+    for (const auto& [name, meaning] : all)
+    {
+        const Answer answer = RunCommand({"simulate", "--explain", name.substr(name.find('.') + 1U)});
+        EXPECT_NE(("\n" + answer.out).find("\n" + name + "\n  " + meaning + "\n"), std::string::npos) << answer.out;
+    }
+}
+
 TEST(SimulateCommand, AWireErrorBehindTheEndOfTheFrameIsRefused)
 {
     Verifies(req::SRS_SIM_074);

@@ -51,6 +51,7 @@ TEST_F(RoughNetworkTest, StormsAndBabbling)
     Verifies(req::SRS_MGR_003);
     Verifies(req::SRS_MGR_011);
     Verifies(req::SRS_MGR_016);
+    Verifies(req::SRS_MGR_155);
     ExpectHoldsInEachProfile("emcy_storm");
     ExpectHoldsInEachProfile("babbling");
 }
@@ -60,6 +61,7 @@ TEST_F(RoughNetworkTest, TwoDevicesOfOneNodeIdWithHeartbeatAndWithout)
     Verifies(req::SRS_MGR_010);
     Verifies(req::SRS_MGR_015);
     Verifies(req::SRS_MGR_016);
+    Verifies(req::SRS_MGR_155);
     Verifies(req::SRS_SFS_151);
     ExpectHoldsInEachProfile("duplicate");
     ExpectHoldsInEachProfile("duplicate_silent");
@@ -114,6 +116,7 @@ TEST_F(RoughNetworkTest, AManagerWithoutBus)
 {
     Verifies(req::SRS_ELM_044);
     Verifies(req::SRS_ELM_045);
+    Verifies(req::SRS_MGR_155);
     ExpectHolds("bus_off_el6751");
 }
 

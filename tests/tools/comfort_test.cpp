@@ -267,6 +267,33 @@ TEST_F(FileThatMayNotGrow, IsToldAndLeavesNothing)
               "counterpoint: the answer cannot be written, expected an open output\nstatus 2");
 }
 
+// The log of a node that runs is full: it goes on, and says so at its end.
+TEST_F(FileThatMayNotGrow, EndsNoRunningCommand)
+{
+    Verifies(req::SRS_EASE_008);
+    // One block of the limit is 512 bytes
+    const std::string script =
+        File("run.sh", "cd " + Path("") + "\nmkfifo orders\nulimit -f 1\n" + kProgramFile +
+                           " node --can udp:239.74.163.2:43185 --dcf " + cia306::test::SourceFolder() +
+                           "/examples/emergency_stop/sensor.dcf <orders >log 2>problem &\n"
+                           "node=$!\n"
+                           "exec 3>orders\n"
+                           "turns=0\n"
+                           "while [ $(stat -c %s log) -lt 512 ] && [ $turns -lt 3000 ]; do\n"
+                           "  echo state >&3; sleep 0.1; turns=$((turns + 1))\n"
+                           "done\n"
+                           "echo state >&3\n"
+                           "sleep 0.3\n"
+                           "kill -0 $node && echo runs\n"
+                           "echo quit >&3\n"
+                           "wait $node\n"
+                           "echo status $?\n"
+                           "stat -c %s log\n"
+                           "cat problem\n");
+    EXPECT_EQ(Printed("sh " + script), "runs\nstatus 2\n512\ncounterpoint: the answer cannot be written, expected an "
+                                       "open output");
+}
+
 class Completion : public CommandTest
 {
   protected:
@@ -425,8 +452,53 @@ TEST(ManualPage, NamesEachCommandAndItsOptionsWithTheirConditions)
     EXPECT_NE(answer.out.find("; one of 1, 8, 16, 32, 64.\n"), std::string::npos);
     EXPECT_NE(answer.out.find("\nList the scenarios and end; not beside \\-\\-html.\n"), std::string::npos);
     EXPECT_NE(answer.out.find("; 1 to 1000000; only with \\-\\-can.\n"), std::string::npos);
-    EXPECT_NE(answer.out.find("\n.SH EXIT STATUS\n"), std::string::npos);
+    EXPECT_NE(answer.out.find("\n.SH EXIT STATUS\n.TP\n0\nWhat was asked holds.\n.TP\n1\nIt does not.\n.TP\n2\nBad "
+                              "input or bad usage.\n"),
+              std::string::npos);
     EXPECT_EQ(RunCommand({"man"}).out, answer.out);
+}
+
+/// Hyphens as roff has them.
+std::string Hyphened(const std::string& text)
+{
+    std::string roff;
+    for (const char letter : text)
+    {
+        roff += (letter == '-') ? std::string("\\-") : std::string(1U, letter);
+    }
+    return roff;
+}
+
+TEST(ManualPage, HasEachOptionOfEachCommandWithItsRangeValuesAndConditions)
+{
+    Verifies(req::SRS_EASE_004);
+    const std::string page = RunCommand({"man"}).out;
+    for (const CommandRow& row : CommandTable())
+    {
+        const std::size_t begin = page.find("\n.SS \"counterpoint " + std::string(row.name) + "\"\n");
+        const std::string section = page.substr(begin, page.find("\n.S", begin + 1U) - begin);
+        const DescribedCommand described = Described(row);
+        for (const Option& option : described.options->All())
+        {
+            const std::size_t place = section.find("\n.TP\n\\fB" + Hyphened(option.name) + "\\fR");
+            ASSERT_NE(place, std::string::npos) << row.name << " " << option.name;
+            const std::string text = section.substr(place, section.find("\n.TP\n", place + 1U) - place);
+            std::vector<std::string> wanted = ValuesOf(option);
+            if (option.range)
+            {
+                wanted.push_back(std::to_string(option.range->first) + " to " + std::to_string(option.range->second));
+            }
+            for (const auto& [condition, other] :
+                 {std::pair("; not beside ", option.excluded), std::pair("; only with ", option.needed)})
+            {
+                wanted.push_back(other.empty() ? other : condition + other);
+            }
+            for (const std::string& each : wanted)
+            {
+                EXPECT_NE(text.find(Hyphened(each)), std::string::npos) << option.name << ": " << each << "\n" << text;
+            }
+        }
+    }
 }
 
 class ManualPageFile : public CommandTest

@@ -108,6 +108,7 @@ TEST_F(ManagerCommandTest, ForeignFramesOfTheNegotiation)
     Verifies(req::SRS_FLY_001);
     Verifies(req::SRS_FLY_012);
     Verifies(req::SRS_FLY_021);
+    Verifies(req::SRS_MGR_155);
     ExpectHolds("flying_babble.yaml");
 }
 
@@ -148,6 +149,34 @@ TEST_F(ManagerCommandTest, AnExpectationThatDoesNotHoldEndsWith1)
     EXPECT_EQ(answer.status, 1);
     EXPECT_EQ(answer.out, "  FAILED  state of node 33 is operational at 1000 ms: unknown  (" + file +
                               ":5:5)\n0 of 1 expectations hold\n");
+}
+
+TEST_F(ManagerCommandTest, EachExpectationThatDoesNotHoldIsTold)
+{
+    Verifies(req::SRS_MGR_155);
+    // Given a network that runs, its outputs closed, and expectations of something else
+    const std::string folder = NetworkFile("master_2.yaml").substr(0U, NetworkFile("master_2.yaml").rfind('/') + 1U);
+    const std::string network = "title: x\nduration: 8 s\nmanagers: [{network: " + folder +
+                                "master_2.yaml}, {network: " + folder + "master_5.yaml}]\nnodes: {95: {dcf: " + folder +
+                                "slave.dcf}}\nexpect:\n";
+    const std::vector<std::pair<std::string, std::string>> all{
+        {"state, node: 95, is: stopped", "state of node 95 is stopped at 8000 ms: operational"},
+        {"device, node: 95, is: stopped", "device of node 95 is stopped at 8000 ms: operational"},
+        {"letter, node: 95, is: C", "letter of node 95 is C at 8000 ms: none"},
+        {"gate, node: 95, is: differs", "gate of node 95 is differs at 8000 ms: open"},
+        {"output, node: 95, is: open", "output of node 95 SRDO 1 is open at 8000 ms: closed"}};
+    std::string expected;
+    for (const auto& [what, told] : all)
+    {
+        expected += "  - {that: " + what + "}\n";
+    }
+    const Answer answer = RunCommand({"simulate", "--quiet", File("wrong.yaml", network + expected)});
+    EXPECT_EQ(answer.status, 1);
+    for (const auto& [what, told] : all)
+    {
+        EXPECT_NE(answer.out.find("  FAILED  " + told + "  ("), std::string::npos) << told << "\n" << answer.out;
+    }
+    EXPECT_NE(answer.out.find("\n0 of 5 expectations hold\n"), std::string::npos) << answer.out;
 }
 
 TEST_F(ManagerCommandTest, EventsAreJsonAndThePageShowsTheSequence)

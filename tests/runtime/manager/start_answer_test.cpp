@@ -97,6 +97,7 @@ TEST_F(ManagerStartAnswerTest, ASlaveThatIsBeingStartedUpIsNotNamed)
 
 TEST_F(ManagerStartAnswerTest, UnderPlcDesignerALostSlaveIsStartedAndAnAbsentOneIsNot)
 {
+    Verifies(req::SRS_MGR_080);
     Verifies(req::SRS_MGR_522);
     Make("manager: {node: 127, profile: plc_designer}\n"
          "slaves: [{node: 6, device_type: 0x191, consumer: 300 ms}]\n");
@@ -114,7 +115,7 @@ TEST_F(ManagerStartAnswerTest, UnderPlcDesignerALostSlaveIsStartedAndAnAbsentOne
     // When it is not heard any more
     Run(400U);
     ASSERT_EQ(Row(6U).result, "99");
-    EXPECT_EQ(Order("start all").rfind("taken", 0U), 0U) << Order("start all");
+    EXPECT_EQ(Order("start all"), "taken; nothing is heard of, so perhaps not started: node 6: 99: lost");
     EXPECT_EQ(Order("start 6").find("but"), std::string::npos) << Order("start 6");
     // When it boots anew, and is configured, then its state does not allow it
     Hear(0x706U, {0U});
@@ -226,9 +227,43 @@ TEST_F(ManagerStartAnswerTest, ASlaveThatIsMissingIsNotHeard)
     Make("manager: {node: 127}\nslaves: [{node: 7, boot: false, consumer: 300 ms, arming: immediately}]\n");
     Run(1000U);
     ASSERT_EQ(Row(7U).state, "missing");
-    EXPECT_EQ(Order("start 7").rfind("taken; nothing is heard of, so perhaps not started: node 7: ", 0U), 0U)
-        << Order("start 7");
+    EXPECT_EQ(Order("start 7"), "taken; nothing is heard of, so perhaps not started: node 7: reset");
     EXPECT_EQ(Order("stop 7"), "taken");
+}
+
+TEST_F(ManagerStartAnswerTest, UnderPlcDesignerWhoIsNotHeardIsNamedByItsState)
+{
+    Verifies(req::SRS_MGR_080);
+    // Given a slave that runs, and an optional one of which nothing is heard
+    Make("manager: {node: 127, profile: plc_designer}\n"
+         "slaves: [{node: 6, device_type: 0x191}, {node: 7, device_type: 0x191, mandatory: false}]\n");
+    Run(2U);
+    Hear(0x706U, {0U});
+    Answer(6U, DeviceType(0x91U), 5000);
+    Hear(0x706U, {0x05U});
+    const std::string absent = "by node 7 (97: optional, absent), expected each in state 4, 5 or 99";
+    EXPECT_EQ(Order("start all"), "taken, but not " + absent);
+    EXPECT_EQ(Order("start 7"), "not taken " + absent);
+    EXPECT_EQ(Order("start 6"), "taken");
+}
+
+TEST_F(ManagerStartAnswerTest, WhoWasStartedBeforeIsNotNamedAgain)
+{
+    Verifies(req::SRS_MGR_080);
+    // Given two slaves of which nothing is heard
+    Make("manager: {node: 127}\nslaves: [{node: 7, boot: false}, {node: 8, boot: false}]\n");
+    Run(2000U);
+    const std::string not_heard = "taken; nothing is heard of, so perhaps not started: node ";
+    EXPECT_EQ(Order("start 7"), not_heard + "7: done");
+    Run(10U);
+    // When one was started, then a start names the other one alone, also one by 1F82h
+    EXPECT_EQ(Order("start 7"), "taken");
+    EXPECT_EQ(Order("start all"), not_heard + "8: done");
+    Make("manager: {node: 127}\nslaves: [{node: 7, boot: false}, {node: 8, boot: false}]\n");
+    Run(2000U);
+    EXPECT_EQ(Order("set 0x1F82:07 5"), not_heard + "7: done");
+    Run(10U);
+    EXPECT_EQ(Order("set 0x1F82:80 5"), not_heard + "8: done");
 }
 } // namespace
 } // namespace counterpoint::tools

@@ -2,11 +2,16 @@
 // 1010h and 1011h of a node that is OPERATIONAL: by the bus, and by orders.
 #include "tests/runtime/node/bench.hpp"
 #include "verification/trace/ids/cia301.hpp"
+#include "verification/trace/ids/comfort.hpp"
 #include "verification/trace/ids/node.hpp"
 #include "verification/trace/ids/store.hpp"
 #include "verification/trace/verifies.hpp"
 
+#include <csignal>
 #include <cstdio>
+#include <filesystem>
+#include <iterator>
+#include <sys/resource.h>
 
 namespace counterpoint::tools::test
 {
@@ -72,6 +77,43 @@ TEST(NodeStoreStateTest, ASaveThatWasTakenGoesOnBehindTheStart)
     Bench bench(Everything(), store);
     EXPECT_EQ(bench.Device().Assembly().Dictionary().ReadNumber({0x4005U, 0U}).value, 50U);
     std::remove(store.c_str());
+}
+
+// As on a full disk: its client is told, the device goes on, and what was saved before stays as it is.
+TEST(NodeStoreStateTest, ASaveIntoAFileThatMayGrowNoFurtherIsAborted)
+{
+    Verifies(req::SRS_EASE_008);
+    const std::string folder = ::testing::TempDir() + "store_limited/";
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directory(folder);
+    {
+        Bench bench(Everything(), folder + "store");
+        EXPECT_EQ(bench.Download(0x4005U, 0U, 50U, 1U), 0U);
+        bench.Store(0x1010U, kSave);
+        ASSERT_EQ(bench.SdoAnswers().back().data[0], 0x60U);
+        EXPECT_EQ(bench.Download(0x4005U, 0U, 60U, 1U), 0U);
+        // When files may have no byte
+        rlimit before{};
+        ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+        const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit none{0U, before.rlim_max};
+        ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &none), 0);
+        bench.Store(0x1010U, kSave);
+        ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+        static_cast<void>(std::signal(SIGXFSZ, handler));
+        // Then the answer is 0606 0000h, an error of the hardware
+        const host::LiveFrame answer = bench.SdoAnswers().back();
+        EXPECT_EQ(answer.data[0], 0x80U);
+        EXPECT_EQ(answer.data[1], 0x10U);
+        EXPECT_EQ(answer.data[6], 0x06U);
+        EXPECT_EQ(answer.data[7], 0x06U);
+        bench.Start();
+    }
+    Bench bench(Everything(), folder + "store");
+    EXPECT_EQ(bench.Device().Assembly().Dictionary().ReadNumber({0x4005U, 0U}).value, 50U);
+    const std::filesystem::directory_iterator files(folder);
+    EXPECT_EQ(std::distance(begin(files), end(files)), 1);
+    std::filesystem::remove_all(folder);
 }
 
 TEST(NodeStoreStateTest, AnOrderSavesAndRestoresWhereAClientMay)

@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -233,6 +234,46 @@ TEST(NodeToldTest, AConfigurationOfAStoreThatIsRefusedTakesTheLimitsOfTheFileBac
     EXPECT_LT(refused, told.find("SRDO 1 off")) << told;
     EXPECT_LT(told.find("SRDO 1 off"), told.find("NMT pre_operational")) << told;
     std::remove(store.c_str());
+}
+
+TEST(NodeToldTest, EachSrdoThatWasOnInTheFileIsToldToBeOffWhereAStoreDoesNotMakeItValid)
+{
+    Verifies(req::SRS_NODE_532);
+    const std::string store = ::testing::TempDir() + "told_each.store";
+    const std::string of_both[] = {"SRDO 1 consumer 0x101, safe within 81.5 ms of the last good normal frame",
+                                   "SRDO 2 producer 0x103, every 25 ms"};
+    const std::map<std::string, std::string> not_valid{{"13FE", "0"}, {"5F04", "0"}};
+    std::remove(store.c_str());
+    // Given two SRDOs that are on; one that is off in the file, of which nothing was said; and no store
+    std::map<std::string, std::string> one_off = not_valid;
+    one_off["1302sub1"] = "0";
+    const auto lines = [](const std::map<std::string, std::string>& values, const std::string& kept)
+    { return SrdoLines(Bench(WithStoreObjects(FileWith("controller", values)), kept).Told()); };
+    EXPECT_EQ(lines(not_valid, store), (Lines{of_both[0], of_both[1], "SRDO 1 off", "SRDO 2 off"}));
+    EXPECT_EQ(lines(one_off, store), (Lines{of_both[0], "SRDO 1 off"}));
+    EXPECT_EQ(lines(not_valid, ""), (Lines{of_both[0], of_both[1]}));
+    std::remove(store.c_str());
+}
+
+// Saved while 13FEh was not A5h: what a reset loads is not valid, which the file was.
+TEST(NodeToldTest, WhatAResetLoadsThatIsNotValidIsToldBeforeTheDeviceMayRun)
+{
+    Verifies(req::SRS_NODE_532);
+    for (const std::uint8_t reset : {std::uint8_t{129U}, std::uint8_t{130U}})
+    {
+        const std::string store = ::testing::TempDir() + "told_not_valid.store";
+        std::remove(store.c_str());
+        Bench bench(WithStoreObjects(FileWith("actuator", {{"5F04", "0"}})), store);
+        bench.Start();
+        bench.Change(2U, 100U, 2U, false);
+        bench.Store(0x1010U, 0x65766173U);
+        bench.Command(reset);
+        const std::string told = bench.Told();
+        EXPECT_EQ(SrdoLines(told), (Lines{kOfTheFile, "SRDO 1 off"})) << told;
+        EXPECT_LT(told.find("SRDO 1 off"), told.rfind("NMT pre_operational")) << told;
+        EXPECT_GT(told.find("SRDO 1 off"), told.find("NMT operational")) << told;
+        std::remove(store.c_str());
+    }
 }
 
 // The limit of an SRDO that is off is none that holds, and when it is on again it is news.

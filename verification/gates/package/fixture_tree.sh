@@ -9,8 +9,12 @@ example=$made/tree/examples/first_device
 manager=$made/data/package/include/canopen/manager
 share=$made/data/package/share/counterpoint
 mkdir -p "$made/data/package/bin" "$share"
-printf '#!/bin/sh\ntest "$1" = demo\n' >"$made/data/package/bin/counterpoint"
+printf '#!/bin/sh\ntest "$1" = demo || echo "$@"\n' >"$made/data/package/bin/counterpoint"
 chmod 755 "$made/data/package/bin/counterpoint"
+for text in man/man1/counterpoint.1 bash-completion/completions/counterpoint zsh/site-functions/_counterpoint fish/vendor_completions.d/counterpoint.fish; do
+    mkdir -p "$made/data/package/share/${text%/*}"
+    case $text in man/*) echo man ;; *) echo "completion ${text%%[-/]*}" ;; esac >"$made/data/package/share/$text"
+done
 echo Licence >"$share/LICENSE"
 printf '# Guide\n[Licence](LICENSE)\n' >"$share/guide.md"
 mkdir -p "$config" "$manager" "$made/tree/tests/integration/package" "$made/tree/docs" "$example"

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """A project outside the tree finds the installed package, links kernel, channels and contract, and the network manager, runs,
 and needs no library of the host tools. The user's guide is such a project too: its files are taken out of the guide, built, run, and its output
-is compared. The package has its licence, documents without dead links, examples that configure, a program whose `demo` finds its files, and in no
-file the place of the build. Uses DATA/package, the installation of the product build.
+is compared. The package has its licence, manual page and completion where shells look, documents without dead links, examples that configure, a program whose `demo`
+finds its files, and in no file the place of the build. Uses DATA/package, the installation of the product build.
 
 In the guide the line `<!-- file: PATH -->` before a code block says that the block is this file, `<!-- part: PATH -->` that
 it is a piece of it, and `<!-- output: COMMAND -->` that it is what the command prints in a folder with the guide's files;
@@ -26,6 +26,9 @@ PROGRAMS = ("consumer", "manager_consumer")
 GUIDE = "docs/user_guide.md"
 SYSTEM = re.compile(r"lib(c|m|gcc_s|stdc\+\+)\.so|ld-linux")
 PROGRAM = "first_device"
+# Where shells look, and what `counterpoint` prints.
+SHELL_TEXTS = {"share/man/man1/counterpoint.1": ["man"], "share/bash-completion/completions/counterpoint": ["completion", "bash"],
+               "share/zsh/site-functions/_counterpoint": ["completion", "zsh"], "share/fish/vendor_completions.d/counterpoint.fish": ["completion", "fish"]}
 BLOCK = re.compile(r"^<!-- (file|part|output|changed): (.+?) -->\n```\w*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
@@ -145,6 +148,18 @@ def check_guide(findings, root, package):
     return len(blocks)
 
 
+def check_shell_texts(findings, package):
+    """Manual page and completion stand in their places, as the program of the package prints them."""
+    for name, words in SHELL_TEXTS.items():
+        command = ["counterpoint", *words]
+        if not (package / name).is_file():
+            findings.append(f"package: no {name}, expected what `{' '.join(command)}` prints")
+            continue
+        printed = subprocess.run([package / "bin/counterpoint", *words], capture_output=True, check=False).stdout
+        if (package / name).read_bytes() != printed:
+            findings.append(f"{name}: it is not what `{' '.join(command)}` prints")
+
+
 def check_share(findings, root, package):
     """What comes beside the libraries: licence, documents without dead links, examples that configure, a program that finds them."""
     share = package / "share/counterpoint"
@@ -177,7 +192,8 @@ def gate(root, data):
                     check_libraries(findings, CONSUMER, program)
     blocks = check_guide(findings, root, package)
     check_share(findings, root, package)
-    return findings, f"configure, build, run, needed libraries; licence, links, examples, demo; {blocks} blocks of {GUIDE}"
+    check_shell_texts(findings, package)
+    return findings, f"configure, build, run, needed libraries; licence, manual page, completion, links, examples, demo; {blocks} blocks of {GUIDE}"
 
 
 run_gate(gate)
