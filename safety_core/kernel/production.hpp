@@ -143,7 +143,7 @@ class Production
     std::uint8_t transmitted_{};
     std::uint8_t transmitted_told_{};
     bool gfc_open_{};
-    bool has_now_{}; ///< There was a cycle since the start.
+    bool has_now_{};                      ///< There was a cycle since the start.
     std::uint32_t shortest_refresh_us_{}; ///< Of the producers; 0 without one.
     Instant gfc_until_{};                 ///< When an SRDO must have followed the GFC.
     Instant now_{};                       ///< By counter A.

@@ -114,8 +114,7 @@ void CheckConsumerTimes(const CheckContext& context, const SrdoConfiguration& sr
     if (sct * kMicrosecondsPerMillisecond < late_us)
     {
         findings.Warning(srdo.sct_ms.place, ObjectName(srdo.CommunicationIndex(), 2U),
-                         "SCT " + Decimal(sct) +
-                             " ms: it may expire between two calls, and is found by the later one",
+                         "SCT " + Decimal(sct) + " ms: it may expire between two calls, and is found by the later one",
                          "at least a cycle with its tolerance, " + Decimal(late_us) + " us");
     }
 }

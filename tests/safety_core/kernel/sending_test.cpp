@@ -187,7 +187,8 @@ TEST_F(Sending, NoRefreshIsMissedInTheDeviceSafeState)
     }
 }
 
-// t [us]   safe state, OPERATIONAL   0   999   1000 (first possible)   2499 (falls due; the next one is over)   3999 ...
+// t [us]   safe state, OPERATIONAL   0   999   1000 (first possible)   2499 (falls due; the next one is over)   3999
+// ...
 TEST_F(Sending, NoRefreshIsMissedInTheDeviceSafeStateHoweverTheCyclesLie)
 {
     Verifies(req::SRS_KRN_004);
