@@ -78,20 +78,25 @@ void FlipRig::Store(SlotIndex slot, ConfigField field, std::uint8_t sub, std::ui
     b_.Store(item);
 }
 
+namespace
+{
+
 /// Both work on one memory: each writes its own side.
-void FlipRig::ConfigureAll(Channel& channel)
+void ConfigureAll(Channel& channel, const RigDevice& device, const Dictionary& dictionary)
 {
     for (SlotIndex slot = 0U; slot < kRigSlots; ++slot)
     {
         if (slot <= kProducerSlot)
         {
-            const RigObject& first = (slot == kConsumerSlot) ? device_.consumed[0] : device_.sent[0];
-            channel.SetFields(slot, StaticFields{dictionary_.Place(first.normal_index, first.sub),
-                                                 dictionary_.Place(first.inverse_index, first.sub)});
+            const RigObject& first = (slot == kConsumerSlot) ? device.consumed[0] : device.sent[0];
+            channel.SetFields(slot, StaticFields{dictionary.Place(first.normal_index, first.sub),
+                                                 dictionary.Place(first.inverse_index, first.sub)});
         }
-        Configure(channel, slot, (slot <= kProducerSlot) ? device_.values[slot] : kMixed.values[slot]);
+        Configure(channel, slot, (slot <= kProducerSlot) ? device.values[slot] : kMixed.values[slot]);
     }
 }
+
+} // namespace
 
 void FlipRig::Start()
 {
@@ -99,8 +104,8 @@ void FlipRig::Start()
     a_.Restart(config_);
     b_.Restart(config_);
     comparator_.Restart(ComparatorSetup{kDiscrepancyUs, config_.acknowledge_window_us, kRigSlots});
-    ConfigureAll(a_);
-    ConfigureAll(b_);
+    ConfigureAll(a_, device_, dictionary_);
+    ConfigureAll(b_, device_, dictionary_);
     Store(0U, ConfigField::kGfcParameter, 0U, 1U);
     Store(0U, ConfigField::kConfigurationValid, 0U, kConfigurationValidValue);
     for (const RigObject& object : device_.sent)

@@ -104,7 +104,6 @@ class FlipRig
     };
 
     void Store(SlotIndex slot, ConfigField field, std::uint8_t sub, std::uint32_t value);
-    void ConfigureAll(Channel& channel);
     [[nodiscard]] std::uint32_t ReadSide(bool is_inverse) const;
     void CompareDigests();
     [[nodiscard]] bool IsLegitimate(std::uint32_t granted) const;

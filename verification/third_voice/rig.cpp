@@ -50,23 +50,23 @@ std::uint32_t Rig::Read(const Address address)
     return ToValue(kernel_.ReadObject(ObjectAddress{address.first, address.second}).data);
 }
 
-SrdoObjects Rig::ReadObjects(const std::uint8_t number)
+SrdoObjects ReadObjects(Rig& rig, const std::uint8_t number)
 {
     const auto communication = static_cast<std::uint16_t>(0x1300U + number);
     const auto mapping = static_cast<std::uint16_t>(0x1380U + number);
     SrdoObjects objects;
-    objects.direction = Read({communication, 1U});
-    objects.sct_ms = Read({communication, 2U});
-    objects.srvt_ms = Read({communication, 3U});
-    objects.transmission_type = Read({communication, 4U});
-    objects.cob_id_1 = Read({communication, 5U});
-    objects.cob_id_2 = Read({communication, 6U});
-    objects.count = Read({mapping, 0U});
-    for (std::uint8_t sub = 1U; sub <= kEntries; ++sub)
+    objects.direction = rig.Read({communication, 1U});
+    objects.sct_ms = rig.Read({communication, 2U});
+    objects.srvt_ms = rig.Read({communication, 3U});
+    objects.transmission_type = rig.Read({communication, 4U});
+    objects.cob_id_1 = rig.Read({communication, 5U});
+    objects.cob_id_2 = rig.Read({communication, 6U});
+    objects.count = rig.Read({mapping, 0U});
+    for (std::uint8_t sub = 1U; sub <= Rig::kEntries; ++sub)
     {
-        objects.entries.push_back(Read({mapping, sub}));
+        objects.entries.push_back(rig.Read({mapping, sub}));
     }
-    objects.signature = Read({0x13FFU, number});
+    objects.signature = rig.Read({0x13FFU, number});
     return objects;
 }
 

@@ -40,7 +40,6 @@ class Rig final : private Application, private hal::CanPorts, private hal::Safet
     [[nodiscard]] StartResult Start();
     [[nodiscard]] AbortCode Write(Address address, std::uint64_t value, std::size_t size);
     [[nodiscard]] std::uint32_t Read(Address address);
-    [[nodiscard]] SrdoObjects ReadObjects(std::uint8_t number);
     void SetNmt(NmtState state, Time now);
     void OnFrame(const CanFrame& frame, Time stamp);
     void Cycle(Time now, SrdoMask acknowledge_a, SrdoMask acknowledge_b);
@@ -86,6 +85,9 @@ class Rig final : private Application, private hal::CanPorts, private hal::Safet
     CauseWindows windows_[kSrdos]{};
     Kernel kernel_;
 };
+
+/// @brief What the objects of an SRDO hold.
+[[nodiscard]] SrdoObjects ReadObjects(Rig& rig, std::uint8_t number);
 } // namespace counterpoint::third_voice
 
 #endif

@@ -31,6 +31,11 @@ struct Flight
     Time at{0};
 };
 
+std::optional<SrdoCause> AnyRefusal(Dice& dice)
+{
+    return dice.Chance(3U) ? std::optional{dice.Pick({SrdoCause::kTransmitQueue, SrdoCause::kBusOff})} : std::nullopt;
+}
+
 class Sequence
 {
   public:
@@ -116,7 +121,7 @@ class Sequence
         std::vector<SrdoObjects> objects;
         for (std::uint8_t number = 1U; number <= drawing_.config.srdo_count; ++number)
         {
-            objects.push_back(rig_->ReadObjects(number));
+            objects.push_back(ReadObjects(*rig_, number));
         }
         model_->Start(objects, rig_->Read({0x1300U, 0U}));
     }
@@ -367,21 +372,13 @@ class Sequence
     void Confirm(const Sent& frame)
     {
         Tell("confirmed " + std::to_string(frame.identifier));
-        Refuse();
+        Refuse(AnyRefusal(dice_));
         rig_->OnConfirm(frame, now_);
         model_->OnConfirm(frame, now_);
         CompareTold("confirmation");
     }
 
     /// What the controller does with the next frame.
-    void Refuse()
-    {
-        const std::optional<SrdoCause> cause =
-            dice_.Chance(3U) ? std::optional{dice_.Pick({SrdoCause::kTransmitQueue, SrdoCause::kBusOff})}
-                             : std::nullopt;
-        Refuse(cause);
-    }
-
     void Refuse(const std::optional<SrdoCause> cause)
     {
         rig_->RefuseNext(cause);
@@ -512,7 +509,7 @@ class Sequence
         const Readings readings = buttons_.Next(dice_);
         Apply();
         SendGfc();
-        Refuse();
+        Refuse(AnyRefusal(dice_));
         std::ostringstream text;
         text << "cycle, acknowledge " << readings.a << " " << readings.b;
         Tell(text.str());
