@@ -96,7 +96,7 @@ void Cia302StartUp::VerifyAgain(const NodeId node, const BootTime& time) noexcep
     const GateState gate = parts_.gate.State(node);
     const bool is_closed = (gate != GateState::kOpen) && (gate != GateState::kBusy);
     const bool is_past_resets = (master_.Step() != MasterStep::kIdle) && (master_.Step() != MasterStep::kReset);
-    const bool is_quiet = !parts_.nmt.IsLeaving(node); // No stop on its way.
+    const bool is_quiet = !parts_.nmt.IsLeaving(node); // No stop on its way. [SRS_BOOT_770]
     const bool is_found = is_closed && is_past_resets && is_quiet && parts_.table.RunsSurely(node);
     if (is_found && (boot_.Record(node).state == BootState::kUnheard))
     {

@@ -166,7 +166,7 @@ void El6751Operation::DriveStart(const NodeId node, const Instant now) noexcept
             slave.phase = Next(slave.phase, El6751Event::kVerify);
         }
     }
-    // By the queue: what it was asked for last may be of before, or of somebody else since.
+    // By the queue: what it was asked for last may be of before, or of somebody else since. [SRS_ELM_771]
     if (slave.is_requested && !parts_.nmt.HasStart(node))
     {
         Run(node, now);
