@@ -339,10 +339,10 @@ std::vector<ConfigurationWrite> DeviceSource::Writes() const
 
 void DeviceSource::Refuse(const std::uint8_t sub, const cia306::Problem& problem) const
 {
+    // The defaults are none of these: the value stands in the file.
     const cia306::Entry* const entry = device_.Find(cia306::kDeviceParametersIndex, sub);
     const std::string name = cia306::ObjectName(cia306::kDeviceParametersIndex, sub);
-    throw InputError(file_, entry == nullptr ? cia306::Place{} : entry->ValuePlace(),
-                     {name + ": " + problem.wrong, problem.expected});
+    throw InputError(file_, entry->ValuePlace(), {name + ": " + problem.wrong, problem.expected});
 }
 
 /// Much is counted in cycles before the kernel sees them, and it names no place. [SRS_NODE_490, SRS_NODE_711]
