@@ -23,6 +23,11 @@ class BadInput(Exception):
     """Arguments, a list of mutants or a build tree that cannot be used."""
 
 
+def is_batch(source):
+    """Whether CMake made the source, of several tests that are compiled at once."""
+    return str(source).endswith(".cxx")
+
+
 class Build:
     """What the build tree knows: how a source is compiled and how a program (named by its place in the tree) is linked."""
 
@@ -40,7 +45,7 @@ class Build:
             commands = subprocess.run(["ninja", "-C", str(folder), "-t", "commands", program], capture_output=True,
                                       text=True, check=True).stdout.splitlines()
             found = {pathlib.Path(source.group(1)).resolve(): source.string
-                     for source in (re.search(r" -c (\S+\.cpp)$", line) for line in commands) if source}
+                     for source in (re.search(r" -c (\S+\.(?:cpp|cxx))$", line) for line in commands) if source}
             self.sources[program] = set(found)
             self.compile.update(found)
             self.link[program] = next(line for line in reversed(commands) if f" -o {program} " in line)
