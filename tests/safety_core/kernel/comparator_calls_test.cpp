@@ -136,6 +136,7 @@ void Spoil(Verdict& verdict)
     verdict.agreement.agreed |= is_now(ComparatorCalls::kAgreedToo) ? kFirstSlot : SrdoMask{0U};
     const bool is_demoted = is_now(ComparatorCalls::kDemotesToo) || is_now(ComparatorCalls::kDemotesUnmatched);
     verdict.demote |= is_demoted ? kFirstSlot : SrdoMask{0U};
+    verdict.echo ^= is_now(ComparatorCalls::kEchoChanged) ? 0x100U : 0U;
 }
 
 } // namespace
@@ -305,6 +306,24 @@ TEST_F(ComparatorLost, FrozenAtItsLastVerdictIsSafeInTheSameCycle)
     EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kComparator);
     EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
     EXPECT_FALSE(WatchdogAlive()); // The flow signature has the echo in it.
+}
+
+// t ms  0                1
+//       1234h released   1234h again, and a verdict on another challenge: nothing of it is written
+TEST_F(ComparatorLost, VerdictOnAnotherChallengeReleasesNothing)
+{
+    Verifies(req::SRS_CMP_001);
+    Operate();
+    ReceivePair();
+    Cycle();
+    ASSERT_EQ(NormalOut(), 0x3412U);
+    ReceivePair();
+    comparator_calls = ComparatorCalls::kEchoChanged;
+    Cycle();
+    EXPECT_EQ(Open(), 0U);
+    EXPECT_EQ(NormalOut(), 0x7F01U);
+    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kComparator);
+    EXPECT_EQ(kernel.DeviceState().slot, kNoSlot);
 }
 
 // The outcome of a comparison that is not stored, or a bit of it that is stuck: pairs come, and none would be written.

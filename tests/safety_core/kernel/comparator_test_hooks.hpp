@@ -23,6 +23,7 @@ enum class ComparatorCalls : std::uint8_t
     kDemotesToo = 8U,        ///< Slot 0 is demoted besides; everything else is real.
     kAgreedToo = 9U,         ///< Slot 0 is called agreed besides; everything else is real.
     kDemotesUnmatched = 10U, ///< Slot 0 is demoted, and called unmatched, besides; everything else is real.
+    kEchoChanged = 11U,      ///< A bit of the echo is otherwise; everything else is real.
 };
 
 extern ComparatorCalls comparator_calls;
