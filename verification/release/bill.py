@@ -14,7 +14,7 @@ PARTS = {"package": "install", "images": "images"}
 # What `counterpoint` is made with; no room of the package, and no image, has any of them.
 LINKED = ("libcli11-dev", "libyaml-cpp-dev", "nlohmann-json3-dev", "libboost-dev")
 # Installed only when asked for; it makes nothing that is measured.
-OPTIONAL_LISTS = ("PDF_PACKAGES",)
+OPTIONAL_LISTS = ("PDF_PACKAGES", "GCC_COVERAGE_PACKAGES")
 BUILD_LISTS = ("PACKAGES", "FIRMWARE_PACKAGES")
 ROOT_ID = "SPDXRef-Counterpoint"
 
