@@ -1,13 +1,18 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 // From when the time of a detection counts, and whose word is one.
 #include "verification/campaign/campaign_rig.hpp"
+#include "verification/campaign/read_bytes.hpp"
 #include "verification/campaign/two_cpus.hpp"
+#include "verification/campaign/variants.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace counterpoint::campaign::test
 {
@@ -35,7 +40,9 @@ class LatenessTest : public CampaignTest
             {
                 return std::make_unique<TwoCpus>(region, scenario, false);
             }
-            return std::make_unique<Device>(region, scenario.Model(), scenario.Record(), OutputKind::kGate);
+            DeviceSetup setup;
+            setup.has_call_faults = true;
+            return std::make_unique<Device>(region, scenario.Model(), scenario.Record(), OutputKind::kGate, setup);
         }
         [[nodiscard]] static Limits LimitsOfAll(const std::uint32_t us)
         {
@@ -120,6 +127,85 @@ TEST_F(LatenessTest, WhatOthersMakeSafeHasNoLimit)
         EXPECT_EQ(outcome.detector, detector) << member;
         EXPECT_GT(outcome.us, 0U) << member;
         EXPECT_EQ(IsLate(outcome), detector == Detector::kLatch) << member;
+    }
+}
+
+/// A fault of the sensor, what the device does otherwise first, and how long before the fault is found.
+struct Effect
+{
+    const char* member; ///< Null: a call of channel A.
+    std::size_t byte;
+    std::size_t cycle;
+    std::uint32_t us;     ///< From the fault to the closed output.
+    std::uint32_t effect; ///< From the cycle before the first effect.
+};
+
+// t [cycle]   499 the fault   510 an error is told, or 513 a pair is overdue   516 found by the comparator
+TEST_F(LatenessTest, OfMemoryAndCallsCountsFromTheFirstThingThatTheDeviceDoesOtherwise)
+{
+    Verifies(req::SRS_CMG_060);
+    const Trap trap;
+    Rig rig(File("sensor.yaml",
+                 "title: A test\nscenario: " COUNTERPOINT_SOURCE_FOLDER
+                 "/examples/campaigns/at_work.yaml\ndevice: sensor\nat: [500 ms]\ncycles: 60\nsample: 10\n"),
+            100000U);
+    const std::vector<Place>& places = rig.device->Places();
+    for (const Effect& each : {
+             Effect{"channel_b.form", 0U, 499U, 16999U, 6000U},     // An error is told.
+             Effect{"channel_a.records", 28U, 499U, 16999U, 5000U}, // Likewise, a cycle later.
+             Effect{"channel_a.records", 0U, 499U, 16999U, 3000U},  // A pair is overdue.
+             Effect{nullptr, 0U, 510U, 6999U, 6000U},               // A call that is left out: an error is told.
+         })
+    {
+        Experiment fault;
+        fault.part = Part::kCallsOfA;
+        fault.kind = FaultKind::kSkipped;
+        fault.cycle = each.cycle;
+        fault.subject = static_cast<std::size_t>(ChannelCall::kPrepare) * kTurns;
+        if (each.member != nullptr)
+        {
+            const auto found = std::find_if(places.begin(), places.end(), [&each](const Place& place)
+                                            { return place.name == std::string(each.member); });
+            ASSERT_NE(found, places.end());
+            fault = {found->part,
+                     FaultKind::kFlip,
+                     static_cast<std::size_t>(found - places.begin()),
+                     found->offset + each.byte,
+                     0U,
+                     each.cycle,
+                     Phase::kAfterFrames};
+        }
+        // When the limit is the time since the effect, or shorter by 1 us, then that is late and this is not
+        for (const std::uint32_t less : {0U, 1U})
+        {
+            rig.limits = Rig::LimitsOfAll(each.effect - less);
+            const Outcome outcome = rig.runner.Run(fault);
+            EXPECT_EQ(outcome.result, Class::kDetected);
+            EXPECT_EQ(outcome.us, each.us) << each.byte;
+            EXPECT_EQ(IsLate(outcome), less == 1U) << each.byte << " " << each.effect;
+        }
+    }
+}
+
+TEST_F(LatenessTest, WhatTheApplicationReadsAreThePairsOfConsumers)
+{
+    Verifies(req::SRS_CMG_060);
+    for (const auto& [name, variables] : {std::pair("actuator", 4U), {"sensor", 0U}})
+    {
+        // Given an actuator with one SRDO of two pairs, or a sensor, whose pairs it senses
+        Rig rig(File("plan.yaml", std::string("title: A test\nscenario: " COUNTERPOINT_SOURCE_FOLDER
+                                              "/examples/campaigns/at_work.yaml\ndevice: ") +
+                                      name + "\nat: [500 ms]\nsample: 10\n"));
+        // Then all of the consumer are looked at, each with its inverse, and none of the producer
+        const std::vector<ReadBytes> read = WhatIsRead(*rig.device);
+        EXPECT_EQ(read.size(), variables) << name;
+        std::set<std::size_t> places;
+        for (const ReadBytes& each : read)
+        {
+            EXPECT_EQ(each.size, 1U);
+            places.insert(each.offset);
+        }
+        EXPECT_EQ(places.size(), variables);
     }
 }
 } // namespace

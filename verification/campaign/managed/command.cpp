@@ -52,9 +52,9 @@ struct Session
     [[nodiscard]] ResultsOf Identity(const Shard& shard) const
     {
         std::uint64_t digest = plan.digest;
-        for (const auto& [sender, hashes] : reference.hashes)
+        for (const auto& [sender, hash] : reference.hashes)
         {
-            digest = (digest ^ hashes.back()) * 0x100000001B3U;
+            digest = (digest ^ hash) * 0x100000001B3U;
         }
         for (const ManagerMember& member : reference.memory)
         {

@@ -256,7 +256,7 @@ Outcome Course::Judged(const Trial& trial, const Reference& reference, const boo
     }
     else
     {
-        outcome.result = (is_changed || !watch_.HasSentTheSame()) ? Class::kBenign : Class::kMasked;
+        outcome.result = (is_changed || !watch_.HasSentTheSame(looked_)) ? Class::kBenign : Class::kMasked;
     }
     return outcome;
 }

@@ -51,6 +51,7 @@ enum class Limit : std::uint8_t
 struct RecordedFrame
 {
     host::BusTime start{0};
+    host::BusTime end{0}; ///< When its sender was told of it.
     CanFrame frame{};
     host::NodeIndex sender{0U};
 };
@@ -73,10 +74,10 @@ struct Reference
     std::vector<RecordedFrame> frames;
     std::vector<Picture> pictures; ///< Of each ms.
     std::map<host::NodeIndex, std::set<std::uint32_t>> identifiers;
-    std::map<host::NodeIndex, std::vector<std::uint64_t>> hashes; ///< Of all frames of a sender up to each.
-    std::map<std::string, std::uint32_t> told;                    ///< How often.
-    std::set<std::pair<std::size_t, std::uint32_t>> automatic;    ///< Device and slot that open without an acknowledge.
-    std::vector<ManagerMember> memory;                            ///< Of a plan that hits it.
+    std::map<host::NodeIndex, std::uint64_t> hashes;           ///< Of all frames of a sender.
+    std::map<std::string, std::uint32_t> told;                 ///< How often.
+    std::set<std::pair<std::size_t, std::uint32_t>> automatic; ///< Device and slot that open without an acknowledge.
+    std::vector<ManagerMember> memory;                         ///< Of a plan that hits it.
 };
 } // namespace counterpoint::campaign::managed
 

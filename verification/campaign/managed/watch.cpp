@@ -59,6 +59,13 @@ constexpr std::uint16_t kGfc = 0x1300U;
     return hash;
 }
 
+[[nodiscard]] bool IsSame(const RecordedFrame& is, const RecordedFrame& was)
+{
+    return is.start == was.start && is.sender == was.sender && is.frame.identifier == was.frame.identifier &&
+           is.frame.kind == was.frame.kind && is.frame.length_bytes == was.frame.length_bytes &&
+           std::equal(is.frame.data, is.frame.data + is.frame.length_bytes, was.frame.data);
+}
+
 void Clear(Reading& reading, const Nanoseconds now)
 {
     if (now - reading.cleared > kGrace)
@@ -232,13 +239,11 @@ void Watch::OnConfirmation(const host::FrameOnBus& sent, host::ReceptionList& /*
     {
         return;
     }
-    frames_.push_back({sent.start, frame, sent.sender});
-    std::uint64_t& hash = hashes_[sent.sender];
-    hash = HashOf(hash, frame);
-    ++counts_[sent.sender];
+    frames_.push_back({sent.start, stage_.World().Now(), frame, sent.sender});
     if (reference_ == nullptr)
     {
-        made_.hashes[sent.sender].push_back(hash);
+        std::uint64_t& hash = made_.hashes[sent.sender];
+        hash = HashOf(hash, frame);
         made_.identifiers[sent.sender].insert(frame.identifier);
     }
     else if (!MaySend(stage_, *reference_, frame.identifier, sent.sender))
@@ -488,16 +493,12 @@ bool Watch::IsWaiting() const noexcept
            std::any_of(other_since_.begin(), other_since_.end(), [](const Nanoseconds since) { return since >= 0; });
 }
 
-bool Watch::HasSentTheSame() const
+bool Watch::HasSentTheSame(const Nanoseconds now) const
 {
-    return std::all_of(counts_.begin(), counts_.end(),
-                       [this](const auto& each)
-                       {
-                           const auto known = reference_->hashes.find(each.first);
-                           return each.second == 0U ||
-                                  (known != reference_->hashes.end() && each.second <= known->second.size() &&
-                                   known->second[each.second - 1U] == hashes_.at(each.first));
-                       });
+    const std::vector<RecordedFrame>& all = reference_->frames;
+    const bool is_more = frames_.size() > all.size();
+    const bool is_one_missing = frames_.size() < all.size() && all[frames_.size()].end <= now;
+    return !is_more && !is_one_missing && std::equal(frames_.begin(), frames_.end(), all.begin(), IsSame);
 }
 
 Reference Watch::TakeReference()

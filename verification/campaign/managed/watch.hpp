@@ -82,8 +82,8 @@ class Watch final : public host::BusFault
     }
     /// @brief Whether anything that lasts is still to be judged.
     [[nodiscard]] bool IsWaiting() const noexcept;
-    /// @brief Whether each sender has sent what it sends without fault, so far.
-    [[nodiscard]] bool HasSentTheSame() const;
+    /// @brief Whether everybody has sent what it sends without fault, each frame at its time, and all that were due.
+    [[nodiscard]] bool HasSentTheSame(Nanoseconds now) const;
     /// @brief Of the run without fault, when it ended.
     [[nodiscard]] Reference TakeReference();
     [[nodiscard]] const std::vector<RecordedFrame>& Frames() const noexcept
@@ -137,8 +137,6 @@ class Watch final : public host::BusFault
     std::vector<Nanoseconds> heard_;       ///< By slave: its last frame to a manager; last: of a manager.
     Nanoseconds two_since_{-1};
     std::vector<Coming> coming_{};
-    std::map<host::NodeIndex, std::uint64_t> hashes_{};
-    std::map<host::NodeIndex, std::size_t> counts_{};
     std::vector<RecordedFrame> frames_{};
     Reference made_{};
 };
