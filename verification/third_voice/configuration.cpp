@@ -38,6 +38,11 @@ std::uint32_t BitsOf(const SrdoObjects& srdo)
     }
     return bits;
 }
+
+std::uint64_t MaskOf(const std::uint32_t bits)
+{
+    return (bits >= 64U) ? ~std::uint64_t{0U} : ((std::uint64_t{1U} << bits) - 1U);
+}
 std::uint16_t SignatureOf(const SrdoObjects& srdo)
 {
     std::vector<std::uint8_t> bytes;

@@ -70,6 +70,8 @@ enum class Flaw : std::uint8_t
 [[nodiscard]] Address AddressOf(std::uint32_t entry);
 /// Of all normal entries together.
 [[nodiscard]] std::uint32_t BitsOf(const SrdoObjects& srdo);
+/// That many bits, from the lowest on.
+[[nodiscard]] std::uint64_t MaskOf(std::uint32_t bits);
 
 /// The answer to a write.
 struct Written

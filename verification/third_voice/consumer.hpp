@@ -16,6 +16,7 @@ namespace counterpoint::third_voice
 {
 /// Time without a wrap: the model counts on; what the device is told is cut to 32 bits elsewhere.
 using Time = std::int64_t;
+constexpr Time kUsPerMs = 1000;
 using Bytes = std::vector<std::uint8_t>;
 
 /// What a consumer is told by its configuration.

@@ -3,14 +3,16 @@
 #define VERIFICATION_THIRD_VOICE_DEVICE_HPP
 
 #include "verification/third_voice/configuration.hpp"
-#include "verification/third_voice/consumer.hpp"
+#include "verification/third_voice/consumer_srdo.hpp"
 #include "verification/third_voice/drift.hpp"
-#include "verification/third_voice/producer.hpp"
+#include "verification/third_voice/level_2.hpp"
+#include "verification/third_voice/own_gfc.hpp"
+#include "verification/third_voice/producer_srdo.hpp"
+#include "verification/third_voice/variables.hpp"
 
-#include <array>
 #include <cstdint>
 #include <map>
-#include <string>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -29,8 +31,8 @@ struct Seen
     bool is_configuration_invalid{false};
 };
 
-/// A whole device as docs/semantics.md describes it: configuration, consumers, GFC, producers. Every time is counter
-/// A's; consumers have one time for both counters.
+/// A whole device as docs/semantics.md describes it: NMT and GFC, and in which order its SRDOs have their turns. Every
+/// time is counter A's; consumers have one time for both counters.
 class Device
 {
   public:
@@ -73,46 +75,27 @@ class Device
   private:
     struct Srdo
     {
-        const SrdoSetup* setup{nullptr};
-        const SrdoObjects* objects{nullptr};
-        std::array<Consumer, 2U> observers{};
-        std::array<Producer, 2U> producers{};
-        std::array<bool, 2U> stands{}; ///< Whose refresh waits alone: it moves on until the next cycle.
-        std::map<SrdoCause, Time> told_at{};
-        std::uint32_t written_ordinal{0U};
-        bool is_released{false};
-        bool has_left{false}; ///< The next cycle tells it.
-
-        /// @brief The pair on its way is over by both channels.
-        void Fail(const SrdoCause cause)
-        {
-            producers[0].Fail(cause);
-            producers[1].Fail(cause);
-        }
+        std::uint8_t number;
+        const SrdoObjects& objects;
+        ConsumerSrdo consumer;
+        ProducerSrdo producer;
+        std::map<SrdoCause, Time> told_at;
     };
 
-    [[nodiscard]] ConsumerRules RulesOf(const Srdo& srdo) const;
-    [[nodiscard]] ProducerRules SendingOf(const Srdo& srdo) const;
-    [[nodiscard]] std::uint64_t ReadSide(const Srdo& srdo, std::size_t side) const;
-    [[nodiscard]] bool LookAtProducer(Srdo& srdo, Time now);
-    void Produce(Srdo& srdo, Time now);
-    void HandOver(Srdo& srdo, const Sent& frame);
-    [[nodiscard]] Time ShortestRefresh() const;
-    void LookAtGfc(Time now);
-    void TellCauses(Srdo& srdo, Time now);
-    void WriteSafe(const Srdo& srdo);
-    void WriteData(const Srdo& srdo, std::uint64_t normal);
     void Enter(Time now);
     void Leave();
-    void Release(Srdo& srdo);
-    void Decide(Srdo& srdo, Time now);
+    void Consume(Srdo& srdo, Time now, bool is_gfc);
+    void Produce(Srdo& srdo, Time now);
+    [[nodiscard]] bool HandOver(Srdo& srdo, const Sent& frame);
+    void TellCauses(Srdo& srdo, Time now);
+    [[nodiscard]] Time ShortestRefresh() const;
 
-    const DeviceConfig& config_;
     Flaw flaw_;
-    Drift drift_;
     Configuration configuration_;
+    Variables variables_;
     std::vector<Srdo> srdos_; ///< By slot.
-    std::map<Address, std::uint64_t> variables_;
+    Level2 level_2_{};
+    OwnGfc own_gfc_;
     NmtState nmt_{NmtState::kInitialising};
     bool has_gfc_{false};              ///< Since the last cycle, in OPERATIONAL, and
     bool has_gfc_fault_{false};        ///< while consumers were on.
@@ -120,13 +103,6 @@ class Device
     bool has_entered_{false};          ///< OPERATIONAL, and a cycle saw it.
     bool is_running_{false};           ///< OPERATIONAL with a valid configuration.
     std::optional<SrdoCause> refused_; ///< What becomes of the next frame that leaves.
-    bool is_open_{false};
-    bool is_level_2_{false};
-    bool has_told_level_2_{false};
-    std::optional<Time> called_; ///< The last cycle since the start.
-    bool has_sent_gfc_{false};   ///< And no normal frame since.
-    Time follow_us_{0};          ///< For how long one may follow, and
-    std::optional<Time> gfc_at_; ///< from when on: not known yet before the first cycle.
     Seen seen_{};
 };
 } // namespace counterpoint::third_voice
