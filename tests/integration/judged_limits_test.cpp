@@ -159,6 +159,24 @@ TEST(JudgedLimit, IsNotKeptByAnOutputThatAnotherFaultCloses)
 }
 
 // A normal frame is wrong, which alone is answered in time; its inverse frame never leaves, which SRVT answers later.
+TEST(JudgedLimit, TellsEachOtherFaultThatHadAnEffectBefore)
+{
+    Verifies(req::SRS_SIM_068);
+    // Given a lost frame, another one behind it, what closes the output, and what comes when it is closed
+    const auto run = RunChainOf(
+        {},
+        "faults:\n  - {fault: loss, name: first, frames: {identifier: 0x101, receiver: actuator, from: 500 ms}}\n"
+        "  - {fault: loss, name: second, frames: {identifier: 0x102, receiver: actuator, from: 500 ms}}\n"
+        "  - {fault: loss, name: deadly, frames: {identifier: [0x103, 0x104], receiver: actuator, from: 510 ms, count: "
+        "1000}}\n"
+        "  - {fault: loss, name: behind, frames: {identifier: 0x101, receiver: actuator, from: 700 ms}}\n"
+        "expect:\n  - {that: safe_within, node: actuator, srdo: 1, fault: first}\n");
+    // Then those before the end are named, but for the fault itself
+    EXPECT_FALSE(run->Verdicts()[0].holds);
+    EXPECT_NE(run->Verdicts()[0].seen.find(" by another fault ('second', 'deadly')"), std::string::npos)
+        << run->Verdicts()[0].seen;
+}
+
 TEST(JudgedLimit, OfAFaultThatIsAnsweredLateBecauseOfAnotherTellsTheOther)
 {
     Verifies(req::SRS_SIM_068);

@@ -7,6 +7,7 @@
 #include "verification/trace/ids/manager.hpp"
 #include "verification/trace/ids/node.hpp"
 #include "verification/trace/ids/simulator.hpp"
+#include "verification/trace/ids/store.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <nlohmann/json.hpp>
@@ -85,6 +86,41 @@ TEST_F(ManagedFaultsTest, AWrongLimitFailsTheScenario)
     EXPECT_TRUE(Has(wrong.out, "FAILED  actuator SRDO 1 safe within 8 ms")) << wrong.out << wrong.err;
     // And with its own one
     EXPECT_EQ(Simulate(fault + "limit: configuration}\n", {"--quiet"}).status, 0);
+}
+
+TEST_F(ManagedFaultsTest, InOperationalTheBusSavesAndRestoresNothing)
+{
+    Verifies(req::SRS_STO_008);
+    // Given a device with 1010h and 1011h
+    std::string text = cia306::ReadTextFile(Shipped("io.dcf"));
+    for (const std::string section : {"[1010", "[1011"})
+    {
+        text += "\n" + section + "]\nObjectType=8\nSubNumber=2\n" + section +
+                "sub0]\nDataType=5\nAccessType=const\nDefaultValue=1\n" + section +
+                "sub1]\nDataType=7\nAccessType=rw\nDefaultValue=1\n";
+    }
+    const auto request = [](const char* const at, const std::string& bytes)
+    { return std::string("  - {fault: insertion, at: ") + at + ", identifier: 0x606, data: [" + bytes + "]}\n"; };
+    const std::string save = "0x23, 0x10, 0x10, 1, 0x73, 0x61, 0x76, 0x65";
+    const std::string load = "0x23, 0x11, 0x10, 1, 0x6C, 0x6F, 0x61, 0x64";
+    // When the bus writes and reads both while it is OPERATIONAL, and writes them while it is PRE-OPERATIONAL
+    const Answer answer = Simulate("nodes: {store: {dcf: " + File("store.dcf", text) +
+                                       ", node_id: 6}}\nnmt:\n  - {at: 2900 ms, node: store, command: start}\n"
+                                       "  - {at: 3500 ms, node: store, command: enter_pre_operational}\nfaults:\n" +
+                                       request("3 s", save) + request("3010 ms", load) +
+                                       request("3020 ms", "0x40, 0x10, 0x10, 1, 0, 0, 0, 0") +
+                                       request("3030 ms", "0x40, 0x11, 0x10, 1, 0, 0, 0, 0") + request("3600 ms", save),
+                                   {"--quiet", "--candump", Path("bus.log")});
+    EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
+    // Then each write is refused with 0800 0022h, both can be read, and behind it only the store is missing
+    const std::string log = cia306::ReadTextFile(Path("bus.log"));
+    std::string answers;
+    for (std::size_t place = log.find(" 586#"); place != std::string::npos; place = log.find(" 586#", place + 1U))
+    {
+        answers += log.substr(place + 5U, 16U) + "\n";
+    }
+    EXPECT_EQ(answers, "8010100122000008\n8011100122000008\n4310100100000000\n4311100100000000\n"
+                       "8010100120000008\n");
 }
 
 TEST_F(ManagedFaultsTest, WhatHappensToDevicesHappensBesideAManager)

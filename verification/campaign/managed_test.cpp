@@ -4,6 +4,7 @@
 
 #include "canopen/cia306/text/text_file.hpp"
 #include "verification/campaign/managed/memory.hpp"
+#include "verification/campaign/managed/space.hpp"
 #include "verification/campaign/managed/stage.hpp"
 #include "verification/campaign/managed/watch.hpp"
 
@@ -453,6 +454,75 @@ TEST_F(ManagedTest, ClockOfAManagerEndangersNobody)
     EXPECT_NE(rows.find("clocks stopped manager 127 at "), std::string::npos) << rows;
     EXPECT_NE(rows.find(" ppm\""), std::string::npos) << rows;
     EXPECT_NE(rows.find(" us\""), std::string::npos) << rows;
+}
+
+TEST_F(ManagedTest, ClockOfAManagerIsWrongByEachRateAndJump)
+{
+    Verifies(req::SRS_CMG_081);
+    const auto of = [](const managed::Fault fault, const std::uint32_t variant)
+    {
+        managed::Trial trial;
+        trial.target = managed::Target::kClocks;
+        trial.fault = fault;
+        trial.variant = variant;
+        return managed::Space::ClockFaultOf(trial);
+    };
+    EXPECT_EQ(of(managed::Fault::kStopped, 0U).rate_ppm, -1000000);
+    // 100 ppm to 90 %
+    EXPECT_EQ(of(managed::Fault::kFast, 0U).rate_ppm, 100);
+    EXPECT_EQ(of(managed::Fault::kFast, 12U).rate_ppm, 900000);
+    EXPECT_EQ(of(managed::Fault::kSlow, 0U).rate_ppm, -100);
+    EXPECT_EQ(of(managed::Fault::kSlow, 12U).rate_ppm, -900000);
+    // 50 us to half of 2^32, both ways
+    EXPECT_EQ(of(managed::Fault::kJump, 0U).jump_us, 50);
+    EXPECT_EQ(of(managed::Fault::kJump, 1U).jump_us, -50);
+    EXPECT_EQ(of(managed::Fault::kJump, 38U).jump_us, 2147483647);
+    EXPECT_EQ(of(managed::Fault::kJump, 39U).jump_us, -2147483647);
+}
+
+TEST_F(ManagedTest, ClockOfAManagerIsThatOfItsCyclesAndNotOfWhatItTells)
+{
+    Verifies(req::SRS_CMG_081);
+    constexpr std::int64_t kMs = 1'000'000;
+    struct Case
+    {
+        simulator::ManagerClockFault fault;
+        std::int64_t cycle;
+    };
+    // Given a clock that is 90 % fast, 50 % slow, stands still, or jumps by 10 s, from 20 ms on
+    const Case cases[] = {{{20 * kMs, 900000, 0}, 526315},
+                          {{20 * kMs, -500000, 0}, 2 * kMs},
+                          {{20 * kMs, -1000000, 0}, kMs},
+                          {{20 * kMs, 0, 10000 * kMs}, kMs}};
+    for (const Case& one : cases)
+    {
+        managed::Stage stage(managed::ReadManagedPlan(NetworkPlan("plan.yaml", "until: 60 ms\n")));
+        stage.World().RunUntil(20 * kMs);
+        simulator::SimulatedManager& manager = *stage.Managers().front();
+        manager.Disturb(one.fault);
+        const std::size_t before = manager.Events().size();
+        // When it runs on until its start-up tells of lost slaves
+        stage.World().RunUntil(3000 * kMs);
+        ASSERT_GT(manager.Events().size(), before) << one.fault.rate_ppm;
+        // Then what it tells has the time of the simulation
+        std::uint64_t last_us = 20000U;
+        for (std::size_t event = before; event < manager.Events().size(); ++event)
+        {
+            EXPECT_GE(manager.Events()[event].at_us, last_us) << one.fault.rate_ppm;
+            last_us = manager.Events()[event].at_us;
+        }
+        EXPECT_LE(last_us, 3000000U);
+        // And its cycles are as long as its oscillator makes them
+        std::set<std::int64_t> cycles;
+        std::int64_t next = manager.NextEvent();
+        for (int cycle = 0; cycle < 20; ++cycle)
+        {
+            stage.World().RunUntil(next);
+            cycles.insert(manager.NextEvent() - next);
+            next = manager.NextEvent();
+        }
+        EXPECT_EQ(cycles.count(one.cycle), 1U) << one.fault.rate_ppm;
+    }
 }
 
 TEST_F(ManagedTest, MembersThatAreNotThereAreRefused)

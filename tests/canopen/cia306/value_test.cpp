@@ -88,6 +88,15 @@ TEST(Value, MinusZeroIsZeroAndSuffixesOfCAreLeftOut)
         {"1 U", kUnsigned8, false, 0U},
         {"LL", kUnsigned8, false, 0U},
         {"-0LL", kUnsigned16, true, 0U},
+        {"-0", kInteger64, true, 0U},
+        {"7U", kInteger16, true, 7U},
+        {"7l", kUnsigned8, true, 7U},
+        {"7L", kUnsigned8, true, 7U},
+        {"7ul", kUnsigned8, true, 7U},
+        {"7lu", kUnsigned8, true, 7U},
+        {"7ULL", kUnsigned8, true, 7U},
+        {"7LLU", kUnsigned8, true, 7U},
+        {"7llu", kUnsigned8, true, 7U},
     };
     ExpectAll(std::begin(cases), std::end(cases));
     EXPECT_FALSE(ParseUnsigned("7U", 255U)); // Of the structure

@@ -123,6 +123,25 @@ class ManagerRig : public cia306::test::FolderTest
                  static_cast<std::uint8_t>((value >> 16U) & 0xFFU), static_cast<std::uint8_t>(value >> 24U)});
         return (!answer.empty() && answer[0] == 0x60U) ? 0U : NumberIn(answer);
     }
+    /// A domain of 12 to 127 bytes, in segments: 0, or the abort code.
+    std::uint32_t WriteDomain(const std::uint16_t index, const std::uint8_t sub,
+                              const std::vector<std::uint8_t>& domain)
+    {
+        std::vector<std::uint8_t> answer =
+            Ask({0x21U, static_cast<std::uint8_t>(index & 0xFFU), static_cast<std::uint8_t>(index >> 8U), sub,
+                 static_cast<std::uint8_t>(domain.size()), 0U, 0U, 0U});
+        for (std::size_t place = 0U; place < domain.size() && !answer.empty() && answer[0] != 0x80U; place += 7U)
+        {
+            const std::size_t bytes = std::min<std::size_t>(domain.size() - place, 7U);
+            const std::size_t toggle = (place / 7U % 2U) << 4U;
+            const bool is_last = place + bytes == domain.size();
+            std::vector<std::uint8_t> segment(8U);
+            segment[0] = static_cast<std::uint8_t>(toggle | ((7U - bytes) << 1U) | (is_last ? 1U : 0U));
+            std::copy_n(domain.begin() + static_cast<std::ptrdiff_t>(place), bytes, segment.begin() + 1);
+            answer = Ask(segment);
+        }
+        return (!answer.empty() && (answer[0] & 0xE0U) == 0x20U) ? 0U : NumberIn(answer);
+    }
     /// A domain, in segments.
     std::vector<std::uint8_t> ReadDomain(const std::uint16_t index, const std::uint8_t sub)
     {

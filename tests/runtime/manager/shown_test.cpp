@@ -272,7 +272,12 @@ TEST_F(ManagerShownTest, ThePageHasEmergenciesAndFitsAPhone)
     EXPECT_NE(page.find("<td data-of=\"emergency\">0x8130 (1)</td>"), std::string::npos);
     EXPECT_NE(page.find("<div class=\"wide\"><table class=\"results\">"), std::string::npos);
     // Below each other, each with its title.
-    EXPECT_NE(page.find("@media(max-width:600px)"), std::string::npos);
+    const std::size_t narrow = page.find("@media(max-width:600px){");
+    ASSERT_NE(narrow, std::string::npos);
+    const std::string rules = page.substr(narrow, page.find("}}", narrow) - narrow);
+    EXPECT_NE(rules.find(".results tr{display:block;"), std::string::npos) << rules;
+    EXPECT_NE(rules.find(".results td{display:block;"), std::string::npos) << rules;
+    EXPECT_NE(rules.find(".results tr.titles,.sequence .results td:empty{display:none"), std::string::npos) << rules;
     EXPECT_NE(page.find(".results td::before{content:attr(data-of)"), std::string::npos);
     EXPECT_NE(page.find("<td data-of=\"name\">"), std::string::npos);
     EXPECT_NE(page.find("<td data-of=\"state\" class=\""), std::string::npos);

@@ -385,13 +385,18 @@ TEST_F(ManagerStationTest, AConciseDcfIsTakenWholeOrNotAtAll)
     EXPECT_EQ(Write(0x1F22U, 5U, 0U, 4U), 0U);
     EXPECT_EQ(Read(0x1F22U, 5U), 0U);
     EXPECT_EQ(Write(0x1F22U, 5U, 1U, 4U), 0x06090030U);
-    // An object of the safety configuration is never part of one
-    const std::uint8_t safety[] = {1U, 0U, 0U, 0U, 0xFEU, 0x13U, 0U, 1U, 0U, 0U, 0U, 0xA5U};
-    EXPECT_FALSE(net->ReplaceConcise(5U, {safety, sizeof(safety)}));
-    const std::uint8_t plain[] = {1U, 0U, 0U, 0U, 0x00U, 0x20U, 0U, 1U, 0U, 0U, 0U, 0xA5U};
-    EXPECT_TRUE(net->ReplaceConcise(5U, {plain, sizeof(plain)}));
-    EXPECT_TRUE(cia302::IsConcise(net->Setup().Slave(cia302::NodeId{5U}).concise_dcf));
-    EXPECT_FALSE(net->ReplaceConcise(9U, {plain, sizeof(plain)}));
+    // An object of the safety configuration is never part of one, be it the second entry
+    const std::vector<std::uint8_t> plain{1U, 0U, 0U, 0U, 0x00U, 0x20U, 0U, 1U, 0U, 0U, 0U, 0xA5U};
+    EXPECT_EQ(WriteDomain(0x1F22U, 5U, plain), 0U);
+    EXPECT_EQ(WriteDomain(0x1F22U, 5U, {1U, 0U, 0U, 0U, 0xFEU, 0x13U, 0U, 1U, 0U, 0U, 0U, 0xA5U}), 0x06090030U);
+    EXPECT_EQ(WriteDomain(0x1F22U, 5U, {1U, 0U, 0U, 0U, 0x00U, 0x13U, 0U, 1U, 0U, 0U, 0U, 1U}), 0x06090030U);
+    EXPECT_EQ(WriteDomain(0x1F22U, 5U, {2U,    0U,    0U, 0U, 0x00U, 0x20U, 0U, 1U, 0U, 0U, 0U, 7U, //
+                                        0x01U, 0x13U, 2U, 1U, 0U,    0U,    0U, 9U}),
+              0x06090030U);
+    // Nor is one taken whose last entry is cut
+    EXPECT_EQ(WriteDomain(0x1F22U, 5U, {1U, 0U, 0U, 0U, 0x00U, 0x20U, 0U, 2U, 0U, 0U, 0U, 7U}), 0x06090030U);
+    EXPECT_EQ(ReadDomain(0x1F22U, 5U), plain);
+    EXPECT_FALSE(net->ReplaceConcise(9U, {plain.data(), 12U}));
 }
 
 TEST_F(ManagerStationTest, WhatIsWrittenByTheActiveMasterOrBeforeTheNegotiationAlone)

@@ -94,6 +94,31 @@ TEST_F(FurtherObjectsTest, AConstantHasTheValueOfTheFileAndTakesNone)
     }
 }
 
+TEST_F(FurtherObjectsTest, WhatServicesCountThemselvesIsNotThatOfTheFile)
+{
+    Verifies(req::SRS_NODE_037);
+    for (const char* const access : {"const", "ro"})
+    {
+        // Given other values in the file for error register, errors, what a store can, and the default SDO
+        Bench bench(File(
+            "node.dcf",
+            "[DeviceInfo]\nVendorName=test\n[DeviceComissioning]\nNodeID=5\n" + Element("1000", "7", "ro", "0") +
+                Element("1001", "5", access, "0x55") + Record("1003") + Element("1003sub0", "5", access, "1") +
+                Element("1003sub1", "7", access, "0x1234") + Record("1010") + Element("1010sub0", "5", access, "1") +
+                Element("1010sub1", "7", access, "3") + Record("1011") + Element("1011sub0", "5", access, "1") +
+                Element("1011sub1", "7", access, "3") + Record("1200") + Element("1200sub0", "5", access, "2") +
+                Element("1200sub1", "7", access, "0x606") + Element("1200sub2", "7", access, "0x586")));
+        // Then no error is there, nothing can be stored without a store, and the default SDO is that of the node-ID
+        EXPECT_EQ(Read(bench, {0x1001U, 0U}), 0U) << access;
+        EXPECT_EQ(Read(bench, {0x1003U, 0U}), 0U) << access;
+        EXPECT_EQ(Read(bench, {0x1003U, 1U}), 0x08000024U) << access;
+        EXPECT_EQ(Read(bench, {0x1010U, 1U}), 0U) << access;
+        EXPECT_EQ(Read(bench, {0x1011U, 1U}), 0U) << access;
+        EXPECT_EQ(Read(bench, {0x1200U, 1U}), 0x605U) << access;
+        EXPECT_EQ(Read(bench, {0x1200U, 2U}), 0x585U) << access;
+    }
+}
+
 TEST_F(FurtherObjectsTest, SubIndicesAreThoseOfTheFile)
 {
     Verifies(req::SRS_NODE_038);

@@ -10,7 +10,10 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
+#include <sstream>
+#include <string>
 #include <sys/resource.h>
 
 namespace counterpoint::tools::test
@@ -49,6 +52,32 @@ TEST(NodeStoreStateTest, InOperationalTheBusSavesAndRestoresNothing)
     bench.Store(0x1010U, kSave);
     bench.Store(0x1011U, kLoad);
     EXPECT_EQ(bench.Told().find("refused"), std::string::npos);
+    std::remove(store.c_str());
+}
+
+/// An element of the file with another access.
+std::string WithAccess(std::string text, const std::string& section, const std::string& access)
+{
+    const std::size_t place = text.find("AccessType=", text.find("[" + section + "]"));
+    return text.replace(place, text.find('\n', place) - place, "AccessType=" + access);
+}
+
+TEST(NodeStoreStateTest, WhatTheFileFixesIsRefusedAsThatInEachState)
+{
+    Verifies(req::SRS_STO_008);
+    std::ostringstream text;
+    text << std::ifstream(Everything()).rdbuf();
+    // Given 1010h:01 as a constant, and 1011h:01 that can be written alone
+    const std::string file = ::testing::TempDir() + "store_fixed.dcf";
+    std::ofstream(file) << WithAccess(WithAccess(text.str(), "1010sub1", "const"), "1011sub1", "wo");
+    const std::string store = ::testing::TempDir() + "store_fixed.store";
+    std::remove(store.c_str());
+    Bench bench(file, store);
+    // When both are written, PRE-OPERATIONAL and OPERATIONAL
+    EXPECT_EQ(bench.Download(0x1010U, 1U, kSave, 4U), 0x06010002U);
+    bench.Start();
+    EXPECT_EQ(bench.Download(0x1010U, 1U, kSave, 4U), 0x06010002U);
+    EXPECT_EQ(bench.Download(0x1011U, 1U, kLoad, 4U), 0x08000022U);
     std::remove(store.c_str());
 }
 

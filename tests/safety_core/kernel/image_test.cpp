@@ -225,6 +225,21 @@ TEST_F(StoredConfiguration, ConfigurationThatBreaksARuleIsRefusedWithItsResult)
     HasDefaults();
 }
 
+TEST_F(StoredConfiguration, ConfigurationThatBreaksSeveralRulesIsRefusedWithTheResultOfTheFirst)
+{
+    Verifies(req::SRS_CFG_212);
+    Configure();
+    // Given an image whose SRVT is SCT, so that its signature is wrong, too, and another digest than expected
+    ASSERT_EQ(Write(0x1301U, 3U, 50U, 1U), AbortCode::kNone);
+    Image image = Save();
+    image.header = ImageHeader{kItems, image::CrcOf(image::WordsOf(image.items, 0xA5U)), 0xA5U};
+    config.digest = 0x12345678U;
+    Restart();
+    // When it is loaded, then the timing error comes before both
+    EXPECT_EQ(Load(image), Result::kTimingError);
+    HasDefaults();
+}
+
 TEST_F(StoredConfiguration, AnotherDigestThanExpectedIsRefused)
 {
     Verifies(req::SRS_CFG_212);

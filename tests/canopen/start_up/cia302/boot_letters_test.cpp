@@ -130,6 +130,10 @@ TEST_F(BootLettersTest, AnIdentityThatIsTooLongIsThatOfAnotherDevice)
     setups[6].device_type = 0U;
     // And one with such a serial number
     Add(7U, kBoot).Put(0x1018U, 4U, {0x34U, 0x12U, 0U, 0U, 0U, 0U, 0U, 0U});
+    // And of each further number of the identity
+    Add(9U, kBoot).Put(0x1018U, 1U, {0x2AU, 0U, 0U, 0U, 0U});
+    Add(10U, kBoot).Put(0x1018U, 2U, {7U, 0U, 0U, 0U, 0U});
+    Add(11U, kBoot).Put(0x1018U, 3U, {3U, 0U, 0U, 0U, 0U});
     // And one that refuses to be read with the code of a client without room
     Add(8U, kBoot).refused[0x100000U] = SdoAbort::kOutOfMemory;
     // When they are booted
@@ -147,6 +151,10 @@ TEST_F(BootLettersTest, AnIdentityThatIsTooLongIsThatOfAnotherDevice)
     }
     EXPECT_EQ(Of(5U).expected, 0x191U);
     EXPECT_EQ(Of(7U).expected, 0x1234U);
+    EXPECT_EQ(Letter(9U) + Letter(10U) + Letter(11U), "DMN");
+    EXPECT_EQ(static_cast<std::uint32_t>(Of(9U).abort), 0x06070010U);
+    EXPECT_EQ(static_cast<std::uint32_t>(Of(10U).abort), 0x06070010U);
+    EXPECT_EQ(static_cast<std::uint32_t>(Of(11U).abort), 0x06070010U);
     EXPECT_EQ(Letter(8U), "-");
     EXPECT_EQ(Of(8U).abort, SdoAbort::kOutOfMemory);
     EXPECT_TRUE(Of(8U).is_busy);

@@ -294,14 +294,17 @@ TEST_F(BootOrdersTest, TheHoldEndsWithABootOrAResetByOrder)
     EXPECT_TRUE(start_up.Boot(NodeId{5U}, Now()));
     Run(100U);
     EXPECT_EQ(Status(5U), "- 17 started");
-    hold();
-    EXPECT_EQ(Command(NmtCommand::kResetNode, 5U), NmtAnswer::kTaken);
-    Run(100U);
-    EXPECT_EQ(Status(5U), "- 17 started");
-    hold();
-    EXPECT_EQ(Command(NmtCommand::kResetCommunication, 0U), NmtAnswer::kTaken);
-    Run(100U);
-    EXPECT_EQ(Status(5U), "- 17 started");
+    // A reset of either kind, alone or with all
+    for (const std::uint8_t node : {std::uint8_t{5U}, std::uint8_t{0U}})
+    {
+        for (const NmtCommand reset : {NmtCommand::kResetNode, NmtCommand::kResetCommunication})
+        {
+            hold();
+            EXPECT_EQ(Command(reset, node), NmtAnswer::kTaken);
+            Run(100U);
+            EXPECT_EQ(Status(5U), "- 17 started") << int{node} << " " << static_cast<int>(reset);
+        }
+    }
     hold();
     start_up.Begin(Now()); // The manager is the active master anew.
     Run(100U);

@@ -292,8 +292,13 @@ TEST_F(El6751ReactionTest, AStartByHandOfALostSlaveThatIsNotThereIsLostAgain)
     {
         ASSERT_EQ(Code(node), 1);
         EXPECT_EQ(Do([&] { return el.Command(NmtCommand::kStart, NodeId{node}, Now()); }), NmtAnswer::kTaken);
+        EXPECT_EQ(Code(node), 0);
     }
-    Run(400U);
+    // Then the time begins with the start: 100 ms x 3, and the consumer time
+    Run(298U);
+    EXPECT_EQ(Code(5U), 0);
+    EXPECT_EQ(Code(7U), 0);
+    Run(4U);
     EXPECT_EQ(Code(5U), 1);
     EXPECT_EQ(Code(7U), 1);
 }
