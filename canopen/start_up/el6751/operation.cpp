@@ -329,7 +329,7 @@ void El6751Operation::WatchIdle(const NodeId node, const Instant now) noexcept
     const bool has_sign = (record.signs != slave.signs);
     const bool is_found = slaves_.IsSafety(node) && has_sign && parts_.table.IsFoundRunning(node);
     const GateState gate = parts_.gate.State(node);
-    if (slave.phase == El6751Phase::kHeld)
+    if ((slave.phase == El6751Phase::kHeld) && !parts_.nmt.IsLeaving(node))
     {
         slave.control_fault = (record.beats != slave.beats) ? std::int16_t{0} : slave.control_fault;
         slaves_.Tell(node, (slave.control_fault != 0) ? slave.control_fault : slave.held_code, slave.status.step, now);
@@ -391,6 +391,7 @@ void El6751Operation::StopOthers(const NodeId node, const Instant now) noexcept
     }
 }
 
+/// NodeState is told when the command was sent: WatchIdle. [SRS_ELM_800]
 void El6751Operation::Hold(const NodeId node, const std::int16_t code, const Instant now) noexcept
 {
     El6751Node& slave = slaves_.Of(node);
@@ -402,7 +403,7 @@ void El6751Operation::Hold(const NodeId node, const std::int16_t code, const Ins
     slave.reading.was_checked = false;
     slave.signs = parts_.table.Record(node).signs;
     slave.status.is_started = false;
-    slaves_.Tell(node, code, StartUpStep::kManual, now);
+    slaves_.Tell(node, parts_.nmt.IsLeaving(node) ? slave.status.code : code, StartUpStep::kManual, now);
 }
 
 /// A slave that was stopped, and is read once more because somebody's start came so near that it may run, is silent:

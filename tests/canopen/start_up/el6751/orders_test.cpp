@@ -279,6 +279,28 @@ TEST_F(El6751OrdersTest, AStartUpBeginsWhenTheCommandsBeforeItHaveLeft)
     EXPECT_EQ(Code(6U), 0);
 }
 
+TEST_F(El6751OrdersTest, AHeldSlaveKeepsItsNodeStateUntilTheCommandIsSent)
+{
+    Verifies(req::SRS_ELM_800);
+    AddBox(5U);
+    AddBox(6U);
+    Begin();
+    Run(50U);
+    ASSERT_EQ(Code(6U), 0);
+    // Given two holds, of which the first one is sent at once
+    setup.inhibit_100us = 500U;
+    EXPECT_EQ(Command(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+    EXPECT_EQ(Command(NmtCommand::kStop, 6U), NmtAnswer::kTaken);
+    Run(40U);
+    EXPECT_EQ(Code(5U), 12);
+    EXPECT_EQ(Code(6U), 0);
+    EXPECT_EQ(slaves[6]->state, 5U);
+    Run(20U);
+    EXPECT_EQ(Code(6U), 1);
+    EXPECT_EQ(slaves[6]->state, 4U);
+    EXPECT_EQ(told[6U].back(), "1");
+}
+
 TEST_F(El6751OrdersTest, AResetThatWaitsIsNoRestartOfItsOwn)
 {
     Verifies(req::SRS_ELM_770);
