@@ -66,12 +66,26 @@ void ManagerRole::Lead(const bool is_leader, const Instant now) noexcept
         is_leading_ = false;
         is_owing_ = false;
         profile_->End();
+        TellUnsent(now);
         parts_.nmt.SetActive(false);
         UnwatchAll();
     }
     else
     {
         // As before.
+    }
+}
+
+/// What waits is dropped with the role, and was answered as taken. One that was given up before concerns nobody.
+void ManagerRole::TellUnsent(const Instant now) noexcept
+{
+    for (std::uint16_t place = 0U; place < parts_.nmt.Waiting(); ++place)
+    {
+        const NmtRequest request = parts_.nmt.WaitingAt(place);
+        if (request.command != NmtCommand::kInvalid)
+        {
+            parts_.listener.OnNmtUnsent(request, now);
+        }
     }
 }
 
