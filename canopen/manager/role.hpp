@@ -116,7 +116,6 @@ class ManagerRole final : public FlyingMasterListener
     void RunFlying(Instant now) noexcept;
     void TellLost(NodeId master, Instant now) noexcept;
     void TryNegotiation(Instant now) noexcept;
-    void TellUnsent(Instant now) noexcept;
     void UnwatchAll() noexcept;
 
     RoleParts parts_;

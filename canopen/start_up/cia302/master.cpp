@@ -203,6 +203,19 @@ void Cia302Master::VerifyRunning(const BootTime& time) noexcept
     }
 }
 
+void Cia302Master::TellStarts(const Instant now) noexcept
+{
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        BootRecord& record = boot_.Record(NodeId{id});
+        if (record.is_start_waiting && !parts_.nmt.IsStarting(NodeId{id}))
+        {
+            record.is_start_waiting = false;
+            parts_.listener.OnNodeStatus(NodeId{id}, now);
+        }
+    }
+}
+
 void Cia302Master::SendStart(const BootTime& time) noexcept
 {
     if (is_start_due_)

@@ -115,7 +115,7 @@ void Cia302StartUp::VerifyAgain(const NodeId node, const BootTime& time) noexcep
 void Cia302StartUp::OnCycle(const Instant now) noexcept
 {
     const BootTime time = clock_.Tick(now);
-    FollowStarts(now);
+    master_.TellStarts(now);
     master_.SendResets(time);
     React(time);
     master_.SendStart(time);
@@ -136,20 +136,6 @@ void Cia302StartUp::OnCycle(const Instant now) noexcept
         master_.OnNews(); // What halts it may be mandatory no more.
     }
     master_.GoOn(time);
-}
-
-/// What waited and was sent is told. [SRS_BOOT_800]
-void Cia302StartUp::FollowStarts(const Instant now) noexcept
-{
-    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
-    {
-        BootRecord& record = boot_.Record(NodeId{id});
-        if (record.is_start_waiting && !parts_.nmt.IsStarting(NodeId{id}))
-        {
-            record.is_start_waiting = false;
-            parts_.listener.OnNodeStatus(NodeId{id}, now);
-        }
-    }
 }
 
 void Cia302StartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const Instant now) noexcept

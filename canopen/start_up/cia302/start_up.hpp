@@ -52,7 +52,6 @@ class Cia302StartUp final : public StartUp, private BootListener
     [[nodiscard]] bool IsMasterOperational() const noexcept override;
 
     void NoteLeft(NodeId node) noexcept;
-    void FollowStarts(Instant now) noexcept;
     void VerifyAgain(NodeId node, const BootTime& time) noexcept;
     void React(const BootTime& time) noexcept;
     void EndBoots(const BootTime& time) noexcept;
