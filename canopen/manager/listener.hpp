@@ -18,6 +18,8 @@ class ManagerListener : public StartUpListener
     virtual void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept = 0;
     /// @brief A command left, or one for this device itself, for which no frame leaves.
     virtual void OnNmtSent(const NmtRequest& request, Instant now) noexcept = 0;
+    /// @brief A command that was taken never leaves: this device commands the network no more. [SRS_MGR_800]
+    virtual void OnNmtUnsent(const NmtRequest& request, Instant now) noexcept;
     /// @brief The gate of a safety slave changed, seen once a cycle.
     virtual void OnGate(NodeId node, GateState state, Instant now) noexcept = 0;
     /// @brief See NodeWatchListener.
@@ -45,6 +47,10 @@ class ManagerListener : public StartUpListener
 };
 
 inline void ManagerListener::OnInitialising(const Instant /*now*/) noexcept
+{
+}
+
+inline void ManagerListener::OnNmtUnsent(const NmtRequest& /*request*/, const Instant /*now*/) noexcept
 {
 }
 

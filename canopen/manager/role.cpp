@@ -3,6 +3,24 @@
 
 namespace counterpoint::cia302
 {
+namespace
+{
+
+/// What waits is dropped with the role, and was answered as taken. One that was given up before concerns nobody.
+/// [SRS_MGR_800]
+void TellUnsent(const NmtMaster& nmt, ManagerListener& listener, const Instant now) noexcept
+{
+    for (std::uint16_t place = 0U; place < nmt.Waiting(); ++place)
+    {
+        const NmtRequest request = nmt.WaitingAt(place);
+        if (request.command != NmtCommand::kInvalid)
+        {
+            listener.OnNmtUnsent(request, now);
+        }
+    }
+}
+
+} // namespace
 
 ManagerRole::ManagerRole(const RoleParts& parts) noexcept
     : parts_(parts), profile_(nullptr), flying_(nullptr), negotiation_(NegotiationBy::kManager), is_running_(false),
@@ -66,6 +84,7 @@ void ManagerRole::Lead(const bool is_leader, const Instant now) noexcept
         is_leading_ = false;
         is_owing_ = false;
         profile_->End();
+        TellUnsent(parts_.nmt, parts_.listener, now);
         parts_.nmt.SetActive(false);
         UnwatchAll();
     }

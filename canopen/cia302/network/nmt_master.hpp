@@ -78,6 +78,11 @@ class NmtMaster
     void DropStarts(NodeId node) noexcept;
     /// @brief Whether a start of this node waits. O(queue)
     [[nodiscard]] bool HasStart(NodeId node) const noexcept;
+    /// @brief Whether a start waits for this node or for all. O(queue)
+    [[nodiscard]] bool IsStarting(const NodeId node) const noexcept
+    {
+        return HasStart(node) || HasStart(kAllNodes);
+    }
     /// @brief Whether a command waits for this node or for all that takes it out of OPERATIONAL. O(queue)
     [[nodiscard]] bool IsLeaving(NodeId node) const noexcept;
     /// @brief Sends what is due. Call once a cycle. O(commands that leave) [SRS_NMM_001]

@@ -57,7 +57,7 @@ struct NodeStatus
     std::uint64_t expected; ///< With a wrong value.
     std::uint64_t read;
     bool is_busy;    ///< Start-up runs.
-    bool is_started; ///< NMT start was sent since the last boot-up.
+    bool is_started; ///< NMT start was sent since the last boot-up: not while it waits to be.
     bool has_failed; ///< EL6751: the last start-up ended with NodeState 4 or 5, whoever started the slave since.
     bool is_other;   ///< The last start-up found another device than the expected one, or could not ask which it is.
     bool has_ended; ///< CiA 302-2: the last boot came to its end, with or without a letter: none runs, or was given up.

@@ -47,27 +47,35 @@ struct BootRecord
     std::uint32_t next;       ///< In 1F20h, behind the object that is written.
     std::uint8_t value[8];    ///< Value that a transfer reads or writes.
     BootState state;
-    std::uint8_t beats;   ///< NodeRecord::beats when the wait began.
-    std::uint16_t checks; ///< How often 1F57h was read.
-    std::uint8_t updates; ///< Updates that were begun since the last boot that ended well.
-    char identity;        ///< Letter with which the boot found another device; 0: the expected one.
-    bool is_transferring; ///< The SDO of the state was handed over.
-    bool is_fresh;        ///< Its boot-up message came in this boot: it is not asked for its state.
-    bool is_resumed;      ///< Nothing is restored in this boot.
-    bool is_updated;      ///< Software was downloaded in this boot.
-    bool was_operational; ///< The state check found it OPERATIONAL: letter L.
-    bool is_booted;       ///< The last boot ended without letter, or with L.
-    bool is_start_wanted; ///< Application or master asked for its start, whatever 1F80h says.
-    bool is_unread;       ///< Stopped because it ran and did not answer.
-    bool is_start_owed;   ///< The NMT master gave up its start; it is to be verified and started again.
-    bool is_held;         ///< A command holds it since: no start-up starts it before an order.
-    bool is_extra;        ///< Configuration or verification alone runs: its end says nothing about the boot.
+    std::uint8_t beats;    ///< NodeRecord::beats when the wait began.
+    std::uint16_t checks;  ///< How often 1F57h was read.
+    std::uint8_t updates;  ///< Updates that were begun since the last boot that ended well.
+    char identity;         ///< Letter with which the boot found another device; 0: the expected one.
+    bool is_transferring;  ///< The SDO of the state was handed over.
+    bool is_fresh;         ///< Its boot-up message came in this boot: it is not asked for its state.
+    bool is_resumed;       ///< Nothing is restored in this boot.
+    bool is_updated;       ///< Software was downloaded in this boot.
+    bool was_operational;  ///< The state check found it OPERATIONAL: letter L.
+    bool is_booted;        ///< The last boot ended without letter, or with L.
+    bool is_start_wanted;  ///< Application or master asked for its start, whatever 1F80h says.
+    bool is_unread;        ///< Stopped because it ran and did not answer.
+    bool is_start_owed;    ///< The NMT master gave up its start; it is to be verified and started again.
+    bool is_start_waiting; ///< status.is_started is of a start that was not seen to be sent. [SRS_BOOT_800]
+    bool is_held;          ///< A command holds it since: no start-up starts it before an order.
+    bool is_extra;         ///< Configuration or verification alone runs: its end says nothing about the boot.
 
     /// @brief Whether the boot ended with an error.
     [[nodiscard]] bool HasFailed() const noexcept
     {
         const bool is_error = (status.letter != '\0') && (status.letter != 'L') && (status.letter != 'A');
         return is_error && !is_booted;
+    }
+    /// @brief A command was handed over, which waits or was sent. `status` has a start from then on; who looks at the
+    /// slave from outside sees it when it was sent.
+    void NoteCommand(const bool is_start, const bool waits) noexcept
+    {
+        is_start_waiting = is_start && waits && (is_start_waiting || !status.is_started);
+        status.is_started = is_start;
     }
     /// @brief Whether a boot runs, and not configuration or verification alone.
     [[nodiscard]] bool IsBooting() const noexcept

@@ -203,6 +203,19 @@ void Cia302Master::VerifyRunning(const BootTime& time) noexcept
     }
 }
 
+void Cia302Master::TellStarts(const Instant now) noexcept
+{
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        BootRecord& record = boot_.Record(NodeId{id});
+        if (record.is_start_waiting && !parts_.nmt.IsStarting(NodeId{id}))
+        {
+            record.is_start_waiting = false;
+            parts_.listener.OnNodeStatus(NodeId{id}, now);
+        }
+    }
+}
+
 void Cia302Master::SendStart(const BootTime& time) noexcept
 {
     if (is_start_due_)
@@ -238,18 +251,19 @@ void Cia302Master::StartSlaves(const BootTime& time) noexcept
     is_start_due_ = false;
     const bool is_known = !IsAnyHeld() && !IsAnyRefused();
     const bool is_together = !parts_.setup.HasSafetySlave() && IsEach(kInNetwork | kBootSlave, true) && is_known;
-    const bool is_sent =
+    const bool is_taken =
         is_together && (parts_.nmt.Request(NmtCommand::kStart, kAllNodes, time.now) == NmtAnswer::kTaken);
-    is_start_due_ = is_together && !is_sent;
+    is_start_due_ = is_together && !is_taken;
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
         const NodeId node{id};
         BootRecord& record = boot_.Record(node);
         const bool is_meant =
             parts_.setup.IsListed(node) && parts_.setup.Slave(node).Has(kBootSlave) && record.is_booted;
-        if (is_meant && is_sent)
+        if (is_meant && is_taken)
         {
-            record.status.is_started = true;
+            record.NoteCommand(true, parts_.nmt.IsStarting(node));
+            parts_.listener.OnNodeStatus(node, time.now);
         }
         else if (is_meant && !is_together && !record.was_operational && !record.is_held)
         {

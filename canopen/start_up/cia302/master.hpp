@@ -30,6 +30,8 @@ class Cia302Master
     void SendResets(const BootTime& time) noexcept;
     /// @brief Boots all listed slaves that do not boot yet: the resets have left, or the application sent them.
     void BootAll(const BootTime& time) noexcept;
+    /// @brief Tells which starts that waited were sent. Once a cycle. O(127) [SRS_BOOT_800]
+    void TellStarts(Instant now) noexcept;
     /// @brief Sends the start of the slaves that waits for room in the queue, if any.
     void SendStart(const BootTime& time) noexcept;
     /// @brief Looks at the mandatory slaves if a boot has ended. Call it at the end of a call, not from within a boot.

@@ -115,6 +115,7 @@ void Cia302StartUp::VerifyAgain(const NodeId node, const BootTime& time) noexcep
 void Cia302StartUp::OnCycle(const Instant now) noexcept
 {
     const BootTime time = clock_.Tick(now);
+    master_.TellStarts(now);
     master_.SendResets(time);
     React(time);
     master_.SendStart(time);
@@ -299,13 +300,21 @@ bool Cia302StartUp::IsMasterOperational() const noexcept
 }
 
 /// It is verified anew and started in the next cycle, unless it boots anew. [SRS_BOOT_014, SRS_NMM_121,
-/// SRS_NMM_122]
+/// SRS_NMM_122] A start of all becomes one for each slave that waits for it. [SRS_BOOT_800]
 void Cia302StartUp::OnStartDropped(const NodeId node, const Instant /*now*/) noexcept
 {
-    BootRecord& record = boot_.Record(node);
-    // Two starts of one slave may be given up in one cycle.
-    record.is_start_owed = (record.is_start_owed || record.status.is_started) && parts_.setup.IsListed(node);
-    record.status.is_started = false;
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
+    {
+        BootRecord& record = boot_.Record(NodeId{id});
+        const bool is_of_all = (node.value == kAllNodes.value) && record.is_start_waiting;
+        if ((node.value == id) || is_of_all)
+        {
+            // Two starts of one slave may be given up in one cycle.
+            const bool is_owed = record.is_start_owed || record.status.is_started;
+            record.is_start_owed = is_owed && parts_.setup.IsListed(NodeId{id});
+            record.NoteCommand(false, false);
+        }
+    }
 }
 
 /// Whom the master asked before may have been replaced since, and it was itself that did not hear the others. Whom
@@ -370,7 +379,7 @@ NmtAnswer Cia302StartUp::CommandAll(const NmtCommand command, const BootTime& ti
             // Who was never there heard nothing of it. [SRS_MGR_122] Who failed runs by a start of its own.
             BootRecord& record = boot_.Record(NodeId{id});
             const bool is_despite = record.status.is_started && record.HasFailed();
-            record.status.is_started = is_start && (record.is_booted || is_despite);
+            record.NoteCommand(is_start && (record.is_booted || is_despite), parts_.nmt.IsStarting(NodeId{id}));
             record.is_start_owed = false;
             Keep(command, NodeId{id}, time);
         }
@@ -431,8 +440,9 @@ NmtAnswer Cia302StartUp::CommandNode(const NmtCommand command, const NodeId node
     }
     else if ((answer == NmtAnswer::kTaken) && is_listed)
     {
-        boot_.Record(node).status.is_started = (command == NmtCommand::kStart);
-        boot_.Record(node).is_start_owed = false;
+        BootRecord& record = boot_.Record(node);
+        record.NoteCommand(command == NmtCommand::kStart, parts_.nmt.IsStarting(node));
+        record.is_start_owed = false;
         Keep(command, node, time);
     }
     return answer;
@@ -501,7 +511,10 @@ bool Cia302StartUp::Configure(const NodeId node, const Instant now) noexcept
 
 NodeStatus Cia302StartUp::Status(const NodeId node) const noexcept
 {
-    return boot_.Record(node).status;
+    const BootRecord& record = boot_.Record(node);
+    NodeStatus status = record.status;
+    status.is_started = status.is_started && !record.is_start_waiting;
+    return status;
 }
 
 std::int16_t Cia302StartUp::MasterState() const noexcept

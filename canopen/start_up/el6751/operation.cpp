@@ -312,12 +312,32 @@ void El6751Operation::React(const NodeId node, const std::int16_t code, const In
     slave.reading.is_checking = false;
     parts_.gate.Close(node);
     slaves_.Tell(node, code, slave.status.step, now);
+    StopOthers(node, now);
     if (is_by_hand)
     {
-        slaves_.Tell(node, kNodeDeactivated, slave.status.step, now);
+        Deactivate(node, now);
     }
-    StopOthers(node, now);
-    Stop(node, is_by_hand ? El6751Event::kDeactivate : El6751Event::kRestart, now);
+    else
+    {
+        Stop(node, El6751Event::kRestart, now);
+    }
+}
+
+void El6751Operation::Deactivate(const NodeId node, const Instant now) noexcept
+{
+    slaves_.Of(node).held_code = kNodeDeactivated;
+    Stop(node, El6751Event::kDeactivate, now);
+    TellDeactivated(node, now);
+}
+
+/// It runs until its stop was sent. [SRS_ELM_800]
+void El6751Operation::TellDeactivated(const NodeId node, const Instant now) noexcept
+{
+    const El6751Node& slave = slaves_.Of(node);
+    if ((slave.phase == El6751Phase::kDeactivated) && !parts_.nmt.IsLeaving(node))
+    {
+        slaves_.Tell(node, slave.held_code, slave.status.step, now);
+    }
 }
 
 /// A slave that is not to run: held, failed or deactivated. A safety slave that runs all the same is verified.
@@ -329,11 +349,12 @@ void El6751Operation::WatchIdle(const NodeId node, const Instant now) noexcept
     const bool has_sign = (record.signs != slave.signs);
     const bool is_found = slaves_.IsSafety(node) && has_sign && parts_.table.IsFoundRunning(node);
     const GateState gate = parts_.gate.State(node);
-    if (slave.phase == El6751Phase::kHeld)
+    if ((slave.phase == El6751Phase::kHeld) && !parts_.nmt.IsLeaving(node))
     {
         slave.control_fault = (record.beats != slave.beats) ? std::int16_t{0} : slave.control_fault;
         slaves_.Tell(node, (slave.control_fault != 0) ? slave.control_fault : slave.held_code, slave.status.step, now);
     }
+    TellDeactivated(node, now);
     slave.reading.was_checked = slave.reading.was_checked && is_found;
     const bool is_left = (gate == GateState::kClosed) && parts_.table.RunsSurely(node);
     Check(node, is_found && (!slave.reading.was_checked || is_left), now);
@@ -385,12 +406,12 @@ void El6751Operation::StopOthers(const NodeId node, const Instant now) noexcept
         if (is_asked && is_started && (id != node.value))
         {
             other.cause = kNodeDeactivated;
-            slaves_.Tell(NodeId{id}, kNodeDeactivated, other.status.step, now);
-            Stop(NodeId{id}, El6751Event::kDeactivate, now);
+            Deactivate(NodeId{id}, now);
         }
     }
 }
 
+/// NodeState is told when the command was sent: WatchIdle. [SRS_ELM_800]
 void El6751Operation::Hold(const NodeId node, const std::int16_t code, const Instant now) noexcept
 {
     El6751Node& slave = slaves_.Of(node);
@@ -402,7 +423,7 @@ void El6751Operation::Hold(const NodeId node, const std::int16_t code, const Ins
     slave.reading.was_checked = false;
     slave.signs = parts_.table.Record(node).signs;
     slave.status.is_started = false;
-    slaves_.Tell(node, code, StartUpStep::kManual, now);
+    slaves_.Tell(node, parts_.nmt.IsLeaving(node) ? slave.status.code : code, StartUpStep::kManual, now);
 }
 
 /// A slave that was stopped, and is read once more because somebody's start came so near that it may run, is silent:

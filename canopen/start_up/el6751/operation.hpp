@@ -43,6 +43,8 @@ class El6751Operation
     void Check(NodeId node, bool is_suspect, Instant now) noexcept;
     void Stop(NodeId node, El6751Event event, Instant now) noexcept;
     void SendStop(NodeId node, Instant now) noexcept;
+    void Deactivate(NodeId node, Instant now) noexcept;
+    void TellDeactivated(NodeId node, Instant now) noexcept;
     void StopOthers(NodeId node, Instant now) noexcept;
     void Refuse(NodeId node, Instant now) noexcept;
 

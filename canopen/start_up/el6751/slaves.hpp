@@ -36,7 +36,7 @@ struct El6751Node
     NodeStatus status;
     std::int16_t cause;         ///< NodeState of the last error.
     std::int16_t control_fault; ///< 1, 14 or 12 until the next right sign of life; 0: none.
-    std::int16_t held_code;     ///< NodeState while the phase is kHeld.
+    std::int16_t held_code;     ///< NodeState while the phase is kHeld or kDeactivated.
     std::uint8_t signs;         ///< NodeRecord::signs when the phase, the fault or the wait began.
     /// NodeRecord::beats when the control fault began: an answer that does not toggle does not end it.
     std::uint8_t beats;

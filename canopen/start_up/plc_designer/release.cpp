@@ -76,6 +76,17 @@ bool PlcRelease::WaitsForAll(const NodeId node) const noexcept
     return !slaves_.Of(node).is_by_hand && parts_.setup.Has(kStartAllAtOnce) && !has_started_all_;
 }
 
+void PlcRelease::Follow(const NodeId node, const Instant now) noexcept
+{
+    PlcNode& slave = slaves_.Of(node);
+    if (slave.is_requested)
+    {
+        slave.is_requested = parts_.nmt.IsStarting(node);
+        slaves_.Go(node, slave.is_requested ? PlcEvent::kNone : PlcEvent::kStarted,
+                   slave.is_requested ? StartUpStep::kStart : StartUpStep::kRunning, now);
+    }
+}
+
 /// A safety slave is verified first; a STOPPED one has no SDO and is made PRE-OPERATIONAL before.
 void PlcRelease::Drive(const NodeId node, const Instant now) noexcept
 {
@@ -98,13 +109,14 @@ void PlcRelease::Drive(const NodeId node, const Instant now) noexcept
         else if ((end == ReadingEnd::kOpen) && (parts_.nmt.Request(NmtCommand::kStart, node, now) == NmtAnswer::kTaken))
         {
             slave.is_wanted = false;
+            slave.is_requested = true;
             slave.status.is_started = true;
             if (is_safety)
             {
                 slave.status.ForgetObject(); // It is verified now: what stays is what its start-up found. [SRS_PLC_586]
                 TellRefused(slave);
             }
-            slaves_.Go(node, PlcEvent::kStarted, StartUpStep::kRunning, now);
+            Follow(node, now);
         }
         else
         {
@@ -130,6 +142,7 @@ void PlcRelease::StartByHand(const NodeId node, const Instant now) noexcept
     const std::uint16_t time_ms = parts_.setup.Slave(node).heartbeat.consumer_ms;
     Want(node);
     slave.is_held = false;
+    slave.is_hold_due = false;
     if ((slave.status.code == kPlcLost) && (time_ms > 0U))
     {
         parts_.table.WatchHeartbeat(node, time_ms, Arming::kImmediately, now); // It was there once.
@@ -143,12 +156,17 @@ void PlcRelease::StartByHand(const NodeId node, const Instant now) noexcept
 
 void PlcRelease::OnStartDropped(const NodeId node, const Instant now) noexcept
 {
-    PlcNode& slave = slaves_.Of(node);
-    if ((slave.status.code == kPlcStarted) && slave.status.is_started)
+    for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
-        Want(node);
-        slave.status.is_started = false;
-        slaves_.Go(node, PlcEvent::kStartAgain, StartUpStep::kStart, now);
+        PlcNode& slave = slaves_.Of(NodeId{id});
+        const bool is_meant = (node.value == kAllNodes.value) || (node.value == id);
+        if (is_meant && slave.is_requested && (slave.status.code == kPlcConfigured))
+        {
+            Want(NodeId{id});
+            slave.is_requested = false;
+            slave.status.is_started = false;
+            slaves_.Go(NodeId{id}, PlcEvent::kNone, StartUpStep::kStart, now);
+        }
     }
 }
 
@@ -159,6 +177,7 @@ void PlcRelease::Refuse(const NodeId node, const Instant now) noexcept
     const bool is_other = parts_.gate.IsOther(node);
     slave.status.is_other = slave.status.is_other || is_other;
     slave.status.is_started = false;
+    slave.is_requested = false; // Its stop takes the place of a start that waits.
     slave.signs = parts_.table.Record(node).signs;
     slave.reading.was_checked = false;
     slave.is_stop_due = (parts_.nmt.Halt(node, now) != NmtAnswer::kTaken);
@@ -244,8 +263,9 @@ void PlcRelease::StartAll(const Instant now) noexcept
             if (slave.is_wanted)
             {
                 slave.is_wanted = false;
+                slave.is_requested = true;
                 slave.status.is_started = true;
-                slaves_.Go(NodeId{id}, PlcEvent::kStarted, StartUpStep::kRunning, now);
+                Follow(NodeId{id}, now);
             }
         }
     }

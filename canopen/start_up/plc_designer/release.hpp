@@ -20,6 +20,8 @@ class PlcRelease
     void Begin() noexcept;
     /// @brief All SDOs of the slave were answered: it goes to state 4, or to 98.
     void Configured(NodeId node, Instant now) noexcept;
+    /// @brief A start that was handed over: state 5 when it was sent. [SRS_PLC_800]
+    void Follow(NodeId node, Instant now) noexcept;
     /// @brief One step of a slave in state 4. Once a cycle.
     void Drive(NodeId node, Instant now) noexcept;
     /// @brief A safety slave that runs without having been started is verified, also while it waits for the start of

@@ -35,6 +35,8 @@ struct PlcNode
     ObjectAddress refused;  ///< First SDO of the list that was aborted; 0000h: none.
     SdoAbort list_abort;    ///< Of that one.
     bool was_reset;         ///< After 1011h:01, since Begin.
+    bool is_requested;      ///< Its reset (state -1) or start (state 4) was handed over, and was not seen to be sent.
+    bool is_hold_due;       ///< The command that holds it was handed over, and was not seen to be sent.
     bool is_held;           ///< Held by a command: it is not started again by itself.
     bool is_wanted;         ///< To be started.
     bool is_by_hand;        ///< Its start was ordered: no other slave is waited for.

@@ -62,7 +62,9 @@ bool PlcStartUp::IsBegun(const NodeId node) const noexcept
 NodeStatus PlcStartUp::Status(const NodeId node) const noexcept
 {
     NodeStatus status = slaves_.Of(node).status;
-    status.is_busy = slaves_.Of(node).is_listed && ((status.code <= kPlcSdos) || slaves_.Of(node).is_wanted);
+    const bool is_starting = slaves_.Of(node).is_wanted || slaves_.Of(node).is_requested;
+    status.is_busy = slaves_.Of(node).is_listed && ((status.code <= kPlcSdos) || is_starting);
+    status.is_started = status.is_started && !slaves_.Of(node).is_requested; // [SRS_PLC_800]
     status.is_other = status.is_other || (status.code == kPlcAbsent); // Nobody knows who came later. [SRS_SFS_009]
     return status;
 }
@@ -159,6 +161,8 @@ void PlcStartUp::Settle(const NodeId node, const Instant now) noexcept
     slave.is_transferring = false;
     slave.is_type_wrong = false;
     slave.is_wanted = false;
+    slave.is_requested = false;
+    slave.is_hold_due = false;
     slave.reading.is_checking = false;
     slave.status.is_started = false;
     slave.status.abort = SdoAbort::kNone;
@@ -175,13 +179,11 @@ void PlcStartUp::Drive(const NodeId node, const Instant now) noexcept
         slave.is_stop_due = (parts_.nmt.Halt(node, now) != NmtAnswer::kTaken);
     }
     slave.ran_unread = slave.ran_unread || release_.RunsUnread(node);
+    FollowHold(node, now);
     switch (slave.status.code)
     {
     case kPlcReset:
-        if (parts_.nmt.Request(NmtCommand::kResetNode, node, now) == NmtAnswer::kTaken)
-        {
-            slaves_.Go(node, PlcEvent::kResetSent, StartUpStep::kWaitBootUp, now);
-        }
+        SendReset(node, now);
         break;
     case kPlcBootUp:
         if (elapsed_us >= kBootUpUs)
@@ -200,12 +202,37 @@ void PlcStartUp::Drive(const NodeId node, const Instant now) noexcept
         DriveSdos(node, now);
         break;
     case kPlcConfigured:
+        release_.Follow(node, now);
         release_.Drive(node, now);
         break;
     default:
         break;
     }
     release_.Check(node, now);
+}
+
+/// State -1 ends when the reset was sent, which may wait for a long time. [SRS_PLC_801]
+void PlcStartUp::SendReset(const NodeId node, const Instant now) noexcept
+{
+    PlcNode& slave = slaves_.Of(node);
+    slave.is_requested =
+        slave.is_requested || (parts_.nmt.Request(NmtCommand::kResetNode, node, now) == NmtAnswer::kTaken);
+    if (slave.is_requested && !parts_.nmt.IsLeaving(node))
+    {
+        slave.is_requested = false;
+        slaves_.Go(node, PlcEvent::kResetSent, StartUpStep::kWaitBootUp, now);
+    }
+}
+
+/// A slave runs until the command that holds it was sent. [SRS_PLC_802]
+void PlcStartUp::FollowHold(const NodeId node, const Instant now) noexcept
+{
+    PlcNode& slave = slaves_.Of(node);
+    if (slave.is_hold_due && !parts_.nmt.IsLeaving(node))
+    {
+        slave.is_hold_due = false;
+        slaves_.Go(node, PlcEvent::kHold, StartUpStep::kManual, now);
+    }
 }
 
 /// The SDOs of state 3: an answer is taken in one cycle, the next request is sent in the following one. [SRS_PLC_011]
@@ -351,8 +378,12 @@ void PlcStartUp::OnSilence(const NodeId node, const Instant now) noexcept
 
 void PlcStartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const Instant now) noexcept
 {
-    const std::int16_t state = slaves_.Of(node).status.code;
     const bool is_listed = IsBegun(node);
+    if (is_listed && (slaves_.Of(node).status.code == kPlcReset) && slaves_.Of(node).is_requested)
+    {
+        SendReset(node, now); // It may have been sent since the last cycle.
+    }
+    const std::int16_t state = slaves_.Of(node).status.code;
     const bool is_lost = (event == NodeEvent::kHeartbeatLost) || (event == NodeEvent::kGuardLost);
     const bool is_watched = (state == kPlcConfigured) || (state == kPlcStarted);
     if (is_listed && (event == NodeEvent::kBootUp) && (state != kPlcReset) && (state != kPlcAbsent))
@@ -369,6 +400,8 @@ void PlcStartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const Ins
     {
         parts_.gate.Close(node);
         slaves_.Of(node).is_wanted = false;
+        slaves_.Of(node).is_requested = false;
+        slaves_.Of(node).is_hold_due = false;
         slaves_.Of(node).status.is_started = false;
         slaves_.Go(node, PlcEvent::kLost, StartUpStep::kErrorControl, now);
     }
@@ -418,9 +451,14 @@ NmtAnswer PlcStartUp::CommandOne(const NmtCommand command, const NodeId node, co
     const std::int16_t state = slave.status.code;
     const bool is_start = (command == NmtCommand::kStart);
     const std::uint8_t heard = parts_.table.RequestValue(node);
-    const bool has_left = (state == kPlcStarted) && ((heard == kStoppedByte) || (heard == kPreOperationalByte));
+    const bool is_out = (heard == kStoppedByte) || (heard == kPreOperationalByte) || slave.is_hold_due;
+    const bool has_left = (state == kPlcStarted) && is_out;
     NmtAnswer answer = NmtAnswer::kTaken;
-    if (is_start && ((state == kPlcConfigured) || (state == kPlcLost) || has_left))
+    if (is_start && slave.is_requested && (state == kPlcConfigured))
+    {
+        // Its start waits.
+    }
+    else if (is_start && ((state == kPlcConfigured) || (state == kPlcLost) || has_left))
     {
         release_.StartByHand(node, now);
     }
@@ -448,7 +486,8 @@ void PlcStartUp::Obey(const NmtCommand command, const NodeId node, const Instant
     if ((command == NmtCommand::kResetNode) || (command == NmtCommand::kResetCommunication))
     {
         BeginReset(node, now);
-        slaves_.Go(node, PlcEvent::kResetSent, StartUpStep::kWaitBootUp, now);
+        slave.is_requested = true;
+        SendReset(node, now);
     }
     else
     {
@@ -456,10 +495,12 @@ void PlcStartUp::Obey(const NmtCommand command, const NodeId node, const Instant
         slave.is_held = true;
         slave.reading.is_unread = false; // Not woken: this command counts.
         slave.is_wanted = false;
+        slave.is_requested = slave.is_requested && (slave.status.code == kPlcReset);
+        slave.is_hold_due = true;
         slave.reading.is_checking = false;
         slave.status.is_started = false;
         slave.signs = parts_.table.Record(node).signs;
-        slaves_.Go(node, PlcEvent::kHold, StartUpStep::kManual, now);
+        FollowHold(node, now);
     }
 }
 

@@ -50,6 +50,8 @@ class PlcStartUp final : public StartUp
     void BeginReset(NodeId node, Instant now) noexcept;
     void Settle(NodeId node, Instant now) noexcept;
     void Ask(NodeId node, Instant now) noexcept;
+    void SendReset(NodeId node, Instant now) noexcept;
+    void FollowHold(NodeId node, Instant now) noexcept;
     void DriveSdos(NodeId node, Instant now) noexcept;
     void OnAnswer(NodeId node, Instant now) noexcept;
     void OnSilence(NodeId node, Instant now) noexcept;

@@ -8,7 +8,7 @@ namespace counterpoint::cia302
 {
 
 /// nStatus of a slave: its state, and what its status has as `code`.
-constexpr std::int16_t kPlcReset = -1;     ///< Reset node waits to be handed over.
+constexpr std::int16_t kPlcReset = -1;     ///< Reset node waits to be sent.
 constexpr std::int16_t kPlcOutside = 0;    ///< Not begun.
 constexpr std::int16_t kPlcBootUp = 1;     ///< Waits for the boot-up message.
 constexpr std::int16_t kPlcSettles = 2;    ///< Waits 0.5 s.
@@ -30,9 +30,9 @@ enum class PlcEvent : std::uint8_t
     kAnswered = 5U,   ///< All SDOs were answered.
     kOther = 6U,      ///< It is another device than the expected one.
     kSilence = 7U,    ///< An optional slave did not answer.
-    kStarted = 8U,    ///< NMT start was handed over.
+    kStarted = 8U,    ///< NMT start was sent.
     kStartAgain = 9U, ///< It is to be started again: by order, or because a start was given up.
-    kHold = 10U,      ///< A command holds it, or the gate refused it.
+    kHold = 10U,      ///< A command that holds it was sent, or the gate refused it.
     kLost = 11U,      ///< Heartbeat or guarding was lost.
 };
 constexpr std::uint8_t kPlcEvents = 12U;

@@ -112,6 +112,15 @@ void ManagerJournal::OnNmtSent(const cia302::NmtRequest& request, const Instant 
          {{"command", WordOf(request.command)}});
 }
 
+/// [SRS_MGR_800]
+void ManagerJournal::OnNmtUnsent(const cia302::NmtRequest& request, const Instant /*now*/) noexcept
+{
+    const bool is_all = request.node.value == cia302::kAllNodes.value;
+    Tell(request.node.value, "nmt_unsent",
+         "NMT " + WordOf(request.command) + (is_all ? " all" : "") + " has not left: no active master any more",
+         {{"command", WordOf(request.command)}});
+}
+
 void ManagerJournal::OnGate(const NodeId node, const cia302::GateState state, const Instant /*now*/) noexcept
 {
     const cia302::GateFinding finding = assembly_->Core().Gate().Finding(node);

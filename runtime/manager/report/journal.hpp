@@ -64,6 +64,7 @@ class ManagerJournal final : public cia302::ManagerListener
     void OnNodeStatus(cia302::NodeId node, Instant now) noexcept override;
     void OnMasterState(std::int16_t state, Instant now) noexcept override;
     void OnNmtSent(const cia302::NmtRequest& request, Instant now) noexcept override;
+    void OnNmtUnsent(const cia302::NmtRequest& request, Instant now) noexcept override;
     void OnGate(cia302::NodeId node, cia302::GateState state, Instant now) noexcept override;
     void OnEmergency(cia302::NodeId node, const cia302::EmergencyRecord& emergency, Instant now) noexcept override;
     void OnDuplicate(cia302::NodeId node, Instant now) noexcept override;

@@ -84,8 +84,7 @@ std::string NotRunningText(const ManagerAssembly& assembly, const NodeId node)
     const cia302::NodeRecord& record = table.Record(node);
     const cia302::NodeStatus status = assembly.Core().Status(node);
     const bool is_el6751 = assembly.Net().Plan().manager.profile == network_plan::StartProfile::kEl6751;
-    const cia302::NmtMaster& commands = assembly.Core().Role().Commands();
-    const bool is_under_way = status.is_busy || commands.HasStart(node) || commands.HasStart(cia302::kAllNodes);
+    const bool is_under_way = status.is_busy || assembly.Core().Role().Commands().IsStarting(node);
     const bool is_started = status.is_started && !is_under_way && !(is_el6751 && status.code != 0);
     const bool is_other = record.state == SlaveState::kPreOperational || record.state == SlaveState::kStopped;
     const bool is_said = is_other && !record.is_presumed && record.asked != SlaveState::kOperational;

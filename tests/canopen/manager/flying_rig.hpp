@@ -150,6 +150,10 @@ class ManagerFlying : public ::testing::Test, public cia301::FrameSink, public M
     void OnNmtSent(const NmtRequest& /*request*/, const Instant /*now*/) noexcept override
     {
     }
+    void OnNmtUnsent(const NmtRequest& request, const Instant /*now*/) noexcept override
+    {
+        unsent += std::to_string(static_cast<int>(request.command)) + " " + std::to_string(request.node.value) + "; ";
+    }
     void OnGate(const NodeId /*node*/, const GateState /*state*/, const Instant /*now*/) noexcept override
     {
     }
@@ -175,7 +179,8 @@ class ManagerFlying : public ::testing::Test, public cia301::FrameSink, public M
     }
 
     std::vector<std::string> log_{};
-    std::string lost{}; ///< Whose heartbeat, and when.
+    std::string unsent{}; ///< Commands that never leave.
+    std::string lost{};   ///< Whose heartbeat, and when.
     std::uint32_t now_ms{0U};
     std::uint32_t refuses{0U};
     std::array<SlaveSetup, kNodeRoom> slaves{};

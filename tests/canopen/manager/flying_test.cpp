@@ -211,6 +211,28 @@ TEST_F(ManagerFlying, ARaceOrRestartAtAForceEndsTheLeadAtOnce)
     }
 }
 
+TEST_F(ManagerFlying, CommandsThatNeverLeaveAreTold)
+{
+    Verifies(req::SRS_MGR_800);
+    Use(NegotiationBy::kManager);
+    manager.Begin(Now());
+    RunTo(3000U);
+    ASSERT_TRUE(manager.IsActive());
+    // Given a command that has left, and three that wait, of which one was given up
+    setup.inhibit_100us = 10000U;
+    NmtMaster& nmt = manager.ProfileParts().nmt;
+    EXPECT_EQ(nmt.Request(NmtCommand::kStop, NodeId{8U}, Now()), NmtAnswer::kTaken);
+    EXPECT_EQ(nmt.Request(NmtCommand::kStop, NodeId{9U}, Now()), NmtAnswer::kTaken);
+    EXPECT_EQ(nmt.Request(NmtCommand::kStart, NodeId{10U}, Now()), NmtAnswer::kTaken);
+    EXPECT_EQ(nmt.Request(NmtCommand::kResetNode, NodeId{0U}, Now()), NmtAnswer::kTaken);
+    nmt.DropStarts(NodeId{10U});
+    EXPECT_EQ(unsent, "");
+    // When it commands nobody any more
+    manager.OnBus(false, Now());
+    EXPECT_EQ(unsent, "2 9; 129 0; ");
+    EXPECT_EQ(nmt.Waiting(), 0U);
+}
+
 TEST_F(ManagerFlying, OffTheBusNoRoleIsKeptAndNoneNegotiatedBeforeItIsBack)
 {
     Verifies(req::SRS_FLY_150);

@@ -42,7 +42,8 @@ class LostFramesTest : public ManagerRig, public ::testing::WithParamInterface<P
         Begin(Profile::kCia302);
         RunUntilVerified();
         Run(50U);
-        ASSERT_TRUE(manager->Status(NodeId{5U}).is_started);
+        ASSERT_TRUE(manager->Role().Commands().HasStart(NodeId{5U}));
+        ASSERT_FALSE(manager->Status(NodeId{5U}).is_started);
         ASSERT_EQ(starts, (std::vector<std::string>{}));
     }
     [[nodiscard]] char Letter() const

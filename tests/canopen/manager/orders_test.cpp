@@ -4,6 +4,7 @@
 #include "verification/trace/ids/flying_master.hpp"
 #include "verification/trace/ids/manager.hpp"
 #include "verification/trace/ids/nmt_master.hpp"
+#include "verification/trace/ids/start_up_profiles.hpp"
 
 namespace counterpoint::cia302
 {
@@ -58,6 +59,37 @@ TEST_F(ManagerOrdersTest, AnOwnerThatEndsItLetsCommandsLeaveThatWait)
     manager->Role().Finish(Now());
     EXPECT_EQ(manager->Role().Commands().Waiting(), 0U);
     EXPECT_EQ(stops, 2);
+}
+
+TEST_F(ManagerOrdersTest, AStartThatCannotLeaveIsNotToldAsOne)
+{
+    Verifies(req::SRS_BOOT_800);
+    Verifies(req::SRS_PLC_800);
+    Verifies(req::SRS_ELM_771);
+    Add(5U);
+    for (const Profile profile : kProfiles)
+    {
+        SCOPED_TRACE(static_cast<int>(profile));
+        Begin(profile);
+        Run(3000U);
+        ASSERT_TRUE(manager->Status(NodeId{5U}).is_started);
+        EXPECT_EQ(Order(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+        Run(10U);
+        EXPECT_FALSE(manager->Status(NodeId{5U}).is_started);
+        // Given a controller that takes nothing
+        is_sink_full = true;
+        EXPECT_EQ(Order(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+        Run(500U);
+        EXPECT_FALSE(manager->Status(NodeId{5U}).is_started);
+        EXPECT_NE(manager->Status(NodeId{5U}).code, 5);
+        EXPECT_EQ(Running(5U), 0);
+        // When it takes frames again
+        is_sink_full = false;
+        Run(10U);
+        EXPECT_TRUE(manager->Status(NodeId{5U}).is_started);
+        EXPECT_EQ(Running(5U), 1);
+        manager->End();
+    }
 }
 
 TEST_F(ManagerOrdersTest, WithoutAProfileNothingBegins)

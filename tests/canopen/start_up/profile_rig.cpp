@@ -52,6 +52,13 @@ void ProfileRig::OnNmtSent(const NmtRequest&, Instant) noexcept
 {
 }
 
+/// As the manager does it.
+void ProfileRig::OnStartDropped(const NodeId node, const Instant now) noexcept
+{
+    gate.Close(node);
+    profile->OnStartDropped(node, now);
+}
+
 void ProfileRig::OnNodeStatus(const NodeId node, Instant) noexcept
 {
     const std::string code = std::to_string(profile->Status(node).code);

@@ -32,6 +32,7 @@ class ProfileRig : public ::testing::Test,
     bool Send(const CanFrame& frame) noexcept override;
     void OnNodeEvent(NodeId node, NodeEvent event, Instant now) noexcept override;
     void OnNmtSent(const NmtRequest& request, Instant now) noexcept override;
+    void OnStartDropped(NodeId node, Instant now) noexcept override;
     void OnNodeStatus(NodeId node, Instant now) noexcept override;
     void OnMasterState(std::int16_t state, Instant now) noexcept override;
 

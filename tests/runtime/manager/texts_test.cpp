@@ -167,6 +167,22 @@ TEST(ManagerTextsTest, AJournalWithoutAnybodyWhoWaitsForRoomTellsNothingOfIt)
     EXPECT_EQ(rooms, 1);
 }
 
+TEST(ManagerTextsTest, ACommandThatNeverLeavesIsAnEvent)
+{
+    Verifies(req::SRS_MGR_800);
+    runtime::ManagerJournal journal;
+    journal.OnNmtUnsent({cia302::NmtCommand::kStop, cia302::NodeId{5U}}, Instant{0U});
+    journal.OnNmtUnsent({cia302::NmtCommand::kStart, cia302::NodeId{0U}}, Instant{0U});
+    const std::vector<runtime::ManagerEvent> events = journal.Take();
+    ASSERT_EQ(events.size(), 2U);
+    EXPECT_EQ(
+        runtime::JsonLine(events[0]),
+        "{\"format\":\"counterpoint-manager-1\",\"t_us\":0,\"node\":5,\"event\":\"nmt_unsent\",\"command\":\"stop\","
+        "\"text\":\"NMT stop has not left: no active master any more\"}");
+    EXPECT_EQ(events[1].node, 0U);
+    EXPECT_EQ(events[1].text, "NMT start all has not left: no active master any more");
+}
+
 TEST(ManagerTextsTest, BytesAreTwoDigitsEach)
 {
     Verifies(req::SRS_MGR_022);

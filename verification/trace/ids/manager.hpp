@@ -121,6 +121,7 @@ inline constexpr RequirementId SRS_MGR_670{"SRS_MGR_670"};
 inline constexpr RequirementId SRS_MGR_750{"SRS_MGR_750"};
 inline constexpr RequirementId SRS_MGR_751{"SRS_MGR_751"};
 inline constexpr RequirementId SRS_MGR_752{"SRS_MGR_752"};
+inline constexpr RequirementId SRS_MGR_800{"SRS_MGR_800"};
 inline constexpr RequirementId SRS_NET_001{"SRS_NET_001"};
 inline constexpr RequirementId SRS_NET_002{"SRS_NET_002"};
 inline constexpr RequirementId SRS_NET_003{"SRS_NET_003"};

@@ -75,6 +75,7 @@ inline constexpr RequirementId SRS_ELM_586{"SRS_ELM_586"};
 inline constexpr RequirementId SRS_ELM_670{"SRS_ELM_670"};
 inline constexpr RequirementId SRS_ELM_770{"SRS_ELM_770"};
 inline constexpr RequirementId SRS_ELM_771{"SRS_ELM_771"};
+inline constexpr RequirementId SRS_ELM_800{"SRS_ELM_800"};
 inline constexpr RequirementId SRS_PLC_001{"SRS_PLC_001"};
 inline constexpr RequirementId SRS_PLC_002{"SRS_PLC_002"};
 inline constexpr RequirementId SRS_PLC_003{"SRS_PLC_003"};
@@ -106,6 +107,9 @@ inline constexpr RequirementId SRS_PLC_480{"SRS_PLC_480"};
 inline constexpr RequirementId SRS_PLC_585{"SRS_PLC_585"};
 inline constexpr RequirementId SRS_PLC_586{"SRS_PLC_586"};
 inline constexpr RequirementId SRS_PLC_587{"SRS_PLC_587"};
+inline constexpr RequirementId SRS_PLC_800{"SRS_PLC_800"};
+inline constexpr RequirementId SRS_PLC_801{"SRS_PLC_801"};
+inline constexpr RequirementId SRS_PLC_802{"SRS_PLC_802"};
 } // namespace counterpoint::req
 
 #endif

@@ -81,9 +81,15 @@ TEST_F(NmtMasterTest, WhoseStartWaitsIsKnown)
     EXPECT_FALSE(nmt.HasStart(NodeId{5U}));
     EXPECT_FALSE(nmt.HasStart(NodeId{6U}));
     EXPECT_TRUE(nmt.HasStart(NodeId{7U}));
+    EXPECT_TRUE(nmt.IsStarting(NodeId{7U}));
+    EXPECT_FALSE(nmt.IsStarting(NodeId{6U}));
     After(1000U);
     After(1000U);
     EXPECT_FALSE(nmt.HasStart(NodeId{7U}));
+    // And one of all
+    EXPECT_EQ(Ask(NmtCommand::kStart, 0U), NmtAnswer::kTaken);
+    EXPECT_TRUE(nmt.IsStarting(NodeId{6U}));
+    EXPECT_FALSE(nmt.HasStart(NodeId{6U}));
 }
 
 TEST_F(NmtMasterTest, CommandsLeaveInOrderWithTheInhibitTimeBetween)

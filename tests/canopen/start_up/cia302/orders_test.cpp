@@ -504,7 +504,7 @@ TEST_F(BootOrdersTest, AStartThatIsOwedAndACommandToStop)
     Run(2U);
     FillQueue(100U);
     Run(20U);
-    ASSERT_TRUE(Of(5U).is_started);
+    ASSERT_TRUE(nmt.HasStart(NodeId{5U}) && !Of(5U).is_started);
     gate.cycles = 50;
     for (int i = 0; (i < 200) && !Of(5U).is_busy; ++i)
     {

@@ -279,6 +279,56 @@ TEST_F(El6751OrdersTest, AStartUpBeginsWhenTheCommandsBeforeItHaveLeft)
     EXPECT_EQ(Code(6U), 0);
 }
 
+TEST_F(El6751OrdersTest, AHeldSlaveKeepsItsNodeStateUntilTheCommandIsSent)
+{
+    Verifies(req::SRS_ELM_800);
+    AddBox(5U);
+    AddBox(6U);
+    Begin();
+    Run(50U);
+    ASSERT_EQ(Code(6U), 0);
+    // Given two holds, of which the first one is sent at once
+    setup.inhibit_100us = 500U;
+    EXPECT_EQ(Command(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+    EXPECT_EQ(Command(NmtCommand::kStop, 6U), NmtAnswer::kTaken);
+    Run(40U);
+    EXPECT_EQ(Code(5U), 12);
+    EXPECT_EQ(Code(6U), 0);
+    EXPECT_EQ(slaves[6]->state, 5U);
+    Run(20U);
+    EXPECT_EQ(Code(6U), 1);
+    EXPECT_EQ(slaves[6]->state, 4U);
+    EXPECT_EQ(told[6U].back(), "1");
+}
+
+TEST_F(El6751OrdersTest, WhoIsStoppedBecauseOfAnotherOneRunsUntilTheStopIsSent)
+{
+    Verifies(req::SRS_ELM_800);
+    for (const std::uint8_t node : {std::uint8_t{5U}, std::uint8_t{6U}, std::uint8_t{7U}})
+    {
+        AddBox(node);
+    }
+    boxes[5].network_reaction = El6751NetworkReaction::kStopAll;
+    boxes[5].restart = El6751Restart::kByHand;
+    Begin();
+    Run(50U);
+    ASSERT_EQ(Code(7U), 0);
+    // Given a loss, behind which the stops of 6, 7 and 5 leave one after the other
+    setup.inhibit_100us = 500U;
+    Event(5U, NodeEvent::kToggleError);
+    EXPECT_EQ(Code(6U), 1);
+    Run(40U);
+    EXPECT_EQ(Code(7U), 0);
+    EXPECT_EQ(slaves[7]->state, 5U);
+    EXPECT_EQ(Code(5U), 14);
+    Run(20U);
+    EXPECT_EQ(Code(7U), 1);
+    EXPECT_EQ(Code(5U), 14);
+    Run(50U);
+    EXPECT_EQ(Code(5U), 1);
+    EXPECT_EQ(slaves[5]->state, 4U);
+}
+
 TEST_F(El6751OrdersTest, AResetThatWaitsIsNoRestartOfItsOwn)
 {
     Verifies(req::SRS_ELM_770);

@@ -199,21 +199,27 @@ TEST_F(PlcOrdersTest, ADroppedStartIsMadeUpForWhereItIsStillWanted)
 {
     Verifies(req::SRS_NMM_121);
     BusSlave& slave = Running(5U);
+    // Given a start that is ordered behind a command, and waits for the inhibit time
+    setup.inhibit_100us = 20000U;
+    EXPECT_EQ(Command(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
     const int verified = gate.verifications;
-    DropStart(5U);
+    EXPECT_LT(RunUntil([this] { return nmt.Dropped() == 1U; }, 1000U), 1000U);
     EXPECT_EQ(Code(5U), 4);
+    setup.inhibit_100us = 0U;
     Run(50U);
     EXPECT_EQ(Code(5U), 5);
-    EXPECT_EQ(gate.verifications, verified + 1);
-    EXPECT_EQ(Commands(), (Log{"01 05"}));
-    // One that has left OPERATIONAL by itself since, and one that was held, is not started for it
-    slave.Turn(127U);
-    Run(60U);
-    ASSERT_FALSE(Of(5U).is_started);
+    EXPECT_GT(gate.verifications, verified + 1);
+    EXPECT_EQ(Commands(), (Log{"80 05", "01 05"}));
+    // One that runs, and one that was held since, is not started for it
     DropStart(5U);
     EXPECT_EQ(Code(5U), 5);
+    setup.inhibit_100us = 20000U;
     EXPECT_EQ(Command(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
-    DropStart(5U);
+    EXPECT_EQ(Command(NmtCommand::kStart, 5U), NmtAnswer::kTaken);
+    Run(5U);
+    EXPECT_EQ(Command(NmtCommand::kPreOperational, 5U), NmtAnswer::kTaken);
+    setup.inhibit_100us = 0U;
     Run(300U);
     EXPECT_EQ(Code(5U), 4);
     EXPECT_EQ(slave.state, 127U);
