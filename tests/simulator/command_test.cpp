@@ -169,6 +169,35 @@ TEST(SimulateCommand, RefusesOptionsThatWouldBeIgnored)
     EXPECT_EQ(RunCommand({"simulate", file, "--quiet", "--seed", "18446744073709551615"}).status, 0);
 }
 
+TEST(SimulateCommand, TellsOnStandardErrorWhatAShorterRunLeavesOut)
+{
+    Verifies(req::SRS_SIM_016);
+    // Given one of each just before, or at, 500 ms
+    const std::string file = simulator::TextFile("duration: 1 s\nnodes:\n  sensor: {dcf: " + simulator::Examples() +
+                                                 "sensor.dcf}\n  actuator: {dcf: " + simulator::Examples() +
+                                                 R"(actuator.dcf}
+inputs: [{at: 500 ms, node: sensor, object: 0x2000:01, value: 1}]
+acknowledge: [{at: 500 ms, node: actuator, srdo: 1}]
+nmt: [{at: 500 ms, node: actuator, command: stop}]
+power: [{at: 500 ms, node: actuator, off: 10 ms}]
+gfc: [{at: 500 ms, node: sensor}, {at: 499 ms, node: sensor}]
+faults: [{fault: unplugged, name: gone, node: sensor, at: 500 ms}]
+)");
+    const auto told = [&file](const std::string& what)
+    { return file + ":" + what + " at 500 ms does not happen, expected a time before the end of the run at 500 ms\n"; };
+    // When --until ends the run there, then each that begins there is told, and what is earlier is not
+    const Answer answer = RunCommand({"simulate", file, "--quiet", "--until", "500 ms"});
+    for (const char* const what :
+         {"5:10: warning: input", "6:15: warning: acknowledge", "7:7: warning: NMT event", "8:9: warning: power cycle",
+          "9:7: warning: GFC event", "10:10: warning: fault 'gone'"})
+    {
+        EXPECT_NE(answer.err.find(told(what)), std::string::npos) << what << "\n" << answer.err;
+    }
+    EXPECT_EQ(answer.err.find("499 ms"), std::string::npos) << answer.err;
+    EXPECT_EQ(RunCommand({"simulate", file, "--quiet", "--until", "501 ms"}).err.find("does not happen"),
+              std::string::npos);
+}
+
 TEST(SimulateCommand, TellsOfAFaultThatNeverHadAnEffect)
 {
     Verifies(req::SRS_SIM_015);
@@ -452,6 +481,28 @@ TEST(Sweep, TakesEveryCombinationAndAddsKeys)
     EXPECT_EQ(points, 9U);
     EXPECT_NE(page.find("stroke=\"var(--faulted)\""), std::string::npos);
     EXPECT_EQ(page.find("http"), std::string::npos);
+}
+
+TEST(Sweep, RefusesAKeyThatIsSetTwice)
+{
+    Verifies(req::SRS_SIM_050);
+    const auto refusal_of = [](const std::vector<std::string>& more)
+    {
+        std::vector<std::string> arguments{"simulate", LostPairs(), "--sweep"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Answer answer = RunCommand(arguments);
+        EXPECT_EQ(answer.status, 2) << answer.err;
+        EXPECT_EQ(answer.out, "");
+        return answer.err;
+    };
+    const std::string seed =
+        "--sweep: error: seed twice, by '--sweep', '--seed' or '--until', expected each key once\n";
+    EXPECT_EQ(refusal_of({"seed=1:2:1", "--sweep", "seed=3:4:1"}), seed);
+    EXPECT_EQ(refusal_of({"seed=1:2:1", "--seed", "3"}), seed);
+    EXPECT_EQ(refusal_of({"duration=1s:2s:1s", "--until", "1 s"}),
+              "--sweep: error: duration twice, by '--sweep', '--seed' or '--until', expected each key once\n");
+    // The near miss: another key than that of the option
+    EXPECT_EQ(RunCommand({"simulate", LostPairs(), "--quiet", "--sweep", "seed=1:1:1", "--until", "1 s"}).status, 0);
 }
 
 TEST(Sweep, RefusesWhatCannotBeSwept)

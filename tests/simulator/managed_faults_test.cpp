@@ -231,6 +231,12 @@ TEST_F(ManagedFaultsTest, ADeviceOfTwoCpusIsManaged)
                                  "  - {that: device, node: relay, is: absent}\n");
     const Answer answer = RunCommand({"simulate", "--quiet", good});
     EXPECT_EQ(answer.status, 0) << answer.out << answer.err;
+    // Then boot-up, heartbeat and answers to SDOs are from the first CPU, and none is from the second one
+    const std::string frames = RunCommand({"simulate", "--frames", good}).out;
+    EXPECT_TRUE(Has(frames, "frame 0x721 [1] 00  from relay.a")) << frames;
+    EXPECT_TRUE(Has(frames, "frame 0x721 [1] 05  from relay.a")) << frames;
+    EXPECT_TRUE(Has(frames, "frame 0x5A1 [8] 43 18 10 04 21 00 00 00  from relay.a")) << frames;
+    EXPECT_FALSE(Has(frames, "from relay.b")) << frames;
     // And it is reset at any moment of the cycles of its CPUs
     for (const char* const at : {"2000000", "2000250", "2000500", "2000750"})
     {

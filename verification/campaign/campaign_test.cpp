@@ -29,15 +29,23 @@ TEST_F(PlanTest, FaultsAreEachBitAtEachPhaseOfEachCycleInEachWay)
     const Session session(PlanFile("plan.yaml", "actuator", "at: [500 ms]\ncycles: 2\nparts: [latch]\n"));
     EXPECT_EQ(session.Faults().Size(), 12U * 8U * 2U * 14U * 4U);
     std::set<std::string> seen;
+    std::set<std::string> phases;
+    std::set<std::string> kinds;
     for (std::uint64_t number = 0U; number < session.Faults().Size(); ++number)
     {
         const Experiment fault = session.Faults().At(number);
+        phases.insert(WordOf(fault.phase));
+        kinds.insert(WordOf(fault.kind));
         seen.insert(PlaceText(session.Parts(), fault) + WordOf(fault.kind) + WordOf(fault.phase) +
                     std::to_string(fault.cycle));
     }
     EXPECT_EQ(seen.size(), session.Faults().Size());
     EXPECT_EQ(seen.count("latch+0.0flipbefore_frames499"), 1U);
     EXPECT_EQ(seen.count("latch+11.7stuck_at_1permits500"), 1U);
+    EXPECT_EQ(phases, (std::set<std::string>{"before_frames", "between_frames", "after_frames", "self_test", "clocks",
+                                             "guard", "channel_a", "channel_b", "comparison", "demotion", "production",
+                                             "commit", "events", "permits"}));
+    EXPECT_EQ(kinds, (std::set<std::string>{"flip", "stuck_at_0", "stuck_at_1", "intermittent"}));
 }
 
 TEST_F(PlanTest, WordsWithAnAddressOfTheProgramAreLeftOutAndCounted)

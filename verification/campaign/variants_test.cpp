@@ -5,7 +5,10 @@
 
 #include "hal/api/cross_link.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
+#include <map>
 #include <set>
 #include <string>
 
@@ -118,6 +121,37 @@ TEST(Variants, OfAMessageAreAllThatTheLinkCanMakeOfIt)
     EXPECT_EQ(of(FaultKind::kDelayed), 60U);
     EXPECT_EQ(of(FaultKind::kWrongOrder), 4U);
     EXPECT_EQ(of(FaultKind::kCorrupted), std::uint64_t{hal::kLinkFrameBytes} * 8U);
+}
+
+TEST_F(VariantsTest, EachByteOfTheKernelIsInAPlace)
+{
+    Verifies(req::SRS_CMG_003);
+    // Given the places of the kernel's members, by their offsets
+    const Session session(PlanFile("plan.yaml", "actuator", kSmall));
+    constexpr Part kOfKernel[] = {Part::kComparator, Part::kGuard, Part::kLatch, Part::kClocks, Part::kKernel};
+    std::map<std::size_t, std::size_t> ends;
+    for (const Place& place : session.Parts().device.Places())
+    {
+        const bool is_of_kernel =
+            std::find(std::begin(kOfKernel), std::end(kOfKernel), place.part) != std::end(kOfKernel);
+        if (is_of_kernel && place.name != "kernel.windows") // Which the kernel is handed.
+        {
+            ends[place.offset] = place.offset + place.size;
+        }
+    }
+    // Then between two of them is no more than what the compiler fills up, and together they are all of it; the flow
+    // monitor inside is not in use, as the kernel was handed another one
+    std::size_t end = ends.begin()->first;
+    std::size_t unused = 0U;
+    for (const auto& [begin, behind] : ends)
+    {
+        const bool is_unused = (begin - end) >= sizeof(FlowMonitor);
+        unused += is_unused ? 1U : 0U;
+        EXPECT_LT(begin - end - (is_unused ? sizeof(FlowMonitor) : 0U), 8U) << begin;
+        end = behind;
+    }
+    EXPECT_EQ(unused, 1U);
+    EXPECT_LT(sizeof(Kernel) - (end - ends.begin()->first), 8U);
 }
 
 TEST_F(VariantsTest, PlacesOfADeviceAreAllPartsThatHaveMemory)

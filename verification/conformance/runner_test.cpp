@@ -256,6 +256,7 @@ TEST(ConformanceRun, NamesTheFailedExpectation)
 
 TEST(ConformanceRun, OneCaseIsOneFailure)
 {
+    Verifies(req::SRS_CNF_002);
     Verifies(req::SRS_CNF_003);
     const auto parts = std::make_unique<Parts>();
     Generous generous{parts->channel};

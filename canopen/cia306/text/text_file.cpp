@@ -199,6 +199,21 @@ void KeepOwner(const std::string& path, const int descriptor, const Keeping& kee
     }
 }
 
+/// The system takes the bit of the group away without a word from whoever is not in it.
+void KeepMode(const std::string& path, const int descriptor, const Keeping& keeping)
+{
+    struct stat status{};
+    if (::fchmod(descriptor, keeping.mode) != 0 || ::fstat(descriptor, &status) != 0)
+    {
+        Refuse(path, "it cannot be replaced (" + ErrorText() + ")", "a path in a writable folder");
+    }
+    const bool is_new = keeping.owner == static_cast<uid_t>(-1);
+    if (!is_new && (status.st_mode & static_cast<mode_t>(07777)) != keeping.mode)
+    {
+        Refuse(path, "its mode cannot be kept", "a file of a group of your own, or none");
+    }
+}
+
 /// Gives a file without a name one beside `target`.
 bool Name(const int descriptor, const std::string& target, std::string& temporary)
 {
@@ -230,7 +245,8 @@ class Replacement
     {
         WriteAll(path_, file_.Number(), text);
         KeepOwner(path_, file_.Number(), keeping_); // Before the mode, of which a change of the owner takes bits away.
-        Require(::fchmod(file_.Number(), keeping_.mode) == 0 && ::fsync(file_.Number()) == 0);
+        KeepMode(path_, file_.Number(), keeping_);
+        Require(::fsync(file_.Number()) == 0);
     }
     void TakePlace()
     {
@@ -299,6 +315,7 @@ void RequireWritable(const std::string& path)
     const Descriptor file(CreateBeside(path, TargetOf(path), temporary));
     (void)(temporary.empty() ? 0 : ::unlink(temporary.c_str()));
     KeepOwner(path, file.Number(), keeping);
+    KeepMode(path, file.Number(), keeping);
 }
 
 void WriteTextFile(const std::string& path, const std::string_view text)

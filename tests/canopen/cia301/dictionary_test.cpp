@@ -181,6 +181,8 @@ TEST_F(DictionaryTest, WhatDoesNotExistIsToldApart)
     EXPECT_EQ(Write(0x2000U, 4U, {1U}), SdoAbort::kSubUnknown);
     EXPECT_EQ(dictionary.SizeOf({0x2000U, 4U}).abort, SdoAbort::kSubUnknown);
     EXPECT_EQ(dictionary.MayWrite({0x3000U, 0U}, 1U), SdoAbort::kObjectUnknown);
+    EXPECT_EQ(static_cast<std::uint32_t>(SdoAbort::kObjectUnknown), 0x06020000U);
+    EXPECT_EQ(static_cast<std::uint32_t>(SdoAbort::kSubUnknown), 0x06090011U);
 }
 
 TEST_F(DictionaryTest, AccessIsKept)

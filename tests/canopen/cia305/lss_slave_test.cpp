@@ -380,6 +380,31 @@ TEST_F(LssSlaveTest, RangesInAnotherOrderIdentifyNobody)
     EXPECT_EQ(send(5U), Reply(0x4FU));
 }
 
+TEST_F(LssSlaveTest, ARangeHoldsWhatLiesBetweenItsEnds)
+{
+    Verifies(req::SRS_LSS_008);
+    // Given ranges around revision 00010002h and serial number CAFE0007h, wide ones among them
+    struct Range
+    {
+        std::uint32_t revision_low;
+        std::uint32_t revision_high;
+        std::uint32_t serial_low;
+        std::uint32_t serial_high;
+    };
+    for (const Range& range : {Range{0x00010001U, 0x00010003U, 0xCAFE0006U, 0xCAFE0008U},
+                               Range{0x00000000U, 0xFFFFFFFFU, 0x00000000U, 0xFFFFFFFFU},
+                               Range{0x00010002U, 0x7FFFFFFFU, 0x7FFFFFFFU, 0xCAFE0007U}})
+    {
+        const std::uint32_t parts[] = {0x123U,           0x80000001U,      range.revision_low, range.revision_high,
+                                       range.serial_low, range.serial_high};
+        for (std::uint8_t part = 0U; part < 5U; ++part)
+        {
+            EXPECT_TRUE(Send(static_cast<std::uint8_t>(0x46U + part), parts[part]).empty()) << int{part};
+        }
+        EXPECT_EQ(Send(0x4BU, range.serial_high), Reply(0x4FU)) << range.serial_high;
+    }
+}
+
 TEST_F(LssSlaveTest, RangesIdentifyASlave)
 {
     Verifies(req::SRS_LSS_008);

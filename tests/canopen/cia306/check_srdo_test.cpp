@@ -163,12 +163,17 @@ TEST(CheckSrdo, AnObjectIsReceivedByOneSrdoAlone)
 TEST(CheckSrdo, AMappedObjectHasAValueOfItsType)
 {
     Verifies(req::SRS_CLI_034);
-    test::ExpectRows("controller",
-                     {{{{"2000sub1", kValue, "256"}},
-                       {"warning: 0x2000:01: ParameterValue: value '256', expected a number from 0 to 255 (UNSIGNED8)",
-                        "error: 0x2000:01: value '256', expected a number from 0 to 255 (UNSIGNED8)"}},
-                      {{{"2000sub1", kValue, "0xFF"}}, {}}},
-                     {});
+    test::ExpectRows(
+        "controller",
+        {{{{"2000sub1", kValue, "256"}},
+          {"warning: 0x2000:01: ParameterValue: value '256', expected a number from 0 to 255 (UNSIGNED8)",
+           "error: 0x2000:01: value '256', expected a number from 0 to 255 (UNSIGNED8)"}},
+         {{{"2100sub1", kValue, "-1"}},
+          {"warning: 0x2100:01: ParameterValue: value '-1', expected a number from 0 to 255 (UNSIGNED8), or "
+           "$NODEID+number",
+           "error: 0x2100:01: value '-1', expected a number from 0 to 255 (UNSIGNED8), or $NODEID+number"}},
+         {{{"2000sub1", kValue, "0xFF"}}, {}}},
+        {});
 }
 
 TEST(CheckSrdo, TimesOfAConsumer)

@@ -458,6 +458,23 @@ TEST(SrdoRemoval, IsTheReverseButForObjectsAndPlaces)
     EXPECT_TRUE(CheckDevice(ReadDevice(document), {std::nullopt, std::nullopt}).empty());
 }
 
+TEST(SrdoRemoval, EachValueThatIsNotZeroIsSetToZero)
+{
+    Verifies(req::SRS_NEW_015);
+    // Given a consumer with an automatic release, late detection and a safe value
+    SrdoPlan plan = SrdoOf(2U, false, "i16,8");
+    plan.is_automatic = true;
+    plan.is_late = true;
+    plan.safe_value = 0x55U;
+    const IniDocument two = WithSrdo(NewDevice("device.dcf", PlanOf({"8"}, {})), plan, std::uint8_t{3U});
+    const IniDocument document = WithoutSrdo(two, 2U, std::uint8_t{3U});
+    EXPECT_EQ(ValueOf(document, 0x13FFU, 2U), "0x0000");
+    EXPECT_EQ(ValueOf(document, 0x5F01U, 2U), "0x00");
+    EXPECT_EQ(ValueOf(document, 0x5F02U, 2U), "0x0000000000000000");
+    EXPECT_EQ(ValueOf(document, 0x5F05U, 2U), "0x00");
+    EXPECT_TRUE(CheckDevice(ReadDevice(document), {std::nullopt, std::nullopt}).empty());
+}
+
 TEST(SrdoRemoval, WhatMustStayIsRefused)
 {
     Verifies(req::SRS_NEW_015);

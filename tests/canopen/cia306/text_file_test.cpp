@@ -9,12 +9,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <fcntl.h>
 #include <filesystem>
 #include <functional>
+#include <grp.h>
 #include <iterator>
+#include <map>
 #include <string>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -27,6 +30,38 @@ namespace counterpoint::cia306
 {
 namespace
 {
+/// As somebody else without groups, while it lives; only who may give files away becomes that.
+class AsSomebody
+{
+  public:
+    static constexpr uid_t kId = 12345U;
+
+    AsSomebody()
+        : count_(::getgroups(static_cast<int>(groups_.size()), groups_.data())),
+          is_one_(count_ >= 0 && ::setgroups(0U, nullptr) == 0 && ::setegid(kId) == 0 && ::seteuid(kId) == 0)
+    {
+    }
+    AsSomebody(const AsSomebody&) = delete;
+    AsSomebody& operator=(const AsSomebody&) = delete;
+    ~AsSomebody()
+    {
+        static_cast<void>(::seteuid(user_));
+        static_cast<void>(::setegid(group_));
+        static_cast<void>(::setgroups(is_one_ ? static_cast<std::size_t>(count_) : 0U, groups_.data()));
+    }
+    [[nodiscard]] bool IsOne() const
+    {
+        return is_one_;
+    }
+
+  private:
+    std::array<gid_t, 256> groups_{};
+    uid_t user_{::geteuid()};
+    gid_t group_{::getegid()};
+    int count_;
+    bool is_one_;
+};
+
 class TextFile : public ::testing::Test
 {
   protected:
@@ -44,17 +79,21 @@ class TextFile : public ::testing::Test
     {
         return (folder_ / name).string();
     }
-    static std::string RefusalOf(const std::string& path)
+    static std::string RefusalOf(const std::function<void()>& action)
     {
         try
         {
-            (void)ReadTextFile(path);
+            action();
         }
         catch (const InputError& error)
         {
             return error.what();
         }
         return "";
+    }
+    static std::string RefusalOf(const std::string& path)
+    {
+        return RefusalOf([&path] { static_cast<void>(ReadTextFile(path)); });
     }
 
     std::filesystem::path folder_;
@@ -99,6 +138,7 @@ TEST_F(TextFile, ALargeFileIsRefusedBeforeItIsRead)
 TEST_F(TextFile, AFileIsReplacedInOneStepAndKeepsItsMode)
 {
     Verifies(req::SRS_CLI_120);
+    Verifies(req::SRS_CLI_035);
     WriteTextFile(Path("a"), "old");
     std::filesystem::permissions(Path("a"), std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
     std::filesystem::create_symlink(Path("a"), Path("link"));
@@ -153,26 +193,57 @@ TEST_F(TextFile, AFileWhoseOwnerCannotBeKeptIsNotReplaced)
     const bool is_somebody = ::seteuid(kSomebody) == 0;
     const std::string expected =
         Path("a") + ": error: its owner cannot be kept (Operation not permitted), expected a file of your own, or none";
-    const auto refusal_of = [](const auto& action)
-    {
-        try
-        {
-            action();
-        }
-        catch (const InputError& error)
-        {
-            return std::string(error.what());
-        }
-        return std::string();
-    };
-    const std::string of_writing = refusal_of([this] { WriteTextFile(Path("a"), "new"); });
-    const std::string of_asking = refusal_of([this] { RequireWritable(Path("a")); });
+    const std::string of_writing = RefusalOf([this] { WriteTextFile(Path("a"), "new"); });
+    const std::string of_asking = RefusalOf([this] { RequireWritable(Path("a")); });
     static_cast<void>(::seteuid(own));
     // Then it is refused, before and at the writing, and nothing is there but the file
     EXPECT_EQ(of_writing, is_somebody ? expected : "");
     EXPECT_EQ(of_asking, is_somebody ? expected : "");
     EXPECT_EQ(ReadTextFile(Path("a")), is_somebody ? "old" : "new");
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(TextFile, AFileWhoseGroupOrModeCannotBeKeptIsNotReplaced)
+{
+    Verifies(req::SRS_CLI_035);
+    // Given two files of somebody in groups that they are not in: one where a new file has another group, one in a
+    // folder that gives its own to what is in it, with the bit of the group
+    std::filesystem::permissions(folder_, std::filesystem::perms::all);
+    std::filesystem::create_directory(Path("deep"));
+    WriteTextFile(Path("a"), "old");
+    WriteTextFile(Path("deep/b"), "old");
+    constexpr gid_t kGroup = 23456U;
+    const bool may_give = ::chown(Path("deep").c_str(), AsSomebody::kId, kGroup) == 0 &&
+                          ::chown(Path("a").c_str(), AsSomebody::kId, kGroup) == 0 &&
+                          ::chown(Path("deep/b").c_str(), AsSomebody::kId, kGroup) == 0;
+    ASSERT_EQ(::chmod(Path("deep").c_str(), 02777), 0);
+    ASSERT_EQ(::chmod(Path("deep/b").c_str(), 02640), 0);
+    std::map<std::string, std::string> told;
+    bool is_somebody = false;
+    {
+        const AsSomebody somebody;
+        is_somebody = may_give && somebody.IsOne();
+        for (const char* const name : {"a", "deep/b"})
+        {
+            told[name] = RefusalOf([this, name] { WriteTextFile(Path(name), "new"); });
+            told[std::string(name) + " before"] = RefusalOf([this, name] { RequireWritable(Path(name)); });
+        }
+    }
+    // Then both are refused, before and at the writing, and stay as they were
+    const std::string of_group = Path("a") +
+                                 ": error: its owner cannot be kept (Operation not permitted), expected a " +
+                                 "file of your own, or none";
+    const std::string of_mode =
+        Path("deep/b") + ": error: its mode cannot be kept, expected a file of a group of your own, or none";
+    const std::map<std::string, std::string> expected{
+        {"a", of_group}, {"a before", of_group}, {"deep/b", of_mode}, {"deep/b before", of_mode}};
+    if (is_somebody)
+    {
+        EXPECT_EQ(told, expected);
+        EXPECT_EQ(ReadTextFile(Path("a")) + ReadTextFile(Path("deep/b")), "oldold");
+    }
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 2);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(Path("deep")), {}), 1);
 }
 
 TEST_F(TextFile, AProcessThatIsKilledWhileItWritesLeavesNothing)

@@ -139,6 +139,24 @@ TEST_P(LeftOperationalTest, BySomebodyElseAndCameBackChangedIsStopped)
     ExpectStopped();
 }
 
+TEST_P(LeftOperationalTest, BehindACommandItIsVerifiedWithItsSecondSign)
+{
+    Verifies(req::SRS_PLC_020);
+    StartAndForget(GetParam());
+    // Given a stop of somebody else that it did not get: of its heartbeats, one each 100 ms, the first one behind it
+    // may be one of before
+    manager->OnFrame(Nmt(NmtCommand::kStop, 5U), Now());
+    EXPECT_NE(Gate(), GateState::kOpen);
+    std::uint32_t waited_ms = 0U;
+    while ((readings == 0) && (waited_ms < 1000U))
+    {
+        Run(1U);
+        ++waited_ms;
+    }
+    EXPECT_GT(waited_ms, 100U);
+    EXPECT_LE(waited_ms, 202U);
+}
+
 TEST_P(LeftOperationalTest, BySomebodyElseAndCameBackAsItWasRunsOnVerifiedOnce)
 {
     Verifies(req::SRS_SFS_002);

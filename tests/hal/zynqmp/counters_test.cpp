@@ -25,7 +25,8 @@ struct Machine
     CycleSetup cycles;
     std::uint32_t timer_us;
     std::uint32_t processor_us;
-    bool runs; ///< By 1 us a reading: what the start waits for.
+    std::uint32_t timer_step; ///< us a reading: what the start waits for.
+    std::uint32_t processor_step;
 };
 Machine machine;
 
@@ -36,10 +37,16 @@ class CountersTest : public testing::Test
   protected:
     CountersTest()
     {
-        machine = Machine{{}, {}, 0U, 0U, true};
-        EXPECT_EQ(counters_.Start(kSetup), Outcome::kDone);
-        machine.runs = false;
+        EXPECT_EQ(StartWith(1U, 1U), Outcome::kDone);
+        machine.timer_step = 0U;
+        machine.processor_step = 0U;
         EXPECT_EQ(counters_.Examine(), Outcome::kDone);
+    }
+    /// A start while the counters pass so much a reading.
+    Outcome StartWith(const std::uint32_t timer_step, const std::uint32_t processor_step)
+    {
+        machine = Machine{{}, {}, 70U, 5000U, timer_step, processor_step};
+        return counters_.Start(kSetup);
     }
     /// A cycle of 1 ms, in which the processor's counter gains so much.
     Outcome CycleWith(const std::uint32_t gained_us)
@@ -51,6 +58,37 @@ class CountersTest : public testing::Test
 
     Counters counters_{};
 };
+
+TEST_F(CountersTest, BothCountFromTheStart)
+{
+    Verifies(req::SRS_ZYN_054);
+    // Given counters that stood at 70 and 5000 us, behind the 20 us that the start watches
+    const InstantPair begun = counters_.Now();
+    EXPECT_EQ(begun.a.us, 20U);
+    EXPECT_EQ(begun.b.us, 20U);
+    // Each is a counter of its own
+    machine.timer_us += 300U;
+    machine.processor_us += 200U;
+    EXPECT_EQ(counters_.Now().a.us, 320U);
+    EXPECT_EQ(counters_.Now().b.us, 220U);
+}
+
+TEST_F(CountersTest, ACounterThatDoesNotRunRefusesTheStart)
+{
+    Verifies(req::SRS_ZYN_054);
+    EXPECT_EQ(StartWith(0U, 1U), Outcome::kFailed);
+    EXPECT_EQ(StartWith(1U, 0U), Outcome::kFailed);
+    EXPECT_EQ(StartWith(0U, 0U), Outcome::kFailed);
+    EXPECT_EQ(counters_.Examine(), Outcome::kFailed);
+}
+
+TEST_F(CountersTest, ACounterThatIsNotAsFastAsItWasSaidRefusesTheStart)
+{
+    Verifies(req::SRS_ZYN_054);
+    EXPECT_EQ(StartWith(1U, 2U), Outcome::kFailed);
+    EXPECT_EQ(StartWith(2U, 1U), Outcome::kFailed);
+    EXPECT_EQ(StartWith(2U, 2U), Outcome::kDone);
+}
 
 // 30 us a cycle are within the tolerance of a cycle, and 60 us behind the second one are not within that of the
 // interval.
@@ -114,8 +152,8 @@ std::uint32_t Read(const Register place) noexcept
     {
         return machine.words[place.address];
     }
-    machine.timer_us += machine.runs ? 1U : 0U;
-    machine.processor_us += machine.runs ? 1U : 0U;
+    machine.timer_us += machine.timer_step;
+    machine.processor_us += machine.processor_step;
     return (2U * machine.timer_us) + 1U;
 }
 

@@ -1,10 +1,13 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "canopen/cia306/edit/srdo_edit.hpp"
+#include "canopen/cia306/text/text_file.hpp"
 #include "tests/runtime/node/bench.hpp"
 #include "verification/trace/ids/node.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <fstream>
 #include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <string>
@@ -195,6 +198,26 @@ TEST(NodeConfiguredTest, AProviderDeliversTheInputsAsTheyAre)
 
 // Actuator: SCT 50 ms, SRVT 20 ms, output 1 ms; cycle 5 ms, 5 ms late; the clocks 0.5 ms apart in 100 ms. The normal
 // frame that comes 50 ms after the last good one is waited for in early detection until SRVT is over.
+TEST(NodeConfiguredTest, EachConsumerHasALimitOfItsOwn)
+{
+    Verifies(req::SRS_NODE_024);
+    // Given a second consumer, of SCT 100 ms
+    const std::string file = FileWith("actuator", {});
+    cia306::SrdoPlan plan;
+    plan.number = 2U;
+    plan.sct_ms = 100U;
+    plan.cob_id = 0x111U;
+    plan.pairs = {cia306::PlannedPair{"", 0x0005U, std::nullopt, std::nullopt}};
+    const cia306::IniDocument one = cia306::IniDocument::Parse(file, cia306::ReadTextFile(file));
+    cia306::WriteTextFile(file, cia306::WithSrdo(one, plan, std::uint8_t{33U}).Text());
+    Bench bench(file);
+    const std::string told = bench.Told();
+    EXPECT_NE(told.find("SRDO 1 consumer 0x103, safe within 81.5 ms of the last good normal frame"), std::string::npos)
+        << told;
+    EXPECT_NE(told.find("SRDO 2 consumer 0x111, safe within 132 ms of the last good normal frame"), std::string::npos)
+        << told;
+}
+
 TEST(NodeConfiguredTest, TheLimitHoldsWhereTheNextNormalFrameStillCame)
 {
     Verifies(req::SRS_NODE_024);

@@ -181,6 +181,31 @@ class NodeScriptTest : public cia306::test::FolderTest
     }
 };
 
+TEST_F(NodeScriptTest, EachOrderHasItsTimeInAScript)
+{
+    Verifies(req::SRS_NODE_003);
+    const runtime::NodeScript script =
+        runtime::ReadNodeScript(File("orders.yaml", "steps:\n"
+                                                    "  - {at: 1 ms, do: set 0x2000:01 7}\n"
+                                                    "  - {at: 2 ms, do: ack 3}\n"
+                                                    "  - {at: 3 ms, do: gfc}\n"
+                                                    "  - {at: 4 ms, do: get 0x2000:01}\n"
+                                                    "  - {at: 5 ms, do: nmt}\n"
+                                                    "  - {at: 6 ms, do: state}\n"
+                                                    "  - {at: 7 ms, do: quit}\n"));
+    constexpr runtime::OrderKind kKinds[] = {
+        runtime::OrderKind::kSet, runtime::OrderKind::kAcknowledge, runtime::OrderKind::kGfc, runtime::OrderKind::kGet,
+        runtime::OrderKind::kNmt, runtime::OrderKind::kState,       runtime::OrderKind::kQuit};
+    ASSERT_EQ(script.steps.size(), 7U);
+    for (std::size_t step = 0U; step < 7U; ++step)
+    {
+        EXPECT_EQ(script.steps[step].order.kind, kKinds[step]) << step;
+        EXPECT_EQ(script.steps[step].at_ns, (step + 1U) * 1000000U) << step;
+    }
+    EXPECT_EQ(script.steps[0].order.value, 7U);
+    EXPECT_EQ(script.steps[1].order.value, 3U);
+}
+
 TEST_F(NodeScriptTest, StepsAndRulesAreRead)
 {
     Verifies(req::SRS_NODE_003);

@@ -238,6 +238,7 @@ TEST(EverySlot, DeviceOfSixtyFourConsumersStaysWithinItsStorage)
 TEST(EverySlot, FlowEventCountsThePairsReleasedInOneCycle)
 {
     Verifies(req::SRS_FLOW_340);
+    Verifies(req::SRS_FLOW_004);
     const std::unique_ptr<Device<33U>> device = std::make_unique<Device<33U>>();
     device->Operate();
     for (const std::uint32_t slot : {0U, 16U, 32U})
@@ -247,6 +248,7 @@ TEST(EverySlot, FlowEventCountsThePairsReleasedInOneCycle)
     device->application.flow.clear();
     device->Cycle();
     ASSERT_FALSE(device->application.flow.empty());
+    EXPECT_EQ(device->application.flow.front(), std::make_pair(FlowEvent::kSctChecked, std::uint16_t{33U}));
     EXPECT_EQ(device->application.flow.back(), std::make_pair(FlowEvent::kSrdoReceived, std::uint16_t{3U}));
 }
 

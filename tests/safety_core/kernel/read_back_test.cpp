@@ -92,14 +92,42 @@ TEST_F(ReadBack, SlotThatBothChannelsFindIsTold)
 TEST_F(ReadBack, SafeValueThatIsNotAsWrittenIsADeviceFaultInTheCall)
 {
     Verifies(req::SRS_KRN_037);
-    Release();
-    b.more_found = 1U;
-    kernel.SetNmtState(NmtState::kPreOperational);
-    EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
-    EXPECT_EQ(kernel.DeviceState().slot, 0U);
+    for (Tap* const channel : {&a, &b})
+    {
+        ASSERT_EQ(kernel.Start(config, FlowCallback::kOn), StartResult::kStarted);
+        Release();
+        channel->more_found = 1U;
+        kernel.SetNmtState(NmtState::kPreOperational);
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kDisagreement);
+        EXPECT_EQ(kernel.DeviceState().slot, 0U);
+        channel->more_found = 0U;
+    }
 }
 
 // Diagnosis 30 ms, SCT 50 ms, cycle 1 ms: whenever a bit of an object changes, it is found 31 cycles later at the most.
+TEST_F(ReadBack, WhatStopAndStartFindIsNotTold)
+{
+    Verifies(req::SRS_KRN_037);
+    for (Tap* const channel : {&a, &b})
+    {
+        ASSERT_EQ(kernel.Start(config, FlowCallback::kOn), StartResult::kStarted);
+        Release();
+        channel->more_found = 1U;
+        kernel.Stop();
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kInvalid);
+        EXPECT_EQ(Open(), 0U);
+        channel->more_found = 0U;
+        ASSERT_EQ(kernel.Start(config, FlowCallback::kOn), StartResult::kStarted);
+        Release();
+        channel->more_found = 1U;
+        EXPECT_EQ(kernel.Start(config, FlowCallback::kOn), StartResult::kStarted);
+        EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+        EXPECT_EQ(Open(), 0U);
+        channel->more_found = 0U;
+    }
+    EXPECT_TRUE(application.faults.empty());
+}
+
 TEST_F(ReadBack, ChangedObjectIsFoundWithinTheDiagnosticInterval)
 {
     Verifies(req::SRS_KRN_038);

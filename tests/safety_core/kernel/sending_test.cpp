@@ -93,6 +93,45 @@ TEST_F(Sending, SendToAllSendsEveryProducerOnce)
     EXPECT_EQ(ports.sent.size(), 3U);
 }
 
+TEST_F(Sending, FlowEventsCountConsumersProducersAndWhatIsOff)
+{
+    Verifies(req::SRS_FLOW_004);
+    using Flow = std::vector<std::pair<FlowEvent, std::uint16_t>>;
+    // Given a consumer and two producers
+    Configure();
+    MakeProducer(4U, 0x107U);
+    ASSERT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+    kernel.SetNmtState(NmtState::kOperational);
+    application.flow.clear();
+    Cycle();
+    EXPECT_EQ(application.flow,
+              (Flow{{FlowEvent::kSctChecked, std::uint16_t{1U}}, {FlowEvent::kItIsTx, std::uint16_t{2U}}}));
+    // When the configuration is not valid, or OPERATIONAL is left, then there is one event of all three
+    kernel.SetNmtState(NmtState::kPreOperational);
+    ASSERT_EQ(Write(0x1301U, 1U, 0U, 1U), AbortCode::kNone);
+    for (const NmtState state : {NmtState::kOperational, NmtState::kPreOperational})
+    {
+        kernel.SetNmtState(state);
+        Cycle();
+        application.flow.clear();
+        Cycle();
+        EXPECT_EQ(application.flow, (Flow{{FlowEvent::kNotOperational, std::uint16_t{1U}}}));
+    }
+    // Given that the consumer and one producer are off
+    ASSERT_EQ(Write(0x1304U, 1U, 0U, 1U), AbortCode::kNone);
+    for (const std::uint16_t number : {std::uint16_t{1U}, std::uint16_t{4U}})
+    {
+        const SignReply reply = kernel.Sign(CommunicationIndex{static_cast<std::uint16_t>(0x1300U + number)});
+        ASSERT_EQ(Write(0x13FFU, static_cast<std::uint8_t>(number), reply.signature, 2U), AbortCode::kNone);
+    }
+    ASSERT_EQ(Write(0x13FEU, 0U, 0xA5U, 1U), AbortCode::kNone);
+    kernel.SetNmtState(NmtState::kOperational);
+    application.flow.clear();
+    Cycle();
+    EXPECT_EQ(application.flow,
+              (Flow{{FlowEvent::kItIsTx, std::uint16_t{1U}}, {FlowEvent::kItIsInvalid, std::uint16_t{2U}}}));
+}
+
 TEST_F(Sending, FlowEventCountsThePairsSentBetweenTwoCycles)
 {
     Verifies(req::SRS_FLOW_340);

@@ -280,6 +280,28 @@ TEST_F(KernelHook, SelfTestThatStandsStillIsFoundInTheSameCycle)
     EXPECT_EQ(device->Open(), 0U);
 }
 
+TEST_F(KernelHook, SelfTestThatIsNotCalledIsFoundInTheSameCycle)
+{
+    Verifies(req::SRS_STS_213);
+    device->Run();
+    // When the call is left out, and in the place of its outcome are zeros beside a good word
+    device->tap.is_frozen = true;
+    device->tap.last = SelfTestOutcome{0U, DeviceFault::kNone, PartsView::kSound};
+    device->Cycle();
+    // Then the flow is wrong in that cycle, and so was the watchdog's answer
+    EXPECT_EQ(device->kernel.DeviceState().fault, DeviceFault::kFlow);
+    EXPECT_FALSE(device->WatchdogAlive());
+    // When there are zeros alone, then that is a device fault in that cycle, and the watchdog gets no answer
+    device = std::make_unique<TestedDevice>();
+    device->Run();
+    const std::uint64_t question = device->watchdog.timer.Question().value;
+    device->tap.is_frozen = true;
+    device->tap.last = SelfTestOutcome{};
+    device->Cycle();
+    EXPECT_EQ(device->kernel.DeviceState().fault, DeviceFault::kSelfTest);
+    EXPECT_EQ(device->watchdog.timer.Question().value, question);
+}
+
 TEST_F(KernelHook, SelfTestThatRunsTwiceIsFoundInTheSameCycle)
 {
     Verifies(req::SRS_STS_213);

@@ -101,7 +101,10 @@ def check(model, program, work):
         return results + ([(False, show(False, f"{model}: inputs are missing", lost))] if lost else [])
     passed, output = replay(program, model, lines)
     results.append((False, show(passed, f"{model}: replayed, {output.splitlines()[0].split(': ', 1)[1]}", output)))
-    for defect in sorted(set(re.findall(r"PLANTED_[A-Z_]+", (HERE / f"{model}.pml").read_text()))):
+    planted = sorted(set(re.findall(r"PLANTED_[A-Z_]+", (HERE / f"{model}.pml").read_text())))
+    if not planted:
+        results.append((True, show(False, f"{model}: no defect of the model")))
+    for defect in planted:
         _, failed = verdict(explore(model, work / f"{model}_{defect}", [defect], False)[0])
         results.append((True, show("assertion violated" in failed, f"{model}: {defect} is found: {failed}", "expected a failed assertion")))
     defects = call([program, model, "--defects"], HERE, stdout=subprocess.PIPE, text=True).stdout.split()
