@@ -9,7 +9,8 @@
     ./dev mutants --all --record                   and writes record.json, which the evidence shows
     ./dev mutants --all --record --kept            the record of what a run has judged so far; it names the rest
     ./dev mutants --changed --again 24             functions that changed since the record, and 24 drawn from the others
-    ./dev mutants --changed --record               and puts all of the changed functions into the record, with the commit that judged them
+    ./dev mutants --changed --record               and puts all of the changed functions into the record, with the commit that judged them;
+                                                   judges again what survives there or was not judged
     ./dev mutants --self-test                      shows that a test suite which checks nothing lets mutants survive
 
 A mutant is one change of one operator, constant, condition, statement, argument or returned value (generate.py). Its object is
@@ -340,7 +341,8 @@ def chosen_by_record(options, subjects, build):
     drawn = sorted((mutant.name for of_file in changed.values() for mutant in of_file))[:options.sample]
     print(f"{len(functions)} functions changed since the record of {record['made']['commit'][:8]} with {count} mutants, {len(drawn)} of them run; "
           f"{len(again)} drawn from the others")
-    wanted = {*drawn, *(mutant.name for mutant in again)}
+    open_names = {*(survivor["name"] for survivor in record["survivors"]), *record["not_judged"]} if options.record else set()
+    wanted = {*drawn, *open_names, *(mutant.name for mutant in again)}
     return {subject.file: [mutant for mutant in subject.mutants if mutant.name in wanted] for subject in subjects}
 
 
