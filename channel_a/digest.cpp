@@ -8,6 +8,9 @@ namespace counterpoint::channel_a
 namespace
 {
 
+// In place of a copy that is not what the description has: no controller, and nothing that grants, is coded so.
+constexpr std::uint32_t kDiffers = 0xFFU;
+
 // One byte: the value that grants something, or 00h for any other.
 template <typename Option> void AddGranted(Crc32& crc, const Option value, const Option granting) noexcept
 {
@@ -22,7 +25,9 @@ void AddDevice(Crc32& crc, const Voice& voice) noexcept
     AddGranted(crc, config.dummies, DummyMapping::kAllowed);
     AddGranted(crc, config.gaps, NumberGaps::kSearched);
     AddGranted(crc, config.gfc, GfcUse::kPresent);
-    crc.AddByte(static_cast<std::uint32_t>(voice.ports[kNormalHalf]));
+    // The kernel reads this one, and the form below, in the description, where the channel has a copy. [SRS_CFG_800]
+    const CanPortId normal = voice.ports[kNormalHalf];
+    crc.AddByte((normal == config.normal_port) ? static_cast<std::uint32_t>(normal) : kDiffers);
     crc.AddByte(static_cast<std::uint32_t>(voice.ports[kInverseHalf]));
     crc.AddWord(config.cycle_us);
     crc.AddWord(config.cycle_tolerance_us);
@@ -42,6 +47,7 @@ void AddDevice(Crc32& crc, const Voice& voice) noexcept
 DeviceDigest DigestOf(const Voice& voice, const std::size_t slot, const DeviceDigest before) noexcept
 {
     const Record& record = At(voice, slot);
+    const SrdoSetup& setup = voice.config->srdos[slot]; // MISRA D-002
     const std::uint8_t automatic = static_cast<std::uint8_t>(ReleasePolicy::kAutomatic);
     const Payload safe = PayloadOf(record.safe);
     Crc32 crc{before.value};
@@ -49,9 +55,16 @@ DeviceDigest DigestOf(const Voice& voice, const std::size_t slot, const DeviceDi
     {
         AddDevice(crc, voice);
     }
-    crc.AddByte(voice.config->srdos[slot].number); // MISRA D-002
+    crc.AddByte(setup.number);
     crc.AddByte(record.grants.Is(Grant::kPolicy, automatic) ? automatic : std::uint32_t{0U});
-    AddGranted(crc, record.form, ProducerForm::kProviderCalled);
+    if (record.form == setup.form)
+    {
+        AddGranted(crc, record.form, ProducerForm::kProviderCalled);
+    }
+    else
+    {
+        crc.AddByte(kDiffers); // [SRS_CFG_800]
+    }
     AddGranted(crc, record.detection, SrvtDetection::kLate);
     crc.AddByte(record.values.transmission_type);
     crc.AddWord(safe.low);

@@ -4,6 +4,7 @@
 #include "channel_a/crc.hpp"
 #include "tests/channel_a/device.hpp"
 #include "verification/trace/ids/channel.hpp"
+#include "verification/trace/ids/kernel.hpp"
 #include "verification/trace/verifies.hpp"
 
 #include <gtest/gtest.h>
@@ -168,7 +169,8 @@ TEST(ChannelACrc, CheckOfTheTableOfThirtyTwoBitsFindsWhatLooksRightElsewhere)
     EXPECT_NE(WrongEntries(table), 0U);
 }
 
-// What was changed in the description behind the channel's back is no change of what the channel works by.
+// What was changed in the description behind the channel's back is no change of what the channel works by; what the
+// kernel reads there as well is another matter, below.
 TEST(ChannelADigest, IsThatOfTheOwnCopies)
 {
     Verifies(req::SRS_CFG_348);
@@ -183,25 +185,82 @@ TEST(ChannelADigest, IsThatOfTheOwnCopies)
         EXPECT_EQ(device.channel.Digest(0U, DeviceDigest{0U}).value, first.value) << what;
         EXPECT_EQ(device.channel.Digest(1U, DeviceDigest{0U}).value, second.value) << what;
     };
-    // When policy, form, detection and safe value of both slots and the controllers are others
+    // When policy, detection and safe value of both slots and the controller of the inverse frames are others
     for (SrdoSetup& setup : device.setups)
     {
         setup.policy = ReleasePolicy::kInterlock;
         expect_same("policy");
-        setup.form = ProducerForm::kProviderCalled;
-        expect_same("form");
         setup.detection = SrvtDetection::kLate;
         expect_same("detection");
         setup.safe_value = Payload{0x12345678U, 0x9ABCDEF0U};
         expect_same("safe value");
     }
-    device.config.normal_port = CanPortId::kSecond;
     device.config.inverse_port = CanPortId::kSecond;
-    expect_same("controllers");
+    expect_same("controller");
     // Then the digest is another one only when the channel starts with them
     device.Start();
     EXPECT_NE(device.channel.Digest(0U, DeviceDigest{0U}).value, first.value);
     EXPECT_NE(device.channel.Digest(1U, DeviceDigest{0U}).value, second.value);
+}
+
+// The expected values were computed outside this program.
+TEST(ChannelADigest, IsAnotherForEachBitOfTheFormThatTheKernelReads)
+{
+    Verifies(req::SRS_CFG_800);
+    constexpr DeviceDigest kFirst{0xFB6C74B0U};
+    for (const bool is_provider : {false, true})
+    {
+        // Given a producer of either form in slot 1
+        const auto fenced = std::make_unique<channel_a_test::FencedDevice>();
+        channel_a_test::Device& device = fenced->device;
+        const ProducerForm form = is_provider ? ProducerForm::kProviderCalled : ProducerForm::kApplicationSends;
+        device.setups[1].form = form;
+        device.Start();
+        const std::uint32_t expected = is_provider ? 0x14E3874EU : 0xD56D588EU;
+        EXPECT_EQ(device.channel.Digest(0U, DeviceDigest{0U}).value, kFirst.value);
+        EXPECT_EQ(device.channel.Digest(1U, kFirst).value, expected);
+        for (std::uint32_t bit = 0U; bit < 8U; ++bit)
+        {
+            // When a bit of it flips in the description, then FFh is in its place, in this slot alone
+            device.setups[1].form = static_cast<ProducerForm>(static_cast<std::uint32_t>(form) ^ (1U << bit));
+            EXPECT_EQ(device.channel.Digest(0U, DeviceDigest{0U}).value, kFirst.value) << bit;
+            EXPECT_EQ(device.channel.Digest(1U, kFirst).value, 0xCF56CB24U) << bit;
+        }
+        // and as before when it is what it was
+        device.setups[1].form = form;
+        EXPECT_EQ(device.channel.Digest(1U, kFirst).value, expected);
+    }
+}
+
+TEST(ChannelADigest, IsAnotherForEachBitOfTheCopyOfTheForm)
+{
+    Verifies(req::SRS_CFG_800);
+    constexpr DeviceDigest kFirst{0xFB6C74B0U};
+    const auto fenced = std::make_unique<channel_a_test::FencedDevice>();
+    channel_a_test::Device& device = fenced->device;
+    device.Start();
+    ProducerForm& copy = fenced->fence.storage.records[1].form;
+    for (std::uint32_t bit = 0U; bit < 8U; ++bit)
+    {
+        copy = static_cast<ProducerForm>(1U << bit);
+        EXPECT_EQ(device.channel.Digest(1U, kFirst).value, 0xCF56CB24U) << bit;
+    }
+}
+
+TEST(ChannelADigest, IsAnotherForEachBitOfTheControllerThatTheKernelReads)
+{
+    Verifies(req::SRS_CFG_800);
+    const auto fenced = std::make_unique<channel_a_test::FencedDevice>();
+    channel_a_test::Device& device = fenced->device;
+    device.Start();
+    EXPECT_EQ(device.channel.Digest(0U, DeviceDigest{0U}).value, 0xFB6C74B0U);
+    for (std::uint32_t bit = 0U; bit < 8U; ++bit)
+    {
+        device.config.normal_port = static_cast<CanPortId>(static_cast<std::uint32_t>(CanPortId::kFirst) ^ (1U << bit));
+        EXPECT_EQ(device.channel.Digest(0U, DeviceDigest{0U}).value, 0xF3F17237U) << bit;
+    }
+    device.config.normal_port = CanPortId::kFirst;
+    EXPECT_EQ(device.channel.Digest(0U, DeviceDigest{0U}).value, 0xFB6C74B0U);
 }
 
 } // namespace

@@ -326,6 +326,32 @@ TEST_F(Configuring, DigestThatChangesInBothChannelsIsFoundByTheNextCompleteOne)
     EXPECT_EQ(kernel.DeviceState().slot, 0xFFU);
 }
 
+// Two diagnostic intervals are 60 cycles. The kernel asks the provider by the form in the description.
+TEST_F(Configuring, AFlippedBitOfTheFormOfAProducerIsFoundWithinTwoDiagnosticIntervals)
+{
+    Verifies(req::SRS_CFG_800);
+    for (std::uint32_t bit = 0U; bit < 8U; ++bit)
+    {
+        for (std::uint32_t phase = 0U; phase < 30U; ++phase)
+        {
+            // Given a producer whose provider is called, when a bit of its form flips in any phase of the diagnosis
+            Operate();
+            Cycles(30U + phase);
+            ASSERT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
+            setups[1].form =
+                static_cast<ProducerForm>(static_cast<std::uint32_t>(ProducerForm::kProviderCalled) ^ (1U << bit));
+            Cycles(60U);
+            // Then the device is in its safe state, and nothing is sent any more
+            EXPECT_NE(kernel.DeviceState().fault, DeviceFault::kNone) << "bit " << bit << " phase " << phase;
+            EXPECT_EQ(kernel.DeviceState().slot, 1U) << "bit " << bit << " phase " << phase;
+            ports.sent.clear();
+            Cycles(60U);
+            EXPECT_TRUE(ports.sent.empty());
+            setups[1].form = ProducerForm::kProviderCalled;
+        }
+    }
+}
+
 TEST_F(Configuring, DigestOfAnUndeclaredConfigurationIsNotCompared)
 {
     Verifies(req::SRS_CFG_050);

@@ -41,6 +41,7 @@ inline constexpr RequirementId SRS_CFG_344{"SRS_CFG_344"};
 inline constexpr RequirementId SRS_CFG_345{"SRS_CFG_345"};
 inline constexpr RequirementId SRS_CFG_346{"SRS_CFG_346"};
 inline constexpr RequirementId SRS_CFG_347{"SRS_CFG_347"};
+inline constexpr RequirementId SRS_CFG_800{"SRS_CFG_800"};
 inline constexpr RequirementId SRS_CLK_001{"SRS_CLK_001"};
 inline constexpr RequirementId SRS_CLK_002{"SRS_CLK_002"};
 inline constexpr RequirementId SRS_CLK_210{"SRS_CLK_210"};
