@@ -45,7 +45,8 @@ TEST(OfferedFrames, AMessageFillsBothPlacesAndNothingBehindThem)
     // What was refused is told until another one is
     EXPECT_EQ(guarded.frames.Refused().number, 2U);
     EXPECT_EQ(guarded.frames.Refused().cause, SrdoCause::kSrvt);
-    EXPECT_TRUE(std::all_of(guarded.behind.begin(), guarded.behind.end(), [](const auto byte) { return byte == 0xA5U; }));
+    EXPECT_TRUE(
+        std::all_of(guarded.behind.begin(), guarded.behind.end(), [](const auto byte) { return byte == 0xA5U; }));
 }
 
 } // namespace
