@@ -10,6 +10,7 @@
 #include "verification/trace/verifies.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace counterpoint::campaign::test
@@ -18,6 +19,22 @@ namespace counterpoint::campaign::test
 inline Phase PhaseOf(const FlowStep step)
 {
     return static_cast<Phase>(static_cast<std::uint8_t>(Phase::kFirstStep) + static_cast<std::uint8_t>(step) - 1U);
+}
+
+/// What a CSV file of these results has in it.
+inline std::string CsvText(const campaign::Campaign& campaign, const Results& results)
+{
+    std::string text;
+    CsvReport(campaign, results, [&text](const std::string_view piece) { text += piece; });
+    return text;
+}
+
+/// What a JSON file of them has in it.
+inline std::string JsonText(const campaign::Campaign& campaign, const Summary& summary)
+{
+    std::string text;
+    JsonReport(campaign, summary, [&text](const std::string_view piece) { text += piece; });
+    return text;
 }
 
 /// Plans in a folder of their own, on the scenario of the examples.

@@ -210,7 +210,7 @@ TEST_F(ShardTest, CampaignThatWasKilledGoesOnToTheSameBytes)
         std::error_code none;
         const std::string bytes =
             std::filesystem::exists(Path("killed"), none) ? cia306::ReadTextFile(Path("killed")) : std::string();
-        return bytes.find_first_not_of('\0', 32U) != std::string::npos;
+        return bytes.find_first_not_of('\0', 48U) != std::string::npos;
     };
     for (int look = 0; look < 60000 && !has_some(); ++look)
     {
@@ -282,7 +282,7 @@ TEST_F(ReportTest, SilentAndLateFaultsAreNamedAndTheCampaignDoesNotHold)
     EXPECT_NE(page.find("<td>latch+0.5</td>"), std::string::npos);
     EXPECT_NE(page.find("name=\"viewport\""), std::string::npos);
     EXPECT_EQ(page.find("http"), std::string::npos); // Nothing is fetched.
-    EXPECT_NE(CsvReport(session.Parts(), results).find("\n5,latch,latch+0.5,flip,499,permits,silent,nobody,"),
+    EXPECT_NE(CsvText(session.Parts(), results).find("\n5,latch,latch+0.5,flip,499,permits,silent,nobody,"),
               std::string::npos);
 }
 
@@ -397,7 +397,7 @@ TEST_F(ReportTest, ProgramsAreToldClassesTimesMapAndSurvivors)
     results.Put(5U, Outcome{Class::kSilent, Detector::kNobody, static_cast<std::uint8_t>(Wrong::kData), 0U, 2000U});
     // When they are told
     const Summary summary = Summarise(session.Parts(), results);
-    const std::string json = JsonReport(session.Parts(), summary);
+    const std::string json = JsonText(session.Parts(), summary);
     // Then
     for (const char* const text :
          {"\"format\": \"counterpoint-campaign-1\"", "\"holds\": false", "\"effective\": 8", "\"detected\": 7",
@@ -428,7 +428,7 @@ TEST_F(ReportTest, WrongUntilTheSelfTestFoundItIsToldApartAndDoesNotHold)
         results.Put(5U, Outcome{Class::kExposed, Detector::kSelfTest, fault, 0U, 400000U});
         const Summary summary = Summarise(session.Parts(), results);
         return std::vector<std::string>{TextReport(session.Parts(), summary), HtmlReport(session.Parts(), summary),
-                                        JsonReport(session.Parts(), summary), CsvReport(session.Parts(), results)};
+                                        JsonText(session.Parts(), summary), CsvText(session.Parts(), results)};
     };
     // Then each report says so, with the time, and it is not among those that were detected
     const std::vector<std::string> without = told("");
@@ -481,7 +481,7 @@ TEST_F(ReportTest, FaultsThatLayForLongerThanTheLimitAreToldAsLatent)
                              "behind the first thing that the device did otherwise\n";
     EXPECT_NE(TextReport(session.Parts(), summary).find(line), std::string::npos);
     EXPECT_NE(HtmlReport(session.Parts(), summary).find("<p>" + line + "</p>"), std::string::npos);
-    EXPECT_EQ(nlohmann::json::parse(JsonReport(session.Parts(), summary)).at("latent"), 2);
+    EXPECT_EQ(nlohmann::json::parse(JsonText(session.Parts(), summary)).at("latent"), 2);
     EXPECT_TRUE(summary.Holds());
 }
 
@@ -505,7 +505,7 @@ TEST_F(ReportTest, FaultThatIsNoMemoryIsToldByWhatWasHit)
         results.Put(1U, Outcome{Class::kDetected, Detector::kClocks, fault, kMarkLate, 150000U});
         const Summary summary = Summarise(session.Parts(), results);
         EXPECT_NE(HtmlReport(session.Parts(), summary).find("<td>counter_b</td>"), std::string::npos);
-        return nlohmann::json::parse(JsonReport(session.Parts(), summary));
+        return nlohmann::json::parse(JsonText(session.Parts(), summary));
     };
     // Then the map has a row for each, and the late one has a place and no byte
     const auto json = told("");

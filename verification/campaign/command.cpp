@@ -167,6 +167,7 @@ class CampaignRun final : public tools::Command
             Crew crew(session.Runs(), session.Faults(), results, jobs);
             crew.Work([&progress](const std::uint64_t done) { progress.Show(done); });
         }
+        results.RequireKept();
         return Report(session, results, streams);
     }
 
@@ -200,6 +201,7 @@ class CampaignRun final : public tools::Command
         {
             all.Merge(order_.files[index]);
         }
+        all.RequireKept();
         return Report(session, all, streams);
     }
 
@@ -213,11 +215,13 @@ class CampaignRun final : public tools::Command
         }
         if (!order_.json.empty())
         {
-            cia306::WriteTextFile(order_.json, JsonReport(campaign, summary));
+            cia306::WriteTextInPieces(order_.json, [&campaign, &summary](const cia306::TextPiece& write)
+                                      { JsonReport(campaign, summary, write); });
         }
         if (!order_.csv.empty())
         {
-            cia306::WriteTextFile(order_.csv, CsvReport(campaign, results));
+            cia306::WriteTextInPieces(order_.csv, [&campaign, &results](const cia306::TextPiece& write)
+                                      { CsvReport(campaign, results, write); });
         }
         streams.out << TextReport(campaign, summary);
         return (summary.Holds() && summary.open == 0U) ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;

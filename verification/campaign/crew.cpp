@@ -86,6 +86,7 @@ void Crew::Work(const std::function<void(std::uint64_t)>& progress)
             {
                 Bury(ended, status);
             }
+            results_.RequireThere();
             is_busy = std::any_of(children_.begin(), children_.end(), [](const pid_t child) { return child > 0; });
             progress(__atomic_load_n(&board_->done, __ATOMIC_RELAXED));
         }

@@ -105,7 +105,7 @@ class EndedTest : public CampaignTest
         return [path = Path(file), step, next = step, left = 10]() mutable
         {
             std::ifstream in(path, std::ios::binary);
-            in.seekg(32);
+            in.seekg(48);
             std::size_t count = 0U;
             for (std::array<char, 8U> outcome{}; in.read(outcome.data(), outcome.size());)
             {
@@ -224,7 +224,7 @@ TEST_F(EndedTest, RoomForAllResultsIsTakenBeforeTheFirstOne)
     // Then the file system has kept the room for each of them
     struct stat known = {};
     ASSERT_EQ(stat(Path("results").c_str(), &known), 0);
-    EXPECT_EQ(known.st_size, 800032);
+    EXPECT_EQ(known.st_size, 800048);
     EXPECT_GE(known.st_blocks * 512, known.st_size);
 }
 
@@ -248,7 +248,7 @@ TEST_F(EndedTest, FileOfResultsWithoutRoomIsRefused)
     waitpid(child, &status, 0);
     // Then that is told before anything is tried, and the file takes none
     EXPECT_EQ(WEXITSTATUS(status), 2);
-    EXPECT_EQ(cia306::ReadTextFile(Path("err")), Path("results") + ": error: no room for its 6432 bytes (File too "
+    EXPECT_EQ(cia306::ReadTextFile(Path("err")), Path("results") + ": error: no room for its 6448 bytes (File too "
                                                                    "large), expected a file system with room for "
                                                                    "them\n");
     EXPECT_EQ(cia306::ReadTextFile(Path("results")), "");

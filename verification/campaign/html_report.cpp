@@ -203,7 +203,7 @@ std::string Map(const Campaign& campaign, const Summary& summary)
     return text + (summary.subjects.empty() ? "" : MapTable("no memory", KindsOf(summary), summary.subjects));
 }
 
-std::string FindingTable(const Campaign& campaign, const std::string& title, const std::vector<Finding>& findings)
+std::string FindingTable(const Campaign& campaign, const std::string& title, const Findings& findings)
 {
     std::string text = "<h2>" + title + ": " + Number(findings.size()) + "</h2>\n";
     if (findings.empty())
@@ -214,13 +214,13 @@ std::string FindingTable(const Campaign& campaign, const std::string& title, con
     for (std::size_t index = 0U; index < findings.size() && index < kMostRows; ++index)
     {
         const Finding& finding = findings[index];
-        const std::string known = finding.known.empty() ? "" : "; known: " + finding.known;
-        text +=
-            Row({Number(finding.number), PlaceText(campaign, finding.experiment),
-                 DeclarationOf(MemberText(campaign, finding.experiment)), WordOf(finding.experiment.kind),
-                 Number(finding.experiment.cycle), WordOf(finding.experiment.phase), WordOf(finding.outcome.detector),
-                 MsText(finding.outcome.us), Escaped(ReasonOf(finding.outcome) + known)},
-                finding.known.empty() ? "bad" : "");
+        const Experiment experiment = campaign.space.At(finding.number);
+        const std::string known = (finding.known == nullptr) ? "" : "; known: " + finding.known->reason;
+        text += Row({Number(finding.number), PlaceText(campaign, experiment),
+                     DeclarationOf(MemberText(campaign, experiment)), WordOf(experiment.kind), Number(experiment.cycle),
+                     WordOf(experiment.phase), WordOf(finding.outcome.detector), MsText(finding.outcome.us),
+                     Escaped(ReasonOf(finding.outcome) + known)},
+                    finding.known == nullptr ? "bad" : "");
     }
     return text + html::kTableEnd;
 }

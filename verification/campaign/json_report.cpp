@@ -1,4 +1,5 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
+#include "verification/campaign/json_pieces.hpp"
 #include "verification/campaign/statistics.hpp"
 #include "verification/campaign/summary.hpp"
 
@@ -96,28 +97,29 @@ Json SubjectsOf(const Summary& summary)
 
 Json SurvivorOf(const Campaign& campaign, const Finding& finding)
 {
-    const std::string member = MemberText(campaign, finding.experiment);
-    const bool is_memory = IsMemory(finding.experiment.part);
-    const Place& place = campaign.device.Places()[finding.experiment.place];
+    const Experiment experiment = campaign.space.At(finding.number);
+    const std::string member = MemberText(campaign, experiment);
+    const bool is_memory = IsMemory(experiment.part);
+    const Place& place = campaign.device.Places()[experiment.place];
     Json survivor{{"experiment", finding.number},
                   {"class", IsLate(finding.outcome) ? "late" : WordOf(finding.outcome.result)},
-                  {"place", PlaceText(campaign, finding.experiment)},
+                  {"place", PlaceText(campaign, experiment)},
                   {"member", member},
                   {"declared", DeclarationOf(member)},
-                  {"byte", is_memory ? Json(finding.experiment.offset - place.offset) : Json()},
-                  {"bit", is_memory ? Json(finding.experiment.bit) : Json()},
-                  {"kind", WordOf(finding.experiment.kind)},
-                  {"cycle", finding.experiment.cycle},
-                  {"phase", WordOf(finding.experiment.phase)},
+                  {"byte", is_memory ? Json(experiment.offset - place.offset) : Json()},
+                  {"bit", is_memory ? Json(experiment.bit) : Json()},
+                  {"kind", WordOf(experiment.kind)},
+                  {"cycle", experiment.cycle},
+                  {"phase", WordOf(experiment.phase)},
                   {"found_by", WordOf(finding.outcome.detector)},
                   {"reason", ReasonOf(finding.outcome)},
                   {"us", finding.outcome.us}};
-    survivor["known"] = finding.known.empty() ? Json() : Json(finding.known);
+    survivor["known"] = (finding.known == nullptr) ? Json() : Json(finding.known->reason);
     return survivor;
 }
 } // namespace
 
-std::string JsonReport(const Campaign& campaign, const Summary& summary)
+void JsonReport(const Campaign& campaign, const Summary& summary, const cia306::TextPiece& write)
 {
     Json report{{"format", "counterpoint-campaign-1"},
                 {"plan", campaign.plan.file},
@@ -155,16 +157,18 @@ std::string JsonReport(const Campaign& campaign, const Summary& summary)
     report["histogram"] = bins;
     report["map"] = MapOf(campaign, summary);
     report["subjects"] = SubjectsOf(summary);
-    Json survivors = Json::array();
-    for (const auto* const findings : {&summary.silent, &summary.exposed, &summary.late})
-    {
-        for (const Finding& finding : *findings)
-        {
-            survivors.push_back(SurvivorOf(campaign, finding));
-        }
-    }
     report["latent"] = summary.latent;
-    report["survivors"] = survivors;
-    return report.dump(2) + "\n";
+    const std::size_t silent = summary.silent.size();
+    const std::size_t dangerous = silent + summary.exposed.size();
+    const auto survivor = [&campaign, &summary, silent, dangerous](const std::size_t index)
+    {
+        if (index < silent)
+        {
+            return SurvivorOf(campaign, summary.silent[index]);
+        }
+        return SurvivorOf(campaign,
+                          (index < dangerous) ? summary.exposed[index - silent] : summary.late[index - dangerous]);
+    };
+    WriteWithSurvivors(report, dangerous + summary.late.size(), survivor, write);
 }
 } // namespace counterpoint::campaign

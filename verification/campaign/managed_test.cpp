@@ -30,16 +30,16 @@ class ManagedTest : public CampaignTest
                     "title: A test\nnetwork: " COUNTERPOINT_SOURCE_FOLDER "/examples/campaigns/managed.yaml\n" + more);
     }
     /// That what stands in `first` and `second` is refused as results of `plan`, and kept.
-    void ExpectOthersAreRefused(const std::string& plan, const std::string& first, const std::string& second) const
+    void ExpectOthersAreRefused(const std::string& plan, const std::string& first, const std::string& second,
+                                const std::string& why) const
     {
         const std::string before = cia306::ReadTextFile(Path(first));
         const tools::test::Answer on = Campaign({plan, "--jobs", "1", "--shard", "1/2", "--out", Path(first)});
         EXPECT_EQ(on.status, 2);
-        EXPECT_EQ(on.err.find(Path(first) + ": error: results of another campaign, scenario, shard or program"), 0U)
-            << on.err;
+        EXPECT_EQ(on.err.find(Path(first) + ": error: results of another " + why), 0U) << on.err;
         const tools::test::Answer joined = Campaign({"merge", plan, Path(first), Path(second)});
         EXPECT_EQ(joined.status, 2);
-        EXPECT_NE(joined.err.find("results of another campaign, scenario or program"), std::string::npos) << joined.err;
+        EXPECT_EQ(joined.err.find(Path(first) + ": error: results of another " + why), 0U) << joined.err;
         EXPECT_EQ(cia306::ReadTextFile(Path(first)), before);
     }
 };
@@ -69,7 +69,7 @@ TEST_F(ManagedTest, OutcomesAreTheSameForAnyNumberOfProcessesAndShards)
     static_cast<void>(Campaign({other, "--jobs", "1", "--csv", Path("other.csv")}));
     EXPECT_NE(cia306::ReadTextFile(Path("other.csv")), whole);
     // whose results are not those of this plan, for one that goes on and for one that joins
-    ExpectOthersAreRefused(other, "first", "second");
+    ExpectOthersAreRefused(other, "first", "second", "plan");
     // nor those of another run without fault: the same plan, whose scenario is another one now
     const std::string of_a_copy =
         File("copy_plan.yaml", "title: A test\nnetwork: " + Path("copy.yaml") +
@@ -83,11 +83,11 @@ TEST_F(ManagedTest, OutcomesAreTheSameForAnyNumberOfProcessesAndShards)
     }
     static_cast<void>(
         File("copy.yaml", extends + "inputs: [{at: 21 ms, node: sensor, object: 0x2000:01, value: 0}]\n"));
-    ExpectOthersAreRefused(of_a_copy, "first_of_copy", "second_of_copy");
+    ExpectOthersAreRefused(of_a_copy, "first_of_copy", "second_of_copy", "device");
     // And a file in which some are missing is gone on with
     std::string results = cia306::ReadTextFile(Path("first"));
-    ASSERT_EQ(results.size(), 56U);
-    results.replace(40U, 8U, std::string(8U, '\0'));
+    ASSERT_EQ(results.size(), 72U);
+    results.replace(56U, 8U, std::string(8U, '\0'));
     const std::string cut = File("cut", results);
     EXPECT_EQ(Campaign({plan, "--jobs", "1", "--shard", "1/2", "--out", cut}).status, 0);
     EXPECT_EQ(cia306::ReadTextFile(cut), cia306::ReadTextFile(Path("first")));

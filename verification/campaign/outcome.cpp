@@ -4,8 +4,10 @@
 #include "runtime/device/names.hpp"
 #include "verification/campaign/judge.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <iterator>
 
 namespace counterpoint::campaign
 {
@@ -22,7 +24,65 @@ constexpr std::array<const char*, 6U> kWrongWords{"",
                                                   "open again without an acknowledge, or behind a device fault",
                                                   "frame under a foreign identifier",
                                                   "valid pair sent with data that nobody wrote"};
+constexpr std::uint8_t kMarks = kMarkLate | kMarkSaidByA | kMarkSaidByB | kMarkLatent;
+
+/// Detectors whose detail is a device fault.
+bool IsOfDevice(const Outcome& outcome)
+{
+    return outcome.detector != Detector::kNobody && outcome.result == Class::kDetected &&
+           outcome.detector != Detector::kPermits && outcome.detector != Detector::kWatchdog &&
+           outcome.detector != Detector::kPins;
+}
+
+/// Whether a table of words has the value of a detail.
+template <typename Words> bool IsAmong(const Words& words, const std::uint8_t detail)
+{
+    return std::any_of(std::begin(words), std::end(words),
+                       [detail](const auto& each) { return static_cast<std::uint8_t>(each.meaning) == detail; });
+}
+
+Strange StrangeReason(const Outcome& outcome)
+{
+    const std::string reason = "reason " + std::to_string(outcome.detail);
+    if (outcome.result == Class::kSilent)
+    {
+        return StrangeNumber("reason", outcome.detail, kWrongWords.size());
+    }
+    if (outcome.result == Class::kListed || outcome.result == Class::kExposed)
+    {
+        return {};
+    }
+    if (outcome.detector == Detector::kChannels)
+    {
+        return IsAmong(runtime::kCauseWords, outcome.detail) ? Strange{} : Strange{reason, "a cause of an SRDO"};
+    }
+    const bool is_known = !IsOfDevice(outcome) || IsAmong(runtime::kDeviceFaultWords, outcome.detail);
+    return is_known ? Strange{} : Strange{reason, "a device fault"};
+}
 } // namespace
+
+Strange StrangeNumber(const char* const what, const std::size_t number, const std::size_t count)
+{
+    return (number < count)
+               ? Strange{}
+               : Strange{std::string(what) + " " + std::to_string(number), "0 to " + std::to_string(count - 1U)};
+}
+
+Strange StrangeIn(const Outcome& outcome)
+{
+    const auto detector = static_cast<std::size_t>(outcome.detector);
+    const bool has_any = detector != 0U || outcome.detail != 0U || outcome.marks != 0U || outcome.us != 0U;
+    if (outcome.result == Class::kOpen && has_any)
+    {
+        return {"a fault that was not tried and has an outcome", "none"};
+    }
+    if (detector >= kDetectorCount)
+    {
+        return StrangeNumber("detector", detector, kDetectorCount);
+    }
+    return ((outcome.marks & ~kMarks) != 0) ? Strange{"marks " + std::to_string(outcome.marks), "bits 0 to 3 alone"}
+                                            : StrangeReason(outcome);
+}
 
 const char* WordOf(const Class result)
 {
@@ -52,11 +112,9 @@ std::string ReasonOf(const Outcome& outcome)
     {
         return runtime::NameOf(runtime::kCauseWords, static_cast<SrdoCause>(outcome.detail), "?");
     }
-    const bool is_of_device = outcome.detector != Detector::kNobody && outcome.result == Class::kDetected &&
-                              outcome.detector != Detector::kPermits && outcome.detector != Detector::kWatchdog &&
-                              outcome.detector != Detector::kPins;
-    return is_of_device ? runtime::NameOf(runtime::kDeviceFaultWords, static_cast<DeviceFault>(outcome.detail), "?")
-                        : "";
+    return IsOfDevice(outcome)
+               ? runtime::NameOf(runtime::kDeviceFaultWords, static_cast<DeviceFault>(outcome.detail), "?")
+               : "";
 }
 
 std::string MsText(const std::uint32_t us)

@@ -5,6 +5,7 @@
 #include "safety_core/contract/device_fault.hpp"
 #include "safety_core/contract/srdo.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -90,6 +91,18 @@ constexpr std::uint8_t kMarkLatent = 8U; ///< Lay longer than the limit where th
 [[nodiscard]] std::string MsText(std::uint32_t us);
 /// @brief Why an outcome is what it is, for people.
 [[nodiscard]] std::string ReasonOf(const Outcome& outcome);
+
+/// What of an outcome no campaign writes, and what it writes instead.
+struct Strange
+{
+    std::string wrong; ///< Empty: nothing.
+    std::string expected;
+};
+/// @brief Of the outcome of a fault of a device, as a file has it: a class, detector or reason that no report knows.
+/// [SRS_CMG_802]
+[[nodiscard]] Strange StrangeIn(const Outcome& outcome);
+/// @brief The same for a number, of which there are `count`; empty where it is one of them.
+[[nodiscard]] Strange StrangeNumber(const char* what, std::size_t number, std::size_t count);
 } // namespace counterpoint::campaign
 
 #endif // VERIFICATION_CAMPAIGN_OUTCOME_HPP

@@ -1,13 +1,14 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/results.hpp"
 
+#include "canopen/cia306/text/text_file.hpp"
 #include "runtime/yaml/document.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <fstream>
 #include <ostream>
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -17,17 +18,22 @@ namespace counterpoint::campaign
 {
 namespace
 {
+constexpr std::size_t kMarkLength = 6U;
+constexpr char kFormat = '4';
+
 /// In front of the outcomes.
 struct Header
 {
-    std::array<char, 7U> mark{'C', 'P', 'C', 'A', 'M', 'P', '3'};
+    std::array<char, 7U> mark{'C', 'P', 'C', 'A', 'M', 'P', kFormat};
     std::uint8_t check{0U};
-    std::uint64_t digest{0U};
+    std::uint64_t plan{0U};
     std::uint64_t total{0U};
     std::uint32_t number{0U};
     std::uint32_t count{0U};
+    std::uint64_t setting{0U};
+    std::uint64_t program{0U};
 };
-static_assert(sizeof(Header) == 32U, "the format of a file of results");
+static_assert(sizeof(Header) == 48U, "the format of a file of results");
 
 /// One outcome; one that is not tried yet is 0.
 struct Stored
@@ -62,10 +68,12 @@ template <typename T> std::uint8_t CheckOf(T record)
 Header HeaderOf(const ResultsOf& of)
 {
     Header header;
-    header.digest = of.digest;
+    header.plan = of.plan;
     header.total = of.total;
     header.number = of.shard.number;
     header.count = of.shard.count;
+    header.setting = of.setting;
+    header.program = of.program;
     header.check = CheckOf(header);
     return header;
 }
@@ -75,14 +83,87 @@ bool IsEqual(const Header& left, const Header& right)
     return std::memcmp(&left, &right, sizeof(Header)) == 0;
 }
 
-constexpr const char* kOfThis = "a file of results of this plan, scenario and program";
+bool IsNone(const Header& header)
+{
+    return IsEqual(header, Header{{}, 0U, 0U, 0U, 0U, 0U, 0U, 0U});
+}
+
+constexpr const char* kOfThis = "a file of results of this plan, its scenario and DCFs, and this program";
 
 [[noreturn]] void Refuse(const std::string& file, const std::string& wrong, const std::string& expected = kOfThis)
 {
     throw runtime::YamlError(file, {}, wrong, expected);
 }
 
-int Open(const std::string& file, const Access access)
+std::string ShardText(const std::uint32_t number, const std::uint32_t count)
+{
+    return std::to_string(number) + "/" + std::to_string(count);
+}
+
+/// Reads up to so many bytes from the begin of a file, and says how many there were.
+std::size_t ReadFrom(const int descriptor, std::uint8_t* const to, const std::size_t length)
+{
+    std::size_t done = 0U;
+    ssize_t count = 1;
+    while (done < length && count != 0)
+    {
+        count = pread(descriptor, to + done, length - done, static_cast<off_t>(done));
+        if (count < 0 && errno != EINTR)
+        {
+            return done;
+        }
+        done += (count > 0) ? static_cast<std::size_t>(count) : 0U;
+    }
+    return done;
+}
+
+/// Throws for what is no head of a file of results.
+Header HeaderIn(const std::string& file, const int descriptor)
+{
+    std::array<std::uint8_t, sizeof(Header)> bytes{};
+    const bool is_whole = ReadFrom(descriptor, bytes.data(), bytes.size()) == bytes.size();
+    Header header;
+    std::memcpy(&header, bytes.data(), bytes.size());
+    const bool is_marked = std::equal(header.mark.begin(), header.mark.begin() + kMarkLength, Header{}.mark.begin());
+    const char format = header.mark[kMarkLength];
+    if (is_marked && format >= '1' && format < kFormat)
+    {
+        Refuse(file, std::string("results of format ") + format + ", of an earlier program",
+               std::string("results of format ") + kFormat + ": they are to be made anew, in another file");
+    }
+    const bool is_head = is_marked && format == kFormat && header.check == CheckOf(header) && header.count != 0U &&
+                         header.number != 0U && header.number <= header.count;
+    if (!is_whole || (!is_head && !IsNone(header)))
+    {
+        Refuse(file, "no file of results, or a damaged one");
+    }
+    return header;
+}
+
+/// Throws where results belong to something else, and says to what. [SRS_CMG_801]
+void RequireSame(const std::string& file, const Header& header, const ResultsOf& of)
+{
+    if (header.program != of.program)
+    {
+        Refuse(file, "results of another program", "results of this program, by its version, commit and objects");
+    }
+    if (header.plan != of.plan)
+    {
+        Refuse(file, "results of another plan", "results of the text of this plan");
+    }
+    if (header.setting != of.setting)
+    {
+        Refuse(file, "results of another device: its scenario, a DCF or its limits are others",
+               "results of the scenario and the DCFs of this plan as they are now");
+    }
+    if (header.total != of.total)
+    {
+        Refuse(file, "results of a campaign of " + std::to_string(header.total) + " experiments",
+               "one of " + std::to_string(of.total));
+    }
+}
+
+int OpenResults(const std::string& file, const Access access)
 {
     const bool reads = access == Access::kRead;
     const int descriptor = open(file.c_str(), (reads ? O_RDONLY : (O_RDWR | O_CREAT)) | O_CLOEXEC, 0644);
@@ -92,63 +173,143 @@ int Open(const std::string& file, const Access access)
     }
     return descriptor;
 }
+
+/// Whether all of it was written there.
+bool IsWritten(const int descriptor, const void* const from, const std::size_t length, const std::size_t place) noexcept
+{
+    ssize_t count = -1;
+    do
+    {
+        count = pwrite(descriptor, from, length, static_cast<off_t>(place));
+    } while (count < 0 && errno == EINTR);
+    return count == static_cast<ssize_t>(length);
+}
+
+constexpr std::size_t PlaceOf(const std::uint64_t index)
+{
+    return sizeof(Header) + (index * sizeof(Stored));
+}
 } // namespace
 
-Results::Results(const std::string& file, const ResultsOf& of, const Access access)
-    : of_(of), size_((of.total + of.shard.count - of.shard.number) / of.shard.count),
-      length_(sizeof(Header) + (size_ * sizeof(Stored)))
+SharedBytes::SharedBytes(const std::size_t length) noexcept : length_(length), begin_(nullptr)
 {
-    if (file.empty())
-    {
-        Map(-1, "memory", access);
-        return;
-    }
-    Take(file, access);
-    RequireWhole(file);
+    void* const place = mmap(nullptr, length, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    begin_ = (place == MAP_FAILED) ? nullptr : static_cast<std::uint8_t*>(place);
 }
 
-void Results::Take(const std::string& file, const Access access)
+SharedBytes::~SharedBytes()
+{
+    if (begin_ != nullptr)
+    {
+        munmap(begin_, length_);
+    }
+}
+
+OpenFile::~OpenFile()
+{
+    if (descriptor_ >= 0)
+    {
+        close(descriptor_);
+    }
+}
+
+Results::Results(const std::string& file, const ResultsOf& of, const Access access)
+    : file_(file), of_(of), size_((of.total + of.shard.count - of.shard.number) / of.shard.count),
+      length_(PlaceOf(size_)), memory_(length_ + sizeof(std::uint64_t))
+{
+    if (memory_.Begin() == nullptr)
+    {
+        Refuse(file.empty() ? "memory" : file, "no room for " + std::to_string(size_) + " outcomes",
+               "memory for 8 bytes each");
+    }
+    if (!file.empty())
+    {
+        Open(access);
+        RequireWhole();
+    }
+}
+
+void Results::Open(const Access access)
 {
     struct stat before = {};
-    const bool was_there = stat(file.c_str(), &before) == 0;
-    const int descriptor = Open(file, access);
+    const bool was_there = stat(file_.c_str(), &before) == 0;
+    open_.Take(OpenResults(file_, access));
     struct stat known = {};
-    const bool is_known = fstat(descriptor, &known) == 0 && S_ISREG(known.st_mode);
-    const bool is_new = is_known && known.st_size == 0 && access == Access::kWrite;
-    if (!is_known || (!is_new && static_cast<std::uint64_t>(known.st_size) != length_))
+    const bool is_known = fstat(open_.Number(), &known) == 0 && S_ISREG(known.st_mode);
+    const bool can_begin = access == Access::kWrite;
+    const bool is_new = is_known && known.st_size == 0 && can_begin;
+    if (!is_known)
     {
-        close(descriptor);
-        Refuse(file, "a file of another size");
+        Refuse(file_, "no regular file");
     }
-    if (access == Access::kWrite)
+    if (!is_new)
     {
-        TakeRoom(descriptor, file, is_new);
+        RequireOf(can_begin);
     }
-    Map(descriptor, file, access);
-    close(descriptor);
+    if (!is_new && static_cast<std::uint64_t>(known.st_size) != length_)
+    {
+        Refuse(file_, "a file of another size, " + std::to_string(known.st_size) + " bytes",
+               std::to_string(length_) + " bytes of results of this plan");
+    }
+    if (can_begin)
+    {
+        TakeRoom(is_new);
+    }
+    ReadAll();
     Header header;
-    std::memcpy(&header, bytes_, sizeof(header));
+    std::memcpy(&header, memory_.Begin(), sizeof(header));
     // Without a header the process ended right behind the beginning.
-    const bool has_none = IsEqual(header, Header{{}, 0U, 0U, 0U, 0U, 0U});
-    if (has_none && access == Access::kWrite)
+    if (IsNone(header))
     {
-        RequireNothing(file);
+        RequireNothing();
         was_empty_ = was_there;
-        header = HeaderOf(of_);
-        std::memcpy(bytes_, &header, sizeof(header));
-    }
-    if (!IsEqual(header, HeaderOf(of_)))
-    {
-        munmap(bytes_, length_);
-        Refuse(file, "results of another campaign, scenario, shard or program");
+        Begin();
     }
 }
 
-/// All of it before anything is tried: a process that puts an outcome where the file system finds no room is ended, and
-/// nobody could tell that from an end by the fault. [SRS_CMG_172]
-void Results::TakeRoom(const int descriptor, const std::string& file, const bool is_new) const
+/// Throws where it is one of something else; one without a head only where it is to be begun.
+void Results::RequireOf(const bool can_begin) const
+{
+    const Header header = HeaderIn(file_, open_.Number());
+    if (IsNone(header) && can_begin)
+    {
+        return;
+    }
+    if (IsNone(header))
+    {
+        Refuse(file_, "no file of results, or a damaged one");
+    }
+    RequireSame(file_, header, of_);
+    if (header.number != of_.shard.number || header.count != of_.shard.count)
+    {
+        Refuse(file_, "results of shard " + ShardText(header.number, header.count),
+               "those of shard " + ShardText(of_.shard.number, of_.shard.count));
+    }
+}
+
+void Results::ReadAll()
+{
+    if (ReadFrom(open_.Number(), memory_.Begin(), length_) != length_)
+    {
+        Refuse(file_, "a file that ended while it was read", "all of its " + std::to_string(length_) + " bytes");
+    }
+}
+
+void Results::Begin()
+{
+    const Header header = HeaderOf(of_);
+    std::memcpy(memory_.Begin(), &header, sizeof(header));
+    if (!IsWritten(open_.Number(), &header, sizeof(header), 0U))
+    {
+        Refuse(file_, std::string("a file that cannot be written (") + std::strerror(errno) + ")");
+    }
+}
+
+/// All of it before anything is tried, so that a full file system is told at once. [SRS_CMG_172]
+void Results::TakeRoom(const bool is_new) const
 {
     const auto length = static_cast<off_t>(length_);
+    const int descriptor = open_.Number();
     const int error = (ftruncate(descriptor, length) == 0) ? posix_fallocate(descriptor, 0, length) : errno;
     if (error == 0)
     {
@@ -158,52 +319,92 @@ void Results::TakeRoom(const int descriptor, const std::string& file, const bool
     {
         static_cast<void>(ftruncate(descriptor, 0)); // What was taken of it is given back.
     }
-    close(descriptor);
-    Refuse(file, "no room for its " + std::to_string(length_) + " bytes (" + std::strerror(error) + ")",
+    Refuse(file_, "no room for its " + std::to_string(length_) + " bytes (" + std::strerror(error) + ")",
            "a file system with room for them");
 }
 
-Results::~Results()
-{
-    munmap(bytes_, length_);
-}
-
-void Results::Map(const int descriptor, const std::string& file, const Access access)
-{
-    const int flags = (descriptor < 0) ? (MAP_SHARED | MAP_ANONYMOUS) : MAP_SHARED;
-    const int rights = (access == Access::kRead) ? PROT_READ : (PROT_READ | PROT_WRITE);
-    void* const place = mmap(nullptr, length_, rights, flags, descriptor, 0);
-    if (place == MAP_FAILED)
-    {
-        Refuse(file, "no room");
-    }
-    bytes_ = static_cast<std::uint8_t*>(place);
-}
-
-/// Throws where an outcome is not as it was put there.
-void Results::RequireWhole(const std::string& file)
+/// Throws where an outcome is not as it was put there, or is one that this program does not have.
+void Results::RequireWhole() const
 {
     for (std::uint64_t index = 0U; index < size_; ++index)
     {
         Stored stored;
-        std::memcpy(&stored, bytes_ + sizeof(Header) + (index * sizeof(Stored)), sizeof(stored));
+        std::memcpy(&stored, memory_.Begin() + PlaceOf(index), sizeof(stored));
         if (stored.check != CheckOf(stored))
         {
-            munmap(bytes_, length_);
-            Refuse(file, "a damaged outcome of experiment " + std::to_string(NumberAt(index)));
+            Refuse(file_, "a damaged outcome of experiment " + std::to_string(NumberAt(index)));
+        }
+        const Strange strange = (of_.strange_in == nullptr) ? Strange{} : of_.strange_in(At(index));
+        if (!strange.wrong.empty())
+        {
+            Refuse(file_,
+                   "row " + std::to_string(index + 1U) + ", experiment " + std::to_string(NumberAt(index)) + ": " +
+                       strange.wrong,
+                   strange.expected);
         }
     }
 }
 
 /// Outcomes without a header may be those of any plan.
-void Results::RequireNothing(const std::string& file)
+void Results::RequireNothing() const
 {
-    for (std::size_t place = sizeof(Header); place < length_; ++place)
+    const std::uint8_t* const begin = memory_.Begin();
+    if (std::any_of(begin + sizeof(Header), begin + length_, [](const std::uint8_t byte) { return byte != 0U; }))
     {
-        if (bytes_[place] != 0U)
+        Refuse(file_, "outcomes without what they belong to");
+    }
+}
+
+std::uint32_t* Results::Error() const noexcept
+{
+    return reinterpret_cast<std::uint32_t*>(memory_.Begin() + length_);
+}
+
+void Results::RequireThere() const
+{
+    if (file_.empty())
+    {
+        return;
+    }
+    const std::uint32_t error = __atomic_load_n(Error(), __ATOMIC_ACQUIRE);
+    if (error != 0U)
+    {
+        Refuse(file_, std::string("an outcome that cannot be written (") + std::strerror(static_cast<int>(error)) + ")",
+               "a file system with room for it");
+    }
+    struct stat known = {};
+    std::array<std::uint8_t, sizeof(Header)> head{};
+    const bool is_there = fstat(open_.Number(), &known) == 0 && static_cast<std::uint64_t>(known.st_size) == length_ &&
+                          ReadFrom(open_.Number(), head.data(), head.size()) == head.size() &&
+                          std::equal(head.begin(), head.end(), memory_.Begin());
+    if (!is_there)
+    {
+        Refuse(file_, "it was cut or overwritten by somebody else while outcomes were written",
+               "a file that this campaign alone writes; what was in it is lost");
+    }
+}
+
+void Results::RequireKept() const
+{
+    RequireThere();
+    constexpr std::uint64_t kAtOnce = 8192U;
+    std::array<Stored, kAtOnce> stored{};
+    for (std::uint64_t begin = 0U; begin < size_ && !file_.empty(); begin += kAtOnce)
+    {
+        const std::uint64_t count = std::min(kAtOnce, size_ - begin);
+        const std::size_t bytes = count * sizeof(Stored);
+        bool is_kept = pread(open_.Number(), stored.data(), bytes, static_cast<off_t>(PlaceOf(begin))) ==
+                       static_cast<ssize_t>(bytes);
+        for (std::uint64_t index = begin; index < begin + count && is_kept; ++index)
         {
-            munmap(bytes_, length_);
-            Refuse(file, "outcomes without what they belong to");
+            // One that is open here may have been put by another process of the same campaign.
+            is_kept = At(index).result == Class::kOpen ||
+                      std::memcmp(&stored.at(index - begin), memory_.Begin() + PlaceOf(index), sizeof(Stored)) == 0;
+        }
+        if (!is_kept)
+        {
+            Refuse(file_, "it was cut or overwritten by somebody else while outcomes were written",
+                   "a file that this campaign alone writes; some of its outcomes are lost");
         }
     }
 }
@@ -212,11 +413,12 @@ Outcome Results::At(const std::uint64_t index) const noexcept
 {
     constexpr std::uint8_t three = 0x07U;
     Stored stored;
-    std::memcpy(&stored, bytes_ + sizeof(Header) + (index * sizeof(Stored)), sizeof(stored));
+    std::memcpy(&stored, memory_.Begin() + PlaceOf(index), sizeof(stored));
     return {static_cast<Class>(stored.result_and_detector & three),
             static_cast<Detector>(stored.result_and_detector >> 3U), stored.detail, stored.marks, stored.us};
 }
 
+/// First in the file: who is ended in between leaves it open for the others.
 void Results::Put(const std::uint64_t index, const Outcome& outcome) noexcept
 {
     Stored stored;
@@ -228,7 +430,11 @@ void Results::Put(const std::uint64_t index, const Outcome& outcome) noexcept
     stored.check = CheckOf(stored);
     std::uint64_t word = 0U;
     std::memcpy(&word, &stored, sizeof(word));
-    auto* const place = reinterpret_cast<std::uint64_t*>(bytes_ + sizeof(Header) + (index * sizeof(Stored)));
+    if (open_.Number() >= 0 && !IsWritten(open_.Number(), &word, sizeof(word), PlaceOf(index)))
+    {
+        __atomic_store_n(Error(), static_cast<std::uint32_t>(errno), __ATOMIC_RELEASE);
+    }
+    auto* const place = reinterpret_cast<std::uint64_t*>(memory_.Begin() + PlaceOf(index));
     __atomic_store_n(place, word, __ATOMIC_RELEASE);
 }
 
@@ -244,15 +450,14 @@ std::uint64_t Results::OpenCount() const noexcept
 
 ResultsOf Results::Read(const std::string& file)
 {
-    Header header{{}, 0U, 0U, 0U, 0U, 0U};
-    std::ifstream in(file, std::ios::binary);
-    in.read(reinterpret_cast<char*>(&header), sizeof(header));
-    if (!in || header.mark != Header{}.mark || header.check != CheckOf(header) || header.count == 0U ||
-        header.number == 0U || header.number > header.count)
+    OpenFile open;
+    open.Take(OpenResults(file, Access::kRead));
+    const Header header = HeaderIn(file, open.Number());
+    if (IsNone(header))
     {
         Refuse(file, "no file of results, or a damaged one");
     }
-    return {header.digest, header.total, {header.number, header.count}};
+    return {header.plan, header.total, {header.number, header.count}, header.setting, header.program, nullptr};
 }
 
 std::uint64_t OfProgram(const std::uint64_t digest, const char* const program) noexcept
@@ -260,18 +465,30 @@ std::uint64_t OfProgram(const std::uint64_t digest, const char* const program) n
     std::uint64_t hash = digest;
     for (const char* character = program; *character != '\0'; ++character)
     {
-        hash = (hash ^ static_cast<std::uint8_t>(*character)) * 0x100000001B3U;
+        hash = With(hash, static_cast<std::uint8_t>(*character));
     }
     return hash;
 }
 
+std::uint64_t WithFiles(std::uint64_t digest, const std::vector<std::string>& files)
+{
+    for (const std::string& file : files)
+    {
+        const std::string text = cia306::ReadTextFile(file);
+        digest = With(digest, text.size());
+        for (const char character : text)
+        {
+            digest = With(digest, static_cast<std::uint8_t>(character));
+        }
+    }
+    return digest;
+}
+
 void Results::Merge(const std::string& file)
 {
-    const ResultsOf other_of = Read(file);
-    if (other_of.digest != of_.digest || other_of.total != of_.total)
-    {
-        Refuse(file, "results of another campaign, scenario or program");
-    }
+    ResultsOf other_of = Read(file);
+    RequireSame(file, HeaderOf(other_of), of_);
+    other_of.strange_in = of_.strange_in;
     const Results other(file, other_of, Access::kRead);
     for (std::uint64_t index = 0U; index < other.Size(); ++index)
     {

@@ -38,9 +38,9 @@ TEST_F(ResultsTest, FileInWhichABitIsWrongIsRefused)
     EXPECT_EQ(again.At(1U).us, 0xFFFFFFFFU);
     EXPECT_EQ(again.OpenCount(), 1U);
     const std::string whole = cia306::ReadTextFile(Path("whole"));
-    ASSERT_EQ(whole.size(), 64U);
+    ASSERT_EQ(whole.size(), 80U);
     // When any bit of it is wrong, then it is neither gone on with nor joined
-    Results all("", {of.digest, of.total, {1U, 1U}});
+    Results all("", {of.plan, of.total, {1U, 1U}});
     all.Merge(Path("whole"));
     for (std::size_t bit = 0U; bit < whole.size() * 8U; ++bit)
     {
@@ -77,14 +77,10 @@ TEST_F(ResultsTest, FileOfAnotherProgramIsRefused)
         EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 2) << arguments;
         return cia306::ReadTextFile(Path("err"));
     };
-    EXPECT_EQ(said(plan + " --jobs 1 --out " + Path("first")),
-              Path("first") +
-                  ": error: results of another campaign, scenario, shard or program, expected a file of results "
-                  "of this plan, scenario and program\n");
-    EXPECT_EQ(said("merge " + plan + " " + Path("first")),
-              Path("first") +
-                  ": error: results of another campaign, scenario or program, expected a file of results of this "
-                  "plan, scenario and program\n");
+    const std::string refused = Path("first") + ": error: results of another program, expected results of this "
+                                                "program, by its version, commit and objects\n";
+    EXPECT_EQ(said(plan + " --jobs 1 --out " + Path("first")), refused);
+    EXPECT_EQ(said("merge " + plan + " " + Path("first")), refused);
     EXPECT_EQ(cia306::ReadTextFile(Path("first")), before);
 }
 
@@ -116,7 +112,7 @@ TEST_F(ResultsTest, AFileWithNothingInItBeginsAndIsTold)
         "out: warning: there is nothing in it, expected results to go on with; all experiments are tried\n";
     // Given an empty file, or one of as many zeros as results would be
     EXPECT_EQ(told(File("empty", "")), warning);
-    EXPECT_EQ(told(File("zeros", std::string(64U, '\0'))), warning);
+    EXPECT_EQ(told(File("zeros", std::string(80U, '\0'))), warning);
     // Then it is a file of results, as one that was not there
     EXPECT_EQ(told(Path("empty")), "");
     EXPECT_EQ(told(Path("new")), "");
@@ -133,8 +129,8 @@ TEST_F(ResultsTest, OutcomesWithoutAHeaderAreRefused)
         results.Put(3U, {Class::kMasked, Detector::kNobody, 0U, 0U, 0U});
     }
     std::string text = cia306::ReadTextFile(Path("whole"));
-    ASSERT_EQ(text.size(), 64U);
-    text.replace(0U, 32U, std::string(32U, '\0'));
+    ASSERT_EQ(text.size(), 80U);
+    text.replace(0U, 48U, std::string(48U, '\0'));
     const std::string file = File("headless", text);
     // Then they are no results of this one, and stay as they are
     EXPECT_THROW(Results(file, of), runtime::YamlError);
@@ -333,7 +329,7 @@ TEST_F(ResultsTest, InjectedAreThoseThatWereTried)
     }
     // When it is reported
     const Summary summary = Summarise(session.Parts(), shard);
-    const auto report = nlohmann::json::parse(JsonReport(session.Parts(), summary));
+    const auto report = nlohmann::json::parse(JsonText(session.Parts(), summary));
     // Then 3 of each kind were injected, and none of the shard is open
     EXPECT_EQ(report.at("strata").at(0).at("faults"), 8U);
     EXPECT_EQ(report.at("strata").at(0).at("injected"), 3U);
@@ -346,7 +342,7 @@ TEST_F(ResultsTest, InjectedAreThoseThatWereTried)
     // When one of them was not tried, then it is not injected, but open
     Results some("", session.Identity({1U, 3U}));
     some.Put(0U, {Class::kMasked, Detector::kNobody, 0U, 0U, 0U});
-    const auto part = nlohmann::json::parse(JsonReport(session.Parts(), Summarise(session.Parts(), some)));
+    const auto part = nlohmann::json::parse(JsonText(session.Parts(), Summarise(session.Parts(), some)));
     EXPECT_EQ(part.at("strata").at(0).at("injected"), 1U);
     EXPECT_EQ(part.at("strata").at(0).at("open"), 2U);
     EXPECT_EQ(part.at("open"), 5U);
@@ -375,7 +371,7 @@ TEST_F(ResultsTest, EachClassIsCountedAndTheBoundIsOfThoseThatHadAnEffect)
     const Summary summary = Summarise(session.Parts(), results);
     // Then of the 5 that had an effect 1 is silent, whose share p is at most that of (1 - p)^5 + 5 p (1 - p)^4 = 1 %,
     // and the times are those of what was detected or safe by others
-    const auto stratum = nlohmann::json::parse(JsonReport(session.Parts(), summary)).at("strata").at(0);
+    const auto stratum = nlohmann::json::parse(JsonText(session.Parts(), summary)).at("strata").at(0);
     for (const auto& [key, count] : {std::pair("injected", 8U),
                                      {"masked", 1U},
                                      {"benign", 1U},

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/session.hpp"
 
+#include "simulator/scenario/reader.hpp"
 #include "verification/campaign/two_cpus.hpp"
 #include "version/version.hpp"
 
@@ -54,33 +55,43 @@ Session::Session(const std::string& plan_file)
 {
 }
 
-/// Of the text of the plan, of what the device receives, of how it lies in memory, and of the program.
-ResultsOf Session::Identity(const Shard& shard) const
+/// What the device receives, how it lies in memory, what it is made of, and by which limits it is judged. [SRS_CMG_800]
+std::uint64_t Session::SettingDigest() const
 {
-    std::uint64_t digest = plan_.digest;
-    const auto add = [&digest](const std::uint64_t value) { digest = (digest ^ value) * 0x100000001B3U; };
+    std::uint64_t digest = WithFiles(kNoDigest, simulator::FilesOf(simulator::LoadScenario(plan_.scenario)));
     for (const RecordedFrame& frame : scenario_.Record().frames)
     {
-        add(static_cast<std::uint64_t>(frame.at));
-        add(frame.stamped.frame.identifier);
-        add(NumberIn(frame.stamped.frame));
+        digest = With(digest, static_cast<std::uint64_t>(frame.at));
+        digest = With(digest, frame.stamped.frame.identifier);
+        digest = With(digest, NumberIn(frame.stamped.frame));
     }
     for (const RecordedCycle& cycle : scenario_.Record().cycles)
     {
-        add(static_cast<std::uint64_t>(cycle.at));
-        add(cycle.call.acknowledge_a);
-        add(static_cast<std::uint64_t>(cycle.nmt));
+        digest = With(digest, static_cast<std::uint64_t>(cycle.at));
+        digest = With(digest, cycle.call.acknowledge_a);
+        digest = With(digest, static_cast<std::uint64_t>(cycle.nmt));
     }
     for (const RecordedInput& input : scenario_.Record().inputs)
     {
-        add(input.cycle);
-        add(input.value);
+        digest = With(digest, input.cycle);
+        digest = With(digest, input.value);
     }
     for (const Place& place : device_->Places())
     {
-        add(place.offset);
-        add(place.size);
+        digest = With(digest, place.offset);
+        digest = With(digest, place.size);
     }
-    return {OfProgram(digest, CounterpointVersion), space_.Size(), shard};
+    for (const std::uint32_t us : limits_.us)
+    {
+        digest = With(digest, us);
+    }
+    digest = With(digest, limits_.wrong_frame_us);
+    digest = With(digest, limits_.wrong_channel_us);
+    return With(digest, limits_.drift_us);
+}
+
+ResultsOf Session::Identity(const Shard& shard) const
+{
+    return {plan_.digest, space_.Size(), shard, SettingDigest(), OfProgram(kNoDigest, CounterpointVersion), &StrangeIn};
 }
 } // namespace counterpoint::campaign

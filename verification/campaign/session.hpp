@@ -45,6 +45,8 @@ class Session
     }
 
   private:
+    [[nodiscard]] std::uint64_t SettingDigest() const;
+
     Plan plan_;
     RecordedScenario scenario_;
     Region region_;

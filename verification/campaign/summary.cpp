@@ -79,7 +79,7 @@ Bit FirstOf(const Experiment& experiment)
 /// Of two bits at once either of them.
 bool IsOf(const Campaign& campaign, const Finding& finding, const Known& known)
 {
-    const Experiment& experiment = finding.experiment;
+    const Experiment experiment = campaign.space.At(finding.number);
     const bool is_memory = IsMemory(experiment.part);
     const bool is_pair = experiment.part == Part::kBothChannels;
     const bool is_there = BeginsWith(PlaceText(campaign, experiment), known.place) ||
@@ -90,10 +90,10 @@ bool IsOf(const Campaign& campaign, const Finding& finding, const Known& known)
 
 Finding FindingOf(const Campaign& campaign, const std::uint64_t number, const Outcome& outcome)
 {
-    Finding finding{number, campaign.space.At(number), outcome, ""};
+    Finding finding{number, outcome, nullptr};
     for (const Known& known : campaign.plan.known)
     {
-        finding.known = IsOf(campaign, finding, known) ? known.reason : finding.known;
+        finding.known = IsOf(campaign, finding, known) ? &known : finding.known;
     }
     return finding;
 }
@@ -184,7 +184,7 @@ void Expect(const Campaign& campaign, const Results& results, Summary& summary)
     }
     for (const Known& known : campaign.plan.known)
     {
-        const auto is_needed = [&campaign, &known](const std::vector<Finding>& findings)
+        const auto is_needed = [&campaign, &known](const Findings& findings)
         {
             return std::any_of(findings.begin(), findings.end(),
                                [&](const Finding& finding) { return IsOf(campaign, finding, known); });
@@ -214,9 +214,10 @@ std::string Field(const std::string& text)
 }
 } // namespace
 
-bool Summary::IsKnown(const std::vector<Finding>& findings) noexcept
+bool Summary::IsKnown(const Findings& findings) noexcept
 {
-    return std::none_of(findings.begin(), findings.end(), [](const Finding& finding) { return finding.known.empty(); });
+    return std::none_of(findings.begin(), findings.end(),
+                        [](const Finding& finding) { return finding.known == nullptr; });
 }
 
 Summary Summarise(const Campaign& campaign, const Results& results)
@@ -318,9 +319,9 @@ std::string LatentText(const Summary& summary)
                                         "time behind the first thing that the device did otherwise\n";
 }
 
-std::string CsvReport(const Campaign& campaign, const Results& results)
+void CsvReport(const Campaign& campaign, const Results& results, const cia306::TextPiece& write)
 {
-    std::string text = "number,part,place,kind,cycle,phase,class,detector,reason,us,late\n";
+    write("number,part,place,kind,cycle,phase,class,detector,reason,us,late\n");
     for (std::uint64_t index = 0U; index < results.Size(); ++index)
     {
         const Outcome outcome = results.At(index);
@@ -329,12 +330,11 @@ std::string CsvReport(const Campaign& campaign, const Results& results)
             continue;
         }
         const Experiment experiment = campaign.space.At(results.NumberAt(index));
-        text += std::to_string(results.NumberAt(index)) + "," + WordOf(experiment.part) + "," +
-                Field(PlaceText(campaign, experiment)) + "," + WordOf(experiment.kind) + "," +
-                std::to_string(experiment.cycle) + "," + WordOf(experiment.phase) + "," + WordOf(outcome.result) + "," +
-                WordOf(outcome.detector) + "," + Field(ReasonOf(outcome)) + "," + std::to_string(outcome.us) + "," +
-                std::to_string(IsLate(outcome) ? 1 : 0) + "\n";
+        write(std::to_string(results.NumberAt(index)) + "," + WordOf(experiment.part) + "," +
+              Field(PlaceText(campaign, experiment)) + "," + WordOf(experiment.kind) + "," +
+              std::to_string(experiment.cycle) + "," + WordOf(experiment.phase) + "," + WordOf(outcome.result) + "," +
+              WordOf(outcome.detector) + "," + Field(ReasonOf(outcome)) + "," + std::to_string(outcome.us) + "," +
+              std::to_string(IsLate(outcome) ? 1 : 0) + "\n");
     }
-    return text;
 }
 } // namespace counterpoint::campaign

@@ -2,6 +2,7 @@
 #ifndef VERIFICATION_CAMPAIGN_SUMMARY_HPP
 #define VERIFICATION_CAMPAIGN_SUMMARY_HPP
 
+#include "canopen/cia306/text/text_file.hpp"
 #include "verification/campaign/device.hpp"
 #include "verification/campaign/outcome.hpp"
 #include "verification/campaign/plan.hpp"
@@ -11,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -53,10 +55,12 @@ struct Tally
 struct Finding
 {
     std::uint64_t number{0U};
-    Experiment experiment{};
     Outcome outcome{};
-    std::string known; ///< The plan's reason; empty: nobody answers for it.
+    const Known* known{nullptr}; ///< Of the plan; null: nobody answers for it.
 };
+
+/// They may be all experiments: in pieces, so that no longer list is made of a shorter one. [SRS_CMG_804]
+using Findings = std::deque<Finding>;
 
 /// Faults of one member at one phase.
 struct MapCell
@@ -92,9 +96,9 @@ struct Mechanism
 struct Summary
 {
     std::vector<Tally> tallies;
-    std::vector<Finding> silent;
-    std::vector<Finding> exposed; ///< Silent until the self test found them. [SRS_CMG_151, SRS_CMG_152]
-    std::vector<Finding> late;
+    Findings silent;
+    Findings exposed; ///< Silent until the self test found them. [SRS_CMG_151, SRS_CMG_152]
+    Findings late;
     std::uint64_t latent{
         0U}; ///< Found later than the limit behind the first byte that differed, in time behind what it did.
     std::vector<std::string> idle;     ///< Detectors and voices that the plan asks for and that found nothing.
@@ -112,7 +116,7 @@ struct Summary
     }
 
   private:
-    [[nodiscard]] static bool IsKnown(const std::vector<Finding>& findings) noexcept;
+    [[nodiscard]] static bool IsKnown(const Findings& findings) noexcept;
 };
 
 /// What a report is written of. All outlive it.
@@ -145,10 +149,10 @@ struct Campaign
 [[nodiscard]] std::string TextReport(const Campaign& campaign, const Summary& summary);
 /// @brief The report as one page without any other file. [SRS_CMG_010]
 [[nodiscard]] std::string HtmlReport(const Campaign& campaign, const Summary& summary);
-/// @brief The report for programs: docs/json.md. [SRS_CMG_045]
-[[nodiscard]] std::string JsonReport(const Campaign& campaign, const Summary& summary);
-/// @brief All experiments that have an outcome, one a line.
-[[nodiscard]] std::string CsvReport(const Campaign& campaign, const Results& results);
+/// @brief The report for programs: docs/json.md. [SRS_CMG_045, SRS_CMG_804]
+void JsonReport(const Campaign& campaign, const Summary& summary, const cia306::TextPiece& write);
+/// @brief All experiments that have an outcome, one a line; each line as soon as it is made. [SRS_CMG_804]
+void CsvReport(const Campaign& campaign, const Results& results, const cia306::TextPiece& write);
 } // namespace counterpoint::campaign
 
 #endif // VERIFICATION_CAMPAIGN_SUMMARY_HPP

@@ -95,19 +95,19 @@ std::string DetectorLine(const Summary& summary)
     return text + "\n";
 }
 
-std::string FindingLines(const Campaign& campaign, const std::string& title, const std::vector<Finding>& findings)
+std::string FindingLines(const Campaign& campaign, const std::string& title, const Findings& findings)
 {
     std::string text;
     for (std::size_t index = 0U; index < findings.size() && index < kMostLines; ++index)
     {
         const Finding& finding = findings[index];
+        const Experiment experiment = campaign.space.At(finding.number);
         const std::string reason = ReasonOf(finding.outcome);
-        text += title + ": experiment " + std::to_string(finding.number) + ": " +
-                PlaceText(campaign, finding.experiment) + ", " + WordOf(finding.experiment.kind) + ", cycle " +
-                std::to_string(finding.experiment.cycle) + ", phase " + WordOf(finding.experiment.phase) + ": " +
-                WordOf(finding.outcome.detector) + (reason.empty() ? "" : ", ") + reason + ", " +
-                MsText(finding.outcome.us) + " ms" + (finding.known.empty() ? "" : " (known: " + finding.known + ")") +
-                "\n";
+        text += title + ": experiment " + std::to_string(finding.number) + ": " + PlaceText(campaign, experiment) +
+                ", " + WordOf(experiment.kind) + ", cycle " + std::to_string(experiment.cycle) + ", phase " +
+                WordOf(experiment.phase) + ": " + WordOf(finding.outcome.detector) + (reason.empty() ? "" : ", ") +
+                reason + ", " + MsText(finding.outcome.us) + " ms" +
+                (finding.known == nullptr ? "" : " (known: " + finding.known->reason + ")") + "\n";
     }
     if (findings.size() > kMostLines)
     {

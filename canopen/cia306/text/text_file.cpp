@@ -244,6 +244,10 @@ class Replacement
     void Write(const std::string_view text) const
     {
         WriteAll(path_, file_.Number(), text);
+    }
+    /// All of it is written.
+    void End() const
+    {
         KeepOwner(path_, file_.Number(), keeping_); // Before the mode, of which a change of the owner takes bits away.
         KeepMode(path_, file_.Number(), keeping_);
         Require(::fsync(file_.Number()) == 0);
@@ -322,6 +326,26 @@ void WriteTextFile(const std::string& path, const std::string_view text)
 {
     Replacement file(path);
     file.Write(text);
+    file.End();
+    file.TakePlace();
+}
+
+void WriteTextInPieces(const std::string& path, const std::function<void(const TextPiece&)>& write)
+{
+    Replacement file(path);
+    std::string block; // Pieces are short.
+    write(
+        [&file, &block](const std::string_view piece)
+        {
+            block.append(piece);
+            if (block.size() >= kBlockBytes)
+            {
+                file.Write(block);
+                block.clear();
+            }
+        });
+    file.Write(block);
+    file.End();
     file.TakePlace();
 }
 
@@ -330,7 +354,9 @@ void WriteTextFiles(const std::vector<NamedText>& texts)
     std::deque<Replacement> files;
     for (const NamedText& each : texts)
     {
-        files.emplace_back(each.path).Write(each.text);
+        const Replacement& file = files.emplace_back(each.path);
+        file.Write(each.text);
+        file.End();
     }
     for (Replacement& file : files)
     {

@@ -3,6 +3,7 @@
 #define CANOPEN_CIA306_TEXT_TEXT_FILE_HPP
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,13 @@ void RequireWritable(const std::string& path);
 /// permissions and its owner, a link stays one, also where nothing is behind it. Refuses the file into which standard
 /// output or standard error of the program go. Throws InputError. [SRS_CLI_035, SRS_CLI_120, SRS_CLI_170]
 void WriteTextFile(const std::string& path, std::string_view text);
+
+/// Writes the next piece of a text.
+using TextPiece = std::function<void(std::string_view)>;
+
+/// As WriteTextFile, of a text that is too large to be had as a whole: `write` is called once and hands over its
+/// pieces. What it throws leaves the file as it was. [SRS_CLI_035]
+void WriteTextInPieces(const std::string& path, const std::function<void(const TextPiece&)>& write);
 
 struct NamedText
 {

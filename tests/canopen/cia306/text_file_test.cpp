@@ -135,6 +135,39 @@ TEST_F(TextFile, ALargeFileIsRefusedBeforeItIsRead)
               Path("large") + ": error: it has 1099511627776 bytes, expected at most 16777216 bytes");
 }
 
+TEST_F(TextFile, ATextInPiecesIsOneFileOrNone)
+{
+    Verifies(req::SRS_CLI_035);
+    WriteTextFile(Path("a"), "old");
+    // Given a writer that ends by an exception behind 100 000 bytes: the file is what it was, and nothing lies beside
+    // it
+    EXPECT_THROW(WriteTextInPieces(Path("a"),
+                                   [](const TextPiece& write)
+                                   {
+                                       write(std::string(100000U, 'x'));
+                                       throw InputError("b", {}, {"wrong", "right"});
+                                   }),
+                 InputError);
+    EXPECT_EQ(ReadTextFile(Path("a")), "old");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator()), 1);
+    // And one that ends well
+    std::string whole;
+    WriteTextInPieces(Path("a"),
+                      [&whole, this](const TextPiece& write)
+                      {
+                          for (int line = 0; line < 30000; ++line)
+                          {
+                              const std::string piece = std::to_string(line) + "\n";
+                              write(piece);
+                              whole += piece;
+                          }
+                          EXPECT_EQ(ReadTextFile(Path("a")), "old");
+                      });
+    EXPECT_EQ(ReadTextFile(Path("a")), whole);
+    WriteTextInPieces(Path("none"), [](const TextPiece& /*write*/) {});
+    EXPECT_EQ(ReadTextFile(Path("none")), "");
+}
+
 TEST_F(TextFile, AFileIsReplacedInOneStepAndKeepsItsMode)
 {
     Verifies(req::SRS_CLI_120);

@@ -1,8 +1,10 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/managed/command.hpp"
 
+#include "canopen/cia306/text/input_error.hpp"
 #include "canopen/cia306/text/text_file.hpp"
 #include "runtime/device/time_text.hpp"
+#include "runtime/network_files/file.hpp"
 #include "simulator/scenario/reader.hpp"
 #include "verification/campaign/html.hpp"
 #include "verification/campaign/managed/crew.hpp"
@@ -40,6 +42,34 @@ using tools::Streams;
     return reference;
 }
 
+/// What a network file names in turn. Whether it is one, and right, is said when the run reads it. [SRS_CMG_805]
+void AddFilesOf(const std::string& network, std::vector<std::string>& files)
+{
+    const auto add = [&files](const std::string& file)
+    {
+        if (!file.empty())
+        {
+            files.push_back(file);
+        }
+    };
+    try
+    {
+        const network_plan::NetworkPlan plan = runtime::ReadNetworkFile(network, 0U);
+        add(plan.manager.dcf);
+        for (const network_plan::SlavePlan& slave : plan.slaves)
+        {
+            add(slave.dcf);
+            add(slave.software ? slave.software->program : "");
+        }
+    }
+    catch (const runtime::YamlError&)
+    {
+    }
+    catch (const cia306::InputError&)
+    {
+    }
+}
+
 /// Everything that a plan needs, from its file on.
 struct Session
 {
@@ -48,19 +78,20 @@ struct Session
     {
     }
 
-    /// Of the text of the plan, of what is on the bus without fault, and of the program.
+    /// Of the text of the plan, of all files that the network is made of, of what is on the bus without fault, and of
+    /// the program. [SRS_CMG_800]
     [[nodiscard]] ResultsOf Identity(const Shard& shard) const
     {
-        std::uint64_t digest = plan.digest;
+        std::uint64_t digest = WithFiles(kNoDigest, FilesOf(plan.file));
         for (const auto& [sender, hash] : reference.hashes)
         {
-            digest = (digest ^ hash) * 0x100000001B3U;
+            digest = With(digest, hash);
         }
         for (const ManagerMember& member : reference.memory)
         {
-            digest = (digest ^ member.size_bytes) * 0x100000001B3U;
+            digest = With(digest, member.size_bytes);
         }
-        return {OfProgram(digest, CounterpointVersion), space.Size(), shard};
+        return {plan.digest, space.Size(), shard, digest, OfProgram(kNoDigest, CounterpointVersion), &StrangeIn};
     }
 
     Plan plan;
@@ -80,11 +111,13 @@ struct Session
     }
     if (!order.json.empty())
     {
-        cia306::WriteTextFile(order.json, JsonReport(campaign, summary));
+        cia306::WriteTextInPieces(order.json, [&campaign, &summary](const cia306::TextPiece& write)
+                                  { JsonReport(campaign, summary, write); });
     }
     if (!order.csv.empty())
     {
-        cia306::WriteTextFile(order.csv, CsvReport(campaign));
+        cia306::WriteTextInPieces(order.csv,
+                                  [&campaign](const cia306::TextPiece& write) { CsvReport(campaign, write); });
     }
     streams.out << TextReport(campaign, summary);
     return (summary.Holds() && summary.open == 0U) ? ExitStatus::kHolds : ExitStatus::kDoesNotHold;
@@ -172,6 +205,7 @@ std::vector<std::string> FilesOf(const std::string& plan)
     for (const std::string& network : simulator::NetworkFilesOf(documents))
     {
         files.push_back(network);
+        AddFilesOf(network, files);
     }
     return files;
 }
@@ -189,6 +223,7 @@ ExitStatus Try(const CampaignOrder& order, const Shard& shard, const Streams& st
         Crew crew(session.course, session.space, session.reference, results, jobs);
         crew.Work([&progress](const std::uint64_t done) { progress.Show(done); });
     }
+    results.RequireKept();
     return Report(order, session, results, streams);
 }
 
@@ -201,6 +236,7 @@ ExitStatus Merge(const CampaignOrder& order, const Streams& streams)
     {
         all.Merge(order.files[index]);
     }
+    all.RequireKept();
     return Report(order, session, all, streams);
 }
 

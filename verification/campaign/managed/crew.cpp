@@ -109,6 +109,7 @@ void Crew::Work(const std::function<void(std::uint64_t)>& progress)
             {
                 child = (child > 0 && waitpid(child, nullptr, WNOHANG) == child) ? 0 : child;
             }
+            results_.RequireThere();
             is_busy = std::any_of(children_.begin(), children_.end(), [](const pid_t child) { return child > 0; });
             progress(__atomic_load_n(&board_->done, __ATOMIC_RELAXED));
         }

@@ -44,6 +44,8 @@ enum class Limit : std::uint8_t
     kOwnGate = 6U,       ///< Such a manager lets a slave run that holds itself back: 13FEh, or a device fault.
 };
 
+constexpr std::size_t kWrongCount = 12U;
+constexpr std::size_t kLimitCount = 7U;
 [[nodiscard]] const char* TextOf(Wrong wrong);
 [[nodiscard]] const char* TextOf(Limit limit);
 

@@ -1,6 +1,7 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/managed/report.hpp"
 #include "verification/campaign/html.hpp"
+#include "verification/campaign/json_pieces.hpp"
 #include "verification/campaign/statistics.hpp"
 
 #include <cstdio>
@@ -258,7 +259,7 @@ std::string TextReport(const Campaign& campaign, const Summary& summary)
     return text + (HoldsAll(summary) ? "verdict: holds\n" : "verdict: does not hold\n");
 }
 
-std::string JsonReport(const Campaign& campaign, const Summary& summary)
+void JsonReport(const Campaign& campaign, const Summary& summary, const cia306::TextPiece& write)
 {
     Json report{{"format", "counterpoint-campaign-1"},
                 {"plan", campaign.plan.file},
@@ -280,9 +281,9 @@ std::string JsonReport(const Campaign& campaign, const Summary& summary)
     }
     report["strata"] = strata;
     report["subjects"] = SubjectsOf(summary);
-    Json survivors = Json::array();
-    for (const Finding& finding : summary.silent)
+    const auto survivor_of = [&campaign, &summary](const std::size_t index)
     {
+        const Finding& finding = summary.silent[index];
         Json survivor{{"experiment", finding.number},
                       {"class", WordOf(finding.outcome.result)},
                       {"place", campaign.space.PlaceText(finding.trial)},
@@ -291,15 +292,14 @@ std::string JsonReport(const Campaign& campaign, const Summary& summary)
                       {"reason", WhyOf(finding.outcome)},
                       {"us", finding.outcome.us}};
         survivor["known"] = finding.known.empty() ? Json() : Json(finding.known);
-        survivors.push_back(survivor);
-    }
-    report["survivors"] = survivors;
-    return report.dump(2) + "\n";
+        return survivor;
+    };
+    WriteWithSurvivors(report, summary.silent.size(), survivor_of, write);
 }
 
-std::string CsvReport(const Campaign& campaign)
+void CsvReport(const Campaign& campaign, const cia306::TextPiece& write)
 {
-    std::string text = "experiment,part,kind,place,class,told_by,us,reason\n";
+    write("experiment,part,kind,place,class,told_by,us,reason\n");
     for (std::uint64_t index = 0U; index < campaign.results.Size(); ++index)
     {
         const Outcome outcome = campaign.results.At(index);
@@ -309,12 +309,11 @@ std::string CsvReport(const Campaign& campaign)
         }
         const std::uint64_t number = campaign.results.NumberAt(index);
         const Trial trial = campaign.space.At(number);
-        text += Number(number) + "," + WordOf(trial.target) + "," + WordOf(trial.fault) + ",\"" +
-                campaign.space.PlaceText(trial) + "\"," + WordOf(outcome.result) + "," +
-                WordOf(static_cast<Teller>(outcome.detector)) + "," + Number(outcome.us) + ",\"" + WhyOf(outcome) +
-                "\"\n";
+        write(Number(number) + "," + WordOf(trial.target) + "," + WordOf(trial.fault) + ",\"" +
+              campaign.space.PlaceText(trial) + "\"," + WordOf(outcome.result) + "," +
+              WordOf(static_cast<Teller>(outcome.detector)) + "," + Number(outcome.us) + ",\"" + WhyOf(outcome) +
+              "\"\n");
     }
-    return text;
 }
 
 std::string HtmlReport(const Campaign& campaign, const Summary& summary)

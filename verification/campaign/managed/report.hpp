@@ -2,6 +2,7 @@
 #ifndef VERIFICATION_CAMPAIGN_MANAGED_REPORT_HPP
 #define VERIFICATION_CAMPAIGN_MANAGED_REPORT_HPP
 
+#include "canopen/cia306/text/text_file.hpp"
 #include "verification/campaign/managed/space.hpp"
 #include "verification/campaign/results.hpp"
 
@@ -76,11 +77,14 @@ struct Campaign
 [[nodiscard]] Summary Summarise(const Campaign& campaign);
 /// @brief Why an outcome is what it is; empty: its class says it.
 [[nodiscard]] std::string WhyOf(const Outcome& outcome);
+/// @brief As campaign::StrangeIn, of a fault of a network. [SRS_CMG_802]
+[[nodiscard]] Strange StrangeIn(const Outcome& outcome);
 /// @brief An outcome as a sentence.
 [[nodiscard]] std::string SentenceOf(const Outcome& outcome);
 [[nodiscard]] std::string TextReport(const Campaign& campaign, const Summary& summary);
-[[nodiscard]] std::string JsonReport(const Campaign& campaign, const Summary& summary);
-[[nodiscard]] std::string CsvReport(const Campaign& campaign);
+/// @brief Each survivor, and each line, as soon as it is made. [SRS_CMG_804]
+void JsonReport(const Campaign& campaign, const Summary& summary, const cia306::TextPiece& write);
+void CsvReport(const Campaign& campaign, const cia306::TextPiece& write);
 /// @brief One page without any other file.
 [[nodiscard]] std::string HtmlReport(const Campaign& campaign, const Summary& summary);
 } // namespace counterpoint::campaign::managed

@@ -145,6 +145,20 @@ std::string WhyOf(const Outcome& outcome)
     }
 }
 
+Strange StrangeIn(const Outcome& outcome)
+{
+    const auto teller = static_cast<std::size_t>(outcome.detector);
+    if (teller >= kTellerCount)
+    {
+        return StrangeNumber("detector", teller, kTellerCount);
+    }
+    if (outcome.result == Class::kSilent)
+    {
+        return StrangeNumber("reason", outcome.detail, kWrongCount);
+    }
+    return (outcome.result == Class::kListed) ? StrangeNumber("reason", outcome.detail, kLimitCount) : Strange{};
+}
+
 std::string SentenceOf(const Outcome& outcome)
 {
     const auto teller = static_cast<Teller>(outcome.detector);

@@ -5,7 +5,7 @@ namespace counterpoint::campaign::managed
 {
 namespace
 {
-constexpr std::array<const char*, 12U> kWrongTexts{
+constexpr std::array<const char*, kWrongCount> kWrongTexts{
     "",
     "a start of all, with a safety slave in the network",
     "a safety slave was started before its verification had succeeded",
@@ -18,7 +18,7 @@ constexpr std::array<const char*, 12U> kWrongTexts{
     "output open with data that are too old or nobody's",
     "a frame under a foreign identifier",
     "the program ended"};
-constexpr std::array<const char*, 7U> kLimitTexts{
+constexpr std::array<const char*, kLimitCount> kLimitTexts{
     "",
     "a safety configuration changed without a message, behind its last reading",
     "a slave runs by a command that no manager gave to it then",

@@ -106,6 +106,12 @@ inline constexpr RequirementId SRS_CMG_540{"SRS_CMG_540"};
 inline constexpr RequirementId SRS_CMG_541{"SRS_CMG_541"};
 inline constexpr RequirementId SRS_CMG_560{"SRS_CMG_560"};
 inline constexpr RequirementId SRS_CMG_561{"SRS_CMG_561"};
+inline constexpr RequirementId SRS_CMG_800{"SRS_CMG_800"};
+inline constexpr RequirementId SRS_CMG_801{"SRS_CMG_801"};
+inline constexpr RequirementId SRS_CMG_802{"SRS_CMG_802"};
+inline constexpr RequirementId SRS_CMG_803{"SRS_CMG_803"};
+inline constexpr RequirementId SRS_CMG_804{"SRS_CMG_804"};
+inline constexpr RequirementId SRS_CMG_805{"SRS_CMG_805"};
 } // namespace counterpoint::req
 
 #endif
