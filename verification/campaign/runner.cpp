@@ -284,6 +284,7 @@ void Runner::Begin(const Experiment& experiment)
     fault_ = &experiment;
     steps_.Begin();
     is_obeyed_ = false;
+    is_otherwise_ = false;
     is_exposed_ = false;
     device_.Rewind(experiment.cycle, &experiment, EndOf(experiment), seed_);
 }
@@ -379,6 +380,14 @@ bool Runner::DoesOtherwise(const Sight& sight) const
                        { return std::memcmp(is + each.offset, without + each.offset, each.size) != 0; });
 }
 
+/// Other frames, or at another time.
+bool Runner::SendsOtherwise() const
+{
+    const FlatPorts& ports = device_.Ports();
+    const std::uint8_t* const without = kept_.data() + ((now_ + 1U - first_) * size_);
+    return std::memcmp(&ports.frames, without + device_.Memory().OffsetOf(&ports.frames), sizeof(ports.frames)) != 0;
+}
+
 bool Runner::HasSpread(const Experiment& experiment) const
 {
     const std::uint8_t* const is = device_.Memory().Bytes();
@@ -417,6 +426,7 @@ void Runner::Watch(const Experiment& experiment)
         {
             watcher_->OnCycle(now_, sight);
         }
+        is_otherwise_ = is_otherwise_ || DoesOtherwise(sight) || SendsOtherwise();
         if (Notice(sight, experiment))
         {
             return;
@@ -429,7 +439,7 @@ void Runner::Watch(const Experiment& experiment)
         }
         if (IsOver(experiment, now_) && device_.IsUndisturbed(now_) && IsAsWithoutFault(now_ + 1U))
         {
-            const Class undone = is_obeyed_ ? Class::kBenign : Class::kMasked;
+            const Class undone = (is_obeyed_ || is_otherwise_) ? Class::kBenign : Class::kMasked;
             found_.result = (found_.result == Class::kOpen) ? undone : found_.result;
             return;
         }
@@ -450,8 +460,10 @@ bool Runner::Notice(const Sight& sight, const Experiment& experiment)
         const std::uint32_t us = Since(experiment, now_);
         if (us <= limits_.Of(experiment))
         {
+            const std::uint8_t old = (found_.detail == static_cast<std::uint8_t>(Wrong::kOldPair)) ? kMarkOldPair : 0U;
             found_ = Blame();
             found_.result = Class::kExposed;
+            found_.marks |= old;
             found_.us = us;
         }
     }
@@ -499,12 +511,13 @@ void Runner::NoticeClosed(const Experiment& experiment)
     found_.us = Since(experiment, now_);
 }
 
-/// Memory that is wrong may be so until the march meets it: within the limit, where there is one. [SRS_CMG_151]
+/// Memory that is wrong may be so until the march meets it, and old data may be sent until somebody finds why: within
+/// the limit, where there is one. [SRS_CMG_151, SRS_CMG_812]
 bool Runner::NoticeWrong(const Sight& sight, const Experiment& experiment)
 {
     const bool has_march = device_.SelfTest() != nullptr && IsMemory(experiment.part);
-    const bool may_be_found = has_march && sight.wrong == Wrong::kData &&
-                              (is_exposed_ || found_.result == Class::kOpen) &&
+    const bool is_of_time = (has_march && sight.wrong == Wrong::kData) || sight.wrong == Wrong::kOldPair;
+    const bool may_be_found = is_of_time && (is_exposed_ || found_.result == Class::kOpen) &&
                               Since(experiment, now_) <= limits_.Of(experiment);
     if (!is_exposed_ || !may_be_found)
     {
