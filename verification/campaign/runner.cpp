@@ -248,7 +248,7 @@ Outcome Runner::Run(const Experiment& experiment)
         found_.detector = (back == Return::kException) ? Detector::kException : Detector::kTime;
         found_.us = Since(experiment, now_) + ExceptionUs();
     }
-    if (found_.result == Class::kDetected && found_.us > limits_.Of(experiment))
+    if (found_.result == Class::kDetected && found_.us > limits_.Of(experiment, recording_))
     {
         found_.marks |= MarksOf(experiment);
     }
@@ -302,7 +302,10 @@ void Runner::Rewind(const std::size_t cycle)
 /// What is no memory is seen by the time of its limit, or never.
 std::size_t Runner::EndOf(const Experiment& experiment) const
 {
-    const std::size_t limit = limits_.Of(experiment) / device_.Config().cycle_us;
+    // What is found later than its own limit, within that of its part, is late and not benign.
+    const std::uint32_t longest =
+        std::max(limits_.Of(experiment, recording_), limits_.us.at(static_cast<std::size_t>(experiment.part)));
+    const std::size_t limit = longest / device_.Config().cycle_us;
     const bool moves_in_time = experiment.part == Part::kBus || experiment.part == Part::kCycle ||
                                (experiment.part == Part::kLink && HasReach(experiment.part, experiment.kind));
     const std::size_t more =
@@ -342,7 +345,7 @@ std::uint8_t Runner::MarksOf(const Experiment& experiment)
     {
         const std::size_t seen = std::min(sign, now_);
         const std::uint32_t silent_us = (seen > experiment.cycle) ? Since(experiment, seen - 1U) : 0U;
-        return found.us - std::min(found.us, silent_us) > limits_.Of(experiment);
+        return found.us - std::min(found.us, silent_us) > limits_.Of(experiment, recording_);
     };
     const bool is_call = experiment.part == Part::kCallsOfA || experiment.part == Part::kCallsOfB;
     const bool may_lie_still =
@@ -458,7 +461,7 @@ bool Runner::Notice(const Sight& sight, const Experiment& experiment)
     {
         is_exposed_ = false;
         const std::uint32_t us = Since(experiment, now_);
-        if (us <= limits_.Of(experiment))
+        if (us <= limits_.Of(experiment, recording_))
         {
             const std::uint8_t old = (found_.detail == static_cast<std::uint8_t>(Wrong::kOldPair)) ? kMarkOldPair : 0U;
             found_ = Blame();
@@ -518,7 +521,7 @@ bool Runner::NoticeWrong(const Sight& sight, const Experiment& experiment)
     const bool has_march = device_.SelfTest() != nullptr && IsMemory(experiment.part);
     const bool is_of_time = (has_march && sight.wrong == Wrong::kData) || sight.wrong == Wrong::kOldPair;
     const bool may_be_found = is_of_time && (is_exposed_ || found_.result == Class::kOpen) &&
-                              Since(experiment, now_) <= limits_.Of(experiment);
+                              Since(experiment, now_) <= limits_.Of(experiment, recording_);
     if (!is_exposed_ || !may_be_found)
     {
         found_ = Outcome{Class::kSilent, Detector::kNobody, static_cast<std::uint8_t>(sight.wrong), 0U,
