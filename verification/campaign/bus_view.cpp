@@ -1,6 +1,8 @@
 // Copyright the Counterpoint authors. SPDX-License-Identifier: Apache-2.0
 #include "verification/campaign/bus_view.hpp"
 
+#include <algorithm>
+
 namespace counterpoint::campaign
 {
 namespace
@@ -26,9 +28,8 @@ std::uint64_t NumberIn(const CanFrame& frame)
 
 BusView::BusView(const Recording& recording, const runtime::SrdoModel& srdo, const std::uint32_t mapped_bits)
     : cob_id_1_(srdo.cob_id_1), cob_id_2_(srdo.cob_id_2), bytes_((mapped_bits + kByteBits - 1U) / kByteBits),
-      srvt_(srdo.times.srvt_ms * kMs),
-      greatest_age_((srdo.times.detection == SrvtDetection::kLate) ? srdo.times.sct_ms * kMs
-                                                                   : (srdo.times.sct_ms + srdo.times.srvt_ms) * kMs)
+      is_late_(srdo.times.detection == SrvtDetection::kLate), sct_(srdo.times.sct_ms * kMs),
+      srvt_(srdo.times.srvt_ms * kMs), greatest_age_(is_late_ ? sct_ : sct_ + srvt_)
 {
     Received received;
     for (const RecordedFrame& frame : recording.frames)
@@ -40,14 +41,26 @@ BusView::BusView(const Recording& recording, const runtime::SrdoModel& srdo, con
     }
 }
 
+/// Whether the normal frame that waits is discarded: early by SRVT, late by SCT. [SRS_CMG_813]
+bool BusView::HasExpired(const Received& received, const Nanoseconds now) const
+{
+    return is_late_ ? (received.runs && now - received.newest.normal_at > sct_) : (now - received.normal_at > srvt_);
+}
+
 /// True: a complete valid pair is the newest one.
 bool BusView::Complete(Received& received, const RecordedFrame& came) const
 {
     const CanFrame& frame = came.stamped.frame;
-    const bool is_long = frame.length_bytes == bytes_ && frame.kind == FrameKind::kData;
+    if (frame.kind != FrameKind::kData)
+    {
+        return false;
+    }
+    const bool is_long = frame.length_bytes == bytes_;
     if (frame.identifier == cob_id_1_)
     {
-        received.waits = is_long && !received.waits;
+        const bool is_second = received.waits && !HasExpired(received, came.at);
+        received.runs = received.runs && is_long && !received.waits; // An error ends SCT until the next pair.
+        received.waits = is_long && !is_second;
         received.normal_at = came.at;
         received.normal = NumberIn(frame);
         return false;
@@ -59,9 +72,11 @@ bool BusView::Complete(Received& received, const RecordedFrame& came) const
     const bool is_pair = received.waits && is_long && came.at - received.normal_at <= srvt_ &&
                          (received.normal ^ NumberIn(frame)) == LowBits(bytes_ * kByteBits);
     received.waits = false;
+    received.runs = is_pair;
     if (is_pair)
     {
-        received.before = received.newest;
+        std::copy_backward(received.before.begin(), received.before.end() - 1, received.before.end());
+        received.before.front() = received.newest;
         received.newest = {received.normal_at, came.at, received.normal, BusPair::kNever};
         ++received.count;
     }
@@ -93,13 +108,22 @@ Leave BusView::Allows(const Received& received, const Nanoseconds now, const std
     { return ((pair.data ^ data) & mask) == 0U && now - pair.normal_at <= greatest_age_; };
     const auto is_sent = [this, now](const BusPair& pair)
     { return pair.sent_at != BusPair::kNever && now - pair.sent_at <= greatest_age_; };
-    const bool is_newest = received.count > 0U && is_it(received.newest);
-    const bool is_before =
-        received.count > 1U && now - received.newest.inverse_at <= discrepancy && is_it(received.before);
-    if ((is_newest && is_sent(received.newest)) || (is_before && is_sent(received.before)))
+    bool is_given = false;
+    bool is_listed = false;
+    const BusPair* follower = nullptr; // Of the pair that is looked at; the newest one has none.
+    for (std::size_t index = 0U; index < std::min<std::size_t>(received.count, kKeptPairs + 1U); ++index)
+    {
+        const BusPair& pair = (index == 0U) ? received.newest : received.before.at(index - 1U);
+        const bool is_in_place = follower == nullptr || now - follower->inverse_at <= discrepancy;
+        const bool is_this = is_in_place && is_it(pair);
+        is_given = is_given || (is_this && is_sent(pair));
+        is_listed = is_listed || is_this;
+        follower = &pair;
+    }
+    if (is_given)
     {
         return Leave::kGiven;
     }
-    return (is_newest || is_before) ? Leave::kListed : Leave::kNone;
+    return is_listed ? Leave::kListed : Leave::kNone;
 }
 } // namespace counterpoint::campaign

@@ -5,6 +5,8 @@
 #include "runtime/device/model.hpp"
 #include "verification/campaign/recording.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -21,16 +23,20 @@ struct BusPair
     static constexpr Nanoseconds kNever = -1;
 };
 
-/// What a device got of one SRDO so far. Plain memory.
+/// So many pairs before the newest one may still be in place: as many as may come within the discrepancy time.
+constexpr std::size_t kKeptPairs = 8U;
+
+/// What a device got of one SRDO so far. Plain memory. [SRS_CMG_815]
 struct Received
 {
     BusPair newest{};
-    BusPair before{};
+    std::array<BusPair, kKeptPairs> before{}; ///< The latest one first.
     Nanoseconds normal_at{0};
     std::uint64_t normal{0U};
     std::size_t sent{0U}; ///< The latest one that was sent, of those that were got.
     std::uint32_t count{0U};
     bool waits{false}; ///< For the inverse frame of `normal`.
+    bool runs{false};  ///< SCT, from the newest pair.
 };
 
 /// Whether an output may use data.
@@ -60,11 +66,14 @@ class BusView
                                Nanoseconds discrepancy) const;
 
   private:
+    [[nodiscard]] bool HasExpired(const Received& received, Nanoseconds now) const;
     [[nodiscard]] bool Complete(Received& received, const RecordedFrame& came) const;
 
     std::uint32_t cob_id_1_;
     std::uint32_t cob_id_2_;
     std::uint32_t bytes_;
+    bool is_late_;
+    Nanoseconds sct_;
     Nanoseconds srvt_;
     Nanoseconds greatest_age_;
     std::vector<BusPair> pairs_{}; ///< That were sent.

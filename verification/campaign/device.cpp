@@ -88,12 +88,15 @@ void Device::CopyTables(const runtime::DeviceModel& model)
     {
         const MappableObject& normal = objects[pair.normal];
         const MappableObject& inverse = objects[pair.inverse];
+        const SlotIndex slot = model.SlotOf(pair.srdo).value_or(0U);
+        const bool is_asked = !pair.is_consumer && reference_.srdos[slot].form == ProducerForm::kProviderCalled;
         pairs_.push_back({{normal.place, normal.length_bits},
                           {inverse.place, inverse.length_bits},
                           {normal.index, normal.sub},
-                          model.SlotOf(pair.srdo).value_or(0U),
+                          slot,
                           pair.first_bit,
-                          pair.is_consumer});
+                          pair.is_consumer,
+                          is_asked ? runtime::CommunicationIndexOf(pair.srdo).value : std::uint16_t{0U}});
     }
 }
 
@@ -314,11 +317,18 @@ void Device::Call(const std::size_t cycle, const Nanoseconds at)
     SetTime(at);
     ports_->now = at;
     output_->Examine();
+    target_ = {&feed_, &pairs_, cycle};
+    application_->provider = this;
     if (output_->is_live)
     {
         kernel_->Cycle(feed_.CallOf(cycle, at));
     }
-    feed_.WriteInputs(cycle, pairs_);
+    feed_.WriteInputs(target_, 0U);
+}
+
+RefreshAnswer Device::Provide(const CommunicationIndex index) noexcept
+{
+    return feed_.Refresh(target_, index);
 }
 
 /// Received frames and confirmations in the order of the bus.

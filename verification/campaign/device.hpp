@@ -90,7 +90,7 @@ struct DeviceSetup
 };
 
 /// Kernel, both channels and all that they work on, in one piece of memory. [SRS_CMG_001]
-class Device
+class Device : private Provider
 {
   public:
     /// @brief Builds the device of the model in the region, starts and configures it at power-on of the recording.
@@ -173,6 +173,7 @@ class Device
   private:
     friend class TwoCpus; ///< Two of these, each with a channel.
 
+    [[nodiscard]] RefreshAnswer Provide(CommunicationIndex index) noexcept override;
     void CopyTables(const runtime::DeviceModel& model);
     void MakeSurroundings(const Recording& recording, OutputKind output, const DeviceSetup& setup);
     void MakeVoices(const DeviceSetup& setup);
@@ -209,6 +210,7 @@ class Device
     PhaseHook* hook_{nullptr};
     std::unique_ptr<FlatSelfTest> self_test_{};
     Feed feed_; ///< Outside of it.
+    InputTarget target_{};
 };
 
 /// @brief An application does not keep what it was told before somebody acknowledged, or while the device is not

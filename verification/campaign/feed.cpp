@@ -78,6 +78,7 @@ void Feed::Rewind(const std::size_t cycle, const Experiment* const fault, const 
     handed_.clear();
     held_back_.clear();
     held_confirms_.clear();
+    held_refresh_ = 0U;
 }
 
 bool Feed::IsUndisturbed(const std::size_t cycle) const
@@ -91,7 +92,7 @@ bool Feed::IsUndisturbed(const std::size_t cycle) const
                          fault_->part == Part::kCallsOfB || fault_->part == Part::kSteps;
     const bool is_over = !is_call || ((fault_->variant & kAlways) == 0U && cycle > fault_->cycle);
     return !is_for_ever && is_over && commands_.IsOver(cycle) && held_back_.empty() && held_confirms_.empty() &&
-           course_.IsOver(cycle, next_frame_);
+           held_refresh_ == 0U && course_.IsOver(cycle, next_frame_);
 }
 
 void Feed::BeginCall(const std::size_t cycle, Kernel& kernel)
@@ -163,6 +164,36 @@ void Feed::CatchUp(Kernel& kernel)
     }
     held_back_.clear();
     held_confirms_.clear();
+    CatchUpRefresh();
+}
+
+void Feed::CatchUpRefresh()
+{
+    if (held_refresh_ != 0U)
+    {
+        held_target_.source->WriteInputs(held_target_, held_refresh_);
+        held_refresh_ = 0U;
+    }
+}
+
+RefreshAnswer Feed::Refresh(const InputTarget& target, const CommunicationIndex index)
+{
+    const Turn turn = calls_->Next(Part::kKernelCalls, static_cast<std::uint32_t>(KernelCall::kOnRefresh));
+    if (turn == Turn::kDefer)
+    {
+        held_refresh_ = index.value;
+        held_target_ = target;
+        return RefreshAnswer::kReady; // What it answered last.
+    }
+    for (int times = TimesOf(turn); times > 0; --times)
+    {
+        target.source->WriteInputs(target, index.value);
+    }
+    if (!calls_->IsLate())
+    {
+        CatchUpRefresh();
+    }
+    return RefreshAnswer::kReady;
 }
 
 CycleCall Feed::CallOf(const std::size_t cycle, const Nanoseconds at) const
@@ -179,27 +210,33 @@ CycleCall Feed::CallOf(const std::size_t cycle, const Nanoseconds at) const
     return call;
 }
 
-/// As an application does it that senses with two paths: each side by itself, in every cycle.
-void Feed::WriteInputs(const std::size_t cycle, const std::vector<FlatPair>& pairs) const
+/// As an application does it that senses with two paths: each side by itself.
+void Feed::WriteInputs(const InputTarget& target, const std::uint16_t index) const
 {
-    for (std::size_t index = 0U; index < pairs.size(); ++index)
+    for (std::size_t number = 0U; number < target.pairs->size(); ++number)
     {
-        const FlatPair& pair = pairs[index];
-        if (pair.is_consumer)
+        const FlatPair& pair = (*target.pairs)[number];
+        if (pair.is_consumer || pair.asked_as != index)
         {
             continue;
         }
         std::uint64_t value = 0U;
         for (const RecordedInput& input : recording_.inputs)
         {
-            if (input.cycle <= cycle && input.object.index == pair.address.index &&
+            if (input.cycle <= target.cycle && input.object.index == pair.address.index &&
                 input.object.sub == pair.address.sub)
             {
                 value = input.value;
             }
         }
-        WriteVariable(pair.normal, {Written(cycle, index, false, value)});
-        WriteVariable(pair.inverse, {Written(cycle, index, true, ~value)});
+        if (target.has_normal)
+        {
+            WriteVariable(pair.normal, {Written(target.cycle, number, false, value)});
+        }
+        if (target.has_inverse)
+        {
+            WriteVariable(pair.inverse, {Written(target.cycle, number, true, ~value)});
+        }
     }
 }
 

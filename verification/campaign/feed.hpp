@@ -26,6 +26,19 @@ struct FlatPair
     SlotIndex slot{kNoSlot};
     std::uint32_t first_bit{0U}; ///< In the data of the SRDO.
     bool is_consumer{false};
+    std::uint16_t asked_as{0U}; ///< By which its provider is called for it; 0: the application writes in each cycle.
+};
+
+class Feed;
+
+/// Where values go that the application senses. Of two CPUs each has a side.
+struct InputTarget
+{
+    const Feed* source{nullptr};
+    const std::vector<FlatPair>* pairs{nullptr};
+    std::size_t cycle{0U};
+    bool has_normal{true};
+    bool has_inverse{true};
 };
 
 /// What the application senses and the device under test reads, bit by bit. [SRS_CMG_025]
@@ -83,8 +96,11 @@ class Feed
     }
     /// @brief What the kernel's cycle is called with.
     [[nodiscard]] CycleCall CallOf(std::size_t cycle, Nanoseconds at) const;
-    /// @brief The application writes what it senses into the pairs that are produced.
-    void WriteInputs(std::size_t cycle, const std::vector<FlatPair>& pairs) const;
+    /// @brief The application writes what it senses into the pairs that are produced: those of this index, or those
+    /// for which it is not asked (0).
+    void WriteInputs(const InputTarget& target, std::uint16_t index) const;
+    /// @brief The kernel asks for the values of a producer: as often and when the fault has it. [SRS_CMG_811]
+    [[nodiscard]] RefreshAnswer Refresh(const InputTarget& target, CommunicationIndex index);
 
     /// @brief The frames that the kernel got in the last cycle.
     [[nodiscard]] const std::vector<RecordedFrame>& Handed() const noexcept
@@ -106,6 +122,7 @@ class Feed
     [[nodiscard]] std::uint64_t Written(std::size_t cycle, std::size_t pair, bool is_inverse,
                                         std::uint64_t value) const;
     void CatchUp(Kernel& kernel);
+    void CatchUpRefresh();
     [[nodiscard]] const InputBit* StuckInput(std::size_t cycle) const;
 
     const Recording& recording_;
@@ -115,7 +132,9 @@ class Feed
     std::vector<InputBit> inputs_{};
     std::vector<RecordedFrame> handed_{};
     std::vector<RecordedFrame> held_back_{};    ///< Calls of the kernel that come later,
-    std::vector<StampedFrame> held_confirms_{}; ///< of either kind.
+    std::vector<StampedFrame> held_confirms_{}; ///< of either kind,
+    std::uint16_t held_refresh_{0U};            ///< and of the provider: its index, where there is one,
+    InputTarget held_target_{};                 ///< and where its values go.
     const Experiment* fault_{nullptr};
     std::size_t next_frame_{0U};
 };

@@ -107,7 +107,7 @@ std::string TimeTables(const Summary& summary)
         std::vector<std::string> row{WordOf(tally.stratum.part), WordOf(tally.stratum.kind)};
         const std::vector<std::string> times = Times(tally.times);
         row.insert(row.end(), times.begin(), times.end());
-        row.insert(row.end(), {MsText(tally.limit_us), Number(tally.late)});
+        row.insert(row.end(), {LimitText(tally), Number(tally.late)});
         text += Row(row, (tally.late != 0U) ? "bad" : "");
     }
     text += std::string(html::kTableEnd) + Table({"mechanism", "found", "median", "99.9 %", "worst"});

@@ -48,6 +48,7 @@ Json StratumOf(const Campaign& campaign, const Tally& tally)
     stratum["found_by"] = found;
     AddTimes(stratum, tally.times);
     stratum["limit_us"] = tally.limit_us;
+    stratum["least_limit_us"] = tally.least_limit_us;
     stratum["late"] = tally.late;
     return stratum;
 }

@@ -12,7 +12,7 @@ namespace counterpoint::campaign
 namespace
 {
 constexpr Nanoseconds kUs = runtime::kNanosecondsPerMicrosecond;
-/// An input that changed so many cycles ago may still be sent as it was.
+/// From when the application wrote a value to when it is sent.
 constexpr std::size_t kInputCycles = 4U;
 
 bool IsGfc(const CanFrame& frame)
@@ -64,6 +64,7 @@ Judge::Judge(const Recording& recording, const runtime::DeviceModel& model, Devi
                 srdo.bits = std::max<std::uint32_t>(srdo.bits, pair.first_bit + pair.normal.length_bits);
             }
         }
+        srdo.input_cycles = InputCyclesOf(srdo);
         if (srdo.is_consumer)
         {
             srdo.bus.emplace_back(recording, each, srdo.bits);
@@ -122,6 +123,8 @@ void Judge::Arm(const std::size_t cycle, const SrdoMask open, JudgeMemory& memor
     memory.pressed = level;
     memory.told = faulted;
     memory.fault_cycles += IsFaultTold(device_) ? 1U : 0U;
+    memory.safe_cycles += (device_.Fault() != DeviceFault::kNone) ? 1U : 0U;
+    memory.left = memory.armed;
     if (recorded.nmt != NmtState::kOperational)
     {
         memory.armed = 0U;
@@ -182,6 +185,15 @@ bool Judge::IsTakenBack(const Srdo& srdo)
                        });
 }
 
+/// The cycle that obeys a stop or a GFC found a fault, and gave no permits: the output closes by its own time, and its
+/// objects hold the safe value, or until the next cycle what the bus brought. Parts of the kernel that are wrong tell
+/// the application nothing. [SRS_CMG_814]
+bool Judge::MayStillClose(const Srdo& srdo, const JudgeMemory& memory)
+{
+    const bool has_lost_leave = ((memory.left >> srdo.slot) & 1U) != 0U;
+    return has_lost_leave && memory.safe_cycles == 1U;
+}
+
 void Judge::LookAtOutput(const Srdo& srdo, const std::size_t cycle, const JudgeMemory& memory, Sight& sight) const
 {
     const SrdoMask bit = SrdoMask{1U} << srdo.slot;
@@ -204,11 +216,11 @@ void Judge::LookAtOutput(const Srdo& srdo, const std::size_t cycle, const JudgeM
     {
         sight.wrong = Wrong::kRestart;
     }
-    else if ((memory.armed & bit) == 0U)
+    else if ((memory.armed & bit) == 0U && !MayStillClose(srdo, memory))
     {
         sight.wrong = ((memory.stopped & bit) != 0U) ? Wrong::kRestart : Wrong::kNoLeave;
     }
-    else
+    else if ((memory.armed & bit) != 0U || !IsTakenBack(srdo))
     {
         const auto allows = [this, &srdo, &memory, cycle, mask](const std::uint64_t each)
         {
@@ -222,6 +234,10 @@ void Judge::LookAtOutput(const Srdo& srdo, const std::size_t cycle, const JudgeM
         sight.not_inverse |= (!is_none && (leave == Leave::kNone || other == Leave::kNone)) ? bit : SrdoMask{0U};
         sight.wrong = is_none ? Wrong::kData : sight.wrong;
         sight.listed |= (leave == Leave::kListed || other == Leave::kListed) ? bit : SrdoMask{0U};
+    }
+    else
+    {
+        // It closes by its time, and is safe already.
     }
 }
 
@@ -272,7 +288,7 @@ Wrong Judge::LookAtFrame(const OwnFrame& own, const std::size_t cycle, JudgeMemo
         if (own.frame.identifier == srdo.model.cob_id_1)
         {
             normal = own;
-            sight.is_bad_frame = sight.is_bad_frame || !WereInputs(srdo, NumberIn(own.frame), cycle);
+            sight.is_bad_frame = sight.is_bad_frame || !WereInputs(srdo, NumberIn(own.frame), cycle, kInputCycles);
             return (memory.fault_cycles > 1U) ? Wrong::kRestart : Wrong::kNothing;
         }
         if (own.frame.identifier != srdo.model.cob_id_2)
@@ -293,7 +309,7 @@ Wrong Judge::LookAtFrame(const OwnFrame& own, const std::size_t cycle, JudgeMemo
             return Wrong::kNothing; // Whoever consumes it finds it wrong.
         }
         memory.pair_at[srdo.slot] = own.confirmed_at;
-        return WereInputs(srdo, data, sent_in) ? Wrong::kNothing : Wrong::kSentPair;
+        return JudgePair(srdo, data, sent_in);
     }
     if (knows_gfc_ && IsGfc(own.frame)) // A false one makes safe.
     {
@@ -302,18 +318,39 @@ Wrong Judge::LookAtFrame(const OwnFrame& own, const std::size_t cycle, JudgeMemo
     return Wrong::kIdentifier;
 }
 
-bool Judge::WereInputs(const Srdo& srdo, const std::uint64_t data, const std::size_t cycle) const
+/// Whoever is asked before each refresh may have been passed over once: to a consumer that is a pair that was lost. Who
+/// writes in each cycle has nothing older. [SRS_CMG_812]
+std::size_t Judge::InputCyclesOf(const Srdo& srdo) const
 {
-    return std::all_of(srdo.pairs.begin(), srdo.pairs.end(), [this, data, cycle](const FlatPair& pair)
-                       { return WasInput(pair, (data >> pair.first_bit) & MaskOf(pair.normal), cycle); });
+    const bool is_asked = device_.Config().srdos[srdo.slot].form == ProducerForm::kProviderCalled;
+    const Nanoseconds refresh = srdo.model.times.sct_ms * kMicrosecondsPerMillisecond * kUs;
+    const Nanoseconds cycle = device_.Config().cycle_us * kUs;
+    return kInputCycles + (is_asked ? static_cast<std::size_t>((refresh + slack_) / cycle) : std::size_t{0U});
 }
 
-/// In this cycle or shortly before.
-bool Judge::WasInput(const FlatPair& pair, const std::uint64_t value, const std::size_t cycle) const
+Wrong Judge::JudgePair(const Srdo& srdo, const std::uint64_t data, const std::size_t cycle) const
+{
+    if (WereInputs(srdo, data, cycle, srdo.input_cycles))
+    {
+        return Wrong::kNothing;
+    }
+    return WereInputs(srdo, data, cycle, cycle) ? Wrong::kOldPair : Wrong::kSentPair;
+}
+
+bool Judge::WereInputs(const Srdo& srdo, const std::uint64_t data, const std::size_t cycle,
+                       const std::size_t cycles) const
+{
+    return std::all_of(srdo.pairs.begin(), srdo.pairs.end(), [this, data, cycle, cycles](const FlatPair& pair)
+                       { return WasInput(pair, (data >> pair.first_bit) & MaskOf(pair.normal), cycle, cycles); });
+}
+
+/// In this cycle or so many before.
+bool Judge::WasInput(const FlatPair& pair, const std::uint64_t value, const std::size_t cycle,
+                     const std::size_t cycles) const
 {
     std::uint64_t present = 0U;
     bool was_it = false;
-    const std::size_t since = cycle - std::min(cycle, kInputCycles);
+    const std::size_t since = cycle - std::min(cycle, cycles);
     for (const RecordedInput& input : recording_.inputs)
     {
         if (input.cycle > cycle || input.object.index != pair.address.index || input.object.sub != pair.address.sub)

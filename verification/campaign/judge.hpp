@@ -20,6 +20,7 @@ enum class Wrong : std::uint8_t
     kRestart = 3U,    ///< Open again without an acknowledge; open or sending behind a device fault.
     kIdentifier = 4U, ///< A frame under an identifier that is not the device's.
     kSentPair = 5U,   ///< A complete valid pair on the bus with data that the application did not have.
+    kOldPair = 6U,    ///< The same with data that the application had longer ago than its form allows. [SRS_CMG_812]
 };
 
 /// What the judge remembers from cycle to cycle. Plain memory.
@@ -31,8 +32,10 @@ struct JudgeMemory
     SrdoMask told{0U};    ///< Of Told::faulted.
     SrdoMask opened{0U};  ///< Open in the cycle before.
     SrdoMask closed{0U};  ///< Closed since it was open, whoever told of it, and no acknowledge has come since.
+    SrdoMask left{0U};    ///< Armed in the cycle before, and no longer: a stop or a GFC came.
     SrdoMask pressed{0U};
     std::uint32_t fault_cycles{0U}; ///< Cycles since a device fault was told.
+    std::uint32_t safe_cycles{0U};  ///< Since the kernel itself says that there is one.
     std::uint32_t sent{0U};
     std::array<OwnFrame, kMaxSrdoCount>
         normal{}; ///< The last normal frame of each producer that waits for its inverse.
@@ -80,6 +83,7 @@ class Judge
         std::uint8_t number{0U};
         bool is_consumer{false};
         bool is_automatic{false};
+        std::size_t input_cycles{0U}; ///< An input that changed so many cycles ago may still be sent as it was.
         runtime::SrdoModel model{};
         std::uint32_t bits{0U};
         std::uint64_t safe{0U};     ///< Of a consumer.
@@ -91,12 +95,15 @@ class Judge
     [[nodiscard]] static bool IsTakenBack(const Srdo& srdo);
     void NoteClosed(const Srdo& srdo, SrdoMask open, SrdoMask edge, JudgeMemory& memory) const;
     void TakeFrames(std::size_t cycle, JudgeMemory& memory) const;
+    [[nodiscard]] static bool MayStillClose(const Srdo& srdo, const JudgeMemory& memory);
     void LookAtOutput(const Srdo& srdo, std::size_t cycle, const JudgeMemory& memory, Sight& sight) const;
     void LookAtFrames(std::size_t cycle, JudgeMemory& memory, Sight& sight) const;
     void LookAtPairs(std::size_t cycle, JudgeMemory& memory, Sight& sight) const;
     [[nodiscard]] Wrong LookAtFrame(const OwnFrame& own, std::size_t cycle, JudgeMemory& memory, Sight& sight) const;
-    [[nodiscard]] bool WereInputs(const Srdo& srdo, std::uint64_t data, std::size_t cycle) const;
-    [[nodiscard]] bool WasInput(const FlatPair& pair, std::uint64_t value, std::size_t cycle) const;
+    [[nodiscard]] std::size_t InputCyclesOf(const Srdo& srdo) const;
+    [[nodiscard]] Wrong JudgePair(const Srdo& srdo, std::uint64_t data, std::size_t cycle) const;
+    [[nodiscard]] bool WereInputs(const Srdo& srdo, std::uint64_t data, std::size_t cycle, std::size_t cycles) const;
+    [[nodiscard]] bool WasInput(const FlatPair& pair, std::uint64_t value, std::size_t cycle, std::size_t cycles) const;
 
     const Recording& recording_;
     Device& device_;

@@ -18,12 +18,13 @@ constexpr std::array<const char*, kClassCount> kClassWords{"open",       "masked
 constexpr std::array<const char*, kDetectorCount> kDetectorWords{
     "nobody", "comparator", "flow_monitor", "guard",     "seal", "clocks", "channels",  "permits",   "watchdog",
     "latch",  "pair_check", "receivers",    "exception", "time", "pins",   "self_test", "cross_link"};
-constexpr std::array<const char*, 6U> kWrongWords{"",
+constexpr std::array<const char*, 7U> kWrongWords{"",
                                                   "open with data that the bus did not bring",
                                                   "open without leave",
                                                   "open again without an acknowledge, or behind a device fault",
                                                   "frame under a foreign identifier",
-                                                  "valid pair sent with data that nobody wrote"};
+                                                  "valid pair sent with data that nobody wrote",
+                                                  "valid pair sent with old data"};
 constexpr std::uint8_t kMarks = kMarkLate | kMarkSaidByA | kMarkSaidByB | kMarkLatent;
 
 /// Detectors whose detail is a device fault.
@@ -106,7 +107,9 @@ std::string ReasonOf(const Outcome& outcome)
     }
     if (outcome.result == Class::kExposed)
     {
-        return "open with wrong data until the " + runtime::Words(WordOf(outcome.detector)) + " found it";
+        const bool is_old = (outcome.marks & kMarkOldPair) != 0U;
+        return (is_old ? "valid pairs sent with old data until the " : "open with wrong data until the ") +
+               runtime::Words(WordOf(outcome.detector)) + " found it";
     }
     if (outcome.detector == Detector::kChannels)
     {

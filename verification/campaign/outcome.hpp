@@ -21,7 +21,8 @@ enum class Class : std::uint8_t
     kSafeOther = 4U, ///< Safe by somebody else: exception, output that closes by time, application, receivers.
     kSilent = 5U,    ///< Something that must not happen, and nobody noticed before.
     kListed = 6U,    ///< Open by a complete stale or forged pair: the limit that the safety manual lists. [SRS_CMG_021]
-    kExposed = 7U,   ///< Open with wrong data until the self test found it, within the limit. [SRS_CMG_151]
+    kExposed = 7U,   ///< Open with wrong data until the self test found it, within the limit; or old data sent until
+                     ///< any mechanism did. [SRS_CMG_151, SRS_CMG_812]
 };
 constexpr std::size_t kClassCount = 8U;
 
@@ -62,6 +63,7 @@ constexpr std::uint8_t kMarkLate = 1U;    ///< Above the limit, counted from wha
 constexpr std::uint8_t kMarkSaidByA = 2U; ///< Of kChannels: channel A reported this cause by itself.
 constexpr std::uint8_t kMarkSaidByB = 4U;
 constexpr std::uint8_t kMarkLatent = 8U; ///< Lay longer than the limit where the device did nothing else. [SRS_CMG_155]
+constexpr std::uint8_t kMarkOldPair = 16U; ///< Of kExposed: what was wrong is what the device sent. [SRS_CMG_812]
 
 [[nodiscard]] constexpr bool IsLate(const Outcome& outcome)
 {

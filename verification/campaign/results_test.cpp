@@ -384,7 +384,8 @@ TEST_F(ResultsTest, EachClassIsCountedAndTheBoundIsOfThoseThatHadAnEffect)
                                      {"median_us", 2000U},
                                      {"p999_us", 3000U},
                                      {"worst_us", 3000U},
-                                     {"limit_us", 1008000U}})
+                                     {"limit_us", 1008000U},
+                                     {"least_limit_us", 1008000U}})
     {
         EXPECT_EQ(stratum.at(key), count) << key;
     }

@@ -248,7 +248,7 @@ Outcome Runner::Run(const Experiment& experiment)
         found_.detector = (back == Return::kException) ? Detector::kException : Detector::kTime;
         found_.us = Since(experiment, now_) + ExceptionUs();
     }
-    if (found_.result == Class::kDetected && found_.us > limits_.Of(experiment))
+    if (found_.result == Class::kDetected && found_.us > limits_.Of(experiment, recording_))
     {
         found_.marks |= MarksOf(experiment);
     }
@@ -284,6 +284,7 @@ void Runner::Begin(const Experiment& experiment)
     fault_ = &experiment;
     steps_.Begin();
     is_obeyed_ = false;
+    is_otherwise_ = false;
     is_exposed_ = false;
     device_.Rewind(experiment.cycle, &experiment, EndOf(experiment), seed_);
 }
@@ -301,7 +302,10 @@ void Runner::Rewind(const std::size_t cycle)
 /// What is no memory is seen by the time of its limit, or never.
 std::size_t Runner::EndOf(const Experiment& experiment) const
 {
-    const std::size_t limit = limits_.Of(experiment) / device_.Config().cycle_us;
+    // What is found later than its own limit, within that of its part, is late and not benign.
+    const std::uint32_t longest =
+        std::max(limits_.Of(experiment, recording_), limits_.us.at(static_cast<std::size_t>(experiment.part)));
+    const std::size_t limit = longest / device_.Config().cycle_us;
     const bool moves_in_time = experiment.part == Part::kBus || experiment.part == Part::kCycle ||
                                (experiment.part == Part::kLink && HasReach(experiment.part, experiment.kind));
     const std::size_t more =
@@ -341,7 +345,7 @@ std::uint8_t Runner::MarksOf(const Experiment& experiment)
     {
         const std::size_t seen = std::min(sign, now_);
         const std::uint32_t silent_us = (seen > experiment.cycle) ? Since(experiment, seen - 1U) : 0U;
-        return found.us - std::min(found.us, silent_us) > limits_.Of(experiment);
+        return found.us - std::min(found.us, silent_us) > limits_.Of(experiment, recording_);
     };
     const bool is_call = experiment.part == Part::kCallsOfA || experiment.part == Part::kCallsOfB;
     const bool may_lie_still =
@@ -377,6 +381,14 @@ bool Runner::DoesOtherwise(const Sight& sight) const
     return is_output || is_frame || is_told ||
            std::any_of(read_.begin(), read_.end(), [is, without](const ReadBytes& each)
                        { return std::memcmp(is + each.offset, without + each.offset, each.size) != 0; });
+}
+
+/// Other frames, or at another time.
+bool Runner::SendsOtherwise() const
+{
+    const FlatPorts& ports = device_.Ports();
+    const std::uint8_t* const without = kept_.data() + ((now_ + 1U - first_) * size_);
+    return std::memcmp(&ports.frames, without + device_.Memory().OffsetOf(&ports.frames), sizeof(ports.frames)) != 0;
 }
 
 bool Runner::HasSpread(const Experiment& experiment) const
@@ -417,6 +429,7 @@ void Runner::Watch(const Experiment& experiment)
         {
             watcher_->OnCycle(now_, sight);
         }
+        is_otherwise_ = is_otherwise_ || DoesOtherwise(sight) || SendsOtherwise();
         if (Notice(sight, experiment))
         {
             return;
@@ -429,7 +442,7 @@ void Runner::Watch(const Experiment& experiment)
         }
         if (IsOver(experiment, now_) && device_.IsUndisturbed(now_) && IsAsWithoutFault(now_ + 1U))
         {
-            const Class undone = is_obeyed_ ? Class::kBenign : Class::kMasked;
+            const Class undone = (is_obeyed_ || is_otherwise_) ? Class::kBenign : Class::kMasked;
             found_.result = (found_.result == Class::kOpen) ? undone : found_.result;
             return;
         }
@@ -448,10 +461,12 @@ bool Runner::Notice(const Sight& sight, const Experiment& experiment)
     {
         is_exposed_ = false;
         const std::uint32_t us = Since(experiment, now_);
-        if (us <= limits_.Of(experiment))
+        if (us <= limits_.Of(experiment, recording_))
         {
+            const std::uint8_t old = (found_.detail == static_cast<std::uint8_t>(Wrong::kOldPair)) ? kMarkOldPair : 0U;
             found_ = Blame();
             found_.result = Class::kExposed;
+            found_.marks |= old;
             found_.us = us;
         }
     }
@@ -499,13 +514,14 @@ void Runner::NoticeClosed(const Experiment& experiment)
     found_.us = Since(experiment, now_);
 }
 
-/// Memory that is wrong may be so until the march meets it: within the limit, where there is one. [SRS_CMG_151]
+/// Memory that is wrong may be so until the march meets it, and old data may be sent until somebody finds why: within
+/// the limit, where there is one. [SRS_CMG_151, SRS_CMG_812]
 bool Runner::NoticeWrong(const Sight& sight, const Experiment& experiment)
 {
     const bool has_march = device_.SelfTest() != nullptr && IsMemory(experiment.part);
-    const bool may_be_found = has_march && sight.wrong == Wrong::kData &&
-                              (is_exposed_ || found_.result == Class::kOpen) &&
-                              Since(experiment, now_) <= limits_.Of(experiment);
+    const bool is_of_time = (has_march && sight.wrong == Wrong::kData) || sight.wrong == Wrong::kOldPair;
+    const bool may_be_found = is_of_time && (is_exposed_ || found_.result == Class::kOpen) &&
+                              Since(experiment, now_) <= limits_.Of(experiment, recording_);
     if (!is_exposed_ || !may_be_found)
     {
         found_ = Outcome{Class::kSilent, Detector::kNobody, static_cast<std::uint8_t>(sight.wrong), 0U,

@@ -95,6 +95,7 @@ class Runner final : private PhaseHook
     [[nodiscard]] std::uint8_t MarksOf(const Experiment& experiment);
     void NoticeSigns(const Experiment& experiment, const Sight& sight, Signs& signs) const;
     [[nodiscard]] bool DoesOtherwise(const Sight& sight) const;
+    [[nodiscard]] bool SendsOtherwise() const;
     [[nodiscard]] bool HasSpread(const Experiment& experiment) const;
     [[nodiscard]] bool Notice(const Sight& sight, const Experiment& experiment);
     [[nodiscard]] std::string WhatIsNotWell(const Sight& sight) const;
@@ -129,6 +130,7 @@ class Runner final : private PhaseHook
     StepFaults steps_;
     const void* frame_{nullptr};         ///< Of the function that runs a cycle.
     bool is_obeyed_{false};              ///< The output closed because a command of the fault said so.
+    bool is_otherwise_{false};           ///< What the device did was so, or came at another time. [SRS_CMG_816]
     bool is_exposed_{false};             ///< Wrong so far, and may yet be found in time.
     const Experiment* fault_{nullptr};   ///< Null: the run without fault.
     bool is_kept_{false};                ///< The run without fault is over, and kept.

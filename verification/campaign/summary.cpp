@@ -38,6 +38,7 @@ Summary EmptySummary(const Campaign& campaign)
         Tally tally;
         tally.stratum = stratum;
         tally.limit_us = campaign.limits.Of(stratum.part, stratum.kind);
+        tally.least_limit_us = tally.limit_us;
         summary.tallies.push_back(tally);
     }
     for (std::size_t detector = 0U; detector < kDetectorCount; ++detector)
@@ -129,6 +130,14 @@ void CountInMap(const Campaign& campaign, const Experiment& experiment, const Ou
     Count(outcome, row->cells.at(static_cast<std::size_t>(experiment.kind)));
 }
 
+/// Of the first one that was tried there is no other.
+void CountLimit(const std::uint32_t us, Tally& tally)
+{
+    const bool is_first = tally.Injected() == 1U;
+    tally.limit_us = is_first ? us : std::max(tally.limit_us, us);
+    tally.least_limit_us = is_first ? us : std::min(tally.least_limit_us, us);
+}
+
 void Count(const Campaign& campaign, const std::uint64_t number, const Outcome& outcome, Tally& tally, Summary& summary)
 {
     ++tally.classes.at(static_cast<std::size_t>(outcome.result));
@@ -139,6 +148,7 @@ void Count(const Campaign& campaign, const std::uint64_t number, const Outcome& 
         return;
     }
     const Experiment experiment = campaign.space.At(number);
+    CountLimit(campaign.limits.Of(experiment, campaign.recording), tally);
     CountInMap(campaign, experiment, outcome, summary);
     if (HasTime(outcome))
     {
@@ -296,6 +306,12 @@ std::vector<std::string> TimeTexts(const std::vector<std::uint32_t>& sorted)
     constexpr double kMedian = 0.5;
     constexpr double kAlmostAll = 0.999;
     return {MsText(Quantile(sorted, kMedian)), MsText(Quantile(sorted, kAlmostAll)), MsText(sorted.back())};
+}
+
+std::string LimitText(const Tally& tally)
+{
+    const std::string longest = MsText(tally.limit_us);
+    return (tally.least_limit_us == tally.limit_us) ? longest : MsText(tally.least_limit_us) + " to " + longest;
 }
 
 std::string ListedText(const Summary& summary)

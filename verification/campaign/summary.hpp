@@ -26,9 +26,10 @@ struct Tally
     std::array<std::uint64_t, kClassCount> classes{};
     std::array<std::uint64_t, kDetectorCount> detectors{};
     std::vector<std::uint32_t>
-        times{};            ///< From fault to closed output, ascending; of what was detected or safe otherwise.
-    std::uint64_t late{0U}; ///< Of those above the limit, counted from their first effect.
-    std::uint32_t limit_us{0U};
+        times{};                ///< From fault to closed output, ascending; of what was detected or safe otherwise.
+    std::uint64_t late{0U};     ///< Of those above the limit, counted from their first effect.
+    std::uint32_t limit_us{0U}; ///< The longest by which one of them was judged,
+    std::uint32_t least_limit_us{0U}; ///< and the shortest. [SRS_CMG_818]
 
     [[nodiscard]] std::uint64_t Of(const Class wanted) const
     {
@@ -137,6 +138,8 @@ struct Campaign
 [[nodiscard]] std::string MemberText(const Campaign& campaign, const Experiment& experiment);
 /// @brief Median, 99.9 % and greatest of sorted times, in ms; a dash each where nothing was found.
 [[nodiscard]] std::vector<std::string> TimeTexts(const std::vector<std::uint32_t>& sorted);
+/// @brief By which limits the faults of a row were judged: one, or from the shortest to the longest. [SRS_CMG_818]
+[[nodiscard]] std::string LimitText(const Tally& tally);
 /// @brief How many are of the listed limit; empty: none. [SRS_CMG_021]
 [[nodiscard]] std::string ListedText(const Summary& summary);
 /// @brief How many lay longer than their limit and did nothing; empty: none. [SRS_CMG_155]

@@ -44,9 +44,9 @@ void FlatPorts::MoveOn() noexcept
     confirmed = 0U;
 }
 
-RefreshAnswer FlatApplication::OnRefresh(const CommunicationIndex /*index*/) noexcept
+RefreshAnswer FlatApplication::OnRefresh(const CommunicationIndex index) noexcept
 {
-    return RefreshAnswer::kReady;
+    return (provider == nullptr) ? RefreshAnswer::kSkip : provider->Provide(index);
 }
 
 void FlatApplication::OnSrdoEvent(const CommunicationIndex /*index*/) noexcept

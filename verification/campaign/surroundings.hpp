@@ -167,7 +167,21 @@ struct Told
 using ToldCopies = std::array<Told, 3U>;
 [[nodiscard]] Told MajorityOf(const ToldCopies& copies) noexcept;
 
-/// Notes what it is told, slot by slot. It has its producers' values always ready.
+/// Whoever has fresh values for a producer whose provider is called. Outside of the region.
+class Provider
+{
+  public:
+    [[nodiscard]] virtual RefreshAnswer Provide(CommunicationIndex index) noexcept = 0;
+
+    Provider(const Provider&) = delete;
+    Provider& operator=(const Provider&) = delete;
+
+  protected:
+    Provider() noexcept = default;
+    ~Provider() noexcept = default;
+};
+
+/// Notes what it is told, slot by slot. It writes its producers' values when it is asked for them. [SRS_CMG_810]
 class FlatApplication final : public Application
 {
   public:
@@ -186,6 +200,7 @@ class FlatApplication final : public Application
     void ForgetErrors() noexcept;
 
     ToldCopies copies{};
+    Provider* provider{nullptr};
 
   private:
     void Keep(const Told& told) noexcept;

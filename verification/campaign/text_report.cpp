@@ -72,7 +72,7 @@ std::string TimeTable(const Summary& summary)
         }
         const std::vector<std::string> times = TimeTexts(tally.times);
         text += Row({WordOf(tally.stratum.part), WordOf(tally.stratum.kind), times[0], times[1], times[2],
-                     MsText(tally.limit_us), std::to_string(tally.late)});
+                     " " + LimitText(tally), std::to_string(tally.late)});
     }
     return text;
 }

@@ -394,8 +394,10 @@ void TwoCpus::RunCpu(const std::size_t cpu, const Nanoseconds at, const std::siz
     {
         self.kernel_->OnCrossLinkFault();
     }
+    self.target_ = {&feed_, &pairs_, cycle, cpu == 0U, cpu == 1U}; // A side of each pair lies in each CPU.
+    application_->provider = &self;
     self.kernel_->Cycle(call);
-    feed_.WriteInputs(cycle, pairs_); // A side of each pair lies in each CPU.
+    feed_.WriteInputs({&feed_, &pairs_, cycle}, 0U);
     hal::LinkFrame message{};
     self.peer_->Compose({call.now.a, self.kernel_->DeviceState().fault}, message);
     const bool is_hit =

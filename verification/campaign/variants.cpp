@@ -28,7 +28,7 @@ constexpr std::int64_t kStandsStill = -1000000;
 constexpr std::array<const char*, kChannelCalls> kChannelCallWords{"OnFrame",      "OnCycle", "Held",    "Demote",
                                                                    "Commit",       "Answer",  "Prepare", "OnConfirm",
                                                                    "InverseFrame", "Load",    "Recheck"};
-constexpr std::array<const char*, kKernelCalls> kKernelCallWords{"OnFrame", "OnConfirm"};
+constexpr std::array<const char*, kKernelCalls> kKernelCallWords{"OnFrame", "OnConfirm", "OnRefresh"};
 constexpr NmtState kStates[] = {NmtState::kInitialising, NmtState::kPreOperational, NmtState::kStopped,
                                 NmtState::kOperational};
 constexpr const char* kStateWords[] = {"initialising", "pre_operational", "stopped", "operational"};

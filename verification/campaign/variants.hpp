@@ -40,13 +40,14 @@ enum class ChannelCall : std::uint8_t
     kRecheck = 10U,
 };
 constexpr std::uint32_t kChannelCalls = 11U;
-/// Calls of the kernel that are disturbed; its cycle is Part::kCycle.
+/// Calls of the kernel, and one by it, that are disturbed; its cycle is Part::kCycle.
 enum class KernelCall : std::uint8_t
 {
     kOnFrame = 0U,
     kOnConfirm = 1U,
+    kOnRefresh = 2U, ///< Of the application by the kernel. [SRS_CMG_811]
 };
-constexpr std::uint32_t kKernelCalls = 2U;
+constexpr std::uint32_t kKernelCalls = 3U;
 /// Of each of them the first so many of a cycle.
 constexpr std::uint32_t kTurns = 4U;
 

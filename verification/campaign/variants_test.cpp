@@ -75,6 +75,94 @@ TEST_F(VariantsTest, FramesAndClocksHaveLimitsOfTheirOwn)
     }
 }
 
+// The same SRDO; both frames of a pair come within a millisecond.
+TEST_F(VariantsTest, FrameIsJudgedByTheLimitOfItsOwnSrdoAndOfWhatIsWrongWithIt)
+{
+    Verifies(req::SRS_CMG_817);
+    const Session session(PlanFile("plan.yaml", "actuator", kSmall));
+    const Recording& recording = session.Scenario().Record();
+    const RecordedPair& pair = recording.pairs[20U];
+    const auto limit =
+        [&session, &recording](const FaultKind kind, const std::size_t frame, const std::uint32_t variant)
+    {
+        Experiment fault;
+        fault.part = Part::kBus;
+        fault.kind = kind;
+        fault.subject = frame;
+        fault.variant = variant;
+        return session.Parts().limits.Of(fault, recording);
+    };
+    // Where no normal frame comes any more SRVT does not count
+    for (const std::uint32_t variant : {kLosesIdentifier, kLosesIdentifier + 1U})
+    {
+        EXPECT_EQ(limit(FaultKind::kLost, pair.normal, variant), 53000U) << variant;
+        EXPECT_EQ(limit(FaultKind::kLost, pair.inverse, variant), 73000U) << variant;
+    }
+    EXPECT_EQ(limit(FaultKind::kLost, pair.normal, 0U), 73000U);
+    // What comes later does something when it comes.
+    EXPECT_EQ(limit(FaultKind::kDelayed, pair.normal, 199U), 83000U);
+    // A frame that is wrong in itself is found when it comes, a normal one with its inverse one
+    EXPECT_EQ(limit(FaultKind::kWrongLength, pair.normal, 0U), 3000U);
+    EXPECT_EQ(limit(FaultKind::kCorrupted, pair.inverse, 0U), 3000U);
+    EXPECT_GT(limit(FaultKind::kCorrupted, pair.normal, 0U), 3000U);
+    EXPECT_LT(limit(FaultKind::kCorrupted, pair.normal, 0U), 4500U);
+}
+
+// Of two SRDOs each has its own limit, and whoever waits least has to close first.
+TEST_F(VariantsTest, LongestSrdoIsNotTheLimitOfAll)
+{
+    Verifies(req::SRS_CMG_817);
+    Limits limits;
+    limits.bus = {{0x101U, 0x102U, 28000U, 30000U}, {0x103U, 0x104U, 304500U, 310000U}};
+    Recording recording;
+    for (const std::uint32_t identifier : {0x101U, 0x102U, 0x103U, 0x104U, 0x101U})
+    {
+        RecordedFrame frame;
+        frame.stamped.frame = {identifier, FrameKind::kData, CanPortId::kFirst, 1U, {}};
+        recording.frames.push_back(frame);
+    }
+    recording.identifiers = {0x101U, 0x102U, 0x103U, 0x104U};
+    const auto limit = [&limits, &recording](const FaultKind kind, const std::size_t frame, const std::uint32_t variant)
+    {
+        Experiment fault;
+        fault.part = Part::kBus;
+        fault.kind = kind;
+        fault.subject = frame;
+        fault.variant = variant;
+        return limits.Of(fault, recording);
+    };
+    EXPECT_EQ(limit(FaultKind::kRepeated, 0U, 0U), 30000U);
+    EXPECT_EQ(limit(FaultKind::kRepeated, 2U, 0U), 310000U);
+    EXPECT_EQ(limit(FaultKind::kLost, 0U, 1U), 30000U);  // Both frames of the first one,
+    EXPECT_EQ(limit(FaultKind::kLost, 0U, 2U), 310000U); // and one of the second.
+    EXPECT_EQ(limit(FaultKind::kLost, 2U, kLosesIdentifier), 304500U);
+    EXPECT_EQ(limit(FaultKind::kLost, 2U, kLosesIdentifier + 1U), 28000U);
+    EXPECT_EQ(limit(FaultKind::kLost, 1U, kLosesIdentifier + 1U), 30000U);
+    EXPECT_EQ(limit(FaultKind::kWrongOrder, 1U, 0U), 310000U);
+    EXPECT_EQ(limit(FaultKind::kWrongIdentifier, 0U, 1U), 310000U); // Bit 1: 103h.
+}
+
+TEST_F(VariantsTest, ReportTellsTheLimitsByWhichARowWasJudged)
+{
+    Verifies(req::SRS_CMG_818);
+    // Given calls of channel A, of which what guard and comparator read is found by their own checks
+    const Session session(PlanFile("plan.yaml", "actuator", "at: [500 ms]\nparts: [a_calls]\nkinds: [doubled]\n"));
+    const Results results("", session.Identity(Shard{}));
+    // When none is tried yet, the limit is that of the part;
+    const Tally before = Summarise(session.Parts(), results).tallies.at(0U);
+    EXPECT_EQ(before.least_limit_us, before.limit_us);
+    EXPECT_EQ(LimitText(before), MsText(before.limit_us));
+    // when all are, the report tells both.
+    Results tried("", session.Identity(Shard{}));
+    for (std::uint64_t number = 0U; number < session.Faults().Size(); ++number)
+    {
+        tried.Put(number, Outcome{Class::kMasked, Detector::kNobody, 0U, 0U, 0U});
+    }
+    const Tally behind = Summarise(session.Parts(), tried).tallies.at(0U);
+    EXPECT_LT(behind.least_limit_us, behind.limit_us);
+    EXPECT_EQ(LimitText(behind), MsText(behind.least_limit_us) + " to " + MsText(behind.limit_us));
+}
+
 TEST(Variants, OfACounterAreEachRateAndJumpBothWays)
 {
     Verifies(req::SRS_CMG_023);
@@ -218,11 +306,11 @@ TEST_F(VariantsTest, CallsAreTheFirstFourOfEachFunctionInACycle)
     // Then each of four calls is hit once and from then on; one that is left out answers what it did last, or nothing
     for (const char* const kind : {"doubled", "reordered", "late"})
     {
-        EXPECT_EQ(size("kernel_calls", kind), 2U * 4U * 2U) << kind;
+        EXPECT_EQ(size("kernel_calls", kind), 3U * 4U * 2U) << kind;
         EXPECT_EQ(size("a_calls", kind), 11U * 4U * 2U) << kind;
         EXPECT_EQ(size("b_calls", kind), 11U * 4U * 2U) << kind;
     }
-    EXPECT_EQ(size("kernel_calls", "skipped"), 2U * 4U * 2U);
+    EXPECT_EQ(size("kernel_calls", "skipped"), 3U * 4U * 2U);
     EXPECT_EQ(size("a_calls", "skipped"), 11U * 4U * 2U * 2U);
     EXPECT_EQ(size("b_calls", "skipped"), 11U * 4U * 2U * 2U);
 }

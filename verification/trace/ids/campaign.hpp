@@ -112,6 +112,15 @@ inline constexpr RequirementId SRS_CMG_802{"SRS_CMG_802"};
 inline constexpr RequirementId SRS_CMG_803{"SRS_CMG_803"};
 inline constexpr RequirementId SRS_CMG_804{"SRS_CMG_804"};
 inline constexpr RequirementId SRS_CMG_805{"SRS_CMG_805"};
+inline constexpr RequirementId SRS_CMG_810{"SRS_CMG_810"};
+inline constexpr RequirementId SRS_CMG_811{"SRS_CMG_811"};
+inline constexpr RequirementId SRS_CMG_812{"SRS_CMG_812"};
+inline constexpr RequirementId SRS_CMG_813{"SRS_CMG_813"};
+inline constexpr RequirementId SRS_CMG_814{"SRS_CMG_814"};
+inline constexpr RequirementId SRS_CMG_815{"SRS_CMG_815"};
+inline constexpr RequirementId SRS_CMG_816{"SRS_CMG_816"};
+inline constexpr RequirementId SRS_CMG_817{"SRS_CMG_817"};
+inline constexpr RequirementId SRS_CMG_818{"SRS_CMG_818"};
 } // namespace counterpoint::req
 
 #endif
