@@ -19,7 +19,8 @@ constexpr const char* kChanging = "title: A test\nscenario: " COUNTERPOINT_SOURC
 class ProviderTest : public CampaignTest
 {
   protected:
-    /// How often each outcome comes, of faults of the first call of the provider in each of the 45 cycles before this one.
+    /// How often each outcome comes, of faults of the first call of the provider in each of the 45 cycles before this
+    /// one.
     [[nodiscard]] static std::map<Class, std::uint64_t> Tried(Session& session, const FaultKind kind,
                                                               const std::uint32_t variant, const std::size_t end)
     {
