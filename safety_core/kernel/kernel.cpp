@@ -107,10 +107,11 @@ void Kernel::Stop() noexcept
     context_.parts.output.Drive(hal::PermitSet{});
 }
 
-// Before any other part is called. [SRS_KRN_035, SRS_STS_040, SRS_STS_063]
+// Before any other part is called. [SRS_KRN_035, SRS_KRN_800, SRS_STS_040, SRS_STS_063]
 PartsView Kernel::ExamineSelf() noexcept
 {
-    if (SealOf(context_.parts) != context_.seal)
+    const bool is_one_device = context_.config == &context_.guard.Config();
+    if ((SealOf(context_.parts) != context_.seal) || !is_one_device)
     {
         context_.latch.Enter(DeviceFault::kSelfTest, kNoSlot);
         return PartsView::kInvalid;
@@ -198,11 +199,11 @@ void Kernel::Cycle(const CycleCall& call) noexcept
         return;
     }
     ++run_.cycle;
-    production_.OnCycle(call.now.a, context_.config->cycle_us);
     if (ExamineSelf() != PartsView::kSound)
     {
         return; // No permit, no answer to the watchdog: the outputs close, and nobody can be called to be told.
     }
+    production_.OnCycle(call.now.a, context_.config->cycle_us);
     const std::uint32_t challenge = context_.parts.output.Challenge();
 
     context_.latch.Take(clocks_.OnCycle(call.now), kNoSlot);

@@ -187,7 +187,7 @@ TEST_F(KeptTest, OutcomesThatNoCampaignWritesAreRefusedByTheirRow)
     const auto detector = [](const unsigned number) { return static_cast<Detector>(number); };
     const Unknown rows[] = {
         {{Class::kDetected, detector(31U), 0U, 0U, 1000U}, "detector 31, expected 0 to 16"},
-        {{Class::kSilent, Detector::kNobody, 6U, 0U, 1000U}, "reason 6, expected 0 to 5"},
+        {{Class::kSilent, Detector::kNobody, 7U, 0U, 1000U}, "reason 7, expected 0 to 6"},
         {{Class::kDetected, Detector::kChannels, 200U, 0U, 1000U}, "reason 200, expected a cause of an SRDO"},
         {{Class::kDetected, Detector::kGuard, 200U, 0U, 1000U}, "reason 200, expected a device fault"},
         {{Class::kDetected, Detector::kGuard, 3U, 16U, 1000U}, "marks 16, expected bits 0 to 3 alone"},

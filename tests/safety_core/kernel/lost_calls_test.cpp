@@ -149,6 +149,23 @@ TEST_F(PartsOfTheKernel, AnyBitOfAnyAddressIsFoundBeforeAPartIsCalled)
     }
 }
 
+// The address of the device description stands in two places: behind the seal of the parts, and in the guard.
+TEST_F(PartsOfTheKernel, AnyBitOfTheAddressOfTheDescriptionIsFoundBeforeItIsUsed)
+{
+    Verifies(req::SRS_KRN_800);
+    Operate();
+    const DeviceConfig* const description = &config;
+    std::uint8_t place[sizeof description];
+    std::memcpy(place, &description, sizeof description);
+    const std::uint8_t* const bytes = reinterpret_cast<const std::uint8_t*>(&kernel);
+    const std::size_t first = FirstByte() + ((kParts + 1U) * sizeof description);
+    ASSERT_EQ(std::memcmp(&bytes[first], place, sizeof description), 0);
+    for (std::uint32_t bit = 0U; bit < (8U * kBytes); ++bit)
+    {
+        FlipAndRun(first + (bit / 8U), bit % 8U);
+    }
+}
+
 /// The same with a part that is called before all others.
 class PartsWithAFlowWatch : protected MarkTapHolder, public PartsOfTheKernel
 {

@@ -173,6 +173,7 @@ inline constexpr RequirementId SRS_KRN_572{"SRS_KRN_572"};
 inline constexpr RequirementId SRS_KRN_573{"SRS_KRN_573"};
 inline constexpr RequirementId SRS_KRN_574{"SRS_KRN_574"};
 inline constexpr RequirementId SRS_KRN_575{"SRS_KRN_575"};
+inline constexpr RequirementId SRS_KRN_800{"SRS_KRN_800"};
 inline constexpr RequirementId SRS_LIM_001{"SRS_LIM_001"};
 inline constexpr RequirementId SRS_LIM_002{"SRS_LIM_002"};
 inline constexpr RequirementId SRS_LIM_210{"SRS_LIM_210"};
