@@ -43,7 +43,14 @@ Device::Device(Region& region, const runtime::DeviceModel& model, const Recordin
     {
         self_test_ = std::make_unique<FlatSelfTest>(region_, *output_);
     }
-    MakeKernel();
+    hal::Watchdog& watchdog = (peer_ == nullptr) ? *watchdog_ : peer_->Watchdog();
+    kernel_ =
+        &region_.Make<Kernel>(KernelParts{*a_, *b_, *ports_, *output_, watchdog, *application_,
+                                          (self_test_ == nullptr) ? nullptr : &self_test_->Part(), windows_, flow_});
+    for (const Place& member : PlacesOf(*kernel_, region_))
+    {
+        places_.push_back({member.part, prefix_ + member.name, member.offset, member.size});
+    }
     Start(model);
     if (!setup.cpu)
     {
@@ -168,18 +175,6 @@ void Device::MakeVoices(const DeviceSetup& setup)
     else
     {
         // Nobody stands in front of it.
-    }
-}
-
-void Device::MakeKernel()
-{
-    hal::Watchdog& watchdog = (peer_ == nullptr) ? *watchdog_ : peer_->Watchdog();
-    kernel_ =
-        &region_.Make<Kernel>(KernelParts{*a_, *b_, *ports_, *output_, watchdog, *application_,
-                                          (self_test_ == nullptr) ? nullptr : &self_test_->Part(), windows_, flow_});
-    for (const Place& member : PlacesOf(*kernel_, region_))
-    {
-        places_.push_back({member.part, prefix_ + member.name, member.offset, member.size});
     }
 }
 

@@ -179,7 +179,6 @@ class Device : private Provider
     void MakeVoices(const DeviceSetup& setup);
     void MakeChannels(const DeviceSetup& setup);
     void AddToSelfTest();
-    void MakeKernel();
     void Start(const runtime::DeviceModel& model);
     void Call(std::size_t cycle, Nanoseconds at);
     void Deliver(Nanoseconds at);

@@ -85,6 +85,46 @@ Strange StrangeIn(const Outcome& outcome)
                                             : StrangeReason(outcome);
 }
 
+Detector DetectorOf(const DeviceFault fault)
+{
+    switch (fault)
+    {
+    case DeviceFault::kDisagreement:
+    case DeviceFault::kUnmatched:
+    case DeviceFault::kComparator:
+        return Detector::kComparator;
+    case DeviceFault::kGuard:
+    case DeviceFault::kConfiguration:
+        return Detector::kGuard;
+    case DeviceFault::kFlow:
+        return Detector::kFlowMonitor;
+    case DeviceFault::kClock:
+    case DeviceFault::kLateCall:
+    case DeviceFault::kFrameOrder:
+        return Detector::kClocks;
+    case DeviceFault::kSelfTest:
+        return Detector::kSeal;
+    case DeviceFault::kCrossLink:
+        return Detector::kCrossLink;
+    case DeviceFault::kOutput:
+        return Detector::kPermits;
+    case DeviceFault::kInvalid:
+    case DeviceFault::kApplication:
+    case DeviceFault::kHandshake:
+    case DeviceFault::kNone:
+        break;
+    }
+    return Detector::kLatch;
+}
+
+bool IsOfTest(const Outcome& found, const std::string& member)
+{
+    const bool is_itself = member.find("comparator.self_test") != std::string::npos;
+    return found.detector == Detector::kGuard || found.detector == Detector::kSelfTest ||
+           (found.detector == Detector::kComparator && !is_itself &&
+            found.detail == static_cast<std::uint8_t>(DeviceFault::kComparator));
+}
+
 const char* WordOf(const Class result)
 {
     return kClassWords.at(static_cast<std::size_t>(result));

@@ -87,6 +87,11 @@ constexpr std::uint8_t kMarkOldPair = 16U; ///< Of kExposed: what was wrong is w
 {
     return result == Class::kDetected || result == Class::kSafeOther || IsDangerous(result);
 }
+/// @brief Which mechanism a device fault is of.
+[[nodiscard]] Detector DetectorOf(DeviceFault fault);
+/// @brief Found by what is done within an interval of the configuration. A test that is hit itself may have lost its
+/// place. [SRS_CMG_154]
+[[nodiscard]] bool IsOfTest(const Outcome& found, const std::string& member);
 /// @brief An outcome as a sentence.
 [[nodiscard]] std::string OutcomeText(const Outcome& outcome);
 /// @brief Microseconds as 1.234.

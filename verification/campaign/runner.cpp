@@ -36,46 +36,10 @@ bool IsOver(const Experiment& fault, const std::size_t cycle)
            (fault.kind == FaultKind::kIntermittent && cycle >= fault.cycle + (kStrikes - 1U) * kStrikeDistance);
 }
 
-Detector DetectorOf(const DeviceFault fault)
+/// The device is safe for good.
+bool HasGivenUp(const Device& device)
 {
-    switch (fault)
-    {
-    case DeviceFault::kDisagreement:
-    case DeviceFault::kUnmatched:
-    case DeviceFault::kComparator:
-        return Detector::kComparator;
-    case DeviceFault::kGuard:
-    case DeviceFault::kConfiguration:
-        return Detector::kGuard;
-    case DeviceFault::kFlow:
-        return Detector::kFlowMonitor;
-    case DeviceFault::kClock:
-    case DeviceFault::kLateCall:
-    case DeviceFault::kFrameOrder:
-        return Detector::kClocks;
-    case DeviceFault::kSelfTest:
-        return Detector::kSeal;
-    case DeviceFault::kCrossLink:
-        return Detector::kCrossLink;
-    case DeviceFault::kOutput:
-        return Detector::kPermits;
-    case DeviceFault::kInvalid:
-    case DeviceFault::kApplication:
-    case DeviceFault::kHandshake:
-    case DeviceFault::kNone:
-        break;
-    }
-    return Detector::kLatch;
-}
-
-/// Found by what is done within an interval of the configuration. A test that is hit itself may have lost its place.
-/// [SRS_CMG_154]
-bool IsOfTest(const Outcome& found, const std::string& member)
-{
-    const bool is_itself = member.find("comparator.self_test") != std::string::npos;
-    return found.detector == Detector::kGuard || found.detector == Detector::kSelfTest ||
-           (found.detector == Detector::kComparator && !is_itself &&
-            found.detail == static_cast<std::uint8_t>(DeviceFault::kComparator));
+    return device.Fault() != DeviceFault::kNone || !device.IsOutputLive();
 }
 } // namespace
 
@@ -434,7 +398,7 @@ void Runner::Watch(const Experiment& experiment)
         {
             return;
         }
-        const bool is_safe = HasGivenUp() && sight.open == 0U;
+        const bool is_safe = HasGivenUp(device_) && sight.open == 0U;
         if (is_safe && !is_settling)
         {
             is_settling = true;
@@ -533,7 +497,7 @@ bool Runner::NoticeWrong(const Sight& sight, const Experiment& experiment)
 
 bool Runner::HasClosed(const Sight& sight) const
 {
-    return (sights_[now_].open & ~sight.open) != 0U || (HasGivenUp() && sight.open == 0U);
+    return (sights_[now_].open & ~sight.open) != 0U || (HasGivenUp(device_) && sight.open == 0U);
 }
 
 Outcome Runner::Blame() const
@@ -581,11 +545,6 @@ std::vector<std::size_t> Runner::DifferentPlaces() const
         }
     }
     return different;
-}
-
-bool Runner::HasGivenUp() const
-{
-    return device_.Fault() != DeviceFault::kNone || !device_.IsOutputLive();
 }
 
 /// What differs mostly goes on to: that byte is looked at first.

@@ -101,7 +101,6 @@ class Runner final : private PhaseHook
     [[nodiscard]] std::string WhatIsNotWell(const Sight& sight) const;
     [[nodiscard]] bool NoticeWrong(const Sight& sight, const Experiment& experiment);
     [[nodiscard]] bool HasClosed(const Sight& sight) const;
-    [[nodiscard]] bool HasGivenUp() const;
     [[nodiscard]] Outcome Blame() const;
     void NoticeClosed(const Experiment& experiment);
     [[nodiscard]] bool IsAsWithoutFault(std::size_t cycle) const;
