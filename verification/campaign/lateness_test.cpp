@@ -114,7 +114,7 @@ TEST_F(LatenessTest, WhatOthersMakeSafeHasNoLimit)
     Rig rig(PlanOf(false, "sample: 10\n"), 0U);
     const std::vector<Place>& places = rig.device->Places();
     for (const auto& [member, byte, detector] : {std::tuple("variables", 0U, Detector::kPairCheck),
-                                                 {"kernel.config", 5U, Detector::kException},
+                                                 {"config", 5U, Detector::kException},
                                                  {"latch", 0U, Detector::kLatch}})
     {
         const auto found = std::find_if(places.begin(), places.end(), [name = std::string(member)](const Place& place)

@@ -104,7 +104,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Known{"kernel.run", 8U, Class::kDetected, Detector::kFlowMonitor, 1000U}, // Frames that came.
                       Known{"kernel.run", 4U, Class::kDetected, Detector::kComparator, 1000U},  // Number of the cycle.
                       Known{"channel_a.entries", 0U, Class::kDetected, Detector::kComparator, kDiagnosticLimitUs},
-                      Known{"kernel.config", 5U, Class::kSafeOther, Detector::kException, 3000U},
+                      Known{"kernel.config", 5U, Class::kDetected, Detector::kSeal, 2000U},
+                      Known{"config", 5U, Class::kSafeOther, Detector::kException, kDiagnosticLimitUs},
                       Known{"variables", 0U, Class::kSafeOther, Detector::kPairCheck, 1000U}));
 
 TEST_F(RunnerTest, FaultThatIsUndoneIsMasked)
