@@ -147,6 +147,10 @@ TEST_F(ManagerFlying, AListenerNeedNotCareForTheNegotiation)
     other.OnCycle(Now());
     EXPECT_TRUE(other.Role().IsInitialising());
     EXPECT_FALSE(other.IsActive());
+    // Nor for commands that are dropped with the role
+    ManagerListener& listener = quiet;
+    listener.OnNmtUnsent({NmtCommand::kStop, NodeId{5U}}, Now());
+    EXPECT_TRUE(other.Role().IsInitialising());
 }
 
 } // namespace

@@ -243,6 +243,18 @@ TEST_F(NodeScriptTest, AnObjectHasOneWriter)
               "accepted");
 }
 
+TEST_F(NodeScriptTest, NoStepStandsBehindTheEnd)
+{
+    Verifies(req::SRS_NODE_712);
+    const std::string file = Path("script.yaml");
+    const std::string wrong = "error: a step behind 'quit', which is never done, expected one before it";
+    // By its time, wherever it stands, and of the same time and later in the list
+    EXPECT_EQ(Refusal("steps:\n  - {at: 1 s, do: quit}\n  - {at: 2 s, do: get 0x2000:01}\n"), file + ":3:5: " + wrong);
+    EXPECT_EQ(Refusal("steps:\n  - {at: 2 s, do: get 0x2000:01}\n  - {at: 1 s, do: quit}\n"), file + ":2:5: " + wrong);
+    EXPECT_EQ(Refusal("steps:\n  - {at: 1 s, do: quit}\n  - {at: 1 s, do: get 0x2000:01}\n"), file + ":3:5: " + wrong);
+    EXPECT_EQ(Refusal("steps:\n  - {at: 1 s, do: get 0x2000:01}\n  - {at: 1 s, do: quit}\n"), "accepted");
+}
+
 TEST_F(NodeScriptTest, WhatCannotBeUsedIsRefusedWithItsPlace)
 {
     Verifies(req::SRS_NODE_009);
