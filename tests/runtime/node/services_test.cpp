@@ -204,6 +204,7 @@ void ExpectAllSelfTestsTwice(const NodeProcess& node)
 
 TEST_F(NodeServicesTest, WithoutANodeIdThereIsOnlyLssAndThenANode)
 {
+    Verifies(req::SRS_NODE_015);
     Verifies(req::SRS_NODE_150);
     Verifies(req::SRS_NODE_151);
     Verifies(req::SRS_NODE_152);
