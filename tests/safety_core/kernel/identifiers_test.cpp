@@ -37,7 +37,8 @@ TEST_F(Identifiers, EachRuleThatTheyBreakKeepsAnSrdoOff)
         Corrupt(ConfigAddress{2U, ConfigField::kCobId2, 0U}, second);
         EXPECT_EQ(Write(0x1304U, 1U, 1U, 1U), AbortCode::kValueRange) << std::hex << first;
         EXPECT_EQ(Write(0x1304U, 1U, 2U, 1U), AbortCode::kValueRange) << std::hex << first;
-        // but off
+        // but off, where the channels have it on
+        Corrupt(ConfigAddress{2U, ConfigField::kDirection, 0U}, 1U);
         EXPECT_EQ(Write(0x1304U, 1U, 0U, 1U), AbortCode::kNone) << std::hex << first;
         EXPECT_EQ(Read(0x1304U, 1U), 0U) << std::hex << first;
     }
