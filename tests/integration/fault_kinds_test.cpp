@@ -151,6 +151,45 @@ expect:
 }
 INSTANTIATE_TEST_SUITE_P(EachChannel, AlwaysGood, ::testing::Values("channel_a", "channel_b"));
 
+TEST(FaultWithoutEffect, HasItWhenSomethingDiffersAndNotBefore)
+{
+    Verifies(req::SRS_SIM_038);
+    // Given a channel that says from 400 ms on that nothing is wrong, which differs once three pairs are lost
+    const auto good = RunChain(R"(
+faults:
+  - {fault: always_good, node: actuator, part: channel_a, at: 400 ms}
+  - {fault: loss, frames: {sender: controller, receiver: actuator, from: 500 ms, count: 6}}
+)");
+    EXPECT_GE(good->Record().EffectOf(1U), 500'000'000);
+    EXPECT_GE(good->Record().EffectOf(0U), 530'000'000);
+    EXPECT_LE(good->Record().EffectOf(0U), 560'000'000);
+    // Given a frame that comes behind the begin of its fault
+    const auto lost = RunChain("faults:\n  - {fault: loss, frames: {identifier: 0x104, from: 480 ms, first: 3}}\n");
+    EXPECT_GE(lost->Record().EffectOf(0U), 520'000'000);
+}
+
+TEST(FaultWithoutEffect, NeverHappensWhereCounterAndBitAreAsTheyWould)
+{
+    Verifies(req::SRS_SIM_038);
+    const auto failures = [](const std::string& keys)
+    { return Failures(*RunChain("faults:\n  - {node: actuator, at: 500 ms, " + keys + "}\n")); };
+    // Given a counter that runs at the drift which it has, and one that does not
+    EXPECT_EQ(failures("fault: clock, counter: a, ppm: 5"), "fault 'clock' happens: never happened\n");
+    EXPECT_EQ(failures("fault: clock, counter: a, ppm: 6"), "no expectations");
+    EXPECT_EQ(failures("fault: clock, counter: both, ppm: 5"), "no expectations"); // B has 25 ppm.
+    // Given a bit of what is never written and whose march nobody runs, then it has one level, and not the other one
+    const auto stuck = [](const std::string& level)
+    {
+        return Failures(*RunChainWithoutSelfTests("faults:\n  - {fault: stuck_bit, node: actuator, at: 500 ms, "
+                                                  "part: kernel, offset: 0, bit: 0, level: " +
+                                                  level + "}\n"));
+    };
+    const std::string never = "fault 'stuck_bit' happens: never happened\n";
+    const std::string has_0 = stuck("0");
+    EXPECT_TRUE(has_0 == never || has_0 == "no expectations") << has_0;
+    EXPECT_EQ(stuck("1"), (has_0 == never) ? "no expectations" : never);
+}
+
 TEST(AlwaysGoodAlone, NeverHappensAsLongAsNothingIsHidden)
 {
     Verifies(req::SRS_SIM_038);

@@ -2,6 +2,7 @@
 #include "canopen/cia306/file/device_reader.hpp"
 #include "canopen/cia306/safety/safety_configuration.hpp"
 #include "runtime/node/trial.hpp"
+#include "tests/canopen/cia306/check_text.hpp"
 #include "tests/canopen/cia306/device_text.hpp"
 #include "tests/tools/command_run.hpp"
 #include "verification/trace/ids/eds.hpp"
@@ -158,6 +159,39 @@ TEST_F(AllFilesTest, OddFilesAreTakenByAllOfThem)
         EXPECT_EQ(RunCommand({"check", file}).status, 0) << text;
         EXPECT_EQ(RefusedBy(file), "") << text;
     }
+}
+
+TEST_F(AllFilesTest, ASecondControllerIsTakenByAllOfThem)
+{
+    Verifies(req::SRS_CLI_030);
+    // Given normal and inverse frames on either controller
+    for (const std::string normal : {"1", "2"})
+    {
+        for (const std::string inverse : {"1", "2"})
+        {
+            const std::string text = cia306::test::WithValues(
+                cia306::test::ExampleText("sensor"),
+                {{"5F00subF", "ParameterValue", normal}, {"5F00sub10", "ParameterValue", inverse}});
+            const std::string file = File("ports.dcf", cia306::test::SignedAgain(text, std::nullopt));
+            EXPECT_EQ(RunCommand({"check", file}).status, 0) << normal << inverse;
+            EXPECT_EQ(RefusedBy(file), "") << normal << inverse;
+        }
+    }
+}
+
+TEST_F(AllFilesTest, SelfTestsThatDoNotFitAreLeftOutAsTheWarningAsks)
+{
+    Verifies(req::SRS_CLI_030);
+    // Given an interval of 60 ms, which check warns of
+    const std::string text =
+        cia306::test::WithValues(cia306::test::ExampleText("sensor"), {{"5F00sub4", "ParameterValue", "60"}});
+    const std::string file = File("interval.dcf", cia306::test::SignedAgain(text, std::nullopt));
+    EXPECT_EQ(RunCommand({"check", file}).status, 0);
+    // Then simulate alone needs the option that the warning names, and has enough with it
+    EXPECT_EQ(RefusedBy(file), "simulate ");
+    const std::string scenario =
+        File("two.yaml", "title: two\nduration: 100 ms\nnodes:\n  device: {dcf: interval.dcf, self_tests: false}\n");
+    EXPECT_EQ(RunCommand({"simulate", scenario, "--quiet"}).status, 0);
 }
 } // namespace
 } // namespace counterpoint::tools

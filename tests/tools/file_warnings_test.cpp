@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -164,6 +165,25 @@ TEST_F(FileWarnings, MonitorTellsWhatCheckFinds)
     const std::string other_digest = WithValues(sensor, {{"5F04", "ParameterValue", "0x00000001"}});
     EXPECT_NE(told(other_digest, "").find("the first: device digest 0x00000001"), std::string::npos);
     EXPECT_EQ(told(other_digest, "=90"), "");
+}
+
+// Given two senders of one pair in the files, and both streams in one, then that is told before a violation is.
+TEST_F(FileWarnings, ContradictionsAreToldBeforeAnythingIsJudged)
+{
+    Verifies(req::SRS_MON_020);
+    const std::string sensor = cia306::test::SourceFolder() + "/examples/emergency_stop/sensor.dcf";
+    const std::string controller = cia306::test::SourceFolder() + "/examples/emergency_stop/controller.dcf";
+    const std::string other = File("other.dcf", cia306::test::ExampleText("sensor")) + "=90";
+    const std::string log = File("bus.log", "(1.000000) can0 101#0102\n(1.000200) can0 102#FEFC\n");
+    std::ostringstream all;
+    const ExitStatus status =
+        RunCommandLine({"monitor", log, "--dcf", sensor, controller, other}, CommandTable(), {all, all});
+    EXPECT_EQ(static_cast<int>(status), 1);
+    const std::size_t warned = all.str().find(": warning: 0x1301:01: sends 0x101 and 0x102, which Sensor SRDO 1 sends");
+    const std::size_t judged = all.str().find(" not inverse: ");
+    ASSERT_NE(warned, std::string::npos) << all.str();
+    ASSERT_NE(judged, std::string::npos) << all.str();
+    EXPECT_LT(warned, judged);
 }
 } // namespace
 } // namespace counterpoint::tools

@@ -220,6 +220,36 @@ TEST_F(ConsumerTest, WhatIsNoHeartbeatChangesNothing)
     EXPECT_EQ(told.size(), 1U);
 }
 
+TEST_F(ConsumerTest, WhatIsNoHeartbeatProlongsNoSupervision)
+{
+    Verifies(req::SRS_HB_006);
+    CanFrame empty = Beat(7U, 5U);
+    empty.length_bytes = 0U;
+    CanFrame long_one = Beat(7U, 5U);
+    long_one.length_bytes = 2U;
+    CanFrame remote = Beat(7U, 5U);
+    remote.kind = FrameKind::kRemote;
+    CanFrame extended = Beat(7U, 5U);
+    extended.kind = FrameKind::kExtended;
+    for (const CanFrame& frame :
+         {empty, long_one, remote, extended, Beat(9U, 5U), Beat(7U, 0x85U), Beat(7U, 1U), Beat(7U, 255U)})
+    {
+        // Given a node that is supervised with 100 ms since its heartbeat at 0
+        told.clear();
+        EXPECT_EQ(consumer.Write(1U, 0x00070064U), SdoAbort::kNone);
+        consumer.OnFrame(Beat(7U, 5U), Instant{0U});
+        ASSERT_EQ(told.size(), 1U);
+        // When something that is no heartbeat comes before they are over
+        consumer.OnFrame(frame, Instant{99000U});
+        EXPECT_EQ(told.size(), 1U);
+        // Then it is lost as without it, in the state of its heartbeat
+        consumer.Poll(Instant{100000U});
+        EXPECT_EQ(told.size(), 1U);
+        consumer.Poll(Instant{100001U});
+        ExpectLast(2U, {7U, HeartbeatEvent::kLost, 5U});
+    }
+}
+
 class GuardingTest : public ::testing::Test
 {
   public:

@@ -84,6 +84,10 @@ TEST_F(SyncTest, AnotherIdentifierOrCounterEndsTheErrorOfTheLength)
     EXPECT_EQ(Emergency(), 0x8240U);
     EXPECT_EQ(Set(0x1005U, 0x80U), SdoAbort::kNone); // as it was
     EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
+    EXPECT_EQ(Set(0x1005U, 0x40000080U), SdoAbort::kNone); // the same identifier, which it sends now
+    EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
+    EXPECT_EQ(Set(0x1005U, 0x80U), SdoAbort::kNone);
+    EXPECT_EQ(Emergency(), 0xFFFFFFFFU);
     EXPECT_EQ(Set(0x1005U, 0x81U), SdoAbort::kNone);
     EXPECT_EQ(Emergency(), 0x0000U);
     heard.OnFrame(FrameOf(0x81U, {1U}), Now());

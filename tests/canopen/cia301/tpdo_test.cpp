@@ -384,10 +384,13 @@ TEST_F(TpdoTest, RemoteFramesAreAnsweredWhereTheyAreAllowed)
     u8[0] = 0x31U;
     tpdos.OnFrame(RemoteOf(0x185U), Now());
     EXPECT_EQ(sink.Next(), (Octets{0x21U, 0x22U, 0x33U}));
-    // Not allowed: bit 30
+    // Not valid: bit 31
     EXPECT_EQ(WritePdo(0x1800U, 1U, 0x80000185U), SdoAbort::kNone);
-    EXPECT_EQ(WritePdo(0x1800U, 1U, 0x40000185U), SdoAbort::kNone);
     EXPECT_EQ(WritePdo(0x1800U, 2U, 253U), SdoAbort::kNone);
+    tpdos.OnFrame(RemoteOf(0x185U), Now());
+    EXPECT_EQ(Sent(), 0U);
+    // Not allowed: bit 30
+    EXPECT_EQ(WritePdo(0x1800U, 1U, 0x40000185U), SdoAbort::kNone);
     tpdos.OnFrame(RemoteOf(0x185U), Now());
     EXPECT_EQ(Sent(), 0U);
     // nor outside OPERATIONAL

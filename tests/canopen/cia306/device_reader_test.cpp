@@ -69,6 +69,55 @@ TEST(DeviceReader, ReadsAVariableWithEverything)
     EXPECT_EQ(record.Find(0x2000U, 0U)->inverted_srad, std::nullopt);
 }
 
+TEST(DeviceReader, ReadsEachAccessObjectTypeAndTheLineOfEachValue)
+{
+    Verifies(req::SRS_EDS_001);
+    const std::pair<const char*, Access> accesses[] = {
+        {"ro", Access::kReadOnly},        {"wo", Access::kWriteOnly},        {"rw", Access::kReadWrite},
+        {"rwr", Access::kReadWriteInput}, {"rww", Access::kReadWriteOutput}, {"const", Access::kConstant}};
+    for (const auto& [word, access] : accesses)
+    {
+        const Device device =
+            DeviceOf(Text("[2000]\nObjectType=7\nDataType=5\nAccessType=" + std::string(word) + "\nPDOMapping=0\n"));
+        EXPECT_EQ(device.Find(0x2000U, 0U)->access, access) << word;
+        EXPECT_FALSE(device.Find(0x2000U, 0U)->is_pdo_mappable) << word;
+    }
+    const std::pair<const char*, ObjectType> types[] = {{"2", ObjectType::kDomain},    {"5", ObjectType::kDeftype},
+                                                        {"6", ObjectType::kDefstruct}, {"7", ObjectType::kVar},
+                                                        {"8", ObjectType::kArray},     {"9", ObjectType::kRecord}};
+    for (const auto& [word, type] : types)
+    {
+        const Device device = DeviceOf(
+            Text("[2000]\nParameterName=Some\nObjectType=" + std::string(word) + "\nDataType=5\nAccessType=ro\n"));
+        ASSERT_NE(device.Find(0x2000U), nullptr) << word;
+        EXPECT_EQ(device.Find(0x2000U)->type, type) << word;
+        EXPECT_EQ(device.Find(0x2000U)->name, "Some") << word;
+        EXPECT_EQ(device.Find(0x2000U)->place.line, 11U) << word;
+    }
+    // Given a sub-index with all of it, then each has its line
+    const Device record =
+        DeviceOf(Text("[2000]\nParameterName=Record\nObjectType=9\nSubNumber=1\n[2000sub7]\nParameterName=Part\n"
+                      "DataType=6\nAccessType=rww\nLowLimit=2\nHighLimit=8\nDefaultValue=3\nParameterValue=4\n"
+                      "PDOMapping=1\nSRDOMapping=1\n"));
+    const Entry* const part = record.Find(0x2000U, 7U);
+    ASSERT_NE(part, nullptr);
+    EXPECT_EQ(part->name, "Part");
+    EXPECT_EQ(part->data_type, 6U);
+    EXPECT_EQ(part->place.line, 15U);
+    EXPECT_EQ(part->type_place.line, 17U);
+    EXPECT_EQ(part->access_place.line, 18U);
+    EXPECT_EQ(part->low_limit.text, "2");
+    EXPECT_EQ(part->low_limit.place.line, 19U);
+    EXPECT_EQ(part->high_limit.text, "8");
+    EXPECT_EQ(part->high_limit.place.line, 20U);
+    EXPECT_EQ(part->default_value.text, "3");
+    EXPECT_EQ(part->default_value.place.line, 21U);
+    EXPECT_EQ(part->parameter_value.text, "4");
+    EXPECT_EQ(part->parameter_value.place.line, 22U);
+    EXPECT_TRUE(part->is_pdo_mappable);
+    EXPECT_EQ(part->is_srdo_mappable, true);
+}
+
 TEST(DeviceReader, ReadsTheLowestAndTheHighestIndex)
 {
     Verifies(req::SRS_EDS_001);
@@ -146,7 +195,10 @@ TEST(DeviceReader, ASectionOfItsOwnRefinesACompactSubIndex)
 TEST(DeviceReader, ReadsTheNodeIdOfBothSpellings)
 {
     Verifies(req::SRS_EDS_009);
+    EXPECT_EQ(DeviceOf(Text("[DeviceComissioning]\nNodeID=1\n")).node_id, 1U);
     EXPECT_EQ(DeviceOf(Text("[DeviceComissioning]\nNodeID=0x10\n")).node_id, 16U);
+    EXPECT_EQ(DeviceOf(Text("[DeviceComissioning]\nNodeID=127\n")).node_id, 127U);
+    EXPECT_EQ(DeviceOf(Text("[DeviceCommissioning]\nNodeID=1\n")).node_id, 1U);
     EXPECT_EQ(DeviceOf(Text("[DeviceCommissioning]\nNODEID=127\n")).node_id, 127U);
     EXPECT_EQ(
         WarningsOf(Text("[DeviceCommissioning]\nNodeID=1\n")),

@@ -90,6 +90,8 @@ TEST(Malformed, StructureIsRefusedWithLineAndWhatWasExpected)
          "test.dcf:6:5: error: 0x1381:01 has a second value, expected it once, as in line 5"},
         {std::string("[DeviceComissioning]\nNodeID=128\n") + kObject,
          "test.dcf:2:8: error: 'NodeID' is '128', expected a node-ID from 1 to 127, or 255 for none"},
+        {std::string("[DeviceComissioning]\nNodeID=254\n") + kObject,
+         "test.dcf:2:8: error: 'NodeID' is '254', expected a node-ID from 1 to 127, or 255 for none"},
         {std::string("[DeviceComissioning]\nNodeID=256\n") + kObject,
          "test.dcf:2:8: error: 'NodeID' is '256', expected a number from 0 to 255"},
         {std::string("[DeviceComissioning]\nNodeID=one\n") + kObject,

@@ -211,6 +211,36 @@ TEST_F(ManagerFlying, ARaceOrRestartAtAForceEndsTheLeadAtOnce)
     }
 }
 
+TEST_F(ManagerFlying, AsSlaveOfALivingMasterItTakesPartInNoNegotiation)
+{
+    Verifies(req::SRS_MGR_212);
+    slaves[3].heartbeat = HeartbeatSetup{200U, 100U, Arming::kImmediately};
+    options.on_force = ForceReaction::kRace;
+    Use(NegotiationBy::kManager);
+    manager.Begin(Now());
+    RunTo(3000U);
+    ASSERT_TRUE(manager.IsActive());
+    // When another negotiation is forced, which node 3 of a higher priority wins, and lives
+    Hear(0x76U);
+    RunTo(3010U);
+    Hear(0x71U, {0U, 3U});
+    static_cast<void>(Log());
+    for (std::uint32_t beat_ms = 3100U; beat_ms <= 8000U; beat_ms += 100U)
+    {
+        RunTo(beat_ms);
+        Hear(0x703U, {5U});
+    }
+    // Then it asks for no master and claims nothing
+    EXPECT_FALSE(manager.IsActive());
+    for (const std::string& line : Log())
+    {
+        EXPECT_EQ(line.find(" 07"), std::string::npos) << line;
+    }
+    // When the master is silent, it takes part again
+    RunTo(11000U);
+    EXPECT_TRUE(manager.IsActive());
+}
+
 TEST_F(ManagerFlying, CommandsThatNeverLeaveAreTold)
 {
     Verifies(req::SRS_MGR_800);

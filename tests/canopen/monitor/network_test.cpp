@@ -88,21 +88,24 @@ TEST(IdentifiersOfAnActiveSrdo, AreThoseOfSrdos)
         };
         set("1301sub5", first);
         set("1301sub6", second);
-        const std::string told = RefusalOf({{Written("network_cob_ids.dcf", text), std::nullopt}});
-        const std::size_t object = told.find("0x1301");
-        return object == std::string::npos ? told : told.substr(object);
+        // With the file and the place of the value in it
+        const std::string path = Written("network_cob_ids.dcf", text);
+        const std::string told = RefusalOf({{path, std::nullopt}});
+        return told.rfind(path, 0U) == 0U ? told.substr(path.size()) : told;
     };
+    const std::string at_first = ":241:16: error: 0x1301:05: ";
+    const std::string at_second = ":250:16: error: 0x1301:06: ";
     const std::string odd = " of an SRDO that is on, expected an odd one from 0x101 to 0x17F";
     EXPECT_EQ(refusal("0x101", "0x102", "0xA5"), "");
     EXPECT_EQ(refusal("0x17F", "0x180", "0xA5"), "");
-    EXPECT_EQ(refusal("0x181", "0x182", "0xA5"), "0x1301:05: COB-ID 0x181" + odd);
-    EXPECT_EQ(refusal("0x0FF", "0x100", "0xA5"), "0x1301:05: COB-ID 0x0FF" + odd);
-    EXPECT_EQ(refusal("0", "1", "0xA5"), "0x1301:05: COB-ID 0x000" + odd);
-    EXPECT_EQ(refusal("0x102", "0x103", "0xA5"), "0x1301:05: COB-ID 0x102" + odd);
-    EXPECT_EQ(refusal("0x80000101", "0x102", "0xA5"), "0x1301:05: COB-ID 0x80000101" + odd);
+    EXPECT_EQ(refusal("0x181", "0x182", "0xA5"), at_first + "COB-ID 0x181" + odd);
+    EXPECT_EQ(refusal("0x0FF", "0x100", "0xA5"), at_first + "COB-ID 0x0FF" + odd);
+    EXPECT_EQ(refusal("0", "1", "0xA5"), at_first + "COB-ID 0x000" + odd);
+    EXPECT_EQ(refusal("0x102", "0x103", "0xA5"), at_first + "COB-ID 0x102" + odd);
+    EXPECT_EQ(refusal("0x80000101", "0x102", "0xA5"), at_first + "COB-ID 0x80000101" + odd);
     const std::string next = " of an SRDO that is on, expected 0x104 (COB-ID 1 + 1)";
-    EXPECT_EQ(refusal("0x103", "0x106", "0xA5"), "0x1301:06: COB-ID 2 0x106" + next);
-    EXPECT_EQ(refusal("0x103", "0x102", "0xA5"), "0x1301:06: COB-ID 2 0x102" + next);
+    EXPECT_EQ(refusal("0x103", "0x106", "0xA5"), at_second + "COB-ID 2 0x106" + next);
+    EXPECT_EQ(refusal("0x103", "0x102", "0xA5"), at_second + "COB-ID 2 0x102" + next);
     // What is not active is not watched
     EXPECT_EQ(refusal("0x181", "0x182", "0x00"), "");
 }

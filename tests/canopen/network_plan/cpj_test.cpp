@@ -87,6 +87,25 @@ TEST_F(CpjTest, AKeyOfANodeHasItsNumberWithoutAZeroBeforeIt)
 }
 
 // Relative to the folder of the network file; node 127 is the last one.
+TEST_F(CpjTest, NumbersMayBeDecimalOctalOrHexadecimalAndKeysInEitherCase)
+{
+    Verifies(req::SRS_NET_001);
+    static_cast<void>(File("five.dcf", "[DeviceInfo]\nVendorName=test\n"));
+    for (const std::string one : {"1", "01", "0x1", "0X01"})
+    {
+        const NetworkPlan plan =
+            ReadCpj(File("net.cpj", "[TOPOLOGY]\nNETNAME=Cell\nnodes=" + one + "\nnode1present=" + one +
+                                        "\nNODE1NAME=Door\nNode1DcfName=five.dcf\n"),
+                    127U);
+        EXPECT_EQ(plan.name, "Cell") << one;
+        EXPECT_EQ(plan.manager.node, std::uint8_t{127U}) << one;
+        EXPECT_EQ(plan.warnings, Texts{}) << one;
+        ASSERT_EQ(plan.slaves.size(), 1U) << one;
+        EXPECT_EQ(plan.slaves[0].node, 1U) << one;
+        EXPECT_EQ(plan.slaves[0].name, "Door") << one;
+    }
+}
+
 TEST_F(CpjTest, ADcfNameMayHaveFoldersAfterEitherFashion)
 {
     Verifies(req::SRS_NET_001);

@@ -31,6 +31,11 @@ constexpr BadFile kBadCpj[] = {
      ":1:1: error: no key Nodes in [Topology], expected Nodes=1"},
     {"[Topology]\nNodes=2\nNode1Present=1\nNode1DCFName=sensor.dcf\n",
      ":2:7: error: Nodes=2, and 1 nodes are present, expected equal numbers"},
+    {"[Topology]\nNodes=1\nNode1Present=1\nNode1DCFName=sensor.dcf\nNode2Present=1\nNode2DCFName=manager.dcf\n",
+     ":2:7: error: Nodes=1, and 2 nodes are present, expected equal numbers"},
+    {"[Topology]\nNodes=1\nNode1Present=1\nNode1DCFName=sensor.dcf\nNode2Present\n",
+     ":5:1: error: 'Node2Present' is no line of an EDS, expected [section], key=value or a comment that begins with "
+     "';'"},
     {"[Topology]\nNodes=one\nNode1Present=1\nNode1DCFName=sensor.dcf\n",
      ":2:7: error: Nodes='one', expected a number from 0 to 127"},
     {"[Topology]\nNodes=1\nNode128Present=1\n",

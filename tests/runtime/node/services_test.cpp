@@ -263,6 +263,28 @@ TEST_F(NodeServicesTest, WithoutANodeIdThereIsOnlyLssAndThenANode)
     }
 }
 
+TEST_F(NodeServicesTest, TheOptionGivesLssToADeviceWhoseFileHasNone)
+{
+    Verifies(req::SRS_NODE_015);
+    const std::vector<std::string> without{"--dcf", kPlain, "--cycle-us", std::to_string(kCycleUs)};
+    std::vector<std::string> with = without;
+    with.emplace_back("--lss");
+    for (const std::vector<std::string>& words : {without, with})
+    {
+        NodeProcess node(words);
+        EXPECT_EQ(node.WaitFor("start").event["node_id"], 5);
+        Other other(OwnBus());
+        // When somebody asks all for their node-ID
+        other.Lss({0x04U, 1U});
+        other.Lss({0x5EU});
+        // Then it answers with the one of its file, or not at all
+        const std::vector<Octets> answer{{0x5EU, 5U, 0U, 0U, 0U, 0U, 0U, 0U}};
+        EXPECT_EQ(other.Hear(0x7E4U, 1000), (words == with) ? answer : std::vector<Octets>{});
+        node.Type("quit");
+        EXPECT_EQ(node.End(), 0);
+    }
+}
+
 TEST_F(NodeServicesTest, TheStoredNodeIdGoesBeforeThoseOfCommandLineAndFile)
 {
     Verifies(req::SRS_NODE_015);

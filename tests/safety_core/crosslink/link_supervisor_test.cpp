@@ -163,6 +163,27 @@ TEST_F(Supervision, SequenceTellsRepeatedOldAndLost)
 }
 
 // t (numbers)   FFFFFFFEh   1   FFFFFFFFh   80000001h (2^31 ahead)   80000000h
+// Given no contact, when a number comes again, or one before it, then that is neither a repeated nor an old one.
+TEST_F(Supervision, SequenceSaysNothingBeforeContact)
+{
+    Verifies(req::SRS_LNK_003);
+    EXPECT_EQ(link.Take(Message(90U, 500U, LinkEcho{}), Instant{10U}), TakeResult::kDiscarded);
+    EXPECT_EQ(link.Take(Message(90U, 600U, LinkEcho{}), Instant{20U}), TakeResult::kDiscarded);
+    EXPECT_EQ(link.Take(Message(40U, 700U, LinkEcho{}), Instant{30U}), TakeResult::kDiscarded);
+    EXPECT_EQ(link.Echo(Instant{30U}).sequence, 40U);
+    Contact();
+    EXPECT_EQ(link.Counts().repeated, 0U);
+    EXPECT_EQ(link.Counts().old, 0U);
+    EXPECT_EQ(link.Counts().lost, 0U);
+    EXPECT_EQ(link.Counts().late, 3U);
+    // With contact the number left out is counted, and what was taken comes again as a repeated one
+    EXPECT_EQ(link.Take(Message(52U, 511000U, EchoOf(9000U)), Instant{11000U}), TakeResult::kTaken);
+    EXPECT_EQ(link.Take(Message(52U, 511000U, EchoOf(9000U)), Instant{11000U}), TakeResult::kDiscarded);
+    EXPECT_EQ(link.Counts().lost, 1U);
+    EXPECT_EQ(link.Counts().repeated, 1U);
+    EXPECT_EQ(link.Counts().late, 3U);
+}
+
 TEST_F(Supervision, SequenceIsModular)
 {
     Verifies(req::SRS_LNK_003);

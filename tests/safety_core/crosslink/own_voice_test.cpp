@@ -293,8 +293,12 @@ TEST(OwnVoice, FollowerArmsWhatTheLeaderWants)
     const PreparedPair own = rig.Own().Prepare(1U);
     EXPECT_EQ(ahead.status, PrepareStatus::kReady);
     EXPECT_EQ(own.status, PrepareStatus::kReady);
-    EXPECT_EQ(ahead.normal.kind, FrameKind::kInvalid);
-    EXPECT_EQ(own.normal.kind, FrameKind::kInvalid);
+    for (const PreparedPair& empty : {ahead, own})
+    {
+        EXPECT_EQ(empty.normal.kind, FrameKind::kInvalid);
+        EXPECT_EQ(empty.normal.identifier, 0U);
+        EXPECT_EQ(empty.normal.length_bytes, 0U);
+    }
     LinkMessage said = rig.Say(10500U);
     EXPECT_EQ(said.armed[0].slot, 1U);
     EXPECT_EQ(said.armed[0].number, 1U);

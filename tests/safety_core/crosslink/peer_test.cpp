@@ -74,6 +74,25 @@ TEST(PeerMessages, RepeatedOneSaysNothing)
     EXPECT_EQ(rig.peer.Link().Counts().repeated, 1U);
 }
 
+// Given contact, when a message comes behind a later one, then what it says is not taken.
+TEST(PeerMessages, OldOneSaysNothing)
+{
+    Verifies(req::SRS_LNK_003);
+    PeerRig rig{PeerRole::kA};
+    rig.Contact(1000U);
+    LinkMessage old = rig.Word(3000U);
+    old.new_faults = 1U;
+    const LinkMessage later = rig.Word(3000U);
+    EXPECT_EQ(later.sequence, old.sequence + 1U);
+    rig.Hear(later, 4000U);
+    rig.Hear(old, 4500U);
+    rig.Cycle(10000U);
+    EXPECT_EQ(rig.remote.new_fault, 0U);
+    EXPECT_EQ(rig.peer.Link().Counts().old, 1U);
+    EXPECT_EQ(rig.peer.Link().Counts().lost, 1U);
+    EXPECT_EQ(rig.peer.Link().Echo(Instant{4500U}).sequence, later.sequence);
+}
+
 // Given contact, when the peer tells another flow signature, or its device safe state, then the link is lost at once.
 TEST(PeerMessages, PeerThatIsNotWellIsLost)
 {

@@ -58,11 +58,19 @@ class StoredConfiguration : public Rig
         EXPECT_EQ(Read(0x1301U, 4U), 254U);
         EXPECT_EQ(Read(0x1301U, 5U), 0x103U);
         EXPECT_EQ(Read(0x1301U, 6U), 0x104U);
+        EXPECT_EQ(Read(0x1303U, 1U), 0U);
         EXPECT_EQ(Read(0x1303U, 2U), 25U);
+        EXPECT_EQ(Read(0x1303U, 3U), 20U);
+        EXPECT_EQ(Read(0x1303U, 4U), 254U);
         EXPECT_EQ(Read(0x1303U, 5U), 0U);
         EXPECT_EQ(Read(0x1303U, 6U), 0U);
         EXPECT_EQ(Read(0x1381U, 0U), 0U);
         EXPECT_EQ(Read(0x1381U, 1U), 0U);
+        EXPECT_EQ(Read(0x1381U, 2U), 0U);
+        EXPECT_EQ(Read(0x1383U, 0U), 0U);
+        EXPECT_EQ(Read(0x1383U, 1U), 0U);
+        EXPECT_EQ(Read(0x1383U, 2U), 0U);
+        EXPECT_EQ(Read(0x13FFU, 3U), 0U);
         EXPECT_EQ(Read(0x13FEU, 0U), 0U);
         EXPECT_EQ(Read(0x13FFU, 1U), 0U);
         EXPECT_EQ(kernel.DeviceState().fault, DeviceFault::kNone);
@@ -346,6 +354,7 @@ TEST_F(StoredConfiguration, NothingIsLoadedOrRestoredInOperational)
     EXPECT_EQ(kernel.Image().RestoreDefaults(), Result::kNmtError);
     EXPECT_EQ(Read(0x13FEU, 0U), 0xA5U);
     EXPECT_EQ(Read(0x1301U, 1U), 2U);
+    EXPECT_EQ(Save().items, image.items);
 }
 
 TEST_F(StoredConfiguration, RestoredDefaultsAreThePowerOnConfiguration)

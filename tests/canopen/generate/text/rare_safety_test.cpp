@@ -230,6 +230,8 @@ TEST(AnotherNodeId, HasTheSameMappings)
     EXPECT_EQ(RefusalOf(InSection(of_node_1, "1382sub0", "ParameterValue=2", "ParameterValue=$NODEID+1")), refusal);
     // Given an entry that has no value for node 2
     EXPECT_EQ(RefusalOf(InSection(of_node_1, "1382sub2", "0x23000120", "$NODEID+0xFFFFFFFE")), refusal);
+    // Given one that has a value for nodes 1 and 2 alone, then that is told elsewhere
+    EXPECT_EQ(RefusalOf(InSection(of_node_1, "1382sub2", "0x23000120", "$NODEID+0xFFFFFFFD")), "");
     // Given one that has a value for each, which is no good idea either, then it follows
     const std::string follows = Code(InSection(of_node_1, "1382sub2", "0x23000120", "$NODEID+0x2300011F")).source;
     EXPECT_TRUE(Has(follows, "0x2300011FU, nullptr},\n"));

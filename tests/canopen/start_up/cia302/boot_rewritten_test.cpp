@@ -334,7 +334,6 @@ TEST_F(BootRewrittenTest, ARunningSafetySlaveWhoseBootFailsIsVerified)
 TEST_F(BootRewrittenTest, AFailedSlaveThatIsConfiguredIsNotLookedAtMeanwhile)
 {
     Verifies(req::SRS_NMM_009);
-    Verifies(req::SRS_BOOT_013);
     // Given slave 5 of another vendor, whose configuration is written on command, and slave 6 that is booted meanwhile
     Octets dcf{};
     for (std::uint16_t index = 0x2000U; index < 0x2010U; ++index)

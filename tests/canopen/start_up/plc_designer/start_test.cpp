@@ -45,6 +45,38 @@ TEST_F(PlcStartTest, State4IsConfiguredAndSupervised)
     EXPECT_EQ(Code(6U), 4);
 }
 
+TEST_F(PlcStartTest, State4AndSupervisionBeginWithTheAnswerToTheLastSdo)
+{
+    Verifies(req::SRS_PLC_012);
+    setup.start_up = kIsMaster | kApplicationStartsSlaves;
+    AddPlc(5U);
+    setups[5].heartbeat = HeartbeatSetup{300U, 100U, Arming::kImmediately};
+    for (std::uint16_t index = 0x2000U; index < 0x2003U; ++index)
+    {
+        User(5U, index, 0U, {1U});
+    }
+    Begin();
+    // When it gets its SDOs, then it is not supervised as long as one of them has no answer
+    for (int i = 0; (i < 1000) && (Code(5U) != 4); ++i)
+    {
+        EXPECT_EQ(nodes[5].watch, Watch::kNone) << us;
+        RunUs(step_us);
+    }
+    // and with that to the last one it is
+    ASSERT_EQ(Code(5U), 4);
+    EXPECT_EQ(slaves[5]->log.back(), "w 2002:00 01");
+    EXPECT_EQ(nodes[5].watch, Watch::kHeartbeat);
+    EXPECT_EQ(slaves[5]->state, 127U);
+    const std::size_t all = Times(0x605U).size();
+    Run(200U);
+    EXPECT_EQ(Times(0x605U).size(), all);
+    // From there on its time runs: no heartbeat comes
+    Run(99U);
+    EXPECT_EQ(Code(5U), 4);
+    Run(3U);
+    EXPECT_NE(Code(5U), 4);
+}
+
 TEST_F(PlcStartTest, AutomaticStartIsState5)
 {
     Verifies(req::SRS_PLC_013);
