@@ -260,8 +260,7 @@ TEST_F(JudgedNetworkTest, DataThatTheRunWithoutFaultHasNotHadAreWrong)
         sensor.App().SetInput({0x2000U, 2U}, 0U);
         network.RunTo(1050);
         // Then that is wrong once they are older
-        EXPECT_EQ(network.watch.Found(), (late_ms > 160) ? managed::Wrong::kData : managed::Wrong::kNothing)
-            << late_ms;
+        EXPECT_EQ(network.watch.Found(), (late_ms > 160) ? managed::Wrong::kData : managed::Wrong::kNothing) << late_ms;
     }
 }
 } // namespace

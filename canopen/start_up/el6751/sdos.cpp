@@ -33,6 +33,7 @@ void El6751Sdos::Reset(const NodeId node, const Instant now) noexcept
 void El6751Sdos::Begin(const NodeId node, const std::int16_t code, const Instant now) noexcept
 {
     El6751Node& slave = slaves_.Of(node);
+    parts_.nmt.DropStarts(node); // It is of the start-up before. [SRS_ELM_820]
     parts_.sdo.Cancel(node, SdoAbort::kGeneral);
     parts_.gate.Close(node);
     parts_.table.Unwatch(node);

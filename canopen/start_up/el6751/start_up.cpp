@@ -155,12 +155,10 @@ void El6751StartUp::OnCycle(const Instant now) noexcept
     TellMaster(now);
 }
 
-/// Once, when all run that were started singly. While a safety slave is assigned nothing goes to node 0: this device
-/// alone is OPERATIONAL then. [SRS_ELM_027, SRS_MGR_152]
-void El6751StartUp::StartAll(const Instant now) noexcept
+/// Whether all run, and were started singly.
+bool El6751StartUp::DoAllRun() const noexcept
 {
-    const NodeId whom = parts_.setup.HasSafetySlave() ? parts_.setup.own : kAllNodes;
-    bool is_time = !has_started_all_;
+    bool do_all = true;
     std::uint8_t slaves = 0U;
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
@@ -168,10 +166,29 @@ void El6751StartUp::StartAll(const Instant now) noexcept
         if (parts_.setup.IsListed(node))
         {
             ++slaves;
-            is_time = is_time && slaves_.SetupOf(node).is_started && (slaves_.Of(node).phase == El6751Phase::kRunning);
+            do_all = do_all && slaves_.SetupOf(node).is_started && (slaves_.Of(node).phase == El6751Phase::kRunning);
         }
     }
-    if (is_time && (slaves > 0U))
+    return do_all && (slaves > 0U);
+}
+
+/// One that waits is given up when a slave runs no more: it would start what is set up just now. [SRS_ELM_820]
+void El6751StartUp::GiveUpStartOfAll() noexcept
+{
+    if (parts_.nmt.HasStart(kAllNodes) && !DoAllRun())
+    {
+        parts_.nmt.DropStarts(kAllNodes);
+        has_started_all_ = false;
+    }
+}
+
+/// Once. While a safety slave is assigned nothing goes to node 0: this device alone is OPERATIONAL then.
+/// [SRS_ELM_027, SRS_MGR_152]
+void El6751StartUp::StartAll(const Instant now) noexcept
+{
+    const NodeId whom = parts_.setup.HasSafetySlave() ? parts_.setup.own : kAllNodes;
+    GiveUpStartOfAll();
+    if (!has_started_all_ && DoAllRun())
     {
         has_started_all_ = (parts_.nmt.Request(NmtCommand::kStart, whom, now) == NmtAnswer::kTaken);
     }
@@ -203,6 +220,7 @@ void El6751StartUp::OnNodeEvent(const NodeId node, const NodeEvent event, const 
         default:
             break; // States are read in each cycle.
         }
+        GiveUpStartOfAll();
     }
 }
 

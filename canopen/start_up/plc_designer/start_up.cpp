@@ -23,13 +23,15 @@ constexpr std::uint8_t kPreOperationalByte = 127U;
 } // namespace
 
 PlcStartUp::PlcStartUp(const PlcParts& parts) noexcept
-    : parts_(parts.common), slaves_(parts), reader_(parts.common), release_(parts), master_(0), is_active_(false)
+    : parts_(parts.common), slaves_(parts), reader_(parts.common), release_(parts), master_(0), is_active_(false),
+      is_own_asked_(false)
 {
 }
 
 void PlcStartUp::Begin(const Instant now) noexcept
 {
     is_active_ = true;
+    is_own_asked_ = false;
     release_.Begin();
     master_ = 0;
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
@@ -105,10 +107,11 @@ void PlcStartUp::DriveMaster(const Instant now) noexcept
     }
     else if ((master_ == kPlcConfigures) && is_done)
     {
-        // This device too is OPERATIONAL then; that goes to nobody. [SRS_MGR_152]
+        // This device too is OPERATIONAL then; that goes to nobody, but waits behind what does. [SRS_MGR_152,
+        // SRS_PLC_821]
         const NodeId own = parts_.setup.own;
-        const NmtAnswer answer = parts_.nmt.Request(NmtCommand::kStart, own, now);
-        master_ = (answer == NmtAnswer::kTaken) ? kPlcRuns : master_;
+        is_own_asked_ = is_own_asked_ || (parts_.nmt.Request(NmtCommand::kStart, own, now) == NmtAnswer::kTaken);
+        master_ = (is_own_asked_ && !parts_.nmt.HasStart(own)) ? kPlcRuns : master_;
     }
     else
     {
@@ -127,6 +130,21 @@ void PlcStartUp::DriveMaster(const Instant now) noexcept
     }
 }
 
+/// The start-up of the slave begins again: nothing of the one before goes on, a start that waits neither. The other
+/// slaves of a start of all are started singly. [SRS_PLC_820]
+void PlcStartUp::Forget(const NodeId node, const Instant now) noexcept
+{
+    parts_.nmt.DropStarts(node);
+    if (parts_.nmt.HasStart(kAllNodes))
+    {
+        parts_.nmt.DropStarts(kAllNodes);
+        release_.OnStartDropped(kAllNodes, now);
+    }
+    parts_.sdo.Cancel(node, SdoAbort::kGeneral);
+    parts_.gate.Close(node);
+    parts_.table.Unwatch(node);
+}
+
 /// State -1. [SRS_PLC_002]
 void PlcStartUp::BeginReset(const NodeId node, const Instant now) noexcept
 {
@@ -135,9 +153,7 @@ void PlcStartUp::BeginReset(const NodeId node, const Instant now) noexcept
     const bool has_sdos = slave.has_sdos;
     const SdoAbort restore_abort = slave.restore_abort;
     const NodeStatus before = slave.status;
-    parts_.sdo.Cancel(node, SdoAbort::kGeneral);
-    parts_.gate.Close(node);
-    parts_.table.Unwatch(node);
+    Forget(node, now);
     slave = PlcNode{};
     slave.is_listed = true;
     slave.was_reset = was_reset;
@@ -151,9 +167,7 @@ void PlcStartUp::BeginReset(const NodeId node, const Instant now) noexcept
 void PlcStartUp::Settle(const NodeId node, const Instant now) noexcept
 {
     PlcNode& slave = slaves_.Of(node);
-    parts_.sdo.Cancel(node, SdoAbort::kGeneral);
-    parts_.gate.Close(node);
-    parts_.table.Unwatch(node);
+    Forget(node, now);
     slave.row = PlcRow::kDeviceType;
     slave.place = ConcisePosition{0U, 0U};
     slave.refused = ObjectAddress{0U, 0U};

@@ -47,6 +47,7 @@ class PlcStartUp final : public StartUp
     [[nodiscard]] bool IsBegun(NodeId node) const noexcept;
     void Drive(NodeId node, Instant now) noexcept;
     void DriveMaster(Instant now) noexcept;
+    void Forget(NodeId node, Instant now) noexcept;
     void BeginReset(NodeId node, Instant now) noexcept;
     void Settle(NodeId node, Instant now) noexcept;
     void Ask(NodeId node, Instant now) noexcept;
@@ -64,6 +65,7 @@ class PlcStartUp final : public StartUp
     PlcRelease release_;
     std::int16_t master_;
     bool is_active_;
+    bool is_own_asked_; ///< The start of this device was handed over.
 };
 
 } // namespace counterpoint::cia302

@@ -76,6 +76,7 @@ inline constexpr RequirementId SRS_ELM_670{"SRS_ELM_670"};
 inline constexpr RequirementId SRS_ELM_770{"SRS_ELM_770"};
 inline constexpr RequirementId SRS_ELM_771{"SRS_ELM_771"};
 inline constexpr RequirementId SRS_ELM_800{"SRS_ELM_800"};
+inline constexpr RequirementId SRS_ELM_820{"SRS_ELM_820"};
 inline constexpr RequirementId SRS_PLC_001{"SRS_PLC_001"};
 inline constexpr RequirementId SRS_PLC_002{"SRS_PLC_002"};
 inline constexpr RequirementId SRS_PLC_003{"SRS_PLC_003"};
@@ -110,6 +111,8 @@ inline constexpr RequirementId SRS_PLC_587{"SRS_PLC_587"};
 inline constexpr RequirementId SRS_PLC_800{"SRS_PLC_800"};
 inline constexpr RequirementId SRS_PLC_801{"SRS_PLC_801"};
 inline constexpr RequirementId SRS_PLC_802{"SRS_PLC_802"};
+inline constexpr RequirementId SRS_PLC_820{"SRS_PLC_820"};
+inline constexpr RequirementId SRS_PLC_821{"SRS_PLC_821"};
 } // namespace counterpoint::req
 
 #endif

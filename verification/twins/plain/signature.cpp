@@ -13,6 +13,7 @@ const Number kPolynomial{"SRS_CFG_010", "polynomial of the signature"};
 const Number kStart{"SRS_CFG_010", "start value of the signature"};
 const Number kFinal{"SRS_CFG_010", "final XOR of the signature"};
 const Act kEnters{"SRS_CFG_010", "a byte enters the register"};
+const Decision kDivides{"SRS_CFG_010", "a bit that leaves takes the polynomial away"};
 const Act kSubIndices{"SRS_CFG_010", "the sub-index of an entry counts"};
 const Number kSubIndex{"SRS_CFG_010", "the sub-index of an entry"};
 const Act kEntries{"SRS_CFG_010", "the value of an entry counts"};
@@ -47,6 +48,7 @@ const Act kDigestContinues{"SRS_CFG_034", "the digest continues"};
 const Decision kDigestFirst{"SRS_CFG_034", "slot 0 has the device first"};
 const Act kDigestLowByteFirst{"SRS_CFG_034", "the low byte first"};
 const Act kDigestEnters{"SRS_CFG_034", "a byte enters the register"};
+const Decision kDigestDivides{"SRS_CFG_034", "a bit that leaves takes the polynomial away"};
 
 const Act kDigestWords{"SRS_CFG_034", "values of four bytes count"};
 const Number kDigestWord{"SRS_CFG_034", "a value of four bytes"};
@@ -80,7 +82,7 @@ class Crc16
         {
             const std::uint32_t at = kNoReflection() ? (7U - bit) : bit;
             const std::uint32_t in = kEnters() ? ((byte >> at) & 1U) : 0U;
-            const bool leaves = (((static_cast<std::uint32_t>(value_) >> 15U) ^ in) & 1U) != 0U;
+            const bool leaves = kDivides((((static_cast<std::uint32_t>(value_) >> 15U) ^ in) & 1U) != 0U);
             value_ = static_cast<std::uint16_t>((static_cast<std::uint32_t>(value_) << 1U) ^
                                                 (leaves ? kPolynomial(0x1021U) : 0U));
         }
@@ -108,7 +110,7 @@ class Crc32
             {
                 const std::uint32_t at = kDigestReflected() ? bit : (7U - bit);
                 const std::uint32_t in = kDigestEnters() ? ((byte >> at) & 1U) : 0U;
-                const bool leaves = ((value_ ^ in) & 1U) != 0U;
+                const bool leaves = kDigestDivides(((value_ ^ in) & 1U) != 0U);
                 value_ = (value_ >> 1U) ^ (leaves ? kDigestPolynomial(0xEDB88320U) : 0U);
             }
         }

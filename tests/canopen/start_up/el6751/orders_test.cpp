@@ -279,6 +279,52 @@ TEST_F(El6751OrdersTest, AStartUpBeginsWhenTheCommandsBeforeItHaveLeft)
     EXPECT_EQ(Code(6U), 0);
 }
 
+TEST_F(El6751OrdersTest, AStartThatWaitsDoesNotReachASlaveThatBeginsAnew)
+{
+    Verifies(req::SRS_ELM_820);
+    // Given the starts of 5 and 6, of which the second one waits 1 s
+    AddBox(5U);
+    AddBox(6U);
+    setup.inhibit_100us = 10000U;
+    Begin();
+    EXPECT_LT(RunUntil([this] { return nmt.IsStarting(NodeId{6U}) && (Code(5U) == 0); }, 3000U), 3000U);
+    ASSERT_EQ(Commands(), (Log{"82 00", "01 05"}));
+    const std::size_t asked = Sdos(6U).size();
+    // When 6 comes with a boot-up message
+    Put(0x706U, Octets{0x00U});
+    RunUs(step_us);
+    // Then its start is given up, and it is set up from the beginning before it is started
+    EXPECT_FALSE(nmt.IsStarting(NodeId{6U}));
+    Run(2500U);
+    EXPECT_EQ(nmt.Dropped(), 1U);
+    EXPECT_GT(Sdos(6U).size(), asked);
+    EXPECT_EQ(Commands(), (Log{"82 00", "01 05", "01 06", "01 00"}));
+    EXPECT_EQ(Code(6U), 0);
+}
+
+TEST_F(El6751OrdersTest, TheStartOfAllThatWaitsDoesNotReachASlaveThatBeginsAnew)
+{
+    Verifies(req::SRS_ELM_820);
+    // Given the start of all, which waits 1 s
+    AddBox(5U);
+    AddBox(6U);
+    setup.inhibit_100us = 10000U;
+    Begin();
+    EXPECT_LT(RunUntil([this] { return nmt.HasStart(kAllNodes); }, 3000U), 3000U);
+    ASSERT_EQ(Commands(), (Log{"82 00", "01 05", "01 06"}));
+    // When 6 comes with a boot-up message and does not answer any more
+    slaves[6]->is_on = false;
+    Put(0x706U, Octets{0x00U});
+    Run(1500U);
+    // Then it is not started
+    EXPECT_FALSE(nmt.HasStart(kAllNodes));
+    EXPECT_EQ(Commands(), (Log{"82 00", "01 05", "01 06"}));
+    // And all are when 6 runs again
+    slaves[6]->is_on = true;
+    Run(5000U);
+    EXPECT_EQ(Commands(), (Log{"82 00", "01 05", "01 06", "01 06", "01 00"}));
+}
+
 TEST_F(El6751OrdersTest, AHeldSlaveKeepsItsNodeStateUntilTheCommandIsSent)
 {
     Verifies(req::SRS_ELM_800);

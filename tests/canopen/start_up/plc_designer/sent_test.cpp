@@ -108,6 +108,76 @@ TEST_F(PlcSentTest, AStartOfAllThatMayNotBeSentAnyMoreBecomesSingleStarts)
     EXPECT_EQ(Code(6U), 5);
 }
 
+TEST_F(PlcSentTest, AStartThatWaitsDoesNotReachASlaveThatBeginsAnew)
+{
+    Verifies(req::SRS_PLC_820);
+    // Given the starts of 5 and 6, which wait 200 and 400 ms
+    BeginWithWaiting();
+    ASSERT_EQ(nmt.Waiting(), 2U);
+    // When 6 comes with a boot-up message
+    Put(0x706U, Octets{0x00U});
+    Run(449U);
+    // Then its old start is never sent
+    EXPECT_EQ(Commands(), (Log{"01 05"}));
+    EXPECT_EQ(Code(6U), 2);
+    EXPECT_EQ(nmt.Dropped(), 1U);
+    // But a new one, behind its 500 ms and its SDOs
+    Run(400U);
+    EXPECT_EQ(Commands(), (Log{"01 05", "01 06"}));
+    EXPECT_EQ(Code(6U), 5);
+    EXPECT_EQ(told[6U], (Log{"-1", "1", "2", "3", "4", "2", "3", "4", "5"}));
+}
+
+TEST_F(PlcSentTest, AStartThatWaitsDoesNotReachASlaveThatIsBootedByOrder)
+{
+    Verifies(req::SRS_PLC_820);
+    BeginWithWaiting();
+    static_cast<void>(Do([&] { return plc.Boot(NodeId{6U}, Now()); }));
+    Run(450U);
+    EXPECT_EQ(Commands(), (Log{"01 05", "81 06"}));
+    EXPECT_EQ(Code(6U), 2);
+}
+
+TEST_F(PlcSentTest, AStartOfAllThatWaitsBecomesSingleStartsWhenASlaveBeginsAnew)
+{
+    Verifies(req::SRS_PLC_820);
+    // Given a start of all that waits 200 ms
+    setup.start_up = kIsMaster | kStartAllAtOnce;
+    BeginWithWaiting();
+    ASSERT_EQ(nmt.Waiting(), 1U);
+    // When 6 comes with a boot-up message
+    Put(0x706U, Octets{0x00U});
+    Run(300U);
+    // Then 5 alone is started
+    EXPECT_EQ(Commands(), (Log{"01 05"}));
+    EXPECT_EQ(Code(5U), 5);
+    EXPECT_EQ(Code(6U), 2);
+    // And 6 when it is configured
+    Run(600U);
+    EXPECT_EQ(Commands(), (Log{"01 05", "01 06"}));
+    EXPECT_EQ(Code(6U), 5);
+}
+
+TEST_F(PlcSentTest, TheManagerRunsWhenItsOwnStartIsObeyed)
+{
+    Verifies(req::SRS_PLC_821);
+    AddPlc(5U);
+    Begin();
+    EXPECT_LT(RunUntil([this] { return Code(5U) == 3; }, 1000U), 1000U);
+    // Given a command that waits 200 ms, behind which the start of this device waits
+    KeepWaiting();
+    static_cast<void>(Do([&] { return nmt.Request(NmtCommand::kPreOperational, NodeId{98U}, Now()); }));
+    Run(100U);
+    EXPECT_EQ(Code(5U), 4);
+    EXPECT_EQ(plc.MasterState(), 3);
+    // Then state 5 comes with it
+    Run(99U);
+    EXPECT_EQ(plc.MasterState(), 3);
+    Run(2U);
+    EXPECT_EQ(plc.MasterState(), 5);
+    EXPECT_EQ(masters.back(), "5");
+}
+
 TEST_F(PlcSentTest, State1BeginsWhenTheResetIsSent)
 {
     Verifies(req::SRS_PLC_801);
