@@ -202,7 +202,7 @@ BootFinding BootNmt::Start(const BootJob& job, const bool is_master_operational)
         event = (answer == NmtAnswer::kNotVerified) ? BootEvent::kElse : BootEvent::kNone;
         if (answer == NmtAnswer::kTaken)
         {
-            job.record.NoteCommand(true, parts_.nmt.IsStarting(job.node));
+            job.record.NoteCommand(true, parts_.nmt.IsStarting(job.node), parts_.nmt.IsLeaving(job.node));
             job.record.was_operational = false;
             event = BootEvent::kFinished;
         }

@@ -61,6 +61,7 @@ struct BootRecord
     bool is_unread;        ///< Stopped because it ran and did not answer.
     bool is_start_owed;    ///< The NMT master gave up its start; it is to be verified and started again.
     bool is_start_waiting; ///< status.is_started is of a start that was not seen to be sent. [SRS_BOOT_800]
+    bool is_end_waiting;   ///< It was started, and what takes it out of OPERATIONAL was not sent. [SRS_BOOT_820]
     bool is_held;          ///< A command holds it since: no start-up starts it before an order.
     bool is_extra;         ///< Configuration or verification alone runs: its end says nothing about the boot.
 
@@ -72,10 +73,16 @@ struct BootRecord
     }
     /// @brief A command was handed over, which waits or was sent. `status` has a start from then on; who looks at the
     /// slave from outside sees it when it was sent.
-    void NoteCommand(const bool is_start, const bool waits) noexcept
+    void NoteCommand(const bool is_start, const bool is_starting, const bool is_leaving) noexcept
     {
-        is_start_waiting = is_start && waits && (is_start_waiting || !status.is_started);
+        is_end_waiting = is_leaving && IsSeenStarted();
+        is_start_waiting = is_start && is_starting && (is_start_waiting || !status.is_started);
         status.is_started = is_start;
+    }
+    /// @brief Whether the slave is started for who looks at it from outside.
+    [[nodiscard]] bool IsSeenStarted() const noexcept
+    {
+        return is_end_waiting || (status.is_started && !is_start_waiting);
     }
     /// @brief Whether a boot runs, and not configuration or verification alone.
     [[nodiscard]] bool IsBooting() const noexcept

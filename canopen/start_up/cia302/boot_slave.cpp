@@ -229,6 +229,7 @@ void BootSlave::Doubt(const NodeId node, const BootTime& time) noexcept
     record.is_booted = false;
     record.status.has_ended = false;
     record.status.is_started = false;
+    record.is_end_waiting = false;
     record.status.is_other = true;
     parts_.listener.OnNodeStatus(node, time.now);
 }

@@ -208,9 +208,12 @@ void Cia302Master::TellStarts(const Instant now) noexcept
     for (std::uint8_t id = 1U; id <= kLastNode; ++id)
     {
         BootRecord& record = boot_.Record(NodeId{id});
-        if (record.is_start_waiting && !parts_.nmt.IsStarting(NodeId{id}))
+        const bool has_started = record.is_start_waiting && !parts_.nmt.IsStarting(NodeId{id});
+        const bool has_left = record.is_end_waiting && !parts_.nmt.IsLeaving(NodeId{id});
+        record.is_start_waiting = record.is_start_waiting && !has_started;
+        record.is_end_waiting = record.is_end_waiting && !has_left;
+        if (has_started || has_left)
         {
-            record.is_start_waiting = false;
             parts_.listener.OnNodeStatus(NodeId{id}, now);
         }
     }
@@ -262,7 +265,7 @@ void Cia302Master::StartSlaves(const BootTime& time) noexcept
             parts_.setup.IsListed(node) && parts_.setup.Slave(node).Has(kBootSlave) && record.is_booted;
         if (is_meant && is_taken)
         {
-            record.NoteCommand(true, parts_.nmt.IsStarting(node));
+            record.NoteCommand(true, parts_.nmt.IsStarting(node), parts_.nmt.IsLeaving(node));
             parts_.listener.OnNodeStatus(node, time.now);
         }
         else if (is_meant && !is_together && !record.was_operational && !record.is_held)

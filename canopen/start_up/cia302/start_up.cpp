@@ -312,7 +312,7 @@ void Cia302StartUp::OnStartDropped(const NodeId node, const Instant /*now*/) noe
             // Two starts of one slave may be given up in one cycle.
             const bool is_owed = record.is_start_owed || record.status.is_started;
             record.is_start_owed = is_owed && parts_.setup.IsListed(NodeId{id});
-            record.NoteCommand(false, false);
+            record.NoteCommand(false, false, parts_.nmt.IsLeaving(NodeId{id}));
         }
     }
 }
@@ -379,7 +379,8 @@ NmtAnswer Cia302StartUp::CommandAll(const NmtCommand command, const BootTime& ti
             // Who was never there heard nothing of it. [SRS_MGR_122] Who failed runs by a start of its own.
             BootRecord& record = boot_.Record(NodeId{id});
             const bool is_despite = record.status.is_started && record.HasFailed();
-            record.NoteCommand(is_start && (record.is_booted || is_despite), parts_.nmt.IsStarting(NodeId{id}));
+            record.NoteCommand(is_start && (record.is_booted || is_despite), parts_.nmt.IsStarting(NodeId{id}),
+                               parts_.nmt.IsLeaving(NodeId{id}));
             record.is_start_owed = false;
             Keep(command, NodeId{id}, time);
         }
@@ -441,7 +442,7 @@ NmtAnswer Cia302StartUp::CommandNode(const NmtCommand command, const NodeId node
     else if ((answer == NmtAnswer::kTaken) && is_listed)
     {
         BootRecord& record = boot_.Record(node);
-        record.NoteCommand(command == NmtCommand::kStart, parts_.nmt.IsStarting(node));
+        record.NoteCommand(command == NmtCommand::kStart, parts_.nmt.IsStarting(node), parts_.nmt.IsLeaving(node));
         record.is_start_owed = false;
         Keep(command, node, time);
     }
@@ -513,7 +514,7 @@ NodeStatus Cia302StartUp::Status(const NodeId node) const noexcept
 {
     const BootRecord& record = boot_.Record(node);
     NodeStatus status = record.status;
-    status.is_started = status.is_started && !record.is_start_waiting;
+    status.is_started = record.IsSeenStarted();
     return status;
 }
 

@@ -138,5 +138,69 @@ TEST_F(BootSentTest, AStopBehindAStartThatWaitsCounts)
     EXPECT_EQ(told, (Lines{"1:5"}));
 }
 
+TEST_F(BootSentTest, StartedEndsWhenTheStopIsSent)
+{
+    Verifies(req::SRS_BOOT_820);
+    Add(5U, kBoot);
+    Add(7U, kBoot);
+    Begin();
+    Run(50U);
+    ASSERT_TRUE(Of(5U).is_started);
+    // Given a stop by order, which waits 200 ms
+    Order(NmtCommand::kPreOperational, 7U);
+    KeepWaiting();
+    told.clear();
+    EXPECT_EQ(Order(NmtCommand::kStop, 5U), NmtAnswer::kTaken);
+    Run(199U);
+    EXPECT_EQ(Commands(), (Lines{}));
+    EXPECT_TRUE(Of(5U).is_started);
+    // Then it ends with the stop
+    Run(2U);
+    EXPECT_EQ(Commands(), (Lines{"250:02 05"}));
+    EXPECT_FALSE(Of(5U).is_started);
+    EXPECT_EQ(told, (Lines{"251:5"}));
+}
+
+TEST_F(BootSentTest, AStopOfAllEndsStartedWhenItIsSent)
+{
+    Verifies(req::SRS_BOOT_820);
+    Add(5U, kBoot);
+    Add(6U, kBoot);
+    Add(7U, kBoot);
+    Begin();
+    Run(50U);
+    Order(NmtCommand::kPreOperational, 7U);
+    KeepWaiting();
+    EXPECT_EQ(Order(NmtCommand::kPreOperational, 0U), NmtAnswer::kTaken);
+    Run(199U);
+    EXPECT_TRUE(Of(5U).is_started && Of(6U).is_started);
+    Run(2U);
+    EXPECT_FALSE(Of(5U).is_started || Of(6U).is_started);
+}
+
+TEST_F(BootSentTest, AStartBehindAStopThatWaitsIsToldBehindIt)
+{
+    Verifies(req::SRS_BOOT_800);
+    Verifies(req::SRS_BOOT_820);
+    Add(5U, kBoot);
+    Add(7U, kBoot);
+    Begin();
+    Run(50U);
+    Order(NmtCommand::kPreOperational, 7U);
+    KeepWaiting();
+    told.clear();
+    Order(NmtCommand::kStop, 5U);
+    Order(NmtCommand::kStart, 5U);
+    // It runs until the stop at 250 ms, and again from the start at 450 ms on
+    Run(199U);
+    EXPECT_TRUE(Of(5U).is_started);
+    Run(2U);
+    EXPECT_FALSE(Of(5U).is_started);
+    Run(200U);
+    EXPECT_TRUE(Of(5U).is_started);
+    EXPECT_EQ(Commands(), (Lines{"250:02 05", "450:01 05"}));
+    EXPECT_EQ(told, (Lines{"251:5", "451:5 started"}));
+}
+
 } // namespace
 } // namespace counterpoint::cia302
